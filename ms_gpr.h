@@ -8,8 +8,8 @@
       #include "ms_gpr.h"
 
    A user scores a gallery of materials; a Gaussian process learns what the scores depend on; the header recommends
-   thousands of new materials, says how sure it is, and lays variants out in a plane. Link with -lm. Here a user who likes
-   one thing alone: the first of five parameters near 0.8.
+   thousands of new materials, says how sure it is, and lays variants out in a plane. Link with -lm. Here a user who
+   likes one thing alone: the first of five parameters near 0.8.
 
    Example:
       #define MS_GPR_IMPLEMENTATION
@@ -34,8 +34,8 @@
           }
           if (ms_gpr_fit(x, score, N, M, NULL, &gp, &report, &error) != MS_OK) return puts(error.message), 1;
           printf("log likelihood %.1f after %d evaluations\n", report.likelihood, report.evaluations);
-          if (ms_gpr_recommend(gp, NULL, COUNT, found, mean, sigma, NULL, &error) != MS_OK) return puts(error.message), 1;
-          for (i = 0; i < COUNT; ++i) printf("x0 = %.2f: score %.1f +- %.1f\n", found[i * M], mean[i], sigma[i]);
+          if (ms_gpr_recommend(gp, NULL, COUNT, found, mean, sigma, NULL, &error) != MS_OK) return puts(error.message),
+          1; for (i = 0; i < COUNT; ++i) printf("x0 = %.2f: score %.1f +- %.1f\n", found[i * M], mean[i], sigma[i]);
           ms_gpr_destroy(gp);
           return 0;
       }
@@ -44,34 +44,38 @@
    In the caller's order
    ---------------------
    1. Materials to be scored: ms_gpr_gallery, in batches of 5 to 25, from the first (a model of n = 0) to the last.
-   2. Scores, or "the best 2 of 9", or both: ms_gpr_fit learns the hyperparameters, or ms_gpr_create takes them. ms_gpr_append,
-      ms_gpr_rescore and ms_gpr_drop change one score at the cost of n^2, ms_gpr_compare takes comparisons. Another round: concatenate,
-      and fit again.
+   2. Scores, or "the best 2 of 9", or both: ms_gpr_fit learns the hyperparameters, or ms_gpr_create takes them.
+      ms_gpr_append, ms_gpr_rescore and ms_gpr_drop change one score at the cost of n^2, ms_gpr_compare takes
+      comparisons. Another round: concatenate, and fit again.
    3. What was learned: ms_gpr_predict, ms_gpr_gradient, ms_gpr_relevance, ms_gpr_leave_one_out; ms_gpr_simplify leaves
       out what a scene does not need; ms_gpr_save and ms_gpr_load keep it.
-   4. New materials: ms_gpr_recommend. They, galleries and planes keep a ms_gpr_space: what is fixed, ranges, steps, ties, lists of metals.
-   5. Variants of a liked material: ms_gpr_latent_fit lays high-scoring materials out in a plane, ms_gpr_latent_map leads
-      from the plane to materials; ms_gpr_map_preference and its sisters colour it; ms_gpr_variants finds the best ones.
+   4. New materials: ms_gpr_recommend. They, galleries and planes keep a ms_gpr_space: what is fixed, ranges, steps,
+   ties, lists of metals. 5. Variants of a liked material: ms_gpr_latent_fit lays high-scoring materials out in a plane,
+      ms_gpr_latent_map leads from the plane to materials; ms_gpr_map_preference and its sisters colour it;
+      ms_gpr_variants finds the best ones.
 
    What it costs
    -------------
-   A likelihood with gradient takes n^3 / 2 + n^2 m multiply-adds, and a fit some 20 of them on all scores and 150 on a third; a mean n m,
-   with its variance n^2 / 2 more. 300 recommendations take 30 to 150 thousand means, more the rarer they are. Figures and what fits are
-   worth: tests/bench/RESULTS.md, made by `make bench`. What is shown and asked is worth the most: after 60 answers recommendations are
-   better than after 250 scores of uniform materials where the first answers are clicks on the best 2 of 9 of five active galleries, or on
-   none of them; after 80 to 100 of scores of active galleries alone as good. Recommendations scored in rounds need 250 for what 80 do. One of several separate classes in ten is missed, as there.
+   A likelihood with gradient takes n^3 / 2 + n^2 m multiply-adds, and a fit some 20 of them on all scores and 150 on a
+   third; a mean n m, with its variance n^2 / 2 more. 300 recommendations take 30 to 150 thousand means, more the rarer
+   they are. Figures and what fits are worth: tests/bench/RESULTS.md, made by `make bench`. What is shown and asked is
+   worth the most: after 60 answers recommendations are better than after 250 scores of uniform materials where the
+   first answers are clicks on the best 2 of 9 of five active galleries, or on none of them; after 80 to 100 of scores
+   of active galleries alone as good. Recommendations scored in rounds need 250 for what 80 do. One of several separate
+   classes in ten is missed, as there.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
-   A model is two blocks from its allocator, n^2 + 3 n m doubles; a fit takes another of 4 n^2 and gives it back. Calls that
-   predict take one block of scratch, those that keep a space two. No globals; 20 KB of stack.
-   A model is only read by const calls: they may overlap. ms_parallel shares out predictions, recommendations and galleries.
-   Kernels are scalar, SSE2 or NEON, or AVX2 text, chosen once a model, capped by options.simd. AVX-512 brought too little
-   and was left out.
-   The same bits for any thread count and in every run at one level of one build; levels, and builds that fuse multiply-adds
-   differently, differ by rounding, which a fit may turn into another path to the same optimum. -ffast-math by the user voids
-   all promises.
-   Calls return ms_status and fill an optional ms_error; outputs are untouched on failure, but where the call says otherwise.
+   A model is two blocks from its allocator, n^2 + 3 n m doubles; a fit takes another of 4 n^2 and gives it back. Calls
+   that predict take one block of scratch, those that keep a space two. No globals; 20 KB of stack.
+   A model is only read by const calls: they may overlap. ms_parallel shares out predictions, recommendations and
+   galleries. Kernels are scalar, SSE2 or NEON, or AVX2 text, chosen once a model, capped by options.simd. AVX-512
+   brought too little and was left out.
+   The same bits for any thread count and in every run at one level of one build; levels, and builds that fuse
+   multiply-adds differently, differ by rounding, which a fit may turn into another path to the same optimum.
+   -ffast-math by the user voids all promises.
+   Calls return ms_status and fill an optional ms_error; outputs are untouched on failure, but where the call says
+   otherwise.
 
    Configuration (define before the implementation)
    ------------------------------------------------
@@ -84,17 +88,17 @@
 
    Limits
    ------
-   n up to 30000 by memory; time grows with n^3. The kernel is the squared exponential with one length a dimension: preferences
-   that jump are smoothed. Values that are not finite or beyond 1e30 are refused with their row, columns and scores that span less
-   than 1e-30 by name. Distances are direct differences of centred inputs, so that near-duplicates and offsets of 1e8 cost no
-   digits. Where K' is not positive definite in double precision, the least jitter that helps is added and reported by
-   ms_gpr_jitter.
+   n up to 30000 by memory; time grows with n^3. The kernel is the squared exponential with one length a dimension:
+   preferences that jump are smoothed. Values that are not finite or beyond 1e30 are refused with their row, columns and
+   scores that span less than 1e-30 by name. Distances are direct differences of centred inputs, so that near-duplicates
+   and offsets of 1e8 cost no digits. Where K' is not positive definite in double precision, the least jitter that helps
+   is added and reported by ms_gpr_jitter.
 
    Sources
    -------
-   K. Zsolnai-Feher, Photorealistic Material Learning and Synthesis, TU Wien 2019, chapter 3 (numbers in brackets are its
-   equations, misprints corrected); Rasmussen & Williams 2006, Gaussian Processes for Machine Learning; Nocedal & Wright
-   2006, Numerical Optimization; Lawrence 2004; Neal 2003, Slice sampling; Au & Beck 2001, subset simulation.
+   K. Zsolnai-Feher, Photorealistic Material Learning and Synthesis, TU Wien 2019, chapter 3 (numbers in brackets are
+   its equations, misprints corrected); Rasmussen & Williams 2006, Gaussian Processes for Machine Learning; Nocedal &
+   Wright 2006, Numerical Optimization; Lawrence 2004; Neal 2003, Slice sampling; Au & Beck 2001, subset simulation.
 */
 #ifndef MS_GPR_H
 #define MS_GPR_H
@@ -126,9 +130,9 @@ extern "C" {
 #define MS_API MS_DEF
 #endif
 
-/* NULL, in every header: where an argument's comment does not say what NULL means, it may not be NULL. A call that returns a
-   status then answers MS_INVALID_ARGUMENT and names the argument; any other does nothing and returns 0 or NULL.
-   destroy and free do nothing with NULL. */
+/* NULL, in every header: where an argument's comment does not say what NULL means, it may not be NULL. A call that
+   returns a status then answers MS_INVALID_ARGUMENT and names the argument; any other does nothing and returns 0 or
+   NULL. destroy and free do nothing with NULL. */
 
 /* What went wrong; each code asks for another remedy. code, value, sentence */
 #define MS_STATUS_LIST(X)                                                  \
@@ -145,7 +149,7 @@ typedef enum ms_status {
 #define MS_STATUS_ENUM(code, value, sentence) code = value,
     MS_STATUS_LIST(MS_STATUS_ENUM)
 #undef MS_STATUS_ENUM
-    MS_STATUS_COUNT /* how many codes there are */
+        MS_STATUS_COUNT /* how many codes there are */
 } ms_status;
 
 /* Details of a failure. Every call that takes one accepts NULL; it is written on failure only. */
@@ -207,7 +211,7 @@ static inline const char *ms_simd_string(ms_simd level)
     int i = (int)level;
     return i >= 0 && i <= (int)MS_SIMD_AVX512 ? name[i] : "unknown";
 }
-#endif /* MS_COMMON */
+#endif             /* MS_COMMON */
 #if MS_COMMON != 2 /* outside the guard: catches two vendored releases in one file */
 #error "ms_*.h headers of different releases in one translation unit"
 #endif
@@ -221,10 +225,10 @@ typedef struct ms_gpr ms_gpr;
 
 /* All zero: the defaults. */
 typedef struct ms_gpr_options {
-    double mean;            /* prior mean, in units of the scores */
-    ms_simd simd;           /* a cap */
+    double mean;  /* prior mean, in units of the scores */
+    ms_simd simd; /* a cap */
     ms_allocator allocator;
-    ms_parallel parallel;   /* of predictions, recommendations and galleries; nothing else runs on threads */
+    ms_parallel parallel; /* of predictions, recommendations and galleries; nothing else runs on threads */
 } ms_gpr_options;
 
 /* The score of a material that has none: it was only compared. */
@@ -236,19 +240,19 @@ typedef struct ms_gpr_options {
    n      >= 0; a model of n = 0 predicts the prior
    m      >= 1
    theta  [m + 2]: log l_k for every dimension, log sf, log sn; l_k in units of x, sf and sn in units of y
-   MS_BAD_DATA: a value of x or y that is not finite or beyond 1e30 (position: its row, from 1). MS_INVALID_ARGUMENT: theta not finite.
-   MS_NOT_CONVERGED: K' is not positive definite even with the largest jitter (see ms_gpr_jitter). MS_OUT_OF_MEMORY.
-   *out is NULL unless MS_OK. Cost n^3 / 6 multiply-adds; memory n^2 + n m doubles. */
+   MS_BAD_DATA: a value of x or y that is not finite or beyond 1e30 (position: its row, from 1). MS_INVALID_ARGUMENT:
+   theta not finite. MS_NOT_CONVERGED: K' is not positive definite even with the largest jitter (see ms_gpr_jitter).
+   MS_OUT_OF_MEMORY. *out is NULL unless MS_OK. Cost n^3 / 6 multiply-adds; memory n^2 + n m doubles. */
 MS_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, const double *theta,
-                                   const ms_gpr_options *options, ms_gpr **out, ms_error *error);
+                               const ms_gpr_options *options, ms_gpr **out, ms_error *error);
 
 MS_API void ms_gpr_destroy(ms_gpr *gp);
 
 /* Other hyperparameters [m + 2] for the same data. The model is unchanged unless MS_OK. */
 MS_API ms_status ms_gpr_set_theta(ms_gpr *gp, const double *theta, ms_error *error);
 
-/* One more scored point, x [m], at the cost of n^2; the hyperparameters stay. Equal to a new model of n + 1 points but for
-   rounding. The model is unchanged unless MS_OK. */
+/* One more scored point, x [m], at the cost of n^2; the hyperparameters stay. Equal to a new model of n + 1 points but
+   for rounding. The model is unchanged unless MS_OK. */
 MS_API ms_status ms_gpr_append(ms_gpr *gp, const double *x, double y, ms_error *error);
 
 /* Another score for point `index`, at the cost of n^2: the user thought again. */
@@ -259,47 +263,51 @@ MS_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error);
 
 /* More materials without a score, and comparisons, "this one rather than that one", in place of those the model has.
    x           [count][m] rows n to n + count - 1 of the model; NULL with count 0
-   pairs       [pair_count][2] rows of the model, the preferred one first; copied. Ties are left out, contradictions and repetitions
-               count as they come. "The best 2 of 9" are 14 pairs. Likes alone: pairs of each with 20 materials of an
-               MS_GPR_GALLERY_SPREAD, which stand for what else there is
-   Each has P = Phi((f_better - f_worse) / (sqrt(2) sn)): the user sees both with the noise of a score. Scores and comparisons make one
-   model; without scores the unit is sf. What is predicted then is Laplace's approximation: the Gaussian around the most probable latent
-   values. Where rows have no score or comparisons, or the scores came in steps (ms_gpr_fit_options), this call, ms_gpr_set_theta,
-   ms_gpr_append, ms_gpr_rescore and ms_gpr_drop take some 2 n^3 multiply-adds, the likelihood is Laplace's, and ms_gpr_leave_one_out is
-   MS_UNSUPPORTED. ms_gpr_drop drops the comparisons of its row.
-   MS_BAD_DATA as ms_gpr_create. MS_INVALID_ARGUMENT: a row outside the model or compared with itself (position: the pair, from 1);
-   MS_NOT_CONVERGED, MS_OUT_OF_MEMORY. The model is unchanged unless MS_OK.
-   Chu & Ghahramani 2005, "Preference learning with Gaussian processes"; Brochu and others 2007, "Active preference learning". */
-MS_API ms_status ms_gpr_compare(ms_gpr *gp, const double *x, int count, const int *pairs, int pair_count, ms_error *error);
+   pairs       [pair_count][2] rows of the model, the preferred one first; copied. Ties are left out, contradictions and
+               repetitions count as they come. "The best 2 of 9" are 14 pairs. Likes alone: pairs of each with 20
+               materials of an MS_GPR_GALLERY_SPREAD, which stand for what else there is
+   Each has P = Phi((f_better - f_worse) / (sqrt(2) sn)): the user sees both with the noise of a score. Scores and
+   comparisons make one model; without scores the unit is sf. What is predicted then is Laplace's approximation: the
+   Gaussian around the most probable latent values. Where rows have no score or comparisons, or the scores came in steps
+   (ms_gpr_fit_options), this call, ms_gpr_set_theta, ms_gpr_append, ms_gpr_rescore and ms_gpr_drop take some 2 n^3
+   multiply-adds, the likelihood is Laplace's, and ms_gpr_leave_one_out is MS_UNSUPPORTED. ms_gpr_drop drops the
+   comparisons of its row. MS_BAD_DATA as ms_gpr_create. MS_INVALID_ARGUMENT: a row outside the model or compared with
+   itself (position: the pair, from 1); MS_NOT_CONVERGED, MS_OUT_OF_MEMORY. The model is unchanged unless MS_OK.
+   Chu & Ghahramani 2005, "Preference learning with Gaussian processes"; Brochu and others 2007, "Active preference
+   learning". */
+MS_API ms_status ms_gpr_compare(ms_gpr *gp, const double *x, int count, const int *pairs, int pair_count,
+                                ms_error *error);
 
-/* Drops dimensions that matter little, least first, while the sum of their relevances is at most `tolerance` (such as 0.02):
-   "model only what a scene needs". The model of the rest is exact, as if the dropped length scales were infinite; predictions
-   still take all m columns and ignore the dropped ones. kept: how many dimensions are left; NULL is allowed. */
+/* Drops dimensions that matter little, least first, while the sum of their relevances is at most `tolerance` (such as
+   0.02): "model only what a scene needs". The model of the rest is exact, as if the dropped length scales were
+   infinite; predictions still take all m columns and ignore the dropped ones. kept: how many dimensions are left; NULL
+   is allowed. */
 MS_API ms_status ms_gpr_simplify(ms_gpr *gp, double tolerance, int *kept, ms_error *error);
 
-/* How much each dimension matters, [m] out: the mean of ((a_k - b_k) / l_k)^2 over pairs of training inputs. Of a pair that
-   differs in dimension k alone, the scores correlate by about exp(-relevance / 2). 0 for a dropped dimension. */
+/* How much each dimension matters, [m] out: the mean of ((a_k - b_k) / l_k)^2 over pairs of training inputs. Of a pair
+   that differs in dimension k alone, the scores correlate by about exp(-relevance / 2). 0 for a dropped dimension. */
 MS_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance);
 
-MS_API int ms_gpr_count(const ms_gpr *gp);               /* n */
-MS_API int ms_gpr_dimensions(const ms_gpr *gp);          /* m */
-MS_API const double *ms_gpr_theta(const ms_gpr *gp);     /* [m + 2]; a dropped dimension has log l_k = 700 */
-MS_API const double *ms_gpr_inputs(const ms_gpr *gp);    /* [n][m], valid until the model changes */
-MS_API const double *ms_gpr_scores(const ms_gpr *gp);    /* [n], as they were given */
-MS_API const double *ms_gpr_values(const ms_gpr *gp);    /* [n] the same, and predictions where there are none */
-MS_API const int *ms_gpr_pairs(const ms_gpr *gp);        /* [ms_gpr_pair_count][2] */
+MS_API int ms_gpr_count(const ms_gpr *gp);            /* n */
+MS_API int ms_gpr_dimensions(const ms_gpr *gp);       /* m */
+MS_API const double *ms_gpr_theta(const ms_gpr *gp);  /* [m + 2]; a dropped dimension has log l_k = 700 */
+MS_API const double *ms_gpr_inputs(const ms_gpr *gp); /* [n][m], valid until the model changes */
+MS_API const double *ms_gpr_scores(const ms_gpr *gp); /* [n], as they were given */
+MS_API const double *ms_gpr_values(const ms_gpr *gp); /* [n] the same, and predictions where there are none */
+MS_API const int *ms_gpr_pairs(const ms_gpr *gp);     /* [ms_gpr_pair_count][2] */
 MS_API int ms_gpr_pair_count(const ms_gpr *gp);
-MS_API double ms_gpr_mean(const ms_gpr *gp);             /* the prior mean */
-MS_API double ms_gpr_floor(const ms_gpr *gp);            /* the least score that can be given; see ms_gpr_fit_options */
-MS_API double ms_gpr_floor_value(const ms_gpr *gp);      /* what scores there are taken as */
-MS_API ms_simd ms_gpr_level(const ms_gpr *gp);           /* instruction set in use */
+MS_API double ms_gpr_mean(const ms_gpr *gp);        /* the prior mean */
+MS_API double ms_gpr_floor(const ms_gpr *gp);       /* the least score that can be given; see ms_gpr_fit_options */
+MS_API double ms_gpr_floor_value(const ms_gpr *gp); /* what scores there are taken as */
+MS_API ms_simd ms_gpr_level(const ms_gpr *gp);      /* instruction set in use */
 
-/* What had to be added to sn^2, in units of sf^2, to make K' positive definite in double precision: 0 nearly always, else a
-   power of ten from 1e-15 to 1e-6. Results are those of the model with that noise. */
+/* What had to be added to sn^2, in units of sf^2, to make K' positive definite in double precision: 0 nearly always,
+   else a power of ten from 1e-15 to 1e-6. Results are those of the model with that noise. */
 MS_API double ms_gpr_jitter(const ms_gpr *gp);
 
-/* log p(y | X, theta), and where not NULL its gradient [m + 2] with respect to theta. Exact; allocates 3 n^2 doubles and costs
-   n^3 / 2 + n^2 m multiply-adds with the gradient. Rasmussen & Williams 2006, (5.8), (5.9); thesis (3.7) with errata. */
+/* log p(y | X, theta), and where not NULL its gradient [m + 2] with respect to theta. Exact; allocates 3 n^2 doubles
+   and costs n^3 / 2 + n^2 m multiply-adds with the gradient. Rasmussen & Williams 2006, (5.8), (5.9); thesis (3.7) with
+   errata. */
 MS_API ms_status ms_gpr_likelihood(const ms_gpr *gp, double *likelihood, double *gradient, ms_error *error);
 
 /* What the model of the other n - 1 points says about each score.
@@ -307,64 +315,69 @@ MS_API ms_status ms_gpr_likelihood(const ms_gpr *gp, double *likelihood, double 
    variance  [n] out, or NULL: of the score, with its noise
    density   out, or NULL: sum of log N(y_i; mean_i, variance_i)
    Rasmussen & Williams 2006, (5.10) to (5.12). */
-MS_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *variance, double *density, ms_error *error);
+MS_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *variance, double *density,
+                                      ms_error *error);
 
 /* ---- fit ------------------------------------------------------------------------------------------------------- */
 
 typedef enum ms_gpr_method {
-    MS_GPR_METHOD_MAP = 0, /* L-BFGS to the largest posterior: log-normal priors, three starts, probing of every dimension */
-    MS_GPR_METHOD_ML = 1   /* L-BFGS to the largest likelihood, three starts */
+    MS_GPR_METHOD_MAP =
+        0, /* L-BFGS to the largest posterior: log-normal priors, three starts, probing of every dimension */
+    MS_GPR_METHOD_ML = 1 /* L-BFGS to the largest likelihood, three starts */
 } ms_gpr_method;
 
 /* All zero: the defaults. "Width" is sqrt(12) standard deviations: 1 for a column that is uniform on [0, 1]. */
 typedef struct ms_gpr_fit_options {
-    const double *floor;    /* the least score that can be given, such as 1 of 5 stars. NULL: the least that was given, if two and
-                               an eighth of all share it; else there is none */
-    double floor_offset;    /* Scores at the floor are taken as so many standard deviations below it, so that dislike has room
-                               below "barely liked". 0: 0.75 for MAP, none for ML. Negative: none */
+    const double *floor; /* the least score that can be given, such as 1 of 5 stars. NULL: the least that was given, if
+                            two and an eighth of all share it; else there is none */
+    double floor_offset; /* Scores at the floor are taken as so many standard deviations below it, so that dislike has
+                            room below "barely liked". 0: 0.75 for MAP, none for ML. Negative: none */
     ms_gpr_method method;
-    const double *start;    /* [m + 2] theta where the search starts, alone; NULL: sf = 1 and sn = 0.1 standard deviations, and */
-    double length_start;    /* l_k = so many widths, alone; 0: 0.25, 0.5 and 3 sqrt(m) */
-    double length_min;      /* bounds of l_k in widths; 0: 0.01 */
-    double length_max;      /* 0: 1000 */
-    double noise_min;       /* least sn in standard deviations of the scores; 0: 0.001 */
-    double noise;           /* MAP expects about this sn, in units of the scores; 0: 0.2 standard deviations of them, 1.5 where they come in
-                               steps */
-    double noise_spread;    /* and is a factor of e^noise_spread in doubt (a standard deviation of log sn); 0: 0.25 */
-    double length;          /* MAP expects about this l_k, in widths; 0: 2.1 sqrt(m) */
-    double length_spread;   /* doubt about it, as noise_spread; 0: 1.5 */
-    int evaluations;        /* of the likelihood at most, a start; 0: 200 */
-    int random_starts;      /* besides the three */
-    uint64_t seed;          /* of those */
+    const double
+        *start; /* [m + 2] theta where the search starts, alone; NULL: sf = 1 and sn = 0.1 standard deviations, and */
+    double length_start; /* l_k = so many widths, alone; 0: 0.25, 0.5 and 3 sqrt(m) */
+    double length_min;   /* bounds of l_k in widths; 0: 0.01 */
+    double length_max;   /* 0: 1000 */
+    double noise_min;    /* least sn in standard deviations of the scores; 0: 0.001 */
+    double noise; /* MAP expects about this sn, in units of the scores; 0: 0.2 standard deviations of them, 1.5 where
+                     they come in steps */
+    double noise_spread;  /* and is a factor of e^noise_spread in doubt (a standard deviation of log sn); 0: 0.25 */
+    double length;        /* MAP expects about this l_k, in widths; 0: 2.1 sqrt(m) */
+    double length_spread; /* doubt about it, as noise_spread; 0: 1.5 */
+    int evaluations;      /* of the likelihood at most, a start; 0: 200 */
+    int random_starts;    /* besides the three */
+    uint64_t seed;        /* of those */
     ms_simd simd;
     ms_allocator allocator;
-    ms_parallel parallel;   /* kept by the model for what it says in ms_gpr_options; the fit runs on the calling thread */
-    ms_progress progress;   /* asked before every evaluation */
-    const int *pairs;       /* [pair_count][2] comparisons, as in ms_gpr_compare */
+    ms_parallel parallel; /* kept by the model for what it says in ms_gpr_options; the fit runs on the calling thread */
+    ms_progress progress; /* asked before every evaluation */
+    const int *pairs;     /* [pair_count][2] comparisons, as in ms_gpr_compare */
     int pair_count;
-    double step;            /* scores come in steps of this, such as 1 for stars: those above the floor mean an opinion within half a step
-                               of them, at 3 times the cost. 0: MAP takes 20 scores or more of 2 to 6 evenly spaced values, those above the
-                               least given 3 times or more on average, as such; others are exact. Negative: exact */
+    double
+        step; /* scores come in steps of this, such as 1 for stars: those above the floor mean an opinion within half a
+                 step of them, at 3 times the cost. 0: MAP takes 20 scores or more of 2 to 6 evenly spaced values, those
+                 above the least given 3 times or more on average, as such; others are exact. Negative: exact */
 } ms_gpr_fit_options;
 
 typedef struct ms_gpr_fit_report {
-    double likelihood;      /* log p(y | X, theta) of the scores as they were modelled */
-    double objective;       /* the same plus the log prior of MAP */
-    double jitter;          /* ms_gpr_jitter of the model */
-    int evaluations;        /* of the likelihood, all starts and probes */
-    int start;              /* the start that won, from 0 */
-    int probes;             /* dimensions that probing switched on or off */
-    int columns;            /* that differ from row to row; the others are left out, as by ms_gpr_simplify */
+    double likelihood; /* log p(y | X, theta) of the scores as they were modelled */
+    double objective;  /* the same plus the log prior of MAP */
+    double jitter;     /* ms_gpr_jitter of the model */
+    int evaluations;   /* of the likelihood, all starts and probes */
+    int start;         /* the start that won, from 0 */
+    int probes;        /* dimensions that probing switched on or off */
+    int columns;       /* that differ from row to row; the others are left out, as by ms_gpr_simplify */
 } ms_gpr_fit_report;
 
 /* Learns theta, and makes the model with it. The prior mean is the mean of the scores, 0 where there are none.
-   x, y, n, m  as in ms_gpr_create. Columns whose values differ by rounding only (1e-10 of the largest) are left out: the model is
-               that of the rest. Equal scores, or none, give a flat model
-   Several rounds: concatenate materials and scores of all rounds, and fit again (start: the theta of the last round, if speed
-   matters). MS_BAD_DATA as ms_gpr_create, and where scores or a column span less than 1e-30 (position: the column, from 1).
-   MS_CANCELLED; the rest as ms_gpr_create. report: or NULL. Bit-equal at one SIMD level. Memory 4 n^2 doubles. */
-MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options, ms_gpr **out,
-                                ms_gpr_fit_report *report, ms_error *error);
+   x, y, n, m  as in ms_gpr_create. Columns whose values differ by rounding only (1e-10 of the largest) are left out:
+               the model is that of the rest. Equal scores, or none, give a flat model
+   Several rounds: concatenate materials and scores of all rounds, and fit again (start: the theta of the last round, if
+   speed matters). MS_BAD_DATA as ms_gpr_create, and where scores or a column span less than 1e-30 (position: the
+   column, from 1). MS_CANCELLED; the rest as ms_gpr_create. report: or NULL. Bit-equal at one SIMD level. Memory 4 n^2
+   doubles. */
+MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options,
+                            ms_gpr **out, ms_gpr_fit_report *report, ms_error *error);
 
 /* ---- prediction ------------------------------------------------------------------------------------------------ */
 
@@ -373,34 +386,37 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
    mean      [count] out, units of y; NULL: not computed
    variance  [count] out, units of y squared, of the latent function: add sn^2 for that of a score; >= 0.
              NULL: not computed (then O(n m) a point instead of O(n^2))
-   gp is only read: calls may overlap. Bit-equal for any thread count and batch size at one SIMD level; levels differ by rounding.
-   MS_BAD_DATA: an x that is not finite (position: its row, from 1). MS_OUT_OF_MEMORY. Outputs are untouched then.
-   Rasmussen & Williams 2006, algorithm 2.1, lines 4 to 6; thesis (3.4), (3.5). */
-MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, double *mean, double *variance, ms_error *error);
+   gp is only read: calls may overlap. Bit-equal for any thread count and batch size at one SIMD level; levels differ by
+   rounding. MS_BAD_DATA: an x that is not finite (position: its row, from 1). MS_OUT_OF_MEMORY. Outputs are untouched
+   then. Rasmussen & Williams 2006, algorithm 2.1, lines 4 to 6; thesis (3.4), (3.5). */
+MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, double *mean, double *variance,
+                                ms_error *error);
 
-/* The mean alone, in single precision: twice as fast. Its error is about 1e-6 sf^2 sum |alpha_i| k_i at worst; see the table
-   in the head comment. */
+/* The mean alone, in single precision: twice as fast. Its error is about 1e-6 sf^2 sum |alpha_i| k_i at worst; see the
+   table in the head comment. */
 MS_API ms_status ms_gpr_predict_f(const ms_gpr *gp, const float *x, int count, float *mean, ms_error *error);
 
 /* Mean and variance at one point x [m] with their gradients [m]; any output may be NULL. */
-MS_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean, double *mean_gradient, double *variance,
-                                     double *variance_gradient, ms_error *error);
+MS_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean, double *mean_gradient,
+                                 double *variance, double *variance_gradient, ms_error *error);
 
 /* ---- files ----------------------------------------------------------------------------------------------------- */
 
-/* A model as bytes: the same on every machine, whatever its byte order and locale. Layout, little-endian: "ms_gpr\r\n", u32
-   version 2, u32 n, u32 m, u32 0, then as f64 mean, floor (-1e300: none), floor value, theta [m + 2], x [n][m], y [n]; u64 FNV-1a
-   of all before. Version 3, of models with comparisons, steps or unscored rows: the u32 0 is the number of pairs, the step stands
-   behind the floor value, and u32 pairs [count][2] behind y. */
+/* A model as bytes: the same on every machine, whatever its byte order and locale. Layout, little-endian: "ms_gpr\r\n",
+   u32 version 2, u32 n, u32 m, u32 0, then as f64 mean, floor (-1e300: none), floor value, theta [m + 2], x [n][m], y
+   [n]; u64 FNV-1a of all before. Version 3, of models with comparisons, steps or unscored rows: the u32 0 is the number
+   of pairs, the step stands behind the floor value, and u32 pairs [count][2] behind y. */
 MS_API size_t ms_gpr_save_size(const ms_gpr *gp);
 
 /* Writes ms_gpr_save_size(gp) bytes. */
 MS_API void ms_gpr_save(const ms_gpr *gp, void *bytes);
 
-/* The model again. Strict: any other size, version, checksum or a value that is not finite is MS_BAD_DATA (position: the byte)
-   or MS_UNSUPPORTED (a later version); nothing is allocated before the size agrees with n and m. The model is conditioned again:
-   equal to the saved one bit for bit, but for points that were appended or dropped (then to rounding). */
-MS_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_options *options, ms_gpr **out, ms_error *error);
+/* The model again. Strict: any other size, version, checksum or a value that is not finite is MS_BAD_DATA (position:
+   the byte) or MS_UNSUPPORTED (a later version); nothing is allocated before the size agrees with n and m. The model is
+   conditioned again: equal to the saved one bit for bit, but for points that were appended or dropped (then to
+   rounding). */
+MS_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_options *options, ms_gpr **out,
+                             ms_error *error);
 
 #ifndef MS_GPR_NO_STDIO
 /* The same with a file; MS_IO where it can't be opened, read or written whole. */
@@ -420,43 +436,49 @@ typedef struct ms_gpr_list {
 
 /* What recommendations, galleries and planes keep. All zero: the box that the scores suggest. */
 typedef struct ms_gpr_space {
-    const double *low;   /* [m] the box of allowed parameters, low = high for a fixed one. NULL: in every column 0 to 1 where all */
-    const double *high;  /* [m] scores lie there, else their range, rounded outwards; the one value of a locked column; a list's range.
-                            -INFINITY, INFINITY: so in that column */
-    const double *steps; /* [m] parameters that come in steps from low on, such as 1 for whole numbers; 0: continuous. NULL: all are */
-    const double *ties;  /* [tie_count][m + 1] sum over k of tie[k] x[k] = tie[m], to 1e-9 of the box. What is neither fixed, in steps
-                            nor in a list follows what is; uniform is then uniform on what the ties leave, by hit-and-run */
+    const double *
+        low; /* [m] the box of allowed parameters, low = high for a fixed one. NULL: in every column 0 to 1 where all */
+    const double *high; /* [m] scores lie there, else their range, rounded outwards; the one value of a locked column; a
+                           list's range. -INFINITY, INFINITY: so in that column */
+    const double *steps; /* [m] parameters that come in steps from low on, such as 1 for whole numbers; 0: continuous.
+                            NULL: all are */
+    const double
+        *ties; /* [tie_count][m + 1] sum over k of tie[k] x[k] = tie[m], to 1e-9 of the box. What is neither fixed, in
+                  steps nor in a list follows what is; uniform is then uniform on what the ties leave, by hit-and-run */
     int tie_count;
     const ms_gpr_list *lists;
     int list_count;
 } ms_gpr_space;
-/* MS_INVALID_ARGUMENT, and a message that says which of them, where they contradict each other: low > high; no row of a list in the box;
-   a parameter in two lists, or in a list and in steps; ties that nothing in the box keeps, or that join only what is fixed, in steps or in
-   lists. Smith 1984, "Efficient Monte Carlo procedures for generating points uniformly distributed over bounded regions". */
+/* MS_INVALID_ARGUMENT, and a message that says which of them, where they contradict each other: low > high; no row of a
+   list in the box; a parameter in two lists, or in a list and in steps; ties that nothing in the box keeps, or that
+   join only what is fixed, in steps or in lists. Smith 1984, "Efficient Monte Carlo procedures for generating points
+   uniformly distributed over bounded regions". */
 
 /* ---- recommendation -------------------------------------------------------------------------------------------- */
 
 /* How recommendations are found. */
 typedef enum ms_gpr_search {
-    MS_GPR_SEARCH_AUTO = 0,      /* rejection or subset simulation, whichever a first 8192 candidates show to be cheaper */
-    MS_GPR_SEARCH_REJECTION = 1, /* uniform candidates that reach the threshold: independent and uniform over the region */
-    MS_GPR_SEARCH_SUBSET = 2     /* subset simulation: a threshold that rises in steps, slice steps inside {u >= threshold} */
+    MS_GPR_SEARCH_AUTO = 0, /* rejection or subset simulation, whichever a first 8192 candidates show to be cheaper */
+    MS_GPR_SEARCH_REJECTION =
+        1, /* uniform candidates that reach the threshold: independent and uniform over the region */
+    MS_GPR_SEARCH_SUBSET =
+        2 /* subset simulation: a threshold that rises in steps, slice steps inside {u >= threshold} */
 } ms_gpr_search;
 
 /* All zero: the defaults. */
 typedef struct ms_gpr_recommend_options {
-    double tau;            /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. The thesis advises 0.4 (variety)
-                              to 0.7 (quality); recommendations score a little above it on average: 0.8 for the best alone.
-                              floor: ms_gpr_floor */
-    double best;           /* the score that tau = 1 means, such as 10; 0: the largest that was given. Where the model predicts
-                              less all over the box, the largest mean takes its place */
-    double caution;        /* accept on mean - caution * sigma, >= 0. 0: on the mean */
-    double min_distance;   /* between any two recommendations: root mean square over the dimensions, in widths of the box.
-                              0: none. Uniform pairs are 0.4 apart */
-    double diversity;      /* 0: in proportion to the volume of what is liked. Up to 1: every recommendation is the farthest from
-                              those before it of 1 + 15 diversity */
-    ms_gpr_space space;    /* what is kept */
-    const double *avoid;   /* [avoid_count][m] "not like these": nothing nearer than avoid_distance to any of them */
+    double tau;     /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. The thesis advises 0.4 (variety)
+                       to 0.7 (quality); recommendations score a little above it on average: 0.8 for the best alone.
+                       floor: ms_gpr_floor */
+    double best;    /* the score that tau = 1 means, such as 10; 0: the largest that was given. Where the model predicts
+                       less all over the box, the largest mean takes its place */
+    double caution; /* accept on mean - caution * sigma, >= 0. 0: on the mean */
+    double min_distance; /* between any two recommendations: root mean square over the dimensions, in widths of the box.
+                            0: none. Uniform pairs are 0.4 apart */
+    double diversity; /* 0: in proportion to the volume of what is liked. Up to 1: every recommendation is the farthest
+                         from those before it of 1 + 15 diversity */
+    ms_gpr_space space;  /* what is kept */
+    const double *avoid; /* [avoid_count][m] "not like these": nothing nearer than avoid_distance to any of them */
     int avoid_count;
     double avoid_distance; /* as min_distance; 0: 0.15 */
     int skip;              /* leaves out the first `skip` of the sequence that seed stands for: 20 more of the same */
@@ -475,7 +497,7 @@ typedef struct ms_gpr_recommend_report {
     double acceptance;    /* share of the box whose mean reaches the threshold (subset simulation: estimated) */
     double candidates;    /* means predicted at single points */
     double slices;        /* means predicted along lines, which cost n instead of n m */
-    double spread;        /* mean distance of the first 200 to the nearest other one of them, measured as min_distance */
+    double spread; /* mean distance of the first 200 to the nearest other one of them, measured as min_distance */
 } ms_gpr_recommend_report;
 
 /* Materials whose predicted score reaches a threshold.
@@ -484,32 +506,35 @@ typedef struct ms_gpr_recommend_report {
    mean    [count] out, or NULL: predicted scores
    sigma   [count] out, or NULL: their standard deviation
    report  or NULL
-   The same seed gives the same sequence: count says how much of it, skip where it begins. Separate modes get the shares that they have of
-   the region: by rejection exactly, by subset simulation with a standard deviation of some 0.04, however rare they are; modes that
-   differ in rows of lists or in steps are weighed by the levels alone, whose error grows to 0.2 where one in 1e9 is left.
-   MS_NOT_CONVERGED: the model predicts no score above the floor (all scores are equal, or there are none); nothing reaches the
-   threshold with that caution; or the search gave up, MS_CANCELLED: the first report->found rows of x are valid then, and mean and
-   sigma of them. MS_INVALID_ARGUMENT: an option out of range, a space that contradicts itself, count < 1. MS_OUT_OF_MEMORY.
-   Memory and threads are the model's. gp is only read: calls may overlap. Bit-equal for any thread count at one SIMD level.
-   Thesis 3.4.1; Au & Beck 2001, "Estimation of small failure probabilities in high dimensions by subset simulation"; its steps:
-   Neal 2003, "Slice sampling", with shrinkage, along axes, along random directions and in hyperrectangles; shares: Meng & Schilling
-   2002, "Warp bridge sampling". */
+   The same seed gives the same sequence: count says how much of it, skip where it begins. Separate modes get the shares
+   that they have of the region: by rejection exactly, by subset simulation with a standard deviation of some 0.04,
+   however rare they are; modes that differ in rows of lists or in steps are weighed by the levels alone, whose error
+   grows to 0.2 where one in 1e9 is left. MS_NOT_CONVERGED: the model predicts no score above the floor (all scores are
+   equal, or there are none); nothing reaches the threshold with that caution; or the search gave up, MS_CANCELLED: the
+   first report->found rows of x are valid then, and mean and sigma of them. MS_INVALID_ARGUMENT: an option out of
+   range, a space that contradicts itself, count < 1. MS_OUT_OF_MEMORY. Memory and threads are the model's. gp is only
+   read: calls may overlap. Bit-equal for any thread count at one SIMD level. Thesis 3.4.1; Au & Beck 2001, "Estimation
+   of small failure probabilities in high dimensions by subset simulation"; its steps: Neal 2003, "Slice sampling", with
+   shrinkage, along axes, along random directions and in hyperrectangles; shares: Meng & Schilling 2002, "Warp bridge
+   sampling". */
 MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
-                                      double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error);
+                                  double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error);
 
 /* ---- active learning ------------------------------------------------------------------------------------------- */
 
-/* What a gallery to be scored next is drawn for. The pool of candidates is half uniform, half variants of what was liked: a
-   material drawn in proportion to its score, half of them crossed with a second one, some of the parameters drawn anew. */
+/* What a gallery to be scored next is drawn for. The pool of candidates is half uniform, half variants of what was
+   liked: a material drawn in proportion to its score, half of them crossed with a second one, some of the parameters
+   drawn anew. */
 typedef enum ms_gpr_gallery_kind {
-    MS_GPR_GALLERY_ACTIVE = 0,       /* spread evenly until something is liked; then by turns what recommendations depend on,
-                                        largest 1.96 sigma - |mean - threshold of tau = 0.6|, and what is promising */
-    MS_GPR_GALLERY_PROMISING = 1,    /* largest P(score > floor) sigma: what may be liked and is not known yet */
-    MS_GPR_GALLERY_INTERMEDIATE = 2, /* draws from the distribution learned so far, density in proportion to max(u - floor, 0) */
-    MS_GPR_GALLERY_UNCERTAIN = 3,    /* largest sigma */
-    MS_GPR_GALLERY_NOVEL = 4,        /* novelty search: farthest, in length scales, from everything seen so far */
-    MS_GPR_GALLERY_UNIFORM = 5,      /* the thesis's first gallery */
-    MS_GPR_GALLERY_SPREAD = 6        /* uniform, each parameter evenly over its range (a Latin hypercube) */
+    MS_GPR_GALLERY_ACTIVE = 0, /* spread evenly until something is liked; then by turns what recommendations depend on,
+                                  largest 1.96 sigma - |mean - threshold of tau = 0.6|, and what is promising */
+    MS_GPR_GALLERY_PROMISING = 1, /* largest P(score > floor) sigma: what may be liked and is not known yet */
+    MS_GPR_GALLERY_INTERMEDIATE =
+        2, /* draws from the distribution learned so far, density in proportion to max(u - floor, 0) */
+    MS_GPR_GALLERY_UNCERTAIN = 3, /* largest sigma */
+    MS_GPR_GALLERY_NOVEL = 4,     /* novelty search: farthest, in length scales, from everything seen so far */
+    MS_GPR_GALLERY_UNIFORM = 5,   /* the thesis's first gallery */
+    MS_GPR_GALLERY_SPREAD = 6     /* uniform, each parameter evenly over its range (a Latin hypercube) */
 } ms_gpr_gallery_kind;
 
 /* All zero: the defaults. */
@@ -517,19 +542,20 @@ typedef struct ms_gpr_gallery_options {
     ms_gpr_space space; /* what is kept */
     uint64_t seed;      /* the number of scores is part of it: every round gives another gallery */
     ms_gpr_gallery_kind kind;
-    int pool;           /* candidates to choose from; 0: the larger of 4000 and 10 count */
-    int uniform;        /* 1: no variants among them */
+    int pool;    /* candidates to choose from; 0: the larger of 4000 and 10 count */
+    int uniform; /* 1: no variants among them */
 } ms_gpr_gallery_options;
 
-/* Materials that the user is to score next, best in batches of 5 to 25. Each choice takes those before it as seen: sigma is updated
-   as if they had been scored. A model of n = 0 gives the first gallery.
+/* Materials that the user is to score next, best in batches of 5 to 25. Each choice takes those before it as seen:
+   sigma is updated as if they had been scored. A model of n = 0 gives the first gallery.
    x       [count][m] out
    Then concatenate materials and scores with those of earlier rounds, and fit again.
    Cost: pool * (n^2 / 2 + count (n + count / 2)) multiply-adds; memory pool * (n + count + 2 m) doubles.
-   MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Memory and threads are the model's; bit-equal for any thread count at one SIMD level.
-   Thesis 3.7; straddling: Bryan and others 2005, "Active learning for identifying function threshold boundaries". */
+   MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Memory and threads are the model's; bit-equal for any thread count at one SIMD
+   level. Thesis 3.7; straddling: Bryan and others 2005, "Active learning for identifying function threshold
+   boundaries". */
 MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x,
-                                    ms_error *error);
+                                ms_error *error);
 
 #ifndef MS_GPR_NO_PLANE
 /* ---- latent space ---------------------------------------------------------------------------------------------- */
@@ -544,8 +570,9 @@ typedef struct ms_gpr_latent_options {
     double noise_floor; /* least standard deviation of the noise, in units of x; 0: 1e-3 of the materials' own */
     int starts;         /* scales of the PCA start that are tried; 0: 3 */
     int evaluations;    /* of the likelihood, at most; 0: 2000 */
-    ms_gpr_space space; /* what materials of the plane keep: what the model says is moved to the nearest that does. All zero: nothing, not
-                           even a box; else as in recommendations, for the range of the embedded materials */
+    ms_gpr_space
+        space; /* what materials of the plane keep: what the model says is moved to the nearest that does. All zero:
+                  nothing, not even a box; else as in recommendations, for the range of the embedded materials */
     ms_simd simd;
     ms_allocator allocator;
     ms_progress progress; /* asked every evaluation */
@@ -557,33 +584,34 @@ typedef struct ms_gpr_latent_report {
     int evaluations;
 } ms_gpr_latent_report;
 
-/* Embeds materials. They are centred; every column has the same kernel variance, so scale parameters to comparable ranges.
-   x       [z][m], z >= 2, 1 <= m
-   Length scales are 1, the unit of the latent space: they are redundant with the latents (and a prior on those would shrink both
-   together). Starts from principal components at several scales; sf, sn and all latents are optimised together by L-BFGS, every
-   start for 100 evaluations and the best of them to the end.
+/* Embeds materials. They are centred; every column has the same kernel variance, so scale parameters to comparable
+   ranges. x       [z][m], z >= 2, 1 <= m
+   Length scales are 1, the unit of the latent space: they are redundant with the latents (and a prior on those would
+   shrink both together). Starts from principal components at several scales; sf, sn and all latents are optimised
+   together by L-BFGS, every start for 100 evaluations and the best of them to the end.
    MS_BAD_DATA: a value that is not finite (position: its row, from 1), or all materials equal.
-   MS_INVALID_ARGUMENT (a space that contradicts itself, too), MS_OUT_OF_MEMORY, MS_CANCELLED. *out is NULL unless MS_OK. Bit-equal at
-   one SIMD level. An evaluation costs
+   MS_INVALID_ARGUMENT (a space that contradicts itself, too), MS_OUT_OF_MEMORY, MS_CANCELLED. *out is NULL unless
+   MS_OK. Bit-equal at one SIMD level. An evaluation costs
    z^3 / 2 + 2 z^2 m multiply-adds. Lawrence 2004, "Gaussian process latent variable models"; thesis (3.8), (3.9). */
 MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_latent_options *options,
-                                       ms_gpr_latent **out, ms_gpr_latent_report *report, ms_error *error);
+                                   ms_gpr_latent **out, ms_gpr_latent_report *report, ms_error *error);
 
-/* A latent space whose latents [z][l] and theta [l + 2] = log lengths, log sf, log sn are given (stored, or fitted elsewhere);
-   l = options->dimensions. x is modelled as it stands: not centred. Statuses as above, and MS_NOT_CONVERGED as in ms_gpr_create. */
+/* A latent space whose latents [z][l] and theta [l + 2] = log lengths, log sf, log sn are given (stored, or fitted
+   elsewhere); l = options->dimensions. x is modelled as it stands: not centred. Statuses as above, and MS_NOT_CONVERGED
+   as in ms_gpr_create. */
 MS_API ms_status ms_gpr_latent_create(const double *x, int z, int m, const double *latent, const double *theta,
-                                          const ms_gpr_latent_options *options, ms_gpr_latent **out, ms_error *error);
+                                      const ms_gpr_latent_options *options, ms_gpr_latent **out, ms_error *error);
 
 MS_API void ms_gpr_latent_destroy(ms_gpr_latent *plane);
 
-/* The log likelihood of a latent space (latents, theta and x as it holds them) and, where not NULL, its gradient with respect to
-   theta [l + 2] and to the latents [z][l]. Exact: direct differences. */
+/* The log likelihood of a latent space (latents, theta and x as it holds them) and, where not NULL, its gradient with
+   respect to theta [l + 2] and to the latents [z][l]. Exact: direct differences. */
 MS_API ms_status ms_gpr_latent_likelihood(const ms_gpr_latent *plane, double *likelihood, double *gradient_theta,
-                                              double *gradient_latent, ms_error *error);
+                                          double *gradient_latent, ms_error *error);
 
 /* Views that live as long as the space: [z][l] latents; [l + 2] theta. */
-MS_API int ms_gpr_latent_count(const ms_gpr_latent *plane);                /* z */
-MS_API double ms_gpr_latent_jitter(const ms_gpr_latent *plane);            /* as ms_gpr_jitter */
+MS_API int ms_gpr_latent_count(const ms_gpr_latent *plane);     /* z */
+MS_API double ms_gpr_latent_jitter(const ms_gpr_latent *plane); /* as ms_gpr_jitter */
 MS_API const double *ms_gpr_latent_points(const ms_gpr_latent *plane);
 MS_API const double *ms_gpr_latent_theta(const ms_gpr_latent *plane);
 
@@ -591,30 +619,31 @@ MS_API const double *ms_gpr_latent_theta(const ms_gpr_latent *plane);
    latent    [count][l]
    x         [count][m] out
    variance  [count] out, or NULL: of every coordinate of x, without the noise; 0 <= variance <= sf^2 */
-MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x, double *variance,
-                                       ms_error *error);
+MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x,
+                                   double *variance, ms_error *error);
 
-/* The latent point whose material, before options.space, is nearest to a given one: least |x - map(latent)|, by L-BFGS from the four
-   training latents whose materials are nearest.
+/* The latent point whose material, before options.space, is nearest to a given one: least |x - map(latent)|, by L-BFGS
+   from the four training latents whose materials are nearest.
    x         [m]
    latent    [l] out
    distance  out, or NULL: root mean square over the m dimensions
    variance  out, or NULL: as in ms_gpr_latent_map */
 MS_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x, double *latent, double *distance,
-                                        double *variance, ms_error *error);
+                                    double *variance, ms_error *error);
 
 /* ---- maps ------------------------------------------------------------------------------------------------------ */
 
 /* A grid of columns x rows points over a rectangle of a two-dimensional latent space, its corners included. Maps are
-   [rows][columns], from low to high latent coordinates. What makes one returns MS_INVALID_ARGUMENT (no plane, other dimensions, a
-   grid that is not as said here), MS_OUT_OF_MEMORY, or what render returned; memory is the plane's, threads are gp's. */
+   [rows][columns], from low to high latent coordinates. What makes one returns MS_INVALID_ARGUMENT (no plane, other
+   dimensions, a grid that is not as said here), MS_OUT_OF_MEMORY, or what render returned; memory is the plane's,
+   threads are gp's. */
 typedef struct ms_gpr_grid {
     double x0, y0, x1, y1;
     int columns, rows; /* 2 to 32768; x0 < x1, y0 < y1 */
 } ms_gpr_grid;
 
-/* resolution x resolution over a square, in length scales, that holds the training latents and one length scale (at most a quarter of
-   their range) around; all zero, which every map refuses, where the space has not 2 dimensions. */
+/* resolution x resolution over a square, in length scales, that holds the training latents and one length scale (at
+   most a quarter of their range) around; all zero, which every map refuses, where the space has not 2 dimensions. */
 MS_API ms_gpr_grid ms_gpr_grid_around(const ms_gpr_latent *plane, int resolution);
 
 /* The latent coordinates of a grid point, and bilinear interpolation of a map at a point (clamped to the rectangle). */
@@ -623,28 +652,30 @@ MS_API double ms_gpr_grid_value(const ms_gpr_grid *grid, const double *map, doub
 
 /* Predicted score of the material at every grid point, and its standard deviation where sigma is not NULL (n times the
    cost). gp and plane have the same m. */
-MS_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_grid *grid, double *mean,
-                                           double *sigma, ms_error *error);
+MS_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_grid *grid,
+                                       double *mean, double *sigma, ms_error *error);
 
 /* How much the latent space knows at every grid point: 1 - variance / sf^2, from 0 (nothing) to 1. */
-MS_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double *confidence, ms_error *error);
+MS_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double *confidence,
+                                       ms_error *error);
 
 /* How similar two materials look: s = exp(-d^2 / (2 scale^2)), d the root mean square difference of their pictures. */
 typedef struct ms_gpr_similarity {
     const double *x; /* [m] the material to be fine-tuned */
     double scale;    /* 0: 0.1, so that a PSNR of 20 dB (pictures of range 1) means s = 0.61, and 30 dB 0.95 */
     size_t pixels;   /* floats of a picture; 0: no pictures, d is between the parameters */
-    ms_status (*render)(void *user, const double *x, float *picture); /* another status than MS_OK ends the call with it */
+    ms_status (*render)(void *user, const double *x,
+                        float *picture); /* another status than MS_OK ends the call with it */
     void *user;
 } ms_gpr_similarity;
 
 /* Similarity of every grid point's material to similarity->x; render is called in order, from the calling thread. */
-MS_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_gpr_similarity *similarity, const ms_gpr_grid *grid,
-                                           double *map, ms_error *error);
+MS_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_gpr_similarity *similarity,
+                                       const ms_gpr_grid *grid, double *map, ms_error *error);
 
 /* max(preference, 0) * similarity on the preference's grid; the similarity may have a coarser grid of its own. */
 MS_API void ms_gpr_map_product(const ms_gpr_grid *grid, const double *preference, const ms_gpr_grid *similarity_grid,
-                                   const double *similarity, double *product);
+                               const double *similarity, double *product);
 
 /* One automatic variant. */
 typedef struct ms_gpr_variant {
@@ -655,17 +686,19 @@ typedef struct ms_gpr_variant {
     double confidence; /* as in ms_gpr_map_confidence: where the plane knows nothing there are no variants */
 } ms_gpr_variant;
 
-/* The variants that maximise lambda s(x*, x') + (1 - lambda) u(x') / best over the plane (thesis 3.7), times how much the plane knows
-   there, for several lambda.
+/* The variants that maximise lambda s(x*, x') + (1 - lambda) u(x') / best over the plane (thesis 3.7), times how much
+   the plane knows there, for several lambda.
    lambda    [count], each in [0, 1]: 1 asks for the most similar material, 0 for the best
-   best      the score that counts as 1; 0, or the floor or less: the largest on the grid (1 above the floor where none is)
+   best      the score that counts as 1; 0, or the floor or less: the largest on the grid (1 above the floor where none
+             is)
    variant   [count] out
    x         [count][m] out: their materials
-   The grid is searched, then every maximum and the next best elsewhere are refined by pattern searches to 1/64 of a cell; all lambdas share what was
-   looked at, so similarity times confidence never falls and score times confidence never rises as lambda grows. */
+   The grid is searched, then every maximum and the next best elsewhere are refined by pattern searches to 1/64 of a
+   cell; all lambdas share what was looked at, so similarity times confidence never falls and score times confidence
+   never rises as lambda grows. */
 MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_similarity *similarity,
-                                     const ms_gpr_grid *grid, const double *lambda, int count, double best, ms_gpr_variant *variant,
-                                     double *x, ms_error *error);
+                                 const ms_gpr_grid *grid, const double *lambda, int count, double best,
+                                 ms_gpr_variant *variant, double *x, ms_error *error);
 #endif /* MS_GPR_NO_PLANE */
 
 #ifdef __cplusplus
@@ -699,17 +732,13 @@ static MS__UNUSED size_t ms__size_mul(size_t a, size_t b)
     return a != 0 && b > SIZE_MAX / a ? SIZE_MAX : a * b;
 }
 
-static MS__UNUSED size_t ms__size_add(size_t a, size_t b)
-{
-    return b > SIZE_MAX - a ? SIZE_MAX : a + b;
-}
+static MS__UNUSED size_t ms__size_add(size_t a, size_t b) { return b > SIZE_MAX - a ? SIZE_MAX : a + b; }
 
 /* NULL for size SIZE_MAX (overflow). Size 0 gives a pointer that must be released as well. */
 static MS__UNUSED void *ms__alloc(const ms_allocator *allocator, size_t size)
 {
     if (size == SIZE_MAX) return NULL;
-    if (allocator != NULL && allocator->alloc != NULL)
-        return allocator->alloc(allocator->user, size ? size : 1);
+    if (allocator != NULL && allocator->alloc != NULL) return allocator->alloc(allocator->user, size ? size : 1);
     return malloc(size ? size : 1);
 }
 
@@ -772,10 +801,19 @@ static MS__UNUSED int ms__format_number(char *out, double x)
         out[n] = 0;
         return n;
     }
-    while (x >= 1e6) { x /= 10; ++exponent; }
-    while (x < 1e5) { x *= 10; --exponent; }
+    while (x >= 1e6) {
+        x /= 10;
+        ++exponent;
+    }
+    while (x < 1e5) {
+        x *= 10;
+        --exponent;
+    }
     mantissa = (int64_t)(x + 0.5);
-    if (mantissa >= 1000000) { mantissa /= 10; ++exponent; }
+    if (mantissa >= 1000000) {
+        mantissa /= 10;
+        ++exponent;
+    }
     exponent += 5;
     for (i = 5; i >= 0; --i) {
         digit[i] = (char)('0' + (int)(mantissa % 10));
@@ -913,7 +951,8 @@ static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
     return ((double)(((a << 32) | b) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
 }
 
-/* IEEE binary16 by integers alone: subnormals, infinities and NaN, whatever the host's rounding and flushing of subnormals. */
+/* IEEE binary16 by integers alone: subnormals, infinities and NaN, whatever the host's rounding and flushing of
+   subnormals. */
 static MS__UNUSED float ms__half_to_float(uint16_t h)
 {
     uint32_t bits = (uint32_t)(h & 0x8000u) << 16, exponent = (h >> 10) & 31u, mantissa = h & 1023u;
@@ -992,7 +1031,10 @@ static MS__UNUSED void ms__cpuid(uint32_t leaf, uint32_t subleaf, uint32_t r[4])
 #if defined(_MSC_VER) && !defined(__clang__)
     int v[4];
     __cpuidex(v, (int)leaf, (int)subleaf);
-    r[0] = (uint32_t)v[0]; r[1] = (uint32_t)v[1]; r[2] = (uint32_t)v[2]; r[3] = (uint32_t)v[3];
+    r[0] = (uint32_t)v[0];
+    r[1] = (uint32_t)v[1];
+    r[2] = (uint32_t)v[2];
+    r[3] = (uint32_t)v[3];
 #else
     __cpuid_count(leaf, subleaf, r[0], r[1], r[2], r[3]);
 #endif
@@ -1045,8 +1087,8 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 /* ms-common-files begin (the same text wherever it stands; `make common` copies it from ms_mcml.h) */
 #ifndef MS_COMMON_FILES
 #define MS_COMMON_FILES
-/* A file that takes the old one's place only when it is whole: written beside it, flushed, checked, renamed. Whatever fails, the
-   old file stays and nothing else does. Links are followed. Wants a regular file or none under that name. */
+/* A file that takes the old one's place only when it is whole: written beside it, flushed, checked, renamed. Whatever
+   fails, the old file stays and nothing else does. Links are followed. Wants a regular file or none under that name. */
 #include <stdio.h>
 #if defined(_WIN32)
 #include <io.h>
@@ -1055,13 +1097,15 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #ifdef __cplusplus
 extern "C"
 #endif
-__declspec(dllimport) int __stdcall MoveFileExA(const char *from, const char *to, unsigned long flags); /* as windows.h has it */
+    __declspec(dllimport) int __stdcall MoveFileExA(const char *from, const char *to,
+                                                    unsigned long flags); /* as windows.h has it */
 #elif defined(__unix__) || defined(__APPLE__)
 #define MS__POSIX 1
 #include <sys/stat.h>
 #include <sys/types.h>
 #include <unistd.h>
-#if defined(__linux__) && defined(__STRICT_ANSI__) && !defined(__cplusplus) /* -std=c99 hides these, not what they do */
+#if defined(__linux__) && defined(__STRICT_ANSI__) && !defined(__cplusplus) /* -std=c99 hides these, not what they do \
+                                                                             */
 int fileno(FILE *stream);
 int fsync(int file);
 ssize_t readlink(const char *path, char *to, size_t size);
@@ -1072,9 +1116,9 @@ ssize_t readlink(const char *path, char *to, size_t size);
 
 typedef struct ms__file {
     FILE *stream;
-    int failed;                      /* a write did not arrive */
-    char path[MS__PATH_MAX];         /* behind all links */
-    char beside[MS__PATH_MAX + 8];   /* path and a suffix that no other file has */
+    int failed;                    /* a write did not arrive */
+    char path[MS__PATH_MAX];       /* behind all links */
+    char beside[MS__PATH_MAX + 8]; /* path and a suffix that no other file has */
 } ms__file;
 
 static MS__UNUSED ms_status ms__file_open(ms__file *f, const char *path, ms_error *error)
@@ -1090,7 +1134,8 @@ static MS__UNUSED ms_status ms__file_open(ms__file *f, const char *path, ms_erro
     f->stream = NULL;
     f->failed = 0;
     if (n == 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path is NULL or empty");
-    if (n >= MS__PATH_MAX) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path is longer than %d bytes", MS__PATH_MAX - 1);
+    if (n >= MS__PATH_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path is longer than %d bytes", MS__PATH_MAX - 1);
     memcpy(f->path, path, n + 1);
 #if defined(MS__POSIX)
     for (i = 0; i < 32 && (length = readlink(f->path, f->beside, MS__PATH_MAX - 1)) > 0; ++i) {
@@ -1126,13 +1171,17 @@ static MS__UNUSED ms_status ms__file_open(ms__file *f, const char *path, ms_erro
 #if defined(_WIN32) && !defined(_UCRT)
         else f->stream = fopen(f->beside, "wb");
 #else
-        else f->stream = fopen(f->beside, "wbx"); /* x: only if there is none yet (C11, in POSIX libraries long before) */
+        else
+            f->stream = fopen(f->beside,
+                              "wbx"); /* x: only if there is none yet (C11, in POSIX libraries long before) */
 #endif
     }
     if (f->stream == NULL)
-        return ms__fail(error, MS_IO, 0, "no file can be made beside '%s': its folder is missing, read-only or full", path);
+        return ms__fail(error, MS_IO, 0, "no file can be made beside '%s': its folder is missing, read-only or full",
+                        path);
 #if defined(MS__POSIX)
-    if (info.st_mode != 0) chmod(f->beside, info.st_mode & 0777); /* who could not read the old one cannot read the new one */
+    if (info.st_mode != 0)
+        chmod(f->beside, info.st_mode & 0777); /* who could not read the old one cannot read the new one */
 #endif
     return MS_OK;
 }
@@ -1158,7 +1207,8 @@ static MS__UNUSED ms_status ms__file_close(ms__file *f, ms_status status, ms_err
 #endif
     }
     failed = fclose(f->stream) != 0 || failed;
-    if (f->failed || (status == MS_OK && failed)) status = ms__fail(error, MS_IO, 0, "'%s' cannot be written to its end: the disk is full or failed", f->path);
+    if (f->failed || (status == MS_OK && failed))
+        status = ms__fail(error, MS_IO, 0, "'%s' cannot be written to its end: the disk is full or failed", f->path);
     if (status == MS_OK && rename(f->beside, f->path) != 0) {
 #if defined(_WIN32) /* where rename() refuses to replace; 1: replace, 8: return when it is done */
         if (!MoveFileExA(f->beside, f->path, 1 | 8))
@@ -1189,8 +1239,9 @@ static MS__UNUSED ms_status ms__file_close(ms__file *f, ms_status status, ms_err
 #define MS_GPR__UPPER 1 /* only c_ij with i <= j is wanted */
 #define MS_GPR__LOWER 2 /* b_kj = 0 for k < j */
 
-/* Means along lines: with d2_i the squared distance of a place from point i, that of place + t step is d2_i + t (slope_i + t c),
-   c = |step|^2. One such table a level and precision; lists are of `size` bytes a number, n a multiple of 8. */
+/* Means along lines: with d2_i the squared distance of a place from point i, that of place + t step is d2_i + t
+   (slope_i + t c), c = |step|^2. One such table a level and precision; lists are of `size` bytes a number, n a multiple
+   of 8. */
 typedef struct ms_gpr__lines {
     size_t size;
     /* d2_i = sum over k of (points[k stride + i] - place_k)^2 */
@@ -1202,18 +1253,18 @@ typedef struct ms_gpr__lines {
     void (*go)(void *d2, const void *slope, double t, double c, int n); /* d2_i += t (slope_i + t c) */
 } ms_gpr__lines;
 
-/* The inner loops, one table a level. Matrices are row-major with a stride; a is [depth][rows], b is [depth][columns], c is
-   [rows][columns]; rows is a multiple of 4, columns of 8; pointers need no alignment. */
+/* The inner loops, one table a level. Matrices are row-major with a stride; a is [depth][rows], b is [depth][columns],
+   c is [rows][columns]; rows is a multiple of 4, columns of 8; pointers need no alignment. */
 typedef struct ms_gpr__kernels {
     /* c -= a' b; parts: the sum of flags above, or 0 */
-    void (*reduce)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b, size_t b_stride, int rows,
-                   int columns, int depth, int parts);
-    /* c_ij = sum over k of (a_ki - b_kj)^2, by direct differences; parts: 0 or UPPER, which still fills the 8 x 8 blocks on the
-       diagonal */
-    void (*distances)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b, size_t b_stride, int rows,
-                      int columns, int depth, int parts);
-    void (*distances_f)(float *c, size_t c_stride, const float *a, size_t a_stride, const float *b, size_t b_stride, int rows,
-                        int columns, int depth, int parts);
+    void (*reduce)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b, size_t b_stride,
+                   int rows, int columns, int depth, int parts);
+    /* c_ij = sum over k of (a_ki - b_kj)^2, by direct differences; parts: 0 or UPPER, which still fills the 8 x 8
+       blocks on the diagonal */
+    void (*distances)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b, size_t b_stride,
+                      int rows, int columns, int depth, int parts);
+    void (*distances_f)(float *c, size_t c_stride, const float *a, size_t a_stride, const float *b, size_t b_stride,
+                        int rows, int columns, int depth, int parts);
     /* c_j = scale exp(-c_j / 2), j < columns */
     void (*exponentials)(double *c, int columns, double scale);
     /* mean_j += sum over i < rows of weight_i exp(-c_ij / 2) */
@@ -1224,7 +1275,8 @@ typedef struct ms_gpr__kernels {
     /* w_j = (g_j + alpha_i alpha_j) k_j; returns their sum */
     double (*weights)(double *w, const double *g, const double *k, const double *alpha, double alpha_i, int columns);
     /* slope[8 k] to slope[8 k + 7] += partial sums over j of w_j (points[k stride + j] - place[k stride])^2, k < m */
-    void (*slopes)(double *slope, const double *w, const double *points, size_t stride, const double *place, int m, int columns);
+    void (*slopes)(double *slope, const double *w, const double *points, size_t stride, const double *place, int m,
+                   int columns);
     void (*axpy)(double *y, double a, const double *x, int columns); /* y += a x */
     double (*dot)(const double *x, const double *y, int columns);
     ms_gpr__lines lines, lines_f;
@@ -1245,7 +1297,8 @@ static float ms_gpr__pow2_float(float whole)
 }
 
 #ifndef MS_GPR_FILENAME
-#define MS_GPR_FILENAME "ms_gpr.h" /* the header includes its kernels, once a level and precision; define it if the file is renamed */
+#define MS_GPR_FILENAME \
+    "ms_gpr.h" /* the header includes its kernels, once a level and precision; define it if the file is renamed */
 #endif
 
 #define MS_GPR__PASS 1
@@ -1305,12 +1358,10 @@ static const ms_gpr__kernels *ms_gpr__kernels_of(ms_simd level)
 
 /* ---- linear algebra -------------------------------------------------------------------------------------------- */
 
-static int ms_gpr__padded(int n)
-{
-    return (n + MS_GPR__BLOCK - 1) / MS_GPR__BLOCK * MS_GPR__BLOCK;
-}
+static int ms_gpr__padded(int n) { return (n + MS_GPR__BLOCK - 1) / MS_GPR__BLOCK * MS_GPR__BLOCK; }
 
-/* Doubles from one row of an n x n matrix to the next: not a multiple of 512 bytes, or columns would share cache sets. */
+/* Doubles from one row of an n x n matrix to the next: not a multiple of 512 bytes, or columns would share cache
+   sets. */
 static size_t ms_gpr__stride(int n)
 {
     size_t stride = (size_t)ms_gpr__padded(n);
@@ -1318,13 +1369,12 @@ static size_t ms_gpr__stride(int n)
 }
 
 /* The first half of a triangular matrix that is split in two, in whole blocks. */
-static int ms_gpr__half(int n)
-{
-    return ms_gpr__padded(n / 2);
-}
+static int ms_gpr__half(int n) { return ms_gpr__padded(n / 2); }
 
-/* b [n][columns] = u'^-1 b. Recursion halves n, so that its depth is log2(n / 8) and all work but the leaves is `reduce`. */
-static void ms_gpr__forward(const ms_gpr__kernels *f, const double *u, size_t u_stride, int n, double *b, size_t b_stride, int columns)
+/* b [n][columns] = u'^-1 b. Recursion halves n, so that its depth is log2(n / 8) and all work but the leaves is
+   `reduce`. */
+static void ms_gpr__forward(const ms_gpr__kernels *f, const double *u, size_t u_stride, int n, double *b,
+                            size_t b_stride, int columns)
 {
     int h = ms_gpr__half(n);
     if (n > MS_GPR__BLOCK) {
@@ -1359,7 +1409,8 @@ static int ms_gpr__cholesky(const ms_gpr__kernels *f, double *u, size_t stride, 
     return 1;
 }
 
-/* y = u'^-1, the lower triangle of y; its upper triangle is set to 0 inside the blocks on the diagonal and must be 0 elsewhere. */
+/* y = u'^-1, the lower triangle of y; its upper triangle is set to 0 inside the blocks on the diagonal and must be 0
+   elsewhere. */
 static void ms_gpr__invert(const ms_gpr__kernels *f, const double *u, size_t stride, int n, double *y)
 {
     int h = ms_gpr__half(n), i, j, k;
@@ -1434,20 +1485,20 @@ typedef int (*ms_gpr__objective)(void *context, const double *q, double *value, 
 #define MS_GPR__MEMORY 20 /* pairs that L-BFGS remembers; more gained nothing, 10 cost a fifth more evaluations */
 
 typedef struct ms_gpr__minimum {
-    double value;     /* of the last q; HUGE_VAL: not even the start is defined */
+    double value; /* of the last q; HUGE_VAL: not even the start is defined */
     int evaluations;
-    int stopped;      /* f asked to stop */
+    int stopped; /* f asked to stop */
 } ms_gpr__minimum;
 
 /* How a search runs; q stays in the box [low, high] (NULL: no bounds). */
 typedef struct ms_gpr__search {
     ms_gpr__objective f;
     void *context;
-    int count;             /* of variables */
+    int count; /* of variables */
     const double *low, *high;
-    double step;           /* no variable moves farther at a time; 0: 1e300 */
-    double tolerance;      /* ends when an iteration gains less, and no projected slope is above its root */
-    int evaluations;       /* at most */
+    double step;      /* no variable moves farther at a time; 0: 1e300 */
+    double tolerance; /* ends when an iteration gains less, and no projected slope is above its root */
+    int evaluations;  /* at most */
 } ms_gpr__search;
 
 static size_t ms_gpr__minimize_doubles(int count)
@@ -1472,8 +1523,9 @@ static int ms_gpr__held(const ms_gpr__search *s, int i, double x, double slope)
 static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, double *work)
 {
     size_t n = (size_t)s->count;
-    double *moves = work, *changes = moves + MS_GPR__MEMORY * n, *gradient = changes + MS_GPR__MEMORY * n, *direction = gradient + n,
-           *trial = direction + n, *trial_gradient = trial + n, *rho = trial_gradient + n, *a = rho + MS_GPR__MEMORY;
+    double *moves = work, *changes = moves + MS_GPR__MEMORY * n, *gradient = changes + MS_GPR__MEMORY * n,
+           *direction = gradient + n, *trial = direction + n, *trial_gradient = trial + n, *rho = trial_gradient + n,
+           *a = rho + MS_GPR__MEMORY;
     ms_gpr__minimum best;
     int stored = 0, newest = -1, i, k, defined;
     best.stopped = 0;
@@ -1558,7 +1610,8 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
         }
         {
             int at = (newest + 1) % MS_GPR__MEMORY;
-            double *move = moves + (size_t)at * n, *change = changes + (size_t)at * n, curvature = 0, yy = 0, gain = best.value - value;
+            double *move = moves + (size_t)at * n, *change = changes + (size_t)at * n, curvature = 0, yy = 0,
+                   gain = best.value - value;
             for (i = 0, steepest = 0; i < s->count; ++i) {
                 move[i] = trial[i] - q[i];
                 change[i] = trial_gradient[i] - gradient[i];
@@ -1566,7 +1619,8 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
                 yy += change[i] * change[i];
                 q[i] = trial[i];
                 gradient[i] = trial_gradient[i];
-                if (!ms_gpr__held(s, i, q[i], gradient[i]) && fabs(gradient[i]) > steepest) steepest = fabs(gradient[i]);
+                if (!ms_gpr__held(s, i, q[i], gradient[i]) && fabs(gradient[i]) > steepest)
+                    steepest = fabs(gradient[i]);
             }
             best.value = value;
             if (curvature > 1e-10 * yy) {
@@ -1583,15 +1637,16 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
 
 /* ---- likelihood ------------------------------------------------------------------------------------------------ */
 
-/* What was said about a latent value g = f_row, or about a difference g = f_row - f_than: that g and its noise lie from low to high.
-   A score is low = high, a comparison 0 to MS_GPR__OPEN of a difference, a score of coarse steps a range. */
+/* What was said about a latent value g = f_row, or about a difference g = f_row - f_than: that g and its noise lie from
+   low to high. A score is low = high, a comparison 0 to MS_GPR__OPEN of a difference, a score of coarse steps a
+   range. */
 typedef struct ms_gpr__link {
-    int row, than;    /* than < 0: one row */
+    int row, than; /* than < 0: one row */
     double low, high;
 } ms_gpr__link;
 
-#define MS_GPR__OPEN 1e40  /* a bound that is none */
-#define MS_GPR__WEAK 1e-5  /* K / sf^2 that every row is held to the prior mean by, so that W can be inverted */
+#define MS_GPR__OPEN 1e40 /* a bound that is none */
+#define MS_GPR__WEAK 1e-5 /* K / sf^2 that every row is held to the prior mean by, so that W can be inverted */
 
 /* What one evaluation needs. Rows and columns behind n stand for points that are independent of everything. */
 typedef struct ms_gpr__problem {
@@ -1608,13 +1663,14 @@ typedef struct ms_gpr__problem {
     double *slope;    /* [m][8] */
     int links, pairs; /* where not every row has one exact score: what was said, comparisons last; else 0 */
     ms_gpr__link *link;
-    double *solved;   /* [n][stride] U'^-1 K */
-    double *latent;   /* [stride] f, the most probable latent values; alpha = K^-1 f */
-    double *list;     /* [5][stride] scratch, and behind it [pairs] */
+    double *solved; /* [n][stride] U'^-1 K */
+    double *latent; /* [stride] f, the most probable latent values; alpha = K^-1 f */
+    double *list;   /* [5][stride] scratch, and behind it [pairs] */
 } ms_gpr__problem;
 
 /* K, upper triangle: sf^2 exp(-d^2 / 2), 0 for padding. */
-static void ms_gpr__covariance(const ms_gpr__kernels *f, const double *points, size_t stride, int n, int m, double sf2, double *kernel)
+static void ms_gpr__covariance(const ms_gpr__kernels *f, const double *points, size_t stride, int n, int m, double sf2,
+                               double *kernel)
 {
     int padded = ms_gpr__padded(n), i, j;
     f->distances(kernel, stride, points, stride, points, stride, padded, padded, m, MS_GPR__UPPER);
@@ -1627,12 +1683,14 @@ static void ms_gpr__covariance(const ms_gpr__kernels *f, const double *points, s
 }
 
 /* upper = the factor of kernel + noise I. 0: not positive definite by a margin of its rounding errors. */
-static int ms_gpr__factor(const ms_gpr__kernels *f, const double *kernel, size_t stride, int n, double sf2, double noise, double *upper)
+static int ms_gpr__factor(const ms_gpr__kernels *f, const double *kernel, size_t stride, int n, double sf2,
+                          double noise, double *upper)
 {
     int padded = ms_gpr__padded(n), i;
     for (i = 0; i < padded; ++i) {
         size_t at = (size_t)i * stride + (size_t)(i / MS_GPR__BLOCK * MS_GPR__BLOCK);
-        if (upper != kernel) memcpy(upper + at, kernel + at, ((size_t)i * stride + (size_t)padded - at) * sizeof *upper);
+        if (upper != kernel)
+            memcpy(upper + at, kernel + at, ((size_t)i * stride + (size_t)padded - at) * sizeof *upper);
         upper[(size_t)i * stride + (size_t)i] = sf2 + noise;
     }
     return ms_gpr__cholesky(f, upper, stride, padded, n * 2.220446049250313e-16 * (sf2 + noise));
@@ -1650,8 +1708,8 @@ static double ms_gpr__log_determinant(const double *upper, size_t stride, int n)
 
 /* log p(g in [low, high] after noise) of one link, and its derivatives. */
 typedef struct ms_gpr__opinion {
-    double value, slope, curvature, jerk;      /* l and its derivatives by g, the last two with their signs turned */
-    double value_s, slope_s, curvature_s;      /* the first three by the logarithm of the noise's deviation */
+    double value, slope, curvature, jerk; /* l and its derivatives by g, the last two with their signs turned */
+    double value_s, slope_s, curvature_s; /* the first three by the logarithm of the noise's deviation */
 } ms_gpr__opinion;
 
 /* (1 - Phi(x)) / phi(x) for x >= 0: Mills' ratio, by its continued fraction where erfc has few digits left. */
@@ -1669,7 +1727,7 @@ static ms_gpr__opinion ms_gpr__opinion_of(const ms_gpr__link *link, double g, do
 {
     ms_gpr__opinion r;
     double a = (link->low - g) / s, b = (link->high - g) / s, sign = 1, ra, rb, q, e, d, q_s, e_s;
-    if (!(link->high > link->low)) { /* a density */
+    if (!(link->high > link->low)) {                             /* a density */
         r.value = -0.5 * a * a - log(s) - 0.9189385332046727418; /* log(2 pi) / 2 */
         r.slope = a / s;
         r.curvature = 1 / (s * s);
@@ -1691,7 +1749,8 @@ static ms_gpr__opinion ms_gpr__opinion_of(const ms_gpr__link *link, double g, do
         ra = a > -40 ? 0.3989422804014327 * exp(-0.5 * a * a) / p : 0; /* phi(a) / p, phi(b) / p */
         rb = b < 40 ? 0.3989422804014327 * exp(-0.5 * b * b) / p : 0;
     } else {
-        double fall = b - a < 80 ? exp(0.5 * (a - b) * (a + b)) : 0, p = ms_gpr__mills(a) - (fall > 0 ? fall * ms_gpr__mills(b) : 0);
+        double fall = b - a < 80 ? exp(0.5 * (a - b) * (a + b)) : 0,
+               p = ms_gpr__mills(a) - (fall > 0 ? fall * ms_gpr__mills(b) : 0);
         r.value = log(p) - 0.5 * a * a - 0.9189385332046727418;
         ra = 1 / p;
         rb = ra * fall;
@@ -1716,11 +1775,13 @@ static ms_gpr__opinion ms_gpr__opinion_of(const ms_gpr__link *link, double g, do
 static ms_gpr__opinion ms_gpr__opinion_at(const ms_gpr__problem *p, int i, double noise)
 {
     const ms_gpr__link *l = &p->link[i];
-    return ms_gpr__opinion_of(l, p->latent[l->row] - (l->than < 0 ? 0 : p->latent[l->than]), sqrt(l->than < 0 ? noise : 2 * noise));
+    return ms_gpr__opinion_of(l, p->latent[l->row] - (l->than < 0 ? 0 : p->latent[l->than]),
+                              sqrt(l->than < 0 ? noise : 2 * noise));
 }
 
 /* out = a v, a symmetric, of which the upper triangle is there. */
-static void ms_gpr__symmetric(const ms_gpr__kernels *f, const double *a, size_t stride, int padded, const double *v, double *out)
+static void ms_gpr__symmetric(const ms_gpr__kernels *f, const double *a, size_t stride, int padded, const double *v,
+                              double *out)
 {
     int i, j;
     memset(out, 0, (size_t)padded * sizeof *out);
@@ -1747,8 +1808,8 @@ static double ms_gpr__agreement(const ms_gpr__problem *p, double weak, double no
     return sum;
 }
 
-/* upper = the factor of K + W^-1, W = -l'' at the latent values; list[0] = f + W^-1 l', list[1] = l'. Returns log |W|, or 1e300 where
-   a factor fails. */
+/* upper = the factor of K + W^-1, W = -l'' at the latent values; list[0] = f + W^-1 l', list[1] = l'. Returns log |W|,
+   or 1e300 where a factor fails. */
 static double ms_gpr__opinions(ms_gpr__problem *p, double weak, double noise)
 {
     const ms_gpr__kernels *f = p->kernels;
@@ -1767,7 +1828,8 @@ static double ms_gpr__opinions(ms_gpr__problem *p, double weak, double noise)
         l1[l->row] += o.slope;
         if (l->than < 0) continue;
         p->upper[(size_t)l->than * (p->stride + 1)] += o.curvature;
-        p->upper[(size_t)(l->row < l->than ? l->row : l->than) * p->stride + (size_t)(l->row < l->than ? l->than : l->row)] -= o.curvature;
+        p->upper[(size_t)(l->row < l->than ? l->row : l->than) * p->stride +
+                 (size_t)(l->row < l->than ? l->than : l->row)] -= o.curvature;
         l1[l->than] -= o.slope;
     }
     memcpy(z, l1, row);
@@ -1779,7 +1841,8 @@ static double ms_gpr__opinions(ms_gpr__problem *p, double weak, double noise)
         for (i = 0; i < padded; ++i) memset(p->inverse + (size_t)i * p->stride, 0, row);
         ms_gpr__invert(f, p->upper, p->stride, padded, p->inverse);
         for (i = 0; i < padded; ++i) memset(p->upper + (size_t)i * p->stride, 0, row);
-        f->reduce(p->upper, p->stride, p->inverse, p->stride, p->inverse, p->stride, padded, padded, padded, MS_GPR__UPPER | MS_GPR__LOWER);
+        f->reduce(p->upper, p->stride, p->inverse, p->stride, p->inverse, p->stride, padded, padded, padded,
+                  MS_GPR__UPPER | MS_GPR__LOWER);
         for (i = 0; i < padded; ++i)
             for (j = i; j < padded; ++j) {
                 size_t at = (size_t)i * p->stride + (size_t)j;
@@ -1799,8 +1862,9 @@ static double ms_gpr__opinions(ms_gpr__problem *p, double weak, double noise)
     return ms_gpr__cholesky(f, p->upper, p->stride, padded, 0) ? determinant : 1e300;
 }
 
-/* Laplace's approximation, from the alpha that is there: Newton's method in f (Rasmussen & Williams 2006, 3.4, with W that need not be
-   diagonal) to f and alpha, the factor of K + W^-1, and log p(y) = sum of l - alpha' f / 2 - log |I + K W| / 2. 0: no factor. */
+/* Laplace's approximation, from the alpha that is there: Newton's method in f (Rasmussen & Williams 2006, 3.4, with W
+   that need not be diagonal) to f and alpha, the factor of K + W^-1, and log p(y) = sum of l - alpha' f / 2 - log |I +
+   K W| / 2. 0: no factor. */
 static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double *likelihood)
 {
     const ms_gpr__kernels *f = p->kernels;
@@ -1835,7 +1899,8 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
             slope += (l1[i] - p->alpha[i]) * move[i];
         }
         for (halving = 0; halving < 40; ++halving) {
-            double length = halving ? -0.5 / (1 << (halving < 30 ? halving - 1 : 29)) : 1; /* 1, then half of it back, ... */
+            double length = halving ? -0.5 / (1 << (halving < 30 ? halving - 1 : 29))
+                                    : 1; /* 1, then half of it back, ... */
             f->axpy(p->alpha, length, turn, padded);
             f->axpy(p->latent, length, move, padded);
             if (slope < 1e-12 * (1 + fabs(value))) break;
@@ -1847,14 +1912,15 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
         value = better;
     }
     *likelihood = ms_gpr__agreement(p, weak, noise) -
-                  0.5 * (determinant + ms_gpr__log_determinant(p->upper, p->stride, p->n));
+        0.5 * (determinant + ms_gpr__log_determinant(p->upper, p->stride, p->n));
     return 1;
 }
 
-/* What the gradient of Laplace's log p(y) has besides tr((alpha alpha' - (K + W^-1)^-1) dK) / 2 because f moves with theta (Rasmussen &
-   Williams 2006, 5.5.1): u' dK alpha with u = (I - (K + W^-1)^-1 K) s, s = -1/2 d log |I + K W| / df, into u; and by log sf and log sn
-   through the noise. upper is the factor of K + W^-1. */
-static void ms_gpr__laplace_moves(ms_gpr__problem *p, double sf2, double noise, double **moves, double *by_sf, double *by_sn)
+/* What the gradient of Laplace's log p(y) has besides tr((alpha alpha' - (K + W^-1)^-1) dK) / 2 because f moves with
+   theta (Rasmussen & Williams 2006, 5.5.1): u' dK alpha with u = (I - (K + W^-1)^-1 K) s, s = -1/2 d log |I + K W| /
+   df, into u; and by log sf and log sn through the noise. upper is the factor of K + W^-1. */
+static void ms_gpr__laplace_moves(ms_gpr__problem *p, double sf2, double noise, double **moves, double *by_sf,
+                                  double *by_sn)
 {
     const ms_gpr__kernels *f = p->kernels;
     int padded = ms_gpr__padded(p->n), first = p->links - p->pairs, i, j;
@@ -1863,7 +1929,8 @@ static void ms_gpr__laplace_moves(ms_gpr__problem *p, double sf2, double noise, 
     double *s = p->list, *u = s + p->stride, *h = u + p->stride, *l1_s = h + p->stride, *explained = l1_s + p->stride;
     for (i = 0; i < padded; ++i)
         for (j = i; j < padded; ++j)
-            p->solved[(size_t)i * p->stride + (size_t)j] = p->solved[(size_t)j * p->stride + (size_t)i] = p->kernel[(size_t)i * p->stride + (size_t)j];
+            p->solved[(size_t)i * p->stride + (size_t)j] = p->solved[(size_t)j * p->stride + (size_t)i] =
+                p->kernel[(size_t)i * p->stride + (size_t)j];
     ms_gpr__forward(f, p->upper, p->stride, padded, p->solved, p->stride, padded);
     memset(explained, 0, (p->stride + (size_t)p->pairs) * sizeof *explained);
     for (i = 0; i < p->n; ++i) {
@@ -1882,8 +1949,11 @@ static void ms_gpr__laplace_moves(ms_gpr__problem *p, double sf2, double noise, 
         ms_gpr__opinion o = ms_gpr__opinion_at(p, i, noise);
         double variance = sf2 - explained[l->row];
         if (l->than >= 0)
-            variance = 2 * (sf2 - p->kernel[(size_t)(l->row < l->than ? l->row : l->than) * p->stride + (size_t)(l->row < l->than ? l->than : l->row)]) -
-                       explained[p->stride + (size_t)(i - first)];
+            variance = 2 *
+                    (sf2 -
+                     p->kernel[(size_t)(l->row < l->than ? l->row : l->than) * p->stride +
+                               (size_t)(l->row < l->than ? l->than : l->row)]) -
+                explained[p->stride + (size_t)(i - first)];
         s[l->row] -= 0.5 * o.jerk * variance;
         l1_s[l->row] += o.slope_s;
         if (l->than >= 0) s[l->than] += 0.5 * o.jerk * variance, l1_s[l->than] -= o.slope_s;
@@ -1896,12 +1966,14 @@ static void ms_gpr__laplace_moves(ms_gpr__problem *p, double sf2, double noise, 
     for (i = 0; i < padded; ++i) u[i] = s[i] - u[i];
     ms_gpr__symmetric(f, p->kernel, p->stride, padded, u, h);
     *by_sn += f->dot(l1_s, h, padded);
-    for (i = 0; i < p->n; ++i) *by_sf += weak * (p->latent[i] * p->latent[i] + sf2 - explained[i] + 2 * p->latent[i] * h[i]);
+    for (i = 0; i < p->n; ++i)
+        *by_sf += weak * (p->latent[i] * p->latent[i] + sf2 - explained[i] + 2 * p->latent[i] * h[i]);
     *moves = u;
 }
 
-/* log p(y | X, theta) = -1/2 y' alpha - 1/2 log |K'| - n/2 log 2 pi, or Laplace's approximation, and its gradient [m + 2] with respect
-   to log l_k, log sf, log sn (NULL: not wanted):  1/2 tr((alpha alpha' - K'^-1) dK'/dtheta). 0 where K' is not positive definite. */
+/* log p(y | X, theta) = -1/2 y' alpha - 1/2 log |K'| - n/2 log 2 pi, or Laplace's approximation, and its gradient [m +
+   2] with respect to log l_k, log sf, log sn (NULL: not wanted):  1/2 tr((alpha alpha' - K'^-1) dK'/dtheta). 0 where K'
+   is not positive definite. */
 static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double *likelihood, double *gradient)
 {
     const ms_gpr__kernels *f = p->kernels;
@@ -1916,8 +1988,9 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
         if (!ms_gpr__factor(f, p->kernel, p->stride, p->n, sf2, noise, p->upper)) return 0;
         memcpy(p->alpha, p->target, row);
         ms_gpr__forward_vector(f, p->upper, p->stride, padded, p->alpha);
-        *likelihood = -0.5 * (f->dot(p->alpha, p->alpha, padded) + ms_gpr__log_determinant(p->upper, p->stride, p->n) +
-                              p->n * 1.8378770664093454836); /* log 2 pi */
+        *likelihood = -0.5 *
+            (f->dot(p->alpha, p->alpha, padded) + ms_gpr__log_determinant(p->upper, p->stride, p->n) +
+             p->n * 1.8378770664093454836); /* log 2 pi */
     }
     if (gradient == NULL) return 1;
     if (p->link) ms_gpr__laplace_moves(p, sf2, noise, &moves, &by_sf, &by_sn);
@@ -1925,7 +1998,8 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
     for (i = 0; i < padded; ++i) memset(p->inverse + (size_t)i * p->stride, 0, row);
     ms_gpr__invert(f, p->upper, p->stride, padded, p->inverse);
     for (i = 0; i < padded; ++i) memset(p->upper + (size_t)i * p->stride, 0, row);
-    f->reduce(p->upper, p->stride, p->inverse, p->stride, p->inverse, p->stride, padded, padded, padded, MS_GPR__UPPER | MS_GPR__LOWER);
+    f->reduce(p->upper, p->stride, p->inverse, p->stride, p->inverse, p->stride, padded, padded, padded,
+              MS_GPR__UPPER | MS_GPR__LOWER);
     memset(p->slope, 0, (size_t)p->m * MS_GPR__BLOCK * sizeof *p->slope);
     for (i = 0; i < p->n; ++i) {
         int block = i / MS_GPR__BLOCK * MS_GPR__BLOCK, j;
@@ -1937,8 +2011,8 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
         }
         own = p->alpha[i] * p->alpha[i] + p->upper[at + (size_t)i];
         for (j = block; j <= i; ++j) p->kernel[at + (size_t)j] = 0; /* each pair once; the diagonal has d = 0 */
-        kernel_sum += f->weights(p->weight + block, p->upper + at + block, p->kernel + at + block, p->alpha + block, p->alpha[i],
-                                 padded - block);
+        kernel_sum += f->weights(p->weight + block, p->upper + at + block, p->kernel + at + block, p->alpha + block,
+                                 p->alpha[i], padded - block);
         f->slopes(p->slope, p->weight + block, p->points + block, p->stride, p->points + i, p->m, padded - block);
         trace += own;
     }
@@ -1957,12 +2031,15 @@ static size_t ms_gpr__problem_doubles(int n, int m, int links, int pairs)
     size_t stride = ms_gpr__stride(n), padded = (size_t)ms_gpr__padded(n);
     size_t matrices = ms__size_mul(ms__size_mul(links ? 4 : 3, padded), stride);
     size_t lists = ms__size_add(ms__size_mul((size_t)m + 3, stride), ms__size_mul((size_t)m, MS_GPR__BLOCK));
-    if (links) lists = ms__size_add(lists, ms__size_add(ms__size_mul(6, stride), (size_t)links * 3 + (size_t)pairs + MS_GPR__BLOCK));
+    if (links)
+        lists = ms__size_add(lists,
+                             ms__size_add(ms__size_mul(6, stride), (size_t)links * 3 + (size_t)pairs + MS_GPR__BLOCK));
     return ms__size_add(matrices, lists);
 }
 
 /* Lays a problem out in ms_gpr__problem_doubles(n, m, links, pairs) doubles; points, target and alpha are zero. */
-static ms_gpr__problem ms_gpr__problem_make(const ms_gpr__kernels *kernels, int n, int m, int links, int pairs, double *memory)
+static ms_gpr__problem ms_gpr__problem_make(const ms_gpr__kernels *kernels, int n, int m, int links, int pairs,
+                                            double *memory)
 {
     ms_gpr__problem p;
     size_t matrix;
@@ -2000,33 +2077,33 @@ static ms_gpr__problem ms_gpr__problem_make(const ms_gpr__kernels *kernels, int 
 #define MS_GPR__NO_FLOOR -1e300
 
 struct ms_gpr {
-    int n, m, active;        /* active: dimensions in use */
-    int capacity;            /* points that there is room for */
+    int n, m, active; /* active: dimensions in use */
+    int capacity;     /* points that there is room for */
     size_t stride;
     double mean, floor, floor_value; /* scores up to floor are taken as floor_value */
-    double jitter, likelihood; /* the latter of soft models */
-    double step;             /* of the scores; 0: exact */
+    double jitter, likelihood;       /* the latter of soft models */
+    double step;                     /* of the scores; 0: exact */
     int pair_count, pair_room, soft; /* soft: conditioned by Laplace's approximation */
-    int *pairs;              /* [pair_room][2] */
+    int *pairs;                      /* [pair_room][2] */
     ms_simd level;
     const ms_gpr__kernels *kernels;
     ms_allocator allocator;
     ms_parallel parallel;
     void *block;
     size_t doubles;
-    double *x;               /* [capacity][m] */
-    double *y;               /* [capacity] */
-    double *value;           /* [capacity] y, or what is predicted for a row without */
-    double *theta;           /* [m + 2] */
-    double *center;          /* [m] subtracted from inputs, so that offsets cost no digits */
-    double *scale;           /* [m] 1 / l_k */
-    double *points;          /* [active][stride] (x - center) / l by dimension, padded with zeros */
-    double *alpha;           /* [stride] */
-    double *weight;          /* [stride] sf^2 alpha */
-    double *upper;           /* [capacity][stride] U'U = K' */
-    float *points_f;         /* [active][stride] */
-    float *weight_f;         /* [stride] */
-    int *dimension;          /* [active] which column of x */
+    double *x;       /* [capacity][m] */
+    double *y;       /* [capacity] */
+    double *value;   /* [capacity] y, or what is predicted for a row without */
+    double *theta;   /* [m + 2] */
+    double *center;  /* [m] subtracted from inputs, so that offsets cost no digits */
+    double *scale;   /* [m] 1 / l_k */
+    double *points;  /* [active][stride] (x - center) / l by dimension, padded with zeros */
+    double *alpha;   /* [stride] */
+    double *weight;  /* [stride] sf^2 alpha */
+    double *upper;   /* [capacity][stride] U'U = K' */
+    float *points_f; /* [active][stride] */
+    float *weight_f; /* [stride] */
+    int *dimension;  /* [active] which column of x */
 };
 
 static size_t ms_gpr__model_doubles(int capacity, int m)
@@ -2034,7 +2111,8 @@ static size_t ms_gpr__model_doubles(int capacity, int m)
     size_t stride = ms_gpr__stride(capacity), columns = (size_t)m;
     size_t rows = ms__size_add(ms__size_mul((size_t)capacity, columns + 2), ms__size_mul(columns, 5));
     size_t lists = ms__size_mul(stride, ms__size_add(ms__size_mul(2, columns), 4));
-    return ms__size_add(ms__size_add(rows, lists), ms__size_add(ms__size_mul(stride, (size_t)ms_gpr__padded(capacity)), 4));
+    return ms__size_add(ms__size_add(rows, lists),
+                        ms__size_add(ms__size_mul(stride, (size_t)ms_gpr__padded(capacity)), 4));
 }
 
 /* Points gp at its parts of a block for `capacity` points. */
@@ -2120,7 +2198,8 @@ static double ms_gpr__likelihood_of(const ms_gpr *gp)
     return -0.5 * (fit + ms_gpr__log_determinant(gp->upper, gp->stride, gp->n) + gp->n * 1.8378770664093454836);
 }
 
-/* The least score that counts, where `known` is no floor: the least that was given; 0 where all are equal and above, or none is. */
+/* The least score that counts, where `known` is no floor: the least that was given; 0 where all are equal and above, or
+   none is. */
 static double ms_gpr__floor(const double *y, int n, double known)
 {
     double least = MS_GPR__OPEN, most = -MS_GPR__OPEN;
@@ -2135,7 +2214,8 @@ static double ms_gpr__floor(const double *y, int n, double known)
 }
 
 /* What a score says about its row, less `mean` and over `unit`; `taken`: what a score at the floor is taken as. */
-static void ms_gpr__link_score(ms_gpr__link *l, int row, double y, double floor, double taken, double step, double mean, double unit)
+static void ms_gpr__link_score(ms_gpr__link *l, int row, double y, double floor, double taken, double step, double mean,
+                               double unit)
 {
     l->row = row;
     l->than = -1;
@@ -2145,9 +2225,10 @@ static void ms_gpr__link_score(ms_gpr__link *l, int row, double y, double floor,
     l->high += 0.5 * step / unit;
 }
 
-/* Links of n scores and of the comparisons; returns how many. link NULL: only counts; 0 where all rows have one exact score. */
-static int ms_gpr__link_all(ms_gpr__link *link, const double *y, int n, double floor, double taken, double step, double mean, double unit,
-                            const int *pairs, int pair_count)
+/* Links of n scores and of the comparisons; returns how many. link NULL: only counts; 0 where all rows have one exact
+   score. */
+static int ms_gpr__link_all(ms_gpr__link *link, const double *y, int n, double floor, double taken, double step,
+                            double mean, double unit, const int *pairs, int pair_count)
 {
     int count = 0, i;
     for (i = 0; i < n; ++i)
@@ -2168,11 +2249,13 @@ static int ms_gpr__link_all(ms_gpr__link *link, const double *y, int n, double f
 
 static int ms_gpr__links(const ms_gpr *gp, ms_gpr__link *link)
 {
-    return ms_gpr__link_all(link, gp->y, gp->n, gp->floor, gp->floor_value, gp->step, gp->mean, 1, gp->pairs, gp->pair_count);
+    return ms_gpr__link_all(link, gp->y, gp->n, gp->floor, gp->floor_value, gp->step, gp->mean, 1, gp->pairs,
+                            gp->pair_count);
 }
 
 /* The problem of this model's data and theta; memory from the model's allocator, to be released as `block`. */
-static ms_status ms_gpr__problem_of(const ms_gpr *gp, ms_gpr__problem *p, void **block, size_t *doubles, ms_error *error)
+static ms_status ms_gpr__problem_of(const ms_gpr *gp, ms_gpr__problem *p, void **block, size_t *doubles,
+                                    ms_error *error)
 {
     double *memory;
     int links = gp->soft ? ms_gpr__links(gp, NULL) : 0, i, k;
@@ -2198,22 +2281,29 @@ static ms_status ms_gpr__condition_soft(ms_gpr *gp, ms_error *error)
     double sf2 = ms_gpr__sf2(gp);
     ms_status status = ms_gpr__problem_of(gp, &p, &block, &doubles, error);
     if (status != MS_OK) return status;
-    for (gp->jitter = 0; gp->jitter < 2e-6 && !found; gp->jitter = found ? gp->jitter : gp->jitter > 0 ? 10 * gp->jitter : 1e-15) {
+    for (gp->jitter = 0; gp->jitter < 2e-6 && !found; gp->jitter = found ? gp->jitter
+             : gp->jitter > 0                                            ? 10 * gp->jitter
+                                                                         : 1e-15) {
         memcpy(p.alpha, gp->alpha, (size_t)padded * sizeof *p.alpha);
         found = ms_gpr__evaluate(&p, sf2, ms_gpr__sn2(gp) + gp->jitter * sf2, &gp->likelihood, NULL);
     }
     if (found) {
-        for (i = 0; i < padded; ++i) memcpy(gp->upper + (size_t)i * gp->stride, p.upper + (size_t)i * p.stride, (size_t)padded * sizeof(double));
+        for (i = 0; i < padded; ++i)
+            memcpy(gp->upper + (size_t)i * gp->stride, p.upper + (size_t)i * p.stride, (size_t)padded * sizeof(double));
         memcpy(gp->alpha, p.alpha, (size_t)padded * sizeof *p.alpha);
         ms_gpr__weigh(gp);
         for (i = 0; i < gp->n; ++i)
             if (!ms_gpr__scored(gp->y[i])) gp->value[i] = gp->mean + p.latent[i];
     }
     ms_gpr__release_doubles(&gp->allocator, block, doubles);
-    return found ? MS_OK : ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix of %d points and what was said about them is not positive definite", gp->n);
+    return found
+        ? MS_OK
+        : ms__fail(error, MS_NOT_CONVERGED, 0,
+                   "the covariance matrix of %d points and what was said about them is not positive definite", gp->n);
 }
 
-/* Everything that follows from x, y, comparisons and theta. The jitter, in units of sf^2, is the least power of ten that does. */
+/* Everything that follows from x, y, comparisons and theta. The jitter, in units of sf^2, is the least power of ten
+   that does. */
 static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
 {
     size_t lists = (size_t)gp->m * gp->stride;
@@ -2233,14 +2323,15 @@ static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
     gp->soft = gp->step > 0 || gp->pair_count > 0;
     for (i = 0; i < gp->n; ++i) gp->soft |= !ms_gpr__scored(gp->y[i]);
     if (gp->soft) return ms_gpr__condition_soft(gp, error);
-    for (gp->jitter = 0; gp->jitter < 2e-6; gp->jitter = gp->jitter > 0 ? 10 * gp->jitter : 1e-15) {
+    for (gp->jitter = 0; gp->jitter<2e-6; gp->jitter = gp->jitter> 0 ? 10 * gp->jitter : 1e-15) {
         ms_gpr__covariance(gp->kernels, gp->points, gp->stride, gp->n, gp->active, sf2, gp->upper);
         if (ms_gpr__factor(gp->kernels, gp->upper, gp->stride, gp->n, sf2, sn2 + gp->jitter * sf2, gp->upper)) {
             ms_gpr__solve_alpha(gp);
             return MS_OK;
         }
     }
-    return ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix of %d points is not positive definite even with 1e-6 sf^2 added to sn^2",
+    return ms__fail(error, MS_NOT_CONVERGED, 0,
+                    "the covariance matrix of %d points is not positive definite even with 1e-6 sf^2 added to sn^2",
                     gp->n);
 }
 
@@ -2250,15 +2341,17 @@ static ms_status ms_gpr__null(const char *name, ms_error *error)
 }
 
 /* Position: the row, from 1. */
-static ms_status ms_gpr__check_rows(const double *x, int rows, int columns, double limit, const char *what, ms_error *error)
+static ms_status ms_gpr__check_rows(const double *x, int rows, int columns, double limit, const char *what,
+                                    ms_error *error)
 {
     int i, k;
     for (i = 0; i < rows; ++i)
         for (k = 0; k < columns; ++k) {
             double v = x[(size_t)i * (size_t)columns + (size_t)k];
             if (!ms__finite(v) || !(fabs(v) <= limit))
-                return ms__fail(error, MS_BAD_DATA, (size_t)i + 1, "%s %d, column %d is %g: expected a number from %g to %g", what, i + 1,
-                                k + 1, v, -limit, limit);
+                return ms__fail(error, MS_BAD_DATA, (size_t)i + 1,
+                                "%s %d, column %d is %g: expected a number from %g to %g", what, i + 1, k + 1, v,
+                                -limit, limit);
         }
     return MS_OK;
 }
@@ -2269,15 +2362,16 @@ static ms_status ms_gpr__check_scores(const double *y, int n, ms_error *error)
     int i;
     for (i = 0; i < n; ++i)
         if (memcmp(&y[i], &unscored, sizeof unscored) != 0 && (!ms__finite(y[i]) || !(fabs(y[i]) <= MS_GPR__LARGEST)))
-            return ms__fail(error, MS_BAD_DATA, (size_t)i + 1, "score %d is %g: expected a number from %g to %g", i + 1, y[i],
-                            -MS_GPR__LARGEST, MS_GPR__LARGEST);
+            return ms__fail(error, MS_BAD_DATA, (size_t)i + 1, "score %d is %g: expected a number from %g to %g", i + 1,
+                            y[i], -MS_GPR__LARGEST, MS_GPR__LARGEST);
     return MS_OK;
 }
 
 static ms_status ms_gpr__check_data(const double *x, const double *y, int n, int m, ms_error *error)
 {
     ms_status status;
-    if (n < 0 || n > MS_GPR__N_MAX) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "n is %d: expected 0 to %d", n, MS_GPR__N_MAX);
+    if (n < 0 || n > MS_GPR__N_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "n is %d: expected 0 to %d", n, MS_GPR__N_MAX);
     if (m < 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "m is %d: expected at least 1", m);
     if (n > 0 && (x == NULL || y == NULL)) return ms_gpr__null(x ? "y" : "x", error);
     status = ms_gpr__check_rows(x, n, m, MS_GPR__LARGEST, "input", error);
@@ -2287,12 +2381,15 @@ static ms_status ms_gpr__check_data(const double *x, const double *y, int n, int
 static ms_status ms_gpr__check_pairs(const int *pairs, int count, int n, ms_error *error)
 {
     int i;
-    if (count < 0 || count > 10000000) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "there are %d pairs: expected 0 to 10000000", count);
+    if (count < 0 || count > 10000000)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "there are %d pairs: expected 0 to 10000000", count);
     if (count > 0 && pairs == NULL) return ms_gpr__null("pairs", error);
     for (i = 0; i < count; ++i)
-        if (pairs[2 * i] < 0 || pairs[2 * i] >= n || pairs[2 * i + 1] < 0 || pairs[2 * i + 1] >= n || pairs[2 * i] == pairs[2 * i + 1])
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i + 1, "pair %d is %d, %d: expected two rows from 0 to %d", i + 1, pairs[2 * i],
-                            pairs[2 * i + 1], n - 1);
+        if (pairs[2 * i] < 0 || pairs[2 * i] >= n || pairs[2 * i + 1] < 0 || pairs[2 * i + 1] >= n ||
+            pairs[2 * i] == pairs[2 * i + 1])
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i + 1,
+                            "pair %d is %d, %d: expected two rows from 0 to %d", i + 1, pairs[2 * i], pairs[2 * i + 1],
+                            n - 1);
     return MS_OK;
 }
 
@@ -2303,7 +2400,8 @@ static ms_status ms_gpr__check_theta(const double *theta, int m, ms_error *error
     for (k = 0; k < m + 2; ++k) {
         double limit = k < m ? MS_GPR__DROPPED : 300;
         if (!ms__finite(theta[k]) || !(fabs(theta[k]) <= limit))
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "theta[%d] is %g: expected a logarithm from %g to %g", k, theta[k], -limit, limit);
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "theta[%d] is %g: expected a logarithm from %g to %g", k,
+                            theta[k], -limit, limit);
     }
     return MS_OK;
 }
@@ -2317,7 +2415,8 @@ typedef struct ms_gpr__data {
 } ms_gpr__data;
 
 /* A model with room for `capacity` points, everything copied, nothing conditioned. */
-static ms_status ms_gpr__copy(const ms_gpr__data *data, int capacity, const ms_gpr_options *options, ms_gpr **out, ms_error *error)
+static ms_status ms_gpr__copy(const ms_gpr__data *data, int capacity, const ms_gpr_options *options, ms_gpr **out,
+                              ms_error *error)
 {
     ms_gpr *gp = (ms_gpr *)ms__alloc(&options->allocator, sizeof *gp);
     size_t n = (size_t)data->n, m = (size_t)data->m, size = 2 * (size_t)data->pair_count * sizeof *data->pairs;
@@ -2342,7 +2441,8 @@ static ms_status ms_gpr__copy(const ms_gpr__data *data, int capacity, const ms_g
     if (memory == NULL) {
         ms__release(&options->allocator, gp->pairs, size);
         ms__release(&options->allocator, gp, sizeof *gp);
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a model of %d points and %d dimensions", data->n, data->m);
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a model of %d points and %d dimensions", data->n,
+                        data->m);
     }
     ms_gpr__lay_out(gp, capacity, memory);
     if (n > 0) memcpy(gp->x, data->x, n * m * sizeof *gp->x);
@@ -2366,7 +2466,8 @@ static ms_status ms_gpr__make(const ms_gpr__data *data, const ms_gpr_options *op
 }
 
 /* A copy of the model to be changed, with room for `more` points, and with these pairs. */
-static ms_status ms_gpr__edit(const ms_gpr *gp, int more, const int *pairs, int pair_count, ms_gpr **out, ms_error *error)
+static ms_status ms_gpr__edit(const ms_gpr *gp, int more, const int *pairs, int pair_count, ms_gpr **out,
+                              ms_error *error)
 {
     ms_gpr_options options;
     ms_gpr__data data;
@@ -2386,7 +2487,8 @@ static ms_status ms_gpr__edit(const ms_gpr *gp, int more, const int *pairs, int 
     data.floor_value = gp->floor_value;
     data.step = gp->step;
     status = ms_gpr__copy(&data, gp->n + more, &options, out, error);
-    if (status == MS_OK) memcpy((*out)->alpha, gp->alpha, (size_t)gp->n * sizeof *gp->alpha); /* where Newton's method starts */
+    if (status == MS_OK)
+        memcpy((*out)->alpha, gp->alpha, (size_t)gp->n * sizeof *gp->alpha); /* where Newton's method starts */
     return status;
 }
 
@@ -2403,8 +2505,8 @@ static ms_status ms_gpr__commit(ms_gpr *gp, ms_gpr *edited, ms_error *error)
     return status;
 }
 
-MS_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, const double *theta, const ms_gpr_options *options,
-                                   ms_gpr **out, ms_error *error)
+MS_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, const double *theta,
+                               const ms_gpr_options *options, ms_gpr **out, ms_error *error)
 {
     ms_gpr_options defaults;
     ms_gpr__data data;
@@ -2415,7 +2517,8 @@ MS_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, c
     if (options == NULL) options = &defaults;
     status = ms_gpr__check_data(x, y, n, m, error);
     if (status == MS_OK) status = ms_gpr__check_theta(theta, m, error);
-    if (status == MS_OK && !ms__finite(options->mean)) status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "the prior mean is not finite");
+    if (status == MS_OK && !ms__finite(options->mean))
+        status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "the prior mean is not finite");
     if (status != MS_OK) return status;
     memset(&data, 0, sizeof data);
     data.x = x;
@@ -2495,7 +2598,8 @@ MS_API ms_status ms_gpr_simplify(ms_gpr *gp, double tolerance, int *kept, ms_err
     ms_status status;
     int k;
     if (gp == NULL) return ms_gpr__null("gp", error);
-    if (!ms__finite(tolerance) || tolerance < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tolerance is %g: expected at least 0", tolerance);
+    if (!ms__finite(tolerance) || tolerance < 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tolerance is %g: expected at least 0", tolerance);
     columns = (size_t)gp->m;
     size = (3 * columns + 4) * sizeof(double);
     relevance = (double *)ms__alloc(&gp->allocator, size);
@@ -2527,7 +2631,10 @@ MS_API const int *ms_gpr_pairs(const ms_gpr *gp) { return gp ? gp->pairs : NULL;
 MS_API int ms_gpr_pair_count(const ms_gpr *gp) { return gp ? gp->pair_count : 0; }
 MS_API double ms_gpr_mean(const ms_gpr *gp) { return gp ? gp->mean : 0; }
 MS_API double ms_gpr_floor(const ms_gpr *gp) { return gp ? ms_gpr__floor(gp->y, gp->n, gp->floor) : 0; }
-MS_API double ms_gpr_floor_value(const ms_gpr *gp) { return gp && gp->floor > MS_GPR__NO_FLOOR ? gp->floor_value : ms_gpr_floor(gp); }
+MS_API double ms_gpr_floor_value(const ms_gpr *gp)
+{
+    return gp && gp->floor > MS_GPR__NO_FLOOR ? gp->floor_value : ms_gpr_floor(gp);
+}
 MS_API ms_simd ms_gpr_level(const ms_gpr *gp) { return gp ? gp->level : MS_SIMD_AUTO; }
 MS_API double ms_gpr_jitter(const ms_gpr *gp) { return gp ? gp->jitter : 0; }
 
@@ -2560,7 +2667,8 @@ MS_API ms_status ms_gpr_likelihood(const ms_gpr *gp, double *likelihood, double 
     return status;
 }
 
-MS_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *variance, double *density, ms_error *error)
+MS_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *variance, double *density,
+                                      ms_error *error)
 {
     size_t stride, doubles;
     int padded, i, j;
@@ -2568,7 +2676,8 @@ MS_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *va
     void *block;
     if (gp == NULL) return ms_gpr__null("gp", error);
     if (gp->soft)
-        return ms__fail(error, MS_UNSUPPORTED, 0, "comparisons and scores in steps cannot be left out one by one in closed form");
+        return ms__fail(error, MS_UNSUPPORTED, 0,
+                        "comparisons and scores in steps cannot be left out one by one in closed form");
     stride = gp->stride;
     padded = ms_gpr__padded(gp->n);
     doubles = ms__size_mul((size_t)padded, stride);
@@ -2579,7 +2688,8 @@ MS_API ms_status ms_gpr_leave_one_out(const ms_gpr *gp, double *mean, double *va
         memset(inverse, 0, (doubles + stride) * sizeof *inverse);
         ms_gpr__invert(gp->kernels, gp->upper, stride, padded, inverse);
         for (i = 0; i < padded; ++i)
-            for (j = 0; j <= i; ++j) diagonal[j] += inverse[(size_t)i * stride + (size_t)j] * inverse[(size_t)i * stride + (size_t)j];
+            for (j = 0; j <= i; ++j)
+                diagonal[j] += inverse[(size_t)i * stride + (size_t)j] * inverse[(size_t)i * stride + (size_t)j];
         for (i = 0; i < gp->n; ++i) {
             double residual = gp->alpha[i] / diagonal[i]; /* y_i - mean_i */
             if (mean) mean[i] = ms_gpr__target(gp, i) + gp->mean - residual;
@@ -2603,7 +2713,8 @@ static ms_status ms_gpr__grow(ms_gpr *gp, ms_error *error)
     double *memory;
     void *block;
     if (gp->n < gp->capacity) return MS_OK;
-    if (gp->n >= MS_GPR__N_MAX) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the model already has %d points", gp->n);
+    if (gp->n >= MS_GPR__N_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the model already has %d points", gp->n);
     doubles = ms_gpr__model_doubles(capacity, gp->m);
     memory = ms_gpr__doubles(&gp->allocator, doubles, &block);
     if (memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a model of %d points", capacity);
@@ -2622,7 +2733,8 @@ static ms_status ms_gpr__grow(ms_gpr *gp, ms_error *error)
     memset(gp->points_f, 0, m * gp->stride * sizeof *gp->points_f);
     for (i = 0; i < gp->n; ++i) ms_gpr__place_training(gp, i);
     for (k = 0; k < ms_gpr__padded(gp->n); ++k)
-        memcpy(gp->upper + (size_t)k * gp->stride, old.upper + (size_t)k * old.stride, (size_t)ms_gpr__padded(gp->n) * sizeof(double));
+        memcpy(gp->upper + (size_t)k * gp->stride, old.upper + (size_t)k * old.stride,
+               (size_t)ms_gpr__padded(gp->n) * sizeof(double));
     ms_gpr__release_doubles(&gp->allocator, old.block, old.doubles);
     return MS_OK;
 }
@@ -2631,7 +2743,8 @@ static ms_status ms_gpr__grow(ms_gpr *gp, ms_error *error)
 static void ms_gpr__pad(ms_gpr *gp, int at)
 {
     int padded = ms_gpr__padded(at + 1), i;
-    for (i = 0; i < padded; ++i) gp->upper[(size_t)i * gp->stride + (size_t)at] = gp->upper[(size_t)at * gp->stride + (size_t)i] = 0;
+    for (i = 0; i < padded; ++i)
+        gp->upper[(size_t)i * gp->stride + (size_t)at] = gp->upper[(size_t)at * gp->stride + (size_t)i] = 0;
     gp->upper[(size_t)at * (gp->stride + 1)] = 1;
 }
 
@@ -2655,7 +2768,8 @@ MS_API ms_status ms_gpr_append(ms_gpr *gp, const double *x, double y, ms_error *
     status = ms_gpr__check_data(x, &y, 1, gp->m, error);
     if (status == MS_OK && (gp->soft || !ms_gpr__scored(y))) {
         ms_gpr *edited;
-        if (gp->n >= MS_GPR__N_MAX) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the model already has %d points", gp->n);
+        if (gp->n >= MS_GPR__N_MAX)
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the model already has %d points", gp->n);
         status = ms_gpr__edit(gp, 1, gp->pairs, gp->pair_count, &edited, error);
         if (status != MS_OK) return status;
         memcpy(edited->x + (size_t)gp->n * (size_t)gp->m, x, (size_t)gp->m * sizeof *x);
@@ -2676,7 +2790,9 @@ MS_API ms_status ms_gpr_append(ms_gpr *gp, const double *x, double y, ms_error *
     /* The new column of U is v = U'^-1 k, and the new pivot sqrt(k(x, x) + sn^2 - v'v). */
     for (i = padded; i < ms_gpr__padded(gp->n); ++i) ms_gpr__pad(gp, i);
     for (i = 0; i < padded; ++i)
-        gp->alpha[i] = i < n ? sf2 * exp(-0.5 * ms_gpr__distance2(gp->points + i, gp->stride, gp->points + n, gp->stride, gp->active)) : 0;
+        gp->alpha[i] = i < n
+            ? sf2 * exp(-0.5 * ms_gpr__distance2(gp->points + i, gp->stride, gp->points + n, gp->stride, gp->active))
+            : 0;
     ms_gpr__forward_vector(gp->kernels, gp->upper, gp->stride, padded, gp->alpha);
     pivot -= gp->kernels->dot(gp->alpha, gp->alpha, padded);
     if (pivot > least) {
@@ -2699,7 +2815,8 @@ MS_API ms_status ms_gpr_rescore(ms_gpr *gp, int index, double y, ms_error *error
     if (gp == NULL) return ms_gpr__null("gp", error);
     status = ms_gpr__check_scores(&y, 1, error);
     if (status != MS_OK) return status;
-    if (index < 0 || index >= gp->n) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "index is %d: expected 0 to %d", index, gp->n - 1);
+    if (index < 0 || index >= gp->n)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "index is %d: expected 0 to %d", index, gp->n - 1);
     if (gp->soft || !ms_gpr__scored(y)) {
         ms_gpr *edited;
         status = ms_gpr__edit(gp, 1, gp->pairs, gp->pair_count, &edited, error);
@@ -2720,12 +2837,14 @@ MS_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error)
     m = (size_t)gp->m;
     stride = gp->stride;
     last = gp->n - 1;
-    if (index < 0 || index > last) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "index is %d: expected 0 to %d", index, last);
+    if (index < 0 || index > last)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "index is %d: expected 0 to %d", index, last);
     if (gp->soft) {
         ms_gpr *edited;
         ms_status status = ms_gpr__edit(gp, 1, gp->pairs, gp->pair_count, &edited, error);
         if (status != MS_OK) return status;
-        memmove(edited->x + (size_t)index * m, edited->x + ((size_t)index + 1) * m, (size_t)(last - index) * m * sizeof *gp->x);
+        memmove(edited->x + (size_t)index * m, edited->x + ((size_t)index + 1) * m,
+                (size_t)(last - index) * m * sizeof *gp->x);
         memmove(edited->y + index, edited->y + index + 1, (size_t)(last - index) * sizeof *gp->y);
         memmove(edited->alpha + index, edited->alpha + index + 1, (size_t)(last - index) * sizeof *gp->alpha);
         edited->alpha[last] = 0;
@@ -2756,7 +2875,8 @@ MS_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error)
         memmove(row + first, row + first + 1, (size_t)(last - first) * sizeof *row);
     }
     for (i = index; i < last; ++i) { /* Givens rotations of rows i and i + 1 remove the element below the diagonal */
-        double *a = gp->upper + (size_t)i * stride, *b = a + stride, r = sqrt(a[i] * a[i] + b[i] * b[i]), c = a[i] / r, s = b[i] / r;
+        double *a = gp->upper + (size_t)i * stride, *b = a + stride, r = sqrt(a[i] * a[i] + b[i] * b[i]), c = a[i] / r,
+               s = b[i] / r;
         for (j = i; j < last; ++j) {
             double t = c * a[j] + s * b[j];
             b[j] = c * b[j] - s * a[j];
@@ -2770,7 +2890,8 @@ MS_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error)
     return MS_OK;
 }
 
-MS_API ms_status ms_gpr_compare(ms_gpr *gp, const double *x, int count, const int *pairs, int pair_count, ms_error *error)
+MS_API ms_status ms_gpr_compare(ms_gpr *gp, const double *x, int count, const int *pairs, int pair_count,
+                                ms_error *error)
 {
     ms_gpr *edited;
     ms_status status;
@@ -2793,12 +2914,12 @@ MS_API ms_status ms_gpr_compare(ms_gpr *gp, const double *x, int count, const in
 /* One task: chunks of candidates task, task + tasks, ... */
 typedef struct ms_gpr__batch {
     const ms_gpr *gp;
-    const double *x;      /* one of x and x_f */
+    const double *x; /* one of x and x_f */
     const float *x_f;
     int count, tasks;
     double *mean, *variance;
     float *mean_f;
-    double *scratch;      /* [tasks][task_doubles] */
+    double *scratch; /* [tasks][task_doubles] */
     size_t task_doubles;
 } ms_gpr__batch;
 
@@ -2818,7 +2939,8 @@ static void ms_gpr__chunk_mean(const ms_gpr *gp, const double *place, double *ti
     for (j = 0; j < MS_GPR__CHUNK; ++j) mean[j] = 0;
     for (i = 0; i < n; i += MS_GPR__SLAB) {
         int rows = n - i < MS_GPR__SLAB ? n - i : MS_GPR__SLAB;
-        gp->kernels->distances(tile, MS_GPR__CHUNK, gp->points + i, gp->stride, place, MS_GPR__CHUNK, rows, MS_GPR__CHUNK, gp->active, 0);
+        gp->kernels->distances(tile, MS_GPR__CHUNK, gp->points + i, gp->stride, place, MS_GPR__CHUNK, rows,
+                               MS_GPR__CHUNK, gp->active, 0);
         gp->kernels->accumulate(mean, tile, MS_GPR__CHUNK, gp->weight + i, rows, MS_GPR__CHUNK);
     }
 }
@@ -2828,7 +2950,8 @@ static void ms_gpr__chunk_variance(const ms_gpr *gp, const double *place, double
 {
     double sf2 = ms_gpr__sf2(gp);
     int n = ms_gpr__padded(gp->n), i, j;
-    gp->kernels->distances(columns, MS_GPR__CHUNK, gp->points, gp->stride, place, MS_GPR__CHUNK, n, MS_GPR__CHUNK, gp->active, 0);
+    gp->kernels->distances(columns, MS_GPR__CHUNK, gp->points, gp->stride, place, MS_GPR__CHUNK, n, MS_GPR__CHUNK,
+                           gp->active, 0);
     gp->kernels->exponentials(columns, gp->n * MS_GPR__CHUNK, sf2);
     memset(columns + (size_t)gp->n * MS_GPR__CHUNK, 0, (size_t)(n - gp->n) * MS_GPR__CHUNK * sizeof *columns);
     ms_gpr__forward(gp->kernels, gp->upper, gp->stride, n, columns, MS_GPR__CHUNK, MS_GPR__CHUNK);
@@ -2862,7 +2985,8 @@ static void ms_gpr__predict_task_f(void *context, int task)
 {
     const ms_gpr__batch *b = (const ms_gpr__batch *)context;
     const ms_gpr *gp = b->gp;
-    float *place = (float *)(void *)(b->scratch + (size_t)task * b->task_doubles), *tile = place + (size_t)gp->active * MS_GPR__CHUNK;
+    float *place = (float *)(void *)(b->scratch + (size_t)task * b->task_doubles),
+          *tile = place + (size_t)gp->active * MS_GPR__CHUNK;
     float mean[MS_GPR__CHUNK];
     int n = ms_gpr__padded(gp->n), start, i, j, k;
     for (start = task * MS_GPR__CHUNK; start < b->count; start += b->tasks * MS_GPR__CHUNK) {
@@ -2878,8 +3002,8 @@ static void ms_gpr__predict_task_f(void *context, int task)
         for (j = 0; j < MS_GPR__CHUNK; ++j) mean[j] = 0;
         for (i = 0; i < n; i += MS_GPR__SLAB) {
             int rows = n - i < MS_GPR__SLAB ? n - i : MS_GPR__SLAB;
-            gp->kernels->distances_f(tile, MS_GPR__CHUNK, gp->points_f + i, gp->stride, place, MS_GPR__CHUNK, rows, MS_GPR__CHUNK,
-                                     gp->active, 0);
+            gp->kernels->distances_f(tile, MS_GPR__CHUNK, gp->points_f + i, gp->stride, place, MS_GPR__CHUNK, rows,
+                                     MS_GPR__CHUNK, gp->active, 0);
             gp->kernels->accumulate_f(mean, tile, MS_GPR__CHUNK, gp->weight_f + i, rows, MS_GPR__CHUNK);
         }
         for (j = 0; j < filled; ++j) b->mean_f[start + j] = (float)(gp->mean + (double)mean[j]);
@@ -2904,7 +3028,8 @@ static ms_status ms_gpr__predict_run(ms_gpr__batch *b, void (*task)(void *contex
     return MS_OK;
 }
 
-MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, double *mean, double *variance, ms_error *error)
+MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, double *mean, double *variance,
+                                ms_error *error)
 {
     ms_gpr__batch b;
     ms_status status;
@@ -2925,12 +3050,14 @@ MS_API ms_status ms_gpr_predict_f(const ms_gpr *gp, const float *x, int count, f
 {
     ms_gpr__batch b;
     size_t i, values;
-    if (gp == NULL || (count > 0 && (x == NULL || mean == NULL))) return ms_gpr__null(gp == NULL ? "gp" : x ? "mean" : "x", error);
+    if (gp == NULL || (count > 0 && (x == NULL || mean == NULL)))
+        return ms_gpr__null(gp == NULL ? "gp" : x ? "mean" : "x", error);
     if (count < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected at least 0", count);
     values = (size_t)count * (size_t)gp->m;
     for (i = 0; i < values; ++i)
         if (!ms__finite_f(x[i]))
-            return ms__fail(error, MS_BAD_DATA, i / (size_t)gp->m + 1, "candidate %z has a value that is not finite", i / (size_t)gp->m + 1);
+            return ms__fail(error, MS_BAD_DATA, i / (size_t)gp->m + 1, "candidate %z has a value that is not finite",
+                            i / (size_t)gp->m + 1);
     memset(&b, 0, sizeof b);
     b.gp = gp;
     b.x_f = x;
@@ -2939,8 +3066,8 @@ MS_API ms_status ms_gpr_predict_f(const ms_gpr *gp, const float *x, int count, f
     return ms_gpr__predict_run(&b, ms_gpr__predict_task_f, error);
 }
 
-MS_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean, double *mean_gradient, double *variance,
-                                     double *variance_gradient, ms_error *error)
+MS_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean, double *mean_gradient,
+                                 double *variance, double *variance_gradient, ms_error *error)
 {
     double sf2, sum, *place, *covariance, *beta, explained;
     int padded, i, k;
@@ -2960,7 +3087,9 @@ MS_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean
     beta = covariance + padded;
     ms_gpr__place(gp, x, place, 1);
     for (i = 0; i < padded; ++i) {
-        covariance[i] = i < gp->n ? sf2 * exp(-0.5 * ms_gpr__distance2(gp->points + i, gp->stride, place, 1, gp->active)) : 0;
+        covariance[i] = i < gp->n
+            ? sf2 * exp(-0.5 * ms_gpr__distance2(gp->points + i, gp->stride, place, 1, gp->active))
+            : 0;
         beta[i] = covariance[i];
         if (i < gp->n) sum += gp->alpha[i] * covariance[i];
     }
@@ -3056,10 +3185,10 @@ static void ms_gpr__ranked_select(ms_gpr__ranked *list, int count, int first)
     }
 }
 
-/* Log-normal priors of MAP: of l_k in widths, of sf and of sn in standard deviations of the scores. A tight one of the noise keeps
-   a fit of few scores from calling all of them noise; around the others the divergence on synthetic users is flat
-   (tests/bench/bench_gpr.c). Where the noise is farther off than MS_GPR__PRIOR_TAIL spreads, doubt in it grows no faster than
-   linearly: scores that contradict each other may say so. */
+/* Log-normal priors of MAP: of l_k in widths, of sf and of sn in standard deviations of the scores. A tight one of the
+   noise keeps a fit of few scores from calling all of them noise; around the others the divergence on synthetic users
+   is flat (tests/bench/bench_gpr.c). Where the noise is farther off than MS_GPR__PRIOR_TAIL spreads, doubt in it grows
+   no faster than linearly: scores that contradict each other may say so. */
 #define MS_GPR__PRIOR_LENGTH 2.1 /* times sqrt(m) */
 #define MS_GPR__PRIOR_LENGTH_SPREAD 1.5
 #define MS_GPR__PRIOR_SF_SPREAD 1.0
@@ -3067,30 +3196,31 @@ static void ms_gpr__ranked_select(ms_gpr__ranked *list, int count, int first)
 #define MS_GPR__PRIOR_SN_STEP 1.5 /* of scores that come in steps */
 #define MS_GPR__PRIOR_SN_SPREAD 0.25
 #define MS_GPR__PRIOR_TAIL 1.0
-#define MS_GPR__PART 100 /* scores at least that the starts of a fit are tried on, and 4 m; a third of all, but at most 400 */
+#define MS_GPR__PART \
+    100 /* scores at least that the starts of a fit are tried on, and 4 m; a third of all, but at most 400 */
 
 /* Scores that a search looks at: all of them, or a part. Targets have mean 0 and standard deviation 1. */
 typedef struct ms_gpr__sample {
-    ms_gpr__problem problem;  /* with the links of its scores and comparisons, where there are any */
-    double *columns;          /* [m][stride] inputs in widths from their centers, by dimension */
+    ms_gpr__problem problem; /* with the links of its scores and comparisons, where there are any */
+    double *columns;         /* [m][stride] inputs in widths from their centers, by dimension */
 } ms_gpr__sample;
 
 /* The search over q = log l_k / width_k, log sf / s, log sn / s, s the standard deviation of the scores. */
 typedef struct ms_gpr__fit {
-    ms_gpr_fit_options o;     /* with the defaults filled in */
-    int m, starts;            /* columns that are not constant */
+    ms_gpr_fit_options o;                /* with the defaults filled in */
+    int m, starts;                       /* columns that are not constant */
     ms_gpr__sample whole, part, *sample; /* sample: the one in use */
-    int *column;              /* [m] which column of x */
-    double *width, *center;   /* [m] */
-    double *low, *high;       /* [m + 2] bounds of q */
-    double *prior, *spread;   /* [m + 2] of MAP */
-    double *q;                /* [starts][m + 2]; the winner ends in the first row */
-    double *theta;            /* [columns of x + 2] what the model gets */
-    ms_gpr__ranked *order;    /* [n + starts] */
+    int *column;                         /* [m] which column of x */
+    double *width, *center;              /* [m] */
+    double *low, *high;                  /* [m + 2] bounds of q */
+    double *prior, *spread;              /* [m + 2] of MAP */
+    double *q;                           /* [starts][m + 2]; the winner ends in the first row */
+    double *theta;                       /* [columns of x + 2] what the model gets */
+    ms_gpr__ranked *order;               /* [n + starts] */
     double *work;
     double mean, unit, floor, floor_value;
-    int links, scored;        /* of all rows; 0 links: every row has one exact score */
-    int expected;             /* evaluations, about */
+    int links, scored; /* of all rows; 0 links: every row has one exact score */
+    int expected;      /* evaluations, about */
     ms_gpr_fit_report report;
 } ms_gpr__fit;
 
@@ -3103,7 +3233,9 @@ static int ms_gpr__fit_objective(void *context, const double *q, double *value, 
     double likelihood;
     int i, k;
     if (progress->report &&
-        progress->report(progress->user, fit->report.evaluations < fit->expected ? (double)fit->report.evaluations / fit->expected : 1.0))
+        progress->report(progress->user,
+                         fit->report.evaluations < fit->expected ? (double)fit->report.evaluations / fit->expected
+                                                                 : 1.0))
         return -1;
     ++fit->report.evaluations;
     for (k = 0; k < p->m; ++k) {
@@ -3125,8 +3257,8 @@ static int ms_gpr__fit_objective(void *context, const double *q, double *value, 
     return 1;
 }
 
-/* The floor, what scores there are taken as, and what makes mean 0 and standard deviation 1 of them. 0: all scores are equal, and
-   nothing was compared. */
+/* The floor, what scores there are taken as, and what makes mean 0 and standard deviation 1 of them. 0: all scores are
+   equal, and nothing was compared. */
 static int ms_gpr__fit_scores(ms_gpr__fit *fit, const double *y, int n)
 {
     double least = MS_GPR__OPEN, most = -MS_GPR__OPEN, sum = 0, sum2 = 0;
@@ -3161,8 +3293,8 @@ static int ms_gpr__fit_scores(ms_gpr__fit *fit, const double *y, int n)
     return 1;
 }
 
-/* The step of coarse scores: the difference of 2 to 6 values, evenly spaced, of which those above the least were given 3 times or more
-   on average; else 0. */
+/* The step of coarse scores: the difference of 2 to 6 values, evenly spaced, of which those above the least were given
+   3 times or more on average; else 0. */
 static double ms_gpr__fit_step(const double *y, int n)
 {
     double value[6], least = MS_GPR__OPEN, most = -MS_GPR__OPEN, step;
@@ -3201,8 +3333,8 @@ static ms_status ms_gpr__fit_columns(ms_gpr__fit *fit, const double *x, int n, i
         largest = fabs(least) > fabs(most) ? fabs(least) : fabs(most);
         if (!(most - least > 1e-10 * largest)) continue;
         if (most - least < 1 / MS_GPR__LARGEST)
-            return ms__fail(error, MS_BAD_DATA, (size_t)k + 1, "column %d spans %g: expected more than %g; scale it", k + 1, most - least,
-                            1 / MS_GPR__LARGEST);
+            return ms__fail(error, MS_BAD_DATA, (size_t)k + 1, "column %d spans %g: expected more than %g; scale it",
+                            k + 1, most - least, 1 / MS_GPR__LARGEST);
         for (i = 0, v = x + k; i < n; ++i, v += m) sum2 += (*v - sum) * (*v - sum) / n;
         fit->center[fit->m] = sum;
         fit->width[fit->m] = 3.4641016151377544 * sqrt(sum2); /* sqrt 12 */
@@ -3212,15 +3344,18 @@ static ms_status ms_gpr__fit_columns(ms_gpr__fit *fit, const double *x, int n, i
 }
 
 /* Row `row` of the scores as row `to` of a sample. */
-static void ms_gpr__fit_place(ms_gpr__fit *fit, ms_gpr__sample *sample, int to, const double *x, const double *y, int row, int m)
+static void ms_gpr__fit_place(ms_gpr__fit *fit, ms_gpr__sample *sample, int to, const double *x, const double *y,
+                              int row, int m)
 {
     int k;
     for (k = 0; k < fit->m; ++k)
         sample->columns[(size_t)k * sample->problem.stride + (size_t)to] =
             (x[(size_t)row * (size_t)m + (size_t)fit->column[k]] - fit->center[k]) / fit->width[k];
-    if (!sample->problem.link) sample->problem.target[to] = ((y[row] > fit->floor ? y[row] : fit->floor_value) - fit->mean) / fit->unit;
+    if (!sample->problem.link)
+        sample->problem.target[to] = ((y[row] > fit->floor ? y[row] : fit->floor_value) - fit->mean) / fit->unit;
     else if (sample == &fit->part) /* of steps alone: every row has a score */
-        ms_gpr__link_score(&sample->problem.link[to], to, y[row], fit->floor, fit->floor_value, fit->o.step, fit->mean, fit->unit);
+        ms_gpr__link_score(&sample->problem.link[to], to, y[row], fit->floor, fit->floor_value, fit->o.step, fit->mean,
+                           fit->unit);
 }
 
 /* Priors, bounds, and where the searches start. */
@@ -3233,8 +3368,11 @@ static void ms_gpr__fit_starts(ms_gpr__fit *fit)
     for (k = 0; k < m + 2; ++k) {
         fit->low[k] = log(k < m ? o->length_min : k == m ? 1e-3 : o->noise_min);
         fit->high[k] = log(k < m ? o->length_max : k == m ? 1e3 : 10.0);
-        fit->prior[k] = k < m ? log(o->length > 0 ? o->length : MS_GPR__PRIOR_LENGTH * root) : k == m ? 0
-                        : log(o->noise > 0 ? o->noise / fit->unit : o->step > 0 ? MS_GPR__PRIOR_SN_STEP : MS_GPR__PRIOR_SN);
+        fit->prior[k] = k < m ? log(o->length > 0 ? o->length : MS_GPR__PRIOR_LENGTH * root)
+            : k == m          ? 0
+                              : log(o->noise > 0      ? o->noise / fit->unit
+                                        : o->step > 0 ? MS_GPR__PRIOR_SN_STEP
+                                                      : MS_GPR__PRIOR_SN);
         fit->spread[k] = k < m ? o->length_spread : k == m ? MS_GPR__PRIOR_SF_SPREAD : o->noise_spread;
     }
     for (i = 0; i < fit->starts; ++i) {
@@ -3246,13 +3384,15 @@ static void ms_gpr__fit_starts(ms_gpr__fit *fit)
             if (o->start) q[k] = o->start[fit->column[k]] - log(fit->width[k]);
             else if (o->length_start > 0) q[k] = log(o->length_start);
             else if (i < 3) q[k] = log(lengths[i] * root);
-            else q[k] = -1 + ms__rng_uniform(&rng) * (fit->prior[k] + 1); /* from 0.37 widths to what the prior expects */
+            else
+                q[k] = -1 +
+                    ms__rng_uniform(&rng) * (fit->prior[k] + 1); /* from 0.37 widths to what the prior expects */
         }
     }
 }
 
-/* Tries every dimension alone at another length: one that matters is switched off, one that a start overlooked is switched on
-   (length 1 width). What raises the posterior is kept. How many were switched; -1: cancelled. */
+/* Tries every dimension alone at another length: one that matters is switched off, one that a start overlooked is
+   switched on (length 1 width). What raises the posterior is kept. How many were switched; -1: cancelled. */
 static int ms_gpr__fit_probe(ms_gpr__fit *fit, double *q, double value)
 {
     int switched = 0, k;
@@ -3273,7 +3413,8 @@ static int ms_gpr__fit_probe(ms_gpr__fit *fit, double *q, double value)
     return switched;
 }
 
-/* The best of all starts, in q's first row. MAP: all run a little, the better half goes on, until one is left. ML: to the end. */
+/* The best of all starts, in q's first row. MAP: all run a little, the better half goes on, until one is left. ML: to
+   the end. */
 static ms_gpr__minimum ms_gpr__fit_race(ms_gpr__fit *fit, ms_gpr__search *s)
 {
     size_t row = (size_t)s->count;
@@ -3304,19 +3445,21 @@ static ms_gpr__minimum ms_gpr__fit_race(ms_gpr__fit *fit, ms_gpr__search *s)
 static ms_gpr__minimum ms_gpr__fit_polish(ms_gpr__fit *fit, const ms_gpr__search *s)
 {
     ms_gpr__minimum found = ms_gpr__minimize(s, fit->q, fit->work);
-    int switched = found.stopped || fit->o.method != MS_GPR_METHOD_MAP ? 0 : ms_gpr__fit_probe(fit, fit->q, found.value);
+    int switched = found.stopped || fit->o.method != MS_GPR_METHOD_MAP ? 0
+                                                                       : ms_gpr__fit_probe(fit, fit->q, found.value);
     if (switched < 0) found.stopped = 1;
     return switched > 0 ? ms_gpr__minimize(s, fit->q, fit->work) : found;
 }
 
-/* The optimum, in q's first row. MAP: the race of the starts on a part of the scores and its winner's polish there, then a polish on
-   all scores; dimensions are probed once, on all scores where those are few. */
+/* The optimum, in q's first row. MAP: the race of the starts on a part of the scores and its winner's polish there,
+   then a polish on all scores; dimensions are probed once, on all scores where those are few. */
 static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
 {
     ms_gpr__minimum found;
     ms_gpr__search s;
     double n = fit->whole.problem.n;
-    int few = n * n * n * fit->m < 4e8; /* probing all scores costs little then, and is misled less by a few wrong ones */
+    int few = n * n * n * fit->m <
+        4e8; /* probing all scores costs little then, and is misled less by a few wrong ones */
     memset(&s, 0, sizeof s);
     s.f = ms_gpr__fit_objective;
     s.context = fit;
@@ -3340,7 +3483,8 @@ static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
 
 static ms_status ms_gpr__fit_options(const ms_gpr_fit_options *options, int m, ms_gpr_fit_options *o, ms_error *error)
 {
-    static const char *const name[] = {"length_start", "length_min", "length_max", "noise_min", "noise", "noise_spread", "length", "length_spread", "step"};
+    static const char *const name[] = {"length_start", "length_min", "length_max",    "noise_min", "noise",
+                                       "noise_spread", "length",     "length_spread", "step"};
     double value[9];
     int i;
     memset(o, 0, sizeof *o);
@@ -3350,16 +3494,19 @@ static ms_status ms_gpr__fit_options(const ms_gpr_fit_options *options, int m, m
     value[8] = o->step;
     for (i = 0; i < 9; ++i)
         if (!ms__finite(value[i]) || !(value[i] >= (i == 8 ? -MS_GPR__LARGEST : 0) && value[i] <= MS_GPR__LARGEST))
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g: expected a number from 0 to %g", name[i], value[i], MS_GPR__LARGEST);
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g: expected a number from 0 to %g", name[i],
+                            value[i], MS_GPR__LARGEST);
     if ((int)o->method < 0 || (int)o->method > (int)MS_GPR_METHOD_ML)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d: expected 0 or 1", (int)o->method);
     if (!ms__finite(o->floor_offset) || !(fabs(o->floor_offset) <= 100))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "floor_offset is %g: expected at most 100", o->floor_offset);
     if (o->floor && (!ms__finite(*o->floor) || !(fabs(*o->floor) <= MS_GPR__LARGEST)))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "floor is %g: expected a score", *o->floor);
-    if (o->noise_min > 9) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "noise_min is %g: expected at most 9", o->noise_min);
+    if (o->noise_min > 9)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "noise_min is %g: expected at most 9", o->noise_min);
     if (o->evaluations < 0 || o->random_starts < 0 || o->random_starts > 1000)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "evaluations is %d and random_starts %d: expected at least 0, and at most 1000 starts",
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                        "evaluations is %d and random_starts %d: expected at least 0, and at most 1000 starts",
                         o->evaluations, o->random_starts);
     if (o->floor_offset < 0) o->floor_offset = 0;
     else if (!(o->floor_offset > 0)) o->floor_offset = o->method == MS_GPR_METHOD_MAP ? 0.75 : 0;
@@ -3370,7 +3517,8 @@ static ms_status ms_gpr__fit_options(const ms_gpr_fit_options *options, int m, m
     if (!(o->length_spread > 0)) o->length_spread = MS_GPR__PRIOR_LENGTH_SPREAD;
     if (o->evaluations == 0) o->evaluations = 200;
     if (!(o->length_min < o->length_max))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "length_min is %g: expected less than length_max, %g", o->length_min, o->length_max);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "length_min is %g: expected less than length_max, %g",
+                        o->length_min, o->length_max);
     return o->start ? ms_gpr__check_theta(o->start, m, error) : MS_OK;
 }
 
@@ -3378,7 +3526,9 @@ static ms_status ms_gpr__fit_options(const ms_gpr_fit_options *options, int m, m
 static int ms_gpr__fit_part(const ms_gpr__fit *fit, int n, int m)
 {
     int least = 4 * m > MS_GPR__PART ? 4 * m : MS_GPR__PART;
-    if (fit->o.method == MS_GPR_METHOD_ML || fit->starts == 1 || fit->o.pair_count > 0 || (fit->links && fit->links != n)) return n;
+    if (fit->o.method == MS_GPR_METHOD_ML || fit->starts == 1 || fit->o.pair_count > 0 ||
+        (fit->links && fit->links != n))
+        return n;
     if (n / 2 < least) return n;
     if (n / 3 < least) return least;
     return n / 3 < 400 ? n / 3 : 400;
@@ -3407,17 +3557,20 @@ static void ms_gpr__fit_layout(ms_gpr__fit *fit, int n, int m, int part, ms_gpr_
     fit->center = ms_gpr__take(arena, row, 1);
     fit->theta = ms_gpr__take(arena, row, 1);
     fit->column = (int *)(void *)ms_gpr__take(arena, row, 1);
-    fit->order = (ms_gpr__ranked *)(void *)ms_gpr__take(arena, (size_t)n + (size_t)fit->starts, sizeof *fit->order / sizeof(double) + 1);
+    fit->order = (ms_gpr__ranked *)(void *)ms_gpr__take(arena, (size_t)n + (size_t)fit->starts,
+                                                        sizeof *fit->order / sizeof(double) + 1);
 }
 
 /* Samples, starts, search; then theta from what was found. */
-static ms_status ms_gpr__fit_run(ms_gpr__fit *fit, const double *x, const double *y, int n, int m, int part, ms_error *error)
+static ms_status ms_gpr__fit_run(ms_gpr__fit *fit, const double *x, const double *y, int n, int m, int part,
+                                 ms_error *error)
 {
     ms_gpr__minimum found;
     ms_status status = ms_gpr__fit_columns(fit, x, n, m, error);
     int differ = ms_gpr__fit_scores(fit, y, n), i, k;
     if (status == MS_OK && differ && fit->unit < 1 / MS_GPR__LARGEST)
-        status = ms__fail(error, MS_BAD_DATA, 0, "the scores span about %g: expected more than %g; scale them", fit->unit, 1 / MS_GPR__LARGEST);
+        status = ms__fail(error, MS_BAD_DATA, 0, "the scores span about %g: expected more than %g; scale them",
+                          fit->unit, 1 / MS_GPR__LARGEST);
     if (status != MS_OK) return status;
     fit->whole.problem.m = fit->part.problem.m = fit->report.columns = fit->m;
     for (i = 0; i < n; ++i) {
@@ -3426,13 +3579,14 @@ static ms_status ms_gpr__fit_run(ms_gpr__fit *fit, const double *x, const double
         ms_gpr__fit_place(fit, &fit->whole, i, x, y, i, m);
     }
     if (fit->links)
-        ms_gpr__link_all(fit->whole.problem.link, y, n, fit->floor, fit->floor_value, fit->o.step, fit->mean, fit->unit, fit->o.pairs,
-                         fit->o.pair_count);
+        ms_gpr__link_all(fit->whole.problem.link, y, n, fit->floor, fit->floor_value, fit->o.step, fit->mean, fit->unit,
+                         fit->o.pairs, fit->o.pair_count);
     if (part < n) { /* the better half of the part is the best of all; the rest evenly from what is left */
         int best = part / 2, left = part - best;
         ms_gpr__ranked_sort(fit->order, n);
         for (i = 0; i < part; ++i) {
-            int rank = i < best ? i : best + (int)((size_t)(2 * (i - best) + 1) * (size_t)(n - best) / (size_t)(2 * left));
+            int rank = i < best ? i
+                                : best + (int)((size_t)(2 * (i - best) + 1) * (size_t)(n - best) / (size_t)(2 * left));
             ms_gpr__fit_place(fit, &fit->part, i, x, y, fit->order[rank].index, m);
         }
     }
@@ -3440,16 +3594,18 @@ static ms_status ms_gpr__fit_run(ms_gpr__fit *fit, const double *x, const double
     memset(&found, 0, sizeof found);
     if (differ && fit->m > 0) found = ms_gpr__fit_search(fit);
     else if (fit->starts > 2) memcpy(fit->q, fit->q + 2 * (fit->m + 2), ((size_t)fit->m + 2) * sizeof *fit->q);
-    if (found.stopped) return ms__fail(error, MS_CANCELLED, 0, "the fit was cancelled after %d evaluations", fit->report.evaluations);
-    fit->report.objective = -found.value - (fit->o.step > 0 ? 0 : fit->scored) * log(fit->unit); /* of steps it is a probability */
+    if (found.stopped)
+        return ms__fail(error, MS_CANCELLED, 0, "the fit was cancelled after %d evaluations", fit->report.evaluations);
+    fit->report.objective = -found.value -
+        (fit->o.step > 0 ? 0 : fit->scored) * log(fit->unit); /* of steps it is a probability */
     for (k = 0; k < m; ++k) fit->theta[k] = MS_GPR__DROPPED;
     for (k = 0; k < fit->m; ++k) fit->theta[fit->column[k]] = fit->q[k] + log(fit->width[k]);
     for (k = 0; k < 2; ++k) fit->theta[m + k] = fit->q[fit->m + k] + log(fit->unit);
     return MS_OK;
 }
 
-MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options, ms_gpr **out,
-                                ms_gpr_fit_report *report, ms_error *error)
+MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options,
+                            ms_gpr **out, ms_gpr_fit_report *report, ms_error *error)
 {
     ms_gpr__fit fit;
     ms_gpr__arena arena = {NULL, 0};
@@ -3473,7 +3629,8 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
     ms_gpr__fit_layout(&fit, n, m, part, &arena);
     doubles = arena.used;
     arena.base = ms_gpr__doubles(&fit.o.allocator, doubles, &block);
-    if (arena.base == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to fit %d points of %d dimensions", n, m);
+    if (arena.base == NULL)
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to fit %d points of %d dimensions", n, m);
     arena.used = 0;
     ms_gpr__fit_layout(&fit, n, m, part, &arena);
     status = ms_gpr__fit_run(&fit, x, y, n, m, part, error);
@@ -3539,7 +3696,9 @@ static size_t ms_gpr__file_doubles(size_t n, size_t m, size_t soft, size_t pairs
 
 MS_API size_t ms_gpr_save_size(const ms_gpr *gp)
 {
-    return gp ? MS_GPR__HEADER + 8 * ms_gpr__file_doubles((size_t)gp->n, (size_t)gp->m, (size_t)gp->soft, (size_t)gp->pair_count) + 8 : 0;
+    return gp ? MS_GPR__HEADER +
+            8 * ms_gpr__file_doubles((size_t)gp->n, (size_t)gp->m, (size_t)gp->soft, (size_t)gp->pair_count) + 8
+              : 0;
 }
 
 MS_API void ms_gpr_save(const ms_gpr *gp, void *bytes)
@@ -3573,7 +3732,8 @@ MS_API void ms_gpr_save(const ms_gpr *gp, void *bytes)
 }
 
 /* The doubles of a file whose frame is sound, into `value`, and pairs behind them. */
-static ms_status ms_gpr__load_values(const unsigned char *bytes, size_t n, size_t m, size_t soft, size_t pairs, double *value, ms_error *error)
+static ms_status ms_gpr__load_values(const unsigned char *bytes, size_t n, size_t m, size_t soft, size_t pairs,
+                                     double *value, ms_error *error)
 {
     size_t count = ms_gpr__file_doubles(n, m, soft, 0), first = 3 + soft, i;
     int *pair = (int *)(void *)(value + count);
@@ -3583,7 +3743,8 @@ static ms_status ms_gpr__load_values(const unsigned char *bytes, size_t n, size_
         if (!ms__finite(value[i]))
             return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 8 * i, "value %z is not finite", i + 1);
     }
-    if (soft && !(value[3] >= 0 && value[3] <= MS_GPR__LARGEST)) return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 24, "the step is out of range");
+    if (soft && !(value[3] >= 0 && value[3] <= MS_GPR__LARGEST))
+        return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 24, "the step is out of range");
     if (ms_gpr__check_theta(value + first, (int)m, NULL) != MS_OK)
         return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 8 * first, "a hyperparameter is out of range");
     if (ms_gpr__check_data(value + first + m + 2, value + first + m + 2 + n * m, (int)n, (int)m, NULL) != MS_OK)
@@ -3591,13 +3752,15 @@ static ms_status ms_gpr__load_values(const unsigned char *bytes, size_t n, size_
     for (i = 0; i < 2 * pairs; ++i) {
         uint64_t row = ms_gpr__get(bytes + MS_GPR__HEADER + 8 * count + 4 * i, 4);
         if (row >= n || (i % 2 && (int)row == pair[i - 1]))
-            return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 8 * count + 4 * i, "a comparison names a row that is not there, or twice the same");
+            return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 8 * count + 4 * i,
+                            "a comparison names a row that is not there, or twice the same");
         pair[i] = (int)row;
     }
     return MS_OK;
 }
 
-MS_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_options *options, ms_gpr **out, ms_error *error)
+MS_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_options *options, ms_gpr **out,
+                             ms_error *error)
 {
     const unsigned char *b = (const unsigned char *)bytes;
     ms_gpr_options o;
@@ -3608,7 +3771,8 @@ MS_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_option
     *out = NULL;
     if (bytes == NULL) return ms_gpr__null("bytes", error);
     if (size < MS_GPR__HEADER + 8 || memcmp(b, "ms_gpr\r\n", 8) != 0)
-        return ms__fail(error, MS_BAD_DATA, 0, "not a model: it does not start with \"ms_gpr\" and a line end, or is cut short");
+        return ms__fail(error, MS_BAD_DATA, 0,
+                        "not a model: it does not start with \"ms_gpr\" and a line end, or is cut short");
     soft = ms_gpr__get(b + 8, 4) == 3;
     if (!soft && ms_gpr__get(b + 8, 4) != 2)
         return ms__fail(error, MS_UNSUPPORTED, 8, "version %z: expected 2 or 3", (size_t)ms_gpr__get(b + 8, 4));
@@ -3616,13 +3780,16 @@ MS_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_option
     m = (size_t)ms_gpr__get(b + 16, 4);
     pairs = (size_t)ms_gpr__get(b + 20, 4);
     if (n > MS_GPR__N_MAX || m < 1 || m > 0x7fffff || pairs > (soft ? 10000000 : 0))
-        return ms__fail(error, MS_BAD_DATA, 12, "%z points of %z dimensions, %z pairs: expected at most %d points, 1 to 8388607 dimensions, and "
-                                                "at most 10000000 pairs, none in version 2", n, m, pairs, MS_GPR__N_MAX);
+        return ms__fail(
+            error, MS_BAD_DATA, 12,
+            "%z points of %z dimensions, %z pairs: expected at most %d points, 1 to 8388607 dimensions, and "
+            "at most 10000000 pairs, none in version 2",
+            n, m, pairs, MS_GPR__N_MAX);
     doubles = ms_gpr__file_doubles(n, m, soft, pairs);
     expected = ms__size_add(ms__size_mul(doubles, 8), MS_GPR__HEADER + 8);
     if (size != expected)
-        return ms__fail(error, MS_BAD_DATA, size < expected ? size : expected, "%z bytes: expected %z for %z points of %z dimensions", size,
-                        expected, n, m);
+        return ms__fail(error, MS_BAD_DATA, size < expected ? size : expected,
+                        "%z bytes: expected %z for %z points of %z dimensions", size, expected, n, m);
     if (ms_gpr__get(b + size - 8, 8) != ms_gpr__checksum(b, size - 8))
         return ms__fail(error, MS_BAD_DATA, size - 8, "the checksum does not match: the file was changed or damaged");
     memset(&o, 0, sizeof o);
@@ -3689,7 +3856,8 @@ MS_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *option
     }
     bytes = ms__alloc(allocator, (size_t)size);
     if (bytes == NULL) status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a file of %z bytes", (size_t)size);
-    else if (fread(bytes, 1, (size_t)size, file) != (size_t)size) status = ms__fail(error, MS_IO, 0, "cannot read %s", path);
+    else if (fread(bytes, 1, (size_t)size, file) != (size_t)size)
+        status = ms__fail(error, MS_IO, 0, "cannot read %s", path);
     else status = ms_gpr_load(bytes, (size_t)size, options, out, error);
     fclose(file);
     ms__release(allocator, bytes, (size_t)size);
@@ -3699,8 +3867,8 @@ MS_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *option
 
 /* ---- where materials may lie ----------------------------------------------------------------------------------- */
 
-/* A round range that holds column k of the rows of x: [0, 1] or another unit's, or steps of 1, 2 or 5 times a power of ten. A locked
-   column, equal in 8 rows or more, keeps its value. */
+/* A round range that holds column k of the rows of x: [0, 1] or another unit's, or steps of 1, 2 or 5 times a power of
+   ten. A locked column, equal in 8 rows or more, keeps its value. */
 static void ms_gpr__natural_range(const double *x, int n, int m, int k, double *low, double *high)
 {
     static const double unit[][2] = {{-1, 1}, {0, 100}, {0, 255}, {0, 360}, {-180, 180}};
@@ -3741,8 +3909,8 @@ static double ms_gpr__into(double x, double low, double high) { return x < low ?
 /* A list without its rows outside the box. */
 typedef struct ms_gpr__group {
     int width, count, idle; /* idle: the model asks nothing of it, and no tie */
-    int *column;  /* [width] */
-    double *rows; /* [count][width] */
+    int *column;            /* [width] */
+    double *rows;           /* [count][width] */
 } ms_gpr__group;
 
 /* A ms_gpr_space made ready: a material in the box has a place in the unit box. */
@@ -3774,7 +3942,8 @@ static void ms_gpr__space_layout(ms_gpr__space *s, const ms_gpr_space *wish, ms_
     s->tied = (int *)(void *)ms_gpr__take(arena, m, 1);
     s->which = (int *)(void *)ms_gpr__take(arena, m, 1);
     s->tie = ms_gpr__take(arena, (size_t)wish->tie_count, m + 1);
-    s->group = (ms_gpr__group *)(void *)ms_gpr__take(arena, (size_t)wish->list_count, sizeof *s->group / sizeof(double) + 1);
+    s->group = (ms_gpr__group *)(void *)ms_gpr__take(arena, (size_t)wish->list_count,
+                                                     sizeof *s->group / sizeof(double) + 1);
     for (g = 0; g < wish->list_count; ++g) {
         size_t width = (size_t)wish->lists[g].width;
         int *column = (int *)(void *)ms_gpr__take(arena, width, 1);
@@ -3785,7 +3954,10 @@ static void ms_gpr__space_layout(ms_gpr__space *s, const ms_gpr_space *wish, ms_
     }
 }
 
-static int ms_gpr__space_continuous(const ms_gpr__space *s, int k) { return s->width[k] > 0 && !(s->cells[k] > 0) && s->owner[k] == 0; }
+static int ms_gpr__space_continuous(const ms_gpr__space *s, int k)
+{
+    return s->width[k] > 0 && !(s->cells[k] > 0) && s->owner[k] == 0;
+}
 
 /* A uniform value of parameter k, in the unit box. */
 static double ms_gpr__space_draw(const ms_gpr__space *s, int k, ms__rng *rng)
@@ -3868,12 +4040,15 @@ static void ms_gpr__space_swap(const ms_gpr__space *s, const ms_gpr__group *g, i
     int i;
     memset(direction, 0, (size_t)s->m * sizeof *direction);
     for (i = 0; i < g->width; ++i)
-        direction[g->column[i]] = (g->rows[(size_t)to * (size_t)g->width + (size_t)i] - g->rows[(size_t)from * (size_t)g->width + (size_t)i]) * s->per[g->column[i]];
+        direction[g->column[i]] = (g->rows[(size_t)to * (size_t)g->width + (size_t)i] -
+                                   g->rows[(size_t)from * (size_t)g->width + (size_t)i]) *
+            s->per[g->column[i]];
     ms_gpr__space_project(s, direction);
 }
 
 /* The part t0 <= 0 <= t1 of a line that lies in the box. */
-static void ms_gpr__space_chord(const ms_gpr__space *s, const double *place, const double *direction, double *t0, double *t1)
+static void ms_gpr__space_chord(const ms_gpr__space *s, const double *place, const double *direction, double *t0,
+                                double *t1)
 {
     int k;
     *t0 = -1e300;
@@ -3889,7 +4064,8 @@ static void ms_gpr__space_chord(const ms_gpr__space *s, const double *place, con
     }
 }
 
-/* How many steps t0 to t1 there are to other values of column k, which comes in steps, where the chord allows t0 to t1. */
+/* How many steps t0 to t1 there are to other values of column k, which comes in steps, where the chord allows t0 to
+   t1. */
 static void ms_gpr__space_cells(const ms_gpr__space *s, int k, const double *place, double *t0, double *t1)
 {
     double step = s->step[k] / s->width[k], own = floor(place[k] / step + 0.5);
@@ -3906,7 +4082,8 @@ static void ms_gpr__space_go(const ms_gpr__space *s, double *place, const double
     }
 }
 
-/* Hit-and-run over the tied columns: each step a uniform point of the chord along one of them, or across all. direction: [m] */
+/* Hit-and-run over the tied columns: each step a uniform point of the chord along one of them, or across all.
+   direction: [m] */
 static void ms_gpr__space_wander(const ms_gpr__space *s, double *place, int steps, double *direction, ms__rng *rng)
 {
     int i, k;
@@ -3915,7 +4092,8 @@ static void ms_gpr__space_wander(const ms_gpr__space *s, double *place, int step
         double t0, t1, t = 1;
         if (s->owner[at] > 0) {
             const ms_gpr__group *g = &s->group[s->owner[at] - 1];
-            ms_gpr__space_swap(s, g, ms_gpr__group_nearest(s, g, place), (int)(ms_gpr__uniform(rng) * g->count), direction);
+            ms_gpr__space_swap(s, g, ms_gpr__group_nearest(s, g, place), (int)(ms_gpr__uniform(rng) * g->count),
+                               direction);
             ms_gpr__space_chord(s, place, direction, &t0, &t1);
             if (!(t1 >= 1 - 1e-12)) continue;
         } else if (s->cells[at] > 0) {
@@ -3957,7 +4135,8 @@ static void ms_gpr__space_next(const ms_gpr__space *s, double *place, double *di
     for (k = 0; k < s->m; ++k)
         if (s->owner[k] == 0 && !s->tied[k]) place[k] = ms_gpr__space_draw(s, k, rng);
     for (g = 0; g < s->groups; ++g)
-        if (!ms_gpr__group_tied(s, &s->group[g])) ms_gpr__group_put(s, &s->group[g], (int)(ms_gpr__uniform(rng) * s->group[g].count), place);
+        if (!ms_gpr__group_tied(s, &s->group[g]))
+            ms_gpr__group_put(s, &s->group[g], (int)(ms_gpr__uniform(rng) * s->group[g].count), place);
     ms_gpr__space_wander(s, place, 3 * s->tied_count, direction, rng);
 }
 
@@ -3968,7 +4147,8 @@ static void ms_gpr__space_first(const ms_gpr__space *s, double *place, double *d
     ms_gpr__space_wander(s, place, 20 * s->tied_count, direction, rng);
 }
 
-/* Moves what is continuous onto the ties and into the box less a margin, by projections in turn (von Neumann). 0: there is no way. */
+/* Moves what is continuous onto the ties and into the box less a margin, by projections in turn (von Neumann). 0: there
+   is no way. */
 static int ms_gpr__space_pull(const ms_gpr__space *s, double *place, double margin, int tries)
 {
     double off = 0;
@@ -3999,14 +4179,18 @@ static void ms_gpr__space_settle(const ms_gpr__space *s, double *place)
     int k, g;
     for (k = 0; k < s->m; ++k) {
         place[k] = s->width[k] > 0 ? ms_gpr__into(place[k], 0, 1) : 0;
-        if (s->cells[k] > 0) place[k] = fmin(floor(place[k] * s->width[k] / s->step[k] + 0.5), s->cells[k] - 1) * s->step[k] / s->width[k];
+        if (s->cells[k] > 0)
+            place[k] = fmin(floor(place[k] * s->width[k] / s->step[k] + 0.5), s->cells[k] - 1) * s->step[k] /
+                s->width[k];
     }
-    for (g = 0; g < s->groups; ++g) ms_gpr__group_put(s, &s->group[g], ms_gpr__group_nearest(s, &s->group[g], place), place);
+    for (g = 0; g < s->groups; ++g)
+        ms_gpr__group_put(s, &s->group[g], ms_gpr__group_nearest(s, &s->group[g], place), place);
     if (s->ties == 0 || ms_gpr__space_pull(s, place, 0, 2000)) return;
     for (k = 0; k < s->m; ++k) /* with other steps and rows of lists */
         if (s->tied[k] && !ms_gpr__space_continuous(s, k)) place[k] = s->inside[k];
     if (!ms_gpr__space_pull(s, place, 0, 2000)) memcpy(place, s->inside, (size_t)s->m * sizeof *place);
-    for (g = 0; g < s->groups; ++g) ms_gpr__group_put(s, &s->group[g], ms_gpr__group_nearest(s, &s->group[g], place), place);
+    for (g = 0; g < s->groups; ++g)
+        ms_gpr__group_put(s, &s->group[g], ms_gpr__group_nearest(s, &s->group[g], place), place);
 }
 
 static void ms_gpr__space_place(const ms_gpr__space *s, const double *x, double *place)
@@ -4046,12 +4230,17 @@ static ms_status ms_gpr__space_lists(ms_gpr__space *s, const ms_gpr_space *wish,
             if (fits) memcpy(to->rows + (size_t)to->count++ * width, from, width * sizeof *from);
         }
         if (to->count == 0)
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "list %d contradicts the box: none of its %d rows lies there", g + 1, list->count);
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                            "list %d contradicts the box: none of its %d rows lies there", g + 1, list->count);
         for (i = 0; i < list->width; ++i) {
             double low = to->rows[i], high = to->rows[i];
             k = to->column[i] = list->columns[i];
-            if (s->owner[k] > 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter %d is in list %d and in list %d", k, s->owner[k], g + 1);
-            if (s->step[k] > 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter %d is in list %d and comes in steps", k, g + 1);
+            if (s->owner[k] > 0)
+                return ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter %d is in list %d and in list %d", k,
+                                s->owner[k], g + 1);
+            if (s->step[k] > 0)
+                return ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter %d is in list %d and comes in steps", k,
+                                g + 1);
             for (row = 1; row < to->count; ++row) {
                 low = fmin(low, to->rows[(size_t)row * width + (size_t)i]);
                 high = fmax(high, to->rows[(size_t)row * width + (size_t)i]);
@@ -4081,8 +4270,9 @@ static ms_status ms_gpr__space_ties(ms_gpr__space *s, const ms_gpr_space *wish, 
             size += fabs(from[k]) * (fabs(s->low[k]) + s->width[k]);
         }
         if (!(from[s->m] >= least - 1e-9 * size && from[s->m] <= most + 1e-9 * size))
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tie %d contradicts the box: its sum lies from %g to %g there, not at %g", t + 1, least, most,
-                            from[s->m]);
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                            "tie %d contradicts the box: its sum lies from %g to %g there, not at %g", t + 1, least,
+                            most, from[s->m]);
         for (pass = 0; pass < 2; ++pass)
             for (i = 0; i < s->ties; ++i) {
                 const double *b = s->tie + (size_t)i * row;
@@ -4096,9 +4286,12 @@ static ms_status ms_gpr__space_ties(ms_gpr__space *s, const ms_gpr_space *wish, 
         }
         if (!(sqrt(norm2) > 1e-9 * size)) {
             if (rest > 1e-9 * size)
-                return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tie %d joins only parameters that are fixed, tied already, in steps or in lists", t + 1);
+                return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                                "tie %d joins only parameters that are fixed, tied already, in steps or in lists",
+                                t + 1);
             if (fabs(a[s->m]) > 1e-9 * size)
-                return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tie %d contradicts what is fixed and the ties before it", t + 1);
+                return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                                "tie %d contradicts what is fixed and the ties before it", t + 1);
             continue;
         }
         for (k = 0; k <= s->m; ++k) a[k] /= sqrt(norm2);
@@ -4118,50 +4311,62 @@ static ms_status ms_gpr__space_inside(ms_gpr__space *s, ms_error *error)
         s->inside[k] = s->width[k] > 0 ? 0.5 : 0;
     }
     for (g = 0; g < s->groups; ++g) /* all columns of a list move together */
-        for (i = 0, t = ms_gpr__group_tied(s, &s->group[g]); i < s->group[g].width; ++i) s->tied[s->group[g].column[i]] = t;
+        for (i = 0, t = ms_gpr__group_tied(s, &s->group[g]); i < s->group[g].width; ++i)
+            s->tied[s->group[g].column[i]] = t;
     for (k = 0; k < s->m; ++k) {
         if (s->tied[k]) s->which[s->tied_count++] = k;
         choices |= s->tied[k] && !ms_gpr__space_continuous(s, k);
     }
     for (attempt = 0; attempt < (choices ? 1000 : 1); ++attempt) {
         for (k = 0; k < s->m; ++k)
-            if (s->cells[k] > 0) s->inside[k] = attempt ? ms_gpr__space_draw(s, k, &rng) : floor(0.5 * s->cells[k]) * s->step[k] / s->width[k];
+            if (s->cells[k] > 0)
+                s->inside[k] = attempt ? ms_gpr__space_draw(s, k, &rng)
+                                       : floor(0.5 * s->cells[k]) * s->step[k] / s->width[k];
         for (g = 0; g < s->groups; ++g)
-            ms_gpr__group_put(s, &s->group[g], attempt ? (int)(ms_gpr__uniform(&rng) * s->group[g].count) : s->group[g].count / 2, s->inside);
+            ms_gpr__group_put(s, &s->group[g],
+                              attempt ? (int)(ms_gpr__uniform(&rng) * s->group[g].count) : s->group[g].count / 2,
+                              s->inside);
         for (i = 0; i < 5; ++i)
             if (s->ties == 0 || ms_gpr__space_pull(s, s->inside, margin[i], choices ? 300 : 10000)) return MS_OK;
     }
-    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the %d ties contradict each other: no material in the box keeps all of them", s->ties);
+    return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                    "the %d ties contradict each other: no material in the box keeps all of them", s->ties);
 }
 
 static void ms_gpr__space_free(ms_gpr__space *s) { ms_gpr__release_doubles(&s->allocator, s->block, s->doubles); }
 
 /* x [n][m]: what the box is made of where wish has none. On success to be freed. */
-static ms_status ms_gpr__space_make(const double *x, int n, int m, const ms_gpr_space *wish, const ms_allocator *allocator, ms_gpr__space *s,
-                                    ms_error *error)
+static ms_status ms_gpr__space_make(const double *x, int n, int m, const ms_gpr_space *wish,
+                                    const ms_allocator *allocator, ms_gpr__space *s, ms_error *error)
 {
     ms_gpr__arena arena = {NULL, 0};
     ms_status status = MS_OK;
     int k, g, i;
     if (wish->tie_count < 0 || wish->list_count < 0 || wish->tie_count > 10000 || wish->list_count > 10000)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tie_count is %d and list_count %d: expected 0 to 10000", wish->tie_count, wish->list_count);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tie_count is %d and list_count %d: expected 0 to 10000",
+                        wish->tie_count, wish->list_count);
     if (wish->tie_count > 0 && wish->ties == NULL) return ms_gpr__null("ties", error);
     if (wish->list_count > 0 && wish->lists == NULL) return ms_gpr__null("lists", error);
-    if (wish->tie_count > 0) status = ms_gpr__check_rows(wish->ties, wish->tie_count, m + 1, MS_GPR__LARGEST, "tie", error);
+    if (wish->tie_count > 0)
+        status = ms_gpr__check_rows(wish->ties, wish->tie_count, m + 1, MS_GPR__LARGEST, "tie", error);
     for (g = 0; g < wish->list_count && status == MS_OK; ++g) {
         const ms_gpr_list *list = &wish->lists[g];
-        if (list->columns == NULL || list->rows == NULL) return ms_gpr__null(list->columns ? "rows of a list" : "columns of a list", error);
+        if (list->columns == NULL || list->rows == NULL)
+            return ms_gpr__null(list->columns ? "rows of a list" : "columns of a list", error);
         if (list->width < 1 || list->width > m || list->count < 1 || list->count > 10000000)
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "list %d has %d columns and %d rows: expected 1 to %d, and 1 to 10000000", g + 1, list->width,
-                            list->count, m);
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                            "list %d has %d columns and %d rows: expected 1 to %d, and 1 to 10000000", g + 1,
+                            list->width, list->count, m);
         for (i = 0; i < list->width; ++i)
             if (list->columns[i] < 0 || list->columns[i] >= m)
-                return ms__fail(error, MS_INVALID_ARGUMENT, 0, "list %d has column %d: expected 0 to %d", g + 1, list->columns[i], m - 1);
+                return ms__fail(error, MS_INVALID_ARGUMENT, 0, "list %d has column %d: expected 0 to %d", g + 1,
+                                list->columns[i], m - 1);
         status = ms_gpr__check_rows(list->rows, list->count, list->width, MS_GPR__LARGEST, "row of a list", error);
     }
     for (k = 0; wish->steps && k < m && status == MS_OK; ++k)
         if (!ms__finite(wish->steps[k]) || !(wish->steps[k] >= 0 && wish->steps[k] <= MS_GPR__LARGEST))
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "steps[%d] is %g: expected a number of at least 0", k, wish->steps[k]);
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "steps[%d] is %g: expected a number of at least 0", k,
+                            wish->steps[k]);
     if (status != MS_OK) return status;
     memset(s, 0, sizeof *s);
     s->m = m;
@@ -4179,7 +4384,8 @@ static ms_status ms_gpr__space_make(const double *x, int n, int m, const ms_gpr_
         a = ms_gpr__given(wish->low, k, -1, a);
         b = ms_gpr__given(wish->high, k, 1, b);
         if (!ms__finite(a) || !ms__finite(b) || !(fabs(a) <= MS_GPR__LARGEST) || !(fabs(b) <= MS_GPR__LARGEST) || b < a)
-            status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "the box of dimension %d is [%g, %g]: expected low <= high", k, a, b);
+            status = ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                              "the box of dimension %d is [%g, %g]: expected low <= high", k, a, b);
         s->low[k] = a;
         s->width[k] = b - a;
         s->step[k] = wish->steps && b > a ? wish->steps[k] : 0;
@@ -4198,8 +4404,8 @@ static ms_status ms_gpr__space_make(const double *x, int n, int m, const ms_gpr_
 
 /* ---- recommendation -------------------------------------------------------------------------------------------- */
 
-/* Candidates come in batches and chains in groups, each batch and each chain with a random stream of its own: the number of
-   threads changes nothing. */
+/* Candidates come in batches and chains in groups, each batch and each chain with a random stream of its own: the
+   number of threads changes nothing. */
 #define MS_GPR__BATCH 1024      /* uniform candidates a task */
 #define MS_GPR__BATCHES 16      /* tasks a wave */
 #define MS_GPR__PILOT 8         /* batches that are looked at first */
@@ -4208,35 +4414,37 @@ static ms_status ms_gpr__space_make(const double *x, int n, int m, const ms_gpr_
 #define MS_GPR__POPULATION 1024 /* places a level */
 #define MS_GPR__SURVIVE 4       /* one in so many lies above the next level */
 #define MS_GPR__LEVELS 500
-#define MS_GPR__SUMMITS 16      /* ascents that look for the largest mean, and modes at most */
-#define MS_GPR__TIGHT 0.3       /* length scales in the box's width from which on the mean depends on a column */
-#define MS_GPR__AXES 64         /* that the shape of a mode is known along, at most */
-#define MS_GPR__LEAST 384       /* places of a mode at least, before its share is measured */
-#define MS_GPR__REFRESH 2       /* steps of every place before that */
-#define MS_GPR__DRIFT 12.0      /* what a level adds to the variance of a logarithm of shares, times 1 / places: seen, not derived */
-#define MS_GPR__RARE 50         /* candidates that cost about as much as one recommendation of subset simulation */
+#define MS_GPR__SUMMITS 16 /* ascents that look for the largest mean, and modes at most */
+#define MS_GPR__TIGHT 0.3  /* length scales in the box's width from which on the mean depends on a column */
+#define MS_GPR__AXES 64    /* that the shape of a mode is known along, at most */
+#define MS_GPR__LEAST 384  /* places of a mode at least, before its share is measured */
+#define MS_GPR__REFRESH 2  /* steps of every place before that */
+#define MS_GPR__DRIFT \
+    12.0 /* what a level adds to the variance of a logarithm of shares, times 1 / places: seen, not derived */
+#define MS_GPR__RARE 50 /* candidates that cost about as much as one recommendation of subset simulation */
 
 /* A place in the unit box, what the mean there needs, and a step to go. */
 typedef struct ms_gpr__walker {
-    double *place;     /* [m] */
-    double *direction; /* [m] in widths of the box, of dimensions in use */
-    double *scaled;    /* [active] the place in length scales */
-    double *step;      /* [active] the direction in length scales */
+    double *place;      /* [m] */
+    double *direction;  /* [m] in widths of the box, of dimensions in use */
+    double *scaled;     /* [active] the place in length scales */
+    double *step;       /* [active] the direction in length scales */
     double *low, *high; /* [m] of a hyperrectangle */
-    void *d2, *slope;  /* [stride] as in ms_gpr__lines */
-    double *kernel;    /* [stride] */
+    void *d2, *slope;   /* [stride] as in ms_gpr__lines */
+    double *kernel;     /* [stride] */
     double curvature;
-    int axis;          /* of those in use, along which it faces; -1: along the direction */
-    double value;      /* the mean less caution there */
-    double slices;     /* means predicted along lines so far */
+    int axis;      /* of those in use, along which it faces; -1: along the direction */
+    double value;  /* the mean less caution there */
+    double slices; /* means predicted along lines so far */
 } ms_gpr__walker;
 
 /* What lies nearest to one summit, in length scales. */
 typedef struct ms_gpr__mode {
-    int first, count;   /* of the population, which is sorted by modes; count: of those that the levels left there, at first */
-    double share;       /* of the region */
-    double *middle;     /* [AXES] the mean along the axes of the hunt, */
-    double *shape;      /* [AXES][AXES] and U, U'U = the covariance there */
+    int first,
+        count; /* of the population, which is sorted by modes; count: of those that the levels left there, at first */
+    double share;   /* of the region */
+    double *middle; /* [AXES] the mean along the axes of the hunt, */
+    double *shape;  /* [AXES][AXES] and U, U'U = the covariance there */
 } ms_gpr__mode;
 
 /* What all tasks of one call share. */
@@ -4245,44 +4453,45 @@ typedef struct ms_gpr__hunt {
     ms_gpr_recommend_options o; /* with the defaults filled in */
     const ms_gpr__lines *lines; /* of single precision, where that is good enough for this model */
     const void *points, *weight;
-    int count, taken, wave;     /* wanted, with those to be skipped; found; of the wave that runs */
-    double *kept;               /* [count][m] what was found */
-    double *group;              /* [16][m] candidates for the next one, */
-    int grouped;                /* and how many there are */
+    int count, taken, wave; /* wanted, with those to be skipped; found; of the wave that runs */
+    double *kept;           /* [count][m] what was found */
+    double *group;          /* [16][m] candidates for the next one, */
+    int grouped;            /* and how many there are */
     ms_gpr__space s;
-    double *unit;               /* [active] length scales in the box's width */
-    int *loose, looses;         /* [m] columns that the mean hardly depends on, continuous and not tied */
-    int *mover, movers;         /* what slices go along: a dimension in use; active + a tied column; active + m + a list */
-    double *tied;               /* [ties][m] scratch of the ascents */
-    double goal;                /* the threshold, and a margin for the rounding of means that walkers sum up */
-    double level;               /* what walkers must not fall below */
-    double *candidate;          /* [BATCHES * BATCH][m] of a wave, in units of x */
+    double *unit;       /* [active] length scales in the box's width */
+    int *loose, looses; /* [m] columns that the mean hardly depends on, continuous and not tied */
+    int *mover, movers; /* what slices go along: a dimension in use; active + a tied column; active + m + a list */
+    double *tied;       /* [ties][m] scratch of the ascents */
+    double goal;        /* the threshold, and a margin for the rounding of means that walkers sum up */
+    double level;       /* what walkers must not fall below */
+    double *candidate;  /* [BATCHES * BATCH][m] of a wave, in units of x */
     float *candidate_f;
-    double *mean;               /* [BATCHES * BATCH + n] less caution */
+    double *mean; /* [BATCHES * BATCH + n] less caution */
     double *variance;
-    double *scratch;            /* [BATCHES] of the prediction */
+    double *scratch; /* [BATCHES] of the prediction */
     size_t scratch_size;
-    ms_gpr__ranked *ranked;     /* [BATCHES * BATCH + n] */
+    ms_gpr__ranked *ranked; /* [BATCHES * BATCH + n] */
     ms_gpr__walker walker[MS_GPR__TASKS];
-    double *summit;             /* [SUMMITS][m] */
+    double *summit; /* [SUMMITS][m] */
     double summit_value[MS_GPR__SUMMITS];
-    double *place, *next;       /* [PILOT * BATCH][m] population in the unit box, and the one of the next level */
-    double *value;              /* [PILOT * BATCH] of the population, */
+    double *place, *next; /* [PILOT * BATCH][m] population in the unit box, and the one of the next level */
+    double *value;        /* [PILOT * BATCH] of the population, */
     double *next_value;
-    int population, *seed;      /* [POPULATION] places where the chains of a level start */
+    int population, *seed; /* [POPULATION] places where the chains of a level start */
     int seeds, turn;
-    double *tight;              /* [m] how far to go across; 0: only along the axis */
+    double *tight;                      /* [m] how far to go across; 0: only along the axis */
     ms_gpr__mode mode[MS_GPR__SUMMITS]; /* as many of the summits, in their order */
     int modes, axes;
-    double *axis;               /* [AXES][m] orthonormal directions that keep the ties */
-    uint64_t stream;            /* of the wave's first batch or chain */
+    double *axis;    /* [AXES][m] orthonormal directions that keep the ties */
+    uint64_t stream; /* of the wave's first batch or chain */
     ms_gpr_recommend_report report;
 } ms_gpr__hunt;
 
 /* --- a walker --- */
 
 /* Distances anew from the place. */
-static void ms_gpr__walker_arrive(const ms_gpr__hunt *h, const ms_gpr__lines *lines, const void *points, ms_gpr__walker *w)
+static void ms_gpr__walker_arrive(const ms_gpr__hunt *h, const ms_gpr__lines *lines, const void *points,
+                                  ms_gpr__walker *w)
 {
     const ms_gpr *gp = h->gp;
     int k, d;
@@ -4294,7 +4503,8 @@ static void ms_gpr__walker_arrive(const ms_gpr__hunt *h, const ms_gpr__lines *li
 }
 
 /* Makes the mean along the direction a function of t alone. */
-static void ms_gpr__walker_face(const ms_gpr__hunt *h, const ms_gpr__lines *lines, const void *points, ms_gpr__walker *w)
+static void ms_gpr__walker_face(const ms_gpr__hunt *h, const ms_gpr__lines *lines, const void *points,
+                                ms_gpr__walker *w)
 {
     const ms_gpr *gp = h->gp;
     int k;
@@ -4329,7 +4539,9 @@ static double ms_gpr__walker_doubt(const ms_gpr__hunt *h, const ms_gpr__lines *l
     if (!(h->o.caution > 0)) return 0;
     for (i = 0; i < n; ++i) {
         d2 = lines->size == sizeof(float) ? (double)((const float *)w->d2)[i] : ((const double *)w->d2)[i];
-        slope = !(t < 0 || t > 0) ? 0 : lines->size == sizeof(float) ? (double)((const float *)w->slope)[i] : ((const double *)w->slope)[i];
+        slope = !(t < 0 || t > 0)          ? 0
+            : lines->size == sizeof(float) ? (double)((const float *)w->slope)[i]
+                                           : ((const double *)w->slope)[i];
         w->kernel[i] = t < 0 || t > 0 ? d2 + t * (slope + t * w->curvature) : d2;
     }
     gp->kernels->exponentials(w->kernel, n, sf2);
@@ -4339,8 +4551,8 @@ static double ms_gpr__walker_doubt(const ms_gpr__hunt *h, const ms_gpr__lines *l
     return variance > 0 ? h->o.caution * sqrt(variance) : 0;
 }
 
-/* Turns the slopes that the direction holds for tied columns into the steepest way up, in length scales, that keeps the ties and the
-   box: those that would leave it stand still. */
+/* Turns the slopes that the direction holds for tied columns into the steepest way up, in length scales, that keeps the
+   ties and the box: those that would leave it stand still. */
 static void ms_gpr__walker_yield(const ms_gpr__hunt *h, ms_gpr__walker *w)
 {
     const ms_gpr *gp = h->gp;
@@ -4348,7 +4560,9 @@ static void ms_gpr__walker_yield(const ms_gpr__hunt *h, ms_gpr__walker *w)
     size_t m = (size_t)gp->m;
     double *reach = h->tied + (size_t)s->ties * m, *way = reach + m;
     int pass, t, i, k, changed = 1;
-    for (k = 0; k < gp->m; ++k) reach[k] = s->tied[k] && ms_gpr__space_continuous(s, k) ? 10 : 0; /* widths, for what the mean hardly depends on */
+    for (k = 0; k < gp->m; ++k)
+        reach[k] = s->tied[k] && ms_gpr__space_continuous(s, k) ? 10
+                                                                : 0; /* widths, for what the mean hardly depends on */
     for (k = 0; k < gp->active; ++k)
         if (h->unit[k] > 0.1 && reach[gp->dimension[k]] > 0) reach[gp->dimension[k]] = 1 / h->unit[k];
     for (pass = 0; pass <= gp->m && changed; ++pass) {
@@ -4377,8 +4591,9 @@ static void ms_gpr__walker_yield(const ms_gpr__hunt *h, ms_gpr__walker *w)
         if (s->tied[k]) w->direction[k] = changed ? 0 : way[k];
 }
 
-/* Uphill to a maximum of the mean, for at most `steps` steps: along the gradient in length scales, which points like a mean shift
-   to sum_i weight_i k_i (x_i - x), less the components that would leave the box or break a tie. Lists stay as they are. */
+/* Uphill to a maximum of the mean, for at most `steps` steps: along the gradient in length scales, which points like a
+   mean shift to sum_i weight_i k_i (x_i - x), less the components that would leave the box or break a tie. Lists stay
+   as they are. */
 static void ms_gpr__walker_ascend(const ms_gpr__hunt *h, ms_gpr__walker *w, int steps)
 {
     const ms_gpr *gp = h->gp;
@@ -4407,7 +4622,8 @@ static void ms_gpr__walker_ascend(const ms_gpr__hunt *h, ms_gpr__walker *w, int 
             }
         }
         if (h->s.ties > 0) ms_gpr__walker_yield(h, w);
-        for (k = 0; k < gp->active; ++k) norm2 += h->unit[k] * w->direction[gp->dimension[k]] * (h->unit[k] * w->direction[gp->dimension[k]]);
+        for (k = 0; k < gp->active; ++k)
+            norm2 += h->unit[k] * w->direction[gp->dimension[k]] * (h->unit[k] * w->direction[gp->dimension[k]]);
         if (!(norm2 > 0)) return;
         for (k = 0; k < gp->m; ++k) w->direction[k] /= sqrt(norm2);
         ms_gpr__walker_face(h, lines, gp->points, w);
@@ -4439,9 +4655,9 @@ static int ms_gpr__walker_try(const ms_gpr__hunt *h, ms_gpr__walker *w, double t
     return 1;
 }
 
-/* Neal's slice step along the line that the walker faces: a uniform point of the chord; while it lies outside the region, the chord
-   shrinks towards the walker. The uniform distribution over the region is left as it is. A column k that comes in steps is a row of
-   cells, and the walker somewhere in its own. k < 0: across several. */
+/* Neal's slice step along the line that the walker faces: a uniform point of the chord; while it lies outside the
+   region, the chord shrinks towards the walker. The uniform distribution over the region is left as it is. A column k
+   that comes in steps is a row of cells, and the walker somewhere in its own. k < 0: across several. */
 static void ms_gpr__walker_slice(const ms_gpr__hunt *h, ms_gpr__walker *w, int k, ms__rng *rng)
 {
     double cells = k < 0 ? 0 : h->s.cells[k], step = cells > 0 ? h->s.step[k] / h->s.width[k] : 0, t0, t1, offset = 0;
@@ -4528,13 +4744,14 @@ static void ms_gpr__walker_along(const ms_gpr__hunt *h, ms_gpr__walker *w, int m
         w->axis = k;
         w->step[k] = h->unit[k];
         w->curvature = h->unit[k] * h->unit[k];
-        h->lines->face(w->slope, (const char *)h->points + (size_t)k * gp->stride * h->lines->size, gp->stride, w->scaled + k, w->step + k, 1,
-                       ms_gpr__padded(gp->n));
+        h->lines->face(w->slope, (const char *)h->points + (size_t)k * gp->stride * h->lines->size, gp->stride,
+                       w->scaled + k, w->step + k, 1, ms_gpr__padded(gp->n));
         ms_gpr__walker_slice(h, w, gp->dimension[k], rng);
     }
 }
 
-/* A slice along a random direction of the dimensions that matter, if any does. Any law of directions will do that is symmetric. */
+/* A slice along a random direction of the dimensions that matter, if any does. Any law of directions will do that is
+   symmetric. */
 static void ms_gpr__walker_across(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__rng *rng)
 {
     int k, any = 0;
@@ -4546,7 +4763,8 @@ static void ms_gpr__walker_across(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__
     ms_gpr__walker_slice(h, w, -1, rng);
 }
 
-/* What the mean hardly depends on, all at once: a uniform point of a hyperrectangle, at first the box, which shrinks towards the walker. */
+/* What the mean hardly depends on, all at once: a uniform point of a hyperrectangle, at first the box, which shrinks
+   towards the walker. */
 static void ms_gpr__walker_shake(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__rng *rng)
 {
     int tries, i, k;
@@ -4570,7 +4788,8 @@ static void ms_gpr__walker_shake(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__r
 
 /* --- tasks --- */
 
-/* The mean, less caution, of `count` candidates from `first` on, in the precision of the lines, with the scratch of that batch. */
+/* The mean, less caution, of `count` candidates from `first` on, in the precision of the lines, with the scratch of
+   that batch. */
 static void ms_gpr__hunt_predict(const ms_gpr__hunt *h, int batch, size_t first, int count)
 {
     ms_gpr__batch b;
@@ -4642,8 +4861,8 @@ static void ms_gpr__hunt_level(void *context, int task)
     }
 }
 
-/* Recommendations task, task + TASKS, ... of a wave: from a place of the population through `rounds` rounds of a slice along every
-   axis and as many across, which forget where they started. */
+/* Recommendations task, task + TASKS, ... of a wave: from a place of the population through `rounds` rounds of a slice
+   along every axis and as many across, which forget where they started. */
 static void ms_gpr__hunt_wander(void *context, int task)
 {
     ms_gpr__hunt *h = (ms_gpr__hunt *)context;
@@ -4666,7 +4885,9 @@ static void ms_gpr__hunt_wander(void *context, int task)
                 else if (!h->s.tied[d] && h->s.owner[d] == 0) w->place[d] = ms_gpr__space_draw(&h->s, (int)d, &rng);
             }
             for (k = 0; k < h->s.groups; ++k)
-                if (h->s.group[k].idle) ms_gpr__group_put(&h->s, &h->s.group[k], (int)(ms_gpr__uniform(&rng) * h->s.group[k].count), w->place);
+                if (h->s.group[k].idle)
+                    ms_gpr__group_put(&h->s, &h->s.group[k], (int)(ms_gpr__uniform(&rng) * h->s.group[k].count),
+                                      w->place);
             ms_gpr__walker_arrive(h, h->lines, h->points, w);
             for (k = 0; k < h->movers || k < directions; ++k) {
                 if (k < h->movers) ms_gpr__walker_along(h, w, k, &rng);
@@ -4700,8 +4921,8 @@ static double ms_gpr__walker_exact(const ms_gpr__hunt *h, ms_gpr__walker *w)
     return gp->mean + gp->kernels->lines.mean(w->d2, w->slope, 0, 0, gp->weight, ms_gpr__padded(gp->n));
 }
 
-/* Whether single precision will do: means of the scored materials agree to 1e-4 of what the scores span. What is found is looked
-   at again in double precision. */
+/* Whether single precision will do: means of the scored materials agree to 1e-4 of what the scores span. What is found
+   is looked at again in double precision. */
 static int ms_gpr__hunt_single(ms_gpr__hunt *h, double span)
 {
     const ms_gpr *gp = h->gp;
@@ -4746,7 +4967,9 @@ static ms_status ms_gpr__hunt_begin(ms_gpr__hunt *h, ms_error *error)
     for (i = 0; i < MS_GPR__SUMMITS; ++i) {
         int index = h->ranked[i].index;
         double safe;
-        ms_gpr__hunt_place(h, index < pilot ? h->candidate + (size_t)index * (size_t)gp->m : gp->x + (size_t)(index - pilot) * (size_t)gp->m,
+        ms_gpr__hunt_place(h,
+                           index < pilot ? h->candidate + (size_t)index * (size_t)gp->m
+                                         : gp->x + (size_t)(index - pilot) * (size_t)gp->m,
                            w->place);
         if (h->s.ties > 0 || h->s.groups > 0) ms_gpr__space_settle(&h->s, w->place);
         for (k = 0; k < 4; ++k) {
@@ -4766,11 +4989,14 @@ static ms_status ms_gpr__hunt_begin(ms_gpr__hunt *h, ms_error *error)
     if (h->o.best < 0 || h->o.best > 0) top = h->o.best;
     if (top > best) top = best;
     if (!(best > least) || !(top > least))
-        return ms__fail(error, MS_NOT_CONVERGED, 0, "no material is predicted to score above %g, the lowest score", least);
+        return ms__fail(error, MS_NOT_CONVERGED, 0, "no material is predicted to score above %g, the lowest score",
+                        least);
     h->report.threshold = least + h->o.tau * (top - least);
     if (h->report.threshold > safest)
-        return ms__fail(error, MS_NOT_CONVERGED, 0, "no material reaches the threshold %g with caution %g: the best one has mean - "
-                                                    "caution sigma = %g", h->report.threshold, h->o.caution, safest);
+        return ms__fail(error, MS_NOT_CONVERGED, 0,
+                        "no material reaches the threshold %g with caution %g: the best one has mean - "
+                        "caution sigma = %g",
+                        h->report.threshold, h->o.caution, safest);
     if (h->report.threshold > safest - 1e-6 * (best - least)) h->report.threshold = safest - 1e-6 * (best - least);
     if (h->report.threshold > safest - 1e-3 * (best - least)) { /* the last digits count */
         h->lines = &gp->kernels->lines;
@@ -4797,8 +5023,8 @@ static double ms_gpr__hunt_nearest2(const ms_gpr__hunt *h, const double *rows, i
     return nearest / m;
 }
 
-/* The next candidate of the sequence. It is looked at again in double precision; of every 1 + 15 diversity that pass, the one that
-   is farthest from those before is taken, unless it is too near to one of them. */
+/* The next candidate of the sequence. It is looked at again in double precision; of every 1 + 15 diversity that pass,
+   the one that is farthest from those before is taken, unless it is too near to one of them. */
 static void ms_gpr__hunt_offer(ms_gpr__hunt *h, const double *x)
 {
     ms_gpr__walker *w = &h->walker[0];
@@ -4810,11 +5036,14 @@ static void ms_gpr__hunt_offer(ms_gpr__hunt *h, const double *x)
     value -= ms_gpr__walker_doubt(h, &h->gp->kernels->lines, w, 0);
     if (value < 0.5 * (h->report.threshold + h->goal)) return;
     if (h->o.avoid_count > 0 &&
-        ms_gpr__hunt_nearest2(h, h->o.avoid, h->o.avoid_count, x) < h->o.avoid_distance * h->o.avoid_distance) return;
+        ms_gpr__hunt_nearest2(h, h->o.avoid, h->o.avoid_count, x) < h->o.avoid_distance * h->o.avoid_distance)
+        return;
     memcpy(h->group + (size_t)h->grouped++ * m, x, m * sizeof *x);
     if (h->grouped < size) return;
     for (i = 0; i < h->grouped; ++i) {
-        double near2 = size > 1 || h->o.min_distance > 0 ? ms_gpr__hunt_nearest2(h, h->kept, h->taken, h->group + (size_t)i * m) : 0;
+        double near2 = size > 1 || h->o.min_distance > 0
+            ? ms_gpr__hunt_nearest2(h, h->kept, h->taken, h->group + (size_t)i * m)
+            : 0;
         if (near2 > farthest) best = i, farthest = near2;
     }
     h->grouped = 0;
@@ -4861,9 +5090,11 @@ static void ms_gpr__hunt_measure(ms_gpr__hunt *h)
         int j;
         k = (size_t)h->gp->dimension[i];
         for (j = 0; j < h->population; ++j) sum += h->place[(size_t)j * m + k] / h->population;
-        for (j = 0; j < h->population; ++j) sum2 += (h->place[(size_t)j * m + k] - sum) * (h->place[(size_t)j * m + k] - sum) / h->population;
+        for (j = 0; j < h->population; ++j)
+            sum2 += (h->place[(size_t)j * m + k] - sum) * (h->place[(size_t)j * m + k] - sum) / h->population;
         spread = sqrt(sum2);
-        if (h->unit[i] > MS_GPR__TIGHT && ms_gpr__space_continuous(&h->s, (int)k)) h->tight[k] = spread * h->unit[i] > 1 ? 1 / h->unit[i] : spread;
+        if (h->unit[i] > MS_GPR__TIGHT && ms_gpr__space_continuous(&h->s, (int)k))
+            h->tight[k] = spread * h->unit[i] > 1 ? 1 / h->unit[i] : spread;
     }
 }
 
@@ -4897,7 +5128,8 @@ static int ms_gpr__hunt_mode_of(const ms_gpr__hunt *h, const double *place)
     return best;
 }
 
-/* Whether the straight way from a place to a summit stays in the region, and nearer to the lower end's height than to the level. */
+/* Whether the straight way from a place to a summit stays in the region, and nearer to the lower end's height than to
+   the level. */
 static int ms_gpr__hunt_joined(const ms_gpr__hunt *h, const double *place, const double *summit)
 {
     const ms_gpr *gp = h->gp;
@@ -4925,7 +5157,8 @@ static void ms_gpr__hunt_found(ms_gpr__hunt *h, const double *summit)
     memmove(h->summit + (size_t)h->modes++ * m, summit, m * sizeof *summit);
 }
 
-/* The modes: of the ascents from the first candidates, and of some from places of the population that none of those explains. */
+/* The modes: of the ascents from the first candidates, and of some from places of the population that none of those
+   explains. */
 static void ms_gpr__hunt_modes(ms_gpr__hunt *h)
 {
     ms_gpr__walker *w = &h->walker[0];
@@ -4939,11 +5172,13 @@ static void ms_gpr__hunt_modes(ms_gpr__hunt *h)
         memcpy(w->place, place, m * sizeof *place);
         ms_gpr__walker_ascend(h, w, 30);
         ms_gpr__space_settle(&h->s, w->place);
-        if (ms_gpr__walker_exact(h, w) - ms_gpr__walker_doubt(h, &h->gp->kernels->lines, w, 0) >= h->level) ms_gpr__hunt_found(h, w->place);
+        if (ms_gpr__walker_exact(h, w) - ms_gpr__walker_doubt(h, &h->gp->kernels->lines, w, 0) >= h->level)
+            ms_gpr__hunt_found(h, w->place);
     }
 }
 
-/* More places of mode c, where it has few: of a chain from one of them, or from its summit. What leaves it counts where it arrives. */
+/* More places of mode c, where it has few: of a chain from one of them, or from its summit. What leaves it counts where
+   it arrives. */
 static void ms_gpr__hunt_enrich(ms_gpr__hunt *h, int c)
 {
     ms_gpr__walker *w = &h->walker[0];
@@ -4996,7 +5231,8 @@ static void ms_gpr__hunt_axes(ms_gpr__hunt *h)
     }
 }
 
-/* Mode by mode the mean along the axes and the covariance, of the first half of its places or the second. 0: there is none. */
+/* Mode by mode the mean along the axes and the covariance, of the first half of its places or the second. 0: there is
+   none. */
 static int ms_gpr__hunt_shapes(ms_gpr__hunt *h, int half)
 {
     const ms_gpr *gp = h->gp;
@@ -5004,7 +5240,8 @@ static int ms_gpr__hunt_shapes(ms_gpr__hunt *h, int half)
     int c, i, j, k;
     for (c = 0; c < h->modes; ++c) {
         ms_gpr__mode *mode = &h->mode[c];
-        int first = mode->first + half * (mode->count / 2), count = half ? mode->count - mode->count / 2 : mode->count / 2;
+        int first = mode->first + half * (mode->count / 2),
+            count = half ? mode->count - mode->count / 2 : mode->count / 2;
         memset(mode->middle, 0, row * sizeof *mode->middle);
         memset(mode->shape, 0, row * row * sizeof *mode->shape);
         for (i = -count; i < count; ++i) { /* the means, then the covariance */
@@ -5019,8 +5256,10 @@ static int ms_gpr__hunt_shapes(ms_gpr__hunt *h, int half)
                 for (k = j; k < h->axes; ++k) mode->shape[(size_t)j * row + (size_t)k] += z[j] * z[k] / count;
         }
         for (j = 0; j < (int)row; ++j) {
-            for (k = j + 1; k < (int)row && count < 4 * h->axes; ++k) mode->shape[(size_t)j * row + (size_t)k] = 0; /* too few to say */
-            mode->shape[(size_t)j * (row + 1)] = j < h->axes ? 1e-12 + mode->shape[(size_t)j * (row + 1)] * (1 + 1e-9) : 1;
+            for (k = j + 1; k < (int)row && count < 4 * h->axes; ++k)
+                mode->shape[(size_t)j * row + (size_t)k] = 0; /* too few to say */
+            mode->shape[(size_t)j * (row + 1)] = j < h->axes ? 1e-12 + mode->shape[(size_t)j * (row + 1)] * (1 + 1e-9)
+                                                             : 1;
         }
         if (!ms_gpr__cholesky(gp->kernels, mode->shape, row, (int)row, 0)) return 0;
     }
@@ -5060,9 +5299,10 @@ static double ms_gpr__hunt_cross(ms_gpr__hunt *h, const ms_gpr__mode *a, const m
     return (double)hits / (end - first);
 }
 
-/* The modes' shares of the region. Each level of the climb lets them drift. But a map that takes mode a to b and changes volumes by J takes
-   a share p of a into b, and its inverse a share q of b into a, so that the volume of b is J p / q of that of a. Both estimates are
-   weighted by what they are worth. Meng & Schilling 2002, "Warp bridge sampling". */
+/* The modes' shares of the region. Each level of the climb lets them drift. But a map that takes mode a to b and
+   changes volumes by J takes a share p of a into b, and its inverse a share q of b into a, so that the volume of b is J
+   p / q of that of a. Both estimates are weighted by what they are worth. Meng & Schilling 2002, "Warp bridge
+   sampling". */
 static void ms_gpr__hunt_balance(ms_gpr__hunt *h, int levels)
 {
     size_t m = (size_t)h->gp->m;
@@ -5072,7 +5312,8 @@ static void ms_gpr__hunt_balance(ms_gpr__hunt *h, int levels)
     memset(worth, 0, sizeof worth);
     ms_gpr__hunt_modes(h);
     if (h->modes == 0) h->modes = 1; /* rounding of the summit's mean */
-    for (j = 0; j < MS_GPR__REFRESH && h->modes > 1 && climbed > 0; ++j) { /* places forget which others they come from */
+    for (j = 0; j < MS_GPR__REFRESH && h->modes > 1 && climbed > 0;
+         ++j) { /* places forget which others they come from */
         for (i = 0; i < MS_GPR__POPULATION; ++i) h->seed[i] = i;
         ms_gpr__hunt_rise(h, levels + j);
     }
@@ -5104,10 +5345,12 @@ static void ms_gpr__hunt_balance(ms_gpr__hunt *h, int levels)
         if (!ms_gpr__hunt_shapes(h, i)) break;
         for (c = 0; c < h->modes; ++c) {
             const ms_gpr__mode *b = &h->mode[c];
-            double p = c != largest ? ms_gpr__hunt_cross(h, a, b, 1 - i) : 0, q = p > 0 ? ms_gpr__hunt_cross(h, b, a, 1 - i) : 0, wide = 0, w;
+            double p = c != largest ? ms_gpr__hunt_cross(h, a, b, 1 - i) : 0,
+                   q = p > 0 ? ms_gpr__hunt_cross(h, b, a, 1 - i) : 0, wide = 0, w;
             if (!(q > 0)) continue;
             for (j = 0; j < h->axes; ++j)
-                wide += log(b->shape[(size_t)j * ((size_t)ms_gpr__padded(h->axes) + 1)] / a->shape[(size_t)j * ((size_t)ms_gpr__padded(h->axes) + 1)]);
+                wide += log(b->shape[(size_t)j * ((size_t)ms_gpr__padded(h->axes) + 1)] /
+                            a->shape[(size_t)j * ((size_t)ms_gpr__padded(h->axes) + 1)]);
             w = 0.5 / ((1.01 - p) / (0.5 * p * a->count) + (1.01 - q) / (0.5 * q * b->count));
             bridge[c] += w * (wide + log(p / q));
             worth[c] += w;
@@ -5127,9 +5370,9 @@ static void ms_gpr__hunt_balance(ms_gpr__hunt *h, int levels)
     for (h->modes = i, c = 0; c < h->modes; ++c) h->mode[c].share /= sum;
 }
 
-/* The population of the region: that of the box, whose level rises step by step. Each time one in SURVIVE is above the next level,
-   and chains from those make the new population; so each mode keeps its share. Where a level has no room to rise (the region is
-   narrower than any population sees), the summits of the ascents take its place. */
+/* The population of the region: that of the box, whose level rises step by step. Each time one in SURVIVE is above the
+   next level, and chains from those make the new population; so each mode keeps its share. Where a level has no room to
+   rise (the region is narrower than any population sees), the summits of the ascents take its place. */
 static ms_status ms_gpr__hunt_climb(ms_gpr__hunt *h)
 {
     size_t m = (size_t)h->gp->m, row = m * sizeof(double);
@@ -5166,7 +5409,8 @@ static ms_status ms_gpr__hunt_climb(ms_gpr__hunt *h)
     if (h->level < h->goal) {
         h->level = h->goal;
         for (i = 0, h->population = 0; i < MS_GPR__SUMMITS; ++i)
-            if (h->summit_value[i] >= h->goal) memcpy(h->place + (size_t)h->population++ * m, h->summit + (size_t)i * m, row);
+            if (h->summit_value[i] >= h->goal)
+                memcpy(h->place + (size_t)h->population++ * m, h->summit + (size_t)i * m, row);
         h->report.acceptance = 0;
         ms_gpr__hunt_measure(h);
     }
@@ -5185,7 +5429,8 @@ static ms_status ms_gpr__hunt_walk(ms_gpr__hunt *h)
         if (h->stream / 40 > (uint64_t)h->count * (uint64_t)size) return MS_NOT_CONVERGED;
         h->wave = left < MS_GPR__WAVE ? left : MS_GPR__WAVE;
         ms__run(&h->gp->parallel, MS_GPR__TASKS, ms_gpr__hunt_wander, h);
-        for (i = 0; i < h->wave && h->taken < h->count; ++i) ms_gpr__hunt_offer(h, h->candidate + (size_t)i * (size_t)h->gp->m);
+        for (i = 0; i < h->wave && h->taken < h->count; ++i)
+            ms_gpr__hunt_offer(h, h->candidate + (size_t)i * (size_t)h->gp->m);
         if (h->taken < h->count && ms_gpr__hunt_stopped(h)) return MS_CANCELLED;
     }
     return MS_OK;
@@ -5208,7 +5453,8 @@ static double ms_gpr__hunt_spread(const ms_gpr__hunt *h, const double *x)
 static void ms_gpr__hunt_layout(ms_gpr__hunt *h, ms_gpr__arena *arena)
 {
     size_t m = (size_t)h->gp->m, stride = h->gp->stride, candidates = MS_GPR__BATCHES * MS_GPR__BATCH;
-    size_t population = MS_GPR__PILOT * MS_GPR__BATCH, axes = m < MS_GPR__AXES ? (size_t)ms_gpr__padded((int)m) : MS_GPR__AXES;
+    size_t population = MS_GPR__PILOT * MS_GPR__BATCH,
+           axes = m < MS_GPR__AXES ? (size_t)ms_gpr__padded((int)m) : MS_GPR__AXES;
     int i;
     for (i = 0; i < MS_GPR__SUMMITS; ++i) {
         h->mode[i].middle = ms_gpr__take(arena, axes, 1);
@@ -5226,7 +5472,8 @@ static void ms_gpr__hunt_layout(ms_gpr__hunt *h, ms_gpr__arena *arena)
     h->mean = ms_gpr__take(arena, candidates + (size_t)h->gp->n, 1);
     h->variance = ms_gpr__take(arena, candidates, 1);
     h->scratch = ms_gpr__take(arena, MS_GPR__BATCHES, h->scratch_size);
-    h->ranked = (ms_gpr__ranked *)(void *)ms_gpr__take(arena, candidates + (size_t)h->gp->n, sizeof *h->ranked / sizeof(double));
+    h->ranked = (ms_gpr__ranked *)(void *)ms_gpr__take(arena, candidates + (size_t)h->gp->n,
+                                                       sizeof *h->ranked / sizeof(double));
     h->summit = ms_gpr__take(arena, MS_GPR__SUMMITS, m);
     h->place = ms_gpr__take(arena, population, m);
     h->next = ms_gpr__take(arena, population, m);
@@ -5248,9 +5495,11 @@ static void ms_gpr__hunt_layout(ms_gpr__hunt *h, ms_gpr__arena *arena)
     }
 }
 
-static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *options, int m, ms_gpr_recommend_options *o, ms_error *error)
+static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *options, int m, ms_gpr_recommend_options *o,
+                                           ms_error *error)
 {
-    static const char *const name[] = {"tau", "caution", "min_distance", "diversity", "avoid_distance", "max_candidates"};
+    static const char *const name[] = {"tau",       "caution",        "min_distance",
+                                       "diversity", "avoid_distance", "max_candidates"};
     double value[6];
     int i;
     if (options != NULL) *o = *options;
@@ -5260,7 +5509,8 @@ static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *optio
     for (i = 0; i < 6; ++i) {
         double most = i == 0 || i == 3 ? 1 : MS_GPR__LARGEST;
         if (!ms__finite(value[i]) || !(value[i] >= 0 && value[i] <= most))
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g: expected a number from 0 to %g", name[i], value[i], most);
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g: expected a number from 0 to %g", name[i],
+                            value[i], most);
     }
     if (!ms__finite(o->best) || !(fabs(o->best) <= MS_GPR__LARGEST))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "best is %g: expected a score", o->best);
@@ -5268,13 +5518,16 @@ static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *optio
     if (!(o->avoid_distance > 0)) o->avoid_distance = 0.15;
     if (!(o->max_candidates > 0)) o->max_candidates = 1e7;
     if (o->rounds < 0 || o->skip < 0 || o->avoid_count < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rounds is %d, skip %d, avoid_count %d: expected at least 0", o->rounds, o->skip,
-                        o->avoid_count);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rounds is %d, skip %d, avoid_count %d: expected at least 0",
+                        o->rounds, o->skip, o->avoid_count);
     if (o->rounds == 0) o->rounds = 1;
     if ((int)o->search < 0 || (int)o->search > (int)MS_GPR_SEARCH_SUBSET)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "search is %d: expected 0 to 2", (int)o->search);
-    if (o->avoid_count > 0 && o->avoid == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "avoid is NULL with avoid_count %d", o->avoid_count);
-    return o->avoid_count > 0 ? ms_gpr__check_rows(o->avoid, o->avoid_count, m, MS_GPR__LARGEST, "material to avoid", error) : MS_OK;
+    if (o->avoid_count > 0 && o->avoid == NULL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "avoid is NULL with avoid_count %d", o->avoid_count);
+    return o->avoid_count > 0
+        ? ms_gpr__check_rows(o->avoid, o->avoid_count, m, MS_GPR__LARGEST, "material to avoid", error)
+        : MS_OK;
 }
 
 /* The search that was asked for, or the cheaper one. */
@@ -5291,12 +5544,12 @@ static ms_status ms_gpr__hunt_run(ms_gpr__hunt *h, ms_error *error)
     status = h->report.search == MS_GPR_SEARCH_REJECTION ? ms_gpr__hunt_reject(h) : ms_gpr__hunt_walk(h);
     for (i = 0; i < MS_GPR__TASKS; ++i) h->report.slices += h->walker[i].slices;
     if (status == MS_OK) return MS_OK;
-    return ms__fail(error, status, 0, "%s after %d of %d recommendations", status == MS_CANCELLED ? "cancelled" : "gave up", h->taken,
-                    h->count);
+    return ms__fail(error, status, 0, "%s after %d of %d recommendations",
+                    status == MS_CANCELLED ? "cancelled" : "gave up", h->taken, h->count);
 }
 
-MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x, double *mean,
-                                      double *sigma, ms_gpr_recommend_report *report, ms_error *error)
+MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
+                                  double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error)
 {
     ms_gpr__hunt hunt, *h = &hunt;
     ms_gpr__arena arena = {NULL, 0};
@@ -5311,7 +5564,8 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     status = ms_gpr__recommend_options(options, gp->m, &h->o, error);
     if (status != MS_OK) return status;
     if (h->o.skip > 0x7fffffff / 16 - count || count > 0x7fffffff / 16)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d and skip %d: expected at most %d together", count, h->o.skip, 0x7fffffff / 16);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d and skip %d: expected at most %d together", count,
+                        h->o.skip, 0x7fffffff / 16);
     m = (size_t)gp->m;
     h->gp = gp;
     h->count = count + h->o.skip;
@@ -5334,7 +5588,8 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     for (k = 0; k < gp->active; ++k)
         if (!h->s.tied[gp->dimension[k]] && h->s.owner[gp->dimension[k]] == 0) {
             int d = gp->dimension[k];
-            if (h->s.width[d] * gp->scale[d] > MS_GPR__TIGHT || !ms_gpr__space_continuous(&h->s, d)) h->mover[h->movers++] = k;
+            if (h->s.width[d] * gp->scale[d] > MS_GPR__TIGHT || !ms_gpr__space_continuous(&h->s, d))
+                h->mover[h->movers++] = k;
             else h->loose[h->looses++] = d;
         }
     for (k = 0; k < gp->m; ++k)
@@ -5369,19 +5624,21 @@ typedef struct ms_gpr__pool {
     const ms_gpr *gp;
     ms_gpr_gallery_kind kind;
     double floor, threshold; /* scores above are liked, and recommended */
-    int size, count;  /* size: a multiple of CHUNK */
-    double *x;        /* [size][m] */
-    double *points;   /* [active][size] in length scales, as gp->points */
-    double *mean;     /* [size] */
-    double *variance; /* [size] */
-    double *columns;  /* [padded n][size] U'^-1 k(training, pool) */
-    double *basis;    /* [count][size] posterior covariance with each choice, less what earlier ones explain, over its deviation */
-    double *nearest;  /* [NEIGHBOURS][size] smallest squared distances to what was seen, ascending */
-    double *luck;     /* [size] logarithm of a uniform number */
-    double *taken;    /* [size] 1: chosen */
+    int size, count;         /* size: a multiple of CHUNK */
+    double *x;               /* [size][m] */
+    double *points;          /* [active][size] in length scales, as gp->points */
+    double *mean;            /* [size] */
+    double *variance;        /* [size] */
+    double *columns;         /* [padded n][size] U'^-1 k(training, pool) */
+    double *basis;   /* [count][size] posterior covariance with each choice, less what earlier ones explain, over its
+                        deviation */
+    double *nearest; /* [NEIGHBOURS][size] smallest squared distances to what was seen, ascending */
+    double *luck;    /* [size] logarithm of a uniform number */
+    double *taken;   /* [size] 1: chosen */
     ms_gpr__space s;
     double *place, *direction; /* [m] */
-    double *scratch;  /* [m][4] a choice, four times: a tile of the distance kernel; [4][size] its distances; before, [n] parents */
+    double *scratch; /* [m][4] a choice, four times: a tile of the distance kernel; [4][size] its distances; before, [n]
+                        parents */
 } ms_gpr__pool;
 
 /* Candidate j has seen something at that squared distance. */
@@ -5391,7 +5648,8 @@ static void ms_gpr__pool_see(ms_gpr__pool *p, int j, double distance2)
     size_t size = (size_t)p->size;
     int i = MS_GPR__NEIGHBOURS - 1;
     if (!(distance2 < nearest[(size_t)i * size])) return;
-    for (; i > 0 && nearest[(size_t)(i - 1) * size] > distance2; --i) nearest[(size_t)i * size] = nearest[(size_t)(i - 1) * size];
+    for (; i > 0 && nearest[(size_t)(i - 1) * size] > distance2; --i)
+        nearest[(size_t)i * size] = nearest[(size_t)(i - 1) * size];
     nearest[(size_t)i * size] = distance2;
 }
 
@@ -5403,10 +5661,12 @@ static void ms_gpr__pool_chunk(void *context, int chunk)
     size_t size = (size_t)p->size, first = (size_t)chunk * MS_GPR__CHUNK;
     double *columns = p->columns + first, sf2 = ms_gpr__sf2(gp);
     int n = ms_gpr__padded(gp->n), i, j;
-    gp->kernels->distances(columns, size, gp->points, gp->stride, p->points + first, size, n, MS_GPR__CHUNK, gp->active, 0);
+    gp->kernels->distances(columns, size, gp->points, gp->stride, p->points + first, size, n, MS_GPR__CHUNK, gp->active,
+                           0);
     if (p->kind == MS_GPR_GALLERY_NOVEL) {
         for (i = 0; i < gp->n; ++i)
-            for (j = 0; j < MS_GPR__CHUNK; ++j) ms_gpr__pool_see(p, (int)first + j, columns[(size_t)i * size + (size_t)j]);
+            for (j = 0; j < MS_GPR__CHUNK; ++j)
+                ms_gpr__pool_see(p, (int)first + j, columns[(size_t)i * size + (size_t)j]);
         return;
     }
     for (i = 0; i < n; ++i) {
@@ -5415,7 +5675,8 @@ static void ms_gpr__pool_chunk(void *context, int chunk)
         else memset(row, 0, MS_GPR__CHUNK * sizeof *row);
     }
     for (j = 0; j < MS_GPR__CHUNK; ++j) p->mean[first + (size_t)j] = gp->mean;
-    for (i = 0; i < gp->n; ++i) gp->kernels->axpy(p->mean + first, gp->alpha[i], columns + (size_t)i * size, MS_GPR__CHUNK);
+    for (i = 0; i < gp->n; ++i)
+        gp->kernels->axpy(p->mean + first, gp->alpha[i], columns + (size_t)i * size, MS_GPR__CHUNK);
     if (p->kind == MS_GPR_GALLERY_INTERMEDIATE) return;
     ms_gpr__forward(gp->kernels, gp->upper, gp->stride, n, columns, size, MS_GPR__CHUNK);
     for (j = 0; j < MS_GPR__CHUNK; ++j) p->variance[first + (size_t)j] = sf2;
@@ -5435,8 +5696,8 @@ static double ms_gpr__pool_worth(const ms_gpr__pool *p, int q, int j)
         for (i = 0; i < MS_GPR__NEIGHBOURS; ++i) sum += sqrt(p->nearest[(size_t)i * (size_t)p->size + (size_t)j]);
         return sum;
     }
-    /* Draws without replacement with probabilities in proportion to max(above, 0): largest log(uniform) / weight first (Efraimidis
-       and Spirakis 2006); candidates without weight come last */
+    /* Draws without replacement with probabilities in proportion to max(above, 0): largest log(uniform) / weight first
+       (Efraimidis and Spirakis 2006); candidates without weight come last */
     if (p->kind == MS_GPR_GALLERY_INTERMEDIATE) return above > 0 ? p->luck[j] / above : -1e300;
     sigma = p->variance[j] > 0 ? sqrt(p->variance[j]) : 0;
     if (p->kind == MS_GPR_GALLERY_ACTIVE && q % 2 == 0) return 1.96 * sigma - fabs(p->mean[j] - p->threshold);
@@ -5505,8 +5766,8 @@ static void ms_gpr__pool_layout(ms_gpr__pool *p, ms_gpr__arena *arena)
     p->scratch = ms_gpr__take(arena, 4, ms__size_add(size, ms__size_add(m, (size_t)p->gp->n)));
 }
 
-/* How likely each scored material is to be a parent, [n]: its score above the floor, shared with those liked ones that the model takes
-   for near, so that small classes have children too. Returns the sum. */
+/* How likely each scored material is to be a parent, [n]: its score above the floor, shared with those liked ones that
+   the model takes for near, so that small classes have children too. Returns the sum. */
 static double ms_gpr__pool_parents(const ms_gpr__pool *p, double *parent)
 {
     const ms_gpr *gp = p->gp;
@@ -5515,15 +5776,17 @@ static double ms_gpr__pool_parents(const ms_gpr__pool *p, double *parent)
     for (i = 0; i < gp->n; ++i) {
         double crowd = 0;
         for (j = 0; j < gp->n && gp->value[i] > p->floor; ++j)
-            if (gp->value[j] > p->floor) crowd += exp(-0.5 * ms_gpr__distance2(gp->points + i, gp->stride, gp->points + j, gp->stride, gp->active));
+            if (gp->value[j] > p->floor)
+                crowd += exp(-0.5 *
+                             ms_gpr__distance2(gp->points + i, gp->stride, gp->points + j, gp->stride, gp->active));
         parent[i] = gp->value[i] > p->floor ? (gp->value[i] - p->floor) / crowd : 0;
         sum += parent[i];
     }
     return sum;
 }
 
-/* The uniform place as a variant of scored materials: whatever parameters are not drawn anew come from a parent, or from two; those of a
-   list together. */
+/* The uniform place as a variant of scored materials: whatever parameters are not drawn anew come from a parent, or
+   from two; those of a list together. */
 static void ms_gpr__pool_vary(ms_gpr__pool *p, const double *parents, double sum, ms__rng *rng)
 {
     const ms_gpr *gp = p->gp;
@@ -5551,8 +5814,8 @@ static void ms_gpr__pool_vary(ms_gpr__pool *p, const double *parents, double sum
     ms_gpr__space_settle(&p->s, p->place);
 }
 
-/* The candidates; nothing is taken or seen. Every parameter of the first `spread` of them, and every list, falls once into each of as
-   many parts of its range. vary: half of the pool are variants. */
+/* The candidates; nothing is taken or seen. Every parameter of the first `spread` of them, and every list, falls once
+   into each of as many parts of its range. vary: half of the pool are variants. */
 static void ms_gpr__pool_fill(ms_gpr__pool *p, uint64_t seed, int spread, int vary)
 {
     ms__rng rng = ms__rng_make(seed, (uint64_t)p->gp->n);
@@ -5593,7 +5856,8 @@ static void ms_gpr__pool_fill(ms_gpr__pool *p, uint64_t seed, int spread, int va
     }
 }
 
-MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x, ms_error *error)
+MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x,
+                                ms_error *error)
 {
     ms_gpr_gallery_options o;
     ms_gpr__pool pool, *p = &pool;
@@ -5607,11 +5871,13 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     if (options != NULL) o = *options;
     else memset(&o, 0, sizeof o);
     if (gp == NULL || x == NULL) return ms_gpr__null(gp ? "x" : "gp", error);
-    if (count < 1 || count > 1000000) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected 1 to 1000000", count);
+    if (count < 1 || count > 1000000)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected 1 to 1000000", count);
     if (o.pool < 0 || o.pool > 10000000)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pool is %d: expected 0 to 10000000", o.pool);
     if ((int)o.kind < 0 || (int)o.kind > (int)MS_GPR_GALLERY_SPREAD)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kind is %d: expected 0 to %d", (int)o.kind, (int)MS_GPR_GALLERY_SPREAD);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kind is %d: expected 0 to %d", (int)o.kind,
+                        (int)MS_GPR_GALLERY_SPREAD);
     p->gp = gp;
     p->kind = o.kind;
     p->count = count;
@@ -5619,7 +5885,8 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     for (q = 0, top = p->floor; q < gp->n; ++q)
         if (gp->value[q] > top) top = gp->value[q];
     p->threshold = p->floor + 0.6 * (top - p->floor);
-    if (o.kind == MS_GPR_GALLERY_ACTIVE && !(top > p->floor)) p->kind = MS_GPR_GALLERY_SPREAD; /* nothing is liked yet */
+    if (o.kind == MS_GPR_GALLERY_ACTIVE && !(top > p->floor))
+        p->kind = MS_GPR_GALLERY_SPREAD; /* nothing is liked yet */
     drawn = p->kind == MS_GPR_GALLERY_UNIFORM || p->kind == MS_GPR_GALLERY_SPREAD;
     p->size = drawn ? count : o.pool > 0 ? o.pool : 10 * count > 4000 ? 10 * count : 4000;
     if (p->size < count) p->size = count;
@@ -5663,16 +5930,16 @@ struct ms_gpr_latent {
     void *block;
     size_t doubles;
     double jitter;
-    int kept;               /* materials keep what is in s */
+    int kept; /* materials keep what is in s */
     ms_gpr__space s;
-    double *latent;         /* [z][l] */
-    double *theta;          /* [l + 2] */
-    double *center;         /* [m] subtracted from the materials */
-    double *x;              /* [padded z][columns] materials less center, padded with zeros */
-    double *points;         /* [l][stride] latents in lengths, less their mean, by dimension */
-    double *origin;         /* [l] that mean, in lengths */
-    double *upper;          /* [padded z][stride] U'U = K' */
-    double *weight;         /* [padded z][columns] K'^-1 X */
+    double *latent; /* [z][l] */
+    double *theta;  /* [l + 2] */
+    double *center; /* [m] subtracted from the materials */
+    double *x;      /* [padded z][columns] materials less center, padded with zeros */
+    double *points; /* [l][stride] latents in lengths, less their mean, by dimension */
+    double *origin; /* [l] that mean, in lengths */
+    double *upper;  /* [padded z][stride] U'U = K' */
+    double *weight; /* [padded z][columns] K'^-1 X */
 };
 
 /* What one evaluation of the likelihood needs. */
@@ -5680,23 +5947,24 @@ typedef struct ms_gpr__embedding {
     const ms_gpr__kernels *kernels;
     int z, m, l;
     size_t stride, columns;
-    const double *x;     /* [padded z][columns] */
-    double *kernel;      /* [padded z][stride] K without noise, upper triangle */
-    double *upper;       /* U, then G = A A' - m K'^-1, upper triangle */
-    double *inverse;     /* U'^-1 */
-    double *whitened;    /* [padded z][columns] Y = U'^-1 X */
-    double *weight;      /* [2][columns][stride] -A' and A', A = K'^-1 X */
+    const double *x;  /* [padded z][columns] */
+    double *kernel;   /* [padded z][stride] K without noise, upper triangle */
+    double *upper;    /* U, then G = A A' - m K'^-1, upper triangle */
+    double *inverse;  /* U'^-1 */
+    double *whitened; /* [padded z][columns] Y = U'^-1 X */
+    double *weight;   /* [2][columns][stride] -A' and A', A = K'^-1 X */
 } ms_gpr__embedding;
 
-/* log p(X | L, theta) = -1/2 tr(K'^-1 X X') - m/2 log |K'| - z m/2 log 2 pi (3.8), and its gradient where `gradient` is not
-   NULL: [l + 2] with respect to log lengths, log sf and sn^2, and [l][stride] with respect to the points. The materials are m
-   independent columns, so dlogp/dK' = 1/2 (A A' - m K'^-1). 0 where K' is not positive definite. */
-static int ms_gpr__embedding_evaluate(const ms_gpr__embedding *e, const double *points, double sf2, double noise, double *likelihood,
-                                      double *gradient, double *gradient_points)
+/* log p(X | L, theta) = -1/2 tr(K'^-1 X X') - m/2 log |K'| - z m/2 log 2 pi (3.8), and its gradient where `gradient` is
+   not NULL: [l + 2] with respect to log lengths, log sf and sn^2, and [l][stride] with respect to the points. The
+   materials are m independent columns, so dlogp/dK' = 1/2 (A A' - m K'^-1). 0 where K' is not positive definite. */
+static int ms_gpr__embedding_evaluate(const ms_gpr__embedding *e, const double *points, double sf2, double noise,
+                                      double *likelihood, double *gradient, double *gradient_points)
 {
     const ms_gpr__kernels *f = e->kernels;
     int padded = ms_gpr__padded(e->z), columns = (int)e->columns, i, j, k;
-    size_t matrix = (size_t)padded * e->stride, materials = (size_t)padded * e->columns, list = e->columns * e->stride, at;
+    size_t matrix = (size_t)padded * e->stride, materials = (size_t)padded * e->columns, list = e->columns * e->stride,
+           at;
     double fit, determinant, *minus = e->weight, *plus = e->weight + list;
     ms_gpr__covariance(f, points, e->stride, e->z, e->l, sf2, e->kernel);
     if (!ms_gpr__factor(f, e->kernel, e->stride, e->z, sf2, noise, e->upper)) return 0;
@@ -5712,7 +5980,8 @@ static int ms_gpr__embedding_evaluate(const ms_gpr__embedding *e, const double *
     f->reduce(minus, e->stride, e->whitened, e->columns, e->inverse, e->stride, columns, padded, padded, MS_GPR__LOWER);
     for (at = 0; at < list; ++at) plus[at] = -minus[at];
     memset(e->upper, 0, matrix * sizeof(double));
-    f->reduce(e->upper, e->stride, e->inverse, e->stride, e->inverse, e->stride, padded, padded, padded, MS_GPR__UPPER | MS_GPR__LOWER);
+    f->reduce(e->upper, e->stride, e->inverse, e->stride, e->inverse, e->stride, padded, padded, padded,
+              MS_GPR__UPPER | MS_GPR__LOWER);
     for (i = 0; i < e->z; ++i)
         for (j = i; j < e->z; ++j) e->upper[(size_t)i * e->stride + (size_t)j] *= e->m;
     f->reduce(e->upper, e->stride, minus, e->stride, plus, e->stride, padded, padded, columns, MS_GPR__UPPER);
@@ -5782,8 +6051,8 @@ static void ms_gpr__latent_layout(ms_gpr_latent *p, ms_gpr__arena *arena)
 }
 
 /* A space with its materials, less their mean where `centered` is set; no latents yet. */
-static ms_status ms_gpr__latent_make(const double *x, int z, int m, int centered, const ms_gpr_latent_options *o, ms_gpr_latent **out,
-                                     ms_error *error)
+static ms_status ms_gpr__latent_make(const double *x, int z, int m, int centered, const ms_gpr_latent_options *o,
+                                     ms_gpr_latent **out, ms_error *error)
 {
     ms_gpr__arena arena = {NULL, 0};
     ms_gpr_latent *p;
@@ -5791,9 +6060,11 @@ static ms_status ms_gpr__latent_make(const double *x, int z, int m, int centered
     ms_status status;
     *out = NULL;
     if (x == NULL) return ms_gpr__null("x", error);
-    if (z < 2 || z > MS_GPR__N_MAX) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "z is %d: expected 2 to %d", z, MS_GPR__N_MAX);
+    if (z < 2 || z > MS_GPR__N_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "z is %d: expected 2 to %d", z, MS_GPR__N_MAX);
     if (m < 1 || l < 1 || l > 3)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "m is %d and dimensions %d: expected at least 1, and 1 to 3", m, l);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "m is %d and dimensions %d: expected at least 1, and 1 to 3", m,
+                        l);
     status = ms_gpr__check_rows(x, z, m, MS_GPR__LARGEST, "material", error);
     if (status != MS_OK) return status;
     p = (ms_gpr_latent *)ms__alloc(&o->allocator, sizeof *p);
@@ -5821,7 +6092,8 @@ static ms_status ms_gpr__latent_make(const double *x, int z, int m, int centered
         double sum = 0;
         for (i = 0; i < z; ++i) sum += x[(size_t)i * (size_t)m + (size_t)k] / z;
         p->center[k] = centered ? sum : 0;
-        for (i = 0; i < z; ++i) p->x[(size_t)i * p->columns + (size_t)k] = x[(size_t)i * (size_t)m + (size_t)k] - p->center[k];
+        for (i = 0; i < z; ++i)
+            p->x[(size_t)i * p->columns + (size_t)k] = x[(size_t)i * (size_t)m + (size_t)k] - p->center[k];
     }
     p->kept = o->space.low || o->space.high || o->space.steps || o->space.tie_count || o->space.list_count;
     status = p->kept ? ms_gpr__space_make(x, z, m, &o->space, &p->allocator, &p->s, error) : MS_OK;
@@ -5840,9 +6112,10 @@ static ms_status ms_gpr__latent_condition(ms_gpr_latent *p, ms_error *error)
         double scale = exp(-p->theta[k]), sum = 0;
         for (i = 0; i < p->z; ++i) sum += p->latent[i * p->l + k] / p->z;
         p->origin[k] = sum;
-        for (i = 0; i < p->z; ++i) p->points[(size_t)k * p->stride + (size_t)i] = (p->latent[i * p->l + k] - sum) * scale;
+        for (i = 0; i < p->z; ++i)
+            p->points[(size_t)k * p->stride + (size_t)i] = (p->latent[i * p->l + k] - sum) * scale;
     }
-    for (p->jitter = 0; p->jitter < 2e-6; p->jitter = p->jitter > 0 ? 10 * p->jitter : 1e-15) {
+    for (p->jitter = 0; p->jitter<2e-6; p->jitter = p->jitter> 0 ? 10 * p->jitter : 1e-15) {
         ms_gpr__covariance(p->kernels, p->points, p->stride, p->z, p->l, sf2, p->upper);
         if (!ms_gpr__factor(p->kernels, p->upper, p->stride, p->z, sf2, sn2 + p->jitter * sf2, p->upper)) continue;
         memcpy(p->weight, p->x, (size_t)padded * p->columns * sizeof(double));
@@ -5855,8 +6128,8 @@ static ms_status ms_gpr__latent_condition(ms_gpr_latent *p, ms_error *error)
         }
         return MS_OK;
     }
-    return ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance of %d latents is not positive definite even with 1e-6 sf^2 added to sn^2",
-                    p->z);
+    return ms__fail(error, MS_NOT_CONVERGED, 0,
+                    "the covariance of %d latents is not positive definite even with 1e-6 sf^2 added to sn^2", p->z);
 }
 
 MS_API void ms_gpr_latent_destroy(ms_gpr_latent *plane)
@@ -5870,7 +6143,7 @@ MS_API void ms_gpr_latent_destroy(ms_gpr_latent *plane)
 }
 
 MS_API ms_status ms_gpr_latent_create(const double *x, int z, int m, const double *latent, const double *theta,
-                                          const ms_gpr_latent_options *options, ms_gpr_latent **out, ms_error *error)
+                                      const ms_gpr_latent_options *options, ms_gpr_latent **out, ms_error *error)
 {
     ms_gpr_latent_options o;
     ms_gpr_latent *p;
@@ -5902,7 +6175,7 @@ MS_API const double *ms_gpr_latent_theta(const ms_gpr_latent *plane) { return pl
 MS_API double ms_gpr_latent_jitter(const ms_gpr_latent *plane) { return plane ? plane->jitter : 0; }
 
 MS_API ms_status ms_gpr_latent_likelihood(const ms_gpr_latent *plane, double *likelihood, double *gradient_theta,
-                                              double *gradient_latent, ms_error *error)
+                                          double *gradient_latent, ms_error *error)
 {
     const ms_gpr_latent *p = plane;
     double sf2, sn2, noise, value = 0, gradient[5];
@@ -5917,15 +6190,18 @@ MS_API ms_status ms_gpr_latent_likelihood(const ms_gpr_latent *plane, double *li
     noise = sn2 + p->jitter * sf2;
     doubles = ms__size_add(ms_gpr__embedding_doubles(p->z, p->m), (size_t)p->l * p->stride);
     slopes = ms_gpr__doubles(&p->allocator, doubles, &block);
-    if (slopes == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d materials", p->z);
+    if (slopes == NULL)
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d materials", p->z);
     e = ms_gpr__embedding_make(p, slopes + (size_t)p->l * p->stride);
     defined = ms_gpr__embedding_evaluate(&e, p->points, sf2, noise, &value, wanted ? gradient : NULL, slopes);
     for (k = 0; defined && gradient_latent && k < p->l; ++k)
-        for (i = 0; i < p->z; ++i) gradient_latent[i * p->l + k] = slopes[(size_t)k * p->stride + (size_t)i] * exp(-p->theta[k]);
+        for (i = 0; i < p->z; ++i)
+            gradient_latent[i * p->l + k] = slopes[(size_t)k * p->stride + (size_t)i] * exp(-p->theta[k]);
     ms_gpr__release_doubles(&p->allocator, block, doubles);
     if (!defined) return ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix is not positive definite");
     if (likelihood) *likelihood = value;
-    for (k = 0; gradient_theta && k < p->l + 2; ++k) gradient_theta[k] = gradient[k] * (k == p->l + 1 ? 2 * sn2 : 1); /* of log sn */
+    for (k = 0; gradient_theta && k < p->l + 2; ++k)
+        gradient_theta[k] = gradient[k] * (k == p->l + 1 ? 2 * sn2 : 1); /* of log sn */
     return MS_OK;
 }
 
@@ -5973,8 +6249,8 @@ static double ms_gpr__latent_variance(const ms_gpr_latent *p, double *kernel)
     return variance > 0 ? variance : 0;
 }
 
-MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x, double *variance,
-                                       ms_error *error)
+MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x,
+                                   double *variance, ms_error *error)
 {
     size_t m, doubles;
     double *kernel, *material;
@@ -6031,8 +6307,8 @@ static int ms_gpr__nearest_objective(void *context, const double *q, double *val
     return 1;
 }
 
-MS_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x, double *latent, double *distance, double *variance,
-                                        ms_error *error)
+MS_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x, double *latent, double *distance,
+                                    double *variance, ms_error *error)
 {
     const ms_gpr_latent *p = plane;
     ms_gpr__nearest s;
@@ -6097,7 +6373,8 @@ static int ms_gpr__latent_objective(void *context, const double *q, double *valu
     int i, k;
     if (p->progress->report && p->progress->report(p->progress->user, (double)p->evaluations / p->limit)) return -1;
     if (p->evaluations < p->limit) ++p->evaluations;
-    for (k = 0; k < p->e.l; ++k) memcpy(p->points + (size_t)k * p->e.stride, q + 2 + k * p->e.z, (size_t)p->e.z * sizeof *q);
+    for (k = 0; k < p->e.l; ++k)
+        memcpy(p->points + (size_t)k * p->e.stride, q + 2 + k * p->e.z, (size_t)p->e.z * sizeof *q);
     if (!ms_gpr__embedding_evaluate(&p->e, p->points, exp(2 * q[0]), noise, &likelihood, theta, p->slopes)) return 0;
     gradient[0] = scale * theta[p->e.l];
     gradient[1] = scale * 2 * noise * theta[p->e.l + 1];
@@ -6111,8 +6388,8 @@ static int ms_gpr__latent_objective(void *context, const double *q, double *valu
     return 1;
 }
 
-/* The first l principal components of the materials, each of variance 1, as points [l][z]: orthogonal iteration with X X'.
-   A component without variance stays 0. axis: [columns] scratch. */
+/* The first l principal components of the materials, each of variance 1, as points [l][z]: orthogonal iteration with X
+   X'. A component without variance stays 0. axis: [columns] scratch. */
 static void ms_gpr__latent_components(const ms_gpr_latent *p, double *points, double *axis)
 {
     ms__rng rng = ms__rng_make(0, 0);
@@ -6160,23 +6437,26 @@ typedef struct ms_gpr__latent_scratch {
     double *memory; /* of the embedding */
 } ms_gpr__latent_scratch;
 
-static void ms_gpr__latent_scratch_layout(const ms_gpr_latent *p, ms_gpr__latent_problem *problem, ms_gpr__latent_scratch *s,
-                                          ms_gpr__arena *arena)
+static void ms_gpr__latent_scratch_layout(const ms_gpr_latent *p, ms_gpr__latent_problem *problem,
+                                          ms_gpr__latent_scratch *s, ms_gpr__arena *arena)
 {
     size_t count = (size_t)p->l * (size_t)p->z + 2;
     s->q = ms_gpr__take(arena, count, 1);
     s->best = ms_gpr__take(arena, count, 1);
     s->low = ms_gpr__take(arena, count, 1);
     s->start = ms_gpr__take(arena, count, 1);
-    s->work = ms_gpr__take(arena, ms__size_add(ms_gpr__minimize_doubles((int)count), ms__size_add(p->stride, p->columns)), 1);
+    s->work = ms_gpr__take(arena,
+                           ms__size_add(ms_gpr__minimize_doubles((int)count), ms__size_add(p->stride, p->columns)), 1);
     s->memory = ms_gpr__take(arena, ms_gpr__embedding_doubles(p->z, p->m), 1);
     problem->points = ms_gpr__take(arena, p->stride, (size_t)p->l);
     problem->slopes = ms_gpr__take(arena, p->stride, (size_t)p->l);
 }
 
-/* Latents and theta: every start for a while, then the best of them to the end. spread: root mean square of the materials. */
+/* Latents and theta: every start for a while, then the best of them to the end. spread: root mean square of the
+   materials. */
 static ms_status ms_gpr__latent_search(ms_gpr_latent *plane, const ms_gpr_latent_options *o, double spread,
-                                       ms_gpr__latent_problem *problem, const ms_gpr__latent_scratch *s, ms_error *error)
+                                       ms_gpr__latent_problem *problem, const ms_gpr__latent_scratch *s,
+                                       ms_error *error)
 {
     static const double scale[] = {0.5, 0.3, 1, 0.2, 2}; /* of the principal components, in lengths */
     int count = plane->l * plane->z, starts = o->starts ? o->starts : 3, i, k;
@@ -6205,7 +6485,8 @@ static ms_status ms_gpr__latent_search(ms_gpr_latent *plane, const ms_gpr_latent
             search.evaluations = problem->limit - problem->evaluations;
         }
         found = ms_gpr__minimize(&search, s->q, s->work);
-        if (found.stopped) return ms__fail(error, MS_CANCELLED, 0, "cancelled after %d evaluations", problem->evaluations);
+        if (found.stopped)
+            return ms__fail(error, MS_CANCELLED, 0, "cancelled after %d evaluations", problem->evaluations);
         if (!(found.value < best)) continue;
         best = found.value;
         memcpy(s->best, s->q, ((size_t)count + 2) * sizeof(double));
@@ -6218,8 +6499,8 @@ static ms_status ms_gpr__latent_search(ms_gpr_latent *plane, const ms_gpr_latent
     return ms_gpr__latent_condition(plane, error);
 }
 
-MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_latent_options *options, ms_gpr_latent **out,
-                                       ms_gpr_latent_report *report, ms_error *error)
+MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_latent_options *options,
+                                   ms_gpr_latent **out, ms_gpr_latent_report *report, ms_error *error)
 {
     ms_gpr_latent_options o;
     ms_gpr_latent *p;
@@ -6235,10 +6516,11 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
     if (options) o = *options;
     else memset(&o, 0, sizeof o);
     if (!ms__finite(o.prior) || o.prior < 0 || !ms__finite(o.noise_floor) || o.noise_floor < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "prior is %g and noise_floor %g: expected at least 0", o.prior, o.noise_floor);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "prior is %g and noise_floor %g: expected at least 0", o.prior,
+                        o.noise_floor);
     if (o.starts < 0 || o.starts > 5 || o.evaluations < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "starts is %d and evaluations %d: expected 0 to 5 and at least 0", o.starts,
-                        o.evaluations);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                        "starts is %d and evaluations %d: expected 0 to 5 and at least 0", o.starts, o.evaluations);
     status = ms_gpr__latent_make(x, z, m, 1, &o, &p, error);
     if (status != MS_OK) return status;
     spread = sqrt(p->kernels->dot(p->x, p->x, z * (int)p->columns) / ((double)z * m));
@@ -6323,7 +6605,8 @@ MS_API double ms_gpr_grid_value(const ms_gpr_grid *grid, const double *map, doub
     const double *p;
     int i, j;
     if (grid == NULL || map == NULL) return 0;
-    if (x == x && x > grid->x0) u = (x < grid->x1 ? (x - grid->x0) / (grid->x1 - grid->x0) : 1) * (grid->columns - 1); /* NaN: 0 */
+    if (x == x && x > grid->x0)
+        u = (x < grid->x1 ? (x - grid->x0) / (grid->x1 - grid->x0) : 1) * (grid->columns - 1); /* NaN: 0 */
     if (y == y && y > grid->y0) v = (y < grid->y1 ? (y - grid->y0) / (grid->y1 - grid->y0) : 1) * (grid->rows - 1);
     i = u < grid->columns - 2 ? (int)u : grid->columns - 2;
     j = v < grid->rows - 2 ? (int)v : grid->rows - 2;
@@ -6336,20 +6619,24 @@ MS_API double ms_gpr_grid_value(const ms_gpr_grid *grid, const double *map, doub
 static ms_status ms_gpr__grid_check(const ms_gpr_latent *plane, const ms_gpr_grid *grid, ms_error *error)
 {
     if (plane == NULL || grid == NULL) return ms_gpr__null(plane ? "grid" : "plane", error);
-    if (plane->l != 2) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the latent space has %d dimensions: expected 2", plane->l);
+    if (plane->l != 2)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the latent space has %d dimensions: expected 2", plane->l);
     if (grid->columns < 2 || grid->rows < 2 || grid->columns > 32768 || grid->rows > 32768 || !ms__finite(grid->x0) ||
-        !ms__finite(grid->y0) || !ms__finite(grid->x1) || !ms__finite(grid->y1) || !(grid->x0 < grid->x1) || !(grid->y0 < grid->y1))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a grid of %d x %d points from (%g, %g) to (%g, %g)", grid->columns, grid->rows,
-                        grid->x0, grid->y0, grid->x1, grid->y1);
+        !ms__finite(grid->y0) || !ms__finite(grid->x1) || !ms__finite(grid->y1) || !(grid->x0 < grid->x1) ||
+        !(grid->y0 < grid->y1))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "a grid of %d x %d points from (%g, %g) to (%g, %g)",
+                        grid->columns, grid->rows, grid->x0, grid->y0, grid->x1, grid->y1);
     return MS_OK;
 }
 
-/* Materials of all grid points, [rows][columns][m]. The kernel is a product over the two coordinates: z exponentials a row and
-   a column, not a point. scratch: [columns][padded z] across, [padded z] down and kernel, [padded m] material. */
+/* Materials of all grid points, [rows][columns][m]. The kernel is a product over the two coordinates: z exponentials a
+   row and a column, not a point. scratch: [columns][padded z] across, [padded z] down and kernel, [padded m]
+   material. */
 static void ms_gpr__grid_materials(const ms_gpr_latent *p, const ms_gpr_grid *grid, double *x, double *scratch)
 {
     size_t padded = (size_t)ms_gpr__padded(p->z);
-    double *across = scratch, *down = across + (size_t)grid->columns * padded, *kernel = down + padded, *material = kernel + padded;
+    double *across = scratch, *down = across + (size_t)grid->columns * padded, *kernel = down + padded,
+           *material = kernel + padded;
     double sf2 = exp(2 * p->theta[2]), at[2];
     int n = (int)padded, column, row, i;
     for (column = 0; column < grid->columns; ++column) {
@@ -6380,8 +6667,8 @@ static void ms_gpr__grid_materials(const ms_gpr_latent *p, const ms_gpr_grid *gr
 }
 
 /* Memory for the materials of a grid, and the materials. */
-static ms_status ms_gpr__grid_make(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double **x, void **block, size_t *doubles,
-                                   ms_error *error)
+static ms_status ms_gpr__grid_make(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double **x, void **block,
+                                   size_t *doubles, ms_error *error)
 {
     ms_status status = ms_gpr__grid_check(plane, grid, error);
     size_t materials, padded;
@@ -6391,13 +6678,14 @@ static ms_status ms_gpr__grid_make(const ms_gpr_latent *plane, const ms_gpr_grid
     *doubles = ms__size_add(ms__size_add(materials, ms__size_mul((size_t)grid->columns + 2, padded)), plane->columns);
     *x = ms_gpr__doubles(&plane->allocator, *doubles, block);
     if (*x == NULL)
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the materials of %d x %d points", grid->columns, grid->rows);
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the materials of %d x %d points", grid->columns,
+                        grid->rows);
     ms_gpr__grid_materials(plane, grid, *x, *x + materials);
     return MS_OK;
 }
 
-MS_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_grid *grid, double *mean,
-                                           double *sigma, ms_error *error)
+MS_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_grid *grid,
+                                       double *mean, double *sigma, ms_error *error)
 {
     double *x;
     size_t doubles;
@@ -6406,7 +6694,8 @@ MS_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_gpr 
     int count, i;
     if (gp == NULL || plane == NULL) return ms_gpr__null(gp ? "plane" : "gp", error);
     if (gp->m != plane->m)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp has %d parameters and plane %d: expected the same", gp->m, plane->m);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp has %d parameters and plane %d: expected the same", gp->m,
+                        plane->m);
     status = ms_gpr__grid_make(plane, grid, &x, &block, &doubles, error);
     if (status != MS_OK) return status;
     count = grid->columns * grid->rows;
@@ -6416,7 +6705,8 @@ MS_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_gpr 
     return status;
 }
 
-MS_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double *confidence, ms_error *error)
+MS_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double *confidence,
+                                       ms_error *error)
 {
     ms_status status = ms_gpr__grid_check(plane, grid, error);
     double sf2, at[2], *kernel;
@@ -6431,7 +6721,8 @@ MS_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_
         for (column = 0; column < grid->columns; ++column) {
             ms_gpr_grid_point(grid, column, row, at);
             ms_gpr__latent_kernel(plane, at, kernel);
-            confidence[(size_t)row * (size_t)grid->columns + (size_t)column] = 1 - ms_gpr__latent_variance(plane, kernel) / sf2;
+            confidence[(size_t)row * (size_t)grid->columns + (size_t)column] = 1 -
+                ms_gpr__latent_variance(plane, kernel) / sf2;
         }
     ms_gpr__release_doubles(&plane->allocator, block, plane->stride);
     return MS_OK;
@@ -6442,19 +6733,22 @@ MS_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_
 static ms_status ms_gpr__similarity_check(const ms_gpr_latent *plane, const ms_gpr_similarity *s, ms_error *error)
 {
     if (plane == NULL || s == NULL) return ms_gpr__null(plane ? "similarity" : "plane", error);
-    if (s->x == NULL || (s->pixels > 0 && s->render == NULL)) return ms_gpr__null(s->x ? "similarity->render" : "similarity->x", error);
+    if (s->x == NULL || (s->pixels > 0 && s->render == NULL))
+        return ms_gpr__null(s->x ? "similarity->render" : "similarity->x", error);
     if (!ms__finite(s->scale) || s->scale < 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "similarity->scale is %g: expected at least 0", s->scale);
     return ms_gpr__check_rows(s->x, 1, plane->m, MS_GPR__LARGEST, "reference", error);
 }
 
 /* Two pictures, the first of them the reference's. */
-static ms_status ms_gpr__pictures(const ms_gpr_latent *plane, const ms_gpr_similarity *s, float **pictures, ms_error *error)
+static ms_status ms_gpr__pictures(const ms_gpr_latent *plane, const ms_gpr_similarity *s, float **pictures,
+                                  ms_error *error)
 {
     ms_status status = MS_OK;
     size_t size = ms__size_mul(2 * sizeof(float), s->pixels);
     *pictures = (float *)ms__alloc(&plane->allocator, size);
-    if (*pictures == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for two pictures of %z values", s->pixels);
+    if (*pictures == NULL)
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for two pictures of %z values", s->pixels);
     if (s->pixels > 0) status = s->render(s->user, s->x, *pictures);
     if (status == MS_OK) return MS_OK;
     ms__release(&plane->allocator, *pictures, size);
@@ -6467,7 +6761,8 @@ static void ms_gpr__release_pictures(const ms_gpr_latent *plane, const ms_gpr_si
 }
 
 /* s(x*, x); 0 where a picture has a value that is not finite. */
-static ms_status ms_gpr__similarity(const ms_gpr_similarity *s, int m, const double *x, float *pictures, double *value, ms_error *error)
+static ms_status ms_gpr__similarity(const ms_gpr_similarity *s, int m, const double *x, float *pictures, double *value,
+                                    ms_error *error)
 {
     double sum = 0, scale = s->scale > 0 ? s->scale : 0.1;
     float *picture = pictures + s->pixels;
@@ -6484,8 +6779,8 @@ static ms_status ms_gpr__similarity(const ms_gpr_similarity *s, int m, const dou
     return MS_OK;
 }
 
-MS_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_gpr_similarity *similarity, const ms_gpr_grid *grid,
-                                           double *map, ms_error *error)
+MS_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_gpr_similarity *similarity,
+                                       const ms_gpr_grid *grid, double *map, ms_error *error)
 {
     double *x;
     float *pictures;
@@ -6500,7 +6795,8 @@ MS_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_gpr_
     if (status == MS_OK) {
         count = grid->columns * grid->rows;
         for (i = 0; status == MS_OK && i < count; ++i)
-            status = ms_gpr__similarity(similarity, plane->m, x + (size_t)i * (size_t)plane->m, pictures, &map[i], error);
+            status = ms_gpr__similarity(similarity, plane->m, x + (size_t)i * (size_t)plane->m, pictures, &map[i],
+                                        error);
         ms_gpr__release_pictures(plane, similarity, pictures);
     }
     ms_gpr__release_doubles(&plane->allocator, block, doubles);
@@ -6508,7 +6804,7 @@ MS_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_gpr_
 }
 
 MS_API void ms_gpr_map_product(const ms_gpr_grid *grid, const double *preference, const ms_gpr_grid *similarity_grid,
-                                   const double *similarity, double *product)
+                               const double *similarity, double *product)
 {
     int row, column;
     if (grid == NULL || preference == NULL || similarity_grid == NULL || similarity == NULL || product == NULL) return;
@@ -6517,7 +6813,8 @@ MS_API void ms_gpr_map_product(const ms_gpr_grid *grid, const double *preference
             size_t i = (size_t)row * (size_t)grid->columns + (size_t)column;
             double at[2];
             ms_gpr_grid_point(grid, column, row, at);
-            product[i] = (preference[i] > 0 ? preference[i] : 0) * ms_gpr_grid_value(similarity_grid, similarity, at[0], at[1]);
+            product[i] = (preference[i] > 0 ? preference[i] : 0) *
+                ms_gpr_grid_value(similarity_grid, similarity, at[0], at[1]);
         }
 }
 
@@ -6531,11 +6828,11 @@ typedef struct ms_gpr__looks {
     const ms_gpr_latent *plane;
     const ms_gpr *gp;
     const ms_gpr_similarity *similarity;
-    float *pictures;      /* [2][pixels] */
-    double *x;            /* [m] of the point in hand */
+    float *pictures; /* [2][pixels] */
+    double *x;       /* [m] of the point in hand */
     ms_gpr_variant *seen;
     int count;
-    double best, floor;   /* the scores that count as 1 and 0 */
+    double best, floor; /* the scores that count as 1 and 0 */
 } ms_gpr__looks;
 
 static ms_status ms_gpr__look(ms_gpr__looks *looks, double a, double b, ms_error *error)
@@ -6548,18 +6845,21 @@ static ms_status ms_gpr__look(ms_gpr__looks *looks, double a, double b, ms_error
     v->confidence = 1 - v->confidence / exp(2 * looks->plane->theta[2]);
     if (status == MS_OK) status = ms_gpr_predict(looks->gp, looks->x, 1, &v->score, NULL, error);
     if (status == MS_OK)
-        status = ms_gpr__similarity(looks->similarity, looks->plane->m, looks->x, looks->pictures, &v->similarity, error);
+        status = ms_gpr__similarity(looks->similarity, looks->plane->m, looks->x, looks->pictures, &v->similarity,
+                                    error);
     if (status == MS_OK) ++looks->count;
     return status;
 }
 
 static double ms_gpr__looks_value(const ms_gpr__looks *looks, const ms_gpr_variant *v, double lambda)
 {
-    return v->confidence * (lambda * v->similarity + (1 - lambda) * (v->score - looks->floor) / (looks->best - looks->floor));
+    return v->confidence *
+        (lambda * v->similarity + (1 - lambda) * (v->score - looks->floor) / (looks->best - looks->floor));
 }
 
 /* The best so far; of those that are two steps away from a point, where one is given. */
-static ms_gpr_variant ms_gpr__looks_best(const ms_gpr__looks *looks, double lambda, const double *away, const double *step)
+static ms_gpr_variant ms_gpr__looks_best(const ms_gpr__looks *looks, double lambda, const double *away,
+                                         const double *step)
 {
     ms_gpr_variant chosen = looks->seen[0];
     int i;
@@ -6575,8 +6875,8 @@ static ms_gpr_variant ms_gpr__looks_best(const ms_gpr__looks *looks, double lamb
     return chosen;
 }
 
-/* Pattern searches from the best so far and from the best elsewhere, inside the grid: the four neighbours at a step, which is halved
-   where none is better. */
+/* Pattern searches from the best so far and from the best elsewhere, inside the grid: the four neighbours at a step,
+   which is halved where none is better. */
 static ms_status ms_gpr__looks_refine(ms_gpr__looks *looks, const ms_gpr_grid *grid, double lambda, ms_error *error)
 {
     double cell[2], top[2];
@@ -6608,8 +6908,8 @@ static ms_status ms_gpr__looks_refine(ms_gpr__looks *looks, const ms_gpr_grid *g
 }
 
 MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_similarity *similarity,
-                                     const ms_gpr_grid *grid, const double *lambda, int count, double best, ms_gpr_variant *variant,
-                                     double *x, ms_error *error)
+                                 const ms_gpr_grid *grid, const double *lambda, int count, double best,
+                                 ms_gpr_variant *variant, double *x, ms_error *error)
 {
     ms_gpr__looks looks;
     double at[2];
@@ -6621,9 +6921,11 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
     if (gp == NULL || lambda == NULL || variant == NULL)
         return ms_gpr__null(gp == NULL ? "gp" : lambda ? "variant" : "lambda", error);
     if (gp->m != plane->m)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp has %d parameters and plane %d: expected the same", gp->m, plane->m);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp has %d parameters and plane %d: expected the same", gp->m,
+                        plane->m);
     if (count < 1 || !ms__finite(best) || best < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d and best %g: expected at least 1, and at least 0", count, best);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d and best %g: expected at least 1, and at least 0",
+                        count, best);
     for (i = 0; i < count; ++i)
         if (!ms__finite(lambda[i]) || lambda[i] < 0 || lambda[i] > 1)
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "lambda[%d] is %g: expected 0 to 1", i, lambda[i]);
@@ -6651,11 +6953,11 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
         for (i = 0; !(best > looks.floor) && i < looks.count; ++i)
             if (looks.seen[i].score > looks.best) looks.best = looks.seen[i].score;
         if (!(looks.best > looks.floor)) looks.best = looks.floor + 1;
-        for (i = 0; i < count && status == MS_OK; ++i)
-            status = ms_gpr__looks_refine(&looks, grid, lambda[i], error);
+        for (i = 0; i < count && status == MS_OK; ++i) status = ms_gpr__looks_refine(&looks, grid, lambda[i], error);
         for (i = 0; i < count && status == MS_OK; ++i) {
             variant[i] = ms_gpr__looks_best(&looks, lambda[i], NULL, NULL);
-            if (x) status = ms_gpr_latent_map(plane, variant[i].latent, 1, x + (size_t)i * (size_t)plane->m, NULL, error);
+            if (x)
+                status = ms_gpr_latent_map(plane, variant[i].latent, 1, x + (size_t)i * (size_t)plane->m, NULL, error);
         }
         ms_gpr__release_pictures(plane, similarity, looks.pictures);
     }
@@ -6729,8 +7031,8 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
 #define MS_GPR__REAL double
 #endif
 
-/* Vectors: V, LANES, LOAD, STORE, SET (all lanes), ADD, SUB, MUL, MADD a b + c, NMADD c - a b, ROUND to the nearest whole number,
-   POW2 of a whole number in the normal range, KEEP v where x > limit and 0 elsewhere. */
+/* Vectors: V, LANES, LOAD, STORE, SET (all lanes), ADD, SUB, MUL, MADD a b + c, NMADD c - a b, ROUND to the nearest
+   whole number, POW2 of a whole number in the normal range, KEEP v where x > limit and 0 elsewhere. */
 #if MS_GPR__PASS == 3 && MS_GPR__FLOAT
 #define MS_GPR__V __m256
 #define MS_GPR__LANES 8
@@ -6758,8 +7060,9 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
 #define MS_GPR__MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
 #define MS_GPR__NMADD(a, b, c) _mm256_fnmadd_pd(a, b, c)
 #define MS_GPR__ROUND(a) _mm256_round_pd(a, 8)
-#define MS_GPR__POW2(a) \
-    _mm256_castsi256_pd(_mm256_slli_epi64(_mm256_castpd_si256(_mm256_add_pd(a, _mm256_set1_pd(6755399441055744.0 + 1023))), 52))
+#define MS_GPR__POW2(a)  \
+    _mm256_castsi256_pd( \
+        _mm256_slli_epi64(_mm256_castpd_si256(_mm256_add_pd(a, _mm256_set1_pd(6755399441055744.0 + 1023))), 52))
 #define MS_GPR__KEEP(x, limit, v) _mm256_and_pd(_mm256_cmp_pd(x, limit, _CMP_GT_OQ), v)
 #elif MS_GPR__PASS == 2 && defined(MS__X64) && MS_GPR__FLOAT
 #define MS_GPR__V __m128
@@ -6837,9 +7140,9 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
 #define MS_GPR__KEEP(x, limit, v) ((x) > (limit) ? (v) : 0)
 #endif
 
-/* exp(-d2 / 2) = 2^t, t = -d2 / (2 log 2) <= 0, as 2^round(t) times a polynomial in the rest f that interpolates (2^f - 1) / f at
-   the Chebyshev points of [-1/2, 1/2]: error 2e-17 (double) and 5e-9 (float) before rounding. Below 2^-500 (2^-110) it is 0: products
-   of two such terms would be subnormal and slow. */
+/* exp(-d2 / 2) = 2^t, t = -d2 / (2 log 2) <= 0, as 2^round(t) times a polynomial in the rest f that interpolates (2^f -
+   1) / f at the Chebyshev points of [-1/2, 1/2]: error 2e-17 (double) and 5e-9 (float) before rounding. Below 2^-500
+   (2^-110) it is 0: products of two such terms would be subnormal and slow. */
 static inline MS_GPR__V MS_GPR__KERNEL(exponential)(MS_GPR__V d2)
 {
     MS_GPR__V t = MS_GPR__MUL(d2, MS_GPR__SET((MS_GPR__REAL)-0.72134752044448170368));
@@ -6876,11 +7179,13 @@ static inline MS_GPR__V MS_GPR__KERNEL(exponential)(MS_GPR__V d2)
 
 /* A tile of 4 rows and 2 vectors, then of 1: eight sums and a few operands fit 16 registers. */
 static void MS_GPR__KERNEL(distances)(MS_GPR__REAL *c, size_t c_stride, const MS_GPR__REAL *a, size_t a_stride,
-                                      const MS_GPR__REAL *b, size_t b_stride, int rows, int columns, int depth, int parts)
+                                      const MS_GPR__REAL *b, size_t b_stride, int rows, int columns, int depth,
+                                      int parts)
 {
     int i, j, k;
     for (j = 0; j + 2 * MS_GPR__LANES <= columns; j += 2 * MS_GPR__LANES) {
-        int block = (j + 2 * MS_GPR__LANES + MS_GPR__BLOCK - 1) / MS_GPR__BLOCK * MS_GPR__BLOCK; /* whole blocks on the diagonal */
+        int block = (j + 2 * MS_GPR__LANES + MS_GPR__BLOCK - 1) / MS_GPR__BLOCK *
+            MS_GPR__BLOCK; /* whole blocks on the diagonal */
         int wanted = (parts & MS_GPR__UPPER) && block < rows ? block : rows;
         for (i = 0; i < wanted; i += 4) {
             const MS_GPR__REAL *ak = a + i, *bk = b + j;
@@ -6888,8 +7193,8 @@ static void MS_GPR__KERNEL(distances)(MS_GPR__REAL *c, size_t c_stride, const MS
             MS_GPR__V c00 = MS_GPR__SET(0), c01 = c00, c10 = c00, c11 = c00, c20 = c00, c21 = c00, c30 = c00, c31 = c00;
             for (k = 0; k < depth; ++k, ak += a_stride, bk += b_stride) {
                 MS_GPR__V b0 = MS_GPR__LOAD(bk), b1 = MS_GPR__LOAD(bk + MS_GPR__LANES), x, d;
-#define MS_GPR__STEP(r)                                        \
-    x = MS_GPR__SET(ak[r]);                                    \
+#define MS_GPR__STEP(r)                                            \
+    x = MS_GPR__SET(ak[r]);                                        \
     d = MS_GPR__SUB(x, b0), c##r##0 = MS_GPR__MADD(d, d, c##r##0); \
     d = MS_GPR__SUB(x, b1), c##r##1 = MS_GPR__MADD(d, d, c##r##1);
                 MS_GPR__STEP(0) MS_GPR__STEP(1) MS_GPR__STEP(2) MS_GPR__STEP(3)
@@ -6905,7 +7210,8 @@ static void MS_GPR__KERNEL(distances)(MS_GPR__REAL *c, size_t c_stride, const MS
         for (i = 0; i < rows; ++i) {
             MS_GPR__V sum = MS_GPR__SET(0);
             for (k = 0; k < depth; ++k) {
-                MS_GPR__V d = MS_GPR__SUB(MS_GPR__SET(a[(size_t)k * a_stride + (size_t)i]), MS_GPR__LOAD(b + (size_t)k * b_stride + j));
+                MS_GPR__V d = MS_GPR__SUB(MS_GPR__SET(a[(size_t)k * a_stride + (size_t)i]),
+                                          MS_GPR__LOAD(b + (size_t)k * b_stride + j));
                 sum = MS_GPR__MADD(d, d, sum);
             }
             MS_GPR__STORE(c + (size_t)i * c_stride + j, sum);
@@ -6913,14 +7219,15 @@ static void MS_GPR__KERNEL(distances)(MS_GPR__REAL *c, size_t c_stride, const MS
     }
 }
 
-static void MS_GPR__KERNEL(accumulate)(MS_GPR__REAL *mean, const MS_GPR__REAL *c, size_t c_stride, const MS_GPR__REAL *weight,
-                                       int rows, int columns)
+static void MS_GPR__KERNEL(accumulate)(MS_GPR__REAL *mean, const MS_GPR__REAL *c, size_t c_stride,
+                                       const MS_GPR__REAL *weight, int rows, int columns)
 {
     int i, j;
     for (j = 0; j < columns; j += MS_GPR__LANES) {
         MS_GPR__V sum = MS_GPR__LOAD(mean + j);
         for (i = 0; i < rows; ++i)
-            sum = MS_GPR__MADD(MS_GPR__SET(weight[i]), MS_GPR__KERNEL(exponential)(MS_GPR__LOAD(c + (size_t)i * c_stride + j)), sum);
+            sum = MS_GPR__MADD(MS_GPR__SET(weight[i]),
+                               MS_GPR__KERNEL(exponential)(MS_GPR__LOAD(c + (size_t)i * c_stride + j)), sum);
         MS_GPR__STORE(mean + j, sum);
     }
 }
@@ -6952,7 +7259,8 @@ static void MS_GPR__KERNEL(arrive)(void *d2, const void *points, size_t stride, 
     }
 }
 
-static void MS_GPR__KERNEL(face)(void *slope, const void *points, size_t stride, const double *place, const double *step, int m, int n)
+static void MS_GPR__KERNEL(face)(void *slope, const void *points, size_t stride, const double *place,
+                                 const double *step, int m, int n)
 {
     MS_GPR__REAL *out = (MS_GPR__REAL *)slope;
     const MS_GPR__REAL *p;
@@ -6979,11 +7287,14 @@ static void MS_GPR__KERNEL(face)(void *slope, const void *points, size_t stride,
     }
 }
 
-static double MS_GPR__KERNEL(line_mean)(const void *d2, const void *slope, double t, double c, const void *weight, int n)
+static double MS_GPR__KERNEL(line_mean)(const void *d2, const void *slope, double t, double c, const void *weight,
+                                        int n)
 {
-    const MS_GPR__REAL *d = (const MS_GPR__REAL *)d2, *s = (const MS_GPR__REAL *)slope, *w = (const MS_GPR__REAL *)weight;
+    const MS_GPR__REAL *d = (const MS_GPR__REAL *)d2, *s = (const MS_GPR__REAL *)slope,
+                       *w = (const MS_GPR__REAL *)weight;
     MS_GPR__REAL partial[MS_GPR__BLOCK];
-    MS_GPR__V ahead = MS_GPR__SET((MS_GPR__REAL)t), own = MS_GPR__SET((MS_GPR__REAL)(t * c)), sum[MS_GPR__BLOCK / MS_GPR__LANES];
+    MS_GPR__V ahead = MS_GPR__SET((MS_GPR__REAL)t), own = MS_GPR__SET((MS_GPR__REAL)(t * c)),
+              sum[MS_GPR__BLOCK / MS_GPR__LANES];
     double total = 0;
     int i, l;
     for (l = 0; l < MS_GPR__BLOCK / MS_GPR__LANES; ++l) sum[l] = MS_GPR__SET(0);
@@ -7009,49 +7320,63 @@ static void MS_GPR__KERNEL(go)(void *d2, const void *slope, double t, double c, 
 }
 
 #if !MS_GPR__FLOAT
-/* A tile of 4 rows and 3 vectors, then of 1: twelve sums, three vectors of b and one of a fill 16 registers. Depth goes in slices,
-   and three vectors of a slice of b are copied together, so that they stay in the first cache and on few pages; a block of c and the slices
-   of a and b that meet there stay in the second. */
+/* A tile of 4 rows and 3 vectors, then of 1: twelve sums, three vectors of b and one of a fill 16 registers. Depth goes
+   in slices, and three vectors of a slice of b are copied together, so that they stay in the first cache and on few
+   pages; a block of c and the slices of a and b that meet there stay in the second. */
 #define MS_GPR__SLICE 96
 #define MS_GPR__ROWS 128
 #define MS_GPR__COLUMNS 240 /* a multiple of three vectors */
-static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b, size_t b_stride,
-                                   int rows, int columns, int depth, int parts)
+static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b,
+                                   size_t b_stride, int rows, int columns, int depth, int parts)
 {
     double strip[MS_GPR__SLICE * 3 * MS_GPR__LANES];
     int slices = (depth + MS_GPR__SLICE - 1) / MS_GPR__SLICE, high = (rows + MS_GPR__ROWS - 1) / MS_GPR__ROWS;
     int wide = (columns + MS_GPR__COLUMNS - 1) / MS_GPR__COLUMNS, part, i, j, k;
     for (part = 0; part < slices * high * wide; ++part) {
         int top = part / slices % high * MS_GPR__ROWS, bottom = rows - top > MS_GPR__ROWS ? top + MS_GPR__ROWS : rows;
-        int left = part / slices / high * MS_GPR__COLUMNS, right = columns - left > MS_GPR__COLUMNS ? left + MS_GPR__COLUMNS : columns;
+        int left = part / slices / high * MS_GPR__COLUMNS,
+            right = columns - left > MS_GPR__COLUMNS ? left + MS_GPR__COLUMNS : columns;
         int from = part % slices * MS_GPR__SLICE, to = depth - from > MS_GPR__SLICE ? from + MS_GPR__SLICE : depth;
         for (j = left; j + 3 * MS_GPR__LANES <= right; j += 3 * MS_GPR__LANES) {
-            int wanted = (parts & MS_GPR__UPPER) && j + 3 * MS_GPR__LANES < bottom ? (j + 3 * MS_GPR__LANES + 3) & ~3 : bottom;
+            int wanted = (parts & MS_GPR__UPPER) && j + 3 * MS_GPR__LANES < bottom ? (j + 3 * MS_GPR__LANES + 3) & ~3
+                                                                                   : bottom;
             int first = (parts & MS_GPR__LOWER) && j > from ? j : from;
             if (first >= to) break;
             if (wanted <= top) continue;
-            for (k = first; k < to; ++k) memcpy(strip + (k - first) * 3 * MS_GPR__LANES, b + (size_t)k * b_stride + j, 3 * MS_GPR__LANES * sizeof *strip);
+            for (k = first; k < to; ++k)
+                memcpy(strip + (k - first) * 3 * MS_GPR__LANES, b + (size_t)k * b_stride + j,
+                       3 * MS_GPR__LANES * sizeof *strip);
             for (i = top; i < wanted; i += 4) {
                 const double *ak = a + (size_t)first * a_stride + i, *bk = strip;
-                double *c0 = c + (size_t)i * c_stride + j, *c1 = c0 + c_stride, *c2 = c1 + c_stride, *c3 = c2 + c_stride;
-                MS_GPR__V c00 = MS_GPR__LOAD(c0), c01 = MS_GPR__LOAD(c0 + MS_GPR__LANES), c02 = MS_GPR__LOAD(c0 + 2 * MS_GPR__LANES);
-                MS_GPR__V c10 = MS_GPR__LOAD(c1), c11 = MS_GPR__LOAD(c1 + MS_GPR__LANES), c12 = MS_GPR__LOAD(c1 + 2 * MS_GPR__LANES);
-                MS_GPR__V c20 = MS_GPR__LOAD(c2), c21 = MS_GPR__LOAD(c2 + MS_GPR__LANES), c22 = MS_GPR__LOAD(c2 + 2 * MS_GPR__LANES);
-                MS_GPR__V c30 = MS_GPR__LOAD(c3), c31 = MS_GPR__LOAD(c3 + MS_GPR__LANES), c32 = MS_GPR__LOAD(c3 + 2 * MS_GPR__LANES);
+                double *c0 = c + (size_t)i * c_stride + j, *c1 = c0 + c_stride, *c2 = c1 + c_stride,
+                       *c3 = c2 + c_stride;
+                MS_GPR__V c00 = MS_GPR__LOAD(c0), c01 = MS_GPR__LOAD(c0 + MS_GPR__LANES),
+                          c02 = MS_GPR__LOAD(c0 + 2 * MS_GPR__LANES);
+                MS_GPR__V c10 = MS_GPR__LOAD(c1), c11 = MS_GPR__LOAD(c1 + MS_GPR__LANES),
+                          c12 = MS_GPR__LOAD(c1 + 2 * MS_GPR__LANES);
+                MS_GPR__V c20 = MS_GPR__LOAD(c2), c21 = MS_GPR__LOAD(c2 + MS_GPR__LANES),
+                          c22 = MS_GPR__LOAD(c2 + 2 * MS_GPR__LANES);
+                MS_GPR__V c30 = MS_GPR__LOAD(c3), c31 = MS_GPR__LOAD(c3 + MS_GPR__LANES),
+                          c32 = MS_GPR__LOAD(c3 + 2 * MS_GPR__LANES);
                 for (k = first; k < to; ++k, ak += a_stride, bk += 3 * MS_GPR__LANES) {
-                    MS_GPR__V b0 = MS_GPR__LOAD(bk), b1 = MS_GPR__LOAD(bk + MS_GPR__LANES), b2 = MS_GPR__LOAD(bk + 2 * MS_GPR__LANES), x;
-#define MS_GPR__STEP(r)                         \
-    x = MS_GPR__SET(ak[r]);                     \
-    c##r##0 = MS_GPR__NMADD(x, b0, c##r##0);    \
-    c##r##1 = MS_GPR__NMADD(x, b1, c##r##1);    \
+                    MS_GPR__V b0 = MS_GPR__LOAD(bk), b1 = MS_GPR__LOAD(bk + MS_GPR__LANES),
+                              b2 = MS_GPR__LOAD(bk + 2 * MS_GPR__LANES), x;
+#define MS_GPR__STEP(r)                      \
+    x = MS_GPR__SET(ak[r]);                  \
+    c##r##0 = MS_GPR__NMADD(x, b0, c##r##0); \
+    c##r##1 = MS_GPR__NMADD(x, b1, c##r##1); \
     c##r##2 = MS_GPR__NMADD(x, b2, c##r##2);
                     MS_GPR__STEP(0) MS_GPR__STEP(1) MS_GPR__STEP(2) MS_GPR__STEP(3)
 #undef MS_GPR__STEP
                 }
-                MS_GPR__STORE(c0, c00), MS_GPR__STORE(c0 + MS_GPR__LANES, c01), MS_GPR__STORE(c0 + 2 * MS_GPR__LANES, c02);
-                MS_GPR__STORE(c1, c10), MS_GPR__STORE(c1 + MS_GPR__LANES, c11), MS_GPR__STORE(c1 + 2 * MS_GPR__LANES, c12);
-                MS_GPR__STORE(c2, c20), MS_GPR__STORE(c2 + MS_GPR__LANES, c21), MS_GPR__STORE(c2 + 2 * MS_GPR__LANES, c22);
-                MS_GPR__STORE(c3, c30), MS_GPR__STORE(c3 + MS_GPR__LANES, c31), MS_GPR__STORE(c3 + 2 * MS_GPR__LANES, c32);
+                MS_GPR__STORE(c0, c00), MS_GPR__STORE(c0 + MS_GPR__LANES, c01),
+                    MS_GPR__STORE(c0 + 2 * MS_GPR__LANES, c02);
+                MS_GPR__STORE(c1, c10), MS_GPR__STORE(c1 + MS_GPR__LANES, c11),
+                    MS_GPR__STORE(c1 + 2 * MS_GPR__LANES, c12);
+                MS_GPR__STORE(c2, c20), MS_GPR__STORE(c2 + MS_GPR__LANES, c21),
+                    MS_GPR__STORE(c2 + 2 * MS_GPR__LANES, c22);
+                MS_GPR__STORE(c3, c30), MS_GPR__STORE(c3 + MS_GPR__LANES, c31),
+                    MS_GPR__STORE(c3 + 2 * MS_GPR__LANES, c32);
             }
         }
         for (; j < right; j += MS_GPR__LANES) {
@@ -7059,8 +7384,10 @@ static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, 
             int first = (parts & MS_GPR__LOWER) && j > from ? j : from;
             for (i = top; i < wanted; i += 4) {
                 const double *ak = a + (size_t)first * a_stride + i, *bk = b + (size_t)first * b_stride + j;
-                double *c0 = c + (size_t)i * c_stride + j, *c1 = c0 + c_stride, *c2 = c1 + c_stride, *c3 = c2 + c_stride;
-                MS_GPR__V c00 = MS_GPR__LOAD(c0), c10 = MS_GPR__LOAD(c1), c20 = MS_GPR__LOAD(c2), c30 = MS_GPR__LOAD(c3);
+                double *c0 = c + (size_t)i * c_stride + j, *c1 = c0 + c_stride, *c2 = c1 + c_stride,
+                       *c3 = c2 + c_stride;
+                MS_GPR__V c00 = MS_GPR__LOAD(c0), c10 = MS_GPR__LOAD(c1), c20 = MS_GPR__LOAD(c2),
+                          c30 = MS_GPR__LOAD(c3);
                 for (k = first; k < to; ++k, ak += a_stride, bk += b_stride) {
                     MS_GPR__V b0 = MS_GPR__LOAD(bk);
                     c00 = MS_GPR__NMADD(MS_GPR__SET(ak[0]), b0, c00);
@@ -7084,7 +7411,8 @@ static void MS_GPR__KERNEL(solve)(const double *u, size_t u_stride, double *b, s
             double *at = b + (size_t)i * b_stride + j;
             MS_GPR__V v = MS_GPR__LOAD(at);
             for (k = 0; k < i; ++k)
-                v = MS_GPR__NMADD(MS_GPR__SET(u[(size_t)k * u_stride + (size_t)i]), MS_GPR__LOAD(b + (size_t)k * b_stride + j), v);
+                v = MS_GPR__NMADD(MS_GPR__SET(u[(size_t)k * u_stride + (size_t)i]),
+                                  MS_GPR__LOAD(b + (size_t)k * b_stride + j), v);
             MS_GPR__STORE(at, MS_GPR__MUL(v, MS_GPR__SET(inverse[i])));
         }
     }
@@ -7103,7 +7431,8 @@ static inline double MS_GPR__KERNEL(sum8)(const double *s)
     return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
 }
 
-static double MS_GPR__KERNEL(weights)(double *w, const double *g, const double *k, const double *alpha, double alpha_i, int columns)
+static double MS_GPR__KERNEL(weights)(double *w, const double *g, const double *k, const double *alpha, double alpha_i,
+                                      int columns)
 {
     double partial[MS_GPR__BLOCK] = {0, 0, 0, 0, 0, 0, 0, 0};
     int j, l;
@@ -7118,8 +7447,8 @@ static double MS_GPR__KERNEL(weights)(double *w, const double *g, const double *
     return MS_GPR__KERNEL(sum8)(partial);
 }
 
-static void MS_GPR__KERNEL(slopes)(double *slope, const double *w, const double *points, size_t stride, const double *place, int m,
-                                   int columns)
+static void MS_GPR__KERNEL(slopes)(double *slope, const double *w, const double *points, size_t stride,
+                                   const double *place, int m, int columns)
 {
     int j, k, l;
     for (j = 0; j < columns; j += MS_GPR__BLOCK) {
@@ -7147,14 +7476,23 @@ static double MS_GPR__KERNEL(dot)(const double *x, const double *y, int columns)
     int j, l;
     for (j = 0; j < columns; j += MS_GPR__BLOCK)
         for (l = 0; l < MS_GPR__BLOCK; l += MS_GPR__LANES)
-            MS_GPR__STORE(partial + l, MS_GPR__MADD(MS_GPR__LOAD(x + j + l), MS_GPR__LOAD(y + j + l), MS_GPR__LOAD(partial + l)));
+            MS_GPR__STORE(partial + l,
+                          MS_GPR__MADD(MS_GPR__LOAD(x + j + l), MS_GPR__LOAD(y + j + l), MS_GPR__LOAD(partial + l)));
     return MS_GPR__KERNEL(sum8)(partial);
 }
 
 static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
-    MS_GPR__KERNEL(reduce),  MS_GPR__KERNEL(distances), MS_GPR__JOIN(ms_gpr__distances_f_, MS_GPR__LEVEL),
-    MS_GPR__KERNEL(exponentials), MS_GPR__KERNEL(accumulate), MS_GPR__JOIN(ms_gpr__accumulate_f_, MS_GPR__LEVEL),
-    MS_GPR__KERNEL(solve), MS_GPR__KERNEL(weights), MS_GPR__KERNEL(slopes), MS_GPR__KERNEL(axpy), MS_GPR__KERNEL(dot),
+    MS_GPR__KERNEL(reduce),
+    MS_GPR__KERNEL(distances),
+    MS_GPR__JOIN(ms_gpr__distances_f_, MS_GPR__LEVEL),
+    MS_GPR__KERNEL(exponentials),
+    MS_GPR__KERNEL(accumulate),
+    MS_GPR__JOIN(ms_gpr__accumulate_f_, MS_GPR__LEVEL),
+    MS_GPR__KERNEL(solve),
+    MS_GPR__KERNEL(weights),
+    MS_GPR__KERNEL(slopes),
+    MS_GPR__KERNEL(axpy),
+    MS_GPR__KERNEL(dot),
     {sizeof(double), MS_GPR__KERNEL(arrive), MS_GPR__KERNEL(face), MS_GPR__KERNEL(line_mean), MS_GPR__KERNEL(go)},
     {sizeof(float), MS_GPR__JOIN(ms_gpr__arrive_f_, MS_GPR__LEVEL), MS_GPR__JOIN(ms_gpr__face_f_, MS_GPR__LEVEL),
      MS_GPR__JOIN(ms_gpr__line_mean_f_, MS_GPR__LEVEL), MS_GPR__JOIN(ms_gpr__go_f_, MS_GPR__LEVEL)}};

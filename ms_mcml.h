@@ -52,50 +52,51 @@
    roulette. Time grows with the collisions of a photon; RESULTS.md has it for each level beside original MCML
    (`MCML=path make bench FILTER=mcml` makes the table on your machine).
 
-   Roulette starts at 0.01 times the least albedo, not at MCML's 1e-4: that takes a seventh to a third of the time away; a
-   larger roulette_weight takes more, but thins out far rings. Without A_rz (no_absorption) a photon takes 0.7 to 0.9 of the
-   time, with its errors (absorption_error) 1.1 to 2.2 times.
+   Roulette starts at 0.01 times the least albedo, not at MCML's 1e-4: that takes a seventh to a third of the time away;
+   a larger roulette_weight takes more, but thins out far rings. Without A_rz (no_absorption) a photon takes 0.7 to 0.9
+   of the time, with its errors (absorption_error) 1.1 to 2.2 times.
 
    Long paths: from event 4096 on, and every fourfold more, half of the photons end and the rest count double, so that
    media without absorption end, too.
    Clear layers on top count as part of the surface: what they reflect is specular.
-   Rounding: paths are float, relative to their layer; the totals of 17 media agree with adding-doubling within their errors
-   (tests/test_mcml.c).
+   Rounding: paths are float, relative to their layer; the totals of 17 media agree with adding-doubling within their
+   errors (tests/test_mcml.c).
 
    Layers without noise
    --------------------
-   ms_mcml_layered_solve: up to 16 layers, any phase function by its Legendre moments, R and T over radius, totals, depth. For
-   each spatial frequency the moments of the source on panels in depth, exact flights between them along rays through every
-   layer and back (Fresnel at each boundary), GMRES; single scattering of the top layer in space with the whole phase
-   function. Time grows with the order, which g asks for (3 moments at 0.3, 9 at 0.8, 19 at 0.9), and with the
-   panels, which follow optical depth; totals are the limit of three orders. Each ring has an error beside it; what cannot be held is
-   MS_NOT_CONVERGED. ms_mcml_layered_result takes rings beside clear layers, and of g near 1, from photons, to the exact totals.
+   ms_mcml_layered_solve: up to 16 layers, any phase function by its Legendre moments, R and T over radius, totals,
+   depth. For each spatial frequency the moments of the source on panels in depth, exact flights between them along rays
+   through every layer and back (Fresnel at each boundary), GMRES; single scattering of the top layer in space with the
+   whole phase function. Time grows with the order, which g asks for (3 moments at 0.3, 9 at 0.8, 19 at 0.9), and with
+   the panels, which follow optical depth; totals are the limit of three orders. Each ring has an error beside it; what
+   cannot be held is MS_NOT_CONVERGED. ms_mcml_layered_result takes rings beside clear layers, and of g near 1, from
+   photons, to the exact totals.
 
    Diffusion profiles
    ------------------
    ms_mcml_profile_make turns mu_a, mu_s, eta of any number of channels into R_d(r): averages over rings that the caller
-   chooses, the energy within each edge, and the pre-integrated kernel a_p. The default is the half-space solver: Galerkin's
-   method in depth for each spatial frequency, and the spectrum as a sum of Bessel functions with positive energies, so that
-   every number asked for has a closed form. At the default steps totals are good to 5e-13, rings with 1e-5 of the energy to
-   8e-5; coarser steps take a tenth of the time (`make bench FILTER=profile`).
+   chooses, the energy within each edge, and the pre-integrated kernel a_p. The default is the half-space solver:
+   Galerkin's method in depth for each spatial frequency, and the spectrum as a sum of Bessel functions with positive
+   energies, so that every number asked for has a closed form. At the default steps totals are good to 5e-13, rings with
+   1e-5 of the energy to 8e-5; coarser steps take a tenth of the time (`make bench FILTER=profile`).
 
    Valid for index ratios 0.1 to 10 and every albedo, 1 included. Media with g other than 0 and layers go to the layered
-   solver, a tenth of a second to a second a channel; similarity, mu_s (1 - g), is an option, whose totals are off by 0.3% at
-   reduced albedo 0.99, 6% at 0.9, 60% at 0.5 and whose profile is off by 100% and more within a mean free path of the beam.
-   Monte Carlo of 1e6 photons leaves about 1% of noise in a profile (relative L2 over rings of a twentieth of a mean free
-   path).
+   solver, a tenth of a second to a second a channel; similarity, mu_s (1 - g), is an option, whose totals are off by
+   0.3% at reduced albedo 0.99, 6% at 0.9, 60% at 0.5 and whose profile is off by 100% and more within a mean free path
+   of the beam. Monte Carlo of 1e6 photons leaves about 1% of noise in a profile (relative L2 over rings of a twentieth
+   of a mean free path).
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
    Monte Carlo: one block a tally, one a result, see ms_mcml_create; nothing else. Stack: less than 8 KB. Threads:
-   options.parallel cuts stretches of 65536 photons into 16 tasks with a tally each. Calls on different tallies may overlap.
-   Solvers: 0.3 MB while the solver runs (0.3 MB a channel with options.parallel), 32 bytes a ring and channel for the
-   result. Stack: less than 40 KB. Calls without a common object may overlap. The same bits for any thread count; the
-   half-space solver is plain C at every level.
-   Monte Carlo: photon i draws from (seed, i); sums are integers. Same bits for any thread count and any split at one level
-   of instruction sets; levels round paths differently (they agree far within a standard error). MCML's own generator is
-   biased (ketchup blue by -0.33%): results agree with the exact answer, not with its bits. -ffast-math voids what is said of
-   bits, NaN and infinity.
+   options.parallel cuts stretches of 65536 photons into 16 tasks with a tally each. Calls on different tallies may
+   overlap. Solvers: 0.3 MB while the solver runs (0.3 MB a channel with options.parallel), 32 bytes a ring and channel
+   for the result. Stack: less than 40 KB. Calls without a common object may overlap. The same bits for any thread
+   count; the half-space solver is plain C at every level.
+   Monte Carlo: photon i draws from (seed, i); sums are integers. Same bits for any thread count and any split at one
+   level of instruction sets; levels round paths differently (they agree far within a standard error). MCML's own
+   generator is biased (ketchup blue by -0.33%): results agree with the exact answer, not with its bits. -ffast-math
+   voids what is said of bits, NaN and infinity.
    A status and, where asked for, a sentence; files with line numbers. On failure outputs are untouched.
 
    Configuration (define before the implementation)
@@ -108,18 +109,19 @@
 
    Limits
    ------
-   Monte Carlo: 2^32 photons a tally; 32767 layers; n 0.01 to 100; mu up to 1e9 per cm; -1 < g <= 1; fewer than 2^31 cells.
-   Pencil beam (incidence_degrees: oblique, Monte Carlo only); flat layers; unpolarised light; no fluence in clear layers.
-   Layers without noise: g above about 0.9 (the order ends at 31) and below -0.7, rings beside clear layers
-   (ms_mcml_layered_result takes their shape from photons), transmission
+   Monte Carlo: 2^32 photons a tally; 32767 layers; n 0.01 to 100; mu up to 1e9 per cm; -1 < g <= 1; fewer than 2^31
+   cells. Pencil beam (incidence_degrees: oblique, Monte Carlo only); flat layers; unpolarised light; no fluence in
+   clear layers. Layers without noise: g above about 0.9 (the order ends at 31) and below -0.7, rings beside clear
+   layers (ms_mcml_layered_result takes their shape from photons), transmission
    within a mean free path of the axis where it has 1e-3 of its energy there. One thread.
 
    Sources
    -------
-   Wang, Jacques, Zheng 1995 (MCML) and 1997 (CONV); Blackman, Vigna 2018 (xoshiro128+, seeded by Philox); Duff et al. 2017
-   (basis); Williams, "The searchlight problem in radiative transfer with internal reflection" (2007) for the equation; Case
-   & Zweifel, "Linear Transport Theory" (1967) for nu_0; Lawson & Hanson, "Solving Least Squares Problems" (1974);
-   Chandrasekhar, "Radiative Transfer" (1960) for the test's reference; Jensen et al. 2001 for the materials.
+   Wang, Jacques, Zheng 1995 (MCML) and 1997 (CONV); Blackman, Vigna 2018 (xoshiro128+, seeded by Philox); Duff et al.
+   2017 (basis); Williams, "The searchlight problem in radiative transfer with internal reflection" (2007) for the
+   equation; Case & Zweifel, "Linear Transport Theory" (1967) for nu_0; Lawson & Hanson, "Solving Least Squares
+   Problems" (1974); Chandrasekhar, "Radiative Transfer" (1960) for the test's reference; Jensen et al. 2001 for the
+   materials.
 */
 #ifndef MS_MCML_H
 #define MS_MCML_H
@@ -151,9 +153,9 @@ extern "C" {
 #define MS_API MS_DEF
 #endif
 
-/* NULL, in every header: where an argument's comment does not say what NULL means, it may not be NULL. A call that returns a
-   status then answers MS_INVALID_ARGUMENT and names the argument; any other does nothing and returns 0 or NULL.
-   destroy and free do nothing with NULL. */
+/* NULL, in every header: where an argument's comment does not say what NULL means, it may not be NULL. A call that
+   returns a status then answers MS_INVALID_ARGUMENT and names the argument; any other does nothing and returns 0 or
+   NULL. destroy and free do nothing with NULL. */
 
 /* What went wrong; each code asks for another remedy. code, value, sentence */
 #define MS_STATUS_LIST(X)                                                  \
@@ -170,7 +172,7 @@ typedef enum ms_status {
 #define MS_STATUS_ENUM(code, value, sentence) code = value,
     MS_STATUS_LIST(MS_STATUS_ENUM)
 #undef MS_STATUS_ENUM
-    MS_STATUS_COUNT /* how many codes there are */
+        MS_STATUS_COUNT /* how many codes there are */
 } ms_status;
 
 /* Details of a failure. Every call that takes one accepts NULL; it is written on failure only. */
@@ -232,7 +234,7 @@ static inline const char *ms_simd_string(ms_simd level)
     int i = (int)level;
     return i >= 0 && i <= (int)MS_SIMD_AVX512 ? name[i] : "unknown";
 }
-#endif /* MS_COMMON */
+#endif             /* MS_COMMON */
 #if MS_COMMON != 2 /* outside the guard: catches two vendored releases in one file */
 #error "ms_*.h headers of different releases in one translation unit"
 #endif
@@ -257,8 +259,8 @@ typedef struct ms_mcml_tissue {
     const ms_mcml_layer *layers; /* [layer_count] the caller's, copied by ms_mcml_create */
 } ms_mcml_tissue;
 
-/* Where photons are counted: rings i dr <= r < (i + 1) dr, slabs in z, exit angles in [0, pi/2] and, if nt > 0, times of
-   flight. As in MCML, the last ring, slab and time bin collect all that lies beyond. */
+/* Where photons are counted: rings i dr <= r < (i + 1) dr, slabs in z, exit angles in [0, pi/2] and, if nt > 0, times
+   of flight. As in MCML, the last ring, slab and time bin collect all that lies beyond. */
 typedef struct ms_mcml_grid {
     double dr_cm, dz_cm, dt_ps; /* > 0; dt_ps only if nt > 0 */
     int nr, nz, na;             /* >= 1 */
@@ -267,20 +269,20 @@ typedef struct ms_mcml_grid {
 
 /* All zero: the defaults. */
 typedef struct ms_mcml_options {
-    uint64_t photons;          /* that ms_mcml_simulate runs; 0: 1000000; at most 2^32 in one tally */
+    uint64_t photons; /* that ms_mcml_simulate runs; 0: 1000000; at most 2^32 in one tally */
     uint64_t seed;
-    double target_error;       /* > 0: ms_mcml_simulate stops when one standard error of Rd + Tt is at most this part of it */
-    double roulette_weight;    /* photons of less weight play roulette; at most 1; 0: 0.01 times the least albedo of a layer
-                                  that scatters, but at least MCML's 1e-4 */
-    int no_absorption;         /* not 0: neither A_rz nor A_z: faster, and no memory for them; A_l remains */
-    int absorption_error;      /* not 0: standard errors of A_rz, A_z and phi_rz: 64 times their memory */
-    int fluence;               /* not 0: phi_rz by the collision estimator, which also works where mu_a = 0 */
-    double incidence_degrees;  /* of the beam to the normal, in the medium above, towards +x; 0 to 90; rings stay around the point where
-                                  it meets the surface */
-    size_t memory_limit;       /* bytes that tallies may take; 0: 4 GiB */
-    ms_simd simd;              /* a cap */
-    ms_parallel parallel;      /* each of at most 16 tasks then has its own tally */
-    ms_progress progress;      /* asked after every 65536 photons */
+    double target_error; /* > 0: ms_mcml_simulate stops when one standard error of Rd + Tt is at most this part of it */
+    double roulette_weight;   /* photons of less weight play roulette; at most 1; 0: 0.01 times the least albedo of a
+                                 layer   that scatters, but at least MCML's 1e-4 */
+    int no_absorption;        /* not 0: neither A_rz nor A_z: faster, and no memory for them; A_l remains */
+    int absorption_error;     /* not 0: standard errors of A_rz, A_z and phi_rz: 64 times their memory */
+    int fluence;              /* not 0: phi_rz by the collision estimator, which also works where mu_a = 0 */
+    double incidence_degrees; /* of the beam to the normal, in the medium above, towards +x; 0 to 90; rings stay around
+                                 the point where it meets the surface */
+    size_t memory_limit;      /* bytes that tallies may take; 0: 4 GiB */
+    ms_simd simd;             /* a cap */
+    ms_parallel parallel;     /* each of at most 16 tasks then has its own tally */
+    ms_progress progress;     /* asked after every 65536 photons */
     ms_allocator allocator;
 } ms_mcml_options;
 
@@ -306,8 +308,8 @@ MS_API ms_status ms_mcml_create(const ms_mcml_tissue *tissue, const ms_mcml_grid
 MS_API void ms_mcml_destroy(ms_mcml *tally);
 
 /* Adds the photons first to first + count - 1 of the seed. Never run a photon twice.
-   MS_INVALID_ARGUMENT: more than 2^32 photons in the tally. MS_CANCELLED: the photons up to some multiple of 65536 after
-   first are in it, see ms_mcml_photons. MS_OUT_OF_MEMORY: nothing was added. */
+   MS_INVALID_ARGUMENT: more than 2^32 photons in the tally. MS_CANCELLED: the photons up to some multiple of 65536
+   after first are in it, see ms_mcml_photons. MS_OUT_OF_MEMORY: nothing was added. */
 MS_API ms_status ms_mcml_run(ms_mcml *tally, uint64_t first, uint64_t count, ms_error *error);
 
 /* Adds the photons of other, which has the same tissue, grid, seed and options. MS_INVALID_ARGUMENT if it differs. */
@@ -322,39 +324,40 @@ MS_API uint64_t ms_mcml_photons(const ms_mcml *tally);
    MS_BAD_DATA: not such bytes (position: offset). */
 MS_API size_t ms_mcml_save_size(const ms_mcml *tally);
 MS_API void ms_mcml_save(const ms_mcml *tally, void *bytes);
-MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_options *options, ms_mcml **out, ms_error *error);
+MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_options *options, ms_mcml **out,
+                              ms_error *error);
 
 /* Means per photon that arrives at the tissue, specular reflection included in the count of photons, not in Rd. Each
-   array x has x_error beside it: one standard error of each element; a NULL array was not asked for. Rd, Tt: what leaves
-   at the top and the bottom; r: radius; a: angle to the normal; t: time; A: absorbed; phi: fluence. Row-major.
+   array x has x_error beside it: one standard error of each element; a NULL array was not asked for. Rd, Tt: what
+   leaves at the top and the bottom; r: radius; a: angle to the normal; t: time; A: absorbed; phi: fluence. Row-major.
    The arrays belong to the result. */
 typedef struct ms_mcml_result {
     uint64_t photons;
     ms_mcml_grid grid;
     int layer_count;
-    double specular;                         /* reflected at entry by the surface and clear layers on top */
-    double rd, rd_error, tt, tt_error;       /* total diffuse reflectance, transmittance */
-    double a, a_error;                       /* absorbed; specular + rd + a + tt = 1 but for roulette */
-    double rd_unscattered, tt_unscattered;   /* parts of rd, tt that never scattered */
-    double *rd_r, *rd_r_error;               /* [nr] 1/cm^2 */
-    double *rd_a, *rd_a_error;               /* [na] 1/sr */
-    double *rd_ra, *rd_ra_error;             /* [nr][na] 1/(cm^2 sr), per area perpendicular to the direction */
+    double specular;                       /* reflected at entry by the surface and clear layers on top */
+    double rd, rd_error, tt, tt_error;     /* total diffuse reflectance, transmittance */
+    double a, a_error;                     /* absorbed; specular + rd + a + tt = 1 but for roulette */
+    double rd_unscattered, tt_unscattered; /* parts of rd, tt that never scattered */
+    double *rd_r, *rd_r_error;             /* [nr] 1/cm^2 */
+    double *rd_a, *rd_a_error;             /* [na] 1/sr */
+    double *rd_ra, *rd_ra_error;           /* [nr][na] 1/(cm^2 sr), per area perpendicular to the direction */
     double *tt_r, *tt_r_error, *tt_a, *tt_a_error, *tt_ra, *tt_ra_error;
-    double *rd_t, *rd_t_error;               /* [nt] 1/ps */
-    double *rd_rt, *rd_rt_error;             /* [nr][nt] 1/(cm^2 ps) */
-    double *a_l, *a_l_error;                 /* [layer_count] part absorbed in each layer */
-    double *a_z, *a_z_error;                 /* [nz] 1/cm */
-    double *a_rz, *a_rz_error;               /* [nr][nz] 1/cm^3 */
-    double *phi_rz, *phi_rz_error;           /* [nr][nz] 1/cm^2 */
+    double *rd_t, *rd_t_error;     /* [nt] 1/ps */
+    double *rd_rt, *rd_rt_error;   /* [nr][nt] 1/(cm^2 ps) */
+    double *a_l, *a_l_error;       /* [layer_count] part absorbed in each layer */
+    double *a_z, *a_z_error;       /* [nz] 1/cm */
+    double *a_rz, *a_rz_error;     /* [nr][nz] 1/cm^3 */
+    double *phi_rz, *phi_rz_error; /* [nr][nz] 1/cm^2 */
     void *memory;
     size_t memory_size;
     ms_allocator allocator;
-    int layered;                             /* not 0: from ms_mcml_layered_result */
+    int layered; /* not 0: from ms_mcml_layered_result */
 } ms_mcml_result;
 
 /* Results so far. Errors of Rd and Tt come from the squares of single photons, those of A and phi from the spread of up
-   to 64 groups of 1024 photons (64 groups: good to 9%). An error that cannot be known (one photon, one group) is infinite.
-   MS_INVALID_ARGUMENT: an empty tally. MS_OUT_OF_MEMORY. *result is untouched then. */
+   to 64 groups of 1024 photons (64 groups: good to 9%). An error that cannot be known (one photon, one group) is
+   infinite. MS_INVALID_ARGUMENT: an empty tally. MS_OUT_OF_MEMORY. *result is untouched then. */
 MS_API ms_status ms_mcml_results(const ms_mcml *tally, ms_mcml_result *result, ms_error *error);
 
 /* NULL and a zeroed result are fine. */
@@ -362,8 +365,8 @@ MS_API void ms_mcml_result_destroy(ms_mcml_result *result);
 
 /* All of it in one call: options->photons photons from 0 on, or fewer if target_error is reached (asked every 65536
    photons). *result is untouched unless MS_OK. Statuses as above. */
-MS_API ms_status ms_mcml_simulate(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, const ms_mcml_options *options,
-                                  ms_mcml_result *result, ms_error *error);
+MS_API ms_status ms_mcml_simulate(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid,
+                                  const ms_mcml_options *options, ms_mcml_result *result, ms_error *error);
 
 /* ---- finite beams ---------------------------------------------------------------------------------------------- */
 
@@ -389,12 +392,12 @@ MS_API ms_status ms_mcml_convolve(int beam, double radius_cm, double dr_cm, int 
 
 /* One run of an MCML 1.2 input file. */
 typedef struct ms_mcml_run_spec {
-    char output[256];      /* name of the .mco file */
-    char format;           /* 'A' or 'B', as the file says; both are written as text, as MCML does */
+    char output[256]; /* name of the .mco file */
+    char format;      /* 'A' or 'B', as the file says; both are written as text, as MCML does */
     uint64_t photons;
     ms_mcml_grid grid;
     ms_mcml_tissue tissue;
-    size_t line;           /* of the name in the file, from 1 */
+    size_t line; /* of the name in the file, from 1 */
 } ms_mcml_run_spec;
 
 typedef struct ms_mcml_mci {
@@ -420,13 +423,14 @@ MS_API void ms_mcml_mci_destroy(ms_mcml_mci *mci);
    What a result of ms_mcml_layered_result does not have is nan, so that every number keeps its place.
    MS_IO: write failed. MS_UNSUPPORTED: a result of photons without A_rz (no_absorption). */
 MS_API ms_status ms_mcml_mco_write(const ms_mcml_run_spec *run, const ms_mcml_result *result, double seconds,
-                                   int (*write)(void *user, const char *text, size_t size), void *user, ms_error *error);
+                                   int (*write)(void *user, const char *text, size_t size), void *user,
+                                   ms_error *error);
 
 #ifndef MS_MCML_NO_STDIO
 /* The same to and from files. MS_IO: cannot open, read or write. A file that could not be written whole is removed. */
 MS_API ms_status ms_mcml_mci_load(const char *path, const ms_allocator *allocator, ms_mcml_mci *mci, ms_error *error);
-MS_API ms_status ms_mcml_mco_save(const char *path, const ms_mcml_run_spec *run, const ms_mcml_result *result, double seconds,
-                                  ms_error *error);
+MS_API ms_status ms_mcml_mco_save(const char *path, const ms_mcml_run_spec *run, const ms_mcml_result *result,
+                                  double seconds, ms_error *error);
 #endif
 
 /* ---- materials ------------------------------------------------------------------------------------------------- */
@@ -440,7 +444,7 @@ typedef struct ms_mcml_medium {
 } ms_mcml_medium;
 
 typedef struct ms_mcml_material {
-    const char *name; /* lower case, e.g. "skin1" */
+    const char *name;                      /* lower case, e.g. "skin1" */
     double mu_a_per_mm[3], mu_s_per_mm[3]; /* R, G, B; g = 0 */
     double eta;
 } ms_mcml_material;
@@ -478,18 +482,19 @@ typedef struct ms_mcml_halfspace_options {
 
    A plain value: copy it freely; nothing to release. */
 typedef struct ms_mcml_halfspace {
-    ms_mcml_medium medium;  /* as given */
-    double mu_t_per_mm;     /* mu_a + (1 - g) mu_s: similarity to isotropic scattering where g is not 0 */
-    double albedo;          /* (1 - g) mu_s / mu_t */
-    double specular;        /* reflected at entry: ((eta - 1) / (eta + 1))^2; not part of any number below */
-    double total;           /* diffuse reflectance: single + multiple scattering */
+    ms_mcml_medium medium; /* as given */
+    double mu_t_per_mm;    /* mu_a + (1 - g) mu_s: similarity to isotropic scattering where g is not 0 */
+    double albedo;         /* (1 - g) mu_s / mu_t */
+    double specular;       /* reflected at entry: ((eta - 1) / (eta + 1))^2; not part of any number below */
+    double total;          /* diffuse reflectance: single + multiple scattering */
     double total_single;
-    double decay_per_mm;    /* of the far tail: the Case eigenvalue nu_0 mu_t */
-    double fit_error;       /* largest relative misfit of the multiple-scattering spectrum at the solved frequencies */
+    double decay_per_mm; /* of the far tail: the Case eigenvalue nu_0 mu_t */
+    double fit_error;    /* largest relative misfit of the multiple-scattering spectrum at the solved frequencies */
     int singles, rates, lines;
-    double single_rate_per_mm[MS_MCML_CONE_MAX], single_energy[MS_MCML_CONE_MAX];  /* [singles] ascending rates */
-    double rate_per_mm[MS_MCML_RATES_MAX], energy[MS_MCML_RATES_MAX];              /* [rates] ascending */
-    double line_rate_per_mm[MS_MCML_RATES_MAX], line_energy[MS_MCML_RATES_MAX];    /* [lines] single scattering, summed along lines */
+    double single_rate_per_mm[MS_MCML_CONE_MAX], single_energy[MS_MCML_CONE_MAX]; /* [singles] ascending rates */
+    double rate_per_mm[MS_MCML_RATES_MAX], energy[MS_MCML_RATES_MAX];             /* [rates] ascending */
+    double line_rate_per_mm[MS_MCML_RATES_MAX],
+        line_energy[MS_MCML_RATES_MAX]; /* [lines] single scattering, summed along lines */
 } ms_mcml_halfspace;
 
 /* Solves one medium: 2 to 5 ms, no thread, memory from options->allocator (0.3 MB, released before it returns).
@@ -515,23 +520,24 @@ MS_API double ms_mcml_halfspace_line_beyond(const ms_mcml_halfspace *solution, d
 
 /* ---- colours --------------------------------------------------------------------------------------------------- */
 
-/* What a length stands for. With A the colour below, Christensen, Burley 2015 (Approximate reflectance profiles for efficient
-   subsurface scattering, equations 6 and 8) give the last two. */
+/* What a length stands for. With A the colour below, Christensen, Burley 2015 (Approximate reflectance profiles for
+   efficient subsurface scattering, equations 6 and 8) give the last two. */
 typedef enum ms_mcml_length {
     MS_MCML_MEAN_FREE_PATH = 0, /* 1 / (mu_a + mu_s) */
     MS_MCML_REDUCED_PATH = 1,   /* 1 / (mu_a + mu_s (1 - g)); Unreal's mean free path */
-    MS_MCML_BURLEY_D = 2,       /* reduced path / (1.85 - A + 7 |A - 0.8|^3): d of ms_sss_profile_from_burley, HDRP's scattering distance */
-    MS_MCML_DIFFUSE_PATH = 3    /* d (3.5 + 100 (A - 0.33)^4): Unreal's diffuse mean free path */
+    MS_MCML_BURLEY_D =
+        2, /* reduced path / (1.85 - A + 7 |A - 0.8|^3): d of ms_sss_profile_from_burley, HDRP's scattering distance */
+    MS_MCML_DIFFUSE_PATH = 3 /* d (3.5 + 100 (A - 0.33)^4): Unreal's diffuse mean free path */
 } ms_mcml_length;
 
-/* Total diffuse reflectance of a half-space, what ms_mcml_profile_make calls total, without the profile: tenths of a millisecond, no
-   memory. Within 1e-8 at g = 0, 1e-6 up to |g| = 0.5, 2e-5 at 0.8, 1e-4 at 0.9 of the other solvers (tests/test_mcml_profile.c); not compared
-   beyond. NaN where the medium is not valid or g < -0.7. */
+/* Total diffuse reflectance of a half-space, what ms_mcml_profile_make calls total, without the profile: tenths of a
+   millisecond, no memory. Within 1e-8 at g = 0, 1e-6 up to |g| = 0.5, 2e-5 at 0.8, 1e-4 at 0.9 of the other solvers
+   (tests/test_mcml_profile.c); not compared beyond. NaN where the medium is not valid or g < -0.7. */
 MS_API double ms_mcml_reflectance(const ms_mcml_medium *medium);
 
 /* The medium that looks so: of this colour and this length. ms_mcml_reflectance of it gives the colour back to 1e-7.
-   color      0 to 1: reflectance over 1 - specular, the part of the light let in that comes out again: a renderer's albedo beside a
-              specular lobe. One channel, linear, not sRGB
+   color      0 to 1: reflectance over 1 - specular, the part of the light let in that comes out again: a renderer's
+              albedo beside a specular lobe. One channel, linear, not sRGB
    length_mm  > 0; kind: an ms_mcml_length
    About 1 ms; no memory. MS_INVALID_ARGUMENT: out of these ranges; MS_UNSUPPORTED: g < -0.7. *medium is untouched then.
 
@@ -545,12 +551,11 @@ MS_API double ms_mcml_reflectance(const ms_mcml_medium *medium);
       ms_mcml_profile_make(&profile, medium, 3, NULL, NULL);
 
    The profile is that of a medium, not Burley's curve. */
-MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int kind, double g, double eta, ms_mcml_medium *medium,
-                                           ms_error *error);
+MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int kind, double g, double eta,
+                                           ms_mcml_medium *medium, ms_error *error);
 
 /* A length of a medium in mm, an ms_mcml_length; NaN where medium or kind is not valid. */
 MS_API double ms_mcml_medium_length(const ms_mcml_medium *medium, int kind);
-
 
 /* ---- layered solver -------------------------------------------------------------------------------------------- */
 
@@ -561,89 +566,96 @@ MS_API double ms_mcml_medium_length(const ms_mcml_medium *medium, int kind);
 /* All zero: the defaults. */
 typedef struct ms_mcml_layered_options {
     int order;             /* Legendre moments of scattering that are solved for, 1 to 31; what is sharper counts as not
-                              scattered (delta-M). 0: the least odd order with g^(order + 1) below 0.13 in every layer, 0.015 in thin tissue;
-                              |g|^(order + 1) below 0.003 where g is negative */
+                              scattered (delta-M). 0: the least odd order with g^(order + 1) below 0.13 in every layer, 0.015 in
+                              thin tissue;             |g|^(order + 1) below 0.003 where g is negative */
     double tolerance;      /* of the iteration, 1e-9 to 1e-2; 0: 1e-4, up to order 3 and in thin tissue 1e-6 */
     double frequency_step; /* log spacing of the spatial frequencies, 0.1 to 1; 0: 0.25, with a bottom 0.2 */
     int totals_only;       /* not 0: no rings, only what does not depend on r: one frequency instead of some 30 */
-    const double *moment;  /* NULL: Henyey-Greenstein of each layer's g. Else [layer_count][34] Legendre moments of the phase
-                              functions: 1, mean cosine, ... */
+    const double *moment;  /* NULL: Henyey-Greenstein of each layer's g. Else [layer_count][34] Legendre moments of the
+                              phase  functions: 1, mean cosine, ... */
     double dz_cm;          /* > 0 with a_z */
     int nz;
-    double *a_z;           /* [nz] out: absorbed between i dz and (i + 1) dz, 1/cm; or NULL */
-    double *a_l;           /* [layer_count] out: part absorbed in each layer; or NULL */
-    ms_progress progress;  /* asked before every frequency */
+    double *a_z;          /* [nz] out: absorbed between i dz and (i + 1) dz, 1/cm; or NULL */
+    double *a_l;          /* [layer_count] out: part absorbed in each layer; or NULL */
+    ms_progress progress; /* asked before every frequency */
     ms_allocator allocator;
-    ms_simd simd;          /* a cap; levels round differently, to 1e-12 of the totals */
-    uint64_t photons;      /* of ms_mcml_layered_result, for rings that the solver cannot hold; 0: 1000000 */
+    ms_simd simd;     /* a cap; levels round differently, to 1e-12 of the totals */
+    uint64_t photons; /* of ms_mcml_layered_result, for rings that the solver cannot hold; 0: 1000000 */
 } ms_mcml_layered_options;
 
-/* Reflectance and transmittance of layers under a pencil beam at normal incidence, without noise. A plain value: copy it
-   freely. Totals count as MCML counts: specular is what the surface (and clear layers on top) reflects at entry, rd and
-   tt contain what was never scattered.
+/* Reflectance and transmittance of layers under a pencil beam at normal incidence, without noise. A plain value: copy
+   it freely. Totals count as MCML counts: specular is what the surface (and clear layers on top) reflects at entry, rd
+   and tt contain what was never scattered.
 
      energy beyond r    sum single max(0, exp(-single_rate r) - single_end) + sum energy (rate r) K1(rate r)
 
-   and what positive terms do not give as beyond[] at radius_cm exp(0.1 i). Index [order][side]: order 0 is the result, 1 half the
-   order, for errors.
+   and what positive terms do not give as beyond[] at radius_cm exp(0.1 i). Index [order][side]: order 0 is the result,
+   1 half the order, for errors.
 
    rd_error, tt_error: of the limit of three orders, whose errors alternate. */
 typedef struct ms_mcml_layered {
     double specular, rd, rd_error, tt, tt_error, a, rd_unscattered, tt_unscattered;
-    double residual, peak; /* of the iteration; largest part of scattering taken as forward */
+    double residual, peak;                         /* of the iteration; largest part of scattering taken as forward */
     int order, frequencies, rates, singles, clear; /* clear: a layer is, so that errors of rings are infinite */
-    double frequency_per_cm[MS_MCML_LAYERED_RATES], rd_spectrum[MS_MCML_LAYERED_RATES], tt_spectrum[MS_MCML_LAYERED_RATES]; /* at k */
+    double frequency_per_cm[MS_MCML_LAYERED_RATES], rd_spectrum[MS_MCML_LAYERED_RATES],
+        tt_spectrum[MS_MCML_LAYERED_RATES]; /* at k */
     double rate_per_cm[MS_MCML_LAYERED_RATES], energy[2][2][MS_MCML_LAYERED_RATES];
     double radius_cm, multiple[2][2], rest[2][2], beyond[2][2][MS_MCML_LAYERED_RADII];
-    double tail_cm[2][2], tail[2][2], fall_per_cm[2][2]; /* multiple scattering beyond a radius: tail exp(-fall (r - tail_cm)) */
-    double single_rate_per_cm[MS_MCML_LAYERED_SINGLES], single_energy[MS_MCML_LAYERED_SINGLES], single_end[MS_MCML_LAYERED_SINGLES];
+    double tail_cm[2][2], tail[2][2],
+        fall_per_cm[2][2]; /* multiple scattering beyond a radius: tail exp(-fall (r - tail_cm)) */
+    double single_rate_per_cm[MS_MCML_LAYERED_SINGLES], single_energy[MS_MCML_LAYERED_SINGLES],
+        single_end[MS_MCML_LAYERED_SINGLES];
 } ms_mcml_layered;
 
-/* Solves the transport equation for each spatial frequency: source moments on panels in depth, exact flights between them
-   along rays through all layers and back, GMRES with low-order spherical harmonics as preconditioner. 1 to 16 layers,
-   index 0.01 to 100, any absorption and scattering, |g| <= 0.995; thickness_cm x effective attenuation above 23 counts as
-   infinite. options may be NULL. Memory while it runs: 5 to 100 MB, with order and panels.
-   MS_NOT_CONVERGED: *out is filled, and its errors are the best that was reached: g so close to 1 that the order does not hold
-   (peak above 0.3), an iteration above ten times its tolerance, totals not known to 5e-5, or rings beside a clear layer;
-   error says which. MS_INVALID_ARGUMENT, MS_UNSUPPORTED (more than 16 layers), MS_OUT_OF_MEMORY,
+/* Solves the transport equation for each spatial frequency: source moments on panels in depth, exact flights between
+   them along rays through all layers and back, GMRES with low-order spherical harmonics as preconditioner. 1 to 16
+   layers, index 0.01 to 100, any absorption and scattering, |g| <= 0.995; thickness_cm x effective attenuation above 23
+   counts as infinite. options may be NULL. Memory while it runs: 5 to 100 MB, with order and panels.
+   MS_NOT_CONVERGED: *out is filled, and its errors are the best that was reached: g so close to 1 that the order does
+   not hold (peak above 0.3), an iteration above ten times its tolerance, totals not known to 5e-5, or rings beside a
+   clear layer; error says which. MS_INVALID_ARGUMENT, MS_UNSUPPORTED (more than 16 layers), MS_OUT_OF_MEMORY,
    MS_CANCELLED: *out untouched. */
-MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *options, ms_mcml_layered *out,
-                                       ms_error *error);
+MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *options,
+                                       ms_mcml_layered *out, ms_error *error);
 
-/* Energy that leaves at the top (side 0) or the bottom (side 1) farther than r_cm >= 0 from the beam; what was not scattered
-   leaves at 0. ring: mean over r0_cm <= r < r1_cm in 1/cm^2, not negative; its error estimate goes to *ring_error unless
-   NULL. line_beyond: at x > x_cm on one side of the beam. NaN outside these ranges. */
+/* Energy that leaves at the top (side 0) or the bottom (side 1) farther than r_cm >= 0 from the beam; what was not
+   scattered leaves at 0. ring: mean over r0_cm <= r < r1_cm in 1/cm^2, not negative; its error estimate goes to
+   *ring_error unless NULL. line_beyond: at x > x_cm on one side of the beam. NaN outside these ranges. */
 MS_API double ms_mcml_layered_beyond(const ms_mcml_layered *solution, int side, double r_cm);
-MS_API double ms_mcml_layered_ring(const ms_mcml_layered *solution, int side, double r0_cm, double r1_cm, double *ring_error);
+MS_API double ms_mcml_layered_ring(const ms_mcml_layered *solution, int side, double r0_cm, double r1_cm,
+                                   double *ring_error);
 MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *solution, int side, double x_cm);
 
-/* All of it over a grid, as from ms_mcml_simulate but without noise: layered is 1, photons 0; totals, rings and what layers absorb with their
-   errors, A_z without (they add up to a). Rings beside a clear layer, or with peak above 0.3, have the shape that photons give (seed 1,
-   with their standard errors; photons is their number) and the solver's totals, and are MS_OK. Angles only in a grid of one, times and A_rz not at all: those arrays are NULL. options may
-   be NULL; its totals_only, dz_cm, nz, a_z and a_l are not read. Release with ms_mcml_result_destroy.
-   MS_NOT_CONVERGED: as above, *result is filled and to be released. MS_UNSUPPORTED also for a grid with nt > 0. Else *result is
+/* All of it over a grid, as from ms_mcml_simulate but without noise: layered is 1, photons 0; totals, rings and what
+   layers absorb with their errors, A_z without (they add up to a). Rings beside a clear layer, or with peak above 0.3,
+   have the shape that photons give (seed 1, with their standard errors; photons is their number) and the solver's
+   totals, and are MS_OK. Angles only in a grid of one, times and A_rz not at all: those arrays are NULL. options may be
+   NULL; its totals_only, dz_cm, nz, a_z and a_l are not read. Release with ms_mcml_result_destroy. MS_NOT_CONVERGED: as
+   above, *result is filled and to be released. MS_UNSUPPORTED also for a grid with nt > 0. Else *result is
    untouched. */
-MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, const ms_mcml_layered_options *options,
-                                        ms_mcml_result *result, ms_error *error);
+MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid,
+                                        const ms_mcml_layered_options *options, ms_mcml_result *result,
+                                        ms_error *error);
 
 /* ---- diffusion profiles ---------------------------------------------------------------------------------------- */
 
 typedef enum ms_mcml_method {
-    MS_MCML_AUTO = 0,          /* deterministic if photons = 0, else direct */
-    MS_MCML_DETERMINISTIC = 1, /* no noise: the half-space solver where g = 0 (rings to 1e-4, totals to 1e-8), else the layered one */
-    MS_MCML_DIRECT = 2         /* Monte Carlo of each channel */
+    MS_MCML_AUTO = 0, /* deterministic if photons = 0, else direct */
+    MS_MCML_DETERMINISTIC =
+        1, /* no noise: the half-space solver where g = 0 (rings to 1e-4, totals to 1e-8), else the layered one */
+    MS_MCML_DIRECT = 2 /* Monte Carlo of each channel */
 } ms_mcml_method;
 
 typedef struct ms_mcml_profile_options {
-    int method;            /* ms_mcml_method */
-    uint64_t photons;      /* Monte Carlo only, a channel; 0: 1000000, at most 2^32 */
+    int method;       /* ms_mcml_method */
+    uint64_t photons; /* Monte Carlo only, a channel; 0: 1000000, at most 2^32 */
     uint64_t seed;
     const double *edge_mm; /* [rings + 1] increasing, from >= 0; NULL: rings of equal width ring_mm from 0 */
     int rings;             /* 0 (with edge_mm NULL, ring_mm 0): rings that suit the media, see ms_mcml_profile */
     double ring_mm;
     double depth_step, frequency_step; /* deterministic: see ms_mcml_halfspace_options */
-    int similarity;        /* not 0: deterministic takes g other than 0 as mu_s (1 - g) and g = 0: tens of times faster; RESULTS.md
-                              has the errors: 100% and more within a mean free path of the beam */
+    int similarity; /* not 0: deterministic takes g other than 0 as mu_s (1 - g) and g = 0: tens of times faster;
+                       RESULTS.md has the errors: 100% and more within a mean free path of the beam */
     const ms_mcml_tissue *tissues; /* NULL, or [channels] layered tissues in place of media, which may be NULL then */
     ms_simd simd;
     ms_parallel parallel;
@@ -655,10 +667,11 @@ typedef struct ms_mcml_profile_options {
    Arrays belong to the profile. Row c of an array [channels][n] starts at element c * n. */
 typedef struct ms_mcml_profile {
     int channels, rings;
-    int method;                     /* that was used */
+    int method;               /* that was used */
     double *edge_mm;          /* [rings + 1] */
     double *rd_per_mm2;       /* [channels][rings] mean over each ring */
-    double *rd_error_per_mm2; /* [channels][rings] standard error, or the layered solver's; zeros from the half-space solver */
+    double *rd_error_per_mm2; /* [channels][rings] standard error, or the layered solver's; zeros from the half-space
+                                 solver */
     double *within;           /* [channels][rings + 1] energy that leaves nearer than the edge */
     double *ap_per_mm;        /* [channels][rings] mean of the pre-integrated kernel a_p over edge_i <= x < edge_i+1;
                                        NULL from Monte Carlo (ms_sss.h integrates rings) */
@@ -687,13 +700,14 @@ MS_API void ms_mcml_profile_destroy(ms_mcml_profile *profile);
 #define MS_MCML_SKIN_BANDS 13
 
 /* What skin is made of. Start from ms_mcml_skin_defaults(); a zero is a zero.
-   Laws, per cm at w nm: melanosomes 6.6e11 w^-3.33 of eumelanin (Jacques 1998, "Skin optics") and 2.9e15 w^-4.75 of pheomelanin
-   (Donner, Jensen 2006, "A spectral BSSRDF for shading human skin"); bloodless, pale skin 0.244 + 85.3 exp(-(w - 154) / 66.2)
-   (Jacques 1998); reduced scattering 46 (w / 500)^-1.421 (mean of skin in Jacques 2013, "Optical properties of biological tissues");
-   blood of 150 g/l haemoglobin (Prahl's table of Gratzer's and Kollias's data, omlc.org); fat scatters 1050 w^-0.68 (Bashkatov et al.
-   2005) and absorbs as dermis with a tenth of the blood. Index 1.4. Melanin, blood and scattering fitted to people in NIST's
-   reference data (Cooksey, Allen, Tsai 2017, read off plots) follow their spectra to 0.01 from 500 to 700 nm, with scattering 2 to 4 times
-   the mean: this shows what the model can say, not that it foretells anybody. */
+   Laws, per cm at w nm: melanosomes 6.6e11 w^-3.33 of eumelanin (Jacques 1998, "Skin optics") and 2.9e15 w^-4.75 of
+   pheomelanin (Donner, Jensen 2006, "A spectral BSSRDF for shading human skin"); bloodless, pale skin 0.244 + 85.3
+   exp(-(w - 154) / 66.2) (Jacques 1998); reduced scattering 46 (w / 500)^-1.421 (mean of skin in Jacques 2013, "Optical
+   properties of biological tissues"); blood of 150 g/l haemoglobin (Prahl's table of Gratzer's and Kollias's data,
+   omlc.org); fat scatters 1050 w^-0.68 (Bashkatov et al. 2005) and absorbs as dermis with a tenth of the blood. Index
+   1.4. Melanin, blood and scattering fitted to people in NIST's reference data (Cooksey, Allen, Tsai 2017, read off
+   plots) follow their spectra to 0.01 from 500 to 700 nm, with scattering 2 to 4 times the mean: this shows what the
+   model can say, not that it foretells anybody. */
 typedef struct ms_mcml_skin {
     double melanin;      /* melanosomes in the epidermis, by volume: 0.01 very pale to 0.4 very dark */
     double eumelanin;    /* part of the melanin that is black-brown; the rest is red-yellow pheomelanin */
@@ -705,24 +719,27 @@ typedef struct ms_mcml_skin {
     double g;            /* mean cosine, 0 to 0.95; 0: reduced scattering, several times faster */
 } ms_mcml_skin;
 
-/* The median of NIST's 100 people, inside of the forearm: melanin 0.016, all of it eumelanin, blood 0.037, oxygen 0.75, epidermis
-   0.06 mm, dermis without end, scattering 2.2; g 0.8. */
+/* The median of NIST's 100 people, inside of the forearm: melanin 0.016, all of it eumelanin, blood 0.037, oxygen 0.75,
+   epidermis 0.06 mm, dermis without end, scattering 2.2; g 0.8. */
 MS_API ms_mcml_skin ms_mcml_skin_defaults(void);
 
 /* Its layers for light of 400 to 700 nm: 2 or 3, *count; under air (n_above 1), n_below 1.4. MS_INVALID_ARGUMENT. */
-MS_API ms_status ms_mcml_skin_layers(const ms_mcml_skin *skin, double wavelength_nm, ms_mcml_layer layers[3], int *count, ms_error *error);
+MS_API ms_status ms_mcml_skin_layers(const ms_mcml_skin *skin, double wavelength_nm, ms_mcml_layer layers[3],
+                                     int *count, ms_error *error);
 
-/* Its colour under daylight (D65), linear sRGB, diffuse reflectance without specular, a perfect white being 1; from 13 wavelengths, which with
-   their reflectances go to nm and spectrum ([MS_MCML_SKIN_BANDS] each, or NULL). A tenth of a second to a second.
-   CIE 1931 observer by Wyman, Sloan, Shirley 2013 (JCGT 2:2). MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY, MS_NOT_CONVERGED: untouched. */
-MS_API ms_status ms_mcml_skin_color(const ms_mcml_skin *skin, double rgb[3], double *nm, double *spectrum, const ms_allocator *allocator,
-                                    ms_error *error);
+/* Its colour under daylight (D65), linear sRGB, diffuse reflectance without specular, a perfect white being 1; from 13
+   wavelengths, which with their reflectances go to nm and spectrum ([MS_MCML_SKIN_BANDS] each, or NULL). A tenth of a
+   second to a second. CIE 1931 observer by Wyman, Sloan, Shirley 2013 (JCGT 2:2). MS_INVALID_ARGUMENT,
+   MS_OUT_OF_MEMORY, MS_NOT_CONVERGED: untouched. */
+MS_API ms_status ms_mcml_skin_color(const ms_mcml_skin *skin, double rgb[3], double *nm, double *spectrum,
+                                    const ms_allocator *allocator, ms_error *error);
 
-/* Its diffusion profile for R, G and B: total is the colour above; the shape of a channel is the mean of the 13 wavelengths' profiles by
-   the positive part of what they give to the channel, so that no ring is negative. options as in ms_mcml_profile_make (edge_mm, rings,
-   ring_mm, frequency_step, parallel, allocator are read), or NULL. Release with ms_mcml_profile_destroy. MS_NOT_CONVERGED: as there. */
-MS_API ms_status ms_mcml_skin_profile(ms_mcml_profile *profile, const ms_mcml_skin *skin, const ms_mcml_profile_options *options,
-                                      ms_error *error);
+/* Its diffusion profile for R, G and B: total is the colour above; the shape of a channel is the mean of the 13
+   wavelengths' profiles by the positive part of what they give to the channel, so that no ring is negative. options as
+   in ms_mcml_profile_make (edge_mm, rings, ring_mm, frequency_step, parallel, allocator are read), or NULL. Release
+   with ms_mcml_profile_destroy. MS_NOT_CONVERGED: as there. */
+MS_API ms_status ms_mcml_skin_profile(ms_mcml_profile *profile, const ms_mcml_skin *skin,
+                                      const ms_mcml_profile_options *options, ms_error *error);
 
 #ifdef __cplusplus
 }
@@ -755,17 +772,13 @@ static MS__UNUSED size_t ms__size_mul(size_t a, size_t b)
     return a != 0 && b > SIZE_MAX / a ? SIZE_MAX : a * b;
 }
 
-static MS__UNUSED size_t ms__size_add(size_t a, size_t b)
-{
-    return b > SIZE_MAX - a ? SIZE_MAX : a + b;
-}
+static MS__UNUSED size_t ms__size_add(size_t a, size_t b) { return b > SIZE_MAX - a ? SIZE_MAX : a + b; }
 
 /* NULL for size SIZE_MAX (overflow). Size 0 gives a pointer that must be released as well. */
 static MS__UNUSED void *ms__alloc(const ms_allocator *allocator, size_t size)
 {
     if (size == SIZE_MAX) return NULL;
-    if (allocator != NULL && allocator->alloc != NULL)
-        return allocator->alloc(allocator->user, size ? size : 1);
+    if (allocator != NULL && allocator->alloc != NULL) return allocator->alloc(allocator->user, size ? size : 1);
     return malloc(size ? size : 1);
 }
 
@@ -828,10 +841,19 @@ static MS__UNUSED int ms__format_number(char *out, double x)
         out[n] = 0;
         return n;
     }
-    while (x >= 1e6) { x /= 10; ++exponent; }
-    while (x < 1e5) { x *= 10; --exponent; }
+    while (x >= 1e6) {
+        x /= 10;
+        ++exponent;
+    }
+    while (x < 1e5) {
+        x *= 10;
+        --exponent;
+    }
     mantissa = (int64_t)(x + 0.5);
-    if (mantissa >= 1000000) { mantissa /= 10; ++exponent; }
+    if (mantissa >= 1000000) {
+        mantissa /= 10;
+        ++exponent;
+    }
     exponent += 5;
     for (i = 5; i >= 0; --i) {
         digit[i] = (char)('0' + (int)(mantissa % 10));
@@ -969,7 +991,8 @@ static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
     return ((double)(((a << 32) | b) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
 }
 
-/* IEEE binary16 by integers alone: subnormals, infinities and NaN, whatever the host's rounding and flushing of subnormals. */
+/* IEEE binary16 by integers alone: subnormals, infinities and NaN, whatever the host's rounding and flushing of
+   subnormals. */
 static MS__UNUSED float ms__half_to_float(uint16_t h)
 {
     uint32_t bits = (uint32_t)(h & 0x8000u) << 16, exponent = (h >> 10) & 31u, mantissa = h & 1023u;
@@ -1048,7 +1071,10 @@ static MS__UNUSED void ms__cpuid(uint32_t leaf, uint32_t subleaf, uint32_t r[4])
 #if defined(_MSC_VER) && !defined(__clang__)
     int v[4];
     __cpuidex(v, (int)leaf, (int)subleaf);
-    r[0] = (uint32_t)v[0]; r[1] = (uint32_t)v[1]; r[2] = (uint32_t)v[2]; r[3] = (uint32_t)v[3];
+    r[0] = (uint32_t)v[0];
+    r[1] = (uint32_t)v[1];
+    r[2] = (uint32_t)v[2];
+    r[3] = (uint32_t)v[3];
 #else
     __cpuid_count(leaf, subleaf, r[0], r[1], r[2], r[3]);
 #endif
@@ -1101,8 +1127,8 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 /* ms-common-files begin (the same text wherever it stands; `make common` copies it from ms_mcml.h) */
 #ifndef MS_COMMON_FILES
 #define MS_COMMON_FILES
-/* A file that takes the old one's place only when it is whole: written beside it, flushed, checked, renamed. Whatever fails, the
-   old file stays and nothing else does. Links are followed. Wants a regular file or none under that name. */
+/* A file that takes the old one's place only when it is whole: written beside it, flushed, checked, renamed. Whatever
+   fails, the old file stays and nothing else does. Links are followed. Wants a regular file or none under that name. */
 #include <stdio.h>
 #if defined(_WIN32)
 #include <io.h>
@@ -1111,13 +1137,15 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #ifdef __cplusplus
 extern "C"
 #endif
-__declspec(dllimport) int __stdcall MoveFileExA(const char *from, const char *to, unsigned long flags); /* as windows.h has it */
+    __declspec(dllimport) int __stdcall MoveFileExA(const char *from, const char *to,
+                                                    unsigned long flags); /* as windows.h has it */
 #elif defined(__unix__) || defined(__APPLE__)
 #define MS__POSIX 1
 #include <sys/stat.h>
 #include <sys/types.h>
 #include <unistd.h>
-#if defined(__linux__) && defined(__STRICT_ANSI__) && !defined(__cplusplus) /* -std=c99 hides these, not what they do */
+#if defined(__linux__) && defined(__STRICT_ANSI__) && !defined(__cplusplus) /* -std=c99 hides these, not what they do \
+                                                                             */
 int fileno(FILE *stream);
 int fsync(int file);
 ssize_t readlink(const char *path, char *to, size_t size);
@@ -1128,9 +1156,9 @@ ssize_t readlink(const char *path, char *to, size_t size);
 
 typedef struct ms__file {
     FILE *stream;
-    int failed;                      /* a write did not arrive */
-    char path[MS__PATH_MAX];         /* behind all links */
-    char beside[MS__PATH_MAX + 8];   /* path and a suffix that no other file has */
+    int failed;                    /* a write did not arrive */
+    char path[MS__PATH_MAX];       /* behind all links */
+    char beside[MS__PATH_MAX + 8]; /* path and a suffix that no other file has */
 } ms__file;
 
 static MS__UNUSED ms_status ms__file_open(ms__file *f, const char *path, ms_error *error)
@@ -1146,7 +1174,8 @@ static MS__UNUSED ms_status ms__file_open(ms__file *f, const char *path, ms_erro
     f->stream = NULL;
     f->failed = 0;
     if (n == 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path is NULL or empty");
-    if (n >= MS__PATH_MAX) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path is longer than %d bytes", MS__PATH_MAX - 1);
+    if (n >= MS__PATH_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path is longer than %d bytes", MS__PATH_MAX - 1);
     memcpy(f->path, path, n + 1);
 #if defined(MS__POSIX)
     for (i = 0; i < 32 && (length = readlink(f->path, f->beside, MS__PATH_MAX - 1)) > 0; ++i) {
@@ -1182,13 +1211,17 @@ static MS__UNUSED ms_status ms__file_open(ms__file *f, const char *path, ms_erro
 #if defined(_WIN32) && !defined(_UCRT)
         else f->stream = fopen(f->beside, "wb");
 #else
-        else f->stream = fopen(f->beside, "wbx"); /* x: only if there is none yet (C11, in POSIX libraries long before) */
+        else
+            f->stream = fopen(f->beside,
+                              "wbx"); /* x: only if there is none yet (C11, in POSIX libraries long before) */
 #endif
     }
     if (f->stream == NULL)
-        return ms__fail(error, MS_IO, 0, "no file can be made beside '%s': its folder is missing, read-only or full", path);
+        return ms__fail(error, MS_IO, 0, "no file can be made beside '%s': its folder is missing, read-only or full",
+                        path);
 #if defined(MS__POSIX)
-    if (info.st_mode != 0) chmod(f->beside, info.st_mode & 0777); /* who could not read the old one cannot read the new one */
+    if (info.st_mode != 0)
+        chmod(f->beside, info.st_mode & 0777); /* who could not read the old one cannot read the new one */
 #endif
     return MS_OK;
 }
@@ -1214,7 +1247,8 @@ static MS__UNUSED ms_status ms__file_close(ms__file *f, ms_status status, ms_err
 #endif
     }
     failed = fclose(f->stream) != 0 || failed;
-    if (f->failed || (status == MS_OK && failed)) status = ms__fail(error, MS_IO, 0, "'%s' cannot be written to its end: the disk is full or failed", f->path);
+    if (f->failed || (status == MS_OK && failed))
+        status = ms__fail(error, MS_IO, 0, "'%s' cannot be written to its end: the disk is full or failed", f->path);
     if (status == MS_OK && rename(f->beside, f->path) != 0) {
 #if defined(_WIN32) /* where rename() refuses to replace; 1: replace, 8: return when it is done */
         if (!MoveFileExA(f->beside, f->path, 1 | 8))
@@ -1272,13 +1306,14 @@ static ms_status ms_mcml__check_layer(const ms_mcml_layer *l, size_t position, m
 static ms_status ms_mcml__check_grid(const ms_mcml_grid *grid, ms_error *error)
 {
     if (!ms_mcml__between(grid->dr_cm, 1e-30, 1e30) || !ms_mcml__between(grid->dz_cm, 1e-30, 1e30))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "dz and dr are %g and %g cm, expected above 0", grid->dz_cm, grid->dr_cm);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "dz and dr are %g and %g cm, expected above 0", grid->dz_cm,
+                        grid->dr_cm);
     if (grid->nz < 1 || grid->nr < 1 || grid->na < 1)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nz, nr, na are %d, %d, %d, expected 1 or more", grid->nz, grid->nr,
-                        grid->na);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nz, nr, na are %d, %d, %d, expected 1 or more", grid->nz,
+                        grid->nr, grid->na);
     if (grid->nt < 0 || (grid->nt > 0 && !ms_mcml__between(grid->dt_ps, 1e-30, 1e30)))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nt and dt are %d and %g ps, expected 0 or more and above 0", grid->nt,
-                        grid->dt_ps);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nt and dt are %d and %g ps, expected 0 or more and above 0",
+                        grid->nt, grid->dt_ps);
     return MS_OK;
 }
 
@@ -1289,8 +1324,8 @@ static ms_status ms_mcml__check_tissue(const ms_mcml_tissue *tissue, ms_error *e
     if (tissue->layer_count < 1 || tissue->layer_count > 32767 || tissue->layers == NULL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d layers, expected 1 to 32767", tissue->layer_count);
     if (!ms_mcml__between(tissue->n_above, 0.01, 100) || !ms_mcml__between(tissue->n_below, 0.01, 100))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "n above and below are %g and %g, expected 0.01 to 100", tissue->n_above,
-                        tissue->n_below);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "n above and below are %g and %g, expected 0.01 to 100",
+                        tissue->n_above, tissue->n_below);
     for (i = 0; i < tissue->layer_count; ++i) {
         ms_status status = ms_mcml__check_layer(&tissue->layers[i], (size_t)i + 1, error);
         if (status) return status;
@@ -1307,29 +1342,29 @@ static ms_status ms_mcml__check_tissue(const ms_mcml_tissue *tissue, ms_error *e
 #define MS_MCML__HALVING_EVENTS 4096 /* then every fourfold: half of the photons end and the others count double */
 #define MS_MCML__GROUPS 64           /* for errors by spread: photon i is in group i / BLOCK mod GROUPS */
 #define MS_MCML__BLOCK 1024
-#define MS_MCML__STRETCH 65536          /* photons between two looks at the progress callback */
+#define MS_MCML__STRETCH 65536 /* photons between two looks at the progress callback */
 #define MS_MCML__TASKS 16
 #define MS_MCML__LANES_MAX 16
 #define MS_MCML__C_CM_PER_PS 0.0299792458
 
 /* A layer as the kernel wants it. */
 typedef struct ms_mcml__slab {
-    float depth;    /* thickness */
-    float top;      /* z of its upper side */
-    float mfp;      /* 1 / (mu_a + mu_s); clear: beyond every boundary */
-    float absorbed; /* mu_a / (mu_a + mu_s) */
+    float depth;                      /* thickness */
+    float top;                        /* z of its upper side */
+    float mfp;                        /* 1 / (mu_a + mu_s); clear: beyond every boundary */
+    float absorbed;                   /* mu_a / (mu_a + mu_s) */
     float g, n, ratio_up, ratio_down; /* ratio: n over n of the neighbour */
     int clear;
 } ms_mcml__slab;
 
 /* Offsets into the sums of a tally; S: the sum of weights, Q: of their squares. */
 typedef struct ms_mcml__layout {
-    size_t leave;      /* [2: top, bottom][nr][na][2: S, Q] */
-    size_t time;       /* [nr][nt][2: S, Q] */
+    size_t leave;       /* [2: top, bottom][nr][na][2: S, Q] */
+    size_t time;        /* [nr][nt][2: S, Q] */
     size_t unscattered; /* [2] */
-    size_t photons;    /* [GROUPS] */
-    size_t layers;     /* [GROUPS][layer_count] */
-    size_t a, phi;     /* [groups][nr][nz], where asked for */
+    size_t photons;     /* [GROUPS] */
+    size_t layers;      /* [GROUPS][layer_count] */
+    size_t a, phi;      /* [groups][nr][nz], where asked for */
     size_t count;
 } ms_mcml__layout;
 
@@ -1339,8 +1374,8 @@ struct ms_mcml {
     ms_mcml_grid grid;
     ms_mcml__layout at;
     ms_mcml__slab *slab;
-    int64_t *sum;          /* [at.count] */
-    int first_layer;       /* where photons start; layer_count: all is clear */
+    int64_t *sum;    /* [at.count] */
+    int first_layer; /* where photons start; layer_count: all is clear */
     double specular, entry_path_cm, mfp_max_cm;
     float entry_x, entry_sine, entry_cosine; /* of the beam in the first layer */
     uint64_t photons;
@@ -1366,7 +1401,7 @@ typedef struct ms_mcml__tracer {
     int layer[MS_MCML__LANES_MAX], group[MS_MCML__LANES_MAX];
     int64_t *bins_a[MS_MCML__LANES_MAX], *bins_phi[MS_MCML__LANES_MAX]; /* of the photon's group; NULL if not wanted */
     uint32_t bit[MS_MCML__LANES_MAX];                                   /* 1 << lane */
-    uint32_t fresh[4][MS_MCML__LANES_MAX];                              /* states of photons to come, from fresh_at on */
+    uint32_t fresh[4][MS_MCML__LANES_MAX]; /* states of photons to come, from fresh_at on */
     int fresh_at;
     unsigned alive;
     int volume_a, volume_phi;
@@ -1431,7 +1466,9 @@ static inline int ms_mcml__assign(ms_mcml__tracer *t, int i)
     t->s[0][i] = t->fresh[0][k];
     t->s[1][i] = t->fresh[1][k];
     t->s[2][i] = t->fresh[2][k];
-    t->s[3][i] = t->fresh[3][k] | (uint32_t)((t->fresh[0][k] | t->fresh[1][k] | t->fresh[2][k] | t->fresh[3][k]) == 0); /* all 0 is a fixed point */
+    t->s[3][i] = t->fresh[3][k] |
+        (uint32_t)((t->fresh[0][k] | t->fresh[1][k] | t->fresh[2][k] | t->fresh[3][k]) ==
+                   0); /* all 0 is a fixed point */
     return 1;
 }
 
@@ -1455,7 +1492,8 @@ static int ms_mcml__ring_of(const double *edge, int rings, double r)
     return low;
 }
 
-/* Lane i leaves the tissue with its whole weight; squares are rounded up, so that none is lost and no error becomes 0. */
+/* Lane i leaves the tissue with its whole weight; squares are rounded up, so that none is lost and no error becomes
+   0. */
 static void ms_mcml__leave(ms_mcml__tracer *t, int i, int down)
 {
     const ms_mcml *m = t->tally;
@@ -1477,7 +1515,8 @@ static void ms_mcml__leave(ms_mcml__tracer *t, int i, int down)
         bin[0] += s;
         bin[1] += q;
     }
-    if (!(t->uy[i] < 0 || t->uy[i] > 0) && (m->entry_sine > 0 || !(t->ux[i] < 0 || t->ux[i] > 0))) t->sum[m->at.unscattered + (size_t)down] += s;
+    if (!(t->uy[i] < 0 || t->uy[i] > 0) && (m->entry_sine > 0 || !(t->ux[i] < 0 || t->ux[i] > 0)))
+        t->sum[m->at.unscattered + (size_t)down] += s;
 }
 
 /* Lane i crosses a boundary; not 0: it leaves. */
@@ -1501,10 +1540,11 @@ static int ms_mcml__cross(ms_mcml__tracer *t, int i)
 struct ms_mcml__flights;
 typedef struct ms_mcml__kernels {
     void (*trace)(ms_mcml__tracer *t);
-    /* One flight of everything that scatters: out = where light of the moments d (NULL: none) and, if beam, of the beam's first
-       scattering arrives; leave: what leaves at the top and at the bottom on that flight. */
+    /* One flight of everything that scatters: out = where light of the moments d (NULL: none) and, if beam, of the
+       beam's first scattering arrives; leave: what leaves at the top and at the bottom on that flight. */
     void (*fly)(const struct ms_mcml__flights *s, const double *d, int beam, double *out, double leave[2]);
-    void (*weigh)(double mu_t, const double *h, const double *wave, const double *polynomial, const double *series, double *out);
+    void (*weigh)(double mu_t, const double *h, const double *wave, const double *polynomial, const double *series,
+                  double *out);
     double (*inner)(const double *a, const double *b, size_t n); /* n: a multiple of 8 */
     void (*add)(double *to, double x, const double *a, size_t n);
 } ms_mcml__kernels;
@@ -1516,7 +1556,9 @@ static void ms_mcml__trace(const ms_mcml *m, int64_t *sum, uint64_t first, uint6
     ms_mcml__tracer t;
     uint64_t i;
     for (i = first; i < end;) { /* photons of each group */
-        const uint64_t next = (i / MS_MCML__BLOCK + 1) * MS_MCML__BLOCK < end ? (i / MS_MCML__BLOCK + 1) * MS_MCML__BLOCK : end;
+        const uint64_t next = (i / MS_MCML__BLOCK + 1) * MS_MCML__BLOCK < end
+            ? (i / MS_MCML__BLOCK + 1) * MS_MCML__BLOCK
+            : end;
         sum[m->at.photons + (size_t)(i / MS_MCML__BLOCK % MS_MCML__GROUPS)] += (int64_t)(next - i);
         i = next;
     }
@@ -1557,8 +1599,8 @@ static double ms_mcml__fresnel_nu(double n1, double n2, double nu)
     return 0.5 * (s * s + p * p);
 }
 
-/* Reflectance at normal incidence of the boundaries from above the tissue to the first layer that is not clear, light that
-   runs to and fro between them added up: R = (r + s - 2 r s) / (1 - r s), boundary by boundary. */
+/* Reflectance at normal incidence of the boundaries from above the tissue to the first layer that is not clear, light
+   that runs to and fro between them added up: R = (r + s - 2 r s) / (1 - r s), boundary by boundary. */
 static double ms_mcml__specular(const ms_mcml_tissue *tissue, int first_layer, double nu)
 {
     double reflectance = 0, n = tissue->n_above;
@@ -1573,7 +1615,8 @@ static double ms_mcml__specular(const ms_mcml_tissue *tissue, int first_layer, d
 }
 
 /* Memory of the sums, or SIZE_MAX. */
-static size_t ms_mcml__layout_make(ms_mcml__layout *at, const ms_mcml_grid *grid, int layer_count, int groups, int a, int phi)
+static size_t ms_mcml__layout_make(ms_mcml__layout *at, const ms_mcml_grid *grid, int layer_count, int groups, int a,
+                                   int phi)
 {
     const size_t nr = (size_t)grid->nr, cells = ms__size_mul(ms__size_mul(nr, (size_t)grid->nz), (size_t)groups);
     at->leave = 0;
@@ -1617,7 +1660,8 @@ static void ms_mcml__prepare(ms_mcml *m)
         m->slab[i].top = (float)top;
         top += layer[i].thickness_cm;
         if (i <= m->first_layer) { /* through clear layers on top; nu = n sin(theta) is the same in all */
-            const double sine = nu / layer[i].n, cosine = sqrt((1 - sine) * (1 + sine)), d = i < m->first_layer ? layer[i].thickness_cm / cosine : 0;
+            const double sine = nu / layer[i].n, cosine = sqrt((1 - sine) * (1 + sine)),
+                         d = i < m->first_layer ? layer[i].thickness_cm / cosine : 0;
             m->entry_path_cm += layer[i].n * d;
             m->entry_x += (float)(sine * d);
             m->entry_sine = (float)sine;
@@ -1648,16 +1692,20 @@ MS_API ms_status ms_mcml_create(const ms_mcml_tissue *tissue, const ms_mcml_grid
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "roulette_weight is %g, expected 0 to 1", o.roulette_weight);
     if (!ms_mcml__between(o.target_error, 0, 1e300))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "target_error is %g, expected 0 or more", o.target_error);
-    if (o.photons > MS_MCML__PHOTONS_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "more than 2^32 photons");
+    if (o.photons > MS_MCML__PHOTONS_MAX) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "more than 2^32 photons");
     if (!ms_mcml__between(o.incidence_degrees, 0, 89.999))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "incidence_degrees is %g, expected 0 to less than 90", o.incidence_degrees);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "incidence_degrees is %g, expected 0 to less than 90",
+                        o.incidence_degrees);
     for (groups = 0; o.incidence_degrees > 0; ++groups) { /* down to the first layer that is not clear */
         const double nu = tissue->n_above * sin(o.incidence_degrees * (3.14159265358979324 / 180));
-        if (groups == tissue->layer_count) return ms__fail(error, MS_UNSUPPORTED, 0, "a tissue that is clear takes light at the normal only");
+        if (groups == tissue->layer_count)
+            return ms__fail(error, MS_UNSUPPORTED, 0, "a tissue that is clear takes light at the normal only");
         if (!(nu < tissue->layers[groups].n))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)groups + 1, "light at %g degrees does not enter layer %d", o.incidence_degrees, groups + 1);
-        if (tissue->layers[groups].mu_a_per_cm > 0 || (tissue->layers[groups].mu_s_per_cm > 0 && tissue->layers[groups].g < 1)) break;
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)groups + 1,
+                            "light at %g degrees does not enter layer %d", o.incidence_degrees, groups + 1);
+        if (tissue->layers[groups].mu_a_per_cm > 0 ||
+            (tissue->layers[groups].mu_s_per_cm > 0 && tissue->layers[groups].g < 1))
+            break;
     }
 
     groups = o.absorption_error ? MS_MCML__GROUPS : 1;
@@ -1716,7 +1764,8 @@ static void ms_mcml__wave_task(void *context, int index)
     const ms_mcml__wave *wave = (const ms_mcml__wave *)context;
     const uint64_t i = (uint64_t)index;
     ms_mcml__trace(wave->tally, wave->sums + (size_t)index * wave->tally->at.count,
-                   wave->first + wave->count * i / MS_MCML__TASKS, wave->first + wave->count * (i + 1) / MS_MCML__TASKS);
+                   wave->first + wave->count * i / MS_MCML__TASKS,
+                   wave->first + wave->count * (i + 1) / MS_MCML__TASKS);
 }
 
 /* ms_mcml_run as the part of a longer call: done photons of `of` went before. */
@@ -1736,7 +1785,8 @@ static ms_status ms_mcml__run(ms_mcml *m, uint64_t first, uint64_t count, uint64
     wave.sums = NULL;
     if (parallel) {
         wave.sums = (int64_t *)ms__alloc(&m->options.allocator, size);
-        if (wave.sums == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the tallies of the tasks", size);
+        if (wave.sums == NULL)
+            return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the tallies of the tasks", size);
         memset(wave.sums, 0, size);
     }
     for (wave.first = first; wave.first < end; wave.first += wave.count) {
@@ -1750,7 +1800,8 @@ static ms_status ms_mcml__run(ms_mcml *m, uint64_t first, uint64_t count, uint64
         else ms_mcml__trace(m, m->sum, wave.first, wave.first + wave.count);
         m->photons += wave.count;
     }
-    for (i = 0; parallel && i < MS_MCML__TASKS; ++i) ms_mcml__add(m->sum, wave.sums + (size_t)i * m->at.count, m->at.count);
+    for (i = 0; parallel && i < MS_MCML__TASKS; ++i)
+        ms_mcml__add(m->sum, wave.sums + (size_t)i * m->at.count, m->at.count);
     ms__release(&m->options.allocator, wave.sums, size);
     return status;
 }
@@ -1804,8 +1855,9 @@ static uint8_t *ms_mcml__put_head(const ms_mcml *m, uint8_t *p)
     p = ms_mcml__put(p + 16, m->photons);
     p = ms_mcml__put(p, o->seed);
     p = ms_mcml__put_real(p, o->roulette_weight);
-    p = ms_mcml__put(p, (uint64_t)(o->no_absorption != 0) | (uint64_t)(o->absorption_error != 0) << 1 |
-                            (uint64_t)(o->fluence != 0) << 2);
+    p = ms_mcml__put(p,
+                     (uint64_t)(o->no_absorption != 0) | (uint64_t)(o->absorption_error != 0) << 1 |
+                         (uint64_t)(o->fluence != 0) << 2);
     p = ms_mcml__put_real(p, m->grid.dr_cm);
     p = ms_mcml__put_real(p, m->grid.dz_cm);
     p = ms_mcml__put_real(p, m->grid.dt_ps);
@@ -1835,7 +1887,8 @@ MS_API ms_status ms_mcml_merge(ms_mcml *tally, const ms_mcml *other, ms_error *e
     if (tally->options.seed != other->options.seed)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the tallies have different seeds");
     if (tally->tissue.layer_count != other->tissue.layer_count ||
-        memcmp(tally->tissue.layers, other->tissue.layers, (size_t)tally->tissue.layer_count * sizeof(ms_mcml_layer)) != 0 ||
+        memcmp(tally->tissue.layers, other->tissue.layers, (size_t)tally->tissue.layer_count * sizeof(ms_mcml_layer)) !=
+            0 ||
         memcmp(&tally->tissue.n_above, &other->tissue.n_above, sizeof(double)) != 0 ||
         memcmp(&tally->tissue.n_below, &other->tissue.n_below, sizeof(double)) != 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the tallies have different tissues");
@@ -1865,7 +1918,8 @@ MS_API void ms_mcml_save(const ms_mcml *tally, void *bytes)
     for (i = 0; i < tally->at.count; ++i) p = ms_mcml__put(p, (uint64_t)tally->sum[i]);
 }
 
-MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_options *options, ms_mcml **out, ms_error *error)
+MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_options *options, ms_mcml **out,
+                              ms_error *error)
 {
     const uint8_t *p = (const uint8_t *)bytes, *head;
     ms_mcml_options o = options ? *options : ms_mcml_defaults();
@@ -1883,7 +1937,8 @@ MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_opti
         return ms__fail(error, MS_BAD_DATA, 0, "these bytes are not a saved tally");
     for (i = 0; i < 12; ++i) word[i] = ms_mcml__get(p + 16 + 8 * i);
     for (i = 7; i <= 8; ++i)
-        if ((word[i] >> 31 & 1) || word[i] >> 63) return ms__fail(error, MS_BAD_DATA, 16 + 8 * i, "a negative bin count");
+        if ((word[i] >> 31 & 1) || word[i] >> 63)
+            return ms__fail(error, MS_BAD_DATA, 16 + 8 * i, "a negative bin count");
     if (word[0] > MS_MCML__PHOTONS_MAX || word[3] > 7 || word[11] < 1 || word[11] > 32767)
         return ms__fail(error, MS_BAD_DATA, 16, "the head of the saved tally is damaged");
     o.photons = 0;
@@ -1906,8 +1961,8 @@ MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_opti
     tissue.layer_count = (int)word[11];
 
     /* the size is known before anything of it is allocated */
-    sums = ms_mcml__layout_make(&at, &grid, tissue.layer_count, o.absorption_error ? MS_MCML__GROUPS : 1, !o.no_absorption,
-                                o.fluence);
+    sums = ms_mcml__layout_make(&at, &grid, tissue.layer_count, o.absorption_error ? MS_MCML__GROUPS : 1,
+                                !o.no_absorption, o.fluence);
     layer_size = (size_t)tissue.layer_count * MS_MCML__LAYER_BYTES;
     if (sums == SIZE_MAX || size - MS_MCML__HEAD < layer_size || size - MS_MCML__HEAD - layer_size != sums)
         return ms__fail(error, MS_BAD_DATA, size, "the saved tally is cut short or longer than its head says");
@@ -1932,7 +1987,8 @@ MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_opti
     for (i = 0; i < m->at.count && status == MS_OK; ++i) {
         const uint64_t value = ms_mcml__get(head + 8 * i);
         if (value > (uint64_t)1 << 62)
-            status = ms__fail(error, MS_BAD_DATA, (size_t)(head - p) + 8 * i, "a sum of the saved tally is out of range");
+            status = ms__fail(error, MS_BAD_DATA, (size_t)(head - p) + 8 * i,
+                              "a sum of the saved tally is out of range");
         m->sum[i] = (int64_t)value;
     }
     m->photons = word[0];
@@ -1987,8 +2043,8 @@ static double ms_mcml__area(const ms_mcml *m, int ir)
 }
 
 /* Rd or Tt: the total, and over r, a, and both. */
-static void ms_mcml__leave_results(const ms_mcml *m, int down, double *total, double *total_error, double *r, double *r_error,
-                                   double *a, double *a_error, double *ra, double *ra_error)
+static void ms_mcml__leave_results(const ms_mcml *m, int down, double *total, double *total_error, double *r,
+                                   double *r_error, double *a, double *a_error, double *ra, double *ra_error)
 {
     const int nr = m->grid.nr, na = m->grid.na;
     const int64_t *bin = m->sum + m->at.leave + 2 * (size_t)down * (size_t)nr * (size_t)na;
@@ -2158,10 +2214,10 @@ MS_API ms_status ms_mcml_results(const ms_mcml *tally, ms_mcml_result *result, m
     out.tt_unscattered = (double)tally->sum[tally->at.unscattered + 1] / (double)MS_MCML__UNITS;
     out.rd_unscattered *= (1 - tally->specular) / (double)tally->photons;
     out.tt_unscattered *= (1 - tally->specular) / (double)tally->photons;
-    ms_mcml__leave_results(tally, 0, &out.rd, &out.rd_error, out.rd_r, out.rd_r_error, out.rd_a, out.rd_a_error, out.rd_ra,
-                           out.rd_ra_error);
-    ms_mcml__leave_results(tally, 1, &out.tt, &out.tt_error, out.tt_r, out.tt_r_error, out.tt_a, out.tt_a_error, out.tt_ra,
-                           out.tt_ra_error);
+    ms_mcml__leave_results(tally, 0, &out.rd, &out.rd_error, out.rd_r, out.rd_r_error, out.rd_a, out.rd_a_error,
+                           out.rd_ra, out.rd_ra_error);
+    ms_mcml__leave_results(tally, 1, &out.tt, &out.tt_error, out.tt_r, out.tt_r_error, out.tt_a, out.tt_a_error,
+                           out.tt_ra, out.tt_ra_error);
     ms_mcml__time_results(tally, &out);
     ms_mcml__layer_results(tally, &out);
     if (a) {
@@ -2169,8 +2225,8 @@ MS_API ms_status ms_mcml_results(const ms_mcml *tally, ms_mcml_result *result, m
         ms_mcml__depth_results(tally, &out);
     }
     if (phi)
-        ms_mcml__volume_results(tally, tally->sum + tally->at.phi, (double)MS_MCML__PHI_UNITS / tally->mfp_max_cm, out.phi_rz,
-                                out.phi_rz_error);
+        ms_mcml__volume_results(tally, tally->sum + tally->at.phi, (double)MS_MCML__PHI_UNITS / tally->mfp_max_cm,
+                                out.phi_rz, out.phi_rz_error);
     *result = out;
     return MS_OK;
 }
@@ -2197,8 +2253,8 @@ static double ms_mcml__relative_error(const ms_mcml *m)
     return mean > 0 ? error / mean : 1e300;
 }
 
-MS_API ms_status ms_mcml_simulate(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, const ms_mcml_options *options,
-                                  ms_mcml_result *result, ms_error *error)
+MS_API ms_status ms_mcml_simulate(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid,
+                                  const ms_mcml_options *options, ms_mcml_result *result, ms_error *error)
 {
     ms_mcml *m;
     ms_status status;
@@ -2249,7 +2305,8 @@ static double ms_mcml__lens(double a, double b, double d)
 static double ms_mcml__gaussian_ring(double radius, double r, double a, double b)
 {
     static const double node[4] = {0.18343464249564980, 0.52553240991632899, 0.79666647741362674, 0.96028985649753623};
-    static const double weight[4] = {0.36268378337836198, 0.31370664587788729, 0.22238103445337447, 0.10122853629037626};
+    static const double weight[4] = {0.36268378337836198, 0.31370664587788729, 0.22238103445337447,
+                                     0.10122853629037626};
     const double square = radius * radius, reach = 5 * radius; /* exp(-2 5^2) = 2e-22 */
     double sum = 0, width;
     int panels, p, k;
@@ -2262,7 +2319,7 @@ static double ms_mcml__gaussian_ring(double radius, double r, double a, double b
         for (k = 0; k < 8; ++k) {
             const double rho = a + (p + 0.5 + (k & 1 ? 0.5 : -0.5) * node[k / 2]) * width, d = r - rho;
             sum += weight[k / 2] * 0.5 * width * (4 * rho / square) * exp(-2 * d * d / square) *
-                   ms_mcml__bessel_i0_scaled(4 * r * rho / square);
+                ms_mcml__bessel_i0_scaled(4 * r * rho / square);
         }
     }
     return sum;
@@ -2278,13 +2335,16 @@ MS_API ms_status ms_mcml_convolve(int beam, double radius_cm, double dr_cm, int 
     if (beam != MS_MCML_BEAM_FLAT && beam != MS_MCML_BEAM_GAUSSIAN)
         return ms__fail(failure, MS_INVALID_ARGUMENT, 0, "beam is %d, expected one of ms_mcml_beam", beam);
     if (!ms_mcml__between(radius_cm, 1e-30, 1e30) || !ms_mcml__between(dr_cm, 1e-30, 1e30))
-        return ms__fail(failure, MS_INVALID_ARGUMENT, 0, "radius and dr are %g and %g cm, expected above 0", radius_cm, dr_cm);
+        return ms__fail(failure, MS_INVALID_ARGUMENT, 0, "radius and dr are %g and %g cm, expected above 0", radius_cm,
+                        dr_cm);
     if (nr < 1 || rows < 1 || count < 0 || value == NULL || (count > 0 && (r_cm == NULL || out == NULL)) ||
         (out_error != NULL && error == NULL))
-        return ms__fail(failure, MS_INVALID_ARGUMENT, 0, "nr %d, rows %d, count %d, or an array that is NULL", nr, rows, count);
+        return ms__fail(failure, MS_INVALID_ARGUMENT, 0, "nr %d, rows %d, count %d, or an array that is NULL", nr, rows,
+                        count);
     for (k = 0; k < count; ++k)
         if (!ms_mcml__between(r_cm[k], 0, 1e30))
-            return ms__fail(failure, MS_INVALID_ARGUMENT, (size_t)k, "radius %d is %g cm, expected 0 or more", k, r_cm[k]);
+            return ms__fail(failure, MS_INVALID_ARGUMENT, (size_t)k, "radius %d is %g cm, expected 0 or more", k,
+                            r_cm[k]);
 
     n = (size_t)rows;
     for (k = 0; k < count; ++k, out += n) {
@@ -2314,7 +2374,7 @@ MS_API ms_status ms_mcml_convolve(int beam, double radius_cm, double dr_cm, int 
 
 /* The data line at hand: from p to stop, a comment cut off. */
 typedef struct ms_mcml__text {
-    const char *p, *stop; /* of the line */
+    const char *p, *stop;   /* of the line */
     const char *next, *end; /* of the text */
     size_t line;
 } ms_mcml__text;
@@ -2375,7 +2435,8 @@ static int ms_mcml__number(ms_mcml__text *t, double *out)
     if (digits) {
         for (; exponent >= 22 && value < 1.797693134862315e286; exponent -= 22) value *= 1e22;
         for (; exponent <= -22 && value > 1e-320; exponent += 22) value /= 1e22;
-        for (; exponent > 0 && value < 1.797693134862315e307; --exponent) value *= 10; /* exact powers up to 10^22 below */
+        for (; exponent > 0 && value < 1.797693134862315e307; --exponent)
+            value *= 10; /* exact powers up to 10^22 below */
         if (exponent > 0) value = HUGE_VAL;
         if (exponent < 0 && exponent > -23) {
             double power = 1;
@@ -2393,13 +2454,15 @@ static ms_status ms_mcml__read_line(ms_mcml__text *t, double *out, int count, do
                                     ms_error *error)
 {
     int i;
-    if (!ms_mcml__next_line(t)) return ms__fail(error, MS_BAD_DATA, t->line, "line %z: the file ends before %s", t->line, what);
+    if (!ms_mcml__next_line(t))
+        return ms__fail(error, MS_BAD_DATA, t->line, "line %z: the file ends before %s", t->line, what);
     for (i = 0; i < count; ++i) {
         if (!ms_mcml__number(t, &out[i]))
-            return ms__fail(error, MS_BAD_DATA, t->line, "line %z: %s: number %d of %d is missing or malformed", t->line, what,
-                            i + 1, count);
+            return ms__fail(error, MS_BAD_DATA, t->line, "line %z: %s: number %d of %d is missing or malformed",
+                            t->line, what, i + 1, count);
         if (!ms_mcml__between(out[i], low, high))
-            return ms__fail(error, MS_BAD_DATA, t->line, "line %z: %s is %g, expected %g to %g", t->line, what, out[i], low, high);
+            return ms__fail(error, MS_BAD_DATA, t->line, "line %z: %s is %g, expected %g to %g", t->line, what, out[i],
+                            low, high);
     }
     return MS_OK;
 }
@@ -2460,7 +2523,8 @@ static ms_status ms_mcml__read_run(ms_mcml__text *t, ms_mcml_run_spec *run, ms_m
     if (status) return status;
     for (i = 0; i < 3; ++i)
         if (floor(v[i]) < v[i])
-            return ms__fail(error, MS_BAD_DATA, t->line, "line %z: a number of bins is %g, expected a whole number", t->line, v[i]);
+            return ms__fail(error, MS_BAD_DATA, t->line, "line %z: a number of bins is %g, expected a whole number",
+                            t->line, v[i]);
     run->grid.nz = (int)v[0];
     run->grid.nr = (int)v[1];
     run->grid.na = (int)v[2];
@@ -2501,7 +2565,8 @@ MS_API ms_status ms_mcml_mci_read(const char *text, size_t size, const ms_alloca
     if (!ms_mcml__number(&t, &version))
         return ms__fail(error, MS_BAD_DATA, t.line, "line %z: expected the file's version, 1.0", t.line);
     if (!(version >= 1 && version < 2))
-        return ms__fail(error, MS_UNSUPPORTED, t.line, "line %z: the file's version is %g, expected 1.0", t.line, version);
+        return ms__fail(error, MS_UNSUPPORTED, t.line, "line %z: the file's version is %g, expected 1.0", t.line,
+                        version);
     status = ms_mcml__read_count(&t, &count, 32767, "the number of runs", error);
     if (status) return status;
 
@@ -2514,7 +2579,8 @@ MS_API ms_status ms_mcml_mci_read(const char *text, size_t size, const ms_alloca
     memset(&out, 0, sizeof out);
     if (allocator) out.allocator = *allocator;
     out.run_count = (int)count;
-    out.memory_size = ms__size_add(ms__size_mul(layer_count, sizeof(ms_mcml_layer)), (size_t)count * sizeof(ms_mcml_run_spec));
+    out.memory_size = ms__size_add(ms__size_mul(layer_count, sizeof(ms_mcml_layer)),
+                                   (size_t)count * sizeof(ms_mcml_run_spec));
     out.memory = ms__alloc(&out.allocator, out.memory_size);
     if (out.memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the runs", out.memory_size);
     out.runs = (ms_mcml_run_spec *)out.memory;
@@ -2525,8 +2591,9 @@ MS_API ms_status ms_mcml_mci_read(const char *text, size_t size, const ms_alloca
         layers += out.runs[i].tissue.layer_count;
         for (k = 0; k < i && status == MS_OK; ++k)
             if (strcmp(out.runs[k].output, out.runs[i].output) == 0)
-                status = ms__fail(error, MS_BAD_DATA, out.runs[i].line, "line %z: the output name %s was given in line %z before",
-                                  out.runs[i].line, out.runs[i].output, out.runs[k].line);
+                status = ms__fail(error, MS_BAD_DATA, out.runs[i].line,
+                                  "line %z: the output name %s was given in line %z before", out.runs[i].line,
+                                  out.runs[i].output, out.runs[k].line);
     }
     if (status) {
         ms_mcml_mci_destroy(&out);
@@ -2583,8 +2650,8 @@ static int ms_mcml__whole(char *out, uint64_t value)
     return n;
 }
 
-/* C's %.{digits - 1}E (general 0) or %.{digits}G (general 1), digits <= 6, with '.' in every locale; 32 bytes. Rounds, and leaves the
-   text to ms__format_number. */
+/* C's %.{digits - 1}E (general 0) or %.{digits}G (general 1), digits <= 6, with '.' in every locale; 32 bytes. Rounds,
+   and leaves the text to ms__format_number. */
 static int ms_mcml__format(char *out, double x, int digits, int general)
 {
     const double top = pow(10, digits - 1);
@@ -2599,7 +2666,10 @@ static int ms_mcml__format(char *out, double x, int digits, int general)
         exponent = (int)floor(log10(x));
         for (i = 0; i < 2; ++i) { /* again where log10 or rounding was one off */
             const int shift = digits - 1 - exponent;
-            mantissa = floor((shift > 300 ? x * 1e300 * pow(10, shift - 300) : shift >= 0 ? x * pow(10, shift) : x / pow(10, -shift)) + 0.5);
+            mantissa = floor((shift > 300      ? x * 1e300 * pow(10, shift - 300)
+                                  : shift >= 0 ? x * pow(10, shift)
+                                               : x / pow(10, -shift)) +
+                             0.5);
             if (mantissa >= 10 * top) ++exponent;
             else if (mantissa < top) --exponent;
             else break;
@@ -2607,7 +2677,8 @@ static int ms_mcml__format(char *out, double x, int digits, int general)
     }
     mantissa /= top;
     if (general && exponent >= -4 && exponent < digits) /* %f */
-        return n + ms__format_number(out + n, exponent < 0 ? mantissa / pow(10, -exponent) : mantissa * pow(10, exponent));
+        return n +
+            ms__format_number(out + n, exponent < 0 ? mantissa / pow(10, -exponent) : mantissa * pow(10, exponent));
     i = n + 1;
     n += ms__format_number(out + n, mantissa);
     if (!general && n == i) out[n++] = '.';
@@ -2687,12 +2758,14 @@ static void ms_mcml__time_out(ms_mcml__writer *w, double x, int hundredths)
     ms_mcml__text_out(w, text);
 }
 
-static void ms_mcml__head_out(ms_mcml__writer *w, const ms_mcml_run_spec *run, const ms_mcml_result *result, double seconds)
+static void ms_mcml__head_out(ms_mcml__writer *w, const ms_mcml_run_spec *run, const ms_mcml_result *result,
+                              double seconds)
 {
     int i;
     ms_mcml__text_out(w, run->format == 'B' ? "B1" : "A1");
-    ms_mcml__text_out(w, " \t# Version number of the file format.\n\n####\n# Data categories include: \n# InParm, RAT, \n"
-                         "# A_l, A_z, Rd_r, Rd_a, Tt_r, Tt_a, \n# A_rz, Rd_ra, Tt_ra \n####\n\n# User time: ");
+    ms_mcml__text_out(w,
+                      " \t# Version number of the file format.\n\n####\n# Data categories include: \n# InParm, RAT, \n"
+                      "# A_l, A_z, Rd_r, Rd_a, Tt_r, Tt_a, \n# A_rz, Rd_ra, Tt_ra \n####\n\n# User time: ");
     ms_mcml__time_out(w, seconds, 0);
     ms_mcml__text_out(w, " sec = ");
     ms_mcml__time_out(w, seconds / 3600, 1);
@@ -2738,11 +2811,13 @@ MS_API ms_status ms_mcml_mco_write(const ms_mcml_run_spec *run, const ms_mcml_re
     int i, nr, nz, na;
     if (run == NULL || result == NULL || write == NULL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "run, result or write is NULL");
-    if (result->a_rz == NULL && !result->layered) return ms__fail(error, MS_UNSUPPORTED, 0, "the result has no A_rz, which an .mco file must have");
+    if (result->a_rz == NULL && !result->layered)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "the result has no A_rz, which an .mco file must have");
     nr = result->grid.nr;
     nz = result->grid.nz;
     na = result->grid.na;
-    if (run->grid.nr != nr || run->grid.nz != nz || run->grid.na != na || run->tissue.layer_count != result->layer_count)
+    if (run->grid.nr != nr || run->grid.nz != nz || run->grid.na != na ||
+        run->tissue.layer_count != result->layer_count)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the result belongs to another run");
     w.write = write;
     w.user = user;
@@ -2764,14 +2839,16 @@ MS_API ms_status ms_mcml_mco_write(const ms_mcml_run_spec *run, const ms_mcml_re
                        "# A[r][z]. [1/cm3]\n# A[0][0], [0][1],..[0][nz-1]\n# A[1][0], [1][1],..[1][nz-1]\n# ...\n"
                        "# A[nr-1][0], [nr-1][1],..[nr-1][nz-1]\nA_rz\n",
                        result->a_rz, (size_t)nr * (size_t)nz);
-    ms_mcml__table_out(&w,
-                       "# Rd[r][angle]. [1/(cm2sr)].\n# Rd[0][0], [0][1],..[0][na-1]\n# Rd[1][0], [1][1],..[1][na-1]\n# ...\n"
-                       "# Rd[nr-1][0], [nr-1][1],..[nr-1][na-1]\nRd_ra\n",
-                       result->rd_ra, (size_t)nr * (size_t)na);
-    ms_mcml__table_out(&w,
-                       "# Tt[r][angle]. [1/(cm2sr)].\n# Tt[0][0], [0][1],..[0][na-1]\n# Tt[1][0], [1][1],..[1][na-1]\n# ...\n"
-                       "# Tt[nr-1][0], [nr-1][1],..[nr-1][na-1]\nTt_ra\n",
-                       result->tt_ra, (size_t)nr * (size_t)na);
+    ms_mcml__table_out(
+        &w,
+        "# Rd[r][angle]. [1/(cm2sr)].\n# Rd[0][0], [0][1],..[0][na-1]\n# Rd[1][0], [1][1],..[1][na-1]\n# ...\n"
+        "# Rd[nr-1][0], [nr-1][1],..[nr-1][na-1]\nRd_ra\n",
+        result->rd_ra, (size_t)nr * (size_t)na);
+    ms_mcml__table_out(
+        &w,
+        "# Tt[r][angle]. [1/(cm2sr)].\n# Tt[0][0], [0][1],..[0][na-1]\n# Tt[1][0], [1][1],..[1][na-1]\n# ...\n"
+        "# Tt[nr-1][0], [nr-1][1],..[nr-1][na-1]\nTt_ra\n",
+        result->tt_ra, (size_t)nr * (size_t)na);
     ms_mcml__flush(&w);
     return w.failed ? ms__fail(error, MS_IO, 0, "%s could not be written", run->output) : MS_OK;
 }
@@ -2812,8 +2889,8 @@ MS_API ms_status ms_mcml_mci_load(const char *path, const ms_allocator *allocato
 
 static int ms_mcml__file_write(void *user, const char *text, size_t size) { return ms__file_write(user, text, size); }
 
-MS_API ms_status ms_mcml_mco_save(const char *path, const ms_mcml_run_spec *run, const ms_mcml_result *result, double seconds,
-                                  ms_error *error)
+MS_API ms_status ms_mcml_mco_save(const char *path, const ms_mcml_run_spec *run, const ms_mcml_result *result,
+                                  double seconds, ms_error *error)
 {
     ms__file file;
     ms_status status = ms__file_open(&file, path, error);
@@ -2930,8 +3007,9 @@ static double ms_mcml__case_eigenvalue(double albedo, double absorption)
         tanh_y = tanh(y);
         if (y < 0.1) { /* y - tanh(y) without cancellation */
             double y2 = y * y;
-            residual = y * (y2 * (1 / 3.0 + y2 * (-2 / 15.0 + y2 * (17 / 315.0 + y2 * (-62 / 2835.0 + y2 * (1382 / 155925.0))))) -
-                            absorption);
+            residual = y *
+                (y2 * (1 / 3.0 + y2 * (-2 / 15.0 + y2 * (17 / 315.0 + y2 * (-62 / 2835.0 + y2 * (1382 / 155925.0))))) -
+                 absorption);
         } else {
             residual = albedo * y - tanh_y;
         }
@@ -3035,13 +3113,13 @@ static double ms_mcml__multiple(const ms_mcml__cone *cone, double albedo, double
    leaves. */
 typedef struct ms_mcml__nnls {
     int rows, columns, active;
-    double tolerance;                 /* of the gradients where it ends */
-    const double *a, *target;         /* [columns][rows], [rows] */
-    double *x;                        /* [columns] */
-    double *qr;                       /* [rows] a column: reflection below, R above the diagonal */
-    double *diagonal, *rhs, *residual;   /* [rows] */
-    double *solution;                 /* [columns] */
-    int list[MS_MCML__COLUMNS_MAX];   /* the active columns */
+    double tolerance;                        /* of the gradients where it ends */
+    const double *a, *target;                /* [columns][rows], [rows] */
+    double *x;                               /* [columns] */
+    double *qr;                              /* [rows] a column: reflection below, R above the diagonal */
+    double *diagonal, *rhs, *residual;       /* [rows] */
+    double *solution;                        /* [columns] */
+    int list[MS_MCML__COLUMNS_MAX];          /* the active columns */
     signed char state[MS_MCML__COLUMNS_MAX]; /* 1 active, -1 refused until the next success */
 } ms_mcml__nnls;
 
@@ -3158,10 +3236,12 @@ static void ms_mcml__nnls_solve(ms_mcml__nnls *p)
    lattice sqrt(edge^2 + tau^2) of log spacing `step` in tau. Returns how many; *misfit is relative. total is the
    spectrum at k = 0, which the energies are scaled to. Row i counts as 1 / (1 + noise t[i]): noise = 1 says that the
    relative error of the spectrum grows with t. tolerance: 0 fits to rounding. */
-#define MS_MCML__FIT_DOUBLES (MS_MCML_RATES_MAX * (MS_MCML__COLUMNS_MAX + MS_MCML_RATES_MAX + 4) + 2 * MS_MCML__COLUMNS_MAX)
+#define MS_MCML__FIT_DOUBLES \
+    (MS_MCML_RATES_MAX * (MS_MCML__COLUMNS_MAX + MS_MCML_RATES_MAX + 4) + 2 * MS_MCML__COLUMNS_MAX)
 
-static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows, double noise, double tolerance, double edge, double step,
-                              double total, double *rate, double *energy, double *misfit, double *work)
+static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows, double noise, double tolerance,
+                              double edge, double step, double total, double *rate, double *energy, double *misfit,
+                              double *work)
 {
     double tau[MS_MCML__COLUMNS_MAX], norm[MS_MCML__COLUMNS_MAX], sum = 0, unit = 1, *target;
     ms_mcml__nnls p;
@@ -3171,7 +3251,8 @@ static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows,
     p.tolerance = tolerance;
     p.columns = 0;
     if (edge > 0) tau[p.columns++] = 0;
-    for (i = (int)floor(-1.2 / step); p.columns < MS_MCML__COLUMNS_MAX && t[0] * exp(step * (i - 1)) < 20 * t[rows - 1]; ++i)
+    for (i = (int)floor(-1.2 / step); p.columns < MS_MCML__COLUMNS_MAX && t[0] * exp(step * (i - 1)) < 20 * t[rows - 1];
+         ++i)
         tau[p.columns++] = t[0] * exp(step * i);
     p.a = a;
     p.qr = a + MS_MCML__COLUMNS_MAX * MS_MCML_RATES_MAX;
@@ -3181,7 +3262,7 @@ static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows,
     p.target = target = p.residual + MS_MCML_RATES_MAX;
     p.x = target + MS_MCML_RATES_MAX;
     p.solution = p.x + MS_MCML__COLUMNS_MAX;
-    for (i = 0; i < rows; ++i) target[i] = 1 / (1 + noise * t[i]); /* misfits are relative to the spectrum */
+    for (i = 0; i < rows; ++i) target[i] = 1 / (1 + noise * t[i]);   /* misfits are relative to the spectrum */
     if (spectrum[0] > 0 && spectrum[0] < 1e-100) unit = spectrum[0]; /* the squares below would overflow */
     for (c = 0; c < p.columns; ++c) {
         for (norm[c] = 0, i = 0; i < rows; ++i) {
@@ -3214,7 +3295,8 @@ static ms_status ms_mcml__check_medium(const ms_mcml_medium *medium, ms_error *e
     if (!ms__finite(mu_s) || mu_s < 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "mu_s_per_mm is %g, expected a number >= 0", mu_s);
     if (!(mu_a + mu_s >= 1e-100 && mu_a + mu_s <= 1e100))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "mu_a_per_mm + mu_s_per_mm is %g, expected 1e-100 to 1e100", mu_a + mu_s);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "mu_a_per_mm + mu_s_per_mm is %g, expected 1e-100 to 1e100",
+                        mu_a + mu_s);
     if (!ms__finite(medium->g) || !(medium->g > -1 && medium->g < 1))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "g is %g, expected more than -1 and less than 1", medium->g);
     if (!ms__finite(medium->eta) || !(medium->eta >= 0.1 && medium->eta <= 10))
@@ -3269,8 +3351,8 @@ static void ms_mcml__solve(const ms_mcml_medium *medium, double h, double step, 
         }
         spectrum[rows++] = sum;
     }
-    s.lines = ms_mcml__stieltjes(t, spectrum, rows, 0, 1e-12, low, 1.2 * step, s.total_single, s.line_rate_per_mm, s.line_energy,
-                                 &misfit, work);
+    s.lines = ms_mcml__stieltjes(t, spectrum, rows, 0, 1e-12, low, 1.2 * step, s.total_single, s.line_rate_per_mm,
+                                 s.line_energy, &misfit, work);
 
     nu = ms_mcml__case_eigenvalue(s.albedo, absorption);
     multiple = entering * ms_mcml__multiple(&cone, s.albedo, 0, nu > slowest ? nu : slowest, h, work);
@@ -3284,8 +3366,8 @@ static void ms_mcml__solve(const ms_mcml_medium *medium, double h, double step, 
         spectrum[rows] = entering * ms_mcml__multiple(&cone, s.albedo, t[rows] * t[rows] - nu * nu, t[rows], h, work);
         ++rows;
     }
-    s.rates = ms_mcml__stieltjes(t, spectrum, rows, 1, 0, nu, 0.8 * step, multiple, s.rate_per_mm, s.energy, &s.fit_error,
-                                 work);
+    s.rates = ms_mcml__stieltjes(t, spectrum, rows, 1, 0, nu, 0.8 * step, multiple, s.rate_per_mm, s.energy,
+                                 &s.fit_error, work);
 
     for (i = 0; i < s.singles; ++i) s.single_rate_per_mm[i] *= s.mu_t_per_mm;
     for (i = 0; i < s.lines; ++i) s.line_rate_per_mm[i] *= s.mu_t_per_mm;
@@ -3299,7 +3381,8 @@ static ms_status ms_mcml__check_steps(double *depth_step, double *frequency_step
     if (!ms_mcml__between(*depth_step, 0.28, 1) && !ms_mcml__between(*depth_step, 0, 0))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "depth_step is %g, expected 0.28 to 1, or 0", *depth_step);
     if (!ms_mcml__between(*frequency_step, 0.2, 1) && !ms_mcml__between(*frequency_step, 0, 0))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frequency_step is %g, expected 0.2 to 1, or 0", *frequency_step);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frequency_step is %g, expected 0.2 to 1, or 0",
+                        *frequency_step);
     if (!(*depth_step > 0)) *depth_step = 0.3;
     if (!(*frequency_step > 0)) *frequency_step = 0.25;
     return MS_OK;
@@ -3320,7 +3403,8 @@ MS_API ms_status ms_mcml_halfspace_solve(const ms_mcml_medium *medium, const ms_
     if (status) return status;
     work = (double *)ms__alloc(&o.allocator, MS_MCML__SOLVE_BYTES);
     if (work == NULL)
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the half-space solver", (size_t)MS_MCML__SOLVE_BYTES);
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the half-space solver",
+                        (size_t)MS_MCML__SOLVE_BYTES);
     ms_mcml__solve(medium, o.depth_step, o.frequency_step, out, work);
     ms__release(&o.allocator, work, MS_MCML__SOLVE_BYTES);
     return MS_OK;
@@ -3330,10 +3414,11 @@ MS_API ms_status ms_mcml_halfspace_solve(const ms_mcml_medium *medium, const ms_
    interpolates at the Chebyshev nodes of [0, 1]. */
 static double ms_mcml__x_bessel_k1(double x)
 {
-    static const double p[] = {1.2533141373223884, 0.23499639828639249, -0.036718040184640545, 0.016060675864789022,
-                               -0.011250123789009064, 0.010517606692691388, -0.01136402908770562, 0.012188203438317703,
-                               -0.011308843515876503, 0.0081313856435097981, -0.0040970924956295601,
-                               0.0012653699962738531, -0.00017867465249178075};
+    static const double p[] = {1.2533141373223884,     0.23499639828639249,    -0.036718040184640545,
+                               0.016060675864789022,   -0.011250123789009064,  0.010517606692691388,
+                               -0.01136402908770562,   0.012188203438317703,   -0.011308843515876503,
+                               0.0081313856435097981,  -0.0040970924956295601, 0.0012653699962738531,
+                               -0.00017867465249178075};
     double sum = 0, y;
     int i;
     if (!(x > 0)) return 1;
@@ -3369,7 +3454,8 @@ MS_API double ms_mcml_halfspace_ring(const ms_mcml_halfspace *s, double r0_mm, d
 {
     double r0 = r0_mm, r1 = r1_mm, sum = 0;
     int i;
-    if (s == NULL || !ms_mcml__between(r0, 0, 1e150) || !ms_mcml__between(r1, 0, 1e150) || !(r0 < r1)) return ms_mcml__nan();
+    if (s == NULL || !ms_mcml__between(r0, 0, 1e150) || !ms_mcml__between(r1, 0, 1e150) || !(r0 < r1))
+        return ms_mcml__nan();
     if (r1 - r0 < 1e-4 * r1) { /* a narrower ring has the same mean to 1e-9 (rate r)^2, but would cancel */
         double middle = 0.5 * (r0 + r1);
         r0 = (1 - 0.5e-4) * middle;
@@ -3378,7 +3464,8 @@ MS_API double ms_mcml_halfspace_ring(const ms_mcml_halfspace *s, double r0_mm, d
     for (i = 0; i < s->singles && s->single_rate_per_mm[i] * r0 < 745; ++i)
         sum -= s->single_energy[i] * exp(-s->single_rate_per_mm[i] * r0) * expm1(-s->single_rate_per_mm[i] * (r1 - r0));
     for (i = 0; i < s->rates && s->rate_per_mm[i] * r0 < 745; ++i)
-        sum += s->energy[i] * (ms_mcml__x_bessel_k1(s->rate_per_mm[i] * r0) - ms_mcml__x_bessel_k1(s->rate_per_mm[i] * r1));
+        sum += s->energy[i] *
+            (ms_mcml__x_bessel_k1(s->rate_per_mm[i] * r0) - ms_mcml__x_bessel_k1(s->rate_per_mm[i] * r1));
     return sum / (3.14159265358979324 * (r1 - r0) * (r1 + r0));
 }
 
@@ -3414,14 +3501,14 @@ MS_API double ms_mcml_halfspace_line_beyond(const ms_mcml_halfspace *s, double x
 
 #define MS_MCML__ORDER_MAX 31
 #define MS_MCML__STRATA 16
-#define MS_MCML__RAYS 8        /* side by side: a part of a panel of nu = n sin(theta) */
-#define MS_MCML__AZIMUTHS 14   /* at most, in a quarter of the circle */
-#define MS_MCML__SHAPES 64     /* different panel lengths of a layer */
+#define MS_MCML__RAYS 8         /* side by side: a part of a panel of nu = n sin(theta) */
+#define MS_MCML__AZIMUTHS 14    /* at most, in a quarter of the circle */
+#define MS_MCML__SHAPES 64      /* different panel lengths of a layer */
 #define MS_MCML__PANELS_MAX 160 /* of a layer */
-#define MS_MCML__SPAN 48       /* steps of GMRES */
-#define MS_MCML__EVEN_MAX 9    /* even moments of the preconditioner */
+#define MS_MCML__SPAN 48        /* steps of GMRES */
+#define MS_MCML__EVEN_MAX 9     /* even moments of the preconditioner */
 #define MS_MCML__ODD_MAX 12
-#define MS_MCML__SERIES 17     /* terms of exp(-y), |y| < 1, and of its last moment: 1e-16 */
+#define MS_MCML__SERIES 17 /* terms of exp(-y), |y| < 1, and of its last moment: 1e-16 */
 
 /* A layer as the flights see it; mu_s, mu_t and sigma without the forward peak. */
 typedef struct ms_mcml__stratum {
@@ -3430,9 +3517,9 @@ typedef struct ms_mcml__stratum {
     const double *moment;                 /* NULL: Henyey-Greenstein */
     double down, up;                      /* the beam at the top going down, at the bottom going up */
     int clear, semi, panel, panels, used; /* used: panels within reach at this frequency */
-    int deep, node, end;                  /* first node of all; first and last of those within reach, each layer's a multiple of 8 */
+    int deep, node, end; /* first node of all; first and last of those within reach, each layer's a multiple of 8 */
     double shape[MS_MCML__SHAPES];
-    int shapes, table;                    /* table: of its first shape */
+    int shapes, table; /* table: of its first shape */
 } ms_mcml__stratum;
 
 /* Low-order preconditioner: u even, v odd moments. */
@@ -3459,18 +3546,19 @@ typedef struct ms_mcml__flights {
     /* at one frequency */
     double k, mu_least;
     int most, blocks, azimuths, terms, reach; /* m up to most; terms: of l and m; reach: nodes within reach */
-    double *nu, *nu_weight; /* [blocks][RAYS] */
-    double *cosine, *turn;  /* [blocks][azimuths][RAYS] cos(phi), weight */
-    double *around;         /* [blocks][azimuths][most + 1][RAYS] (-1)^(m/2) cos(m phi) / norm */
-    double *mu;             /* [blocks][layers][RAYS], or 0 */
-    double *theta;          /* [blocks][layers][terms][RAYS] */
-    double *table;          /* [blocks][azimuths][shapes][4][6][2][RAYS] */
-    double *chain;          /* [blocks][azimuths][layers][5][2][RAYS] of each ray through a layer: what passes; back over down at its
-                               bottom and at its top; what v of the next layer counts here; 1 / (1 - r times back at its top) */
-    double *edge;           /* [blocks][layers][5][RAYS] at its top: reflectance, what comes in from above; at its bottom: reflectance;
-                               what leaves upwards and downwards */
-    double *depth, *beam;   /* [reach], [2][reach]: down and up */
-    double *q, *source;     /* of a flight: [terms][reach] source moments, [2][m][reach][RAYS] of the rays down and up */
+    double *nu, *nu_weight;                   /* [blocks][RAYS] */
+    double *cosine, *turn;                    /* [blocks][azimuths][RAYS] cos(phi), weight */
+    double *around;                           /* [blocks][azimuths][most + 1][RAYS] (-1)^(m/2) cos(m phi) / norm */
+    double *mu;                               /* [blocks][layers][RAYS], or 0 */
+    double *theta;                            /* [blocks][layers][terms][RAYS] */
+    double *table;                            /* [blocks][azimuths][shapes][4][6][2][RAYS] */
+    double *chain; /* [blocks][azimuths][layers][5][2][RAYS] of each ray through a layer: what passes; back over down at
+                      its   bottom and at its top; what v of the next layer counts here; 1 / (1 - r times back at its
+                      top) */
+    double *edge;  /* [blocks][layers][5][RAYS] at its top: reflectance, what comes in from above; at its bottom:
+                      reflectance; what leaves upwards and downwards */
+    double *depth, *beam; /* [reach], [2][reach]: down and up */
+    double *q, *source;   /* of a flight: [terms][reach] source moments, [2][m][reach][RAYS] of the rays down and up */
     double *line, *down, *up, *both; /* [reach][4][RAYS], [reach][2][RAYS] twice, [azimuths][reach][4][RAYS] */
     double *moments, *x, *vectors;   /* moments: [terms][nodes] three times; x: [terms][reach] */
     double *memory;
@@ -3478,7 +3566,10 @@ typedef struct ms_mcml__flights {
     ms_mcml__smoother smoother;
 } ms_mcml__flights;
 
-static int ms_mcml__first_term(int order, int m) { return m * (order + 1) - m * (m - 1) / 2; } /* terms m, l = m .. order */
+static int ms_mcml__first_term(int order, int m)
+{
+    return m * (order + 1) - m * (m - 1) / 2;
+} /* terms m, l = m .. order */
 
 static void ms_mcml__legendre_nodes(int n, double *x, double *w) /* Gauss on [0, 1] */
 {
@@ -3512,7 +3603,8 @@ static void ms_mcml__theta(int order, int most, double mu, double *out, int stri
         if (m > 0) diagonal *= sine * sqrt((2 * m + 1.0) / (2 * m)), b = diagonal;
         p[0] = b;
         for (l = m + 1; l <= order; ++l) {
-            double k = sqrt((4.0 * l * l - 1) / ((double)l * l - (double)m * m)), next = k * (mu * b - (ka > 0 ? a / ka : 0));
+            double k = sqrt((4.0 * l * l - 1) / ((double)l * l - (double)m * m)),
+                   next = k * (mu * b - (ka > 0 ? a / ka : 0));
             a = b;
             b = next;
             ka = k;
@@ -3555,8 +3647,9 @@ static void ms_mcml__beams(ms_mcml__flights *s)
     }
 }
 
-/* Panels of a layer of optical thickness tau below a depth of others, in mean free paths; their number. Fine at both ends,
-   where the source bends, a unit of mean free paths long where the beam scatters first, longer below, up to `longest`. */
+/* Panels of a layer of optical thickness tau below a depth of others, in mean free paths; their number. Fine at both
+   ends, where the source bends, a unit of mean free paths long where the beam scatters first, longer below, up to
+   `longest`. */
 static int ms_mcml__mesh(double tau, int semi, double depth, double longest, double unit, double *h)
 {
     enum { MOST = MS_MCML__PANELS_MAX / 2 - 4 };
@@ -3618,7 +3711,8 @@ static void ms_mcml__rays(ms_mcml__flights *s, double k, int most)
         series[0][i] = series[1][i] / (i + 5);
     }
     ms_mcml__legendre_nodes(R * parts, x, w);
-    { /* the first panel in two: sinh from the normal, then towards grazing; each of the others clusters at its upper end */
+    { /* the first panel in two: sinh from the normal, then towards grazing; each of the others clusters at its upper
+         end */
         const double eps = mu_least / (k > 1e-9 * mu_least ? k : 1e-9 * mu_least) * breaks[0], cut = 0.6 * breaks[0];
         const double top = log(cut / eps + sqrt(1 + cut / eps * (cut / eps)));
         const int count = R * parts;
@@ -3638,7 +3732,8 @@ static void ms_mcml__rays(ms_mcml__flights *s, double k, int most)
     }
     { /* azimuth */
         const double ratio = k / mu_least, t = ratio / (1 + sqrt(1 + ratio * ratio));
-        int count = t > 1e-9 ? (int)ceil(log((t < 0.25 ? 1e-7 : 1e-5) * (s->order > 3 ? 1 : 1e-3)) / (4 * log(t))) : 1, even;
+        int count = t > 1e-9 ? (int)ceil(log((t < 0.25 ? 1e-7 : 1e-5) * (s->order > 3 ? 1 : 1e-3)) / (4 * log(t))) : 1,
+            even;
         if (count * 4 < 2 * most + 2) count = (2 * most + 5) / 4;
         even = count <= MS_MCML__AZIMUTHS;
         if (!even) count = MS_MCML__AZIMUTHS;
@@ -3662,22 +3757,26 @@ static void ms_mcml__rays(ms_mcml__flights *s, double k, int most)
                     s->turn[at] = weight;
                     for (m = 0; m <= most; ++m)
                         s->around[((size_t)(b * count + a) * (size_t)(most + 1) + (size_t)m) * R + (size_t)j] =
-                            (m & 2 ? -1 : 1) * cos(m * (1.5707963267948966 - psi)) * (m ? 0.56418958354775629 : 0.3989422804014327);
+                            (m & 2 ? -1 : 1) * cos(m * (1.5707963267948966 - psi)) *
+                            (m ? 0.56418958354775629 : 0.3989422804014327);
                 }
     }
     for (b = 0; b < s->blocks; ++b)
         for (layer = 0; layer < s->layers; ++layer) {
             const ms_mcml__stratum *l = &s->layer[layer];
             for (j = 0; j < R; ++j) {
-                const double nu = s->nu[b * R + j], sine = nu / l->n, mu = nu < l->n ? sqrt((1 - sine) * (1 + sine)) : 0;
+                const double nu = s->nu[b * R + j], sine = nu / l->n,
+                             mu = nu < l->n ? sqrt((1 - sine) * (1 + sine)) : 0;
                 s->mu[(b * s->layers + layer) * R + j] = mu;
                 if (mu > 0 && !l->clear)
-                    ms_mcml__theta(s->order, most, mu, s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R + j, R);
+                    ms_mcml__theta(s->order, most, mu,
+                                   s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R + j, R);
             }
             if (l->clear) continue;
             for (a = 0; a < s->azimuths; ++a)
                 for (i = 0; i < l->shapes; ++i) {
-                    double *t = s->table + (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) + (size_t)(l->table + i)) * 48 * R;
+                    double *t = s->table +
+                        (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) + (size_t)(l->table + i)) * 48 * R;
                     double h[R], wave[R]; /* length along each ray, radians a length */
                     for (j = 0; j < R; ++j) {
                         const double mu = s->mu[(b * s->layers + layer) * R + j];
@@ -3714,19 +3813,24 @@ static void ms_mcml__join(ms_mcml__flights *s)
         for (a = 0; a < s->azimuths; ++a)
             for (layer = s->layers - 1; layer >= 0; --layer) {
                 const ms_mcml__stratum *y = &s->layer[layer];
-                const double *cosine = s->cosine + (b * s->azimuths + a) * R, *mu = s->mu + (b * s->layers + layer) * R, *edge = edges + layer * 5 * R;
+                const double *cosine = s->cosine + (b * s->azimuths + a) * R, *mu = s->mu + (b * s->layers + layer) * R,
+                             *edge = edges + layer * 5 * R;
                 double *c = s->chain + (size_t)((b * s->azimuths + a) * s->layers + layer) * 10 * R;
                 const double *next = c + 10 * R;
-                const int open = layer + 1 < s->layers && nu[0] < y[1].n && (y[1].clear || y[1].used) && (y->clear || y->used == y->panels);
+                const int open = layer + 1 < s->layers && nu[0] < y[1].n && (y[1].clear || y[1].used) &&
+                    (y->clear || y->used == y->panels);
                 memset(c, 0, 10 * R * sizeof(double));
                 if (!(nu[0] < y->n) || (!y->clear && y->used == 0)) continue;
                 for (j = 0; j < R; ++j) {
-                    const double x = y->mu_t * y->d / mu[j], angle = s->k * nu[j] / y->n * cosine[j] * y->d / mu[j], r = edge[2 * R + j];
-                    const double e = x < 700 && !y->semi ? exp(-x) : 0, er = e * cos(e > 0 ? angle : 0), ei = -e * sin(e > 0 ? angle : 0);
+                    const double x = y->mu_t * y->d / mu[j], angle = s->k * nu[j] / y->n * cosine[j] * y->d / mu[j],
+                                 r = edge[2 * R + j];
+                    const double e = x < 700 && !y->semi ? exp(-x) : 0, er = e * cos(e > 0 ? angle : 0),
+                                 ei = -e * sin(e > 0 ? angle : 0);
                     double br = r, bi = 0, tr, ti, nr, ni, size;
                     if (open) { /* r + (1 - r)^2 rho / (1 - rho r), rho at the top of the next layer */
                         const double across = (1 - r) * (1 - r), factor = (1 - r) * (y->n / y[1].n) * (y->n / y[1].n);
-                        const double pr = next[4 * R + j], pi = next[5 * R + j], qr = next[8 * R + j], qi = next[9 * R + j];
+                        const double pr = next[4 * R + j], pi = next[5 * R + j], qr = next[8 * R + j],
+                                     qi = next[9 * R + j];
                         br += across * (pr * qr - pi * qi);
                         bi += across * (pr * qi + pi * qr);
                         c[6 * R + j] = factor * qr;
@@ -3767,9 +3871,9 @@ static void ms_mcml__invert(double *a, int n)
     }
 }
 
-/* What all later flights add to a residual, by the equations of spherical harmonics up to most_l: even l as linear elements
-   in depth, continuous over n^2, odd l eliminated. With A and X the streaming along z and x (moments times i^m),
-     A v' + k X v + S_e u = q_e,   A^T u' - k X^T u + S_o v = q_o,   S_l = mu_t - sigma_l. */
+/* What all later flights add to a residual, by the equations of spherical harmonics up to most_l: even l as linear
+   elements in depth, continuous over n^2, odd l eliminated. With A and X the streaming along z and x (moments times
+     i^m), A v' + k X v + S_e u = q_e,   A^T u' - k X^T u + S_o v = q_o,   S_l = mu_t - sigma_l. */
 static void ms_mcml__smoother_make(ms_mcml__flights *s, int most_l)
 {
     ms_mcml__smoother *f = &s->smoother;
@@ -3790,9 +3894,11 @@ static void ms_mcml__smoother_make(ms_mcml__flights *s, int most_l)
             const int le = f->even_l[i], lo = f->odd_l[o], me = f->even_m[i], mo = f->odd_m[o], low = le < lo ? le : lo;
             a[i][o] = x[i][o] = 0;
             if (le - lo != 1 && lo - le != 1) continue;
-            if (me == mo) a[i][o] = sqrt(((low + 1.0) * (low + 1.0) - (double)me * me) / ((2.0 * low + 1) * (2.0 * low + 3)));
+            if (me == mo)
+                a[i][o] = sqrt(((low + 1.0) * (low + 1.0) - (double)me * me) / ((2.0 * low + 1) * (2.0 * low + 3)));
             if (me - mo == 1 || mo - me == 1) { /* from (lm, m) to (lm +- 1, m + 1) */
-                const double lm = me < mo ? le : lo, lh = me < mo ? lo : le, c = me + mo > 1 ? 0.5 : 0.70710678118654752;
+                const double lm = me < mo ? le : lo, lh = me < mo ? lo : le,
+                             c = me + mo > 1 ? 0.5 : 0.70710678118654752;
                 double y;
                 m = me < mo ? me : mo;
                 if (lh > lm) y = c * sqrt((lm + m + 1) * (lm + m + 2) / ((2 * lm + 1) * (2 * lm + 3)));
@@ -3837,7 +3943,8 @@ static void ms_mcml__smoother_make(ms_mcml__flights *s, int most_l)
                     /* w' P u' - k w' Q u - k w Q^T u' + w R u on [0, h] */
                     p0[i * ne + j] += n4 * (p / h + k * 0.5 * q + k * 0.5 * qt + r * h / 3);
                     p1[i * ne + j] += n4 * (p / h - k * 0.5 * q - k * 0.5 * qt + r * h / 3);
-                    c0[i * ne + j] += n4 * (-p / h + k * 0.5 * q - k * 0.5 * qt + r * h / 6); /* row: this node, column: next */
+                    c0[i * ne + j] += n4 *
+                        (-p / h + k * 0.5 * q - k * 0.5 * qt + r * h / 6); /* row: this node, column: next */
                 }
         }
     }
@@ -3853,8 +3960,8 @@ static void ms_mcml__smoother_make(ms_mcml__flights *s, int most_l)
                 for (j = 0; j < ne; ++j)
                     if (f->even_m[o] == f->even_m[j])
                         p[o * ne + j] += n4 * 2 * mu / 48 * (1 - r) / (1 + r) *
-                                         theta[ms_mcml__first_term(most_l, f->even_m[o]) + f->even_l[o] - f->even_m[o]] *
-                                         theta[ms_mcml__first_term(most_l, f->even_m[j]) + f->even_l[j] - f->even_m[j]];
+                            theta[ms_mcml__first_term(most_l, f->even_m[o]) + f->even_l[o] - f->even_m[o]] *
+                            theta[ms_mcml__first_term(most_l, f->even_m[j]) + f->even_l[j] - f->even_m[j]];
         }
     }
     for (node = 0; node < f->nodes; ++node) { /* pivots: D_i - C^T D^-1 C */
@@ -3897,7 +4004,8 @@ static void ms_mcml__smooth(const ms_mcml__flights *s, double *r)
             const double h = s->depth[at + 1] - s->depth[at];
             double *b0 = f->right + node * ne, *b1 = b0 + ne, v0[MS_MCML__ODD_MAX], v1[MS_MCML__ODD_MAX];
             for (o = 0; o < f->odd; ++o) {
-                const double q = y->sigma[f->odd_l[o]] / (y->mu_t - y->sigma[f->odd_l[o]]), *x = r + (size_t)f->odd_term[o] * nz + at;
+                const double q = y->sigma[f->odd_l[o]] / (y->mu_t - y->sigma[f->odd_l[o]]),
+                             *x = r + (size_t)f->odd_term[o] * nz + at;
                 v0[o] = q * x[0];
                 v1[o] = q * x[1];
             }
@@ -3950,7 +4058,8 @@ static void ms_mcml__smooth(const ms_mcml__flights *s, double *r)
             for (o = 0; o < f->odd; ++o) v[o] = 0;
             for (j = 0; j < f->pairs; ++j) {
                 i = f->pair_even[j];
-                v[f->pair_odd[j]] += k * f->pair_x[j] * n2 * u[i] - f->pair_a[j] * scale * (u[high * ne + i] - u[i - low * ne]);
+                v[f->pair_odd[j]] += k * f->pair_x[j] * n2 * u[i] -
+                    f->pair_a[j] * scale * (u[high * ne + i] - u[i - low * ne]);
             }
             for (o = 0; o < f->odd; ++o) {
                 double q = v[o], *x = r + (size_t)f->odd_term[o] * nz + at;
@@ -3962,8 +4071,8 @@ static void ms_mcml__smooth(const ms_mcml__flights *s, double *r)
     }
 }
 
-/* d - K d = b by GMRES, preconditioned from the left, from d on. leave: what leaves the top and the bottom. The residual,
-   relative to b. */
+/* d - K d = b by GMRES, preconditioned from the left, from d on. leave: what leaves the top and the bottom. The
+   residual, relative to b. */
 static double ms_mcml__settle(ms_mcml__flights *s, double *d, double tolerance, double leave[2])
 {
     enum { SPAN = MS_MCML__SPAN };
@@ -4028,8 +4137,8 @@ static double ms_mcml__moment(const ms_mcml__stratum *y, int l)
     return y->moment ? y->moment[l] : l == 0 ? 1 : y->g < 0 || y->g > 0 ? pow(y->g, l) : 0;
 }
 
-/* Attenuation far from everything: the least root of h_0 - k^2 / (3 h_1 - (2 k)^2 / (5 h_2 - ...)), h_l = mu_t - sigma_l,
-   of the equations of spherical harmonics (Case & Zweifel 1967); it cannot exceed mu_t. */
+/* Attenuation far from everything: the least root of h_0 - k^2 / (3 h_1 - (2 k)^2 / (5 h_2 - ...)), h_l = mu_t -
+   sigma_l, of the equations of spherical harmonics (Case & Zweifel 1967); it cannot exceed mu_t. */
 static double ms_mcml__attenuation(const ms_mcml__stratum *y, int order)
 {
     double low = 0, high = sqrt(3 * y->mu_a * (y->mu_t - y->sigma[1]));
@@ -4038,16 +4147,20 @@ static double ms_mcml__attenuation(const ms_mcml__stratum *y, int order)
     for (i = 0; i < 60; ++i) {
         const double k = 0.5 * (low + high);
         double d = (2 * 40 + 1) * y->mu_t;
-        for (l = 39; l >= 0 && d > 0; --l) d = (2 * l + 1) * (l == 0 ? y->mu_a : y->mu_t - (l <= order ? y->sigma[l] : 0)) - (l + 1.0) * (l + 1.0) * k * k / d;
+        for (l = 39; l >= 0 && d > 0; --l)
+            d = (2 * l + 1) * (l == 0 ? y->mu_a : y->mu_t - (l <= order ? y->sigma[l] : 0)) -
+                (l + 1.0) * (l + 1.0) * k * k / d;
         if (d > 0) low = k;
         else high = k;
     }
     return low;
 }
 
-/* Layers without their forward peak, panels, and room for frequencies with m up to most. order 1: isotropic scattering only. */
-static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tissue *tissue, const ms_mcml_layered_options *o, int order,
-                                       int parts, int most, ms_error *error)
+/* Layers without their forward peak, panels, and room for frequencies with m up to most. order 1: isotropic scattering
+   only. */
+static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tissue *tissue,
+                                       const ms_mcml_layered_options *o, int order, int parts, int most,
+                                       ms_error *error)
 {
     enum { R = MS_MCML__RAYS, LM = MS_MCML__ORDER_MAX };
     const size_t az = most > 0 ? MS_MCML__AZIMUTHS : 1, sheets = (size_t)most + 1;
@@ -4093,7 +4206,8 @@ static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tis
         }
         scale = y->mu_t * y->d > 1 ? y->mu_t : 1 / y->d;
         if (scale < s->mu_least) s->mu_least = scale;
-        panels = ms_mcml__mesh(y->mu_t * y->d, y->semi, depth, y->kappa < 0.7 * y->mu_t ? 0.7 * y->mu_t / y->kappa : 1, most > 0 && order > 3 ? 2 : 1, h);
+        panels = ms_mcml__mesh(y->mu_t * y->d, y->semi, depth, y->kappa < 0.7 * y->mu_t ? 0.7 * y->mu_t / y->kappa : 1,
+                               most > 0 && order > 3 ? 2 : 1, h);
         y->panel = s->panels;
         y->panels = y->used = panels;
         y->deep = s->nodes;
@@ -4162,8 +4276,10 @@ static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tis
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the layered solver", size);
     }
     {
-        double **const part[21] = {&s->nu, &s->nu_weight, &s->cosine, &s->turn, &s->around, &s->mu, &s->theta, &s->table, &s->chain, &s->edge, &s->depth,
-                                   &s->beam, &s->q, &s->source, &s->line, &s->down, &s->both, &s->moments, &s->x, &s->smoother.block, &s->vectors};
+        double **const part[21] = {&s->nu,    &s->nu_weight,      &s->cosine, &s->turn, &s->around, &s->mu,
+                                   &s->theta, &s->table,          &s->chain,  &s->edge, &s->depth,  &s->beam,
+                                   &s->q,     &s->source,         &s->line,   &s->down, &s->both,   &s->moments,
+                                   &s->x,     &s->smoother.block, &s->vectors};
         double *at_last = s->memory;
         for (i = 0; i < 21; ++i) *part[i] = at_last, at_last += at[i];
         s->up = s->down + 2 * nz * R;
@@ -4186,7 +4302,8 @@ static void ms_mcml__flights_destroy(ms_mcml__flights *s, const ms_allocator *al
 static void ms_mcml__tune(ms_mcml__flights *s, double k)
 {
     const double ratio = k / s->mu_least, t = ratio / (1 + sqrt(1 + ratio * ratio));
-    int most = t > 0 ? (int)ceil(log(1e-5) / log(t)) : 0, layer, p, node; /* what m > 0 gives back to m = 0 falls twice as fast */
+    int most = t > 0 ? (int)ceil(log(1e-5) / log(t)) : 0, layer, p,
+        node; /* what m > 0 gives back to m = 0 falls twice as fast */
     double reach = 0;
     if (most > s->order) most = s->order;
     for (layer = 0; layer < s->layers; ++layer) {
@@ -4203,7 +4320,8 @@ static void ms_mcml__tune(ms_mcml__flights *s, double k)
         y->end = y->node + 4 * y->used;
         s->reach = (y->end + 8) / 8 * 8;
         for (node = y->node; node < s->reach; ++node) {
-            const double z = node <= y->end ? s->z[y->deep + node - y->node] : 0, down = y->mu_t * z, up = y->mu_t * (y->d - z);
+            const double z = node <= y->end ? s->z[y->deep + node - y->node] : 0, down = y->mu_t * z,
+                         up = y->mu_t * (y->d - z);
             s->depth[node] = z;
             s->beam[node] = node <= y->end && down < 700 ? y->down * exp(-down) : 0;
             s->beam[s->nodes + 7 * s->layers + node] = node <= y->end && up < 700 && !y->semi ? y->up * exp(-up) : 0;
@@ -4215,8 +4333,8 @@ static void ms_mcml__tune(ms_mcml__flights *s, double k)
     ms_mcml__smoother_make(s, s->order < 3 ? s->order : s->order > 15 ? 5 : 3);
 }
 
-/* What the beam scatters once in the top layer and what then leaves at once, at the frequency at hand, in the moments' phase
-   function. */
+/* What the beam scatters once in the top layer and what then leaves at once, at the frequency at hand, in the moments'
+   phase function. */
 static double ms_mcml__single_spectrum(const ms_mcml__flights *s)
 {
     enum { R = MS_MCML__RAYS };
@@ -4226,7 +4344,8 @@ static double ms_mcml__single_spectrum(const ms_mcml__flights *s)
     if (y->clear) return 0;
     for (b = 0; b < s->blocks; ++b)
         for (j = 0; j < R; ++j) {
-            const double nu = s->nu[b * R + j], r = ms_mcml__fresnel_nu(y->n, s->n_above, nu), mu = s->mu[b * s->layers * R + j];
+            const double nu = s->nu[b * R + j], r = ms_mcml__fresnel_nu(y->n, s->n_above, nu),
+                         mu = s->mu[b * s->layers * R + j];
             double p0 = 1, p1 = -mu, phase = y->sigma[0];
             if (!(r < 1)) continue;
             for (l = 1; l <= s->order; ++l) {
@@ -4236,11 +4355,13 @@ static double ms_mcml__single_spectrum(const ms_mcml__flights *s)
                 p1 = next;
             }
             for (a = 0; a < s->azimuths; ++a) {
-                const double re = y->mu_t * (1 + 1 / mu), im = s->k * nu / (y->n * mu) * s->cosine[(b * s->azimuths + a) * R + j];
+                const double re = y->mu_t * (1 + 1 / mu),
+                             im = s->k * nu / (y->n * mu) * s->cosine[(b * s->azimuths + a) * R + j];
                 const double e = re * y->d < 700 ? exp(-re * y->d) : 0, top = 1 - e * cos(e > 0 ? im * y->d : 0);
                 const double side = e * sin(e > 0 ? im * y->d : 0);
-                sum += 4 * s->nu_weight[b * R + j] * s->turn[(b * s->azimuths + a) * R + j] * nu / (y->n * y->n) * (1 - r) * y->down *
-                       phase * 0.079577471545947668 / mu * (top * re + side * im) / (re * re + im * im);
+                sum += 4 * s->nu_weight[b * R + j] * s->turn[(b * s->azimuths + a) * R + j] * nu / (y->n * y->n) *
+                    (1 - r) * y->down * phase * 0.079577471545947668 / mu * (top * re + side * im) /
+                    (re * re + im * im);
             }
         }
     return sum;
@@ -4256,7 +4377,8 @@ static void ms_mcml__singles(const ms_mcml__flights *s, ms_mcml_layered *out)
     if (y->clear || !(y->mu_s_full > 0)) return;
     ms_mcml__legendre_nodes(MS_MCML_LAYERED_SINGLES, x, w);
     for (j = 0; j < MS_MCML_LAYERED_SINGLES; ++j) {
-        const double mu = least + (1 - least) * x[j] * x[j], sine = sqrt((1 - mu) * (1 + mu)), rate = y->mu_t * (1 + 1 / mu);
+        const double mu = least + (1 - least) * x[j] * x[j], sine = sqrt((1 - mu) * (1 + mu)),
+                     rate = y->mu_t * (1 + 1 / mu);
         double phase = 0, p0 = 1, p1 = -mu;
         if (y->moment == NULL) {
             phase = (1 - y->g * y->g) / pow(1 + y->g * y->g + 2 * y->g * mu, 1.5);
@@ -4270,8 +4392,8 @@ static void ms_mcml__singles(const ms_mcml__flights *s, ms_mcml_layered *out)
         }
         out->single_rate_per_cm[j] = rate * mu / sine;
         out->single_end[j] = y->semi ? 0 : exp(-rate * y->d);
-        out->single_energy[j] = (1 - least) * x[j] * w[j] * (1 - ms_mcml__fresnel_nu(y->n, s->n_above, y->n * sine)) * y->down *
-                                y->mu_s_full * phase / rate;
+        out->single_energy[j] = (1 - least) * x[j] * w[j] * (1 - ms_mcml__fresnel_nu(y->n, s->n_above, y->n * sine)) *
+            y->down * y->mu_s_full * phase / rate;
     }
     out->singles = MS_MCML_LAYERED_SINGLES;
 }
@@ -4294,19 +4416,31 @@ static double ms_mcml__bessel_j1(double x)
     return sqrt(0.63661977236758134 / x) * (p * cos(x - 2.3561944901923449) - q * sin(x - 2.3561944901923449));
 }
 
-/* A spectrum at arsinh(k / low) = u, from its values at whole multiples of a step of u: even and analytic out to 1.57 off the axis, where
-   k = i low, so that Lagrange's polynomial through twelve of them is good to 1e-6 and better; beyond them a power that fades. */
+/* A spectrum at arsinh(k / low) = u, from its values at whole multiples of a step of u: even and analytic out to 1.57
+   off the axis, where k = i low, so that Lagrange's polynomial through twelve of them is good to 1e-6 and better;
+   beyond them a power that fades. */
 static double ms_mcml__between_samples(const double *y, int logarithms, int count, double step, double u)
 {
-    static const double choose[7][12] = {{1}, {1, -1}, {1, -3, 3, -1}, {1, -5, 10, -10, 5, -1}, {1, -7, 21, -35, 35, -21, 7, -1},
-                                         {1, -9, 36, -84, 126, -126, 84, -36, 9, -1}, {1, -11, 55, -165, 330, -462, 462, -330, 165, -55, 11, -1}};
+    static const double choose[7][12] = {{1},
+                                         {1, -1},
+                                         {1, -3, 3, -1},
+                                         {1, -5, 10, -10, 5, -1},
+                                         {1, -7, 21, -35, 35, -21, 7, -1},
+                                         {1, -9, 36, -84, 126, -126, 84, -36, 9, -1},
+                                         {1, -11, 55, -165, 330, -462, 462, -330, 165, -55, 11, -1}};
     const double t = u / step, last = count - 1;
     double sum = 0, weights = 0;
     int i = (int)t, half, j;
     if (t >= last) {
         const double a = u - last * step, y0 = y[count - 2], y1 = y[count - 1];
         const double fall = logarithms ? (y0 - y1) / step : y0 * y1 > 0 ? log(y0 / y1) / step : 8;
-        return a < 2.5 ? (logarithms ? exp(y1) : y1) * exp(-a * (fall < 1 ? 1 : fall > 8 ? 8 : fall)) * (1 - a * a / 6.25) : 0;
+        return a < 2.5 ? (logarithms ? exp(y1) : y1) *
+                exp(-a *
+                    (fall < 1       ? 1
+                         : fall > 8 ? 8
+                                    : fall)) *
+                (1 - a * a / 6.25)
+                       : 0;
     }
     half = count - 1 - i < 6 ? count - 1 - i : 6;
     for (j = 0; j < 2 * half; ++j) {
@@ -4318,13 +4452,15 @@ static double ms_mcml__between_samples(const double *y, int logarithms, int coun
     return logarithms ? exp(sum / weights) : sum / weights;
 }
 
-/* beyond[i]: energy farther out than r_first exp(0.1 i), the Hankel transform of a spectrum: f(0) - r integral f(k) J1(k r) dk,
-   out to 40 / low; where waves are many a window ends them smoothly, which changes nothing as far out. What has little fall between
-   its first and last frequency is smoothest in logarithms, what falls like a bell is not. */
-static void ms_mcml__hankel(const double *value, int side, int count, double low, double step, double r_first, double *f, double *beyond)
+/* beyond[i]: energy farther out than r_first exp(0.1 i), the Hankel transform of a spectrum: f(0) - r integral f(k)
+   J1(k r) dk, out to 40 / low; where waves are many a window ends them smoothly, which changes nothing as far out. What
+   has little fall between its first and last frequency is smoothest in logarithms, what falls like a bell is not. */
+static void ms_mcml__hankel(const double *value, int side, int count, double low, double step, double r_first,
+                            double *f, double *beyond)
 {
     static const double gauss[4] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629};
-    static const double weight[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307, 0.17392742256872693};
+    static const double weight[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                                     0.17392742256872693};
     const double last = low * sinh(step * (count - 1) + 2.5);
     const int logarithms = side && count > 0 && value[count - 1] > 1e-3 * value[0];
     double y[MS_MCML_LAYERED_RATES]; /* f: room for the same eight times as fine, from -1 on */
@@ -4333,7 +4469,8 @@ static void ms_mcml__hankel(const double *value, int side, int count, double low
     memset(beyond, 0, MS_MCML_LAYERED_RADII * sizeof *beyond);
     if (count < 4) return;
     for (i = 0; i < count; ++i) y[i] = logarithms ? log(value[i]) : value[i];
-    for (i = 0; i < most; ++i) f[i] = ms_mcml__between_samples(y, logarithms, count, step, fabs(0.125 * step * (i - 1)));
+    for (i = 0; i < most; ++i)
+        f[i] = ms_mcml__between_samples(y, logarithms, count, step, fabs(0.125 * step * (i - 1)));
     for (i = 0; i < MS_MCML_LAYERED_RADII; ++i) {
         const double r = r_first * exp(0.1 * i), end = last * r < 400 ? last : 400 / r;
         double sum = 0, at = 0;
@@ -4341,10 +4478,13 @@ static void ms_mcml__hankel(const double *value, int side, int count, double low
         while (at < end) { /* Gauss on steps that follow both the spectrum and the wave */
             const double size = 0.25 * (at + low) < 1.2 / r ? 0.25 * (at + low) : 1.2 / r;
             for (q = 0; q < 4; ++q) {
-                const double k = at + size * gauss[q], x = k / low, w = k * r / 160, u = 8 / step * log(x + sqrt(1 + x * x));
-                const double *at_u = f + ((int)u < most - 4 ? (int)u : most - 4), t = u - (double)(at_u - f), cubic =
-                    t * (t - 1) / 6 * ((t + 1) * at_u[3] - (t - 2) * at_u[0]) + (t + 1) * (t - 2) / 2 * ((t - 1) * at_u[1] - t * at_u[2]);
-                sum += size * weight[q] * cubic * ms_mcml__bessel_j1(k * r) * (last * r < 400 ? 1 : exp(-w * w * w * w));
+                const double k = at + size * gauss[q], x = k / low, w = k * r / 160,
+                             u = 8 / step * log(x + sqrt(1 + x * x));
+                const double *at_u = f + ((int)u < most - 4 ? (int)u : most - 4), t = u - (double)(at_u - f),
+                             cubic = t * (t - 1) / 6 * ((t + 1) * at_u[3] - (t - 2) * at_u[0]) +
+                    (t + 1) * (t - 2) / 2 * ((t - 1) * at_u[1] - t * at_u[2]);
+                sum += size * weight[q] * cubic * ms_mcml__bessel_j1(k * r) *
+                    (last * r < 400 ? 1 : exp(-w * w * w * w));
             }
             at += size;
         }
@@ -4352,10 +4492,10 @@ static void ms_mcml__hankel(const double *value, int side, int count, double low
     }
 }
 
-/* Energies >= 0 of rates that give a spectrum whose values are known to noise x scale; the largest misfit over its noise. Half-
-   spaces of isotropic scattering have such a spectrum, and many others. */
-static double ms_mcml__positive_fit(const double *k, const double *value, const double *scale, const double *noise, int count,
-                                    const double *rate, int rates, double *energy, double *a)
+/* Energies >= 0 of rates that give a spectrum whose values are known to noise x scale; the largest misfit over its
+   noise. Half- spaces of isotropic scattering have such a spectrum, and many others. */
+static double ms_mcml__positive_fit(const double *k, const double *value, const double *scale, const double *noise,
+                                    int count, const double *rate, int rates, double *energy, double *a)
 {
     enum { MOST = MS_MCML_LAYERED_RATES };
     ms_mcml__nnls p;
@@ -4389,15 +4529,18 @@ static double ms_mcml__positive_fit(const double *k, const double *value, const 
     return misfit;
 }
 
-/* Spectra at all frequencies of the multiple scattering that leaves the top and of all that leaves the bottom, fitted. coarse, a lower
-   order for the errors: every third frequency, the others by the ratio to fine, which the first call leaves. */
-static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_options *o, ms_mcml_layered *out, int coarse, int isotropic,
-                                  double fine[2][MS_MCML_LAYERED_RATES], ms_error *error)
+/* Spectra at all frequencies of the multiple scattering that leaves the top and of all that leaves the bottom, fitted.
+   coarse, a lower order for the errors: every third frequency, the others by the ratio to fine, which the first call
+   leaves. */
+static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_options *o, ms_mcml_layered *out,
+                                  int coarse, int isotropic, double fine[2][MS_MCML_LAYERED_RATES], ms_error *error)
 {
     enum { MOST = MS_MCML_LAYERED_RATES };
-    double k[MOST], value[2][MOST], scale[2][MOST], noise[MOST], step = o->frequency_step, mu_t = 0, low = 1e300, finest = 0, deepest = 0, most;
+    double k[MOST], value[2][MOST], scale[2][MOST], noise[MOST], step = o->frequency_step, mu_t = 0, low = 1e300,
+                                                                 finest = 0, deepest = 0, most;
     const size_t size = (size_t)(2 * MOST * (MOST + 4)) * sizeof(double), n3 = (size_t)s->nodes;
-    double *a = (double *)ms__alloc(&o->allocator, size), *d = s->moments, *before = d + (size_t)ms_mcml__first_term(s->order, s->order + 1) * n3;
+    double *a = (double *)ms__alloc(&o->allocator, size), *d = s->moments,
+           *before = d + (size_t)ms_mcml__first_term(s->order, s->order + 1) * n3;
     double *earlier = before + (before - d);
     int i, j, side, count = 0, layer, fits = 0;
     if (a == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the fit of the spectrum", size);
@@ -4406,7 +4549,8 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
         deepest += y->d;
         if (y->clear) continue;
         { /* the same rates for both orders */
-            const double f = y->mu_s_full > 0 && ms_mcml__moment(y, 1) > 0 ? ms_mcml__moment(y, out->order + 1) : 0, here = y->mu_a + y->mu_s_full * (f > 0 ? 1 - f : 1);
+            const double f = y->mu_s_full > 0 && ms_mcml__moment(y, 1) > 0 ? ms_mcml__moment(y, out->order + 1) : 0,
+                         here = y->mu_a + y->mu_s_full * (f > 0 ? 1 - f : 1);
             if (here > mu_t) mu_t = here;
         }
         if (y->kappa < low) low = y->kappa;
@@ -4429,7 +4573,8 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
         k[i] = low * sinh(step * i);
         if (k[i] > 40 * mu_t) break;
         count = i + 1;
-        if (o->progress.report && o->progress.report(o->progress.user, (coarse ? 0.85 : 0.1) + (coarse ? 0.15 : 0.75) * i / out->rates)) {
+        if (o->progress.report &&
+            o->progress.report(o->progress.user, (coarse ? 0.85 : 0.1) + (coarse ? 0.15 : 0.75) * i / out->rates)) {
             ms__release(&o->allocator, a, size);
             return ms__fail(error, MS_CANCELLED, 0, "stopped by the progress callback");
         }
@@ -4447,8 +4592,10 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
                 for (side = y->node; side <= y->end; ++side) {
                     const size_t full = (size_t)j * n3 + (size_t)(y->deep + side - y->node);
                     const double here = d[full], last = before[full];
-                    s->x[(size_t)j * (size_t)s->reach + (size_t)side] =
-                        i > 2 ? 3 * (here - last) + earlier[full] : i < 2 ? here : j <= s->order ? 4 * here - 3 * last : here;
+                    s->x[(size_t)j * (size_t)s->reach + (size_t)side] = i > 2 ? 3 * (here - last) + earlier[full]
+                        : i < 2                                               ? here
+                        : j <= s->order                                       ? 4 * here - 3 * last
+                                                                              : here;
                     before[full] = here;
                     earlier[full] = last;
                 }
@@ -4457,7 +4604,8 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
         for (layer = 0; layer < s->layers; ++layer) {
             const ms_mcml__stratum *y = &s->layer[layer];
             for (j = 0; j < s->terms && y->used; ++j)
-                memcpy(d + (size_t)j * n3 + y->deep, s->x + (size_t)j * (size_t)s->reach + y->node, (size_t)(4 * y->used + 1) * sizeof(double));
+                memcpy(d + (size_t)j * n3 + y->deep, s->x + (size_t)j * (size_t)s->reach + y->node,
+                       (size_t)(4 * y->used + 1) * sizeof(double));
         }
         if (residual / care > out->residual) out->residual = residual / care;
         value[0][i] = leave[0] - ms_mcml__single_spectrum(s);
@@ -4474,10 +4622,13 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
     }
     for (side = 0; side < 2 && coarse; ++side) {
         double ratio[MOST / 3 + 1] = {1};
-        for (i = 0; i < count; i += 3) ratio[i / 3] = fabs(fine[side][i]) > 1e-6 * fabs(fine[side][0]) ? value[side][i] / fine[side][i] : ratio[i > 0 ? i / 3 - 1 : 0];
+        for (i = 0; i < count; i += 3)
+            ratio[i / 3] = fabs(fine[side][i]) > 1e-6 * fabs(fine[side][0]) ? value[side][i] / fine[side][i]
+                                                                            : ratio[i > 0 ? i / 3 - 1 : 0];
         for (i = 0; i < count; ++i)
             if (i % 3) {
-                value[side][i] = fine[side][i] * ms_mcml__between_samples(ratio, 0, (count + 2) / 3, 3 * step, step * fmin(i, (count - 1) / 3 * 3));
+                value[side][i] = fine[side][i] *
+                    ms_mcml__between_samples(ratio, 0, (count + 2) / 3, 3 * step, step * fmin(i, (count - 1) / 3 * 3));
                 scale[side][i] = scale[side][i - 1];
             }
     }
@@ -4488,11 +4639,15 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
         memset(energy, 0, MOST * sizeof(double));
         if (!(scale[side][0] > 0) || (side && s->layer[s->layers - 1].semi)) continue;
         /* transmission falls faster than any sum of such terms */
-        if (side == 0) fits = ms_mcml__positive_fit(k, v, scale[0], noise, count, out->rate_per_cm, out->rates, energy, a) < 5 || isotropic;
+        if (side == 0)
+            fits = ms_mcml__positive_fit(k, v, scale[0], noise, count, out->rate_per_cm, out->rates, energy, a) < 5 ||
+                isotropic;
         out->multiple[coarse][side] = v[0];
         for (i = 0; i < count; ++i)
-            for (j = 0; j < out->rates; ++j) v[i] -= energy[j] / (1 + k[i] / out->rate_per_cm[j] * (k[i] / out->rate_per_cm[j]));
-        for (i = 0; i < count && side == 0 && fits; ++i) v[i] /= 1 + pow(k[i] / (2 * mu_t), 4); /* there the fit is better than rays */
+            for (j = 0; j < out->rates; ++j)
+                v[i] -= energy[j] / (1 + k[i] / out->rate_per_cm[j] * (k[i] / out->rate_per_cm[j]));
+        for (i = 0; i < count && side == 0 && fits; ++i)
+            v[i] /= 1 + pow(k[i] / (2 * mu_t), 4); /* there the fit is better than rays */
         for (i = side ? 2 : count; i < count && k[i] < most && v[i] > 1e-7 * v[0]; ++i) {} /* as far as it is known */
         ms_mcml__hankel(v, side, i, low, step, out->radius_cm, a, out->beyond[coarse][side]);
         out->rest[coarse][side] = v[0];
@@ -4504,7 +4659,8 @@ static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_opt
 /* Absorbed above z of a layer, of the solution at k = 0. */
 static double ms_mcml__absorbed(const ms_mcml__flights *s, const ms_mcml__stratum *y, double z)
 {
-    static const double gauss[3] = {0.11270166537925831, 0.5, 0.88729833462074169}, weight[3] = {5 / 18.0, 8 / 18.0, 5 / 18.0};
+    static const double gauss[3] = {0.11270166537925831, 0.5, 0.88729833462074169},
+                        weight[3] = {5 / 18.0, 8 / 18.0, 5 / 18.0};
     const double *d = s->x, *t = ms_mcml__lobatto;
     double sum = 0, start = 0;
     int p, q, i, j;
@@ -4539,28 +4695,31 @@ static double ms_mcml__limit(const double *v, double *known)
 }
 
 /* Totals by one order, one frequency. */
-static ms_status ms_mcml__totals(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *o, int order, int last, ms_mcml_layered *out,
-                                 ms_error *error)
+static ms_status ms_mcml__totals(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *o, int order, int last,
+                                 ms_mcml_layered *out, ms_error *error)
 {
     ms_mcml__flights *s;
     double leave[2], residual;
     int i, layer, first;
     ms_status status = ms_mcml__flights_make(&s, tissue, o, order, order > 15 ? 3 : 2, 0, error);
     if (status) return status;
-    for (first = 0; first < tissue->layer_count && s->layer[first < s->layers ? first : s->layers - 1].clear; ++first) {}
+    for (first = 0; first < tissue->layer_count && s->layer[first < s->layers ? first : s->layers - 1].clear; ++first) {
+    }
     out->specular = ms_mcml__specular(tissue, first, 0);
     ms_mcml__tune(s, 0);
     residual = ms_mcml__settle(s, s->x, 1e-8, leave);
     if (residual > out->residual && residual > 1e-6) out->residual = residual;
     out->rd = leave[0] + s->specular - out->specular;
     out->tt = leave[1] + s->unscattered;
-    for (out->a = 0, layer = 0; layer < s->layers; ++layer) out->a += ms_mcml__absorbed(s, &s->layer[layer], s->layer[layer].d);
+    for (out->a = 0, layer = 0; layer < s->layers; ++layer)
+        out->a += ms_mcml__absorbed(s, &s->layer[layer], s->layer[layer].d);
     if (last) {
         double top = 0;
         for (i = 0; o->a_z && i < o->nz; ++i) o->a_z[i] = 0;
         for (layer = 0; layer < tissue->layer_count; ++layer) {
             const ms_mcml__stratum *y = &s->layer[layer];
-            const double all = layer < s->layers ? ms_mcml__absorbed(s, y, y->d) : 0, end = tissue->layers[layer].thickness_cm;
+            const double all = layer < s->layers ? ms_mcml__absorbed(s, y, y->d) : 0,
+                         end = tissue->layers[layer].thickness_cm;
             double before = 0;
             if (o->a_l) o->a_l[layer] = all;
             for (i = 0; o->a_z && i < o->nz && all > 0; ++i) {
@@ -4583,8 +4742,8 @@ static ms_status ms_mcml__totals(const ms_mcml_tissue *tissue, const ms_mcml_lay
     return MS_OK;
 }
 
-/* Multiple scattering that leaves beyond r: terms, and a cubic through the nearest four of the table, of logarithms for transmission; a
-   paraboloid before its start. */
+/* Multiple scattering that leaves beyond r: terms, and a cubic through the nearest four of the table, of logarithms for
+   transmission; a paraboloid before its start. */
 static double ms_mcml__layered_multiple(const ms_mcml_layered *s, int coarse, int side, double r)
 {
     const double *y = s->beyond[coarse][side], u = 10 * log(r / s->radius_cm), rest = s->rest[coarse][side];
@@ -4610,8 +4769,8 @@ static double ms_mcml__layered_multiple(const ms_mcml_layered *s, int coarse, in
     return sum + (side ? exp(t) : t);
 }
 
-MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *options, ms_mcml_layered *out,
-                                       ms_error *error)
+MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *options,
+                                       ms_mcml_layered *out, ms_error *error)
 {
     ms_mcml_layered_options o;
     ms_mcml_layered r;
@@ -4625,33 +4784,42 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
     if (tissue == NULL || out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tissue or out is NULL");
     if ((status = ms_mcml__check_tissue(tissue, error)) != MS_OK) return status;
     if (tissue->layer_count > MS_MCML__STRATA)
-        return ms__fail(error, MS_UNSUPPORTED, 0, "%d layers, the layered solver takes %d", tissue->layer_count, MS_MCML__STRATA);
+        return ms__fail(error, MS_UNSUPPORTED, 0, "%d layers, the layered solver takes %d", tissue->layer_count,
+                        MS_MCML__STRATA);
     if (o.order < 0 || o.order > MS_MCML__ORDER_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "order is %d, expected 1 to %d, or 0", o.order, MS_MCML__ORDER_MAX);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "order is %d, expected 1 to %d, or 0", o.order,
+                        MS_MCML__ORDER_MAX);
     if (!ms_mcml__between(o.tolerance, 0, 1e-2) || (o.tolerance > 0 && o.tolerance < 1e-9))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tolerance is %g, expected 1e-9 to 0.01, or 0", o.tolerance);
     if (!ms_mcml__between(o.frequency_step, 0, 1) || (o.frequency_step > 0 && o.frequency_step < 0.1))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frequency_step is %g, expected 0.1 to 1, or 0", o.frequency_step);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frequency_step is %g, expected 0.1 to 1, or 0",
+                        o.frequency_step);
     if (o.a_z && (o.nz < 1 || !ms_mcml__between(o.dz_cm, 1e-30, 1e30)))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nz is %d and dz_cm %g, expected at least 1 and above 0", o.nz, o.dz_cm);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nz is %d and dz_cm %g, expected at least 1 and above 0", o.nz,
+                        o.dz_cm);
     for (i = 0; i < tissue->layer_count; ++i) {
         const ms_mcml_layer *layer = &tissue->layers[i];
         const double *moment = o.moment ? o.moment + (size_t)i * (MS_MCML__ORDER_MAX + 3) : NULL;
-        transport += (layer->mu_a_per_cm + (layer->g < 1 ? layer->mu_s_per_cm * (1 - layer->g) : 0)) * layer->thickness_cm;
+        transport += (layer->mu_a_per_cm + (layer->g < 1 ? layer->mu_s_per_cm * (1 - layer->g) : 0)) *
+            layer->thickness_cm;
         if (!(layer->mu_s_per_cm > 0)) continue;
         for (l = 0; moment && l < MS_MCML__ORDER_MAX + 3; ++l)
             if (!ms_mcml__between(moment[l], l ? -1 : 1, 1))
-                return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i + 1, "moment %d of a phase function is %g, expected -1 to 1, the first 1",
-                                l, moment[l]);
+                return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i + 1,
+                                "moment %d of a phase function is %g, expected -1 to 1, the first 1", l, moment[l]);
         if (moment ? fabs(moment[1]) + fabs(moment[2]) > 0 : layer->g < 1 && fabs(layer->g) > 0) isotropic = 0;
         if (!moment && layer->g < 1) sharpest = fmax(sharpest, layer->g), backward = fmax(backward, -layer->g);
         if (!moment && layer->g < 1) sharp = fmax(sharp, layer->g < 0 ? 0.15 - layer->g : layer->g);
-        for (l = 12; moment && l < MS_MCML__ORDER_MAX + 3; ++l) sharp = fmax(sharp, pow(fabs(moment[l]), 1.0 / l) + (moment[1] < 0 ? 0.15 : 0));
+        for (l = 12; moment && l < MS_MCML__ORDER_MAX + 3; ++l)
+            sharp = fmax(sharp, pow(fabs(moment[l]), 1.0 / l) + (moment[1] < 0 ? 0.15 : 0));
     }
     order = o.order;
     if (order == 0 && o.moment && !isotropic) order = 15;
     for (l = 1; order == 0; l += 2)
-        if (isotropic || (l > 1 && pow(sharpest, l + 1) < (transport < 2.5 ? 0.015 : 0.13) && pow(backward, l + 1) < 0.003) || l == MS_MCML__ORDER_MAX) order = l;
+        if (isotropic ||
+            (l > 1 && pow(sharpest, l + 1) < (transport < 2.5 ? 0.015 : 0.13) && pow(backward, l + 1) < 0.003) ||
+            l == MS_MCML__ORDER_MAX)
+            order = l;
     r.order = order;
     if (!(o.tolerance > 0)) o.tolerance = order < 4 || transport < 2.5 ? 1e-6 : 1e-4; /* few moments or nodes: cheap */
     high = sharp > 0.81 ? MS_MCML__ORDER_MAX : sharp > 0.6 ? 23 : 15;
@@ -4684,7 +4852,8 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
             const int here = l ? (order - 1) / 2 > 1 ? (order - 1) / 2 : 1 : order;
             status = ms_mcml__flights_make(&s, tissue, &o, here, here > 15 || transport < 2.5 ? 2 : 1, here, error);
             if (status) return status;
-            status = ms_mcml__spectra(s, &o, &r, l, isotropic && tissue->layer_count == 1 && s->layer[0].semi, fine, error);
+            status = ms_mcml__spectra(s, &o, &r, l, isotropic && tissue->layer_count == 1 && s->layer[0].semi, fine,
+                                      error);
             if (status == MS_OK && l == 0) {
                 ms_mcml__singles(s, &r);
                 before[0] = s->specular - r.specular; /* not scattered but by the forward peak */
@@ -4710,12 +4879,14 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
             r.rest[coarse][side] *= scattered / sum;
             r.multiple[coarse][side] = scattered;
         }
-        for (l = 0; l < 4; ++l) { /* as far as 3e-7 of the energy; from there, or from where rounding makes it rise, exponentially */
+        for (l = 0; l < 4;
+             ++l) { /* as far as 3e-7 of the energy; from there, or from where rounding makes it rise, exponentially */
             const int coarse = l & 1, side = l >> 1;
             double here = r.multiple[coarse][side], before_here = here, low = 3e-7 * here, step = 1 - exp(-0.1);
             r.tail_cm[coarse][side] = 1e300;
             for (i = 0; i < MS_MCML_LAYERED_RADII && here > 0; ++i) {
-                const double radius = r.radius_cm * exp(0.1 * i), next = ms_mcml__layered_multiple(&r, coarse, side, radius);
+                const double radius = r.radius_cm * exp(0.1 * i),
+                             next = ms_mcml__layered_multiple(&r, coarse, side, radius);
                 if (i > 2 && !(next > low && next < here)) {
                     const double last = r.radius_cm * exp(0.1 * (i - 1));
                     r.tail_cm[coarse][side] = last;
@@ -4723,7 +4894,8 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
                     r.fall_per_cm[coarse][side] = fmax(log(before_here / here) / (last * step), r.rate_per_cm[0]);
                     if (side && i + 1 < MS_MCML_LAYERED_RADII) { /* its slope there */
                         r.beyond[coarse][1][i] = fmax(next, here * here / before_here);
-                        r.beyond[coarse][1][i + 1] = fmax(r.beyond[coarse][1][i + 1], r.beyond[coarse][1][i] * here / before_here);
+                        r.beyond[coarse][1][i + 1] = fmax(r.beyond[coarse][1][i + 1],
+                                                          r.beyond[coarse][1][i] * here / before_here);
                     }
                     break;
                 }
@@ -4733,16 +4905,21 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
         }
     }
     for (i = 0; i < tissue->layer_count; ++i)
-        if (tissue->layer_count > 1 && !(tissue->layers[i].mu_a_per_cm + tissue->layers[i].mu_s_per_cm > 0)) r.clear = i + 1;
+        if (tissue->layer_count > 1 && !(tissue->layers[i].mu_a_per_cm + tissue->layers[i].mu_s_per_cm > 0))
+            r.clear = i + 1;
     *out = r;
     if (r.residual > 10 * o.tolerance)
-        return ms__fail(error, MS_NOT_CONVERGED, 0, "the iteration ended at a residual of %g, expected %g", r.residual, o.tolerance);
+        return ms__fail(error, MS_NOT_CONVERGED, 0, "the iteration ended at a residual of %g, expected %g", r.residual,
+                        o.tolerance);
     if (r.rd_error > 5e-5 || r.tt_error > 5e-5)
-        return ms__fail(error, MS_NOT_CONVERGED, 0, "the totals are known to %g only", r.rd_error > r.tt_error ? r.rd_error : r.tt_error);
+        return ms__fail(error, MS_NOT_CONVERGED, 0, "the totals are known to %g only",
+                        r.rd_error > r.tt_error ? r.rd_error : r.tt_error);
     if (!o.totals_only && r.peak > 0.3)
-        return ms__fail(error, MS_NOT_CONVERGED, 0, "g is too close to 1 for order %d: %g of the scattering counts as forward", order, r.peak);
+        return ms__fail(error, MS_NOT_CONVERGED, 0,
+                        "g is too close to 1 for order %d: %g of the scattering counts as forward", order, r.peak);
     if (!o.totals_only && r.clear)
-        return ms__fail(error, MS_NOT_CONVERGED, (size_t)r.clear, "layer %d is clear: the solver does not hold rings, only totals", r.clear);
+        return ms__fail(error, MS_NOT_CONVERGED, (size_t)r.clear,
+                        "layer %d is clear: the solver does not hold rings, only totals", r.clear);
     return MS_OK;
 }
 
@@ -4769,7 +4946,8 @@ MS_API double ms_mcml_layered_beyond(const ms_mcml_layered *s, int side, double 
 MS_API double ms_mcml_layered_ring(const ms_mcml_layered *s, int side, double r0_cm, double r1_cm, double *ring_error)
 {
     double r0 = r0_cm, r1 = r1_cm, fine, coarse, inner, q;
-    if (s == NULL || side < 0 || side > 1 || !ms_mcml__between(r0, 0, 1e150) || !ms_mcml__between(r1, 0, 1e150) || !(r0 < r1))
+    if (s == NULL || side < 0 || side > 1 || !ms_mcml__between(r0, 0, 1e150) || !ms_mcml__between(r1, 0, 1e150) ||
+        !(r0 < r1))
         return ms_mcml__nan();
     if (r1 - r0 < 1e-4 * r1) { /* the mean of a narrower ring is the same to 1e-8, but would cancel */
         r0 = (1 - 0.5e-4) * 0.5 * (r0_cm + r1_cm);
@@ -4777,13 +4955,14 @@ MS_API double ms_mcml_layered_ring(const ms_mcml_layered *s, int side, double r0
     }
     q = 1 / (3.14159265358979324 * (r1 - r0) * (r1 + r0));
     inner = side ? s->tt : s->rd;
-    fine = (r0 > 0 ? ms_mcml__layered_beyond(s, 0, side, r0) : inner) -
-           ms_mcml__layered_beyond(s, 0, side, r1);
-    coarse = (r0 > 0 ? ms_mcml__layered_beyond(s, 1, side, r0) : inner) -
-             ms_mcml__layered_beyond(s, 1, side, r1);
+    fine = (r0 > 0 ? ms_mcml__layered_beyond(s, 0, side, r0) : inner) - ms_mcml__layered_beyond(s, 0, side, r1);
+    coarse = (r0 > 0 ? ms_mcml__layered_beyond(s, 1, side, r0) : inner) - ms_mcml__layered_beyond(s, 1, side, r1);
     fine = fine > 0 ? fine * q : 0;
-    /* half of what the last doubling of the order moved; what the fit of the highest and the lowest frequencies leaves open */
-    if (ring_error) *ring_error = 0.5 * fabs(coarse * q - fine) + (5e-4 + 7e-3 * exp(-r0 / (10 * s->radius_cm))) * fine + 5e-7 * inner * q;
+    /* half of what the last doubling of the order moved; what the fit of the highest and the lowest frequencies leaves
+       open */
+    if (ring_error)
+        *ring_error = 0.5 * fabs(coarse * q - fine) + (5e-4 + 7e-3 * exp(-r0 / (10 * s->radius_cm))) * fine +
+            5e-7 * inner * q;
     if (ring_error && s->clear) *ring_error = HUGE_VAL;
     return fine;
 }
@@ -4801,8 +4980,8 @@ MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *s, int side, do
     return 0.5 * (sum > 0 ? sum : 0);
 }
 
-MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, const ms_mcml_layered_options *options,
-                                        ms_mcml_result *result, ms_error *error)
+MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid,
+                                        const ms_mcml_layered_options *options, ms_mcml_result *result, ms_error *error)
 {
     ms_mcml_layered_options o;
     ms_mcml_layered *s;
@@ -4812,9 +4991,13 @@ MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_m
     double *block, cosine, solid;
     size_t nr, nz, layers, one;
     int i, side;
-    if (tissue == NULL || grid == NULL || result == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tissue, grid or result is NULL");
-    if ((status = ms_mcml__check_tissue(tissue, error)) != MS_OK || (status = ms_mcml__check_grid(grid, error)) != MS_OK) return status;
-    if (grid->nt > 0) return ms__fail(error, MS_UNSUPPORTED, 0, "the layered solver knows no times of flight, nt is %d", grid->nt);
+    if (tissue == NULL || grid == NULL || result == NULL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tissue, grid or result is NULL");
+    if ((status = ms_mcml__check_tissue(tissue, error)) != MS_OK ||
+        (status = ms_mcml__check_grid(grid, error)) != MS_OK)
+        return status;
+    if (grid->nt > 0)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "the layered solver knows no times of flight, nt is %d", grid->nt);
     memset(&o, 0, sizeof o);
     memset(&out, 0, sizeof out);
     if (options) o = *options;
@@ -4826,10 +5009,12 @@ MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_m
     out.layer_count = tissue->layer_count;
     out.layered = 1;
     out.allocator = o.allocator;
-    out.memory_size = ms__size_mul(ms__size_add(ms__size_mul(4 + 4 * one, nr + one), ms__size_add(nz, 2 * layers)), sizeof(double));
+    out.memory_size = ms__size_mul(ms__size_add(ms__size_mul(4 + 4 * one, nr + one), ms__size_add(nz, 2 * layers)),
+                                   sizeof(double));
     out.memory = ms__alloc(&out.allocator, out.memory_size);
     if (out.memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the results", out.memory_size);
-    s = (ms_mcml_layered *)ms__alloc(&out.allocator, sizeof *s); /* beside the solver's own frame it would be much stack */
+    s = (ms_mcml_layered *)ms__alloc(&out.allocator,
+                                     sizeof *s); /* beside the solver's own frame it would be much stack */
     if (s == NULL) {
         ms__release(&out.allocator, out.memory, out.memory_size);
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the solver", sizeof *s);
@@ -4840,7 +5025,8 @@ MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_m
     out.a_z = ms_mcml__take(&block, nz, 1);
     o.totals_only = 0;
     for (i = 0; i < tissue->layer_count; ++i) /* then the solver has no rings */
-        if (tissue->layer_count > 1 && !(tissue->layers[i].mu_a_per_cm + tissue->layers[i].mu_s_per_cm > 0)) o.totals_only = 1;
+        if (tissue->layer_count > 1 && !(tissue->layers[i].mu_a_per_cm + tissue->layers[i].mu_s_per_cm > 0))
+            o.totals_only = 1;
     o.dz_cm = grid->dz_cm;
     o.nz = grid->nz;
     o.a_z = out.a_z;
@@ -4857,7 +5043,8 @@ MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_m
         with.simd = o.simd;
         with.progress = o.progress;
         with.allocator = o.allocator;
-        if (s->residual <= 10 * (o.tolerance > 0 ? o.tolerance : 1e-4) && s->rd_error <= 5e-5 && s->tt_error <= 5e-5) status = MS_OK;
+        if (s->residual <= 10 * (o.tolerance > 0 ? o.tolerance : 1e-4) && s->rd_error <= 5e-5 && s->tt_error <= 5e-5)
+            status = MS_OK;
         if (ms_mcml_simulate(tissue, &rings, &with, &photons, &failure) != MS_OK) status = failure.status;
         out.photons = photons.photons;
     }
@@ -4882,7 +5069,8 @@ MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_m
         double *r = ms_mcml__take(&block, nr, 1), *r_error = ms_mcml__take(&block, nr, 1);
         double *a = ms_mcml__take(&block, 1, (int)one), *a_error = ms_mcml__take(&block, 1, (int)one);
         double *ra = ms_mcml__take(&block, nr, (int)one), *ra_error = ms_mcml__take(&block, nr, (int)one);
-        const double total = side ? s->tt : s->rd, traced = side ? photons.tt : photons.rd, scale = traced > 0 ? total / traced : 0;
+        const double total = side ? s->tt : s->rd, traced = side ? photons.tt : photons.rd,
+                     scale = traced > 0 ? total / traced : 0;
         for (i = 0; i < grid->nr; ++i) {
             const double r0 = i * grid->dr_cm;
             r[i] = ms_mcml_layered_ring(s, side, r0, r0 + grid->dr_cm, &r_error[i]);
@@ -4911,7 +5099,8 @@ MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_m
 
 #define MS_MCML__NODES 28
 
-/* Inverse of a symmetric positive matrix in place, rows of NODES apart, by sweeping its lower half; the logarithm of its determinant. */
+/* Inverse of a symmetric positive matrix in place, rows of NODES apart, by sweeping its lower half; the logarithm of
+   its determinant. */
 static double ms_mcml__inverse(double a[][MS_MCML__NODES], int n)
 {
     double column[MS_MCML__NODES], log_determinant = 0;
@@ -4935,21 +5124,23 @@ static double ms_mcml__inverse(double a[][MS_MCML__NODES], int n)
     return log_determinant;
 }
 
-/* Diffuse reflectance of a half-space of Henyey-Greenstein scattering under a beam at normal incidence. By reciprocity it is the
-   radiance along the normal under even light from outside. Discrete ordinates, Gauss on both sides of the critical angle (Stamnes et
-   al. 1988 for the equations); with S and D the sums and differences of up and down, M the cosines,
-     M S' = -A D,  M D' = -B S,  A, B = 1 - albedo x odd, even moments,
-   the solution that decays is D = Y S, Y A Y = B: symmetric after scaling by sqrt(M), where it is the geometric mean of B and 1 / A,
-   found by Newton's iteration (Denman & Beavers 1976, with Higham's scaling). Single scattering with the whole phase function
-   (Nakajima & Tanaka 1988). nodes: of each of the two panels. */
+/* Diffuse reflectance of a half-space of Henyey-Greenstein scattering under a beam at normal incidence. By reciprocity
+   it is the radiance along the normal under even light from outside. Discrete ordinates, Gauss on both sides of the
+   critical angle (Stamnes et al. 1988 for the equations); with S and D the sums and differences of up and down, M the
+     cosines, M S' = -A D,  M D' = -B S,  A, B = 1 - albedo x odd, even moments,
+   the solution that decays is D = Y S, Y A Y = B: symmetric after scaling by sqrt(M), where it is the geometric mean of
+   B and 1 / A, found by Newton's iteration (Denman & Beavers 1976, with Higham's scaling). Single scattering with the
+   whole phase function (Nakajima & Tanaka 1988). nodes: of each of the two panels. */
 static double ms_mcml__half_space_total(double absorbed, double g, double eta, int nodes)
 {
     enum { N = MS_MCML__NODES };
     double a[N][N], x[N][N], v[N][N], t[N][N], mu[N], w[N], rho[N], root[N], s[N], q[N], y[N], z[N];
-    const double cut = eta > 1 ? sqrt((eta - 1) * (eta + 1)) / eta : 0, r = (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1));
+    const double cut = eta > 1 ? sqrt((eta - 1) * (eta + 1)) / eta : 0,
+                 r = (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1));
     const int most = nodes + nodes / 4, below = eta > 1 ? most / 2 + 1 : 0, n = nodes + below;
-    const double f = g > 0 ? pow(g, most + 1) : 0, left = absorbed + (1 - absorbed) * (1 - f), albedo = (1 - absorbed) * (1 - f) / left;
-    double (*legendre)[N] = t, out = 0, odd = 0, single = 0, even = 1, more, power;
+    const double f = g > 0 ? pow(g, most + 1) : 0, left = absorbed + (1 - absorbed) * (1 - f),
+                 albedo = (1 - absorbed) * (1 - f) / left;
+    double(*legendre)[N] = t, out = 0, odd = 0, single = 0, even = 1, more, power;
     int i, j, l, turn;
     ms_mcml__legendre_nodes(nodes, mu, w);
     for (i = 0; i < nodes; ++i) { /* the root at the critical angle becomes smooth */
@@ -4975,7 +5166,8 @@ static double ms_mcml__half_space_total(double absorbed, double g, double eta, i
     }
     for (l = 0, power = 1; l <= most; ++l, power *= g) {
         const double moment = (2 * l + 1) * albedo * (power - f) / (1 - f);
-        double surplus = 0; /* of the quadrature, which would make or lose light: it goes to or comes from straight ahead */
+        double surplus =
+            0; /* of the quadrature, which would make or lose light: it goes to or comes from straight ahead */
         for (i = 0; i < n; ++i) {
             surplus += l > 0 ? legendre[l][i] * sqrt(w[i]) : 0;
             for (j = 0; j <= i; ++j) (l & 1 ? a : x)[i][j] -= moment * legendre[l][i] * legendre[l][j];
@@ -4994,7 +5186,8 @@ static double ms_mcml__half_space_total(double absorbed, double g, double eta, i
         }
     memcpy(t, a, sizeof t);
     more = ms_mcml__inverse(t, n);
-    for (turn = 0; turn < 40; ++turn) { /* x to Z, v to 1 / Z: each to its mean with the other's inverse; 1 / x v stays */
+    for (turn = 0; turn < 40;
+         ++turn) { /* x to Z, v to 1 / Z: each to its mean with the other's inverse; 1 / x v stays */
         double change = 0, scale = 1, size;
         memcpy(t, x, sizeof t);
         size = ms_mcml__inverse(t, n);
@@ -5033,11 +5226,13 @@ static double ms_mcml__half_space_total(double absorbed, double g, double eta, i
         for (z[i] = 0, j = 0; j < n; ++j) z[i] += t[i][j] * s[j];
     for (i = 0; i < n; ++i)
         for (y[i] = 0, j = 0; j < n; ++j) y[i] += v[i][j] * z[j];
-    for (i = 0; i < n; ++i) { /* scattered along the normal, and what the peak of the phase function adds to single scattering */
+    for (i = 0; i < n;
+         ++i) { /* scattered along the normal, and what the peak of the phase function adds to single scattering */
         const double b = 1 + g * g + 2 * g * mu[i], whole = (1 - absorbed) / left * (1 - g * g) / (b * sqrt(b));
         double p0 = 1, p1 = -mu[i], phase = 0;
         for (l = 0, power = 1; l <= most; ++l, power *= g) {
-            const double moment = (2 * l + 1) * albedo * (power - f) / (1 - f), next = ((2 * l + 3) * -mu[i] * p1 - (l + 1) * p0) / (l + 2);
+            const double moment = (2 * l + 1) * albedo * (power - f) / (1 - f),
+                         next = ((2 * l + 3) * -mu[i] * p1 - (l + 1) * p0) / (l + 2);
             const double here = (l & 1 ? -moment * p0 : moment * p0) * sqrt(w[i]); /* p0: P_l(-mu) */
             if (l & 1) odd += here * z[i] / root[i];
             else out += here * y[i] / root[i];
@@ -5057,7 +5252,11 @@ static double ms_mcml__let_in(double eta) { return 1 - (eta - 1) * (eta - 1) / (
 static double ms_mcml__total_of(double absorbed, double g, double eta, int fine)
 {
     const double least = 1e-12, at = absorbed > least ? absorbed : least;
-    const double total = ms_mcml__half_space_total(at, g, eta, !fine ? 8 : fabs(g) < 0.5 ? 14 : 17), most = ms_mcml__let_in(eta);
+    const double total = ms_mcml__half_space_total(at, g, eta,
+                                                   !fine               ? 8
+                                                       : fabs(g) < 0.5 ? 14
+                                                                       : 17),
+                 most = ms_mcml__let_in(eta);
     return absorbed < least ? most - (most - total) * sqrt(absorbed / least) : total;
 }
 
@@ -5065,11 +5264,12 @@ MS_API double ms_mcml_reflectance(const ms_mcml_medium *medium)
 {
     if (medium == NULL || ms_mcml__check_medium(medium, NULL) != MS_OK || medium->g < -0.7) return ms_mcml__nan();
     if (!(medium->mu_s_per_mm > 0)) return 0;
-    return ms_mcml__total_of(medium->mu_a_per_mm / (medium->mu_a_per_mm + medium->mu_s_per_mm), medium->g, medium->eta, 1);
+    return ms_mcml__total_of(medium->mu_a_per_mm / (medium->mu_a_per_mm + medium->mu_s_per_mm), medium->g, medium->eta,
+                             1);
 }
 
-/* 1 - albedo of a reflectance. In s = sqrt((1 - albedo) / (1 - albedo g)) (van de Hulst 1980) the reflectance falls almost along a
-   line: secants inside a bracket, with few nodes first, then with many. */
+/* 1 - albedo of a reflectance. In s = sqrt((1 - albedo) / (1 - albedo g)) (van de Hulst 1980) the reflectance falls
+   almost along a line: secants inside a bracket, with few nodes first, then with many. */
 static double ms_mcml__absorbed_of(double reflectance, double g, double eta)
 {
     double s = 1 - reflectance / ms_mcml__let_in(eta), slope = -ms_mcml__let_in(eta), last = s, before = 0;
@@ -5099,8 +5299,8 @@ static double ms_mcml__path_of(int kind, double absorbed, double g, double color
     return kind == MS_MCML_REDUCED_PATH ? 1 : kind == MS_MCML_BURLEY_D ? d : d / (3.5 + 100 * y * y);
 }
 
-MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int kind, double g, double eta, ms_mcml_medium *medium,
-                                           ms_error *error)
+MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int kind, double g, double eta,
+                                           ms_mcml_medium *medium, ms_error *error)
 {
     ms_mcml_medium m;
     ms_status status;
@@ -5111,7 +5311,8 @@ MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int k
     m.eta = eta;
     if ((status = ms_mcml__check_medium(&m, error)) != MS_OK) return status;
     if (g < -0.7) return ms__fail(error, MS_UNSUPPORTED, 0, "g is %g, expected -0.7 or more", g);
-    if (!ms_mcml__between(color, 0, 1)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "color is %g, expected 0 to 1", color);
+    if (!ms_mcml__between(color, 0, 1))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "color is %g, expected 0 to 1", color);
     if (!ms_mcml__between(length_mm, 1e-30, 1e30))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "length_mm is %g, expected above 0", length_mm);
     if (kind < MS_MCML_MEAN_FREE_PATH || kind > MS_MCML_DIFFUSE_PATH)
@@ -5128,8 +5329,9 @@ MS_API double ms_mcml_medium_length(const ms_mcml_medium *medium, int kind)
 {
     const double color = ms_mcml_reflectance(medium) / (medium ? ms_mcml__let_in(medium->eta) : 1);
     if (!ms__finite(color) || kind < MS_MCML_MEAN_FREE_PATH || kind > MS_MCML_DIFFUSE_PATH) return ms_mcml__nan();
-    return 1 / ((medium->mu_a_per_mm + medium->mu_s_per_mm * (1 - medium->g)) *
-                ms_mcml__path_of(kind, medium->mu_a_per_mm / (medium->mu_a_per_mm + medium->mu_s_per_mm), medium->g, color));
+    return 1 /
+        ((medium->mu_a_per_mm + medium->mu_s_per_mm * (1 - medium->g)) *
+         ms_mcml__path_of(kind, medium->mu_a_per_mm / (medium->mu_a_per_mm + medium->mu_s_per_mm), medium->g, color));
 }
 
 /* ---- diffusion profiles ---------------------------------------------------------------------------------------- */
@@ -5141,8 +5343,8 @@ static ms_status ms_mcml__check_edges(const double *edge, int rings, int most, m
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rings is %d, expected 1 to %d", rings, most);
     for (i = 0; edge && i <= rings; ++i)
         if (!ms__finite(edge[i]) || edge[i] < 0 || edge[i] > 1e100 || (i > 0 && !(edge[i] > edge[i - 1])))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i, "ring edge %d is %g, expected increasing numbers from 0 to 1e100",
-                            i, edge[i]);
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
+                            "ring edge %d is %g, expected increasing numbers from 0 to 1e100", i, edge[i]);
     return MS_OK;
 }
 
@@ -5164,12 +5366,13 @@ typedef struct ms_mcml__profile_job {
     size_t work_stride;
     double depth_step, frequency_step;
     const ms_mcml_profile_options *options;
-    ms_mcml_layered *layered;    /* [channels], where one needs it; rd < 0: by the half-space solver */
-    ms_error *failure;           /* [channels] */
+    ms_mcml_layered *layered; /* [channels], where one needs it; rd < 0: by the half-space solver */
+    ms_error *failure;        /* [channels] */
 } ms_mcml__profile_job;
 
 /* A channel's layers, in cm; layer is for a medium. */
-static void ms_mcml__profile_tissue(const ms_mcml__profile_job *job, int channel, ms_mcml_tissue *tissue, ms_mcml_layer *layer)
+static void ms_mcml__profile_tissue(const ms_mcml__profile_job *job, int channel, ms_mcml_tissue *tissue,
+                                    ms_mcml_layer *layer)
 {
     const ms_mcml_medium *m = job->media + channel;
     if (job->options->tissues) {
@@ -5244,8 +5447,9 @@ static void ms_mcml__profile_fill(void *context, int channel)
         double r0 = p->edge_mm[i], r1 = p->edge_mm[i + 1], next = ms_mcml_halfspace_beyond(s, r1);
         double line_next = ms_mcml_halfspace_line_beyond(s, r1);
         within[i + 1] = s->total - next;
-        p->rd_per_mm2[row + (size_t)i] = beyond - next > 1e-6 * beyond ? (beyond - next) / (3.14159265358979324 * (r1 - r0) * (r1 + r0))
-                                                                      : ms_mcml_halfspace_ring(s, r0, r1);
+        p->rd_per_mm2[row + (size_t)i] = beyond - next > 1e-6 * beyond
+            ? (beyond - next) / (3.14159265358979324 * (r1 - r0) * (r1 + r0))
+            : ms_mcml_halfspace_ring(s, r0, r1);
         p->rd_error_per_mm2[row + (size_t)i] = 0;
         p->ap_per_mm[row + (size_t)i] = (line - line_next) / (r1 - r0);
         beyond = next;
@@ -5262,14 +5466,17 @@ static double ms_mcml__profile_radius(const ms_mcml_halfspace *s, const ms_mcml_
     int i;
     for (i = 0; i < 40; ++i) {
         double middle = sqrt(low * high);
-        if (y ? ms_mcml_layered_beyond(y, 0, 0.1 * middle) > 1e-5 * y->rd : ms_mcml_halfspace_beyond(s, middle) > 1e-5 * s->total) low = middle;
+        if (y ? ms_mcml_layered_beyond(y, 0, 0.1 * middle) > 1e-5 * y->rd
+              : ms_mcml_halfspace_beyond(s, middle) > 1e-5 * s->total)
+            low = middle;
         else high = middle;
     }
     return high;
 }
 
 /* The rings that suit the media. edge NULL: only counts them. */
-static int ms_mcml__profile_rings(const ms_mcml_halfspace *solution, const ms_mcml_layered *layered, int channels, double *edge)
+static int ms_mcml__profile_rings(const ms_mcml_halfspace *solution, const ms_mcml_layered *layered, int channels,
+                                  double *edge)
 {
     double radius = 0, mu_t = 0, r = 0;
     int c, n;
@@ -5315,7 +5522,8 @@ static int ms_mcml__profile_report(void *user, double fraction)
     return p->whole->report(p->whole->user, (p->channel + fraction) / p->channels);
 }
 
-static ms_status ms_mcml__profile_direct(const ms_mcml__profile_job *job, const ms_mcml_profile_options *o, ms_error *error)
+static ms_status ms_mcml__profile_direct(const ms_mcml__profile_job *job, const ms_mcml_profile_options *o,
+                                         ms_error *error)
 {
     ms_mcml_profile *p = job->profile;
     const int inner = p->edge_mm[0] > 0; /* a ring for what leaves nearer than the first edge */
@@ -5363,8 +5571,9 @@ static ms_status ms_mcml__profile_direct(const ms_mcml__profile_job *job, const 
         for (i = 0; i < p->rings; ++i) {
             p->rd_per_mm2[row + (size_t)i] = 0.01 * result.rd_r[i + inner];
             p->rd_error_per_mm2[row + (size_t)i] = 0.01 * result.rd_r_error[i + inner];
-            within[i + 1] = within[i] + 0.01 * result.rd_r[i + inner] * 3.14159265358979324 *
-                                            (p->edge_mm[i + 1] - p->edge_mm[i]) * (p->edge_mm[i + 1] + p->edge_mm[i]);
+            within[i + 1] = within[i] +
+                0.01 * result.rd_r[i + inner] * 3.14159265358979324 * (p->edge_mm[i + 1] - p->edge_mm[i]) *
+                    (p->edge_mm[i + 1] + p->edge_mm[i]);
         }
         p->total[progress.channel] = result.rd;
         p->total_error[progress.channel] = result.rd_error;
@@ -5385,7 +5594,8 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     int i, layers = 0, solve;
     if (profile) memset(profile, 0, sizeof *profile);
     if (profile == NULL || (media == NULL && !(options && options->tissues)) || channels < 1 || channels > 65536)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d channels, expected 1 to 65536; profile and media not NULL", channels);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d channels, expected 1 to 65536; profile and media not NULL",
+                        channels);
     memset(&o, 0, sizeof o);
     if (options) o = *options;
     for (i = 0; i < channels && o.tissues; ++i) {
@@ -5404,7 +5614,8 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     if (o.photons == 0) o.photons = 1000000;
     status = ms_mcml__check_steps(&o.depth_step, &o.frequency_step, error);
     if (status == MS_OK) status = ms_mcml__check_photons(o.photons, o.tissues ? 1 : media[0].eta, error);
-    if (status == MS_OK && (o.rings != 0 || o.edge_mm)) status = ms_mcml__check_edges(o.edge_mm, o.rings, 1 << 24, error);
+    if (status == MS_OK && (o.rings != 0 || o.edge_mm))
+        status = ms_mcml__check_edges(o.edge_mm, o.rings, 1 << 24, error);
     if (status) return status;
     if (o.edge_mm == NULL && o.rings != 0 && !(ms__finite(o.ring_mm) && o.ring_mm > 0 && o.ring_mm <= 1e100))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "ring_mm is %g, expected a positive number", o.ring_mm);
@@ -5428,9 +5639,11 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     solve = o.method == MS_MCML_DETERMINISTIC || o.rings == 0;
     if (solve) {
         n = (o.parallel.run ? c : 1) * MS_MCML__SOLVE_BYTES;
-        solve_size = ms__size_add(n, c * (sizeof(ms_mcml_halfspace) + (layers ? sizeof(ms_mcml_layered) + sizeof(ms_error) : 0)));
+        solve_size = ms__size_add(
+            n, c * (sizeof(ms_mcml_halfspace) + (layers ? sizeof(ms_mcml_layered) + sizeof(ms_error) : 0)));
         job.work = (double *)ms__alloc(&o.allocator, solve_size);
-        if (job.work == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the half-space solver", solve_size);
+        if (job.work == NULL)
+            return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the half-space solver", solve_size);
         job.solution = (ms_mcml_halfspace *)(void *)((char *)job.work + n);
         if (layers) {
             memset(job.solution, 0, solve_size - n);
@@ -5448,7 +5661,8 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     }
     if (o.rings == 0) p.rings = ms_mcml__profile_rings(job.solution, job.layered, channels, NULL);
     n = (size_t)p.rings;
-    p.memory_size = ms__size_mul(ms__size_add(ms__size_mul(c, ms__size_add(ms__size_mul(4, n), 3)), n + 1), sizeof(double));
+    p.memory_size = ms__size_mul(ms__size_add(ms__size_mul(c, ms__size_add(ms__size_mul(4, n), 3)), n + 1),
+                                 sizeof(double));
     p.memory = ms__alloc(&o.allocator, p.memory_size);
     if (p.memory) {
         p.edge_mm = (double *)p.memory;
@@ -5492,16 +5706,21 @@ MS_API void ms_mcml_profile_destroy(ms_mcml_profile *profile)
 
 /* Haemoglobin with and without oxygen, molar extinction per cm, every 10 nm from 400 (Prahl's table). */
 static const double ms_mcml__haemoglobin[31][2] = {
-    {266232, 223296}, {466840, 303956}, {480360, 407560}, {246072, 528600}, {102580, 413280}, {62816, 103292}, {44480, 23388.8},
-    {33209, 16156}, {26629, 14550}, {23684, 16684}, {20933, 20862}, {20035, 25774}, {24202, 31590}, {39957, 39036}, {53236, 46592},
-    {43016, 53412}, {32613, 53788}, {44496, 45072}, {50104, 37020}, {14401, 28324}, {3200, 14677}, {1506, 9443.6}, {942, 6509.6},
-    {610, 5148.8}, {442, 4345.2}, {368, 3750.1}, {319.6, 3226.6}, {294, 2795.1}, {277.6, 2407.9}, {276, 2052}, {290, 1794.3}};
+    {266232, 223296}, {466840, 303956}, {480360, 407560}, {246072, 528600}, {102580, 413280}, {62816, 103292},
+    {44480, 23388.8}, {33209, 16156},   {26629, 14550},   {23684, 16684},   {20933, 20862},   {20035, 25774},
+    {24202, 31590},   {39957, 39036},   {53236, 46592},   {43016, 53412},   {32613, 53788},   {44496, 45072},
+    {50104, 37020},   {14401, 28324},   {3200, 14677},    {1506, 9443.6},   {942, 6509.6},    {610, 5148.8},
+    {442, 4345.2},    {368, 3750.1},    {319.6, 3226.6},  {294, 2795.1},    {277.6, 2407.9},  {276, 2052},
+    {290, 1794.3}};
 
 /* CIE standard illuminant D65, every 10 nm from 400. */
-static const double ms_mcml__daylight[31] = {82.75, 91.49, 93.43, 86.68, 104.86, 117.01, 117.81, 114.86, 115.92, 108.81, 109.35, 107.80, 104.79, 107.69, 104.41, 104.05,
-                                             100, 96.33, 95.79, 88.69, 90.01, 89.60, 87.70, 83.29, 83.70, 80.03, 80.21, 82.28, 78.28, 69.72, 71.61};
+static const double ms_mcml__daylight[31] = {82.75,  91.49,  93.43,  86.68,  104.86, 117.01, 117.81, 114.86,
+                                             115.92, 108.81, 109.35, 107.80, 104.79, 107.69, 104.41, 104.05,
+                                             100,    96.33,  95.79,  88.69,  90.01,  89.60,  87.70,  83.29,
+                                             83.70,  80.03,  80.21,  82.28,  78.28,  69.72,  71.61};
 
-static const double ms_mcml__bands[MS_MCML_SKIN_BANDS] = {400, 425, 445, 465, 500, 535, 560, 578, 590, 603, 625, 655, 700};
+static const double ms_mcml__bands[MS_MCML_SKIN_BANDS] = {400, 425, 445, 465, 500, 535, 560,
+                                                          578, 590, 603, 625, 655, 700};
 
 MS_API ms_mcml_skin ms_mcml_skin_defaults(void)
 {
@@ -5517,13 +5736,16 @@ MS_API ms_mcml_skin ms_mcml_skin_defaults(void)
     return skin;
 }
 
-MS_API ms_status ms_mcml_skin_layers(const ms_mcml_skin *skin, double w, ms_mcml_layer layers[3], int *count, ms_error *error)
+MS_API ms_status ms_mcml_skin_layers(const ms_mcml_skin *skin, double w, ms_mcml_layer layers[3], int *count,
+                                     ms_error *error)
 {
-    static const char *const name[] = {"melanin", "eumelanin", "blood", "oxygen", "epidermis_mm", "dermis_mm", "scattering", "g"};
+    static const char *const name[] = {"melanin",      "eumelanin", "blood",      "oxygen",
+                                       "epidermis_mm", "dermis_mm", "scattering", "g"};
     static const double low[] = {0, 0, 0, 0, 1e-3, 0, 0.1, 0}, high[] = {1, 1, 1, 1, 1, 1e3, 10, 0.95};
     double value[8], base, melanin, blood, scatter;
     int i;
-    if (skin == NULL || layers == NULL || count == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "skin, layers or count is NULL");
+    if (skin == NULL || layers == NULL || count == NULL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "skin, layers or count is NULL");
     value[0] = skin->melanin;
     value[1] = skin->eumelanin;
     value[2] = skin->blood;
@@ -5534,11 +5756,14 @@ MS_API ms_status ms_mcml_skin_layers(const ms_mcml_skin *skin, double w, ms_mcml
     value[7] = skin->g;
     for (i = 0; i < 8; ++i)
         if (!ms_mcml__between(value[i], low[i], high[i]))
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g, expected %g to %g", name[i], value[i], low[i], high[i]);
-    if (!ms_mcml__between(w, 400, 700)) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "wavelength_nm is %g, expected 400 to 700", w);
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g, expected %g to %g", name[i], value[i], low[i],
+                            high[i]);
+    if (!ms_mcml__between(w, 400, 700))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "wavelength_nm is %g, expected 400 to 700", w);
     i = w < 700 ? (int)((w - 400) / 10) : 29;
     {
-        const double *a = ms_mcml__haemoglobin[i], *b = ms_mcml__haemoglobin[i + 1], t = (w - 400) / 10 - i, to_mu = 2.302585 * 150 / 64500;
+        const double *a = ms_mcml__haemoglobin[i], *b = ms_mcml__haemoglobin[i + 1], t = (w - 400) / 10 - i,
+                     to_mu = 2.302585 * 150 / 64500;
         blood = to_mu * (skin->oxygen * (a[0] + t * (b[0] - a[0])) + (1 - skin->oxygen) * (a[1] + t * (b[1] - a[1])));
     }
     base = 0.244 + 85.3 * exp((154 - w) / 66.2);
@@ -5567,16 +5792,20 @@ static double ms_mcml__lobe(double w, double at, double below, double above)
     return exp(-0.5 * t * t);
 }
 
-/* What each band gives to linear sRGB under daylight: the bands' reflectances are joined by lines. A white sums to 1. */
+/* What each band gives to linear sRGB under daylight: the bands' reflectances are joined by lines. A white sums to
+   1. */
 static void ms_mcml__band_weights(double weight[MS_MCML_SKIN_BANDS][3])
 {
-    static const double rgb[3][3] = {{3.2404542, -1.5371385, -0.4985314}, {-0.9692660, 1.8760108, 0.0415560}, {0.0556434, -0.2040259, 1.0572252}};
+    static const double rgb[3][3] = {
+        {3.2404542, -1.5371385, -0.4985314}, {-0.9692660, 1.8760108, 0.0415560}, {0.0556434, -0.2040259, 1.0572252}};
     double sum[3] = {0, 0, 0};
     int i, c, w, band = 0;
     memset(weight, 0, MS_MCML_SKIN_BANDS * sizeof weight[0]);
     for (w = 400; w <= 700; w += 5) {
-        const double light = w % 10 ? 0.5 * (ms_mcml__daylight[(w - 400) / 10] + ms_mcml__daylight[(w - 390) / 10]) : ms_mcml__daylight[(w - 400) / 10];
-        const double x = 1.056 * ms_mcml__lobe(w, 599.8, 37.9, 31.0) + 0.362 * ms_mcml__lobe(w, 442.0, 16.0, 26.7) - 0.065 * ms_mcml__lobe(w, 501.1, 20.4, 26.2);
+        const double light = w % 10 ? 0.5 * (ms_mcml__daylight[(w - 400) / 10] + ms_mcml__daylight[(w - 390) / 10])
+                                    : ms_mcml__daylight[(w - 400) / 10];
+        const double x = 1.056 * ms_mcml__lobe(w, 599.8, 37.9, 31.0) + 0.362 * ms_mcml__lobe(w, 442.0, 16.0, 26.7) -
+            0.065 * ms_mcml__lobe(w, 501.1, 20.4, 26.2);
         const double y = 0.821 * ms_mcml__lobe(w, 568.8, 46.9, 40.5) + 0.286 * ms_mcml__lobe(w, 530.9, 16.3, 31.1);
         const double z = 1.217 * ms_mcml__lobe(w, 437.0, 11.8, 36.0) + 0.681 * ms_mcml__lobe(w, 459.0, 26.0, 13.8);
         while (band + 2 < MS_MCML_SKIN_BANDS && w > ms_mcml__bands[band + 1]) ++band;
@@ -5592,7 +5821,8 @@ static void ms_mcml__band_weights(double weight[MS_MCML_SKIN_BANDS][3])
         for (c = 0; c < 3; ++c) weight[i][c] /= sum[c];
 }
 
-static ms_status ms_mcml__skin_tissue(const ms_mcml_skin *skin, int band, ms_mcml_tissue *tissue, ms_mcml_layer layers[3], ms_error *error)
+static ms_status ms_mcml__skin_tissue(const ms_mcml_skin *skin, int band, ms_mcml_tissue *tissue,
+                                      ms_mcml_layer layers[3], ms_error *error)
 {
     tissue->n_above = 1;
     tissue->n_below = 1.4;
@@ -5600,8 +5830,8 @@ static ms_status ms_mcml__skin_tissue(const ms_mcml_skin *skin, int band, ms_mcm
     return ms_mcml_skin_layers(skin, ms_mcml__bands[band], layers, &tissue->layer_count, error);
 }
 
-MS_API ms_status ms_mcml_skin_color(const ms_mcml_skin *skin, double rgb[3], double *nm, double *spectrum, const ms_allocator *allocator,
-                                    ms_error *error)
+MS_API ms_status ms_mcml_skin_color(const ms_mcml_skin *skin, double rgb[3], double *nm, double *spectrum,
+                                    const ms_allocator *allocator, ms_error *error)
 {
     double weight[MS_MCML_SKIN_BANDS][3], total[MS_MCML_SKIN_BANDS];
     ms_mcml_layered_options o;
@@ -5645,8 +5875,8 @@ static void ms_mcml__skin_mix(double *row, int n, double weight[MS_MCML_SKIN_BAN
     }
 }
 
-MS_API ms_status ms_mcml_skin_profile(ms_mcml_profile *profile, const ms_mcml_skin *skin, const ms_mcml_profile_options *options,
-                                      ms_error *error)
+MS_API ms_status ms_mcml_skin_profile(ms_mcml_profile *profile, const ms_mcml_skin *skin,
+                                      const ms_mcml_profile_options *options, ms_error *error)
 {
     ms_mcml_profile_options o;
     ms_mcml_tissue tissue[MS_MCML_SKIN_BANDS];
@@ -5660,7 +5890,8 @@ MS_API ms_status ms_mcml_skin_profile(ms_mcml_profile *profile, const ms_mcml_sk
     if (options) o = *options;
     o.method = MS_MCML_DETERMINISTIC;
     o.tissues = tissue;
-    for (i = 0; i < MS_MCML_SKIN_BANDS && status == MS_OK; ++i) status = ms_mcml__skin_tissue(skin, i, &tissue[i], layers[i], error);
+    for (i = 0; i < MS_MCML_SKIN_BANDS && status == MS_OK; ++i)
+        status = ms_mcml__skin_tissue(skin, i, &tissue[i], layers[i], error);
     if (status == MS_OK) status = ms_mcml_profile_make(profile, NULL, MS_MCML_SKIN_BANDS, &o, error);
     if (status && status != MS_NOT_CONVERGED) return status;
     ms_mcml__band_weights(weight);
@@ -5677,7 +5908,8 @@ MS_API ms_status ms_mcml_skin_profile(ms_mcml_profile *profile, const ms_mcml_sk
     ms_mcml__skin_mix(profile->total, 1, weight);
     ms_mcml__skin_mix(profile->total_error, 1, weight);
     ms_mcml__skin_mix(profile->rd_per_mm2, profile->rings, weight);
-    ms_mcml__skin_mix(profile->rd_error_per_mm2, profile->rings, weight); /* errors of neighbouring wavelengths are alike: they add */
+    ms_mcml__skin_mix(profile->rd_error_per_mm2, profile->rings,
+                      weight); /* errors of neighbouring wavelengths are alike: they add */
     ms_mcml__skin_mix(profile->ap_per_mm, profile->rings, weight);
     ms_mcml__skin_mix(profile->within, profile->rings + 1, weight);
     profile->channels = 3;
@@ -5743,7 +5975,8 @@ static MS__UNUSED unsigned ms_mcml__neon_bits(uint32x4_t mask)
 #pragma GCC pop_options
 #endif
 #if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c"))), apply_to = function)
+#pragma clang attribute push(__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c"))), \
+                             apply_to = function)
 #elif defined(__GNUC__)
 #pragma GCC push_options
 #pragma GCC target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c")
@@ -5887,12 +6120,13 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__V_SIGN(a) _mm_or_ps(_mm_and_ps(a, _mm_set1_ps(-0.0f)), _mm_set1_ps(1.0f))
 #define MS_MCML__V_TO_INT(a) _mm_cvttps_epi32(a)
 #define MS_MCML__U_ROTATE(a, n) _mm_or_si128(_mm_slli_epi32(a, n), _mm_srli_epi32(a, 32 - (n)))
-#define MS_MCML__U_MUL(a, b) \
+#define MS_MCML__U_MUL(a, b)                                         \
     _mm_unpacklo_epi32(_mm_shuffle_epi32(_mm_mul_epu32(a, b), 0x08), \
                        _mm_shuffle_epi32(_mm_mul_epu32(_mm_srli_epi64(a, 32), _mm_srli_epi64(b, 32)), 0x08))
-#define MS_MCML__U_HIGH(a, b) \
-    _mm_or_si128(_mm_srli_epi64(_mm_mul_epu32(a, b), 32), \
-                 _mm_and_si128(_mm_mul_epu32(_mm_srli_epi64(a, 32), _mm_srli_epi64(b, 32)), _mm_set1_epi64x((long long)0xffffffff00000000u)))
+#define MS_MCML__U_HIGH(a, b)                                                               \
+    _mm_or_si128(_mm_srli_epi64(_mm_mul_epu32(a, b), 32),                                   \
+                 _mm_and_si128(_mm_mul_epu32(_mm_srli_epi64(a, 32), _mm_srli_epi64(b, 32)), \
+                               _mm_set1_epi64x((long long)0xffffffff00000000u)))
 #define MS_MCML__M_BITS(m) ((unsigned)_mm_movemask_ps(m))
 
 #elif MS_MCML__ISA == 2
@@ -5932,8 +6166,9 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__V_TO_INT(a) vreinterpretq_u32_s32(vcvtq_s32_f32(a))
 #define MS_MCML__U_ROTATE(a, n) vorrq_u32(vshlq_n_u32(a, n), vshrq_n_u32(a, 32 - (n)))
 #define MS_MCML__U_MUL(a, b) vmulq_u32(a, b)
-#define MS_MCML__U_HIGH(a, b) \
-    vuzp2q_u32(vreinterpretq_u32_u64(vmull_u32(vget_low_u32(a), vget_low_u32(b))), vreinterpretq_u32_u64(vmull_high_u32(a, b)))
+#define MS_MCML__U_HIGH(a, b)                                                      \
+    vuzp2q_u32(vreinterpretq_u32_u64(vmull_u32(vget_low_u32(a), vget_low_u32(b))), \
+               vreinterpretq_u32_u64(vmull_high_u32(a, b)))
 #define MS_MCML__M_BITS(m) ms_mcml__neon_bits(m)
 
 #elif MS_MCML__ISA == 3
@@ -5973,8 +6208,9 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__V_TO_INT(a) _mm256_cvttps_epi32(a)
 #define MS_MCML__U_ROTATE(a, n) _mm256_or_si256(_mm256_slli_epi32(a, n), _mm256_srli_epi32(a, 32 - (n)))
 #define MS_MCML__U_MUL(a, b) _mm256_mullo_epi32(a, b)
-#define MS_MCML__U_HIGH(a, b) \
-    _mm256_blend_epi32(_mm256_srli_epi64(_mm256_mul_epu32(a, b), 32), _mm256_mul_epu32(_mm256_srli_epi64(a, 32), _mm256_srli_epi64(b, 32)), 0xaa)
+#define MS_MCML__U_HIGH(a, b)                                         \
+    _mm256_blend_epi32(_mm256_srli_epi64(_mm256_mul_epu32(a, b), 32), \
+                       _mm256_mul_epu32(_mm256_srli_epi64(a, 32), _mm256_srli_epi64(b, 32)), 0xaa)
 #define MS_MCML__M_BITS(m) ((unsigned)_mm256_movemask_ps(m))
 
 #elif MS_MCML__ISA == 4
@@ -6010,15 +6246,16 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__V_NMADD(a, b, c) _mm512_fnmadd_ps(a, b, c)
 #define MS_MCML__V_MIN(a, b) _mm512_maskz_min_ps((__mmask16)-1, a, b)
 #define MS_MCML__V_ABS(a) _mm512_castsi512_ps(_mm512_and_si512(_mm512_castps_si512(a), _mm512_set1_epi32(0x7fffffff)))
-#define MS_MCML__V_SIGN(a) \
+#define MS_MCML__V_SIGN(a)                                                                                     \
     _mm512_castsi512_ps(_mm512_ternarylogic_epi32(_mm512_castps_si512(a), _mm512_set1_epi32((int)0x80000000u), \
                                                   _mm512_set1_epi32(0x3f800000), 0xEA))
 #define MS_MCML__V_TO_INT(a) _mm512_maskz_cvttps_epi32((__mmask16)-1, a)
 #define MS_MCML__U_ROTATE(a, n) _mm512_maskz_rol_epi32((__mmask16)-1, a, n)
 #define MS_MCML__U_MUL(a, b) _mm512_mullo_epi32(a, b)
-#define MS_MCML__U_HIGH(a, b) \
-    _mm512_mask_blend_epi32(0xaaaa, _mm512_maskz_srli_epi64(0xff, _mm512_maskz_mul_epu32(0xff, a, b), 32), \
-                            _mm512_maskz_mul_epu32(0xff, _mm512_maskz_srli_epi64(0xff, a, 32), _mm512_maskz_srli_epi64(0xff, b, 32)))
+#define MS_MCML__U_HIGH(a, b)                                                          \
+    _mm512_mask_blend_epi32(                                                           \
+        0xaaaa, _mm512_maskz_srli_epi64(0xff, _mm512_maskz_mul_epu32(0xff, a, b), 32), \
+        _mm512_maskz_mul_epu32(0xff, _mm512_maskz_srli_epi64(0xff, a, 32), _mm512_maskz_srli_epi64(0xff, b, 32)))
 #define MS_MCML__M_BITS(m) ((unsigned)(m))
 
 #endif
@@ -6027,9 +6264,13 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
    log(1 + t) = t - t^2 / 2 + t^3 P(t), error 1e-8. */
 static inline MS_MCML__V MS_MCML__FN(exponential)(MS_MCML__U word)
 {
-    const MS_MCML__V u = MS_MCML__V_MADD(MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(word, 1)), MS_MCML__V_SET(1.0f / 2147483648.0f), MS_MCML__V_SET(1.0f / 4294967296.0f));
-    const MS_MCML__U bits = MS_MCML__U_ADD(MS_MCML__U_SUB(MS_MCML__U_BITS(u), MS_MCML__U_SET(0x3f3504f3u)), MS_MCML__U_SET(64u << 23));
-    const MS_MCML__V t = MS_MCML__V_SUB(MS_MCML__V_BITS(MS_MCML__U_ADD(MS_MCML__U_AND(bits, MS_MCML__U_SET(0x7fffffu)), MS_MCML__U_SET(0x3f3504f3u))), MS_MCML__V_SET(1.0f));
+    const MS_MCML__V u = MS_MCML__V_MADD(MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(word, 1)),
+                                         MS_MCML__V_SET(1.0f / 2147483648.0f), MS_MCML__V_SET(1.0f / 4294967296.0f));
+    const MS_MCML__U bits = MS_MCML__U_ADD(MS_MCML__U_SUB(MS_MCML__U_BITS(u), MS_MCML__U_SET(0x3f3504f3u)),
+                                           MS_MCML__U_SET(64u << 23));
+    const MS_MCML__V t = MS_MCML__V_SUB(
+        MS_MCML__V_BITS(MS_MCML__U_ADD(MS_MCML__U_AND(bits, MS_MCML__U_SET(0x7fffffu)), MS_MCML__U_SET(0x3f3504f3u))),
+        MS_MCML__V_SET(1.0f));
     MS_MCML__V p = MS_MCML__V_MADD(t, MS_MCML__V_SET(-0.0810155815f), MS_MCML__V_SET(0.127123076f));
     p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(-0.12972239f));
     p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(0.142021738f));
@@ -6038,7 +6279,10 @@ static inline MS_MCML__V MS_MCML__FN(exponential)(MS_MCML__U word)
     p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(-0.250002965f));
     p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(0.333333286f));
     p = MS_MCML__V_MADD(MS_MCML__V_MADD(p, t, MS_MCML__V_SET(-0.5f)), MS_MCML__V_MUL(t, t), t);
-    return MS_MCML__V_SUB(MS_MCML__V_MUL(MS_MCML__V_SUB(MS_MCML__V_SET(64.0f), MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(bits, 23))), MS_MCML__V_SET(0.693147181f)), p);
+    return MS_MCML__V_SUB(
+        MS_MCML__V_MUL(MS_MCML__V_SUB(MS_MCML__V_SET(64.0f), MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(bits, 23))),
+                       MS_MCML__V_SET(0.693147181f)),
+        p);
 }
 
 /* A word as a number in [0, 1) of 24 bits. */
@@ -6048,16 +6292,16 @@ static inline MS_MCML__V MS_MCML__FN(uniform)(MS_MCML__U word)
 }
 
 /* xoshiro128+ (Blackman, Vigna 2018), a lane a photon. */
-#define MS_MCML__DRAW(word) \
-    do { \
+#define MS_MCML__DRAW(word)                                \
+    do {                                                   \
         const MS_MCML__U shifted = MS_MCML__U_LEFT(s1, 9); \
-        word = MS_MCML__U_ADD(s0, s3); \
-        s2 = MS_MCML__U_XOR(s2, s0); \
-        s3 = MS_MCML__U_XOR(s3, s1); \
-        s1 = MS_MCML__U_XOR(s1, s2); \
-        s0 = MS_MCML__U_XOR(s0, s3); \
-        s2 = MS_MCML__U_XOR(s2, shifted); \
-        s3 = MS_MCML__U_ROTATE(s3, 11); \
+        word = MS_MCML__U_ADD(s0, s3);                     \
+        s2 = MS_MCML__U_XOR(s2, s0);                       \
+        s3 = MS_MCML__U_XOR(s3, s1);                       \
+        s1 = MS_MCML__U_XOR(s1, s2);                       \
+        s0 = MS_MCML__U_XOR(s0, s3);                       \
+        s2 = MS_MCML__U_XOR(s2, shifted);                  \
+        s3 = MS_MCML__U_ROTATE(s3, 11);                    \
     } while (0)
 
 /* States of the next L photons, by Philox as ms__philox has it. */
@@ -6065,15 +6309,19 @@ static void MS_MCML__FN(seed)(ms_mcml__tracer *t)
 {
     const uint64_t seed = t->tally->options.seed;
     uint32_t low[MS_MCML__L], high[MS_MCML__L];
-    MS_MCML__U c0, c1, c2 = MS_MCML__U_SET(0x4D434D4Cu), c3 = MS_MCML__U_SET(0u); /* c2: apart from streams of other uses of the same seed */
+    MS_MCML__U c0, c1, c2 = MS_MCML__U_SET(0x4D434D4Cu),
+                       c3 = MS_MCML__U_SET(0u); /* c2: apart from streams of other uses of the same seed */
     MS_MCML__U k0 = MS_MCML__U_SET((uint32_t)seed), k1 = MS_MCML__U_SET((uint32_t)(seed >> 32));
     int i;
-    for (i = 0; i < MS_MCML__L; ++i) low[i] = (uint32_t)(t->next + (uint64_t)i), high[i] = (uint32_t)((t->next + (uint64_t)i) >> 32);
+    for (i = 0; i < MS_MCML__L; ++i)
+        low[i] = (uint32_t)(t->next + (uint64_t)i), high[i] = (uint32_t)((t->next + (uint64_t)i) >> 32);
     c0 = MS_MCML__U_LOAD(low);
     c1 = MS_MCML__U_LOAD(high);
     for (i = 0; i < 10; ++i) {
-        const MS_MCML__U high0 = MS_MCML__U_HIGH(c0, MS_MCML__U_SET(0xD2511F53u)), low0 = MS_MCML__U_MUL(c0, MS_MCML__U_SET(0xD2511F53u));
-        const MS_MCML__U high1 = MS_MCML__U_HIGH(c2, MS_MCML__U_SET(0xCD9E8D57u)), low1 = MS_MCML__U_MUL(c2, MS_MCML__U_SET(0xCD9E8D57u));
+        const MS_MCML__U high0 = MS_MCML__U_HIGH(c0, MS_MCML__U_SET(0xD2511F53u)),
+                         low0 = MS_MCML__U_MUL(c0, MS_MCML__U_SET(0xD2511F53u));
+        const MS_MCML__U high1 = MS_MCML__U_HIGH(c2, MS_MCML__U_SET(0xCD9E8D57u)),
+                         low1 = MS_MCML__U_MUL(c2, MS_MCML__U_SET(0xCD9E8D57u));
         c0 = MS_MCML__U_XOR(MS_MCML__U_XOR(high1, c1), k0);
         c1 = low1;
         c2 = MS_MCML__U_XOR(MS_MCML__U_XOR(high0, c3), k1);
@@ -6095,7 +6343,8 @@ static void MS_MCML__FN(launch)(ms_mcml__tracer *t, unsigned lanes)
     const MS_MCML__M stays = MS_MCML__U_IS_ZERO(MS_MCML__U_AND(MS_MCML__U_LOAD(t->bit), MS_MCML__U_SET(lanes)));
     const MS_MCML__V zero = MS_MCML__V_SET(0.0f);
     int i;
-#define MS_MCML__START(field, value) MS_MCML__V_STORE(t->field, MS_MCML__V_SELECT(stays, MS_MCML__V_LOAD(t->field), value))
+#define MS_MCML__START(field, value) \
+    MS_MCML__V_STORE(t->field, MS_MCML__V_SELECT(stays, MS_MCML__V_LOAD(t->field), value))
     MS_MCML__START(x, MS_MCML__V_SET(t->tally->entry_x));
     MS_MCML__START(y, zero);
     MS_MCML__START(z, zero);
@@ -6125,42 +6374,56 @@ static void MS_MCML__FN(launch)(ms_mcml__tracer *t, unsigned lanes)
     }
 }
 
-/* Absorption at a collision, in units of 2^-30, rounded up with a chance equal to the remainder: into cells and units, for the bins;
-   the weight that is left after it and after roulette. */
-static inline MS_MCML__V MS_MCML__FN(absorb)(ms_mcml__tracer *t, MS_MCML__M hit, MS_MCML__V x, MS_MCML__V y, MS_MCML__V z, MS_MCML__V w, MS_MCML__V u)
+/* Absorption at a collision, in units of 2^-30, rounded up with a chance equal to the remainder: into cells and units,
+   for the bins; the weight that is left after it and after roulette. */
+static inline MS_MCML__V MS_MCML__FN(absorb)(ms_mcml__tracer *t, MS_MCML__M hit, MS_MCML__V x, MS_MCML__V y,
+                                             MS_MCML__V z, MS_MCML__V w, MS_MCML__V u)
 {
     const MS_MCML__V zero = MS_MCML__V_SET(0.0f), one = MS_MCML__V_SET(1.0f);
     const MS_MCML__V lost = MS_MCML__V_SELECT(hit, zero, MS_MCML__V_MUL(w, MS_MCML__V_LOAD(t->absorbed)));
     if (t->volume_a || t->volume_phi) {
-        const MS_MCML__V r = MS_MCML__V_SQRT(MS_MCML__V_MADD(x, x, MS_MCML__V_MUL(y, y))), ring = MS_MCML__V_MIN(MS_MCML__V_MUL(r, MS_MCML__V_SET(t->inverse_dr)), MS_MCML__V_SET(t->last_r));
-        const MS_MCML__V slab = MS_MCML__V_MUL(MS_MCML__V_ADD(z, MS_MCML__V_LOAD(t->top)), MS_MCML__V_SET(t->inverse_dz));
+        const MS_MCML__V r = MS_MCML__V_SQRT(MS_MCML__V_MADD(x, x, MS_MCML__V_MUL(y, y))),
+                         ring = MS_MCML__V_MIN(MS_MCML__V_MUL(r, MS_MCML__V_SET(t->inverse_dr)),
+                                               MS_MCML__V_SET(t->last_r));
+        const MS_MCML__V slab = MS_MCML__V_MUL(MS_MCML__V_ADD(z, MS_MCML__V_LOAD(t->top)),
+                                               MS_MCML__V_SET(t->inverse_dz));
         const MS_MCML__U row = MS_MCML__U_MUL(MS_MCML__V_TO_INT(MS_MCML__V_MAX(ring, zero)), MS_MCML__U_SET(t->nz));
         const MS_MCML__V column = MS_MCML__V_MAX(MS_MCML__V_MIN(slab, MS_MCML__V_SET(t->last_z)), zero);
         MS_MCML__U_STORE(t->cell, MS_MCML__U_ADD(row, MS_MCML__V_TO_INT(column)));
         MS_MCML__V_STORE(t->units_a, MS_MCML__V_MADD(lost, MS_MCML__V_SET(MS_MCML__UNITS), u));
-        MS_MCML__V_STORE(t->units_phi, MS_MCML__V_SELECT(hit, zero, MS_MCML__V_MADD(MS_MCML__V_MUL(w, MS_MCML__V_LOAD(t->mfp)), MS_MCML__V_SET(t->phi_units), u)));
+        MS_MCML__V_STORE(t->units_phi,
+                         MS_MCML__V_SELECT(hit, zero,
+                                           MS_MCML__V_MADD(MS_MCML__V_MUL(w, MS_MCML__V_LOAD(t->mfp)),
+                                                           MS_MCML__V_SET(t->phi_units), u)));
     }
     w = MS_MCML__V_SUB(w, lost);
     MS_MCML__V_STORE(t->kept, MS_MCML__V_ADD(lost, MS_MCML__V_LOAD(t->kept)));
     return MS_MCML__V_SELECT(MS_MCML__V_LESS(MS_MCML__V_SELECT(hit, one, w), MS_MCML__V_SET(t->low_weight)),
-                             MS_MCML__V_SELECT(MS_MCML__V_LESS(u, MS_MCML__V_SET(MS_MCML__CHANCE)), MS_MCML__V_MUL(w, MS_MCML__V_SET(1 / MS_MCML__CHANCE)), zero), w);
+                             MS_MCML__V_SELECT(MS_MCML__V_LESS(u, MS_MCML__V_SET(MS_MCML__CHANCE)),
+                                               MS_MCML__V_MUL(w, MS_MCML__V_SET(1 / MS_MCML__CHANCE)), zero),
+                             w);
 }
 
 /* A new direction where nothing was hit: Henyey-Greenstein, v = 2 xi - 1,
    1 - cos = (1 - g)^2 (1 - v) (2 + g + g v) / (2 (1 + g v)^2), 1 + cos the same with -g and -v;
-   azimuth 2 pi tau, tau in [-1/2, 1/2), from sin and cos of pi tau; an orthonormal basis around u without a branch (Duff et al. 2017),
-   and one Newton step to length 1. */
-static inline void MS_MCML__FN(deflect)(MS_MCML__M hit, MS_MCML__V g, MS_MCML__U word_cosine, MS_MCML__U word_azimuth, MS_MCML__V *x, MS_MCML__V *y, MS_MCML__V *z)
+   azimuth 2 pi tau, tau in [-1/2, 1/2), from sin and cos of pi tau; an orthonormal basis around u without a branch
+   (Duff et al. 2017), and one Newton step to length 1. */
+static inline void MS_MCML__FN(deflect)(MS_MCML__M hit, MS_MCML__V g, MS_MCML__U word_cosine, MS_MCML__U word_azimuth,
+                                        MS_MCML__V *x, MS_MCML__V *y, MS_MCML__V *z)
 {
-    const MS_MCML__V one = MS_MCML__V_SET(1.0f), two = MS_MCML__V_SET(2.0f), half = MS_MCML__V_SET(0.5f), ux = *x, uy = *y, uz = *z;
-    const MS_MCML__V xi = MS_MCML__FN(uniform)(word_cosine), gv = MS_MCML__V_MUL(g, MS_MCML__V_MADD(two, xi, MS_MCML__V_SET(-1.0f)));
+    const MS_MCML__V one = MS_MCML__V_SET(1.0f), two = MS_MCML__V_SET(2.0f), half = MS_MCML__V_SET(0.5f), ux = *x,
+                     uy = *y, uz = *z;
+    const MS_MCML__V xi = MS_MCML__FN(uniform)(word_cosine),
+                     gv = MS_MCML__V_MUL(g, MS_MCML__V_MADD(two, xi, MS_MCML__V_SET(-1.0f)));
     const MS_MCML__V q = MS_MCML__V_DIV(one, MS_MCML__V_ADD(one, gv)), middle = MS_MCML__V_ADD(two, gv);
     const MS_MCML__V less = MS_MCML__V_MUL(MS_MCML__V_SUB(one, g), q), more = MS_MCML__V_MUL(MS_MCML__V_ADD(one, g), q);
-    const MS_MCML__V below = MS_MCML__V_MUL(MS_MCML__V_MUL(MS_MCML__V_MUL(less, less), MS_MCML__V_SUB(one, xi)), MS_MCML__V_ADD(middle, g));
+    const MS_MCML__V below = MS_MCML__V_MUL(MS_MCML__V_MUL(MS_MCML__V_MUL(less, less), MS_MCML__V_SUB(one, xi)),
+                                            MS_MCML__V_ADD(middle, g));
     const MS_MCML__V above = MS_MCML__V_MUL(MS_MCML__V_MUL(MS_MCML__V_MUL(more, more), xi), MS_MCML__V_SUB(middle, g));
     const MS_MCML__V cosine = MS_MCML__V_SUB(one, below), sine = MS_MCML__V_SQRT(MS_MCML__V_MUL(below, above));
     const MS_MCML__V tau = MS_MCML__V_SUB(MS_MCML__FN(uniform)(word_azimuth), half), square = MS_MCML__V_MUL(tau, tau);
-    MS_MCML__V sh = MS_MCML__V_SET(0.0776594074f), ch = MS_MCML__V_SET(0.219696795f), sc, ss, sign, a, b, vx, vy, vz, scale;
+    MS_MCML__V sh = MS_MCML__V_SET(0.0776594074f), ch = MS_MCML__V_SET(0.219696795f), sc, ss, sign, a, b, vx, vy, vz,
+               scale;
     sh = MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(-0.598292159f));
     sh = MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(2.55007766f));
     sh = MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(-5.16771009f));
@@ -6174,8 +6437,11 @@ static inline void MS_MCML__FN(deflect)(MS_MCML__M hit, MS_MCML__V g, MS_MCML__U
     sign = MS_MCML__V_SIGN(uz);
     a = MS_MCML__V_DIV(MS_MCML__V_SET(-1.0f), MS_MCML__V_ADD(sign, uz));
     b = MS_MCML__V_MUL(MS_MCML__V_MUL(ux, uy), a);
-    vx = MS_MCML__V_MADD(sc, MS_MCML__V_MADD(MS_MCML__V_MUL(sign, ux), MS_MCML__V_MUL(ux, a), one), MS_MCML__V_MADD(ss, b, MS_MCML__V_MUL(cosine, ux)));
-    vy = MS_MCML__V_MADD(sc, MS_MCML__V_MUL(sign, b), MS_MCML__V_MADD(ss, MS_MCML__V_MADD(MS_MCML__V_MUL(uy, uy), a, sign), MS_MCML__V_MUL(cosine, uy)));
+    vx = MS_MCML__V_MADD(sc, MS_MCML__V_MADD(MS_MCML__V_MUL(sign, ux), MS_MCML__V_MUL(ux, a), one),
+                         MS_MCML__V_MADD(ss, b, MS_MCML__V_MUL(cosine, ux)));
+    vy = MS_MCML__V_MADD(
+        sc, MS_MCML__V_MUL(sign, b),
+        MS_MCML__V_MADD(ss, MS_MCML__V_MADD(MS_MCML__V_MUL(uy, uy), a, sign), MS_MCML__V_MUL(cosine, uy)));
     vz = MS_MCML__V_NMADD(MS_MCML__V_MUL(sc, sign), ux, MS_MCML__V_NMADD(ss, uy, MS_MCML__V_MUL(cosine, uz)));
     scale = MS_MCML__V_MADD(vx, vx, MS_MCML__V_MADD(vy, vy, MS_MCML__V_MUL(vz, vz)));
     scale = MS_MCML__V_NMADD(half, scale, MS_MCML__V_SET(1.5f));
@@ -6184,19 +6450,24 @@ static inline void MS_MCML__FN(deflect)(MS_MCML__M hit, MS_MCML__V g, MS_MCML__U
     *z = MS_MCML__V_SELECT(hit, uz, MS_MCML__V_MUL(vz, scale));
 }
 
-/* Lanes that a boundary reflects, Fresnel, ratio = n / n beyond; total internal reflection has cos_t = 0 and so R = 1. u < R without
-   division, R = (rs^2 + rp^2) / 2. */
+/* Lanes that a boundary reflects, Fresnel, ratio = n / n beyond; total internal reflection has cos_t = 0 and so R = 1.
+   u < R without division, R = (rs^2 + rp^2) / 2. */
 static inline MS_MCML__M MS_MCML__FN(fresnel)(ms_mcml__tracer *t, MS_MCML__M up, MS_MCML__V steep, MS_MCML__V u)
 {
     const MS_MCML__V zero = MS_MCML__V_SET(0.0f), one = MS_MCML__V_SET(1.0f);
     const MS_MCML__V ratio = MS_MCML__V_SELECT(up, MS_MCML__V_LOAD(t->ratio_up), MS_MCML__V_LOAD(t->ratio_down));
     const MS_MCML__V sin2_i = MS_MCML__V_MAX(MS_MCML__V_NMADD(steep, steep, one), zero);
-    const MS_MCML__V cos_t = MS_MCML__V_SQRT(MS_MCML__V_MAX(MS_MCML__V_NMADD(MS_MCML__V_MUL(ratio, ratio), sin2_i, one), zero));
+    const MS_MCML__V cos_t = MS_MCML__V_SQRT(
+        MS_MCML__V_MAX(MS_MCML__V_NMADD(MS_MCML__V_MUL(ratio, ratio), sin2_i, one), zero));
     const MS_MCML__V si = MS_MCML__V_MUL(ratio, steep), pt = MS_MCML__V_MUL(ratio, cos_t);
-    const MS_MCML__V s_sum = MS_MCML__V_ADD(si, cos_t), p_sum = MS_MCML__V_ADD(pt, steep), both = MS_MCML__V_MUL(s_sum, p_sum);
-    const MS_MCML__V rs = MS_MCML__V_MUL(MS_MCML__V_SUB(si, cos_t), p_sum), rp = MS_MCML__V_MUL(MS_MCML__V_SUB(pt, steep), s_sum);
+    const MS_MCML__V s_sum = MS_MCML__V_ADD(si, cos_t), p_sum = MS_MCML__V_ADD(pt, steep),
+                     both = MS_MCML__V_MUL(s_sum, p_sum);
+    const MS_MCML__V rs = MS_MCML__V_MUL(MS_MCML__V_SUB(si, cos_t), p_sum),
+                     rp = MS_MCML__V_MUL(MS_MCML__V_SUB(pt, steep), s_sum);
     MS_MCML__V_STORE(t->cos_t, cos_t);
-    return MS_MCML__V_LESS(MS_MCML__V_MUL(u, MS_MCML__V_MUL(both, both)), MS_MCML__V_MUL(MS_MCML__V_SET(0.5f), MS_MCML__V_ADD(MS_MCML__V_MUL(rs, rs), MS_MCML__V_MUL(rp, rp))));
+    return MS_MCML__V_LESS(
+        MS_MCML__V_MUL(u, MS_MCML__V_MUL(both, both)),
+        MS_MCML__V_MUL(MS_MCML__V_SET(0.5f), MS_MCML__V_ADD(MS_MCML__V_MUL(rs, rs), MS_MCML__V_MUL(rp, rp))));
 }
 
 /* Traces the photons of t. A turn of the loop is one event of every lane: a flight that ends in a collision or at a
@@ -6325,20 +6596,45 @@ static inline __m512d MS_MCML__FN(d_nmadd)(__m512d a, __m512d b, __m512d c) { re
 typedef struct ms_mcml__four_pairs {
     __m256d low, high;
 } ms_mcml__four_pairs;
-#define MS_MCML__D_BOTH(f) MS_MCML__D r; r.low = f(low); r.high = f(high); return r
+#define MS_MCML__D_BOTH(f) \
+    MS_MCML__D r;          \
+    r.low = f(low);        \
+    r.high = f(high);      \
+    return r
 #define MS_MCML__D_ADD(x) _mm256_add_pd(a.x, b.x)
 #define MS_MCML__D_SUB(x) _mm256_sub_pd(a.x, b.x)
 #define MS_MCML__D_MUL(x) _mm256_mul_pd(a.x, b.x)
 #define MS_MCML__D_MADD(x) _mm256_fmadd_pd(a.x, b.x, c.x)
 #define MS_MCML__D_NMADD(x) _mm256_fnmadd_pd(a.x, b.x, c.x)
-static inline MS_MCML__D MS_MCML__FN(d_set)(double a) { MS_MCML__D r; r.low = r.high = _mm256_set1_pd(a); return r; }
-static inline MS_MCML__D MS_MCML__FN(d_load)(const double *p) { MS_MCML__D r; r.low = _mm256_loadu_pd(p); r.high = _mm256_loadu_pd(p + 4); return r; }
-static inline void MS_MCML__FN(d_store)(double *p, MS_MCML__D a) { _mm256_storeu_pd(p, a.low); _mm256_storeu_pd(p + 4, a.high); }
+static inline MS_MCML__D MS_MCML__FN(d_set)(double a)
+{
+    MS_MCML__D r;
+    r.low = r.high = _mm256_set1_pd(a);
+    return r;
+}
+static inline MS_MCML__D MS_MCML__FN(d_load)(const double *p)
+{
+    MS_MCML__D r;
+    r.low = _mm256_loadu_pd(p);
+    r.high = _mm256_loadu_pd(p + 4);
+    return r;
+}
+static inline void MS_MCML__FN(d_store)(double *p, MS_MCML__D a)
+{
+    _mm256_storeu_pd(p, a.low);
+    _mm256_storeu_pd(p + 4, a.high);
+}
 static inline MS_MCML__D MS_MCML__FN(d_add)(MS_MCML__D a, MS_MCML__D b) { MS_MCML__D_BOTH(MS_MCML__D_ADD); }
 static inline MS_MCML__D MS_MCML__FN(d_sub)(MS_MCML__D a, MS_MCML__D b) { MS_MCML__D_BOTH(MS_MCML__D_SUB); }
 static inline MS_MCML__D MS_MCML__FN(d_mul)(MS_MCML__D a, MS_MCML__D b) { MS_MCML__D_BOTH(MS_MCML__D_MUL); }
-static inline MS_MCML__D MS_MCML__FN(d_madd)(MS_MCML__D a, MS_MCML__D b, MS_MCML__D c) { MS_MCML__D_BOTH(MS_MCML__D_MADD); }
-static inline MS_MCML__D MS_MCML__FN(d_nmadd)(MS_MCML__D a, MS_MCML__D b, MS_MCML__D c) { MS_MCML__D_BOTH(MS_MCML__D_NMADD); }
+static inline MS_MCML__D MS_MCML__FN(d_madd)(MS_MCML__D a, MS_MCML__D b, MS_MCML__D c)
+{
+    MS_MCML__D_BOTH(MS_MCML__D_MADD);
+}
+static inline MS_MCML__D MS_MCML__FN(d_nmadd)(MS_MCML__D a, MS_MCML__D b, MS_MCML__D c)
+{
+    MS_MCML__D_BOTH(MS_MCML__D_NMADD);
+}
 #undef MS_MCML__D_BOTH
 #undef MS_MCML__D_ADD
 #undef MS_MCML__D_SUB
@@ -6351,7 +6647,17 @@ static inline MS_MCML__D MS_MCML__FN(d_nmadd)(MS_MCML__D a, MS_MCML__D b, MS_MCM
 typedef struct ms_mcml__eight {
     double a, b, c, d, e, f, g, h;
 } ms_mcml__eight;
-#define MS_MCML__D_ALL(op) do { op(a, 0); op(b, 1); op(c, 2); op(d, 3); op(e, 4); op(f, 5); op(g, 6); op(h, 7); } while (0)
+#define MS_MCML__D_ALL(op) \
+    do {                   \
+        op(a, 0);          \
+        op(b, 1);          \
+        op(c, 2);          \
+        op(d, 3);          \
+        op(e, 4);          \
+        op(f, 5);          \
+        op(g, 6);          \
+        op(h, 7);          \
+    } while (0)
 #define MS_MCML__D_SET(x, n) r.x = k
 #define MS_MCML__D_LOAD(x, n) r.x = p[n]
 #define MS_MCML__D_STORE(x, n) p[n] = k.x
@@ -6362,7 +6668,13 @@ typedef struct ms_mcml__eight {
 #define MS_MCML__D_NMADD(x, n) r.x = m.x - k.x * l.x
 #else
 #define MS_MCML__D ms_mcml__four_twos
-#define MS_MCML__D_ALL(op) do { op(a, 0); op(b, 2); op(c, 4); op(d, 6); } while (0)
+#define MS_MCML__D_ALL(op) \
+    do {                   \
+        op(a, 0);          \
+        op(b, 2);          \
+        op(c, 4);          \
+        op(d, 6);          \
+    } while (0)
 #if defined(MS__X64)
 typedef struct ms_mcml__four_twos {
     __m128d a, b, c, d;
@@ -6389,14 +6701,49 @@ typedef struct ms_mcml__four_twos {
 #define MS_MCML__D_NMADD(x, n) r.x = vfmsq_f64(m.x, k.x, l.x)
 #endif
 #endif
-static inline MS_MCML__D MS_MCML__FN(d_set)(double k) { MS_MCML__D r; MS_MCML__D_ALL(MS_MCML__D_SET); return r; }
-static inline MS_MCML__D MS_MCML__FN(d_load)(const double *p) { MS_MCML__D r; MS_MCML__D_ALL(MS_MCML__D_LOAD); return r; }
+static inline MS_MCML__D MS_MCML__FN(d_set)(double k)
+{
+    MS_MCML__D r;
+    MS_MCML__D_ALL(MS_MCML__D_SET);
+    return r;
+}
+static inline MS_MCML__D MS_MCML__FN(d_load)(const double *p)
+{
+    MS_MCML__D r;
+    MS_MCML__D_ALL(MS_MCML__D_LOAD);
+    return r;
+}
 static inline void MS_MCML__FN(d_store)(double *p, MS_MCML__D k) { MS_MCML__D_ALL(MS_MCML__D_STORE); }
-static inline MS_MCML__D MS_MCML__FN(d_add)(MS_MCML__D k, MS_MCML__D l) { MS_MCML__D r; MS_MCML__D_ALL(MS_MCML__D_ADD); return r; }
-static inline MS_MCML__D MS_MCML__FN(d_sub)(MS_MCML__D k, MS_MCML__D l) { MS_MCML__D r; MS_MCML__D_ALL(MS_MCML__D_SUB); return r; }
-static inline MS_MCML__D MS_MCML__FN(d_mul)(MS_MCML__D k, MS_MCML__D l) { MS_MCML__D r; MS_MCML__D_ALL(MS_MCML__D_MUL); return r; }
-static inline MS_MCML__D MS_MCML__FN(d_madd)(MS_MCML__D k, MS_MCML__D l, MS_MCML__D m) { MS_MCML__D r; MS_MCML__D_ALL(MS_MCML__D_MADD); return r; }
-static inline MS_MCML__D MS_MCML__FN(d_nmadd)(MS_MCML__D k, MS_MCML__D l, MS_MCML__D m) { MS_MCML__D r; MS_MCML__D_ALL(MS_MCML__D_NMADD); return r; }
+static inline MS_MCML__D MS_MCML__FN(d_add)(MS_MCML__D k, MS_MCML__D l)
+{
+    MS_MCML__D r;
+    MS_MCML__D_ALL(MS_MCML__D_ADD);
+    return r;
+}
+static inline MS_MCML__D MS_MCML__FN(d_sub)(MS_MCML__D k, MS_MCML__D l)
+{
+    MS_MCML__D r;
+    MS_MCML__D_ALL(MS_MCML__D_SUB);
+    return r;
+}
+static inline MS_MCML__D MS_MCML__FN(d_mul)(MS_MCML__D k, MS_MCML__D l)
+{
+    MS_MCML__D r;
+    MS_MCML__D_ALL(MS_MCML__D_MUL);
+    return r;
+}
+static inline MS_MCML__D MS_MCML__FN(d_madd)(MS_MCML__D k, MS_MCML__D l, MS_MCML__D m)
+{
+    MS_MCML__D r;
+    MS_MCML__D_ALL(MS_MCML__D_MADD);
+    return r;
+}
+static inline MS_MCML__D MS_MCML__FN(d_nmadd)(MS_MCML__D k, MS_MCML__D l, MS_MCML__D m)
+{
+    MS_MCML__D r;
+    MS_MCML__D_ALL(MS_MCML__D_NMADD);
+    return r;
+}
 #undef MS_MCML__D_ALL
 #undef MS_MCML__D_SET
 #undef MS_MCML__D_LOAD
@@ -6423,7 +6770,8 @@ static inline void MS_MCML__FN(d_turn)(double from[8][8], double to[8][8]) /* ro
         for (j = 0; j < 8; j += 4) {
             const __m256d a = _mm256_loadu_pd(&from[i][j]), b = _mm256_loadu_pd(&from[i + 1][j]);
             const __m256d c = _mm256_loadu_pd(&from[i + 2][j]), d = _mm256_loadu_pd(&from[i + 3][j]);
-            const __m256d e = _mm256_unpacklo_pd(a, b), f = _mm256_unpackhi_pd(a, b), g = _mm256_unpacklo_pd(c, d), h = _mm256_unpackhi_pd(c, d);
+            const __m256d e = _mm256_unpacklo_pd(a, b), f = _mm256_unpackhi_pd(a, b), g = _mm256_unpacklo_pd(c, d),
+                          h = _mm256_unpackhi_pd(c, d);
             _mm256_storeu_pd(&to[j][i], _mm256_permute2f128_pd(e, g, 0x20));
             _mm256_storeu_pd(&to[j + 1][i], _mm256_permute2f128_pd(f, h, 0x20));
             _mm256_storeu_pd(&to[j + 2][i], _mm256_permute2f128_pd(e, g, 0x31));
@@ -6436,7 +6784,8 @@ static inline void MS_MCML__FN(d_turn)(double from[8][8], double to[8][8]) /* ro
 }
 
 /* (*re, *im) += (tr, ti) (qr, qi) */
-static inline void MS_MCML__FN(mul_add)(MS_MCML__D tr, MS_MCML__D ti, MS_MCML__D qr, MS_MCML__D qi, MS_MCML__D *re, MS_MCML__D *im)
+static inline void MS_MCML__FN(mul_add)(MS_MCML__D tr, MS_MCML__D ti, MS_MCML__D qr, MS_MCML__D qi, MS_MCML__D *re,
+                                        MS_MCML__D *im)
 {
     *re = MS_MCML__FN(d_nmadd)(ti, qi, MS_MCML__FN(d_madd)(tr, qr, *re));
     *im = MS_MCML__FN(d_madd)(ti, qr, MS_MCML__FN(d_madd)(tr, qi, *im));
@@ -6448,7 +6797,8 @@ static inline void MS_MCML__FN(mul_load)(const double *t, MS_MCML__D qr, MS_MCML
     MS_MCML__FN(mul_add)(MS_MCML__FN(d_load)(t), MS_MCML__FN(d_load)(t + MS_MCML__RAYS), qr, qi, re, im);
 }
 
-/* Four steps of a panel from x on: x[step] = t[0] x[step - 1] + the sum of t[1 .. 5] times the five points of q, complex. */
+/* Four steps of a panel from x on: x[step] = t[0] x[step - 1] + the sum of t[1 .. 5] times the five points of q,
+   complex. */
 static inline void MS_MCML__FN(steps)(const double *t, const double *q, int q_stride, double *x, int x_stride)
 {
     enum { R = MS_MCML__RAYS };
@@ -6473,9 +6823,10 @@ static inline void MS_MCML__FN(steps)(const double *t, const double *q, int q_st
     }
 }
 
-/* Integrals of u^n exp(-y u), u from 0 to 1, n = 0 .. 4, and exp(-y): q[6][2]. y = yr + i yi, yr >= 0, is halved until it is below 1,
-   where series converge; two halves of a path then make a whole. */
-static inline void MS_MCML__FN(moments)(MS_MCML__D yr, MS_MCML__D yi, int halvings, const double *series, MS_MCML__D q[6][2])
+/* Integrals of u^n exp(-y u), u from 0 to 1, n = 0 .. 4, and exp(-y): q[6][2]. y = yr + i yi, yr >= 0, is halved until
+   it is below 1, where series converge; two halves of a path then make a whole. */
+static inline void MS_MCML__FN(moments)(MS_MCML__D yr, MS_MCML__D yi, int halvings, const double *series,
+                                        MS_MCML__D q[6][2])
 {
     const double *c4 = series, *c0 = series + MS_MCML__SERIES + 1;
     MS_MCML__D re, im, er, ei, x;
@@ -6500,7 +6851,8 @@ static inline void MS_MCML__FN(moments)(MS_MCML__D yr, MS_MCML__D yi, int halvin
     }
     for (; halvings > 0; --halvings) {
         for (n = 4; n >= 0; --n) { /* (q[n] + exp(-y) sum of choose(n, k) q[k]) / 2^(n + 1) */
-            static const double choose[5][5] = {{1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}};
+            static const double choose[5][5] = {
+                {1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}};
             MS_MCML__D sr = q[0][0], si = q[0][1];
             for (k = 1; k <= n; ++k) {
                 x = MS_MCML__FN(d_set)(choose[n][k]);
@@ -6521,7 +6873,8 @@ static inline void MS_MCML__FN(moments)(MS_MCML__D yr, MS_MCML__D yi, int halvin
 
 /* The weights of five points for the four steps of a panel; h: its length along each ray, wave: radians a length;
    out[4][6][2][R]: what passes a step, then the points. The last two steps are the first two mirrored. */
-static void MS_MCML__FN(weigh)(double mu_t, const double *h, const double *wave, const double *polynomial, const double *series, double *out)
+static void MS_MCML__FN(weigh)(double mu_t, const double *h, const double *wave, const double *polynomial,
+                               const double *series, double *out)
 {
     enum { R = MS_MCML__RAYS };
     const MS_MCML__D length = MS_MCML__FN(d_load)(h), radians = MS_MCML__FN(d_mul)(length, MS_MCML__FN(d_load)(wave));
@@ -6532,11 +6885,13 @@ static void MS_MCML__FN(weigh)(double mu_t, const double *h, const double *wave,
     for (j = 0; j < R; ++j) most = h[j] * (mu_t + wave[j]) > most ? h[j] * (mu_t + wave[j]) : most;
     for (most *= 0.33; most > 1; most *= 0.5) ++halvings; /* no step is longer */
     for (step = 0; step < 2; ++step) {
-        const MS_MCML__D part = MS_MCML__FN(d_set)((ms_mcml__lobatto[step + 1] - ms_mcml__lobatto[step]) * ldexp(1, -halvings));
-        MS_MCML__FN(moments)(MS_MCML__FN(d_mul)(depth, part), MS_MCML__FN(d_mul)(radians, part), halvings, series, q[step]);
+        const MS_MCML__D part = MS_MCML__FN(d_set)((ms_mcml__lobatto[step + 1] - ms_mcml__lobatto[step]) *
+                                                   ldexp(1, -halvings));
+        MS_MCML__FN(moments)
+        (MS_MCML__FN(d_mul)(depth, part), MS_MCML__FN(d_mul)(radians, part), halvings, series, q[step]);
     }
     for (step = 0; step < 4; ++step) {
-        MS_MCML__D (*s)[2] = q[step < 2 ? step : 3 - step];
+        MS_MCML__D(*s)[2] = q[step < 2 ? step : 3 - step];
         MS_MCML__FN(d_store)(out, s[5][0]);
         MS_MCML__FN(d_store)(out + R, s[5][1]);
         out += 2 * R;
@@ -6569,11 +6924,12 @@ static void MS_MCML__FN(add)(double *to, double x, const double *a, size_t n)
 {
     const MS_MCML__D factor = MS_MCML__FN(d_set)(x);
     size_t i;
-    for (i = 0; i < n; i += 8) MS_MCML__FN(d_store)(to + i, MS_MCML__FN(d_madd)(factor, MS_MCML__FN(d_load)(a + i), MS_MCML__FN(d_load)(to + i)));
+    for (i = 0; i < n; i += 8) MS_MCML__FN(d_store)
+    (to + i, MS_MCML__FN(d_madd)(factor, MS_MCML__FN(d_load)(a + i), MS_MCML__FN(d_load)(to + i)));
 }
 
-/* Of a block of rays in one layer: what scatters into them at each node, [m][node] down and up; moments of l - m even are the same for
-   both directions, odd ones opposite. */
+/* Of a block of rays in one layer: what scatters into them at each node, [m][node] down and up; moments of l - m even
+   are the same for both directions, odd ones opposite. */
 static void MS_MCML__FN(scatter)(const ms_mcml__flights *s, int b, int layer)
 {
     enum { R = MS_MCML__RAYS };
@@ -6616,7 +6972,8 @@ static void MS_MCML__FN(scatter)(const ms_mcml__flights *s, int b, int layer)
 /* The weights of panel p of a layer, of block and azimuth ba. */
 static inline const double *MS_MCML__FN(panel)(const ms_mcml__flights *s, const ms_mcml__stratum *y, int ba, int p)
 {
-    return s->table + ((size_t)(ba * s->shapes) + (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * MS_MCML__RAYS;
+    return s->table +
+        ((size_t)(ba * s->shapes) + (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * MS_MCML__RAYS;
 }
 
 /* Flights within a layer that nothing enters, at one azimuth: down, up. */
@@ -6651,17 +7008,20 @@ static void MS_MCML__FN(within)(const ms_mcml__flights *s, const ms_mcml__stratu
     MS_MCML__FN(d_store)(s->up + y->end * 2 * R + R, zero);
     for (p = 0; p < y->used; ++p) {
         const int first = y->node + 4 * p;
-        MS_MCML__FN(steps)(MS_MCML__FN(panel)(s, y, ba, p), s->line + first * 4 * R, 4 * R, s->down + first * 2 * R, 2 * R);
+        MS_MCML__FN(steps)
+        (MS_MCML__FN(panel)(s, y, ba, p), s->line + first * 4 * R, 4 * R, s->down + first * 2 * R, 2 * R);
     }
     for (p = y->used - 1; p >= 0; --p) { /* the same weights, mirrored */
         const int first = y->node + 4 * p + 4;
-        MS_MCML__FN(steps)(MS_MCML__FN(panel)(s, y, ba, p), s->line + first * 4 * R + 2 * R, -4 * R, s->up + first * 2 * R, -2 * R);
+        MS_MCML__FN(steps)
+        (MS_MCML__FN(panel)(s, y, ba, p), s->line + first * 4 * R + 2 * R, -4 * R, s->up + first * 2 * R, -2 * R);
     }
 }
 
-/* Adds to both flights within a layer what enters it from above, in, and from below, back; both = their sum and difference, weighed. */
-static void MS_MCML__FN(entering)(const ms_mcml__flights *s, const ms_mcml__stratum *y, int ba, double *both, const MS_MCML__D in[2],
-                                  const MS_MCML__D back[2])
+/* Adds to both flights within a layer what enters it from above, in, and from below, back; both = their sum and
+   difference, weighed. */
+static void MS_MCML__FN(entering)(const ms_mcml__flights *s, const ms_mcml__stratum *y, int ba, double *both,
+                                  const MS_MCML__D in[2], const MS_MCML__D back[2])
 {
     enum { R = MS_MCML__RAYS };
     const MS_MCML__D weight = MS_MCML__FN(d_load)(s->turn + ba * R);
@@ -6686,7 +7046,8 @@ static void MS_MCML__FN(entering)(const ms_mcml__flights *s, const ms_mcml__stra
     xi = back[1];
     both += y->end * 4 * R;
     for (p = 4 * y->used; p >= 0; --p, both -= 4 * R, x -= 2 * R, u -= 2 * R) {
-        const MS_MCML__D ur = MS_MCML__FN(d_add)(MS_MCML__FN(d_load)(u), xr), ui = MS_MCML__FN(d_add)(MS_MCML__FN(d_load)(u + R), xi);
+        const MS_MCML__D ur = MS_MCML__FN(d_add)(MS_MCML__FN(d_load)(u), xr),
+                         ui = MS_MCML__FN(d_add)(MS_MCML__FN(d_load)(u + R), xi);
         const MS_MCML__D dr = MS_MCML__FN(d_load)(x), di = MS_MCML__FN(d_load)(x + R);
         MS_MCML__FN(d_store)(both, MS_MCML__FN(d_mul)(weight, MS_MCML__FN(d_add)(dr, ur)));
         MS_MCML__FN(d_store)(both + R, MS_MCML__FN(d_mul)(weight, MS_MCML__FN(d_add)(di, ui)));
@@ -6694,7 +7055,8 @@ static void MS_MCML__FN(entering)(const ms_mcml__flights *s, const ms_mcml__stra
         MS_MCML__FN(d_store)(both + 3 * R, MS_MCML__FN(d_mul)(weight, MS_MCML__FN(d_sub)(di, ui)));
         if (p) {
             MS_MCML__D re = MS_MCML__FN(d_set)(0), im = re;
-            MS_MCML__FN(mul_load)(MS_MCML__FN(panel)(s, y, ba, (p - 1) / 4) + (3 - (p - 1) % 4) * 12 * R, xr, xi, &re, &im);
+            MS_MCML__FN(mul_load)
+            (MS_MCML__FN(panel)(s, y, ba, (p - 1) / 4) + (3 - (p - 1) % 4) * 12 * R, xr, xi, &re, &im);
             xr = re;
             xi = im;
         }
@@ -6706,7 +7068,8 @@ static void MS_MCML__FN(flights)(const ms_mcml__flights *s, int b, int a, double
 {
     enum { R = MS_MCML__RAYS };
     const int ba = b * s->azimuths + a;
-    const double *nu = s->nu + b * R, *chain = s->chain + (size_t)(ba * s->layers) * 10 * R, *edge = s->edge + (size_t)(b * s->layers) * 5 * R, *c;
+    const double *nu = s->nu + b * R, *chain = s->chain + (size_t)(ba * s->layers) * 10 * R,
+                 *edge = s->edge + (size_t)(b * s->layers) * 5 * R, *c;
     const MS_MCML__D zero = MS_MCML__FN(d_set)(0), turn = MS_MCML__FN(d_load)(s->turn + ba * R);
     MS_MCML__D v[MS_MCML__STRATA][2], from_below[MS_MCML__STRATA][2], d[2], w[2], in[2], back[2], sum[2], x;
     int layer;
@@ -6724,7 +7087,8 @@ static void MS_MCML__FN(flights)(const ms_mcml__flights *s, int b, int a, double
             v[layer][0] = MS_MCML__FN(d_load)(s->up + y->node * 2 * R);
             v[layer][1] = MS_MCML__FN(d_load)(s->up + y->node * 2 * R + R);
         }
-        if (layer + 1 < s->layers) MS_MCML__FN(mul_load)(c + 6 * R, v[layer + 1][0], v[layer + 1][1], &from_below[layer][0], &from_below[layer][1]);
+        if (layer + 1 < s->layers) MS_MCML__FN(mul_load)
+        (c + 6 * R, v[layer + 1][0], v[layer + 1][1], &from_below[layer][0], &from_below[layer][1]);
         back[0] = from_below[layer][0];
         back[1] = from_below[layer][1];
         MS_MCML__FN(mul_load)(c + 2 * R, d[0], d[1], &back[0], &back[1]);
@@ -6736,8 +7100,10 @@ static void MS_MCML__FN(flights)(const ms_mcml__flights *s, int b, int a, double
         if (!(nu[0] < y->n)) continue;
         if (!y->clear && y->used == 0) break;
         c = chain + layer * 10 * R;
-        d[0] = MS_MCML__FN(d_madd)(MS_MCML__FN(d_load)(e), v[layer][0], MS_MCML__FN(d_mul)(MS_MCML__FN(d_load)(e + R), in[0]));
-        d[1] = MS_MCML__FN(d_madd)(MS_MCML__FN(d_load)(e), v[layer][1], MS_MCML__FN(d_mul)(MS_MCML__FN(d_load)(e + R), in[1]));
+        d[0] = MS_MCML__FN(d_madd)(MS_MCML__FN(d_load)(e), v[layer][0],
+                                   MS_MCML__FN(d_mul)(MS_MCML__FN(d_load)(e + R), in[0]));
+        d[1] = MS_MCML__FN(d_madd)(MS_MCML__FN(d_load)(e), v[layer][1],
+                                   MS_MCML__FN(d_mul)(MS_MCML__FN(d_load)(e + R), in[1]));
         w[0] = w[1] = zero;
         MS_MCML__FN(mul_load)(c + 8 * R, d[0], d[1], &w[0], &w[1]);
         if (layer == 0) {
@@ -6761,7 +7127,8 @@ static void MS_MCML__FN(flights)(const ms_mcml__flights *s, int b, int a, double
     leave[1] += MS_MCML__FN(d_sum)(MS_MCML__FN(d_mul)(turn, sum[1]));
 }
 
-/* out += eight nodes' moments of one m: to[8 nodes] += the sum over rays of theta[ray] x[node][ray], each second l from the first. */
+/* out += eight nodes' moments of one m: to[8 nodes] += the sum over rays of theta[ray] x[node][ray], each second l from
+   the first. */
 static inline void MS_MCML__FN(project)(double x[8][8], const double *theta, double *to, size_t stride, int count)
 {
     enum { R = MS_MCML__RAYS };
@@ -6777,7 +7144,8 @@ static inline void MS_MCML__FN(project)(double x[8][8], const double *theta, dou
     t6 = MS_MCML__FN(d_load)(turned[6]);
     t7 = MS_MCML__FN(d_load)(turned[7]);
     for (; count > 0; --count, theta += 2 * R, to += 2 * stride) {
-        MS_MCML__D sum = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(theta[0]), t0, MS_MCML__FN(d_load)(to)), other = MS_MCML__FN(d_mul)(MS_MCML__FN(d_set)(theta[1]), t1);
+        MS_MCML__D sum = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(theta[0]), t0, MS_MCML__FN(d_load)(to)),
+                   other = MS_MCML__FN(d_mul)(MS_MCML__FN(d_set)(theta[1]), t1);
         sum = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(theta[2]), t2, sum);
         other = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(theta[3]), t3, other);
         sum = MS_MCML__FN(d_madd)(MS_MCML__FN(d_set)(theta[4]), t4, sum);
@@ -6794,7 +7162,8 @@ static void MS_MCML__FN(gather)(const ms_mcml__flights *s, int b, int layer, dou
     enum { R = MS_MCML__RAYS };
     const ms_mcml__stratum *y = &s->layer[layer];
     const size_t nz = (size_t)s->reach, sheets = (size_t)s->most + 1;
-    const double *theta = s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R, *mu = s->mu + (b * s->layers + layer) * R;
+    const double *theta = s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R,
+                 *mu = s->mu + (b * s->layers + layer) * R;
     double weights[R], even[8][8], odd[8][8];
     MS_MCML__D weight;
     int m, node, i, j, a;
@@ -6804,7 +7173,8 @@ static void MS_MCML__FN(gather)(const ms_mcml__flights *s, int b, int layer, dou
         for (m = 0; m <= s->most; ++m) {
             const size_t term = (size_t)ms_mcml__first_term(s->order, m);
             for (i = 0; i < 8; i += 4) {
-                const double *x = s->both + (size_t)(node + i) * 4 * R + (m & 1) * R, *c = s->around + ((size_t)(b * s->azimuths) * sheets + (size_t)m) * R;
+                const double *x = s->both + (size_t)(node + i) * 4 * R + (m & 1) * R,
+                             *c = s->around + ((size_t)(b * s->azimuths) * sheets + (size_t)m) * R;
                 MS_MCML__D e0 = MS_MCML__FN(d_set)(0), e1 = e0, e2 = e0, e3 = e0, o0 = e0, o1 = e0, o2 = e0, o3 = e0;
                 for (a = 0; a < s->azimuths; ++a, x += nz * 4 * R, c += sheets * R) {
                     const MS_MCML__D t = MS_MCML__FN(d_load)(c);
@@ -6844,20 +7214,25 @@ static void MS_MCML__FN(fly)(const ms_mcml__flights *s, const double *d, int bea
         for (l = m; l <= s->order; ++l, q += nz)
             for (layer = 0; layer < s->layers; ++layer) {
                 const ms_mcml__stratum *y = &s->layer[layer];
-                const double sigma = y->used ? y->sigma[l] : 0, pole = sqrt((2 * l + 1) * 0.5) * 0.3989422804014327 * sigma, back = l & 1 ? -pole : pole;
-                if (d && y->used) MS_MCML__FN(add)(q + y->node, sigma, d + (q - s->q) + y->node, (size_t)(y->end - y->node + 8) / 8 * 8);
-                for (node = y->node; beam && m == 0 && y->used && node <= y->end; ++node) q[node] += pole * down[node] + back * up[node];
+                const double sigma = y->used ? y->sigma[l] : 0,
+                             pole = sqrt((2 * l + 1) * 0.5) * 0.3989422804014327 * sigma, back = l & 1 ? -pole : pole;
+                if (d && y->used) MS_MCML__FN(add)
+                (q + y->node, sigma, d + (q - s->q) + y->node, (size_t)(y->end - y->node + 8) / 8 * 8);
+                for (node = y->node; beam && m == 0 && y->used && node <= y->end; ++node)
+                    q[node] += pole * down[node] + back * up[node];
             }
     for (b = 0; b < s->blocks; ++b) {
         for (layer = 0; layer < s->layers; ++layer)
             if (s->layer[layer].used && s->nu[b * MS_MCML__RAYS] < s->layer[layer].n) MS_MCML__FN(scatter)(s, b, layer);
         for (a = 0; a < s->azimuths; ++a) MS_MCML__FN(flights)(s, b, a, leave);
         for (layer = 0; layer < s->layers; ++layer)
-            if (s->layer[layer].used && s->nu[b * MS_MCML__RAYS] < s->layer[layer].n) MS_MCML__FN(gather)(s, b, layer, out);
+            if (s->layer[layer].used && s->nu[b * MS_MCML__RAYS] < s->layer[layer].n)
+                MS_MCML__FN(gather)(s, b, layer, out);
     }
 }
 
-static const ms_mcml__kernels MS_MCML__FN(kernels) = {MS_MCML__FN(trace), MS_MCML__FN(fly), MS_MCML__FN(weigh), MS_MCML__FN(inner), MS_MCML__FN(add)};
+static const ms_mcml__kernels MS_MCML__FN(kernels) = {MS_MCML__FN(trace), MS_MCML__FN(fly), MS_MCML__FN(weigh),
+                                                      MS_MCML__FN(inner), MS_MCML__FN(add)};
 
 #undef MS_MCML__D
 #undef MS_MCML__DRAW

@@ -7,10 +7,10 @@
       #define MS_NN_IMPLEMENTATION
       #include "ms_nn.h"
 
-   Runs small trained networks - a neural renderer (parameters to picture), inversion networks (picture to parameters) - from
-   safetensors files at the speed at which memory delivers the weights: forward, vector-Jacobian product, Jacobian-vector
-   product, Jacobian; and as GLSL, HLSL or WGSL, where they are dense. Reads and writes safetensors strictly. Never trains.
-   Link with -lm. Here a network of one layer, which the program writes first:
+   Runs small trained networks - a neural renderer (parameters to picture), inversion networks (picture to parameters) -
+   from safetensors files at the speed at which memory delivers the weights: forward, vector-Jacobian product,
+   Jacobian-vector product, Jacobian; and as GLSL, HLSL or WGSL, where they are dense. Reads and writes safetensors
+   strictly. Never trains. Link with -lm. Here a network of one layer, which the program writes first:
 
    Example:
       #define MS_NN_IMPLEMENTATION
@@ -20,8 +20,8 @@
       {
           static const float weight[6] = {1, 2, 3, 4, 5, 6}, bias[2] = {0.5f, -0.5f};
           static const size_t shape[2] = {2, 3};
-          ms_nn_tensor tensors[2] = {{"f.weight", MS_NN_F32, 2, shape, weight, sizeof weight}, {"f.bias", MS_NN_F32, 1, shape,
-              bias, sizeof bias}};
+          ms_nn_tensor tensors[2] = {{"f.weight", MS_NN_F32, 2, shape, weight, sizeof weight}, {"f.bias", MS_NN_F32, 1,
+              shape, bias, sizeof bias}};
           ms_nn_entry metadata[3] = {{"ms_nn_version", "1"}, {"ms_nn_input", "[3]"},
                                      {"ms_nn_layers", "[{\"type\":\"dense\",\"name\":\"f\",\"activation\":\"tanh\"}]"}};
           float x[3] = {0.1f, -0.2f, 0.1f}, y[2], g_y[2] = {1, 0}, g_x[3];
@@ -33,8 +33,8 @@
               return 1;
           }
           if (ms_nn_forward(nn, 1, x, y, NULL) != MS_OK || ms_nn_vjp(nn, 1, x, g_y, NULL, g_x, NULL) != MS_OK) return 1;
-          printf("outputs %g %g, slopes of the first %g %g %g\n", (double)y[0], (double)y[1], (double)g_x[0], (double)g_x[1],
-              (double)g_x[2]);
+          printf("outputs %g %g, slopes of the first %g %g %g\n", (double)y[0], (double)y[1], (double)g_x[0],
+              (double)g_x[1], (double)g_x[2]);
           ms_nn_destroy(nn);
           return remove("example.safetensors");
       }
@@ -49,16 +49,19 @@
       "ms_nn_input"    JSON list: [n], [channels, length] or [channels, height, width] of one sample
       "ms_nn_layers"   JSON list of layers, in a string; each runs on the output of the one before
 
-   Data lies row-major, channels first. A layer is an object with "type" and, as the type allows, the fields below; any other
-   field is refused. Sizes that are left out are read from the tensors. Sizes marked * are a number or a pair [height, width].
+   Data lies row-major, channels first. A layer is an object with "type" and, as the type allows, the fields below; any
+   other field is refused. Sizes that are left out are read from the tensors. Sizes marked * are a number or a pair
+   [height, width].
 
       dense            name, units, activation, alpha, bias        <name>.weight [units][inputs]; the input must be flat
       conv1d           name, filters, kernel, stride, padding,     <name>.weight [filters][channels / groups][kernel]
                        zeros (0: on both sides), dilation (1),
                        groups (1), activation, alpha, bias
-      conv2d           the same, with * where there are numbers    <name>.weight [filters][channels / groups][height][width]
+      conv2d           the same, with * where there are numbers    <name>.weight [filters][channels /
+                       groups][height][width]
       conv1d_transpose the same without padding, and extra (0)     <name>.weight [channels][filters / groups][kernel]
-      conv2d_transpose the same, with *                            <name>.weight [channels][filters / groups][height][width]
+      conv2d_transpose the same, with *                            <name>.weight [channels][filters /
+                                                                   groups][height][width]
       upsample1d       factor (2), mode (nearest or linear),       align_corners as PyTorch has it
                        align_corners (false)
       upsample2d       the same, factor*
@@ -69,45 +72,47 @@
       flatten          order: channels_first (default, PyTorch) or channels_last (Keras)
       activation       activation, alpha                           alone
       dropout          rate                                        does nothing
-      add              from, activation, alpha                     adds the output of the layer with that name, or "input"
+      add              from, activation, alpha                     adds the output of the layer with that name, or
+                       "input"
       concat           from, order: after (default) or before      puts that output's channels behind, or before
       shared_channels  inputs: [[0,3,6],[1,4,6],[2,5,6]]           first layer only, see below
 
-   <name>.bias [outputs] belongs to every dense and convolution layer unless "bias":false stands in the list. Weights are
-   F64, F32, F16, BF16, or I8 with <name>.weight_scale (F32, [outputs]; of a transposed convolution [channels], its weights' first
-   dimension): weight = scale x integer. Convolutions are correlations. "padding": "valid" (default) or "same": (kernel - 1) / 2
-   zeros in front, rounded down, and as many behind as make ceil(size / stride) outputs. "extra" is PyTorch's output_padding.
-   "activation": linear (default), relu,
-   leaky_relu (slope alpha, 0.01), elu (alpha, 1), tanh, sigmoid, softplus, silu, gelu (by erf). shared_channels evaluates
-   the rest of the list once for each of its lists of input indices and puts the outputs one after the other: one small
-   network for the red, green and blue of a scene without colours of its own. examples/export_torch.py saves PyTorch and
-   Keras networks in this form.
+   <name>.bias [outputs] belongs to every dense and convolution layer unless "bias":false stands in the list. Weights
+   are F64, F32, F16, BF16, or I8 with <name>.weight_scale (F32, [outputs]; of a transposed convolution [channels], its
+   weights' first dimension): weight = scale x integer. Convolutions are correlations. "padding": "valid" (default) or
+   "same": (kernel - 1) / 2 zeros in front, rounded down, and as many behind as make ceil(size / stride) outputs.
+   "extra" is PyTorch's output_padding. "activation": linear (default), relu,
+   leaky_relu (slope alpha, 0.01), elu (alpha, 1), tanh, sigmoid, softplus, silu, gelu (by erf). shared_channels
+   evaluates the rest of the list once for each of its lists of input indices and puts the outputs one after the other:
+   one small network for the red, green and blue of a scene without colours of its own. examples/export_torch.py saves
+   PyTorch and Keras networks in this form.
 
    What it costs
    -------------
-   A dense layer costs what reading its weights costs: a picture of the full-size renderer (2.1 GB of F32) runs within some
-   percent of the speed of memory, BF16 and F16 in about half the time, I8 in a third to two fifths, at about 68, 86 and 65
-   dB against F32. Large pages under the weights (on Linux madvise(MADV_HUGEPAGE) on the memory that ms_nn_load is given)
-   save a sixth to a third of it. README.md and tests/bench/RESULTS.md have the tables, with PyTorch, OpenBLAS and oneDNN
-   beside; `make bench FILTER=nn` makes them.
+   A dense layer costs what reading its weights costs: a picture of the full-size renderer (2.1 GB of F32) runs within
+   some percent of the speed of memory, BF16 and F16 in about half the time, I8 in a third to two fifths, at about 68,
+   86 and 65 dB against F32. Large pages under the weights (on Linux madvise(MADV_HUGEPAGE) on the memory that
+   ms_nn_load is given) save a sixth to a third of it. README.md and tests/bench/RESULTS.md have the tables, with
+   PyTorch, OpenBLAS and oneDNN beside; `make bench FILTER=nn` makes them.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
-   A file costs one small allocation; a network some dozens at load: packed copies of the convolutions' weights and of dense
-   layers of up to two million weights and 16384 inputs, the first eight million of a network; float copies of F64 and of folded
-   dense weights. Larger layers are read where they lie. The products allocate nothing when they are given a
-   workspace of ms_nn_workspace_size bytes, which stops growing at 48 samples or directions at most: more run in blocks. Stack:
-   below 32 kB, 64 kB when compiled without optimisation.
-   No globals. A network is only read once it is loaded: calls on it may overlap if their workspaces differ. options.parallel
-   takes a thread pool; the work is cut by the problem alone.
+   A file costs one small allocation; a network some dozens at load: packed copies of the convolutions' weights and of
+   dense layers of up to two million weights and 16384 inputs, the first eight million of a network; float copies of F64
+   and of folded dense weights. Larger layers are read where they lie. The products allocate nothing when they are given
+   a workspace of ms_nn_workspace_size bytes, which stops growing at 48 samples or directions at most: more run in
+   blocks. Stack: below 32 kB, 64 kB when compiled without optimisation.
+   No globals. A network is only read once it is loaded: calls on it may overlap if their workspaces differ.
+   options.parallel takes a thread pool; the work is cut by the problem alone.
    SSE2, AVX2, AVX-512 (with VNNI where there is) and NEON, chosen at load, capped by options.simd. MS_NO_SIMD: plain C.
    At one level the same bits for any number of threads, and for a sample alone or in a batch. Dense layers of I8
    that are not packed are summed in integers and equal at every level; all else agrees within the error below.
-   Arithmetic is in floats: about 1e-6 of the largest output against double precision for the networks above, at most 1e-5 in
-   the tests. Those I8 layers take their input in 21-bit fixed point: 5e-7 of its largest element. The collapse is in double.
-   Every call that can fail returns a status; loaders also fill an ms_error with a byte offset and a sentence. On failure
-   outputs are untouched. Weights and inputs that are NaN or infinite run through (ms_nn_check_weights finds them).
-   -ffast-math voids what is said of bits, NaN and infinity; the rest holds to rounding.
+   Arithmetic is in floats: about 1e-6 of the largest output against double precision for the networks above, at most
+   1e-5 in the tests. Those I8 layers take their input in 21-bit fixed point: 5e-7 of its largest element. The collapse
+   is in double. Every call that can fail returns a status; loaders also fill an ms_error with a byte offset and a
+   sentence. On failure outputs are untouched. Weights and inputs that are NaN or infinite run through
+   (ms_nn_check_weights finds them). -ffast-math voids what is said of bits, NaN and infinity; the rest holds to
+   rounding.
 
    Configuration (define before the implementation)
    ------------------------------------------------
@@ -121,17 +126,17 @@
    Limits
    ------
    Refused with MS_BAD_DATA: whatever the strict format forbids (duplicate names, holes, overlaps, trailing bytes unless
-   options.allow_trailing, NUL in names, null metadata, header over 100,000,000 bytes, rank over 32) and layers that do not
-   fit their tensors; 4096 layers at most. MS_UNSUPPORTED: other element types than the five as weights. Files of 2^31 bytes
-   and more need a 64-bit machine. A mapped file must not shrink while it is used: options.copy reads it instead. Networks
-   are chains with skips that are added or concatenated: no recurrence, attention, or normalisation at run time (BatchNorm
-   goes into the weights).
+   options.allow_trailing, NUL in names, null metadata, header over 100,000,000 bytes, rank over 32) and layers that do
+   not fit their tensors; 4096 layers at most. MS_UNSUPPORTED: other element types than the five as weights. Files of
+   2^31 bytes and more need a 64-bit machine. A mapped file must not shrink while it is used: options.copy reads it
+   instead. Networks are chains with skips that are added or concatenated: no recurrence, attention, or normalisation at
+   run time (BatchNorm goes into the weights).
 
    Sources
    -------
-   safetensors: its format description and reference implementation. Networks: Zsolnai-Feher, PhD thesis, sections 3.4.2 and
-   4.3.1. Convolutions: Winograd's F(2, 3), Lavin & Gray 2016. Collapse: Golub & Van Loan, Matrix Computations, chapter 5;
-   Schreiber & Van Loan 1989; Bjoerck 1987; Chambers 1971. Low rank: Hestenes 1958.
+   safetensors: its format description and reference implementation. Networks: Zsolnai-Feher, PhD thesis, sections 3.4.2
+   and 4.3.1. Convolutions: Winograd's F(2, 3), Lavin & Gray 2016. Collapse: Golub & Van Loan, Matrix Computations,
+   chapter 5; Schreiber & Van Loan 1989; Bjoerck 1987; Chambers 1971. Low rank: Hestenes 1958.
 */
 #ifndef MS_NN_H
 #define MS_NN_H
@@ -163,9 +168,9 @@ extern "C" {
 #define MS_API MS_DEF
 #endif
 
-/* NULL, in every header: where an argument's comment does not say what NULL means, it may not be NULL. A call that returns a
-   status then answers MS_INVALID_ARGUMENT and names the argument; any other does nothing and returns 0 or NULL.
-   destroy and free do nothing with NULL. */
+/* NULL, in every header: where an argument's comment does not say what NULL means, it may not be NULL. A call that
+   returns a status then answers MS_INVALID_ARGUMENT and names the argument; any other does nothing and returns 0 or
+   NULL. destroy and free do nothing with NULL. */
 
 /* What went wrong; each code asks for another remedy. code, value, sentence */
 #define MS_STATUS_LIST(X)                                                  \
@@ -182,7 +187,7 @@ typedef enum ms_status {
 #define MS_STATUS_ENUM(code, value, sentence) code = value,
     MS_STATUS_LIST(MS_STATUS_ENUM)
 #undef MS_STATUS_ENUM
-    MS_STATUS_COUNT /* how many codes there are */
+        MS_STATUS_COUNT /* how many codes there are */
 } ms_status;
 
 /* Details of a failure. Every call that takes one accepts NULL; it is written on failure only. */
@@ -244,7 +249,7 @@ static inline const char *ms_simd_string(ms_simd level)
     int i = (int)level;
     return i >= 0 && i <= (int)MS_SIMD_AVX512 ? name[i] : "unknown";
 }
-#endif /* MS_COMMON */
+#endif             /* MS_COMMON */
 #if MS_COMMON != 2 /* outside the guard: catches two vendored releases in one file */
 #error "ms_*.h headers of different releases in one translation unit"
 #endif
@@ -254,20 +259,21 @@ static inline const char *ms_simd_string(ms_simd level)
 
 /* Every element type of the format: code, name in the file, bits. Networks use F64, F32, F16, BF16 and I8; the
    others are listed, checked and copied. */
-#define MS_NN_DTYPE_LIST(X)                                                                                    \
-    X(MS_NN_F64, "F64", 64) X(MS_NN_F32, "F32", 32) X(MS_NN_F16, "F16", 16) X(MS_NN_BF16, "BF16", 16)          \
-    X(MS_NN_I8, "I8", 8) X(MS_NN_I16, "I16", 16) X(MS_NN_I32, "I32", 32) X(MS_NN_I64, "I64", 64)               \
-    X(MS_NN_U8, "U8", 8) X(MS_NN_U16, "U16", 16) X(MS_NN_U32, "U32", 32) X(MS_NN_U64, "U64", 64)               \
-    X(MS_NN_BOOL, "BOOL", 8) X(MS_NN_C64, "C64", 64) X(MS_NN_F8_E5M2, "F8_E5M2", 8)                            \
-    X(MS_NN_F8_E4M3, "F8_E4M3", 8) X(MS_NN_F8_E8M0, "F8_E8M0", 8) X(MS_NN_F8_E4M3FNUZ, "F8_E4M3FNUZ", 8)       \
-    X(MS_NN_F8_E5M2FNUZ, "F8_E5M2FNUZ", 8) X(MS_NN_F6_E2M3, "F6_E2M3", 6) X(MS_NN_F6_E3M2, "F6_E3M2", 6)       \
-    X(MS_NN_F4, "F4", 4)
+#define MS_NN_DTYPE_LIST(X)                                                                                  \
+    X(MS_NN_F64, "F64", 64)                                                                                  \
+    X(MS_NN_F32, "F32", 32)                                                                                  \
+    X(MS_NN_F16, "F16", 16) X(MS_NN_BF16, "BF16", 16) X(MS_NN_I8, "I8", 8) X(MS_NN_I16, "I16", 16)           \
+        X(MS_NN_I32, "I32", 32) X(MS_NN_I64, "I64", 64) X(MS_NN_U8, "U8", 8) X(MS_NN_U16, "U16", 16)         \
+            X(MS_NN_U32, "U32", 32) X(MS_NN_U64, "U64", 64) X(MS_NN_BOOL, "BOOL", 8) X(MS_NN_C64, "C64", 64) \
+                X(MS_NN_F8_E5M2, "F8_E5M2", 8) X(MS_NN_F8_E4M3, "F8_E4M3", 8) X(MS_NN_F8_E8M0, "F8_E8M0", 8) \
+                    X(MS_NN_F8_E4M3FNUZ, "F8_E4M3FNUZ", 8) X(MS_NN_F8_E5M2FNUZ, "F8_E5M2FNUZ", 8)            \
+                        X(MS_NN_F6_E2M3, "F6_E2M3", 6) X(MS_NN_F6_E3M2, "F6_E3M2", 6) X(MS_NN_F4, "F4", 4)
 
 typedef enum ms_nn_dtype {
 #define MS_NN_DTYPE_ENUM(code, name, bits) code,
     MS_NN_DTYPE_LIST(MS_NN_DTYPE_ENUM)
 #undef MS_NN_DTYPE_ENUM
-    MS_NN_DTYPE_COUNT
+        MS_NN_DTYPE_COUNT
 } ms_nn_dtype;
 
 #define MS_NN_MAX_HEADER 100000000 /* bytes of JSON that a file may have; the format's own limit */
@@ -292,14 +298,14 @@ typedef struct ms_nn_entry {
 
 /* Zero for every default; ms_nn_defaults() returns that. */
 typedef struct ms_nn_options {
-    int allow_trailing;       /* non-zero: bytes behind the last tensor are ignored; 0: refused */
-    int no_folds;             /* non-zero: the layers run as they are written */
-    ms_simd simd;             /* the fastest level to use; MS_SIMD_AUTO (0): what the processor has */
-    size_t max_header_bytes;  /* 0: MS_NN_MAX_HEADER; a longer header is refused */
-    size_t max_memory_bytes;  /* largest single allocation; 0: no cap. Over it: MS_OUT_OF_MEMORY */
-    ms_parallel parallel;     /* runs the layers' tasks; zero: the calling thread */
-    ms_allocator allocator;   /* zero: malloc and free */
-    int copy;                 /* non-zero: files by name are read into memory, not mapped: they may then change while in use */
+    int allow_trailing;      /* non-zero: bytes behind the last tensor are ignored; 0: refused */
+    int no_folds;            /* non-zero: the layers run as they are written */
+    ms_simd simd;            /* the fastest level to use; MS_SIMD_AUTO (0): what the processor has */
+    size_t max_header_bytes; /* 0: MS_NN_MAX_HEADER; a longer header is refused */
+    size_t max_memory_bytes; /* largest single allocation; 0: no cap. Over it: MS_OUT_OF_MEMORY */
+    ms_parallel parallel;    /* runs the layers' tasks; zero: the calling thread */
+    ms_allocator allocator;  /* zero: malloc and free */
+    int copy; /* non-zero: files by name are read into memory, not mapped: they may then change while in use */
 } ms_nn_options;
 
 /* All defaults. */
@@ -316,9 +322,10 @@ typedef struct ms_nn_file ms_nn_file;
    *file     out; ms_nn_file_close releases it; untouched on failure
    error     NULL or filled on failure: position is the byte in the file, message the reason
    One allocation, of at most 5 times the header that is really there. No recursion.
-   MS_BAD_DATA: not a strict safetensors file. MS_UNSUPPORTED: 2^31 bytes or more on a 32-bit machine. MS_OUT_OF_MEMORY. */
+   MS_BAD_DATA: not a strict safetensors file. MS_UNSUPPORTED: 2^31 bytes or more on a 32-bit machine.
+   MS_OUT_OF_MEMORY. */
 MS_API ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_options *options, ms_nn_file **file,
-                                    ms_error *error);
+                                 ms_error *error);
 MS_API void ms_nn_file_close(ms_nn_file *file); /* NULL is allowed */
 
 /* Tensors in the order of their data, i in [0, count); metadata in the order of the file. */
@@ -344,7 +351,7 @@ typedef struct ms_nn_sink {
    MS_INVALID_ARGUMENT: a name twice, "__metadata__" as a name, text that is not UTF-8, a wrong size. MS_IO: the sink
    stopped. MS_OUT_OF_MEMORY. position: index of the tensor or entry. Nothing is written unless all is valid. */
 MS_API ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
-                                     size_t entries, const ms_allocator *allocator, ms_nn_sink sink, ms_error *error);
+                                  size_t entries, const ms_allocator *allocator, ms_nn_sink sink, ms_error *error);
 
 /* ---- networks -------------------------------------------------------------------------------------------------- */
 
@@ -367,32 +374,32 @@ typedef struct ms_nn_layer {
 } ms_nn_layer;
 
 /* Makes a network of a safetensors file with a layer list (grammar in the head comment).
-   bytes    [size] must outlive *nn, unchanged: F32, F16, BF16 and I8 weights of dense layers are used where they lie (on
-            little-endian hosts), of smaller ones a packed copy too; F64 and all weights of convolutions are copied as floats
+   bytes    [size] must outlive *nn, unchanged: F32, F16, BF16 and I8 weights of dense layers are used where they lie
+            (on little-endian hosts), of smaller ones a packed copy too; F64 and all weights of convolutions are copied
+            as floats
    *nn      out; ms_nn_destroy releases it; untouched on failure
    error    NULL or filled on failure; position: byte in the file, or 0
    Folds (options->no_folds): upsample1d before conv1d and upsample1d/2d before flatten + dense of F32 or F64.
    MS_BAD_DATA: file or layer list malformed, shapes that do not fit. MS_UNSUPPORTED: an element type or version that
    this release does not run. MS_OUT_OF_MEMORY. */
-MS_API ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options *options, ms_nn **nn,
-                               ms_error *error);
+MS_API ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options *options, ms_nn **nn, ms_error *error);
 MS_API void ms_nn_destroy(ms_nn *nn); /* NULL is allowed */
 
 #ifndef MS_NN_NO_STDIO
-/* ms_nn_file_open and ms_nn_load for a file by name: mapped on POSIX systems, where a file that shrinks while it is used
-   ends the program (options.copy), read into one allocation elsewhere. MS_IO: cannot be read. */
+/* ms_nn_file_open and ms_nn_load for a file by name: mapped on POSIX systems, where a file that shrinks while it is
+   used ends the program (options.copy), read into one allocation elsewhere. MS_IO: cannot be read. */
 MS_API ms_status ms_nn_file_read(const char *path, const ms_nn_options *options, ms_nn_file **file, ms_error *error);
 MS_API ms_status ms_nn_load_file(const char *path, const ms_nn_options *options, ms_nn **nn, ms_error *error);
 
 /* ms_nn_file_write into a file by name, replaced if it is there. */
 MS_API ms_status ms_nn_file_save(const char *path, const ms_nn_tensor *tensors, size_t count,
-                                    const ms_nn_entry *metadata, size_t entries, const ms_allocator *allocator,
-                                    ms_error *error);
+                                 const ms_nn_entry *metadata, size_t entries, const ms_allocator *allocator,
+                                 ms_error *error);
 #endif
 
 MS_API ms_nn_shape ms_nn_input_shape(const ms_nn *nn);
 MS_API ms_nn_shape ms_nn_output_shape(const ms_nn *nn);
-MS_API size_t ms_nn_input_size(const ms_nn *nn);  /* floats of one sample */
+MS_API size_t ms_nn_input_size(const ms_nn *nn); /* floats of one sample */
 MS_API size_t ms_nn_output_size(const ms_nn *nn);
 MS_API int ms_nn_layer_count(const ms_nn *nn);
 MS_API ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i); /* i in [0, ms_nn_layer_count) */
@@ -426,7 +433,7 @@ MS_API ms_status ms_nn_forward(const ms_nn *nn, int count, const float *x, float
    At a kink (relu at 0) the slope of the left side, at a tie in a pool the first maximum, as PyTorch does.
    Statuses, threads, bits and workspace (MS_NN_VJP) as for ms_nn_forward. */
 MS_API ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x,
-                              void *workspace);
+                           void *workspace);
 
 /* Jacobian-vector products dy = (df/dx) dx at one x for count directions.
    x          [input size]
@@ -435,7 +442,7 @@ MS_API ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const flo
    dy         [count][output size] out
    Workspace MS_NN_JVP. */
 MS_API ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *x, const float *dx, float *y, float *dy,
-                              void *workspace);
+                           void *workspace);
 
 /* The whole Jacobian at one x: forwards (one direction an input) or backwards (one an output), whichever is fewer.
    y          [output size] out; NULL: not wanted
@@ -445,8 +452,8 @@ MS_API ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, float
 
 /* ---- GPU text: a network as fragment shaders ------------------------------------------------------------------- */
 
-#define MS_NN_SHADER_WIDTH 2048      /* texels of a row of the weights' texture */
-#define MS_NN_SHADER_ROWS_MAX 16384  /* rows that it may have: 134 million weights */
+#define MS_NN_SHADER_WIDTH 2048     /* texels of a row of the weights' texture */
+#define MS_NN_SHADER_ROWS_MAX 16384 /* rows that it may have: 134 million weights */
 
 /* Metal: translate the Vulkan text (glslangValidator -V, spirv-cross --msl). */
 typedef enum ms_nn_language {
@@ -458,44 +465,48 @@ typedef enum ms_nn_language {
 } ms_nn_language;
 
 /* One draw of a full-screen triangle. Networks are dense layers with activations and added skips, also once a channel
-   (shared_channels). The dense layers are cut into steps: the last `steps` - 1 of them are steps of their own, those before are
-   the first step, which keeps their values in registers. A gallery is two draws: features of all pictures, then all pixels.
-   Wide layers run faster in a step each (they are then computed once, not once for every four outputs of the step).
-   All zero but step: steps 2, GLSL 330, values out. */
+   (shared_channels). The dense layers are cut into steps: the last `steps` - 1 of them are steps of their own, those
+   before are the first step, which keeps their values in registers. A gallery is two draws: features of all pictures,
+   then all pixels. Wide layers run faster in a step each (they are then computed once, not once for every four outputs
+   of the step). All zero but step: steps 2, GLSL 330, values out. */
 typedef struct ms_nn_shader {
-    int step;               /* 0 to steps - 1 */
-    int steps;              /* 1 to the number of dense layers; 0: 2, or 1 where there is one layer only */
-    int width, height;      /* of a picture, if the last step draws pictures; 0: it writes values as the others do */
+    int step;          /* 0 to steps - 1 */
+    int steps;         /* 1 to the number of dense layers; 0: 2, or 1 where there is one layer only */
+    int width, height; /* of a picture, if the last step draws pictures; 0: it writes values as the others do */
     ms_nn_language language;
 } ms_nn_shader;
 
 /* Sizes of the textures, all RGBA and read by texel (OpenGL: GL_NEAREST for both filters):
-     ms_nn_weights  HLSL t0, Vulkan and WGSL binding 1: MS_NN_SHADER_WIDTH x weight_rows, 16 or 32 bits, the same for each step
-     ms_nn_values   HLSL t1, Vulkan and WGSL binding 2: input_width x rows a picture, 32-bit floats: of the first step what
-                    ms_nn_shader_inputs makes, of the others the target of the step before
-   The target is target_width x rows a picture for values (32-bit floats; 16 bits lose up to 1/2000 of each value): four values a
-   texel, and row r x rows + c is channel c of picture r. With width and height it is a sheet of pictures in any format: the
-   outputs are planes of width x height, one to four: grey, two channels, RGB, RGBA (alpha 1 without a fourth). Picture i
-   stands in column i mod ms_nn.x, row i / ms_nn.x, pictures from ms_nn.y on are 0. The constants of this step alone:
-     ms_nn  {pictures in a row of the sheet, pictures, flip, 0}; flip 0: row 0 of the sheet is row 0 of the target, which OpenGL
-            shows at the bottom; the height of the target: it is the last row
-   Values agree with ms_nn_forward within some 1e-6 of the largest with 32-bit weights; 16 bits round each by up to 2^-12. */
+     ms_nn_weights  HLSL t0, Vulkan and WGSL binding 1: MS_NN_SHADER_WIDTH x weight_rows, 16 or 32 bits, the same for
+                    each step
+     ms_nn_values   HLSL t1, Vulkan and WGSL binding 2: input_width x rows a picture, 32-bit floats: of the first step
+                    what ms_nn_shader_inputs makes, of the others the target of the step before
+   The target is target_width x rows a picture for values (32-bit floats; 16 bits lose up to 1/2000 of each value): four
+   values a texel, and row r x rows + c is channel c of picture r. With width and height it is a sheet of pictures in
+   any format: the outputs are planes of width x height, one to four: grey, two channels, RGB, RGBA (alpha 1 without a
+   fourth). Picture i stands in column i mod ms_nn.x, row i / ms_nn.x, pictures from ms_nn.y on are 0. The constants of
+     this step alone: ms_nn  {pictures in a row of the sheet, pictures, flip, 0}; flip 0: row 0 of the sheet is row 0 of
+            the target, which OpenGL shows at the bottom; the height of the target: it is the last row
+   Values agree with ms_nn_forward within some 1e-6 of the largest with 32-bit weights; 16 bits round each by up to
+   2^-12. */
 typedef struct ms_nn_shader_sizes {
     int steps, rows, input_width, target_width, weight_rows;
 } ms_nn_shader_sizes;
 
-/* MS_UNSUPPORTED, naming the layer: convolutions, resizing, pooling, concatenation; an addition whose other value an earlier
-   step made; a network without dense layers, or too large. MS_INVALID_ARGUMENT: step, steps, language; width x height does
-   not divide the outputs into one to four planes. */
-MS_API ms_status ms_nn_shader_layout(const ms_nn *nn, const ms_nn_shader *shader, ms_nn_shader_sizes *sizes, ms_error *error);
+/* MS_UNSUPPORTED, naming the layer: convolutions, resizing, pooling, concatenation; an addition whose other value an
+   earlier step made; a network without dense layers, or too large. MS_INVALID_ARGUMENT: step, steps, language; width x
+   height does not divide the outputs into one to four planes. */
+MS_API ms_status ms_nn_shader_layout(const ms_nn *nn, const ms_nn_shader *shader, ms_nn_shader_sizes *sizes,
+                                     ms_error *error);
 
 /* The text of a step, with entry point main.
    text    at least the returned length + 1 chars, or NULL with capacity 0 to ask; untouched where it does not fit
    Returns the length; 0 with error filled as by ms_nn_shader_layout. */
-MS_API size_t ms_nn_shader_text(const ms_nn *nn, const ms_nn_shader *shader, char *text, size_t capacity, ms_error *error);
+MS_API size_t ms_nn_shader_text(const ms_nn *nn, const ms_nn_shader *shader, char *text, size_t capacity,
+                                ms_error *error);
 
-/* The weights' texture: for each dense layer, blocks of 4 outputs x 4 inputs (a texel holds 4 inputs of an output, 4 texels
-   follow for the outputs; zeros beyond the ends), inputs fastest; then its biases, 4 a texel.
+/* The weights' texture: for each dense layer, blocks of 4 outputs x 4 inputs (a texel holds 4 inputs of an output, 4
+   texels follow for the outputs; zeros beyond the ends), inputs fastest; then its biases, 4 a texel.
    dtype   MS_NN_F16 or MS_NN_F32, in the host's order of bytes; I8 weights are multiplied by their scales
    out     [weight_rows][MS_NN_SHADER_WIDTH][4] elements
    MS_UNSUPPORTED as above, and a weight over 65504 in F16. */
@@ -512,18 +523,19 @@ MS_API ms_status ms_nn_shader_inputs(const ms_nn *nn, int count, const float *x,
 /* With y = W h(x) + b, target t and a weight for each output in the diagonal of M,
      |y - t|_M^2 = |R (h - h0) - e|^2 + rest,   R'R = W' M W,
    where R is square in the features h: an evaluation needs the layers up to h and one triangular product, not W.
-   With shared_channels each channel has its features, and its outputs their part of M and t; channels with the same weights
-   share one R. */
+   With shared_channels each channel has its features, and its outputs their part of M and t; channels with the same
+   weights share one R. */
 typedef struct ms_nn_collapse ms_nn_collapse;
 
-/* Makes R by a QR of sqrt(M) W in double precision (blocked Householder; parts joined in a fixed order); with weights by the
-   Cholesky factor of W' M W, some times as fast, unless a column of sqrt(M) W lies within 1e-4 of the others' span.
+/* Makes R by a QR of sqrt(M) W in double precision (blocked Householder; parts joined in a fixed order); with weights
+   by the Cholesky factor of W' M W, some times as fast, unless a column of sqrt(M) W lies within 1e-4 of the others'
+   span.
    nn      its last layer must be dense and linear (MS_UNSUPPORTED); must outlive *c
    weight  [output size] >= 0, diagonal of M; NULL: all 1. Then R is read from the file's tensor
            "ms_nn.collapse" (F64, [h (h + 1) / 2], h = inputs of the last layer) if it is there
    *c      out; ms_nn_collapse_destroy releases it
-   About 2 h^2 multiply-adds for each output of a channel, once for each different set of weights; 8 h^2 bytes for each channel
-   and, while it runs, for each of 8 parts.
+   About 2 h^2 multiply-adds for each output of a channel, once for each different set of weights; 8 h^2 bytes for each
+   channel and, while it runs, for each of 8 parts.
    MS_INVALID_ARGUMENT: a negative or non-finite weight (position: its index). MS_OUT_OF_MEMORY. */
 MS_API ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, ms_nn_collapse **c, ms_error *error);
 MS_API void ms_nn_collapse_destroy(ms_nn_collapse *c); /* NULL is allowed */
@@ -531,20 +543,21 @@ MS_API void ms_nn_collapse_destroy(ms_nn_collapse *c); /* NULL is allowed */
 /* Inputs of the last layer, those of all channels together. */
 MS_API size_t ms_nn_collapse_features(const ms_nn_collapse *c);
 
-/* R of the first channel, rows of the upper triangle one after the other: store that of a collapse without weights as F64
-   tensor "ms_nn.collapse" (ms_nn_file_write) and the next ms_nn_collapse_create takes no time. */
+/* R of the first channel, rows of the upper triangle one after the other: store that of a collapse without weights as
+   F64 tensor "ms_nn.collapse" (ms_nn_file_write) and the next ms_nn_collapse_create takes no time. */
 MS_API const double *ms_nn_collapse_r(const ms_nn_collapse *c);
 
 /* Changes the weights of some outputs: R is updated by their rows (Householder for more weight, mixed hyperbolic
-   rotations for less), or made anew where that would lose accuracy or time. The target must be set again. A mask of pixels
-   names each in every channel; then the channels go on sharing R.
+   rotations for less), or made anew where that would lose accuracy or time. The target must be set again. A mask of
+   pixels names each in every channel; then the channels go on sharing R.
    index   [count] outputs, each once
    weight  [count] >= 0
    MS_INVALID_ARGUMENT (position: index of the offender), MS_OUT_OF_MEMORY: c is unchanged. */
-MS_API ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count, const size_t *index, const float *weight, ms_error *error);
+MS_API ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count, const size_t *index, const float *weight,
+                                     ms_error *error);
 
-/* Sets t. Two passes over W, of floats and of doubles: semi-normal equations with a correction (Bjoerck 1987), so that the
-   residual of the best h is summed, not subtracted.
+/* Sets t. Two passes over W, of floats and of doubles: semi-normal equations with a correction (Bjoerck 1987), so that
+   the residual of the best h is summed, not subtracted.
    target  [output size], finite */
 MS_API ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target, ms_error *error);
 
@@ -575,8 +588,7 @@ typedef struct ms_nn_low_rank ms_nn_low_rank;
    peak     the largest output, for PSNR: 10 log10(peak^2 / mean square error); 0: 1
    About 10 features^3 multiply-adds. */
 MS_API ms_status ms_nn_low_rank_create(const ms_nn_collapse *c, int samples, const float *x, double peak,
-                                       ms_nn_low_rank **low_rank,
-                                          ms_error *error);
+                                       ms_nn_low_rank **low_rank, ms_error *error);
 MS_API void ms_nn_low_rank_destroy(ms_nn_low_rank *low_rank); /* NULL is allowed */
 
 /* PSNR in dB of the rank, against the full network, over the samples; infinite where nothing is lost. */
@@ -623,17 +635,13 @@ static MS__UNUSED size_t ms__size_mul(size_t a, size_t b)
     return a != 0 && b > SIZE_MAX / a ? SIZE_MAX : a * b;
 }
 
-static MS__UNUSED size_t ms__size_add(size_t a, size_t b)
-{
-    return b > SIZE_MAX - a ? SIZE_MAX : a + b;
-}
+static MS__UNUSED size_t ms__size_add(size_t a, size_t b) { return b > SIZE_MAX - a ? SIZE_MAX : a + b; }
 
 /* NULL for size SIZE_MAX (overflow). Size 0 gives a pointer that must be released as well. */
 static MS__UNUSED void *ms__alloc(const ms_allocator *allocator, size_t size)
 {
     if (size == SIZE_MAX) return NULL;
-    if (allocator != NULL && allocator->alloc != NULL)
-        return allocator->alloc(allocator->user, size ? size : 1);
+    if (allocator != NULL && allocator->alloc != NULL) return allocator->alloc(allocator->user, size ? size : 1);
     return malloc(size ? size : 1);
 }
 
@@ -696,10 +704,19 @@ static MS__UNUSED int ms__format_number(char *out, double x)
         out[n] = 0;
         return n;
     }
-    while (x >= 1e6) { x /= 10; ++exponent; }
-    while (x < 1e5) { x *= 10; --exponent; }
+    while (x >= 1e6) {
+        x /= 10;
+        ++exponent;
+    }
+    while (x < 1e5) {
+        x *= 10;
+        --exponent;
+    }
     mantissa = (int64_t)(x + 0.5);
-    if (mantissa >= 1000000) { mantissa /= 10; ++exponent; }
+    if (mantissa >= 1000000) {
+        mantissa /= 10;
+        ++exponent;
+    }
     exponent += 5;
     for (i = 5; i >= 0; --i) {
         digit[i] = (char)('0' + (int)(mantissa % 10));
@@ -837,7 +854,8 @@ static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
     return ((double)(((a << 32) | b) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
 }
 
-/* IEEE binary16 by integers alone: subnormals, infinities and NaN, whatever the host's rounding and flushing of subnormals. */
+/* IEEE binary16 by integers alone: subnormals, infinities and NaN, whatever the host's rounding and flushing of
+   subnormals. */
 static MS__UNUSED float ms__half_to_float(uint16_t h)
 {
     uint32_t bits = (uint32_t)(h & 0x8000u) << 16, exponent = (h >> 10) & 31u, mantissa = h & 1023u;
@@ -916,7 +934,10 @@ static MS__UNUSED void ms__cpuid(uint32_t leaf, uint32_t subleaf, uint32_t r[4])
 #if defined(_MSC_VER) && !defined(__clang__)
     int v[4];
     __cpuidex(v, (int)leaf, (int)subleaf);
-    r[0] = (uint32_t)v[0]; r[1] = (uint32_t)v[1]; r[2] = (uint32_t)v[2]; r[3] = (uint32_t)v[3];
+    r[0] = (uint32_t)v[0];
+    r[1] = (uint32_t)v[1];
+    r[2] = (uint32_t)v[2];
+    r[3] = (uint32_t)v[3];
 #else
     __cpuid_count(leaf, subleaf, r[0], r[1], r[2], r[3]);
 #endif
@@ -969,8 +990,8 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 /* ms-common-files begin (the same text wherever it stands; `make common` copies it from ms_mcml.h) */
 #ifndef MS_COMMON_FILES
 #define MS_COMMON_FILES
-/* A file that takes the old one's place only when it is whole: written beside it, flushed, checked, renamed. Whatever fails, the
-   old file stays and nothing else does. Links are followed. Wants a regular file or none under that name. */
+/* A file that takes the old one's place only when it is whole: written beside it, flushed, checked, renamed. Whatever
+   fails, the old file stays and nothing else does. Links are followed. Wants a regular file or none under that name. */
 #include <stdio.h>
 #if defined(_WIN32)
 #include <io.h>
@@ -979,13 +1000,15 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #ifdef __cplusplus
 extern "C"
 #endif
-__declspec(dllimport) int __stdcall MoveFileExA(const char *from, const char *to, unsigned long flags); /* as windows.h has it */
+    __declspec(dllimport) int __stdcall MoveFileExA(const char *from, const char *to,
+                                                    unsigned long flags); /* as windows.h has it */
 #elif defined(__unix__) || defined(__APPLE__)
 #define MS__POSIX 1
 #include <sys/stat.h>
 #include <sys/types.h>
 #include <unistd.h>
-#if defined(__linux__) && defined(__STRICT_ANSI__) && !defined(__cplusplus) /* -std=c99 hides these, not what they do */
+#if defined(__linux__) && defined(__STRICT_ANSI__) && !defined(__cplusplus) /* -std=c99 hides these, not what they do \
+                                                                             */
 int fileno(FILE *stream);
 int fsync(int file);
 ssize_t readlink(const char *path, char *to, size_t size);
@@ -996,9 +1019,9 @@ ssize_t readlink(const char *path, char *to, size_t size);
 
 typedef struct ms__file {
     FILE *stream;
-    int failed;                      /* a write did not arrive */
-    char path[MS__PATH_MAX];         /* behind all links */
-    char beside[MS__PATH_MAX + 8];   /* path and a suffix that no other file has */
+    int failed;                    /* a write did not arrive */
+    char path[MS__PATH_MAX];       /* behind all links */
+    char beside[MS__PATH_MAX + 8]; /* path and a suffix that no other file has */
 } ms__file;
 
 static MS__UNUSED ms_status ms__file_open(ms__file *f, const char *path, ms_error *error)
@@ -1014,7 +1037,8 @@ static MS__UNUSED ms_status ms__file_open(ms__file *f, const char *path, ms_erro
     f->stream = NULL;
     f->failed = 0;
     if (n == 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path is NULL or empty");
-    if (n >= MS__PATH_MAX) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path is longer than %d bytes", MS__PATH_MAX - 1);
+    if (n >= MS__PATH_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path is longer than %d bytes", MS__PATH_MAX - 1);
     memcpy(f->path, path, n + 1);
 #if defined(MS__POSIX)
     for (i = 0; i < 32 && (length = readlink(f->path, f->beside, MS__PATH_MAX - 1)) > 0; ++i) {
@@ -1050,13 +1074,17 @@ static MS__UNUSED ms_status ms__file_open(ms__file *f, const char *path, ms_erro
 #if defined(_WIN32) && !defined(_UCRT)
         else f->stream = fopen(f->beside, "wb");
 #else
-        else f->stream = fopen(f->beside, "wbx"); /* x: only if there is none yet (C11, in POSIX libraries long before) */
+        else
+            f->stream = fopen(f->beside,
+                              "wbx"); /* x: only if there is none yet (C11, in POSIX libraries long before) */
 #endif
     }
     if (f->stream == NULL)
-        return ms__fail(error, MS_IO, 0, "no file can be made beside '%s': its folder is missing, read-only or full", path);
+        return ms__fail(error, MS_IO, 0, "no file can be made beside '%s': its folder is missing, read-only or full",
+                        path);
 #if defined(MS__POSIX)
-    if (info.st_mode != 0) chmod(f->beside, info.st_mode & 0777); /* who could not read the old one cannot read the new one */
+    if (info.st_mode != 0)
+        chmod(f->beside, info.st_mode & 0777); /* who could not read the old one cannot read the new one */
 #endif
     return MS_OK;
 }
@@ -1082,7 +1110,8 @@ static MS__UNUSED ms_status ms__file_close(ms__file *f, ms_status status, ms_err
 #endif
     }
     failed = fclose(f->stream) != 0 || failed;
-    if (f->failed || (status == MS_OK && failed)) status = ms__fail(error, MS_IO, 0, "'%s' cannot be written to its end: the disk is full or failed", f->path);
+    if (f->failed || (status == MS_OK && failed))
+        status = ms__fail(error, MS_IO, 0, "'%s' cannot be written to its end: the disk is full or failed", f->path);
     if (status == MS_OK && rename(f->beside, f->path) != 0) {
 #if defined(_WIN32) /* where rename() refuses to replace; 1: replace, 8: return when it is done */
         if (!MoveFileExA(f->beside, f->path, 1 | 8))
@@ -1114,8 +1143,8 @@ static MS__UNUSED ms_status ms__file_close(ms__file *f, ms_status status, ms_err
 #endif
 
 /* The implementation, in the order of the data:
-   bytes, sorting, JSON, file, writer, layer list, plan, run, products, queries, GPU text, stdio, collapse, low rank, levels,
-   kernels */
+   bytes, sorting, JSON, file, writer, layer list, plan, run, products, queries, GPU text, stdio, collapse, low rank,
+   levels, kernels */
 
 /* Reading, writing and planning are compiled for size. */
 #if defined(__GNUC__) || defined(__clang__)
@@ -1134,7 +1163,10 @@ static void ms_nn__put_u16(unsigned char *p, uint32_t value)
     p[0] = (unsigned char)value;
     p[1] = (unsigned char)(value >> 8);
 }
-static uint64_t ms_nn__u64(const unsigned char *p) { return (uint64_t)ms_nn__u32(p) | (uint64_t)ms_nn__u32(p + 4) << 32; }
+static uint64_t ms_nn__u64(const unsigned char *p)
+{
+    return (uint64_t)ms_nn__u32(p) | (uint64_t)ms_nn__u32(p + 4) << 32;
+}
 
 #ifndef MS_NN__BIG_ENDIAN /* the tests define it as 1 to run the copying path on any host */
 #define MS_NN__BIG_ENDIAN ms_nn__big_endian()
@@ -1168,7 +1200,7 @@ static int ms_nn__bits(ms_nn_dtype dtype)
 #define MS_NN__DTYPE_BITS(code, name, n) n,
         MS_NN_DTYPE_LIST(MS_NN__DTYPE_BITS)
 #undef MS_NN__DTYPE_BITS
-        0};
+            0};
     return bits[(int)dtype];
 }
 
@@ -1178,7 +1210,7 @@ static const char *ms_nn__dtype_name(int dtype)
 #define MS_NN__DTYPE_NAME(code, text, bits) text,
         MS_NN_DTYPE_LIST(MS_NN__DTYPE_NAME)
 #undef MS_NN__DTYPE_NAME
-        "unknown"};
+            "unknown"};
     return name[dtype >= 0 && dtype < (int)MS_NN_DTYPE_COUNT ? dtype : (int)MS_NN_DTYPE_COUNT];
 }
 
@@ -1198,7 +1230,8 @@ static double ms_nn__element(const void *data, ms_nn_dtype dtype, size_t i)
     return *p < 128 ? (double)*p : (double)*p - 256.0; /* I8 */
 }
 
-/* x as a float, without an exception where it is too large for one (FLT_MAX and half an ulp: infinite) or a signalling NaN. */
+/* x as a float, without an exception where it is too large for one (FLT_MAX and half an ulp: infinite) or a signalling
+   NaN. */
 static float ms_nn__narrow(double x)
 {
     uint64_t bits;
@@ -1253,13 +1286,15 @@ static MS_NN__COLD ms_status ms_nn__bad(const ms_nn__json *j, const char *senten
 }
 
 /* The same at another place, with a word of the file in the sentence. */
-static MS_NN__COLD ms_status ms_nn__bad_word(const ms_nn__json *j, const unsigned char *at, const char *format, const char *word)
+static MS_NN__COLD ms_status ms_nn__bad_word(const ms_nn__json *j, const unsigned char *at, const char *format,
+                                             const char *word)
 {
     return ms__fail(j->error, MS_BAD_DATA, j->base + (size_t)(at - j->start), format, word);
 }
 
 /* Puts what an error speaks of in front of its sentence: `kind`, then a name in quotes. Returns status. */
-static MS_NN__COLD ms_status ms_nn__about(ms_error *error, ms_status status, size_t position, const char *kind, const char *name)
+static MS_NN__COLD ms_status ms_nn__about(ms_error *error, ms_status status, size_t position, const char *kind,
+                                          const char *name)
 {
     ms_error inner;
     if (error == NULL) return status;
@@ -1291,7 +1326,11 @@ static MS_NN__COLD int ms_nn__is(const ms_nn__string *s, const char *word)
    U+10FFFF). */
 static MS_NN__COLD size_t ms_nn__utf8(const unsigned char *p, const unsigned char *end)
 {
-    size_t n = *p < 0x80 ? 1 : *p >= 0xC2 && *p < 0xE0 ? 2 : *p >= 0xE0 && *p < 0xF0 ? 3 : *p >= 0xF0 && *p < 0xF5 ? 4 : 0;
+    size_t n = *p < 0x80          ? 1
+        : *p >= 0xC2 && *p < 0xE0 ? 2
+        : *p >= 0xE0 && *p < 0xF0 ? 3
+        : *p >= 0xF0 && *p < 0xF5 ? 4
+                                  : 0;
     size_t i;
     if (n == 0 || (size_t)(end - p) < n) return 0;
     for (i = 1; i < n; ++i)
@@ -1346,7 +1385,8 @@ static MS_NN__COLD ms_status ms_nn__json_string(ms_nn__json *j, char **pool, ms_
                 code = (uint32_t)(unsigned char)to[simple - from];
                 j->p += 2;
             } else {
-                if (c != 'u' || !ms_nn__hex4(j->p + 2, j->end, &code)) return ms_nn__bad(j, "unknown escape in a string");
+                if (c != 'u' || !ms_nn__hex4(j->p + 2, j->end, &code))
+                    return ms_nn__bad(j, "unknown escape in a string");
                 if (code >= 0xD800 && code < 0xE000) {
                     if (code >= 0xDC00 || j->end - j->p < 12 || j->p[6] != '\\' || j->p[7] != 'u' ||
                         !ms_nn__hex4(j->p + 8, j->end, &low) || low < 0xDC00 || low >= 0xE000)
@@ -1412,11 +1452,11 @@ struct ms_nn_file {
     size_t content_bytes;
     int content_is_mapped;
     size_t tensors, entries;
-    ms_nn__record *record;  /* [tensors] in the order of the header */
-    ms_nn_entry *entry;     /* [entries] */
-    size_t *shape;          /* all dimensions */
+    ms_nn__record *record; /* [tensors] in the order of the header */
+    ms_nn_entry *entry;    /* [entries] */
+    size_t *shape;         /* all dimensions */
     size_t *by_data, *by_name, *by_key;
-    size_t *value_at;       /* [entries] byte in the file behind the quote that opens a value */
+    size_t *value_at; /* [entries] byte in the file behind the quote that opens a value */
     const unsigned char *start;
     char *text;
 };
@@ -1431,7 +1471,8 @@ typedef struct ms_nn__header {
 } ms_nn__header;
 
 /* {"dtype":"F32","shape":[2,3],"data_offsets":[0,24]} in any order, each field once, nothing else. */
-static MS_NN__COLD ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header *h, const ms_nn__string *name, size_t position)
+static MS_NN__COLD ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header *h, const ms_nn__string *name,
+                                                  size_t position)
 {
     int seen = 0, more = 1, rank = 0, dtype = 0;
     size_t elements = 1, nonzero = 1, offset[2] = {0, 0}, bits;
@@ -1446,7 +1487,8 @@ static MS_NN__COLD ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header 
         const unsigned char *at = j->p;
         if ((status = ms_nn__json_string(j, &none, &s)) != MS_OK) return status;
         field = ms_nn__is(&s, "dtype") ? 1 : ms_nn__is(&s, "shape") ? 2 : ms_nn__is(&s, "data_offsets") ? 4 : 0;
-        if (field == 0) return ms_nn__bad_word(j, at, "unknown field '%s'; known are dtype, shape, data_offsets", s.head);
+        if (field == 0)
+            return ms_nn__bad_word(j, at, "unknown field '%s'; known are dtype, shape, data_offsets", s.head);
         if (seen & field) return ms_nn__bad_word(j, at, "the field '%s' stands twice", s.head);
         seen |= field;
         if (!ms_nn__take(j, ':')) return ms_nn__bad(j, "expected ':'");
@@ -1548,7 +1590,8 @@ static MS_NN__COLD ms_status ms_nn__header_object(ms_nn__json *j, ms_nn__header 
             status = ms_nn__header_metadata(j, h);
         } else {
             status = ms_nn__header_tensor(j, h, &name, position);
-            if (status != MS_OK) return ms_nn__about(j->error, status, j->error ? j->error->position : 0, "tensor", name.head);
+            if (status != MS_OK)
+                return ms_nn__about(j->error, status, j->error ? j->error->position : 0, "tensor", name.head);
         }
         if (status != MS_OK) return status;
         if ((status = ms_nn__json_more(j, '}', &more)) != MS_OK) return status;
@@ -1580,7 +1623,7 @@ static MS_NN__COLD int ms_nn__compare_key(const void *context, size_t a, size_t 
 
 /* Names and keys once each; the data without holes or overlaps from 0 to its end. */
 static MS_NN__COLD ms_status ms_nn__file_check(ms_nn_file *f, size_t data_start, size_t data_size, int allow_trailing,
-                                   ms_error *error)
+                                               ms_error *error)
 {
     size_t i, end = 0;
     for (i = 0; i < f->tensors; ++i) f->by_data[i] = f->by_name[i] = i;
@@ -1625,12 +1668,13 @@ static MS_NN__COLD void *ms_nn__alloc(const ms_nn_options *options, size_t size)
     return ms__alloc(&options->allocator, size);
 }
 
-MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_options *options, ms_nn_file **file,
-                                    ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_options *options,
+                                             ms_nn_file **file, ms_error *error)
 {
     const unsigned char *b = (const unsigned char *)bytes;
     ms_nn_options o = options ? *options : ms_nn_defaults();
-    uint64_t length, most = o.max_header_bytes && o.max_header_bytes < MS_NN_MAX_HEADER ? o.max_header_bytes : MS_NN_MAX_HEADER;
+    uint64_t length,
+        most = o.max_header_bytes && o.max_header_bytes < MS_NN_MAX_HEADER ? o.max_header_bytes : MS_NN_MAX_HEADER;
     ms_nn__json j;
     ms_nn__header h;
     ms_nn_file *f;
@@ -1639,12 +1683,14 @@ MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, con
     if (file == NULL || (bytes == NULL && size > 0))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", file == NULL ? "file" : "bytes");
     if (size < 8) return ms__fail(error, MS_BAD_DATA, size, "the file has %z bytes, a header needs at least 8", size);
-    if (size > SIZE_MAX / 2) return ms__fail(error, MS_UNSUPPORTED, 0, "a file of %z bytes needs a 64-bit machine", size);
+    if (size > SIZE_MAX / 2)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "a file of %z bytes needs a 64-bit machine", size);
     length = ms_nn__u64(b);
     if (length > most)
         return ms__fail(error, MS_BAD_DATA, 0, "the header length is over the limit of %z bytes", (size_t)most);
     if (length > size - 8)
-        return ms__fail(error, MS_BAD_DATA, 0, "the header length %z does not fit into a file of %z bytes", (size_t)length, size);
+        return ms__fail(error, MS_BAD_DATA, 0, "the header length %z does not fit into a file of %z bytes",
+                        (size_t)length, size);
     memset(&h, 0, sizeof h);
     j.start = j.p = b + 8;
     j.end = j.start + length;
@@ -1687,7 +1733,8 @@ MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, con
 }
 
 /* What ms_nn_file_read made. */
-static MS_NN__COLD void ms_nn__release_content(const ms_allocator *allocator, const void *content, size_t bytes, int is_mapped)
+static MS_NN__COLD void ms_nn__release_content(const ms_allocator *allocator, const void *content, size_t bytes,
+                                               int is_mapped)
 {
     void *at = (void *)(uintptr_t)content;
 #ifdef MS_NN__MMAP
@@ -1846,7 +1893,7 @@ static MS_NN__COLD int ms_nn__compare_given_size(const void *context, size_t a, 
 
 /* Every value of the caller, before a byte is written. order is scratch of max(count, entries). */
 static MS_NN__COLD ms_status ms_nn__write_check(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
-                                    size_t entries, size_t *order, ms_error *error)
+                                                size_t entries, size_t *order, ms_error *error)
 {
     size_t i, total = 0;
     for (i = 0; i < count; ++i) {
@@ -1868,7 +1915,8 @@ static MS_NN__COLD ms_status ms_nn__write_check(const ms_nn_tensor *tensors, siz
     ms_nn__sort(order, count, ms_nn__compare_given_name, tensors);
     for (i = 1; i < count; ++i)
         if (strcmp(tensors[order[i - 1]].name, tensors[order[i]].name) == 0)
-            return ms__fail(error, MS_INVALID_ARGUMENT, order[i], "the tensor name '%s' stands twice", tensors[order[i]].name);
+            return ms__fail(error, MS_INVALID_ARGUMENT, order[i], "the tensor name '%s' stands twice",
+                            tensors[order[i]].name);
     for (i = 0; i < entries; ++i) {
         if (!ms_nn__valid_text(metadata[i].key) || !ms_nn__valid_text(metadata[i].value))
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "metadata entry %z is not UTF-8", i);
@@ -1877,7 +1925,8 @@ static MS_NN__COLD ms_status ms_nn__write_check(const ms_nn_tensor *tensors, siz
     ms_nn__sort(order, entries, ms_nn__compare_key, metadata);
     for (i = 1; i < entries; ++i)
         if (strcmp(metadata[order[i - 1]].key, metadata[order[i]].key) == 0)
-            return ms__fail(error, MS_INVALID_ARGUMENT, order[i], "the metadata key '%s' stands twice", metadata[order[i]].key);
+            return ms__fail(error, MS_INVALID_ARGUMENT, order[i], "the metadata key '%s' stands twice",
+                            metadata[order[i]].key);
     return MS_OK;
 }
 
@@ -1921,7 +1970,8 @@ static MS_NN__COLD void ms_nn__write_header(ms_nn__writer *w, const ms_nn_tensor
 }
 
 MS_API MS_NN__COLD ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
-                                     size_t entries, const ms_allocator *allocator, ms_nn_sink sink, ms_error *error)
+                                              size_t entries, const ms_allocator *allocator, ms_nn_sink sink,
+                                              ms_error *error)
 {
     size_t order_bytes = ms__size_mul(count > entries ? count : entries, sizeof(size_t)), i;
     size_t *order;
@@ -1941,7 +1991,8 @@ MS_API MS_NN__COLD ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_
         ms_nn__sort(order, count, ms_nn__compare_given_size, tensors);
         ms_nn__write_header(&w, tensors, count, metadata, entries, order);
         if (w.length - 8 > MS_NN_MAX_HEADER) {
-            status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "names and metadata make a header over %d bytes", MS_NN_MAX_HEADER);
+            status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "names and metadata make a header over %d bytes",
+                              MS_NN_MAX_HEADER);
         } else if ((w.out = (char *)ms__alloc(allocator, w.length)) == NULL) {
             status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a header of %z bytes", w.length);
         } else {
@@ -1964,13 +2015,37 @@ MS_API MS_NN__COLD ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_
 
 /* What a layer does, after reading. */
 typedef enum ms_nn__kind {
-    MS_NN__DENSE, MS_NN__CONV1D, MS_NN__CONV2D, MS_NN__UPSAMPLE1D, MS_NN__UPSAMPLE2D, MS_NN__POOL1D, MS_NN__POOL2D,
-    MS_NN__FLATTEN, MS_NN__ACTIVATE, MS_NN__DROPOUT, MS_NN__ADD, MS_NN__SHARED, MS_NN__TRANSPOSED1D, MS_NN__TRANSPOSED2D, MS_NN__AVERAGE1D,
-    MS_NN__AVERAGE2D, MS_NN__GLOBAL, MS_NN__CONCAT, MS_NN__KINDS
+    MS_NN__DENSE,
+    MS_NN__CONV1D,
+    MS_NN__CONV2D,
+    MS_NN__UPSAMPLE1D,
+    MS_NN__UPSAMPLE2D,
+    MS_NN__POOL1D,
+    MS_NN__POOL2D,
+    MS_NN__FLATTEN,
+    MS_NN__ACTIVATE,
+    MS_NN__DROPOUT,
+    MS_NN__ADD,
+    MS_NN__SHARED,
+    MS_NN__TRANSPOSED1D,
+    MS_NN__TRANSPOSED2D,
+    MS_NN__AVERAGE1D,
+    MS_NN__AVERAGE2D,
+    MS_NN__GLOBAL,
+    MS_NN__CONCAT,
+    MS_NN__KINDS
 } ms_nn__kind;
 
 typedef enum ms_nn__activation {
-    MS_NN__LINEAR, MS_NN__RELU, MS_NN__LEAKY, MS_NN__ELU, MS_NN__TANH, MS_NN__SIGMOID, MS_NN__SOFTPLUS, MS_NN__SILU, MS_NN__GELU,
+    MS_NN__LINEAR,
+    MS_NN__RELU,
+    MS_NN__LEAKY,
+    MS_NN__ELU,
+    MS_NN__TANH,
+    MS_NN__SIGMOID,
+    MS_NN__SOFTPLUS,
+    MS_NN__SILU,
+    MS_NN__GELU,
     MS_NN__ACTIVATIONS
 } ms_nn__activation;
 
@@ -1980,10 +2055,16 @@ typedef struct ms_nn__spec {
     size_t units[2], filters[2], kernel[2], stride[2], size[2], factor[2], dilation[2], groups[2], zeros[2], extra[2];
     double alpha, rate;
     int bias, corners; /* 0: not said, 1: true, 2: false */
-    size_t at; /* where it begins in the list's text */
+    size_t at;         /* where it begins in the list's text */
 } ms_nn__spec;
 
-typedef enum ms_nn__field_kind { MS_NN__TEXT, MS_NN__COUNTS, MS_NN__SIZES, MS_NN__REAL, MS_NN__FLAG } ms_nn__field_kind; /* SIZES may be 0 */
+typedef enum ms_nn__field_kind {
+    MS_NN__TEXT,
+    MS_NN__COUNTS,
+    MS_NN__SIZES,
+    MS_NN__REAL,
+    MS_NN__FLAG
+} ms_nn__field_kind; /* SIZES may be 0 */
 
 typedef struct ms_nn__field {
     const char *key;
@@ -1996,17 +2077,18 @@ typedef struct ms_nn__field {
 #define MS_NN__TRANSPOSED (MS_NN__BIT(MS_NN__TRANSPOSED1D) | MS_NN__BIT(MS_NN__TRANSPOSED2D))
 #define MS_NN__CONVS (MS_NN__BIT(MS_NN__CONV1D) | MS_NN__BIT(MS_NN__CONV2D) | MS_NN__TRANSPOSED)
 #define MS_NN__WEIGHTED (MS_NN__BIT(MS_NN__DENSE) | MS_NN__CONVS)
-#define MS_NN__POOLS \
-    (MS_NN__BIT(MS_NN__POOL1D) | MS_NN__BIT(MS_NN__POOL2D) | MS_NN__BIT(MS_NN__AVERAGE1D) | MS_NN__BIT(MS_NN__AVERAGE2D))
+#define MS_NN__POOLS                                                                        \
+    (MS_NN__BIT(MS_NN__POOL1D) | MS_NN__BIT(MS_NN__POOL2D) | MS_NN__BIT(MS_NN__AVERAGE1D) | \
+     MS_NN__BIT(MS_NN__AVERAGE2D))
 #define MS_NN__UPSAMPLES (MS_NN__BIT(MS_NN__UPSAMPLE1D) | MS_NN__BIT(MS_NN__UPSAMPLE2D))
 #define MS_NN__ACTIVATED (MS_NN__WEIGHTED | MS_NN__BIT(MS_NN__ACTIVATE) | MS_NN__BIT(MS_NN__ADD))
 
-static const char *const ms_nn__kind_name[] = {"dense", "conv1d", "conv2d", "upsample1d", "upsample2d", "maxpool1d",
-                                               "maxpool2d", "flatten", "activation", "dropout", "add",
-                                               "shared_channels", "conv1d_transpose", "conv2d_transpose", "avgpool1d",
-                                               "avgpool2d", "globalpool", "concat"};
-static const char *const ms_nn__activation_name[] = {"linear", "relu", "leaky_relu", "elu", "tanh", "sigmoid",
-                                                     "softplus", "silu", "gelu"};
+static const char *const ms_nn__kind_name[] = {
+    "dense",     "conv1d",     "conv2d",     "upsample1d", "upsample2d",      "maxpool1d",        "maxpool2d",
+    "flatten",   "activation", "dropout",    "add",        "shared_channels", "conv1d_transpose", "conv2d_transpose",
+    "avgpool1d", "avgpool2d",  "globalpool", "concat"};
+static const char *const ms_nn__activation_name[] = {"linear",  "relu",     "leaky_relu", "elu", "tanh",
+                                                     "sigmoid", "softplus", "silu",       "gelu"};
 
 static const ms_nn__field ms_nn__field_list[] = {
     {"type", MS_NN__TEXT, offsetof(ms_nn__spec, type), ~0u},
@@ -2050,7 +2132,8 @@ static MS_NN__COLD ms_status ms_nn__json_real(ms_nn__json *j, double *value)
     for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p)
         if (v < 1e300) v = v * 10 + (*j->p - '0');
         else ++shift;
-    if (j->p == first || (*first == '0' && j->p > first + 1)) return ms_nn__bad(j, "expected a number without leading zeros");
+    if (j->p == first || (*first == '0' && j->p > first + 1))
+        return ms_nn__bad(j, "expected a number without leading zeros");
     if (j->p < j->end && *j->p == '.') {
         first = ++j->p;
         for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p)
@@ -2067,7 +2150,8 @@ static MS_NN__COLD ms_status ms_nn__json_real(ms_nn__json *j, double *value)
         if (j->p == first) return ms_nn__bad(j, "expected the digits of an exponent");
         if (minus) exponent = -exponent;
     }
-    if (v > 0 && log10(v) + exponent + shift > 308.2547) v = (double)ms_nn__float_of(0x7f800000u); /* without an exception */
+    if (v > 0 && log10(v) + exponent + shift > 308.2547)
+        v = (double)ms_nn__float_of(0x7f800000u); /* without an exception */
     else if (v > 0) v *= pow(10.0, (double)exponent + (double)shift);
     *value = negative ? -v : v;
     return MS_OK;
@@ -2088,14 +2172,14 @@ static MS_NN__COLD ms_status ms_nn__json_counts(ms_nn__json *j, size_t out[2])
 
 /* What the whole layer list becomes. A first pass counts (text, layers, indices), a second one stores. */
 typedef struct ms_nn__list {
-    char *pool;              /* of all strings; NULL while counting */
+    char *pool; /* of all strings; NULL while counting */
     size_t text;
     int layers;
-    ms_nn__spec *spec;       /* [layers], NULL while counting */
-    ms_nn__kind *kind;       /* [layers] */
-    size_t channels;         /* of shared_channels; 1 without */
-    size_t channel_inputs;   /* indices a channel */
-    size_t *channel_input;   /* [channels][channel_inputs], NULL while counting */
+    ms_nn__spec *spec;     /* [layers], NULL while counting */
+    ms_nn__kind *kind;     /* [layers] */
+    size_t channels;       /* of shared_channels; 1 without */
+    size_t channel_inputs; /* indices a channel */
+    size_t *channel_input; /* [channels][channel_inputs], NULL while counting */
 } ms_nn__list;
 
 /* "inputs":[[0,3],[1,3],[2,3]]: lists of equal length, one a channel. */
@@ -2204,8 +2288,9 @@ static MS_NN__COLD ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
     if (kind < 0) return ms_nn__bad(j, "the layer has no type");
     for (f = 0; f < FIELDS; ++f)
         if ((seen & 1u << f) && !(ms_nn__field_list[f].layers & 1u << kind))
-            return ms__fail(j->error, MS_BAD_DATA, j->base + spec.at, "the field '%s' does not belong to a layer of type %s",
-                            ms_nn__field_list[f].key, ms_nn__kind_name[kind]);
+            return ms__fail(j->error, MS_BAD_DATA, j->base + spec.at,
+                            "the field '%s' does not belong to a layer of type %s", ms_nn__field_list[f].key,
+                            ms_nn__kind_name[kind]);
     if (inputs != (kind == (int)MS_NN__SHARED)) return ms_nn__bad(j, "inputs and shared_channels belong together");
     if (l->layers == MS_NN_MAX_LAYERS) return ms_nn__bad(j, "more than 4096 layers");
     if (l->spec) {
@@ -2272,14 +2357,14 @@ typedef struct ms_nn__dims {
 
 static size_t ms_nn__count(ms_nn__dims d) { return d.c * d.h * d.w; }
 
-/* A dense layer's matrix where it lies. Rows are cols elements long without padding. One that a cache may hold is there once
-   more, as the level in use likes it: in panels of two vectors of rows, [panel][column][row of the panel], zeros behind the
-   last row. */
+/* A dense layer's matrix where it lies. Rows are cols elements long without padding. One that a cache may hold is there
+   once more, as the level in use likes it: in panels of two vectors of rows, [panel][column][row of the panel], zeros
+   behind the last row. */
 typedef struct ms_nn__matrix {
     const unsigned char *w, *scale, *bias; /* scale, bias: [rows] native floats, any alignment, or NULL */
     ms_nn_dtype dtype;                     /* F32, F16, BF16, I8 */
     size_t rows, cols;
-    const unsigned char *packed;           /* 64-byte aligned; NULL: not packed */
+    const unsigned char *packed; /* 64-byte aligned; NULL: not packed */
     ms_nn_dtype packed_dtype;
 } ms_nn__matrix;
 
@@ -2293,18 +2378,26 @@ typedef struct ms_nn__conv {
     size_t spread[2];                       /* the taps stand so far apart */
     ptrdiff_t pad[2]; /* zeros above and left of the input; negative: rows and columns that are skipped */
     const float *packed;
-    const float *bias;       /* [out.c rounded up to blocks], zeros where there is none */
-    int pairs;               /* Winograd */
-    size_t taps;             /* that a tile sums over */
-    const size_t *offset;    /* [taps] from an output's first padded element to the element that tap sees */
-    size_t strip;            /* output rows of a task, whose input is padded together */
-    size_t rows;             /* padded input rows of a strip */
-    size_t pitch, plane;     /* floats of a padded row and channel; with stride s, columns 0, s, 2s... come first */
+    const float *bias;    /* [out.c rounded up to blocks], zeros where there is none */
+    int pairs;            /* Winograd */
+    size_t taps;          /* that a tile sums over */
+    const size_t *offset; /* [taps] from an output's first padded element to the element that tap sees */
+    size_t strip;         /* output rows of a task, whose input is padded together */
+    size_t rows;          /* padded input rows of a strip */
+    size_t pitch, plane;  /* floats of a padded row and channel; with stride s, columns 0, s, 2s... come first */
 } ms_nn__conv;
 
 typedef enum ms_nn__step {
-    MS_NN__DO_DENSE, MS_NN__DO_CONV, MS_NN__DO_UPSAMPLE, MS_NN__DO_LINEAR, MS_NN__DO_POOL, MS_NN__DO_AVERAGE, MS_NN__DO_TRANSPOSE,
-    MS_NN__DO_ACTIVATE, MS_NN__DO_ADD, MS_NN__DO_CONCAT
+    MS_NN__DO_DENSE,
+    MS_NN__DO_CONV,
+    MS_NN__DO_UPSAMPLE,
+    MS_NN__DO_LINEAR,
+    MS_NN__DO_POOL,
+    MS_NN__DO_AVERAGE,
+    MS_NN__DO_TRANSPOSE,
+    MS_NN__DO_ACTIVATE,
+    MS_NN__DO_ADD,
+    MS_NN__DO_CONCAT
 } ms_nn__step;
 
 /* One operation. Operation k reads value k and makes value k + 1; value 0 is the input. */
@@ -2313,9 +2406,9 @@ typedef struct ms_nn__op {
     ms_nn__activation activation;
     float alpha;
     ms_nn__dims in, out;
-    int layer;             /* in the file's list */
-    int skip;              /* ADD, CONCAT: the other value */
-    int flag;              /* CONCAT: the other one's channels come first; LINEAR: corners are aligned */
+    int layer;                 /* in the file's list */
+    int skip;                  /* ADD, CONCAT: the other value */
+    int flag;                  /* CONCAT: the other one's channels come first; LINEAR: corners are aligned */
     size_t size[2], stride[2]; /* POOL; UPSAMPLE: size is the factor */
     ms_nn__matrix matrix;
     int phases;            /* CONV: 1, or the factor of an upsampling in front of it */
@@ -2336,8 +2429,8 @@ struct ms_nn {
     ms_nn__block *blocks;
     const struct ms_nn__kernels *kernels;
     ms_simd level;
-    int row_tiles; /* F32 matrices come from memory several rows at a time */
-    size_t packed; /* weights that are packed */
+    int row_tiles;             /* F32 matrices come from memory several rows at a time */
+    size_t packed;             /* weights that are packed */
     ms_nn_shape input, output; /* as the caller sees them */
     size_t channels, channel_inputs;
     const size_t *channel_input; /* [channels][channel_inputs]; channels 1 and NULL without shared_channels */
@@ -2377,8 +2470,9 @@ static MS_NN__COLD ms_nn_shape ms_nn__shape(ms_nn__dims d, int rank)
 }
 
 /* Tensor <layer>.<part> with the expected shape (0: any size but 0); *tensor NULL if it is absent and may be. */
-static MS_NN__COLD ms_status ms_nn__tensor(const ms_nn *nn, const char *layer, const char *part, int rank, const size_t *shape,
-                               int required, const ms_nn_tensor **tensor, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__tensor(const ms_nn *nn, const char *layer, const char *part, int rank,
+                                           const size_t *shape, int required, const ms_nn_tensor **tensor,
+                                           ms_error *error)
 {
     char name[256];
     size_t n = strlen(layer), m = strlen(part);
@@ -2390,7 +2484,8 @@ static MS_NN__COLD ms_status ms_nn__tensor(const ms_nn *nn, const char *layer, c
     memcpy(name + n + 1, part, m + 1);
     *tensor = ms_nn_file_find(nn->file, name);
     if (*tensor == NULL) return required ? ms__fail(error, MS_BAD_DATA, 0, "the tensor '%s' is missing", name) : MS_OK;
-    if ((*tensor)->rank != rank) return ms__fail(error, MS_BAD_DATA, 0, "the tensor '%s' must have %d dimensions", name, rank);
+    if ((*tensor)->rank != rank)
+        return ms__fail(error, MS_BAD_DATA, 0, "the tensor '%s' must have %d dimensions", name, rank);
     for (d = 0; d < rank; ++d)
         if ((*tensor)->shape[d] == 0 || (shape[d] != 0 && (*tensor)->shape[d] != shape[d]))
             return ms__fail(error, MS_BAD_DATA, 0, "dimension %d of '%s' is %z, the layer list makes it %z", d, name,
@@ -2409,14 +2504,14 @@ static const unsigned char *ms_nn__floats(ms_nn *nn, const ms_nn_tensor *t)
     return (const unsigned char *)copy;
 }
 
-/* The weights of a layer; sizes that the layer list leaves open (0 in shape) are read from the tensor. turned: groups of a
-   transposed convolution, whose outputs are the second dimension; 0: the first. */
+/* The weights of a layer; sizes that the layer list leaves open (0 in shape) are read from the tensor. turned: groups
+   of a transposed convolution, whose outputs are the second dimension; 0: the first. */
 typedef struct ms_nn__weights {
     const ms_nn_tensor *weight, *bias, *scale;
 } ms_nn__weights;
 
-static MS_NN__COLD ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *spec, int rank, size_t *shape, size_t turned,
-                                                 ms_nn_layer *info, ms_nn__weights *w, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *spec, int rank, size_t *shape,
+                                                 size_t turned, ms_nn_layer *info, ms_nn__weights *w, ms_error *error)
 {
     const ms_nn_tensor *part[3];
     ms_status status;
@@ -2426,11 +2521,13 @@ static MS_NN__COLD ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *s
     if ((status = ms_nn__tensor(nn, spec->name, "weight", rank, shape, 1, &w->weight, error)) != MS_OK) return status;
     for (i = 0; i < rank; ++i) shape[i] = w->weight->shape[i];
     outs = turned ? ms__size_mul(shape[1], turned) : shape[0];
-    if ((status = ms_nn__tensor(nn, spec->name, "bias", 1, &outs, spec->bias != 2, &w->bias, error)) != MS_OK) return status;
-    if ((status = ms_nn__tensor(nn, spec->name, "weight_scale", 1, shape, w->weight->dtype == MS_NN_I8, &w->scale, error)) !=
-        MS_OK)
+    if ((status = ms_nn__tensor(nn, spec->name, "bias", 1, &outs, spec->bias != 2, &w->bias, error)) != MS_OK)
         return status;
-    if (spec->bias == 2 && w->bias) return ms__fail(error, MS_BAD_DATA, 0, "layer '%s' says bias false but has one", spec->name);
+    if ((status = ms_nn__tensor(nn, spec->name, "weight_scale", 1, shape, w->weight->dtype == MS_NN_I8, &w->scale,
+                                error)) != MS_OK)
+        return status;
+    if (spec->bias == 2 && w->bias)
+        return ms__fail(error, MS_BAD_DATA, 0, "layer '%s' says bias false but has one", spec->name);
     if (w->scale && w->weight->dtype != MS_NN_I8)
         return ms__fail(error, MS_BAD_DATA, 0, "'%s.weight_scale' belongs to I8 weights only", spec->name);
     part[0] = w->weight;
@@ -2459,10 +2556,10 @@ static double ms_nn__weight_at(const ms_nn__weights *w, size_t row, size_t i)
 
 static int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m);
 
-/* Dense weights where they lie, small ones packed too; F64 as a float copy; on big-endian hosts F32 as a copy in native order
-   (the scalar kernels, which are all that those have, read the other types byte by byte). With fold > 1 the columns of the
-   fold_h x fold_w positions that one low-resolution element was copied to are added up (in double, rounded once):
-   W u(x) = (W U) x. low: the shape before the upsampling; last: channels run fastest. */
+/* Dense weights where they lie, small ones packed too; F64 as a float copy; on big-endian hosts F32 as a copy in native
+   order (the scalar kernels, which are all that those have, read the other types byte by byte). With fold > 1 the
+   columns of the fold_h x fold_w positions that one low-resolution element was copied to are added up (in double,
+   rounded once): W u(x) = (W U) x. low: the shape before the upsampling; last: channels run fastest. */
 static MS_NN__COLD ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights *w, const size_t fold[2],
                                                ms_nn__dims low, int last, ms_error *error)
 {
@@ -2475,12 +2572,13 @@ static MS_NN__COLD ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const m
     m->scale = m->bias = NULL;
     if (folds > 1 || m->dtype == MS_NN_F64) {
         float *copy = (float *)ms_nn__hold(nn, ms__size_mul(rows, m->cols), sizeof(float));
-        if (copy == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the weights of '%s'", w->weight->name);
+        if (copy == NULL)
+            return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the weights of '%s'", w->weight->name);
         m->w = (const unsigned char *)copy;
         m->dtype = MS_NN_F32;
         for (r = 0; r < rows; ++r) {
-            const unsigned char *row =
-                (const unsigned char *)w->weight->data + r * cols * (size_t)(ms_nn__bits(w->weight->dtype) / 8);
+            const unsigned char *row = (const unsigned char *)w->weight->data +
+                r * cols * (size_t)(ms_nn__bits(w->weight->dtype) / 8);
             for (i = 0; i < low.h * low.w; ++i) {
                 size_t at = i / low.w * fold[0] * low.w * fold[1] + i % low.w * fold[1]; /* its first copy */
                 for (c = 0; c < low.c; ++c) {
@@ -2534,7 +2632,8 @@ static double ms_nn__tap(const ms_nn__taps *t, size_t o, size_t c, size_t y, siz
     oo += t->group * t->outs;
     if (t->factor == 1) return ms_nn__weight_at(t->w, oo, ((oo * t->ins + cc) * t->height + yy) * t->width + xx);
     for (k = 0; k < t->width; ++k)
-        if (ms_nn__floor_div((ptrdiff_t)t->phase + (ptrdiff_t)k - t->pad, (ptrdiff_t)t->factor) - t->first == (ptrdiff_t)xx)
+        if (ms_nn__floor_div((ptrdiff_t)t->phase + (ptrdiff_t)k - t->pad, (ptrdiff_t)t->factor) - t->first ==
+            (ptrdiff_t)xx)
             sum += ms_nn__weight_at(t->w, oo, ((oo * t->ins + cc) * t->height + yy) * t->width + k);
     return sum;
 }
@@ -2544,8 +2643,8 @@ static double ms_nn__tap(const ms_nn__taps *t, size_t o, size_t c, size_t y, siz
 /* Geometry of the padded input of a strip: as many rows and columns as its outputs see. */
 static MS_NN__COLD int ms_nn__conv_geometry(ms_nn *nn, ms_nn__conv *v)
 {
-    size_t s = v->stride[1], w = (v->out.w - 1) * s + (v->kernel[1] - 1) * v->spread[1] + 1, rows = v->pairs ? 1 : v->kernel[0],
-           fit, y, x;
+    size_t s = v->stride[1], w = (v->out.w - 1) * s + (v->kernel[1] - 1) * v->spread[1] + 1,
+           rows = v->pairs ? 1 : v->kernel[0], fit, y, x;
     size_t high = (v->kernel[0] - 1) * v->spread[0] + 1;
     size_t *offset = (size_t *)ms_nn__hold(nn, ms__size_mul(rows, v->kernel[1]), sizeof(size_t));
     v->pitch = v->out.w == 0 ? 0 : (w + s - 1) / s * s; /* 0: a phase without outputs */
@@ -2566,7 +2665,8 @@ static MS_NN__COLD int ms_nn__conv_geometry(ms_nn *nn, ms_nn__conv *v)
 static const float *ms_nn__pack(ms_nn *nn, const ms_nn__taps *t, size_t outs, size_t ins, size_t block)
 {
     size_t blocks = (outs + block - 1) / block, taps = t->height * t->taps_w, b, c, k, o;
-    float *packed = (float *)ms_nn__hold(nn, ms__size_mul(ms__size_mul(blocks, block), ms__size_mul(ins, taps)), sizeof(float));
+    float *packed = (float *)ms_nn__hold(nn, ms__size_mul(ms__size_mul(blocks, block), ms__size_mul(ins, taps)),
+                                         sizeof(float));
     float *p = packed;
     if (packed == NULL) return NULL;
     for (b = 0; b < blocks; ++b)
@@ -2603,7 +2703,8 @@ static const float *ms_nn__pack_pairs(ms_nn *nn, const ms_nn__taps *t, size_t ou
 /* Is Winograd's form worth it? */
 static MS_NN__COLD int ms_nn__in_pairs(const ms_nn__conv *v)
 {
-    return v->kernel[0] == 3 && v->stride[0] == 1 && v->dilate[0] == 1 && v->spread[0] == 1 && v->in.c >= 8 && v->out.h >= 2;
+    return v->kernel[0] == 3 && v->stride[0] == 1 && v->dilate[0] == 1 && v->spread[0] == 1 && v->in.c >= 8 &&
+        v->out.h >= 2;
 }
 
 /* The convolutions of an operation, forward and backward, one pair a phase. op->in is the shape before the
@@ -2612,7 +2713,8 @@ static MS_NN__COLD ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms
                                               const size_t stride[2], const size_t pad[2], const size_t spread[2],
                                               size_t factor, size_t block, ms_error *error)
 {
-    size_t p, g, outs = op->out.c / op->groups, ins = op->in.c / op->groups, blocks = (outs + block - 1) / block * block, o, n;
+    size_t p, g, outs = op->out.c / op->groups, ins = op->in.c / op->groups,
+                 blocks = (outs + block - 1) / block * block, o, n;
     float *bias = (float *)ms_nn__hold(nn, ms__size_mul(op->groups, blocks), sizeof(float));
     float *zeros = (float *)ms_nn__hold(nn, ms__size_add(op->in.c, block), sizeof(float));
     op->phases = (int)factor;
@@ -2622,8 +2724,9 @@ static MS_NN__COLD ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
     for (g = 0; g < op->groups; ++g)
         for (o = 0; o < blocks; ++o)
-            bias[g * blocks + o] =
-                w->bias && o < outs ? ms_nn__narrow(ms_nn__element(w->bias->data, w->bias->dtype, g * outs + o)) : 0.0f;
+            bias[g * blocks + o] = w->bias && o < outs
+                ? ms_nn__narrow(ms_nn__element(w->bias->data, w->bias->dtype, g * outs + o))
+                : 0.0f;
     for (o = 0; o < op->in.c + block; ++o) zeros[o] = 0;
     for (n = 0; n < op->groups * factor; ++n) {
         ms_nn__conv *f = &op->forward[n], *b = &op->backward[n];
@@ -2688,13 +2791,13 @@ static MS_NN__COLD ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms
 typedef struct ms_nn__build {
     ms_nn *nn;
     const ms_nn__list *list;
-    int *value;         /* [layers] value that holds a layer's output */
-    ms_nn__dims now;    /* of the current layer's output, */
+    int *value;      /* [layers] value that holds a layer's output */
+    ms_nn__dims now; /* of the current layer's output, */
     int rank;
-    ms_nn__dims low;    /* of the last value, which an upsampling that is being folded has not blown up */
-    size_t fold[2];     /* its factors; 1, 1: nothing is being folded */
-    int last;           /* after a flatten: channels run fastest */
-    size_t block;       /* outputs of a convolution's block, by level */
+    ms_nn__dims low; /* of the last value, which an upsampling that is being folded has not blown up */
+    size_t fold[2];  /* its factors; 1, 1: nothing is being folded */
+    int last;        /* after a flatten: channels run fastest */
+    size_t block;    /* outputs of a convolution's block, by level */
 } ms_nn__build;
 
 static MS_NN__COLD ms_nn__op *ms_nn__op_add(ms_nn__build *b, ms_nn__step step, int layer, ms_nn__dims out)
@@ -2708,10 +2811,13 @@ static MS_NN__COLD ms_nn__op *ms_nn__op_add(ms_nn__build *b, ms_nn__step step, i
     return op;
 }
 
-static MS_NN__COLD ms_status ms_nn__activation_read(const ms_nn__spec *spec, ms_nn__op *op, ms_nn_layer *info, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__activation_read(const ms_nn__spec *spec, ms_nn__op *op, ms_nn_layer *info,
+                                                    ms_error *error)
 {
-    int a = spec->activation == NULL ? 0 : strcmp(spec->activation, "leaky") == 0 ? (int)MS_NN__LEAKY
-                                         : ms_nn__index_of(ms_nn__activation_name, MS_NN__ACTIVATIONS, spec->activation);
+    int a = spec->activation == NULL ? 0
+        : strcmp(spec->activation, "leaky") == 0
+        ? (int)MS_NN__LEAKY
+        : ms_nn__index_of(ms_nn__activation_name, MS_NN__ACTIVATIONS, spec->activation);
     if (a < 0) return ms__fail(error, MS_BAD_DATA, 0, "unknown activation '%s'", spec->activation);
     op->activation = (ms_nn__activation)a;
     op->alpha = (float)(spec->alpha >= 0 ? spec->alpha : a == (int)MS_NN__LEAKY ? 0.01 : 1.0);
@@ -2739,7 +2845,8 @@ static MS_NN__COLD int ms_nn__foldable(const ms_nn__build *b, int i)
             strcmp(s[k].from, s[i].name) == 0)
             return 0;
     if (l->kind[next] == MS_NN__CONV1D)
-        return s[next].stride[0] <= 1 && s[next].dilation[0] <= 1 && s[next].groups[0] <= 1 && l->kind[i] == MS_NN__UPSAMPLE1D;
+        return s[next].stride[0] <= 1 && s[next].dilation[0] <= 1 && s[next].groups[0] <= 1 &&
+            l->kind[i] == MS_NN__UPSAMPLE1D;
     if (l->kind[next] != MS_NN__FLATTEN) return 0;
     for (k = i + 1; k < next; ++k)
         if (s[k].name) return 0;
@@ -2775,15 +2882,16 @@ static MS_NN__COLD ms_status ms_nn__build_dense(ms_nn__build *b, int i, ms_nn_la
     return status;
 }
 
-/* Convolutions, and their transposes: a transpose runs as the gradient of the convolution from its outputs to its inputs, to
-   which its weights [inputs][outputs / groups][height][width] belong. */
+/* Convolutions, and their transposes: a transpose runs as the gradient of the convolution from its outputs to its
+   inputs, to which its weights [inputs][outputs / groups][height][width] belong. */
 static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
 {
     const ms_nn__spec *s = &b->list->spec[i];
     ms_nn__kind kind = b->list->kind[i];
     int two = kind == MS_NN__CONV2D || kind == MS_NN__TRANSPOSED2D,
         turned = kind == MS_NN__TRANSPOSED1D || kind == MS_NN__TRANSPOSED2D, same, d;
-    size_t shape[4], kernel[2], stride[2], pad[2], spread[2], extent[2], reach, groups = s->groups[0] ? s->groups[0] : 1, n;
+    size_t shape[4], kernel[2], stride[2], pad[2], spread[2], extent[2], reach,
+        groups = s->groups[0] ? s->groups[0] : 1, n;
     ms_nn__weights w;
     ms_nn__dims out, in;
     ms_nn__op *op;
@@ -2793,7 +2901,8 @@ static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_lay
     if (s->padding && strcmp(s->padding, "same") && strcmp(s->padding, "valid"))
         return ms__fail(error, MS_BAD_DATA, 0, "padding must be same or valid, not '%s'", s->padding);
     same = s->padding && s->padding[0] == 's';
-    if (same && (s->zeros[0] || s->zeros[1])) return ms__fail(error, MS_BAD_DATA, 0, "padding same and zeros exclude each other");
+    if (same && (s->zeros[0] || s->zeros[1]))
+        return ms__fail(error, MS_BAD_DATA, 0, "padding same and zeros exclude each other");
     if (b->now.c % groups || s->filters[0] % groups)
         return ms__fail(error, MS_BAD_DATA, 0, "its channels do not divide into %z groups", groups);
     shape[0] = turned ? b->now.c : s->filters[0];
@@ -2813,17 +2922,20 @@ static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_lay
         spread[d] = on && s->dilation[at] ? s->dilation[at] : 1;
         reach = ms__size_add(ms__size_mul(kernel[d] - 1, spread[d]), 1);
         pad[d] = !on ? 0 : same ? (reach - 1) / 2 : s->zeros[at];
-        if (reach > INT_MAX || extent[d] > INT_MAX) return ms__fail(error, MS_BAD_DATA, 0, "its kernel or input is too large");
+        if (reach > INT_MAX || extent[d] > INT_MAX)
+            return ms__fail(error, MS_BAD_DATA, 0, "its kernel or input is too large");
         if (turned) {
             n = ms__size_add(ms__size_mul(extent[d] - 1, stride[d]), reach);
             if (on && s->extra[at] >= stride[d] && s->extra[at] >= spread[d])
                 return ms__fail(error, MS_BAD_DATA, 0, "extra must be smaller than the stride or the dilation");
             if (on) n = ms__size_add(n, s->extra[at]);
-            if (n <= 2 * pad[d] || n > INT_MAX) return ms__fail(error, MS_BAD_DATA, 0, "its output is empty or too large");
+            if (n <= 2 * pad[d] || n > INT_MAX)
+                return ms__fail(error, MS_BAD_DATA, 0, "its output is empty or too large");
             extent[d] = n - 2 * pad[d];
         } else {
             n = same ? extent[d] - 1 : extent[d] + 2 * pad[d];
-            if (!same && n < reach) return ms__fail(error, MS_BAD_DATA, 0, "its kernel has %z, its input only %z", reach, n);
+            if (!same && n < reach)
+                return ms__fail(error, MS_BAD_DATA, 0, "its kernel has %z, its input only %z", reach, n);
             extent[d] = (same ? n : n - reach) / stride[d] + 1;
         }
     }
@@ -2851,11 +2963,13 @@ static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_lay
         op->forward = forward;
         block = (own + block - 1) / block * block;
         bias = (float *)ms_nn__hold(b->nn, ms__size_mul(groups, block), sizeof(float));
-        if (status == MS_OK && bias == NULL) status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
+        if (status == MS_OK && bias == NULL)
+            status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
         for (g = 0; status == MS_OK && g < groups; ++g) {
             for (o = 0; o < block; ++o)
-                bias[g * block + o] =
-                    w.bias && o < own ? ms_nn__narrow(ms_nn__element(w.bias->data, w.bias->dtype, g * own + o)) : 0.0f;
+                bias[g * block + o] = w.bias && o < own
+                    ? ms_nn__narrow(ms_nn__element(w.bias->data, w.bias->dtype, g * own + o))
+                    : 0.0f;
             forward[g].bias = bias + g * block;
         }
         n = in.h * in.w;
@@ -2928,7 +3042,8 @@ static MS_NN__COLD ms_status ms_nn__build_flatten(ms_nn__build *b, int i, ms_err
     const char *order = b->list->spec[i].order;
     int last = order != NULL && strcmp(order, "channels_last") == 0;
     if (order != NULL && !last && strcmp(order, "channels_first"))
-        return ms__fail(error, MS_BAD_DATA, 0, "flatten order must be channels_first or channels_last, not '%s'", order);
+        return ms__fail(error, MS_BAD_DATA, 0, "flatten order must be channels_first or channels_last, not '%s'",
+                        order);
     if (last && b->low.c > 1 && b->low.h * b->low.w > 1) ms_nn__op_add(b, MS_NN__DO_TRANSPOSE, i, b->low);
     b->last = last;
     b->now.c = ms_nn__count(b->now);
@@ -2962,7 +3077,8 @@ static MS_NN__COLD ms_status ms_nn__build_join(ms_nn__build *b, int i, ms_nn_lay
     for (k = 0; k < i; ++k)
         if (s->from && b->list->spec[k].name && strcmp(s->from, b->list->spec[k].name) == 0) from = b->value[k];
     if (from < 0)
-        return ms__fail(error, MS_BAD_DATA, 0, "it %s '%s', which no layer before it is named", verb, s->from ? s->from : "");
+        return ms__fail(error, MS_BAD_DATA, 0, "it %s '%s', which no layer before it is named", verb,
+                        s->from ? s->from : "");
     other = from == 0 ? b->nn->inner : b->nn->op[from - 1].out;
     out = b->now;
     if (add ? ms_nn__count(other) != ms_nn__count(out) || (b->rank > 1 && (other.c != out.c || other.h != out.h))
@@ -3009,7 +3125,9 @@ static MS_NN__COLD ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error
     case MS_NN__ADD:
     case MS_NN__CONCAT: status = ms_nn__build_join(b, i, info, error); break;
     case MS_NN__GLOBAL: status = ms_nn__build_global(b, i, error); break;
-    case MS_NN__ACTIVATE: status = ms_nn__activation_read(s, ms_nn__op_add(b, MS_NN__DO_ACTIVATE, i, b->low), info, error); break;
+    case MS_NN__ACTIVATE:
+        status = ms_nn__activation_read(s, ms_nn__op_add(b, MS_NN__DO_ACTIVATE, i, b->low), info, error);
+        break;
     case MS_NN__DROPOUT:
         if (s->rate >= 1) status = ms__fail(error, MS_BAD_DATA, 0, "its rate must be below 1");
         break;
@@ -3137,8 +3255,8 @@ static MS_NN__COLD ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_
     b.list = &l;
     b.block = ms_nn__block_of(nn->kernels);
     if ((status = ms_nn__build_input(&b, error)) != MS_OK)
-        return ms_nn__about(error, status, ms_nn__byte_of(nn->file, "ms_nn_layers", l.spec[0].at), "layer 0, shared_channels",
-                            "");
+        return ms_nn__about(error, status, ms_nn__byte_of(nn->file, "ms_nn_layers", l.spec[0].at),
+                            "layer 0, shared_channels", "");
     for (i = 0; i < l.layers; ++i)
         if ((status = ms_nn__build_layer(&b, i, error)) != MS_OK) {
             ms_error layer;
@@ -3177,25 +3295,25 @@ static MS_NN__COLD ms_status ms_nn__make(ms_nn_file *file, const ms_nn_options *
     input = ms_nn_file_metadata(file, "ms_nn_input");
     layers = ms_nn_file_metadata(file, "ms_nn_layers");
     if (version == NULL || input == NULL || layers == NULL)
-        status =
-            ms__fail(error, MS_BAD_DATA, 8, "the metadata lack %s; a network has ms_nn_version, ms_nn_input and ms_nn_layers",
-                     version == NULL     ? "ms_nn_version"
-                         : input == NULL ? "ms_nn_input"
-                                         : "ms_nn_layers");
+        status = ms__fail(error, MS_BAD_DATA, 8,
+                          "the metadata lack %s; a network has ms_nn_version, ms_nn_input and ms_nn_layers",
+                          version == NULL     ? "ms_nn_version"
+                              : input == NULL ? "ms_nn_input"
+                                              : "ms_nn_layers");
     else if (strcmp(version, "1"))
         status = ms__fail(error, MS_UNSUPPORTED, 8, "ms_nn_version is '%s'; this release reads 1", version);
     else if (format && strcmp(format, "pt"))
         status = ms__fail(error, MS_UNSUPPORTED, 8, "format is '%s'; weights must have PyTorch's layout, pt", format);
     else if ((status = ms_nn__shape_read(&made->input, input, error)) == MS_OK)
         status = ms_nn__build_all(made, layers, error);
-    else if (error)
-        error->position = ms_nn__byte_of(file, "ms_nn_input", error->position);
+    else if (error) error->position = ms_nn__byte_of(file, "ms_nn_input", error->position);
     if (status != MS_OK) ms_nn_destroy(made);
     else *nn = made;
     return status;
 }
 
-MS_API MS_NN__COLD ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options *options, ms_nn **nn, ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options *options, ms_nn **nn,
+                                        ms_error *error)
 {
     ms_nn_options o = options ? *options : ms_nn_defaults();
     ms_nn_file *file = NULL;
@@ -3211,13 +3329,13 @@ MS_API MS_NN__COLD ms_status ms_nn_load(const void *bytes, size_t size, const ms
 typedef struct ms_nn__dense {
     const ms_nn__matrix *m;
     int batch;
-    const float *x;      /* [batch][cols]; backward: output gradients [batch][rows] */
-    float *y;            /* [batch][rows]; backward: partial sums [parts][batch][cols] */
-    int linear;          /* no bias, no activation: products with directions */
+    const float *x; /* [batch][cols]; backward: output gradients [batch][rows] */
+    float *y;       /* [batch][rows]; backward: partial sums [parts][batch][cols] */
+    int linear;     /* no bias, no activation: products with directions */
     ms_nn__activation activation;
     float alpha;
     size_t chunk_rows, chunk_cols, col_chunks; /* of a task */
-    int singly;          /* row by row, as memory likes it, not by tiles */
+    int singly;                                /* row by row, as memory likes it, not by tiles */
     const struct ms_nn__digits *digits;        /* [batch], large I8 only */
     const struct ms_nn__kernels *kernels;
 } ms_nn__dense;
@@ -3230,19 +3348,19 @@ typedef struct ms_nn__digits {
     const int32_t *sum[3];   /* of the digits of each run of MS_NN__RUN columns */
 } ms_nn__digits;
 
-#define MS_NN__RUN 65536 /* columns that an int32 sum of 255 * 64 a column holds */
+#define MS_NN__RUN 65536           /* columns that an int32 sum of 255 * 64 a column holds */
 #define MS_NN__DIGIT_MAX 1040319.0 /* 63 * (16384 + 128 + 1) */
 
 /* One convolution of one sample. */
 typedef struct ms_nn__conv_job {
     const ms_nn__conv *conv;
-    const float *x;      /* [in.c] planes of x_plane floats, rows of x_row, elements x_step apart */
+    const float *x; /* [in.c] planes of x_plane floats, rows of x_row, elements x_step apart */
     size_t x_plane, x_row, x_step;
-    float *padded;       /* [strips][in.c][plane], each strip with room for loads beyond its end */
-    size_t padded_step;  /* floats from one strip's to the next; 0 where strips follow each other and share one */
-    float *y;            /* [out.c] planes */
+    float *padded;      /* [strips][in.c][plane], each strip with room for loads beyond its end */
+    size_t padded_step; /* floats from one strip's to the next; 0 where strips follow each other and share one */
+    float *y;           /* [out.c] planes */
     size_t y_plane, y_row, y_step;
-    int accumulate;      /* add to y */
+    int accumulate; /* add to y */
     int linear;
     ms_nn__activation activation;
     float alpha;
@@ -3282,9 +3400,10 @@ static size_t ms_nn__bytes_of(ms_nn_dtype dtype) { return dtype == MS_NN_F32 ? 4
 
 static size_t ms_nn__block_of(const ms_nn__kernels *kernels) { return kernels->block; }
 
-/* Packs a matrix, unless it comes from memory rather than from a cache: one of over two million weights, or behind the first
-   eight million of a network; nor one of rows so long that their sums want more than two parts. Those are read where they lie,
-   and I8 is summed in integers, faster than it is widened. Nothing here depends on the batch, so that bits do not. 0: no memory. */
+/* Packs a matrix, unless it comes from memory rather than from a cache: one of over two million weights, or behind the
+   first eight million of a network; nor one of rows so long that their sums want more than two parts. Those are read
+   where they lie, and I8 is summed in integers, faster than it is widened. Nothing here depends on the batch, so that
+   bits do not. 0: no memory. */
 static MS_NN__COLD int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m)
 {
     const ms_nn_dtype dtype = nn->kernels->widen ? MS_NN_F32 : m->dtype == MS_NN_I8 ? MS_NN_F16 : m->dtype;
@@ -3324,7 +3443,7 @@ static size_t ms_nn__samples(size_t cols) { return cols > 512 ? 12 : 6144 / cols
 static size_t ms_nn__min(size_t a, size_t b) { return a < b ? a : b; }
 
 /* How large a task is: enough to hide the cost of handing it out. The sizes depend on the problem alone. */
-#define MS_NN__TASK_BYTES 262144u /* of streamed weights */
+#define MS_NN__TASK_BYTES 262144u     /* of streamed weights */
 #define MS_NN__TASK_PRODUCTS 2097152u /* of a batch: some 40 us */
 
 /* Runs task over count items in chunks; the context holds the chunk's size. */
@@ -3402,8 +3521,8 @@ static void ms_nn__digits_make(ms_nn__digits *digits, signed char *d, int32_t *s
     }
 }
 
-static MS_NN__COLD void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, const float *x, float *y, int linear,
-                                         void *scratch)
+static MS_NN__COLD void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, const float *x, float *y,
+                                         int linear, void *scratch)
 {
     const ms_nn__matrix *m = &op->matrix;
     ms_nn__dense job;
@@ -3428,7 +3547,8 @@ static MS_NN__COLD void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, i
     }
     job.chunk_rows = MS_NN__TASK_BYTES / (m->cols * (size_t)(ms_nn__bits(m->dtype) / 8)) + 1;
     if (batch > 1 || m->packed) { /* whole tiles of rows, and of a large batch so few that several threads find some */
-        size_t most = MS_NN__TASK_PRODUCTS / (m->cols * (size_t)batch) + 1, tile = m->packed ? 2 * nn->kernels->panel : 16;
+        size_t most = MS_NN__TASK_PRODUCTS / (m->cols * (size_t)batch) + 1,
+               tile = m->packed ? 2 * nn->kernels->panel : 16;
         job.chunk_rows = (ms_nn__min(job.chunk_rows, most) + tile - 1) / tile * tile;
     }
     ms_nn__chunks(nn, m->rows, &job.chunk_rows, ms_nn__dense_task, &job);
@@ -3440,7 +3560,8 @@ static void ms_nn__dense_back_task(void *context, int index)
     size_t part = (size_t)index / job->col_chunks, col0 = (size_t)index % job->col_chunks * job->chunk_cols;
     size_t row0 = part * job->chunk_rows;
     job->kernels->dense_back(job, row0, ms_nn__min(row0 + job->chunk_rows, job->m->rows), col0,
-                             ms_nn__min(col0 + job->chunk_cols, job->m->cols), job->y + part * (size_t)job->batch * job->m->cols);
+                             ms_nn__min(col0 + job->chunk_cols, job->m->cols),
+                             job->y + part * (size_t)job->batch * job->m->cols);
 }
 
 static void ms_nn__packed_back_task(void *context, int index)
@@ -3474,8 +3595,8 @@ static size_t ms_nn__back_floats(const ms_nn *nn, const ms_nn__matrix *m, size_t
 }
 
 /* The gradients of packed rows are multiplied by the rows' scales first, zeros behind the last. */
-static MS_NN__COLD void ms_nn__run_dense_back(const ms_nn *nn, const ms_nn__op *op, int batch, const float *g_y, float *g_x,
-                                              void *scratch)
+static MS_NN__COLD void ms_nn__run_dense_back(const ms_nn *nn, const ms_nn__op *op, int batch, const float *g_y,
+                                              float *g_x, void *scratch)
 {
     const ms_nn__matrix *m = &op->matrix;
     size_t parts = ms_nn__back_parts(m), n = (size_t)batch * m->cols, p, i;
@@ -3490,7 +3611,8 @@ static MS_NN__COLD void ms_nn__run_dense_back(const ms_nn *nn, const ms_nn__op *
         job.x = padded;
         job.y = g_x;
         for (b = 0; b < (size_t)batch; ++b, padded += rows) {
-            for (i = 0; i < m->rows; ++i) padded[i] = g_y[b * m->rows + i] * (m->scale ? ms_nn__float_at(m->scale, i) : 1.0f);
+            for (i = 0; i < m->rows; ++i)
+                padded[i] = g_y[b * m->rows + i] * (m->scale ? ms_nn__float_at(m->scale, i) : 1.0f);
             for (; i < rows; ++i) padded[i] = 0;
         }
         job.chunk_cols = ms_nn__min(MS_NN__TASK_BYTES / (rows * ms_nn__bytes_of(m->packed_dtype)),
@@ -3515,8 +3637,8 @@ static MS_NN__COLD void ms_nn__run_dense_back(const ms_nn *nn, const ms_nn__op *
     }
 }
 
-/* Copies what a strip sees of the input: zeros around, zeros between dilated elements, columns sorted by their remainder
-   modulo the stride. For Winograd's form four rows for each pair of output rows, combined. */
+/* Copies what a strip sees of the input: zeros around, zeros between dilated elements, columns sorted by their
+   remainder modulo the stride. For Winograd's form four rows for each pair of output rows, combined. */
 static void ms_nn__pad(const ms_nn__conv_job *job, size_t strip, float *padded)
 {
     const ms_nn__conv *v = job->conv;
@@ -3524,7 +3646,8 @@ static void ms_nn__pad(const ms_nn__conv_job *job, size_t strip, float *padded)
     for (c = 0; c < v->in.c; ++c) {
         for (y = 0; y < v->rows; ++y) {
             float *to = padded + c * v->plane + y * v->pitch;
-            ptrdiff_t from_y = (ptrdiff_t)(strip * v->strip * v->stride[0] + (v->pairs ? y / 4 * 2 + y % 4 : y)) - v->pad[0];
+            ptrdiff_t from_y = (ptrdiff_t)(strip * v->strip * v->stride[0] + (v->pairs ? y / 4 * 2 + y % 4 : y)) -
+                v->pad[0];
             const float *from;
             size_t left, count;
             if (from_y < 0 || (size_t)from_y % v->dilate[0] || (size_t)from_y / v->dilate[0] >= v->in.h) {
@@ -3545,10 +3668,12 @@ static void ms_nn__pad(const ms_nn__conv_job *job, size_t strip, float *padded)
             memset(to, 0, v->pitch * sizeof(float));
             for (x = 0; x < v->in.w; ++x) {
                 ptrdiff_t at = (ptrdiff_t)(x * v->dilate[1]) + v->pad[1];
-                if (at >= 0 && (size_t)at < v->pitch) to[(size_t)at % s * wide + (size_t)at / s] = from[x * job->x_step];
+                if (at >= 0 && (size_t)at < v->pitch)
+                    to[(size_t)at % s * wide + (size_t)at / s] = from[x * job->x_step];
             }
         }
-        for (y = 0; v->pairs && y < v->rows; y += 4) job->kernels->combine(padded + c * v->plane + y * v->pitch, v->pitch);
+        for (y = 0; v->pairs && y < v->rows; y += 4)
+            job->kernels->combine(padded + c * v->plane + y * v->pitch, v->pitch);
     }
     memset(padded + v->in.c * v->plane, 0, MS_NN__OVERRUN * sizeof(float));
 }
@@ -3639,7 +3764,8 @@ static void ms_nn__pool_task(void *context, int index)
     for (; c < c1; ++c)
         for (i = 0; i < op->out.h; ++i, y += op->out.w) {
             if (fast) job->kernels->pool2(job->x + (c * op->in.h + 2 * i) * op->in.w, op->in.w, y, op->out.w);
-            else for (j = 0; j < op->out.w; ++j) y[j] = job->x[ms_nn__pool_at(op, job->point, c, i, j)];
+            else
+                for (j = 0; j < op->out.w; ++j) y[j] = job->x[ms_nn__pool_at(op, job->point, c, i, j)];
         }
 }
 
@@ -3678,11 +3804,12 @@ static void ms_nn__run_upsample_back(const ms_nn__op *op, const float *g_y, floa
     memset(g_x, 0, ms_nn__count(op->in) * sizeof(float));
     for (c = 0; c < op->out.c; ++c)
         for (i = 0; i < op->out.h; ++i)
-            for (j = 0; j < op->out.w; ++j) g_x[(c * op->in.h + i / op->size[0]) * op->in.w + j / op->size[1]] += *g_y++;
+            for (j = 0; j < op->out.w; ++j)
+                g_x[(c * op->in.h + i / op->size[0]) * op->in.w + j / op->size[1]] += *g_y++;
 }
 
-/* Linear interpolation along one axis: output i stands between inputs at and at + 1 (the last repeats), at the share of the
-   second. PyTorch's two rules: centers of elements, or corners, in line. */
+/* Linear interpolation along one axis: output i stands between inputs at and at + 1 (the last repeats), at the share of
+   the second. PyTorch's two rules: centers of elements, or corners, in line. */
 static MS_NN__COLD float ms_nn__between(size_t i, size_t in, size_t out, int corners, size_t *at)
 {
     double x = corners ? (out > 1 ? (double)i * (double)(in - 1) / (double)(out - 1) : 0.0)
@@ -3772,7 +3899,8 @@ static float *ms_nn__value(const ms_nn__run *r, int v)
     return r->values + r->place[v] * r->points;
 }
 
-/* What the slope of operation v's activation depends on: its argument where that is kept, else its value (relu, leaky_relu). */
+/* What the slope of operation v's activation depends on: its argument where that is kept, else its value (relu,
+   leaky_relu). */
 static const float *ms_nn__argument(const ms_nn__run *r, int v)
 {
     if (r->place == r->nn->slot) return NULL;
@@ -3804,7 +3932,10 @@ static MS_NN__COLD void ms_nn__apply(const ms_nn *nn, int k, size_t count, const
         case MS_NN__DO_CONV: ms_nn__conv_all(nn, op, xb, yb, linear, 0, scratch); break;
         case MS_NN__DO_UPSAMPLE: ms_nn__run_upsample(op, xb, yb); break;
         case MS_NN__DO_LINEAR: ms_nn__run_linear(op, (float *)(uintptr_t)xb, yb, 0); break; /* reads xb alone */
-        case MS_NN__DO_AVERAGE: memset(yb, 0, out * sizeof(float)); ms_nn__run_average(op, (float *)(uintptr_t)xb, yb, 0); break;
+        case MS_NN__DO_AVERAGE:
+            memset(yb, 0, out * sizeof(float));
+            ms_nn__run_average(op, (float *)(uintptr_t)xb, yb, 0);
+            break;
         case MS_NN__DO_CONCAT:
             memcpy(yb + (op->flag ? out - in : 0), xb, in * sizeof(float));
             memcpy(yb + (op->flag ? 0 : in), skip + b * (out - in), (out - in) * sizeof(float));
@@ -3831,7 +3962,8 @@ static MS_NN__COLD void ms_nn__apply_back(const ms_nn *nn, int k, size_t count, 
 {
     const ms_nn__op *op = &nn->op[k];
     size_t in = ms_nn__count(op->in), out = ms_nn__count(op->out), b, i;
-    for (b = 0; b < count; ++b) nn->kernels->derive(argument + b / each * out, g_y + b * out, out, op->activation, op->alpha);
+    for (b = 0; b < count; ++b)
+        nn->kernels->derive(argument + b / each * out, g_y + b * out, out, op->activation, op->alpha);
     if (op->step == MS_NN__DO_DENSE) ms_nn__run_dense_back(nn, op, (int)count, g_y, g_x, scratch);
     for (b = 0; b < count; ++b) {
         const float *gy = g_y + b * out;
@@ -3877,7 +4009,8 @@ static MS_NN__COLD void ms_nn__run_forward(const ms_nn__run *r)
 }
 
 /* Directions dx [points][each][inner] through the tape of r into dy [points][each][output]; slots is memory. */
-static MS_NN__COLD void ms_nn__run_directions(const ms_nn__run *r, size_t each, const float *dx, float *dy, float *slots)
+static MS_NN__COLD void ms_nn__run_directions(const ms_nn__run *r, size_t each, const float *dx, float *dy,
+                                              float *slots)
 {
     const ms_nn *nn = r->nn;
     ms_nn__run d = *r;
@@ -3888,8 +4021,8 @@ static MS_NN__COLD void ms_nn__run_directions(const ms_nn__run *r, size_t each, 
     d.values = slots;
     d.place = nn->slot;
     for (k = 0; k < nn->ops; ++k)
-        ms_nn__apply(nn, k, d.points, ms_nn__input_value(&d, k), ms_nn__input_value(&d, nn->op[k].skip), ms_nn__value(&d, k + 1),
-                     ms_nn__input_value(r, k), ms_nn__argument(r, k + 1), each, r->scratch);
+        ms_nn__apply(nn, k, d.points, ms_nn__input_value(&d, k), ms_nn__input_value(&d, nn->op[k].skip),
+                     ms_nn__value(&d, k + 1), ms_nn__input_value(r, k), ms_nn__argument(r, k + 1), each, r->scratch);
 }
 
 /* Gradients back through the tape: g [points][each][output] lies in the last value's slot; g_x out. */
@@ -3907,8 +4040,8 @@ static void ms_nn__run_gradients(const ms_nn__run *r, size_t each, float *g_x, f
     for (k = nn->ops - 1; k >= 0; --k) {
         float *to = k ? ms_nn__value(&d, k) : g_x;
         size_t other = ms_nn__joins(&nn->op[k]) ? nn->skip[nn->op[k].skip] : 0;
-        ms_nn__apply_back(nn, k, d.points, ms_nn__value(&d, k + 1), to, skips + other * d.points, ms_nn__input_value(r, k),
-                          ms_nn__argument(r, k + 1), each, r->scratch);
+        ms_nn__apply_back(nn, k, d.points, ms_nn__value(&d, k + 1), to, skips + other * d.points,
+                          ms_nn__input_value(r, k), ms_nn__argument(r, k + 1), each, r->scratch);
         if (nn->skip[k] != SIZE_MAX)
             for (i = 0; i < ms_nn__value_size(nn, k) * d.points; ++i) to[i] += skips[nn->skip[k] * d.points + i];
     }
@@ -3941,7 +4074,7 @@ static MS_NN__COLD size_t ms_nn__scratch_size(const ms_nn *nn, size_t count, int
 
 /* The pieces of a workspace, in order; each starts at a multiple of 64 bytes. */
 typedef struct ms_nn__layout {
-    size_t points, each;   /* of the run; each is 0 for a forward run */
+    size_t points, each; /* of the run; each is 0 for a forward run */
     int backward;
     size_t x, values, dx, dy, slots, skips, scratch, total; /* byte offsets */
 } ms_nn__layout;
@@ -3949,13 +4082,14 @@ typedef struct ms_nn__layout {
 static size_t ms_nn__piece(size_t *total, size_t count, size_t floats)
 {
     size_t at = *total;
-    *total =
-        ms__size_add(*total, ms__size_mul(ms__size_add(ms__size_mul(ms__size_mul(count, floats), sizeof(float)) / 64, 1), 64));
+    *total = ms__size_add(
+        *total, ms__size_mul(ms__size_add(ms__size_mul(ms__size_mul(count, floats), sizeof(float)) / 64, 1), 64));
     if (ms__size_mul(ms__size_mul(count, floats), sizeof(float)) == SIZE_MAX) *total = SIZE_MAX;
     return at;
 }
 
-/* How many samples (JVP: directions) of a call run together: dense layers gain from many, values should stay in a cache. */
+/* How many samples (JVP: directions) of a call run together: dense layers gain from many, values should stay in a
+   cache. */
 static MS_NN__COLD size_t ms_nn__together(const ms_nn *nn, ms_nn_product product)
 {
     size_t floats = product == MS_NN_FORWARD ? nn->slots : nn->tapes, dense = 0, n;
@@ -3979,7 +4113,11 @@ static MS_NN__COLD ms_nn__layout ms_nn__layout_of(const ms_nn *nn, ms_nn_product
     memset(&l, 0, sizeof l);
     if (product != MS_NN_JACOBIAN) count = ms_nn__min(count, ms_nn__together(nn, product));
     l.points = product == MS_NN_FORWARD || product == MS_NN_VJP ? ms__size_mul(count, nn->channels) : nn->channels;
-    l.each = product == MS_NN_FORWARD ? 0 : product == MS_NN_VJP ? 1 : product == MS_NN_JVP ? count : in <= out ? in : out;
+    l.each = product == MS_NN_FORWARD ? 0
+        : product == MS_NN_VJP        ? 1
+        : product == MS_NN_JVP        ? count
+        : in <= out                   ? in
+                                      : out;
     l.backward = product == MS_NN_VJP || (product == MS_NN_JACOBIAN && out < in);
     vectors = ms__size_mul(l.points, l.each);
     l.x = ms_nn__piece(&l.total, l.points, shared ? in : 0);
@@ -4022,8 +4160,8 @@ typedef struct ms_nn__call {
 
 static float *ms_nn__at(const ms_nn__call *call, size_t offset) { return (float *)(void *)(call->base + offset); }
 
-static MS_NN__COLD ms_status ms_nn__begin(ms_nn__call *call, const ms_nn *nn, ms_nn_product product, int count, const float *x,
-                                          float *y, void *workspace)
+static MS_NN__COLD ms_status ms_nn__begin(ms_nn__call *call, const ms_nn *nn, ms_nn_product product, int count,
+                                          const float *x, float *y, void *workspace)
 {
     size_t points;
     memset(call, 0, sizeof *call);
@@ -4056,11 +4194,13 @@ static ms_status ms_nn__end(ms_nn__call *call)
 }
 
 /* A workspace for a call that was given none, so that nothing fails once outputs are written. */
-static MS_NN__COLD ms_status ms_nn__lend(const ms_nn *nn, ms_nn_product product, int count, void **workspace, void **allocated)
+static MS_NN__COLD ms_status ms_nn__lend(const ms_nn *nn, ms_nn_product product, int count, void **workspace,
+                                         void **allocated)
 {
     *allocated = NULL;
     if (nn == NULL || count < 1) return MS_INVALID_ARGUMENT;
-    if (*workspace == NULL) *workspace = *allocated = ms_nn__alloc(&nn->options, ms_nn_workspace_size(nn, product, count));
+    if (*workspace == NULL)
+        *workspace = *allocated = ms_nn__alloc(&nn->options, ms_nn_workspace_size(nn, product, count));
     return *workspace == NULL ? MS_OUT_OF_MEMORY : MS_OK;
 }
 
@@ -4074,8 +4214,8 @@ MS_API MS_NN__COLD ms_status ms_nn_forward(const ms_nn *nn, int count, const flo
     ms_nn__call call;
     void *allocated;
     int at, n;
-    ms_status status =
-        x == NULL || y == NULL ? MS_INVALID_ARGUMENT : ms_nn__lend(nn, MS_NN_FORWARD, count, &workspace, &allocated);
+    ms_status status = x == NULL || y == NULL ? MS_INVALID_ARGUMENT
+                                              : ms_nn__lend(nn, MS_NN_FORWARD, count, &workspace, &allocated);
     if (status != MS_OK) return status;
     for (at = 0; at < count && status == MS_OK; at += n) {
         n = (int)ms_nn__min((size_t)(count - at), ms_nn__together(nn, MS_NN_FORWARD));
@@ -4086,8 +4226,8 @@ MS_API MS_NN__COLD ms_status ms_nn_forward(const ms_nn *nn, int count, const flo
     return status;
 }
 
-static MS_NN__COLD ms_status ms_nn__vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x,
-                                        void *workspace)
+static MS_NN__COLD ms_status ms_nn__vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y,
+                                        float *g_x, void *workspace)
 {
     ms_nn__call call;
     ms_status status = ms_nn__begin(&call, nn, MS_NN_VJP, count, x, y, workspace);
@@ -4096,7 +4236,8 @@ static MS_NN__COLD ms_status ms_nn__vjp(const ms_nn *nn, int count, const float 
     if (status != MS_OK) return status;
     slots = ms_nn__at(&call, call.layout.slots);
     inner = nn->channel_input ? ms_nn__at(&call, call.layout.dx) : g_x;
-    memcpy(slots + nn->slot[nn->ops] * call.run.points, g_y, call.run.points * ms_nn__value_size(nn, nn->ops) * sizeof(float));
+    memcpy(slots + nn->slot[nn->ops] * call.run.points, g_y,
+           call.run.points * ms_nn__value_size(nn, nn->ops) * sizeof(float));
     ms_nn__run_gradients(&call.run, 1, inner, slots, ms_nn__at(&call, call.layout.skips));
     if (nn->channel_input) {
         input = ms_nn_input_size(nn);
@@ -4108,13 +4249,14 @@ static MS_NN__COLD ms_status ms_nn__vjp(const ms_nn *nn, int count, const float 
     return ms_nn__end(&call);
 }
 
-MS_API MS_NN__COLD ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y, float *g_x,
-                                       void *workspace)
+MS_API MS_NN__COLD ms_status ms_nn_vjp(const ms_nn *nn, int count, const float *x, const float *g_y, float *y,
+                                       float *g_x, void *workspace)
 {
     void *allocated;
     int at, n;
-    ms_status status = x == NULL || g_y == NULL || g_x == NULL ? MS_INVALID_ARGUMENT
-                                                               : ms_nn__lend(nn, MS_NN_VJP, count, &workspace, &allocated);
+    ms_status status = x == NULL || g_y == NULL || g_x == NULL
+        ? MS_INVALID_ARGUMENT
+        : ms_nn__lend(nn, MS_NN_VJP, count, &workspace, &allocated);
     if (status != MS_OK) return status;
     for (at = 0; at < count && status == MS_OK; at += n) {
         size_t in = (size_t)at * ms_nn_input_size(nn), out = (size_t)at * ms_nn_output_size(nn);
@@ -4129,8 +4271,8 @@ MS_API MS_NN__COLD ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *
                                        void *workspace)
 {
     ms_nn__call call;
-    ms_status status =
-        dx == NULL || dy == NULL ? MS_INVALID_ARGUMENT : ms_nn__begin(&call, nn, MS_NN_JVP, count, x, y, workspace);
+    ms_status status = dx == NULL || dy == NULL ? MS_INVALID_ARGUMENT
+                                                : ms_nn__begin(&call, nn, MS_NN_JVP, count, x, y, workspace);
     size_t c, d, i, out, in, n, at, each;
     float *inner, *slots, *result;
     if (status != MS_OK) return status;
@@ -4158,8 +4300,8 @@ MS_API MS_NN__COLD ms_status ms_nn_jvp(const ms_nn *nn, int count, const float *
     return ms_nn__end(&call);
 }
 
-/* The Jacobians of the points: element (o, i) of point c at c out in + o *row + i *column. Unit vectors in; columns of the
-   Jacobians (forwards) or rows (backwards) out. */
+/* The Jacobians of the points: element (o, i) of point c at c out in + o *row + i *column. Unit vectors in; columns of
+   the Jacobians (forwards) or rows (backwards) out. */
 static MS_NN__COLD const float *ms_nn__slopes(const ms_nn__call *call, size_t *row, size_t *column)
 {
     const ms_nn *nn = call->run.nn;
@@ -4180,7 +4322,8 @@ static MS_NN__COLD const float *ms_nn__slopes(const ms_nn__call *call, size_t *r
 MS_API MS_NN__COLD ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, float *jacobian, void *workspace)
 {
     ms_nn__call call;
-    ms_status status = jacobian == NULL ? MS_INVALID_ARGUMENT : ms_nn__begin(&call, nn, MS_NN_JACOBIAN, 1, x, y, workspace);
+    ms_status status = jacobian == NULL ? MS_INVALID_ARGUMENT
+                                        : ms_nn__begin(&call, nn, MS_NN_JACOBIAN, 1, x, y, workspace);
     const float *slopes;
     size_t in, out, input, row, column, c, i, o;
     if (status != MS_OK) return status;
@@ -4218,7 +4361,8 @@ MS_API ms_nn_shape ms_nn_output_shape(const ms_nn *nn) { return nn ? nn->output 
 MS_API size_t ms_nn_input_size(const ms_nn *nn)
 {
     if (nn == NULL) return 0;
-    return nn->input.size[0] * (nn->input.rank > 1 ? nn->input.size[1] : 1) * (nn->input.rank > 2 ? nn->input.size[2] : 1);
+    return nn->input.size[0] * (nn->input.rank > 1 ? nn->input.size[1] : 1) *
+        (nn->input.rank > 2 ? nn->input.size[2] : 1);
 }
 
 MS_API size_t ms_nn_output_size(const ms_nn *nn) { return nn ? nn->channels * ms_nn__value_size(nn, nn->ops) : 0; }
@@ -4275,8 +4419,8 @@ typedef struct ms_nn__text {
     ms_nn_language language;
 } ms_nn__text;
 
-/* Appends format: $v and $i begin a declaration of four floats or an integer, $4 makes four floats, $I an integer, $L is what
-   HLSL wants before a loop, $d the next number of n. */
+/* Appends format: $v and $i begin a declaration of four floats or an integer, $4 makes four floats, $I an integer, $L
+   is what HLSL wants before a loop, $d the next number of n. */
 static MS_NN__COLD void ms_nn__say(ms_nn__text *t, const char *format, const size_t *n)
 {
     static const char key[] = "vi4IL",
@@ -4291,7 +4435,8 @@ static MS_NN__COLD void ms_nn__say(ms_nn__text *t, const char *format, const siz
             s = format;
             length = 1;
         } else if (*++format == 'd') {
-            for (value = *n++; length == 0 || value; value /= 10) digits[sizeof digits - ++length] = (char)('0' + value % 10);
+            for (value = *n++; length == 0 || value; value /= 10)
+                digits[sizeof digits - ++length] = (char)('0' + value % 10);
             s = digits + sizeof digits - length;
         } else {
             s = word[t->language < MS_NN_HLSL ? 0 : (int)t->language - 2][strchr(key, *format) - key];
@@ -4302,7 +4447,10 @@ static MS_NN__COLD void ms_nn__say(ms_nn__text *t, const char *format, const siz
     }
 }
 
-static MS_NN__COLD int ms_nn__plain(const ms_nn__op *op) { return op->step == MS_NN__DO_ACTIVATE || op->step == MS_NN__DO_ADD; }
+static MS_NN__COLD int ms_nn__plain(const ms_nn__op *op)
+{
+    return op->step == MS_NN__DO_ACTIVATE || op->step == MS_NN__DO_ADD;
+}
 
 /* Four values, and their rows: what a dense layer has of texels. */
 static MS_NN__COLD size_t ms_nn__fours(size_t n) { return n / 4 + (n % 4 != 0); }
@@ -4318,7 +4466,8 @@ typedef struct ms_nn__shader_step {
     size_t base;
 } ms_nn__shader_step;
 
-static MS_NN__COLD ms_status ms_nn__shader_plan(const ms_nn *nn, const ms_nn_shader *s, ms_nn__shader_step *p, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__shader_plan(const ms_nn *nn, const ms_nn_shader *s, ms_nn__shader_step *p,
+                                                ms_error *error)
 {
     int i, k, dense = 0, seen = 0, last;
     size_t texels = 0, pixels, outputs;
@@ -4356,33 +4505,37 @@ static MS_NN__COLD ms_status ms_nn__shader_plan(const ms_nn *nn, const ms_nn_sha
     for (i = 0; i < nn->ops && seen <= last + 1; ++i) {
         seen += nn->op[i].step == MS_NN__DO_DENSE;
         if (s->step > 0 && seen <= last) p->first = i + 1;
-        if (s->step > 0 && seen <= last && nn->op[i].step == MS_NN__DO_DENSE) p->base += ms_nn__texels(&nn->op[i].matrix);
+        if (s->step > 0 && seen <= last && nn->op[i].step == MS_NN__DO_DENSE)
+            p->base += ms_nn__texels(&nn->op[i].matrix);
         if (seen <= last + 1) p->end = i + 1;
     }
     for (k = p->first; k < p->end; ++k)
         if (nn->op[k].step == MS_NN__DO_ADD && nn->op[k].skip < p->first)
-            return ms__fail(error, MS_UNSUPPORTED, 0, "layer %d adds what a step before this one made: %d steps are too many",
-                            nn->op[k].layer, p->sizes.steps);
+            return ms__fail(error, MS_UNSUPPORTED, 0,
+                            "layer %d adds what a step before this one made: %d steps are too many", nn->op[k].layer,
+                            p->sizes.steps);
     p->sizes.input_width = (int)ms_nn__fours(ms_nn__value_size(nn, p->first));
     outputs = ms_nn__value_size(nn, p->end);
     p->sizes.target_width = (int)ms_nn__fours(outputs);
     if (s->step < p->sizes.steps - 1 || (s->width == 0 && s->height == 0)) return MS_OK;
     pixels = s->width > 0 && s->height > 0 ? ms__size_mul((size_t)s->width, (size_t)s->height) : 0;
     if (pixels == 0 || outputs % pixels || outputs / pixels * nn->channels > 4)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d x %d pixels: %z outputs are not one to four such planes", s->width,
-                        s->height, outputs * nn->channels);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d x %d pixels: %z outputs are not one to four such planes",
+                        s->width, s->height, outputs * nn->channels);
     if (p->sizes.steps == 1 && dense > 1)
         return ms__fail(error, MS_UNSUPPORTED, 0, "pictures of %d dense layers need two steps", dense);
     for (k = p->first; k < p->end; ++k)
         if (nn->op[k].step == MS_NN__DO_ADD)
             return ms__fail(error, MS_UNSUPPORTED, 0,
-                            "layer %d, an addition, stands behind the last dense layer: pictures have none", nn->op[k].layer);
+                            "layer %d, an addition, stands behind the last dense layer: pictures have none",
+                            nn->op[k].layer);
     p->planes = (int)(outputs / pixels);
     p->sizes.target_width = s->width;
     return MS_OK;
 }
 
-/* What stands before main: a language's first lines and its names for what is read; then for GLSL, HLSL and WGSL how. */
+/* What stands before main: a language's first lines and its names for what is read; then for GLSL, HLSL and WGSL
+   how. */
 static const char *const ms_nn__shader_names[5][2] = {
     {"#version 330\nuniform sampler2D ms_nn_weights, ms_nn_values;\n", "uniform vec4 ms_nn;\n"},
     {"#version 300 es\nprecision highp float;\nprecision highp int;\nuniform highp sampler2D ms_nn_weights, ms_nn_values;\n",
@@ -4403,8 +4556,8 @@ static const char *const ms_nn__shader_main[3] = {
     "fn value(i: i32, row: i32) -> vec4<f32> { return textureLoad(ms_nn_values, vec2<i32>(i, row), 0); }\n"
     "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32>\n{\n"};
 
-/* x becomes its activation; z is |x|, so that (x + z) / 2 is its positive part in every language. $d.$d: alpha, in millionths.
-   The normal distribution: Abramowitz and Stegun 7.1.26, within 1.5e-7. */
+/* x becomes its activation; z is |x|, so that (x + z) / 2 is its positive part in every language. $d.$d: alpha, in
+   millionths. The normal distribution: Abramowitz and Stegun 7.1.26, within 1.5e-7. */
 static const char *const ms_nn__shader_activation[] = {
     "",
     "0.5 * (x + z)",
@@ -4429,9 +4582,10 @@ static MS_NN__COLD void ms_nn__say_activation(ms_nn__text *t, const ms_nn__op *o
     ms_nn__say(t, "; }\n", n);
 }
 
-/* Operations [k, end): a dense layer and what follows it, of the four outputs u; from: the value that it reads, as [j], or the
-   step's first. inner: the values that it makes are kept for all u. */
-static MS_NN__COLD void ms_nn__say_dense(ms_nn__text *t, const ms_nn *nn, int first, int k, int end, size_t base, int inner)
+/* Operations [k, end): a dense layer and what follows it, of the four outputs u; from: the value that it reads, as [j],
+   or the step's first. inner: the values that it makes are kept for all u. */
+static MS_NN__COLD void ms_nn__say_dense(ms_nn__text *t, const ms_nn *nn, int first, int k, int end, size_t base,
+                                         int inner)
 {
     const ms_nn__matrix *m = &nn->op[k].matrix;
     size_t n[3], cols = ms_nn__fours(m->cols), rows = ms_nn__fours(m->rows);
@@ -4464,7 +4618,8 @@ static MS_NN__COLD void ms_nn__say_dense(ms_nn__text *t, const ms_nn *nn, int fi
 }
 
 /* The channels of a pixel. row: of the first; at: the pixel in its plane. */
-static MS_NN__COLD void ms_nn__say_pixel(ms_nn__text *t, const ms_nn *nn, const ms_nn__shader_step *p, const ms_nn_shader *s)
+static MS_NN__COLD void ms_nn__say_pixel(ms_nn__text *t, const ms_nn *nn, const ms_nn__shader_step *p,
+                                         const ms_nn_shader *s)
 {
     const ms_nn__matrix *m = &nn->op[p->first].matrix;
     size_t n[6], cols = ms_nn__fours(m->cols), q, c, planes = (size_t)p->planes, outs = planes * nn->channels;
@@ -4520,7 +4675,8 @@ static MS_NN__COLD void ms_nn__say_pixel(ms_nn__text *t, const ms_nn *nn, const 
     ms_nn__say(t, outs < 4 ? "x[3] = 1.0;\nreturn x;\n}\n" : "return x;\n}\n", n);
 }
 
-static MS_NN__COLD void ms_nn__say_shader(ms_nn__text *t, const ms_nn *nn, const ms_nn__shader_step *p, const ms_nn_shader *s)
+static MS_NN__COLD void ms_nn__say_shader(ms_nn__text *t, const ms_nn *nn, const ms_nn__shader_step *p,
+                                          const ms_nn_shader *s)
 {
     int k, end;
     size_t base = p->base, n[2];
@@ -4610,7 +4766,8 @@ MS_API MS_NN__COLD ms_status ms_nn_shader_weights(const ms_nn *nn, ms_nn_dtype d
                         return ms__fail(error, MS_UNSUPPORTED, 0, "a weight of '%s' is %g, more than F16 holds",
                                         nn->layer[nn->op[k].layer].name, (double)v);
                     if (!pass) continue;
-                    q = c < m->cols ? (r / 4 * cols + c / 4) * 16 + r % 4 * 4 + c % 4 : ms_nn__fours(m->rows) * cols * 16 + r;
+                    q = c < m->cols ? (r / 4 * cols + c / 4) * 16 + r % 4 * 4 + c % 4
+                                    : ms_nn__fours(m->rows) * cols * 16 + r;
                     half = ms__half_from_float(v);
                     if (size == 2) memcpy(to + 2 * q, &half, 2);
                     else memcpy(to + 4 * q, &v, 4);
@@ -4661,7 +4818,8 @@ static void ms_nn__map(const char *path, const void **bytes, size_t *size)
 }
 
 /* A whole stream into one allocation of *size bytes, of which *used are the file. */
-static ms_status ms_nn__slurp(const char *path, const ms_nn_options *o, void **bytes, size_t *size, size_t *used, ms_error *error)
+static ms_status ms_nn__slurp(const char *path, const ms_nn_options *o, void **bytes, size_t *size, size_t *used,
+                              ms_error *error)
 {
     FILE *f = fopen(path, "rb");
     char *at = NULL, *larger;
@@ -4693,7 +4851,8 @@ static ms_status ms_nn__slurp(const char *path, const ms_nn_options *o, void **b
     return status;
 }
 
-MS_API MS_NN__COLD ms_status ms_nn_file_read(const char *path, const ms_nn_options *options, ms_nn_file **file, ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_file_read(const char *path, const ms_nn_options *options, ms_nn_file **file,
+                                             ms_error *error)
 {
     ms_nn_options o = options ? *options : ms_nn_defaults();
     const void *mapped = NULL;
@@ -4716,7 +4875,8 @@ MS_API MS_NN__COLD ms_status ms_nn_file_read(const char *path, const ms_nn_optio
     return MS_OK;
 }
 
-MS_API MS_NN__COLD ms_status ms_nn_load_file(const char *path, const ms_nn_options *options, ms_nn **nn, ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_load_file(const char *path, const ms_nn_options *options, ms_nn **nn,
+                                             ms_error *error)
 {
     ms_nn_options o = options ? *options : ms_nn_defaults();
     ms_nn_file *file = NULL;
@@ -4745,16 +4905,16 @@ MS_API MS_NN__COLD ms_status ms_nn_file_save(const char *path, const ms_nn_tenso
 /* ---- collapse -------------------------------------------------------------------------------------------------- */
 
 struct ms_nn_collapse {
-    ms_nn trunk;            /* the network without its last layer: a view, it owns nothing */
+    ms_nn trunk; /* the network without its last layer: a view, it owns nothing */
     const ms_nn *nn;
     const ms_nn__matrix *m; /* W, b */
     size_t channels, h;     /* features of a channel */
     size_t bytes;
-    float *weight;          /* [channels][rows] diagonal of M */
-    size_t *owner;          /* [channels] the first channel with the same weights, which holds R for them */
-    double *r;              /* [channels][h][h] upper triangles, full rows */
-    double *packed;         /* [h (h + 1) / 2] the first without its zeros */
-    double *h0, *e;         /* [channels][h] of the target */
+    float *weight;  /* [channels][rows] diagonal of M */
+    size_t *owner;  /* [channels] the first channel with the same weights, which holds R for them */
+    double *r;      /* [channels][h][h] upper triangles, full rows */
+    double *packed; /* [h (h + 1) / 2] the first without its zeros */
+    double *h0, *e; /* [channels][h] of the target */
     double rest;
     int has_target, weighted;
 };
@@ -4849,8 +5009,9 @@ static void ms_nn__qr_task(void *context, int index)
     }
 }
 
-#define MS_NN__GRAM_ROWS 248   /* of W together */
-#define MS_NN__GRAM_STRIDE 264 /* doubles from column to column: no power of two, which one set of the cache would hold */
+#define MS_NN__GRAM_ROWS 248 /* of W together */
+#define MS_NN__GRAM_STRIDE \
+    264 /* doubles from column to column: no power of two, which one set of the cache would hold */
 
 /* A part's W' M W: upper triangle, rows i of columns k >= i. */
 static MS_NN__COLD void ms_nn__gram_task(void *context, int index)
@@ -4876,8 +5037,8 @@ static MS_NN__COLD void ms_nn__gram_task(void *context, int index)
     }
 }
 
-/* R of sqrt(M) W by the Cholesky factor of W' M W: some times as fast as a QR, but good to 1e-16 over the square of how much of a
-   column the others leave. 0 where that is under 1e-8: the columns then want a QR. */
+/* R of sqrt(M) W by the Cholesky factor of W' M W: some times as fast as a QR, but good to 1e-16 over the square of how
+   much of a column the others leave. 0 where that is under 1e-8: the columns then want a QR. */
 static MS_NN__COLD int ms_nn__collapse_gram(const ms_nn_collapse *c, const float *weight, double *r)
 {
     const ms_nn_options *o = &c->nn->options;
@@ -4913,7 +5074,8 @@ static MS_NN__COLD int ms_nn__collapse_gram(const ms_nn_collapse *c, const float
 }
 
 /* R of sqrt(M) W into r for the weights of a channel. */
-static MS_NN__COLD ms_status ms_nn__collapse_factor(const ms_nn_collapse *c, const float *weight, double *r, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__collapse_factor(const ms_nn_collapse *c, const float *weight, double *r,
+                                                    ms_error *error)
 {
     const ms_nn_options *o = &c->nn->options;
     size_t h = c->h, parts = ms_nn__min(MS_NN__QR_PARTS, c->m->rows / (4 * h) + 1), r_bytes, b_bytes, p, i, k, n;
@@ -4973,7 +5135,8 @@ static MS_NN__COLD ms_nn ms_nn__trunk(const ms_nn *nn)
     return t;
 }
 
-MS_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, ms_nn_collapse **c, ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, ms_nn_collapse **c,
+                                                   ms_error *error)
 {
     const ms_nn__op *last;
     const ms_nn_tensor *stored;
@@ -4995,7 +5158,8 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float 
     triangle = ms__size_mul(h, h + 1) / 2;
     bytes = ms__size_mul(channels, ms__size_mul(ms__size_add(square, 2 * h), sizeof(double)));
     bytes = ms__size_add(bytes, ms__size_add(sizeof *made, ms__size_mul(triangle, sizeof(double))));
-    bytes = ms__size_add(bytes, ms__size_mul(channels, ms__size_add(sizeof(size_t), ms__size_mul(rows, sizeof(float)))));
+    bytes = ms__size_add(bytes,
+                         ms__size_mul(channels, ms__size_add(sizeof(size_t), ms__size_mul(rows, sizeof(float)))));
     made = (ms_nn_collapse *)ms_nn__alloc(&nn->options, bytes);
     if (made == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a collapse of %z features", h);
     memset(made, 0, sizeof *made);
@@ -5061,8 +5225,8 @@ static int ms_nn__downdate(double *r, size_t h, double *v)
 
 /* R for the weights `old` becomes R for `now`: their difference row by row, or 0 where making it anew is better.
    b  [h][MS_NN__QR_ROWS], row  [h] */
-static MS_NN__COLD int ms_nn__collapse_update(const ms_nn_collapse *c, const float *old, const float *now, double *r, double *b,
-                                              double *row)
+static MS_NN__COLD int ms_nn__collapse_update(const ms_nn_collapse *c, const float *old, const float *now, double *r,
+                                              double *b, double *row)
 {
     const ms_nn__kernels *kernels = c->nn->kernels;
     size_t h = c->h, rows = c->m->rows, i, n = 0;
@@ -5086,8 +5250,8 @@ static MS_NN__COLD int ms_nn__collapse_update(const ms_nn_collapse *c, const flo
     return 1;
 }
 
-MS_API MS_NN__COLD ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count, const size_t *index, const float *weight,
-                                                 ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count, const size_t *index,
+                                                 const float *weight, ms_error *error)
 {
     const ms_nn_options *o;
     double *r, *b, *row;
@@ -5095,13 +5259,17 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_mask(ms_nn_collapse *c, size_t count
     size_t bytes, h, rows, outputs, square, i;
     ms_status status = MS_OK;
     if (c == NULL || (count && (index == NULL || weight == NULL)))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", c == NULL ? "c" : index == NULL ? "index" : "weight");
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL",
+                        c == NULL           ? "c"
+                            : index == NULL ? "index"
+                                            : "weight");
     h = c->h;
     rows = c->m->rows;
     outputs = c->channels * rows;
     for (i = 0; i < count; ++i)
         if (index[i] >= outputs || !ms__finite_f(weight[i]) || weight[i] < 0)
-            return ms__fail(error, MS_INVALID_ARGUMENT, i, "entry %z: output %z with weight %g", i, index[i], (double)weight[i]);
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "entry %z: output %z with weight %g", i, index[i],
+                            (double)weight[i]);
     if (count == 0) return MS_OK;
     o = &c->nn->options;
     square = h * h;
@@ -5146,8 +5314,8 @@ typedef struct ms_nn__pass_job {
 } ms_nn__pass_job;
 
 /* The part that `n` rows of W in `wide` have in the sums. */
-static void ms_nn__pass_block(const ms_nn__pass_job *job, const size_t *row, size_t n, const double *wide, double *residual,
-                              double *sum)
+static void ms_nn__pass_block(const ms_nn__pass_job *job, const size_t *row, size_t n, const double *wide,
+                              double *residual, double *sum)
 {
     const ms_nn_collapse *c = job->c;
     const ms_nn__kernels *kernels = c->nn->kernels;
@@ -5230,9 +5398,10 @@ static void ms_nn__solve(const ms_nn__kernels *kernels, const double *r, size_t 
     }
 }
 
-/* h0 = (R'R)^-1 W'M (t - b), the sum in floats: anywhere near the best h will do, as what it misses comes in again with e.
-   g  [channels][rows], g_x  [channels][h], scratch as ms_nn__run_dense_back needs it */
-static MS_NN__COLD void ms_nn__collapse_start(ms_nn_collapse *c, const float *target, float *g, float *g_x, void *scratch)
+/* h0 = (R'R)^-1 W'M (t - b), the sum in floats: anywhere near the best h will do, as what it misses comes in again with
+   e. g  [channels][rows], g_x  [channels][h], scratch as ms_nn__run_dense_back needs it */
+static MS_NN__COLD void ms_nn__collapse_start(ms_nn_collapse *c, const float *target, float *g, float *g_x,
+                                              void *scratch)
 {
     const ms_nn__kernels *kernels = c->nn->kernels;
     size_t h = c->h, rows = c->m->rows, i, ch;
@@ -5261,19 +5430,22 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
     float *g;
     size_t h, n, i, ch, outputs, bytes;
     double norm = 0;
-    if (c == NULL || target == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", c == NULL ? "c" : "target");
+    if (c == NULL || target == NULL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", c == NULL ? "c" : "target");
     h = c->h;
     n = c->channels * h;
     outputs = c->channels * c->m->rows;
     for (i = 0; i < outputs; ++i)
-        if (!ms__finite_f(target[i])) return ms__fail(error, MS_INVALID_ARGUMENT, i, "target value %z is not finite", i);
+        if (!ms__finite_f(target[i]))
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "target value %z is not finite", i);
     memset(&job, 0, sizeof job);
     job.c = c;
     job.target = target;
     job.parts = ms_nn__min(16, c->m->rows / 1024 + 1);
-    bytes = ms__size_mul(job.parts * sizeof(double), ms__size_add(n + 1, ms__size_mul(MS_NN__PASS_ROWS, h + c->channels)));
-    bytes = ms__size_add(bytes,
-                         ms__size_mul(ms__size_add(outputs + n, ms_nn__back_floats(c->nn, c->m, c->channels)), sizeof(float)));
+    bytes = ms__size_mul(job.parts * sizeof(double),
+                         ms__size_add(n + 1, ms__size_mul(MS_NN__PASS_ROWS, h + c->channels)));
+    bytes = ms__size_add(
+        bytes, ms__size_mul(ms__size_add(outputs + n, ms_nn__back_floats(c->nn, c->m, c->channels)), sizeof(float)));
     job.sum = (double *)ms_nn__alloc(&c->nn->options, bytes);
     if (job.sum == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a target");
     job.wide = job.sum + job.parts * (n + 1);
@@ -5282,7 +5454,8 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
     ms_nn__collapse_start(c, target, g, g + outputs, g + outputs + n);
     ms_nn__pass(&job); /* W'M res and |res|_M^2 of h0 */
     memcpy(c->e, job.sum, n * sizeof(double));
-    for (ch = 0; ch < c->channels; ++ch) ms_nn__solve_transposed(c->nn->kernels, c->r + c->owner[ch] * h * h, h, c->e + ch * h);
+    for (ch = 0; ch < c->channels; ++ch)
+        ms_nn__solve_transposed(c->nn->kernels, c->r + c->owner[ch] * h * h, h, c->e + ch * h);
     for (i = 0; i < n; ++i) norm += c->e[i] * c->e[i];
     c->rest = job.sum[n] > norm ? job.sum[n] - norm : 0.0;
     c->has_target = 1;
@@ -5292,14 +5465,19 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
 
 #define MS_NN__COLUMNS 32 /* of the Jacobian, multiplied by R together */
 
-/* Doubles of an evaluation: the residual (for the value) and columns for R; then the floats of h(x); then the trunk's. */
-static size_t ms_nn__collapse_doubles(const ms_nn_collapse *c) { return c->channels * c->h + 1 + MS_NN__COLUMNS * c->h; }
+/* Doubles of an evaluation: the residual (for the value) and columns for R; then the floats of h(x); then the
+   trunk's. */
+static size_t ms_nn__collapse_doubles(const ms_nn_collapse *c)
+{
+    return c->channels * c->h + 1 + MS_NN__COLUMNS * c->h;
+}
 
 MS_API size_t ms_nn_collapse_workspace_size(const ms_nn_collapse *c, int with_jacobian)
 {
     size_t trunk;
     if (c == NULL) return 0;
-    trunk = c->trunk.ops == 0 ? 0 : ms_nn__layout_of(&c->trunk, with_jacobian ? MS_NN_JACOBIAN : MS_NN_FORWARD, 1).total;
+    trunk = c->trunk.ops == 0 ? 0
+                              : ms_nn__layout_of(&c->trunk, with_jacobian ? MS_NN_JACOBIAN : MS_NN_FORWARD, 1).total;
     return ms__size_add(ms__size_add(trunk, c->channels * c->h * sizeof(float)),
                         ms_nn__collapse_doubles(c) * sizeof(double) + 64);
 }
@@ -5314,8 +5492,8 @@ static ms_status ms_nn__collapse_features(const ms_nn_collapse *c, const float *
 }
 
 /* out_ik = sum_j R_ij column_k,j for n columns: rows in fours, each four from its diagonal on. add: out += ... */
-static void ms_nn__collapse_product(const ms_nn_collapse *c, const double *r, const double *columns, size_t n, double *out,
-                                    size_t row_step, const size_t *column_at)
+static void ms_nn__collapse_product(const ms_nn_collapse *c, const double *r, const double *columns, size_t n,
+                                    double *out, size_t row_step, const size_t *column_at)
 {
     double tile[4 * MS_NN__COLUMNS];
     size_t h = c->h, i, j, k, m;
@@ -5327,13 +5505,14 @@ static void ms_nn__collapse_product(const ms_nn_collapse *c, const double *r, co
     }
 }
 
-/* The residual [channels h + 1] and, unless NULL, its Jacobian [channels h + 1][inputs]. doubles: ms_nn__collapse_doubles, then
-   the features and the trunk's workspace. */
+/* The residual [channels h + 1] and, unless NULL, its Jacobian [channels h + 1][inputs]. doubles:
+   ms_nn__collapse_doubles, then the features and the trunk's workspace. */
 static MS_NN__COLD ms_status ms_nn__collapse_evaluate(const ms_nn_collapse *c, const float *x, double *residual,
                                                       double *jacobian, double *doubles)
 {
     const ms_nn *nn = c->nn;
-    size_t h = c->h, total = c->channels * h, inputs = ms_nn_input_size(nn), in = ms_nn__count(nn->inner), ch, i, k, k0, n;
+    size_t h = c->h, total = c->channels * h, inputs = ms_nn_input_size(nn), in = ms_nn__count(nn->inner), ch, i, k, k0,
+           n;
     double *columns = doubles + total + 1;
     float *features = (float *)(void *)(columns + MS_NN__COLUMNS * h);
     const float *slopes = NULL; /* of h(x), or the identity where there is no trunk */
@@ -5363,7 +5542,8 @@ static MS_NN__COLD ms_status ms_nn__collapse_evaluate(const ms_nn_collapse *c, c
                     columns[k * h + i] = slopes ? (double)slopes[ch * h * in + i * slope_row + (k0 + k) * slope_column]
                         : i == k0 + k           ? 1.0
                                                 : 0.0;
-            if (nn->channel_input) ms_nn__collapse_product(c, r, columns, n, out, inputs, nn->channel_input + ch * in + k0);
+            if (nn->channel_input)
+                ms_nn__collapse_product(c, r, columns, n, out, inputs, nn->channel_input + ch * in + k0);
             else ms_nn__collapse_product(c, r, columns, n, out + k0, inputs, NULL);
         }
     }
@@ -5381,12 +5561,14 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, co
     bytes = ms_nn_collapse_workspace_size(c, jacobian != NULL);
     if (workspace == NULL) workspace = allocated = ms_nn__alloc(&c->nn->options, bytes);
     if (workspace == NULL) return MS_OUT_OF_MEMORY;
-    status = ms_nn__collapse_evaluate(c, x, residual, jacobian, (double *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63));
+    status = ms_nn__collapse_evaluate(c, x, residual, jacobian,
+                                      (double *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63));
     ms__release(&c->nn->options.allocator, allocated, bytes);
     return status;
 }
 
-MS_API MS_NN__COLD ms_status ms_nn_collapse_value(const ms_nn_collapse *c, const float *x, double *value, void *workspace)
+MS_API MS_NN__COLD ms_status ms_nn_collapse_value(const ms_nn_collapse *c, const float *x, double *value,
+                                                  void *workspace)
 {
     size_t bytes, i;
     void *allocated = NULL;
@@ -5410,11 +5592,11 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_value(const ms_nn_collapse *c, const
 struct ms_nn_low_rank {
     const ms_nn_collapse *c;
     size_t bytes;
-    double peak, total;  /* variance of all outputs together, over the samples */
-    double *variance;    /* [h] carried by each direction, falling */
-    double *mean;        /* [h] of the features */
-    double *left;        /* [h][h] column k: L V_k, so that U_k = W left_k / sqrt(variance_k) */
-    size_t *order;       /* [h] columns by falling variance */
+    double peak, total; /* variance of all outputs together, over the samples */
+    double *variance;   /* [h] carried by each direction, falling */
+    double *mean;       /* [h] of the features */
+    double *left;       /* [h][h] column k: L V_k, so that U_k = W left_k / sqrt(variance_k) */
+    size_t *order;      /* [h] columns by falling variance */
 };
 
 /* C = L L' in place (lower, column k from row k on); a pivot of rounding size makes a zero column. */
@@ -5464,7 +5646,8 @@ static int ms_nn__compare_variance(const void *context, size_t a, size_t b)
 }
 
 /* Mean and covariance of the features over the samples and their channels, one sample at a time. */
-static ms_status ms_nn__feature_moments(const ms_nn_collapse *c, int samples, const float *x, double *mean, double *covariance)
+static ms_status ms_nn__feature_moments(const ms_nn_collapse *c, int samples, const float *x, double *mean,
+                                        double *covariance)
 {
     size_t h = c->h, total = c->channels * h, ch, i, j,
            bytes = ms__size_add(ms_nn_collapse_workspace_size(c, 0), total * sizeof(float));
@@ -5481,7 +5664,8 @@ static ms_status ms_nn__feature_moments(const ms_nn_collapse *c, int samples, co
                 const float *f = workspace + ch * h;
                 for (i = 0; pass == 0 && i < h; ++i) mean[i] += share * (double)f[i];
                 for (i = 0; pass == 1 && i < h; ++i)
-                    for (j = i; j < h; ++j) covariance[i * h + j] += share * ((double)f[i] - mean[i]) * ((double)f[j] - mean[j]);
+                    for (j = i; j < h; ++j)
+                        covariance[i * h + j] += share * ((double)f[i] - mean[i]) * ((double)f[j] - mean[j]);
             }
         }
     ms__release(&c->nn->options.allocator, workspace, bytes);
@@ -5567,7 +5751,8 @@ static void ms_nn__put_element(unsigned char *out, ms_nn_dtype dtype, size_t i, 
     if (dtype == MS_NN_BF16) {
         bits = (bits + 0x7fffu + (bits >> 16 & 1)) >> 16;
     } else if (dtype == MS_NN_F16) {
-        bits = fabs(x) >= 65520 ? (bits >> 16 & 0x8000u) | 0x7c00u : ms__half_from_float(f); /* infinity, as others round it */
+        bits = fabs(x) >= 65520 ? (bits >> 16 & 0x8000u) | 0x7c00u
+                                : ms__half_from_float(f); /* infinity, as others round it */
     }
     for (k = 0; k < n; ++k) out[i * n + k] = (unsigned char)(bits >> (8 * k) & 0xff);
 }
@@ -5596,8 +5781,8 @@ static size_t ms_nn__low_rank_layers(const ms_nn *nn, const char *layers, size_t
     return w.length;
 }
 
-MS_API MS_NN__COLD ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int rank, ms_nn_dtype dtype, ms_nn_sink sink,
-                                                  ms_error *error)
+MS_API MS_NN__COLD ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank, int rank, ms_nn_dtype dtype,
+                                                  ms_nn_sink sink, ms_error *error)
 {
     const ms_nn_low_rank *l = low_rank;
     const ms_nn_collapse *c = l ? l->c : NULL;
@@ -5612,7 +5797,8 @@ MS_API MS_NN__COLD ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank
     ms_nn_entry *e;
     ms_status status;
     if (nn == NULL || rank < 1 || r > c->h || (dtype != MS_NN_F32 && dtype != MS_NN_F16 && dtype != MS_NN_BF16))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rank must be 1 to the number of features, dtype F32, F16 or BF16");
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                        "rank must be 1 to the number of features, dtype F32, F16 or BF16");
     if (strcmp(nn->layer[nn->layers - 1].type, "dense"))
         return ms__fail(error, MS_UNSUPPORTED, 0, "the last entry of the layer list must be the dense layer");
     h = c->h;
@@ -5700,8 +5886,9 @@ MS_API MS_NN__COLD ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank
 
 /* ---- levels ---------------------------------------------------------------------------------------------------- */
 
-/* Full unrolling of the short loops over register tiles, also at -O2, and inlining of what has constant arguments. Under
-   Clang's sanitizers that would take minutes to compile; without optimisation it would only add up the stack of all forms. */
+/* Full unrolling of the short loops over register tiles, also at -O2, and inlining of what has constant arguments.
+   Under Clang's sanitizers that would take minutes to compile; without optimisation it would only add up the stack of
+   all forms. */
 #if defined(__GNUC__) && !defined(__OPTIMIZE__)
 #define MS_NN__UNROLL
 #define MS_NN__INLINE static inline
@@ -5731,14 +5918,15 @@ MS_API MS_NN__COLD ms_status ms_nn_low_rank_write(const ms_nn_low_rank *low_rank
 #define MS_NN__APART
 #endif
 
-/* y = x Phi(x), or with slope y *= Phi(x) + x phi(x), of the normal distribution: plain double, so that both ends keep their
-   digits. */
+/* y = x Phi(x), or with slope y *= Phi(x) + x phi(x), of the normal distribution: plain double, so that both ends keep
+   their digits. */
 static void ms_nn__gelu(const float *x, float *y, size_t n, int slope)
 {
     size_t i;
     for (i = 0; i < n; ++i) {
         double v = (double)x[i], half = 0.5 * erfc(-0.70710678118654752 * v);
-        if (slope) y[i] = (float)((double)y[i] * (half + (fabs(v) < 40 ? 0.39894228040143268 * v * exp(-0.5 * v * v) : 0.0)));
+        if (slope)
+            y[i] = (float)((double)y[i] * (half + (fabs(v) < 40 ? 0.39894228040143268 * v * exp(-0.5 * v * v) : 0.0)));
         else y[i] = (float)(v * half);
     }
 }
@@ -5778,7 +5966,8 @@ static float ms_nn__max_nan(float a, float b) { return a > b || a != a ? a : b; 
 #endif
 
 #if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2,fma,f16c,avx512f,avx512bw,avx512dq,avx512vl"))), apply_to = function)
+#pragma clang attribute push(__attribute__((target("avx2,fma,f16c,avx512f,avx512bw,avx512dq,avx512vl"))), \
+                             apply_to = function)
 #elif defined(__GNUC__)
 #pragma GCC push_options
 #pragma GCC target("avx2,fma,f16c,avx512f,avx512bw,avx512dq,avx512vl")
@@ -5794,7 +5983,8 @@ static float ms_nn__max_nan(float a, float b) { return a > b || a != a ? a : b; 
 
 /* The same with AVX-512 VNNI: I8 at twice the speed. */
 #if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2,fma,f16c,avx512f,avx512bw,avx512dq,avx512vl,avx512vnni"))), apply_to = function)
+#pragma clang attribute push(__attribute__((target("avx2,fma,f16c,avx512f,avx512bw,avx512dq,avx512vl,avx512vnni"))), \
+                             apply_to = function)
 #elif defined(__GNUC__)
 #pragma GCC push_options
 #pragma GCC target("avx2,fma,f16c,avx512f,avx512bw,avx512dq,avx512vl,avx512vnni")
@@ -5827,8 +6017,8 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
     return &ms_nn__table_scalar;
 }
 
-/* Does this processor read a large F32 matrix faster several rows at a time than row by row? Intel's do (Sapphire Rapids: 1.22
-   times), where F16 and I8 do not; AMD's do not. The bits are the same. */
+/* Does this processor read a large F32 matrix faster several rows at a time than row by row? Intel's do (Sapphire
+   Rapids: 1.22 times), where F16 and I8 do not; AMD's do not. The bits are the same. */
 static int ms_nn__row_tiles(void)
 {
 #if defined(MS__X64)
@@ -5885,9 +6075,9 @@ static int ms_nn__row_tiles(void)
 #endif
 
 /* Read once a level. MS_NN__V_FLOATS is a vector of MS_NN__V_LANES floats; W_... load weights as floats.
-   MS_NN__V_BLOCK outputs x MS_NN__V_TILE vectors of positions are a convolution's registers; MS_NN__W_ROWS rows x 3 samples x
-   MS_NN__W_CHAINS sums are a dense layer's. MAX(a, b) is a > b ? a : b, which is b, hence NaN if b is one: constants stand
-   first. */
+   MS_NN__V_BLOCK outputs x MS_NN__V_TILE vectors of positions are a convolution's registers; MS_NN__W_ROWS rows x 3
+   samples x MS_NN__W_CHAINS sums are a dense layer's. MAX(a, b) is a > b ? a : b, which is b, hence NaN if b is one:
+   constants stand first. */
 #if MS_NN__ISA == 1
 #define MS_NN__V_LANES 1
 #define MS_NN__V_BLOCK 4
@@ -5907,12 +6097,12 @@ static int ms_nn__row_tiles(void)
 #define MS_NN__V_MIN(a, b) ((a) < (b) ? (a) : (b))
 #define MS_NN__V_IF_GREATER(a, b, x, y) ((a) > (b) ? (x) : (y))
 #define MS_NN__V_INT int32_t
-#define MS_NN__V_ROUND(a) ((a) < 0 ? (int32_t)((a) - 0.5f) : (a) >= 0 ? (int32_t)((a) + 0.5f) : 0)
+#define MS_NN__V_ROUND(a) ((a) < 0 ? (int32_t)((a)-0.5f) : (a) >= 0 ? (int32_t)((a) + 0.5f) : 0)
 #define MS_NN__V_FROM_INT(i) ((float)(i))
 #define MS_NN__V_POW2(i) ms_nn__float_of((uint32_t)((i) + 127) << 23)
 #define MS_NN__W_HALF(p) ms__half_to_float((uint16_t)ms_nn__u16(p))
 #define MS_NN__W_BRAIN(p) ms_nn__float_of(ms_nn__u16(p) << 16)
-#define MS_NN__W_INT8(p) ((float)(*(p) < 128 ? *(p) : *(p) - 256))
+#define MS_NN__W_INT8(p) ((float)(*(p) < 128 ? *(p) : *(p)-256))
 #elif MS_NN__ISA == 2 && defined(MS__X64)
 #define MS_NN__V_LANES 4
 #define MS_NN__V_BLOCK 4
@@ -5941,7 +6131,8 @@ static int ms_nn__row_tiles(void)
 #define MS_NN__W_BRAIN(p) \
     _mm_castsi128_ps(_mm_unpacklo_epi16(_mm_setzero_si128(), _mm_loadl_epi64((const __m128i *)(const void *)(p))))
 #define MS_NN__W_INT8(p) MS_NN__FN(int8)(p)
-MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(if_greater)(MS_NN__V_FLOATS a, MS_NN__V_FLOATS b, MS_NN__V_FLOATS x, MS_NN__V_FLOATS y)
+MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(if_greater)(MS_NN__V_FLOATS a, MS_NN__V_FLOATS b, MS_NN__V_FLOATS x,
+                                                    MS_NN__V_FLOATS y)
 {
     MS_NN__V_FLOATS m = _mm_cmpgt_ps(a, b);
     return _mm_or_ps(_mm_and_ps(m, x), _mm_andnot_ps(m, y));
@@ -5956,7 +6147,8 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(max_nan)(MS_NN__V_FLOATS a, MS_NN__V_FLO
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(half)(const unsigned char *p)
 {
     __m128i h = _mm_unpacklo_epi16(_mm_loadl_epi64((const __m128i *)(const void *)p), _mm_setzero_si128());
-    __m128i magnitude = _mm_and_si128(h, _mm_set1_epi32(0x7fff)), sign = _mm_slli_epi32(_mm_xor_si128(h, magnitude), 16);
+    __m128i magnitude = _mm_and_si128(h, _mm_set1_epi32(0x7fff)),
+            sign = _mm_slli_epi32(_mm_xor_si128(h, magnitude), 16);
     __m128i special = _mm_and_si128(_mm_cmpgt_epi32(magnitude, _mm_set1_epi32(0x7bff)), _mm_set1_epi32(0x38000000));
     __m128i tiny = _mm_castps_si128(_mm_mul_ps(_mm_cvtepi32_ps(magnitude), _mm_set1_ps(5.9604644775390625e-8f)));
     __m128i is_tiny = _mm_cmpgt_epi32(_mm_set1_epi32(0x400), magnitude);
@@ -6032,7 +6224,8 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
 #define MS_NN__V_POW2(i) _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_add_epi32(i, _mm256_set1_epi32(127)), 23))
 #define MS_NN__W_HALF(p) _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(p)))
 #define MS_NN__W_BRAIN(p) \
-    _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)(p))), 16))
+    _mm256_castsi256_ps(  \
+        _mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)(p))), 16))
 #define MS_NN__W_INT8(p) _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)(p))))
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(pair_max)(MS_NN__V_FLOATS a, MS_NN__V_FLOATS b)
 {
@@ -6061,13 +6254,15 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(pair_max)(MS_NN__V_FLOATS a, MS_NN__V_FL
 #define MS_NN__V_INT __m512i
 #define MS_NN__V_ROUND(a) _mm512_maskz_cvtps_epi32(0xFFFF, a)
 #define MS_NN__V_FROM_INT(i) _mm512_maskz_cvtepi32_ps(0xFFFF, i)
-#define MS_NN__V_POW2(i) _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_add_epi32(i, _mm512_set1_epi32(127)), 23))
+#define MS_NN__V_POW2(i) \
+    _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_add_epi32(i, _mm512_set1_epi32(127)), 23))
 #define MS_NN__W_HALF(p) _mm512_maskz_cvtph_ps(0xFFFF, _mm256_loadu_si256((const __m256i *)(const void *)(p)))
-#define MS_NN__W_BRAIN(p) \
-    _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_maskz_cvtepu16_epi32(0xFFFF, \
-    _mm256_loadu_si256((const __m256i *)(const void *)(p))), 16))
-#define MS_NN__W_INT8(p) \
-    _mm512_maskz_cvtepi32_ps(0xFFFF, _mm512_maskz_cvtepi8_epi32(0xFFFF, _mm_loadu_si128((const __m128i *)(const void *)(p))))
+#define MS_NN__W_BRAIN(p)                        \
+    _mm512_castsi512_ps(_mm512_maskz_slli_epi32( \
+        0xFFFF, _mm512_maskz_cvtepu16_epi32(0xFFFF, _mm256_loadu_si256((const __m256i *)(const void *)(p))), 16))
+#define MS_NN__W_INT8(p)             \
+    _mm512_maskz_cvtepi32_ps(0xFFFF, \
+                             _mm512_maskz_cvtepi8_epi32(0xFFFF, _mm_loadu_si128((const __m128i *)(const void *)(p))))
 #define MS_NN__V_FOLD(v) MS_NN__FN(fold)(v)
 MS_NN__INLINE __m128 MS_NN__FN(fold)(MS_NN__V_FLOATS v)
 {
@@ -6079,8 +6274,8 @@ MS_NN__INLINE __m128 MS_NN__FN(fold)(MS_NN__V_FLOATS v)
 #endif
 
 #if MS_NN__ISA != 4 /* AVX-512 without VNNI takes AVX2's */
-/* Sums of products of 8-bit weights with 8-bit digits. On x86 unsigned times signed bytes: (w + 128) d, put right at the
-   end by 128 sum d; |255 * 64 * 2| fits 16 bits. */
+/* Sums of products of 8-bit weights with 8-bit digits. On x86 unsigned times signed bytes: (w + 128) d, put right at
+   the end by 128 sum d; |255 * 64 * 2| fits 16 bits. */
 #if MS_NN__ISA == 5
 #define MS_NN__B_INTS __m512i
 #define MS_NN__B_BYTES 64
@@ -6091,7 +6286,8 @@ MS_NN__INLINE __m128 MS_NN__FN(fold)(MS_NN__V_FLOATS v)
 #define MS_NN__B_SUM(s) MS_NN__FN(int_sum)(s)
 MS_NN__INLINE int32_t MS_NN__FN(int_sum)(MS_NN__B_INTS s)
 {
-    __m256i half = _mm256_add_epi32(_mm512_maskz_extracti64x4_epi64(0xF, s, 0), _mm512_maskz_extracti64x4_epi64(0xF, s, 1));
+    __m256i half = _mm256_add_epi32(_mm512_maskz_extracti64x4_epi64(0xF, s, 0),
+                                    _mm512_maskz_extracti64x4_epi64(0xF, s, 1));
     __m128i t = _mm_add_epi32(_mm256_castsi256_si128(half), _mm256_extracti128_si256(half, 1));
     t = _mm_add_epi32(t, _mm_shuffle_epi32(t, 0x4E));
     return _mm_cvtsi128_si32(_mm_add_epi32(t, _mm_shuffle_epi32(t, 0xB1)));
@@ -6127,9 +6323,11 @@ MS_NN__INLINE MS_NN__B_INTS MS_NN__FN(int_dot)(MS_NN__B_INTS s, MS_NN__B_INTS u,
 {
     MS_NN__B_INTS zero = _mm_setzero_si128(); /* bytes to 16 bits with their sign */
     s = _mm_add_epi32(
-        s, _mm_madd_epi16(_mm_srai_epi16(_mm_unpacklo_epi8(zero, u), 8), _mm_srai_epi16(_mm_unpacklo_epi8(zero, e), 8)));
+        s,
+        _mm_madd_epi16(_mm_srai_epi16(_mm_unpacklo_epi8(zero, u), 8), _mm_srai_epi16(_mm_unpacklo_epi8(zero, e), 8)));
     return _mm_add_epi32(
-        s, _mm_madd_epi16(_mm_srai_epi16(_mm_unpackhi_epi8(zero, u), 8), _mm_srai_epi16(_mm_unpackhi_epi8(zero, e), 8)));
+        s,
+        _mm_madd_epi16(_mm_srai_epi16(_mm_unpackhi_epi8(zero, u), 8), _mm_srai_epi16(_mm_unpackhi_epi8(zero, e), 8)));
 }
 #elif MS_NN__ISA == 2
 #define MS_NN__B_INTS int32x4_t
@@ -6167,9 +6365,9 @@ MS_NN__INLINE MS_NN__B_INTS MS_NN__FN(int8_part)(const unsigned char *p, size_t 
 #define MS_NN__B_OFFSET 128
 #endif
 
-/* A row that is read alone comes from memory (ms_nn__pack_dense). It is asked for 8 kB ahead, over the ends of pages, where the
-   processor's own prefetching stops: 1.35 times as fast on Zen 4 with small pages, 1.15 times with large ones. A request
-   behind the end of the matrix does no harm. */
+/* A row that is read alone comes from memory (ms_nn__pack_dense). It is asked for 8 kB ahead, over the ends of pages,
+   where the processor's own prefetching stops: 1.35 times as fast on Zen 4 with small pages, 1.15 times with large
+   ones. A request behind the end of the matrix does no harm. */
 #if defined(MS__X64) && MS_NN__ISA > 1
 #define MS_NN__B_ASK(p) _mm_prefetch((const char *)(p) + 8192, _MM_HINT_T1)
 #else
@@ -6187,8 +6385,9 @@ MS_NN__INLINE void MS_NN__FN(int8_step)(const unsigned char *w, const signed cha
     for (k = 0; k < 3; ++k) s[k] = MS_NN__B_DOT(s[k], MS_NN__B_FLIP(u), MS_NN__B_LOAD(d[k] + at));
 }
 
-/* Rows times all samples, row by row: y = scale unit (16384 s0 + 128 s1 + s2) + bias of the sums of w_j d_k,j, which are integers
-   over runs of columns, so exact in any order; together in double, where they are exact too; rounded once. */
+/* Rows times all samples, row by row: y = scale unit (16384 s0 + 128 s1 + s2) + bias of the sums of w_j d_k,j, which
+   are integers over runs of columns, so exact in any order; together in double, where they are exact too; rounded
+   once. */
 MS_NN__KERNEL void MS_NN__FN(dense_int8)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
     const ms_nn__matrix *m = job->m;
@@ -6205,7 +6404,8 @@ MS_NN__KERNEL void MS_NN__FN(dense_int8)(const ms_nn__dense *job, size_t row0, s
                 end = ms_nn__min(m->cols, at + MS_NN__RUN);
                 MS_NN__UNROLL
                 for (k = 0; k < 3; ++k) s[k] = MS_NN__B_ZERO;
-                for (; at + MS_NN__B_BYTES <= end; at += MS_NN__B_BYTES) MS_NN__FN(int8_step)(w, x->d, at, MS_NN__B_BYTES, s);
+                for (; at + MS_NN__B_BYTES <= end; at += MS_NN__B_BYTES)
+                    MS_NN__FN(int8_step)(w, x->d, at, MS_NN__B_BYTES, s);
                 if (at < end) MS_NN__FN(int8_step)(w, x->d, at, end - at, s);
                 MS_NN__UNROLL
                 for (k = 0; k < 3; ++k)
@@ -6214,16 +6414,16 @@ MS_NN__KERNEL void MS_NN__FN(dense_int8)(const ms_nn__dense *job, size_t row0, s
                                            : 1.0) *
                         (double)(MS_NN__B_SUM(s[k]) - MS_NN__B_OFFSET * x->sum[k][run]);
             }
-            job->y[(size_t)b * m->rows + row] =
-                (float)(total * ((double)ms_nn__float_at(m->scale, row) * x->unit) +
-                        (m->bias && !job->linear ? (double)ms_nn__float_at(m->bias, row) : 0.0));
+            job->y[(size_t)b * m->rows + row] = (float)(total * ((double)ms_nn__float_at(m->scale, row) * x->unit) +
+                                                        (m->bias && !job->linear ? (double)ms_nn__float_at(m->bias, row)
+                                                                                 : 0.0));
         }
 }
 #endif
 
 #if MS_NN__ISA < 5 /* the VNNI pass is for I8 only; the rest is AVX-512's */
-/* A vector that is used several times is loaded once: GCC would read it anew for each use, and 64-byte loads are what these
-   loops wait for. */
+/* A vector that is used several times is loaded once: GCC would read it anew for each use, and 64-byte loads are what
+   these loops wait for. */
 #if MS_NN__ISA >= 3 && (defined(__GNUC__) || defined(__clang__))
 #define MS_NN__V_KEEP(v) __asm__("" : "+v"(v))
 #else
@@ -6261,15 +6461,17 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(weight_part)(const unsigned char *p, ms_
 }
 #else
 #if MS_NN__ISA == 3
-#define MS_NN__W_PART(out, p, dtype, n)                                                                                                                     \
-    if ((dtype) == MS_NN_F32)                                                                                                                               \
-        (out) = _mm256_maskload_ps((const float *)(const void *)(p), _mm256_cmpgt_epi32(_mm256_set1_epi32((int)(n)), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7))); \
-    else                                                                                                                                                    \
-        MS_NN__FN(weight_part)(&(out), p, dtype, n)
+#define MS_NN__W_PART(out, p, dtype, n)                                                                  \
+    if ((dtype) == MS_NN_F32)                                                                            \
+        (out) = _mm256_maskload_ps(                                                                      \
+            (const float *)(const void *)(p),                                                            \
+            _mm256_cmpgt_epi32(_mm256_set1_epi32((int)(n)), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7))); \
+    else MS_NN__FN(weight_part)(&(out), p, dtype, n)
 #else
 #define MS_NN__W_PART(out, p, dtype, n) MS_NN__FN(weight_part)(&(out), p, dtype, n)
 #endif
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(weight_part)(MS_NN__V_FLOATS *out, const unsigned char *p, ms_nn_dtype dtype, size_t n)
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(weight_part)(MS_NN__V_FLOATS *out, const unsigned char *p, ms_nn_dtype dtype,
+                                                       size_t n)
 {
     unsigned char copy[4 * MS_NN__V_LANES];
     memset(copy, 0, sizeof copy);
@@ -6278,8 +6480,8 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(weight_part)(MS_NN__V_FLOATS *out, con
 }
 #endif
 
-/* Four sums of lanes, each as (l0 + l2) + (l1 + l3) of the sums of its quarters, times a scale, plus a bias. quad: four floats
-   for as many rows, which repeat. */
+/* Four sums of lanes, each as (l0 + l2) + (l1 + l3) of the sums of its quarters, times a scale, plus a bias. quad: four
+   floats for as many rows, which repeat. */
 #if defined(MS__X64) && MS_NN__ISA > 1
 #define MS_NN__Q_FLOATS __m128
 #define MS_NN__Q_SET(x) _mm_set1_ps(x)
@@ -6314,12 +6516,13 @@ MS_NN__INLINE void MS_NN__FN(sum4)(const MS_NN__V_FLOATS *v, float32x4_t scale, 
 }
 #endif
 
-/* Dot products of rows x samples. Sum c runs over the columns MS_NN__V_LANES c + (0..MS_NN__V_LANES-1) modulo MS_NN__V_LANES
-   MS_NN__W_CHAINS; the chains are added in pairs, then comes what is left of the columns, then the sum of the lanes. The order
-   depends on nothing but cols, so that tiles of any shape agree. This is the end of all of them. */
+/* Dot products of rows x samples. Sum c runs over the columns MS_NN__V_LANES c + (0..MS_NN__V_LANES-1) modulo
+   MS_NN__V_LANES MS_NN__W_CHAINS; the chains are added in pairs, then comes what is left of the columns, then the sum
+   of the lanes. The order depends on nothing but cols, so that tiles of any shape agree. This is the end of all of
+   them. */
 #if MS_NN__V_LANES > 1
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(rest)(const ms_nn__dense *job, size_t row, size_t sample, MS_NN__V_FLOATS *total,
-                                                int rows, int batch, size_t left)
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(rest)(const ms_nn__dense *job, size_t row, size_t sample,
+                                                MS_NN__V_FLOATS *total, int rows, int batch, size_t left)
 {
     ms_nn_dtype dtype = job->m->dtype;
     MS_NN__V_FLOATS v[3], u;
@@ -6329,7 +6532,8 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(rest)(const ms_nn__dense *job, size_t 
     int r, b;
     for (at = cols - left; at < cols; at += n) {
         n = ms_nn__min(cols - at, MS_NN__V_LANES);
-        for (b = 0; b < batch; ++b) MS_NN__W_PART(v[b], (const unsigned char *)(x + (size_t)b * cols + at), MS_NN_F32, n);
+        for (b = 0; b < batch; ++b)
+            MS_NN__W_PART(v[b], (const unsigned char *)(x + (size_t)b * cols + at), MS_NN_F32, n);
         for (r = 0; r < rows; ++r) {
             MS_NN__W_PART(u, w + ((size_t)r * cols + at) * size, dtype, n);
             for (b = 0; b < batch; ++b) total[b * rows + r] = MS_NN__V_MADD(u, v[b], total[b * rows + r]);
@@ -6337,8 +6541,8 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(rest)(const ms_nn__dense *job, size_t 
     }
 }
 
-MS_NN__INLINE void MS_NN__FN(finish)(const ms_nn__dense *job, size_t row, size_t sample, int rows, int batch, size_t left,
-                                     MS_NN__V_FLOATS *total)
+MS_NN__INLINE void MS_NN__FN(finish)(const ms_nn__dense *job, size_t row, size_t sample, int rows, int batch,
+                                     size_t left, MS_NN__V_FLOATS *total)
 {
     const ms_nn__matrix *m = job->m;
     int b, i;
@@ -6368,8 +6572,8 @@ MS_NN__INLINE void MS_NN__FN(finish)(const ms_nn__dense *job, size_t row, size_t
 }
 
 MS_NN__KERNEL MS_NN__APART void MS_NN__FN(finish_rows)(const ms_nn__dense *job, size_t row, size_t sample, int rows,
-                                                       size_t left, MS_NN__V_FLOATS a, MS_NN__V_FLOATS b, MS_NN__V_FLOATS c,
-                                                       MS_NN__V_FLOATS d)
+                                                       size_t left, MS_NN__V_FLOATS a, MS_NN__V_FLOATS b,
+                                                       MS_NN__V_FLOATS c, MS_NN__V_FLOATS d)
 {
     MS_NN__V_FLOATS total[4];
     total[0] = a;
@@ -6382,8 +6586,8 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(finish_rows)(const ms_nn__dense *job, 
 #endif
 
 /* `rows` rows of a type times `batch` samples, all three constants, but for what is left of the columns. */
-MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows, int batch,
-                                   MS_NN__V_FLOATS *total)
+MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows,
+                                   int batch, MS_NN__V_FLOATS *total)
 {
     size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), k = 0;
     const unsigned char *w[MS_NN__W_ROWS];
@@ -6403,8 +6607,8 @@ MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t s
     for (b = 0; b < batch; ++b) x[b] = job->x + (sample + (size_t)b) * cols;
 #if MS_NN__ISA == 4
     if (rows == 1) {
-        /* By halves of vectors: 32 bytes at a time come from memory up to 1.15 times as fast as 64 on Zen 4 with small pages.
-           Lanes and order are the same. */
+        /* By halves of vectors: 32 bytes at a time come from memory up to 1.15 times as fast as 64 on Zen 4 with small
+           pages. Lanes and order are the same. */
         __m256 half[2 * MS_NN__W_CHAINS], u;
         MS_NN__UNROLL
         for (c = 0; c < 2 * MS_NN__W_CHAINS; ++c) half[c] = _mm256_setzero_ps();
@@ -6415,15 +6619,15 @@ MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t s
                 if (dtype == MS_NN_F32) u = _mm256_loadu_ps((const float *)(const void *)p);
                 else if (dtype == MS_NN_F16) u = _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)p));
                 else
-                    u = _mm256_castsi256_ps(
-                        _mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)p)), 16));
+                    u = _mm256_castsi256_ps(_mm256_slli_epi32(
+                        _mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)p)), 16));
                 half[c] = _mm256_fmadd_ps(u, _mm256_loadu_ps(x[0] + k + 8 * (size_t)c), half[c]);
             }
         }
         MS_NN__UNROLL
         for (c = 0; c < MS_NN__W_CHAINS; ++c)
-            s[0][0][c] = _mm512_castpd_ps(_mm512_maskz_insertf64x4(0xFF, _mm512_castps_pd(_mm512_castps256_ps512(half[2 * c])),
-                                                                   _mm256_castps_pd(half[2 * c + 1]), 1));
+            s[0][0][c] = _mm512_castpd_ps(_mm512_maskz_insertf64x4(
+                0xFF, _mm512_castps_pd(_mm512_castps256_ps512(half[2 * c])), _mm256_castps_pd(half[2 * c + 1]), 1));
     }
 #endif
     for (; k + MS_NN__V_LANES * MS_NN__W_CHAINS <= cols; k += MS_NN__V_LANES * MS_NN__W_CHAINS) {
@@ -6488,11 +6692,11 @@ MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t s
         size_t k, cols = job->m->cols;
         ms_nn_dtype dtype = job->m->dtype;
         for (k = cols - left; k < cols; ++k)
-            total[0] +=
-                MS_NN__FN(weight)(job->m->w + (row * cols + k) * ms_nn__bytes_of(dtype), dtype) * job->x[sample * cols + k];
+            total[0] += MS_NN__FN(weight)(job->m->w + (row * cols + k) * ms_nn__bytes_of(dtype), dtype) *
+                job->x[sample * cols + k];
         if (job->m->scale) total[0] *= ms_nn__float_at(job->m->scale, row);
-        job->y[sample * job->m->rows + row] =
-            total[0] + (job->m->bias && !job->linear ? ms_nn__float_at(job->m->bias, row) : 0.0f);
+        job->y[sample * job->m->rows + row] = total[0] +
+            (job->m->bias && !job->linear ? ms_nn__float_at(job->m->bias, row) : 0.0f);
     }
 #else
     MS_NN__FN(finish_rows)
@@ -6510,7 +6714,8 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(rows)(const ms_nn__dense *job, size_t 
     for (; row < row1; ++row) MS_NN__FN(dots)(job, row, sample, 1);
 }
 
-/* Batches go by blocks of samples that stay in the first cache, three samples at a time; what is left over runs as if alone. */
+/* Batches go by blocks of samples that stay in the first cache, three samples at a time; what is left over runs as if
+   alone. */
 MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
     size_t batch = (size_t)job->batch, step = ms_nn__samples(job->m->cols), row, next, b0, b1, b;
@@ -6536,8 +6741,8 @@ MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t
     }
 }
 
-/* Packed weights. An output is the sum over the first half of the columns plus that over the second, each from the left,
-   whatever the tile; a sample alone takes both at once, for more sums that do not wait for each other. */
+/* Packed weights. An output is the sum over the first half of the columns plus that over the second, each from the
+   left, whatever the tile; a sample alone takes both at once, for more sums that do not wait for each other. */
 #if MS_NN__V_LANES == 1
 #define MS_NN__P_ROWS 4
 MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_t row1)
@@ -6563,7 +6768,8 @@ MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_
             }
             for (k = 0; k < ms_nn__min(4, m->rows - row); ++k) {
                 if (m->scale) total[k] *= ms_nn__float_at(m->scale, row + k);
-                job->y[b * m->rows + row + k] = total[k] + (m->bias && !job->linear ? ms_nn__float_at(m->bias, row + k) : 0.0f);
+                job->y[b * m->rows + row + k] = total[k] +
+                    (m->bias && !job->linear ? ms_nn__float_at(m->bias, row + k) : 0.0f);
             }
         }
 }
@@ -6593,8 +6799,9 @@ MS_NN__KERNEL void MS_NN__FN(packed_back)(const ms_nn__dense *job, size_t col0, 
 #endif
 
 /* The sums of a tile, of the halves [vectors][batch] each, into its outputs. */
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(packed_end)(const ms_nn__dense *job, size_t row, size_t sample, int vectors, int batch,
-                                                      const MS_NN__V_FLOATS *half0, const MS_NN__V_FLOATS *half1)
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(packed_end)(const ms_nn__dense *job, size_t row, size_t sample, int vectors,
+                                                      int batch, const MS_NN__V_FLOATS *half0,
+                                                      const MS_NN__V_FLOATS *half1)
 {
     const ms_nn__matrix *m = job->m;
     size_t i;
@@ -6609,8 +6816,8 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(packed_end)(const ms_nn__dense *job, s
                       plus = m->bias && !job->linear ? ms_nn__float_at(m->bias, row + i) : 0.0f;
                 for (b = 0; b < batch; ++b) {
                     MS_NN__V_STORE(part,
-                                   MS_NN__V_MADD(MS_NN__V_ADD(half0[v * batch + b], half1[v * batch + b]), MS_NN__V_SET(one),
-                                                 MS_NN__V_SET(plus)));
+                                   MS_NN__V_MADD(MS_NN__V_ADD(half0[v * batch + b], half1[v * batch + b]),
+                                                 MS_NN__V_SET(one), MS_NN__V_SET(plus)));
                     y[(size_t)b * m->rows + i] = part[i];
                 }
             }
@@ -6624,11 +6831,11 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(packed_end)(const ms_nn__dense *job, s
 }
 
 /* Two panels, or one twice where there is no other. dtype and batch are constants. */
-MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int vectors,
-                                        int batch)
+MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype,
+                                        int vectors, int batch)
 {
-    size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), wide = 2 * MS_NN__V_LANES * size, half = (cols + 1) / 2, k, end,
-           second = vectors == 4 ? cols * wide : 0;
+    size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), wide = 2 * MS_NN__V_LANES * size, half = (cols + 1) / 2,
+           k, end, second = vectors == 4 ? cols * wide : 0;
     const unsigned char *w = job->m->packed + row * cols * size;
     const float *x = job->x + sample * cols;
     MS_NN__V_FLOATS total[2][4 * MS_NN__P_SAMPLES], s[4][MS_NN__P_SAMPLES], u, value[MS_NN__P_SAMPLES];
@@ -6643,16 +6850,16 @@ MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t row, siz
             MS_NN__UNROLL
             for (v = 0; v < 4; ++v)
                 s[v][0] = MS_NN__V_MADD(
-                    MS_NN__FN(weight)(p + (size_t)(v / 2) * second + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype), value[0],
-                    s[v][0]);
+                    MS_NN__FN(weight)(p + (size_t)(v / 2) * second + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype),
+                    value[0], s[v][0]);
             if (k + half == cols) break; /* the first half may have one more */
             value[0] = MS_NN__V_SET(x[k + half]);
             p += half * wide;
             MS_NN__UNROLL
             for (v = 0; v < 4; ++v)
                 t[v] = MS_NN__V_MADD(
-                    MS_NN__FN(weight)(p + (size_t)(v / 2) * second + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype), value[0],
-                    t[v]);
+                    MS_NN__FN(weight)(p + (size_t)(v / 2) * second + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype),
+                    value[0], t[v]);
         }
         MS_NN__UNROLL
         for (v = 0; v < 4; ++v) {
@@ -6688,14 +6895,15 @@ MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t row, siz
     MS_NN__FN(packed_end)(job, row, sample, vectors, batch, total[0], total[1]);
 }
 
-MS_NN__INLINE void MS_NN__FN(packed_typed)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int vectors,
-                                           int batch)
+MS_NN__INLINE void MS_NN__FN(packed_typed)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype,
+                                           int vectors, int batch)
 {
 #if MS_NN__P_SAMPLES > 3
     if (batch > 3) MS_NN__FN(packed_of)(job, row, sample, dtype, vectors, MS_NN__P_SAMPLES);
     else
 #endif
-    if (batch == 3) MS_NN__FN(packed_of)(job, row, sample, dtype, vectors, 3);
+        if (batch == 3)
+        MS_NN__FN(packed_of)(job, row, sample, dtype, vectors, 3);
     else MS_NN__FN(packed_of)(job, row, sample, dtype, vectors, 1);
 }
 
@@ -6709,18 +6917,19 @@ MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_
             together = batch - b >= MS_NN__P_SAMPLES ? MS_NN__P_SAMPLES : batch - b >= 3 ? 3 : 1;
 #if !MS_NN__B_WIDEN
             if (job->m->packed_dtype == MS_NN_F16) MS_NN__FN(packed_typed)(job, row, b, MS_NN_F16, vectors, together);
-            else if (job->m->packed_dtype == MS_NN_BF16) MS_NN__FN(packed_typed)(job, row, b, MS_NN_BF16, vectors, together);
+            else if (job->m->packed_dtype == MS_NN_BF16)
+                MS_NN__FN(packed_typed)(job, row, b, MS_NN_BF16, vectors, together);
             else
 #endif
-            MS_NN__FN(packed_typed)(job, row, b, MS_NN_F32, vectors, together);
+                MS_NN__FN(packed_typed)(job, row, b, MS_NN_F32, vectors, together);
         }
     }
 }
 #endif
 
 #if MS_NN__V_LANES > 1
-/* Adds the products of panels, `step` bytes apart, to the sums of n columns, a vector each; dtype, batch and panels (1 or 2)
-   are constants. */
+/* Adds the products of panels, `step` bytes apart, to the sums of n columns, a vector each; dtype, batch and panels (1
+   or 2) are constants. */
 #define MS_NN__P_COLS 64
 MS_NN__INLINE void MS_NN__FN(packed_columns)(const unsigned char *w, size_t step, ms_nn_dtype dtype, const float *g,
                                              size_t rows, size_t n, MS_NN__V_FLOATS sum[3][MS_NN__P_COLS], int batch,
@@ -6750,22 +6959,24 @@ MS_NN__INLINE void MS_NN__FN(packed_columns)(const unsigned char *w, size_t step
 }
 
 /* Two panels, or one: then sample by sample. */
-MS_NN__INLINE void MS_NN__FN(packed_columns_typed)(const unsigned char *w, size_t step, ms_nn_dtype dtype, const float *g,
-                                                   size_t rows, size_t n, MS_NN__V_FLOATS sum[3][MS_NN__P_COLS], int batch,
-                                                   int panels)
+MS_NN__INLINE void MS_NN__FN(packed_columns_typed)(const unsigned char *w, size_t step, ms_nn_dtype dtype,
+                                                   const float *g, size_t rows, size_t n,
+                                                   MS_NN__V_FLOATS sum[3][MS_NN__P_COLS], int batch, int panels)
 {
     int b;
     if (panels == 2 && batch == 3 && !MS_NN__B_WIDEN) MS_NN__FN(packed_columns)(w, step, dtype, g, rows, n, sum, 3, 2);
     else if (panels == 2) MS_NN__FN(packed_columns)(w, step, dtype, g, rows, n, sum, 1, 2);
-    else for (b = 0; b < batch; ++b) MS_NN__FN(packed_columns)(w, step, dtype, g + (size_t)b * rows, rows, n, sum + b, 1, 1);
+    else
+        for (b = 0; b < batch; ++b)
+            MS_NN__FN(packed_columns)(w, step, dtype, g + (size_t)b * rows, rows, n, sum + b, 1, 1);
 }
 
 /* Output gradients times columns: the lanes of a column's sum go over the panels from the first, whatever the batch. */
 MS_NN__KERNEL void MS_NN__FN(packed_back)(const ms_nn__dense *job, size_t col0, size_t col1)
 {
     const ms_nn__matrix *m = job->m;
-    size_t rows = (m->rows + MS_NN__P_ROWS - 1) / MS_NN__P_ROWS * MS_NN__P_ROWS, size = ms_nn__bytes_of(m->packed_dtype),
-           batch = (size_t)job->batch, k, b, p, c, n;
+    size_t rows = (m->rows + MS_NN__P_ROWS - 1) / MS_NN__P_ROWS * MS_NN__P_ROWS,
+           size = ms_nn__bytes_of(m->packed_dtype), batch = (size_t)job->batch, k, b, p, c, n;
     size_t step = MS_NN__P_ROWS * m->cols * size;
     int together, panels, i;
     for (k = col0; k < col1; k += n) {
@@ -6786,7 +6997,7 @@ MS_NN__KERNEL void MS_NN__FN(packed_back)(const ms_nn__dense *job, size_t col0, 
                     MS_NN__FN(packed_columns_typed)(w, step, MS_NN_BF16, g, rows, n, sum, together, panels);
                 else
 #endif
-                MS_NN__FN(packed_columns_typed)(w, step, MS_NN_F32, g, rows, n, sum, together, panels);
+                    MS_NN__FN(packed_columns_typed)(w, step, MS_NN_F32, g, rows, n, sum, together, panels);
             }
             for (i = 0; i < together; ++i)
                 for (c = 0; c < n; c += 4) {
@@ -6818,8 +7029,8 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy_rest)(const unsigned char *const 
 }
 
 /* dtype and batch are constants. */
-MS_NN__INLINE void MS_NN__FN(axpy_of)(const unsigned char *const *w, const float *g, size_t g_stride, float *out, size_t stride,
-                                      size_t n, ms_nn_dtype dtype, int batch)
+MS_NN__INLINE void MS_NN__FN(axpy_of)(const unsigned char *const *w, const float *g, size_t g_stride, float *out,
+                                      size_t stride, size_t n, ms_nn_dtype dtype, int batch)
 {
     const unsigned char *row[4];
     MS_NN__V_FLOATS factor[4][3], sum[3];
@@ -6844,7 +7055,8 @@ MS_NN__INLINE void MS_NN__FN(axpy_of)(const unsigned char *const *w, const float
         MS_NN__UNROLL
         for (b = 0; b < batch; ++b) MS_NN__V_STORE(out + (size_t)b * stride + k, sum[b]);
     }
-    for (b = 0; k < n && b < batch; ++b) MS_NN__FN(axpy_rest)(w, dtype, g + (size_t)b * g_stride, out + (size_t)b * stride, k, n);
+    for (b = 0; k < n && b < batch; ++b)
+        MS_NN__FN(axpy_rest)(w, dtype, g + (size_t)b * g_stride, out + (size_t)b * stride, k, n);
 }
 
 MS_NN__INLINE void MS_NN__FN(axpy_typed)(const unsigned char *const *w, const float *g, size_t g_stride, float *out,
@@ -6854,8 +7066,8 @@ MS_NN__INLINE void MS_NN__FN(axpy_typed)(const unsigned char *const *w, const fl
     else MS_NN__FN(axpy_of)(w, g, g_stride, out, stride, n, dtype, 1);
 }
 
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy)(const unsigned char *const *w, const float *g, size_t g_stride, float *out,
-                                                size_t stride, size_t n, ms_nn_dtype dtype, int batch)
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy)(const unsigned char *const *w, const float *g, size_t g_stride,
+                                                float *out, size_t stride, size_t n, ms_nn_dtype dtype, int batch)
 {
 #if !MS_NN__B_WIDEN
     if (dtype == MS_NN_F16) MS_NN__FN(axpy_typed)(w, g, g_stride, out, stride, n, MS_NN_F16, batch);
@@ -6863,7 +7075,7 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(axpy)(const unsigned char *const *w, c
     else if (dtype == MS_NN_I8) MS_NN__FN(axpy_typed)(w, g, g_stride, out, stride, n, MS_NN_I8, batch);
     else
 #endif
-    MS_NN__FN(axpy_typed)(w, g, g_stride, out, stride, n, MS_NN_F32, batch);
+        MS_NN__FN(axpy_typed)(w, g, g_stride, out, stride, n, MS_NN_F32, batch);
     (void)dtype;
 }
 
@@ -6889,10 +7101,10 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(widen)(const unsigned char *p, size_t 
     else MS_NN__FN(widen_typed)(p, n, out, MS_NN_I8);
 }
 
-/* Four rows times the samples [b0, b1). Rows behind the last are zeros, whose n is at most MS_NN__WIDE. Of a batch n is at most
-   MS_NN__COLS. */
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(back_rows)(const ms_nn__dense *job, size_t row, size_t last, size_t at, size_t n,
-                                                     size_t b0, size_t b1, float *out)
+/* Four rows times the samples [b0, b1). Rows behind the last are zeros, whose n is at most MS_NN__WIDE. Of a batch n is
+   at most MS_NN__COLS. */
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(back_rows)(const ms_nn__dense *job, size_t row, size_t last, size_t at,
+                                                     size_t n, size_t b0, size_t b1, float *out)
 {
     const ms_nn__matrix *m = job->m;
     size_t cols = m->cols, b;
@@ -6903,7 +7115,8 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(back_rows)(const ms_nn__dense *job, si
     int r, i, together;
     for (r = 0; r < 4; ++r) {
         int real = row + (size_t)r < last;
-        w[r] = real ? m->w + ((row + (size_t)r) * cols + at) * ms_nn__bytes_of(m->dtype) : (const unsigned char *)ms_nn__zeros;
+        w[r] = real ? m->w + ((row + (size_t)r) * cols + at) * ms_nn__bytes_of(m->dtype)
+                    : (const unsigned char *)ms_nn__zeros;
         scale[r] = real && m->dtype == MS_NN_I8 ? ms_nn__float_at(m->scale, row + (size_t)r) : 1.0f;
         if (real && dtype != m->dtype) {
             MS_NN__FN(widen)(w[r], n, wide[r], m->dtype);
@@ -6918,13 +7131,15 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(back_rows)(const ms_nn__dense *job, si
         }
         for (i = 0; i < together; ++i)
             for (r = 0; r < 4; ++r)
-                g[i][r] = row + (size_t)r < last ? job->x[(b + (size_t)i) * m->rows + row + (size_t)r] * scale[r] : 0.0f;
+                g[i][r] = row + (size_t)r < last ? job->x[(b + (size_t)i) * m->rows + row + (size_t)r] * scale[r]
+                                                 : 0.0f;
         MS_NN__FN(axpy)(w, &g[0][0], 4, out + b * cols + at, cols, n, dtype, together);
     }
 }
 
 /* For a batch 64 rows of MS_NN__COLS columns stay in the second cache, 12 samples' sums over them in the first. */
-MS_NN__KERNEL void MS_NN__FN(dense_back)(const ms_nn__dense *job, size_t row0, size_t row1, size_t col0, size_t col1, float *out)
+MS_NN__KERNEL void MS_NN__FN(dense_back)(const ms_nn__dense *job, size_t row0, size_t row1, size_t col0, size_t col1,
+                                         float *out)
 {
     size_t batch = (size_t)job->batch, row, b0, b1, from, to, first, last, at, n;
     for (from = col0; from < col1; from = to) {
@@ -6943,9 +7158,10 @@ MS_NN__KERNEL void MS_NN__FN(dense_back)(const ms_nn__dense *job, size_t row0, s
     }
 }
 
-/* MS_NN__V_BLOCK outputs x tile vectors of positions of one row: y(o, x) = bias(o) + sum_c sum_t w(o, c, t) in(c, x + t). */
-MS_NN__INLINE void MS_NN__FN(conv_tile_of)(const ms_nn__conv *v, const float *in, const float *w, const float *bias, float *out,
-                                           size_t out_plane, size_t outs, int tile)
+/* MS_NN__V_BLOCK outputs x tile vectors of positions of one row: y(o, x) = bias(o) + sum_c sum_t w(o, c, t) in(c, x +
+   t). */
+MS_NN__INLINE void MS_NN__FN(conv_tile_of)(const ms_nn__conv *v, const float *in, const float *w, const float *bias,
+                                           float *out, size_t out_plane, size_t outs, int tile)
 {
     size_t c, t;
     MS_NN__V_FLOATS sum[MS_NN__V_BLOCK][MS_NN__V_TILE];
@@ -6978,8 +7194,9 @@ MS_NN__INLINE void MS_NN__FN(conv_tile_of)(const ms_nn__conv *v, const float *in
     }
 }
 
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(conv_tile)(const ms_nn__conv *v, const float *in, const float *w, const float *bias,
-                                                     float *out, size_t out_plane, size_t outs, size_t tile)
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(conv_tile)(const ms_nn__conv *v, const float *in, const float *w,
+                                                     const float *bias, float *out, size_t out_plane, size_t outs,
+                                                     size_t tile)
 {
     if (tile == MS_NN__V_TILE) MS_NN__FN(conv_tile_of)(v, in, w, bias, out, out_plane, outs, MS_NN__V_TILE);
     else MS_NN__FN(conv_tile_of)(v, in, w, bias, out, out_plane, outs, 1);
@@ -7023,9 +7240,8 @@ MS_NN__KERNEL void MS_NN__FN(conv_pair)(const ms_nn__conv_job *job, const float 
     for (x = 0; x < v->out.w;) {
         size_t left = v->out.w - x, tile = left > (MS_NN__V_TILE - 1) * MS_NN__V_LANES ? MS_NN__V_TILE : 1,
                width = ms_nn__min(left, tile * MS_NN__V_LANES);
-        for (j = 0; j < 4; ++j)
-            MS_NN__FN(conv_tile)
-            (v, in + j * v->pitch + x, w + j * part, zero, m[j], MS_NN__V_TILE * MS_NN__V_LANES, MS_NN__V_BLOCK, tile);
+        for (j = 0; j < 4; ++j) MS_NN__FN(conv_tile)
+        (v, in + j * v->pitch + x, w + j * part, zero, m[j], MS_NN__V_TILE * MS_NN__V_LANES, MS_NN__V_BLOCK, tile);
         for (i = 0; i < outs; ++i) {
             float *m0 = m[0] + i * MS_NN__V_TILE * MS_NN__V_LANES, *m1 = m[1] + i * MS_NN__V_TILE * MS_NN__V_LANES,
                   *to = out + i * job->y_plane + x;
@@ -7033,11 +7249,13 @@ MS_NN__KERNEL void MS_NN__FN(conv_pair)(const ms_nn__conv_job *job, const float 
             for (j = 0; j < tile; ++j) {
                 MS_NN__V_FLOATS a = MS_NN__V_LOAD(m1 + j * MS_NN__V_LANES),
                                 b = MS_NN__V_LOAD(m[2] + i * MS_NN__V_TILE * MS_NN__V_LANES + j * MS_NN__V_LANES);
-                MS_NN__V_STORE(m1 + j * MS_NN__V_LANES,
-                               MS_NN__V_SUB(MS_NN__V_ADD(bias, MS_NN__V_SUB(a, b)),
-                                            MS_NN__V_LOAD(m[3] + i * MS_NN__V_TILE * MS_NN__V_LANES + j * MS_NN__V_LANES)));
-                MS_NN__V_STORE(m0 + j * MS_NN__V_LANES,
-                               MS_NN__V_ADD(MS_NN__V_ADD(bias, MS_NN__V_ADD(a, b)), MS_NN__V_LOAD(m0 + j * MS_NN__V_LANES)));
+                MS_NN__V_STORE(
+                    m1 + j * MS_NN__V_LANES,
+                    MS_NN__V_SUB(MS_NN__V_ADD(bias, MS_NN__V_SUB(a, b)),
+                                 MS_NN__V_LOAD(m[3] + i * MS_NN__V_TILE * MS_NN__V_LANES + j * MS_NN__V_LANES)));
+                MS_NN__V_STORE(
+                    m0 + j * MS_NN__V_LANES,
+                    MS_NN__V_ADD(MS_NN__V_ADD(bias, MS_NN__V_ADD(a, b)), MS_NN__V_LOAD(m0 + j * MS_NN__V_LANES)));
             }
             memcpy(to, m0, width * sizeof(float));
             if (rows == 2) memcpy(to + job->y_row, m1, width * sizeof(float));
@@ -7089,8 +7307,9 @@ MS_NN__KERNEL void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t strip, con
         }
 }
 
-/* e^x - c, c = 0 or 1, for x <= 88, subnormal results included: x = n ln 2 + r, 2^n (e^r - 1) + (2^n - c), 2^n in two factors;
-   e^r - 1 = r + r^2 q(r) with the Taylor coefficients 1/2 to 1/5040, |r| <= 0.347: relative error below 2 ulp. */
+/* e^x - c, c = 0 or 1, for x <= 88, subnormal results included: x = n ln 2 + r, 2^n (e^r - 1) + (2^n - c), 2^n in two
+   factors; e^r - 1 = r + r^2 q(r) with the Taylor coefficients 1/2 to 1/5040, |r| <= 0.347: relative error below 2
+   ulp. */
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(exp_minus)(MS_NN__V_FLOATS x, MS_NN__V_FLOATS c)
 {
     MS_NN__V_FLOATS r, q, s, t, half;
@@ -7098,7 +7317,8 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(exp_minus)(MS_NN__V_FLOATS x, MS_NN__V_F
     x = MS_NN__V_MAX(MS_NN__V_SET(-104.0f), MS_NN__V_MIN(MS_NN__V_SET(88.0f), x));
     n = MS_NN__V_ROUND(MS_NN__V_MUL(x, MS_NN__V_SET(1.44269504f)));
     t = MS_NN__V_FROM_INT(n);
-    r = MS_NN__V_MADD(t, MS_NN__V_SET(-0.693145752f), x); /* ln 2 in two pieces: the first has 15 bits, t times it is exact */
+    r = MS_NN__V_MADD(t, MS_NN__V_SET(-0.693145752f),
+                      x); /* ln 2 in two pieces: the first has 15 bits, t times it is exact */
     r = MS_NN__V_MADD(t, MS_NN__V_SET(-1.42860677e-6f), r);
     q = MS_NN__V_SET(1.0f / 5040);
     q = MS_NN__V_MADD(q, r, MS_NN__V_SET(1.0f / 720));
@@ -7130,12 +7350,12 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(log1p)(MS_NN__V_FLOATS e)
     return MS_NN__V_MUL(two, MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f)));
 }
 
-/* y = f(x), or with slope y *= f'(x), for n floats, whole vectors. All but relu and leaky_relu share e = e^-|x|, or what stands
-   for it; which of them it is, is the same for every vector and costs a branch that is foreseen. Slopes are functions of x:
-   those of y
+/* y = f(x), or with slope y *= f'(x), for n floats, whole vectors. All but relu and leaky_relu share e = e^-|x|, or
+   what stands for it; which of them it is, is the same for every vector and costs a branch that is foreseen. Slopes are
+   functions of x: those of y
    lose their digits where f is flat. */
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(curve)(const float *x, float *y, size_t n, ms_nn__activation activation, float alpha,
-                                                 int slope)
+MS_NN__KERNEL MS_NN__APART void MS_NN__FN(curve)(const float *x, float *y, size_t n, ms_nn__activation activation,
+                                                 float alpha, int slope)
 {
     MS_NN__V_FLOATS zero = MS_NN__V_SET(0.0f), one = MS_NN__V_SET(1.0f), a = MS_NN__V_SET(alpha), v, e, f, up;
     MS_NN__V_FLOATS c = MS_NN__V_SET(!slope && (activation == MS_NN__ELU || activation == MS_NN__TANH) ? 1.0f : 0.0f);
@@ -7161,11 +7381,14 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(curve)(const float *x, float *y, size_
                 f = MS_NN__V_DIV(one, MS_NN__V_ADD(one, e));
                 up = MS_NN__V_MUL(f, MS_NN__V_IF_GREATER(zero, v, e, one)); /* sigmoid(x) */
                 if (activation == MS_NN__SIGMOID) f = slope ? MS_NN__V_MUL(MS_NN__V_MUL(f, f), e) : up;
-                else if (activation == MS_NN__TANH) f = MS_NN__V_MUL(MS_NN__V_SET(4.0f), MS_NN__V_MUL(MS_NN__V_MUL(f, f), e));
-                else if (activation == MS_NN__SOFTPLUS) f = slope ? up : MS_NN__V_ADD(MS_NN__V_MAX(zero, v), MS_NN__FN(log1p)(e));
+                else if (activation == MS_NN__TANH)
+                    f = MS_NN__V_MUL(MS_NN__V_SET(4.0f), MS_NN__V_MUL(MS_NN__V_MUL(f, f), e));
+                else if (activation == MS_NN__SOFTPLUS)
+                    f = slope ? up : MS_NN__V_ADD(MS_NN__V_MAX(zero, v), MS_NN__FN(log1p)(e));
                 else
-                    f = slope ? MS_NN__V_MADD(MS_NN__V_MUL(up, v), MS_NN__V_MUL(f, MS_NN__V_IF_GREATER(zero, v, one, e)), up)
-                              : MS_NN__V_MUL(v, up); /* silu */
+                    f = slope
+                        ? MS_NN__V_MADD(MS_NN__V_MUL(up, v), MS_NN__V_MUL(f, MS_NN__V_IF_GREATER(zero, v, one, e)), up)
+                        : MS_NN__V_MUL(v, up); /* silu */
             }
         }
         MS_NN__V_STORE(y + i, slope ? MS_NN__V_MUL(MS_NN__V_LOAD(y + i), f) : f);
@@ -7223,7 +7446,8 @@ MS_NN__KERNEL void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t
     }
 #endif
     for (; j < n; ++j)
-        y[j] = ms_nn__max_nan(ms_nn__max_nan(x[2 * j], x[2 * j + row]), ms_nn__max_nan(x[2 * j + 1], x[2 * j + row + 1]));
+        y[j] = ms_nn__max_nan(ms_nn__max_nan(x[2 * j], x[2 * j + row]),
+                              ms_nn__max_nan(x[2 * j + 1], x[2 * j + row + 1]));
 }
 #endif
 
@@ -7298,7 +7522,8 @@ MS_NN__INLINE void MS_NN__FN(gram_tile)(const double *a, const double *b, size_t
         }
 }
 
-MS_NN__KERNEL void MS_NN__FN(gram)(const double *a, size_t na, const double *b, size_t nb, size_t stride, size_t n, double *out)
+MS_NN__KERNEL void MS_NN__FN(gram)(const double *a, size_t na, const double *b, size_t nb, size_t stride, size_t n,
+                                   double *out)
 {
     size_t i, k;
     for (k = 0; k < nb; k += 2)
@@ -7307,15 +7532,16 @@ MS_NN__KERNEL void MS_NN__FN(gram)(const double *a, size_t na, const double *b, 
             size_t p, q;
             if (i + 4 <= na && k + 2 <= nb) MS_NN__FN(gram_tile)(ai, bk, stride, n, out + i * nb + k, nb, 4, 2);
             else if (i + 4 <= na) MS_NN__FN(gram_tile)(ai, bk, stride, n, out + i * nb + k, nb, 4, 1);
-            else for (p = i; p < na; ++p)
+            else
+                for (p = i; p < na; ++p)
                     for (q = k; q < ms_nn__min(k + 2, nb); ++q)
                         MS_NN__FN(gram_tile)(a + p * stride, b + q * stride, stride, n, out + p * nb + q, nb, 1, 1);
         }
 }
 
 /* y_k += sum_i s_ik a_i for ny x na vectors (at most 2 x 4) of n elements, `stride` apart. */
-MS_NN__INLINE void MS_NN__FN(add_tile)(double *y, const double *a, size_t stride, size_t n, const double *s, size_t s_stride,
-                                       int ny, int na)
+MS_NN__INLINE void MS_NN__FN(add_tile)(double *y, const double *a, size_t stride, size_t n, const double *s,
+                                       size_t s_stride, int ny, int na)
 {
     MS_NN__D_DOUBLES f[4][2];
     size_t j = 0;
@@ -7340,11 +7566,13 @@ MS_NN__INLINE void MS_NN__FN(add_tile)(double *y, const double *a, size_t stride
     }
     for (; j < n; ++j)
         for (k = 0; k < ny; ++k)
-            for (i = 0; i < na; ++i) y[(size_t)k * stride + j] += s[(size_t)i * s_stride + (size_t)k] * a[(size_t)i * stride + j];
+            for (i = 0; i < na; ++i)
+                y[(size_t)k * stride + j] += s[(size_t)i * s_stride + (size_t)k] * a[(size_t)i * stride + j];
 }
 
 /* The same for any ny and na; s [na][ny]. */
-MS_NN__KERNEL void MS_NN__FN(add)(double *y, size_t ny, const double *a, size_t na, size_t stride, size_t n, const double *s)
+MS_NN__KERNEL void MS_NN__FN(add)(double *y, size_t ny, const double *a, size_t na, size_t stride, size_t n,
+                                  const double *s)
 {
     size_t i, k;
     for (k = 0; k < ny; k += 2)
@@ -7354,7 +7582,8 @@ MS_NN__KERNEL void MS_NN__FN(add)(double *y, size_t ny, const double *a, size_t 
             size_t p, q;
             if (i + 4 <= na && k + 2 <= ny) MS_NN__FN(add_tile)(yk, ai, stride, n, sik, ny, 2, 4);
             else if (i + 4 <= na) MS_NN__FN(add_tile)(yk, ai, stride, n, sik, ny, 1, 4);
-            else for (p = i; p < na; ++p)
+            else
+                for (p = i; p < na; ++p)
                     for (q = k; q < ms_nn__min(k + 2, ny); ++q)
                         MS_NN__FN(add_tile)(y + q * stride, a + p * stride, stride, n, s + p * ny + q, ny, 1, 1);
         }
@@ -7397,9 +7626,9 @@ MS_NN__KERNEL void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, double fac
 #endif
 
 #ifndef MS_NN_NO_COLLAPSE
-#define MS_NN__D_KERNELS(level) \
+#define MS_NN__D_KERNELS(level)                                                                              \
     , MS_NN__JOIN(ms_nn__gram_, level), MS_NN__JOIN(ms_nn__add_, level), MS_NN__JOIN(ms_nn__rotate_, level), \
-    MS_NN__JOIN(ms_nn__row_, level)
+        MS_NN__JOIN(ms_nn__row_, level)
 #else
 #define MS_NN__D_KERNELS(level)
 #endif

@@ -9,9 +9,9 @@
 
    You have a renderer phi(x) (a small neural one, ms_nn.h runs such), and a target picture that somebody painted. This
    header finds the parameters x, inside their bounds, whose picture is closest: it tries the guesses that you have
-   (inversion networks, the previous frame, the source material), keeps the best, and refines it. It works from callbacks
-   alone, and its optimisers can be used on any function of up to 256 parameters. Link with -lm. Here a "renderer" of two
-   parameters and three pixels:
+   (inversion networks, the previous frame, the source material), keeps the best, and refines it. It works from
+   callbacks alone, and its optimisers can be used on any function of up to 256 parameters. Link with -lm. Here a
+   "renderer" of two parameters and three pixels:
 
    Example:
       #define MS_PME_IMPLEMENTATION
@@ -47,35 +47,35 @@
    ---------------
    The default is Levenberg-Marquardt whose every step is a least-squares problem inside the box, solved exactly by an
    active-set method whose QR factorisation follows each bound that is entered or left. On the 14 problems of
-   tests/data/pme_problems.json (More, Garbow, Hillstrom, free and bounded) it ends within 1e-7 of a trust-region solver's
-   minima on all (`tests/test_pme.c reference`; the methods of the thesis are in tests/bench/thesis_methods.h). With restarts
-   as many first guesses set out as the budget has steps for, the best of them go on (successive halving), and what is left
-   goes to the others and to random points. Give a Jacobian when you have one: it costs a network a few evaluations,
-   differences cost n. On float32 pictures differences of 1.5e-8, the customary default, are noise.
+   tests/data/pme_problems.json (More, Garbow, Hillstrom, free and bounded) it ends within 1e-7 of a trust-region
+   solver's minima on all (`tests/test_pme.c reference`; the methods of the thesis are in tests/bench/thesis_methods.h).
+   With restarts as many first guesses set out as the budget has steps for, the best of them go on (successive halving),
+   and what is left goes to the others and to random points. Give a Jacobian when you have one: it costs a network a few
+   evaluations, differences cost n. On float32 pictures differences of 1.5e-8, the customary default, are noise.
 
    Budget
    ------
-   Counted in evaluations; one with a Jacobian counts jacobian_cost. A call never spends more than max_cost (the candidates
-   of ms_pme_match, its final render and its deviations come on top), and stops earlier at a target value, after max_seconds
-   on the wall's clock, or when progress says so: before the next callback. `make bench FILTER=pme` has times and what more
-   cost buys.
+   Counted in evaluations; one with a Jacobian counts jacobian_cost. A call never spends more than max_cost (the
+   candidates of ms_pme_match, its final render and its deviations come on top), and stops earlier at a target value,
+   after max_seconds on the wall's clock, or when progress says so: before the next callback. `make bench FILTER=pme`
+   has times and what more cost buys.
 
    Edits that no material explains
    -------------------------------
    Exposure, tint and an offset of the picture can be fitted along (options.nuisance). A logo, a stitch: weights by
    ms_pme_reweigh, and match again from the answer, some times (examples/match.c --robust). Parameters: frozen by equal
-   bounds, tied (options.tie), pulled towards a source (options.pull); bounds around the last frame's answer limit what a
-   frame may change.
+   bounds, tied (options.tie), pulled towards a source (options.pull); bounds around the last frame's answer limit what
+   a frame may change.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
-   One block a call (two for ms_pme_match) from options.allocator, sizes stated there; stack below 32 KB, 64 KB when compiled
-   without optimisation.
+   One block a call (two for ms_pme_match) from options.allocator, sizes stated there; stack below 32 KB, 64 KB when
+   compiled without optimisation.
    No state: calls may overlap. The callbacks run on the calling thread; a renderer may be parallel inside.
    The same bits at every call with the same seed, as far as the callbacks' answers are; no SIMD, so on one build.
    -ffast-math voids this and what is said of NaN and infinity.
-   Statuses, and a sentence in ms_error. NaN or infinite values of a function are no errors: such points lose; a derivative
-   that is not finite is MS_BAD_DATA. Residuals may have any size that doubles have.
+   Statuses, and a sentence in ms_error. NaN or infinite values of a function are no errors: such points lose; a
+   derivative that is not finite is MS_BAD_DATA. Residuals may have any size that doubles have.
 
    Configuration (define before the implementation)
    ------------------------------------------------
@@ -84,15 +84,15 @@
 
    Limits
    ------
-   256 parameters; dense Jacobians [m][n] in double. Local methods: the answer is the minimum nearest to the best candidate;
-   restarts or basin hopping look further. A function must not be smoother than it says: noise larger than the tolerance
-   wants difference_step or Nelder-Mead.
+   256 parameters; dense Jacobians [m][n] in double. Local methods: the answer is the minimum nearest to the best
+   candidate; restarts or basin hopping look further. A function must not be smoother than it says: noise larger than
+   the tolerance wants difference_step or Nelder-Mead.
 
    Sources
    -------
-   Zsolnai-Feher, Photorealistic Material Learning and Synthesis, chapter 4 (algorithm 4, equations 4.1 to 4.4); More 1978;
-   Nielsen 1999; Stark and Parker 1995; Nocedal and Wright 2006; Nelder and Mead 1965; Wales and Doye 1997; Hestenes 1958;
-   Huber 1981; More, Garbow and Hillstrom 1981.
+   Zsolnai-Feher, Photorealistic Material Learning and Synthesis, chapter 4 (algorithm 4, equations 4.1 to 4.4); More
+   1978; Nielsen 1999; Stark and Parker 1995; Nocedal and Wright 2006; Nelder and Mead 1965; Wales and Doye 1997;
+   Hestenes 1958; Huber 1981; More, Garbow and Hillstrom 1981.
 */
 #ifndef MS_PME_H
 #define MS_PME_H
@@ -124,9 +124,9 @@ extern "C" {
 #define MS_API MS_DEF
 #endif
 
-/* NULL, in every header: where an argument's comment does not say what NULL means, it may not be NULL. A call that returns a
-   status then answers MS_INVALID_ARGUMENT and names the argument; any other does nothing and returns 0 or NULL.
-   destroy and free do nothing with NULL. */
+/* NULL, in every header: where an argument's comment does not say what NULL means, it may not be NULL. A call that
+   returns a status then answers MS_INVALID_ARGUMENT and names the argument; any other does nothing and returns 0 or
+   NULL. destroy and free do nothing with NULL. */
 
 /* What went wrong; each code asks for another remedy. code, value, sentence */
 #define MS_STATUS_LIST(X)                                                  \
@@ -143,7 +143,7 @@ typedef enum ms_status {
 #define MS_STATUS_ENUM(code, value, sentence) code = value,
     MS_STATUS_LIST(MS_STATUS_ENUM)
 #undef MS_STATUS_ENUM
-    MS_STATUS_COUNT /* how many codes there are */
+        MS_STATUS_COUNT /* how many codes there are */
 } ms_status;
 
 /* Details of a failure. Every call that takes one accepts NULL; it is written on failure only. */
@@ -205,7 +205,7 @@ static inline const char *ms_simd_string(ms_simd level)
     int i = (int)level;
     return i >= 0 && i <= (int)MS_SIMD_AVX512 ? name[i] : "unknown";
 }
-#endif /* MS_COMMON */
+#endif             /* MS_COMMON */
 #if MS_COMMON != 2 /* outside the guard: catches two vendored releases in one file */
 #error "ms_*.h headers of different releases in one translation unit"
 #endif
@@ -223,8 +223,8 @@ typedef struct ms_pme_function {
     size_t residual_count; /* m >= 1 with `residuals` */
     /* r [m] out. jacobian [m][n] row-major out, d r_i / d x_j, or NULL: not asked for. */
     ms_status (*residuals)(void *user, const double *x, double *r, double *jacobian);
-    int residuals_only;    /* non-zero: `residuals` cannot fill a Jacobian; differences take its place */
-    double jacobian_cost;  /* what one call with a Jacobian counts, in evaluations; 0: 1 + n / 4 */
+    int residuals_only;   /* non-zero: `residuals` cannot fill a Jacobian; differences take its place */
+    double jacobian_cost; /* what one call with a Jacobian counts, in evaluations; 0: 1 + n / 4 */
     /* For functions that are no sum of squares: */
     ms_status (*value)(void *user, const double *x, double *f);
     /* Optional: f and its gradient [n]; counts jacobian_cost. NULL: from the Jacobian, or by differences. */
@@ -250,18 +250,20 @@ typedef enum ms_pme_stop {
 
 /* All zero gives the defaults; ms_pme_defaults() returns that. */
 typedef struct ms_pme_options {
-    int method;             /* ms_pme_method */
-    double max_cost;        /* in evaluations of f (Jacobians at jacobian_cost); 0: 1000 */
-    double max_seconds;     /* of `clock`; 0: no limit. No callback begins that would end more than 5% later at the pace so far */
-    double target_value;    /* stop when f <= this; 0: only at 0 */
-    double tolerance;       /* relative decrease and relative step taken as converged; 0: 1e-10 */
-    double start_step;      /* Nelder-Mead: first edge as a fraction of the range (of max(|x|, 1) without bounds), 0: 0.1.
-                               Basin hopping: hop, 0: 0.25 */
+    int method;          /* ms_pme_method */
+    double max_cost;     /* in evaluations of f (Jacobians at jacobian_cost); 0: 1000 */
+    double max_seconds;  /* of `clock`; 0: no limit. No callback begins that would end more than 5% later at the pace so
+                            far */
+    double target_value; /* stop when f <= this; 0: only at 0 */
+    double tolerance;    /* relative decrease and relative step taken as converged; 0: 1e-10 */
+    double start_step;   /* Nelder-Mead: first edge as a fraction of the range (of max(|x|, 1) without bounds), 0: 0.1.
+                            Basin hopping: hop, 0: 0.25 */
     double difference_step; /* > 0: forward differences of this absolute step; 0: central, near the best step for f64.
                                A float32 renderer wants about 1e-3: with 1.5e-8 its differences are rounding noise */
-    int restarts;           /* Levenberg-Marquardt: further runs while cost is left, from random points, rough ones that are finished where
-                               they lead further. ms_pme_match has its best candidates race for the first part of the budget */
-    uint64_t seed;          /* of restarts and hops */
+    int restarts;  /* Levenberg-Marquardt: further runs while cost is left, from random points, rough ones that are
+                      finished where  they lead further. ms_pme_match has its best candidates race for the first part of
+                      the budget */
+    uint64_t seed; /* of restarts and hops */
     double (*clock)(void *user); /* seconds, from any origin; NULL: the wall's clock */
     void *clock_user;
     ms_progress progress;   /* asked before every callback */
@@ -269,15 +271,16 @@ typedef struct ms_pme_options {
 } ms_pme_options;
 
 typedef struct ms_pme_result {
-    double value;          /* f at x; infinite or 0 where the sum of squares is out of double's range */
-    double cost;           /* spent, in evaluations */
-    size_t evaluations;    /* calls without derivatives */
-    size_t jacobians;      /* calls with them */
-    size_t iterations;     /* steps of the method */
+    double value;       /* f at x; infinite or 0 where the sum of squares is out of double's range */
+    double cost;        /* spent, in evaluations */
+    size_t evaluations; /* calls without derivatives */
+    size_t jacobians;   /* calls with them */
+    size_t iterations;  /* steps of the method */
     ms_pme_stop stop;
-    double projected_gradient; /* largest |component| at x of the gradient that bounds do not hold; where a run ends
-                                  on a value, one call with derivatives more, which does not count, gives it. -1: not known (Nelder-Mead; no
-                                  time left; ms_pme_match or differences alone that ended on a value) */
+    double
+        projected_gradient; /* largest |component| at x of the gradient that bounds do not hold; where a run ends
+                               on a value, one call with derivatives more, which does not count, gives it. -1: not known
+                               (Nelder-Mead; no time left; ms_pme_match or differences alone that ended on a value) */
 } ms_pme_result;
 
 MS_API ms_pme_options ms_pme_defaults(void);
@@ -293,8 +296,8 @@ MS_API const char *ms_pme_method_string(int method);
    The answer is the same bits at every call with the same seed, as far as the callbacks are.
    MS_INVALID_ARGUMENT: n, m or a callback is missing or out of range, lower > upper or NaN (position tells which),
    x not finite, no finite value at the start. MS_BAD_DATA: a derivative is not finite at a point whose value is.
-   MS_OUT_OF_MEMORY, MS_CANCELLED, or what a callback returned: x is then untouched. MS_NOT_CONVERGED is never returned: a
-   budget that ended the run is said in result->stop. */
+   MS_OUT_OF_MEMORY, MS_CANCELLED, or what a callback returned: x is then untouched. MS_NOT_CONVERGED is never returned:
+   a budget that ended the run is said in result->stop. */
 MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_options *options, double *x,
                                  ms_pme_result *result, ms_error *error);
 
@@ -303,21 +306,22 @@ MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_o
 /* The picture is image_size floats in any order, phi(x). Thesis, chapter 4. */
 typedef struct ms_pme_renderer {
     void *user;
-    int parameter_count; /* n */
-    size_t image_size;   /* p: pixels times channels */
+    int parameter_count;         /* n */
+    size_t image_size;           /* p: pixels times channels */
     const double *lower, *upper; /* [n]; NULL: all 0, all 1 */
     /* phi(x) -> image [p] */
     ms_status (*render)(void *user, const double *x, float *image);
     /* Optional: image and d image_i / d x_j as [p][n]. */
     ms_status (*jacobian)(void *user, const double *x, float *image, float *jacobian);
     double jacobian_cost; /* in renders; 0: 1 + n / 4 */
-    /* Optional: prediction i of prediction_count inversion networks, target [p] -> x [n]; outside the box is allowed. */
+    /* Optional: prediction i of prediction_count inversion networks, target [p] -> x [n]; outside the box is
+       allowed. */
     int prediction_count;
     ms_status (*predict)(void *user, int i, const float *target, double *x);
     /* Optional: a smaller function with the same minimum, valid for this target and these weights (ms_nn.h's collapse):
        sum of squares + reduced_offset = sum of weight (phi - target)^2. Then candidates and refinement use it, and
-       `render` is called once, for the reported RMSE; where that is another than this function says, it was made for another
-       target or other weights, and the match fails. */
+       `render` is called once, for the reported RMSE; where that is another than this function says, it was made for
+       another target or other weights, and the match fails. */
     const ms_pme_function *reduced;
     double reduced_offset;
 } ms_pme_renderer;
@@ -335,19 +339,21 @@ typedef enum ms_pme_nuisance {
 } ms_pme_nuisance;
 
 typedef struct ms_pme_match_options {
-    ms_pme_options refine;   /* max_cost 0: 50, spent after the candidates; target_value is set from target_rmse */
-    double target_rmse;      /* good enough: no refinement once a candidate has it ("best of both worlds"); 0: none */
-    int initial_only;        /* non-zero: the best candidate as it is ("close to real time") */
-    const double *candidates;/* [candidate_count][n]: the previous frame's answer, the source material; may be NULL */
+    ms_pme_options refine;    /* max_cost 0: 50, spent after the candidates; target_value is set from target_rmse */
+    double target_rmse;       /* good enough: no refinement once a candidate has it ("best of both worlds"); 0: none */
+    int initial_only;         /* non-zero: the best candidate as it is ("close to real time") */
+    const double *candidates; /* [candidate_count][n]: the previous frame's answer, the source material; may be NULL */
     int candidate_count;
-    int random_count;        /* further candidates drawn uniformly. The middle of the box is tried where no other has a finite picture */
-    int nuisance;            /* flags of ms_pme_nuisance; `reduced` does not serve then */
-    int channels;            /* planes that follow each other in a picture, up to MS_PME_CHANNELS_MAX; 0: 1 */
-    const int *tie;          /* [n] x_j is x_tie[j]; a parameter tied to itself is free; NULL: all are */
-    const double *source;    /* [n] where pulls lead */
-    const double *pull;      /* [n] >= 0: pull (x_j - source_j)^2 is added to RMSE^2; NULL: none */
-    double *deviation;       /* [n] out, or NULL: standard deviations of x if errors of the size of the RMSE in the values are
-                                independent; 0 where bounds are equal, near 0.29 of its range where the picture leaves x_j open */
+    int random_count; /* further candidates drawn uniformly. The middle of the box is tried where no other has a finite
+                         picture */
+    int nuisance;     /* flags of ms_pme_nuisance; `reduced` does not serve then */
+    int channels;     /* planes that follow each other in a picture, up to MS_PME_CHANNELS_MAX; 0: 1 */
+    const int *tie;   /* [n] x_j is x_tie[j]; a parameter tied to itself is free; NULL: all are */
+    const double *source; /* [n] where pulls lead */
+    const double *pull;   /* [n] >= 0: pull (x_j - source_j)^2 is added to RMSE^2; NULL: none */
+    double *
+        deviation; /* [n] out, or NULL: standard deviations of x if errors of the size of the RMSE in the values are
+                      independent; 0 where bounds are equal, near 0.29 of its range where the picture leaves x_j open */
 } ms_pme_match_options;
 
 typedef struct ms_pme_match_result {
@@ -357,7 +363,8 @@ typedef struct ms_pme_match_result {
     int candidates_refused; /* predictions and candidates that were not finite */
     ms_pme_result refine;   /* cost does not hold that of the candidates */
     double cost;            /* all renders */
-    double gain[MS_PME_CHANNELS_MAX], offset[MS_PME_CHANNELS_MAX]; /* of each channel; 1 and 0 where nothing was fitted */
+    double gain[MS_PME_CHANNELS_MAX],
+        offset[MS_PME_CHANNELS_MAX]; /* of each channel; 1 and 0 where nothing was fitted */
 } ms_pme_match_result;
 
 MS_API ms_pme_match_options ms_pme_match_defaults(void);
@@ -368,23 +375,25 @@ MS_API ms_pme_match_options ms_pme_match_defaults(void);
    x        [n] out: the material
    image    [p] out: phi(x), gain and offset applied, or NULL
    MS_INVALID_ARGUMENT: as ms_pme_minimize; a target that is not finite (error->position: its index), a negative or
-   non-finite weight (likewise), weights that are all 0, no candidate with a finite picture, a reduced function of another target
-   or other weights (RMSE beyond a thousandth and 1e-5 of the target's size apart).
+   non-finite weight (likewise), weights that are all 0, no candidate with a finite picture, a reduced function of
+   another target or other weights (RMSE beyond a thousandth and 1e-5 of the target's size apart).
    MS_OUT_OF_MEMORY, MS_CANCELLED, or the status of a callback: outputs untouched. */
 MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *target, const float *weight,
-                              const ms_pme_match_options *options, double *x, float *image,
-                              ms_pme_match_result *result, ms_error *error);
+                              const ms_pme_match_options *options, double *x, float *image, ms_pme_match_result *result,
+                              ms_error *error);
 
-/* How an error of e costs, with s a typical one: Huber e^2 up to 1.345 s, then |e|; Tukey nothing more beyond 4.685 s. */
+/* How an error of e costs, with s a typical one: Huber e^2 up to 1.345 s, then |e|; Tukey nothing more beyond 4.685
+   s. */
 typedef enum ms_pme_loss { MS_PME_HUBER = 1, MS_PME_TUKEY = 2 } ms_pme_loss;
 
-/* Weights that make the next match's squares follow such a loss around this picture (Huber 1981): a pixel of `channels` values gets
-   one factor, so that channels go on sharing what they share.
+/* Weights that make the next match's squares follow such a loss around this picture (Huber 1981): a pixel of `channels`
+   values gets one factor, so that channels go on sharing what they share.
    scale       s; 0: 1.4826 times the median of the pixels' errors
    image, target, weight [count], weight NULL: all 1; reweighted [count] out, none of them
    used_scale  out, may be NULL */
-MS_API ms_status ms_pme_reweigh(int loss, double scale, size_t count, int channels, const float *image, const float *target, const float *weight,
-                                float *reweighted, double *used_scale, ms_error *error);
+MS_API ms_status ms_pme_reweigh(int loss, double scale, size_t count, int channels, const float *image,
+                                const float *target, const float *weight, float *reweighted, double *used_scale,
+                                ms_error *error);
 
 /* What a picture tells about the parameters: the singular values of the Jacobian at x, largest first.
    singular_value [n] out: change of the residual vector per unit change of x along that direction
@@ -428,17 +437,13 @@ static MS__UNUSED size_t ms__size_mul(size_t a, size_t b)
     return a != 0 && b > SIZE_MAX / a ? SIZE_MAX : a * b;
 }
 
-static MS__UNUSED size_t ms__size_add(size_t a, size_t b)
-{
-    return b > SIZE_MAX - a ? SIZE_MAX : a + b;
-}
+static MS__UNUSED size_t ms__size_add(size_t a, size_t b) { return b > SIZE_MAX - a ? SIZE_MAX : a + b; }
 
 /* NULL for size SIZE_MAX (overflow). Size 0 gives a pointer that must be released as well. */
 static MS__UNUSED void *ms__alloc(const ms_allocator *allocator, size_t size)
 {
     if (size == SIZE_MAX) return NULL;
-    if (allocator != NULL && allocator->alloc != NULL)
-        return allocator->alloc(allocator->user, size ? size : 1);
+    if (allocator != NULL && allocator->alloc != NULL) return allocator->alloc(allocator->user, size ? size : 1);
     return malloc(size ? size : 1);
 }
 
@@ -501,10 +506,19 @@ static MS__UNUSED int ms__format_number(char *out, double x)
         out[n] = 0;
         return n;
     }
-    while (x >= 1e6) { x /= 10; ++exponent; }
-    while (x < 1e5) { x *= 10; --exponent; }
+    while (x >= 1e6) {
+        x /= 10;
+        ++exponent;
+    }
+    while (x < 1e5) {
+        x *= 10;
+        --exponent;
+    }
     mantissa = (int64_t)(x + 0.5);
-    if (mantissa >= 1000000) { mantissa /= 10; ++exponent; }
+    if (mantissa >= 1000000) {
+        mantissa /= 10;
+        ++exponent;
+    }
     exponent += 5;
     for (i = 5; i >= 0; --i) {
         digit[i] = (char)('0' + (int)(mantissa % 10));
@@ -642,7 +656,8 @@ static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
     return ((double)(((a << 32) | b) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
 }
 
-/* IEEE binary16 by integers alone: subnormals, infinities and NaN, whatever the host's rounding and flushing of subnormals. */
+/* IEEE binary16 by integers alone: subnormals, infinities and NaN, whatever the host's rounding and flushing of
+   subnormals. */
 static MS__UNUSED float ms__half_to_float(uint16_t h)
 {
     uint32_t bits = (uint32_t)(h & 0x8000u) << 16, exponent = (h >> 10) & 31u, mantissa = h & 1023u;
@@ -680,8 +695,9 @@ static MS__UNUSED uint16_t ms__half_from_float(float value)
 #endif /* MS_COMMON_PRIVATE */
 /* ms-common-private end */
 
-/* Sections: small maths | the run: budgets and evaluations | bounded least squares | Levenberg-Marquardt | restarts | L-BFGS |
-   Nelder-Mead | basin hopping | public: minimize | match: objectives | match: stages | public: match | public: sensitivity */
+/* Sections: small maths | the run: budgets and evaluations | bounded least squares | Levenberg-Marquardt | restarts |
+   L-BFGS | Nelder-Mead | basin hopping | public: minimize | match: objectives | match: stages | public: match | public:
+   sensitivity */
 
 #include <float.h>
 #include <limits.h>
@@ -739,20 +755,11 @@ static void ms_pme__rotate(double *a, double *b, double c, double s, int n)
     }
 }
 
-static double ms_pme__clip(double x, double low, double high)
-{
-    return x < low ? low : x > high ? high : x;
-}
+static double ms_pme__clip(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
 
-static double ms_pme__max(double a, double b)
-{
-    return a > b ? a : b;
-}
+static double ms_pme__max(double a, double b) { return a > b ? a : b; }
 
-static void ms_pme__copy(double *to, const double *from, int n)
-{
-    memcpy(to, from, (size_t)n * sizeof *to);
-}
+static void ms_pme__copy(double *to, const double *from, int n) { memcpy(to, from, (size_t)n * sizeof *to); }
 
 /* x 2^e, infinite or 0 where that is out of range, without an exception on the way. */
 static double ms_pme__shifted(double x, int e)
@@ -785,9 +792,9 @@ static double ms_pme__rotation(double a, double b, double *c, double *s)
     return r;
 }
 
-/* k rows, kept as columns [n + 1][ROWS] (the last is the right-hand side), are folded into the upper triangle r [n + 1][n + 1] by
-   Householder reflections of (r_jj, column j): the R of a QR factorisation, built row block by row block (TSQR with a chain for a
-   tree). The columns are destroyed. */
+/* k rows, kept as columns [n + 1][ROWS] (the last is the right-hand side), are folded into the upper triangle r [n +
+   1][n + 1] by Householder reflections of (r_jj, column j): the R of a QR factorisation, built row block by row block
+   (TSQR with a chain for a tree). The columns are destroyed. */
 static void ms_pme__qr_append(double *r, int n, double *columns, int k)
 {
     int w = n + 1, i, j;
@@ -815,23 +822,23 @@ static void ms_pme__qr_append(double *r, int n, double *columns, int k)
 typedef struct ms_pme__run {
     const ms_pme_function *function;
     const ms_pme_options *options;
-    int n, ranged;                    /* ranged: every parameter has a range that means something */
+    int n, ranged; /* ranged: every parameter has a range that means something */
     size_t m;
     double max_cost, tolerance, jacobian_cost, start_time;
-    double paid, reserve;             /* cost since the start, what is to come when the run is over: for max_seconds */
-    int shift, shifted;               /* residuals are worked on times 2^shift, chosen once one was seen */
-    double *lower, *upper;            /* [n] */
-    double *best;                     /* [n] the best point evaluated, its value, and its projected gradient (-1: not known) */
+    double paid, reserve;  /* cost since the start, what is to come when the run is over: for max_seconds */
+    int shift, shifted;    /* residuals are worked on times 2^shift, chosen once one was seen */
+    double *lower, *upper; /* [n] */
+    double *best;          /* [n] the best point evaluated, its value, and its projected gradient (-1: not known) */
     double best_value, best_gradient;
     double *residual, *residual_step; /* [m] of the last evaluation; of a difference */
     double *jacobian;                 /* [m][n] of the last one with derivatives */
     double *rows;                     /* [n + 1][ROWS] some of its rows, column by column */
     double *scratch;                  /* what the methods share out among themselves */
     ms_pme_result result;
-    int stopped;                      /* a budget, the target, a failure: nothing more may be evaluated */
-    int finishing;                    /* the run is over: what is evaluated now is about its answer, and free */
+    int stopped;   /* a budget, the target, a failure: nothing more may be evaluated */
+    int finishing; /* the run is over: what is evaluated now is about its answer, and free */
     ms_status status;
-    size_t bad;                       /* the derivative that was not finite: residual, parameter */
+    size_t bad; /* the derivative that was not finite: residual, parameter */
     int bad_parameter;
     ms__rng rng;
 } ms_pme__run;
@@ -877,11 +884,14 @@ static int ms_pme__spend(ms_pme__run *run, double cost)
     if (run->finishing) return 0;
     if (run->result.cost + cost > run->max_cost * (1 + 1e-12)) return ms_pme__stop(run, MS_PME_STOP_COST);
     if (options->max_seconds > 0) { /* nothing that, at the pace so far, would end too late */
-        double spent = ms_pme__seconds(options) - run->start_time, next = run->paid > 0 ? spent / run->paid * (cost + run->reserve) : 0;
-        if (spent >= options->max_seconds || spent + next > 1.05 * options->max_seconds) return ms_pme__stop(run, MS_PME_STOP_SECONDS);
+        double spent = ms_pme__seconds(options) - run->start_time,
+               next = run->paid > 0 ? spent / run->paid * (cost + run->reserve) : 0;
+        if (spent >= options->max_seconds || spent + next > 1.05 * options->max_seconds)
+            return ms_pme__stop(run, MS_PME_STOP_SECONDS);
     }
     if (options->progress.report != NULL &&
-        options->progress.report(options->progress.user, ms__finite(run->max_cost) ? run->result.cost / run->max_cost : 0) != 0)
+        options->progress.report(options->progress.user,
+                                 ms__finite(run->max_cost) ? run->result.cost / run->max_cost : 0) != 0)
         return ms_pme__fail(run, MS_CANCELLED);
     run->result.cost += cost;
     run->paid += cost;
@@ -897,12 +907,14 @@ static double ms_pme__seen(ms_pme__run *run, const double *x, double f)
         run->best_gradient = -1;
         ms_pme__copy(run->best, x, run->n);
     }
-    if (!run->finishing && f <= ms_pme__shifted(run->options->target_value, 2 * run->shift)) ms_pme__stop(run, MS_PME_STOP_TARGET);
+    if (!run->finishing && f <= ms_pme__shifted(run->options->target_value, 2 * run->shift))
+        ms_pme__stop(run, MS_PME_STOP_TARGET);
     return f;
 }
 
-/* The sum of squares of r [m] times 2^(2 shift), r becoming that; infinite where an element is not finite or the sum is no
-   number. The first residuals that are seen choose the shift: 0 unless their squares would leave the range of double. */
+/* The sum of squares of r [m] times 2^(2 shift), r becoming that; infinite where an element is not finite or the sum is
+   no number. The first residuals that are seen choose the shift: 0 unless their squares would leave the range of
+   double. */
 static double ms_pme__sum_of_squares(ms_pme__run *run, double *r)
 {
     double largest = 0, sum = 0;
@@ -931,15 +943,14 @@ static double ms_pme__value_to(ms_pme__run *run, const double *x, double *r)
     double f = 0;
     if (ms_pme__spend(run, 1)) return MS_PME__INF;
     run->result.evaluations++;
-    if (ms_pme__fail(run, function->residuals != NULL ? function->residuals(function->user, x, r, NULL) : function->value(function->user, x, &f)))
+    if (ms_pme__fail(run,
+                     function->residuals != NULL ? function->residuals(function->user, x, r, NULL)
+                                                 : function->value(function->user, x, &f)))
         return MS_PME__INF;
     return ms_pme__seen(run, x, function->residuals != NULL ? ms_pme__sum_of_squares(run, r) : f);
 }
 
-static double ms_pme__value(ms_pme__run *run, const double *x)
-{
-    return ms_pme__value_to(run, x, run->residual_step);
-}
+static double ms_pme__value(ms_pme__run *run, const double *x) { return ms_pme__value_to(run, x, run->residual_step); }
 
 /* The step of a difference in x_j, inside the box, and whether it may be central. */
 static double ms_pme__difference_step(const ms_pme__run *run, double x, int j, int central, double *back)
@@ -968,7 +979,8 @@ static double ms_pme__bad_derivative(ms_pme__run *run, size_t i, int j)
     return MS_PME__INF;
 }
 
-/* Residuals and Jacobian at x into run->residual and run->jacobian; returns f. known: residual_step holds the residuals. */
+/* Residuals and Jacobian at x into run->residual and run->jacobian; returns f. known: residual_step holds the
+   residuals. */
 static double ms_pme__linearize(ms_pme__run *run, const double *x, double known)
 {
     const ms_pme_function *function = run->function;
@@ -1003,7 +1015,8 @@ static double ms_pme__linearize(ms_pme__run *run, const double *x, double known)
         }
         if (k == 2) return ms_pme__bad_derivative(run, 0, j);
         for (i = 0; i < run->m; ++i)
-            run->jacobian[i * (size_t)n + (size_t)j] = h < 0 || h > 0 ? (run->residual_step[i] - run->residual[i]) / h : 0;
+            run->jacobian[i * (size_t)n + (size_t)j] = h < 0 || h > 0 ? (run->residual_step[i] - run->residual[i]) / h
+                                                                      : 0;
     }
     return f;
 }
@@ -1069,8 +1082,9 @@ static double ms_pme__gradient(ms_pme__run *run, const double *x, double *g)
 
 /* ---- bounded least squares ------------------------------------------------------------------------------------- */
 
-/* The columns `order`[0 .. free) of a matrix [n][n + 1] are an upper triangle; the others are full, the last is the right-hand
-   side. Rotations of neighbouring rows keep that when a column enters or leaves, at the cost of some rows each. */
+/* The columns `order`[0 .. free) of a matrix [n][n + 1] are an upper triangle; the others are full, the last is the
+   right-hand side. Rotations of neighbouring rows keep that when a column enters or leaves, at the cost of some rows
+   each. */
 typedef struct ms_pme__active {
     double *a; /* [n][n + 1] */
     int *order, n, free;
@@ -1079,7 +1093,8 @@ typedef struct ms_pme__active {
 static void ms_pme__turn(ms_pme__active *s, int row, int column)
 {
     int w = s->n + 1;
-    double c, sine, *upper = s->a + row * w, *lower = upper + w, r = ms_pme__rotation(upper[column], lower[column], &c, &sine);
+    double c, sine, *upper = s->a + row * w, *lower = upper + w,
+                    r = ms_pme__rotation(upper[column], lower[column], &c, &sine);
     if (c < 1) ms_pme__rotate(upper, lower, c, sine, w); /* also where it only turns signs: c = -1 */
     upper[column] = r;
     lower[column] = 0;
@@ -1103,11 +1118,11 @@ static void ms_pme__enter(ms_pme__active *s, int column)
     s->free++;
 }
 
-/* d [n] minimises |A d - b| over low <= d <= high, low <= 0 <= high: the active-set method of Stark and Parker (1995), exact
-   after finitely many changes of the set. a [n][n + 1]: A upper triangular of full rank, then b; destroyed. state: the first
-   guess of the set (0 free, -1 at low, 1 at high), out: the set. order [n], z [2 n] scratch. */
-static void ms_pme__bounded_least_squares(double *a, int n, const double *low, const double *high, double *d, int *state, int *order,
-                                          double *z)
+/* d [n] minimises |A d - b| over low <= d <= high, low <= 0 <= high: the active-set method of Stark and Parker (1995),
+   exact after finitely many changes of the set. a [n][n + 1]: A upper triangular of full rank, then b; destroyed.
+   state: the first guess of the set (0 free, -1 at low, 1 at high), out: the set. order [n], z [2 n] scratch. */
+static void ms_pme__bounded_least_squares(double *a, int n, const double *low, const double *high, double *d,
+                                          int *state, int *order, double *z)
 {
     int w = n + 1, change, i, j, released = -1;
     double *rest = z + n;
@@ -1179,14 +1194,15 @@ static void ms_pme__bounded_least_squares(double *a, int n, const double *low, c
 
 /* ---- Levenberg-Marquardt --------------------------------------------------------------------------------------- */
 
-/* One descent, which may rest and go on. Derivatives are taken when it takes its next step: several walks share them. */
+/* One descent, which may rest and go on. Derivatives are taken when it takes its next step: several walks share
+   them. */
 typedef struct ms_pme__walk {
     double f, lambda, grow;
-    double known;     /* f, where run->residual_step still holds the residuals at x; else infinite */
-    int done;         /* nothing left to gain, or nothing finite */
+    double known;      /* f, where run->residual_step still holds the residuals at x; else infinite */
+    int done;          /* nothing left to gain, or nothing finite */
     double *x, *scale; /* [n] the last accepted point; the trust region's */
-    double *g;        /* [n] gradient */
-    double *triangle; /* [n + 1][n + 1] R and Q'(-r) */
+    double *g;         /* [n] gradient */
+    double *triangle;  /* [n + 1][n + 1] R and Q'(-r) */
 } ms_pme__walk;
 
 static int ms_pme__walk_size(int n) { return 3 * n + (n + 1) * (n + 1); }
@@ -1231,9 +1247,9 @@ static void ms_pme__factor(ms_pme__run *run, ms_pme__walk *walk)
     }
 }
 
-/* Takes the derivatives at walk->x: factor, and the trust region's scale. That is the largest column norms so far (More 1978); for
-   pictures, whose parameters all have a range, the norms of now, none below 0.3 of the largest (both for a step across the
-   box): what hardly changes the picture does not run off to its bounds. */
+/* Takes the derivatives at walk->x: factor, and the trust region's scale. That is the largest column norms so far (More
+   1978); for pictures, whose parameters all have a range, the norms of now, none below 0.3 of the largest (both for a
+   step across the box): what hardly changes the picture does not run off to its bounds. */
 static void ms_pme__arrive(ms_pme__run *run, ms_pme__walk *walk)
 {
     int n = run->n, j;
@@ -1297,12 +1313,13 @@ static double ms_pme__predicted_decrease(const ms_pme__walk *walk, int n, const 
     return sum;
 }
 
-/* Derivatives, then trials until one is accepted, the walk is done or the run has stopped: the damped problem in the box, solved
-   exactly; damping by the ratio of actual to predicted decrease (Nielsen 1999). */
+/* Derivatives, then trials until one is accepted, the walk is done or the run has stopped: the damped problem in the
+   box, solved exactly; damping by the ratio of actual to predicted decrease (Nielsen 1999). */
 static void ms_pme__step(ms_pme__run *run, ms_pme__walk *walk, double *memory)
 {
     int n = run->n, j, state[MS_PME__VARIABLES], order[MS_PME__VARIABLES];
-    double *trial = memory, *d = trial + n, *low = d + n, *high = low + n, *z = high + n, *row = z + 2 * n, *a = row + n + 1;
+    double *trial = memory, *d = trial + n, *low = d + n, *high = low + n, *z = high + n, *row = z + 2 * n,
+           *a = row + n + 1;
     double *x = walk->x;
     ms_pme__arrive(run, walk);
     while (!walk->done && !run->stopped) {
@@ -1315,9 +1332,9 @@ static void ms_pme__step(ms_pme__run *run, ms_pme__walk *walk, double *memory)
         }
         ms_pme__bounded_least_squares(a, n, low, high, d, state, order, z);
         for (j = 0; j < n; ++j) {
-            trial[j] = state[j] < 0   ? run->lower[j]
-                       : state[j] > 0 ? run->upper[j]
-                                      : ms_pme__clip(x[j] + d[j], run->lower[j], run->upper[j]);
+            trial[j] = state[j] < 0 ? run->lower[j]
+                : state[j] > 0      ? run->upper[j]
+                                    : ms_pme__clip(x[j] + d[j], run->lower[j], run->upper[j]);
             step += walk->scale[j] * walk->scale[j] * d[j] * d[j];
             size += walk->scale[j] * walk->scale[j] * x[j] * x[j];
         }
@@ -1329,7 +1346,7 @@ static void ms_pme__step(ms_pme__run *run, ms_pme__walk *walk, double *memory)
         f = ms_pme__value_to(run, trial, run->residual_step);
         if (ms__finite(f) && walk->f - f > 1e-4 * predicted) {
             walk->done = (walk->f - f <= run->tolerance * walk->f && predicted <= run->tolerance * walk->f) ||
-                         step <= run->tolerance * run->tolerance * size;
+                step <= run->tolerance * run->tolerance * size;
             t = 2 * (walk->f - f) / predicted - 1;
             walk->lambda = ms_pme__max(walk->lambda * ms_pme__max(0.1, 1 - t * t * t), 1e-16);
             walk->grow = 2;
@@ -1364,10 +1381,10 @@ static void ms_pme__advance(ms_pme__run *run, ms_pme__walk *walk, int steps, dou
     walk->known = MS_PME__INF; /* another one may come between */
 }
 
-/* Levenberg-Marquardt from starts [count][n], the best first, of which `restarts` + 1 may be used. Which minimum is the least shows after
-   some steps, hardly before: as many set out as a fifth of the steps that the budget has, the better third of them goes on, and
-   the best of those to its end (successive halving). While cost is left: the others roughly, and to the end where they lead further;
-   random points, every second one from around the best. */
+/* Levenberg-Marquardt from starts [count][n], the best first, of which `restarts` + 1 may be used. Which minimum is the
+   least shows after some steps, hardly before: as many set out as a fifth of the steps that the budget has, the better
+   third of them goes on, and the best of those to its end (successive halving). While cost is left: the others roughly,
+   and to the end where they lead further; random points, every second one from around the best. */
 static void ms_pme__descend(ms_pme__run *run, const double *starts, int count, int restarts, double *memory)
 {
     ms_pme__walk walks[MS_PME__FIELD], walk;
@@ -1395,7 +1412,9 @@ static void ms_pme__descend(ms_pme__run *run, const double *starts, int count, i
         if (i >= field) {
             if (i % 2 != 0 || !run->ranged) ms_pme__random_point(run, run->best, scratch);
             for (j = 0; j < n && i % 2 == 0 && run->ranged; ++j)
-                scratch[j] = ms_pme__clip(run->best[j] + (ms__rng_uniform(&run->rng) - 0.5) * (run->upper[j] - run->lower[j]), run->lower[j], run->upper[j]);
+                scratch[j] = ms_pme__clip(run->best[j] +
+                                              (ms__rng_uniform(&run->rng) - 0.5) * (run->upper[j] - run->lower[j]),
+                                          run->lower[j], run->upper[j]);
             ms_pme__set_out(next, scratch, n);
         }
         ms_pme__advance(run, next, INT_MAX, scratch);
@@ -1416,9 +1435,10 @@ typedef struct ms_pme__point {
 } ms_pme__point;
 
 /* Strong Wolfe conditions along d by bracketing and cubic interpolation (Nocedal and Wright 2006, algorithms 3.5 and
-   3.6), the step at most longest; at longest decrease alone is enough. From p to q; the step, or 0 if none was found. */
-static double ms_pme__line_search(ms_pme__run *run, const ms_pme__point *p, const double *d, double first, double longest,
-                                  ms_pme__point *q)
+   3.6), the step at most longest; at longest decrease alone is enough. From p to q; the step, or 0 if none was
+   found. */
+static double ms_pme__line_search(ms_pme__run *run, const ms_pme__point *p, const double *d, double first,
+                                  double longest, ms_pme__point *q)
 {
     int n = run->n, j, tries;
     double slope = ms_pme__dot(p->g, d, n), t = first < longest ? first : longest;
@@ -1430,12 +1450,21 @@ static double ms_pme__line_search(ms_pme__run *run, const ms_pme__point *p, cons
         q->f = ms_pme__gradient(run, q->x, q->g);
         s = ms__finite(q->f) ? ms_pme__dot(q->g, d, n) : 0;
         if (!ms__finite(q->f) || !(q->f <= p->f + 1e-4 * t * slope) || (bracketed && q->f >= f_low)) {
-            high = t; f_high = q->f; slope_high = s;
+            high = t;
+            f_high = q->f;
+            slope_high = s;
             bracketed = 1;
         } else {
             if (fabs(s) <= -0.9 * slope || (t >= longest && s < 0)) return t;
-            if (s * (bracketed ? high - low : 1) >= 0) { high = low; f_high = f_low; slope_high = slope_low; bracketed = 1; }
-            low = t; f_low = q->f; slope_low = s;
+            if (s * (bracketed ? high - low : 1) >= 0) {
+                high = low;
+                f_high = f_low;
+                slope_high = slope_low;
+                bracketed = 1;
+            }
+            low = t;
+            f_low = q->f;
+            slope_low = s;
         }
         if (!bracketed) {
             t = 4 * t < longest ? 4 * t : longest;
@@ -1483,7 +1512,8 @@ static void ms_pme__lbfgs_direction(const ms_pme__run *run, const ms_pme__point 
             if (!(sy > 0)) continue;
             if (pass == 0) alpha[k] = along / sy;
             for (j = 0; j < n; ++j)
-                if (!ms_pme__held(run, p->x, p->g, j)) d[j] += pass ? (alpha[k] - along / sy) * sk[j] : -alpha[k] * yk[j];
+                if (!ms_pme__held(run, p->x, p->g, j))
+                    d[j] += pass ? (alpha[k] - along / sy) * sk[j] : -alpha[k] * yk[j];
         }
         if (pass == 0 && count > 0 && rho[0] > 0) { /* the first H: s'y / y'y of the newest pair */
             double yy = 0;
@@ -1530,7 +1560,8 @@ static void ms_pme__lbfgs(ms_pme__run *run, const double *x, double *memory)
             double reach = 0;
             for (j = 0; j < n; ++j) {
                 double range = run->upper[j] - run->lower[j];
-                reach = ms_pme__max(reach, fabs(d[j]) / (ms__finite(range) && range > 0 ? range : ms_pme__max(fabs(p.x[j]), 1)));
+                reach = ms_pme__max(
+                    reach, fabs(d[j]) / (ms__finite(range) && range > 0 ? range : ms_pme__max(fabs(p.x[j]), 1)));
             }
             first = reach > 0 ? 0.01 / reach : 1;
         }
@@ -1575,15 +1606,17 @@ static void ms_pme__lbfgs(ms_pme__run *run, const double *x, double *memory)
 static void ms_pme__between(const ms_pme__run *run, const double *from, const double *towards, double t, double *to)
 {
     int j;
-    for (j = 0; j < run->n; ++j) to[j] = ms_pme__clip(from[j] + t * (towards[j] - from[j]), run->lower[j], run->upper[j]);
+    for (j = 0; j < run->n; ++j)
+        to[j] = ms_pme__clip(from[j] + t * (towards[j] - from[j]), run->lower[j], run->upper[j]);
 }
 
-/* Nelder and Mead 1965 with the customary coefficients 1, 2, 1/2, 1/2, points clipped to the box; a simplex that collapsed is
-   built anew around the best point until that gains nothing. */
+/* Nelder and Mead 1965 with the customary coefficients 1, 2, 1/2, 1/2, points clipped to the box; a simplex that
+   collapsed is built anew around the best point until that gains nothing. */
 static void ms_pme__nelder_mead(ms_pme__run *run, const double *x, double *memory)
 {
     int n = run->n, i, j;
-    double *vertex = memory, *value = vertex + (n + 1) * n, *middle = value + n + 1, *trial = middle + n, *farther = trial + n;
+    double *vertex = memory, *value = vertex + (n + 1) * n, *middle = value + n + 1, *trial = middle + n,
+           *farther = trial + n;
     double best_before = MS_PME__INF, edge = run->options->start_step > 0 ? run->options->start_step : 0.1;
     ms_pme__copy(run->best, x, n);
     while (!run->stopped) {
@@ -1671,7 +1704,8 @@ static void ms_pme__local(ms_pme__run *run, const double *x, double *memory)
 static void ms_pme__basin_hopping(ms_pme__run *run, const double *x, double *memory)
 {
     int n = run->n, j, hops, accepted = 0;
-    double *here = memory, *trial = here + n, *best = trial + n, hop = run->options->start_step > 0 ? run->options->start_step : 0.25;
+    double *here = memory, *trial = here + n, *best = trial + n,
+           hop = run->options->start_step > 0 ? run->options->start_step : 0.25;
     double f_here = MS_PME__INF, temperature = 0, best_value = MS_PME__INF, best_gradient = -1;
     memory = best + n;
     ms_pme__copy(trial, x, n);
@@ -1732,7 +1766,9 @@ static void ms_pme__last_gradient(ms_pme__run *run, double *g)
     const ms_pme_function *function = run->function;
     double cost = run->result.cost, *x = g + run->n;
     size_t jacobians = run->result.jacobians;
-    if (!ms__finite(run->best_value) || (function->gradient == NULL && (function->residuals == NULL || function->residuals_only))) return;
+    if (!ms__finite(run->best_value) ||
+        (function->gradient == NULL && (function->residuals == NULL || function->residuals_only)))
+        return;
     run->stopped = 0;
     run->max_cost = MS_PME__INF;
     ms_pme__copy(x, run->best, run->n);
@@ -1765,39 +1801,54 @@ MS_API const char *ms_pme_method_string(int method)
     return method >= 0 && method <= MS_PME_BASIN_HOPPING ? name[method] : "unknown";
 }
 
-static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_options *options, const double *x, ms_error *error)
+static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_options *options, const double *x,
+                               ms_error *error)
 {
-    static const char *const name[7] = {"max_cost", "max_seconds", "tolerance", "start_step", "difference_step", "target_value", "jacobian_cost"};
-    double value[7] = {options->max_cost, options->max_seconds, options->tolerance, options->start_step, options->difference_step, options->target_value, 0};
+    static const char *const name[7] = {"max_cost",        "max_seconds",  "tolerance",    "start_step",
+                                        "difference_step", "target_value", "jacobian_cost"};
+    double value[7] = {options->max_cost,
+                       options->max_seconds,
+                       options->tolerance,
+                       options->start_step,
+                       options->difference_step,
+                       options->target_value,
+                       0};
     int j;
-    if (function == NULL || x == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, function ? "x is NULL" : "function is NULL");
+    if (function == NULL || x == NULL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, function ? "x is NULL" : "function is NULL");
     if (function->residuals == NULL && function->value == NULL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "residuals and value are NULL: one is needed");
     if (function->parameter_count < 1 || function->parameter_count > MS_PME_PARAMETERS_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter_count is %d, expected 1 to %d", function->parameter_count,
-                        MS_PME_PARAMETERS_MAX);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter_count is %d, expected 1 to %d",
+                        function->parameter_count, MS_PME_PARAMETERS_MAX);
     if (function->residuals != NULL && function->residual_count < 1)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "residual_count is 0, expected 1 or more");
     if (options->method < 0 || options->method > MS_PME_BASIN_HOPPING)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d, expected 0 to %d (ms_pme_method)", options->method, (int)MS_PME_BASIN_HOPPING);
-    if (options->restarts < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "restarts is %d, expected 0 or more", options->restarts);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d, expected 0 to %d (ms_pme_method)",
+                        options->method, (int)MS_PME_BASIN_HOPPING);
+    if (options->restarts < 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "restarts is %d, expected 0 or more", options->restarts);
     value[6] = function->jacobian_cost;
     for (j = 0; j < 7; ++j)
         if (!ms__finite(value[j]) || value[j] < 0)
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g, expected 0 (the default) or a number above it", name[j], value[j]);
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g, expected 0 (the default) or a number above it",
+                            name[j], value[j]);
     for (j = 0; j < function->parameter_count; ++j) {
-        double low = function->lower ? function->lower[j] : -MS_PME__INF, high = function->upper ? function->upper[j] : MS_PME__INF;
+        double low = function->lower ? function->lower[j] : -MS_PME__INF,
+               high = function->upper ? function->upper[j] : MS_PME__INF;
         if (!(low <= high) || !(low < MS_PME__INF) || !(high > -MS_PME__INF))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)j, "bounds of parameter %d are %g and %g: no number between them",
-                            j, low, high);
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)j,
+                            "bounds of parameter %d are %g and %g: no number between them", j, low, high);
         if (!ms__finite(x[j]))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)j, "start of parameter %d is %g, expected a finite number", j, x[j]);
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)j,
+                            "start of parameter %d is %g, expected a finite number", j, x[j]);
     }
     return MS_OK;
 }
 
 /* Sets up a run; its one block of memory is *block of *size bytes. */
-static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function, const ms_pme_options *options, void **block, size_t *size, ms_error *error)
+static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function, const ms_pme_options *options,
+                               void **block, size_t *size, ms_error *error)
 {
     int n = function->parameter_count, j;
     size_t m = function->residuals != NULL ? function->residual_count : 0, un = (size_t)n, count;
@@ -1815,21 +1866,28 @@ static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function
     run->best_gradient = run->result.projected_gradient = -1;
     run->rng = ms__rng_make(options->seed, 0x706d65);
     run->start_time = options->max_seconds > 0 ? ms_pme__seconds(options) : 0;
-    count = ms__size_add(ms__size_mul(m, un), 2 * m);                                 /* jacobian, residual twice */
-    count = ms__size_add(count, 3 * un + MS_PME__ROWS * (un + 1));              /* bounds, best, rows */
-    count = ms__size_add(count, (size_t)n + ms_pme__method_scratch(n));       /* scratch begins with a moved point */
+    count = ms__size_add(ms__size_mul(m, un), 2 * m);                   /* jacobian, residual twice */
+    count = ms__size_add(count, 3 * un + MS_PME__ROWS * (un + 1));      /* bounds, best, rows */
+    count = ms__size_add(count, (size_t)n + ms_pme__method_scratch(n)); /* scratch begins with a moved point */
     *size = ms__size_mul(count, sizeof(double));
     *block = ms__alloc(&options->allocator, *size);
     if (*block == NULL)
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %z residuals times %d parameters", m, n);
     p = (double *)*block;
-    run->jacobian = p; p += m * un;
-    run->residual = p; p += m;
-    run->residual_step = p; p += m;
-    run->lower = p; p += n;
-    run->upper = p; p += n;
-    run->best = p; p += n;
-    run->rows = p; p += MS_PME__ROWS * (n + 1);
+    run->jacobian = p;
+    p += m * un;
+    run->residual = p;
+    p += m;
+    run->residual_step = p;
+    p += m;
+    run->lower = p;
+    p += n;
+    run->upper = p;
+    p += n;
+    run->best = p;
+    p += n;
+    run->rows = p;
+    p += MS_PME__ROWS * (n + 1);
     run->scratch = p;
     for (j = 0; j < n; ++j) {
         run->lower[j] = function->lower ? function->lower[j] : -MS_PME__INF;
@@ -1842,11 +1900,14 @@ static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function
 static ms_status ms_pme__why(const ms_pme__run *run, ms_error *error)
 {
     double cost = run->result.cost;
-    if (run->status == MS_OK) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "no finite value within %g evaluations of the start", cost);
+    if (run->status == MS_OK)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "no finite value within %g evaluations of the start", cost);
     if (run->status == MS_BAD_DATA && run->bad_parameter >= 0)
-        return ms__fail(error, MS_BAD_DATA, (size_t)run->bad_parameter, "the derivative of residual %z by parameter %d is not finite", run->bad,
-                        run->bad_parameter);
-    return ms__fail(error, run->status, 0, run->status == MS_CANCELLED ? "cancelled after %g evaluations" : "a callback failed after %g evaluations",
+        return ms__fail(error, MS_BAD_DATA, (size_t)run->bad_parameter,
+                        "the derivative of residual %z by parameter %d is not finite", run->bad, run->bad_parameter);
+    return ms__fail(error, run->status, 0,
+                    run->status == MS_CANCELLED ? "cancelled after %g evaluations"
+                                                : "a callback failed after %g evaluations",
                     cost);
 }
 
@@ -1868,7 +1929,8 @@ MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_o
     start = run.scratch + n;
     for (j = 0; j < n; ++j) start[j] = ms_pme__clip(x[j], run.lower[j], run.upper[j]);
     ms_pme__method(&run, start, 1, start + n);
-    if (run.status == MS_OK && run.best_gradient < 0 && options->method != MS_PME_NELDER_MEAD && run.result.stop != MS_PME_STOP_SECONDS)
+    if (run.status == MS_OK && run.best_gradient < 0 && options->method != MS_PME_NELDER_MEAD &&
+        run.result.stop != MS_PME_STOP_SECONDS)
         ms_pme__last_gradient(&run, start + n);
     if (run.status != MS_OK || !ms__finite(run.best_value)) {
         status = ms_pme__why(&run, error);
@@ -1882,22 +1944,22 @@ MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_o
 
 /* ---- match: objectives ----------------------------------------------------------------------------------------- */
 
-/* What a match makes small, in variables z: the parameters that lead (others are tied to them), then the nuisance. The picture is a sum
-   of squares, r_i = sqrt(w_i / sum w) (gain phi_i + offset - t_i), so that f is the squared weighted RMSE, or the caller's
-   reduced function in that unit; behind it the pulls. */
+/* What a match makes small, in variables z: the parameters that lead (others are tied to them), then the nuisance. The
+   picture is a sum of squares, r_i = sqrt(w_i / sum w) (gain phi_i + offset - t_i), so that f is the squared weighted
+   RMSE, or the caller's reduced function in that unit; behind it the pulls. */
 typedef struct ms_pme__objective {
     const ms_pme_renderer *renderer;
     const ms_pme_match_options *options;
     const float *target, *weight;
-    double weight_sum, offset; /* offset: what the reduced function leaves out, in the unit of f */
-    double size;               /* root mean square of the target */
+    double weight_sum, offset;                   /* offset: what the reduced function leaves out, in the unit of f */
+    double size;                                 /* root mean square of the target */
     int n, leads, pulled, gains, offsets, plain; /* plain: z is x */
-    size_t m, compared;        /* residuals of the picture; values with a weight */
-    int place[MS_PME_PARAMETERS_MAX];    /* x_j = z[place_j] */
+    size_t m, compared;                          /* residuals of the picture; values with a weight */
+    int place[MS_PME_PARAMETERS_MAX];            /* x_j = z[place_j] */
     int channel_of_gain[MS_PME_CHANNELS_MAX];
     double x[MS_PME_PARAMETERS_MAX], low[MS_PME__VARIABLES], high[MS_PME__VARIABLES];
-    float *image, *jacobian;   /* [p], [p][n] */
-    double *slopes;            /* [m][n] of a reduced function whose parameters are tied */
+    float *image, *jacobian; /* [p], [p][n] */
+    double *slopes;          /* [m][n] of a reduced function whose parameters are tied */
 } ms_pme__objective;
 
 static const double *ms_pme__material(ms_pme__objective *o, const double *z)
@@ -1924,11 +1986,13 @@ static void ms_pme__lead(const ms_pme__objective *o, const double *by_x, double 
     for (j = 0; j < o->n; ++j) by_z[o->place[j]] += by_x[j];
 }
 
-static ms_status ms_pme__picture_residuals(ms_pme__objective *o, const double *z, double *r, double *jacobian, int variables)
+static ms_status ms_pme__picture_residuals(ms_pme__objective *o, const double *z, double *r, double *jacobian,
+                                           int variables)
 {
     const ms_pme_renderer *renderer = o->renderer;
     double gain[MS_PME_CHANNELS_MAX], offset[MS_PME_CHANNELS_MAX], by_x[MS_PME_PARAMETERS_MAX];
-    size_t i, plane = o->options->channels > 1 ? renderer->image_size / (size_t)o->options->channels : renderer->image_size;
+    size_t i,
+        plane = o->options->channels > 1 ? renderer->image_size / (size_t)o->options->channels : renderer->image_size;
     int j, n = o->n;
     const double *x = ms_pme__material(o, z);
     ms_status status = jacobian == NULL ? renderer->render(renderer->user, x, o->image)
@@ -1937,7 +2001,8 @@ static ms_status ms_pme__picture_residuals(ms_pme__objective *o, const double *z
     ms_pme__nuisance(o, z, gain, offset);
     for (i = 0; i < renderer->image_size; ++i) {
         int c = (int)(i / plane);
-        double w = o->weight ? (double)o->weight[i] : 1, s = w > 0 ? sqrt(w / o->weight_sum) : 0, lit = gain[c] * (double)o->image[i];
+        double w = o->weight ? (double)o->weight[i] : 1, s = w > 0 ? sqrt(w / o->weight_sum) : 0,
+               lit = gain[c] * (double)o->image[i];
         double *row = jacobian ? jacobian + i * (size_t)variables : NULL;
         r[i] = w > 0 ? s * (lit + offset[c] - (double)o->target[i]) : 0;
         if (row == NULL) continue;
@@ -1998,39 +2063,53 @@ static ms_status ms_pme__check_picture(ms_pme__objective *o, ms_error *error)
     const ms_pme_renderer *renderer = o->renderer;
     const ms_pme_match_options *options = o->options;
     size_t i;
-    if (renderer == NULL || o->target == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, renderer ? "target is NULL" : "renderer is NULL");
+    if (renderer == NULL || o->target == NULL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, renderer ? "target is NULL" : "renderer is NULL");
     if (renderer->render == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "renderer->render is NULL");
     if (renderer->parameter_count < 1 || renderer->parameter_count > MS_PME_PARAMETERS_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter_count is %d, expected 1 to %d", renderer->parameter_count, MS_PME_PARAMETERS_MAX);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter_count is %d, expected 1 to %d",
+                        renderer->parameter_count, MS_PME_PARAMETERS_MAX);
     if (renderer->image_size < 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "image_size is 0, expected 1 or more");
     if (renderer->prediction_count < 0 || (renderer->prediction_count > 0 && renderer->predict == NULL))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "prediction_count is %d and predict is NULL", renderer->prediction_count);
-    if (options->candidate_count < 0 || options->random_count < 0 || (options->candidate_count > 0 && options->candidates == NULL))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "candidate_count is %d, random_count %d: negative, or candidates is NULL",
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "prediction_count is %d and predict is NULL",
+                        renderer->prediction_count);
+    if (options->candidate_count < 0 || options->random_count < 0 ||
+        (options->candidate_count > 0 && options->candidates == NULL))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                        "candidate_count is %d, random_count %d: negative, or candidates is NULL",
                         options->candidate_count, options->random_count);
     if (!ms__finite(options->target_rmse) || options->target_rmse < 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "target_rmse is %g, expected 0 or more", options->target_rmse);
-    if (renderer->reduced != NULL && (renderer->reduced->residuals == NULL || !ms__finite(renderer->reduced_offset) ||
-                                      renderer->reduced->parameter_count != renderer->parameter_count))
+    if (renderer->reduced != NULL &&
+        (renderer->reduced->residuals == NULL || !ms__finite(renderer->reduced_offset) ||
+         renderer->reduced->parameter_count != renderer->parameter_count))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the reduced function lacks residuals or has other parameters");
     if (options->nuisance < 0 || options->nuisance > 7)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nuisance is %d, expected flags of ms_pme_nuisance", options->nuisance);
-    if (options->channels < 0 || options->channels > MS_PME_CHANNELS_MAX || (options->channels > 1 && renderer->image_size % (size_t)options->channels != 0))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "channels is %d, expected 0 to %d and a divisor of image_size", options->channels, MS_PME_CHANNELS_MAX);
-    if (options->pull != NULL && options->source == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pull is given and source is NULL");
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nuisance is %d, expected flags of ms_pme_nuisance",
+                        options->nuisance);
+    if (options->channels < 0 || options->channels > MS_PME_CHANNELS_MAX ||
+        (options->channels > 1 && renderer->image_size % (size_t)options->channels != 0))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "channels is %d, expected 0 to %d and a divisor of image_size",
+                        options->channels, MS_PME_CHANNELS_MAX);
+    if (options->pull != NULL && options->source == NULL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pull is given and source is NULL");
     for (i = 0; i < (size_t)renderer->parameter_count; ++i) {
         int t = options->tie ? options->tie[i] : (int)i;
         if (t < 0 || t >= renderer->parameter_count || (options->tie && options->tie[t] != t))
-            return ms__fail(error, MS_INVALID_ARGUMENT, i, "tie %z is %d, expected a parameter that is tied to itself", i, t);
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "tie %z is %d, expected a parameter that is tied to itself",
+                            i, t);
         if (options->pull && (!ms__finite(options->pull[i]) || options->pull[i] < 0 || !ms__finite(options->source[i])))
-            return ms__fail(error, MS_INVALID_ARGUMENT, i, "pull %z is %g towards %g, expected finite numbers, the first 0 or more", i, options->pull[i], options->source[i]);
+            return ms__fail(error, MS_INVALID_ARGUMENT, i,
+                            "pull %z is %g towards %g, expected finite numbers, the first 0 or more", i,
+                            options->pull[i], options->source[i]);
     }
     for (i = 0; i < renderer->image_size; ++i) {
         double w = o->weight ? (double)o->weight[i] : 1;
         if (!ms__finite(w) || w < 0)
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "weight %z is %g, expected a finite number >= 0", i, w);
         if (w > 0 && !ms__finite_f(o->target[i]))
-            return ms__fail(error, MS_INVALID_ARGUMENT, i, "target %z is %g, expected a finite number", i, (double)o->target[i]);
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "target %z is %g, expected a finite number", i,
+                            (double)o->target[i]);
         o->compared += w > 0;
         o->weight_sum += w;
         if (w > 0) o->size += w * (double)o->target[i] * (double)o->target[i];
@@ -2080,7 +2159,9 @@ static void ms_pme__objective_make(ms_pme__objective *o, ms_pme_function *functi
     o->offset = reduced ? renderer->reduced_offset / o->weight_sum : 0;
     function->residual_count = o->m + (size_t)o->pulled;
     function->residuals_only = reduced ? reduced->residuals_only : renderer->jacobian == NULL;
-    function->jacobian_cost = reduced ? reduced->jacobian_cost : renderer->jacobian_cost > 0 ? renderer->jacobian_cost : 1 + 0.25 * n;
+    function->jacobian_cost = reduced ? reduced->jacobian_cost
+        : renderer->jacobian_cost > 0 ? renderer->jacobian_cost
+                                      : 1 + 0.25 * n;
     function->lower = o->low;
     function->upper = o->high;
     o->plain = o->leads == n && function->parameter_count == n;
@@ -2088,21 +2169,25 @@ static void ms_pme__objective_make(ms_pme__objective *o, ms_pme_function *functi
 
 /* ---- match: stages --------------------------------------------------------------------------------------------- */
 
-/* Best of n: eq. (4.3), with the caller's candidates as further members of the pool, eq. (4.4). The best `pool_size` go to pool,
-   sorted; how many there are. */
-static int ms_pme__first_guesses(ms_pme__run *run, ms_pme__objective *o, double *pool, double *pool_value, int pool_size, ms_pme_match_result *answer)
+/* Best of n: eq. (4.3), with the caller's candidates as further members of the pool, eq. (4.4). The best `pool_size` go
+   to pool, sorted; how many there are. */
+static int ms_pme__first_guesses(ms_pme__run *run, ms_pme__objective *o, double *pool, double *pool_value,
+                                 int pool_size, ms_pme_match_result *answer)
 {
     const ms_pme_renderer *renderer = o->renderer;
     const ms_pme_match_options *options = o->options;
-    int n = o->n, variables = run->n, total = renderer->prediction_count + options->candidate_count + options->random_count, i, j, kept = 0;
+    int n = o->n, variables = run->n,
+        total = renderer->prediction_count + options->candidate_count + options->random_count, i, j, kept = 0;
     double *z = pool + pool_size * variables, x[MS_PME_PARAMETERS_MAX];
     answer->best_candidate = -1;
     for (i = 0; (i < total || (i == total && !ms__finite(run->best_value))) && run->status == MS_OK; ++i) {
         double before = run->best_value, value;
         int finite = 1;
-        for (j = 0; j < variables; ++j) /* the middle of the box; what has no box starts at 0; the nuisance does nothing */
-            z[j] = j < o->leads && ms__finite(run->lower[j]) && ms__finite(run->upper[j]) ? 0.5 * (run->lower[j] + run->upper[j])
-                                                                                          : ms_pme__clip(0, run->lower[j], run->upper[j]);
+        for (j = 0; j < variables;
+             ++j) /* the middle of the box; what has no box starts at 0; the nuisance does nothing */
+            z[j] = j < o->leads && ms__finite(run->lower[j]) && ms__finite(run->upper[j])
+                ? 0.5 * (run->lower[j] + run->upper[j])
+                : ms_pme__clip(0, run->lower[j], run->upper[j]);
         for (j = 0; j < n; ++j) x[j] = z[o->place[j]];
         if (i < renderer->prediction_count) {
             ms_pme__fail(run, renderer->predict(renderer->user, i, o->target, x));
@@ -2115,7 +2200,8 @@ static int ms_pme__first_guesses(ms_pme__run *run, ms_pme__objective *o, double 
         }
         for (j = 0; j < n; ++j) {
             finite &= ms__finite(x[j]);
-            if (finite && (options->tie == NULL || options->tie[j] == j)) z[o->place[j]] = ms_pme__clip(x[j], run->lower[o->place[j]], run->upper[o->place[j]]);
+            if (finite && (options->tie == NULL || options->tie[j] == j))
+                z[o->place[j]] = ms_pme__clip(x[j], run->lower[o->place[j]], run->upper[o->place[j]]);
         }
         if (!finite) {
             answer->candidates_refused++;
@@ -2138,13 +2224,14 @@ static int ms_pme__first_guesses(ms_pme__run *run, ms_pme__objective *o, double 
     return kept;
 }
 
-/* Standard deviations of x: noise of the size of the RMSE in every compared value, and each parameter somewhere in its box (a variance
-   of range^2 / 12) before the picture was seen. */
+/* Standard deviations of x: noise of the size of the RMSE in every compared value, and each parameter somewhere in its
+   box (a variance of range^2 / 12) before the picture was seen. */
 static void ms_pme__deviations(ms_pme__run *run, const ms_pme__objective *o, double rmse, double *memory)
 {
     ms_pme__walk walk;
     int n = run->n, w = n + 1, j, k, i;
-    double sigma = ms_pme__max(rmse, 1e-7 * o->size) / sqrt((double)o->compared), *variance, *y; /* no finer than floats are */
+    double sigma = ms_pme__max(rmse, 1e-7 * o->size) / sqrt((double)o->compared), *variance,
+           *y; /* no finer than floats are */
     size_t row;
     ms_pme__walk_place(&walk, memory, NULL, n);
     variance = memory + ms_pme__walk_size(n);
@@ -2154,7 +2241,8 @@ static void ms_pme__deviations(ms_pme__run *run, const ms_pme__objective *o, dou
     for (j = 0; j < n; ++j) variance[j] = 0;
     if (ms__finite(ms_pme__linearize(run, run->best, MS_PME__INF))) {
         for (j = 0; j < n; ++j)
-            for (row = 0; row < run->m && !(run->lower[j] < run->upper[j]); ++row) run->jacobian[row * (size_t)n + (size_t)j] = 0;
+            for (row = 0; row < run->m && !(run->lower[j] < run->upper[j]); ++row)
+                run->jacobian[row * (size_t)n + (size_t)j] = 0;
         ms_pme__factor(run, &walk);
         for (j = 0; j < n; ++j) {
             double range = run->upper[j] - run->lower[j];
@@ -2177,18 +2265,22 @@ static void ms_pme__deviations(ms_pme__run *run, const ms_pme__objective *o, dou
 }
 
 /* What the picture really looks like at the answer: image and RMSE, which a reduced function must agree with. */
-static ms_status ms_pme__last_render(ms_pme__run *run, ms_pme__objective *o, ms_pme_match_result *answer, ms_error *error)
+static ms_status ms_pme__last_render(ms_pme__run *run, ms_pme__objective *o, ms_pme_match_result *answer,
+                                     ms_error *error)
 {
     const ms_pme_renderer *renderer = o->renderer;
-    size_t i, plane = o->options->channels > 1 ? renderer->image_size / (size_t)o->options->channels : renderer->image_size;
+    size_t i,
+        plane = o->options->channels > 1 ? renderer->image_size / (size_t)o->options->channels : renderer->image_size;
     double sum = 0, reduced = ms_pme__shifted(run->best_value, -2 * run->shift) + o->offset;
     int j;
     answer->cost += 1;
-    if (ms_pme__fail(run, renderer->render(renderer->user, ms_pme__material(o, run->best), o->image))) return ms_pme__why(run, error);
+    if (ms_pme__fail(run, renderer->render(renderer->user, ms_pme__material(o, run->best), o->image)))
+        return ms_pme__why(run, error);
     ms_pme__nuisance(o, run->best, answer->gain, answer->offset);
     for (i = 0; i < renderer->image_size; ++i) {
         double w = o->weight ? (double)o->weight[i] : 1, e;
-        if (o->gains + o->offsets > 0) o->image[i] = (float)(answer->gain[i / plane] * (double)o->image[i] + answer->offset[i / plane]);
+        if (o->gains + o->offsets > 0)
+            o->image[i] = (float)(answer->gain[i / plane] * (double)o->image[i] + answer->offset[i / plane]);
         e = (double)o->image[i] - (double)o->target[i];
         if (w > 0) sum += w * e * e;
     }
@@ -2200,8 +2292,10 @@ static ms_status ms_pme__last_render(ms_pme__run *run, ms_pme__objective *o, ms_
     reduced = sqrt(ms_pme__max(reduced, 0));
     if (renderer->reduced != NULL && o->gains + o->offsets == 0 &&
         fabs(reduced - answer->rmse) > 1e-3 * answer->rmse + 1e-5 * o->size)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the reduced function has an RMSE of %g where the picture has %g: it was made for another target or other weights",
-                        reduced, answer->rmse);
+        return ms__fail(
+            error, MS_INVALID_ARGUMENT, 0,
+            "the reduced function has an RMSE of %g where the picture has %g: it was made for another target or other weights",
+            reduced, answer->rmse);
     return MS_OK;
 }
 
@@ -2245,12 +2339,15 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     status = ms_pme__check(&function, &refine, start, error);
     if (status != MS_OK) return status;
 
-    /* memory: the run; the best first guesses, one picture and, where they are needed, its Jacobian or that of all parameters */
+    /* memory: the run; the best first guesses, one picture and, where they are needed, its Jacobian or that of all
+       parameters */
     total = renderer->prediction_count + options->candidate_count + options->random_count;
     pool_size = total < 1 ? 1 : total < MS_PME__FIELD ? total : MS_PME__FIELD;
-    jacobian = renderer->reduced == NULL || o.gains + o.offsets > 0 ? ms__size_mul(p, (size_t)renderer->parameter_count) : 0;
+    jacobian = renderer->reduced == NULL || o.gains + o.offsets > 0 ? ms__size_mul(p, (size_t)renderer->parameter_count)
+                                                                    : 0;
     slopes = renderer->reduced != NULL && !o.plain ? ms__size_mul(o.m, (size_t)renderer->parameter_count) : 0;
-    bytes = ms__size_add(ms__size_mul((size_t)(pool_size + 1) * (size_t)(variables + 1), sizeof(double)), ms__size_mul(slopes, sizeof(double)));
+    bytes = ms__size_add(ms__size_mul((size_t)(pool_size + 1) * (size_t)(variables + 1), sizeof(double)),
+                         ms__size_mul(slopes, sizeof(double)));
     bytes = ms__size_add(bytes, ms__size_mul(ms__size_add(p, jacobian), sizeof(float)));
     pictures = ms__alloc(&refine.allocator, bytes);
     if (pictures == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a picture of %z values", p);
@@ -2299,36 +2396,49 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     return status;
 }
 
-MS_API ms_status ms_pme_reweigh(int loss, double scale, size_t count, int channels, const float *image, const float *target, const float *weight,
-                                float *reweighted, double *used_scale, ms_error *error)
+MS_API ms_status ms_pme_reweigh(int loss, double scale, size_t count, int channels, const float *image,
+                                const float *target, const float *weight, float *reweighted, double *used_scale,
+                                ms_error *error)
 {
     size_t plane, i, below, compared = 0;
     uint32_t low = 0, high = 0x7f800000u, bits;
     float e;
     int c;
     if (image == NULL || target == NULL || reweighted == NULL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", image == NULL ? "image" : target == NULL ? "target" : "reweighted");
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL",
+                        image == NULL        ? "image"
+                            : target == NULL ? "target"
+                                             : "reweighted");
     if (reweighted == weight || reweighted == image || reweighted == target)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "reweighted is weight, image or target, expected memory of its own");
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                        "reweighted is weight, image or target, expected memory of its own");
     if (channels < 1 || count < 1 || count % (size_t)channels != 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "channels is %d, expected a divisor of count %z", channels, count);
-    if (loss != MS_PME_HUBER && loss != MS_PME_TUKEY) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "loss is %d, expected one of ms_pme_loss", loss);
-    if (!ms__finite(scale) || scale < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "scale is %g, expected 0 or more", scale);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "channels is %d, expected a divisor of count %z", channels,
+                        count);
+    if (loss != MS_PME_HUBER && loss != MS_PME_TUKEY)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "loss is %d, expected one of ms_pme_loss", loss);
+    if (!ms__finite(scale) || scale < 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "scale is %g, expected 0 or more", scale);
     plane = count / (size_t)channels;
-    for (i = 0; i < plane; ++i) { /* the pixel's error, root mean square over what counts of its channels; infinite: nothing does */
+    for (i = 0; i < plane;
+         ++i) { /* the pixel's error, root mean square over what counts of its channels; infinite: nothing does */
         double sum = 0, total = 0;
         for (c = 0; c < channels; ++c) {
             size_t at = i + (size_t)c * plane;
             double w = weight ? (double)weight[at] : 1, d = (double)image[at] - (double)target[at];
-            if (!ms__finite(w) || w < 0) return ms__fail(error, MS_INVALID_ARGUMENT, at, "weight %z is %g, expected a finite number >= 0", at, w);
-            if (w > 0 && !ms__finite(d)) return ms__fail(error, MS_INVALID_ARGUMENT, at, "image or target %z is not finite", at);
+            if (!ms__finite(w) || w < 0)
+                return ms__fail(error, MS_INVALID_ARGUMENT, at, "weight %z is %g, expected a finite number >= 0", at,
+                                w);
+            if (w > 0 && !ms__finite(d))
+                return ms__fail(error, MS_INVALID_ARGUMENT, at, "image or target %z is not finite", at);
             if (w > 0) sum += w * d * d;
             total += w;
         }
         reweighted[i] = total > 0 ? (float)sqrt(sum / total) : (float)HUGE_VAL;
         compared += total > 0;
     }
-    if (scale <= 0 && compared > 0) { /* 1.4826 times the median, found by the bits of positive floats, which sort as they do */
+    if (scale <= 0 &&
+        compared > 0) { /* 1.4826 times the median, found by the bits of positive floats, which sort as they do */
         while (high - low > 1) {
             uint32_t middle = low + (high - low) / 2;
             for (i = below = 0; i < plane; ++i) {
@@ -2344,7 +2454,8 @@ MS_API ms_status ms_pme_reweigh(int loss, double scale, size_t count, int channe
     if (used_scale != NULL) *used_scale = scale;
     for (i = plane; i-- > 0;) {
         double t = (double)reweighted[i] / (scale > 0 ? scale * (loss == MS_PME_HUBER ? 1.345 : 4.685) : 1), factor = 1;
-        if (scale > 0 && ms__finite(t)) factor = loss == MS_PME_HUBER ? (t > 1 ? 1 / t : 1) : t < 1 ? (1 - t * t) * (1 - t * t) : 0;
+        if (scale > 0 && ms__finite(t))
+            factor = loss == MS_PME_HUBER ? (t > 1 ? 1 / t : 1) : t < 1 ? (1 - t * t) * (1 - t * t) : 0;
         for (c = channels - 1; c >= 0; --c) {
             size_t at = i + (size_t)c * plane;
             reweighted[at] = (float)(factor * (weight ? (double)weight[at] : 1));
@@ -2373,7 +2484,8 @@ MS_API ms_status ms_pme_sensitivity(const ms_pme_function *function, const ms_pm
     status = ms_pme__check(function, &unlimited, x, error);
     if (status != MS_OK) return status;
     if (function->residuals == NULL || singular_value == NULL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", singular_value == NULL ? "singular_value" : "residuals");
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL",
+                        singular_value == NULL ? "singular_value" : "residuals");
     status = ms_pme__begin(&run, function, &unlimited, &block, &size, error);
     if (status != MS_OK) return status;
     n = run.n;
@@ -2381,7 +2493,9 @@ MS_API ms_status ms_pme_sensitivity(const ms_pme_function *function, const ms_pm
     g = walk.g;
     u = walk.scale + n; /* columns of R, stored as rows, and the accumulated rotations */
     v = u + n * n;
-    if (!ms__finite(ms_pme__linearize(&run, x, MS_PME__INF)) && run.status == MS_OK && !(run.stopped && run.best_value <= 0)) run.status = MS_BAD_DATA;
+    if (!ms__finite(ms_pme__linearize(&run, x, MS_PME__INF)) && run.status == MS_OK &&
+        !(run.stopped && run.best_value <= 0))
+        run.status = MS_BAD_DATA;
     if (run.status == MS_OK) ms_pme__factor(&run, &walk);
     if (run.status == MS_OK) {
         for (i = 0; i < n; ++i)
@@ -2410,7 +2524,10 @@ MS_API ms_status ms_pme_sensitivity(const ms_pme_function *function, const ms_pm
             int top = i;
             for (j = i, g[i] = -1; j < n; ++j) {
                 double s = sqrt(ms_pme__dot(u + j * n, u + j * n, n));
-                if (s > g[i]) { g[i] = s; top = j; }
+                if (s > g[i]) {
+                    g[i] = s;
+                    top = j;
+                }
             }
             if (top == i) continue;
             ms_pme__rotate(u + i * n, u + top * n, 0, 1, n);
@@ -2423,12 +2540,15 @@ MS_API ms_status ms_pme_sensitivity(const ms_pme_function *function, const ms_pm
                 if (g[k] > 1e-12 * g[0]) variance += c * c / (g[k] * g[k]);
                 else if (c * c > 1e-12) variance = MS_PME__INF;
             }
-            if (deviation != NULL) deviation[j] = variance < MS_PME__INF ? ms_pme__shifted(sqrt(variance), run.shift) : variance;
+            if (deviation != NULL)
+                deviation[j] = variance < MS_PME__INF ? ms_pme__shifted(sqrt(variance), run.shift) : variance;
             singular_value[j] = ms_pme__shifted(g[j], -run.shift);
         }
         if (direction != NULL) ms_pme__copy(direction, v, n * n);
     } else {
-        status = run.status == MS_BAD_DATA && run.bad_parameter < 0 ? ms__fail(error, MS_BAD_DATA, 0, "a residual is not finite") : ms_pme__why(&run, error);
+        status = run.status == MS_BAD_DATA && run.bad_parameter < 0
+            ? ms__fail(error, MS_BAD_DATA, 0, "a residual is not finite")
+            : ms_pme__why(&run, error);
     }
     ms__release(&options->allocator, block, size);
     return status;

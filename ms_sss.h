@@ -71,15 +71,15 @@
      image-optimal, optimised taps (default)      2.50   1.61   1.41            9.25   5.62   4.16
      two terms, optimised taps                    1.89   0.67   0.29            8.12   3.74   1.98
 
-   Edges along the screen's axes want `dial` towards 1, a single bright dot wants more taps, detail and shadows are served by
-   the default. Making a kernel takes longer with taps, terms and frames; the filter with pixels, taps and terms, hardly with
-   the radius (`make bench FILTER=sss_filter`).
+   Edges along the screen's axes want `dial` towards 1, a single bright dot wants more taps, detail and shadows are
+   served by the default. Making a kernel takes longer with taps, terms and frames; the filter with pixels, taps and
+   terms, hardly with the radius (`make bench FILTER=sss_filter`).
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
-   Profiles and designers are one block each from the caller's allocator (a designer: 2 MB); building a kernel takes another,
-   under 1 MB (rotated: to 20 MB), measuring one 60 KB, and gives it back. Filters allocate nothing: the caller lends a
-   workspace. No globals. At most 32 KB of stack a call, 64 KB without optimisation.
+   Profiles and designers are one block each from the caller's allocator (a designer: 2 MB); building a kernel takes
+   another, under 1 MB (rotated: to 20 MB), measuring one 60 KB, and gives it back. Filters allocate nothing: the caller
+   lends a workspace. No globals. At most 32 KB of stack a call, 64 KB without optimisation.
    Profiles, designers and kernels are only read once made: calls may overlap. Filters cut the picture into rows for
    ms_parallel; kernels are made on one thread.
    Filters run scalar, SSE2 or NEON, AVX2 or AVX-512 text, chosen once a call, capped by options.simd; on x86-64 with
@@ -92,33 +92,35 @@
    MS_DEF           linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_SSS_FILENAME  this file's name, if it is not "ms_sss.h"
    MS_NO_SIMD       scalar text only
-   MS_SSS_NO_DESIGN run time alone, for programs that carry kernels and pyramids as data: the filter, ms_sss_transmission and
-                    shaders; nothing that takes a profile
+   MS_SSS_NO_DESIGN run time alone, for programs that carry kernels and pyramids as data: the filter,
+                    ms_sss_transmission and shaders; nothing that takes a profile
    MS_ASSERT        checks of the header's own invariants (nothing)
 
    Limits
    ------
-   A separable kernel is no profile: step and disk errors above stay however many taps are spent, unless terms are added.
-   Against random walks through three objects (`make bench FILTER=sss_truth`) what is left of the error lies at shadow
-   borders, where two passes along the screen's axes are no round kernel (ms_sss_gather), and on parts that let light through
-   (ms_sss_transmission, or ms_sss_gather with a back layer): there, lit from behind, the filter alone is no better than
-   none. Bodies thinner than a mean free path stay too dark.
-   Guided kernels send more light far away than the profile does; where it then crosses to other parts of an object (depth
-   sigma a third of the radius, a knot of marble) their picture is worse than an unfiltered one.
-   Designs go up to a radius of 128 pixels; larger ones scale from there. Light that a profile sends beyond the 99% radius
-   of its widest channel is moved inside, so that energy is kept. Errors are of linear interpolation between two pixels.
+   A separable kernel is no profile: step and disk errors above stay however many taps are spent, unless terms are
+   added. Against random walks through three objects (`make bench FILTER=sss_truth`) what is left of the error lies at
+   shadow borders, where two passes along the screen's axes are no round kernel (ms_sss_gather), and on parts that let
+   light through (ms_sss_transmission, or ms_sss_gather with a back layer): there, lit from behind, the filter alone is
+   no better than none. Bodies thinner than a mean free path stay too dark.
+   Guided kernels send more light far away than the profile does; where it then crosses to other parts of an object
+   (depth sigma a third of the radius, a knot of marble) their picture is worse than an unfiltered one.
+   Designs go up to a radius of 128 pixels; larger ones scale from there. Light that a profile sends beyond the 99%
+   radius of its widest channel is moved inside, so that energy is kept. Errors are of linear interpolation between two
+   pixels.
 
    Sources
    -------
-   K. Zsolnai-Feher, Photorealistic Material Learning and Synthesis, TU Wien 2019, chapter 5 (numbers in brackets are its
-   equations); Jimenez, Zsolnai, Jarabo, Freude, Auzinger, Wu, von der Pahlen, Wimmer, Gutierrez 2015, Separable subsurface
-   scattering; d'Eon, Luebke, Enderton 2007, Efficient rendering of human skin; Burley 2015; Christensen and Burley 2015.
+   K. Zsolnai-Feher, Photorealistic Material Learning and Synthesis, TU Wien 2019, chapter 5 (numbers in brackets are
+   its equations); Jimenez, Zsolnai, Jarabo, Freude, Auzinger, Wu, von der Pahlen, Wimmer, Gutierrez 2015, Separable
+   subsurface scattering; d'Eon, Luebke, Enderton 2007, Efficient rendering of human skin; Burley 2015; Christensen and
+   Burley 2015.
 
    Sections (search for "---- name")
    ---------------------------------
-   Declarations: profiles, elevation, kernels, errors, translucency, filter, pyramid, gather, GPU text. Implementation: small
-   maths, profile tables, pre-integration, cells and spectra, kernel errors, taps, kernel models, translucency tables,
-   filter code, pyramid code, gather code, GPU code. Included once a level: filter kernels, pyramid kernels.
+   Declarations: profiles, elevation, kernels, errors, translucency, filter, pyramid, gather, GPU text. Implementation:
+   small maths, profile tables, pre-integration, cells and spectra, kernel errors, taps, kernel models, translucency
+   tables, filter code, pyramid code, gather code, GPU code. Included once a level: filter kernels, pyramid kernels.
 */
 #ifndef MS_SSS_H
 #define MS_SSS_H
@@ -150,9 +152,9 @@ extern "C" {
 #define MS_API MS_DEF
 #endif
 
-/* NULL, in every header: where an argument's comment does not say what NULL means, it may not be NULL. A call that returns a
-   status then answers MS_INVALID_ARGUMENT and names the argument; any other does nothing and returns 0 or NULL.
-   destroy and free do nothing with NULL. */
+/* NULL, in every header: where an argument's comment does not say what NULL means, it may not be NULL. A call that
+   returns a status then answers MS_INVALID_ARGUMENT and names the argument; any other does nothing and returns 0 or
+   NULL. destroy and free do nothing with NULL. */
 
 /* What went wrong; each code asks for another remedy. code, value, sentence */
 #define MS_STATUS_LIST(X)                                                  \
@@ -169,7 +171,7 @@ typedef enum ms_status {
 #define MS_STATUS_ENUM(code, value, sentence) code = value,
     MS_STATUS_LIST(MS_STATUS_ENUM)
 #undef MS_STATUS_ENUM
-    MS_STATUS_COUNT /* how many codes there are */
+        MS_STATUS_COUNT /* how many codes there are */
 } ms_status;
 
 /* Details of a failure. Every call that takes one accepts NULL; it is written on failure only. */
@@ -231,7 +233,7 @@ static inline const char *ms_simd_string(ms_simd level)
     int i = (int)level;
     return i >= 0 && i <= (int)MS_SIMD_AVX512 ? name[i] : "unknown";
 }
-#endif /* MS_COMMON */
+#endif             /* MS_COMMON */
 #if MS_COMMON != 2 /* outside the guard: catches two vendored releases in one file */
 #error "ms_*.h headers of different releases in one translation unit"
 #endif
@@ -242,20 +244,23 @@ static inline const char *ms_simd_string(ms_simd level)
 #define MS_SSS_GAUSSIANS_MAX 16 /* Gaussians of one profile */
 
 /* A diffusion profile: the light that leaves a half-space at distance r from where it entered, R_d(r) in 1/mm^2, in
-   red, green and blue. Radially symmetric, unchanging once made: any number of threads may read it. All lengths in mm. */
+   red, green and blue. Radially symmetric, unchanging once made: any number of threads may read it. All lengths in
+   mm. */
 typedef struct ms_sss_profile ms_sss_profile;
 
-/* From averages over rings, as Monte Carlo tallies and ms_mcml.h deliver them, noise and empty channels included. Copied.
-   edge_mm  [count + 1] increasing, edge_mm[0] >= 0 (a hole inside it counts as dark), finite
+/* From averages over rings, as Monte Carlo tallies and ms_mcml.h deliver them, noise and empty channels included.
+   Copied. edge_mm  [count + 1] increasing, edge_mm[0] >= 0 (a hole inside it counts as dark), finite
    value    three arrays of count averages, stride elements apart (0: 1), >= 0, finite, 1/mm^2
-   Within a ring R_d is linear in r^2, with the ring's energy and the slope of its neighbours where they agree, else flat.
-   MS_INVALID_ARGUMENT: counts, edges, values (error->position: the ring). MS_OUT_OF_MEMORY. *profile NULL then. */
+   Within a ring R_d is linear in r^2, with the ring's energy and the slope of its neighbours where they agree, else
+   flat. MS_INVALID_ARGUMENT: counts, edges, values (error->position: the ring). MS_OUT_OF_MEMORY. *profile NULL
+   then. */
 MS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile, int count, const double *edge_mm,
                                            const double *const value[3], int stride, const ms_allocator *allocator,
                                            ms_error *error);
 
-/* From point samples R_d(r_mm[i]) at increasing distances >= 0, count >= 2; otherwise as above. Between samples R_d is linear
-   in r^2; inside the first it is constant, beyond the last 0. A profile with a pole at r = 0 is better given as rings. */
+/* From point samples R_d(r_mm[i]) at increasing distances >= 0, count >= 2; otherwise as above. Between samples R_d is
+   linear in r^2; inside the first it is constant, beyond the last 0. A profile with a pole at r = 0 is better given as
+   rings. */
 MS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profile, int count, const double *r_mm,
                                              const double *const value[3], int stride, const ms_allocator *allocator,
                                              ms_error *error);
@@ -264,7 +269,8 @@ MS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profile, int count
    model (5.6), whose separable kernel a_m is the pre-integrated kernel of this profile with count = 2.
    sigma_mm, weight  [count][3]; 1 <= count <= MS_SSS_GAUSSIANS_MAX, sigma > 0; weights >= 0 */
 MS_API ms_status ms_sss_profile_from_gaussians(ms_sss_profile **profile, int count, const double (*sigma_mm)[3],
-                                               const double (*weight)[3], const ms_allocator *allocator, ms_error *error);
+                                               const double (*weight)[3], const ms_allocator *allocator,
+                                               ms_error *error);
 
 /* Normalised diffusion, R_d(r) = reflectance (exp(-r/d) + exp(-r/(3 d))) / (8 pi d r).
    Burley 2015, Extending the Disney BRDF to a BSDF with integrated subsurface scattering. */
@@ -276,12 +282,12 @@ MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const doub
 MS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm);
 
 /* From the text that examples/profile.c prints: lines "r_mm,R,G,B", comments that begin with '#', empty lines, and an
-   optional heading that begins with a letter; numbers with '.' in every locale, or semicolons and decimal commas; a byte
-   order mark is skipped, UTF-16 is MS_UNSUPPORTED. Where each r is the middle of a ring (edges 0, 2 r_0, 2 r_1 - 2 r_0, ...
-   increase), the values are ring averages, else point samples. text need not end with NUL.
+   optional heading that begins with a letter; numbers with '.' in every locale, or semicolons and decimal commas; a
+   byte order mark is skipped, UTF-16 is MS_UNSUPPORTED. Where each r is the middle of a ring (edges 0, 2 r_0, 2 r_1 - 2
+   r_0, ... increase), the values are ring averages, else point samples. text need not end with NUL.
    MS_BAD_DATA: error->position is the line. */
-MS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, const char *text, size_t size, const ms_allocator *allocator,
-                                         ms_error *error);
+MS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, const char *text, size_t size,
+                                         const ms_allocator *allocator, ms_error *error);
 
 /* NULL is fine. */
 MS_API void ms_sss_profile_destroy(ms_sss_profile *profile);
@@ -295,8 +301,9 @@ MS_API void ms_sss_profile_value(const ms_sss_profile *profile, double r_mm, dou
 /* Light that leaves within distance r, integral over the disc. */
 MS_API void ms_sss_profile_disc(const ms_sss_profile *profile, double r_mm, double out[3]);
 
-/* The pre-integrated kernel a_p(x) = integral of R_d(sqrt(x^2 + y^2)) over all y, 1/mm (5.4), in closed form: exact chords
-   of the rings, Gaussians, K0 for Burley (infinite at x = 0). Not normalised: its integral is the reflectance. */
+/* The pre-integrated kernel a_p(x) = integral of R_d(sqrt(x^2 + y^2)) over all y, 1/mm (5.4), in closed form: exact
+   chords of the rings, Gaussians, K0 for Burley (infinite at x = 0). Not normalised: its integral is the
+   reflectance. */
 MS_API void ms_sss_profile_line(const ms_sss_profile *profile, double x_mm, double out[3]);
 
 /* Integral of a_p from -x to x, in closed form. */
@@ -307,18 +314,18 @@ MS_API void ms_sss_profile_radius(const ms_sss_profile *profile, double fraction
 
 /* ---- elevation ------------------------------------------------------------------------------------------------- */
 
-/* On a curved surface more light leaves than on the plane that the profile was made for, in hollows less. Light that enters
-   at q and leaves at p, outward normals n_q and n_p: profile on the surface over profile on the plane, at the same distance,
-   is close to f = max(0, 1 + K sin(theta) / 4)^4 with sin(theta) = (n_p - n_q).(p - q) / (2 |p - q|), on a sphere of radius a
-   |p - q| / (2 a). The factor is the colour's, not the normalisation's: out = reflectance sum(w f E) / sum(w), of which
-   reflectance sum(w f) / sum(w) is held to 1: no more leaves than entered.
-   This is K, the elevation of a channel: with q = 1 - reflectance, 0.57 + 2.45 q + 1.8 q^6 where the index of refraction
-   inside is that outside, 0.5 + 2.2 q + 2.5 q^12 at an index of 1.4, between and beyond linearly in the coefficients;
-   0 for a channel without light. index 1 to 2. From random walks in spheres and hollows of 2 to 64 mean free paths, albedo
-   0.3 to 0.999 (`make bench FILTER=sss_elevation`): what balls and cylinders with a radius of 8 mean free paths return is
-   met within 3% (flat: up to 28% off), of 4 within 10% (43%), where the reflectance is above 0.1. Tight hollows in bright
-   media come out too bright, by up to 15% at 4 mean free paths and 40% at an index of 1.4; bodies thinner than one, which
-   let light straight through, a third too dark. */
+/* On a curved surface more light leaves than on the plane that the profile was made for, in hollows less. Light that
+   enters at q and leaves at p, outward normals n_q and n_p: profile on the surface over profile on the plane, at the
+   same distance, is close to f = max(0, 1 + K sin(theta) / 4)^4 with sin(theta) = (n_p - n_q).(p - q) / (2 |p - q|), on
+   a sphere of radius a |p - q| / (2 a). The factor is the colour's, not the normalisation's: out = reflectance sum(w f
+   E) / sum(w), of which reflectance sum(w f) / sum(w) is held to 1: no more leaves than entered.
+   This is K, the elevation of a channel: with q = 1 - reflectance, 0.57 + 2.45 q + 1.8 q^6 where the index of
+   refraction inside is that outside, 0.5 + 2.2 q + 2.5 q^12 at an index of 1.4, between and beyond linearly in the
+   coefficients; 0 for a channel without light. index 1 to 2. From random walks in spheres and hollows of 2 to 64 mean
+   free paths, albedo 0.3 to 0.999 (`make bench FILTER=sss_elevation`): what balls and cylinders with a radius of 8 mean
+   free paths return is met within 3% (flat: up to 28% off), of 4 within 10% (43%), where the reflectance is above 0.1.
+   Tight hollows in bright media come out too bright, by up to 15% at 4 mean free paths and 40% at an index of 1.4;
+   bodies thinner than one, which let light straight through, a third too dark. */
 MS_API double ms_sss_elevation(double reflectance, double index);
 
 /* ---- kernels --------------------------------------------------------------------------------------------------- */
@@ -330,19 +337,22 @@ MS_API double ms_sss_elevation(double reflectance, double index);
 /* A separable kernel, ready to be applied: out = delta E + sum_t scale_t (E * w_t along x) * w_t along y.
    Normalised, but for MS_SSS_SVD: delta + sum_t scale_t (sum_i w_ti)^2 = 1 in every channel. */
 typedef struct ms_sss_kernel {
-    int tap_count;    /* odd; entry 0 is the centre (offset 0), then pairs -x, +x by growing |x| */
-    int term_count;   /* 1 except for SVD, sums of Gaussians, residuals */
+    int tap_count;  /* odd; entry 0 is the centre (offset 0), then pairs -x, +x by growing |x| */
+    int term_count; /* 1 except for SVD, sums of Gaussians, residuals */
     float offset_mm[MS_SSS_TAPS_MAX];
     float weight[MS_SSS_TERMS_MAX][MS_SSS_TAPS_MAX][3]; /* of one 1D pass, applied along x, then along y */
-    float scale[MS_SSS_TERMS_MAX][3]; /* factor of each term, applied once after both passes (sign of a singular value) */
+    float scale[MS_SSS_TERMS_MAX]
+               [3];       /* factor of each term, applied once after both passes (sign of a singular value) */
     float delta[3];       /* weight of the unblurred input */
     float radius_mm;      /* the outermost |offset| plus half its cell */
     float reflectance[3]; /* the profile's total; the kernel itself is normalised */
     int frame_count;      /* 1: axes fixed; n: made for the mean of n frames with axes at f * 90/n degrees in frame f */
-    float profile_radius_mm; /* that holds 99% of the profile's light in its widest channel; 0: radius_mm stands for it */
-    float elevation[3];      /* how light on curved surfaces differs from the plane, see ELEVATION; 0: not at all */
-    float decay[3];          /* 1/mm, of light in the depth, see ms_sss_transmittance */
-    float elevation_axis[3]; /* the same for the distances of one 1D pass: over both passes it has the mean of the round kernel */
+    float
+        profile_radius_mm; /* that holds 99% of the profile's light in its widest channel; 0: radius_mm stands for it */
+    float elevation[3];    /* how light on curved surfaces differs from the plane, see ELEVATION; 0: not at all */
+    float decay[3];        /* 1/mm, of light in the depth, see ms_sss_transmittance */
+    float elevation_axis[3]; /* the same for the distances of one 1D pass: over both passes it has the mean of the round
+                                kernel */
 } ms_sss_kernel;
 
 /* How the 2D profile becomes separable terms. Cost: 2 term_count passes. */
@@ -374,16 +384,16 @@ typedef struct ms_sss_artist {
 
 /* Zero is the default of every field; ms_sss_kernel_defaults() returns that. */
 typedef struct ms_sss_kernel_options {
-    int tap_count;              /* of a pass: odd, 3 to 33 for MS_SSS_OPTIMISED, else to MS_SSS_TAPS_MAX; 0: 7; or MS_SSS_DENSE */
-    int term_count;             /* 1 to MS_SSS_TERMS_MAX; 0: 1 (residual: 2) */
+    int tap_count;  /* of a pass: odd, 3 to 33 for MS_SSS_OPTIMISED, else to MS_SSS_TAPS_MAX; 0: 7; or MS_SSS_DENSE */
+    int term_count; /* 1 to MS_SSS_TERMS_MAX; 0: 1 (residual: 2) */
     ms_sss_model model;
     ms_sss_placement placement;
-    int no_delta;               /* 1: no weight on the unblurred input */
-    double dial;                /* image-optimal only: 0 texture ... 1 a_p, exact on axis-parallel signals */
-    double guide_k;             /* guided only: 0 near scattering ... 4 far scattering; the thesis calls 2 neutral */
-    int frame_count;            /* rotated only: 2 to 8; 0: 4 */
-    ms_sss_artist artist;       /* artist only */
-    double index;               /* of refraction, 1 to 2, for the kernel's elevation; 0: 1 */
+    int no_delta;         /* 1: no weight on the unblurred input */
+    double dial;          /* image-optimal only: 0 texture ... 1 a_p, exact on axis-parallel signals */
+    double guide_k;       /* guided only: 0 near scattering ... 4 far scattering; the thesis calls 2 neutral */
+    int frame_count;      /* rotated only: 2 to 8; 0: 4 */
+    ms_sss_artist artist; /* artist only */
+    double index;         /* of refraction, 1 to 2, for the kernel's elevation; 0: 1 */
 } ms_sss_kernel_options;
 
 MS_API ms_sss_kernel_options ms_sss_kernel_defaults(void);
@@ -396,9 +406,9 @@ MS_API ms_sss_artist ms_sss_artist_production(void);
    the spectra of the standard signals. Make one, build and measure many kernels. */
 typedef struct ms_sss_designer ms_sss_designer;
 
-/* radius_px: pixels that the 99% energy radius of the widest channel covers where the kernel will be used, > 0; 0: 24; above 128:
-   128, from where on errors hardly change. Kernels scale with depth when they are applied: design for the closest view that
-   matters. The profile is not kept.
+/* radius_px: pixels that the 99% energy radius of the widest channel covers where the kernel will be used, > 0; 0: 24;
+   above 128: 128, from where on errors hardly change. Kernels scale with depth when they are applied: design for the
+   closest view that matters. The profile is not kept.
    MS_INVALID_ARGUMENT: radius_px; a profile without any light. MS_OUT_OF_MEMORY: about 2 MB are needed. */
 MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss_profile *profile, double radius_px,
                                         const ms_allocator *allocator, ms_error *error);
@@ -406,8 +416,8 @@ MS_API void ms_sss_designer_destroy(ms_sss_designer *designer);
 
 /* One kernel. options NULL: 7 optimised taps. A channel without light gets the identity. designer is only read.
    MS_INVALID_ARGUMENT: an option outside its range (the message names it). MS_OUT_OF_MEMORY. kernel untouched then. */
-MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *designer, const ms_sss_kernel_options *options,
-                                     ms_error *error);
+MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *designer,
+                                     const ms_sss_kernel_options *options, ms_error *error);
 
 /* The two-Gaussian model of least squares to a_p, for artists to start from. A channel without light: near_weight 1 and
    sigmas of a thousandth of a cell. MS_INVALID_ARGUMENT: a NULL. */
@@ -415,8 +425,8 @@ MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *designer, ms_sss_artis
 
 /* The sum of count Gaussians that is closest to the profile in the sense of MS_SSS_GAUSSIANS: sigma_mm and weight
    [count][3], weights sum to 1; 1 <= count <= MS_SSS_TERMS_MAX. */
-MS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *designer, int count, double (*sigma_mm)[3], double (*weight)[3],
-                                      ms_error *error);
+MS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *designer, int count, double (*sigma_mm)[3],
+                                      double (*weight)[3], ms_error *error);
 
 /* ---- errors ---------------------------------------------------------------------------------------------------- */
 
@@ -429,8 +439,8 @@ typedef struct ms_sss_errors {
     double large_disk;    /* radius 120 pixels */
     double dot;           /* one pixel */
     double texture;       /* noise with amplitude 1/f: stands for natural pictures */
-    double bands;         /* stairs along a shadow's edge: of an edge from black to white along an axis, as sRGB with 255 for
-                             white, the largest second difference from pixel to pixel, against the right result's; absolute */
+    double bands; /* stairs along a shadow's edge: of an edge from black to white along an axis, as sRGB with 255 for
+                     white, the largest second difference from pixel to pixel, against the right result's; absolute */
 } ms_sss_errors;
 
 #define MS_SSS_BANDS_SEEN 24 /* bands above which stairs are seen */
@@ -438,48 +448,53 @@ typedef struct ms_sss_errors {
 /* Taps between pixels are read with linear interpolation, as the filter and GPUs do. Kernels with frame_count > 1 are
    measured as the mean of their frames. Takes 60 KB from the designer's allocator and gives them back.
    MS_INVALID_ARGUMENT: a NULL. MS_OUT_OF_MEMORY. errors untouched then. */
-MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel, const ms_sss_designer *designer);
+MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
+                                       const ms_sss_designer *designer);
 
-/* The cheapest image-optimal or residual kernel whose texture error is at most `tolerance` and whose bands are not seen, at most
-   tap_budget taps in all its terms together (each is read once in x and once in y). errors: out, optional
+/* The cheapest image-optimal or residual kernel whose texture error is at most `tolerance` and whose bands are not
+   seen, at most tap_budget taps in all its terms together (each is read once in x and once in y). errors: out, optional
    MS_NOT_CONVERGED: none within the budget; kernel and errors then hold the one that came nearest to both.
    MS_INVALID_ARGUMENT: tolerance not above 0, tap_budget < 3. MS_OUT_OF_MEMORY. kernel untouched by these. */
 MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_designer *designer,
                                       double tolerance, int tap_budget, ms_error *error);
 
 /* All of it in one call: designer for radius_px, kernel by options (NULL: 7 optimised taps), errors (optional). */
-MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile, double radius_px,
-                                    const ms_sss_kernel_options *options, const ms_allocator *allocator, ms_error *error);
+MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile,
+                                    double radius_px, const ms_sss_kernel_options *options,
+                                    const ms_allocator *allocator, ms_error *error);
 
 /* ---- translucency ---------------------------------------------------------------------------------------------- */
 
 /* What a slab of this thickness passes of the light that enters its far side evenly from all directions:
-   T(s) = (1 - R^2) x / (1 - R^2 x^2) (1 - 0.85 (1 - R)^5 (1 - x^0.8)), x = exp(-decay s), R the channel's reflectance: two
-   streams (Kubelka and Munk 1931) with the decay of the deep field, less what dark media lose of the light that has yet to
-   take that field's shape. decay = (1 - R) (0.52 - 0.6 ln(1 - R) + 0.625 R^0.5) / (mean distance between entry and exit).
-   Both were fitted to random walks of albedo 0.3 to 0.999 with isotropic scattering: within 7% where R is 0.15 to 0.95 and
-   T above 1e-3; an index of 1.4 inside loses up to 15% more. Needs the true reflectance: a profile that was normalised to 1
-   passes too much. A channel without light passes none. */
+   T(s) = (1 - R^2) x / (1 - R^2 x^2) (1 - 0.85 (1 - R)^5 (1 - x^0.8)), x = exp(-decay s), R the channel's reflectance:
+   two streams (Kubelka and Munk 1931) with the decay of the deep field, less what dark media lose of the light that has
+   yet to take that field's shape. decay = (1 - R) (0.52 - 0.6 ln(1 - R) + 0.625 R^0.5) / (mean distance between entry
+   and exit). Both were fitted to random walks of albedo 0.3 to 0.999 with isotropic scattering: within 7% where R is
+   0.15 to 0.95 and T above 1e-3; an index of 1.4 inside loses up to 15% more. Needs the true reflectance: a profile
+   that was normalised to 1 passes too much. A channel without light passes none. */
 MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness_mm, double out[3]);
 
 /* The same as a table: out [count][3], entry i at thickness i * max_thickness_mm / (count - 1), count >= 2.
    Read between its entries linearly. MS_INVALID_ARGUMENT: count, a thickness not above 0; out untouched. */
-MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, double max_thickness_mm, int count, float (*out)[3]);
+MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, double max_thickness_mm, int count,
+                                            float (*out)[3]);
 
 /* For an engine's light loop: what one lamp sends through the object to a point that faces away from it.
-   thickness_mm   from the point to where the lamp's light first enters the object, along the light: the lamp's shadow map
-   normal, entry_normal, to_light   outward normals at the point and at that entry, direction to the lamp; unit length, any
-                  common axes. out is 0 where the point faces the lamp, or the entry does not
+   thickness_mm   from the point to where the lamp's light first enters the object, along the light: the lamp's shadow
+                  map
+   normal, entry_normal, to_light   outward normals at the point and at that entry, direction to the lamp; unit length,
+                  any common axes. out is 0 where the point faces the lamp, or the entry does not
    light          the lamp's irradiance at the entry at right angle to the light
-   out            T(thickness) (1 + (1 / R - 1) max(0, -normal.entry_normal)) max(0, entry_normal.to_light) light, T as above,
-                  R the reflectance. In the filter's units: reflectance or albedo times out is what leaves. Combine it with
-                  the filtered light by max.
+   out            T(thickness) (1 + (1 / R - 1) max(0, -normal.entry_normal)) max(0, entry_normal.to_light) light, T as
+                  above, R the reflectance. In the filter's units: reflectance or albedo times out is what leaves.
+                  Combine it with the filtered light by max.
    Parallel faces pass what a slab passes, T / R; in a wedge and at the edge of a round body, where the way gets short
-   because the surface turns away, part of the light has left on the way: R times that, which also joins the light on both
-   sides of the shadow's border. Why max: near that border the filter holds light that came through the body already, and a
-   sum would count it twice; far from it the filter knows nothing of the far side. */
+   because the surface turns away, part of the light has left on the way: R times that, which also joins the light on
+   both sides of the shadow's border. Why max: near that border the filter holds light that came through the body
+   already, and a sum would count it twice; far from it the filter knows nothing of the far side. */
 MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm, const float normal[3],
-                                const float entry_normal[3], const float to_light[3], const float light[3], float out[3]);
+                                const float entry_normal[3], const float to_light[3], const float light[3],
+                                float out[3]);
 
 /* ---- filter ---------------------------------------------------------------------------------------------------- */
 
@@ -499,32 +514,34 @@ MS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int hal
 MS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void *blue, int half);
 MS_API ms_sss_image ms_sss_map(const void *values, int stride, int half);
 
-/* How a picture is filtered. AUTO: half resolution where `budget` allows it, else taps; the pyramid, if there is one, where those
-   would show bands: 7 taps beyond a 99% radius of 24 pixels at the nearest depth, 11 beyond 48, 25 beyond 70; at half
-   resolution beyond twice that. */
+/* How a picture is filtered. AUTO: half resolution where `budget` allows it, else taps; the pyramid, if there is one,
+   where those would show bands: 7 taps beyond a 99% radius of 24 pixels at the nearest depth, 11 beyond 48, 25 beyond
+   70; at half resolution beyond twice that. */
 typedef enum ms_sss_method {
     MS_SSS_METHOD_AUTO = 0,
-    MS_SSS_METHOD_TAPS = 1,   /* two passes a term at full resolution */
-    MS_SSS_METHOD_HALF = 2,   /* the same on pixels of twice the size; each pixel gets what those of its surface changed by */
+    MS_SSS_METHOD_TAPS = 1, /* two passes a term at full resolution */
+    MS_SSS_METHOD_HALF =
+        2, /* the same on pixels of twice the size; each pixel gets what those of its surface changed by */
     MS_SSS_METHOD_PYRAMID = 3 /* ms_sss_pyramid_filter */
 } ms_sss_method;
 
 struct ms_sss_pyramid;
 
-/* The same pixels with rows in the other order: all pictures of a frame must begin at the same side, top or bottom, and a
-   normal's y points to later rows. */
+/* The same pixels with rows in the other order: all pictures of a frame must begin at the same side, top or bottom, and
+   a normal's y points to later rows. */
 MS_API ms_sss_image ms_sss_flipped(ms_sss_image image, int width, int height);
 
-/* How an engine writes depth: the numbers of its projection. D3D, Vulkan, Metal and the depth textures of OpenGL alike. */
+/* How an engine writes depth: the numbers of its projection. D3D, Vulkan, Metal and the depth textures of OpenGL
+   alike. */
 typedef struct ms_sss_depth_buffer {
     float near_plane, far_plane; /* scene units, 0 < near < far; far 0 or infinite: infinitely far */
     int reversed;                /* 0: 0 near to 1 far; 1: 1 near to 0 far */
     int orthographic;            /* 1: depth goes linearly from near to far */
 } ms_sss_depth_buffer;
 
-/* Distances along the view axis for ms_sss_frame.depth, out[height][width], from a depth buffer; out may be its memory where that
-   is float and packed. Where nothing was drawn (the far plane or beyond), and for NaN: infinite, that is, no part.
-   MS_INVALID_ARGUMENT: a plane out of range, a stride, a NULL; out is untouched then. */
+/* Distances along the view axis for ms_sss_frame.depth, out[height][width], from a depth buffer; out may be its memory
+   where that is float and packed. Where nothing was drawn (the far plane or beyond), and for NaN: infinite, that is, no
+   part. MS_INVALID_ARGUMENT: a plane out of range, a stride, a NULL; out is untouched then. */
 MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int height, const ms_sss_depth_buffer *how,
                                      float *out, ms_error *error);
 
@@ -534,26 +551,28 @@ MS_API float ms_sss_fov_along_y(float fov_degrees_along_x, int width, int height
 /* What is filtered. The input is light that entered the surface, linear, before the albedo unless the albedo is baked
    in; it must not hold specular reflection, which never went below the surface. */
 typedef struct ms_sss_frame {
-    int width, height;       /* 1 to 65536 each */
-    ms_sss_image input;      /* linear RGB */
-    ms_sss_image output;     /* every pixel is written; may be the input's own memory, but must not overlap it otherwise */
-    ms_sss_image depth;      /* optional with pixels_per_mm: distance along the view axis (not along the ray), scene units */
-    ms_sss_image strength;   /* optional, 0 to 1: a fraction of the effect; 0 and NaN: another material (see ms_sss_filter) */
-    ms_sss_image albedo;     /* optional RGB >= 0: the output is then multiplied by it, as albedo_mode says */
-    ms_sss_image specular;   /* optional RGB: added to the output, never filtered */
-    const uint8_t *profile;  /* optional: index of each pixel's kernel; an index without a kernel: another material */
+    int width, height;   /* 1 to 65536 each */
+    ms_sss_image input;  /* linear RGB */
+    ms_sss_image output; /* every pixel is written; may be the input's own memory, but must not overlap it otherwise */
+    ms_sss_image depth; /* optional with pixels_per_mm: distance along the view axis (not along the ray), scene units */
+    ms_sss_image
+        strength; /* optional, 0 to 1: a fraction of the effect; 0 and NaN: another material (see ms_sss_filter) */
+    ms_sss_image albedo;    /* optional RGB >= 0: the output is then multiplied by it, as albedo_mode says */
+    ms_sss_image specular;  /* optional RGB: added to the output, never filtered */
+    const uint8_t *profile; /* optional: index of each pixel's kernel; an index without a kernel: another material */
     ptrdiff_t profile_pixel_stride, profile_row_stride; /* in elements; 0: 1, and tightly packed */
-    ms_sss_image normal;     /* optional: the surface's normals, without bump maps, of any length, in view space: x to the right,
-                                y as rows grow, z towards the camera; none: from depth, see `flat` */
-    ms_sss_image through;    /* optional RGB: light that comes through thin parts (ms_sss_transmission, summed over the lamps);
-                                the output is the larger of both, before albedo and specular */
-    ms_sss_method *taken;    /* optional [kernel_count], written: the method that each kernel in use was filtered by */
+    ms_sss_image normal;  /* optional: the surface's normals, without bump maps, of any length, in view space: x to the
+                             right,  y as rows grow, z towards the camera; none: from depth, see `flat` */
+    ms_sss_image through; /* optional RGB: light that comes through thin parts (ms_sss_transmission, summed over the
+                             lamps); the output is the larger of both, before albedo and specular */
+    ms_sss_method *taken; /* optional [kernel_count], written: the method that each kernel in use was filtered by */
 } ms_sss_frame;
 
 /* How a tap whose surface lies dz in front of or behind the pixel counts. */
 typedef enum ms_sss_depth_mode {
-    MS_SSS_DEPTH_AWARE = 0,  /* weight times a falloff in dz from the tangent plane, 0 from depth_sigma_mm on, see ms_sss_filter;
-                                flat 1: in dz, and 0 beyond the kernel's radius; the rest is renormalised */
+    MS_SSS_DEPTH_AWARE =
+        0, /* weight times a falloff in dz from the tangent plane, 0 from depth_sigma_mm on, see ms_sss_filter;
+              flat 1: in dz, and 0 beyond the kernel's radius; the rest is renormalised */
     MS_SSS_DEPTH_FOLLOW = 1, /* older engines: the tap's colour fades to the pixel's own over follow_mm */
     MS_SSS_DEPTH_SCALE = 2   /* depth sets the kernel's size in pixels only; light leaks across silhouettes */
 } ms_sss_depth_mode;
@@ -568,36 +587,37 @@ typedef enum ms_sss_albedo_mode {
 /* Zero, as from ms_sss_filter_defaults(), is the default of every field but one of the three that give the size of a
    pixel: set exactly one of pixels_per_mm[0], fov_degrees and ortho_height. */
 typedef struct ms_sss_filter_options {
-    float pixels_per_mm[2];  /* texture space: pixels a millimetre along x and y; [1] 0: as [0] */
-    float fov_degrees;       /* perspective: the picture's full angle along y, in (0, 180) */
-    float ortho_height;      /* orthographic: scene units from the picture's top to its bottom */
-    float mm_per_unit;       /* millimetres in a scene unit, 1000 where that is the metre; 0: 1, refused where that makes kernels
-                                cover half of the picture */
+    float pixels_per_mm[2]; /* texture space: pixels a millimetre along x and y; [1] 0: as [0] */
+    float fov_degrees;      /* perspective: the picture's full angle along y, in (0, 180) */
+    float ortho_height;     /* orthographic: scene units from the picture's top to its bottom */
+    float mm_per_unit;      /* millimetres in a scene unit, 1000 where that is the metre; 0: 1, refused where that makes
+                               kernels      cover half of the picture */
     ms_sss_depth_mode depth_mode;
-    float depth_sigma_mm;    /* of MS_SSS_DEPTH_AWARE: |dz| / 3.0746 from which on nothing counts; 0: such that this is 1.5 times
-                                the profile's 99% radius (flat 1: 0.37 times, between: between) */
-    float follow_mm;         /* of MS_SSS_DEPTH_FOLLOW: |dz| at which nothing of the tap is left; 0: the kernel's radius */
+    float depth_sigma_mm; /* of MS_SSS_DEPTH_AWARE: |dz| / 3.0746 from which on nothing counts; 0: such that this is 1.5
+                             times the profile's 99% radius (flat 1: 0.37 times, between: between) */
+    float follow_mm;      /* of MS_SSS_DEPTH_FOLLOW: |dz| at which nothing of the tap is left; 0: the kernel's radius */
     ms_sss_albedo_mode albedo_mode;
-    float fade;              /* 0: full effect, 1: none; the strength is 1 - fade times the strength map */
-    float rotation;          /* radians from +x towards +y: the axes of both passes (a kernel designed for it, or 0) */
-    float jitter;            /* 0 to 1: turns each pixel's axes by up to this part of 90 degrees (interleaved noise); the
-                                error gets no lower: noise hides structure */
-    ms_simd simd;            /* cap of the instruction set */
-    ms_parallel parallel;    /* the program's threads: up to 16 tasks a call; zero: the calling thread alone */
-    float flat;              /* 0: the surface's slope and curvature count in full wherever depth is given (MS_SSS_DEPTH_AWARE);
-                                1: not at all, as if every pixel faced the camera; between: slopes are that much less */
-    int exact;               /* 1: depth weights exp(-dz^2 / (2 sigma^2)) to 3.0746 sigma, 0.25 of the profile's radius (flat 1:
-                                0.12), and no more, for comparisons. Pyramid: 1 gathers more widely, see there */
+    float fade;           /* 0: full effect, 1: none; the strength is 1 - fade times the strength map */
+    float rotation;       /* radians from +x towards +y: the axes of both passes (a kernel designed for it, or 0) */
+    float jitter;         /* 0 to 1: turns each pixel's axes by up to this part of 90 degrees (interleaved noise); the
+                             error gets no lower: noise hides structure */
+    ms_simd simd;         /* cap of the instruction set */
+    ms_parallel parallel; /* the program's threads: up to 16 tasks a call; zero: the calling thread alone */
+    float flat; /* 0: the surface's slope and curvature count in full wherever depth is given (MS_SSS_DEPTH_AWARE);
+                   1: not at all, as if every pixel faced the camera; between: slopes are that much less */
+    int exact;  /* 1: depth weights exp(-dz^2 / (2 sigma^2)) to 3.0746 sigma, 0.25 of the profile's radius (flat 1:
+                   0.12), and no more, for comparisons. Pyramid: 1 gathers more widely, see there */
     ms_sss_method method;
-    float budget;            /* AUTO: root mean square that half resolution may differ by from taps, over the picture's standard
-                                deviation (0.03 + 0.35 / radius in pixels on pictures with edges); 0: nothing, so never half */
+    float budget; /* AUTO: root mean square that half resolution may differ by from taps, over the picture's standard
+                     deviation (0.03 + 0.35 / radius in pixels on pictures with edges); 0: nothing, so never half */
     const struct ms_sss_pyramid *pyramids; /* [kernel_count], of the kernels' profiles; NULL: none */
 } ms_sss_filter_options;
 
 MS_API ms_sss_filter_options ms_sss_filter_defaults(void);
 
-/* Bytes that ms_sss_filter needs for frames of this size: about 35 a pixel (flat 1: 25; half resolution: 25; rotation: 31), 12 more
-   with kernels of several terms; with pyramids at least 39. SIZE_MAX: more than this machine can address. */
+/* Bytes that ms_sss_filter needs for frames of this size: about 35 a pixel (flat 1: 25; half resolution: 25; rotation:
+   31), 12 more with kernels of several terms; with pyramids at least 39. SIZE_MAX: more than this machine can
+   address. */
 MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                       const ms_sss_filter_options *options);
 
@@ -613,44 +633,47 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
      reaches another pixel. Nor does light cross between profiles.
    - Slope (see `flat`): taps are spaced on the surface's tangent plane, and depth counts against it, so that a plane is
      filtered alike at any tilt up to 83 degrees. Exact about the screen's axes; diagonal tilts shear the kernel.
-   - Distance: a tap's pixel dz off the tangent plane, the tap x mm away on it, counts (1 - dz^2 / D^2) / (1 + dz^2 / x^2), D the
-     depth of depth_sigma_mm: light along an axis falls about as 1 / distance^2. (flat 1: (1 - dz^2 / D^2)^4.)
+   - Distance: a tap's pixel dz off the tangent plane, the tap x mm away on it, counts (1 - dz^2 / D^2) / (1 + dz^2 /
+     x^2), D the depth of depth_sigma_mm: light along an axis falls about as 1 / distance^2. (flat 1: (1 - dz^2 /
+     D^2)^4.)
    - Area: where the surface bends away between two taps by an angle of tangent m, the outer one stands for more of it:
      1 + m^2 / 2 times as much, at most 3 times. Not for terms with weights of both signs.
-   - Elevation (see ELEVATION): sin(theta) = how far the tap lies below the pixel's tangent plane over the tap's distance, which
-     on a sphere is the same. No pass multiplies the mean by more than reflectance^(-1/2): reflectance times output is never above
-     the brightest input.
-     Slopes and normals are those of depth, one-sided differences where an edge or crease is on the other side; 0 where edges are
-     on both. Half-precision depth is too coarse for that: give normals, or set flat to 1.
-   - What of a kernel falls outside the picture or on such pixels is made up for by the rest: on planes, and everywhere with
-     flat 1, a constant stays constant within 1e-6 and what the rounding of depth does to slopes. A kernel whose terms have
-     weights of both signs gives what is missing to the pixel's own colour instead.
-   - Where the kernel's radius is under half a pixel, and where strength is 0, the input is returned bit for bit (without
-     albedo and specular). A radius above the larger side of the picture is reduced to it.
-   - Half resolution: a pixel keeps the share of its own light that it keeps at full resolution, so that detail stays; the rest
-     comes from the up to four larger pixels around that lie near it in depth, and none leaves it as it is.
-   - Pyramids: MS_UNSUPPORTED with what ms_sss_pyramid_filter does not take, but for frame->profile; AUTO then takes none.
-   - Depth edges wider than D, flat 1: than that or the kernel's radius, let nothing through; beside a slope that is counted
-     against its continuation.
+   - Elevation (see ELEVATION): sin(theta) = how far the tap lies below the pixel's tangent plane over the tap's
+     distance, which on a sphere is the same. No pass multiplies the mean by more than reflectance^(-1/2): reflectance
+     times output is never above the brightest input.
+     Slopes and normals are those of depth, one-sided differences where an edge or crease is on the other side; 0 where
+     edges are on both. Half-precision depth is too coarse for that: give normals, or set flat to 1.
+   - What of a kernel falls outside the picture or on such pixels is made up for by the rest: on planes, and everywhere
+     with flat 1, a constant stays constant within 1e-6 and what the rounding of depth does to slopes. A kernel whose
+     terms have weights of both signs gives what is missing to the pixel's own colour instead.
+   - Where the kernel's radius is under half a pixel, and where strength is 0, the input is returned bit for bit
+     (without albedo and specular). A radius above the larger side of the picture is reduced to it.
+   - Half resolution: a pixel keeps the share of its own light that it keeps at full resolution, so that detail stays;
+     the rest comes from the up to four larger pixels around that lie near it in depth, and none leaves it as it is.
+   - Pyramids: MS_UNSUPPORTED with what ms_sss_pyramid_filter does not take, but for frame->profile; AUTO then takes
+     none.
+   - Depth edges wider than D, flat 1: than that or the kernel's radius, let nothing through; beside a slope that is
+     counted against its continuation.
    Bit-equal for any thread count at one level; across levels within 2e-6 of the largest input near the pixel.
    Work is in proportion to the pixels that take part. No allocation. Calls may overlap if workspace and output differ.
    MS_INVALID_ARGUMENT: a pointer, size, stride or option out of range (nothing written). Thesis 5.5, 5.8.2, 5.10;
    Jimenez et al. 2009, "Screen-space perceptual rendering of human skin". */
 MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
-                               const ms_sss_filter_options *options, void *workspace, size_t workspace_size, ms_error *error);
+                               const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
+                               ms_error *error);
 
 /* ---- pyramid --------------------------------------------------------------------------------------------------- */
 
 #define MS_SSS_PYRAMID_LEVELS 12 /* of a pyramid; level l is 2^l times smaller */
 #define MS_SSS_PYRAMID_SIZES 49  /* kernel radii of 1, 1.25, 1.5, 1.75, 2, 2.5 ... 4096 pixels */
 
-/* The round 2D kernel of a profile as a sum over the levels of a pyramid, for radii from about 16 pixels on: the cost does
-   not depend on the radius. [0][0] is the weight of a pixel's own light, [0][1] of its neighbours', [l][1] of what is
-   gathered from level l; all are >= 0 and add up to 1. Those of options.exact gather more widely. */
+/* The round 2D kernel of a profile as a sum over the levels of a pyramid, for radii from about 16 pixels on: the cost
+   does not depend on the radius. [0][0] is the weight of a pixel's own light, [0][1] of its neighbours', [l][1] of what
+   is gathered from level l; all are >= 0 and add up to 1. Those of options.exact gather more widely. */
 typedef struct ms_sss_pyramid {
     float radius_mm; /* that holds 99% of the light of the widest channel */
     float weight[2][MS_SSS_PYRAMID_SIZES][MS_SSS_PYRAMID_LEVELS][2][3]; /* [exact][size][level][blurred][channel] */
-    float elevation[3];   /* see ELEVATION; of index 1 */
+    float elevation[3];                                                 /* see ELEVATION; of index 1 */
     float reflectance[3]; /* the profile's total; the weights add up to 1 */
 } ms_sss_pyramid;
 
@@ -662,16 +685,17 @@ MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profi
 MS_API size_t ms_sss_pyramid_workspace(int width, int height);
 
 /* ms_sss_filter with the round kernel instead of a separable one. With depth and MS_SSS_DEPTH_AWARE light counts by its
-   distance in space and by the area of surface that a pixel shows, and is lifted by (1 + K sin(theta) / 4)^4, see ELEVATION:
-   every pixel gathers from 8 to 16 pixels of the next coarser level, in levels from 1 on up to 36, at exact distances,
-   K sin(theta) entering by its mean and variance, and passes its sums on to the finer level. options.exact 1, nearer to the
-   truth for more time: from up to 64 pixels, each with its own sin(theta). A level's mean factor is at most 1 / reflectance:
-   an even light never comes out stronger than it went in. options.flat 1: as if all pixels faced the camera.
-   A pixel of a coarser level belongs to one surface, the nearest that covers it; only light from within reach of its
-   tangent plane gets in, and from there only to pixels of the same surface: nothing crosses a depth edge wider than the
-   radius, masks and NaN are as in ms_sss_filter. A constant stays constant where the surface is plane: what rounding of
-   depths may be is not taken for shape. Gathers widen with slopes up to 48 degrees; steeper planes are blurred too little
-   along the level line and too much down the slope (by 0.04 of a wave's height at 60 degrees, 0.15 at 75).
+   distance in space and by the area of surface that a pixel shows, and is lifted by (1 + K sin(theta) / 4)^4, see
+   ELEVATION: every pixel gathers from 8 to 16 pixels of the next coarser level, in levels from 1 on up to 36, at exact
+   distances, K sin(theta) entering by its mean and variance, and passes its sums on to the finer level. options.exact
+   1, nearer to the truth for more time: from up to 64 pixels, each with its own sin(theta). A level's mean factor is at
+   most 1 / reflectance: an even light never comes out stronger than it went in. options.flat 1: as if all pixels faced
+   the camera. A pixel of a coarser level belongs to one surface, the nearest that covers it; only light from within
+   reach of its tangent plane gets in, and from there only to pixels of the same surface: nothing crosses a depth edge
+   wider than the radius, masks and NaN are as in ms_sss_filter. A constant stays constant where the surface is plane:
+   what rounding of depths may be is not taken for shape. Gathers widen with slopes up to 48 degrees; steeper planes are
+   blurred too little along the level line and too much down the slope (by 0.04 of a wave's height at 60 degrees, 0.15
+   at 75).
    options   as ms_sss_filter; MS_UNSUPPORTED: rotation, jitter, MS_SSS_DEPTH_FOLLOW, pixels_per_mm that differ,
              frame->profile
    Six calls of options.parallel. Bit-equal for any thread count at one level of instructions. No allocation. */
@@ -681,17 +705,18 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
 
 /* ---- gather ---------------------------------------------------------------------------------------------------- */
 
-/* The surface behind: what lies first behind each pixel along the view, as an engine draws it with front faces culled. */
+/* The surface behind: what lies first behind each pixel along the view, as an engine draws it with front faces
+   culled. */
 typedef struct ms_sss_back {
     ms_sss_image input;  /* its irradiance, as ms_sss_frame.input */
     ms_sss_image depth;  /* its depth, as ms_sss_frame.depth; not finite or not positive: nothing */
     ms_sss_image normal; /* optional, as ms_sss_frame.normal; it looks away from the camera */
 } ms_sss_back;
 
-/* The slow, good filter: every pixel gathers from points of the surface in space, at their true distances, with the round
-   profile and the elevation, from the visible surface and, if given, the one behind it: the light of ears, leaves and
-   fingers against the sun, which no filter of one layer has. Points farther than four pixels are taken together by twos,
-   fours and so on: some hundred reads a pixel and layer.
+/* The slow, good filter: every pixel gathers from points of the surface in space, at their true distances, with the
+   round profile and the elevation, from the visible surface and, if given, the one behind it: the light of ears, leaves
+   and fingers against the sun, which no filter of one layer has. Points farther than four pixels are taken together by
+   twos, fours and so on: some hundred reads a pixel and layer.
    frame     depth is needed; no profile; through does nothing; the rest as in ms_sss_filter
    back      NULL: the visible surface alone
    options   the size of a pixel, mm_per_unit, albedo_mode, fade, flat, parallel count; the others do nothing
@@ -700,7 +725,8 @@ typedef struct ms_sss_back {
    pixels_per_mm. */
 MS_API size_t ms_sss_gather_workspace(int width, int height, int with_back);
 MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *back, const ms_sss_profile *profile,
-                               const ms_sss_filter_options *options, void *workspace, size_t workspace_size, ms_error *error);
+                               const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
+                               ms_error *error);
 
 /* ---- GPU text -------------------------------------------------------------------------------------------------- */
 
@@ -725,27 +751,34 @@ typedef enum ms_sss_source {
 
 /* The steps of the filter: see ms_sss_shader; from BASE on of a pyramid: see ms_sss_shader_levels. */
 typedef enum ms_sss_step {
-    MS_SSS_STEP_X = 0, MS_SSS_STEP_Y = 1,
+    MS_SSS_STEP_X = 0,
+    MS_SSS_STEP_Y = 1,
     MS_SSS_STEP_PREPARE = 2,
-    MS_SSS_STEP_DOWN = 3, MS_SSS_STEP_NORMAL = 4, MS_SSS_STEP_UP = 5,
-    MS_SSS_STEP_BASE = 6, MS_SSS_STEP_SHRINK = 7, MS_SSS_STEP_GATHER = 8, MS_SSS_STEP_RESOLVE = 9
+    MS_SSS_STEP_DOWN = 3,
+    MS_SSS_STEP_NORMAL = 4,
+    MS_SSS_STEP_UP = 5,
+    MS_SSS_STEP_BASE = 6,
+    MS_SSS_STEP_SHRINK = 7,
+    MS_SSS_STEP_GATHER = 8,
+    MS_SSS_STEP_RESOLVE = 9
 } ms_sss_step;
 
 /* One step, as a fragment shader for a full-screen triangle or as a compute shader. All zero but tap_count: the first
    pass of a texture-space filter in GLSL 330.
-     PREPARE  optional: reads the input as ms_sss_colour; writes RGB and, in alpha, depth and profile (0: takes no part). Worth
-              its pass where depth, profile or strength have textures of their own
-     X        along x, or the turned axis: reads PREPARE's target (set prepared), else the input, as ms_sss_colour; writes the
-              same kind of texel
+     PREPARE  optional: reads the input as ms_sss_colour; writes RGB and, in alpha, depth and profile (0: takes no
+              part). Worth its pass where depth, profile or strength have textures of their own
+     X        along x, or the turned axis: reads PREPARE's target (set prepared), else the input, as ms_sss_colour;
+              writes the same kind of texel
      Y        along y: reads X's target as ms_sss_colour; writes the result, alpha 1
    Half resolution (half_resolution 1: MS_SSS_METHOD_HALF) in place of PREPARE; the constants stay those of the picture:
      DOWN     one texel from four pixels: reads the input as ms_sss_colour; its target and those of X and Y have
               (width + 1) / 2 x (height + 1) / 2 texels
      NORMAL   with_normal, where slopes count: reads the input and ms_sss_normal; writes what X and Y then read as that
      X, Y     as above, from DOWN's target, which is Y's ms_sss_input; all terms add up in one target
-     UP       reads the input as ms_sss_colour, DOWN's target as ms_sss_input, Y's as ms_sss_sum; writes the result, alpha 1
-   Textures are float or half RGBA (depth, strength, profile: any with red), read by texel only. Vulkan and WGSL bind them
-   at 1 + n, HLSL at t(n), GLSL 330 and ES 300 by name. OpenGL needs GL_NEAREST for both filters of each: with its
+     UP       reads the input as ms_sss_colour, DOWN's target as ms_sss_input, Y's as ms_sss_sum; writes the result,
+              alpha 1
+   Textures are float or half RGBA (depth, strength, profile: any with red), read by texel only. Vulkan and WGSL bind
+   them at 1 + n, HLSL at t(n), GLSL 330 and ES 300 by name. OpenGL needs GL_NEAREST for both filters of each: with its
    defaults a float texture is incomplete and reads as black. The other languages need no sampler.
      n  name             read by
      0  ms_sss_colour    every step
@@ -758,35 +791,35 @@ typedef enum ms_sss_step {
      7  ms_sss_target    compute: what is written, rgba32f or (half_target) rgba16f; GLSL 330: image unit 0, HLSL: u0
      8  ms_sss_surface   Y, slopes_kept: X's second target
 
-   Light does not cross between profiles, nor to pixels that take no part (see ms_sss_filter): an index from profile_count
-   on is such a mask. Texels read a pixel for n taps, everything in alpha or absent: 4 n - 2 in X and Y, 26 for 7 taps, and one
-   more where light stays (delta, fade, strength below 1). Slopes (depth, MS_SSS_DEPTH_AWARE, flat below 1) read 4 more in
-   each, 5 or 6 at outlines, or 1 with_normal; with slopes_kept Y reads 1. Depth, profile and strength in textures of their
-   own cost 2 n - 1 each, or one each with PREPARE. Turned axes read twice as many. Half resolution reads 10 a pixel and a
-   quarter of X's and Y's: 17 for 7 taps, 19 with slopes. Of several profiles a texel of DOWN has one, that of the nearest of
-   its pixels (without depth: of the first that takes part); ms_sss_filter halves each by itself.
-   In alpha of the input: depth as it is, or (without depth) index / 255. Both: a 32-bit float depth whose last four bits
-   hold the index, intBitsToFloat(floatBitsToInt(depth) + 8 & ~15 | index), for 16 profiles; depth 0 masks.
-   Targets of PREPARE and X in binary16 round depth to 11 bits: keep that under a tenth of the depth sigma. With depth, the
-   profile travels in the last 4 bits of blue (1e-6 of it), which binary16 lacks: half_target reads ms_sss_profile again
-   in each step. Slopes need depth in 32 bits. */
+   Light does not cross between profiles, nor to pixels that take no part (see ms_sss_filter): an index from
+   profile_count on is such a mask. Texels read a pixel for n taps, everything in alpha or absent: 4 n - 2 in X and Y,
+   26 for 7 taps, and one more where light stays (delta, fade, strength below 1). Slopes (depth, MS_SSS_DEPTH_AWARE,
+   flat below 1) read 4 more in each, 5 or 6 at outlines, or 1 with_normal; with slopes_kept Y reads 1. Depth, profile
+   and strength in textures of their own cost 2 n - 1 each, or one each with PREPARE. Turned axes read twice as many.
+   Half resolution reads 10 a pixel and a quarter of X's and Y's: 17 for 7 taps, 19 with slopes. Of several profiles a
+   texel of DOWN has one, that of the nearest of its pixels (without depth: of the first that takes part); ms_sss_filter
+   halves each by itself. In alpha of the input: depth as it is, or (without depth) index / 255. Both: a 32-bit float
+   depth whose last four bits hold the index, intBitsToFloat(floatBitsToInt(depth) + 8 & ~15 | index), for 16 profiles;
+   depth 0 masks. Targets of PREPARE and X in binary16 round depth to 11 bits: keep that under a tenth of the depth
+   sigma. With depth, the profile travels in the last 4 bits of blue (1e-6 of it), which binary16 lacks: half_target
+   reads ms_sss_profile again in each step. Slopes need depth in 32 bits. */
 typedef struct ms_sss_shader {
-    int tap_count;          /* the most of any of the kernels */
-    int profile_count;      /* kernels, 1 to MS_SSS_SHADER_PROFILES_MAX; 0: 1 */
-    int half_kernel;        /* 0: all taps are constants; 1: the centre and one of each pair */
+    int tap_count;     /* the most of any of the kernels */
+    int profile_count; /* kernels, 1 to MS_SSS_SHADER_PROFILES_MAX; 0: 1 */
+    int half_kernel;   /* 0: all taps are constants; 1: the centre and one of each pair */
     ms_sss_step step;
     ms_sss_language language;
-    ms_sss_source depth;    /* perspective needs it */
-    ms_sss_source profile;  /* more than one kernel need it */
+    ms_sss_source depth;   /* perspective needs it */
+    ms_sss_source profile; /* more than one kernel need it */
     int with_strength;
-    int with_normal;        /* 0: normals from depth */
-    int prepared;           /* X: PREPARE has run */
-    int half_target;        /* 1: the targets of PREPARE and X, and any of compute, are binary16 */
-    int compute;            /* 0: fragment shader, 1: compute shader, its tile of the picture in shared memory */
-    int later;              /* compute: 1 for Y of terms after the first, adds ms_sss_sum */
-    int half_resolution;    /* 1: X and Y work between DOWN and UP */
-    int term_count;         /* UP: the most of any of the kernels; 0: 1 */
-    int slopes_kept;        /* 1: X writes its slopes, from depth, to a second target (two or more 32-bit floats), for Y */
+    int with_normal;     /* 0: normals from depth */
+    int prepared;        /* X: PREPARE has run */
+    int half_target;     /* 1: the targets of PREPARE and X, and any of compute, are binary16 */
+    int compute;         /* 0: fragment shader, 1: compute shader, its tile of the picture in shared memory */
+    int later;           /* compute: 1 for Y of terms after the first, adds ms_sss_sum */
+    int half_resolution; /* 1: X and Y work between DOWN and UP */
+    int term_count;      /* UP: the most of any of the kernels; 0: 1 */
+    int slopes_kept;     /* 1: X writes its slopes, from depth, to a second target (two or more 32-bit floats), for Y */
 } ms_sss_shader;
 
 /* Pixels of a compute shader's work group: dispatch the target's size over them, rounded up. 0: x, 1: y. */
@@ -795,19 +828,21 @@ MS_API int ms_sss_shader_group(const ms_sss_shader *shader, int axis);
 /* The text of a pass for these options, with entry point main.
    text    at least the returned length + 1 chars, or NULL with capacity 0 to ask; untouched where it does not fit
    Returns the length; 0 with error filled: MS_INVALID_ARGUMENT or MS_UNSUPPORTED, the message names the field. */
-MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text, size_t capacity,
-                                 ms_error *error);
+MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text,
+                                 size_t capacity, ms_error *error);
 
 /* The constants, for callers that fill them without this header; the same for both passes. All float, offsets in bytes:
-   one ms_sss_shader_picture at 0, then for profile i at 48 + i * (80 + 16 taps), taps being tap_count or with half_kernel
-   tap_count / 2 + 1, one ms_sss_shader_profile and its taps {red, green, blue, offset in mm} (ms_sss_kernel_upload). UP of
-   term_count terms: the profiles of term 0, then those of term 1 and so on; other steps read those of one term.
+   one ms_sss_shader_picture at 0, then for profile i at 48 + i * (80 + 16 taps), taps being tap_count or with
+   half_kernel tap_count / 2 + 1, one ms_sss_shader_profile and its taps {red, green, blue, offset in mm}
+   (ms_sss_kernel_upload). UP of term_count terms: the profiles of term 0, then those of term 1 and so on; other steps
+   read those of one term.
 
      when                 what changes
      a pass is drawn      nothing: both passes of a term share the constants
      another term         first, and scale, total, mixed and taps of each profile
      resize               width, height; pixels and focal in proportion to height; all targets
-     camera, zoom         focal; pixels: height / (2 tan(fov / 2) mm_per_unit), orthographic height / (ortho_height mm_per_unit)
+     camera, zoom         focal; pixels: height / (2 tan(fov / 2) mm_per_unit), orthographic height / (ortho_height
+                          mm_per_unit)
      frame                rotation, where the kernel is made for it; nothing else
      option, kernel       all: ms_sss_shader_constants; another language, source, depth mode, tap count,
                           rotation or jitter to or from 0, flat to or from 1: the texts */
@@ -830,23 +865,25 @@ typedef struct ms_sss_shader_profile {
     float depth_scale; /* 28: mm_per_unit over the depth at which nothing counts (see MS_SSS_DEPTH_AWARE), exact:
                               sqrt(2 / ln 2) sigma, follow: follow_mm */
     float delta[3];    /* 32: weight of the unblurred input */
-    float cut;         /* 44: square of the scaled depth difference from which on a tap (with slopes, exact 0: half resolution)
-                              does not count, 120 at most */
-    float curve[3];    /* 48: elevation_axis / 4, with slopes times 1 - flat */
-    float mixed;       /* 60: 1 red, 2 green, 4 blue, added: what is missing goes to the pixel's own colour */
-    float root[3];     /* 64: square root of the reflectance */
-    float reach;       /* 76: square of the scaled radius, the step in depth that ends a surface */
+    float cut; /* 44: square of the scaled depth difference from which on a tap (with slopes, exact 0: half resolution)
+                      does not count, 120 at most */
+    float curve[3]; /* 48: elevation_axis / 4, with slopes times 1 - flat */
+    float mixed;    /* 60: 1 red, 2 green, 4 blue, added: what is missing goes to the pixel's own colour */
+    float root[3];  /* 64: square root of the reflectance */
+    float reach;    /* 76: square of the scaled radius, the step in depth that ends a surface */
 } ms_sss_shader_profile;
 
-/* Float4 constants that a shader reads: 3, and for each profile (UP: of each term) 5 and its taps. OpenGL ES 3.0 promises 224. */
+/* Float4 constants that a shader reads: 3, and for each profile (UP: of each term) 5 and its taps. OpenGL ES 3.0
+   promises 224. */
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader);
 
-/* Their values for term `term` (UP: all terms) of kernels[profile_count]. Terms after the first are drawn with additive blending
-   over the first; a kernel with fewer terms adds nothing.
+/* Their values for term `term` (UP: all terms) of kernels[profile_count]. Terms after the first are drawn with additive
+   blending over the first; a kernel with fewer terms adds nothing.
    out    [ms_sss_shader_constant_count()][4]
    MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: half_kernel and pairs of unequal weight. out untouched. */
-MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term, const ms_sss_filter_options *options, int width,
-                                         int height, const ms_sss_shader *shader, float (*out)[4], ms_error *error);
+MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term, const ms_sss_filter_options *options,
+                                         int width, int height, const ms_sss_shader *shader, float (*out)[4],
+                                         ms_error *error);
 
 /* ms_sss_transmission as a function for the light loop of an engine's shader:
    float3 ms_sss_transmission(float3 reflectance, float3 decay, float thickness_mm, float3 normal, float3 entry_normal,
@@ -862,34 +899,36 @@ MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int
                                       ms_error *error);
 
 /* ms_sss_pyramid_filter as fragment shaders: with n = ms_sss_shader_levels(width, height) levels, of which level l has
-   ceil(width / 2^l) x ceil(height / 2^l) pixels, draw a full-screen triangle for each line, into two targets but for RESOLVE.
-   All targets are RGBA of 32-bit floats: 43 bytes a pixel of the picture, and 11 for the sums.
+   ceil(width / 2^l) x ceil(height / 2^l) pixels, draw a full-screen triangle for each line, into two targets but for
+   RESOLVE. All targets are RGBA of 32-bit floats: 43 bytes a pixel of the picture, and 11 for the sums.
 
      step     of level        reads (name: image)                                                  writes
      BASE     0               the first step's of X; with_normal: ms_sss_normal                    light[0], surface[0]
-     SHRINK   0, 1 to n - 2   colour: light[l], surface: surface[l]                                light[l+1], surface[l+1]
+     SHRINK   0, 1 to n - 2   colour: light[l], surface: surface[l]                                light[l+1],
+              surface[l+1]
      GATHER   n - 2 to 1      as SHRINK; coarse: light[l+1], coarse_surface: surface[l+1],
                               sum: sums[l+1], weight: weights[l+1] (l = n - 2: anything)           sums[l], weights[l]
      RESOLVE  0               as GATHER; input: the input, with_strength: ms_sss_strength          the result, alpha 1
 
-   light: colour, -1 / depth (perspective) or depth; surface: area to a pixel's, change of that depth a pixel along x and y.
-   Names begin with ms_sss_; ms_sss_surface is n = 8 of the list above, coarse 9, coarse_surface 10, weight 11. The texts are
-   the same for all levels, the constants are not: ms_sss_shader_pyramid. Several profiles: all steps for each, its index in
-   `profile`, RESOLVE's input being what RESOLVE wrote for the one before. tap_count and kernels do not matter.
-   Texels read, depth in alpha, on what faces the camera (more on slopes): BASE 5 (5 to 7 at outlines, with_normal 2), RESOLVE
-   35 for each pixel, SHRINK 44 and GATHER 40 for each that they write: 68 a pixel in all, whatever the radius.
-   MS_UNSUPPORTED: compute, half_target, and as ms_sss_pyramid_filter. Equal to that (exact 0) within 1e-4 of the largest input,
-   but where the last bit of a depth decides which of two slopes is the smaller. */
+   light: colour, -1 / depth (perspective) or depth; surface: area to a pixel's, change of that depth a pixel along x
+   and y. Names begin with ms_sss_; ms_sss_surface is n = 8 of the list above, coarse 9, coarse_surface 10, weight 11.
+   The texts are the same for all levels, the constants are not: ms_sss_shader_pyramid. Several profiles: all steps for
+   each, its index in `profile`, RESOLVE's input being what RESOLVE wrote for the one before. tap_count and kernels do
+   not matter. Texels read, depth in alpha, on what faces the camera (more on slopes): BASE 5 (5 to 7 at outlines,
+   with_normal 2), RESOLVE 35 for each pixel, SHRINK 44 and GATHER 40 for each that they write: 68 a pixel in all,
+   whatever the radius. MS_UNSUPPORTED: compute, half_target, and as ms_sss_pyramid_filter. Equal to that (exact 0)
+   within 1e-4 of the largest input, but where the last bit of a depth decides which of two slopes is the smaller. */
 MS_API int ms_sss_shader_levels(int width, int height);
 
-/* The constants of a step of a level (of SHRINK: that it reads), which the text's first lines list: 6, then weights by size of
-   the kernel, as in ms_sss_pyramid.weight, {red, green, blue, 0}: GATHER [MS_SSS_PYRAMID_SIZES] those of level + 1; RESOLVE
-   three such tables: those of level 1, of the pixel's own light, of its neighbours.
+/* The constants of a step of a level (of SHRINK: that it reads), which the text's first lines list: 6, then weights by
+   size of the kernel, as in ms_sss_pyramid.weight, {red, green, blue, 0}: GATHER [MS_SSS_PYRAMID_SIZES] those of level
+   + 1; RESOLVE three such tables: those of level 1, of the pixel's own light, of its neighbours.
    profile   index that takes part, with shader->profile; else 0
    out       [ms_sss_shader_constant_count()][4]: 6 for BASE and SHRINK, 55, 153
    MS_INVALID_ARGUMENT: a NULL, a size, a level out of range. out untouched. At a resize all change. */
-MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_sss_filter_options *options, int width, int height,
-                                       const ms_sss_shader *shader, int level, int profile, float (*out)[4], ms_error *error);
+MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_sss_filter_options *options, int width,
+                                       int height, const ms_sss_shader *shader, int level, int profile, float (*out)[4],
+                                       ms_error *error);
 
 #ifdef __cplusplus
 }
@@ -922,17 +961,13 @@ static MS__UNUSED size_t ms__size_mul(size_t a, size_t b)
     return a != 0 && b > SIZE_MAX / a ? SIZE_MAX : a * b;
 }
 
-static MS__UNUSED size_t ms__size_add(size_t a, size_t b)
-{
-    return b > SIZE_MAX - a ? SIZE_MAX : a + b;
-}
+static MS__UNUSED size_t ms__size_add(size_t a, size_t b) { return b > SIZE_MAX - a ? SIZE_MAX : a + b; }
 
 /* NULL for size SIZE_MAX (overflow). Size 0 gives a pointer that must be released as well. */
 static MS__UNUSED void *ms__alloc(const ms_allocator *allocator, size_t size)
 {
     if (size == SIZE_MAX) return NULL;
-    if (allocator != NULL && allocator->alloc != NULL)
-        return allocator->alloc(allocator->user, size ? size : 1);
+    if (allocator != NULL && allocator->alloc != NULL) return allocator->alloc(allocator->user, size ? size : 1);
     return malloc(size ? size : 1);
 }
 
@@ -995,10 +1030,19 @@ static MS__UNUSED int ms__format_number(char *out, double x)
         out[n] = 0;
         return n;
     }
-    while (x >= 1e6) { x /= 10; ++exponent; }
-    while (x < 1e5) { x *= 10; --exponent; }
+    while (x >= 1e6) {
+        x /= 10;
+        ++exponent;
+    }
+    while (x < 1e5) {
+        x *= 10;
+        --exponent;
+    }
     mantissa = (int64_t)(x + 0.5);
-    if (mantissa >= 1000000) { mantissa /= 10; ++exponent; }
+    if (mantissa >= 1000000) {
+        mantissa /= 10;
+        ++exponent;
+    }
     exponent += 5;
     for (i = 5; i >= 0; --i) {
         digit[i] = (char)('0' + (int)(mantissa % 10));
@@ -1136,7 +1180,8 @@ static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
     return ((double)(((a << 32) | b) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
 }
 
-/* IEEE binary16 by integers alone: subnormals, infinities and NaN, whatever the host's rounding and flushing of subnormals. */
+/* IEEE binary16 by integers alone: subnormals, infinities and NaN, whatever the host's rounding and flushing of
+   subnormals. */
 static MS__UNUSED float ms__half_to_float(uint16_t h)
 {
     uint32_t bits = (uint32_t)(h & 0x8000u) << 16, exponent = (h >> 10) & 31u, mantissa = h & 1023u;
@@ -1215,7 +1260,10 @@ static MS__UNUSED void ms__cpuid(uint32_t leaf, uint32_t subleaf, uint32_t r[4])
 #if defined(_MSC_VER) && !defined(__clang__)
     int v[4];
     __cpuidex(v, (int)leaf, (int)subleaf);
-    r[0] = (uint32_t)v[0]; r[1] = (uint32_t)v[1]; r[2] = (uint32_t)v[2]; r[3] = (uint32_t)v[3];
+    r[0] = (uint32_t)v[0];
+    r[1] = (uint32_t)v[1];
+    r[2] = (uint32_t)v[2];
+    r[3] = (uint32_t)v[3];
 #else
     __cpuid_count(leaf, subleaf, r[0], r[1], r[2], r[3]);
 #endif
@@ -1322,15 +1370,16 @@ static int ms_sss__marquardt(const double *H, const double *g, double lambda, in
     int i;
     memcpy(work, H, sizeof *work * (size_t)n * (size_t)n);
     memcpy(step, g, sizeof *step * (size_t)n);
-    for (i = 0; i < n; ++i) work[(size_t)i * (size_t)n + (size_t)i] += lambda * H[(size_t)i * (size_t)n + (size_t)i] + DBL_MIN;
+    for (i = 0; i < n; ++i)
+        work[(size_t)i * (size_t)n + (size_t)i] += lambda * H[(size_t)i * (size_t)n + (size_t)i] + DBL_MIN;
     return ms_sss__cholesky_solve(work, step, n);
 }
 
 /* Steps along directions that change nothing can be of any size; weights are of the order of 1. */
 static double ms_sss__bounded(double step) { return step < -1e6 ? -1e6 : step > 1e6 ? 1e6 : step; }
 
-/* A sum of squares of n unknowns. evaluate: its value at x, which it may move to where bounds are kept, and the normal equations
-   H step = g of a step from there (lower triangle, from zeros). */
+/* A sum of squares of n unknowns. evaluate: its value at x, which it may move to where bounds are kept, and the normal
+   equations H step = g of a step from there (lower triangle, from zeros). */
 typedef struct ms_sss__squares {
     double (*evaluate)(const struct ms_sss__squares *problem, double *x, double *H, double *g);
     const struct ms_sss_designer *d;
@@ -1372,12 +1421,9 @@ static double ms_sss__descend(const ms_sss__squares *p, double *x, double *scrat
 }
 
 /* K_0(x) and the Bickley function Ki_1(x), the integral of K_0 from x to infinity: the trapezoidal rule on
-   exp(-x cosh u) and exp(-x cosh u) / cosh u. Their poles limit its error to exp(-pi^2 / step), their width 1/sqrt(x) to
-   exp(-2 pi^2 / (x step^2)): below rounding for this step. */
-static double ms_sss__bessel_step(double x)
-{
-    return x > 7 ? 0.66 / sqrt(x) : 0.25;
-}
+   exp(-x cosh u) and exp(-x cosh u) / cosh u. Their poles limit its error to exp(-pi^2 / step), their width 1/sqrt(x)
+   to exp(-2 pi^2 / (x step^2)): below rounding for this step. */
+static double ms_sss__bessel_step(double x) { return x > 7 ? 0.66 / sqrt(x) : 0.25; }
 
 static double ms_sss__bessel_k0(double x)
 {
@@ -1419,17 +1465,18 @@ typedef enum ms_sss__profile_kind { MS_SSS__RINGS, MS_SSS__GAUSSIANS, MS_SSS__BU
 
 struct ms_sss_profile {
     ms_sss__profile_kind kind;
-    int count;                    /* of rings or Gaussians */
-    double *edge;                 /* [count + 1] radii */
-    double *mean[3], *slope[3];   /* [count] R_d = mean + slope (r^2 - middle), middle of the ring's r^2 */
-    double *inside[3];            /* [count + 1] energy within edge[i] */
-    double length[MS_SSS_GAUSSIANS_MAX][3], weight[MS_SSS_GAUSSIANS_MAX][3]; /* sigma; Burley: d and reflectance, count 1 */
+    int count;                  /* of rings or Gaussians */
+    double *edge;               /* [count + 1] radii */
+    double *mean[3], *slope[3]; /* [count] R_d = mean + slope (r^2 - middle), middle of the ring's r^2 */
+    double *inside[3];          /* [count + 1] energy within edge[i] */
+    double length[MS_SSS_GAUSSIANS_MAX][3],
+        weight[MS_SSS_GAUSSIANS_MAX][3]; /* sigma; Burley: d and reflectance, count 1 */
     size_t bytes;
     ms_allocator allocator;
 };
 
-static ms_status ms_sss__profile_alloc(ms_sss_profile **out, ms_sss__profile_kind kind, int count, const ms_allocator *allocator,
-                                       ms_error *error)
+static ms_status ms_sss__profile_alloc(ms_sss_profile **out, ms_sss__profile_kind kind, int count,
+                                       const ms_allocator *allocator, ms_error *error)
 {
     size_t header = (sizeof(ms_sss_profile) + 63) / 64 * 64, rings = kind == MS_SSS__RINGS ? (size_t)count : 0;
     size_t bytes = ms__size_add(header, ms__size_mul(ms__size_add(ms__size_mul(rings, 10), 4), sizeof(double)));
@@ -1481,7 +1528,8 @@ static MS_SSS__COLD ms_status ms_sss__check_table(int count, int least, const do
     for (i = 0; i < radii; ++i)
         if (!ms__finite(radius[i]) || radius[i] < 0 || radius[i] > 1e9 || (i > 0 && radius[i] - radius[i - 1] < 1e-9))
             return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
-                            "radius %d is %g mm; finite, 0 to 1e9, and increasing by 1e-9 at least expected", i, radius[i]);
+                            "radius %d is %g mm; finite, 0 to 1e9, and increasing by 1e-9 at least expected", i,
+                            radius[i]);
     for (i = 0; i < count; ++i)
         for (c = 0; c < 3; ++c) {
             double v = value[c][(size_t)i * (size_t)stride];
@@ -1493,8 +1541,8 @@ static MS_SSS__COLD ms_status ms_sss__check_table(int count, int least, const do
 }
 
 MS_SSS__COLD MS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile, int count, const double *edge_mm,
-                                                        const double *const value[3], int stride, const ms_allocator *allocator,
-                                                        ms_error *error)
+                                                        const double *const value[3], int stride,
+                                                        const ms_allocator *allocator, ms_error *error)
 {
     ms_sss_profile *p;
     ms_status status;
@@ -1527,8 +1575,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile
 }
 
 MS_SSS__COLD MS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profile, int count, const double *r_mm,
-                                                          const double *const value[3], int stride, const ms_allocator *allocator,
-                                                          ms_error *error)
+                                                          const double *const value[3], int stride,
+                                                          const ms_allocator *allocator, ms_error *error)
 {
     ms_sss_profile *p;
     ms_status status;
@@ -1581,7 +1629,8 @@ static MS_SSS__COLD ms_status ms_sss__from_lengths(ms_sss_profile **profile, ms_
 }
 
 MS_API ms_status ms_sss_profile_from_gaussians(ms_sss_profile **profile, int count, const double (*sigma_mm)[3],
-                                               const double (*weight)[3], const ms_allocator *allocator, ms_error *error)
+                                               const double (*weight)[3], const ms_allocator *allocator,
+                                               ms_error *error)
 {
     return ms_sss__from_lengths(profile, MS_SSS__GAUSSIANS, count, sigma_mm, weight, allocator, error);
 }
@@ -1589,7 +1638,7 @@ MS_API ms_status ms_sss_profile_from_gaussians(ms_sss_profile **profile, int cou
 MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const double reflectance[3], const double d_mm[3],
                                             const ms_allocator *allocator, ms_error *error)
 {
-    typedef const double (*rows)[3];
+    typedef const double(*rows)[3];
     return ms_sss__from_lengths(profile, MS_SSS__BURLEY, 1, (rows)d_mm, (rows)reflectance, allocator, error);
 }
 
@@ -1599,8 +1648,8 @@ MS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm)
     return mean_free_path_mm / (3.5 + 100 * t * t);
 }
 
-/* Reads a number at *at, before end, without locale, '.' or `comma` before its decimals: up to 19 digits exact, the rest by
-   their magnitude. 0: there is none. */
+/* Reads a number at *at, before end, without locale, '.' or `comma` before its decimals: up to 19 digits exact, the
+   rest by their magnitude. 0: there is none. */
 static MS_SSS__COLD int ms_sss__read_number(const char **at, const char *end, char comma, double *value)
 {
     const char *p = *at;
@@ -1609,7 +1658,10 @@ static MS_SSS__COLD int ms_sss__read_number(const char **at, const char *end, ch
     double x;
     if (p < end && (*p == '-' || *p == '+')) negative = *p++ == '-';
     for (; p < end && ((*p >= '0' && *p <= '9') || ((*p == '.' || *p == comma) && !point)); ++p) {
-        if (*p == '.' || *p == comma) { point = 1; continue; }
+        if (*p == '.' || *p == comma) {
+            point = 1;
+            continue;
+        }
         ++digits;
         if (kept < 19) {
             mantissa = mantissa * 10 + (uint64_t)(*p - '0');
@@ -1630,9 +1682,12 @@ static MS_SSS__COLD int ms_sss__read_number(const char **at, const char *end, ch
         exponent += down ? -power : power;
     }
     x = (double)mantissa;
-    if (mantissa != 0) x = exponent < -330 ? 0 : exponent > 330 ? HUGE_VAL
-                         : exponent < -290 ? x * pow(10, exponent + 40) * 1e-40
-                         : exponent < 0 && exponent >= -22 ? x / pow(10, -exponent) : x * pow(10, exponent);
+    if (mantissa != 0)
+        x = exponent < -330                   ? 0
+            : exponent > 330                  ? HUGE_VAL
+            : exponent < -290                 ? x * pow(10, exponent + 40) * 1e-40
+            : exponent < 0 && exponent >= -22 ? x / pow(10, -exponent)
+                                              : x * pow(10, exponent);
     *value = negative ? -x : x;
     *at = p;
     return 1;
@@ -1681,12 +1736,12 @@ MS_SSS__COLD MS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, 
         if (stop == NULL) stop = end;
         ++line_number;
         kind = ms_sss__csv_row(line, stop, rows == 0, row);
-        if (kind < 0)
-            status = ms__fail(error, MS_BAD_DATA, line_number, "line %z is not r_mm,R,G,B", line_number);
+        if (kind < 0) status = ms__fail(error, MS_BAD_DATA, line_number, "line %z is not r_mm,R,G,B", line_number);
         else if (kind > 0 && (!(row[0] >= 0 && row[0] <= 1e9) || (rows > 0 && row[0] <= r[rows - 1])))
             status = ms__fail(error, MS_BAD_DATA, line_number, "line %z: r_mm is %g; increasing, 0 to 1e9 expected",
                               line_number, row[0]);
-        else if (kind > 0 && !(row[1] >= 0 && row[1] <= 1e30 && row[2] >= 0 && row[2] <= 1e30 && row[3] >= 0 && row[3] <= 1e30))
+        else if (kind > 0 &&
+                 !(row[1] >= 0 && row[1] <= 1e30 && row[2] >= 0 && row[2] <= 1e30 && row[3] >= 0 && row[3] <= 1e30))
             status = ms__fail(error, MS_BAD_DATA, line_number, "line %z: a value outside 0 to 1e30", line_number);
         else if (kind > 0) {
             for (i = 0; i < 4; ++i) r[i * capacity + rows] = row[i];
@@ -1725,7 +1780,8 @@ static int ms_sss__ring_of(const ms_sss_profile *p, double r)
     if (r >= p->edge[p->count]) return p->count;
     while (high - low > 1) {
         int middle = low + (high - low) / 2;
-        if (p->edge[middle] <= r) low = middle; else high = middle;
+        if (p->edge[middle] <= r) low = middle;
+        else high = middle;
     }
     return low;
 }
@@ -1739,7 +1795,8 @@ MS_SSS__COLD MS_API void ms_sss_profile_value(const ms_sss_profile *p, double r,
         if (p->kind == MS_SSS__RINGS) {
             i = ms_sss__ring_of(p, r);
             if (i < 0 || i >= p->count) continue;
-            out[c] = p->mean[c][i] + p->slope[c][i] * (r * r - 0.5 * (p->edge[i] * p->edge[i] + p->edge[i + 1] * p->edge[i + 1]));
+            out[c] = p->mean[c][i] +
+                p->slope[c][i] * (r * r - 0.5 * (p->edge[i] * p->edge[i] + p->edge[i + 1] * p->edge[i + 1]));
             if (out[c] < 0) out[c] = 0; /* rounding */
             continue;
         }
@@ -1766,8 +1823,8 @@ MS_API void ms_sss_profile_disc(const ms_sss_profile *p, double r, double out[3]
         }
         for (i = 0; i < p->count; ++i) {
             double s = p->length[i][c], t = r / s;
-            out[c] -= p->weight[i][c] * (p->kind == MS_SSS__GAUSSIANS ? expm1(-r * r / (2 * s * s))
-                                                                      : 0.25 * expm1(-t) + 0.75 * expm1(-t / 3));
+            out[c] -= p->weight[i][c] *
+                (p->kind == MS_SSS__GAUSSIANS ? expm1(-r * r / (2 * s * s)) : 0.25 * expm1(-t) + 0.75 * expm1(-t / 3));
         }
     }
 }
@@ -1797,7 +1854,8 @@ MS_SSS__COLD MS_API void ms_sss_profile_radius(const ms_sss_profile *p, double f
         while (high - low > 1e-10 * high) {
             double middle = 0.5 * (low + high);
             ms_sss_profile_disc(p, middle, inside);
-            if (inside[c] >= fraction * total[c]) high = middle; else low = middle;
+            if (inside[c] >= fraction * total[c]) high = middle;
+            else low = middle;
         }
         out[c] = high;
     }
@@ -1817,10 +1875,7 @@ static double ms_sss__extent(const ms_sss_profile *p, double total[3], double ra
 /* ---- pre-integration ------------------------------------------------------------------------------------------- */
 
 /* The chord at distance x through R_d = mean + slope (x^2 + u^2 - middle): 2 times the integral over u from 0. */
-static double ms_sss__chord(double mean, double slope, double u)
-{
-    return 2 * u * (mean + slope * u * u / 3);
-}
+static double ms_sss__chord(double mean, double slope, double u) { return 2 * u * (mean + slope * u * u / 3); }
 
 MS_SSS__COLD MS_API void ms_sss_profile_line(const ms_sss_profile *p, double x, double out[3])
 {
@@ -1848,7 +1903,8 @@ MS_SSS__COLD MS_API void ms_sss_profile_line(const ms_sss_profile *p, double x, 
         for (i = 0; i < p->count; ++i) { /* the integral of exp(-r/d)/r along a line is 2 K_0(x/d) */
             double s = p->length[i][c], w = p->weight[i][c];
             if (p->kind == MS_SSS__GAUSSIANS) out[c] += w * exp(-x * x / (2 * s * s)) / (s * sqrt(2 * MS_SSS__PI));
-            else if (w > 0) out[c] = w * (ms_sss__bessel_k0(x / s) + ms_sss__bessel_k0(x / (3 * s))) / (4 * MS_SSS__PI * s);
+            else if (w > 0)
+                out[c] = w * (ms_sss__bessel_k0(x / s) + ms_sss__bessel_k0(x / (3 * s))) / (4 * MS_SSS__PI * s);
         }
     }
 }
@@ -1877,8 +1933,9 @@ MS_SSS__COLD MS_API void ms_sss_profile_strip(const ms_sss_profile *p, double x,
                 double middle = 0.5 * (p->edge[i] * p->edge[i] + s1);
                 /* integrals over s = r^2 of asin(x/r) and of s asin(x/r) */
                 double g0 = s1 * angle1 - s0 * angle0 + x * (u1 - u0);
-                double g1 = 0.5 * (s1 * s1 * angle1 - s0 * s0 * angle0 +
-                                   x * (u1 * u1 * u1 - u0 * u0 * u0) / 3 + x * x * x * (u1 - u0));
+                double g1 = 0.5 *
+                    (s1 * s1 * angle1 - s0 * s0 * angle0 + x * (u1 * u1 * u1 - u0 * u0 * u0) / 3 +
+                     x * x * x * (u1 - u0));
                 out[c] += 2 * (p->mean[c][i] * g0 + p->slope[c][i] * (g1 - middle * g0));
                 s0 = s1;
                 u0 = u1;
@@ -1888,8 +1945,10 @@ MS_SSS__COLD MS_API void ms_sss_profile_strip(const ms_sss_profile *p, double x,
         }
         for (i = 0; i < p->count; ++i) {
             double s = p->length[i][c], t = x / s;
-            out[c] += p->weight[i][c] * (p->kind == MS_SSS__GAUSSIANS ? erf(x / (s * sqrt(2.0)))
-                      : 1 - (ms_sss__bickley_1(t) + 3 * ms_sss__bickley_1(t / 3)) / (2 * MS_SSS__PI));
+            out[c] += p->weight[i][c] *
+                (p->kind == MS_SSS__GAUSSIANS
+                     ? erf(x / (s * sqrt(2.0)))
+                     : 1 - (ms_sss__bickley_1(t) + 3 * ms_sss__bickley_1(t / 3)) / (2 * MS_SSS__PI));
         }
     }
 }
@@ -1913,25 +1972,22 @@ enum {
 };
 
 struct ms_sss_designer {
-    int cells;                          /* from the centre to the edge of the square that holds the kernel */
+    int cells; /* from the centre to the edge of the square that holds the kernel */
     double cell_mm;
-    double reflectance[3], width[3];    /* 99% radius of each channel, cells */
-    double mean_mm[3];                  /* distance between entry and exit */
-    int widest;                         /* channel */
-    double cosine[MS_SSS__SIZE];        /* cos(2 pi i / 512) */
-    double variance[MS_SSS__SIGNALS];   /* of the signals after the true convolution, channels summed */
-    double *cell[3];                    /* [cells + 1][cells + 1], the sum over all quadrants is 1 */
-    double *slice[3];                   /* [cells + 1] R_d along the axis, any scale */
-    double *spectrum[3];                /* [OCTANT] of cell */
-    float *power[MS_SSS__SIGNALS];      /* [OCTANT] |signal|^2, summed over the 8 bins that share a value */
+    double reflectance[3], width[3];  /* 99% radius of each channel, cells */
+    double mean_mm[3];                /* distance between entry and exit */
+    int widest;                       /* channel */
+    double cosine[MS_SSS__SIZE];      /* cos(2 pi i / 512) */
+    double variance[MS_SSS__SIGNALS]; /* of the signals after the true convolution, channels summed */
+    double *cell[3];                  /* [cells + 1][cells + 1], the sum over all quadrants is 1 */
+    double *slice[3];                 /* [cells + 1] R_d along the axis, any scale */
+    double *spectrum[3];              /* [OCTANT] of cell */
+    float *power[MS_SSS__SIGNALS];    /* [OCTANT] |signal|^2, summed over the 8 bins that share a value */
     size_t bytes;
     ms_allocator allocator;
 };
 
-static int ms_sss__octant(int k1, int k2)
-{
-    return k1 * (k1 + 1) / 2 + k2;
-}
+static int ms_sss__octant(int k1, int k2) { return k1 * (k1 + 1) / 2 + k2; }
 
 /* How many bins of the full spectrum the octant's (k1, k2) stands for. */
 static int ms_sss__orbit(int k1, int k2)
@@ -1970,12 +2026,13 @@ static void ms_sss__fill_cells(const ms_sss_profile *p, int cells, double h, dou
             int low = 0, high = rings;
             while (high - low > 1) {
                 k = (low + high) / 2;
-                if (edge[k] <= nearest) low = k; else high = k;
+                if (edge[k] <= nearest) low = k;
+                else high = k;
             }
             for (k = low; k < rings && edge[k] < farthest; ++k) { /* area that the ring has in common with the cell */
                 double r = edge[k + 1];
                 double area = ms_sss__disc_corner(x1, y1, r) - ms_sss__disc_corner(x0, y1, r) -
-                              ms_sss__disc_corner(x1, y0, r) + ms_sss__disc_corner(x0, y0, r);
+                    ms_sss__disc_corner(x1, y0, r) + ms_sss__disc_corner(x0, y0, r);
                 for (c = 0; c < 3; ++c) sum[c] += density[k][c] * (area - before);
                 before = area;
             }
@@ -2043,8 +2100,9 @@ static void ms_sss__disk_power(const ms_sss_designer *d, int radius, float *powe
     for (y = 0; y <= radius; ++y) {
         int half = (int)floor(sqrt((double)(radius * radius - y * y)) + 1e-9);
         for (k1 = 0; k1 <= MS_SSS__HALF; ++k1) {
-            double run = k1 == 0 ? 2 * half + 1
-                                 : sin(MS_SSS__PI * k1 * (2 * half + 1) / (int)MS_SSS__SIZE) / sin(MS_SSS__PI * k1 / (int)MS_SSS__SIZE);
+            double run = k1 == 0
+                ? 2 * half + 1
+                : sin(MS_SSS__PI * k1 * (2 * half + 1) / (int)MS_SSS__SIZE) / sin(MS_SSS__PI * k1 / (int)MS_SSS__SIZE);
             double *a = amplitude + ms_sss__octant(k1, 0);
             run *= y ? 2 : 1;
             for (k2 = 0; k2 <= k1; ++k2) a[k2] += run * d->cosine[k2 * y % MS_SSS__SIZE];
@@ -2057,10 +2115,10 @@ static void ms_sss__disk_power(const ms_sss_designer *d, int radius, float *powe
         }
 }
 
-/* The texture is one picture of the Gaussian process with power 1/f^2, band-limited as by a lens: its low frequencies are
-   drawn (|S|^2 over its mean is exponentially distributed for each pair of conjugate bins), the others stand at their
-   mean. Seed and limit are those that give the errors in design.md's table, and of the study's taps, best. The mean is
-   4.5 standard deviations, as of a photograph. */
+/* The texture is one picture of the Gaussian process with power 1/f^2, band-limited as by a lens: its low frequencies
+   are drawn (|S|^2 over its mean is exponentially distributed for each pair of conjugate bins), the others stand at
+   their mean. Seed and limit are those that give the errors in design.md's table, and of the study's taps, best. The
+   mean is 4.5 standard deviations, as of a photograph. */
 static double ms_sss__texture_power(int k1, int k2)
 {
     const double limit = 110, f2 = (double)k1 * k1 + (double)k2 * k2;
@@ -2098,7 +2156,8 @@ static void ms_sss__signal_power(const ms_sss_designer *d)
 }
 
 /* Mean of r over each channel's light, in mm; widest: any length of the profile's size. */
-static MS_SSS__COLD void ms_sss__mean_distance(const ms_sss_profile *profile, const double total[3], double widest, double mean[3])
+static MS_SSS__COLD void ms_sss__mean_distance(const ms_sss_profile *profile, const double total[3], double widest,
+                                               double mean[3])
 {
     const int steps = 1500;
     double inside[3] = {0, 0, 0}, disc[3], r = 0;
@@ -2181,7 +2240,8 @@ MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss
     ms_sss__fill_cells(profile, d->cells, d->cell_mm, d->cell);
     for (o = 0; o <= d->cells; ++o) { /* a pole at 0 is read at an eighth of a cell */
         double at[3];
-        ms_sss_profile_value(profile, o == 0 && profile->kind != MS_SSS__GAUSSIANS ? 0.125 * d->cell_mm : o * d->cell_mm, at);
+        ms_sss_profile_value(profile,
+                             o == 0 && profile->kind != MS_SSS__GAUSSIANS ? 0.125 * d->cell_mm : o * d->cell_mm, at);
         for (c = 0; c < 3; ++c) d->slice[c][o] = at[c];
     }
     for (c = 0; c < 3; ++c) {
@@ -2224,19 +2284,18 @@ static double ms_sss__pair_transfer(const ms_sss_designer *d, int kx, int ky, do
         re[n] = c0 + f * dre[n];
         im[n] = s0 + f * dim[n];
     }
-    if (along != NULL)
-        *along = dx * (dre[0] * re[1] - dim[0] * im[1]) + dy * (re[0] * dre[1] - im[0] * dim[1]);
+    if (along != NULL) *along = dx * (dre[0] * re[1] - dim[0] * im[1]) + dy * (re[0] * dre[1] - im[0] * dim[1]);
     return re[0] * re[1] - im[0] * im[1];
 }
 
 /* A kernel in cells and doubles, as it is made and measured. Term t of channel c: sign w w^T. */
 typedef struct ms_sss__curve {
     int pairs, terms, frames, hats;
-    double times[MS_SSS__CELLS_MAX + 1];                /* what an entry adds to the energy: 1, 2, 2, ... */
-    double offset[MS_SSS__CELLS_MAX + 1];               /* [0] is the centre */
+    double times[MS_SSS__CELLS_MAX + 1];                       /* what an entry adds to the energy: 1, 2, 2, ... */
+    double offset[MS_SSS__CELLS_MAX + 1];                      /* [0] is the centre */
     double weight[3][MS_SSS_TERMS_MAX][MS_SSS__CELLS_MAX + 1]; /* of the centre, then of each tap of a pair */
     double sign[3][MS_SSS_TERMS_MAX];
-    double delta[3], energy[3];                         /* energy of delta and all terms: 1, but for SVD */
+    double delta[3], energy[3]; /* energy of delta and all terms: 1, but for SVD */
 } ms_sss__curve;
 
 /* One pass of fixed axes as a function of its one frequency. */
@@ -2277,8 +2336,8 @@ static void ms_sss__curve_waves(const ms_sss_designer *d, const ms_sss__curve *v
 }
 
 /* Spectrum of one bin: delta + sum over the terms, mean over the frames. waves as made above, for one frame only. */
-static void ms_sss__curve_transfer(const ms_sss_designer *d, const ms_sss__curve *v, const ms_sss__waves *waves, int k1, int k2,
-                                   double out[3])
+static void ms_sss__curve_transfer(const ms_sss_designer *d, const ms_sss__curve *v, const ms_sss__waves *waves, int k1,
+                                   int k2, double out[3])
 {
     double pass[2][3][MS_SSS_TERMS_MAX];
     int f, t, c;
@@ -2340,8 +2399,8 @@ static double ms_sss__srgb(double v) /* linear 0 to 1 as 0 to 255 */
     return 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1 / 2.4) - 0.055);
 }
 
-/* ms_sss_errors.bands: what lies on the spectrum's axis is the sum of the kernel's columns, its running sum the response
-   to an edge. */
+/* ms_sss_errors.bands: what lies on the spectrum's axis is the sum of the kernel's columns, its running sum the
+   response to an edge. */
 static double ms_sss__curve_bands(const ms_sss_designer *d, ms_sss__measurer *m)
 {
     const ms_sss__curve *v = &m->curve;
@@ -2386,7 +2445,8 @@ static void ms_sss__measure(ms_sss_errors *errors, const ms_sss_kernel *kernel, 
     errors->bands = ms_sss__curve_bands(designer, m);
 }
 
-MS_SSS__COLD MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel, const ms_sss_designer *designer)
+MS_SSS__COLD MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
+                                                    const ms_sss_designer *designer)
 {
     ms_sss__measurer *m;
     if (errors == NULL || kernel == NULL || designer == NULL) return MS_INVALID_ARGUMENT;
@@ -2399,9 +2459,9 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const
 
 /* ---- taps ------------------------------------------------------------------------------------------------------ */
 
-/* The bins over which taps are fitted: every frequency up to 12 + a third of the cells, as far as spectra of such kernels
-   have detail that matters, then with gaps that grow in proportion; each bin also stands for the gap around it. With
-   `coarse` about a quarter of them, for searches. */
+/* The bins over which taps are fitted: every frequency up to 12 + a third of the cells, as far as spectra of such
+   kernels have detail that matters, then with gaps that grow in proportion; each bin also stands for the gap around it.
+   With `coarse` about a quarter of them, for searches. */
 /* node: frequencies, share: how many of the 512 frequencies each stands for; returns how many. */
 static int ms_sss__nodes(int cells, int coarse, int *node, double *share)
 {
@@ -2447,19 +2507,19 @@ typedef struct ms_sss__fit {
     int frames, lines, bins, pairs, terms, use_delta, unknowns, local;
     int first, end, moved; /* channels; offsets */
     int k1[MS_SSS__BINS_MAX], k2[MS_SSS__BINS_MAX];
-    int line1[MS_SSS__BINS_MAX], line2[MS_SSS__BINS_MAX];  /* of frame 0; frame f stands 2 f further */
+    int line1[MS_SSS__BINS_MAX], line2[MS_SSS__BINS_MAX]; /* of frame 0; frame f stands 2 f further */
     double weight[MS_SSS__BINS_MAX], target[MS_SSS__BINS_MAX][3];
-    double *basis, *slope;                         /* [lines][pairs] of both taps of a pair; d basis / d offset */
-    double *wave;                                  /* [3][MS_SSS_TERMS_MAX][lines] */
-    double *H, *work, *g, *step, *jacobian;        /* [unknowns]^2 twice, [unknowns] twice, [local] */
+    double *basis, *slope;                  /* [lines][pairs] of both taps of a pair; d basis / d offset */
+    double *wave;                           /* [3][MS_SSS_TERMS_MAX][lines] */
+    double *H, *work, *g, *step, *jacobian; /* [unknowns]^2 twice, [unknowns] twice, [local] */
     ms_sss__curve trial, hop;
     ms_sss__waves waves;
     size_t bytes;
 } ms_sss__fit;
 
-/* The target is the spectrum of model, or of the profile if that is NULL. The prior is 1/f^2 over all bins, and as far as the
-   dial is turned up 1/f^2 on the axes, which axis-parallel edges excite. Each part is divided by what the target itself
-   has, so that they weigh relative errors. */
+/* The target is the spectrum of model, or of the profile if that is NULL. The prior is 1/f^2 over all bins, and as far
+   as the dial is turned up 1/f^2 on the axes, which axis-parallel edges excite. Each part is divided by what the target
+   itself has, so that they weigh relative errors. */
 static void ms_sss__fit_bins(ms_sss__fit *fit, const ms_sss__curve *model, double dial, int coarse)
 {
     double share[MS_SSS__NODES_MAX], all = 0, on_axis = 0;
@@ -2475,7 +2535,8 @@ static void ms_sss__fit_bins(ms_sss__fit *fit, const ms_sss__curve *model, doubl
             for (c = 0; c < 3; ++c) fit->target[n][c] = fit->d->spectrum[c][ms_sss__octant(node[a], node[b])];
             if (model != NULL) ms_sss__curve_transfer(fit->d, model, &fit->waves, node[a], node[b], fit->target[n]);
             for (c = 0; c < 3; ++c) squares += fit->target[n][c] * fit->target[n][c];
-            fit->weight[n] = n == 0 ? 0 : share[a] * share[b] * (a == b ? 1 : 2) * ms_sss__texture_power(node[a], node[b]);
+            fit->weight[n] = n == 0 ? 0
+                                    : share[a] * share[b] * (a == b ? 1 : 2) * ms_sss__texture_power(node[a], node[b]);
             all += fit->weight[n] * squares;
             if (b == 0 && a > 0) on_axis += share[a] / ((double)node[a] * node[a]) * squares;
         }
@@ -2485,8 +2546,8 @@ static void ms_sss__fit_bins(ms_sss__fit *fit, const ms_sss__curve *model, doubl
     for (a = 1; a < nodes; ++a) fit->weight[a * (a + 1) / 2] += dial * share[a] / ((double)node[a] * node[a]) / on_axis;
 }
 
-/* Hat n of a curve given by its values at offset[n], cells, linear between: its value in a cell, and the transfer of all
-   its cells on both sides. */
+/* Hat n of a curve given by its values at offset[n], cells, linear between: its value in a cell, and the transfer of
+   all its cells on both sides. */
 static double ms_sss__hat(const ms_sss__curve *v, int n, int cell)
 {
     double x = cell, at = v->offset[n];
@@ -2662,9 +2723,10 @@ static void ms_sss__fit_destroy(ms_sss__fit *fit)
     if (fit != NULL) ms__release(&fit->d->allocator, fit, fit->bytes);
 }
 
-/* channel: the one whose weights are fitted, offsets fixed; -1: all three, and the offsets they share. NULL: no memory. */
-static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__curve *model, double dial, const ms_sss__curve *v,
-                                       int channel, int use_delta, int coarse)
+/* channel: the one whose weights are fitted, offsets fixed; -1: all three, and the offsets they share. NULL: no
+   memory. */
+static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__curve *model, double dial,
+                                       const ms_sss__curve *v, int channel, int use_delta, int coarse)
 {
     const int moved = channel < 0 ? v->pairs : 0, channels = channel < 0 ? 3 : 1;
     const int local = moved + v->terms * (v->pairs + 1) + use_delta, unknowns = moved + channels * (local - moved);
@@ -2704,8 +2766,8 @@ static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__c
 
 /* Moves the weights of a dense curve onto few taps: offsets from the placement, each weight the integral over the cell
    that reaches halfway to the neighbours, the last to infinity. range: outermost offset of the quadratic spacing. */
-static void ms_sss__place(const ms_sss_designer *d, const ms_sss__curve *dense, ms_sss_placement placement, double range,
-                          int pairs, ms_sss__curve *v)
+static void ms_sss__place(const ms_sss_designer *d, const ms_sss__curve *dense, ms_sss_placement placement,
+                          double range, int pairs, ms_sss__curve *v)
 {
     double mass[MS_SSS__CELLS_MAX + 2], total = 0; /* of the widest channel within i + 1/2 cells, one side */
     int c, t, i, n, cell;
@@ -2728,7 +2790,8 @@ static void ms_sss__place(const ms_sss_designer *d, const ms_sss__curve *dense, 
             double want = total * 2 * n / (2 * pairs + 1), below;
             for (i = 0; i < dense->pairs && mass[i] < want; ++i) {}
             below = i ? mass[i - 1] : 0;
-            v->offset[n] = i + (i ? -0.5 : 0) + (i ? 1 : 0.5) * (want - below) / (mass[i] > below ? mass[i] - below : 1);
+            v->offset[n] = i + (i ? -0.5 : 0) +
+                (i ? 1 : 0.5) * (want - below) / (mass[i] > below ? mass[i] - below : 1);
         }
         if (v->offset[n] < v->offset[n - 1] + 0.05) v->offset[n] = v->offset[n - 1] + 0.05;
     }
@@ -2763,7 +2826,8 @@ static void ms_sss__rotate(double *x, double *y, double c, double s)
 }
 
 /* Largest eigenvalues by magnitude of a symmetric A [n][n], with unit eigenvectors: block power iteration, then the
-   eigenvectors within the block by Jacobi rotations. vector [count][n]; scratch 2 block n doubles, block = count + 4. */
+   eigenvectors within the block by Jacobi rotations. vector [count][n]; scratch 2 block n doubles, block = count +
+   4. */
 static void ms_sss__eigen(const double *A, int n, int count, double *value, double *vector, double *scratch)
 {
     double *V = scratch, *W = scratch + MS_SSS__BLOCK_MAX * n, projected[MS_SSS__BLOCK_MAX][MS_SSS__BLOCK_MAX];
@@ -2834,7 +2898,8 @@ static void ms_sss__row_sums(const ms_sss_designer *d, int c, double *out)
 
 /* Terms first, first + 1, ... of a dense curve from the singular vectors of what `minus` (NULL: nothing) leaves of the
    kernel. Even vectors only: the others belong to eigenvalue 0. They are found in the half of the cells by scaling each
-   with the square root of its multiplicity. Sums of vectors of the rest of a_p vanish, as (1, ..., 1) is its null vector. */
+   with the square root of its multiplicity. Sums of vectors of the rest of a_p vanish, as (1, ..., 1) is its null
+   vector. */
 static ms_status ms_sss__singular_terms(const ms_sss_designer *d, int c, const double *minus, int first, int count,
                                         ms_sss__curve *v)
 {
@@ -2865,7 +2930,8 @@ static ms_status ms_sss__singular_terms(const ms_sss_designer *d, int c, const d
 /* Gaussians are fitted from a fiftieth of a cell to a thousand. */
 static double ms_sss__log_sigma(double x) { return x < -4 ? -4 : x > 7 ? 7 : x; }
 
-/* A 1D Gaussian integrated over cells and scaled so that the square holds all of it, and its derivative by log sigma. */
+/* A 1D Gaussian integrated over cells and scaled so that the square holds all of it, and its derivative by log
+   sigma. */
 static void ms_sss__gaussian_cells(double sigma, int cells, double *g, double *slope)
 {
     double sum = 0, growth = 0;
@@ -2883,11 +2949,13 @@ static void ms_sss__gaussian_cells(double sigma, int cells, double *g, double *s
     }
 }
 
-/* Gaussians whose sum approximates a channel, each of weight q^2 over the sum of those: x is q of all, then log sigma, cells. One
-   in the Frobenius norm, as it is usually done; more by texture error, as that norm sees little but the centre. */
+/* Gaussians whose sum approximates a channel, each of weight q^2 over the sum of those: x is q of all, then log sigma,
+   cells. One in the Frobenius norm, as it is usually done; more by texture error, as that norm sees little but the
+   centre. */
 static double ms_sss__mixture_squares(const ms_sss__squares *p, double *x, double *H, double *g)
 {
-    double wave[MS_SSS_TERMS_MAX][MS_SSS__NODES_MAX], slope[MS_SSS_TERMS_MAX][MS_SSS__NODES_MAX], share[MS_SSS__NODES_MAX];
+    double wave[MS_SSS_TERMS_MAX][MS_SSS__NODES_MAX], slope[MS_SSS_TERMS_MAX][MS_SSS__NODES_MAX],
+        share[MS_SSS__NODES_MAX];
     double cell[MS_SSS__CELLS_MAX + 1], growth[MS_SSS__CELLS_MAX + 1], J[2 * MS_SSS_TERMS_MAX], sum = 0, value = 0;
     int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(p->d->cells, 0, node, share), N = p->n / 2, n, a, b, i, j;
     for (n = 0; n < N; ++n) sum += x[n] * x[n];
@@ -2925,8 +2993,8 @@ static double ms_sss__mixture_squares(const ms_sss__squares *p, double *x, doubl
     return value;
 }
 
-/* The best of fits that start from Gaussians spread evenly in log sigma, the narrowest one narrower or wider: weight and sigma,
-   cells, of each. */
+/* The best of fits that start from Gaussians spread evenly in log sigma, the narrowest one narrower or wider: weight
+   and sigma, cells, of each. */
 static void ms_sss__fit_mixture(const ms_sss_designer *d, int c, int count, double *weight, double *sigma)
 {
     static const double spread[] = {20, 90};
@@ -2993,10 +3061,10 @@ static void ms_sss__fit_near_far(const ms_sss_designer *d, int c, const double *
     out[2] = far_first ? 1 - x[2] : x[2];
 }
 
-/* Guided optimisation (5.14): least sum over i, j >= 1 of Gamma_ij (K_ij - a_i a_j)^2, x being a_1 and on. Gamma vanishes on the
-   axes, so a_0 enters no term and is what the energy constraint leaves: in the limit of small cells a(x) tends to a smooth
-   curve with a point mass at 0. That is the dependence on the grid: the curve converges, the centre's share of the mass
-   within half a cell shrinks towards the point mass. */
+/* Guided optimisation (5.14): least sum over i, j >= 1 of Gamma_ij (K_ij - a_i a_j)^2, x being a_1 and on. Gamma
+   vanishes on the axes, so a_0 enters no term and is what the energy constraint leaves: in the limit of small cells
+   a(x) tends to a smooth curve with a point mass at 0. That is the dependence on the grid: the curve converges, the
+   centre's share of the mass within half a cell shrinks towards the point mass. */
 static double ms_sss__guided_squares(const ms_sss__squares *p, double *a, double *H, double *g)
 {
     const int n = p->n;
@@ -3006,7 +3074,8 @@ static double ms_sss__guided_squares(const ms_sss__squares *p, double *a, double
         for (j = 0; j < n; ++j) {
             double x = (i + 1) / p->half_width, y = (j + 1) / p->half_width;
             double rest = p->curve[(i + 1) * (n + 1) + j + 1] - a[i] * a[j];
-            double guide = pow(x * x + y * y, 0.5 * p->guide) * expm1(-50 * x * x) * expm1(-50 * y * y); /* (5.16), b = 50 */
+            double guide = pow(x * x + y * y, 0.5 * p->guide) * expm1(-50 * x * x) *
+                expm1(-50 * y * y); /* (5.16), b = 50 */
             value += guide * rest * rest;
             H[i * n + i] += guide * a[j] * a[j];
             H[i * n + j] += guide * a[i] * a[j];
@@ -3036,7 +3105,8 @@ static ms_status ms_sss__guided(const ms_sss_designer *d, int c, double k_guide,
             for (j = 0; j <= cells; ++j) {
                 K[i * crow + j] = 0;
                 for (p = -half; p <= half; ++p)
-                    for (q = -half; q <= half; ++q) K[i * crow + j] += d->cell[c][abs(i * level + p) * row + abs(j * level + q)];
+                    for (q = -half; q <= half; ++q)
+                        K[i * crow + j] += d->cell[c][abs(i * level + p) * row + abs(j * level + q)];
             }
         }
         problem.n = cells;
@@ -3116,9 +3186,11 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
     return status;
 }
 
-/* The image-optimal kernel with a weight for every cell; v holds a_p. The curve is given by its values at every cell near the
-   centre and at growing distances farther out, linear between: all cells on their own would fit what lies between the bins. */
-static ms_status ms_sss__dense_optimum(const ms_sss_designer *d, double dial, int no_delta, ms_sss__curve *hats, ms_sss__curve *v)
+/* The image-optimal kernel with a weight for every cell; v holds a_p. The curve is given by its values at every cell
+   near the centre and at growing distances farther out, linear between: all cells on their own would fit what lies
+   between the bins. */
+static ms_status ms_sss__dense_optimum(const ms_sss_designer *d, double dial, int no_delta, ms_sss__curve *hats,
+                                       ms_sss__curve *v)
 {
     ms_sss__fit *fit;
     int c, n, cell;
@@ -3142,7 +3214,8 @@ static ms_status ms_sss__dense_optimum(const ms_sss_designer *d, double dial, in
         v->delta[c] = hats->delta[c];
         for (cell = 0; cell <= d->cells; ++cell) {
             v->weight[c][0][cell] = 0;
-            for (n = 0; n <= hats->pairs; ++n) v->weight[c][0][cell] += ms_sss__hat(hats, n, cell) * hats->weight[c][0][n];
+            for (n = 0; n <= hats->pairs; ++n)
+                v->weight[c][0][cell] += ms_sss__hat(hats, n, cell) * hats->weight[c][0][n];
         }
     }
     return MS_OK;
@@ -3175,8 +3248,8 @@ static void ms_sss__fit_hops(ms_sss__fit *fit, int sweeps, ms_sss__curve *best)
 }
 
 /* Fits taps over few bins from several starts, which differ in how far out they reach, then the best over all bins. */
-static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve *dense, const ms_sss__curve *model, double dial,
-                                  int pairs, int no_delta, ms_sss__curve *best)
+static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve *dense, const ms_sss__curve *model,
+                                  double dial, int pairs, int no_delta, ms_sss__curve *best)
 {
     static const double reach[] = {0.25, 0.4, 0.6, 0.85};
     ms_sss__curve *v;
@@ -3223,7 +3296,7 @@ static void ms_sss__place_quadratic(const ms_sss_designer *d, const ms_sss__curv
 }
 
 static MS_SSS__COLD void ms_sss__store_kernel(const ms_sss_designer *d, const ms_sss__curve *v, double index,
-                                               ms_sss_kernel *kernel)
+                                              ms_sss_kernel *kernel)
 {
     int order[MS_SSS__CELLS_MAX + 1], n, i, t, c, side;
     memset(kernel, 0, sizeof *kernel);
@@ -3251,9 +3324,11 @@ static MS_SSS__COLD void ms_sss__store_kernel(const ms_sss_designer *d, const ms
         }
         kernel->delta[c] = (float)v->delta[c];
         kernel->reflectance[c] = (float)d->reflectance[c];
-        kernel->decay[c] = (float)ms_sss__decay_of(d->reflectance[c] < 0.9999 ? d->reflectance[c] : 0.9999, d->mean_mm[c]);
+        kernel->decay[c] = (float)ms_sss__decay_of(d->reflectance[c] < 0.9999 ? d->reflectance[c] : 0.9999,
+                                                   d->mean_mm[c]);
         kernel->elevation[c] = (float)ms_sss_elevation(d->reflectance[c], index);
-        if (!(both > 0.2 * d->mean_mm[c])) /* terms of both signs leave no mean: pi/4, what an exact separable kernel would have */
+        if (!(both > 0.2 * d->mean_mm[c])) /* terms of both signs leave no mean: pi/4, what an exact separable kernel
+                                              would have */
             both = d->mean_mm[c] > 0 ? d->mean_mm[c] / 0.785398 : 1; /* never 0 */
         kernel->elevation_axis[c] = kernel->elevation[c] * (float)(d->mean_mm[c] / both);
     }
@@ -3276,14 +3351,17 @@ static MS_SSS__COLD ms_status ms_sss__check_kernel_options(const ms_sss_kernel_o
         return status;
     if (!dense && (o->tap_count < 3 || o->tap_count > most || o->tap_count % 2 == 0))
         return MS_SSS__REFUSE(error, "tap_count is %d; odd, 3 to %d, or MS_SSS_DENSE expected", o->tap_count, most);
-    if (o->model == MS_SSS_ROTATED && (dense || o->placement != MS_SSS_OPTIMISED || o->frame_count < 2 || o->frame_count > 8))
+    if (o->model == MS_SSS_ROTATED &&
+        (dense || o->placement != MS_SSS_OPTIMISED || o->frame_count < 2 || o->frame_count > 8))
         return MS_SSS__REFUSE(error,
-                        "model rotated: frame_count is %d; 2 to 8, MS_SSS_OPTIMISED and no MS_SSS_DENSE expected", o->frame_count);
+                              "model rotated: frame_count is %d; 2 to 8, MS_SSS_OPTIMISED and no MS_SSS_DENSE expected",
+                              o->frame_count);
     for (c = 0; c < 3; ++c) {
         const ms_sss_artist *a = &o->artist;
         int fitted = a->sigma_near_mm[c] == 0 && a->sigma_far_mm[c] == 0 && a->near_weight[c] == 0;
-        if (!fitted && !(a->sigma_near_mm[c] > 0 && a->sigma_near_mm[c] <= 1e6 && a->sigma_far_mm[c] > 0 &&
-                         a->sigma_far_mm[c] <= 1e6 && a->near_weight[c] >= 0 && a->near_weight[c] <= 1))
+        if (!fitted &&
+            !(a->sigma_near_mm[c] > 0 && a->sigma_near_mm[c] <= 1e6 && a->sigma_far_mm[c] > 0 &&
+              a->sigma_far_mm[c] <= 1e6 && a->near_weight[c] >= 0 && a->near_weight[c] <= 1))
             return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)c,
                             "artist, channel %d: sigma_near_mm %g, sigma_far_mm %g, near_weight %g; "
                             "sigmas above 0, at most 1e6, a weight of 0 to 1, or all 0 expected",
@@ -3311,8 +3389,8 @@ MS_API ms_sss_artist ms_sss_artist_production(void)
     return production;
 }
 
-MS_SSS__COLD MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *d, const ms_sss_kernel_options *options,
-                                     ms_error *error)
+MS_SSS__COLD MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *d,
+                                                  const ms_sss_kernel_options *options, ms_error *error)
 {
     ms_sss_kernel_options o = options != NULL ? *options : ms_sss_kernel_defaults();
     const size_t bytes = 3 * sizeof(ms_sss__curve) + sizeof(ms_sss__waves);
@@ -3393,12 +3471,15 @@ MS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *d, int count, doubl
     return MS_OK;
 }
 
-MS_SSS__COLD MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_designer *d,
-                                                   double tolerance, int tap_budget, ms_error *error)
+MS_SSS__COLD MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors,
+                                                   const ms_sss_designer *d, double tolerance, int tap_budget,
+                                                   ms_error *error)
 {
     static const signed char candidate[][2] = {/* terms, taps; by their product */
-        {1, 3}, {1, 5}, {1, 7}, {1, 9}, {2, 5}, {1, 11}, {1, 13}, {2, 7}, {1, 17}, {2, 9}, {1, 21}, {2, 11}, {1, 25},
-        {2, 13}, {3, 9}, {1, 33}, {3, 11}, {2, 17}, {3, 13}, {2, 21}, {3, 17}, {3, 21}, {3, 25}, {4, 21}, {3, 33}, {4, 33}};
+                                               {1, 3},  {1, 5},  {1, 7},  {1, 9},  {2, 5},  {1, 11}, {1, 13},
+                                               {2, 7},  {1, 17}, {2, 9},  {1, 21}, {2, 11}, {1, 25}, {2, 13},
+                                               {3, 9},  {1, 33}, {3, 11}, {2, 17}, {3, 13}, {2, 21}, {3, 17},
+                                               {3, 21}, {3, 25}, {4, 21}, {3, 33}, {4, 33}};
     ms_sss_kernel_options options = ms_sss_kernel_defaults();
     ms_sss_errors found, best;
     ms_sss__measurer *m;
@@ -3409,8 +3490,10 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss
     int one_term;
     if (kernel == NULL || d == NULL) return MS_SSS__REFUSE(error, "%s is NULL", kernel ? "designer" : "kernel");
     if (!(tolerance > 0) || tap_budget < 3)
-        return MS_SSS__REFUSE(error, "tolerance is %g, tap_budget %d; above 0 and at least 3 expected", tolerance, tap_budget);
-    options.tap_count = MS_SSS_DENSE; /* the best that any number of taps can do with one term, at the cost of a few taps */
+        return MS_SSS__REFUSE(error, "tolerance is %g, tap_budget %d; above 0 and at least 3 expected", tolerance,
+                              tap_budget);
+    options.tap_count =
+        MS_SSS_DENSE; /* the best that any number of taps can do with one term, at the cost of a few taps */
     m = (ms_sss__measurer *)ms__alloc(&d->allocator, sizeof *m + 2 * sizeof *trial);
     if (m == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to choose a kernel");
     trial = (ms_sss_kernel *)(void *)(m + 1);
@@ -3439,13 +3522,16 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss
     }
     ms__release(&d->allocator, m, sizeof *m + 2 * sizeof *trial);
     if (status != MS_OK) return status;
-    return least <= 1 ? MS_OK
-                      : ms__fail(error, MS_NOT_CONVERGED, 0, "%d taps reach an error of %g and bands of %g; %g and %d are asked for",
-                                 tap_budget, best.texture, best.bands, tolerance, MS_SSS_BANDS_SEEN);
+    return least <= 1
+        ? MS_OK
+        : ms__fail(error, MS_NOT_CONVERGED, 0, "%d taps reach an error of %g and bands of %g; %g and %d are asked for",
+                   tap_budget, best.texture, best.bands, tolerance, MS_SSS_BANDS_SEEN);
 }
 
-MS_SSS__COLD MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile, double radius_px,
-                                    const ms_sss_kernel_options *options, const ms_allocator *allocator, ms_error *error)
+MS_SSS__COLD MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors,
+                                                 const ms_sss_profile *profile, double radius_px,
+                                                 const ms_sss_kernel_options *options, const ms_allocator *allocator,
+                                                 ms_error *error)
 {
     ms_sss_designer *designer;
     ms_sss__measurer *m = NULL;
@@ -3481,7 +3567,8 @@ MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness
     for (c = 0; c < 3; ++c) out[c] = ms_sss__slab(total[c], decay[c], thickness_mm > 0 ? thickness_mm : 0);
 }
 
-MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, double max_thickness_mm, int count, float (*out)[3])
+MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, double max_thickness_mm, int count,
+                                            float (*out)[3])
 {
     double total[3], decay[3];
     int i, c;
@@ -3495,11 +3582,13 @@ MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, doubl
 #endif
 
 MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm, const float normal[3],
-                                const float entry_normal[3], const float to_light[3], const float light[3], float out[3])
+                                const float entry_normal[3], const float to_light[3], const float light[3],
+                                float out[3])
 {
     float facing = 0, entry = 0, parallel = 0;
     int c;
-    if (kernel == NULL || normal == NULL || entry_normal == NULL || to_light == NULL || light == NULL || out == NULL) return;
+    if (kernel == NULL || normal == NULL || entry_normal == NULL || to_light == NULL || light == NULL || out == NULL)
+        return;
     for (c = 0; c < 3; ++c) {
         facing += normal[c] * to_light[c];
         entry += entry_normal[c] * to_light[c];
@@ -3511,7 +3600,8 @@ MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm,
         if (!(facing < 0 && entry > 0 && R > 0)) continue;
         R = R < 0.9999 ? R : 0.9999;
         out[c] = (float)(ms_sss__slab(R, (double)kernel->decay[c], thickness_mm > 0 ? (double)thickness_mm : 0) *
-                         (1 + (1 / R - 1) * (parallel > 0 ? (double)parallel : 0))) * entry * light[c];
+                         (1 + (1 / R - 1) * (parallel > 0 ? (double)parallel : 0))) *
+            entry * light[c];
     }
 }
 
@@ -3546,25 +3636,26 @@ MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm,
 #endif
 
 enum {
-    MS_SSS__LEFT = 16,  /* floats before a row's first pixel: one vector of any level */
-    MS_SSS__RIGHT = 32, /* floats behind a row's last block */
-    MS_SSS__BLOCK = 32, /* columns that are left out together where none takes part */
-    MS_SSS__TASKS = 16, /* of a call to options.parallel at most */
-    MS_SSS__PARTS = 32, /* two a task */
-    MS_SSS__ROWS = 42,  /* row buffers of a task */
-    MS_SSS__PAIRS = 16, /* of taps that are made as pairs */
-    MS_SSS__LEANING = 8, /* the same with slopes */
-    MS_SSS__HELD = 3,   /* pairs whose weights are held */
-    MS_SSS__FAR = 120,  /* pixels that pairs may reach */
+    MS_SSS__LEFT = 16,    /* floats before a row's first pixel: one vector of any level */
+    MS_SSS__RIGHT = 32,   /* floats behind a row's last block */
+    MS_SSS__BLOCK = 32,   /* columns that are left out together where none takes part */
+    MS_SSS__TASKS = 16,   /* of a call to options.parallel at most */
+    MS_SSS__PARTS = 32,   /* two a task */
+    MS_SSS__ROWS = 42,    /* row buffers of a task */
+    MS_SSS__PAIRS = 16,   /* of taps that are made as pairs */
+    MS_SSS__LEANING = 8,  /* the same with slopes */
+    MS_SSS__HELD = 3,     /* pairs whose weights are held */
+    MS_SSS__FAR = 120,    /* pixels that pairs may reach */
     MS_SSS__MARGIN = 144, /* rows and columns around the picture: FAR, a group, and the pixels beside a tap */
-    MS_SSS__STEP = 8,   /* rows that the second pass takes together */
-    MS_SSS__LEAVE = 0,  /* plans of a group: no lane has a kernel; lane by lane; by pairs, where some have; all; at one place each */
+    MS_SSS__STEP = 8,     /* rows that the second pass takes together */
+    MS_SSS__LEAVE =
+        0, /* plans of a group: no lane has a kernel; lane by lane; by pairs, where some have; all; at one place each */
     MS_SSS__ANY = 1,
     MS_SSS__SOME = 2,
     MS_SSS__ALL = 3,
     MS_SSS__ONE = 4,
     MS_SSS__BESIDE = 128, /* added to a pair's whole part: it or one more */
-    MS_SSS__ROW = 1,    /* ways of a pass: along planes of a row; down the ring's rows */
+    MS_SSS__ROW = 1,      /* ways of a pass: along planes of a row; down the ring's rows */
     MS_SSS__COLUMN = 2,
     MS_SSS__SIDE_MAX = 65536,
     MS_SSS__FIXED_MAX = 2 * MS_SSS_TAPS_MAX
@@ -3601,32 +3692,35 @@ typedef struct ms_sss__pass {
     const float (*weight)[3];
     float total[3];
     int mixed[3]; /* weights of both signs: what is missing goes to the pixel's own colour */
-    float size, size_max, size_min, aspect[2]; /* pixels a mm: size, or min(size / depth, size_max); at most size_min: off */
+    float size, size_max, size_min,
+        aspect[2];                  /* pixels a mm: size, or min(size / depth, size_max); at most size_min: off */
     int perspective, follow, exact; /* exact: the Gaussian of dz^2 */
-    float cut; /* dz^2 from which on nothing counts */
+    float cut;                      /* dz^2 from which on nothing counts */
     /* With slopes: depths are taken against the tangent plane, and light from below it counts more. */
-    float focal[2];     /* slope of a pixel's step in depth: times focal, in perspective relative to the depth of the farther pixel */
-    float reach;        /* dz^2 of the kernel's radius: between neighbours a step in depth beyond is an edge */
-    float upright;      /* 1 - flat */
+    float focal[2]; /* slope of a pixel's step in depth: times focal, in perspective relative to the depth of the
+                       farther pixel */
+    float reach;    /* dz^2 of the kernel's radius: between neighbours a step in depth beyond is an edge */
+    float upright;  /* 1 - flat */
     float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; tangent 0: parallel rays */
-    float unit;         /* mm of dz 1 */
-    float grain;        /* a plane that fits depths with relative errors of grain / 2 errs by at most grain (2 + i) times depth i
-                           pixels away: 2 errors for the depths there and here and for each step between, one pixel beside a tap */
+    float unit;               /* mm of dz 1 */
+    float grain; /* a plane that fits depths with relative errors of grain / 2 errs by at most grain (2 + i) times depth
+                    i pixels away: 2 errors for the depths there and here and for each step between, one pixel beside a
+                    tap */
     float curve[3], root[3], least; /* K / 4; square root of the reflectance; least sin(theta) */
-    float remote, bulge; /* square of the mm of dz 1, times upright; square root of upright / 2; exact: 0 */
-    float apart;        /* dz at which the pixels of a larger one part */
+    float remote, bulge;            /* square of the mm of dz 1, times upright; square root of upright / 2; exact: 0 */
+    float apart;                    /* dz at which the pixels of a larger one part */
 } ms_sss__pass;
 
-/* Light of a tap x mm away falls about as 1 / x^2: what lies dz off the plane counts 1 / (1 + remote dz^2). Products of three
-   stay finite. */
+/* Light of a tap x mm away falls about as 1 / x^2: what lies dz off the plane counts 1 / (1 + remote dz^2). Products of
+   three stay finite. */
 static MS_SSS__INLINE float ms_sss__remote(const ms_sss__pass *p, float mm)
 {
     const float most = 1e6f, square = mm * mm;
     return p->remote < most * square ? p->remote / square : p->remote > 0 ? most : 0;
 }
 
-/* A tap stands for the more surface the more it bends away between the tap before, at inner mm, and it: 1 + (bulge times the
-   change of height in mm)^2, sec^2 of that angle to second order of both axes. */
+/* A tap stands for the more surface the more it bends away between the tap before, at inner mm, and it: 1 + (bulge
+   times the change of height in mm)^2, sec^2 of that angle to second order of both axes. */
 static MS_SSS__INLINE float ms_sss__bulge(const ms_sss__pass *p, float mm, float *inner)
 {
     const float gap = fabsf(mm) - *inner;
@@ -3634,24 +3728,26 @@ static MS_SSS__INLINE float ms_sss__bulge(const ms_sss__pass *p, float mm, float
     return gap > 1e-20f ? p->bulge / gap : 0;
 }
 
-/* Both passes of a kernel: the second follows the first in slabs of rows, which lie in a ring, in groups of one vector each of
-   red, green, blue and depth (fixed taps: in planes). Numbers that all lanes share stand 16 times. */
+/* Both passes of a kernel: the second follows the first in slabs of rows, which lie in a ring, in groups of one vector
+   each of red, green, blue and depth (fixed taps: in planes). Numbers that all lanes share stand 16 times. */
 typedef struct ms_sss__sweep {
-    float offset[2][MS_SSS__PAIRS][16]; /* mm; of the axes in their own pixels */
+    float offset[2][MS_SSS__PAIRS][16];                              /* mm; of the axes in their own pixels */
     float span[MS_SSS__PAIRS][16], weight[MS_SSS__PAIRS + 1][3][16]; /* |offset|; centre, pairs */
-    float remote[MS_SSS__PAIRS][16], bulge[MS_SSS__PAIRS][16], lift[MS_SSS__LEANING][3][2][16]; /* lift: K / (4 span) and 1, times the fourth root of the weight */
+    float remote[MS_SSS__PAIRS][16], bulge[MS_SSS__PAIRS][16],
+        lift[MS_SSS__LEANING][3][2][16]; /* lift: K / (4 span) and 1, times the fourth root of the weight */
     struct ms_sss__job *job;
-    int pairs;         /* of taps that weigh the same; 0: any taps */
+    int pairs;                                   /* of taps that weigh the same; 0: any taps */
     int shaped, reach, padded, lanes, plan_size; /* plan_size: bytes of a group's plan */
-    int parts, tasks;  /* a band: parts of the picture that one task makes from the top down, in a ring of rows */
+    int parts, tasks; /* a band: parts of the picture that one task makes from the top down, in a ring of rows */
     volatile long taken[MS_SSS__PARTS];
-    int simple;        /* weights make a mean, the centre's above 0 */
-    int plain, steep;  /* with slopes: no weight below 0; whether sines can reach their bounds */
+    int simple;                 /* weights make a mean, the centre's above 0 */
+    int plain, steep;           /* with slopes: no weight below 0; whether sines can reach their bounds */
     float *ring, *own, *window; /* of a task: rows that the first pass reads; own: see ms_sss__line */
-    int rows;          /* of a window: 5 with slopes, else 1 */
+    int rows;                   /* of a window: 5 with slopes, else 1 */
     ptrdiff_t plan_row, window_row, window_size;
     unsigned char *plan;
-    int *slot, *done, *held; /* of each row: in the ring, 0: nothing takes part; finished; of each slot: columns that hold something */
+    int *slot, *done, *held; /* of each row: in the ring, 0: nothing takes part; finished; of each slot: columns that
+                                hold something */
     ptrdiff_t *row, *column; /* the same in floats, from MARGIN rows above the picture on; 0 1 2 ..., from -MARGIN on */
 } MS_SSS__ALIGNED ms_sss__sweep;
 
@@ -3660,24 +3756,26 @@ typedef struct ms_sss__turning {
     const float (*direction)[2];
     int second, height;
     ptrdiff_t stride;
-    const float *packed; /* NULL, or the picture with a pixel's four floats side by side: taps of neighbours lie far apart */
+    const float
+        *packed; /* NULL, or the picture with a pixel's four floats side by side: taps of neighbours lie far apart */
 } ms_sss__turning;
 
-/* A row that a pass makes. What lies i steps along the axis from a group is at from + group + step[i]: red, and `plane` floats on
-   green, blue and depth. */
+/* A row that a pass makes. What lies i steps along the axis from a group is at from + group + step[i]: red, and `plane`
+   floats on green, blue and depth. */
 typedef struct ms_sss__line {
     const float *from;
     const ptrdiff_t *step;
-    ptrdiff_t group, plane;    /* floats from a group to the next, from red to green */
+    ptrdiff_t group, plane;      /* floats from a group to the next, from red to green */
     const ms_sss__turning *turn; /* NULL: along an axis */
-    const float *own[3];       /* with slopes: where turned, both; else pixels a mm of the tangent plane, depth that it gains a pixel (relative in perspective), cosine of the normal to the ray */
+    const float *own[3]; /* with slopes: where turned, both; else pixels a mm of the tangent plane, depth that it gains
+                            a pixel (relative in perspective), cosine of the normal to the ray */
     const unsigned char *plan;
-    int axis, at, count;       /* 0: x, count columns; 1: y, row at of count; 2: turned, row at, count columns */
-    int first, last;           /* columns to make */
+    int axis, at, count; /* 0: x, count columns; 1: y, row at of count; 2: turned, row at, count columns */
+    int first, last;     /* columns to make */
     float *to[3];
     ptrdiff_t to_group;
     int stream;
-    const char *ahead[4];      /* the caller's next row, to be fetched by then, ahead_step bytes a pixel; 0: none */
+    const char *ahead[4]; /* the caller's next row, to be fetched by then, ahead_step bytes a pixel; 0: none */
     ptrdiff_t ahead_step[4];
 } ms_sss__line;
 
@@ -3686,44 +3784,48 @@ typedef struct ms_sss__halving {
     const ms_sss_kernel *kernel;
     int perspective;
     float size, size_max, aspect[2]; /* as in ms_sss__pass, in pixels of the picture */
-    float beyond;   /* depth up to which the centre alone stands within a pixel of itself: the share is then */
+    float beyond; /* depth up to which the centre alone stands within a pixel of itself: the share is then */
     float share[3];
-    float tiny;     /* depth from which on kernels are under half a pixel */
-    float within;   /* 1 / dz from which on nothing counts */
-    float scale;    /* of depths of the scene */
+    float tiny;   /* depth from which on kernels are under half a pixel */
+    float within; /* 1 / dz from which on nothing counts */
+    float scale;  /* of depths of the scene */
 } ms_sss__halving;
 
-/* Square of the radius of a level's gather, in pixels of the next. Wider ones see the shape from nearer by, narrower ones cost less: 1.75 and
-   2.2 of what six pixels hold, wide 2.24 and 3.74 of eight; a wide level 0 of 2.5 or 2.8 is nearer to random walks, but loses 1.2% or 1.6% of textures. */
+/* Square of the radius of a level's gather, in pixels of the next. Wider ones see the shape from nearer by, narrower
+   ones cost less: 1.75 and 2.2 of what six pixels hold, wide 2.24 and 3.74 of eight; a wide level 0 of 2.5 or 2.8 is
+   nearer to random walks, but loses 1.2% or 1.6% of textures. */
 #define MS_SSS__GATHER(wide, level) ((wide) ? ((level) > 0 ? 14.0f : 5.0f) : (level) > 0 ? 4.84f : 3.0625f)
 
-/* A pixel that a pixel of the finer level gathers from: floats from the one that its four lie around, place, its square. */
+/* A pixel that a pixel of the finer level gathers from: floats from the one that its four lie around, place, its
+   square. */
 typedef struct ms_sss__tap {
     ptrdiff_t at;
     float x, y, square, rest; /* rest: 1 - its square over the gather's */
 } ms_sss__tap;
 
-/* What the row kernels of the pyramid need. Depth enters as d, which is linear on planes: -1 / depth in perspective, else
-   depth; 0 where nothing takes part. Rows of a level: colour, d, share (surface there, in pixels of the level), the change
-   of d a pixel along x and y. */
+/* What the row kernels of the pyramid need. Depth enters as d, which is linear on planes: -1 / depth in perspective,
+   else depth; 0 where nothing takes part. Rows of a level: colour, d, share (surface there, in pixels of the level),
+   the change of d a pixel along x and y. */
 typedef struct ms_sss__growth {
     const float (*table)[MS_SSS_PYRAMID_LEVELS][2][3]; /* weight[size][level][blurred][channel] */
     int perspective, shaped, wide, level; /* wide: options.exact; level: of the rows that are made by gather */
-    float weight[2][3];   /* of the level where all pixels have one size */
-    float size, size_max; /* the kernel's radius in pixels: min(size d, size_max) */
-    float step;           /* change of d a pixel at slope 1: times d in perspective */
-    float upright;        /* 1 - flat; 0: the depth counts for the size alone */
-    float reach, join;    /* distance from a tangent plane at which nothing is left, in radii: of sums on the way up, of pixels that become one */
-    float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; 0: parallel rays */
-    float quarter[3], most[3]; /* K / 4; 1 / reflectance */
+    float weight[2][3];                   /* of the level where all pixels have one size */
+    float size, size_max;                 /* the kernel's radius in pixels: min(size d, size_max) */
+    float step;                           /* change of d a pixel at slope 1: times d in perspective */
+    float upright;                        /* 1 - flat; 0: the depth counts for the size alone */
+    float reach, join; /* distance from a tangent plane at which nothing is left, in radii: of sums on the way up, of
+                          pixels that become one */
+    float middle[2], tangent;        /* (column + 1/2 - middle) tangent is the tangent of the ray; 0: parallel rays */
+    float quarter[3], most[3];       /* K / 4; 1 / reflectance */
     const ms_sss__tap (*tap)[2][64]; /* [odd row][odd column], the nearest first: the first four lie around the pixel */
     int taps, core, sums; /* core: that reach pixels that face the camera; sums: whether the coarser level has any */
     ptrdiff_t plane;      /* of the coarser level */
     float inner;          /* 1 / radius of the gather */
     float norm, mean, spread; /* of the gather's taps: sum, E r / E r^2, E r^2 / E r^4 */
-    float blur;           /* variance of a place in a pixel of the next level */
-    float grain; /* twice the relative error of d */
-    float rough; /* on planes the gather's taps are less than this from the tangent plane, in pixels of their level (times d, not in perspective) */
+    float blur;               /* variance of a place in a pixel of the next level */
+    float grain;              /* twice the relative error of d */
+    float rough; /* on planes the gather's taps are less than this from the tangent plane, in pixels of their level
+                    (times d, not in perspective) */
 } ms_sss__growth;
 
 typedef struct ms_sss__kernels {
@@ -3734,12 +3836,15 @@ typedef struct ms_sss__kernels {
     void (*convolve_valid)(const ms_sss__fixed *f, const float *const in[3], const ptrdiff_t *at,
                            const float *const *depth, const int *tap, int taps, int count, const float *own_depth,
                            float *const out[3]);
-    void (*shape)(const ms_sss__pass *p, const float *const depth[5], const float *const normal[3], int y, int begin, int end,
-                  float *const slope[2]);
-    void (*tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin, int end, float *const out[6]);
+    void (*shape)(const ms_sss__pass *p, const float *const depth[5], const float *const normal[3], int y, int begin,
+                  int end, float *const slope[2]);
+    void (*tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin, int end,
+                     float *const out[6]);
     void (*limit)(float *depth, int count);
-    void (*plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, const float *depth, const float *size, int first, int last, unsigned char *plan);
-    void (*sweep[2])(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines, int first, int last); /* [with slopes] */
+    void (*plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, const float *depth, const float *size,
+                 int first, int last, unsigned char *plan);
+    void (*sweep[2])(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines, int first,
+                     int last); /* [with slopes] */
     float (*least)(const float *depth, int count);
     int (*unpack)(const void *from, int half, int count, float *const to[3]);
     void (*widen)(const uint16_t *from, int count, float *to);
@@ -3749,16 +3854,20 @@ typedef struct ms_sss__kernels {
     void (*combine)(float a, const float *x, float b, const float *y, int count, float *out);
     void (*fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
                  int count, float *blur);
-    void (*lie)(const ms_sss__growth *s, const float *const d[5], const float *const normal[3], int y, int first, int count, float *const out[3]);
+    void (*lie)(const ms_sss__growth *s, const float *const d[5], const float *const normal[3], int y, int first,
+                int count, float *const out[3]);
     void (*shrink)(const ms_sss__growth *s, const float *row[4][7], int first, int count, float *const out[7]);
-    void (*gather)(const ms_sss__growth *s, const float *const own[3], const float *coarse, int first, int count, int y, float *const out[6]);
-    void (*settle)(const ms_sss__growth *s, const float *const row[4], ptrdiff_t stride, const float *const slope[3], const float *const sum[6], int first, int count,
-                   float *const out[4]);
+    void (*gather)(const ms_sss__growth *s, const float *const own[3], const float *coarse, int first, int count, int y,
+                   float *const out[6]);
+    void (*settle)(const ms_sss__growth *s, const float *const row[4], ptrdiff_t stride, const float *const slope[3],
+                   const float *const sum[6], int first, int count, float *const out[4]);
     void (*invert)(const ms_sss__growth *s, const float *depth, int count, float *d);
-    int (*halve)(const ms_sss__halving *h, const float *const above[4], const float *const below[4], float unit, int count, float *const out[4]);
-    void (*soften)(const ms_sss__halving *h, const float *const light[3], const float *const blur[3], const float *depth, int count, float *const out[4]);
-    void (*refine)(const ms_sss__halving *h, const float *const own[4], float unit, const float *const coarse[2][4], int odd, int stream, int count,
-                   float *const out[3]);
+    int (*halve)(const ms_sss__halving *h, const float *const above[4], const float *const below[4], float unit,
+                 int count, float *const out[4]);
+    void (*soften)(const ms_sss__halving *h, const float *const light[3], const float *const blur[3],
+                   const float *depth, int count, float *const out[4]);
+    void (*refine)(const ms_sss__halving *h, const float *const own[4], float unit, const float *const coarse[2][4],
+                   int odd, int stream, int count, float *const out[3]);
 } ms_sss__kernels;
 
 /* Floats to what lies i steps along the axis. */
@@ -3845,8 +3954,19 @@ static MS_SSS__INLINE float ms_sss__index_size(int index)
 
 /* 0 to FAR */
 #define MS_SSS__TEN(n) n, n + 1, n + 2, n + 3, n + 4, n + 5, n + 6, n + 7, n + 8, n + 9
-static const float ms_sss__whole[MS_SSS__FAR + 1] = {MS_SSS__TEN(0),  MS_SSS__TEN(10), MS_SSS__TEN(20), MS_SSS__TEN(30),  MS_SSS__TEN(40),  MS_SSS__TEN(50), MS_SSS__TEN(60),
-                                         MS_SSS__TEN(70), MS_SSS__TEN(80), MS_SSS__TEN(90), MS_SSS__TEN(100), MS_SSS__TEN(110), 120};
+static const float ms_sss__whole[MS_SSS__FAR + 1] = {MS_SSS__TEN(0),
+                                                     MS_SSS__TEN(10),
+                                                     MS_SSS__TEN(20),
+                                                     MS_SSS__TEN(30),
+                                                     MS_SSS__TEN(40),
+                                                     MS_SSS__TEN(50),
+                                                     MS_SSS__TEN(60),
+                                                     MS_SSS__TEN(70),
+                                                     MS_SSS__TEN(80),
+                                                     MS_SSS__TEN(90),
+                                                     MS_SSS__TEN(100),
+                                                     MS_SSS__TEN(110),
+                                                     120};
 #undef MS_SSS__TEN
 
 #if defined(MS__X64)
@@ -3884,7 +4004,8 @@ static MS_SSS__INLINE unsigned ms_sss__bits_neon(uint32x4_t m)
 #include MS_SSS_FILENAME
 #if defined(__clang__)
 #pragma clang attribute pop
-#pragma clang attribute push(__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c"))), apply_to = function)
+#pragma clang attribute push(__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c"))), \
+                             apply_to = function)
 #elif defined(__GNUC__)
 #pragma GCC pop_options
 #pragma GCC push_options
@@ -3920,7 +4041,8 @@ static const ms_sss__kernels *ms_sss__pick(ms_simd cap)
 static float ms_sss__get(const ms_sss_image *image, int c, int x, int y)
 {
     ptrdiff_t at = y * image->row_stride + x * image->pixel_stride;
-    return image->half ? ms__half_to_float(((const uint16_t *)image->channel[c])[at]) : ((const float *)image->channel[c])[at];
+    return image->half ? ms__half_to_float(((const uint16_t *)image->channel[c])[at])
+                       : ((const float *)image->channel[c])[at];
 }
 
 static void ms_sss__put(const ms_sss_image *image, int c, int x, int y, float value)
@@ -3932,8 +4054,8 @@ static void ms_sss__put(const ms_sss_image *image, int c, int x, int y, float va
 
 /* out[c] points at the values of pixels [x, x + count) of row y: in the image where they lie side by side, else in
    buffer[c], with 0 from column width on. */
-static void ms_sss__load(const ms_sss__kernels *simd, const ms_sss_image *image, int channels, int width, int y, int x, int count,
-                         float *const *buffer, const float **out)
+static void ms_sss__load(const ms_sss__kernels *simd, const ms_sss_image *image, int channels, int width, int y, int x,
+                         int count, float *const *buffer, const float **out)
 {
     const ptrdiff_t at = y * image->row_stride + x * image->pixel_stride, step = image->pixel_stride;
     const ptrdiff_t size = image->half ? (ptrdiff_t)sizeof(uint16_t) : (ptrdiff_t)sizeof(float);
@@ -3964,8 +4086,8 @@ static void ms_sss__load(const ms_sss__kernels *simd, const ms_sss_image *image,
 }
 
 /* Writes values [begin, end) of a row that starts at pixel (x, y), where depth is finite or NULL. */
-static void ms_sss__store(const ms_sss__kernels *simd, const ms_sss_image *image, int width, int y, int x, int begin, int end,
-                          const float *const in[3], const float *depth)
+static void ms_sss__store(const ms_sss__kernels *simd, const ms_sss_image *image, int width, int y, int x, int begin,
+                          int end, const float *const in[3], const float *depth)
 {
     const ptrdiff_t step = image->pixel_stride;
     int c, i, j;
@@ -4038,20 +4160,21 @@ typedef struct ms_sss__job {
     const ms_sss__kernels *simd;
     const ms_sss_kernel *kernel; /* of the profile at hand */
     int profile, kernel_count, term;
-    int block, padded; /* padded: width in whole blocks */
-    int full_width, full_height; /* of the picture whose pixels are `coarse` times smaller: its own, unless this is the half of one */
+    int block, padded;           /* padded: width in whole blocks */
+    int full_width, full_height; /* of the picture whose pixels are `coarse` times smaller: its own, unless this is the
+                                    half of one */
     float coarse;
-    int rough;            /* its depth is binary16 */
-    int begin, end, band; /* rows of the run at hand, rows a task */
+    int rough;                       /* its depth is binary16 */
+    int begin, end, band;            /* rows of the run at hand, rows a task */
     int fixed, turned, shaped, idle; /* idle: a kernel under half a pixel */
-    int whole_first;      /* rows are prepared for the whole picture: with 0 where nothing takes part */
+    int whole_first;                 /* rows are prepared for the whole picture: with 0 where nothing takes part */
     ptrdiff_t stride;
     float depth_scale, gain;
-    int unwritten;        /* pixels that take no part still have to be copied to the output */
-    int raw;              /* and their elements can be copied as they are */
+    int unwritten; /* pixels that take no part still have to be copied to the output */
+    int raw;       /* and their elements can be copied as they are */
     float *middle[3], *source[3], *depth, *sum[3], *rows;
-    float *packed; /* NULL, or what a turned pass reads, see ms_sss__turning */
-    float *fresh; /* a row of depths where all pixels take part */
+    float *packed;                 /* NULL, or what a turned pass reads, see ms_sss__turning */
+    float *fresh;                  /* a row of depths where all pixels take part */
     int *first, *last;             /* of each row: whole blocks that hold pixels which take part */
     int *solid_first, *solid_last; /* a run of columns that all take part; up to padded where it reaches the width */
     int *whole;                    /* no strength of a pixel that takes part is under 1 */
@@ -4059,10 +4182,10 @@ typedef struct ms_sss__job {
     ms_sss__fixed *taps;           /* two */
     ms_sss__pass pass;
     float direction[64][2];
-    float *planes;        /* the first */
+    float *planes; /* the first */
     int plane_count;
     float nearest, least[MS_SSS__TASKS]; /* the picture's least depth, 0: not known; of each task's rows */
-    float *window;        /* of a sweep, and behind it what else it keeps */
+    float *window;                       /* of a sweep, and behind it what else it keeps */
 } ms_sss__job;
 
 static int ms_sss__round_up(int x, int step) { return (x + step - 1) / step * step; }
@@ -4097,8 +4220,10 @@ static void ms_sss__pass_by(char *to, const char *from, size_t size)
     if (size >= 256) {
         memcpy(to, from, head);
         for (to += head, from += head, size -= head; size >= 64; to += 64, from += 64, size -= 64) {
-            const __m128 a = _mm_loadu_ps((const float *)(const void *)from), b = _mm_loadu_ps((const float *)(const void *)(from + 16));
-            const __m128 c = _mm_loadu_ps((const float *)(const void *)(from + 32)), d = _mm_loadu_ps((const float *)(const void *)(from + 48));
+            const __m128 a = _mm_loadu_ps((const float *)(const void *)from),
+                         b = _mm_loadu_ps((const float *)(const void *)(from + 16));
+            const __m128 c = _mm_loadu_ps((const float *)(const void *)(from + 32)),
+                         d = _mm_loadu_ps((const float *)(const void *)(from + 48));
             _mm_stream_ps((float *)(void *)to, a);
             _mm_stream_ps((float *)(void *)(to + 16), b);
             _mm_stream_ps((float *)(void *)(to + 32), c);
@@ -4119,9 +4244,11 @@ static void ms_sss__copy(const ms_sss__job *job, int y, int begin, int end, cons
     for (c = 0; c < 3; ++c) {
         const char *from = (const char *)f->input.channel[c] + y * f->input.row_stride * (ptrdiff_t)size;
         char *to = (char *)f->output.channel[c] + y * f->output.row_stride * (ptrdiff_t)size;
-        const ptrdiff_t from_step = f->input.pixel_stride * (ptrdiff_t)size, to_step = f->output.pixel_stride * (ptrdiff_t)size;
+        const ptrdiff_t from_step = f->input.pixel_stride * (ptrdiff_t)size,
+                        to_step = f->output.pixel_stride * (ptrdiff_t)size;
         if (job->raw && !depth && !f->profile && f->input.pixel_stride == 1 && f->output.pixel_stride == 1) {
-            if (begin < end) ms_sss__pass_by(to + begin * to_step, from + begin * from_step, (size_t)(end - begin) * size);
+            if (begin < end)
+                ms_sss__pass_by(to + begin * to_step, from + begin * from_step, (size_t)(end - begin) * size);
             continue;
         }
         for (x = begin; x < end; ++x) {
@@ -4170,7 +4297,8 @@ static void ms_sss__find_solid(const ms_sss__job *job, int y, const float *depth
 /* Copies what takes no part in row y. depth: from its first column that holds anything on. */
 static void ms_sss__copy_row(const ms_sss__job *job, int y, const float *depth)
 {
-    const int width = job->frame.width, first = job->first[y], last = job->last[y], solid = job->solid_first[y] < job->solid_last[y];
+    const int width = job->frame.width, first = job->first[y], last = job->last[y],
+              solid = job->solid_first[y] < job->solid_last[y];
     const int inside = last < width ? last : width;
     if (job->term > 0) return;
     ms_sss__copy(job, y, 0, first, NULL);
@@ -4185,8 +4313,8 @@ static void ms_sss__clear(const ms_sss__job *job, float *row, float value)
     for (x = -MS_SSS__LEFT; x < job->padded + MS_SSS__RIGHT; ++x) row[x] = value;
 }
 
-/* Row y of what the first pass reads: colour (times albedo) and depth for the columns from first to last, which are then
-   known; beyond them no pixel takes part, and colour is 0 as far as taps reach. */
+/* Row y of what the first pass reads: colour (times albedo) and depth for the columns from first to last, which are
+   then known; beyond them no pixel takes part, and colour is 0 as far as taps reach. */
 static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *const colour[3], float *depth)
 {
     const ms_sss_frame *f = &job->frame;
@@ -4259,13 +4387,15 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *cons
     ms_sss__copy_row(job, y, depth);
 }
 
-/* What is left to do for columns [x, x + count) of row y once blur holds the filtered light: fades it to own (NULL: there is
-   nothing to fade), multiplies by the albedo, adds the specular light, and writes the pixels that take part: depth NULL: the row's longest run. */
-static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3], const float *const *own, const float *depth)
+/* What is left to do for columns [x, x + count) of row y once blur holds the filtered light: fades it to own (NULL:
+   there is nothing to fade), multiplies by the albedo, adds the specular light, and writes the pixels that take part:
+   depth NULL: the row's longest run. */
+static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3],
+                            const float *const *own, const float *depth)
 {
     const ms_sss_frame *f = &job->frame;
     float *albedo_buffer[3], *specular_buffer[3], *strength_buffer[1];
-    const float *albedo[3], *specular[3], *strength = NULL, *const *factor, *result[3];
+    const float *albedo[3], *specular[3], *strength = NULL, *const * factor, *result[3];
     int c, i;
     int solid_first = job->solid_first[y] > x ? job->solid_first[y] - x : 0;
     int solid_last = job->solid_last[y] < x + count ? job->solid_last[y] - x : count;
@@ -4278,7 +4408,8 @@ static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int 
         strength_buffer[0] = ms_sss__buffer(job, task, 12);
         ms_sss__load(job->simd, &f->strength, 1, f->width, y, x, count, strength_buffer, &strength);
     }
-    for (c = 0; c < 3 && own; ++c) job->simd->fade(&job->pass, strength, job->gain, depth ? depth : job->fresh + x, own[c], count, blur[c]);
+    for (c = 0; c < 3 && own; ++c)
+        job->simd->fade(&job->pass, strength, job->gain, depth ? depth : job->fresh + x, own[c], count, blur[c]);
     if (f->through.channel[0]) {
         ms_sss__load(job->simd, &f->through, 3, f->width, y, x, count, specular_buffer, specular);
         for (c = 0; c < 3; ++c)
@@ -4298,9 +4429,10 @@ static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int 
     if (depth) ms_sss__store(job->simd, &f->output, f->width, y, x, solid_last, count, result, depth);
 }
 
-/* The rest for columns [x, x + count) of row y once blur holds the term's second pass: adds up the terms and delta E and
-   composes. */
-static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3], const float *depth)
+/* The rest for columns [x, x + count) of row y once blur holds the term's second pass: adds up the terms and delta E
+   and composes. */
+static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3],
+                           const float *depth)
 {
     const ms_sss_frame *f = &job->frame;
     const ms_sss_kernel *k = job->kernel;
@@ -4315,8 +4447,10 @@ static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int c
         own_buffer[c] = ms_sss__buffer(job, task, 6 + c);
         albedo_buffer[c] = ms_sss__buffer(job, task, 9 + c);
         if (job->term > 0) job->simd->combine(scale, blur[c], 1.0f, sum, count, last_term ? blur[c] : sum);
-        else if (!last_term || ms_sss__differ(scale, 1.0f)) job->simd->combine(scale, blur[c], 0.0f, blur[c], count, sum);
-        if (ms_sss__differ(k->delta[c], 0.0f) || ms_sss__differ(scale, 1.0f) || ms_sss__differ(job->pass.total[c], 1.0f))
+        else if (!last_term || ms_sss__differ(scale, 1.0f))
+            job->simd->combine(scale, blur[c], 0.0f, blur[c], count, sum);
+        if (ms_sss__differ(k->delta[c], 0.0f) || ms_sss__differ(scale, 1.0f) ||
+            ms_sss__differ(job->pass.total[c], 1.0f))
             need_own = 1;
     }
     if (!last_term) return;
@@ -4328,7 +4462,8 @@ static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int c
                 for (i = 0; i < count; ++i) own_buffer[c][i] = in[c][i] * factor[c][i];
                 in[c] = own_buffer[c];
             }
-            if (ms_sss__differ(k->delta[c], 0.0f)) job->simd->combine(k->delta[c], in[c], 1.0f, blur[c], count, blur[c]);
+            if (ms_sss__differ(k->delta[c], 0.0f))
+                job->simd->combine(k->delta[c], in[c], 1.0f, blur[c], count, blur[c]);
         }
     }
     ms_sss__compose(job, task, y, x, count, blur, need_own ? in : NULL, depth);
@@ -4377,14 +4512,15 @@ static void ms_sss__find_nearest(ms_sss__job *job)
 
 /* --- the passes: admit, first, second, compose --- */
 
-/* Floats of a row in the ring: two cache lines more than it holds, so that rows side by side do not fall on the same few sets of the cache. */
+/* Floats of a row in the ring: two cache lines more than it holds, so that rows side by side do not fall on the same
+   few sets of the cache. */
 static ptrdiff_t ms_sss__ring_row(int padded) { return 4 * (ptrdiff_t)padded + 32; }
 
 /* Rows of a band between which nothing has to stay for its neighbours lie in a ring of this many. */
 static int ms_sss__ring_rows(const ms_sss__sweep *s) { return 2 * s->reach + MS_SSS__STEP; }
 
-/* Where row y of a band that begins at `begin` is kept: rows that the band above needs have their own place; those that the
-   band below needs are the last in the ring. */
+/* Where row y of a band that begins at `begin` is kept: rows that the band above needs have their own place; those that
+   the band below needs are the last in the ring. */
 static int ms_sss__slot(const ms_sss__sweep *s, int begin, int y)
 {
     const int low = begin ? begin + 2 * s->reach : 0;
@@ -4392,10 +4528,13 @@ static int ms_sss__slot(const ms_sss__sweep *s, int begin, int y)
 }
 
 /* First row of a part of the picture. */
-static int ms_sss__part(const ms_sss__sweep *s, int part) { return (int)((ptrdiff_t)part * s->job->frame.height / s->parts); }
+static int ms_sss__part(const ms_sss__sweep *s, int part)
+{
+    return (int)((ptrdiff_t)part * s->job->frame.height / s->parts);
+}
 
-/* Takes the part at which a task begins a band: half-way into the longest run of free ones, so that whoever comes from above
-   finds as much to do; -1: none is left. Who makes a row changes nothing but where it is kept. */
+/* Takes the part at which a task begins a band: half-way into the longest run of free ones, so that whoever comes from
+   above finds as much to do; -1: none is left. Who makes a row changes nothing but where it is kept. */
 static int ms_sss__begin_band(ms_sss__sweep *s, int task)
 {
 #ifdef MS_SSS__TAKE
@@ -4457,7 +4596,8 @@ static MS_SSS__APART void ms_sss__fixed_first(const ms_sss__sweep *s, int y, flo
     float *out[4];
     int x, c, j, a, b; /* [a, b): all taps are inside and take part */
     for (c = 0; c < 4; ++c) out[c] = s->ring + s->row[y] + c * s->padded;
-    if (!ms_sss__solid(job, y, first, last)) memcpy(out[3] + first, in[3] + first, (size_t)(last - first) * sizeof(float));
+    if (!ms_sss__solid(job, y, first, last))
+        memcpy(out[3] + first, in[3] + first, (size_t)(last - first) * sizeof(float));
     a = ms_sss__round_up(job->solid_first[y] - f->lowest, 16);
     b = ((job->solid_last[y] < job->frame.width ? job->solid_last[y] : job->frame.width) - f->highest) / 16 * 16;
     if (a >= b) a = b = last;
@@ -4522,7 +4662,8 @@ static MS_SSS__APART void ms_sss__fixed_second(const ms_sss__sweep *s, int y, fl
         ptrdiff_t at[MS_SSS__FIXED_MAX];
         const float *from = s->ring + s->row[y] + a;
         for (j = 0; j < f->count; ++j) at[j] = s->row[y + f->offset[j]] - s->row[y];
-        for (c = 0; c < 3; ++c) job->simd->convolve(from + c * s->padded, at, f->weight[c], f->count, b - a, out[c] + a);
+        for (c = 0; c < 3; ++c)
+            job->simd->convolve(from + c * s->padded, at, f->weight[c], f->count, b - a, out[c] + a);
     }
 }
 
@@ -4548,14 +4689,16 @@ static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
         l->group = 4 * s->lanes;
         l->plane = l->to_group = s->lanes;
         l->plan = s->plan + s->slot[y] * s->plan_row;
-        direct[y - begin] = job->direct && job->whole[y] && last <= job->frame.width && ms_sss__solid(job, y, first, last);
+        direct[y - begin] = job->direct && job->whole[y] && last <= job->frame.width &&
+            ms_sss__solid(job, y, first, last);
         l->stream = direct[y - begin];
         for (c = 0; c < 3; ++c)
             if ((uintptr_t)((float *)image->channel[c] + y * image->row_stride) % 64) l->stream = 0;
         if (direct[y - begin] && !l->stream && s->lanes > 1) direct[y - begin] = 2;
         for (c = 0; c < 3; ++c) {
             l->own[c] = s->own + ((ptrdiff_t)s->slot[y] * 3 + c) * s->padded;
-            l->to[c] = direct[y - begin] == 1 ? (float *)image->channel[c] + y * image->row_stride : ms_sss__buffer(job, task, 17 + 3 * (y - begin) + c);
+            l->to[c] = direct[y - begin] == 1 ? (float *)image->channel[c] + y * image->row_stride
+                                              : ms_sss__buffer(job, task, 17 + 3 * (y - begin) + c);
         }
         from = first < from ? first : from;
         to = last > to ? last : to;
@@ -4579,7 +4722,8 @@ static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
         }
         if (first < last && direct[y - begin] == 2)
             for (c = 0; c < 3; ++c)
-                job->simd->deliver(l->to[c] + first, last - first, (float *)image->channel[c] + y * image->row_stride + first);
+                job->simd->deliver(l->to[c] + first, last - first,
+                                   (float *)image->channel[c] + y * image->row_stride + first);
         ms_sss__copy_row(job, y, depth);
     }
 }
@@ -4708,7 +4852,8 @@ static void ms_sss__sweep_band(void *context, int task)
             int last;
             if (y + 1 + ahead == end && ms_sss__go_on(s, part + 1)) end = ms_sss__part(s, ++part + 1);
             for (; admitted <= y + ahead; ++admitted)
-                ms_sss__admit(s, task, admitted, admitted < begin || admitted >= end, plane[(admitted + s->rows) % s->rows]);
+                ms_sss__admit(s, task, admitted, admitted < begin || admitted >= end,
+                              plane[(admitted + s->rows) % s->rows]);
             s->slot[y] = job->first[y] < job->last[y] ? ms_sss__slot(s, begin, y) : 0;
             s->row[y] = (ptrdiff_t)s->slot[y] * ms_sss__ring_row(s->padded);
             if (s->slot[y]) ms_sss__first(s, task, y, (float *const(*)[4])plane, temp);
@@ -4750,8 +4895,12 @@ static int ms_sss__pairs(ms_sss__sweep *s, const ms_sss__job *job)
     int i, c;
     if (pairs > (s->shaped ? MS_SSS__LEANING : MS_SSS__PAIRS) || p->follow || (s->shaped && p->exact)) return 0;
     s->plain = !(p->mixed[0] || p->mixed[1] || p->mixed[2]);
-    /* dz / (1 + remote dz^2) is at most half of 1 / sqrt(remote), which is the offset over that of upright; 1 + the square of a ray's tangent is the most that facing adds */
-    s->steep = !(0.25 * (1 + (double)(p->tangent * p->tangent) * ((double)p->middle[0] * (double)p->middle[0] + (double)p->middle[1] * (double)p->middle[1])) <
+    /* dz / (1 + remote dz^2) is at most half of 1 / sqrt(remote), which is the offset over that of upright; 1 + the
+       square of a ray's tangent is the most that facing adds */
+    s->steep = !(0.25 *
+                     (1 +
+                      (double)(p->tangent * p->tangent) *
+                          ((double)p->middle[0] * (double)p->middle[0] + (double)p->middle[1] * (double)p->middle[1])) <
                  0.999 * (double)p->upright * (double)(p->least * p->least));
     for (c = 0; c < 3; ++c) ms_sss__splat(s->weight[0][c], (double)p->weight[0][c]);
     for (i = 0; i < pairs; ++i) {
@@ -4785,14 +4934,18 @@ static int ms_sss__reach(ms_sss__job *job)
     if (job->fixed) {
         reach = -job->taps[1].lowest > job->taps[1].highest ? -job->taps[1].lowest : job->taps[1].highest;
     } else {
-        for (i = 0; i < p->tap_count; ++i) farthest = fabs((double)p->offset_mm[i]) > farthest ? fabs((double)p->offset_mm[i]) : farthest;
+        for (i = 0; i < p->tap_count; ++i)
+            farthest = fabs((double)p->offset_mm[i]) > farthest ? fabs((double)p->offset_mm[i]) : farthest;
         if (p->perspective) {
             ms_sss__find_nearest(job);
             size /= (double)(job->nearest * job->depth_scale);
             if (size > (double)p->size_max) size = (double)p->size_max;
         }
         if (job->shaped) /* a plane that leans towards the ray is seen enlarged */
-            size *= sqrt(1 + (double)(p->tangent * p->tangent) * ((double)p->middle[0] * (double)p->middle[0] + (double)p->middle[1] * (double)p->middle[1]));
+            size *= sqrt(
+                1 +
+                (double)(p->tangent * p->tangent) *
+                    ((double)p->middle[0] * (double)p->middle[0] + (double)p->middle[1] * (double)p->middle[1]));
         reach = size * farthest * (double)p->aspect[1] + 3;
     }
     return reach < job->frame.height ? (int)reach : job->frame.height;
@@ -4808,7 +4961,8 @@ static void ms_sss__both_passes(ms_sss__job *job)
     s->job = job;
     s->simple = 1;
     for (c = 0; c < 3; ++c)
-        if (job->pass.mixed[c] || ms_sss__differ(job->pass.total[c], 1) || !(job->pass.weight[0][c] > 1e-20f)) s->simple = 0;
+        if (job->pass.mixed[c] || ms_sss__differ(job->pass.total[c], 1) || !(job->pass.weight[0][c] > 1e-20f))
+            s->simple = 0;
     s->lanes = job->simd->lanes;
     s->shaped = job->shaped && !job->fixed;
     s->rows = s->shaped ? 5 : 1;
@@ -4922,8 +5076,14 @@ static void ms_sss__turned_pass(const ms_sss__job *job, int task, int second)
     }
 }
 
-static void ms_sss__turned_first(void *context, int task) { ms_sss__turned_pass((const ms_sss__job *)context, task, 0); }
-static void ms_sss__turned_second(void *context, int task) { ms_sss__turned_pass((const ms_sss__job *)context, task, 1); }
+static void ms_sss__turned_first(void *context, int task)
+{
+    ms_sss__turned_pass((const ms_sss__job *)context, task, 0);
+}
+static void ms_sss__turned_second(void *context, int task)
+{
+    ms_sss__turned_pass((const ms_sss__job *)context, task, 1);
+}
 
 /* --- one call --- */
 
@@ -4937,12 +5097,15 @@ typedef struct ms_sss__layout {
 } ms_sss__layout;
 
 /* Slopes count, if there is depth. */
-static int ms_sss__may_shape(const ms_sss_filter_options *o) { return o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE; }
+static int ms_sss__may_shape(const ms_sss_filter_options *o)
+{
+    return o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE;
+}
 
 static int ms_sss__turns(const ms_sss_filter_options *o) { return ms_sss__differ(o->rotation, 0) || o->jitter > 0; }
 
 static MS_SSS__COLD ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
-                                   const ms_sss_filter_options *options, int kind)
+                                                const ms_sss_filter_options *options, int kind)
 {
     const size_t lanes = (size_t)ms_sss__pick(options->simd)->lanes, rows = (size_t)height;
     ms_sss__layout l;
@@ -4950,20 +5113,25 @@ static MS_SSS__COLD ms_sss__layout ms_sss__plan(int width, int height, const ms_
     int i, terms = 1, pairs = 0;
     for (i = 0; i < kernel_count; ++i) {
         if (kernels[i].term_count > terms) terms = kernels[i].term_count;
-        if (kernels[i].tap_count / 2 > pairs && kernels[i].tap_count / 2 <= MS_SSS__PAIRS) pairs = kernels[i].tap_count / 2;
+        if (kernels[i].tap_count / 2 > pairs && kernels[i].tap_count / 2 <= MS_SSS__PAIRS)
+            pairs = kernels[i].tap_count / 2;
     }
     l.block = width < MS_SSS__BLOCK ? ms_sss__round_up(width, 16) : MS_SSS__BLOCK;
     l.padded = ms_sss__round_up(width, l.block);
     l.stride = (size_t)(MS_SSS__LEFT + l.padded + MS_SSS__RIGHT);
     l.plane = ms__size_mul(l.stride, rows + 2); /* an empty row above and below */
-    l.planes = kind == MS_SSS__PLANES ? 3 : kind == MS_SSS__PASSES && ms_sss__turns(options) ? 7 + (options->jitter > 0) : 0;
+    l.planes = kind == MS_SSS__PLANES                      ? 3
+        : kind == MS_SSS__PASSES && ms_sss__turns(options) ? 7 + (options->jitter > 0)
+                                                           : 0;
     l.ring = l.sweep = 0;
     if (kind == MS_SSS__PASSES && !ms_sss__turns(options)) {
-        l.ring = ms__size_mul(rows + 1, (size_t)ms_sss__ring_row(l.padded) + (ms_sss__may_shape(options) ? 3 * (size_t)l.padded : 0));
+        l.ring = ms__size_mul(
+            rows + 1, (size_t)ms_sss__ring_row(l.padded) + (ms_sss__may_shape(options) ? 3 * (size_t)l.padded : 0));
         l.sweep = ms__size_mul((rows + 1 + MS_SSS__TASKS) * (size_t)((pairs + 4) / 4 * 4), (size_t)l.padded / lanes);
-        l.sweep = ms__size_add(l.sweep, sizeof(float) * MS_SSS__TASKS * (25 * (size_t)l.padded + 40 * MS_SSS__MARGIN) +
-                                            (rows + 4 * MS_SSS__MARGIN) * sizeof(ptrdiff_t) + (4 * rows + 2) * sizeof(int) +
-                                            2 * sizeof(ms_sss__fixed) + sizeof(ms_sss__sweep));
+        l.sweep = ms__size_add(l.sweep,
+                               sizeof(float) * MS_SSS__TASKS * (25 * (size_t)l.padded + 40 * MS_SSS__MARGIN) +
+                                   (rows + 4 * MS_SSS__MARGIN) * sizeof(ptrdiff_t) + (4 * rows + 2) * sizeof(int) +
+                                   2 * sizeof(ms_sss__fixed) + sizeof(ms_sss__sweep));
     }
     if (kind == MS_SSS__PASSES && terms > 1) l.planes += 3;
     floats = ms__size_add(l.ring, ms__size_mul(l.plane, (size_t)l.planes));
@@ -5020,30 +5188,32 @@ static MS_SSS__COLD ms_status ms_sss__check_kernel(const ms_sss_kernel *k, int i
 {
     int i, c, t;
     if (k->tap_count < 1 || k->tap_count > MS_SSS_TAPS_MAX || k->tap_count % 2 == 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: tap_count %d is not an odd number from 1 to %d",
-                        index, k->tap_count, MS_SSS_TAPS_MAX);
+        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
+                        "kernel %d: tap_count %d is not an odd number from 1 to %d", index, k->tap_count,
+                        MS_SSS_TAPS_MAX);
     if (k->term_count < 1 || k->term_count > MS_SSS_TERMS_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: term_count %d is not within 1 to %d", index,
-                        k->term_count, MS_SSS_TERMS_MAX);
+        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: term_count %d is not within 1 to %d",
+                        index, k->term_count, MS_SSS_TERMS_MAX);
     if (!ms_sss__positive(k->radius_mm))
         return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: radius_mm %g is not positive", index,
                         (double)k->radius_mm);
     for (i = 0; i < k->tap_count; ++i) {
         if (!ms__finite_f(k->offset_mm[i]) || (i == 0 && ms_sss__differ(k->offset_mm[0], 0)))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: offset_mm[%d] is %g; entry 0 must be 0, all finite",
-                            index, i, (double)k->offset_mm[i]);
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
+                            "kernel %d: offset_mm[%d] is %g; entry 0 must be 0, all finite", index, i,
+                            (double)k->offset_mm[i]);
         for (t = 0; t < k->term_count; ++t)
             for (c = 0; c < 3; ++c)
                 if (!ms__finite_f(k->weight[t][i][c]) || !ms__finite_f(k->scale[t][c]) || !ms__finite_f(k->delta[c]))
-                    return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: term %d, tap %d, channel %d is not finite",
-                                    index, t, i, c);
+                    return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
+                                    "kernel %d: term %d, tap %d, channel %d is not finite", index, t, i, c);
     }
     return MS_OK;
 }
 
 /* Fills in the strides. */
-static MS_SSS__COLD ms_status ms_sss__check_image(ms_sss_image *image, const char *name, int channels, int needed, int width, int height,
-                                     ms_error *error)
+static MS_SSS__COLD ms_status ms_sss__check_image(ms_sss_image *image, const char *name, int channels, int needed,
+                                                  int width, int height, ms_error *error)
 {
     const ptrdiff_t limit = PTRDIFF_MAX / 8;
     int c;
@@ -5053,7 +5223,8 @@ static MS_SSS__COLD ms_status ms_sss__check_image(ms_sss_image *image, const cha
     }
     for (c = 1; c < channels; ++c)
         if (!image->channel[c]) return MS_SSS__REFUSE(error, "%s: channel %d has no pixels", name, c);
-    if (image->half != 0 && image->half != 1) return MS_SSS__REFUSE(error, "%s: half is %d, not 0 or 1", name, image->half);
+    if (image->half != 0 && image->half != 1)
+        return MS_SSS__REFUSE(error, "%s: half is %d, not 0 or 1", name, image->half);
     if (image->pixel_stride == 0) image->pixel_stride = 1;
     if (image->pixel_stride > limit / width || image->pixel_stride < -(limit / width))
         return MS_SSS__REFUSE(error, "%s: pixel_stride is too large", name);
@@ -5102,7 +5273,8 @@ static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options 
     ms_status status;
     int i;
     if (sizes != 1)
-        return MS_SSS__REFUSE(error, "%d of pixels_per_mm, fov_degrees and ortho_height are set; exactly one is needed", sizes);
+        return MS_SSS__REFUSE(error, "%d of pixels_per_mm, fov_degrees and ortho_height are set; exactly one is needed",
+                              sizes);
     if (ms_sss__differ(a[0], 0) && !(ms_sss__positive(a[0]) && a[1] >= 0 && ms__finite_f(a[1])))
         return MS_SSS__REFUSE(error, "pixels_per_mm %g, %g: expected positive numbers", (double)a[0], (double)a[1]);
     if (ms_sss__differ(o->fov_degrees, 0) && !(o->fov_degrees > 0 && o->fov_degrees < 180))
@@ -5144,7 +5316,8 @@ static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kerne
     job->kernel = k;
     job->profile = profile;
     p->aspect[0] = 1.0f;
-    p->aspect[1] = o->pixels_per_mm[0] > 0 && o->pixels_per_mm[1] > 0 ? o->pixels_per_mm[1] / o->pixels_per_mm[0] : 1.0f;
+    p->aspect[1] = o->pixels_per_mm[0] > 0 && o->pixels_per_mm[1] > 0 ? o->pixels_per_mm[1] / o->pixels_per_mm[0]
+                                                                      : 1.0f;
     p->perspective = o->fov_degrees > 0;
     p->follow = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
     p->exact = o->exact;
@@ -5155,7 +5328,8 @@ static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kerne
         const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : radius;
         const double upright = job->shaped ? 1 - (double)o->flat : 0;
         const double sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : (0.12 + 0.13 * upright) * extent;
-        double end = MS_SSS__FALLOFF_END * sigma, unit = 0.84932180028801904 / sigma, apart; /* exp(-dz^2 / (2 sigma^2)) = 2^-(unit dz)^2 */
+        double end = MS_SSS__FALLOFF_END * sigma, unit = 0.84932180028801904 / sigma,
+               apart; /* exp(-dz^2 / (2 sigma^2)) = 2^-(unit dz)^2 */
         if (!job->shaped && (o->exact || radius < end)) end = radius;
         apart = end;
         if (job->shaped && !o->exact && !(o->depth_sigma_mm > 0)) end = (0.37 + 1.13 * upright) * extent;
@@ -5179,7 +5353,8 @@ static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kerne
     p->middle[0] = 0.5f * (float)width / job->coarse;
     p->middle[1] = 0.5f * (float)height / job->coarse;
     p->least = -1;
-    p->grain = job->rough ? 9.7668e-4f : 2.3841858e-7f; /* rounded once when given, once when scaled: 2^-11 or 2^-24, and 2^-24 */
+    p->grain = job->rough ? 9.7668e-4f
+                          : 2.3841858e-7f; /* rounded once when given, once when scaled: 2^-11 or 2^-24, and 2^-24 */
     for (c = 0; c < 3; ++c) {
         p->curve[c] = k->elevation_axis[c] / 4 * p->upright;
         p->root[c] = k->reflectance[c] > 0 ? sqrtf(k->reflectance[c]) : 0;
@@ -5196,8 +5371,8 @@ static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kerne
 static int ms_sss__plain(const ms_sss__job *job)
 {
     const ms_sss_frame *f = &job->frame;
-    return !f->albedo.channel[0] && !f->specular.channel[0] && !f->through.channel[0] && !(job->gain < 1) && !f->output.half &&
-           f->output.pixel_stride == 1;
+    return !f->albedo.channel[0] && !f->specular.channel[0] && !f->through.channel[0] && !(job->gain < 1) &&
+        !f->output.half && f->output.pixel_stride == 1;
 }
 
 /* Whether the second pass is the last step of a pixel: besides, one term. */
@@ -5209,7 +5384,8 @@ static int ms_sss__direct(const ms_sss__job *job)
     if (k->term_count > 1 || !ms_sss__plain(job)) return 0;
     ms_sss__totals(k, 0, 0, total, mixed);
     for (c = 0; c < 3; ++c)
-        if (ms_sss__differ(k->delta[c], 0) || ms_sss__differ(k->scale[0][c], 1) || ms_sss__differ(total[c], 1)) return 0;
+        if (ms_sss__differ(k->delta[c], 0) || ms_sss__differ(k->scale[0][c], 1) || ms_sss__differ(total[c], 1))
+            return 0;
     return 1;
 }
 
@@ -5258,7 +5434,10 @@ MS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void
     return ms_sss__view(red, green, blue, 0, half);
 }
 
-MS_API ms_sss_image ms_sss_map(const void *values, int step, int half) { return ms_sss__view(values, NULL, NULL, step, half); }
+MS_API ms_sss_image ms_sss_map(const void *values, int step, int half)
+{
+    return ms_sss__view(values, NULL, NULL, step, half);
+}
 
 MS_API ms_sss_image ms_sss_flipped(ms_sss_image image, int width, int height)
 {
@@ -5271,7 +5450,8 @@ MS_API ms_sss_image ms_sss_flipped(ms_sss_image image, int width, int height)
     return image;
 }
 
-MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int height, const ms_sss_depth_buffer *how, float *out, ms_error *error)
+MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int height, const ms_sss_depth_buffer *how,
+                                     float *out, ms_error *error)
 {
     ms_sss_image from;
     ms_status status;
@@ -5285,11 +5465,14 @@ MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int 
     near_plane = (double)how->near_plane;
     far_plane = (double)how->far_plane;
     endless = !(far_plane > 0) || !ms__finite_f(how->far_plane);
-    if (!ms_sss__positive(how->near_plane) || (endless ? how->orthographic || far_plane < 0 || far_plane != far_plane : far_plane <= near_plane))
-        return MS_SSS__REFUSE(error, "near_plane %g, far_plane %g: expected 0 < near < far, or far 0 in perspective", near_plane, far_plane);
+    if (!ms_sss__positive(how->near_plane) ||
+        (endless ? how->orthographic || far_plane < 0 || far_plane != far_plane : far_plane <= near_plane))
+        return MS_SSS__REFUSE(error, "near_plane %g, far_plane %g: expected 0 < near < far, or far 0 in perspective",
+                              near_plane, far_plane);
     for (y = 0; y < height; ++y)
         for (x = 0; x < width; ++x) {
-            const double d = (double)ms_sss__get(&from, 0, x, y), away = how->reversed ? d : 1 - d; /* 1 at the near plane, 0 at the far one */
+            const double d = (double)ms_sss__get(&from, 0, x, y),
+                         away = how->reversed ? d : 1 - d; /* 1 at the near plane, 0 at the far one */
             double z = (double)INFINITY;
             if (away > 0 && away <= 1)
                 z = how->orthographic ? far_plane - away * (far_plane - near_plane)
@@ -5307,12 +5490,13 @@ MS_API float ms_sss_fov_along_y(float fov_degrees_along_x, int width, int height
     return (float)(2 * atan(tan((double)fov_degrees_along_x * degree / 2) * height / width) / degree);
 }
 
-/* Refuses a scene that is likelier in other units than millimetres: mm_per_unit was not given, and the smallest kernel covers
-   half of the picture, as the mean over up to 64 x 64 pixels. */
-static MS_SSS__COLD ms_status ms_sss__check_scale(const ms_sss_frame *f, const ms_sss_filter_options *o, double radius_mm,
-                                                  ms_error *error)
+/* Refuses a scene that is likelier in other units than millimetres: mm_per_unit was not given, and the smallest kernel
+   covers half of the picture, as the mean over up to 64 x 64 pixels. */
+static MS_SSS__COLD ms_status ms_sss__check_scale(const ms_sss_frame *f, const ms_sss_filter_options *o,
+                                                  double radius_mm, ms_error *error)
 {
-    const int side = f->width > f->height ? f->width : f->height, step_x = (f->width + 63) / 64, step_y = (f->height + 63) / 64;
+    const int side = f->width > f->height ? f->width : f->height, step_x = (f->width + 63) / 64,
+              step_y = (f->height + 63) / 64;
     const double size = radius_mm * ms_sss__pixels(o, f->height);
     double sum = o->fov_degrees > 0 ? 0 : size;
     int x, y, n = !(o->fov_degrees > 0);
@@ -5325,8 +5509,10 @@ static MS_SSS__COLD ms_status ms_sss__check_scale(const ms_sss_frame *f, const m
             ++n;
         }
     if (!(sum > 0.5 * side * n)) return MS_OK;
-    return MS_SSS__REFUSE(error, "a radius of %g mm covers half of the picture: mm_per_unit is needed, "
-                    "1000 for a scene in metres, 1 if it is in mm", radius_mm);
+    return MS_SSS__REFUSE(error,
+                          "a radius of %g mm covers half of the picture: mm_per_unit is needed, "
+                          "1000 for a scene in metres, 1 if it is in mm",
+                          radius_mm);
 }
 
 /* The empty rows above and below the planes, of which the fourth is depth. */
@@ -5342,9 +5528,10 @@ static void ms_sss__clear_around(ms_sss__job *job)
 }
 
 /* Checks everything and lays the workspace out; *end: the first float behind it. */
-static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
-                               const ms_sss_filter_options *options, void *workspace, size_t workspace_size, size_t needed,
-                               int kind, float **end, ms_error *error)
+static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels,
+                                            int kernel_count, const ms_sss_filter_options *options, void *workspace,
+                                            size_t workspace_size, size_t needed, int kind, float **end,
+                                            ms_error *error)
 {
     const int w = frame->width, h = frame->height;
     ms_sss__layout layout;
@@ -5383,7 +5570,8 @@ static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame
     job->shaped = f->depth.channel[0] != NULL && ms_sss__may_shape(options);
     job->whole_first = job->turned;
     job->raw = !f->albedo.channel[0] && !f->specular.channel[0] && f->input.half == f->output.half;
-    job->unwritten = !job->raw || f->input.pixel_stride != f->output.pixel_stride || f->input.row_stride != f->output.row_stride;
+    job->unwritten = !job->raw || f->input.pixel_stride != f->output.pixel_stride ||
+        f->input.row_stride != f->output.row_stride;
     for (c = 0; c < 3; ++c)
         if (f->input.channel[c] != f->output.channel[c]) job->unwritten = 1;
 
@@ -5415,7 +5603,8 @@ static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame
     job->solid_last = job->solid_first + h;
     job->whole = job->solid_last + h;
     job->taps = (ms_sss__fixed *)(void *)(job->whole + h);
-    job->window = (float *)(((uintptr_t)(kind == MS_SSS__PASSES ? (void *)(job->taps + 2) : (void *)job->taps) + 63) & ~(uintptr_t)63);
+    job->window = (float *)(((uintptr_t)(kind == MS_SSS__PASSES ? (void *)(job->taps + 2) : (void *)job->taps) + 63) &
+                            ~(uintptr_t)63);
     *end = job->window;
     for (i = 0; i < 64; ++i) {
         const double angle = (double)options->rotation + (double)options->jitter * (i + 0.5) / 64 * 1.57079632679489662;
@@ -5430,7 +5619,8 @@ static void ms_sss__apply(ms_sss__job *job, const ms_sss_kernel *kernel, int pro
 {
     int term;
     ms_sss__set_kernel(job, kernel, profile);
-    job->fixed = !job->turned && !job->pass.perspective && (!job->frame.depth.channel[0] || job->options.depth_mode == MS_SSS_DEPTH_SCALE);
+    job->fixed = !job->turned && !job->pass.perspective &&
+        (!job->frame.depth.channel[0] || job->options.depth_mode == MS_SSS_DEPTH_SCALE);
     job->direct = ms_sss__direct(job);
     if (!(job->gain > 0)) job->idle = 1;
     for (term = 0; term < (job->idle ? 1 : kernel->term_count); ++term) {
@@ -5447,12 +5637,14 @@ static void ms_sss__apply(ms_sss__job *job, const ms_sss_kernel *kernel, int pro
 }
 
 /* A kernel at full resolution. job: of which the picture's least depth is known, or not. */
-static ms_status ms_sss__taps_filter(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels, int profile, int kernel_count,
-                                     const ms_sss_filter_options *options, void *workspace, size_t workspace_size, ms_error *error)
+static ms_status ms_sss__taps_filter(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels,
+                                     int profile, int kernel_count, const ms_sss_filter_options *options,
+                                     void *workspace, size_t workspace_size, ms_error *error)
 {
     const float nearest = job->nearest;
     float *end;
-    ms_status status = ms_sss__begin(job, frame, kernels, kernel_count, options, workspace, workspace_size, workspace_size, MS_SSS__PASSES, &end, error);
+    ms_status status = ms_sss__begin(job, frame, kernels, kernel_count, options, workspace, workspace_size,
+                                     workspace_size, MS_SSS__PASSES, &end, error);
     if (status != MS_OK) return status;
     job->nearest = nearest;
     ms_sss__apply(job, &kernels[profile], profile);
@@ -5469,20 +5661,25 @@ typedef struct ms_sss__half {
     ms_sss__halving halving;
     float *light[3], *blur[3], *depth, *mask, *normal[3];
     ptrdiff_t stride;
-    int plain, bold; /* rows of whole vectors whose light is the caller's; of which nothing but a colour or depth can keep a pixel from taking part */
+    int plain, bold; /* rows of whole vectors whose light is the caller's; of which nothing but a colour or depth can
+                        keep a pixel from taking part */
 } ms_sss__half;
 
 static MS_SSS__COLD size_t ms_sss__half_plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                              const ms_sss_filter_options *options)
 {
     const int w = (width + 1) / 2, h = (height + 1) / 2;
-    const size_t planes = ms__size_mul((size_t)ms_sss__round_up(w, 16), (size_t)h * MS_SSS__HALF_PLANES * sizeof(float));
-    return ms__size_add(ms__size_add(ms_sss__plan(width, height, kernels, kernel_count, options, MS_SSS__BARE).total, planes),
-                        ms__size_add(ms_sss__plan(w, h, kernels, kernel_count, options, MS_SSS__PASSES).total, sizeof(ms_sss__half) + 192));
+    const size_t planes = ms__size_mul((size_t)ms_sss__round_up(w, 16),
+                                       (size_t)h * MS_SSS__HALF_PLANES * sizeof(float));
+    return ms__size_add(
+        ms__size_add(ms_sss__plan(width, height, kernels, kernel_count, options, MS_SSS__BARE).total, planes),
+        ms__size_add(ms_sss__plan(w, h, kernels, kernel_count, options, MS_SSS__PASSES).total,
+                     sizeof(ms_sss__half) + 192));
 }
 
 /* The normal of the nearest of four pixels, for columns [first, last) of row y of the half. */
-static void ms_sss__half_normals(const ms_sss__half *half, int task, int y, int first, int last, const float *const depth[2])
+static void ms_sss__half_normals(const ms_sss__half *half, int task, int y, int first, int last,
+                                 const float *const depth[2])
 {
     const ms_sss__job *job = &half->job;
     const int width = job->frame.width;
@@ -5491,7 +5688,8 @@ static void ms_sss__half_normals(const ms_sss__half *half, int task, int y, int 
     int r, c, x, i;
     for (r = 0; r < 2; ++r) {
         for (c = 0; c < 3; ++c) buffer[c] = ms_sss__buffer(job, task, 18 + 3 * r + c);
-        ms_sss__load(job->simd, &job->frame.normal, 3, width, 2 * y + r < job->frame.height ? 2 * y + r : 2 * y, 0, width, buffer, normal[r]);
+        ms_sss__load(job->simd, &job->frame.normal, 3, width, 2 * y + r < job->frame.height ? 2 * y + r : 2 * y, 0,
+                     width, buffer, normal[r]);
     }
     for (x = first; x < last && 2 * x < width; ++x) {
         int best = 0;
@@ -5502,10 +5700,12 @@ static void ms_sss__half_normals(const ms_sss__half *half, int task, int y, int 
 }
 
 /* Colour and depth of columns [first, last) of a row of the picture as they are. */
-static void ms_sss__half_rows(const ms_sss__job *job, int y, int first, int last, float *const buffer[4], const float *row[4])
+static void ms_sss__half_rows(const ms_sss__job *job, int y, int first, int last, float *const buffer[4],
+                              const float *row[4])
 {
     ms_sss__load(job->simd, &job->frame.input, 3, job->frame.width, y, first, last - first, buffer, row);
-    if (job->frame.depth.channel[0]) ms_sss__load(job->simd, &job->frame.depth, 1, job->frame.width, y, first, last - first, buffer + 3, row + 3);
+    if (job->frame.depth.channel[0])
+        ms_sss__load(job->simd, &job->frame.depth, 1, job->frame.width, y, first, last - first, buffer + 3, row + 3);
     else row[3] = job->fresh;
 }
 
@@ -5534,7 +5734,8 @@ static void ms_sss__half_down(void *context, int task)
         ms_sss__clear(job, row[r / 4][r % 4], 0.0f);
     }
     for (y = begin; y < end; ++y) {
-        int all = half->bold && 2 * y + 1 < job->frame.height, first = stride, last = 0; /* columns of the half that hold anything */
+        int all = half->bold && 2 * y + 1 < job->frame.height, first = stride,
+            last = 0; /* columns of the half that hold anything */
         for (c = 0; c < 4; ++c) to[c] = (c < 3 ? half->light[c] : half->depth) + y * half->stride;
         if (all) { /* as if all pixels took part */
             for (r = 0; r < 2; ++r) ms_sss__half_rows(job, 2 * y + r, 0, width, row[r], in[r]);
@@ -5568,7 +5769,8 @@ static void ms_sss__half_down(void *context, int task)
             job->simd->halve(&half->halving, in[0], in[1], 1, last - first, to);
         }
         if (half->mask)
-            for (x = 0; x < stride; ++x) half->mask[y * half->stride + x] = half->depth[y * half->stride + x] < INFINITY ? 1.0f : 0.0f;
+            for (x = 0; x < stride; ++x)
+                half->mask[y * half->stride + x] = half->depth[y * half->stride + x] < INFINITY ? 1.0f : 0.0f;
         if (half->normal[0]) {
             const float *depth[2];
             for (r = 0; r < 2; ++r) depth[r] = all ? in[r][3] : row[r][3];
@@ -5599,8 +5801,10 @@ static void ms_sss__half_up(void *context, int task)
     for (y = begin; y < end; ++y) {
         const float *beside[2][4], *coarse[2][4], *mine[4];
         float *blur[3], *to[4];
-        const int first = again.first[y], last = again.last[y], run = half->plain && again.solid_first[y] < again.solid_last[y];
-        const int direct = again.direct && run && again.whole[y] && last <= again.frame.width && ms_sss__solid(&again, y, first, last);
+        const int first = again.first[y], last = again.last[y],
+                  run = half->plain && again.solid_first[y] < again.solid_last[y];
+        const int direct = again.direct && run && again.whole[y] && last <= again.frame.width &&
+            ms_sss__solid(&again, y, first, last);
         int stream = direct;
         if (first == last) continue;
         if (run) {
@@ -5611,12 +5815,15 @@ static void ms_sss__half_up(void *context, int task)
         }
         for (r = 0; r < 2; ++r) {
             const int at = ms_sss__clamp((y + 1) / 2 - 1 + r, 0, inner->frame.height - 1), slot = at % 2;
-            const int from = inner->idle ? 0 : inner->first[at], until = inner->idle || inner->last[at] > (int)half->stride ? (int)half->stride : inner->last[at];
+            const int from = inner->idle ? 0 : inner->first[at],
+                      until = inner->idle || inner->last[at] > (int)half->stride ? (int)half->stride : inner->last[at];
             for (c = 0; c < 4; ++c) coarse[r][c] = soft[slot][c] + first / 2;
             if (have[slot] == at) continue;
             have[slot] = at;
-            for (x = held[slot][0]; x < held[slot][1] && x < from; ++x) soft[slot][3][x] = MS_SSS__AWAY; /* of the row before */
-            for (x = until > held[slot][0] ? until : held[slot][0]; x < held[slot][1]; ++x) soft[slot][3][x] = MS_SSS__AWAY;
+            for (x = held[slot][0]; x < held[slot][1] && x < from; ++x)
+                soft[slot][3][x] = MS_SSS__AWAY; /* of the row before */
+            for (x = until > held[slot][0] ? until : held[slot][0]; x < held[slot][1]; ++x)
+                soft[slot][3][x] = MS_SSS__AWAY;
             held[slot][0] = from;
             held[slot][1] = until;
             for (c = 0; c < 4; ++c) {
@@ -5627,17 +5834,22 @@ static void ms_sss__half_up(void *context, int task)
             again.simd->soften(&half->halving, beside[0], beside[1], beside[0][3], until - from, to);
         }
         for (c = 0; c < 3; ++c) {
-            blur[c] = direct ? (float *)image->channel[c] + y * image->row_stride + first : ms_sss__buffer(&again, task, 29 + c);
+            blur[c] = direct ? (float *)image->channel[c] + y * image->row_stride + first
+                             : ms_sss__buffer(&again, task, 29 + c);
             if ((uintptr_t)blur[c] % 64) stream = 0;
         }
-        again.simd->refine(&half->halving, mine, run ? again.depth_scale : 1, (const float *const(*)[4])coarse, y % 2, stream, last - first, blur);
-        if (!direct) ms_sss__compose(&again, task, y, first, last - first, blur, fade || !again.whole[y] ? mine : NULL, run ? NULL : own[3] + first);
+        again.simd->refine(&half->halving, mine, run ? again.depth_scale : 1, (const float *const(*)[4])coarse, y % 2,
+                           stream, last - first, blur);
+        if (!direct)
+            ms_sss__compose(&again, task, y, first, last - first, blur, fade || !again.whole[y] ? mine : NULL,
+                            run ? NULL : own[3] + first);
     }
 }
 
 /* Everything but the first and last step is the filter at full resolution, of a picture of half the size. */
-static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int profile, int kernel_count,
-                                     const ms_sss_filter_options *options, void *workspace, size_t workspace_size, ms_error *error)
+static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int profile,
+                                     int kernel_count, const ms_sss_filter_options *options, void *workspace,
+                                     size_t workspace_size, ms_error *error)
 {
     const ms_sss_kernel *k = &kernels[profile];
     ms_sss__half *half = (ms_sss__half *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
@@ -5645,10 +5857,12 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
     ms_sss_filter_options inner_options = *options;
     ms_sss_frame inner;
     ms_status status;
-    float *at, *end, apart = 0, size_min; /* apart: size from which on the centre alone stands within a pixel of itself */
+    float *at, *end, apart = 0,
+                     size_min; /* apart: size from which on the centre alone stands within a pixel of itself */
     size_t plane, left = workspace_size - (size_t)((char *)(half + 1) - (char *)workspace);
     int i, c, t;
-    status = ms_sss__begin(&half->job, frame, kernels, kernel_count, options, half + 1, left, left, MS_SSS__BARE, &at, error);
+    status = ms_sss__begin(&half->job, frame, kernels, kernel_count, options, half + 1, left, left, MS_SSS__BARE, &at,
+                           error);
     if (status != MS_OK) return status;
     memset(&inner, 0, sizeof inner);
     inner.width = (frame->width + 1) / 2;
@@ -5680,16 +5894,24 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
     for (c = 0; c < 2; ++c) h->aspect[c] = half->job.pass.aspect[c];
     for (i = 1; i < k->tap_count; ++i)
         for (c = 0; c < 2; ++c)
-            if (!(fabsf(k->offset_mm[i]) * h->aspect[c] * apart >= 1)) apart = fabsf(k->offset_mm[i]) > 1e-20f ? 1 / (fabsf(k->offset_mm[i]) * h->aspect[c]) : 3e38f;
-    h->beyond = !((h->perspective ? h->size_max : h->size) >= apart) ? -1 : h->perspective && apart > 0 ? h->size / apart : INFINITY;
-    h->tiny = !(size_min < (h->perspective ? h->size_max : h->size)) ? -1 : h->perspective ? h->size / size_min : INFINITY;
+            if (!(fabsf(k->offset_mm[i]) * h->aspect[c] * apart >= 1))
+                apart = fabsf(k->offset_mm[i]) > 1e-20f ? 1 / (fabsf(k->offset_mm[i]) * h->aspect[c]) : 3e38f;
+    h->beyond = !((h->perspective ? h->size_max : h->size) >= apart) ? -1
+        : h->perspective && apart > 0                                ? h->size / apart
+                                                                     : INFINITY;
+    h->tiny = !(size_min < (h->perspective ? h->size_max : h->size)) ? -1
+        : h->perspective                                             ? h->size / size_min
+                                                                     : INFINITY;
     for (c = 0; c < 3; ++c) {
         double share = (double)k->delta[c];
-        for (t = 0; t < k->term_count; ++t) share += (double)k->scale[t][c] * (double)k->weight[t][0][c] * (double)k->weight[t][0][c];
+        for (t = 0; t < k->term_count; ++t)
+            share += (double)k->scale[t][c] * (double)k->weight[t][0][c] * (double)k->weight[t][0][c];
         h->share[c] = (float)(share < 0 ? 0 : share > 0.999 ? 0.999 : share);
     }
-    half->plain = half->job.block == MS_SSS__BLOCK && (!frame->albedo.channel[0] || options->albedo_mode == MS_SSS_ALBEDO_POST);
-    half->bold = half->plain && !half->job.idle && frame->depth.channel[0] && !frame->strength.channel[0] && !frame->profile && half->job.padded == frame->width;
+    half->plain = half->job.block == MS_SSS__BLOCK &&
+        (!frame->albedo.channel[0] || options->albedo_mode == MS_SSS_ALBEDO_POST);
+    half->bold = half->plain && !half->job.idle && frame->depth.channel[0] && !frame->strength.channel[0] &&
+        !frame->profile && half->job.padded == frame->width;
     ms_sss__run(&half->job, 0, inner.height, ms_sss__half_down);
     if (half->job.idle) return MS_OK;
 
@@ -5698,7 +5920,8 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
     if (half->mask) inner.strength = ms_sss_map(half->mask, 1, 0);
     else inner.depth = ms_sss_map(half->depth, 1, 0);
     if (half->normal[0]) inner.normal = ms_sss_planar(half->normal[0], half->normal[1], half->normal[2], 0);
-    inner.input.row_stride = inner.output.row_stride = inner.strength.row_stride = inner.depth.row_stride = inner.normal.row_stride = half->stride;
+    inner.input.row_stride = inner.output.row_stride = inner.strength.row_stride = inner.depth.row_stride =
+        inner.normal.row_stride = half->stride;
     inner_options.fade = 0;
     inner_options.albedo_mode = MS_SSS_ALBEDO_POST;
     status = ms_sss__begin(&half->inner, &inner, k, 1, &inner_options, at, left, left, MS_SSS__PASSES, &end, error);
@@ -5717,8 +5940,8 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
 /* ---- pyramid code ---------------------------------------------------------------------------------------------- */
 
 #ifndef MS_SSS_NO_DESIGN
-/* Minimises x'A x / 2 - b'x for x >= 0, n <= 24, rows of A stride apart: active sets (Lawson and Hanson 1974, Solving Least Squares Problems,
-   chapter 23). */
+/* Minimises x'A x / 2 - b'x for x >= 0, n <= 24, rows of A stride apart: active sets (Lawson and Hanson 1974, Solving
+   Least Squares Problems, chapter 23). */
 static void ms_sss__fit_positive(const double *A, int stride, const double *b, int n, double *x)
 {
     double part[24 * 24], step[24];
@@ -5762,9 +5985,14 @@ static void ms_sss__fit_positive(const double *A, int stride, const double *b, i
 }
 
 /* Transfer of (1, 3, 3, 1) / 8 down or up by one level, along one axis. */
-static double ms_sss__step_wave(double k) { const double c = cos(k / 2); return c * c * c; }
+static double ms_sss__step_wave(double k)
+{
+    const double c = cos(k / 2);
+    return c * c * c;
+}
 
-/* Of a level's gather from the next: taps (1 - r^2 / MS_SSS__GATHER)^2 at distances r of its pixels, a quarter pixel off their middle. */
+/* Of a level's gather from the next: taps (1 - r^2 / MS_SSS__GATHER)^2 at distances r of its pixels, a quarter pixel
+   off their middle. */
 static double ms_sss__gather_wave(double kx, double ky, int wide, int level)
 {
     double sum = 0, n = 0;
@@ -5780,8 +6008,8 @@ static double ms_sss__gather_wave(double kx, double ky, int wide, int level)
 
 enum { MS_SSS__WAVE_TERMS = 2 * MS_SSS_PYRAMID_LEVELS };
 
-/* What each term of a pyramid keeps of a wave of k radians a pixel: halfway between an axis and a diagonal, as the levels
-   are nearly round. */
+/* What each term of a pyramid keeps of a wave of k radians a pixel: halfway between an axis and a diagonal, as the
+   levels are nearly round. */
 static void ms_sss__pyramid_wave(int wide, double k, double wave[MS_SSS__WAVE_TERMS])
 {
     const double kx = k * 0.923879532511287, ky = k * 0.38268343236509;
@@ -5790,17 +6018,27 @@ static void ms_sss__pyramid_wave(int wide, double k, double wave[MS_SSS__WAVE_TE
     for (l = 0; l < MS_SSS_PYRAMID_LEVELS; ++l) {
         const double u = kx * (1 << l), v = ky * (1 << l), one = ms_sss__step_wave(u) * ms_sss__step_wave(v);
         wave[2 * l] = l == 0;
-        wave[2 * l + 1] = l ? both * ms_sss__gather_wave(u, v, wide, l - 1) : (0.5 + 0.5 * cos(u)) * (0.5 + 0.5 * cos(v));
+        wave[2 * l + 1] = l ? both * ms_sss__gather_wave(u, v, wide, l - 1)
+                            : (0.5 + 0.5 * cos(u)) * (0.5 + 0.5 * cos(v));
         both *= l ? one * ms_sss__step_wave(u / 2) * ms_sss__step_wave(v / 2) : one;
     }
 }
 
-MS_SSS__COLD MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profile *profile, ms_error *error)
+MS_SSS__COLD MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profile *profile,
+                                                  ms_error *error)
 {
     /* A wave of k radians a mm keeps T(k) = integral of a_p(x) cos(k x) dx of its height. T is tabled on a grid whose
        steps are those of the pixel frequencies below, so that a change of size is a shift. */
-    enum { STEPS = 16, LOW = 14, HIGH = 14, TABLE = STEPS * (LOW + HIGH) + 1, CELLS = 4000, TERMS = MS_SSS__WAVE_TERMS };
-    double T[TABLE], A[TERMS * TERMS], b[MS_SSS_PYRAMID_SIZES][TERMS], wave[TERMS], x[TERMS], total[3], radius[3], widest = 0, previous;
+    enum {
+        STEPS = 16,
+        LOW = 14,
+        HIGH = 14,
+        TABLE = STEPS * (LOW + HIGH) + 1,
+        CELLS = 4000,
+        TERMS = MS_SSS__WAVE_TERMS
+    };
+    double T[TABLE], A[TERMS * TERMS], b[MS_SSS_PYRAMID_SIZES][TERMS], wave[TERMS], x[TERMS], total[3], radius[3],
+        widest = 0, previous;
     int size, c, i, j, l, m, wide;
     if (!pyramid || !profile) return MS_SSS__REFUSE(error, "pyramid or profile is NULL");
     ms_sss_profile_reflectance(profile, total);
@@ -5815,7 +6053,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const
         pyramid->reflectance[c] = (float)total[c];
         for (i = 0; i < TABLE; ++i) T[i] = 0;
         previous = 0;
-        for (j = 0; j < CELLS && total[c] > 0; ++j) { /* the light of strips |x| < x_j, x_j growing from 1e-5 to 20 radii */
+        for (j = 0; j < CELLS && total[c] > 0;
+             ++j) { /* the light of strips |x| < x_j, x_j growing from 1e-5 to 20 radii */
             const double x0 = j ? widest * 1e-5 * pow(2e6, (double)(j - 1) / (double)(CELLS - 2)) : 0;
             const double x1 = widest * 1e-5 * pow(2e6, (double)j / (double)(CELLS - 2));
             double strip[3], light;
@@ -5823,29 +6062,37 @@ MS_SSS__COLD MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const
             light = (strip[c] - previous) / total[c];
             previous = strip[c];
             if (!(light > 0)) continue;
-            for (i = 0; i < TABLE; ++i) T[i] += light * cos(pow(2.0, (double)i / (double)STEPS - (double)LOW) * 0.5 * (x0 + x1) / widest);
+            for (i = 0; i < TABLE; ++i)
+                T[i] += light * cos(pow(2.0, (double)i / (double)STEPS - (double)LOW) * 0.5 * (x0 + x1) / widest);
         }
         for (wide = 0; wide < 2; ++wide) {
             memset(A, 0, sizeof A);
             memset(b, 0, sizeof b);
             for (i = 0; i <= 10 * STEPS + 1; ++i) { /* frequencies up to pi: a 1/f spectrum has equal power an octave */
-                const double k = i ? 3.14159265358979 * pow(2.0, (double)(i - 1) / (double)STEPS - 10) : 0, weight = i ? 1 : 1e3; /* energy first */
+                const double k = i ? 3.14159265358979 * pow(2.0, (double)(i - 1) / (double)STEPS - 10) : 0,
+                             weight = i ? 1 : 1e3; /* energy first */
                 ms_sss__pyramid_wave(wide, k, wave);
                 for (l = 0; l < TERMS; ++l)
                     for (m = 0; m < TERMS; ++m) A[l * TERMS + m] += weight * wave[l] * wave[m];
                 for (size = 0; size < MS_SSS_PYRAMID_SIZES; ++size) {
-                    const double at = i ? (log2(k * (double)ms_sss__index_size(size)) + (double)LOW) * (double)STEPS : -1;
+                    const double at = i ? (log2(k * (double)ms_sss__index_size(size)) + (double)LOW) * (double)STEPS
+                                        : -1;
                     const int cell = at < 0 ? 0 : at < (double)(TABLE - 2) ? (int)at : TABLE - 2;
-                    const double t = at < 0 ? 0 : at > (double)(TABLE - 1) ? 1 : at - cell, target = at < 0 ? 1 : T[cell] + t * (T[cell + 1] - T[cell]);
+                    const double t = at < 0        ? 0
+                        : at > (double)(TABLE - 1) ? 1
+                                                   : at - cell,
+                                 target = at < 0 ? 1 : T[cell] + t * (T[cell + 1] - T[cell]);
                     for (l = 0; l < TERMS; ++l) b[size][l] += weight * wave[l] * target;
                 }
             }
             for (size = 0; size < MS_SSS_PYRAMID_SIZES; ++size) {
                 int levels = 1;
                 double sum = 0;
-                while (levels < MS_SSS_PYRAMID_LEVELS && (double)(1 << levels) < 4 * (double)ms_sss__index_size(size)) ++levels;
+                while (levels < MS_SSS_PYRAMID_LEVELS && (double)(1 << levels) < 4 * (double)ms_sss__index_size(size))
+                    ++levels;
                 if (total[c] > 0) ms_sss__fit_positive(A, TERMS, b[size], 2 * levels, x);
-                else for (l = 0; l < 2 * levels; ++l) x[l] = l == 0; /* a dark channel stays as it is */
+                else
+                    for (l = 0; l < 2 * levels; ++l) x[l] = l == 0; /* a dark channel stays as it is */
                 for (l = 0; l < 2 * levels; ++l) sum += x[l];
                 for (l = 0; l < 2 * levels; ++l) pyramid->weight[wide][size][l / 2][l % 2][c] = (float)(x[l] / sum);
             }
@@ -5868,8 +6115,9 @@ typedef struct ms_sss__level {
 } ms_sss__level;
 
 typedef struct ms_sss__tower {
-    ms_sss__job job;      /* first: tasks get its address */
-    ms_sss_kernel kernel; /* that leaves its input alone: for the size on the screen, and for what comes after the sums */
+    ms_sss__job job; /* first: tasks get its address */
+    ms_sss_kernel
+        kernel; /* that leaves its input alone: for the size on the screen, and for what comes after the sums */
     ms_sss__level level[MS_SSS_PYRAMID_LEVELS];
     int levels, at; /* at: of the run at hand */
     ms_sss__growth growth;
@@ -5878,7 +6126,8 @@ typedef struct ms_sss__tower {
     ptrdiff_t stride; /* floats of one */
 } ms_sss__tower;
 
-/* Row buffers of a task: shares and changes of d of four rows of the picture; or the sums of a row, its shares and changes. */
+/* Row buffers of a task: shares and changes of d of four rows of the picture; or the sums of a row, its shares and
+   changes. */
 enum { MS_SSS__TOWER_ROWS = 12, MS_SSS__TOWER_ALONE = 3 /* levels from here on are too small to share */ };
 
 /* An odd number of cache lines, so that many rows side by side do not fall on the same few sets of the cache. */
@@ -5899,7 +6148,8 @@ static size_t ms_sss__tower_levels(ms_sss__tower *tower, int width, int height, 
     size_t at = 0;
     int l, i;
     for (l = 0; l < MS_SSS_PYRAMID_LEVELS; ++l) {
-        const ptrdiff_t stride = MS_SSS__LEFT + ms_sss__round_up(width, width < 32 ? 16 : 32) + MS_SSS__RIGHT; /* as the job's */
+        const ptrdiff_t stride = MS_SSS__LEFT + ms_sss__round_up(width, width < 32 ? 16 : 32) +
+            MS_SSS__RIGHT;            /* as the job's */
         const int beyond = l ? 4 : 1; /* empty rows above and below, as far as a gather reaches */
         const size_t plane = ms__size_mul((size_t)stride, (size_t)height + 2 * (size_t)beyond);
         for (i = l == 0 ? (int)MS_SSS__D : 0; i < (l == 0 ? (int)MS_SSS__D + 1 : (int)MS_SSS__TOWER_PLANES); ++i) {
@@ -5944,24 +6194,28 @@ static void ms_sss__tower_lie(const ms_sss__tower *tower, int task, int y, int f
     job->simd->lie(&tower->growth, d, given ? normal : NULL, y, first, last, out);
 }
 
-/* Clears what lies beside the columns that rows [from, to) of a level hold, as far as those of rows up to `beyond` away make others
-   read it: where such rows are not within [begin, end), whole. */
+/* Clears what lies beside the columns that rows [from, to) of a level hold, as far as those of rows up to `beyond` away
+   make others read it: where such rows are not within [begin, end), whole. */
 static void ms_sss__tower_clear(const ms_sss__level *v, int begin, int end, int from, int to, int beyond, int planes)
 {
     int y, i, c;
     for (y = from; y < to; ++y) {
         const int whole = (begin > 0 && y - beyond < begin) || (end < v->height && y + beyond >= end);
-        const int right = (int)v->stride - MS_SSS__LEFT, first = v->first[y] < v->last[y] ? v->first[y] : 0, last = v->first[y] < v->last[y] ? v->last[y] : 0;
+        const int right = (int)v->stride - MS_SSS__LEFT, first = v->first[y] < v->last[y] ? v->first[y] : 0,
+                  last = v->first[y] < v->last[y] ? v->last[y] : 0;
         int low = right, high = -MS_SSS__LEFT;
         for (i = whole ? y : y - beyond < 0 ? 0 : y - beyond; i <= (whole ? y : y + beyond) && i < v->height; ++i) {
             if (!whole && v->first[i] >= v->last[i]) continue;
-            low = whole || v->first[i] - 48 < -MS_SSS__LEFT ? -MS_SSS__LEFT : v->first[i] - 48 < low ? v->first[i] - 48 : low;
+            low = whole || v->first[i] - 48 < -MS_SSS__LEFT ? -MS_SSS__LEFT
+                : v->first[i] - 48 < low                    ? v->first[i] - 48
+                                                            : low;
             high = whole || v->last[i] + 48 > right ? right : v->last[i] + 48 > high ? v->last[i] + 48 : high;
         }
         for (c = 0; c < planes && low < high; ++c) {
             float *row = v->plane[c] + y * v->stride;
             if (low < first) memset(row + low, 0, (size_t)((high < first ? high : first) - low) * sizeof(float));
-            if (last < high) memset(row + (low > last ? low : last), 0, (size_t)(high - (low > last ? low : last)) * sizeof(float));
+            if (last < high)
+                memset(row + (low > last ? low : last), 0, (size_t)(high - (low > last ? low : last)) * sizeof(float));
         }
     }
 }
@@ -5991,13 +6245,17 @@ static void ms_sss__tower_shrink(const ms_sss__tower *tower, int task, int begin
         v->last[y] = last;
         for (i = 0; i < 4; ++i) {
             const int at = ms_sss__clamp(2 * y - 1 + i, -1, fine->height);
-            for (c = 0; c < 7; ++c) row[i][c] = tower->at > 0 || c < 4 ? fine->plane[c < 5 ? c : (int)MS_SSS__CHANGES + c - 5] + at * fine->stride : NULL;
+            for (c = 0; c < 7; ++c)
+                row[i][c] = tower->at > 0 || c < 4
+                    ? fine->plane[c < 5 ? c : (int)MS_SSS__CHANGES + c - 5] + at * fine->stride
+                    : NULL;
             if (tower->at == 0 && tilted) { /* in a ring */
                 float *lie[3];
                 for (c = 0; c < 3; ++c) row[i][4 + c] = lie[c] = ms_sss__tower_row(tower, task, 3 * (at & 3) + c);
                 if (y > begin && i < 2) continue;
                 for (c = 0; c < 3; ++c) memset(lie[c] - MS_SSS__LEFT, 0, (size_t)tower->stride * sizeof(float));
-                if (at >= 0 && at < fine->height && fine->first[at] < fine->last[at]) ms_sss__tower_lie(tower, task, at, fine->first[at], fine->last[at], lie);
+                if (at >= 0 && at < fine->height && fine->first[at] < fine->last[at])
+                    ms_sss__tower_lie(tower, task, at, fine->first[at], fine->last[at], lie);
             }
         }
         if (first >= last) continue;
@@ -6019,7 +6277,8 @@ static void ms_sss__tower_beside(const ms_sss__tower *tower, int begin, int end)
 static void ms_sss__tower_inside(const ms_sss__tower *tower, int begin, int end, int *first, int *last)
 {
     const int height = tower->levels > 1 ? tower->level[1].height : 0;
-    *first = begin > 0 ? ms_sss__clamp((begin + 4) / 2, 0, height) : 0; /* 4 rows each, and 2 more on either side for their slopes */
+    *first = begin > 0 ? ms_sss__clamp((begin + 4) / 2, 0, height)
+                       : 0; /* 4 rows each, and 2 more on either side for their slopes */
     *last = end < tower->level[0].height ? ms_sss__clamp((end - 3) / 2, *first, height) : height;
 }
 
@@ -6031,7 +6290,9 @@ static void ms_sss__tower_load(void *context, int task)
     const ms_sss__level *v = &tower->level[0];
     const int begin = job->begin + task * job->band;
     const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    const int behind = tower->growth.upright > 0 ? 4 : 2; /* rows that a row of level 1 takes behind its first two, slopes 2 more */
+    const int behind = tower->growth.upright > 0
+        ? 4
+        : 2; /* rows that a row of level 1 takes behind its first two, slopes 2 more */
     float *colour[3];
     int y, c, first, last, to, from = begin;
     ms_sss__tower_inside(tower, begin, end, &first, &last);
@@ -6087,7 +6348,8 @@ static void ms_sss__tower_grow(void *context, int task)
     int y, i, c;
     for (y = begin; y < end; ++y) {
         const int low = v->first[y], high = v->last[y];
-        const int first = low / 32 * 32, last = ms_sss__round_up(high, 32); /* the gather works on 2 vectors at a time */
+        const int first = low / 32 * 32,
+                  last = ms_sss__round_up(high, 32); /* the gather works on 2 vectors at a time */
         const float *own[3];
         float *sum[6], *lie[3];
         if (low >= high) continue;
@@ -6106,7 +6368,8 @@ static void ms_sss__tower_grow(void *context, int task)
         if (tower->at + 1 == tower->levels) {
             for (i = 0; i < 6; ++i) memset(sum[i] + first, 0, (size_t)(last - first) * sizeof(float));
         } else {
-            job->simd->gather(&tower->growth, own, coarse->plane[0] + y / 2 * coarse->stride, first / 2, last / 2, y, sum);
+            job->simd->gather(&tower->growth, own, coarse->plane[0] + y / 2 * coarse->stride, first / 2, last / 2, y,
+                              sum);
         }
         if (tower->at == 0) {
             const ms_sss_image *image = &job->frame.output;
@@ -6114,12 +6377,13 @@ static void ms_sss__tower_grow(void *context, int task)
             float *blur[4];
             for (c = 0; c < 4; ++c) row[c] = v->plane[c] + y * v->stride;
             for (c = 0; c < 4; ++c) blur[c] = ms_sss__buffer(job, task, c < 3 ? c : 17);
-            job->simd->settle(&tower->growth, row, v->stride, (const float *const *)lie, (const float *const *)sum, low, high, blur);
+            job->simd->settle(&tower->growth, row, v->stride, (const float *const *)lie, (const float *const *)sum, low,
+                              high, blur);
             for (c = 0; c < 4; ++c) blur[c] += low;
             if (job->direct && job->whole[y] && high <= v->width && ms_sss__solid(job, y, low, high))
-                for (c = 0; c < 3; ++c) job->simd->deliver(blur[c], high - low, (float *)image->channel[c] + y * image->row_stride + low);
-            else
-                ms_sss__finish(job, task, y, low, high - low, blur, blur[3]);
+                for (c = 0; c < 3; ++c)
+                    job->simd->deliver(blur[c], high - low, (float *)image->channel[c] + y * image->row_stride + low);
+            else ms_sss__finish(job, task, y, low, high - low, blur, blur[3]);
         }
     }
 }
@@ -6143,7 +6407,7 @@ static void ms_sss__tower_order(ms_sss__growth *growth, ms_sss__tap tap[2][2][64
             }
         }
     }
-    growth->tap = (const ms_sss__tap (*)[2][64])tap;
+    growth->tap = (const ms_sss__tap(*)[2][64])tap;
     growth->taps = n;
 }
 
@@ -6156,7 +6420,9 @@ static void ms_sss__tower_taps(ms_sss__growth *growth, int level)
     int i;
     growth->core = 0;
     for (i = 0; i < 64; ++i) {
-        const double x = i % 8 - 3.75, y = i / 8 - 3.75, t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER(growth->wide, level), w = t > 0 ? t * t * (growth->wide ? t : 1) : 0;
+        const double x = i % 8 - 3.75, y = i / 8 - 3.75,
+                     t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER(growth->wide, level),
+                     w = t > 0 ? t * t * (growth->wide ? t : 1) : 0;
         const double r = x * x + y * y + coarse - fine;
         growth->core += t > 0;
         n += w;
@@ -6170,9 +6436,10 @@ static void ms_sss__tower_taps(ms_sss__growth *growth, int level)
     growth->mean = (float)(r1 / r2);
     growth->spread = (float)(r2 / r4);
     growth->blur = (float)coarse;
-    /* Two depths' errors, and of slopes, which average over the level, as much again for each of their pixels of 3.5 there and
-       back; each level's sums round a few times more. */
-    growth->rough = 10 * (0.5f * growth->grain + 2.4e-7f * (float)(level + 1)) / (growth->step * (float)(1 << (level + 1)));
+    /* Two depths' errors, and of slopes, which average over the level, as much again for each of their pixels of 3.5
+       there and back; each level's sums round a few times more. */
+    growth->rough = 10 * (0.5f * growth->grain + 2.4e-7f * (float)(level + 1)) /
+        (growth->step * (float)(1 << (level + 1)));
 }
 
 /* As the plan of a filter with one term and without slopes, the levels, and what is too large for the stack. */
@@ -6199,11 +6466,12 @@ MS_API size_t ms_sss_pyramid_workspace(int width, int height)
 static int ms_sss__tower_takes(const ms_sss_filter_options *o)
 {
     return !ms_sss__differ(o->rotation, 0) && !(o->jitter > 0) && o->depth_mode != MS_SSS_DEPTH_FOLLOW &&
-           !(o->pixels_per_mm[1] > 0 && ms_sss__differ(o->pixels_per_mm[0], o->pixels_per_mm[1]));
+        !(o->pixels_per_mm[1] > 0 && ms_sss__differ(o->pixels_per_mm[0], o->pixels_per_mm[1]));
 }
 
 /* What all levels share, of a job whose kernel is set. */
-static MS_SSS__COLD void ms_sss__tower_start(ms_sss__growth *growth, const ms_sss__job *job, const ms_sss_pyramid *pyramid, int with_depth, float flat)
+static MS_SSS__COLD void ms_sss__tower_start(ms_sss__growth *growth, const ms_sss__job *job,
+                                             const ms_sss_pyramid *pyramid, int with_depth, float flat)
 {
     const ms_sss_filter_options *o = &job->options;
     double sigma;
@@ -6222,9 +6490,11 @@ static MS_SSS__COLD void ms_sss__tower_start(ms_sss__growth *growth, const ms_ss
     growth->middle[1] = 0.5f * (float)job->full_height;
     growth->tangent = growth->perspective ? growth->step : 0;
     sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm
-                                        : (0.12 + 0.13 * (1 - (double)flat)) * (double)pyramid->radius_mm;
+                                  : (0.12 + 0.13 * (1 - (double)flat)) * (double)pyramid->radius_mm;
     growth->reach = (float)(3.0746 * sigma / (double)pyramid->radius_mm); /* where (1 - q)^4 has the Gaussian's width */
-    growth->join = o->depth_sigma_mm > 0 ? growth->reach : growth->reach + (1.5f - 0.7686f) * (1 - flat); /* as far as a gather reaches */
+    growth->join = o->depth_sigma_mm > 0
+        ? growth->reach
+        : growth->reach + (1.5f - 0.7686f) * (1 - flat); /* as far as a gather reaches */
     for (c = 0; c < 3; ++c) {
         growth->quarter[c] = pyramid->elevation[c] * (growth->upright / 4);
         growth->most[c] = pyramid->reflectance[c] > 0 ? 1 / pyramid->reflectance[c] : 1;
@@ -6232,8 +6502,9 @@ static MS_SSS__COLD void ms_sss__tower_start(ms_sss__growth *growth, const ms_ss
 }
 
 /* Filters the pixels of one of several profiles. */
-static ms_status ms_sss__tower_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid, int profile, int profiles,
-                                      const ms_sss_filter_options *options, void *workspace, ms_error *error)
+static ms_status ms_sss__tower_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid, int profile,
+                                      int profiles, const ms_sss_filter_options *options, void *workspace,
+                                      ms_error *error)
 {
     ms_sss__tower *tower;
     ms_sss__job *job;
@@ -6304,17 +6575,20 @@ static ms_status ms_sss__tower_filter(const ms_sss_frame *frame, const ms_sss_py
 }
 
 MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
-                                           const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
-                                           ms_error *error)
+                                       const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
+                                       ms_error *error)
 {
     ms_status status;
     if (!frame || !pyramid || !options) return MS_SSS__REFUSE(error, "frame, pyramid or options is NULL");
     status = ms_sss__check_sides(frame->width, frame->height, error);
-    if (status == MS_OK) status = ms_sss__check_lent(workspace, workspace_size, ms_sss_pyramid_workspace(frame->width, frame->height), error);
+    if (status == MS_OK)
+        status = ms_sss__check_lent(workspace, workspace_size, ms_sss_pyramid_workspace(frame->width, frame->height),
+                                    error);
     if (status == MS_OK) status = ms_sss__check_options(options, error);
     if (status != MS_OK) return status;
     if (frame->profile || !ms_sss__tower_takes(options))
-        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has one kernel, round, without rotation, jitter, MS_SSS_DEPTH_FOLLOW");
+        return ms__fail(error, MS_UNSUPPORTED, 0,
+                        "a pyramid has one kernel, round, without rotation, jitter, MS_SSS_DEPTH_FOLLOW");
     return ms_sss__tower_filter(frame, pyramid, 0, 1, options, workspace, error);
 }
 
@@ -6342,7 +6616,8 @@ static ms_sss_method ms_sss__choose(ms_sss__job *job, const ms_sss_kernel *k, in
     if (o->method != MS_SSS_METHOD_AUTO) return o->method;
     if (!ms_sss__may(o, MS_SSS_METHOD_HALF) && !ms_sss__may(o, MS_SSS_METHOD_PYRAMID)) return MS_SSS_METHOD_TAPS;
     ms_sss__set_kernel(job, k, profile);
-    radius *= (double)job->pass.size * (double)(job->pass.aspect[0] > job->pass.aspect[1] ? job->pass.aspect[0] : job->pass.aspect[1]);
+    radius *= (double)job->pass.size *
+        (double)(job->pass.aspect[0] > job->pass.aspect[1] ? job->pass.aspect[0] : job->pass.aspect[1]);
     if (job->pass.perspective) {
         ms_sss__find_nearest(job);
         radius /= (double)(job->nearest * job->depth_scale);
@@ -6352,42 +6627,49 @@ static ms_sss_method ms_sss__choose(ms_sss__job *job, const ms_sss_kernel *k, in
     return half ? MS_SSS_METHOD_HALF : MS_SSS_METHOD_TAPS;
 }
 
-MS_SSS__COLD MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
-                                          const ms_sss_filter_options *options)
+MS_SSS__COLD MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels,
+                                                   int kernel_count, const ms_sss_filter_options *options)
 {
     size_t size = 0, needed;
     if (ms_sss__check_sides(width, height, NULL) != MS_OK || !kernels || !options) return SIZE_MAX;
-    if (ms_sss__may(options, MS_SSS_METHOD_TAPS)) size = ms_sss__plan(width, height, kernels, kernel_count, options, MS_SSS__PASSES).total;
-    if (ms_sss__may(options, MS_SSS_METHOD_HALF) && size < (needed = ms_sss__half_plan(width, height, kernels, kernel_count, options)))
+    if (ms_sss__may(options, MS_SSS_METHOD_TAPS))
+        size = ms_sss__plan(width, height, kernels, kernel_count, options, MS_SSS__PASSES).total;
+    if (ms_sss__may(options, MS_SSS_METHOD_HALF) &&
+        size < (needed = ms_sss__half_plan(width, height, kernels, kernel_count, options)))
         size = needed;
-    if (ms_sss__may(options, MS_SSS_METHOD_PYRAMID) && size < (needed = ms_sss_pyramid_workspace(width, height))) size = needed;
+    if (ms_sss__may(options, MS_SSS_METHOD_PYRAMID) && size < (needed = ms_sss_pyramid_workspace(width, height)))
+        size = needed;
     return size ? size : SIZE_MAX;
 }
 
 MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
-                                   const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
-                                   ms_error *error)
+                               const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
+                               ms_error *error)
 {
-    ms_sss__job job; /* to check everything before anything is written, and for the sizes of kernels */
+    ms_sss__job job;              /* to check everything before anything is written, and for the sizes of kernels */
     ms_sss_filter_options agreed; /* on millimetres */
     ms_status status;
     float *end;
     int i;
     if (!frame || !kernels || !options) return MS_SSS__REFUSE(error, "frame, kernels or options is NULL");
     status = ms_sss__begin(&job, frame, kernels, kernel_count, options, workspace, workspace_size,
-                           ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options), MS_SSS__BARE, &end, error);
+                           ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options),
+                           MS_SSS__BARE, &end, error);
     if (status != MS_OK) return status;
     if (options->method == MS_SSS_METHOD_PYRAMID && (!options->pyramids || !ms_sss__tower_takes(options)))
-        return ms__fail(error, MS_UNSUPPORTED, 0, options->pyramids ? "a pyramid is round, without rotation, jitter, MS_SSS_DEPTH_FOLLOW"
-                                                                    : "method is MS_SSS_METHOD_PYRAMID, but options.pyramids is NULL");
+        return ms__fail(error, MS_UNSUPPORTED, 0,
+                        options->pyramids ? "a pyramid is round, without rotation, jitter, MS_SSS_DEPTH_FOLLOW"
+                                          : "method is MS_SSS_METHOD_PYRAMID, but options.pyramids is NULL");
     agreed = *options;
     if (!(agreed.mm_per_unit > 0)) agreed.mm_per_unit = 1;
     for (i = 0; i < kernel_count && (i == 0 || frame->profile); ++i) {
         const ms_sss_method method = ms_sss__choose(&job, &kernels[i], i);
         if (frame->taken) frame->taken[i] = method;
-        status = method == MS_SSS_METHOD_PYRAMID ? ms_sss__tower_filter(frame, &options->pyramids[i], i, kernel_count, &agreed, workspace, error)
-                 : method == MS_SSS_METHOD_HALF  ? ms_sss__half_filter(frame, kernels, i, kernel_count, &agreed, workspace, workspace_size, error)
-                                                 : ms_sss__taps_filter(&job, frame, kernels, i, kernel_count, &agreed, workspace, workspace_size, error);
+        status = method == MS_SSS_METHOD_PYRAMID
+            ? ms_sss__tower_filter(frame, &options->pyramids[i], i, kernel_count, &agreed, workspace, error)
+            : method == MS_SSS_METHOD_HALF
+            ? ms_sss__half_filter(frame, kernels, i, kernel_count, &agreed, workspace, workspace_size, error)
+            : ms_sss__taps_filter(&job, frame, kernels, i, kernel_count, &agreed, workspace, workspace_size, error);
         if (status != MS_OK) return status;
     }
     return MS_OK;
@@ -6437,9 +6719,10 @@ static float ms_sss__gather_depth(const ms_sss__gather *g, int layer, int x, int
     return z > 0 && ms__finite_f(z) ? z : 0;
 }
 
-/* The way along the surface past a pixel on one axis, per pixel: the mean of both sides where they lie on one surface with
-   it, else from the nearer side, carried on to the pixel by the next step; untouched where there is none. */
-static void ms_sss__gather_tangent(const ms_sss__gather *g, int layer, int x, int y, int dx, int dy, const float p[3], float t[3])
+/* The way along the surface past a pixel on one axis, per pixel: the mean of both sides where they lie on one surface
+   with it, else from the nearer side, carried on to the pixel by the next step; untouched where there is none. */
+static void ms_sss__gather_tangent(const ms_sss__gather *g, int layer, int x, int y, int dx, int dy, const float p[3],
+                                   float t[3])
 {
     const float pixel = g->pixel + g->slope * p[2];
     float side[2][3], off[2], z;
@@ -6461,7 +6744,8 @@ static void ms_sss__gather_tangent(const ms_sss__gather *g, int layer, int x, in
     s = has[1] && (!has[0] || off[1] < off[0]);
     memcpy(t, side[s], 3 * sizeof *t);
     z = ms_sss__gather_depth(g, layer, x + (s ? 2 : -2) * dx, y + (s ? 2 : -2) * dy);
-    if (z > 0) { /* near an outline depth goes with the root of the distance to it: so much is the slope above the first step */
+    if (z > 0) { /* near an outline depth goes with the root of the distance to it: so much is the slope above the first
+                    step */
         const float first = t[2], second = (s ? 1.0f : -1.0f) * (z - p[2]) - first;
         float more = first * second > 0 ? first / second - 1 : 0;
         if (more > 0.85f) more = 0.85f;
@@ -6498,9 +6782,10 @@ static void ms_sss__gather_load(void *context, int task)
         if (!(z > 0)) continue;
         for (c = 0; c < 3; ++c) {
             float albedo = g->frame.albedo.channel[0] && g->options.albedo_mode != MS_SSS_ALBEDO_POST
-                               ? ms_sss__get(&g->frame.albedo, c, x, y) : 1;
+                ? ms_sss__get(&g->frame.albedo, c, x, y)
+                : 1;
             q->e[c] = ms_sss__get(layer ? &g->back.input : &g->frame.input, c, x, y) *
-                      (g->options.albedo_mode == MS_SSS_ALBEDO_BOTH ? sqrtf(albedo) : albedo);
+                (g->options.albedo_mode == MS_SSS_ALBEDO_BOTH ? sqrtf(albedo) : albedo);
         }
         if (!ms__finite_f(q->e[0]) || !ms__finite_f(q->e[1]) || !ms__finite_f(q->e[2])) continue;
         ms_sss__gather_place(g, x, y, z, q->p);
@@ -6514,7 +6799,7 @@ static void ms_sss__gather_load(void *context, int task)
         if (!given) ms_sss__gather_normal(g, layer, x, y, q->p, q->n);
         if (g->slope > 0) { /* cosine between the normal and the way to the camera */
             facing = fabsf(q->n[0] * q->p[0] + q->n[1] * q->p[1] + q->n[2] * q->p[2]) /
-                     sqrtf(q->p[0] * q->p[0] + q->p[1] * q->p[1] + q->p[2] * q->p[2]);
+                sqrtf(q->p[0] * q->p[0] + q->p[1] * q->p[1] + q->p[2] * q->p[2]);
         } else {
             facing = fabsf(q->n[2]);
         }
@@ -6558,7 +6843,8 @@ static MS_SSS__COLD void ms_sss__gather_join(const ms_sss__gather *g, int layer,
 static void ms_sss__gather_add(const ms_sss__gather *g, const ms_sss__patch *p, const ms_sss__patch *q, float light[3],
                                float factor[3], float total[3])
 {
-    const float dx = p->p[0] - q->p[0], dy = p->p[1] - q->p[1], dz = p->p[2] - q->p[2], square = dx * dx + dy * dy + dz * dz;
+    const float dx = p->p[0] - q->p[0], dy = p->p[1] - q->p[1], dz = p->p[2] - q->p[2],
+                square = dx * dx + dy * dy + dz * dz;
     float r, low, high, area, sine = 0, step = (float)(int)MS_SSS__GATHER_STEPS / g->reach;
     int inner, outer, c;
     if (!(square < g->reach * g->reach)) return;
@@ -6668,12 +6954,13 @@ MS_API size_t ms_sss_gather_workspace(int width, int height, int with_back)
     size_t patches;
     if (ms_sss__check_sides(width, height, NULL) != MS_OK) return SIZE_MAX;
     patches = ms__size_mul(ms_sss__gather_patches(&g, width, height), with_back ? 2 : 1);
-    return ms__size_add(ms__size_mul(patches, sizeof(ms_sss__patch)), 64 + 3 * sizeof(float) * (MS_SSS__GATHER_STEPS + 2));
+    return ms__size_add(ms__size_mul(patches, sizeof(ms_sss__patch)),
+                        64 + 3 * sizeof(float) * (MS_SSS__GATHER_STEPS + 2));
 }
 
-MS_SSS__COLD MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *back, const ms_sss_profile *profile,
-                                            const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
-                                            ms_error *error)
+MS_SSS__COLD MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *back,
+                                            const ms_sss_profile *profile, const ms_sss_filter_options *options,
+                                            void *workspace, size_t workspace_size, ms_error *error)
 {
     ms_sss__gather g;
     double total[3], radius[3], widest;
@@ -6686,17 +6973,22 @@ MS_SSS__COLD MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_
     g.frame = *frame;
     g.options = *options;
     if (back) g.back = *back;
-    if ((status = ms_sss__check_options(options, error)) != MS_OK || (status = ms_sss__check_sides(w, h, error)) != MS_OK) return status;
+    if ((status = ms_sss__check_options(options, error)) != MS_OK ||
+        (status = ms_sss__check_sides(w, h, error)) != MS_OK)
+        return status;
     if (options->pixels_per_mm[0] > 0)
-        return ms__fail(error, MS_UNSUPPORTED, 0, "a gather needs fov_degrees or ortho_height; pixels_per_mm is for textures");
+        return ms__fail(error, MS_UNSUPPORTED, 0,
+                        "a gather needs fov_degrees or ortho_height; pixels_per_mm is for textures");
     if (frame->profile) return ms__fail(error, MS_UNSUPPORTED, 0, "a gather has one profile; frame->profile is set");
     if ((status = ms_sss__check_frame(&g.frame, 1, error)) != MS_OK) return status;
-    if (back && ((status = ms_sss__check_image(&g.back.normal, "back normal", 3, 0, w, h, error)) != MS_OK ||
-                 (status = ms_sss__check_image(&g.back.input, "back input", 3, 1, w, h, error)) != MS_OK ||
-                 (status = ms_sss__check_image(&g.back.depth, "back depth", 1, 1, w, h, error)) != MS_OK))
+    if (back &&
+        ((status = ms_sss__check_image(&g.back.normal, "back normal", 3, 0, w, h, error)) != MS_OK ||
+         (status = ms_sss__check_image(&g.back.input, "back input", 3, 1, w, h, error)) != MS_OK ||
+         (status = ms_sss__check_image(&g.back.depth, "back depth", 1, 1, w, h, error)) != MS_OK))
         return status;
     widest = ms_sss__extent(profile, total, radius);
-    if ((status = ms_sss__check_lent(workspace, workspace_size, ms_sss_gather_workspace(w, h, back != NULL), error)) != MS_OK ||
+    if ((status = ms_sss__check_lent(workspace, workspace_size, ms_sss_gather_workspace(w, h, back != NULL), error)) !=
+            MS_OK ||
         (status = ms_sss__check_scale(&g.frame, options, widest, error)) != MS_OK)
         return status;
     for (c = 0; c < 3; ++c) {
@@ -6706,10 +6998,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_
     if (!(widest > 0)) return MS_SSS__REFUSE(error, "the profile holds no light in any channel");
     g.reach = (float)(1.5 * widest); /* what is farther is worth less than the pixels' own shape */
     g.layers = back ? 2 : 1;
-    if (options->fov_degrees > 0)
-        g.slope = 2 * tanf(options->fov_degrees * (3.14159265f / 360)) / (float)frame->height;
-    else
-        g.pixel = options->ortho_height * (options->mm_per_unit > 0 ? options->mm_per_unit : 1) / (float)frame->height;
+    if (options->fov_degrees > 0) g.slope = 2 * tanf(options->fov_degrees * (3.14159265f / 360)) / (float)frame->height;
+    else g.pixel = options->ortho_height * (options->mm_per_unit > 0 ? options->mm_per_unit : 1) / (float)frame->height;
     at = (ms_sss__patch *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
     ms_sss__gather_patches(&g, frame->width, frame->height);
     for (layer = 0; layer < g.layers; ++layer)
@@ -6734,18 +7024,18 @@ MS_SSS__COLD MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_
 
 /* ---- GPU code -------------------------------------------------------------------------------------------------- */
 
-/* The passes in a notation of their own: HLSL's types and operators as far as GLSL and WGSL have them too, one variable a
-   declaration, braces everywhere, no ?: and no assignment to components. ms_sss__say_line turns a line into a language;
-   #if NAME, #if !NAME, #else and #endif choose lines by ms_sss__feature, #NAME and #!NAME their own. The comments of FILTER
-   KERNELS hold for these lines too. */
+/* The passes in a notation of their own: HLSL's types and operators as far as GLSL and WGSL have them too, one variable
+   a declaration, braces everywhere, no ?: and no assignment to components. ms_sss__say_line turns a line into a
+   language; #if NAME, #if !NAME, #else and #endif choose lines by ms_sss__feature, #NAME and #!NAME their own. The
+   comments of FILTER KERNELS hold for these lines too. */
 static const char *const ms_sss__source_body[] = {
     "// By bits: compilers may take it that no number is NaN.\n"
     "bool finite(float x) { return (bits_of(x) & 0x7f800000u) != 0x7f800000u; }\n",
     "#if BOTH\n"
     "// Alpha holds the depth, the last 4 bits of blue the profile; of black they would be lost.\n"
     "float code_of(float blue, float profile) {\n"
-        "float x = pick(blue, 1e-30, abs(blue) < 1e-30);\n"
-        "return float_of(((bits_of(x) + 8u) & 0xfffffff0u) | uint(profile));\n"
+    "float x = pick(blue, 1e-30, abs(blue) < 1e-30);\n"
+    "return float_of(((bits_of(x) + 8u) & 0xfffffff0u) | uint(profile));\n"
     "}\n",
     "float profile_of(float4 c) { return float(bits_of(c.b) & 15u); }\n"
     "#endif\n",
@@ -6753,131 +7043,131 @@ static const char *const ms_sss__source_body[] = {
     "#if READS_PROFILE\n"
     "// Index of the pixel's kernel; PROFILES where it has none.\n"
     "float profile_at(float value) {\n"
-        "float profile = floor(value * 255.0 + 0.5);\n"
-        "return pick(float(PROFILES), profile, finite(value) && profile >= 0.0 && profile < float(PROFILES));\n"
+    "float profile = floor(value * 255.0 + 0.5);\n"
+    "return pick(float(PROFILES), profile, finite(value) && profile >= 0.0 && profile < float(PROFILES));\n"
     "}\n"
     "#endif\n",
     "// Colour and depth, 1 without depth (plus the profile), 0: takes no part.\n"
     "float4 source(int2 p) {\n"
-        "float4 c = fetch_colour(p);\n"
-        "float4 none = float4(0.0, 0.0, 0.0, 0.0);\n"
+    "float4 c = fetch_colour(p);\n"
+    "float4 none = float4(0.0, 0.0, 0.0, 0.0);\n"
     "#if RAW\n"
-        "float depth = 1.0;\n"
-        "bool part = finite(c.r) && finite(c.g) && finite(c.b);\n"
-        "#DEPTH_TEXTURE depth = fetch_depth(p).r;\n"
-        "#DEPTH_ALPHA depth = c.a;\n"
-        "part = part && depth > 0.0 && finite(depth);\n"
-        "#WITH_STRENGTH float strength = fetch_strength(p).r;\n"
-        "#WITH_STRENGTH part = part && strength > 0.0 && (bits_of(strength) & 0x7fffffffu) <= 0x7f800000u;\n"
+    "float depth = 1.0;\n"
+    "bool part = finite(c.r) && finite(c.g) && finite(c.b);\n"
+    "#DEPTH_TEXTURE depth = fetch_depth(p).r;\n"
+    "#DEPTH_ALPHA depth = c.a;\n"
+    "part = part && depth > 0.0 && finite(depth);\n"
+    "#WITH_STRENGTH float strength = fetch_strength(p).r;\n"
+    "#WITH_STRENGTH part = part && strength > 0.0 && (bits_of(strength) & 0x7fffffffu) <= 0x7f800000u;\n"
     "#if PROFILE\n"
     "#if BOTH_ALPHA\n"
-        "float profile = float(bits_of(c.a) & 15u);\n"
+    "float profile = float(bits_of(c.a) & 15u);\n"
     "#else\n"
-        "#PROFILE_TEXTURE float profile = profile_at(fetch_profile(p).r);\n"
-        "#!PROFILE_TEXTURE float profile = profile_at(c.a);\n"
+    "#PROFILE_TEXTURE float profile = profile_at(fetch_profile(p).r);\n"
+    "#!PROFILE_TEXTURE float profile = profile_at(c.a);\n"
     "#endif\n"
     "#if TOWER\n"
-        "part = part && abs(profile - constant[0].w) < 0.5;\n"
+    "part = part && abs(profile - constant[0].w) < 0.5;\n"
     "#else\n"
-        "part = part && profile < float(PROFILES);\n"
-        "#BOTH c = float4(c.rg, code_of(c.b, profile), c.a);\n"
-        "#!BOTH depth = profile + 1.0;\n"
+    "part = part && profile < float(PROFILES);\n"
+    "#BOTH c = float4(c.rg, code_of(c.b, profile), c.a);\n"
+    "#!BOTH depth = profile + 1.0;\n"
     "#endif\n"
     "#endif\n"
-        "return pick(none, float4(c.rgb, depth), part);\n"
+    "return pick(none, float4(c.rgb, depth), part);\n"
     "#else\n"
-        "#READS_PROFILE if (c.a > 0.0) { c = float4(c.rg, code_of(c.b, profile_at(fetch_profile(p).r)), c.a); }\n"
-        "return pick(none, c, c.a > 0.0);\n"
+    "#READS_PROFILE if (c.a > 0.0) { c = float4(c.rg, code_of(c.b, profile_at(fetch_profile(p).r)), c.a); }\n"
+    "return pick(none, c, c.a > 0.0);\n"
     "#endif\n"
     "}\n",
     "bool inside(int2 p) {\n"
-        "#HALVED return p.x >= 0 && p.y >= 0 && 2 * p.x < int(constant[0].x) && 2 * p.y < int(constant[0].y);\n"
-        "#!HALVED return p.x >= 0 && p.y >= 0 && p.x < int(constant[0].x) && p.y < int(constant[0].y);\n"
+    "#HALVED return p.x >= 0 && p.y >= 0 && 2 * p.x < int(constant[0].x) && 2 * p.y < int(constant[0].y);\n"
+    "#!HALVED return p.x >= 0 && p.y >= 0 && p.x < int(constant[0].x) && p.y < int(constant[0].y);\n"
     "}\n",
     "float4 texel(int2 p) {\n"
-        "float4 c = float4(0.0, 0.0, 0.0, 0.0);\n"
-        "#TILED int2 t = p - ms_sss_corner;\n"
-        "#TILED if (t.x >= 0 && t.y >= 0 && t.x < TILE_X && t.y < TILE_Y) { return ms_sss_tile[t.y * TILE_X + t.x]; }\n"
-        "if (inside(p)) { c = source(p); }\n"
-        "return c;\n"
+    "float4 c = float4(0.0, 0.0, 0.0, 0.0);\n"
+    "#TILED int2 t = p - ms_sss_corner;\n"
+    "#TILED if (t.x >= 0 && t.y >= 0 && t.x < TILE_X && t.y < TILE_Y) { return ms_sss_tile[t.y * TILE_X + t.x]; }\n"
+    "if (inside(p)) { c = source(p); }\n"
+    "return c;\n"
     "}\n",
     "// Both take part and have one profile.\n"
     "bool same(float4 there, float4 own) {\n"
     "#if BOTH\n"
-        "return there.a > 0.0 && ((bits_of(there.b) ^ bits_of(own.b)) & 15u) == 0u;\n"
+    "return there.a > 0.0 && ((bits_of(there.b) ^ bits_of(own.b)) & 15u) == 0u;\n"
     "#else\n"
-        "#PROFILE_ALONE return there.a > 0.0 && abs(there.a - own.a) < 0.5;\n"
-        "#!PROFILE_ALONE return there.a > 0.0;\n"
+    "#PROFILE_ALONE return there.a > 0.0 && abs(there.a - own.a) < 0.5;\n"
+    "#!PROFILE_ALONE return there.a > 0.0;\n"
     "#endif\n"
     "}\n",
     "#if SLOPES\n"
     "float2 ray_of(int2 p) {\n"
-        "float2 ray = float2(0.0, 0.0);\n"
+    "float2 ray = float2(0.0, 0.0);\n"
     "#if PERSPECTIVE\n"
-        "ray = float2(float(p.x) + 0.5, float(p.y) + 0.5);\n"
-        "#HALVED ray = 2.0 * ray;\n"
-        "ray = ray - 0.5 * constant[0].xy;\n"
-        "#TOWER ray = ray * constant[1].w;\n"
-        "#!TOWER ray = ray / constant[2].y;\n"
+    "ray = float2(float(p.x) + 0.5, float(p.y) + 0.5);\n"
+    "#HALVED ray = 2.0 * ray;\n"
+    "ray = ray - 0.5 * constant[0].xy;\n"
+    "#TOWER ray = ray * constant[1].w;\n"
+    "#!TOWER ray = ray / constant[2].y;\n"
     "#endif\n"
-        "return ray;\n"
+    "return ray;\n"
     "}\n",
     "#if !GIVEN\n"
     "#if !WITH_NORMAL\n"
     "// The slope from the depths before and after, of one surface where steps are under reach (TOWER: slopes): their mean where it\n"
     "// turns little, else the smaller one, steeper by what its step exceeds the next: near outlines depth goes as a root.\n"
     "float slope_of(int2 p, int2 way, float4 own, float focal, float reach) {\n"
-        "float4 before = texel(p - way);\n"
-        "float4 after = texel(p + way);\n"
-        "float a = own.a - before.a;\n"
-        "float b = after.a - own.a;\n"
-        "bool on_a = same(before, own);\n"
-        "bool on_b = same(after, own);\n"
-        "#!TOWER on_a = on_a && abs(a) < reach;\n"
-        "#!TOWER on_b = on_b && abs(b) < reach;\n"
-        "#PERSPECTIVE if (on_a) { a = a / before.a; }\n"
-        "#PERSPECTIVE if (on_b) { b = b / after.a; }\n"
-        "a = focal * a;\n"
-        "b = focal * b;\n"
-        "#TOWER on_a = on_a && abs(a) < reach;\n"
-        "#TOWER on_b = on_b && abs(b) < reach;\n"
-        "a = pick(pick(0.0, b, on_b), a, on_a);\n"
-        "b = pick(a, b, on_b);\n"
-        "float slope = 0.5 * (a + b);\n"
-        "if ((on_a || on_b) && !(on_a && on_b && abs(a - b) < 0.5 * (a * b + 1.0))) {\n"
-            "bool back = on_a && (!on_b || abs(a) < abs(b));\n"
-            "if (abs(a) < abs(b)) { slope = a; }\n"
-            "if (abs(b) < abs(a)) { slope = b; }\n"
-            "float next = pick(after.a, before.a, back);\n"
-            "float4 beyond = texel(p + way * pick(2, -2, back));\n"
-            "float step = own.a - next;\n"
-            "float inner = next - beyond.a;\n"
-            "#TOWER float least = own.a * 2.0 * constant[5].z;\n"
-            "#!TOWER float least = own.a * 4.7683716e-7;\n"
-            "#PERSPECTIVE step = step * beyond.a;\n"
-            "#PERSPECTIVE inner = inner * own.a;\n"
-            "#PERSPECTIVE least = least * own.a;\n"
-            "float more = min(abs(step) - abs(inner), abs(inner)) - least;\n"
-            "if (same(beyond, own) && step * inner > 0.0 && more > 0.0) {\n"
-                "more = min(more / abs(inner), 0.85);\n"
-                "slope = slope + slope * more * (0.5 + more * (0.5 + 0.7 * more * more));\n"
-            "}\n"
-        "}\n"
-        "return clamp(slope, -8.0, 8.0);\n"
+    "float4 before = texel(p - way);\n"
+    "float4 after = texel(p + way);\n"
+    "float a = own.a - before.a;\n"
+    "float b = after.a - own.a;\n"
+    "bool on_a = same(before, own);\n"
+    "bool on_b = same(after, own);\n"
+    "#!TOWER on_a = on_a && abs(a) < reach;\n"
+    "#!TOWER on_b = on_b && abs(b) < reach;\n"
+    "#PERSPECTIVE if (on_a) { a = a / before.a; }\n"
+    "#PERSPECTIVE if (on_b) { b = b / after.a; }\n"
+    "a = focal * a;\n"
+    "b = focal * b;\n"
+    "#TOWER on_a = on_a && abs(a) < reach;\n"
+    "#TOWER on_b = on_b && abs(b) < reach;\n"
+    "a = pick(pick(0.0, b, on_b), a, on_a);\n"
+    "b = pick(a, b, on_b);\n"
+    "float slope = 0.5 * (a + b);\n"
+    "if ((on_a || on_b) && !(on_a && on_b && abs(a - b) < 0.5 * (a * b + 1.0))) {\n"
+    "bool back = on_a && (!on_b || abs(a) < abs(b));\n"
+    "if (abs(a) < abs(b)) { slope = a; }\n"
+    "if (abs(b) < abs(a)) { slope = b; }\n"
+    "float next = pick(after.a, before.a, back);\n"
+    "float4 beyond = texel(p + way * pick(2, -2, back));\n"
+    "float step = own.a - next;\n"
+    "float inner = next - beyond.a;\n"
+    "#TOWER float least = own.a * 2.0 * constant[5].z;\n"
+    "#!TOWER float least = own.a * 4.7683716e-7;\n"
+    "#PERSPECTIVE step = step * beyond.a;\n"
+    "#PERSPECTIVE inner = inner * own.a;\n"
+    "#PERSPECTIVE least = least * own.a;\n"
+    "float more = min(abs(step) - abs(inner), abs(inner)) - least;\n"
+    "if (same(beyond, own) && step * inner > 0.0 && more > 0.0) {\n"
+    "more = min(more / abs(inner), 0.85);\n"
+    "slope = slope + slope * more * (0.5 + more * (0.5 + 0.7 * more * more));\n"
+    "}\n"
+    "}\n"
+    "return clamp(slope, -8.0, 8.0);\n"
     "}\n"
     "#endif\n",
     "// Slopes along x and y.\n"
     "float2 slopes_of(int2 p, float4 own, float2 ray, float2 focal, float reach) {\n"
-        "float2 slope = float2(0.0, 0.0);\n"
+    "float2 slope = float2(0.0, 0.0);\n"
     "#if WITH_NORMAL\n"
-        "float3 normal = fetch_normal(p).rgb;\n"
-        "float eighth = max(abs(normal.x), abs(normal.y)) * 0.125;\n"
-        "float facing = max(normal.z - (ray.x * normal.x + ray.y * normal.y), eighth);\n"
-        "if (facing > 0.0 && finite(normal.x) && finite(normal.y) && finite(normal.z)) { slope = normal.xy / facing; }\n"
+    "float3 normal = fetch_normal(p).rgb;\n"
+    "float eighth = max(abs(normal.x), abs(normal.y)) * 0.125;\n"
+    "float facing = max(normal.z - (ray.x * normal.x + ray.y * normal.y), eighth);\n"
+    "if (facing > 0.0 && finite(normal.x) && finite(normal.y) && finite(normal.z)) { slope = normal.xy / facing; }\n"
     "#else\n"
-        "slope = float2(slope_of(p, int2(1, 0), own, focal.x, reach), slope_of(p, int2(0, 1), own, focal.y, reach));\n"
+    "slope = float2(slope_of(p, int2(1, 0), own, focal.x, reach), slope_of(p, int2(0, 1), own, focal.y, reach));\n"
     "#endif\n"
-        "return slope;\n"
+    "return slope;\n"
     "}\n"
     "#endif\n"
     "#endif\n"};
@@ -6890,288 +7180,288 @@ static const char *const ms_sss__shader_body[] = {
     "#if NEARNESS\n"
     "// Of a pixel near another, of the same surface; at: its profile's constants.\n"
     "float nearness(float4 there, float4 own, int at) {\n"
-        "float f = 1.0;\n"
-        "#DEPTH float dz = (there.a - own.a) * constant[at + 1].w;\n"
-        "#DEPTH f = max(1.0 - dz * dz / constant[at + 2].w, 0.0);\n"
-        "#DEPTH f = f * f * f * f;\n"
-        "return pick(0.0, f, same(there, own));\n"
+    "float f = 1.0;\n"
+    "#DEPTH float dz = (there.a - own.a) * constant[at + 1].w;\n"
+    "#DEPTH f = max(1.0 - dz * dz / constant[at + 2].w, 0.0);\n"
+    "#DEPTH f = f * f * f * f;\n"
+    "return pick(0.0, f, same(there, own));\n"
     "}\n"
     "#endif\n",
     "#if DOWN\n"
     "float4 nearer(float4 a, float4 b) {\n"
-        "#DEPTH return pick(a, b, b.a > 0.0 && (!(a.a > 0.0) || b.a < a.a));\n"
-        "#!DEPTH return pick(b, a, a.a > 0.0);\n"
+    "#DEPTH return pick(a, b, b.a > 0.0 && (!(a.a > 0.0) || b.a < a.a));\n"
+    "#!DEPTH return pick(b, a, a.a > 0.0);\n"
     "}\n",
     "// The mean of those of four pixels that lie near the nearest.\n"
     "float4 filter_pixel(int2 p) {\n"
-        "int2 first = p * 2;\n"
-        "float4 a = texel(first);\n"
-        "float4 b = texel(first + int2(1, 0));\n"
-        "float4 c = texel(first + int2(0, 1));\n"
-        "float4 d = texel(first + int2(1, 1));\n"
-        "float4 own = nearer(nearer(a, b), nearer(c, d));\n"
-        "int at = 3;\n"
-        "if (!(own.a > 0.0)) { return own; }\n"
-        "#PROFILE at = 3 + STRIDE * int(profile_of(own));\n"
-        "float fa = nearness(a, own, at);\n"
-        "float fb = nearness(b, own, at);\n"
-        "float fc = nearness(c, own, at);\n"
-        "float fd = nearness(d, own, at);\n"
-        "float4 mean = (fa * a + fb * b + fc * c + fd * d) / (fa + fb + fc + fd);\n"
-        "#BOTH mean = float4(mean.rg, code_of(mean.b, profile_of(own)), mean.a);\n"
-        "return mean;\n"
+    "int2 first = p * 2;\n"
+    "float4 a = texel(first);\n"
+    "float4 b = texel(first + int2(1, 0));\n"
+    "float4 c = texel(first + int2(0, 1));\n"
+    "float4 d = texel(first + int2(1, 1));\n"
+    "float4 own = nearer(nearer(a, b), nearer(c, d));\n"
+    "int at = 3;\n"
+    "if (!(own.a > 0.0)) { return own; }\n"
+    "#PROFILE at = 3 + STRIDE * int(profile_of(own));\n"
+    "float fa = nearness(a, own, at);\n"
+    "float fb = nearness(b, own, at);\n"
+    "float fc = nearness(c, own, at);\n"
+    "float fd = nearness(d, own, at);\n"
+    "float4 mean = (fa * a + fb * b + fc * c + fd * d) / (fa + fb + fc + fd);\n"
+    "#BOTH mean = float4(mean.rg, code_of(mean.b, profile_of(own)), mean.a);\n"
+    "return mean;\n"
     "}\n"
     "#endif\n",
     "#if NORMAL\n"
     "// The normal of the nearest of four pixels.\n"
     "float4 filter_pixel(int2 p) {\n"
-        "int2 first = p * 2;\n"
-        "int2 best = first;\n"
-        "float least = texel(first).a;\n"
-        "for (int i = 1; i < 4; i++) {\n"
-            "int2 q = first + int2(i % 2, i / 2);\n"
-            "float depth = texel(q).a;\n"
-            "if (depth > 0.0 && (!(least > 0.0) || depth < least)) {\n"
-                "least = depth;\n"
-                "best = q;\n"
-            "}\n"
-        "}\n"
-        "return fetch_normal(best);\n"
+    "int2 first = p * 2;\n"
+    "int2 best = first;\n"
+    "float least = texel(first).a;\n"
+    "for (int i = 1; i < 4; i++) {\n"
+    "int2 q = first + int2(i % 2, i / 2);\n"
+    "float depth = texel(q).a;\n"
+    "if (depth > 0.0 && (!(least > 0.0) || depth < least)) {\n"
+    "least = depth;\n"
+    "best = q;\n"
+    "}\n"
+    "}\n"
+    "return fetch_normal(best);\n"
     "}\n"
     "#endif\n",
     "#if UP\n"
     "// Pixels a mm there, before the limit of the picture's larger side.\n"
     "float pixels_at(float depth) {\n"
-        "float pixels = constant[0].z;\n"
-        "#PERSPECTIVE pixels = pixels / depth;\n"
-        "return pixels;\n"
+    "float pixels = constant[0].z;\n"
+    "#PERSPECTIVE pixels = pixels / depth;\n"
+    "return pixels;\n"
     "}\n",
     "// How much of the filtered light is the pixel's own: each tap's bilinear share of it.\n"
     "float3 share_at(float depth, int at) {\n"
-        "float pixels = min(pixels_at(depth), max(constant[0].x, constant[0].y) / constant[at].w);\n"
-        "float3 share = constant[at + 2].rgb;\n"
-        "for (int t = 0; t < TERMS; t++) {\n"
-            "int block = at + t * PROFILES * STRIDE;\n"
-            "float3 across = float3(0.0, 0.0, 0.0);\n"
-            "float3 down = float3(0.0, 0.0, 0.0);\n"
-            "for (int k = 0; k < TAPS; k++) {\n"
-                "#HALF_KERNEL float4 tap = constant[block + 5 + (k + 1) / 2];\n"
-                "#!HALF_KERNEL float4 tap = constant[block + 5 + k];\n"
-                "float away = pixels * abs(tap.w);\n"
-                "across = across + tap.rgb * max(1.0 - away * constant[1].x, 0.0);\n"
-                "down = down + tap.rgb * max(1.0 - away * constant[1].y, 0.0);\n"
-            "}\n"
-            "share = share + constant[block + 1].rgb * across * down;\n"
-        "}\n"
-        "return clamp(share, float3(0.0, 0.0, 0.0), float3(0.999, 0.999, 0.999));\n"
+    "float pixels = min(pixels_at(depth), max(constant[0].x, constant[0].y) / constant[at].w);\n"
+    "float3 share = constant[at + 2].rgb;\n"
+    "for (int t = 0; t < TERMS; t++) {\n"
+    "int block = at + t * PROFILES * STRIDE;\n"
+    "float3 across = float3(0.0, 0.0, 0.0);\n"
+    "float3 down = float3(0.0, 0.0, 0.0);\n"
+    "for (int k = 0; k < TAPS; k++) {\n"
+    "#HALF_KERNEL float4 tap = constant[block + 5 + (k + 1) / 2];\n"
+    "#!HALF_KERNEL float4 tap = constant[block + 5 + k];\n"
+    "float away = pixels * abs(tap.w);\n"
+    "across = across + tap.rgb * max(1.0 - away * constant[1].x, 0.0);\n"
+    "down = down + tap.rgb * max(1.0 - away * constant[1].y, 0.0);\n"
+    "}\n"
+    "share = share + constant[block + 1].rgb * across * down;\n"
+    "}\n"
+    "return clamp(share, float3(0.0, 0.0, 0.0), float3(0.999, 0.999, 0.999));\n"
     "}\n",
     "// A pixel keeps its share of its own light; the rest is what became of the light of the four larger pixels around.\n"
     "float4 filter_pixel(int2 p) {\n"
-        "float4 own = source(p);\n"
-        "float3 light = own.rgb;\n"
-        "int at = 3;\n"
-        "if (!(own.a > 0.0)) { return float4(fetch_colour(p).rgb, 1.0); }\n"
-        "#BOTH light = fetch_colour(p).rgb;\n"
-        "#PROFILE at = 3 + STRIDE * int(profile_of(own));\n"
-        "float3 share = share_at(own.a, at);\n"
-        "float3 soft = float3(0.0, 0.0, 0.0);\n"
-        "float weight = 0.0;\n"
-        "for (int i = 0; i < 4; i++) {\n"
-            "int2 q = int2((p.x + 1) / 2 - 1 + i % 2, (p.y + 1) / 2 - 1 + i / 2);\n"
-            "if (!inside(q * 2)) { continue; }\n"
-            "float4 there = fetch_input(q);\n"
-            "float f = nearness(there, own, at) * pick(0.2, 0.8, q.x == p.x / 2) * pick(0.2, 0.8, q.y == p.y / 2);\n"
-            "if (!(f > 0.0)) { continue; }\n"
-            "float3 kept = share;\n"
-            "#PERSPECTIVE kept = share_at(there.a, at);\n"
-            "float3 change = fetch_sum(q).rgb - there.rgb;\n"
-            "soft = soft + f * (there.rgb + change / (float3(1.0, 1.0, 1.0) - kept));\n"
-            "weight = weight + f;\n"
-        "}\n"
-        "float strength = constant[0].w;\n"
-        "#WITH_STRENGTH strength = strength * min(fetch_strength(p).r, 1.0);\n"
-        "if (!(pixels_at(own.a) * constant[at].w * max(constant[1].x, constant[1].y) > 0.5) || !(weight > 1e-6)) {\n"
-            "strength = 0.0;\n"
-        "}\n"
-        "if (strength > 0.0) { light = light + strength * (float3(1.0, 1.0, 1.0) - share) * (soft / weight - light); }\n"
-        "return float4(light, 1.0);\n"
+    "float4 own = source(p);\n"
+    "float3 light = own.rgb;\n"
+    "int at = 3;\n"
+    "if (!(own.a > 0.0)) { return float4(fetch_colour(p).rgb, 1.0); }\n"
+    "#BOTH light = fetch_colour(p).rgb;\n"
+    "#PROFILE at = 3 + STRIDE * int(profile_of(own));\n"
+    "float3 share = share_at(own.a, at);\n"
+    "float3 soft = float3(0.0, 0.0, 0.0);\n"
+    "float weight = 0.0;\n"
+    "for (int i = 0; i < 4; i++) {\n"
+    "int2 q = int2((p.x + 1) / 2 - 1 + i % 2, (p.y + 1) / 2 - 1 + i / 2);\n"
+    "if (!inside(q * 2)) { continue; }\n"
+    "float4 there = fetch_input(q);\n"
+    "float f = nearness(there, own, at) * pick(0.2, 0.8, q.x == p.x / 2) * pick(0.2, 0.8, q.y == p.y / 2);\n"
+    "if (!(f > 0.0)) { continue; }\n"
+    "float3 kept = share;\n"
+    "#PERSPECTIVE kept = share_at(there.a, at);\n"
+    "float3 change = fetch_sum(q).rgb - there.rgb;\n"
+    "soft = soft + f * (there.rgb + change / (float3(1.0, 1.0, 1.0) - kept));\n"
+    "weight = weight + f;\n"
+    "}\n"
+    "float strength = constant[0].w;\n"
+    "#WITH_STRENGTH strength = strength * min(fetch_strength(p).r, 1.0);\n"
+    "if (!(pixels_at(own.a) * constant[at].w * max(constant[1].x, constant[1].y) > 0.5) || !(weight > 1e-6)) {\n"
+    "strength = 0.0;\n"
+    "}\n"
+    "if (strength > 0.0) { light = light + strength * (float3(1.0, 1.0, 1.0) - share) * (soft / weight - light); }\n"
+    "return float4(light, 1.0);\n"
     "}\n"
     "#endif\n",
     "#if PASS\n"
     "float restore(float sum, float weight, float own, float total, bool mixed) {\n"
-        "if (mixed) { return sum + own * (total - weight); }\n"
-        "if (weight > 1e-30) { return sum / weight * total; }\n"
-        "return own * total;\n"
+    "if (mixed) { return sum + own * (total - weight); }\n"
+    "if (weight > 1e-30) { return sum / weight * total; }\n"
+    "return own * total;\n"
     "}\n",
     "#if SECOND\n"
     "// Only the first term's pass leaves light where it was.\n"
     "float3 unblurred(int2 p) {\n"
-        "float3 light = float3(0.0, 0.0, 0.0);\n"
-        "if (constant[2].x > 0.5) { light = fetch_input(p).rgb; }\n"
-        "return light;\n"
+    "float3 light = float3(0.0, 0.0, 0.0);\n"
+    "if (constant[2].x > 0.5) { light = fetch_input(p).rgb; }\n"
+    "return light;\n"
     "}\n"
     "#endif\n",
     "float4 filter_pixel(int2 p) {\n"
-        "float4 own = texel(p);\n"
-        "float4 black = float4(0.0, 0.0, 0.0, 0.0);\n"
-        "if (!(own.a > 0.0)) {\n"
-            "#SECOND return float4(unblurred(p), 1.0);\n"
-            "#!SECOND return black;\n"
-        "}\n"
-        "int at = 3;\n"
-        "#PROFILE at = 3 + STRIDE * int(profile_of(own));\n"
-        "float4 total = constant[at];\n"
-        "float2 aspect = constant[1].xy;\n"
-        "float pixels = constant[0].z;\n"
-        "float most = max(constant[0].x, constant[0].y) / total.w;\n"
-        "#PERSPECTIVE pixels = pixels / own.a;\n"
-        "#HALVED pixels = 0.5 * pixels;\n"
-        "#HALVED most = 0.5 * most;\n"
-        "bool large = pixels * total.w * max(aspect.x, aspect.y) > 0.5;\n"
-        "pixels = min(pixels, most);\n"
-        "float2 axis = float2(1.0 - float(SECOND), float(SECOND));\n"
-        "#TURNED float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;\n"
-        "#TURNED float angle = constant[1].z + constant[1].w * turn * (1.57079632679 / 64.0);\n"
-        "#TURNED axis = axis.x * float2(cos(angle), sin(angle)) + axis.y * float2(-sin(angle), cos(angle));\n"
+    "float4 own = texel(p);\n"
+    "float4 black = float4(0.0, 0.0, 0.0, 0.0);\n"
+    "if (!(own.a > 0.0)) {\n"
+    "#SECOND return float4(unblurred(p), 1.0);\n"
+    "#!SECOND return black;\n"
+    "}\n"
+    "int at = 3;\n"
+    "#PROFILE at = 3 + STRIDE * int(profile_of(own));\n"
+    "float4 total = constant[at];\n"
+    "float2 aspect = constant[1].xy;\n"
+    "float pixels = constant[0].z;\n"
+    "float most = max(constant[0].x, constant[0].y) / total.w;\n"
+    "#PERSPECTIVE pixels = pixels / own.a;\n"
+    "#HALVED pixels = 0.5 * pixels;\n"
+    "#HALVED most = 0.5 * most;\n"
+    "bool large = pixels * total.w * max(aspect.x, aspect.y) > 0.5;\n"
+    "pixels = min(pixels, most);\n"
+    "float2 axis = float2(1.0 - float(SECOND), float(SECOND));\n"
+    "#TURNED float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;\n"
+    "#TURNED float angle = constant[1].z + constant[1].w * turn * (1.57079632679 / 64.0);\n"
+    "#TURNED axis = axis.x * float2(cos(angle), sin(angle)) + axis.y * float2(-sin(angle), cos(angle));\n"
     "#if SHAPE\n"
-        "// Of the tangent plane: depth a column and a row, in perspective relative; mm of scaled depth, times the cosine to the ray.\n"
-        "float2 ray = ray_of(p);\n"
-        "float2 focal = constant[2].yz;\n"
-        "#HALVED focal = 0.5 * focal;\n"
-        "#GIVEN float2 slopes = fetch_surface(p).rg;\n"
-        "#!GIVEN float2 slopes = constant[2].w * slopes_of(p, own, ray, focal, sqrt(constant[at + 4].w) / constant[at + 1].w);\n"
-        "#KEEPS ms_sss_other = float4(slopes.x, slopes.y, 0.0, 0.0);\n"
-        "float slope = dot(axis, slopes);\n"
-        "pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);\n"
-        "float2 plane = slopes / focal;\n"
-        "float towards = dot(ray, slopes) + 1.0;\n"
-        "float deep = constant[2].y / (constant[0].z * constant[at + 1].w);\n"
-        "float facing = deep / sqrt(dot(slopes, slopes) + towards * towards);\n"
-        "float3 curve = constant[at + 3].rgb;\n"
-        "float least = -1.0 / max(1.0, max(curve.r, max(curve.g, curve.b)));\n"
-        "// Of the taps before on both sides: how far below the plane, and how far away.\n"
-        "float2 height = float2(0.0, 0.0);\n"
-        "float2 inner = height;\n"
+    "// Of the tangent plane: depth a column and a row, in perspective relative; mm of scaled depth, times the cosine to the ray.\n"
+    "float2 ray = ray_of(p);\n"
+    "float2 focal = constant[2].yz;\n"
+    "#HALVED focal = 0.5 * focal;\n"
+    "#GIVEN float2 slopes = fetch_surface(p).rg;\n"
+    "#!GIVEN float2 slopes = constant[2].w * slopes_of(p, own, ray, focal, sqrt(constant[at + 4].w) / constant[at + 1].w);\n"
+    "#KEEPS ms_sss_other = float4(slopes.x, slopes.y, 0.0, 0.0);\n"
+    "float slope = dot(axis, slopes);\n"
+    "pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);\n"
+    "float2 plane = slopes / focal;\n"
+    "float towards = dot(ray, slopes) + 1.0;\n"
+    "float deep = constant[2].y / (constant[0].z * constant[at + 1].w);\n"
+    "float facing = deep / sqrt(dot(slopes, slopes) + towards * towards);\n"
+    "float3 curve = constant[at + 3].rgb;\n"
+    "float least = -1.0 / max(1.0, max(curve.r, max(curve.g, curve.b)));\n"
+    "// Of the taps before on both sides: how far below the plane, and how far away.\n"
+    "float2 height = float2(0.0, 0.0);\n"
+    "float2 inner = height;\n"
     "#endif\n"
-        "axis = axis * aspect * pixels;\n"
-        "float3 result = own.rgb * constant[at + 5].rgb;\n"
-        "float3 weight = constant[at + 5].rgb;\n"
-        "float3 lifted = weight;\n"
-        "if (large) {\n",
-            "for (int k = 1; k < TAPS; k++) {\n"
-                "#HALF_KERNEL float4 tap = constant[at + 5 + (k + 1) / 2];\n"
-                "#HALF_KERNEL float offset = pick(tap.w, -tap.w, k % 2 == 0);\n"
-                "#!HALF_KERNEL float4 tap = constant[at + 5 + k];\n"
-                "#!HALF_KERNEL float offset = tap.w;\n"
-                "float2 whole = floor(axis * offset);\n"
-                "float2 part = axis * offset - whole;\n"
-                "float4 sum = black;\n"
-                "#SHAPE float below = 0.0;\n"
-                "#SPATIAL float remote = min(constant[2].w * deep * deep / max(offset * offset, 1e-30), 1e6);\n"
-                "for (int i = 0; i < CORNERS; i++) {\n"
-                    "#TURNED int2 corner = int2(i % 2, i / 2);\n"
-                    "#TURNED float share = abs(1.0 - float(corner.x) - part.x) * abs(1.0 - float(corner.y) - part.y);\n"
-                    "#!TURNED int2 corner = int2(i - i * SECOND, i * SECOND);\n"
-                    "#!TURNED float share = abs(1.0 - float(i) - part.x - part.y);\n"
-                    "if (!(share > 0.0)) { continue; }\n"
-                    "int2 beside = int2(int(whole.x), int(whole.y)) + corner;\n"
-                    "float4 c = texel(p + beside);\n"
-                    "if (!same(c, own)) { continue; }\n"
-                    "float f = share;\n"
+    "axis = axis * aspect * pixels;\n"
+    "float3 result = own.rgb * constant[at + 5].rgb;\n"
+    "float3 weight = constant[at + 5].rgb;\n"
+    "float3 lifted = weight;\n"
+    "if (large) {\n",
+    "for (int k = 1; k < TAPS; k++) {\n"
+    "#HALF_KERNEL float4 tap = constant[at + 5 + (k + 1) / 2];\n"
+    "#HALF_KERNEL float offset = pick(tap.w, -tap.w, k % 2 == 0);\n"
+    "#!HALF_KERNEL float4 tap = constant[at + 5 + k];\n"
+    "#!HALF_KERNEL float offset = tap.w;\n"
+    "float2 whole = floor(axis * offset);\n"
+    "float2 part = axis * offset - whole;\n"
+    "float4 sum = black;\n"
+    "#SHAPE float below = 0.0;\n"
+    "#SPATIAL float remote = min(constant[2].w * deep * deep / max(offset * offset, 1e-30), 1e6);\n"
+    "for (int i = 0; i < CORNERS; i++) {\n"
+    "#TURNED int2 corner = int2(i % 2, i / 2);\n"
+    "#TURNED float share = abs(1.0 - float(corner.x) - part.x) * abs(1.0 - float(corner.y) - part.y);\n"
+    "#!TURNED int2 corner = int2(i - i * SECOND, i * SECOND);\n"
+    "#!TURNED float share = abs(1.0 - float(i) - part.x - part.y);\n"
+    "if (!(share > 0.0)) { continue; }\n"
+    "int2 beside = int2(int(whole.x), int(whole.y)) + corner;\n"
+    "float4 c = texel(p + beside);\n"
+    "if (!same(c, own)) { continue; }\n"
+    "float f = share;\n"
     "#if DEPTH\n"
-                    "float dz = c.a - own.a;\n"
+    "float dz = c.a - own.a;\n"
     "#if SHAPE\n"
-                    "float gain = dot(plane, float2(float(beside.x), float(beside.y)));\n"
-                    "#PERSPECTIVE gain = gain * c.a;\n"
-                    "dz = dz - gain;\n"
+    "float gain = dot(plane, float2(float(beside.x), float(beside.y)));\n"
+    "#PERSPECTIVE gain = gain * c.a;\n"
+    "dz = dz - gain;\n"
     "#endif\n"
-                    "dz = dz * constant[at + 1].w;\n"
-                    "#SPATIAL if (!(dz * dz < 1.0)) { continue; }\n"
-                    "#!SPATIAL if (!(dz * dz < constant[at + 2].w)) { continue; }\n"
-                    "#SPATIAL f = share * (1.0 - dz * dz) / (remote * dz * dz + 1.0);\n"
-                    "#FOLLOW f = share * (1.0 - abs(dz));\n"
-                    "#EXACT f = share * exp2(-dz * dz);\n"
-                    "#FALLOFF f = (1.0 - dz * dz) * (1.0 - dz * dz);\n"
-                    "#FALLOFF f = share * f * f;\n"
-                    "#SHAPE below = below + f * dz;\n"
+    "dz = dz * constant[at + 1].w;\n"
+    "#SPATIAL if (!(dz * dz < 1.0)) { continue; }\n"
+    "#!SPATIAL if (!(dz * dz < constant[at + 2].w)) { continue; }\n"
+    "#SPATIAL f = share * (1.0 - dz * dz) / (remote * dz * dz + 1.0);\n"
+    "#FOLLOW f = share * (1.0 - abs(dz));\n"
+    "#EXACT f = share * exp2(-dz * dz);\n"
+    "#FALLOFF f = (1.0 - dz * dz) * (1.0 - dz * dz);\n"
+    "#FALLOFF f = share * f * f;\n"
+    "#SHAPE below = below + f * dz;\n"
     "#endif\n"
-                    "sum = sum + float4(c.rgb * f, f);\n"
-                "}\n"
+    "sum = sum + float4(c.rgb * f, f);\n"
+    "}\n"
     "#if SHAPE\n"
-                "float grain = own.a * constant[at + 1].w * 2.3841858e-7 * (2.0 + (abs(axis.x) + abs(axis.y)) * abs(offset));\n"
-                "float sine = 0.0;\n"
-                "below = facing * (below - clamp(below, -grain, grain));\n"
-                "if (abs(offset) > 1e-20) { sine = clamp(below / abs(offset), least, 1.0); }\n"
+    "float grain = own.a * constant[at + 1].w * 2.3841858e-7 * (2.0 + (abs(axis.x) + abs(axis.y)) * abs(offset));\n"
+    "float sine = 0.0;\n"
+    "below = facing * (below - clamp(below, -grain, grain));\n"
+    "if (abs(offset) > 1e-20) { sine = clamp(below / abs(offset), least, 1.0); }\n"
     "#if SPATIAL\n"
-                "// The more the surface bends away between the tap before and this one, the more of it there is.\n"
-                "bool back = offset < 0.0;\n"
-                "float before = pick(height.x, height.y, back);\n"
-                "float gap = abs(offset) - pick(inner.x, inner.y, back);\n"
-                "float lower = (below + 0.001 * before) / (sum.a + 0.001);\n"
-                "float bend = 0.0;\n"
-                "if (gap > 1e-20 && constant[at + 3].w < 0.5) { bend = (lower - before) / gap; }\n"
-                "sum = sum * min(0.5 * constant[2].w * bend * bend + 1.0, 3.0);\n"
-                "height = pick(float2(lower, height.y), float2(height.x, lower), back);\n"
-                "inner = pick(float2(abs(offset), inner.y), float2(inner.x, abs(offset)), back);\n"
+    "// The more the surface bends away between the tap before and this one, the more of it there is.\n"
+    "bool back = offset < 0.0;\n"
+    "float before = pick(height.x, height.y, back);\n"
+    "float gap = abs(offset) - pick(inner.x, inner.y, back);\n"
+    "float lower = (below + 0.001 * before) / (sum.a + 0.001);\n"
+    "float bend = 0.0;\n"
+    "if (gap > 1e-20 && constant[at + 3].w < 0.5) { bend = (lower - before) / gap; }\n"
+    "sum = sum * min(0.5 * constant[2].w * bend * bend + 1.0, 3.0);\n"
+    "height = pick(float2(lower, height.y), float2(height.x, lower), back);\n"
+    "inner = pick(float2(abs(offset), inner.y), float2(inner.x, abs(offset)), back);\n"
     "#endif\n"
     "#endif\n"
-                "weight = weight + tap.rgb * sum.a;\n"
-                "#SHAPE float3 lift = float3(1.0, 1.0, 1.0) + curve * sine;\n"
-                "#SHAPE lift = lift * lift;\n"
-                "#SHAPE tap = float4(tap.rgb * lift * lift, tap.w);\n"
-                "#SHAPE lifted = lifted + tap.rgb * sum.a;\n"
-                "result = result + tap.rgb * sum.rgb;\n"
-            "}\n"
-            "int mixed = int(constant[at + 3].w);\n"
-            "#SHAPE lifted = max(weight, lifted * constant[at + 4].rgb);\n"
-            "#SHAPE weight = float3(pick(lifted.r, weight.r, (mixed & 1) != 0), pick(lifted.g, weight.g, (mixed & 2) != 0),\n"
-            "#SHAPE     pick(lifted.b, weight.b, (mixed & 4) != 0));\n"
-            "result = float3(restore(result.r, weight.r, own.r, total.r, (mixed & 1) != 0),\n"
-            "    restore(result.g, weight.g, own.g, total.g, (mixed & 2) != 0),\n"
-            "    restore(result.b, weight.b, own.b, total.b, (mixed & 4) != 0));\n"
-        "} else {\n"
-            "result = own.rgb * total.rgb;\n"
-        "}\n"
+    "weight = weight + tap.rgb * sum.a;\n"
+    "#SHAPE float3 lift = float3(1.0, 1.0, 1.0) + curve * sine;\n"
+    "#SHAPE lift = lift * lift;\n"
+    "#SHAPE tap = float4(tap.rgb * lift * lift, tap.w);\n"
+    "#SHAPE lifted = lifted + tap.rgb * sum.a;\n"
+    "result = result + tap.rgb * sum.rgb;\n"
+    "}\n"
+    "int mixed = int(constant[at + 3].w);\n"
+    "#SHAPE lifted = max(weight, lifted * constant[at + 4].rgb);\n"
+    "#SHAPE weight = float3(pick(lifted.r, weight.r, (mixed & 1) != 0), pick(lifted.g, weight.g, (mixed & 2) != 0),\n"
+    "#SHAPE     pick(lifted.b, weight.b, (mixed & 4) != 0));\n"
+    "result = float3(restore(result.r, weight.r, own.r, total.r, (mixed & 1) != 0),\n"
+    "    restore(result.g, weight.g, own.g, total.g, (mixed & 2) != 0),\n"
+    "    restore(result.b, weight.b, own.b, total.b, (mixed & 4) != 0));\n"
+    "} else {\n"
+    "result = own.rgb * total.rgb;\n"
+    "}\n"
     "#if SECOND\n"
-        "float strength = 1.0;\n"
+    "float strength = 1.0;\n"
     "#if !HALVED\n"
-        "strength = constant[0].w;\n"
-        "#WITH_STRENGTH strength = strength * min(fetch_strength(p).r, 1.0);\n"
+    "strength = constant[0].w;\n"
+    "#WITH_STRENGTH strength = strength * min(fetch_strength(p).r, 1.0);\n"
     "#endif\n"
-        "float3 delta = constant[at + 2].rgb;\n"
-        "result = constant[at + 1].rgb * result;\n"
-        "if (!large || strength < 1.0 || dot(abs(delta), float3(1.0, 1.0, 1.0)) > 0.0) {\n"
-            "float3 light = unblurred(p);\n"
-            "result = result + delta * light;\n"
-            "result = pick(light, strength * result + (1.0 - strength) * light, large);\n"
-        "}\n"
-        "return float4(result, 1.0);\n"
+    "float3 delta = constant[at + 2].rgb;\n"
+    "result = constant[at + 1].rgb * result;\n"
+    "if (!large || strength < 1.0 || dot(abs(delta), float3(1.0, 1.0, 1.0)) > 0.0) {\n"
+    "float3 light = unblurred(p);\n"
+    "result = result + delta * light;\n"
+    "result = pick(light, strength * result + (1.0 - strength) * light, large);\n"
+    "}\n"
+    "return float4(result, 1.0);\n"
     "#else\n"
-        "#BOTH result = float3(result.rg, code_of(result.b, profile_of(own)));\n"
-        "return float4(result, own.a);\n"
+    "#BOTH result = float3(result.rg, code_of(result.b, profile_of(own)));\n"
+    "return float4(result, own.a);\n"
     "#endif\n"
     "}\n"
     "#endif\n",
     "#if COMPUTE\n"
     "void filter_group(int2 group, int index) {\n"
-        "int2 first = int2(group.x * GROUP_X, group.y * GROUP_Y);\n"
-        "int2 p = first + int2(index % GROUP_X, index / GROUP_X);\n"
+    "int2 first = int2(group.x * GROUP_X, group.y * GROUP_Y);\n"
+    "int2 p = first + int2(index % GROUP_X, index / GROUP_X);\n"
     "#if TILED\n"
-        "ms_sss_corner = first - int2(APRON_X, APRON_Y);\n"
-        "for (int i = index; i < TILE_X * TILE_Y; i += GROUP_X * GROUP_Y) {\n"
-            "int2 q = ms_sss_corner + int2(i % TILE_X, i / TILE_X);\n"
-            "float4 c = float4(0.0, 0.0, 0.0, 0.0);\n"
-            "if (inside(q)) { c = source(q); }\n"
-            "ms_sss_tile[i] = c;\n"
-        "}\n"
-        "tile_ready();\n"
+    "ms_sss_corner = first - int2(APRON_X, APRON_Y);\n"
+    "for (int i = index; i < TILE_X * TILE_Y; i += GROUP_X * GROUP_Y) {\n"
+    "int2 q = ms_sss_corner + int2(i % TILE_X, i / TILE_X);\n"
+    "float4 c = float4(0.0, 0.0, 0.0, 0.0);\n"
+    "if (inside(q)) { c = source(q); }\n"
+    "ms_sss_tile[i] = c;\n"
+    "}\n"
+    "tile_ready();\n"
     "#endif\n"
-        "#SMALLER if (inside(p * 2)) {\n"
-        "#!SMALLER if (inside(p)) {\n"
-            "#LATER float4 before = fetch_sum(p);\n"
-            "#LATER store(p, float4(before.rgb + filter_pixel(p).rgb, 1.0));\n"
-            "#!LATER store(p, filter_pixel(p));\n"
-        "}\n"
+    "#SMALLER if (inside(p * 2)) {\n"
+    "#!SMALLER if (inside(p)) {\n"
+    "#LATER float4 before = fetch_sum(p);\n"
+    "#LATER store(p, float4(before.rgb + filter_pixel(p).rgb, 1.0));\n"
+    "#!LATER store(p, filter_pixel(p));\n"
+    "}\n"
     "}\n"
     "#endif\n"};
 
@@ -7187,296 +7477,304 @@ static const char *const ms_sss__tower_body[] = {
     "// How many pixels of the picture a step of d is deep.\n"
     "float deep_of(float d) {\n"
     "#if SHAPE\n"
-        "#PERSPECTIVE return -1.0 / (constant[1].z * d);\n"
-        "#!PERSPECTIVE return 1.0 / constant[1].z;\n"
+    "#PERSPECTIVE return -1.0 / (constant[1].z * d);\n"
+    "#!PERSPECTIVE return 1.0 / constant[1].z;\n"
     "#else\n"
-        "return 0.0;\n"
+    "return 0.0;\n"
     "#endif\n"
     "}\n",
     "// The kernel's radius in pixels of the picture.\n"
     "float radius_of(float d) {\n"
-        "#PERSPECTIVE return min(-constant[1].x * d, constant[1].y);\n"
-        "#!PERSPECTIVE return min(constant[1].x, constant[1].y);\n"
+    "#PERSPECTIVE return min(-constant[1].x * d, constant[1].y);\n"
+    "#!PERSPECTIVE return min(constant[1].x, constant[1].y);\n"
     "}\n",
     "#if !BASE\n"
     "bool inside(int2 p) {\n"
-        "float2 first = float2(float(p.x), float(p.y)) * (0.5 * constant[2].z);\n"
-        "return p.x >= 0 && p.y >= 0 && first.x < constant[0].x && first.y < constant[0].y;\n"
+    "float2 first = float2(float(p.x), float(p.y)) * (0.5 * constant[2].z);\n"
+    "return p.x >= 0 && p.y >= 0 && first.x < constant[0].x && first.y < constant[0].y;\n"
     "}\n",
     "float beside(float away) {\n"
-        "float f = max(1.0 - away * away, 0.0);\n"
-        "return f * f * f * f;\n"
+    "float f = max(1.0 - away * away, 0.0);\n"
+    "return f * f * f * f;\n"
     "}\n"
     "#endif\n",
     "#if !SHRINK\n"
     "// How much larger the surface is than its picture; middle: the pixel's place in the picture.\n"
     "float area_of(float2 slope, float2 middle) {\n"
-        "float towards = dot(slope, (middle - 0.5 * constant[0].xy) * constant[1].w) + 1.0;\n"
-        "return sqrt(dot(slope, slope) + towards * towards);\n"
+    "float towards = dot(slope, (middle - 0.5 * constant[0].xy) * constant[1].w) + 1.0;\n"
+    "return sqrt(dot(slope, slope) + towards * towards);\n"
     "}\n"
     "#endif\n",
     "#if BASE\n"
     "float d_of(float depth) {\n"
-        "float d = 0.0;\n"
-        "if (depth > 0.0) {\n"
+    "float d = 0.0;\n"
+    "if (depth > 0.0) {\n"
     "#if PERSPECTIVE\n"
-            "d = -1.0 / depth;\n"
+    "d = -1.0 / depth;\n"
     "#else\n"
-            "#SHAPE d = depth;\n"
-            "#!SHAPE d = 1.0;\n"
+    "#SHAPE d = depth;\n"
+    "#!SHAPE d = 1.0;\n"
     "#endif\n"
-        "}\n"
-        "return d;\n"
+    "}\n"
+    "return d;\n"
     "}\n",
     "// Level 0.\n"
     "float4 filter_pixel(int2 p) {\n"
-        "float4 own = source(p);\n"
-        "float d = d_of(own.a);\n"
-        "float2 slope = float2(0.0, 0.0);\n"
-        "float2 middle = float2(float(p.x) + 0.5, float(p.y) + 0.5);\n"
-        "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
-        "if (!(abs(d) > 0.0)) { return ms_sss_other; }\n"
-        "#TILTED slope = constant[2].y * slopes_of(p, own, ray_of(p), float2(1.0 / constant[1].z, 1.0 / constant[1].z), radius_of(d));\n"
-        "float step = constant[1].z;\n"
-        "#PERSPECTIVE step = -step * d;\n"
-        "ms_sss_other = float4(min(area_of(slope, middle), 10.0), slope.x * step, slope.y * step, 0.0);\n"
-        "return float4(own.rgb, d);\n"
+    "float4 own = source(p);\n"
+    "float d = d_of(own.a);\n"
+    "float2 slope = float2(0.0, 0.0);\n"
+    "float2 middle = float2(float(p.x) + 0.5, float(p.y) + 0.5);\n"
+    "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
+    "if (!(abs(d) > 0.0)) { return ms_sss_other; }\n"
+    "#TILTED slope = constant[2].y * slopes_of(p, own, ray_of(p), float2(1.0 / constant[1].z, 1.0 / constant[1].z), radius_of(d));\n"
+    "float step = constant[1].z;\n"
+    "#PERSPECTIVE step = -step * d;\n"
+    "ms_sss_other = float4(min(area_of(slope, middle), 10.0), slope.x * step, slope.y * step, 0.0);\n"
+    "return float4(own.rgb, d);\n"
     "}\n"
     "#endif\n",
     "#if SHRINK\n"
     "// A pixel of the next level from 4 x 4: what lies near the tangent plane of the nearest of the middle four that has a\n"
     "// quarter of the largest share.\n"
     "float4 filter_pixel(int2 p) {\n"
-        "float most = 0.0;\n"
-        "for (int i = 0; i < 4; i++) {\n"
-            "int2 q = p * 2 + int2(i % 2, i / 2);\n"
-            "if (inside(q)) { most = max(most, fetch_surface(q).r); }\n"
-        "}\n"
-        "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
-        "if (!(most > 0.0)) { return ms_sss_other; }\n"
-        "float nearest = 3e38;\n"
-        "float2 change = float2(0.0, 0.0);\n"
-        "float2 at = change;\n"
-        "for (int i = 0; i < 4; i++) {\n"
-            "int2 q = p * 2 + int2(i % 2, i / 2);\n"
-            "if (!inside(q)) { continue; }\n"
-            "float4 surface = fetch_surface(q);\n"
-            "float d = fetch_colour(q).a;\n"
-            "if (surface.r > 0.25 * most && d < nearest) {\n"
-                "nearest = d;\n"
-                "change = surface.gb;\n"
-                "at = float2(float(i % 2) - 0.5, float(i / 2) - 0.5);\n"
-            "}\n"
-        "}\n"
-        "float scale = deep_of(nearest) / radius_of(nearest);\n"
-        "float middle = nearest - dot(at, change);\n"
-        "float least = nearest;\n"
-        "float greatest = nearest;\n"
-        "float4 light = float4(0.0, 0.0, 0.0, 0.0);\n"
-        "float3 surfaces = float3(0.0, 0.0, 0.0);\n"
-        "float seen = 0.0;\n"
-        "for (int i = 0; i < 16; i++) {\n"
-            "int2 q = p * 2 + int2(i % 4 - 1, i / 4 - 1);\n"
-            "if (!inside(q)) { continue; }\n"
-            "float4 there = fetch_colour(q);\n"
-            "float4 surface = fetch_surface(q);\n"
-            "float2 away = float2(float(i % 4) - 1.5, float(i / 4) - 1.5);\n"
-            "float rise = dot(away, change);\n"
-            "float f = beside((there.a - rise - middle) * scale / constant[2].x) * surface.r;\n"
-            "f = f * pick(0.125, 0.375, abs(away.x) < 1.0) * pick(0.125, 0.375, abs(away.y) < 1.0);\n"
-            "if (f > 0.0 && abs((there.a - nearest) * scale) < 1.0) {\n"
-                "least = min(least, there.a);\n"
-                "greatest = max(greatest, there.a);\n"
-                "light = light + f * float4(there.rgb, there.a - rise);\n"
-                "float part = f / max(surface.r, 1.0);\n"
-                "surfaces = surfaces + float3(f, part * surface.g, part * surface.b);\n"
-                "seen = seen + part;\n"
-            "}\n"
-        "}\n"
-        "if (!(surfaces.r > 1e-20)) { return ms_sss_other; }\n"
-        "light = light / surfaces.r;\n"
-        "change = 2.0 * surfaces.gb / seen;\n"
-        "ms_sss_other = float4(surfaces.r, change.x, change.y, 0.0);\n"
-        "return float4(light.rgb, clamp(light.a, least, greatest));\n"
+    "float most = 0.0;\n"
+    "for (int i = 0; i < 4; i++) {\n"
+    "int2 q = p * 2 + int2(i % 2, i / 2);\n"
+    "if (inside(q)) { most = max(most, fetch_surface(q).r); }\n"
+    "}\n"
+    "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
+    "if (!(most > 0.0)) { return ms_sss_other; }\n"
+    "float nearest = 3e38;\n"
+    "float2 change = float2(0.0, 0.0);\n"
+    "float2 at = change;\n"
+    "for (int i = 0; i < 4; i++) {\n"
+    "int2 q = p * 2 + int2(i % 2, i / 2);\n"
+    "if (!inside(q)) { continue; }\n"
+    "float4 surface = fetch_surface(q);\n"
+    "float d = fetch_colour(q).a;\n"
+    "if (surface.r > 0.25 * most && d < nearest) {\n"
+    "nearest = d;\n"
+    "change = surface.gb;\n"
+    "at = float2(float(i % 2) - 0.5, float(i / 2) - 0.5);\n"
+    "}\n"
+    "}\n"
+    "float scale = deep_of(nearest) / radius_of(nearest);\n"
+    "float middle = nearest - dot(at, change);\n"
+    "float least = nearest;\n"
+    "float greatest = nearest;\n"
+    "float4 light = float4(0.0, 0.0, 0.0, 0.0);\n"
+    "float3 surfaces = float3(0.0, 0.0, 0.0);\n"
+    "float seen = 0.0;\n"
+    "for (int i = 0; i < 16; i++) {\n"
+    "int2 q = p * 2 + int2(i % 4 - 1, i / 4 - 1);\n"
+    "if (!inside(q)) { continue; }\n"
+    "float4 there = fetch_colour(q);\n"
+    "float4 surface = fetch_surface(q);\n"
+    "float2 away = float2(float(i % 4) - 1.5, float(i / 4) - 1.5);\n"
+    "float rise = dot(away, change);\n"
+    "float f = beside((there.a - rise - middle) * scale / constant[2].x) * surface.r;\n"
+    "f = f * pick(0.125, 0.375, abs(away.x) < 1.0) * pick(0.125, 0.375, abs(away.y) < 1.0);\n"
+    "if (f > 0.0 && abs((there.a - nearest) * scale) < 1.0) {\n"
+    "least = min(least, there.a);\n"
+    "greatest = max(greatest, there.a);\n"
+    "light = light + f * float4(there.rgb, there.a - rise);\n"
+    "float part = f / max(surface.r, 1.0);\n"
+    "surfaces = surfaces + float3(f, part * surface.g, part * surface.b);\n"
+    "seen = seen + part;\n"
+    "}\n"
+    "}\n"
+    "if (!(surfaces.r > 1e-20)) { return ms_sss_other; }\n"
+    "light = light / surfaces.r;\n"
+    "change = 2.0 * surfaces.gb / seen;\n"
+    "ms_sss_other = float4(surfaces.r, change.x, change.y, 0.0);\n"
+    "return float4(light.rgb, clamp(light.a, least, greatest));\n"
     "}\n"
     "#endif\n",
     "#if GATHERS\n"
     "// Weights of kernels of this radius in pixels, linear between the sizes of the table.\n"
     "float3 weight_at(float size, int table) {\n"
-        "int i = clamp((int(bits_of(size)) - 0x3f800000) >> 21u, 0, LAST_SIZE);\n"
-        "float low = float_of(uint(0x3f800000 + (i << 21u)));\n"
-        "float high = float_of(uint(0x3f800000 + ((i + 1) << 21u)));\n"
-        "float t = clamp((size - low) / (high - low), 0.0, 1.0);\n"
-        "return constant[table + i].rgb + t * (constant[table + i + 1].rgb - constant[table + i].rgb);\n"
+    "int i = clamp((int(bits_of(size)) - 0x3f800000) >> 21u, 0, LAST_SIZE);\n"
+    "float low = float_of(uint(0x3f800000 + (i << 21u)));\n"
+    "float high = float_of(uint(0x3f800000 + ((i + 1) << 21u)));\n"
+    "float t = clamp((size - low) / (high - low), 0.0, 1.0);\n"
+    "return constant[table + i].rgb + t * (constant[table + i + 1].rgb - constant[table + i].rgb);\n"
     "}\n",
     "// light times the mean of (1 + K sin(theta) / 4)^4, by mean (moment / light) and mean square of sin(theta), of which grain may\n"
     "// be rounding.\n"
     "float raise(float light, float moment, float square, float grain, float quarter, float most) {\n"
-        "float mean = 0.0;\n"
-        "if (abs(light) > 0.0) { mean = moment / light; }\n"
-        "mean = clamp(mean - clamp(mean, -grain, grain), -1.0, 1.0);\n"
-        "float u = max(quarter * mean + 1.0, 0.0);\n"
-        "float spread = max(square - (grain * grain + mean * mean), 0.0);\n"
-        "return light * min(u * u * (6.0 * spread * quarter * quarter + u * u), most);\n"
+    "float mean = 0.0;\n"
+    "if (abs(light) > 0.0) { mean = moment / light; }\n"
+    "mean = clamp(mean - clamp(mean, -grain, grain), -1.0, 1.0);\n"
+    "float u = max(quarter * mean + 1.0, 0.0);\n"
+    "float spread = max(square - (grain * grain + mean * mean), 0.0);\n"
+    "return light * min(u * u * (6.0 * spread * quarter * quarter + u * u), most);\n"
     "}\n",
     "// The light of the next coarser level from up to 6 x 6 pixels around, counted by its distance in space and lifted by how far\n"
     "// it lies below the tangent plane, and the sums of that level; sums of weights to ms_sss_other.\n"
     "float3 gather(int2 p, float d, float2 change) {\n"
-        "float cells = constant[2].z;\n"
-        "float deep = deep_of(d) / cells;\n"
-        "float radius = radius_of(d);\n"
-        "float2 slope = change * (2.0 * deep);\n"
-        "float area = area_of(slope, float2(float(p.x) + 0.5, float(p.y) + 0.5) * (0.5 * cells));\n"
-        "float cap = min(area, 1.5);\n"
-        "float limit = radius / cells;\n"
-        "float near_plane = 1.0 / (limit * constant[2].x);\n"
-        "float wide = cap * cap * constant[2].w;\n"
-        "float weight = 0.0;\n"
-        "float square = 0.0;\n"
-        "float3 light = float3(0.0, 0.0, 0.0);\n"
-        "float3 moment = light;\n"
-        "float3 sums = light;\n"
-        "float3 weights = light;\n"
-        "for (int j = 0; j < 6; j++) {\n"
-            "for (int k = 0; k < 6; k++) {\n"
-                "int2 q = int2(p.x / 2 + k - 3 + p.x % 2, p.y / 2 + j - 3 + p.y % 2);\n"
-                "float2 away = float2(float(k) - 2.75 + 0.5 * float(p.x % 2), float(j) - 2.75 + 0.5 * float(p.y % 2));\n"
-                "if (dot(away, away) > wide || !inside(q * 2)) { continue; }\n"
-                "float4 there = fetch_coarse(q);\n"
-                "float dz = (there.a - d) * deep;\n"
-                "if (!(abs(there.a) > 0.0 && dz * dz < limit * limit)) { continue; }\n"
-                "float below = dz - dot(away, slope);\n"
-                "float t = max(1.0 - (dz * dz + dot(away, away)) / wide, 0.0);\n"
-                "float w = t * t * fetch_coarse_surface(q).r;\n"
-                "weight = weight + w;\n"
-                "light = light + w * there.rgb;\n"
-                "moment = moment + w * below * there.rgb;\n"
-                "square = square + w * below * below;\n"
-                "if (abs(away.x) < 1.0 && abs(away.y) < 1.0 && constant[5].w > 1.5) {\n"
-                    "t = beside(below * near_plane) * pick(0.25, 0.75, abs(away.x) < 0.5) * pick(0.25, 0.75, abs(away.y) < 0.5);\n"
-                    "sums = sums + t * fetch_sum(q).rgb;\n"
-                    "weights = weights + t * fetch_weight(q).rgb;\n"
-                "}\n"
-            "}\n"
-        "}\n"
+    "float cells = constant[2].z;\n"
+    "float deep = deep_of(d) / cells;\n"
+    "float radius = radius_of(d);\n"
+    "float2 slope = change * (2.0 * deep);\n"
+    "float area = area_of(slope, float2(float(p.x) + 0.5, float(p.y) + 0.5) * (0.5 * cells));\n"
+    "float cap = min(area, 1.5);\n"
+    "float limit = radius / cells;\n"
+    "float near_plane = 1.0 / (limit * constant[2].x);\n"
+    "float wide = cap * cap * constant[2].w;\n"
+    "float weight = 0.0;\n"
+    "float square = 0.0;\n"
+    "float3 light = float3(0.0, 0.0, 0.0);\n"
+    "float3 moment = light;\n"
+    "float3 sums = light;\n"
+    "float3 weights = light;\n"
+    "for (int j = 0; j < 6; j++) {\n"
+    "for (int k = 0; k < 6; k++) {\n"
+    "int2 q = int2(p.x / 2 + k - 3 + p.x % 2, p.y / 2 + j - 3 + p.y % 2);\n"
+    "float2 away = float2(float(k) - 2.75 + 0.5 * float(p.x % 2), float(j) - 2.75 + 0.5 * float(p.y % 2));\n"
+    "if (dot(away, away) > wide || !inside(q * 2)) { continue; }\n"
+    "float4 there = fetch_coarse(q);\n"
+    "float dz = (there.a - d) * deep;\n"
+    "if (!(abs(there.a) > 0.0 && dz * dz < limit * limit)) { continue; }\n"
+    "float below = dz - dot(away, slope);\n"
+    "float t = max(1.0 - (dz * dz + dot(away, away)) / wide, 0.0);\n"
+    "float w = t * t * fetch_coarse_surface(q).r;\n"
+    "weight = weight + w;\n"
+    "light = light + w * there.rgb;\n"
+    "moment = moment + w * below * there.rgb;\n"
+    "square = square + w * below * below;\n"
+    "if (abs(away.x) < 1.0 && abs(away.y) < 1.0 && constant[5].w > 1.5) {\n"
+    "t = beside(below * near_plane) * pick(0.25, 0.75, abs(away.x) < 0.5) * pick(0.25, 0.75, abs(away.y) < 0.5);\n"
+    "sums = sums + t * fetch_sum(q).rgb;\n"
+    "weights = weights + t * fetch_weight(q).rgb;\n"
+    "}\n"
+    "}\n"
+    "}\n"
     "#if TILTED\n"
-        "float facing = 1.0 / (cap * area);\n"
-        "float turn = facing * constant[4].w;\n"
-        "float grain = turn * constant[5].y;\n"
-        "#!PERSPECTIVE grain = grain * d;\n"
-        "// Too steep for a tangent plane on this level.\n"
-        "if (!((abs(slope.x) + abs(slope.y)) * 0.5 * cells < radius)) {\n"
-            "square = 0.0;\n"
-            "moment = float3(0.0, 0.0, 0.0);\n"
-        "}\n"
-        "if (weight > 0.0) { square = square / weight; }\n"
-        "square = square * facing * facing * constant[5].x;\n"
-        "light = float3(raise(light.r, moment.r * turn, square, grain, constant[3].r, constant[4].r),\n"
-        "    raise(light.g, moment.g * turn, square, grain, constant[3].g, constant[4].g),\n"
-        "    raise(light.b, moment.b * turn, square, grain, constant[3].b, constant[4].b));\n"
+    "float facing = 1.0 / (cap * area);\n"
+    "float turn = facing * constant[4].w;\n"
+    "float grain = turn * constant[5].y;\n"
+    "#!PERSPECTIVE grain = grain * d;\n"
+    "// Too steep for a tangent plane on this level.\n"
+    "if (!((abs(slope.x) + abs(slope.y)) * 0.5 * cells < radius)) {\n"
+    "square = 0.0;\n"
+    "moment = float3(0.0, 0.0, 0.0);\n"
+    "}\n"
+    "if (weight > 0.0) { square = square / weight; }\n"
+    "square = square * facing * facing * constant[5].x;\n"
+    "light = float3(raise(light.r, moment.r * turn, square, grain, constant[3].r, constant[4].r),\n"
+    "    raise(light.g, moment.g * turn, square, grain, constant[3].g, constant[4].g),\n"
+    "    raise(light.b, moment.b * turn, square, grain, constant[3].b, constant[4].b));\n"
     "#endif\n"
-        "float3 share = weight_at(radius / cap, 6) * (constant[3].w / (cap * cap));\n"
-        "weights = weights + share * weight;\n"
-        "ms_sss_other = float4(weights.r, weights.g, weights.b, 0.0);\n"
-        "return sums + share * light;\n"
+    "float3 share = weight_at(radius / cap, 6) * (constant[3].w / (cap * cap));\n"
+    "weights = weights + share * weight;\n"
+    "ms_sss_other = float4(weights.r, weights.g, weights.b, 0.0);\n"
+    "return sums + share * light;\n"
     "}\n"
     "#endif\n",
     "#if GATHER\n"
     "float4 filter_pixel(int2 p) {\n"
-        "float d = fetch_colour(p).a;\n"
-        "float3 sum = float3(0.0, 0.0, 0.0);\n"
-        "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
-        "if (abs(d) > 0.0) { sum = gather(p, d, fetch_surface(p).gb); }\n"
-        "return float4(sum, 0.0);\n"
+    "float d = fetch_colour(p).a;\n"
+    "float3 sum = float3(0.0, 0.0, 0.0);\n"
+    "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
+    "if (abs(d) > 0.0) { sum = gather(p, d, fetch_surface(p).gb); }\n"
+    "return float4(sum, 0.0);\n"
     "}\n"
     "#endif\n",
     "#if RESOLVE\n"
     "// The pixel's own light, that of its neighbours as far as they lie near its tangent plane, and the sums.\n"
     "float4 filter_pixel(int2 p) {\n"
-        "float4 own = fetch_colour(p);\n"
-        "if (!(abs(own.a) > 0.0)) { return float4(fetch_input(p).rgb, 1.0); }\n"
-        "float4 surface = fetch_surface(p);\n"
-        "float deep = deep_of(own.a);\n"
-        "float radius = radius_of(own.a);\n"
-        "float size = radius / clamp(surface.r, 1.0, 1.5);\n"
-        "float3 keep = weight_at(size, 6 + SIZES);\n"
-        "float3 pass_on = weight_at(size, 6 + 2 * SIZES);\n"
-        "float3 sum = keep * own.rgb;\n"
-        "float3 weight = keep;\n"
-        "for (int i = 0; i < 9; i++) {\n"
-            "int2 q = p + int2(i % 3 - 1, i / 3 - 1);\n"
-            "if (!inside(q)) { continue; }\n"
-            "float4 there = fetch_colour(q);\n"
-            "float rise = float(i % 3 - 1) * surface.g + float(i / 3 - 1) * surface.b;\n"
-            "float away = (there.a - own.a - rise) * deep;\n"
-            "float f = max(1.0 - 0.25 * away * away, 0.0);\n"
-            "f = f * f * pick(0.25, 0.5, i % 3 == 1) * pick(0.25, 0.5, i / 3 == 1);\n"
-            "if (abs(there.a) > 0.0) {\n"
-                "sum = sum + f * pass_on * there.rgb;\n"
-                "weight = weight + f * pass_on;\n"
-            "}\n"
-        "}\n"
-        "if (constant[5].w > 0.5) {\n"
-            "sum = sum + gather(p, own.a, surface.gb);\n"
-            "weight = weight + ms_sss_other.rgb;\n"
-        "}\n"
-        "float strength = constant[0].z;\n"
-        "#WITH_STRENGTH strength = strength * min(fetch_strength(p).r, 1.0);\n"
-        "if (!(radius > 0.5)) { strength = 0.0; }\n"
-        "float3 light = float3(pick(own.r, sum.r / weight.r, weight.r > 1e-30), pick(own.g, sum.g / weight.g, weight.g > 1e-30),\n"
-        "    pick(own.b, sum.b / weight.b, weight.b > 1e-30));\n"
-        "return float4(own.rgb + strength * (light - own.rgb), 1.0);\n"
+    "float4 own = fetch_colour(p);\n"
+    "if (!(abs(own.a) > 0.0)) { return float4(fetch_input(p).rgb, 1.0); }\n"
+    "float4 surface = fetch_surface(p);\n"
+    "float deep = deep_of(own.a);\n"
+    "float radius = radius_of(own.a);\n"
+    "float size = radius / clamp(surface.r, 1.0, 1.5);\n"
+    "float3 keep = weight_at(size, 6 + SIZES);\n"
+    "float3 pass_on = weight_at(size, 6 + 2 * SIZES);\n"
+    "float3 sum = keep * own.rgb;\n"
+    "float3 weight = keep;\n"
+    "for (int i = 0; i < 9; i++) {\n"
+    "int2 q = p + int2(i % 3 - 1, i / 3 - 1);\n"
+    "if (!inside(q)) { continue; }\n"
+    "float4 there = fetch_colour(q);\n"
+    "float rise = float(i % 3 - 1) * surface.g + float(i / 3 - 1) * surface.b;\n"
+    "float away = (there.a - own.a - rise) * deep;\n"
+    "float f = max(1.0 - 0.25 * away * away, 0.0);\n"
+    "f = f * f * pick(0.25, 0.5, i % 3 == 1) * pick(0.25, 0.5, i / 3 == 1);\n"
+    "if (abs(there.a) > 0.0) {\n"
+    "sum = sum + f * pass_on * there.rgb;\n"
+    "weight = weight + f * pass_on;\n"
+    "}\n"
+    "}\n"
+    "if (constant[5].w > 0.5) {\n"
+    "sum = sum + gather(p, own.a, surface.gb);\n"
+    "weight = weight + ms_sss_other.rgb;\n"
+    "}\n"
+    "float strength = constant[0].z;\n"
+    "#WITH_STRENGTH strength = strength * min(fetch_strength(p).r, 1.0);\n"
+    "if (!(radius > 0.5)) { strength = 0.0; }\n"
+    "float3 light = float3(pick(own.r, sum.r / weight.r, weight.r > 1e-30), pick(own.g, sum.g / weight.g, weight.g > 1e-30),\n"
+    "    pick(own.b, sum.b / weight.b, weight.b > 1e-30));\n"
+    "return float4(own.rgb + strength * (light - own.rgb), 1.0);\n"
     "}\n"
     "#endif\n"};
 
 static const char *const ms_sss__transmission_body[] = {
     "float ms_sss_through(float reflectance, float decay, float thickness, float parallel) {\n"
-        "float dark = max(1.0 - reflectance, 1e-4);\n"
-        "float R = 1.0 - dark;\n"
-        "float y = decay * max(thickness, 0.0);\n"
-        "float x = exp(-y);\n"
-        "float gone = 1.0 - x;\n"
-        "float slab = 1.0 - 0.85 * dark * dark * dark * dark * dark * (1.0 - exp(-0.8 * y));\n"
-        "if (!(reflectance > 0.0)) { return 0.0; }\n"
-        "if (y < 0.02) {\n" /* where the difference would lose digits */
-            "gone = y * (1.0 - 0.5 * y * (1.0 - y / 3.0));\n"
-        "}\n"
-        "slab = slab * dark * (1.0 + R) * x / ((dark + R * gone) * (1.0 + R * x));\n"
-        "return slab * (1.0 + dark / R * max(parallel, 0.0));\n"
+    "float dark = max(1.0 - reflectance, 1e-4);\n"
+    "float R = 1.0 - dark;\n"
+    "float y = decay * max(thickness, 0.0);\n"
+    "float x = exp(-y);\n"
+    "float gone = 1.0 - x;\n"
+    "float slab = 1.0 - 0.85 * dark * dark * dark * dark * dark * (1.0 - exp(-0.8 * y));\n"
+    "if (!(reflectance > 0.0)) { return 0.0; }\n"
+    "if (y < 0.02) {\n" /* where the difference would lose digits */
+    "gone = y * (1.0 - 0.5 * y * (1.0 - y / 3.0));\n"
+    "}\n"
+    "slab = slab * dark * (1.0 + R) * x / ((dark + R * gone) * (1.0 + R * x));\n"
+    "return slab * (1.0 + dark / R * max(parallel, 0.0));\n"
     "}\n",
     "float3 ms_sss_transmission(float3 reflectance, float3 decay, float thickness_mm, float3 normal, float3 entry_normal, "
-        "float3 to_light, float3 light) {\n"
-        "float entry = dot(entry_normal, to_light);\n"
-        "float parallel = -dot(normal, entry_normal);\n"
-        "if (!(dot(normal, to_light) < 0.0 && entry > 0.0)) { return float3(0.0, 0.0, 0.0); }\n"
-        "return entry * light * float3(ms_sss_through(reflectance.r, decay.r, thickness_mm, parallel),\n"
-        "    ms_sss_through(reflectance.g, decay.g, thickness_mm, parallel), ms_sss_through(reflectance.b, decay.b, thickness_mm, parallel));\n"
+    "float3 to_light, float3 light) {\n"
+    "float entry = dot(entry_normal, to_light);\n"
+    "float parallel = -dot(normal, entry_normal);\n"
+    "if (!(dot(normal, to_light) < 0.0 && entry > 0.0)) { return float3(0.0, 0.0, 0.0); }\n"
+    "return entry * light * float3(ms_sss_through(reflectance.r, decay.r, thickness_mm, parallel),\n"
+    "    ms_sss_through(reflectance.g, decay.g, thickness_mm, parallel), ms_sss_through(reflectance.b, decay.b, thickness_mm, parallel));\n"
     "}\n"};
 
 /* What lines are chosen by, and what stands as a number in them; the values are of ms_sss__say_shader. */
-#define MS_SSS__FEATURE_LIST(X)                                                                                               \
-    X(PREPARE, s->step == MS_SSS_STEP_PREPARE) X(PASS, pass) X(SECOND, second) X(HALVED, halved)                              \
-    X(DOWN, down) X(NORMAL, normal) X(SMALLER, down || normal) X(UP, up) X(NEARNESS, up || down)                              \
-    X(TOWER, tower) X(BASE, base) X(SHRINK, s->step == MS_SSS_STEP_SHRINK) X(GATHER, gather) X(RESOLVE, resolve)              \
-    X(GATHERS, gather || resolve) X(SIZES, MS_SSS_PYRAMID_SIZES) X(LAST_SIZE, MS_SSS_PYRAMID_SIZES - 2)                       \
-    X(TAPS, s->tap_count) X(STRIDE, ms_sss__shader_stride(s)) X(PROFILES, ms_sss__shader_profiles(s))                         \
-    X(TERMS, ms_sss__shader_terms(s)) X(CORNERS, turned ? 4 : 2) X(TURNED, turned) X(HALF_KERNEL, s->half_kernel)             \
-    X(RAW, raw) X(WITH_STRENGTH, s->with_strength) X(WITH_NORMAL, s->with_normal && (shape || !tower))                        \
-    X(DEPTH, depth) X(DEPTH_TEXTURE, s->depth == MS_SSS_TEXTURE) X(DEPTH_ALPHA, s->depth == MS_SSS_ALPHA)                     \
-    X(PROFILE, profile) X(PROFILE_TEXTURE, s->profile == MS_SSS_TEXTURE) X(PROFILE_ALONE, profile && !depth && !tower)        \
-    X(READS_PROFILE, again || (raw && profile && !both_alpha)) X(BOTH, depth && profile && !tower) X(BOTH_ALPHA, both_alpha)  \
-    X(PERSPECTIVE, o->fov_degrees > 0) X(FOLLOW, follow) X(EXACT, o->exact && !follow) X(SPATIAL, shape && !o->exact)         \
-    X(FALLOFF, !follow && !o->exact && !shape) X(SHAPE, tower ? depth && o->depth_mode == MS_SSS_DEPTH_AWARE : shape && pass) \
-    X(TILTED, shape) X(SLOPES, shape && (pass || base)) X(GIVEN, s->slopes_kept && second) X(KEEPS, two && !tower)            \
-    X(COMPUTE, s->compute) X(TILED, s->compute && pass) X(LATER, s->later) X(GROUP_X, group[0]) X(GROUP_Y, group[1])          \
-    X(APRON_X, apron[0]) X(APRON_Y, apron[1]) X(TILE_X, pass ? group[0] + 2 * apron[0] : 1)                                   \
-    X(TILE_Y, pass ? group[1] + 2 * apron[1] : 1)
+#define MS_SSS__FEATURE_LIST(X)                                                                                        \
+    X(PREPARE, s->step == MS_SSS_STEP_PREPARE)                                                                         \
+    X(PASS, pass)                                                                                                      \
+    X(SECOND, second) X(HALVED, halved) X(DOWN, down) X(NORMAL, normal) X(SMALLER, down || normal) X(UP, up) X(        \
+        NEARNESS, up || down) X(TOWER, tower) X(BASE, base) X(SHRINK, s->step == MS_SSS_STEP_SHRINK) X(GATHER, gather) \
+        X(RESOLVE, resolve) X(GATHERS, gather || resolve) X(SIZES, MS_SSS_PYRAMID_SIZES)                               \
+            X(LAST_SIZE, MS_SSS_PYRAMID_SIZES - 2) X(TAPS, s->tap_count) X(STRIDE, ms_sss__shader_stride(s)) X(        \
+                PROFILES, ms_sss__shader_profiles(s)) X(TERMS, ms_sss__shader_terms(s)) X(CORNERS, turned ? 4 : 2)     \
+                X(TURNED, turned) X(HALF_KERNEL, s->half_kernel) X(RAW, raw) X(WITH_STRENGTH, s->with_strength) X(     \
+                    WITH_NORMAL, s->with_normal && (shape || !tower)) X(DEPTH, depth)                                  \
+                    X(DEPTH_TEXTURE, s->depth == MS_SSS_TEXTURE) X(DEPTH_ALPHA, s->depth == MS_SSS_ALPHA) X(           \
+                        PROFILE, profile) X(PROFILE_TEXTURE, s->profile == MS_SSS_TEXTURE)                             \
+                        X(PROFILE_ALONE,                                                                               \
+                          profile && !depth && !tower) X(READS_PROFILE, again || (raw && profile && !both_alpha))      \
+                            X(BOTH, depth &&profile && !tower) X(BOTH_ALPHA, both_alpha)                               \
+                                X(PERSPECTIVE, o->fov_degrees > 0) X(FOLLOW, follow) X(EXACT, o->exact && !follow)     \
+                                    X(SPATIAL, shape && !o->exact) X(FALLOFF, !follow && !o->exact && !shape)          \
+                                        X(SHAPE, tower ? depth && o->depth_mode == MS_SSS_DEPTH_AWARE : shape &&pass)  \
+                                            X(TILTED, shape) X(SLOPES, shape && (pass || base))                        \
+                                                X(GIVEN, s->slopes_kept &&second) X(KEEPS, two && !tower)              \
+                                                    X(COMPUTE, s->compute) X(TILED, s->compute &&pass)                 \
+                                                        X(LATER, s->later) X(GROUP_X, group[0]) X(GROUP_Y, group[1])   \
+                                                            X(APRON_X, apron[0]) X(APRON_Y, apron[1])                  \
+                                                                X(TILE_X, pass ? group[0] + 2 * apron[0] : 1)          \
+                                                                    X(TILE_Y, pass ? group[1] + 2 * apron[1] : 1)
 
 enum {
 #define MS_SSS__FEATURE_ENUM(name, value) MS_SSS__HAS_##name,
     MS_SSS__FEATURE_LIST(MS_SSS__FEATURE_ENUM)
 #undef MS_SSS__FEATURE_ENUM
-    MS_SSS__FEATURES
+        MS_SSS__FEATURES
 };
 
 static const char *const ms_sss__feature[] = {
@@ -7542,7 +7840,9 @@ static void ms_sss__say_number(ms_sss__text *text, int number)
 static size_t ms_sss__name_length(const char *s)
 {
     size_t n = 0;
-    while (s[n] == '_' || (s[n] >= 'a' && s[n] <= 'z') || (s[n] >= 'A' && s[n] <= 'Z') || (n && s[n] >= '0' && s[n] <= '9')) ++n;
+    while (s[n] == '_' || (s[n] >= 'a' && s[n] <= 'z') || (s[n] >= 'A' && s[n] <= 'Z') ||
+           (n && s[n] >= '0' && s[n] <= '9'))
+        ++n;
     return n;
 }
 
@@ -7555,7 +7855,10 @@ static int ms_sss__find(const char *s, size_t n, const char *const *name, int st
     return -1;
 }
 
-static int ms_sss__find_feature(const char *s, size_t n) { return ms_sss__find(s, n, ms_sss__feature, 1, MS_SSS__FEATURES); }
+static int ms_sss__find_feature(const char *s, size_t n)
+{
+    return ms_sss__find(s, n, ms_sss__feature, 1, MS_SSS__FEATURES);
+}
 
 static int ms_sss__find_word(const char *s, size_t n) { return ms_sss__find(s, n, ms_sss__word[0], 4, MS_SSS__WORDS); }
 
@@ -7574,8 +7877,8 @@ static MS_SSS__COLD size_t ms_sss__say_word(ms_sss__text *text, const char *s)
     return n;
 }
 
-/* A declaration "TYPE name" at s in WGSL's order: "var name: TYPE", or of a function "fn name(a: TYPE) -> TYPE". Returns
-   how far it went, 0 where there is none. */
+/* A declaration "TYPE name" at s in WGSL's order: "var name: TYPE", or of a function "fn name(a: TYPE) -> TYPE".
+   Returns how far it went, 0 where there is none. */
 static MS_SSS__COLD size_t ms_sss__say_declaration(ms_sss__text *text, const char *s, int outside)
 {
     const size_t n = ms_sss__name_length(s), m = n && s[n] == ' ' ? ms_sss__name_length(s + n + 1) : 0;
@@ -7616,7 +7919,8 @@ static MS_SSS__COLD void ms_sss__say_line(ms_sss__text *text, const char *s, con
     ms_sss__say_part(text, s, (size_t)(end - s) + 1);
 }
 
-/* Lines are indented by braces, with a blank one between functions. No string is longer than what C99 promises to take. */
+/* Lines are indented by braces, with a blank one between functions. No string is longer than what C99 promises to
+   take. */
 static MS_SSS__COLD void ms_sss__say_body(ms_sss__text *text, const char *const *part, size_t parts)
 {
     int skipped = 0, depth = 0, braces = 0; /* skipped: depth of the #if that is not taken, 0: none */
@@ -7673,8 +7977,10 @@ MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
 {
     if (shader == NULL) return 0;
     if (shader->step == MS_SSS_STEP_RESOLVE) return MS_SSS__LEVEL_HEAD + 3 * MS_SSS_PYRAMID_SIZES;
-    if (ms_sss__shader_tower(shader)) return MS_SSS__LEVEL_HEAD + (shader->step == MS_SSS_STEP_GATHER ? MS_SSS_PYRAMID_SIZES : 0);
-    return MS_SSS__PICTURE_HEAD + ms_sss__shader_terms(shader) * ms_sss__shader_profiles(shader) * ms_sss__shader_stride(shader);
+    if (ms_sss__shader_tower(shader))
+        return MS_SSS__LEVEL_HEAD + (shader->step == MS_SSS_STEP_GATHER ? MS_SSS_PYRAMID_SIZES : 0);
+    return MS_SSS__PICTURE_HEAD +
+        ms_sss__shader_terms(shader) * ms_sss__shader_profiles(shader) * ms_sss__shader_stride(shader);
 }
 
 MS_API int ms_sss_shader_group(const ms_sss_shader *shader, int axis)
@@ -7683,8 +7989,8 @@ MS_API int ms_sss_shader_group(const ms_sss_shader *shader, int axis)
     return second ? (axis ? 32 : 8) : (axis ? 4 : 64);
 }
 
-/* What differs as a whole: $n constants, $s a texture's name, $b its binding, $t its register, $f a format, $x and $y the
-   work group, $z texels of the tile. */
+/* What differs as a whole: $n constants, $s a texture's name, $b its binding, $t its register, $f a format, $x and $y
+   the work group, $z texels of the tile. */
 typedef struct ms_sss__dialect {
     int column; /* of ms_sss__word */
     const char *version, *constants, *texture, *tile, *fragment;
@@ -7692,23 +7998,26 @@ typedef struct ms_sss__dialect {
 } ms_sss__dialect;
 
 #define MS_SSS__PICK "#define pick(b, a, c) ((c) ? (a) : (b))\n"
-#define MS_SSS__GLSL_TEXTURE "uniform sampler2D ms_sss_$s;\nvec4 fetch_$s(ivec2 p) { return texelFetch(ms_sss_$s, p, 0); }\n"
-#define MS_SSS__GLSL_TILE                                                                                              \
-    ") writeonly uniform image2D ms_sss_target;\nlayout(local_size_x = $x, local_size_y = $y) in;\n"                   \
-    "shared vec4 ms_sss_tile[$z];\nivec2 ms_sss_corner = ivec2(0, 0);\nvoid filter_group(ivec2 group, int index);\n"   \
-    "void store(ivec2 p, vec4 c) { imageStore(ms_sss_target, p, c); }\n"                                               \
+#define MS_SSS__GLSL_TEXTURE \
+    "uniform sampler2D ms_sss_$s;\nvec4 fetch_$s(ivec2 p) { return texelFetch(ms_sss_$s, p, 0); }\n"
+#define MS_SSS__GLSL_TILE                                                                                            \
+    ") writeonly uniform image2D ms_sss_target;\nlayout(local_size_x = $x, local_size_y = $y) in;\n"                 \
+    "shared vec4 ms_sss_tile[$z];\nivec2 ms_sss_corner = ivec2(0, 0);\nvoid filter_group(ivec2 group, int index);\n" \
+    "void store(ivec2 p, vec4 c) { imageStore(ms_sss_target, p, c); }\n"                                             \
     "void main() { filter_group(ivec2(gl_WorkGroupID.xy), int(gl_LocalInvocationIndex)); }\n"
 #define MS_SSS__GLSL_OTHER "vec4 ms_sss_other = vec4(0.0);\n"
-#define MS_SSS__GLSL_MAINS                                                                                             \
-    "layout(location = 0) out vec4 ms_sss_out;\nlayout(location = 1) out vec4 ms_sss_out_other;\nvec4 filter_pixel(ivec2 p);\n"                       \
+#define MS_SSS__GLSL_MAINS                                                                                                      \
+    "layout(location = 0) out vec4 ms_sss_out;\nlayout(location = 1) out vec4 ms_sss_out_other;\nvec4 filter_pixel(ivec2 p);\n" \
     "void main() {\n    ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy));\n    ms_sss_out_other = ms_sss_other;\n}\n"
-#define MS_SSS__GLSL_MAIN "ms_sss_out;\nvec4 filter_pixel(ivec2 p);\nvoid main() { ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy)); }\n"
+#define MS_SSS__GLSL_MAIN \
+    "ms_sss_out;\nvec4 filter_pixel(ivec2 p);\nvoid main() { ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy)); }\n"
 
 static const ms_sss__dialect ms_sss__dialects[5] = {
-    {1, "#version 330\n" MS_SSS__PICK, "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "layout($f" MS_SSS__GLSL_TILE,
-     "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER, MS_SSS__GLSL_MAINS},
+    {1, "#version 330\n" MS_SSS__PICK, "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE,
+     "layout($f" MS_SSS__GLSL_TILE, "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER, MS_SSS__GLSL_MAINS},
     {1, "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n" MS_SSS__PICK,
-     "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "", "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER, MS_SSS__GLSL_MAINS},
+     "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "", "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER,
+     MS_SSS__GLSL_MAINS},
     {1, "#version 450\n" MS_SSS__PICK, "layout(set = 0, binding = 0) uniform ms_sss_block { vec4 ms_sss[$n]; };\n",
      "layout(set = 0, binding = $b) " MS_SSS__GLSL_TEXTURE, "layout(set = 0, binding = 8, $f" MS_SSS__GLSL_TILE,
      "layout(location = 0) out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER, MS_SSS__GLSL_MAINS},
@@ -7722,7 +8031,8 @@ static const ms_sss__dialect ms_sss__dialects[5] = {
      "struct ms_sss_targets { float4 out_first : SV_Target0; float4 out_other : SV_Target1; };\nfloat4 filter_pixel(int2 p);\n"
      "ms_sss_targets main(float4 position : SV_Position) {\n    ms_sss_targets to;\n    to.out_first = filter_pixel(int2(position.xy));\n"
      "    to.out_other = ms_sss_other;\n    return to;\n}\n"},
-    {3, "", "struct ms_sss_block { v: array<vec4<f32>, $n> };\n@group(0) @binding(0) var<uniform> ms_sss: ms_sss_block;\n",
+    {3, "",
+     "struct ms_sss_block { v: array<vec4<f32>, $n> };\n@group(0) @binding(0) var<uniform> ms_sss: ms_sss_block;\n",
      "@group(0) @binding($b) var ms_sss_$s: texture_2d<f32>;\n"
      "fn fetch_$s(p: vec2<i32>) -> vec4<f32> { return textureLoad(ms_sss_$s, p, 0); }\n",
      "@group(0) @binding(8) var ms_sss_target: texture_storage_2d<$f, write>;\n"
@@ -7743,12 +8053,16 @@ static const ms_sss__dialect ms_sss__dialects[5] = {
 #undef MS_SSS__GLSL_TILE
 #undef MS_SSS__GLSL_TEXTURE
 
-static MS_SSS__COLD void ms_sss__say_dialect(ms_sss__text *text, const char *s, const ms_sss_shader *shader, const char *name,
-                                             int index)
+static MS_SSS__COLD void ms_sss__say_dialect(ms_sss__text *text, const char *s, const ms_sss_shader *shader,
+                                             const char *name, int index)
 {
     static const char marks[] = "tbnxyz";
-    const int value[] = {index, index + 1, ms_sss_shader_constant_count(shader), ms_sss_shader_group(shader, 0),
-                         ms_sss_shader_group(shader, 1), text->feature[MS_SSS__HAS_TILE_X] * text->feature[MS_SSS__HAS_TILE_Y]};
+    const int value[] = {index,
+                         index + 1,
+                         ms_sss_shader_constant_count(shader),
+                         ms_sss_shader_group(shader, 0),
+                         ms_sss_shader_group(shader, 1),
+                         text->feature[MS_SSS__HAS_TILE_X] * text->feature[MS_SSS__HAS_TILE_Y]};
     for (; *s; ++s) {
         if (*s != '$') ms_sss__say_part(text, s, 1);
         else if (*++s == 's') ms_sss__say(text, name);
@@ -7767,26 +8081,36 @@ static int ms_sss__shader_shaped(const ms_sss_shader *s, const ms_sss_filter_opt
 static MS_SSS__COLD void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const ms_sss_filter_options *o)
 {
     enum { NAMES = 12 };
-    static const char *const name[NAMES] = {"colour", "depth", "strength", "input", "profile", "sum", "normal", "",
-                                            "surface", "coarse", "coarse_surface", "weight"};
+    static const char *const name[NAMES] = {"colour", "depth", "strength", "input",  "profile",        "sum",
+                                            "normal", "",      "surface",  "coarse", "coarse_surface", "weight"};
     const ms_sss__dialect *d = &ms_sss__dialects[s->language];
-    const int tower = ms_sss__shader_tower(s), base = s->step == MS_SSS_STEP_BASE, gather = s->step == MS_SSS_STEP_GATHER;
-    const int resolve = s->step == MS_SSS_STEP_RESOLVE, up = s->step == MS_SSS_STEP_UP, down = s->step == MS_SSS_STEP_DOWN;
+    const int tower = ms_sss__shader_tower(s), base = s->step == MS_SSS_STEP_BASE,
+              gather = s->step == MS_SSS_STEP_GATHER;
+    const int resolve = s->step == MS_SSS_STEP_RESOLVE, up = s->step == MS_SSS_STEP_UP,
+              down = s->step == MS_SSS_STEP_DOWN;
     const int normal = s->step == MS_SSS_STEP_NORMAL, second = s->step == MS_SSS_STEP_Y;
     const int pass = second || s->step == MS_SSS_STEP_X;
     const int halved = pass && s->half_resolution, raw = tower ? base : !pass || (!second && !s->prepared && !halved);
-    const int depth = s->depth != MS_SSS_NONE, profile = s->profile != MS_SSS_NONE, follow = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
+    const int depth = s->depth != MS_SSS_NONE, profile = s->profile != MS_SSS_NONE,
+              follow = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
     const int both_alpha = s->depth == MS_SSS_ALPHA && s->profile == MS_SSS_ALPHA;
     const int again = depth && profile && !raw && s->half_target; /* blue of 16 bits can't hold the index as well */
     const int shape = ms_sss__shader_shaped(s, o), turned = ms_sss__differ(o->rotation, 0) || o->jitter > 0;
     const int two = tower ? !resolve : s->slopes_kept && s->step == MS_SSS_STEP_X; /* targets */
     const int group[2] = {ms_sss_shader_group(s, 0), ms_sss_shader_group(s, 1)};
     const int apron[2] = {pass && !second ? 32 : 0, second ? 32 : 0};
-    const int used[NAMES] = {
-        1, s->depth == MS_SSS_TEXTURE && raw, s->with_strength && (raw || (second && !halved) || resolve),
-        second || up || resolve, s->profile == MS_SSS_TEXTURE && (raw || (again && !tower)), s->later || up || gather || resolve,
-        s->with_normal && shape && (pass || base || normal), 0, tower ? !base : s->slopes_kept && second,
-        gather || resolve, gather || resolve, gather || resolve};
+    const int used[NAMES] = {1,
+                             s->depth == MS_SSS_TEXTURE && raw,
+                             s->with_strength && (raw || (second && !halved) || resolve),
+                             second || up || resolve,
+                             s->profile == MS_SSS_TEXTURE && (raw || (again && !tower)),
+                             s->later || up || gather || resolve,
+                             s->with_normal && shape && (pass || base || normal),
+                             0,
+                             tower ? !base : s->slopes_kept && second,
+                             gather || resolve,
+                             gather || resolve,
+                             gather || resolve};
     const int value[MS_SSS__FEATURES] = {
 #define MS_SSS__FEATURE_VALUE(name, value) value,
         MS_SSS__FEATURE_LIST(MS_SSS__FEATURE_VALUE)
@@ -7802,12 +8126,14 @@ static MS_SSS__COLD void ms_sss__say_shader(ms_sss__text *text, const ms_sss_sha
         if (used[i]) ms_sss__say_dialect(text, d->texture, s, name[i], i);
     if (tower || two) ms_sss__say(text, d->other);
     ms_sss__say_dialect(text, s->compute ? d->tile : two ? d->fragments : d->fragment, s, "", 0);
-    if (!tower || base) ms_sss__say_body(text, ms_sss__source_body, sizeof ms_sss__source_body / sizeof ms_sss__source_body[0]);
+    if (!tower || base)
+        ms_sss__say_body(text, ms_sss__source_body, sizeof ms_sss__source_body / sizeof ms_sss__source_body[0]);
     if (tower) ms_sss__say_body(text, ms_sss__tower_body, sizeof ms_sss__tower_body / sizeof ms_sss__tower_body[0]);
     else ms_sss__say_body(text, ms_sss__shader_body, sizeof ms_sss__shader_body / sizeof ms_sss__shader_body[0]);
 }
 
-static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filter_options *o, ms_error *error)
+static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filter_options *o,
+                                                   ms_error *error)
 {
     ms_status status;
     if (!s || !o) return MS_SSS__REFUSE(error, "shader or options is NULL");
@@ -7821,10 +8147,12 @@ static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, const
         return status;
     if (ms_sss__shader_tower(s)) {
         if (s->compute || s->half_target || !ms_sss__tower_takes(o))
-            return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has fragment shaders and targets of 32 bits, and is round, "
+            return ms__fail(error, MS_UNSUPPORTED, 0,
+                            "a pyramid has fragment shaders and targets of 32 bits, and is round, "
                             "without rotation, jitter, MS_SSS_DEPTH_FOLLOW");
     } else if (s->tap_count < 1 || s->tap_count > MS_SSS_TAPS_MAX || s->tap_count % 2 == 0)
-        return MS_SSS__REFUSE(error, "tap_count %d: expected an odd number from 1 to %d", s->tap_count, MS_SSS_TAPS_MAX);
+        return MS_SSS__REFUSE(error, "tap_count %d: expected an odd number from 1 to %d", s->tap_count,
+                              MS_SSS_TAPS_MAX);
     if (s->profile_count > 1 && s->profile == MS_SSS_NONE)
         return MS_SSS__REFUSE(error, "profile_count %d needs profile, the source of the index", s->profile_count);
     if (o->fov_degrees > 0 && s->depth == MS_SSS_NONE)
@@ -7832,14 +8160,15 @@ static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, const
     if (!ms_sss__shader_tower(s) &&
         (s->half_resolution ? s->step == MS_SSS_STEP_PREPARE || s->prepared : (int)s->step >= (int)MS_SSS_STEP_DOWN))
         return MS_SSS__REFUSE(error, "half_resolution %d: its first step is DOWN, that of others PREPARE or X",
-                        s->half_resolution);
+                              s->half_resolution);
     if (s->step == MS_SSS_STEP_NORMAL && !(s->with_normal && ms_sss__shader_shaped(s, o)))
         return MS_SSS__REFUSE(error, "step NORMAL without with_normal, or where slopes do not count");
     if (s->slopes_kept && (s->compute || s->with_normal || ms_sss__shader_tower(s) || !ms_sss__shader_shaped(s, o)))
-        return MS_SSS__REFUSE(error, "slopes_kept in a pyramid, a compute shader, with_normal, or where slopes do not count");
+        return MS_SSS__REFUSE(error,
+                              "slopes_kept in a pyramid, a compute shader, with_normal, or where slopes do not count");
     if (s->half_target && ms_sss__shader_shaped(s, o))
-        return ms__fail(error, MS_UNSUPPORTED, 0, "half_target with flat %g: slopes need more of depth than binary16 holds",
-                        (double)o->flat);
+        return ms__fail(error, MS_UNSUPPORTED, 0,
+                        "half_target with flat %g: slopes need more of depth than binary16 holds", (double)o->flat);
     if (s->half_target && s->depth != MS_SSS_NONE && s->profile == MS_SSS_ALPHA)
         return ms__fail(error, MS_UNSUPPORTED, 0, "half_target with depth needs profile MS_SSS_TEXTURE");
     if (s->half_target && s->depth != MS_SSS_NONE && s->profile != MS_SSS_NONE && s->half_resolution)
@@ -7851,13 +8180,14 @@ static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, const
     return MS_OK;
 }
 
-MS_SSS__COLD MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text,
-                                              size_t capacity, ms_error *error)
+MS_SSS__COLD MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options,
+                                              char *text, size_t capacity, ms_error *error)
 {
     ms_sss__text t;
     memset(&t, 0, sizeof t);
     if (ms_sss__check_shader(shader, options, error) != MS_OK) return 0;
-    do ms_sss__say_shader(&t, shader, options); while (ms_sss__say_again(&t, text, capacity));
+    do ms_sss__say_shader(&t, shader, options);
+    while (ms_sss__say_again(&t, text, capacity));
     return t.length;
 }
 
@@ -7868,7 +8198,8 @@ MS_SSS__COLD MS_API size_t ms_sss_transmission_text(ms_sss_language language, ch
     memset(&t, 0, sizeof t);
     if ((int)language < 0 || (int)language > (int)MS_SSS_WGSL) return 0;
     t.column = ms_sss__dialects[language].column;
-    do ms_sss__say_body(&t, ms_sss__transmission_body, lines); while (ms_sss__say_again(&t, text, capacity));
+    do ms_sss__say_body(&t, ms_sss__transmission_body, lines);
+    while (ms_sss__say_again(&t, text, capacity));
     return t.length;
 }
 
@@ -7885,7 +8216,9 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, 
         int same = !ms_sss__differ(kernel->offset_mm[i], -kernel->offset_mm[i + 1]);
         for (c = 0; c < 3; ++c)
             if (ms_sss__differ(kernel->weight[term][i][c], kernel->weight[term][i + 1][c])) same = 0;
-        if (!same) return ms__fail(error, MS_UNSUPPORTED, 0, "taps %d and %d differ: half a kernel cannot hold both", i, i + 1);
+        if (!same)
+            return ms__fail(error, MS_UNSUPPORTED, 0, "taps %d and %d differ: half a kernel cannot hold both", i,
+                            i + 1);
     }
     for (i = 0; out && i < kernel->tap_count; ++i) {
         const int at = half_kernel ? i / 2 : i;
@@ -7900,8 +8233,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, 
 }
 
 /* The job that ms_sss_filter would make of a kernel. */
-static MS_SSS__COLD void ms_sss__shader_job(ms_sss__job *job, const ms_sss_kernel *k, const ms_sss_filter_options *options,
-                                            int width, int height, int shaped)
+static MS_SSS__COLD void ms_sss__shader_job(ms_sss__job *job, const ms_sss_kernel *k,
+                                            const ms_sss_filter_options *options, int width, int height, int shaped)
 {
     memset(job, 0, sizeof *job);
     job->frame.width = job->full_width = width;
@@ -7930,8 +8263,9 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
     stride = ms_sss__shader_stride(shader);
     for (i = 0; i < count; ++i) { /* all are checked before anything is written */
         if (kernels[i].tap_count > shader->tap_count)
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i, "kernel %d has %d taps, more than the shader's tap_count %d", i,
-                            kernels[i].tap_count, shader->tap_count);
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
+                            "kernel %d has %d taps, more than the shader's tap_count %d", i, kernels[i].tap_count,
+                            shader->tap_count);
         for (c = up ? 0 : term; c < kernels[i].term_count && (c == term || up); ++c) {
             status = ms_sss_kernel_upload(&kernels[i], c, shader->half_kernel, 0, NULL, error);
             if (status != MS_OK) return status;
@@ -7943,10 +8277,16 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
     ms_sss__shader_job(&job, kernels, options, width, height, 0);
     focal = ms_sss__pixels(options, height) * (options->mm_per_unit > 0 ? (double)options->mm_per_unit : 1);
     {
-        const ms_sss_shader_picture picture = {
-            (float)width, (float)height, (float)ms_sss__pixels(options, height), 1.0f - options->fade,
-            {job.pass.aspect[0], job.pass.aspect[1]}, options->rotation, options->jitter, term == 0 ? 1.0f : 0.0f,
-            {(float)focal, (float)(focal * (double)job.pass.aspect[1])}, 1.0f - options->flat};
+        const ms_sss_shader_picture picture = {(float)width,
+                                               (float)height,
+                                               (float)ms_sss__pixels(options, height),
+                                               1.0f - options->fade,
+                                               {job.pass.aspect[0], job.pass.aspect[1]},
+                                               options->rotation,
+                                               options->jitter,
+                                               term == 0 ? 1.0f : 0.0f,
+                                               {(float)focal, (float)(focal * (double)job.pass.aspect[1])},
+                                               1.0f - options->flat};
         memcpy(out, &picture, sizeof picture);
     }
     blocks = up ? ms_sss__shader_terms(shader) * count : count;
@@ -7991,8 +8331,8 @@ MS_API int ms_sss_shader_levels(int width, int height)
 }
 
 MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_sss_filter_options *options,
-                                                    int width, int height, const ms_sss_shader *shader, int level, int profile,
-                                                    float (*out)[4], ms_error *error)
+                                                    int width, int height, const ms_sss_shader *shader, int level,
+                                                    int profile, float (*out)[4], ms_error *error)
 {
     ms_sss_kernel kernel;
     ms_sss_filter_options round;
@@ -8007,7 +8347,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
         return MS_SSS__REFUSE(error, "step %d: ms_sss_shader_constants has its constants", (int)shader->step);
     if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
     levels = ms_sss_shader_levels(width, height);
-    if (level < 0 || level >= levels) return MS_SSS__REFUSE(error, "level %d is not within the picture's %d", level, levels);
+    if (level < 0 || level >= levels)
+        return MS_SSS__REFUSE(error, "level %d is not within the picture's %d", level, levels);
     memset(&kernel, 0, sizeof kernel);
     kernel.tap_count = kernel.term_count = 1;
     kernel.radius_mm = pyramid->radius_mm;
@@ -8019,13 +8360,17 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
     ms_sss__tower_taps(&g, level);
     unit = g.perspective ? 1 : job.depth_scale;
     {
-        const float head[MS_SSS__LEVEL_HEAD][4] = {
-            {(float)width, (float)height, 1.0f - options->fade, (float)profile},
-            {g.perspective ? g.size / job.depth_scale : g.size, g.size_max, g.step / unit, g.tangent}, /* depth as it is given */
-            {shader->step == MS_SSS_STEP_SHRINK ? g.join : g.reach, g.upright, (float)(1 << (level + 1)), MS_SSS__GATHER(0, level)},
-            {g.quarter[0], g.quarter[1], g.quarter[2], g.norm},
-            {g.most[0], g.most[1], g.most[2], g.mean},
-            {g.spread, g.rough * unit, g.grain, level + 2 < levels ? 2.0f : level + 1 < levels ? 1.0f : 0.0f}};
+        const float head[MS_SSS__LEVEL_HEAD][4] = {{(float)width, (float)height, 1.0f - options->fade, (float)profile},
+                                                   {g.perspective ? g.size / job.depth_scale : g.size, g.size_max,
+                                                    g.step / unit, g.tangent}, /* depth as it is given */
+                                                   {shader->step == MS_SSS_STEP_SHRINK ? g.join : g.reach, g.upright,
+                                                    (float)(1 << (level + 1)), MS_SSS__GATHER(0, level)},
+                                                   {g.quarter[0], g.quarter[1], g.quarter[2], g.norm},
+                                                   {g.most[0], g.most[1], g.most[2], g.mean},
+                                                   {g.spread, g.rough * unit, g.grain,
+                                                    level + 2 < levels       ? 2.0f
+                                                        : level + 1 < levels ? 1.0f
+                                                                             : 0.0f}};
         memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
         memcpy(out, head, sizeof head);
     }
@@ -8065,7 +8410,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__JOIN(name, level) MS_SSS__JOIN_(name, level)
 #define MS_SSS__NAME(name) MS_SSS__JOIN(name, MS_SSS__LEVEL)
 #define MS_SSS__CHUNK (MS_SSS__LANES == 16 ? 1 : MS_SSS__LANES == 1 ? 16 : 4) /* groups in flight */
-#define MS_SSS__LEAN (MS_SSS__LANES == 16 ? 2 : MS_SSS__CHUNK) /* the same with slopes */
+#define MS_SSS__LEAN (MS_SSS__LANES == 16 ? 2 : MS_SSS__CHUNK)                /* the same with slopes */
 #if defined(__GNUC__) && !defined(__clang__) && MS_SSS__LANES >= 8
 #define MS_SSS__UNROLL _Pragma("GCC unroll 8")
 #else
@@ -8080,7 +8425,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
 #define MS_SSS__LESSEN(a, b, c) _mm512_fnmadd_ps(a, b, c) /* c - a b */
 #define MS_SSS__WIDEN(p) _mm512_maskz_cvtph_ps(0xffff, _mm256_loadu_si256((const __m256i *)(const void *)(p)))
-#define MS_SSS__NARROW(p, a) _mm256_storeu_si256((__m256i *)(void *)(p), _mm512_maskz_cvtps_ph(0xffff, a, _MM_FROUND_TO_NEAREST_INT))
+#define MS_SSS__NARROW(p, a) \
+    _mm256_storeu_si256((__m256i *)(void *)(p), _mm512_maskz_cvtps_ph(0xffff, a, _MM_FROUND_TO_NEAREST_INT))
 #define MS_SSS__RSQRT(a) _mm512_maskz_rsqrt14_ps(0xffff, a)
 #define MS_SSS__ABS(a) _mm512_abs_ps(a)
 #define MS_SSS__RCP(a) _mm512_maskz_rcp14_ps(0xffff, a)
@@ -8092,10 +8438,12 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__BOTH(m, n) ((__mmask16)((m) & (n)))
 #define MS_SSS__SELECT(m, a, b) _mm512_mask_blend_ps(m, b, a)
 #define MS_SSS__BITS(m) ((unsigned)(m))
-#define MS_SSS__ZIP_LOW(a, b) _mm512_permutex2var_ps(a, _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23), b)
+#define MS_SSS__ZIP_LOW(a, b) \
+    _mm512_permutex2var_ps(a, _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23), b)
 #define MS_SSS__ZIP_HIGH(a, b) \
     _mm512_permutex2var_ps(a, _mm512_setr_epi32(8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31), b)
-#define MS_SSS__ORDER(a) _mm512_castpd_ps(_mm512_maskz_permutexvar_pd(0xff, _mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7), _mm512_castps_pd(a)))
+#define MS_SSS__ORDER(a) \
+    _mm512_castpd_ps(_mm512_maskz_permutexvar_pd(0xff, _mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7), _mm512_castps_pd(a)))
 #elif MS_SSS__LANES == 8
 #define MS_SSS__V __m256
 #define MS_SSS__X(name) _mm256_##name
@@ -8132,7 +8480,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
 #define MS_SSS__FLOOR(a) ms_sss__floor_sse2(a)
 #define MS_SSS__TRUNC(a) _mm_cvtepi32_ps(_mm_cvttps_epi32(a))
-#define MS_SSS__SCALE(a, n) _mm_castsi128_ps(_mm_sub_epi32(_mm_castps_si128(a), _mm_slli_epi32(_mm_cvttps_epi32(n), 23)))
+#define MS_SSS__SCALE(a, n) \
+    _mm_castsi128_ps(_mm_sub_epi32(_mm_castps_si128(a), _mm_slli_epi32(_mm_cvttps_epi32(n), 23)))
 #define MS_SSS__LESS(a, b) _mm_cmplt_ps(a, b)
 #define MS_SSS__SAME(a, b) _mm_cmpeq_ps(a, b)
 #define MS_SSS__BOTH(m, n) _mm_and_ps(m, n)
@@ -8215,15 +8564,16 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__MIN(a, b) MS_SSS__Z(min_ps, a, b)
 #define MS_SSS__MAX(a, b) MS_SSS__Z(max_ps, a, b)
 #define MS_SSS__SQRT(a) MS_SSS__Z(sqrt_ps, a)
-#define MS_SSS__EVENS(a, b) MS_SSS__Z(shuffle_ps, a, b, 0x88) /* columns 0, 2 .. of a and b, which ORDER puts in order */
+#define MS_SSS__EVENS(a, b) \
+    MS_SSS__Z(shuffle_ps, a, b, 0x88) /* columns 0, 2 .. of a and b, which ORDER puts in order */
 #define MS_SSS__ODDS(a, b) MS_SSS__Z(shuffle_ps, a, b, 0xdd)
 #endif
 #if MS_SSS__LANES == 16 /* floats from LANES n on of eight of each lane */
-#define MS_SSS__EIGHTH(lane, n) \
+#define MS_SSS__EIGHTH(lane, n)                                                                \
     _mm512_maskz_insertf32x8(0xffff, _mm512_castps256_ps512(_mm256_loadu_ps((lane)[2 * (n)])), \
                              _mm256_loadu_ps((lane)[2 * (n) + 1]), 1)
 #else
-#define MS_SSS__EIGHTH(lane, n) MS_SSS__LOAD((lane)[(n) * MS_SSS__LANES / 8] + (n) * MS_SSS__LANES % 8)
+#define MS_SSS__EIGHTH(lane, n) MS_SSS__LOAD((lane)[(n)*MS_SSS__LANES / 8] + (n)*MS_SSS__LANES % 8)
 #endif
 #define MS_SSS__EVEN(a, b) MS_SSS__ORDER(MS_SSS__EVENS(a, b))
 #define MS_SSS__ODD(a, b) MS_SSS__ORDER(MS_SSS__ODDS(a, b))
@@ -8231,8 +8581,10 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 /* 2^-q for 0 <= q < 126; relative error 2.5e-7. The polynomial is the minimax one of 2^-d on [0, 1] with 2^0 = 1. */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(exp2_minus)(MS_SSS__V q)
 {
-    const MS_SSS__V n = MS_SSS__TRUNC(q), d = MS_SSS__SUB(q, n), d2 = MS_SSS__MUL(d, d); /* in pairs: a shorter chain than Horner's */
-    MS_SSS__V p = MS_SSS__MADD(MS_SSS__MADD(MS_SSS__SET(-9.4490301e-4f), d, MS_SSS__SET(9.2057967e-3f)), d2, MS_SSS__MADD(MS_SSS__SET(-5.5297357e-2f), d, MS_SSS__SET(2.4018014e-1f)));
+    const MS_SSS__V n = MS_SSS__TRUNC(q), d = MS_SSS__SUB(q, n),
+                    d2 = MS_SSS__MUL(d, d); /* in pairs: a shorter chain than Horner's */
+    MS_SSS__V p = MS_SSS__MADD(MS_SSS__MADD(MS_SSS__SET(-9.4490301e-4f), d, MS_SSS__SET(9.2057967e-3f)), d2,
+                               MS_SSS__MADD(MS_SSS__SET(-5.5297357e-2f), d, MS_SSS__SET(2.4018014e-1f)));
     p = MS_SSS__MADD(p, d2, MS_SSS__MADD(MS_SSS__SET(-6.9314372e-1f), d, MS_SSS__SET(1.0f)));
     return MS_SSS__SCALE(p, n);
 }
@@ -8248,11 +8600,14 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(inverse)(MS_SSS__V a)
 #endif
 }
 
-/* Where before[i] is finite and value[i] > 0 depth[i] becomes scale * value[i], else INFINITY; before may be depth. span:
-   from the first finite one to behind the last. Returns whether all of those values are at least 1, if scale is 0. */
-static int MS_SSS__NAME(gate)(const float *value, float scale, int count, const float *before, float *depth, int span[2])
+/* Where before[i] is finite and value[i] > 0 depth[i] becomes scale * value[i], else INFINITY; before may be depth.
+   span: from the first finite one to behind the last. Returns whether all of those values are at least 1, if scale is
+   0. */
+static int MS_SSS__NAME(gate)(const float *value, float scale, int count, const float *before, float *depth,
+                              int span[2])
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), infinity = MS_SSS__SET(INFINITY), s = MS_SSS__SET(scale);
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), infinity = MS_SSS__SET(INFINITY),
+                    s = MS_SSS__SET(scale);
     const unsigned full = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
     unsigned partial = 0;
     int x, begin = -1, end = 0;
@@ -8277,8 +8632,8 @@ static int MS_SSS__NAME(gate)(const float *value, float scale, int count, const 
     return !partial;
 }
 
-/* colour = in (times albedo) and depth = before where the pixel takes part and the colour is finite; else 0 and INFINITY.
-   before may be depth. Returns whether pixels [begin, end) all take part. */
+/* colour = in (times albedo) and depth = before where the pixel takes part and the colour is finite; else 0 and
+   INFINITY. before may be depth. Returns whether pixels [begin, end) all take part. */
 static int MS_SSS__NAME(admit)(const float *const in[3], const float *const albedo[3], int begin, int end, int count,
                                const float *before, float *depth, float *const colour[3])
 {
@@ -8286,7 +8641,8 @@ static int MS_SSS__NAME(admit)(const float *const in[3], const float *const albe
     const unsigned full = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
     int x, all = 1;
     for (x = 0; x < count; x += MS_SSS__LANES) {
-        MS_SSS__V r = MS_SSS__LOAD(in[0] + x), g = MS_SSS__LOAD(in[1] + x), b = MS_SSS__LOAD(in[2] + x), z = MS_SSS__LOAD(before + x);
+        MS_SSS__V r = MS_SSS__LOAD(in[0] + x), g = MS_SSS__LOAD(in[1] + x), b = MS_SSS__LOAD(in[2] + x),
+                  z = MS_SSS__LOAD(before + x);
         MS_SSS__MASK part = MS_SSS__LESS(z, infinity);
         if (albedo) {
             r = MS_SSS__MUL(r, MS_SSS__LOAD(albedo[0] + x));
@@ -8343,7 +8699,8 @@ static void MS_SSS__NAME(convolve)(const float *in, const ptrdiff_t *at, const f
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(restore)(MS_SSS__V s, MS_SSS__V n, MS_SSS__V own, float total, int mixed)
 {
     if (mixed) return MS_SSS__MADD(own, MS_SSS__SUB(MS_SSS__SET(total), n), s);
-    return MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__SET(1e-30f), n), MS_SSS__MUL(MS_SSS__DIV(s, n), MS_SSS__SET(total)), MS_SSS__MUL(own, MS_SSS__SET(total)));
+    return MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__SET(1e-30f), n), MS_SSS__MUL(MS_SSS__DIV(s, n), MS_SSS__SET(total)),
+                          MS_SSS__MUL(own, MS_SSS__SET(total)));
 }
 
 /* The same for the three channels where only pixels that take part count and are written, the rest as 0. */
@@ -8358,7 +8715,8 @@ static void MS_SSS__NAME(convolve_valid)(const ms_sss__fixed *f, const float *co
         MS_SSS__V r = zero, g = zero, b = zero, nr = zero, ng = zero, nb = zero;
         for (j = 0; j < taps && MS_SSS__BITS(part); ++j) {
             MS_SSS__V v = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__LOAD(depth[j] + x), infinity), one, zero);
-            MS_SSS__V wr = MS_SSS__SET(f->weight[0][tap[j]]), wg = MS_SSS__SET(f->weight[1][tap[j]]), wb = MS_SSS__SET(f->weight[2][tap[j]]);
+            MS_SSS__V wr = MS_SSS__SET(f->weight[0][tap[j]]), wg = MS_SSS__SET(f->weight[1][tap[j]]),
+                      wb = MS_SSS__SET(f->weight[2][tap[j]]);
             r = MS_SSS__MADD(wr, MS_SSS__LOAD(in[0] + at[j] + x), r);
             g = MS_SSS__MADD(wg, MS_SSS__LOAD(in[1] + at[j] + x), g);
             b = MS_SSS__MADD(wb, MS_SSS__LOAD(in[2] + at[j] + x), b);
@@ -8378,13 +8736,15 @@ static void MS_SSS__NAME(convolve_valid)(const ms_sss__fixed *f, const float *co
 /* Pixels a mm at depth z, but for slopes. */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(size)(const ms_sss__pass *p, MS_SSS__V z)
 {
-    return p->perspective ? MS_SSS__MIN(MS_SSS__DIV(MS_SSS__SET(p->size), z), MS_SSS__SET(p->size_max)) : MS_SSS__SET(p->size);
+    return p->perspective ? MS_SSS__MIN(MS_SSS__DIV(MS_SSS__SET(p->size), z), MS_SSS__SET(p->size_max))
+                          : MS_SSS__SET(p->size);
 }
 
 /* Tangents of the rays through pixels from column x on. */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(ray)(const ms_sss__pass *p, int x)
 {
-    return MS_SSS__MUL(MS_SSS__ADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET((float)x + 0.5f - p->middle[0])), MS_SSS__SET(p->tangent));
+    return MS_SSS__MUL(MS_SSS__ADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET((float)x + 0.5f - p->middle[0])),
+                       MS_SSS__SET(p->tangent));
 }
 
 /* 1 / sqrt(a): relative error 3e-7. */
@@ -8399,28 +8759,35 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(inverse_root)(MS_SSS__V a)
 }
 
 /* Pixels a mm of the tangent plane along an axis of slope `along` and ray `ray`; square: of the ray's length. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(foreshorten)(MS_SSS__V size, MS_SSS__V along, MS_SSS__V ray, MS_SSS__V square)
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(foreshorten)(MS_SSS__V size, MS_SSS__V along, MS_SSS__V ray,
+                                                          MS_SSS__V square)
 {
-    return MS_SSS__MUL(size, MS_SSS__NAME(inverse_root)(MS_SSS__MADD(along, MS_SSS__MADD(along, square, MS_SSS__ADD(ray, ray)), MS_SSS__SET(1.0f))));
+    return MS_SSS__MUL(size,
+                       MS_SSS__NAME(inverse_root)(
+                           MS_SSS__MADD(along, MS_SSS__MADD(along, square, MS_SSS__ADD(ray, ray)), MS_SSS__SET(1.0f))));
 }
 
 /* Cosine of the normal of slopes sx, sy to the ray, in mm of dz 1. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(facing)(const ms_sss__pass *p, MS_SSS__V sx, MS_SSS__V sy, MS_SSS__V rx, MS_SSS__V ry)
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(facing)(const ms_sss__pass *p, MS_SSS__V sx, MS_SSS__V sy, MS_SSS__V rx,
+                                                     MS_SSS__V ry)
 {
     const MS_SSS__V axis = MS_SSS__MADD(rx, sx, MS_SSS__MADD(ry, sy, MS_SSS__SET(1.0f)));
-    return MS_SSS__MUL(MS_SSS__SET(p->unit), MS_SSS__NAME(inverse_root)(MS_SSS__MADD(sx, sx, MS_SSS__MADD(sy, sy, MS_SSS__MUL(axis, axis)))));
+    return MS_SSS__MUL(MS_SSS__SET(p->unit),
+                       MS_SSS__NAME(inverse_root)(MS_SSS__MADD(sx, sx, MS_SSS__MADD(sy, sy, MS_SSS__MUL(axis, axis)))));
 }
 
-/* The slope of two one-sided ones that count where their step in depth is under the kernel's radius: their mean where the
-   surface turns little between them, else the smaller, so that none is taken across an edge or a crease. Towards an outline
-   depth goes as the root of the distance to it: by what a step exceeds the next one inwards, both being more than rounding, its
-   slope is the steeper (circles seen edge on; planes stay). Five depths, z in the middle. */
+/* The slope of two one-sided ones that count where their step in depth is under the kernel's radius: their mean where
+   the surface turns little between them, else the smaller, so that none is taken across an edge or a crease. Towards an
+   outline depth goes as the root of the distance to it: by what a step exceeds the next one inwards, both being more
+   than rounding, its slope is the steeper (circles seen edge on; planes stay). Five depths, z in the middle. */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(slope)(const ms_sss__pass *p, float focal, const MS_SSS__V at[5])
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), half = MS_SSS__SET(0.5f), reach = MS_SSS__SET(p->reach), f = MS_SSS__SET(focal), limit = MS_SSS__SET(8.0f);
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), half = MS_SSS__SET(0.5f), reach = MS_SSS__SET(p->reach),
+                    f = MS_SSS__SET(focal), limit = MS_SSS__SET(8.0f);
     const MS_SSS__V one = MS_SSS__SET(1.0f), z = at[2], da = MS_SSS__SUB(z, at[1]), db = MS_SSS__SUB(at[3], z);
     const MS_SSS__MASK on_a = MS_SSS__LESS(MS_SSS__MUL(da, da), reach), on_b = MS_SSS__LESS(MS_SSS__MUL(db, db), reach);
-    MS_SSS__V a = MS_SSS__MUL(f, p->perspective ? MS_SSS__DIV(da, at[1]) : da), b = MS_SSS__MUL(f, p->perspective ? MS_SSS__DIV(db, at[3]) : db);
+    MS_SSS__V a = MS_SSS__MUL(f, p->perspective ? MS_SSS__DIV(da, at[1]) : da),
+              b = MS_SSS__MUL(f, p->perspective ? MS_SSS__DIV(db, at[3]) : db);
     MS_SSS__V s;
     MS_SSS__MASK even;
     a = MS_SSS__SELECT(on_a, a, MS_SSS__SELECT(on_b, b, zero));
@@ -8429,28 +8796,34 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(slope)(const ms_sss__pass *p, float
     even = MS_SSS__LESS(MS_SSS__ABS(MS_SSS__SUB(a, b)), MS_SSS__MUL(half, MS_SSS__MADD(a, b, one)));
     even = MS_SSS__BOTH(even, MS_SSS__BOTH(on_a, on_b));
     if (MS_SSS__BITS(even) != ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES)) {
-        const MS_SSS__MASK first_a = MS_SSS__LESS(MS_SSS__ABS(a), MS_SSS__ABS(b)), first_b = MS_SSS__LESS(MS_SSS__ABS(b), MS_SSS__ABS(a));
-        const MS_SSS__V is_a = MS_SSS__SELECT(on_b, MS_SSS__SELECT(first_a, one, zero), one), less = MS_SSS__SELECT(first_a, a, MS_SSS__SELECT(first_b, b, s));
+        const MS_SSS__MASK first_a = MS_SSS__LESS(MS_SSS__ABS(a), MS_SSS__ABS(b)),
+                           first_b = MS_SSS__LESS(MS_SSS__ABS(b), MS_SSS__ABS(a));
+        const MS_SSS__V is_a = MS_SSS__SELECT(on_b, MS_SSS__SELECT(first_a, one, zero), one),
+                        less = MS_SSS__SELECT(first_a, a, MS_SSS__SELECT(first_b, b, s));
         const MS_SSS__MASK before = MS_SSS__LESS(half, is_a);
         const MS_SSS__V next = MS_SSS__SELECT(before, at[1], at[3]), after_next = MS_SSS__SELECT(before, at[0], at[4]);
-        MS_SSS__V step = MS_SSS__SUB(z, next), inner = MS_SSS__SUB(next, after_next), least = MS_SSS__MUL(z, MS_SSS__SET(2 * p->grain)), more, excess;
+        MS_SSS__V step = MS_SSS__SUB(z, next), inner = MS_SSS__SUB(next, after_next),
+                  least = MS_SSS__MUL(z, MS_SSS__SET(2 * p->grain)), more, excess;
         if (p->perspective) { /* of 1 / depth, which is linear on planes */
             step = MS_SSS__MUL(step, after_next);
             inner = MS_SSS__MUL(inner, z);
             least = MS_SSS__MUL(least, z);
         }
-        excess = MS_SSS__SUB(MS_SSS__MIN(MS_SSS__ABS(inner), MS_SSS__SUB(MS_SSS__ABS(step), MS_SSS__ABS(inner))), least); /* NaN stays */
+        excess = MS_SSS__SUB(MS_SSS__MIN(MS_SSS__ABS(inner), MS_SSS__SUB(MS_SSS__ABS(step), MS_SSS__ABS(inner))),
+                             least); /* NaN stays */
         more = MS_SSS__MIN(MS_SSS__DIV(excess, MS_SSS__ABS(inner)), MS_SSS__SET(0.85f));
-        more = MS_SSS__SELECT(MS_SSS__BOTH(MS_SSS__LESS(zero, excess), MS_SSS__LESS(zero, MS_SSS__MUL(step, inner))), more, zero);
-        more = MS_SSS__MUL(more, MS_SSS__MADD(more, MS_SSS__MADD(MS_SSS__MUL(more, more), MS_SSS__SET(0.7f), half), half));
+        more = MS_SSS__SELECT(MS_SSS__BOTH(MS_SSS__LESS(zero, excess), MS_SSS__LESS(zero, MS_SSS__MUL(step, inner))),
+                              more, zero);
+        more = MS_SSS__MUL(more,
+                           MS_SSS__MADD(more, MS_SSS__MADD(MS_SSS__MUL(more, more), MS_SSS__SET(0.7f), half), half));
         s = MS_SSS__SELECT(even, s, MS_SSS__MADD(less, more, less));
     }
     return MS_SSS__MIN(MS_SSS__MAX(s, MS_SSS__SUB(zero, limit)), limit);
 }
 
 /* Slopes of row y, columns [begin, end), from the depths of rows y - 2 to y + 2, or from normals. */
-static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[5], const float *const normal[3], int y, int begin, int end,
-                                float *const slope[2])
+static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[5], const float *const normal[3], int y,
+                                int begin, int end, float *const slope[2])
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), infinity = MS_SSS__SET(INFINITY);
     const MS_SSS__V ry = MS_SSS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
@@ -8460,11 +8833,14 @@ static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[
         const MS_SSS__MASK part = MS_SSS__LESS(z, infinity);
         MS_SSS__V sx, sy, k;
         if (normal) {
-            const MS_SSS__V c = MS_SSS__LOAD(normal[2] + x), any = MS_SSS__ADD(MS_SSS__LOAD(normal[0] + x), MS_SSS__ADD(MS_SSS__LOAD(normal[1] + x), c));
+            const MS_SSS__V c = MS_SSS__LOAD(normal[2] + x),
+                            any = MS_SSS__ADD(MS_SSS__LOAD(normal[0] + x), MS_SSS__ADD(MS_SSS__LOAD(normal[1] + x), c));
             const MS_SSS__MASK finite = MS_SSS__LESS(MS_SSS__ABS(any), infinity);
-            const MS_SSS__V a = MS_SSS__SELECT(finite, MS_SSS__LOAD(normal[0] + x), zero), b = MS_SSS__SELECT(finite, MS_SSS__LOAD(normal[1] + x), zero);
+            const MS_SSS__V a = MS_SSS__SELECT(finite, MS_SSS__LOAD(normal[0] + x), zero),
+                            b = MS_SSS__SELECT(finite, MS_SSS__LOAD(normal[1] + x), zero);
             const MS_SSS__V facing = MS_SSS__SUB(c, MS_SSS__MADD(rx, a, MS_SSS__MUL(ry, b)));
-            const MS_SSS__V most = MS_SSS__MAX(MS_SSS__ABS(a), MS_SSS__ABS(b)), eighth = MS_SSS__MUL(most, MS_SSS__SET(0.125f));
+            const MS_SSS__V most = MS_SSS__MAX(MS_SSS__ABS(a), MS_SSS__ABS(b)),
+                            eighth = MS_SSS__MUL(most, MS_SSS__SET(0.125f));
             k = MS_SSS__DIV(one, MS_SSS__SELECT(MS_SSS__LESS(eighth, facing), facing, eighth)); /* at most 8 */
             sx = MS_SSS__MUL(k, a);
             sy = MS_SSS__MUL(k, b);
@@ -8478,21 +8854,26 @@ static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[
             sx = MS_SSS__NAME(slope)(p, p->focal[0], across);
             sy = MS_SSS__NAME(slope)(p, p->focal[1], down);
         }
-        sx = MS_SSS__SELECT(MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(sx), infinity)), MS_SSS__MUL(sx, MS_SSS__SET(p->upright)), zero);
-        sy = MS_SSS__SELECT(MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(sy), infinity)), MS_SSS__MUL(sy, MS_SSS__SET(p->upright)), zero);
+        sx = MS_SSS__SELECT(MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(sx), infinity)),
+                            MS_SSS__MUL(sx, MS_SSS__SET(p->upright)), zero);
+        sy = MS_SSS__SELECT(MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(sy), infinity)),
+                            MS_SSS__MUL(sy, MS_SSS__SET(p->upright)), zero);
         MS_SSS__STORE(slope[0] + x, sx);
         MS_SSS__STORE(slope[1] + x, sy);
     }
 }
 
 /* Of row y, see ms_sss__line: out[0 to 2] along x, out[3 to 5] along y. */
-static void MS_SSS__NAME(tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin, int end, float *const out[6])
+static void MS_SSS__NAME(tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y,
+                                   int begin, int end, float *const out[6])
 {
     const MS_SSS__V one = MS_SSS__SET(1.0f), ry = MS_SSS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
     int x;
     for (x = begin; x < end; x += MS_SSS__LANES) {
-        const MS_SSS__V size = MS_SSS__NAME(size)(p, MS_SSS__LOAD(depth + x)), sx = MS_SSS__LOAD(slope[0] + x), sy = MS_SSS__LOAD(slope[1] + x);
-        const MS_SSS__V rx = MS_SSS__NAME(ray)(p, x), square = MS_SSS__MADD(rx, rx, MS_SSS__MADD(ry, ry, one)), facing = MS_SSS__NAME(facing)(p, sx, sy, rx, ry);
+        const MS_SSS__V size = MS_SSS__NAME(size)(p, MS_SSS__LOAD(depth + x)), sx = MS_SSS__LOAD(slope[0] + x),
+                        sy = MS_SSS__LOAD(slope[1] + x);
+        const MS_SSS__V rx = MS_SSS__NAME(ray)(p, x), square = MS_SSS__MADD(rx, rx, MS_SSS__MADD(ry, ry, one)),
+                        facing = MS_SSS__NAME(facing)(p, sx, sy, rx, ry);
         MS_SSS__STORE(out[0] + x, MS_SSS__NAME(foreshorten)(size, sx, rx, square));
         MS_SSS__STORE(out[1] + x, MS_SSS__MUL(sx, MS_SSS__SET(1 / p->focal[0])));
         MS_SSS__STORE(out[2] + x, facing);
@@ -8529,14 +8910,16 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lift)(const ms_sss__pass *p, int ch
 /* Which pixels take part and have kernels of half a pixel or more. */
 static MS_SSS__INLINE MS_SSS__MASK MS_SSS__NAME(need)(const ms_sss__pass *p, MS_SSS__V z)
 {
-    return MS_SSS__BOTH(MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2)), MS_SSS__LESS(MS_SSS__SET(p->size_min), MS_SSS__NAME(size)(p, z)));
+    return MS_SSS__BOTH(MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2)),
+                        MS_SSS__LESS(MS_SSS__SET(p->size_min), MS_SSS__NAME(size)(p, z)));
 }
 
 /* Makes depths of what takes no part finite. */
 static void MS_SSS__NAME(limit)(float *depth, int count)
 {
     int x;
-    for (x = 0; x < count; x += MS_SSS__LANES) MS_SSS__STORE(depth + x, MS_SSS__MIN(MS_SSS__LOAD(depth + x), MS_SSS__SET(MS_SSS__AWAY)));
+    for (x = 0; x < count; x += MS_SSS__LANES)
+        MS_SSS__STORE(depth + x, MS_SSS__MIN(MS_SSS__LOAD(depth + x), MS_SSS__SET(MS_SSS__AWAY)));
 }
 
 /* The least and the largest of all lanes. */
@@ -8548,7 +8931,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(bounds)(MS_SSS__V a, float *least, float
 #if MS_SSS__LANES == 16
     const __m256 low = _mm512_maskz_extractf32x8_ps(0xff, a, 0), high = _mm512_maskz_extractf32x8_ps(0xff, a, 1);
     const __m256 l = _mm256_min_ps(low, high), m = _mm256_max_ps(low, high);
-    __m128 u = _mm_min_ps(_mm256_castps256_ps128(l), _mm256_extractf128_ps(l, 1)), v = _mm_max_ps(_mm256_castps256_ps128(m), _mm256_extractf128_ps(m, 1));
+    __m128 u = _mm_min_ps(_mm256_castps256_ps128(l), _mm256_extractf128_ps(l, 1)),
+           v = _mm_max_ps(_mm256_castps256_ps128(m), _mm256_extractf128_ps(m, 1));
 #elif MS_SSS__LANES == 8
     const __m128 low = _mm256_castps256_ps128(a), high = _mm256_extractf128_ps(a, 1);
     __m128 u = _mm_min_ps(low, high), v = _mm_max_ps(low, high);
@@ -8565,26 +8949,29 @@ static MS_SSS__INLINE void MS_SSS__NAME(bounds)(MS_SSS__V a, float *least, float
 #endif
 }
 
-/* What the groups of a row need along an axis: each pair's whole part where it is the same in all lanes that have kernels, or
-   one of two (BESIDE added): products grow with the size, so the ends tell. Between two sizes the plan of the group before holds: with
-   rounding on the safe side. size: NULL: from depth. */
-static void MS_SSS__NAME(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, const float *depth, const float *size, int first, int last,
-                               unsigned char *plan)
+/* What the groups of a row need along an axis: each pair's whole part where it is the same in all lanes that have
+   kernels, or one of two (BESIDE added): products grow with the size, so the ends tell. Between two sizes the plan of
+   the group before holds: with rounding on the safe side. size: NULL: from depth. */
+static void MS_SSS__NAME(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, const float *depth,
+                               const float *size, int first, int last, unsigned char *plan)
 {
     const unsigned all = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
     const int pairs = s->pairs, plan_size = s->plan_size;
-    const float (*offset)[16] = s->offset[axis];
+    const float(*offset)[16] = s->offset[axis];
     const unsigned char *last_plan = plan;
     float least_size = INFINITY, most_size = 0;
     int x, k;
     for (x = first, plan += first / MS_SSS__LANES * plan_size; x < last; x += MS_SSS__LANES, plan += plan_size) {
         const MS_SSS__V z = MS_SSS__LOAD(depth + x), pixels = MS_SSS__NAME(size)(p, z);
-        const MS_SSS__MASK need = MS_SSS__BOTH(MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2)), MS_SSS__LESS(MS_SSS__SET(p->size_min), pixels));
+        const MS_SSS__MASK need = MS_SSS__BOTH(MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2)),
+                                               MS_SSS__LESS(MS_SSS__SET(p->size_min), pixels));
         const unsigned bits = MS_SSS__BITS(need);
         MS_SSS__V own = size ? MS_SSS__LOAD(size + x) : pixels;
         float at[MS_SSS__LANES], least, most;
         int kind, beside = 0;
-        if (bits == all && MS_SSS__BITS(MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(least_size), own), MS_SSS__LESS(own, MS_SSS__SET(most_size)))) == all) {
+        if (bits == all &&
+            MS_SSS__BITS(MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(least_size), own),
+                                      MS_SSS__LESS(own, MS_SSS__SET(most_size)))) == all) {
             for (k = 0; k < plan_size; k += 4) memcpy(plan + k, last_plan + k, 4);
             continue;
         }
@@ -8612,14 +8999,16 @@ static void MS_SSS__NAME(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, in
         least_size = 0;
         most_size = INFINITY;
         for (k = 0; k < pairs; ++k) {
-            const float low = (float)plan[k + 1] / offset[k][0] * 1.000001f, high = (float)(plan[k + 1] + 1) / offset[k][0] * 0.999999f;
+            const float low = (float)plan[k + 1] / offset[k][0] * 1.000001f,
+                        high = (float)(plan[k + 1] + 1) / offset[k][0] * 0.999999f;
             least_size = low > least_size ? low : least_size;
             most_size = high < most_size ? high : most_size;
         }
     }
 }
 
-/* Colour of pixels of four elements each, as many as can be had without an element behind the last colour; returns how many. */
+/* Colour of pixels of four elements each, as many as can be had without an element behind the last colour; returns how
+   many. */
 static int MS_SSS__NAME(unpack)(const void *from, int half, int count, float *const to[3])
 {
     int i = 0;
@@ -8670,7 +9059,9 @@ static void MS_SSS__NAME(narrow)(const float *from, int count, uint16_t *to)
     const MS_SSS__V infinity = MS_SSS__SET(INFINITY), most = MS_SSS__SET(65504.0f), least = MS_SSS__SET(-65504.0f);
     for (; i + MS_SSS__LANES <= count; i += MS_SSS__LANES) {
         const MS_SSS__V v = MS_SSS__LOAD(from + i);
-        MS_SSS__NARROW(to + i, MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(v), infinity), MS_SSS__MAX(MS_SSS__MIN(v, most), least), v));
+        MS_SSS__NARROW(
+            to + i,
+            MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(v), infinity), MS_SSS__MAX(MS_SSS__MIN(v, most), least), v));
     }
 #endif
     for (; i < count; ++i) to[i] = ms__half_from_float(from[i]);
@@ -8713,27 +9104,34 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(nearness)(const ms_sss__pass *p, co
     MS_SSS__V q;
     if (!exact) return MS_SSS__NAME(falloff)(dz);
     q = MS_SSS__MUL(dz, dz);
-    return MS_SSS__SELECT(MS_SSS__LESS(q, MS_SSS__SET(p->cut)), MS_SSS__NAME(exp2_minus)(MS_SSS__MIN(q, MS_SSS__SET(120.0f))), MS_SSS__SET(0.0f));
+    return MS_SSS__SELECT(MS_SSS__LESS(q, MS_SSS__SET(p->cut)),
+                          MS_SSS__NAME(exp2_minus)(MS_SSS__MIN(q, MS_SSS__SET(120.0f))), MS_SSS__SET(0.0f));
 }
 
-/* What the pixels of a pair at distance t weigh by their depths, q: i, i + 1 (and i + 2 where lanes of a group differ), -i, -i - 1 (-i - 2).
-   way: see flat. Returns their sum. */
+/* What the pixels of a pair at distance t weigh by their depths, q: i, i + 1 (and i + 2 where lanes of a group differ),
+   -i, -i - 1 (-i - 2). way: see flat. Returns their sum. */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(weigh_pair)(const ms_sss__pass *p, const int way, const float *deep,
-                                                         const ptrdiff_t *step, int place, MS_SSS__V z, MS_SSS__V t, MS_SSS__V *q)
+                                                         const ptrdiff_t *step, int place, MS_SSS__V z, MS_SSS__V t,
+                                                         MS_SSS__V *q)
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
     const int two = way || MS_SSS__LANES == 1 ? 0 : place & MS_SSS__BESIDE, exact = !way && p->exact;
     const ptrdiff_t i = place - two;
-    MS_SSS__V r = MS_SSS__SUB(t, MS_SSS__SET(ms_sss__whole[i])), share = MS_SSS__SUB(one, r), third = zero, up_sum, down_sum;
+    MS_SSS__V r = MS_SSS__SUB(t, MS_SSS__SET(ms_sss__whole[i])), share = MS_SSS__SUB(one, r), third = zero, up_sum,
+              down_sum;
     if (two) {
         share = MS_SSS__MAX(share, zero);
         third = MS_SSS__MAX(MS_SSS__SUB(r, one), zero);
         r = MS_SSS__SUB(one, MS_SSS__ADD(share, third));
     }
-    q[0] = MS_SSS__MUL(share, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + ms_sss__at(way, step, i)))));
-    q[1] = MS_SSS__MUL(r, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + ms_sss__at(way, step, i + 1)))));
-    q[3] = MS_SSS__MUL(share, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + ms_sss__at(way, step, -i)))));
-    q[4] = MS_SSS__MUL(r, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + ms_sss__at(way, step, -i - 1)))));
+    q[0] = MS_SSS__MUL(share,
+                       MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + ms_sss__at(way, step, i)))));
+    q[1] = MS_SSS__MUL(
+        r, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + ms_sss__at(way, step, i + 1)))));
+    q[3] = MS_SSS__MUL(
+        share, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + ms_sss__at(way, step, -i)))));
+    q[4] = MS_SSS__MUL(
+        r, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + ms_sss__at(way, step, -i - 1)))));
     up_sum = MS_SSS__ADD(q[0], q[1]);
     down_sum = MS_SSS__ADD(q[3], q[4]);
     if (two) {
@@ -8746,21 +9144,23 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(weigh_pair)(const ms_sss__pass *p, 
 }
 
 /* The light of a pair's pixels in a channel. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(light)(const float *from, const int way, const ptrdiff_t *step, ptrdiff_t i,
-                                                    const int two, const MS_SSS__V *q)
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(light)(const float *from, const int way, const ptrdiff_t *step,
+                                                    ptrdiff_t i, const int two, const MS_SSS__V *q)
 {
     MS_SSS__V v = MS_SSS__MUL(q[0], MS_SSS__LOAD(from + ms_sss__at(way, step, i)));
     v = MS_SSS__MADD(q[1], MS_SSS__LOAD(from + ms_sss__at(way, step, i + 1)), v);
     v = MS_SSS__MADD(q[3], MS_SSS__LOAD(from + ms_sss__at(way, step, -i)), v);
     v = MS_SSS__MADD(q[4], MS_SSS__LOAD(from + ms_sss__at(way, step, -i - 1)), v);
-    if (two) v = MS_SSS__MADD(q[5], MS_SSS__LOAD(from + step[-i - 2]), MS_SSS__MADD(q[2], MS_SSS__LOAD(from + step[i + 2]), v));
+    if (two)
+        v = MS_SSS__MADD(q[5], MS_SSS__LOAD(from + step[-i - 2]),
+                         MS_SSS__MADD(q[2], MS_SSS__LOAD(from + step[i + 2]), v));
     return v;
 }
 
 /* Adds a pair's light to v and its weights, whose sum is all, to m. */
-static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const float (*weight)[16], const int way, const float *red, ptrdiff_t plane,
-                                                  const ptrdiff_t *step, int place, const MS_SSS__V *q, MS_SSS__V all,
-                                                  MS_SSS__V v[3], MS_SSS__V m[3])
+static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const float (*weight)[16], const int way, const float *red,
+                                                  ptrdiff_t plane, const ptrdiff_t *step, int place, const MS_SSS__V *q,
+                                                  MS_SSS__V all, MS_SSS__V v[3], MS_SSS__V m[3])
 {
     const MS_SSS__V wr = MS_SSS__LOAD(weight[0]), wg = MS_SSS__LOAD(weight[1]), wb = MS_SSS__LOAD(weight[2]);
     m[0] = MS_SSS__MADD(wr, all, m[0]);
@@ -8777,12 +9177,14 @@ static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const float (*weight)[16], con
     }
 }
 
-/* n groups from column x on, without slopes: HELD pairs of each at a time, first what they weigh, then the sums, since the chains
-   of one group are long. way: 0: all that go by pairs; ROW, COLUMN: those of one place a pair, of three pairs that make a mean. */
-static MS_SSS__INLINE void MS_SSS__NAME(flat)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int n,
-                                              const int way, MS_SSS__V (*out)[3])
+/* n groups from column x on, without slopes: HELD pairs of each at a time, first what they weigh, then the sums, since
+   the chains of one group are long. way: 0: all that go by pairs; ROW, COLUMN: those of one place a pair, of three
+   pairs that make a mean. */
+static MS_SSS__INLINE void MS_SSS__NAME(flat)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l,
+                                              int x, int n, const int way, MS_SSS__V (*out)[3])
 {
-    const ptrdiff_t *step = l->step, here = ms_sss__at(way, step, 0), plane = way == MS_SSS__COLUMN ? MS_SSS__LANES : l->plane;
+    const ptrdiff_t *step = l->step, here = ms_sss__at(way, step, 0),
+                    plane = way == MS_SSS__COLUMN ? MS_SSS__LANES : l->plane;
     const ptrdiff_t group = way == MS_SSS__ROW ? MS_SSS__LANES : way == MS_SSS__COLUMN ? 4 * MS_SSS__LANES : l->group;
     const float *first = l->from + x / MS_SSS__LANES * group, (*offset)[16] = s->offset[l->axis];
     const int pairs = way ? 3 : s->pairs, plan_size = way ? 4 : s->plan_size, least = way ? MS_SSS__ONE : MS_SSS__SOME;
@@ -8826,8 +9228,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(flat)(const ms_sss__sweep *s, const ms_s
                 for (k = 0; k < 3; ++k)
                     MS_SSS__NAME(add_pair)(s->weight[k + 1], way, red, plane, step, plan[k], q[k][g], all[k][g], v, m);
             }
-            for (k = begin; k < end && !way; ++k)
-                MS_SSS__NAME(add_pair)(s->weight[k + 1], 0, red, plane, step, plan[k], q[k - begin][g], all[k - begin][g], v, m);
+            for (k = begin; k < end && !way; ++k) MS_SSS__NAME(add_pair)
+            (s->weight[k + 1], 0, red, plane, step, plan[k], q[k - begin][g], all[k - begin][g], v, m);
             if (way || (end == pairs && s->simple)) {
                 MS_SSS__UNROLL
                 for (c = 0; c < 3; ++c) out[g][c] = MS_SSS__DIV(v[c], m[c]);
@@ -8843,7 +9245,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(flat)(const ms_sss__sweep *s, const ms_s
     } while (end < pairs);
 }
 
-static MS_SSS__APART void MS_SSS__NAME(by_pairs)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int n, MS_SSS__V (*out)[3])
+static MS_SSS__APART void MS_SSS__NAME(by_pairs)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l,
+                                                 int x, int n, MS_SSS__V (*out)[3])
 {
     MS_SSS__NAME(flat)(s, p, l, x, n, 0, out);
 }
@@ -8851,12 +9254,15 @@ static MS_SSS__APART void MS_SSS__NAME(by_pairs)(const ms_sss__sweep *s, const m
 /* With slopes: what a pixel dz over the tangent plane weighs of its share of a tap. */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lean)(MS_SSS__V dz, MS_SSS__V share, MS_SSS__V remote)
 {
-    const MS_SSS__V one = MS_SSS__SET(1.0f), q = MS_SSS__MUL(dz, dz), f = MS_SSS__MAX(MS_SSS__SUB(one, q), MS_SSS__SET(0.0f));
+    const MS_SSS__V one = MS_SSS__SET(1.0f), q = MS_SSS__MUL(dz, dz),
+                    f = MS_SSS__MAX(MS_SSS__SUB(one, q), MS_SSS__SET(0.0f));
     return MS_SSS__MUL(share, MS_SSS__DIV(f, MS_SSS__MADD(remote, q, one)));
 }
 
-/* How much more surface a side of weight sum at height `below` stands for; away: height of the pair before, then of this one. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lean_area)(MS_SSS__V sum, MS_SSS__V below, MS_SSS__V bulge, MS_SSS__V *away)
+/* How much more surface a side of weight sum at height `below` stands for; away: height of the pair before, then of
+   this one. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lean_area)(MS_SSS__V sum, MS_SSS__V below, MS_SSS__V bulge,
+                                                        MS_SSS__V *away)
 {
     MS_SSS__V more = MS_SSS__DIV(MS_SSS__LESSEN(sum, *away, below), MS_SSS__ADD(sum, MS_SSS__SET(MS_SSS__SPARSE)));
     *away = MS_SSS__ADD(*away, more);
@@ -8864,10 +9270,11 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lean_area)(MS_SSS__V sum, MS_SSS__V
     return MS_SSS__MIN(MS_SSS__MADD(more, more, MS_SSS__SET(1.0f)), MS_SSS__SET(MS_SSS__AREA_MAX));
 }
 
-/* n groups from column x on, with slopes. Chains are long: of each pair first all groups' weights, then all their sums. Where
-   a pair's whole part is not the same in all lanes its pixels are put together first: light and depth of i, i + 1, -i, -i - 1. */
-static MS_SSS__INLINE void MS_SSS__NAME(leaning)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x,
-                                                 int n, MS_SSS__V (*out)[3])
+/* n groups from column x on, with slopes. Chains are long: of each pair first all groups' weights, then all their sums.
+   Where a pair's whole part is not the same in all lanes its pixels are put together first: light and depth of i, i +
+   1, -i, -i - 1. */
+static MS_SSS__INLINE void MS_SSS__NAME(leaning)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l,
+                                                 int x, int n, MS_SSS__V (*out)[3])
 {
     const MS_SSS__V one = MS_SSS__SET(1.0f), zero = MS_SSS__SET(0.0f), grain = MS_SSS__SET(p->grain);
     const ptrdiff_t *step = l->step, group = l->group, plane = l->plane;
@@ -8896,7 +9303,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(leaning)(const ms_sss__sweep *s, const m
         const MS_SSS__V offset = MS_SSS__LOAD(s->offset[axis][k]), remote = MS_SSS__LOAD(s->remote[k]);
         const MS_SSS__V bulge = MS_SSS__LOAD(s->bulge[k]), span = MS_SSS__LOAD(s->span[k]);
         const MS_SSS__V bottom = MS_SSS__MUL(span, MS_SSS__SET(p->least));
-        const int place = plan[0] < MS_SSS__SOME ? 0 : plan[k + 1], whole = place & (MS_SSS__BESIDE - 1); /* a group without: nothing there */
+        const int place = plan[0] < MS_SSS__SOME ? 0 : plan[k + 1],
+                  whole = place & (MS_SSS__BESIDE - 1); /* a group without: nothing there */
         ptrdiff_t at[4], to_green = plane, to_next = group;
         int differ = place & MS_SSS__BESIDE;
         for (g = 0; g < n; ++g) differ |= plan[g * plan_size] < MS_SSS__SOME || plan[g * plan_size + k + 1] != place;
@@ -8909,7 +9317,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(leaning)(const ms_sss__sweep *s, const m
                 const int mine = plan[g * plan_size] < MS_SSS__SOME ? 0 : plan[g * plan_size + k + 1];
                 const int j = mine & (MS_SSS__BESIDE - 1), more = mine > j;
                 const MS_SSS__V low = MS_SSS__SET(ms_sss__whole[j]), high = MS_SSS__SET(ms_sss__whole[j + more]);
-                const MS_SSS__MASK lower = MS_SSS__LESS(MS_SSS__MUL(MS_SSS__LOAD(sizes + g * MS_SSS__LANES), offset), high);
+                const MS_SSS__MASK lower = MS_SSS__LESS(MS_SSS__MUL(MS_SSS__LOAD(sizes + g * MS_SSS__LANES), offset),
+                                                        high);
                 base[g] = MS_SSS__SELECT(lower, low, high);
                 for (i = 0; i < 4; ++i) {
                     const float *a = first + g * group + step[i < 2 ? j + i : 2 - j - i];
@@ -8925,7 +9334,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(leaning)(const ms_sss__sweep *s, const m
         }
         for (g = 0, light = from + 3 * to_green; g < n; ++g, light += to_next) {
             const MS_SSS__V z = MS_SSS__LOAD(first + g * group + step[0] + 3 * plane), unit = MS_SSS__MUL(z, grain);
-            const MS_SSS__V rise = MS_SSS__LOAD(rises + g * MS_SSS__LANES), facing = MS_SSS__LOAD(cosines + g * MS_SSS__LANES);
+            const MS_SSS__V rise = MS_SSS__LOAD(rises + g * MS_SSS__LANES),
+                            facing = MS_SSS__LOAD(cosines + g * MS_SSS__LANES);
             const MS_SSS__V t = MS_SSS__MUL(MS_SSS__LOAD(sizes + g * MS_SSS__LANES), offset);
             const MS_SSS__V least = MS_SSS__MADD(unit, t, MS_SSS__ADD(unit, unit));
             const MS_SSS__V share1 = MS_SSS__SUB(t, base[g]), share = MS_SSS__SUB(one, share1);
@@ -8987,12 +9397,14 @@ static MS_SSS__INLINE void MS_SSS__NAME(leaning)(const ms_sss__sweep *s, const m
         for (c = 0; c < 3; ++c) {
             if (plain || !p->mixed[c]) m[g][c] = MS_SSS__MAX(m[g][c], MS_SSS__MUL(most[g][c], MS_SSS__SET(p->root[c])));
             if (simple) out[g][c] = MS_SSS__DIV(v[g][c], m[g][c]);
-            else out[g][c] = MS_SSS__NAME(restore)(v[g][c], m[g][c], MS_SSS__LOAD(light + c * plane), p->total[c], p->mixed[c]);
+            else
+                out[g][c] = MS_SSS__NAME(restore)(v[g][c], m[g][c], MS_SSS__LOAD(light + c * plane), p->total[c],
+                                                  p->mixed[c]);
         }
     }
 }
-/* Eight floats of each lane become eight vectors: interleaving half the vectors with the other half makes the highest bit of an
-   element's place the lowest. */
+/* Eight floats of each lane become eight vectors: interleaving half the vectors with the other half makes the highest
+   bit of an element's place the lowest. */
 static MS_SSS__INLINE void MS_SSS__NAME(transpose)(const float *const *lane, float *out)
 {
     MS_SSS__V v[2][8];
@@ -9011,9 +9423,11 @@ static MS_SSS__INLINE void MS_SSS__NAME(transpose)(const float *const *lane, flo
     for (i = 0; i < 8; ++i) MS_SSS__STORE(out + i * MS_SSS__LANES, v[now][i]);
 }
 
-/* The group at column x by any taps along an axis, or turned: along each pixel's own. A tap's two pixels along each axis are read
-   where they lie if all lanes have one place, else put together: place by place, or lane by lane where each has its direction. */
-static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, MS_SSS__V out[3])
+/* The group at column x by any taps along an axis, or turned: along each pixel's own. A tap's two pixels along each
+   axis are read where they lie if all lanes have one place, else put together: place by place, or lane by lane where
+   each has its direction. */
+static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x,
+                                            MS_SSS__V out[3])
 {
     const ms_sss__turning *turn = l->turn;
     const int rows = l->axis == 0 ? 1 : 2, columns = l->axis == 1 ? 1 : 2, shaped = s->shaped;
@@ -9023,7 +9437,8 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
     const float *here = l->from + x / MS_SSS__LANES * l->group, *at = here + l->step[0];
     const MS_SSS__V z = MS_SSS__LOAD(at + 3 * l->plane), grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
     const unsigned pending = MS_SSS__BITS(MS_SSS__NAME(need)(p, z));
-    MS_SSS__V size = MS_SSS__NAME(size)(p, z), facing = zero, rise[2] = {zero, zero}, d[2] = {zero, zero}, away[2] = {zero, zero};
+    MS_SSS__V size = MS_SSS__NAME(size)(p, z), facing = zero, rise[2] = {zero, zero}, d[2] = {zero, zero},
+              away[2] = {zero, zero};
     MS_SSS__V sum[3] = {zero, zero, zero}, norm[3] = {zero, zero, zero}, lifted[3] = {zero, zero, zero};
     float inner[2] = {0, 0}, lane[2][MS_SSS__LANES], apart[2][8 * MS_SSS__LANES];
     const float *eight[MS_SSS__LANES], *packed = turn ? turn->packed : NULL;
@@ -9042,7 +9457,8 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
         d[1] = packed ? MS_SSS__LOAD(lane[1]) : MS_SSS__SET(turn->direction[0][!turn->second]);
         if (shaped) {
             const MS_SSS__V sx = MS_SSS__LOAD(l->own[0] + x), sy = MS_SSS__LOAD(l->own[1] + x);
-            const MS_SSS__V rx = MS_SSS__NAME(ray)(p, x), ry = MS_SSS__SET(((float)l->at + 0.5f - p->middle[1]) * p->tangent);
+            const MS_SSS__V rx = MS_SSS__NAME(ray)(p, x),
+                            ry = MS_SSS__SET(((float)l->at + 0.5f - p->middle[1]) * p->tangent);
             const MS_SSS__V ray = MS_SSS__MADD(d[0], rx, MS_SSS__MUL(d[1], ry));
             const MS_SSS__V along = MS_SSS__MADD(d[0], sx, MS_SSS__MUL(d[1], sy));
             size = MS_SSS__NAME(foreshorten)(size, along, ray, MS_SSS__MADD(rx, rx, MS_SSS__MADD(ry, ry, one)));
@@ -9075,12 +9491,15 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
         MS_SSS__STORE(lane[0], whole);
         MS_SSS__STORE(lane[1], whole_y);
         if (packed) {
-            const MS_SSS__V column = MS_SSS__ADD(whole, MS_SSS__ADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET((float)x)));
+            const MS_SSS__V column = MS_SSS__ADD(whole,
+                                                 MS_SSS__ADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET((float)x)));
             MS_SSS__STORE(lane[0], MS_SSS__MIN(MS_SSS__MAX(column, MS_SSS__SET(-2.0f)), MS_SSS__SET((float)width)));
             for (j = 0; j < 2; ++j) {
-                const MS_SSS__V down = MS_SSS__MAX(MS_SSS__ADD(whole_y, MS_SSS__SET((float)(l->at + j))), MS_SSS__SET(-1.0f));
+                const MS_SSS__V down = MS_SSS__MAX(MS_SSS__ADD(whole_y, MS_SSS__SET((float)(l->at + j))),
+                                                   MS_SSS__SET(-1.0f));
                 MS_SSS__STORE(lane[1], MS_SSS__MIN(down, MS_SSS__SET((float)height)));
-                for (i = 0; i < MS_SSS__LANES; ++i) eight[i] = packed + 4 * ((int)lane[0][i] + (int)lane[1][i] * turn->stride);
+                for (i = 0; i < MS_SSS__LANES; ++i)
+                    eight[i] = packed + 4 * ((int)lane[0][i] + (int)lane[1][i] * turn->stride);
                 MS_SSS__NAME(transpose)(eight, apart[j]);
             }
         }
@@ -9097,7 +9516,9 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
                     float *to = apart[j] + 4 * i * MS_SSS__LANES;
                     MS_SSS__UNROLL
                     for (c = 0; c < 4; ++c, at_i += plane, to += MS_SSS__LANES)
-                        MS_SSS__STORE(to, left == pending ? MS_SSS__LOAD(at_i) : MS_SSS__SELECT(same, MS_SSS__LOAD(at_i), MS_SSS__LOAD(to)));
+                        MS_SSS__STORE(to,
+                                      left == pending ? MS_SSS__LOAD(at_i)
+                                                      : MS_SSS__SELECT(same, MS_SSS__LOAD(at_i), MS_SSS__LOAD(to)));
                 }
             }
         }
@@ -9167,10 +9588,10 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
     }
 }
 
-/* Lanes whose places lie far apart, as at the edge of a surface: by pairs in turn, together those that differ by one at most.
-   Returns whether all were near enough. */
-static MS_SSS__APART int MS_SSS__NAME(by_parts)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x,
-                                                MS_SSS__V out[3])
+/* Lanes whose places lie far apart, as at the edge of a surface: by pairs in turn, together those that differ by one at
+   most. Returns whether all were near enough. */
+static MS_SSS__APART int MS_SSS__NAME(by_parts)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l,
+                                                int x, MS_SSS__V out[3])
 {
     const float *deep = l->from + x / MS_SSS__LANES * l->group + 3 * l->plane;
     const MS_SSS__V z = MS_SSS__LOAD(deep + l->step[0]), size = MS_SSS__NAME(size)(p, z);
@@ -9205,7 +9626,8 @@ static MS_SSS__APART int MS_SSS__NAME(by_parts)(const ms_sss__sweep *s, const ms
 }
 
 /* What pairs cannot do in the group at column x. */
-static MS_SSS__APART void MS_SSS__NAME(rest)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x, int kind, MS_SSS__V out[3])
+static MS_SSS__APART void MS_SSS__NAME(rest)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l,
+                                             int x, int kind, MS_SSS__V out[3])
 {
     const float *here = l->from + x / MS_SSS__LANES * l->group + l->step[0];
     const MS_SSS__MASK need = MS_SSS__NAME(need)(p, MS_SSS__LOAD(here + 3 * l->plane));
@@ -9215,7 +9637,8 @@ static MS_SSS__APART void MS_SSS__NAME(rest)(const ms_sss__sweep *s, const ms_ss
         own[c] = MS_SSS__MUL(MS_SSS__LOAD(here + c * l->plane), MS_SSS__SET(p->total[c]));
         if (kind < MS_SSS__SOME) out[c] = own[c];
     }
-    if (kind == MS_SSS__ANY && (MS_SSS__LANES == 1 || s->shaped || !s->pairs || !MS_SSS__NAME(by_parts)(s, p, l, x, out)))
+    if (kind == MS_SSS__ANY &&
+        (MS_SSS__LANES == 1 || s->shaped || !s->pairs || !MS_SSS__NAME(by_parts)(s, p, l, x, out)))
         MS_SSS__NAME(any)(s, p, l, x, out);
     for (c = 0; c < 3 && kind != MS_SSS__LEAVE; ++c) out[c] = MS_SSS__SELECT(need, out[c], own[c]);
 }
@@ -9226,13 +9649,14 @@ static MS_SSS__INLINE void MS_SSS__NAME(fetch)(const ms_sss__line *l, int x, int
     ptrdiff_t b;
     int c;
     for (c = 0; c < 4; ++c)
-        for (b = 0; b < n * MS_SSS__LANES * l->ahead_step[c]; b += 64) MS_SSS__PREFETCH(l->ahead[c] + x * l->ahead_step[c] + b);
+        for (b = 0; b < n * MS_SSS__LANES * l->ahead_step[c]; b += 64)
+            MS_SSS__PREFETCH(l->ahead[c] + x * l->ahead_step[c] + b);
 }
 
 #if MS_SSS__LANES == 16
 /* A pass whose three pairs make a mean, a group at a time: there are registers for what a group needs. */
-static MS_SSS__APART void MS_SSS__NAME(means)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines,
-                                              int first, int last)
+static MS_SSS__APART void MS_SSS__NAME(means)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line,
+                                              int lines, int first, int last)
 {
     int x, y, k, c;
     for (x = first; x < last; x += MS_SSS__LANES)
@@ -9258,8 +9682,10 @@ static MS_SSS__APART void MS_SSS__NAME(means)(const ms_sss__sweep *s, const ms_s
                 for (k = 0; k < 3; ++k) {
                     MS_SSS__V q[6];
                     const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(s->offset[l->axis][k]));
-                    const MS_SSS__V all = MS_SSS__NAME(weigh_pair)(p, MS_SSS__COLUMN, red + 3 * plane, step, plan[k], z, t, q);
-                    MS_SSS__NAME(add_pair)(s->weight[k + 1], MS_SSS__COLUMN, red, plane, step, plan[k], q, all, v[0], m);
+                    const MS_SSS__V all = MS_SSS__NAME(weigh_pair)(p, MS_SSS__COLUMN, red + 3 * plane, step, plan[k], z,
+                                                                   t, q);
+                    MS_SSS__NAME(add_pair)
+                    (s->weight[k + 1], MS_SSS__COLUMN, red, plane, step, plan[k], q, all, v[0], m);
                 }
                 MS_SSS__UNROLL
                 for (c = 0; c < 3; ++c) v[0][c] = MS_SSS__DIV(v[0][c], m[c]);
@@ -9273,14 +9699,15 @@ static MS_SSS__APART void MS_SSS__NAME(means)(const ms_sss__sweep *s, const ms_s
                 if (l->stream) MS_SSS__STREAM(to, v[0][c]);
                 else MS_SSS__STORE(to, v[0][c]);
             }
-            if (!l->axis) MS_SSS__STORE(l->to[2] + at * l->to_group + MS_SSS__LANES, MS_SSS__LOAD(red + 3 * plane + step[0]));
+            if (!l->axis)
+                MS_SSS__STORE(l->to[2] + at * l->to_group + MS_SSS__LANES, MS_SSS__LOAD(red + 3 * plane + step[0]));
         }
 }
 #endif
 
 /* A pass of several rows between columns first and last, chunk by chunk so that what they share stays in the cache. */
-static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped, const ms_sss__line *line, int lines,
-                                               int first, int last)
+static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped,
+                                               const ms_sss__line *line, int lines, int first, int last)
 {
     const int three = MS_SSS__LANES == 8 && !shaped && s->pairs == 3 && s->simple && !p->exact;
     const int chunk = shaped ? MS_SSS__LEAN : MS_SSS__CHUNK;
@@ -9310,7 +9737,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_
             for (c = 0; c < 3; ++c) to[c] = l->to[c] + x / MS_SSS__LANES * l->to_group;
             for (g = 0; g < n; ++g) {
                 const int kind = l->plan[(x / MS_SSS__LANES + g) * plan_size];
-                if (three && kind >= MS_SSS__SOME && kind < MS_SSS__ONE) MS_SSS__NAME(by_pairs)(s, p, l, x + g * MS_SSS__LANES, 1, out + g);
+                if (three && kind >= MS_SSS__SOME && kind < MS_SSS__ONE)
+                    MS_SSS__NAME(by_pairs)(s, p, l, x + g * MS_SSS__LANES, 1, out + g);
                 if (kind < MS_SSS__ALL) MS_SSS__NAME(rest)(s, p, l, x + g * MS_SSS__LANES, kind, out[g]);
                 if (stream) {
                     MS_SSS__UNROLL
@@ -9324,12 +9752,14 @@ static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_
         }
 }
 
-static void MS_SSS__NAME(sweep_flat)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines, int first, int last)
+static void MS_SSS__NAME(sweep_flat)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines,
+                                     int first, int last)
 {
     MS_SSS__NAME(sweep)(s, p, 0, line, lines, first, last);
 }
 
-static void MS_SSS__NAME(sweep_shaped)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines, int first, int last)
+static void MS_SSS__NAME(sweep_shaped)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line,
+                                       int lines, int first, int last)
 {
     MS_SSS__NAME(sweep)(s, p, 1, line, lines, first, last);
 }
@@ -9339,7 +9769,9 @@ static void MS_SSS__NAME(combine)(float a, const float *x, float b, const float 
 {
     int i;
     for (i = 0; i < count; i += MS_SSS__LANES)
-        MS_SSS__STORE(out + i, MS_SSS__MADD(MS_SSS__SET(a), MS_SSS__LOAD(x + i), MS_SSS__MUL(MS_SSS__SET(b), MS_SSS__LOAD(y + i))));
+        MS_SSS__STORE(
+            out + i,
+            MS_SSS__MADD(MS_SSS__SET(a), MS_SSS__LOAD(x + i), MS_SSS__MUL(MS_SSS__SET(b), MS_SSS__LOAD(y + i))));
 }
 
 /* blur = (1 - s) own + s blur with s = min(strength, 1) gain; own where the kernel is under half a pixel. */
@@ -9361,21 +9793,29 @@ static void MS_SSS__NAME(fade)(const ms_sss__pass *p, const float *strength, flo
 
 /* --- half resolution --- */
 
-/* Every four pixels of two rows of colour and depth become one: the mean of those near the nearest. count: of columns of the
-   result; unit: of the rows' depths. Returns whether all take part; if some do not, they must have depth INFINITY. */
-static int MS_SSS__NAME(halve)(const ms_sss__halving *h, const float *const above[4], const float *const below[4], float unit, int count, float *const out[4])
+/* Every four pixels of two rows of colour and depth become one: the mean of those near the nearest. count: of columns
+   of the result; unit: of the rows' depths. Returns whether all take part; if some do not, they must have depth
+   INFINITY. */
+static int MS_SSS__NAME(halve)(const ms_sss__halving *h, const float *const above[4], const float *const below[4],
+                               float unit, int count, float *const out[4])
 {
-    const MS_SSS__V away = MS_SSS__SET(MS_SSS__AWAY), scale = MS_SSS__SET(h->within), raw = MS_SSS__SET(unit), zero = MS_SSS__SET(0.0f);
+    const MS_SSS__V away = MS_SSS__SET(MS_SSS__AWAY), scale = MS_SSS__SET(h->within), raw = MS_SSS__SET(unit),
+                    zero = MS_SSS__SET(0.0f);
     const unsigned every = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
     unsigned all_part = every;
     int x, c;
     for (x = 0; x < count; x += MS_SSS__LANES) {
-        const MS_SSS__V a = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(above[3] + 2 * x), raw), away), b = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(above[3] + 2 * x + MS_SSS__LANES), raw), away);
-        const MS_SSS__V d = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(below[3] + 2 * x), raw), away), e = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(below[3] + 2 * x + MS_SSS__LANES), raw), away);
-        const MS_SSS__V z0 = MS_SSS__EVEN(a, b), z1 = MS_SSS__ODD(a, b), z2 = MS_SSS__EVEN(d, e), z3 = MS_SSS__ODD(d, e);
+        const MS_SSS__V a = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(above[3] + 2 * x), raw), away),
+                        b = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(above[3] + 2 * x + MS_SSS__LANES), raw), away);
+        const MS_SSS__V d = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(below[3] + 2 * x), raw), away),
+                        e = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(below[3] + 2 * x + MS_SSS__LANES), raw), away);
+        const MS_SSS__V z0 = MS_SSS__EVEN(a, b), z1 = MS_SSS__ODD(a, b), z2 = MS_SSS__EVEN(d, e),
+                        z3 = MS_SSS__ODD(d, e);
         const MS_SSS__V least = MS_SSS__MIN(MS_SSS__MIN(z0, z1), MS_SSS__MIN(z2, z3));
-        MS_SSS__V w0 = MS_SSS__NAME(falloff)(MS_SSS__MUL(MS_SSS__SUB(z0, least), scale)), w1 = MS_SSS__NAME(falloff)(MS_SSS__MUL(MS_SSS__SUB(z1, least), scale));
-        MS_SSS__V w2 = MS_SSS__NAME(falloff)(MS_SSS__MUL(MS_SSS__SUB(z2, least), scale)), w3 = MS_SSS__NAME(falloff)(MS_SSS__MUL(MS_SSS__SUB(z3, least), scale)), z;
+        MS_SSS__V w0 = MS_SSS__NAME(falloff)(MS_SSS__MUL(MS_SSS__SUB(z0, least), scale)),
+                  w1 = MS_SSS__NAME(falloff)(MS_SSS__MUL(MS_SSS__SUB(z1, least), scale));
+        MS_SSS__V w2 = MS_SSS__NAME(falloff)(MS_SSS__MUL(MS_SSS__SUB(z2, least), scale)),
+                  w3 = MS_SSS__NAME(falloff)(MS_SSS__MUL(MS_SSS__SUB(z3, least), scale)), z;
         const MS_SSS__V all = MS_SSS__DIV(MS_SSS__SET(1.0f), MS_SSS__ADD(MS_SSS__ADD(w0, w1), MS_SSS__ADD(w2, w3)));
         MS_SSS__V most = MS_SSS__MAX(MS_SSS__MAX(z0, z1), MS_SSS__MAX(z2, z3)), sums = zero;
         w0 = MS_SSS__MUL(w0, all);
@@ -9387,19 +9827,24 @@ static int MS_SSS__NAME(halve)(const ms_sss__halving *h, const float *const abov
             const MS_SSS__V p = MS_SSS__LOAD(above[c] + 2 * x), q = MS_SSS__LOAD(above[c] + 2 * x + MS_SSS__LANES);
             const MS_SSS__V r = MS_SSS__LOAD(below[c] + 2 * x), t = MS_SSS__LOAD(below[c] + 2 * x + MS_SSS__LANES);
             const MS_SSS__V sum = MS_SSS__MADD(w1, MS_SSS__ODD(p, q), MS_SSS__MUL(w0, MS_SSS__EVEN(p, q)));
-            sums = MS_SSS__MADD(MS_SSS__ADD(MS_SSS__ADD(p, q), MS_SSS__ADD(r, t)), zero, sums); /* 0, but NaN where a colour is not finite */
-            MS_SSS__STORE(out[c] + x, MS_SSS__ADD(sum, MS_SSS__MADD(w3, MS_SSS__ODD(r, t), MS_SSS__MUL(w2, MS_SSS__EVEN(r, t)))));
+            sums = MS_SSS__MADD(MS_SSS__ADD(MS_SSS__ADD(p, q), MS_SSS__ADD(r, t)), zero,
+                                sums); /* 0, but NaN where a colour is not finite */
+            MS_SSS__STORE(out[c] + x,
+                          MS_SSS__ADD(sum, MS_SSS__MADD(w3, MS_SSS__ODD(r, t), MS_SSS__MUL(w2, MS_SSS__EVEN(r, t)))));
         }
         z = MS_SSS__ADD(MS_SSS__MADD(w1, z1, MS_SSS__MUL(w0, z0)), MS_SSS__MADD(w3, z3, MS_SSS__MUL(w2, z2)));
-        z = MS_SSS__SELECT(MS_SSS__LESS(least, MS_SSS__SET(MS_SSS__AWAY / 2)), MS_SSS__MUL(z, MS_SSS__SET(1 / h->scale)), MS_SSS__SET(INFINITY));
+        z = MS_SSS__SELECT(MS_SSS__LESS(least, MS_SSS__SET(MS_SSS__AWAY / 2)),
+                           MS_SSS__MUL(z, MS_SSS__SET(1 / h->scale)), MS_SSS__SET(INFINITY));
         MS_SSS__STORE(out[3] + x, z);
         most = MS_SSS__SELECT(MS_SSS__LESS(zero, least), most, away);
-        all_part &= MS_SSS__BITS(MS_SSS__BOTH(MS_SSS__SAME(sums, zero), MS_SSS__LESS(most, MS_SSS__SET(MS_SSS__AWAY / 2))));
+        all_part &= MS_SSS__BITS(
+            MS_SSS__BOTH(MS_SSS__SAME(sums, zero), MS_SSS__LESS(most, MS_SSS__SET(MS_SSS__AWAY / 2))));
     }
     return all_part == every;
 }
 
-/* The share of a pixel's own light in the result where taps stand on it: each tap's bilinear part. depth, share: of LANES pixels. */
+/* The share of a pixel's own light in the result where taps stand on it: each tap's bilinear part. depth, share: of
+   LANES pixels. */
 static MS_SSS__APART void MS_SSS__NAME(share)(const ms_sss__halving *h, const float *depth, float *share)
 {
     const ms_sss_kernel *k = h->kernel;
@@ -9413,7 +9858,11 @@ static MS_SSS__APART void MS_SSS__NAME(share)(const ms_sss__halving *h, const fl
             MS_SSS__V sum[2];
             for (axis = 0; axis < 2; ++axis)
                 for (sum[axis] = zero, i = 0; i < k->tap_count; ++i)
-                    sum[axis] = MS_SSS__MADD(MS_SSS__SET(k->weight[t][i][c]), MS_SSS__MAX(MS_SSS__LESSEN(pixels, MS_SSS__SET(fabsf(k->offset_mm[i]) * h->aspect[axis]), one), zero), sum[axis]);
+                    sum[axis] = MS_SSS__MADD(
+                        MS_SSS__SET(k->weight[t][i][c]),
+                        MS_SSS__MAX(MS_SSS__LESSEN(pixels, MS_SSS__SET(fabsf(k->offset_mm[i]) * h->aspect[axis]), one),
+                                    zero),
+                        sum[axis]);
             all = MS_SSS__MADD(MS_SSS__MUL(sum[0], sum[1]), MS_SSS__SET(k->scale[t][c]), all);
         }
         MS_SSS__STORE(share + c * MS_SSS__LANES, MS_SSS__MIN(MS_SSS__MAX(all, zero), MS_SSS__SET(0.999f)));
@@ -9427,44 +9876,51 @@ static MS_SSS__INLINE void MS_SSS__NAME(keep)(const ms_sss__halving *h, MS_SSS__
     int c;
     MS_SSS__UNROLL
     for (c = 0; c < 3; ++c) share[c] = MS_SSS__SET(h->share[c]);
-    if (!MS_SSS__BITS(MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(h->beyond), z), MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2))))) return;
+    if (!MS_SSS__BITS(
+            MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(h->beyond), z), MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2)))))
+        return;
     MS_SSS__STORE(depth, z);
     MS_SSS__NAME(share)(h, depth, to);
     MS_SSS__UNROLL
     for (c = 0; c < 3; ++c) share[c] = MS_SSS__LOAD(to + c * MS_SSS__LANES);
 }
 
-/* A coarse row of light and what became of it, without what pixels keep of their own; depth in units of the falloff, AWAY
-   or so where nothing takes part. */
-static void MS_SSS__NAME(soften)(const ms_sss__halving *h, const float *const light[3], const float *const blur[3], const float *depth, int count,
-                                 float *const out[4])
+/* A coarse row of light and what became of it, without what pixels keep of their own; depth in units of the falloff,
+   AWAY or so where nothing takes part. */
+static void MS_SSS__NAME(soften)(const ms_sss__halving *h, const float *const light[3], const float *const blur[3],
+                                 const float *depth, int count, float *const out[4])
 {
     int x, c;
     for (x = 0; x < count; x += MS_SSS__LANES) {
-        const MS_SSS__V z = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(depth + x), MS_SSS__SET(h->scale)), MS_SSS__SET(MS_SSS__AWAY));
+        const MS_SSS__V z = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(depth + x), MS_SSS__SET(h->scale)),
+                                        MS_SSS__SET(MS_SSS__AWAY));
         const MS_SSS__MASK part = MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2));
         MS_SSS__V share[3];
         MS_SSS__NAME(keep)(h, z, share);
         MS_SSS__UNROLL
         for (c = 0; c < 3; ++c) {
             const MS_SSS__V e = MS_SSS__LOAD(light[c] + x), change = MS_SSS__SUB(MS_SSS__LOAD(blur[c] + x), e);
-            const MS_SSS__V soft = MS_SSS__MADD(change, MS_SSS__NAME(inverse)(MS_SSS__SUB(MS_SSS__SET(1.0f), share[c])), e);
+            const MS_SSS__V soft = MS_SSS__MADD(change, MS_SSS__NAME(inverse)(MS_SSS__SUB(MS_SSS__SET(1.0f), share[c])),
+                                                e);
             MS_SSS__STORE(out[c] + x, MS_SSS__SELECT(part, soft, MS_SSS__SET(0.0f)));
         }
         MS_SSS__STORE(out[3] + x, MS_SSS__MUL(z, MS_SSS__SET(h->within)));
     }
 }
 
-/* What is left of LANES times two columns from x on where pixels differ in what they keep, or have no neighbours: sum: of each side's
-   neighbours light and weights. */
-static MS_SSS__APART void MS_SSS__NAME(refine_rest)(const ms_sss__halving *h, const float *const own[4], float unit, float (*sum)[4][MS_SSS__LANES], int x, float *const out[3])
+/* What is left of LANES times two columns from x on where pixels differ in what they keep, or have no neighbours: sum:
+   of each side's neighbours light and weights. */
+static MS_SSS__APART void MS_SSS__NAME(refine_rest)(const ms_sss__halving *h, const float *const own[4], float unit,
+                                                    float (*sum)[4][MS_SSS__LANES], int x, float *const out[3])
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), tiny = MS_SSS__SET(1e-6f);
     MS_SSS__V change[2][3], stay[2][3];
     int side, c;
     for (side = 0; side < 2; ++side) {
-        const MS_SSS__V a = MS_SSS__LOAD(own[3] + 2 * x), b = MS_SSS__LOAD(own[3] + 2 * x + MS_SSS__LANES), n = MS_SSS__LOAD(sum[side][3]);
-        const MS_SSS__V z = MS_SSS__MIN(MS_SSS__MUL(side ? MS_SSS__ODD(a, b) : MS_SSS__EVEN(a, b), MS_SSS__SET(unit)), MS_SSS__SET(MS_SSS__AWAY));
+        const MS_SSS__V a = MS_SSS__LOAD(own[3] + 2 * x), b = MS_SSS__LOAD(own[3] + 2 * x + MS_SSS__LANES),
+                        n = MS_SSS__LOAD(sum[side][3]);
+        const MS_SSS__V z = MS_SSS__MIN(MS_SSS__MUL(side ? MS_SSS__ODD(a, b) : MS_SSS__EVEN(a, b), MS_SSS__SET(unit)),
+                                        MS_SSS__SET(MS_SSS__AWAY));
         const MS_SSS__MASK some = MS_SSS__BOTH(MS_SSS__LESS(tiny, n), MS_SSS__LESS(z, MS_SSS__SET(h->tiny)));
         MS_SSS__V share[3];
         MS_SSS__NAME(keep)(h, z, share);
@@ -9476,19 +9932,25 @@ static MS_SSS__APART void MS_SSS__NAME(refine_rest)(const ms_sss__halving *h, co
     }
     for (c = 0; c < 3; ++c) {
         const MS_SSS__V a = MS_SSS__LOAD(own[c] + 2 * x), b = MS_SSS__LOAD(own[c] + 2 * x + MS_SSS__LANES);
-        MS_SSS__STORE(out[c] + 2 * x, MS_SSS__MADD(MS_SSS__ZIP_LOW(stay[0][c], stay[1][c]), a, MS_SSS__ZIP_LOW(change[0][c], change[1][c])));
-        MS_SSS__STORE(out[c] + 2 * x + MS_SSS__LANES, MS_SSS__MADD(MS_SSS__ZIP_HIGH(stay[0][c], stay[1][c]), b, MS_SSS__ZIP_HIGH(change[0][c], change[1][c])));
+        MS_SSS__STORE(
+            out[c] + 2 * x,
+            MS_SSS__MADD(MS_SSS__ZIP_LOW(stay[0][c], stay[1][c]), a, MS_SSS__ZIP_LOW(change[0][c], change[1][c])));
+        MS_SSS__STORE(
+            out[c] + 2 * x + MS_SSS__LANES,
+            MS_SSS__MADD(MS_SSS__ZIP_HIGH(stay[0][c], stay[1][c]), b, MS_SSS__ZIP_HIGH(change[0][c], change[1][c])));
     }
 }
 
-/* A row of the picture from its colour and depth (times unit) and the two softened rows beside it, whose planes lie equally far apart; the first is nearer if odd.
-   Weights 0.8 and 0.2 each way, sharper than the linear 0.75 and 0.25, make up for part of what averaging pixels blurs. */
-static void MS_SSS__NAME(refine)(const ms_sss__halving *h, const float *const own[4], float unit, const float *const coarse[2][4], int odd, int stream,
-                                 int count, float *const out[3])
+/* A row of the picture from its colour and depth (times unit) and the two softened rows beside it, whose planes lie
+   equally far apart; the first is nearer if odd. Weights 0.8 and 0.2 each way, sharper than the linear 0.75 and 0.25,
+   make up for part of what averaging pixels blurs. */
+static void MS_SSS__NAME(refine)(const ms_sss__halving *h, const float *const own[4], float unit,
+                                 const float *const coarse[2][4], int odd, int stream, int count, float *const out[3])
 {
     static const float root[3] = {0.44721360f, 0.63245553f, 0.89442719f}; /* of 0.2 0.2, 0.2 0.8, 0.8 0.8: the fourth */
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), within = MS_SSS__SET(unit * h->within);
-    const MS_SSS__V even = MS_SSS__SET((h->beyond < h->tiny ? h->beyond : h->tiny) / unit); /* depth up to which all keep the same share */
+    const MS_SSS__V even = MS_SSS__SET((h->beyond < h->tiny ? h->beyond : h->tiny) /
+                                       unit); /* depth up to which all keep the same share */
     const MS_SSS__V share[3] = {MS_SSS__SET(h->share[0]), MS_SSS__SET(h->share[1]), MS_SSS__SET(h->share[2])};
     const unsigned every = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
     const ptrdiff_t plane = coarse[0][1] - coarse[0][0];
@@ -9507,7 +9969,8 @@ static void MS_SSS__NAME(refine)(const ms_sss__halving *h, const float *const ow
                 MS_SSS__UNROLL
                 for (i = 0; i < 2; ++i) {
                     const float *from = coarse[j][0] + x + i - 1 + side;
-                    const MS_SSS__V weight = MS_SSS__SET(root[(i != side) + ((j == 0) == odd)]), d = MS_SSS__SUB(MS_SSS__LOAD(from + 3 * plane), z);
+                    const MS_SSS__V weight = MS_SSS__SET(root[(i != side) + ((j == 0) == odd)]),
+                                    d = MS_SSS__SUB(MS_SSS__LOAD(from + 3 * plane), z);
                     MS_SSS__V f = MS_SSS__MAX(MS_SSS__LESSEN(MS_SSS__MUL(d, d), weight, weight), zero);
                     f = MS_SSS__MUL(f, f);
                     f = MS_SSS__MUL(f, f);
@@ -9528,9 +9991,12 @@ static void MS_SSS__NAME(refine)(const ms_sss__halving *h, const float *const ow
         sum[1][3] = MS_SSS__NAME(inverse)(sum[1][3]);
         MS_SSS__UNROLL
         for (c = 0; c < 3; ++c) {
-            const MS_SSS__V change = MS_SSS__SUB(one, share[c]), p = MS_SSS__MUL(sum[0][c], MS_SSS__MUL(sum[0][3], change)), q = MS_SSS__MUL(sum[1][c], MS_SSS__MUL(sum[1][3], change));
+            const MS_SSS__V change = MS_SSS__SUB(one, share[c]),
+                            p = MS_SSS__MUL(sum[0][c], MS_SSS__MUL(sum[0][3], change)),
+                            q = MS_SSS__MUL(sum[1][c], MS_SSS__MUL(sum[1][3], change));
             const MS_SSS__V low = MS_SSS__MADD(share[c], MS_SSS__LOAD(own[c] + 2 * x), MS_SSS__ZIP_LOW(p, q));
-            const MS_SSS__V high = MS_SSS__MADD(share[c], MS_SSS__LOAD(own[c] + 2 * x + MS_SSS__LANES), MS_SSS__ZIP_HIGH(p, q));
+            const MS_SSS__V high = MS_SSS__MADD(share[c], MS_SSS__LOAD(own[c] + 2 * x + MS_SSS__LANES),
+                                                MS_SSS__ZIP_HIGH(p, q));
             if (stream) {
                 MS_SSS__STREAM(out[c] + 2 * x, low);
                 MS_SSS__STREAM(out[c] + 2 * x + MS_SSS__LANES, high);
@@ -9556,7 +10022,8 @@ static void MS_SSS__NAME(invert)(const ms_sss__growth *s, const float *depth, in
     }
 }
 
-/* Steps of d a pixel wide are this many pixels deep; quick: within 2e-7 of itself, where no step is as deep as another or a bound. */
+/* Steps of d a pixel wide are this many pixels deep; quick: within 2e-7 of itself, where no step is as deep as another
+   or a bound. */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(deep)(const ms_sss__growth *s, MS_SSS__V d, const int quick)
 {
     const MS_SSS__V scale = MS_SSS__SET((s->perspective ? -1.0f : 1.0f) / s->step);
@@ -9568,7 +10035,8 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(deep)(const ms_sss__growth *s, MS_S
 /* Radius of the kernel in pixels on a surface that faces the camera. */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(radius)(const ms_sss__growth *s, MS_SSS__V d)
 {
-    return MS_SSS__MIN(s->perspective ? MS_SSS__MUL(MS_SSS__SET(-s->size), d) : MS_SSS__SET(s->size), MS_SSS__SET(s->size_max));
+    return MS_SSS__MIN(s->perspective ? MS_SSS__MUL(MS_SSS__SET(-s->size), d) : MS_SSS__SET(s->size),
+                       MS_SSS__SET(s->size_max));
 }
 
 /* How much larger the surface is than its picture: the length of (slope, 1 + slope . ray). */
@@ -9579,35 +10047,50 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(area)(MS_SSS__V sx, MS_SSS__V sy, M
 }
 
 /* As slope above, of d: its slope from the steps on both sides, those that the radius lets count. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(incline)(const ms_sss__growth *s, const MS_SSS__V at[5], MS_SSS__V deep, MS_SSS__V radius)
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(incline)(const ms_sss__growth *s, const MS_SSS__V at[5], MS_SSS__V deep,
+                                                      MS_SSS__V radius)
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), half = MS_SSS__SET(0.5f), one = MS_SSS__SET(1.0f);
     const MS_SSS__V a = MS_SSS__MUL(MS_SSS__SUB(at[2], at[1]), deep), b = MS_SSS__MUL(MS_SSS__SUB(at[3], at[2]), deep);
-    const MS_SSS__MASK near_a = MS_SSS__LESS(MS_SSS__ABS(a), radius), near_b = MS_SSS__LESS(MS_SSS__ABS(b), radius), both = MS_SSS__LESS(zero, MS_SSS__MUL(at[1], at[3]));
-    const MS_SSS__MASK even = MS_SSS__BOTH(MS_SSS__BOTH(near_a, near_b), MS_SSS__BOTH(both, MS_SSS__LESS(MS_SSS__ABS(MS_SSS__SUB(a, b)), MS_SSS__MADD(MS_SSS__MUL(a, b), half, half))));
+    const MS_SSS__MASK near_a = MS_SSS__LESS(MS_SSS__ABS(a), radius), near_b = MS_SSS__LESS(MS_SSS__ABS(b), radius),
+                       both = MS_SSS__LESS(zero, MS_SSS__MUL(at[1], at[3]));
+    const MS_SSS__MASK even = MS_SSS__BOTH(
+        MS_SSS__BOTH(near_a, near_b),
+        MS_SSS__BOTH(both, MS_SSS__LESS(MS_SSS__ABS(MS_SSS__SUB(a, b)), MS_SSS__MADD(MS_SSS__MUL(a, b), half, half))));
     MS_SSS__V slope = MS_SSS__MUL(half, MS_SSS__ADD(a, b));
     if (MS_SSS__BITS(even) != ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES)) {
-        const MS_SSS__MASK is_a = MS_SSS__BOTH(MS_SSS__LESS(zero, MS_SSS__ABS(at[1])), near_a), is_b = MS_SSS__BOTH(MS_SSS__LESS(zero, MS_SSS__ABS(at[3])), near_b);
+        const MS_SSS__MASK is_a = MS_SSS__BOTH(MS_SSS__LESS(zero, MS_SSS__ABS(at[1])), near_a),
+                           is_b = MS_SSS__BOTH(MS_SSS__LESS(zero, MS_SSS__ABS(at[3])), near_b);
         const MS_SSS__V sum = MS_SSS__ADD(MS_SSS__SELECT(is_a, a, zero), MS_SSS__SELECT(is_b, b, zero));
-        const MS_SSS__MASK first_a = MS_SSS__LESS(MS_SSS__ABS(a), MS_SSS__ABS(b)), first_b = MS_SSS__LESS(MS_SSS__ABS(b), MS_SSS__ABS(a));
-        const MS_SSS__V less = MS_SSS__SELECT(MS_SSS__BOTH(is_a, is_b), MS_SSS__SELECT(first_a, a, MS_SSS__SELECT(first_b, b, slope)), sum);
-        const MS_SSS__MASK before = MS_SSS__LESS(half, MS_SSS__SELECT(is_b, MS_SSS__SELECT(is_a, MS_SSS__SELECT(first_a, one, zero), zero), one));
+        const MS_SSS__MASK first_a = MS_SSS__LESS(MS_SSS__ABS(a), MS_SSS__ABS(b)),
+                           first_b = MS_SSS__LESS(MS_SSS__ABS(b), MS_SSS__ABS(a));
+        const MS_SSS__V less = MS_SSS__SELECT(MS_SSS__BOTH(is_a, is_b),
+                                              MS_SSS__SELECT(first_a, a, MS_SSS__SELECT(first_b, b, slope)), sum);
+        const MS_SSS__MASK before = MS_SSS__LESS(
+            half, MS_SSS__SELECT(is_b, MS_SSS__SELECT(is_a, MS_SSS__SELECT(first_a, one, zero), zero), one));
         const MS_SSS__V next = MS_SSS__SELECT(before, at[1], at[3]), after_next = MS_SSS__SELECT(before, at[0], at[4]);
-        const MS_SSS__V step = MS_SSS__SUB(at[2], next), inner = MS_SSS__SUB(next, after_next), least = MS_SSS__ABS(inner);
-        const MS_SSS__V excess = MS_SSS__LESSEN(MS_SSS__ABS(at[2]), MS_SSS__SET(2 * s->grain), MS_SSS__MIN(MS_SSS__SUB(MS_SSS__ABS(step), least), least));
+        const MS_SSS__V step = MS_SSS__SUB(at[2], next), inner = MS_SSS__SUB(next, after_next),
+                        least = MS_SSS__ABS(inner);
+        const MS_SSS__V excess = MS_SSS__LESSEN(MS_SSS__ABS(at[2]), MS_SSS__SET(2 * s->grain),
+                                                MS_SSS__MIN(MS_SSS__SUB(MS_SSS__ABS(step), least), least));
         MS_SSS__V more = MS_SSS__MIN(MS_SSS__DIV(excess, least), MS_SSS__SET(0.85f));
-        more = MS_SSS__SELECT(MS_SSS__BOTH(MS_SSS__LESS(zero, excess), MS_SSS__LESS(zero, MS_SSS__MUL(MS_SSS__MUL(step, deep), MS_SSS__MUL(inner, deep)))), more, zero);
-        more = MS_SSS__MUL(more, MS_SSS__MADD(more, MS_SSS__MADD(MS_SSS__MUL(more, more), MS_SSS__SET(0.7f), half), half));
+        more = MS_SSS__SELECT(
+            MS_SSS__BOTH(MS_SSS__LESS(zero, excess),
+                         MS_SSS__LESS(zero, MS_SSS__MUL(MS_SSS__MUL(step, deep), MS_SSS__MUL(inner, deep)))),
+            more, zero);
+        more = MS_SSS__MUL(more,
+                           MS_SSS__MADD(more, MS_SSS__MADD(MS_SSS__MUL(more, more), MS_SSS__SET(0.7f), half), half));
         slope = MS_SSS__SELECT(even, slope, MS_SSS__MADD(less, more, less));
     }
     return slope;
 }
 
 /* Share and change of d along x and y of row y of the picture; d: rows y - 2 to y + 2; normal: the caller's or NULL. */
-static void MS_SSS__NAME(lie)(const ms_sss__growth *s, const float *const d[5], const float *const normal[3], int y, int first,
-                              int count, float *const out[3])
+static void MS_SSS__NAME(lie)(const ms_sss__growth *s, const float *const d[5], const float *const normal[3], int y,
+                              int first, int count, float *const out[3])
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), most = MS_SSS__SET(8.0f), infinity = MS_SSS__SET(INFINITY);
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), most = MS_SSS__SET(8.0f),
+                    infinity = MS_SSS__SET(INFINITY);
     const MS_SSS__V ry = MS_SSS__SET(((float)y + 0.5f - s->middle[1]) * s->tangent);
     int i;
     for (i = first; i < count; i += MS_SSS__LANES) {
@@ -9622,13 +10105,16 @@ static void MS_SSS__NAME(lie)(const ms_sss__growth *s, const float *const d[5], 
             MS_SSS__STORE(out[2] + i, zero);
             continue;
         }
-        rx = MS_SSS__MADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET(s->tangent), MS_SSS__SET(((float)i + 0.5f - s->middle[0]) * s->tangent));
+        rx = MS_SSS__MADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET(s->tangent),
+                          MS_SSS__SET(((float)i + 0.5f - s->middle[0]) * s->tangent));
         if (normal) { /* slopes beyond 8, and normals turned away, keep their direction */
-            const MS_SSS__V a = MS_SSS__LOAD(normal[0] + i), b = MS_SSS__LOAD(normal[1] + i), c = MS_SSS__LOAD(normal[2] + i);
+            const MS_SSS__V a = MS_SSS__LOAD(normal[0] + i), b = MS_SSS__LOAD(normal[1] + i),
+                            c = MS_SSS__LOAD(normal[2] + i);
             const MS_SSS__V least = MS_SSS__MUL(MS_SSS__MAX(MS_SSS__ABS(a), MS_SSS__ABS(b)), MS_SSS__SET(0.125f));
             const MS_SSS__V n = MS_SSS__MAX(MS_SSS__SUB(c, MS_SSS__MADD(rx, a, MS_SSS__MUL(ry, b))), least);
             MS_SSS__MASK sound = MS_SSS__BOTH(MS_SSS__LESS(zero, n), MS_SSS__LESS(MS_SSS__ABS(a), infinity));
-            sound = MS_SSS__BOTH(sound, MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__ABS(b), infinity), MS_SSS__LESS(MS_SSS__ABS(c), infinity)));
+            sound = MS_SSS__BOTH(
+                sound, MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__ABS(b), infinity), MS_SSS__LESS(MS_SSS__ABS(c), infinity)));
             sx = MS_SSS__SELECT(sound, MS_SSS__DIV(a, n), zero);
             sy = MS_SSS__SELECT(sound, MS_SSS__DIV(b, n), zero);
         } else {
@@ -9644,17 +10130,19 @@ static void MS_SSS__NAME(lie)(const ms_sss__growth *s, const float *const d[5], 
         sx = MS_SSS__MUL(MS_SSS__MIN(MS_SSS__MAX(sx, MS_SSS__SUB(zero, most)), most), MS_SSS__SET(s->upright));
         sy = MS_SSS__MUL(MS_SSS__MIN(MS_SSS__MAX(sy, MS_SSS__SUB(zero, most)), most), MS_SSS__SET(s->upright));
         step = s->perspective ? MS_SSS__MUL(safe, MS_SSS__SET(-s->step)) : MS_SSS__SET(s->step);
-        MS_SSS__STORE(out[0] + i, MS_SSS__SELECT(part, MS_SSS__MIN(MS_SSS__NAME(area)(sx, sy, rx, ry), MS_SSS__SET(10.0f)), zero));
+        MS_SSS__STORE(out[0] + i,
+                      MS_SSS__SELECT(part, MS_SSS__MIN(MS_SSS__NAME(area)(sx, sy, rx, ry), MS_SSS__SET(10.0f)), zero));
         MS_SSS__STORE(out[1] + i, MS_SSS__SELECT(part, MS_SSS__MUL(sx, step), zero));
         MS_SSS__STORE(out[2] + i, MS_SSS__SELECT(part, MS_SSS__MUL(sy, step), zero));
     }
 }
 
-/* One row of a level from rows 2j - 1 to 2j + 2 of the finer one, each colour, d, share, changes of d: pixel i is the mean of columns 2i - 1
-   to 2i + 2 by (1, 3, 3, 1) / 8 both ways, of what lies near the tangent plane of the nearest of the middle four that has a quarter of the
-   largest share. tilted 0: no changes, on the picture (share NULL) shares of 1, and colours of levels are times their share. */
-static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, const int tilted, const int shares, const float *row[4][7],
-                                                    int first, int count, float *const out[7])
+/* One row of a level from rows 2j - 1 to 2j + 2 of the finer one, each colour, d, share, changes of d: pixel i is the
+   mean of columns 2i - 1 to 2i + 2 by (1, 3, 3, 1) / 8 both ways, of what lies near the tangent plane of the nearest of
+   the middle four that has a quarter of the largest share. tilted 0: no changes, on the picture (share NULL) shares of
+   1, and colours of levels are times their share. */
+static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, const int tilted, const int shares,
+                                                    const float *row[4][7], int first, int count, float *const out[7])
 {
     /* Fourth roots of 1, 3, 9 of 64, by how many sides are near, and their roots. */
     static const float root[3] = {0.353553391f, 0.465302426f, 0.612372436f};
@@ -9662,7 +10150,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, con
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), infinity = MS_SSS__SET(INFINITY);
     int i, y, x, c;
     for (i = first; i < count; i += MS_SSS__LANES) {
-        MS_SSS__V most = zero, d = infinity, dx = zero, dy = zero, bx = zero, by = zero, n = zero, least, greatest, nearest, scale;
+        MS_SSS__V most = zero, d = infinity, dx = zero, dy = zero, bx = zero, by = zero, n = zero, least, greatest,
+                  nearest, scale;
         MS_SSS__V narrow[3];
         MS_SSS__V sum[3], dd = zero, gx = zero, gy = zero, seen = zero, middle[2][2], share[2][2];
         MS_SSS__MASK some;
@@ -9686,11 +10175,14 @@ static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, con
         else most = zero;
         for (y = 0; y < 2; ++y) {
             for (x = 0; x < 2; ++x) {
-                const MS_SSS__MASK better = MS_SSS__BOTH(MS_SSS__LESS(most, share[y][x]), MS_SSS__LESS(middle[y][x], d));
+                const MS_SSS__MASK better = MS_SSS__BOTH(MS_SSS__LESS(most, share[y][x]),
+                                                         MS_SSS__LESS(middle[y][x], d));
                 d = MS_SSS__SELECT(better, middle[y][x], d);
                 if (!tilted) continue;
                 for (c = 5; c < 7; ++c) {
-                    const MS_SSS__V a = MS_SSS__LOAD(row[y + 1][c] + 2 * i), b = MS_SSS__LOAD(row[y + 1][c] + 2 * i + MS_SSS__LANES), there = x ? MS_SSS__ODDS(a, b) : MS_SSS__EVENS(a, b);
+                    const MS_SSS__V a = MS_SSS__LOAD(row[y + 1][c] + 2 * i),
+                                    b = MS_SSS__LOAD(row[y + 1][c] + 2 * i + MS_SSS__LANES),
+                                    there = x ? MS_SSS__ODDS(a, b) : MS_SSS__EVENS(a, b);
                     if (c == 5) dx = MS_SSS__SELECT(better, there, dx);
                     else dy = MS_SSS__SELECT(better, there, dy);
                 }
@@ -9702,7 +10194,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, con
         scale = MS_SSS__DIV(MS_SSS__NAME(deep)(s, d, 0), MS_SSS__NAME(radius)(s, d));
         for (c = 0; c < 3; ++c) narrow[c] = MS_SSS__MUL(scale, MS_SSS__SET(half_root[c] / s->join));
         /* Else what takes no part lies too deep to count. */
-        check = !shares && MS_SSS__BITS(MS_SSS__LESS(MS_SSS__MUL(MS_SSS__ABS(d), narrow[0]), MS_SSS__SET(half_root[0])));
+        check = !shares &&
+            MS_SSS__BITS(MS_SSS__LESS(MS_SSS__MUL(MS_SSS__ABS(d), narrow[0]), MS_SSS__SET(half_root[0])));
         nearest = least = greatest = d;
         if (tilted) d = MS_SSS__SUB(d, MS_SSS__MADD(bx, dx, MS_SSS__MUL(by, dy))); /* at the middle */
         sum[0] = sum[1] = sum[2] = zero;
@@ -9710,15 +10203,18 @@ static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, con
             int half;
             for (half = 0; half < 2; ++half) { /* two columns at a time */
                 const ptrdiff_t at = 2 * i - 1 + 2 * half;
-                MS_SSS__V f[2], g[2], a = MS_SSS__LOAD(row[y][3] + at), b = MS_SSS__LOAD(row[y][3] + at + MS_SSS__LANES);
+                MS_SSS__V f[2], g[2], a = MS_SSS__LOAD(row[y][3] + at),
+                                      b = MS_SSS__LOAD(row[y][3] + at + MS_SSS__LANES);
                 MS_SSS__UNROLL
                 for (x = 0; x < 2; ++x) {
                     const float along = (float)(2 * half + x) - 1.5f;
                     const int inner = (half != x) + (y == 1 || y == 2);
-                    const MS_SSS__V there = x ? MS_SSS__ODDS(a, b) : MS_SSS__EVENS(a, b), away = MS_SSS__SUB(there, nearest);
+                    const MS_SSS__V there = x ? MS_SSS__ODDS(a, b) : MS_SSS__EVENS(a, b),
+                                    away = MS_SSS__SUB(there, nearest);
                     MS_SSS__V level = there, off = away, w;
                     if (tilted) {
-                        level = MS_SSS__SUB(there, MS_SSS__MADD(MS_SSS__SET(along), dx, MS_SSS__MUL(MS_SSS__SET((float)y - 1.5f), dy)));
+                        level = MS_SSS__SUB(
+                            there, MS_SSS__MADD(MS_SSS__SET(along), dx, MS_SSS__MUL(MS_SSS__SET((float)y - 1.5f), dy)));
                         off = MS_SSS__SUB(level, d);
                     }
                     off = MS_SSS__MUL(off, narrow[inner]);
@@ -9726,7 +10222,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, con
                     f[x] = MS_SSS__MUL(f[x], f[x]);
                     f[x] = MS_SSS__MUL(f[x], f[x]);
                     if (shares) {
-                        const MS_SSS__V w0 = MS_SSS__LOAD(row[y][4] + at), w1 = MS_SSS__LOAD(row[y][4] + at + MS_SSS__LANES);
+                        const MS_SSS__V w0 = MS_SSS__LOAD(row[y][4] + at),
+                                        w1 = MS_SSS__LOAD(row[y][4] + at + MS_SSS__LANES);
                         w = x ? MS_SSS__ODDS(w0, w1) : MS_SSS__EVENS(w0, w1);
                         if (tilted) f[x] = MS_SSS__MUL(f[x], w);
                     } else {
@@ -9738,7 +10235,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, con
                     off = shares && !tilted ? MS_SSS__MUL(f[x], w) : f[x];
                     n = MS_SSS__ADD(n, off);
                     dd = MS_SSS__MADD(off, level, dd);
-                    if (tilted) { /* planes continue, but not beyond what is there; normals add up by area, slopes by what is seen of it */
+                    if (tilted) { /* planes continue, but not beyond what is there; normals add up by area, slopes by
+                                     what is seen of it */
                         const MS_SSS__MASK counts = MS_SSS__LESS(zero, f[x]);
                         least = MS_SSS__MIN(least, MS_SSS__SELECT(counts, there, nearest));
                         greatest = MS_SSS__MAX(greatest, MS_SSS__SELECT(counts, there, nearest));
@@ -9764,7 +10262,9 @@ static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, con
         }
         some = MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(1e-20f), n), some);
         most = MS_SSS__NAME(inverse)(n);
-        for (c = 0; c < 3; ++c) MS_SSS__STORE(out[c] + i, MS_SSS__ORDER(MS_SSS__SELECT(some, tilted ? MS_SSS__MUL(sum[c], most) : sum[c], zero)));
+        for (c = 0; c < 3; ++c)
+            MS_SSS__STORE(out[c] + i,
+                          MS_SSS__ORDER(MS_SSS__SELECT(some, tilted ? MS_SSS__MUL(sum[c], most) : sum[c], zero)));
         dd = MS_SSS__DIV(dd, n);
         if (tilted) dd = MS_SSS__MIN(MS_SSS__MAX(dd, least), greatest);
         MS_SSS__STORE(out[3] + i, MS_SSS__ORDER(MS_SSS__SELECT(some, dd, zero)));
@@ -9775,18 +10275,21 @@ static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, con
     }
 }
 
-static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const float *row[4][7], int first, int count, float *const out[7])
+static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const float *row[4][7], int first, int count,
+                                 float *const out[7])
 {
     if (s->upright > 0) MS_SSS__NAME(shrink_row)(s, 1, 1, row, first, count, out);
     else MS_SSS__NAME(shrink_row)(s, 0, row[1][4] != NULL, row, first, count, out);
 }
 
-/* Weights of a level, of each lane between two sizes of the table: only the blurred, or (both) the own and the blurred. */
+/* Weights of a level, of each lane between two sizes of the table: only the blurred, or (both) the own and the
+   blurred. */
 typedef struct MS_SSS__NAME(scale) {
     MS_SSS__V low, high, unit, from[6], more[6];
 } MS_SSS__NAME(scale);
 
-static MS_SSS__APART void MS_SSS__NAME(rescale)(const ms_sss__growth *s, int level, int both, MS_SSS__V size, unsigned part, MS_SSS__NAME(scale) *w)
+static MS_SSS__APART void MS_SSS__NAME(rescale)(const ms_sss__growth *s, int level, int both, MS_SSS__V size,
+                                                unsigned part, MS_SSS__NAME(scale) * w)
 {
     float sizes[MS_SSS__LANES], value[15][MS_SSS__LANES];
     int c, k;
@@ -9795,7 +10298,8 @@ static MS_SSS__APART void MS_SSS__NAME(rescale)(const ms_sss__growth *s, int lev
         const float at = sizes[part >> k & 1 ? k : ms_sss__lowest(part)];
         const int i = ms_sss__size_index(at);
         const float low = ms_sss__index_size(i), high = ms_sss__index_size(i + 1);
-        const float *w0 = s->table[i + (at > high)][level][!both], *w1 = s->table[i + !(at < low)][level][!both]; /* the same beyond the table */
+        const float *w0 = s->table[i + (at > high)][level][!both],
+                    *w1 = s->table[i + !(at < low)][level][!both]; /* the same beyond the table */
         value[0][k] = low;
         value[1][k] = high;
         value[2][k] = 1 / (high - low);
@@ -9813,13 +10317,15 @@ static MS_SSS__APART void MS_SSS__NAME(rescale)(const ms_sss__growth *s, int lev
     }
 }
 
-/* Weights for kernels of these radii in pixels. part: lanes that count; w: of the group before in the row, at first with low above high. */
-static MS_SSS__INLINE void MS_SSS__NAME(weigh)(const ms_sss__growth *s, int level, const int both, MS_SSS__V size, unsigned part,
-                                              MS_SSS__NAME(scale) *w, MS_SSS__V out[])
+/* Weights for kernels of these radii in pixels. part: lanes that count; w: of the group before in the row, at first
+   with low above high. */
+static MS_SSS__INLINE void MS_SSS__NAME(weigh)(const ms_sss__growth *s, int level, const int both, MS_SSS__V size,
+                                               unsigned part, MS_SSS__NAME(scale) * w, MS_SSS__V out[])
 {
     MS_SSS__V t;
     int c;
-    if ((MS_SSS__BITS(MS_SSS__LESS(size, w->low)) | MS_SSS__BITS(MS_SSS__LESS(w->high, size))) & part) MS_SSS__NAME(rescale)(s, level, both, size, part, w);
+    if ((MS_SSS__BITS(MS_SSS__LESS(size, w->low)) | MS_SSS__BITS(MS_SSS__LESS(w->high, size))) & part)
+        MS_SSS__NAME(rescale)(s, level, both, size, part, w);
     t = MS_SSS__MUL(MS_SSS__SUB(size, w->low), w->unit);
     MS_SSS__UNROLL
     for (c = 0; c < 3; ++c) {
@@ -9828,9 +10334,10 @@ static MS_SSS__INLINE void MS_SSS__NAME(weigh)(const ms_sss__growth *s, int leve
     }
 }
 
-/* light times the mean of (1 + K sin(theta) / 4)^4, by mean (moment / light) and mean square v of sin(theta), of which grain may
-   be rounding. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(raise)(const ms_sss__growth *s, int channel, MS_SSS__V light, MS_SSS__V moment, MS_SSS__V v, MS_SSS__V grain)
+/* light times the mean of (1 + K sin(theta) / 4)^4, by mean (moment / light) and mean square v of sin(theta), of which
+   grain may be rounding. */
+static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(raise)(const ms_sss__growth *s, int channel, MS_SSS__V light,
+                                                    MS_SSS__V moment, MS_SSS__V v, MS_SSS__V grain)
 {
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), quarter = MS_SSS__SET(s->quarter[channel]);
     MS_SSS__V m = MS_SSS__DIV(moment, MS_SSS__SELECT(MS_SSS__SAME(light, zero), one, light)), u;
@@ -9845,7 +10352,8 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(raise)(const ms_sss__growth *s, int
 /* w times (1 + K sin(theta) / 4)^4 */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lifted)(const ms_sss__growth *s, int channel, MS_SSS__V sine, MS_SSS__V w)
 {
-    MS_SSS__V u = MS_SSS__MAX(MS_SSS__MADD(MS_SSS__SET(s->quarter[channel]), sine, MS_SSS__SET(1.0f)), MS_SSS__SET(0.0f));
+    MS_SSS__V u = MS_SSS__MAX(MS_SSS__MADD(MS_SSS__SET(s->quarter[channel]), sine, MS_SSS__SET(1.0f)),
+                              MS_SSS__SET(0.0f));
     u = MS_SSS__MUL(u, u);
     return MS_SSS__MUL(w, MS_SSS__MUL(u, u));
 }
@@ -9865,25 +10373,32 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(root)(MS_SSS__V a)
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(bounded)(MS_SSS__V n, MS_SSS__V lifted, float most)
 {
     const MS_SSS__V limit = MS_SSS__MUL(n, MS_SSS__SET(most));
-    return MS_SSS__SELECT(MS_SSS__LESS(limit, lifted), MS_SSS__DIV(limit, MS_SSS__MAX(lifted, MS_SSS__SET(1e-30f))), MS_SSS__SET(1.0f));
+    return MS_SSS__SELECT(MS_SSS__LESS(limit, lifted), MS_SSS__DIV(limit, MS_SSS__MAX(lifted, MS_SSS__SET(1e-30f))),
+                          MS_SSS__SET(1.0f));
 }
 
 /* gather for the even or the odd columns of LANES pairs: at, their d and changes of d. */
-static MS_SSS__INLINE void MS_SSS__NAME(gather_side)(const ms_sss__growth *s, const int wide, const int tilted, MS_SSS__V d, MS_SSS__V dx, MS_SSS__V dy,
-                                                    const float *coarse, const ms_sss__tap *tap, MS_SSS__V rx, MS_SSS__V ry,
-                                                    MS_SSS__NAME(scale) *scale, MS_SSS__V result[6])
+static MS_SSS__INLINE void MS_SSS__NAME(gather_side)(const ms_sss__growth *s, const int wide, const int tilted,
+                                                     MS_SSS__V d, MS_SSS__V dx, MS_SSS__V dy, const float *coarse,
+                                                     const ms_sss__tap *tap, MS_SSS__V rx, MS_SSS__V ry,
+                                                     MS_SSS__NAME(scale) * scale, MS_SSS__V result[6])
 {
-    static const float nearness[4] = {0.86602540f, 0.65803701f, 0.65803701f, 0.5f}; /* fourth roots of 9, 3, 3, 1 of 16 */
+    static const float nearness[4] = {0.86602540f, 0.65803701f, 0.65803701f,
+                                      0.5f}; /* fourth roots of 9, 3, 3, 1 of 16 */
     static const float half_nearness[3] = {0.93060486f, 0.81119480f, 0.70710678f}; /* theirs */
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
     const ptrdiff_t plane = s->plane;
-    const float cells = (float)(1 << (s->level + 1)), square = MS_SSS__GATHER(wide, s->level); /* pixels of the picture in one of the coarse level */
+    const float cells = (float)(1 << (s->level + 1)),
+                square = MS_SSS__GATHER(wide, s->level); /* pixels of the picture in one of the coarse level */
     const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(d));
     const unsigned parts = MS_SSS__BITS(part);
     const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f)), radius = MS_SSS__NAME(radius)(s, safe);
-    const MS_SSS__V deep = MS_SSS__MUL(MS_SSS__NAME(deep)(s, safe, 1), MS_SSS__SET(1 / cells)), limit = MS_SSS__MUL(radius, MS_SSS__SET(1 / cells)), limit2 = MS_SSS__MUL(limit, limit);
-    MS_SSS__V size = radius, sx = zero, sy = zero, area = one, inverse = one, fall = MS_SSS__SET(-1 / square), norm = MS_SSS__SET(s->norm), rough = zero, rise = one;
-    MS_SSS__V n = zero, v = zero, r = zero, g = zero, b = zero, mr = zero, mg = zero, mb = zero, weight[3]; /* wide: m the sums of factors */
+    const MS_SSS__V deep = MS_SSS__MUL(MS_SSS__NAME(deep)(s, safe, 1), MS_SSS__SET(1 / cells)),
+                    limit = MS_SSS__MUL(radius, MS_SSS__SET(1 / cells)), limit2 = MS_SSS__MUL(limit, limit);
+    MS_SSS__V size = radius, sx = zero, sy = zero, area = one, inverse = one, fall = MS_SSS__SET(-1 / square),
+              norm = MS_SSS__SET(s->norm), rough = zero, rise = one;
+    MS_SSS__V n = zero, v = zero, r = zero, g = zero, b = zero, mr = zero, mg = zero, mb = zero,
+              weight[3]; /* wide: m the sums of factors */
     MS_SSS__V s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, s5 = zero;
     int k, count = tilted ? 4 : s->core;
     if (!parts) {
@@ -9892,10 +10407,12 @@ static MS_SSS__INLINE void MS_SSS__NAME(gather_side)(const ms_sss__growth *s, co
     }
     if (tilted) {
         MS_SSS__V cap, reach;
-        MS_SSS__MASK sound; /* planes so steep that four pixels are a radius deep have no tangent plane on this level: see shrink */
+        MS_SSS__MASK sound; /* planes so steep that four pixels are a radius deep have no tangent plane on this level:
+                               see shrink */
         sx = MS_SSS__MUL(MS_SSS__MUL(dx, deep), MS_SSS__SET(2.0f));
         sy = MS_SSS__MUL(MS_SSS__MUL(dy, deep), MS_SSS__SET(2.0f));
-        sound = MS_SSS__LESS(MS_SSS__MUL(MS_SSS__ADD(MS_SSS__ABS(sx), MS_SSS__ABS(sy)), MS_SSS__SET(0.5f * cells)), radius);
+        sound = MS_SSS__LESS(MS_SSS__MUL(MS_SSS__ADD(MS_SSS__ABS(sx), MS_SSS__ABS(sy)), MS_SSS__SET(0.5f * cells)),
+                             radius);
         area = MS_SSS__SELECT(part, MS_SSS__NAME(area)(sx, sy, rx, ry), one);
         cap = MS_SSS__MIN(area, MS_SSS__SET(1.5f));
         inverse = MS_SSS__DIV(one, cap);
@@ -9911,12 +10428,15 @@ static MS_SSS__INLINE void MS_SSS__NAME(gather_side)(const ms_sss__growth *s, co
         const MS_SSS__V near_plane = MS_SSS__MUL(MS_SSS__SET(1 / s->reach), MS_SSS__NAME(inverse)(limit));
         const int cut = tilted || s->reach > 1; /* else what lies beyond the limit is too far from the plane */
         MS_SSS__V close[3];
-        for (k = 0; k < 3; ++k) close[k] = MS_SSS__MUL(tilted ? near_plane : MS_SSS__MUL(deep, near_plane), MS_SSS__SET(half_nearness[k]));
+        for (k = 0; k < 3; ++k)
+            close[k] = MS_SSS__MUL(tilted ? near_plane : MS_SSS__MUL(deep, near_plane), MS_SSS__SET(half_nearness[k]));
         for (k = 0; k < 4; ++k) {
             const float *p = coarse + tap[k].at;
             const MS_SSS__V away = MS_SSS__SUB(MS_SSS__LOAD(p + 3 * plane), d);
             MS_SSS__V off = away, t;
-            if (tilted) off = MS_SSS__LESSEN(MS_SSS__SET(tap[k].x), sx, MS_SSS__LESSEN(MS_SSS__SET(tap[k].y), sy, MS_SSS__MUL(away, deep)));
+            if (tilted)
+                off = MS_SSS__LESSEN(MS_SSS__SET(tap[k].x), sx,
+                                     MS_SSS__LESSEN(MS_SSS__SET(tap[k].y), sy, MS_SSS__MUL(away, deep)));
             off = MS_SSS__MUL(off, close[(k + 1) / 2]);
             t = MS_SSS__MAX(MS_SSS__LESSEN(off, off, MS_SSS__SET(nearness[k])), zero);
             t = MS_SSS__MUL(t, t);
@@ -9931,11 +10451,14 @@ static MS_SSS__INLINE void MS_SSS__NAME(gather_side)(const ms_sss__growth *s, co
         }
     }
     if (!tilted) { /* light of levels is times its share */
-        const MS_SSS__V inner = MS_SSS__MUL(deep, MS_SSS__SET(s->inner)), most = MS_SSS__MUL(limit2, MS_SSS__SET(1 / square));
-        const int cut = (MS_SSS__BITS(MS_SSS__LESS(most, one)) & parts) != 0; /* else what lies beyond the limit is too far away */
+        const MS_SSS__V inner = MS_SSS__MUL(deep, MS_SSS__SET(s->inner)),
+                        most = MS_SSS__MUL(limit2, MS_SSS__SET(1 / square));
+        const int cut = (MS_SSS__BITS(MS_SSS__LESS(most, one)) & parts) !=
+            0; /* else what lies beyond the limit is too far away */
         for (k = 0; k < count; ++k) {
             const float *p = coarse + tap[k].at;
-            const MS_SSS__V dz = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p + 3 * plane), d), inner), t = MS_SSS__MAX(MS_SSS__LESSEN(dz, dz, MS_SSS__SET(tap[k].rest)), zero);
+            const MS_SSS__V dz = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p + 3 * plane), d), inner),
+                            t = MS_SSS__MAX(MS_SSS__LESSEN(dz, dz, MS_SSS__SET(tap[k].rest)), zero);
             MS_SSS__V w = MS_SSS__MUL(t, t);
             if (wide) w = MS_SSS__MUL(w, t);
             if (cut) w = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__MUL(dz, dz), most), w, zero);
@@ -9947,7 +10470,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(gather_side)(const ms_sss__growth *s, co
     }
     for (k = 0; k < count && tilted; ++k) {
         const float *p = coarse + tap[k].at;
-        const MS_SSS__V dz = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p + 3 * plane), d), deep), q = MS_SSS__MUL(dz, dz), away = MS_SSS__ADD(q, MS_SSS__SET(tap[k].square));
+        const MS_SSS__V dz = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p + 3 * plane), d), deep), q = MS_SSS__MUL(dz, dz),
+                        away = MS_SSS__ADD(q, MS_SSS__SET(tap[k].square));
         const MS_SSS__V off = MS_SSS__LESSEN(MS_SSS__SET(tap[k].x), sx, MS_SSS__LESSEN(MS_SSS__SET(tap[k].y), sy, dz));
         const MS_SSS__V t = MS_SSS__MAX(MS_SSS__MADD(away, fall, one), zero);
         MS_SSS__V w = MS_SSS__MUL(t, t);
@@ -9955,7 +10479,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(gather_side)(const ms_sss__growth *s, co
         w = MS_SSS__SELECT(MS_SSS__LESS(q, limit2), MS_SSS__MUL(w, MS_SSS__LOAD(p + 4 * plane)), zero);
         n = MS_SSS__ADD(n, w);
         if (wide) {
-            const MS_SSS__V sine = MS_SSS__MUL(MS_SSS__MUL(MS_SSS__NAME(beyond)(off, rough), rise), MS_SSS__NAME(root)(MS_SSS__ADD(away, MS_SSS__SET(s->blur))));
+            const MS_SSS__V sine = MS_SSS__MUL(MS_SSS__MUL(MS_SSS__NAME(beyond)(off, rough), rise),
+                                               MS_SSS__NAME(root)(MS_SSS__ADD(away, MS_SSS__SET(s->blur))));
             MS_SSS__V f = MS_SSS__NAME(lifted)(s, 0, sine, w);
             mr = MS_SSS__ADD(mr, f);
             r = MS_SSS__MADD(f, MS_SSS__LOAD(p), r);
@@ -9982,7 +10507,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(gather_side)(const ms_sss__growth *s, co
         g = MS_SSS__MUL(g, MS_SSS__NAME(bounded)(n, mg, s->most[1]));
         b = MS_SSS__MUL(b, MS_SSS__NAME(bounded)(n, mb, s->most[2]));
     } else if (tilted) {
-        const MS_SSS__V facing = MS_SSS__MUL(inverse, rise), turn = MS_SSS__MUL(facing, MS_SSS__SET(s->mean)), grain = MS_SSS__MUL(turn, rough);
+        const MS_SSS__V facing = MS_SSS__MUL(inverse, rise), turn = MS_SSS__MUL(facing, MS_SSS__SET(s->mean)),
+                        grain = MS_SSS__MUL(turn, rough);
         v = MS_SSS__DIV(v, MS_SSS__SELECT(MS_SSS__LESS(zero, n), n, one));
         v = MS_SSS__MUL(v, MS_SSS__MUL(MS_SSS__MUL(facing, facing), MS_SSS__SET(s->spread)));
         r = MS_SSS__NAME(raise)(s, 0, r, MS_SSS__MUL(mr, turn), v, grain);
@@ -9999,12 +10525,13 @@ static MS_SSS__INLINE void MS_SSS__NAME(gather_side)(const ms_sss__growth *s, co
     result[5] = MS_SSS__SELECT(part, MS_SSS__MADD(weight[2], n, s5), zero);
 }
 
-/* Weighted sums of row y of a level: the light of the next coarser level, counted by its distance in space and lifted by how far
-   it lies below the tangent plane, and the sums of that level, bilinear. own: d and its changes; coarse: row y/2,
-   followed by planes of green, blue, d, share, three sums of light, three of weights; first, count: columns / 2; out: the two times
-   three sums. */
-static MS_SSS__INLINE void MS_SSS__NAME(gather_row)(const ms_sss__growth *s, const int wide, const int tilted, const float *const own[3], const float *coarse,
-                                                   int first, int count, int y, float *const out[6])
+/* Weighted sums of row y of a level: the light of the next coarser level, counted by its distance in space and lifted
+   by how far it lies below the tangent plane, and the sums of that level, bilinear. own: d and its changes; coarse: row
+   y/2, followed by planes of green, blue, d, share, three sums of light, three of weights; first, count: columns / 2;
+   out: the two times three sums. */
+static MS_SSS__INLINE void MS_SSS__NAME(gather_row)(const ms_sss__growth *s, const int wide, const int tilted,
+                                                    const float *const own[3], const float *coarse, int first,
+                                                    int count, int y, float *const out[6])
 {
     const float cells = (float)(1 << (s->level + 1));
     const MS_SSS__V ry = MS_SSS__SET((((float)y + 0.5f) * 0.5f * cells - s->middle[1]) * s->tangent);
@@ -10023,10 +10550,13 @@ static MS_SSS__INLINE void MS_SSS__NAME(gather_row)(const ms_sss__growth *s, con
             y1 = MS_SSS__LOAD(own[2] + 2 * i + MS_SSS__LANES);
         }
         for (odd = 0; odd < 2; ++odd) {
-            const MS_SSS__V rx = MS_SSS__MADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET(cells * s->tangent),
-                                              MS_SSS__SET((((float)(2 * i + odd) + 0.5f) * 0.5f * cells - s->middle[0]) * s->tangent));
-            MS_SSS__NAME(gather_side)(s, wide, tilted, odd ? MS_SSS__ODD(d0, d1) : MS_SSS__EVEN(d0, d1), odd ? MS_SSS__ODD(x0, x1) : MS_SSS__EVEN(x0, x1),
-                                      odd ? MS_SSS__ODD(y0, y1) : MS_SSS__EVEN(y0, y1), coarse + i, s->tap[y & 1][odd], rx, ry, &scale, result[odd]);
+            const MS_SSS__V rx = MS_SSS__MADD(
+                MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET(cells * s->tangent),
+                MS_SSS__SET((((float)(2 * i + odd) + 0.5f) * 0.5f * cells - s->middle[0]) * s->tangent));
+            MS_SSS__NAME(gather_side)
+            (s, wide, tilted, odd ? MS_SSS__ODD(d0, d1) : MS_SSS__EVEN(d0, d1),
+             odd ? MS_SSS__ODD(x0, x1) : MS_SSS__EVEN(x0, x1), odd ? MS_SSS__ODD(y0, y1) : MS_SSS__EVEN(y0, y1),
+             coarse + i, s->tap[y & 1][odd], rx, ry, &scale, result[odd]);
         }
         for (c = 0; c < 6; ++c) {
             MS_SSS__STORE(out[c] + 2 * i, MS_SSS__ZIP_LOW(result[0][c], result[1][c]));
@@ -10035,7 +10565,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(gather_row)(const ms_sss__growth *s, con
     }
 }
 
-static void MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const own[3], const float *coarse, int first, int count, int y, float *const out[6])
+static void MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const own[3], const float *coarse, int first,
+                                 int count, int y, float *const out[6])
 {
     if (!(s->upright > 0)) MS_SSS__NAME(gather_row)(s, s->wide, 0, own, coarse, first, count, y, out);
     else if (s->wide) MS_SSS__NAME(gather_row)(s, 1, 1, own, coarse, first, count, y, out);
@@ -10043,13 +10574,17 @@ static void MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const own
 }
 
 /* The picture: a pixel's own light, the light of its neighbours by (1, 2, 1) / 4 both ways as far as they lie near its
-   tangent plane, and the sums. row: colour and d, of rows stride floats apart; slope: share, then the changes of d; out: colour, and
-   INFINITY where nothing takes part, else 0. */
-static MS_SSS__INLINE void MS_SSS__NAME(settle_row)(const ms_sss__growth *s, const int tilted, const float *const row[4], ptrdiff_t stride,
-                                                    const float *const slope[3], const float *const sum[6], int first, int count, float *const out[4])
+   tangent plane, and the sums. row: colour and d, of rows stride floats apart; slope: share, then the changes of d;
+   out: colour, and INFINITY where nothing takes part, else 0. */
+static MS_SSS__INLINE void MS_SSS__NAME(settle_row)(const ms_sss__growth *s, const int tilted,
+                                                    const float *const row[4], ptrdiff_t stride,
+                                                    const float *const slope[3], const float *const sum[6], int first,
+                                                    int count, float *const out[4])
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), half = MS_SSS__SET(0.5f), quarter = MS_SSS__SET(0.25f);
-    const int check = !s->perspective || !s->shaped || s->step > 0.4f; /* else what takes no part lies too deep to count */
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), half = MS_SSS__SET(0.5f),
+                    quarter = MS_SSS__SET(0.25f);
+    const int check = !s->perspective || !s->shaped ||
+        s->step > 0.4f; /* else what takes no part lies too deep to count */
     const float *const red = row[0], *const green = row[1], *const blue = row[2], *const from = row[3];
     MS_SSS__NAME(scale) scale;
     int i, j, k, c;
@@ -10058,7 +10593,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(settle_row)(const ms_sss__growth *s, con
     for (i = first; i < count; i += MS_SSS__LANES) {
         const MS_SSS__V d = MS_SSS__LOAD(from + i);
         const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(d));
-        const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f)), deep = MS_SSS__NAME(deep)(s, safe, 1), radius = MS_SSS__NAME(radius)(s, safe);
+        const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f)), deep = MS_SSS__NAME(deep)(s, safe, 1),
+                        radius = MS_SSS__NAME(radius)(s, safe);
         MS_SSS__V r = zero, g = zero, b = zero, n = zero, share[6], size = radius, dx = zero, dy = zero;
         const unsigned parts = MS_SSS__BITS(part);
         MS_SSS__STORE(out[3] + i, MS_SSS__SELECT(part, zero, MS_SSS__SET(INFINITY)));
@@ -10070,7 +10606,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(settle_row)(const ms_sss__growth *s, con
         }
         MS_SSS__NAME(weigh)(s, 0, 1, size, parts, &scale, share);
         if (MS_SSS__BITS(MS_SSS__LESS(zero, MS_SSS__MAX(share[3], MS_SSS__MAX(share[4], share[5])))) & parts) {
-            const MS_SSS__V corner = MS_SSS__MUL(deep, quarter), edge = MS_SSS__MUL(deep, MS_SSS__SET(0.29730178f)); /* roots / 2 */
+            const MS_SSS__V corner = MS_SSS__MUL(deep, quarter),
+                            edge = MS_SSS__MUL(deep, MS_SSS__SET(0.29730178f)); /* roots / 2 */
             n = quarter;
             r = MS_SSS__MUL(quarter, MS_SSS__LOAD(red + i));
             g = MS_SSS__MUL(quarter, MS_SSS__LOAD(green + i));
@@ -10082,9 +10619,11 @@ static MS_SSS__INLINE void MS_SSS__NAME(settle_row)(const ms_sss__growth *s, con
                     const MS_SSS__V there = MS_SSS__LOAD(from + at);
                     MS_SSS__V f = MS_SSS__SUB(there, d);
                     if (!j && !k) continue;
-                    if (tilted) f = MS_SSS__LESSEN(MS_SSS__SET((float)k), dx, MS_SSS__LESSEN(MS_SSS__SET((float)j), dy, f));
+                    if (tilted)
+                        f = MS_SSS__LESSEN(MS_SSS__SET((float)k), dx, MS_SSS__LESSEN(MS_SSS__SET((float)j), dy, f));
                     f = MS_SSS__MUL(f, j && k ? corner : edge); /* none 2 pixels away */
-                    f = MS_SSS__MAX(MS_SSS__LESSEN(f, f, j && k ? quarter : MS_SSS__SET(0.35355339f)), zero); /* roots of 1, 2 of 16 */
+                    f = MS_SSS__MAX(MS_SSS__LESSEN(f, f, j && k ? quarter : MS_SSS__SET(0.35355339f)),
+                                    zero); /* roots of 1, 2 of 16 */
                     f = MS_SSS__MUL(f, f);
                     if (check) f = MS_SSS__SELECT(MS_SSS__LESS(zero, MS_SSS__ABS(there)), f, zero);
                     n = MS_SSS__ADD(n, f);
@@ -10096,29 +10635,36 @@ static MS_SSS__INLINE void MS_SSS__NAME(settle_row)(const ms_sss__growth *s, con
         }
         for (c = 0; c < 3; ++c) {
             const MS_SSS__V e = MS_SSS__LOAD(row[c] + i), soft = c == 0 ? r : c == 1 ? g : b;
-            const MS_SSS__V light = MS_SSS__ADD(MS_SSS__MADD(share[c], e, MS_SSS__MUL(share[c + 3], soft)), MS_SSS__LOAD(sum[c] + i));
+            const MS_SSS__V light = MS_SSS__ADD(MS_SSS__MADD(share[c], e, MS_SSS__MUL(share[c + 3], soft)),
+                                                MS_SSS__LOAD(sum[c] + i));
             const MS_SSS__V all = MS_SSS__ADD(MS_SSS__MADD(share[c + 3], n, share[c]), MS_SSS__LOAD(sum[c + 3] + i));
-            const MS_SSS__MASK sound = MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(1e-30f), all), MS_SSS__LESS(half, radius)); /* kernels under half a pixel leave it as it is */
+            const MS_SSS__MASK sound = MS_SSS__BOTH(
+                MS_SSS__LESS(MS_SSS__SET(1e-30f), all),
+                MS_SSS__LESS(half, radius)); /* kernels under half a pixel leave it as it is */
             const MS_SSS__V to = MS_SSS__SELECT(sound, MS_SSS__MUL(light, MS_SSS__NAME(inverse)(all)), e);
             MS_SSS__STORE(out[c] + i, to);
         }
     }
 }
 
-static void MS_SSS__NAME(settle)(const ms_sss__growth *s, const float *const row[4], ptrdiff_t stride, const float *const slope[3], const float *const sum[6],
-                                 int first, int count, float *const out[4])
+static void MS_SSS__NAME(settle)(const ms_sss__growth *s, const float *const row[4], ptrdiff_t stride,
+                                 const float *const slope[3], const float *const sum[6], int first, int count,
+                                 float *const out[4])
 {
     if (s->upright > 0) MS_SSS__NAME(settle_row)(s, 1, row, stride, slope, sum, first, count, out);
     else MS_SSS__NAME(settle_row)(s, 0, row, stride, slope, sum, first, count, out);
 }
 
 static const ms_sss__kernels MS_SSS__NAME(kernels) = {
-    MS_SSS__NAME(gate),    MS_SSS__NAME(admit),  MS_SSS__NAME(convolve),    MS_SSS__NAME(convolve_valid),
-    MS_SSS__NAME(shape),   MS_SSS__NAME(tangents), MS_SSS__NAME(limit),   MS_SSS__NAME(plan),
-    {MS_SSS__NAME(sweep_flat), MS_SSS__NAME(sweep_shaped)}, MS_SSS__NAME(least), MS_SSS__NAME(unpack), MS_SSS__NAME(widen), MS_SSS__NAME(narrow), MS_SSS__NAME(deliver), MS_SSS__LANES, MS_SSS__NAME(combine),
-    MS_SSS__NAME(fade),    MS_SSS__NAME(lie),    MS_SSS__NAME(shrink),
-    MS_SSS__NAME(gather),  MS_SSS__NAME(settle), MS_SSS__NAME(invert),
-    MS_SSS__NAME(halve),   MS_SSS__NAME(soften), MS_SSS__NAME(refine)};
+    MS_SSS__NAME(gate),           MS_SSS__NAME(admit),   MS_SSS__NAME(convolve),
+    MS_SSS__NAME(convolve_valid), MS_SSS__NAME(shape),   MS_SSS__NAME(tangents),
+    MS_SSS__NAME(limit),          MS_SSS__NAME(plan),    {MS_SSS__NAME(sweep_flat), MS_SSS__NAME(sweep_shaped)},
+    MS_SSS__NAME(least),          MS_SSS__NAME(unpack),  MS_SSS__NAME(widen),
+    MS_SSS__NAME(narrow),         MS_SSS__NAME(deliver), MS_SSS__LANES,
+    MS_SSS__NAME(combine),        MS_SSS__NAME(fade),    MS_SSS__NAME(lie),
+    MS_SSS__NAME(shrink),         MS_SSS__NAME(gather),  MS_SSS__NAME(settle),
+    MS_SSS__NAME(invert),         MS_SSS__NAME(halve),   MS_SSS__NAME(soften),
+    MS_SSS__NAME(refine)};
 
 #undef MS_SSS__JOIN_
 #undef MS_SSS__JOIN

@@ -21,7 +21,7 @@ enum { SIZE = 128, GAP = 2, PITCH = SIZE + GAP, BREAK = 12, COUNT = 8, DIFFERENC
 static const struct {
     const char *edit;
     int source, other; /* pictures of materials.ppm */
-} list[COUNT] = {{"saturation", 26, 26}, {"grayscale", 14, 14},  {"colorize", 9, 9},        {"mix of two", 14, 12},
+} list[COUNT] = {{"saturation", 26, 26}, {"grayscale", 14, 14},  {"colorize", 9, 9},         {"mix of two", 14, 12},
                  {"stitching", 43, 17},  {"inpainting", 35, 35}, {"highlight blur", 16, 16}, {"poor mask", 30, 30}};
 
 static int fail(const char *what)
@@ -31,7 +31,8 @@ static int fail(const char *what)
 }
 
 /* Target, match and difference of an edited picture into the sheet at column `left`, row `top`. */
-static ms_status row(matcher *m, const image *edited, float *planes, image *sheet, int left, int top, ms_pme_match_result *result, ms_error *error)
+static ms_status row(matcher *m, const image *edited, float *planes, image *sheet, int left, int top,
+                     ms_pme_match_result *result, ms_error *error)
 {
     float *target = planes, *match = planes + m->renderer.image_size;
     ms_pme_match_options options = ms_pme_match_defaults();
@@ -59,7 +60,8 @@ static void name(image *sheet, int left, int top, const char *text)
     for (y = 0; y < HEAD; ++y)
         for (x = 0; x < SIZE; ++x)
             for (c = 0; c < 3; ++c) sheet->pixels[3 * ((top + y) * sheet->width + left + x) + c] *= 0.3f;
-    image_text(sheet, left + (SIZE - image_text_width(text, scale)) / 2, top + (HEAD - 7 * scale) / 2, text, scale, white);
+    image_text(sheet, left + (SIZE - image_text_width(text, scale)) / 2, top + (HEAD - 7 * scale) / 2, text, scale,
+               white);
 }
 
 int main(int argc, char **argv)
@@ -85,7 +87,8 @@ int main(int argc, char **argv)
     if (sheet.pixels == NULL || planes == NULL) return fail("out of memory");
     for (i = 0; i < (int)image_count(&sheet); ++i) sheet.pixels[i] = 1;
     for (i = 0; i < 8; ++i)
-        image_text(&sheet, i * PITCH + (i > 3 ? (int)BREAK : 0) + (SIZE - image_text_width(panels[i % 4], 2)) / 2, 3, panels[i % 4], 2, ink);
+        image_text(&sheet, i * PITCH + (i > 3 ? (int)BREAK : 0) + (SIZE - image_text_width(panels[i % 4], 2)) / 2, 3,
+                   panels[i % 4], 2, ink);
     for (i = 0; i < COUNT; ++i) {
         int left = i % 2 * (4 * PITCH + BREAK), top = HEAD + i / 2 * PITCH;
         ms_pme_match_result result;
@@ -96,12 +99,14 @@ int main(int argc, char **argv)
         for (k = 0; strcmp(edits[k].name, list[i].edit) != 0;) ++k;
         if (!edit_apply(&edits[k], &source, &other, &edited)) return fail("out of memory");
         for (y = 0; y < SIZE; ++y)
-            for (x = 0; x < 3 * SIZE; ++x) sheet.pixels[3 * ((top + y) * sheet.width + left) + x] = source.pixels[3 * SIZE * y + x];
+            for (x = 0; x < 3 * SIZE; ++x)
+                sheet.pixels[3 * ((top + y) * sheet.width + left) + x] = source.pixels[3 * SIZE * y + x];
         began = clock();
         if (row(&m, &edited, planes, &sheet, left, top, &result, &error) != MS_OK) return fail(error.message);
         name(&sheet, left + PITCH, top + SIZE - HEAD, list[i].edit);
-        printf("%-15s RMSE %5.2f of 255 from %5.2f by %s, %.0f ms\n", edits[k].name, 255 * result.rmse, 255 * result.rmse_initial,
-               m.name[result.best_candidate], 1e3 * (double)(clock() - began) / CLOCKS_PER_SEC);
+        printf("%-15s RMSE %5.2f of 255 from %5.2f by %s, %.0f ms\n", edits[k].name, 255 * result.rmse,
+               255 * result.rmse_initial, m.name[result.best_candidate],
+               1e3 * (double)(clock() - began) / CLOCKS_PER_SEC);
         image_free(&source);
         image_free(&other);
         image_free(&edited);

@@ -1,8 +1,8 @@
 /* From optical parameters to pictures: build/demo_sss FOLDER [--width 1920] [--method half] writes
      profiles_red.svg, _green, _blue       diffusion profiles of all 11 materials
      skin1_before.png, _after, and skin1.png with half of each; the same for marble; demo.png with both
-     bust.png, knot.png                    before, after, truth (random walks, examples/data/truth_*.bin) and their difference,
-                                           with the numbers in sss.txt
+     bust.png, knot.png                    before, after, truth (random walks, examples/data/truth_*.bin) and their
+                                           difference, with the numbers in sss.txt
      skins.png                             six heads made of melanin and blood
      model_*.png                           a dot, a disk and a step through every kernel model, and exactly
      kernels.html                          a page that shows them all
@@ -124,10 +124,9 @@ static image side_by_side(const image *a, const image *b)
         for (x = 0; x < 2 * half; ++x) {
             size_t from = 3 * ((size_t)y * (size_t)a->width + (size_t)(x % half + a->width / 4));
             for (c = 0; c < 3; ++c)
-                out.pixels[3 * ((size_t)y * (size_t)a->width + (size_t)x) + (size_t)c] =
-                    x / 2 == half / 2 ? 1
-                    : x < half        ? a->pixels[from + (size_t)c]
-                                      : b->pixels[from + (size_t)c];
+                out.pixels[3 * ((size_t)y * (size_t)a->width + (size_t)x) + (size_t)c] = x / 2 == half / 2 ? 1
+                    : x < half ? a->pixels[from + (size_t)c]
+                               : b->pixels[from + (size_t)c];
         }
     return out;
 }
@@ -217,7 +216,8 @@ static void save_pair(const image *a, const image *b, const char *name)
 /* One head, lit once, in six skins: melanin, of which red, and blood from pale to dark. */
 static void show_skins(int height)
 {
-    static const double made[6][3] = {{0.004, 0.4, 0.03}, {0.02, 0.7, 0.04}, {0.05, 0.8, 0.035}, {0.1, 0.9, 0.03}, {0.2, 1, 0.04}, {0.4, 1, 0.03}};
+    static const double made[6][3] = {{0.004, 0.4, 0.03}, {0.02, 0.7, 0.04}, {0.05, 0.8, 0.035},
+                                      {0.1, 0.9, 0.03},   {0.2, 1, 0.04},    {0.4, 1, 0.03}};
     static const float grey[3] = {0.5f, 0.5f, 0.5f};
     static ms_sss_kernel kernel;
     ms_sss_filter_options options = ms_sss_filter_defaults();
@@ -251,7 +251,10 @@ static void show_skins(int height)
         need_ok(ms_sss_profile_from_rings(&profile, made_rings.rings, made_rings.edge_mm, rd, 1, NULL, NULL), "skin");
         for (c = 0; c < 3; ++c) reflectance[c] = made_rings.total[c];
         ms_mcml_profile_destroy(&made_rings);
-        need_ok(ms_sss_kernel_make(&kernel, NULL, profile, radius_of(profile) * height / (2 * (double)s.camera.tan_half_fov * (double)scene_length(s.camera.eye)), NULL, NULL, NULL),
+        need_ok(ms_sss_kernel_make(&kernel, NULL, profile,
+                                   radius_of(profile) * height /
+                                       (2 * (double)s.camera.tan_half_fov * (double)scene_length(s.camera.eye)),
+                                   NULL, NULL, NULL),
                 "kernel");
         ms_sss_profile_destroy(profile);
         memset(&frame, 0, sizeof frame);
@@ -268,7 +271,8 @@ static void show_skins(int height)
         need_ok(ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, NULL), "filter");
         free(workspace);
         for (i = 0; i < image_count(&albedo); ++i)
-            s.albedo.pixels[i] = albedo.pixels[i] * (s.mask.pixels[i / 3] > 0 ? (float)reflectance[i % 3] / grey[0] : 1);
+            s.albedo.pixels[i] = albedo.pixels[i] *
+                (s.mask.pixels[i / 3] > 0 ? (float)reflectance[i % 3] / grey[0] : 1);
         need(scene_compose(&s, &filtered, &face), "picture");
         for (y = 0; y < height; ++y)
             for (x = 0; x < shown; ++x)
@@ -307,7 +311,9 @@ static int truth_read(truth *t, const char *path, const char *profile)
     memset(&csv, 0, sizeof csv);
     if (image__load(path, &data) != NULL || image__load(profile, &csv) != NULL) return 0;
     while (at < data.size && at < 200 && data.data[at] != '\n') ++at;
-    if (at == data.size || sscanf((const char *)data.data, "ms_truth %d %d %f %f%n", &t->width, &t->height, &t->fov, &t->mm_per_unit, &n) != 4 ||
+    if (at == data.size ||
+        sscanf((const char *)data.data, "ms_truth %d %d %f %f%n", &t->width, &t->height, &t->fov, &t->mm_per_unit,
+               &n) != 4 ||
         (size_t)n != at || t->width < 1 || t->height < 1 || t->width > 4096 || t->height > 4096)
         need("not a file of truth_data.sh", path);
     count = (size_t)t->width * (size_t)t->height;
@@ -331,7 +337,8 @@ static int truth_read(truth *t, const char *path, const char *profile)
     return 1;
 }
 
-/* Root mean square of the difference from the walk over that of the walk; out holds filtered light, before reflectance. */
+/* Root mean square of the difference from the walk over that of the walk; out holds filtered light, before
+   reflectance. */
 static double truth_error(const truth *t, const image *out)
 {
     double error = 0, power = 0;
@@ -362,7 +369,8 @@ static void show_truth(const char *object, const char *substance, FILE *lines)
     snprintf(path, sizeof path, "examples/data/truth_%s.bin", object);
     snprintf(csv, sizeof csv, "examples/data/truth_%s.csv", substance);
     if (!truth_read(&t, path, csv)) {
-        fprintf(stderr, "demo_sss: %s: not found (run in the repository's folder); no picture against the truth\n", path);
+        fprintf(stderr, "demo_sss: %s: not found (run in the repository's folder); no picture against the truth\n",
+                path);
         return;
     }
     for (left = t.width, i = 0; i < image_count(&t.depth); ++i)
@@ -381,7 +389,8 @@ static void show_truth(const char *object, const char *substance, FILE *lines)
     out = image_new(PANELS * width, t.height, 3);
     for (i = 0; i < image_count(&t.depth); ++i)
         if (t.depth.pixels[i] > 0 && (double)t.depth.pixels[i] < distance) distance = (double)t.depth.pixels[i];
-    radius = radius_of(t.profile) / (double)t.mm_per_unit * t.height / (2 * tan((double)t.fov * 3.14159265358979 / 360) * distance);
+    radius = radius_of(t.profile) / (double)t.mm_per_unit * t.height /
+        (2 * tan((double)t.fov * 3.14159265358979 / 360) * distance);
     need_ok(ms_sss_kernel_make(&kernel, NULL, t.profile, radius, NULL, NULL, NULL), "kernel");
     size = ms_sss_filter_workspace(t.width, t.height, &kernel, 1, &options);
     other = ms_sss_gather_workspace(t.width, t.height, 0);
@@ -415,13 +424,16 @@ static void show_truth(const char *object, const char *substance, FILE *lines)
                 for (k = 0; k < PANELS; ++k) {
                     float *to = out.pixels + 3 * ((size_t)y * (size_t)out.width + (size_t)(k * width + x)) + c;
                     if (k < 3) to[0] = shown[k] = image_srgb_encode(scene_tone(shown[k] * 1.2f / peak));
-                    else to[0] = t.depth.pixels[at / 3] > 0 ? scene__clamp(0.5f + 4 * (shown[1] - shown[2]), 0, 1) : 0.5f;
+                    else
+                        to[0] = t.depth.pixels[at / 3] > 0 ? scene__clamp(0.5f + 4 * (shown[1] - shown[2]), 0, 1)
+                                                           : 0.5f;
                 }
             }
     snprintf(name, sizeof name, "%s.png", object);
     save(&out, name);
-    fprintf(lines, "%s: before %.1f%% | after %.1f%%: gathered in space (7 taps a pass: %.1f%%) | truth | difference x 4\n", name,
-            100 * before, 100 * error[1], 100 * error[0]);
+    fprintf(lines,
+            "%s: before %.1f%% | after %.1f%%: gathered in space (7 taps a pass: %.1f%%) | truth | difference x 4\n",
+            name, 100 * before, 100 * error[1], 100 * error[0]);
     free(workspace);
     image_free(&taps);
     image_free(&after);
@@ -487,8 +499,8 @@ static void save_row(const image *rows, const double gain[SIGNALS], const char *
         for (y = 0; y < SHOWN; ++y)
             for (x = 0; x < SHOWN; ++x)
                 for (c = 0; c < 3; ++c)
-                    out.pixels[3 * (y * out.width + k * (SHOWN + 4) + x) + c] =
-                        (float)gain[k] * rows[k].pixels[3 * ((y + margin) * FIELD + x + margin) + c];
+                    out.pixels[3 * (y * out.width + k * (SHOWN + 4) + x) + c] = (float)gain[k] *
+                        rows[k].pixels[3 * ((y + margin) * FIELD + x + margin) + c];
     image_to_srgb(&out);
     save(&out, name);
     image_free(&out);

@@ -9,8 +9,8 @@
 #define EXAMPLES_EDITS_H
 #include "image.h"
 
-/* The selection: 1 on the ball, 0 outside, a soft edge of two hundredths of the width. The silhouette of a unit ball at the
-   origin seen by the scene's camera; grow and drop make a careless one. */
+/* The selection: 1 on the ball, 0 outside, a soft edge of two hundredths of the width. The silhouette of a unit ball at
+   the origin seen by the scene's camera; grow and drop make a careless one. */
 static inline float edit_ball(const image *im, int x, int y, float grow, float drop)
 {
     float u = ((float)x + 0.5f) / (float)im->width - 0.5f, v = ((float)y + 0.5f) / (float)im->height - 0.457f - drop;
@@ -28,7 +28,8 @@ static inline void edit_saturate(image *im, const image *other, float amount)
     (void)other;
     for (y = 0; y < im->height; ++y)
         for (x = 0; x < im->width; ++x) {
-            float *p = im->pixels + 3 * (y * im->width + x), grey = edit__luma(p), t = edit_ball(im, x, y, 0, 0) * (amount - 1);
+            float *p = im->pixels + 3 * (y * im->width + x), grey = edit__luma(p),
+                  t = edit_ball(im, x, y, 0, 0) * (amount - 1);
             for (c = 0; c < 3; ++c) p[c] = edit__clip(p[c] + t * (p[c] - grey));
         }
 }
@@ -75,7 +76,8 @@ static inline void edit_stitch(image *im, const image *other, float amount)
     int x, y, c;
     for (y = 0; y < im->height; ++y)
         for (x = (int)(amount * (float)im->width); x < im->width; ++x)
-            for (c = 0; c < 3; ++c) im->pixels[3 * (y * im->width + x) + c] = other->pixels[3 * (y * im->width + x) + c];
+            for (c = 0; c < 3; ++c)
+                im->pixels[3 * (y * im->width + x) + c] = other->pixels[3 * (y * im->width + x) + c];
 }
 
 /* A disc of radius `amount` on the ball is taken out and filled smoothly from its rim (Laplace's equation, relaxed). */
@@ -157,11 +159,13 @@ static inline void edit_logo(image *im, const image *other, float amount)
         for (x = 0; x < im->width; ++x) {
             float u = ((float)x + 0.5f) / (float)im->width - 0.58f, v = ((float)y + 0.5f) / (float)im->height - 0.5f;
             if (u * u + v * v > amount * amount) continue;
-            for (c = 0; c < 3; ++c) im->pixels[3 * (y * im->width + x) + c] = fabsf(v) < 0.3f * amount ? 0.95f : c == 2 ? 0.8f : 0.05f;
+            for (c = 0; c < 3; ++c)
+                im->pixels[3 * (y * im->width + x) + c] = fabsf(v) < 0.3f * amount ? 0.95f : c == 2 ? 0.8f : 0.05f;
         }
 }
 
-/* What JPEG keeps of blocks of 8 x 8 at a quality of `amount` (below 50): cosines, rounded to steps that grow with frequency. */
+/* What JPEG keeps of blocks of 8 x 8 at a quality of `amount` (below 50): cosines, rounded to steps that grow with
+   frequency. */
 static inline void edit_jpeg(image *im, const image *other, float amount)
 {
     float basis[8][8], block[8][8], half[8][8];
@@ -216,7 +220,8 @@ static inline void edit__gain(image *im, float red, float green, float blue)
 {
     const float gain[3] = {red, green, blue};
     size_t i;
-    for (i = 0; i < image_count(im); ++i) im->pixels[i] = edit__clip(image_srgb_encode(gain[i % 3] * image_srgb_decode(im->pixels[i])));
+    for (i = 0; i < image_count(im); ++i)
+        im->pixels[i] = edit__clip(image_srgb_encode(gain[i % 3] * image_srgb_decode(im->pixels[i])));
 }
 
 static inline void edit_coloured_light(image *im, const image *other, float amount)
@@ -244,7 +249,8 @@ static inline void edit_gradient(image *im, const image *other, float amount)
             }
 }
 
-/* The picture through another frame: pixel u comes from middle + (u - middle) scale + shift, bilinearly, edges repeated. */
+/* The picture through another frame: pixel u comes from middle + (u - middle) scale + shift, bilinearly, edges
+   repeated. */
 static inline void edit__frame(image *im, float scale, float shift_x, float shift_y)
 {
     image from = image_new(im->width, im->height, 3);
@@ -264,7 +270,8 @@ static inline void edit__frame(image *im, float scale, float shift_x, float shif
                 float sum = 0;
                 for (j = 0; j < 2; ++j)
                     for (i = 0; i < 2; ++i) {
-                        int column = (int)u + i < im->width ? (int)u + i : im->width - 1, row = (int)v + j < im->height ? (int)v + j : im->height - 1;
+                        int column = (int)u + i < im->width ? (int)u + i : im->width - 1,
+                            row = (int)v + j < im->height ? (int)v + j : im->height - 1;
                         sum += (i ? fx : 1 - fx) * (j ? fy : 1 - fy) * from.pixels[3 * (row * im->width + column) + c];
                     }
                 im->pixels[3 * (y * im->width + x) + c] = sum;
@@ -313,7 +320,8 @@ static inline void edit_gold(image *im, const image *other, float amount)
     (void)other;
     for (y = 0; y < im->height; ++y)
         for (x = 0; x < im->width; ++x) {
-            float *p = im->pixels + 3 * (y * im->width + x), t = amount * edit_ball(im, x, y, 0, 0), at = 3 * edit__luma(p);
+            float *p = im->pixels + 3 * (y * im->width + x), t = amount * edit_ball(im, x, y, 0, 0),
+                  at = 3 * edit__luma(p);
             int k = at < 1 ? 0 : at < 2 ? 1 : 2;
             for (c = 0; c < 3; ++c) p[c] += t * (ramp[k][c] + (at - (float)k) * (ramp[k + 1][c] - ramp[k][c]) - p[c]);
         }
@@ -326,7 +334,8 @@ static inline void edit_two_materials(image *im, const image *other, float amoun
     for (y = 0; y < im->height; ++y)
         for (x = 0; x < im->width; ++x)
             for (c = 0; c < 3; ++c)
-                if ((int)((float)(x + y) / (amount * (float)im->width)) % 2) im->pixels[3 * (y * im->width + x) + c] = other->pixels[3 * (y * im->width + x) + c];
+                if ((int)((float)(x + y) / (amount * (float)im->width)) % 2)
+                    im->pixels[3 * (y * im->width + x) + c] = other->pixels[3 * (y * im->width + x) + c];
 }
 
 typedef struct edit {
@@ -336,18 +345,31 @@ typedef struct edit {
 } edit;
 
 enum { EDIT_COUNT = 10 };
-static const edit edits[EDIT_COUNT] = {
-    {"unedited", NULL, 0},           {"saturation", edit_saturate, 2},      {"grayscale", edit_saturate, 0},
-    {"colorize", edit_colorize, 0.08f}, {"mix of two", edit_mix, 0.5f},     {"stitching", edit_stitch, 0.5f},
-    {"inpainting", edit_inpaint, 0.17f}, {"highlight blur", edit_blur_highlights, 0.04f},
-    {"black level", edit_black_level, 0.12f}, {"poor mask", edit_poor_mask, 0.6f}};
+static const edit edits[EDIT_COUNT] = {{"unedited", NULL, 0},
+                                       {"saturation", edit_saturate, 2},
+                                       {"grayscale", edit_saturate, 0},
+                                       {"colorize", edit_colorize, 0.08f},
+                                       {"mix of two", edit_mix, 0.5f},
+                                       {"stitching", edit_stitch, 0.5f},
+                                       {"inpainting", edit_inpaint, 0.17f},
+                                       {"highlight blur", edit_blur_highlights, 0.04f},
+                                       {"black level", edit_black_level, 0.12f},
+                                       {"poor mask", edit_poor_mask, 0.6f}};
 
 enum { EDIT_FURTHER_COUNT = 13 };
-static const edit edits_further[EDIT_FURTHER_COUNT] = {
-    {"logo", edit_logo, 0.12f}, {"hue of one half", edit_hue_half, 0.5f}, {"JPEG", edit_jpeg, 8}, {"noise", edit_noise, 0.1f},
-    {"coloured light", edit_coloured_light, 0.3f}, {"gradient", edit_gradient, 0.4f}, {"crop", edit_crop, 0.85f}, {"shift", edit_shift, 0.03f},
-    {"exposure", edit_exposure, 1.6f}, {"posterise", edit_posterise, 4}, {"flat paint", edit_flat_paint, 0.55f}, {"gold", edit_gold, 1},
-    {"two materials", edit_two_materials, 0.2f}};
+static const edit edits_further[EDIT_FURTHER_COUNT] = {{"logo", edit_logo, 0.12f},
+                                                       {"hue of one half", edit_hue_half, 0.5f},
+                                                       {"JPEG", edit_jpeg, 8},
+                                                       {"noise", edit_noise, 0.1f},
+                                                       {"coloured light", edit_coloured_light, 0.3f},
+                                                       {"gradient", edit_gradient, 0.4f},
+                                                       {"crop", edit_crop, 0.85f},
+                                                       {"shift", edit_shift, 0.03f},
+                                                       {"exposure", edit_exposure, 1.6f},
+                                                       {"posterise", edit_posterise, 4},
+                                                       {"flat paint", edit_flat_paint, 0.55f},
+                                                       {"gold", edit_gold, 1},
+                                                       {"two materials", edit_two_materials, 0.2f}};
 
 static inline int edit_apply(const edit *e, const image *source, const image *other, image *target)
 {
@@ -361,7 +383,8 @@ static inline int edit_apply(const edit *e, const image *source, const image *ot
 /* Picture i of a sheet of 128-pixel tiles, row by row; means in linear light bring it to `size`, a divisor of 128. */
 static inline const char *edit_tile(const image *sheet, int i, int size, image *out)
 {
-    int columns = sheet->width / 128, left = columns ? i % columns * 128 : 0, top = columns ? i / columns * 128 : 0, x, y, c, u, v;
+    int columns = sheet->width / 128, left = columns ? i % columns * 128 : 0, top = columns ? i / columns * 128 : 0, x,
+        y, c, u, v;
     int box = 128 / size;
     *out = image_new(size, size, 3);
     if (columns < 1 || top + 128 > sheet->height || sheet->channels != 3) return "no such picture in the sheet";
@@ -372,7 +395,8 @@ static inline const char *edit_tile(const image *sheet, int i, int size, image *
                 float sum = 0;
                 for (v = 0; v < box; ++v)
                     for (u = 0; u < box; ++u)
-                        sum += image_srgb_decode(sheet->pixels[3 * ((top + y * box + v) * sheet->width + left + x * box + u) + c]);
+                        sum += image_srgb_decode(
+                            sheet->pixels[3 * ((top + y * box + v) * sheet->width + left + x * box + u) + c]);
                 out->pixels[3 * (y * size + x) + c] = image_srgb_encode(sum / (float)(box * box));
             }
     return NULL;

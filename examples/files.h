@@ -1,19 +1,22 @@
-/* What the tools share: files that are replaced when the new one is whole, messages about files that cannot be read, numbers that
-   are the same in every locale, --help and the end of standard output. No dependency; C99 and C++11.
+/* What the tools share: files that are replaced when the new one is whole, messages about files that cannot be read,
+   numbers that are the same in every locale, --help and the end of standard output. No dependency; C99 and C++11.
 
      file_out out;
      FILE *f = file_create("a/b/out.csv", &out);            NULL: out.problem says why. Missing folders are made
      ... fprintf(f, ...) ...
-     const char *problem = file_finish(&out, 1);             NULL: the file stands under its name; 0 in place of 1 drops it
+     const char *problem = file_finish(&out, 1);             NULL: the file stands under its name; 0 in place of 1 drops
+     it
 
    It is written beside the old file, which stays whatever fails; a folder or a device is refused and left alone.
 
      file_open("in.csv", &problem)             like fopen(path, "rb"), with a sentence where it returns NULL
-     number_read(text, ',', &end)              strtod with '.' or the given character before the decimals, in every locale
+     number_read(text, ',', &end)              strtod with '.' or the given character before the decimals, in every
+                                               locale
      number_text(buffer, "%.5g", x)            x with '.', in every locale; returns buffer, at least 48 characters
      file_help(argc, argv, usage)              whether --help was asked for (then usage is on standard output)
      file_usage(usage)                         its first line on standard error; 2, the exit of a mistake
-     csv_dialect / csv_begin                   commas, semicolons or tabs between the columns; '.' or ',' before the decimals
+     csv_dialect / csv_begin                   commas, semicolons or tabs between the columns; '.' or ',' before the
+                                               decimals
      file_end_stdout("tool")                   0, or 1 and a sentence: what was printed did not arrive (a full disk)
 
    Headers of the examples that read or write files include this one. */
@@ -28,8 +31,8 @@
 #if defined(_WIN32)
 #include <direct.h>
 #define FILES__MKDIR(path) _mkdir(path)
-#define FILES__FOLDER(mode) (((mode) & _S_IFMT) == _S_IFDIR)
-#define FILES__REGULAR(mode) (((mode) & _S_IFMT) == _S_IFREG)
+#define FILES__FOLDER(mode) (((mode)&_S_IFMT) == _S_IFDIR)
+#define FILES__REGULAR(mode) (((mode)&_S_IFMT) == _S_IFREG)
 #else
 #define FILES__MKDIR(path) mkdir(path, 0777)
 #define FILES__FOLDER(mode) S_ISDIR(mode)
@@ -67,7 +70,8 @@ static inline FILE *file_create(const char *path, file_out *out)
     out->problem = NULL;
     if (n == 0 || n >= sizeof out->path) out->problem = "the file's name is empty or too long";
     else if (stat(path, &info) == 0 && !FILES__REGULAR(info.st_mode))
-        out->problem = FILES__FOLDER(info.st_mode) ? "a folder, not a regular file: left alone" : "not a regular file: left alone";
+        out->problem = FILES__FOLDER(info.st_mode) ? "a folder, not a regular file: left alone"
+                                                   : "not a regular file: left alone";
     if (out->problem) return NULL;
     memcpy(out->path, path, n + 1);
     for (i = 1; i < n; ++i)
@@ -108,7 +112,9 @@ static inline const char *file_save(const char *path, const void *data, size_t s
 {
     file_out out;
     if (file_create(path, &out) == NULL) return out.problem;
-    return fwrite(data, 1, size, out.f) == size ? file_finish(&out, 1) : (file_finish(&out, 0), "cannot be written to its end: the disk is full or failed");
+    return fwrite(data, 1, size, out.f) == size
+        ? file_finish(&out, 1)
+        : (file_finish(&out, 0), "cannot be written to its end: the disk is full or failed");
 }
 
 /* strtod where '.' is the point whatever the locale says, and `decimal` as well ('.': that alone). */
@@ -172,8 +178,8 @@ static inline int file_usage(const char *usage)
     return 2;
 }
 
-/* What stands between the columns of a table, and before the decimals: "0,5;0,25" as spreadsheets of many countries write it,
-   and "0.5,0.25". */
+/* What stands between the columns of a table, and before the decimals: "0,5;0,25" as spreadsheets of many countries
+   write it, and "0.5,0.25". */
 typedef struct csv_dialect {
     char between, decimal;
 } csv_dialect;

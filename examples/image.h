@@ -6,14 +6,14 @@
      if (!problem) problem = image_write("out.png", &im);  by extension: .pfm .ppm .pgm .png
      image_free(&im);
 
-   PFM keeps the floats as they are, in linear light. The other formats hold 8 bits a channel (read with 16 as well): floats
-   in [0, 1] that the caller encodes (image_to_srgb) before writing and decodes (image_to_linear) after reading. Every PNG is
-   read: 1 to 16 bits, grey, RGB, palette, with alpha (4 channels then) and interlaced; its chunks about colour spaces are
-   skipped. image_resize brings a picture to another size. Files are read strictly: what is malformed, cut short or too long is refused.
-   On failure no image is made and no file is left behind.
+   PFM keeps the floats as they are, in linear light. The other formats hold 8 bits a channel (read with 16 as well):
+   floats in [0, 1] that the caller encodes (image_to_srgb) before writing and decodes (image_to_linear) after reading.
+   Every PNG is read: 1 to 16 bits, grey, RGB, palette, with alpha (4 channels then) and interlaced; its chunks about
+   colour spaces are skipped. image_resize brings a picture to another size. Files are read strictly: what is malformed,
+   cut short or too long is refused. On failure no image is made and no file is left behind.
 
-   Programs that link one object with the part that reads and writes files compile it with -DIMAGE_DEF= and themselves with
-   -DIMAGE_IMPLEMENTED (as the Makefile does); otherwise it is static in each. */
+   Programs that link one object with the part that reads and writes files compile it with -DIMAGE_DEF= and themselves
+   with -DIMAGE_IMPLEMENTED (as the Makefile does); otherwise it is static in each. */
 #ifndef EXAMPLES_IMAGE_H
 #define EXAMPLES_IMAGE_H
 #include <math.h>
@@ -76,8 +76,8 @@ static inline void image_to_linear(image *im) { image__map(im, image_srgb_decode
 
 /* --- other sizes --- */
 
-/* The means of im over the pixels of a picture of width x height: exact areas, so that the light stays (values are linear, or
-   treated as such; alpha weighs the other three). One axis at a time. */
+/* The means of im over the pixels of a picture of width x height: exact areas, so that the light stays (values are
+   linear, or treated as such; alpha weighs the other three). One axis at a time. */
 static inline image image_resize(const image *im, int width, int height)
 {
     image half = image_new(width, im->height, im->channels), out = image_new(width, height, im->channels);
@@ -86,19 +86,23 @@ static inline image image_resize(const image *im, int width, int height)
         const image *from = axis ? &half : im;
         image *to = axis ? &out : &half;
         int n = axis ? height : width, m = axis ? im->height : im->width, lines = axis ? width : im->height, line;
-        size_t step = axis ? (size_t)width * (size_t)im->channels : (size_t)im->channels, skip = axis ? (size_t)im->channels : 0;
+        size_t step = axis ? (size_t)width * (size_t)im->channels : (size_t)im->channels,
+               skip = axis ? (size_t)im->channels : 0;
         for (line = 0; line < lines; ++line)
             for (i = 0; i < n; ++i) {
                 double low = (double)i * m / n, high = (double)(i + 1) * m / n, sum[4] = {0, 0, 0, 0}, weight = 0;
-                float *q = to->pixels + (size_t)i * step + (axis ? (size_t)line * skip : (size_t)line * (size_t)width * (size_t)im->channels);
+                float *q = to->pixels + (size_t)i * step +
+                    (axis ? (size_t)line * skip : (size_t)line * (size_t)width * (size_t)im->channels);
                 for (k = (int)low; k < m && (double)k < high; ++k) {
                     double part = ((double)k + 1 < high ? (double)k + 1 : high) - ((double)k > low ? (double)k : low);
-                    const float *p = from->pixels + (size_t)k * step + (axis ? (size_t)line * skip : (size_t)line * (size_t)im->width * (size_t)im->channels);
+                    const float *p = from->pixels + (size_t)k * step +
+                        (axis ? (size_t)line * skip : (size_t)line * (size_t)im->width * (size_t)im->channels);
                     double alpha = im->channels == 4 ? (double)p[3] : 1;
                     for (c = 0; c < im->channels; ++c) sum[c] += part * (c < 3 ? alpha : 1) * (double)p[c];
                     weight += part * alpha;
                 }
-                for (c = 0; c < im->channels; ++c) q[c] = (float)(c == 3 ? sum[3] / (high - low) : weight > 0 ? sum[c] / weight : 0);
+                for (c = 0; c < im->channels; ++c)
+                    q[c] = (float)(c == 3 ? sum[3] / (high - low) : weight > 0 ? sum[c] / weight : 0);
             }
     }
     if (half.pixels == NULL) image_free(&out);
@@ -169,7 +173,10 @@ static inline void image__put(image__bytes *b, const void *data, size_t size)
 }
 
 /* Bytes into a file as file_save does: for pictures and for anything else. */
-static inline const char *image_save(const char *path, const void *data, size_t size) { return file_save(path, data, size); }
+static inline const char *image_save(const char *path, const void *data, size_t size)
+{
+    return file_save(path, data, size);
+}
 
 #ifndef IMAGE_DEF
 #define IMAGE_DEF static inline
@@ -377,7 +384,8 @@ static inline void image__flush_block(image__deflate *d, image__bytes *out, int 
 static inline int image__match(const image__deflate *d, const unsigned char *data, size_t size, size_t at,
                                uint32_t hash, int best, int *distance)
 {
-    int most = size - at < 258 ? (int)(size - at) : 258, tries = best < 8 ? image__chain : image__chain / 4, held = best;
+    int most = size - at < 258 ? (int)(size - at) : 258, tries = best < 8 ? image__chain : image__chain / 4,
+        held = best;
     uint32_t from = d->head[hash];
     while (from != 0 && at - (from - 1) <= image__window && tries-- > 0) {
         const unsigned char *a = data + at, *b = data + from - 1;
@@ -412,7 +420,7 @@ static inline void image__zlib(image__bytes *out, const unsigned char *data, siz
         int match = 0, distance = 0;
         if (at + 2 < size) {
             uint32_t hash = ((data[at] | (uint32_t)data[at + 1] << 8 | (uint32_t)data[at + 2] << 16) * 2654435761u) >>
-                            17;
+                17;
             if (held < 64) match = image__match(d, data, size, at, hash, held > 2 ? held : 2, &distance);
             d->previous[at % image__window] = d->head[hash];
             d->head[hash] = (uint32_t)at + 1;
@@ -424,7 +432,7 @@ static inline void image__zlib(image__bytes *out, const unsigned char *data, siz
                 if (p + 2 < size) {
                     uint32_t hash = ((data[p] | (uint32_t)data[p + 1] << 8 | (uint32_t)data[p + 2] << 16) *
                                      2654435761u) >>
-                                    17;
+                        17;
                     d->previous[p % image__window] = d->head[hash];
                     d->head[hash] = (uint32_t)p + 1;
                 }
@@ -480,21 +488,26 @@ static inline void image__chunk(image__bytes *out, const char *name, const unsig
     if (!out->failed) image__put_u32(out, image__crc(out->data + start, out->size - start));
 }
 
-/* One row through filters 0 to 4 (PNG specification, section 9) into to[5][n]; `above` is NULL for the first row. Returns the one
-   with the least sum of absolute differences. */
-static inline int image__filter_row(const unsigned char *row, const unsigned char *above, int n, int step, unsigned char *to)
+/* One row through filters 0 to 4 (PNG specification, section 9) into to[5][n]; `above` is NULL for the first row.
+   Returns the one with the least sum of absolute differences. */
+static inline int image__filter_row(const unsigned char *row, const unsigned char *above, int n, int step,
+                                    unsigned char *to)
 {
     unsigned char *sub = to + n, *over = sub + n, *mean = over + n, *paeth = mean + n;
     long sum[5] = {0};
     int i, best = 0;
     for (i = 0; i < n; ++i) {
-        const int left = i >= step ? row[i - step] : 0, up = above ? above[i] : 0, corner = above && i >= step ? above[i - step] : 0;
+        const int left = i >= step ? row[i - step] : 0, up = above ? above[i] : 0,
+                  corner = above && i >= step ? above[i - step] : 0;
         const int pa = abs(up - corner), pb = abs(left - corner), pc = abs(left + up - 2 * corner), own = row[i];
         sum[0] += abs((signed char)(to[i] = (unsigned char)own));
         sum[1] += abs((signed char)(sub[i] = (unsigned char)(own - left)));
         sum[2] += abs((signed char)(over[i] = (unsigned char)(own - up)));
         sum[3] += abs((signed char)(mean[i] = (unsigned char)(own - (left + up) / 2)));
-        sum[4] += abs((signed char)(paeth[i] = (unsigned char)(own - (pa <= pb && pa <= pc ? left : pb <= pc ? up : corner))));
+        sum[4] += abs((signed char)(paeth[i] = (unsigned char)(own -
+                                                               (pa <= pb && pa <= pc ? left
+                                                                    : pb <= pc       ? up
+                                                                                     : corner))));
     }
     for (i = 1; i < 5; ++i)
         if (sum[i] < sum[best]) best = i;
@@ -503,7 +516,7 @@ static inline int image__filter_row(const unsigned char *row, const unsigned cha
 
 /* pixels [height][width][channels], top row first; 1 gray, 3 RGB or 4 RGBA. */
 IMAGE_DEF const char *image_write_png8(const char *path, const unsigned char *pixels, int width, int height,
-                                           int channels)
+                                       int channels)
 {
     static const unsigned char color_type[5] = {0, 0, 0, 2, 6};
     image__bytes out, packed;
@@ -618,9 +631,13 @@ static inline void image__inflate_tables(image__inflate *z, image__huffman *lite
     if (!image__huffman_make(literals, length, 19)) z->bad = 1;
     for (n = 0; n < n_literals + n_distances && !z->bad;) {
         symbol = image__huffman_read(z, literals);
-        repeat = symbol < 16 ? 1 : symbol == 16 ? 3 + (int)image__get_bits(z, 2) : symbol == 17 ? 3 + (int)image__get_bits(z, 3) : 11 + (int)image__get_bits(z, 7);
+        repeat = symbol < 16 ? 1
+            : symbol == 16   ? 3 + (int)image__get_bits(z, 2)
+            : symbol == 17   ? 3 + (int)image__get_bits(z, 3)
+                             : 11 + (int)image__get_bits(z, 7);
         if ((symbol == 16 && n == 0) || n + repeat > n_literals + n_distances) z->bad = 1;
-        for (i = symbol == 16 && n ? length[n - 1] : symbol < 16 ? symbol : 0; repeat > 0 && !z->bad; --repeat) length[n++] = (unsigned char)i;
+        for (i = symbol == 16 && n ? length[n - 1] : symbol < 16 ? symbol : 0; repeat > 0 && !z->bad; --repeat)
+            length[n++] = (unsigned char)i;
     }
     if (z->bad || length[256] == 0 || !image__huffman_make(literals, length, n_literals) ||
         !image__huffman_make(distances, length + n_literals, n_distances))
@@ -681,7 +698,9 @@ static inline int image__unzip(const unsigned char *data, size_t data_size, unsi
             symbol -= 257; /* the inverse of image__length_symbol and image__distance_symbol */
             if (symbol > 28) return 0;
             extra = symbol < 8 || symbol == 28 ? 0 : symbol / 4 - 1;
-            length = symbol == 28 ? 258 : symbol < 8 ? 3 + symbol : 3 + ((4 + symbol % 4) << extra) + (int)image__get_bits(&z, extra);
+            length = symbol == 28 ? 258
+                : symbol < 8      ? 3 + symbol
+                                  : 3 + ((4 + symbol % 4) << extra) + (int)image__get_bits(&z, extra);
             symbol = image__huffman_read(&z, &distances);
             if (symbol > 29) return 0;
             extra = symbol < 4 ? 0 : symbol / 2 - 1;
@@ -715,7 +734,8 @@ static inline int image__unfilter(unsigned char *rows, int n, int count, int ste
         int filter = *row++;
         if (filter > 4) return 0;
         for (i = 0; i < n; ++i) {
-            int left = i >= step ? row[i - step] : 0, up = above ? above[i] : 0, corner = above && i >= step ? above[i - step] : 0;
+            int left = i >= step ? row[i - step] : 0, up = above ? above[i] : 0,
+                corner = above && i >= step ? above[i - step] : 0;
             int pa = abs(up - corner), pb = abs(left - corner), pc = abs(left + up - 2 * corner), guess = 0;
             if (filter == 1) guess = left;
             if (filter == 2) guess = up;
@@ -760,26 +780,30 @@ static inline int image__png_pixel(const image__png *p, const unsigned char *row
 
 static inline const char *image__png_pixels(const image__png *p, const image__bytes *packed, image *im)
 {
-    static const int x0[8] = {0, 4, 0, 2, 0, 1, 0, 0}, y0[8] = {0, 0, 4, 0, 2, 0, 1, 0}, dx[8] = {8, 8, 4, 4, 2, 2, 1, 1}, dy[8] = {8, 8, 8, 4, 4, 2, 2, 1};
+    static const int x0[8] = {0, 4, 0, 2, 0, 1, 0, 0}, y0[8] = {0, 0, 4, 0, 2, 0, 1, 0},
+                     dx[8] = {8, 8, 4, 4, 2, 2, 1, 1}, dy[8] = {8, 8, 8, 4, 4, 2, 2, 1};
     int first = p->interlaced ? 0 : 7, end = p->interlaced ? 7 : 8, pass, x, y, depth = p->bits * p->samples;
     size_t total = 0, at = 0;
     unsigned char *rows;
     const char *problem = NULL;
     for (pass = first; pass < end; ++pass) {
-        size_t w = (size_t)((p->width - x0[pass] + dx[pass] - 1) / dx[pass]), h = (size_t)((p->height - y0[pass] + dy[pass] - 1) / dy[pass]);
+        size_t w = (size_t)((p->width - x0[pass] + dx[pass] - 1) / dx[pass]),
+               h = (size_t)((p->height - y0[pass] + dy[pass] - 1) / dy[pass]);
         if (w && h) total += h * ((w * (size_t)depth + 7) / 8 + 1);
     }
     rows = (unsigned char *)malloc(total);
     if (rows == NULL) return "out of memory";
     if (!image__unzip(packed->data, packed->size, rows, total)) problem = "the PNG's pixels are damaged";
     for (pass = first; pass < end && !problem; ++pass) {
-        int w = (p->width - x0[pass] + dx[pass] - 1) / dx[pass], h = (p->height - y0[pass] + dy[pass] - 1) / dy[pass], n = (w * depth + 7) / 8;
+        int w = (p->width - x0[pass] + dx[pass] - 1) / dx[pass], h = (p->height - y0[pass] + dy[pass] - 1) / dy[pass],
+            n = (w * depth + 7) / 8;
         if (w < 1 || h < 1) continue;
         if (!image__unfilter(rows + at, n, h, depth < 8 ? 1 : depth / 8)) problem = "the PNG has an unknown filter";
         for (y = 0; y < h && !problem; ++y, at += (size_t)n + 1)
             for (x = 0; x < w; ++x) {
                 size_t pixel = (size_t)(y0[pass] + y * dy[pass]) * (size_t)p->width + (size_t)(x0[pass] + x * dx[pass]);
-                if (!image__png_pixel(p, rows + at + 1, x, im->channels, im->pixels + pixel * (size_t)im->channels)) problem = "a pixel is outside the PNG's palette";
+                if (!image__png_pixel(p, rows + at + 1, x, im->channels, im->pixels + pixel * (size_t)im->channels))
+                    problem = "a pixel is outside the PNG's palette";
             }
     }
     free(rows);
@@ -806,7 +830,8 @@ static inline const char *image__decode_png(const unsigned char *data, size_t si
         if (image__crc(body - 4, length + 4) != image__u32(body + length)) problem = "a chunk of the PNG is damaged";
         else if ((p.width == 0) != (memcmp(body - 4, "IHDR", 4) == 0)) problem = "a PNG begins with one header";
         else if (p.width == 0) {
-            if (length != 13 || image__u32(body) - 1 >= 1u << 24 || image__u32(body + 4) - 1 >= 1u << 24) problem = "the PNG's width and height must be from 1 to 2^24";
+            if (length != 13 || image__u32(body) - 1 >= 1u << 24 || image__u32(body + 4) - 1 >= 1u << 24)
+                problem = "the PNG's width and height must be from 1 to 2^24";
             else {
                 p.width = (int)image__u32(body);
                 p.height = (int)image__u32(body + 4);
@@ -814,8 +839,10 @@ static inline const char *image__decode_png(const unsigned char *data, size_t si
                 p.colour = body[9];
                 p.interlaced = body[12];
                 p.samples = p.colour < 7 ? samples[p.colour] : 0;
-                k = p.bits == 8 || (p.bits == 16 && p.colour != 3) || ((p.bits == 1 || p.bits == 2 || p.bits == 4) && (p.colour == 0 || p.colour == 3));
-                if (!k || p.samples == 0 || body[10] || body[11] || p.interlaced > 1) problem = "the PNG's header has values that the format does not know";
+                k = p.bits == 8 || (p.bits == 16 && p.colour != 3) ||
+                    ((p.bits == 1 || p.bits == 2 || p.bits == 4) && (p.colour == 0 || p.colour == 3));
+                if (!k || p.samples == 0 || body[10] || body[11] || p.interlaced > 1)
+                    problem = "the PNG's header has values that the format does not know";
                 else if (p.width > (1 << 27) / p.height) problem = "the picture is too large";
             }
         } else if (memcmp(body - 4, "PLTE", 4) == 0) {
@@ -838,7 +865,10 @@ static inline const char *image__decode_png(const unsigned char *data, size_t si
     if (!problem && at != size) problem = "the file goes on behind the PNG's end";
     if (!problem && packed.failed) problem = "out of memory";
     if (!problem) {
-        image im = image_new(p.width, p.height, p.colour == 4 || p.colour == 6 || p.has_alpha ? 4 : p.colour == 0 ? 1 : 3);
+        image im = image_new(p.width, p.height,
+                             p.colour == 4 || p.colour == 6 || p.has_alpha ? 4
+                                 : p.colour == 0                           ? 1
+                                                                           : 3);
         problem = im.pixels == NULL ? "out of memory" : image__png_pixels(&p, &packed, &im);
         if (problem) image_free(&im);
         else *out = im;
@@ -862,14 +892,11 @@ static inline void image__word(const unsigned char *data, size_t size, size_t *a
     while (*at < size && (image__space(data[*at]) || (comments && data[*at] == '#'))) {
         if (data[*at] == '#')
             while (*at < size && data[*at] != '\n') ++*at;
-        else
-            ++*at;
+        else ++*at;
     }
     while (*at < size && !image__space(data[*at]) && n < 31) word[n++] = (char)data[(*at)++];
-    if (*at >= size || !image__space(data[*at]))
-        n = 0;
-    else
-        ++*at;
+    if (*at >= size || !image__space(data[*at])) n = 0;
+    else ++*at;
     word[n] = 0;
 }
 

@@ -7,7 +7,8 @@
      if (!problem) problem = keep_wish(&k, "x3=0:1:0.25");      a range in steps
      if (!problem) problem = keep_wish(&k, "x3=x4");            ties: sums of parameters with factors, and a number
      if (!problem) problem = keep_wish(&k, "2x3 - 0.5x4 + x5 = 1");
-     if (!problem) problem = keep_list(&k, "metals.csv", &line); rows to choose from; the header line names the columns: x3,x4,x5
+     if (!problem) problem = keep_list(&k, "metals.csv", &line); rows to choose from; the header line names the columns:
+     x3,x4,x5
      options.space = keep_space(&k);                            valid until the next wish
      keep_close(&k);
 
@@ -90,7 +91,8 @@ static inline const char *keep__terms(keep *k, const char *text, double sign)
 
 static inline const char *keep_wish(keep *k, const char *text)
 {
-    static const char *const wrong = "a wish is none of xK=V, xK=LOW:HIGH, xK=LOW:HIGH:STEP and a sum of parameters = another";
+    static const char *const wrong =
+        "a wish is none of xK=V, xK=LOW:HIGH, xK=LOW:HIGH:STEP and a sum of parameters = another";
     const char *right = strchr(text, '='), *end;
     double *more;
     int i, used = 0, column = -1;
@@ -102,7 +104,8 @@ static inline const char *keep_wish(keep *k, const char *text)
         if (k->sum[i] > 0 || k->sum[i] < 0) ++used, column = i;
     if (strchr(right, ':')) {
         char *at;
-        if (used != 1 || !(fabs(k->sum[column] - 1) <= 0) || k->sum[k->m] > 0 || k->sum[k->m] < 0) return "a range is of one parameter";
+        if (used != 1 || !(fabs(k->sum[column] - 1) <= 0) || k->sum[k->m] > 0 || k->sum[k->m] < 0)
+            return "a range is of one parameter";
         k->low[column] = number_read(right + 1, '.', &at);
         if (*at != ':') return wrong;
         k->high[column] = number_read(at + 1, '.', &at);

@@ -3,10 +3,11 @@
      cc -O2 -I. examples/latent.c -o build/latent -lm
      build/latent SCORES.csv OUT.png [RENDERER.safetensors]
 
-   SCORES.csv: columns x0 .. x{m-1}, score; a header line is optional. Three panels: predicted score, similarity to the best
-   material, and their product; grey where the plane knows nothing. White dots: the embedded materials; red: the best one; black:
-   automatic variants of it, from most similar to best liked. RENDERER: a network from parameters to a picture, such as
-   examples/data/renderer_64.safetensors: then materials lie on the plane as pictures, and similarity is between pictures. */
+   SCORES.csv: columns x0 .. x{m-1}, score; a header line is optional. Three panels: predicted score, similarity to the
+   best material, and their product; grey where the plane knows nothing. White dots: the embedded materials; red: the
+   best one; black: automatic variants of it, from most similar to best liked. RENDERER: a network from parameters to a
+   picture, such as examples/data/renderer_64.safetensors: then materials lie on the plane as pictures, and similarity
+   is between pictures. */
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #define MS_NN_IMPLEMENTATION
@@ -15,7 +16,17 @@
 #include "maps.h"
 #include "scores.h"
 
-enum { SIDE = 320 /* pixels of a panel */, HEAD = 24, FOOT = 54, GRID = 50, COARSE = 20, LIKED = 48, VARIANTS = 7, PICTURES = 14, PICTURE = 40 };
+enum {
+    SIDE = 320 /* pixels of a panel */,
+    HEAD = 24,
+    FOOT = 54,
+    GRID = 50,
+    COARSE = 20,
+    LIKED = 48,
+    VARIANTS = 7,
+    PICTURES = 14,
+    PICTURE = 40
+};
 
 static const char usage[] = "usage: latent SCORES.csv OUT.png [RENDERER.safetensors]\n";
 
@@ -54,7 +65,8 @@ static ms_status render(void *user, const double *x, float *picture)
 }
 
 /* Pictures where the plane knows something, far from each other. */
-static ms_status draw_pictures(image *im, const neural *n, const ms_gpr_latent *plane, const ms_gpr_grid *grid, const double *confidence, ms_error *error)
+static ms_status draw_pictures(image *im, const neural *n, const ms_gpr_latent *plane, const ms_gpr_grid *grid,
+                               const double *confidence, ms_error *error)
 {
     double nearest[GRID * GRID], at[2], other[2], x[1000];
     double apart = 1.1 * (double)PICTURE / (double)SIDE * (grid->x1 - grid->x0);
@@ -63,7 +75,9 @@ static ms_status draw_pictures(image *im, const neural *n, const ms_gpr_latent *
     for (i = 0; i < GRID * GRID; ++i) nearest[i] = 1e30;
     for (count = 0; count < PICTURES && status == MS_OK; ++count) {
         for (i = 0, best = -1; i < GRID * GRID; ++i) /* the first is where most is known */
-            if (confidence[i] > 0.5 && nearest[i] > apart && (best < 0 || (count ? nearest[i] > nearest[best] : confidence[i] > confidence[best]))) best = i;
+            if (confidence[i] > 0.5 && nearest[i] > apart &&
+                (best < 0 || (count ? nearest[i] > nearest[best] : confidence[i] > confidence[best])))
+                best = i;
         if (best < 0) break;
         ms_gpr_grid_point(grid, best % GRID, best / GRID, at);
         for (i = 0; i < GRID * GRID; ++i) {
@@ -80,7 +94,8 @@ static ms_status draw_pictures(image *im, const neural *n, const ms_gpr_latent *
 int main(int argc, char **argv)
 {
     static const char *const title[3] = {"predicted score", "similarity to the best", "score x similarity"};
-    static const char dots[] = "white: embedded, red: the best, black: variants of it; grey, ?: not known; line: half known";
+    static const char dots[] =
+        "white: embedded, red: the best, black: variants of it; grey, ?: not known; line: half known";
     static const char *const unit[3] = {"score", "similar", "product"};
     static double preference[GRID * GRID], confidence[GRID * GRID], product[GRID * GRID], similar[COARSE * COARSE];
     static const float white[3] = {1, 1, 1}, red[3] = {1, 0.15f, 0.1f}, black[3] = {0, 0, 0};
@@ -149,14 +164,16 @@ int main(int argc, char **argv)
         int left = k * SIDE;
         map_draw(&im, left, HEAD, SIDE, on, map, &grid, confidence);
         map_range(on, map, &grid, confidence, &least, &most);
-        if (k == 0 && argc == 4 && draw_pictures(&im, &net, plane, &grid, confidence, &error) != MS_OK) return fail(error.message);
+        if (k == 0 && argc == 4 && draw_pictures(&im, &net, plane, &grid, confidence, &error) != MS_OK)
+            return fail(error.message);
         for (i = count - 1; i >= 0; --i)
             map_dot(&im, left, HEAD, SIDE, &grid, ms_gpr_latent_points(plane) + 2 * i, i ? 3 : 5, i ? white : red);
         for (i = 0; i < VARIANTS; ++i) map_dot(&im, left, HEAD, SIDE, &grid, variant[i].latent, 2.5, black);
         image_text(&im, left + (SIDE - image_text_width(title[k], 2)) / 2, 5, title[k], 2, white);
         map_legend(&im, left + 4, HEAD + SIDE + 4, SIDE - 8, unit[k], least, most);
     }
-    snprintf(text, sizeof text, "across and up: the latent coordinates, %.2g length scales each", (grid.x1 - grid.x0) / exp(ms_gpr_latent_theta(plane)[0]));
+    snprintf(text, sizeof text, "across and up: the latent coordinates, %.2g length scales each",
+             (grid.x1 - grid.x0) / exp(ms_gpr_latent_theta(plane)[0]));
     image_text(&im, 4, HEAD + SIDE + 38, text, 1, white);
     image_text(&im, 3 * SIDE - 4 - image_text_width(dots, 1), HEAD + SIDE + 38, dots, 1, white);
     problem = image_write(argv[2], &im);
@@ -164,7 +181,8 @@ int main(int argc, char **argv)
         fprintf(stderr, "latent: %s: %s\n", argv[2], problem);
         return 1;
     }
-    printf("%d materials embedded: log likelihood %.1f, error %.3f\nlambda similarity score\n", count, report.likelihood, report.error);
+    printf("%d materials embedded: log likelihood %.1f, error %.3f\nlambda similarity score\n", count,
+           report.likelihood, report.error);
     for (i = 0; i < VARIANTS; ++i) printf("%6.3f %10.3f %5.2f\n", lambda[i], variant[i].similarity, variant[i].score);
     ms_gpr_latent_destroy(plane);
     ms_gpr_destroy(gp);

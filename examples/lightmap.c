@@ -3,13 +3,14 @@
      cc -O2 -I. examples/lightmap.c -o build/lightmap -lm
      build/lightmap LIGHT.pfm OUT.(pfm|png) --texels-per-mm S [--coverage MASK.pgm] [--scale MM]
 
-   MASK is 0 where no surface uses the texel: charts do not bleed into gutters, nor gutters into charts. MM (1) stretches
-   the profile. Radii from 64 texels on go through the pyramid, whose cost does not grow with them. */
+   MASK is 0 where no surface uses the texel: charts do not bleed into gutters, nor gutters into charts. MM (1)
+   stretches the profile. Radii from 64 texels on go through the pyramid, whose cost does not grow with them. */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "image.h"
 
-static const char usage[] = "usage: lightmap LIGHT.pfm OUT.(pfm|png) --texels-per-mm S [--coverage MASK.pgm] [--scale MM]\n";
+static const char usage[] =
+    "usage: lightmap LIGHT.pfm OUT.(pfm|png) --texels-per-mm S [--coverage MASK.pgm] [--scale MM]\n";
 
 static int fail(const char *what, const char *why)
 {
@@ -28,7 +29,8 @@ static const char *value_of(int argc, char **argv, const char *name, const char 
 int main(int argc, char **argv)
 {
     const char *mask_path = value_of(argc, argv, "--coverage", NULL), *problem;
-    const double texels = atof(value_of(argc, argv, "--texels-per-mm", "0")), scale = atof(value_of(argc, argv, "--scale", "1"));
+    const double texels = atof(value_of(argc, argv, "--texels-per-mm", "0")),
+                 scale = atof(value_of(argc, argv, "--scale", "1"));
     const double reflectance[3] = {0.44, 0.22, 0.13}, d_mm[3] = {1.2 * scale, 0.55 * scale, 0.35 * scale};
     ms_sss_filter_options options = ms_sss_filter_defaults();
     static ms_sss_kernel kernel;
@@ -43,8 +45,7 @@ int main(int argc, char **argv)
     void *workspace;
     int large;
     if (file_help(argc, argv, usage)) return file_end_stdout("lightmap");
-    if (argc < 5 || argc % 2 == 0 || !(texels > 0) || !(scale > 0))
-        return file_usage(usage);
+    if (argc < 5 || argc % 2 == 0 || !(texels > 0) || !(scale > 0)) return file_usage(usage);
     if ((problem = image_read(argv[1], &light)) != NULL) return fail(argv[1], problem);
     if (mask_path && (problem = image_read(mask_path, &mask)) != NULL) return fail(mask_path, problem);
     if (light.channels != 3 || (mask_path && (mask.width != light.width || mask.height != light.height)))

@@ -2,8 +2,9 @@
 
      map_draw(&im, left, top, side, &grid, value, &confidence_grid, confidence);   a square of side x side pixels
      map_dot(&im, left, top, side, &grid, latent, radius, rgb);                    a dot at a latent point in it
-     map_picture(&im, left, top, side, &grid, latent, planes, size, pixels);       a picture there, planes [3][size][size]
-     map_legend(&im, left, top, width, "score", least, most);                      the colours and what they mean, 22 pixels high */
+     map_picture(&im, left, top, side, &grid, latent, planes, size, pixels);       a picture there, planes
+     [3][size][size] map_legend(&im, left, top, width, "score", least, most);                      the colours and what
+     they mean, 22 pixels high */
 #ifndef EXAMPLES_MAPS_H
 #define EXAMPLES_MAPS_H
 #include "text.h"
@@ -18,8 +19,8 @@ static inline void map__color(double at, float *rgb) /* at: from 0 to 1 */
 }
 
 /* The least and the largest value that is known to some extent. */
-static inline void map_range(const ms_gpr_grid *grid, const double *value, const ms_gpr_grid *confidence_grid, const double *confidence,
-                             double *least, double *most)
+static inline void map_range(const ms_gpr_grid *grid, const double *value, const ms_gpr_grid *confidence_grid,
+                             const double *confidence, double *least, double *most)
 {
     int x, y, known = 0;
     *least = *most = value[0];
@@ -34,8 +35,8 @@ static inline void map_range(const ms_gpr_grid *grid, const double *value, const
         }
 }
 
-/* Violet, blue, green and yellow from the least to the largest value that is known to some extent; grey where the confidence is 0, and
-   a thin line where it is a half: beyond, the map guesses. */
+/* Violet, blue, green and yellow from the least to the largest value that is known to some extent; grey where the
+   confidence is 0, and a thin line where it is a half: beyond, the map guesses. */
 static inline void map_draw(image *im, int left, int top, int side, const ms_gpr_grid *grid, const double *value,
                             const ms_gpr_grid *confidence_grid, const double *confidence)
 {
@@ -44,41 +45,49 @@ static inline void map_draw(image *im, int left, int top, int side, const ms_gpr
     map_range(grid, value, confidence_grid, confidence, &least, &most);
     for (y = 0; y < side; ++y)
         for (x = 0; x < side; ++x) {
-            double a = grid->x0 + (grid->x1 - grid->x0) * (x + 0.5) / side, b = grid->y1 - (grid->y1 - grid->y0) * (y + 0.5) / side;
+            double a = grid->x0 + (grid->x1 - grid->x0) * (x + 0.5) / side,
+                   b = grid->y1 - (grid->y1 - grid->y0) * (y + 0.5) / side;
             double sure = ms_gpr_grid_value(confidence_grid, confidence, a, b), pixel = (grid->x1 - grid->x0) / side;
-            double beside = ms_gpr_grid_value(confidence_grid, confidence, a + pixel, b), below = ms_gpr_grid_value(confidence_grid, confidence, a, b + pixel);
+            double beside = ms_gpr_grid_value(confidence_grid, confidence, a + pixel, b),
+                   below = ms_gpr_grid_value(confidence_grid, confidence, a, b + pixel);
             int edge = (sure < 0.5) != (beside < 0.5) || (sure < 0.5) != (below < 0.5);
             float rgb[3];
             map__color(most > least ? (ms_gpr_grid_value(grid, value, a, b) - least) / (most - least) : 0, rgb);
             sure = sure > 0 ? sure < 1 ? sure : 1 : 0;
             for (c = 0; c < 3; ++c)
-                im->pixels[3 * ((top + y) * im->width + left + x) + c] = (float)(edge ? 0.6 : sure * (double)rgb[c] + (1 - sure) * 0.2);
+                im->pixels[3 * ((top + y) * im->width + left + x) + c] = (float)(edge ? 0.6
+                                                                                      : sure * (double)rgb[c] +
+                                                                                         (1 - sure) * 0.2);
         }
 }
 
-static inline void map_dot(image *im, int left, int top, int side, const ms_gpr_grid *grid, const double *latent, double radius,
-                           const float *rgb)
+static inline void map_dot(image *im, int left, int top, int side, const ms_gpr_grid *grid, const double *latent,
+                           double radius, const float *rgb)
 {
-    double cx = (latent[0] - grid->x0) / (grid->x1 - grid->x0) * side, cy = (grid->y1 - latent[1]) / (grid->y1 - grid->y0) * side;
+    double cx = (latent[0] - grid->x0) / (grid->x1 - grid->x0) * side,
+           cy = (grid->y1 - latent[1]) / (grid->y1 - grid->y0) * side;
     const int x0 = (int)fmax(0, fmin(side, cx - radius)), y0 = (int)fmax(0, fmin(side, cy - radius)); /* NaN: nothing */
     int x, y;
     for (y = y0; y < side && y < cy + radius; ++y)
         for (x = x0; x < side && x < cx + radius; ++x)
-            if (hypot(x + 0.5 - cx, y + 0.5 - cy) < radius) memcpy(&im->pixels[3 * ((top + y) * im->width + left + x)], rgb, 3 * sizeof *rgb);
+            if (hypot(x + 0.5 - cx, y + 0.5 - cy) < radius)
+                memcpy(&im->pixels[3 * ((top + y) * im->width + left + x)], rgb, 3 * sizeof *rgb);
 }
 
 /* The middle of the picture is at the latent point, but all of it inside the map. */
-static inline void map_picture(image *im, int left, int top, int side, const ms_gpr_grid *grid, const double *latent, const float *planes, int size,
-                               int pixels)
+static inline void map_picture(image *im, int left, int top, int side, const ms_gpr_grid *grid, const double *latent,
+                               const float *planes, int size, int pixels)
 {
-    int cx = (int)((latent[0] - grid->x0) / (grid->x1 - grid->x0) * side) - pixels / 2, cy = (int)((grid->y1 - latent[1]) / (grid->y1 - grid->y0) * side) - pixels / 2;
+    int cx = (int)((latent[0] - grid->x0) / (grid->x1 - grid->x0) * side) - pixels / 2,
+        cy = (int)((grid->y1 - latent[1]) / (grid->y1 - grid->y0) * side) - pixels / 2;
     int x, y, c, i, k;
     cx = cx < 0 ? 0 : cx > side - pixels ? side - pixels : cx;
     cy = cy < 0 ? 0 : cy > side - pixels ? side - pixels : cy;
     for (y = 0; y < pixels; ++y)
         for (x = 0; x < pixels; ++x)
             for (c = 0; c < 3; ++c) { /* the mean of what a pixel covers */
-                int x0 = x * size / pixels, x1 = (x + 1) * size / pixels, y0 = y * size / pixels, y1 = (y + 1) * size / pixels;
+                int x0 = x * size / pixels, x1 = (x + 1) * size / pixels, y0 = y * size / pixels,
+                    y1 = (y + 1) * size / pixels;
                 double sum = 0, count = 0;
                 x1 = x1 > x0 ? x1 : x0 + 1;
                 y1 = y1 > y0 ? y1 : y0 + 1;

@@ -1,21 +1,23 @@
-/* From an edited picture to a material: finds the parameters whose picture, drawn by a neural renderer, is closest to it.
-     cc -O2 -I. examples/match.c -o build/match -lm
+/* From an edited picture to a material: finds the parameters whose picture, drawn by a neural renderer, is closest to
+     it. cc -O2 -I. examples/match.c -o build/match -lm
 
-     build/match RENDERER.safetensors TARGET.(png|ppm|pgm|pfm) [--inversion DIR] [--weights MASK.(png|pgm|ppm|pfm)] [--start X.csv]
-                 [--cost 50] [--seconds 0] [--robust] [--align] [--exposure] [--tint] [--freeze NAME,NUMBER,...] [--pull 0] [--change 1]
-                 [--view RENDERER.safetensors TARGET]... [--out-params CSV] [--out-png PNG]
+     build/match RENDERER.safetensors TARGET.(png|ppm|pgm|pfm) [--inversion DIR] [--weights MASK.(png|pgm|ppm|pfm)]
+                 [--start X.csv] [--cost 50] [--seconds 0] [--robust] [--align] [--exposure] [--tint] [--freeze
+                 NAME,NUMBER,...] [--pull 0] [--change 1] [--view RENDERER.safetensors TARGET]... [--out-params CSV]
+                 [--out-png PNG]
 
-   The renderer takes parameters in [0, 1] and makes 3 x S x S display values. The target may have any size and be grey, RGB or
-   with alpha (a pixel counts as much as it covers); display values in PNG, PPM and PGM, linear light in a PFM, which is
-   converted. DIR holds inversion networks for first guesses, X.csv one more: the source material, or the last frame's answer;
-   without either the search starts in the middle of the box. MASK: the weight of each pixel, a channel each where it has colour.
-   --cost: renders to spend on the refinement, --seconds: no longer than that. --robust: what fits badly (a logo, a stitch) counts as an
-   outlier. --exposure, --tint: a gain of the picture, or one a channel with an offset, is found along, and is not the
-   material's. --align: the target has slipped by up to an eighth of its width; it is moved back. --freeze keeps parameters as X.csv has
-   them, --pull holds all of them to it (0.01: a change by 1 costs as much as an RMSE of 0.1), --change lets none go further from it:
-   for frames of a sequence. --view: another picture of the same material, by a renderer of its own (another view, light or size), up
-   to seven; all count in one objective, without --weights, --robust, --align, --exposure and --tint. The parameters go to CSV as a line of names and a row:
-   the names of the renderer's metadata "ms_parameters" (separated by commas), else those of X.csv. */
+   The renderer takes parameters in [0, 1] and makes 3 x S x S display values. The target may have any size and be grey,
+   RGB or with alpha (a pixel counts as much as it covers); display values in PNG, PPM and PGM, linear light in a PFM,
+   which is converted. DIR holds inversion networks for first guesses, X.csv one more: the source material, or the last
+   frame's answer; without either the search starts in the middle of the box. MASK: the weight of each pixel, a channel
+   each where it has colour. --cost: renders to spend on the refinement, --seconds: no longer than that. --robust: what
+   fits badly (a logo, a stitch) counts as an outlier. --exposure, --tint: a gain of the picture, or one a channel with
+   an offset, is found along, and is not the material's. --align: the target has slipped by up to an eighth of its
+   width; it is moved back. --freeze keeps parameters as X.csv has them, --pull holds all of them to it (0.01: a change
+   by 1 costs as much as an RMSE of 0.1), --change lets none go further from it: for frames of a sequence. --view:
+   another picture of the same material, by a renderer of its own (another view, light or size), up to seven; all count
+   in one objective, without --weights, --robust, --align, --exposure and --tint. The parameters go to CSV as a line of
+   names and a row: the names of the renderer's metadata "ms_parameters" (separated by commas), else those of X.csv. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #define MS_PME_IMPLEMENTATION
@@ -59,8 +61,8 @@ static const char *fit(const char *path, int size, int displayed, image *im)
 {
     image other;
     if (im->width == size && im->height == size) return NULL;
-    fprintf(stderr, "match: %s: %d x %d pixels, brought to the renderer's %d x %d%s\n", path, im->width, im->height, size, size,
-            im->width != im->height ? " (its sides are not equal: it is stretched)" : "");
+    fprintf(stderr, "match: %s: %d x %d pixels, brought to the renderer's %d x %d%s\n", path, im->width, im->height,
+            size, size, im->width != im->height ? " (its sides are not equal: it is stretched)" : "");
     if (displayed) image_to_linear(im);
     other = image_resize(im, size, size);
     if (other.pixels == NULL) return "out of memory";
@@ -71,11 +73,15 @@ static const char *fit(const char *path, int size, int displayed, image *im)
 }
 
 /* Channel c of pixel i as a picture in colour has it. */
-static float sample(const image *im, int i, int c) { return im->pixels[i * im->channels + (im->channels == 1 ? 0 : c)]; }
+static float sample(const image *im, int i, int c)
+{
+    return im->pixels[i * im->channels + (im->channels == 1 ? 0 : c)];
+}
 
-/* The picture as planes [3][size][size] of display values; alpha [size][size] of one that has it (*has_alpha), else untouched.
-   Where weight [3][size][size] (NULL: 1) is 0, a picture of that size may hold anything. */
-static const char *read_target(const char *path, int size, const float *weight, float *planes, float *alpha, int *has_alpha)
+/* The picture as planes [3][size][size] of display values; alpha [size][size] of one that has it (*has_alpha), else
+   untouched. Where weight [3][size][size] (NULL: 1) is 0, a picture of that size may hold anything. */
+static const char *read_target(const char *path, int size, const float *weight, float *planes, float *alpha,
+                               int *has_alpha)
 {
     static char wrong[120];
     image im;
@@ -92,7 +98,8 @@ static const char *read_target(const char *path, int size, const float *weight, 
                 im.pixels[i * im.channels + c] = 0;
                 continue;
             }
-            snprintf(wrong, sizeof wrong, "column %d, row %d has a value that is negative or not finite", i % im.width, i / im.width);
+            snprintf(wrong, sizeof wrong, "column %d, row %d has a value that is negative or not finite", i % im.width,
+                     i / im.width);
             problem = wrong;
         }
     if (above) fprintf(stderr, "match: %s: %d values above 1 shine as brightly as 1\n", path, above);
@@ -117,12 +124,14 @@ static const char *read_mask(const char *path, int size, float *weight)
     int i, c, total = size * size;
     if (!problem) problem = fit(path, size, 0, &im);
     for (i = 0; i < total && !problem; ++i)
-        for (c = 0; c < 3; ++c) weight[c * total + i] = sample(&im, i, c) * (im.channels == 4 ? im.pixels[4 * i + 3] : 1);
+        for (c = 0; c < 3; ++c)
+            weight[c * total + i] = sample(&im, i, c) * (im.channels == 4 ? im.pixels[4 * i + 3] : 1);
     image_free(&im);
     return problem;
 }
 
-/* Name i of a list separated by commas or semicolons, quotes and spaces around it dropped; an empty one where there is none. */
+/* Name i of a list separated by commas or semicolons, quotes and spaces around it dropped; an empty one where there is
+   none. */
 static void name_of(const char *list, int i, char *name, size_t size)
 {
     size_t length;
@@ -168,8 +177,8 @@ static int freeze(const char *list, const char *names, int n, const double *sour
     }
 }
 
-/* The standard deviations, and the parameters that the picture leaves open: errors of the size of the RMSE in every value would move
-   them by more than a tenth of their range. */
+/* The standard deviations, and the parameters that the picture leaves open: errors of the size of the RMSE in every
+   value would move them by more than a tenth of their range. */
 static void print_open(const double *deviation, int n, const char *names)
 {
     char name[64];
@@ -179,7 +188,8 @@ static void print_open(const double *deviation, int n, const char *names)
     for (i = 0; i < n; ++i)
         if (!(deviation[i] < 0.1)) {
             name_of(names, i, name, sizeof name);
-            printf("%s%d%s%s", count++ ? ", " : "parameters that the picture hardly determines: ", i, *name ? " " : "", name);
+            printf("%s%d%s%s", count++ ? ", " : "parameters that the picture hardly determines: ", i, *name ? " " : "",
+                   name);
         }
     if (count) printf("\n");
 }
@@ -190,10 +200,13 @@ int main(int argc, char **argv)
     static matcher m, further[matcher_views_max];
     static matcher_views views;
     static char header[32768], text[40000];
-    const char *renderer = NULL, *target_path = NULL, *inversions = NULL, *mask_path = NULL, *start = NULL, *csv = NULL, *png = NULL;
+    const char *renderer = NULL, *target_path = NULL, *inversions = NULL, *mask_path = NULL, *start = NULL, *csv = NULL,
+               *png = NULL;
     const char *problem, *names, *frozen = NULL, *view[2 * matcher_views_max];
     matcher *all[matcher_views_max];
-    double low[MS_PME_PARAMETERS_MAX], high[MS_PME_PARAMETERS_MAX], pulls[MS_PME_PARAMETERS_MAX], pull = 0, change = 1, shift[2], deviation[MS_PME_PARAMETERS_MAX], x[MS_PME_PARAMETERS_MAX], source[MS_PME_PARAMETERS_MAX], cost = 50, limit = 0, seconds;
+    double low[MS_PME_PARAMETERS_MAX], high[MS_PME_PARAMETERS_MAX], pulls[MS_PME_PARAMETERS_MAX],
+        pull = 0, change = 1, shift[2], deviation[MS_PME_PARAMETERS_MAX], x[MS_PME_PARAMETERS_MAX],
+        source[MS_PME_PARAMETERS_MAX], cost = 50, limit = 0, seconds;
     ms_pme_match_options options = ms_pme_match_defaults();
     ms_pme_match_result result;
     image answer;
@@ -228,7 +241,8 @@ int main(int argc, char **argv)
         } else if (strcmp(argv[i], "--cost") == 0) {
             if (!number(argv[++i], 1, &cost)) return fail(argv[i], "--cost takes a number from 1 to 1e9") + 1;
         } else if (strcmp(argv[i], "--seconds") == 0) {
-            if (!number(argv[++i], 0, &limit)) return fail(argv[i], "--seconds takes a number from 0 (no limit) to 1e9") + 1;
+            if (!number(argv[++i], 0, &limit))
+                return fail(argv[i], "--seconds takes a number from 0 (no limit) to 1e9") + 1;
         } else break;
     }
     if (i < argc || target_path == NULL || (count > 1 && (flags || options.nuisance || mask_path))) {
@@ -247,7 +261,8 @@ int main(int argc, char **argv)
         all[k] = &further[k];
         status = matcher_open(all[k], view[2 * k], &error);
         if (status != MS_OK) return fail(view[2 * k], error.message);
-        if (all[k]->renderer.parameter_count != m.renderer.parameter_count) return fail(view[2 * k], "a renderer of other parameters");
+        if (all[k]->renderer.parameter_count != m.renderer.parameter_count)
+            return fail(view[2 * k], "a renderer of other parameters");
         total += all[k]->renderer.image_size;
     }
     n = m.renderer.parameter_count;
@@ -277,14 +292,17 @@ int main(int argc, char **argv)
     if (start && names == NULL) header_of(start, header, sizeof header);
     if (names == NULL && header[0]) names = header;
     for (i = 0; i < n; ++i) {
-        low[i] = start && source[i] > change ? (source[i] < 1 ? source[i] : 1) - change : 0; /* the source is clipped to [0, 1] */
+        low[i] = start && source[i] > change ? (source[i] < 1 ? source[i] : 1) - change
+                                             : 0; /* the source is clipped to [0, 1] */
         high[i] = start && source[i] + change < 1 ? (source[i] > 0 ? source[i] : 0) + change : 1;
         low[i] = low[i] > 0 ? low[i] : 0;
         high[i] = high[i] < 1 ? high[i] : 1;
         pulls[i] = pull;
     }
-    if ((frozen || pull > 0 || change < 1) && !start) return fail("--freeze, --pull and --change", "need --start, which says where") + 1;
-    if (frozen && !freeze(frozen, names, n, source, low, high)) return fail(frozen, "--freeze takes names or numbers of parameters") + 1;
+    if ((frozen || pull > 0 || change < 1) && !start)
+        return fail("--freeze, --pull and --change", "need --start, which says where") + 1;
+    if (frozen && !freeze(frozen, names, n, source, low, high))
+        return fail(frozen, "--freeze takes names or numbers of parameters") + 1;
 
     /* the match */
     seconds = now();
@@ -306,17 +324,20 @@ int main(int argc, char **argv)
     } else {
         options.channels = 0; /* views have channels of their own */
         status = matcher_views_aim(&views, all, count, target, NULL, &error);
-        if (status == MS_OK) status = ms_pme_match(&views.renderer, target, NULL, &options, x, picture, &result, &error);
+        if (status == MS_OK)
+            status = ms_pme_match(&views.renderer, target, NULL, &options, x, picture, &result, &error);
     }
     if (status != MS_OK) return fail(target_path, error.message);
     seconds = now() - seconds;
 
     /* what was found */
     printf("first guess: %s, RMSE %.5f (%.2f of 255)\n",
-           result.best_candidate < m.renderer.prediction_count ? m.name[result.best_candidate] : start ? start : "middle of the box",
+           result.best_candidate < m.renderer.prediction_count ? m.name[result.best_candidate]
+               : start                                         ? start
+                                                               : "middle of the box",
            result.rmse_initial, 255 * result.rmse_initial);
-    printf("match: RMSE %.5f (%.2f of 255) after %.0f renders, %.1f ms, %s\n", result.rmse, 255 * result.rmse, result.cost, 1e3 * seconds,
-           stop[result.refine.stop]);
+    printf("match: RMSE %.5f (%.2f of 255) after %.0f renders, %.1f ms, %s\n", result.rmse, 255 * result.rmse,
+           result.cost, 1e3 * seconds, stop[result.refine.stop]);
     for (i = 0; i < n; ++i) {
         char name[64];
         name_of(names, i, name, sizeof name);
@@ -325,7 +346,8 @@ int main(int argc, char **argv)
     }
     printf("\n");
     if (options.nuisance)
-        printf("gain %.3f %.3f %.3f, offset %.3f %.3f %.3f\n", result.gain[0], result.gain[1], result.gain[2], result.offset[0], result.offset[1], result.offset[2]);
+        printf("gain %.3f %.3f %.3f, offset %.3f %.3f %.3f\n", result.gain[0], result.gain[1], result.gain[2],
+               result.offset[0], result.offset[1], result.offset[2]);
     if (flags & MATCHER_ALIGN) printf("the target lies %.2f pixels right, %.2f down\n", shift[0], shift[1]);
     print_open(deviation, n, names);
     for (i = 0; i < n && names; ++i) {
@@ -334,7 +356,8 @@ int main(int argc, char **argv)
         if (*name == 0) snprintf(name, sizeof name, "x%d", i);
         used += (size_t)snprintf(text + used, sizeof text - used, "%s%s", name, i + 1 < n ? "," : "\n");
     }
-    for (i = 0; i < n; ++i) used += (size_t)snprintf(text + used, sizeof text - used, "%.9g%s", x[i], i + 1 < n ? "," : "\n");
+    for (i = 0; i < n; ++i)
+        used += (size_t)snprintf(text + used, sizeof text - used, "%.9g%s", x[i], i + 1 < n ? "," : "\n");
     problem = csv ? image_save(csv, text, used) : NULL;
     if (problem) return fail(csv, problem);
     neural_paste(picture, m.network.size, &answer, 0, 0);

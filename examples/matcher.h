@@ -1,4 +1,5 @@
-/* The glue between ms_pme.h and ms_nn.h: a neural renderer and inversion networks as a renderer that ms_pme_match takes.
+/* The glue between ms_pme.h and ms_nn.h: a neural renderer and inversion networks as a renderer that ms_pme_match
+   takes.
 
      static matcher m;                                               it must not move while it is open
      matcher_open(&m, "renderer.safetensors", &error);               n parameters -> picture [3][size][size]
@@ -7,10 +8,10 @@
      ms_pme_match(&m.renderer, target, weight, NULL, x, picture, &result, &error);
      matcher_close(&m);
 
-   matcher_match does the last two but one for pictures with parts that no material explains, or that slipped; matcher_views
-   stacks several pictures of one material. Where the renderer ends in a linear layer the objective is collapsed: an evaluation runs the layers before it and a
-   small triangle, not every pixel. ms_nn.h and ms_pme.h, their implementations too, come first. POSIX, for the names of
-   the files in a folder. */
+   matcher_match does the last two but one for pictures with parts that no material explains, or that slipped;
+   matcher_views stacks several pictures of one material. Where the renderer ends in a linear layer the objective is
+   collapsed: an evaluation runs the layers before it and a small triangle, not every pixel. ms_nn.h and ms_pme.h, their
+   implementations too, come first. POSIX, for the names of the files in a folder. */
 #ifndef EXAMPLES_MATCHER_H
 #define EXAMPLES_MATCHER_H
 #include "neural.h"
@@ -74,8 +75,10 @@ static inline ms_status matcher__render(void *user, const double *x, float *pict
 static inline ms_status matcher__jacobian(void *user, const double *x, float *picture, float *jacobian)
 {
     matcher *m = (matcher *)user;
-    ms_status status = matcher__room(&m->workspace, ms_nn_workspace_size(m->network.nn, MS_NN_JACOBIAN, 1)); /* more than a collapse needs */
-    return status != MS_OK ? status : ms_nn_jacobian(m->network.nn, matcher__floats(m, x), picture, jacobian, m->workspace.data);
+    ms_status status = matcher__room(
+        &m->workspace, ms_nn_workspace_size(m->network.nn, MS_NN_JACOBIAN, 1)); /* more than a collapse needs */
+    return status != MS_OK ? status
+                           : ms_nn_jacobian(m->network.nn, matcher__floats(m, x), picture, jacobian, m->workspace.data);
 }
 
 static inline ms_status matcher__residuals(void *user, const double *x, double *r, double *jacobian)
@@ -137,7 +140,9 @@ static inline ms_status matcher_open(matcher *m, const char *path, ms_error *err
     const char *problem;
     memset(m, 0, sizeof *m);
     problem = neural_load(path, &m->network);
-    if (problem) return matcher__fail(error, m->network.error.status == MS_OK ? MS_BAD_DATA : m->network.error.status, path, problem);
+    if (problem)
+        return matcher__fail(error, m->network.error.status == MS_OK ? MS_BAD_DATA : m->network.error.status, path,
+                             problem);
     m->renderer.user = m;
     m->renderer.parameter_count = m->network.parameters;
     m->renderer.image_size = ms_nn_output_size(m->network.nn);
@@ -158,7 +163,8 @@ static inline ms_status matcher_add_inversion(matcher *m, const char *path, ms_e
     ms_nn *nn;
     int i = m->renderer.prediction_count, size = m->network.size, s, n;
     ms_status status;
-    if (i == matcher_inversions_max) return matcher__fail(error, MS_UNSUPPORTED, path, "more than 64 inversion networks");
+    if (i == matcher_inversions_max)
+        return matcher__fail(error, MS_UNSUPPORTED, path, "more than 64 inversion networks");
     options = ms_nn_defaults();
     options.copy = 1;
     status = ms_nn_load_file(path, &options, &nn, &why);
@@ -169,7 +175,8 @@ static inline ms_status matcher_add_inversion(matcher *m, const char *path, ms_e
     if (s == 0) {
         snprintf(wrong, sizeof wrong, "no inversion network: that takes a square picture of 3 channels");
     } else if (size % s != 0 && s % size != 0) {
-        snprintf(wrong, sizeof wrong, "takes %d x %d pixels, the renderer makes %d x %d: not a multiple", s, s, size, size);
+        snprintf(wrong, sizeof wrong, "takes %d x %d pixels, the renderer makes %d x %d: not a multiple", s, s, size,
+                 size);
     } else if (n != m->renderer.parameter_count) {
         snprintf(wrong, sizeof wrong, "predicts %d parameters, the renderer has %d", n, m->renderer.parameter_count);
     } else {
@@ -200,7 +207,8 @@ static inline ms_status matcher_add_inversions(matcher *m, const char *folder, m
         if (list == NULL) return matcher__fail(error, MS_IO, folder, "cannot open the folder");
         while ((entry = readdir(list)) != NULL) {
             size_t length = strlen(entry->d_name);
-            if (length < 13 || length >= sizeof name[0] || strcmp(entry->d_name + length - 12, ".safetensors") != 0) continue;
+            if (length < 13 || length >= sizeof name[0] || strcmp(entry->d_name + length - 12, ".safetensors") != 0)
+                continue;
             if ((!any && strncmp(entry->d_name, "inversion", 9) != 0) || count == matcher_inversions_max) continue;
             for (i = count++; i > 0 && strcmp(name[i - 1], entry->d_name) > 0; --i) strcpy(name[i], name[i - 1]);
             strcpy(name[i], entry->d_name);
@@ -234,8 +242,8 @@ static inline ms_status matcher__collapse(matcher *m, const float *weight, ms_er
     return matcher__room(&m->workspace, ms_nn_collapse_workspace_size(m->collapse, 1));
 }
 
-/* Once for every target, before ms_pme_match, with the same weights. Where a weight is 0 the target may be anything finite.
-   Other weights than the last time cost a QR factorisation of the last layer. */
+/* Once for every target, before ms_pme_match, with the same weights. Where a weight is 0 the target may be anything
+   finite. Other weights than the last time cost a QR factorisation of the last layer. */
 static inline ms_status matcher_aim(matcher *m, const float *target, const float *weight, ms_error *error)
 {
     ms_status status = MS_OK;
@@ -249,7 +257,8 @@ static inline ms_status matcher_aim(matcher *m, const float *target, const float
 
 enum { MATCHER_ROBUST = 1, MATCHER_ALIGN = 2 };
 
-/* Plane value at (x, y) by cubics through the pixels (Keys 1981, a = -1/2), which blur less than lines; outside *inside becomes 0. */
+/* Plane value at (x, y) by cubics through the pixels (Keys 1981, a = -1/2), which blur less than lines; outside *inside
+   becomes 0. */
 static inline float matcher__sample(const float *plane, int size, double x, double y, int *inside)
 {
     int column = (int)floor(x), row = (int)floor(y), i, k;
@@ -281,7 +290,8 @@ static inline float matcher__weight(const float *plane, int size, double x, doub
 }
 
 /* target as if it had never slipped by shift, and its weights, 0 where nothing is known. NULL weight: all 1. */
-static inline void matcher__shift(const float *target, const float *weight, int size, const double *shift, float *moved, float *moved_weight)
+static inline void matcher__shift(const float *target, const float *weight, int size, const double *shift, float *moved,
+                                  float *moved_weight)
 {
     int c, x, y;
     for (c = 0; c < 3; ++c)
@@ -289,12 +299,14 @@ static inline void matcher__shift(const float *target, const float *weight, int 
             for (x = 0; x < size; ++x) {
                 int at = (c * size + y) * size + x, inside = 1;
                 moved[at] = matcher__sample(target + c * size * size, size, x + shift[0], y + shift[1], &inside);
-                moved_weight[at] = matcher__weight(weight ? weight + c * size * size : NULL, size, x + shift[0], y + shift[1]);
+                moved_weight[at] = matcher__weight(weight ? weight + c * size * size : NULL, size, x + shift[0],
+                                                   y + shift[1]);
             }
 }
 
 /* Mean square of picture and target moved by shift, and, unless NULL, the step of Gauss and Newton towards less. */
-static inline double matcher__shift_error(const float *picture, const float *target, const float *weight, int size, const double *shift, double *step)
+static inline double matcher__shift_error(const float *picture, const float *target, const float *weight, int size,
+                                          const double *shift, double *step)
 {
     double sum = 0, total = 0, xx = 0, xy = 0, yy = 0, ex = 0, ey = 0, det;
     int c, x, y, jump = step ? 1 : 1 + size / 64;
@@ -308,7 +320,9 @@ static inline double matcher__shift_error(const float *picture, const float *tar
                 e = t - (double)*p;
                 sum += w * e * e;
                 total += w;
-                gx = 0.5 * (double)(p[1] - p[-1]); /* near the answer the picture's slope is the target's, and it has no noise */
+                gx = 0.5 *
+                    (double)(p[1] -
+                             p[-1]); /* near the answer the picture's slope is the target's, and it has no noise */
                 gy = 0.5 * (double)(p[size] - p[-size]);
                 xx += w * gx * gx;
                 xy += w * gx * gy;
@@ -322,9 +336,10 @@ static inline double matcher__shift_error(const float *picture, const float *tar
     return total > 0 ? sum / total : 1e30;
 }
 
-/* How far the target lies right of the picture and below it: the best whole pixels, up to an eighth of the width, then fractions.
-   again: from where shift stands. */
-static inline void matcher_find_shift(const float *picture, const float *target, const float *weight, int size, int again, double *shift)
+/* How far the target lies right of the picture and below it: the best whole pixels, up to an eighth of the width, then
+   fractions. again: from where shift stands. */
+static inline void matcher_find_shift(const float *picture, const float *target, const float *weight, int size,
+                                      int again, double *shift)
 {
     double least = 1e30, trial[2], step[2], error;
     int x, y, reach = size / 8, i;
@@ -356,21 +371,25 @@ static inline void matcher_find_shift(const float *picture, const float *target,
     }
 }
 
-/* Aims and matches: with MATCHER_ROBUST what fits badly loses its weight (Tukey), with MATCHER_ALIGN the target is moved to where the
-   renderer's pictures lie, in some rounds, each from the last one's answer. picture may not be NULL. shift [2] out: pixels right and down that the target had slipped;
-   may be NULL. The result's RMSE is of what counts in the end. */
-static inline ms_status matcher_match(matcher *m, const float *target, const float *weight, const ms_pme_match_options *options, int flags, double *x,
-                                      float *picture, ms_pme_match_result *result, double *shift, ms_error *error)
+/* Aims and matches: with MATCHER_ROBUST what fits badly loses its weight (Tukey), with MATCHER_ALIGN the target is
+   moved to where the renderer's pictures lie, in some rounds, each from the last one's answer. picture may not be NULL.
+   shift [2] out: pixels right and down that the target had slipped; may be NULL. The result's RMSE is of what counts in
+   the end. */
+static inline ms_status matcher_match(matcher *m, const float *target, const float *weight,
+                                      const ms_pme_match_options *options, int flags, double *x, float *picture,
+                                      ms_pme_match_result *result, double *shift, ms_error *error)
 {
     size_t p = m->renderer.image_size, count = (size_t)m->renderer.parameter_count, i;
     ms_pme_match_options again = *options;
     ms_pme_renderer alone;
-    float *moved = flags ? (float *)malloc(3 * p * sizeof(float)) : NULL, *known = moved ? moved + p : NULL, *counted = known;
+    float *moved = flags ? (float *)malloc(3 * p * sizeof(float)) : NULL, *known = moved ? moved + p : NULL,
+          *counted = known;
     double at[2] = {0, 0}, last[2], cost;
     int round, n = options->candidate_count;
     ms_status status = matcher_aim(m, target, weight, error);
     if (status == MS_OK) status = ms_pme_match(&m->renderer, target, weight, options, x, picture, result, error);
-    if (flags && moved == NULL && status == MS_OK) status = matcher__fail(error, MS_OUT_OF_MEMORY, "match", ms_status_string(MS_OUT_OF_MEMORY));
+    if (flags && moved == NULL && status == MS_OK)
+        status = matcher__fail(error, MS_OUT_OF_MEMORY, "match", ms_status_string(MS_OUT_OF_MEMORY));
     for (round = 0; round < 6 && flags && status == MS_OK; ++round) {
         double *guesses = (double *)malloc((size_t)(n + 1) * count * sizeof(double));
         int slipped;
@@ -382,9 +401,11 @@ static inline ms_status matcher_match(matcher *m, const float *target, const flo
             break;
         }
         matcher__shift(target, weight, m->network.size, at, moved, known);
-        if (flags & MATCHER_ROBUST) status = ms_pme_reweigh(MS_PME_TUKEY, 0, p, 3, picture, moved, known, counted = known + p, NULL, error);
+        if (flags & MATCHER_ROBUST)
+            status = ms_pme_reweigh(MS_PME_TUKEY, 0, p, 3, picture, moved, known, counted = known + p, NULL, error);
         if (status == MS_OK) status = matcher_aim(m, moved, counted, error);
-        memcpy(guesses, x, count * sizeof(double)); /* where it slipped far, the other first guesses have another chance */
+        memcpy(guesses, x,
+               count * sizeof(double)); /* where it slipped far, the other first guesses have another chance */
         if (n > 0) memcpy(guesses + count, options->candidates, (size_t)n * count * sizeof(double));
         again.candidates = guesses;
         again.candidate_count = slipped ? n + 1 : 1;
@@ -431,11 +452,15 @@ static inline ms_status matcher__views_jacobian(void *user, const double *x, flo
     ms_status status = MS_OK;
     int i;
     for (i = 0; i < v->count && status == MS_OK; at += v->view[i++]->renderer.image_size)
-        status = jacobian ? matcher__jacobian(v->view[i], x, picture + at, jacobian + at * n) : matcher__render(v->view[i], x, picture + at);
+        status = jacobian ? matcher__jacobian(v->view[i], x, picture + at, jacobian + at * n)
+                          : matcher__render(v->view[i], x, picture + at);
     return status;
 }
 
-static inline ms_status matcher__views_render(void *user, const double *x, float *picture) { return matcher__views_jacobian(user, x, picture, NULL); }
+static inline ms_status matcher__views_render(void *user, const double *x, float *picture)
+{
+    return matcher__views_jacobian(user, x, picture, NULL);
+}
 
 static inline ms_status matcher__views_residuals(void *user, const double *x, double *r, double *jacobian)
 {
@@ -453,13 +478,15 @@ static inline ms_status matcher__views_predict(void *user, int i, const float *t
     return matcher__predict(((matcher_views *)user)->view[0], i, target, x);
 }
 
-static inline ms_status matcher_views_aim(matcher_views *v, matcher *const *view, int count, const float *target, const float *weight, ms_error *error)
+static inline ms_status matcher_views_aim(matcher_views *v, matcher *const *view, int count, const float *target,
+                                          const float *weight, ms_error *error)
 {
     ms_status status = MS_OK;
     size_t at = 0;
     int i, collapsed = 1;
     memset(v, 0, sizeof *v);
-    if (count < 1 || count > matcher_views_max) return matcher__fail(error, MS_INVALID_ARGUMENT, "views", "from 1 to 8");
+    if (count < 1 || count > matcher_views_max)
+        return matcher__fail(error, MS_INVALID_ARGUMENT, "views", "from 1 to 8");
     for (i = 0; i < count && status == MS_OK; at += view[i++]->renderer.image_size) {
         if (view[i]->renderer.parameter_count != view[0]->renderer.parameter_count)
             return matcher__fail(error, MS_INVALID_ARGUMENT, "views", "renderers of other parameters");

@@ -1,13 +1,14 @@
-/* Lists of materials for the examples: a CSV with one material a line, every parameter in [0, 1] (examples/data/README.md names
-   the 19 of the shader).
+/* Lists of materials for the examples: a CSV with one material a line, every parameter in [0, 1]
+   (examples/data/README.md names the 19 of the shader).
 
      materials list;
-     const char *problem = materials_read("materials.csv", 19, &list);   NULL: fine; otherwise a sentence in list.problem
-     ... list.x[i * 19 + k], i < list.count ...
+     const char *problem = materials_read("materials.csv", 19, &list);   NULL: fine; otherwise a sentence in
+     list.problem ... list.x[i * 19 + k], i < list.count ...
      materials_free(&list);
 
-   Commas, or semicolons or tabs and then decimal commas as well; empty lines and lines that begin with # are skipped. A header line is optional; with one, further
-   columns named score, mean or sigma (what `recommend` and the gallery files have) are allowed and ignored. */
+   Commas, or semicolons or tabs and then decimal commas as well; empty lines and lines that begin with # are skipped. A
+   header line is optional; with one, further columns named score, mean or sigma (what `recommend` and the gallery files
+   have) are allowed and ignored. */
 #ifndef EXAMPLES_MATERIALS_H
 #define EXAMPLES_MATERIALS_H
 #include <stdio.h>
@@ -58,7 +59,8 @@ static inline int materials__header(const char *line, char between, int paramete
 }
 
 /* One line's parameters into x; 0 and a sentence where they are none. */
-static inline int materials__line(const char *text, csv_dialect d, int parameters, int columns, int line, float *x, char *problem, size_t size)
+static inline int materials__line(const char *text, csv_dialect d, int parameters, int columns, int line, float *x,
+                                  char *problem, size_t size)
 {
     int found = materials__columns(text, d.between), k;
     if (found != columns) {
@@ -70,12 +72,14 @@ static inline int materials__line(const char *text, csv_dialect d, int parameter
         double v = number_read(text, d.decimal, &end);
         size_t length = materials__cell(text, d.between);
         if (end == text || end + strspn(end, " ") != text + length) {
-            snprintf(problem, size, "line %d: column %d is '%.*s', not a number", line, k + 1, length < 24 ? (int)length : 24, text);
+            snprintf(problem, size, "line %d: column %d is '%.*s', not a number", line, k + 1,
+                     length < 24 ? (int)length : 24, text);
             return 0;
         }
         if (!(v >= 0 && v <= 1)) {
             char number[48];
-            snprintf(problem, size, "line %d: column %d is %s, outside [0, 1]", line, k + 1, number_text(number, "%g", v));
+            snprintf(problem, size, "line %d: column %d is %s, outside [0, 1]", line, k + 1,
+                     number_text(number, "%g", v));
             return 0;
         }
         x[k] = (float)v;
@@ -115,8 +119,9 @@ static inline const char *materials_read(const char *path, int parameters, mater
         if (!seen++ && end == start) {
             columns = materials__columns(start, dialect.between);
             if (!materials__header(start, dialect.between, parameters))
-                snprintf(m->problem, sizeof m->problem, "line %d: a header of %d columns, expected %d (then score, mean or sigma)",
-                         line, columns, parameters);
+                snprintf(m->problem, sizeof m->problem,
+                         "line %d: a header of %d columns, expected %d (then score, mean or sigma)", line, columns,
+                         parameters);
             continue;
         }
         if (m->count == room) {
@@ -129,11 +134,12 @@ static inline const char *materials_read(const char *path, int parameters, mater
             }
             m->x = more;
         }
-        m->count += materials__line(start, dialect, parameters, columns, line, m->x + (size_t)m->count * (size_t)parameters, m->problem,
-                                    sizeof m->problem);
+        m->count += materials__line(start, dialect, parameters, columns, line,
+                                    m->x + (size_t)m->count * (size_t)parameters, m->problem, sizeof m->problem);
     }
     if (m->problem[0] == 0 && ferror(f)) snprintf(m->problem, sizeof m->problem, "the file cannot be read");
-    else if (m->problem[0] == 0 && m->count == 0) snprintf(m->problem, sizeof m->problem, "the file holds no materials");
+    else if (m->problem[0] == 0 && m->count == 0)
+        snprintf(m->problem, sizeof m->problem, "the file holds no materials");
     if (f) fclose(f);
     free(text);
     if (m->problem[0] == 0) return NULL;

@@ -1,10 +1,11 @@
-/* Writes materials as a MaterialX file, which renderers and editors open (materialx.h says what becomes of the 19 parameters).
+/* Writes materials as a MaterialX file, which renderers and editors open (materialx.h says what becomes of the 19
+   parameters).
 
      cc -O2 -I. examples/materialx.c -o build/materialx -lm
      build/materialx MATERIALS.csv OUT.mtlx [--name material]
 
-   MATERIALS.csv: 19 numbers from 0 to 1 a line; a header line is optional, and columns score, mean, sigma behind them, as `recommend`
-   writes them. The materials are called material_001, material_002, ... */
+   MATERIALS.csv: 19 numbers from 0 to 1 a line; a header line is optional, and columns score, mean, sigma behind them,
+   as `recommend` writes them. The materials are called material_001, material_002, ... */
 #include "materials.h"
 #include "materialx.h"
 

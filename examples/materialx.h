@@ -15,13 +15,13 @@
      specular           the reflection of glass alone: weight T, its colour, its index of refraction
      specular_roughness of metal and glass: mean weighted by their shares; transmission_extra_roughness restores the
                         glass's own behind the surface. Roughness is sqrt(alpha) here and there, but GGX, not Beckmann
-     metal              has a Fresnel edge, the shader's glossy lobe has none; without glass (specular 0, so a black edge
-                        colour) it stays flat up to grazing angles
+     metal              has a Fresnel edge, the shader's glossy lobe has none; without glass (specular 0, so a black
+                        edge colour) it stays flat up to grazing angles
      transmission_color what a path through the middle of a ball of radius 1 leaves: the glass colour twice (in and out)
                         and Beer's law, at transmission_depth 2; the colour thus moves from the surface into the volume.
                         Scale the depth with your object
-     subsurface         stands for the translucent lobe (Lambert behind the surface) with a radius of 1: what a ball lets
-                        through, its colour twice and Beer's law, averaged over the chords that Lambert's law takes
+     subsurface         stands for the translucent lobe (Lambert behind the surface) with a radius of 1: what a ball
+                        lets through, its colour twice and Beer's law, averaged over the chords that Lambert's law takes
    Colours are linear with Rec. 709 primaries. */
 #ifndef EXAMPLES_MATERIALX_H
 #define EXAMPLES_MATERIALX_H
@@ -76,8 +76,8 @@ static inline void materialx__float(FILE *f, const char *name, double v)
 static inline void materialx__color(FILE *f, const char *name, const double v[3])
 {
     char r[48], g[48], b[48];
-    fprintf(f, "    <input name=\"%s\" type=\"color3\" value=\"%s, %s, %s\" />\n", name, number_text(r, "%.5g", v[0]), number_text(g, "%.5g", v[1]),
-            number_text(b, "%.5g", v[2]));
+    fprintf(f, "    <input name=\"%s\" type=\"color3\" value=\"%s, %s, %s\" />\n", name, number_text(r, "%.5g", v[0]),
+            number_text(g, "%.5g", v[1]), number_text(b, "%.5g", v[2]));
 }
 
 static inline void materialx_begin(FILE *f)
@@ -103,7 +103,9 @@ static inline void materialx_write(FILE *f, const char *name, const double x[19]
     materialx__float(f, "subsurface", s.subsurface);
     materialx__color(f, "subsurface_color", s.subsurface_color);
     fprintf(f, "  </standard_surface>\n  <surfacematerial name=\"%s\" type=\"material\" doc=\"%s\">\n", name, doc);
-    fprintf(f, "    <input name=\"surfaceshader\" type=\"surfaceshader\" nodename=\"%s_shader\" />\n  </surfacematerial>\n", name);
+    fprintf(
+        f, "    <input name=\"surfaceshader\" type=\"surfaceshader\" nodename=\"%s_shader\" />\n  </surfacematerial>\n",
+        name);
 }
 
 static inline int materialx_end(FILE *f)

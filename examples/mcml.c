@@ -1,11 +1,11 @@
 /* Runs an MCML 1.2 input file: build/mcml [-n PHOTONS] [-s SEED] FILE.mci
    Every run of the file writes its .mco file, in the current folder unless its name says otherwise.
      build/mcml --exact FILE.mci
-   the same without photons and without noise, by the layered solver: totals, A_l, A_z, Rd_r, Tt_r; nan stands for A_rz and for angles in
-   more than one bin, which it does not compute. Rings that the solver does not hold (beside a clear layer, g above 0.97 or so) have the
-   shape that the file's number of photons gives; the program says so. A run that it cannot answer for is named with the reason and writes nothing (a file of
-   that name stays as it was), the others are written; the exit code is 1 then.
-   Alone: cc -O2 -I. examples/mcml.c -o build/mcml -lm */
+   the same without photons and without noise, by the layered solver: totals, A_l, A_z, Rd_r, Tt_r; nan stands for A_rz
+   and for angles in more than one bin, which it does not compute. Rings that the solver does not hold (beside a clear
+   layer, g above 0.97 or so) have the shape that the file's number of photons gives; the program says so. A run that it
+   cannot answer for is named with the reason and writes nothing (a file of that name stays as it was), the others are
+   written; the exit code is 1 then. Alone: cc -O2 -I. examples/mcml.c -o build/mcml -lm */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 #include "files.h"
@@ -35,14 +35,16 @@ static int show_progress(void *user, double fraction)
     clock_t now = clock();
     if (fraction > 0 && now - s->drawn > CLOCKS_PER_SEC / 5) {
         double left = difftime(time(NULL), s->start) * (1 - fraction) / fraction;
-        fprintf(stderr, "\rrun %d of %d, %s: %3.0f%%, %.0f s left   ", s->run, s->runs, s->output, 100 * fraction, left);
+        fprintf(stderr, "\rrun %d of %d, %s: %3.0f%%, %.0f s left   ", s->run, s->runs, s->output, 100 * fraction,
+                left);
         s->drawn = now;
     }
     return 0;
 }
 
-static const char usage[] = "usage: mcml [-n PHOTONS] [-s SEED] FILE.mci\n"
-                            "  mcml --exact FILE.mci    layers without noise; nan stands for what is not computed (A_rz, angles)\n";
+static const char usage[] =
+    "usage: mcml [-n PHOTONS] [-s SEED] FILE.mci\n"
+    "  mcml --exact FILE.mci    layers without noise; nan stands for what is not computed (A_rz, angles)\n";
 
 int main(int argc, char **argv)
 {
@@ -57,7 +59,8 @@ int main(int argc, char **argv)
         if ((strcmp(argv[i], "-n") == 0 || strcmp(argv[i], "-s") == 0) && i + 1 < argc) {
             char *end;
             unsigned long long value = strtoull(argv[i + 1], &end, 10);
-            if (*end || argv[i + 1][0] < '0' || argv[i + 1][0] > '9' || (argv[i][1] == 'n' && value == 0)) return file_usage(usage);
+            if (*end || argv[i + 1][0] < '0' || argv[i + 1][0] > '9' || (argv[i][1] == 'n' && value == 0))
+                return file_usage(usage);
             if (argv[i++][1] == 'n') photons = value;
             else seed = value;
         } else if (strcmp(argv[i], "--exact") == 0) {
@@ -101,7 +104,8 @@ int main(int argc, char **argv)
         if (status == MS_OK)
             status = ms_mcml_mco_save(run->output, run, &result, (double)(clock() - begun) / CLOCKS_PER_SEC, &error);
         if (status == MS_OK && exact && result.photons)
-            fprintf(stderr, "%s: run %d, %s: the solver gave the totals, %.0f photons the shape of the rings\n", path, i + 1, run->output, (double)result.photons);
+            fprintf(stderr, "%s: run %d, %s: the solver gave the totals, %.0f photons the shape of the rings\n", path,
+                    i + 1, run->output, (double)result.photons);
         ms_mcml_result_destroy(&result);
         if (status != MS_OK) {
             fprintf(stderr, "%s: run %d, %s: %s\n", path, i + 1, run->output, error.message);

@@ -101,8 +101,7 @@ int main(int argc, char **argv)
     int running = argc == 6 && strcmp(argv[1], "run") == 0, merging = argc > 3 && strcmp(argv[1], "merge") == 0, status;
     unsigned long long part = running ? strtoull(argv[3], NULL, 10) : 1, of = running ? strtoull(argv[4], NULL, 10) : 1;
     if (file_help(argc, argv, usage)) return file_end_stdout("mcml_split");
-    if ((!running && !merging) || part < 1 || part > of || of > 1000000)
-        return file_usage(usage);
+    if ((!running && !merging) || part < 1 || part > of || of > 1000000) return file_usage(usage);
     if (ms_mcml_mci_load(argv[2], NULL, &file, &error) != MS_OK) return fail(argv[2], error.message);
     status = running ? run_share(&file.runs[0], part, of, argv[5]) : merge_shares(&file.runs[0], argv + 3, argc - 3);
     ms_mcml_mci_destroy(&file);

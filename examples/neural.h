@@ -45,7 +45,8 @@ static inline const char *neural_load(const char *path, neural *n)
     outputs = ms_nn_output_size(n->nn);
     while (3 * (size_t)n->size * (size_t)n->size < outputs && n->size < 4096) ++n->size;
     memset(&error, 0, sizeof error);
-    if (ms_nn_input_size(n->nn) > 1000 || 3 * (size_t)n->size * (size_t)n->size != outputs || (out.rank > 1 && out.size[0] != 3))
+    if (ms_nn_input_size(n->nn) > 1000 || 3 * (size_t)n->size * (size_t)n->size != outputs ||
+        (out.rank > 1 && out.size[0] != 3))
         snprintf(error.message, sizeof error.message,
                  "turns %.0f numbers into %.0f; a renderer turns at most 1000 parameters into a square RGB picture",
                  (double)ms_nn_input_size(n->nn), (double)outputs);
@@ -99,7 +100,8 @@ static inline const char *neural_sheet(const neural *n, const float *x, int coun
     int pitch = n->size + gap, rows = (count + columns - 1) / columns, i, k, batch;
     size_t p;
     *sheet = columns < (1 << 30) / pitch - 1 && rows < (1 << 30) / pitch - 1
-                 ? image_new(columns * pitch + gap, rows * pitch + gap, 3) : image_new(0, 0, 3);
+        ? image_new(columns * pitch + gap, rows * pitch + gap, 3)
+        : image_new(0, 0, 3);
     if (sheet->pixels == NULL) return "the sheet is too large for memory";
     for (p = 0; p < image_count(sheet); ++p) sheet->pixels[p] = 0.09f;
     for (i = 0; i < count; i += batch) {

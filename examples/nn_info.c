@@ -12,7 +12,8 @@ static void print_shape(const ms_nn_shape *s)
 {
     char text[80];
     int n = 0, i;
-    for (i = 0; i < s->rank; ++i) n += snprintf(text + n, sizeof text - (size_t)n, "%s%lu", i ? "x" : "", (unsigned long)s->size[i]);
+    for (i = 0; i < s->rank; ++i)
+        n += snprintf(text + n, sizeof text - (size_t)n, "%s%lu", i ? "x" : "", (unsigned long)s->size[i]);
     printf(" %-16s", text);
 }
 
@@ -36,24 +37,25 @@ static void print_network(const ms_nn *nn)
     ms_nn_shape shape = ms_nn_input_shape(nn);
     ms_error error;
     int i;
-    printf("%-16s %-14s %-11s %-5s %-16s %12s %14s %14s\n", "layer", "name", "activation", "type", "output", "parameters", "bytes",
-           "multiply-adds");
+    printf("%-16s %-14s %-11s %-5s %-16s %12s %14s %14s\n", "layer", "name", "activation", "type", "output",
+           "parameters", "bytes", "multiply-adds");
     printf("%-16s %-14s %-11s %-5s", "input", "", "", "");
     print_shape(&shape);
     printf("\n");
     for (i = 0; i < ms_nn_layer_count(nn); ++i) {
         ms_nn_layer l = ms_nn_layer_at(nn, i);
-        printf("%-16s %-14s %-11s %-5s", l.type, l.name, l.activation, l.dtype == MS_NN_DTYPE_COUNT ? "" : ms_nn_dtype_string(l.dtype));
+        printf("%-16s %-14s %-11s %-5s", l.type, l.name, l.activation,
+               l.dtype == MS_NN_DTYPE_COUNT ? "" : ms_nn_dtype_string(l.dtype));
         print_shape(&l.output);
-        printf(" %12lu %14lu %14lu%s\n", (unsigned long)l.parameters, (unsigned long)l.bytes, (unsigned long)l.multiply_adds,
-               l.folded ? "  folded" : "");
+        printf(" %12lu %14lu %14lu%s\n", (unsigned long)l.parameters, (unsigned long)l.bytes,
+               (unsigned long)l.multiply_adds, l.folded ? "  folded" : "");
         parameters += (unsigned long)l.parameters;
         bytes += (unsigned long)l.bytes;
         multiply_adds += (unsigned long)l.multiply_adds;
     }
     printf("%-66s %12lu %14lu %14lu\n", "total", parameters, bytes, multiply_adds);
-    printf("workspace of a forward run: %lu bytes; level: %s\n", (unsigned long)ms_nn_workspace_size(nn, MS_NN_FORWARD, 1),
-           ms_simd_string(ms_nn_simd(nn)));
+    printf("workspace of a forward run: %lu bytes; level: %s\n",
+           (unsigned long)ms_nn_workspace_size(nn, MS_NN_FORWARD, 1), ms_simd_string(ms_nn_simd(nn)));
     if (ms_nn_check_weights(nn, &error) != MS_OK) printf("warning: %s\n", error.message);
 }
 

@@ -1,8 +1,10 @@
-/* Writes a network with narrower weights, and what that costs: PSNR of its outputs against the file's own, over given or random inputs.
-     cc -O2 -I. examples/nn_quantise.c -o build/nn_quantise -lm
+/* Writes a network with narrower weights, and what that costs: PSNR of its outputs against the file's own, over given
+     or random inputs. cc -O2 -I. examples/nn_quantise.c -o build/nn_quantise -lm
      build/nn_quantise IN OUT --type f16|bf16|i8|f32 [--rank N] [--inputs X.csv] [--samples 64]
-   --type     of the weights of dense and convolution layers, rounded to nearest; i8: one scale a row. Biases stay as they are.
-   --rank     first replaces a linear last layer by two of that rank, the best over the inputs; below the number of its features
+   --type     of the weights of dense and convolution layers, rounded to nearest; i8: one scale a row. Biases stay as
+              they are.
+   --rank     first replaces a linear last layer by two of that rank, the best over the inputs; below the number of its
+              features
    --inputs   rows of numbers, one an input; else --samples of them are drawn, each number even in [0, 1] */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
@@ -12,7 +14,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char usage[] = "usage: nn_quantise IN OUT --type f16|bf16|i8|f32 [--rank N] [--inputs X.csv] [--samples 64]\n";
+static const char usage[] =
+    "usage: nn_quantise IN OUT --type f16|bf16|i8|f32 [--rank N] [--inputs X.csv] [--samples 64]\n";
 
 static int fail(const char *what, const char *why)
 {
@@ -82,7 +85,8 @@ static void put(unsigned char *to, uint32_t bits, int bytes)
 }
 
 /* The tensor in another type; scale (NULL: none before) gets the rows' new ones for I8. */
-static ms_nn_tensor convert(const ms_nn_tensor *t, const ms_nn_tensor *old_scale, ms_nn_dtype type, unsigned char *scale)
+static ms_nn_tensor convert(const ms_nn_tensor *t, const ms_nn_tensor *old_scale, ms_nn_dtype type,
+                            unsigned char *scale)
 {
     size_t rows = t->shape[0], count = 1, i, k;
     int bytes = type == MS_NN_F32 ? 4 : type == MS_NN_I8 ? 1 : 2, d;
@@ -101,7 +105,12 @@ static ms_nn_tensor convert(const ms_nn_tensor *t, const ms_nn_tensor *old_scale
         for (k = 0; k < count; ++k, data += bytes) {
             double x = before * element(t, i * count + k);
             if (type == MS_NN_I8) put(data, (uint32_t)(int32_t)lrint(fmax(-127, fmin(127, x / (double)unit))), 1);
-            else put(data, type == MS_NN_F32 ? bits_of((float)x) : type == MS_NN_F16 ? half_of((float)x) : brain_of((float)x), bytes);
+            else
+                put(data,
+                    type == MS_NN_F32       ? bits_of((float)x)
+                        : type == MS_NN_F16 ? half_of((float)x)
+                                            : brain_of((float)x),
+                    bytes);
         }
     }
     return out;
@@ -235,12 +244,15 @@ int main(int argc, char **argv)
         ms_nn_collapse *c;
         ms_nn_low_rank *l;
         ms_nn_sink sink;
-        if (ms_nn_collapse_create(nn, NULL, &c, &error) != MS_OK || ms_nn_low_rank_create(c, (int)samples, x, 0, &l, &error) != MS_OK)
+        if (ms_nn_collapse_create(nn, NULL, &c, &error) != MS_OK ||
+            ms_nn_low_rank_create(c, (int)samples, x, 0, &l, &error) != MS_OK)
             return fail(argv[1], error.message);
         sink.user = &between;
         sink.write = memory_write;
-        if (rank > (long)ms_nn_collapse_features(c)) return fail("--rank", "it is above the number of features of the last layer");
-        if (ms_nn_low_rank_write(l, (int)rank, MS_NN_F32, sink, &error) != MS_OK || ms_nn_load(between.bytes, between.size, NULL, &small, &error) != MS_OK)
+        if (rank > (long)ms_nn_collapse_features(c))
+            return fail("--rank", "it is above the number of features of the last layer");
+        if (ms_nn_low_rank_write(l, (int)rank, MS_NN_F32, sink, &error) != MS_OK ||
+            ms_nn_load(between.bytes, between.size, NULL, &small, &error) != MS_OK)
             return fail(argv[1], error.message);
         ms_nn_low_rank_destroy(l);
         ms_nn_collapse_destroy(c);
@@ -251,7 +263,9 @@ int main(int argc, char **argv)
     z = y + out;
     for (i = 0; i < (int)samples; ++i) {
         double own = 0;
-        if (ms_nn_forward(nn, 1, x + (size_t)i * in, y, NULL) != MS_OK || ms_nn_forward(made, 1, x + (size_t)i * in, z, NULL) != MS_OK) return fail(argv[2], "it does not run");
+        if (ms_nn_forward(nn, 1, x + (size_t)i * in, y, NULL) != MS_OK ||
+            ms_nn_forward(made, 1, x + (size_t)i * in, z, NULL) != MS_OK)
+            return fail(argv[2], "it does not run");
         for (j = 0; j < out; ++j) {
             double d = (double)z[j] - (double)y[j];
             own += d * d;
@@ -264,11 +278,15 @@ int main(int argc, char **argv)
     {
         double range = (high - low) * (high - low) * (double)out;
         size_t before = 0, after = 0;
-        for (j = 0; j < ms_nn_file_tensor_count(ms_nn_tensors(nn)); ++j) before += ms_nn_file_tensor(ms_nn_tensors(nn), j)->bytes;
-        for (j = 0; j < ms_nn_file_tensor_count(ms_nn_tensors(made)); ++j) after += ms_nn_file_tensor(ms_nn_tensors(made), j)->bytes;
+        for (j = 0; j < ms_nn_file_tensor_count(ms_nn_tensors(nn)); ++j)
+            before += ms_nn_file_tensor(ms_nn_tensors(nn), j)->bytes;
+        for (j = 0; j < ms_nn_file_tensor_count(ms_nn_tensors(made)); ++j)
+            after += ms_nn_file_tensor(ms_nn_tensors(made), j)->bytes;
         printf("%s: %lu bytes of weights, %lu before\n", argv[2], (unsigned long)after, (unsigned long)before);
-        if (sum > 0) printf("PSNR over %ld %s inputs: %.2f dB, least %.2f dB (against a range of outputs of %g)\n", samples, inputs ? "given" : "random",
-                            10 * log10(range * (double)samples / sum), 10 * log10(range / worst), high - low);
+        if (sum > 0)
+            printf("PSNR over %ld %s inputs: %.2f dB, least %.2f dB (against a range of outputs of %g)\n", samples,
+                   inputs ? "given" : "random", 10 * log10(range * (double)samples / sum), 10 * log10(range / worst),
+                   high - low);
         else printf("PSNR over %ld %s inputs: the outputs are equal\n", samples, inputs ? "given" : "random");
     }
     free(x);

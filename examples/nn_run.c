@@ -69,8 +69,10 @@ int main(int argc, char **argv)
     {
         size_t inputs = ms_nn_input_size(nn), outputs = ms_nn_output_size(nn), i, printed = vjp ? inputs : outputs;
         void *workspace = malloc(ms_nn_workspace_size(nn, vjp ? MS_NN_VJP : MS_NN_FORWARD, 1));
-        float *x = (float *)malloc(2 * (inputs + outputs) * sizeof(float)), *y = x + inputs, *g_y = y + outputs, *g_x = g_y + outputs;
-        char *text = read_text(argv[2]), *text_at = text, *gradients = vjp ? read_text(argv[4]) : NULL, *gradients_at = gradients;
+        float *x = (float *)malloc(2 * (inputs + outputs) * sizeof(float)), *y = x + inputs, *g_y = y + outputs,
+              *g_x = g_y + outputs;
+        char *text = read_text(argv[2]), *text_at = text, *gradients = vjp ? read_text(argv[4]) : NULL,
+             *gradients_at = gradients;
         if (workspace == NULL || x == NULL) {
             fprintf(stderr, "out of memory\n");
             return 1;

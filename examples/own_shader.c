@@ -1,15 +1,18 @@
-/* A shader of one's own, for examples/own_shader.md: lacquered fabric and metal on a ball, under two lamps, in a few lines.
+/* A shader of one's own, for examples/own_shader.md: lacquered fabric and metal on a ball, under two lamps, in a few
+   lines.
 
      cc -O2 -I. examples/own_shader.c -o build/own_shader -lm
      build/own_shader FOLDER COUNT [SIZE 64] [SEED 1]
 
-   Writes COUNT pictures of random materials, FOLDER/00000.png and so on, and FOLDER.csv: a line of names, then a material in each line.
-   This is the only file to replace: pictures and a table are all that build/train wants to know of a shader. */
+   Writes COUNT pictures of random materials, FOLDER/00000.png and so on, and FOLDER.csv: a line of names, then a
+   material in each line. This is the only file to replace: pictures and a table are all that build/train wants to know
+   of a shader. */
 #include "image.h"
 #include <math.h>
 
 enum { PARAMETERS = 10 };
-static const char names[] = "base red,base green,base blue,sheen red,sheen green,sheen blue,sheen,roughness,metal,lacquer";
+static const char names[] =
+    "base red,base green,base blue,sheen red,sheen green,sheen blue,sheen,roughness,metal,lacquer";
 static const char usage[] = "usage: own_shader FOLDER COUNT [SIZE 64] [SEED 1]\n";
 
 static double random_number(unsigned long *state) /* in [0, 1): a linear congruential generator's high bits */
@@ -51,7 +54,9 @@ static void shade(const double *x, double u, double v, double *rgb)
         lobe = exp((dot(n, h) - 1) * 2 / (alpha * alpha)) / (0.2 + 4 * alpha);
         coat = exp((dot(n, h) - 1) * 700);
         for (c = 0; c < 3; ++c)
-            rgb[c] += power[k] * cosine * ((1 - x[8]) * x[c] / 3.14159 + (0.05 + 0.95 * x[8] * x[c]) * lobe * 0.4 + x[9] * coat * 1.5) + power[k] * x[6] * x[3 + c] * edge * (0.2 + 0.8 * cosine);
+            rgb[c] += power[k] * cosine *
+                    ((1 - x[8]) * x[c] / 3.14159 + (0.05 + 0.95 * x[8] * x[c]) * lobe * 0.4 + x[9] * coat * 1.5) +
+                power[k] * x[6] * x[3 + c] * edge * (0.2 + 0.8 * cosine);
     }
 }
 

@@ -76,10 +76,7 @@ static void plot_range(plot *p, double x_min, double x_max, double y_min, double
     p->y_max = y_max;
 }
 
-static int plot__usable(double v, int log_axis)
-{
-    return v - v == 0 && (!log_axis || v > 0);
-}
+static int plot__usable(double v, int log_axis) { return v - v == 0 && (!log_axis || v > 0); }
 
 static void plot__limits(const plot *p, int axis, double *low, double *high)
 {
@@ -98,9 +95,15 @@ static void plot__limits(const plot *p, int axis, double *low, double *high)
             if (v > b) b = v;
         }
     }
-    if (a > b) { a = log_axis ? 0.1 : 0; b = 1; }
+    if (a > b) {
+        a = log_axis ? 0.1 : 0;
+        b = 1;
+    }
     if (log_axis) {
-        if (b / a < 2) { a /= 1.5; b *= 1.5; }
+        if (b / a < 2) {
+            a /= 1.5;
+            b *= 1.5;
+        }
         *low = a / 1.15;
         *high = b * 1.15;
     } else {
@@ -177,31 +180,37 @@ static int plot_write(const plot *p, const char *path)
     if (f == NULL) return 0;
     plot__limits(p, 0, &x0, &x1);
     plot__limits(p, 1, &y0, &y1);
-    plot__print(f, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" height=\"%d\" "
-               "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"12\">\n", p->width, p->height, p->width, p->height);
-    plot__print(f, "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n<clipPath id=\"area\"><rect x=\"%g\" y=\"%g\" "
-               "width=\"%g\" height=\"%g\"/></clipPath>\n", left, top, right - left, bottom - top);
+    plot__print(f,
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" height=\"%d\" "
+                "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"12\">\n",
+                p->width, p->height, p->width, p->height);
+    plot__print(f,
+                "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n<clipPath id=\"area\"><rect x=\"%g\" y=\"%g\" "
+                "width=\"%g\" height=\"%g\"/></clipPath>\n",
+                left, top, right - left, bottom - top);
     plot__print(f, "<text x=\"%g\" y=\"26\" font-size=\"16\" fill=\"#222\">", left);
     plot__text(f, p->title);
     plot__print(f, "</text>\n<g stroke=\"#e3e6e8\" stroke-width=\"1\" fill=\"#444\">\n");
     n = plot__ticks(x0, x1, log_x, tick);
     for (i = 0; i < n; ++i) {
         double x = left + plot__place(tick[i], x0, x1, log_x) * (right - left);
-        plot__print(f, "<path d=\"M%.1f %g V%g\"/><text x=\"%.1f\" y=\"%g\" text-anchor=\"middle\" stroke=\"none\">%g</text>\n",
-                x, top, bottom, x, bottom + 18, tick[i]);
+        plot__print(
+            f, "<path d=\"M%.1f %g V%g\"/><text x=\"%.1f\" y=\"%g\" text-anchor=\"middle\" stroke=\"none\">%g</text>\n",
+            x, top, bottom, x, bottom + 18, tick[i]);
     }
     n = plot__ticks(y0, y1, log_y, tick);
     for (i = 0; i < n; ++i) {
         double y = bottom - plot__place(tick[i], y0, y1, log_y) * (bottom - top);
-        plot__print(f, "<path d=\"M%g %.1f H%g\"/><text x=\"%g\" y=\"%.1f\" text-anchor=\"end\" stroke=\"none\">%g</text>\n",
-                left, y, right, left - 8, y + 4, tick[i]);
+        plot__print(
+            f, "<path d=\"M%g %.1f H%g\"/><text x=\"%g\" y=\"%.1f\" text-anchor=\"end\" stroke=\"none\">%g</text>\n",
+            left, y, right, left - 8, y + 4, tick[i]);
     }
-    plot__print(f, "</g>\n<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\" fill=\"none\" stroke=\"#9aa2a8\"/>\n", left, top,
-            right - left, bottom - top);
+    plot__print(f, "</g>\n<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\" fill=\"none\" stroke=\"#9aa2a8\"/>\n",
+                left, top, right - left, bottom - top);
     plot__print(f, "<text x=\"%g\" y=\"%g\" text-anchor=\"middle\" fill=\"#222\">", (left + right) / 2, bottom + 42);
     plot__text(f, p->x_label);
     plot__print(f, "</text>\n<text transform=\"translate(18 %g) rotate(-90)\" text-anchor=\"middle\" fill=\"#222\">",
-            (top + bottom) / 2);
+                (top + bottom) / 2);
     plot__text(f, p->y_label);
     plot__print(f, "</text>\n");
     for (k = 0; k < p->count; ++k) {
@@ -213,9 +222,13 @@ static int plot_write(const plot *p, const char *path)
             int pen = 0;
             plot__print(f, "<path fill=\"none\" stroke-width=\"2\" stroke-linejoin=\"round\"%s d=\"", dash);
             for (i = 0; i < s->count; ++i) {
-                if (!plot__usable(s->x[i], log_x) || !plot__usable(s->y[i], log_y)) { pen = 0; continue; }
-                plot__print(f, "%c%.1f %.1f", pen ? 'L' : 'M', left + plot__place(s->x[i], x0, x1, log_x) * (right - left),
-                        bottom - plot__place(s->y[i], y0, y1, log_y) * (bottom - top));
+                if (!plot__usable(s->x[i], log_x) || !plot__usable(s->y[i], log_y)) {
+                    pen = 0;
+                    continue;
+                }
+                plot__print(f, "%c%.1f %.1f", pen ? 'L' : 'M',
+                            left + plot__place(s->x[i], x0, x1, log_x) * (right - left),
+                            bottom - plot__place(s->y[i], y0, y1, log_y) * (bottom - top));
                 pen = 1;
             }
             plot__print(f, "\"/>\n");
@@ -224,12 +237,13 @@ static int plot_write(const plot *p, const char *path)
             for (i = 0; i < s->count; ++i)
                 if (plot__usable(s->x[i], log_x) && plot__usable(s->y[i], log_y))
                     plot__print(f, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" stroke=\"none\"/>\n",
-                            left + plot__place(s->x[i], x0, x1, log_x) * (right - left),
-                            bottom - plot__place(s->y[i], y0, y1, log_y) * (bottom - top));
+                                left + plot__place(s->x[i], x0, x1, log_x) * (right - left),
+                                bottom - plot__place(s->y[i], y0, y1, log_y) * (bottom - top));
         plot__print(f, "</g>\n");
         if (s->name) {
             if (s->style & PLOT_LINE)
-                plot__print(f, "<path d=\"M%g %g h22\" stroke=\"%s\" stroke-width=\"2\"%s/>", right + 14, y_legend, s->color, dash);
+                plot__print(f, "<path d=\"M%g %g h22\" stroke=\"%s\" stroke-width=\"2\"%s/>", right + 14, y_legend,
+                            s->color, dash);
             if (s->style & PLOT_DOTS)
                 plot__print(f, "<circle cx=\"%g\" cy=\"%g\" r=\"3.5\" fill=\"%s\"/>", right + 25, y_legend, s->color);
             plot__print(f, "<text x=\"%g\" y=\"%g\" fill=\"#222\">", right + 42, y_legend + 4);

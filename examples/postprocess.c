@@ -63,10 +63,12 @@ int main(int argc, char **argv)
     /* Once: the material's kernel, 7 taps, and its pyramid. An asset tool would store them. */
     ok = rgbz && picture.pixels && ms_sss_profile_from_burley(&profile, reflectance, d_mm, NULL, &error) == MS_OK;
     if (!ok) return 1;
-    ok = ms_sss_kernel_make(&kernel, NULL, profile, 24, NULL, NULL, &error) == MS_OK && ms_sss_pyramid_make(&pyramid, profile, &error) == MS_OK;
+    ok = ms_sss_kernel_make(&kernel, NULL, profile, 24, NULL, NULL, &error) == MS_OK &&
+        ms_sss_pyramid_make(&pyramid, profile, &error) == MS_OK;
     ms_sss_profile_destroy(profile);
 
-    /* At a new window size: camera, views of the engine's buffers, workspace. options.parallel takes the thread pool. */
+    /* At a new window size: camera, views of the engine's buffers, workspace. options.parallel takes the thread
+       pool. */
     options.fov_degrees = 35;
     options.mm_per_unit = 10; /* the scene is in cm */
     options.pyramids = &pyramid;

@@ -3,10 +3,11 @@
      cc -O2 -I. examples/preview.c -o build/preview -lm
      build/preview WEIGHTS.safetensors PARAMS.csv OUT.png [TRUTH.ppm]
 
-   WEIGHTS: a network from parameters to a square RGB picture, such as examples/data/renderer_128.safetensors. PARAMS: as many
-   columns as the network has inputs, all in [0, 1]; a header line is optional. OUT: .png or .ppm. TRUTH: a sheet of
-   rendered pictures of the same size and order, without gaps, such as examples/data/materials.ppm; then OUT shows three
-   blocks - network, truth, and 8 times their difference - and the peak signal-to-noise ratios are printed. */
+   WEIGHTS: a network from parameters to a square RGB picture, such as examples/data/renderer_128.safetensors. PARAMS:
+   as many columns as the network has inputs, all in [0, 1]; a header line is optional. OUT: .png or .ppm. TRUTH: a
+   sheet of rendered pictures of the same size and order, without gaps, such as examples/data/materials.ppm; then OUT
+   shows three blocks - network, truth, and 8 times their difference - and the peak signal-to-noise ratios are
+   printed. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #include "neural.h"
@@ -22,8 +23,8 @@ static int fail(const char *what, const char *problem)
     return 1;
 }
 
-/* Network, truth and difference side by side in `sheet`, whose first block is drawn already; prints how far they are apart.
-   NULL, or what is wrong with the truth. */
+/* Network, truth and difference side by side in `sheet`, whose first block is drawn already; prints how far they are
+   apart. NULL, or what is wrong with the truth. */
 static const char *compare(const char *path, int count, int columns, int size, image *sheet)
 {
     int pitch = size + GAP, block = columns * pitch, tiles, i, x, y, c;
@@ -33,7 +34,8 @@ static const char *compare(const char *path, int count, int columns, int size, i
     problem = image_read(path, &truth);
     if (problem) return problem;
     tiles = truth.width / size;
-    if (truth.channels != 3 || truth.width % size || truth.height % size) problem = "not an RGB sheet of pictures of the network's size";
+    if (truth.channels != 3 || truth.width % size || truth.height % size)
+        problem = "not an RGB sheet of pictures of the network's size";
     else if (tiles * (truth.height / size) < count) problem = "fewer pictures than there are materials";
     wide = image_new(3 * block + GAP, sheet->height, 3);
     if (!problem && wide.pixels == NULL) problem = "out of memory";
@@ -46,10 +48,13 @@ static const char *compare(const char *path, int count, int columns, int size, i
         for (y = 0; y < size; ++y)
             for (x = 0; x < size; ++x)
                 for (c = 0; c < 3; ++c) {
-                    size_t row = (size_t)(GAP + i / columns * pitch + y), column = (size_t)(GAP + i % columns * pitch + x);
+                    size_t row = (size_t)(GAP + i / columns * pitch + y),
+                           column = (size_t)(GAP + i % columns * pitch + x);
                     float *ours = wide.pixels + 3 * (row * (size_t)wide.width + column) + c;
-                    float true_value = truth.pixels[3 * ((size_t)(i / tiles * size + y) * (size_t)truth.width +
-                                                         (size_t)(i % tiles * size + x)) + (size_t)c];
+                    float true_value = truth.pixels[3 *
+                                                        ((size_t)(i / tiles * size + y) * (size_t)truth.width +
+                                                         (size_t)(i % tiles * size + x)) +
+                                                    (size_t)c];
                     float d = *ours - true_value;
                     squares += (double)d * (double)d;
                     ours[3 * block] = true_value;
@@ -66,7 +71,8 @@ static const char *compare(const char *path, int count, int columns, int size, i
     }
     image_free(sheet);
     *sheet = wide;
-    printf("network | truth | %d x difference; PSNR, with the truth's noise: mean %.2f dB, least %.2f dB\n", DIFFERENCE, sum / count, least);
+    printf("network | truth | %d x difference; PSNR, with the truth's noise: mean %.2f dB, least %.2f dB\n", DIFFERENCE,
+           sum / count, least);
     return NULL;
 }
 
@@ -83,7 +89,8 @@ int main(int argc, char **argv)
     if ((problem = materials_read(argv[2], net.parameters, &list)) != NULL) return fail(argv[2], problem);
     while (columns * columns < list.count) ++columns;
     if ((problem = neural_sheet(&net, list.x, list.count, columns, GAP, &sheet)) != NULL) return fail(argv[2], problem);
-    if (argc == 5 && (problem = compare(argv[4], list.count, columns, net.size, &sheet)) != NULL) return fail(argv[4], problem);
+    if (argc == 5 && (problem = compare(argv[4], list.count, columns, net.size, &sheet)) != NULL)
+        return fail(argv[4], problem);
     if ((problem = image_write(argv[3], &sheet)) != NULL) return fail(argv[3], problem);
     printf("%d materials, %d x %d pixels each\n", list.count, net.size, net.size);
     image_free(&sheet);

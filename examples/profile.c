@@ -4,10 +4,12 @@
      build/profile skin1
      build/profile --mua 0.032,0.17,0.48 --mus 0.74,0.88,1.01 --eta 1.3 --photons 10000000 --csv skin1.csv
      build/profile --mci skin.mci                (layers: r_mm, R and T in 1/mm^2 of the file's first run)
-     build/profile --colour 0.8,0.52,0.39 --mfp 1.2,0.42,0.24 --eta 1.4    (linear; of the light let in; mean free path in mm, or
-                                                  --dmfp: Unreal's diffuse one, --distance: HDRP's scattering distance, Burley's d)
-     build/profile --skin melanin=0.03,blood=0.02,oxygen=0.7,eumelanin=0.8,epidermis_mm=0.06,dermis_mm=2,scattering=2.2,g=0.8
-     build/profile --list
+     build/profile --colour 0.8,0.52,0.39 --mfp 1.2,0.42,0.24 --eta 1.4    (linear; of the light let in; mean free path
+                                                  in mm, or --dmfp: Unreal's diffuse one, --distance: HDRP's scattering
+                                                  distance, Burley's d)
+     build/profile --skin
+     melanin=0.03,blood=0.02,oxygen=0.7,eumelanin=0.8,epidermis_mm=0.06,dermis_mm=2,scattering=2.2,g=0.8 build/profile
+     --list
 
    Without --photons the solvers: no noise. With it, Monte Carlo. --csv saves the table to a
    file; then only the comment lines are printed. Exit: 0, 1 if something failed, 2 if the arguments are wrong. */
@@ -19,11 +21,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char usage_text[] = "usage: profile MATERIAL | --mua R,G,B --mus R,G,B --eta N [--photons N] [--csv FILE]\n"
-                                 "  profile --mci FILE.mci [--csv FILE]    layers, without noise, in the rings of the file's first run\n"
-                                 "  profile --colour R,G,B (--mfp|--dmfp|--distance) R,G,B [--eta N] [--csv FILE]    as artists pick them, 0 to 1 and mm\n"
-                                 "  profile --skin [melanin=..,blood=..,...] [--csv FILE]    skin from what it is made of; --skin default\n"
-                                 "  profile --list    the materials; coefficients are per mm\n";
+static const char usage_text[] =
+    "usage: profile MATERIAL | --mua R,G,B --mus R,G,B --eta N [--photons N] [--csv FILE]\n"
+    "  profile --mci FILE.mci [--csv FILE]    layers, without noise, in the rings of the file's first run\n"
+    "  profile --colour R,G,B (--mfp|--dmfp|--distance) R,G,B [--eta N] [--csv FILE]    as artists pick them, 0 to 1 and mm\n"
+    "  profile --skin [melanin=..,blood=..,...] [--csv FILE]    skin from what it is made of; --skin default\n"
+    "  profile --list    the materials; coefficients are per mm\n";
 
 static int usage(const char *problem, const char *value)
 {
@@ -52,8 +55,8 @@ static void list_materials(void)
     int count, i;
     const ms_mcml_material *m = ms_mcml_materials(&count);
     for (i = 0; i < count; ++i, ++m)
-        printf("%-9s  --mua %.4f,%.4f,%.4f  --mus %.2f,%.2f,%.2f  --eta %g\n", m->name, m->mu_a_per_mm[0], m->mu_a_per_mm[1],
-               m->mu_a_per_mm[2], m->mu_s_per_mm[0], m->mu_s_per_mm[1], m->mu_s_per_mm[2], m->eta);
+        printf("%-9s  --mua %.4f,%.4f,%.4f  --mus %.2f,%.2f,%.2f  --eta %g\n", m->name, m->mu_a_per_mm[0],
+               m->mu_a_per_mm[1], m->mu_a_per_mm[2], m->mu_s_per_mm[0], m->mu_s_per_mm[1], m->mu_s_per_mm[2], m->eta);
 }
 
 /* What a profile is of. */
@@ -71,10 +74,13 @@ static void print_head(FILE *f, const subject *what, const ms_mcml_profile *p)
     const double photons = what->photons;
     if (m) {
         const double *a = m->mu_a_per_mm, *s = m->mu_s_per_mm;
-        fprintf(f, "# %s: mu_a %.9g,%.9g,%.9g mu_s %.9g,%.9g,%.9g per mm, g 0, eta %g\n", what->name, a[0], a[1], a[2], s[0], s[1], s[2], m->eta);
+        fprintf(f, "# %s: mu_a %.9g,%.9g,%.9g mu_s %.9g,%.9g,%.9g per mm, g 0, eta %g\n", what->name, a[0], a[1], a[2],
+                s[0], s[1], s[2], m->eta);
     } else {
-        fprintf(f, "# skin: melanin %g, eumelanin %g, blood %g, oxygen %g, epidermis_mm %g, dermis_mm %g, scattering %g, g %g\n", k->melanin,
-                k->eumelanin, k->blood, k->oxygen, k->epidermis_mm, k->dermis_mm, k->scattering, k->g);
+        fprintf(
+            f,
+            "# skin: melanin %g, eumelanin %g, blood %g, oxygen %g, epidermis_mm %g, dermis_mm %g, scattering %g, g %g\n",
+            k->melanin, k->eumelanin, k->blood, k->oxygen, k->epidermis_mm, k->dermis_mm, k->scattering, k->g);
     }
     if (m == NULL) fprintf(f, "# layered solver, 13 wavelengths; R,G,B linear sRGB under D65\n");
     else if (p->method == MS_MCML_DETERMINISTIC) fprintf(f, "# half-space solver\n");
@@ -100,12 +106,14 @@ static void print_layers(FILE *f, const ms_mcml_run_spec *run, const ms_mcml_lay
     const double dr = run->grid.dr_cm;
     int i;
     fprintf(f, "# %s: %d layers, layered solver of order %d\n", run->output, run->tissue.layer_count, s->order);
-    fprintf(f, "# specular,%.9g\n# total_reflectance,%.9g\n# total_transmittance,%.9g\n# absorbed,%.9g\n", s->specular, s->rd, s->tt, s->a);
+    fprintf(f, "# specular,%.9g\n# total_reflectance,%.9g\n# total_transmittance,%.9g\n# absorbed,%.9g\n", s->specular,
+            s->rd, s->tt, s->a);
     fprintf(f, "# error_of_totals,%.2g,%.2g\n", s->rd_error, s->tt_error);
     fprintf(f, "# %d rings %.9g mm wide; R and T are means over each, r_mm its middle\n", run->grid.nr, 10 * dr);
     fprintf(f, "r_mm,R_1/mm2,T_1/mm2\n");
     for (i = 0; i < run->grid.nr; ++i)
-        fprintf(f, "%.9g,%.9g,%.9g\n", 10 * (i + 0.5) * dr, 0.01 * ms_mcml_layered_ring(s, 0, i * dr, (i + 1) * dr, NULL),
+        fprintf(f, "%.9g,%.9g,%.9g\n", 10 * (i + 0.5) * dr,
+                0.01 * ms_mcml_layered_ring(s, 0, i * dr, (i + 1) * dr, NULL),
                 0.01 * ms_mcml_layered_ring(s, 1, i * dr, (i + 1) * dr, NULL));
 }
 
@@ -168,7 +176,8 @@ static int finish(const subject *what, ms_mcml_profile *p, const char *csv)
 /* "melanin=0.03,blood=0.02": what is not named stays as it is. NULL, or what is wrong. */
 static const char *parse_skin(const char *text, ms_mcml_skin *skin)
 {
-    static const char *const name[] = {"melanin", "eumelanin", "blood", "oxygen", "epidermis_mm", "dermis_mm", "scattering", "g"};
+    static const char *const name[] = {"melanin",      "eumelanin", "blood",      "oxygen",
+                                       "epidermis_mm", "dermis_mm", "scattering", "g"};
     double *value[8];
     int i;
     value[0] = &skin->melanin;
@@ -221,10 +230,12 @@ int main(int argc, char **argv)
             continue;
         }
         if (strcmp(argv[i], "--mua") == 0) {
-            if (!parse_numbers(value, custom.mu_a_per_mm, 3)) return usage("--mua needs one number or three, R,G,B, not", value);
+            if (!parse_numbers(value, custom.mu_a_per_mm, 3))
+                return usage("--mua needs one number or three, R,G,B, not", value);
             given |= 1;
         } else if (strcmp(argv[i], "--mus") == 0) {
-            if (!parse_numbers(value, custom.mu_s_per_mm, 3)) return usage("--mus needs one number or three, R,G,B, not", value);
+            if (!parse_numbers(value, custom.mu_s_per_mm, 3))
+                return usage("--mus needs one number or three, R,G,B, not", value);
             given |= 2;
         } else if (strcmp(argv[i], "--eta") == 0) {
             if (!parse_numbers(value, &custom.eta, 1)) return usage("--eta needs a number, not", value);
@@ -232,9 +243,13 @@ int main(int argc, char **argv)
         } else if (strcmp(argv[i], "--colour") == 0 || strcmp(argv[i], "--color") == 0) {
             if (!parse_numbers(value, color, 3)) return usage("--colour needs one number or three, R,G,B, not", value);
             colored |= 1;
-        } else if (strcmp(argv[i], "--mfp") == 0 || strcmp(argv[i], "--dmfp") == 0 || strcmp(argv[i], "--distance") == 0) {
-            kind = argv[i][2] == 'm' ? MS_MCML_MEAN_FREE_PATH : argv[i][3] == 'm' ? MS_MCML_DIFFUSE_PATH : MS_MCML_BURLEY_D;
-            if (!parse_numbers(value, length, 3) || colored & 2) return usage("one length, of one number or three, R,G,B, not", value);
+        } else if (strcmp(argv[i], "--mfp") == 0 || strcmp(argv[i], "--dmfp") == 0 ||
+                   strcmp(argv[i], "--distance") == 0) {
+            kind = argv[i][2] == 'm' ? MS_MCML_MEAN_FREE_PATH
+                : argv[i][3] == 'm'  ? MS_MCML_DIFFUSE_PATH
+                                     : MS_MCML_BURLEY_D;
+            if (!parse_numbers(value, length, 3) || colored & 2)
+                return usage("one length, of one number or three, R,G,B, not", value);
             colored |= 2;
         } else if (strcmp(argv[i], "--skin") == 0) {
             const char *wrong = value[0] ? parse_skin(value, &what.skin) : "";

@@ -1,7 +1,7 @@
 /* Three lit objects for the examples, modelled, lit and rendered by this file alone: a life-size bust, a knotted tube,
-   85 mm wide, and a broken bowl, 66 mm high, with walls of 3 mm. All are distance fields (smooth unions of ellipsoids and capsules, grooves as Gaussian bumps),
-   found by sphere tracing; the soft shadows of the round lamps are marched through the same field. C99 and C++11, no
-   assets, no dependency but image.h.
+   85 mm wide, and a broken bowl, 66 mm high, with walls of 3 mm. All are distance fields (smooth unions of ellipsoids
+   and capsules, grooves as Gaussian bumps), found by sphere tracing; the soft shadows of the round lamps are marched
+   through the same field. C99 and C++11, no assets, no dependency but image.h.
 
      scene s;
      float color[3] = {0.44f, 0.22f, 0.13f};                  diffuse reflectance of the material
@@ -151,7 +151,7 @@ static inline float scene__face(scene_vec p, scene_vec q, float d) /* adds the f
     lids = scene_length(scene_v(u, p.y, p.z - SCENE_EYE_Z)) - SCENE_EYE_RADIUS - 1.7f;
     d = scene__join(d, lids, 7);
     d += 1.3f * scene__bump(p.y - 0.06f * u - 8.2f + 0.03f * u * u, 1.1f) * scene__step(15, 9, fabsf(u)) *
-         scene__step(66, 72, p.z);
+        scene__step(66, 72, p.z);
     opening = scene__eye_opening(ax, p.y);
     if (p.z > 55) d = scene__cut(d, opening, 1.3f);
 
@@ -468,9 +468,9 @@ static inline scene_vec scene__normal(const scene_grid *g, int what, scene_vec p
     float e = 1;
     if (what != SCENE_BACKDROP) return scene_gradient(g->object, p, 0.02f);
     n.y = scene__backdrop(g->object, scene_v(p.x, p.y + e, p.z)) -
-          scene__backdrop(g->object, scene_v(p.x, p.y - e, p.z));
+        scene__backdrop(g->object, scene_v(p.x, p.y - e, p.z));
     n.z = scene__backdrop(g->object, scene_v(p.x, p.y, p.z + e)) -
-          scene__backdrop(g->object, scene_v(p.x, p.y, p.z - e));
+        scene__backdrop(g->object, scene_v(p.x, p.y, p.z - e));
     return scene_normalize(n);
 }
 
@@ -532,7 +532,7 @@ static inline float scene__lips(scene_vec p)
     float top = -64.2f - 0.22f * ax + 1.6f * scene__bump(ax - 6, 4) - 0.006f * ax * ax;
     if (p.z < 74) return 0;
     return scene__step(-0.6f, 1.2f, scene__min(top - p.y, p.y - bottom)) * scene__step(27.5f, 22, ax) *
-           scene__step(74, 80, p.z);
+        scene__step(74, 80, p.z);
 }
 
 /* Fine relief of the skin, mm outwards: pores and creases, upright wrinkles on the lips. */
@@ -549,7 +549,7 @@ static inline float scene__brow(float ax, scene_vec p)
     float off = fabsf(p.y - 20.5f - 4.5f * (1 - (ax - 35) * (ax - 35) / 400)) + 0.11f * fabsf(ax - 22);
     float hairs = scene_noise(scene_v(1.3f * (ax - 0.6f * p.y), 0.5f * (p.y + 0.2f * ax), 0.5f * p.z));
     float arc = scene__step(4.6f, 1.2f, off) * scene__step(10, 16, ax) * scene__step(56, 46, ax) *
-                scene__step(45, 60, p.z);
+        scene__step(45, 60, p.z);
     return arc * scene__clamp(0.72f + 0.8f * hairs, 0, 1);
 }
 
@@ -682,14 +682,10 @@ static inline void scene__shade(scene *s, const scene_grid *g, const scene_light
     float open = scene__openness(g, p, smooth), nv;
     float *e = s->irradiance.pixels + 3 * pixel, *specular = s->specular.pixels + 3 * pixel;
     int i, c;
-    if (hit.what == SCENE_BACKDROP)
-        m = scene__wall(g->object, p);
-    else if (hit.what == SCENE_EYE)
-        m = scene__eye(p);
-    else if (g->object == SCENE_BUST)
-        m = scene__skin(p, color), n = scene__roughen(n, p);
-    else
-        m = scene__marble(p, color);
+    if (hit.what == SCENE_BACKDROP) m = scene__wall(g->object, p);
+    else if (hit.what == SCENE_EYE) m = scene__eye(p);
+    else if (g->object == SCENE_BUST) m = scene__skin(p, color), n = scene__roughen(n, p);
+    else m = scene__marble(p, color);
     nv = scene__max(scene_dot(n, v), 0.03f);
     for (c = 0; c < 3; ++c) {
         e[c] = open * scene__mix(ground[c], sky[c], 0.5f + 0.5f * n.y);
@@ -717,8 +713,8 @@ static inline void scene__shade(scene *s, const scene_grid *g, const scene_light
     s->mask.pixels[pixel] = m.mask;
 }
 
-/* Outlines: where neighbours differ in depth or in what they show, 16 rays a pixel ask which of the 3x3 pixels shows what
-   they hit. */
+/* Outlines: where neighbours differ in depth or in what they show, 16 rays a pixel ask which of the 3x3 pixels shows
+   what they hit. */
 static inline void scene__cover(scene *s, const scene_grid *g)
 {
     int x, y, i, k;
@@ -753,7 +749,7 @@ static inline void scene__cover(scene *s, const scene_grid *g)
                 for (i = 0; i < 9; ++i) {
                     float aside = fabsf(dx + 0.5f - (float)(i % 3)) + fabsf(dy + 0.5f - (float)(i / 3));
                     float cost = fabsf(depth[i] - z) + 0.004f * z * aside +
-                                 ((mask[i] > 0) != (hit.what == SCENE_OBJECT) ? z : 0);
+                        ((mask[i] > 0) != (hit.what == SCENE_OBJECT) ? z : 0);
                     if (cost >= best) continue;
                     best = cost;
                     choice = i;
@@ -826,7 +822,7 @@ static inline const char *scene_compose(const scene *s, const image *irradiance,
                 for (c = 0; c < 3; ++c, ++from) {
                     float v = s->albedo.pixels[from] * irradiance->pixels[from] + s->specular.pixels[from];
                     out->pixels[3 * pixel + (size_t)c] += (float)weight / 16 *
-                                                          image_srgb_encode(scene_tone(exposure * v));
+                        image_srgb_encode(scene_tone(exposure * v));
                 }
             }
         }

@@ -6,8 +6,9 @@
      scores_free(&s);
 
    Commas, or semicolons or tabs and then decimal commas as well; lines that begin with # are skipped.
-   scores_read_some("gallery.csv", &s) also takes lines with nothing behind the last separator: materials without a score, y = SCORES_NONE,
-   which is MS_GPR_UNSCORED. scores_read_table("metals.csv", &s) reads numbers alone, s.x [n][m], and keeps the header line. */
+   scores_read_some("gallery.csv", &s) also takes lines with nothing behind the last separator: materials without a
+   score, y = SCORES_NONE, which is MS_GPR_UNSCORED. scores_read_table("metals.csv", &s) reads numbers alone, s.x
+   [n][m], and keeps the header line. */
 #ifndef EXAMPLES_SCORES_H
 #define EXAMPLES_SCORES_H
 #include <math.h>
@@ -33,7 +34,8 @@ static inline void scores_free(scores *s)
     memset(s, 0, sizeof *s);
 }
 
-/* Numbers of a line into value[limit]; how many, or -1 where something else stands there. A last one may be missing where `some`. */
+/* Numbers of a line into value[limit]; how many, or -1 where something else stands there. A last one may be missing
+   where `some`. */
 static int scores__line(const char *text, csv_dialect d, double *value, int limit, int some)
 {
     int count = 0;
@@ -78,7 +80,9 @@ static inline const char *scores__read(const char *path, scores *s, int some)
         else if ((count = scores__line(text, dialect, value, LIMIT, some > 0)) < (some < 0 ? 1 : 2)) {
             char *end;
             (void)number_read(text, dialect.decimal, &end);
-            if (seen > 1 || end != text) problem = some < 0 ? "a line is not a list of finite numbers" : "a line is not a list of at least two finite numbers";
+            if (seen > 1 || end != text)
+                problem = some < 0 ? "a line is not a list of finite numbers"
+                                   : "a line is not a list of at least two finite numbers";
             else if (some < 0 && (s->header = (char *)malloc(strlen(text) + 1)) != NULL) strcpy(s->header, text);
         } else if (s->n > 0 && count != s->m + (some >= 0)) {
             problem = "a line has another number of columns than the first";
@@ -91,7 +95,10 @@ static inline const char *scores__read(const char *path, scores *s, int some)
                 if (x) s->x = x;
                 y = some < 0 ? NULL : (double *)realloc(s->y, (size_t)room * sizeof *y);
                 if (y) s->y = y;
-                if (x == NULL || (y == NULL && some >= 0)) { problem = "too large for memory"; continue; }
+                if (x == NULL || (y == NULL && some >= 0)) {
+                    problem = "too large for memory";
+                    continue;
+                }
             }
             memcpy(s->x + (size_t)s->n * (size_t)s->m, value, (size_t)s->m * sizeof *value);
             if (some >= 0) s->y[s->n] = value[s->m];

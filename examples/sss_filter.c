@@ -6,8 +6,8 @@
 
    IRRADIANCE: linear light that arrives, before the surface's color, without specular reflection. DEPTH: distance along
    the viewing axis in scene units; 0, negative and non-finite values mark pixels that take no part. A PFM result holds
-   the light that leaves, to be multiplied by the surface's color; a PNG is clamped to [0, 1] and sRGB-encoded. Which method
-   it took is printed. */
+   the light that leaves, to be multiplied by the surface's color; a PNG is clamped to [0, 1] and sRGB-encoded. Which
+   method it took is printed. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 #define MS_SSS_IMPLEMENTATION
@@ -81,8 +81,9 @@ static ms_status profile_of_file(const char *path, ms_sss_profile **profile, ms_
 static const struct {
     const char *name;
     ms_sss_model model;
-} models[] = {{"image", MS_SSS_IMAGE_OPTIMAL}, {"preintegrated", MS_SSS_PREINTEGRATED}, {"residual", MS_SSS_RESIDUAL},
-              {"gaussians", MS_SSS_GAUSSIANS},   {"guided", MS_SSS_GUIDED},               {"artist", MS_SSS_ARTIST},
+} models[] = {{"image", MS_SSS_IMAGE_OPTIMAL}, {"preintegrated", MS_SSS_PREINTEGRATED},
+              {"residual", MS_SSS_RESIDUAL},   {"gaussians", MS_SSS_GAUSSIANS},
+              {"guided", MS_SSS_GUIDED},       {"artist", MS_SSS_ARTIST},
               {"slice", MS_SSS_SLICE}};
 enum { MODELS = sizeof models / sizeof models[0] };
 
@@ -91,8 +92,8 @@ static const char *const method_names[METHODS] = {"auto", "taps", "half", "pyram
 static const int gather_pixels = 600000; /* up to which a gather takes seconds */
 
 typedef struct settings {
-    int method, model; /* model -1: not said */
-    const char *path[3], *material, *csv;           /* irradiance, depth, result; one of the other two is NULL */
+    int method, model;                    /* model -1: not said */
+    const char *path[3], *material, *csv; /* irradiance, depth, result; one of the other two is NULL */
     double taps, mm_per_unit, fov, ortho, strength, budget; /* taps 0: not said; ortho 0: perspective */
 } settings;
 
@@ -124,13 +125,13 @@ static int parse(int argc, char **argv, settings *s)
         else if (strcmp(name, "--taps") == 0)
             good = value && number(value, 3, MS_SSS_TAPS_MAX, &s->taps) && fmod(s->taps, 2) == 1;
         else if (strcmp(name, "--method") == 0) {
-            for (s->method = 0; s->method < METHODS && value && strcmp(value, method_names[s->method]) != 0; ++s->method) {}
+            for (s->method = 0; s->method < METHODS && value && strcmp(value, method_names[s->method]) != 0;
+                 ++s->method) {}
             good = s->method < METHODS;
         } else if (strcmp(name, "--model") == 0) {
             for (s->model = 0; s->model < MODELS && value && strcmp(value, models[s->model].name) != 0; ++s->model) {}
             good = s->model < MODELS;
-        }
-        else if (strcmp(name, "--mm-per-unit") == 0) good = value && number(value, 1e-9, 1e9, &s->mm_per_unit);
+        } else if (strcmp(name, "--mm-per-unit") == 0) good = value && number(value, 1e-9, 1e9, &s->mm_per_unit);
         else if (strcmp(name, "--fov") == 0) good = perspective = value && number(value, 0.01, 179.9, &s->fov);
         else if (strcmp(name, "--ortho") == 0) good = value && number(value, 1e-9, 1e9, &s->ortho);
         else if (strcmp(name, "--budget") == 0) good = value && number(value, 0, 1, &s->budget);
@@ -148,7 +149,8 @@ static int parse(int argc, char **argv, settings *s)
     if (s->method > HALF && (s->taps > 0 || s->model >= 0))
         return fail(2, method_names[s->method], "--taps and --model belong to the methods taps and half");
     if (s->method == AUTO && (s->taps > 0 || s->model >= 0)) s->method = TAPS;
-    if (s->method != AUTO && s->budget > 0) return fail(2, method_names[s->method], "--budget belongs to the method auto");
+    if (s->method != AUTO && s->budget > 0)
+        return fail(2, method_names[s->method], "--budget belongs to the method auto");
     if ((s->material == NULL) == (s->csv == NULL))
         return fail(2, "arguments", "one of --material and --profile is expected");
     if (perspective && s->ortho > 0) return fail(2, "arguments", "--fov and --ortho exclude each other");
@@ -166,7 +168,8 @@ static double radius_px(const settings *s, const job *j)
         if (j->depth.pixels[i] > 0 && (double)j->depth.pixels[i] < nearest) nearest = (double)j->depth.pixels[i];
     ms_sss_profile_radius(j->profile, 0.99, reach);
     for (i = 0; i < 3; ++i) radius_mm = reach[i] > radius_mm ? reach[i] : radius_mm;
-    height_mm = (s->mm_per_unit > 0 ? s->mm_per_unit : 1) * (s->ortho > 0 ? s->ortho : 2 * tan(s->fov * 3.14159265358979 / 360) * nearest);
+    height_mm = (s->mm_per_unit > 0 ? s->mm_per_unit : 1) *
+        (s->ortho > 0 ? s->ortho : 2 * tan(s->fov * 3.14159265358979 / 360) * nearest);
     return nearest < HUGE_VAL ? radius_mm / height_mm * j->depth.height : 0;
 }
 
@@ -248,8 +251,9 @@ static int run(const settings *s, job *j)
     if (status != MS_OK) return fail(1, s->path[0], error.message);
     if (way == GATHER) printf("gathered in space");
     else if (taken == MS_SSS_METHOD_PYRAMID) printf("pyramid");
-    else printf("two passes of %d taps, %d term%s%s", kernel.tap_count, kernel.term_count, kernel.term_count > 1 ? "s" : "",
-                taken == MS_SSS_METHOD_HALF ? ", at half resolution" : "");
+    else
+        printf("two passes of %d taps, %d term%s%s", kernel.tap_count, kernel.term_count,
+               kernel.term_count > 1 ? "s" : "", taken == MS_SSS_METHOD_HALF ? ", at half resolution" : "");
     printf("; 99%% of the light within %.1f pixels\n", radius);
 
     if (image__has_extension(s->path[2], ".png")) image_to_srgb(&j->output);

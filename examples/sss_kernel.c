@@ -19,7 +19,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const model_names[] = {"image", "preintegrated", "residual", "svd", "svdn", "gaussians", "guided", "artist", "slice", "rotated"};
+static const char *const model_names[] = {"image",     "preintegrated", "residual", "svd",   "svdn",
+                                          "gaussians", "guided",        "artist",   "slice", "rotated"};
 static const char *const placement_names[] = {"optimised", "quantile", "quadratic"};
 
 static const char usage_text[] =
@@ -45,7 +46,7 @@ static ms_status deon_skin(ms_sss_profile **profile)
     int i, c;
     for (i = 0; i < 6; ++i)
         for (c = 0; c < 3; ++c) sigma[i][c] = sqrt(variance[i]);
-    return ms_sss_profile_from_gaussians(profile, 6, (const double (*)[3])sigma, weight, NULL, NULL);
+    return ms_sss_profile_from_gaussians(profile, 6, (const double(*)[3])sigma, weight, NULL, NULL);
 }
 
 static ms_status material_profile(const ms_mcml_material *material, ms_sss_profile **profile, ms_error *error)
@@ -112,23 +113,29 @@ static ms_status fewest_taps(ms_sss_kernel *kernel, ms_sss_errors *errors, const
         if (status != MS_OK || errors->texture <= tolerance) return status;
         if (options.tap_count == MS_SSS_DENSE || options.tap_count + 2 > most) break;
     }
-    snprintf(error->message, sizeof error->message, "%d taps of this model reach an error of %g; %g was asked for", kernel->tap_count,
-             errors->texture, tolerance);
+    snprintf(error->message, sizeof error->message, "%d taps of this model reach an error of %g; %g was asked for",
+             kernel->tap_count, errors->texture, tolerance);
     return MS_NOT_CONVERGED;
 }
 
 static void print_kernel(const ms_sss_kernel *k, const ms_sss_errors *e)
 {
     int i, t;
-    printf("taps %d, terms %d, frames %d: %d reads a pixel; radius %.5g mm\n", k->tap_count, k->term_count, k->frame_count,
-           2 * k->tap_count * k->term_count, (double)k->radius_mm);
-    printf("errors %%: texture %.3f, vertical step %.3f, diagonal step %.3f, small disk %.3f, large disk %.3f, dot %.3f\n",
-           100 * e->texture, 100 * e->vertical_step, 100 * e->diagonal_step, 100 * e->small_disk, 100 * e->large_disk, 100 * e->dot);
-    printf("reflectance %.6f %.6f %.6f\n", (double)k->reflectance[0], (double)k->reflectance[1], (double)k->reflectance[2]);
-    printf("\n// out = delta * E + sum over terms of scale * (E * term along x) * term along y; xyz: weights, w: offset in mm\n");
-    printf("const vec3 delta = vec3(%.7g, %.7g, %.7g);\n", (double)k->delta[0], (double)k->delta[1], (double)k->delta[2]);
+    printf("taps %d, terms %d, frames %d: %d reads a pixel; radius %.5g mm\n", k->tap_count, k->term_count,
+           k->frame_count, 2 * k->tap_count * k->term_count, (double)k->radius_mm);
+    printf(
+        "errors %%: texture %.3f, vertical step %.3f, diagonal step %.3f, small disk %.3f, large disk %.3f, dot %.3f\n",
+        100 * e->texture, 100 * e->vertical_step, 100 * e->diagonal_step, 100 * e->small_disk, 100 * e->large_disk,
+        100 * e->dot);
+    printf("reflectance %.6f %.6f %.6f\n", (double)k->reflectance[0], (double)k->reflectance[1],
+           (double)k->reflectance[2]);
+    printf(
+        "\n// out = delta * E + sum over terms of scale * (E * term along x) * term along y; xyz: weights, w: offset in mm\n");
+    printf("const vec3 delta = vec3(%.7g, %.7g, %.7g);\n", (double)k->delta[0], (double)k->delta[1],
+           (double)k->delta[2]);
     for (t = 0; t < k->term_count; ++t) {
-        printf("const vec3 scale%d = vec3(%g, %g, %g);\n", t, (double)k->scale[t][0], (double)k->scale[t][1], (double)k->scale[t][2]);
+        printf("const vec3 scale%d = vec3(%g, %g, %g);\n", t, (double)k->scale[t][0], (double)k->scale[t][1],
+               (double)k->scale[t][2]);
         printf("const vec4 term%d[%d] = vec4[%d](\n", t, k->tap_count, k->tap_count);
         for (i = 0; i < k->tap_count; ++i)
             printf("    vec4(%.7g, %.7g, %.7g, %.7g)%s\n", (double)k->weight[t][i][0], (double)k->weight[t][i][1],
@@ -186,7 +193,8 @@ int main(int argc, char **argv)
         else return usage("an unknown option", name);
     }
     if (strcmp(argv[1], "deon") == 0) status = deon_skin(&profile);
-    else if (ms_mcml_find_material(argv[1]) != NULL) status = material_profile(ms_mcml_find_material(argv[1]), &profile, &error);
+    else if (ms_mcml_find_material(argv[1]) != NULL)
+        status = material_profile(ms_mcml_find_material(argv[1]), &profile, &error);
     else status = csv_profile(argv[1], &profile, &error);
     if (status == MS_OK) status = ms_sss_designer_create(&designer, profile, radius, NULL, &error);
     if (status == MS_OK && tolerance > 0 && one_model) {

@@ -1,27 +1,30 @@
-/* The workflow as a tool with a window would run it: a few calls, each short enough for a frame of 16 ms up to some 200 scores.
-   ms_gpr.h comes first; pictures come from a callback, such as a neural renderer (neural.h).
+/* The workflow as a tool with a window would run it: a few calls, each short enough for a frame of 16 ms up to some 200
+   scores. ms_gpr.h comes first; pictures come from a callback, such as a neural renderer (neural.h).
 
      studio s;
      studio_open(&s, &renderer, &error);         19 parameters, what draws them, and how large a picture is
      studio_gallery(&s, 10, x, planes, &error);  materials to be scored next                         any state
      studio_score(&s, x, 7, &error);             whenever the user has scored a material             any state -> SCORED
      studio_rescore(&s, 3, 2, &error);           thought again about the fourth one
-     studio_pick(&s, x, 9, best, 2, &error);     of 9 materials that were shown the two that were clicked     any state -> SCORED
+     studio_pick(&s, x, 9, best, 2, &error);     of 9 materials that were shown the two that were clicked     any state
+     -> SCORED
      studio_better(&s, a, b, &error);            this one rather than that one
      studio_like(&s, x, 3, &error);              more like these
      studio_avoid(&s, x, &error);                not like this one
      studio_undo(&s, &error);                    takes back the last of these six
-     studio_update(&s, &error);                  every frame until s.settled                         SCORED    -> LEARNED
+     studio_update(&s, &error);                  every frame until s.settled                         SCORED    ->
+     LEARNED
      studio_recommend(&s, 8, x, planes, &error); a row of recommendations                            LEARNED
-     studio_choose(&s, x, &error);               a material was picked: the plane around it          LEARNED   -> EXPLORING
+     studio_choose(&s, x, &error);               a material was picked: the plane around it          LEARNED   ->
+     EXPLORING
      studio_move(&s, dx, dy, &view, &error);     the mouse moved                                     EXPLORING
      studio_close(&s);
 
-   Scores may come one by one with updates between them, in any order, on any scale, and picks beside or in place of them: after five
-   galleries of "the best 2 of 9" half as many scores do. Without any score predictions have a scale of their own: 0 is indifferent.
-   LEARNED and EXPLORING outlast further scores and picks:
-   the model takes them up at once, with the length scales it has, and s.settled says that studio_update has something to do
-   again. A call in the wrong state is MS_INVALID_ARGUMENT and changes nothing. */
+   Scores may come one by one with updates between them, in any order, on any scale, and picks beside or in place of
+   them: after five galleries of "the best 2 of 9" half as many scores do. Without any score predictions have a scale of
+   their own: 0 is indifferent. LEARNED and EXPLORING outlast further scores and picks:
+   the model takes them up at once, with the length scales it has, and s.settled says that studio_update has something
+   to do again. A call in the wrong state is MS_INVALID_ARGUMENT and changes nothing. */
 #ifndef EXAMPLES_STUDIO_H
 #define EXAMPLES_STUDIO_H
 #include <math.h>
@@ -29,7 +32,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STUDIO_LIKED = 15 /* materials in the plane besides the chosen one */, STUDIO_OTHERS = 20 /* that likes are compared with */, STUDIO_UNDO = 64 };
+enum {
+    STUDIO_LIKED = 15 /* materials in the plane besides the chosen one */,
+    STUDIO_OTHERS = 20 /* that likes are compared with */,
+    STUDIO_UNDO = 64
+};
 
 typedef enum studio_state { STUDIO_EMPTY, STUDIO_SCORED, STUDIO_LEARNED, STUDIO_EXPLORING } studio_state;
 
@@ -43,24 +50,30 @@ typedef struct studio_renderer {
 
 typedef struct studio {
     studio_state state;
-    int settled;               /* studio_update has nothing left to do */
-    double objective;          /* of the model, after the last update */
-    ms_gpr_fit_options learn;  /* may be set after studio_open: floor, noise, ... */
+    int settled;              /* studio_update has nothing left to do */
+    double objective;         /* of the model, after the last update */
+    ms_gpr_fit_options learn; /* may be set after studio_open: floor, noise, ... */
     studio_renderer renderer;
     ms_gpr *gp;
     ms_gpr_latent *plane;
-    double at[2];              /* where in the plane */
-    uint64_t seed;             /* of the next recommendations */
-    int search;                /* which start studio_update works on: 0 where it stands, 1 to 3 the fit's own */
-    double *theta, reached;    /* [m + 2] how far that start has come, and its objective */
-    double *x;                 /* [m] a material, */
-    float *row, *planes;       /* [m] the same, and its picture */
-    ms_gpr_space space;        /* what galleries, recommendations and the plane keep; may be set after studio_open, of arrays that last */
-    double least;              /* what "none of these" scores; may be set after studio_open where scores do not begin at 0 */
-    double *others, *avoid;    /* [STUDIO_OTHERS][m] what likes are compared with; [avoids][m] what recommendations keep away from */
+    double at[2];           /* where in the plane */
+    uint64_t seed;          /* of the next recommendations */
+    int search;             /* which start studio_update works on: 0 where it stands, 1 to 3 the fit's own */
+    double *theta, reached; /* [m + 2] how far that start has come, and its objective */
+    double *x;              /* [m] a material, */
+    float *row, *planes;    /* [m] the same, and its picture */
+    ms_gpr_space space; /* what galleries, recommendations and the plane keep; may be set after studio_open, of arrays
+                           that last */
+    double least;       /* what "none of these" scores; may be set after studio_open where scores do not begin at 0 */
+    double *others,
+        *avoid; /* [STUDIO_OTHERS][m] what likes are compared with; [avoids][m] what recommendations keep away from */
     int avoids;
-    struct { int kind, index; double score; int pairs; } undo[STUDIO_UNDO]; /* kind: the row `index` was added, scored anew, rows from
-                                                                 `index` on and comparisons were added, a material is avoided */
+    struct {
+        int kind, index;
+        double score;
+        int pairs;
+    } undo[STUDIO_UNDO]; /* kind: the row `index` was added, scored anew, rows from
+              `index` on and comparisons were added, a material is avoided */
     int undos;
 } studio;
 
@@ -153,8 +166,8 @@ static inline ms_status studio_rescore(studio *s, int index, double score, ms_er
     return MS_OK;
 }
 
-/* The rows of materials x [count][m] in the model, into row [count]: those that are there already, or new ones behind them, which are
-   copied to fresh [count][m]. How many are fresh. */
+/* The rows of materials x [count][m] in the model, into row [count]: those that are there already, or new ones behind
+   them, which are copied to fresh [count][m]. How many are fresh. */
 static inline int studio__rows(const studio *s, const double *x, int count, int *row, double *fresh)
 {
     const double *rows = ms_gpr_inputs(s->gp);
@@ -173,9 +186,11 @@ static inline int studio__rows(const studio *s, const double *x, int count, int 
 static inline ms_status studio__prefer(studio *s, const double *x, int count, int better, ms_error *error)
 {
     int n = ms_gpr_count(s->gp), before = ms_gpr_pair_count(s->gp), pairs = before, added, i, k;
-    int *row = (int *)malloc((size_t)count * sizeof *row), *pair = (int *)malloc(2 * (size_t)(before + better * (count - better) + 1) * sizeof *pair);
+    int *row = (int *)malloc((size_t)count * sizeof *row),
+        *pair = (int *)malloc(2 * (size_t)(before + better * (count - better) + 1) * sizeof *pair);
     double *fresh = (double *)malloc((size_t)count * (size_t)s->renderer.parameters * sizeof *fresh);
-    ms_status status = row && pair && fresh ? MS_OK : studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a comparison");
+    ms_status status = row && pair && fresh ? MS_OK
+                                            : studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a comparison");
     if (status == MS_OK) {
         added = studio__rows(s, x, count, row, fresh);
         if (before > 0) memcpy(pair, ms_gpr_pairs(s->gp), 2 * (size_t)before * sizeof *pair);
@@ -197,18 +212,23 @@ static inline ms_status studio__prefer(studio *s, const double *x, int count, in
     return MS_OK;
 }
 
-/* Of the materials x [count][m] that were shown those whose indices picked [picks] names, rather than all the others: "the best 2 of 9".
-   picks 0: none of these; those that were not scored before get the least score. Some 2 n^3 multiply-adds, n the materials that were scored or shown. */
-static inline ms_status studio_pick(studio *s, const double *x, int count, const int *picked, int picks, ms_error *error)
+/* Of the materials x [count][m] that were shown those whose indices picked [picks] names, rather than all the others:
+   "the best 2 of 9". picks 0: none of these; those that were not scored before get the least score. Some 2 n^3
+   multiply-adds, n the materials that were scored or shown. */
+static inline ms_status studio_pick(studio *s, const double *x, int count, const int *picked, int picks,
+                                    ms_error *error)
 {
     int m = s->renderer.parameters, at = 0, pass, i, k;
     double *sorted;
     ms_status status;
-    if (count < 1 || picks < 0 || picks >= count) return studio__refuse(error, MS_INVALID_ARGUMENT, "a pick is of none, or some, but not of all");
+    if (count < 1 || picks < 0 || picks >= count)
+        return studio__refuse(error, MS_INVALID_ARGUMENT, "a pick is of none, or some, but not of all");
     for (i = 0; i < picks; ++i) {
-        if (picked[i] < 0 || picked[i] >= count) return studio__refuse(error, MS_INVALID_ARGUMENT, "a picked material was not shown");
+        if (picked[i] < 0 || picked[i] >= count)
+            return studio__refuse(error, MS_INVALID_ARGUMENT, "a picked material was not shown");
         for (k = 0; k < i; ++k)
-            if (picked[i] == picked[k]) return studio__refuse(error, MS_INVALID_ARGUMENT, "a material was picked twice");
+            if (picked[i] == picked[k])
+                return studio__refuse(error, MS_INVALID_ARGUMENT, "a material was picked twice");
     }
     sorted = (double *)malloc((size_t)count * (size_t)m * sizeof *sorted);
     if (sorted == NULL) return studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a comparison");
@@ -232,7 +252,8 @@ static inline ms_status studio_better(studio *s, const double *a, const double *
     if (both == NULL) return studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a comparison");
     memcpy(both, a, m * sizeof *both);
     memcpy(both + m, b, m * sizeof *both);
-    status = memcmp(a, b, m * sizeof *a) ? studio__prefer(s, both, 2, 1, error) : studio__refuse(error, MS_INVALID_ARGUMENT, "both materials are the same");
+    status = memcmp(a, b, m * sizeof *a) ? studio__prefer(s, both, 2, 1, error)
+                                         : studio__refuse(error, MS_INVALID_ARGUMENT, "both materials are the same");
     free(both);
     return status;
 }
@@ -307,8 +328,8 @@ static inline ms_status studio_undo(studio *s, ms_error *error)
     return MS_OK;
 }
 
-/* Some steps of the fit: from where the model stands, then from each of the fit's own starts until it gains no more; the best of all
-   is the model. As many evaluations of the likelihood at a time as 8e7 multiply-adds make. */
+/* Some steps of the fit: from where the model stands, then from each of the fit's own starts until it gains no more;
+   the best of all is the model. As many evaluations of the likelihood at a time as 8e7 multiply-adds make. */
 static inline ms_status studio_update(studio *s, ms_error *error)
 {
     static const double length[] = {0.25, 0.5, 3}; /* widths, times sqrt(m) */
@@ -354,8 +375,8 @@ static inline void studio__draw(studio *s, const double *x, float *planes)
     s->renderer.render(s->renderer.user, s->row, 1, planes);
 }
 
-/* Materials x [count][m] to be scored next, and their pictures, planes [count][values] (NULL: none): the first ones evenly spread,
-   later ones those that the recommendations depend on most. */
+/* Materials x [count][m] to be scored next, and their pictures, planes [count][values] (NULL: none): the first ones
+   evenly spread, later ones those that the recommendations depend on most. */
 static inline ms_status studio_gallery(studio *s, int count, double *x, float *planes, ms_error *error)
 {
     ms_gpr_gallery_options options;
@@ -365,7 +386,8 @@ static inline ms_status studio_gallery(studio *s, int count, double *x, float *p
     options.seed = s->seed++;
     options.space = s->space;
     status = ms_gpr_gallery(s->gp, &options, count, x, error);
-    for (i = 0; i < count && planes && status == MS_OK; ++i) studio__draw(s, x + i * s->renderer.parameters, planes + (size_t)i * s->renderer.values);
+    for (i = 0; i < count && planes && status == MS_OK; ++i)
+        studio__draw(s, x + i * s->renderer.parameters, planes + (size_t)i * s->renderer.values);
     return status;
 }
 
@@ -382,12 +404,13 @@ static inline ms_status studio_recommend(studio *s, int count, double *x, float 
     options.avoid = s->avoid;
     options.avoid_count = s->avoids;
     status = ms_gpr_recommend(s->gp, &options, count, x, NULL, NULL, NULL, error);
-    for (i = 0; i < count && planes && status == MS_OK; ++i) studio__draw(s, x + i * s->renderer.parameters, planes + (size_t)i * s->renderer.values);
+    for (i = 0; i < count && planes && status == MS_OK; ++i)
+        studio__draw(s, x + i * s->renderer.parameters, planes + (size_t)i * s->renderer.values);
     return status;
 }
 
-/* The rows of the `limit` best scores above the floor, best first, into liked [limit][m]; how many. x [m] is left out where it is
-   one of them (NULL: nothing is). */
+/* The rows of the `limit` best scores above the floor, best first, into liked [limit][m]; how many. x [m] is left out
+   where it is one of them (NULL: nothing is). */
 static inline int studio_liked(const ms_gpr *gp, int limit, const double *x, double *liked)
 {
     const double *y = ms_gpr_values(gp), *rows = ms_gpr_inputs(gp);
@@ -396,7 +419,9 @@ static inline int studio_liked(const ms_gpr *gp, int limit, const double *x, dou
     while (count < limit) {
         int best = -1;
         for (i = 0; i < n; ++i) /* the next in the order of falling scores, then of rows */
-            if (y[i] > ms_gpr_floor(gp) && (last < 0 || y[i] < y[last] || (!(y[i] > y[last]) && i > last)) && (best < 0 || y[i] > y[best])) best = i;
+            if (y[i] > ms_gpr_floor(gp) && (last < 0 || y[i] < y[last] || (!(y[i] > y[last]) && i > last)) &&
+                (best < 0 || y[i] > y[best]))
+                best = i;
         if (best < 0) break;
         last = best;
         if (x == NULL || memcmp(x, rows + (size_t)best * m, m * sizeof *x) != 0)
@@ -421,8 +446,11 @@ static inline ms_status studio_choose(studio *s, const double *x, ms_error *erro
     memset(&options, 0, sizeof options);
     options.prior = 0.1; /* keeps the plane compact */
     options.space = s->space;
-    status = count > 0 ? ms_gpr_latent_fit(liked, count + 1, m, &options, &plane, NULL, error)
-                       : studio__refuse(error, MS_INVALID_ARGUMENT, "nothing else is liked yet: a plane needs another material that was scored above the lowest score");
+    status = count > 0
+        ? ms_gpr_latent_fit(liked, count + 1, m, &options, &plane, NULL, error)
+        : studio__refuse(
+              error, MS_INVALID_ARGUMENT,
+              "nothing else is liked yet: a plane needs another material that was scored above the lowest score");
     free(liked);
     if (status != MS_OK) return status;
     ms_gpr_latent_destroy(s->plane);
@@ -437,8 +465,8 @@ static inline int studio__keeps(const studio *s)
     return s->space.low || s->space.high || s->space.steps || s->space.tie_count || s->space.list_count;
 }
 
-/* A step in the plane, in length scales, and what is seen there. It ends where the plane knows less than a quarter, but may always lead
-   to where it knows more. */
+/* A step in the plane, in length scales, and what is seen there. It ends where the plane knows less than a quarter, but
+   may always lead to where it knows more. */
 static inline ms_status studio_move(studio *s, double dx, double dy, studio_view *view, ms_error *error)
 {
     int m = s->renderer.parameters, k;
@@ -452,12 +480,14 @@ static inline ms_status studio_move(studio *s, double dx, double dy, studio_view
         to[0] = s->at[0] + dx;
         to[1] = s->at[1] + dy;
         status = ms_gpr_latent_map(s->plane, to, 1, NULL, &there, error);
-        if (status != MS_OK || there < 0.75 * sf2 || there < here) break; /* variances: knowing a quarter leaves three */
+        if (status != MS_OK || there < 0.75 * sf2 || there < here)
+            break; /* variances: knowing a quarter leaves three */
     }
     if (status != MS_OK) return status;
     if (halvings == 8) memcpy(to, s->at, sizeof to);
     status = ms_gpr_latent_map(s->plane, to, 1, s->x, NULL, error);
-    for (k = 0; k < m && status == MS_OK && !studio__keeps(s); ++k) s->x[k] = s->x[k] > 0 ? s->x[k] < 1 ? s->x[k] : 1 : 0;
+    for (k = 0; k < m && status == MS_OK && !studio__keeps(s); ++k)
+        s->x[k] = s->x[k] > 0 ? s->x[k] < 1 ? s->x[k] : 1 : 0;
     if (status == MS_OK) status = ms_gpr_predict(s->gp, s->x, 1, &view->score, &variance, error);
     if (status != MS_OK) return status;
     view->sigma = sqrt(variance);

@@ -1,37 +1,42 @@
-/* From pictures of materials to a neural renderer for build/preview, build/match and build/workflow, and to inversion networks for it.
+/* From pictures of materials to a neural renderer for build/preview, build/match and build/workflow, and to inversion
+   networks for it.
 
      cc -O2 -I. examples/train.c -o build/train -lpthread -lm       (-O3 -fno-math-errno -fno-trapping-math: faster)
-     build/train PICTURES PARAMS.csv OUT.safetensors [--size S] [--check A [--check B]] [--held-out N] [--bytes N | --psnr DB]
-                 [--trunk RENDERER.safetensors] [--rank 96] [--width 384] [--depth 3] [--teachers 0] [--type F16] [--epochs N] [--channels auto] [--hidden auto] [--seed 1]
-                 [--threads 2] [--again] [--every 20]
-     build/train --inversion RENDERER.safetensors OUT_PREFIX [--count 5] [--steps 6000] [--first 64] [--width 256] [--sharp LIST] [--seed 1] [--threads 2]
-     build/train --measure RENDERER.safetensors PARAMS.csv --check A [--check B]
+     build/train PICTURES PARAMS.csv OUT.safetensors [--size S] [--check A [--check B]] [--held-out N] [--bytes N |
+                 --psnr DB] [--trunk RENDERER.safetensors] [--rank 96] [--width 384] [--depth 3] [--teachers 0] [--type
+                 F16] [--epochs N] [--channels auto] [--hidden auto] [--seed 1] [--threads 2] [--again] [--every 20]
+     build/train --inversion RENDERER.safetensors OUT_PREFIX [--count 5] [--steps 6000] [--first 64] [--width 256]
+     [--sharp LIST] [--seed 1] [--threads 2] build/train --measure RENDERER.safetensors PARAMS.csv --check A [--check B]
 
-   PICTURES: a folder of square PNG, PPM or PFM files, all of one size; or one file in which they stand below or beside each other, row by row
-   (then --size says where to cut); or a folder of `make dataset`, which has the parameters too (PARAMS.csv: a line of their names, or -).
-   PARAMS.csv: a line of names, then a row for each picture, in the order of the pictures' names; or its first column is called
-   "file" and names the picture. PNG and PPM hold display values, PFM linear light. --size: side of the network's pictures, a divisor of theirs.
-   Parameters outside [0, 1] are mapped to it; ranges go into the file's metadata "ms_ranges", the names into "ms_parameters".
+   PICTURES: a folder of square PNG, PPM or PFM files, all of one size; or one file in which they stand below or beside
+   each other, row by row (then --size says where to cut); or a folder of `make dataset`, which has the parameters too
+   (PARAMS.csv: a line of their names, or -). PARAMS.csv: a line of names, then a row for each picture, in the order of
+   the pictures' names; or its first column is called "file" and names the picture. PNG and PPM hold display values, PFM
+   linear light. --size: side of the network's pictures, a divisor of theirs. Parameters outside [0, 1] are mapped to
+   it; ranges go into the file's metadata "ms_ranges", the names into "ms_parameters".
 
-   The network is a small trunk (--depth layers of --width SiLUs) whose last layer, linear, is made of the pictures' principal components:
-   the trunk learns their coordinates, which is the picture's error less what no network of that rank could draw. Where a colour channel
-   depends on parameters of its own and others that all share, one network serves the three (--channels auto finds out; none; or lists such as
-   "0,3,6;1,4,6;2,5,6"). Parameters that a picture does not depend on, since a lobe's share is 0 or 1, are drawn anew each time (--hidden auto finds
-   them; none; or "0@7=1,4@7=0": the first where the eighth is 1 ..., of a channel's list).
-   Networks from other starts err apart: of --teachers 3, say, the mean is taught to the one that is saved, on eight times as many materials as
-   there are pictures; better by a decibel where pictures are few, in four times the time.
-   --bytes (4M): the largest file; --psnr: the quality that is enough; either picks rank and type (a --rank that is a multiple of 32 runs fastest). --check: another folder, FOLDER, with FOLDER.csv (or of
-   `make dataset`), for the final measure; two of the same materials cancel their noise. Otherwise every 16th picture is held out.
-   A folder of `make dataset` has linear light, so the layer of pixels is made anew on what the trunk learnt, as with --trunk.
-   --trunk: the trunk of a renderer that is there, and a new pixels' layer for it, of the pictures' full size or --size: for larger pictures with more
-   noise than a trunk could learn from. They are regressed on its features in linear light, and what is noise in
-   the result is shrunk (a folder of `make dataset`).
-   A run that was interrupted goes on where OUT.safetensors.checkpoint0 and so on say (every 20 seconds), to the same bits; --again starts afresh.
+   The network is a small trunk (--depth layers of --width SiLUs) whose last layer, linear, is made of the pictures'
+   principal components: the trunk learns their coordinates, which is the picture's error less what no network of that
+   rank could draw. Where a colour channel depends on parameters of its own and others that all share, one network
+   serves the three (--channels auto finds out; none; or lists such as "0,3,6;1,4,6;2,5,6"). Parameters that a picture
+   does not depend on, since a lobe's share is 0 or 1, are drawn anew each time (--hidden auto finds them; none; or
+   "0@7=1,4@7=0": the first where the eighth is 1 ..., of a channel's list). Networks from other starts err apart: of
+   --teachers 3, say, the mean is taught to the one that is saved, on eight times as many materials as there are
+   pictures; better by a decibel where pictures are few, in four times the time. --bytes (4M): the largest file; --psnr:
+   the quality that is enough; either picks rank and type (a --rank that is a multiple of 32 runs fastest). --check:
+   another folder, FOLDER, with FOLDER.csv (or of `make dataset`), for the final measure; two of the same materials
+   cancel their noise. Otherwise every 16th picture is held out. A folder of `make dataset` has linear light, so the
+   layer of pixels is made anew on what the trunk learnt, as with --trunk. --trunk: the trunk of a renderer that is
+   there, and a new pixels' layer for it, of the pictures' full size or --size: for larger pictures with more noise than
+   a trunk could learn from. They are regressed on its features in linear light, and what is noise in the result is
+   shrunk (a folder of `make dataset`). A run that was interrupted goes on where OUT.safetensors.checkpoint0 and so on
+   say (every 20 seconds), to the same bits; --again starts afresh.
 
-   --inversion: --count small networks from a picture to its parameters, for build/match and ms_pme.h, learnt through the renderer alone: a picture
-   that it draws (many of them edited: contrast, black level, mixed channels) is inverted, drawn again and compared. The network that is best for a
-   picture learns most from it, since a match takes the best of all. They are called OUT_PREFIX1.safetensors and so on. --sharp 7,16,17: what is
-   0 or 1 in half of the materials; the renderer's file knows, if this program made it. */
+   --inversion: --count small networks from a picture to its parameters, for build/match and ms_pme.h, learnt through
+   the renderer alone: a picture that it draws (many of them edited: contrast, black level, mixed channels) is inverted,
+   drawn again and compared. The network that is best for a picture learns most from it, since a match takes the best of
+   all. They are called OUT_PREFIX1.safetensors and so on. --sharp 7,16,17: what is 0 or 1 in half of the materials; the
+   renderer's file knows, if this program made it. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #include "image.h"
@@ -83,10 +88,10 @@ static void *zeros(size_t count, size_t size) { return memset(room(count, size),
 
 typedef struct material_set {
     int count, parameters, size;
-    float *x;          /* [count][parameters], mapped to [0, 1] */
-    uint16_t *value;   /* [count][3][size][size]: display values as fractions of 65535 */
-    uint16_t *linear;  /* the same in linear light, as halves; NULL: not kept */
-    char *names;       /* separated by commas */
+    float *x;           /* [count][parameters], mapped to [0, 1] */
+    uint16_t *value;    /* [count][3][size][size]: display values as fractions of 65535 */
+    uint16_t *linear;   /* the same in linear light, as halves; NULL: not kept */
+    char *names;        /* separated by commas */
     double *low, *high; /* [parameters] */
 } material_set;
 
@@ -122,7 +127,8 @@ static void add_picture(const float *pixels, int side, int size, int linear, uin
                         sum += linear || box == 1 ? v : image_srgb_decode(v);
                     }
                 sum /= (float)(box * box);
-                *planes++ = linear || box > 1 ? display(sum) : (uint16_t)((sum > 0 ? sum < 1 ? sum : 1 : 0) * 65535 + 0.5f);
+                *planes++ = linear || box > 1 ? display(sum)
+                                              : (uint16_t)((sum > 0 ? sum < 1 ? sum : 1 : 0) * 65535 + 0.5f);
             }
 }
 
@@ -177,7 +183,9 @@ static int table_read(const char *path, table *t)
                 (void)number_read(word, d.decimal, &end);
                 if (*word == 0 || (end != word && *end == 0)) {
                     fclose(f);
-                    return wrong("%s: line %d: column %d of the header is '%.40s', no name: the first line names the parameters", path, line, column + 1, word);
+                    return wrong(
+                        "%s: line %d: column %d of the header is '%.40s', no name: the first line names the parameters",
+                        path, line, column + 1, word);
                 }
                 if (column == 0 && (strcmp(word, "file") == 0 || strcmp(word, "picture") == 0)) {
                     t->named = 1;
@@ -189,7 +197,8 @@ static int table_read(const char *path, table *t)
             t->columns = column;
             if (column < 1 || column > MOST_PARAMETERS) {
                 fclose(f);
-                return wrong("%s: line %d: %d parameters; 1 to %d are possible", path, line, column, (int)MOST_PARAMETERS);
+                return wrong("%s: line %d: %d parameters; 1 to %d are possible", path, line, column,
+                             (int)MOST_PARAMETERS);
             }
             continue;
         }
@@ -216,7 +225,8 @@ static int table_read(const char *path, table *t)
             v = number_read(word, d.decimal, &end);
             if (column < t->columns && (end == word || *end != 0 || !(v > -1e30 && v < 1e30))) {
                 fclose(f);
-                return wrong("%s: line %d: column %d is '%.40s', not a number", path, line, column + 1 + t->named, word);
+                return wrong("%s: line %d: column %d is '%.40s', not a number", path, line, column + 1 + t->named,
+                             word);
             }
             if (column < t->columns) t->x[t->count * t->columns + column] = v;
             ++column;
@@ -262,7 +272,8 @@ static int list_folder(const char *folder, const char *const *endings, char ***n
     while ((e = readdir(d)) != NULL)
         for (k = 0; endings[k]; ++k)
             if (e->d_name[0] != '.' && has_ending(e->d_name, endings[k])) {
-                if (count == space) *names = (char **)realloc(*names, (size_t)(space = 2 * space + 256) * sizeof(char *));
+                if (count == space)
+                    *names = (char **)realloc(*names, (size_t)(space = 2 * space + 256) * sizeof(char *));
                 if (*names == NULL) return 0;
                 (*names)[count] = (char *)room(strlen(e->d_name) + 1, 1);
                 strcpy((*names)[count++], e->d_name);
@@ -288,7 +299,10 @@ typedef struct parts {
     char problem[8][200];
 } parts;
 
-static unsigned u32(const unsigned char *p) { return p[0] | (unsigned)p[1] << 8 | (unsigned)p[2] << 16 | (unsigned)p[3] << 24; }
+static unsigned u32(const unsigned char *p)
+{
+    return p[0] | (unsigned)p[1] << 8 | (unsigned)p[2] << 16 | (unsigned)p[3] << 24;
+}
 
 static void read_part(void *context, int index)
 {
@@ -316,7 +330,8 @@ static void read_part(void *context, int index)
             if (!(picture[k] >= 0 && picture[k] < 1e30f)) bad = 2;
         }
         if (bad) {
-            snprintf(p->problem[index % 8], sizeof p->problem[0], "%.120s: picture %d %s", p->name[index], i, bad == 2 ? "has a value that is no number" : "is cut off");
+            snprintf(p->problem[index % 8], sizeof p->problem[0], "%.120s: picture %d %s", p->name[index], i,
+                     bad == 2 ? "has a value that is no number" : "is cut off");
             break;
         }
         if (p->set->linear) { /* means over boxes */
@@ -326,19 +341,23 @@ static void read_part(void *context, int index)
                 for (y = 0; y < size; ++y)
                     for (x = 0; x < size; ++x) {
                         float sum = 0;
-                        for (j = 0; j < box * box; ++j) sum += picture[3 * ((y * box + j / box) * p->side + x * box + j % box) + c];
+                        for (j = 0; j < box * box; ++j)
+                            sum += picture[3 * ((y * box + j / box) * p->side + x * box + j % box) + c];
                         *to++ = image_to_half(sum / (float)(box * box));
                     }
         }
         if (p->set->value)
-            add_picture(picture, p->side, p->set->size, 1, p->set->value + (size_t)(p->first[index] + i) * 3 * (size_t)p->set->size * (size_t)p->set->size);
+            add_picture(picture, p->side, p->set->size, 1,
+                        p->set->value +
+                            (size_t)(p->first[index] + i) * 3 * (size_t)p->set->size * (size_t)p->set->size);
     }
     if (f) fclose(f);
     free(bytes);
     free(picture);
 }
 
-static int read_parts(train_pool *pool, const char *folder, char **name, int count, int size, int linear, material_set *s)
+static int read_parts(train_pool *pool, const char *folder, char **name, int count, int size, int linear,
+                      material_set *s)
 {
     parts p;
     int i, total = 0;
@@ -353,8 +372,8 @@ static int read_parts(train_pool *pool, const char *folder, char **name, int cou
         FILE *f;
         snprintf(path, sizeof path, "%.1000s/%.180s", folder, name[i]);
         f = fopen(path, "rb");
-        if (f == NULL || fread(h, 1, 24, f) != 24 || memcmp(h, "msds", 4) != 0 || u32(h + 4) != 1 || u32(h + 8) < 1 || u32(h + 8) > 8192 ||
-            (p.side && p.side != (int)u32(h + 8)) || u32(h + 20) > 65536) {
+        if (f == NULL || fread(h, 1, 24, f) != 24 || memcmp(h, "msds", 4) != 0 || u32(h + 4) != 1 || u32(h + 8) < 1 ||
+            u32(h + 8) > 8192 || (p.side && p.side != (int)u32(h + 8)) || u32(h + 20) > 65536) {
             if (f) fclose(f);
             free(p.first);
             return wrong("%s: not a part of a data set, or of pictures of another size", path);
@@ -368,7 +387,9 @@ static int read_parts(train_pool *pool, const char *folder, char **name, int cou
     s->count = total;
     s->parameters = 19;
     s->size = size ? size : p.side;
-    if (p.side % s->size) return free(p.first), wrong("%s: pictures of %d pixels cannot be brought to %d: not a divisor", folder, p.side, s->size);
+    if (p.side % s->size)
+        return free(p.first),
+               wrong("%s: pictures of %d pixels cannot be brought to %d: not a divisor", folder, p.side, s->size);
     s->x = (float *)zeros((size_t)total * 19, sizeof(float));
     if (linear) s->linear = (uint16_t *)room((size_t)total * 3 * (size_t)s->size * (size_t)s->size, sizeof(uint16_t));
     else s->value = (uint16_t *)room((size_t)total * 3 * (size_t)s->size * (size_t)s->size, sizeof(uint16_t));
@@ -377,37 +398,44 @@ static int read_parts(train_pool *pool, const char *folder, char **name, int cou
     for (i = 0; i < 8; ++i)
         if (p.problem[i][0]) return wrong("%s/%s", folder, p.problem[i]);
     for (i = 0; i < total * 19; ++i)
-        if (!(s->x[i] >= 0 && s->x[i] <= 1)) return wrong("%s: material %d: parameter %d is outside [0, 1]", folder, i / 19, i % 19);
+        if (!(s->x[i] >= 0 && s->x[i] <= 1))
+            return wrong("%s: material %d: parameter %d is outside [0, 1]", folder, i / 19, i % 19);
     return 1;
 }
 
 /* Picture k of an image of tiles as a set's picture k; 0: see trouble. */
 static int take_tile(const image *im, const char *path, int tile, int k, int linear, int at, material_set *s)
 {
-    int across = im->width / tile, left = k % across * tile, top = k / across * tile, x, y, c, step = im->channels < 3 ? 0 : 1, differ = 0;
+    int across = im->width / tile, left = k % across * tile, top = k / across * tile, x, y, c,
+        step = im->channels < 3 ? 0 : 1, differ = 0;
     float *picture = (float *)room((size_t)tile * (size_t)tile * 3, sizeof(float));
     for (y = 0; y < tile; ++y)
         for (x = 0; x < tile; ++x)
             for (c = 0; c < 3; ++c) {
-                float v = im->pixels[((size_t)(top + y) * (size_t)im->width + (size_t)(left + x)) * (size_t)im->channels + (size_t)(c * step)];
+                float v =
+                    im->pixels[((size_t)(top + y) * (size_t)im->width + (size_t)(left + x)) * (size_t)im->channels +
+                               (size_t)(c * step)];
                 if (!(v >= 0 && v < 1e30f)) {
                     free(picture);
-                    return wrong("%s: column %d, row %d has a value that is negative or not a number", path, left + x, top + y);
+                    return wrong("%s: column %d, row %d has a value that is negative or not a number", path, left + x,
+                                 top + y);
                 }
                 picture[3 * (y * tile + x) + c] = v;
                 differ |= v < picture[c] || v > picture[c];
             }
     if (!differ) {
         free(picture);
-        return im->width > tile || im->height > tile ? wrong("%s: picture %d is of one colour alone: a render that failed?", path, k + 1)
-                                                     : wrong("%s: of one colour alone: a render that failed?", path);
+        return im->width > tile || im->height > tile
+            ? wrong("%s: picture %d is of one colour alone: a render that failed?", path, k + 1)
+            : wrong("%s: of one colour alone: a render that failed?", path);
     }
     add_picture(picture, tile, s->size, linear, s->value + (size_t)at * 3 * (size_t)s->size * (size_t)s->size);
     free(picture);
     return 1;
 }
 
-static int read_images(const char *pictures, char **name, int count, const table *t, const char *csv, int size, material_set *s)
+static int read_images(const char *pictures, char **name, int count, const table *t, const char *csv, int size,
+                       material_set *s)
 {
     char path[1300];
     image im;
@@ -417,35 +445,45 @@ static int read_images(const char *pictures, char **name, int count, const table
         problem = image_read(pictures, &im);
         if (problem) return wrong("%s: %s", pictures, problem);
         side = size ? size : im.width < im.height ? im.width : im.height;
-        if (im.width % side || im.height % side) i = wrong("%s: %d x %d pixels cannot be cut into squares of %d", pictures, im.width, im.height, side);
+        if (im.width % side || im.height % side)
+            i = wrong("%s: %d x %d pixels cannot be cut into squares of %d", pictures, im.width, im.height, side);
         else if ((im.width / side) * (im.height / side) < t->count)
-            i = wrong("%s: %d pictures of %d x %d pixels, %s has %d rows (--size says where to cut)", pictures, (im.width / side) * (im.height / side), side, side, csv, t->count);
+            i = wrong("%s: %d pictures of %d x %d pixels, %s has %d rows (--size says where to cut)", pictures,
+                      (im.width / side) * (im.height / side), side, side, csv, t->count);
         else {
             s->size = side;
             s->count = t->count;
             s->value = (uint16_t *)room((size_t)t->count * 3 * (size_t)side * (size_t)side, sizeof(uint16_t));
-            for (i = 1, k = 0; k < t->count && i; ++k) i = take_tile(&im, pictures, side, k, image__has_extension(pictures, ".pfm"), k, s);
+            for (i = 1, k = 0; k < t->count && i; ++k)
+                i = take_tile(&im, pictures, side, k, image__has_extension(pictures, ".pfm"), k, s);
         }
         image_free(&im);
         return i;
     }
     if (!t->named && count != t->count)
-        return count > t->count ? wrong("%s: %d pictures, but %s has %d rows: none for %s", pictures, count, csv, t->count, name[t->count])
-                                : wrong("%s: %d pictures, but %s has %d rows: no picture for line %d", pictures, count, csv, t->count, t->line[count]);
+        return count > t->count
+            ? wrong("%s: %d pictures, but %s has %d rows: none for %s", pictures, count, csv, t->count, name[t->count])
+            : wrong("%s: %d pictures, but %s has %d rows: no picture for line %d", pictures, count, csv, t->count,
+                    t->line[count]);
     s->count = t->count;
     for (k = 0; k < t->count; ++k) {
         const char *file = t->named ? t->file[k] : name[k];
         snprintf(path, sizeof path, "%.900s/%.300s", pictures, file);
         problem = image_read(path, &im);
-        if (problem) return t->named ? wrong("%s: line %d: %s: %s", csv, t->line[k], path, problem) : wrong("%s: %s", path, problem);
+        if (problem)
+            return t->named ? wrong("%s: line %d: %s: %s", csv, t->line[k], path, problem)
+                            : wrong("%s: %s", path, problem);
         if (k == 0) {
             side = im.width;
             s->size = size ? size : side;
             if (side % s->size) i = wrong("%s: %d pixels cannot be brought to %d: not a divisor", path, side, s->size);
-            else s->value = (uint16_t *)room((size_t)t->count * 3 * (size_t)s->size * (size_t)s->size, sizeof(uint16_t));
+            else
+                s->value = (uint16_t *)room((size_t)t->count * 3 * (size_t)s->size * (size_t)s->size, sizeof(uint16_t));
         }
         if (s->value == NULL) i = 0;
-        else if (im.width != side || im.height != side) i = wrong("%s: %d x %d pixels; %s", path, im.width, im.height, k ? "the pictures before it have another size" : "it must be square");
+        else if (im.width != side || im.height != side)
+            i = wrong("%s: %d x %d pixels; %s", path, im.width, im.height,
+                      k ? "the pictures before it have another size" : "it must be square");
         else i = take_tile(&im, path, side, 0, image__has_extension(path, ".pfm"), k, s);
         image_free(&im);
         if (!i) return 0;
@@ -471,7 +509,8 @@ static int is_data_set(const char *pictures)
 }
 
 /* like: a set that decides on names, ranges and size, or NULL. */
-static int set_read(train_pool *pool, const char *pictures, const char *csv, int size, const material_set *like, material_set *s)
+static int set_read(train_pool *pool, const char *pictures, const char *csv, int size, const material_set *like,
+                    material_set *s)
 {
     static const char *const part[] = {".bin", NULL}, *const picture[] = {".png", ".ppm", ".pgm", ".pfm", NULL};
     char **name, beside[1024];
@@ -482,7 +521,8 @@ static int set_read(train_pool *pool, const char *pictures, const char *csv, int
     if (count > 0) {
         fine = read_parts(pool, pictures, name, count, size, 0, s);
         if (fine && strcmp(csv, "-") != 0) fine = table_read(csv, &t);
-        if (fine && t.names && t.columns != s->parameters) fine = wrong("%s: %d names, the data set has %d parameters", csv, t.columns, s->parameters);
+        if (fine && t.names && t.columns != s->parameters)
+            fine = wrong("%s: %d names, the data set has %d parameters", csv, t.columns, s->parameters);
         if (fine) s->names = t.names ? t.names : names_like(s->parameters);
         t.names = NULL;
     } else {
@@ -516,9 +556,11 @@ static int set_read(train_pool *pool, const char *pictures, const char *csv, int
                 if (low < 0 || high > 1) s->low[j] = low, s->high[j] = high > low ? high : low + 1;
             }
             if (like && like->parameters == s->parameters) s->low[j] = like->low[j], s->high[j] = like->high[j];
-            for (i = 0; t.x && i < t.count; ++i) s->x[i * t.columns + j] = (float)((t.x[i * t.columns + j] - s->low[j]) / (s->high[j] - s->low[j]));
+            for (i = 0; t.x && i < t.count; ++i)
+                s->x[i * t.columns + j] = (float)((t.x[i * t.columns + j] - s->low[j]) / (s->high[j] - s->low[j]));
         }
-        if (like && (like->parameters != s->parameters || like->size != s->size)) fine = wrong("%s: other parameters or another size than the pictures before", pictures);
+        if (like && (like->parameters != s->parameters || like->size != s->size))
+            fine = wrong("%s: other parameters or another size than the pictures before", pictures);
     }
     list_free(name, count > 0 ? count : 0);
     table_free(&t);
@@ -530,21 +572,26 @@ static int set_read(train_pool *pool, const char *pictures, const char *csv, int
 
 /* Which inputs the network of a channel has, and which of these a picture does not depend on, where. */
 typedef struct form {
-    int lists, inputs;                        /* 3 lists where the channels share one network, 1: none */
+    int lists, inputs; /* 3 lists where the channels share one network, 1: none */
     int list[3][MOST_PARAMETERS];
     int rules;
-    struct { int column, gate, value; } rule[MOST_HIDDEN]; /* input `column` does not matter where input `gate` is 0 or 1 */
+    struct {
+        int column, gate, value;
+    } rule[MOST_HIDDEN]; /* input `column` does not matter where input `gate` is 0 or 1 */
 } form;
 
 enum { PROBE = 384, OUTPUTS = 8 };
 
-/* Mean squared error, on every fourth row, of a ridge regression of y [rows][OUTPUTS] on random tanh of x [rows][d] fitted to the others;
-   inputs that `drop` marks are left out. A cheap stand-in for a network: does what it is told matter? */
+/* Mean squared error, on every fourth row, of a ridge regression of y [rows][OUTPUTS] on random tanh of x [rows][d]
+   fitted to the others; inputs that `drop` marks are left out. A cheap stand-in for a network: does what it is told
+   matter? */
 static double probe(int rows, int d, const float *x, const float *y, const char *drop, uint64_t seed)
 {
     int features = rows / 6 < PROBE ? rows / 6 : (int)PROBE, m = features + d + 1, train = 0, test = 0, i, j, k, o;
-    float *phi = (float *)room((size_t)rows * (size_t)m, sizeof(float)), *w = (float *)room((size_t)features * (size_t)(d + 1), sizeof(float));
-    double *gram = (double *)zeros((size_t)m * (size_t)m, sizeof(double)), *right = (double *)zeros((size_t)m * OUTPUTS, sizeof(double)), error = 0;
+    float *phi = (float *)room((size_t)rows * (size_t)m, sizeof(float)),
+          *w = (float *)room((size_t)features * (size_t)(d + 1), sizeof(float));
+    double *gram = (double *)zeros((size_t)m * (size_t)m, sizeof(double)),
+           *right = (double *)zeros((size_t)m * OUTPUTS, sizeof(double)), error = 0;
     train_work *work = (train_work *)room(1, sizeof *work);
     for (k = 0; k < features; ++k) {
         float bias = 0;
@@ -626,7 +673,7 @@ static void probe_each(train_pool *pool, int rows, int d, const float *x, const 
     p.y = y;
     p.seed = seed;
     p.error = error;
-    p.drop = (char (*)[MOST_PARAMETERS])zeros((size_t)d + 1, MOST_PARAMETERS);
+    p.drop = (char(*)[MOST_PARAMETERS])zeros((size_t)d + 1, MOST_PARAMETERS);
     for (j = 0; j < d; ++j) p.drop[j][j] = 1;
     train_run(pool, d + 1, probe_task, &p);
     free(p.drop);
@@ -652,7 +699,8 @@ static void no_sharing(form *f, int parameters)
 /* Whether a name ends as the other two of a colour do: "diffuse red", "baseR", "tint.2". */
 static int is_triple(const char *names, const int *t)
 {
-    static const char *const ends[] = {"red", "green", "blue", "r", "g", "b", "x", "y", "z", "R", "G", "B", "0", "1", "2", "1", "2", "3"};
+    static const char *const ends[] = {"red", "green", "blue", "r", "g", "b", "x", "y", "z",
+                                       "R",   "G",     "B",    "0", "1", "2", "1", "2", "3"};
     const char *name[3];
     size_t length[3], e;
     int c, k, alike;
@@ -663,8 +711,8 @@ static int is_triple(const char *names, const int *t)
     for (e = 0; e < sizeof ends / sizeof ends[0]; e += 3) {
         for (alike = 1, c = 0; c < 3; ++c) {
             size_t n = strlen(ends[e + (size_t)c]);
-            alike = alike && length[c] >= n && memcmp(name[c] + length[c] - n, ends[e + (size_t)c], n) == 0 && length[c] - n == length[0] - strlen(ends[e]) &&
-                    memcmp(name[c], name[0], length[c] - n) == 0;
+            alike = alike && length[c] >= n && memcmp(name[c] + length[c] - n, ends[e + (size_t)c], n) == 0 &&
+                length[c] - n == length[0] - strlen(ends[e]) && memcmp(name[c], name[0], length[c] - n) == 0;
         }
         if (alike) return 1;
     }
@@ -726,9 +774,10 @@ static void share_task(void *context, int k)
     free(f);
 }
 
-/* Do the channels share a network? y [count * 3][OUTPUTS]: coordinates, a row a channel. Three parameters, one a channel, are the channels' own
-   where a regression for all three channels does better if each sees its own alone: the best three, then the best beside them, while that
-   helps. They stand beside each other, or their names say so. In the end one regression for all must do as well as three of all parameters. */
+/* Do the channels share a network? y [count * 3][OUTPUTS]: coordinates, a row a channel. Three parameters, one a
+   channel, are the channels' own where a regression for all three channels does better if each sees its own alone: the
+   best three, then the best beside them, while that helps. They stand beside each other, or their names say so. In the
+   end one regression for all must do as well as three of all parameters. */
 static void find_channels(train_pool *pool, const material_set *s, const float *y, uint64_t seed, form *f)
 {
     const int d = s->parameters, rows = s->count < 1500 ? s->count : 1500;
@@ -743,13 +792,14 @@ static void find_channels(train_pool *pool, const material_set *s, const float *
     h.rows = rows;
     h.d = d;
     h.seed = seed;
-    h.triple = (int (*)[3])zeros(2 * MOST_PARAMETERS, sizeof *h.triple);
+    h.triple = (int(*)[3])zeros(2 * MOST_PARAMETERS, sizeof *h.triple);
     for (a = 0; a < d; ++a)
         for (b = a + 1; b < d; ++b)
             for (c = b + 1; c < d; ++c) {
                 int *t = h.triple[h.triples];
                 t[0] = a, t[1] = b, t[2] = c;
-                if (h.triples + 1 < 2 * MOST_PARAMETERS && ((b == a + 1 && c == b + 1) || is_triple(s->names, t))) ++h.triples;
+                if (h.triples + 1 < 2 * MOST_PARAMETERS && ((b == a + 1 && c == b + 1) || is_triple(s->names, t)))
+                    ++h.triples;
             }
     for (c = 0; c < 3; ++c) {
         for (i = 0; i < rows; ++i)
@@ -767,14 +817,16 @@ static void find_channels(train_pool *pool, const material_set *s, const float *
     }
     if (h.count > 0 && best <= 1.02 * apart) {
         for (i = 0; i < h.count; ++i) /* in the order of the parameters */
-            for (k = i; k > 0 && h.chosen[k - 1] > h.chosen[k]; --k) o = h.chosen[k], h.chosen[k] = h.chosen[k - 1], h.chosen[k - 1] = o;
+            for (k = i; k > 0 && h.chosen[k - 1] > h.chosen[k]; --k)
+                o = h.chosen[k], h.chosen[k] = h.chosen[k - 1], h.chosen[k - 1] = o;
         form_of(&h, -1, f);
     } else no_sharing(f, d);
     free(h.triple);
 }
 
 /* The rows in which inputs gate[0], ... are value[0], ... exactly. */
-static int rows_where(int rows, int d, const float *x, const float *y, int gates, const int *gate, const int *value, float *px, float *py)
+static int rows_where(int rows, int d, const float *x, const float *y, int gates, const int *gate, const int *value,
+                      float *px, float *py)
 {
     int i, k, n = 0;
     for (i = 0; i < rows; ++i) {
@@ -795,7 +847,8 @@ typedef struct hiding {
     char matters[MOST_PARAMETERS];
 } hiding;
 
-/* Marks the inputs without which a part of the rows does worse: those of the first `gates` gates, then of one or two more. */
+/* Marks the inputs without which a part of the rows does worse: those of the first `gates` gates, then of one or two
+   more. */
 static void find_mattering(hiding *h, int gates)
 {
     double error[MOST_PARAMETERS + 1];
@@ -807,7 +860,8 @@ static void find_mattering(hiding *h, int gates)
     probe_each(h->pool, n, h->d, h->px, h->py, h->seed, error);
     for (j = 0; j < h->d; ++j) {
         for (g = 0; g < gates && h->gate[g] != j; ++g) {} /* of the gates themselves it says nothing */
-        if (g == gates ? error[j] > (gates > 1 ? 1.04 : 1) * error[h->d] : g == 0) h->matters[j] = 1; /* few rows: noise */
+        if (g == gates ? error[j] > (gates > 1 ? 1.04 : 1) * error[h->d] : g == 0)
+            h->matters[j] = 1; /* few rows: noise */
     }
     for (g = gates > 1 ? h->gate[gates - 1] + 1 : 0; g < h->d && gates < 3; ++g)
         for (v = 0; v < 2 && g != h->gate[0]; ++v) {
@@ -817,8 +871,9 @@ static void find_mattering(hiding *h, int gates)
         }
 }
 
-/* Rules: where input `gate` is exactly 0 or 1 in many rows, which others do better when they are left out there? A regression of all these
-   rows may be too coarse to see what matters in few of them, so leaving it out must harm no part where other gates are shut or open. */
+/* Rules: where input `gate` is exactly 0 or 1 in many rows, which others do better when they are left out there? A
+   regression of all these rows may be too coarse to see what matters in few of them, so leaving it out must harm no
+   part where other gates are shut or open. */
 static void find_hidden(train_pool *pool, int rows, int d, const float *x, const float *y, uint64_t seed, form *f)
 {
     hiding *h = (hiding *)zeros(1, sizeof *h);
@@ -856,7 +911,8 @@ static int parse_lists(const char *text, int parameters, form *f)
     for (c = 0; c < 3; ++c) {
         for (k = 0;; ++k) {
             long v = strtol(text, &end, 10);
-            if (end == text || v < 0 || v >= parameters || k == MOST_PARAMETERS) return wrong("--channels: '%.20s' is no number of a parameter (0 to %d)", text, parameters - 1);
+            if (end == text || v < 0 || v >= parameters || k == MOST_PARAMETERS)
+                return wrong("--channels: '%.20s' is no number of a parameter (0 to %d)", text, parameters - 1);
             f->list[c][k] = (int)v;
             text = end;
             if (*text != ',') break;
@@ -876,9 +932,12 @@ static int parse_hidden(const char *text, form *f)
 {
     int column, gate, value, used;
     for (f->rules = 0; *text; text += used + (text[used] == ',')) {
-        if (sscanf(text, "%d@%d=%d%n", &column, &gate, &value, &used) != 3 || column < 0 || gate < 0 || column >= f->inputs || gate >= f->inputs || (value != 0 && value != 1) ||
+        if (sscanf(text, "%d@%d=%d%n", &column, &gate, &value, &used) != 3 || column < 0 || gate < 0 ||
+            column >= f->inputs || gate >= f->inputs || (value != 0 && value != 1) ||
             (text[used] != ',' && text[used] != 0) || f->rules == MOST_HIDDEN)
-            return wrong("--hidden: '%.30s' is no rule; \"0@7=1\" is one: input 0 does not matter where input 7 is 1 (0 to %d)", text, f->inputs - 1);
+            return wrong(
+                "--hidden: '%.30s' is no rule; \"0@7=1\" is one: input 0 does not matter where input 7 is 1 (0 to %d)",
+                text, f->inputs - 1);
         f->rule[f->rules].column = column;
         f->rule[f->rules].gate = gate;
         f->rule[f->rules++].value = value;
@@ -894,8 +953,8 @@ typedef struct trainer {
     train_net net;
     train_adam adam;
     float *grad[64], scale, floor;
-    const float *x, *c;      /* [rows][inputs], [rows][rank] */
-    const int *order;        /* of this step's batch */
+    const float *x, *c; /* [rows][inputs], [rows][rank] */
+    const int *order;   /* of this step's batch */
     int batch, rank;
     uint64_t seed, step;
     float rate, beta1;
@@ -929,19 +988,22 @@ static void step_chunk(void *context, int k)
     memset(t->grad[k], 0, t->net.count * sizeof(float));
     t->sum[k] = 0;
     for (i = 0; i < n; ++i) {
-        memcpy(t->in[k] + i * inputs, t->x + (size_t)t->order[from + i] * (size_t)inputs, (size_t)inputs * sizeof(float));
+        memcpy(t->in[k] + i * inputs, t->x + (size_t)t->order[from + i] * (size_t)inputs,
+               (size_t)inputs * sizeof(float));
         redraw(t->f, t->in[k] + i * inputs, t->seed ^ (t->step << 20) ^ (uint64_t)(from + i));
     }
     train_forward(&t->net, t->work[k], n, t->in[k], t->act[k]);
     for (i = 0; i < n; ++i) {
-        const float *c = t->c + (size_t)t->order[from + i] * (size_t)t->rank, *out = t->act[k][t->net.layers - 1] + (size_t)i * (size_t)t->rank;
+        const float *c = t->c + (size_t)t->order[from + i] * (size_t)t->rank,
+                    *out = t->act[k][t->net.layers - 1] + (size_t)i * (size_t)t->rank;
         float *g = t->g[k] + (size_t)i * (size_t)t->rank, e = t->floor, by;
         for (j = 0; j < t->rank; ++j) {
             g[j] = out[j] * t->scale - c[j];
             e += g[j] * g[j];
         }
         t->sum[k] += (double)(e - t->floor);
-        by = t->scale / (sqrtf(e * sqrtf(e)) * (float)t->batch); /* of the fourth root: between the mean of the squares and that of their logarithms, the PSNR */
+        by = t->scale / (sqrtf(e * sqrtf(e)) * (float)t->batch); /* of the fourth root: between the mean of the squares
+                                                                    and that of their logarithms, the PSNR */
         for (j = 0; j < t->rank; ++j) g[j] *= by;
     }
     train_backward(&t->net, t->work[k], n, t->in[k], t->act[k], t->g[k], t->spare[k], t->grad[k], NULL);
@@ -978,7 +1040,8 @@ static void trainer_start(trainer *t, train_pool *pool, form *f, const int *size
         t->in[k] = (float *)room((size_t)CHUNK * (size_t)sizes[0], sizeof(float));
         t->g[k] = (float *)room((size_t)CHUNK * (size_t)widest(&t->net), sizeof(float));
         t->spare[k] = (float *)room((size_t)CHUNK * (size_t)widest(&t->net), sizeof(float));
-        for (l = 0; l < t->net.layers; ++l) t->act[k][l] = (float *)room((size_t)CHUNK * (size_t)t->net.size[l + 1], 2 * sizeof(float));
+        for (l = 0; l < t->net.layers; ++l)
+            t->act[k][l] = (float *)room((size_t)CHUNK * (size_t)t->net.size[l + 1], 2 * sizeof(float));
     }
 }
 
@@ -1053,7 +1116,8 @@ static float row_step(const float *w, size_t n) /* of integers to 127 */
 static signed char to_i8(float v, float step) { return (signed char)lrintf(v / step); }
 
 /* A dense layer of weight [rows][columns] and bias [rows]; little-endian machines. */
-static void saved_dense(saved *s, const char *name, const char *activation, ms_nn_dtype type, size_t rows, size_t columns, const float *weight, const float *bias)
+static void saved_dense(saved *s, const char *name, const char *activation, ms_nn_dtype type, size_t rows,
+                        size_t columns, const float *weight, const float *bias)
 {
     size_t i, j;
     char *at = s->layers + strlen(s->layers);
@@ -1068,7 +1132,9 @@ static void saved_dense(saved *s, const char *name, const char *activation, ms_n
             else if (type == MS_NN_F16) ((uint16_t *)to)[i * columns + j] = image_to_half(w[j]);
             else ((float *)to)[i * columns + j] = w[j];
     }
-    snprintf(at, sizeof s->layers - strlen(s->layers), "%s{\"type\":\"dense\",\"name\":\"%s\",\"units\":%.0f,\"activation\":\"%s\"}", at > s->layers ? "," : "", name, (double)rows, activation);
+    snprintf(at, sizeof s->layers - strlen(s->layers),
+             "%s{\"type\":\"dense\",\"name\":\"%s\",\"units\":%.0f,\"activation\":\"%s\"}", at > s->layers ? "," : "",
+             name, (double)rows, activation);
 }
 
 static int sink_bytes(void *user, const void *bytes, size_t size)
@@ -1115,15 +1181,17 @@ static void report(const char *what, const double *dB, int n)
     if (n > 0) {
         for (i = 0; i < n; ++i) mean += (sorted[i] = dB[i]) / (double)n;
         qsort(sorted, (size_t)n, sizeof(double), ascending);
-        printf("%s: mean %.2f dB, least %.2f, 5%% %.2f, median %.2f of %d pictures\n", what, mean, sorted[0], sorted[(int)(0.05 * (n - 1) + 0.5)], sorted[(n - 1) / 2], n);
+        printf("%s: mean %.2f dB, least %.2f, 5%% %.2f, median %.2f of %d pictures\n", what, mean, sorted[0],
+               sorted[(int)(0.05 * (n - 1) + 0.5)], sorted[(n - 1) / 2], n);
         fflush(stdout);
     }
     free(sorted);
 }
 
-/* PSNR of a saved network on the pictures of a set, [count]: of all pixels, and of those that `changing` [3][pixels] marks. b: a second take of
-   the same, whose noise is another, or NULL. */
-static int measure(const ms_nn *nn, const material_set *a, const material_set *b, const char *changing, double *all, double *some)
+/* PSNR of a saved network on the pictures of a set, [count]: of all pixels, and of those that `changing` [3][pixels]
+   marks. b: a second take of the same, whose noise is another, or NULL. */
+static int measure(const ms_nn *nn, const material_set *a, const material_set *b, const char *changing, double *all,
+                   double *some)
 {
     size_t outputs = ms_nn_output_size(nn), p;
     float *picture = (float *)room(outputs, sizeof(float));
@@ -1131,7 +1199,8 @@ static int measure(const ms_nn *nn, const material_set *a, const material_set *b
     for (i = 0; i < a->count; ++i) {
         const uint16_t *ta = a->value + (size_t)i * outputs, *tb = (b ? b : a)->value + (size_t)i * outputs;
         double sum = 0, part = 0, many = 0;
-        if (ms_nn_forward(nn, 1, a->x + i * a->parameters, picture, NULL) != MS_OK) return free(picture), wrong("out of memory");
+        if (ms_nn_forward(nn, 1, a->x + i * a->parameters, picture, NULL) != MS_OK)
+            return free(picture), wrong("out of memory");
         for (p = 0; p < outputs; ++p) {
             float v = picture[p] > 0 ? picture[p] < 1 ? picture[p] : 1 : 0;
             double e = (double)(v - (float)ta[p] / 65535) * (double)(v - (float)tb[p] / 65535);
@@ -1146,9 +1215,11 @@ static int measure(const ms_nn *nn, const material_set *a, const material_set *b
 }
 
 /* Of all pictures, and of those whose parameters are not on the edge: uniform ones. */
-static int report_all(const char *what, const ms_nn *nn, const material_set *a, const material_set *b, const char *changing)
+static int report_all(const char *what, const ms_nn *nn, const material_set *a, const material_set *b,
+                      const char *changing)
 {
-    double *all = (double *)room((size_t)a->count, sizeof(double)), *some = (double *)room((size_t)a->count, sizeof(double));
+    double *all = (double *)room((size_t)a->count, sizeof(double)),
+           *some = (double *)room((size_t)a->count, sizeof(double));
     char text[200];
     int i, j, n = 0, fine = measure(nn, a, b, changing, all, some);
     if (fine) {
@@ -1157,7 +1228,8 @@ static int report_all(const char *what, const ms_nn *nn, const material_set *a, 
         report(text, some, a->count);
         for (i = 0; i < a->count; ++i) {
             int edge = 0;
-            for (j = 0; j < a->parameters; ++j) edge |= a->x[i * a->parameters + j] <= 0 || a->x[i * a->parameters + j] >= 1;
+            for (j = 0; j < a->parameters; ++j)
+                edge |= a->x[i * a->parameters + j] <= 0 || a->x[i * a->parameters + j] >= 1;
             if (!edge) all[n] = all[i], some[n++] = some[i];
         }
         if (n < a->count && n > 0) {
@@ -1182,8 +1254,8 @@ typedef struct options {
     uint64_t seed;
 } options;
 
-/* How rounding to 8 bits spreads over a row's weights: columns are multiplied by deviation^power. The squared error of a picture, summed
-   over its pixels, for the best power, whose factors go to factor [rank]. */
+/* How rounding to 8 bits spreads over a row's weights: columns are multiplied by deviation^power. The squared error of
+   a picture, summed over its pixels, for the best power, whose factors go to factor [rank]. */
 static double rounding(const train_components *c, size_t pixels, int rank, float *factor)
 {
     double least = 1e300, power, best = 0;
@@ -1217,7 +1289,10 @@ static double tail(const train_components *c, int rank)
     return sum > 0 ? sum : 0;
 }
 
-static double trunk_bytes(const options *o, int inputs, int rank) { return 2.0 * ((double)(inputs + rank) * o->width + (double)(o->depth - 1) * o->width * o->width); }
+static double trunk_bytes(const options *o, int inputs, int rank)
+{
+    return 2.0 * ((double)(inputs + rank) * o->width + (double)(o->depth - 1) * o->width * o->width);
+}
 
 /* Rank and type for the bytes or the quality that was asked for; what they leave of the picture's squared error. */
 static void choose(options *o, const train_components *c, size_t pixels, int inputs)
@@ -1230,14 +1305,16 @@ static void choose(options *o, const train_components *c, size_t pixels, int inp
     if (o->bytes > 0)
         for (k = 0; k < 2; ++k) {
             double each = k ? 2 : 1, error;
-            rank = (int)((o->bytes - trunk_bytes(o, inputs, 0) - 8192 - 8.0 * (double)pixels) / (each * (double)pixels + 2.0 * o->width));
+            rank = (int)((o->bytes - trunk_bytes(o, inputs, 0) - 8192 - 8.0 * (double)pixels) /
+                         (each * (double)pixels + 2.0 * o->width));
             rank = rank < c->rank ? rank : c->rank;
             if (rank < 1) continue;
             error = tail(c, rank) + (k ? 0 : rounding(c, pixels, rank, factor));
             if (error < best) best = error, chosen = rank, kind = type[k];
         }
     else if (o->psnr > 0) {
-        double allowed = (double)pixels * pow(10, -0.1 * o->psnr) / 4; /* a quarter of the error for the basis, the rest for the trunk */
+        double allowed = (double)pixels * pow(10, -0.1 * o->psnr) /
+            4; /* a quarter of the error for the basis, the rest for the trunk */
         for (chosen = 1; chosen < c->rank && tail(c, chosen) > allowed; ++chosen) {}
         kind = rounding(c, pixels, chosen, factor) < allowed / 4 ? MS_NN_I8 : MS_NN_F16;
     } else chosen = o->rank < c->rank ? o->rank : c->rank;
@@ -1265,8 +1342,9 @@ static const char *checkpoint_save(const char *path, uint64_t key, const trainer
     head[1] = t->adam.power1;
     head[2] = t->adam.power2;
     head[3] = (double)t->step;
-    if (fwrite("msck0001", 1, 8, f) != 8 || fwrite(&key, sizeof key, 1, f) != 1 || fwrite(head, sizeof head, 1, f) != 1 ||
-        fwrite(t->net.p, sizeof(float), t->net.count, f) != t->net.count || fwrite(t->adam.m, sizeof(float), t->net.count, f) != t->net.count ||
+    if (fwrite("msck0001", 1, 8, f) != 8 || fwrite(&key, sizeof key, 1, f) != 1 ||
+        fwrite(head, sizeof head, 1, f) != 1 || fwrite(t->net.p, sizeof(float), t->net.count, f) != t->net.count ||
+        fwrite(t->adam.m, sizeof(float), t->net.count, f) != t->net.count ||
         fwrite(t->adam.v, sizeof(float), t->net.count, f) != t->net.count)
         return file_finish(&out, 0), "cannot be written to its end";
     return file_finish(&out, 1);
@@ -1281,8 +1359,9 @@ static int checkpoint_load(const char *path, uint64_t key, trainer *t)
     double head[4];
     size_t n = t->net.count;
     float *p = (float *)room(3 * n, sizeof(float));
-    int fine = f != NULL && fread(mark, 1, 8, f) == 8 && memcmp(mark, "msck0001", 8) == 0 && fread(&theirs, sizeof theirs, 1, f) == 1 && theirs == key &&
-               fread(head, sizeof head, 1, f) == 1 && fread(p, sizeof(float), 3 * n, f) == 3 * n && fgetc(f) == EOF;
+    int fine = f != NULL && fread(mark, 1, 8, f) == 8 && memcmp(mark, "msck0001", 8) == 0 &&
+        fread(&theirs, sizeof theirs, 1, f) == 1 && theirs == key && fread(head, sizeof head, 1, f) == 1 &&
+        fread(p, sizeof(float), 3 * n, f) == 3 * n && fgetc(f) == EOF;
     if (fine) {
         memcpy(t->net.p, p, n * sizeof(float));
         memcpy(t->adam.m, p + n, n * sizeof(float));
@@ -1321,7 +1400,8 @@ static double watch_dB(watch *w, trainer *t, size_t outputs)
     return mean / w->pictures;
 }
 
-static void watch_make(watch *w, const form *f, const material_set *held, const train_components *c, const float *mean, int rank)
+static void watch_make(watch *w, const form *f, const material_set *held, const train_components *c, const float *mean,
+                       int rank)
 {
     size_t pixels = 3 * (size_t)held->size * (size_t)held->size / (size_t)f->lists, p;
     float *row = (float *)room(pixels, sizeof(float));
@@ -1341,7 +1421,8 @@ static void watch_make(watch *w, const form *f, const material_set *held, const 
             row[p] = (float)y[p] / 65535 - mean[p];
             sum += (double)(row[p] * row[p]);
         }
-        train_product(work, 1, rank, (int)pixels, train_rows(row, pixels), train_rows(c->basis, (size_t)c->rank), w->c + i * rank, (size_t)rank, 0);
+        train_product(work, 1, rank, (int)pixels, train_rows(row, pixels), train_rows(c->basis, (size_t)c->rank),
+                      w->c + i * rank, (size_t)rank, 0);
         for (j = 0; j < rank; ++j) sum -= (double)(w->c[i * rank + j] * w->c[i * rank + j]);
         w->outside[i] = sum > 0 ? sum : 0;
     }
@@ -1365,9 +1446,11 @@ static void rows_of(const form *f, const material_set *s, train_pictures *y)
     y->pixels = 3 * (size_t)s->size * (size_t)s->size / (size_t)f->lists;
 }
 
-static void learn(trainer *t, const options *o, watch *w, size_t outputs, int rows, int epochs, const char *checkpoint, uint64_t key)
+static void learn(trainer *t, const options *o, watch *w, size_t outputs, int rows, int epochs, const char *checkpoint,
+                  uint64_t key)
 {
-    int *order = (int *)room((size_t)rows, sizeof(int)), epoch, steps = (rows + t->batch - 1) / t->batch, i, first, batch = t->batch;
+    int *order = (int *)room((size_t)rows, sizeof(int)), epoch, steps = (rows + t->batch - 1) / t->batch, i, first,
+        batch = t->batch;
     double start = now(), saved_at = start, said = start;
     epoch = first = o->again ? 0 : checkpoint_load(checkpoint, key, t);
     if (epoch) printf("goes on at epoch %d of %s\n", epoch, checkpoint);
@@ -1395,9 +1478,9 @@ static void learn(trainer *t, const options *o, watch *w, size_t outputs, int ro
         t->batch = batch;
         at = now();
         if (at - said > 10 || epoch + 1 == epochs || (epoch - first) % (epochs / 10 + 1) == 0) {
-            printf("epoch %d of %d: error of training %.2f dB, of the held-out %.2f dB; %.0f s, %.0f s left\n", epoch + 1, epochs,
-                   -10 * log10(fmax(sum / rows * (t->f->lists) / (double)outputs, 1e-9)), watch_dB(w, t, outputs), at - start,
-                   (at - start) / (epoch + 1 - first) * (epochs - epoch - 1));
+            printf("epoch %d of %d: error of training %.2f dB, of the held-out %.2f dB; %.0f s, %.0f s left\n",
+                   epoch + 1, epochs, -10 * log10(fmax(sum / rows * (t->f->lists) / (double)outputs, 1e-9)),
+                   watch_dB(w, t, outputs), at - start, (at - start) / (epoch + 1 - first) * (epochs - epoch - 1));
             fflush(stdout);
             said = at;
         }
@@ -1410,7 +1493,8 @@ static void learn(trainer *t, const options *o, watch *w, size_t outputs, int ro
     free(order);
 }
 
-/* Several networks, each from another start, err apart: their mean is nearer to the truth. One network learns it, on as many materials as it takes. */
+/* Several networks, each from another start, err apart: their mean is nearer to the truth. One network learns it, on as
+   many materials as it takes. */
 typedef struct lesson_rows {
     int rows, rank;
     float *x, *c; /* [rows][inputs], [rows][rank] */
@@ -1429,7 +1513,8 @@ static lesson_rows lesson_make(const options *o, const form *f, int rows, const 
     l.x = (float *)room((size_t)l.rows * (size_t)f->inputs, sizeof(float));
     l.c = (float *)zeros((size_t)l.rows * (size_t)rank, sizeof(float));
     for (i = 0; i < l.rows; ++i) {
-        const float *a = x + (i % rows) * f->inputs, *b = i < rows ? a : x + (int)(train_bits(&seed) % (uint64_t)rows) * f->inputs;
+        const float *a = x + (i % rows) * f->inputs,
+                    *b = i < rows ? a : x + (int)(train_bits(&seed) % (uint64_t)rows) * f->inputs;
         float *to = l.x + (size_t)i * (size_t)f->inputs;
         for (j = 0; j < f->inputs; ++j) to[j] = train_bits(&seed) & 1 ? a[j] : b[j];
         redraw(f, to, train_bits(&seed));
@@ -1467,17 +1552,19 @@ static void lesson_add(lesson_rows *l, trainer *t, float share)
 
 /* --- a larger picture from the coordinates of a smaller one ------------------------------------------------------- */
 
-/* The pixels' layer for pictures of the full size, whose noise is too large for components of their own (and to go through the display's curve):
-   each pixel is regressed on the coordinates that its averages gave, in the tangent of the curve at what the last pass drew, where noise of
-   mean zero stays so. Then what looks like noise is taken from the layer's columns, which are pictures. */
+/* The pixels' layer for pictures of the full size, whose noise is too large for components of their own (and to go
+   through the display's curve): each pixel is regressed on the coordinates that its averages gave, in the tangent of
+   the curve at what the last pass drew, where noise of mean zero stays so. Then what looks like noise is taken from the
+   layer's columns, which are pictures. */
 typedef struct larger {
-    const material_set *s;   /* linear light */
+    const material_set *s; /* linear light */
     const train_components *c;
     int rank, lists, first;
     float kept[3 * 1024];
     float *basis, *mean;     /* [pixels][rank], [pixels]: of the last pass */
     float *next, *next_mean; /* of this one */
-    float *variance;         /* [pixels][rank]: of basis, from what is left of each row: rows that weigh much may be noisy ones */
+    float
+        *variance; /* [pixels][rank]: of basis, from what is left of each row: rows that weigh much may be noisy ones */
     float *half, *decode, *slope; /* tables: of halves, of display values in 4095ths */
 } larger;
 
@@ -1486,16 +1573,21 @@ enum { LARGER_TILE = 512, LARGER_ROWS = 96 };
 static void larger_tile(void *context, int tile)
 {
     larger *l = (larger *)context;
-    size_t pixels = 3 * (size_t)l->s->size * (size_t)l->s->size / (size_t)l->lists, rows = (size_t)l->s->count * (size_t)l->lists, from = (size_t)tile * LARGER_TILE, i, p;
+    size_t pixels = 3 * (size_t)l->s->size * (size_t)l->s->size / (size_t)l->lists,
+           rows = (size_t)l->s->count * (size_t)l->lists, from = (size_t)tile * LARGER_TILE, i, p;
     int wide = pixels - from < LARGER_TILE ? (int)(pixels - from) : (int)LARGER_TILE, n, j, r = l->rank;
-    float *y = (float *)room(LARGER_ROWS * LARGER_TILE, sizeof(float)), *z = (float *)zeros((size_t)wide * (size_t)r, sizeof(float));
-    float *left = (float *)zeros(LARGER_ROWS * LARGER_TILE, sizeof(float)), *square = (float *)room((size_t)LARGER_ROWS * (size_t)r, sizeof(float)), *z2 = (float *)zeros((size_t)wide * (size_t)r, sizeof(float));
+    float *y = (float *)room(LARGER_ROWS * LARGER_TILE, sizeof(float)),
+          *z = (float *)zeros((size_t)wide * (size_t)r, sizeof(float));
+    float *left = (float *)zeros(LARGER_ROWS * LARGER_TILE, sizeof(float)),
+          *square = (float *)room((size_t)LARGER_ROWS * (size_t)r, sizeof(float)),
+          *z2 = (float *)zeros((size_t)wide * (size_t)r, sizeof(float));
     double *sum = (double *)zeros(LARGER_TILE, sizeof(double));
     train_work *w = (train_work *)room(1, sizeof *w);
     for (i = 0; i < rows; i += LARGER_ROWS) {
         n = rows - i < LARGER_ROWS ? (int)(rows - i) : (int)LARGER_ROWS;
         if (!l->first)
-            train_product(w, n, wide, r, train_rows(l->c->coordinate + i * (size_t)r, (size_t)r), train_transposed(l->basis + from * (size_t)r, (size_t)r), y, (size_t)wide, 0);
+            train_product(w, n, wide, r, train_rows(l->c->coordinate + i * (size_t)r, (size_t)r),
+                          train_transposed(l->basis + from * (size_t)r, (size_t)r), y, (size_t)wide, 0);
         for (j = 0; j < n; ++j) {
             const uint16_t *in = l->s->linear + (i + (size_t)j) * pixels + from;
             float *out = y + (size_t)j * (size_t)wide;
@@ -1517,9 +1609,13 @@ static void larger_tile(void *context, int tile)
                 sum[p] += (double)out[p];
             }
         }
-        train_product(w, wide, r, n, train_transposed(y, (size_t)wide), train_rows(l->c->coordinate + i * (size_t)r, (size_t)r), z, (size_t)r, 1);
-        for (j = 0; j < n * r; ++j) square[j] = l->c->coordinate[i * (size_t)r + (size_t)j] * l->c->coordinate[i * (size_t)r + (size_t)j];
-        if (!l->first) train_product(w, wide, r, n, train_transposed(left, (size_t)wide), train_rows(square, (size_t)r), z2, (size_t)r, 1);
+        train_product(w, wide, r, n, train_transposed(y, (size_t)wide),
+                      train_rows(l->c->coordinate + i * (size_t)r, (size_t)r), z, (size_t)r, 1);
+        for (j = 0; j < n * r; ++j)
+            square[j] = l->c->coordinate[i * (size_t)r + (size_t)j] * l->c->coordinate[i * (size_t)r + (size_t)j];
+        if (!l->first)
+            train_product(w, wide, r, n, train_transposed(left, (size_t)wide), train_rows(square, (size_t)r), z2,
+                          (size_t)r, 1);
     }
     for (p = 0; p < (size_t)wide; ++p) {
         l->next_mean[from + p] = l->mean[from + p] + (float)(sum[p] / (double)rows);
@@ -1538,9 +1634,9 @@ static void larger_tile(void *context, int tile)
     free(w);
 }
 
-/* Wiener's filter on the levels of Haar's transform: of a plane [size][size] whose values have noise of these variances, what the pixels of a block
-   of 2 x 2 differ from their mean by is shrunk by the share of noise in 5 x 5 blocks; then the means, down to an odd size or 32. Returns how much
-   of the finest level is kept. */
+/* Wiener's filter on the levels of Haar's transform: of a plane [size][size] whose values have noise of these
+   variances, what the pixels of a block of 2 x 2 differ from their mean by is shrunk by the share of noise in 5 x 5
+   blocks; then the means, down to an odd size or 32. Returns how much of the finest level is kept. */
 static double wiener(float *plane, const float *variance, int size)
 {
     int small = size / 2, x, y, u, v, q;
@@ -1568,7 +1664,8 @@ static double wiener(float *plane, const float *variance, int size)
         for (x = 0; x < small; ++x) {
             float e = 0, s = 0, keep;
             for (v = y > 1 ? y - 2 : 0; v < small && v <= y + 2; ++v)
-                for (u = x > 1 ? x - 2 : 0; u < small && u <= x + 2; ++u) e += energy[v * small + u], s += 12 * noise[v * small + u]; /* 4 values less their mean */
+                for (u = x > 1 ? x - 2 : 0; u < small && u <= x + 2; ++u)
+                    e += energy[v * small + u], s += 12 * noise[v * small + u]; /* 4 values less their mean */
             keep = e > 2 * s ? 1 - 2 * s / e : 0; /* twice: the noise of the few brightest paths is not known well */
             kept += (double)keep / (double)count;
             for (q = 0; q < 4; ++q) {
@@ -1589,7 +1686,8 @@ static void larger_shrink(void *context, int task)
     larger *l = (larger *)context;
     int size = l->s->size, planes = 3 / l->lists, j = task / planes;
     size_t count = (size_t)size * (size_t)size, at = (size_t)(task % planes) * count, i, step = (size_t)l->rank;
-    float *from = l->basis + at * step + j, *plane = (float *)zeros(count, sizeof(float)), *variance = (float *)zeros(count, sizeof(float));
+    float *from = l->basis + at * step + j, *plane = (float *)zeros(count, sizeof(float)),
+          *variance = (float *)zeros(count, sizeof(float));
     for (i = 0; i < count; ++i) {
         plane[i] = from[i * step];
         variance[i] = l->variance[(at + i) * step + (size_t)j];
@@ -1601,10 +1699,12 @@ static void larger_shrink(void *context, int task)
 }
 
 /* c and mean become those of s's size. The components of c are orthogonal on s's rows, its coordinates of mean zero. */
-static void larger_basis(train_pool *pool, const material_set *s, int lists, int rank, train_components *c, float **mean)
+static void larger_basis(train_pool *pool, const material_set *s, int lists, int rank, train_components *c,
+                         float **mean)
 {
     larger l;
-    size_t pixels = 3 * (size_t)s->size * (size_t)s->size / (size_t)lists, rows = (size_t)s->count * (size_t)lists, i, p;
+    size_t pixels = 3 * (size_t)s->size * (size_t)s->size / (size_t)lists, rows = (size_t)s->count * (size_t)lists, i,
+           p;
     int pass, k, tiles = (int)((pixels + LARGER_TILE - 1) / LARGER_TILE);
     memset(&l, 0, sizeof l);
     l.s = s;
@@ -1623,7 +1723,8 @@ static void larger_basis(train_pool *pool, const material_set *s, int lists, int
     for (k = 0; k < 4096; ++k) {
         float v = (float)k / 4095, e = 1e-3f;
         l.decode[k] = image_srgb_decode(v);
-        l.slope[k] = 2 * e / (image_srgb_decode(v + e) - image_srgb_decode(v > e ? v - e : 0) + (v > e ? 0 : e / 12.92f));
+        l.slope[k] = 2 * e /
+            (image_srgb_decode(v + e) - image_srgb_decode(v > e ? v - e : 0) + (v > e ? 0 : e / 12.92f));
     }
     for (i = 0; i < rows; i += rows / 200 + 1) /* a start for the mean */
         for (p = 0; p < pixels; ++p) {
@@ -1640,8 +1741,9 @@ static void larger_basis(train_pool *pool, const material_set *s, int lists, int
         if (pass) t = l.mean, l.mean = l.next_mean, l.next_mean = t;
         if (pass) train_run(pool, rank * 3 / lists, larger_shrink, &l);
     }
-    printf("detail of %d x %d: kept of the first features' %.2f %.2f %.2f, of the last %.2f; the rest is noise\n", s->size, s->size, (double)l.kept[0],
-           (double)l.kept[3 / lists], (double)l.kept[2 * 3 / lists], (double)l.kept[(rank - 1) * 3 / lists]);
+    printf("detail of %d x %d: kept of the first features' %.2f %.2f %.2f, of the last %.2f; the rest is noise\n",
+           s->size, s->size, (double)l.kept[0], (double)l.kept[3 / lists], (double)l.kept[2 * 3 / lists],
+           (double)l.kept[(rank - 1) * 3 / lists]);
     free(c->basis);
     free(*mean);
     c->basis = l.basis;
@@ -1667,7 +1769,8 @@ static void say_form(const form *f, const material_set *s)
     }
     if (f->lists == 3) printf(" of %d parameters\n", s->parameters);
     if (f->rules) printf("hidden: ");
-    for (k = 0; k < f->rules; ++k) printf("%s%d@%d=%d", k ? "," : "", f->rule[k].column, f->rule[k].gate, f->rule[k].value);
+    for (k = 0; k < f->rules; ++k)
+        printf("%s%d@%d=%d", k ? "," : "", f->rule[k].column, f->rule[k].gate, f->rule[k].value);
     if (f->rules) printf("\n");
     fflush(stdout);
 }
@@ -1679,16 +1782,19 @@ static float *leading(const train_components *c, size_t rows)
     size_t i;
     int j;
     for (i = 0; i < rows; ++i)
-        for (j = 0; j < OUTPUTS && j < c->rank; ++j) y[i * OUTPUTS + (size_t)j] = c->coordinate[i * (size_t)c->rank + (size_t)j];
+        for (j = 0; j < OUTPUTS && j < c->rank; ++j)
+            y[i * OUTPUTS + (size_t)j] = c->coordinate[i * (size_t)c->rank + (size_t)j];
     return y;
 }
 
 /* The network as a file in memory. */
-static int renderer_file(const trainer *t, const form *f, const train_components *c, const float *mean, const material_set *s, ms_nn_dtype type, image__bytes *out)
+static int renderer_file(const trainer *t, const form *f, const train_components *c, const float *mean,
+                         const material_set *s, ms_nn_dtype type, image__bytes *out)
 {
     saved file;
     ms_nn_entry extra[4];
-    char name[16], input[32], *ranges = (char *)zeros((size_t)s->parameters * 64 + 1, 1), number[48], about[100], *sharp = (char *)zeros((size_t)s->parameters * 5 + 1, 1);
+    char name[16], input[32], *ranges = (char *)zeros((size_t)s->parameters * 64 + 1, 1), number[48], about[100],
+                              *sharp = (char *)zeros((size_t)s->parameters * 5 + 1, 1);
     size_t pixels = 3 * (size_t)s->size * (size_t)s->size / (size_t)f->lists, i;
     int l, k, j, rank = t->rank, hidden = t->net.size[t->net.layers - 1], fine;
     float *factor = (float *)room((size_t)rank, sizeof(float)), *w, *b;
@@ -1697,19 +1803,26 @@ static int renderer_file(const trainer *t, const form *f, const train_components
         strcpy(file.layers, "{\"type\":\"shared_channels\",\"inputs\":[");
         for (l = 0; l < 3; ++l)
             for (k = 0; k < f->inputs; ++k)
-                snprintf(file.layers + strlen(file.layers), sizeof file.layers - strlen(file.layers), "%s%d%s", k ? "," : l ? ",[" : "[", f->list[l][k], k + 1 < f->inputs ? "" : "]");
+                snprintf(file.layers + strlen(file.layers), sizeof file.layers - strlen(file.layers), "%s%d%s",
+                         k       ? ","
+                             : l ? ",["
+                                 : "[",
+                         f->list[l][k], k + 1 < f->inputs ? "" : "]");
         strcat(file.layers, "]}");
     }
     for (l = 0; l + 1 < t->net.layers; ++l) {
         snprintf(name, sizeof name, "hidden%d", l + 1);
-        saved_dense(&file, name, t->net.silu ? "silu" : "elu", MS_NN_F16, (size_t)t->net.size[l + 1], (size_t)t->net.size[l], train_weight(&t->net, l), train_bias(&t->net, l));
+        saved_dense(&file, name, t->net.silu ? "silu" : "elu", MS_NN_F16, (size_t)t->net.size[l + 1],
+                    (size_t)t->net.size[l], train_weight(&t->net, l), train_bias(&t->net, l));
     }
     if (type == MS_NN_I8) (void)rounding(c, pixels, rank, factor);
-    else for (j = 0; j < rank; ++j) factor[j] = 1;
+    else
+        for (j = 0; j < rank; ++j) factor[j] = 1;
     w = (float *)room((size_t)rank * (size_t)hidden, sizeof(float));
     b = (float *)room((size_t)rank, sizeof(float));
     for (j = 0; j < rank; ++j) {
-        for (k = 0; k < hidden; ++k) w[j * hidden + k] = train_weight(&t->net, t->net.layers - 1)[j * hidden + k] * t->scale / factor[j];
+        for (k = 0; k < hidden; ++k)
+            w[j * hidden + k] = train_weight(&t->net, t->net.layers - 1)[j * hidden + k] * t->scale / factor[j];
         b[j] = train_bias(&t->net, t->net.layers - 1)[j] * t->scale / factor[j];
     }
     saved_dense(&file, "features", "linear", MS_NN_F16, (size_t)rank, (size_t)hidden, w, b);
@@ -1717,7 +1830,8 @@ static int renderer_file(const trainer *t, const form *f, const train_components
     free(b);
     w = (float *)room(pixels * (size_t)rank, sizeof(float));
     for (i = 0; i < pixels; ++i)
-        for (j = 0; j < rank; ++j) w[i * (size_t)rank + (size_t)j] = c->basis[i * (size_t)c->rank + (size_t)j] * factor[j];
+        for (j = 0; j < rank; ++j)
+            w[i * (size_t)rank + (size_t)j] = c->basis[i * (size_t)c->rank + (size_t)j] * factor[j];
     saved_dense(&file, "pixels", "linear", type, pixels, (size_t)rank, w, mean);
     free(w);
     free(factor);
@@ -1745,7 +1859,8 @@ static int renderer_file(const trainer *t, const form *f, const train_components
     return fine;
 }
 
-/* Pixels [3][size][size] whose deviation over the pictures is above a hundredth of white; of two takes (b, or NULL) without their noise. */
+/* Pixels [3][size][size] whose deviation over the pictures is above a hundredth of white; of two takes (b, or NULL)
+   without their noise. */
 static char *changing_pixels(const material_set *a, const material_set *b)
 {
     size_t pixels = 3 * (size_t)a->size * (size_t)a->size, p;
@@ -1754,7 +1869,8 @@ static char *changing_pixels(const material_set *a, const material_set *b)
     int i;
     for (i = 0; i < a->count; ++i)
         for (p = 0; p < pixels; ++p) {
-            double v = a->value[(size_t)i * pixels + p] / 65535.0, w = b ? b->value[(size_t)i * pixels + p] / 65535.0 : v;
+            double v = a->value[(size_t)i * pixels + p] / 65535.0,
+                   w = b ? b->value[(size_t)i * pixels + p] / 65535.0 : v;
             sum[p] += v;
             sum[pixels + p] += w;
             sum[2 * pixels + p] += v * w;
@@ -1764,7 +1880,8 @@ static char *changing_pixels(const material_set *a, const material_set *b)
         count += mark[p];
     }
     free(sum);
-    printf("pixels that change with the material, by a hundredth of white and more: %.0f%%\n", 100 * count / (double)pixels);
+    printf("pixels that change with the material, by a hundredth of white and more: %.0f%%\n",
+           100 * count / (double)pixels);
     return mark;
 }
 
@@ -1791,12 +1908,16 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
     if (!set_read(pool, pictures, csv, o->size, NULL, &s)) return 0;
     for (k = 0; k < 2 && o->check[k]; ++k)
         if (!set_read(pool, o->check[k], csv, s.size, &s, &check[k])) return 0;
-    if (check[1].count && (check[0].count != check[1].count || memcmp(check[0].x, check[1].x, (size_t)check[0].count * (size_t)s.parameters * sizeof(float)) != 0))
+    if (check[1].count &&
+        (check[0].count != check[1].count ||
+         memcmp(check[0].x, check[1].x, (size_t)check[0].count * (size_t)s.parameters * sizeof(float)) != 0))
         return wrong("%s: other materials than %s", o->check[1], o->check[0]);
     n = o->held_out > 0 ? o->held_out : check[0].count ? 0 : s.count / 16 + 1;
-    if (s.count - n < 16) return wrong("%s: %d pictures; at least %d are needed, some hundred are sensible", pictures, s.count, n + 16);
+    if (s.count - n < 16)
+        return wrong("%s: %d pictures; at least %d are needed, some hundred are sensible", pictures, s.count, n + 16);
     pixels = 3 * (size_t)s.size * (size_t)s.size;
-    printf("%d pictures of %d x %d, %d parameters; %d held out; %.0f s to read\n", s.count, s.size, s.size, s.parameters, n ? n : check[0].count, now() - start);
+    printf("%d pictures of %d x %d, %d parameters; %d held out; %.0f s to read\n", s.count, s.size, s.size,
+           s.parameters, n ? n : check[0].count, now() - start);
     fflush(stdout);
 
     /* those held out, spread evenly, go behind the others */
@@ -1806,7 +1927,8 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
         int at = 0, last = s.count - n;
         x = (float *)room((size_t)s.count * (size_t)s.parameters, sizeof(float));
         for (k = 0; k < s.count; ++k) {
-            int is_held = (int)((long)(k + 1) * n / s.count) > (int)((long)k * n / s.count), to = is_held ? last++ : at++;
+            int is_held = (int)((long)(k + 1) * n / s.count) > (int)((long)k * n / s.count),
+                to = is_held ? last++ : at++;
             memcpy(v + (size_t)to * pixels, s.value + (size_t)k * pixels, pixels * sizeof(uint16_t));
             memcpy(x + to * s.parameters, s.x + k * s.parameters, (size_t)s.parameters * sizeof(float));
         }
@@ -1850,9 +1972,20 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
     } else if (strcmp(o->hidden, "none") != 0 && !parse_hidden(o->hidden, &f)) return 0;
     say_form(&f, &s);
     choose(o, &c, y.pixels, f.inputs);
-    if (o->rank < 1) return wrong("--bytes %.0f is too few for pictures of %d x %d: %.0f would do", o->bytes, s.size, s.size, trunk_bytes(o, f.inputs, 1) + 9.0 * (double)y.pixels + 8192);
-    printf("rank %d leaves %.2f dB, %s, %.2f MB; %.0f s so far\n", o->rank, -10 * log10(fmax(tail(&c, o->rank) / (double)y.pixels, 1e-10)), type_name(o->type),
-           1e-6 * (trunk_bytes(o, f.inputs, o->rank) + (double)y.pixels * (4 + o->rank * (o->type == MS_NN_I8 ? 1.0 : o->type == MS_NN_F16 ? 2.0 : 4.0))), now() - start);
+    if (o->rank < 1)
+        return wrong("--bytes %.0f is too few for pictures of %d x %d: %.0f would do", o->bytes, s.size, s.size,
+                     trunk_bytes(o, f.inputs, 1) + 9.0 * (double)y.pixels + 8192);
+    printf("rank %d leaves %.2f dB, %s, %.2f MB; %.0f s so far\n", o->rank,
+           -10 * log10(fmax(tail(&c, o->rank) / (double)y.pixels, 1e-10)), type_name(o->type),
+           1e-6 *
+               (trunk_bytes(o, f.inputs, o->rank) +
+                (double)y.pixels *
+                    (4 +
+                     o->rank *
+                         (o->type == MS_NN_I8        ? 1.0
+                              : o->type == MS_NN_F16 ? 2.0
+                                                     : 4.0))),
+           now() - start);
 
     /* the trunk learns the coordinates */
     sizes[0] = f.inputs;
@@ -1866,7 +1999,8 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
     watch_make(&w, &f, &held, &c, y.mean, o->rank);
     if (o->rank < c.rank) /* the first ones, close together */
         for (i = 0; i < y.rows; ++i)
-            for (j = 0; j < o->rank; ++j) c.coordinate[i * (size_t)o->rank + (size_t)j] = c.coordinate[i * (size_t)c.rank + (size_t)j];
+            for (j = 0; j < o->rank; ++j)
+                c.coordinate[i * (size_t)o->rank + (size_t)j] = c.coordinate[i * (size_t)c.rank + (size_t)j];
     key = hash_bytes(key, sizes, sizeof(int) * (size_t)(o->depth + 2));
     key = hash_bytes(key, &o->seed, sizeof o->seed);
     key = hash_bytes(key, &o->epochs, sizeof o->epochs);
@@ -1876,7 +2010,8 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
     if (o->teachers) lesson = lesson_make(o, &f, (int)y.rows, x, o->rank);
     for (k = 0;; ++k) {
         int last = k == o->teachers, taught = last ? k : 0;
-        uint64_t theirs = hash_bytes(hash_bytes(key, &k, sizeof k), &taught, sizeof taught); /* teachers do not know how many they are */
+        uint64_t theirs = hash_bytes(hash_bytes(key, &k, sizeof k), &taught,
+                                     sizeof taught); /* teachers do not know how many they are */
         if (o->teachers) printf(last ? "their mean:\n" : "teacher %d of %d:\n", k + 1, o->teachers);
         trainer_start(&t, pool, &f, sizes, o->depth + 2, BATCH, o->seed + (uint64_t)k);
         t.net.silu = 1; /* smoother than ELUs: a decibel on materials that it never saw */
@@ -1887,7 +2022,8 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
         t.x = lesson.rows && last ? lesson.x : x;
         t.c = lesson.rows && last ? lesson.c : c.coordinate;
         snprintf(checkpoint, sizeof checkpoint, "%.980s.checkpoint%d", path, k);
-        learn(&t, o, &w, pixels, lesson.rows && last ? lesson.rows : (int)y.rows, lesson.rows && last ? (3 * o->epochs + 2 * LESSONS - 1) / (2 * LESSONS) : o->epochs, checkpoint, theirs);
+        learn(&t, o, &w, pixels, lesson.rows && last ? lesson.rows : (int)y.rows,
+              lesson.rows && last ? (3 * o->epochs + 2 * LESSONS - 1) / (2 * LESSONS) : o->epochs, checkpoint, theirs);
         if (last) break;
         lesson_add(&lesson, &t, 1.0f / (float)o->teachers);
         trainer_end(&t);
@@ -1929,7 +2065,8 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
 
 enum { PART = 32 }; /* pictures of a task */
 
-/* A renderer of train_renderer's form with its last layer turned to an orthonormal basis q: u = q' (picture - mean) of each list. */
+/* A renderer of train_renderer's form with its last layer turned to an orthonormal basis q: u = q' (picture - mean) of
+   each list. */
 typedef struct frozen {
     train_net net; /* inputs of a list -> u [rank] */
     form f;
@@ -1952,7 +2089,8 @@ static float tensor_value(const ms_nn_tensor *t, size_t i)
 }
 
 /* weight [rows][columns] and bias [rows] of a dense layer as floats; 0: there is no such layer. */
-static int tensor_dense(const ms_nn_file *file, const char *name, size_t *rows, size_t *columns, float **weight, float **bias)
+static int tensor_dense(const ms_nn_file *file, const char *name, size_t *rows, size_t *columns, float **weight,
+                        float **bias)
 {
     char full[64];
     const ms_nn_tensor *w, *b, *scale;
@@ -1963,12 +2101,15 @@ static int tensor_dense(const ms_nn_file *file, const char *name, size_t *rows, 
     b = ms_nn_file_find(file, full);
     snprintf(full, sizeof full, "%.40s.weight_scale", name);
     scale = ms_nn_file_find(file, full);
-    if (w == NULL || b == NULL || w->rank != 2 || (w->dtype != MS_NN_I8 && w->dtype != MS_NN_F16 && w->dtype != MS_NN_F32)) return 0;
+    if (w == NULL || b == NULL || w->rank != 2 ||
+        (w->dtype != MS_NN_I8 && w->dtype != MS_NN_F16 && w->dtype != MS_NN_F32))
+        return 0;
     *rows = w->shape[0];
     *columns = w->shape[1];
     *weight = (float *)room(*rows * *columns, sizeof(float));
     *bias = (float *)room(*rows, sizeof(float));
-    for (i = 0; i < *rows * *columns; ++i) (*weight)[i] = tensor_value(w, i) * (scale ? tensor_value(scale, i / *columns) : 1);
+    for (i = 0; i < *rows * *columns; ++i)
+        (*weight)[i] = tensor_value(w, i) * (scale ? tensor_value(scale, i / *columns) : 1);
     for (i = 0; i < *rows; ++i) (*bias)[i] = tensor_value(b, i);
     return 1;
 }
@@ -1994,9 +2135,11 @@ static int frozen_load(const char *path, const char *sharp, frozen *r)
         if (!tensor_dense(ms_nn_tensors(nn), name, &rows[count], &columns[count], &weight[count], &bias[count])) break;
         ++count;
     }
-    if (count == 0 || r->parameters > MOST_PARAMETERS || !tensor_dense(ms_nn_tensors(nn), "features", &rows[count], &columns[count], &weight[count], &bias[count]) ||
+    if (count == 0 || r->parameters > MOST_PARAMETERS ||
+        !tensor_dense(ms_nn_tensors(nn), "features", &rows[count], &columns[count], &weight[count], &bias[count]) ||
         !tensor_dense(ms_nn_tensors(nn), "pixels", &r->pixels, &n, &basis, &r->mean) || n != rows[count] || n > 900)
-        return wrong("%s: no renderer as this program makes them: hidden1 ..., features and pixels are its layers", path);
+        return wrong("%s: no renderer as this program makes them: hidden1 ..., features and pixels are its layers",
+                     path);
     no_sharing(&r->f, r->parameters);
     at = strstr(layers, "\"inputs\":[[");
     if (at == NULL) at = strstr(layers, "\"inputs\": [[");
@@ -2013,9 +2156,11 @@ static int frozen_load(const char *path, const char *sharp, frozen *r)
                 }
             }
     }
-    if (columns[0] != (size_t)r->f.inputs || ms_nn_output_size(nn) != (size_t)r->f.lists * r->pixels) return wrong("%s: its layers do not fit each other", path);
+    if (columns[0] != (size_t)r->f.inputs || ms_nn_output_size(nn) != (size_t)r->f.lists * r->pixels)
+        return wrong("%s: its layers do not fit each other", path);
     for (l = 0; l < ms_nn_layer_count(nn); ++l)
-        if (strcmp(ms_nn_layer_at(nn, l).name, "hidden1") == 0) silu = strcmp(ms_nn_layer_at(nn, l).activation, "silu") == 0;
+        if (strcmp(ms_nn_layer_at(nn, l).name, "hidden1") == 0)
+            silu = strcmp(ms_nn_layer_at(nn, l).activation, "silu") == 0;
     while (sharp && *sharp && r->sharps < MOST_PARAMETERS) {
         l = (int)strtol(sharp, &end, 10);
         if (end == sharp) break;
@@ -2050,7 +2195,9 @@ static int frozen_load(const char *path, const char *sharp, frozen *r)
     for (i = 0; i < n; ++i) { /* row i of r times the features */
         for (k = 0; k <= columns[count]; ++k) {
             double s = 0;
-            for (j = i; j < n; ++j) s += gram[j * n + i] * (double)(k < columns[count] ? weight[count][j * columns[count] + k] : bias[count][j]);
+            for (j = i; j < n; ++j)
+                s += gram[j * n + i] *
+                    (double)(k < columns[count] ? weight[count][j * columns[count] + k] : bias[count][j]);
             if (k < columns[count]) train_weight(&r->net, count)[i * columns[count] + k] = (float)s;
             else train_bias(&r->net, count)[i] = (float)s;
         }
@@ -2088,7 +2235,8 @@ typedef struct inverting {
     float rate, share, scale;
     uint64_t seed;
     train_work *work[16];
-    float *u[16], *x[16], *rows[16], *act[16][16][TRAIN_LAYERS], *ract[16][16][TRAIN_LAYERS], *g[16], *spare[16], *gx[16], *guess[16];
+    float *u[16], *x[16], *rows[16], *act[16][16][TRAIN_LAYERS], *ract[16][16][TRAIN_LAYERS], *g[16], *spare[16],
+        *gx[16], *guess[16];
     double best[16], one[16];
     int only_measure;
 } inverting;
@@ -2118,7 +2266,8 @@ static void frozen_run(const frozen *r, train_work *w, int n, const float *x, fl
 /* What painters do, where it is linear in display values: a gain, an offset, and channels mixed by rows of sum 1. */
 static void edit(const frozen *r, float *u, uint64_t *seed)
 {
-    float mix[3][3], g = 1 + 0.25f * (train_uniform(seed) - 0.5f), o = 0.08f * (train_uniform(seed) - 0.5f), a = 0.35f * train_uniform(seed);
+    float mix[3][3], g = 1 + 0.25f * (train_uniform(seed) - 0.5f), o = 0.08f * (train_uniform(seed) - 0.5f),
+                     a = 0.35f * train_uniform(seed);
     int c, b, j, lists = r->f.lists, rank = r->rank;
     for (c = 0; c < 3; ++c) {
         float mean = 0;
@@ -2149,7 +2298,8 @@ static void invert_part(void *context, int part)
     for (i = 0; i < PART * wide; ++i) scaled[i] = u[i] * t->scale;
     for (k = 0; k < t->nets; ++k) { /* errors first: who is best of a picture learns most of it */
         train_forward(&t->net[k], t->work[part], PART, scaled, t->act[part][k]);
-        frozen_run(r, t->work[part], PART, t->act[part][k][t->net[k].layers - 1], t->rows[part], t->ract[part][k], NULL);
+        frozen_run(r, t->work[part], PART, t->act[part][k][t->net[k].layers - 1], t->rows[part], t->ract[part][k],
+                   NULL);
         for (i = 0; i < PART; ++i) {
             const float *v = t->ract[part][k][last] + i * wide;
             double s = 0;
@@ -2172,15 +2322,20 @@ static void invert_part(void *context, int part)
             const float *v = t->ract[part][k][last] + i * wide;
             float *g = t->g[part] + i * wide, by;
             int is_best = 1;
-            for (j = 0; j < t->nets; ++j) is_best = is_best && (error[k][i] < error[j][i] || (error[k][i] <= error[j][i] && k <= j));
-            by = (t->share + (is_best ? 1 : 0)) / ((float)sqrt(error[k][i] + 2e-5) * 3 * (float)(r->size * r->size) * (float)t->batch);
+            for (j = 0; j < t->nets; ++j)
+                is_best = is_best && (error[k][i] < error[j][i] || (error[k][i] <= error[j][i] && k <= j));
+            by = (t->share + (is_best ? 1 : 0)) /
+                ((float)sqrt(error[k][i] + 2e-5) * 3 * (float)(r->size * r->size) * (float)t->batch);
             for (j = 0; j < wide; ++j) g[j] = (v[j] - u[i * wide + j]) * by;
         }
-        train_backward(&r->net, t->work[part], PART * r->f.lists, t->rows[part], t->ract[part][k], t->g[part], t->spare[part], NULL, t->gx[part]);
+        train_backward(&r->net, t->work[part], PART * r->f.lists, t->rows[part], t->ract[part][k], t->g[part],
+                       t->spare[part], NULL, t->gx[part]);
         memset(t->g[part], 0, (size_t)(PART * d) * sizeof(float));
         for (i = 0; i < PART * r->f.lists; ++i)
-            for (j = 0; j < r->f.inputs; ++j) t->g[part][i / r->f.lists * d + r->f.list[i % r->f.lists][j]] += t->gx[part][i * r->f.inputs + j];
-        train_backward(&t->net[k], t->work[part], PART, scaled, t->act[part][k], t->g[part], t->spare[part], t->grad[part][k], NULL);
+            for (j = 0; j < r->f.inputs; ++j)
+                t->g[part][i / r->f.lists * d + r->f.list[i % r->f.lists][j]] += t->gx[part][i * r->f.inputs + j];
+        train_backward(&t->net[k], t->work[part], PART, scaled, t->act[part][k], t->g[part], t->spare[part],
+                       t->grad[part][k], NULL);
     }
 }
 
@@ -2218,14 +2373,16 @@ static const char *inversion_save(const char *path, const inverting *t, int k)
                 a[j] = train_weight(net, 0)[i * wide + c * r->rank + j] * t->scale;
                 b[i] -= a[j] * r->mean_u[j];
             }
-            train_product(work, 1, (int)r->pixels, r->rank, train_rows(a, 0), train_transposed(r->q, (size_t)r->rank), w + (size_t)i * outputs + (size_t)c * r->pixels, outputs, 0);
+            train_product(work, 1, (int)r->pixels, r->rank, train_rows(a, 0), train_transposed(r->q, (size_t)r->rank),
+                          w + (size_t)i * outputs + (size_t)c * r->pixels, outputs, 0);
         }
     }
     saved_dense(&file, "picture", "elu", MS_NN_I8, (size_t)first, outputs, w, b);
     for (i = 1; i < net->layers; ++i) {
         snprintf(name, sizeof name, "hidden%d", i);
-        saved_dense(&file, i + 1 < net->layers ? name : "parameters", i + 1 < net->layers ? "elu" : "sigmoid", i + 1 < net->layers ? MS_NN_I8 : MS_NN_F16,
-                    (size_t)net->size[i + 1], (size_t)net->size[i], train_weight(net, i), train_bias(net, i));
+        saved_dense(&file, i + 1 < net->layers ? name : "parameters", i + 1 < net->layers ? "elu" : "sigmoid",
+                    i + 1 < net->layers ? MS_NN_I8 : MS_NN_F16, (size_t)net->size[i + 1], (size_t)net->size[i],
+                    train_weight(net, i), train_bias(net, i));
     }
     snprintf(input, sizeof input, "[3,%d,%d]", r->size, r->size);
     if (!saved_write(&file, input, NULL, 0, &bytes)) problem = trouble;
@@ -2277,7 +2434,8 @@ static int train_inversion(train_pool *pool, const char *path, const char *prefi
         t.g[part] = (float *)room(n * (size_t)most, sizeof(float));
         t.spare[part] = (float *)room(n * (size_t)most, sizeof(float));
         for (k = 0; k < t.nets; ++k) {
-            for (l = 0; l < r.net.layers; ++l) t.ract[part][k][l] = (float *)room(n * (size_t)(r.f.lists * r.net.size[l + 1]), 2 * sizeof(float));
+            for (l = 0; l < r.net.layers; ++l)
+                t.ract[part][k][l] = (float *)room(n * (size_t)(r.f.lists * r.net.size[l + 1]), 2 * sizeof(float));
             for (l = 0; l < 4; ++l) t.act[part][k][l] = (float *)room(n * (size_t)sizes[l + 1], 2 * sizeof(float));
             t.grad[part][k] = (float *)room(t.net[k].count, sizeof(float));
         }
@@ -2286,11 +2444,13 @@ static int train_inversion(train_pool *pool, const char *path, const char *prefi
     frozen_run(&r, t.work[0], PART, t.x[0], t.rows[0], t.ract[0][0], t.u[0]);
     for (k = 0; k < PART * wide; ++k) sum += (double)(t.u[0][k] * t.u[0][k]);
     t.scale = (float)(1 / sqrt(sum / (PART * wide) + 1e-20));
-    printf("%d networks for %s: %d parameters, pictures of %d x %d, %d features\n", t.nets, path, r.parameters, r.size, r.size, wide);
+    printf("%d networks for %s: %d parameters, pictures of %d x %d, %d features\n", t.nets, path, r.parameters, r.size,
+           r.size, wide);
     for (step = 0; step < steps; ++step) {
         double at, left;
         t.seed = o->seed * 1000003u + (uint64_t)step + 1;
-        t.rate = (float)(o->rate * fmin(1, (step + 1) / 200.0) * (0.5 + 0.5 * cos(3.141592653589793 * step / steps)) + 1e-7);
+        t.rate = (float)(o->rate * fmin(1, (step + 1) / 200.0) * (0.5 + 0.5 * cos(3.141592653589793 * step / steps)) +
+                         1e-7);
         train_run(pool, t.parts, invert_part, &t);
         train_run(pool, t.nets, invert_update, &t);
         at = now();
@@ -2307,7 +2467,8 @@ static int train_inversion(train_pool *pool, const char *path, const char *prefi
                 for (part = 0; part < t.parts; ++part, n += PART) best += t.best[part], one += t.one[part];
             }
             t.only_measure = 0;
-            printf("step %d of %d: RMSE of 255: best of %d %.2f, one %.2f; %.0f s, %.0f s left\n", step + 1, steps, t.nets, best / n, one / n, at - start, left);
+            printf("step %d of %d: RMSE of 255: best of %d %.2f, one %.2f; %.0f s, %.0f s left\n", step + 1, steps,
+                   t.nets, best / n, one / n, at - start, left);
             fflush(stdout);
         }
     }
@@ -2344,7 +2505,8 @@ static int train_inversion(train_pool *pool, const char *path, const char *prefi
 
 /* --- a larger picture for a renderer that is there ---------------------------------------------------------------- */
 
-/* The trunk of --trunk, its features turned to the axes on which the pictures of this set vary, and a pixels' layer of their full size. */
+/* The trunk of --trunk, its features turned to the axes on which the pictures of this set vary, and a pixels' layer of
+   their full size. */
 static int train_larger(train_pool *pool, const char *pictures, const char *csv, const char *path, options *o)
 {
     static const char *const part[] = {".bin", NULL};
@@ -2371,12 +2533,15 @@ static int train_larger(train_pool *pool, const char *pictures, const char *csv,
     if (count < 1) return wrong("%s: --trunk needs a folder of `make dataset`: linear light", pictures);
     if (!read_parts(pool, pictures, name, count, o->size, 1, &s)) return 0;
     list_free(name, count);
-    if (s.parameters != r.parameters) return wrong("%s: %d parameters, %s has %d", pictures, s.parameters, o->trunk, r.parameters);
+    if (s.parameters != r.parameters)
+        return wrong("%s: %d parameters, %s has %d", pictures, s.parameters, o->trunk, r.parameters);
     memset(&names, 0, sizeof names);
     if (strcmp(csv, "-") != 0 && !table_read(csv, &names)) return 0;
     if (names.names == NULL) { /* the trunk's */
         ms_nn_file *file = NULL;
-        const char *theirs = ms_nn_file_read(o->trunk, NULL, &file, NULL) == MS_OK ? ms_nn_file_metadata(file, "ms_parameters") : NULL;
+        const char *theirs = ms_nn_file_read(o->trunk, NULL, &file, NULL) == MS_OK
+            ? ms_nn_file_metadata(file, "ms_parameters")
+            : NULL;
         if (theirs) strcpy(names.names = (char *)room(strlen(theirs) + 1, 1), theirs);
         ms_nn_file_close(file);
     }
@@ -2393,7 +2558,8 @@ static int train_larger(train_pool *pool, const char *pictures, const char *csv,
     x = (float *)room((size_t)rows * (size_t)r.f.inputs, sizeof(float));
     u = (float *)room((size_t)rows * (size_t)full, sizeof(float));
     inputs_of(&r.f, &s, x);
-    for (k = 0; k < r.net.layers; ++k) act[k] = (float *)room((size_t)CHUNK * (size_t)r.net.size[k + 1], 2 * sizeof(float));
+    for (k = 0; k < r.net.layers; ++k)
+        act[k] = (float *)room((size_t)CHUNK * (size_t)r.net.size[k + 1], 2 * sizeof(float));
     for (i = 0; i < rows; i += CHUNK) {
         int n = rows - i < CHUNK ? rows - i : (int)CHUNK;
         train_forward(&r.net, work, n, x + (size_t)i * (size_t)r.f.inputs, act);
@@ -2421,7 +2587,8 @@ static int train_larger(train_pool *pool, const char *pictures, const char *csv,
     if (o->bytes > 0) {
         double pixels = 3.0 * s.size * s.size / r.f.lists, trunk = 0;
         for (k = 0; k < last; ++k) trunk += 2.0 * (r.net.size[k] + 2) * r.net.size[k + 1];
-        rank = (int)((o->bytes - trunk - 8192 - (o->type == MS_NN_I8 ? 8 : 4) * pixels) / (bytes_each * pixels + 2.0 * hidden + 4));
+        rank = (int)((o->bytes - trunk - 8192 - (o->type == MS_NN_I8 ? 8 : 4) * pixels) /
+                     (bytes_each * pixels + 2.0 * hidden + 4));
     } else if (o->rank < full) rank = o->rank;
     rank = rank < full ? rank : full;
     if (rank < 1) return wrong("--bytes %.0f is too few", o->bytes);
@@ -2447,11 +2614,14 @@ static int train_larger(train_pool *pool, const char *pictures, const char *csv,
         for (i = 0; i <= hidden; ++i) {
             double sum = 0;
             for (k = 0; k < full; ++k)
-                sum += vector[k * full + j] * (double)(i < hidden ? train_weight(&r.net, last)[k * hidden + i] : train_bias(&r.net, last)[k] - m[k]);
+                sum += vector[k * full + j] *
+                    (double)(i < hidden ? train_weight(&r.net, last)[k * hidden + i]
+                                        : train_bias(&r.net, last)[k] - m[k]);
             if (i < hidden) to[j * hidden + i] = (float)sum;
             else train_bias(&t.net, last)[j] = (float)sum;
         }
-    printf("rank %d of %d, without %.4f%% of the features' variance; %.0f s so far\n", rank, full, 100 * left / all, now() - start);
+    printf("rank %d of %d, without %.4f%% of the features' variance; %.0f s so far\n", rank, full, 100 * left / all,
+           now() - start);
     fflush(stdout);
     mean = NULL;
     larger_basis(pool, &s, r.f.lists, rank, &c, &mean);
@@ -2501,9 +2671,13 @@ static int measure_renderer(train_pool *pool, const char *path, const char *csv,
     if (ms_nn_load_file(path, NULL, &nn, &error) != MS_OK) return wrong("%s: %s", path, error.message);
     while (3 * (size_t)size * (size_t)size < ms_nn_output_size(nn)) ++size;
     memset(check, 0, sizeof check);
-    for (k = 0; k < 2 && o->check[k] && fine; ++k) fine = set_read(pool, o->check[k], csv, size, k ? &check[0] : NULL, &check[k]);
-    if (fine && (check[0].parameters != (int)ms_nn_input_size(nn) || 3 * (size_t)size * (size_t)size != ms_nn_output_size(nn))) fine = wrong("%s: other parameters or no square pictures", path);
-    if (fine && check[1].count && check[1].count != check[0].count) fine = wrong("%s: other materials than %s", o->check[1], o->check[0]);
+    for (k = 0; k < 2 && o->check[k] && fine; ++k)
+        fine = set_read(pool, o->check[k], csv, size, k ? &check[0] : NULL, &check[k]);
+    if (fine &&
+        (check[0].parameters != (int)ms_nn_input_size(nn) || 3 * (size_t)size * (size_t)size != ms_nn_output_size(nn)))
+        fine = wrong("%s: other parameters or no square pictures", path);
+    if (fine && check[1].count && check[1].count != check[0].count)
+        fine = wrong("%s: other materials than %s", o->check[1], o->check[0]);
     if (fine) {
         changing = changing_pixels(&check[0], check[1].count ? &check[1] : NULL);
         fine = report_all(path, nn, &check[0], check[1].count ? &check[1] : NULL, changing);
@@ -2521,7 +2695,8 @@ static int number(const char *name, const char *text, double low, double high, d
 {
     char *end;
     *value = text ? strtod(text, &end) : 0;
-    if (text && end != text && (*end == 'M' || *end == 'k') && strcmp(name, "--bytes") == 0) *value *= *end++ == 'M' ? 1e6 : 1e3;
+    if (text && end != text && (*end == 'M' || *end == 'k') && strcmp(name, "--bytes") == 0)
+        *value *= *end++ == 'M' ? 1e6 : 1e3;
     if (text && end != text && *end == 0 && *value >= low && *value <= high) return 1;
     return wrong("%s: '%s' is no number from %g to %g", name, text ? text : "", low, high);
 }
@@ -2552,7 +2727,8 @@ static int parse(int argc, char **argv, options *o, const char **plain, int *inv
             else if (strcmp(a, "--rank") == 0) fine = number(a, next, 1, 900, &v), o->rank = (int)v;
             else if (strcmp(a, "--width") == 0) fine = number(a, next, 4, 4096, &v), o->width = (int)v;
             else if (strcmp(a, "--depth") == 0) fine = number(a, next, 1, TRAIN_LAYERS - 1, &v), o->depth = (int)v;
-            else if (strcmp(a, "--epochs") == 0 || strcmp(a, "--steps") == 0) fine = number(a, next, 1, 1e6, &v), o->epochs = (int)v;
+            else if (strcmp(a, "--epochs") == 0 || strcmp(a, "--steps") == 0)
+                fine = number(a, next, 1, 1e6, &v), o->epochs = (int)v;
             else if (strcmp(a, "--every") == 0) fine = number(a, next, 0, 1e9, &o->every);
             else if (strcmp(a, "--rate") == 0) fine = number(a, next, 1e-6, 1, &o->rate);
             else if (strcmp(a, "--seed") == 0) fine = number(a, next, 0, 1e15, &v), o->seed = (uint64_t)v;
@@ -2561,13 +2737,18 @@ static int parse(int argc, char **argv, options *o, const char **plain, int *inv
             else if (strcmp(a, "--first") == 0) fine = number(a, next, 2, 1024, &v), o->first = (int)v;
             else if (strcmp(a, "--channels") == 0 && next) o->channels = next;
             else if (strcmp(a, "--hidden") == 0 && next) o->hidden = next;
-            else if (strcmp(a, "--type") == 0 && next && (strcmp(next, "F32") == 0 || strcmp(next, "F16") == 0 || strcmp(next, "I8") == 0))
+            else if (strcmp(a, "--type") == 0 && next &&
+                     (strcmp(next, "F32") == 0 || strcmp(next, "F16") == 0 || strcmp(next, "I8") == 0))
                 o->type = next[0] == 'I' ? MS_NN_I8 : next[1] == '1' ? MS_NN_F16 : MS_NN_F32;
             else return wrong("'%s' is no option, or lacks its value", a);
             if (!fine) return 0;
         }
     }
-    if (plains != (*inversion ? 2 : 3)) return wrong("%s expected", *inversion == 2 ? "RENDERER.safetensors, PARAMS.csv or -, --check A" : *inversion ? "RENDERER.safetensors OUT_PREFIX" : "PICTURES PARAMS.csv OUT.safetensors");
+    if (plains != (*inversion ? 2 : 3))
+        return wrong("%s expected",
+                     *inversion == 2  ? "RENDERER.safetensors, PARAMS.csv or -, --check A"
+                         : *inversion ? "RENDERER.safetensors OUT_PREFIX"
+                                      : "PICTURES PARAMS.csv OUT.safetensors");
     if (*inversion == 2 && checks == 0) return wrong("--measure needs --check");
     return o->bytes > 0 && o->psnr > 0 ? wrong("--bytes or --psnr, not both") : 1;
 }
@@ -2598,7 +2779,9 @@ int main(int argc, char **argv)
     if (o.width == 0) o.width = inversion ? 256 : 384;
     if (o.rate <= 0) o.rate = inversion ? 1e-3 : 4e-3;
     train_pool_start(&pool, o.threads);
-    if (inversion) fine = inversion == 2 ? measure_renderer(&pool, plain[0], plain[1], &o) : train_inversion(&pool, plain[0], plain[1], &o);
+    if (inversion)
+        fine = inversion == 2 ? measure_renderer(&pool, plain[0], plain[1], &o)
+                              : train_inversion(&pool, plain[0], plain[1], &o);
     else {
         fine = o.trunk || train_renderer(&pool, plain[0], plain[1], plain[2], &o);
         if (fine && (o.trunk || is_data_set(plain[0]))) {

@@ -1,5 +1,6 @@
-/* What examples/train.c is made of: matrix products, principal components, small dense networks with their gradients, Adam.
-   No dependency but POSIX threads; C99 and C++11. Matrices are row-major floats, sums over many rows are in double.
+/* What examples/train.c is made of: matrix products, principal components, small dense networks with their gradients,
+   Adam. No dependency but POSIX threads; C99 and C++11. Matrices are row-major floats, sums over many rows are in
+   double.
 
      train_pool pool;
      train_pool_start(&pool, 2);                             the calling thread takes part
@@ -98,7 +99,9 @@ static inline void train_pool_start(train_pool *p, int threads)
     pthread_cond_init(&p->work, NULL);
     pthread_cond_init(&p->done, NULL);
     p->threads = 1;
-    while (p->threads < threads && p->threads < 64 && pthread_create(&p->thread[p->threads], NULL, train__thread, p) == 0) ++p->threads;
+    while (p->threads < threads && p->threads < 64 &&
+           pthread_create(&p->thread[p->threads], NULL, train__thread, p) == 0)
+        ++p->threads;
 }
 
 static inline void train_pool_stop(train_pool *p)
@@ -155,8 +158,14 @@ static inline void train__tile_body(int k, const float *a, const float *b, float
 
 static void train__tile_plain(int k, const float *a, const float *b, float *c) { train__tile_body(k, a, b, c); }
 #if defined(__GNUC__) && defined(__x86_64__)
-__attribute__((target("avx2,fma"))) static void train__tile_avx2(int k, const float *a, const float *b, float *c) { train__tile_body(k, a, b, c); }
-__attribute__((target("avx512f"))) static void train__tile_avx512(int k, const float *a, const float *b, float *c) { train__tile_body(k, a, b, c); }
+__attribute__((target("avx2,fma"))) static void train__tile_avx2(int k, const float *a, const float *b, float *c)
+{
+    train__tile_body(k, a, b, c);
+}
+__attribute__((target("avx512f"))) static void train__tile_avx512(int k, const float *a, const float *b, float *c)
+{
+    train__tile_body(k, a, b, c);
+}
 #endif
 
 typedef void (*train__tile)(int k, const float *a, const float *b, float *c);
@@ -211,14 +220,16 @@ static inline void train__pack(train_matrix m, int count, int k, int width, floa
 }
 
 /* c [m][n], rows ldc apart, = (add: +=) a [m][k] b [k][n]. */
-static inline void train_product(train_work *w, int m, int n, int k, train_matrix a, train_matrix b, float *c, size_t ldc, int add)
+static inline void train_product(train_work *w, int m, int n, int k, train_matrix a, train_matrix b, float *c,
+                                 size_t ldc, int add)
 {
     const train__tile tile = train__tile_best();
     float s[TRAIN_MR * TRAIN_NR];
     int j0, p0, i0, i, j, r, q;
     for (j0 = 0; j0 < n; j0 += TRAIN_NC)
         for (p0 = 0; p0 < k; p0 += TRAIN_KC) {
-            int columns = train__least(TRAIN_NC, n - j0), depth = train__least(TRAIN_KC, k - p0), fresh = !add && p0 == 0;
+            int columns = train__least(TRAIN_NC, n - j0), depth = train__least(TRAIN_KC, k - p0),
+                fresh = !add && p0 == 0;
             train_matrix bt;
             bt.p = b.p + (size_t)p0 * b.row + (size_t)j0 * b.column;
             bt.row = b.column;
@@ -235,8 +246,10 @@ static inline void train_product(train_work *w, int m, int n, int k, train_matri
                         float *to = c + (size_t)(i0 + i) * ldc + (size_t)(j0 + j);
                         tile(depth, w->a + i * depth, w->b + j * depth, s);
                         for (r = 0; r < high; ++r, to += ldc)
-                            if (fresh) for (q = 0; q < wide; ++q) to[q] = s[r * TRAIN_NR + q];
-                            else for (q = 0; q < wide; ++q) to[q] += s[r * TRAIN_NR + q];
+                            if (fresh)
+                                for (q = 0; q < wide; ++q) to[q] = s[r * TRAIN_NR + q];
+                            else
+                                for (q = 0; q < wide; ++q) to[q] += s[r * TRAIN_NR + q];
                     }
             }
         }
@@ -247,15 +260,18 @@ static inline void train_product(train_work *w, int m, int n, int k, train_matri
 enum { TRAIN_LAYERS = 8 };
 
 typedef struct train_net {
-    int layers, sigmoid, silu;     /* the last layer is linear, or sigmoids; those before it ELUs, or x / (1 + exp(-x)) */
+    int layers, sigmoid, silu; /* the last layer is linear, or sigmoids; those before it ELUs, or x / (1 + exp(-x)) */
     int size[TRAIN_LAYERS + 1];
-    size_t at[TRAIN_LAYERS];       /* of weight [size[l + 1]][size[l]], then bias [size[l + 1]], in p */
+    size_t at[TRAIN_LAYERS]; /* of weight [size[l + 1]][size[l]], then bias [size[l + 1]], in p */
     size_t count;
-    float *p;                      /* [count] */
+    float *p; /* [count] */
 } train_net;
 
 static inline float *train_weight(const train_net *net, int l) { return net->p + net->at[l]; }
-static inline float *train_bias(const train_net *net, int l) { return net->p + net->at[l] + (size_t)net->size[l] * (size_t)net->size[l + 1]; }
+static inline float *train_bias(const train_net *net, int l)
+{
+    return net->p + net->at[l] + (size_t)net->size[l] * (size_t)net->size[l + 1];
+}
 
 /* Uniform weights of deviation 1 / sqrt(3 inputs); 0: out of memory. free(net->p) ends it. */
 static inline int train_net_make(train_net *net, const int *sizes, int count, int sigmoid, uint64_t *seed)
@@ -316,7 +332,10 @@ TRAIN__INLINE void train__bend_body(int silu, float *y, float *slope, size_t n)
 
 static void train__bend_plain(int silu, float *y, float *slope, size_t n) { train__bend_body(silu, y, slope, n); }
 #if defined(__GNUC__) && defined(__x86_64__)
-__attribute__((target("avx2,fma"))) static void train__bend_avx2(int silu, float *y, float *slope, size_t n) { train__bend_body(silu, y, slope, n); }
+__attribute__((target("avx2,fma"))) static void train__bend_avx2(int silu, float *y, float *slope, size_t n)
+{
+    train__bend_body(silu, y, slope, n);
+}
 #endif
 
 static inline void train__bend(int silu, float *y, float *slope, size_t n)
@@ -338,17 +357,19 @@ static inline void train_forward(const train_net *net, train_work *w, int n, con
         const float *bias = train_bias(net, l), *in = l ? act[l - 1] : x;
         int outputs = net->size[l + 1];
         for (i = 0; i < n; ++i) memcpy(act[l] + (size_t)i * (size_t)outputs, bias, (size_t)outputs * sizeof(float));
-        train_product(w, n, outputs, net->size[l], train_rows(in, (size_t)net->size[l]), train_transposed(train_weight(net, l), (size_t)net->size[l]),
-                      act[l], (size_t)outputs, 1);
-        if (l + 1 < net->layers) train__bend(net->silu, act[l], act[l] + (size_t)n * (size_t)outputs, (size_t)n * (size_t)outputs);
+        train_product(w, n, outputs, net->size[l], train_rows(in, (size_t)net->size[l]),
+                      train_transposed(train_weight(net, l), (size_t)net->size[l]), act[l], (size_t)outputs, 1);
+        if (l + 1 < net->layers)
+            train__bend(net->silu, act[l], act[l] + (size_t)n * (size_t)outputs, (size_t)n * (size_t)outputs);
         else if (net->sigmoid)
             for (j = 0; j < n * outputs; ++j) act[l][j] = 1 / (1 + expf(-act[l][j]));
     }
 }
 
-/* Gradients of what forward made. g [n][outputs] is that of the outputs; g and spare have room for n rows of the widest layer, and
-   are used up. grad [net->count] is added to; NULL: not wanted. g_x [n][inputs]; NULL: not wanted. */
-static inline void train_backward(const train_net *net, train_work *w, int n, const float *x, float *const *act, float *g, float *spare, float *grad, float *g_x)
+/* Gradients of what forward made. g [n][outputs] is that of the outputs; g and spare have room for n rows of the widest
+   layer, and are used up. grad [net->count] is added to; NULL: not wanted. g_x [n][inputs]; NULL: not wanted. */
+static inline void train_backward(const train_net *net, train_work *w, int n, const float *x, float *const *act,
+                                  float *g, float *spare, float *grad, float *g_x)
 {
     int l, i, j;
     for (l = net->layers - 1; l >= 0; --l) {
@@ -356,15 +377,20 @@ static inline void train_backward(const train_net *net, train_work *w, int n, co
         size_t k, many = (size_t)n * (size_t)outputs;
         float *to = l ? spare : g_x;
         const float *in = l ? act[l - 1] : x, *y = act[l];
-        if (!last) for (k = 0; k < many; ++k) g[k] *= y[many + k];
-        else if (net->sigmoid) for (k = 0; k < many; ++k) g[k] *= y[k] * (1 - y[k]);
+        if (!last)
+            for (k = 0; k < many; ++k) g[k] *= y[many + k];
+        else if (net->sigmoid)
+            for (k = 0; k < many; ++k) g[k] *= y[k] * (1 - y[k]);
         if (grad) {
             float *bias = grad + net->at[l] + (size_t)inputs * (size_t)outputs;
-            train_product(w, outputs, inputs, n, train_transposed(g, (size_t)outputs), train_rows(in, (size_t)inputs), grad + net->at[l], (size_t)inputs, 1);
+            train_product(w, outputs, inputs, n, train_transposed(g, (size_t)outputs), train_rows(in, (size_t)inputs),
+                          grad + net->at[l], (size_t)inputs, 1);
             for (i = 0; i < n; ++i)
                 for (j = 0; j < outputs; ++j) bias[j] += g[(size_t)i * (size_t)outputs + (size_t)j];
         }
-        if (to) train_product(w, n, inputs, outputs, train_rows(g, (size_t)outputs), train_rows(train_weight(net, l), (size_t)inputs), to, (size_t)inputs, 0);
+        if (to)
+            train_product(w, n, inputs, outputs, train_rows(g, (size_t)outputs),
+                          train_rows(train_weight(net, l), (size_t)inputs), to, (size_t)inputs, 0);
         spare = g;
         g = to;
     }
@@ -373,12 +399,13 @@ static inline void train_backward(const train_net *net, train_work *w, int n, co
 /* --- Adam (Kingma & Ba 2015), bias-corrected --- */
 
 typedef struct train_adam {
-    float *m, *v; /* [count], zero at first */
+    float *m, *v;          /* [count], zero at first */
     double power1, power2; /* 1 at first: the betas to the number of steps */
 } train_adam;
 
 /* Parameters [from, to) of p by grad; call train_adam_count once a step before. */
-static inline void train_adam_step(const train_adam *a, float rate, float beta1, float *p, const float *grad, size_t from, size_t to)
+static inline void train_adam_step(const train_adam *a, float rate, float beta1, float *p, const float *grad,
+                                   size_t from, size_t to)
 {
     const float beta2 = 0.999f, scale = rate / (float)(1 - a->power1), root = 1 / sqrtf((float)(1 - a->power2));
     float *m = a->m, *v = a->v;
@@ -400,14 +427,16 @@ static inline void train_adam_count(train_adam *a, float beta1)
 /* One cycle (Smith & Topin 2019) at t in [0, 1]: the rate's factor, and the momentum, which goes the other way. */
 static inline float train_cycle(double t, float *beta1)
 {
-    double warm = 0.05, pi = 3.141592653589793, up = t < warm ? 0.5 - 0.5 * cos(pi * t / warm) : 0.5 + 0.5 * cos(pi * (t - warm) / (1 - warm));
+    double warm = 0.05, pi = 3.141592653589793,
+           up = t < warm ? 0.5 - 0.5 * cos(pi * t / warm) : 0.5 + 0.5 * cos(pi * (t - warm) / (1 - warm));
     *beta1 = (float)(0.95 - 0.1 * up);
     return (float)(t < warm ? 0.04 + 0.96 * up : 4e-5 + (1 - 4e-5) * up);
 }
 
 /* --- principal components --- */
 
-/* Eigenvalues, descending, and vectors (columns of v) of the symmetric a [n][n], which is used up: Jacobi's rotations. */
+/* Eigenvalues, descending, and vectors (columns of v) of the symmetric a [n][n], which is used up: Jacobi's
+   rotations. */
 static inline void train_eigen(int n, double *a, double *v, double *value)
 {
     int sweep, i, j, k, best;
@@ -446,13 +475,21 @@ static inline void train_eigen(int n, double *a, double *v, double *value)
         for (best = i, j = i + 1; j < n; ++j)
             if (value[j] > value[best]) best = j;
         if (best == i) continue;
-        { double t = value[i]; value[i] = value[best]; value[best] = t; }
-        for (k = 0; k < n; ++k) { double t = v[k * n + i]; v[k * n + i] = v[k * n + best]; v[k * n + best] = t; }
+        {
+            double t = value[i];
+            value[i] = value[best];
+            value[best] = t;
+        }
+        for (k = 0; k < n; ++k) {
+            double t = v[k * n + i];
+            v[k * n + i] = v[k * n + best];
+            v[k * n + best] = t;
+        }
     }
 }
 
-/* Cholesky factor (lower) of the symmetric a [n][n] in place. A pivot below `least` times its diagonal element is rounding's: it becomes so
-   large that its row of the factor's inverse vanishes. */
+/* Cholesky factor (lower) of the symmetric a [n][n] in place. A pivot below `least` times its diagonal element is
+   rounding's: it becomes so large that its row of the factor's inverse vanishes. */
 static inline void train_cholesky(int n, double *a, double least)
 {
     int i, j, k;
@@ -514,20 +551,23 @@ static inline double train__tile_of(const train_pictures *y, size_t first, int n
 static inline void train__project(void *context, int c)
 {
     train__pass *p = (train__pass *)context;
-    size_t first = p->y->rows * (size_t)c / TRAIN_CHUNKS, last = p->y->rows * ((size_t)c + 1) / TRAIN_CHUNKS, from, k = (size_t)p->k;
+    size_t first = p->y->rows * (size_t)c / TRAIN_CHUNKS, last = p->y->rows * ((size_t)c + 1) / TRAIN_CHUNKS, from,
+           k = (size_t)p->k;
     p->sum[c] = 0;
     for (; first < last; first += TRAIN_BLOCK) {
         int n = last - first < TRAIN_BLOCK ? (int)(last - first) : (int)TRAIN_BLOCK;
         for (from = 0; from < p->y->pixels; from += TRAIN_TILE) {
             int wide = p->y->pixels - from < TRAIN_TILE ? (int)(p->y->pixels - from) : (int)TRAIN_TILE;
             p->sum[c] += train__tile_of(p->y, first, n, from, wide, p->block[c]);
-            train_product(p->work[c], n, p->k, wide, train_rows(p->block[c], (size_t)wide), train_rows(p->q + from * k, k), p->t + first * k, k, from > 0);
+            train_product(p->work[c], n, p->k, wide, train_rows(p->block[c], (size_t)wide),
+                          train_rows(p->q + from * k, k), p->t + first * k, k, from > 0);
         }
         if (p->z[c] == NULL) continue;
         for (from = 0; from < p->y->pixels; from += TRAIN_TILE) {
             int wide = p->y->pixels - from < TRAIN_TILE ? (int)(p->y->pixels - from) : (int)TRAIN_TILE;
             (void)train__tile_of(p->y, first, n, from, wide, p->block[c]);
-            train_product(p->work[c], wide, p->k, n, train_transposed(p->block[c], (size_t)wide), train_rows(p->t + first * k, k), p->z[c] + from * k, k, 1);
+            train_product(p->work[c], wide, p->k, n, train_transposed(p->block[c], (size_t)wide),
+                          train_rows(p->t + first * k, k), p->z[c] + from * k, k, 1);
         }
     }
 }
@@ -542,7 +582,8 @@ static inline void train__gram(const float *a, size_t first, size_t last, int k,
     if (part == NULL) return;
     for (i = first; i < last; i += 2048) { /* floats over few rows, doubles over many */
         int n = last - i < 2048 ? (int)(last - i) : 2048;
-        train_product(w, k, k, n, train_transposed(a + i * (size_t)k, (size_t)k), train_rows(a + i * (size_t)k, (size_t)k), part, (size_t)k, 0);
+        train_product(w, k, k, n, train_transposed(a + i * (size_t)k, (size_t)k),
+                      train_rows(a + i * (size_t)k, (size_t)k), part, (size_t)k, 0);
         for (j = 0; j < k * k; ++j) gram[j] += (double)part[j];
     }
     free(part);
@@ -551,13 +592,15 @@ static inline void train__gram(const float *a, size_t first, size_t last, int k,
 static inline void train__gram_q(void *context, int c)
 {
     train__pass *p = (train__pass *)context;
-    train__gram(p->q, p->y->pixels * (size_t)c / TRAIN_CHUNKS, p->y->pixels * ((size_t)c + 1) / TRAIN_CHUNKS, p->k, p->gram[c], p->work[c]);
+    train__gram(p->q, p->y->pixels * (size_t)c / TRAIN_CHUNKS, p->y->pixels * ((size_t)c + 1) / TRAIN_CHUNKS, p->k,
+                p->gram[c], p->work[c]);
 }
 
 static inline void train__gram_t(void *context, int c)
 {
     train__pass *p = (train__pass *)context;
-    train__gram(p->t, p->y->rows * (size_t)c / TRAIN_CHUNKS, p->y->rows * ((size_t)c + 1) / TRAIN_CHUNKS, p->k, p->gram[c], p->work[c]);
+    train__gram(p->t, p->y->rows * (size_t)c / TRAIN_CHUNKS, p->y->rows * ((size_t)c + 1) / TRAIN_CHUNKS, p->k,
+                p->gram[c], p->work[c]);
 }
 
 static inline void train__gram_sum(train__pass *p, void (*task)(void *context, int c))
@@ -585,16 +628,19 @@ static inline void train__turn(void *context, int c)
     }
 }
 
-/* Orthonormal columns of q by the Cholesky factor of their Gram matrix, twice (Yamamoto et al. 2015), unit columns first. */
+/* Orthonormal columns of q by the Cholesky factor of their Gram matrix, twice (Yamamoto et al. 2015), unit columns
+   first. */
 static inline void train__orthonormal(train__pass *p, double *spare)
 {
     int round, i, j, l, k = p->k;
     for (round = 0; round < 3; ++round) {
         train__gram_sum(p, train__gram_q);
         memset(spare, 0, (size_t)k * (size_t)k * sizeof(double));
-        if (round == 0) for (i = 0; i < k; ++i) spare[i * k + i] = p->small[i * k + i] > 0 ? 1 / sqrt(p->small[i * k + i]) : 0;
+        if (round == 0)
+            for (i = 0; i < k; ++i) spare[i * k + i] = p->small[i * k + i] > 0 ? 1 / sqrt(p->small[i * k + i]) : 0;
         else {
-            train_cholesky(k, p->small, 1e-5); /* floats: what is left of a column that depends on the others is rounding */
+            train_cholesky(k, p->small,
+                           1e-5);     /* floats: what is left of a column that depends on the others is rounding */
             for (i = 0; i < k; ++i) { /* spare = (l^-1)' */
                 spare[i * k + i] = 1 / p->small[i * k + i];
                 for (j = i + 1; j < k; ++j) {
@@ -617,9 +663,10 @@ static inline void train_components_free(train_components *c)
     memset(c, 0, sizeof *c);
 }
 
-/* Principal components of pictures about their mean, which it also fills, by subspace iteration from random ones (Halko, Martinsson &
-   Tropp 2011). 0: out of memory, or stop() asked for it. */
-static inline int train_principal(train_pool *pool, train_pictures *y, int rank, int passes, uint64_t seed, train_components *out)
+/* Principal components of pictures about their mean, which it also fills, by subspace iteration from random ones
+   (Halko, Martinsson & Tropp 2011). 0: out of memory, or stop() asked for it. */
+static inline int train_principal(train_pool *pool, train_pictures *y, int rank, int passes, uint64_t seed,
+                                  train_components *out)
 {
     train__pass p;
     size_t i, k, most = y->rows < y->pixels ? y->rows : y->pixels;
@@ -673,7 +720,8 @@ static inline int train_principal(train_pool *pool, train_pictures *y, int rank,
         train_eigen(p.k, p.small, vector, out->variance);
         memcpy(p.small, vector, k * k * sizeof(double));
         memcpy(p.q, p.z[0], y->pixels * k * sizeof(float));
-        train_run(pool, TRAIN_CHUNKS, train__turn, &p); /* Ritz vectors: nearly orthogonal, so that floats hold the small ones too */
+        train_run(pool, TRAIN_CHUNKS, train__turn,
+                  &p); /* Ritz vectors: nearly orthogonal, so that floats hold the small ones too */
     }
     for (c = 0; c < TRAIN_CHUNKS; ++c) {
         free(p.z[c]);

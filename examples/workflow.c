@@ -1,18 +1,19 @@
-/* Gaussian Material Synthesis from start to end (thesis, algorithm 1): scores of a few random materials, a taste learned from
-   them, 300 recommendations, a plane of variants of one of them, and an edited picture turned into a material.
+/* Gaussian Material Synthesis from start to end (thesis, algorithm 1): scores of a few random materials, a taste
+   learned from them, 300 recommendations, a plane of variants of one of them, and an edited picture turned into a
+   material.
 
      cc -O2 -I. examples/workflow.c -o build/workflow -lm
      build/workflow OUT [--taste metal|glass|jade] [--scores SCORES.csv] [--networks examples/data] [--seed S]
 
-   OUT: a folder, made if it is missing. A scripted user scores 120 materials, or SCORES.csv does (19 parameters and a score a row, such
-   as OUT/gallery.csv after an earlier run, edited). Written into OUT:
+   OUT: a folder, made if it is missing. A scripted user scores 120 materials, or SCORES.csv does (19 parameters and a
+   score a row, such as OUT/gallery.csv after an earlier run, edited). Written into OUT:
      gallery.csv       what was scored, with the scores
      recommended.csv   300 materials with predicted score and its standard deviation
      chosen.csv        the chosen material, its 7 variants, and the one matched to the edited picture
      workflow.mtlx     all of these as MaterialX (see materialx.h)
      workflow.png      the gallery, bright as it was scored | 300 recommendations | the plane: preference, similarity,
-                       product; the chosen material and its variants | chosen, edited, first guess, match, difference x 8,
-                       and a walk through the plane
+                       product; the chosen material and its variants | chosen, edited, first guess, match, difference x
+                       8, and a walk through the plane
      times.md          what each stage took, beside the thesis's Table 3.3 */
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
@@ -24,7 +25,8 @@
 #include "scores.h"
 #include "studio.h"
 
-static const char usage[] = "usage: workflow OUT [--taste metal|glass|jade] [--scores SCORES.csv] [--networks examples/data] [--seed S]\n";
+static const char usage[] =
+    "usage: workflow OUT [--taste metal|glass|jade] [--scores SCORES.csv] [--networks examples/data] [--seed S]\n";
 
 static int fail(const char *what, const char *problem)
 {
@@ -43,7 +45,8 @@ static double step(double a, double b, double v) /* 0 below a, 1 above b; smooth
 
 static double likes_glass(const double *x)
 {
-    return step(0.25, 0.8, x[17] * (1 - x[16])) * (1 - step(0.3, 0.9, x[11])) * step(-0.5, 0.6, x[10] - x[8]) * (1 - step(0, 1, x[18]));
+    return step(0.25, 0.8, x[17] * (1 - x[16])) * (1 - step(0.3, 0.9, x[11])) * step(-0.5, 0.6, x[10] - x[8]) *
+        (1 - step(0, 1, x[18]));
 }
 
 static double likes_metal(const double *x)
@@ -73,7 +76,8 @@ static double mean_score(const taste *user, const double *x, int count)
 
 /* ------------------------------------------------------------------------------------------------------- the stages */
 
-/* Lines 2 to 4 of algorithm 1, in rounds: the first gallery is spread evenly, the later ones show what recommendations depend on. */
+/* Lines 2 to 4 of algorithm 1, in rounds: the first gallery is spread evenly, the later ones show what recommendations
+   depend on. */
 static ms_status score_gallery(flow *f)
 {
     ms_gpr_gallery_options options;
@@ -174,14 +178,16 @@ static ms_status vary(flow *f)
     double lambda[VARIANTS];
     ms_status status;
     int i;
-    for (i = 0; i < VARIANTS; ++i) lambda[i] = 0.7 * pow(1 - (i + 0.5) / (int)VARIANTS, 2); /* beyond 0.5 little changes */
-    status = ms_gpr_variants(f->plane, f->gp, &similarity, &f->coarse, lambda, VARIANTS, 0, f->variant, f->variants, &f->error);
+    for (i = 0; i < VARIANTS; ++i)
+        lambda[i] = 0.7 * pow(1 - (i + 0.5) / (int)VARIANTS, 2); /* beyond 0.5 little changes */
+    status = ms_gpr_variants(f->plane, f->gp, &similarity, &f->coarse, lambda, VARIANTS, 0, f->variant, f->variants,
+                             &f->error);
     for (i = 0; i < VARIANTS * M && status == MS_OK; ++i) f->variants[i] = fmin(fmax(f->variants[i], 0), 1);
     return status;
 }
 
-/* Chapter 4: the picture of the chosen material, edited, and the material that looks like it; first the best of the inversion
-   networks' guesses, then the match that starts there. */
+/* Chapter 4: the picture of the chosen material, edited, and the material that looks like it; first the best of the
+   inversion networks' guesses, then the match that starts there. */
 static ms_status match_edit(flow *f)
 {
     ms_pme_match_options options = ms_pme_match_defaults();
@@ -190,14 +196,19 @@ static ms_status match_edit(flow *f)
     edit(f->edited + ms_nn_output_size(f->small.nn), f->small.size * f->small.size, f->edited);
     options.initial_only = 1;
     status = matcher_aim(&f->match, f->edited, NULL, &f->error);
-    if (status == MS_OK) status = ms_pme_match(&f->match.renderer, f->edited, NULL, &options, f->guess, NULL, &f->found, &f->error);
-    if (status == MS_OK) status = ms_pme_match(&f->match.renderer, f->edited, NULL, NULL, f->matched, NULL, &f->found, &f->error);
+    if (status == MS_OK)
+        status = ms_pme_match(&f->match.renderer, f->edited, NULL, &options, f->guess, NULL, &f->found, &f->error);
+    if (status == MS_OK)
+        status = ms_pme_match(&f->match.renderer, f->edited, NULL, NULL, f->matched, NULL, &f->found, &f->error);
     return status;
 }
 
 /* ---------------------------------------------------------------------------------- the same, frame by frame */
 
-static void draw_large(void *user, const float *x, int count, float *planes) { neural_render((const neural *)user, x, count, planes); }
+static void draw_large(void *user, const float *x, int count, float *planes)
+{
+    neural_render((const neural *)user, x, count, planes);
+}
 
 static void timed(call *c, double begin)
 {
@@ -207,8 +218,8 @@ static void timed(call *c, double begin)
     c->most = fmax(c->most, t);
 }
 
-/* A session with studio.h: the scores one by one, the fit in steps, recommendations, a circle around the chosen material in the
-   plane, of which STEPS pictures are kept. */
+/* A session with studio.h: the scores one by one, the fit in steps, recommendations, a circle around the chosen
+   material in the plane, of which STEPS pictures are kept. */
 static ms_status session(const flow *f, call calls[5], float *walk, ms_error *error)
 {
     enum { ROW = 4, MOVES = 60 };
@@ -259,13 +270,14 @@ static ms_status session(const flow *f, call calls[5], float *walk, ms_error *er
     return status;
 }
 
-/* ------------------------------------------------------------------------------------------------------------- the run */
+/* ---------------------------------------------------------------------------------------------------------- the run */
 
 static const char *load(flow *f, const char *folder)
 {
     char path[512];
     const char *problem;
-    snprintf(path, sizeof path, "%s/preview_64.safetensors", folder); /* galleries: two thirds of the work of the one that is matched with */
+    snprintf(path, sizeof path, "%s/preview_64.safetensors",
+             folder); /* galleries: two thirds of the work of the one that is matched with */
     if ((problem = neural_load(path, &f->small)) != NULL) return problem;
     snprintf(path, sizeof path, "%s/renderer_64.safetensors", folder);
     if (matcher_open(&f->match, path, &f->error) != MS_OK) return f->error.message;
@@ -363,9 +375,12 @@ int main(int argc, char **argv)
     if ((problem = file_finish(&times, 1)) != NULL) return fail(path, problem);
 
     if (file) printf("%d scores of %s\n", f->n, file);
-    else printf("%d scores of one who likes %s; of the first, random %d %.1f on average, of the recommended ones %.1f\n", f->n, f->user->words,
-                GALLERY / 2, mean_score(f->user, f->x, GALLERY / 2), mean_score(f->user, f->recommended, RECOMMENDED));
-    printf("match: RMSE %.2f of 255 at first, %.2f after %.0f renders\n\n", 255 * f->found.rmse_initial, 255 * f->found.rmse, f->found.cost);
+    else
+        printf("%d scores of one who likes %s; of the first, random %d %.1f on average, of the recommended ones %.1f\n",
+               f->n, f->user->words, GALLERY / 2, mean_score(f->user, f->x, GALLERY / 2),
+               mean_score(f->user, f->recommended, RECOMMENDED));
+    printf("match: RMSE %.2f of 255 at first, %.2f after %.0f renders\n\n", 255 * f->found.rmse_initial,
+           255 * f->found.rmse, f->found.cost);
     report(stdout, f, calls);
     ms_gpr_latent_destroy(f->plane);
     ms_gpr_destroy(f->gp);

@@ -1,5 +1,5 @@
-/* What workflow.c works on and leaves behind: the state of the run, the page of pictures, the CSV and MaterialX files, the table of
-   times. ms_gpr.h, ms_nn.h and ms_pme.h come first. */
+/* What workflow.c works on and leaves behind: the state of the run, the page of pictures, the CSV and MaterialX files,
+   the table of times. ms_gpr.h, ms_nn.h and ms_pme.h come first. */
 #ifndef EXAMPLES_WORKFLOW_H
 #define EXAMPLES_WORKFLOW_H
 #include "neural.h"
@@ -28,8 +28,8 @@ typedef struct flow {
     const taste *user;
     neural small, large; /* 64^2 for searching, 128^2 for looking */
     uint64_t seed;
-    int n;               /* scored */
-    double *x, *y;       /* [n][M], [n] */
+    int n;         /* scored */
+    double *x, *y; /* [n][M], [n] */
     ms_gpr *gp;
     double recommended[RECOMMENDED * M], mean[RECOMMENDED], sigma[RECOMMENDED];
     double chosen[M];
@@ -38,7 +38,7 @@ typedef struct flow {
     double preference[FINE * FINE], confidence[FINE * FINE], product[FINE * FINE], similar[COARSE * COARSE];
     ms_gpr_variant variant[VARIANTS];
     double variants[VARIANTS * M];
-    float *edited;       /* the target picture, [3][64][64], and the one before the edit */
+    float *edited; /* the target picture, [3][64][64], and the one before the edit */
     double guess[M], matched[M];
     matcher match;
     ms_pme_match_result found;
@@ -79,7 +79,8 @@ static void pictures(const neural *net, const double *x, int count, float *plane
     }
 }
 
-/* An edit as in any picture editor: hues turned by 50 degrees around the grey axis; what has no colour stays as it is. */
+/* An edit as in any picture editor: hues turned by 50 degrees around the grey axis; what has no colour stays as it
+   is. */
 static void edit(const float *planes, int pixels, float *edited)
 {
     const double angle = 50 * 3.14159265358979 / 180, c = cos(angle), s = sin(angle) / sqrt(3.0);
@@ -92,7 +93,7 @@ static void edit(const float *planes, int pixels, float *edited)
         }
 }
 
-/* ---------------------------------------------------------------------------------------------------------- the page */
+/* --------------------------------------------------------------------------------------------------------- the page */
 
 enum { PAGE = 1320, GAP = 8, HEAD = 24 };
 
@@ -111,7 +112,8 @@ static void bar(image *page, int left, int top, int width, double share)
     int x, y, c;
     for (y = 0; y < 3; ++y)
         for (x = 0; x < width; ++x)
-            for (c = 0; c < 3; ++c) page->pixels[3 * ((top + y) * page->width + left + x) + c] = x < share * width ? gold[c] : 0.2f;
+            for (c = 0; c < 3; ++c)
+                page->pixels[3 * ((top + y) * page->width + left + x) + c] = x < share * width ? gold[c] : 0.2f;
 }
 
 /* A picture, averaged over boxes of shrink x shrink pixels, `light` times as bright. */
@@ -123,8 +125,10 @@ static void tile(image *page, int left, int top, const float *planes, int size, 
             for (x = 0; x < side; ++x) {
                 double sum = 0;
                 for (v = 0; v < shrink; ++v)
-                    for (u = 0; u < shrink; ++u) sum += (double)planes[(c * size + y * shrink + v) * size + x * shrink + u];
-                page->pixels[3 * ((top + y) * page->width + left + x) + c] = (float)fmin(fmax(light * sum / (shrink * shrink), 0), 1);
+                    for (u = 0; u < shrink; ++u)
+                        sum += (double)planes[(c * size + y * shrink + v) * size + x * shrink + u];
+                page->pixels[3 * ((top + y) * page->width + left + x) + c] = (float)fmin(
+                    fmax(light * sum / (shrink * shrink), 0), 1);
             }
 }
 
@@ -141,7 +145,8 @@ static void map(const flow *f, image *page, int left, int top, int side, const m
 }
 
 /* Gallery and recommendations come as pictures of f->small, the walk as pictures of f->large. */
-static const char *draw_page(const flow *f, const float *gallery, const float *recommended, const float *walk, image *page)
+static const char *draw_page(const flow *f, const float *gallery, const float *recommended, const float *walk,
+                             image *page)
 {
     enum { WIDE = 40, PITCH = PAGE / WIDE, TALL = PITCH + 5, SIDE = 264, TILE = 132 };
     static const char *const last[] = {"chosen", "edited", "first guess", "match", "8 x apart"};
@@ -150,7 +155,8 @@ static const char *draw_page(const flow *f, const float *gallery, const float *r
     double best = 1e-300; /* score */
     char text[80];
     float *planes = (float *)malloc((VARIANTS + 1) * large_pixels * sizeof(float));
-    *page = image_new(PAGE, HEAD + rows * TALL + HEAD + RECOMMENDED / WIDE * PITCH + HEAD + SIDE + HEAD + TILE + GAP, 3);
+    *page = image_new(PAGE, HEAD + rows * TALL + HEAD + RECOMMENDED / WIDE * PITCH + HEAD + SIDE + HEAD + TILE + GAP,
+                      3);
     if (page->pixels == NULL || planes == NULL) return "out of memory";
     for (i = 0; i < f->n; ++i) best = fmax(best, f->y[i]);
     for (i = 0; (size_t)i < image_count(page); ++i) page->pixels[i] = 0.09f;
@@ -162,7 +168,8 @@ static const char *draw_page(const flow *f, const float *gallery, const float *r
         bar(page, i % WIDE * PITCH, top + i / WIDE * TALL + small / 2, small / 2, fmax(f->y[i], 0) / best);
     }
     top += rows * TALL;
-    snprintf(text, sizeof text, "recommended: %d of %d new materials to that taste", RECOMMENDED / WIDE * WIDE, RECOMMENDED);
+    snprintf(text, sizeof text, "recommended: %d of %d new materials to that taste", RECOMMENDED / WIDE * WIDE,
+             RECOMMENDED);
     words(page, GAP, top, 0, text);
     top += HEAD;
     for (i = 0; i < RECOMMENDED / WIDE * WIDE; ++i)
@@ -191,7 +198,8 @@ static const char *draw_page(const flow *f, const float *gallery, const float *r
     pictures(&f->large, f->guess, 1, planes + 2 * large_pixels);
     pictures(&f->large, f->matched, 1, planes + 3 * large_pixels);
     for (k = 0; k < (int)large_pixels; ++k)
-        planes[4 * large_pixels + (size_t)k] = fabsf(planes[3 * large_pixels + (size_t)k] - planes[large_pixels + (size_t)k]);
+        planes[4 * large_pixels + (size_t)k] = fabsf(planes[3 * large_pixels + (size_t)k] -
+                                                     planes[large_pixels + (size_t)k]);
     for (i = 0; i < 5; ++i) tile(page, i * TILE, top, planes + (size_t)i * large_pixels, large, 1, i < 4 ? 1 : 8);
     for (i = 0; i < STEPS; ++i) tile(page, (5 + i) * TILE, top, walk + (size_t)i * large_pixels, large, 1, 1);
     free(planes);
@@ -229,14 +237,19 @@ static const char *write_files(flow *f, const char *folder)
         fprintf(csv, table == 1 ? "mean,sigma\n" : table == 0 ? "score\n" : "mean\n");
         for (i = 0; i < rows; ++i) {
             for (k = 0; k < M; ++k) fprintf(csv, "%s,", number_text(text, "%.6f", x[i * M + k]));
-            fprintf(csv, "%s", number_text(text, table ? "%.4g" : "%g", table == 0 ? f->y[i] : table == 1 ? f->mean[i] : score[i]));
+            fprintf(csv, "%s",
+                    number_text(text, table ? "%.4g" : "%g",
+                                table == 0       ? f->y[i]
+                                    : table == 1 ? f->mean[i]
+                                                 : score[i]));
             if (table == 1) fprintf(csv, ",%s", number_text(text, "%.4g", f->sigma[i]));
             fprintf(csv, "\n");
             if (table == 0) continue;
             if (table == 1) snprintf(name, sizeof name, "recommended_%03d", i + 1);
             else if (i % (VARIANTS + 1) == 0) snprintf(name, sizeof name, "%s", kinds[i ? 2 : 0]);
             else snprintf(name, sizeof name, "%s_%d", kinds[1], i);
-            snprintf(doc, sizeof doc, "predicted score %s", number_text(text, "%.2f", table == 1 ? f->mean[i] : score[i]));
+            snprintf(doc, sizeof doc, "predicted score %s",
+                     number_text(text, "%.2f", table == 1 ? f->mean[i] : score[i]));
             materialx_write(mtlx, name, x + i * M, doc);
         }
         if ((problem = file_finish(&tables, 1)) != NULL) {
@@ -248,7 +261,7 @@ static const char *write_files(flow *f, const char *folder)
     return file_finish(&materials, 1);
 }
 
-/* --------------------------------------------------------------------------------------------------------- the report */
+/* ------------------------------------------------------------------------------------------------------- the report */
 
 static void report(FILE *out, const flow *f, const call calls[5])
 {
@@ -256,12 +269,14 @@ static void report(FILE *out, const flow *f, const call calls[5])
     int i;
     fprintf(out, "| stage | size | time, ms | thesis, ms (size) |\n|---|---|---:|---:|\n");
     for (i = 0; i < f->stage_count; ++i) {
-        fprintf(out, "| %s | %s | %.1f | %s |\n", f->stages[i].name, f->stages[i].size, 1e3 * f->stages[i].seconds, f->stages[i].thesis);
+        fprintf(out, "| %s | %s | %.1f | %s |\n", f->stages[i].name, f->stages[i].size, 1e3 * f->stages[i].seconds,
+                f->stages[i].thesis);
         sum += f->stages[i].seconds;
     }
     fprintf(out, "| **sum** | | **%.0f** | 20180, with 300 recommendations 37520 |\n", 1e3 * sum);
     fprintf(out, "\n| interactive call | calls | mean, ms | longest, ms |\n|---|---:|---:|---:|\n");
     for (i = 0; i < 5; ++i)
-        fprintf(out, "| %s | %d | %.2f | %.2f |\n", calls[i].name, calls[i].count, 1e3 * calls[i].sum / calls[i].count, 1e3 * calls[i].most);
+        fprintf(out, "| %s | %d | %.2f | %.2f |\n", calls[i].name, calls[i].count, 1e3 * calls[i].sum / calls[i].count,
+                1e3 * calls[i].most);
 }
 #endif

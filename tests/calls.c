@@ -1,10 +1,13 @@
-/* The runtime of tests/calls.sh: catches every public call of a header while its own tests run. The environment's CALLS says what
-   for, one or several of:
-     stack   what a call takes of the stack: it is painted below the caller's frame, and the paint that is gone says how deep
-     traps   a host with floating-point exceptions unmasked (invalid, division by zero, overflow): which instruction trapped
+/* The runtime of tests/calls.sh: catches every public call of a header while its own tests run. The environment's CALLS
+   says what for, one or several of:
+     stack   what a call takes of the stack: it is painted below the caller's frame, and the paint that is gone says how
+             deep
+     traps   a host with floating-point exceptions unmasked (invalid, division by zero, overflow): which instruction
+             trapped
      flush   a host that flushes subnormals to zero and reads them as zero: the tests must pass all the same
-   A call lands in calls_enter with the function's name in r10 and the function itself in r11; it runs on the caller's own
-   frame and returns to calls_leave. Public functions called by public functions are part of the outer one. x86-64, System V. */
+   A call lands in calls_enter with the function's name in r10 and the function itself in r11; it runs on the caller's
+   own frame and returns to calls_leave. Public functions called by public functions are part of the outer one. x86-64,
+   System V. */
 #define _GNU_SOURCE
 #include <pthread.h>
 #include <signal.h>
@@ -77,7 +80,8 @@ void *calls_begin(const char *name, void **slot)
         use[uses++].name = name;
     }
     /* not on a thread with a stack of its own, and not every one of many calls */
-    painted = mode & STACK && (size_t)((char *)slot - bottom) >= DEEP + 65536 && !(use[i].calls > EVERY && (use[i].calls + 1) % EVERY);
+    painted = mode & STACK && (size_t)((char *)slot - bottom) >= DEEP + 65536 &&
+        !(use[i].calls > EVERY && (use[i].calls + 1) % EVERY);
     ++use[i].calls;
     if (mode == STACK && !painted) return NULL;
     inside = 1;
@@ -139,32 +143,33 @@ __attribute__((destructor)) static void report(void)
     if (f) fclose(f);
 }
 
-__asm__(".text\n"
-        ".globl calls_enter\n"
-        "calls_enter:\n"
-        "    push %rbp\n    mov %rsp, %rbp\n"
-        "    push %rdi\n    push %rsi\n    push %rdx\n    push %rcx\n    push %r8\n    push %r9\n    push %rax\n    push %r11\n"
-        "    sub $128, %rsp\n"
-        "    movups %xmm0, (%rsp)\n    movups %xmm1, 16(%rsp)\n    movups %xmm2, 32(%rsp)\n    movups %xmm3, 48(%rsp)\n"
-        "    movups %xmm4, 64(%rsp)\n    movups %xmm5, 80(%rsp)\n    movups %xmm6, 96(%rsp)\n    movups %xmm7, 112(%rsp)\n"
-        "    mov %r10, %rdi\n    lea 8(%rbp), %rsi\n"
-        "    and $-16, %rsp\n"
-        "    call calls_begin\n"
-        "    lea -192(%rbp), %rsp\n"
-        "    movups (%rsp), %xmm0\n    movups 16(%rsp), %xmm1\n    movups 32(%rsp), %xmm2\n    movups 48(%rsp), %xmm3\n"
-        "    movups 64(%rsp), %xmm4\n    movups 80(%rsp), %xmm5\n    movups 96(%rsp), %xmm6\n    movups 112(%rsp), %xmm7\n"
-        "    test %rax, %rax\n    jz 1f\n    mov %rax, 8(%rbp)\n"
-        "1:  add $128, %rsp\n"
-        "    pop %r11\n    pop %rax\n    pop %r9\n    pop %r8\n    pop %rcx\n    pop %rdx\n    pop %rsi\n    pop %rdi\n"
-        "    pop %rbp\n    jmp *%r11\n"
-        ".globl calls_leave\n"
-        "calls_leave:\n"
-        "    push %rax\n" /* where the way home will stand */
-        "    push %rbp\n    mov %rsp, %rbp\n"
-        "    push %rax\n    push %rdx\n    sub $32, %rsp\n    movups %xmm0, (%rsp)\n    movups %xmm1, 16(%rsp)\n"
-        "    and $-16, %rsp\n"
-        "    call calls_end\n"
-        "    mov %rax, 8(%rbp)\n"
-        "    lea -48(%rbp), %rsp\n"
-        "    movups (%rsp), %xmm0\n    movups 16(%rsp), %xmm1\n    add $32, %rsp\n    pop %rdx\n    pop %rax\n    pop %rbp\n"
-        "    ret\n");
+__asm__(
+    ".text\n"
+    ".globl calls_enter\n"
+    "calls_enter:\n"
+    "    push %rbp\n    mov %rsp, %rbp\n"
+    "    push %rdi\n    push %rsi\n    push %rdx\n    push %rcx\n    push %r8\n    push %r9\n    push %rax\n    push %r11\n"
+    "    sub $128, %rsp\n"
+    "    movups %xmm0, (%rsp)\n    movups %xmm1, 16(%rsp)\n    movups %xmm2, 32(%rsp)\n    movups %xmm3, 48(%rsp)\n"
+    "    movups %xmm4, 64(%rsp)\n    movups %xmm5, 80(%rsp)\n    movups %xmm6, 96(%rsp)\n    movups %xmm7, 112(%rsp)\n"
+    "    mov %r10, %rdi\n    lea 8(%rbp), %rsi\n"
+    "    and $-16, %rsp\n"
+    "    call calls_begin\n"
+    "    lea -192(%rbp), %rsp\n"
+    "    movups (%rsp), %xmm0\n    movups 16(%rsp), %xmm1\n    movups 32(%rsp), %xmm2\n    movups 48(%rsp), %xmm3\n"
+    "    movups 64(%rsp), %xmm4\n    movups 80(%rsp), %xmm5\n    movups 96(%rsp), %xmm6\n    movups 112(%rsp), %xmm7\n"
+    "    test %rax, %rax\n    jz 1f\n    mov %rax, 8(%rbp)\n"
+    "1:  add $128, %rsp\n"
+    "    pop %r11\n    pop %rax\n    pop %r9\n    pop %r8\n    pop %rcx\n    pop %rdx\n    pop %rsi\n    pop %rdi\n"
+    "    pop %rbp\n    jmp *%r11\n"
+    ".globl calls_leave\n"
+    "calls_leave:\n"
+    "    push %rax\n" /* where the way home will stand */
+    "    push %rbp\n    mov %rsp, %rbp\n"
+    "    push %rax\n    push %rdx\n    sub $32, %rsp\n    movups %xmm0, (%rsp)\n    movups %xmm1, 16(%rsp)\n"
+    "    and $-16, %rsp\n"
+    "    call calls_end\n"
+    "    mov %rax, 8(%rbp)\n"
+    "    lea -48(%rbp), %rsp\n"
+    "    movups (%rsp), %xmm0\n    movups 16(%rsp), %xmm1\n    add $32, %rsp\n    pop %rdx\n    pop %rax\n    pop %rbp\n"
+    "    ret\n");

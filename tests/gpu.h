@@ -1,5 +1,5 @@
-/* What the tests of shader texts share: texts that cannot run here become GLSL through SPIR-V; programs; and pages that a headless
-   Chromium runs with tests/gpu.js. GPU_FILE "name" stands before the names of files in build/. */
+/* What the tests of shader texts share: texts that cannot run here become GLSL through SPIR-V; programs; and pages that
+   a headless Chromium runs with tests/gpu.js. GPU_FILE "name" stands before the names of files in build/. */
 #ifndef GPU_H
 #define GPU_H
 #include "gl/egl.h"
@@ -25,17 +25,21 @@ static void gpu_translate(int language)
         fputs(text, f);
         fclose(f);
     }
-    if (!f || system(language == GPU_HLSL ? "glslangValidator -D -V -S frag -e main -o build/" GPU_FILE "_step.spv build/" GPU_FILE "_step.frag >" GPU_LOG " 2>&1"
-                                          : "glslangValidator -V -S frag -o build/" GPU_FILE "_step.spv build/" GPU_FILE "_step.frag >" GPU_LOG " 2>&1") != 0 ||
-        system("spirv-cross --version 330 --no-es --no-420pack-extension --flatten-ubo --output build/" GPU_FILE "_step.glsl build/" GPU_FILE "_step.spv >" GPU_LOG " 2>&1") != 0)
+    if (!f ||
+        system(language == GPU_HLSL ? "glslangValidator -D -V -S frag -e main -o build/" GPU_FILE
+                                      "_step.spv build/" GPU_FILE "_step.frag >" GPU_LOG " 2>&1"
+                                    : "glslangValidator -V -S frag -o build/" GPU_FILE "_step.spv build/" GPU_FILE
+                                      "_step.frag >" GPU_LOG " 2>&1") != 0 ||
+        system("spirv-cross --version 330 --no-es --no-420pack-extension --flatten-ubo --output build/" GPU_FILE
+               "_step.glsl build/" GPU_FILE "_step.spv >" GPU_LOG " 2>&1") != 0)
         TEST_FAIL("no translation: " GPU_LOG);
     back = test_read_file("build/" GPU_FILE "_step.glsl", NULL);
     if (back && strlen(back) < sizeof text) strcpy(text, back);
     free(back);
 }
 
-/* A program of text; without a word from the driver, but about what a translation left undefined. constants: [count][4], the
-   uniform of this name. */
+/* A program of text; without a word from the driver, but about what a translation left undefined. constants:
+   [count][4], the uniform of this name. */
 static GLuint gpu_program(int language, int compute, const char *name, const float *constants, int count)
 {
     char log[2000], block[40];
@@ -83,7 +87,8 @@ static void gpu_put_floats(FILE *f, const float *values, size_t count)
     size_t i, n = count * sizeof *values;
     fputc('\'', f);
     for (i = 0; i < n; i += 3) {
-        const unsigned long v = (unsigned long)b[i] << 16 | (unsigned long)(i + 1 < n ? b[i + 1] : 0) << 8 | (i + 2 < n ? b[i + 2] : 0);
+        const unsigned long v = (unsigned long)b[i] << 16 | (unsigned long)(i + 1 < n ? b[i + 1] : 0) << 8 |
+            (i + 2 < n ? b[i + 2] : 0);
         fputc(digit[v >> 18], f);
         fputc(digit[v >> 12 & 63], f);
         fputc(i + 1 < n ? digit[v >> 6 & 63] : '=', f);
@@ -146,10 +151,14 @@ static void gpu_run(FILE *f, const char *path)
     fclose(f);
     free(script);
     /* until the page has logged its result: --dump-dom does not wait for the GPU */
-    snprintf(command, sizeof command, "{ timeout 100 chromium --headless=new --no-sandbox --user-data-dir=build/" GPU_FILE "_chromium "
-             "--enable-unsafe-webgpu --use-webgpu-adapter=swiftshader --use-angle=swiftshader --enable-unsafe-swiftshader "
-             "--enable-logging=stderr \"file://$PWD/%s\" >" GPU_LOG " 2>&1 & i=0; "
-             "while [ $i -lt 400 ] && ! grep -q 'gpu worst.*gpu' " GPU_LOG "; do sleep 0.25; i=$((i + 1)); done; kill $!; wait; }", path);
+    snprintf(
+        command, sizeof command,
+        "{ timeout 100 chromium --headless=new --no-sandbox --user-data-dir=build/" GPU_FILE "_chromium "
+        "--enable-unsafe-webgpu --use-webgpu-adapter=swiftshader --use-angle=swiftshader --enable-unsafe-swiftshader "
+        "--enable-logging=stderr \"file://$PWD/%s\" >" GPU_LOG " 2>&1 & i=0; "
+        "while [ $i -lt 400 ] && ! grep -q 'gpu worst.*gpu' " GPU_LOG
+        "; do sleep 0.25; i=$((i + 1)); done; kill $!; wait; }",
+        path);
     if (system(command) < 0) TEST_FAIL("no shell");
     log = test_read_file(GPU_LOG, NULL);
     found = log ? strstr(log, "gpu worst ") : NULL;

@@ -1,5 +1,5 @@
-/* Files that fail on request: before a header's implementation is included, this renames the C library's calls that it makes,
-   counts those that can fail, and fails the one that is asked for. Stands before the header.
+/* Files that fail on request: before a header's implementation is included, this renames the C library's calls that it
+   makes, counts those that can fail, and fails the one that is asked for. Stands before the header.
      io_fail_at = k;      the k-th from now on fails, and the later ones too with io_fail_on; 0: none
      io_calls             so many were made
    A failed fwrite writes half of its bytes; a failed fclose closes. */

@@ -7,7 +7,7 @@
 #include <string.h>
 
 typedef struct json {
-    char kind;          /* 'n' null, 'b' bool, 'd' number, 's' string, 'a' array, 'o' object */
+    char kind; /* 'n' null, 'b' bool, 'd' number, 's' string, 'a' array, 'o' object */
     double number;
     char *text;         /* of a string */
     char *key;          /* of a member of an object */
@@ -42,7 +42,10 @@ static const char *json__string(const char *p, char **out)
             c = *p++;
             if (c == 'n') c = '\n';
             else if (c == 't') c = '\t';
-            else if (c == 'u') { c = '?'; p += 4; }
+            else if (c == 'u') {
+                c = '?';
+                p += 4;
+            }
         }
         s[n++] = c;
     }
@@ -83,9 +86,19 @@ static const char *json__value(const char *p, json *v)
         v->kind = 's';
         return json__string(p, &v->text);
     }
-    if (strncmp(p, "null", 4) == 0) { v->kind = 'n'; return p + 4; }
-    if (strncmp(p, "true", 4) == 0) { v->kind = 'b'; v->number = 1; return p + 4; }
-    if (strncmp(p, "false", 5) == 0) { v->kind = 'b'; return p + 5; }
+    if (strncmp(p, "null", 4) == 0) {
+        v->kind = 'n';
+        return p + 4;
+    }
+    if (strncmp(p, "true", 4) == 0) {
+        v->kind = 'b';
+        v->number = 1;
+        return p + 4;
+    }
+    if (strncmp(p, "false", 5) == 0) {
+        v->kind = 'b';
+        return p + 5;
+    }
     {
         char *end;
         v->kind = 'd';

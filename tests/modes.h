@@ -1,6 +1,6 @@
-/* A taste of one to four separate modes whose shares are known exactly, however rare it is: all modes are the same function about their
-   centers, in eight of m dimensions, but for the order of the dimensions; the center of one lies on a face of the box, which halves it, that
-   of another on two. ms_gpr.h and test.h come first.
+/* A taste of one to four separate modes whose shares are known exactly, however rare it is: all modes are the same
+   function about their centers, in eight of m dimensions, but for the order of the dimensions; the center of one lies
+   on a face of the box, which halves it, that of another on two. ms_gpr.h and test.h come first.
 
      modes_world w = modes_make(modes, m);      w.gp is to be destroyed
      int mode = modes_of(&w, x);
@@ -26,7 +26,8 @@ typedef struct modes_world {
 static modes_world modes_make(int modes, int m)
 {
     static const double volume[MODES_MAX] = {1, 0.5, 0.25, 1};
-    static double x[MODES_MAX * (2 * MODES_PAIRS + 1) * MODES_M], y[MODES_MAX * (2 * MODES_PAIRS + 1)], offset[MODES_PAIRS][MODES_M];
+    static double x[MODES_MAX * (2 * MODES_PAIRS + 1) * MODES_M], y[MODES_MAX * (2 * MODES_PAIRS + 1)],
+        offset[MODES_PAIRS][MODES_M];
     static double low[MODES_M], high[MODES_M];
     modes_world w;
     uint64_t state = 3;
@@ -36,9 +37,11 @@ static modes_world modes_make(int modes, int m)
     w.modes = modes;
     w.m = m;
     for (i = 0; i < MODES_PAIRS; ++i)
-        for (k = 0; k < m; ++k) offset[i][k] = k < MODES_D ? (i % 2 ? 0.12 : 0.25) * test_normal(&state) : test_uniform(&state) - 0.5;
+        for (k = 0; k < m; ++k)
+            offset[i][k] = k < MODES_D ? (i % 2 ? 0.12 : 0.25) * test_normal(&state) : test_uniform(&state) - 0.5;
     for (c = 0; c < modes; ++c)
-        for (i = -1; i < 2 * MODES_PAIRS; ++i, ++n) { /* the center, and pairs on either side of it, out of the box as well */
+        for (i = -1; i < 2 * MODES_PAIRS;
+             ++i, ++n) { /* the center, and pairs on either side of it, out of the box as well */
             double d2 = 0;
             for (k = 0; k < m; ++k) {
                 double d = i < 0 ? 0 : offset[i / 2][k] * (i % 2 ? -1 : 1), width = k % 2 ? 0.3 : 0.2;

@@ -14,13 +14,16 @@ enum { NETWORKS_TILES = 64, NETWORKS_ACROSS = 8, NETWORKS_PARAMETERS = 19, NETWO
 static inline float *networks_truth(int size)
 {
     image sheet;
-    float *truth = (float *)malloc((size_t)NETWORKS_TILES * 3 * (size_t)size * (size_t)size * sizeof(float)), *out = truth;
+    float *truth = (float *)malloc((size_t)NETWORKS_TILES * 3 * (size_t)size * (size_t)size * sizeof(float)),
+          *out = truth;
     int t, c, x, y;
-    if (truth == NULL || image_read(size == 64 ? "examples/data/materials_64.ppm" : "examples/data/materials.ppm", &sheet) != NULL) {
+    if (truth == NULL ||
+        image_read(size == 64 ? "examples/data/materials_64.ppm" : "examples/data/materials.ppm", &sheet) != NULL) {
         free(truth);
         return NULL;
     }
-    if (sheet.width != NETWORKS_ACROSS * size || sheet.height != NETWORKS_TILES / NETWORKS_ACROSS * size || sheet.channels != 3) {
+    if (sheet.width != NETWORKS_ACROSS * size || sheet.height != NETWORKS_TILES / NETWORKS_ACROSS * size ||
+        sheet.channels != 3) {
         image_free(&sheet);
         free(truth);
         return NULL;
@@ -29,7 +32,9 @@ static inline float *networks_truth(int size)
         for (c = 0; c < 3; ++c)
             for (y = 0; y < size; ++y)
                 for (x = 0; x < size; ++x)
-                    *out++ = sheet.pixels[3 * ((t / NETWORKS_ACROSS * size + y) * sheet.width + t % NETWORKS_ACROSS * size + x) + c];
+                    *out++ =
+                        sheet.pixels
+                            [3 * ((t / NETWORKS_ACROSS * size + y) * sheet.width + t % NETWORKS_ACROSS * size + x) + c];
     image_free(&sheet);
     return truth;
 }
@@ -46,7 +51,8 @@ static inline double networks_rmse(const float *a, const float *b, size_t n)
     return sqrt(sum / (double)n);
 }
 
-/* dB [64] of a renderer against the stored pictures; NULL, or what went wrong (in n->error or static). The caller frees n. */
+/* dB [64] of a renderer against the stored pictures; NULL, or what went wrong (in n->error or static). The caller frees
+   n. */
 static inline const char *networks_psnr(const char *path, neural *n, double *dB)
 {
     materials list;
@@ -59,12 +65,14 @@ static inline const char *networks_psnr(const char *path, neural *n, double *dB)
     truth = networks_truth(n->size);
     planes = (float *)malloc(NETWORKS_TILES * pixels * sizeof(float));
     problem = truth == NULL || planes == NULL ? "examples/data/materials.ppm cannot be read" : NULL;
-    if (problem == NULL && (materials_read("examples/data/materials.csv", NETWORKS_PARAMETERS, &list) || list.count != NETWORKS_TILES))
+    if (problem == NULL &&
+        (materials_read("examples/data/materials.csv", NETWORKS_PARAMETERS, &list) || list.count != NETWORKS_TILES))
         problem = "examples/data/materials.csv: not 64 materials";
     if (problem == NULL) {
         neural_render(n, list.x, NETWORKS_TILES, planes);
         for (t = 0; t < NETWORKS_TILES; ++t)
-            dB[t] = -20 * log10(fmax(networks_rmse(planes + (size_t)t * pixels, truth + (size_t)t * pixels, pixels), 1e-9));
+            dB[t] = -20 *
+                log10(fmax(networks_rmse(planes + (size_t)t * pixels, truth + (size_t)t * pixels, pixels), 1e-9));
         materials_free(&list);
     }
     free(truth);
@@ -79,12 +87,14 @@ static inline void networks_materials(float *x, int count, double (*uniform)(uin
     int i, k;
     for (i = 0; i < count * NETWORKS_PARAMETERS; ++i) x[i] = (float)uniform(state);
     for (i = 0; i < count; i += 2)
-        for (k = 0; k < 3; ++k) x[i * NETWORKS_PARAMETERS + mix[k]] = x[i * NETWORKS_PARAMETERS + mix[k]] < 0.5f ? 0.0f : 1.0f;
+        for (k = 0; k < 3; ++k)
+            x[i * NETWORKS_PARAMETERS + mix[k]] = x[i * NETWORKS_PARAMETERS + mix[k]] < 0.5f ? 0.0f : 1.0f;
 }
 
 /* RMSE of 255 of every inversion network, [9][count], on planes [count][3][64][64]: its parameters rendered again and
    compared. guess [9][count][19] out, or NULL. NULL, or what went wrong. */
-static inline const char *networks_invert(const neural *renderer, const float *planes, int count, double *rmse, float *guess, ms_error *error)
+static inline const char *networks_invert(const neural *renderer, const float *planes, int count, double *rmse,
+                                          float *guess, ms_error *error)
 {
     size_t pixels = ms_nn_output_size(renderer->nn);
     float *x = (float *)malloc((size_t)count * NETWORKS_PARAMETERS * sizeof(float));
@@ -99,14 +109,17 @@ static inline const char *networks_invert(const neural *renderer, const float *p
             problem = error->message;
             break;
         }
-        if (ms_nn_input_size(inversion) != pixels || ms_nn_output_size(inversion) != NETWORKS_PARAMETERS) problem = "an inversion network of another size";
+        if (ms_nn_input_size(inversion) != pixels || ms_nn_output_size(inversion) != NETWORKS_PARAMETERS)
+            problem = "an inversion network of another size";
         else if (ms_nn_forward(inversion, count, planes, x, NULL) != MS_OK) problem = "out of memory";
         ms_nn_destroy(inversion);
         if (problem) break;
         neural_render(renderer, x, count, again);
         for (i = 0; i < count; ++i)
             rmse[k * count + i] = 255 * networks_rmse(again + (size_t)i * pixels, planes + (size_t)i * pixels, pixels);
-        if (guess) memcpy(guess + (size_t)k * (size_t)count * NETWORKS_PARAMETERS, x, (size_t)count * NETWORKS_PARAMETERS * sizeof(float));
+        if (guess)
+            memcpy(guess + (size_t)k * (size_t)count * NETWORKS_PARAMETERS, x,
+                   (size_t)count * NETWORKS_PARAMETERS * sizeof(float));
     }
     free(x);
     free(again);

@@ -44,7 +44,9 @@ extern "C" float *oiio_read(const char *path, int *width, int *height, int *chan
 extern "C" int oiio_write(const char *path, const float *pixels, int width, int height, int channels, int bits)
 {
     auto out = OIIO::ImageOutput::create(path);
-    OIIO::TypeDesc type = bits == 8 ? OIIO::TypeDesc::UINT8 : bits == 16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::FLOAT;
+    OIIO::TypeDesc type = bits == 8 ? OIIO::TypeDesc::UINT8
+        : bits == 16                ? OIIO::TypeDesc::UINT16
+                                    : OIIO::TypeDesc::FLOAT;
     if (!out || !out->open(path, OIIO::ImageSpec(width, height, channels, type)) ||
         !out->write_image(OIIO::TypeDesc::FLOAT, pixels) || !out->close()) {
         problem = out ? out->geterror() : OIIO::geterror();
@@ -55,7 +57,8 @@ extern "C" int oiio_write(const char *path, const float *pixels, int width, int 
 
 extern "C" int oiio_compare(const float *a, const float *b, int width, int height, int channels, oiio_difference *out)
 {
-    auto result = OIIO::ImageBufAlgo::compare(wrap(a, width, height, channels), wrap(b, width, height, channels), 1e30f, 1e30f);
+    auto result = OIIO::ImageBufAlgo::compare(wrap(a, width, height, channels), wrap(b, width, height, channels), 1e30f,
+                                              1e30f);
     if (result.error) {
         problem = OIIO::geterror();
         return 0;

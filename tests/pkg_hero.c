@@ -1,5 +1,5 @@
-/* What tests/render/hero.c does around the tracer: tastes, the arrangement, the development of passes. (It calls ms__rng: the headers
-   stand in it.) */
+/* What tests/render/hero.c does around the tracer: tastes, the arrangement, the development of passes. (It calls
+   ms__rng: the headers stand in it.) */
 #define main hero_main
 #include "render/hero.c"
 #undef main
@@ -61,7 +61,10 @@ static void test_arrangement(void)
         row[i] = x[i];
     }
     s = make_scene(row, COUNT);
-    if (s == NULL) { TEST_FAIL("no scene"); return; }
+    if (s == NULL) {
+        TEST_FAIL("no scene");
+        return;
+    }
     CHECK(s->objects == COUNT);
     for (i = 0; i < COUNT; ++i) {
         const stage_object *o = &s->object[i];
@@ -69,7 +72,8 @@ static void test_arrangement(void)
         float lowest = 10;
         for (k = 0; k < m->vertices; ++k) {
             const float *p = m->position + 3 * k;
-            lowest = scene__min(lowest, o->frame.origin.y + o->frame.scale * stage__turn(&o->frame, scene_v(p[0], p[1], p[2])).y);
+            lowest = scene__min(
+                lowest, o->frame.origin.y + o->frame.scale * stage__turn(&o->frame, scene_v(p[0], p[1], p[2])).y);
         }
         CHECK_NEAR((double)lowest, 0.002, 1e-5);
     }
@@ -119,7 +123,8 @@ static void test_develop(void)
         for (k = 0; k < PASSES; ++k) {
             pass[k] = image_new(SIZE, SIZE, 3);
             for (i = 0; i < SIZE * SIZE * 3; ++i)
-                pass[k].pixels[i] = (i / 3 % SIZE < SIZE / 2 ? 0.1f : 0.6f) * (noisy ? 0.5f + (float)test_uniform(&state) : 1);
+                pass[k].pixels[i] = (i / 3 % SIZE < SIZE / 2 ? 0.1f : 0.6f) *
+                    (noisy ? 0.5f + (float)test_uniform(&state) : 1);
         }
         CHECK(develop(pass, PASSES, &out) == NULL);
         for (i = 0; i < SIZE * SIZE * 3; ++i) {
@@ -138,5 +143,8 @@ static void test_develop(void)
     TEST_NOTE("squared error %.3f of the plain mean's", smoothed / plain);
 }
 
-static const test_case cases[] = {{"tastes", test_tastes}, {"arrangement", test_arrangement}, {"mean without outliers", test_robust_mean}, {"development", test_develop}};
+static const test_case cases[] = {{"tastes", test_tastes},
+                                  {"arrangement", test_arrangement},
+                                  {"mean without outliers", test_robust_mean},
+                                  {"development", test_develop}};
 TEST_MAIN(cases)

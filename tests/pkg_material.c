@@ -1,6 +1,6 @@
 /* The material-test tracer (tests/render/material.h): its sampler and lobes against closed forms, their densities and
-   quadrature, the whole against furnaces, an absorbing ball and a variant that finds lamps by chance alone; the extended
-   shader's textures and reliefs. */
+   quadrature, the whole against furnaces, an absorbing ball and a variant that finds lamps by chance alone; the
+   extended shader's textures and reliefs. */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h" /* for ms_parallel */
 #include "test.h"
@@ -70,8 +70,10 @@ static void test_beckmann(void)
         uint64_t state = test_seed;
         memset(count, 0, sizeof count);
         for (k = 0; k < SAMPLES; ++k) {
-            scene_vec h = material_half(alphas[a], (float)test_uniform(&state) * 0.9999999f, (float)test_uniform(&state));
-            double t = tan(acos((double)h.z)) / (double)alphas[a], turn = atan2((double)h.y, (double)h.x) / 6.283185307179586 + 0.5;
+            scene_vec h = material_half(alphas[a], (float)test_uniform(&state) * 0.9999999f,
+                                        (float)test_uniform(&state));
+            double t = tan(acos((double)h.z)) / (double)alphas[a],
+                   turn = atan2((double)h.y, (double)h.x) / 6.283185307179586 + 0.5;
             int bin = (int)(t * BINS / 3), around = (int)(turn * TURNS);
             if (bin < BINS) count[bin][around < TURNS ? around : 0] += 1;
         }
@@ -116,8 +118,8 @@ static void test_lobes(void)
             eta = r % 2 ? m.ior : 1 / m.ior;
             for (k = 0; k < SAMPLES; ++k) {
                 double w = 0;
-                if (material_sample(&m, o, eta, (float)test_uniform(&state) * 0.9999999f, (float)test_uniform(&state) * 0.9999999f,
-                                    (float)test_uniform(&state), &i)) {
+                if (material_sample(&m, o, eta, (float)test_uniform(&state) * 0.9999999f,
+                                    (float)test_uniform(&state) * 0.9999999f, (float)test_uniform(&state), &i)) {
                     float pdf = material_eval(&m, o, i, eta, f);
                     if (pdf > 0) w = (double)f[0] / (double)pdf;
                 }
@@ -128,12 +130,15 @@ static void test_lobes(void)
             square = sqrt((square / SAMPLES - sampled * sampled) / SAMPLES);
             for (a = 0; a < N; ++a)
                 for (b = 0; b < N; ++b) { /* uniform in cosine and angle over the whole sphere */
-                    double z = -1 + 2 * (a + 0.5) / N, s = sqrt(1 - z * z), phi = 6.283185307179586 * (b + 0.5) / N, cell = 2.0 / N * 6.283185307179586 / N;
-                    double p = (double)material_eval(&m, o, scene_v((float)(s * cos(phi)), (float)(s * sin(phi)), (float)z), eta, f);
+                    double z = -1 + 2 * (a + 0.5) / N, s = sqrt(1 - z * z), phi = 6.283185307179586 * (b + 0.5) / N,
+                           cell = 2.0 / N * 6.283185307179586 / N;
+                    double p = (double)material_eval(
+                        &m, o, scene_v((float)(s * cos(phi)), (float)(s * sin(phi)), (float)z), eta, f);
                     integral += (double)f[0] * cell;
                     density += p * cell;
                 }
-            CHECK_NEAR(sampled, integral, 5 * square + 4e-3 * integral); /* 5 standard errors and the quadrature's own error */
+            CHECK_NEAR(sampled, integral,
+                       5 * square + 4e-3 * integral); /* 5 standard errors and the quadrature's own error */
             CHECK_LE(density, 1 + 5e-3);
             CHECK_LE(integral, 1 + 5e-3);
             worst = fmax(worst, fabs(sampled - integral));
@@ -150,8 +155,10 @@ static void test_reciprocity(void)
     double worst = 0;
     for (k = 0; k < 20000; ++k) {
         float x[19], f[3], g[3], eta;
-        double z1 = test_uniform(&state), p1 = 6.28 * test_uniform(&state), z2 = 2 * test_uniform(&state) - 1, p2 = 6.28 * test_uniform(&state), a, b;
-        scene_vec o = scene_v((float)(sqrt(1 - z1 * z1) * cos(p1)), (float)(sqrt(1 - z1 * z1) * sin(p1)), (float)z1), i, o2, i2;
+        double z1 = test_uniform(&state), p1 = 6.28 * test_uniform(&state), z2 = 2 * test_uniform(&state) - 1,
+               p2 = 6.28 * test_uniform(&state), a, b;
+        scene_vec o = scene_v((float)(sqrt(1 - z1 * z1) * cos(p1)), (float)(sqrt(1 - z1 * z1) * sin(p1)), (float)z1), i,
+                  o2, i2;
         material m;
         int j;
         i = scene_v((float)(sqrt(1 - z2 * z2) * cos(p2)), (float)(sqrt(1 - z2 * z2) * sin(p2)), (float)z2);
@@ -172,7 +179,8 @@ static void test_reciprocity(void)
         material_eval(&m, o2, i2, i.z < 0 ? 1 / eta : eta, g);
         a = (double)f[0] / fabs(z2);
         b = (double)g[0] / z1;
-        if (i.z < 0) a /= (double)eta * (double)eta; /* f(o, i) / eta^2 is symmetric under refraction (Veach 1997, 5.2) */
+        if (i.z < 0)
+            a /= (double)eta * (double)eta; /* f(o, i) / eta^2 is symmetric under refraction (Veach 1997, 5.2) */
         worst = fmax(worst, fabs(a - b) / (1e-3 + fmax(a, b)));
     }
     CHECK_LE(worst, 5e-3); /* float */
@@ -207,11 +215,20 @@ static material_scene *furnace(void)
    directions that microfacets lose. */
 static void test_furnace(void)
 {
-    static const struct { int lobe; float roughness; double loss; } cases[] = {
-        {MATERIAL_DIFFUSE, 0, 1e-5}, {MATERIAL_TRANSLUCENT, 0, 2e-3}, {MATERIAL_GLASS, 0, 2e-2}, {MATERIAL_GLOSSY, 0, 2e-3}};
+    static const struct {
+        int lobe;
+        float roughness;
+        double loss;
+    } cases[] = {{MATERIAL_DIFFUSE, 0, 1e-5},
+                 {MATERIAL_TRANSLUCENT, 0, 2e-3},
+                 {MATERIAL_GLASS, 0, 2e-2},
+                 {MATERIAL_GLOSSY, 0, 2e-3}};
     material_scene *s = furnace();
     int k;
-    if (s == NULL) { TEST_FAIL("no scene"); return; }
+    if (s == NULL) {
+        TEST_FAIL("no scene");
+        return;
+    }
     for (k = 0; k < 4; ++k) {
         float x[19];
         image im;
@@ -236,7 +253,10 @@ static void test_absorption(void)
     material_scene *s = material_scene_create(-1);
     static const float absorptions[] = {0, 0.1f, 0.5f, 1};
     int k;
-    if (s == NULL) { TEST_FAIL("no scene"); return; }
+    if (s == NULL) {
+        TEST_FAIL("no scene");
+        return;
+    }
     s->bare = 1;
     s->sky[0] = 1;
     s->sky[1] = s->sky[2] = 0;
@@ -265,13 +285,17 @@ static void test_absorption(void)
 }
 
 /* Of parallel light on a smooth absorbing ball F + (1 - F)^2 T / (1 - F T) leaves in all, F Fresnel's reflectance and T
-   what a chord keeps: all inner reflections meet the surface at one angle. The mean over the disc, by the midpoint rule. */
+   what a chord keeps: all inner reflections meet the surface at one angle. The mean over the disc, by the midpoint
+   rule. */
 static void test_absorbing_total(void)
 {
     static const float ior[] = {0.01f, 0.5f, 1}, absorptions[] = {0, 0.05f, 0.3f, 1};
     material_scene *s = material_scene_create(-1);
     int n, k;
-    if (s == NULL) { TEST_FAIL("no scene"); return; }
+    if (s == NULL) {
+        TEST_FAIL("no scene");
+        return;
+    }
     s->bare = 1;
     s->sky[0] = 1;
     s->sky[1] = s->sky[2] = 0;
@@ -289,7 +313,8 @@ static void test_absorbing_total(void)
             m = material_from(x);
             for (i = 0; i < STEPS; ++i) {
                 double b2 = (i + 0.5) / STEPS, c = sqrt(1 - b2), ct = sqrt(1 - b2 / (eta * eta));
-                double rs = (c - eta * ct) / (c + eta * ct), rp = (eta * c - ct) / (eta * c + ct), f = 0.5 * (rs * rs + rp * rp);
+                double rs = (c - eta * ct) / (c + eta * ct), rp = (eta * c - ct) / (eta * c + ct),
+                       f = 0.5 * (rs * rs + rp * rp);
                 double t = exp(-2 * ct * 4 * (double)absorptions[k]);
                 expected += (f + (1 - f) * (1 - f) * t / (1 - f * t)) / STEPS;
             }
@@ -301,13 +326,15 @@ static void test_absorbing_total(void)
                 sampler.index = (uint32_t)i;
                 trace_sample(&sampler, &u, &v);
                 r = 0.9999f * sqrtf(u);
-                stage_path(s, &m, &sampler, scene_v(r * cosf(TRACE_TURN * v), r * sinf(TRACE_TURN * v), 6), scene_v(0, 0, -1), out);
+                stage_path(s, &m, &sampler, scene_v(r * cosf(TRACE_TURN * v), r * sinf(TRACE_TURN * v), 6),
+                           scene_v(0, 0, -1), out);
                 sum += (double)out[0];
                 square += (double)out[0] * (double)out[0];
             }
             sum /= RAYS;
             error = sqrt(fmax(0, square / RAYS - sum * sum) / RAYS);
-            CHECK_NEAR(sum, expected, 5 * error + 3e-3); /* 5 standard errors; facets of 0.01 and microfacets of 0.002 at the rim */
+            CHECK_NEAR(sum, expected,
+                       5 * error + 3e-3); /* 5 standard errors; facets of 0.01 and microfacets of 0.002 at the rim */
             TEST_NOTE("index %.2f: %.5f of %.5f", eta, sum, expected);
         }
     material_scene_destroy(s);
@@ -320,7 +347,10 @@ static void test_brute_force(void)
     image a, b;
     double mean_a, mean_b, error, deviation;
     int k;
-    if (s == NULL) { TEST_FAIL("no scene"); return; }
+    if (s == NULL) {
+        TEST_FAIL("no scene");
+        return;
+    }
     for (k = 0; k < 3; ++k) {
         int runs;
         double sum = 0, square = 0;
@@ -343,7 +373,8 @@ static void test_brute_force(void)
         s->brute = 0;
         mean_b = sum / RUNS;
         error = sqrt((square / RUNS - mean_b * mean_b) / (RUNS - 1));
-        CHECK_NEAR(mean_a, mean_b, 5 * error + 5e-3 * mean_a); /* 5 standard errors of the brute one, 0.5% for the other */
+        CHECK_NEAR(mean_a, mean_b,
+                   5 * error + 5e-3 * mean_a); /* 5 standard errors of the brute one, 0.5% for the other */
         TEST_NOTE("%.4f, by chance %.4f +- %.4f", mean_a, mean_b, error);
         image_free(&a);
     }
@@ -357,7 +388,10 @@ static void test_far(void)
     float x[19], out[3], slope;
     material m;
     int k, rays = 0;
-    if (s == NULL) { TEST_FAIL("no scene"); return; }
+    if (s == NULL) {
+        TEST_FAIL("no scene");
+        return;
+    }
     parameters(x);
     m = material_from(x);
     for (slope = 1e-2f; slope > 1e-30f; slope *= 0.1f)
@@ -383,7 +417,10 @@ static void test_same_bytes(void)
     static const int threads[] = {2, 3, 7};
     uint64_t state = test_seed;
     int k, c, same = 1;
-    if (s == NULL) { TEST_FAIL("no scene"); return; }
+    if (s == NULL) {
+        TEST_FAIL("no scene");
+        return;
+    }
     for (k = 0; k < 19; ++k) x[k] = (float)test_uniform(&state);
     CHECK(material_render(s, x, 20, 12, 16, 9, &a));
     for (k = 0; k < 3; ++k) {
@@ -402,7 +439,8 @@ static void test_same_bytes(void)
     }
     CHECK(material_render(s, swapped, 20, 12, 16, 9, &b));
     for (k = 0; k < 20 * 12; ++k)
-        same &= a.pixels[3 * k] == b.pixels[3 * k + 1] && a.pixels[3 * k + 1] == b.pixels[3 * k] && a.pixels[3 * k + 2] == b.pixels[3 * k + 2];
+        same &= a.pixels[3 * k] == b.pixels[3 * k + 1] && a.pixels[3 * k + 1] == b.pixels[3 * k] &&
+            a.pixels[3 * k + 2] == b.pixels[3 * k + 2];
     CHECK(same);
     image_free(&a);
     image_free(&b);
@@ -425,7 +463,10 @@ static void test_extended_neutral(void)
     material_scene *s = material_scene_create(0.25f);
     uint64_t state = test_seed;
     int k;
-    if (s == NULL) { TEST_FAIL("no scene"); return; }
+    if (s == NULL) {
+        TEST_FAIL("no scene");
+        return;
+    }
     for (k = 0; k < 6; ++k) {
         float x[38], wild[38];
         image a, b, c;
@@ -454,7 +495,8 @@ static void test_extended_bounds(void)
         float x[38], share = 0;
         material m, place;
         const material *here;
-        scene_vec p = scene_v((float)test_uniform(&state) * 2 - 1, (float)test_uniform(&state) * 2 - 1, (float)test_uniform(&state) * 2 - 1);
+        scene_vec p = scene_v((float)test_uniform(&state) * 2 - 1, (float)test_uniform(&state) * 2 - 1,
+                              (float)test_uniform(&state) * 2 - 1);
         random_extended(&state, x);
         m = material_from_extended(x);
         here = material_at(&m, p, &place);
@@ -472,7 +514,8 @@ static void test_extended_bounds(void)
             outside = fmax(outside, -(double)here->share[i]);
         }
         worst_share = fmax(worst_share, fabs((double)share - 1));
-        CHECK(here->glossy_alpha >= m.glossy_alpha && here->glossy_alpha <= 1 && here->glass_alpha >= m.glass_alpha && here->glass_alpha <= 1);
+        CHECK(here->glossy_alpha >= m.glossy_alpha && here->glossy_alpha <= 1 && here->glass_alpha >= m.glass_alpha &&
+              here->glass_alpha <= 1);
         deepest = fmax(deepest, (double)material_depth(&m, p));
         CHECK(material_depth(&m, p) >= 0);
         m.coverage = 0;
@@ -497,7 +540,10 @@ static void test_extended_relief(void)
     int k;
     enum { RAYS = 4000 };
     uint64_t state = test_seed;
-    if (s == NULL) { TEST_FAIL("no scene"); return; }
+    if (s == NULL) {
+        TEST_FAIL("no scene");
+        return;
+    }
     parameters(x);
     memset(x + 19, 0, 19 * sizeof(float));
     x[31] = x[35] = 1;
@@ -506,7 +552,8 @@ static void test_extended_relief(void)
     m = material_from_extended(x);
     material_scene_carve(s, &m);
     for (k = 0; k < RAYS; ++k) {
-        double z = test_uniform(&state), phi = 6.283185307179586 * test_uniform(&state); /* the upper half: the ring is below */
+        double z = test_uniform(&state),
+               phi = 6.283185307179586 * test_uniform(&state); /* the upper half: the ring is below */
         float theta = (float)acos(z), around = (float)phi, expected;
         scene_vec d = scene_v(sinf(theta) * cosf(around), cosf(theta), sinf(theta) * sinf(around));
         stage_hit hit = stage__nearest(s, scene_mul(d, 2), scene_mul(d, -1));
@@ -532,7 +579,10 @@ static void test_extended_furnace(void)
 {
     material_scene *s = furnace();
     int k;
-    if (s == NULL) { TEST_FAIL("no scene"); return; }
+    if (s == NULL) {
+        TEST_FAIL("no scene");
+        return;
+    }
     for (k = 0; k < 4; ++k) {
         float x[38];
         image im;
@@ -549,7 +599,12 @@ static void test_extended_furnace(void)
         CHECK(material_render_extended(s, x, 24, 24, 64, 3, &im));
         mean = mean_of(&im, 0, NULL);
         CHECK(mean <= 1 + 2e-3 && mean >= 1 - 1e-2);
-        TEST_NOTE("%s: mean %.5f", k == 0 ? "diffuse" : k == 1 ? "glossy and diffuse" : k == 2 ? "glass and translucent" : "carved", mean);
+        TEST_NOTE("%s: mean %.5f",
+                  k == 0       ? "diffuse"
+                      : k == 1 ? "glossy and diffuse"
+                      : k == 2 ? "glass and translucent"
+                               : "carved",
+                  mean);
         image_free(&im);
     }
     material_scene_destroy(s);
@@ -564,7 +619,10 @@ static void test_extended_same_bytes(void)
     ms_parallel parallel = test_parallel(&pool, 3);
     uint64_t state = test_seed;
     int k, c, same = 1;
-    if (s == NULL) { TEST_FAIL("no scene"); return; }
+    if (s == NULL) {
+        TEST_FAIL("no scene");
+        return;
+    }
     random_extended(&state, x);
     CHECK(material_render_extended(s, x, 20, 12, 16, 9, &a));
     s->run = parallel.run;
@@ -580,7 +638,8 @@ static void test_extended_same_bytes(void)
     }
     CHECK(material_render_extended(s, swapped, 20, 12, 16, 9, &b));
     for (k = 0; k < 20 * 12; ++k)
-        same &= a.pixels[3 * k] == b.pixels[3 * k + 1] && a.pixels[3 * k + 1] == b.pixels[3 * k] && a.pixels[3 * k + 2] == b.pixels[3 * k + 2];
+        same &= a.pixels[3 * k] == b.pixels[3 * k + 1] && a.pixels[3 * k + 1] == b.pixels[3 * k] &&
+            a.pixels[3 * k + 2] == b.pixels[3 * k + 2];
     CHECK(same);
     image_free(&a);
     image_free(&b);

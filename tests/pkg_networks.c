@@ -1,13 +1,13 @@
-/* The shipped pictures and renderers against pictures path-traced anew: validation materials, two takes with independent
-   noise. */
+/* The shipped pictures and renderers against pictures path-traced anew: validation materials, two takes with
+   independent noise. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #include "test.h"
 #include "networks.h"
 #include "render/material.h"
 
-/* dB of p [3][size][size] against two takes of 128 x 128 in linear radiance, averaged to its size; their noise cancels in
-   the product. */
+/* dB of p [3][size][size] against two takes of 128 x 128 in linear radiance, averaged to its size; their noise cancels
+   in the product. */
 static double against(const float *p, int size, const image *a, const image *b)
 {
     const image *take[2];
@@ -22,7 +22,8 @@ static double against(const float *p, int size, const image *a, const image *b)
                 for (k = 0; k < 2; ++k) {
                     float v = 0;
                     for (j = 0; j < factor; ++j)
-                        for (i = 0; i < factor; ++i) v += take[k]->pixels[3 * ((y * factor + j) * a->width + x * factor + i) + c];
+                        for (i = 0; i < factor; ++i)
+                            v += take[k]->pixels[3 * ((y * factor + j) * a->width + x * factor + i) + c];
                     v /= (float)(factor * factor);
                     product *= fmin(fmax((double)*p, 0), 1) - (double)image_srgb_encode(v < 1 ? v : 1);
                 }
@@ -65,7 +66,8 @@ static void test_rendered_again(void)
     /* least of 64 materials in RESULTS.md, less 1.5 dB for what 24 paths a pixel leave of the noise in the product */
     CHECK_LE(34.3, least[0]);
     CHECK_LE(38.1, least[1]);
-    CHECK_LE(38.4, least[2]); /* the stored pictures' own noise: material 8, the noisiest, has 39.9 dB at 320 paths a pixel */
+    CHECK_LE(38.4,
+             least[2]); /* the stored pictures' own noise: material 8, the noisiest, has 39.9 dB at 320 paths a pixel */
     TEST_NOTE("least: %.1f dB at 128, %.1f dB at 64, stored %.1f dB", least[0], least[1], least[2]);
     material_scene_destroy(s);
     materials_free(&list);

@@ -1,6 +1,6 @@
-/* The shader texts of ms_nn.h against ms_nn_forward: GLSL through EGL without a window, on a software rasteriser where there is no
-   GPU; Vulkan and HLSL translated to it through SPIR-V; OpenGL ES (as WebGL 2) and WGSL in a headless Chromium where it is
-   installed; every text through glslangValidator where that is.   libraries: -lEGL */
+/* The shader texts of ms_nn.h against ms_nn_forward: GLSL through EGL without a window, on a software rasteriser where
+   there is no GPU; Vulkan and HLSL translated to it through SPIR-V; OpenGL ES (as WebGL 2) and WGSL in a headless
+   Chromium where it is installed; every text through glslangValidator where that is.   libraries: -lEGL */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #define GPU_FILE "nn"
@@ -35,10 +35,15 @@ static void layer(recipe *r, const char *json)
     snprintf(r->layers + n, sizeof r->layers - n, "%s%s", n > 1 ? "," : "", json);
 }
 
-static void tensor(recipe *r, const char *name, const char *part, ms_nn_dtype type, int rank, int rows, int cols, double size)
+static void tensor(recipe *r, const char *name, const char *part, ms_nn_dtype type, int rank, int rows, int cols,
+                   double size)
 {
     ms_nn_tensor *t = &r->tensor[r->count];
-    size_t i, n = (size_t)rows * (size_t)(rank > 1 ? cols : 1), width = type == MS_NN_F64 ? 8 : type == MS_NN_F32 ? 4 : type == MS_NN_I8 ? 1 : 2;
+    size_t i, n = (size_t)rows * (size_t)(rank > 1 ? cols : 1),
+              width = type == MS_NN_F64 ? 8
+        : type == MS_NN_F32             ? 4
+        : type == MS_NN_I8              ? 1
+                                        : 2;
     snprintf(r->names[r->count], sizeof r->names[0], "%s.%s", name, part);
     r->shape[r->count][0] = (size_t)rows;
     r->shape[r->count][1] = (size_t)cols;
@@ -77,7 +82,8 @@ static void dense(recipe *r, const char *name, int out, int in, ms_nn_dtype type
         tensor(r, name, "weight_scale", MS_NN_F32, 1, out, 1, 0);
         for (i = 0; i < out; ++i) {
             float scale = (float)(sqrt(3.0 / in) / 127 * (0.5 + test_uniform(&r->seed)));
-            memcpy((unsigned char *)r->room + ((const unsigned char *)r->tensor[r->count - 1].data - r->room) + 4 * i, &scale, 4);
+            memcpy((unsigned char *)r->room + ((const unsigned char *)r->tensor[r->count - 1].data - r->room) + 4 * i,
+                   &scale, 4);
         }
     }
     if (!strstr(rest, "false")) tensor(r, name, "bias", type == MS_NN_F16 ? MS_NN_F16 : MS_NN_F32, 1, out, 1, 0.5);
@@ -111,17 +117,23 @@ static ms_nn *made(recipe *r, unsigned char **file)
     m.size = 0;
     sink.user = &m;
     sink.write = keep;
-    if (ms_nn_file_write(r->tensor, (size_t)r->count, entries, 3, NULL, sink, &error) != MS_OK || ms_nn_load(m.bytes, m.size, NULL, &nn, &error) != MS_OK)
+    if (ms_nn_file_write(r->tensor, (size_t)r->count, entries, 3, NULL, sink, &error) != MS_OK ||
+        ms_nn_load(m.bytes, m.size, NULL, &nn, &error) != MS_OK)
         TEST_FAIL("%s", error.message);
     free(r->room);
     return nn;
 }
 
-/* The i-th network: every activation, type, kind of skip; sizes that are no multiples of four; and its picture, 0 x 0: none. */
+/* The i-th network: every activation, type, kind of skip; sizes that are no multiples of four; and its picture, 0 x 0:
+   none. */
 enum { NETWORKS = 14 };
 static ms_nn *network(int i, unsigned char **file, int *width, int *height)
 {
-    static const char *const activation[] = {"relu", "leaky_relu\",\"alpha\":0.2,\"bias\":false,\"name\":\"", "elu", "tanh", "sigmoid", "softplus", "silu", "gelu", "linear"};
+    static const char *const activation[] = {"relu",    "leaky_relu\",\"alpha\":0.2,\"bias\":false,\"name\":\"",
+                                             "elu",     "tanh",
+                                             "sigmoid", "softplus",
+                                             "silu",    "gelu",
+                                             "linear"};
     static const ms_nn_dtype type[] = {MS_NN_F32, MS_NN_F16, MS_NN_BF16, MS_NN_I8, MS_NN_F64};
     recipe r;
     char rest[100];
@@ -180,8 +192,8 @@ static ms_nn *network(int i, unsigned char **file, int *width, int *height)
     return made(&r, file);
 }
 
-/* Sums of up to 72 products of values up to about 3 in another order, exp and tanh of a rasteriser: some 1e-6. Weights rounded to
-   11 bits: 2^-12 of each, a few times that after three layers. */
+/* Sums of up to 72 products of values up to about 3 in another order, exp and tanh of a rasteriser: some 1e-6. Weights
+   rounded to 11 bits: 2^-12 of each, a few times that after three layers. */
 #define TOLERANCE_F32 2e-5
 #define TOLERANCE_F16 (1.0 / 255)
 
@@ -199,7 +211,8 @@ static GLuint program_of(ms_nn_language language, const float constants[4])
 }
 
 /* What the last target must hold, the sheet or the values of ms_nn_forward's y [COUNT][outputs]; NaN: anything. */
-static void expect(const ms_nn *nn, const ms_nn_shader *s, const ms_nn_shader_sizes *z, const float *y, int width, int height, int flip, float *out)
+static void expect(const ms_nn *nn, const ms_nn_shader *s, const ms_nn_shader_sizes *z, const float *y, int width,
+                   int height, int flip, float *out)
 {
     int outputs = (int)ms_nn_output_size(nn), row = outputs / z->rows, i, c, px, py;
     for (i = 0; s->width == 0 && i < 4 * width * height; ++i) {
@@ -214,7 +227,9 @@ static void expect(const ms_nn *nn, const ms_nn_shader *s, const ms_nn_shader_si
         if (flip) py = height - 1 - py;
         picture = py / s->height * ACROSS + px / s->width;
         if (px >= ACROSS * s->width || picture >= COUNT) out[i] = 0;
-        else if (c < planes || (planes == 1 && c < 3)) out[i] = y[picture * outputs + ((planes == 1 ? 0 : c) * s->height + py % s->height) * s->width + px % s->width];
+        else if (c < planes || (planes == 1 && c < 3))
+            out[i] =
+                y[picture * outputs + ((planes == 1 ? 0 : c) * s->height + py % s->height) * s->width + px % s->width];
         else out[i] = planes == 2 && c == 2 ? 0.0f : 1.0f;
     }
 }
@@ -260,14 +275,15 @@ static double gallery(int number, int steps, ms_nn_language language, ms_nn_dtyp
     CHECK(ms_nn_shader_inputs(nn, COUNT, x, inputs) == MS_OK);
     CHECK(ms_nn_shader_weights(nn, type, weights, &error) == MS_OK);
     if (page) {
-        fprintf(page, "{api: '%s', tolerance: %g, images: {", language == MS_NN_WGSL ? "webgpu" : "webgl", TOLERANCE_F32);
+        fprintf(page, "{api: '%s', tolerance: %g, images: {", language == MS_NN_WGSL ? "webgpu" : "webgl",
+                TOLERANCE_F32);
         gpu_put_image(page, "weights", MS_NN_SHADER_WIDTH, z.weight_rows, 4, (const float *)weights);
         gpu_put_image(page, "values0", z.input_width, COUNT * z.rows, 4, inputs);
         fputs("}, steps: [", page);
     } else {
         texture[textures++] = gl_texture(0, GL_RGBA32F, 1, 1, NULL);
-        gl_TexImage2D(GL_TEXTURE_2D, 0, type == MS_NN_F16 ? GL_RGBA16F : GL_RGBA32F, MS_NN_SHADER_WIDTH, z.weight_rows, 0, GL_RGBA,
-                      type == MS_NN_F16 ? GL_HALF_FLOAT : GL_FLOAT, weights);
+        gl_TexImage2D(GL_TEXTURE_2D, 0, type == MS_NN_F16 ? GL_RGBA16F : GL_RGBA32F, MS_NN_SHADER_WIDTH, z.weight_rows,
+                      0, GL_RGBA, type == MS_NN_F16 ? GL_HALF_FLOAT : GL_FLOAT, weights);
         texture[textures++] = gl_texture(1, GL_RGBA32F, z.input_width, COUNT * z.rows, inputs);
     }
     for (k = 0; k < z.steps; ++k) {
@@ -285,7 +301,8 @@ static double gallery(int number, int steps, ms_nn_language language, ms_nn_dtyp
         }
         if (page) {
             gpu_put_step(page, "ms_nn", constants, 1, sheet_w, sheet_h);
-            fprintf(page, "read: {ms_nn_weights: 'weights', ms_nn_values: 'values%d'}, write: ['values%d']},\n", k, k + 1);
+            fprintf(page, "read: {ms_nn_weights: 'weights', ms_nn_values: 'values%d'}, write: ['values%d']},\n", k,
+                    k + 1);
             continue;
         }
         program = program_of(language, constants);
@@ -341,10 +358,12 @@ static void run_all(gl_api api, ms_nn_language language, int each)
                 if (steps == 0 && i == 11) continue;
                 if (steps == 1 && layers_of(i) > 1 && i != 11 && i != 13) continue; /* pictures need two */
                 e = gallery(i, steps, language, half ? MS_NN_F16 : MS_NN_F32, (i + steps) % 2, NULL);
-                if (!(e <= (half ? TOLERANCE_F16 : TOLERANCE_F32))) TEST_FAIL("network %d, %d steps, %s: %g", i, steps, half ? "F16" : "F32", e);
+                if (!(e <= (half ? TOLERANCE_F16 : TOLERANCE_F32)))
+                    TEST_FAIL("network %d, %d steps, %s: %g", i, steps, half ? "F16" : "F32", e);
                 if (e > worst[half]) worst[half] = e;
             }
-    TEST_NOTE("%s: largest difference %.1e, with weights of 16 bits %.1e", (const char *)gl_GetString(GL_RENDERER), worst[0], worst[1]);
+    TEST_NOTE("%s: largest difference %.1e, with weights of 16 bits %.1e", (const char *)gl_GetString(GL_RENDERER),
+              worst[0], worst[1]);
 }
 
 static void case_desktop(void) { run_all(GL_API_33, MS_NN_GLSL_330, 1); }
@@ -367,7 +386,8 @@ static void refused(recipe *r, const ms_nn_shader *s, ms_status status, const ch
     CHECK_INT(ms_nn_shader_layout(nn, s, &z, NULL), status);
     CHECK(strcmp(small, "before") == 0 && z.steps == 9);
     memset(before, 7, sizeof before);
-    if (status == MS_UNSUPPORTED && s->steps == 0) CHECK_INT(ms_nn_shader_weights(nn, MS_NN_F32, before, &error), status);
+    if (status == MS_UNSUPPORTED && s->steps == 0)
+        CHECK_INT(ms_nn_shader_weights(nn, MS_NN_F32, before, &error), status);
     CHECK(before[0] == 7);
     ms_nn_destroy(nn);
     free(file);
@@ -428,7 +448,14 @@ static void case_refused(void)
         else if (i == 4) s.width = 3, s.height = 2;
         else if (i == 5) s.width = 2, s.height = 2; /* five planes */
         else s.width = 20;
-        refused(&r, &s, MS_INVALID_ARGUMENT, i == 0 ? "of 3" : i == 1 ? "step 2" : i == 2 ? "step -1" : i == 3 ? "language 5" : i == 4 ? "3 x 2" : i == 5 ? "2 x 2" : "20 x 0");
+        refused(&r, &s, MS_INVALID_ARGUMENT,
+                i == 0       ? "of 3"
+                    : i == 1 ? "step 2"
+                    : i == 2 ? "step -1"
+                    : i == 3 ? "language 5"
+                    : i == 4 ? "3 x 2"
+                    : i == 5 ? "2 x 2"
+                             : "20 x 0");
     }
     begin(&r, "[4]");
     dense(&r, "a", 4, 4, MS_NN_F32, "");
@@ -469,12 +496,19 @@ static void case_browser(void)
     if (!gpu_has_browser()) SKIP("no chromium on this machine");
     if ((f = gpu_page("build/nn_gpu.html")) == NULL) SKIP("cannot write build/nn_gpu.html");
     fputs("compile: [], images: {}, cases: [\n", f);
-    for (language = (int)MS_NN_GLSL_ES_300; language <= (int)MS_NN_WGSL; language += (int)MS_NN_WGSL - (int)MS_NN_GLSL_ES_300)
+    for (language = (int)MS_NN_GLSL_ES_300; language <= (int)MS_NN_WGSL;
+         language += (int)MS_NN_WGSL - (int)MS_NN_GLSL_ES_300)
         for (i = 0; i < (int)(sizeof picks / sizeof picks[0]); ++i)
-            gallery(picks[i], picks[i] == 11 ? 1 : i % 2 ? layers_of(picks[i]) : 0, (ms_nn_language)language, MS_NN_F32, i / 2 % 2, f);
+            gallery(picks[i],
+                    picks[i] == 11 ? 1
+                        : i % 2    ? layers_of(picks[i])
+                                   : 0,
+                    (ms_nn_language)language, MS_NN_F32, i / 2 % 2, f);
     fputs("]", f);
     gpu_run(f, "build/nn_gpu.html");
 }
 
-static const test_case cases[] = {{"refused", case_refused}, {"browser", case_browser}, {"OpenGL 3.3", case_desktop}, {"OpenGL ES 3.0", case_es}, {"Vulkan's text", case_vulkan}, {"HLSL", case_hlsl}};
+static const test_case cases[] = {{"refused", case_refused},      {"browser", case_browser},
+                                  {"OpenGL 3.3", case_desktop},   {"OpenGL ES 3.0", case_es},
+                                  {"Vulkan's text", case_vulkan}, {"HLSL", case_hlsl}};
 TEST_MAIN(cases)

@@ -1,6 +1,6 @@
-/* The shader texts of ms_sss.h against the filter on the CPU: GLSL and compute through EGL without a window, on a software
-   rasteriser where there is no GPU; OpenGL ES (as WebGL 2) and WGSL in a headless Chromium where it is installed; every
-   text through glslangValidator where that is.   libraries: -lEGL */
+/* The shader texts of ms_sss.h against the filter on the CPU: GLSL and compute through EGL without a window, on a
+   software rasteriser where there is no GPU; OpenGL ES (as WebGL 2) and WGSL in a headless Chromium where it is
+   installed; every text through glslangValidator where that is.   libraries: -lEGL */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "image.h"
@@ -10,7 +10,8 @@
 /* --- a small picture: a bump over a tilted plane; three materials and none; holes, NaN and infinity --- */
 
 enum { WIDTH = 97, HEIGHT = 75, PIXELS = WIDTH * HEIGHT, PROFILES = 3, NOTHING = 255 };
-static float light[PIXELS * 4], output[PIXELS * 4], drawn[PIXELS * 4], depth[PIXELS], strength[PIXELS], index_of[PIXELS];
+static float light[PIXELS * 4], output[PIXELS * 4], drawn[PIXELS * 4], depth[PIXELS], strength[PIXELS],
+    index_of[PIXELS];
 static float normal[PIXELS * 4], input[PIXELS * 4]; /* light with what a case packs in alpha */
 static uint8_t profile[PIXELS];
 static uint8_t jumps[PIXELS]; /* pixels at which the filter itself jumps when depths change by their rounding */
@@ -22,8 +23,10 @@ static void make_picture(void)
     for (y = 0; y < HEIGHT; ++y) {
         for (x = 0; x < WIDTH; ++x) {
             const int i = y * WIDTH + x;
-            const double u = 2.0 * x / WIDTH - 1.0071, v = 2.0 * y / HEIGHT - 1.0137, bump = 0.7 - u * u - v * v; /* off the middle: no ties */
-            depth[i] = (float)(bump > 0 ? 50 - 10 * sqrt(bump) : 60 + u + 0.5 * v); /* which of four is the nearest is no matter of rounding */
+            const double u = 2.0 * x / WIDTH - 1.0071, v = 2.0 * y / HEIGHT - 1.0137,
+                         bump = 0.7 - u * u - v * v; /* off the middle: no ties */
+            depth[i] = (float)(bump > 0 ? 50 - 10 * sqrt(bump)
+                                        : 60 + u + 0.5 * v); /* which of four is the nearest is no matter of rounding */
             strength[i] = (float)(x % 9 == 0 && y % 5 == 0 ? 0 : 0.2 + 0.9 * test_uniform(&seed));
             for (c = 0; c < 4; ++c) light[4 * i + c] = (float)((x / 5 + y / 7) % 2 ? test_uniform(&seed) : 0.5);
             profile[i] = (uint8_t)(x + y < 60 ? 0 : x - y < 20 ? 1 : 2);
@@ -42,7 +45,8 @@ static void make_picture(void)
     light[4 * (31 * WIDTH + 50) + 2] = NAN;
     for (c = 0; c < 3; ++c) normal[4 * (40 * WIDTH + 50) + c] = NAN;
     memset(normal + 4 * (41 * WIDTH + 50), 0, 3 * sizeof(float));
-    for (c = 0; c < 4; ++c) memset(light + 4 * ((50 + c) * WIDTH + 40), 0, 80 * sizeof(float)); /* black, whose bits are few */
+    for (c = 0; c < 4; ++c)
+        memset(light + 4 * ((50 + c) * WIDTH + 40), 0, 80 * sizeof(float)); /* black, whose bits are few */
 }
 
 /* Terms of 1 (positive weights) to 3 (both signs) and a centre term; pairs equal, so that half kernels can be used. */
@@ -124,8 +128,8 @@ static void make_case(one_case *t, int i, ms_sss_language language, int compute,
     t->shader.slopes_kept = i % 2 && !compute && !t->shader.with_normal && shaped(t);
 }
 
-/* The same at half resolution. Several kernels: patches of 2 x 2 pixels of one material, for a texel of half the size has
-   one; radii of 6 to 40 pixels, under and over those where every tap leaves the pixel. */
+/* The same at half resolution. Several kernels: patches of 2 x 2 pixels of one material, for a texel of half the size
+   has one; radii of 6 to 40 pixels, under and over those where every tap leaves the pixel. */
 static void make_half_case(one_case *t, int i, ms_sss_language language, int compute, int max_terms)
 {
     int k;
@@ -135,7 +139,12 @@ static void make_half_case(one_case *t, int i, ms_sss_language language, int com
     t->shader.prepared = 0;
     t->shader.term_count = t->terms;
     t->options.method = MS_SSS_METHOD_HALF;
-    for (k = 0; k < PROFILES; ++k) t->kernel[k] = make_kernel(k == 2 ? 5 : t->shader.tap_count, k == 1 ? 1 : t->terms, (1 - 0.3 * k) * (i % 4 == 2 ? 5 : i % 4 ? 1.5 : 0.4));
+    for (k = 0; k < PROFILES; ++k)
+        t->kernel[k] = make_kernel(k == 2 ? 5 : t->shader.tap_count, k == 1 ? 1 : t->terms,
+                                   (1 - 0.3 * k) *
+                                       (i % 4 == 2  ? 5
+                                            : i % 4 ? 1.5
+                                                    : 0.4));
     for (k = 0; k < PIXELS && t->shader.profile_count > 1; ++k) {
         profile[k] = profile[k / WIDTH / 2 * 2 * WIDTH + k % WIDTH / 2 * 2];
         index_of[k] = (float)profile[k] / 255.0f;
@@ -151,7 +160,9 @@ static void make_tower_case(one_case *t, int i, ms_sss_language language)
     for (k = 0; k < PROFILES && !made; ++k) {
         const double reflectance[3] = {0.8 - 0.2 * k, 0.5, 0.2}, d[3] = {3.0 / (k * k + 1), 1.2, 0.5};
         ms_sss_profile *p;
-        if (ms_sss_profile_from_burley(&p, reflectance, d, NULL, NULL) != MS_OK || ms_sss_pyramid_make(&pyramid[k], p, NULL) != MS_OK) TEST_FAIL("no pyramid");
+        if (ms_sss_profile_from_burley(&p, reflectance, d, NULL, NULL) != MS_OK ||
+            ms_sss_pyramid_make(&pyramid[k], p, NULL) != MS_OK)
+            TEST_FAIL("no pyramid");
         ms_sss_profile_destroy(p);
     }
     made = 1;
@@ -177,8 +188,8 @@ static float with_bits(float value, unsigned low)
     return value;
 }
 
-/* Halving rounds depths, where slopes are choices: of the smaller of two equal ones, of steepening where the next step is
-   level. There the last bit of a depth decides, on one machine as on another: pixels that change when it does. */
+/* Halving rounds depths, where slopes are choices: of the smaller of two equal ones, of steepening where the next step
+   is level. There the last bit of a depth decides, on one machine as on another: pixels that change when it does. */
 static void find_jumps(const one_case *t, const ms_sss_frame *frame, int count, void *workspace, size_t size)
 {
     static float moved[PIXELS], other[PIXELS * 4];
@@ -189,7 +200,8 @@ static void find_jumps(const one_case *t, const ms_sss_frame *frame, int count, 
     f.output = ms_sss_interleaved(other, 4, 0);
     f.depth = ms_sss_map(moved, 1, 0);
     for (k = 0; k < 4; ++k) {
-        for (i = 0; i < PIXELS; ++i) moved[i] = (float)((double)given[i] * (1 + 1.2e-7 * (2 * test_uniform(&seed) - 1)));
+        for (i = 0; i < PIXELS; ++i)
+            moved[i] = (float)((double)given[i] * (1 + 1.2e-7 * (2 * test_uniform(&seed) - 1)));
         if (ms_sss_filter(&f, t->kernel, count, &t->options, workspace, size, NULL) != MS_OK) TEST_FAIL("moved depths");
         for (i = 0; i < PIXELS; ++i)
             for (c = 0; c < 3; ++c)
@@ -225,7 +237,8 @@ static void make_reference(const one_case *t)
     if (t->shader.with_strength) f.strength = ms_sss_map(strength, 1, 0);
     if (t->shader.profile) f.profile = profile;
     if (t->shader.with_normal && shaped(t)) f.normal = ms_sss_interleaved(normal, 4, 0);
-    if (ms_sss_filter(&f, t->kernel, count, &t->options, workspace, size, &error) != MS_OK) TEST_FAIL("%s", error.message);
+    if (ms_sss_filter(&f, t->kernel, count, &t->options, workspace, size, &error) != MS_OK)
+        TEST_FAIL("%s", error.message);
     memset(jumps, 0, sizeof jumps);
     if ((t->shader.half_resolution || t->options.pyramids) && shaped(t)) find_jumps(t, &f, count, workspace, size);
     free(workspace);
@@ -250,29 +263,55 @@ static double difference(void)
    squares differences of depths near 50 whose rounding is 4e-6. */
 #define GPU_TOLERANCE 1e-5
 /* Slopes: differences of depths near 50 over steps of 0.36 mm, so rounding of 1e-5, and what lies
-   below the plane over distances of as little. Sines and cosines of turned axes, of which Vulkan asks no more than 5e-4:
-   the rasterisers here are within 1e-6 to 1e-5, which moves taps 10 pixels away by as much as 1e-4 pixels. */
+   below the plane over distances of as little. Sines and cosines of turned axes, of which Vulkan asks no more than
+   5e-4: the rasterisers here are within 1e-6 to 1e-5, which moves taps 10 pixels away by as much as 1e-4 pixels. */
 #define WIDER_TOLERANCE 1e-4
 
 static double tolerance_of(const one_case *t)
 {
-    if (t->shader.half_resolution && t->shader.depth) return WIDER_TOLERANCE; /* divided by 1 - share of the one, times that of the other */
-    return shaped(t) || t->options.jitter > 0 || t->options.rotation > 0 || (t->shader.depth && t->shader.profile) ? WIDER_TOLERANCE : GPU_TOLERANCE;
+    if (t->shader.half_resolution && t->shader.depth)
+        return WIDER_TOLERANCE; /* divided by 1 - share of the one, times that of the other */
+    return shaped(t) || t->options.jitter > 0 || t->options.rotation > 0 || (t->shader.depth && t->shader.profile)
+        ? WIDER_TOLERANCE
+        : GPU_TOLERANCE;
 }
 
 /* --- OpenGL against the CPU --- */
 
 static float constants[1000][4];
 enum { NAMES = 12, LEVELS = 7 }; /* 97 x 75 to 2 x 2 */
-static const char *const texture_name[NAMES] = {"ms_sss_colour", "ms_sss_depth", "ms_sss_strength", "ms_sss_input", "ms_sss_profile", "ms_sss_sum",
-                                                "ms_sss_normal", "", "ms_sss_surface", "ms_sss_coarse", "ms_sss_coarse_surface", "ms_sss_weight"};
+static const char *const texture_name[NAMES] = {
+    "ms_sss_colour",  "ms_sss_depth",  "ms_sss_strength",       "ms_sss_input",
+    "ms_sss_profile", "ms_sss_sum",    "ms_sss_normal",         "",
+    "ms_sss_surface", "ms_sss_coarse", "ms_sss_coarse_surface", "ms_sss_weight"};
 enum { SURFACE = 8, COARSE, COARSE_SURFACE, WEIGHT }; /* of the names */
-enum { COLOUR, DEPTH, STRENGTH, INPUT, PROFILE, SUM, NORMAL, PREPARED, MIDDLE, SLOPES, RESULT, SMALL, SMALL_NORMAL, SMALL_MIDDLE, SMALL_SLOPES, SMALL_SUM, SMALL_RESULT,
-       TOWER, TEXTURES = TOWER + 4 * LEVELS }; /* TOWER: light, surface, sums, weights of each level */
+enum {
+    COLOUR,
+    DEPTH,
+    STRENGTH,
+    INPUT,
+    PROFILE,
+    SUM,
+    NORMAL,
+    PREPARED,
+    MIDDLE,
+    SLOPES,
+    RESULT,
+    SMALL,
+    SMALL_NORMAL,
+    SMALL_MIDDLE,
+    SMALL_SLOPES,
+    SMALL_SUM,
+    SMALL_RESULT,
+    TOWER,
+    TEXTURES = TOWER + 4 * LEVELS
+}; /* TOWER: light, surface, sums, weights of each level */
 static const char *image_name(int which)
 {
-    static const char *const name[TOWER] = {"input", "depth", "strength", "input", "profile", "sum", "normal", "prepared", "middle", "slopes", "result",
-                                            "small", "small_normal", "small_middle", "small_slopes", "small_sum", "small_result"};
+    static const char *const name[TOWER] = {"input",     "depth",       "strength",     "input",        "profile",
+                                            "sum",       "normal",      "prepared",     "middle",       "slopes",
+                                            "result",    "small",       "small_normal", "small_middle", "small_slopes",
+                                            "small_sum", "small_result"};
     static char level[2][40];
     static int turn;
     if (which < TOWER) return name[which];
@@ -297,7 +336,10 @@ static int plan_steps(const one_case *t, one_step step[STEPS])
     for (term = 0; t->options.pyramids && term < (t->shader.profile ? t->shader.profile_count : 1); ++term) {
         for (i = 0; i < 2 * LEVELS - 1; ++i, ++n) {
             step[n].term = term;
-            step[n].step = i == 0 ? MS_SSS_STEP_BASE : i < LEVELS ? MS_SSS_STEP_SHRINK : i < 2 * LEVELS - 2 ? MS_SSS_STEP_GATHER : MS_SSS_STEP_RESOLVE;
+            step[n].step = i == 0    ? MS_SSS_STEP_BASE
+                : i < LEVELS         ? MS_SSS_STEP_SHRINK
+                : i < 2 * LEVELS - 2 ? MS_SSS_STEP_GATHER
+                                     : MS_SSS_STEP_RESOLVE;
             step[n].level = i == 0 ? 0 : i < LEVELS ? i - 1 : 2 * LEVELS - 2 - i;
         }
     }
@@ -340,7 +382,8 @@ static int read_by(const one_case *t, one_step s, int name)
         default: return name;
         }
     }
-    if (name == COLOUR) return y ? half ? SMALL_MIDDLE : MIDDLE : x && half ? SMALL : x && t->shader.prepared ? PREPARED : COLOUR;
+    if (name == COLOUR)
+        return y ? half ? SMALL_MIDDLE : MIDDLE : x && half ? SMALL : x && t->shader.prepared ? PREPARED : COLOUR;
     if (name == SURFACE) return half ? SMALL_SLOPES : SLOPES;
     if (name == INPUT && half) return SMALL;
     if (name == SUM) return sum_of(t, y ? s.term - 1 : s.term);
@@ -367,7 +410,10 @@ static int written_by(const one_case *t, one_step s)
 
 static int targets_of(const one_case *t, one_step s) /* the other is the next image */
 {
-    return (s.step >= MS_SSS_STEP_BASE && s.step < MS_SSS_STEP_RESOLVE) || (s.step == MS_SSS_STEP_X && t->shader.slopes_kept) ? 2 : 1;
+    return (s.step >= MS_SSS_STEP_BASE && s.step < MS_SSS_STEP_RESOLVE) ||
+            (s.step == MS_SSS_STEP_X && t->shader.slopes_kept)
+        ? 2
+        : 1;
 }
 
 static int halved(int side, int which)
@@ -387,9 +433,12 @@ static void set_step(one_case *t, one_step s)
     t->shader.step = s.step;
     t->shader.later = t->shader.compute && s.step == MS_SSS_STEP_Y && s.term > 0;
     if (s.step >= MS_SSS_STEP_BASE) {
-        if (ms_sss_shader_pyramid(&t->options.pyramids[s.term], &t->options, WIDTH, HEIGHT, &t->shader, s.level, s.term, constants, &error) != MS_OK)
+        if (ms_sss_shader_pyramid(&t->options.pyramids[s.term], &t->options, WIDTH, HEIGHT, &t->shader, s.level, s.term,
+                                  constants, &error) != MS_OK)
             TEST_FAIL("%s", error.message);
-    } else if (ms_sss_shader_constants(t->kernel, s.term, &t->options, WIDTH, HEIGHT, &t->shader, constants, &error) != MS_OK) TEST_FAIL("%s", error.message);
+    } else if (ms_sss_shader_constants(t->kernel, s.term, &t->options, WIDTH, HEIGHT, &t->shader, constants, &error) !=
+               MS_OK)
+        TEST_FAIL("%s", error.message);
 }
 
 static void bind_reads(const one_case *t, one_step step, GLuint program)
@@ -405,7 +454,8 @@ static GLuint gl_step(const one_case *t, one_step step)
     GLuint program;
     ms_error error;
     if (!ms_sss_shader_text(shader, &t->options, text, sizeof text, &error)) TEST_FAIL("%s", error.message);
-    program = gpu_program((int)shader->language, shader->compute, "ms_sss", &constants[0][0], ms_sss_shader_constant_count(shader));
+    program = gpu_program((int)shader->language, shader->compute, "ms_sss", &constants[0][0],
+                          ms_sss_shader_constant_count(shader));
     bind_reads(t, step, program);
     return program;
 }
@@ -439,17 +489,22 @@ static double gl_compare(one_case *t)
     texture[PROFILE] = gl_texture(PROFILE, GL_R32F, WIDTH, HEIGHT, index_of);
     texture[NORMAL] = gl_texture(NORMAL, GL_RGBA32F, WIDTH, HEIGHT, normal);
     for (i = 0; i < TEXTURES; ++i)
-        if (i == SUM || (i >= PREPARED && i < TOWER) || (i >= TOWER && t->options.pyramids)) texture[i] = gl_texture(i, s->half_target && i != RESULT ? GL_RGBA16F : GL_RGBA32F, width_of(i), height_of(i), NULL);
+        if (i == SUM || (i >= PREPARED && i < TOWER) || (i >= TOWER && t->options.pyramids))
+            texture[i] = gl_texture(i, s->half_target && i != RESULT ? GL_RGBA16F : GL_RGBA32F, width_of(i),
+                                    height_of(i), NULL);
     for (i = 0; i < n; ++i) {
         const int to = written_by(t, step[i]);
         GLuint program;
         set_step(t, step[i]);
         program = gl_step(t, step[i]);
         if (s->compute) gl_compute(s, texture[to], width_of(to), height_of(to));
-        else gpu_draw(texture[to], targets_of(t, step[i]) > 1 ? texture[to + 1] : 0, width_of(to), height_of(to), s->step == MS_SSS_STEP_Y && step[i].term > 0);
+        else
+            gpu_draw(texture[to], targets_of(t, step[i]) > 1 ? texture[to + 1] : 0, width_of(to), height_of(to),
+                     s->step == MS_SSS_STEP_Y && step[i].term > 0);
         gl_DeleteProgram(program);
     }
-    gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture[written_by(t, step[n - 1])], 0);
+    gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture[written_by(t, step[n - 1])],
+                            0);
     gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
     gl_ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_FLOAT, drawn);
     gl_DeleteTextures(TEXTURES, texture);
@@ -462,7 +517,11 @@ static void compare_all(gl_api which, ms_sss_language language, int method, int 
 {
     double worst = 0, worst_wider = 0;
     int i;
-    if (!gl_open(which)) SKIP("no %s context without a window", which == GL_API_ES_30 ? "OpenGL ES 3.0" : which == GL_API_33 ? "OpenGL 3.3" : "OpenGL 4.3");
+    if (!gl_open(which))
+        SKIP("no %s context without a window",
+             which == GL_API_ES_30    ? "OpenGL ES 3.0"
+                 : which == GL_API_33 ? "OpenGL 3.3"
+                                      : "OpenGL 4.3");
     if (language >= MS_SSS_GLSL_VULKAN && !gpu_can_translate())
         SKIP("no glslangValidator or spirv-cross on this machine");
     make_picture();
@@ -470,14 +529,19 @@ static void compare_all(gl_api which, ms_sss_language language, int method, int 
         one_case t;
         double e, *w;
         if (method == PYRAMID) make_tower_case(&t, i, language);
-        else (method == HALF ? make_half_case : make_case)(&t, i, language, which == GL_API_43, which == GL_API_ES_30 ? 1 : 3);
+        else
+            (method == HALF ? make_half_case : make_case)(&t, i, language, which == GL_API_43,
+                                                          which == GL_API_ES_30 ? 1 : 3);
         e = gl_compare(&t);
         w = tolerance_of(&t) > GPU_TOLERANCE ? &worst_wider : &worst;
-        if (!(e <= tolerance_of(&t))) TEST_FAIL("case %d (depth %d, profile %d, depth mode %d, flat %g, normal %d, turned %d): %g", i, (int)t.shader.depth,
-                                                (int)t.shader.profile, (int)t.options.depth_mode, (double)t.options.flat, t.shader.with_normal, t.options.rotation > 0 || t.options.jitter > 0, e);
+        if (!(e <= tolerance_of(&t)))
+            TEST_FAIL("case %d (depth %d, profile %d, depth mode %d, flat %g, normal %d, turned %d): %g", i,
+                      (int)t.shader.depth, (int)t.shader.profile, (int)t.options.depth_mode, (double)t.options.flat,
+                      t.shader.with_normal, t.options.rotation > 0 || t.options.jitter > 0, e);
         if (e > *w) *w = e;
     }
-    TEST_NOTE("%s: largest difference %.1e, with slopes, turned axes or two numbers in one %.1e", (const char *)gl_GetString(GL_RENDERER), worst, worst_wider);
+    TEST_NOTE("%s: largest difference %.1e, with slopes, turned axes or two numbers in one %.1e",
+              (const char *)gl_GetString(GL_RENDERER), worst, worst_wider);
 }
 
 static void case_desktop(void) { compare_all(GL_API_33, MS_SSS_GLSL_330, FULL, test_full ? 360 : 36); }
@@ -503,14 +567,23 @@ static const char *transmission_shader(ms_sss_language language)
     const size_t n = ms_sss_transmission_text(language, text, sizeof text);
     const int glsl = language < MS_SSS_HLSL;
     CHECK(n > 500 && n < 6000);
-    snprintf(all, sizeof all, "%s%.9000s%s%s(ms_sss_transmission(%s(0.02, 0.6, 1.0), %s(3.0, 0.8, 0.05), 0.07 * x, %s(0.6, 0.0, -0.8), "
-             "%s(-0.8 * (y - 20.0) / 20.0, 0.6, 0.8 * (y - 20.0) / 20.0), %s(0.0, 0.6, 0.8), %s(1.0, 2.0, 3.0)), 1.0); }\n",
-             language == MS_SSS_GLSL_330 ? "#version 330\nout vec4 colour;\n" : language == MS_SSS_GLSL_ES_300 ?
-             "#version 300 es\nprecision highp float;\nout vec4 colour;\n" : glsl ? "#version 450\nlayout(location = 0) out vec4 colour;\n" : "", text,
-             glsl ? "void main() { float x = gl_FragCoord.x - 0.5; float y = gl_FragCoord.y - 0.5; colour = " : language == MS_SSS_HLSL ?
-             "float4 main(float4 p : SV_Position) : SV_Target { float x = p.x - 0.5; float y = p.y - 0.5; return " :
-             "@fragment fn main(@builtin(position) p: vec4<f32>) -> @location(0) vec4<f32> { let x = p.x - 0.5; let y = p.y - 0.5; return ",
-             language == MS_SSS_WGSL ? "vec4<f32>" : language == MS_SSS_HLSL ? "float4" : "vec4", vec3, vec3, vec3, vec3, vec3, vec3);
+    snprintf(
+        all, sizeof all,
+        "%s%.9000s%s%s(ms_sss_transmission(%s(0.02, 0.6, 1.0), %s(3.0, 0.8, 0.05), 0.07 * x, %s(0.6, 0.0, -0.8), "
+        "%s(-0.8 * (y - 20.0) / 20.0, 0.6, 0.8 * (y - 20.0) / 20.0), %s(0.0, 0.6, 0.8), %s(1.0, 2.0, 3.0)), 1.0); }\n",
+        language == MS_SSS_GLSL_330          ? "#version 330\nout vec4 colour;\n"
+            : language == MS_SSS_GLSL_ES_300 ? "#version 300 es\nprecision highp float;\nout vec4 colour;\n"
+            : glsl                           ? "#version 450\nlayout(location = 0) out vec4 colour;\n"
+                                             : "",
+        text,
+        glsl ? "void main() { float x = gl_FragCoord.x - 0.5; float y = gl_FragCoord.y - 0.5; colour = "
+            : language == MS_SSS_HLSL
+            ? "float4 main(float4 p : SV_Position) : SV_Target { float x = p.x - 0.5; float y = p.y - 0.5; return "
+            : "@fragment fn main(@builtin(position) p: vec4<f32>) -> @location(0) vec4<f32> { let x = p.x - 0.5; let y = p.y - 0.5; return ",
+        language == MS_SSS_WGSL       ? "vec4<f32>"
+            : language == MS_SSS_HLSL ? "float4"
+                                      : "vec4",
+        vec3, vec3, vec3, vec3, vec3, vec3);
     return all;
 }
 
@@ -551,7 +624,8 @@ static void case_sixteen(void)
         make_case(&t, i, MS_SSS_GLSL_ES_300, 0, 1);
         t.shader.profile = i % 2 ? MS_SSS_ALPHA : MS_SSS_TEXTURE;
         t.shader.profile_count = MS_SSS_SHADER_PROFILES_MAX;
-        for (k = 0; k < MS_SSS_SHADER_PROFILES_MAX; ++k) t.kernel[k] = make_kernel(t.shader.tap_count - (k % 3 ? 2 : 0), 1, 1.5 - 0.08 * k);
+        for (k = 0; k < MS_SSS_SHADER_PROFILES_MAX; ++k)
+            t.kernel[k] = make_kernel(t.shader.tap_count - (k % 3 ? 2 : 0), 1, 1.5 - 0.08 * k);
         for (k = 0; k < PIXELS; ++k) {
             profile[k] = (uint8_t)((k % WIDTH / 7 + 3 * (k / WIDTH / 6)) % 17);
             index_of[k] = (float)profile[k] / 255;
@@ -596,7 +670,10 @@ static int variant(int i, ms_sss_language language, int compute)
         s.half_resolution = 1;
         s.prepared = 0;
         s.term_count = 1 + (bits & 2);
-        if (s.step == MS_SSS_STEP_PREPARE) s.step = bits >> 11 ? MS_SSS_STEP_UP : s.with_normal && s.depth && o.depth_mode == MS_SSS_DEPTH_AWARE && o.flat < 1 ? MS_SSS_STEP_NORMAL : MS_SSS_STEP_DOWN;
+        if (s.step == MS_SSS_STEP_PREPARE)
+            s.step = bits >> 11                                                                ? MS_SSS_STEP_UP
+                : s.with_normal && s.depth && o.depth_mode == MS_SSS_DEPTH_AWARE && o.flat < 1 ? MS_SSS_STEP_NORMAL
+                                                                                               : MS_SSS_STEP_DOWN;
     }
     if (bits >> 12) { /* pyramid */
         if (compute) return 0;
@@ -606,9 +683,11 @@ static int variant(int i, ms_sss_language language, int compute)
         if (o.depth_mode == MS_SSS_DEPTH_FOLLOW) o.depth_mode = MS_SSS_DEPTH_AWARE;
     }
     s.later = compute && s.step == MS_SSS_STEP_Y && bits >> 9 & 1;
-    s.slopes_kept = i % 2 && !compute && !s.with_normal && !(bits >> 12) && s.depth && o.depth_mode == MS_SSS_DEPTH_AWARE && o.flat < 1;
+    s.slopes_kept = i % 2 && !compute && !s.with_normal && !(bits >> 12) && s.depth &&
+        o.depth_mode == MS_SSS_DEPTH_AWARE && o.flat < 1;
     if (ms_sss_shader_text(&s, &o, text, sizeof text, &error)) return 1;
-    if (!((o.fov_degrees > 0 && !s.depth) || (s.half_target && s.depth && (s.profile == MS_SSS_ALPHA || o.flat < 1 || (s.profile && s.half_resolution)))))
+    if (!((o.fov_degrees > 0 && !s.depth) ||
+          (s.half_target && s.depth && (s.profile == MS_SSS_ALPHA || o.flat < 1 || (s.profile && s.half_resolution)))))
         TEST_FAIL("variant %d: %s", i, error.message);
     return 0;
 }
@@ -623,7 +702,8 @@ static void put_case(FILE *f, one_case *t)
     make_reference(t);
     for (i = 0; i < 4 * PIXELS; ++i)
         if (jumps[i / 4] || i % 4 == 3 || !isfinite(input[i])) output[i] = NAN;
-    fprintf(f, "{api: '%s', tolerance: %g, expected: ", t->shader.language == MS_SSS_WGSL ? "webgpu" : "webgl", tolerance_of(t));
+    fprintf(f, "{api: '%s', tolerance: %g, expected: ", t->shader.language == MS_SSS_WGSL ? "webgpu" : "webgl",
+            tolerance_of(t));
     gpu_put_floats(f, output, PIXELS * 4);
     fputs(", images: {", f);
     gpu_put_image(f, "input", WIDTH, HEIGHT, 4, input);
@@ -662,7 +742,8 @@ static void browser(ms_sss_language language, const char *path)
     gpu_put_image(f, "strength", WIDTH, HEIGHT, 1, strength);
     gpu_put_image(f, "normal", WIDTH, HEIGHT, 4, normal);
     fputs("}, cases: [\n", f);
-    for (i = 0; i < cases; ++i) { /* one term: not every browser blends floats; work groups take SwiftShader ten seconds a case */
+    for (i = 0; i < cases;
+         ++i) { /* one term: not every browser blends floats; work groups take SwiftShader ten seconds a case */
         one_case t;
         make_case(&t, i * step, language, language == MS_SSS_WGSL && (test_full ? i % 12 == 7 : i == 11), 1);
         put_case(f, &t);
@@ -715,7 +796,8 @@ static void case_bleeding(void)
 }
 
 /* What a text or constants cannot be made for is refused by the name of the field, and nothing is written. */
-static void refuses(const ms_sss_shader *s, const ms_sss_filter_options *o, const ms_sss_kernel *k, int term, ms_status status, const char *name)
+static void refuses(const ms_sss_shader *s, const ms_sss_filter_options *o, const ms_sss_kernel *k, int term,
+                    ms_status status, const char *name)
 {
     char small[8] = "before";
     float out[1][4] = {{7, 7, 7, 7}};
@@ -787,8 +869,10 @@ static void case_refused(void)
         float out[1][4] = {{7, 7, 7, 7}};
         ms_error error;
         s = good, s.step = i == 1 ? MS_SSS_STEP_X : MS_SSS_STEP_SHRINK;
-        CHECK_INT(ms_sss_shader_pyramid(i == 2 ? NULL : &pyramid, &o, 64, 48, &s, i == 0 ? 6 : 0, 0, out, &error), MS_INVALID_ARGUMENT);
-        if (!strstr(error.message, i == 0 ? "level 6" : i == 1 ? "ms_sss_shader_constants" : "NULL")) TEST_FAIL("'%s'", error.message);
+        CHECK_INT(ms_sss_shader_pyramid(i == 2 ? NULL : &pyramid, &o, 64, 48, &s, i == 0 ? 6 : 0, 0, out, &error),
+                  MS_INVALID_ARGUMENT);
+        if (!strstr(error.message, i == 0 ? "level 6" : i == 1 ? "ms_sss_shader_constants" : "NULL"))
+            TEST_FAIL("'%s'", error.message);
         CHECK((double)out[0][0] == 7);
     }
     k.weight[0][3][1] *= 1.5f;
@@ -808,8 +892,9 @@ static int count_reads(one_case *t, ms_sss_step which, int *usual)
     width = width_of(written_by(t, step));
     height = height_of(written_by(t, step));
     for (i = MIDDLE; i < TOWER + 12; ++i) { /* what other steps make: of a plane */
-        plain_program(i > TOWER && (i - TOWER) % 4 == 1 ? "#version 330\nout vec4 c; void main() { c = vec4(1.0, 0.0, 0.0, 0.0); }\n"
-                                                                : "#version 330\nout vec4 c; void main() { c = vec4(0.5, 0.5, 0.5, 50.0); }\n");
+        plain_program(i > TOWER && (i - TOWER) % 4 == 1
+                          ? "#version 330\nout vec4 c; void main() { c = vec4(1.0, 0.0, 0.0, 0.0); }\n"
+                          : "#version 330\nout vec4 c; void main() { c = vec4(0.5, 0.5, 0.5, 50.0); }\n");
         gpu_draw(gl_texture(i, GL_RGBA32F, WIDTH, HEIGHT, NULL), 0, WIDTH, HEIGHT, 0);
     }
     gl_texture(COLOUR, GL_RGBA32F, WIDTH, HEIGHT, input);
@@ -844,10 +929,13 @@ static int count_reads(one_case *t, ms_sss_step which, int *usual)
 
 static void case_reads(void)
 {
-    static const struct { float flat, delta; int source, normal, kept, usual, most; } kinds[7] = {
-        {1, 0, MS_SSS_ALPHA, 0, 0, 26, 26}, {1, 0, MS_SSS_TEXTURE, 0, 0, 39, 39}, {0, 0, MS_SSS_ALPHA, 0, 0, 34, 38},
-        {0, 0, MS_SSS_ALPHA, 1, 0, 28, 28}, {1, 0, MS_SSS_NONE, 0, 0, 26, 26},    {1, 0.1f, MS_SSS_ALPHA, 0, 0, 27, 27},
-        {0, 0, MS_SSS_ALPHA, 0, 1, 31, 33}};
+    static const struct {
+        float flat, delta;
+        int source, normal, kept, usual, most;
+    } kinds[7] = {{1, 0, MS_SSS_ALPHA, 0, 0, 26, 26}, {1, 0, MS_SSS_TEXTURE, 0, 0, 39, 39},
+                  {0, 0, MS_SSS_ALPHA, 0, 0, 34, 38}, {0, 0, MS_SSS_ALPHA, 1, 0, 28, 28},
+                  {1, 0, MS_SSS_NONE, 0, 0, 26, 26},  {1, 0.1f, MS_SSS_ALPHA, 0, 0, 27, 27},
+                  {0, 0, MS_SSS_ALPHA, 0, 1, 31, 33}};
     int i, c, k, both, usual[2];
     if (!gl_open(GL_API_33)) SKIP("no OpenGL 3.3 context without a window");
     make_picture();
@@ -864,11 +952,13 @@ static void case_reads(void)
         t.shader.with_normal = kinds[i].normal;
         t.shader.slopes_kept = kinds[i].kept;
         make_reference(&t);
-        if (ms_sss_shader_constants(t.kernel, 0, &t.options, WIDTH, HEIGHT, &t.shader, constants, NULL) != MS_OK) TEST_FAIL("constants");
+        if (ms_sss_shader_constants(t.kernel, 0, &t.options, WIDTH, HEIGHT, &t.shader, constants, NULL) != MS_OK)
+            TEST_FAIL("constants");
         both = count_reads(&t, MS_SSS_STEP_X, &usual[0]);
         both += count_reads(&t, MS_SSS_STEP_Y, &usual[1]);
         if (usual[0] + usual[1] != kinds[i].usual || both < kinds[i].usual || both > kinds[i].most)
-            TEST_FAIL("kind %d: usually %d, at most %d texels read, the header says %d, %d", i, usual[0] + usual[1], both, kinds[i].usual, kinds[i].most);
+            TEST_FAIL("kind %d: usually %d, at most %d texels read, the header says %d, %d", i, usual[0] + usual[1],
+                      both, kinds[i].usual, kinds[i].most);
         if (kinds[i].source == MS_SSS_TEXTURE) continue;
         t.shader.half_resolution = 1; /* DOWN reads 4 for every 4 pixels, UP 9 for each */
         CHECK_INT(count_reads(&t, MS_SSS_STEP_DOWN, &usual[0]), 4);
@@ -883,7 +973,9 @@ static void case_reads(void)
             pyramid.radius_mm = 10;
             t.shader.half_resolution = 0;
             t.shader.step = (ms_sss_step)((int)MS_SSS_STEP_BASE + k);
-            if (ms_sss_shader_pyramid(&pyramid, &t.options, WIDTH, HEIGHT, &t.shader, k == 2, 0, constants, NULL) != MS_OK) TEST_FAIL("constants");
+            if (ms_sss_shader_pyramid(&pyramid, &t.options, WIDTH, HEIGHT, &t.shader, k == 2, 0, constants, NULL) !=
+                MS_OK)
+                TEST_FAIL("constants");
             count_reads(&t, t.shader.step, &usual[0]);
             CHECK_INT(usual[0], reads[k]);
         }
@@ -924,7 +1016,8 @@ static void case_constants(void)
     t.options = ms_sss_filter_defaults();
     t.options.fov_degrees = 40;
     t.options.mm_per_unit = 10;
-    if (ms_sss_shader_constants(t.kernel, 0, &t.options, 640, 360, &t.shader, constants, &error) != MS_OK) TEST_FAIL("%s", error.message);
+    if (ms_sss_shader_constants(t.kernel, 0, &t.options, 640, 360, &t.shader, constants, &error) != MS_OK)
+        TEST_FAIL("%s", error.message);
     /* a resize changes what the table of the header names, as it says */
     memcpy(from_struct, constants, sizeof(float[4]) * (size_t)ms_sss_shader_constant_count(&t.shader));
     memcpy(&picture, from_struct, sizeof picture);
@@ -935,9 +1028,11 @@ static void case_constants(void)
     picture.width = 1280;
     picture.height = 720;
     memcpy(from_struct, &picture, sizeof picture);
-    if (ms_sss_shader_constants(t.kernel, 0, &t.options, 1280, 720, &t.shader, constants, &error) != MS_OK) TEST_FAIL("%s", error.message);
+    if (ms_sss_shader_constants(t.kernel, 0, &t.options, 1280, 720, &t.shader, constants, &error) != MS_OK)
+        TEST_FAIL("%s", error.message);
     for (i = 0; i < 4 * ms_sss_shader_constant_count(&t.shader); ++i)
-        CHECK_NEAR((double)(&from_struct[0][0])[i], (double)(&constants[0][0])[i], 1e-6 * fabs((double)(&constants[0][0])[i]));
+        CHECK_NEAR((double)(&from_struct[0][0])[i], (double)(&constants[0][0])[i],
+                   1e-6 * fabs((double)(&constants[0][0])[i]));
     memcpy(&first, constants[3], sizeof first);
     CHECK_NEAR((double)first.radius_mm, (double)t.kernel[0].radius_mm, 0);
     /* those of a pyramid lie where the text's first lines say */
@@ -949,7 +1044,8 @@ static void case_constants(void)
     t.shader.half_resolution = t.shader.compute = t.shader.half_target = 0;
     t.options.fade = 0.25f;
     for (i = 0; i < 3; ++i) {
-        if (ms_sss_shader_pyramid(&pyramid, &t.options, 640, 360, &t.shader, i, 5, constants, &error) != MS_OK) TEST_FAIL("%s", error.message);
+        if (ms_sss_shader_pyramid(&pyramid, &t.options, 640, 360, &t.shader, i, 5, constants, &error) != MS_OK)
+            TEST_FAIL("%s", error.message);
         CHECK(constants[0][0] == 640 && constants[0][1] == 360 && constants[0][2] == 0.75f && constants[0][3] == 5);
         CHECK_NEAR((double)constants[1][3], tan(20 * 3.14159265358979 / 180) / 180, 1e-9); /* of a pixel's ray */
         CHECK(constants[2][1] == 1 && constants[2][2] == (float)(2 << i));
@@ -982,7 +1078,8 @@ static void case_transmission(void)
             float out[3];
             ms_sss_transmission(&k, 0.07f * (float)x, n, entry, to_light, light_of, out);
             for (c = 0; c < 3; ++c) {
-                const double e = fabs((double)out[c] - (double)drawn[4 * (y * WIDTH + x) + c]) / fmax(1, fabs((double)out[c]));
+                const double e = fabs((double)out[c] - (double)drawn[4 * (y * WIDTH + x) + c]) /
+                    fmax(1, fabs((double)out[c]));
                 if (!(e <= worst)) worst = e;
                 if ((double)out[c] > most) most = (double)out[c];
             }
@@ -1000,7 +1097,9 @@ static void case_engine(void)
     image im;
     int x, k, found, c;
     if (!gl_open(GL_API_33)) SKIP("no OpenGL 3.3 context without a window");
-    if (system("${CC:-cc} -std=c99 -O1 -D_POSIX_C_SOURCE=200809L -I. -Iexamples examples/gl/engine.c -o build/engine -lEGL -lm && build/engine build/engine.png") != 0)
+    if (system(
+            "${CC:-cc} -std=c99 -O1 -D_POSIX_C_SOURCE=200809L -I. -Iexamples examples/gl/engine.c -o build/engine -lEGL -lm && build/engine build/engine.png") !=
+        0)
         TEST_FAIL("examples/gl/engine.c does not build or run");
     problem = image_read("build/engine.png", &im);
     if (problem) TEST_FAIL("build/engine.png: %s", problem);
@@ -1034,7 +1133,8 @@ static void validate_one(const char *shader, const char *flags, const char *path
         TEST_FAIL("text %d: %.600s", number, log ? log : "no log");
         free(log);
     } else if (strstr(flags, "-V -S frag -o") && system("spirv-cross --version >" GPU_LOG " 2>&1") != 127 << 8) {
-        if (system("spirv-cross --msl --output build/sss.metal build/sss.spv >" GPU_LOG " 2>&1") != 0) TEST_FAIL("text %d is not translated to Metal", number);
+        if (system("spirv-cross --msl --output build/sss.metal build/sss.spv >" GPU_LOG " 2>&1") != 0)
+            TEST_FAIL("text %d is not translated to Metal", number);
     }
 }
 
@@ -1054,10 +1154,22 @@ static void validate(ms_sss_language language, int compute, const char *flags, c
 static void case_glsl(void) { validate(MS_SSS_GLSL_330, 0, "", "build/sss_330.frag"); }
 static void case_glsl_es(void) { validate(MS_SSS_GLSL_ES_300, 0, "", "build/sss_300.frag"); }
 static void case_glsl_compute(void) { validate(MS_SSS_GLSL_330, 1, "", "build/sss_430.comp"); }
-static void case_hlsl(void) { validate(MS_SSS_HLSL, 0, "-D -V -S frag -e main -o build/sss.spv", "build/sss_hlsl.frag"); }
-static void case_hlsl_compute(void) { validate(MS_SSS_HLSL, 1, "-D -V -S comp -e main -o build/sss.spv", "build/sss_hlsl.comp"); }
-static void case_vulkan(void) { validate(MS_SSS_GLSL_VULKAN, 0, "-V -S frag -o build/sss.spv", "build/sss_vulkan.frag"); }
-static void case_vulkan_compute(void) { validate(MS_SSS_GLSL_VULKAN, 1, "-V -S comp -o build/sss.spv", "build/sss_vulkan.comp"); }
+static void case_hlsl(void)
+{
+    validate(MS_SSS_HLSL, 0, "-D -V -S frag -e main -o build/sss.spv", "build/sss_hlsl.frag");
+}
+static void case_hlsl_compute(void)
+{
+    validate(MS_SSS_HLSL, 1, "-D -V -S comp -e main -o build/sss.spv", "build/sss_hlsl.comp");
+}
+static void case_vulkan(void)
+{
+    validate(MS_SSS_GLSL_VULKAN, 0, "-V -S frag -o build/sss.spv", "build/sss_vulkan.frag");
+}
+static void case_vulkan_compute(void)
+{
+    validate(MS_SSS_GLSL_VULKAN, 1, "-V -S comp -o build/sss.spv", "build/sss_vulkan.comp");
+}
 
 static const test_case cases[] = {
     {"OpenGL 3.3 against the CPU", case_desktop},

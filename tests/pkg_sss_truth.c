@@ -66,8 +66,8 @@ static void test_mesh_closed(void)
     }
 }
 
-/* Below a flat surface: with no absorption every walk returns; otherwise the total is Chandrasekhar's for diffuse light,
-   1 - 2 sqrt(1 - a) int_0^1 H(mu) mu dmu, here by its moment identity from H of the same albedo. */
+/* Below a flat surface: with no absorption every walk returns; otherwise the total is Chandrasekhar's for diffuse
+   light, 1 - 2 sqrt(1 - a) int_0^1 H(mu) mu dmu, here by its moment identity from H of the same albedo. */
 static double diffuse_albedo(double a)
 {
     double mu[128], h[128], moment = 0;
@@ -141,7 +141,8 @@ static void check_order(scene_object object, const char *name, int samples)
     ms_sss_designer *designer = NULL;
     image picture;
     int i;
-    if (!truth_make(&t, object, object == SCENE_BUST ? TRUTH_SKIN : TRUTH_MARBLE, 160, 90, samples, 1, NULL, &problem)) {
+    if (!truth_make(&t, object, object == SCENE_BUST ? TRUTH_SKIN : TRUTH_MARBLE, 160, 90, samples, 1, NULL,
+                    &problem)) {
         TEST_FAIL("%s", problem);
         truth_free(&t);
         return;
@@ -193,7 +194,8 @@ static void check_order(scene_object object, const char *name, int samples)
             wide = truth_compare(&t, &picture);
             TEST_NOTE("pyramid %.1f%%, exact %.1f%%", 100 * narrow.relative, 100 * wide.relative);
             /* marble bends little light at its shape: nothing to gain there, 5% for the walks' noise */
-            CHECK(narrow.relative < 0.95 * shaped.relative && wide.relative < (object == SCENE_BUST ? 1 : 1.05) * narrow.relative);
+            CHECK(narrow.relative < 0.95 * shaped.relative &&
+                  wide.relative < (object == SCENE_BUST ? 1 : 1.05) * narrow.relative);
         }
     }
     snprintf(golden, sizeof golden, "%s_truth", name);

@@ -8,7 +8,8 @@
 static stage_frame random_frame(uint64_t *state)
 {
     stage_frame f;
-    scene_vec up = scene_v((float)test_uniform(state) - 0.5f, (float)test_uniform(state) - 0.5f, (float)test_uniform(state) + 0.1f);
+    scene_vec up = scene_v((float)test_uniform(state) - 0.5f, (float)test_uniform(state) - 0.5f,
+                           (float)test_uniform(state) + 0.1f);
     f.y = scene_normalize(up);
     trace__frame(f.y, &f.z, &f.x);
     f.scale = 0.2f + 2 * (float)test_uniform(state);
@@ -41,10 +42,17 @@ static void test_instances(void)
         int i, met = 0;
         memset(&wears, 0, sizeof wears);
         s = balls(&f, &wears, 1);
-        if (s == NULL) { TEST_FAIL("no scene"); return; }
+        if (s == NULL) {
+            TEST_FAIL("no scene");
+            return;
+        }
         for (i = 0; i < 200; ++i) {
-            scene_vec aim = scene_v((float)test_uniform(&state) - 0.5f, (float)test_uniform(&state) - 0.5f, (float)test_uniform(&state) - 0.5f), back, d;
-            scene_vec from = scene_mad(scene_normalize(scene_v((float)test_uniform(&state) - 0.5f, (float)test_uniform(&state) - 0.5f, 0.3f)), 5 * f.scale, f.origin);
+            scene_vec aim = scene_v((float)test_uniform(&state) - 0.5f, (float)test_uniform(&state) - 0.5f,
+                                    (float)test_uniform(&state) - 0.5f),
+                      back, d;
+            scene_vec from = scene_mad(
+                scene_normalize(scene_v((float)test_uniform(&state) - 0.5f, (float)test_uniform(&state) - 0.5f, 0.3f)),
+                5 * f.scale, f.origin);
             stage_hit hit;
             d = scene_normalize(scene_sub(scene_mad(aim, f.scale, f.origin), from)); /* at a point inside */
             hit = stage__nearest(s, from, d);
@@ -64,7 +72,8 @@ static void test_instances(void)
     TEST_NOTE("place %.1e, radius %.1e, normal %.1e", place, radius, tilt);
 }
 
-/* Absorption is per radius of the object: exp(-2 absorption) through the middle of an index-matched ball of any size. */
+/* Absorption is per radius of the object: exp(-2 absorption) through the middle of an index-matched ball of any
+   size. */
 static void test_sizes(void)
 {
     uint64_t state = test_seed;
@@ -82,7 +91,10 @@ static void test_sizes(void)
         x[18] = 0.15f;
         m = material_from(x);
         s = balls(&f, &m, 1);
-        if (s == NULL) { TEST_FAIL("no scene"); return; }
+        if (s == NULL) {
+            TEST_FAIL("no scene");
+            return;
+        }
         for (i = 0; i < 4000; ++i) {
             trace_sampler sampler;
             float out[3];
@@ -93,7 +105,8 @@ static void test_sizes(void)
                        scene_mul(scene_normalize(scene_v(0.3f, 0.4f, 1)), -1), out);
             sum += (double)out[0] / 4000;
         }
-        CHECK_NEAR(sum, expected, 5e-3 * expected); /* facets of 0.01, the start 2e-4 below the surface of a ball of 0.2 */
+        CHECK_NEAR(sum, expected,
+                   5e-3 * expected); /* facets of 0.01, the start 2e-4 below the surface of a ball of 0.2 */
         stage_destroy(s);
     }
 }
@@ -123,14 +136,18 @@ static void test_crowd(void)
         x[17] = (float)glass;
         m = material_from(x);
         s = balls(frame, &m, COUNT);
-        if (s == NULL) { TEST_FAIL("no scene"); return; }
+        if (s == NULL) {
+            TEST_FAIL("no scene");
+            return;
+        }
         memset(&camera, 0, sizeof camera);
         camera.eye = scene_v(0, 4, 4);
         camera.at = scene_v(0, 0, -3);
         camera.degrees = 40;
         for (k = 0; k < 24 * 24; ++k) stage_sample(s, NULL, &camera, 24, 24, k % 24, k / 24, 3, 0, 16, sum);
         sum[0] /= 24 * 24 * 16;
-        /* the roulette is unbiased, its noise below 1%; lost: paths of more than 32 bounces, which glass has among glass */
+        /* the roulette is unbiased, its noise below 1%; lost: paths of more than 32 bounces, which glass has among
+           glass */
         CHECK(sum[0] <= 1 + 1e-2 && sum[0] >= 1 - (glass ? 5e-2 : 1e-2));
         TEST_NOTE("%s: mean %.4f", glass ? "glass" : "white", sum[0]);
         stage_destroy(s);
@@ -144,7 +161,10 @@ static void test_lens(void)
     stage_camera camera;
     double sum[3], spread[3];
     int k, j;
-    if (s == NULL) { TEST_FAIL("no scene"); return; }
+    if (s == NULL) {
+        TEST_FAIL("no scene");
+        return;
+    }
     stage_commit(s);
     s->ground.height = -1000;
     s->ground.wall = -1000;
@@ -157,7 +177,8 @@ static void test_lens(void)
     s->lamps = 1;
     for (k = 0; k < 3; ++k) { /* pinhole; lens, lamp in focus; lens, lamp half as far and half as large */
         float f = k == 2 ? 0.5f : 1;
-        s->lamp[0] = stage_lamp_at(scene_v(-0.8f * f, -0.8f * f, k == 2 ? 5.0f : 0), scene_v(1.6f * f, 0, 0), scene_v(0, 1.6f * f, 0), camera.eye, 1);
+        s->lamp[0] = stage_lamp_at(scene_v(-0.8f * f, -0.8f * f, k == 2 ? 5.0f : 0), scene_v(1.6f * f, 0, 0),
+                                   scene_v(0, 1.6f * f, 0), camera.eye, 1);
         camera.lens = k == 0 ? 0 : 0.4f;
         sum[k] = spread[k] = 0;
         for (j = 0; j < 64 * 64; ++j) {
@@ -169,11 +190,13 @@ static void test_lens(void)
     }
     CHECK_NEAR(sum[1], sum[0], 2e-3 * sum[0]); /* the rim of pixels that the lamp covers in part, 64 samples each */
     CHECK_NEAR(sum[2], sum[0], 1e-2 * sum[0]); /* the lens sees the near lamp under other angles, cos^4 at most */
-    CHECK(fabs(spread[1] - spread[0]) <= 4); /* corners that one in 64 samples may meet or not */
+    CHECK(fabs(spread[1] - spread[0]) <= 4);   /* corners that one in 64 samples may meet or not */
     CHECK(spread[2] > 1.5 * spread[0]);
-    TEST_NOTE("light %.1f, %.1f, %.1f on %.0f, %.0f, %.0f pixels", sum[0], sum[1], sum[2], spread[0], spread[1], spread[2]);
+    TEST_NOTE("light %.1f, %.1f, %.1f on %.0f, %.0f, %.0f pixels", sum[0], sum[1], sum[2], spread[0], spread[1],
+              spread[2]);
     stage_destroy(s);
 }
 
-static const test_case cases[] = {{"instances", test_instances}, {"absorption of any size", test_sizes}, {"crowd", test_crowd}, {"lens", test_lens}};
+static const test_case cases[] = {
+    {"instances", test_instances}, {"absorption of any size", test_sizes}, {"crowd", test_crowd}, {"lens", test_lens}};
 TEST_MAIN(cases)

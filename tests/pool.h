@@ -1,5 +1,6 @@
-/* A pool of threads that stays, as programs have one: for timing. (test.h's starts threads at each call and turns the order
-   of the tasks round: it is for tests of order, and no pool to time with.) A header of ms_*.h stands before this one.
+/* A pool of threads that stays, as programs have one: for timing. (test.h's starts threads at each call and turns the
+   order of the tasks round: it is for tests of order, and no pool to time with.) A header of ms_*.h stands before this
+   one.
 
      pool p;
      pool_start(&p, 2);                   the calling thread takes part: one thread is started
@@ -17,8 +18,8 @@
 
 typedef struct pool {
     int threads, running, stop;
-    unsigned call;    /* counts the calls: a worker that sees a new number looks for work */
-    int busy;         /* workers that have not yet left the present call */
+    unsigned call; /* counts the calls: a worker that sees a new number looks for work */
+    int busy;      /* workers that have not yet left the present call */
     int next, count;
     void (*task)(void *context, int index);
     void *context;
@@ -46,7 +47,9 @@ static void *pool__thread(void *argument)
         void *context;
         int count, spin;
         pthread_mutex_unlock(&p->lock);
-        for (spin = 0; spin < 20000 && __atomic_load_n(&p->call, __ATOMIC_ACQUIRE) == seen && !__atomic_load_n(&p->stop, __ATOMIC_RELAXED); ++spin) {}
+        for (spin = 0; spin < 20000 && __atomic_load_n(&p->call, __ATOMIC_ACQUIRE) == seen &&
+             !__atomic_load_n(&p->stop, __ATOMIC_RELAXED);
+             ++spin) {}
         pthread_mutex_lock(&p->lock); /* a fork follows the last join within microseconds, or after a while */
         while (p->call == seen && !p->stop) pthread_cond_wait(&p->work, &p->lock);
         if (p->stop) break;

@@ -13,7 +13,8 @@
 #else
 #define MS_TEST_HAS_FEATURE(x) __has_feature(x)
 #endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || MS_TEST_HAS_FEATURE(address_sanitizer) || MS_TEST_HAS_FEATURE(thread_sanitizer)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || MS_TEST_HAS_FEATURE(address_sanitizer) || \
+    MS_TEST_HAS_FEATURE(thread_sanitizer)
 #define TEST_STACK_LIMIT 0 /* not checked: padding of the sanitizer */
 #elif defined(__OPTIMIZE__)
 #define TEST_STACK_LIMIT 32768
@@ -44,7 +45,8 @@ static size_t test_stack_of(test_stack_job job)
     if (posix_memalign((void **)&stack, 65536, SIZE) != 0) return 0;
     memset(stack, 0xA5, SIZE);
     pthread_attr_init(&attributes);
-    if (pthread_attr_setstack(&attributes, stack, SIZE) == 0 && pthread_create(&thread, &attributes, test_stack_thread, &job) == 0) {
+    if (pthread_attr_setstack(&attributes, stack, SIZE) == 0 &&
+        pthread_create(&thread, &attributes, test_stack_thread, &job) == 0) {
         pthread_join(thread, NULL);
         while (left < SIZE && stack[left] == 0xA5) ++left;
     } else {

@@ -21,66 +21,66 @@ typedef struct test_case {
     void (*run)(void);
 } test_case;
 
-static int test_full;            /* non-zero: run the long version */
-static uint64_t test_seed = 1;   /* for random inputs; a failure is repeated with the same --seed */
-static int test_failures;        /* of the running case */
-static char test_note[400];      /* what the running case compared, printed behind its name */
+static int test_full;          /* non-zero: run the long version */
+static uint64_t test_seed = 1; /* for random inputs; a failure is repeated with the same --seed */
+static int test_failures;      /* of the running case */
+static char test_note[400];    /* what the running case compared, printed behind its name */
 static char test_skip_reason[200];
 
 /* Adds to the line of the running case: TEST_NOTE("max error %.2e", e). */
-#define TEST_NOTE(...)                                                                             \
-    do {                                                                                           \
-        size_t test_at = strlen(test_note);                                                        \
-        if (test_at && test_at + 3 < sizeof test_note) {                                           \
-            memcpy(test_note + test_at, "; ", 3);                                                  \
-            test_at += 2;                                                                          \
-        }                                                                                          \
-        snprintf(test_note + test_at, sizeof test_note - test_at, __VA_ARGS__);                    \
+#define TEST_NOTE(...)                                                          \
+    do {                                                                        \
+        size_t test_at = strlen(test_note);                                     \
+        if (test_at && test_at + 3 < sizeof test_note) {                        \
+            memcpy(test_note + test_at, "; ", 3);                               \
+            test_at += 2;                                                       \
+        }                                                                       \
+        snprintf(test_note + test_at, sizeof test_note - test_at, __VA_ARGS__); \
     } while (0)
 
-#define TEST_FAIL(...)                                                                             \
-    do {                                                                                           \
-        if (++test_failures <= 10) {                                                               \
-            printf("    %s:%d: ", __FILE__, __LINE__);                                             \
-            printf(__VA_ARGS__);                                                                   \
-            printf("\n");                                                                          \
-        }                                                                                          \
+#define TEST_FAIL(...)                                 \
+    do {                                               \
+        if (++test_failures <= 10) {                   \
+            printf("    %s:%d: ", __FILE__, __LINE__); \
+            printf(__VA_ARGS__);                       \
+            printf("\n");                              \
+        }                                              \
     } while (0)
 
-#define CHECK(condition)                                                                           \
-    do {                                                                                           \
-        if (!(condition)) TEST_FAIL("not true: %s", #condition);                                   \
+#define CHECK(condition)                                         \
+    do {                                                         \
+        if (!(condition)) TEST_FAIL("not true: %s", #condition); \
     } while (0)
 
 /* |value - expected| <= tolerance; a NaN fails. The reason for the tolerance stands beside the call. */
-#define CHECK_NEAR(value, expected, tolerance)                                                     \
-    do {                                                                                           \
+#define CHECK_NEAR(value, expected, tolerance)                                                      \
+    do {                                                                                            \
         double test_v = (double)(value), test_e = (double)(expected), test_t = (double)(tolerance); \
-        if (!(fabs(test_v - test_e) <= test_t))                                                    \
-            TEST_FAIL("%s = %.12g, expected %.12g +- %.3g", #value, test_v, test_e, test_t);       \
+        if (!(fabs(test_v - test_e) <= test_t))                                                     \
+            TEST_FAIL("%s = %.12g, expected %.12g +- %.3g", #value, test_v, test_e, test_t);        \
     } while (0)
 
-#define CHECK_LE(value, bound)                                                                     \
-    do {                                                                                           \
-        double test_v = (double)(value), test_b = (double)(bound);                                 \
-        if (!(test_v <= test_b)) TEST_FAIL("%s = %.12g, above %.12g", #value, test_v, test_b);     \
+#define CHECK_LE(value, bound)                                                                 \
+    do {                                                                                       \
+        double test_v = (double)(value), test_b = (double)(bound);                             \
+        if (!(test_v <= test_b)) TEST_FAIL("%s = %.12g, above %.12g", #value, test_v, test_b); \
     } while (0)
 
-#define CHECK_INT(value, expected)                                                                 \
-    do {                                                                                           \
-        long long test_v = (long long)(value), test_e = (long long)(expected);                     \
-        if (test_v != test_e) TEST_FAIL("%s = %lld, expected %lld", #value, test_v, test_e);       \
+#define CHECK_INT(value, expected)                                                           \
+    do {                                                                                     \
+        long long test_v = (long long)(value), test_e = (long long)(expected);               \
+        if (test_v != test_e) TEST_FAIL("%s = %lld, expected %lld", #value, test_v, test_e); \
     } while (0)
 
 /* Ends the case as skipped unless something already failed: if (!have_x) SKIP("no x on this machine"). */
-#define SKIP(...)                                                                                  \
-    do {                                                                                           \
-        snprintf(test_skip_reason, sizeof test_skip_reason, __VA_ARGS__);                          \
-        return;                                                                                    \
+#define SKIP(...)                                                         \
+    do {                                                                  \
+        snprintf(test_skip_reason, sizeof test_skip_reason, __VA_ARGS__); \
+        return;                                                           \
     } while (0)
 
-/* Whether floating-point exceptions are unmasked in the calls (tests/calls.sh traps): cases that hand over NaN or infinity as
-   data, which the processor itself traps on, leave that part out then. */
+/* Whether floating-point exceptions are unmasked in the calls (tests/calls.sh traps): cases that hand over NaN or
+   infinity as data, which the processor itself traps on, leave that part out then. */
 static TEST_UNUSED int test_unmasked(void)
 {
     const char *calls = getenv("CALLS");
@@ -118,13 +118,13 @@ static TEST_UNUSED double test_chi2_p(double chi2, int n)
 /* --- an allocator that counts and fails on request --- */
 
 typedef struct test_memory {
-    long calls;       /* alloc calls so far */
-    long fail_at;     /* the call number, from 1, that returns NULL (and every later one if fail_on is set); 0: none */
+    long calls;   /* alloc calls so far */
+    long fail_at; /* the call number, from 1, that returns NULL (and every later one if fail_on is set); 0: none */
     int fail_on;
-    size_t bytes;     /* outstanding */
+    size_t bytes; /* outstanding */
     size_t peak;
-    long blocks;      /* outstanding */
-    long errors;      /* releases with another size than allocated */
+    long blocks; /* outstanding */
+    long errors; /* releases with another size than allocated */
 } test_memory;
 
 static TEST_UNUSED void *test_memory_alloc(void *user, size_t size)
@@ -156,29 +156,29 @@ static TEST_UNUSED void test_memory_release(void *user, void *pointer, size_t si
 
 /* Fails each allocation of CALL in turn until it succeeds. CALL is a statement that uses `allocator` (an
    ms_allocator) and sets `status`; on MS_OK it releases what it made. At most LIMIT rounds. */
-#define TEST_ALLOCATION_SWEEP(LIMIT, CALL)                                                         \
-    do {                                                                                           \
-        long test_round;                                                                           \
-        for (test_round = 1; test_round <= (LIMIT); ++test_round) {                                \
-            test_memory test_m;                                                                    \
-            ms_allocator allocator;                                                                \
-            ms_status status = MS_OK;                                                              \
-            memset(&test_m, 0, sizeof test_m);                                                     \
-            test_m.fail_at = test_round;                                                           \
-            allocator.user = &test_m;                                                              \
-            allocator.alloc = test_memory_alloc;                                                   \
-            allocator.release = test_memory_release;                                               \
-            CALL;                                                                                  \
-            CHECK_INT(test_m.blocks, 0);                                                           \
-            CHECK_INT(test_m.errors, 0);                                                           \
-            if (test_m.calls < test_round) {                                                       \
-                CHECK_INT(status, MS_OK);                                                          \
-                break;                                                                             \
-            }                                                                                      \
-            CHECK_INT(status, MS_OUT_OF_MEMORY);                                                   \
-        }                                                                                          \
-        CHECK(test_round <= (LIMIT));                                                              \
-        TEST_NOTE("%ld allocations failed in turn", test_round - 1);                               \
+#define TEST_ALLOCATION_SWEEP(LIMIT, CALL)                           \
+    do {                                                             \
+        long test_round;                                             \
+        for (test_round = 1; test_round <= (LIMIT); ++test_round) {  \
+            test_memory test_m;                                      \
+            ms_allocator allocator;                                  \
+            ms_status status = MS_OK;                                \
+            memset(&test_m, 0, sizeof test_m);                       \
+            test_m.fail_at = test_round;                             \
+            allocator.user = &test_m;                                \
+            allocator.alloc = test_memory_alloc;                     \
+            allocator.release = test_memory_release;                 \
+            CALL;                                                    \
+            CHECK_INT(test_m.blocks, 0);                             \
+            CHECK_INT(test_m.errors, 0);                             \
+            if (test_m.calls < test_round) {                         \
+                CHECK_INT(status, MS_OK);                            \
+                break;                                               \
+            }                                                        \
+            CHECK_INT(status, MS_OUT_OF_MEMORY);                     \
+        }                                                            \
+        CHECK(test_round <= (LIMIT));                                \
+        TEST_NOTE("%ld allocations failed in turn", test_round - 1); \
     } while (0)
 
 /* --- threads: ms_parallel over n POSIX threads that take the tasks in a scrambled order --- */
@@ -266,8 +266,12 @@ static TEST_UNUSED int test_main(int argc, char **argv, const test_case *cases, 
         if (test_failures) ++failed;
         else if (test_skip_reason[0]) ++skipped;
         else ++passed;
-        printf("%s %s%s%s\n", test_failures ? "FAIL" : test_skip_reason[0] ? "skip" : "ok  ", cases[i].name,
-               test_note[0] || test_skip_reason[0] ? ": " : "", test_skip_reason[0] ? test_skip_reason : test_note);
+        printf("%s %s%s%s\n",
+               test_failures             ? "FAIL"
+                   : test_skip_reason[0] ? "skip"
+                                         : "ok  ",
+               cases[i].name, test_note[0] || test_skip_reason[0] ? ": " : "",
+               test_skip_reason[0] ? test_skip_reason : test_note);
         fflush(stdout);
     }
     printf("%d passed, %d failed, %d skipped\n", passed, failed, skipped);
@@ -275,9 +279,6 @@ static TEST_UNUSED int test_main(int argc, char **argv, const test_case *cases, 
 }
 
 /* static const test_case cases[] = {{"name", function}, ...}; TEST_MAIN(cases) */
-#define TEST_MAIN(cases)                                                                           \
-    int main(int argc, char **argv)                                                                \
-    {                                                                                              \
-        return test_main(argc, argv, cases, (int)(sizeof(cases) / sizeof((cases)[0])));            \
-    }
+#define TEST_MAIN(cases) \
+    int main(int argc, char **argv) { return test_main(argc, argv, cases, (int)(sizeof(cases) / sizeof((cases)[0]))); }
 #endif

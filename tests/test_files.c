@@ -1,4 +1,5 @@
-/* What the headers leave on the disk: whole files or the old ones, whatever fails; and the shared conversion of half floats. */
+/* What the headers leave on the disk: whole files or the old ones, whatever fails; and the shared conversion of half
+   floats. */
 #include "io.h"
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
@@ -164,7 +165,8 @@ static void case_left_alone(void)
             int there = bad[i].path && stat(bad[i].path, &before) == 0;
             memset(&error, 0, sizeof error);
             CHECK_INT(save(kind, bad[i].path, 0, &error), bad[i].status);
-            if (strstr(error.message, bad[i].says) == NULL) TEST_FAIL("%s, %s: '%s'", kind_name[kind], bad[i].path ? bad[i].path : "NULL", error.message);
+            if (strstr(error.message, bad[i].says) == NULL)
+                TEST_FAIL("%s, %s: '%s'", kind_name[kind], bad[i].path ? bad[i].path : "NULL", error.message);
             CHECK_INT(bad[i].path && stat(bad[i].path, &after) == 0, there);
             if (there) CHECK(before.st_mode == after.st_mode && before.st_ino == after.st_ino);
         }
@@ -220,7 +222,8 @@ static void case_mapped(void)
         CHECK(memcmp(ms_nn_file_tensor(old, 0)->data, weights[0], sizeof weights[0]) == 0);
         CHECK(memcmp(ms_nn_file_tensor(fresh, 0)->data, weights[1], sizeof weights[1]) == 0);
     }
-    CHECK_INT(ms_nn_file_save(FOLDER "/net", NULL, 1, NULL, 0, NULL, &error), MS_INVALID_ARGUMENT); /* what is wrong leaves the old one */
+    CHECK_INT(ms_nn_file_save(FOLDER "/net", NULL, 1, NULL, 0, NULL, &error),
+              MS_INVALID_ARGUMENT); /* what is wrong leaves the old one */
     ms_nn_file_close(fresh);
     CHECK_INT(ms_nn_file_read(FOLDER "/net", NULL, &fresh, &error), MS_OK);
     CHECK(memcmp(ms_nn_file_tensor(fresh, 0)->data, weights[1], sizeof weights[1]) == 0);
@@ -263,7 +266,8 @@ static void case_reading(void)
             }
             io_fail_at = 0;
             io_bad_read = 0;
-            if (status != (io_calls < k ? MS_OK : MS_IO)) TEST_FAIL("%s, read %ld: %d", kind_name[kind], k, (int)status);
+            if (status != (io_calls < k ? MS_OK : MS_IO))
+                TEST_FAIL("%s, read %ld: %d", kind_name[kind], k, (int)status);
             if (io_calls < k) break;
         }
     TEST_NOTE("%d reads failed", rounds);
@@ -282,8 +286,8 @@ static void case_reading(void)
     remove(FOLDER "/in.mci"), remove(FOLDER "/in.net"), remove(FOLDER "/in.gp");
 }
 
-/* Every half against its value; floats around every half and every midpoint against the nearest one, found by search. Once as
-   the host is, once with subnormals flushed to zero. */
+/* Every half against its value; floats around every half and every midpoint against the nearest one, found by search.
+   Once as the host is, once with subnormals flushed to zero. */
 static void case_half(void)
 {
     int flush;
@@ -299,8 +303,11 @@ static void case_half(void)
         for (h = 0; h < 0x7c00; ++h) {
             const double exact = ldexp((h >> 10 ? 1024.0 : 0.0) + (h & 1023), (int)(h >> 10 ? h >> 10 : 1) - 25);
             const unsigned up = h + 1;
-            const double next = h == 0x7bff ? 65536 : ldexp((up >> 10 ? 1024.0 : 0.0) + (up & 1023), (int)(up >> 10 ? up >> 10 : 1) - 25);
-            const float value = ms__half_to_float((uint16_t)h), middle = (float)(0.5 * (exact + next)); /* exact: 12 bits */
+            const double next = h == 0x7bff
+                ? 65536
+                : ldexp((up >> 10 ? 1024.0 : 0.0) + (up & 1023), (int)(up >> 10 ? up >> 10 : 1) - 25);
+            const float value = ms__half_to_float((uint16_t)h),
+                        middle = (float)(0.5 * (exact + next)); /* exact: 12 bits */
             uint32_t bits;
             float below, above;
             memcpy(&bits, &middle, 4);
@@ -329,6 +336,10 @@ static void case_half(void)
     }
 }
 
-static const test_case cases[] = {{"errors in turn", case_errors_in_turn}, {"left alone", case_left_alone}, {"kept", case_kept},
-                                  {"mapped", case_mapped},                 {"reading", case_reading},       {"half", case_half}};
+static const test_case cases[] = {{"errors in turn", case_errors_in_turn},
+                                  {"left alone", case_left_alone},
+                                  {"kept", case_kept},
+                                  {"mapped", case_mapped},
+                                  {"reading", case_reading},
+                                  {"half", case_half}};
 TEST_MAIN(cases)

@@ -1,5 +1,5 @@
-/* Regression of ms_gpr.h: likelihood, gradient, predictions, fits, files. Recommendations, galleries, latent space and maps have
-   tests of their own. */
+/* Regression of ms_gpr.h: likelihood, gradient, predictions, fits, files. Recommendations, galleries, latent space and
+   maps have tests of their own. */
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #include "json.h"
@@ -54,7 +54,8 @@ static void smooth_data(double *x, double *y, int n, int m, double noise, uint64
     int i, k;
     for (i = 0; i < n; ++i) {
         for (k = 0; k < m; ++k) x[i * m + k] = test_uniform(state);
-        y[i] = sin(4 * x[i * m]) + (m > 1 ? x[i * m + 1] * x[i * m + 1] : 0) + (m > 2 ? cos(3 * x[i * m + 2]) : 0) + noise * test_normal(state);
+        y[i] = sin(4 * x[i * m]) + (m > 1 ? x[i * m + 1] * x[i * m + 1] : 0) + (m > 2 ? cos(3 * x[i * m + 2]) : 0) +
+            noise * test_normal(state);
     }
 }
 
@@ -93,7 +94,8 @@ static ms_gpr *make(const double *x, const double *y, int n, int m, const double
     return gp;
 }
 
-static ms_gpr *fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options, ms_gpr_fit_report *report)
+static ms_gpr *fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options,
+                   ms_gpr_fit_report *report)
 {
     ms_gpr *gp;
     ms_error error;
@@ -122,8 +124,10 @@ static void reference_problem(const json *problem, ms_simd level, double *worst)
 {
     const char *name = json_get(problem, "name")->text;
     int n = (int)json_number(json_get(problem, "n")), m = (int)json_number(json_get(problem, "m")), count, i;
-    double *theta = json_numbers(json_get(problem, "theta"), NULL), *gradient = json_numbers(json_get(problem, "grad"), NULL);
-    double *mean = json_numbers(json_get(problem, "mean"), &count), *variance = json_numbers(json_get(problem, "var"), NULL);
+    double *theta = json_numbers(json_get(problem, "theta"), NULL),
+           *gradient = json_numbers(json_get(problem, "grad"), NULL);
+    double *mean = json_numbers(json_get(problem, "mean"), &count),
+           *variance = json_numbers(json_get(problem, "var"), NULL);
     double likelihood = json_number(json_get(problem, "lml")), density = json_number(json_get(problem, "loo_lpd"));
     double *x, *y, *xs = NULL, got, g[64], mu[16], s2[16];
     reference_user taste;
@@ -152,7 +156,8 @@ static void reference_problem(const json *problem, ms_simd level, double *worst)
     gp = make(x, y, n, m, theta, &options);
     CHECK(ms_gpr_likelihood(gp, &got, g, NULL) == MS_OK);
     if (json_get(problem, "f64_err")->kind == 'n') {
-        /* Not positive definite in double precision: the jitter is reported, and the answer is that of a model with it. */
+        /* Not positive definite in double precision: the jitter is reported, and the answer is that of a model with
+           it. */
         CHECK(ms_gpr_jitter(gp) > 0);
         CHECK_LE(ms_gpr_jitter(gp), 1e-12);
         ms_gpr_predict(gp, xs, count, mu, s2, NULL);
@@ -160,10 +165,11 @@ static void reference_problem(const json *problem, ms_simd level, double *worst)
     } else {
         double e;
         CHECK(!(ms_gpr_jitter(gp) > 0));
-#define AGAINST(value, reference, length, key)                                                  \
-    e = largest_difference(value, reference, length) / largest(reference, length);              \
-    if (!(e <= tolerance_of(problem, key))) TEST_FAIL("%s, level %s: %s is off by %.2e, allowed %.2e", name, ms_simd_string(level), \
-                                                      key, e, tolerance_of(problem, key));       \
+#define AGAINST(value, reference, length, key)                                                          \
+    e = largest_difference(value, reference, length) / largest(reference, length);                      \
+    if (!(e <= tolerance_of(problem, key)))                                                             \
+        TEST_FAIL("%s, level %s: %s is off by %.2e, allowed %.2e", name, ms_simd_string(level), key, e, \
+                  tolerance_of(problem, key));                                                          \
     if (e / tolerance_of(problem, key) > *worst) *worst = e / tolerance_of(problem, key);
         AGAINST(&got, &likelihood, 1, "lml")
         AGAINST(g, gradient, m + 2, "grad")
@@ -309,7 +315,8 @@ static void test_batches(void)
             ms_gpr_predict(gp, xs + i * M, 1, mu + i, s2 + i, NULL);
             ms_gpr_predict_f(gp, xf + i * M, 1, nf + i, NULL);
         }
-        CHECK(memcmp(mu, mean, sizeof mu) == 0 && memcmp(s2, variance, sizeof s2) == 0 && memcmp(mf, nf, sizeof mf) == 0);
+        CHECK(memcmp(mu, mean, sizeof mu) == 0 && memcmp(s2, variance, sizeof s2) == 0 &&
+              memcmp(mf, nf, sizeof mf) == 0);
         ms_gpr_predict(gp, xs, C, mu, NULL, NULL);
         CHECK(memcmp(mu, mean, sizeof mu) == 0);
         ms_gpr_destroy(gp);
@@ -319,7 +326,8 @@ static void test_batches(void)
             gp = make(x, y, N, M, theta, &options);
             ms_gpr_predict(gp, xs, C, mu, s2, NULL);
             ms_gpr_predict_f(gp, xf, C, nf, NULL);
-            CHECK(memcmp(mu, mean, sizeof mu) == 0 && memcmp(s2, variance, sizeof s2) == 0 && memcmp(mf, nf, sizeof mf) == 0);
+            CHECK(memcmp(mu, mean, sizeof mu) == 0 && memcmp(s2, variance, sizeof s2) == 0 &&
+                  memcmp(mf, nf, sizeof mf) == 0);
             ms_gpr_destroy(gp);
         }
         if (l == 0) continue;
@@ -346,7 +354,8 @@ static void test_batches(void)
 static void test_append_drop(void)
 {
     enum { N = 70, M = 3 };
-    double x[N * M], y[N], theta[M + 2] = {-1, -0.5, 0, 0.2, -2}, xs[10 * M], mean[10], variance[10], mu[10], s2[10], worst = 0;
+    double x[N * M], y[N], theta[M + 2] = {-1, -0.5, 0, 0.2, -2}, xs[10 * M], mean[10], variance[10], mu[10], s2[10],
+                                     worst = 0;
     uint64_t state = test_seed;
     ms_gpr *gp = make(NULL, NULL, 0, M, theta, NULL), *fresh;
     int n, i;
@@ -441,7 +450,8 @@ static void test_fit_methods(void)
             for (k = 0; k < M + 2; ++k) CHECK_LE(fabs(gradient[k]), 0.05);
         ms_gpr_relevance(gp, relevance);
         for (k = 3; k < M; ++k) CHECK_LE(relevance[k], 0.2 * relevance[0]); /* y depends on columns 0 to 2 alone */
-        CHECK_NEAR(exp(ms_gpr_theta(gp)[M + 1]), 0.05, 0.02); /* the noise that was put in, 0.05 / sqrt(2 N) = 0.003 at best */
+        CHECK_NEAR(exp(ms_gpr_theta(gp)[M + 1]), 0.05,
+                   0.02); /* the noise that was put in, 0.05 / sqrt(2 N) = 0.003 at best */
         again = fit(x, y, N, M, &o, NULL);
         CHECK(memcmp(ms_gpr_theta(gp), ms_gpr_theta(again), (M + 2) * sizeof(double)) == 0);
         ms_gpr_destroy(again);
@@ -455,11 +465,12 @@ static void test_fit_methods(void)
         CHECK_NEAR(r.likelihood, likelihood[MS_GPR_METHOD_ML], method == THESIS_RPROP ? 0.5 : 1);
     }
     CHECK_LE(likelihood[MS_GPR_METHOD_MAP], likelihood[MS_GPR_METHOD_ML] + 0.1);
-    TEST_NOTE("likelihood MAP %.2f, ML %.2f, RProp %.2f, SCG %.2f", likelihood[0], likelihood[1], likelihood[2], likelihood[3]);
+    TEST_NOTE("likelihood MAP %.2f, ML %.2f, RProp %.2f, SCG %.2f", likelihood[0], likelihood[1], likelihood[2],
+              likelihood[3]);
 }
 
-/* One start of ML may end in a lesser optimum: of these users RProp from lengths 1 finds a better one for the first, and a start
-   from longer ones for the second. The three default starts find both. */
+/* One start of ML may end in a lesser optimum: of these users RProp from lengths 1 finds a better one for the first,
+   and a start from longer ones for the second. The three default starts find both. */
 static void test_ml_starts(void)
 {
     enum { N = 250, M = 19 };
@@ -490,8 +501,8 @@ static void test_ml_starts(void)
     CHECK(gain > 2);
     gain = likelihood[1][2] - likelihood[1][0];
     CHECK(gain > 2);
-    TEST_NOTE("RProp %.2f %.2f, ML from lengths 1 %.2f %.2f, ML %.2f %.2f", likelihood[0][0], likelihood[1][0], likelihood[0][1],
-              likelihood[1][1], likelihood[0][2], likelihood[1][2]);
+    TEST_NOTE("RProp %.2f %.2f, ML from lengths 1 %.2f %.2f, ML %.2f %.2f", likelihood[0][0], likelihood[1][0],
+              likelihood[0][1], likelihood[1][1], likelihood[0][2], likelihood[1][2]);
 }
 
 /* The gradient that fits follow, with the prior, against differences; far from the expected noise too. */
@@ -554,8 +565,12 @@ static void test_fit_options(void)
             o.progress.user = &count;
             o.progress.report = stop_after;
             gp = (ms_gpr *)x;
-            if (ms_gpr_fit(x, y, N, M, &o, &gp, NULL, &error) == MS_CANCELLED) CHECK(gp == NULL && strstr(error.message, "cancelled"));
-            else { CHECK(left > 20); ms_gpr_destroy(gp); }
+            if (ms_gpr_fit(x, y, N, M, &o, &gp, NULL, &error) == MS_CANCELLED)
+                CHECK(gp == NULL && strstr(error.message, "cancelled"));
+            else {
+                CHECK(left > 20);
+                ms_gpr_destroy(gp);
+            }
         }
     }
     o = fit_options(MS_GPR_METHOD_MAP);
@@ -591,8 +606,8 @@ static void test_fit_options(void)
     CHECK(ms_gpr_fit(x, y, N, M, &o, &gp, NULL, &error) == MS_INVALID_ARGUMENT);
 }
 
-/* Scores at the floor are taken as 0.75 standard deviations below it, whatever the scale; without a shared least score there is no
-   floor, unless it is given. */
+/* Scores at the floor are taken as 0.75 standard deviations below it, whatever the scale; without a shared least score
+   there is no floor, unless it is given. */
 static void test_floor_offset(void)
 {
     enum { N = 50, M = 2 };
@@ -618,7 +633,8 @@ static void test_floor_offset(void)
         gp = fit(x, z, N, M, NULL, NULL);
         CHECK_NEAR(ms_gpr_floor(gp), shift[c], 0);
         ms_gpr_predict(gp, xs, 3, mu, NULL, NULL);
-        /* rounding may send the search along another path to the same optimum: 1e-4 of objective there, 1e-2 of theta */
+        /* rounding may send the search along another path to the same optimum: 1e-4 of objective there, 1e-2 of
+           theta */
         for (i = 0; i < 3; ++i) CHECK_NEAR((mu[i] - shift[c]) / scale[c], mean[i], 5e-3);
         ms_gpr_destroy(gp);
     }
@@ -655,11 +671,20 @@ static void test_constant_columns(void)
             ms_gpr *gp = fit(x, y, n, M, NULL, NULL), *more;
             for (i = 0; i < n; ++i)
                 for (k = 0; k < WIDE; ++k)
-                    wide[i * WIDE + k] = k == 0 ? value[v] : k == 2 ? value[v] * (1 + (i % 3) * 2.2e-16) : k == 5 ? -value[v] * (i % 2 ? 1 : 1 + 1e-13)
-                                         : x[i * M + (k == 1 ? 0 : k < 5 ? k - 2 : 3)];
+                    wide[i * WIDE + k] = k == 0 ? value[v]
+                        : k == 2                ? value[v] * (1 + (i % 3) * 2.2e-16)
+                        : k == 5                ? -value[v] * (i % 2 ? 1 : 1 + 1e-13)
+                                                : x[i * M +
+                                     (k == 1      ? 0
+                                                         : k < 5 ? k - 2
+                                                                 : 3)];
             for (i = 0; i < 20; ++i)
                 for (k = 0; k < WIDE; ++k)
-                    ws[i * WIDE + k] = k == 0 || k == 2 || k == 5 ? test_uniform(&state) : xs[i * M + (k == 1 ? 0 : k < 5 ? k - 2 : 3)];
+                    ws[i * WIDE + k] = k == 0 || k == 2 || k == 5 ? test_uniform(&state)
+                                                                  : xs[i * M +
+                                                                       (k == 1      ? 0
+                                                                            : k < 5 ? k - 2
+                                                                                    : 3)];
             more = fit(wide, y, n, WIDE, NULL, &r);
             CHECK_INT(r.columns, M);
             ms_gpr_predict(gp, xs, 20, mean, variance, NULL);
@@ -670,7 +695,8 @@ static void test_constant_columns(void)
         }
 }
 
-/* Scores and inputs beyond what squares can hold: a sentence that names them, where they stand, and what was expected. */
+/* Scores and inputs beyond what squares can hold: a sentence that names them, where they stand, and what was
+   expected. */
 static void test_magnitudes(void)
 {
     enum { N = 30, M = 3 };
@@ -754,7 +780,8 @@ static void test_simplify(void)
     ms_gpr_predict(gp, u.x + 750 * 19, 750, all, NULL, NULL);
     jsd = user_jsd(all, u.truth + 750, 750);
     CHECK(ms_gpr_simplify(gp, 0.02, &kept, NULL) == MS_OK);
-    CHECK(kept >= 4 && kept <= 9); /* four dimensions have relevances above 1, three 0.02 to 0.06, the rest below 0.001 */
+    CHECK(kept >= 4 &&
+          kept <= 9); /* four dimensions have relevances above 1, three 0.02 to 0.06, the rest below 0.001 */
     ms_gpr_relevance(gp, relevance);
     for (k = 0; k < 19; ++k) dropped += !(relevance[k] > 0);
     CHECK_INT(dropped, 19 - kept);
@@ -769,7 +796,7 @@ static void test_simplify(void)
     CHECK(ms_gpr_set_theta(gp, theta, NULL) == MS_OK);
     ms_gpr_predict(gp, u.x + 750 * 19, 200, mean, NULL, NULL);
     CHECK_LE(largest_difference(mean, less, 200), 1e-8);
-    {   /* dropped columns may hold anything finite; the gradient there is 0 */
+    { /* dropped columns may hold anything finite; the gradient there is 0 */
         double x[19], a, b, g[21], value;
         ms_gpr_simplify(gp, 1e-9, NULL, NULL);
         memcpy(x, u.x, sizeof x);
@@ -831,7 +858,8 @@ static void test_duplicates(void)
         gp = fit(x, y, N, M, NULL, &r);
         ms_gpr_predict(gp, x, 2, mean, NULL, NULL);
         for (i = 0; i < 2; ++i) CHECK_NEAR(mean[i], sin(5 * x[2 * i]), 0.6); /* between the two scores */
-        /* scores that contradict each other by +-0.5 at one place are noise of 0.5, give or take 0.5 / sqrt(2 N) = 0.056 */
+        /* scores that contradict each other by +-0.5 at one place are noise of 0.5, give or take 0.5 / sqrt(2 N) =
+           0.056 */
         CHECK_NEAR(exp(ms_gpr_theta(gp)[M + 1]), 0.5, 0.15);
         CHECK(ms__finite(r.likelihood));
         ms_gpr_destroy(gp);
@@ -862,7 +890,8 @@ static void test_constant(void)
 static void test_units(void)
 {
     enum { N = 80, M = 4 };
-    static const double y_scale[] = {1e6, 1e-6, 1, 1, 1}, x_scale[] = {1, 1, 1e4, 1e-4, 1}, x_offset[] = {0, 0, 0, 0, 1e8};
+    static const double y_scale[] = {1e6, 1e-6, 1, 1, 1}, x_scale[] = {1, 1, 1e4, 1e-4, 1},
+                        x_offset[] = {0, 0, 0, 0, 1e8};
     double x[N * M], y[N], xs[20 * M], a[N * M], b[N], as[20 * M], mean[20], mu[20];
     uint64_t state = test_seed;
     ms_gpr *gp;
@@ -942,11 +971,13 @@ static void test_refusals(void)
         }
         x[3] = 0.4;
         y[2] = bad[i];
-        CHECK(ms_gpr_fit(x, y, 3, 2, NULL, &gp, NULL, &error) == MS_BAD_DATA && error.position == 3 && strstr(error.message, "score 3"));
+        CHECK(ms_gpr_fit(x, y, 3, 2, NULL, &gp, NULL, &error) == MS_BAD_DATA && error.position == 3 &&
+              strstr(error.message, "score 3"));
         CHECK(ms_gpr_append(good, x, bad[i], &error) == MS_BAD_DATA);
         y[2] = 3;
         theta[3] = bad[i];
-        CHECK(ms_gpr_create(x, y, 3, 2, theta, NULL, &gp, &error) == MS_INVALID_ARGUMENT && strstr(error.message, "theta[3]"));
+        CHECK(ms_gpr_create(x, y, 3, 2, theta, NULL, &gp, &error) == MS_INVALID_ARGUMENT &&
+              strstr(error.message, "theta[3]"));
         CHECK(ms_gpr_set_theta(good, theta, &error) == MS_INVALID_ARGUMENT);
         theta[3] = -1;
     }
@@ -959,9 +990,11 @@ static void test_refusals(void)
     CHECK(ms_gpr_predict(good, x, -1, &mean, NULL, &error) == MS_INVALID_ARGUMENT);
     CHECK(ms_gpr_drop(good, 3, &error) == MS_INVALID_ARGUMENT && strstr(error.message, "0 to 2"));
     CHECK(ms_gpr_simplify(good, (double)NAN, NULL, &error) == MS_INVALID_ARGUMENT);
-    /* Two scores of sigma 1e6 at one place, noise 1e-130: no jitter up to 1e-6 sf^2 is missing here, but theta may be absurd. */
+    /* Two scores of sigma 1e6 at one place, noise 1e-130: no jitter up to 1e-6 sf^2 is missing here, but theta may be
+       absurd. */
     theta[2] = 301;
-    CHECK(ms_gpr_create(x, y, 3, 2, theta, NULL, &gp, &error) == MS_INVALID_ARGUMENT && strstr(error.message, "theta[2]"));
+    CHECK(ms_gpr_create(x, y, 3, 2, theta, NULL, &gp, &error) == MS_INVALID_ARGUMENT &&
+          strstr(error.message, "theta[2]"));
     ms_gpr_destroy(good);
     ms_gpr_destroy(NULL);
 }
@@ -973,7 +1006,9 @@ static void test_null(void)
     float xf[2] = {0.5f, 0.5f}, mf;
     ms_error error;
     ms_gpr *gp = make(x, y, 1, 2, theta, NULL), *other;
-#define REFUSES(call, name) CHECK_INT(call, MS_INVALID_ARGUMENT); CHECK(strcmp(error.message, name " is NULL") == 0)
+#define REFUSES(call, name)               \
+    CHECK_INT(call, MS_INVALID_ARGUMENT); \
+    CHECK(strcmp(error.message, name " is NULL") == 0)
     REFUSES(ms_gpr_create(NULL, y, 1, 2, theta, NULL, &other, &error), "x");
     REFUSES(ms_gpr_create(x, NULL, 1, 2, theta, NULL, &other, &error), "y");
     REFUSES(ms_gpr_create(x, y, 1, 2, NULL, NULL, &other, &error), "theta");
@@ -998,7 +1033,8 @@ static void test_null(void)
     REFUSES(ms_gpr_load(NULL, 100, NULL, &other, &error), "bytes");
     REFUSES(ms_gpr_save_file(NULL, "build/none", &error), "gp");
 #undef REFUSES
-    CHECK(ms_gpr_count(NULL) == 0 && ms_gpr_dimensions(NULL) == 0 && ms_gpr_theta(NULL) == NULL && ms_gpr_inputs(NULL) == NULL);
+    CHECK(ms_gpr_count(NULL) == 0 && ms_gpr_dimensions(NULL) == 0 && ms_gpr_theta(NULL) == NULL &&
+          ms_gpr_inputs(NULL) == NULL);
     CHECK(ms_gpr_scores(NULL) == NULL && ms_gpr_save_size(NULL) == 0 && ms_gpr_level(NULL) == MS_SIMD_AUTO);
     CHECK_NEAR(ms_gpr_mean(NULL) + ms_gpr_jitter(NULL) + ms_gpr_floor(NULL) + ms_gpr_floor_value(NULL), 0, 0);
     CHECK_NEAR(ms_gpr_mean(gp), 0, 0);
@@ -1080,7 +1116,8 @@ static void test_files(void)
         CHECK(ms_gpr_load(bytes, i, NULL, &read, &error) == MS_BAD_DATA && read == NULL);
         memcpy(copy, bytes, size);
         copy[i] ^= (unsigned char)(1 + i % 255);
-        CHECK(ms_gpr_load(copy, size, NULL, &read, &error) == (i >= 8 && i < 12 ? MS_UNSUPPORTED : MS_BAD_DATA) && read == NULL);
+        CHECK(ms_gpr_load(copy, size, NULL, &read, &error) == (i >= 8 && i < 12 ? MS_UNSUPPORTED : MS_BAD_DATA) &&
+              read == NULL);
     }
     memcpy(copy, bytes, size);
     copy[size] = 0;
@@ -1098,7 +1135,8 @@ static void test_files(void)
     CHECK(memcmp(mean, mu, sizeof mu) == 0);
     ms_gpr_destroy(read);
     remove("build/test_gpr.model");
-    CHECK(ms_gpr_load_file("build/none/such", NULL, &read, &error) == MS_IO && strstr(error.message, "build/none/such"));
+    CHECK(ms_gpr_load_file("build/none/such", NULL, &read, &error) == MS_IO &&
+          strstr(error.message, "build/none/such"));
     CHECK(ms_gpr_save_file(gp, "build/none/such", &error) == MS_IO);
     free(bytes), free(copy);
     ms_gpr_destroy(gp);
@@ -1115,9 +1153,10 @@ static double reference_jsd(const reference_user *u, ms_gpr *gp)
     return d;
 }
 
-/* Table 3.2 of the thesis: with m = 19 RProp, L-BFGS and SCG agree; with m = 38 L-BFGS and SCG stay at the start where RProp, which
-   follows signs, gets away. What decides it is the start, which the thesis does not state: all lengths 0.33, where at m = 38 K is
-   all but diagonal and the gradient nearly vanishes. The divergence of nothing learned is 0.47 for this user. */
+/* Table 3.2 of the thesis: with m = 19 RProp, L-BFGS and SCG agree; with m = 38 L-BFGS and SCG stay at the start where
+   RProp, which follows signs, gets away. What decides it is the start, which the thesis does not state: all lengths
+   0.33, where at m = 38 K is all but diagonal and the gradient nearly vanishes. The divergence of nothing learned is
+   0.47 for this user. */
 static void test_table_3_2(void)
 {
     static const int sizes[] = {150, 250, 500};
@@ -1130,8 +1169,10 @@ static void test_table_3_2(void)
             for (c = 0; c < 3; ++c) {
                 ms_gpr_fit_options o = fit_options(MS_GPR_METHOD_ML);
                 o.length_start = 0.33;
-                d[c] = reference_jsd(&u, c == 1 ? fit(u.x, u.y, sizes[i], m, &o, NULL)
-                                                : thesis_fit(u.x, u.y, sizes[i], m, c ? THESIS_SCG : THESIS_RPROP, 0.33, NULL));
+                d[c] = reference_jsd(
+                    &u,
+                    c == 1 ? fit(u.x, u.y, sizes[i], m, &o, NULL)
+                           : thesis_fit(u.x, u.y, sizes[i], m, c ? THESIS_SCG : THESIS_RPROP, 0.33, NULL));
             }
             best = reference_jsd(&u, fit(u.x, u.y, sizes[i], m, NULL, NULL));
             if (m == 19) { /* the thesis: within 0.02 to 0.03 of each other */
@@ -1171,13 +1212,16 @@ static void test_fresh_users(void)
         ratio += log(d[0] / d[1]) / users;
         of_class[u.classes - 1]++;
     }
-    CHECK_LE(sum[0][0], 0.5 * sum[0][1]); /* users who like one class, as those of the thesis and of the reference data */
+    CHECK_LE(sum[0][0],
+             0.5 * sum[0][1]);  /* users who like one class, as those of the thesis and of the reference data */
     CHECK_LE(exp(ratio), 0.55); /* 0.45 to 0.49 over 40 other users; the standard error of 16 is 0.05 */
-    TEST_NOTE("%d users of one class: JSD %.4f, RProp %.4f; %d of two: %.4f, %.4f; geometric mean of the ratios %.2f", of_class[0],
-              sum[0][0] / of_class[0], sum[0][1] / of_class[0], of_class[1], sum[1][0] / of_class[1], sum[1][1] / of_class[1], exp(ratio));
+    TEST_NOTE("%d users of one class: JSD %.4f, RProp %.4f; %d of two: %.4f, %.4f; geometric mean of the ratios %.2f",
+              of_class[0], sum[0][0] / of_class[0], sum[0][1] / of_class[0], of_class[1], sum[1][0] / of_class[1],
+              sum[1][1] / of_class[1], exp(ratio));
 }
 
-/* A first gallery of 50, of which 5 to 10 materials are liked: priors must not call them noise, so that nothing is predicted above 0. */
+/* A first gallery of 50, of which 5 to 10 materials are liked: priors must not call them noise, so that nothing is
+   predicted above 0. */
 static void test_few_scores(void)
 {
     enum { N = 50, M = 19, H = 1000 };
@@ -1206,12 +1250,13 @@ static void test_few_scores(void)
     TEST_NOTE("%d users: JSD %.3f, RProp %.3f; nothing predicted above 0 for %d", users, sum[0], sum[1], nothing);
 }
 
-/* The same taste in people's own scales: what is learned is as good. Stars and likes say less, so they are also compared with the same
-   scores times ten. */
+/* The same taste in people's own scales: what is learned is as good. Stars and likes say less, so they are also
+   compared with the same scores times ten. */
 static void test_scales(void)
 {
     enum { N = 150, M = 19, H = 1000, SCALES = 8 };
-    static const char *const name[SCALES] = {"0 to 10", "1 to 5 stars", "-5 to 5", "0 to 100", "halves", "like, dislike", "-1, 1", "stars x 10"};
+    static const char *const name[SCALES] = {"0 to 10", "1 to 5 stars",  "-5 to 5", "0 to 100",
+                                             "halves",  "like, dislike", "-1, 1",   "stars x 10"};
     static double x[N * M], y[N], z[N], held[H * M], truth[H], mean[H];
     double jsd[SCALES];
     int users = test_full ? 24 : 8, i, c, k;
@@ -1227,8 +1272,14 @@ static void test_scales(void)
             ms_gpr *gp;
             for (k = 0; k < N; ++k) {
                 double s = y[k], star = ceil(0.4 * s);
-                z[k] = c == 0 ? s : c == 1 ? 1 + star : c == 2 ? s - 5 : c == 3 ? 10 * s : c == 4 ? 0.5 * s : c == 5 ? s > 0 : c == 6 ? 2 * (s > 0) - 1
-                       : 10 * star;
+                z[k] = c == 0 ? s
+                    : c == 1  ? 1 + star
+                    : c == 2  ? s - 5
+                    : c == 3  ? 10 * s
+                    : c == 4  ? 0.5 * s
+                    : c == 5  ? s > 0
+                    : c == 6  ? 2 * (s > 0) - 1
+                              : 10 * star;
             }
             gp = fit(x, z, N, M, NULL, NULL);
             CHECK_NEAR(ms_gpr_floor(gp), least, 0);
@@ -1241,7 +1292,8 @@ static void test_scales(void)
     for (c = 0; c < SCALES; ++c) {
         int like = c == 1 || c == 7 ? 7 : c == 5 || c == 6 ? 5 : 0;
         CHECK_NEAR(jsd[c] / jsd[like], 1, 0.1);
-        /* two and a half scores a star, ten a like: 1.08 and 1.13 for these users, 0.86 and 1.07 for 24 others; two standard errors are 0.1 */
+        /* two and a half scores a star, ten a like: 1.08 and 1.13 for these users, 0.86 and 1.07 for 24 others; two
+           standard errors are 0.1 */
         CHECK_LE(jsd[c] / jsd[0], 1.2);
         TEST_NOTE("%s %.3f", name[c], jsd[c]);
     }
@@ -1262,7 +1314,8 @@ static void test_wrong_answers(void)
         user_gallery(&u, N, x, y, &state);
         for (k = 0; k < H * M; ++k) held[k] = test_uniform(&state);
         for (k = 0; k < H; ++k) truth[k] = user_true(&u, held + k * M);
-        for (c = 0; c < 3; ++c) { /* right; wrong; wrong, and the noise expected as tightly as it would be without an option */
+        for (c = 0; c < 3;
+             ++c) { /* right; wrong; wrong, and the noise expected as tightly as it would be without an option */
             ms_gpr_fit_options o = fit_options(MS_GPR_METHOD_MAP);
             ms_gpr *gp;
             o.noise_spread = c == 2 ? 0.05 : 0;
@@ -1277,8 +1330,8 @@ static void test_wrong_answers(void)
         gain += (jsd[2] - jsd[1]) / users;
         square += (jsd[2] - jsd[1]) * (jsd[2] - jsd[1]) / users;
     }
-    TEST_NOTE("JSD %.3f, with 10%% wrong %.3f, with a tight prior %.3f, better by %.3f +- %.3f", sum[0], sum[1], sum[2], gain,
-              sqrt((square - gain * gain) / (users - 1)));
+    TEST_NOTE("JSD %.3f, with 10%% wrong %.3f, with a tight prior %.3f, better by %.3f +- %.3f", sum[0], sum[1], sum[2],
+              gain, sqrt((square - gain * gain) / (users - 1)));
     CHECK(gain > 2 * sqrt((square - gain * gain) / (users - 1))); /* user by user: two standard errors of the mean */
 }
 
@@ -1286,7 +1339,8 @@ static void test_two_thousand(void)
 {
     enum { M = 19 };
     int n = test_full ? 2000 : 700, i;
-    double *x = (double *)malloc((size_t)n * M * sizeof *x), *y = (double *)malloc((size_t)n * sizeof *y), *mean = (double *)malloc((size_t)n * sizeof *y);
+    double *x = (double *)malloc((size_t)n * M * sizeof *x), *y = (double *)malloc((size_t)n * sizeof *y),
+           *mean = (double *)malloc((size_t)n * sizeof *y);
     uint64_t state = test_seed;
     user u = user_make(4, M, 0.19);
     ms_gpr_fit_options o = fit_options(MS_GPR_METHOD_ML);
@@ -1309,15 +1363,36 @@ static void test_two_thousand(void)
     free(x), free(y), free(mean);
 }
 
-static const test_case cases[] = {
-    {"reference", test_reference},     {"exponential", test_exponential}, {"one_point", test_one_point},
-    {"gradient", test_gradient},       {"batches", test_batches},         {"append_drop", test_append_drop},
-    {"leave_one_out", test_leave_one_out}, {"fit_methods", test_fit_methods}, {"ml_starts", test_ml_starts}, {"fit_gradient", test_fit_gradient},
-    {"fit_options", test_fit_options}, {"floor_offset", test_floor_offset}, {"constant_columns", test_constant_columns},
-    {"magnitudes", test_magnitudes}, {"priors", test_priors}, {"rescore", test_rescore}, {"simplify", test_simplify},
-    {"small", test_small},             {"duplicates", test_duplicates},   {"constant", test_constant},
-    {"units", test_units},             {"dimensions", test_dimensions},   {"refusals", test_refusals},
-    {"null", test_null},                 {"allocations", test_allocations},           {"files", test_files},             {"table_3_2", test_table_3_2},
-    {"fresh_users", test_fresh_users}, {"few_scores", test_few_scores},
-    {"scales", test_scales},           {"wrong_answers", test_wrong_answers}, {"two_thousand", test_two_thousand}};
+static const test_case cases[] = {{"reference", test_reference},
+                                  {"exponential", test_exponential},
+                                  {"one_point", test_one_point},
+                                  {"gradient", test_gradient},
+                                  {"batches", test_batches},
+                                  {"append_drop", test_append_drop},
+                                  {"leave_one_out", test_leave_one_out},
+                                  {"fit_methods", test_fit_methods},
+                                  {"ml_starts", test_ml_starts},
+                                  {"fit_gradient", test_fit_gradient},
+                                  {"fit_options", test_fit_options},
+                                  {"floor_offset", test_floor_offset},
+                                  {"constant_columns", test_constant_columns},
+                                  {"magnitudes", test_magnitudes},
+                                  {"priors", test_priors},
+                                  {"rescore", test_rescore},
+                                  {"simplify", test_simplify},
+                                  {"small", test_small},
+                                  {"duplicates", test_duplicates},
+                                  {"constant", test_constant},
+                                  {"units", test_units},
+                                  {"dimensions", test_dimensions},
+                                  {"refusals", test_refusals},
+                                  {"null", test_null},
+                                  {"allocations", test_allocations},
+                                  {"files", test_files},
+                                  {"table_3_2", test_table_3_2},
+                                  {"fresh_users", test_fresh_users},
+                                  {"few_scores", test_few_scores},
+                                  {"scales", test_scales},
+                                  {"wrong_answers", test_wrong_answers},
+                                  {"two_thousand", test_two_thousand}};
 TEST_MAIN(cases)

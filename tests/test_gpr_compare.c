@@ -1,4 +1,5 @@
-/* Comparisons and coarse scores of ms_gpr.h: against brute force, quadrature and sampling, through edits and files, on synthetic users. */
+/* Comparisons and coarse scores of ms_gpr.h: against brute force, quadrature and sampling, through edits and files, on
+   synthetic users. */
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #include "users.h"
@@ -53,7 +54,8 @@ static ms_gpr *talk_model(const talk *t)
     o.pair_count = t->pair_count;
     o.step = t->step > 0 ? t->step : -1;
     o.evaluations = 1;
-    if (ms_gpr_fit(t->x, t->y, t->n, t->m, &o, &gp, NULL, &error) != MS_OK || ms_gpr_set_theta(gp, t->theta, &error) != MS_OK)
+    if (ms_gpr_fit(t->x, t->y, t->n, t->m, &o, &gp, NULL, &error) != MS_OK ||
+        ms_gpr_set_theta(gp, t->theta, &error) != MS_OK)
         TEST_FAIL("%s", error.message);
     return gp;
 }
@@ -73,7 +75,8 @@ static void test_derivatives(void)
         gp = talk_model(&t);
         CHECK_INT(ms_gpr_likelihood(gp, &value, gradient, NULL), MS_OK);
         for (k = 0; k < t.m + 2; ++k) {
-            const double h = 1e-3; /* central differences of fourth order: h^4 = 1e-12 times a fifth derivative of at most 1e5 here */
+            const double h = 1e-3; /* central differences of fourth order: h^4 = 1e-12 times a fifth derivative of at
+                                      most 1e5 here */
             double v[4], numeric, theta = t.theta[k];
             int i;
             for (i = 0; i < 4; ++i) {
@@ -85,7 +88,8 @@ static void test_derivatives(void)
             t.theta[k] = theta;
             up = v[2] - v[1], down = v[3] - v[0];
             numeric = (8 * up - down) / (12 * h);
-            /* W and its inverse span 1e8, of which the determinants keep 1e-8 to 1e-7: 1.5e-4 after the division by h */
+            /* W and its inverse span 1e8, of which the determinants keep 1e-8 to 1e-7: 1.5e-4 after the division by
+               h */
             if (fabs(gradient[k] - numeric) > worst) worst = fabs(gradient[k] - numeric);
             CHECK_NEAR(gradient[k], numeric, 2e-4 * (1 + fabs(numeric)));
         }
@@ -111,7 +115,8 @@ static void brute_kernel(const talk *t, double *kernel)
         }
 }
 
-/* log p of all that was said, where the latent values (less the prior mean) are f, and its gradient and minus its Hessian where wanted. */
+/* log p of all that was said, where the latent values (less the prior mean) are f, and its gradient and minus its
+   Hessian where wanted. */
 static double brute_opinions(const talk *t, const ms_gpr *gp, const double *f, double *slope, double *hessian)
 {
     double sn = exp(t->theta[t->m + 1]), sum = 0;
@@ -126,7 +131,8 @@ static double brute_opinions(const talk *t, const ms_gpr *gp, const double *f, d
             high = t->y[i] + 0.5 * t->step;
             p = normal_cdf((high - g) / sn) - normal_cdf((low - g) / sn);
             z = (normal_pdf((low - g) / sn) - normal_pdf((high - g) / sn)) / p;
-            w = z * z + ((high - g) / sn * normal_pdf((high - g) / sn) - (low - g) / sn * normal_pdf((low - g) / sn)) / p;
+            w = z * z +
+                ((high - g) / sn * normal_pdf((high - g) / sn) - (low - g) / sn * normal_pdf((low - g) / sn)) / p;
             sum += log(p);
         } else {
             z = ((t->y[i] > floor_score ? t->y[i] : ms_gpr_floor_value(gp)) - g) / sn;
@@ -177,7 +183,8 @@ static double brute_invert(double *a, int n)
     return determinant;
 }
 
-/* The most probable latent values solve f = K l'(f), which has one solution, and the variances are those of (K^-1 + W)^-1. */
+/* The most probable latent values solve f = K l'(f), which has one solution, and the variances are those of (K^-1 +
+   W)^-1. */
 static void test_mode(void)
 {
     static double kernel[40 * 40], hessian[40 * 40], both[40 * 40];
@@ -220,17 +227,20 @@ static void test_mode(void)
         }
         if (fabs(likelihood - expected) > worst_likelihood) worst_likelihood = fabs(likelihood - expected);
         CHECK_NEAR(likelihood, expected, 1e-5 * 5 * t.n); /* half of 1e-5 (f^2 + variance) / sf^2 a row */
-        CHECK(t.y[2] > -1e37 || fabs(ms_gpr_values(gp)[2] - mean[2]) < 1e-9 * (1 + fabs(mean[2]))); /* sums in another order */
+        CHECK(t.y[2] > -1e37 ||
+              fabs(ms_gpr_values(gp)[2] - mean[2]) < 1e-9 * (1 + fabs(mean[2]))); /* sums in another order */
         ms_gpr_destroy(gp);
     }
     TEST_NOTE("f off by %.1e, variances by %.1e, log likelihoods by %.1e", worst, worst_variance, worst_likelihood);
 }
 
-/* One pair of independent rows: d = f_a - f_b has variance v = 2 sf^2, noise s^2 = 2 sn^2, and p(d > noise) = 1/2 whatever the numbers.
-   Exactly, E d = 2 v / sqrt(2 pi (v + s^2)); the header has the mode, where log Phi(d / s) - d^2 / (2 v) is largest. */
+/* One pair of independent rows: d = f_a - f_b has variance v = 2 sf^2, noise s^2 = 2 sn^2, and p(d > noise) = 1/2
+   whatever the numbers. Exactly, E d = 2 v / sqrt(2 pi (v + s^2)); the header has the mode, where log Phi(d / s) - d^2
+   / (2 v) is largest. */
 static void test_one_pair(void)
 {
-    double x[2] = {0, 1}, y[2] = {MS_GPR_UNSCORED, MS_GPR_UNSCORED}, theta[3], mean[2], likelihood, exact, largest = -1e300, mode = 0;
+    double x[2] = {0, 1}, y[2] = {MS_GPR_UNSCORED, MS_GPR_UNSCORED}, theta[3], mean[2], likelihood, exact,
+           largest = -1e300, mode = 0;
     int pair[2] = {1, 0}, i;
     ms_gpr *gp;
     theta[0] = log(0.05);
@@ -247,13 +257,16 @@ static void test_one_pair(void)
     }
     CHECK_NEAR(mean[1], -mean[0], 1e-9);
     CHECK_NEAR(mean[1] - mean[0], mode, 3e-4); /* half a step of the search, and 1e-5 of K towards 0 */
-    CHECK(mean[1] - mean[0] < exact && mean[1] - mean[0] > 0.7 * exact); /* skewed: the mode is 0.75 of the mean for these numbers */
+    CHECK(mean[1] - mean[0] < exact &&
+          mean[1] - mean[0] > 0.7 * exact); /* skewed: the mode is 0.75 of the mean for these numbers */
     CHECK_NEAR(exp(likelihood), 0.5, 0.03); /* 0.479 */
-    TEST_NOTE("difference %.3f, mode %.3f, mean %.3f; likelihood %.3f, exactly 0.5", mean[1] - mean[0], mode, exact, exp(likelihood));
+    TEST_NOTE("difference %.3f, mode %.3f, mean %.3f; likelihood %.3f, exactly 0.5", mean[1] - mean[0], mode, exact,
+              exp(likelihood));
     ms_gpr_destroy(gp);
 }
 
-/* The exact posterior of eight rows, ten comparisons and two scores by elliptical slice sampling (Murray and others 2010). */
+/* The exact posterior of eight rows, ten comparisons and two scores by elliptical slice sampling (Murray and others
+   2010). */
 static void test_sampling(void)
 {
     enum { N = 8, SAMPLES = 100000 };
@@ -299,7 +312,8 @@ static void test_sampling(void)
         double off = fabs(mean[i] - ms_gpr_mean(gp) - sum[i]) / sigma, r = sqrt(variance[i]) / sigma;
         if (off > worst) worst = off;
         if (fabs(log(r)) > ratio) ratio = fabs(log(r));
-        /* Laplace's approximation: mode for mean. Kuss & Rasmussen 2005 report such shares of a deviation; sampling adds 0.02 */
+        /* Laplace's approximation: mode for mean. Kuss & Rasmussen 2005 report such shares of a deviation; sampling
+           adds 0.02 */
         CHECK_LE(off, 0.35);
         CHECK(r > 0.8 && r < 1.25);
     }
@@ -337,7 +351,8 @@ static void test_limits(void)
         CHECK_NEAR(soft[i], plain[i], 1e-4);
         CHECK_NEAR(soft_variance[i], variance[i], 1e-4);
     }
-    CHECK_NEAR(stepped, likelihood + t.n * log(0.01), 1e-2); /* probability = density times step, to (step / sn)^2 / 24 a score, and the 1e-5 */
+    CHECK_NEAR(stepped, likelihood + t.n * log(0.01),
+               1e-2); /* probability = density times step, to (step / sn)^2 / 24 a score, and the 1e-5 */
     CHECK_INT(ms_gpr_append(a, at, MS_GPR_UNSCORED, NULL), MS_OK); /* a row that says nothing */
     CHECK_INT(ms_gpr_predict(a, at, 50, soft, soft_variance, NULL), MS_OK);
     for (i = 0; i < 50; ++i) {
@@ -374,7 +389,8 @@ static void test_odd(void)
     for (i = 0; i < 8; ++i) CHECK_NEAR(mean[i], 0, 1e-9);
     CHECK_INT(ms_gpr_compare(gp, NULL, 0, circle, 3, NULL), MS_OK);
     CHECK_INT(ms_gpr_predict(gp, x, 8, mean, NULL, NULL), MS_OK);
-    for (i = 0; i < 8; ++i) CHECK_LE(fabs(mean[i]), 0.3); /* as good as nothing: distances in the circle are not equal */
+    for (i = 0; i < 8; ++i)
+        CHECK_LE(fabs(mean[i]), 0.3);    /* as good as nothing: distances in the circle are not equal */
     CHECK_NEAR(mean[0], mean[4], 1e-12); /* duplicates */
     for (i = 0; i < 200; ++i) many[i] = i % 2 ? 0 : 3;
     CHECK_INT(ms_gpr_compare(gp, NULL, 0, many, 1, NULL), MS_OK);
@@ -383,14 +399,16 @@ static void test_odd(void)
     CHECK_INT(ms_gpr_compare(gp, NULL, 0, many, 100, NULL), MS_OK); /* the same a hundred times */
     CHECK_INT(ms_gpr_predict(gp, x, 4, mean, NULL, NULL), MS_OK);
     more = mean[3] - mean[0];
-    CHECK(once > 0.1 && more > once && more < 10); /* surer, not without end: exp(-z^2 / 2) bounds it to some sn sqrt(2 log 100) */
+    CHECK(once > 0.1 && more > once &&
+          more < 10); /* surer, not without end: exp(-z^2 / 2) bounds it to some sn sqrt(2 log 100) */
     CHECK_INT(ms_gpr_compare(gp, NULL, 0, NULL, 0, NULL), MS_OK);
     CHECK_INT(ms_gpr_predict(gp, x, 4, mean, NULL, NULL), MS_OK);
     CHECK_NEAR(mean[3], 0, 1e-12);
     ms_gpr_destroy(gp);
     memset(&o, 0, sizeof o);
     o.pairs = many;
-    for (o.pair_count = 0; o.pair_count < 3; o.pair_count += 2) { /* no scores at all: flat; then learned from one pair, twice */
+    for (o.pair_count = 0; o.pair_count < 3;
+         o.pair_count += 2) { /* no scores at all: flat; then learned from one pair, twice */
         double top = o.pair_count ? 0.05 : 0;
         CHECK_INT(ms_gpr_fit(x, y, 8, 1, &o, &gp, &report, NULL), MS_OK);
         CHECK_INT(ms_gpr_predict(gp, x, 4, mean, NULL, NULL), MS_OK);
@@ -438,11 +456,13 @@ static void test_edits(void)
     for (i = 0; i < 40; ++i) at[i] = test_uniform(&state);
     memset(&o, 0, sizeof o);
     o.mean = ms_gpr_mean(whole);
-    CHECK_INT(ms_gpr_create(t.x, t.y, 6, 2, t.theta, &o, &gp, NULL), MS_OK); /* whole takes scores at the floor below it: none is here */
+    CHECK_INT(ms_gpr_create(t.x, t.y, 6, 2, t.theta, &o, &gp, NULL),
+              MS_OK); /* whole takes scores at the floor below it: none is here */
     for (i = 0, count = 0; i < 20; ++i) t.y[i] = t.y[i] < -1e37 ? t.y[i] : 1 + t.x[2 * i] + 0.1 * i;
     for (i = 0; i < 6; ++i) CHECK_INT(ms_gpr_rescore(gp, i, t.y[i], NULL), MS_OK);
     for (i = 6; i < 12; ++i) CHECK_INT(ms_gpr_append(gp, t.x + 2 * i, t.y[i], NULL), MS_OK);
-    CHECK_INT(ms_gpr_compare(gp, t.x + 24, 8, t.pairs, t.pair_count, NULL), MS_OK); /* eight more, unscored, and all pairs */
+    CHECK_INT(ms_gpr_compare(gp, t.x + 24, 8, t.pairs, t.pair_count, NULL),
+              MS_OK); /* eight more, unscored, and all pairs */
     for (i = 12; i < 20; ++i) CHECK_INT(ms_gpr_rescore(gp, i, t.y[i], NULL), MS_OK);
     CHECK_INT(ms_gpr_pair_count(gp), 15);
     ms_gpr_destroy(whole);
@@ -530,7 +550,9 @@ static void test_refusals(void)
     o.step = -1e31;
     CHECK_INT(ms_gpr_fit(t.x, t.y, 10, 2, &o, &none, NULL, &error), MS_INVALID_ARGUMENT);
     CHECK_INT(ms_gpr_predict(gp, at, 20, after, NULL, NULL), MS_OK);
-    for (i = 0; i < 20; ++i) CHECK_NEAR(after[i], before[i], 1e-6); /* nothing of that changed the model, but for where Newton's method ended */
+    for (i = 0; i < 20; ++i)
+        CHECK_NEAR(after[i], before[i],
+                   1e-6); /* nothing of that changed the model, but for where Newton's method ended */
     ms_gpr_destroy(gp);
     memset(&memory, 0, sizeof memory); /* every allocation of an edit fails in turn: the model stays, bit for bit */
     memset(&model, 0, sizeof model);
@@ -558,8 +580,8 @@ static void test_refusals(void)
 
 /* --- users --- */
 
-/* Random pairs of 60 materials in 6 parameters, of which two matter; the user errs now and then. How many of 2000 pairs of others the
-   model orders as the user's taste does. */
+/* Random pairs of 60 materials in 6 parameters, of which two matter; the user errs now and then. How many of 2000 pairs
+   of others the model orders as the user's taste does. */
 static void test_learning(void)
 {
     enum { N = 60, M = 6, HELD = 2000 };
@@ -574,7 +596,8 @@ static void test_learning(void)
         for (i = 0; i < N; ++i) y[i] = MS_GPR_UNSCORED;
         for (i = 0; i < 240; ++i) {
             int a = (int)((int)N * test_uniform(&state)), b = (a + 1 + (int)((N - 1) * test_uniform(&state))) % N;
-            double fa = sin(4 * x[a * M]) + x[a * M + 3] + 0.15 * test_normal(&state), fb = sin(4 * x[b * M]) + x[b * M + 3] + 0.15 * test_normal(&state);
+            double fa = sin(4 * x[a * M]) + x[a * M + 3] + 0.15 * test_normal(&state),
+                   fb = sin(4 * x[b * M]) + x[b * M + 3] + 0.15 * test_normal(&state);
             pairs[2 * i] = fa > fb ? a : b;
             pairs[2 * i + 1] = fa > fb ? b : a;
         }
@@ -588,7 +611,8 @@ static void test_learning(void)
             CHECK_INT(ms_gpr_predict(gp, held, 2 * HELD, mean, NULL, NULL), MS_OK);
             for (i = 0; i < HELD; ++i) {
                 double difference = 0;
-                for (k = 0; k < 2; ++k) difference += (k ? -1 : 1) * (sin(4 * held[(2 * i + k) * M]) + held[(2 * i + k) * M + 3]);
+                for (k = 0; k < 2; ++k)
+                    difference += (k ? -1 : 1) * (sin(4 * held[(2 * i + k) * M]) + held[(2 * i + k) * M + 3]);
                 right[round] += (difference > 0) == (mean[2 * i] > mean[2 * i + 1]);
             }
             ms_gpr_destroy(gp);
@@ -600,7 +624,8 @@ static void test_learning(void)
     TEST_NOTE("in the right order after 15, 60, 240 pairs: %.3f %.3f %.3f", right[0], right[1], right[2]);
 }
 
-/* Likes alone: four materials, each with 20 spread ones that it is preferred to. The recommended are like them where they agree. */
+/* Likes alone: four materials, each with 20 spread ones that it is preferred to. The recommended are like them where
+   they agree. */
 static void test_likes(void)
 {
     enum { M = 8, LIKED = 4, OTHERS = 20, N = LIKED + OTHERS, COUNT = 100 };
@@ -616,7 +641,10 @@ static void test_likes(void)
     CHECK_INT(ms_gpr_fit(NULL, NULL, 0, M, NULL, &gp, NULL, NULL), MS_OK);
     CHECK_INT(ms_gpr_gallery(gp, &spread, OTHERS, x + LIKED * M, NULL), MS_OK);
     ms_gpr_destroy(gp);
-    for (i = 0; i < LIKED * M; ++i) x[i] = i % M == 2 ? 0.8 + 0.05 * test_normal(&state) : i % M == 5 ? 0.2 + 0.05 * test_normal(&state) : test_uniform(&state);
+    for (i = 0; i < LIKED * M; ++i)
+        x[i] = i % M == 2 ? 0.8 + 0.05 * test_normal(&state)
+            : i % M == 5  ? 0.2 + 0.05 * test_normal(&state)
+                          : test_uniform(&state);
     for (i = 0; i < N; ++i) y[i] = MS_GPR_UNSCORED;
     for (i = 0; i < LIKED; ++i)
         for (k = 0; k < OTHERS; ++k) {
@@ -640,9 +668,16 @@ static void test_likes(void)
 int main(int argc, char **argv)
 {
     static const test_case cases[] = {
-        {"derivatives", test_derivatives}, {"mode", test_mode}, {"one_pair", test_one_pair}, {"sampling", test_sampling},
-        {"limits", test_limits}, {"odd", test_odd}, {"edits", test_edits}, {"refusals", test_refusals},
-        {"learning", test_learning}, {"likes", test_likes},
+        {"derivatives", test_derivatives},
+        {"mode", test_mode},
+        {"one_pair", test_one_pair},
+        {"sampling", test_sampling},
+        {"limits", test_limits},
+        {"odd", test_odd},
+        {"edits", test_edits},
+        {"refusals", test_refusals},
+        {"learning", test_learning},
+        {"likes", test_likes},
     };
     return test_main(argc, argv, cases, (int)(sizeof cases / sizeof *cases));
 }

@@ -59,10 +59,7 @@ static double two_sample(double *a, int n, double *b, int m)
 }
 
 /* The score of a KS distance of samples of n and m that chance exceeds with probability 1e-4 (Smirnov's limit). */
-static double two_sample_limit(int n, int m)
-{
-    return sqrt(-0.5 * log(0.5e-4)) * sqrt((n + m) / ((double)n * m));
-}
+static double two_sample_limit(int n, int m) { return sqrt(-0.5 * log(0.5e-4)) * sqrt((n + m) / ((double)n * m)); }
 
 /* A user's 250 scores and a model of them: lengths from the user's own terms stand in for a fit. */
 typedef struct taste {
@@ -153,8 +150,9 @@ static void test_ball(void)
         d = two_sample(p, N, even, N);
         TEST_NOTE("%s: KS %.3f", search == MS_GPR_SEARCH_SUBSET ? "subset" : "rejection", d);
         CHECK_LE(d, sqrt(-0.5 * log(0.5e-4)) / sqrt((double)N)); /* one sample against a distribution: chance 1e-4 */
-        for (k = 0; k < M; ++k) CHECK_NEAR(middle[k], 0.5, 4.5 * radius / sqrt(5.0 * (int)N)); /* variance r^2 / 5 in 3D; 4.5 sigma */
-        if (search == MS_GPR_SEARCH_REJECTION) { /* volume of the ball; 4.5 binomial sigma */
+        for (k = 0; k < M; ++k)
+            CHECK_NEAR(middle[k], 0.5, 4.5 * radius / sqrt(5.0 * (int)N)); /* variance r^2 / 5 in 3D; 4.5 sigma */
+        if (search == MS_GPR_SEARCH_REJECTION) {                           /* volume of the ball; 4.5 binomial sigma */
             double volume = 4.0 / 3 * 3.141592653589793 * radius * radius * radius;
             CHECK_NEAR(report.acceptance, volume, 4.5 * volume / sqrt((double)N));
         }
@@ -392,7 +390,8 @@ static void test_threads(void)
 static void test_natural_box(void)
 {
     enum { N = 60, M = 9, COUNT = 200, EVEN = 500 };
-    static const double low[M] = {0, -1, 0, 0, -5, 1, 42, 0, -180}, high[M] = {1, 1, 100, 255, 5, 2, 42, 360, 180}; /* drawn from */
+    static const double low[M] = {0, -1, 0, 0, -5, 1, 42, 0, -180},
+                        high[M] = {1, 1, 100, 255, 5, 2, 42, 360, 180}; /* drawn from */
     static double even[EVEN * M];
     double x[N * M], y[N], r[COUNT * M], least, most;
     ms_gpr_gallery_options g;
@@ -411,7 +410,9 @@ static void test_natural_box(void)
             most = fmax(most, r[i * M + k]);
         }
         CHECK(least >= low[k] && most <= high[k]);
-        if (k != 2 && k != 4) CHECK_NEAR(most - least, high[k] - low[k], 0.1 * (high[k] - low[k])); /* of 200: 5% at each end, chance e^-10 */
+        if (k != 2 && k != 4)
+            CHECK_NEAR(most - least, high[k] - low[k],
+                       0.1 * (high[k] - low[k])); /* of 200: 5% at each end, chance e^-10 */
         CHECK(most >= high[k] - 0.1 * (high[k] - low[k]));
     }
     memset(&g, 0, sizeof g);
@@ -452,7 +453,7 @@ static void test_wishes(void)
             ++seen[(int)(10 * x[i * M + 2] + 0.5)];
         }
         for (i = 0, k = 0; i < 11; ++i) k += seen[i] > 0;
-        CHECK(k > 2); /* several of its eleven values */
+        CHECK(k > 2);            /* several of its eleven values */
         o = recommend_options(); /* a page is a part of the sequence */
         o.search = (ms_gpr_search)search;
         o.min_distance = 0.05;
@@ -469,7 +470,8 @@ static void test_wishes(void)
         for (i = 0; i < COUNT; ++i)
             for (j = 0; j < 2; ++j) {
                 double d2 = 0;
-                for (k = 0; k < M; ++k) d2 += (x[i * M + k] - avoid[j * M + k]) * (x[i * M + k] - avoid[j * M + k]) / (int)M;
+                for (k = 0; k < M; ++k)
+                    d2 += (x[i * M + k] - avoid[j * M + k]) * (x[i * M + k] - avoid[j * M + k]) / (int)M;
                 CHECK(sqrt(d2) >= 0.2);
             }
         for (i = 0; i < 3; ++i) {
@@ -499,7 +501,8 @@ static void test_wishes(void)
     taste_free(&t);
 }
 
-/* Parameters that come in steps: subset simulation gives every value as often as rejection does, whether it matters or not. */
+/* Parameters that come in steps: subset simulation gives every value as often as rejection does, whether it matters or
+   not. */
 static void test_steps(void)
 {
     enum { M = 8, COUNT = 400 };
@@ -524,12 +527,23 @@ static void test_steps(void)
     taste_free(&t);
 }
 
-/* Four classes in four of twelve dimensions, some broad and some narrow: each keeps the share of the region that it has, as uniform
-   candidates tell, wherever the threshold lies. */
+/* Four classes in four of twelve dimensions, some broad and some narrow: each keeps the share of the region that it
+   has, as uniform candidates tell, wherever the threshold lies. */
 static void test_shares(void)
 {
-    enum { M = 12, D = 4, MODES = 4, EACH = 40, FIRST = 80, N = FIRST + MODES * EACH, MANY = 400000, COUNT = 300, SEEDS = 4 };
-    static const double center[MODES][D] = {{0.2, 0.2, 0.2, 0.2}, {0.8, 0.8, 0.8, 0.8}, {0.2, 0.8, 0.2, 0.8}, {0.8, 0.2, 0.8, 0.2}};
+    enum {
+        M = 12,
+        D = 4,
+        MODES = 4,
+        EACH = 40,
+        FIRST = 80,
+        N = FIRST + MODES * EACH,
+        MANY = 400000,
+        COUNT = 300,
+        SEEDS = 4
+    };
+    static const double center[MODES][D] = {
+        {0.2, 0.2, 0.2, 0.2}, {0.8, 0.8, 0.8, 0.8}, {0.2, 0.8, 0.2, 0.8}, {0.8, 0.2, 0.8, 0.2}};
     static const double width[MODES] = {0.15, 0.2, 0.15, 0.18};
     static double x[N * M], y[N], r[COUNT * M];
     double theta[M + 2], worst = 0;
@@ -541,10 +555,13 @@ static void test_shares(void)
         for (c = 0, y[i] = 0; c < MODES; ++c) {
             double d2 = 0;
             for (k = 0; k < M && c == 0; ++k) {
-                double v = i < FIRST || k >= D ? test_uniform(&state) : center[(i - FIRST) / EACH][k] + width[(i - FIRST) / EACH] * test_normal(&state);
+                double v = i < FIRST || k >= D
+                    ? test_uniform(&state)
+                    : center[(i - FIRST) / EACH][k] + width[(i - FIRST) / EACH] * test_normal(&state);
                 x[i * M + k] = fmin(fmax(v, 0), 1);
             }
-            for (k = 0; k < D; ++k) d2 += (x[i * M + k] - center[c][k]) * (x[i * M + k] - center[c][k]) / (width[c] * width[c]);
+            for (k = 0; k < D; ++k)
+                d2 += (x[i * M + k] - center[c][k]) * (x[i * M + k] - center[c][k]) / (width[c] * width[c]);
             y[i] = fmax(y[i], 10 * exp(-0.5 * d2));
         }
     }
@@ -562,7 +579,9 @@ static void test_shares(void)
             o.tau = 0.45 + 0.15 * step;
             o.search = MS_GPR_SEARCH_SUBSET;
             CHECK_INT(ms_gpr_recommend(gp, &o, COUNT, r, NULL, NULL, &report, NULL), MS_OK);
-            for (i = 0; i < COUNT; ++i) got[2 * (r[i * M] > 0.5 ? r[i * M + 1] <= 0.5 : r[i * M + 1] > 0.5) + (r[i * M] > 0.5)] += 1.0 / (COUNT * (int)SEEDS);
+            for (i = 0; i < COUNT; ++i)
+                got[2 * (r[i * M] > 0.5 ? r[i * M + 1] <= 0.5 : r[i * M + 1] > 0.5) + (r[i * M] > 0.5)] += 1.0 /
+                    (COUNT * (int)SEEDS);
         }
         for (i = 0; i < MANY; ++i) {
             const float *p = cube + i * M;
@@ -572,7 +591,8 @@ static void test_shares(void)
         }
         CHECK(all > 500);
         for (c = 0; c < MODES; ++c) worst = fmax(worst, fabs(share[c] / all - got[c]));
-        CHECK_NEAR(log(report.acceptance * (int)MANY / all), 0, 0.5); /* its own estimate: 0.1 a level, and of few hits */
+        CHECK_NEAR(log(report.acceptance * (int)MANY / all), 0,
+                   0.5); /* its own estimate: 0.1 a level, and of few hits */
     }
     CHECK_LE(worst, 0.06); /* 300 draws of a half: 0.029 a seed, so 0.014 of four; and 0.03 a seed of the levels */
     TEST_NOTE("shares within %.3f", worst);
@@ -580,12 +600,14 @@ static void test_shares(void)
     free(cube), free(mean);
 }
 
-/* More modes than the shares are measured of, wide and narrow, joined and apart: all that comes back reaches the threshold. */
+/* More modes than the shares are measured of, wide and narrow, joined and apart: all that comes back reaches the
+   threshold. */
 static void test_many_modes(void)
 {
     enum { COUNT = 300, M = 5, MODES = 24, N = 5 * MODES };
     static double x[COUNT * M], mean[COUNT], score_x[N * M], score[N];
-    static const double tau[4] = {0.2, 0.4, 0.7, 0.95}, length[3] = {0.12, 0.25, 0.5}, low[M] = {0}, high[M] = {1, 1, 1, 1, 1};
+    static const double tau[4] = {0.2, 0.4, 0.7, 0.95}, length[3] = {0.12, 0.25, 0.5}, low[M] = {0},
+                        high[M] = {1, 1, 1, 1, 1};
     double theta[M + 2];
     int seed, step, wide, i, k;
     uint64_t state = 11 + test_seed;
@@ -641,12 +663,13 @@ static void test_rare_shares(void)
         ms_gpr_destroy(w.gp);
     }
     CHECK_LE(rarest, 3e-9);
-    CHECK_LE(sqrt(sum), 0.05); /* some 0.033 of many seeds, which 36 of them know to 0.004 */
+    CHECK_LE(sqrt(sum), 0.05);   /* some 0.033 of many seeds, which 36 of them know to 0.004 */
     CHECK_LE(sqrt(worst), 0.16); /* five of those */
     TEST_NOTE("rms %.3f, worst %.3f, down to %.1e of the box", sqrt(sum), sqrt(worst), rarest);
 }
 
-/* tau is relative to what can be had: at every tau there are materials, and a model that overshoots the scale is not believed. */
+/* tau is relative to what can be had: at every tau there are materials, and a model that overshoots the scale is not
+   believed. */
 static void test_every_tau(void)
 {
     int seed, step, i;
@@ -668,13 +691,16 @@ static void test_every_tau(void)
 
 /* --- what is kept: ties, steps, lists, a box --- */
 
-/* A taste in ten parameters and everything that can be kept of it: 0 and 1 equal; 2, 3 and 4 with a sum of 1.5; 5 and 6 from a list of
-   metals, one of which is outside the box; 7 in steps of 0.25 and 8 tied to it and to a metal; 9 fixed. */
+/* A taste in ten parameters and everything that can be kept of it: 0 and 1 equal; 2, 3 and 4 with a sum of 1.5; 5 and 6
+   from a list of metals, one of which is outside the box; 7 in steps of 0.25 and 8 tied to it and to a metal; 9
+   fixed. */
 enum { KEPT = 10, METALS = 5, TIES = 3 };
 static const int metal_columns[2] = {5, 6};
 static const double metals[METALS][2] = {{0.1, 0.9}, {0.5, 0.3}, {0.9, 0.2}, {0.4, 0.95}, {0.3, 0.7}};
-static const double kept_ties[TIES][KEPT + 1] = {{1, -1}, {0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 1.5}, {0, 0, 0, 0, 0, -0.5, 0, -0.4, 1, 0, 0}};
-static const double kept_low[KEPT] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0.3}, kept_high[KEPT] = {1, 1, 1, 1, 1, 1, 0.92, 1, 0.7, 0.3};
+static const double kept_ties[TIES][KEPT + 1] = {
+    {1, -1}, {0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 1.5}, {0, 0, 0, 0, 0, -0.5, 0, -0.4, 1, 0, 0}};
+static const double kept_low[KEPT] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0.3},
+                    kept_high[KEPT] = {1, 1, 1, 1, 1, 1, 0.92, 1, 0.7, 0.3};
 static const double kept_steps[KEPT] = {0, 0, 0, 0, 0, 0, 0, 0.25, 0, 0};
 
 static ms_gpr_space kept_space(void)
@@ -704,7 +730,9 @@ static int kept_metal(const double *x)
         if (memcmp(&x[5], &metals[k][0], sizeof *x) == 0 && memcmp(&x[6], &metals[k][1], sizeof *x) == 0) metal = k;
     for (k = 0; k < KEPT; ++k)
         if (x[k] < kept_low[k] || x[k] > kept_high[k]) return -1;
-    if (fabs(x[0] - x[1]) > 1e-9 || fabs(x[2] + x[3] + x[4] - 1.5) > 2e-9 || fabs(x[8] - 0.5 * x[5] - 0.4 * x[7]) > 1e-9) return -1; /* as promised */
+    if (fabs(x[0] - x[1]) > 1e-9 || fabs(x[2] + x[3] + x[4] - 1.5) > 2e-9 ||
+        fabs(x[8] - 0.5 * x[5] - 0.4 * x[7]) > 1e-9)
+        return -1; /* as promised */
     if (memcmp(&x[9], &kept_low[9], sizeof *x) != 0 || fabs(4 * x[7] - floor(4 * x[7] + 0.5)) > 0) return -1;
     return metal == 3 ? -1 : metal;
 }
@@ -737,7 +765,8 @@ static ms_gpr *kept_taste(double narrow)
     uint64_t state = 77;
     ms_gpr *gp = NULL;
     int i, k;
-    for (k = 0; k < KEPT + 2; ++k) theta[k] = k == 3 ? log(50.0) : k < KEPT ? log(0.9) : k == KEPT ? log(4.0) : log(0.2);
+    for (k = 0; k < KEPT + 2; ++k)
+        theta[k] = k == 3 ? log(50.0) : k < KEPT ? log(0.9) : k == KEPT ? log(4.0) : log(0.2);
     for (i = 0; i < N; ++i) {
         double d2 = 0;
         for (k = 0; k < KEPT; ++k) x[i * KEPT + k] = test_uniform(&state);
@@ -748,8 +777,8 @@ static ms_gpr *kept_taste(double narrow)
     return gp;
 }
 
-/* Both searches give what is kept in proportion to what there is of it, as materials made by hand and predicted say; and the best of
-   it is found by the ascents. */
+/* Both searches give what is kept in proportion to what there is of it, as materials made by hand and predicted say;
+   and the best of it is found by the ascents. */
 static void test_kept_shares(void)
 {
     enum { MANY = 200000, COUNT = 1500 };
@@ -779,7 +808,8 @@ static void test_kept_shares(void)
                 if (many < 40000) memcpy(liked[many++], all + i * KEPT, sizeof y);
             }
             CHECK(many > 1000);
-            CHECK(report.best >= top - 1e-3); /* and not the other way: ascents end on top of what 200,000 draws come near to */
+            CHECK(report.best >=
+                  top - 1e-3); /* and not the other way: ascents end on top of what 200,000 draws come near to */
             CHECK_LE(report.best, top + 0.05 * top);
             for (i = 0; i < COUNT; ++i) {
                 int metal = kept_metal(x + i * KEPT);
@@ -787,7 +817,8 @@ static void test_kept_shares(void)
                 if (metal >= 0) got[metal] += 1.0 / (int)COUNT;
             }
             for (i = 0; i < many; ++i) share[kept_metal(liked[i])] += 1.0 / many;
-            for (k = 0; k < METALS; ++k) CHECK_NEAR(got[k], share[k], 0.06); /* a half of 1500: 0.013, and a level's 0.02 */
+            for (k = 0; k < METALS; ++k)
+                CHECK_NEAR(got[k], share[k], 0.06); /* a half of 1500: 0.013, and a level's 0.02 */
             for (k = 0; k < KEPT; ++k) {
                 for (i = 0; i < many; ++i) a[i] = liked[i][k] + 1e-6 * i / many; /* equal ones broken alike */
                 for (i = 0; i < COUNT; ++i) b[i] = x[i * KEPT + k] + 1e-6 * i / (int)COUNT;
@@ -799,7 +830,8 @@ static void test_kept_shares(void)
     free(mean), free(all);
 }
 
-/* All together: pages, what is to be avoided, distances, caution, seeds, threads; galleries of every kind; a plane's walk and its variants. */
+/* All together: pages, what is to be avoided, distances, caution, seeds, threads; galleries of every kind; a plane's
+   walk and its variants. */
 static void test_kept_everywhere(void)
 {
     enum { COUNT = 60, Z = 12 };
@@ -863,7 +895,8 @@ static void test_kept_everywhere(void)
     CHECK_INT(ms_gpr_latent_fit(x[0], Z, KEPT, &l, &tied, NULL, NULL), MS_OK);
     memset(&l, 0, sizeof l);
     CHECK_INT(ms_gpr_latent_fit(x[0], Z, KEPT, &l, &raw, NULL, NULL), MS_OK);
-    for (step = 0; step <= 400; ++step) { /* a walk through it and far beyond: small steps stay small, as projections never lengthen them */
+    for (step = 0; step <= 400;
+         ++step) { /* a walk through it and far beyond: small steps stay small, as projections never lengthen them */
         double moved = 0, expected = 0;
         latent[0] = -4 + 0.02 * step;
         latent[1] = 0.3 * latent[0];
@@ -905,12 +938,16 @@ static void test_kept_refusals(void)
 {
     static const double inf = (double)INFINITY;
     static const double apart[2][KEPT + 1] = {{1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0.5}, {2, 2, 0, 0, 0, 0, 0, 0, 0, 0, 1.4}};
-    static const double twice[3][KEPT + 1] = {{1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0.5}, {2, 2, 0, 0, 0, 0, 0, 0, 0, 0, 1}, {0}};
-    static const double circle[3][KEPT + 1] = {{1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1.8}, {0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1.8}, {1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0.3}};
+    static const double twice[3][KEPT + 1] = {
+        {1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0.5}, {2, 2, 0, 0, 0, 0, 0, 0, 0, 0, 1}, {0}};
+    static const double circle[3][KEPT + 1] = {
+        {1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1.8}, {0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1.8}, {1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0.3}};
     static const double corner[KEPT + 1] = {1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 2};
     static const double beyond[KEPT + 1] = {1, -1, 0, 0, 0, 0, 0, 0, 0, 0, 3};
-    static const double fixed[KEPT + 1] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0.4}, stepped[KEPT + 1] = {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0.4};
-    static const double listed[KEPT + 1] = {0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0.5}, nothing[KEPT + 1] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
+    static const double fixed[KEPT + 1] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0.4},
+                                     stepped[KEPT + 1] = {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0.4};
+    static const double listed[KEPT + 1] = {0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0.5},
+                                      nothing[KEPT + 1] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
     static const int outside[2] = {5, 10}, same[2] = {5, 5};
     ms_gpr *gp = kept_taste(4);
     ms_gpr_latent *plane;
@@ -928,9 +965,14 @@ static void test_kept_refusals(void)
         memcpy(steps, kept_steps, sizeof steps);
         s.low = low, s.high = high, s.steps = steps, s.lists = list;
         switch (i) {
-        case 0: s.ties = apart[0], s.tie_count = 2, says = "tie 2 contradicts what is fixed and the ties before it"; break;
+        case 0:
+            s.ties = apart[0], s.tie_count = 2, says = "tie 2 contradicts what is fixed and the ties before it";
+            break;
         case 1: s.ties = circle[0], s.tie_count = 3, says = "contradict each other"; break;
-        case 2: s.ties = beyond, s.tie_count = 1, says = "tie 1 contradicts the box: its sum lies from -1 to 1 there, not at 3"; break;
+        case 2:
+            s.ties = beyond, s.tie_count = 1,
+            says = "tie 1 contradicts the box: its sum lies from -1 to 1 there, not at 3";
+            break;
         case 3: s.ties = fixed, s.tie_count = 1, says = "tie 1 contradicts the box"; break;
         case 4: s.ties = stepped, s.tie_count = 1, says = "tie 1 joins only"; break;
         case 5: s.ties = listed, s.tie_count = 1, says = "tie 1 joins only"; break;
@@ -976,10 +1018,7 @@ static void test_kept_refusals(void)
     ms_gpr_destroy(gp);
 }
 
-static int stop_at(void *limit, double fraction)
-{
-    return fraction >= *(double *)limit;
-}
+static int stop_at(void *limit, double fraction) { return fraction >= *(double *)limit; }
 
 static void test_recommend_refusals(void)
 {
@@ -1044,8 +1083,9 @@ static void test_recommend_refusals(void)
     taste_free(&t);
 }
 
-/* One and two scores, duplicates that disagree, near-duplicates, tiny noise, constant scores, scores of 1e6 and 1e-6 and below
-   zero, inputs of 1e4 with an offset of 1e8, one and 200 dimensions, lengths of 1e3 and 1e-3. Only rejection may give up. */
+/* One and two scores, duplicates that disagree, near-duplicates, tiny noise, constant scores, scores of 1e6 and 1e-6
+   and below zero, inputs of 1e4 with an offset of 1e8, one and 200 dimensions, lengths of 1e3 and 1e-3. Only rejection
+   may give up. */
 static void test_recommend_hard(void)
 {
     enum { N = 40 };
@@ -1054,15 +1094,22 @@ static void test_recommend_hard(void)
     for (problem = 0; problem < 13; ++problem) {
         uint64_t state = (uint64_t)problem + 9;
         int n = problem == 0 ? 1 : problem == 1 ? 2 : N, m = problem == 8 ? 1 : problem == 9 ? 200 : 6;
-        double inputs = problem == 7 ? 1e4 : 1, offset = problem == 7 ? 1e8 : 0, scores = problem == 5 ? 1e6 : problem == 6 ? 1e-6 : 1;
-        double length = problem == 10 ? 1e3 : problem == 12 ? 1e-3 : problem == 9 ? 3 : 0.5, shift = problem == 11 ? -5 : 0;
+        double inputs = problem == 7 ? 1e4 : 1, offset = problem == 7 ? 1e8 : 0,
+               scores = problem == 5 ? 1e6
+            : problem == 6           ? 1e-6
+                                     : 1;
+        double length = problem == 10 ? 1e3
+            : problem == 12           ? 1e-3
+            : problem == 9            ? 3
+                                      : 0.5,
+               shift = problem == 11 ? -5 : 0;
         ms_gpr *gp;
         for (i = 0; i < n; ++i) {
             double s = 0;
             for (k = 0; k < m; ++k) {
                 double v = test_uniform(&state);
-                if (problem == 2 && i > 0) v = (x[k] - offset) / inputs;                   /* duplicates */
-                if (problem == 3 && i > 0) v = (x[k] - offset) / inputs + 1e-9 * v;        /* near-duplicates */
+                if (problem == 2 && i > 0) v = (x[k] - offset) / inputs;            /* duplicates */
+                if (problem == 3 && i > 0) v = (x[k] - offset) / inputs + 1e-9 * v; /* near-duplicates */
                 x[i * m + k] = offset + inputs * v;
                 if (k < 3) s += v;
             }
@@ -1213,8 +1260,8 @@ static double promise(const ms_gpr *gp, const double *x)
     return sqrt(variance) * 0.5 * erfc(-mean / sqrt(2 * variance));
 }
 
-/* Each choice of a gallery must be at least as good as all that follow, once the model has seen those before it: here by
-   appending them with their own mean, which changes no mean. */
+/* Each choice of a gallery must be at least as good as all that follow, once the model has seen those before it: here
+   by appending them with their own mean, which changes no mean. */
 static void test_gallery_greedy(void)
 {
     enum { Q = 25 };
@@ -1243,8 +1290,8 @@ static void test_gallery_greedy(void)
     }
 }
 
-/* What the active gallery is for: after rounds of 10, recommendations are better than after as many uniform scores; the first one covers
-   every parameter's range evenly, and every round differs. */
+/* What the active gallery is for: after rounds of 10, recommendations are better than after as many uniform scores; the
+   first one covers every parameter's range evenly, and every round differs. */
 static void test_gallery_active(void)
 {
     enum { M = 19, N = 80, ROUND = 10, SOLD = 100, USERS = 6 };
@@ -1286,7 +1333,8 @@ static void test_gallery_intermediate(void)
 {
     enum { N = 20000, Q = 300 };
     taste t = taste_make(6, 150, 8, 0.25, NULL);
-    double *x = (double *)malloc(N * 8 * sizeof *x), *u = (double *)malloc(N * sizeof *u), one = 0, two = 0, mean = 0, square = 0;
+    double *x = (double *)malloc(N * 8 * sizeof *x), *u = (double *)malloc(N * sizeof *u), one = 0, two = 0, mean = 0,
+           square = 0;
     ms_gpr_gallery_options g;
     uint64_t state = 3;
     int i;
@@ -1309,13 +1357,15 @@ static void test_gallery_intermediate(void)
         square += u[i] * u[i] / (int)Q;
     }
     TEST_NOTE("mean score %.3f, expected %.3f", mean, two / one);
-    CHECK_NEAR(mean, two / one, 4.5 * sqrt((square - mean * mean) / (int)Q) + 0.03 * mean); /* 4.5 sigma; 3%: the tail runs out */
+    CHECK_NEAR(mean, two / one,
+               4.5 * sqrt((square - mean * mean) / (int)Q) + 0.03 * mean); /* 4.5 sigma; 3%: the tail runs out */
     free(x);
     free(u);
     taste_free(&t);
 }
 
-/* All kinds stay in the box and differ; novelty keeps away from what was seen; a model without scores gives galleries as well. */
+/* All kinds stay in the box and differ; novelty keeps away from what was seen; a model without scores gives galleries
+   as well. */
 static void test_gallery_kinds(void)
 {
     enum { Q = 40 };
@@ -1386,7 +1436,8 @@ static void test_latent_reference(void)
         const json *p = &problems->child[i], *rounding = json_get(p, "f64_err");
         int z = (int)json_number(json_get(p, "z")), m = (int)json_number(json_get(p, "d")), count, n;
         double *x = numbers(p, "X", NULL), *latent = numbers(p, "L", NULL), *theta = numbers(p, "theta", NULL);
-        double *gradient = numbers(p, "grad", NULL), *slopes = numbers(p, "grad_latent", &n), *places = numbers(p, "Ls", &count);
+        double *gradient = numbers(p, "grad", NULL), *slopes = numbers(p, "grad_latent", &n),
+               *places = numbers(p, "Ls", &count);
         double *mean = numbers(p, "mean", NULL), *variance = numbers(p, "var", NULL);
         double ll = json_number(json_get(p, "ll"));
         count /= 2;
@@ -1426,8 +1477,8 @@ static void test_latent_reference(void)
     json_free(problems);
 }
 
-/* Fits reach at least the likelihoods of the references, and what L-BFGS-B of SciPy reached as the best of 20 starts (two kinds
-   of components at 5 scales, 2 noises): 434.790, 2506.779, 1992.102. */
+/* Fits reach at least the likelihoods of the references, and what L-BFGS-B of SciPy reached as the best of 20 starts
+   (two kinds of components at 5 scales, 2 noises): 434.790, 2506.779, 1992.102. */
 static void test_latent_likelihood(void)
 {
     json *problems = json_load("tests/data/gplvm_problems.json"), *data = json_load("tests/data/gplvm_data.json");
@@ -1448,14 +1499,16 @@ static void test_latent_likelihood(void)
     for (i = 0; i < 3; ++i) {
         for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
             int z = i == 0 ? 16 : i == 1 ? 60 : 48;
-            double *x = i == 0 ? numbers(&problems->child[0], "X", NULL) : numbers(json_get(data, name[i]), "X", NULL), value;
+            double *x = i == 0 ? numbers(&problems->child[0], "X", NULL) : numbers(json_get(data, name[i]), "X", NULL),
+                   value;
             ms_gpr_latent_options o;
             ms_gpr_latent *plane;
             ms_gpr_latent_report report;
             memset(&o, 0, sizeof o);
             o.simd = (ms_simd)level;
             CHECK_INT(ms_gpr_latent_fit(x, z, 19, &o, &plane, &report, NULL), MS_OK);
-            CHECK(report.likelihood >= best[i] - 0.5); /* other rounding takes other paths; 0.5 in 2000 shows in no picture */
+            CHECK(report.likelihood >=
+                  best[i] - 0.5); /* other rounding takes other paths; 0.5 in 2000 shows in no picture */
             CHECK_INT(ms_gpr_latent_likelihood(plane, &value, NULL, NULL, NULL), MS_OK);
             CHECK_NEAR(value, report.likelihood, 1e-9 * fabs(value)); /* center and scale differ by rounding */
             CHECK(report.error < 0.05 && report.evaluations > 0 && report.evaluations <= 2000);
@@ -1468,8 +1521,8 @@ static void test_latent_likelihood(void)
     json_free(data);
 }
 
-/* Known structure comes out: the nearest latent of a clusters48 material is of its own cluster; neighbours on the circle stay
-   neighbours. */
+/* Known structure comes out: the nearest latent of a clusters48 material is of its own cluster; neighbours on the
+   circle stay neighbours. */
 static void test_latent_structure(void)
 {
     json *data = json_load("tests/data/gplvm_data.json");
@@ -1493,7 +1546,9 @@ static void test_latent_structure(void)
                 nearest = j;
             }
             if (set == 0) right += fabs(label[i] - label[nearest]) < 0.5;
-            else right += hypot(where[2 * i] - where[2 * nearest], where[2 * i + 1] - where[2 * nearest + 1]) < 0.35; /* of radius 1 */
+            else
+                right += hypot(where[2 * i] - where[2 * nearest], where[2 * i + 1] - where[2 * nearest + 1]) <
+                    0.35; /* of radius 1 */
         }
         TEST_NOTE("%s %d of %d", name[set], right, z);
         CHECK(right >= z - 1);
@@ -1503,12 +1558,13 @@ static void test_latent_structure(void)
     json_free(data);
 }
 
-/* There and back: the nearest latent of a material of the plane gives that material again; off the plane nothing on a fine grid is
-   nearer. With variance. */
+/* There and back: the nearest latent of a material of the plane gives that material again; off the plane nothing on a
+   fine grid is nearer. With variance. */
 static void test_latent_find(void)
 {
     json *data = json_load("tests/data/gplvm_data.json");
-    double *x = numbers(json_get(data, "clusters48"), "X", NULL), worst = 0, at[2], back[2], material[19], again[19], distance, variance, v;
+    double *x = numbers(json_get(data, "clusters48"), "X", NULL), worst = 0, at[2], back[2], material[19], again[19],
+           distance, variance, v;
     uint64_t state = test_seed;
     ms_gpr_latent *plane;
     ms_gpr_grid grid;
@@ -1578,7 +1634,8 @@ static int stop_now(void *left, double fraction)
     return --*(int *)left < 0;
 }
 
-/* Two and three materials, equal rows, a constant column, one and 200 columns, offsets of 1e8, scales of 1e4 and 1e-6; refusals. */
+/* Two and three materials, equal rows, a constant column, one and 200 columns, offsets of 1e8, scales of 1e4 and 1e-6;
+   refusals. */
 static void test_latent_hard(void)
 {
     static double x[30 * 200];
@@ -1825,7 +1882,9 @@ static void test_null(void)
     memset(&s, 0, sizeof s);
     memset(&empty, 0, sizeof empty);
     s.x = p.liked;
-#define REFUSES(call, name) CHECK_INT(call, MS_INVALID_ARGUMENT); CHECK(strcmp(error.message, name " is NULL") == 0)
+#define REFUSES(call, name)               \
+    CHECK_INT(call, MS_INVALID_ARGUMENT); \
+    CHECK(strcmp(error.message, name " is NULL") == 0)
     REFUSES(ms_gpr_recommend(NULL, NULL, 1, x, NULL, NULL, NULL, &error), "gp");
     REFUSES(ms_gpr_recommend(p.t.gp, NULL, 1, NULL, NULL, NULL, NULL, &error), "x");
     REFUSES(ms_gpr_gallery(NULL, NULL, 1, x, &error), "gp");
@@ -1852,7 +1911,8 @@ static void test_null(void)
     REFUSES(ms_gpr_variants(p.plane, p.t.gp, &s, &p.grid, &lambda, 1, 0, NULL, NULL, &error), "variant");
 #undef REFUSES
     CHECK(ms_gpr_latent_count(NULL) == 0 && ms_gpr_latent_points(NULL) == NULL && ms_gpr_latent_theta(NULL) == NULL);
-    CHECK_NEAR(ms_gpr_latent_jitter(NULL) + ms_gpr_grid_value(NULL, map, 0, 0) + ms_gpr_grid_value(&p.grid, NULL, 0, 0), 0, 0);
+    CHECK_NEAR(ms_gpr_latent_jitter(NULL) + ms_gpr_grid_value(NULL, map, 0, 0) + ms_gpr_grid_value(&p.grid, NULL, 0, 0),
+               0, 0);
     CHECK_INT(ms_gpr_grid_around(NULL, 5).columns, 0);
     ms_gpr_grid_point(NULL, 0, 0, at);
     ms_gpr_map_product(&p.grid, NULL, &p.grid, map, map);
@@ -1914,7 +1974,8 @@ static void test_variants(void)
     enum { L = 9, FINE = 61 };
     plane_of_taste p = plane_make(20);
     double lambda[L], x[L * 12], at[2], *score = (double *)malloc(FINE * FINE * sizeof *score),
-           *similar = (double *)malloc(FINE * FINE * sizeof *similar), *known = (double *)malloc(FINE * FINE * sizeof *known), best;
+                                        *similar = (double *)malloc(FINE * FINE * sizeof *similar),
+                                        *known = (double *)malloc(FINE * FINE * sizeof *known), best;
     ms_gpr_variant v[L];
     ms_gpr_similarity s;
     ms_gpr_grid fine = p.grid;
@@ -1929,18 +1990,21 @@ static void test_variants(void)
     CHECK_INT(ms_gpr_map_preference(p.plane, p.t.gp, &fine, score, NULL, NULL), MS_OK);
     CHECK_INT(ms_gpr_map_similarity(p.plane, &s, &fine, similar, NULL), MS_OK);
     CHECK_INT(ms_gpr_map_confidence(p.plane, &fine, known, NULL), MS_OK);
-    CHECK_NEAR((fine.x1 - fine.x0) / exp(ms_gpr_latent_theta(p.plane)[0]), (fine.y1 - fine.y0) / exp(ms_gpr_latent_theta(p.plane)[1]), 1e-12);
+    CHECK_NEAR((fine.x1 - fine.x0) / exp(ms_gpr_latent_theta(p.plane)[0]),
+               (fine.y1 - fine.y0) / exp(ms_gpr_latent_theta(p.plane)[1]), 1e-12);
     calls = 0;
     CHECK_INT(ms_gpr_variants(p.plane, p.t.gp, &s, &p.grid, lambda, L, 10, v, x, NULL), MS_OK);
     TEST_NOTE("%d pictures for %d variants", calls, L);
     CHECK_LE(calls, 20 * 20 + 2 + L * 160);
     for (i = 0; i < L; ++i) {
         double top = -1e300, again[12], u;
-        CHECK_NEAR(v[i].value, v[i].confidence * (lambda[i] * v[i].similarity + (1 - lambda[i]) * v[i].score / 10), 1e-12);
+        CHECK_NEAR(v[i].value, v[i].confidence * (lambda[i] * v[i].similarity + (1 - lambda[i]) * v[i].score / 10),
+                   1e-12);
         if (i) CHECK(v[i].confidence * v[i].similarity >= v[i - 1].confidence * v[i - 1].similarity);
         if (i) CHECK(v[i].confidence * v[i].score <= v[i - 1].confidence * v[i - 1].score);
         CHECK(v[i].confidence > 0.5); /* not where the plane knows nothing */
-        CHECK(v[i].latent[0] > p.grid.x0 && v[i].latent[0] < p.grid.x1 && v[i].latent[1] > p.grid.y0 && v[i].latent[1] < p.grid.y1);
+        CHECK(v[i].latent[0] > p.grid.x0 && v[i].latent[0] < p.grid.x1 && v[i].latent[1] > p.grid.y0 &&
+              v[i].latent[1] < p.grid.y1);
         for (k = 0; k < FINE * FINE; ++k) {
             double value = known[k] * (lambda[i] * similar[k] + (1 - lambda[i]) * score[k] / 10);
             if (value > top) top = value;

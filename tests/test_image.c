@@ -1,5 +1,5 @@
-/* examples/image.h: PFM, PPM, PGM and PNG are read as their formats say, and strictly; the written PNG's parts are well-formed;
-   other sizes keep the light. */
+/* examples/image.h: PFM, PPM, PGM and PNG are read as their formats say, and strictly; the written PNG's parts are
+   well-formed; other sizes keep the light. */
 #include "image.h"
 #include "test.h"
 
@@ -253,13 +253,19 @@ static void test_code_lengths(void)
 
 static void test_png_read(void)
 {
-    static const struct { int colour, samples, channels, depths[6]; } kinds[] = {
-        {0, 1, 1, {1, 2, 4, 8, 16, 0}}, {2, 3, 3, {8, 16, 0}}, {3, 1, 3, {1, 2, 4, 8, 0}}, {4, 2, 4, {8, 16, 0}}, {6, 4, 4, {8, 16, 0}}};
+    static const struct {
+        int colour, samples, channels, depths[6];
+    } kinds[] = {{0, 1, 1, {1, 2, 4, 8, 16, 0}},
+                 {2, 3, 3, {8, 16, 0}},
+                 {3, 1, 3, {1, 2, 4, 8, 0}},
+                 {4, 2, 4, {8, 16, 0}},
+                 {6, 4, 4, {8, 16, 0}}};
     int k, d, interlaced, x, y, c, files = 0;
     for (k = 0; k < 5; ++k)
         for (d = 0; kinds[k].depths[d]; ++d)
             for (interlaced = 0; interlaced < 2; ++interlaced, ++files) {
-                int bits = kinds[k].depths[d], most = (1 << bits) - 1, channels = kinds[k].colour == 3 && interlaced ? 4 : kinds[k].channels;
+                int bits = kinds[k].depths[d], most = (1 << bits) - 1,
+                    channels = kinds[k].colour == 3 && interlaced ? 4 : kinds[k].channels;
                 char path[80];
                 const char *problem;
                 image im;
@@ -274,9 +280,11 @@ static void test_png_read(void)
                             int v = (37 * x + 11 * y) & most;
                             double expected;
                             if (kinds[k].colour == 3) expected = (c == 3 ? 255 - v : (7 - 2 * c) * v & 255) / 255.0;
-                            else if (kinds[k].colour == 4) expected = ((37 * x + 11 * y + 50 * (c == 3)) & most) / (double)most;
+                            else if (kinds[k].colour == 4)
+                                expected = ((37 * x + 11 * y + 50 * (c == 3)) & most) / (double)most;
                             else expected = ((37 * x + 11 * y + 50 * c) & most) / (double)most;
-                            CHECK_NEAR(im.pixels[(y * 13 + x) * channels + c], expected, 1e-7); /* rounding of a float */
+                            CHECK_NEAR(im.pixels[(y * 13 + x) * channels + c], expected,
+                                       1e-7); /* rounding of a float */
                         }
                 image_free(&im);
             }
@@ -286,7 +294,8 @@ static void test_png_read(void)
 /* Cut anywhere or damaged in any byte, a PNG is refused: every byte is under a checksum or decides how it is read. */
 static void test_png_damage(void)
 {
-    static const char *const files[] = {"tests/data/png/c2_b8_i0.png", "tests/data/png/c3_b4_i1.png", "tests/data/png/c0_b16_i1.png"};
+    static const char *const files[] = {"tests/data/png/c2_b8_i0.png", "tests/data/png/c3_b4_i1.png",
+                                        "tests/data/png/c0_b16_i1.png"};
     size_t size = 0, i, k;
     for (k = 0; k < 3; ++k) {
         unsigned char *data = (unsigned char *)test_read_file(files[k], &size), *copy;
@@ -320,10 +329,15 @@ static void test_png_round_trip(void)
         for (kind = 0; kind < 3; ++kind) {
             image im = image_new(sizes[k][0], sizes[k][1], sizes[k][2]), back;
             size_t i, n = image_count(&im);
-            for (i = 0; i < n; ++i) im.pixels[i] = (float)(kind == 0 ? 7 : kind == 1 ? (int)(i / 40) % 256 : (int)(256 * test_uniform(&state))) / 255;
+            for (i = 0; i < n; ++i)
+                im.pixels[i] = (float)(kind == 0       ? 7
+                                           : kind == 1 ? (int)(i / 40) % 256
+                                                       : (int)(256 * test_uniform(&state))) /
+                    255;
             CHECK(image_write("build/test_image.png", &im) == NULL);
             CHECK(image_read("build/test_image.png", &back) == NULL);
-            CHECK(back.pixels && back.channels == im.channels && image_count(&back) == n && memcmp(im.pixels, back.pixels, n * sizeof(float)) == 0);
+            CHECK(back.pixels && back.channels == im.channels && image_count(&back) == n &&
+                  memcmp(im.pixels, back.pixels, n * sizeof(float)) == 0);
             image_free(&im);
             image_free(&back);
         }
@@ -351,7 +365,8 @@ static void test_resize(void)
         image_free(&out);
     }
     out = image_resize(&im, 10, 31);
-    CHECK_NEAR(out.pixels[3 * (10 * 4 + 3) + 1], 0.5 * ((double)im.pixels[3 * (20 * 4 + 6) + 1] + (double)im.pixels[3 * (20 * 4 + 7) + 1]), 1e-7);
+    CHECK_NEAR(out.pixels[3 * (10 * 4 + 3) + 1],
+               0.5 * ((double)im.pixels[3 * (20 * 4 + 6) + 1] + (double)im.pixels[3 * (20 * 4 + 7) + 1]), 1e-7);
     image_free(&out);
     rgba = image_new(2, 1, 4);
     rgba.pixels[0] = 1;
@@ -370,9 +385,10 @@ static void test_half(void)
 {
     unsigned h;
     for (h = 0; h < 0x7bff; ++h) {
-        float a = image_from_half((uint16_t)h), b = image_from_half((uint16_t)(h + 1)), middle = (a + b) / 2; /* exact: 12 bits */
-        if (image_to_half(a) != h || (h && image_to_half(-a) != (h | 0x8000u)) || image_to_half(middle) != h + h % 2 || image_to_half(nextafterf(middle, a)) != h ||
-            image_to_half(nextafterf(middle, b)) != h + 1 || !(a < b)) {
+        float a = image_from_half((uint16_t)h), b = image_from_half((uint16_t)(h + 1)),
+              middle = (a + b) / 2; /* exact: 12 bits */
+        if (image_to_half(a) != h || (h && image_to_half(-a) != (h | 0x8000u)) || image_to_half(middle) != h + h % 2 ||
+            image_to_half(nextafterf(middle, a)) != h || image_to_half(nextafterf(middle, b)) != h + 1 || !(a < b)) {
             TEST_FAIL("around half %04x", h);
             break;
         }
@@ -386,10 +402,9 @@ static void test_half(void)
 }
 
 static const test_case cases[] = {
-    {"pfm_bytes", test_pfm_bytes},         {"pnm_bytes", test_pnm_bytes}, {"round_trip", test_round_trip},
-    {"not_finite", test_not_finite},       {"refused", test_refused},     {"prefixes", test_prefixes},
-    {"write_refused", test_write_refused}, {"srgb", test_srgb},           {"png_chunks", test_png_chunks},
-    {"code_lengths", test_code_lengths},
-    {"png_read", test_png_read},           {"png_damage", test_png_damage},
-    {"png_round_trip", test_png_round_trip}, {"resize", test_resize}, {"half", test_half}};
+    {"pfm_bytes", test_pfm_bytes},           {"pnm_bytes", test_pnm_bytes}, {"round_trip", test_round_trip},
+    {"not_finite", test_not_finite},         {"refused", test_refused},     {"prefixes", test_prefixes},
+    {"write_refused", test_write_refused},   {"srgb", test_srgb},           {"png_chunks", test_png_chunks},
+    {"code_lengths", test_code_lengths},     {"png_read", test_png_read},   {"png_damage", test_png_damage},
+    {"png_round_trip", test_png_round_trip}, {"resize", test_resize},       {"half", test_half}};
 TEST_MAIN(cases)

@@ -1,5 +1,5 @@
-/* A host whose locale writes 1,5 for 1.5: what the headers and the examples' headers read and write stays as it is. The locale is
-   made by localedef where none is installed. */
+/* A host whose locale writes 1,5 for 1.5: what the headers and the examples' headers read and write stays as it is. The
+   locale is made by localedef where none is installed. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 #define MS_SSS_IMPLEMENTATION
@@ -25,7 +25,8 @@ static int comma_locale(void)
 static int enter(void)
 {
     if (comma_locale()) return 1;
-    if (system("mkdir -p " FOLDER " && localedef -i de_DE -f UTF-8 " FOLDER "de_DE.UTF-8 >/dev/null 2>&1") != 0) return 0;
+    if (system("mkdir -p " FOLDER " && localedef -i de_DE -f UTF-8 " FOLDER "de_DE.UTF-8 >/dev/null 2>&1") != 0)
+        return 0;
     setenv("LOCPATH", FOLDER, 1);
     return comma_locale();
 }
@@ -70,7 +71,8 @@ static void write_all(const char *to)
     CHECK_INT(ms_mcml_mco_save(path, file.runs, &result, 1.5, &error), MS_OK);
     ms_mcml_result_destroy(&result);
     options.roulette_weight = 1.625;
-    CHECK_INT(ms_mcml_simulate(&file.runs[0].tissue, &file.runs[0].grid, &options, &result, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_simulate(&file.runs[0].tissue, &file.runs[0].grid, &options, &result, &error),
+              MS_INVALID_ARGUMENT);
     CHECK(strncmp(error.message, "roulette_weight is 1.625, ", 26) == 0);
     ms_mcml_mci_destroy(&file);
 }
@@ -99,8 +101,10 @@ static void case_written(void)
 
 static void read_all(void)
 {
-    static const char with_points[] = "\xEF\xBB\xBFx0,x1,score\n0.25,0.5,7.5\n1,1e-1,3\n", with_commas[] = "x0;x1;score\n0,25;0,5;7,5\n# no\n1;1e-1;3";
-    static const char tabs[] = "0,25\t0.5\t7,5\n1\t1e-1\t3\n", rings[] = "r_mm,R,G,B\n0.25,4e-1,.3,0.2\n0.75,0.2,0.15,0.1\n1.25,0,0,0\n";
+    static const char with_points[] = "\xEF\xBB\xBFx0,x1,score\n0.25,0.5,7.5\n1,1e-1,3\n",
+                      with_commas[] = "x0;x1;score\n0,25;0,5;7,5\n# no\n1;1e-1;3";
+    static const char tabs[] = "0,25\t0.5\t7,5\n1\t1e-1\t3\n",
+                      rings[] = "r_mm,R,G,B\n0.25,4e-1,.3,0.2\n0.75,0.2,0.15,0.1\n1.25,0,0,0\n";
     static const char *const text[] = {with_points, with_commas, tabs};
     ms_sss_profile *profile;
     ms_error error;
@@ -113,10 +117,14 @@ static void read_all(void)
         CHECK(problem == NULL);
         problem = scores_read(FOLDER "in.csv", &s);
         if (problem) TEST_FAIL("%d: %s, line %d", i, problem, s.line);
-        else CHECK(s.n == 2 && s.m == 2 && s.x[0] == 0.25 && s.x[1] == 0.5 && s.y[0] == 7.5 && s.x[3] == 0.1 && s.y[1] == 3);
+        else
+            CHECK(s.n == 2 && s.m == 2 && s.x[0] == 0.25 && s.x[1] == 0.5 && s.y[0] == 7.5 && s.x[3] == 0.1 &&
+                  s.y[1] == 3);
         scores_free(&s);
         problem = materials_read(FOLDER "in.csv", i == 2 ? 3 : 2, &m);
-        if (i == 2) CHECK(problem != NULL && strstr(problem, "7,5") == NULL && strstr(problem, "outside") != NULL); /* 7.5 is no parameter */
+        if (i == 2)
+            CHECK(problem != NULL && strstr(problem, "7,5") == NULL &&
+                  strstr(problem, "outside") != NULL); /* 7.5 is no parameter */
         else if (problem) TEST_FAIL("%d: %s", i, problem);
         else CHECK(m.count == 2 && m.x[0] == 0.25f && m.x[1] == 0.5f && m.x[3] == 0.1f);
         materials_free(&m);
@@ -139,8 +147,10 @@ static void case_read(void)
 /* number_read against strtod of the C locale, for what both know; what is no number is none. */
 static void case_numbers(void)
 {
-    static const char *const text[] = {"0", "-1.5", "+2.5e3", "1e-300", "  7.25;", "12345678901234567890.5", ".5", "5.", "1e5,3", "nan", "inf",
-                                       "-infinity", "1.5.5", "1e", "--1", "", "abc", "e5", ".", "1,5", "1 2"};
+    static const char *const text[] = {"0",     "-1.5", "+2.5e3", "1e-300", "  7.25;", "12345678901234567890.5",
+                                       ".5",    "5.",   "1e5,3",  "nan",    "inf",     "-infinity",
+                                       "1.5.5", "1e",   "--1",    "",       "abc",     "e5",
+                                       ".",     "1,5",  "1 2"};
     int round;
     size_t i;
     for (round = 0; round < 2; ++round)

@@ -1,5 +1,5 @@
-/* The command build/match (examples/match.c) as people use it: one picture in every format and size, masks, alpha, names, exit codes,
-   and old results that stay after a failure. */
+/* The command build/match (examples/match.c) as people use it: one picture in every format and size, masks, alpha,
+   names, exit codes, and old results that stay after a failure. */
 #include "edits.h"
 #include "test.h"
 #include <sys/wait.h>
@@ -65,16 +65,22 @@ static image picture(int channels, int factor)
     for (y = 0; y < S * factor; ++y)
         for (x = 0; x < S * factor; ++x)
             for (c = 0; c < channels; ++c)
-                im.pixels[(y * S * factor + x) * channels + c] =
-                    c == 3 ? 1 : (float)(60 + 17 * (x / factor) + 3 * (y / factor) * (y / factor) + (channels > 2 ? 13 * c : 0)) / 400 * 256 / 255;
+                im.pixels[(y * S * factor + x) * channels + c] = c == 3
+                    ? 1
+                    : (float)(60 + 17 * (x / factor) + 3 * (y / factor) * (y / factor) + (channels > 2 ? 13 * c : 0)) /
+                        400 * 256 / 255;
     for (x = 0; x < (int)image_count(&im); ++x) im.pixels[x] = (float)image_to_byte(im.pixels[x]) / 255;
     return im;
 }
 
 static void test_formats(void)
 {
-    static const struct { const char *name; int channels, factor, linear; double tolerance; } list[] = {
-        {"a.ppm", 3, 1, 0, 0}, {"a.png", 3, 1, 0, 0}, {"alpha.png", 4, 1, 0, 1e-3}, {"large.png", 3, 5, 0, 1e-2}, {"linear.pfm", 3, 1, 1, 1e-2}, {"large.pfm", 3, 3, 1, 1e-2}};
+    static const struct {
+        const char *name;
+        int channels, factor, linear;
+        double tolerance;
+    } list[] = {{"a.ppm", 3, 1, 0, 0},        {"a.png", 3, 1, 0, 0},         {"alpha.png", 4, 1, 0, 1e-3},
+                {"large.png", 3, 5, 0, 1e-2}, {"linear.pfm", 3, 1, 1, 1e-2}, {"large.pfm", 3, 3, 1, 1e-2}};
     double x[N], first[N];
     size_t k;
     int i;
@@ -89,9 +95,11 @@ static void test_formats(void)
         rmse = answer(path, k ? x : first);
         CHECK(rmse > 0 && rmse < 1);
         CHECK((strstr(said, "brought to the renderer's 8 x 8") != NULL) == (list[k].factor > 1));
-        /* a sRGB curve there and back costs a float's rounding, which 50 renders blow up; weights of 1 another objective's rounding */
+        /* a sRGB curve there and back costs a float's rounding, which 50 renders blow up; weights of 1 another
+           objective's rounding */
         for (i = 0; i < N && k; ++i)
-            if (!(fabs(x[i] - first[i]) <= list[k].tolerance)) TEST_FAIL("%s: x%d = %g, %g from the PPM", list[k].name, i, x[i], first[i]);
+            if (!(fabs(x[i] - first[i]) <= list[k].tolerance))
+                TEST_FAIL("%s: x%d = %g, %g from the PPM", list[k].name, i, x[i], first[i]);
         image_free(&im);
     }
     { /* grey is the same in three channels, from either format */
@@ -110,11 +118,12 @@ static void test_formats(void)
     }
 }
 
-/* What a mask hides does not matter, whether the mask is grey, in colour, or the picture's own alpha; a mask of a few pixels says what
-   it leaves open. */
+/* What a mask hides does not matter, whether the mask is grey, in colour, or the picture's own alpha; a mask of a few
+   pixels says what it leaves open. */
 static void test_masks(void)
 {
-    image im = picture(3, 1), rgba = picture(4, 1), grey = image_new(S, S, 1), colour = image_new(S, S, 3), few = image_new(2 * S, 2 * S, 1);
+    image im = picture(3, 1), rgba = picture(4, 1), grey = image_new(S, S, 1), colour = image_new(S, S, 3),
+          few = image_new(2 * S, 2 * S, 1);
     double x[N], first[N];
     int i, c;
     if (!have_tool()) SKIP("build/match is not there; make builds it");
@@ -177,7 +186,8 @@ static void test_names(void)
     image_free(&im);
 }
 
-/* Frames of a sequence change by no more than asked; two views of one material count both; a picture that slipped is put back. */
+/* Frames of a sequence change by no more than asked; two views of one material count both; a picture that slipped is
+   put back. */
 static void test_sequences_and_views(void)
 {
     image im = picture(3, 1), large;
@@ -237,7 +247,8 @@ static void test_sequences_and_views(void)
     }
 }
 
-/* A brighter picture with a coloured cast: --tint finds both and leaves a closer picture; frozen parameters stay, pulled ones hardly move. */
+/* A brighter picture with a coloured cast: --tint finds both and leaves a closer picture; frozen parameters stay,
+   pulled ones hardly move. */
 static void test_edits(void)
 {
     image im = picture(3, 1), lit = picture(3, 1);
@@ -246,7 +257,8 @@ static void test_edits(void)
     int i, c;
     if (!have_tool()) SKIP("build/match is not there; make builds it");
     image_write(FOLDER "a.ppm", &im);
-    plain = answer(FOLDER "a.ppm --out-png " FOLDER "drawn.png --cost 200", first); /* a picture that the renderer can make, to 8 bits */
+    plain = answer(FOLDER "a.ppm --out-png " FOLDER "drawn.png --cost 200",
+                   first); /* a picture that the renderer can make, to 8 bits */
     CHECK(plain > 0);
     image_free(&im);
     CHECK(image_read(FOLDER "drawn.png", &im) == NULL);
@@ -293,9 +305,11 @@ static void test_logo(void)
     net = "examples/data/renderer_64.safetensors";
     for (k = 0; k < 2; ++k) {
         answer(k ? FOLDER "painted.png --inversion examples/data --cost 100 --robust --out-png " FOLDER "again.png"
-                 : FOLDER "painted.png --inversion examples/data --cost 100 --out-png " FOLDER "again.png", x);
+                 : FOLDER "painted.png --inversion examples/data --cost 100 --out-png " FOLDER "again.png",
+               x);
         CHECK(image_read(FOLDER "again.png", &drawn) == NULL);
-        for (i = 0; i < image_count(&drawn); ++i) off[k] += fabs((double)drawn.pixels[i] - (double)clean.pixels[i]) / (double)image_count(&drawn);
+        for (i = 0; i < image_count(&drawn); ++i)
+            off[k] += fabs((double)drawn.pixels[i] - (double)clean.pixels[i]) / (double)image_count(&drawn);
         image_free(&drawn);
     }
     net = NET;
@@ -308,12 +322,22 @@ static void test_logo(void)
 
 static void test_mistakes(void)
 {
-    static const char *const list[][2] = {
-        {"", "usage"}, {FOLDER "a.ppm --quickly", "usage"}, {FOLDER "a.ppm --cost", "usage"}, {FOLDER "a.ppm b c", "usage"}, {FOLDER "a.ppm --cost 1e9999", "--cost"},
-        {FOLDER "a.ppm --cost nan", "--cost"}, {FOLDER "a.ppm --cost 0", "--cost"}, {FOLDER "a.ppm --cost 50x", "--cost"}, {FOLDER "a.ppm --seconds -1", "--seconds"}};
+    static const char *const list[][2] = {{"", "usage"},
+                                          {FOLDER "a.ppm --quickly", "usage"},
+                                          {FOLDER "a.ppm --cost", "usage"},
+                                          {FOLDER "a.ppm b c", "usage"},
+                                          {FOLDER "a.ppm --cost 1e9999", "--cost"},
+                                          {FOLDER "a.ppm --cost nan", "--cost"},
+                                          {FOLDER "a.ppm --cost 0", "--cost"},
+                                          {FOLDER "a.ppm --cost 50x", "--cost"},
+                                          {FOLDER "a.ppm --seconds -1", "--seconds"}};
     static const char *const files[][2] = {
-        {FOLDER "missing.png", "missing.png"}, {FOLDER "nan.pfm", "column 2, row 1 has a value that is negative or not finite"}, {FOLDER "negative.pfm", "column 0, row 0"},
-        {FOLDER "a.ppm --out-params build", "regular"}, {FOLDER "a.ppm --out-png " FOLDER "a.ppm/x.png", "cannot"}, {FOLDER "a.ppm --out-png " FOLDER "x.jpg", "should end"},
+        {FOLDER "missing.png", "missing.png"},
+        {FOLDER "nan.pfm", "column 2, row 1 has a value that is negative or not finite"},
+        {FOLDER "negative.pfm", "column 0, row 0"},
+        {FOLDER "a.ppm --out-params build", "regular"},
+        {FOLDER "a.ppm --out-png " FOLDER "a.ppm/x.png", "cannot"},
+        {FOLDER "a.ppm --out-png " FOLDER "x.jpg", "should end"},
         {FOLDER "a.ppm --weights " FOLDER "negative.pfm", "weight 0 is -1"}};
     image im = picture(3, 1), bad = picture(3, 1);
     char *text;
@@ -326,7 +350,8 @@ static void test_mistakes(void)
     image_write(FOLDER "negative.pfm", &bad);
     for (k = 0; k < sizeof list / sizeof list[0]; ++k) {
         CHECK_INT(run(list[k][0]), 2);
-        if (strstr(said, list[k][1]) == NULL || strchr(said, '\n') != strrchr(said, '\n')) TEST_FAIL("match %s: %s", list[k][0], said);
+        if (strstr(said, list[k][1]) == NULL || strchr(said, '\n') != strrchr(said, '\n'))
+            TEST_FAIL("match %s: %s", list[k][0], said);
     }
     for (k = 0; k < sizeof files / sizeof files[0]; ++k) {
         CHECK_INT(run(files[k][0]), 1);
@@ -336,15 +361,22 @@ static void test_mistakes(void)
     CHECK(strncmp(said, "usage: match", 12) == 0);
     /* a full disk: the old result stays, and the exit code says so (files of at most 0 blocks) */
     image_save(FOLDER "old.csv", "old\n", 4);
-    CHECK(system("ulimit -f 0; trap '' XFSZ; build/match " NET " " FOLDER "a.ppm --out-params " FOLDER "old.csv >/dev/null 2>&1") != 0);
+    CHECK(system("ulimit -f 0; trap '' XFSZ; build/match " NET " " FOLDER "a.ppm --out-params " FOLDER
+                 "old.csv >/dev/null 2>&1") != 0);
     text = test_read_file(FOLDER "old.csv", NULL);
     CHECK(text != NULL && strcmp(text, "old\n") == 0);
     free(text);
-    CHECK(system("[ ! -e /dev/full ] || build/match " NET " " FOLDER "a.ppm >/dev/full 2>/dev/null") != 0); /* what is printed is a result too */
+    CHECK(system("[ ! -e /dev/full ] || build/match " NET " " FOLDER "a.ppm >/dev/full 2>/dev/null") !=
+          0); /* what is printed is a result too */
     image_free(&im);
     image_free(&bad);
 }
 
-static const test_case cases[] = {{"formats and sizes", test_formats}, {"masks", test_masks}, {"names", test_names}, {"edits", test_edits}, {"sequences and views", test_sequences_and_views},
-                                  {"logo", test_logo}, {"mistakes", test_mistakes}};
+static const test_case cases[] = {{"formats and sizes", test_formats},
+                                  {"masks", test_masks},
+                                  {"names", test_names},
+                                  {"edits", test_edits},
+                                  {"sequences and views", test_sequences_and_views},
+                                  {"logo", test_logo},
+                                  {"mistakes", test_mistakes}};
 TEST_MAIN(cases)

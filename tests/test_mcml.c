@@ -1,5 +1,5 @@
-/* ms_mcml.h, the direct layered Monte Carlo: totals and profiles against exact and published values, energy, absorption,
-   time, beams, exact merging, files, hostile input. */
+/* ms_mcml.h, the direct layered Monte Carlo: totals and profiles against exact and published values, energy,
+   absorption, time, beams, exact merging, files, hostile input. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 
@@ -160,8 +160,8 @@ static void one_profile(const char *path, double photons)
                 TEST_FAIL("%s: layers", path);
         }
     } else {
-        layers[0] = layer(atof(header(text, "# n:")), atof(header(text, "# mua_per_cm:")), atof(header(text, "# mus_per_cm:")),
-                          0, 1e7);
+        layers[0] = layer(atof(header(text, "# n:")), atof(header(text, "# mua_per_cm:")),
+                          atof(header(text, "# mus_per_cm:")), 0, 1e7);
         tissue.layer_count = 1;
     }
     grid.dr_cm = atof(header(text, "# dr_cm:"));
@@ -186,7 +186,8 @@ static void one_profile(const char *path, double photons)
     }
     CHECK(n > 10);
     /* one case in 10000 by chance; far below 1 as well, or the errors would be too large */
-    if (!(test_chi2_p(chi2, n) > 1e-4 && test_chi2_p(chi2, n) < 1 - 1e-4)) TEST_FAIL("%s: chi2 %.1f for %d rings", path, chi2, n);
+    if (!(test_chi2_p(chi2, n) > 1e-4 && test_chi2_p(chi2, n) < 1 - 1e-4))
+        TEST_FAIL("%s: chi2 %.1f for %d rings", path, chi2, n);
     p = strrchr(path, '/') + 1;
     TEST_NOTE("%.*s %.2f", (int)strcspn(p, "."), p, chi2 / n);
     ms_mcml_result_destroy(&r);
@@ -195,9 +196,9 @@ static void one_profile(const char *path, double photons)
 
 static void profiles(void)
 {
-    static const char *const names[] = {"exact_giovanelli", "exact_ketchup_R", "exact_marble_G", "exact_skin1_G",
-                                        "exact_skin1_R", "mcml_fluence_n1.37", "mcml_g_0.95", "mcml_glass_top",
-                                        "mcml_sample3layer", "mcml_skin1_R", "mcml_vdhulst_slab"};
+    static const char *const names[] = {"exact_giovanelli",  "exact_ketchup_R",    "exact_marble_G",   "exact_skin1_G",
+                                        "exact_skin1_R",     "mcml_fluence_n1.37", "mcml_g_0.95",      "mcml_glass_top",
+                                        "mcml_sample3layer", "mcml_skin1_R",       "mcml_vdhulst_slab"};
     size_t i;
     TEST_NOTE("chi2 / n:");
     for (i = 0; i < sizeof names / sizeof *names; ++i) {
@@ -209,7 +210,8 @@ static void profiles(void)
 
 /* --- standard errors --- */
 
-/* The spread of 100 runs is what each of them claims: variances of 100 samples are good to 14%, so 1/2 to 2 is 5 sigma. */
+/* The spread of 100 runs is what each of them claims: variances of 100 samples are good to 14%, so 1/2 to 2 is 5
+   sigma. */
 static void errors_are_honest(void)
 {
     enum { RUNS = 100 };
@@ -246,7 +248,8 @@ static void errors_are_honest(void)
     }
     TEST_NOTE("variance found / claimed:");
     for (k = 0; k < 9; ++k) {
-        double variance = (square[k] - sum[k] * sum[k] / (double)RUNS) / (double)(RUNS - 1), ratio = variance / claimed[k];
+        double variance = (square[k] - sum[k] * sum[k] / (double)RUNS) / (double)(RUNS - 1),
+               ratio = variance / claimed[k];
         if (!(ratio > 0.5 && ratio < 2)) TEST_FAIL("%s: variance %.3g, claimed %.3g", name[k], variance, claimed[k]);
         TEST_NOTE("%s %.2f", name[k], ratio);
     }
@@ -267,8 +270,8 @@ static void unknown_errors_are_infinite(void)
 
 /* --- hard cases --- */
 
-static void survives(const char *name, const ms_mcml_layer *layers, int count, double above, double below, double photons,
-                     double tolerance)
+static void survives(const char *name, const ms_mcml_layer *layers, int count, double above, double below,
+                     double photons, double tolerance)
 {
     ms_mcml_tissue tissue = tissue_of(layers, count, above, below);
     ms_mcml_grid grid = grid_of(0.01, 50, 0.01, 50, 10);
@@ -286,7 +289,8 @@ static void survives(const char *name, const ms_mcml_layer *layers, int count, d
             TEST_FAIL("%s, %s: specular %.5f + Rd %.5f + Tt %.5f + A %.5f = %.5f", name, ms_simd_string((ms_simd)level),
                       r.specular, r.rd, r.tt, r.a, sum);
         for (i = 0; i < (size_t)50 * 50; ++i) CHECK(r.a_rz[i] >= 0 && ms__finite(r.a_rz[i]));
-        for (i = 0; i < (size_t)50 * 10; ++i) CHECK(r.rd_ra[i] >= 0 && ms__finite(r.rd_ra[i]) && ms__finite(r.tt_ra[i]));
+        for (i = 0; i < (size_t)50 * 10; ++i)
+            CHECK(r.rd_ra[i] >= 0 && ms__finite(r.rd_ra[i]) && ms__finite(r.tt_ra[i]));
         ms_mcml_result_destroy(&r);
     }
 }
@@ -403,12 +407,13 @@ static void largest_grid(void)
 /* Unpolarised Fresnel reflectance by the angles. */
 static double fresnel_of(double n1, double n2, double angle)
 {
-    const double beyond = asin(n1 * sin(angle) / n2), s = sin(angle - beyond) / sin(angle + beyond), p = tan(angle - beyond) / tan(angle + beyond);
+    const double beyond = asin(n1 * sin(angle) / n2), s = sin(angle - beyond) / sin(angle + beyond),
+                 p = tan(angle - beyond) / tan(angle + beyond);
     return 0.5 * (s * s + p * p);
 }
 
-/* Oblique light: a slab that only absorbs against the sum of its reflections, a half-space against Chandrasekhar's H, the parallel
-   shift of a clear layer; what cannot be. */
+/* Oblique light: a slab that only absorbs against the sum of its reflections, a half-space against Chandrasekhar's H,
+   the parallel shift of a clear layer; what cannot be. */
 static void oblique(void)
 {
     const double pi = 3.14159265358979, outside = 50 * pi / 180, inside = asin(sin(outside) / 1.5);
@@ -425,7 +430,8 @@ static void oblique(void)
     o.incidence_degrees = 50;
     CHECK_INT(ms_mcml_simulate(&t, &g, &o, &r, &error), MS_OK);
     {
-        const double r1 = fresnel_of(1, 1.5, outside), r2 = fresnel_of(1.5, 1.3, inside), e = exp(-3 * 0.2 / cos(inside)), once = 1 / (1 - r1 * r2 * e * e);
+        const double r1 = fresnel_of(1, 1.5, outside), r2 = fresnel_of(1.5, 1.3, inside),
+                     e = exp(-3 * 0.2 / cos(inside)), once = 1 / (1 - r1 * r2 * e * e);
         const double first = (1 - r1) * (1 - r2) * e, shift = 0.2 * tan(inside);
         CHECK_NEAR(r.specular, r1, 1e-12);
         CHECK_NEAR(r.tt, first * once, 5 * r.tt_error);
@@ -434,7 +440,8 @@ static void oblique(void)
         CHECK_NEAR(r.rd_unscattered, r.rd, 1e-9);
         for (k = 0; k < 2; ++k) { /* what leaves below: after one crossing, and after three */
             const int ring = (int)(shift * (1 + 2 * k) / 0.01);
-            CHECK_NEAR(r.tt_r[ring] * ms_mcml__ring_area(ring, 0.01), first * (k ? r1 * r2 * e * e : 1), 5 * r.tt_error);
+            CHECK_NEAR(r.tt_r[ring] * ms_mcml__ring_area(ring, 0.01), first * (k ? r1 * r2 * e * e : 1),
+                       5 * r.tt_error);
         }
         i = (int)(asin(1.5 * sin(inside) / 1.3) / (pi / 2) * 30);
         for (k = 0; k < 30; ++k) CHECK(k == i ? r.tt_a[k] > 0 : !(r.tt_a[k] > 0));
@@ -478,7 +485,8 @@ static void oblique(void)
         CHECK(r.tt_r[i] * ms_mcml__ring_area(i, 0.01) > 0.9 * r.tt);
         ms_mcml_result_destroy(&r);
     }
-    CHECK_INT(ms_mcml_create(&t, &g, &o, &a, &error), MS_OK); /* saved with the tally, and no other angle is added to it */
+    CHECK_INT(ms_mcml_create(&t, &g, &o, &a, &error),
+              MS_OK); /* saved with the tally, and no other angle is added to it */
     CHECK_INT(ms_mcml_run(a, 0, 1000, &error), MS_OK);
     {
         const size_t size = ms_mcml_save_size(a);
@@ -533,7 +541,8 @@ static void absorption_adds_up(void)
         if (k < 10) first += r.a_z[k] * g.dz_cm;
     }
     CHECK_NEAR(total, r.a, 1e-6); /* rounding to 2^-30 of every deposit, and of every layer's */
-    CHECK_NEAR(first, r.a_l[0], 1e-4); /* z at a layer's boundary is rounded to a float: a cell's edge is blurred by 1e-7 */
+    CHECK_NEAR(first, r.a_l[0],
+               1e-4); /* z at a layer's boundary is rounded to a float: a cell's edge is blurred by 1e-7 */
     CHECK_NEAR(r.a_l[0] + r.a_l[1], r.a, 1e-12);
     for (i = 0; i < 30; ++i) {
         double row = 0, back = 0;
@@ -550,7 +559,8 @@ static void absorption_adds_up(void)
     CHECK_NEAR(rd, r.rd, 1e-12);
     CHECK_NEAR(tt, r.tt, 1e-12);
     for (i = 0; i < 10; ++i) /* both count the same collisions: phi mu_a = A up to phi's rounding to 2^-16 */
-        for (k = 0; k < 10; ++k) CHECK_NEAR(r.phi_rz[i * 30 + k] * 2, r.a_rz[i * 30 + k], 0.02 * r.a_rz[i * 30 + k] + 1e-3);
+        for (k = 0; k < 10; ++k)
+            CHECK_NEAR(r.phi_rz[i * 30 + k] * 2, r.a_rz[i * 30 + k], 0.02 * r.a_rz[i * 30 + k] + 1e-3);
     ms_mcml_result_destroy(&r);
 }
 
@@ -578,7 +588,8 @@ static void fluence_without_absorption(void)
     ms_mcml_result_destroy(&b);
 }
 
-/* With absorption, Rd(t) is Rd(t) without it times exp(-mu_a c t / n): every path of length s is damped by exp(-mu_a s). */
+/* With absorption, Rd(t) is Rd(t) without it times exp(-mu_a c t / n): every path of length s is damped by exp(-mu_a
+   s). */
 static void time_resolved(void)
 {
     ms_mcml_layer l[2];
@@ -640,15 +651,18 @@ static void beams(void)
     for (i = 0; i < 40; ++i) r[i] = 0.02 * i;
     for (k = 0; k < 3; ++k) { /* Gaussian with Gaussian: the radii add in squares; rings of 0.01 blur by (dr / s)^2 */
         const double both = s * s + radius[k] * radius[k];
-        CHECK_INT(ms_mcml_convolve(MS_MCML_BEAM_GAUSSIAN, radius[k], dr, N, 1, value, error, r, 40, out, out_error, &e), MS_OK);
+        CHECK_INT(ms_mcml_convolve(MS_MCML_BEAM_GAUSSIAN, radius[k], dr, N, 1, value, error, r, 40, out, out_error, &e),
+                  MS_OK);
         for (i = 0; i < 40; ++i)
-            CHECK_NEAR(out[i], 2 / (3.141592653589793 * both) * exp(-2 * r[i] * r[i] / both), 3e-3 * out[0] * (k == 2 ? 10 : 1));
+            CHECK_NEAR(out[i], 2 / (3.141592653589793 * both) * exp(-2 * r[i] * r[i] / both),
+                       3e-3 * out[0] * (k == 2 ? 10 : 1));
         CHECK(out_error[3] > 0 && out_error[3] <= 0.01 * out[3]);
     }
     for (k = 0; k < 3; ++k) { /* energy is kept: a sum over fine radii */
         for (i = 0, energy = 0; i < 6000; ++i) {
             double at = (i + 0.5) * 5e-4, v = 0;
-            CHECK_INT(ms_mcml_convolve(MS_MCML_BEAM_FLAT, radius[k], dr, N, 1, value, NULL, &at, 1, &v, NULL, &e), MS_OK);
+            CHECK_INT(ms_mcml_convolve(MS_MCML_BEAM_FLAT, radius[k], dr, N, 1, value, NULL, &at, 1, &v, NULL, &e),
+                      MS_OK);
             energy += v * ms_mcml__ring_area(i, 5e-4);
         }
         CHECK_NEAR(energy, 1, 1e-4); /* the midpoint rule across the steps of rings */
@@ -1083,7 +1097,8 @@ static void mci_malformed(void)
         {10, "abc", 10, "below"},
         {10, "", 11, "below"},
     };
-    static const char *const good[] = {"1.0", "1", "a.mco A", "100", "0.01 0.01", "10 20 30", "1", "1", "1.4 1 100 0.9 0.1", "1"};
+    static const char *const good[] = {"1.0", "1", "a.mco A",           "100", "0.01 0.01", "10 20 30",
+                                       "1",   "1", "1.4 1 100 0.9 0.1", "1"};
     char text[1000], name[600];
     ms_mcml_mci f, before;
     ms_error e;
@@ -1114,12 +1129,16 @@ static void mci_malformed(void)
     CHECK_INT(ms_mcml_mci_read("2.0\n1\n", 6, NULL, &f, &e), MS_UNSUPPORTED);
     CHECK(strstr(e.message, "version is 2") != NULL);
     CHECK_INT(ms_mcml_mci_read("one\n1\n", 6, NULL, &f, &e), MS_BAD_DATA);
-    CHECK_INT(ms_mcml_mci_read("\xFF\xFE" "1", 3, NULL, &f, &e), MS_UNSUPPORTED);
+    CHECK_INT(ms_mcml_mci_read("\xFF\xFE"
+                               "1",
+                               3, NULL, &f, &e),
+              MS_UNSUPPORTED);
     CHECK(strstr(e.message, "UTF-16") != NULL);
     CHECK_INT(ms_mcml_mci_read("mcmli2.0\n", 9, NULL, &f, &e), MS_UNSUPPORTED);
     CHECK_INT(ms_mcml_mci_read(NULL, 0, NULL, &f, &e), MS_INVALID_ARGUMENT);
     {
-        static const char twice[] = "1\n2\na.mco A\n1\n1 1\n1 1 1\n1\n1\n1 1 1 0 1\n1\na.mco A\n1\n1 1\n1 1 1\n1\n1\n1 1 1 0 1\n1\n";
+        static const char twice[] =
+            "1\n2\na.mco A\n1\n1 1\n1 1 1\n1\n1\n1 1 1 0 1\n1\na.mco A\n1\n1 1\n1 1 1\n1\n1\n1 1 1 0 1\n1\n";
         CHECK_INT(ms_mcml_mci_read(twice, sizeof twice - 1, NULL, &f, &e), MS_BAD_DATA);
         CHECK_INT(e.position, 11);
         CHECK(strstr(e.message, "a.mco") != NULL);
@@ -1221,7 +1240,8 @@ static void mco_text(void)
     P("#n\tmua\tmus\tg\td\t# One line for each layer\n1\t\t\t\t\t# n for medium above\n");
     P("1.3\t20\t200\t0.7\t0.01\t# layer 1\n1.4\t10\t200\t-0.9\t1E+08\t# layer 2\n1.5\t\t\t\t\t# n for medium below\n\n");
     P("RAT #Reflectance, absorption, transmission. \n%-14.6G \t#Specular reflectance [-]\n", r.specular);
-    P("%-14.6G \t#Diffuse reflectance [-]\n%-14.6G \t#Absorbed fraction [-]\n%-14.6G \t#Transmittance [-]\n\n", r.rd, r.a, r.tt);
+    P("%-14.6G \t#Diffuse reflectance [-]\n%-14.6G \t#Absorbed fraction [-]\n%-14.6G \t#Transmittance [-]\n\n", r.rd,
+      r.a, r.tt);
     P("A_l #Absorption as a function of layer. [-]\n%12.4G\n%12.4G\n\n", r.a_l[0], r.a_l[1]);
     P("A_z #A[0], [1],..A[nz-1]. [1/cm]\n");
     for (i = 0; i < 10; ++i) P("%12.4E\n", r.a_z[i]);

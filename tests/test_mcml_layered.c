@@ -1,5 +1,6 @@
-/* The layered solver of ms_mcml.h: totals against adding-doubling (written here, nothing shared with the header), published
-   numbers and identities; rings against the half-space solver where g = 0 and against direct Monte Carlo where it is not. */
+/* The layered solver of ms_mcml.h: totals against adding-doubling (written here, nothing shared with the header),
+   published numbers and identities; rings against the half-space solver where g = 0 and against direct Monte Carlo
+   where it is not. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 
@@ -151,11 +152,14 @@ static void reference(const ms_mcml_tissue *tissue, int per, int order, double *
         }
         if (layer >= 0 && tissue->layers[layer].mu_a_per_cm + tissue->layers[layer].mu_s_per_cm > 0) {
             const ms_mcml_layer *y = &tissue->layers[layer];
-            const double f = y->g > 0 ? pow(y->g, order + 1) : 0, mu_s = y->mu_s_per_cm * (1 - f), mu_t = y->mu_a_per_cm + mu_s;
-            double *p = (double *)calloc((size_t)(6 * n * n), sizeof(double)), *q = p + n * n, *m1 = q + n * n, *m2 = m1 + n * n;
+            const double f = y->g > 0 ? pow(y->g, order + 1) : 0, mu_s = y->mu_s_per_cm * (1 - f),
+                         mu_t = y->mu_a_per_cm + mu_s;
+            double *p = (double *)calloc((size_t)(6 * n * n), sizeof(double)), *q = p + n * n, *m1 = q + n * n,
+                   *m2 = m1 + n * n;
             double *b1 = m2 + n * n, *b2 = b1 + n * n, thickness = y->thickness_cm < 1e7 ? y->thickness_cm : 0, step;
             int doublings;
-            if (!(thickness > 0)) thickness = 60 / sqrt(3 * y->mu_a_per_cm * (y->mu_a_per_cm + y->mu_s_per_cm * (1 - y->g))) + 60 / mu_t;
+            if (!(thickness > 0))
+                thickness = 60 / sqrt(3 * y->mu_a_per_cm * (y->mu_a_per_cm + y->mu_s_per_cm * (1 - y->g))) + 60 / mu_t;
             doublings = (int)ceil(log(thickness * mu_t / 3e-6) / log(2.0));
             if (doublings < 0) doublings = 0;
             step = thickness / pow(2.0, doublings);
@@ -167,7 +171,8 @@ static void reference(const ms_mcml_tissue *tissue, int per, int order, double *
                         continue;
                     }
                     for (l = 0; l <= order; ++l) {
-                        const double g = ((l ? pow(y->g, l) : 1) - f) / (1 - f), next_i = ((2 * l + 3) * mu[i] * pi1 - (l + 1) * pi0) / (l + 2);
+                        const double g = ((l ? pow(y->g, l) : 1) - f) / (1 - f),
+                                     next_i = ((2 * l + 3) * mu[i] * pi1 - (l + 1) * pi0) / (l + 2);
                         const double next_j = ((2 * l + 3) * mu[j] * pj1 - (l + 1) * pj0) / (l + 2);
                         if (l & 1) odd += (2 * l + 1) * g * pi0 * pj0;
                         else even += (2 * l + 1) * g * pi0 * pj0;
@@ -203,7 +208,7 @@ static void reference(const ms_mcml_tissue *tissue, int per, int order, double *
             add(&all, &one);
             memset(one.r, 0, sizeof(double) * (size_t)(4 * n * n));
         }
-        for (i = 0; i < n; ++i) { /* Fresnel; radiance scales with n squared, the beam does not */
+        for (i = 0; i < n; ++i) {                     /* Fresnel; radiance scales with n squared, the beam does not */
             double power_r = 1 - 1e-10, a, b, rs, rp; /* not 1: rays that are caught in glass would never end */
             if (nu[i] < here && nu[i] < below) {
                 a = sqrt(1 - nu[i] * nu[i] / (here * here));
@@ -252,7 +257,11 @@ static const struct {
     {"mu_a 0", 1, 1.5, 1, {{1.4, 0, 50, 0.5, 0.2}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
     {"1e-6 cm on a deep layer", 1, 1, 2, {{1.5, 50, 500, 0.8, 1e-6}, {1.37, 1, 100, 0.8, 1e8}, {0, 0, 0, 0, 0}}},
     {"glass, tissue, glass", 1, 1, 3, {{1.5, 0, 0, 0, 0.1}, {1.37, 1, 100, 0.8, 0.1}, {1.5, 0, 0, 0, 0.1}}},
-    {"less dense in between", 1, 1.5, 3, {{1.5, 1, 50, 0.8, 0.05}, {1.33, 0.5, 60, 0.7, 0.05}, {1.6, 0.5, 60, 0.5, 0.1}}},
+    {"less dense in between",
+     1,
+     1.5,
+     3,
+     {{1.5, 1, 50, 0.8, 0.05}, {1.33, 0.5, 60, 0.7, 0.05}, {1.6, 0.5, 60, 0.5, 0.1}}},
     {"g 0.99", 1, 1, 1, {{1.4, 1, 100, 0.99, 1e8}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
     {"g 0.99, slab", 1, 1.3, 1, {{1.4, 0.1, 500, 0.99, 1}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
     {"g -0.9", 1, 1, 1, {{1.4, 1, 100, -0.9, 1e8}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
@@ -287,7 +296,8 @@ static void totals(void)
         ms_error error;
         if (ms_mcml_layered_solve(&t, &o, &s, &error)) TEST_FAIL("%s: %s", media[i].name, error.message);
         reference(&t, 24, 47, &rd, &tt);
-        if (fabs(t.layers[0].g) > 0.89) { /* adding-doubling needs a hundred moments, or the limit of three orders: their errors alternate */
+        if (fabs(t.layers[0].g) >
+            0.89) { /* adding-doubling needs a hundred moments, or the limit of three orders: their errors alternate */
             double x[2] = {0, 0}, y[2] = {0, 0};
             for (l = 0; l < 2; ++l) reference(&t, 24, 39 + 4 * l, &x[l], &y[l]);
             if (fabs(rd - x[1]) > 1e-9) rd -= (rd - x[1]) * (rd - x[1]) / (rd - 2 * x[1] + x[0]);
@@ -295,7 +305,8 @@ static void totals(void)
         }
         CHECK_NEAR(s.rd, rd, 1e-5); /* the promise; adding-doubling itself is good to about 1e-6 */
         CHECK_NEAR(s.tt, tt, 1e-5);
-        CHECK(s.rd_error < 5e-5 && s.tt_error < 5e-5 && fabs(s.rd - rd) < s.rd_error + 3e-6 && fabs(s.tt - tt) < s.tt_error + 3e-6);
+        CHECK(s.rd_error < 5e-5 && s.tt_error < 5e-5 && fabs(s.rd - rd) < s.rd_error + 3e-6 &&
+              fabs(s.tt - tt) < s.tt_error + 3e-6);
         CHECK_NEAR(s.specular + s.rd + s.tt + s.a, 1, 2e-5); /* nothing is lost; two interpolations of the same field */
         for (l = 0; l < t.layer_count; ++l) sum += a_l[l];
         for (l = 0; l < 50; ++l) {
@@ -354,13 +365,19 @@ static void rings_of_isotropic_half_spaces(void)
                 const double want = ms_mcml_halfspace_ring(&h, r, next = r > 0 ? r * 1.3 : 0.01);
                 double error, got = 0.01 * ms_mcml_layered_ring(&s, 0, 0.1 * r, 0.1 * next, &error);
                 if (want * 3.14159265 * (next * next - r * r) < 1e-5 * h.total) continue;
-                if (want * 3.14159265 * (next * next - r * r) > 1e-3 * h.total) CHECK_NEAR(got / want, 1, next < 1 ? 0.01 : 0.003); /* the promise */
-                CHECK(fabs(got - want) < 2.5 * 0.01 * error + 1e-4 * want); /* its own error, as large as standard errors go, and that of the other solver */
-                if (next >= 1 && want * 3.14159265 * (next * next - r * r) > 1e-3 * h.total && fabs(got / want - 1) > worst) worst = fabs(got / want - 1);
+                if (want * 3.14159265 * (next * next - r * r) > 1e-3 * h.total)
+                    CHECK_NEAR(got / want, 1, next < 1 ? 0.01 : 0.003); /* the promise */
+                CHECK(fabs(got - want) < 2.5 * 0.01 * error +
+                          1e-4 *
+                              want); /* its own error, as large as standard errors go, and that of the other solver */
+                if (next >= 1 && want * 3.14159265 * (next * next - r * r) > 1e-3 * h.total &&
+                    fabs(got / want - 1) > worst)
+                    worst = fabs(got / want - 1);
             }
             for (i = 0; i < 6; ++i) {
                 const double x = 0.1 * pow(2, i);
-                CHECK_NEAR(ms_mcml_layered_line_beyond(&s, 0, 0.1 * x), ms_mcml_halfspace_line_beyond(&h, x), 1e-3 * h.total);
+                CHECK_NEAR(ms_mcml_layered_line_beyond(&s, 0, 0.1 * x), ms_mcml_halfspace_line_beyond(&h, x),
+                           1e-3 * h.total);
                 CHECK_NEAR(ms_mcml_layered_beyond(&s, 0, 0.1 * x), ms_mcml_halfspace_beyond(&h, x), 1e-3 * h.total);
             }
             for (i = 0; i < s.frequencies; ++i) { /* at high frequencies as well as eight rays a panel do */
@@ -387,7 +404,8 @@ static void rings_of_layers(void)
         ms_mcml_layered s;
         ms_error error;
         memset(&grid, 0, sizeof grid);
-        grid.dr_cm = 0.5 / (t.layers[0].mu_a_per_cm + t.layers[0].mu_s_per_cm); /* half a mean free path of the top layer */
+        grid.dr_cm = 0.5 /
+            (t.layers[0].mu_a_per_cm + t.layers[0].mu_s_per_cm); /* half a mean free path of the top layer */
         grid.dz_cm = 1;
         grid.nr = 81;
         grid.nz = grid.na = 1;
@@ -399,7 +417,8 @@ static void rings_of_layers(void)
         for (side = 0; side < 2; ++side)
             for (i = 0; i + 1 < (int)(sizeof edge / sizeof *edge); ++i) {
                 const int from = (int)(2 * edge[i]), to = (int)(2 * edge[i + 1]);
-                const double r0 = from * grid.dr_cm, r1 = to * grid.dr_cm, area = 3.14159265358979 * (r1 - r0) * (r1 + r0);
+                const double r0 = from * grid.dr_cm, r1 = to * grid.dr_cm,
+                             area = 3.14159265358979 * (r1 - r0) * (r1 + r0);
                 double sum = 0, square = 0, claim, got = ms_mcml_layered_ring(&s, side, r0, r1, &claim);
                 for (k = from; k < to; ++k) {
                     const double a = ms_mcml__ring_area(k, grid.dr_cm), e = side ? r.tt_r_error[k] : r.rd_r_error[k];
@@ -412,7 +431,8 @@ static void rings_of_layers(void)
                 chi2 += (got * area - sum) * (got * area - sum) / square;
                 ++n;
                 if (fabs(got * area - sum) > 4.5 * sqrt(square))
-                    TEST_FAIL("%s, side %d, %g to %g cm: %g, Monte Carlo %g +- %g", media[which[q]].name, side, r0, r1, got * area, sum, sqrt(square));
+                    TEST_FAIL("%s, side %d, %g to %g cm: %g, Monte Carlo %g +- %g", media[which[q]].name, side, r0, r1,
+                              got * area, sum, sqrt(square));
             }
         ms_mcml_result_destroy(&r);
     }
@@ -561,10 +581,12 @@ static int numbers_of(const char *text, const char *name, double *out, int count
     return n;
 }
 
-/* Rings that the solver cannot hold have the shape of photons and its own totals; Monte Carlo with another seed says the same. */
+/* Rings that the solver cannot hold have the shape of photons and its own totals; Monte Carlo with another seed says
+   the same. */
 static void rings_of_photons(void)
 {
-    static const ms_mcml_layer glass[3] = {{1.5, 0, 0, 0, 0.1}, {1.37, 1, 100, 0.8, 0.1}, {1.5, 0, 0, 0, 0.1}}, sharp[1] = {{1.4, 1, 100, 0.99, 2}};
+    static const ms_mcml_layer glass[3] = {{1.5, 0, 0, 0, 0.1}, {1.37, 1, 100, 0.8, 0.1}, {1.5, 0, 0, 0, 0.1}},
+                               sharp[1] = {{1.4, 1, 100, 0.99, 2}};
     const ms_mcml_grid grid = {0.02, 0.02, 0, 20, 20, 1, 0};
     double chi2 = 0;
     int k, i, n = 0;
@@ -590,8 +612,10 @@ static void rings_of_photons(void)
             const double rd = r.rd_r_error[i] * r.rd_r_error[i] + mc.rd_r_error[i] * mc.rd_r_error[i];
             const double tt = r.tt_r_error[i] * r.tt_r_error[i] + mc.tt_r_error[i] * mc.tt_r_error[i];
             sum += r.rd_r[i] * ms_mcml__ring_area(i, grid.dr_cm);
-            if (!(rd > 0 && tt > 0 && mc.rd_r[i] > 6 * mc.rd_r_error[i] && mc.tt_r[i] > 6 * mc.tt_r_error[i])) continue; /* enough photons for a normal law */
-            chi2 += (r.rd_r[i] - mc.rd_r[i]) * (r.rd_r[i] - mc.rd_r[i]) / rd + (r.tt_r[i] - mc.tt_r[i]) * (r.tt_r[i] - mc.tt_r[i]) / tt;
+            if (!(rd > 0 && tt > 0 && mc.rd_r[i] > 6 * mc.rd_r_error[i] && mc.tt_r[i] > 6 * mc.tt_r_error[i]))
+                continue; /* enough photons for a normal law */
+            chi2 += (r.rd_r[i] - mc.rd_r[i]) * (r.rd_r[i] - mc.rd_r[i]) / rd +
+                (r.tt_r[i] - mc.tt_r[i]) * (r.tt_r[i] - mc.tt_r[i]) / tt;
             n += 2;
         }
         CHECK_NEAR(sum, r.rd, 1e-9); /* as in a tally the last ring has all that lies beyond */
@@ -622,12 +646,13 @@ static void rings_of_photons(void)
 /* A file's run, solved and written, read back: every number in its place, energy adds up, Monte Carlo says the same. */
 static void a_file_without_noise(void)
 {
-    static const char text[] = "1.0\n3\nfive.mco A\n300000\n0.01 0.02\n8 12 5\n2\n1\n1.4 2 60 0.7 0.04\n1.5 1 40 0.5 0.1\n1.2\n"
-                               "one.mco A\n300000\n0.01 0.02\n8 12 1\n1\n1\n1.4 2 60 0.7 0.04\n1\n"
-                               "sixteen.mco A\n300000\n0.01 0.02\n8 12 1\n16\n1\n" /* as many layers as the solver takes */
-                               "1.4 2 60 0.7 0.005\n1.5 1 40 0.5 0.005\n1.35 3 50 0.6 0.005\n1.4 0.1 20 0 0.005\n1.4 2 60 0.7 0.005\n1.45 1 40 0.5 0.005\n"
-                               "1.33 3 50 -0.3 0.005\n1.4 0 20 0 0.005\n1.4 2 60 0.7 0.005\n1.5 1 40 0.5 0.005\n1.35 3 50 0.6 0.005\n1.4 0.1 20 0 0.005\n"
-                               "1.4 2 60 0.7 0.005\n1.45 1 40 0.5 0.005\n1.33 3 50 0.6 0.005\n1.4 9 20 0 0.01\n1.2\n";
+    static const char text[] =
+        "1.0\n3\nfive.mco A\n300000\n0.01 0.02\n8 12 5\n2\n1\n1.4 2 60 0.7 0.04\n1.5 1 40 0.5 0.1\n1.2\n"
+        "one.mco A\n300000\n0.01 0.02\n8 12 1\n1\n1\n1.4 2 60 0.7 0.04\n1\n"
+        "sixteen.mco A\n300000\n0.01 0.02\n8 12 1\n16\n1\n" /* as many layers as the solver takes */
+        "1.4 2 60 0.7 0.005\n1.5 1 40 0.5 0.005\n1.35 3 50 0.6 0.005\n1.4 0.1 20 0 0.005\n1.4 2 60 0.7 0.005\n1.45 1 40 0.5 0.005\n"
+        "1.33 3 50 -0.3 0.005\n1.4 0 20 0 0.005\n1.4 2 60 0.7 0.005\n1.5 1 40 0.5 0.005\n1.35 3 50 0.6 0.005\n1.4 0.1 20 0 0.005\n"
+        "1.4 2 60 0.7 0.005\n1.45 1 40 0.5 0.005\n1.33 3 50 0.6 0.005\n1.4 9 20 0 0.01\n1.2\n";
     static page p;
     ms_mcml_mci f;
     ms_error error;
@@ -642,7 +667,8 @@ static void a_file_without_noise(void)
         if (ms_mcml_layered_result(&spec->tissue, &spec->grid, NULL, &r, &error)) TEST_FAIL("%s", error.message);
         p.size = 0;
         CHECK_INT(ms_mcml_mco_write(spec, &r, 0, page_write, &p, &error), MS_OK);
-        CHECK(strstr(p.text, "\n0 \t\t\t# No. of photons\n") != NULL && strstr(p.text, "# Layered solver, no photons: nan") != NULL);
+        CHECK(strstr(p.text, "\n0 \t\t\t# No. of photons\n") != NULL &&
+              strstr(p.text, "# Layered solver, no photons: nan") != NULL);
         CHECK_INT(numbers_of(p.text, "A_l #", x, 200, &nans), spec->tissue.layer_count);
         for (sum = 0, i = 0; i < spec->tissue.layer_count; ++i) sum += x[i];
         CHECK_NEAR(sum, r.a, 1e-4); /* four digits are printed */
@@ -659,7 +685,8 @@ static void a_file_without_noise(void)
             CHECK_INT(nans, na > 1 ? na : 0);
             /* a single bin: sin(pi / 4) pi / 2 of 2 pi sr, as MCML counts it */
             if (na == 1) CHECK_NEAR(x[0] * 6.2831853 * 0.70710678 * 1.57079633, total, 1e-4 * total);
-            CHECK_INT(numbers_of(p.text, side ? "\nTt_ra\n" : "\nRd_ra\n", x, 200, &nans), 0); /* the name's own line first */
+            CHECK_INT(numbers_of(p.text, side ? "\nTt_ra\n" : "\nRd_ra\n", x, 200, &nans),
+                      0); /* the name's own line first */
             CHECK_INT(numbers_of(p.text, side ? "Tt_ra\n" : "Rd_ra\n", x, 200, &nans), 12 * na);
             CHECK_INT(nans, na > 1 ? 12 * na : 0);
         }
@@ -668,7 +695,8 @@ static void a_file_without_noise(void)
         o.photons = spec->photons;
         o.seed = test_seed + 5;
         CHECK_INT(ms_mcml_simulate(&spec->tissue, &spec->grid, &o, &mc, &error), MS_OK);
-        CHECK(fabs(r.rd - mc.rd) < 4.5 * mc.rd_error && fabs(r.tt - mc.tt) < 4.5 * mc.tt_error && fabs(r.a - mc.a) < 4.5 * mc.a_error);
+        CHECK(fabs(r.rd - mc.rd) < 4.5 * mc.rd_error && fabs(r.tt - mc.tt) < 4.5 * mc.tt_error &&
+              fabs(r.a - mc.a) < 4.5 * mc.a_error);
         CHECK_NEAR(r.specular, mc.specular, 1e-15);
         CHECK_NEAR(r.tt_unscattered, mc.tt_unscattered, 4.5 * mc.tt_error);
         for (i = 0; i < 12; ++i) { /* claimed errors are added to Monte Carlo's */
@@ -676,7 +704,8 @@ static void a_file_without_noise(void)
             CHECK(fabs(r.tt_r[i] - mc.tt_r[i]) < 4.5 * mc.tt_r_error[i] + 2 * r.tt_r_error[i]);
             if (na == 1) CHECK(fabs(r.rd_ra[i] - mc.rd_ra[i]) < 4.5 * mc.rd_ra_error[i] + 2 * r.rd_ra_error[i]);
         }
-        for (i = 0; i < 8; ++i) CHECK_NEAR(r.a_z[i], mc.a_z[i], 0.02 * mc.a_z[i] + 1e-3); /* 3e5 photons: 0.3% a bin; floats at its edge */
+        for (i = 0; i < 8; ++i)
+            CHECK_NEAR(r.a_z[i], mc.a_z[i], 0.02 * mc.a_z[i] + 1e-3); /* 3e5 photons: 0.3% a bin; floats at its edge */
         ms_mcml_result_destroy(&mc);
         ms_mcml_result_destroy(&r);
     }
@@ -724,14 +753,17 @@ static void a_file_without_noise(void)
 
 /* CIE 1931 2 degree observer and D65, every 10 nm from 400 to 700: the published tables. */
 static const double cie[31][4] = {
-    {0.0143, 0.0004, 0.0679, 82.75}, {0.0435, 0.0012, 0.2074, 91.49}, {0.1344, 0.0040, 0.6456, 93.43}, {0.2839, 0.0116, 1.3856, 86.68},
-    {0.3483, 0.0230, 1.7471, 104.86}, {0.3362, 0.0380, 1.7721, 117.01}, {0.2908, 0.0600, 1.6692, 117.81}, {0.1954, 0.0910, 1.2876, 114.86},
-    {0.0956, 0.1390, 0.8130, 115.92}, {0.0320, 0.2080, 0.4652, 108.81}, {0.0049, 0.3230, 0.2720, 109.35}, {0.0093, 0.5030, 0.1582, 107.80},
-    {0.0633, 0.7100, 0.0782, 104.79}, {0.1655, 0.8620, 0.0422, 107.69}, {0.2904, 0.9540, 0.0203, 104.41}, {0.4334, 0.9950, 0.0087, 104.05},
-    {0.5945, 0.9950, 0.0039, 100.00}, {0.7621, 0.9520, 0.0021, 96.33}, {0.9163, 0.8700, 0.0017, 95.79}, {1.0263, 0.7570, 0.0011, 88.69},
-    {1.0622, 0.6310, 0.0008, 90.01}, {1.0026, 0.5030, 0.0003, 89.60}, {0.8544, 0.3810, 0.0002, 87.70}, {0.6424, 0.2650, 0, 83.29},
-    {0.4479, 0.1750, 0, 83.70}, {0.2835, 0.1070, 0, 80.03}, {0.1649, 0.0610, 0, 80.21}, {0.0874, 0.0320, 0, 82.28}, {0.0468, 0.0170, 0, 78.28},
-    {0.0227, 0.0082, 0, 69.72}, {0.0114, 0.0041, 0, 71.61}};
+    {0.0143, 0.0004, 0.0679, 82.75},  {0.0435, 0.0012, 0.2074, 91.49},  {0.1344, 0.0040, 0.6456, 93.43},
+    {0.2839, 0.0116, 1.3856, 86.68},  {0.3483, 0.0230, 1.7471, 104.86}, {0.3362, 0.0380, 1.7721, 117.01},
+    {0.2908, 0.0600, 1.6692, 117.81}, {0.1954, 0.0910, 1.2876, 114.86}, {0.0956, 0.1390, 0.8130, 115.92},
+    {0.0320, 0.2080, 0.4652, 108.81}, {0.0049, 0.3230, 0.2720, 109.35}, {0.0093, 0.5030, 0.1582, 107.80},
+    {0.0633, 0.7100, 0.0782, 104.79}, {0.1655, 0.8620, 0.0422, 107.69}, {0.2904, 0.9540, 0.0203, 104.41},
+    {0.4334, 0.9950, 0.0087, 104.05}, {0.5945, 0.9950, 0.0039, 100.00}, {0.7621, 0.9520, 0.0021, 96.33},
+    {0.9163, 0.8700, 0.0017, 95.79},  {1.0263, 0.7570, 0.0011, 88.69},  {1.0622, 0.6310, 0.0008, 90.01},
+    {1.0026, 0.5030, 0.0003, 89.60},  {0.8544, 0.3810, 0.0002, 87.70},  {0.6424, 0.2650, 0, 83.29},
+    {0.4479, 0.1750, 0, 83.70},       {0.2835, 0.1070, 0, 80.03},       {0.1649, 0.0610, 0, 80.21},
+    {0.0874, 0.0320, 0, 82.28},       {0.0468, 0.0170, 0, 78.28},       {0.0227, 0.0082, 0, 69.72},
+    {0.0114, 0.0041, 0, 71.61}};
 
 static double skin_total(const ms_mcml_skin *skin, double nm, int specular)
 {
@@ -762,9 +794,9 @@ static void skin_is_made_of_its_laws(void)
     skin.g = 0.5;
     CHECK_INT(ms_mcml_skin_layers(&skin, 500, l, &count, NULL), MS_OK);
     CHECK_INT(count, 2);
-    CHECK_NEAR(l[0].mu_a_per_cm, 679, 1);            /* 6.6e11 500^-3.33 */
-    CHECK_NEAR(l[1].mu_a_per_cm, 112.1, 0.1);        /* 2.303 x 20932.8 x 150 / 64500 */
-    CHECK_NEAR(l[0].mu_s_per_cm, 92, 1e-9);          /* 46 / (1 - g) */
+    CHECK_NEAR(l[0].mu_a_per_cm, 679, 1);     /* 6.6e11 500^-3.33 */
+    CHECK_NEAR(l[1].mu_a_per_cm, 112.1, 0.1); /* 2.303 x 20932.8 x 150 / 64500 */
+    CHECK_NEAR(l[0].mu_s_per_cm, 92, 1e-9);   /* 46 / (1 - g) */
     CHECK_NEAR(l[0].thickness_cm, 0.006, 1e-15);
     CHECK(l[0].g == 0.5 && l[1].thickness_cm == 1e8 && l[0].n == 1.4);
     CHECK_INT(ms_mcml_skin_layers(&skin, 540, l, &count, NULL), MS_OK);
@@ -780,16 +812,17 @@ static void skin_is_made_of_its_laws(void)
     skin.oxygen = 0;
     CHECK_INT(ms_mcml_skin_layers(&skin, 700, l, &count, NULL), MS_OK);
     CHECK_INT(count, 3);
-    CHECK_NEAR(l[0].mu_a_per_cm, 88.8, 0.5);         /* 2.9e15 700^-4.75 */
-    CHECK_NEAR(l[1].mu_a_per_cm, 9.61, 0.01);        /* 1794.3 */
+    CHECK_NEAR(l[0].mu_a_per_cm, 88.8, 0.5);  /* 2.9e15 700^-4.75 */
+    CHECK_NEAR(l[1].mu_a_per_cm, 9.61, 0.01); /* 1794.3 */
     CHECK_NEAR(l[1].thickness_cm, 0.15, 1e-15);
-    CHECK_NEAR(l[2].mu_s_per_cm, 2 * 12.2, 0.1);     /* 1050 x 700^-0.68 */
+    CHECK_NEAR(l[2].mu_s_per_cm, 2 * 12.2, 0.1); /* 1050 x 700^-0.68 */
     CHECK_NEAR(l[2].mu_a_per_cm, 0.1 * 9.61 + 0.9 * 0.2659, 0.01);
 }
 
-/* Reflectance, specular included, of people inside the forearm: Cooksey, Allen, Tsai 2017, NIST, read from plots of the data to 0.005: the
-   darkest and the lightest of 100 and the median. Three numbers of the skin fitted to each, the rest the defaults; the model is one
-   of homogeneous layers, and the mean laws of scattering and pale skin need not be those of a person: 0.02 at worst. */
+/* Reflectance, specular included, of people inside the forearm: Cooksey, Allen, Tsai 2017, NIST, read from plots of the
+   data to 0.005: the darkest and the lightest of 100 and the median. Three numbers of the skin fitted to each, the rest
+   the defaults; the model is one of homogeneous layers, and the mean laws of scattering and pale skin need not be those
+   of a person: 0.02 at worst. */
 static void skin_of_people(void)
 {
     static const double nm[9] = {500, 520, 545, 570, 580, 600, 620, 650, 700};
@@ -815,14 +848,20 @@ static void skin_of_people(void)
         }
         CHECK_LE(sqrt(sum / n), 0.012);
         CHECK_LE(worst, 0.025);
-        TEST_NOTE("%s: rms %.4f, worst %.3f", p == 0 ? "darkest" : p == 1 ? "lightest" : "median", sqrt(sum / n), worst);
+        TEST_NOTE("%s: rms %.4f, worst %.3f",
+                  p == 0       ? "darkest"
+                      : p == 1 ? "lightest"
+                               : "median",
+                  sqrt(sum / n), worst);
     }
 }
 
-/* 13 wavelengths and the observer's formula against 31 and the published tables; what more melanin, blood and oxygen do. */
+/* 13 wavelengths and the observer's formula against 31 and the published tables; what more melanin, blood and oxygen
+   do. */
 static void skin_color_of_the_observer(void)
 {
-    static const double matrix[3][3] = {{3.2406, -1.5372, -0.4986}, {-0.9689, 1.8758, 0.0415}, {0.0557, -0.2040, 1.0570}}; /* IEC 61966-2-1 */
+    static const double matrix[3][3] = {
+        {3.2406, -1.5372, -0.4986}, {-0.9689, 1.8758, 0.0415}, {0.0557, -0.2040, 1.0570}}; /* IEC 61966-2-1 */
     static const double melanin[] = {0.005, 0.03, 0.1, 0.3};
     double worst = 0, before[3] = {1, 1, 1}, rgb[3], more[3];
     ms_mcml_skin skin = ms_mcml_skin_defaults();
@@ -860,7 +899,8 @@ static void skin_color_of_the_observer(void)
     TEST_NOTE("worst %.4f", worst);
 }
 
-/* A profile of R, G, B: its totals are the color, its rings add up to them, none is negative; g changes the middle, not the color much. */
+/* A profile of R, G, B: its totals are the color, its rings add up to them, none is negative; g changes the middle, not
+   the color much. */
 static void skin_profile_of_a_color(void)
 {
     ms_mcml_skin skin = ms_mcml_skin_defaults();
@@ -882,10 +922,11 @@ static void skin_profile_of_a_color(void)
             line += 2 * p.ap_per_mm[c * p.rings + i] * (p.edge_mm[i + 1] - p.edge_mm[i]);
         }
         CHECK_NEAR(sum, within[p.rings], 3e-5); /* noise below zero far out counts as none */
-        CHECK_NEAR(sum, rgb[c], 1e-4); /* the rings end where 1e-5 of a wavelength's energy is left */
+        CHECK_NEAR(sum, rgb[c], 1e-4);          /* the rings end where 1e-5 of a wavelength's energy is left */
         CHECK_NEAR(line, rgb[c], 2e-3);
     }
-    CHECK(p.within[p.rings / 2] < p.within[2 * (p.rings + 1) + p.rings / 2] * p.total[0] / p.total[2]); /* red goes farther than blue */
+    CHECK(p.within[p.rings / 2] <
+          p.within[2 * (p.rings + 1) + p.rings / 2] * p.total[0] / p.total[2]); /* red goes farther than blue */
     ms_mcml_profile_destroy(&p);
     { /* far out, where rounding would rule: rings fall, none is negative, out to where doubles end */
         ms_mcml_profile_options o;
@@ -920,9 +961,17 @@ static void skin_refused(void)
     CHECK_INT(ms_mcml_skin_layers(&skin, 500, NULL, &count, &error), MS_INVALID_ARGUMENT);
     CHECK_INT(ms_mcml_skin_layers(&skin, 500, l, NULL, &error), MS_INVALID_ARGUMENT);
     for (i = 0; i < 8; ++i) {
-        static const char *const name[8] = {"melanin", "eumelanin", "blood", "oxygen", "epidermis_mm", "dermis_mm", "scattering", "g is"};
+        static const char *const name[8] = {"melanin",      "eumelanin", "blood",      "oxygen",
+                                            "epidermis_mm", "dermis_mm", "scattering", "g is"};
         ms_mcml_skin bad = skin;
-        *(i == 0 ? &bad.melanin : i == 1 ? &bad.eumelanin : i == 2 ? &bad.blood : i == 3 ? &bad.oxygen : i == 4 ? &bad.epidermis_mm : i == 5 ? &bad.dermis_mm : i == 6 ? &bad.scattering : &bad.g) = -0.1;
+        *(i == 0       ? &bad.melanin
+              : i == 1 ? &bad.eumelanin
+              : i == 2 ? &bad.blood
+              : i == 3 ? &bad.oxygen
+              : i == 4 ? &bad.epidermis_mm
+              : i == 5 ? &bad.dermis_mm
+              : i == 6 ? &bad.scattering
+                       : &bad.g) = -0.1;
         CHECK_INT(ms_mcml_skin_color(&bad, rgb, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
         CHECK(strstr(error.message, name[i]) != NULL && rgb[0] > 6);
         CHECK_INT(ms_mcml_skin_profile(&p, &bad, NULL, &error), MS_INVALID_ARGUMENT);
@@ -931,9 +980,7 @@ static void skin_refused(void)
     CHECK_INT(ms_mcml_skin_color(&skin, NULL, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
     CHECK_INT(ms_mcml_skin_profile(NULL, &skin, NULL, &error), MS_INVALID_ARGUMENT);
     skin.g = 0;
-    TEST_ALLOCATION_SWEEP(40, {
-        status = ms_mcml_skin_color(&skin, rgb, NULL, NULL, &allocator, NULL);
-    });
+    TEST_ALLOCATION_SWEEP(40, { status = ms_mcml_skin_color(&skin, rgb, NULL, NULL, &allocator, NULL); });
 }
 
 static const test_case cases[] = {

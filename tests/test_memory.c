@@ -23,8 +23,8 @@ static const char *scratch(void)
 }
 
 /* Runs `call` while the step before it went well. */
-#define STEP(call) \
-    do { \
+#define STEP(call)                            \
+    do {                                      \
         if (status == MS_OK) status = (call); \
     } while (0)
 
@@ -217,7 +217,8 @@ static ms_status network(const ms_allocator *allocator)
         tensor[i].dtype = MS_NN_F32;
         tensor[i].rank = i % 2 ? 1 : 2;
         tensor[i].shape = shape[i];
-        tensor[i].data = i % 2 ? (const void *)zero : (const void *)weight; /* of a big-endian host: other numbers, as good */
+        tensor[i].data = i % 2 ? (const void *)zero
+                               : (const void *)weight; /* of a big-endian host: other numbers, as good */
         tensor[i].bytes = shape[i][0] * (i % 2 ? 1 : shape[i][1]) * sizeof(float);
     }
     entry[0].key = "ms_nn_version";
@@ -225,7 +226,8 @@ static ms_status network(const ms_allocator *allocator)
     entry[1].key = "ms_nn_input";
     entry[1].value = "[3]";
     entry[2].key = "ms_nn_layers";
-    entry[2].value = "[{\"type\":\"dense\",\"name\":\"a\",\"activation\":\"tanh\"},{\"type\":\"dense\",\"name\":\"b\"}]";
+    entry[2].value =
+        "[{\"type\":\"dense\",\"name\":\"a\",\"activation\":\"tanh\"},{\"type\":\"dense\",\"name\":\"b\"}]";
     options.allocator = *allocator;
     status = ms_nn_file_save(scratch(), tensor, 4, entry, 3, allocator, NULL);
     STEP(ms_nn_file_read(scratch(), &options, &file, NULL));
@@ -338,7 +340,11 @@ static void soak(void)
     static const struct {
         const char *name;
         ms_status (*run)(const ms_allocator *allocator);
-    } work[] = {{"frames", frame}, {"fits", preference}, {"runs of photons", transport}, {"networks", network}, {"matches", matching}};
+    } work[] = {{"frames", frame},
+                {"fits", preference},
+                {"runs of photons", transport},
+                {"networks", network},
+                {"matches", matching}};
     int rounds = test_full ? 1000 : 20, i, k;
     for (i = 0; i < (int)(sizeof work / sizeof work[0]); ++i) {
         test_memory m;
@@ -364,10 +370,7 @@ static void soak(void)
 }
 
 static const test_case cases[] = {
-    {"transport runs out of memory", fail_transport},
-    {"kernels run out of memory", fail_kernels},
-    {"preference runs out of memory", fail_preference},
-    {"network runs out of memory", fail_network},
-    {"matching runs out of memory", fail_matching},
-    {"soak", soak}};
+    {"transport runs out of memory", fail_transport},   {"kernels run out of memory", fail_kernels},
+    {"preference runs out of memory", fail_preference}, {"network runs out of memory", fail_network},
+    {"matching runs out of memory", fail_matching},     {"soak", soak}};
 TEST_MAIN(cases)

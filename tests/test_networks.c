@@ -1,11 +1,13 @@
-/* The networks that ship in examples/data, through ms_nn.h: the renderers against the stored path-traced pictures, colour
-   channels swapped, the inversion networks through the renderer. tests/pkg_networks.c renders some pictures again. */
+/* The networks that ship in examples/data, through ms_nn.h: the renderers against the stored path-traced pictures,
+   colour channels swapped, the inversion networks through the renderer. tests/pkg_networks.c renders some pictures
+   again. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #include "test.h"
 #include "networks.h"
 
-static const char *const renderers[2] = {"examples/data/renderer_128.safetensors", "examples/data/renderer_64.safetensors"};
+static const char *const renderers[2] = {"examples/data/renderer_128.safetensors",
+                                         "examples/data/renderer_64.safetensors"};
 
 /* least_*: what tests/bench/RESULTS.md states of these 64, less 0.05 dB for its rounding. */
 static void check_renderer(const char *path, double least_mean, double least)
@@ -38,7 +40,8 @@ static void test_renderer_256(void)
     materials list;
     const char *problem = neural_load("examples/data/renderer_256.safetensors", &n);
     int t, c, x, y, k;
-    if (problem || truth == NULL || n.size != 256 || materials_read("examples/data/materials.csv", NETWORKS_PARAMETERS, &list)) {
+    if (problem || truth == NULL || n.size != 256 ||
+        materials_read("examples/data/materials.csv", NETWORKS_PARAMETERS, &list)) {
         TEST_FAIL("%s", problem ? problem : "examples/data");
         return;
     }
@@ -51,7 +54,10 @@ static void test_renderer_256(void)
                 for (x = 0; x < 128; ++x) {
                     float light = 0;
                     double d;
-                    for (k = 0; k < 4; ++k) light += image_srgb_decode(fminf(fmaxf(planes[(c * 256 + 2 * y + k / 2) * 256 + 2 * x + k % 2], 0), 1)) / 4;
+                    for (k = 0; k < 4; ++k)
+                        light += image_srgb_decode(
+                                     fminf(fmaxf(planes[(c * 256 + 2 * y + k / 2) * 256 + 2 * x + k % 2], 0), 1)) /
+                            4;
                     d = (double)(image_srgb_encode(light) - truth[((t * 3 + c) * 128 + y) * 128 + x]);
                     sum += d * d;
                 }
@@ -128,7 +134,8 @@ static void test_inversion(void)
         for (k = 1; k < NETWORKS_INVERSIONS; ++k) rmse[i] = fmin(rmse[i], rmse[k * COUNT + i]);
         mean += rmse[i] / (double)COUNT;
     }
-    for (i = 0; i < NETWORKS_INVERSIONS * COUNT * NETWORKS_PARAMETERS && !problem; ++i) CHECK(guess[i] >= 0 && guess[i] <= 1);
+    for (i = 0; i < NETWORKS_INVERSIONS * COUNT * NETWORKS_PARAMETERS && !problem; ++i)
+        CHECK(guess[i] >= 0 && guess[i] <= 1);
     CHECK_LE(mean, 1.4); /* 1.09 in RESULTS.md on 500 others; the mean of 200 scatters by 0.05 */
     TEST_NOTE("best of nine: %.2f of 255", mean);
     free(planes);
@@ -137,6 +144,7 @@ static void test_inversion(void)
     neural_free(&n);
 }
 
-static const test_case cases[] = {{"renderer 128", test_renderer_128}, {"renderer 64", test_renderer_64}, {"preview 64", test_preview_64}, {"renderer 256", test_renderer_256},
+static const test_case cases[] = {{"renderer 128", test_renderer_128}, {"renderer 64", test_renderer_64},
+                                  {"preview 64", test_preview_64},     {"renderer 256", test_renderer_256},
                                   {"swapped channels", test_channels}, {"inversion networks", test_inversion}};
 TEST_MAIN(cases)

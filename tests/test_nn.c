@@ -8,13 +8,31 @@
 
 /* --- the reference: layers as plain loops in double --- */
 
-enum { DENSE, CONV1D, CONV2D, UP1D, UP2D, POOL1D, POOL2D, FLATTEN, ACTIVATION, ADD, DROPOUT, TURN1D, TURN2D, MEAN1D, MEAN2D, GLOBAL, CONCAT };
+enum {
+    DENSE,
+    CONV1D,
+    CONV2D,
+    UP1D,
+    UP2D,
+    POOL1D,
+    POOL2D,
+    FLATTEN,
+    ACTIVATION,
+    ADD,
+    DROPOUT,
+    TURN1D,
+    TURN2D,
+    MEAN1D,
+    MEAN2D,
+    GLOBAL,
+    CONCAT
+};
 
 typedef struct ref_layer {
     int kind, act, same, last; /* last: channels_last flatten */
     int out, kernel[2], stride[2], factor[2];
     double alpha;
-    int from; /* ADD, CONCAT: value index, 0 is the input */
+    int from;                                    /* ADD, CONCAT: value index, 0 is the input */
     int groups, dilation[2], zeros[2], extra[2]; /* of convolutions */
     int smooth, corners, before;                 /* UP: linear, corners aligned; CONCAT: the other one first */
     int dims[3], in[3];
@@ -93,7 +111,8 @@ static void ref_linear(const ref_layer *l, const double *x, double *y, const dou
                 for (i = 0; i < h * w; ++i)
                     for (u = 0; u < l->kernel[0]; ++u)
                         for (v = 0; v < l->kernel[1]; ++v) {
-                            int yy = i / w * l->stride[0] + u * l->dilation[0] - l->zeros[0], xx = i % w * l->stride[1] + v * l->dilation[1] - l->zeros[1];
+                            int yy = i / w * l->stride[0] + u * l->dilation[0] - l->zeros[0],
+                                xx = i % w * l->stride[1] + v * l->dilation[1] - l->zeros[1];
                             int to = ((k / (n / l->groups) * own + c) * oh + yy) * ow + xx;
                             double f = l->w[((k * own + c) * l->kernel[0] + u) * l->kernel[1] + v];
                             if (yy < 0 || yy >= oh || xx < 0 || xx >= ow) continue;
@@ -108,13 +127,15 @@ static void ref_linear(const ref_layer *l, const double *x, double *y, const dou
                 int at = (c * oh + i) * ow + j, best = -1;
                 double sum = 0;
                 if (l->kind == CONV1D || l->kind == CONV2D) {
-                    int py = l->same ? (l->kernel[0] - 1) * l->dilation[0] / 2 : l->zeros[0], px = l->same ? (l->kernel[1] - 1) * l->dilation[1] / 2 : l->zeros[1];
+                    int py = l->same ? (l->kernel[0] - 1) * l->dilation[0] / 2 : l->zeros[0],
+                        px = l->same ? (l->kernel[1] - 1) * l->dilation[1] / 2 : l->zeros[1];
                     int own = n / l->groups, first = c / (l->out / l->groups) * own;
                     sum = l->b[c];
                     for (k = 0; k < own; ++k)
                         for (u = 0; u < l->kernel[0]; ++u)
                             for (v = 0; v < l->kernel[1]; ++v) {
-                                int yy = i * l->stride[0] + u * l->dilation[0] - py, xx = j * l->stride[1] + v * l->dilation[1] - px;
+                                int yy = i * l->stride[0] + u * l->dilation[0] - py,
+                                    xx = j * l->stride[1] + v * l->dilation[1] - px;
                                 double f = l->w[((c * own + k) * l->kernel[0] + u) * l->kernel[1] + v];
                                 if (yy < 0 || yy >= h || xx < 0 || xx >= w) continue;
                                 if (y) sum += f * x[((first + k) * h + yy) * w + xx];
@@ -134,11 +155,14 @@ static void ref_linear(const ref_layer *l, const double *x, double *y, const dou
                     if (y) y[at] = sum;
                     continue;
                 }
-                if (l->smooth) { /* tents around the inputs' places; beyond the first and the last their value goes on */
+                if (l->smooth) { /* tents around the inputs' places; beyond the first and the last their value goes on
+                                  */
                     for (u = 0; u < h; ++u)
                         for (v = 0; v < w; ++v) {
-                            double py = l->corners ? (oh > 1 ? i * (h - 1.0) / (oh - 1.0) : 0) : fmin(fmax((i + 0.5) * h / oh - 0.5, 0), h - 1.0);
-                            double px = l->corners ? (ow > 1 ? j * (w - 1.0) / (ow - 1.0) : 0) : fmin(fmax((j + 0.5) * w / ow - 0.5, 0), w - 1.0);
+                            double py = l->corners ? (oh > 1 ? i * (h - 1.0) / (oh - 1.0) : 0)
+                                                   : fmin(fmax((i + 0.5) * h / oh - 0.5, 0), h - 1.0);
+                            double px = l->corners ? (ow > 1 ? j * (w - 1.0) / (ow - 1.0) : 0)
+                                                   : fmin(fmax((j + 0.5) * w / ow - 0.5, 0), w - 1.0);
                             double f = fmax(0, 1 - fabs(py - u)) * fmax(0, 1 - fabs(px - v));
                             if (y) sum += f * x[(c * h + u) * w + v];
                             else g_x[(c * h + u) * w + v] += f * g_y[at];
@@ -192,7 +216,8 @@ static void ref_backward(const ref_net *net, const ref_run *r, const double *g_y
 {
     double *g[25];
     int k, i, n = count_of(net->input);
-    for (k = 0; k <= net->layers; ++k) g[k] = (double *)calloc((size_t)count_of(k ? net->layer[k - 1].dims : net->input), sizeof(double));
+    for (k = 0; k <= net->layers; ++k)
+        g[k] = (double *)calloc((size_t)count_of(k ? net->layer[k - 1].dims : net->input), sizeof(double));
     memcpy(g[net->layers], g_y, (size_t)count_of(net->layer[net->layers - 1].dims) * sizeof(double));
     for (k = net->layers - 1; k >= 0; --k) {
         const ref_layer *l = &net->layer[k];
@@ -277,7 +302,9 @@ static double store(ms_nn_dtype dtype, double x, unsigned char *out, double scal
             double a = fabs((double)f);
             int e;
             frexp(a, &e);
-            bits = a == 0 ? 0 : a < ldexp(1, -14) ? (uint64_t)ldexp(a, 24) : ((uint64_t)(e + 14) << 10) + (uint64_t)ldexp(a, 11 - e) - 1024;
+            bits = a == 0           ? 0
+                : a < ldexp(1, -14) ? (uint64_t)ldexp(a, 24)
+                                    : ((uint64_t)(e + 14) << 10) + (uint64_t)ldexp(a, 11 - e) - 1024;
             if (f < 0) bits |= 0x8000;
         }
         x = (double)f;
@@ -294,7 +321,8 @@ static ref_layer *net_layer(ref_net *n, int kind)
     memcpy(l->dims, l->in, sizeof l->dims);
     l->kind = kind;
     l->alpha = 1;
-    l->stride[0] = l->stride[1] = l->kernel[0] = l->kernel[1] = l->factor[0] = l->factor[1] = l->groups = l->dilation[0] = l->dilation[1] = 1;
+    l->stride[0] = l->stride[1] = l->kernel[0] = l->kernel[1] = l->factor[0] = l->factor[1] = l->groups =
+        l->dilation[0] = l->dilation[1] = 1;
     n->layers++;
     return l;
 }
@@ -323,7 +351,10 @@ static void net_conv(ref_net *n, int kind, int filters, int kh, int kw, int sh, 
 {
     ref_layer *l = net_layer(n, kind);
     int d, k[2], s[2];
-    k[0] = kh; k[1] = kw; s[0] = sh; s[1] = sw;
+    k[0] = kh;
+    k[1] = kw;
+    s[0] = sh;
+    s[1] = sw;
     l->out = l->dims[0] = filters;
     for (d = 0; d < 2; ++d) {
         l->kernel[d] = k[d];
@@ -336,7 +367,8 @@ static void net_conv(ref_net *n, int kind, int filters, int kh, int kw, int sh, 
 }
 
 /* Of height 1 where kh is 0. */
-static void net_wide(ref_net *n, int turned, int filters, int kh, int kw, int stride, int dilation, int groups, int zeros, int extra, int act)
+static void net_wide(ref_net *n, int turned, int filters, int kh, int kw, int stride, int dilation, int groups,
+                     int zeros, int extra, int act)
 {
     ref_layer *l = net_layer(n, kh ? (turned ? TURN2D : CONV2D) : (turned ? TURN1D : CONV1D));
     int d;
@@ -351,7 +383,8 @@ static void net_wide(ref_net *n, int turned, int filters, int kh, int kw, int st
         l->zeros[d] = d ? zeros : zeros / 2;
         l->extra[d] = d ? extra : 0;
         reach = (l->kernel[d] - 1) * dilation + 1;
-        l->dims[d + 1] = turned ? (l->in[d + 1] - 1) * l->stride[d] + reach + l->extra[d] - 2 * l->zeros[d] : (l->in[d + 1] + 2 * l->zeros[d] - reach) / l->stride[d] + 1;
+        l->dims[d + 1] = turned ? (l->in[d + 1] - 1) * l->stride[d] + reach + l->extra[d] - 2 * l->zeros[d]
+                                : (l->in[d + 1] + 2 * l->zeros[d] - reach) / l->stride[d] + 1;
     }
 }
 
@@ -360,7 +393,8 @@ static void net_mean(ref_net *n, int kind, int kh, int kw, int sh, int sw)
     ref_layer *l = net_layer(n, kind);
     l->kernel[0] = kind == GLOBAL ? l->in[1] : kh;
     l->kernel[1] = kind == GLOBAL ? l->in[2] : kw;
-    l->stride[0] = sh; l->stride[1] = sw;
+    l->stride[0] = sh;
+    l->stride[1] = sw;
     l->dims[1] = kind == GLOBAL ? 1 : (l->in[1] - kh) / sh + 1;
     l->dims[2] = kind == GLOBAL ? 1 : (l->in[2] - kw) / sw + 1;
 }
@@ -385,7 +419,10 @@ static void net_up(ref_net *n, int kind, int fh, int fw)
 static void net_pool(ref_net *n, int kind, int kh, int kw, int sh, int sw)
 {
     ref_layer *l = net_layer(n, kind);
-    l->kernel[0] = kh; l->kernel[1] = kw; l->stride[0] = sh; l->stride[1] = sw;
+    l->kernel[0] = kh;
+    l->kernel[1] = kw;
+    l->stride[0] = sh;
+    l->stride[1] = sw;
     l->dims[1] = (l->in[1] - kh) / sh + 1;
     l->dims[2] = (l->in[2] - kw) / sw + 1;
 }
@@ -401,9 +438,12 @@ static void net_flatten(ref_net *n, int last)
 /* Writes the file with random weights of variance 1 / fan-in. */
 static void net_end(ref_net *n, uint64_t *state)
 {
-    static const char *const kinds[] = {"dense", "conv1d", "conv2d", "upsample1d", "upsample2d", "maxpool1d", "maxpool2d", "flatten",
-                                        "activation", "add", "dropout", "conv1d_transpose", "conv2d_transpose", "avgpool1d", "avgpool2d", "globalpool", "concat"};
-    static const char *const acts[] = {"linear", "relu", "leaky_relu", "elu", "tanh", "sigmoid", "softplus", "silu", "gelu"};
+    static const char *const kinds[] = {
+        "dense",     "conv1d",     "conv2d", "upsample1d", "upsample2d",       "maxpool1d",        "maxpool2d",
+        "flatten",   "activation", "add",    "dropout",    "conv1d_transpose", "conv2d_transpose", "avgpool1d",
+        "avgpool2d", "globalpool", "concat"};
+    static const char *const acts[] = {"linear",  "relu",     "leaky_relu", "elu", "tanh",
+                                       "sigmoid", "softplus", "silu",       "gelu"};
     char layers[6000] = "[", input[60], names[72][32];
     ms_nn_tensor t[72];
     size_t shapes[72][4];
@@ -415,58 +455,102 @@ static void net_end(ref_net *n, uint64_t *state)
     if (n->shared) snprintf(layers, sizeof layers, "[{\"type\":\"shared_channels\",\"inputs\":%s},", n->shared);
     for (k = 0; k < n->layers; ++k) {
         ref_layer *l = &n->layer[k];
-        int turned = l->kind == TURN1D || l->kind == TURN2D, conv = turned || l->kind == CONV1D || l->kind == CONV2D, two = l->kind == CONV2D || l->kind == TURN2D;
+        int turned = l->kind == TURN1D || l->kind == TURN2D, conv = turned || l->kind == CONV1D || l->kind == CONV2D,
+            two = l->kind == CONV2D || l->kind == TURN2D;
         int rows = turned ? l->in[0] : l->out; /* of the weights */
-        size_t at = strlen(layers), fan = (size_t)(l->kind == DENSE ? count_of(l->in) : (turned ? l->out : l->in[0]) / l->groups * l->kernel[0] * l->kernel[1]), j;
-        at += (size_t)snprintf(layers + at, sizeof layers - at, "%s{\"type\":\"%s\",\"name\":\"l%d\"", k ? "," : "", kinds[l->kind], k);
+        size_t at = strlen(layers),
+               fan = (size_t)(l->kind == DENSE
+                                  ? count_of(l->in)
+                                  : (turned ? l->out : l->in[0]) / l->groups * l->kernel[0] * l->kernel[1]),
+               j;
+        at += (size_t)snprintf(layers + at, sizeof layers - at, "%s{\"type\":\"%s\",\"name\":\"l%d\"", k ? "," : "",
+                               kinds[l->kind], k);
         if (l->kind == DENSE) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"units\":%d", l->out);
         if (conv && two)
-            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"filters\":%d,\"kernel\":[%d,%d],\"stride\":[%d,%d]", l->out, l->kernel[0], l->kernel[1], l->stride[0], l->stride[1]);
-        if (conv && !two) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"filters\":%d,\"kernel\":%d,\"stride\":%d", l->out, l->kernel[1], l->stride[1]);
+            at += (size_t)snprintf(layers + at, sizeof layers - at,
+                                   ",\"filters\":%d,\"kernel\":[%d,%d],\"stride\":[%d,%d]", l->out, l->kernel[0],
+                                   l->kernel[1], l->stride[0], l->stride[1]);
+        if (conv && !two)
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"filters\":%d,\"kernel\":%d,\"stride\":%d",
+                                   l->out, l->kernel[1], l->stride[1]);
         if (conv && l->groups > 1) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"groups\":%d", l->groups);
-        if (conv && l->dilation[1] > 1) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"dilation\":%d", l->dilation[1]);
-        if (conv && l->zeros[1] && two) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"zeros\":[%d,%d]", l->zeros[0], l->zeros[1]);
-        if (conv && l->zeros[1] && !two) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"zeros\":%d", l->zeros[1]);
-        if (turned && l->extra[1] && two) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"extra\":[%d,%d]", l->extra[0], l->extra[1]);
-        if (turned && l->extra[1] && !two) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"extra\":%d", l->extra[1]);
-        if (conv && !turned && (l->same || !l->zeros[1])) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"padding\":\"%s\"", l->same ? "same" : "valid");
-        if (l->smooth) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"mode\":\"linear\",\"align_corners\":%s", l->corners ? "true" : "false");
-        if (l->kind == MEAN1D) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"size\":%d,\"stride\":%d", l->kernel[1], l->stride[1]);
-        if (l->kind == MEAN2D) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"size\":[%d,%d],\"stride\":[%d,%d]", l->kernel[0], l->kernel[1], l->stride[0], l->stride[1]);
-        if (l->kind == CONCAT) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"order\":\"%s\"", l->before ? "before" : "after");
+        if (conv && l->dilation[1] > 1)
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"dilation\":%d", l->dilation[1]);
+        if (conv && l->zeros[1] && two)
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"zeros\":[%d,%d]", l->zeros[0], l->zeros[1]);
+        if (conv && l->zeros[1] && !two)
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"zeros\":%d", l->zeros[1]);
+        if (turned && l->extra[1] && two)
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"extra\":[%d,%d]", l->extra[0], l->extra[1]);
+        if (turned && l->extra[1] && !two)
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"extra\":%d", l->extra[1]);
+        if (conv && !turned && (l->same || !l->zeros[1]))
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"padding\":\"%s\"", l->same ? "same" : "valid");
+        if (l->smooth)
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"mode\":\"linear\",\"align_corners\":%s",
+                                   l->corners ? "true" : "false");
+        if (l->kind == MEAN1D)
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"size\":%d,\"stride\":%d", l->kernel[1],
+                                   l->stride[1]);
+        if (l->kind == MEAN2D)
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"size\":[%d,%d],\"stride\":[%d,%d]",
+                                   l->kernel[0], l->kernel[1], l->stride[0], l->stride[1]);
+        if (l->kind == CONCAT)
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"order\":\"%s\"",
+                                   l->before ? "before" : "after");
         if (l->kind == UP1D) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"factor\":%d", l->factor[1]);
-        if (l->kind == UP2D) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"factor\":[%d,%d]", l->factor[0], l->factor[1]);
-        if (l->kind == POOL1D) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"size\":%d,\"stride\":%d", l->kernel[1], l->stride[1]);
-        if (l->kind == POOL2D) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"size\":[%d,%d],\"stride\":[%d,%d]", l->kernel[0], l->kernel[1], l->stride[0], l->stride[1]);
-        if (l->kind == FLATTEN) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"order\":\"%s\"", l->last ? "channels_last" : "channels_first");
+        if (l->kind == UP2D)
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"factor\":[%d,%d]", l->factor[0], l->factor[1]);
+        if (l->kind == POOL1D)
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"size\":%d,\"stride\":%d", l->kernel[1],
+                                   l->stride[1]);
+        if (l->kind == POOL2D)
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"size\":[%d,%d],\"stride\":[%d,%d]",
+                                   l->kernel[0], l->kernel[1], l->stride[0], l->stride[1]);
+        if (l->kind == FLATTEN)
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"order\":\"%s\"",
+                                   l->last ? "channels_last" : "channels_first");
         if (l->kind == DROPOUT) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"rate\":0.5");
-        if ((l->kind == ADD || l->kind == CONCAT) && l->from) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"from\":\"l%d\"", l->from - 1);
-        if ((l->kind == ADD || l->kind == CONCAT) && !l->from) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"from\":\"input\"");
+        if ((l->kind == ADD || l->kind == CONCAT) && l->from)
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"from\":\"l%d\"", l->from - 1);
+        if ((l->kind == ADD || l->kind == CONCAT) && !l->from)
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"from\":\"input\"");
         if (l->kind == DENSE || conv || l->kind == ACTIVATION || l->kind == ADD)
-            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"activation\":\"%s\",\"alpha\":%.6f", acts[l->act], l->alpha);
+            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"activation\":\"%s\",\"alpha\":%.6f",
+                                   acts[l->act], l->alpha);
         snprintf(layers + at, sizeof layers - at, "}");
         if (l->kind == DENSE || conv) {
             size_t count = (size_t)rows * fan;
             double limit = sqrt(3.0 / (double)fan);
             int width = n->dtype == MS_NN_F64 ? 8 : n->dtype == MS_NN_F32 ? 4 : n->dtype == MS_NN_I8 ? 1 : 2;
-            unsigned char *w = (unsigned char *)malloc(count * 8), *b = (unsigned char *)malloc((size_t)l->out * 8), *s = (unsigned char *)malloc((size_t)rows * 4);
+            unsigned char *w = (unsigned char *)malloc(count * 8), *b = (unsigned char *)malloc((size_t)l->out * 8),
+                          *s = (unsigned char *)malloc((size_t)rows * 4);
             l->w = (double *)malloc(count * sizeof(double));
             l->b = (double *)malloc((size_t)l->out * sizeof(double));
             for (i = 0; i < rows; ++i) {
                 double scale = store(MS_NN_F32, limit / 127 * (0.5 + test_uniform(state)), s + 4 * i, 1);
-                if (i < l->out) l->b[i] = store(n->dtype == MS_NN_F64 ? MS_NN_F64 : MS_NN_F32, 0.2 * test_uniform(state) - 0.1, b + (n->dtype == MS_NN_F64 ? 8 : 4) * i, 1);
+                if (i < l->out)
+                    l->b[i] = store(n->dtype == MS_NN_F64 ? MS_NN_F64 : MS_NN_F32, 0.2 * test_uniform(state) - 0.1,
+                                    b + (n->dtype == MS_NN_F64 ? 8 : 4) * i, 1);
                 for (j = 0; j < fan; ++j)
-                    l->w[(size_t)i * fan + j] = store(n->dtype, limit * (2 * test_uniform(state) - 1), w + (size_t)width * ((size_t)i * fan + j), scale);
+                    l->w[(size_t)i * fan + j] = store(n->dtype, limit * (2 * test_uniform(state) - 1),
+                                                      w + (size_t)width * ((size_t)i * fan + j), scale);
             }
-            for (i = rows; i < l->out; ++i) l->b[i] = store(n->dtype == MS_NN_F64 ? MS_NN_F64 : MS_NN_F32, 0.2 * test_uniform(state) - 0.1, b + (n->dtype == MS_NN_F64 ? 8 : 4) * i, 1);
+            for (i = rows; i < l->out; ++i)
+                l->b[i] = store(n->dtype == MS_NN_F64 ? MS_NN_F64 : MS_NN_F32, 0.2 * test_uniform(state) - 0.1,
+                                b + (n->dtype == MS_NN_F64 ? 8 : 4) * i, 1);
             for (i = 0; i < 3; ++i) {
                 if (i == 2 && n->dtype != MS_NN_I8) {
                     free(s);
                     break;
                 }
-                snprintf(names[tensors], sizeof names[0], "l%d.%s", k, i == 0 ? "weight" : i == 1 ? "bias" : "weight_scale");
+                snprintf(names[tensors], sizeof names[0], "l%d.%s", k,
+                         i == 0       ? "weight"
+                             : i == 1 ? "bias"
+                                      : "weight_scale");
                 shapes[tensors][0] = (size_t)(i == 1 ? l->out : rows);
-                shapes[tensors][1] = (size_t)(l->kind == DENSE ? count_of(l->in) : (turned ? l->out : l->in[0]) / l->groups);
+                shapes[tensors][1] = (size_t)(l->kind == DENSE ? count_of(l->in)
+                                                               : (turned ? l->out : l->in[0]) / l->groups);
                 shapes[tensors][2] = (size_t)(two ? l->kernel[0] : l->kernel[1]);
                 shapes[tensors][3] = (size_t)l->kernel[1];
                 t[tensors].name = names[tensors];
@@ -474,7 +558,8 @@ static void net_end(ref_net *n, uint64_t *state)
                 t[tensors].rank = i ? 1 : l->kind == DENSE ? 2 : two ? 4 : 3;
                 t[tensors].shape = shapes[tensors];
                 t[tensors].data = hold[tensors] = i == 0 ? w : i == 1 ? b : s;
-                t[tensors].bytes = i == 0 ? count * (size_t)width : shapes[tensors][0] * (t[tensors].dtype == MS_NN_F64 ? 8 : 4);
+                t[tensors].bytes = i == 0 ? count * (size_t)width
+                                          : shapes[tensors][0] * (t[tensors].dtype == MS_NN_F64 ? 8 : 4);
                 ++tensors;
             }
         }
@@ -483,9 +568,12 @@ static void net_end(ref_net *n, uint64_t *state)
     if (n->rank == 1) snprintf(input, sizeof input, "[%d]", n->shared ? n->outer : n->input[0]);
     if (n->rank == 2) snprintf(input, sizeof input, "[%d,%d]", n->input[0], n->input[2]);
     if (n->rank == 3) snprintf(input, sizeof input, "[%d,%d,%d]", n->input[0], n->input[1], n->input[2]);
-    e[0].key = "ms_nn_version"; e[0].value = "1";
-    e[1].key = "ms_nn_input"; e[1].value = input;
-    e[2].key = "ms_nn_layers"; e[2].value = layers;
+    e[0].key = "ms_nn_version";
+    e[0].value = "1";
+    e[1].key = "ms_nn_input";
+    e[1].value = input;
+    e[2].key = "ms_nn_layers";
+    e[2].value = layers;
     sink.user = n;
     sink.write = net_sink;
     if (ms_nn_file_write(t, (size_t)tensors, e, 3, NULL, sink, &error) != MS_OK) TEST_FAIL("%s", error.message);
@@ -520,47 +608,192 @@ static const char *net_make(ref_net *n, int which, ms_nn_dtype dtype, uint64_t *
     const char *name = "";
     int i;
     switch (which) {
-    case 0: name = "dense chain, all activations"; net_begin(n, dtype, 1, 37, 1, 1);
+    case 0:
+        name = "dense chain, all activations";
+        net_begin(n, dtype, 1, 37, 1, 1);
         for (i = 0; i < 7; ++i) net_dense(n, i == 3 ? 131 : 20 + 13 * i, i);
         break;
-    case 1: name = "one to one"; net_begin(n, dtype, 1, 1, 1, 1); net_dense(n, 1, 4); break;
-    case 2: name = "conv2d same 3x3"; net_begin(n, dtype, 3, 3, 21, 53); net_conv(n, CONV2D, 11, 3, 3, 1, 1, 1, 1); break;
-    case 3: name = "conv2d valid 5x2, stride 2x3"; net_begin(n, dtype, 3, 2, 23, 31); net_conv(n, CONV2D, 9, 5, 2, 2, 3, 0, 3); break;
-    case 4: name = "conv2d same, stride 2, even kernel"; net_begin(n, dtype, 3, 4, 17, 40); net_conv(n, CONV2D, 5, 4, 4, 2, 2, 1, 6); break;
-    case 5: name = "1x1 picture"; net_begin(n, dtype, 3, 3, 1, 1); net_conv(n, CONV2D, 8, 3, 3, 1, 1, 1, 1); net_conv(n, CONV2D, 4, 1, 1, 1, 1, 0, 0);
-        net_flatten(n, 1); net_dense(n, 3, 5); break;
-    case 6: name = "odd pools"; net_begin(n, dtype, 3, 5, 15, 37); net_pool(n, POOL2D, 2, 2, 2, 2); net_pool(n, POOL2D, 3, 2, 1, 2); net_flatten(n, 0); net_dense(n, 7, 0); break;
-    case 7: name = "renderer, channels last"; net_begin(n, dtype, 2, 1, 1, 19);
-        for (i = 0; i < 4; ++i) { net_conv(n, CONV1D, 12, 1, 3, 1, 1, 1, 3); net_up(n, UP1D, 1, 2); }
-        net_flatten(n, 1); net_dense(n, 40, 3); net_dense(n, 150, 0); break;
-    case 8: name = "folds: factor 3, kernel 4, valid"; net_begin(n, dtype, 2, 3, 1, 11); net_up(n, UP1D, 1, 3); net_conv(n, CONV1D, 6, 1, 4, 1, 1, 0, 4);
-        net_up(n, UP1D, 1, 4); net_conv(n, CONV1D, 5, 1, 3, 1, 1, 1, 1); net_up(n, UP1D, 1, 2); net_flatten(n, 0); net_dense(n, 9, 0); break;
-    case 9: name = "upsample2d before dense"; net_begin(n, dtype, 3, 3, 4, 5); net_up(n, UP2D, 2, 3); net_flatten(n, 1); net_dense(n, 10, 2); break;
-    case 10: name = "inversion"; net_begin(n, dtype, 3, 3, 30, 30);
-        for (i = 0; i < 2; ++i) { net_conv(n, CONV2D, 8, 3, 3, 1, 1, 1, 1); net_pool(n, POOL2D, 2, 2, 2, 2); }
-        net_flatten(n, 1); net_dense(n, 50, 1); net_layer(n, DROPOUT); net_dense(n, 19, 0); break;
-    case 11: name = "residual adds"; net_begin(n, dtype, 3, 6, 9, 20); net_conv(n, CONV2D, 6, 3, 3, 1, 1, 1, 1); net_conv(n, CONV2D, 6, 3, 3, 1, 1, 1, 0);
-        net_layer(n, ADD)->from = 0; net_layer(n, ADD)->from = 1; n->layer[3].act = 1; net_conv(n, CONV2D, 2, 1, 1, 1, 1, 0, 4); net_flatten(n, 0); net_dense(n, 33, 0);
-        net_dense(n, 33, 3); net_layer(n, ADD)->from = 7; break;
-    case 12: name = "conv1d stride, pool1d"; net_begin(n, dtype, 2, 3, 1, 64); net_conv(n, CONV1D, 7, 1, 5, 1, 2, 1, 1); net_pool(n, POOL1D, 1, 3, 1, 2);
-        net_layer(n, ACTIVATION)->act = 4; net_up(n, UP1D, 1, 3); net_conv(n, CONV1D, 4, 1, 3, 1, 2, 1, 0); break;
-    case 13: name = "only an upsampling"; net_begin(n, dtype, 3, 2, 3, 4); net_up(n, UP2D, 3, 2); break;
-    case 14: name = "only a flatten"; net_begin(n, dtype, 3, 3, 2, 5); net_flatten(n, 1); break;
-    case 15: name = "conv2d in pairs of rows"; net_begin(n, dtype, 3, 16, 13, 53); net_conv(n, CONV2D, 20, 3, 3, 1, 1, 1, 3); net_conv(n, CONV2D, 9, 3, 5, 1, 2, 0, 4);
-        net_conv(n, CONV2D, 8, 3, 1, 1, 1, 0, 0); net_conv(n, CONV2D, 3, 3, 3, 1, 1, 1, 1); break;
-    case 17: name = "groups, dilation, zeros"; net_begin(n, dtype, 3, 6, 17, 23); net_wide(n, 0, 12, 3, 3, 1, 2, 3, 3, 0, 7); net_wide(n, 0, 12, 3, 5, 2, 1, 12, 4, 0, 8);
-        net_wide(n, 0, 5, 1, 1, 1, 1, 1, 0, 0, 0); break;
-    case 18: name = "transposed"; net_begin(n, dtype, 3, 6, 5, 7); net_wide(n, 1, 4, 3, 3, 2, 1, 2, 2, 1, 3); net_wide(n, 1, 9, 2, 4, 3, 2, 1, 0, 0, 7);
-        net_wide(n, 1, 9, 3, 3, 1, 1, 9, 5, 0, 0); break;
-    case 19: name = "a U with skips"; net_begin(n, dtype, 3, 3, 12, 17); net_conv(n, CONV2D, 9, 3, 3, 1, 1, 1, 8); net_mean(n, MEAN2D, 2, 3, 2, 2); net_conv(n, CONV2D, 10, 3, 3, 1, 1, 1, 7);
-        net_up(n, UP2D, 2, 1); n->layer[3].smooth = 1; net_mean(n, MEAN2D, 1, 2, 1, 1);
-        net_up(n, UP2D, 1, 3); n->layer[5].smooth = n->layer[5].corners = 1; net_mean(n, MEAN2D, 1, 2, 1, 1);
-        net_mean(n, MEAN2D, 1, 4, 1, 1); net_conv(n, CONV2D, 4, 1, 1, 1, 1, 0, 0); net_concat(n, 1, 1); net_concat(n, 0, 0); net_conv(n, CONV2D, 6, 3, 3, 1, 1, 1, 1);
-        net_mean(n, GLOBAL, 0, 0, 1, 1); net_flatten(n, 0); net_dense(n, 5, 0); net_concat(n, 13, 0); net_dense(n, 4, 5); break;
-    case 20: name = "signals"; net_begin(n, dtype, 2, 4, 1, 21); net_wide(n, 0, 6, 0, 3, 2, 2, 2, 2, 0, 8); net_wide(n, 1, 6, 0, 4, 2, 1, 3, 1, 1, 4); net_mean(n, MEAN1D, 1, 2, 1, 2);
-        net_up(n, UP1D, 1, 4); n->layer[3].smooth = 1; net_concat(n, 4, 1); net_wide(n, 0, 3, 0, 1, 1, 1, 1, 0, 0, 6); net_mean(n, GLOBAL, 0, 0, 1, 1); break;
-    case 21: name = "smooth activations alone"; net_begin(n, dtype, 1, 50, 1, 1); net_layer(n, ACTIVATION)->act = 8; net_dense(n, 40, 7); net_layer(n, ACTIVATION)->act = 7; net_dense(n, 30, 0); break;
-    default: name = "wide dense"; net_begin(n, dtype, 1, 9001, 1, 1); net_dense(n, 5, 0); net_dense(n, 6000, 0); break;
+    case 1:
+        name = "one to one";
+        net_begin(n, dtype, 1, 1, 1, 1);
+        net_dense(n, 1, 4);
+        break;
+    case 2:
+        name = "conv2d same 3x3";
+        net_begin(n, dtype, 3, 3, 21, 53);
+        net_conv(n, CONV2D, 11, 3, 3, 1, 1, 1, 1);
+        break;
+    case 3:
+        name = "conv2d valid 5x2, stride 2x3";
+        net_begin(n, dtype, 3, 2, 23, 31);
+        net_conv(n, CONV2D, 9, 5, 2, 2, 3, 0, 3);
+        break;
+    case 4:
+        name = "conv2d same, stride 2, even kernel";
+        net_begin(n, dtype, 3, 4, 17, 40);
+        net_conv(n, CONV2D, 5, 4, 4, 2, 2, 1, 6);
+        break;
+    case 5:
+        name = "1x1 picture";
+        net_begin(n, dtype, 3, 3, 1, 1);
+        net_conv(n, CONV2D, 8, 3, 3, 1, 1, 1, 1);
+        net_conv(n, CONV2D, 4, 1, 1, 1, 1, 0, 0);
+        net_flatten(n, 1);
+        net_dense(n, 3, 5);
+        break;
+    case 6:
+        name = "odd pools";
+        net_begin(n, dtype, 3, 5, 15, 37);
+        net_pool(n, POOL2D, 2, 2, 2, 2);
+        net_pool(n, POOL2D, 3, 2, 1, 2);
+        net_flatten(n, 0);
+        net_dense(n, 7, 0);
+        break;
+    case 7:
+        name = "renderer, channels last";
+        net_begin(n, dtype, 2, 1, 1, 19);
+        for (i = 0; i < 4; ++i) {
+            net_conv(n, CONV1D, 12, 1, 3, 1, 1, 1, 3);
+            net_up(n, UP1D, 1, 2);
+        }
+        net_flatten(n, 1);
+        net_dense(n, 40, 3);
+        net_dense(n, 150, 0);
+        break;
+    case 8:
+        name = "folds: factor 3, kernel 4, valid";
+        net_begin(n, dtype, 2, 3, 1, 11);
+        net_up(n, UP1D, 1, 3);
+        net_conv(n, CONV1D, 6, 1, 4, 1, 1, 0, 4);
+        net_up(n, UP1D, 1, 4);
+        net_conv(n, CONV1D, 5, 1, 3, 1, 1, 1, 1);
+        net_up(n, UP1D, 1, 2);
+        net_flatten(n, 0);
+        net_dense(n, 9, 0);
+        break;
+    case 9:
+        name = "upsample2d before dense";
+        net_begin(n, dtype, 3, 3, 4, 5);
+        net_up(n, UP2D, 2, 3);
+        net_flatten(n, 1);
+        net_dense(n, 10, 2);
+        break;
+    case 10:
+        name = "inversion";
+        net_begin(n, dtype, 3, 3, 30, 30);
+        for (i = 0; i < 2; ++i) {
+            net_conv(n, CONV2D, 8, 3, 3, 1, 1, 1, 1);
+            net_pool(n, POOL2D, 2, 2, 2, 2);
+        }
+        net_flatten(n, 1);
+        net_dense(n, 50, 1);
+        net_layer(n, DROPOUT);
+        net_dense(n, 19, 0);
+        break;
+    case 11:
+        name = "residual adds";
+        net_begin(n, dtype, 3, 6, 9, 20);
+        net_conv(n, CONV2D, 6, 3, 3, 1, 1, 1, 1);
+        net_conv(n, CONV2D, 6, 3, 3, 1, 1, 1, 0);
+        net_layer(n, ADD)->from = 0;
+        net_layer(n, ADD)->from = 1;
+        n->layer[3].act = 1;
+        net_conv(n, CONV2D, 2, 1, 1, 1, 1, 0, 4);
+        net_flatten(n, 0);
+        net_dense(n, 33, 0);
+        net_dense(n, 33, 3);
+        net_layer(n, ADD)->from = 7;
+        break;
+    case 12:
+        name = "conv1d stride, pool1d";
+        net_begin(n, dtype, 2, 3, 1, 64);
+        net_conv(n, CONV1D, 7, 1, 5, 1, 2, 1, 1);
+        net_pool(n, POOL1D, 1, 3, 1, 2);
+        net_layer(n, ACTIVATION)->act = 4;
+        net_up(n, UP1D, 1, 3);
+        net_conv(n, CONV1D, 4, 1, 3, 1, 2, 1, 0);
+        break;
+    case 13:
+        name = "only an upsampling";
+        net_begin(n, dtype, 3, 2, 3, 4);
+        net_up(n, UP2D, 3, 2);
+        break;
+    case 14:
+        name = "only a flatten";
+        net_begin(n, dtype, 3, 3, 2, 5);
+        net_flatten(n, 1);
+        break;
+    case 15:
+        name = "conv2d in pairs of rows";
+        net_begin(n, dtype, 3, 16, 13, 53);
+        net_conv(n, CONV2D, 20, 3, 3, 1, 1, 1, 3);
+        net_conv(n, CONV2D, 9, 3, 5, 1, 2, 0, 4);
+        net_conv(n, CONV2D, 8, 3, 1, 1, 1, 0, 0);
+        net_conv(n, CONV2D, 3, 3, 3, 1, 1, 1, 1);
+        break;
+    case 17:
+        name = "groups, dilation, zeros";
+        net_begin(n, dtype, 3, 6, 17, 23);
+        net_wide(n, 0, 12, 3, 3, 1, 2, 3, 3, 0, 7);
+        net_wide(n, 0, 12, 3, 5, 2, 1, 12, 4, 0, 8);
+        net_wide(n, 0, 5, 1, 1, 1, 1, 1, 0, 0, 0);
+        break;
+    case 18:
+        name = "transposed";
+        net_begin(n, dtype, 3, 6, 5, 7);
+        net_wide(n, 1, 4, 3, 3, 2, 1, 2, 2, 1, 3);
+        net_wide(n, 1, 9, 2, 4, 3, 2, 1, 0, 0, 7);
+        net_wide(n, 1, 9, 3, 3, 1, 1, 9, 5, 0, 0);
+        break;
+    case 19:
+        name = "a U with skips";
+        net_begin(n, dtype, 3, 3, 12, 17);
+        net_conv(n, CONV2D, 9, 3, 3, 1, 1, 1, 8);
+        net_mean(n, MEAN2D, 2, 3, 2, 2);
+        net_conv(n, CONV2D, 10, 3, 3, 1, 1, 1, 7);
+        net_up(n, UP2D, 2, 1);
+        n->layer[3].smooth = 1;
+        net_mean(n, MEAN2D, 1, 2, 1, 1);
+        net_up(n, UP2D, 1, 3);
+        n->layer[5].smooth = n->layer[5].corners = 1;
+        net_mean(n, MEAN2D, 1, 2, 1, 1);
+        net_mean(n, MEAN2D, 1, 4, 1, 1);
+        net_conv(n, CONV2D, 4, 1, 1, 1, 1, 0, 0);
+        net_concat(n, 1, 1);
+        net_concat(n, 0, 0);
+        net_conv(n, CONV2D, 6, 3, 3, 1, 1, 1, 1);
+        net_mean(n, GLOBAL, 0, 0, 1, 1);
+        net_flatten(n, 0);
+        net_dense(n, 5, 0);
+        net_concat(n, 13, 0);
+        net_dense(n, 4, 5);
+        break;
+    case 20:
+        name = "signals";
+        net_begin(n, dtype, 2, 4, 1, 21);
+        net_wide(n, 0, 6, 0, 3, 2, 2, 2, 2, 0, 8);
+        net_wide(n, 1, 6, 0, 4, 2, 1, 3, 1, 1, 4);
+        net_mean(n, MEAN1D, 1, 2, 1, 2);
+        net_up(n, UP1D, 1, 4);
+        n->layer[3].smooth = 1;
+        net_concat(n, 4, 1);
+        net_wide(n, 0, 3, 0, 1, 1, 1, 1, 0, 0, 6);
+        net_mean(n, GLOBAL, 0, 0, 1, 1);
+        break;
+    case 21:
+        name = "smooth activations alone";
+        net_begin(n, dtype, 1, 50, 1, 1);
+        net_layer(n, ACTIVATION)->act = 8;
+        net_dense(n, 40, 7);
+        net_layer(n, ACTIVATION)->act = 7;
+        net_dense(n, 30, 0);
+        break;
+    default:
+        name = "wide dense";
+        net_begin(n, dtype, 1, 9001, 1, 1);
+        net_dense(n, 5, 0);
+        net_dense(n, 6000, 0);
+        break;
     }
     net_end(n, state);
     return name;
@@ -587,10 +820,16 @@ static long double far_value(int act, long double x, int slope, long double *siz
     *size = -1; /* of the terms; the value's own where nothing cancels */
     switch (act) {
     case 3: v = x > 0 ? (slope ? 1 : x) : 0.75L * (slope ? expl(x) : expm1l(x)); break;
-    case 4: e = expl(-2 * fabsl(x)); v = slope ? 4 * e / ((1 + e) * (1 + e)) : tanhl(x); break;
+    case 4:
+        e = expl(-2 * fabsl(x));
+        v = slope ? 4 * e / ((1 + e) * (1 + e)) : tanhl(x);
+        break;
     case 5: v = slope ? up * down : up; break;
     case 6: v = slope ? up : (x > 0 ? x : 0) + log1pl(e); break;
-    case 7: v = slope ? up + x * up * down : x * up; *size = up + fabsl(x) * up * down; break;
+    case 7:
+        v = slope ? up + x * up * down : x * up;
+        *size = up + fabsl(x) * up * down;
+        break;
     default:
         density = expl(-x * x / 2) / sqrtl(2 * acosl(-1.0L));
         up = erfcl(-x / sqrtl(2.0L)) / 2;
@@ -608,11 +847,15 @@ static ms_nn *net_activation(ref_net *file, const char *activation, double alpha
     ms_nn_entry e[3];
     ms_nn_sink sink;
     memset(file, 0, sizeof *file);
-    snprintf(layers, sizeof layers, "[{\"type\":\"activation\",\"activation\":\"%s\",\"alpha\":%g}]", activation, alpha);
+    snprintf(layers, sizeof layers, "[{\"type\":\"activation\",\"activation\":\"%s\",\"alpha\":%g}]", activation,
+             alpha);
     snprintf(input, sizeof input, "[%d]", n);
-    e[0].key = "ms_nn_version"; e[0].value = "1";
-    e[1].key = "ms_nn_input"; e[1].value = input;
-    e[2].key = "ms_nn_layers"; e[2].value = layers;
+    e[0].key = "ms_nn_version";
+    e[0].value = "1";
+    e[1].key = "ms_nn_input";
+    e[1].value = input;
+    e[2].key = "ms_nn_layers";
+    e[2].value = layers;
     sink.user = file;
     sink.write = net_sink;
     ms_nn_file_write(NULL, 0, e, 3, NULL, sink, NULL);
@@ -624,8 +867,8 @@ static void test_saturation(void)
     static const char *const acts[] = {"", "", "leaky_relu", "elu", "tanh", "sigmoid", "softplus", "silu", "gelu"};
     enum { N = 4401 };
     static float x[N], y[N], g[N];
-    /* 3 ulp, 5 for the four roundings of a slope. Below 1.2e-38 e^-|x| has an error of one spacing, or there is nothing where the host
-       flushes subnormals; the slope of tanh takes four of that, silu |x|. */
+    /* 3 ulp, 5 for the four roundings of a slope. Below 1.2e-38 e^-|x| has an error of one spacing, or there is nothing
+       where the host flushes subnormals; the slope of tanh takes four of that, silu |x|. */
     double spacing = 1.4e-45, worst = 0;
     int act, simd, i;
     for (act = 2; act <= 8; ++act)
@@ -660,9 +903,20 @@ static void test_saturation(void)
    networks have fewer than 5000 terms a sum, whose rounding is about sqrt(5000) 6e-8 = 4e-6 at worst. */
 static void test_reference(void)
 {
-    static const char *const names[] = {"act_elu", "act_sigmoid", "conv1d_k3_same", "conv2d_k3_same", "conv2d_k3_valid", "dense_wide",
-                                        "flatten_dense_channels_first", "flatten_dense_channels_last", "inversion_small_valid_channels_first",
-                                        "maxpool2d_odd", "renderer_f16", "renderer_i8", "renderer_small_channels_last", "upsample1d"};
+    static const char *const names[] = {"act_elu",
+                                        "act_sigmoid",
+                                        "conv1d_k3_same",
+                                        "conv2d_k3_same",
+                                        "conv2d_k3_valid",
+                                        "dense_wide",
+                                        "flatten_dense_channels_first",
+                                        "flatten_dense_channels_last",
+                                        "inversion_small_valid_channels_first",
+                                        "maxpool2d_odd",
+                                        "renderer_f16",
+                                        "renderer_i8",
+                                        "renderer_small_channels_last",
+                                        "upsample1d"};
     double worst = 0;
     int i, e, simd;
     for (i = 0; i < (int)(sizeof names / sizeof names[0]); ++i) {
@@ -684,9 +938,12 @@ static void test_reference(void)
             }
             for (e = 0; e < examples->count; ++e) {
                 int n, m, k, q;
-                double *x = json_numbers(json_get(&examples->child[e], "input"), &n), *y = json_numbers(json_get(&examples->child[e], "output"), &m);
-                double *g_y = json_numbers(json_get(&examples->child[e], "output_gradient"), &q), *g_x = json_numbers(json_get(&examples->child[e], "input_gradient"), &q), d;
-                float *f = (float *)malloc((size_t)(2 * n + 2 * m) * sizeof(float)), *fy = f + n, *fg = fy + m, *fgx = fg + m;
+                double *x = json_numbers(json_get(&examples->child[e], "input"), &n),
+                       *y = json_numbers(json_get(&examples->child[e], "output"), &m);
+                double *g_y = json_numbers(json_get(&examples->child[e], "output_gradient"), &q),
+                       *g_x = json_numbers(json_get(&examples->child[e], "input_gradient"), &q), d;
+                float *f = (float *)malloc((size_t)(2 * n + 2 * m) * sizeof(float)), *fy = f + n, *fg = fy + m,
+                      *fgx = fg + m;
                 CHECK_INT(ms_nn_input_size(nn), n);
                 CHECK_INT(ms_nn_output_size(nn), m);
                 for (k = 0; k < n; ++k) f[k] = (float)x[k];
@@ -742,7 +999,9 @@ static void test_random(void)
                     CHECK_INT(ms_nn_vjp(nn, 1, f, fg, NULL, fgx, NULL), MS_OK);
                     b = difference(fgx, g_x, n);
                     /* rounding of at most 9001 terms a sum through at most 12 layers; 1e-5 as above */
-                    if (!(a <= 1e-5) || !(b <= 1e-5)) TEST_FAIL("%s, %s, %s, folds %d: forward %.2e, backward %.2e", name, ms_nn_dtype_string(types[type]), ms_simd_string(ms_nn_simd(nn)), !folds, a, b);
+                    if (!(a <= 1e-5) || !(b <= 1e-5))
+                        TEST_FAIL("%s, %s, %s, folds %d: forward %.2e, backward %.2e", name,
+                                  ms_nn_dtype_string(types[type]), ms_simd_string(ms_nn_simd(nn)), !folds, a, b);
                     if (a > worst) worst = a;
                     if (b > worst) worst = b;
                     ms_nn_destroy(nn);
@@ -773,7 +1032,11 @@ static void test_same_bits(void)
             n = ms_nn_input_size(one);
             m = ms_nn_output_size(one);
             x = (float *)malloc(7 * 3 * (n + m) * sizeof(float));
-            g = x + 7 * n; y1 = g + 7 * m; g1 = y1 + 7 * m; y2 = g1 + 7 * n; g2 = y2 + 7 * m;
+            g = x + 7 * n;
+            y1 = g + 7 * m;
+            g1 = y1 + 7 * m;
+            y2 = g1 + 7 * n;
+            g2 = y2 + 7 * m;
             for (i = 0; i < 7 * (int)n; ++i) x[i] = (float)test_normal(&state);
             for (i = 0; i < 7 * (int)m; ++i) g[i] = (float)test_normal(&state);
             for (i = 0; i < 7; ++i) {
@@ -817,8 +1080,8 @@ static void test_same_bits(void)
     TEST_NOTE("%ld floats equal", compared);
 }
 
-/* Counts that end in the middle of a block: every product agrees with its samples and directions alone, in every type, and the
-   workspace stops growing; small I8 layers, which are widened to floats as F16 is, need no more of it. */
+/* Counts that end in the middle of a block: every product agrees with its samples and directions alone, in every type,
+   and the workspace stops growing; small I8 layers, which are widened to floats as F16 is, need no more of it. */
 static void test_batches(void)
 {
     enum { MOST = 101 };
@@ -837,7 +1100,13 @@ static void test_batches(void)
             n = ms_nn_input_size(nn);
             m = ms_nn_output_size(nn);
             x = (float *)malloc(MOST * (3 * n + 5 * m) * sizeof(float) + MOST * n * sizeof(float));
-            dx = x + MOST * n; g1 = dx + MOST * n; g2 = g1 + MOST * n; g = g2 + MOST * n; y1 = g + MOST * m; y2 = y1 + MOST * m; d1 = y2 + MOST * m;
+            dx = x + MOST * n;
+            g1 = dx + MOST * n;
+            g2 = g1 + MOST * n;
+            g = g2 + MOST * n;
+            y1 = g + MOST * m;
+            y2 = y1 + MOST * m;
+            d1 = y2 + MOST * m;
             for (i = 0; i < 2 * MOST * n; ++i) x[i] = (float)test_normal(&state);
             for (i = 0; i < MOST * m; ++i) g[i] = (float)test_normal(&state);
             for (i = 0; i < MOST; ++i) {
@@ -867,14 +1136,16 @@ static void test_batches(void)
         }
 }
 
-/* Dense layers around the shapes of the kernels' tiles and of what is packed at load, at every level: sums against double precision within
-   the bound of any order of float sums, (n + 4) 2^-24 of the absolute products (I8 that is not packed: and 5e-7 of the largest input for
-   each weight, its fixed point), forwards and back; a batch has the bits of each alone, and nothing but the outputs is written. */
+/* Dense layers around the shapes of the kernels' tiles and of what is packed at load, at every level: sums against
+   double precision within the bound of any order of float sums, (n + 4) 2^-24 of the absolute products (I8 that is not
+   packed: and 5e-7 of the largest input for each weight, its fixed point), forwards and back; a batch has the bits of
+   each alone, and nothing but the outputs is written. */
 static void test_dense_shapes(void)
 {
     enum { COUNT = 13 };
-    static const int shapes[][2] = {{1, 1}, {1, 96}, {3, 2}, {4, 3}, {7, 5}, {8, 97}, {9, 64}, {16, 1}, {17, 33}, {31, 96}, {33, 7}, {63, 95}, {64, 40}, {65, 96}, {96, 384}, {127, 2},
-                                    {129, 31}, {200, 11}, {19, 9728}, {5, 16385}, {3, 20000}};
+    static const int shapes[][2] = {{1, 1},    {1, 96},  {3, 2},    {4, 3},    {7, 5},     {8, 97},    {9, 64},
+                                    {16, 1},   {17, 33}, {31, 96},  {33, 7},   {63, 95},   {64, 40},   {65, 96},
+                                    {96, 384}, {127, 2}, {129, 31}, {200, 11}, {19, 9728}, {5, 16385}, {3, 20000}};
     static const int counts[] = {1, 2, 3, 4, 6, 7, COUNT};
     uint64_t state = test_seed + 22;
     size_t k, c;
@@ -890,7 +1161,8 @@ static void test_dense_shapes(void)
             for (i = 0; i < COUNT * cols; ++i) x[i] = (float)test_normal(&state);
             for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
                 ms_nn *nn = net_load(&net, (ms_simd)level, 0);
-                float *alone = (float *)malloc(COUNT * rows * sizeof(float)), *back = (float *)malloc(COUNT * cols * sizeof(float));
+                float *alone = (float *)malloc(COUNT * rows * sizeof(float)),
+                      *back = (float *)malloc(COUNT * cols * sizeof(float));
                 if (ms_nn_simd(nn) == (ms_simd)level)
                     for (b = 0; b < COUNT; ++b) {
                         double most = 0;
@@ -904,10 +1176,13 @@ static void test_dense_shapes(void)
                                 size += fabs(product);
                                 weights += fabs(net.layer[0].w[i * cols + j]);
                             }
-                            CHECK_NEAR(alone[b * rows + i], sum, (double)(cols + 4) * 5.97e-8 * size + (t == MS_NN_I8 && cols > 16384 ? 5e-7 * most * weights : 0));
+                            CHECK_NEAR(alone[b * rows + i], sum,
+                                       (double)(cols + 4) * 5.97e-8 * size +
+                                           (t == MS_NN_I8 && cols > 16384 ? 5e-7 * most * weights : 0));
                         }
                     }
-                for (b = 0; ms_nn_simd(nn) == (ms_simd)level && b < COUNT; ++b) { /* outputs stand for their gradients */
+                for (b = 0; ms_nn_simd(nn) == (ms_simd)level && b < COUNT;
+                     ++b) { /* outputs stand for their gradients */
                     CHECK_INT(ms_nn_vjp(nn, 1, x + b * cols, alone + b * rows, NULL, back + b * cols, NULL), MS_OK);
                     for (j = 0; j < cols; ++j) {
                         double sum = 0, size = 0;
@@ -921,7 +1196,8 @@ static void test_dense_shapes(void)
                 }
                 for (c = 0; ms_nn_simd(nn) == (ms_simd)level && c < sizeof counts / sizeof counts[0]; ++c) {
                     size_t n = (size_t)counts[c];
-                    float *y = (float *)malloc((n * rows + 1) * sizeof(float)), *xc = (float *)malloc(n * cols * sizeof(float)); /* to their ends, for sanitizers */
+                    float *y = (float *)malloc((n * rows + 1) * sizeof(float)),
+                          *xc = (float *)malloc(n * cols * sizeof(float)); /* to their ends, for sanitizers */
                     memcpy(xc, x, n * cols * sizeof(float));
                     y[n * rows] = 7;
                     CHECK_INT(ms_nn_forward(nn, counts[c], xc, y, NULL), MS_OK);
@@ -956,7 +1232,8 @@ static void test_flush_to_zero(void)
     float x[100], y[2][7];
     int i, flush;
     for (h = 0; h < 65536; ++h) {
-        double exact = (h & 0x7c00) ? ldexp((double)(1024 + (h & 1023)), (int)(h >> 10 & 31) - 25) : ldexp((double)(h & 1023), -24);
+        double exact = (h & 0x7c00) ? ldexp((double)(1024 + (h & 1023)), (int)(h >> 10 & 31) - 25)
+                                    : ldexp((double)(h & 1023), -24);
         unsigned char back[2];
         float value;
         _mm_setcsr(state | 0x8040);
@@ -971,9 +1248,22 @@ static void test_flush_to_zero(void)
         }
     }
     { /* halfway cases go to even, also into and out of the subnormals */
-        static const struct { double units; int bits; } cases[] = {{0.5, 0}, {0.75, 1}, {1.5, 2}, {2.5, 2}, {1022.5, 0x3fe}, {1023.5, 0x400}, {1023.75, 0x400},
-                                                                   {16777216 * 1.00048828125, 0x3c00}, {16777216 * 1.00146484375, 0x3c02},
-                                                                   {16777216 * 65519.0, 0x7bff}, {16777216 * 65520.0, 0x7c00}, {1e20, 0x7c00}, {1e-20, 0}};
+        static const struct {
+            double units;
+            int bits;
+        } cases[] = {{0.5, 0},
+                     {0.75, 1},
+                     {1.5, 2},
+                     {2.5, 2},
+                     {1022.5, 0x3fe},
+                     {1023.5, 0x400},
+                     {1023.75, 0x400},
+                     {16777216 * 1.00048828125, 0x3c00},
+                     {16777216 * 1.00146484375, 0x3c02},
+                     {16777216 * 65519.0, 0x7bff},
+                     {16777216 * 65520.0, 0x7c00},
+                     {1e20, 0x7c00},
+                     {1e-20, 0}};
         for (i = 0; i < (int)(sizeof cases / sizeof cases[0]); ++i) {
             unsigned char back[2];
             ms_nn__put_element(back, MS_NN_F16, 0, -ldexp(cases[i].units, -24));
@@ -1066,11 +1356,15 @@ static void test_null(void)
     ms_error error;
     float x = 0;
     double value;
-    CHECK(ms_nn_file_tensor_count(NULL) == 0 && ms_nn_file_tensor(NULL, 0) == NULL && ms_nn_file_entry_count(NULL) == 0 && ms_nn_file_entry(NULL, 0) == NULL);
+    CHECK(ms_nn_file_tensor_count(NULL) == 0 && ms_nn_file_tensor(NULL, 0) == NULL &&
+          ms_nn_file_entry_count(NULL) == 0 && ms_nn_file_entry(NULL, 0) == NULL);
     CHECK(ms_nn_file_find(NULL, "x") == NULL && ms_nn_file_metadata(NULL, "x") == NULL);
-    CHECK(ms_nn_input_size(NULL) == 0 && ms_nn_output_size(NULL) == 0 && ms_nn_input_shape(NULL).rank == 0 && ms_nn_output_shape(NULL).rank == 0);
-    CHECK(ms_nn_layer_count(NULL) == 0 && ms_nn_layer_at(NULL, 0).type[0] == 0 && ms_nn_tensors(NULL) == NULL && ms_nn_workspace_size(NULL, MS_NN_VJP, 1) == 0);
-    CHECK(ms_nn_simd(NULL) == MS_SIMD_AUTO && ms_nn_collapse_features(NULL) == 0 && ms_nn_collapse_r(NULL) == NULL && ms_nn_collapse_workspace_size(NULL, 1) == 0);
+    CHECK(ms_nn_input_size(NULL) == 0 && ms_nn_output_size(NULL) == 0 && ms_nn_input_shape(NULL).rank == 0 &&
+          ms_nn_output_shape(NULL).rank == 0);
+    CHECK(ms_nn_layer_count(NULL) == 0 && ms_nn_layer_at(NULL, 0).type[0] == 0 && ms_nn_tensors(NULL) == NULL &&
+          ms_nn_workspace_size(NULL, MS_NN_VJP, 1) == 0);
+    CHECK(ms_nn_simd(NULL) == MS_SIMD_AUTO && ms_nn_collapse_features(NULL) == 0 && ms_nn_collapse_r(NULL) == NULL &&
+          ms_nn_collapse_workspace_size(NULL, 1) == 0);
     CHECK(ms_nn_low_rank_for(NULL, 40) == 0 && ms_nn_low_rank_psnr(NULL, 1) <= 0);
     CHECK_INT(ms_nn_check_weights(NULL, &error), MS_INVALID_ARGUMENT);
     CHECK(strcmp(error.message, "nn is NULL") == 0);
@@ -1090,8 +1384,8 @@ static void test_null(void)
     ms_nn_low_rank_destroy(NULL);
 }
 
-/* Weights of a mask: the Cholesky factor, and where the columns are nearly dependent the QR: R'R = W'MW either way, to what is
-   promised of each. */
+/* Weights of a mask: the Cholesky factor, and where the columns are nearly dependent the QR: R'R = W'MW either way, to
+   what is promised of each. */
 static void test_collapse_weighted(void)
 {
     uint64_t state = test_seed + 40;
@@ -1110,7 +1404,9 @@ static void test_collapse_weighted(void)
                 float v[3];
                 memcpy(v, net.file + net.size - 4 * (size_t)rows - 4 * (size_t)(rows - i) * (size_t)h, 8);
                 v[2] = v[0] + v[1] * (1 + 1e-6f * (float)(i % 7));
-                memcpy(net.file + net.size - 4 * (size_t)rows - 4 * (size_t)(rows - i) * (size_t)h + 4 * (size_t)(h - 1), &v[2], 4);
+                memcpy(net.file + net.size - 4 * (size_t)rows - 4 * (size_t)(rows - i) * (size_t)h +
+                           4 * (size_t)(h - 1),
+                       &v[2], 4);
             }
         }
         nn = net_load(&net, MS_SIMD_AUTO, 0);
@@ -1137,7 +1433,12 @@ static void test_collapse_weighted(void)
             }
             /* the target's own rounding to floats stands in both; 1e-8 is what the pivots' bound leaves */
             if (k < 4) CHECK_NEAR(value, r2, 1e-8 * r2);
-            else CHECK_NEAR(value, r2, dependent ? 1e-6 * r2 : 1e-8 * r2); /* a residual of 1e-3 of the target's: what the nearly dependent column cancels */
+            else
+                CHECK_NEAR(
+                    value, r2,
+                    dependent
+                        ? 1e-6 * r2
+                        : 1e-8 * r2); /* a residual of 1e-3 of the target's: what the nearly dependent column cancels */
         }
         ms_nn_collapse_destroy(c);
         ms_nn_destroy(nn);
@@ -1175,8 +1476,8 @@ static void test_copy(void)
     net_free(&net);
 }
 
-/* Integer sums: a large I8 dense layer gives the same bits at every level, alone and in a batch, and is as near to the sum in double
-   as 21 bits of the input allow. */
+/* Integer sums: a large I8 dense layer gives the same bits at every level, alone and in a batch, and is as near to the
+   sum in double as 21 bits of the input allow. */
 static void test_int8_levels(void)
 {
     static const int sizes[4] = {13, 364, 9841, 66000}; /* the last: more than a run of sums */
@@ -1185,7 +1486,8 @@ static void test_int8_levels(void)
     int simd, i, k, which;
     for (which = 0; which < 4; ++which) {
         int cols = sizes[which], rows = 2000000 / cols + 2;
-        float *first = (float *)malloc(2 * (size_t)rows * sizeof(float)), *out = (float *)malloc(2 * (size_t)rows * sizeof(float));
+        float *first = (float *)malloc(2 * (size_t)rows * sizeof(float)),
+              *out = (float *)malloc(2 * (size_t)rows * sizeof(float));
         ref_net net;
         net_begin(&net, MS_NN_I8, 1, cols, 1, 1);
         net_dense(&net, rows, 0);
@@ -1223,14 +1525,16 @@ static void test_int8_levels(void)
         net_end(&net, &state);
         for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
             ms_nn *nn = net_load(&net, (ms_simd)simd, 0);
-            const ms_nn_tensor *w = ms_nn_file_find(ms_nn_tensors(nn), "l0.weight"), *s = ms_nn_file_find(ms_nn_tensors(nn), "l0.weight_scale");
+            const ms_nn_tensor *w = ms_nn_file_find(ms_nn_tensors(nn), "l0.weight"),
+                               *s = ms_nn_file_find(ms_nn_tensors(nn), "l0.weight_scale");
             float scale;
             memset((void *)(uintptr_t)w->data, 0x80, w->bytes);
             x = (float *)malloc(140000 * sizeof(float));
             for (k = 0; k < 140000; ++k) x[k] = 1;
             CHECK_INT(ms_nn_forward(nn, 1, x, y, NULL), MS_OK);
             memcpy(&scale, s->data, 4);
-            CHECK_NEAR(y[0], -128.0 * 140000 * (double)scale + net.layer[0].b[0], 128.0 * 140000 * (double)scale * 1e-7); /* one rounding to float */
+            CHECK_NEAR(y[0], -128.0 * 140000 * (double)scale + net.layer[0].b[0],
+                       128.0 * 140000 * (double)scale * 1e-7); /* one rounding to float */
             free(x);
             ms_nn_destroy(nn);
         }
@@ -1238,8 +1542,8 @@ static void test_int8_levels(void)
     }
 }
 
-/* Directions against the transposed product (<g, J d> = <J' g, d>), the Jacobian against both, and finite differences of
-   the double reference. */
+/* Directions against the transposed product (<g, J d> = <J' g, d>), the Jacobian against both, and finite differences
+   of the double reference. */
 static void test_products(void)
 {
     uint64_t state = test_seed + 11;
@@ -1257,7 +1561,11 @@ static void test_products(void)
         n = (int)ms_nn_input_size(nn);
         m = (int)ms_nn_output_size(nn);
         x = (float *)malloc((size_t)(6 * n + 6 * m) * sizeof(float));
-        dx = x + n; y = dx + 3 * n; dy = y + m; g = dy + 3 * m; gx = g + m;
+        dx = x + n;
+        y = dx + 3 * n;
+        dy = y + m;
+        g = dy + 3 * m;
+        gx = g + m;
         t = (double *)malloc((size_t)n * sizeof(double));
         for (i = 0; i < n; ++i) x[i] = (float)test_normal(&state);
         for (i = 0; i < 3 * n; ++i) dx[i] = (float)test_normal(&state);
@@ -1266,7 +1574,10 @@ static void test_products(void)
         CHECK_INT(ms_nn_vjp(nn, 1, x, g, NULL, gx, NULL), MS_OK);
         for (k = 0; k < 3; ++k) {
             double forth = 0, back = 0, scale = 0;
-            for (i = 0; i < m; ++i) { forth += (double)g[i] * (double)dy[k * m + i]; scale += fabs((double)g[i] * (double)dy[k * m + i]); }
+            for (i = 0; i < m; ++i) {
+                forth += (double)g[i] * (double)dy[k * m + i];
+                scale += fabs((double)g[i] * (double)dy[k * m + i]);
+            }
             for (i = 0; i < n; ++i) back += (double)gx[i] * (double)dx[k * n + i];
             CHECK_NEAR(forth, back, 1e-5 * scale); /* as the products themselves */
         }
@@ -1276,7 +1587,8 @@ static void test_products(void)
         for (i = 0; i < n; ++i) t[i] = (double)x[i] + step * (double)dx[i];
         ref_forward(&net, t, &high);
         for (i = 0; i < m; ++i) {
-            double slope = (high.value[net.layers][i] - low.value[net.layers][i]) / (2 * step), e = fabs(slope - (double)dy[i]);
+            double slope = (high.value[net.layers][i] - low.value[net.layers][i]) / (2 * step),
+                   e = fabs(slope - (double)dy[i]);
             if (e > a) a = e;
             if (fabs(slope) > size) size = fabs(slope);
         }
@@ -1325,14 +1637,16 @@ static void test_activations(void)
                 x[i] = (float)((i - 2000) * 0.02);
                 one[i] = 1;
             }
-            x[4000] = -1e30f; x[4001] = 1e30f; x[4002] = -1e-20f;
+            x[4000] = -1e30f;
+            x[4001] = 1e30f;
+            x[4002] = -1e-20f;
             for (i = 0; i < 50; ++i) x[i] = (float)ldexp(-1, -i); /* small values keep their relative precision */
             CHECK_INT(ms_nn_vjp(nn, 1, x, one, y, g, NULL), MS_OK);
             for (i = 0; i < N; ++i) {
                 double v = ref_act(act, 1.5, (double)x[i]), s = ref_slope(act, 1.5, (double)x[i]);
                 double d = fabs((double)y[i] - v) / (fabs(v) + 1e-30); /* exponents end at -87 */
                 if (d > worst) worst = d;
-                CHECK_LE(d, 4e-7); /* about 3 ulp */
+                CHECK_LE(d, 4e-7);                         /* about 3 ulp */
                 CHECK_NEAR(g[i], s, 4e-7 * (1 + fabs(s))); /* the reference has no more */
             }
             x[0] = 0;
@@ -1351,7 +1665,12 @@ static void test_activations(void)
             CHECK_INT(ms_nn_forward(nn, 1, x, y, NULL), MS_OK);
             CHECK(y[0] != y[0]);
             CHECK(act == 4 || act == 5 ? y[1] == 1 : y[1] > 3e38f);
-            CHECK((double)y[2] == (act == 1 || act == 5 || act == 6 ? (double)y[2] : act == 3 ? -1.5 : act == 4 ? -1.0 : (double)-(float)INFINITY) && y[2] <= 1e-30f);
+            CHECK((double)y[2] ==
+                      (act == 1 || act == 5 || act == 6 ? (double)y[2]
+                           : act == 3                   ? -1.5
+                           : act == 4                   ? -1.0
+                                                        : (double)-(float)INFINITY) &&
+                  y[2] <= 1e-30f);
             ms_nn_destroy(nn);
             free(file.file);
         }
@@ -1365,7 +1684,8 @@ static void test_shared(void)
     ref_net net, plain;
     ms_nn *nn, *single;
     size_t i, k;
-    float x[7], swapped[7], y[3 * 40], z[3 * 40], g[3 * 40], gx[7], dx[2 * 7], dy[2 * 3 * 40], jacobian[3 * 40 * 7], ws_x[3];
+    float x[7], swapped[7], y[3 * 40], z[3 * 40], g[3 * 40], gx[7], dx[2 * 7], dy[2 * 3 * 40], jacobian[3 * 40 * 7],
+        ws_x[3];
     net_begin(&plain, MS_NN_F16, 1, 3, 1, 1);
     net_dense(&plain, 25, 3);
     net_dense(&plain, 40, 5);
@@ -1382,12 +1702,18 @@ static void test_shared(void)
     for (i = 0; i < 7; ++i) x[i] = swapped[i] = (float)test_uniform(&state);
     for (i = 0; i < 120; ++i) g[i] = (float)test_normal(&state);
     for (i = 0; i < 14; ++i) dx[i] = (float)test_normal(&state);
-    swapped[0] = x[1]; swapped[1] = x[0]; swapped[3] = x[4]; swapped[4] = x[3];
+    swapped[0] = x[1];
+    swapped[1] = x[0];
+    swapped[3] = x[4];
+    swapped[4] = x[3];
     CHECK_INT(ms_nn_forward(nn, 1, x, y, NULL), MS_OK);
     CHECK_INT(ms_nn_forward(nn, 1, swapped, z, NULL), MS_OK);
-    CHECK(memcmp(y, z + 40, 40 * sizeof(float)) == 0 && memcmp(y + 40, z, 40 * sizeof(float)) == 0 && memcmp(y + 80, z + 80, 40 * sizeof(float)) == 0);
+    CHECK(memcmp(y, z + 40, 40 * sizeof(float)) == 0 && memcmp(y + 40, z, 40 * sizeof(float)) == 0 &&
+          memcmp(y + 80, z + 80, 40 * sizeof(float)) == 0);
     for (k = 0; k < 3; ++k) {
-        ws_x[0] = x[k]; ws_x[1] = x[3 + k]; ws_x[2] = x[6];
+        ws_x[0] = x[k];
+        ws_x[1] = x[3 + k];
+        ws_x[2] = x[6];
         CHECK_INT(ms_nn_forward(single, 1, ws_x, z, NULL), MS_OK);
         CHECK_INT(memcmp(z, y + 40 * k, 40 * sizeof(float)), 0);
     }
@@ -1548,17 +1874,22 @@ static void test_refused(void)
         {"[2,5]", "[{\"type\":\"conv1d\",\"name\":\"f\",\"padding\":\"same\",\"zeros\":1}]", "exclude"},
         {"[2,5]", "[{\"type\":\"conv1d\",\"name\":\"f\",\"zeros\":3000000000}]", "too large"},
         {"[2,5]", "[{\"type\":\"conv1d_transpose\",\"name\":\"f\",\"padding\":\"same\"}]", "does not belong"},
-        {"[7,5]", "[{\"type\":\"conv1d_transpose\",\"name\":\"c\",\"stride\":2,\"extra\":2}]", "smaller than the stride"},
+        {"[7,5]", "[{\"type\":\"conv1d_transpose\",\"name\":\"c\",\"stride\":2,\"extra\":2}]",
+         "smaller than the stride"},
         {"[7,5]", "[{\"type\":\"conv1d_transpose\",\"name\":\"c\",\"zeros\":9}]", "empty"},
-        {"[7,5]", "[{\"type\":\"conv1d_transpose\",\"name\":\"c\",\"dilation\":2147483647,\"stride\":2147483647}]", "too large"},
+        {"[7,5]", "[{\"type\":\"conv1d_transpose\",\"name\":\"c\",\"dilation\":2147483647,\"stride\":2147483647}]",
+         "too large"},
         {"[2,5]", "[{\"type\":\"conv1d\",\"name\":\"d\",\"groups\":2,\"zeros\":0}]", "groups"},
         {"[5]", "[{\"type\":\"dropout\",\"rate\":\"x\"}]", "number"}};
     static const float taps[14] = {0};
     static const size_t taps_shape[3] = {7, 1, 2}, one[1] = {1}, seven[1] = {7};
     ms_nn_file *f = NULL;
-    ms_nn_tensor t[6] = {{NULL, MS_NN_F32, 0, NULL, NULL, 0}, {NULL, MS_NN_F32, 0, NULL, NULL, 0},
-                         {"c.weight", MS_NN_F32, 3, taps_shape, taps, sizeof taps}, {"c.bias", MS_NN_F32, 1, one, taps, 4},
-                         {"d.weight", MS_NN_F32, 3, taps_shape, taps, sizeof taps}, {"d.bias", MS_NN_F32, 1, seven, taps, 28}};
+    ms_nn_tensor t[6] = {{NULL, MS_NN_F32, 0, NULL, NULL, 0},
+                         {NULL, MS_NN_F32, 0, NULL, NULL, 0},
+                         {"c.weight", MS_NN_F32, 3, taps_shape, taps, sizeof taps},
+                         {"c.bias", MS_NN_F32, 1, one, taps, 4},
+                         {"d.weight", MS_NN_F32, 3, taps_shape, taps, sizeof taps},
+                         {"d.bias", MS_NN_F32, 1, seven, taps, 28}};
     size_t i;
     CHECK_INT(ms_nn_file_read("tests/data/nn/act_elu.safetensors", NULL, &f, NULL), MS_OK);
     t[0] = *ms_nn_file_tensor(f, 0);
@@ -1572,21 +1903,26 @@ static void test_refused(void)
         ms_status status;
         memset(&net, 0, sizeof net);
         memset(&error, 0, sizeof error);
-        e[0].key = "ms_nn_version"; e[0].value = "1";
-        e[1].key = "ms_nn_input"; e[1].value = list[i][0];
-        e[2].key = "ms_nn_layers"; e[2].value = list[i][1];
+        e[0].key = "ms_nn_version";
+        e[0].value = "1";
+        e[1].key = "ms_nn_input";
+        e[1].value = list[i][0];
+        e[2].key = "ms_nn_layers";
+        e[2].value = list[i][1];
         sink.user = &net;
         sink.write = net_sink;
         CHECK_INT(ms_nn_file_write(t, 6, e, 3, NULL, sink, NULL), MS_OK);
         status = ms_nn_load(net.file, net.size, NULL, &nn, &error);
         if (status != MS_BAD_DATA || nn != NULL || strstr(error.message, list[i][2]) == NULL)
             TEST_FAIL("%s %s: status %d: %s", list[i][0], list[i][1], (int)status, error.message);
-        if (list[i][0][0] == '[' && list[i][0][1] == '5' && list[i][1][0] == '[' && list[i][1][1] == '{' && strncmp(error.message, "layer ", 6) != 0)
+        if (list[i][0][0] == '[' && list[i][0][1] == '5' && list[i][1][0] == '[' && list[i][1][1] == '{' &&
+            strncmp(error.message, "layer ", 6) != 0)
             TEST_FAIL("no layer is named: %s", error.message);
         ms_nn_destroy(nn);
         if (i < 2) { /* versions and formats of others */
             e[0].value = i ? "1" : "2";
-            e[3].key = "format"; e[3].value = i ? "tf" : "pt";
+            e[3].key = "format";
+            e[3].value = i ? "tf" : "pt";
             net.size = 0;
             CHECK_INT(ms_nn_file_write(t, 6, e, 4, NULL, sink, NULL), MS_OK);
             CHECK_INT(ms_nn_load(net.file, net.size, NULL, &nn, &error), MS_UNSUPPORTED);
@@ -1601,16 +1937,21 @@ static void test_refused(void)
 static void test_positions(void)
 {
     static const char *const list[][3] = {
-        {"[{\\\"type\\\":\\\"flatten\\\",\\\"name\\\":\\\"\\u00e9\\ud83d\\ude00\\\"},{\\\"type\\\":\\\"gru\\\"}]", "layer 1: unknown type 'gru'", "\\\"gru"},
+        {"[{\\\"type\\\":\\\"flatten\\\",\\\"name\\\":\\\"\\u00e9\\ud83d\\ude00\\\"},{\\\"type\\\":\\\"gru\\\"}]",
+         "layer 1: unknown type 'gru'", "\\\"gru"},
         {"[{\\\"type\\\":\\\"flatten\\\",\\\"colour\\\":1}]", "layer 0: unknown field 'colour'", "\\\"colour"},
-        {"[ {\\\"type\\\":\\\"dense\\\",\\\"name\\\":\\\"f\\\"}]", "layer 0, dense 'f': the tensor 'f.weight' is missing", "{\\\"type"},
-        {"[{\\\"type\\\":\\\"activation\\\",\\\"activation\\\":\\\"swish\\\"}]", "layer 0, activation: unknown activation 'swish'", "{\\\"type"}};
+        {"[ {\\\"type\\\":\\\"dense\\\",\\\"name\\\":\\\"f\\\"}]",
+         "layer 0, dense 'f': the tensor 'f.weight' is missing", "{\\\"type"},
+        {"[{\\\"type\\\":\\\"activation\\\",\\\"activation\\\":\\\"swish\\\"}]",
+         "layer 0, activation: unknown activation 'swish'", "{\\\"type"}};
     size_t k, i;
     for (k = 0; k < sizeof list / sizeof list[0]; ++k) {
         char file[600];
         ms_nn *nn = NULL;
         ms_error error;
-        int n = snprintf(file + 8, sizeof file - 8, "{\"__metadata__\":{\"ms_nn_input\":\"[5]\",\"ms_nn_layers\":\"%s\",\"ms_nn_version\":\"1\"}}", list[k][0]);
+        int n = snprintf(file + 8, sizeof file - 8,
+                         "{\"__metadata__\":{\"ms_nn_input\":\"[5]\",\"ms_nn_layers\":\"%s\",\"ms_nn_version\":\"1\"}}",
+                         list[k][0]);
         for (i = 0; i < 8; ++i) file[i] = (char)(n >> (8 * i < 24 ? 8 * i : 24) & (i < 3 ? 255 : 0));
         CHECK_INT(ms_nn_load(file, (size_t)n + 8, NULL, &nn, &error), MS_BAD_DATA);
         if (strcmp(error.message, list[k][1]) != 0) TEST_FAIL("%s, expected %s", error.message, list[k][1]);
@@ -1623,8 +1964,10 @@ static void test_positions(void)
 static void test_header_words(void)
 {
     static const char *const list[][2] = {
-        {"{\"hidden1.weight\":{\"dtype\":\"F12\",\"shape\":[0],\"data_offsets\":[0,0]}}", "tensor 'hidden1.weight': unknown dtype 'F12'"},
-        {"{\"a\":{\"dtype\":\"F32\",\"size\":[0],\"data_offsets\":[0,0]}}", "tensor 'a': unknown field 'size'; known are dtype, shape, data_offsets"}};
+        {"{\"hidden1.weight\":{\"dtype\":\"F12\",\"shape\":[0],\"data_offsets\":[0,0]}}",
+         "tensor 'hidden1.weight': unknown dtype 'F12'"},
+        {"{\"a\":{\"dtype\":\"F32\",\"size\":[0],\"data_offsets\":[0,0]}}",
+         "tensor 'a': unknown field 'size'; known are dtype, shape, data_offsets"}};
     size_t k;
     for (k = 0; k < 2; ++k) {
         char file[300];
@@ -1643,7 +1986,8 @@ static void test_header_words(void)
 /* Slopes as other writers print them; what is no JSON number is refused. */
 static void test_numbers(void)
 {
-    static const char *const good[] = {"0.30000000000000004", "0.009999999776482582", "1E-2", "12.5e+1", "0", "0.0", "100000000000000000000"};
+    static const char *const good[] = {"0.30000000000000004",  "0.009999999776482582", "1E-2", "12.5e+1", "0", "0.0",
+                                       "100000000000000000000"};
     static const char *const bad[] = {"01", "1.", ".5", "-0.5", "1e", "1e+", "0x1", "nan", "- 1", "1e31", "\"1\""};
     size_t i, goods = sizeof good / sizeof good[0];
     for (i = 0; i < goods + sizeof bad / sizeof bad[0]; ++i) {
@@ -1658,16 +2002,21 @@ static void test_numbers(void)
         ms_nn *nn = NULL;
         memset(&file, 0, sizeof file);
         memset(&t, 0, sizeof t);
-        snprintf(layers, sizeof layers, "[{\"type\":\"dense\",\"name\":\"f\",\"bias\":false,\"activation\":\"leaky_relu\",\"alpha\":%s}]", text);
+        snprintf(layers, sizeof layers,
+                 "[{\"type\":\"dense\",\"name\":\"f\",\"bias\":false,\"activation\":\"leaky_relu\",\"alpha\":%s}]",
+                 text);
         t.name = "f.weight";
         t.dtype = MS_NN_F32;
         t.rank = 2;
         t.shape = shape;
         t.data = one;
         t.bytes = sizeof one;
-        e[0].key = "ms_nn_version"; e[0].value = "1";
-        e[1].key = "ms_nn_input"; e[1].value = "[1]";
-        e[2].key = "ms_nn_layers"; e[2].value = layers;
+        e[0].key = "ms_nn_version";
+        e[0].value = "1";
+        e[1].key = "ms_nn_input";
+        e[1].value = "[1]";
+        e[2].key = "ms_nn_layers";
+        e[2].value = layers;
         sink.user = &file;
         sink.write = net_sink;
         CHECK_INT(ms_nn_file_write(&t, 1, e, 3, NULL, sink, NULL), MS_OK);
@@ -1707,7 +2056,8 @@ static void test_large(void)
     if (sizeof(size_t) < 8) {
         unsigned char *few = (unsigned char *)calloc(64, 1);
         ms_nn_file *file = NULL;
-        CHECK_INT(ms_nn_file_open(few, SIZE_MAX / 2 + 1, NULL, &file, &error), MS_UNSUPPORTED); /* before a byte is read */
+        CHECK_INT(ms_nn_file_open(few, SIZE_MAX / 2 + 1, NULL, &file, &error),
+                  MS_UNSUPPORTED); /* before a byte is read */
         free(few);
     } else {
         static const char layers[] = "[{\"type\":\"dense\",\"name\":\"f\",\"bias\":false}]";
@@ -1720,7 +2070,8 @@ static void test_large(void)
         size_t i;
         double row[1100];
         memset(t, 0, sizeof t);
-        f.bytes = (unsigned char *)calloc(count + 4 * shape[0] + 4096, 1); /* zero pages are not there before they are touched */
+        f.bytes = (unsigned char *)calloc(count + 4 * shape[0] + 4096,
+                                          1); /* zero pages are not there before they are touched */
         f.size = 0;
         f.hole = &f;
         if (f.bytes == NULL || scale == NULL) {
@@ -1728,11 +2079,24 @@ static void test_large(void)
             SKIP("no 2.3 GB of address space");
         }
         for (i = 0; i < shape[0]; ++i) store(MS_NN_F32, 0.5, (unsigned char *)(scale + i), 1);
-        t[0].name = "f.weight"; t[0].dtype = MS_NN_I8; t[0].rank = 2; t[0].shape = shape; t[0].data = f.hole; t[0].bytes = count;
-        t[1].name = "f.weight_scale"; t[1].dtype = MS_NN_F32; t[1].rank = 1; t[1].shape = shape; t[1].data = scale; t[1].bytes = 4 * shape[0];
-        e[0].key = "ms_nn_version"; e[0].value = "1";
-        e[1].key = "ms_nn_input"; e[1].value = "[1100]";
-        e[2].key = "ms_nn_layers"; e[2].value = layers;
+        t[0].name = "f.weight";
+        t[0].dtype = MS_NN_I8;
+        t[0].rank = 2;
+        t[0].shape = shape;
+        t[0].data = f.hole;
+        t[0].bytes = count;
+        t[1].name = "f.weight_scale";
+        t[1].dtype = MS_NN_F32;
+        t[1].rank = 1;
+        t[1].shape = shape;
+        t[1].data = scale;
+        t[1].bytes = 4 * shape[0];
+        e[0].key = "ms_nn_version";
+        e[0].value = "1";
+        e[1].key = "ms_nn_input";
+        e[1].value = "[1100]";
+        e[2].key = "ms_nn_layers";
+        e[2].value = layers;
         sink.user = &f;
         sink.write = large_sink;
         CHECK_INT(ms_nn_file_write(t, 2, e, 3, NULL, sink, &error), MS_OK);
@@ -1801,7 +2165,8 @@ static void test_arguments(void)
 
 /* --- collapse and low rank --- */
 
-static double direct_value(const ref_net *net, const ms_nn *nn, const float *x, const float *target, const float *weight)
+static double direct_value(const ref_net *net, const ms_nn *nn, const float *x, const float *target,
+                           const float *weight)
 {
     const ref_layer *l = &net->layer[net->layers - 1];
     int n = count_of(l->in), outputs = (int)ms_nn_output_size(nn), i, k;
@@ -1823,7 +2188,8 @@ static double direct_value(const ref_net *net, const ms_nn *nn, const float *x, 
    |R| 6e-8 / 1e-2 = 2e-4 of rounding; ten times both. */
 static void check_slopes(const ms_nn_collapse *c, const float *x, const double *jacobian, int rows, int inputs)
 {
-    double *plus = (double *)malloc((size_t)rows * sizeof(double)), *minus = (double *)malloc((size_t)rows * sizeof(double));
+    double *plus = (double *)malloc((size_t)rows * sizeof(double)),
+           *minus = (double *)malloc((size_t)rows * sizeof(double));
     float *moved = (float *)malloc((size_t)inputs * sizeof(float));
     int i, k;
     for (k = 0; k < inputs; ++k) {
@@ -1851,10 +2217,13 @@ enum { ALL_ONE, WEIGHTED, MASKED, FEW_OUTPUTS, SHARED, SHARED_WEIGHTED, SHARED_P
 static double collapse_case(ms_nn_dtype dtype, int way, uint64_t *state)
 {
     enum { IN = 12, FEATURES = 40 };
-    int shared = way >= SHARED, channels = shared ? 3 : 1, rows = way == FEW_OUTPUTS ? 20 : 900, m = channels * rows, features = channels * FEATURES, i, k;
-    float x[IN], best[IN], *weight = (float *)malloc((size_t)m * sizeof(float)), *t = (float *)malloc((size_t)m * sizeof(float));
+    int shared = way >= SHARED, channels = shared ? 3 : 1, rows = way == FEW_OUTPUTS ? 20 : 900, m = channels * rows,
+        features = channels * FEATURES, i, k;
+    float x[IN], best[IN], *weight = (float *)malloc((size_t)m * sizeof(float)),
+                           *t = (float *)malloc((size_t)m * sizeof(float));
     float *target = (float *)malloc((size_t)m * sizeof(float));
-    double *residual = (double *)malloc((size_t)(features + 1) * sizeof(double)), *jacobian = (double *)malloc((size_t)(features + 1) * IN * sizeof(double));
+    double *residual = (double *)malloc((size_t)(features + 1) * sizeof(double)),
+           *jacobian = (double *)malloc((size_t)(features + 1) * IN * sizeof(double));
     double value, worst = 0;
     ref_net net;
     ms_nn *nn;
@@ -1872,11 +2241,13 @@ static double collapse_case(ms_nn_dtype dtype, int way, uint64_t *state)
     nn = net_load(&net, MS_SIMD_AUTO, 0);
     CHECK_INT(ms_nn_output_size(nn), m);
     for (i = 0; i < IN; ++i) best[i] = (float)test_uniform(state);
-    for (i = 0; i < m; ++i) weight[i] = way == WEIGHTED || (way == SHARED_WEIGHTED && i < rows) ? (float)test_uniform(state) : 1;
+    for (i = 0; i < m; ++i)
+        weight[i] = way == WEIGHTED || (way == SHARED_WEIGHTED && i < rows) ? (float)test_uniform(state) : 1;
     for (i = rows; way == SHARED_WEIGHTED && i < m; ++i) weight[i] = weight[i % rows];
     CHECK_INT(ms_nn_collapse_create(nn, way == WEIGHTED || way == SHARED_WEIGHTED ? weight : NULL, &c, &error), MS_OK);
     CHECK_INT(ms_nn_collapse_features(c), features);
-    for (k = 0; k < 2 && (way == MASKED || way >= SHARED_PIXELS); ++k) { /* twice, so that the second change starts from the first */
+    for (k = 0; k < 2 && (way == MASKED || way >= SHARED_PIXELS);
+         ++k) { /* twice, so that the second change starts from the first */
         size_t index[3 * 300];
         float changed[3 * 300];
         int n = way == SHARED_PIXELS ? 3 * 300 : 300;
@@ -1898,8 +2269,8 @@ static double collapse_case(ms_nn_dtype dtype, int way, uint64_t *state)
         CHECK_INT(ms_nn_collapse_value(c, x, &value, NULL), MS_OK);
         direct = direct_value(&net, nn, x, t, weight);
         for (i = 0; i < m; ++i) spread += (double)t[i] * (double)t[i];
-        /* float residuals of 1e-6 have 1e-7 / 1e-6 of noise in both alike; the collapse adds 1e-16 |t|^2 by theory, with a
-           factor of 1e3 for 900 x 40 sums and their condition */
+        /* float residuals of 1e-6 have 1e-7 / 1e-6 of noise in both alike; the collapse adds 1e-16 |t|^2 by theory,
+           with a factor of 1e3 for 900 x 40 sums and their condition */
         CHECK_NEAR(value, direct, 1e-9 * direct + 1e-13 * spread * relative);
         if (fabs(value - direct) / direct > worst) worst = fabs(value - direct) / direct;
         CHECK_INT(ms_nn_collapse_residual(c, x, residual, jacobian, NULL), MS_OK);
@@ -2010,7 +2381,8 @@ static void test_collapse_factor(void)
         o.parallel = test_parallel(&pool, 3);
         CHECK_INT(ms_nn_load(net.file, net.size, &o, &two, NULL), MS_OK);
         CHECK_INT(ms_nn_collapse_create(two, NULL, &d, NULL), MS_OK);
-        CHECK_INT(memcmp(ms_nn_collapse_r(c), ms_nn_collapse_r(d), (size_t)h * (size_t)(h + 1) / 2 * sizeof(double)), 0);
+        CHECK_INT(memcmp(ms_nn_collapse_r(c), ms_nn_collapse_r(d), (size_t)h * (size_t)(h + 1) / 2 * sizeof(double)),
+                  0);
         ms_nn_collapse_destroy(d);
         ms_nn_destroy(two);
     }
@@ -2175,7 +2547,8 @@ static void test_queries(void)
     CHECK_INT(ms_nn_load_file("tests/data/nn/flatten_dense_channels_last.safetensors", NULL, &nn, NULL), MS_OK);
     CHECK_INT(ms_nn_layer_count(nn), 4);
     l = ms_nn_layer_at(nn, 0);
-    CHECK(strcmp(l.type, "conv2d") == 0 && strcmp(l.name, "c") == 0 && strcmp(l.activation, "relu") == 0 && l.dtype == MS_NN_F64);
+    CHECK(strcmp(l.type, "conv2d") == 0 && strcmp(l.name, "c") == 0 && strcmp(l.activation, "relu") == 0 &&
+          l.dtype == MS_NN_F64);
     CHECK_INT(l.parameters, 4 * 27 + 4);
     CHECK_INT(l.bytes, 8 * (4 * 27 + 4));
     CHECK_INT(l.multiply_adds, 4 * 27 * 8 * 10);
@@ -2185,7 +2558,8 @@ static void test_queries(void)
     CHECK_INT(l.multiply_adds, 8 * 80);
     CHECK_INT(ms_nn_input_shape(nn).rank, 3);
     CHECK_INT(ms_nn_output_shape(nn).rank, 1);
-    CHECK(strcmp(ms_nn_dtype_string(MS_NN_BF16), "BF16") == 0 && strcmp(ms_nn_dtype_string(MS_NN_DTYPE_COUNT), "unknown") == 0);
+    CHECK(strcmp(ms_nn_dtype_string(MS_NN_BF16), "BF16") == 0 &&
+          strcmp(ms_nn_dtype_string(MS_NN_DTYPE_COUNT), "unknown") == 0);
     ms_nn_destroy(nn);
 }
 
@@ -2201,7 +2575,8 @@ static const test_case cases[] = {{"reference networks", test_reference},
                                   {"collapse with weights", test_collapse_weighted},
                                   {"int8 levels", test_int8_levels},
                                   {"products", test_products},
-                                  {"activations", test_activations}, {"saturation", test_saturation},
+                                  {"activations", test_activations},
+                                  {"saturation", test_saturation},
                                   {"shared channels", test_shared},
                                   {"unaligned", test_unaligned},
                                   {"not finite", test_not_finite},

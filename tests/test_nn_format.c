@@ -78,7 +78,8 @@ static void test_headers(void)
     } list[] = {
         {"{\"t\":{\"dtype\":\"F32\",\"shape\":[],\"data_offsets\":[0,4]}}", 4, NULL},
         {"{\"t\":{\"shape\":[2,0],\"data_offsets\":[0,0],\"dtype\":\"F64\"}}", 0, NULL},
-        {"{\"a\":{\"dtype\":\"I8\",\"shape\":[0],\"data_offsets\":[1,1]},\"b\":{\"dtype\":\"I8\",\"shape\":[1],\"data_offsets\":[0,1]}}", 1, NULL},
+        {"{\"a\":{\"dtype\":\"I8\",\"shape\":[0],\"data_offsets\":[1,1]},\"b\":{\"dtype\":\"I8\",\"shape\":[1],\"data_offsets\":[0,1]}}",
+         1, NULL},
         {"{\"\\u00e9\\u20ac\\n\":{\"dtype\":\"BOOL\",\"shape\":[1],\"data_offsets\":[0,1]}}", 1, NULL},
         {"{\"t\":{\"dtype\":\"F4\",\"shape\":[4],\"data_offsets\":[0,2]}}  \n\t\r", 2, NULL},
         {"{\"t\":{\"dtype\":\"F6_E2M3\",\"shape\":[4],\"data_offsets\":[0,3]}}", 3, NULL},
@@ -98,7 +99,8 @@ static void test_headers(void)
         {"{\"t\":{\"dtype\":\"F32\",\"shape\":[1 1],\"data_offsets\":[0,4]}}", 4, "expected ','"},
         {"{\"t\":null}", 0, "object"},
         {"{\"t\":{}}", 0, "lacks"},
-        {"{\"a\":{\"dtype\":\"I8\",\"shape\":[2],\"data_offsets\":[0,2]},\"b\":{\"dtype\":\"I8\",\"shape\":[2],\"data_offsets\":[0,2]}}", 2, "overlap"},
+        {"{\"a\":{\"dtype\":\"I8\",\"shape\":[2],\"data_offsets\":[0,2]},\"b\":{\"dtype\":\"I8\",\"shape\":[2],\"data_offsets\":[0,2]}}",
+         2, "overlap"},
         {"{\"a\tb\":{\"dtype\":\"I8\",\"shape\":[0],\"data_offsets\":[0,0]}}", 0, "control"},
         {"{\"\\uD800\":{\"dtype\":\"I8\",\"shape\":[0],\"data_offsets\":[0,0]}}", 0, "surrogate"},
         {"{\"\\uD800\\u0041\":{\"dtype\":\"I8\",\"shape\":[0],\"data_offsets\":[0,0]}}", 0, "surrogate"},
@@ -114,7 +116,8 @@ static void test_headers(void)
         ms_status status;
         memset(&error, 0, sizeof error);
         status = open_text(list[i].header, list[i].data, NULL, &error);
-        if (list[i].says == NULL ? status != MS_OK : (status != MS_BAD_DATA || strstr(error.message, list[i].says) == NULL))
+        if (list[i].says == NULL ? status != MS_OK
+                                 : (status != MS_BAD_DATA || strstr(error.message, list[i].says) == NULL))
             TEST_FAIL("%s: status %d: %s", list[i].header, (int)status, error.message);
     }
     TEST_NOTE("%d headers", (int)i);
@@ -142,7 +145,8 @@ static void test_limits(void)
     CHECK_INT(error.position, 10);
     options.allow_trailing = 1;
     CHECK_INT(open_text("{}", 3, &options, &error), MS_OK);
-    CHECK_INT(open_text("{\"t\":{\"dtype\":\"I8\",\"shape\":[1],\"data_offsets\":[1,2]}}", 3, &options, &error), MS_BAD_DATA);
+    CHECK_INT(open_text("{\"t\":{\"dtype\":\"I8\",\"shape\":[1],\"data_offsets\":[1,2]}}", 3, &options, &error),
+              MS_BAD_DATA);
     options = ms_nn_defaults();
     options.max_header_bytes = 2;
     CHECK_INT(open_text("{}", 0, &options, &error), MS_OK);
@@ -181,8 +185,9 @@ static void test_many(void)
     ms_nn_file *f = NULL;
     length += (size_t)snprintf(text, room, "{");
     for (i = 0; i < n; ++i)
-        length += (size_t)snprintf(text + length, room - length, "%s\"t%d\":{\"dtype\":\"I8\",\"shape\":[1],\"data_offsets\":[%d,%d]}", i ? "," : "", i,
-                                   n - 1 - i, n - i);
+        length += (size_t)snprintf(text + length, room - length,
+                                   "%s\"t%d\":{\"dtype\":\"I8\",\"shape\":[1],\"data_offsets\":[%d,%d]}", i ? "," : "",
+                                   i, n - 1 - i, n - i);
     snprintf(text + length, room - length, "}");
     b = make_file(text, (size_t)n, &size);
     CHECK_INT(ms_nn_file_open(b, size, NULL, &f, NULL), MS_OK);
@@ -291,7 +296,8 @@ static void test_write(void)
    accepted must be readable. */
 static void test_damage(void)
 {
-    static const char *const files[] = {"tests/data/nn/st_cases/ok_order.safetensors", "tests/data/nn/st_cases/ok_zero.safetensors",
+    static const char *const files[] = {"tests/data/nn/st_cases/ok_order.safetensors",
+                                        "tests/data/nn/st_cases/ok_zero.safetensors",
                                         "tests/data/nn/act_elu.safetensors", "tests/data/nn/maxpool2d_odd.safetensors"};
     uint64_t state = test_seed;
     int rounds = test_full ? 200000 : 20000, i, accepted = 0;
@@ -313,7 +319,8 @@ static void test_damage(void)
         if (ms_nn_load(tight, size, NULL, &nn, NULL) == MS_OK) {
             float x[256], y[256];
             memset(x, 0, sizeof x);
-            if (!test_unmasked() && ms_nn_input_size(nn) <= 256 && ms_nn_output_size(nn) <= 256) /* its weights may be NaN */
+            if (!test_unmasked() && ms_nn_input_size(nn) <= 256 &&
+                ms_nn_output_size(nn) <= 256) /* its weights may be NaN */
                 CHECK_INT(ms_nn_forward(nn, 1, x, y, NULL), MS_OK);
         }
         ms_nn_destroy(nn);
@@ -354,7 +361,7 @@ static void test_by_name(void)
     CHECK_INT(ms_nn_file_save("build/no_such_folder/x", &t, 1, NULL, 0, NULL, &error), MS_IO);
 }
 
-static const test_case cases[] = {{"reference cases", test_cases}, {"headers", test_headers},   {"limits", test_limits},
-                                  {"many tensors", test_many},     {"write", test_write},       {"damage", test_damage},
+static const test_case cases[] = {{"reference cases", test_cases}, {"headers", test_headers}, {"limits", test_limits},
+                                  {"many tensors", test_many},     {"write", test_write},     {"damage", test_damage},
                                   {"files by name", test_by_name}};
 TEST_MAIN(cases)

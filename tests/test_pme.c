@@ -1,5 +1,5 @@
-/* ms_pme.h: every optimiser on the problems of More, Garbow and Hillstrom (1981) free and with bounds, on functions that
-   are noisy or not finite, and the match of a picture by a small renderer made up here. */
+/* ms_pme.h: every optimiser on the problems of More, Garbow and Hillstrom (1981) free and with bounds, on functions
+   that are noisy or not finite, and the match of a picture by a small renderer made up here. */
 #define MS_PME_IMPLEMENTATION
 #include "ms_pme.h"
 #include "test.h"
@@ -8,13 +8,14 @@
 #include <stddef.h>
 #include <time.h>
 
-/* --- the problems of More, Garbow and Hillstrom (1981), with differences for Jacobians checked against closed forms --- */
+/* --- the problems of More, Garbow and Hillstrom (1981), with differences for Jacobians checked against closed forms
+   --- */
 
 typedef struct problem {
     const char *name;
     int n, m, calls;
     void (*residuals)(const struct problem *p, const double *x, double *r);
-    int noise;      /* relative noise of 1e-k on the values, 0: none */
+    int noise; /* relative noise of 1e-k on the values, 0: none */
     uint64_t state;
 } problem;
 
@@ -23,7 +24,12 @@ static float nan_f(void) { return (float)nan_value(); }
 
 static const double bard_y[] = {.14, .18, .22, .25, .29, .32, .35, .39, .37, .58, .73, .96, 1.34, 2.10, 4.39};
 
-static void rosenbrock(const problem *p, const double *x, double *r) { (void)p; r[0] = 10 * (x[1] - x[0] * x[0]); r[1] = 1 - x[0]; }
+static void rosenbrock(const problem *p, const double *x, double *r)
+{
+    (void)p;
+    r[0] = 10 * (x[1] - x[0] * x[0]);
+    r[1] = 1 - x[0];
+}
 static void freudenstein_roth(const problem *p, const double *x, double *r)
 {
     (void)p;
@@ -141,7 +147,10 @@ static void linear_rank1(const problem *p, const double *x, double *r)
 }
 static void helical_valley(const problem *p, const double *x, double *r)
 {
-    double theta = x[0] > 0 ? atan(x[1] / x[0]) / 6.283185307179586 : x[0] < 0 ? atan(x[1] / x[0]) / 6.283185307179586 + 0.5 : x[1] >= 0 ? 0.25 : -0.25;
+    double theta = x[0] > 0 ? atan(x[1] / x[0]) / 6.283185307179586
+        : x[0] < 0          ? atan(x[1] / x[0]) / 6.283185307179586 + 0.5
+        : x[1] >= 0         ? 0.25
+                            : -0.25;
     (void)p;
     r[0] = 10 * (x[2] - 10 * theta);
     r[1] = 10 * (sqrt(x[0] * x[0] + x[1] * x[1]) - 1);
@@ -165,14 +174,16 @@ static void kowalik_osborne(const problem *p, const double *x, double *r)
 }
 static void meyer(const problem *p, const double *x, double *r)
 {
-    static const double y[] = {34780, 28610, 23650, 19630, 16370, 13720, 11540, 9744, 8261, 7030, 6005, 5147, 4427, 3820, 3307, 2872};
+    static const double y[] = {34780, 28610, 23650, 19630, 16370, 13720, 11540, 9744,
+                               8261,  7030,  6005,  5147,  4427,  3820,  3307,  2872};
     int i;
     (void)p;
     for (i = 0; i < 16; ++i) r[i] = x[0] * exp(x[1] / (45 + 5 * (i + 1) + x[2])) - y[i];
 }
 static void gaussian(const problem *p, const double *x, double *r)
 {
-    static const double y[] = {.0009, .0044, .0175, .0540, .1295, .2420, .3521, .3989, .3521, .2420, .1295, .0540, .0175, .0044, .0009};
+    static const double y[] = {.0009, .0044, .0175, .0540, .1295, .2420, .3521, .3989,
+                               .3521, .2420, .1295, .0540, .0175, .0044, .0009};
     int i;
     (void)p;
     for (i = 0; i < 15; ++i) {
@@ -189,8 +200,9 @@ static void brown_badly_scaled(const problem *p, const double *x, double *r)
 }
 static void osborne1(const problem *p, const double *x, double *r)
 {
-    static const double y[] = {.844, .908, .932, .936, .925, .908, .881, .850, .818, .784, .751, .718, .685, .658, .628, .603, .580,
-                               .558, .538, .522, .506, .490, .478, .467, .457, .448, .438, .431, .424, .420, .414, .411, .406};
+    static const double y[] = {.844, .908, .932, .936, .925, .908, .881, .850, .818, .784, .751,
+                               .718, .685, .658, .628, .603, .580, .558, .538, .522, .506, .490,
+                               .478, .467, .457, .448, .438, .431, .424, .420, .414, .411, .406};
     int i;
     (void)p;
     for (i = 0; i < 33; ++i) r[i] = y[i] - (x[0] + x[1] * exp(-10 * i * x[3]) + x[2] * exp(-10 * i * x[4]));
@@ -241,18 +253,20 @@ static ms_status evaluate(void *user, const double *x, double *r, double *jacobi
         memcpy(moved, x, (size_t)p->n * sizeof(double));
         for (j = 0; j < p->n; ++j) {
             double h = 1e-3 * (fabs(x[j]) > 1e-2 ? fabs(x[j]) : 1e-2);
-            moved[j] = x[j] + h; p->residuals(p, moved, a);
-            moved[j] = x[j] - h; p->residuals(p, moved, b);
-            moved[j] = x[j] + 2 * h; p->residuals(p, moved, c);
-            moved[j] = x[j] - 2 * h; p->residuals(p, moved, d);
+            moved[j] = x[j] + h;
+            p->residuals(p, moved, a);
+            moved[j] = x[j] - h;
+            p->residuals(p, moved, b);
+            moved[j] = x[j] + 2 * h;
+            p->residuals(p, moved, c);
+            moved[j] = x[j] - 2 * h;
+            p->residuals(p, moved, d);
             moved[j] = x[j];
-            for (i = 0; i < p->m; ++i)
-                jacobian[i * p->n + j] = (8 * (a[i] - b[i]) - (c[i] - d[i])) / (12 * h);
+            for (i = 0; i < p->m; ++i) jacobian[i * p->n + j] = (8 * (a[i] - b[i]) - (c[i] - d[i])) / (12 * h);
         }
     }
     return MS_OK;
 }
-
 
 /* The sum of squares at x. */
 static double evaluate_value(const ms_pme_function *f, const double *x)
@@ -284,7 +298,8 @@ static const published extra[] = {
     {"bard", 3, 15, bard, {1, 1, 1}, 3, 8.21487e-3, 1e-8}, /* printed digits are cut, not rounded */
     {"gaussian", 3, 15, gaussian, {0.4, 1, 0}, 3, 1.12793e-8, 6e-14},
     {"meyer", 3, 16, meyer, {0.02, 4000, 250}, 3, 87.9458, 6e-5},
-    {"powell_singular", 4, 4, powell_singular, {3, -1, 0, 1}, 4, 0, 1e-15}, /* singular Jacobian at 0: linear convergence */
+    {"powell_singular", 4, 4, powell_singular, {3, -1, 0, 1}, 4, 0, 1e-15}, /* singular Jacobian at 0: linear
+                                                                               convergence */
     {"wood", 4, 6, wood, {-3, -1, -3, -1}, 4, 0, 1e-20},
     {"kowalik_osborne", 4, 11, kowalik_osborne, {0.25, 0.39, 0.415, 0.39}, 4, 3.07505e-4, 1e-9},
     {"brown_dennis", 4, 20, brown_dennis, {25, 5, -5, -1}, 4, 85822.2, 6e-2},
@@ -294,12 +309,20 @@ static const published extra[] = {
     {"trigonometric", 10, 10, trigonometric, {0.1}, 1, 2.79506e-5, 1e-10}, /* this or 0 */
     {"broyden_tridiagonal", 10, 10, broyden_tridiagonal, {-1}, 1, 0, 1e-20},
     {"broyden_tridiagonal_60", 60, 60, broyden_tridiagonal, {-1}, 1, 0, 1e-20},
-    {"chebyquad8", 8, 8, chebyquad, {1 / 9., 2 / 9., 3 / 9., 4 / 9., 5 / 9., 6 / 9., 7 / 9., 8 / 9.}, 8, 3.51687e-3, 6e-9},
+    {"chebyquad8",
+     8,
+     8,
+     chebyquad,
+     {1 / 9., 2 / 9., 3 / 9., 4 / 9., 5 / 9., 6 / 9., 7 / 9., 8 / 9.},
+     8,
+     3.51687e-3,
+     6e-9},
     {"variably_dimensioned_1", 1, 3, variably_dimensioned, {0}, 1, 0, 1e-20},
     {"linear_rank1_10", 10, 20, linear_rank1, {1}, 1, 20. * 19 / (2 * 41), 1e-8}, /* m(m-1)/(2(2m+1)), rank deficient */
 };
 
-static ms_pme_function function_of(problem *p, int n, int m, void (*residuals)(const problem *, const double *, double *))
+static ms_pme_function function_of(problem *p, int n, int m,
+                                   void (*residuals)(const problem *, const double *, double *))
 {
     ms_pme_function f;
     memset(&f, 0, sizeof f);
@@ -334,7 +357,8 @@ static void test_published(void)
             /* forward differences leave a Jacobian good to 1e-8: minima that are 0 are reached to about its square */
             if (differences && slack < 1e-13) slack = 1e-13;
             if (!(result.value <= extra[k].minimum + slack))
-                TEST_FAIL("%s%s: %.9g, published %.9g", extra[k].name, differences ? " by differences" : "", result.value, extra[k].minimum);
+                TEST_FAIL("%s%s: %.9g, published %.9g", extra[k].name, differences ? " by differences" : "",
+                          result.value, extra[k].minimum);
             most = result.cost > most ? result.cost : most;
         }
     }
@@ -344,10 +368,20 @@ static void test_published(void)
 static const struct {
     const char *name;
     void (*residuals)(const problem *, const double *, double *);
-} named[] = {{"rosenbrock", rosenbrock}, {"freudenstein_roth", freudenstein_roth}, {"powell_badly_scaled", powell_badly_scaled},
-             {"beale", beale}, {"jennrich_sampson", jennrich_sampson}, {"bard", bard}, {"box3d", box3d}, {"wood", wood},
-             {"brown_dennis", brown_dennis}, {"biggs_exp6", biggs_exp6}, {"watson", watson}, {"variably_dim", variably_dimensioned},
-             {"brown_almost_linear", brown_almost_linear}, {"linear_rank1", linear_rank1}};
+} named[] = {{"rosenbrock", rosenbrock},
+             {"freudenstein_roth", freudenstein_roth},
+             {"powell_badly_scaled", powell_badly_scaled},
+             {"beale", beale},
+             {"jennrich_sampson", jennrich_sampson},
+             {"bard", bard},
+             {"box3d", box3d},
+             {"wood", wood},
+             {"brown_dennis", brown_dennis},
+             {"biggs_exp6", biggs_exp6},
+             {"watson", watson},
+             {"variably_dim", variably_dimensioned},
+             {"brown_almost_linear", brown_almost_linear},
+             {"linear_rank1", linear_rank1}};
 
 /* tests/data/pme_problems.json with one method: how many problems end within `slack` of the minimum that a trust-region
    solver reached from the same start. Every answer must lie in the box and not above the start. */
@@ -364,7 +398,8 @@ static int solved(int method, double slack)
         problem p;
         ms_pme_options o = ms_pme_defaults();
         ms_pme_result result;
-        ms_pme_function f = function_of(&p, (int)json_number(json_get(e, "n")), (int)json_number(json_get(e, "m")), NULL);
+        ms_pme_function f = function_of(&p, (int)json_number(json_get(e, "n")), (int)json_number(json_get(e, "m")),
+                                        NULL);
         for (t = 0; t < sizeof named / sizeof named[0]; ++t)
             if (strncmp(name, named[t].name, strlen(named[t].name)) == 0) p.residuals = named[t].residuals;
         if (json_get(e, "lower")->kind == 'a') {
@@ -399,9 +434,11 @@ static void test_reference_lm(void)
 
 static void test_reference_rest(void)
 {
-    /* Exactly these. A local minimum other than the solver's (wood's from the same start), and watson12, where the Hessian's
-       condition is 1e13, are beyond gradient methods; simplices of 19 dimensions die on bounds. */
-    static const struct { int method, exactly; } expected[] = {{MS_PME_LBFGS, 12}, {MS_PME_NELDER_MEAD, 8}, {MS_PME_BASIN_HOPPING, 14}};
+    /* Exactly these. A local minimum other than the solver's (wood's from the same start), and watson12, where the
+       Hessian's condition is 1e13, are beyond gradient methods; simplices of 19 dimensions die on bounds. */
+    static const struct {
+        int method, exactly;
+    } expected[] = {{MS_PME_LBFGS, 12}, {MS_PME_NELDER_MEAD, 8}, {MS_PME_BASIN_HOPPING, 14}};
     size_t k;
     for (k = 0; k < sizeof expected / sizeof expected[0]; ++k) {
         int count = solved(expected[k].method, 1e-5);
@@ -413,7 +450,8 @@ static void test_reference_rest(void)
 /* --- functions that misbehave --- */
 
 typedef struct odd {
-    int kind;   /* 0: x'x shifted; 1: NaN for x0 > 0.6; 2: noise; 3: fails at a call; 4: NaN everywhere; 5, 6: Jacobian not finite */
+    int kind; /* 0: x'x shifted; 1: NaN for x0 > 0.6; 2: noise; 3: fails at a call; 4: NaN everywhere; 5, 6: Jacobian
+                 not finite */
     int calls, fail_at;
     uint64_t state;
 } odd;
@@ -498,8 +536,11 @@ static void test_misbehaviour(void)
             f = odd_function(&o, 5, 0, low, high);
             options.difference_step = 0;
             x[0] = x[1] = 0.1;
-            CHECK_INT(ms_pme_minimize(&f, &options, x, &result, &error), method == MS_PME_NELDER_MEAD ? MS_OK : MS_BAD_DATA);
-            if (method != MS_PME_NELDER_MEAD) CHECK(x[0] >= 0.1 && x[0] <= 0.1 && strstr(error.message, "derivative of residual 0 by parameter 0") != NULL);
+            CHECK_INT(ms_pme_minimize(&f, &options, x, &result, &error),
+                      method == MS_PME_NELDER_MEAD ? MS_OK : MS_BAD_DATA);
+            if (method != MS_PME_NELDER_MEAD)
+                CHECK(x[0] >= 0.1 && x[0] <= 0.1 &&
+                      strstr(error.message, "derivative of residual 0 by parameter 0") != NULL);
         }
     }
 }
@@ -556,7 +597,8 @@ static void test_budgets(void)
         options.method = method;
         for (budget = 1; budget < 40; budget += 6.5) {
             options.max_cost = budget;
-            CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), budget < 2 && method != MS_PME_NELDER_MEAD ? MS_INVALID_ARGUMENT : MS_OK);
+            CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL),
+                      budget < 2 && method != MS_PME_NELDER_MEAD ? MS_INVALID_ARGUMENT : MS_OK);
             CHECK(result.cost <= budget || (budget < 2 && result.cost == 0));
         }
         options.max_cost = 1e4;
@@ -621,9 +663,11 @@ static void test_arguments(void)
     ms_error error;
     CHECK_INT(ms_pme_minimize(NULL, NULL, x, NULL, NULL), MS_INVALID_ARGUMENT);
     CHECK_INT(ms_pme_minimize(&f, NULL, NULL, NULL, NULL), MS_INVALID_ARGUMENT);
-    bad = f; bad.value = NULL;
+    bad = f;
+    bad.value = NULL;
     CHECK_INT(ms_pme_minimize(&bad, NULL, x, NULL, &error), MS_INVALID_ARGUMENT);
-    bad = f; bad.parameter_count = 0;
+    bad = f;
+    bad.parameter_count = 0;
     CHECK_INT(ms_pme_minimize(&bad, NULL, x, NULL, &error), MS_INVALID_ARGUMENT);
     bad.parameter_count = MS_PME_PARAMETERS_MAX + 1;
     CHECK_INT(ms_pme_minimize(&bad, NULL, x, NULL, &error), MS_INVALID_ARGUMENT);
@@ -643,7 +687,8 @@ static void test_arguments(void)
     options.method = 0;
     options.tolerance = nan_value();
     CHECK_INT(ms_pme_minimize(&f, &options, x, NULL, &error), MS_INVALID_ARGUMENT);
-    CHECK(strcmp(ms_pme_method_string(-1), "unknown") == 0 && strcmp(ms_pme_method_string(3), "basin-hopping") == 0 && strcmp(ms_pme_method_string(4), "unknown") == 0);
+    CHECK(strcmp(ms_pme_method_string(-1), "unknown") == 0 && strcmp(ms_pme_method_string(3), "basin-hopping") == 0 &&
+          strcmp(ms_pme_method_string(4), "unknown") == 0);
 }
 
 /* --- a renderer: 6 parameters -> 48 float pixels through a fixed smooth network; its last layer is linear --- */
@@ -832,7 +877,8 @@ static void test_restarts(void)
     CHECK_NEAR(x, 0.5, 0);
 }
 
-/* The budget is the caller's, 50 unless said; the second of two candidates behind predictions is taken where it is best. */
+/* The budget is the caller's, 50 unless said; the second of two candidates behind predictions is taken where it is
+   best. */
 static void test_match_budget(void)
 {
     renderer_state s;
@@ -891,16 +937,22 @@ static void test_match_arguments(void)
     CHECK_INT(ms_pme_match(&r, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
     CHECK_INT(error.position, 9);
     target[9] = 0;
-    bad = r; bad.image_size = 0;
+    bad = r;
+    bad.image_size = 0;
     CHECK_INT(ms_pme_match(&bad, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
-    bad = r; bad.render = NULL;
+    bad = r;
+    bad.render = NULL;
     CHECK_INT(ms_pme_match(&bad, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
-    bad = r; bad.prediction_count = 1;
+    bad = r;
+    bad.prediction_count = 1;
     CHECK_INT(ms_pme_match(&bad, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
-    bad = r; bad.parameter_count = 0;
+    bad = r;
+    bad.parameter_count = 0;
     CHECK_INT(ms_pme_match(&bad, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
     for (i = 0; i < N; ++i) high[i] = i == 2 ? -1 : 1;
-    bad = r; bad.lower = low; bad.upper = high;
+    bad = r;
+    bad.lower = low;
+    bad.upper = high;
     CHECK_INT(ms_pme_match(&bad, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
     CHECK_INT(error.position, 2);
     options.candidate_count = 1;
@@ -1140,7 +1192,10 @@ static void test_projected_gradient(void)
                     CHECK_INT(ms_pme_minimize(&f, &o, x, &result, NULL), MS_OK);
                     expected = true_gradient(&f, x);
                     CHECK_LE(result.cost, cost);
-                    CHECK_NEAR(result.projected_gradient, expected, 1e-7 * (expected + 1)); /* the order of the sums; a gradient of 1e-9 of its terms is one of rounding */
+                    CHECK_NEAR(result.projected_gradient, expected,
+                               1e-7 *
+                                   (expected +
+                                    1)); /* the order of the sums; a gradient of 1e-9 of its terms is one of rounding */
                     CHECK_NEAR(result.value, evaluate_value(&f, x), 1e-12 * result.value + 1e-25);
                     ++count;
                 }
@@ -1352,7 +1407,8 @@ static void test_many_bounds(void)
     }
 }
 
-/* The step's own problem, from every first guess of the set: all free, all held low, all high. What was held wrongly is let go. */
+/* The step's own problem, from every first guess of the set: all free, all held low, all high. What was held wrongly is
+   let go. */
 static void test_active_set(void)
 {
     enum { M = 12 };
@@ -1380,7 +1436,7 @@ static void test_active_set(void)
                 }
                 if (d[guess][j] <= low[j]) CHECK(g > -1e-10);
                 else if (d[guess][j] >= high[j]) CHECK(g < 1e-10);
-                else CHECK_NEAR(g, 0, 1e-10); /* sums of some hundred products of size 10 */
+                else CHECK_NEAR(g, 0, 1e-10);            /* sums of some hundred products of size 10 */
                 CHECK_NEAR(d[guess][j], d[0][j], 1e-10); /* the answer is the only one */
             }
         }
@@ -1417,7 +1473,11 @@ static void test_wall_clock(void)
 
 /* A clock that callbacks move: 20 ms a value, 90 ms with derivatives. */
 static double paced_now;
-static double paced_clock(void *user) { (void)user; return paced_now; }
+static double paced_clock(void *user)
+{
+    (void)user;
+    return paced_now;
+}
 static ms_status paced(void *user, const double *x, double *r, double *jacobian)
 {
     paced_now += jacobian ? 0.09 : 0.02;
@@ -1444,7 +1504,8 @@ static ms_status needle(void *user, const double *x, double *r, double *jacobian
     return MS_OK;
 }
 
-/* The steps of differences: those of a float32 picture are 1e-3, and where neither side is finite the derivative is bad data. */
+/* The steps of differences: those of a float32 picture are 1e-3, and where neither side is finite the derivative is bad
+   data. */
 static double stepped[3];
 static int step_calls;
 static ms_status stepping_render(void *user, const double *x, float *image)
@@ -1525,8 +1586,8 @@ static ms_status units_jacobian(void *user, const double *y, float *image, float
     return status;
 }
 
-/* A match takes the same way whatever the units of the parameters: ranges by powers of two leave every rounding as it is but those
-   of the bounds' differences. Restarts and deviations too. */
+/* A match takes the same way whatever the units of the parameters: ranges by powers of two leave every rounding as it
+   is but those of the bounds' differences. Restarts and deviations too. */
 static void test_units(void)
 {
     static const double from[N] = {-1, 3, 0, -8, 0.25, -64}, range[N] = {2, 0.5, 8, 16, 0.125, 128};
@@ -1614,7 +1675,8 @@ static void test_seconds(void)
             if (match) CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &matched, NULL), MS_OK);
             else CHECK_INT(ms_pme_minimize(&f, &o, x, &result, NULL), MS_OK);
             CHECK_INT(match ? matched.refine.stop : result.stop, MS_PME_STOP_SECONDS);
-            if (paced_now - 7 > limit * (1.05 + 1e-9)) TEST_FAIL("%s: %g s of %g", match ? "match" : "minimize", paced_now - 7, limit);
+            if (paced_now - 7 > limit * (1.05 + 1e-9))
+                TEST_FAIL("%s: %g s of %g", match ? "match" : "minimize", paced_now - 7, limit);
             CHECK(paced_now - 7 > limit - 0.12); /* nor given up before: a value, derivatives and the last render */
             late = fmax(late, (paced_now - 7) / limit);
         }
@@ -1692,10 +1754,15 @@ static void test_sensitivity_arguments(void)
 /* An option that is out of range is named, with its value. */
 static void test_option_messages(void)
 {
-    static const struct { size_t offset; const char *words; } list[] = {
-        {offsetof(ms_pme_options, max_cost), "max_cost is -1"}, {offsetof(ms_pme_options, max_seconds), "max_seconds is -1"},
-        {offsetof(ms_pme_options, tolerance), "tolerance is -1"}, {offsetof(ms_pme_options, start_step), "start_step is -1"},
-        {offsetof(ms_pme_options, difference_step), "difference_step is -1"}, {offsetof(ms_pme_options, target_value), "target_value is -1"}};
+    static const struct {
+        size_t offset;
+        const char *words;
+    } list[] = {{offsetof(ms_pme_options, max_cost), "max_cost is -1"},
+                {offsetof(ms_pme_options, max_seconds), "max_seconds is -1"},
+                {offsetof(ms_pme_options, tolerance), "tolerance is -1"},
+                {offsetof(ms_pme_options, start_step), "start_step is -1"},
+                {offsetof(ms_pme_options, difference_step), "difference_step is -1"},
+                {offsetof(ms_pme_options, target_value), "target_value is -1"}};
     problem p;
     ms_pme_function f = function_of(&p, 4, 6, wood);
     double x[4] = {-3, -1, -3, -1}, wrong;
@@ -1707,7 +1774,8 @@ static void test_option_messages(void)
             wrong = v == 0 ? -1 : v == 1 ? nan_value() : (double)HUGE_VAL;
             memcpy((char *)&o + list[k].offset, &wrong, sizeof wrong);
             CHECK_INT(ms_pme_minimize(&f, &o, x, NULL, &error), MS_INVALID_ARGUMENT);
-            if (strncmp(error.message, list[k].words, strlen(list[k].words) - (v ? 2 : 0)) != 0) TEST_FAIL("%s", error.message);
+            if (strncmp(error.message, list[k].words, strlen(list[k].words) - (v ? 2 : 0)) != 0)
+                TEST_FAIL("%s", error.message);
         }
     f.jacobian_cost = -1;
     CHECK_INT(ms_pme_minimize(&f, NULL, x, NULL, &error), MS_INVALID_ARGUMENT);
@@ -1789,7 +1857,8 @@ static void test_control(void)
                 if (j == 1) y[4] = y[1];
                 if (y[j] < 0 || y[j] > 1) continue;
                 render(&s, y, image);
-                for (i = 0, f1 = 0; i < P; ++i) f1 += ((double)image[i] - (double)target[i]) * ((double)image[i] - (double)target[i]);
+                for (i = 0, f1 = 0; i < P; ++i)
+                    f1 += ((double)image[i] - (double)target[i]) * ((double)image[i] - (double)target[i]);
                 f0 = P * result.rmse * result.rmse;
                 CHECK(f1 > f0 * (1 - 1e-6));
             }
@@ -1811,7 +1880,8 @@ static void test_control(void)
     /* a brighter, tinted picture with an offset: the material is found, and what was done to its picture */
     memset(&options, 0, sizeof options);
     render(&s, truth, lit);
-    for (i = 0; i < P; ++i) lit[i] = (float)((i / 16 == 0 ? 1.5 : i / 16 == 1 ? 1.2 : 0.8) * (double)lit[i] + 0.1 * (i / 16));
+    for (i = 0; i < P; ++i)
+        lit[i] = (float)((i / 16 == 0 ? 1.5 : i / 16 == 1 ? 1.2 : 0.8) * (double)lit[i] + 0.1 * (i / 16));
     options.candidates = source;
     options.candidate_count = 1;
     for (j = 0; j < N; ++j) source[j] = 0.5;
@@ -1907,22 +1977,35 @@ static void test_stack_use(void)
     TEST_NOTE("%d bytes, of %d", (int)used, TEST_STACK_LIMIT);
 }
 
-static const test_case cases[] = {
-    {"published minima", test_published},         {"reference, levenberg-marquardt", test_reference_lm},
-    {"reference, the others", test_reference_rest}, {"misbehaving functions", test_misbehaviour},
-    {"failing callback", test_failing_callback},  {"budgets", test_budgets},
-    {"starts and bounds", test_starts},           {"arguments", test_arguments},
-    {"match", test_match},                        {"match, restarts", test_restarts},
-    {"match, budget", test_match_budget},
-    {"match, arguments", test_match_arguments},
-    {"reduced objective", test_reduced},
-    {"sensitivity", test_sensitivity},            {"repeatable", test_repeatable},
-    {"allocation failures", test_allocation},     {"projected gradient", test_projected_gradient},
-    {"gradient callback", test_gradient_callback}, {"sizes of residuals", test_sizes},
-    {"many bounds", test_many_bounds},            {"active set", test_active_set},
-                {"wall clock", test_wall_clock},
-    {"seconds", test_seconds}, {"units of parameters", test_units}, {"differences", test_differences},
-    {"traps", test_traps},                        {"sensitivity, arguments", test_sensitivity_arguments},
-    {"messages of options", test_option_messages}, {"control", test_control},
-    {"reweigh", test_reweigh},                    {"stack", test_stack_use}};
+static const test_case cases[] = {{"published minima", test_published},
+                                  {"reference, levenberg-marquardt", test_reference_lm},
+                                  {"reference, the others", test_reference_rest},
+                                  {"misbehaving functions", test_misbehaviour},
+                                  {"failing callback", test_failing_callback},
+                                  {"budgets", test_budgets},
+                                  {"starts and bounds", test_starts},
+                                  {"arguments", test_arguments},
+                                  {"match", test_match},
+                                  {"match, restarts", test_restarts},
+                                  {"match, budget", test_match_budget},
+                                  {"match, arguments", test_match_arguments},
+                                  {"reduced objective", test_reduced},
+                                  {"sensitivity", test_sensitivity},
+                                  {"repeatable", test_repeatable},
+                                  {"allocation failures", test_allocation},
+                                  {"projected gradient", test_projected_gradient},
+                                  {"gradient callback", test_gradient_callback},
+                                  {"sizes of residuals", test_sizes},
+                                  {"many bounds", test_many_bounds},
+                                  {"active set", test_active_set},
+                                  {"wall clock", test_wall_clock},
+                                  {"seconds", test_seconds},
+                                  {"units of parameters", test_units},
+                                  {"differences", test_differences},
+                                  {"traps", test_traps},
+                                  {"sensitivity, arguments", test_sensitivity_arguments},
+                                  {"messages of options", test_option_messages},
+                                  {"control", test_control},
+                                  {"reweigh", test_reweigh},
+                                  {"stack", test_stack_use}};
 TEST_MAIN(cases)

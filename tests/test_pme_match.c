@@ -1,5 +1,6 @@
-/* The match of pictures by neural renderers, as examples/match.c does it: networks made up here, of other sizes and with and
-   without a linear last layer, inversion networks that fit or don't, the edits, and the shipped networks where they are. */
+/* The match of pictures by neural renderers, as examples/match.c does it: networks made up here, of other sizes and
+   with and without a linear last layer, inversion networks that fit or don't, the edits, and the shipped networks where
+   they are. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #define MS_PME_IMPLEMENTATION
@@ -28,18 +29,20 @@ static double uniform(uint64_t *state)
     return (double)(*state >> 11) / 9007199254740992.0;
 }
 
-/* One dense layer more, uniform weights of variance gain^2 / inputs. Its weights and biases, to be changed if wanted. */
+/* One dense layer more, uniform weights of variance gain^2 / inputs. Its weights and biases, to be changed if
+   wanted. */
 static float *dense(network *n, uint64_t seed, size_t inputs, size_t outputs, double gain, const char *activation)
 {
     size_t i, used = strlen(n->layers);
     int k;
-    snprintf(n->layers + used, sizeof n->layers - used, "%s{\"type\":\"dense\",\"name\":\"f%d\",\"activation\":\"%s\"}", used ? "," : "",
-             n->count / 2, activation);
+    snprintf(n->layers + used, sizeof n->layers - used, "%s{\"type\":\"dense\",\"name\":\"f%d\",\"activation\":\"%s\"}",
+             used ? "," : "", n->count / 2, activation);
     for (k = 0; k < 2; ++k) {
         ms_nn_tensor *t = &n->tensor[n->count];
         size_t size = k ? outputs : outputs * inputs;
         float *data = n->data[n->count] = (float *)malloc(size * sizeof(float));
-        for (i = 0; i < size; ++i) data[i] = (float)((k ? 0.3 : gain * sqrt(3.0 / (double)inputs)) * (2 * uniform(&seed) - 1));
+        for (i = 0; i < size; ++i)
+            data[i] = (float)((k ? 0.3 : gain * sqrt(3.0 / (double)inputs)) * (2 * uniform(&seed) - 1));
         snprintf(n->name[n->count], sizeof n->name[0], "f%d.%s", n->count / 2, k ? "bias" : "weight");
         n->shape[n->count][0] = outputs;
         n->shape[n->count][1] = inputs;
@@ -114,7 +117,8 @@ static void make_target(const matcher *m, float wave, float *target)
     for (i = 0; i < m->renderer.image_size; ++i) target[i] += wave * sinf(0.7f * (float)i);
 }
 
-/* The collapsed objective and the pictures themselves have the same minimum, with weights and without, whatever the network. */
+/* The collapsed objective and the pictures themselves have the same minimum, with weights and without, whatever the
+   network. */
 static void same_minimum(const char *path, int collapses)
 {
     static matcher m;
@@ -137,8 +141,11 @@ static void same_minimum(const char *path, int collapses)
         for (direct = 0; direct < 2; ++direct) {
             ms_pme_renderer r = m.renderer;
             if (direct) r.reduced = NULL;
-            if (direct) CHECK_INT(matcher__room(&m.workspace, ms_nn_workspace_size(m.network.nn, MS_NN_JACOBIAN, 1)), MS_OK);
-            CHECK_INT(ms_pme_match(&r, target, weighted ? weight : NULL, &options, x[direct], NULL, &result[direct], &error), MS_OK);
+            if (direct)
+                CHECK_INT(matcher__room(&m.workspace, ms_nn_workspace_size(m.network.nn, MS_NN_JACOBIAN, 1)), MS_OK);
+            CHECK_INT(
+                ms_pme_match(&r, target, weighted ? weight : NULL, &options, x[direct], NULL, &result[direct], &error),
+                MS_OK);
         }
         /* the same rmse to 1e-6, which the issue asks for; x is as free as rounding of 1e-7 in a picture leaves it */
         CHECK_NEAR(result[0].rmse, result[1].rmse, 1e-6 * result[1].rmse);
@@ -149,11 +156,14 @@ static void same_minimum(const char *path, int collapses)
             ms_pme_match_result untouched = result[0];
             float kept = target[3];
             memset(&error, 0, sizeof error);
-            CHECK_INT(ms_pme_match(&m.renderer, target, weighted ? NULL : weight, &options, x[0], NULL, &untouched, &error), MS_INVALID_ARGUMENT);
+            CHECK_INT(
+                ms_pme_match(&m.renderer, target, weighted ? NULL : weight, &options, x[0], NULL, &untouched, &error),
+                MS_INVALID_ARGUMENT);
             CHECK(strstr(error.message, "another target or other weights") != NULL);
             CHECK(memcmp(&untouched, &result[0], sizeof untouched) == 0);
             target[3] += 0.3f;
-            CHECK_INT(ms_pme_match(&m.renderer, target, weighted ? weight : NULL, &options, x[1], NULL, NULL, &error), MS_INVALID_ARGUMENT);
+            CHECK_INT(ms_pme_match(&m.renderer, target, weighted ? weight : NULL, &options, x[1], NULL, NULL, &error),
+                      MS_INVALID_ARGUMENT);
             target[3] = kept;
         }
     }
@@ -190,7 +200,8 @@ static void test_recovery(void)
         options.target_rmse = 1e-5; /* a few roundings of floats near 1 */
         CHECK_INT(matcher_aim(&m, target, NULL, &error), MS_OK);
         CHECK_INT(ms_pme_match(&m.renderer, target, NULL, &options, x, picture, &result, &error), MS_OK);
-        for (i = 0; i < m.renderer.image_size; ++i) sum += ((double)picture[i] - (double)target[i]) * ((double)picture[i] - (double)target[i]);
+        for (i = 0; i < m.renderer.image_size; ++i)
+            sum += ((double)picture[i] - (double)target[i]) * ((double)picture[i] - (double)target[i]);
         CHECK_NEAR(sqrt(sum / (double)m.renderer.image_size), result.rmse, 1e-12);
         CHECK(result.rmse < 2e-5);
         worst = fmax(worst, result.rmse);
@@ -226,7 +237,8 @@ static const char *mean_inversion(int size, int outputs, int channels)
     memset(&n, 0, sizeof n);
     snprintf(n.layers, sizeof n.layers, "{\"type\":\"flatten\"}");
     w = dense(&n, 8, inputs, (size_t)outputs, 1, "linear");
-    for (i = 0; i < (size_t)outputs * inputs; ++i) w[i] = i % inputs / pixels == i / inputs ? 1.0f / (float)pixels : 0.0f;
+    for (i = 0; i < (size_t)outputs * inputs; ++i)
+        w[i] = i % inputs / pixels == i / inputs ? 1.0f / (float)pixels : 0.0f;
     memset(n.data[1], 0, (size_t)outputs * sizeof(float));
     snprintf(input, sizeof input, "[%d,%d,%d]", channels, size, size);
     snprintf(path, sizeof path, FOLDER "inversion_%d_%d_%d.safetensors", size, outputs, channels);
@@ -244,7 +256,8 @@ static void test_inversion(void)
     int k;
     CHECK_INT(matcher_open(&m, flat_renderer(6), &error), MS_OK);
     /* each channel varies, and only a mean over all of it is its parameter */
-    for (i = 0; i < 108; ++i) target[i] = 0.3f + 0.1f * (float)(i / 36) + 0.05f * (float)((int)(i % 2) - (int)(i / 6 % 2));
+    for (i = 0; i < 108; ++i)
+        target[i] = 0.3f + 0.1f * (float)(i / 36) + 0.05f * (float)((int)(i % 2) - (int)(i / 6 % 2));
     for (k = 0; k < 5; ++k) {
         CHECK_INT(matcher_add_inversion(&m, mean_inversion(fits[k], 3, 3), &error), MS_OK);
         if (m.renderer.prediction_count == k + 1) {
@@ -271,11 +284,13 @@ static void test_inversion(void)
         CHECK(result.rmse_initial < 1e-6 && result.best_candidate >= 0 && result.best_candidate < 5);
     }
     matcher_close(&m);
-    CHECK_INT(matcher_open(&m, flat_renderer(6), &error), MS_OK); /* the folder has both kinds: those that don't fit are named */
+    CHECK_INT(matcher_open(&m, flat_renderer(6), &error),
+              MS_OK); /* the folder has both kinds: those that don't fit are named */
     CHECK_INT(matcher_add_inversions(&m, FOLDER, &error), MS_BAD_DATA);
     CHECK_INT(matcher_add_inversions(&m, FOLDER "missing", &error), MS_IO);
     matcher_close(&m);
-    CHECK_INT(matcher_open(&m, FOLDER "inversion_6_2_3.safetensors", &error), MS_BAD_DATA); /* two values are no picture */
+    CHECK_INT(matcher_open(&m, FOLDER "inversion_6_2_3.safetensors", &error),
+              MS_BAD_DATA); /* two values are no picture */
     CHECK_INT(matcher_open(&m, FOLDER "missing.safetensors", &error), MS_IO);
 }
 
@@ -299,17 +314,20 @@ static void test_edits(void)
                 for (c = 0; c < 3; ++c) {
                     const char *name = edits[e].name;
                     size_t at = (size_t)(3 * (y * S + x));
-                    float v = target.pixels[at + (size_t)c], was = source.pixels[at + (size_t)c], there = other.pixels[at + (size_t)c];
+                    float v = target.pixels[at + (size_t)c], was = source.pixels[at + (size_t)c],
+                          there = other.pixels[at + (size_t)c];
                     float ball = edit_ball(&source, x, y, 0, 0);
                     int same = v >= was && v <= was;
                     changed[e] += !same;
                     CHECK(v >= 0 && v <= 1);
-                    if (strcmp(name, "grayscale") == 0 && ball >= 1) CHECK_NEAR((double)v, (double)target.pixels[at], 1e-6);
-                    if (strcmp(name, "mix of two") == 0) CHECK_NEAR((double)v, 0.5 * ((double)was + (double)there), 1e-6);
+                    if (strcmp(name, "grayscale") == 0 && ball >= 1)
+                        CHECK_NEAR((double)v, (double)target.pixels[at], 1e-6);
+                    if (strcmp(name, "mix of two") == 0)
+                        CHECK_NEAR((double)v, 0.5 * ((double)was + (double)there), 1e-6);
                     if (strcmp(name, "stitching") == 0) CHECK(x < S / 2 ? same : v >= there && v <= there);
                     if (strcmp(name, "black level") == 0) CHECK_NEAR((double)v, 0.12 + 0.88 * (double)was, 1e-6);
-                    if (ball <= 0 && strcmp(name, "mix of two") && strcmp(name, "stitching") && strcmp(name, "black level") &&
-                        strcmp(name, "poor mask"))
+                    if (ball <= 0 && strcmp(name, "mix of two") && strcmp(name, "stitching") &&
+                        strcmp(name, "black level") && strcmp(name, "poor mask"))
                         CHECK(same);
                 }
         image_free(&target);
@@ -334,7 +352,9 @@ static ms_status plain_value(void *user, const double *x, double *f)
     plain_picture *p = (plain_picture *)user;
     size_t i, count = p->m->renderer.image_size;
     ms_status status = p->m->renderer.render(p->m->renderer.user, x, p->picture);
-    for (i = 0, *f = 0; i < count; ++i) *f += ((double)p->picture[i] - (double)p->target[i]) * ((double)p->picture[i] - (double)p->target[i]) / (double)count;
+    for (i = 0, *f = 0; i < count; ++i)
+        *f += ((double)p->picture[i] - (double)p->target[i]) * ((double)p->picture[i] - (double)p->target[i]) /
+            (double)count;
     return status;
 }
 
@@ -392,7 +412,8 @@ static void test_shipped(void)
         CHECK(ours.refine.cost <= 50);
         CHECK_LE(ours.rmse, 1.01 * theirs); /* a hundredth: where both end in one minimum, after 50 and after 1500 */
         worst = fmax(worst, ours.rmse / theirs);
-        if (t % EDIT_COUNT == 0) CHECK(ours.rmse < 0.02); /* a picture of the shader: only noise and the network's error are left */
+        if (t % EDIT_COUNT == 0)
+            CHECK(ours.rmse < 0.02); /* a picture of the shader: only noise and the network's error are left */
         image_free(&source);
         image_free(&other);
         image_free(&edited);
@@ -421,8 +442,8 @@ static double distance(const float *a, const float *b, int count)
     return sqrt(sum / count);
 }
 
-/* A picture by the network that slipped by fractions of a pixel, another with a logo, one with both: the material comes back, and how far
-   it slipped. */
+/* A picture by the network that slipped by fractions of a pixel, another with a logo, one with both: the material comes
+   back, and how far it slipped. */
 static void test_slipped_and_stamped(void)
 {
     static const double slips[4][2] = {{2, -1}, {-3, 5}, {-3.4, 2.7}, {0.3, 0.4}};
@@ -453,12 +474,16 @@ static void test_slipped_and_stamped(void)
         CHECK_INT(matcher_match(&m, target, NULL, &options, 0, plain, picture, &result, NULL, &error), MS_OK);
         before = distance(picture, drawn, 3 * 64 * 64);
         error.message[0] = 0;
-        if (matcher_match(&m, target, NULL, &options, flags, x, picture, &result, shift, &error) != MS_OK) TEST_FAIL("case %d: %s", k, error.message);
+        if (matcher_match(&m, target, NULL, &options, flags, x, picture, &result, shift, &error) != MS_OK)
+            TEST_FAIL("case %d: %s", k, error.message);
         after = distance(picture, drawn, 3 * 64 * 64);
-        /* fractions of a pixel blur the picture when it slips, and the material follows that: half of what a slip of four pixels costs
-           is left; less than a pixel costs no more than its blur */
-        if (!(after <= before * (k == 2 ? 0.5 : k == 3 ? 1.1 : 0.1))) TEST_FAIL("case %d: %.5f from the picture, %.5f without", k, after, before);
-        if (k < 2 || k == 4) CHECK_LE(apart(x, truth, 19), 0.5 * apart(plain, truth, 19)); /* what the border hid moves what hardly shows */
+        /* fractions of a pixel blur the picture when it slips, and the material follows that: half of what a slip of
+           four pixels costs is left; less than a pixel costs no more than its blur */
+        if (!(after <= before * (k == 2 ? 0.5 : k == 3 ? 1.1 : 0.1)))
+            TEST_FAIL("case %d: %.5f from the picture, %.5f without", k, after, before);
+        if (k < 2 || k == 4)
+            CHECK_LE(apart(x, truth, 19),
+                     0.5 * apart(plain, truth, 19)); /* what the border hid moves what hardly shows */
         worst = fmax(worst, after / before);
         for (j = 0; j < 2 && k < 4; ++j) {
             CHECK_NEAR(shift[j], slips[k][j], 0.1);
@@ -471,8 +496,8 @@ static void test_slipped_and_stamped(void)
     materials_free(&held_out);
 }
 
-/* Two pictures of a material in one objective: the collapsed one and that of the pictures themselves have the same minimum, which is
-   nearer to both than the other's own; and together they determine no parameter worse than one. */
+/* Two pictures of a material in one objective: the collapsed one and that of the pictures themselves have the same
+   minimum, which is nearer to both than the other's own; and together they determine no parameter worse than one. */
 static void test_views(void)
 {
     static const char *const other = FOLDER "view.safetensors";
@@ -505,7 +530,8 @@ static void test_views(void)
         CHECK_INT(matcher_views_aim(&v, view, k == 2 ? 1 : 2, target, weight, &error), MS_OK);
         CHECK_INT(v.renderer.reduced != NULL, 1);
         if (k == 1) v.renderer.reduced = NULL;
-        for (i = 0; i < 2 && k == 1; ++i) CHECK_INT(matcher__room(&m[i].workspace, ms_nn_workspace_size(m[i].network.nn, MS_NN_JACOBIAN, 1)), MS_OK);
+        for (i = 0; i < 2 && k == 1; ++i)
+            CHECK_INT(matcher__room(&m[i].workspace, ms_nn_workspace_size(m[i].network.nn, MS_NN_JACOBIAN, 1)), MS_OK);
         CHECK_INT(ms_pme_match(&v.renderer, target, weight, &options, x[k], picture, &result, &error), MS_OK);
         CHECK_INT(v.renderer.image_size, k == 2 ? p[0] : p[0] + p[1]);
     }

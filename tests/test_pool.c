@@ -39,7 +39,8 @@ static void case_every_task_once(void)
             w.parallel = &parallel;
             parallel.run(parallel.user, count, nest ? nesting_task : task, &w);
             for (i = 0; i < MOST; ++i)
-                if (w.done[i] != (i < count)) TEST_FAIL("%d threads, %d tasks: task %d ran %d times", threads[t], count, i, w.done[i]);
+                if (w.done[i] != (i < count))
+                    TEST_FAIL("%d threads, %d tasks: task %d ran %d times", threads[t], count, i, w.done[i]);
             for (i = 0; i < 3; ++i) CHECK_INT(w.inner[i], nest ? count : 0);
         }
         pool_stop(&p);

@@ -196,10 +196,13 @@ static int plain_small(const plain *p, int i)
     return (double)p->kernels[plain_profile(p, i)].radius_mm * (size[0] > size[1] ? size[0] : size[1]) < 0.5;
 }
 
-static int plain_shaped(const plain *p) { return (p->with & WITH_DEPTH) && p->o.depth_mode == MS_SSS_DEPTH_AWARE && p->o.flat < 1; }
+static int plain_shaped(const plain *p)
+{
+    return (p->with & WITH_DEPTH) && p->o.depth_mode == MS_SSS_DEPTH_AWARE && p->o.flat < 1;
+}
 
-/* The surface at a pixel: slopes against the picture's plane, what depth changes a pixel (in perspective relative to the depth
-   there), the ray's tangents, and the cosine between the normal and the ray, times the ray's length. */
+/* The surface at a pixel: slopes against the picture's plane, what depth changes a pixel (in perspective relative to
+   the depth there), the ray's tangents, and the cosine between the normal and the ray, times the ray's length. */
 typedef struct plain_surface {
     double slope[2], step[2], ray[2], facing;
 } plain_surface;
@@ -208,10 +211,12 @@ typedef struct plain_surface {
    distance to their outline. far: the depth one further. */
 static double plain_steeper(double z, double next, double far, int perspective, double grain)
 {
-    const double step = perspective ? 1 / next - 1 / z : z - next, inner = perspective ? 1 / far - 1 / next : next - far;
+    const double step = perspective ? 1 / next - 1 / z : z - next,
+                 inner = perspective ? 1 / far - 1 / next : next - far;
     double t;
     if (!(step * inner > 0)) return 1;
-    t = (fmin(fabs(step) - fabs(inner), fabs(inner)) - 2 * grain * (perspective ? 1 / z : z)) / fabs(inner); /* three depths are rounded */
+    t = (fmin(fabs(step) - fabs(inner), fabs(inner)) - 2 * grain * (perspective ? 1 / z : z)) /
+        fabs(inner); /* three depths are rounded */
     t = t < 0 ? 0 : t > 0.85 ? 0.85 : t;
     return 1 + t * (0.5 + 0.5 * t + 0.7 * t * t * t);
 }
@@ -236,7 +241,8 @@ static plain_surface plain_shape(const plain *p, int i)
     }
     if (p->with & WITH_NORMAL) {
         const double n[3] = {(double)p->s->normal[0][i], (double)p->s->normal[1][i], (double)p->s->normal[2][i]};
-        const double towards = n[2] - s.ray[0] * n[0] - s.ray[1] * n[1], most = fabs(n[0]) > fabs(n[1]) ? fabs(n[0]) : fabs(n[1]);
+        const double towards = n[2] - s.ray[0] * n[0] - s.ray[1] * n[1],
+                     most = fabs(n[0]) > fabs(n[1]) ? fabs(n[0]) : fabs(n[1]);
         for (a = 0; a < 2; ++a) s.slope[a] = towards > most / 8 ? n[a] / towards : most > 0 ? 8 * n[a] / most : 0;
         if (!(fabs(n[0]) + fabs(n[1]) + fabs(n[2]) < (double)INFINITY)) s.slope[0] = s.slope[1] = 0;
     }
@@ -245,15 +251,17 @@ static plain_surface plain_shape(const plain *p, int i)
         int found[2];
         for (b = 0; b < 2 && !(p->with & WITH_NORMAL); ++b) { /* before, behind */
             const int there = at[a] + (b ? 1 : -1), j = i + (b ? 1 : -1) * (a ? w : 1);
-            found[b] = there >= 0 && there < side[a] && plain_part(p, j) && plain_profile(p, i) == plain_profile(p, j) &&
-                       fabs((double)p->s->depth[j] - z) * mm < (double)k->radius_mm;
+            found[b] = there >= 0 && there < side[a] && plain_part(p, j) &&
+                plain_profile(p, i) == plain_profile(p, j) &&
+                fabs((double)p->s->depth[j] - z) * mm < (double)k->radius_mm;
             if (!found[b]) continue;
             side_slope[b] = ((double)p->s->depth[j] - z) * (b ? 1 : -1) * focal[a];
             if (perspective) side_slope[b] /= (double)p->s->depth[j];
             {
                 const int further = at[a] + (b ? 2 : -2), l = 2 * j - i;
                 if (further >= 0 && further < side[a] && plain_part(p, l) && plain_profile(p, i) == plain_profile(p, l))
-                    steeper[b] = plain_steeper(z, (double)p->s->depth[j], (double)p->s->depth[l], perspective, plain_grain);
+                    steeper[b] = plain_steeper(z, (double)p->s->depth[j], (double)p->s->depth[l], perspective,
+                                               plain_grain);
             }
         }
         if (!(p->with & WITH_NORMAL)) {
@@ -274,24 +282,29 @@ static plain_surface plain_shape(const plain *p, int i)
     return s;
 }
 
-/* What depth leaves of pixel j, dx and dy pixels from i, for a tap x mm away: within [0, 1]. below: under the tangent plane
-   along its normal, mm over the normal's cosine. */
-static double plain_depth_factor(const plain *p, const ms_sss_kernel *k, const plain_surface *surface, double x, int i, int j, int dx, int dy, double *below)
+/* What depth leaves of pixel j, dx and dy pixels from i, for a tap x mm away: within [0, 1]. below: under the tangent
+   plane along its normal, mm over the normal's cosine. */
+static double plain_depth_factor(const plain *p, const ms_sss_kernel *k, const plain_surface *surface, double x, int i,
+                                 int j, int dx, int dy, double *below)
 {
     const double mm = p->o.mm_per_unit > 0 ? (double)p->o.mm_per_unit : 1;
     const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : (double)k->radius_mm;
-    const double upright = plain_shaped(p) ? 1 - (double)p->o.flat : 0, sigma = p->o.depth_sigma_mm > 0 ? (double)p->o.depth_sigma_mm : (0.12 + 0.13 * upright) * extent;
+    const double upright = plain_shaped(p) ? 1 - (double)p->o.flat : 0,
+                 sigma = p->o.depth_sigma_mm > 0 ? (double)p->o.depth_sigma_mm : (0.12 + 0.13 * upright) * extent;
     const double follow = p->o.follow_mm > 0 ? (double)p->o.follow_mm : (double)k->radius_mm;
     double dz, end = 3.0746 * sigma;
     *below = 0;
     if (!(p->with & WITH_DEPTH) || p->o.depth_mode == MS_SSS_DEPTH_SCALE) return 1;
     dz = ((double)p->s->depth[j] - (double)p->s->depth[i]) * mm;
     if (p->o.depth_mode == MS_SSS_DEPTH_FOLLOW) return fabs(dz) < follow ? 1 - fabs(dz) / follow : 0;
-    if (plain_shaped(p)) *below = dz -= (dx * surface->step[0] + dy * surface->step[1]) * (p->o.fov_degrees > 0 ? (double)p->s->depth[j] : 1) * mm;
+    if (plain_shaped(p))
+        *below = dz -= (dx * surface->step[0] + dy * surface->step[1]) *
+            (p->o.fov_degrees > 0 ? (double)p->s->depth[j] : 1) * mm;
     else if (p->o.exact || (double)k->radius_mm < end) end = (double)k->radius_mm;
     if (plain_shaped(p) && !p->o.exact && !(p->o.depth_sigma_mm > 0)) end = (0.37 + 1.13 * upright) * extent;
     if (!(fabs(dz) < end)) return 0;
-    if (plain_shaped(p) && !p->o.exact) /* light at distance sqrt(x^2 + dz^2) in place of x, when it falls as the square */
+    if (plain_shaped(p) &&
+        !p->o.exact) /* light at distance sqrt(x^2 + dz^2) in place of x, when it falls as the square */
         return x > 0 ? (1 - dz * dz / (end * end)) / (1 + fmin(upright / (x * x), 1e6 / (end * end)) * dz * dz) : 1;
     return p->o.exact ? exp(-dz * dz / (2 * sigma * sigma)) : pow(1 - dz * dz / (end * end), 4);
 }
@@ -304,7 +317,8 @@ static double plain_albedo(const plain *p, int c, int i, int side)
 }
 
 /* One pass of a term over in[3][n]; surface: of each pixel that takes part. */
-static void plain_pass(const plain *p, int term, int second, const plain_surface *surface, double *const in[3], double *const out[3])
+static void plain_pass(const plain *p, int term, int second, const plain_surface *surface, double *const in[3],
+                       double *const out[3])
 {
     const int w = p->s->width, h = p->s->height;
     int x, y, k, c, sub;
@@ -312,7 +326,8 @@ static void plain_pass(const plain *p, int term, int second, const plain_surface
         for (x = 0; x < w; ++x) {
             const int i = y * w + x;
             const ms_sss_kernel *kernel;
-            double size[2], dx = second ? 0 : 1, dy = second ? 1 : 0, sum[3] = {0, 0, 0}, norm[3] = {0, 0, 0}, lifted[3] = {0, 0, 0}, least = -1;
+            double size[2], dx = second ? 0 : 1, dy = second ? 1 : 0, sum[3] = {0, 0, 0}, norm[3] = {0, 0, 0},
+                            lifted[3] = {0, 0, 0}, least = -1;
             double total[3] = {0, 0, 0}, height[2] = {0, 0}, inner[2] = {0, 0}, bulge;
             int mixed[3] = {0, 0, 0};
             if (!plain_part(p, i)) continue;
@@ -326,20 +341,24 @@ static void plain_pass(const plain *p, int term, int second, const plain_surface
             plain_size(p, i, size);
             if (p->o.rotation != 0 || p->o.jitter > 0) {
                 const double angle = (double)p->o.rotation +
-                                     (double)p->o.jitter * ((((unsigned)x * 49472u + (unsigned)y * 37345u) % 65536u / 1024u) + 0.5) / 64 * 3.14159265358979323846 / 2;
+                    (double)p->o.jitter * ((((unsigned)x * 49472u + (unsigned)y * 37345u) % 65536u / 1024u) + 0.5) /
+                        64 * 3.14159265358979323846 / 2;
                 dx = second ? -sin(angle) : cos(angle);
                 dy = second ? cos(angle) : sin(angle);
             }
             if (plain_shaped(p)) { /* steps of one length on the tangent plane */
-                const double along = dx * surface[i].slope[0] + dy * surface[i].slope[1], ray = dx * surface[i].ray[0] + dy * surface[i].ray[1];
+                const double along = dx * surface[i].slope[0] + dy * surface[i].slope[1],
+                             ray = dx * surface[i].ray[0] + dy * surface[i].ray[1];
                 const double square = 1 + surface[i].ray[0] * surface[i].ray[0] + surface[i].ray[1] * surface[i].ray[1];
                 for (c = 0; c < 2; ++c) size[c] /= sqrt(1 + 2 * ray * along + along * along * square);
                 for (c = 0; c < 3; ++c)
-                    if ((double)kernel->elevation_axis[c] * (1 - (double)p->o.flat) * least < -4) least = -4 / ((double)kernel->elevation_axis[c] * (1 - (double)p->o.flat));
+                    if ((double)kernel->elevation_axis[c] * (1 - (double)p->o.flat) * least < -4)
+                        least = -4 / ((double)kernel->elevation_axis[c] * (1 - (double)p->o.flat));
             }
             for (k = 0; k < kernel->tap_count; ++k) {
                 double part_sum[3] = {0, 0, 0}, part_norm = 0, below = 0, sine = 0, area = 1;
-                const double tx = (double)kernel->offset_mm[k] * dx * size[0], ty = (double)kernel->offset_mm[k] * dy * size[1];
+                const double tx = (double)kernel->offset_mm[k] * dx * size[0],
+                             ty = (double)kernel->offset_mm[k] * dy * size[1];
                 for (sub = 0; sub < 4; ++sub) {
                     const int px = x + (int)floor(tx) + sub % 2, py = y + (int)floor(ty) + sub / 2, j = py * w + px;
                     const double ax = tx - floor(tx), ay = ty - floor(ty);
@@ -347,35 +366,41 @@ static void plain_pass(const plain *p, int term, int second, const plain_surface
                     if (f <= 0) continue;
                     if (px < 0 || py < 0 || px >= w || py >= h || !plain_part(p, j)) continue;
                     if (plain_profile(p, i) != plain_profile(p, j)) continue;
-                    f *= plain_depth_factor(p, kernel, &surface[i], fabs((double)kernel->offset_mm[k]), i, j, px - x, py - y, &deep);
+                    f *= plain_depth_factor(p, kernel, &surface[i], fabs((double)kernel->offset_mm[k]), i, j, px - x,
+                                            py - y, &deep);
                     below += f * deep;
                     part_norm += f;
                     for (c = 0; c < 3; ++c) part_sum[c] += f * in[c][j];
                 }
                 if (plain_shaped(p) && k > 0) {
                     const double mm = p->o.mm_per_unit > 0 ? (double)p->o.mm_per_unit : 1;
-                    const double least_below = plain_grain * (2 + fabs(tx) + fabs(ty)) * (double)p->s->depth[i] * mm; /* below that it may be rounding */
+                    const double least_below = plain_grain * (2 + fabs(tx) + fabs(ty)) * (double)p->s->depth[i] *
+                        mm; /* below that it may be rounding */
                     below = below > least_below ? below - least_below : below < -least_below ? below + least_below : 0;
                     sine = below * surface[i].facing / fabs((double)kernel->offset_mm[k]);
                     sine = sine > 1 ? 1 : sine < least ? least : sine;
                     { /* a surface that bends away from the plane shows less of itself there than it has */
                         const int side = kernel->offset_mm[k] < 0;
                         const double x_mm = fabs((double)kernel->offset_mm[k]);
-                        const double at = (below * surface[i].facing + 1e-3 * height[side]) / (part_norm + 1e-3), steep = (at - height[side]) / (x_mm - inner[side]);
+                        const double at = (below * surface[i].facing + 1e-3 * height[side]) / (part_norm + 1e-3),
+                                     steep = (at - height[side]) / (x_mm - inner[side]);
                         area = fmin(3, 1 + bulge * steep * steep);
                         height[side] = at;
                         inner[side] = x_mm;
                     }
                 }
                 for (c = 0; c < 3; ++c) {
-                    const double weight = (double)kernel->weight[term][k][c], lift = pow(1 + (double)kernel->elevation_axis[c] * (1 - (double)p->o.flat) / 4 * sine, 4);
+                    const double weight = (double)kernel->weight[term][k][c],
+                                 lift = pow(1 + (double)kernel->elevation_axis[c] * (1 - (double)p->o.flat) / 4 * sine,
+                                            4);
                     sum[c] += weight * lift * area * part_sum[c];
                     norm[c] += weight * area * part_norm;
                     lifted[c] += weight * lift * area * part_norm;
                 }
             }
             for (c = 0; c < 3 && plain_shaped(p); ++c) /* never more than reflectance^(-1/2) times the mean */
-                if (!mixed[c] && norm[c] < sqrt((double)kernel->reflectance[c]) * lifted[c]) norm[c] = sqrt((double)kernel->reflectance[c]) * lifted[c];
+                if (!mixed[c] && norm[c] < sqrt((double)kernel->reflectance[c]) * lifted[c])
+                    norm[c] = sqrt((double)kernel->reflectance[c]) * lifted[c];
             for (c = 0; c < 3; ++c) {
                 if (mixed[c] || ((p->with & WITH_DEPTH) && p->o.depth_mode == MS_SSS_DEPTH_FOLLOW))
                     out[c][i] = sum[c] + (total[c] - norm[c]) * in[c][i];
@@ -473,11 +498,11 @@ static double test_against_plain(const test_scene *s, const ms_sss_kernel *kerne
 }
 
 /* Two passes of at most 50 float products each, inputs up to 3: rounding adds up to about 50 * 6e-8 * 3 = 1e-5 at
-   worst. Depths near 100, rounded to 4e-6, count over the falloff's reach of about 3: 1.3e-6 of it, the steepest slope of
-   (1 - q^2)^4 is 1.8, inputs up to 3 and two passes: another 1e-5. */
+   worst. Depths near 100, rounded to 4e-6, count over the falloff's reach of about 3: 1.3e-6 of it, the steepest slope
+   of (1 - q^2)^4 is 1.8, inputs up to 3 and two passes: another 1e-5. */
 #define PLAIN_TOLERANCE 2e-5
-/* A slope is a difference of depths near 100, each rounded twice to 4e-6, times up to 8 pixels a mm: 1e-4 for the rounding,
-   times a curvature's weight of about 1 and inputs up to 3. */
+/* A slope is a difference of depths near 100, each rounded twice to 4e-6, times up to 8 pixels a mm: 1e-4 for the
+   rounding, times a curvature's weight of about 1 and inputs up to 3. */
 #define PLAIN_TOLERANCE_SHAPED 4e-4
 
 static ms_sss_filter_options test_options(int kind)
@@ -515,7 +540,8 @@ static void case_plain(void)
                 o.flat = (float)((with + variant + kind) % 3) / 2;
                 o.exact = (with / 2 + variant + kind) % 2;
                 e = test_against_plain(&s, k, with & WITH_PROFILE ? 2 : 1, &o, with);
-                if (!(e <= (o.flat < 1 && (with & WITH_DEPTH) ? PLAIN_TOLERANCE_SHAPED : PLAIN_TOLERANCE))) TEST_FAIL("kind %d with %d variant %d: %g", kind, with, variant, e);
+                if (!(e <= (o.flat < 1 && (with & WITH_DEPTH) ? PLAIN_TOLERANCE_SHAPED : PLAIN_TOLERANCE)))
+                    TEST_FAIL("kind %d with %d variant %d: %g", kind, with, variant, e);
                 if (e > worst) worst = e;
             }
         }
@@ -577,14 +603,17 @@ static void case_radii(void)
             if (turned == 1) o.rotation = 0.6f;
             if (turned == 2) o.jitter = 1;
             if (kind == 0) o.pixels_per_mm[0] = 1;
-            if (kind == 1) o.fov_degrees = 18.9f; /* one pixel is about depth / 100 */
+            if (kind == 1) o.fov_degrees = 18.9f;                  /* one pixel is about depth / 100 */
             if (kind == 2) o.ortho_height = 33, o.mm_per_unit = 1; /* said, since the largest cover the picture */
             if (kind == 1) k.radius_mm = (float)radius[i] * 10, o.mm_per_unit = 10;
             o.flat = i % 3 ? 0.0f : 1.0f;
             e = test_against_plain(at, &k, 1, &o, WITH_DEPTH | (i % 2 ? WITH_STRENGTH : 0));
-            /* sigma is down to 0.1 mm at depths of 110 mm: the depths' rounding, 4e-6 mm, moves a weight by 4e-5; turned,
-               pixels lie off both axes, differ by twice as much, and stand where weights are twice as steep in it */
-            if (!(e <= (i % 3 ? PLAIN_TOLERANCE_SHAPED : turned ? 8e-5 : 4e-5))) TEST_FAIL("radius %g px, kind %d, %d x %d, turned %d: %g", radius[i], kind, at->width, at->height, turned, e);
+            /* sigma is down to 0.1 mm at depths of 110 mm: the depths' rounding, 4e-6 mm, moves a weight by 4e-5;
+               turned, pixels lie off both axes, differ by twice as much, and stand where weights are twice as steep in
+               it */
+            if (!(e <= (i % 3 ? PLAIN_TOLERANCE_SHAPED : turned ? 8e-5 : 4e-5)))
+                TEST_FAIL("radius %g px, kind %d, %d x %d, turned %d: %g", radius[i], kind, at->width, at->height,
+                          turned, e);
             if (e > worst) worst = e;
         }
     }
@@ -596,7 +625,8 @@ static void case_constant(void)
 {
     static const int size[][2] = {{1, 1}, {1, 9}, {9, 1}, {2, 3}, {64, 64}, {70, 31}, {16384, 1}, {1, 2000}, {517, 6}};
     static const float value[] = {1.0f, 1e6f, 1e-30f, 1e-42f, 0.0f};
-    volatile float subnormal = value[3]; /* a host that flushes these to 0 gets 0: all through, or in the calls alone (tests/calls.sh) */
+    volatile float subnormal =
+        value[3]; /* a host that flushes these to 0 gets 0: all through, or in the calls alone (tests/calls.sh) */
     const char *calls = getenv("CALLS");
     const int flushed = !(subnormal * 1.0f > 0) || (calls && strstr(calls, "flush"));
     double worst = 0;
@@ -638,7 +668,8 @@ static void case_constant(void)
 /* Kernels of every model that keeps the energy, of few taps and many, on a brightness whose products round. */
 static void case_constant_models(void)
 {
-    static const ms_sss_model model[] = {MS_SSS_IMAGE_OPTIMAL, MS_SSS_PREINTEGRATED, MS_SSS_RESIDUAL, MS_SSS_GAUSSIANS, MS_SSS_GUIDED};
+    static const ms_sss_model model[] = {MS_SSS_IMAGE_OPTIMAL, MS_SSS_PREINTEGRATED, MS_SSS_RESIDUAL, MS_SSS_GAUSSIANS,
+                                         MS_SSS_GUIDED};
     static const int taps[] = {7, 17, MS_SSS_DENSE};
     const double reflectance[3] = {0.44, 0.22, 0.13}, d_mm[3] = {1.2, 0.5, 0.3};
     test_scene s = test_scene_make(120, 90, test_seed);
@@ -698,10 +729,10 @@ static void case_depth_edge(void)
             for (c = 0; c < 3; ++c) out[c] = test_floats(90 * 70);
             for (y = 0; y < 70; ++y) {
                 for (x = 0; x < 90; ++x) {
-                    const int near_by = x + y / 3 < 50; /* a slanted edge, deeper than the kernel's radius, with slopes 1.5 times that */
+                    const int near_by = x + y / 3 <
+                        50; /* a slanted edge, deeper than the kernel's radius, with slopes 1.5 times that */
                     s.depth[y * 90 + x] = near_by ? 50.0f : variant & 10 ? 53.01f : 54.51f;
-                    for (c = 0; c < 3; ++c)
-                        s.rgb[c][y * 90 + x] = near_by ? 0.0f : (x % 4 < 2 ? 1e6f : 1.0f);
+                    for (c = 0; c < 3; ++c) s.rgb[c][y * 90 + x] = near_by ? 0.0f : (x % 4 < 2 ? 1e6f : 1.0f);
                 }
             }
             f = test_frame(&s, WITH_DEPTH, out);
@@ -742,8 +773,9 @@ static void case_small_radius(void)
                 o.simd = (ms_simd)level;
                 o.mm_per_unit = 1;
                 if (kind == 0) o.pixels_per_mm[0] = 0.499f;
-                if (kind == 1) o.fov_degrees = 27; /* at depths of 90 and more: 41 / (2 tan 13.5 deg 90) = 0.95 px a unit */
-                if (kind == 1) o.mm_per_unit = 2;  /* 0.47 px a mm */
+                if (kind == 1)
+                    o.fov_degrees = 27; /* at depths of 90 and more: 41 / (2 tan 13.5 deg 90) = 0.95 px a unit */
+                if (kind == 1) o.mm_per_unit = 2; /* 0.47 px a mm */
                 if (kind == 2) o.ortho_height = 83;
                 for (c = 0; c < 3; ++c) out[c] = test_floats(n);
                 f = test_frame(&s, WITH_DEPTH | WITH_STRENGTH, out);
@@ -761,7 +793,8 @@ static void case_small_radius(void)
 static void case_hostile(void)
 {
     static const int bad_colour[] = {5, 300, 301, 1200, 2400}, bad_depth[] = {77, 78, 640, 1500, 2600, 2700};
-    const float colours[] = {NAN, INFINITY, -INFINITY, NAN, INFINITY}, depths[] = {NAN, INFINITY, 0.0f, -3.0f, -INFINITY, -0.0f};
+    const float colours[] = {NAN, INFINITY, -INFINITY, NAN, INFINITY},
+                depths[] = {NAN, INFINITY, 0.0f, -3.0f, -INFINITY, -0.0f};
     const int n = 67 * 41;
     int kind, variant, i, c, j, level;
     for (kind = 0; kind < 3; ++kind) {
@@ -800,7 +833,8 @@ static void case_hostile(void)
                 test_run(&f, &k, 1, &o);
                 for (c = 0; c < 3; ++c)
                     for (j = 0; j < n; ++j)
-                        if (s.strength[j] > 0 && !(fabsf(out[c][j] - masked[c][j]) <= 0)) TEST_FAIL("pixel %d: %g, %g", j, (double)out[c][j], (double)masked[c][j]);
+                        if (s.strength[j] > 0 && !(fabsf(out[c][j] - masked[c][j]) <= 0))
+                            TEST_FAIL("pixel %d: %g, %g", j, (double)out[c][j], (double)masked[c][j]);
                 for (c = 0; c < 3; ++c) {
                     free(out[c]);
                     free(masked[c]);
@@ -818,7 +852,9 @@ static void case_energy(void)
     double worst = 0;
     for (kind = 0; kind < 6; ++kind) {
         ms_sss_filter_options o = test_options(kind % 2 ? 2 : 0);
-        ms_sss_kernel k = kind < 2 ? test_kernel(7, 10.0, 0.0) : kind < 4 ? test_kernel(17, 9.0, 0.3) : test_kernel_terms(9, 9.0);
+        ms_sss_kernel k = kind < 2 ? test_kernel(7, 10.0, 0.0)
+            : kind < 4             ? test_kernel(17, 9.0, 0.3)
+                                   : test_kernel_terms(9, 9.0);
         float *out[3];
         ms_sss_frame f;
         if (kind % 2) o.ortho_height = 75;
@@ -856,8 +892,9 @@ static void case_layouts(void)
     test_scene s = test_scene_make(61, 43, test_seed);
     enum { LAYOUTS = 9 };
     const int n = 61 * 43;
-    const char *const name[LAYOUTS] = {"planar", "RGB", "RGBA", "RGB + depth", "odd strides", "bottom-up", "in place RGB",
-                                       "in place planar", "half RGBA"};
+    const char *const name[LAYOUTS] = {"planar",      "RGB",       "RGBA",         "RGB + depth",
+                                       "odd strides", "bottom-up", "in place RGB", "in place planar",
+                                       "half RGBA"};
     ms_sss_kernel k = test_kernel(7, 5.0, 0.1);
     int layout, level, i, c, kind;
     for (i = 0; i < n; ++i) /* values that are exact in binary16 */
@@ -877,7 +914,8 @@ static void case_layouts(void)
                 const int row = layout == 4 ? 61 * 5 + 13 : 61 * step;
                 float *in = test_floats(row * 43), *out = test_floats(row * 43);
                 float *plane[3] = {NULL, NULL, NULL};
-                uint16_t *half_in = (uint16_t *)malloc((size_t)row * 43 * 2), *half_out = (uint16_t *)malloc((size_t)row * 43 * 2);
+                uint16_t *half_in = (uint16_t *)malloc((size_t)row * 43 * 2),
+                         *half_out = (uint16_t *)malloc((size_t)row * 43 * 2);
                 int wrong = 0, x, y;
                 for (i = 0; i < row * 43; ++i) {
                     in[i] = 12345;
@@ -919,7 +957,9 @@ static void case_layouts(void)
                     for (x = 0; x < 61; ++x) {
                         for (c = 0; c < 3; ++c) {
                             const float e = expected[c][y * 61 + x];
-                            float v = layout == 7 ? plane[c][y * 61 + x] : (layout == 6 ? in : out)[(layout == 5 ? 42 - y : y) * row + x * step + c];
+                            float v = layout == 7
+                                ? plane[c][y * 61 + x]
+                                : (layout == 6 ? in : out)[(layout == 5 ? 42 - y : y) * row + x * step + c];
                             if (layout == 8) wrong += half_out[y * row + x * 4 + c] != test_half(e);
                             else wrong += !test_same(&v, &e, 1);
                         }
@@ -943,8 +983,9 @@ static void case_layouts(void)
 }
 
 /* Every binary16 value against its definition, and back. */
-/* Memory at any address: rows are written around the cache, by lines, where nothing else is to be written. And halves and
-   pixels of four, which are read several at a time, at the end of a memory of their own; what lies beyond binary16. */
+/* Memory at any address: rows are written around the cache, by lines, where nothing else is to be written. And halves
+   and pixels of four, which are read several at a time, at the end of a memory of their own; what lies beyond
+   binary16. */
 static void case_addresses(void)
 {
     test_scene s = test_scene_make(96, 41, test_seed);
@@ -958,7 +999,8 @@ static void case_addresses(void)
         for (kind = 0; kind < 2; ++kind) {
             ms_sss_filter_options o = test_options(1);
             float *expected[3], *packed = test_floats(4 * n), *inside[3];
-            uint16_t *halves = (uint16_t *)malloc((size_t)(4 * n - 1) * 2), *halves_out = (uint16_t *)malloc((size_t)(4 * n - 1) * 2);
+            uint16_t *halves = (uint16_t *)malloc((size_t)(4 * n - 1) * 2),
+                     *halves_out = (uint16_t *)malloc((size_t)(4 * n - 1) * 2);
             ms_sss_frame f;
             int wrong = 0;
             o.simd = (ms_simd)level;
@@ -978,7 +1020,8 @@ static void case_addresses(void)
                 for (c = 0; c < 3; ++c) {
                     wrong += !test_same(out[c], expected[c], n);
                     for (i = 0; i < n + GUARD; ++i)
-                        if (inside[c] + i < out[c] || inside[c] + i >= out[c] + n) wrong += inside[c][i] < 54321 || inside[c][i] > 54321;
+                        if (inside[c] + i < out[c] || inside[c] + i >= out[c] + n)
+                            wrong += inside[c][i] < 54321 || inside[c][i] > 54321;
                     free(inside[c]);
                 }
             }
@@ -1006,7 +1049,8 @@ static void case_addresses(void)
                 f.output.pixel_stride = 1;
                 test_run(&f, &k, 1, &o);
                 f.input = at ? ms_sss_planar(halves, halves + n, halves + 2 * n, 1) : ms_sss_interleaved(halves, 4, 1);
-                f.output = at ? ms_sss_planar(halves_out, halves_out + n, halves_out + 2 * n, 1) : ms_sss_interleaved(halves_out, 4, 1);
+                f.output = at ? ms_sss_planar(halves_out, halves_out + n, halves_out + 2 * n, 1)
+                              : ms_sss_interleaved(halves_out, 4, 1);
                 test_run(&f, &k, 1, &o);
                 for (i = 0; i < n; ++i)
                     for (c = 0; c < 3; ++c) wrong += halves_out[step * i + plane * c] != test_half(inside[c][i]);
@@ -1041,7 +1085,7 @@ static void case_half(void)
     CHECK_INT(wrong, 0);
     CHECK_INT(ms__half_from_float(65505.0f), 0x7bff); /* finite stays finite */
     CHECK_INT(ms__half_from_float(1e9f), 0x7bff);
-    CHECK_INT(ms__half_from_float(1.00048828125f), 0x3c00);  /* halfway to the next: to even */
+    CHECK_INT(ms__half_from_float(1.00048828125f), 0x3c00); /* halfway to the next: to even */
     CHECK_INT(ms__half_from_float(1.00146484375f), 0x3c02);
     CHECK_INT(ms__half_from_float(2.9802322387695312e-8f), 0x0000); /* half the smallest: to even */
     CHECK_INT(ms__half_from_float(2.99e-8f), 0x0001);
@@ -1106,8 +1150,8 @@ static void nested_task(void *context, int index)
     test_run(&n->frame[index], &n->kernel, 1, &n->options);
 }
 
-/* Tasks share the rows out among themselves, by who comes first: pictures in place, of any height, on pools of any size and order
-   hold what one thread makes of them. */
+/* Tasks share the rows out among themselves, by who comes first: pictures in place, of any height, on pools of any size
+   and order hold what one thread makes of them. */
 static void case_bands(void)
 {
     static const int size[][2] = {{70, 1}, {70, 17}, {70, 331}, {33, 4320}, {1, 90}}, threads[] = {2, 7, 16};
@@ -1126,7 +1170,8 @@ static void case_bands(void)
             if (kind >= 6) both.options.jitter = 0.8f;
             both.options.flat = kind % 2 ? 1.0f : 0.0f;
             if (kind == 2) both.options.method = MS_SSS_METHOD_HALF;
-            both.frame[0] = test_frame(&s, (kind < 4 || kind == 7 ? WITH_DEPTH : 0) | (kind == 3 || kind == 5 ? WITH_STRENGTH : 0), one);
+            both.frame[0] = test_frame(
+                &s, (kind < 4 || kind == 7 ? WITH_DEPTH : 0) | (kind == 3 || kind == 5 ? WITH_STRENGTH : 0), one);
             test_run(&both.frame[0], &both.kernel, 1, &both.options);
             both.frame[1] = both.frame[0];
             for (t = 0; t < 2; ++t)
@@ -1144,7 +1189,8 @@ static void case_bands(void)
                 }
                 for (j = 0; j < (t == 4 ? 2 : 1); ++j)
                     for (c = 0; c < 3; ++c)
-                        if (!test_same(one[c], many[j][c], n)) TEST_FAIL("%d x %d, kind %d, pool %d differ", w, h, kind, t);
+                        if (!test_same(one[c], many[j][c], n))
+                            TEST_FAIL("%d x %d, kind %d, pool %d differ", w, h, kind, t);
             }
         }
         for (c = 0; c < 3; ++c) free(one[c]);
@@ -1163,7 +1209,8 @@ static double half_share(const ms_sss_kernel *k, int c, double size, const doubl
         double part = (double)k->scale[t][c];
         for (axis = 0; axis < 2; ++axis) {
             double sum = 0;
-            for (i = 0; i < k->tap_count; ++i) sum += (double)k->weight[t][i][c] * fmax(0, 1 - size * aspect[axis] * fabs((double)k->offset_mm[i]));
+            for (i = 0; i < k->tap_count; ++i)
+                sum += (double)k->weight[t][i][c] * fmax(0, 1 - size * aspect[axis] * fabs((double)k->offset_mm[i]));
             part *= sum;
         }
         all += part;
@@ -1180,7 +1227,9 @@ static void plain_half(const plain *p, int profile, double *const out[3])
     const int w = s->width, h = s->height, cw = w / 2, ch = h / 2;
     const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : (double)k->radius_mm;
     const double mm = p->o.mm_per_unit > 0 ? (double)p->o.mm_per_unit : 1;
-    double end = 3.0746 * (p->o.depth_sigma_mm > 0 ? (double)p->o.depth_sigma_mm : (0.12 + 0.13 * (1 - (double)p->o.flat)) * extent), size, aspect[2];
+    double end = 3.0746 *
+        (p->o.depth_sigma_mm > 0 ? (double)p->o.depth_sigma_mm : (0.12 + 0.13 * (1 - (double)p->o.flat)) * extent),
+           size, aspect[2];
     test_scene coarse = test_scene_make(cw, ch, 1);
     ms_sss_filter_options o = p->o;
     ms_sss_frame f;
@@ -1220,12 +1269,13 @@ static void plain_half(const plain *p, int profile, double *const out[3])
     aspect[0] = 1;
     aspect[1] = p->o.pixels_per_mm[1] > 0 ? (double)p->o.pixels_per_mm[1] / (double)p->o.pixels_per_mm[0] : 1;
     size = p->o.pixels_per_mm[0] > 0 ? (double)p->o.pixels_per_mm[0]
-           : p->o.fov_degrees > 0    ? h / (2 * tan((double)p->o.fov_degrees * 3.14159265358979 / 360) * mm)
+        : p->o.fov_degrees > 0       ? h / (2 * tan((double)p->o.fov_degrees * 3.14159265358979 / 360) * mm)
                                      : h / ((double)p->o.ortho_height * mm);
     for (y = 0; y < h; ++y) {
         for (x = 0; x < w; ++x) {
             const int at = y * w + x;
-            const double z = p->with & WITH_DEPTH ? (double)s->depth[at] : 0, pixels = p->o.fov_degrees > 0 ? size / z : size;
+            const double z = p->with & WITH_DEPTH ? (double)s->depth[at] : 0,
+                         pixels = p->o.fov_degrees > 0 ? size / z : size;
             double sum[3] = {0, 0, 0}, n = 0;
             if (!plain_part(p, at) || plain_profile(p, at) != profile) continue;
             for (i = 0; i < 4; ++i) {
@@ -1236,17 +1286,20 @@ static void plain_half(const plain *p, int profile, double *const out[3])
                 if (cx < 0 || cx >= cw) continue;
                 q = (cy < 0 ? 0 : cy >= ch ? ch - 1 : cy) * cw + cx;
                 if (!(coarse.strength[q] > 0)) continue;
-                f_i = near_x * near_y * (p->with & WITH_DEPTH ? half_falloff(((double)coarse.depth[q] - z) * mm / end) : 1);
+                f_i = near_x * near_y *
+                    (p->with & WITH_DEPTH ? half_falloff(((double)coarse.depth[q] - z) * mm / end) : 1);
                 n += f_i;
                 for (c = 0; c < 3; ++c) {
-                    const double e = (double)coarse.rgb[c][q], there = p->o.fov_degrees > 0 ? size / (double)coarse.depth[q] : size;
+                    const double e = (double)coarse.rgb[c][q],
+                                 there = p->o.fov_degrees > 0 ? size / (double)coarse.depth[q] : size;
                     sum[c] += f_i * (e + ((double)blur[c][q] - e) / (1 - half_share(k, c, there, aspect)));
                 }
             }
             for (c = 0; c < 3; ++c) {
                 const double e = (double)s->rgb[c][at];
                 double to = e, strength = 1 - (double)p->o.fade;
-                if (n > 1e-6 && pixels * (double)k->radius_mm > 0.5) to = e + (1 - half_share(k, c, pixels, aspect)) * (sum[c] / n - e);
+                if (n > 1e-6 && pixels * (double)k->radius_mm > 0.5)
+                    to = e + (1 - half_share(k, c, pixels, aspect)) * (sum[c] / n - e);
                 if (p->with & WITH_STRENGTH) strength *= fmin((double)s->strength[at], 1);
                 out[c][at] = e + strength * (to - e);
             }
@@ -1295,7 +1348,8 @@ static void case_half_size(void)
             for (c = 0; c < 3; ++c)
                 for (i = 0; i < n; ++i) {
                     if (isnan(expected[c][i])) wrong += !isnan(out[c][i]);
-                    else if (!(fabs((double)out[c][i] - expected[c][i]) <= worst)) worst = fabs((double)out[c][i] - expected[c][i]);
+                    else if (!(fabs((double)out[c][i] - expected[c][i]) <= worst))
+                        worst = fabs((double)out[c][i] - expected[c][i]);
                 }
             for (c = 0; c < 3; ++c) {
                 free(expected[c]);
@@ -1304,7 +1358,8 @@ static void case_half_size(void)
         }
     }
     CHECK_INT(wrong, 0);
-    CHECK(worst < 1e-4); /* of values to 2.4: the rounding of the larger pixels' depths turns their slopes, which lift light */
+    CHECK(worst <
+          1e-4); /* of values to 2.4: the rounding of the larger pixels' depths turns their slopes, which lift light */
     TEST_NOTE("largest difference %.1e", worst);
     test_scene_free(&s);
 }
@@ -1326,7 +1381,11 @@ static void case_half_masks(void)
                 const int x = i % w, y = i / w;
                 const double u = x - 0.4 * w, v = (y - 0.5 * h) * 60 / h, square = u * u + v * v;
                 if (!(s.depth[i] > 0)) s.depth[i] = 40;
-                s.strength[i] = shape == 0 ? square < 700 : shape == 1 ? square < 700 && square > 100 : shape == 2 ? y % 9 < 3 && x > w / 2 : shape == 3 ? i == 0 || i == n - 1 || i == w - 1 : x == 70;
+                s.strength[i] = shape == 0 ? square < 700
+                    : shape == 1           ? square < 700 && square > 100
+                    : shape == 2           ? y % 9 < 3 && x > w / 2
+                    : shape == 3           ? i == 0 || i == n - 1 || i == w - 1
+                                           : x == 70;
                 if (shape == 1 && s.strength[i] > 0) s.strength[i] = 0.25f + (float)(x % 5);
             }
             if (shape == 4) s.rgb[1][70] = NAN;
@@ -1357,7 +1416,8 @@ static void case_half_masks(void)
                     for (i = 0; i < n; ++i) {
                         if (isnan(expected[c][i])) wrong += !isnan(out[c][i]);
                         else if (!(s.strength[i] > 0)) wrong += !test_same(&out[c][i], &s.rgb[c][i], 1);
-                        else if (!(fabs((double)out[c][i] - expected[c][i]) <= worst)) worst = fabs((double)out[c][i] - expected[c][i]);
+                        else if (!(fabs((double)out[c][i] - expected[c][i]) <= worst))
+                            worst = fabs((double)out[c][i] - expected[c][i]);
                     }
                 for (c = 0; c < 3; ++c) memcpy(other[c], s.rgb[c], (size_t)n * sizeof(float));
                 f = test_frame(&s, p.with, other);
@@ -1484,13 +1544,15 @@ static void case_methods(void)
         full[c] = test_floats(W * H);
         out[c] = test_floats(W * H);
         for (i = 0; i < W * H; ++i) /* light through a window's bars, on a texture */
-            s.rgb[c][i] = 0.5f + 0.3f * sinf(0.05f * (float)(i % W)) + ((i % W / 40 + i / W / 40) % 2 ? 0.5f : 0.0f) + 0.1f * sinf(0.4f * (float)(i / W) + (float)c);
+            s.rgb[c][i] = 0.5f + 0.3f * sinf(0.05f * (float)(i % W)) + ((i % W / 40 + i / W / 40) % 2 ? 0.5f : 0.0f) +
+                0.1f * sinf(0.4f * (float)(i / W) + (float)c);
     }
     size = (double)kernel[0].profile_radius_mm; /* nearest depth 90 */
     o.fov_degrees = 40;
     for (which = 0; which < 3; ++which) {
         pixels = which == 0 ? 20 : which == 1 ? 36 : 60;
-        o.mm_per_unit = (float)(size * (double)H / (2 * tan(20 * 3.14159265358979 / 180) * pixels * (110 - 20 * sqrt(0.7))));
+        o.mm_per_unit = (float)(size * (double)H /
+                                (2 * tan(20 * 3.14159265358979 / 180) * pixels * (110 - 20 * sqrt(0.7))));
         for (flat = 0; flat < 2; ++flat) {
             o.flat = (float)flat;
             o.method = MS_SSS_METHOD_AUTO;
@@ -1503,7 +1565,8 @@ static void case_methods(void)
             o.method = MS_SSS_METHOD_TAPS;
             f = test_frame(&s, WITH_DEPTH, out);
             test_run(&f, kernel, 1, &o);
-            for (c = 0; c < 3; ++c) CHECK(test_same(full[c], out[c], W * H)); /* the default is what it was without methods */
+            for (c = 0; c < 3; ++c)
+                CHECK(test_same(full[c], out[c], W * H)); /* the default is what it was without methods */
             o.method = MS_SSS_METHOD_AUTO;
             o.budget = 0.05f;
             f.taken = taken;
@@ -1597,14 +1660,17 @@ static void case_mask(void)
                     for (c = 0; c < 3; ++c) s.rgb[c][y * 80 + x] = inside ? 0.25f : 1000.0f + (float)(x * 7 % 5);
                 }
             }
-            if (kind == 2) o.flat = 1; /* else no light but 0.25 reaches the inside, lifted by at most 1 / reflectance */
+            if (kind == 2)
+                o.flat = 1; /* else no light but 0.25 reaches the inside, lifted by at most 1 / reflectance */
             f = test_frame(&s, WITH_DEPTH | (variant ? WITH_PROFILE : WITH_STRENGTH), out);
             test_run(&f, kernel, variant ? 2 : 1, &o);
             for (c = 0; c < 3; ++c) {
                 for (y = 0; y < 60; ++y) {
                     for (x = 0; x < 80; ++x) {
                         const float v = out[c][y * 80 + x];
-                        if (s.strength[y * 80 + x] > 0) wrong += !(kind == 2 ? fabsf(v - 0.25f) < 1e-6f : v > 0.05f && v * kernel[variant].reflectance[c] <= 0.25f);
+                        if (s.strength[y * 80 + x] > 0)
+                            wrong += !(kind == 2 ? fabsf(v - 0.25f) < 1e-6f
+                                                 : v > 0.05f && v * kernel[variant].reflectance[c] <= 0.25f);
                         else if (!variant || x < 5) wrong += !test_same(&v, &s.rgb[c][y * 80 + x], 1);
                         else wrong += !(v > (kind == 2 ? 999 : 500));
                     }
@@ -1628,10 +1694,38 @@ static void case_refused(void)
     int i, c;
     for (c = 0; c < 3; ++c) out[c] = test_floats(200);
     for (i = 0; i < 32; ++i) {
-        static const char *const gist[32] = {
-            "", "width", "", "", "depth", "channel 1", "half", "stride", "kernel_count", "tap_count", "tap_count", "term_count",
-            "radius_mm", "offset_mm[0]", "finite", "exactly one", "exactly one", "fov_degrees", "ortho_height", "mm_per_unit",
-            "depth_sigma_mm", "fade", "jitter", "rotation", "depth_mode", "albedo_mode", "workspace", "workspace", "input", "output", "flat", "normal"};
+        static const char *const gist[32] = {"",
+                                             "width",
+                                             "",
+                                             "",
+                                             "depth",
+                                             "channel 1",
+                                             "half",
+                                             "stride",
+                                             "kernel_count",
+                                             "tap_count",
+                                             "tap_count",
+                                             "term_count",
+                                             "radius_mm",
+                                             "offset_mm[0]",
+                                             "finite",
+                                             "exactly one",
+                                             "exactly one",
+                                             "fov_degrees",
+                                             "ortho_height",
+                                             "mm_per_unit",
+                                             "depth_sigma_mm",
+                                             "fade",
+                                             "jitter",
+                                             "rotation",
+                                             "depth_mode",
+                                             "albedo_mode",
+                                             "workspace",
+                                             "workspace",
+                                             "input",
+                                             "output",
+                                             "flat",
+                                             "normal"};
         ms_sss_filter_options o = good;
         ms_sss_kernel k = kernel;
         ms_sss_frame f = test_frame(&s, WITH_DEPTH, out);
@@ -1739,9 +1833,10 @@ static void shape_light(test_scene *s, int i, double value)
     for (c = 0; c < 3; ++c) s->rgb[c][i] = (float)value;
 }
 
-/* Where a pixel's ray meets a plane at `distance` mm that tilts along the picture's direction (cosine[0], cosine[1]): along the
-   tilt and across it, mm on the plane; returns the depth. focal: pixels at distance 1. */
-static double plane_point(double px, double py, const double turn[2], double angle, double distance, double focal, int perspective, double uv[2])
+/* Where a pixel's ray meets a plane at `distance` mm that tilts along the picture's direction (cosine[0], cosine[1]):
+   along the tilt and across it, mm on the plane; returns the depth. focal: pixels at distance 1. */
+static double plane_point(double px, double py, const double turn[2], double angle, double distance, double focal,
+                          int perspective, double uv[2])
 {
     const double a = (turn[0] * px + turn[1] * py) / focal, b = (turn[0] * py - turn[1] * px) / focal;
     double z;
@@ -1751,13 +1846,14 @@ static double plane_point(double px, double py, const double turn[2], double ang
     return z;
 }
 
-/* Planes at every tilt, orthographic and in perspective, along either axis and the diagonal: a constant stays, and a wave on the
-   plane loses what the taps take from it along the two directions in which the passes cross the plane, which are at right angles
-   where the tilt is along an axis; nearly what a Gaussian takes. */
+/* Planes at every tilt, orthographic and in perspective, along either axis and the diagonal: a constant stays, and a
+   wave on the plane loses what the taps take from it along the two directions in which the passes cross the plane,
+   which are at right angles where the tilt is along an axis; nearly what a Gaussian takes. */
 static void case_planes(void)
 {
     const double sigma = 2, wave[2] = {0.4, 0.3}, distance = 400, focal = 4000;
-    const double widths[1][3] = {{2, 2, 2}}, shares[1][3] = {{0.6, 0.6, 0.6}}, turn[3][2] = {{1, 0}, {0, 1}, {0.70710678118654752, -0.70710678118654752}};
+    const double widths[1][3] = {{2, 2, 2}}, shares[1][3] = {{0.6, 0.6, 0.6}},
+                 turn[3][2] = {{1, 0}, {0, 1}, {0.70710678118654752, -0.70710678118654752}};
     test_scene s = test_scene_make(SHAPE_W, SHAPE_H, test_seed);
     ms_sss_kernel_options build = ms_sss_kernel_defaults();
     ms_sss_kernel k;
@@ -1777,28 +1873,36 @@ static void case_planes(void)
                 for (pass = 0; pass < 3; ++pass) {
                     const double angle = tilt * 3.14159265358979323846 / 180;
                     ms_sss_filter_options o = ms_sss_filter_defaults();
-                    if (kind == 1) o.fov_degrees = (float)(2 * atan((double)SHAPE_H / (2 * focal)) * 180 / 3.14159265358979323846);
+                    if (kind == 1)
+                        o.fov_degrees = (float)(2 * atan((double)SHAPE_H / (2 * focal)) * 180 / 3.14159265358979323846);
                     else o.ortho_height = (float)((double)SHAPE_H * distance / focal);
                     o.flat = pass == 2 ? 1.0f : 0.0f;
                     if (pass == 0 && tilt == 30) o.rotation = 0.4f;
                     if (pass == 0 && tilt == 45) o.exact = 1;
                     for (i = 0; i < SHAPE_N; ++i) {
                         double uv[2];
-                        s.depth[i] = (float)plane_point(i % SHAPE_W + 0.5 - SHAPE_W / 2, i / SHAPE_W + 0.5 - SHAPE_H / 2, turn[axis], angle, distance, focal, kind == 1, uv);
+                        s.depth[i] = (float)plane_point(i % SHAPE_W + 0.5 - SHAPE_W / 2,
+                                                        i / SHAPE_W + 0.5 - SHAPE_H / 2, turn[axis], angle, distance,
+                                                        focal, kind == 1, uv);
                         shape_light(&s, i, pass == 0 ? 0.7 : 1 + 0.5 * cos(wave[0] * uv[0] + wave[1] * uv[1] + 1));
                     }
                     shape_run(&s, &k, &o, 0, out);
                     for (i = 0; i < SHAPE_N; ++i) {
-                        const int x = i % SHAPE_W, y = i / SHAPE_W, inside = x >= 64 && x < SHAPE_W - 64 && y >= 50 && y < SHAPE_H - 50;
+                        const int x = i % SHAPE_W, y = i / SHAPE_W,
+                                  inside = x >= 64 && x < SHAPE_W - 64 && y >= 50 && y < SHAPE_H - 50;
                         double expected = 0.7, e, kept = 1, by_taps = 1;
                         int a;
                         if (pass && !inside) continue;
                         for (a = 0; a < 2 && pass; ++a) {
                             double from[2], to[2], along, transfer = 0;
-                            plane_point(x - SHAPE_W / 2 + (a ? 0.5 : 0), y - SHAPE_H / 2 + (a ? 0 : 0.5), turn[axis], angle, distance, focal, kind == 1, from);
-                            plane_point(x - SHAPE_W / 2 + (a ? 0.5 : 1), y - SHAPE_H / 2 + (a ? 1 : 0.5), turn[axis], angle, distance, focal, kind == 1, to);
-                            along = (wave[0] * (to[0] - from[0]) + wave[1] * (to[1] - from[1])) / hypot(to[0] - from[0], to[1] - from[1]);
-                            for (t = 0; t < k.tap_count; ++t) transfer += (double)k.weight[0][t][0] * cos((double)k.offset_mm[t] * along);
+                            plane_point(x - SHAPE_W / 2 + (a ? 0.5 : 0), y - SHAPE_H / 2 + (a ? 0 : 0.5), turn[axis],
+                                        angle, distance, focal, kind == 1, from);
+                            plane_point(x - SHAPE_W / 2 + (a ? 0.5 : 1), y - SHAPE_H / 2 + (a ? 1 : 0.5), turn[axis],
+                                        angle, distance, focal, kind == 1, to);
+                            along = (wave[0] * (to[0] - from[0]) + wave[1] * (to[1] - from[1])) /
+                                hypot(to[0] - from[0], to[1] - from[1]);
+                            for (t = 0; t < k.tap_count; ++t)
+                                transfer += (double)k.weight[0][t][0] * cos((double)k.offset_mm[t] * along);
                             by_taps *= transfer;
                             kept *= exp(-sigma * sigma * along * along / 2);
                         }
@@ -1810,19 +1914,23 @@ static void case_planes(void)
                         if (pass == 2 && tilt == 60 && !(e <= worst_flat)) worst_flat = e;
                     }
                 }
-    /* Taps read between pixels 0.1 mm apart, at 75 degrees 0.4 mm: (0.4 0.4)^2 / 8 = 0.3% of the wave of 0.5 a pass; in perspective
-       a pixel is another size 6 mm away, by 1.5% at most: the mean tap is 2^2 / 400 = 0.01 mm off, 0.4% of the wave. */
+    /* Taps read between pixels 0.1 mm apart, at 75 degrees 0.4 mm: (0.4 0.4)^2 / 8 = 0.3% of the wave of 0.5 a pass; in
+       perspective a pixel is another size 6 mm away, by 1.5% at most: the mean tap is 2^2 / 400 = 0.01 mm off, 0.4% of
+       the wave. */
     CHECK_LE(worst, 3e-3);
     CHECK_LE(worst_profile, 0.02); /* the taps stand for cells, and end at a radius */
-    CHECK_LE(worst_constant, 1e-6); /* what depth's rounding can do is left out: sums of 33 products and a division, two passes */
+    CHECK_LE(worst_constant,
+             1e-6); /* what depth's rounding can do is left out: sums of 33 products and a division, two passes */
     CHECK(worst_flat > 0.05); /* without slopes the plane at 60 degrees is filtered twice as wide */
-    TEST_NOTE("0 to 75 degrees: within %.1e of the plane's convolution, its taps within %.1e of the profile, constants %.1e; flat at 60 degrees %.1e", worst, worst_profile, worst_constant, worst_flat);
+    TEST_NOTE(
+        "0 to 75 degrees: within %.1e of the plane's convolution, its taps within %.1e of the profile, constants %.1e; flat at 60 degrees %.1e",
+        worst, worst_profile, worst_constant, worst_flat);
     free(out);
     test_scene_free(&s);
 }
 
-/* Under even light: on a sphere's middle the lift that its curvature gives; a ridge brightens, a concave corner darkens,
-   mirrored and turned pictures give mirrored and turned results, normals say the same as depth. */
+/* Under even light: on a sphere's middle the lift that its curvature gives; a ridge brightens, a concave corner
+   darkens, mirrored and turned pictures give mirrored and turned results, normals say the same as depth. */
 static void case_curved(void)
 {
     const double radius = 30, focal = 4; /* mm, pixels a mm: steps of 1/4 are exact */
@@ -1836,7 +1944,8 @@ static void case_curved(void)
     o.ortho_height = (float)((double)SHAPE_H / focal);
     for (c = 0; c < 3; ++c) s.normal[c] = test_floats(SHAPE_N);
     for (i = 0; i < SHAPE_N; ++i) {
-        const double x = (i % SHAPE_W - 80) / focal, y = (i / SHAPE_W - 60) / focal, z = sqrt(radius * radius - x * x - y * y);
+        const double x = (i % SHAPE_W - 80) / focal, y = (i / SHAPE_W - 60) / focal,
+                     z = sqrt(radius * radius - x * x - y * y);
         s.depth[i] = (float)(200 - z);
         s.normal[0][i] = (float)(3 * x);
         s.normal[1][i] = (float)(3 * y);
@@ -1853,9 +1962,11 @@ static void case_curved(void)
     CHECK_NEAR(middle - 1, expected * expected - 1, 0.06 * (expected * expected - 1));
     shape_run(&s, &k, &o, WITH_NORMAL, mirrored);
     for (i = 0; i < SHAPE_N; ++i) /* at the border depth has one side only */
-        if (abs(i % SHAPE_W - 80) < 60 && abs(i / SHAPE_W - 60) < 40) worst = fmax(worst, fabs((double)(out[i] - mirrored[i])));
+        if (abs(i % SHAPE_W - 80) < 60 && abs(i / SHAPE_W - 60) < 40)
+            worst = fmax(worst, fabs((double)(out[i] - mirrored[i])));
     normals = worst;
-    CHECK_LE(worst, 1e-3); /* central differences are off by the third derivative: (0.25 / 30)^2 times the slope's growth at the rim */
+    CHECK_LE(worst, 1e-3); /* central differences are off by the third derivative: (0.25 / 30)^2 times the slope's
+                              growth at the rim */
     worst = 0;
     for (i = 0; i < SHAPE_N; ++i) { /* a ball seen whole, radius 48 pixels */
         const double x = (i % SHAPE_W - 79.7) / focal, y = (i / SHAPE_W - 60.4) / focal, q = 144 - x * x - y * y;
@@ -1873,13 +1984,15 @@ static void case_curved(void)
         ++rim;
     }
     outline = sqrt(outline / rim);
-    CHECK_LE(outline, 0.008); /* 0.011 by steps to the next pixel inwards alone: near the outline depth goes as a root */
+    CHECK_LE(outline,
+             0.008); /* 0.011 by steps to the next pixel inwards alone: near the outline depth goes as a root */
     for (t = 0; t < 2; ++t) { /* a ridge, a corner: two planes at right angles, seen from between */
         for (i = 0; i < SHAPE_N; ++i) s.depth[i] = (float)(200 + (t ? -1 : 1) * fabs(i % SHAPE_W - 80.0) / focal);
         shape_run(&s, &k, &o, 0, out);
         for (i = 0; i < SHAPE_N; ++i) {
             const int away = abs(i % SHAPE_W - 80);
-            if (away < 8 && away > 1 && !(t ? out[i] < 0.999f : out[i] > 1.001f)) TEST_FAIL("%s, pixel %d: %g", t ? "corner" : "ridge", away, (double)out[i]);
+            if (away < 8 && away > 1 && !(t ? out[i] < 0.999f : out[i] > 1.001f))
+                TEST_FAIL("%s, pixel %d: %g", t ? "corner" : "ridge", away, (double)out[i]);
             if (away > 30) worst = fmax(worst, fabs((double)out[i] - 1));
         }
     }
@@ -1912,14 +2025,15 @@ static void case_curved(void)
         CHECK_LE(turned, PLAIN_TOLERANCE_SHAPED);
         test_scene_free(&m);
     }
-    TEST_NOTE("lift of a sphere %.4f (expected %.4f), by normals within %.1e, at its outline %.1e", middle, expected * expected, normals, outline);
+    TEST_NOTE("lift of a sphere %.4f (expected %.4f), by normals within %.1e, at its outline %.1e", middle,
+              expected * expected, normals, outline);
     free(out);
     free(mirrored);
     test_scene_free(&s);
 }
 
-/* Waves of every size against the plain filter, for reaches in depth and parts of the law; and a strip that rises out of a
-   plane: what is filtered changes little from step to step, also where the strip gets out of reach. */
+/* Waves of every size against the plain filter, for reaches in depth and parts of the law; and a strip that rises out
+   of a plane: what is filtered changes little from step to step, also where the strip gets out of reach. */
 static void case_shape_law(void)
 {
     static const float flat[4] = {0, 0.3f, 0.9f, 0}, sigma[4] = {0, 0, 0.9f, 2.5f};
@@ -1933,7 +2047,8 @@ static void case_shape_law(void)
     kernel[1] = test_kernel(19, 4.0, 0.1); /* more than eight pairs */
     for (i = 0; i < w * h; ++i) {
         const int x = i % w, y = i / w;
-        s.depth[i] = (float)(100 + 2 * sin(x * 0.21 + y * 0.1) + 1.5 * sin(y * 0.43) + 0.8 * sin(x * 0.9 - y * 0.7) + (x > 50 ? 6 : 0));
+        s.depth[i] = (float)(100 + 2 * sin(x * 0.21 + y * 0.1) + 1.5 * sin(y * 0.43) + 0.8 * sin(x * 0.9 - y * 0.7) +
+                             (x > 50 ? 6 : 0));
         if (i % 41 == 0) s.depth[i] = NAN;
     }
     for (kind = 1; kind < 3; ++kind)
@@ -1958,14 +2073,18 @@ static void case_shape_law(void)
     for (v = 0; v < 2; ++v) /* to 10 mm by steps of 0.05 mm, and about D = 7.5 mm by 0.005 mm */
         for (t = 0; t <= (v ? 50 : 200); ++t) {
             ms_sss_filter_options o = test_options(2);
-            for (i = 0; i < SHAPE_N; ++i) s.depth[i] = (float)(100 - (i % SHAPE_W % 40 > 30 || i / SHAPE_W % 30 > 24 ? (v ? 7.3 + t * 0.005 : t * 0.05) : 0));
+            for (i = 0; i < SHAPE_N; ++i)
+                s.depth[i] = (float)(100 -
+                                     (i % SHAPE_W % 40 > 30 || i / SHAPE_W % 30 > 24 ? (v ? 7.3 + t * 0.005 : t * 0.05)
+                                                                                     : 0));
             shape_run(&s, &kernel[0], &o, WITH_NORMAL, out);
             for (i = 0; i < SHAPE_N && t; ++i) step[v] = fmax(step[v], fabs((double)out[i] - (double)before[i]));
             memcpy(before, out, SHAPE_N * sizeof(float));
         }
     CHECK_LE(step[1], 0.4 * step[0]); /* a tenth where it goes straight; a jump would stay */
     CHECK(step[0] > 0.01);
-    TEST_NOTE("within %.1e of the plain filter; 0.05 mm change it by at most %.3f, 0.005 by %.3f", worst, step[0], step[1]);
+    TEST_NOTE("within %.1e of the plain filter; 0.05 mm change it by at most %.3f, 0.005 by %.3f", worst, step[0],
+              step[1]);
     free(out);
     free(before);
     test_scene_free(&s);
@@ -1994,9 +2113,11 @@ static void case_through(void)
         test_run(&f, &k, 1, &o);
         for (c = 0; c < 3; ++c) {
             for (i = 0; i < n; ++i) {
-                const float through = i % 50 ? s.rgb[(c + 2) % 3][i] : 0, light = through > without[c][i] ? through : without[c][i];
+                const float through = i % 50 ? s.rgb[(c + 2) % 3][i] : 0,
+                            light = through > without[c][i] ? through : without[c][i];
                 more += through > without[c][i];
-                CHECK_NEAR(out[c][i], light * s.albedo[c][i] + s.specular[c][i], 1e-6); /* two roundings of values under 3 */
+                CHECK_NEAR(out[c][i], light * s.albedo[c][i] + s.specular[c][i],
+                           1e-6); /* two roundings of values under 3 */
             }
             free(without[c]);
             free(out[c]);
@@ -2023,7 +2144,10 @@ static void case_bounded(void)
         k.elevation_axis[0] = (float)(0.27 + 2.85 * (1 - (double)k.reflectance[0]));
         for (i = 0; i < SHAPE_N; ++i) {
             const int x = i % SHAPE_W, y = i / SHAPE_W;
-            s.depth[i] = (float)(100 + (kind < 4 ? 4 * test_uniform(&seed) : kind < 8 ? 3 * fabs(sin(x * 0.3) + cos(y * 0.2)) : (x / 3 + y / 5) % 2 * 4.0));
+            s.depth[i] = (float)(100 +
+                                 (kind < 4       ? 4 * test_uniform(&seed)
+                                      : kind < 8 ? 3 * fabs(sin(x * 0.3) + cos(y * 0.2))
+                                                 : (x / 3 + y / 5) % 2 * 4.0));
             for (c = 0; c < 3; ++c) s.normal[c][i] = (float)(2 * test_uniform(&seed) - 1);
             if (i % 97 == 0) s.normal[i % 3][i] = NAN;
             shape_light(&s, i, kind % 4 < 2 ? 1.0 : (x / 9 + y / 7) % 3 ? 1e4 : 0.01);
@@ -2042,12 +2166,16 @@ static void case_bounded(void)
         ms_sss_filter_options o = test_options(kind);
         double worst = 0;
         for (i = 0; i < SHAPE_N; ++i) {
-            s.depth[i] = i / SHAPE_W == 50 || i % SHAPE_W == 31 ? 100.0f : 150.0f + (kind == 2 ? (float)(i % SHAPE_W) * 0.125f : 0.0f);
+            s.depth[i] = i / SHAPE_W == 50 || i % SHAPE_W == 31
+                ? 100.0f
+                : 150.0f + (kind == 2 ? (float)(i % SHAPE_W) * 0.125f : 0.0f);
             shape_light(&s, i, s.depth[i] < 120 ? 0.5 : 1e4);
         }
         shape_run(&s, &k, &o, 0, out);
         for (i = 0; i < SHAPE_N; ++i) worst = fmax(worst, fabs((double)(out[i] / s.rgb[0][i]) - 1));
-        CHECK_LE(worst, 3e-5); /* a pixel's slope is a difference of two depths near 150, rounded to 1e-5, times 3 pixels a mm */
+        CHECK_LE(
+            worst,
+            3e-5); /* a pixel's slope is a difference of two depths near 150, rounded to 1e-5, times 3 pixels a mm */
     }
     TEST_NOTE("at most %.3f of the light at reflectance 0.95, %.3f at 0.3", most[0], most[1]);
     free(out);
@@ -2056,13 +2184,18 @@ static void case_bounded(void)
 
 /* --- the same bits as ever --- */
 
-/* Fingerprints (FNV-1a) of pictures at each level, x86-64, with flat 1 and the exact falloff: taps at fixed places and along axes of
-   each pixel's own as the filter made them before it knew of slopes; where depth sets the places, since pairs of taps are added up
-   together there, too (which pixels can be depends on how many go together, so that levels differ by roundings). */
+/* Fingerprints (FNV-1a) of pictures at each level, x86-64, with flat 1 and the exact falloff: taps at fixed places and
+   along axes of each pixel's own as the filter made them before it knew of slopes; where depth sets the places, since
+   pairs of taps are added up together there, too (which pixels can be depends on how many go together, so that levels
+   differ by roundings). */
 static uint64_t golden_print(int kind, int level)
 {
     test_scene s = test_scene_make(97, 153, 1);
-    const int n = 97 * 153, with = kind == 0 ? 0 : kind == 1 ? WITH_DEPTH : kind == 2 ? WITH_DEPTH | WITH_STRENGTH | WITH_ALBEDO : WITH_DEPTH | WITH_PROFILE | WITH_SPECULAR;
+    const int n = 97 * 153,
+              with = kind == 0 ? 0
+        : kind == 1            ? WITH_DEPTH
+        : kind == 2            ? WITH_DEPTH | WITH_STRENGTH | WITH_ALBEDO
+                               : WITH_DEPTH | WITH_PROFILE | WITH_SPECULAR;
     ms_sss_filter_options o = test_options(kind == 3 ? 2 : kind == 4 ? 1 : kind);
     ms_sss_kernel kernel[2];
     ms_sss_frame f;
@@ -2092,19 +2225,23 @@ static uint64_t golden_print(int kind, int level)
 
 static void case_golden(void)
 {
-    static const uint64_t expected[5][4] = { /* of each level */
+    static const uint64_t expected[5][4] = {
+        /* of each level */
         {0xb26006cf495ba589u, 0xb26006cf495ba589u, 0x31c53e49840ed9b6u, 0x31c53e49840ed9b6u},
         {0x25f3490f958e9ac9u, 0x40d4090b801745f9u, 0xb64547f9f33eeba8u, 0xdcff7a76a78388abu},
         {0x031010266cab63f0u, 0x031010266cab63f0u, 0x50478a51ce0c3c1cu, 0x50478a51ce0c3c1cu},
         {0xf755522dee577f21u, 0xf755522dee577f21u, 0xc4c0138f98ddbfdau, 0xc4c0138f98ddbfdau},
         {0xe98f97fd70a2b765u, 0xe98f97fd70a2b765u, 0x88f04f320feef331u, 0x88f04f320feef331u}};
-#if (defined(__x86_64__) || defined(_M_X64)) && !defined(__FMA__) && !defined(__FAST_MATH__) /* contraction changes the scalar text */
+#if (defined(__x86_64__) || defined(_M_X64)) && !defined(__FMA__) && \
+    !defined(__FAST_MATH__) /* contraction changes the scalar text */
     int kind, level;
     for (kind = 0; kind < 5; ++kind)
         for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
             const uint64_t print = golden_print(kind, level);
             if (ms__simd_pick((ms_simd)level) != (ms_simd)level) continue;
-            if (print != expected[kind][level - MS_SIMD_SCALAR]) TEST_FAIL("kind %d, %s: %08lx%08lx", kind, ms_simd_string((ms_simd)level), (unsigned long)(print >> 32), (unsigned long)(print & 0xffffffffu));
+            if (print != expected[kind][level - MS_SIMD_SCALAR])
+                TEST_FAIL("kind %d, %s: %08lx%08lx", kind, ms_simd_string((ms_simd)level), (unsigned long)(print >> 32),
+                          (unsigned long)(print & 0xffffffffu));
         }
 #else
     (void)expected;

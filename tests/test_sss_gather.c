@@ -1,4 +1,5 @@
-/* ms_sss_gather: against the profile on planes and balls, thin plates with a back layer, and what must hold of any picture. */
+/* ms_sss_gather: against the profile on planes and balls, thin plates with a back layer, and what must hold of any
+   picture. */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "test.h"
@@ -38,7 +39,8 @@ static ms_sss_filter_options options_of(float fov)
     return o;
 }
 
-static ms_status gather(const ms_sss_frame *f, const ms_sss_back *back, const ms_sss_profile *p, const ms_sss_filter_options *o)
+static ms_status gather(const ms_sss_frame *f, const ms_sss_back *back, const ms_sss_profile *p,
+                        const ms_sss_filter_options *o)
 {
     size_t size = ms_sss_gather_workspace(f->width, f->height, back != NULL);
     void *workspace = malloc(size);
@@ -58,8 +60,8 @@ static void plane(double degrees, int step)
         }
 }
 
-/* On a plane at any tilt the profile's own step response, by the distance on the plane: strip(x) / 2 from the middle. The
-   nearest patch is a disc and rings round it, not squares: 2.5% of the step at one pixel, less farther out. */
+/* On a plane at any tilt the profile's own step response, by the distance on the plane: strip(x) / 2 from the middle.
+   The nearest patch is a disc and rings round it, not squares: 2.5% of the step at one pixel, less farther out. */
 static void test_plane(void)
 {
     static const double tilt[] = {0, 30, 60, 75};
@@ -81,7 +83,8 @@ static void test_plane(void)
         CHECK(gather(&f, NULL, p, &o) == MS_OK);
         for (y = H / 2 - 10; y < H / 2 + 10; ++y)
             for (c = 0; c < 3; ++c) {
-                double x = (H / 2 - y - 0.5) / cos(tilt[n] * PI / 180), strip[3], right, got = (double)out[3 * (y * W + W / 2) + c];
+                double x = (H / 2 - y - 0.5) / cos(tilt[n] * PI / 180), strip[3], right,
+                       got = (double)out[3 * (y * W + W / 2) + c];
                 ms_sss_profile_strip(p, fabs(x), strip);
                 right = 0.5 + 0.5 * (x > 0 ? 1 : -1) * strip[c] / total[c];
                 if (fabs(got - right) > worst) worst = fabs(got - right);
@@ -92,8 +95,8 @@ static void test_plane(void)
     ms_sss_profile_destroy(p);
 }
 
-/* A plate of constant thickness, lit on its far side alone. Both sides are planes without end compared to the radius, so
-   that the answer is an integral over r: weights 2 pi r R_d at the true distance, the back's times the factor at
+/* A plate of constant thickness, lit on its far side alone. Both sides are planes without end compared to the radius,
+   so that the answer is an integral over r: weights 2 pi r R_d at the true distance, the back's times the factor at
    sin(theta) = s / r. */
 static void test_plate(void)
 {
@@ -148,8 +151,8 @@ static void ball(double radius, int hollow, float fov)
         }
 }
 
-/* Evenly lit, a ball returns more than the plane, a hollow less, and never more than it gets. In the middle, where the far
-   side is out of reach, by the integral of the law over rings of the sphere. */
+/* Evenly lit, a ball returns more than the plane, a hollow less, and never more than it gets. In the middle, where the
+   far side is out of reach, by the integral of the law over rings of the sphere. */
 static void test_ball(void)
 {
     static const double R[] = {0.3, 0.6, 0.95};
@@ -198,11 +201,13 @@ static void lumpy(float scale)
     uint64_t random = test_seed;
     int i, x, y;
     for (y = 0; y < H; ++y)
-        for (x = 0; x < W; ++x) depth[y * W + x] = (float)(300 + 6 * sin(0.2 * x) + 5 * cos(0.15 * y + 0.1 * x) + (x > 60 ? 40 : 0));
+        for (x = 0; x < W; ++x)
+            depth[y * W + x] = (float)(300 + 6 * sin(0.2 * x) + 5 * cos(0.15 * y + 0.1 * x) + (x > 60 ? 40 : 0));
     for (i = 0; i < W * H * 3; ++i) light[i] = scale * (float)test_uniform(&random);
 }
 
-/* Mirrored input, mirrored output; scaled input, scaled output (lights of 1e4); the same bits for any number of threads. */
+/* Mirrored input, mirrored output; scaled input, scaled output (lights of 1e4); the same bits for any number of
+   threads. */
 static void test_symmetry(void)
 {
     static float first[W * H * 3], keep[W * H * 3], keep_depth[W * H];
@@ -236,7 +241,8 @@ static void test_symmetry(void)
     ms_sss_profile_destroy(p);
 }
 
-/* Pixels that take no part are copied and give nothing; a NaN stays where it is. Albedo, specular and strength as stated. */
+/* Pixels that take no part are copied and give nothing; a NaN stays where it is. Albedo, specular and strength as
+   stated. */
 static void test_masks(void)
 {
     static float albedo[W * H * 3], specular[W * H * 3], strength[W * H], plain[W * H * 3];
@@ -278,7 +284,8 @@ static void test_refused(void)
     char workspace[8];
     lumpy(1);
     out[5] = 77;
-    CHECK(ms_sss_gather(&f, NULL, p, &o, workspace, sizeof workspace, &error) == MS_INVALID_ARGUMENT && strstr(error.message, "workspace"));
+    CHECK(ms_sss_gather(&f, NULL, p, &o, workspace, sizeof workspace, &error) == MS_INVALID_ARGUMENT &&
+          strstr(error.message, "workspace"));
     CHECK(ms_sss_gather(NULL, NULL, p, &o, workspace, sizeof workspace, &error) == MS_INVALID_ARGUMENT);
     memset(&back, 0, sizeof back);
     CHECK(gather(&f, &back, p, &o) == MS_INVALID_ARGUMENT);
@@ -297,6 +304,6 @@ static void test_refused(void)
     ms_sss_profile_destroy(p);
 }
 
-static const test_case cases[] = {{"plane", test_plane},     {"plate", test_plate}, {"ball", test_ball},
+static const test_case cases[] = {{"plane", test_plane},       {"plate", test_plate}, {"ball", test_ball},
                                   {"symmetry", test_symmetry}, {"masks", test_masks}, {"refused", test_refused}};
 TEST_MAIN(cases)

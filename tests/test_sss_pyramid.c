@@ -1,5 +1,5 @@
-/* The pyramid filter of ms_sss.h: error against the round 2D kernel on 1/f texture by Fourier transform, against a plain
-   2D sum over the surface on a bust-like depth, on tilted planes and in corners, and its promises. */
+/* The pyramid filter of ms_sss.h: error against the round 2D kernel on 1/f texture by Fourier transform, against a
+   plain 2D sum over the surface on a bust-like depth, on tilted planes and in corners, and its promises. */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "test.h"
@@ -7,7 +7,8 @@
 static const double pi = 3.14159265358979323846;
 
 /* d'Eon's skin (GPU Gems 3, chapter 14): six Gaussians, standard deviations in mm. */
-static const double skin_sigma[6] = {0.0800, 0.2200, 0.432435, 0.752994, 1.410674, 2.722132}; /* roots of the variances there */
+static const double skin_sigma[6] = {0.0800,   0.2200,   0.432435,
+                                     0.752994, 1.410674, 2.722132}; /* roots of the variances there */
 static const double skin_weight[6][3] = {{0.233, 0.455, 0.649}, {0.100, 0.336, 0.344}, {0.118, 0.198, 0.000},
                                          {0.113, 0.007, 0.007}, {0.358, 0.004, 0.000}, {0.078, 0.000, 0.000}};
 
@@ -54,7 +55,8 @@ static void fourier(double *re, double *im, int n, ptrdiff_t step)
         for (j = 0; j < size / 2; ++j) {
             const double wr = cos(2 * pi * j / size), wi = -sin(2 * pi * j / size);
             for (i = j; i < n; i += size) {
-                double *ar = re + i * step, *ai = im + i * step, *br = re + (i + size / 2) * step, *bi = im + (i + size / 2) * step;
+                double *ar = re + i * step, *ai = im + i * step, *br = re + (i + size / 2) * step,
+                       *bi = im + (i + size / 2) * step;
                 const double tr = *br * wr - *bi * wi, ti = *br * wi + *bi * wr;
                 *br = *ar - tr;
                 *bi = *ai - ti;
@@ -95,7 +97,8 @@ enum { TILE = 512, SIDE = 2 * TILE };
 static double texture_error(const ms_sss_pyramid *pyramid, double radius_px)
 {
     const int n = TILE * TILE;
-    double *wave_re = (double *)malloc((size_t)n * sizeof(double)), *wave_im = (double *)malloc((size_t)n * sizeof(double));
+    double *wave_re = (double *)malloc((size_t)n * sizeof(double)),
+           *wave_im = (double *)malloc((size_t)n * sizeof(double));
     double *re = (double *)malloc((size_t)n * sizeof(double)), *im = (double *)malloc((size_t)n * sizeof(double));
     float *in[3], *out[3];
     double wrong = 0, right = 0;
@@ -141,7 +144,8 @@ static double texture_error(const ms_sss_pyramid *pyramid, double radius_px)
             for (x = 0; x < TILE; ++x) {
                 const double k = 2 * pi / (int)TILE * hypot(x < TILE / 2 ? x : x - TILE, y < TILE / 2 ? y : y - TILE);
                 double T = 0;
-                for (g = 0; g < 6; ++g) T += skin_weight[g][c] / total * exp(-k * k * pixels * pixels * skin_sigma[g] * skin_sigma[g] / 2);
+                for (g = 0; g < 6; ++g)
+                    T += skin_weight[g][c] / total * exp(-k * k * pixels * pixels * skin_sigma[g] * skin_sigma[g] / 2);
                 re[y * TILE + x] = wave_re[y * TILE + x] * T;
                 im[y * TILE + x] = -wave_im[y * TILE + x] * T;
             }
@@ -150,7 +154,8 @@ static double texture_error(const ms_sss_pyramid *pyramid, double radius_px)
         for (y = 0; y < TILE; ++y) {
             for (x = 0; x < TILE; ++x) {
                 const double reference = re[y * TILE + x] / n;
-                const int yy = y < TILE / 2 ? y + TILE : y, xx = x < TILE / 2 ? x + TILE : x; /* the middle of the picture */
+                const int yy = y < TILE / 2 ? y + TILE : y,
+                          xx = x < TILE / 2 ? x + TILE : x; /* the middle of the picture */
                 const double e = (double)out[c][yy * SIDE + xx] - reference;
                 wrong += e * e;
                 right += reference * reference;
@@ -175,8 +180,11 @@ static void case_texture(void)
     int i;
     for (i = 0; i < (test_full ? 4 : 3); ++i) {
         const double e = texture_error(&pyramid, radius[i]);
-        CHECK_LE(e, radius[i] < 64 || exact ? 0.012 : 0.01); /* the target from 64 pixels on; below, narrow channels fit less well: 1.08%, 1.28% where the weights are fitted to waves along an axis;
-            wide gathers are bumps of sharper ends: 1.06% to 1.10% */
+        CHECK_LE(e,
+                 radius[i] < 64 || exact
+                     ? 0.012
+                     : 0.01); /* the target from 64 pixels on; below, narrow channels fit less well: 1.08%, 1.28% where
+the weights are fitted to waves along an axis; wide gathers are bumps of sharper ends: 1.06% to 1.10% */
         TEST_NOTE("R %g px: %.2f%%", radius[i], 100 * e);
     }
 }
@@ -214,7 +222,8 @@ static void make_scene(void)
             depth[y * W + x] = (float)(r > 0 ? 100 - 9 * sqrt(r) : 112);
             strength[y * W + x] = x > W / 3 && x < 2 * W / 3 && x % 40 < 12 ? 0.0f : 1.0f;
             for (c = 0; c < 3; ++c)
-                rgb[c][y * W + x] = (float)(1 + 0.5 * sin(x * 0.07 + c) * cos(y * 0.05) + 0.4 * ((x / 16 + y / 16) % 2) + 0.3 * test_uniform(&seed));
+                rgb[c][y * W + x] = (float)(1 + 0.5 * sin(x * 0.07 + c) * cos(y * 0.05) +
+                                            0.4 * ((x / 16 + y / 16) % 2) + 0.3 * test_uniform(&seed));
         }
     }
 }
@@ -242,8 +251,9 @@ static void scene_slope(int x, int y, double pixels, double s[2])
     for (i = 0; i < 2; ++i) s[i] = s[i] > 8 ? 8 : s[i] < -8 ? -8 : s[i];
 }
 
-/* Relative RMS difference, over the blurred picture's standard deviation, from a sum over the surface: the profile at the
-   distance in space, times the area that a pixel shows, times (1 + K sin(theta) / 4)^4, none beyond the radius in depth. */
+/* Relative RMS difference, over the blurred picture's standard deviation, from a sum over the surface: the profile at
+   the distance in space, times the area that a pixel shows, times (1 + K sin(theta) / 4)^4, none beyond the radius in
+   depth. */
 static double plain_error(const ms_sss_pyramid *pyramid, double pixels, int with_depth, int with_mask, double *worst)
 {
     const double radius_mm = (double)pyramid->radius_mm;
@@ -262,7 +272,8 @@ static double plain_error(const ms_sss_pyramid *pyramid, double pixels, int with
             for (x = -reach; x <= reach; ++x) {
                 const int q = p + y * W + x;
                 double share = 1, lift[3] = {1, 1, 1}, gauss[6], r2 = x * x + y * y;
-                if (px + x < 0 || py + y < 0 || px + x >= W || py + y >= H || (with_mask && !(strength[q] > 0))) continue;
+                if (px + x < 0 || py + y < 0 || px + x >= W || py + y >= H || (with_mask && !(strength[q] > 0)))
+                    continue;
                 if (with_depth) {
                     const double dz = ((double)depth[q] - (double)depth[p]) * pixels;
                     double slope[2], turn;
@@ -301,8 +312,8 @@ static double plain_error(const ms_sss_pyramid *pyramid, double pixels, int with
 static void case_depth_and_mask(void)
 {
     const ms_sss_pyramid pyramid = skin_pyramid();
-    /* Found, not derived: a ball of 12 radii's width has its rim in half of the picture; bounds are half as much again as
-       measured. */
+    /* Found, not derived: a ball of 12 radii's width has its rim in half of the picture; bounds are half as much again
+       as measured. */
     static const double bound[4] = {0.035, 0.12, 0.055, 0.115};
     int kind;
     make_scene();
@@ -314,12 +325,13 @@ static void case_depth_and_mask(void)
         run(&f, &pyramid, &o);
         e = plain_error(&pyramid, 8, kind & 1, kind & 2, &worst);
         CHECK_LE(e, bound[kind]);
-        TEST_NOTE("%s%s %.2f%% (worst pixel %.1f%%)", kind & 1 ? "depth" : "flat", kind & 2 ? " + mask" : "", 100 * e, 100 * worst);
+        TEST_NOTE("%s%s %.2f%% (worst pixel %.1f%%)", kind & 1 ? "depth" : "flat", kind & 2 ? " + mask" : "", 100 * e,
+                  100 * worst);
     }
 }
 
-/* A net of wires one pixel wide, 20 mm in front of a wall of another light: neither takes any from the other, at any level;
-   evenly lit, the wall stays as it is, and no wire becomes brighter than 1 / reflectance. */
+/* A net of wires one pixel wide, 20 mm in front of a wall of another light: neither takes any from the other, at any
+   level; evenly lit, the wall stays as it is, and no wire becomes brighter than 1 / reflectance. */
 static void case_thin(void)
 {
     const ms_sss_pyramid pyramid = skin_pyramid();
@@ -327,7 +339,9 @@ static void case_thin(void)
     for (kind = 0; kind < 4; ++kind) {
         ms_sss_filter_options o = ms_sss_filter_defaults();
         ms_sss_frame f = scene_frame(out, 1, 0);
-        const int space = kind < 2 ? 7 : 40; /* 1 to 20 pixels of the wall between wires are a few pixels of the levels, or none */
+        const int space = kind < 2
+            ? 7
+            : 40; /* 1 to 20 pixels of the wall between wires are a few pixels of the levels, or none */
         if (kind % 2) o.fov_degrees = 12;
         else o.ortho_height = 30;
         for (i = 0; i < N; ++i) {
@@ -342,7 +356,8 @@ static void case_thin(void)
                 crossed += change > 0.01;
                 uneven += change > 2e-6;
             }
-        if (crossed || uneven) TEST_FAIL("kind %d: %d values with light of another depth, %d not even", kind, crossed, uneven);
+        if (crossed || uneven)
+            TEST_FAIL("kind %d: %d values with light of another depth, %d not even", kind, crossed, uneven);
         for (i = 0; i < N; ++i) /* wires that wind in depth: no slope of theirs is beyond the filter's bounds */
             if (depth[i] < 110) depth[i] = (float)(100 + 2 * sin(i % W * 0.5) + 2 * cos(i / W * 0.4));
         for (c = 0; c < 3; ++c)
@@ -354,7 +369,8 @@ static void case_thin(void)
     }
 }
 
-/* Masks of rows that differ: what a mask leaves out by columns counts as little as pixels that are not finite, which are looked at one by one. */
+/* Masks of rows that differ: what a mask leaves out by columns counts as little as pixels that are not finite, which
+   are looked at one by one. */
 static void case_masks(void)
 {
     const ms_sss_pyramid pyramid = skin_pyramid();
@@ -372,7 +388,10 @@ static void case_masks(void)
             make_scene();
             for (i = 0; i < N; ++i) {
                 const int x = i % W, y = i / W;
-                strength[i] = shape == 0 ? abs(x - y) < 9 : shape == 1 ? (x - W / 2) * (x - W / 2) + (y - H / 2) * (y - H / 2) < 900 : shape == 2 ? i == 0 || i == N - 1 || (y == 50 && x > W - 9) : x / 30 % 2 == y / 20 % 2;
+                strength[i] = shape == 0 ? abs(x - y) < 9
+                    : shape == 1         ? (x - W / 2) * (x - W / 2) + (y - H / 2) * (y - H / 2) < 900
+                    : shape == 2         ? i == 0 || i == N - 1 || (y == 50 && x > W - 9)
+                                         : x / 30 % 2 == y / 20 % 2;
             }
             run(&f, &pyramid, &o);
             o.parallel = test_parallel(&pool, 5);
@@ -389,7 +408,8 @@ static void case_masks(void)
             run(&f, &pyramid, &o);
             for (i = 0; i < N; ++i)
                 for (c = 0; c < 3; ++c)
-                    if (strength[i] > 0 && !(fabs((double)out[c][i] - (double)again[c][i]) <= worst)) worst = fabs((double)out[c][i] - (double)again[c][i]);
+                    if (strength[i] > 0 && !(fabs((double)out[c][i] - (double)again[c][i]) <= worst))
+                        worst = fabs((double)out[c][i] - (double)again[c][i]);
         }
     }
     CHECK_INT(wrong, 0);
@@ -435,7 +455,8 @@ static void case_promises(void)
                 for (i = 0; i < N; ++i) rgb[c][i] = depth[i] > 111 ? 1000.0f : 0.0f;
             run(&f, &pyramid, &o);
             for (c = 0; c < 3 && kind > 0; ++c)
-                for (i = 0; i < N; ++i) crossed += depth[i] < 111 ? again[c][i] > 0 || again[c][i] < 0 : !(again[c][i] > 999.99f);
+                for (i = 0; i < N; ++i)
+                    crossed += depth[i] < 111 ? again[c][i] > 0 || again[c][i] < 0 : !(again[c][i] > 999.99f);
             /* hostile pixels come back and spread nowhere */
             make_scene();
             rgb[0][77 * W + 50] = NAN;
@@ -445,8 +466,10 @@ static void case_promises(void)
             run(&f, &pyramid, &o);
             for (c = 0; c < 3; ++c)
                 for (i = 0; i < N; ++i)
-                    spread += !isfinite(rgb[c][i]) ? memcmp(&again[c][i], &rgb[c][i], sizeof(float)) != 0 : !isfinite(again[c][i]);
-            for (c = 0; c < 3 && kind > 0; ++c) spread += memcmp(&again[c][99 * W + 100], &rgb[c][99 * W + 100], sizeof(float)) != 0;
+                    spread += !isfinite(rgb[c][i]) ? memcmp(&again[c][i], &rgb[c][i], sizeof(float)) != 0
+                                                   : !isfinite(again[c][i]);
+            for (c = 0; c < 3 && kind > 0; ++c)
+                spread += memcmp(&again[c][99 * W + 100], &rgb[c][99 * W + 100], sizeof(float)) != 0;
             /* under half a pixel */
             make_scene();
             o.pixels_per_mm[0] *= 0.005f;
@@ -464,10 +487,11 @@ static void case_promises(void)
     CHECK_INT(small, 0);
 }
 
-/* A wave on a plane, tilted about an axis on the screen (orthographic): the profile's transfer says how much of it stays.
-   across 0: along the slope. Returns the part that stays, of which only the red channel is looked at. */
+/* A wave on a plane, tilted about an axis on the screen (orthographic): the profile's transfer says how much of it
+   stays. across 0: along the slope. Returns the part that stays, of which only the red channel is looked at. */
 enum { PLANE = 256, MIRRORED_W = 192, MIRRORED_H = 128 /* whole pixels in all levels but the coarsest */ };
-static double plane_wave(const ms_sss_pyramid *pyramid, double tilt, double angle, double k, int across, double *constant)
+static double plane_wave(const ms_sss_pyramid *pyramid, double tilt, double angle, double k, int across,
+                         double *constant)
 {
     static float in[3][PLANE * PLANE], to[3][PLANE * PLANE], z[PLANE * PLANE];
     const double pixels = 6, dx = cos(angle), dy = sin(angle);
@@ -492,7 +516,8 @@ static double plane_wave(const ms_sss_pyramid *pyramid, double tilt, double angl
         run(&f, pyramid, &o);
         for (i = 0; i < PLANE * PLANE; ++i) {
             const int x = i % PLANE, y = i / PLANE;
-            if (pass == 0) for (c = 0; c < 3; ++c) *constant = fmax(*constant, fabs((double)to[c][i] - 1));
+            if (pass == 0)
+                for (c = 0; c < 3; ++c) *constant = fmax(*constant, fabs((double)to[c][i] - 1));
             if (pass == 1 && abs(x - PLANE / 2) < PLANE / 6 && abs(y - PLANE / 2) < PLANE / 6) {
                 stays += ((double)to[0][i] - 1) * ((double)in[0][i] - 1);
                 is += ((double)in[0][i] - 1) * ((double)in[0][i] - 1);
@@ -516,7 +541,8 @@ static double skin_transfer(double k)
 static void case_planes(void)
 {
     static const double tilt[5] = {0, 30, 45, 60, 75};
-    /* Found, not derived, and half as much again: from 48 degrees on a gather reaches no further along the level line. */
+    /* Found, not derived, and half as much again: from 48 degrees on a gather reaches no further along the level
+       line. */
     static const double bound[5] = {0.005, 0.02, 0.045, 0.06, 0.22};
     const ms_sss_pyramid pyramid = skin_pyramid();
     char note[400];
@@ -529,7 +555,9 @@ static void case_planes(void)
             worst = fmax(worst, fabs(stays - skin_transfer(k)));
             constant = fmax(constant, c);
         }
-        CHECK_LE(constant, 1e-6); /* what rounding of depths can do is left out; a dozen rounded sums of weights that add up to 1 */
+        CHECK_LE(
+            constant,
+            1e-6); /* what rounding of depths can do is left out; a dozen rounded sums of weights that add up to 1 */
         CHECK_LE(worst, bound[i]);
         n += snprintf(note + n, sizeof note - (size_t)n, "%g degrees %.3f (constant %.0e)  ", tilt[i], worst, constant);
     }
@@ -595,9 +623,11 @@ static void case_corners(void)
         for (turned = 0; turned < 2; ++turned) {
             for (i = 0; i < MIRRORED_W * MIRRORED_H; ++i) {
                 const int x = i % MIRRORED_W, y = i / MIRRORED_W;
-                const int j = (turned && kind != 0 ? MIRRORED_H - 1 - y : y) * W + (turned && kind != 1 ? MIRRORED_W - 1 - x : x);
+                const int j = (turned && kind != 0 ? MIRRORED_H - 1 - y : y) * W +
+                    (turned && kind != 1 ? MIRRORED_W - 1 - x : x);
                 z[turned][i] = depth[j];
-                for (c = 0; c < 3; ++c) in[c][i] = rgb[c][j] * (turned ? 1e4f : 1.0f); /* and a light 10^4 times as strong */
+                for (c = 0; c < 3; ++c)
+                    in[c][i] = rgb[c][j] * (turned ? 1e4f : 1.0f); /* and a light 10^4 times as strong */
             }
             f.depth = ms_sss_map(z[turned], 1, 0);
             f.input = ms_sss_planar(in[0], in[1], in[2], 0);
@@ -674,7 +704,8 @@ static void case_sizes(void)
     CHECK_INT(wrong, 0);
 }
 
-/* What lies beyond a kernel's reach counts for nothing, nor does where the picture ends, whichever way its rows are shared out. */
+/* What lies beyond a kernel's reach counts for nothing, nor does where the picture ends, whichever way its rows are
+   shared out. */
 static void case_heights(void)
 {
     const ms_sss_pyramid pyramid = skin_pyramid();
@@ -719,8 +750,13 @@ static void case_refused(void)
         if (i == 5) --size;
         if (i == 6) o.fov_degrees = NAN;
         if (i == 7) f.input.channel[2] = NULL;
-        CHECK_INT(ms_sss_pyramid_filter(&f, &pyramid, &o, workspace, size, &error), i < 5 ? MS_UNSUPPORTED : MS_INVALID_ARGUMENT);
-        CHECK(strstr(error.message, i < 5 ? "pyramid" : i == 5 ? "workspace" : i == 6 ? "fov_degrees" : "input") != NULL);
+        CHECK_INT(ms_sss_pyramid_filter(&f, &pyramid, &o, workspace, size, &error),
+                  i < 5 ? MS_UNSUPPORTED : MS_INVALID_ARGUMENT);
+        CHECK(strstr(error.message,
+                     i < 5        ? "pyramid"
+                         : i == 5 ? "workspace"
+                         : i == 6 ? "fov_degrees"
+                                  : "input") != NULL);
         free(workspace);
     }
     CHECK(ms_sss_pyramid_workspace(0, 1) == SIZE_MAX);
@@ -730,11 +766,11 @@ static void case_refused(void)
     }
 }
 
-#define BOTH(name) \
-    static void name##_both(void) \
-    { \
+#define BOTH(name)                                  \
+    static void name##_both(void)                   \
+    {                                               \
         for (exact = 0; exact < 2; ++exact) name(); \
-        exact = 0; \
+        exact = 0;                                  \
     }
 BOTH(case_texture)
 BOTH(case_depth_and_mask)

@@ -1,4 +1,5 @@
-/* The run-time part of ms_sss.h alone, as an engine takes it that carries its kernels as data; depth as engines store it. */
+/* The run-time part of ms_sss.h alone, as an engine takes it that carries its kernels as data; depth as engines store
+   it. */
 #define MS_SSS_NO_DESIGN
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
@@ -7,19 +8,11 @@
 enum { W = 96, H = 64 };
 
 /* Three taps by hand: half of the light stays, a quarter goes to either side, 6 mm away. */
-static const ms_sss_kernel shipped = {3,
-                                      1,
-                                      {0, -6, 6},
-                                      {{{0.5f, 0.5f, 0.5f}, {0.25f, 0.25f, 0.25f}, {0.25f, 0.25f, 0.25f}}},
-                                      {{1, 1, 1}},
-                                      {0, 0, 0},
-                                      8,
-                                      {0.5f, 0.5f, 0.5f},
-                                      1,
-                                      8,
-                                      {0, 0, 0},
-                                      {0, 0, 0},
-                                      {0, 0, 0}};
+static const ms_sss_kernel shipped = {
+    3,           1,         {0, -6, 6}, {{{0.5f, 0.5f, 0.5f}, {0.25f, 0.25f, 0.25f}, {0.25f, 0.25f, 0.25f}}},
+    {{1, 1, 1}}, {0, 0, 0}, 8,          {0.5f, 0.5f, 0.5f},
+    1,           8,         {0, 0, 0},  {0, 0, 0},
+    {0, 0, 0}};
 
 static float light[3 * W * H], result[3 * W * H], depth[W * H], stored[W * H];
 
@@ -77,9 +70,9 @@ static void case_depth(void)
             for (i = 0; i < W * H; ++i) {
                 const double z = near_plane + (i % 71 + 0.5) / 71 * 40;
                 /* the textbook matrices: d = f (z - n) / (z (f - n)), 1 - n / z, (z - n) / (f - n); reversed: 1 - d */
-                double d = way == 0   ? far_plane * (z - near_plane) / (z * (far_plane - near_plane))
-                           : way == 1 ? 1 - near_plane / z
-                                      : (z - near_plane) / (far_plane - near_plane);
+                double d = way == 0 ? far_plane * (z - near_plane) / (z * (far_plane - near_plane))
+                    : way == 1      ? 1 - near_plane / z
+                                    : (z - near_plane) / (far_plane - near_plane);
                 if (i % 10 == 3) d = 1; /* the sky: what a buffer is cleared to */
                 stored[i] = i % 10 == 4 ? NAN : (float)(reversed ? 1 - d : d);
             }
@@ -88,7 +81,9 @@ static void case_depth(void)
                 const double z = near_plane + (i % 71 + 0.5) / 71 * 40;
                 if (i % 10 == 3 || i % 10 == 4) CHECK(depth[i] > 3e38f);
                 else { /* an ulp of d, at most 6e-8, moves z by z^2 / near: why engines reverse depth */
-                    CHECK(fabs((double)depth[i] - z) < (way == 2 ? 1e-5 : reversed ? 4e-7 * z : 1.2e-7 * z * z / near_plane + 1e-6));
+                    CHECK(fabs((double)depth[i] - z) < (way == 2       ? 1e-5
+                                                            : reversed ? 4e-7 * z
+                                                                       : 1.2e-7 * z * z / near_plane + 1e-6));
                 }
             }
         }
@@ -97,7 +92,8 @@ static void case_depth(void)
 
 static void case_depth_refused(void)
 {
-    static const ms_sss_depth_buffer bad[] = {{0, 10, 0, 0}, {1, 1, 0, 0}, {2, 1, 1, 0}, {1, 0, 0, 1}, {-1, 5, 0, 0}, {NAN, 5, 0, 0}, {1, -5, 0, 0}, {1, NAN, 0, 0}};
+    static const ms_sss_depth_buffer bad[] = {{0, 10, 0, 0}, {1, 1, 0, 0},   {2, 1, 1, 0},  {1, 0, 0, 1},
+                                              {-1, 5, 0, 0}, {NAN, 5, 0, 0}, {1, -5, 0, 0}, {1, NAN, 0, 0}};
     const ms_sss_depth_buffer good = {1, 10, 0, 0};
     ms_sss_image from = ms_sss_map(stored, 1, 0);
     ms_error error;
@@ -130,7 +126,8 @@ static void case_origins(void)
         for (x = 0; x < W; ++x) {
             depth[y * W + x] = turned_depth[(H - 1 - y) * W + x] = (float)(90 + 0.3 * x + 0.1 * y + (y > 40 ? 25 : 0));
             for (c = 0; c < 3; ++c)
-                light[3 * (y * W + x) + c] = turned[3 * ((H - 1 - y) * W + x) + c] = (float)((x / 7 + y / 5 + c) % 3) / 2;
+                light[3 * (y * W + x) + c] = turned[3 * ((H - 1 - y) * W + x) + c] = (float)((x / 7 + y / 5 + c) % 3) /
+                    2;
         }
     CHECK_INT(run(&f, &o, &error), MS_OK);
     memcpy(top, result, sizeof top);
@@ -151,7 +148,8 @@ static void case_field_of_view(void)
     const double degree = 3.14159265358979 / 180;
     CHECK_NEAR(ms_sss_fov_along_y(90, 1920, 1080), 2 * atan(1080.0 / 1920) / degree, 1e-4);
     CHECK_NEAR(ms_sss_fov_along_y(60, 500, 500), 60, 1e-4);
-    CHECK(!(ms_sss_fov_along_y(0, 10, 10) > 0) && !(ms_sss_fov_along_y(180, 10, 10) > 0) && !(ms_sss_fov_along_y(NAN, 10, 10) > 0) && !(ms_sss_fov_along_y(50, 0, 10) > 0));
+    CHECK(!(ms_sss_fov_along_y(0, 10, 10) > 0) && !(ms_sss_fov_along_y(180, 10, 10) > 0) &&
+          !(ms_sss_fov_along_y(NAN, 10, 10) > 0) && !(ms_sss_fov_along_y(50, 0, 10) > 0));
 }
 
 /* A head in a room, in metres: refused until mm_per_unit says so. The same in millimetres works without. */
@@ -187,11 +185,7 @@ static void case_metres(void)
 }
 
 static const test_case cases[] = {
-    {"a kernel as data", case_shipped},
-    {"depth as stored", case_depth},
-    {"depth refused", case_depth_refused},
-    {"origins", case_origins},
-    {"field of view", case_field_of_view},
-    {"metres", case_metres},
+    {"a kernel as data", case_shipped}, {"depth as stored", case_depth},       {"depth refused", case_depth_refused},
+    {"origins", case_origins},          {"field of view", case_field_of_view}, {"metres", case_metres},
 };
 TEST_MAIN(cases)

@@ -96,16 +96,22 @@ static void test_step(void)
     image_free(&a);
 }
 
-/* Every method and model shows the same edge, but for the two pixels on either side, where each spreads a pixel's own light
-   in its way: within 0.05 of the step; a slice and one Gaussian, which are not the profile, within 0.12. It says what it took. */
+/* Every method and model shows the same edge, but for the two pixels on either side, where each spreads a pixel's own
+   light in its way: within 0.05 of the step; a slice and one Gaussian, which are not the profile, within 0.12. It says
+   what it took. */
 static void test_methods(void)
 {
     static const struct {
         const char *arguments, *says;
         double within;
-    } way[] = {{"--model preintegrated --taps 129", "129 taps", 1e-6}, {"", "gathered in space", 0.05}, {"--method gather", "gathered in space", 0.05},
-               {"--method taps", "two passes", 0.05},                  {"--method pyramid", "pyramid", 0.05}, {"--model slice", "17 taps", 0.12},
-               {"--model gaussians --taps 9", "9 taps", 0.12},         {"--method auto --taps 7", "7 taps", 0.05}};
+    } way[] = {{"--model preintegrated --taps 129", "129 taps", 1e-6},
+               {"", "gathered in space", 0.05},
+               {"--method gather", "gathered in space", 0.05},
+               {"--method taps", "two passes", 0.05},
+               {"--method pyramid", "pyramid", 0.05},
+               {"--model slice", "17 taps", 0.12},
+               {"--model gaussians --taps 9", "9 taps", 0.12},
+               {"--method auto --taps 7", "7 taps", 0.05}};
     image a, b;
     size_t i;
     int n;
@@ -278,7 +284,8 @@ static void test_refused(void)
     remove("build/test_sss_tool_small.pfm");
 }
 
-static const test_case cases[] = {
-    {"step", test_step}, {"methods", test_methods}, {"strength", test_strength},   {"profile_file", test_profile_file},
-    {"png", test_png},   {"odd_depth", test_odd_depth}, {"refused", test_refused}};
+static const test_case cases[] = {{"step", test_step},         {"methods", test_methods},
+                                  {"strength", test_strength}, {"profile_file", test_profile_file},
+                                  {"png", test_png},           {"odd_depth", test_odd_depth},
+                                  {"refused", test_refused}};
 TEST_MAIN(cases)

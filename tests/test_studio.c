@@ -29,7 +29,10 @@ static void random_material(uint64_t *state, double *x)
 }
 
 /* A small neural renderer for a studio. */
-static void draw(void *net, const float *x, int count, float *planes) { neural_render((const neural *)net, x, count, planes); }
+static void draw(void *net, const float *x, int count, float *planes)
+{
+    neural_render((const neural *)net, x, count, planes);
+}
 
 static studio_renderer renderer_of(neural *net)
 {
@@ -69,8 +72,8 @@ static int best_of(const double *x, int count, int most, int *picked)
     return picks;
 }
 
-/* Somebody who only clicks: five galleries of the best 2 of 9, recommendations, more like these, not like that, some scores, and
-   everything taken back again. */
+/* Somebody who only clicks: five galleries of the best 2 of 9, recommendations, more like these, not like that, some
+   scores, and everything taken back again. */
 static void test_picks(void)
 {
     static float planes[9 * 192];
@@ -124,7 +127,7 @@ static void test_picks(void)
     CHECK_INT(ms_gpr_pair_count(s.gp), pairs);
     CHECK_INT(ms_gpr_predict(s.gp, at, 2, after, NULL, NULL), MS_OK);
     for (i = 0; i < 2; ++i) CHECK_NEAR(after[i], before[i], 1e-6); /* where Newton's method ends */
-    CHECK_INT(studio_choose(&s, found, &error), MS_OK); /* picked materials make a plane too */
+    CHECK_INT(studio_choose(&s, found, &error), MS_OK);            /* picked materials make a plane too */
     for (g = 0; g < 5; ++g) CHECK_INT(studio_undo(&s, &error), MS_OK);
     CHECK_INT(ms_gpr_count(s.gp), 0);
     CHECK_INT(s.state, STUDIO_EMPTY);
@@ -216,7 +219,8 @@ static void test_session(void)
     CHECK_LE(4.0, liked); /* uniform materials: 1.5; the threshold asks for 0.6 of 10 and the model is not perfect */
     CHECK_INT(studio_choose(&s, recommended, &error), MS_OK);
     CHECK_INT(studio_move(&s, 0, 0, &view, &error), MS_OK);
-    for (k = 0; k < M; ++k) CHECK_NEAR(view.x[k], recommended[k], 0.1); /* the plane passes near what it was made from */
+    for (k = 0; k < M; ++k)
+        CHECK_NEAR(view.x[k], recommended[k], 0.1); /* the plane passes near what it was made from */
     memcpy(first, view.x, sizeof first);
     for (i = 0; i < 40; ++i) {
         double turn = 2 * 3.14159265358979 / 40;
@@ -248,7 +252,10 @@ static double taste_place(const double *x)
     double d2 = (x[1] - 0.7) * (x[1] - 0.7) + (x[7] - 0.3) * (x[7] - 0.3) + 0.5 * (x[12] - 0.5) * (x[12] - 0.5);
     return fmax(0, floor(10 * exp(-d2 / 0.1) - 1));
 }
-static double taste_either(const double *x) { return fmax(0, floor(10 * (x[0] > 0.5 ? x[0] * x[9] : (1 - x[0]) * (1 - x[10])) - 2)); }
+static double taste_either(const double *x)
+{
+    return fmax(0, floor(10 * (x[0] > 0.5 ? x[0] * x[9] : (1 - x[0]) * (1 - x[10])) - 2));
+}
 static double (*const tastes_of[])(const double *x) = {taste_edge, taste_place, taste_either};
 
 static double worth(double (*likes)(const double *x), const ms_gpr *gp)
@@ -268,9 +275,9 @@ static double worth(double (*likes)(const double *x), const ms_gpr *gp)
     return sum;
 }
 
-/* Eight orders: as they come, an update after each; settled after each; at the end only; 25 zeros first; all liked ones last; all
-   liked ones first; a third of the scores wrong at first, then given again; every other one scored, taken back and scored again.
-   What is learned is as good as a fit of the same scores from nothing. */
+/* Eight orders: as they come, an update after each; settled after each; at the end only; 25 zeros first; all liked ones
+   last; all liked ones first; a third of the scores wrong at first, then given again; every other one scored, taken
+   back and scored again. What is learned is as good as a fit of the same scores from nothing. */
 static void test_orders(void)
 {
     static double x[ORDERED * M], y[ORDERED];
@@ -295,7 +302,11 @@ static void test_orders(void)
             int pass, at[ORDERED], count = 0;
             for (pass = 0; pass < 3; ++pass) /* which are scored first, then, last */
                 for (i = 0, k = 0; i < ORDERED; ++i) {
-                    int liked = y[i] > 0, early = order == 3 ? !liked && k++ < 25 : order == 4 ? !liked : order == 5 ? liked : 1;
+                    int liked = y[i] > 0,
+                        early = order == 3 ? !liked && k++ < 25
+                        : order == 4       ? !liked
+                        : order == 5       ? liked
+                                           : 1;
                     if (pass == (early ? 0 : 1)) at[count++] = i;
                 }
             CHECK_INT(count, ORDERED);
@@ -318,7 +329,8 @@ static void test_orders(void)
             got = worth(tastes_of[t], s.gp);
             sum += got / reference / 24;
             if (got / reference < least) least = got / reference;
-            if (!(got >= 0.95 * reference)) TEST_FAIL("taste %d, order %d: %.2f, a fresh fit %.2f", t, order, got, reference);
+            if (!(got >= 0.95 * reference))
+                TEST_FAIL("taste %d, order %d: %.2f, a fresh fit %.2f", t, order, got, reference);
             studio_close(&s);
         }
     }
@@ -379,7 +391,8 @@ static void test_neural(void)
     for (i = 0; i < COUNT; ++i) {
         CHECK(neural_sheet(&net, x + i * M, 1, 1, 0, &one) == NULL);
         for (y = 0; y < 8; ++y)
-            CHECK(memcmp(one.pixels + 24 * y, sheet.pixels + 3 * ((1 + i / 9 * 9 + y) * sheet.width + 1 + i % 9 * 9), 24 * sizeof(float)) == 0);
+            CHECK(memcmp(one.pixels + 24 * y, sheet.pixels + 3 * ((1 + i / 9 * 9 + y) * sheet.width + 1 + i % 9 * 9),
+                         24 * sizeof(float)) == 0);
         neural_planes(&one, again);
         for (y = 0; y < 192; ++y) {
             float v = planes[i * 192 + y];
@@ -402,14 +415,32 @@ static const char *read_text(const char *text, materials *list)
 
 static void test_materials(void)
 {
-    static const struct { const char *text; int count; float last; } good[] = {
-        {"0,0.5,1\n", 1, 1}, {"0,0.5,1", 1, 1}, {"\xEF\xBB\xBFx0,x1,x2\r\n0,0.5,1\r\n1;1;0.25\r\n", 2, 0.25f},
-        {"# a comment\n\na,b,c,score\n 0 , 0.5 ,1e-1, whatever\n", 1, 0.1f}, {"a,b,c, \"mean\" ,sigma\n0,1,0,3,4\n", 1, 0}};
-    static const struct { const char *text, *says; } bad[] = {
-        {"", "no materials"}, {"x0,x1,x2\n", "no materials"}, {"0,1\n", "2 columns"}, {"0,1,0,1\n", "4 columns"}, {"0,1,0\n0,1,0,\n", "line 2"},
-        {"0,1,1.0001\n", "column 3"}, {"0,-1e-9,1\n", "column 2"}, {"nan,1,1\n", "column 1"}, {"0,1,inf\n", "column 3"}, {"0,,1\n", "column 2"},
-        {"0,1 2,1\n", "column 2"}, {"a,b,c\na,b,c\n", "line 2"}, {"a,b,c,d\n0,0,0,0\n", "header"}, {"a,b\n0,0\n", "header"},
-        {"a,b,c,score\n0,0,0\n", "3 columns"}};
+    static const struct {
+        const char *text;
+        int count;
+        float last;
+    } good[] = {{"0,0.5,1\n", 1, 1},
+                {"0,0.5,1", 1, 1},
+                {"\xEF\xBB\xBFx0,x1,x2\r\n0,0.5,1\r\n1;1;0.25\r\n", 2, 0.25f},
+                {"# a comment\n\na,b,c,score\n 0 , 0.5 ,1e-1, whatever\n", 1, 0.1f},
+                {"a,b,c, \"mean\" ,sigma\n0,1,0,3,4\n", 1, 0}};
+    static const struct {
+        const char *text, *says;
+    } bad[] = {{"", "no materials"},
+               {"x0,x1,x2\n", "no materials"},
+               {"0,1\n", "2 columns"},
+               {"0,1,0,1\n", "4 columns"},
+               {"0,1,0\n0,1,0,\n", "line 2"},
+               {"0,1,1.0001\n", "column 3"},
+               {"0,-1e-9,1\n", "column 2"},
+               {"nan,1,1\n", "column 1"},
+               {"0,1,inf\n", "column 3"},
+               {"0,,1\n", "column 2"},
+               {"0,1 2,1\n", "column 2"},
+               {"a,b,c\na,b,c\n", "line 2"},
+               {"a,b,c,d\n0,0,0,0\n", "header"},
+               {"a,b\n0,0\n", "header"},
+               {"a,b,c,score\n0,0,0\n", "3 columns"}};
     materials list;
     size_t i;
     char *text;
@@ -422,7 +453,8 @@ static void test_materials(void)
     }
     for (i = 0; i < sizeof bad / sizeof *bad; ++i) {
         const char *problem = read_text(bad[i].text, &list);
-        if (!problem || !strstr(problem, bad[i].says)) TEST_FAIL("'%s': %s", bad[i].text, problem ? problem : "accepted");
+        if (!problem || !strstr(problem, bad[i].says))
+            TEST_FAIL("'%s': %s", bad[i].text, problem ? problem : "accepted");
         CHECK(list.x == NULL);
     }
     text = (char *)calloc(1, 60001); /* a line beyond every reasonable length */
@@ -433,7 +465,8 @@ static void test_materials(void)
     remove("build/test_studio.csv");
 }
 
-/* The lobes of standard_surface (see materialx.h) against those of the shader; light through a ball against the sum over its chords. */
+/* The lobes of standard_surface (see materialx.h) against those of the shader; light through a ball against the sum
+   over its chords. */
 static void test_materialx(void)
 {
     uint64_t state = test_seed;
@@ -460,7 +493,8 @@ static void test_materialx(void)
         for (k = 0; k < 4; ++k) worst = fmax(worst, fabs(lobe[k] - share[k]));
         if (round % 7 == 0) x[18] *= 0.01; /* nearly clear */
         s = materialx_from(x);
-        for (i = 0; i < 200; ++i) { /* cosines of Lambert's law, each with 1/200 of the light; in and out through the colour */
+        for (i = 0; i < 200;
+             ++i) { /* cosines of Lambert's law, each with 1/200 of the light; in and out through the colour */
             double cosine = sqrt((i + 0.5) / 200);
             through += exp(-4 * x[18] * 2 * cosine) / 200;
         }
@@ -468,12 +502,13 @@ static void test_materialx(void)
             furthest = fmax(furthest, fabs(s.subsurface_color[k] - x[13 + k] * x[13 + k] * through));
             if (share[1] <= 0 && share[0] > 0) CHECK(s.base_color[k] == x[k]);
             if (share[0] <= 0 && share[1] > 0) CHECK(s.base_color[k] == x[3 + k]);
-            CHECK(s.transmission_color[k] > 0 && s.transmission_color[k] <= 1 && s.subsurface_color[k] >= 0 && s.subsurface_color[k] <= 1);
+            CHECK(s.transmission_color[k] > 0 && s.transmission_color[k] <= 1 && s.subsurface_color[k] >= 0 &&
+                  s.subsurface_color[k] <= 1);
         }
         CHECK(s.specular_roughness >= 0 && s.specular_roughness <= 1);
         CHECK_NEAR(s.specular_roughness + s.transmission_extra_roughness, x[11], 1e-15);
     }
-    CHECK_LE(worst, 1e-14); /* a few roundings */
+    CHECK_LE(worst, 1e-14);   /* a few roundings */
     CHECK_LE(furthest, 3e-4); /* of 200 midpoints: the root's steep start */
     TEST_NOTE("shares differ by %.1e at most, light through a ball by %.1e", worst, furthest);
 }
@@ -483,7 +518,8 @@ static void test_space(void)
 {
     enum { METALS = 4, STEPS = 300 };
     static const int columns[3] = {3, 4, 5};
-    static const double metal[METALS][3] = {{0.95, 0.64, 0.54}, {1, 0.71, 0.29}, {0.91, 0.92, 0.92}, {0.56, 0.57, 0.58}};
+    static const double metal[METALS][3] = {
+        {0.95, 0.64, 0.54}, {1, 0.71, 0.29}, {0.91, 0.92, 0.92}, {0.56, 0.57, 0.58}};
     ms_gpr_list list;
     double tie[M + 1] = {0}, x[20 * M], variance = 0;
     neural net;
@@ -526,7 +562,8 @@ static void test_space(void)
         for (k = 0; k < M; ++k) kept &= at[k] >= 0 && at[k] <= 1;
     }
     CHECK(kept);
-    CHECK_INT(ms_gpr_latent_map(s.plane, s.at, 1, NULL, &variance, NULL), MS_OK); /* it led far, but not out of what is known */
+    CHECK_INT(ms_gpr_latent_map(s.plane, s.at, 1, NULL, &variance, NULL),
+              MS_OK); /* it led far, but not out of what is known */
     CHECK_LE(variance, 0.75 * exp(2 * ms_gpr_latent_theta(s.plane)[2]));
     tie[M] = 2; /* no two parameters are so far apart */
     CHECK_INT(studio_recommend(&s, 20, x, NULL, &error), MS_INVALID_ARGUMENT);
@@ -543,7 +580,8 @@ static void test_words(void)
     static const char L[7][6] = {"#....", "#....", "#....", "#....", "#....", "#....", "#####"};
     image im = image_new(40, 30, 3), legend = image_new(300, 22, 3);
     ms_gpr_grid grid = {0, 0, 1, 1, 2, 2};
-    static const double middle[2] = {0.5, 0.5}, corner[2] = {1.5, -0.5}, value[4] = {1, 3, 2, 9}, sure[4] = {1, 1, 0.5, 0};
+    static const double middle[2] = {0.5, 0.5}, corner[2] = {1.5, -0.5}, value[4] = {1, 3, 2, 9},
+                        sure[4] = {1, 1, 0.5, 0};
     double low = 0, high = 0, sum = 0;
     float planes[3 * 4 * 4];
     int x, y, right = 1;
@@ -552,12 +590,14 @@ static void test_words(void)
     image_text(&im, 3, 4, "L", 2, red);
     for (y = 0; y < 30; ++y)
         for (x = 0; x < 40; ++x) {
-            int row = (y - 4) / 2, column = (x - 3) / 2, on = y >= 4 && x >= 3 && row < 7 && column < 5 && L[row][column] == '#';
+            int row = (y - 4) / 2, column = (x - 3) / 2,
+                on = y >= 4 && x >= 3 && row < 7 && column < 5 && L[row][column] == '#';
             right &= im.pixels[3 * (y * 40 + x)] > 0.5f ? on : !on;
             right &= !(im.pixels[3 * (y * 40 + x) + 1] > 0);
         }
     CHECK(right);
-    for (x = -20; x < 60; x += 5) image_text(&im, x, x / 2, "cut at the edges \xff;", 3, red); /* the sanitizers look on */
+    for (x = -20; x < 60; x += 5)
+        image_text(&im, x, x / 2, "cut at the edges \xff;", 3, red); /* the sanitizers look on */
     map_range(&grid, value, &grid, sure, &low, &high);
     CHECK_NEAR(low, 1, 0);
     CHECK_NEAR(high, 3, 0); /* 9 is where nothing is known */
@@ -581,7 +621,14 @@ static void test_words(void)
     image_free(&legend);
 }
 
-static const test_case cases[] = {{"states", test_states}, {"words", test_words}, {"space", test_space}, {"picks", test_picks},       {"session", test_session},     {"orders", test_orders},
-                                  {"nothing liked", test_nothing_liked},     {"neural", test_neural},
-                                  {"materials", test_materials}, {"materialx", test_materialx}};
+static const test_case cases[] = {{"states", test_states},
+                                  {"words", test_words},
+                                  {"space", test_space},
+                                  {"picks", test_picks},
+                                  {"session", test_session},
+                                  {"orders", test_orders},
+                                  {"nothing liked", test_nothing_liked},
+                                  {"neural", test_neural},
+                                  {"materials", test_materials},
+                                  {"materialx", test_materialx}};
 TEST_MAIN(cases)

@@ -1,5 +1,6 @@
-/* What build/train is made of (examples/train.h) against plain loops in double and finite differences, and the command itself as people use
-   it: pictures of an analytic shader in folders and sheets, its network against the shader, interrupted runs, bad input by file and line. */
+/* What build/train is made of (examples/train.h) against plain loops in double and finite differences, and the command
+   itself as people use it: pictures of an analytic shader in folders and sheets, its network against the shader,
+   interrupted runs, bad input by file and line. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #include "test.h"
@@ -24,8 +25,11 @@ static void test_product(void)
         for (turned = 0; turned < 4; ++turned)
             for (add = 0; add < 2; ++add) {
                 int m = sizes[t][0], n = sizes[t][1], k = sizes[t][2];
-                float *a = (float *)malloc((size_t)(m * k) * sizeof(float)), *b = (float *)malloc((size_t)(k * n) * sizeof(float)), *c = (float *)malloc((size_t)(m * n) * sizeof(float));
-                train_matrix am = turned & 1 ? train_transposed(a, (size_t)m) : train_rows(a, (size_t)k), bm = turned & 2 ? train_transposed(b, (size_t)k) : train_rows(b, (size_t)n);
+                float *a = (float *)malloc((size_t)(m * k) * sizeof(float)),
+                      *b = (float *)malloc((size_t)(k * n) * sizeof(float)),
+                      *c = (float *)malloc((size_t)(m * n) * sizeof(float));
+                train_matrix am = turned & 1 ? train_transposed(a, (size_t)m) : train_rows(a, (size_t)k),
+                             bm = turned & 2 ? train_transposed(b, (size_t)k) : train_rows(b, (size_t)n);
                 for (i = 0; i < m * k; ++i) a[i] = train_normal(&seed);
                 for (i = 0; i < k * n; ++i) b[i] = train_normal(&seed);
                 for (i = 0; i < m * n; ++i) c[i] = 3;
@@ -34,7 +38,8 @@ static void test_product(void)
                     for (j = 0; j < n; ++j) {
                         double s = add ? 3 : 0, size = 3;
                         for (p = 0; p < k; ++p) {
-                            double v = (double)am.p[(size_t)i * am.row + (size_t)p * am.column] * (double)bm.p[(size_t)p * bm.row + (size_t)j * bm.column];
+                            double v = (double)am.p[(size_t)i * am.row + (size_t)p * am.column] *
+                                (double)bm.p[(size_t)p * bm.row + (size_t)j * bm.column];
                             s += v;
                             size += fabs(v);
                         }
@@ -50,7 +55,8 @@ static void test_product(void)
 }
 
 /* Loss sum w . y of a network, in the trainer's floats. */
-static double loss_of(const train_net *net, train_work *w, int n, const float *x, float *const *act, const float *weight)
+static double loss_of(const train_net *net, train_work *w, int n, const float *x, float *const *act,
+                      const float *weight)
 {
     double s = 0;
     int i, outputs = net->size[net->layers];
@@ -65,7 +71,8 @@ static void test_gradient(void)
     static const int sizes[] = {5, 9, 7, 4};
     enum { N = 11 };
     train_work *w = (train_work *)malloc(sizeof *w);
-    float x[N * 5], weight[N * 4], act0[2 * N * 9], act1[2 * N * 7], act2[2 * N * 4], g[N * 9], spare[N * 9], gx[N * 5], *act[3], *grad;
+    float x[N * 5], weight[N * 4], act0[2 * N * 9], act1[2 * N * 7], act2[2 * N * 4], g[N * 9], spare[N * 9], gx[N * 5],
+        *act[3], *grad;
     uint64_t seed = test_seed + 5;
     int sigmoid, i;
     act[0] = act0, act[1] = act1, act[2] = act2;
@@ -92,8 +99,11 @@ static void test_gradient(void)
             worst = fmax(worst, fabs((up - down) / 8e-3 - mine));
             size = fmax(size, fabs(mine));
         }
-        CHECK_LE(worst, 5e-3 * size); /* floats: 1e-6 over 8e-3, and a step's square over the kink of an ELU's second derivative */
-        TEST_NOTE("%s, %s: worst %.1e of %.1e", sigmoid >> 1 ? "SiLU" : "ELU", sigmoid & 1 ? "sigmoid" : "linear", worst, size);
+        CHECK_LE(
+            worst,
+            5e-3 * size); /* floats: 1e-6 over 8e-3, and a step's square over the kink of an ELU's second derivative */
+        TEST_NOTE("%s, %s: worst %.1e of %.1e", sigmoid >> 1 ? "SiLU" : "ELU", sigmoid & 1 ? "sigmoid" : "linear",
+                  worst, size);
         free(grad);
         free(net.p);
     }
@@ -117,12 +127,14 @@ static void test_exp(void)
     TEST_NOTE("worst %.1e", worst);
 }
 
-/* Pictures of known components: the basis spans them, variances are theirs, more asked for than there are is no harm, threads change nothing. */
+/* Pictures of known components: the basis spans them, variances are theirs, more asked for than there are is no harm,
+   threads change nothing. */
 static void test_components(void)
 {
     enum { ROWS = 120, PIXELS = 1300, TRUE = 9 };
     uint16_t *value = (uint16_t *)malloc(ROWS * PIXELS * sizeof(uint16_t));
-    double *exact = (double *)malloc(ROWS * ROWS * sizeof(double)), *vector = (double *)malloc(ROWS * ROWS * sizeof(double)), *eigen = (double *)malloc(ROWS * sizeof(double));
+    double *exact = (double *)malloc(ROWS * ROWS * sizeof(double)),
+           *vector = (double *)malloc(ROWS * ROWS * sizeof(double)), *eigen = (double *)malloc(ROWS * sizeof(double));
     float a[ROWS * TRUE], b[PIXELS * TRUE], mean[PIXELS];
     uint64_t seed = test_seed + 9;
     train_components c[2];
@@ -154,15 +166,20 @@ static void test_components(void)
         for (i = 0; i < ROWS; ++i)
             for (j = 0; j <= i; ++j) {
                 double s = 0;
-                for (k = 0; k < PIXELS; ++k) s += ((double)value[i * PIXELS + k] / 65535 - (double)mean[k]) * ((double)value[j * PIXELS + k] / 65535 - (double)mean[k]);
+                for (k = 0; k < PIXELS; ++k)
+                    s += ((double)value[i * PIXELS + k] / 65535 - (double)mean[k]) *
+                        ((double)value[j * PIXELS + k] / 65535 - (double)mean[k]);
                 exact[i * ROWS + j] = exact[j * ROWS + i] = s / (double)ROWS;
             }
         if (asked == 6) train_eigen(ROWS, exact, vector, eigen);
         for (j = 0; j < 6; ++j) CHECK_NEAR(c[0].variance[j] / eigen[j], 1, 2e-5); /* floats in the products */
         for (i = 0; i < PIXELS; i += 97) { /* orthonormal columns, coordinates of them */
             double s = 0;
-            for (k = 0; k < asked; ++k) s += (double)c[0].basis[i * asked + k] * (double)c[0].coordinate[17 * asked + k];
-            if (asked == 60) CHECK_NEAR(s + (double)mean[i], (double)value[17 * PIXELS + i] / 65535, 2e-5); /* the pictures' own 16 bits */
+            for (k = 0; k < asked; ++k)
+                s += (double)c[0].basis[i * asked + k] * (double)c[0].coordinate[17 * asked + k];
+            if (asked == 60)
+                CHECK_NEAR(s + (double)mean[i], (double)value[17 * PIXELS + i] / 65535,
+                           2e-5); /* the pictures' own 16 bits */
         }
         for (j = 0; j < 6; ++j)
             for (k = 0; k <= j; ++k) {
@@ -182,17 +199,19 @@ static void test_components(void)
 
 enum { SIDE = 16, PARAMETERS = 6, OUTPUTS_ALL = 3 * SIDE * SIDE };
 
-/* A shader of a few lines, linear light: a ball with a diffuse colour (x0, x1, x2), a highlight of width x3, shared by x4 (0 or 1 in half of the
-   materials: no highlight, or nothing else), on a floor whose brightness is x5. */
+/* A shader of a few lines, linear light: a ball with a diffuse colour (x0, x1, x2), a highlight of width x3, shared by
+   x4 (0 or 1 in half of the materials: no highlight, or nothing else), on a floor whose brightness is x5. */
 static void shade(const float *x, float *rgb)
 {
     int u, v, c;
     for (v = 0; v < SIDE; ++v)
         for (u = 0; u < SIDE; ++u)
             for (c = 0; c < 3; ++c) {
-                float px = ((float)u + 0.5f) / (float)SIDE * 2 - 1, py = ((float)v + 0.5f) / (float)SIDE * 2 - 1, r = px * px + py * py, out = 0.1f + 0.5f * x[5] * (0.5f + 0.5f * py);
+                float px = ((float)u + 0.5f) / (float)SIDE * 2 - 1, py = ((float)v + 0.5f) / (float)SIDE * 2 - 1,
+                      r = px * px + py * py, out = 0.1f + 0.5f * x[5] * (0.5f + 0.5f * py);
                 if (r < 0.7f) {
-                    float z = sqrtf(1 - r), light = fmaxf(0, 0.6f * z - 0.4f * px - 0.5f * py), width = 0.05f + 0.4f * x[3];
+                    float z = sqrtf(1 - r), light = fmaxf(0, 0.6f * z - 0.4f * px - 0.5f * py),
+                          width = 0.05f + 0.4f * x[3];
                     float h = expf(-((px + 0.3f) * (px + 0.3f) + (py + 0.3f) * (py + 0.3f)) / width);
                     out = (1 - x[4]) * x[c] * light + x[4] * h * 0.8f;
                 }
@@ -204,7 +223,9 @@ static void materials(float *x, int n, uint64_t seed)
 {
     int i, j;
     for (i = 0; i < n; ++i)
-        for (j = 0; j < PARAMETERS; ++j) x[i * PARAMETERS + j] = j == 4 && i % 2 ? (train_uniform(&seed) < 0.5f ? 0.0f : 1.0f) : train_uniform(&seed);
+        for (j = 0; j < PARAMETERS; ++j)
+            x[i * PARAMETERS + j] = j == 4 && i % 2 ? (train_uniform(&seed) < 0.5f ? 0.0f : 1.0f)
+                                                    : train_uniform(&seed);
 }
 
 /* Pictures and their table; x5 runs from -2 to 2 there. With file: a column of names. */
@@ -228,7 +249,9 @@ static void data_set(const char *folder, const char *ending, const float *x, int
         CHECK(image_write(path, &im) == NULL);
         image_free(&im);
         if (named) fprintf(f, "%05d.%s,", n - i, ending);
-        for (j = 0; j < PARAMETERS; ++j) fprintf(f, "%.7g%s", (double)(j == 5 ? 4 * x[i * PARAMETERS + j] - 2 : x[i * PARAMETERS + j]), j + 1 < PARAMETERS ? "," : "\n");
+        for (j = 0; j < PARAMETERS; ++j)
+            fprintf(f, "%.7g%s", (double)(j == 5 ? 4 * x[i * PARAMETERS + j] - 2 : x[i * PARAMETERS + j]),
+                    j + 1 < PARAMETERS ? "," : "\n");
     }
     fclose(f);
 }
@@ -285,7 +308,8 @@ static void against_shader(const char *path, double *mean, double *least)
         double s = 0;
         shade(x + i * PARAMETERS, rgb);
         for (p = 0; p < OUTPUTS_ALL; ++p) {
-            double d = (double)y[i * OUTPUTS_ALL + p] - (double)image_srgb_encode(rgb[3 * (p % (SIDE * SIDE)) + p / (SIDE * SIDE)]);
+            double d = (double)y[i * OUTPUTS_ALL + p] -
+                (double)image_srgb_encode(rgb[3 * (p % (SIDE * SIDE)) + p / (SIDE * SIDE)]);
             s += d * d;
         }
         s = -10 * log10(s / (double)OUTPUTS_ALL);
@@ -323,13 +347,15 @@ static void test_folder(void)
     data_set(FOLDER "pfm", "pfm", x, N, 0);
     CHECK_INT(run(TOY, "pfm", "pfm", "a.safetensors", EPOCHS, ""), 0);
     CHECK(strstr(said, "share a network, inputs 0,3,4,5;1,3,4,5;2,3,4,5 of 6 parameters") != NULL);
-    CHECK(strstr(said, "32 held out") != NULL && strstr(said, "s left") != NULL && strstr(said, "held out: mean ") != NULL);
+    CHECK(strstr(said, "32 held out") != NULL && strstr(said, "s left") != NULL &&
+          strstr(said, "held out: mean ") != NULL);
     against_shader(FOLDER "a.safetensors", &mean, &least);
-    CHECK_LE(36, mean); /* a picture of the mean material: 14 dB; the best of another seed's networks differ by 1 dB */
+    CHECK_LE(36, mean);  /* a picture of the mean material: 14 dB; the best of another seed's networks differ by 1 dB */
     CHECK_LE(20, least); /* the narrowest highlights, a pixel wide */
     TEST_NOTE("mean %.1f dB, least %.1f", mean, least);
     if (ms_nn_file_read(FOLDER "a.safetensors", NULL, &file, &error) == MS_OK) {
-        CHECK(strcmp(ms_nn_file_metadata(file, "ms_parameters"), "base red,base green,base blue,width,share,floor") == 0);
+        CHECK(strcmp(ms_nn_file_metadata(file, "ms_parameters"), "base red,base green,base blue,width,share,floor") ==
+              0);
         CHECK(strncmp(ms_nn_file_metadata(file, "ms_ranges"), "0:1,0:1,0:1,0:1,0:1,-1.99", 25) == 0);
         CHECK(strcmp(ms_nn_file_metadata(file, "ms_sharp"), "4") == 0);
         ms_nn_file_close(file);
@@ -338,7 +364,8 @@ static void test_folder(void)
     CHECK_INT(run(TOY, "pfm", "pfm", "b.safetensors", EPOCHS, "--threads 3 --channels '0,3,4,5;1,3,4,5;2,3,4,5'"), 0);
     CHECK(same_files(FOLDER "a.safetensors", FOLDER "b.safetensors"));
     remove(FOLDER "c.safetensors");
-    for (wait = 0.2; wait < 20 && !exists(FOLDER "c.safetensors.checkpoint0") && !exists(FOLDER "c.safetensors"); wait *= 1.5) {
+    for (wait = 0.2; wait < 20 && !exists(FOLDER "c.safetensors.checkpoint0") && !exists(FOLDER "c.safetensors");
+         wait *= 1.5) {
         char command[200];
         snprintf(command, sizeof command, "timeout -s KILL %.2f ", wait);
         strcat(command, TOY);
@@ -350,24 +377,29 @@ static void test_folder(void)
     CHECK(same_files(FOLDER "a.safetensors", FOLDER "c.safetensors"));
     CHECK(!exists(FOLDER "c.safetensors.checkpoint0"));
     /* an inversion network: what it answers draws a picture like the one it was given */
-    CHECK_INT(run("build/train --inversion " FOLDER "a.safetensors " FOLDER "inv --count 2 --first 24 --width 32 --steps 500"), 0);
+    CHECK_INT(run("build/train --inversion " FOLDER "a.safetensors " FOLDER
+                  "inv --count 2 --first 24 --width 32 --steps 500"),
+              0);
     {
         enum { M = 100 };
-        float *y = (float *)malloc(M * OUTPUTS_ALL * sizeof(float)), *again = (float *)malloc(M * OUTPUTS_ALL * sizeof(float)), guess[M * PARAMETERS];
+        float *y = (float *)malloc(M * OUTPUTS_ALL * sizeof(float)),
+              *again = (float *)malloc(M * OUTPUTS_ALL * sizeof(float)), guess[M * PARAMETERS];
         ms_nn *renderer, *inverse;
         double s = 0, plain = 0;
         int i;
         CHECK(ms_nn_load_file(FOLDER "a.safetensors", NULL, &renderer, &error) == MS_OK);
         CHECK(ms_nn_load_file(FOLDER "inv2.safetensors", NULL, &inverse, &error) == MS_OK);
         materials(x, M, 7);
-        CHECK(ms_nn_forward(renderer, M, x, y, NULL) == MS_OK && ms_nn_forward(inverse, M, y, guess, NULL) == MS_OK && ms_nn_forward(renderer, M, guess, again, NULL) == MS_OK);
+        CHECK(ms_nn_forward(renderer, M, x, y, NULL) == MS_OK && ms_nn_forward(inverse, M, y, guess, NULL) == MS_OK &&
+              ms_nn_forward(renderer, M, guess, again, NULL) == MS_OK);
         for (i = 0; i < M * OUTPUTS_ALL; ++i) {
             double d = (double)(again[i] - y[i]), e = (double)(y[i] - y[(i + OUTPUTS_ALL) % (M * OUTPUTS_ALL)]);
             s += d * d;
             plain += e * e;
         }
         CHECK_LE(s, 0.05 * plain); /* against another material's picture: without learning it is about 1 */
-        TEST_NOTE("inverted: RMSE %.1f of 255, another material %.1f", 255 * sqrt(s / (M * OUTPUTS_ALL)), 255 * sqrt(plain / (M * OUTPUTS_ALL)));
+        TEST_NOTE("inverted: RMSE %.1f of 255, another material %.1f", 255 * sqrt(s / (M * OUTPUTS_ALL)),
+                  255 * sqrt(plain / (M * OUTPUTS_ALL)));
         ms_nn_destroy(renderer);
         ms_nn_destroy(inverse);
         free(y);
@@ -376,7 +408,8 @@ static void test_folder(void)
     free(x);
 }
 
-/* Other forms of the same data: names in the table, PNG, one sheet, no sharing, bytes and quality that are asked for. */
+/* Other forms of the same data: names in the table, PNG, one sheet, no sharing, bytes and quality that are asked
+   for. */
 static void test_forms(void)
 {
     enum { N = 200 };
@@ -403,7 +436,8 @@ static void test_forms(void)
         snprintf(path, sizeof path, FOLDER "ppm/%05d.ppm", i);
         CHECK(image_read(path, &im) == NULL);
         for (v = 0; v < SIDE; ++v)
-            for (u = 0; u < 3 * SIDE; ++u) sheet.pixels[(i / 10 * SIDE + v) * 30 * SIDE + i % 10 * 3 * SIDE + u] = im.pixels[v * 3 * SIDE + u];
+            for (u = 0; u < 3 * SIDE; ++u)
+                sheet.pixels[(i / 10 * SIDE + v) * 30 * SIDE + i % 10 * 3 * SIDE + u] = im.pixels[v * 3 * SIDE + u];
         image_free(&im);
     }
     CHECK(image_write(FOLDER "sheet.ppm", &sheet) == NULL);
@@ -433,8 +467,8 @@ static void refused(const char *text, int code)
 
 enum { WIDE = 64, PART = 32 };
 
-/* Blobs whose edge is finer than a pixel of 32 x 32, their heights a channel's albedo (x0, x1, x2), on a gradient of x6; linear light with
-   noise of this deviation. */
+/* Blobs whose edge is finer than a pixel of 32 x 32, their heights a channel's albedo (x0, x1, x2), on a gradient of
+   x6; linear light with noise of this deviation. */
 static void parts(const char *folder, int first, int count, float noise, uint64_t seed)
 {
     char path[200];
@@ -456,7 +490,8 @@ static void parts(const char *folder, int first, int count, float noise, uint64_
             for (v = 0; v < WIDE; ++v)
                 for (u = 0; u < WIDE; ++u)
                     for (c = 0; c < 3; ++c) {
-                        float px = ((float)u - 31.7f) / 20, py = ((float)v - 32.2f) / 20, r = sqrtf(px * px + py * py), light;
+                        float px = ((float)u - 31.7f) / 20, py = ((float)v - 32.2f) / 20, r = sqrtf(px * px + py * py),
+                              light;
                         unsigned half;
                         light = 0.1f + 0.3f * x[i][6] * (float)v / 64 + 0.5f * x[i][c] / (1 + expf(40 * (r - 1)));
                         light = fmaxf(0.01f, light + noise * train_normal(&seed));
@@ -476,23 +511,31 @@ static double told(const char *text)
     return at ? strtod(at + strlen(text), NULL) : -1;
 }
 
-/* A trunk that learnt on averages, a pixels' layer of the full size regressed on it: edges are sharp again, and noise does not come through. */
+/* A trunk that learnt on averages, a pixels' layer of the full size regressed on it: edges are sharp again, and noise
+   does not come through. */
 static void test_larger(void)
 {
     double coarse, large;
     if (!have_tool()) SKIP("build/train is not there; make builds it");
     parts(FOLDER "noisy", 0, 10, 0.08f, 1);
     parts(FOLDER "clean", 500, 1, 0, 1);
-    CHECK_INT(run("build/train " FOLDER "noisy - " FOLDER "small.safetensors --size 32 --rank 12 --width 32 --teachers 0 --epochs 60 --check " FOLDER "clean"), 0);
+    CHECK_INT(run("build/train " FOLDER "noisy - " FOLDER
+                  "small.safetensors --size 32 --rank 12 --width 32 --teachers 0 --epochs 60 --check " FOLDER "clean"),
+              0);
     coarse = told("check: mean ");
-    CHECK_INT(run("build/train " FOLDER "noisy - " FOLDER "large.safetensors --trunk " FOLDER "small.safetensors --rank 6 --type I8 --check " FOLDER "clean"), 0);
+    CHECK_INT(run("build/train " FOLDER "noisy - " FOLDER "large.safetensors --trunk " FOLDER
+                  "small.safetensors --rank 6 --type I8 --check " FOLDER "clean"),
+              0);
     large = told("check: mean ");
     CHECK_LE(30, coarse);
-    CHECK_LE(coarse - 3, large); /* four times as many pixels from the same light: noise alone, taken as it is, leaves 28 dB */
-    CHECK_INT(run("build/train --measure " FOLDER "large.safetensors - --check " FOLDER "clean --check " FOLDER "clean"), 0);
+    CHECK_LE(coarse - 3,
+             large); /* four times as many pixels from the same light: noise alone, taken as it is, leaves 28 dB */
+    CHECK_INT(
+        run("build/train --measure " FOLDER "large.safetensors - --check " FOLDER "clean --check " FOLDER "clean"), 0);
     CHECK_NEAR(told("large.safetensors: mean "), large, 0.011); /* the same pictures; printed to 0.01 */
     TEST_NOTE("32 x 32: %.1f dB, 64 x 64: %.1f dB", coarse, large);
-    refused("--trunk needs a folder", run("build/train " FOLDER "pfm " FOLDER "pfm.csv " FOLDER "x --trunk " FOLDER "small.safetensors"));
+    refused("--trunk needs a folder",
+            run("build/train " FOLDER "pfm " FOLDER "pfm.csv " FOLDER "x --trunk " FOLDER "small.safetensors"));
     refused("--measure needs --check", run("build/train --measure " FOLDER "large.safetensors -"));
 }
 
@@ -544,7 +587,8 @@ static void test_bad_input(void)
     CHECK(image_save(FOLDER "empty/part_000000.bin", "msds", 4) == NULL);
     refused("part_000000.bin: not a part", run(TOY, "empty", "bad", "x", 1, ""));
     /* the options */
-    refused("no number of a parameter", (data_set(FOLDER "bad", "pfm", x, N, 0), run(TOY, "bad", "bad", "x", 1, "--channels 0,9")));
+    refused("no number of a parameter",
+            (data_set(FOLDER "bad", "pfm", x, N, 0), run(TOY, "bad", "bad", "x", 1, "--channels 0,9")));
     refused("is no rule", run(TOY, "bad", "bad", "x", 1, "--hidden 0@1"));
     refused("is too few", run(TOY, "bad", "bad", "x", 1, "--bytes 10000"));
     refused("is no number", run(TOY, "bad", "bad", "x", 1, "--rank many"));
@@ -556,6 +600,12 @@ static void test_bad_input(void)
     image_free(&large);
 }
 
-static const test_case cases[] = {{"products", test_product}, {"gradients", test_gradient}, {"exponentials", test_exp}, {"principal components", test_components},
-                                  {"a folder of pictures", test_folder}, {"other forms of pictures", test_forms}, {"larger pictures", test_larger}, {"bad input", test_bad_input}};
+static const test_case cases[] = {{"products", test_product},
+                                  {"gradients", test_gradient},
+                                  {"exponentials", test_exp},
+                                  {"principal components", test_components},
+                                  {"a folder of pictures", test_folder},
+                                  {"other forms of pictures", test_forms},
+                                  {"larger pictures", test_larger},
+                                  {"bad input", test_bad_input}};
 TEST_MAIN(cases)

@@ -17,18 +17,18 @@
 
 typedef struct user_class {
     int gates, tastes;
-    int dimension[USER_TERMS];   /* the gates first */
+    int dimension[USER_TERMS]; /* the gates first */
     double center[USER_TERMS];
-    double width[USER_TERMS];    /* negative: a gate that is open below its center */
+    double width[USER_TERMS]; /* negative: a gate that is open below its center */
 } user_class;
 
 typedef struct user {
     int m, classes;
     user_class liked[USER_CLASSES];
-    double cut, top;             /* g at u* = 0 and at u* = 10 */
-    double human;                /* standard deviation of the user's own inconsistency, in scores */
-    double wrong;                /* share of answers that are random */
-    int stars;                   /* says 0 to `stars` in place of 0 to 10 */
+    double cut, top; /* g at u* = 0 and at u* = 10 */
+    double human;    /* standard deviation of the user's own inconsistency, in scores */
+    double wrong;    /* share of answers that are random */
+    int stars;       /* says 0 to `stars` in place of 0 to 10 */
 } user;
 
 static double user__product(const user_class *c, const double *x)
@@ -72,8 +72,8 @@ static int user__compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* liking: the share of uniform materials with u* > 0. The cut is that quantile of g on 4000 materials. classes: 0: one or two.
-   scale: of all widths. and_terms: more tastes a class, all of which must be met. */
+/* liking: the share of uniform materials with u* > 0. The cut is that quantile of g on 4000 materials. classes: 0: one
+   or two. scale: of all widths. and_terms: more tastes a class, all of which must be met. */
 static TEST_UNUSED user user__make(uint64_t seed, int m, double liking, int classes, double scale, int and_terms)
 {
     enum { SAMPLES = 4000 };
@@ -122,15 +122,28 @@ static TEST_UNUSED user user__make(uint64_t seed, int m, double liking, int clas
 
 static TEST_UNUSED user user_make(uint64_t seed, int m, double liking) { return user__make(seed, m, liking, 0, 1, 0); }
 
-static TEST_UNUSED const char *const user_kinds[USER_KINDS] = {
-    "one class, 10% liked", "one class, 20%", "two classes, 10%", "two classes, 20%", "three classes, 20%", "sharp edges",
-    "soft edges", "seven conditions", "3% liked", "2% liked", "five stars", "10% of the answers random"};
+static TEST_UNUSED const char *const user_kinds[USER_KINDS] = {"one class, 10% liked",
+                                                               "one class, 20%",
+                                                               "two classes, 10%",
+                                                               "two classes, 20%",
+                                                               "three classes, 20%",
+                                                               "sharp edges",
+                                                               "soft edges",
+                                                               "seven conditions",
+                                                               "3% liked",
+                                                               "2% liked",
+                                                               "five stars",
+                                                               "10% of the answers random"};
 
 static TEST_UNUSED user user_of_kind(int kind, uint64_t seed, int m)
 {
     static const double liking[USER_KINDS] = {0.10, 0.20, 0.10, 0.20, 0.20, 0.10, 0.10, 0.10, 0.03, 0.02, 0.10, 0.10};
     static const int classes[USER_KINDS] = {1, 1, 2, 2, 3, 1, 1, 1, 1, 1, 1, 1};
-    user u = user__make(seed + 1000 * (uint64_t)kind, m, liking[kind], classes[kind], kind == 5 ? 0.5 : kind == 6 ? 2 : 1, kind == 7 ? 2 : 0);
+    user u = user__make(seed + 1000 * (uint64_t)kind, m, liking[kind], classes[kind],
+                        kind == 5       ? 0.5
+                            : kind == 6 ? 2
+                                        : 1,
+                        kind == 7 ? 2 : 0);
     if (kind == 10) u.stars = 5;
     if (kind == 11) u.wrong = 0.1;
     return u;

@@ -1,12 +1,12 @@
-/* Subsurface scattering in an engine's frame, in plain OpenGL 3.3 core: G-buffer, two passes, composition. A ball of skin
-   and one of wax before cloth, which must not glow; a lamp shines through the rims from behind.
+/* Subsurface scattering in an engine's frame, in plain OpenGL 3.3 core: G-buffer, two passes, composition. A ball of
+   skin and one of wax before cloth, which must not glow; a lamp shines through the rims from behind.
 
      cc -O2 -I. -Iexamples examples/gl/engine.c -o build/engine -lEGL -lm && build/engine OUT.png
 
-   To port it: the texts come in HLSL, Vulkan GLSL and WGSL as well (shader.language); what stands here as a uniform array is
-   one constant buffer there, filled with the same bytes; "texture unit n" is a descriptor in the slot that ms_sss.h names
-   beside ms_sss_shader; between two draws, where the target of one is read by the next, Vulkan and D3D12 want a barrier
-   from render target to shader resource. Nothing else depends on the API. */
+   To port it: the texts come in HLSL, Vulkan GLSL and WGSL as well (shader.language); what stands here as a uniform
+   array is one constant buffer there, filled with the same bytes; "texture unit n" is a descriptor in the slot that
+   ms_sss.h names beside ms_sss_shader; between two draws, where the target of one is read by the next, Vulkan and D3D12
+   want a barrier from render target to shader resource. Nothing else depends on the API. */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "egl.h"
@@ -15,9 +15,9 @@
 enum { WIDTH = 960, HEIGHT = 540, SKIN = 0, WAX = 1, KERNELS = 2 };
 enum { IRRADIANCE, ALBEDO, SPECULAR, THROUGH, MIDDLE, FILTERED, PICTURE, TARGETS };
 
-/* What stands for the engine's mesh pass. It writes what every engine has: light that arrives, before the albedo and without
-   the specular part, with depth (along the view axis) and the material's index in alpha. Materials that do not scatter
-   write 0 there. Its light loop calls ms_sss_transmission, whose text goes before this one. */
+/* What stands for the engine's mesh pass. It writes what every engine has: light that arrives, before the albedo and
+   without the specular part, with depth (along the view axis) and the material's index in alpha. Materials that do not
+   scatter write 0 there. Its light loop calls ms_sss_transmission, whose text goes before this one. */
 static const char *const scene =
     "uniform vec4 reflectance[2], decay[2];\n"
     "layout(location = 0) out vec4 irradiance; layout(location = 1) out vec4 albedo;\n"
@@ -76,13 +76,18 @@ static int fail(const char *what, const char *why)
     return 1;
 }
 
-static void read_by(GLuint program, const char *name, int unit) { gl_Uniform1i(gl_GetUniformLocation(program, name), unit); }
+static void read_by(GLuint program, const char *name, int unit)
+{
+    gl_Uniform1i(gl_GetUniformLocation(program, name), unit);
+}
 
 static void draw(int first, int count)
 {
-    static const GLenum to[4] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2, GL_COLOR_ATTACHMENT3};
+    static const GLenum to[4] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
+                                 GL_COLOR_ATTACHMENT3};
     int i;
-    for (i = 0; i < 4; ++i) gl_FramebufferTexture2D(GL_FRAMEBUFFER, to[i], GL_TEXTURE_2D, i < count ? texture[first + i] : 0, 0);
+    for (i = 0; i < 4; ++i)
+        gl_FramebufferTexture2D(GL_FRAMEBUFFER, to[i], GL_TEXTURE_2D, i < count ? texture[first + i] : 0, 0);
     gl_DrawBuffers(count, to);
     gl_DrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -90,7 +95,8 @@ static void draw(int first, int count)
 int main(int argc, char **argv)
 {
     /* Assets: built once, by a tool; 7 taps a pass. Materials as colour and Burley's distance here. */
-    static const double reflectance[KERNELS][3] = {{0.78, 0.5, 0.38}, {0.9, 0.82, 0.55}}, distance_mm[KERNELS][3] = {{3.6, 1.4, 0.7}, {2.4, 1.8, 0.9}};
+    static const double reflectance[KERNELS][3] = {{0.78, 0.5, 0.38}, {0.9, 0.82, 0.55}},
+                        distance_mm[KERNELS][3] = {{3.6, 1.4, 0.7}, {2.4, 1.8, 0.9}};
     static ms_sss_kernel kernel[KERNELS];
     static float constants[64][4], factor[2][KERNELS][4];
     static unsigned char picture[WIDTH * HEIGHT * 4], rgb[WIDTH * HEIGHT * 3];
@@ -104,8 +110,10 @@ int main(int argc, char **argv)
     if (argc != 2) return fail("usage", "engine OUT.png");
     for (i = 0; i < KERNELS; ++i) {
         ms_sss_profile *profile;
-        if (ms_sss_profile_from_burley(&profile, reflectance[i], distance_mm[i], NULL, &error) != MS_OK) return fail("profile", error.message);
-        if (ms_sss_kernel_make(&kernel[i], NULL, profile, 48, NULL, NULL, &error) != MS_OK) return fail("kernel", error.message);
+        if (ms_sss_profile_from_burley(&profile, reflectance[i], distance_mm[i], NULL, &error) != MS_OK)
+            return fail("profile", error.message);
+        if (ms_sss_kernel_make(&kernel[i], NULL, profile, 48, NULL, NULL, &error) != MS_OK)
+            return fail("kernel", error.message);
         ms_sss_profile_destroy(profile);
         for (c = 0; c < 3; ++c) {
             factor[0][i][c] = kernel[i].reflectance[c];
@@ -127,7 +135,8 @@ int main(int argc, char **argv)
     gl_Uniform4fv(gl_GetUniformLocation(program, "decay"), KERNELS, &factor[1][0][0]);
     draw(IRRADIANCE, 4);
 
-    /* 2. the passes: texts and constants are made once, and again when the table beside ms_sss_shader_picture says so */
+    /* 2. the passes: texts and constants are made once, and again when the table beside ms_sss_shader_picture says
+       so */
     options.fov_degrees = 40;
     options.mm_per_unit = 10; /* the scene is in centimetres */
     memset(&shader, 0, sizeof shader);
@@ -137,7 +146,8 @@ int main(int argc, char **argv)
     shader.profile_count = KERNELS;
     shader.depth = shader.profile = MS_SSS_ALPHA;
     if (ms_sss_shader_constant_count(&shader) > 64) return fail("constants", "more than 64");
-    if (ms_sss_shader_constants(kernel, 0, &options, WIDTH, HEIGHT, &shader, constants, &error) != MS_OK) return fail("constants", error.message);
+    if (ms_sss_shader_constants(kernel, 0, &options, WIDTH, HEIGHT, &shader, constants, &error) != MS_OK)
+        return fail("constants", error.message);
     for (step = 0; step < 2; ++step) {
         shader.step = step ? MS_SSS_STEP_Y : MS_SSS_STEP_X;
         if (!ms_sss_shader_text(&shader, &options, text, sizeof text, &error)) return fail("text", error.message);

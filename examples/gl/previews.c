@@ -1,12 +1,12 @@
-/* A gallery that follows a slider: 300 materials of a neural renderer, drawn by the GPU in two draws (or STEPS) whenever one of
-   their parameters moves. Only their parameters are sent again.
+/* A gallery that follows a slider: 300 materials of a neural renderer, drawn by the GPU in two draws (or STEPS)
+   whenever one of their parameters moves. Only their parameters are sent again.
 
      cc -O2 -I. -Iexamples examples/gl/previews.c -o build/previews -lEGL -lm
      build/previews WEIGHTS.safetensors OUT.png [SLIDER [STEPS]]
 
-   WEIGHTS: as of build/preview, such as examples/data/renderer_128.safetensors, with dense layers only. SLIDER: which parameter
-   moves, from 0 to 1 in three frames; 0 if it is not given. OUT: the last frame, which is compared with ms_nn_forward. Time is
-   of the clock; on a software rasteriser it is no measure of anything. */
+   WEIGHTS: as of build/preview, such as examples/data/renderer_128.safetensors, with dense layers only. SLIDER: which
+   parameter moves, from 0 to 1 in three frames; 0 if it is not given. OUT: the last frame, which is compared with
+   ms_nn_forward. Time is of the clock; on a software rasteriser it is no measure of anything. */
 #define _POSIX_C_SOURCE 200809L
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
@@ -37,13 +37,17 @@ typedef struct gallery {
     float *inputs;
 } gallery;
 
-static GLuint values_texture(GLenum format, int width, int height) { return gl_texture(0, format, width, height, NULL); }
+static GLuint values_texture(GLenum format, int width, int height)
+{
+    return gl_texture(0, format, width, height, NULL);
+}
 
 /* NULL, or what is wrong. */
 static const char *gallery_make(gallery *g, const neural *n, int steps, ms_error *error)
 {
     static char text[60000], log[2000];
-    const float constants[4] = {ACROSS, COUNT, 0, 0}; /* row 0 of the sheet is row 0 of the target: as image_write wants it */
+    const float constants[4] = {ACROSS, COUNT, 0,
+                                0}; /* row 0 of the sheet is row 0 of the target: as image_write wants it */
     ms_nn_shader s;
     void *weights;
     memset(g, 0, sizeof *g);
@@ -58,7 +62,8 @@ static const char *gallery_make(gallery *g, const neural *n, int steps, ms_error
     if (weights == NULL || g->inputs == NULL) return "out of memory";
     if (ms_nn_shader_weights(n->nn, MS_NN_F16, weights, error) != MS_OK) return error->message;
     g->weights = values_texture(GL_RGBA32F, 1, 1);
-    gl_TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, MS_NN_SHADER_WIDTH, g->size[0].weight_rows, 0, GL_RGBA, GL_HALF_FLOAT, weights);
+    gl_TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, MS_NN_SHADER_WIDTH, g->size[0].weight_rows, 0, GL_RGBA, GL_HALF_FLOAT,
+                  weights);
     free(weights);
     g->values[0] = values_texture(GL_RGBA32F, g->size[0].input_width, COUNT * g->size[0].rows);
     for (s.step = 0; s.step < g->steps; ++s.step) {
@@ -85,7 +90,8 @@ static void gallery_draw(gallery *g, const neural *n, const float *x)
     ms_nn_shader_inputs(n->nn, COUNT, x, g->inputs);
     gl_ActiveTexture(GL_TEXTURE1);
     gl_BindTexture(GL_TEXTURE_2D, g->values[0]);
-    gl_TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, g->size[0].input_width, COUNT * g->size[0].rows, 0, GL_RGBA, GL_FLOAT, g->inputs);
+    gl_TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, g->size[0].input_width, COUNT * g->size[0].rows, 0, GL_RGBA, GL_FLOAT,
+                  g->inputs);
     gl_ActiveTexture(GL_TEXTURE0);
     gl_BindTexture(GL_TEXTURE_2D, g->weights);
     gl_ActiveTexture(GL_TEXTURE1);
@@ -93,7 +99,8 @@ static void gallery_draw(gallery *g, const neural *n, const float *x)
         gl_UseProgram(g->program[k]);
         gl_BindTexture(GL_TEXTURE_2D, g->values[k]);
         gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, g->values[k + 1], 0);
-        gl_Viewport(0, 0, k == g->steps - 1 ? g->width : g->size[k].target_width, k == g->steps - 1 ? g->height : COUNT * g->size[k].rows);
+        gl_Viewport(0, 0, k == g->steps - 1 ? g->width : g->size[k].target_width,
+                    k == g->steps - 1 ? g->height : COUNT * g->size[k].rows);
         gl_DrawArrays(GL_TRIANGLES, 0, 3);
     }
     gl_Finish();
@@ -149,8 +156,8 @@ int main(int argc, char **argv)
     problem = gallery_read(&g, &n, x, &sheet, &worst);
     if (!problem) problem = image_write(argv[2], &sheet);
     if (problem) return fail(argv[2], problem);
-    printf("%d pictures of %d x %d in %d draws, %.1f ms on %s, at most %.2f of 255 from the CPU's\n", COUNT, n.size, n.size, g.steps, 1e3 * best,
-           (const char *)gl_GetString(GL_RENDERER), worst);
+    printf("%d pictures of %d x %d in %d draws, %.1f ms on %s, at most %.2f of 255 from the CPU's\n", COUNT, n.size,
+           n.size, g.steps, 1e3 * best, (const char *)gl_GetString(GL_RENDERER), worst);
     image_free(&sheet);
     free(x);
     free(g.inputs);

@@ -1,5 +1,5 @@
-/* The kernel designer's side of WebAssembly: profiles, kernels, shader texts, the CPU's filter and the layers of the objects of
-   scene.h, behind calls of numbers, for kernels.worker.js.
+/* The kernel designer's side of WebAssembly: profiles, kernels, shader texts, the CPU's filter and the layers of the
+   objects of scene.h, behind calls of numbers, for kernels.worker.js.
      clang --target=wasm32-wasi -mexec-model=reactor -O3 -msimd128 -I. -Iexamples examples/web/kernels.c -o kernels.wasm
    Calls return 0, or a status, and then message() says why. */
 #define MS_MCML_IMPLEMENTATION
@@ -8,7 +8,9 @@
 #include "ms_sss.h"
 #include "scene.h"
 
-#define CALL(type, name, arguments) type web_##name arguments; __attribute__((export_name(#name))) type web_##name arguments
+#define CALL(type, name, arguments) \
+    type web_##name arguments;      \
+    __attribute__((export_name(#name))) type web_##name arguments
 
 enum { SIDE = 1024, CURVE = 96, TEXT = 1 << 17, CONSTANTS = 160 };
 
@@ -41,7 +43,7 @@ CALL(int, materials, (void)) /* their names, a line each; how many */
     return count;
 }
 
-/* ------------------------------------------------------------------------------------------------------------ kernels */
+/* ---------------------------------------------------------------------------------------------------------- kernels */
 
 static ms_status make_profile(int material, const double *own)
 {
@@ -85,10 +87,10 @@ static ms_status make_profile(int material, const double *own)
     return MS_OK;
 }
 
-/* A kernel (rough: its errors are not measured): material; -1 and numbers 0 to 5, colour and mean free paths in mm; -2 and
-   numbers 0 and 1, melanin and blood of skin; its place on the screen by pixels a millimetre of
-   material. Numbers then: 0 to 6 errors, 7 taps, 8 radius in mm, 9 radius in pixels, 10 to 12 reflectance, 13 to 15 decay; from 64 on
-   CURVE rows of r, R_d in three channels, x, a_p in three channels. */
+/* A kernel (rough: its errors are not measured): material; -1 and numbers 0 to 5, colour and mean free paths in mm; -2
+   and numbers 0 and 1, melanin and blood of skin; its place on the screen by pixels a millimetre of
+   material. Numbers then: 0 to 6 errors, 7 taps, 8 radius in mm, 9 radius in pixels, 10 to 12 reflectance, 13 to 15
+   decay; from 64 on CURVE rows of r, R_d in three channels, x, a_p in three channels. */
 CALL(int, design, (int material, int taps, int model, double pixels_per_mm, int rough))
 {
     ms_sss_kernel_options options = ms_sss_kernel_defaults();
@@ -108,7 +110,8 @@ CALL(int, design, (int material, int taps, int model, double pixels_per_mm, int 
     options.tap_count = taps;
     options.model = (ms_sss_model)model;
     options.index = 1.3;
-    status = ms_sss_kernel_make(&next, rough ? NULL : &errors, profile, fmax(most * pixels_per_mm, 1), &options, NULL, &error);
+    status = ms_sss_kernel_make(&next, rough ? NULL : &errors, profile, fmax(most * pixels_per_mm, 1), &options, NULL,
+                                &error);
     if (status != MS_OK) return (int)status;
     kernel = next;
     memcpy(number, &errors, sizeof errors);
@@ -120,13 +123,16 @@ CALL(int, design, (int material, int taps, int model, double pixels_per_mm, int 
         number[13 + c] = (double)kernel.decay[c];
     }
     for (i = 0; i < CURVE; ++i) {
-        double *row = number + 64 + 8 * i, r = most * (i + 0.5) / (double)CURVE, x = (double)kernel.radius_mm * (i + 0.5) / (double)CURVE, h = 0.5 * (double)kernel.radius_mm / (double)CURVE;
+        double *row = number + 64 + 8 * i, r = most * (i + 0.5) / (double)CURVE,
+               x = (double)kernel.radius_mm * (i + 0.5) / (double)CURVE,
+               h = 0.5 * (double)kernel.radius_mm / (double)CURVE;
         row[0] = r;
         ms_sss_profile_value(profile, r, row + 1);
         row[4] = x;
         ms_sss_profile_strip(profile, x + h, strip[1]);
         ms_sss_profile_strip(profile, x - h, strip[0]);
-        for (c = 0; c < 3; ++c) row[5 + c] = (strip[1][c] - strip[0][c]) / (4 * h) / fmax((double)kernel.reflectance[c], 1e-6);
+        for (c = 0; c < 3; ++c)
+            row[5 + c] = (strip[1][c] - strip[0][c]) / (4 * h) / fmax((double)kernel.reflectance[c], 1e-6);
     }
     return 0;
 }
@@ -142,7 +148,7 @@ CALL(int, taps, (void))
     return kernel.tap_count;
 }
 
-/* -------------------------------------------------------------------------------------------------------------- texts */
+/* ------------------------------------------------------------------------------------------------------------ texts */
 
 /* How the light is filtered: 0 taps, 1 taps at half resolution, 2 a pyramid. */
 static void see(double mm_per_unit, double flat, int way)
@@ -187,7 +193,10 @@ CALL(int, pass, (int language, int way, int step, double mm_per_unit, double fla
     return ms_sss_shader_text(&shader, &view, text, sizeof text, &error) ? 0 : (int)error.status;
 }
 
-CALL(int, through, (int language)) { return ms_sss_transmission_text((ms_sss_language)language, text, sizeof text) ? 0 : (int)MS_INVALID_ARGUMENT; }
+CALL(int, through, (int language))
+{
+    return ms_sss_transmission_text((ms_sss_language)language, text, sizeof text) ? 0 : (int)MS_INVALID_ARGUMENT;
+}
 
 /* How many float4 there are in constants(), 0: message() says why not. */
 CALL(int, fill, (int width, int height, int way, int step, int level, double mm_per_unit, double flat))
@@ -195,43 +204,65 @@ CALL(int, fill, (int width, int height, int way, int step, int level, double mm_
     ms_sss_shader shader = pass_of(MS_SSS_GLSL_ES_300, way, step, flat);
     int count = ms_sss_shader_constant_count(&shader);
     see(mm_per_unit, flat, way);
-    if (way == 2) return count <= CONSTANTS && ms_sss_shader_pyramid(&pyramid, &view, width, height, &shader, level, 0, constant, &error) == MS_OK ? count : 0;
-    return count <= CONSTANTS && ms_sss_shader_constants(&kernel, 0, &view, width, height, &shader, constant, &error) == MS_OK ? count : 0;
+    if (way == 2)
+        return count <= CONSTANTS &&
+                ms_sss_shader_pyramid(&pyramid, &view, width, height, &shader, level, 0, constant, &error) == MS_OK
+            ? count
+            : 0;
+    return count <= CONSTANTS &&
+            ms_sss_shader_constants(&kernel, 0, &view, width, height, &shader, constant, &error) == MS_OK
+        ? count
+        : 0;
 }
 
 /* The kernel as source: 0 C, 1 HLSL, 2 GLSL, 3 JSON. */
 CALL(int, code, (int kind))
 {
-    static const char *const head[4] = {"static const float sss_kernel[%d][4] = {", "static const float4 sss_kernel[%d] = {",
-                                        "const vec4 sss_kernel[%d] = vec4[](", "{\"taps\": %d, \"kernel\": ["};
-    static const char *const open[4] = {"{", "float4(", "vec4(", "["}, *const close[4] = {"}", ")", ")", "]"}, *const end[4] = {"\n};\n", "\n};\n", "\n);\n", "\n]"};
+    static const char *const head[4] = {"static const float sss_kernel[%d][4] = {",
+                                        "static const float4 sss_kernel[%d] = {", "const vec4 sss_kernel[%d] = vec4[](",
+                                        "{\"taps\": %d, \"kernel\": ["};
+    static const char *const open[4] = {"{", "float4(", "vec4(", "["}, *const close[4] = {"}", ")", ")", "]"},
+                             *const end[4] = {"\n};\n", "\n};\n", "\n);\n", "\n]"};
     size_t n = 0;
     int i, c;
     if (kind < 0 || kind > 3) return (int)MS_INVALID_ARGUMENT;
-    if (kind != 3) n += (size_t)snprintf(text + n, sizeof text - n, "// red, green, blue weight and offset in mm of a pass along x, then along y; then the light itself, times delta, added\n");
+    if (kind != 3)
+        n += (size_t)snprintf(
+            text + n, sizeof text - n,
+            "// red, green, blue weight and offset in mm of a pass along x, then along y; then the light itself, times delta, added\n");
     n += (size_t)snprintf(text + n, sizeof text - n, head[kind], kernel.tap_count);
     for (i = 0; i < kernel.tap_count; ++i) {
         n += (size_t)snprintf(text + n, sizeof text - n, "%s\n    %s", i ? "," : "", open[kind]);
         for (c = 0; c < 4; ++c)
-            n += (size_t)snprintf(text + n, sizeof text - n, kind == 0 ? "%s%.7ff" : "%s%.7f", c ? ", " : "",
-                                  (double)(c < 3 ? kernel.weight[0][i][c] * (kernel.scale[0][c] > 0 ? sqrtf(kernel.scale[0][c]) : 1) : kernel.offset_mm[i]));
+            n += (size_t)snprintf(
+                text + n, sizeof text - n, kind == 0 ? "%s%.7ff" : "%s%.7f", c ? ", " : "",
+                (double)(c < 3 ? kernel.weight[0][i][c] * (kernel.scale[0][c] > 0 ? sqrtf(kernel.scale[0][c]) : 1)
+                               : kernel.offset_mm[i]));
         n += (size_t)snprintf(text + n, sizeof text - n, "%s", close[kind]);
     }
     n += (size_t)snprintf(text + n, sizeof text - n, "%s", end[kind]);
-    n += (size_t)snprintf(text + n, sizeof text - n,
-                          kind == 3   ? ", \"delta\": [%.7f, %.7f, %.7f], \"reflectance\": [%.7f, %.7f, %.7f], \"decay_per_mm\": [%.7f, %.7f, %.7f]}\n"
-                          : kind == 0 ? "static const float sss_delta[3] = {%.7ff, %.7ff, %.7ff}, sss_reflectance[3] = {%.7ff, %.7ff, %.7ff}, sss_decay_per_mm[3] = {%.7ff, %.7ff, %.7ff};\n"
-                          : kind == 1 ? "static const float3 sss_delta = float3(%.7f, %.7f, %.7f), sss_reflectance = float3(%.7f, %.7f, %.7f), sss_decay_per_mm = float3(%.7f, %.7f, %.7f);\n"
-                                      : "const vec3 sss_delta = vec3(%.7f, %.7f, %.7f), sss_reflectance = vec3(%.7f, %.7f, %.7f), sss_decay_per_mm = vec3(%.7f, %.7f, %.7f);\n",
-                          (double)kernel.delta[0], (double)kernel.delta[1], (double)kernel.delta[2], (double)kernel.reflectance[0],
-                          (double)kernel.reflectance[1], (double)kernel.reflectance[2], (double)kernel.decay[0], (double)kernel.decay[1], (double)kernel.decay[2]);
+    n += (size_t)snprintf(
+        text + n, sizeof text - n,
+        kind == 3
+            ? ", \"delta\": [%.7f, %.7f, %.7f], \"reflectance\": [%.7f, %.7f, %.7f], \"decay_per_mm\": [%.7f, %.7f, %.7f]}\n"
+            : kind == 0
+            ? "static const float sss_delta[3] = {%.7ff, %.7ff, %.7ff}, sss_reflectance[3] = {%.7ff, %.7ff, %.7ff}, sss_decay_per_mm[3] = {%.7ff, %.7ff, %.7ff};\n"
+            : kind == 1
+            ? "static const float3 sss_delta = float3(%.7f, %.7f, %.7f), sss_reflectance = float3(%.7f, %.7f, %.7f), sss_decay_per_mm = float3(%.7f, %.7f, %.7f);\n"
+            : "const vec3 sss_delta = vec3(%.7f, %.7f, %.7f), sss_reflectance = vec3(%.7f, %.7f, %.7f), sss_decay_per_mm = vec3(%.7f, %.7f, %.7f);\n",
+        (double)kernel.delta[0], (double)kernel.delta[1], (double)kernel.delta[2], (double)kernel.reflectance[0],
+        (double)kernel.reflectance[1], (double)kernel.reflectance[2], (double)kernel.decay[0], (double)kernel.decay[1],
+        (double)kernel.decay[2]);
     return 0;
 }
 
-/* -------------------------------------------------------------------------------------------------------- the CPU's filter */
+/* ------------------------------------------------------------------------------------------------- the CPU's filter */
 
-/* light [height][width][4] with depth in alpha, normals [height][width][4]; out [height][width][4], which may not be the light. */
-CALL(int, filter, (const float *light, const float *normals, float *out, int width, int height, int way, double mm_per_unit, double flat))
+/* light [height][width][4] with depth in alpha, normals [height][width][4]; out [height][width][4], which may not be
+   the light. */
+CALL(int, filter,
+     (const float *light, const float *normals, float *out, int width, int height, int way, double mm_per_unit,
+      double flat))
 {
     ms_sss_frame frame;
     ms_status status;
@@ -252,10 +283,10 @@ CALL(int, filter, (const float *light, const float *normals, float *out, int wid
     return (int)status;
 }
 
-/* ------------------------------------------------------------------------------------------------------------ the objects */
+/* ------------------------------------------------------------------------------------------------------ the objects */
 
-/* The grid of distances of object 0 or 1 for shadows, as bytes: 128 at the surface, `step` mm each. Numbers: low and high corner,
-   sides, cell, step, camera: eye, right, up, back. NULL: no memory. */
+/* The grid of distances of object 0 or 1 for shadows, as bytes: 128 at the surface, `step` mm each. Numbers: low and
+   high corner, sides, cell, step, camera: eye, right, up, back. NULL: no memory. */
 CALL(unsigned char *, volume, (int object))
 {
     scene_grid *g = &grid[object];
@@ -264,7 +295,8 @@ CALL(unsigned char *, volume, (int object))
     unsigned char *out;
     int i, count;
     const scene_vec axes[4] = {c.eye, c.right, c.up, c.back};
-    if (g->distance == NULL && !scene__grid_make(g, (scene_object)object, object == SCENE_BUST ? 4.0f : 1.5f)) return NULL;
+    if (g->distance == NULL && !scene__grid_make(g, (scene_object)object, object == SCENE_BUST ? 4.0f : 1.5f))
+        return NULL;
     count = g->nx * g->ny * g->nz;
     out = (unsigned char *)malloc((size_t)count);
     if (out == NULL) return NULL;
@@ -282,9 +314,10 @@ CALL(unsigned char *, volume, (int object))
     return out;
 }
 
-/* Rows y0 to y1 - 1 of a picture of an object: surface [rows][width][4], its normal towards the camera (x right, y down) and depth in
-   mm; fine [rows][width][4], the normal with pores in the world, and how open it is; tint [rows][width][4], the colour relative to the
-   material's (object) or as it is, and 255: object, 170: eye, 85: what stands behind. */
+/* Rows y0 to y1 - 1 of a picture of an object: surface [rows][width][4], its normal towards the camera (x right, y
+   down) and depth in mm; fine [rows][width][4], the normal with pores in the world, and how open it is; tint
+   [rows][width][4], the colour relative to the material's (object) or as it is, and 255: object, 170: eye, 85: what
+   stands behind. */
 CALL(int, layers, (int object, int width, int height, int y0, int y1, float *surface, float *fine, unsigned char *tint))
 {
     static const float half[3] = {0.5f, 0.5f, 0.5f};

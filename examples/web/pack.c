@@ -1,5 +1,5 @@
-/* Networks for a page: matrices of more than 4096 values become I8 with a scale a row, the other weights F16; a sixth of the size of
-   F32 at about 50 dB.  pack IN.safetensors OUT.safetensors */
+/* Networks for a page: matrices of more than 4096 values become I8 with a scale a row, the other weights F16; a sixth
+   of the size of F32 at about 50 dB.  pack IN.safetensors OUT.safetensors */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #include <math.h>
@@ -61,7 +61,8 @@ int main(int argc, char **argv)
                 float most = 1e-30f;
                 for (j = 0; j < columns; ++j) most = fmaxf(most, fabsf(f[k * columns + j]));
                 scale[k] = most / 127;
-                for (j = 0; j < columns; ++j) bytes[k * columns + j] = (signed char)lrintf(f[k * columns + j] / scale[k]);
+                for (j = 0; j < columns; ++j)
+                    bytes[k * columns + j] = (signed char)lrintf(f[k * columns + j] / scale[k]);
             }
             free(f);
             out[count].dtype = MS_NN_I8;

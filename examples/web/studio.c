@@ -1,8 +1,8 @@
-/* The studio's side of WebAssembly: examples/studio.h and its friends behind calls of numbers, for studio.worker.js. Files are read
-   and written where the page's WASI (wasi.js) keeps them, in memory.
+/* The studio's side of WebAssembly: examples/studio.h and its friends behind calls of numbers, for studio.worker.js.
+   Files are read and written where the page's WASI (wasi.js) keeps them, in memory.
      clang --target=wasm32-wasi -mexec-model=reactor -O3 -msimd128 -I. -Iexamples examples/web/studio.c -o studio.wasm
-   Calls return 0, or a status, and then message() says why. Materials go through x(), numbers through numbers(), pictures through
-   rgba(), 4 bytes a pixel as a canvas takes them. */
+   Calls return 0, or a status, and then message() says why. Materials go through x(), numbers through numbers(),
+   pictures through rgba(), 4 bytes a pixel as a canvas takes them. */
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #define MS_NN_IMPLEMENTATION
@@ -14,7 +14,9 @@
 #include "maps.h"
 #include "materialx.h"
 
-#define CALL(type, name, arguments) type web_##name arguments; __attribute__((export_name(#name))) type web_##name arguments
+#define CALL(type, name, arguments) \
+    type web_##name arguments;      \
+    __attribute__((export_name(#name))) type web_##name arguments
 
 enum { M = 19, SIZE = 128, PIXELS = SIZE * SIZE, ROOM = 128, GRID = 24, MAP = 192, TEXT = 1 << 14 };
 
@@ -42,7 +44,10 @@ static void to_rgba(const float *planes)
     }
 }
 
-static void render(void *user, const float *x, int count, float *planes) { neural_render((const neural *)user, x, count, planes); }
+static void render(void *user, const float *x, int count, float *planes)
+{
+    neural_render((const neural *)user, x, count, planes);
+}
 
 /* A network of I8 and F16 as the page holds it becomes one of F32, which plain C multiplies fastest. */
 static ms_status widen(const char *path)
@@ -70,7 +75,8 @@ static ms_status widen(const char *path)
             snprintf(name, sizeof name, "%s_scale", t->name);
             scale = ms_nn_file_find(file, name);
             wide = (float *)malloc(values * sizeof *wide);
-            if (wide == NULL || scale == NULL) return studio__refuse(&error, MS_OUT_OF_MEMORY, "no memory for a network");
+            if (wide == NULL || scale == NULL)
+                return studio__refuse(&error, MS_OUT_OF_MEMORY, "no memory for a network");
             row = values / t->shape[0];
             for (k = 0; k < values; ++k) {
                 float s;
@@ -86,7 +92,8 @@ static ms_status widen(const char *path)
     for (e = 0; e < ms_nn_file_entry_count(file) && e < MOST; ++e) entries[e] = *ms_nn_file_entry(file, e);
     status = ms_nn_file_save(path, out, count, entries, e, NULL, &error);
     for (i = 0; i < count; ++i)
-        if (out[i].data != NULL && out[i].dtype == MS_NN_F32 && ms_nn_file_find(file, out[i].name)->dtype == MS_NN_I8) free((void *)(uintptr_t)out[i].data);
+        if (out[i].data != NULL && out[i].dtype == MS_NN_F32 && ms_nn_file_find(file, out[i].name)->dtype == MS_NN_I8)
+            free((void *)(uintptr_t)out[i].data);
     ms_nn_file_close(file);
     return status;
 }
@@ -111,7 +118,7 @@ CALL(int, open, (int matches))
     return status == MS_OK ? (int)studio_open(&session, &r, &error) : (int)status;
 }
 
-/* ------------------------------------------------------------------------------------------ scores and recommendations */
+/* --------------------------------------------------------------------------------------- scores and recommendations */
 
 CALL(int, scores, (void)) { return ms_gpr_count(session.gp); }
 CALL(int, state, (void)) { return (int)session.state; }
@@ -120,7 +127,10 @@ CALL(int, settled, (void)) { return session.settled || session.state == STUDIO_E
 CALL(int, gallery, (int count)) { return (int)studio_gallery(&session, count, material, NULL, &error); }
 CALL(int, score, (double score)) { return (int)studio_score(&session, material, score, &error); }
 CALL(int, rescore, (int index, double score)) { return (int)studio_rescore(&session, index, score, &error); }
-CALL(int, better, (void)) { return (int)studio_better(&session, material, material + M, &error); } /* material 0 of x than material 1 */
+CALL(int, better, (void))
+{
+    return (int)studio_better(&session, material, material + M, &error);
+} /* material 0 of x than material 1 */
 CALL(int, neither, (int count)) { return (int)studio_pick(&session, material, count, NULL, 0, &error); }
 CALL(int, like, (int count)) { return (int)studio_like(&session, material, count, &error); }
 CALL(int, avoid, (void)) { return (int)studio_avoid(&session, material, &error); }
@@ -142,10 +152,10 @@ CALL(int, recommend, (int count))
     return status == MS_OK ? web_predict(count) : (int)status;
 }
 
-/* ----------------------------------------------------------------------------------------------------------- the plane */
+/* -------------------------------------------------------------------------------------------------------- the plane */
 
-/* The plane around x, as a map of what is liked (rgba [MAP][MAP]) and in numbers: the window x0, x1, y0, y1, where one stands, how
-   many materials it holds, and where they are. */
+/* The plane around x, as a map of what is liked (rgba [MAP][MAP]) and in numbers: the window x0, x1, y0, y1, where one
+   stands, how many materials it holds, and where they are. */
 CALL(int, choose, (void))
 {
     static double value[GRID * GRID], sure[GRID * GRID], one[GRID * GRID];
@@ -159,7 +169,8 @@ CALL(int, choose, (void))
     status = ms_gpr_map_preference(session.plane, session.gp, &grid, value, NULL, &error);
     if (status == MS_OK) status = ms_gpr_map_confidence(session.plane, &grid, sure, &error);
     im = image_new(MAP, MAP, 3);
-    if (status == MS_OK && im.pixels == NULL) status = studio__refuse(&error, MS_OUT_OF_MEMORY, "no memory for the map");
+    if (status == MS_OK && im.pixels == NULL)
+        status = studio__refuse(&error, MS_OUT_OF_MEMORY, "no memory for the map");
     if (status == MS_OK) {
         for (i = 0; i < GRID * GRID; ++i) { /* colours of what is known; the rest is seen through */
             one[i] = 1;
@@ -169,7 +180,8 @@ CALL(int, choose, (void))
         map_draw(&im, 0, 0, MAP, &grid, value, &grid, one);
         for (y = 0; y < MAP; ++y)
             for (x = 0; x < MAP; ++x) {
-                double a = grid.x0 + (grid.x1 - grid.x0) * (x + 0.5) / (double)MAP, b = grid.y1 - (grid.y1 - grid.y0) * (y + 0.5) / (double)MAP;
+                double a = grid.x0 + (grid.x1 - grid.x0) * (x + 0.5) / (double)MAP,
+                       b = grid.y1 - (grid.y1 - grid.y0) * (y + 0.5) / (double)MAP;
                 i = y * MAP + x;
                 for (c = 0; c < 3; ++c) bytes[4 * i + c] = image_to_byte(im.pixels[3 * i + c]);
                 bytes[4 * i + 3] = image_to_byte((float)ms_gpr_grid_value(&grid, sure, a, b));
@@ -193,7 +205,8 @@ CALL(int, look, (int count))
     static double variance[ROOM];
     ms_status status;
     int i;
-    if (session.state != STUDIO_EXPLORING) return (int)studio__refuse(&error, MS_INVALID_ARGUMENT, "no material was chosen yet");
+    if (session.state != STUDIO_EXPLORING)
+        return (int)studio__refuse(&error, MS_INVALID_ARGUMENT, "no material was chosen yet");
     status = ms_gpr_latent_map(session.plane, number, count, material, variance, &error);
     for (i = 0; i < count * M && status == MS_OK; ++i) material[i] = fmin(fmax(material[i], 0), 1);
     memcpy(number, variance, sizeof(double) * (size_t)count);
@@ -213,7 +226,7 @@ CALL(int, move, (double to_x, double to_y))
     return 0;
 }
 
-/* -------------------------------------------------------------------------------------------------- pictures and paint */
+/* ----------------------------------------------------------------------------------------------- pictures and paint */
 
 /* The picture of material `index` of x. */
 CALL(int, draw, (int index))
@@ -229,15 +242,18 @@ CALL(int, draw, (int index))
 /* 1 on the ball of the pictures, 0 beside it, a soft edge. */
 static float ball(int x, int y)
 {
-    float u = ((float)x + 0.5f) / (float)SIZE - 0.5f, v = ((float)y + 0.5f) / (float)SIZE - 0.457f, t = (0.377f - sqrtf(u * u + v * v)) * 50 + 0.5f;
+    float u = ((float)x + 0.5f) / (float)SIZE - 0.5f, v = ((float)y + 0.5f) / (float)SIZE - 0.457f,
+          t = (0.377f - sqrtf(u * u + v * v)) * 50 + 0.5f;
     return t < 0 ? 0 : t > 1 ? 1 : t;
 }
 
-/* The picture of material 0 of x, edited: colours times `saturation`, turned by `hue` turns, times 2^light, towards the colour red,
-   green, blue by `tint` with its brightness kept; then the strokes in rgba, painted over. It becomes the target, and rgba. */
+/* The picture of material 0 of x, edited: colours times `saturation`, turned by `hue` turns, times 2^light, towards the
+   colour red, green, blue by `tint` with its brightness kept; then the strokes in rgba, painted over. It becomes the
+   target, and rgba. */
 CALL(int, paint, (double saturation, double hue, double light, double tint, double red, double green, double blue))
 {
-    const float c = cosf((float)hue * 6.2831853f), s = sinf((float)hue * 6.2831853f) / 1.7320508f, gain = exp2f((float)light);
+    const float c = cosf((float)hue * 6.2831853f), s = sinf((float)hue * 6.2831853f) / 1.7320508f,
+                gain = exp2f((float)light);
     const float amount = (float)tint, colour[3] = {(float)red, (float)green, (float)blue};
     const float luma = 0.2126f * colour[0] + 0.7152f * colour[1] + 0.0722f * colour[2];
     float row[M];
@@ -254,7 +270,8 @@ CALL(int, paint, (double saturation, double hue, double light, double tint, doub
             grey = 0.2126f * q[0] + 0.7152f * q[1] + 0.0722f * q[2];
             for (k = 0; k < 3; ++k) {
                 float v = grey + (float)saturation * (q[k] - grey), t;
-                t = grey < luma ? colour[k] * grey / fmaxf(luma, 1e-3f) : 1 - (1 - colour[k]) * (1 - grey) / fmaxf(1 - luma, 1e-3f);
+                t = grey < luma ? colour[k] * grey / fmaxf(luma, 1e-3f)
+                                : 1 - (1 - colour[k]) * (1 - grey) / fmaxf(1 - luma, 1e-3f);
                 v = gain * (v + amount * (t - v));
                 v = p[k] + inside * (v - p[k]);
                 v += stroke * ((float)bytes[4 * i + k] / 255 - v);
@@ -266,8 +283,9 @@ CALL(int, paint, (double saturation, double hue, double light, double tint, doub
     return targets ? 0 : (int)error.status;
 }
 
-/* The material nearest to the target, into x and rgba, from material 0 of x and what the inversion network guesses; cost: how many
-   pictures may be tried, 0: the better of these two. Distances in numbers: at the end, and of the guess. */
+/* The material nearest to the target, into x and rgba, from material 0 of x and what the inversion network guesses;
+   cost: how many pictures may be tried, 0: the better of these two. Distances in numbers: at the end, and of the
+   guess. */
 CALL(int, match, (double cost))
 {
     ms_pme_match_options options = ms_pme_match_defaults();
@@ -288,7 +306,7 @@ CALL(int, match, (double cost))
     return 0;
 }
 
-/* ------------------------------------------------------------------------------------------------------------ the files */
+/* -------------------------------------------------------------------------------------------------------- the files */
 
 /* materials.csv and materials.mtlx of x [count], named by the lines of text. */
 CALL(int, save, (int count))
@@ -298,7 +316,8 @@ CALL(int, save, (int count))
     const char *name = text, *problem;
     char line[48], about[80];
     int i, k, scored = session.state != STUDIO_EMPTY && web_predict(count) == 0;
-    if (table == NULL || doc == NULL) return (int)studio__refuse(&error, MS_IO, table == NULL ? csv.problem : mtlx.problem);
+    if (table == NULL || doc == NULL)
+        return (int)studio__refuse(&error, MS_IO, table == NULL ? csv.problem : mtlx.problem);
     for (k = 0; k < M; ++k) fprintf(table, "x%d,", k);
     fprintf(table, "score\n");
     materialx_begin(doc);

@@ -1,9 +1,11 @@
-/* ms_gpr.h: speed of the likelihood, of predictions and of fits, and what the fits are worth: Jensen-Shannon divergence between
-   the predicted and the true preference of synthetic users. Writes build/bench/gpr.csv, gpr.md, gpr_jsd.svg, gpr_time.svg.
+/* ms_gpr.h: speed of the likelihood, of predictions and of fits, and what the fits are worth: Jensen-Shannon divergence
+   between the predicted and the true preference of synthetic users. Writes build/bench/gpr.csv, gpr.md, gpr_jsd.svg,
+   gpr_time.svg.
 
-   Peers, both on one thread: scikit-learn through python3, if it can be imported; libgp (Blum & Riedmiller 2013), if LIBGP_DRIVER
-   names a program that is called as `DRIVER data.csv n m iterations` (rows x..., y; start log l = 0, log sf = 0, log sn = log 0.1),
-   fits with RProp and prints: CPU seconds of the fit, log likelihood reached, CPU seconds of one gradient, predictions a second. */
+   Peers, both on one thread: scikit-learn through python3, if it can be imported; libgp (Blum & Riedmiller 2013), if
+   LIBGP_DRIVER names a program that is called as `DRIVER data.csv n m iterations` (rows x..., y; start log l = 0, log
+   sf = 0, log sn = log 0.1), fits with RProp and prints: CPU seconds of the fit, log likelihood reached, CPU seconds of
+   one gradient, predictions a second. */
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #include "bench.h"
@@ -22,8 +24,8 @@ static FILE *csv, *md;
 
 /* --- likelihood and gradient --- */
 
-/* Memory that is kept from call to call, as the peer's is: pages that are new cost 50 ms at n = 2000. The model asks for two blocks and
-   keeps them; what a call asks for is the third. */
+/* Memory that is kept from call to call, as the peer's is: pages that are new cost 50 ms at n = 2000. The model asks
+   for two blocks and keeps them; what a call asks for is the third. */
 static void *block[3];
 static size_t room[3];
 static int lent[3];
@@ -79,7 +81,8 @@ static ms_gpr *model(int n, int m, ms_simd level, double *x, double *y)
     return gp;
 }
 
-/* Cholesky and inverse of a covariance matrix of n points by OpenBLAS, at whatever level it likes; 0: it is not there. */
+/* Cholesky and inverse of a covariance matrix of n points by OpenBLAS, at whatever level it likes; 0: it is not
+   there. */
 static double peer_factor(int n)
 {
     double seconds[5] = {0};
@@ -135,7 +138,9 @@ static void bench_likelihood(void)
     static const int sizes[][2] = {{250, 19}, {500, 38}, {2000, 19}};
     static double x[2000 * 38], y[2000];
     int s, l;
-    fprintf(md, "\n| log likelihood + gradient | scalar | base | avx2 | OpenBLAS: potrf + potri alone |\n|---|---:|---:|---:|---:|\n");
+    fprintf(
+        md,
+        "\n| log likelihood + gradient | scalar | base | avx2 | OpenBLAS: potrf + potri alone |\n|---|---:|---:|---:|---:|\n");
     for (s = 0; s < 3; ++s) {
         fprintf(md, "| n = %d, m = %d |", sizes[s][0], sizes[s][1]);
         for (l = MS_SIMD_SCALAR; l <= MS_SIMD_AVX2; ++l) {
@@ -143,7 +148,8 @@ static void bench_likelihood(void)
             bench_time t = bench_run(run_likelihood, gp, sizes[s][0] < 2000 ? 15 : l == MS_SIMD_AVX2 ? 5 : 1);
             if ((int)ms_gpr_level(gp) != l) fprintf(md, " - |");
             else fprintf(md, " %.2f ms |", 1e3 * t.median);
-            fprintf(csv, "likelihood,%d,%d,%s,%.6g,%.2g\n", sizes[s][0], sizes[s][1], ms_simd_string((ms_simd)l), t.median, t.spread);
+            fprintf(csv, "likelihood,%d,%d,%s,%.6g,%.2g\n", sizes[s][0], sizes[s][1], ms_simd_string((ms_simd)l),
+                    t.median, t.spread);
             ms_gpr_destroy(gp);
         }
         fprintf(md, " %.2f ms |\n", 1e3 * peer_factor(sizes[s][0]));
@@ -187,8 +193,10 @@ static void bench_predictions(void)
     uint64_t state = 3;
     int l, i, variant;
     for (i = 0; i < CANDIDATES * M; ++i) x_f[i] = (float)(x[i] = (double)(float)test_uniform(&state));
-    fprintf(md, "\n| predictions, n = 250, m = 19, a second | f64 mean | f64 mean and variance | f32 mean | f32 error (scores -0.5 to 10) |\n"
-                "|---|---:|---:|---:|---:|\n");
+    fprintf(
+        md,
+        "\n| predictions, n = 250, m = 19, a second | f64 mean | f64 mean and variance | f32 mean | f32 error (scores -0.5 to 10) |\n"
+        "|---|---:|---:|---:|---:|\n");
     for (l = MS_SIMD_SCALAR; l <= MS_SIMD_AVX2; ++l) {
         for (variant = 0; variant < (l == MS_SIMD_AVX2 ? 2 : 1); ++variant) {
             ms_gpr_fit_options o;
@@ -209,7 +217,8 @@ static void bench_predictions(void)
                 continue;
             }
             if (variant) ms_gpr_simplify(gp, 0.02, &kept, NULL);
-            p.gp = gp, p.x = x, p.mean = mean, p.variance = variance, p.x_f = x_f, p.mean_f = mean_f, p.count = CANDIDATES;
+            p.gp = gp, p.x = x, p.mean = mean, p.variance = variance, p.x_f = x_f, p.mean_f = mean_f,
+            p.count = CANDIDATES;
             t[0] = bench_run(run_mean, &p, 9);
             t[1] = bench_run(run_mean_f, &p, 9);
             for (i = 0; i < CANDIDATES; ++i)
@@ -219,8 +228,9 @@ static void bench_predictions(void)
             if (variant) fprintf(md, ", simplified to %d dimensions", kept);
             fprintf(md, " | %.2f M | %.3f M | %.2f M | %.1e |\n", 1e-6 * CANDIDATES / t[0].median, 2e-3 / t[2].median,
                     1e-6 * CANDIDATES / t[1].median, e);
-            fprintf(csv, "predict_f64,%d,%d,%s,%.6g,%.2g\npredict_f32,%d,%d,%s,%.6g,%.2g\n", N, kept, ms_simd_string((ms_simd)l),
-                    t[0].median / CANDIDATES, t[0].spread / CANDIDATES, N, kept, ms_simd_string((ms_simd)l), t[1].median / CANDIDATES, e);
+            fprintf(csv, "predict_f64,%d,%d,%s,%.6g,%.2g\npredict_f32,%d,%d,%s,%.6g,%.2g\n", N, kept,
+                    ms_simd_string((ms_simd)l), t[0].median / CANDIDATES, t[0].spread / CANDIDATES, N, kept,
+                    ms_simd_string((ms_simd)l), t[1].median / CANDIDATES, e);
             ms_gpr_destroy(gp);
         }
     }
@@ -234,7 +244,8 @@ enum { REFERENCE = 1500 };
 static void reference_user(int m, double *x, double *y, double *truth)
 {
     char *materials = test_read_file(m == 19 ? "tests/data/X19.csv" : "tests/data/X38.csv", NULL), *p = materials;
-    char *scores = test_read_file(m == 19 ? "tests/data/user_glassy19.csv" : "tests/data/user_glassy38.csv", NULL), *q = scores;
+    char *scores = test_read_file(m == 19 ? "tests/data/user_glassy19.csv" : "tests/data/user_glassy38.csv", NULL),
+         *q = scores;
     int i;
     if (materials == NULL || scores == NULL) {
         fprintf(stderr, "run from the repository's root\n");
@@ -255,8 +266,10 @@ static void bench_table_3_2(void)
     static const int size[] = {150, 250, 500};
     static double x[REFERENCE * 38], y[REFERENCE], truth[REFERENCE], mean[REFERENCE / 2];
     int m, s, c;
-    fprintf(md, "\n| Table 3.2: JSD, every length starts at 0.33 | RProp | L-BFGS | SCG | **default of this header, starts of its own** |\n"
-                "|---|---:|---:|---:|---:|\n");
+    fprintf(
+        md,
+        "\n| Table 3.2: JSD, every length starts at 0.33 | RProp | L-BFGS | SCG | **default of this header, starts of its own** |\n"
+        "|---|---:|---:|---:|---:|\n");
     for (m = 19; m <= 38; m += 19) {
         reference_user(m, x, y, truth);
         for (s = 0; s < 3; ++s) {
@@ -304,7 +317,8 @@ static void bench_taste(void)
 {
     enum { M = 19, USERS = 10, HELD = 1500 };
     static const double size[SIZES] = {50, 100, 150, 250, 350, 500};
-    static double jsd[CONTENDERS][SIZES], seconds[CONTENDERS][SIZES], x[500 * M], y[500], held[HELD * M], truth[HELD], mean[HELD], exact[500];
+    static double jsd[CONTENDERS][SIZES], seconds[CONTENDERS][SIZES], x[500 * M], y[500], held[HELD * M], truth[HELD],
+        mean[HELD], exact[500];
     static plot p;
     int c, s, i, users[USER_CLASSES + 1] = {0, 0, 0}, k;
     for (i = 0; users[1] < USERS || users[2] < USERS; ++i) {
@@ -324,10 +338,12 @@ static void bench_taste(void)
                 if (contenders[c].classes != u.classes) continue;
                 memset(&o, 0, sizeof o);
                 o.floor_offset = contenders[c].floor_offset;
-                if (contenders[c].method >= 2) gp = thesis_fit(x, y, (int)size[s], M, contenders[c].method - 2, 1, NULL);
+                if (contenders[c].method >= 2)
+                    gp = thesis_fit(x, y, (int)size[s], M, contenders[c].method - 2, 1, NULL);
                 else {
                     o.method = contenders[c].method ? MS_GPR_METHOD_ML : MS_GPR_METHOD_MAP;
-                    if (ms_gpr_fit(x, contenders[c].exact ? exact : y, (int)size[s], M, &o, &gp, NULL, NULL) != MS_OK) exit(1);
+                    if (ms_gpr_fit(x, contenders[c].exact ? exact : y, (int)size[s], M, &o, &gp, NULL, NULL) != MS_OK)
+                        exit(1);
                 }
                 seconds[c][s] += (bench_cpu() - start) / (int)USERS;
                 ms_gpr_predict(gp, held, HELD, mean, NULL, NULL);
@@ -348,11 +364,13 @@ static void bench_taste(void)
         }
     }
     fprintf(md, "\n");
-    plot_begin(&p, "Divergence from the true preference, m = 19", "scores n", "Jensen-Shannon divergence (nats)", PLOT_LOG_X | PLOT_LOG_Y);
+    plot_begin(&p, "Divergence from the true preference, m = 19", "scores n", "Jensen-Shannon divergence (nats)",
+               PLOT_LOG_X | PLOT_LOG_Y);
     for (c = 0; c < CONTENDERS; ++c) plot_series(&p, contenders[c].name, size, jsd[c], SIZES, PLOT_LINE | PLOT_DOTS);
     plot_write(&p, "build/bench/gpr_jsd.svg");
     plot_begin(&p, "Time of a fit on one core, m = 19", "scores n", "seconds", PLOT_LOG_X | PLOT_LOG_Y);
-    for (c = 0; c < CONTENDERS; ++c) plot_series(&p, contenders[c].name, size, seconds[c], SIZES, PLOT_LINE | PLOT_DOTS);
+    for (c = 0; c < CONTENDERS; ++c)
+        plot_series(&p, contenders[c].name, size, seconds[c], SIZES, PLOT_LINE | PLOT_DOTS);
     plot_write(&p, "build/bench/gpr_time.svg");
 }
 
@@ -437,15 +455,20 @@ static void bench_peers(void)
         }
         full = bench_median(t, 5);
     }
-    fprintf(md, "\n| fit, n = 250, m = 19, one core | log likelihood | time | this header to the same likelihood less 0.01 | times faster |\n"
-                "|---|---:|---:|---:|---:|\n");
+    fprintf(
+        md,
+        "\n| fit, n = 250, m = 19, one core | log likelihood | time | this header to the same likelihood less 0.01 | times faster |\n"
+        "|---|---:|---:|---:|---:|\n");
     if (driver) {
         snprintf(command, sizeof command, "%s build/bench/gpr_peer.csv %d %d 100", driver, N, M);
-        if (ask(command, line, sizeof line) && sscanf(line, "%lf %lf %lf %lf", &seconds, &likelihood, &evaluation, &rate) == 4) {
+        if (ask(command, line, sizeof line) &&
+            sscanf(line, "%lf %lf %lf %lf", &seconds, &likelihood, &evaluation, &rate) == 4) {
             ours = time_to_reach(x, y, N, M, likelihood - 0.01, &reached);
-            fprintf(md, "| libgp, RProp(100) | %.3f | %.0f ms | %.1f ms | %.1f |\n", likelihood, 1e3 * seconds, 1e3 * ours, seconds / ours);
+            fprintf(md, "| libgp, RProp(100) | %.3f | %.0f ms | %.1f ms | %.1f |\n", likelihood, 1e3 * seconds,
+                    1e3 * ours, seconds / ours);
             fprintf(csv, "peer,%d,%d,libgp,%.6g,%.6g\n", N, M, seconds, ours);
-            fprintf(md, "| libgp, one gradient; predictions a second | - | %.2f ms; %.0f | - | - |\n", 1e3 * evaluation, rate);
+            fprintf(md, "| libgp, one gradient; predictions a second | - | %.2f ms; %.0f | - | - |\n", 1e3 * evaluation,
+                    rate);
         }
     } else {
         printf("LIBGP_DRIVER is not set: no comparison with libgp\n");
@@ -457,8 +480,8 @@ static void bench_peers(void)
          ask("/usr/bin/python3 build/bench/gpr_peer.py 2>/dev/null", line, sizeof line)) &&
         sscanf(line, "%31s %lf %lf", version, &seconds, &likelihood) == 3) {
         ours = time_to_reach(x, y, N, M, likelihood - 0.01, &reached);
-        fprintf(md, "| scikit-learn %s, L-BFGS-B | %.3f | %.0f ms | %.1f ms | %.1f |\n", version, likelihood, 1e3 * seconds, 1e3 * ours,
-                seconds / ours);
+        fprintf(md, "| scikit-learn %s, L-BFGS-B | %.3f | %.0f ms | %.1f ms | %.1f |\n", version, likelihood,
+                1e3 * seconds, 1e3 * ours, seconds / ours);
         fprintf(csv, "peer,%d,%d,scikit-learn %s,%.6g,%.6g\n", N, M, version, seconds, ours);
     } else {
         printf("scikit-learn was not found: no comparison\n");

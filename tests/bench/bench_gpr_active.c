@@ -1,6 +1,7 @@
-/* ms_gpr.h: what answers are worth: uniform galleries, the thesis's rounds, active galleries of scores, and those after five galleries of "the best 2 of 9", on
-   users of twelve kinds (tests/users.h). Writes build/bench/gpr_active.md: mean true score of 300 recommendations (tau 0.6), Jensen-Shannon
-   divergence, share of the liked classes that are recommended. */
+/* ms_gpr.h: what answers are worth: uniform galleries, the thesis's rounds, active galleries of scores, and those after
+   five galleries of "the best 2 of 9", on users of twelve kinds (tests/users.h). Writes build/bench/gpr_active.md: mean
+   true score of 300 recommendations (tau 0.6), Jensen-Shannon divergence, share of the liked classes that are
+   recommended. */
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #include "users.h"
@@ -60,7 +61,8 @@ static worth judge(const user *u, int n, worth *curve)
         memset(&o, 0, sizeof o);
         o.tau = taus[t];
         memset(&curve[t], 0, sizeof curve[t]);
-        if (ms_gpr_recommend(gp, &o, COUNT, r, NULL, NULL, NULL, NULL) == MS_OK) curve[t] = judge_materials(u, r, COUNT);
+        if (ms_gpr_recommend(gp, &o, COUNT, r, NULL, NULL, NULL, NULL) == MS_OK)
+            curve[t] = judge_materials(u, r, COUNT);
     }
     ms_gpr_destroy(gp);
     return w;
@@ -76,7 +78,8 @@ static void judge_truth(const user *u, uint64_t state, worth *curve)
         for (k = 0; k < u->m; ++k) p[k] = test_uniform(&state);
         u_true = user_true(u, p);
         for (t = 0; t < TAUS; ++t)
-            if (u_true >= 10 * taus[t] && count[t] < COUNT) memcpy(r[t] + count[t]++ * u->m, p, (size_t)u->m * sizeof *p);
+            if (u_true >= 10 * taus[t] && count[t] < COUNT)
+                memcpy(r[t] + count[t]++ * u->m, p, (size_t)u->m * sizeof *p);
     }
     for (t = 0; t < TAUS; ++t) curve[t] = judge_materials(u, r[t], count[t]);
 }
@@ -92,8 +95,8 @@ static void show(const user *u, int n, int count, int seed)
     ms_gpr_destroy(gp);
 }
 
-/* A click each on at most the best two of those shown that are liked at all, or one on "none of these", which scores them 0; a user who
-   answers at random does so here. Returns the clicks. */
+/* A click each on at most the best two of those shown that are liked at all, or one on "none of these", which scores
+   them 0; a user who answers at random does so here. Returns the clicks. */
 static int click(const user *u, int n, uint64_t *state)
 {
     double s[SHOWN];
@@ -117,7 +120,8 @@ static int click(const user *u, int n, uint64_t *state)
     return best[1] < 0 ? 1 : 2;
 }
 
-/* The thesis's rounds: a first gallery of uniform materials, then twice `more` recommendations are scored and learned from as well. */
+/* The thesis's rounds: a first gallery of uniform materials, then twice `more` recommendations are scored and learned
+   from as well. */
 static worth rounds(const user *u, int first, int more, int seed, uint64_t *state)
 {
     int n = first, k;
@@ -137,8 +141,8 @@ static worth rounds(const user *u, int first, int more, int seed, uint64_t *stat
     return judge(u, n, NULL);
 }
 
-/* One user by all ways: uniform 100 and 250; active 60, 80, 100; clicks first, 60, 80, 100 answers; the thesis's rounds to 100 and 250. curve: of 250
-   uniform, of 100 with clicks first, and of the truth. */
+/* One user by all ways: uniform 100 and 250; active 60, 80, 100; clicks first, 60, 80, 100 answers; the thesis's rounds
+   to 100 and 250. curve: of 250 uniform, of 100 with clicks first, and of the truth. */
 static void try_user(const user *u, int seed, uint64_t state, worth *w, worth curve[3][TAUS])
 {
     int way, g, n, answers, k;
@@ -223,11 +227,14 @@ static void time_clicks(FILE *md)
             ms_gpr_destroy(gp);
         }
     }
-    fprintf(md, "\nOne more gallery of the best 2 of 9 in the model (`ms_gpr_compare`); one more score and 20 recommendations at once.\n\n"
-                "| galleries (clicks), materials | a gallery more | scores | a score more | 20 recommendations |\n|---|---:|---:|---:|---:|\n");
+    fprintf(
+        md,
+        "\nOne more gallery of the best 2 of 9 in the model (`ms_gpr_compare`); one more score and 20 recommendations at once.\n\n"
+        "| galleries (clicks), materials | a gallery more | scores | a score more | 20 recommendations |\n|---|---:|---:|---:|---:|\n");
     for (k = 0; k < SIZES; ++k)
-        fprintf(md, "| %d (%d), %d | %.1f ms | %d | %.2f ms | %.1f ms |\n", galleries[k], 2 * galleries[k], (int)SHOWN * galleries[k],
-                1e3 * bench_median(t[k][0], RUNS), scores[k], 1e3 * bench_median(t[k][1], RUNS), 1e3 * bench_median(t[k][2], RUNS));
+        fprintf(md, "| %d (%d), %d | %.1f ms | %d | %.2f ms | %.1f ms |\n", galleries[k], 2 * galleries[k],
+                (int)SHOWN * galleries[k], 1e3 * bench_median(t[k][0], RUNS), scores[k],
+                1e3 * bench_median(t[k][1], RUNS), 1e3 * bench_median(t[k][2], RUNS));
 }
 
 static int ascending(const void *a, const void *b)
@@ -238,18 +245,28 @@ static int ascending(const void *a, const void *b)
 
 int main(void)
 {
-    static const char *const column[STEPS] = {"100 uniform", "250 uniform", "60 active", "80 active", "100 active", "60, clicks first",
-                                              "80, clicks first", "100, clicks first", "100, the thesis's rounds", "250, the thesis's rounds"};
+    static const char *const column[STEPS] = {"100 uniform",
+                                              "250 uniform",
+                                              "60 active",
+                                              "80 active",
+                                              "100 active",
+                                              "60, clicks first",
+                                              "80, clicks first",
+                                              "100, clicks first",
+                                              "100, the thesis's rounds",
+                                              "250, the thesis's rounds"};
     static double score[STEPS][USER_KINDS * USERS], jsd[STEPS][USER_KINDS * USERS];
     FILE *md = bench_open("gpr_active.md");
     static const char *const row[3] = {"250 uniform", "100, clicks first", "all that is liked so much"};
     worth all[STEPS], curve[2][3][TAUS];
     int kind, i, k, m, t;
     memset(curve, 0, sizeof curve);
-    fprintf(md, "Users of twelve kinds, %d each: mean true score of %d recommendations / divergence / share of the liked classes that are\n"
-                "recommended, after so many answers; active galleries in batches of %d. Clicks first: of five active galleries of %d the user\n"
-                "clicks on the best two or as many as are liked, or on \"none of these\"; every click is an answer, then come scores. The thesis's rounds: 50 uniform materials, then twice 25 recommendations (150 and 50).\n\n| user |",
-            (int)USERS, (int)COUNT, (int)ROUND, (int)SHOWN);
+    fprintf(
+        md,
+        "Users of twelve kinds, %d each: mean true score of %d recommendations / divergence / share of the liked classes that are\n"
+        "recommended, after so many answers; active galleries in batches of %d. Clicks first: of five active galleries of %d the user\n"
+        "clicks on the best two or as many as are liked, or on \"none of these\"; every click is an answer, then come scores. The thesis's rounds: 50 uniform materials, then twice 25 recommendations (150 and 50).\n\n| user |",
+        (int)USERS, (int)COUNT, (int)ROUND, (int)SHOWN);
     for (k = 0; k < STEPS; ++k) fprintf(md, " %s |", column[k]);
     fprintf(md, "\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (m = 19; m <= MANY; m += 19) {
@@ -298,8 +315,10 @@ int main(void)
         fprintf(md, "\n");
         fflush(md);
     }
-    fprintf(md, "\nThe same users and answers at other thresholds (`tau`; the default is 0.6): mean true score / share of the liked classes. The last\n"
-                "row is of a model that knows everything: uniform materials with a true score of 10 tau or more. The divergence does not depend on tau.\n\n| |");
+    fprintf(
+        md,
+        "\nThe same users and answers at other thresholds (`tau`; the default is 0.6): mean true score / share of the liked classes. The last\n"
+        "row is of a model that knows everything: uniform materials with a true score of 10 tau or more. The divergence does not depend on tau.\n\n| |");
     for (t = 0; t < TAUS; ++t) fprintf(md, " tau %g |", taus[t]);
     fprintf(md, "\n|---|---:|---:|---:|---:|---:|---:|---:|\n");
     for (m = 0; m < 2; ++m)

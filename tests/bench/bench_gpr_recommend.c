@@ -1,6 +1,7 @@
-/* Recommendation, active learning, latent space and maps of ms_gpr.h: what they cost and how good they are, on synthetic users
-   who score 10% of uniform materials above 0. Writes build/bench/gpr_recommend.csv, gpr_recommend.md, gpr_recommend.svg (time of
-   300 recommendations against tau) and gpr_active.svg (divergence against the number of scores, for every kind of gallery). */
+/* Recommendation, active learning, latent space and maps of ms_gpr.h: what they cost and how good they are, on
+   synthetic users who score 10% of uniform materials above 0. Writes build/bench/gpr_recommend.csv, gpr_recommend.md,
+   gpr_recommend.svg (time of 300 recommendations against tau) and gpr_active.svg (divergence against the number of
+   scores, for every kind of gallery). */
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #include "users.h"
@@ -10,7 +11,19 @@
 #include "bench.h"
 #include "plot.h"
 
-enum { M = 19, USERS = 12, N = 250, COUNT = 300, TAUS = 5, SEARCHES = 4, HELD_OUT = 3000, STEPS = 9, FIRST = 50, STEP = 25, KINDS = 7 };
+enum {
+    M = 19,
+    USERS = 12,
+    N = 250,
+    COUNT = 300,
+    TAUS = 5,
+    SEARCHES = 4,
+    HELD_OUT = 3000,
+    STEPS = 9,
+    FIRST = 50,
+    STEP = 25,
+    KINDS = 7
+};
 
 static FILE *csv, *md;
 
@@ -26,15 +39,19 @@ static member members[USERS];
 
 static void table_of_searches(void)
 {
-    static const char *const name[SEARCHES] = {"auto", "rejection", "subset simulation", "hill climbing (thesis), a prediction at a time"};
+    static const char *const name[SEARCHES] = {"auto", "rejection", "subset simulation",
+                                               "hill climbing (thesis), a prediction at a time"};
     static double time[SEARCHES][TAUS], tau[TAUS], worst[SEARCHES][TAUS];
     static plot p;
     int search, t, i, k, j;
-    fprintf(md, "300 recommendations, n = 250, m = 19, medians over %d users who like 10%%; acceptance is that of uniform candidates at\n"
-                "the model's threshold; true score: mean u* of the recommended (of 10; uniform materials: 0.4);\n"
-                "precision: share of them with u* >= 10 tau. Rejection gives up after 2e6 candidates.\n\n"
-                "| tau | search | time, ms (worst user) | acceptance | true score | precision | mean distance of pairs |\n"
-                "|---:|---|---:|---:|---:|---:|---:|\n", USERS);
+    fprintf(
+        md,
+        "300 recommendations, n = 250, m = 19, medians over %d users who like 10%%; acceptance is that of uniform candidates at\n"
+        "the model's threshold; true score: mean u* of the recommended (of 10; uniform materials: 0.4);\n"
+        "precision: share of them with u* >= 10 tau. Rejection gives up after 2e6 candidates.\n\n"
+        "| tau | search | time, ms (worst user) | acceptance | true score | precision | mean distance of pairs |\n"
+        "|---:|---|---:|---:|---:|---:|---:|\n",
+        USERS);
     for (t = 0; t < TAUS; ++t) {
         tau[t] = 0.4 + 0.1 * t;
         for (search = 0; search < SEARCHES; ++search) {
@@ -68,18 +85,22 @@ static void table_of_searches(void)
                     score[i] += u / report.found;
                     precision[i] += (u >= 10 * tau[t]) / (double)report.found;
                     for (j = 0; j < k; ++j)
-                        pairs[i] += sqrt(ms_gpr__distance2(x + k * M, 1, x + j * M, 1, M) / (int)M) * 2 / (report.found * (report.found - 1.0));
+                        pairs[i] += sqrt(ms_gpr__distance2(x + k * M, 1, x + j * M, 1, M) / (int)M) * 2 /
+                            (report.found * (report.found - 1.0));
                 }
-                fprintf(csv, "recommend,%s,%g,%d,%.3f,%g,%g,%g,%g\n", name[search], tau[t], i, ms[i], acceptance[i], score[i], precision[i], pairs[i]);
+                fprintf(csv, "recommend,%s,%g,%d,%.3f,%g,%g,%g,%g\n", name[search], tau[t], i, ms[i], acceptance[i],
+                        score[i], precision[i], pairs[i]);
             }
             time[search][t] = bench_median(ms, USERS);
-            fprintf(md, "| %.1f | %s%s%s | %.0f (%.0f%s) | %.2g%% | %.1f | %.0f%% | %.3f |\n", tau[t], search ? "" : "**", name[search],
-                    search ? "" : "**", time[search][t], worst[search][t], gave_up ? ", gave up" : "", 100 * bench_median(acceptance, USERS),
-                    bench_median(score, USERS), 100 * bench_median(precision, USERS), bench_median(pairs, USERS));
+            fprintf(md, "| %.1f | %s%s%s | %.0f (%.0f%s) | %.2g%% | %.1f | %.0f%% | %.3f |\n", tau[t],
+                    search ? "" : "**", name[search], search ? "" : "**", time[search][t], worst[search][t],
+                    gave_up ? ", gave up" : "", 100 * bench_median(acceptance, USERS), bench_median(score, USERS),
+                    100 * bench_median(precision, USERS), bench_median(pairs, USERS));
         }
     }
     plot_begin(&p, "300 recommendations for users who like 10%", "tau", "milliseconds, one core", PLOT_LOG_Y);
-    for (search = 1; search < SEARCHES; ++search) plot_series(&p, name[search], tau, time[search], TAUS, PLOT_LINE | PLOT_DOTS);
+    for (search = 1; search < SEARCHES; ++search)
+        plot_series(&p, name[search], tau, time[search], TAUS, PLOT_LINE | PLOT_DOTS);
     plot_series_color(&p, "auto", tau, time[0], TAUS, PLOT_LINE | PLOT_DASHED, "#222");
     plot_write(&p, "build/bench/gpr_recommend.svg");
 }
@@ -90,9 +111,12 @@ static void table_of_shares(void)
     enum { SEEDS = 15 };
     static double x[COUNT * MODES_M];
     int m, modes, t, seed;
-    fprintf(md, "\nSubset simulation, one to four separate modes of known shares (tests/modes.h; 61 scored materials a mode): root mean square error of the\n"
-                "shares of 300, in points, over %d seeds / time, ms (median).\n\n"
-                "| m | modes | one in 1e3 of the box | 1e6 | 1e9 |\n|---:|---:|---:|---:|---:|\n", SEEDS);
+    fprintf(
+        md,
+        "\nSubset simulation, one to four separate modes of known shares (tests/modes.h; 61 scored materials a mode): root mean square error of the\n"
+        "shares of 300, in points, over %d seeds / time, ms (median).\n\n"
+        "| m | modes | one in 1e3 of the box | 1e6 | 1e9 |\n|---:|---:|---:|---:|---:|\n",
+        SEEDS);
     for (m = 19; m <= MODES_M; m += 19)
         for (modes = 1; modes <= MODES_MAX; ++modes) {
             modes_world w = modes_make(modes, m);
@@ -123,8 +147,10 @@ static void table_of_rounds(void)
     enum { MANY = 2000 };
     static double x[MANY * M], reference[MANY * M], a[MANY], b[MANY];
     int rounds, i, k, j;
-    fprintf(md, "\nWhat a round of slice steps buys: largest Kolmogorov-Smirnov distance of a coordinate to 2000 samples of rejection at tau = 0.6,\n"
-                "median over the users (two sets of rejection: 0.04).\n\n| rounds | distance, one class liked | two classes | ms for 300 |\n|---:|---:|---:|---:|\n");
+    fprintf(
+        md,
+        "\nWhat a round of slice steps buys: largest Kolmogorov-Smirnov distance of a coordinate to 2000 samples of rejection at tau = 0.6,\n"
+        "median over the users (two sets of rejection: 0.04).\n\n| rounds | distance, one class liked | two classes | ms for 300 |\n|---:|---:|---:|---:|\n");
     for (rounds = 1; rounds <= 8; rounds *= 2) {
         double one[USERS], two[USERS], ms[USERS];
         int ones = 0, twos = 0;
@@ -160,7 +186,8 @@ static void table_of_rounds(void)
             if (members[i].u.classes == 1) one[ones++] = worst;
             else two[twos++] = worst;
         }
-        fprintf(md, "| %s%d%s | %.3f | ", rounds == 1 ? "**" : "", rounds, rounds == 1 ? "**" : "", ones ? bench_median(one, ones) : 0);
+        fprintf(md, "| %s%d%s | %.3f | ", rounds == 1 ? "**" : "", rounds, rounds == 1 ? "**" : "",
+                ones ? bench_median(one, ones) : 0);
         fprintf(md, "%.3f | %.0f |\n", twos ? bench_median(two, twos) : 0, bench_median(ms, USERS));
     }
 }
@@ -176,8 +203,11 @@ static double divergence(const ms_gpr *gp, const double *x, const double *truth)
 
 static void figure_of_galleries(void)
 {
-    static const char *const name[KINDS] = {"active", "P(score > floor) sigma", "intermediate distribution", "uncertainty", "novelty", "uniform (thesis)", "evenly spread"};
-    static double jsd[KINDS][STEPS], n_axis[STEPS], held_out[HELD_OUT * M], truth[HELD_OUT], x[(FIRST + STEPS * STEP) * M], y[FIRST + STEPS * STEP];
+    static const char *const name[KINDS] = {
+        "active",           "P(score > floor) sigma", "intermediate distribution", "uncertainty", "novelty",
+        "uniform (thesis)", "evenly spread"};
+    static double jsd[KINDS][STEPS], n_axis[STEPS], held_out[HELD_OUT * M], truth[HELD_OUT],
+        x[(FIRST + STEPS * STEP) * M], y[FIRST + STEPS * STEP];
     static plot p;
     int i, k, step, kind;
     for (i = 0; i < USERS; ++i) {
@@ -209,8 +239,11 @@ static void figure_of_galleries(void)
             }
         }
     }
-    fprintf(md, "\nActive learning: Jensen-Shannon divergence (nats) to the true preference on %d held-out materials after n scores, a first\n"
-                "gallery of %d and then galleries of %d, each scored and concatenated; mean of %d users.\n\n| gallery |", HELD_OUT, FIRST, STEP, USERS);
+    fprintf(
+        md,
+        "\nActive learning: Jensen-Shannon divergence (nats) to the true preference on %d held-out materials after n scores, a first\n"
+        "gallery of %d and then galleries of %d, each scored and concatenated; mean of %d users.\n\n| gallery |",
+        HELD_OUT, FIRST, STEP, USERS);
     for (step = 0; step < STEPS; step += 2) fprintf(md, " n = %d |", FIRST + step * STEP);
     fprintf(md, "\n|---|");
     for (step = 0; step < STEPS; step += 2) fprintf(md, "---:|");
@@ -220,7 +253,8 @@ static void figure_of_galleries(void)
         fprintf(md, "| %s |", name[kind]);
         for (step = 0; step < STEPS; step += 2) fprintf(md, " %.3f |", jsd[kind][step]);
         fprintf(md, "\n");
-        plot_series(&p, name[kind], n_axis, jsd[kind], STEPS, PLOT_LINE | PLOT_DOTS | (kind == MS_GPR_GALLERY_UNIFORM ? PLOT_DASHED : 0));
+        plot_series(&p, name[kind], n_axis, jsd[kind], STEPS,
+                    PLOT_LINE | PLOT_DOTS | (kind == MS_GPR_GALLERY_UNIFORM ? PLOT_DASHED : 0));
     }
     plot_write(&p, "build/bench/gpr_active.svg");
 }
@@ -254,8 +288,11 @@ static void table_of_rounds_of_scores(void)
             ms_gpr_destroy(gp);
         }
     }
-    fprintf(md, "\nRounds: 150 uniform scores, then 50 recommendations (tau 0.6) are scored and concatenated, twice; medians over %d users.\n\n"
-                "| round | scores | true score of 300 recommendations | precision (u* >= 6) |\n|---:|---:|---:|---:|\n", USERS);
+    fprintf(
+        md,
+        "\nRounds: 150 uniform scores, then 50 recommendations (tau 0.6) are scored and concatenated, twice; medians over %d users.\n\n"
+        "| round | scores | true score of 300 recommendations | precision (u* >= 6) |\n|---:|---:|---:|---:|\n",
+        USERS);
     for (round = 0; round < 3; ++round) {
         double middle = bench_median(score[round], USERS), share = bench_median(precision[round], USERS);
         fprintf(csv, "rounds,%d,%g,%g\n", round + 1, middle, share);
@@ -328,20 +365,25 @@ static void table_of_planes(void)
         const char *what;
         void (*run)(void *);
         double unit;
-    } task[] = {{"material of a latent point", run_map, 1e3}, {"latent point of a material", run_find, 1e6},
-                {"preference map 50 x 50 (thesis: 2.75 s)", run_preference, 1e6}, {"preference and sigma 50 x 50", run_sigma, 1e6},
+    } task[] = {{"material of a latent point", run_map, 1e3},
+                {"latent point of a material", run_find, 1e6},
+                {"preference map 50 x 50 (thesis: 2.75 s)", run_preference, 1e6},
+                {"preference and sigma 50 x 50", run_sigma, 1e6},
                 {"confidence map 50 x 50", run_confidence, 1e6}};
     enum { TASKS = (int)(sizeof task / sizeof task[0]) };
     double microseconds[TASKS];
     latent_run r;
     int set, i, k;
     memset(&r, 0, sizeof r);
-    fprintf(md, "\nLatent plane, 19 dimensions (thesis: 16 materials in 1.96 s). Best of 20 starts: L-BFGS-B of SciPy from two kinds of components,\n"
-                "5 scales and 2 noises.\n\n| materials | log likelihood | given | best of 20 starts | evaluations | ms | ms without SIMD |\n|---|---:|---:|---:|---:|---:|---:|\n");
+    fprintf(
+        md,
+        "\nLatent plane, 19 dimensions (thesis: 16 materials in 1.96 s). Best of 20 starts: L-BFGS-B of SciPy from two kinds of components,\n"
+        "5 scales and 2 noises.\n\n| materials | log likelihood | given | best of 20 starts | evaluations | ms | ms without SIMD |\n|---|---:|---:|---:|---:|---:|---:|\n");
     for (set = 0; set < 3; ++set) {
         static const double best[] = {434.790, 1992.102, 2506.779};
         const json *d = set == 0 ? json_get(&problems->child[0], "X") : json_get(json_get(data, name[set]), "X");
-        double *x = (double *)malloc((size_t)d->count * M * sizeof *x), given = set == 1 ? 0 : json_number(json_get(&problems->child[set / 2], "ll"));
+        double *x = (double *)malloc((size_t)d->count * M * sizeof *x),
+               given = set == 1 ? 0 : json_number(json_get(&problems->child[set / 2], "ll"));
         bench_time fast, scalar;
         for (i = 0; i < d->count; ++i)
             for (k = 0; k < M; ++k) x[i * M + k] = d->child[i].child[k].number;
@@ -354,8 +396,10 @@ static void table_of_planes(void)
         fprintf(md, "| %s | %.1f | ", name[set], r.report.likelihood);
         if (set == 1) fprintf(md, "| ");
         else fprintf(md, "%.1f | ", given);
-        fprintf(md, "%.1f | %d | %.1f | %.1f |\n", best[set], r.report.evaluations, 1e3 * fast.median, 1e3 * scalar.median);
-        fprintf(csv, "latent,%s,%g,%d,%g,%g\n", name[set], r.report.likelihood, r.report.evaluations, fast.median, scalar.median);
+        fprintf(md, "%.1f | %d | %.1f | %.1f |\n", best[set], r.report.evaluations, 1e3 * fast.median,
+                1e3 * scalar.median);
+        fprintf(csv, "latent,%s,%g,%d,%g,%g\n", name[set], r.report.likelihood, r.report.evaluations, fast.median,
+                scalar.median);
         if (set == 1) {
             r.gp = members[0].gp;
             r.grid = ms_gpr_grid_around(r.plane, 50);

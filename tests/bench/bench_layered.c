@@ -1,6 +1,7 @@
-/* Layers: time against error of the layered solver and of the Monte Carlo beside it (and original MCML's by its nanoseconds a photon,
-   RESULTS.md's table of bench_mcml), on the same rings, by order and by frequency_step. MEDIUM=0 to 3: that medium alone; the table is
-   joined from the rows that there are. To build/bench/layered_N.txt, layered.md. */
+/* Layers: time against error of the layered solver and of the Monte Carlo beside it (and original MCML's by its
+   nanoseconds a photon, RESULTS.md's table of bench_mcml), on the same rings, by order and by frequency_step. MEDIUM=0
+   to 3: that medium alone; the table is joined from the rows that there are. To build/bench/layered_N.txt,
+   layered.md. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 
@@ -17,7 +18,11 @@ typedef struct medium {
 } medium;
 
 static const medium media[] = {
-    {"skin, three layers, g 0.8", 0.003, 3, 1.44, {{1.4, 4, 200, 0.8, 0.006}, {1.4, 0.5, 180, 0.8, 0.15}, {1.44, 0.2, 120, 0.8, 1e8}}},
+    {"skin, three layers, g 0.8",
+     0.003,
+     3,
+     1.44,
+     {{1.4, 4, 200, 0.8, 0.006}, {1.4, 0.5, 180, 0.8, 0.15}, {1.44, 0.2, 120, 0.8, 1e8}}},
     {"half-space, g 0.9", 0.01, 1, 1, {{1.4, 1, 100, 0.9, 1e8}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
     {"slab of 10 mean free paths, g 0.8", 0.01, 1, 1, {{1.4, 1, 99, 0.8, 0.1}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
     {"ketchup B, dark, g 0", 0.01, 1, 1, {{1.3, 14.5, 0.3, 0, 1e8}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
@@ -31,7 +36,8 @@ static void compare(const double *got, const ms_mcml_result *r, const double *ed
     for (i = 0; i < RINGS; ++i) {
         double energy = 0, square = 0, area = 3.14159265358979 * (edge[i + 1] * edge[i + 1] - edge[i] * edge[i]);
         for (k = 0; k < r->grid.nr - 1; ++k) {
-            const double low = k * r->grid.dr_cm, high = low + r->grid.dr_cm, a = 3.14159265358979 * (high * high - low * low);
+            const double low = k * r->grid.dr_cm, high = low + r->grid.dr_cm,
+                         a = 3.14159265358979 * (high * high - low * low);
             if (low < edge[i] * (1 - 1e-9) || high > edge[i + 1] * (1 + 1e-9)) continue;
             energy += a * r->rd_r[k];
             square += a * a * r->rd_r_error[k] * r->rd_r_error[k];
@@ -82,7 +88,8 @@ int main(void)
         seconds = bench_cpu() - seconds;
         compare(NULL, &r, edge, &error, &noise);
         fprintf(md, "| %s | Monte Carlo | %.3g s | 3e-03 | |\n", d->name, seconds * noise * noise / 9e-6);
-        printf("%s: Monte Carlo %.3g s, noise %.2e; %.3g s for 0.3%%\n", d->name, seconds, noise, seconds * noise * noise / 9e-6);
+        printf("%s: Monte Carlo %.3g s, noise %.2e; %.3g s for 0.3%%\n", d->name, seconds, noise,
+               seconds * noise * noise / 9e-6);
         for (k = 0; k < 5; ++k) {
             char way[80];
             ms_mcml_layered_options o;
@@ -101,7 +108,11 @@ int main(void)
             seconds = bench_median(t, 5);
             for (i = 0; i < RINGS; ++i) got[i] = ms_mcml_layered_ring(&y, 0, edge[i], edge[i + 1], NULL);
             compare(got, &r, edge, &error, &noise);
-            snprintf(way, sizeof way, k == 0 ? "order %d, frequency_step 0.5" : k == 1 ? "**order %d, the default**" : "order %d", y.order);
+            snprintf(way, sizeof way,
+                     k == 0       ? "order %d, frequency_step 0.5"
+                         : k == 1 ? "**order %d, the default**"
+                                  : "order %d",
+                     y.order);
             fprintf(md, "| %s | layered solver, %s | %.3g s | %.0e | %.0e |\n", d->name, way, seconds, error, noise);
             printf("%s: %s %.3g s, error %.2e\n", d->name, way, seconds, error);
         }
@@ -109,10 +120,13 @@ int main(void)
         ms_mcml_result_destroy(&r);
     }
     md = bench_open("layered.md");
-    fprintf(md, "Reflectance in rings that hold 1e-3 of the energy, one core of %s, gcc -O2, `make bench FILTER=layered` (MEDIUM=0 to 3 alone,\n"
-                "PHOTONS). Error: root mean square, relative to our Monte Carlo of %s photons, whose own noise stands beside it. Monte Carlo: its time\n"
-                "for a noise of 0.3%%; MCML 1.2.2's is in the table above.\n\n"
-                "| medium | way | time | error | noise of the reference |\n|---|---|---:|---:|---:|\n", bench_processor(), photons ? photons : "1.5e7");
+    fprintf(
+        md,
+        "Reflectance in rings that hold 1e-3 of the energy, one core of %s, gcc -O2, `make bench FILTER=layered` (MEDIUM=0 to 3 alone,\n"
+        "PHOTONS). Error: root mean square, relative to our Monte Carlo of %s photons, whose own noise stands beside it. Monte Carlo: its time\n"
+        "for a noise of 0.3%%; MCML 1.2.2's is in the table above.\n\n"
+        "| medium | way | time | error | noise of the reference |\n|---|---|---:|---:|---:|\n",
+        bench_processor(), photons ? photons : "1.5e7");
     for (m = 0; m < (int)(sizeof media / sizeof *media); ++m) {
         char path[100];
         FILE *f;

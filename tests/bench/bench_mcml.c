@@ -1,7 +1,8 @@
 /* The direct layered Monte Carlo of ms_mcml.h, all tallies of an .mco file on, and original MCML beside it where the
-   environment names its program: MCML=path/to/mcml make bench. MCML 1.2.2 is at https://omlc.org/software/mc/mcml; build
-   it with cc -O3 *.c -lm. Runs are taken in turn, the median of five is shown. MEDIUM=0 to 7: that row alone, half a minute; SCALE: of the photons; the
-   tables are joined from the rows that there are. To build/bench/mcml.csv, .svg (of whole runs), .md. */
+   environment names its program: MCML=path/to/mcml make bench. MCML 1.2.2 is at https://omlc.org/software/mc/mcml;
+   build it with cc -O3 *.c -lm. Runs are taken in turn, the median of five is shown. MEDIUM=0 to 7: that row alone,
+   half a minute; SCALE: of the photons; the tables are joined from the rows that there are. To build/bench/mcml.csv,
+   .svg (of whole runs), .md. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 
@@ -25,10 +26,24 @@ static const medium media[] = {
     {"skin1 G", 2e6, 0.0033557, 0.01, 400, 100, 1, 1, {{1.3, 1.7, 8.8, 0, 1e7}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
     {"skin1 B", 3e6, 0.0033557, 0.01, 400, 100, 1, 1, {{1.3, 4.8, 10.1, 0, 1e7}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
     {"marble G", 2e5, 0.0016627, 0.01, 400, 100, 1, 1, {{1.5, 0.041, 26.2, 0, 1e7}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
-    {"three layers (sample.mci)", 8e5, 0.01, 0.01, 50, 40, 1, 3,
+    {"three layers (sample.mci)",
+     8e5,
+     0.01,
+     0.01,
+     50,
+     40,
+     1,
+     3,
      {{1.37, 1, 100, 0.9, 0.1}, {1.37, 1, 10, 0, 0.1}, {1.37, 2, 10, 0.7, 0.2}}},
     {"ketchup B, dark", 4e6, 0.01, 0.01, 100, 100, 1, 1, {{1.3, 14.5, 0.3, 0, 1e7}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
-    {"thin dark layer on bright", 1e6, 0.01, 0.01, 200, 100, 1, 2,
+    {"thin dark layer on bright",
+     1e6,
+     0.01,
+     0.01,
+     200,
+     100,
+     1,
+     2,
      {{1.4, 90, 10, 0.8, 0.005}, {1.4, 0.5, 100, 0.8, 1e7}, {0, 0, 0, 0, 0}}},
     {"g = 0.9", 3e5, 0.01, 0.01, 100, 100, 30, 1, {{1.4, 1, 100, 0.9, 1e7}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}},
 };
@@ -95,10 +110,11 @@ static double run_peer(const medium *m, const char *program, double photons)
     char command[1200];
     double start;
     int i;
-    fprintf(f, "1.0\n1\npeer.mco A\n%.0f\n%g %g\n%d %d %d\n%d\n1\n", photons, m->dz, m->dr, m->nz, m->nr, m->na, m->layer_count);
+    fprintf(f, "1.0\n1\npeer.mco A\n%.0f\n%g %g\n%d %d %d\n%d\n1\n", photons, m->dz, m->dr, m->nz, m->nr, m->na,
+            m->layer_count);
     for (i = 0; i < m->layer_count; ++i)
-        fprintf(f, "%g %g %g %g %g\n", m->layers[i].n, m->layers[i].mu_a_per_cm, m->layers[i].mu_s_per_cm, m->layers[i].g,
-                m->layers[i].thickness_cm);
+        fprintf(f, "%g %g %g %g %g\n", m->layers[i].n, m->layers[i].mu_a_per_cm, m->layers[i].mu_s_per_cm,
+                m->layers[i].g, m->layers[i].thickness_cm);
     fprintf(f, "1\n");
     fclose(f);
     snprintf(command, sizeof command, "cd build/bench && '%s' peer.mci >/dev/null", program);
@@ -168,7 +184,8 @@ int main(void)
 
     if (program == NULL) printf("original MCML: not named (MCML=path), its columns stay empty\n");
     for (m = 0; m < MEDIA; ++m) {
-        double t[LEVELS + 1][RUNS], peer_total = 0, peer_profile = 0, peer_far = 0, total = 0, profile = 0, far = 0, fastest = 0;
+        double t[LEVELS + 1][RUNS], peer_total = 0, peer_profile = 0, peer_far = 0, total = 0, profile = 0, far = 0,
+                                    fastest = 0;
         if (only && atoi(only) != m) continue;
         md = row_open("row", m);
         csv = row_open("csv", m);
@@ -185,7 +202,8 @@ int main(void)
             }
             t[0][k] = program ? run_peer(&media[m], program, photons_of(m) / 20) : 0;
         }
-        if (program) { /* MCML prints no errors: its estimator is ours with its roulette, so that its variance is, too */
+        if (program) { /* MCML prints no errors: its estimator is ours with its roulette, so that its variance is, too
+                        */
             ms_mcml_options options = ms_mcml_defaults();
             ms_mcml_result r;
             options.roulette_weight = 1e-4;
@@ -209,14 +227,18 @@ int main(void)
             printf("  %s %.0f (%.1fx)", ms_simd_string((ms_simd)level), ns, peer[m] / ns);
             if (program) fprintf(md, " %.0f (%.1fx) |", ns, peer[m] / ns);
             else fprintf(md, " %.0f |", ns);
-            fprintf(csv, "%s,%s,%.1f,%.1f,%.2f,%.2f,%.2f,%.2f\n", media[m].name, ms_simd_string((ms_simd)level), ns, peer[m], peer[m] / ns,
-                    peer[m] * peer_total / (ns * total), peer[m] * peer_profile / (ns * profile), peer[m] * peer_far / (ns * far));
+            fprintf(csv, "%s,%s,%.1f,%.1f,%.2f,%.2f,%.2f,%.2f\n", media[m].name, ms_simd_string((ms_simd)level), ns,
+                    peer[m], peer[m] / ns, peer[m] * peer_total / (ns * total), peer[m] * peer_profile / (ns * profile),
+                    peer[m] * peer_far / (ns * far));
         }
         printf("  equal error: Rd %.1fx, Rd(r) %.1fx, far %.1fx\n", peer[m] * peer_total / (fastest * total),
                peer[m] * peer_profile / (fastest * profile), peer[m] * peer_far / (fastest * far));
-        if (program) fprintf(md, " %.1fx | %.1fx |", peer[m] * peer_total / (fastest * total), peer[m] * peer_profile / (fastest * profile));
+        if (program)
+            fprintf(md, " %.1fx | %.1fx |", peer[m] * peer_total / (fastest * total),
+                    peer[m] * peer_profile / (fastest * profile));
         else fprintf(md, " | |");
-        if (program && far > 0) fprintf(md, " %.1fx |\n", peer[m] * peer_far / (fastest * far)); /* no ring out there holds 1e-5 */
+        if (program && far > 0)
+            fprintf(md, " %.1fx |\n", peer[m] * peer_far / (fastest * far)); /* no ring out there holds 1e-5 */
         else fprintf(md, " |\n");
         fclose(md);
         fclose(csv);
@@ -225,22 +247,32 @@ int main(void)
         fclose(md);
     }
     all = bench_open("mcml.csv");
-    fprintf(all, "medium,level,ns_per_photon,mcml_ns_per_photon,times_mcml,equal_error_rd,equal_error_profile,equal_error_far\n");
+    fprintf(
+        all,
+        "medium,level,ns_per_photon,mcml_ns_per_photon,times_mcml,equal_error_rd,equal_error_profile,equal_error_far\n");
     join(all, "csv");
     if (fclose(all) != 0) return 1;
     all = bench_open("mcml.md");
-    fprintf(all, "\nNanoseconds a photon on one core of %s, all tallies of an `.mco` file (%s; `MCML=... make bench`). Equal error:\n"
-                 "how many times less time than MCML for the same standard error, at the best level.\n\n",
-            bench_processor(), program ? "MCML 1.2.2 built with -O3, in turn with ours" : "without MCML");
-    fprintf(all, "| medium | MCML | scalar | base | AVX2 | AVX-512 | equal error of Rd | of Rd(r) | of far rings |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+    fprintf(
+        all,
+        "\nNanoseconds a photon on one core of %s, all tallies of an `.mco` file (%s; `MCML=... make bench`). Equal error:\n"
+        "how many times less time than MCML for the same standard error, at the best level.\n\n",
+        bench_processor(), program ? "MCML 1.2.2 built with -O3, in turn with ours" : "without MCML");
+    fprintf(
+        all,
+        "| medium | MCML | scalar | base | AVX2 | AVX-512 | equal error of Rd | of Rd(r) | of far rings |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     join(all, "row");
-    fprintf(all, "\nTime against the defaults, and in brackets time for an equal error of Rd(r).\n\n"
-                 "| medium | defaults | roulette_weight 1e-4 | roulette_weight 0.1 | no_absorption | absorption_error |\n|---|---:|---:|---:|---:|---:|\n");
+    fprintf(
+        all,
+        "\nTime against the defaults, and in brackets time for an equal error of Rd(r).\n\n"
+        "| medium | defaults | roulette_weight 1e-4 | roulette_weight 0.1 | no_absorption | absorption_error |\n|---|---:|---:|---:|---:|---:|\n");
     join(all, "option");
     fprintf(all, "\n");
     if (program && !only) {
-        plot_begin(&p, "Layered Monte Carlo: photons a second over original MCML's", "MCML, ns a photon", "times MCML", PLOT_LOG_X | PLOT_LOG_Y);
-        for (level = 1; level <= (int)best; ++level) plot_series(&p, ms_simd_string((ms_simd)level), peer, speed[level], MEDIA, PLOT_DOTS);
+        plot_begin(&p, "Layered Monte Carlo: photons a second over original MCML's", "MCML, ns a photon", "times MCML",
+                   PLOT_LOG_X | PLOT_LOG_Y);
+        for (level = 1; level <= (int)best; ++level)
+            plot_series(&p, ms_simd_string((ms_simd)level), peer, speed[level], MEDIA, PLOT_DOTS);
         if (!plot_write(&p, "build/bench/mcml.svg")) return 1;
     }
     return fclose(all) != 0;

@@ -1,5 +1,5 @@
-/* The networks that ship: PSNR of the renderers on the 64 stored path-traced pictures (all of them in networks.csv, as a
-   plot in networks.svg, the worst as pictures in networks_worst.png), the best of nine inversion networks, time
+/* The networks that ship: PSNR of the renderers on the 64 stored path-traced pictures (all of them in networks.csv, as
+   a plot in networks.svg, the worst as pictures in networks_worst.png), the best of nine inversion networks, time
    (build/bench/networks.md). The files are made by `make train`. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
@@ -8,7 +8,9 @@
 #include "plot.h"
 
 enum { COUNT = 500, WORST = 5, RENDERERS = 3 };
-static const char *const paths[RENDERERS] = {"examples/data/renderer_128.safetensors", "examples/data/renderer_64.safetensors", "examples/data/preview_64.safetensors"};
+static const char *const paths[RENDERERS] = {"examples/data/renderer_128.safetensors",
+                                             "examples/data/renderer_64.safetensors",
+                                             "examples/data/preview_64.safetensors"};
 static const char *const names[RENDERERS] = {"128 x 128", "64 x 64", "64 x 64, previews"};
 
 static double uniform(uint64_t *state)
@@ -72,7 +74,8 @@ int main(void)
 {
     static plot p;
     double dB[RENDERERS][NETWORKS_TILES], sorted[RENDERERS][NETWORKS_TILES], share[NETWORKS_TILES], nine_ms = 0;
-    double *rmse = (double *)malloc((NETWORKS_INVERSIONS + 1) * COUNT * sizeof(double)), *best = rmse + NETWORKS_INVERSIONS * COUNT;
+    double *rmse = (double *)malloc((NETWORKS_INVERSIONS + 1) * COUNT * sizeof(double)),
+           *best = rmse + NETWORKS_INVERSIONS * COUNT;
     float *planes, x[COUNT * NETWORKS_PARAMETERS];
     neural n[RENDERERS];
     ms_error error;
@@ -83,8 +86,13 @@ int main(void)
     md = bench_open("networks.md");
     csv = bench_open("networks.csv");
     if (md == NULL || csv == NULL || rmse == NULL) return 1;
-    fprintf(md, "%s, one core, `make bench FILTER=networks`. PSNR of display values on 64 held-out path-traced materials.\n\n", bench_processor());
-    fprintf(md, "| renderer | file, MB | mean, dB | least | 5%% | median | 95%% | ms a picture |\n|---|---:|---:|---:|---:|---:|---:|---:|\n");
+    fprintf(
+        md,
+        "%s, one core, `make bench FILTER=networks`. PSNR of display values on 64 held-out path-traced materials.\n\n",
+        bench_processor());
+    fprintf(
+        md,
+        "| renderer | file, MB | mean, dB | least | 5%% | median | 95%% | ms a picture |\n|---|---:|---:|---:|---:|---:|---:|---:|\n");
     for (k = 0; k < RENDERERS; ++k) {
         drawing d;
         bench_time time;
@@ -104,8 +112,8 @@ int main(void)
         d.x = x;
         d.planes = n[k].planes;
         time = bench_run(draw, &d, 33);
-        fprintf(md, "| %s | %.1f | **%.2f** | %.1f | %.1f | %.1f | %.1f | %.3f |\n", names[k], file_mb(paths[k]), mean, sorted[k][0],
-                quantile(sorted[k], NETWORKS_TILES, 0.05), quantile(sorted[k], NETWORKS_TILES, 0.5),
+        fprintf(md, "| %s | %.1f | **%.2f** | %.1f | %.1f | %.1f | %.1f | %.3f |\n", names[k], file_mb(paths[k]), mean,
+                sorted[k][0], quantile(sorted[k], NETWORKS_TILES, 0.05), quantile(sorted[k], NETWORKS_TILES, 0.5),
                 quantile(sorted[k], NETWORKS_TILES, 0.95), 1e3 * time.median);
     }
     fprintf(md, "| thesis, 410 x 410, its own scene | 2097 | 37.96 | 26.05 | | | | |\n\n");
@@ -127,7 +135,9 @@ int main(void)
         printf("inversion: %s\n", problem);
         return 1;
     }
-    fprintf(md, "| inversion network, 64 x 64 | file, MB | ms | RMSE of 255: mean | median | 95%% | largest |\n|---|---:|---:|---:|---:|---:|---:|\n");
+    fprintf(
+        md,
+        "| inversion network, 64 x 64 | file, MB | ms | RMSE of 255: mean | median | 95%% | largest |\n|---|---:|---:|---:|---:|---:|---:|\n");
     for (i = 0; i < COUNT; ++i) best[i] = 1e9;
     for (k = 0; k <= NETWORKS_INVERSIONS; ++k) {
         double *e = k < NETWORKS_INVERSIONS ? rmse + k * COUNT : best, mean = 0;
@@ -152,9 +162,13 @@ int main(void)
             nine_ms += bench_median(t, 33);
             fprintf(md, "| %d | %.1f | %.3f |", k + 1, file_mb(path), bench_median(t, 33));
         } else fprintf(md, "| **best of nine** | | %.2f |", nine_ms);
-        fprintf(md, " %.2f | %.2f | %.2f | %.1f |\n", mean, quantile(e, COUNT, 0.5), quantile(e, COUNT, 0.95), e[COUNT - 1]);
+        fprintf(md, " %.2f | %.2f | %.2f | %.1f |\n", mean, quantile(e, COUNT, 0.5), quantile(e, COUNT, 0.95),
+                e[COUNT - 1]);
     }
-    fprintf(md, "\nOn %d pictures that the renderer makes of random materials. Thesis, Table 4.1, the reproducible picture: 5.94 (random start: 41.93).\n", (int)COUNT);
+    fprintf(
+        md,
+        "\nOn %d pictures that the renderer makes of random materials. Thesis, Table 4.1, the reproducible picture: 5.94 (random start: 41.93).\n",
+        (int)COUNT);
     fclose(md);
     free(rmse);
     free(planes);

@@ -1,7 +1,7 @@
-/* ms_nn.h: the thesis's networks at full size, speed against error, beside the speed of memory, OpenBLAS, oneDNN and PyTorch.
-   Writes build/bench/nn.csv, nn.md (the renderer) and a table for each other part. Needs 9 GB of memory, without PyTorch 5;
-   `bench_nn small` 500 MB (pictures of 128 x 128). A word after it picks a part: shared, convolution, renderer, inversion, collapse.
-   peer libraries: -lopenblas -ldnnl */
+/* ms_nn.h: the thesis's networks at full size, speed against error, beside the speed of memory, OpenBLAS, oneDNN and
+   PyTorch. Writes build/bench/nn.csv, nn.md (the renderer) and a table for each other part. Needs 9 GB of memory,
+   without PyTorch 5; `bench_nn small` 500 MB (pictures of 128 x 128). A word after it picks a part: shared,
+   convolution, renderer, inversion, collapse. peer libraries: -lopenblas -ldnnl */
 #ifndef _DEFAULT_SOURCE
 #define _DEFAULT_SOURCE /* madvise */
 #endif
@@ -20,7 +20,8 @@
 #endif
 #if defined(HAVE_OPENBLAS)
 void openblas_set_num_threads(int n);
-void cblas_sgemv(int order, int trans, int m, int n, float alpha, const float *a, int lda, const float *x, int incx, float beta, float *y, int incy);
+void cblas_sgemv(int order, int trans, int m, int n, float alpha, const float *a, int lda, const float *x, int incx,
+                 float beta, float *y, int incy);
 #endif
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -33,7 +34,8 @@ static int side = 410;
 static void begin_table(const char *name)
 {
     more = bench_open(name);
-    fprintf(more, "%s, one thread unless said, thread CPU time, medians; random weights; `make bench FILTER=nn`.\n", bench_processor());
+    fprintf(more, "%s, one thread unless said, thread CPU time, medians; random weights; `make bench FILTER=nn`.\n",
+            bench_processor());
 }
 
 static void record(const char *what, const char *how, double seconds, double spread)
@@ -115,7 +117,8 @@ static double wall(void (*run)(void *), void *context, int n)
 
 /* --- peers --- */
 
-/* Reading alone, the floor of what a matrix from memory can take: loads of 16, 32 and 64 bytes, with and without a request ahead. */
+/* Reading alone, the floor of what a matrix from memory can take: loads of 16, 32 and 64 bytes, with and without a
+   request ahead. */
 typedef struct memory_job {
     const unsigned char *bytes;
     size_t size, ahead; /* ahead: 0: none asked for */
@@ -129,29 +132,32 @@ static void read_plain(memory_job *job)
     size_t i;
     for (i = 0; i + 32 <= job->size; i += 32) {
         memcpy(v, job->bytes + i, 32);
-        s[0] ^= v[0]; s[1] ^= v[1]; s[2] ^= v[2]; s[3] ^= v[3];
+        s[0] ^= v[0];
+        s[1] ^= v[1];
+        s[2] ^= v[2];
+        s[3] ^= v[3];
     }
     job->sum += s[0] ^ s[1] ^ s[2] ^ s[3];
 }
 
 #if defined(__x86_64__)
-#define READER(name, isa, vector, zero, xor_, load)                                                                  \
-    static __attribute__((target(isa))) void name(memory_job *job)                                                   \
-    {                                                                                                                \
-        vector s[4] = {zero(), zero(), zero(), zero()};                                                              \
-        uint64_t out[8];                                                                                             \
-        size_t i, k, step = 4 * sizeof(vector);                                                                      \
-        for (i = 0; i + step <= job->size; i += step) {                                                              \
-            const unsigned char *p = job->bytes + i;                                                                 \
+#define READER(name, isa, vector, zero, xor_, load)                                                                   \
+    static __attribute__((target(isa))) void name(memory_job *job)                                                    \
+    {                                                                                                                 \
+        vector s[4] = {zero(), zero(), zero(), zero()};                                                               \
+        uint64_t out[8];                                                                                              \
+        size_t i, k, step = 4 * sizeof(vector);                                                                       \
+        for (i = 0; i + step <= job->size; i += step) {                                                               \
+            const unsigned char *p = job->bytes + i;                                                                  \
             for (k = 0; job->ahead && k < step; k += 64) _mm_prefetch((const char *)p + job->ahead + k, _MM_HINT_T1); \
-            s[0] = xor_(s[0], load((const vector *)(const void *)p));                                                \
-            s[1] = xor_(s[1], load((const vector *)(const void *)(p + sizeof(vector))));                             \
-            s[2] = xor_(s[2], load((const vector *)(const void *)(p + 2 * sizeof(vector))));                         \
-            s[3] = xor_(s[3], load((const vector *)(const void *)(p + 3 * sizeof(vector))));                         \
-        }                                                                                                            \
-        s[0] = xor_(xor_(s[0], s[1]), xor_(s[2], s[3]));                                                             \
-        memcpy(out, &s[0], sizeof s[0]);                                                                             \
-        job->sum += out[0] ^ out[1];                                                                                 \
+            s[0] = xor_(s[0], load((const vector *)(const void *)p));                                                 \
+            s[1] = xor_(s[1], load((const vector *)(const void *)(p + sizeof(vector))));                              \
+            s[2] = xor_(s[2], load((const vector *)(const void *)(p + 2 * sizeof(vector))));                          \
+            s[3] = xor_(s[3], load((const vector *)(const void *)(p + 3 * sizeof(vector))));                          \
+        }                                                                                                             \
+        s[0] = xor_(xor_(s[0], s[1]), xor_(s[2], s[3]));                                                              \
+        memcpy(out, &s[0], sizeof s[0]);                                                                              \
+        job->sum += out[0] ^ out[1];                                                                                  \
     }
 READER(read_16, "sse2", __m128i, _mm_setzero_si128, _mm_xor_si128, _mm_loadu_si128)
 READER(read_32, "avx2", __m256i, _mm256_setzero_si256, _mm256_xor_si256, _mm256_loadu_si256)
@@ -234,11 +240,15 @@ static void dnnl_make(dnnl_job *j, int n, int size)
     dnnl_convolution_desc_t desc;
     dnnl_primitive_desc_t pd;
     dnnl_dims_t x, w, b, one = {1, 1}, pad = {1, 1};
-    static const dnnl_query_t query[4] = {dnnl_query_src_md, dnnl_query_weights_md, dnnl_query_weights_md, dnnl_query_dst_md};
+    static const dnnl_query_t query[4] = {dnnl_query_src_md, dnnl_query_weights_md, dnnl_query_weights_md,
+                                          dnnl_query_dst_md};
     static const int argument[4] = {DNNL_ARG_SRC, DNNL_ARG_WEIGHTS, DNNL_ARG_BIAS, DNNL_ARG_DST};
     int i;
-    x[0] = 1; x[1] = n; x[2] = x[3] = size;
-    w[0] = w[1] = n; w[2] = w[3] = 3;
+    x[0] = 1;
+    x[1] = n;
+    x[2] = x[3] = size;
+    w[0] = w[1] = n;
+    w[2] = w[3] = 3;
     b[0] = n;
     dnnl_engine_create(&engine, dnnl_cpu, 0);
     dnnl_stream_create(&j->stream, engine, dnnl_stream_default_flags);
@@ -246,7 +256,8 @@ static void dnnl_make(dnnl_job *j, int n, int size)
     dnnl_memory_desc_init_by_tag(&any[1], 4, w, dnnl_f32, dnnl_format_tag_any);
     dnnl_memory_desc_init_by_tag(&any[2], 1, b, dnnl_f32, dnnl_a);
     any[3] = any[0];
-    dnnl_convolution_forward_desc_init(&desc, dnnl_forward_inference, dnnl_convolution_auto, &any[0], &any[1], &any[2], &any[3], one, pad, pad);
+    dnnl_convolution_forward_desc_init(&desc, dnnl_forward_inference, dnnl_convolution_auto, &any[0], &any[1], &any[2],
+                                       &any[3], one, pad, pad);
     if (dnnl_primitive_desc_create(&pd, &desc, NULL, engine, NULL) != dnnl_success) exit(1);
     for (i = 0; i < 4; ++i) {
         const dnnl_memory_desc_t *d = dnnl_primitive_desc_query_md(pd, query[i], i == 2 ? 1 : 0);
@@ -261,7 +272,8 @@ static void dnnl_make(dnnl_job *j, int n, int size)
 }
 #endif
 
-/* tests/bench/bench_nn_torch.py as a process that runs a network when it is told to, so that its runs and ours take turns. */
+/* tests/bench/bench_nn_torch.py as a process that runs a network when it is told to, so that its runs and ours take
+   turns. */
 typedef struct torch_peer {
     FILE *to, *from;
     char version[64];
@@ -394,8 +406,11 @@ static void bench_last_layer(const runner *r, const char *pages)
     record("last layer", "ms_nn f32", p.a.median, p.a.spread);
     record("last layer", "OpenBLAS sgemv", p.b.median, p.b.spread);
     fprintf(csv, "sgemv over ms_nn,ratio,%.4g,%.2g\n", p.ratio.median, p.ratio.spread);
-    fprintf(md, "| last layer, %s: OpenBLAS sgemv | %.1f | | | | %.1f | | |\n| last layer, %s: ms_nn, %.2f +- %.2f x sgemv | %.1f | | | | %.1f | | |\n", pages, 1e3 * p.b.median,
-            (double)w->bytes / p.b.median * 1e-9, pages, p.ratio.median, p.ratio.spread, 1e3 * p.a.median, (double)w->bytes / p.a.median * 1e-9);
+    fprintf(
+        md,
+        "| last layer, %s: OpenBLAS sgemv | %.1f | | | | %.1f | | |\n| last layer, %s: ms_nn, %.2f +- %.2f x sgemv | %.1f | | | | %.1f | | |\n",
+        pages, 1e3 * p.b.median, (double)w->bytes / p.b.median * 1e-9, pages, p.ratio.median, p.ratio.spread,
+        1e3 * p.a.median, (double)w->bytes / p.a.median * 1e-9);
     free(layer.x);
     free(blas.y);
 #else
@@ -414,7 +429,8 @@ static void renderer_peers(runner *r, torch_peer *torch)
     scalar = runner_make(r->file, MS_SIMD_SCALAR, no_threads(), 0);
     t = bench_run(run_forward, &scalar, 3);
     record("renderer, scalar code", "F32", t.median, t.spread);
-    fprintf(md, "| ms_nn F32, scalar code | %.1f | | | | %.1f | | |\n", 1e3 * t.median, (double)r->file->size / t.median * 1e-9);
+    fprintf(md, "| ms_nn F32, scalar code | %.1f | | | | %.1f | | |\n", 1e3 * t.median,
+            (double)r->file->size / t.median * 1e-9);
     runner_free(&scalar);
     if (torch->version[0] && side == 410) {
         double both;
@@ -422,8 +438,8 @@ static void renderer_peers(runner *r, torch_peer *torch)
         both = torch_wall(torch, "renderer", 2, 5);
         record("renderer", "PyTorch", p.b.median, p.b.spread);
         fprintf(csv, "PyTorch over ms_nn,ratio,%.4g,%.2g\n", p.ratio.median, p.ratio.spread);
-        fprintf(md, "| PyTorch %s F32: %.2f +- %.2f x ms_nn F32 | %.1f +- %.1f | | | | | | %.1f |\n", torch->version, p.ratio.median, p.ratio.spread, 1e3 * p.b.median,
-                1e3 * p.b.spread, 1e3 * both);
+        fprintf(md, "| PyTorch %s F32: %.2f +- %.2f x ms_nn F32 | %.1f +- %.1f | | | | | | %.1f |\n", torch->version,
+                p.ratio.median, p.ratio.spread, 1e3 * p.b.median, 1e3 * p.b.spread, 1e3 * both);
     }
 }
 
@@ -436,8 +452,13 @@ static void bench_renderer(void)
     double f32[2] = {0, 0};
     int k, huge;
     md = bench_open("nn.md");
-    fprintf(md, "%s, one thread unless said, thread CPU time, medians of 9 runs; random weights; `make bench FILTER=nn`.\n", bench_processor());
-    fprintf(md, "\n| renderer %d x %d, one picture | ms | x F32 | PSNR against F32, dB | file, MB | GB/s | of reading alone | one and two threads by the wall, ms |\n|---|---:|---:|---:|---:|---:|---:|---:|\n", side, side);
+    fprintf(md,
+            "%s, one thread unless said, thread CPU time, medians of 9 runs; random weights; `make bench FILTER=nn`.\n",
+            bench_processor());
+    fprintf(
+        md,
+        "\n| renderer %d x %d, one picture | ms | x F32 | PSNR against F32, dB | file, MB | GB/s | of reading alone | one and two threads by the wall, ms |\n|---|---:|---:|---:|---:|---:|---:|---:|\n",
+        side, side);
     for (k = 0; k < 4; ++k) {
         nets_file *f = (nets_file *)malloc(sizeof *f);
         if (nets_renderer(f, side, 64, 1000, types[k])) exit(1);
@@ -470,13 +491,15 @@ static void bench_renderer(void)
             if (k == 0 && !huge) memcpy(reference, r.y, outputs * sizeof(float));
             record("renderer", label, t.median, t.spread);
             record("renderer, two threads (wall)", label, both, 0);
-            fprintf(md, "| ms_nn %s | %.1f +- %.1f | %.2f | ", label, 1e3 * t.median, 1e3 * t.spread, f32[huge] / t.median);
+            fprintf(md, "| ms_nn %s | %.1f +- %.1f | %.2f | ", label, 1e3 * t.median, 1e3 * t.spread,
+                    f32[huge] / t.median);
             if (k) {
                 fprintf(csv, "renderer psnr,%s,%.4g,0\n", label, psnr(r.y, reference, outputs));
                 fprintf(md, "%.0f", psnr(r.y, reference, outputs));
             }
-            fprintf(md, " | %.0f | %.1f | %.0f%% (%.1f ms, %s) | %.1f, %.1f |\n", (double)f->size * 1e-6, (double)f->size / t.median * 1e-9, 100 / p.ratio.median, 1e3 * p.a.median, form,
-                    1e3 * alone, 1e3 * both);
+            fprintf(md, " | %.0f | %.1f | %.0f%% (%.1f ms, %s) | %.1f, %.1f |\n", (double)f->size * 1e-6,
+                    (double)f->size / t.median * 1e-9, 100 / p.ratio.median, 1e3 * p.a.median, form, 1e3 * alone,
+                    1e3 * both);
             record("renderer, one thread (wall)", label, alone, 0);
             runner_free(&r);
         }
@@ -486,7 +509,8 @@ static void bench_renderer(void)
     torch_stop(&torch);
     if (side == 410 && torch.version[0]) {
         torch = torch_start(1);
-        fprintf(md, "| PyTorch %s F32, huge pages | %.1f | | | | | | |\n", torch.version, 1e3 * torch_wall(&torch, "renderer", 1, 9));
+        fprintf(md, "| PyTorch %s F32, huge pages | %.1f | | | | | | |\n", torch.version,
+                1e3 * torch_wall(&torch, "renderer", 1, 9));
         torch_stop(&torch);
     }
     free(reference);
@@ -502,7 +526,8 @@ static void bench_convolution(void)
     pool threads;
     runner r;
     nets_begin(f, "[32,205,205]");
-    nets_layer(f, "{\"type\":\"conv2d\",\"name\":\"c\",\"filters\":32,\"kernel\":3,\"padding\":\"same\"}", "c", MS_NN_F32, 4, 32, 32, 3, 3);
+    nets_layer(f, "{\"type\":\"conv2d\",\"name\":\"c\",\"filters\":32,\"kernel\":3,\"padding\":\"same\"}", "c",
+               MS_NN_F32, 4, 32, 32, 3, 3);
     nets_end(f);
     begin_table("nn_convolution.md");
     fprintf(more, "\n| Conv2D 32 -> 32, 3 x 3, 205 x 205 | ms | G multiply-adds/s |\n|---|---:|---:|\n");
@@ -512,7 +537,8 @@ static void bench_convolution(void)
         if ((int)ms_nn_simd(r.nn) == level) {
             t = bench_run(run_forward, &r, level == MS_SIMD_SCALAR ? 3 : 9);
             record("convolution", ms_simd_string((ms_simd)level), t.median, t.spread);
-            fprintf(more, "| ms_nn %s | %.2f +- %.2f | %.1f |\n", ms_simd_string((ms_simd)level), 1e3 * t.median, 1e3 * t.spread, macs / t.median * 1e-9);
+            fprintf(more, "| ms_nn %s | %.2f +- %.2f | %.1f |\n", ms_simd_string((ms_simd)level), 1e3 * t.median,
+                    1e3 * t.spread, macs / t.median * 1e-9);
         }
         runner_free(&r);
     }
@@ -526,8 +552,8 @@ static void bench_convolution(void)
         record("convolution", "oneDNN", p.b.median, p.b.spread);
         fprintf(csv, "oneDNN over ms_nn,ratio,%.4g,%.2g\n", p.ratio.median, p.ratio.spread);
         printf("oneDNN / ms_nn: %.3f +- %.3f\n", p.ratio.median, p.ratio.spread);
-        fprintf(more, "| oneDNN %d.%d, blocked layouts, no reorders | %.2f +- %.2f | %.1f |\n", dnnl_version()->major, dnnl_version()->minor, 1e3 * p.b.median,
-                1e3 * p.b.spread, macs / p.b.median * 1e-9);
+        fprintf(more, "| oneDNN %d.%d, blocked layouts, no reorders | %.2f +- %.2f | %.1f |\n", dnnl_version()->major,
+                dnnl_version()->minor, 1e3 * p.b.median, 1e3 * p.b.spread, macs / p.b.median * 1e-9);
     }
 #else
     printf("oneDNN: not found, skipped\n");
@@ -541,15 +567,16 @@ static void bench_convolution(void)
         printf("convolution on two threads: %.2f x one\n", one / two);
         record("convolution, two threads (wall)", "auto", two, 0);
         record("convolution, one thread (wall)", "auto", one, 0);
-        fprintf(more, "| ms_nn, two threads (wall; one: %.2f) | %.2f | %.1f |\n", 1e3 * one, 1e3 * two, macs / two * 1e-9);
+        fprintf(more, "| ms_nn, two threads (wall; one: %.2f) | %.2f | %.1f |\n", 1e3 * one, 1e3 * two,
+                macs / two * 1e-9);
         runner_free(&t);
         pool_stop(&threads);
     }
     if (torch.version[0]) {
         bench_pair p = torch_compare(&torch, "convolution", run_forward, &r, 15);
         record("convolution", "PyTorch", p.b.median, p.b.spread);
-        fprintf(more, "| PyTorch %s, %.2f +- %.2f x ms_nn | %.2f +- %.2f | %.1f |\n", torch.version, p.ratio.median, p.ratio.spread, 1e3 * p.b.median, 1e3 * p.b.spread,
-                macs / p.b.median * 1e-9);
+        fprintf(more, "| PyTorch %s, %.2f +- %.2f x ms_nn | %.2f +- %.2f | %.1f |\n", torch.version, p.ratio.median,
+                p.ratio.spread, 1e3 * p.b.median, 1e3 * p.b.spread, macs / p.b.median * 1e-9);
     }
     torch_stop(&torch);
     runner_free(&r);
@@ -558,7 +585,8 @@ static void bench_convolution(void)
     fclose(more);
 }
 
-/* 1 (by assumption), 2, 3, 6, 7 and 9 are one architecture: they differ by dropout and training; 4 and 5 are another, 8 a third. */
+/* 1 (by assumption), 2, 3, 6, 7 and 9 are one architecture: they differ by dropout and training; 4 and 5 are another, 8
+   a third. */
 static void bench_inversion(void)
 {
     static const int numbers[9] = {1, 2, 3, 6, 7, 9, 4, 5, 8};
@@ -591,7 +619,8 @@ static void bench_inversion(void)
                 macs[number] += (double)ms_nn_layer_at(r.nn, j).multiply_adds;
             }
             t[k][number] = bench_run(run_forward, &r, 5);
-            if (number == 2 && k == 0 && torch.version[0] && side == 410) two = torch_compare(&torch, "inversion", run_forward, &r, 9);
+            if (number == 2 && k == 0 && torch.version[0] && side == 410)
+                two = torch_compare(&torch, "inversion", run_forward, &r, 9);
             snprintf(label, sizeof label, "%d %s", number, ms_nn_dtype_string(types[k]));
             record("inversion", label, t[k][number].median, t[k][number].spread);
             total[k] += t[k][number].median;
@@ -603,17 +632,24 @@ static void bench_inversion(void)
     }
     torch_stop(&torch);
     begin_table("nn_inversion.md");
-    fprintf(more, "\n| inversion networks of 4.3.1, %d x %d | parameters, M | multiply-adds, M | workspace, MB | F32 file, MB | F32, ms | I8 file, MB | I8, ms |\n", side, side);
+    fprintf(
+        more,
+        "\n| inversion networks of 4.3.1, %d x %d | parameters, M | multiply-adds, M | workspace, MB | F32 file, MB | F32, ms | I8 file, MB | I8, ms |\n",
+        side, side);
     fprintf(more, "|---|---:|---:|---:|---:|---:|---:|---:|\n");
     for (number = 1; number <= 9; ++number)
-        fprintf(more, "| %d%s | %.1f | %.0f | %.1f | %.0f | %.1f +- %.1f | %.0f | %.1f +- %.1f |\n", number, number == 1 ? " (missing in the text; taken as 2)" : "", parameters[number] * 1e-6,
-                macs[number] * 1e-6, (double)workspace[number] * 1e-6, (double)size[0][number] * 1e-6, 1e3 * t[0][number].median, 1e3 * t[0][number].spread,
-                (double)size[1][number] * 1e-6, 1e3 * t[1][number].median, 1e3 * t[1][number].spread);
-    fprintf(more, "| best of nine | | | | %.0f | %.1f | %.0f | %.1f |\n", megabytes[0], 1e3 * total[0], megabytes[1], 1e3 * total[1]);
+        fprintf(more, "| %d%s | %.1f | %.0f | %.1f | %.0f | %.1f +- %.1f | %.0f | %.1f +- %.1f |\n", number,
+                number == 1 ? " (missing in the text; taken as 2)" : "", parameters[number] * 1e-6, macs[number] * 1e-6,
+                (double)workspace[number] * 1e-6, (double)size[0][number] * 1e-6, 1e3 * t[0][number].median,
+                1e3 * t[0][number].spread, (double)size[1][number] * 1e-6, 1e3 * t[1][number].median,
+                1e3 * t[1][number].spread);
+    fprintf(more, "| best of nine | | | | %.0f | %.1f | %.0f | %.1f |\n", megabytes[0], 1e3 * total[0], megabytes[1],
+            1e3 * total[1]);
     if (two.b.median > 0) {
         record("inversion 2", "PyTorch", two.b.median, two.b.spread);
         fprintf(csv, "PyTorch over ms_nn inversion 2,ratio,%.4g,%.2g\n", two.ratio.median, two.ratio.spread);
-        fprintf(more, "| 2, PyTorch %s, %.2f +- %.2f x ms_nn | | | | | %.1f +- %.1f | | |\n", torch.version, two.ratio.median, two.ratio.spread, 1e3 * two.b.median, 1e3 * two.b.spread);
+        fprintf(more, "| 2, PyTorch %s, %.2f +- %.2f x ms_nn | | | | | %.1f +- %.1f | | |\n", torch.version,
+                two.ratio.median, two.ratio.spread, 1e3 * two.b.median, 1e3 * two.b.spread);
     }
     fclose(more);
 }
@@ -623,7 +659,9 @@ static void bench_shared(void)
     static const ms_nn_dtype types[4] = {MS_NN_F32, MS_NN_BF16, MS_NN_F16, MS_NN_I8};
     int k, level;
     begin_table("nn_shared.md");
-    fprintf(more, "\n| shared-channel renderer, 64 x 64, three channels | file, MB | scalar, ms | base | avx2 | avx512 |\n|---|---:|---:|---:|---:|---:|\n");
+    fprintf(
+        more,
+        "\n| shared-channel renderer, 64 x 64, three channels | file, MB | scalar, ms | base | avx2 | avx512 |\n|---|---:|---:|---:|---:|---:|\n");
     for (k = 0; k < 4; ++k) {
         nets_file *f = (nets_file *)malloc(sizeof *f);
         if (nets_shared(f, 64, 160, types[k])) exit(1);
@@ -708,8 +746,9 @@ static void bench_collapse(const char *label, nets_file *f)
     record("collapse: value", label, value.median, value.spread);
     record("collapse: residual and Jacobian", label, slopes.median, slopes.spread);
     record("picture for comparison", label, picture.median, picture.spread);
-    fprintf(more, "| %s | %.0f | %.1f | %.2f +- %.2f | %.2f +- %.2f | %.2f |\n", label, 1e3 * made, 1e3 * bench_median(target, 5), 1e3 * value.median, 1e3 * value.spread,
-            1e3 * slopes.median, 1e3 * slopes.spread, 1e3 * picture.median);
+    fprintf(more, "| %s | %.0f | %.1f | %.2f +- %.2f | %.2f +- %.2f | %.2f |\n", label, 1e3 * made,
+            1e3 * bench_median(target, 5), 1e3 * value.median, 1e3 * value.spread, 1e3 * slopes.median,
+            1e3 * slopes.spread, 1e3 * picture.median);
     ms_nn_collapse_destroy(c);
     free(job.workspace);
     free(job.residual);
@@ -724,7 +763,9 @@ static void bench_collapses(void)
 {
     nets_file *f = (nets_file *)malloc(sizeof *f);
     begin_table("nn_collapse.md");
-    fprintf(more, "\n| collapse | R, once a network, two threads, ms | target, ms | value, ms | residual and Jacobian, ms | the picture, ms |\n|---|---:|---:|---:|---:|---:|\n");
+    fprintf(
+        more,
+        "\n| collapse | R, once a network, two threads, ms | target, ms | value, ms | residual and Jacobian, ms | the picture, ms |\n|---|---:|---:|---:|---:|---:|\n");
     if (nets_shared(f, 128, 256, MS_NN_F16)) exit(1);
     bench_collapse("shared channels, 3 x 256 features, 128 x 128, F16", f);
     if (nets_renderer(f, 128, 64, 1000, MS_NN_F16)) exit(1); /* what R takes grows with the pixels */

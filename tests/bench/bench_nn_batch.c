@@ -1,7 +1,7 @@
-/* ms_nn.h: batches. Every element type, forward and both products, of dense, shared-channel and convolutional networks: the time of
-   a sample in batches of 2 to 1000 beside that of one alone, and the share of the processor's multiply-adds at the largest; then 300
-   previews by the network that ships, on one thread and on two. Writes build/bench/nn_batch.md.
-   `bench_nn_batch [PART OF A NETWORK'S NAME [TYPE [LEVEL, 1 to 4]]]` */
+/* ms_nn.h: batches. Every element type, forward and both products, of dense, shared-channel and convolutional networks:
+   the time of a sample in batches of 2 to 1000 beside that of one alone, and the share of the processor's multiply-adds
+   at the largest; then 300 previews by the network that ships, on one thread and on two. Writes
+   build/bench/nn_batch.md. `bench_nn_batch [PART OF A NETWORK'S NAME [TYPE [LEVEL, 1 to 4]]]` */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #include "bench.h"
@@ -74,12 +74,13 @@ static void run(const job *j, int at, int count)
 {
     size_t in = (size_t)at * ms_nn_input_size(j->nn), out = (size_t)at * ms_nn_output_size(j->nn);
     ms_status status = j->product == MS_NN_FORWARD ? ms_nn_forward(j->nn, count, j->x + in, j->y + out, j->workspace)
-                       : j->product == MS_NN_VJP   ? ms_nn_vjp(j->nn, count, j->x + in, j->d + out, NULL, j->out + in, j->workspace)
-                                                   : ms_nn_jvp(j->nn, count, j->x, j->d + in, NULL, j->out + out, j->workspace);
+        : j->product == MS_NN_VJP ? ms_nn_vjp(j->nn, count, j->x + in, j->d + out, NULL, j->out + in, j->workspace)
+                                  : ms_nn_jvp(j->nn, count, j->x, j->d + in, NULL, j->out + out, j->workspace);
     if (status != MS_OK) exit(1);
 }
 
-/* Seconds a sample of runs of count samples, `all` of them in all, so that alone or together they fill the same memory. */
+/* Seconds a sample of runs of count samples, `all` of them in all, so that alone or together they fill the same
+   memory. */
 static double sample(const job *j, int count, int all, int times)
 {
     double start = bench_cpu();
@@ -139,11 +140,11 @@ static void measure(const char *name, const char *type, nets_file *f, int larges
             }
         }
         rate = macs / alone * (p == MS_NN_VJP ? 2 : 1); /* forwards and back; the points of directions are run once */
-        printf("%-22s %-5s %-8s alone %9.1f us, worst %.2f at %4d, largest %.2f: %6.1f G/s %3.0f%%\n", name, type, names[p], 1e6 * lowest, worst, where, last, 1e-9 * rate,
-               100 * rate / most);
+        printf("%-22s %-5s %-8s alone %9.1f us, worst %.2f at %4d, largest %.2f: %6.1f G/s %3.0f%%\n", name, type,
+               names[p], 1e6 * lowest, worst, where, last, 1e-9 * rate, 100 * rate / most);
         fflush(stdout);
-        fprintf(md, "| %s | %s | %s | %.1f | %.2f (%d) | %.2f (%d) | %.1f | %.0f%% |\n", name, type, names[p], 1e6 * lowest, worst, where, last, largest, 1e-9 * rate,
-                100 * rate / most);
+        fprintf(md, "| %s | %s | %s | %.1f | %.2f (%d) | %.2f (%d) | %.1f | %.0f%% |\n", name, type, names[p],
+                1e6 * lowest, worst, where, last, largest, 1e-9 * rate, 100 * rate / most);
         free(j.workspace);
     }
     free(j.x);
@@ -175,7 +176,8 @@ static int square(nets_file *f, ms_nn_dtype dtype)
     return nets_end(f);
 }
 
-/* 300 pictures of the network that ships: thread CPU time on one thread, the wall's on two; seconds, the best of several. */
+/* 300 pictures of the network that ships: thread CPU time on one thread, the wall's on two; seconds, the best of
+   several. */
 static double previews(const char *path, ms_simd level, int threads)
 {
     enum { COUNT = 300 };
@@ -213,18 +215,24 @@ static double previews(const char *path, ms_simd level, int threads)
 int main(int argc, char **argv)
 {
     static const ms_nn_dtype types[4] = {MS_NN_F32, MS_NN_F16, MS_NN_BF16, MS_NN_I8};
-    static const char *const names[] = {"4 x 512", "shared, 64 x 64", "Conv1D, 32 x 32", "Conv2D from 64 x 64", "1000 to 12288, memory"};
+    static const char *const names[] = {"4 x 512", "shared, 64 x 64", "Conv1D, 32 x 32", "Conv2D from 64 x 64",
+                                        "1000 to 12288, memory"};
     const char *only = argc > 1 ? argv[1] : "", *type = argc > 2 ? argv[2] : "";
     ms_simd level = argc > 3 ? (ms_simd)atoi(argv[3]) : MS_SIMD_AVX512;
     nets_file *f = (nets_file *)malloc(sizeof *f);
-    static const char *const shipped[2] = {"examples/data/preview_64.safetensors", "examples/data/renderer_64.safetensors"};
+    static const char *const shipped[2] = {"examples/data/preview_64.safetensors",
+                                           "examples/data/renderer_64.safetensors"};
     double most = peak(level), one[2], two[2], macs[2];
     int k, t, bad;
     md = bench_open("nn_batch.md");
-    fprintf(md, "%s, one thread, thread CPU time, the best of several runs in turn; `make bench FILTER=nn_batch`. Multiply-adds in registers alone: %.1f G/s.\n\n",
-            bench_processor(), 1e-9 * most);
-    fprintf(md, "| network | weights | product | one alone, us | slowest batch: a sample over one alone (samples) | the largest | G multiply-adds/s | of the peak |\n"
-                "|---|---|---|---:|---:|---:|---:|---:|\n");
+    fprintf(
+        md,
+        "%s, one thread, thread CPU time, the best of several runs in turn; `make bench FILTER=nn_batch`. Multiply-adds in registers alone: %.1f G/s.\n\n",
+        bench_processor(), 1e-9 * most);
+    fprintf(
+        md,
+        "| network | weights | product | one alone, us | slowest batch: a sample over one alone (samples) | the largest | G multiply-adds/s | of the peak |\n"
+        "|---|---|---|---:|---:|---:|---:|---:|\n");
     printf("peak %.1f G/s\n", 1e-9 * most);
     for (k = 0; k < 2; ++k) {
         ms_nn *nn;
@@ -232,7 +240,8 @@ int main(int argc, char **argv)
         one[k] = previews(shipped[k], level, 1);
         two[k] = previews(shipped[k], level, 2);
         if (ms_nn_load_file(shipped[k], NULL, &nn, NULL) != MS_OK) return 1;
-        for (macs[k] = 0, l = 0; l < ms_nn_layer_count(nn); ++l) macs[k] += 3.0 * (double)ms_nn_layer_at(nn, l).multiply_adds;
+        for (macs[k] = 0, l = 0; l < ms_nn_layer_count(nn); ++l)
+            macs[k] += 3.0 * (double)ms_nn_layer_at(nn, l).multiply_adds;
         ms_nn_destroy(nn);
         printf("300 previews by %s: %.1f ms, two threads (wall) %.1f\n", shipped[k], 1e3 * one[k], 1e3 * two[k]);
     }
@@ -240,14 +249,20 @@ int main(int argc, char **argv)
         for (t = 0; t < 4; ++t) {
             if (!strstr(names[k], only) || !strstr(ms_nn_dtype_string(types[t]), type)) continue;
             if (k < 2) bad = k == 0 ? square(f, types[t]) : nets_shared(f, 64, 96, types[t]);
-            else bad = k == 2 ? nets_renderer(f, 32, 32, 200, types[t]) : k == 3 ? nets_inversion(f, 8, 64, 19, types[t]) : wide(f, types[t]);
+            else
+                bad = k == 2 ? nets_renderer(f, 32, 32, 200, types[t])
+                    : k == 3 ? nets_inversion(f, 8, 64, 19, types[t])
+                             : wide(f, types[t]);
             if (bad) return 1;
             measure(names[k], ms_nn_dtype_string(types[t]), f, k == 0 ? MOST : k == 1 ? 300 : 49, level, most);
             free(f->bytes);
         }
-    fprintf(md, "\n| 300 previews of 64 x 64, F16 | ms | at the rate of multiply-adds alone | of the peak | two threads, by the wall |\n|---|---:|---:|---:|---:|\n");
+    fprintf(
+        md,
+        "\n| 300 previews of 64 x 64, F16 | ms | at the rate of multiply-adds alone | of the peak | two threads, by the wall |\n|---|---:|---:|---:|---:|\n");
     for (k = 0; k < 2; ++k)
-        fprintf(md, "| `%s` | %.1f | %.1f | %.0f%% | %.1f |\n", shipped[k], 1e3 * one[k], 300e3 * macs[k] / most, 30000 * macs[k] / most / one[k], 1e3 * two[k]);
+        fprintf(md, "| `%s` | %.1f | %.1f | %.0f%% | %.1f |\n", shipped[k], 1e3 * one[k], 300e3 * macs[k] / most,
+                30000 * macs[k] / most / one[k], 1e3 * two[k]);
     fclose(md);
     free(f);
     return 0;

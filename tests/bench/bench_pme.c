@@ -1,8 +1,10 @@
 /* ms_pme.h on edited pictures, with the networks and held-out materials of examples/data: the tables of the thesis's
    chapter 4, times, and what pictures tell about parameters. About two minutes. bench_pme --full gives basin hopping a
-   minute for every target instead of 0.3 s and factors the full-size network (40 minutes); --times, --minima, --edits, --sequence, --recovery, --targets and --optimisers make one table alone, --known searches the least RMSE of the targets
-   of targets.h (20 minutes, into build/bench/pme_targets.csv). Writes pme.md, pme_minima.md, pme_targets.md,
-   pme_optimisers.md, pme_sequence.md, pme_time.md, pme_recovery.md, pme_edits.md, pme.csv and pme.svg. RMSE in levels of 255. */
+   minute for every target instead of 0.3 s and factors the full-size network (40 minutes); --times, --minima, --edits,
+   --sequence, --recovery, --targets and --optimisers make one table alone, --known searches the least RMSE of the
+   targets of targets.h (20 minutes, into build/bench/pme_targets.csv). Writes pme.md, pme_minima.md, pme_targets.md,
+   pme_optimisers.md, pme_sequence.md, pme_time.md, pme_recovery.md, pme_edits.md, pme.csv and pme.svg. RMSE in levels
+   of 255. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #define MS_PME_IMPLEMENTATION
@@ -83,12 +85,15 @@ static ms_status plain_value(void *user, const double *x, double *f)
     const plain_picture *p = (const plain_picture *)user;
     size_t i, count = p->m->renderer.image_size;
     ms_status status = p->m->renderer.render(p->m->renderer.user, x, p->picture);
-    for (i = 0, *f = 0; i < count; ++i) *f += ((double)p->picture[i] - (double)p->target[i]) * ((double)p->picture[i] - (double)p->target[i]) / (double)count;
+    for (i = 0, *f = 0; i < count; ++i)
+        *f += ((double)p->picture[i] - (double)p->target[i]) * ((double)p->picture[i] - (double)p->target[i]) /
+            (double)count;
     return status;
 }
 
 /* One refinement from a start: its RMSE of 1, and x unless out is NULL (which may be start). */
-static double refine(const matcher *m, const float *planes, const double *start, int method, double cost, how h, double *out)
+static double refine(const matcher *m, const float *planes, const double *start, int method, double cost, how h,
+                     double *out)
 {
     static const double zero[N], one[N] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
     ms_pme_renderer renderer = m->renderer;
@@ -150,7 +155,19 @@ static void starts(const matcher *m, target *t, int index)
 
 /* --- Table 4.1, and basin hopping --- */
 
-enum { OPTIMISER_50, OPTIMISER_300, OPTIMISER_1500, HYBRID_50, HYBRID_300, HYBRID_1500, OURS_50, OURS_300, OURS_1500, HOPPING, COLUMNS };
+enum {
+    OPTIMISER_50,
+    OPTIMISER_300,
+    OPTIMISER_1500,
+    HYBRID_50,
+    HYBRID_300,
+    HYBRID_1500,
+    OURS_50,
+    OURS_300,
+    OURS_1500,
+    HOPPING,
+    COLUMNS
+};
 
 /* The library as a user calls it: all first guesses, restarts from the others where cost is left. */
 static double ours(const matcher *m, const target *t, double cost)
@@ -194,7 +211,8 @@ static void table_targets(matcher *m, target *targets)
         double *row = rmse[t];
         aim(m, to->planes);
         for (b = 0; b < 3; ++b) {
-            row[OPTIMISER_50 + b] = 255 * refine(m, to->planes, to->random, THESIS_NELDER_MEAD_BARRIER, budget[b], OURS, NULL);
+            row[OPTIMISER_50 + b] = 255 *
+                refine(m, to->planes, to->random, THESIS_NELDER_MEAD_BARRIER, budget[b], OURS, NULL);
             row[HYBRID_50 + b] = 255 * refine(m, to->planes, to->nn, THESIS_NELDER_MEAD_BARRIER, budget[b], OURS, NULL);
             row[OURS_50 + b] = ours(m, to, budget[b]);
         }
@@ -203,25 +221,32 @@ static void table_targets(matcher *m, target *targets)
         hopping[0] += row[OURS_50] <= 1.01 * row[HOPPING];
         hopping[1] += row[OURS_1500] <= 1.01 * row[HOPPING];
     }
-    fprintf(f, "Table 4.1 on %d edited pictures of held-out materials, 64 x 64, RMSE in levels of 255 after 50 / 300 / 1500 units of cost (pictures by the\n"
-               "network; a Jacobian counts 5). Optimiser and hybrid: Nelder-Mead with a barrier, as in the thesis. `make bench FILTER=pme`\n\n"
-               "| edit | random | best of 9 | optimiser | hybrid | ours | basin hopping, %s |\n|---|---:|---:|---:|---:|---:|---:|\n",
-            TARGETS, full ? "60 s" : "0.3 s");
-    fprintf(csv, "edit,random,best_of_9,optimiser_50,optimiser_300,optimiser_1500,hybrid_50,hybrid_300,hybrid_1500,ours_50,ours_300,ours_1500,hopping\n");
+    fprintf(
+        f,
+        "Table 4.1 on %d edited pictures of held-out materials, 64 x 64, RMSE in levels of 255 after 50 / 300 / 1500 units of cost (pictures by the\n"
+        "network; a Jacobian counts 5). Optimiser and hybrid: Nelder-Mead with a barrier, as in the thesis. `make bench FILTER=pme`\n\n"
+        "| edit | random | best of 9 | optimiser | hybrid | ours | basin hopping, %s |\n|---|---:|---:|---:|---:|---:|---:|\n",
+        TARGETS, full ? "60 s" : "0.3 s");
+    fprintf(
+        csv,
+        "edit,random,best_of_9,optimiser_50,optimiser_300,optimiser_1500,hybrid_50,hybrid_300,hybrid_1500,ours_50,ours_300,ours_1500,hopping\n");
     for (t = 0; t < TARGETS; ++t) {
         const double *r = rmse[t];
-        fprintf(f, "| %s | %.2f | %.2f | %.2f / %.2f / %.2f | %.2f / %.2f / %.2f | %.2f / %.2f / %.2f | %.2f |\n", targets[t].name, targets[t].random_rmse,
-                targets[t].nn_rmse, r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], r[9]);
+        fprintf(f, "| %s | %.2f | %.2f | %.2f / %.2f / %.2f | %.2f / %.2f / %.2f | %.2f / %.2f / %.2f | %.2f |\n",
+                targets[t].name, targets[t].random_rmse, targets[t].nn_rmse, r[0], r[1], r[2], r[3], r[4], r[5], r[6],
+                r[7], r[8], r[9]);
         fprintf(csv, "%s,%g,%g", targets[t].name, targets[t].random_rmse, targets[t].nn_rmse);
         for (k = 0; k < COLUMNS; ++k) fprintf(csv, ",%g", r[k]);
         fprintf(csv, "\n");
     }
-    fprintf(summary, "Edited 64 x 64 pictures of held-out materials, RMSE in levels of 255, means of three targets, one core of %s, `make bench FILTER=pme`.\n"
-                     "After 50 pictures' worth of work ours is no worse than the thesis's hybrid after 1500 on %d of %d targets, and within 1%% of basin\n"
-                     "hopping (%s a target) on %d, after 1500 on %d.\n\n"
-                     "| edit | random start | best of 9 networks | thesis: optimiser, 1500 | thesis: hybrid, 1500 | **ours, 50** | ours, 1500 | basin hopping |\n"
-                     "|---|---:|---:|---:|---:|---:|---:|---:|\n",
-            bench_processor(), no_worse, TARGETS, full ? "60 s" : "0.3 s", hopping[0], hopping[1]);
+    fprintf(
+        summary,
+        "Edited 64 x 64 pictures of held-out materials, RMSE in levels of 255, means of three targets, one core of %s, `make bench FILTER=pme`.\n"
+        "After 50 pictures' worth of work ours is no worse than the thesis's hybrid after 1500 on %d of %d targets, and within 1%% of basin\n"
+        "hopping (%s a target) on %d, after 1500 on %d.\n\n"
+        "| edit | random start | best of 9 networks | thesis: optimiser, 1500 | thesis: hybrid, 1500 | **ours, 50** | ours, 1500 | basin hopping |\n"
+        "|---|---:|---:|---:|---:|---:|---:|---:|\n",
+        bench_processor(), no_worse, TARGETS, full ? "60 s" : "0.3 s", hopping[0], hopping[1]);
     for (k = 0; k < EDIT_COUNT; ++k) {
         double mean[COLUMNS] = {0}, random = 0, nn = 0;
         for (t = k; t < TARGETS; t += EDIT_COUNT) {
@@ -229,10 +254,11 @@ static void table_targets(matcher *m, target *targets)
             nn += targets[t].nn_rmse / 3;
             for (b = 0; b < COLUMNS; ++b) mean[b] += rmse[t][b] / 3;
         }
-        fprintf(summary, "| %s | %.1f | %.1f | %.2f | %.2f | **%.2f** | %.2f | %.2f |\n", edits[k].name, random, nn, mean[OPTIMISER_1500],
-                mean[HYBRID_1500], mean[OURS_50], mean[OURS_1500], mean[HOPPING]);
+        fprintf(summary, "| %s | %.1f | %.1f | %.2f | %.2f | **%.2f** | %.2f | %.2f |\n", edits[k].name, random, nn,
+                mean[OPTIMISER_1500], mean[HYBRID_1500], mean[OURS_50], mean[OURS_1500], mean[HOPPING]);
     }
-    plot_begin(&p, "Edited pictures: RMSE, times basin hopping's, geometric means of 30", "pictures by the network", "", PLOT_LOG_X | PLOT_LOG_Y);
+    plot_begin(&p, "Edited pictures: RMSE, times basin hopping's, geometric means of 30", "pictures by the network", "",
+               PLOT_LOG_X | PLOT_LOG_Y);
     for (b = 0; b < 3; ++b) {
         x_axis[b] = budget[b];
         for (k = 0; k < 3; ++k) {
@@ -248,8 +274,9 @@ static void table_targets(matcher *m, target *targets)
     fclose(f);
     fclose(csv);
     fclose(summary);
-    printf("Table 4.1: ours after 50 no worse than the hybrid after 1500 on %d of %d, within 1%% of basin hopping on %d, after 1500 on %d\n", no_worse, TARGETS,
-           hopping[0], hopping[1]);
+    printf(
+        "Table 4.1: ours after 50 no worse than the hybrid after 1500 on %d of %d, within 1%% of basin hopping on %d, after 1500 on %d\n",
+        no_worse, TARGETS, hopping[0], hopping[1]);
 }
 
 /* --- Table 4.3: what the optimisers make of float32 differences and a barrier, and what they are otherwise --- */
@@ -260,16 +287,23 @@ static void table_optimisers(matcher *m, target *targets)
         const char *name;
         int method;
         how h;
-    } column[] = {{"Nelder-Mead", THESIS_NELDER_MEAD_BARRIER, THESIS}, {"L-BFGS", THESIS_LBFGS, THESIS}, {"SQP", THESIS_SQP, THESIS},
-                  {"CG", THESIS_CONJUGATE_GRADIENT, THESIS},           {"Nelder-Mead", THESIS_NELDER_MEAD, OURS}, {"L-BFGS", THESIS_LBFGS, OURS},
-                  {"SQP", THESIS_SQP, OURS},                           {"CG", THESIS_CONJUGATE_GRADIENT, OURS},
+    } column[] = {{"Nelder-Mead", THESIS_NELDER_MEAD_BARRIER, THESIS},
+                  {"L-BFGS", THESIS_LBFGS, THESIS},
+                  {"SQP", THESIS_SQP, THESIS},
+                  {"CG", THESIS_CONJUGATE_GRADIENT, THESIS},
+                  {"Nelder-Mead", THESIS_NELDER_MEAD, OURS},
+                  {"L-BFGS", THESIS_LBFGS, OURS},
+                  {"SQP", THESIS_SQP, OURS},
+                  {"CG", THESIS_CONJUGATE_GRADIENT, OURS},
                   {"**LM**", LM, OURS}};
     enum { METHODS = 9 };
     FILE *f = bench_open("pme_optimisers.md");
     int t, s, k, stuck[METHODS] = {0};
-    fprintf(f, "Table 4.3: RMSE after at most 1500 units of cost. First four: as in the thesis, an infinite barrier and differences of 1.5e-8 on\n"
-               "pictures of float32, whose rounding (6e-8 of a value) is larger than what such a step changes: the gradient is noise. The others: the same\n"
-               "methods with projection and exact Jacobians. Italics: not 1%% better than the start. `make bench FILTER=pme`\n\n| edit | start | RMSE");
+    fprintf(
+        f,
+        "Table 4.3: RMSE after at most 1500 units of cost. First four: as in the thesis, an infinite barrier and differences of 1.5e-8 on\n"
+        "pictures of float32, whose rounding (6e-8 of a value) is larger than what such a step changes: the gradient is noise. The others: the same\n"
+        "methods with projection and exact Jacobians. Italics: not 1%% better than the start. `make bench FILTER=pme`\n\n| edit | start | RMSE");
     for (k = 0; k < METHODS; ++k) fprintf(f, " | %s%s", column[k].name, column[k].h == THESIS ? ", thesis" : "");
     fprintf(f, " |\n|---|---|---:");
     for (k = 0; k < METHODS; ++k) fprintf(f, "|---:");
@@ -280,7 +314,9 @@ static void table_optimisers(matcher *m, target *targets)
             double before = s ? targets[t].nn_rmse : targets[t].random_rmse;
             fprintf(f, "| %s | %s | %.2f", targets[t].name, s ? "NN" : "random", before);
             for (k = 0; k < METHODS; ++k) {
-                double after = 255 * refine(m, targets[t].planes, s ? targets[t].nn : targets[t].random, column[k].method, 1500, column[k].h, NULL);
+                double after = 255 *
+                    refine(m, targets[t].planes, s ? targets[t].nn : targets[t].random, column[k].method, 1500,
+                           column[k].h, NULL);
                 int same = after > 0.99 * before;
                 stuck[k] += same;
                 fprintf(f, same ? " | *%.2f*" : " | %.2f", after);
@@ -292,8 +328,9 @@ static void table_optimisers(matcher *m, target *targets)
     for (k = 0; k < METHODS; ++k) fprintf(f, " | %d", stuck[k]);
     fprintf(f, " |\n");
     fclose(f);
-    printf("Table 4.3: stuck at the start, of %d: L-BFGS %d, SQP %d, CG %d with the thesis's differences; %d, %d, %d with Jacobians\n", 2 * EDIT_COUNT,
-           stuck[1], stuck[2], stuck[3], stuck[5], stuck[6], stuck[7]);
+    printf(
+        "Table 4.3: stuck at the start, of %d: L-BFGS %d, SQP %d, CG %d with the thesis's differences; %d, %d, %d with Jacobians\n",
+        2 * EDIT_COUNT, stuck[1], stuck[2], stuck[3], stuck[5], stuck[6], stuck[7]);
 }
 
 /* --- Table 4.2: a sequence of 300 frames, the black level rising --- */
@@ -336,8 +373,10 @@ static void table_sequence(matcher *m)
                 rmse[k][again][frame] = 255 * result.rmse;
                 memcpy(previous, x, sizeof x);
             }
-    fprintf(f, "Table 4.2: the black level of an unedited picture rises from 0 to 0.3 over 300 frames, 64 x 64; RMSE of frames, mean of all, with and\n"
-               "without the last frame's answer among the candidates. `make bench FILTER=pme`\n\n| units a frame | reinitialised");
+    fprintf(
+        f,
+        "Table 4.2: the black level of an unedited picture rises from 0 to 0.3 over 300 frames, 64 x 64; RMSE of frames, mean of all, with and\n"
+        "without the last frame's answer among the candidates. `make bench FILTER=pme`\n\n| units a frame | reinitialised");
     for (i = 0; i <= 10; ++i) fprintf(f, " | %d", i * 299 / 10);
     fprintf(f, " | mean |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (k = 0; k < ROWS; ++k)
@@ -350,8 +389,10 @@ static void table_sequence(matcher *m)
             printf("Table 4.2: %s, %s: mean RMSE %.3f\n", row[k].name, again ? "reinitialised" : "from scratch", mean);
         }
     from = bench_median(seconds[1], FRAMES);
-    fprintf(f, "\nOurs takes %.1f ms a frame (median; slowest %.1f): %.0f frames a second with the target, 9 inversion networks and 20 units.\n", 1e3 * from,
-            1e3 * seconds[1][FRAMES - 1], 1 / from);
+    fprintf(
+        f,
+        "\nOurs takes %.1f ms a frame (median; slowest %.1f): %.0f frames a second with the target, 9 inversion networks and 20 units.\n",
+        1e3 * from, 1e3 * seconds[1][FRAMES - 1], 1 / from);
     free(source);
     free(planes);
     printf("sequence: %.1f ms a frame, %.0f frames a second\n", 1e3 * from, 1 / from);
@@ -360,7 +401,8 @@ static void table_sequence(matcher *m)
 
 /* --- the right minimum: 60 targets against long global searches --- */
 
-/* tests/data/pme_targets.csv anew: the least of four runs of 20,000 units each, three with restarts and one of basin hopping. */
+/* tests/data/pme_targets.csv anew: the least of four runs of 20,000 units each, three with restarts and one of basin
+   hopping. */
 static void search_globally(matcher *m)
 {
     FILE *f = bench_open("pme_targets.csv");
@@ -400,12 +442,17 @@ static void table_minima(matcher *m)
     char line[100];
     double least[TARGETS_ALL], ms[TARGETS_ALL], x[N];
     int t, b;
-    if (known == NULL || fgets(line, sizeof line, known) == NULL) check_picture("tests/data/pme_targets.csv cannot be read");
-    for (t = 0; t < TARGETS_ALL; ++t) least[t] = fgets(line, sizeof line, known) && strchr(line, ',') ? strtod(strchr(line, ',') + 1, NULL) : 0;
+    if (known == NULL || fgets(line, sizeof line, known) == NULL)
+        check_picture("tests/data/pme_targets.csv cannot be read");
+    for (t = 0; t < TARGETS_ALL; ++t)
+        least[t] = fgets(line, sizeof line, known) && strchr(line, ',') ? strtod(strchr(line, ',') + 1, NULL) : 0;
     fclose(known);
-    fprintf(f, "60 edited pictures, 64 x 64 (tests/bench/targets.h), with restarts, against the least RMSE of four searches of 20,000 units each;\n"
-               "thread time of target, first guesses and match, one core of %s; and 60 of other materials, for a check.\n"
-               "`make bench FILTER=pme`\n\n| units | within 1%% | of the others | RMSE, times the least: mean | ms, median |\n|---:|---:|---:|---:|---:|\n", bench_processor());
+    fprintf(
+        f,
+        "60 edited pictures, 64 x 64 (tests/bench/targets.h), with restarts, against the least RMSE of four searches of 20,000 units each;\n"
+        "thread time of target, first guesses and match, one core of %s; and 60 of other materials, for a check.\n"
+        "`make bench FILTER=pme`\n\n| units | within 1%% | of the others | RMSE, times the least: mean | ms, median |\n|---:|---:|---:|---:|---:|\n",
+        bench_processor());
     for (b = 0; b < 4; ++b) {
         int within = 0, check_within = 0;
         double mean = 0;
@@ -428,16 +475,18 @@ static void table_minima(matcher *m)
             within += 255 * result.rmse <= 1.01 * least[t];
             mean += 255 * result.rmse / least[t] / (int)TARGETS_COUNT;
         }
-        fprintf(f, "| %.0f | %d of %d | %d of %d | %.4f | %.1f |\n", budget[b], within, (int)TARGETS_COUNT, check_within, (int)TARGETS_CHECK, mean, bench_median(ms, TARGETS_COUNT));
-        printf("minima: %.0f units: within 1%% on %d of %d and %d of %d, %.1f ms\n", budget[b], within, (int)TARGETS_COUNT, check_within, (int)TARGETS_CHECK, bench_median(ms, TARGETS_COUNT));
+        fprintf(f, "| %.0f | %d of %d | %d of %d | %.4f | %.1f |\n", budget[b], within, (int)TARGETS_COUNT,
+                check_within, (int)TARGETS_CHECK, mean, bench_median(ms, TARGETS_COUNT));
+        printf("minima: %.0f units: within 1%% on %d of %d and %d of %d, %.1f ms\n", budget[b], within,
+               (int)TARGETS_COUNT, check_within, (int)TARGETS_CHECK, bench_median(ms, TARGETS_COUNT));
     }
     fclose(f);
 }
 
 /* --- times --- */
 
-/* Median over the targets of the whole match at its defaults, as a user calls it; masked: each target with a soft selection of its
-   own around the ball. */
+/* Median over the targets of the whole match at its defaults, as a user calls it; masked: each target with a soft
+   selection of its own around the ball. */
 static void time_matches(FILE *f, matcher *m, target *targets, int masked)
 {
     static float masks[3 * 128 * 128];
@@ -452,7 +501,8 @@ static void time_matches(FILE *f, matcher *m, target *targets, int masked)
         image selected;
         int i, size = m->network.size;
         selected.width = selected.height = size;
-        for (i = 0; i < 3 * size * size; ++i) masks[i] = edit_ball(&selected, i % size, i / size % size, -0.002f * (float)t, 0);
+        for (i = 0; i < 3 * size * size; ++i)
+            masks[i] = edit_ball(&selected, i % size, i / size % size, -0.002f * (float)t, 0);
         from = bench_cpu();
         check(matcher_aim(m, planes, weight, &error), &error);
         aims[t] = bench_cpu() - from;
@@ -466,14 +516,16 @@ static void time_matches(FILE *f, matcher *m, target *targets, int masked)
         whole[t] = bench_cpu() - from + aims[t];
         worst = fmax(worst, whole[t]);
     }
-    fprintf(f, "| %d x %d, shared channels%s | %.1f | %.1f | **%.1f** | %.1f |\n", m->network.size, m->network.size, masked ? ", a mask each" : "", 1e3 * bench_median(aims, TARGETS),
-            1e3 * bench_median(first, TARGETS), 1e3 * bench_median(whole, TARGETS), 1e3 * worst);
-    printf("%d x %d%s: %.1f ms a match (slowest %.1f), of it %.1f the target, %.1f the first guesses\n", m->network.size, m->network.size, masked ? " masked" : "",
-           1e3 * bench_median(whole, TARGETS), 1e3 * worst, 1e3 * bench_median(aims, TARGETS), 1e3 * bench_median(first, TARGETS));
+    fprintf(f, "| %d x %d, shared channels%s | %.1f | %.1f | **%.1f** | %.1f |\n", m->network.size, m->network.size,
+            masked ? ", a mask each" : "", 1e3 * bench_median(aims, TARGETS), 1e3 * bench_median(first, TARGETS),
+            1e3 * bench_median(whole, TARGETS), 1e3 * worst);
+    printf("%d x %d%s: %.1f ms a match (slowest %.1f), of it %.1f the target, %.1f the first guesses\n",
+           m->network.size, m->network.size, masked ? " masked" : "", 1e3 * bench_median(whole, TARGETS), 1e3 * worst,
+           1e3 * bench_median(aims, TARGETS), 1e3 * bench_median(first, TARGETS));
 }
 
-/* The thesis's renderer with random weights in int8, as a file. Factoring its 504300 rows takes a minute; without --full the
-   file brings the R that such a last layer has on average, W'W = rows / features. */
+/* The thesis's renderer with random weights in int8, as a file. Factoring its 504300 rows takes a minute; without
+   --full the file brings the R that such a last layer has on average, W'W = rows / features. */
 static int write_full_size(const char *path)
 {
     enum { FEATURES = 1000, OUTPUTS = 3 * 410 * 410, TRIANGLE = FEATURES * (FEATURES + 1) / 2 };
@@ -511,7 +563,8 @@ static void time_full_size(FILE *f)
     static matcher m;
     static const double zero[N], one[N] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
     double truth[N], x[N], times[RUNS], aims[RUNS], from;
-    ms_pme_options options = ms_pme_defaults(); /* what a match does, but without its check of the collapse, whose R is made up */
+    ms_pme_options options =
+        ms_pme_defaults(); /* what a match does, but without its check of the collapse, whose R is made up */
     ms_pme_function function;
     ms_error error;
     float *planes;
@@ -539,9 +592,10 @@ static void time_full_size(FILE *f)
         times[k] = bench_cpu() - from;
     }
     from = bench_median(times, RUNS);
-    fprintf(f, "| 410 x 410, 524 million parameters (int8, random) | %.0f | | **%.0f** | %.0f |\n", 1e3 * bench_median(aims, RUNS), 1e3 * from,
-            1e3 * times[RUNS - 1]);
-    printf("410 x 410: %.0f ms a match without inversion networks, of it %.0f the target\n", 1e3 * from, 1e3 * aims[RUNS / 2]);
+    fprintf(f, "| 410 x 410, 524 million parameters (int8, random) | %.0f | | **%.0f** | %.0f |\n",
+            1e3 * bench_median(aims, RUNS), 1e3 * from, 1e3 * times[RUNS - 1]);
+    printf("410 x 410: %.0f ms a match without inversion networks, of it %.0f the target\n", 1e3 * from,
+           1e3 * aims[RUNS / 2]);
     matcher_close(&m);
     free(planes);
     remove(path);
@@ -567,9 +621,12 @@ static void time_units(FILE *f, const matcher *m, const target *t)
             }
             time[k][run] = (bench_cpu() - from) / (int)REPEATS;
         }
-    fprintf(f, "\nAt %d x %d a picture takes %.3f ms, a collapsed value %.2f of that, one with its Jacobian %.2f (counted as 1 and 5).\n", m->network.size,
-            m->network.size, 1e3 * bench_median(time[0], RUNS), bench_median(time[1], RUNS) / bench_median(time[0], RUNS),
-            bench_median(time[2], RUNS) / bench_median(time[0], RUNS));
+    fprintf(
+        f,
+        "\nAt %d x %d a picture takes %.3f ms, a collapsed value %.2f of that, one with its Jacobian %.2f (counted as 1 and 5).\n",
+        m->network.size, m->network.size, 1e3 * bench_median(time[0], RUNS),
+        bench_median(time[1], RUNS) / bench_median(time[0], RUNS),
+        bench_median(time[2], RUNS) / bench_median(time[0], RUNS));
     free(r);
     free(picture);
 }
@@ -579,10 +636,11 @@ static void time_units(FILE *f, const matcher *m, const target *t)
 /* Every held-out material, as its picture by the network and by the path tracer. */
 static void table_recovery(matcher *m)
 {
-    static const char *const name[N] = {"diffuse red", "diffuse green", "diffuse blue", "glossy red", "glossy green", "glossy blue", "glossy roughness",
-                                        "glossy share", "glass red", "glass green", "glass blue", "glass roughness", "index of refraction",
-                                        "translucent red", "translucent green", "translucent blue", "translucent share", "transmissive share",
-                                        "absorption"};
+    static const char *const name[N] = {
+        "diffuse red",      "diffuse green",     "diffuse blue",        "glossy red",      "glossy green",
+        "glossy blue",      "glossy roughness",  "glossy share",        "glass red",       "glass green",
+        "glass blue",       "glass roughness",   "index of refraction", "translucent red", "translucent green",
+        "translucent blue", "translucent share", "transmissive share",  "absorption"};
     enum { MATERIALS = 60 };
     static double error_of[2][N][MATERIALS], noise[N][MATERIALS], spectrum[N], rmse[2][MATERIALS];
     int known[N] = {0};
@@ -612,20 +670,24 @@ static void table_recovery(matcher *m)
             }
             free(planes);
         }
-    fprintf(f, "%d unedited pictures of held-out materials, 64 x 64, after 300 units: median errors of the parameters. Median RMSE: %.4f levels of 255 for\n"
-               "pictures by the network, %.2f for path-traced ones. Noise: how far independent noise of one level in every value would move a parameter,\n"
-               "from the singular values of the Jacobian at the truth; determined: below 0.05. The rest colours a lobe that the mix hides. The network's own\n"
-               "error in a path-traced picture is smooth, and moves parameters further than noise of its size. `make bench FILTER=pme`\n\n"
-               "| parameter | determined in | noise, median | error, pictures by the network | error, path-traced |\n|---|---:|---:|---:|---:|\n",
-            MATERIALS, bench_median(rmse[0], MATERIALS), bench_median(rmse[1], MATERIALS));
+    fprintf(
+        f,
+        "%d unedited pictures of held-out materials, 64 x 64, after 300 units: median errors of the parameters. Median RMSE: %.4f levels of 255 for\n"
+        "pictures by the network, %.2f for path-traced ones. Noise: how far independent noise of one level in every value would move a parameter,\n"
+        "from the singular values of the Jacobian at the truth; determined: below 0.05. The rest colours a lobe that the mix hides. The network's own\n"
+        "error in a path-traced picture is smooth, and moves parameters further than noise of its size. `make bench FILTER=pme`\n\n"
+        "| parameter | determined in | noise, median | error, pictures by the network | error, path-traced |\n|---|---:|---:|---:|---:|\n",
+        MATERIALS, bench_median(rmse[0], MATERIALS), bench_median(rmse[1], MATERIALS));
     for (j = 0; j < N; ++j)
-        fprintf(f, "| %d %s | %.0f%% | %.4f | %.1e | %.3f |\n", j, name[j], 100.0 * known[j] / (int)MATERIALS, bench_median(noise[j], MATERIALS),
-                bench_median(error_of[0][j], MATERIALS), bench_median(error_of[1][j], MATERIALS));
+        fprintf(f, "| %d %s | %.0f%% | %.4f | %.1e | %.3f |\n", j, name[j], 100.0 * known[j] / (int)MATERIALS,
+                bench_median(noise[j], MATERIALS), bench_median(error_of[0][j], MATERIALS),
+                bench_median(error_of[1][j], MATERIALS));
     fprintf(f, "\nSingular values of the Jacobian, geometric means:");
     for (j = 0; j < N; ++j) fprintf(f, " %.2g", exp(spectrum[j]));
     fprintf(f, "\n");
     fclose(f);
-    printf("recovery: median RMSE %.4f by the network, %.2f path-traced\n", bench_median(rmse[0], MATERIALS), bench_median(rmse[1], MATERIALS));
+    printf("recovery: median RMSE %.4f by the network, %.2f path-traced\n", bench_median(rmse[0], MATERIALS),
+           bench_median(rmse[1], MATERIALS));
 }
 
 /* --- edits that are not of the material: what becomes of its parameters --- */
@@ -635,22 +697,26 @@ static void table_edits(matcher *m)
     static const struct {
         const char *edit, *option;
         int flags, nuisance;
-    } row[] = {{"unedited", "", 0, 0},       {"unedited", "`--robust --align`", MATCHER_ROBUST | MATCHER_ALIGN, 0},
-               {"logo", "", 0, 0},           {"logo", "`--robust`", MATCHER_ROBUST, 0},
-               {"exposure", "", 0, 0},       {"exposure", "`--exposure`", 0, MS_PME_EXPOSURE},
-               {"coloured light", "", 0, 0}, {"coloured light", "`--tint`", 0, MS_PME_TINT | MS_PME_OFFSET},
-               {"shift", "", 0, 0},          {"shift", "`--align`", MATCHER_ALIGN, 0},
-               {"logo and shift", "", 0, 0}, {"logo and shift", "`--robust --align`", MATCHER_ROBUST | MATCHER_ALIGN, 0}};
+    } row[] = {
+        {"unedited", "", 0, 0},       {"unedited", "`--robust --align`", MATCHER_ROBUST | MATCHER_ALIGN, 0},
+        {"logo", "", 0, 0},           {"logo", "`--robust`", MATCHER_ROBUST, 0},
+        {"exposure", "", 0, 0},       {"exposure", "`--exposure`", 0, MS_PME_EXPOSURE},
+        {"coloured light", "", 0, 0}, {"coloured light", "`--tint`", 0, MS_PME_TINT | MS_PME_OFFSET},
+        {"shift", "", 0, 0},          {"shift", "`--align`", MATCHER_ALIGN, 0},
+        {"logo and shift", "", 0, 0}, {"logo and shift", "`--robust --align`", MATCHER_ROBUST | MATCHER_ALIGN, 0}};
     enum { ROWS = 12, MATERIALS = 16 };
     FILE *f = bench_open("pme_edits.md");
     float *picture = (float *)malloc(m->renderer.image_size * sizeof(float));
     ms_error error;
     int k, i, j;
     if (picture == NULL) check_picture("out of memory");
-    fprintf(f, "Edits that no material explains, %d held-out path-traced materials, 64 x 64, 300 units: what the options of build/match bring back. Medians of the\n"
-               "RMSE, in levels of 255, between the answer's picture and the unedited one; of the RMS error of the 19 parameters; and of those that the\n"
-               "picture determines (noise of one level would move them by less than 0.05). `make bench FILTER=pme`\n\n"
-               "| edit | option | picture from the unedited one | parameters | determined ones | ms |\n|---|---|---:|---:|---:|---:|\n", MATERIALS);
+    fprintf(
+        f,
+        "Edits that no material explains, %d held-out path-traced materials, 64 x 64, 300 units: what the options of build/match bring back. Medians of the\n"
+        "RMSE, in levels of 255, between the answer's picture and the unedited one; of the RMS error of the 19 parameters; and of those that the\n"
+        "picture determines (noise of one level would move them by less than 0.05). `make bench FILTER=pme`\n\n"
+        "| edit | option | picture from the unedited one | parameters | determined ones | ms |\n|---|---|---:|---:|---:|---:|\n",
+        MATERIALS);
     for (k = 0; k < ROWS; ++k) {
         double apart[MATERIALS], all[MATERIALS], known[MATERIALS], ms[MATERIALS];
         for (i = 0; i < MATERIALS; ++i) {
@@ -696,9 +762,11 @@ static void table_edits(matcher *m)
             free(source);
             free(planes);
         }
-        fprintf(f, "| %s | %s | %.2f | %.3f | %.3f | %.0f |\n", row[k].edit, row[k].option, bench_median(apart, MATERIALS), bench_median(all, MATERIALS),
-                bench_median(known, MATERIALS), bench_median(ms, MATERIALS));
-        printf("%s %s: %.2f from the unedited picture, parameters %.3f\n", row[k].edit, row[k].option, apart[MATERIALS / 2], all[MATERIALS / 2]);
+        fprintf(f, "| %s | %s | %.2f | %.3f | %.3f | %.0f |\n", row[k].edit, row[k].option,
+                bench_median(apart, MATERIALS), bench_median(all, MATERIALS), bench_median(known, MATERIALS),
+                bench_median(ms, MATERIALS));
+        printf("%s %s: %.2f from the unedited picture, parameters %.3f\n", row[k].edit, row[k].option,
+               apart[MATERIALS / 2], all[MATERIALS / 2]);
     }
     fclose(f);
     free(picture);
@@ -736,7 +804,10 @@ int main(int argc, char **argv)
         static const struct {
             const char *option;
             void (*table)(matcher *m);
-        } alone[] = {{"--minima", table_minima}, {"--edits", table_edits}, {"--sequence", table_sequence}, {"--recovery", table_recovery}};
+        } alone[] = {{"--minima", table_minima},
+                     {"--edits", table_edits},
+                     {"--sequence", table_sequence},
+                     {"--recovery", table_recovery}};
         for (t = 0; t < 4; ++t)
             if (strcmp(argv[1], alone[t].option) == 0) {
                 alone[t].table(&small);
@@ -753,9 +824,11 @@ int main(int argc, char **argv)
     }
     f = bench_open("pme_time.md");
     open_networks(&large, 128, large_targets);
-    fprintf(f, "One match at the defaults, milliseconds of one core of %s, medians of %d edited pictures (of %d for the largest). `make bench FILTER=pme`\n\n"
-               "| picture | setting the target | best of 9 networks | the whole match | slowest |\n|---|---:|---:|---:|---:|\n",
-            bench_processor(), TARGETS, RUNS);
+    fprintf(
+        f,
+        "One match at the defaults, milliseconds of one core of %s, medians of %d edited pictures (of %d for the largest). `make bench FILTER=pme`\n\n"
+        "| picture | setting the target | best of 9 networks | the whole match | slowest |\n|---|---:|---:|---:|---:|\n",
+        bench_processor(), TARGETS, RUNS);
     for (t = 0; t < 2; ++t) {
         time_matches(f, &small, small_targets, t);
         time_matches(f, &large, large_targets, t);

@@ -37,7 +37,8 @@ static double plain_reflect(double eta, double cos_in)
 
 static void plain_monte_carlo(const ms_mcml_medium *m, double photons, double ring_mm, int rings, double *rd)
 {
-    double mu_t = m->mu_a_per_mm + m->mu_s_per_mm, albedo = m->mu_s_per_mm / mu_t, n, entering = (m->eta - 1) / (m->eta + 1);
+    double mu_t = m->mu_a_per_mm + m->mu_s_per_mm, albedo = m->mu_s_per_mm / mu_t, n,
+           entering = (m->eta - 1) / (m->eta + 1);
     int i;
     for (i = 0; i < 4; ++i) plain_state[i] = 0x9E3779B97F4A7C15u * (uint64_t)(i + 1);
     for (i = 0; i < rings; ++i) rd[i] = 0;
@@ -181,9 +182,12 @@ static void bench_knobs(void)
     make(&exact, media, 33, &o);
     memcpy(edge, exact.edge_mm, (size_t)(exact.rings + 1) * sizeof *edge);
     fprintf(csv, "depth_step,frequency_step,seconds,total_error,ring_error\n");
-    fprintf(md, "33 channels in one call, %d rings each, one core of %s, `make bench FILTER=profile`; errors against the finest knobs.\n\n"
-                "| depth_step | frequency_step | time | largest error of a total | of a ring with 1e-5 of the energy |\n"
-                "|---:|---:|---:|---:|---:|\n", exact.rings, bench_processor());
+    fprintf(
+        md,
+        "33 channels in one call, %d rings each, one core of %s, `make bench FILTER=profile`; errors against the finest knobs.\n\n"
+        "| depth_step | frequency_step | time | largest error of a total | of a ring with 1e-5 of the energy |\n"
+        "|---:|---:|---:|---:|---:|\n",
+        exact.rings, bench_processor());
     for (k = 0; k < 6; ++k) {
         double t[9], total = 0, worst = 0, start;
         bench_time time;
@@ -202,17 +206,20 @@ static void bench_knobs(void)
         for (c = 0; c < 33; ++c) {
             if (fabs(p.total[c] - exact.total[c]) > total) total = fabs(p.total[c] - exact.total[c]);
             for (i = 0; i < p.rings; ++i) {
-                double e = exact.rd_per_mm2[c * p.rings + i], energy = e * PI * (edge[i + 1] * edge[i + 1] - edge[i] * edge[i]);
-                if (energy > 1e-5 && fabs(p.rd_per_mm2[c * p.rings + i] / e - 1) > worst) worst = fabs(p.rd_per_mm2[c * p.rings + i] / e - 1);
+                double e = exact.rd_per_mm2[c * p.rings + i],
+                       energy = e * PI * (edge[i + 1] * edge[i + 1] - edge[i] * edge[i]);
+                if (energy > 1e-5 && fabs(p.rd_per_mm2[c * p.rings + i] / e - 1) > worst)
+                    worst = fabs(p.rd_per_mm2[c * p.rings + i] / e - 1);
             }
         }
         fprintf(csv, "%g,%g,%.6f,%.3e,%.3e\n", knob[k][0], knob[k][1], time.median, total, worst);
         if (k < 5)
-            fprintf(md, k == 4 ? "| **%g** | **%g** | %.0f ms | %.0e | %.0e |\n" : "| %g | %g | %.0f ms | %.0e | %.0e |\n", knob[k][0],
-                    knob[k][1], 1e3 * time.median, total, worst);
-        else
-            fprintf(md, "| %g | %g | %.0f ms | | |\n", knob[k][0], knob[k][1], 1e3 * time.median);
-        printf("knobs %g %g: %.1f ms, total %.1e, rings %.1e\n", knob[k][0], knob[k][1], 1e3 * time.median, total, worst);
+            fprintf(md,
+                    k == 4 ? "| **%g** | **%g** | %.0f ms | %.0e | %.0e |\n" : "| %g | %g | %.0f ms | %.0e | %.0e |\n",
+                    knob[k][0], knob[k][1], 1e3 * time.median, total, worst);
+        else fprintf(md, "| %g | %g | %.0f ms | | |\n", knob[k][0], knob[k][1], 1e3 * time.median);
+        printf("knobs %g %g: %.1f ms, total %.1e, rings %.1e\n", knob[k][0], knob[k][1], 1e3 * time.median, total,
+               worst);
         ms_mcml_profile_destroy(&p);
     }
     ms_mcml_profile_destroy(&exact);
@@ -228,8 +235,10 @@ static void bench_similarity(void)
     FILE *csv = bench_open("similarity.csv"), *md = bench_open("similarity.md");
     int i, k, q;
     fprintf(csv, "g,reduced_albedo,total_error,total_error_se,misplaced\n");
-    fprintf(md, "The half-space solver with mu_s (1 - g) in place of mu_s and g, eta 1.4, against direct Monte Carlo of 1e6 photons: relative "
-                "error of the total; part of the energy in the wrong ring of 0.1 mm / mu_t', noise included.\n\n| g |");
+    fprintf(
+        md,
+        "The half-space solver with mu_s (1 - g) in place of mu_s and g, eta 1.4, against direct Monte Carlo of 1e6 photons: relative "
+        "error of the total; part of the energy in the wrong ring of 0.1 mm / mu_t', noise included.\n\n| g |");
     for (q = 0; q < 4; ++q) fprintf(md, " albedo' %g |", albedo[q]);
     fprintf(md, "\n|---:|---:|---:|---:|---:|\n");
     for (k = 0; k < 5; ++k) {
@@ -251,7 +260,9 @@ static void bench_similarity(void)
             o.photons = 0;
             make(&solver, &m, 1, &o);
             for (i = 0; i < o.rings; ++i)
-                misplaced += 0.5 * fabs(direct.rd_per_mm2[i] / direct.total[0] - solver.rd_per_mm2[i] / solver.total[0]) * PI * 0.01 * (2 * i + 1);
+                misplaced += 0.5 *
+                    fabs(direct.rd_per_mm2[i] / direct.total[0] - solver.rd_per_mm2[i] / solver.total[0]) * PI * 0.01 *
+                    (2 * i + 1);
             fprintf(csv, "%g,%g,%.5f,%.5f,%.5f\n", g[k], albedo[q], solver.total[0] / direct.total[0] - 1,
                     direct.total_error[0] / direct.total[0], misplaced);
             fprintf(md, " %+.1f%%, %.1f%% |", 100 * (solver.total[0] / direct.total[0] - 1), 100 * misplaced);
@@ -281,10 +292,13 @@ int main(void)
     FILE *csv = bench_open("profile.csv"), *md = bench_open("profile.md");
     int m, way, k;
     fprintf(csv, "material,way,setting,seconds,relative_l2_error\n");
-    fprintf(md, "Three channels on the dissertation's rings (section 5.9), one core of %s, gcc -O2, `make bench FILTER=profile`; relative L2 "
-                "error over the plane, root mean square of the channels.\n\n| material | way | setting | time | error |\n|---|---|---|---:|---:|\n",
-            bench_processor());
-    plot_begin(&p, "Diffusion profiles: time against error, three channels, one core", "seconds", "relative L2 error", PLOT_LOG_X | PLOT_LOG_Y);
+    fprintf(
+        md,
+        "Three channels on the dissertation's rings (section 5.9), one core of %s, gcc -O2, `make bench FILTER=profile`; relative L2 "
+        "error over the plane, root mean square of the channels.\n\n| material | way | setting | time | error |\n|---|---|---|---:|---:|\n",
+        bench_processor());
+    plot_begin(&p, "Diffusion profiles: time against error, three channels, one core", "seconds", "relative L2 error",
+               PLOT_LOG_X | PLOT_LOG_Y);
     p.width = 1000;
     p.height = 560;
     for (m = 0; m < 3; ++m) {
@@ -323,14 +337,16 @@ int main(void)
                 y[row][k] = scene_error(&s[m], r.rd);
                 free(r.rd);
                 fprintf(csv, "%s,%s,%s,%.6f,%.3e\n", material[m], way_name[way], setting, x[row][k], y[row][k]);
-                fprintf(md, "| %s | %s | %s | %.3g s | %.1e |\n", material[m], way_name[way], setting, x[row][k], y[row][k]);
+                fprintf(md, "| %s | %s | %s | %.3g s | %.1e |\n", material[m], way_name[way], setting, x[row][k],
+                        y[row][k]);
                 printf("%s, %s, %s: %.4g s, error %.2e\n", material[m], way_name[way], setting, x[row][k], y[row][k]);
                 fflush(stdout);
             }
         }
         ms_mcml_profile_destroy(&s[m].exact);
     }
-    for (k = 0; k < 3 * WAYS; ++k) plot_series_color(&p, label[k], x[k], y[k], 3, PLOT_LINE | PLOT_DOTS, color[k / 3][k % 3]);
+    for (k = 0; k < 3 * WAYS; ++k)
+        plot_series_color(&p, label[k], x[k], y[k], 3, PLOT_LINE | PLOT_DOTS, color[k / 3][k % 3]);
     fclose(csv);
     fclose(md);
     if (!plot_write(&p, "build/bench/profile.svg")) return 1;

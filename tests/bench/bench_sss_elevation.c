@@ -1,5 +1,6 @@
 /* How the elevation of ms_sss.h stands to random walks in balls, hollows and cylinders: the light that returns by
-   reflectance sum(w f) / sum(w), 1 at most, with the rings of a walk below a plane, over the light that the walk returns. */
+   reflectance sum(w f) / sum(w), 1 at most, with the rings of a walk below a plane, over the light that the walk
+   returns. */
 #include "bench.h"
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
@@ -46,10 +47,14 @@ int main(void)
     double error = 0, start = bench_cpu();
     FILE *md = bench_open("sss_elevation.md");
     int n, i, s;
-    fprintf(md, "Light that a body returns by the elevation over what %ld random walks return, - 1 in %%; in brackets by the flat profile alone.\n"
-                "Radii in mean free paths; R: reflectance of the plane, K: ms_sss_elevation. `make bench FILTER=sss_elevation`.\n\n"
-                "| index | albedo | R | K |", walks);
-    for (s = 0; s < SHAPES; ++s) fprintf(md, " %s %g |", s >= 6 ? "cylinder" : radius[s] > 0 ? "ball" : "hollow", fabs(radius[s]));
+    fprintf(
+        md,
+        "Light that a body returns by the elevation over what %ld random walks return, - 1 in %%; in brackets by the flat profile alone.\n"
+        "Radii in mean free paths; R: reflectance of the plane, K: ms_sss_elevation. `make bench FILTER=sss_elevation`.\n\n"
+        "| index | albedo | R | K |",
+        walks);
+    for (s = 0; s < SHAPES; ++s)
+        fprintf(md, " %s %g |", s >= 6 ? "cylinder" : radius[s] > 0 ? "ball" : "hollow", fabs(radius[s]));
     fprintf(md, "\n|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (n = 0; n < 4; ++n) {
         ball_walk(BALL_SPHERE, 0, index[n], albedo, ALBEDOS, 3 * walks, 1, &plane);
@@ -57,13 +62,17 @@ int main(void)
             ball_shape shape = s >= 6 ? BALL_CYLINDER : BALL_SPHERE;
             ball_walk(shape, 1 / radius[s], index[n], albedo, ALBEDOS, walks, 2 + (uint64_t)s, &body);
             for (i = 0; i < ALBEDOS; ++i) {
-                ratio[i][s] = returned(&plane, i, shape, radius[s], ms_sss_elevation(plane.total[i], index[n])) / body.total[i] - 1;
+                ratio[i][s] = returned(&plane, i, shape, radius[s], ms_sss_elevation(plane.total[i], index[n])) /
+                        body.total[i] -
+                    1;
                 flat[i][s] = plane.total[i] / body.total[i] - 1;
-                if (sqrt(body.square[i] / (double)walks) / body.total[i] > error) error = sqrt(body.square[i] / (double)walks) / body.total[i];
+                if (sqrt(body.square[i] / (double)walks) / body.total[i] > error)
+                    error = sqrt(body.square[i] / (double)walks) / body.total[i];
             }
         }
         for (i = 0; i < ALBEDOS; ++i) {
-            fprintf(md, "| %g | %g | %.3f | %.2f |", index[n], albedo[i], plane.total[i], ms_sss_elevation(plane.total[i], index[n]));
+            fprintf(md, "| %g | %g | %.3f | %.2f |", index[n], albedo[i], plane.total[i],
+                    ms_sss_elevation(plane.total[i], index[n]));
             for (s = 0; s < SHAPES; ++s) fprintf(md, " %+.1f (%+.0f) |", 100 * ratio[i][s], 100 * flat[i][s]);
             fprintf(md, "\n");
         }

@@ -9,7 +9,8 @@
 #include "pool.h"
 
 enum { W = 1920, H = 1080, N = W * H, RUNS = 7 };
-static float *in[3], *out[3], *between[3], *expected[3], *depth, *mask, *packed, *packed_out, *packed_depth, *packed_between;
+static float *in[3], *out[3], *between[3], *expected[3], *depth, *mask, *packed, *packed_out, *packed_depth,
+    *packed_between;
 static uint16_t *halves, *halves_out;
 static ms_sss_kernel kernel, whole; /* radius 24 pixels in the middle of the picture; taps at whole pixels */
 static ms_sss_pyramid pyramid;
@@ -60,14 +61,16 @@ static void plain_nearest(void *unused)
     pass(between, out, 0, 1, 1);
 }
 
-/* What one writes to be fast without intrinsics: colour and depth in one vector of four floats, the two pixels beside a tap mixed
-   before one expf, coordinates kept inside; -O3 for a processor with AVX2. */
+/* What one writes to be fast without intrinsics: colour and depth in one vector of four floats, the two pixels beside a
+   tap mixed before one expf, coordinates kept inside; -O3 for a processor with AVX2. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
 __attribute__((optimize("O3"), target("avx2,fma")))
 #endif
-static void packed_pass(const float *from, float *to, int dx, int dy)
+static void
+packed_pass(const float *from, float *to, int dx, int dy)
 {
-    const float size = (float)H / (2 * tanf(17.5f * 3.14159265f / 180)), sigma = 0.12f * kernel.profile_radius_mm, k = -1 / (2 * sigma * sigma);
+    const float size = (float)H / (2 * tanf(17.5f * 3.14159265f / 180)), sigma = 0.12f * kernel.profile_radius_mm,
+                k = -1 / (2 * sigma * sigma);
     int x, y, i, c;
     for (y = 0; y < H; ++y) {
         for (x = 0; x < W; ++x) {
@@ -77,8 +80,14 @@ static void packed_pass(const float *from, float *to, int dx, int dy)
             for (i = 0; i < kernel.tap_count; ++i) {
                 const float t = kernel.offset_mm[i] * pixels, whole_part = floorf(t), r = t - whole_part;
                 const int p = (int)whole_part, limit = dx ? W - 1 : H - 1, at = dx ? x : y;
-                const int a = at + p < 0 ? 0 : at + p > limit ? limit : at + p, b = at + p + 1 < 0 ? 0 : at + p + 1 > limit ? limit : at + p + 1;
-                const float *u = own + 4 * (dx * (a - x) + dy * W * (a - y)), *v = own + 4 * (dx * (b - x) + dy * W * (b - y));
+                const int a = at + p < 0 ? 0
+                    : at + p > limit     ? limit
+                                         : at + p,
+                          b = at + p + 1 < 0 ? 0
+                    : at + p + 1 > limit     ? limit
+                                             : at + p + 1;
+                const float *u = own + 4 * (dx * (a - x) + dy * W * (a - y)),
+                            *v = own + 4 * (dx * (b - x) + dy * W * (b - y));
                 float mix[4], f;
                 for (c = 0; c < 4; ++c) mix[c] = u[c] + r * (v[c] - u[c]);
                 f = expf((mix[3] - own[3]) * (mix[3] - own[3]) * k);
@@ -110,10 +119,12 @@ static void copies(void *unused) /* what two passes must read and write at least
 }
 
 #ifdef HAVE_OPENCV
-void opencv_offsets(float *const in_[3], float *const out_[3], int width, int height, int reach, const float *const taps[3]);
+void opencv_offsets(float *const in_[3], float *const out_[3], int width, int height, int reach,
+                    const float *const taps[3]);
 void opencv_gaussian(const float *in_, float *out_, int width, int height, int size, double sigma);
 
-/* The taps at whole pixels as rows of 49 coefficients; difference: to the filter's result in `expected`, away from the borders. */
+/* The taps at whole pixels as rows of 49 coefficients; difference: to the filter's result in `expected`, away from the
+   borders. */
 static void opencv(double ms[2], double *difference)
 {
     float rows[3][49] = {{0}};
@@ -126,7 +137,8 @@ static void opencv(double ms[2], double *difference)
         taps[c] = rows[c];
         for (i = 0; i < whole.tap_count; ++i) sum += (double)whole.weight[0][i][c];
         for (i = 0; i < whole.tap_count; ++i)
-            rows[c][24 + (int)floorf(whole.offset_mm[i] * 24 / whole.radius_mm + 0.5f)] += whole.weight[0][i][c] / (float)sum;
+            rows[c][24 + (int)floorf(whole.offset_mm[i] * 24 / whole.radius_mm + 0.5f)] += whole.weight[0][i][c] /
+                (float)sum;
     }
     for (i = 0; i < RUNS; ++i) {
         t[0][i] = bench_cpu();
@@ -156,7 +168,19 @@ typedef struct setup {
     size_t size;
 } setup;
 
-enum { DEPTH = 1, MASK = 2, IN_PLACE = 4, RGB = 8, RGBZ = 16, HALF = 32, PYRAMID = 64, DELTA = 128, SHAPED = 256, COARSE = 512, WIDE = 1024 };
+enum {
+    DEPTH = 1,
+    MASK = 2,
+    IN_PLACE = 4,
+    RGB = 8,
+    RGBZ = 16,
+    HALF = 32,
+    PYRAMID = 64,
+    DELTA = 128,
+    SHAPED = 256,
+    COARSE = 512,
+    WIDE = 1024
+};
 
 static setup prepare(int kind, ms_simd level)
 {
@@ -187,7 +211,9 @@ static setup prepare(int kind, ms_simd level)
     if (kind & DEPTH) {
         s.frame.depth = ms_sss_map(depth, 1, 0);
         s.options.fov_degrees = 35;
-        s.options.mm_per_unit = kind & WIDE ? 0.096f : kind & PYRAMID ? 0.375f : 1; /* radius 250 or 64 pixels instead of 24 */
+        s.options.mm_per_unit = kind & WIDE ? 0.096f
+            : kind & PYRAMID                ? 0.375f
+                                            : 1; /* radius 250 or 64 pixels instead of 24 */
     } else {
         s.options.pixels_per_mm[0] = (kind & PYRAMID ? 64 : 24) / kernel.radius_mm;
     }
@@ -218,8 +244,9 @@ static bench_time time_of(int kind, ms_simd level, int runs)
 
 static void own_call(void *calls, int index) { filter((setup *)calls + index); }
 
-/* How much less time than one thread two take by the wall, in turn in one loop; and what two calls at once, each with a workspace and
-   a thread of its own, gain over one after the other: what the machine gives to two threads at that minute. */
+/* How much less time than one thread two take by the wall, in turn in one loop; and what two calls at once, each with a
+   workspace and a thread of its own, gain over one after the other: what the machine gives to two threads at that
+   minute. */
 static void two_threads(int kind, FILE *to)
 {
     setup s[3];
@@ -252,7 +279,8 @@ static void two_threads(int kind, FILE *to)
     fprintf(to, " %.2f (%.2f) |", bench_median(gain, RUNS), bench_median(most, RUNS));
 }
 
-/* What half resolution differs by, in % of the standard deviation, on a picture with edges; the input comes back as it was. */
+/* What half resolution differs by, in % of the standard deviation, on a picture with edges; the input comes back as it
+   was. */
 static double half_error(int kind)
 {
     float *keep[3];
@@ -262,7 +290,8 @@ static double half_error(int kind)
         keep[c] = in[c];
         in[c] = (float *)malloc((size_t)N * sizeof(float));
         for (i = 0; i < N; ++i)
-            in[c][i] = 0.5f + 0.2f * sinf(0.05f * (float)(i % W * (c + 1))) * sinf(0.07f * (float)(i / W)) + ((i % W / 40 + i / W / 40) % 2 ? 0.5f : 0.0f);
+            in[c][i] = 0.5f + 0.2f * sinf(0.05f * (float)(i % W * (c + 1))) * sinf(0.07f * (float)(i / W)) +
+                ((i % W / 40 + i / W / 40) % 2 ? 0.5f : 0.0f);
     }
     for (pass_ = 0; pass_ < 2; ++pass_) {
         setup s = prepare(DEPTH | kind | (pass_ ? COARSE : 0), MS_SIMD_AUTO);
@@ -296,7 +325,8 @@ static void make_inputs(void)
         for (c = 0; c < 3; ++c) sigma[i][c] = sqrt(variance[i]);
     o.no_delta = 1;
     if (ms_sss_profile_from_gaussians(&profile, 6, (const double(*)[3])sigma, weight, NULL, NULL) != MS_OK ||
-        ms_sss_kernel_make(&kernel, NULL, profile, 24, &o, NULL, NULL) != MS_OK || ms_sss_pyramid_make(&pyramid, profile, NULL) != MS_OK)
+        ms_sss_kernel_make(&kernel, NULL, profile, 24, &o, NULL, NULL) != MS_OK ||
+        ms_sss_pyramid_make(&pyramid, profile, NULL) != MS_OK)
         exit(1);
     ms_sss_profile_destroy(profile);
     whole = kernel;
@@ -371,8 +401,9 @@ int main(void)
     linear = bench_run(plain_linear, NULL, 1);
     honest = bench_run(plain_packed, NULL, 5);
     copy = bench_run(copies, NULL, RUNS);
-    fprintf(csv, "setting,level,ms,spread_ms\nplain loop with linear taps,compiler,%.3f,%.3f\ncopies,memcpy,%.3f,%.3f\n", 1e3 * linear.median,
-            1e3 * linear.spread, 1e3 * copy.median, 1e3 * copy.spread);
+    fprintf(csv,
+            "setting,level,ms,spread_ms\nplain loop with linear taps,compiler,%.3f,%.3f\ncopies,memcpy,%.3f,%.3f\n",
+            1e3 * linear.median, 1e3 * linear.spread, 1e3 * copy.median, 1e3 * copy.spread);
     for (r = 0; r < ROWS; ++r) {
         for (l = 0; l < 4; ++l) {
             setup check;
@@ -383,7 +414,8 @@ int main(void)
             t[r][l] = time_of(rows[r].kind, levels[l], l == 0 ? 1 : l == 1 ? 3 : RUNS);
             if (rows[r].kind & IN_PLACE)
                 for (c = 0; c < 3; ++c) memcpy(in[c], between[c], (size_t)N * sizeof(float));
-            fprintf(csv, "%s,%s,%.3f,%.3f\n", rows[r].name, ms_simd_string(levels[l]), 1e3 * t[r][l].median, 1e3 * t[r][l].spread);
+            fprintf(csv, "%s,%s,%.3f,%.3f\n", rows[r].name, ms_simd_string(levels[l]), 1e3 * t[r][l].median,
+                    1e3 * t[r][l].spread);
             if (r > 0) continue;
             check = prepare(DEPTH, levels[l]); /* the same picture as the plain loop's */
             check.options.exact = 1;
@@ -391,37 +423,43 @@ int main(void)
             free(check.workspace);
             for (c = 0; c < 3; ++c)
                 for (i = 0; i < N; ++i)
-                    if (!(fabs((double)out[c][i] - (double)expected[c][i]) <= worst)) worst = fabs((double)out[c][i] - (double)expected[c][i]);
+                    if (!(fabs((double)out[c][i] - (double)expected[c][i]) <= worst))
+                        worst = fabs((double)out[c][i] - (double)expected[c][i]);
         }
     }
     nearest = bench_run(plain_nearest, NULL, 1);
-    fprintf(md, "%s, %s -O2, 1920 x 1080, one core, medians of %d runs (scalar 1, SSE2 3), `make bench FILTER=sss_filter`. 7 taps of d'Eon's skin, R = 24 pixels.\n"
-                "**The peer**: a loop over packed colour and depth, one expf a tap, gcc -O3 for AVX2: %.0f +- %.0f ms. The same sums as\n"
-                "here pixel by pixel in planes, -O2: %.0f ms (largest difference %.0e); reading the nearest pixel only: %.0f ms.\n"
-                "Copying what two passes read and write: %.2f ms.\n"
-                "Half resolution differs from full by %.1f%% of the standard deviation flat, %.1f%% with slope and elevation (sines and a\n"
-                "checkerboard of 40 pixels).\n\n"
-                "| setting | scalar ms | SSE2/NEON | AVX2 | AVX-512 | x the peer (AVX2) | x copies (AVX2) |\n|---|---:|---:|---:|---:|---:|---:|\n",
-            bench_processor(),
+    fprintf(
+        md,
+        "%s, %s -O2, 1920 x 1080, one core, medians of %d runs (scalar 1, SSE2 3), `make bench FILTER=sss_filter`. 7 taps of d'Eon's skin, R = 24 pixels.\n"
+        "**The peer**: a loop over packed colour and depth, one expf a tap, gcc -O3 for AVX2: %.0f +- %.0f ms. The same sums as\n"
+        "here pixel by pixel in planes, -O2: %.0f ms (largest difference %.0e); reading the nearest pixel only: %.0f ms.\n"
+        "Copying what two passes read and write: %.2f ms.\n"
+        "Half resolution differs from full by %.1f%% of the standard deviation flat, %.1f%% with slope and elevation (sines and a\n"
+        "checkerboard of 40 pixels).\n\n"
+        "| setting | scalar ms | SSE2/NEON | AVX2 | AVX-512 | x the peer (AVX2) | x copies (AVX2) |\n|---|---:|---:|---:|---:|---:|---:|\n",
+        bench_processor(),
 #if defined(__clang__)
-            "clang",
+        "clang",
 #else
-            "gcc",
+        "gcc",
 #endif
-            RUNS, 1e3 * honest.median, 1e3 * honest.spread, 1e3 * linear.median, worst, 1e3 * nearest.median, 1e3 * copy.median, half_error(0),
-            half_error(SHAPED));
+        RUNS, 1e3 * honest.median, 1e3 * honest.spread, 1e3 * linear.median, worst, 1e3 * nearest.median,
+        1e3 * copy.median, half_error(0), half_error(SHAPED));
     for (r = 0; r < ROWS; ++r) {
         fprintf(md, "| %s |", rows[r].name);
         for (l = 0; l < 4; ++l) {
             if (t[r][l].median > 0) fprintf(md, " %.2f +- %.2f |", 1e3 * t[r][l].median, 1e3 * t[r][l].spread);
             else fprintf(md, " - |");
         }
-        if (t[r][2].median > 0) fprintf(md, " %.1f | %.2f |\n", honest.median / t[r][2].median, t[r][2].median / copy.median);
+        if (t[r][2].median > 0)
+            fprintf(md, " %.1f | %.2f |\n", honest.median / t[r][2].median, t[r][2].median / copy.median);
         else fprintf(md, " - | - |\n");
     }
-    fprintf(md, "\nTwo threads against one, by the wall, medians of pairs; in brackets two calls at once, each with its own thread and workspace, against one after\n"
-                "the other: what the machine gives to two threads.\n\n"
-                "| taps | slope and elevation | half resolution | fixed offsets | pyramid | pyramid, a quarter masked in |\n|---:|---:|---:|---:|---:|---:|\n|");
+    fprintf(
+        md,
+        "\nTwo threads against one, by the wall, medians of pairs; in brackets two calls at once, each with its own thread and workspace, against one after\n"
+        "the other: what the machine gives to two threads.\n\n"
+        "| taps | slope and elevation | half resolution | fixed offsets | pyramid | pyramid, a quarter masked in |\n|---:|---:|---:|---:|---:|---:|\n|");
     for (r = 0; r < (int)(sizeof threaded / sizeof *threaded); ++r) two_threads(threaded[r], md);
     fprintf(md, "\n");
 #ifdef HAVE_OPENCV
@@ -432,11 +470,15 @@ int main(void)
         filter(&same);
         free(same.workspace);
         opencv(ms, &difference);
-        fprintf(md, "\nOpenCV's sepFilter2D with the same 7 whole-pixel offsets (rows of 49 coefficients): %.1f ms, largest difference %.0e; its\n"
-                       "Gaussian of 49 x 49, one width for all channels: %.1f ms (thread CPU time).\n", ms[0], difference, ms[1]);
+        fprintf(
+            md,
+            "\nOpenCV's sepFilter2D with the same 7 whole-pixel offsets (rows of 49 coefficients): %.1f ms, largest difference %.0e; its\n"
+            "Gaussian of 49 x 49, one width for all channels: %.1f ms (thread CPU time).\n",
+            ms[0], difference, ms[1]);
     }
 #endif
-    plot_begin(&p, "Filter, 1920 x 1080, 7 taps", "level (0 plain loop, 1 scalar ... 4 AVX-512)", "megapixels a second", PLOT_LOG_Y);
+    plot_begin(&p, "Filter, 1920 x 1080, 7 taps", "level (0 plain loop, 1 scalar ... 4 AVX-512)", "megapixels a second",
+               PLOT_LOG_Y);
     for (r = 0; r < ROWS; ++r) {
         double x[5], y[5];
         int n = 0;

@@ -44,7 +44,8 @@ static ms_sss_profile *skin(void)
     int i, c;
     for (i = 0; i < 6; ++i)
         for (c = 0; c < 3; ++c) sigma[i][c] = sqrt(variance[i]);
-    if (ms_sss_profile_from_gaussians(&p, 6, (const double(*)[3])sigma, weight, NULL, &error) != MS_OK) stop("skin", &error);
+    if (ms_sss_profile_from_gaussians(&p, 6, (const double(*)[3])sigma, weight, NULL, &error) != MS_OK)
+        stop("skin", &error);
     return p;
 }
 
@@ -103,16 +104,20 @@ static void table_of_models(FILE *md, FILE *csv, const ms_sss_profile *p)
 {
     ms_sss_designer *d = designer(p, 96);
     int n;
-    fprintf(md, "Relative RMSE in %% against the 2D convolution, d'Eon's skin, 99%% radius 96 pixels, a tap every pixel; in brackets the\n"
-                "float64 study of design.md.\n\n"
-                "| model | 1D passes | vertical step | 45 degree step | 1/f texture | made in ms |\n|---|---:|---:|---:|---:|---:|\n");
+    fprintf(
+        md,
+        "Relative RMSE in %% against the 2D convolution, d'Eon's skin, 99%% radius 96 pixels, a tap every pixel; in brackets the\n"
+        "float64 study of design.md.\n\n"
+        "| model | 1D passes | vertical step | 45 degree step | 1/f texture | made in ms |\n|---|---:|---:|---:|---:|---:|\n");
     for (n = 0; n < MODELS; ++n) {
         ms_sss_kernel_options o = dense(&models[n]);
         double ms;
         ms_sss_errors e = errors_of(d, &o, &ms);
-        fprintf(md, "| %s | %d | %.2f (%g) | %.2f (%g) | %.2f (%g) | %.1f |\n", models[n].name, 2 * models[n].terms, 100 * e.vertical_step,
-                models[n].study[0], 100 * e.diagonal_step, models[n].study[1], 100 * e.texture, models[n].study[2], ms);
-        fprintf(csv, "model,deon,%s,%.6g,%.6g,%.6g,%.4g\n", models[n].name, e.vertical_step, e.diagonal_step, e.texture, ms);
+        fprintf(md, "| %s | %d | %.2f (%g) | %.2f (%g) | %.2f (%g) | %.1f |\n", models[n].name, 2 * models[n].terms,
+                100 * e.vertical_step, models[n].study[0], 100 * e.diagonal_step, models[n].study[1], 100 * e.texture,
+                models[n].study[2], ms);
+        fprintf(csv, "model,deon,%s,%.6g,%.6g,%.6g,%.4g\n", models[n].name, e.vertical_step, e.diagonal_step, e.texture,
+                ms);
     }
     ms_sss_designer_destroy(d);
 }
@@ -121,7 +126,9 @@ static void table_of_materials(FILE *md, FILE *csv)
 {
     int count, i, n;
     const ms_mcml_material *m = ms_mcml_materials(&count);
-    fprintf(md, "\nThe thesis's materials from the half-space solver, the same way: vertical step / 45 degree step / 1/f texture, %%.\n\n| material |");
+    fprintf(
+        md,
+        "\nThe thesis's materials from the half-space solver, the same way: vertical step / 45 degree step / 1/f texture, %%.\n\n| material |");
     for (n = 0; n < MODELS; ++n) fprintf(md, " %s |", models[n].name);
     fprintf(md, "\n|---|");
     for (n = 0; n < MODELS; ++n) fprintf(md, "---:|");
@@ -134,7 +141,8 @@ static void table_of_materials(FILE *md, FILE *csv)
             ms_sss_kernel_options o = dense(&models[n]);
             ms_sss_errors e = errors_of(d, &o, NULL);
             fprintf(md, " %.1f / %.1f / %.1f |", 100 * e.vertical_step, 100 * e.diagonal_step, 100 * e.texture);
-            fprintf(csv, "model,%s,%s,%.6g,%.6g,%.6g,\n", m[i].name, models[n].name, e.vertical_step, e.diagonal_step, e.texture);
+            fprintf(csv, "model,%s,%s,%.6g,%.6g,%.6g,\n", m[i].name, models[n].name, e.vertical_step, e.diagonal_step,
+                    e.texture);
         }
         fprintf(md, "\n");
         ms_sss_designer_destroy(d);
@@ -143,16 +151,19 @@ static void table_of_materials(FILE *md, FILE *csv)
 }
 
 enum { COUNTS = 7, KINDS = 6 };
-static void table_of_taps(FILE *md, FILE *csv, const ms_sss_profile *p, double radius, plot *picture, double error[KINDS][COUNTS],
-                          double taps[COUNTS])
+static void table_of_taps(FILE *md, FILE *csv, const ms_sss_profile *p, double radius, plot *picture,
+                          double error[KINDS][COUNTS], double taps[COUNTS])
 {
     static const int count[COUNTS] = {5, 7, 9, 11, 17, 25, 33};
-    static const char *const name[KINDS] = {"a_p, quadratic (thesis)", "a_p, quantiles", "optimised", "optimised + delta",
-                                            "two terms, optimised", "4 turned frames"};
+    static const char *const name[KINDS] = {"a_p, quadratic (thesis)", "a_p, quantiles",       "optimised",
+                                            "optimised + delta",       "two terms, optimised", "4 turned frames"};
     ms_sss_designer *d = designer(p, radius);
     double ms[KINDS];
     int i, n;
-    fprintf(md, "\nError on 1/f texture, %%, against taps of one pass, 99%% radius %g pixels; in brackets ms to make the kernel.\n\n| taps |", radius);
+    fprintf(
+        md,
+        "\nError on 1/f texture, %%, against taps of one pass, 99%% radius %g pixels; in brackets ms to make the kernel.\n\n| taps |",
+        radius);
     for (n = 0; n < KINDS; ++n) fprintf(md, " %s |", name[n]);
     fprintf(md, "\n|---:|");
     for (n = 0; n < KINDS; ++n) fprintf(md, "---:|");
@@ -194,7 +205,8 @@ int main(void)
     md = bench_open("sss_kernel.md");
     csv = bench_open("sss_kernel.csv");
     fprintf(md, "%s, one core, -O2; `make bench FILTER=sss_kernel`\n\n", bench_processor());
-    plot_begin(&picture, "Kernels for skin, 99% radius 24 pixels", "taps of one pass", "relative error on 1/f texture", PLOT_LOG_X | PLOT_LOG_Y);
+    plot_begin(&picture, "Kernels for skin, 99% radius 24 pixels", "taps of one pass", "relative error on 1/f texture",
+               PLOT_LOG_X | PLOT_LOG_Y);
     table_of_models(md, csv, p);
     table_of_materials(md, csv);
     table_of_taps(md, csv, p, 96, NULL, error[0], taps);

@@ -1,6 +1,6 @@
-/* Pictures of ms_sss.h and its peers against random walks through a bust, a knot and a thin bowl, of five materials, lit
-   from three sides: tables in build/bench/sss_truth.md, everything in sss_truth.csv, time against error in sss_truth.svg, some
-   pictures. The walks take a quarter of an hour on one core and are kept in build/truth.
+/* Pictures of ms_sss.h and its peers against random walks through a bust, a knot and a thin bowl, of five materials,
+   lit from three sides: tables in build/bench/sss_truth.md, everything in sss_truth.csv, time against error in
+   sss_truth.svg, some pictures. The walks take a quarter of an hour on one core and are kept in build/truth.
    peer libraries: -lembree3 -lembree4 */
 #include "bench.h"
 #if defined(HAVE_EMBREE3) || defined(HAVE_EMBREE4)
@@ -13,7 +13,8 @@ enum { OBJECTS = 3, METHODS = 20, SHOWN = 10 };
 static const char *const object_name[OBJECTS] = {"bust", "knot", "bowl"};
 static const char *const substance_name[TRUTH_SUBSTANCES] = {"skin1", "marble", "cream", "ketchup", "skin2"};
 static const char *const lamp_name[TRUTH_LAMPS] = {"front", "side", "behind"};
-static const int walks[TRUTH_SUBSTANCES] = {256, 96, 32, 256, 128}; /* noise under 1% of the error after halves are split */
+static const int walks[TRUTH_SUBSTANCES] = {256, 96, 32, 256,
+                                            128}; /* noise under 1% of the error after halves are split */
 
 typedef enum method_kind { UNFILTERED, SEPARABLE, HALF, PYRAMID, DISC, GATHER, MESH } method_kind;
 
@@ -24,30 +25,30 @@ static const struct {
     int taps, through, back; /* taps of a pyramid: exact */
     float flat;
     const char *reads;
-} methods[METHODS] = {
-    {"unfiltered", UNFILTERED, MS_SSS_SLICE, 0, 0, 0, 1, "1"},
-    {"released separable shader, 17 taps", SEPARABLE, MS_SSS_SLICE, 17, 0, 0, 1, "34"},
-    {"disc sampling, 64 samples", DISC, MS_SSS_SLICE, 64, 0, 0, 1, "64"},
-    {"separable, 7 taps, flat", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 7, 0, 0, 1, "14"},
-    {"**separable, 7 taps (default)**", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 7, 0, 0, 0, "14"},
-    {"the same and a shadow map", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 7, 1, 0, 0, "15"},
-    {"separable, 17 taps", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 17, 0, 0, 0, "34"},
-    {"separable, 33 taps", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 33, 0, 0, 0, "66"},
-    {"half resolution, 7 taps", HALF, MS_SSS_IMAGE_OPTIMAL, 7, 0, 0, 0, "13"},
-    {"pyramid, flat", PYRAMID, MS_SSS_SLICE, 0, 0, 0, 1, "-"},
-    {"pyramid", PYRAMID, MS_SSS_SLICE, 0, 0, 0, 0, "-"},
-    {"pyramid and a shadow map", PYRAMID, MS_SSS_SLICE, 0, 1, 0, 0, "-"},
-    {"**pyramid, exact**", PYRAMID, MS_SSS_SLICE, 1, 0, 0, 0, "-"},
-    {"pyramid, exact, and a shadow map", PYRAMID, MS_SSS_SLICE, 1, 1, 0, 0, "-"},
-    {"2D in space, flat", GATHER, MS_SSS_SLICE, 0, 0, 0, 1, "all"},
-    {"2D in space", GATHER, MS_SSS_SLICE, 0, 0, 0, 0, "all"},
-    {"2D in space and a shadow map", GATHER, MS_SSS_SLICE, 0, 1, 0, 0, "all"},
-    {"2D in space, front and back", GATHER, MS_SSS_SLICE, 0, 0, 1, 0, "all"},
-    {"whole mesh, without elevation", MESH, MS_SSS_SLICE, 0, 0, 0, 1, "all"},
-    {"whole mesh", MESH, MS_SSS_SLICE, 0, 0, 0, 0, "all"}};
+} methods[METHODS] = {{"unfiltered", UNFILTERED, MS_SSS_SLICE, 0, 0, 0, 1, "1"},
+                      {"released separable shader, 17 taps", SEPARABLE, MS_SSS_SLICE, 17, 0, 0, 1, "34"},
+                      {"disc sampling, 64 samples", DISC, MS_SSS_SLICE, 64, 0, 0, 1, "64"},
+                      {"separable, 7 taps, flat", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 7, 0, 0, 1, "14"},
+                      {"**separable, 7 taps (default)**", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 7, 0, 0, 0, "14"},
+                      {"the same and a shadow map", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 7, 1, 0, 0, "15"},
+                      {"separable, 17 taps", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 17, 0, 0, 0, "34"},
+                      {"separable, 33 taps", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 33, 0, 0, 0, "66"},
+                      {"half resolution, 7 taps", HALF, MS_SSS_IMAGE_OPTIMAL, 7, 0, 0, 0, "13"},
+                      {"pyramid, flat", PYRAMID, MS_SSS_SLICE, 0, 0, 0, 1, "-"},
+                      {"pyramid", PYRAMID, MS_SSS_SLICE, 0, 0, 0, 0, "-"},
+                      {"pyramid and a shadow map", PYRAMID, MS_SSS_SLICE, 0, 1, 0, 0, "-"},
+                      {"**pyramid, exact**", PYRAMID, MS_SSS_SLICE, 1, 0, 0, 0, "-"},
+                      {"pyramid, exact, and a shadow map", PYRAMID, MS_SSS_SLICE, 1, 1, 0, 0, "-"},
+                      {"2D in space, flat", GATHER, MS_SSS_SLICE, 0, 0, 0, 1, "all"},
+                      {"2D in space", GATHER, MS_SSS_SLICE, 0, 0, 0, 0, "all"},
+                      {"2D in space and a shadow map", GATHER, MS_SSS_SLICE, 0, 1, 0, 0, "all"},
+                      {"2D in space, front and back", GATHER, MS_SSS_SLICE, 0, 0, 1, 0, "all"},
+                      {"whole mesh, without elevation", MESH, MS_SSS_SLICE, 0, 0, 0, 1, "all"},
+                      {"whole mesh", MESH, MS_SSS_SLICE, 0, 0, 0, 0, "all"}};
 
 /* Columns of the first table; the whole mesh is tried on these alone. */
-static const int shown[SHOWN][3] = {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, 2}, {2, 0, 0}, {2, 1, 2}, {0, 3, 0}, {0, 4, 0}, {1, 4, 0}};
+static const int shown[SHOWN][3] = {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, 2},
+                                    {2, 0, 0}, {2, 1, 2}, {0, 3, 0}, {0, 4, 0}, {1, 4, 0}};
 
 static truth_report report[OBJECTS][TRUTH_SUBSTANCES][TRUTH_LAMPS][METHODS];
 static double nanoseconds[METHODS]; /* a pixel of the object, bust of skin */
@@ -60,12 +61,15 @@ static int is_shown(int object, int substance, int lamp)
     return 0;
 }
 
-static ms_status picture_of(const truth *t, int m, const ms_sss_kernel *kernel, const ms_sss_pyramid *pyramid, image *out)
+static ms_status picture_of(const truth *t, int m, const ms_sss_kernel *kernel, const ms_sss_pyramid *pyramid,
+                            image *out)
 {
     ms_status status = MS_OK;
     switch (methods[m].kind) {
     case UNFILTERED: memcpy(out->pixels, t->lit->unfiltered.pixels, image_count(out) * sizeof(float)); break;
-    case SEPARABLE: status = truth_filter(t, kernel, methods[m].flat > 0 ? TRUTH_SIGMA : 0, methods[m].flat, out); break;
+    case SEPARABLE:
+        status = truth_filter(t, kernel, methods[m].flat > 0 ? TRUTH_SIGMA : 0, methods[m].flat, out);
+        break;
     case HALF: status = truth_filter_by(t, kernel, MS_SSS_METHOD_HALF, 0, 0, out); break;
     case PYRAMID: status = truth_pyramid(t, pyramid, methods[m].flat, methods[m].taps, out); break;
     case DISC: truth_disc(t, methods[m].taps, out); break;
@@ -87,8 +91,10 @@ static int measure(int object, int substance, FILE *csv)
     image picture;
     truth t;
     int m, lamp;
-    snprintf(path, sizeof path, "build/truth/%s_%s_%d.bin", object_name[object], substance_name[substance], walks[substance]);
-    if (!truth_make(&t, (scene_object)object, (truth_substance)substance, 240, 135, walks[substance], 0, path, &problem)) {
+    snprintf(path, sizeof path, "build/truth/%s_%s_%d.bin", object_name[object], substance_name[substance],
+             walks[substance]);
+    if (!truth_make(&t, (scene_object)object, (truth_substance)substance, 240, 135, walks[substance], 0, path,
+                    &problem)) {
         fprintf(stderr, "%s\n", problem);
         return 0;
     }
@@ -112,12 +118,16 @@ static int measure(int object, int substance, FILE *csv)
             double start;
             int round;
             if (methods[m].kind == MESH && !is_shown(object, substance, lamp)) continue;
-            for (round = 0; round < (methods[m].kind < DISC && object == SCENE_BUST && substance == TRUTH_SKIN && lamp == 0 ? 9 : 1); ++round) {
+            for (round = 0; round <
+                 (methods[m].kind < DISC && object == SCENE_BUST && substance == TRUTH_SKIN && lamp == 0 ? 9 : 1);
+                 ++round) {
                 double taken;
                 start = bench_cpu();
                 if (picture_of(&t, m, &kernel[m], &pyramid, &picture) != MS_OK) return 0;
                 taken = 1e9 * (bench_cpu() - start) / t.pixels;
-                if (object == SCENE_BUST && substance == TRUTH_SKIN && lamp == 0 && (round == 0 || taken < nanoseconds[m])) nanoseconds[m] = taken;
+                if (object == SCENE_BUST && substance == TRUTH_SKIN && lamp == 0 &&
+                    (round == 0 || taken < nanoseconds[m]))
+                    nanoseconds[m] = taken;
             }
             *r = truth_judge(&t, region, &picture);
             fprintf(csv, "%s,%s,%s,\"%s\",%.5f,%.5f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f\n", object_name[object],
@@ -146,10 +156,16 @@ static int draw(void)
     static const struct {
         const char *name;
         int first, count, style;
-    } series[] = {{"unfiltered", 0, 1, PLOT_DOTS}, {"released shader", 1, 1, PLOT_DOTS}, {"disc, 64 samples", 2, 1, PLOT_DOTS},
-                  {"7 taps, flat", 3, 1, PLOT_DOTS}, {"7, 17, 33 taps", 4, 0, PLOT_LINE | PLOT_DOTS}, {"half resolution", 8, 1, PLOT_DOTS},
-                  {"pyramid: flat, default", 9, 2, PLOT_LINE | PLOT_DOTS}, {"pyramid, exact", 12, 1, PLOT_DOTS},
-                  {"2D in space: flat, not", 14, 2, PLOT_LINE | PLOT_DOTS}, {"front and back", 17, 1, PLOT_DOTS},
+    } series[] = {{"unfiltered", 0, 1, PLOT_DOTS},
+                  {"released shader", 1, 1, PLOT_DOTS},
+                  {"disc, 64 samples", 2, 1, PLOT_DOTS},
+                  {"7 taps, flat", 3, 1, PLOT_DOTS},
+                  {"7, 17, 33 taps", 4, 0, PLOT_LINE | PLOT_DOTS},
+                  {"half resolution", 8, 1, PLOT_DOTS},
+                  {"pyramid: flat, default", 9, 2, PLOT_LINE | PLOT_DOTS},
+                  {"pyramid, exact", 12, 1, PLOT_DOTS},
+                  {"2D in space: flat, not", 14, 2, PLOT_LINE | PLOT_DOTS},
+                  {"front and back", 17, 1, PLOT_DOTS},
                   {"whole mesh", 19, 1, PLOT_DOTS}};
     static const int taps[3] = {4, 6, 7};
     static double x[METHODS], y[METHODS], along[2][3];
@@ -159,13 +175,15 @@ static int draw(void)
         x[m] = nanoseconds[m];
         y[m] = 100 * report[0][0][0][m].relative;
     }
-    plot_begin(&p, "Bust of skin, lit from the front: the nearer to the corner, the better", "ns a pixel", "% from the random walk", PLOT_LOG_X);
+    plot_begin(&p, "Bust of skin, lit from the front: the nearer to the corner, the better", "ns a pixel",
+               "% from the random walk", PLOT_LOG_X);
     for (i = 0; i < 3; ++i) {
         along[0][i] = x[taps[i]];
         along[1][i] = y[taps[i]];
     }
     for (i = 0; i < (int)(sizeof series / sizeof series[0]); ++i) {
-        if (series[i].count) plot_series(&p, series[i].name, x + series[i].first, y + series[i].first, series[i].count, series[i].style);
+        if (series[i].count)
+            plot_series(&p, series[i].name, x + series[i].first, y + series[i].first, series[i].count, series[i].style);
         else plot_series(&p, series[i].name, along[0], along[1], 3, series[i].style);
     }
     return plot_write(&p, "build/bench/sss_truth.svg");
@@ -176,33 +194,42 @@ int main(void)
     FILE *md = bench_open("sss_truth.md"), *csv = bench_open("sss_truth.csv");
     int object, substance, lamp, m, i;
     mkdir("build/truth", 0777);
-    fprintf(csv, "object,material,lamp,method,error,error_after_scale,lost_red,lost_green,lost_blue,at_outlines,at_shadow_borders,in_the_dark,elsewhere\n");
+    fprintf(
+        csv,
+        "object,material,lamp,method,error,error_after_scale,lost_red,lost_green,lost_blue,at_outlines,at_shadow_borders,in_the_dark,elsewhere\n");
     for (substance = 0; substance < TRUTH_SUBSTANCES; ++substance)
         for (object = 0; object < OBJECTS; ++object)
             if (!measure(object, substance, csv)) return 1;
-    fprintf(md,
-            "Random walks through index-matched bodies, 240 x 135 pixels, 2 x %d to 2 x %d walks a pixel and channel. Error: root mean\n"
-            "square over that of the truth, on the object's pixels, %%, the truth's noise taken out by its two halves. Normals from depth. A\n"
-            "shadow map: ms_sss_transmission by max. Reads: a pixel, both passes. Time: ns a pixel of the object, one core of %s,\n"
-            "bust of skin, with what a call costs beside pixels.\n\n| method |", walks[TRUTH_CREAM], walks[TRUTH_SKIN], bench_processor());
+    fprintf(
+        md,
+        "Random walks through index-matched bodies, 240 x 135 pixels, 2 x %d to 2 x %d walks a pixel and channel. Error: root mean\n"
+        "square over that of the truth, on the object's pixels, %%, the truth's noise taken out by its two halves. Normals from depth. A\n"
+        "shadow map: ms_sss_transmission by max. Reads: a pixel, both passes. Time: ns a pixel of the object, one core of %s,\n"
+        "bust of skin, with what a call costs beside pixels.\n\n| method |",
+        walks[TRUTH_CREAM], walks[TRUTH_SKIN], bench_processor());
     for (i = 0; i < SHOWN; ++i)
         fprintf(md, " %s, %s, %s |", object_name[shown[i][0]], substance_name[shown[i][1]], lamp_name[shown[i][2]]);
     fprintf(md, " reads | ns |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (m = 0; m < METHODS; ++m) {
         fprintf(md, "| %s |", methods[m].name);
-        for (i = 0; i < SHOWN; ++i) fprintf(md, " %.1f |", 100 * report[shown[i][0]][shown[i][1]][shown[i][2]][m].relative);
+        for (i = 0; i < SHOWN; ++i)
+            fprintf(md, " %.1f |", 100 * report[shown[i][0]][shown[i][1]][shown[i][2]][m].relative);
         fprintf(md, " %s | %.0f |\n", methods[m].reads, nanoseconds[m]);
     }
-    fprintf(md, "\nBust of skin, lit from the front: error after the best factor a channel, light lost (red, green, blue), and where the squared\nerror is: "
-                "within 2 pixels of outlines, near a shadow's border, in the dark, elsewhere; %%.\n\n"
-                "| method | error | after scale | lost | outlines | borders | dark | elsewhere |\n|---|---:|---:|---:|---:|---:|---:|---:|\n");
+    fprintf(
+        md,
+        "\nBust of skin, lit from the front: error after the best factor a channel, light lost (red, green, blue), and where the squared\nerror is: "
+        "within 2 pixels of outlines, near a shadow's border, in the dark, elsewhere; %%.\n\n"
+        "| method | error | after scale | lost | outlines | borders | dark | elsewhere |\n|---|---:|---:|---:|---:|---:|---:|---:|\n");
     for (m = 0; m < METHODS; ++m) {
         const truth_report *r = &report[0][0][0][m];
-        fprintf(md, "| %s | %.1f | %.1f | %.0f, %.0f, %.0f | %.0f | %.0f | %.0f | %.0f |\n", methods[m].name, 100 * r->relative,
-                100 * r->scaled, 100 * r->lost[0], 100 * r->lost[1], 100 * r->lost[2], 100 * r->share[0], 100 * r->share[1],
-                100 * r->share[2], 100 * r->share[3]);
+        fprintf(md, "| %s | %.1f | %.1f | %.0f, %.0f, %.0f | %.0f | %.0f | %.0f | %.0f |\n", methods[m].name,
+                100 * r->relative, 100 * r->scaled, 100 * r->lost[0], 100 * r->lost[1], 100 * r->lost[2],
+                100 * r->share[0], 100 * r->share[1], 100 * r->share[2], 100 * r->share[3]);
     }
-    fprintf(md, "\nRoot mean square over the objects and lamps of a material, over the objects and materials of a lamp, over all 45:\n\n| method |");
+    fprintf(
+        md,
+        "\nRoot mean square over the objects and lamps of a material, over the objects and materials of a lamp, over all 45:\n\n| method |");
     for (substance = 0; substance < TRUTH_SUBSTANCES; ++substance) fprintf(md, " %s |", substance_name[substance]);
     for (lamp = 0; lamp < TRUTH_LAMPS; ++lamp) fprintf(md, " %s |", lamp_name[lamp]);
     fprintf(md, " all |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
@@ -218,7 +245,8 @@ int main(void)
                     all += e * e / (OBJECTS * TRUTH_SUBSTANCES * TRUTH_LAMPS);
                 }
         fprintf(md, "| %s |", methods[m].name);
-        for (substance = 0; substance < TRUTH_SUBSTANCES; ++substance) fprintf(md, " %.1f |", 100 * sqrt(by_substance[substance]));
+        for (substance = 0; substance < TRUTH_SUBSTANCES; ++substance)
+            fprintf(md, " %.1f |", 100 * sqrt(by_substance[substance]));
         for (lamp = 0; lamp < TRUTH_LAMPS; ++lamp) fprintf(md, " %.1f |", 100 * sqrt(by_lamp[lamp]));
         fprintf(md, " %.1f |\n", 100 * sqrt(all));
     }

@@ -1,5 +1,5 @@
-/* The stages of examples/workflow.c beside the thesis's Table 3.3: runs build/workflow nine times and keeps the table of the run
-   with the median sum. Writes build/bench/workflow.md and workflow.csv. */
+/* The stages of examples/workflow.c beside the thesis's Table 3.3: runs build/workflow nine times and keeps the table
+   of the run with the median sum. Writes build/bench/workflow.md and workflow.csv. */
 #include "bench.h"
 
 enum { RUNS = 9, TEXT = 8192 };
@@ -22,7 +22,8 @@ static int workflow(run *r)
     char *call;
     size_t got;
     FILE *f;
-    if (system("mkdir -p build/bench/workflow && build/workflow build/bench/workflow >build/bench/workflow/log") != 0) return 0;
+    if (system("mkdir -p build/bench/workflow && build/workflow build/bench/workflow >build/bench/workflow/log") != 0)
+        return 0;
     f = fopen("build/bench/workflow/times.md", "r");
     if (f == NULL) return 0;
     got = fread(r->table, 1, TEXT - 1, f);
@@ -56,9 +57,12 @@ int main(void)
     for (i = 0; i < RUNS; ++i) fprintf(csv, "%.0f,%.2f\n", runs[i].sum, runs[i].longest);
     qsort(runs, RUNS, sizeof *runs, compare);
     md = bench_open("workflow.md");
-    fprintf(md, "One core of %s, gcc -O2, processor time, the run with the median sum of %d (%.0f to %.0f ms), `make bench FILTER=workflow`.\n"
-                "The thesis: Intel Core i5-6600, pictures on an NVIDIA GeForce GTX TITAN X.\n\n%s\nThe longest of all calls in %d runs took %.1f ms.\n",
-            bench_processor(), RUNS, runs[0].sum, runs[RUNS - 1].sum, runs[RUNS / 2].table, RUNS, longest);
-    printf("%s\nsum %.0f to %.0f ms, longest interactive call %.2f ms\n", runs[RUNS / 2].table, runs[0].sum, runs[RUNS - 1].sum, longest);
+    fprintf(
+        md,
+        "One core of %s, gcc -O2, processor time, the run with the median sum of %d (%.0f to %.0f ms), `make bench FILTER=workflow`.\n"
+        "The thesis: Intel Core i5-6600, pictures on an NVIDIA GeForce GTX TITAN X.\n\n%s\nThe longest of all calls in %d runs took %.1f ms.\n",
+        bench_processor(), RUNS, runs[0].sum, runs[RUNS - 1].sum, runs[RUNS / 2].table, RUNS, longest);
+    printf("%s\nsum %.0f to %.0f ms, longest interactive call %.2f ms\n", runs[RUNS / 2].table, runs[0].sum,
+           runs[RUNS - 1].sum, longest);
     return fclose(md) != 0 || fclose(csv) != 0;
 }

@@ -1,12 +1,25 @@
-/* Milliseconds of the shaders of ms_sss.h on this machine's GPU, by timer queries: make bench-gpu. Beside them a shader with
-   the structure of the released one (one filtered read of colour and one of depth a tap, no masks) and a disc of 64
-   samples, both without masks, slopes or elevation. A software driver is timed at 1080p only, once: --full for all. */
+/* Milliseconds of the shaders of ms_sss.h on this machine's GPU, by timer queries: make bench-gpu. Beside them a shader
+   with the structure of the released one (one filtered read of colour and one of depth a tap, no masks) and a disc of
+   64 samples, both without masks, slopes or elevation. A software driver is timed at 1080p only, once: --full for
+   all. */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "bench.h"
 #include "gl/egl.h"
 
-enum { COLOUR, DEPTH, MIDDLE, MIDDLE_HALF, TARGET, SLOPES, SMALL, SMALL_MIDDLE, SMALL_TARGET, TOWER, TEXTURES = TOWER + 4 * MS_SSS_PYRAMID_LEVELS };
+enum {
+    COLOUR,
+    DEPTH,
+    MIDDLE,
+    MIDDLE_HALF,
+    TARGET,
+    SLOPES,
+    SMALL,
+    SMALL_MIDDLE,
+    SMALL_TARGET,
+    TOWER,
+    TEXTURES = TOWER + 4 * MS_SSS_PYRAMID_LEVELS
+};
 
 enum { TAPS, KEPT, RELEASED, DISC, HALF, PYRAMID }; /* what runs */
 
@@ -58,7 +71,8 @@ static const char *const released =
     "    result = vec4(sum, own.a);\n"
     "}\n";
 
-/* 64 samples of a disc by the golden angle, radii by exp(-r / d), weighted by profile over density at the true distance. */
+/* 64 samples of a disc by the golden angle, radii by exp(-r / d), weighted by profile over density at the true
+   distance. */
 static const char *const disc =
     "#version 330\n"
     "uniform sampler2D colour, depth; uniform vec4 taps[7], frame; out vec4 result;\n"
@@ -95,9 +109,10 @@ static int side_of(int side, int which)
     return side;
 }
 
-/* Nanoseconds by the GPU's own clock; software: of this process on its processors, for its driver draws after the query's end. */
-static double timed(void (*get)(GLuint, GLenum, uint64_t *), GLuint query, int software, const contender *c, const draw *d, int draws, const GLuint *texture,
-                    int width, int height)
+/* Nanoseconds by the GPU's own clock; software: of this process on its processors, for its driver draws after the
+   query's end. */
+static double timed(void (*get)(GLuint, GLenum, uint64_t *), GLuint query, int software, const contender *c,
+                    const draw *d, int draws, const GLuint *texture, int width, int height)
 {
     static const GLenum both[2] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     uint64_t ns = 0;
@@ -111,10 +126,12 @@ static double timed(void (*get)(GLuint, GLenum, uint64_t *), GLuint query, int s
         gl_UseProgram(d->program);
         if (c->compute) {
             gl_BindImageTexture(0, texture[d->to], 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-            gl_DispatchCompute((GLuint)((w + d->group[0] - 1) / d->group[0]), (GLuint)((h + d->group[1] - 1) / d->group[1]), 1);
+            gl_DispatchCompute((GLuint)((w + d->group[0] - 1) / d->group[0]),
+                               (GLuint)((h + d->group[1] - 1) / d->group[1]), 1);
             gl_MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
         } else {
-            gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, d->other ? texture[d->other] : 0, 0);
+            gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D,
+                                    d->other ? texture[d->other] : 0, 0);
             gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture[d->to], 0);
             gl_DrawBuffers(d->other ? 2 : 1, both);
             gl_Viewport(0, 0, w, h);
@@ -136,13 +153,18 @@ static int plan(const contender *c, int levels, draw *d)
     memset(d, 0, DRAWS * sizeof *d);
     if (c->other == PYRAMID) {
         d[n].step = MS_SSS_STEP_BASE, d[n].to = TOWER, d[n++].other = TOWER + 1;
-        for (l = 0; l + 1 < levels; ++l, ++n) d[n].step = MS_SSS_STEP_SHRINK, d[n].level = l, d[n].to = TOWER + 4 * l + 4, d[n].other = TOWER + 4 * l + 5;
-        for (l = levels - 2; l > 0; --l, ++n) d[n].step = MS_SSS_STEP_GATHER, d[n].level = l, d[n].to = TOWER + 4 * l + 2, d[n].other = TOWER + 4 * l + 3;
+        for (l = 0; l + 1 < levels; ++l, ++n)
+            d[n].step = MS_SSS_STEP_SHRINK, d[n].level = l, d[n].to = TOWER + 4 * l + 4, d[n].other = TOWER + 4 * l + 5;
+        for (l = levels - 2; l > 0; --l, ++n)
+            d[n].step = MS_SSS_STEP_GATHER, d[n].level = l, d[n].to = TOWER + 4 * l + 2, d[n].other = TOWER + 4 * l + 3;
         d[n].step = MS_SSS_STEP_RESOLVE, d[n++].to = TARGET;
         return n;
     }
     if (c->other == HALF) d[n].step = MS_SSS_STEP_DOWN, d[n++].to = SMALL;
-    d[n].step = MS_SSS_STEP_X, d[n].other = c->other == KEPT ? SLOPES : 0, d[n++].to = c->other == HALF ? SMALL_MIDDLE : c->other == DISC ? TARGET : middle;
+    d[n].step = MS_SSS_STEP_X, d[n].other = c->other == KEPT ? SLOPES : 0,
+    d[n++].to = c->other == HALF ? SMALL_MIDDLE
+        : c->other == DISC       ? TARGET
+                                 : middle;
     if (c->other != DISC) d[n].step = MS_SSS_STEP_Y, d[n++].to = c->other == HALF ? SMALL_TARGET : TARGET;
     if (c->other == HALF) d[n].step = MS_SSS_STEP_UP, d[n++].to = TARGET;
     return n;
@@ -154,7 +176,13 @@ static int read_by(const contender *c, const draw *d, int name)
     const int level = TOWER + 4 * d->level, next = d->level + 1 < MS_SSS_PYRAMID_LEVELS ? level + 4 : level;
     const int x = d->step == MS_SSS_STEP_X, y = d->step == MS_SSS_STEP_Y, half = c->other == HALF;
     switch (name) {
-    case 0: return d->step > MS_SSS_STEP_BASE ? level : y ? half ? SMALL_MIDDLE : c->half ? MIDDLE_HALF : MIDDLE : x && half ? SMALL : COLOUR;
+    case 0:
+        return d->step > MS_SSS_STEP_BASE ? level
+            : y                           ? half    ? SMALL_MIDDLE
+                                          : c->half ? MIDDLE_HALF
+                                                    : MIDDLE
+            : x && half                   ? SMALL
+                                          : COLOUR;
     case 3: return half ? SMALL : COLOUR;
     case 5: return half ? SMALL_TARGET : next + 2;
     case 8: return c->other == KEPT ? SLOPES : level + 1;
@@ -166,9 +194,20 @@ static int read_by(const contender *c, const draw *d, int name)
 
 static bench_time measure(const contender *c, int width, int height, const GLuint *texture, int runs, int software)
 {
-    static const char *const name[12] = {"ms_sss_colour", "", "", "ms_sss_input", "", "ms_sss_sum", "", "", "ms_sss_surface", "ms_sss_coarse",
-                                         "ms_sss_coarse_surface", "ms_sss_weight"};
-    void (*get)(GLuint, GLenum, uint64_t *) = (void (*)(GLuint, GLenum, uint64_t *))eglGetProcAddress("glGetQueryObjectui64v");
+    static const char *const name[12] = {"ms_sss_colour",
+                                         "",
+                                         "",
+                                         "ms_sss_input",
+                                         "",
+                                         "ms_sss_sum",
+                                         "",
+                                         "",
+                                         "ms_sss_surface",
+                                         "ms_sss_coarse",
+                                         "ms_sss_coarse_surface",
+                                         "ms_sss_weight"};
+    void (*get)(GLuint, GLenum,
+                uint64_t *) = (void (*)(GLuint, GLenum, uint64_t *))eglGetProcAddress("glGetQueryObjectui64v");
     ms_sss_filter_options o = ms_sss_filter_defaults();
     ms_sss_shader s;
     ms_error error;
@@ -192,13 +231,18 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
     for (i = 0; i < n; ++i) {
         float frame[4] = {(float)width, (float)height, (float)i, 0};
         s.step = d[i].step;
-        status = c->other == PYRAMID ? ms_sss_shader_pyramid(&pyramid, &o, width, height, &s, d[i].level, 0, constants, &error)
-                                     : ms_sss_shader_constants(kernel, 0, &o, width, height, &s, constants, &error);
+        status = c->other == PYRAMID
+            ? ms_sss_shader_pyramid(&pyramid, &o, width, height, &s, d[i].level, 0, constants, &error)
+            : ms_sss_shader_constants(kernel, 0, &o, width, height, &s, constants, &error);
         if (status != MS_OK || !ms_sss_shader_text(&s, &o, text, sizeof text, &error)) stop(c->name, error.message);
         frame[3] = constants[0][2];
         d[i].group[0] = ms_sss_shader_group(&s, 0);
         d[i].group[1] = ms_sss_shader_group(&s, 1);
-        d[i].program = gl_program(c->compute ? NULL : gl_corner[0], c->other == RELEASED ? released : c->other == DISC ? disc : text, log_text, sizeof log_text);
+        d[i].program = gl_program(c->compute ? NULL : gl_corner[0],
+                                  c->other == RELEASED   ? released
+                                      : c->other == DISC ? disc
+                                                         : text,
+                                  log_text, sizeof log_text);
         if (!d[i].program) stop(c->name, log_text);
         gl_Uniform4fv(gl_GetUniformLocation(d[i].program, "ms_sss"), ms_sss_shader_constant_count(&s), constants[0]);
         gl_Uniform4fv(gl_GetUniformLocation(d[i].program, "frame"), 1, frame);
@@ -236,15 +280,19 @@ int main(int argc, char **argv)
     software = strstr(renderer, "llvmpipe") || strstr(renderer, "softpipe") || strstr(renderer, "SwiftShader");
     sizes = software && !full ? 1 : 2;
     if (ms_sss_profile_from_burley(&profile, reflectance, d_mm, NULL, NULL) != MS_OK ||
-        ms_sss_kernel_make(&kernel[0], NULL, profile, 24, NULL, NULL, NULL) != MS_OK || ms_sss_pyramid_make(&pyramid, profile, NULL) != MS_OK) stop("kernel", "not made");
+        ms_sss_kernel_make(&kernel[0], NULL, profile, 24, NULL, NULL, NULL) != MS_OK ||
+        ms_sss_pyramid_make(&pyramid, profile, NULL) != MS_OK)
+        stop("kernel", "not made");
     ms_sss_profile_destroy(profile);
     for (i = 1; i < MS_SSS_SHADER_PROFILES_MAX; ++i) kernel[i] = kernel[0];
     for (k = 0; k < sizes; ++k) {
         const int w = size[k][0], h = size[k][1];
-        float *pixels = (float *)malloc((size_t)(w * h) * 4 * sizeof(float)), *depth = (float *)malloc((size_t)(w * h) * sizeof(float));
+        float *pixels = (float *)malloc((size_t)(w * h) * 4 * sizeof(float)),
+              *depth = (float *)malloc((size_t)(w * h) * sizeof(float));
         GLuint texture[TEXTURES] = {0};
         if (!pixels || !depth) stop("memory", "none");
-        for (y = 0; y < h; ++y) { /* bumps 300 mm away, strips of 8 materials: a kernel's radius is some 20 pixels at 1080p */
+        for (y = 0; y < h;
+             ++y) { /* bumps 300 mm away, strips of 8 materials: a kernel's radius is some 20 pixels at 1080p */
             for (x = 0; x < w; ++x) {
                 float *p = pixels + 4 * (y * w + x);
                 const double u = 20.0 * x / w, v = 20.0 * y / w;
@@ -262,7 +310,8 @@ int main(int argc, char **argv)
         texture[DEPTH] = gl_texture(DEPTH, GL_R32F, w, h, depth);
         texture[MIDDLE] = gl_texture(MIDDLE, GL_RGBA32F, w, h, NULL);
         texture[MIDDLE_HALF] = gl_texture(MIDDLE_HALF, GL_RGBA16F, w, h, NULL);
-        for (i = TARGET; i < TOWER + 4 * ms_sss_shader_levels(w, h); ++i) texture[i] = gl_texture(i, GL_RGBA32F, side_of(w, i), side_of(h, i), NULL);
+        for (i = TARGET; i < TOWER + 4 * ms_sss_shader_levels(w, h); ++i)
+            texture[i] = gl_texture(i, GL_RGBA32F, side_of(w, i), side_of(h, i), NULL);
         for (i = 0; i < count; ++i) {
             const GLint filter = contenders[i].other == RELEASED ? GL_LINEAR : GL_NEAREST;
             for (x = 0; x < 4; ++x) {
@@ -276,10 +325,12 @@ int main(int argc, char **argv)
         free(pixels);
         free(depth);
     }
-    printf("%s%s\n\n", renderer, software ? " - a SOFTWARE driver, in ms of processor time: how much work there is, nothing of a GPU" : "");
+    printf("%s%s\n\n", renderer,
+           software ? " - a SOFTWARE driver, in ms of processor time: how much work there is, nothing of a GPU" : "");
     printf("| all passes | texels read | ms at 1080p | ms at 4K | x ours |\n|---|---:|---:|---:|---:|\n");
     for (i = 0; i < count; ++i) {
-        printf("| %s | %s | %.3g +- %.2g | ", contenders[i].name, contenders[i].reads, result[0][i].median, result[0][i].spread);
+        printf("| %s | %s | %.3g +- %.2g | ", contenders[i].name, contenders[i].reads, result[0][i].median,
+               result[0][i].spread);
         if (sizes > 1) printf("%.3g +- %.2g | ", result[1][i].median, result[1][i].spread);
         else printf("- | ");
         printf("%.2f |\n", result[0][i].median / result[0][0].median);

@@ -48,8 +48,8 @@ static inline uint16_t nets_f16(float x)
     return (uint16_t)(sign | m >> 13);
 }
 
-static inline void nets_add(nets_file *f, const char *layer, const char *part, ms_nn_dtype dtype, float limit, int rank, size_t a, size_t b,
-                            size_t c, size_t d)
+static inline void nets_add(nets_file *f, const char *layer, const char *part, ms_nn_dtype dtype, float limit, int rank,
+                            size_t a, size_t b, size_t c, size_t d)
 {
     ms_nn_tensor *t = &f->tensors[f->count];
     int i;
@@ -71,8 +71,8 @@ static inline void nets_add(nets_file *f, const char *layer, const char *part, m
 }
 
 /* One line of the layer list and its tensors. */
-static inline void nets_layer(nets_file *f, const char *json, const char *name, ms_nn_dtype dtype, int rank, size_t out, size_t in, size_t kh,
-                              size_t kw)
+static inline void nets_layer(nets_file *f, const char *json, const char *name, ms_nn_dtype dtype, int rank, size_t out,
+                              size_t in, size_t kh, size_t kw)
 {
     size_t n = strlen(f->layers);
     snprintf(f->layers + n, sizeof f->layers - n, "%s%s", n > 1 ? "," : "", json);
@@ -199,15 +199,19 @@ static inline int nets_renderer(nets_file *f, int side, size_t filters, size_t f
     nets_begin(f, "[1,19]");
     for (i = 1; i <= 4; ++i) {
         snprintf(name, sizeof name, "conv%d", i);
-        snprintf(json, sizeof json, "{\"type\":\"conv1d\",\"name\":\"%s\",\"filters\":%d,\"kernel\":3,\"activation\":\"elu\",\"padding\":\"same\"}", name,
-                 (int)filters);
+        snprintf(
+            json, sizeof json,
+            "{\"type\":\"conv1d\",\"name\":\"%s\",\"filters\":%d,\"kernel\":3,\"activation\":\"elu\",\"padding\":\"same\"}",
+            name, (int)filters);
         nets_layer(f, json, name, dtype == MS_NN_I8 ? MS_NN_F32 : dtype, 3, filters, i == 1 ? 1 : filters, 3, 0);
         nets_layer(f, "{\"type\":\"upsample1d\",\"factor\":2}", NULL, dtype, 0, 0, 0, 0, 0);
     }
     nets_layer(f, "{\"type\":\"flatten\",\"order\":\"channels_last\"}", NULL, dtype, 0, 0, 0, 0, 0);
-    snprintf(json, sizeof json, "{\"type\":\"dense\",\"name\":\"fc1\",\"units\":%d,\"activation\":\"elu\"}", (int)features);
+    snprintf(json, sizeof json, "{\"type\":\"dense\",\"name\":\"fc1\",\"units\":%d,\"activation\":\"elu\"}",
+             (int)features);
     nets_layer(f, json, "fc1", dtype, 2, features, filters * 304, 0, 0);
-    snprintf(json, sizeof json, "{\"type\":\"dense\",\"name\":\"fc2\",\"units\":%d,\"activation\":\"linear\"}", 3 * side * side);
+    snprintf(json, sizeof json, "{\"type\":\"dense\",\"name\":\"fc2\",\"units\":%d,\"activation\":\"linear\"}",
+             3 * side * side);
     nets_layer(f, json, "fc2", dtype, 2, (size_t)(3 * side * side), features, 0, 0);
     return nets_end(f);
 }
@@ -224,8 +228,10 @@ static inline int nets_inversion(nets_file *f, int number, int side, size_t m, m
     nets_begin(f, input);
     for (i = 0; i < blocks; ++i) {
         snprintf(name, sizeof name, "conv%d", i + 1);
-        snprintf(json, sizeof json, "{\"type\":\"conv2d\",\"name\":\"%s\",\"filters\":%d,\"kernel\":3,\"activation\":\"relu\",\"padding\":\"same\"}", name,
-                 (int)filters[i]);
+        snprintf(
+            json, sizeof json,
+            "{\"type\":\"conv2d\",\"name\":\"%s\",\"filters\":%d,\"kernel\":3,\"activation\":\"relu\",\"padding\":\"same\"}",
+            name, (int)filters[i]);
         nets_layer(f, json, name, dtype == MS_NN_I8 ? MS_NN_F32 : dtype, 4, filters[i], in, 3, 3);
         nets_layer(f, "{\"type\":\"maxpool2d\",\"size\":2}", NULL, dtype, 0, 0, 0, 0, 0);
         in = filters[i];
@@ -235,7 +241,8 @@ static inline int nets_inversion(nets_file *f, int number, int side, size_t m, m
     in *= n * n;
     for (i = 1; i <= 2; ++i) {
         snprintf(name, sizeof name, "fc%d", i);
-        snprintf(json, sizeof json, "{\"type\":\"dense\",\"name\":\"%s\",\"units\":%d,\"activation\":\"relu\"}", name, (int)features);
+        snprintf(json, sizeof json, "{\"type\":\"dense\",\"name\":\"%s\",\"units\":%d,\"activation\":\"relu\"}", name,
+                 (int)features);
         nets_layer(f, json, name, dtype, 2, features, in, 0, 0);
         in = features;
     }
@@ -251,12 +258,15 @@ static inline int nets_shared(nets_file *f, int side, size_t features, ms_nn_dty
     char json[200], name[16];
     int i;
     nets_begin(f, "[19]");
-    nets_layer(f, "{\"type\":\"shared_channels\",\"inputs\":[[0,3,6,7,8,11,12,13,16,17,18],[1,4,6,7,9,11,12,14,16,17,18],"
-                  "[2,5,6,7,10,11,12,15,16,17,18]]}", NULL, dtype, 0, 0, 0, 0, 0);
+    nets_layer(f,
+               "{\"type\":\"shared_channels\",\"inputs\":[[0,3,6,7,8,11,12,13,16,17,18],[1,4,6,7,9,11,12,14,16,17,18],"
+               "[2,5,6,7,10,11,12,15,16,17,18]]}",
+               NULL, dtype, 0, 0, 0, 0, 0);
     for (i = 1; i <= 5; ++i) {
         size_t out = i < 5 ? width[i] : (size_t)(side * side);
         snprintf(name, sizeof name, "fc%d", i);
-        snprintf(json, sizeof json, "{\"type\":\"dense\",\"name\":\"%s\",\"units\":%d,\"activation\":\"%s\"}", name, (int)out, i < 5 ? "elu" : "linear");
+        snprintf(json, sizeof json, "{\"type\":\"dense\",\"name\":\"%s\",\"units\":%d,\"activation\":\"%s\"}", name,
+                 (int)out, i < 5 ? "elu" : "linear");
         nets_layer(f, json, name, dtype, 2, out, width[i - 1], 0, 0);
     }
     return nets_end(f);

@@ -1,11 +1,14 @@
-// What bench_sss_filter.c is compared with where OpenCV is installed (run.sh compiles it then). One thread, planes of float.
+// What bench_sss_filter.c is compared with where OpenCV is installed (run.sh compiles it then). One thread, planes of
+// float.
 #include <opencv2/imgproc.hpp>
 
-extern "C" void opencv_offsets(float *const in[3], float *const out[3], int width, int height, int reach, const float *const taps[3]);
+extern "C" void opencv_offsets(float *const in[3], float *const out[3], int width, int height, int reach,
+                               const float *const taps[3]);
 extern "C" void opencv_gaussian(const float *in, float *out, int width, int height, int size, double sigma);
 
 // Two passes of a channel's own row of 2 reach + 1 coefficients, most of which are 0.
-void opencv_offsets(float *const in[3], float *const out[3], int width, int height, int reach, const float *const taps[3])
+void opencv_offsets(float *const in[3], float *const out[3], int width, int height, int reach,
+                    const float *const taps[3])
 {
     cv::setNumThreads(1);
     for (int c = 0; c < 3; ++c) {

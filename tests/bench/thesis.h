@@ -3,8 +3,8 @@
      ms_gpr *gp = thesis_fit(x, y, n, m, THESIS_RPROP, 1, &report);       every length starts at 1 width; NULL: failed
      int found = thesis_climb(gp, threshold, count, seed, r, &candidates); rejection with hill climbing
 
-   Resilient backpropagation (Riedmiller & Braun 1992) as in Blum & Riedmiller 2013, 100 evaluations; scaled conjugate gradients
-   (Moller 1993, steps 1 to 9). Scores are taken as they are: no prior, no floor. */
+   Resilient backpropagation (Riedmiller & Braun 1992) as in Blum & Riedmiller 2013, 100 evaluations; scaled conjugate
+   gradients (Moller 1993, steps 1 to 9). Scores are taken as they are: no prior, no floor. */
 #ifndef BENCH_THESIS_H
 #define BENCH_THESIS_H
 #include "test.h"
@@ -22,23 +22,29 @@ typedef struct thesis_search {
     double low[THESIS_VARIABLES], high[THESIS_VARIABLES];
 } thesis_search;
 
-static double thesis__clip(const thesis_search *s, int i, double v) { return v < s->low[i] ? s->low[i] : v > s->high[i] ? s->high[i] : v; }
+static double thesis__clip(const thesis_search *s, int i, double v)
+{
+    return v < s->low[i] ? s->low[i] : v > s->high[i] ? s->high[i] : v;
+}
 
 /* Minus the log likelihood and its slopes; 0 where it is not defined. */
 static int thesis__value(thesis_search *s, const double *theta, double *value, double *slope)
 {
     int i;
     ++s->evaluations;
-    if (ms_gpr_set_theta(s->gp, theta, NULL) != MS_OK || ms_gpr_likelihood(s->gp, value, slope, NULL) != MS_OK) return 0;
+    if (ms_gpr_set_theta(s->gp, theta, NULL) != MS_OK || ms_gpr_likelihood(s->gp, value, slope, NULL) != MS_OK)
+        return 0;
     *value = -*value;
     for (i = 0; i < s->count; ++i) slope[i] = -slope[i];
     return 1;
 }
 
-/* Each variable keeps a step of its own that grows by 1.2 while the sign of its slope stays, and halves when it turns. */
+/* Each variable keeps a step of its own that grows by 1.2 while the sign of its slope stays, and halves when it
+   turns. */
 static double thesis__rprop(thesis_search *s, double *q)
 {
-    double at[THESIS_VARIABLES], slope[THESIS_VARIABLES], before[THESIS_VARIABLES], step[THESIS_VARIABLES], value, best = HUGE_VAL;
+    double at[THESIS_VARIABLES], slope[THESIS_VARIABLES], before[THESIS_VARIABLES], step[THESIS_VARIABLES], value,
+        best = HUGE_VAL;
     int i;
     for (i = 0; i < s->count; ++i) {
         at[i] = q[i];
@@ -63,7 +69,8 @@ static double thesis__rprop(thesis_search *s, double *q)
 
 static double thesis__scg(thesis_search *s, double *q)
 {
-    double slope[THESIS_VARIABLES], direction[THESIS_VARIABLES], trial[THESIS_VARIABLES], there[THESIS_VARIABLES], residual[THESIS_VARIABLES];
+    double slope[THESIS_VARIABLES], direction[THESIS_VARIABLES], trial[THESIS_VARIABLES], there[THESIS_VARIABLES],
+        residual[THESIS_VARIABLES];
     double value, best, lambda = 1e-6, raised = 0, delta = 0;
     int success = 1, k = 1, i;
     if (!thesis__value(s, q, &best, slope)) return HUGE_VAL;
@@ -102,7 +109,8 @@ static double thesis__scg(thesis_search *s, double *q)
             }
             raised = 0;
             success = 1;
-            for (i = 0; i < s->count; ++i) direction[i] = residual[i] + (k % s->count == 0 ? 0 : (r2 - cross) / mu) * direction[i];
+            for (i = 0; i < s->count; ++i)
+                direction[i] = residual[i] + (k % s->count == 0 ? 0 : (r2 - cross) / mu) * direction[i];
             ++k;
             if (comparison >= 0.75) lambda *= 0.25;
             if (gain < 1e-4 && r2 < 1e-4 * s->count) break;
@@ -116,7 +124,8 @@ static double thesis__scg(thesis_search *s, double *q)
     return best;
 }
 
-static TEST_UNUSED ms_gpr *thesis_fit(const double *x, const double *y, int n, int m, int method, double length, thesis_report *report)
+static TEST_UNUSED ms_gpr *thesis_fit(const double *x, const double *y, int n, int m, int method, double length,
+                                      thesis_report *report)
 {
     thesis_search s;
     ms_gpr_options options;
@@ -149,16 +158,18 @@ static TEST_UNUSED ms_gpr *thesis_fit(const double *x, const double *y, int n, i
     return s.gp;
 }
 
-/* From a uniform place of the unit box, random steps of 0.1 that are kept where the mean grows; a climb that has not arrived after 20
-   starts anew. How many of `count` were found with 2e6 candidates. */
-static TEST_UNUSED int thesis_climb(const ms_gpr *gp, double threshold, int count, uint64_t seed, double *found, double *candidates)
+/* From a uniform place of the unit box, random steps of 0.1 that are kept where the mean grows; a climb that has not
+   arrived after 20 starts anew. How many of `count` were found with 2e6 candidates. */
+static TEST_UNUSED int thesis_climb(const ms_gpr *gp, double threshold, int count, uint64_t seed, double *found,
+                                    double *candidates)
 {
     double x[THESIS_VARIABLES], value, best = 0;
     int m = ms_gpr_dimensions(gp), i = 0, k, step = 0;
     uint64_t state = seed;
     for (*candidates = 0; i < count && *candidates < 2e6; *candidates += 1, step = (step + 1) % 21) {
         double *kept = found + i * m;
-        for (k = 0; k < m; ++k) x[k] = step == 0 ? test_uniform(&state) : fmin(fmax(kept[k] + 0.1 * test_normal(&state), 0), 1);
+        for (k = 0; k < m; ++k)
+            x[k] = step == 0 ? test_uniform(&state) : fmin(fmax(kept[k] + 0.1 * test_normal(&state), 0), 1);
         if (ms_gpr_predict(gp, x, 1, &value, NULL, NULL) != MS_OK) return i;
         if (step > 0 && !(value > best)) continue;
         memcpy(kept, x, (size_t)m * sizeof *x);

@@ -1,16 +1,25 @@
-/* The optimisers that the thesis compares (section 4.3, Table 4.3), for the benchmarks: Nelder-Mead with an infinite barrier, L-BFGS, SQP (what
-   SLSQP is when bounds are the only constraints) and conjugate gradient, each with projection and exact derivatives, or with the barrier
-   and differences of 1.5e-8 as there. ms_pme.h, its implementation too, comes first. */
+/* The optimisers that the thesis compares (section 4.3, Table 4.3), for the benchmarks: Nelder-Mead with an infinite
+   barrier, L-BFGS, SQP (what SLSQP is when bounds are the only constraints) and conjugate gradient, each with
+   projection and exact derivatives, or with the barrier and differences of 1.5e-8 as there. ms_pme.h, its
+   implementation too, comes first. */
 #ifndef BENCH_THESIS_METHODS_H
 #define BENCH_THESIS_METHODS_H
 #include <float.h>
 #include <math.h>
 
-enum { THESIS_NELDER_MEAD, THESIS_NELDER_MEAD_BARRIER, THESIS_LBFGS, THESIS_CONJUGATE_GRADIENT, THESIS_SQP, THESIS_METHODS };
-static const char *const thesis_name[THESIS_METHODS] = {"nelder-mead", "nelder-mead-barrier", "l-bfgs", "conjugate-gradient", "sqp"};
+enum {
+    THESIS_NELDER_MEAD,
+    THESIS_NELDER_MEAD_BARRIER,
+    THESIS_LBFGS,
+    THESIS_CONJUGATE_GRADIENT,
+    THESIS_SQP,
+    THESIS_METHODS
+};
+static const char *const thesis_name[THESIS_METHODS] = {"nelder-mead", "nelder-mead-barrier", "l-bfgs",
+                                                        "conjugate-gradient", "sqp"};
 
 typedef struct thesis_options {
-    int method, barrier;     /* barrier: no projection, f is infinite outside the box */
+    int method, barrier; /* barrier: no projection, f is infinite outside the box */
     double max_cost, tolerance, start_step, difference_step;
 } thesis_options;
 
@@ -28,20 +37,11 @@ static double thesis__dot(const double *a, const double *b, int n)
     return sum;
 }
 
-static double thesis__clip(double x, double low, double high)
-{
-    return x < low ? low : x > high ? high : x;
-}
+static double thesis__clip(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
 
-static double thesis__max(double a, double b)
-{
-    return a > b ? a : b;
-}
+static double thesis__max(double a, double b) { return a > b ? a : b; }
 
-static void thesis__copy(double *to, const double *from, int n)
-{
-    memcpy(to, from, (size_t)n * sizeof *to);
-}
+static void thesis__copy(double *to, const double *from, int n) { memcpy(to, from, (size_t)n * sizeof *to); }
 
 /* Rows [k][n + 1] (the last column is the right-hand side) are folded into the upper triangle r [n + 1][n + 1] by
    Householder reflections of (r_jj, column j of the rows): the R of a QR factorisation, built row block by row block
@@ -71,16 +71,16 @@ static void thesis__qr_append(double *r, int n, double *rows, int k)
     }
 }
 
-/* ---- the run: budgets and evaluations ----------------------------------------------------------------------------- */
+/* ---- the run: budgets and evaluations ---------------------------------------------------------------------------- */
 
 typedef struct thesis__run {
     const ms_pme_function *function;
     const thesis_options *options;
-    int n, barrier, ranged;           /* ranged: every parameter has one that means something */
+    int n, barrier, ranged; /* ranged: every parameter has one that means something */
     size_t m;
     double max_cost, tolerance, jacobian_cost, start_time;
-    double *lower, *upper;            /* [n] */
-    double *best;                     /* [n] the best point evaluated, and its value */
+    double *lower, *upper; /* [n] */
+    double *best;          /* [n] the best point evaluated, and its value */
     double best_value;
     double *residual, *residual_step; /* [m] of the last evaluation; of a difference */
     double *jacobian;                 /* [m][n] of the last one with derivatives */
@@ -88,7 +88,7 @@ typedef struct thesis__run {
     double *rows;                     /* [ROWS][n + 1] */
     double *scratch;                  /* what the methods share out among themselves */
     ms_pme_result result;
-    int stopped;                      /* a budget, the target, a failure: nothing more may be evaluated */
+    int stopped; /* a budget, the target, a failure: nothing more may be evaluated */
     ms_status status;
 } thesis__run;
 
@@ -162,10 +162,7 @@ static double thesis__value_to(thesis__run *run, const double *x, double *r)
     return thesis__seen(run, x, f);
 }
 
-static double thesis__value(thesis__run *run, const double *x)
-{
-    return thesis__value_to(run, x, run->residual_step);
-}
+static double thesis__value(thesis__run *run, const double *x) { return thesis__value_to(run, x, run->residual_step); }
 
 /* The step of a difference in x_j and whether it may be central; inside the box unless there is a barrier. */
 static double thesis__difference_step(const thesis__run *run, double x, int j, int central, double *back)
@@ -286,7 +283,7 @@ static double thesis__projected_gradient(const thesis__run *run, const double *x
     return largest;
 }
 
-/* ---- bounded least squares ------------------------------------------------------------------------------------------ */
+/* ---- bounded least squares --------------------------------------------------------------------------------------- */
 
 /* d [n] minimises |A d - b| over low <= d <= high, low <= 0 <= high: the active-set method of Stark and Parker (1995),
    exact after finitely many changes of the set. A [rows][n] has full rank; work holds (n + 1)^2 + rows (n + 1) + n
@@ -313,7 +310,8 @@ static void thesis__bounded_least_squares(const double *a, const double *b, int 
         }
         memset(triangle, 0, (size_t)((count + 1) * (count + 1)) * sizeof *triangle);
         for (i = 0; i < rows; i += THESIS__ROWS)
-            thesis__qr_append(triangle, count, part + i * (count + 1), rows - i < THESIS__ROWS ? rows - i : THESIS__ROWS);
+            thesis__qr_append(triangle, count, part + i * (count + 1),
+                              rows - i < THESIS__ROWS ? rows - i : THESIS__ROWS);
         for (i = count - 1; i >= 0; --i) {
             double t = triangle[i * (count + 1) + count], pivot = triangle[i * (count + 1) + i];
             for (j = i + 1; j < count; ++j) t -= triangle[i * (count + 1) + j] * z[j];
@@ -325,7 +323,10 @@ static void thesis__bounded_least_squares(const double *a, const double *b, int 
             if (z[i] < low[j] || z[i] > high[j]) {
                 double limit = z[i] < low[j] ? low[j] : high[j];
                 double t = z[i] != d[j] ? (limit - d[j]) / (z[i] - d[j]) : 0;
-                if (t < alpha || hit < 0) { alpha = thesis__clip(t, 0, 1); hit = j; }
+                if (t < alpha || hit < 0) {
+                    alpha = thesis__clip(t, 0, 1);
+                    hit = j;
+                }
             }
             ++i;
         }
@@ -357,7 +358,10 @@ static void thesis__bounded_least_squares(const double *a, const double *b, int 
                 size += fabs(a[i * n + j] * part[i]);
             }
             push = state[j] < 0 ? t : -t;
-            if (push > 1e-14 * size && push > steepest) { steepest = push; worst = j; }
+            if (push > 1e-14 * size && push > steepest) {
+                steepest = push;
+                worst = j;
+            }
         }
         if (worst < 0) break;
         released = worst;
@@ -365,7 +369,7 @@ static void thesis__bounded_least_squares(const double *a, const double *b, int 
     }
 }
 
-/* ---- line search ------------------------------------------------------------------------------------------------------ */
+/* ---- line search ------------------------------------------------------------------------------------------------- */
 
 /* Where the gradient methods stand: a point, its value and gradient, and a trial. */
 typedef struct thesis__point {
@@ -374,9 +378,10 @@ typedef struct thesis__point {
 } thesis__point;
 
 /* Strong Wolfe conditions along d by bracketing and cubic interpolation (Nocedal and Wright 2006, algorithms 3.5 and
-   3.6), the step at most longest; at longest decrease alone is enough. From p to q; the step, or 0 if none was found. */
-static double thesis__line_search(thesis__run *run, const thesis__point *p, const double *d, double first, double longest,
-                                  double curvature, thesis__point *q)
+   3.6), the step at most longest; at longest decrease alone is enough. From p to q; the step, or 0 if none was
+   found. */
+static double thesis__line_search(thesis__run *run, const thesis__point *p, const double *d, double first,
+                                  double longest, double curvature, thesis__point *q)
 {
     int n = run->n, j, tries;
     double slope = thesis__dot(p->g, d, n), t = first < longest ? first : longest;
@@ -391,12 +396,21 @@ static double thesis__line_search(thesis__run *run, const thesis__point *p, cons
         q->f = thesis__gradient(run, q->x, q->g);
         s = thesis__dot(q->g, d, n);
         if (!(q->f <= p->f + 1e-4 * t * slope) || (bracketed && q->f >= f_low) || !isfinite(q->f)) {
-            high = t; f_high = q->f; slope_high = s;
+            high = t;
+            f_high = q->f;
+            slope_high = s;
             bracketed = 1;
         } else {
             if (fabs(s) <= -curvature * slope || (t >= longest && s < 0)) return t;
-            if (s * (bracketed ? high - low : 1) >= 0) { high = low; f_high = f_low; slope_high = slope_low; bracketed = 1; }
-            low = t; f_low = q->f; slope_low = s;
+            if (s * (bracketed ? high - low : 1) >= 0) {
+                high = low;
+                f_high = f_low;
+                slope_high = slope_low;
+                bracketed = 1;
+            }
+            low = t;
+            f_low = q->f;
+            slope_low = s;
         }
         if (!bracketed) {
             t = 4 * t < longest ? 4 * t : longest;
@@ -412,7 +426,9 @@ static double thesis__line_search(thesis__run *run, const thesis__point *p, cons
             } else if (width != 0) {
                 next = low + 0.1 * width;
             }
-            t = (next - low) / width > 0.05 && (next - low) / width < 0.95 ? next : low + (isfinite(f_high) ? 0.5 : 0.1) * width;
+            t = (next - low) / width > 0.05 && (next - low) / width < 0.95
+                ? next
+                : low + (isfinite(f_high) ? 0.5 : 0.1) * width;
             if (fabs(width) <= 1e-15 * (fabs(low) + fabs(high))) break;
         }
     }
@@ -441,7 +457,7 @@ static double thesis__longest_step(const thesis__run *run, const double *x, cons
     return longest;
 }
 
-/* ---- quasi-Newton, conjugate gradient, SQP ---------------------------------------------------------------------------- */
+/* ---- quasi-Newton, conjugate gradient, SQP ----------------------------------------------------------------------- */
 
 /* d = -H g on the variables that no bound holds, H from the last pairs by the two-loop recursion (Nocedal 1980). */
 static void thesis__lbfgs_direction(const thesis__run *run, const thesis__point *p, const double *s, const double *y,
@@ -496,11 +512,12 @@ static void thesis__bfgs_update(double *model, int n, const double *s, const dou
     for (i = 0; i < n; ++i)
         for (j = 0; j < n; ++j)
             model[i * n + j] += (theta * y[i] + (1 - theta) * bs[i]) * (theta * y[j] + (1 - theta) * bs[j]) / sr -
-                                bs[i] * bs[j] / sbs;
+                bs[i] * bs[j] / sbs;
 }
 
 /* Step of the quadratic program min g'd + d'B d / 2 over the box, as the least-squares problem |L'd + L^-1 g|. */
-static int thesis__sqp_direction(const thesis__run *run, const thesis__point *p, const double *model, double *d, double *work)
+static int thesis__sqp_direction(const thesis__run *run, const thesis__point *p, const double *model, double *d,
+                                 double *work)
 {
     int n = run->n, i, j, c;
     double *l = work, *a = l + n * n, *b = a + n * n, *low = b + n, *high = low + n, *rest = high + n;
@@ -585,7 +602,8 @@ static double thesis__gradient_method(thesis__run *run, double *x, int method, d
             double reach = 0;
             for (j = 0; j < n; ++j) {
                 double range = run->upper[j] - run->lower[j];
-                reach = thesis__max(reach, fabs(d[j]) / (isfinite(range) && range > 0 ? range : thesis__max(fabs(p.x[j]), 1)));
+                reach = thesis__max(reach,
+                                    fabs(d[j]) / (isfinite(range) && range > 0 ? range : thesis__max(fabs(p.x[j]), 1)));
             }
             first = reach > 0 ? 0.01 / reach : 1;
         } else if (method == THESIS_CONJUGATE_GRADIENT) {
@@ -615,8 +633,7 @@ static double thesis__gradient_method(thesis__run *run, double *x, int method, d
         }
         if (method == THESIS_SQP) {
             if (fresh && sy > 0) /* size of the first model (Shanno and Phua 1978) */
-                for (i = 0; i < n; ++i)
-                    model[i * (n + 1)] = thesis__dot(y + newest * n, y + newest * n, n) / sy;
+                for (i = 0; i < n; ++i) model[i * (n + 1)] = thesis__dot(y + newest * n, y + newest * n, n) / sy;
             thesis__bfgs_update(model, n, s + newest * n, y + newest * n, work);
         } else if (method == THESIS_LBFGS) {
             double yy = thesis__dot(y + newest * n, y + newest * n, n);
@@ -639,14 +656,15 @@ static double thesis__gradient_method(thesis__run *run, double *x, int method, d
     return p.f;
 }
 
-/* ---- Nelder-Mead -------------------------------------------------------------------------------------------------------- */
+/* ---- Nelder-Mead ------------------------------------------------------------------------------------------------- */
 
 /* Nelder and Mead 1965 with the customary coefficients 1, 2, 1/2, 1/2; a simplex that collapsed is built anew around
    the best point until that gains nothing. */
 static double thesis__nelder_mead(thesis__run *run, double *x, int barrier, double *memory)
 {
     int n = run->n, i, j, rounds;
-    double *vertex = memory, *value = vertex + (n + 1) * n, *middle = value + n + 1, *trial = middle + n, *farther = trial + n;
+    double *vertex = memory, *value = vertex + (n + 1) * n, *middle = value + n + 1, *trial = middle + n,
+           *farther = trial + n;
     double best_before = THESIS__INF;
     for (rounds = 0; !run->stopped; ++rounds) {
         double edge = run->options->start_step > 0 ? run->options->start_step : 0.1;
@@ -678,7 +696,8 @@ static double thesis__nelder_mead(thesis__run *run, double *x, int barrier, doub
                     spread = thesis__max(spread, fabs(vertex[i * n + j] - vertex[low * n + j]));
                     size = thesis__max(size, fabs(vertex[low * n + j]));
                 }
-            if ((value[high] - value[low] <= run->tolerance * fabs(value[low]) && spread <= 1e-4 * thesis__max(size, 1e-30)) ||
+            if ((value[high] - value[low] <= run->tolerance * fabs(value[low]) &&
+                 spread <= 1e-4 * thesis__max(size, 1e-30)) ||
                 spread <= 1e-14 * thesis__max(size, 1e-290))
                 break;
             run->result.iterations++;
@@ -730,13 +749,14 @@ static double thesis__nelder_mead(thesis__run *run, double *x, int barrier, doub
     return run->best_value;
 }
 
-
 /* As ms_pme_minimize, with x in the box (barrier: anywhere). */
-static ms_status thesis_minimize(const ms_pme_function *function, const thesis_options *options, double *x, ms_pme_result *result)
+static ms_status thesis_minimize(const ms_pme_function *function, const thesis_options *options, double *x,
+                                 ms_pme_result *result)
 {
     thesis__run run;
     int n = function->parameter_count, j;
-    size_t m = function->residuals ? function->residual_count : 0, un = (size_t)n, count = m * un + 2 * m + 3 * un + (un + 1) * (un + 1) + THESIS__ROWS * (un + 1);
+    size_t m = function->residuals ? function->residual_count : 0, un = (size_t)n,
+           count = m * un + 2 * m + 3 * un + (un + 1) * (un + 1) + THESIS__ROWS * (un + 1);
     double *block, *p, *start;
     memset(&run, 0, sizeof run);
     count += 7 * un * un + (2 * THESIS__MEMORY + 40) * un + 64;
@@ -751,14 +771,22 @@ static ms_status thesis_minimize(const ms_pme_function *function, const thesis_o
     run.tolerance = options->tolerance > 0 ? options->tolerance : 1e-10;
     run.jacobian_cost = function->jacobian_cost > 0 ? function->jacobian_cost : 1 + 0.25 * n;
     run.best_value = THESIS__INF;
-    run.jacobian = p; p += m * un;
-    run.residual = p; p += m;
-    run.residual_step = p; p += m;
-    run.lower = p; p += n;
-    run.upper = p; p += n;
-    run.best = p; p += n;
-    run.triangle = p; p += (n + 1) * (n + 1);
-    run.rows = p; p += THESIS__ROWS * (n + 1);
+    run.jacobian = p;
+    p += m * un;
+    run.residual = p;
+    p += m;
+    run.residual_step = p;
+    p += m;
+    run.lower = p;
+    p += n;
+    run.upper = p;
+    p += n;
+    run.best = p;
+    p += n;
+    run.triangle = p;
+    p += (n + 1) * (n + 1);
+    run.rows = p;
+    p += THESIS__ROWS * (n + 1);
     run.scratch = p;
     start = p + n;
     for (j = 0; j < n; ++j) {
@@ -766,7 +794,8 @@ static ms_status thesis_minimize(const ms_pme_function *function, const thesis_o
         run.upper[j] = function->upper ? function->upper[j] : THESIS__INF;
         start[j] = thesis__clip(x[j], run.lower[j], run.upper[j]);
     }
-    if (options->method <= THESIS_NELDER_MEAD_BARRIER) thesis__nelder_mead(&run, start, options->method == THESIS_NELDER_MEAD_BARRIER, start + n);
+    if (options->method <= THESIS_NELDER_MEAD_BARRIER)
+        thesis__nelder_mead(&run, start, options->method == THESIS_NELDER_MEAD_BARRIER, start + n);
     else thesis__gradient_method(&run, start, options->method, start + n);
     if (run.status == MS_OK && isfinite(run.best_value)) {
         run.result.value = run.best_value;

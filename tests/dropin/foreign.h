@@ -1,5 +1,5 @@
-/* Macros of other people: windows.h's and its relatives', and names that a program may well have. The system's headers first, as
-   they could not stand them either. */
+/* Macros of other people: windows.h's and its relatives', and names that a program may well have. The system's headers
+   first, as they could not stand them either. */
 #include <errno.h>
 #include <fcntl.h>
 #include <float.h>

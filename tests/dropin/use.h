@@ -48,7 +48,8 @@ static int use_check(const char *what, double value, double expected, double tol
 }
 
 #ifdef MS_MCML_H
-/* All light ends somewhere, but for the roulette of 1000 photons; a half-space that does not absorb returns all of it. */
+/* All light ends somewhere, but for the roulette of 1000 photons; a half-space that does not absorb returns all of
+   it. */
 static int use_mcml(void)
 {
     const ms_mcml_layer layer = {1.4, 1.0, 100, 0.9, 0.1};
@@ -153,8 +154,9 @@ static int use_write(void *user, const void *bytes, size_t size)
 /* A file written and read again, and a dense layer of it: y = relu(W x + b). The numbers are bytes, little-endian. */
 static int use_nn(void)
 {
-    static const unsigned char w[16] = {0, 0, 0x80, 0x3f, 0, 0, 0, 0x40, 0, 0, 0x40, 0x40, 0, 0, 0x80, 0x40}; /* 1 2, 3 4 */
-    static const unsigned char b[8] = {0, 0, 0x80, 0x3f, 0, 0, 0x80, 0xbf};                                  /* 1 -1 */
+    static const unsigned char w[16] = {0, 0, 0x80, 0x3f, 0, 0, 0,    0x40,
+                                        0, 0, 0x40, 0x40, 0, 0, 0x80, 0x40}; /* 1 2, 3 4 */
+    static const unsigned char b[8] = {0, 0, 0x80, 0x3f, 0, 0, 0x80, 0xbf};  /* 1 -1 */
     static const size_t shape[2] = {2, 2};
     static const char layers[] = "[{\"type\":\"dense\",\"name\":\"d\",\"activation\":\"relu\"}]";
     static use_bytes file;

@@ -1,5 +1,5 @@
-/* The examples' readers of CSV files, scores and materials: refused with a sentence, or finite numbers in their range. They
-   take paths; here every path is the bytes, without a file. */
+/* The examples' readers of CSV files, scores and materials: refused with a sentence, or finite numbers in their range.
+   They take paths; here every path is the bytes, without a file. */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

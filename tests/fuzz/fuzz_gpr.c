@@ -9,13 +9,16 @@
 #ifdef __cplusplus
 extern "C"
 #endif
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+    int
+    LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 static void use(ms_gpr *gp)
 {
     static const double zero[512] = {0};
     double mean, variance;
-    if (ms_gpr_dimensions(gp) <= 512 && ms_gpr_predict(gp, zero, 1, &mean, &variance, NULL) == MS_OK && !(variance >= 0)) abort();
+    if (ms_gpr_dimensions(gp) <= 512 && ms_gpr_predict(gp, zero, 1, &mean, &variance, NULL) == MS_OK &&
+        !(variance >= 0))
+        abort();
     ms_gpr_destroy(gp);
 }
 

@@ -1,4 +1,5 @@
-/* The reader of .mci files: what it accepts makes a simulation, and some are written back as an .mco file without photons. */
+/* The reader of .mci files: what it accepts makes a simulation, and some are written back as an .mco file without
+   photons. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 #include <stdlib.h>
@@ -26,7 +27,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             size_t written = 0;
             if (run->photons == 0 || run->line == 0 || run->tissue.layer_count < 1) abort();
             if (ms_mcml_create(&run->tissue, &run->grid, &options, &tally, &error) != MS_OK) continue;
-            if (size % 64 == 0 && ms_mcml_results(tally, &result, &error) == MS_OK) { /* some of them written back, empty */
+            if (size % 64 == 0 &&
+                ms_mcml_results(tally, &result, &error) == MS_OK) { /* some of them written back, empty */
                 ms_mcml_mco_write(run, &result, 0, drop, &written, &error);
                 ms_mcml_result_destroy(&result);
             }

@@ -9,7 +9,8 @@
 #ifdef __cplusplus
 extern "C"
 #endif
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+    int
+    LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 static int fuzz_count(void *user, const void *bytes, size_t size)
 {
@@ -94,7 +95,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     {
         size_t in = ms_nn_input_size(nn), out = ms_nn_output_size(nn), i;
         if (in < 4096 && out < 4096 && ms_nn_workspace_size(nn, MS_NN_VJP, 1) < 1 << 24) {
-            float *x = (float *)malloc((2 * in + 2 * out + 1) * sizeof(float)), *y = x + in, *g_y = y + out, *g_x = g_y + out;
+            float *x = (float *)malloc((2 * in + 2 * out + 1) * sizeof(float)), *y = x + in, *g_y = y + out,
+                  *g_x = g_y + out;
             for (i = 0; i < in; ++i) x[i] = (float)i;
             for (i = 0; i < out; ++i) g_y[i] = 1;
             ms_nn_vjp(nn, 1, x, g_y, y, g_x, NULL);

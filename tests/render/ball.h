@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define BALL_ALBEDOS 12   /* at most */
-#define BALL_BINS 56      /* rings of distance between entry and exit, straight through the body */
+#define BALL_ALBEDOS 12 /* at most */
+#define BALL_BINS 56    /* rings of distance between entry and exit, straight through the body */
 #define BALL_COLLISIONS 4000
 #define BALL_SURVIVAL 0.997 /* roulette a collision: lengths stay bounded, weights in range for albedos to 0.999 */
 

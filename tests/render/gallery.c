@@ -23,21 +23,24 @@ static const setting base[ROWS][16] = {
     {{3, 0.95f}, {4, 0.70f}, {5, 0.35f}, {6, 0.3f}, {7, 1}},
     {{0, 0.7f}, {1, 0.6f}, {2, 0.5f}, {3, 0.9f}, {4, 0.8f}, {5, 0.7f}, {6, 0.3f}, {7, 0.5f}}};
 static const setting more[ROWS][COLUMNS - 1][SETTINGS] = {
-    {{{19, 0.9f}, {20, 0.75f}, {21, 0.4f}, {22, 1}, {23, 0.2f}, {24, 0.7f}, {25, 0.3f}, {26, 0.5f}},           /* clouds */
-     {{19, 0.9f}, {20, 0.75f}, {21, 0.4f}, {22, 1}, {23, 0.5f}, {24, 0.5f}, {25, 1}, {26, 0.5f}},              /* patches */
-     {{19, 0.9f}, {20, 0.75f}, {21, 0.4f}, {22, 1}, {23, 0.5f}, {25, 0.95f}, {26, 0.5f}, {27, 1}},             /* spots */
-     {{19, 0.9f}, {20, 0.75f}, {21, 0.4f}, {22, 1}, {23, 0.3f}, {24, 0.8f}, {25, 0.9f}, {26, 0.5f}, {28, 1}},  /* veins */
-     {{19, 0.5f}, {20, 0.3f}, {21, 0.15f}, {22, 1}, {23, 0.4f}, {24, 0.9f}, {25, 0.8f}, {26, 0.5f}, {30, 1}}}, /* rust */
-    {{{23, 0.2f}, {24, 0.5f}, {25, 0.8f}, {26, 0.5f}, {29, 1}},                                               /* etched */
+    {{{19, 0.9f}, {20, 0.75f}, {21, 0.4f}, {22, 1}, {23, 0.2f}, {24, 0.7f}, {25, 0.3f}, {26, 0.5f}}, /* clouds */
+     {{19, 0.9f}, {20, 0.75f}, {21, 0.4f}, {22, 1}, {23, 0.5f}, {24, 0.5f}, {25, 1}, {26, 0.5f}},    /* patches */
+     {{19, 0.9f}, {20, 0.75f}, {21, 0.4f}, {22, 1}, {23, 0.5f}, {25, 0.95f}, {26, 0.5f}, {27, 1}},   /* spots */
+     {{19, 0.9f}, {20, 0.75f}, {21, 0.4f}, {22, 1}, {23, 0.3f}, {24, 0.8f}, {25, 0.9f}, {26, 0.5f}, {28, 1}},  /* veins
+                                                                                                                */
+     {{19, 0.5f}, {20, 0.3f}, {21, 0.15f}, {22, 1}, {23, 0.4f}, {24, 0.9f}, {25, 0.8f}, {26, 0.5f}, {30, 1}}}, /* rust
+                                                                                                                */
+    {{{23, 0.2f}, {24, 0.5f}, {25, 0.8f}, {26, 0.5f}, {29, 1}}, /* etched */
      {{23, 0.5f}, {25, 0.9f}, {26, 0.45f}, {27, 1}, {29, 1}},
-     {{19, 0.1f}, {20, 0.3f}, {21, 0.9f}, {22, 1}, {23, 0.3f}, {24, 0.6f}, {25, 0.5f}, {26, 0.5f}, {28, 1}}, /* streaks */
-     {{23, 0.3f}, {24, 0.5f}, {25, 0.9f}, {26, 0.5f}, {30, 1}},                                               /* painted */
+     {{19, 0.1f}, {20, 0.3f}, {21, 0.9f}, {22, 1}, {23, 0.3f}, {24, 0.6f}, {25, 0.5f}, {26, 0.5f}, {28, 1}}, /* streaks
+                                                                                                              */
+     {{23, 0.3f}, {24, 0.5f}, {25, 0.9f}, {26, 0.5f}, {30, 1}}, /* painted */
      {{19, 0.9f}, {20, 0.2f}, {21, 0.2f}, {22, 1}, {23, 0.5f}, {25, 1}, {26, 0.4f}, {27, 1}, {30, 1}}},
-    {{{31, 0.8f}, {32, 0.2f}},                                                                                /* rolling */
-     {{31, 0.8f}, {32, 0.3f}, {33, 0.8f}},                                                                    /* rocky */
-     {{31, 0.8f}, {32, 0.3f}, {34, 1}},                                                                       /* ridged */
-     {{35, 0.8f}, {36, 0.4f}},                                                                                /* pits */
-     {{35, 0.8f}, {36, 0.4f}, {37, 1}}}};                                                                     /* pebbles */
+    {{{31, 0.8f}, {32, 0.2f}},             /* rolling */
+     {{31, 0.8f}, {32, 0.3f}, {33, 0.8f}}, /* rocky */
+     {{31, 0.8f}, {32, 0.3f}, {34, 1}},    /* ridged */
+     {{35, 0.8f}, {36, 0.4f}},             /* pits */
+     {{35, 0.8f}, {36, 0.4f}, {37, 1}}}};  /* pebbles */
 
 static void apply(const setting *list, int limit, float x[MATERIAL_EXTENDED])
 {
@@ -66,8 +69,10 @@ int main(int argc, char **argv)
             memset(x, 0, sizeof x);
             apply(base[row], 16, x);
             if (column > 0 && row < ROWS - 1) apply(more[row][column - 1], SETTINGS, x);
-            for (k = MATERIAL_PARAMETERS; k < MATERIAL_EXTENDED && column > 0 && row == ROWS - 1; ++k) x[k] = (float)ms__rng_uniform(&rng);
-            if (!material_render_extended(s, x, size, size, samples, (uint32_t)(row * COLUMNS + column), &tile)) problem = "no memory";
+            for (k = MATERIAL_PARAMETERS; k < MATERIAL_EXTENDED && column > 0 && row == ROWS - 1; ++k)
+                x[k] = (float)ms__rng_uniform(&rng);
+            if (!material_render_extended(s, x, size, size, samples, (uint32_t)(row * COLUMNS + column), &tile))
+                problem = "no memory";
             for (y = 0; y < size && problem == NULL; ++y)
                 memcpy(sheet.pixels + 3 * ((size_t)(row * size + y) * (size_t)sheet.width + (size_t)(column * size)),
                        tile.pixels + 3 * (size_t)y * (size_t)size, 3 * (size_t)size * sizeof(float));

@@ -1,7 +1,7 @@
 /* README's top picture: recommended materials worn by the many objects of a scene (the thesis's automatic way, 3.4).
 
-     hero scores TASTE COUNT                                  a gallery of random materials and what a user of that taste
-                                                              (crystal, glass, metal, lacquer, wax) thinks of each
+     hero scores TASTE COUNT                                  a gallery of random materials and what a user of that
+                                                              taste (crystal, glass, metal, lacquer, wax) thinks of each
      hero pass MATERIALS.csv FILE.pfm WIDTH HEIGHT SAMPLES K  the K-th SAMPLES samples of every pixel, linear
      hero develop OUT.png FILE.pfm...                         passes joined, outliers and noise removed, tone-mapped
 
@@ -18,17 +18,31 @@
 static float near_to(float v, float wish) { return 1 - fabsf(v - wish) / scene__max(wish, 1 - wish); }
 static float least(const float rgb[3]) { return scene__min(rgb[0], scene__min(rgb[1], rgb[2])); }
 static float most(const float rgb[3]) { return scene__max(rgb[0], scene__max(rgb[1], rgb[2])); }
-static float clear_color(const float rgb[3]) { return most(rgb) + 1.5f * near_to(most(rgb) - least(rgb), 0.6f); } /* neither grey nor garish */
+static float clear_color(const float rgb[3])
+{
+    return most(rgb) + 1.5f * near_to(most(rgb) - least(rgb), 0.6f);
+} /* neither grey nor garish */
 
 static float taste_of(const char *taste, const float x[MATERIAL_PARAMETERS])
 {
     float opaque = 1 - x[17], liked = 0;
     switch (taste[0]) {
-    case 'c': liked = 2 * x[17] + 2 * (1 - x[16]) + 1.5f * (1 - x[11]) + 2.5f * least(x + 8) + (1 - x[18]) + near_to(x[12], 0.5f); break;
-    case 'g': liked = 2 * x[17] + 2 * (1 - x[16]) + 1.5f * (1 - x[11]) + clear_color(x + 8) + (1 - x[18]) + near_to(x[12], 0.5f); break;
+    case 'c':
+        liked = 2 * x[17] + 2 * (1 - x[16]) + 1.5f * (1 - x[11]) + 2.5f * least(x + 8) + (1 - x[18]) +
+            near_to(x[12], 0.5f);
+        break;
+    case 'g':
+        liked = 2 * x[17] + 2 * (1 - x[16]) + 1.5f * (1 - x[11]) + clear_color(x + 8) + (1 - x[18]) +
+            near_to(x[12], 0.5f);
+        break;
     case 'm': liked = 2.5f * opaque + 2.5f * x[7] + 1.5f * near_to(x[6], 0.35f) + 1.4f * clear_color(x + 3); break;
-    case 'l': liked = 2.5f * opaque + 1.5f * near_to(x[7], 0.3f) + 2 * (1 - x[6]) + clear_color(x) + 1.5f * least(x + 3); break;
-    case 'w': liked = 2 * x[17] + 2 * near_to(x[16], 0.7f) + 1.2f * clear_color(x + 13) + 1.5f * (1 - x[11]) + 1.5f * (1 - x[18]); break;
+    case 'l':
+        liked = 2.5f * opaque + 1.5f * near_to(x[7], 0.3f) + 2 * (1 - x[6]) + clear_color(x) + 1.5f * least(x + 3);
+        break;
+    case 'w':
+        liked = 2 * x[17] + 2 * near_to(x[16], 0.7f) + 1.2f * clear_color(x + 13) + 1.5f * (1 - x[11]) +
+            1.5f * (1 - x[18]);
+        break;
     }
     return scene__max(0, liked - 4) / 6 * 10; /* most of a random gallery scores little */
 }
@@ -74,8 +88,10 @@ static int add_knot(stage *s)
 /* Radius and height of a pawn's outline, t from 0 (top) to 1 (middle of the foot). */
 static void outline(float t, float *radius, float *height)
 {
-    static const float r[] = {0, 0.22f, 0.36f, 0.36f, 0.22f, 0.20f, 0.40f, 0.40f, 0.21f, 0.22f, 0.30f, 0.48f, 0.50f, 0.62f, 0.66f, 0.62f, 0};
-    static const float h[] = {1, 0.96f, 0.76f, 0.52f, 0.36f, 0.30f, 0.28f, 0.20f, 0.15f, -0.15f, -0.42f, -0.62f, -0.70f, -0.74f, -0.85f, -0.98f, -1};
+    static const float r[] = {0,     0.22f, 0.36f, 0.36f, 0.22f, 0.20f, 0.40f, 0.40f, 0.21f,
+                              0.22f, 0.30f, 0.48f, 0.50f, 0.62f, 0.66f, 0.62f, 0};
+    static const float h[] = {1,      0.96f,  0.76f,  0.52f,  0.36f,  0.30f,  0.28f,  0.20f, 0.15f,
+                              -0.15f, -0.42f, -0.62f, -0.70f, -0.74f, -0.85f, -0.98f, -1};
     const int n = (int)(sizeof r / sizeof r[0]) - 1;
     float at = t * (float)n, f, *out[2];
     int k = at >= (float)n ? n - 1 : (int)at, c;
@@ -84,7 +100,13 @@ static void outline(float t, float *radius, float *height)
     f = at - (float)k;
     for (c = 0; c < 2; ++c) { /* Catmull and Rom */
         const float *v = c ? h : r;
-        float b = v[k], d = v[k + 1], a = k > 0 ? v[k - 1] : c ? v[1] : -v[1], e = k + 2 <= n ? v[k + 2] : c ? v[n - 1] : -v[n - 1];
+        float b = v[k], d = v[k + 1],
+              a = k > 0 ? v[k - 1]
+            : c         ? v[1]
+                        : -v[1],
+              e = k + 2 <= n ? v[k + 2]
+            : c              ? v[n - 1]
+                             : -v[n - 1];
         *out[c] = b + 0.5f * f * (d - a + f * (2 * a - 5 * b + 4 * d - e + f * (3 * (b - d) + e - a)));
     }
 }
@@ -96,7 +118,8 @@ static int add_pawn(stage *s)
     if (pawn < 0) return -1;
     for (r = 0; r <= rows; ++r)
         for (c = 0; c <= columns; ++c) {
-            float t = (float)r / (float)rows, phi = TRACE_TURN * (float)(c % columns) / (float)columns, radius, height, r1, h1, r0, h0;
+            float t = (float)r / (float)rows, phi = TRACE_TURN * (float)(c % columns) / (float)columns, radius, height,
+                  r1, h1, r0, h0;
             float *p = s->mesh[pawn].position + 3 * (r * (columns + 1) + c);
             scene_vec n;
             outline(t, &radius, &height);
@@ -105,7 +128,8 @@ static int add_pawn(stage *s)
             p[0] = radius * cosf(phi);
             p[1] = height;
             p[2] = radius * sinf(phi);
-            n = r == 0 || r == rows ? scene_v(0, r ? -1.0f : 1.0f, 0) : scene_normalize(scene_v((h0 - h1) * cosf(phi), r1 - r0, (h0 - h1) * sinf(phi)));
+            n = r == 0 || r == rows ? scene_v(0, r ? -1.0f : 1.0f, 0)
+                                    : scene_normalize(scene_v((h0 - h1) * cosf(phi), r1 - r0, (h0 - h1) * sinf(phi)));
             memcpy(s->mesh[pawn].normal + 3 * (r * (columns + 1) + c), &n, sizeof n);
         }
     stage_grid(s->mesh[pawn].index, rows, columns);
@@ -124,7 +148,8 @@ static float hue_of(const float *x)
     float rgb[3], high, span;
     int c;
     for (c = 0; c < 3; ++c)
-        rgb[c] = m.share[MATERIAL_DIFFUSE] * m.diffuse[c] + m.share[MATERIAL_GLOSSY] * m.glossy[c] + m.share[MATERIAL_GLASS] * m.glass[c] + m.share[MATERIAL_TRANSLUCENT] * m.translucent[c];
+        rgb[c] = m.share[MATERIAL_DIFFUSE] * m.diffuse[c] + m.share[MATERIAL_GLOSSY] * m.glossy[c] +
+            m.share[MATERIAL_GLASS] * m.glass[c] + m.share[MATERIAL_TRANSLUCENT] * m.translucent[c];
     high = most(rgb);
     span = scene__max(high - least(rgb), 1e-6f);
     if (rgb[0] >= high) return fmodf((rgb[1] - rgb[2]) / span + 6, 6);
@@ -147,7 +172,8 @@ static int by_hue(const void *a, const void *b)
 static void place(stage *s, int shape, const thing *t, ms__rng *rng)
 {
     const stage_mesh_data *m = &s->mesh[shape];
-    float turn = TRACE_TURN * (float)ms__rng_uniform(rng), tilt = t->shape == BALL || t->shape == PEBBLES ? 0.5f * (float)ms__rng_uniform(rng) : 0, lowest = 1e9f;
+    float turn = TRACE_TURN * (float)ms__rng_uniform(rng),
+          tilt = t->shape == BALL || t->shape == PEBBLES ? 0.5f * (float)ms__rng_uniform(rng) : 0, lowest = 1e9f;
     material wears = material_from(t->material);
     stage_frame f;
     int k;
@@ -207,8 +233,10 @@ static stage *make_scene(const float **row, int count)
     }
     free(t);
     stage_commit(s);
-    s->lamp[0] = stage_lamp_at(scene_v(-8.5f, 5.5f, 1.5f), scene_v(4.0f, 2.5f, -3.5f), scene_v(3.2f, 1.0f, 4.4f), scene_v(0, 0, 0), 8);
-    s->lamp[1] = stage_lamp_at(scene_v(3.2f, 4.2f, -9.0f), scene_v(5.5f, 0, 3.0f), scene_v(-0.9f, 1.5f, 1.6f), scene_v(0, 0, 0), 10);
+    s->lamp[0] = stage_lamp_at(scene_v(-8.5f, 5.5f, 1.5f), scene_v(4.0f, 2.5f, -3.5f), scene_v(3.2f, 1.0f, 4.4f),
+                               scene_v(0, 0, 0), 8);
+    s->lamp[1] = stage_lamp_at(scene_v(3.2f, 4.2f, -9.0f), scene_v(5.5f, 0, 3.0f), scene_v(-0.9f, 1.5f, 1.6f),
+                               scene_v(0, 0, 0), 10);
     s->lamps = 2;
     s->lamp[0].color[1] = 0.93f;
     s->lamp[0].color[2] = 0.82f;
@@ -248,7 +276,8 @@ static int render_pass(const char *csv, const char *out, int width, int height, 
     if (!x || !row || !picture.pixels) return 1;
     for (i = 0; i < table.n; ++i) {
         for (k = 0; k < MATERIAL_PARAMETERS; ++k)
-            x[i * MATERIAL_PARAMETERS + k] = scene__clamp((float)(k < table.m ? table.x[(size_t)i * (size_t)table.m + (size_t)k] : table.y[i]), 0, 1);
+            x[i * MATERIAL_PARAMETERS + k] = scene__clamp(
+                (float)(k < table.m ? table.x[(size_t)i * (size_t)table.m + (size_t)k] : table.y[i]), 0, 1);
         row[i] = x + i * MATERIAL_PARAMETERS;
     }
     s = make_scene(row, table.n < STAGE_OBJECTS ? table.n : STAGE_OBJECTS);
@@ -265,7 +294,8 @@ static int render_pass(const char *csv, const char *out, int width, int height, 
         for (k = 0; k < width; ++k) {
             double sum[3] = {0, 0, 0};
             stage_sample(s, NULL, &camera, width, height, k, i, 2019, pass * samples, samples, sum);
-            for (c = 0; c < 3; ++c) picture.pixels[3 * ((size_t)i * (size_t)width + (size_t)k) + (size_t)c] = (float)(sum[c] / samples);
+            for (c = 0; c < 3; ++c)
+                picture.pixels[3 * ((size_t)i * (size_t)width + (size_t)k) + (size_t)c] = (float)(sum[c] / samples);
         }
     problem = image_write(out, &picture);
     if (problem) fprintf(stderr, "hero: %s: %s\n", out, problem);
@@ -281,8 +311,8 @@ static int render_pass(const char *csv, const char *out, int width, int height, 
 
 static float luminance(const float *rgb) { return 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2]; }
 
-/* Mean of n estimates of a pixel without the outliers: the Gini coefficient of their luminances says how many are cut from
-   both ends (Buisine, Delepoulle, Renaud 2021). sorted: by luminance. */
+/* Mean of n estimates of a pixel without the outliers: the Gini coefficient of their luminances says how many are cut
+   from both ends (Buisine, Delepoulle, Renaud 2021). sorted: by luminance. */
 static void robust_mean(const float *const *sorted, int n, float out[3])
 {
     double sum = 0, weighted = 0, gini;
@@ -375,7 +405,8 @@ static int smooth(const film *f, const film *other, float *sum)
     enum { SEARCH = 7, PATCH = 2 };
     const float strength = 0.6f;
     const int width = f->light.width, height = f->light.height, size = width * height;
-    float *distance = (float *)malloc((size_t)size * sizeof *distance), *total = (float *)calloc(4 * (size_t)size, sizeof *total);
+    float *distance = (float *)malloc((size_t)size * sizeof *distance),
+          *total = (float *)calloc(4 * (size_t)size, sizeof *total);
     float *work = (float *)malloc((size_t)(width > height ? width : height) * sizeof *work);
     const float *g = other->guide.pixels, *noise = other->noise.pixels;
     int dx, dy, x, y, c, ok = distance && total && work;
@@ -423,7 +454,8 @@ static const char *develop(image *pass, int passes, image *out)
     if (ok && out->pixels) {
         for (k = 0; k < 2; ++k) expose(&half[k], pass, k % passes, passes, sorted);
         for (k = 0; k < 2; ++k) ok = ok && smooth(&half[k], &half[!k], out->pixels);
-        for (i = 0; i < image_count(out); ++i) out->pixels[i] = image_srgb_encode(scene_tone(0.5f * exposure * out->pixels[i]));
+        for (i = 0; i < image_count(out); ++i)
+            out->pixels[i] = image_srgb_encode(scene_tone(0.5f * exposure * out->pixels[i]));
     }
     for (k = 0; k < 2; ++k) film_free(&half[k]);
     free(sorted);
@@ -438,7 +470,9 @@ static int develop_files(const char *path, char **file, int passes)
     memset(&out, 0, sizeof out);
     for (k = 0; k < passes && problem == NULL; ++k) {
         problem = image_read(file[k], &pass[k]);
-        if (problem == NULL && (pass[k].channels != 3 || pass[k].width != pass[0].width || pass[k].height != pass[0].height)) problem = "another size";
+        if (problem == NULL &&
+            (pass[k].channels != 3 || pass[k].width != pass[0].width || pass[k].height != pass[0].height))
+            problem = "another size";
         if (problem) path = file[k];
     }
     if (problem == NULL) problem = develop(pass, passes, &out);
@@ -456,8 +490,9 @@ int main(int argc, char **argv)
     if (argc == 8 && strcmp(argv[1], "pass") == 0 && atoi(argv[4]) > 0 && atoi(argv[5]) > 0 && atoi(argv[6]) > 0)
         return render_pass(argv[2], argv[3], atoi(argv[4]), atoi(argv[5]), atoi(argv[6]), atoi(argv[7]));
     if (argc >= 4 && strcmp(argv[1], "develop") == 0) return develop_files(argv[2], argv + 3, argc - 3);
-    fprintf(stderr, "usage: hero scores crystal|glass|metal|lacquer|wax COUNT\n"
-                    "       hero pass MATERIALS.csv FILE.pfm WIDTH HEIGHT SAMPLES K\n"
-                    "       hero develop OUT.png FILE.pfm...\n");
+    fprintf(stderr,
+            "usage: hero scores crystal|glass|metal|lacquer|wax COUNT\n"
+            "       hero pass MATERIALS.csv FILE.pfm WIDTH HEIGHT SAMPLES K\n"
+            "       hero develop OUT.png FILE.pfm...\n");
     return 2;
 }

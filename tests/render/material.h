@@ -1,7 +1,7 @@
-/* The material-test scene of the thesis (3.5.3, fig. 3.4) as a path tracer: one fixed colourless scene, and a ball in it
-   that wears any of the materials of the 19-parameter shader (tests/render/shader.h). Since nothing else has a colour,
-   every channel of the picture depends on that channel's parameters alone, and swapping two channels of x swaps those of
-   the picture exactly.
+/* The material-test scene of the thesis (3.5.3, fig. 3.4) as a path tracer: one fixed colourless scene, and a ball in
+   it that wears any of the materials of the 19-parameter shader (tests/render/shader.h). Since nothing else has a
+   colour, every channel of the picture depends on that channel's parameters alone, and swapping two channels of x swaps
+   those of the picture exactly.
 
      material_scene *s = material_scene_create(detail);     detail: 1 for pictures of 128 pixels
      material_render(s, x, size, size, samples, seed, &picture);   linear radiance, image of 3 channels
@@ -22,7 +22,8 @@ static inline float material__relief(float theta, float phi)
     float belt = scene__step(1.16f, 1.22f, theta) * (1 - scene__step(1.92f, 1.98f, theta));
     float groove = scene__bump(theta - 1.10f, 0.035f) + scene__bump(theta - 2.04f, 0.035f);
     float cap = scene__step(0.10f, 0.30f, theta) * (1 - scene__step(0.62f, 0.82f, theta));
-    return 1 - 0.075f * groove + 0.020f * belt * cosf(28 * phi) + 0.024f * cap * cosf(8 * phi) - 0.03f * scene__bump(theta, 0.09f);
+    return 1 - 0.075f * groove + 0.020f * belt * cosf(28 * phi) + 0.024f * cap * cosf(8 * phi) -
+        0.03f * scene__bump(theta, 0.09f);
 }
 
 /* Vertices and normals of the ball, rows x 2 rows; carved: a material with reliefs, or NULL. */
@@ -31,10 +32,12 @@ static inline void material__ball(stage_mesh_data *ball, int rows, int smooth, c
     int columns = 2 * rows, r, c, k;
     for (r = 0; r <= rows; ++r)
         for (c = 0; c <= columns; ++c) {
-            float theta = MATERIAL_PI * (float)r / (float)rows, phi = TRACE_TURN * (float)(c % columns) / (float)columns, e = 1e-3f;
+            float theta = MATERIAL_PI * (float)r / (float)rows,
+                  phi = TRACE_TURN * (float)(c % columns) / (float)columns, e = 1e-3f;
             scene_vec corner[3], n;
             for (k = 0; k < 3; ++k) {
-                float t = theta + (k == 1 ? e : 0), p = phi + (k == 2 ? e : 0), radius = smooth ? 1 : material__relief(t, p);
+                float t = theta + (k == 1 ? e : 0), p = phi + (k == 2 ? e : 0),
+                      radius = smooth ? 1 : material__relief(t, p);
                 if (carved) radius -= material_depth(carved, scene_v(sinf(t) * cosf(p), cosf(t), sinf(t) * sinf(p)));
                 corner[k] = scene_v(radius * sinf(t) * cosf(p), radius * cosf(t), radius * sinf(t) * sinf(p));
             }
@@ -64,7 +67,8 @@ static inline int material_ring(stage *s, float radius, float thickness, float h
     if (ring < 0) return -1;
     for (r = 0; r <= rows; ++r)
         for (c = 0; c <= columns; ++c) {
-            float a = TRACE_TURN * (float)(r % rows) / (float)rows, b = TRACE_TURN * (float)(c % columns) / (float)columns;
+            float a = TRACE_TURN * (float)(r % rows) / (float)rows,
+                  b = TRACE_TURN * (float)(c % columns) / (float)columns;
             float *v = s->mesh[ring].position + 3 * (r * (columns + 1) + c), out = radius + thickness * cosf(a);
             v[0] = out * cosf(b);
             v[1] = height + thickness * sinf(a);
@@ -94,8 +98,10 @@ static inline material_scene *material_scene_create(float detail)
     stage_place(s, ball, NULL, NULL);
     if (detail > 0) s->object[stage_place(s, ring, NULL, &ring_wears)].flat = 1;
     stage_commit(s);
-    s->lamp[s->lamps++] = stage_lamp_at(scene_v(-4.2f, 2.6f, 1.2f), scene_v(1.6f, 1.9f, -1.0f), scene_v(1.5f, 0, 2.4f), scene_v(0, 0, 0), 9);
-    s->lamp[s->lamps++] = stage_lamp_at(scene_v(3.2f, 0.6f, -2.6f), scene_v(0, 2.8f, 0), scene_v(0.5f, 0, 0.9f), scene_v(0, 0, 0), 12);
+    s->lamp[s->lamps++] = stage_lamp_at(scene_v(-4.2f, 2.6f, 1.2f), scene_v(1.6f, 1.9f, -1.0f), scene_v(1.5f, 0, 2.4f),
+                                        scene_v(0, 0, 0), 9);
+    s->lamp[s->lamps++] = stage_lamp_at(scene_v(3.2f, 0.6f, -2.6f), scene_v(0, 2.8f, 0), scene_v(0.5f, 0, 0.9f),
+                                        scene_v(0, 0, 0), 12);
     s->ground.height = -1.06f;
     s->ground.wall = -3.4f;
     s->ground.bend = 1.5f;
@@ -123,13 +129,16 @@ static inline void material__row(void *context, int y)
     int x, c;
     for (x = 0; x < job->out->width; ++x) {
         double sum[3] = {0, 0, 0};
-        stage_sample(job->s, &job->m, &job->camera, job->out->width, job->out->height, x, y, job->seed, 0, job->samples, sum);
+        stage_sample(job->s, &job->m, &job->camera, job->out->width, job->out->height, x, y, job->seed, 0, job->samples,
+                     sum);
         for (c = 0; c < 3; ++c)
-            job->out->pixels[((size_t)y * (size_t)job->out->width + (size_t)x) * 3 + (size_t)c] = (float)(sum[c] / job->samples);
+            job->out->pixels[((size_t)y * (size_t)job->out->width + (size_t)x) * 3 + (size_t)c] = (float)(sum[c] /
+                                                                                                          job->samples);
     }
 }
 
-static inline int material__render(const material_scene *s, const material *m, int width, int height, int samples, uint32_t seed, image *out)
+static inline int material__render(const material_scene *s, const material *m, int width, int height, int samples,
+                                   uint32_t seed, image *out)
 {
     material__job job;
     int y;
@@ -145,12 +154,14 @@ static inline int material__render(const material_scene *s, const material *m, i
     job.seed = seed;
     job.out = out;
     if (s->run) s->run(s->run_user, height, material__row, &job);
-    else for (y = 0; y < height; ++y) material__row(&job, y);
+    else
+        for (y = 0; y < height; ++y) material__row(&job, y);
     return 1;
 }
 
 /* Linear radiance; 0 where memory ran out. */
-static inline int material_render(const material_scene *s, const float x[MATERIAL_PARAMETERS], int width, int height, int samples, uint32_t seed, image *out)
+static inline int material_render(const material_scene *s, const float x[MATERIAL_PARAMETERS], int width, int height,
+                                  int samples, uint32_t seed, image *out)
 {
     material m = material_from(x);
     return material__render(s, &m, width, height, samples, seed, out);
@@ -165,7 +176,8 @@ static inline void material_scene_carve(material_scene *s, const material *m)
 }
 
 /* As material_render; the ball is carved for the picture where the material has reliefs. */
-static inline int material_render_extended(material_scene *s, const float x[MATERIAL_EXTENDED], int width, int height, int samples, uint32_t seed, image *out)
+static inline int material_render_extended(material_scene *s, const float x[MATERIAL_EXTENDED], int width, int height,
+                                           int samples, uint32_t seed, image *out)
 {
     material m = material_from_extended(x);
     int done;

@@ -7,23 +7,24 @@
      density = material_eval(&m, o, i, eta, f);                f(o, i) |cos i| and the density of drawing i
      drawn = material_sample(&m, o, eta, choice, u, v, &i);    a direction i for o; the normal on the side of o is +z
 
-   0-2 diffuse rgb; 3-5 glossy rgb; 6 glossy roughness, alpha = max(x^2, 0.002); 7 mix of diffuse and glossy (1: glossy);
-   8-10 glass rgb; 11 glass roughness, as 6; 12 index of refraction 1 + max(x, 0.01); 13-15 translucent rgb; 16 mix of
-   glass and translucent (1: translucent); 17 mix of opaque and transmissive (1: transmissive); 18 absorption, 4 x per
-   ball radius, shared by the transmissive ones.
+   0-2 diffuse rgb; 3-5 glossy rgb; 6 glossy roughness, alpha = max(x^2, 0.002); 7 mix of diffuse and glossy (1:
+   glossy); 8-10 glass rgb; 11 glass roughness, as 6; 12 index of refraction 1 + max(x, 0.01); 13-15 translucent rgb; 16
+   mix of glass and translucent (1: translucent); 17 mix of opaque and transmissive (1: transmissive); 18 absorption, 4
+   x per ball radius, shared by the transmissive ones.
 
    Diffuse: Lambert. Glossy: Beckmann microfacets without Fresnel. Glass: Walter, Marschner, Li, Torrance 2007 with
    Beckmann's distribution and the exact Fresnel reflectance; colour multiplies both. Translucent: Lambert on the other
    side. One lobe is sampled at a time.
 
-   The other 19. A pattern w in [0, 1] over the ball joins two noises, fractal and cellular, and lays a second phase over
-   the first: 19-21 its rgb, for every lobe; 22 how much of it (0: no texture); 23 cells per radius, 2 to 16; 24 gain of
-   the finer octaves; 25 contrast, from gradients to hard edges; 26 coverage; 27 fractal to cellular; 28 warp, which turns
-   spots into veins; 29 how much rougher the second phase is (0: not); 30 how much more matt (0: not), diffuse in place
-   of glossy and translucent in place of glass. Two reliefs are carved into the surface, never raised, so that the ball
-   keeps its place: 31 depth of the fractal one, up to 0.15 radii (0: none); 32 cells per radius, 2 to 16; 33 gain; 34
-   rolling to ridged; 35 depth of the cellular one, up to 0.15 radii (0: none); 36 cells per radius, 2 to 16; 37 pits to
-   pebbles. With 22, 29, 30, 31 and 35 at 0 the others do nothing: that is the 19-parameter shader, bit for bit. */
+   The other 19. A pattern w in [0, 1] over the ball joins two noises, fractal and cellular, and lays a second phase
+   over the first: 19-21 its rgb, for every lobe; 22 how much of it (0: no texture); 23 cells per radius, 2 to 16; 24
+   gain of the finer octaves; 25 contrast, from gradients to hard edges; 26 coverage; 27 fractal to cellular; 28 warp,
+   which turns spots into veins; 29 how much rougher the second phase is (0: not); 30 how much more matt (0: not),
+   diffuse in place of glossy and translucent in place of glass. Two reliefs are carved into the surface, never raised,
+   so that the ball keeps its place: 31 depth of the fractal one, up to 0.15 radii (0: none); 32 cells per radius, 2 to
+   16; 33 gain; 34 rolling to ridged; 35 depth of the cellular one, up to 0.15 radii (0: none); 36 cells per radius, 2
+   to 16; 37 pits to pebbles. With 22, 29, 30, 31 and 35 at 0 the others do nothing: that is the 19-parameter shader,
+   bit for bit. */
 #ifndef TESTS_RENDER_SHADER_H
 #define TESTS_RENDER_SHADER_H
 #include "trace.h"
@@ -33,7 +34,7 @@
 #define MATERIAL_PI 3.14159265f
 
 typedef struct material_noise { /* fractal noise */
-    float frequency, gain; /* cells per radius; of each octave over the last */
+    float frequency, gain;      /* cells per radius; of each octave over the last */
 } material_noise;
 
 typedef struct material { /* what is zeroed is not there */
@@ -104,7 +105,8 @@ static inline material material_from_extended(const float x[MATERIAL_EXTENDED])
 static inline float material__fractal(material_noise n, scene_vec p)
 {
     float sum = 0, weight = 1, total = 0, frequency = n.frequency;
-    for (p = scene_mul(p, frequency); frequency <= 64 && weight > 0; p = scene_mul(p, 2.03f), frequency *= 2.03f, weight *= n.gain) {
+    for (p = scene_mul(p, frequency); frequency <= 64 && weight > 0;
+         p = scene_mul(p, 2.03f), frequency *= 2.03f, weight *= n.gain) {
         sum += weight * scene_noise(p);
         total += weight;
     }
@@ -119,7 +121,8 @@ static inline float material__cells(scene_vec p)
     for (i = x - 1; i <= x + 1; ++i)
         for (j = y - 1; j <= y + 1; ++j)
             for (k = z - 1; k <= z + 1; ++k) {
-                scene_vec jitter = scene_v(scene__lattice(i, j, k), scene__lattice(i + 101, j, k), scene__lattice(i, j + 101, k));
+                scene_vec jitter = scene_v(scene__lattice(i, j, k), scene__lattice(i + 101, j, k),
+                                           scene__lattice(i, j + 101, k));
                 scene_vec q = scene_mad(jitter, 0.4f, scene_v((float)i + 0.5f, (float)j + 0.5f, (float)k + 0.5f));
                 scene_vec to = scene_sub(q, p);
                 nearest = scene__min(nearest, scene_dot(to, to));
@@ -132,8 +135,10 @@ static inline float material__pattern(const material *m, scene_vec p)
 {
     float turn = m->warp / m->noise.frequency, width = 1 - 0.96f * m->contrast, from, smooth, cells;
     scene_vec q = scene_mul(p, 0.7f * m->noise.frequency);
-    p = scene_mad(scene_v(scene_noise(scene_add(q, scene_v(31.4f, 0, 0))), scene_noise(scene_add(q, scene_v(0, 27.2f, 0))),
-                          scene_noise(scene_add(q, scene_v(0, 0, 14.1f)))), turn, p);
+    p = scene_mad(scene_v(scene_noise(scene_add(q, scene_v(31.4f, 0, 0))),
+                          scene_noise(scene_add(q, scene_v(0, 27.2f, 0))),
+                          scene_noise(scene_add(q, scene_v(0, 0, 14.1f)))),
+                  turn, p);
     smooth = 0.5f + 0.8f * material__fractal(m->noise, p);
     cells = material__cells(scene_mul(p, m->noise.frequency));
     from = 1 - m->coverage * (1 + width); /* coverage 0: nothing, 1: all */
@@ -238,7 +243,8 @@ static inline float material_eval(const material *m, scene_vec o, scene_vec i, f
         density += m->share[MATERIAL_GLOSSY] * d * h.z / (4 * scene__max(scene_dot(o, h), 1e-6f));
     }
     if (m->share[MATERIAL_GLASS] > 0) {
-        scene_vec h = reflect ? scene_normalize(scene_add(o, i)) : scene_normalize(scene_mad(i, -eta, scene_mul(o, -1)));
+        scene_vec h = reflect ? scene_normalize(scene_add(o, i))
+                              : scene_normalize(scene_mad(i, -eta, scene_mul(o, -1)));
         float oh, ih, d, g, fresnel, value, jacobian;
         if (h.z < 0) h = scene_mul(h, -1);
         oh = scene_dot(o, h);
@@ -250,7 +256,8 @@ static inline float material_eval(const material *m, scene_vec o, scene_vec i, f
             if (reflect) {
                 value = fresnel * d * g / (4 * o.z);
                 jacobian = fresnel * d * h.z / (4 * oh);
-            } else { /* Walter et al. 2007, eq. 21 and 17; radiance is not scaled by eta^2: every path leaves the ball again */
+            } else { /* Walter et al. 2007, eq. 21 and 17; radiance is not scaled by eta^2: every path leaves the ball
+                        again */
                 float denominator = oh + eta * ih;
                 denominator *= denominator;
                 value = (1 - fresnel) * d * g * fabsf(ih) * oh * eta * eta / (o.z * scene__max(denominator, 1e-9f));
@@ -264,7 +271,8 @@ static inline float material_eval(const material *m, scene_vec o, scene_vec i, f
 }
 
 /* A direction i for o; 0 where the sample is lost (below the surface). choice picks the lobe, then is used up. */
-static inline int material_sample(const material *m, scene_vec o, float eta, float choice, float u, float v, scene_vec *i)
+static inline int material_sample(const material *m, scene_vec o, float eta, float choice, float u, float v,
+                                  scene_vec *i)
 {
     int lobe = 0;
     while (lobe < 3 && choice >= m->share[lobe]) choice -= m->share[lobe++];

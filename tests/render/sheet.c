@@ -1,9 +1,10 @@
-/* The 64 validation pictures that ship, 8 x 8 tiles, and their parameters, from takes of the held-out materials (tests/render/dataset.c):
+/* The 64 validation pictures that ship, 8 x 8 tiles, and their parameters, from takes of the held-out materials
+   (tests/render/dataset.c):
 
      sheet OUT_FOLDER TAKE_FOLDER...
 
-   Each take's first 64 pictures count by their samples a pixel. Writes materials.ppm and materials_64.ppm (display values; averages in linear
-   light, clipped last: clipping noisy pixels would darken them) and materials.csv. */
+   Each take's first 64 pictures count by their samples a pixel. Writes materials.ppm and materials_64.ppm (display
+   values; averages in linear light, clipped last: clipping noisy pixels would darken them) and materials.csv. */
 #include "image.h"
 
 enum { TILES = 64, PARAMETERS = 19, PART = 32 };
@@ -21,14 +22,17 @@ static int read_take(const char *folder, int *size, float **sum, float *weight, 
         if (tile % PART == 0) {
             snprintf(path, sizeof path, "%.900s/part_%06u.bin", folder, ((1u << 30) + (unsigned)tile) / PART);
             f = fopen(path, "rb");
-            if (f == NULL || fread(head, 1, 24, f) != 24 || memcmp(head, "msds\1\0\0\0", 8) != 0 || head[20] != PART || (*size && *size != head[8] + 256 * head[9])) break;
+            if (f == NULL || fread(head, 1, 24, f) != 24 || memcmp(head, "msds\1\0\0\0", 8) != 0 || head[20] != PART ||
+                (*size && *size != head[8] + 256 * head[9]))
+                break;
             *size = head[8] + 256 * head[9];
             if (fread(x[tile], sizeof x[tile], PART, f) != PART) break; /* little-endian machines */
         }
         pixels = 3 * (size_t)*size * (size_t)*size;
         samples = head[12] + 256u * head[13];
         if (*sum == NULL) *sum = (float *)calloc(TILES * pixels, sizeof(float));
-        for (k = 0; k < pixels && *sum && fread(two, 1, 2, f) == 2; ++k) (*sum)[(size_t)tile * pixels + k] += (float)samples * image_from_half((uint16_t)(two[0] | two[1] << 8));
+        for (k = 0; k < pixels && *sum && fread(two, 1, 2, f) == 2; ++k)
+            (*sum)[(size_t)tile * pixels + k] += (float)samples * image_from_half((uint16_t)(two[0] | two[1] << 8));
         if (k < pixels) break;
         if (tile == 0) *weight += (float)samples;
         if (tile % PART == PART - 1) fclose(f), f = NULL;
@@ -46,7 +50,10 @@ static const char *write_tiles(const char *path, const float *sum, float weight,
     for (y = 0; y < 8 * side && im.pixels; ++y)
         for (x = 0; x < 8 * side; ++x)
             for (c = 0; c < 3; ++c) {
-                const float *tile = sum + ((size_t)(y / side * 8 + x / side) * (size_t)size * (size_t)size + (size_t)(y % side * box * size + x % side * box)) * 3;
+                const float *tile = sum +
+                    ((size_t)(y / side * 8 + x / side) * (size_t)size * (size_t)size +
+                     (size_t)(y % side * box * size + x % side * box)) *
+                        3;
                 float v = 0;
                 for (j = 0; j < box * box; ++j) v += tile[(j / box * size + j % box) * 3 + c];
                 im.pixels[(y * 8 * side + x) * 3 + c] = fminf(v / (weight * (float)(box * box)), 1);
@@ -76,7 +83,8 @@ int main(int argc, char **argv)
         }
     for (i = 0; i < 2 && problem == NULL; ++i) {
         snprintf(path, sizeof path, "%.900s/materials%s.ppm", argv[1], i ? "_64" : "");
-        problem = size % (i ? 64 : 128) ? "pictures of no multiple of this size" : write_tiles(path, sum, weight, size, i ? 64 : 128);
+        problem = size % (i ? 64 : 128) ? "pictures of no multiple of this size"
+                                        : write_tiles(path, sum, weight, size, i ? 64 : 128);
     }
     free(sum);
     if (problem == NULL) {

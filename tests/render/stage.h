@@ -1,5 +1,5 @@
-/* A path tracer of small studios on Embree 3 or 4: objects, each with a material of shader.h, on a ground that curves up
-   into a wall, under a sky and lamps (rectangles). tests/render/material.h and hero.c are two such studios.
+/* A path tracer of small studios on Embree 3 or 4: objects, each with a material of shader.h, on a ground that curves
+   up into a wall, under a sky and lamps (rectangles). tests/render/material.h and hero.c are two such studios.
 
      stage *s = stage_create();
      int ball = stage_mesh(s, vertices, triangles);              fill s->mesh[ball].position, normal, index
@@ -22,7 +22,7 @@ typedef struct stage_mesh_data {
     uint32_t *index;          /* [triangles][3], counter-clockwise seen from outside */
     int vertices, triangles;
     RTCGeometry geometry;
-    RTCScene scene;           /* of the instances */
+    RTCScene scene; /* of the instances */
 } stage_mesh_data;
 
 typedef struct stage_frame { /* where an instance stands: its axes have length 1 */
@@ -33,7 +33,7 @@ typedef struct stage_frame { /* where an instance stands: its axes have length 1
 typedef struct stage_object {
     int mesh, flat, instance; /* flat: shaded with the triangles' normals */
     stage_frame frame;
-    int dressed;              /* 0: wears what the picture is asked for */
+    int dressed; /* 0: wears what the picture is asked for */
     material wears;
 } stage_object;
 
@@ -59,7 +59,7 @@ typedef struct stage {
     stage_lamp lamp[STAGE_LAMPS];
     int meshes, objects, lamps;
     stage_ground ground;
-    float sky[3];        /* radiance of the sky in direction d: sky[0] + sky[1] d.y + sky[2] d.z */
+    float sky[3]; /* radiance of the sky in direction d: sky[0] + sky[1] d.y + sky[2] d.z */
     float sky_color[3];
     scene_vec low, high; /* box of the objects */
     int bare;            /* non-zero: the objects alone under the sky (for tests) */
@@ -118,8 +118,10 @@ static inline int stage_mesh(stage *s, int vertices, int triangles)
     m->geometry = rtcNewGeometry(s->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     ++s->meshes; /* from here on stage_destroy frees it */
     if (!m->position || !m->normal || !m->index || !m->geometry) return -1;
-    rtcSetSharedGeometryBuffer(m->geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, m->position, 0, 12, (size_t)vertices);
-    rtcSetSharedGeometryBuffer(m->geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, m->index, 0, 12, (size_t)triangles);
+    rtcSetSharedGeometryBuffer(m->geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, m->position, 0, 12,
+                               (size_t)vertices);
+    rtcSetSharedGeometryBuffer(m->geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, m->index, 0, 12,
+                               (size_t)triangles);
     return s->meshes - 1;
 }
 
@@ -139,7 +141,8 @@ static inline int stage_place(stage *s, int which, const stage_frame *frame, con
         rtcAttachGeometryByID(s->embree, m->geometry, (unsigned)s->objects);
     } else {
         RTCGeometry g = rtcNewGeometry(s->device, RTC_GEOMETRY_TYPE_INSTANCE);
-        scene_vec x = scene_mul(frame->x, frame->scale), y = scene_mul(frame->y, frame->scale), z = scene_mul(frame->z, frame->scale);
+        scene_vec x = scene_mul(frame->x, frame->scale), y = scene_mul(frame->y, frame->scale),
+                  z = scene_mul(frame->z, frame->scale);
         float columns[12];
         if (m->scene == NULL) {
             m->scene = rtcNewScene(s->device);
@@ -197,15 +200,20 @@ static inline stage_lamp stage_lamp_at(scene_vec corner, scene_vec a, scene_vec 
     return l;
 }
 
-/* The triangles of a grid of [rows + 1][columns + 1] vertices, counter-clockwise seen from where row x column points. */
+/* The triangles of a grid of [rows + 1][columns + 1] vertices, counter-clockwise seen from where row x column
+   points. */
 static inline void stage_grid(uint32_t *index, int rows, int columns)
 {
     int r, c;
     for (r = 0; r < rows; ++r)
         for (c = 0; c < columns; ++c) {
             uint32_t a = (uint32_t)(r * (columns + 1) + c), b = a + 1, d = a + (uint32_t)columns + 1, e = d + 1;
-            *index++ = a; *index++ = d; *index++ = b;
-            *index++ = b; *index++ = d; *index++ = e;
+            *index++ = a;
+            *index++ = d;
+            *index++ = b;
+            *index++ = b;
+            *index++ = d;
+            *index++ = e;
         }
 }
 
@@ -234,11 +242,17 @@ static inline float stage__ground(const stage_ground *g, scene_vec p, scene_vec 
     int k;
     if (d.y != 0) {
         t = (g->height - p.y) / d.y;
-        if (t > 1e-4f && t < end && p.z + t * d.z >= zc) { end = t; *n = scene_v(0, 1, 0); }
+        if (t > 1e-4f && t < end && p.z + t * d.z >= zc) {
+            end = t;
+            *n = scene_v(0, 1, 0);
+        }
     }
     if (d.z != 0) {
         t = (g->wall - p.z) / d.z;
-        if (t > 1e-4f && t < end && p.y + t * d.y >= yc) { end = t; *n = scene_v(0, 0, 1); }
+        if (t > 1e-4f && t < end && p.y + t * d.y >= yc) {
+            end = t;
+            *n = scene_v(0, 0, 1);
+        }
     }
     a = d.y * d.y + d.z * d.z;
     b = (p.y - yc) * d.y + (p.z - zc) * d.z;
@@ -259,7 +273,9 @@ static inline float stage__ground(const stage_ground *g, scene_vec p, scene_vec 
 static inline float stage__grey(const stage_ground *g, scene_vec q, scene_vec n)
 {
     float along = q.z;
-    if (n.y < 1) along = g->wall + g->bend - g->bend * (n.z > 0.9999f ? 0.5f * MATERIAL_PI : atan2f(n.z, n.y)) - (n.z >= 1 ? q.y - g->height - g->bend : 0);
+    if (n.y < 1)
+        along = g->wall + g->bend - g->bend * (n.z > 0.9999f ? 0.5f * MATERIAL_PI : atan2f(n.z, n.y)) -
+            (n.z >= 1 ? q.y - g->height - g->bend : 0);
     return ((int)floorf(q.x / g->tile) + (int)floorf(along / g->tile)) & 1 ? g->light : g->dark;
 }
 
@@ -271,10 +287,12 @@ static inline float stage__lamp(const stage_lamp *l, scene_vec p, scene_vec d, f
     t = scene_dot(l->normal, scene_sub(l->corner, p)) / towards;
     if (t <= 1e-4f || t >= end) return end;
     q = scene_sub(scene_mad(d, t, p), l->corner);
-    u = scene_dot(q, l->a) / scene_dot(l->a, l->a); /* a and b stand at right angles or nearly: solve the 2 x 2 system */
+    u = scene_dot(q, l->a) /
+        scene_dot(l->a, l->a); /* a and b stand at right angles or nearly: solve the 2 x 2 system */
     v = scene_dot(q, l->b) / scene_dot(l->b, l->b);
     {
-        float ab = scene_dot(l->a, l->b), aa = scene_dot(l->a, l->a), bb = scene_dot(l->b, l->b), det = aa * bb - ab * ab;
+        float ab = scene_dot(l->a, l->b), aa = scene_dot(l->a, l->a), bb = scene_dot(l->b, l->b),
+              det = aa * bb - ab * ab;
         float qa = u * aa, qb = v * bb;
         u = (qa * bb - qb * ab) / det;
         v = (qb * aa - qa * ab) / det;
@@ -285,7 +303,8 @@ static inline float stage__lamp(const stage_lamp *l, scene_vec p, scene_vec d, f
 /* Does p + t d, 0 <= t <= end, come near the objects? Where d is parallel to a side a NaN counts as yes. */
 static inline int stage__box(const stage *s, scene_vec p, scene_vec d, float end)
 {
-    const float low[3] = {s->low.x - p.x, s->low.y - p.y, s->low.z - p.z}, high[3] = {s->high.x - p.x, s->high.y - p.y, s->high.z - p.z};
+    const float low[3] = {s->low.x - p.x, s->low.y - p.y, s->low.z - p.z},
+                high[3] = {s->high.x - p.x, s->high.y - p.y, s->high.z - p.z};
     const float along[3] = {d.x, d.y, d.z};
     float t0 = 0, t1 = end;
     int k;
@@ -405,7 +424,8 @@ static inline stage_hit stage__nearest(const stage *s, scene_vec p, scene_vec d)
 static inline float stage__heuristic(float a, float b) { return a < 1e19f ? a * a / (a * a + b * b) : 1; }
 
 /* Radiance along one camera ray. asked: what objects without a material wear. */
-static inline void stage_path(const stage *s, const material *asked, trace_sampler *sampler, scene_vec p, scene_vec d, float out[3])
+static inline void stage_path(const stage *s, const material *asked, trace_sampler *sampler, scene_vec p, scene_vec d,
+                              float out[3])
 {
     float through[3] = {1, 1, 1}, density = 0; /* of the last direction; 0: from the camera */
     const stage_object *inside = NULL;
@@ -472,7 +492,8 @@ static inline void stage_path(const stage *s, const material *asked, trace_sampl
             if ((i.z > 0) != (scene_dot(to, ng) > 0)) continue;
             pdf = material_eval(here, o, i, eta, f);
             if (!(f[0] + f[1] + f[2] > 0)) continue;
-            if (stage__blocked(s, scene_mad(ng, i.z > 0 ? 2e-4f : -2e-4f, hit.position), to, distance - 1e-3f)) continue;
+            if (stage__blocked(s, scene_mad(ng, i.z > 0 ? 2e-4f : -2e-4f, hit.position), to, distance - 1e-3f))
+                continue;
             other = d2 / (l->area * facing);
             weight = stage__heuristic(other, pdf) * l->radiance / other;
             for (c = 0; c < 3; ++c) out[c] += through[c] * f[c] * (weight * l->color[c]);
@@ -498,10 +519,11 @@ static inline void stage_path(const stage *s, const material *asked, trace_sampl
 }
 
 /* Adds samples first to first + count - 1 of pixel (x, y) to sum. */
-static inline void stage_sample(const stage *s, const material *asked, const stage_camera *camera, int width, int height, int x, int y,
-                                uint32_t seed, int first, int count, double sum[3])
+static inline void stage_sample(const stage *s, const material *asked, const stage_camera *camera, int width,
+                                int height, int x, int y, uint32_t seed, int first, int count, double sum[3])
 {
-    scene_vec forward = scene_normalize(scene_sub(camera->at, camera->eye)), right = scene_normalize(scene_cross(forward, scene_v(0, 1, 0)));
+    scene_vec forward = scene_normalize(scene_sub(camera->at, camera->eye)),
+              right = scene_normalize(scene_cross(forward, scene_v(0, 1, 0)));
     scene_vec up = scene_cross(right, forward);
     float half = tanf(0.5f * camera->degrees * MATERIAL_PI / 180);
     uint32_t pixel = trace__hash(seed ^ trace__hash((uint32_t)(y * width + x) + 0x51ed270bu));
@@ -521,7 +543,9 @@ static inline void stage_sample(const stage *s, const material *asked, const sta
             scene_vec sharp = scene_mad(d, camera->focus, camera->eye);
             trace_sample(&sampler, &u, &v);
             u = camera->lens * sqrtf(u);
-            from = scene_add(camera->eye, scene_add(scene_mul(right, u * cosf(TRACE_TURN * v)), scene_mul(up, u * sinf(TRACE_TURN * v))));
+            from = scene_add(
+                camera->eye,
+                scene_add(scene_mul(right, u * cosf(TRACE_TURN * v)), scene_mul(up, u * sinf(TRACE_TURN * v))));
             d = scene_sub(sharp, from);
         }
         stage_path(s, asked, &sampler, from, scene_normalize(d), r);

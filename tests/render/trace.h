@@ -225,8 +225,7 @@ static inline void trace__lamp(const tracer *t, int i, trace_sampler *s, scene_v
     direction = trace__around(scene_mul(to, 1 / d), 1 - u * (1 - least), TRACE_TURN * v);
     cosine = scene_dot(n, direction);
     if (cosine <= 0 || trace_blocked(t, from, direction, d - l->radius)) return;
-    for (c = 0; c < 3; ++c)
-        out[c] += l->power[c] * cosine * scene_dot(l->position, l->position) / (d2 * 3.14159265f);
+    for (c = 0; c < 3; ++c) out[c] += l->power[c] * cosine * scene_dot(l->position, l->position) / (d2 * 3.14159265f);
 }
 
 /* --- layers: what is seen through the middle of every pixel --- */
@@ -262,8 +261,7 @@ typedef struct trace__job {
 static inline void trace__rows(const tracer *t, int count, void (*task)(void *context, int index), trace__job *job)
 {
     int i;
-    if (t->run)
-        t->run(t->run_user, count, task, job);
+    if (t->run) t->run(t->run_user, count, task, job);
     else
         for (i = 0; i < count; ++i) task(job, i);
 }
@@ -337,7 +335,8 @@ static inline void trace__irradiance_row(void *context, int y)
 }
 
 /* out: RGB of the layers' size, irradiance over pi from one lamp. */
-static inline void trace_irradiance(const tracer *t, const trace_layers *l, int lamp, int samples, uint32_t seed, image *out)
+static inline void trace_irradiance(const tracer *t, const trace_layers *l, int lamp, int samples, uint32_t seed,
+                                    image *out)
 {
     trace__job job;
     memset(&job, 0, sizeof job);

@@ -56,18 +56,31 @@ static inline void truth_free(truth *t)
     memset(t, 0, sizeof *t);
 }
 
-/* Coefficients in 1/mm: skin1 and marble of thesis 5.9.7 and 5.9.2; cream, ketchup and skin2 of Jensen, Marschner, Levoy,
-   Hanrahan 2001, A practical model for subsurface light transport (reduced scattering). The objects shrink or grow so
-   that the profile spans pixels. */
-typedef enum truth_substance { TRUTH_SKIN, TRUTH_MARBLE, TRUTH_CREAM, TRUTH_KETCHUP, TRUTH_SKIN2, TRUTH_SUBSTANCES } truth_substance;
+/* Coefficients in 1/mm: skin1 and marble of thesis 5.9.7 and 5.9.2; cream, ketchup and skin2 of Jensen, Marschner,
+   Levoy, Hanrahan 2001, A practical model for subsurface light transport (reduced scattering). The objects shrink or
+   grow so that the profile spans pixels. */
+typedef enum truth_substance {
+    TRUTH_SKIN,
+    TRUTH_MARBLE,
+    TRUTH_CREAM,
+    TRUTH_KETCHUP,
+    TRUTH_SKIN2,
+    TRUTH_SUBSTANCES
+} truth_substance;
 
 static inline void truth_material(scene_object object, truth_substance substance, float mu_s[3], float mu_a[3],
                                   float *mm_per_unit)
 {
-    static const float s[TRUTH_SUBSTANCES][3] = {
-        {0.74f, 0.88f, 1.01f}, {2.19f, 2.62f, 3.00f}, {7.38f, 5.47f, 3.15f}, {0.18f, 0.07f, 0.03f}, {1.09f, 1.59f, 1.79f}};
-    static const float a[TRUTH_SUBSTANCES][3] = {
-        {0.032f, 0.17f, 0.48f}, {0.0021f, 0.0041f, 0.0071f}, {0.0002f, 0.0028f, 0.0163f}, {0.061f, 0.97f, 1.45f}, {0.013f, 0.070f, 0.145f}};
+    static const float s[TRUTH_SUBSTANCES][3] = {{0.74f, 0.88f, 1.01f},
+                                                 {2.19f, 2.62f, 3.00f},
+                                                 {7.38f, 5.47f, 3.15f},
+                                                 {0.18f, 0.07f, 0.03f},
+                                                 {1.09f, 1.59f, 1.79f}};
+    static const float a[TRUTH_SUBSTANCES][3] = {{0.032f, 0.17f, 0.48f},
+                                                 {0.0021f, 0.0041f, 0.0071f},
+                                                 {0.0002f, 0.0028f, 0.0163f},
+                                                 {0.061f, 0.97f, 1.45f},
+                                                 {0.013f, 0.070f, 0.145f}};
     static const float scale[3][TRUTH_SUBSTANCES] = {
         {0.25f, 0.8f, 0.8f, 0.4f, 0.3f}, {0.25f, 0.6f, 0.6f, 0.4f, 0.3f}, {1, 1, 1, 1, 1}};
     int c;
@@ -107,7 +120,7 @@ static inline ms_status truth_profile(const float mu_s[3], const float mu_a[3], 
         trace_flat_profile(mu_s[c], mu_a[c], edge + 1, TRUTH_RINGS, walks, 4, energy);
         for (i = 0; i < TRUTH_RINGS; ++i)
             value[c][i] = (energy[i] - (i ? energy[i - 1] : 0)) /
-                          (3.14159265358979 * (edge[i + 1] * edge[i + 1] - edge[i] * edge[i]));
+                (3.14159265358979 * (edge[i + 1] * edge[i + 1] - edge[i] * edge[i]));
     }
     status = ms_sss_profile_from_rings(profile, TRUTH_RINGS, edge, rings, 1, NULL, NULL);
     for (c = 0; c < 3; ++c) free(value[c]);
@@ -115,7 +128,8 @@ static inline ms_status truth_profile(const float mu_s[3], const float mu_a[3], 
 }
 
 /* Pictures of floats that took long to make, kept in a file: 1 where they were read. */
-static inline int truth__cached(const char *path, int write, int width, int height, int walks, truth_lamp lamp[TRUTH_LAMPS])
+static inline int truth__cached(const char *path, int write, int width, int height, int walks,
+                                truth_lamp lamp[TRUTH_LAMPS])
 {
     FILE *f = path ? fopen(path, write ? "wb" : "rb") : NULL;
     int head[4] = {0, 0, 0, 0}, want[4], k, h, ok;
@@ -125,11 +139,13 @@ static inline int truth__cached(const char *path, int write, int width, int heig
     want[2] = height;
     want[3] = walks;
     if (f == NULL) return 0;
-    ok = write ? fwrite(want, sizeof want, 1, f) == 1 : fread(head, sizeof head, 1, f) == 1 && memcmp(head, want, sizeof head) == 0;
+    ok = write ? fwrite(want, sizeof want, 1, f) == 1
+               : fread(head, sizeof head, 1, f) == 1 && memcmp(head, want, sizeof head) == 0;
     for (k = 0; k < TRUTH_LAMPS; ++k)
         for (h = 0; h < 2 && ok; ++h)
-            ok = count == (write ? fwrite(lamp[k].half[h].pixels, sizeof(float), count, f)
-                                 : fread(lamp[k].half[h].pixels, sizeof(float), count, f));
+            ok = count ==
+                (write ? fwrite(lamp[k].half[h].pixels, sizeof(float), count, f)
+                       : fread(lamp[k].half[h].pixels, sizeof(float), count, f));
     return (fclose(f) == 0) & ok;
 }
 
@@ -174,7 +190,7 @@ static inline int truth__hidden(truth *t)
             l->entry_normal[i] = hit.normal;
             for (c = 0; c < 3; ++c)
                 l->entry.pixels[3 * i + (size_t)c] = light->power[c] * scene__max(0, -scene_dot(ray, hit.normal)) *
-                                                     scene_dot(light->position, light->position) / (hit.t * hit.t * 3.14159265f);
+                    scene_dot(light->position, light->position) / (hit.t * hit.t * 3.14159265f);
         }
         l->back = image_new(t->width, t->height, 3);
         if (!l->back.pixels) return 0;
@@ -188,8 +204,8 @@ static inline void truth_light(truth *t, int lamp) { t->lit = &t->lamp[lamp]; }
 
 /* All three lamps, or with front_only the key alone. samples: walks a pixel and estimate. cache: a file that keeps the
    walks' pictures from call to call, NULL: none. 0: something failed (message in *problem). */
-static inline int truth_make(truth *t, scene_object object, truth_substance substance, int width, int height, int samples,
-                             int front_only, const char *cache, const char **problem)
+static inline int truth_make(truth *t, scene_object object, truth_substance substance, int width, int height,
+                             int samples, int front_only, const char *cache, const char **problem)
 {
     float scene_mu_s[3], scene_mu_a[3];
     scene_light light[TRUTH_LAMPS];
@@ -234,7 +250,7 @@ static inline int truth_make(truth *t, scene_object object, truth_substance subs
         ms_sss_profile_radius(t->profile, 0.99, radius);
         for (c = 0; c < 3; ++c) t->radius_mm = radius[c] > t->radius_mm ? radius[c] : t->radius_mm;
         t->radius_px = t->radius_mm / (double)t->mm_per_unit * height /
-                       (2 * (double)t->camera.tan_half_fov * (double)scene_length(t->camera.eye));
+            (2 * (double)t->camera.tan_half_fov * (double)scene_length(t->camera.eye));
     }
     for (i = 0; i < width * height; ++i) t->pixels += t->layers.triangle[i] >= 0;
     for (k = 0; k < t->t->lights; ++k)
@@ -242,7 +258,8 @@ static inline int truth_make(truth *t, scene_object object, truth_substance subs
             for (c = 0; c < 3; ++c) {
                 truth_lamp *l = &t->lamp[k];
                 l->unfiltered.pixels[3 * i + c] = l->irradiance.pixels[3 * i + c] * (float)t->reflectance[c];
-                if ((double)l->unfiltered.pixels[3 * i + c] > l->peak) l->peak = (double)l->unfiltered.pixels[3 * i + c];
+                if ((double)l->unfiltered.pixels[3 * i + c] > l->peak)
+                    l->peak = (double)l->unfiltered.pixels[3 * i + c];
             }
     return 1;
 }
@@ -251,8 +268,8 @@ typedef struct truth_error {
     double relative, psnr; /* root mean square error over that of the truth; dB below the brightest unfiltered value */
 } truth_error;
 
-/* On the object's pixels. The truth's noise drops out: the mean of (F - A)(F - B) over two independent estimates A and B
-   of T has the expectation (F - T)^2. */
+/* On the object's pixels. The truth's noise drops out: the mean of (F - A)(F - B) over two independent estimates A and
+   B of T has the expectation (F - T)^2. */
 static inline truth_error truth_compare(const truth *t, const image *picture)
 {
     double error = 0, power = 0;
@@ -274,9 +291,10 @@ static inline truth_error truth_compare(const truth *t, const image *picture)
 enum { TRUTH_OUTLINE, TRUTH_BORDER, TRUTH_DARK, TRUTH_PLAIN, TRUTH_REGIONS };
 
 typedef struct truth_report {
-    double relative, scaled;       /* as in truth_error; after the best factor for each channel */
-    double lost[3];                /* of the light, by channel */
-    double share[TRUTH_REGIONS];   /* of the squared error: near outlines, near a shadow's border, in the dark, elsewhere */
+    double relative, scaled; /* as in truth_error; after the best factor for each channel */
+    double lost[3];          /* of the light, by channel */
+    double
+        share[TRUTH_REGIONS]; /* of the squared error: near outlines, near a shadow's border, in the dark, elsewhere */
 } truth_report;
 
 static inline int truth__lit(const truth *t, int x, int y)
@@ -294,8 +312,10 @@ static inline int truth__near(const truth *t, int x, int y, int reach, int what)
             int qx = x + dx, qy = y + dy, q = qy * t->width + qx, inside;
             if (dx * dx + dy * dy > reach * reach || qx < 0 || qy < 0 || qx >= t->width || qy >= t->height) continue;
             inside = t->layers.triangle[q] >= 0;
-            if (what == 1 && (!inside || fabs((double)(t->layers.depth.pixels[q] - t->layers.depth.pixels[at]) *
-                                              (double)t->mm_per_unit) > t->radius_mm))
+            if (what == 1 &&
+                (!inside ||
+                 fabs((double)(t->layers.depth.pixels[q] - t->layers.depth.pixels[at]) * (double)t->mm_per_unit) >
+                     t->radius_mm))
                 return 1;
             if (what == 2 && inside && truth__lit(t, qx, qy) != truth__lit(t, x, y)) return 1;
         }
@@ -311,18 +331,19 @@ static inline signed char *truth_regions(const truth *t)
     for (y = 0; y < t->height; ++y)
         for (x = 0; x < t->width; ++x) {
             int at = y * t->width + x;
-            region[at] = (signed char)(t->layers.triangle[at] < 0                  ? -1
-                                       : truth__near(t, x, y, 2, 1)      ? TRUTH_OUTLINE
-                                       : truth__near(t, x, y, border, 2) ? TRUTH_BORDER
-                                       : truth__lit(t, x, y)             ? TRUTH_PLAIN
-                                                                         : TRUTH_DARK);
+            region[at] = (signed char)(t->layers.triangle[at] < 0            ? -1
+                                           : truth__near(t, x, y, 2, 1)      ? TRUTH_OUTLINE
+                                           : truth__near(t, x, y, border, 2) ? TRUTH_BORDER
+                                           : truth__lit(t, x, y)             ? TRUTH_PLAIN
+                                                                             : TRUTH_DARK);
         }
     return region;
 }
 
 static inline truth_report truth_judge(const truth *t, const signed char *region, const image *picture)
 {
-    double ff[3] = {0, 0, 0}, fa[3] = {0, 0, 0}, power[3] = {0, 0, 0}, light[3] = {0, 0, 0}, got[3] = {0, 0, 0}, error = 0, all = 0, rest = 0;
+    double ff[3] = {0, 0, 0}, fa[3] = {0, 0, 0}, power[3] = {0, 0, 0}, light[3] = {0, 0, 0}, got[3] = {0, 0, 0},
+           error = 0, all = 0, rest = 0;
     truth_report r;
     int i, c;
     memset(&r, 0, sizeof r);
@@ -373,8 +394,10 @@ static inline void truth_reflect(const truth *t, image *out)
 }
 
 /* The irradiance filtered by a separable kernel, times reflectance, into out (of the same size); sigma: of the depth
-   weights, in radii of 99% of the energy, the same for every kernel, however far its last tap is; 0: the filter's own. */
-static inline ms_status truth_filter_by(const truth *t, const ms_sss_kernel *kernel, ms_sss_method method, double sigma, float flat, image *out)
+   weights, in radii of 99% of the energy, the same for every kernel, however far its last tap is; 0: the filter's
+   own. */
+static inline ms_status truth_filter_by(const truth *t, const ms_sss_kernel *kernel, ms_sss_method method, double sigma,
+                                        float flat, image *out)
 {
     ms_sss_frame frame;
     ms_sss_filter_options options = truth_frame(t, &frame, out);
@@ -443,7 +466,8 @@ static inline void truth_through(const truth *t, const ms_sss_kernel *kernel, im
         scene_vec d = scene_normalize(scene_sub(light->position, t->layers.position[i]));
         if (t->layers.triangle[i] < 0) continue;
         normal[0] = t->layers.normal[i].x, normal[1] = t->layers.normal[i].y, normal[2] = t->layers.normal[i].z;
-        entry_normal[0] = t->lit->entry_normal[i].x, entry_normal[1] = t->lit->entry_normal[i].y, entry_normal[2] = t->lit->entry_normal[i].z;
+        entry_normal[0] = t->lit->entry_normal[i].x, entry_normal[1] = t->lit->entry_normal[i].y,
+        entry_normal[2] = t->lit->entry_normal[i].z;
         to_light[0] = d.x, to_light[1] = d.y, to_light[2] = d.z;
         cosine = scene_dot(t->lit->entry_normal[i], d);
         for (c = 0; c < 3; ++c) in[c] = cosine > 0 ? t->lit->entry.pixels[3 * i + c] / cosine : 0; /* at right angle */
@@ -455,8 +479,8 @@ static inline void truth_through(const truth *t, const ms_sss_kernel *kernel, im
     }
 }
 
-/* Golubev 2018 (Unity) and Unreal's Burley filter: samples of a disc, importance-sampled by the widest channel, weighted by
-   the profile at the distance in space; no curvature. */
+/* Golubev 2018 (Unity) and Unreal's Burley filter: samples of a disc, importance-sampled by the widest channel,
+   weighted by the profile at the distance in space; no curvature. */
 static inline void truth_disc(const truth *t, int samples, image *out)
 {
     double radius[3], (*value)[3] = (double(*)[3])malloc(4097 * sizeof *value), reach;
@@ -485,7 +509,8 @@ static inline void truth_disc(const truth *t, int samples, image *out)
             if (t->layers.triangle[at] < 0) continue;
             scale = (float)t->height / (2 * t->camera.tan_half_fov * z * t->mm_per_unit);
             for (i = 0; i < samples; ++i) {
-                int qx = x + (int)floorf(offset[4 * i] * scale + 0.5f), qy = y + (int)floorf(offset[4 * i + 1] * scale + 0.5f), q, cell;
+                int qx = x + (int)floorf(offset[4 * i] * scale + 0.5f),
+                    qy = y + (int)floorf(offset[4 * i + 1] * scale + 0.5f), q, cell;
                 double dz, r;
                 if (qx < 0 || qy < 0 || qx >= t->width || qy >= t->height) continue;
                 q = qy * t->width + qx;
@@ -500,14 +525,15 @@ static inline void truth_disc(const truth *t, int samples, image *out)
                     sum[c] += w * (double)t->lit->irradiance.pixels[3 * q + c];
                 }
             }
-            for (c = 0; c < 3; ++c) out->pixels[3 * at + c] = (float)(weights[c] > 0 ? t->reflectance[c] * sum[c] / weights[c] : 0);
+            for (c = 0; c < 3; ++c)
+                out->pixels[3 * at + c] = (float)(weights[c] > 0 ? t->reflectance[c] * sum[c] / weights[c] : 0);
         }
     free(value);
     free(offset);
 }
 
-/* What the profile makes of the whole surface, seen or not: every triangle gives its share of the ring as wide as itself, at
-   its true distance, with the elevation or without. */
+/* What the profile makes of the whole surface, seen or not: every triangle gives its share of the ring as wide as
+   itself, at its true distance, with the elevation or without. */
 static inline void truth_mesh(const truth *t, int elevation, image *out)
 {
     const int steps = 4096;
@@ -573,7 +599,9 @@ static inline void truth_mesh(const truth *t, int elevation, image *out)
         }
         for (c = 0; c < 3; ++c) {
             double most = t->reflectance[c] * factors[c] / weights[c];
-            out->pixels[3 * x + c] = (float)(weights[c] > 0 ? t->reflectance[c] * sum[c] / weights[c] / (most > 1 ? most : 1) : 0);
+            out->pixels[3 * x + c] = (float)(weights[c] > 0
+                                                 ? t->reflectance[c] * sum[c] / weights[c] / (most > 1 ? most : 1)
+                                                 : 0);
         }
     }
     free(disc);
@@ -597,7 +625,7 @@ static inline void truth_filter_2d(const truth *t, int in_space, image *out)
         scene_vec to_eye = scene_sub(t->camera.eye, t->layers.position[i]);
         double facing = (double)(scene_dot(to_eye, t->layers.normal[i]) / scene_length(to_eye));
         size[i] = 2 * (double)t->camera.tan_half_fov * (double)t->layers.depth.pixels[i] * (double)t->mm_per_unit /
-                  t->height;
+            t->height;
         if (in_space) size[i] /= sqrt(facing > 0.1 ? facing : 0.1);
     }
     for (y = 0; y < t->height; ++y)
@@ -605,8 +633,9 @@ static inline void truth_filter_2d(const truth *t, int in_space, image *out)
             int at = y * t->width + x, n, dx, dy;
             double sum[3] = {0, 0, 0}, weights[3] = {0, 0, 0};
             if (t->layers.triangle[at] < 0) continue;
-            n = (int)(reach / (2 * (double)t->camera.tan_half_fov * (double)t->layers.depth.pixels[at] *
-                               (double)t->mm_per_unit / t->height));
+            n = (int)(reach /
+                      (2 * (double)t->camera.tan_half_fov * (double)t->layers.depth.pixels[at] *
+                       (double)t->mm_per_unit / t->height));
             for (dy = -n; dy <= n; ++dy)
                 for (dx = -n; dx <= n; ++dx) {
                     int qx = x + dx, qy = y + dy, q = qy * t->width + qx, inner, outer;
@@ -624,7 +653,7 @@ static inline void truth_filter_2d(const truth *t, int in_space, image *out)
                     weight = size[q] * size[q] / (high * high - low * low);
                     if (!in_space) {
                         double dz = (double)(t->layers.depth.pixels[q] - t->layers.depth.pixels[at]) *
-                                    (double)t->mm_per_unit;
+                            (double)t->mm_per_unit;
                         weight *= exp(-dz * dz / (2 * sigma * sigma));
                     }
                     for (c = 0; c < 3; ++c) {
@@ -684,7 +713,8 @@ static inline const char *truth_save(const truth *t, const image *picture, const
     image shown = image_new(picture->width, picture->height, 3);
     const char *problem;
     size_t i;
-    for (i = 0; i < image_count(&shown); ++i) shown.pixels[i] = scene_tone(picture->pixels[i] * 1.2f / (float)t->lit->peak);
+    for (i = 0; i < image_count(&shown); ++i)
+        shown.pixels[i] = scene_tone(picture->pixels[i] * 1.2f / (float)t->lit->peak);
     image_to_srgb(&shown);
     problem = image_write(path, &shown);
     image_free(&shown);
