@@ -17,7 +17,7 @@
 #   make train      the networks of examples/data from nothing: hours of rendering, an hour of training
 #   make web        examples/web/kernels.html: subsurface kernels designed live in a browser (clang for WebAssembly, wasi-libc)
 #   make studio     examples/web/studio.html: the whole workflow live in a browser (the same)
-#   make common     copies the block that all headers share from ms_mcml.h into the rest
+#   make common     copies the blocks that headers share from the first that has them into the rest
 .POSIX:
 
 CC = cc

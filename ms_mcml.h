@@ -138,9 +138,9 @@
 extern "C" {
 #endif
 
-/* ms-common begin (the same text in every ms_*.h; `make common` copies it from ms_mcml.h) */
+/* ms-common begin (the same text in every ms_*.h: see tests/common.sh) */
 #ifndef MS_COMMON
-#define MS_COMMON 2 /* raised whenever the text between the marks changes after a release */
+#define MS_COMMON 3 /* raised whenever the text between the marks changes after a release */
 
 /* Linkage of every public function of every header: nothing, static, __declspec(dllexport), or
    __attribute__((visibility("default"))). Define it before the #include. */
@@ -234,8 +234,10 @@ static inline const char *ms_simd_string(ms_simd level)
     int i = (int)level;
     return i >= 0 && i <= (int)MS_SIMD_AVX512 ? name[i] : "unknown";
 }
-#endif             /* MS_COMMON */
-#if MS_COMMON != 2 /* outside the guard: catches two vendored releases in one file */
+#endif /* MS_COMMON */
+
+/* Outside the guard: catches two vendored releases in one file. */
+#if MS_COMMON != 3
 #error "ms_*.h headers of different releases in one translation unit"
 #endif
 /* ms-common end */
@@ -748,7 +750,7 @@ MS_API ms_status ms_mcml_skin_profile(ms_mcml_profile *profile, const ms_mcml_sk
 
 #if defined(MS_MCML_IMPLEMENTATION) && !defined(MS_MCML__PASS) && !defined(MS_MCML_IMPLEMENTED)
 #define MS_MCML_IMPLEMENTED /* included again, it is declarations only */
-/* ms-common-private begin (the same text in every ms_*.h; `make common` copies it from ms_mcml.h) */
+/* ms-common-private begin (the same text in every ms_*.h: see tests/common.sh) */
 #ifndef MS_COMMON_PRIVATE
 #define MS_COMMON_PRIVATE
 #include <stdarg.h>
@@ -773,6 +775,20 @@ static MS__UNUSED size_t ms__size_mul(size_t a, size_t b)
 }
 
 static MS__UNUSED size_t ms__size_add(size_t a, size_t b) { return b > SIZE_MAX - a ? SIZE_MAX : a + b; }
+
+/* Pieces of one block, each on a multiple of 64 bytes. base NULL: take only counts; then the same calls with a block of
+   `used` bytes place what was counted. used SIZE_MAX: overflow. */
+typedef struct ms__arena {
+    char *base; /* NULL, or aligned to 64 bytes */
+    size_t used;
+} ms__arena;
+
+static MS__UNUSED void *ms__take(ms__arena *arena, size_t count, size_t size)
+{
+    const size_t at = arena->used, end = ms__size_add(at, ms__size_mul(count, size));
+    arena->used = end > SIZE_MAX - 63 ? SIZE_MAX : (end + 63) / 64 * 64;
+    return arena->base != NULL ? arena->base + at : NULL;
+}
 
 /* NULL for size SIZE_MAX (overflow). Size 0 gives a pointer that must be released as well. */
 static MS__UNUSED void *ms__alloc(const ms_allocator *allocator, size_t size)
@@ -934,103 +950,10 @@ static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t p
     error->message[n] = 0;
     return status;
 }
-
-/* Philox 4x32-10 (Salmon, Moraes, Dror, Shaw 2011, "Parallel random numbers: as easy as 1, 2, 3"): four words
-   from a 128-bit counter and a 64-bit key, integers only, so the same on any thread, level and machine. */
-static MS__UNUSED void ms__philox(const uint32_t counter[4], const uint32_t key[2], uint32_t out[4])
-{
-    uint32_t c0 = counter[0], c1 = counter[1], c2 = counter[2], c3 = counter[3], k0 = key[0], k1 = key[1];
-    int round;
-    for (round = 0; round < 10; ++round) {
-        uint64_t p0 = (uint64_t)0xD2511F53u * c0, p1 = (uint64_t)0xCD9E8D57u * c2;
-        c0 = (uint32_t)(p1 >> 32) ^ c1 ^ k0;
-        c1 = (uint32_t)p1;
-        c2 = (uint32_t)(p0 >> 32) ^ c3 ^ k1;
-        c3 = (uint32_t)p0;
-        k0 += 0x9E3779B9u;
-        k1 += 0xBB67AE85u;
-    }
-    out[0] = c0;
-    out[1] = c1;
-    out[2] = c2;
-    out[3] = c3;
-}
-
-/* A stream of random numbers: f(seed, stream, how many were drawn). */
-typedef struct ms__rng {
-    uint32_t counter[4], key[2], word[4];
-    int used; /* words of this block already given out */
-} ms__rng;
-
-static MS__UNUSED ms__rng ms__rng_make(uint64_t seed, uint64_t stream)
-{
-    ms__rng rng;
-    memset(&rng, 0, sizeof rng);
-    rng.key[0] = (uint32_t)seed;
-    rng.key[1] = (uint32_t)(seed >> 32);
-    rng.counter[2] = (uint32_t)stream;
-    rng.counter[3] = (uint32_t)(stream >> 32);
-    rng.used = 4;
-    return rng;
-}
-
-static MS__UNUSED uint32_t ms__rng_u32(ms__rng *rng)
-{
-    if (rng->used == 4) {
-        ms__philox(rng->counter, rng->key, rng->word);
-        if (++rng->counter[0] == 0) ++rng->counter[1];
-        rng->used = 0;
-    }
-    return rng->word[rng->used++];
-}
-
-/* Uniform in the open interval (0, 1), 53 bits: never 0, never 1. */
-static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
-{
-    uint64_t a = ms__rng_u32(rng), b = ms__rng_u32(rng);
-    return ((double)(((a << 32) | b) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
-}
-
-/* IEEE binary16 by integers alone: subnormals, infinities and NaN, whatever the host's rounding and flushing of
-   subnormals. */
-static MS__UNUSED float ms__half_to_float(uint16_t h)
-{
-    uint32_t bits = (uint32_t)(h & 0x8000u) << 16, exponent = (h >> 10) & 31u, mantissa = h & 1023u;
-    float value;
-    if (exponent == 31u) {
-        bits |= 0x7f800000u | mantissa << 13;
-    } else if (exponent != 0 || mantissa != 0) {
-        if (exponent == 0) /* a subnormal half is a normal float */
-            for (exponent = 1; !(mantissa & 1024u); mantissa <<= 1) --exponent;
-        bits |= ((exponent + 112u) << 23) + ((mantissa & 1023u) << 13);
-    }
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-/* Rounded to nearest even; a finite value stays finite: at most 65504. */
-static MS__UNUSED uint16_t ms__half_from_float(float value)
-{
-    uint32_t bits, sign, a, shift = 13;
-    memcpy(&bits, &value, sizeof bits);
-    sign = (bits >> 16) & 0x8000u;
-    a = bits & 0x7fffffffu;
-    if (a >= 0x7f800000u) return (uint16_t)(sign | 0x7c00u | (a > 0x7f800000u ? 0x200u : 0u));
-    if (a >= 0x477fe000u) return (uint16_t)(sign | 0x7bffu);
-    if (a < 0x33000000u) return (uint16_t)sign; /* under 2^-25 */
-    if (a < 0x38800000u) {                      /* under 2^-14: whole steps of 2^-24 */
-        shift = 126u - (a >> 23);
-        a = (a & 0x7fffffu) | 0x800000u;
-    } else {
-        a -= 0x38000000u;
-    }
-    a += (1u << (shift - 1u)) - 1u + ((a >> shift) & 1u);
-    return (uint16_t)(sign | (a >> shift));
-}
 #endif /* MS_COMMON_PRIVATE */
 /* ms-common-private end */
 
-/* ms-common-simd begin (the same text wherever it stands; `make common` copies it from ms_mcml.h) */
+/* ms-common-simd begin (the same text wherever it stands: see tests/common.sh) */
 #ifndef MS_COMMON_SIMD
 #define MS_COMMON_SIMD
 /* MS_NO_SIMD leaves the scalar text of every header. 32-bit x86 has no baseline that can be relied on. */
@@ -1124,7 +1047,7 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 /* ms-common-simd end */
 
 #ifndef MS_MCML_NO_STDIO
-/* ms-common-files begin (the same text wherever it stands; `make common` copies it from ms_mcml.h) */
+/* ms-common-files begin (the same text wherever it stands: see tests/common.sh) */
 #ifndef MS_COMMON_FILES
 #define MS_COMMON_FILES
 /* A file that takes the old one's place only when it is whole: written beside it, flushed, checked, renamed. Whatever

@@ -137,9 +137,9 @@
 extern "C" {
 #endif
 
-/* ms-common begin (the same text in every ms_*.h; `make common` copies it from ms_mcml.h) */
+/* ms-common begin (the same text in every ms_*.h: see tests/common.sh) */
 #ifndef MS_COMMON
-#define MS_COMMON 2 /* raised whenever the text between the marks changes after a release */
+#define MS_COMMON 3 /* raised whenever the text between the marks changes after a release */
 
 /* Linkage of every public function of every header: nothing, static, __declspec(dllexport), or
    __attribute__((visibility("default"))). Define it before the #include. */
@@ -233,8 +233,10 @@ static inline const char *ms_simd_string(ms_simd level)
     int i = (int)level;
     return i >= 0 && i <= (int)MS_SIMD_AVX512 ? name[i] : "unknown";
 }
-#endif             /* MS_COMMON */
-#if MS_COMMON != 2 /* outside the guard: catches two vendored releases in one file */
+#endif /* MS_COMMON */
+
+/* Outside the guard: catches two vendored releases in one file. */
+#if MS_COMMON != 3
 #error "ms_*.h headers of different releases in one translation unit"
 #endif
 /* ms-common end */
@@ -937,7 +939,7 @@ MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_s
 
 #if defined(MS_SSS_IMPLEMENTATION) && !defined(MS_SSS__PASS) && !defined(MS_SSS_IMPLEMENTED)
 #define MS_SSS_IMPLEMENTED /* included again, it is declarations only */
-/* ms-common-private begin (the same text in every ms_*.h; `make common` copies it from ms_mcml.h) */
+/* ms-common-private begin (the same text in every ms_*.h: see tests/common.sh) */
 #ifndef MS_COMMON_PRIVATE
 #define MS_COMMON_PRIVATE
 #include <stdarg.h>
@@ -962,6 +964,20 @@ static MS__UNUSED size_t ms__size_mul(size_t a, size_t b)
 }
 
 static MS__UNUSED size_t ms__size_add(size_t a, size_t b) { return b > SIZE_MAX - a ? SIZE_MAX : a + b; }
+
+/* Pieces of one block, each on a multiple of 64 bytes. base NULL: take only counts; then the same calls with a block of
+   `used` bytes place what was counted. used SIZE_MAX: overflow. */
+typedef struct ms__arena {
+    char *base; /* NULL, or aligned to 64 bytes */
+    size_t used;
+} ms__arena;
+
+static MS__UNUSED void *ms__take(ms__arena *arena, size_t count, size_t size)
+{
+    const size_t at = arena->used, end = ms__size_add(at, ms__size_mul(count, size));
+    arena->used = end > SIZE_MAX - 63 ? SIZE_MAX : (end + 63) / 64 * 64;
+    return arena->base != NULL ? arena->base + at : NULL;
+}
 
 /* NULL for size SIZE_MAX (overflow). Size 0 gives a pointer that must be released as well. */
 static MS__UNUSED void *ms__alloc(const ms_allocator *allocator, size_t size)
@@ -1123,6 +1139,12 @@ static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t p
     error->message[n] = 0;
     return status;
 }
+#endif /* MS_COMMON_PRIVATE */
+/* ms-common-private end */
+
+/* ms-common-random begin (the same text wherever it stands: see tests/common.sh) */
+#ifndef MS_COMMON_RANDOM
+#define MS_COMMON_RANDOM
 
 /* Philox 4x32-10 (Salmon, Moraes, Dror, Shaw 2011, "Parallel random numbers: as easy as 1, 2, 3"): four words
    from a 128-bit counter and a 64-bit key, integers only, so the same on any thread, level and machine. */
@@ -1180,6 +1202,13 @@ static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
     return ((double)(((a << 32) | b) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
 }
 
+#endif /* MS_COMMON_RANDOM */
+/* ms-common-random end */
+
+/* ms-common-half begin (the same text wherever it stands: see tests/common.sh) */
+#ifndef MS_COMMON_HALF
+#define MS_COMMON_HALF
+
 /* IEEE binary16 by integers alone: subnormals, infinities and NaN, whatever the host's rounding and flushing of
    subnormals. */
 static MS__UNUSED float ms__half_to_float(uint16_t h)
@@ -1216,10 +1245,11 @@ static MS__UNUSED uint16_t ms__half_from_float(float value)
     a += (1u << (shift - 1u)) - 1u + ((a >> shift) & 1u);
     return (uint16_t)(sign | (a >> shift));
 }
-#endif /* MS_COMMON_PRIVATE */
-/* ms-common-private end */
 
-/* ms-common-simd begin (the same text wherever it stands; `make common` copies it from ms_mcml.h) */
+#endif /* MS_COMMON_HALF */
+/* ms-common-half end */
+
+/* ms-common-simd begin (the same text wherever it stands: see tests/common.sh) */
 #ifndef MS_COMMON_SIMD
 #define MS_COMMON_SIMD
 /* MS_NO_SIMD leaves the scalar text of every header. 32-bit x86 has no baseline that can be relied on. */
@@ -7744,31 +7774,34 @@ static const char *const ms_sss__transmission_body[] = {
     "}\n"};
 
 /* What lines are chosen by, and what stands as a number in them; the values are of ms_sss__say_shader. */
-#define MS_SSS__FEATURE_LIST(X)                                                                                        \
-    X(PREPARE, s->step == MS_SSS_STEP_PREPARE)                                                                         \
-    X(PASS, pass)                                                                                                      \
-    X(SECOND, second) X(HALVED, halved) X(DOWN, down) X(NORMAL, normal) X(SMALLER, down || normal) X(UP, up) X(        \
-        NEARNESS, up || down) X(TOWER, tower) X(BASE, base) X(SHRINK, s->step == MS_SSS_STEP_SHRINK) X(GATHER, gather) \
-        X(RESOLVE, resolve) X(GATHERS, gather || resolve) X(SIZES, MS_SSS_PYRAMID_SIZES)                               \
-            X(LAST_SIZE, MS_SSS_PYRAMID_SIZES - 2) X(TAPS, s->tap_count) X(STRIDE, ms_sss__shader_stride(s)) X(        \
-                PROFILES, ms_sss__shader_profiles(s)) X(TERMS, ms_sss__shader_terms(s)) X(CORNERS, turned ? 4 : 2)     \
-                X(TURNED, turned) X(HALF_KERNEL, s->half_kernel) X(RAW, raw) X(WITH_STRENGTH, s->with_strength) X(     \
-                    WITH_NORMAL, s->with_normal && (shape || !tower)) X(DEPTH, depth)                                  \
-                    X(DEPTH_TEXTURE, s->depth == MS_SSS_TEXTURE) X(DEPTH_ALPHA, s->depth == MS_SSS_ALPHA) X(           \
-                        PROFILE, profile) X(PROFILE_TEXTURE, s->profile == MS_SSS_TEXTURE)                             \
-                        X(PROFILE_ALONE,                                                                               \
-                          profile && !depth && !tower) X(READS_PROFILE, again || (raw && profile && !both_alpha))      \
-                            X(BOTH, depth &&profile && !tower) X(BOTH_ALPHA, both_alpha)                               \
-                                X(PERSPECTIVE, o->fov_degrees > 0) X(FOLLOW, follow) X(EXACT, o->exact && !follow)     \
-                                    X(SPATIAL, shape && !o->exact) X(FALLOFF, !follow && !o->exact && !shape)          \
-                                        X(SHAPE, tower ? depth && o->depth_mode == MS_SSS_DEPTH_AWARE : shape &&pass)  \
-                                            X(TILTED, shape) X(SLOPES, shape && (pass || base))                        \
-                                                X(GIVEN, s->slopes_kept &&second) X(KEEPS, two && !tower)              \
-                                                    X(COMPUTE, s->compute) X(TILED, s->compute &&pass)                 \
-                                                        X(LATER, s->later) X(GROUP_X, group[0]) X(GROUP_Y, group[1])   \
-                                                            X(APRON_X, apron[0]) X(APRON_Y, apron[1])                  \
-                                                                X(TILE_X, pass ? group[0] + 2 * apron[0] : 1)          \
-                                                                    X(TILE_Y, pass ? group[1] + 2 * apron[1] : 1)
+#define MS_SSS__FEATURE_LIST(X)                                                                                       \
+    X(PREPARE, s->step == MS_SSS_STEP_PREPARE)                                                                        \
+    X(PASS, pass)                                                                                                     \
+    X(SECOND, second)                                                                                                 \
+    X(HALVED, halved)                                                                                                 \
+    X(DOWN, down) X(NORMAL, normal) X(SMALLER, down || normal) X(UP, up) X(NEARNESS, up || down) X(TOWER, tower)      \
+        X(BASE, base) X(SHRINK, s->step == MS_SSS_STEP_SHRINK) X(GATHER, gather) X(RESOLVE, resolve) X(               \
+            GATHERS, gather || resolve) X(SIZES, MS_SSS_PYRAMID_SIZES) X(LAST_SIZE, MS_SSS_PYRAMID_SIZES - 2)         \
+            X(TAPS, s->tap_count) X(STRIDE, ms_sss__shader_stride(s)) X(PROFILES, ms_sss__shader_profiles(s)) X(      \
+                TERMS, ms_sss__shader_terms(s)) X(CORNERS, turned ? 4 : 2) X(TURNED, turned)                          \
+                X(HALF_KERNEL, s->half_kernel) X(RAW, raw) X(WITH_STRENGTH, s->with_strength) X(                      \
+                    WITH_NORMAL, s->with_normal && (shape || !tower)) X(DEPTH, depth)                                 \
+                    X(DEPTH_TEXTURE, s->depth == MS_SSS_TEXTURE) X(DEPTH_ALPHA, s->depth == MS_SSS_ALPHA) X(          \
+                        PROFILE, profile) X(PROFILE_TEXTURE, s->profile == MS_SSS_TEXTURE)                            \
+                        X(PROFILE_ALONE,                                                                              \
+                          profile && !depth && !tower) X(READS_PROFILE, again || (raw && profile && !both_alpha))     \
+                            X(BOTH, depth &&profile && !tower) X(BOTH_ALPHA, both_alpha)                              \
+                                X(PERSPECTIVE, o->fov_degrees > 0) X(FOLLOW, follow) X(EXACT, o->exact && !follow)    \
+                                    X(SPATIAL, shape && !o->exact) X(FALLOFF, !follow && !o->exact && !shape)         \
+                                        X(SHAPE, tower ? depth && o->depth_mode == MS_SSS_DEPTH_AWARE : shape &&pass) \
+                                            X(TILTED, shape) X(SLOPES, shape && (pass || base))                       \
+                                                X(GIVEN, s->slopes_kept &&second) X(KEEPS, two && !tower)             \
+                                                    X(COMPUTE, s->compute) X(TILED, s->compute &&pass)                \
+                                                        X(LATER, s->later) X(GROUP_X, group[0])                       \
+                                                            X(GROUP_Y, group[1]) X(APRON_X, apron[0])                 \
+                                                                X(APRON_Y, apron[1])                                  \
+                                                                    X(TILE_X, pass ? group[0] + 2 * apron[0] : 1)     \
+                                                                        X(TILE_Y, pass ? group[1] + 2 * apron[1] : 1)
 
 enum {
 #define MS_SSS__FEATURE_ENUM(name, value) MS_SSS__HAS_##name,
