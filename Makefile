@@ -32,8 +32,8 @@ TOOLS = build/mcml build/mcml_split build/profile build/sss_kernel build/sss_fil
 DEMOS = build/demo_sss build/demo_match
 OBJECTS = build/ms_mcml.o build/ms_sss.o build/ms_gpr.o build/ms_nn.o build/ms_pme.o build/image.o
 MADE = -DMS_MCML_IMPLEMENTED -DMS_SSS_IMPLEMENTED -DMS_GPR_IMPLEMENTED -DMS_NN_IMPLEMENTED -DMS_PME_IMPLEMENTED -DIMAGE_IMPLEMENTED
-IMAGE = examples/image.h examples/files.h build/image.o
-PLOT = examples/plot.h
+IMAGE = examples/tools/image.h examples/tools/files.h build/image.o
+PLOT = examples/demo/plot.h
 COMPILE = $(CC) -std=c99 $(CPPFLAGS) $(CFLAGS) -I.
 OBJECT = @mkdir -p build && echo "compiling $@" && $(COMPILE) -c -o $@ -x c /dev/null
 BUILD = @echo "linking $@" && $(COMPILE) $(MADE) $(LDFLAGS) -o $@
@@ -50,54 +50,54 @@ build/ms_nn.o: ms_nn.h
 	$(OBJECT) -DMS_NN_IMPLEMENTATION -include ms_nn.h
 build/ms_pme.o: ms_pme.h
 	$(OBJECT) -DMS_PME_IMPLEMENTATION -include ms_pme.h
-build/image.o: examples/image.h examples/files.h
-	$(OBJECT) -DIMAGE_DEF= -include examples/image.h
+build/image.o: examples/tools/image.h examples/tools/files.h
+	$(OBJECT) -DIMAGE_DEF= -include examples/tools/image.h
 
-build/mcml: examples/mcml.c build/ms_mcml.o
-	$(BUILD) examples/mcml.c build/ms_mcml.o $(LDLIBS)
-build/mcml_split: examples/mcml_split.c build/ms_mcml.o
-	$(BUILD) examples/mcml_split.c build/ms_mcml.o $(LDLIBS)
-build/profile: examples/profile.c build/ms_mcml.o
-	$(BUILD) examples/profile.c build/ms_mcml.o $(LDLIBS)
-build/sss_kernel: examples/sss_kernel.c build/ms_sss.o build/ms_mcml.o
-	$(BUILD) examples/sss_kernel.c build/ms_sss.o build/ms_mcml.o $(LDLIBS)
-build/sss_filter: examples/sss_filter.c $(IMAGE) build/ms_sss.o build/ms_mcml.o
-	$(BUILD) examples/sss_filter.c build/ms_sss.o build/ms_mcml.o build/image.o $(LDLIBS)
-build/postprocess: examples/postprocess.c $(IMAGE) build/ms_sss.o
-	$(BUILD) examples/postprocess.c build/ms_sss.o build/image.o $(LDLIBS)
-build/lightmap: examples/lightmap.c $(IMAGE) build/ms_sss.o
-	$(BUILD) examples/lightmap.c build/ms_sss.o build/image.o $(LDLIBS)
-build/demo_sss: examples/demo_sss.c examples/scene.h $(IMAGE) $(PLOT) build/ms_sss.o build/ms_mcml.o
-	$(BUILD) examples/demo_sss.c build/ms_sss.o build/ms_mcml.o build/image.o $(LDLIBS)
-build/recommend: examples/recommend.c examples/keep.h examples/scores.h build/ms_gpr.o
-	$(BUILD) examples/recommend.c build/ms_gpr.o $(LDLIBS)
-build/latent: examples/latent.c examples/scores.h examples/maps.h examples/text.h examples/neural.h $(IMAGE) build/ms_gpr.o build/ms_nn.o
-	$(BUILD) examples/latent.c build/ms_gpr.o build/ms_nn.o build/image.o $(LDLIBS)
-build/nn_info: examples/nn_info.c build/ms_nn.o
-	$(BUILD) examples/nn_info.c build/ms_nn.o $(LDLIBS)
-build/nn_run: examples/nn_run.c build/ms_nn.o
-	$(BUILD) examples/nn_run.c build/ms_nn.o $(LDLIBS)
-build/nn_quantise: examples/nn_quantise.c examples/files.h build/ms_nn.o
-	$(BUILD) examples/nn_quantise.c build/ms_nn.o $(LDLIBS)
-build/preview: examples/preview.c examples/neural.h examples/materials.h $(IMAGE) build/ms_nn.o
-	$(BUILD) examples/preview.c build/ms_nn.o build/image.o $(LDLIBS)
-build/materialx: examples/materialx.c examples/materialx.h examples/materials.h examples/files.h
-	$(BUILD) examples/materialx.c $(LDLIBS)
-build/train: examples/train.c examples/train.h $(IMAGE) build/ms_nn.o
-	$(BUILD) -O3 -fno-math-errno -fno-trapping-math -D_POSIX_C_SOURCE=200809L examples/train.c build/ms_nn.o build/image.o $(LDLIBS) -lpthread
-build/own_shader: examples/own_shader.c $(IMAGE)
-	$(BUILD) examples/own_shader.c build/image.o $(LDLIBS)
-build/match: examples/match.c examples/matcher.h examples/neural.h examples/materials.h $(IMAGE) build/ms_nn.o build/ms_pme.o
-	$(BUILD) examples/match.c build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
-build/demo_match: examples/demo_match.c examples/matcher.h examples/neural.h examples/edits.h examples/text.h $(IMAGE) build/ms_nn.o build/ms_pme.o
-	$(BUILD) examples/demo_match.c build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
-build/workflow: examples/workflow.c examples/workflow.h examples/neural.h examples/scores.h examples/studio.h \
-	examples/matcher.h examples/materialx.h examples/maps.h examples/text.h $(IMAGE) build/ms_gpr.o build/ms_nn.o build/ms_pme.o
-	$(BUILD) examples/workflow.c build/ms_gpr.o build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
+build/mcml: examples/tools/mcml.c build/ms_mcml.o
+	$(BUILD) examples/tools/mcml.c build/ms_mcml.o $(LDLIBS)
+build/mcml_split: examples/tools/mcml_split.c build/ms_mcml.o
+	$(BUILD) examples/tools/mcml_split.c build/ms_mcml.o $(LDLIBS)
+build/profile: examples/tools/profile.c build/ms_mcml.o
+	$(BUILD) examples/tools/profile.c build/ms_mcml.o $(LDLIBS)
+build/sss_kernel: examples/tools/sss_kernel.c build/ms_sss.o build/ms_mcml.o
+	$(BUILD) examples/tools/sss_kernel.c build/ms_sss.o build/ms_mcml.o $(LDLIBS)
+build/sss_filter: examples/tools/sss_filter.c $(IMAGE) build/ms_sss.o build/ms_mcml.o
+	$(BUILD) examples/tools/sss_filter.c build/ms_sss.o build/ms_mcml.o build/image.o $(LDLIBS)
+build/postprocess: examples/engine/postprocess.c $(IMAGE) build/ms_sss.o
+	$(BUILD) examples/engine/postprocess.c build/ms_sss.o build/image.o $(LDLIBS)
+build/lightmap: examples/engine/lightmap.c $(IMAGE) build/ms_sss.o
+	$(BUILD) examples/engine/lightmap.c build/ms_sss.o build/image.o $(LDLIBS)
+build/demo_sss: examples/demo/demo_sss.c examples/demo/scene.h $(IMAGE) $(PLOT) build/ms_sss.o build/ms_mcml.o
+	$(BUILD) examples/demo/demo_sss.c build/ms_sss.o build/ms_mcml.o build/image.o $(LDLIBS)
+build/recommend: examples/tools/recommend.c examples/tools/keep.h examples/tools/scores.h build/ms_gpr.o
+	$(BUILD) examples/tools/recommend.c build/ms_gpr.o $(LDLIBS)
+build/latent: examples/tools/latent.c examples/tools/scores.h examples/tools/maps.h examples/tools/text.h examples/tools/neural.h $(IMAGE) build/ms_gpr.o build/ms_nn.o
+	$(BUILD) examples/tools/latent.c build/ms_gpr.o build/ms_nn.o build/image.o $(LDLIBS)
+build/nn_info: examples/tools/nn_info.c build/ms_nn.o
+	$(BUILD) examples/tools/nn_info.c build/ms_nn.o $(LDLIBS)
+build/nn_run: examples/tools/nn_run.c build/ms_nn.o
+	$(BUILD) examples/tools/nn_run.c build/ms_nn.o $(LDLIBS)
+build/nn_quantise: examples/tools/nn_quantise.c examples/tools/files.h build/ms_nn.o
+	$(BUILD) examples/tools/nn_quantise.c build/ms_nn.o $(LDLIBS)
+build/preview: examples/tools/preview.c examples/tools/neural.h examples/tools/materials.h $(IMAGE) build/ms_nn.o
+	$(BUILD) examples/tools/preview.c build/ms_nn.o build/image.o $(LDLIBS)
+build/materialx: examples/tools/materialx.c examples/tools/materialx.h examples/tools/materials.h examples/tools/files.h
+	$(BUILD) examples/tools/materialx.c $(LDLIBS)
+build/train: examples/tools/train.c examples/tools/train.h $(IMAGE) build/ms_nn.o
+	$(BUILD) -O3 -fno-math-errno -fno-trapping-math -D_POSIX_C_SOURCE=200809L examples/tools/train.c build/ms_nn.o build/image.o $(LDLIBS) -lpthread
+build/own_shader: examples/tools/own_shader.c $(IMAGE)
+	$(BUILD) examples/tools/own_shader.c build/image.o $(LDLIBS)
+build/match: examples/tools/match.c examples/tools/matcher.h examples/tools/neural.h examples/tools/materials.h $(IMAGE) build/ms_nn.o build/ms_pme.o
+	$(BUILD) examples/tools/match.c build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
+build/demo_match: examples/demo/demo_match.c examples/tools/matcher.h examples/tools/neural.h examples/demo/edits.h examples/tools/text.h $(IMAGE) build/ms_nn.o build/ms_pme.o
+	$(BUILD) examples/demo/demo_match.c build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
+build/workflow: examples/tools/workflow.c examples/tools/workflow.h examples/tools/neural.h examples/tools/scores.h examples/tools/studio.h \
+	examples/tools/matcher.h examples/tools/materialx.h examples/tools/maps.h examples/tools/text.h $(IMAGE) build/ms_gpr.o build/ms_nn.o build/ms_pme.o
+	$(BUILD) examples/tools/workflow.c build/ms_gpr.o build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
 
 # What it runs, no more; `make` builds the rest.
 demo: build/profile build/sss_kernel build/demo_sss build/recommend build/latent build/preview build/demo_match build/workflow
-	@sh examples/demo.sh
+	@sh examples/demo/demo.sh
 
 deps:
 	@sh tests/deps.sh
@@ -138,12 +138,12 @@ bench: all sizes
 	@CC="$(CC)" CFLAGS="$(CFLAGS)" sh tests/bench/run.sh
 
 # Of OpenGL through EGL; not among the examples that need a C compiler only.
-build/engine: examples/gl/engine.c examples/gl/egl.h $(IMAGE) ms_sss.h
-	@mkdir -p build && $(COMPILE) -Iexamples -o $@ examples/gl/engine.c -lEGL $(LDLIBS)
-build/previews: examples/gl/previews.c examples/gl/egl.h examples/neural.h $(IMAGE) ms_nn.h
-	@mkdir -p build && $(COMPILE) -Iexamples -o $@ examples/gl/previews.c -lEGL $(LDLIBS)
-build/bench_gpu: tests/bench/gpu_sss.c examples/gl/egl.h tests/bench/bench.h ms_sss.h
-	@mkdir -p build && $(COMPILE) -D_POSIX_C_SOURCE=200809L -Iexamples -Itests/bench -o $@ tests/bench/gpu_sss.c -lEGL $(LDLIBS)
+build/engine: examples/engine/engine.c examples/engine/egl.h $(IMAGE) ms_sss.h
+	@mkdir -p build && $(COMPILE) -Iexamples/tools -Iexamples/demo -Iexamples/engine -o $@ examples/engine/engine.c -lEGL $(LDLIBS)
+build/previews: examples/engine/previews.c examples/engine/egl.h examples/tools/neural.h $(IMAGE) ms_nn.h
+	@mkdir -p build && $(COMPILE) -Iexamples/tools -Iexamples/demo -Iexamples/engine -o $@ examples/engine/previews.c -lEGL $(LDLIBS)
+build/bench_gpu: tests/bench/gpu_sss.c examples/engine/egl.h tests/bench/bench.h ms_sss.h
+	@mkdir -p build && $(COMPILE) -D_POSIX_C_SOURCE=200809L -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench -o $@ tests/bench/gpu_sss.c -lEGL $(LDLIBS)
 bench-gpu: build/bench_gpu
 	@build/bench_gpu
 

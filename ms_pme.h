@@ -63,9 +63,9 @@
    Edits that no material explains
    -------------------------------
    Exposure, tint and an offset of the picture can be fitted along (options.nuisance). A logo, a stitch: weights by
-   ms_pme_reweigh, and match again from the answer, some times (examples/match.c --robust). Parameters: frozen by equal
-   bounds, tied (options.tie), pulled towards a source (options.pull); bounds around the last frame's answer limit what
-   a frame may change.
+   ms_pme_reweigh, and match again from the answer, some times (examples/tools/match.c --robust). Parameters: frozen by
+   equal bounds, tied (options.tie), pulled towards a source (options.pull); bounds around the last frame's answer limit
+   what a frame may change.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------

@@ -283,10 +283,10 @@ MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const doub
    reflectance profiles for efficient subsurface scattering, equation 6 (searchlight configuration). */
 MS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm);
 
-/* From the text that examples/profile.c prints: lines "r_mm,R,G,B", comments that begin with '#', empty lines, and an
-   optional heading that begins with a letter; numbers with '.' in every locale, or semicolons and decimal commas; a
-   byte order mark is skipped, UTF-16 is MS_UNSUPPORTED. Where each r is the middle of a ring (edges 0, 2 r_0, 2 r_1 - 2
-   r_0, ... increase), the values are ring averages, else point samples. text need not end with NUL.
+/* From the text that examples/tools/profile.c prints: lines "r_mm,R,G,B", comments that begin with '#', empty lines,
+   and an optional heading that begins with a letter; numbers with '.' in every locale, or semicolons and decimal
+   commas; a byte order mark is skipped, UTF-16 is MS_UNSUPPORTED. Where each r is the middle of a ring (edges 0, 2 r_0,
+   2 r_1 - 2 r_0, ... increase), the values are ring averages, else point samples. text need not end with NUL.
    MS_BAD_DATA: error->position is the line. */
 MS_API ms_status ms_sss_profile_from_csv(ms_sss_profile **profile, const char *text, size_t size,
                                          const ms_allocator *allocator, ms_error *error);
@@ -7774,34 +7774,34 @@ static const char *const ms_sss__transmission_body[] = {
     "}\n"};
 
 /* What lines are chosen by, and what stands as a number in them; the values are of ms_sss__say_shader. */
-#define MS_SSS__FEATURE_LIST(X)                                                                                       \
-    X(PREPARE, s->step == MS_SSS_STEP_PREPARE)                                                                        \
-    X(PASS, pass)                                                                                                     \
-    X(SECOND, second)                                                                                                 \
-    X(HALVED, halved)                                                                                                 \
-    X(DOWN, down) X(NORMAL, normal) X(SMALLER, down || normal) X(UP, up) X(NEARNESS, up || down) X(TOWER, tower)      \
-        X(BASE, base) X(SHRINK, s->step == MS_SSS_STEP_SHRINK) X(GATHER, gather) X(RESOLVE, resolve) X(               \
-            GATHERS, gather || resolve) X(SIZES, MS_SSS_PYRAMID_SIZES) X(LAST_SIZE, MS_SSS_PYRAMID_SIZES - 2)         \
-            X(TAPS, s->tap_count) X(STRIDE, ms_sss__shader_stride(s)) X(PROFILES, ms_sss__shader_profiles(s)) X(      \
-                TERMS, ms_sss__shader_terms(s)) X(CORNERS, turned ? 4 : 2) X(TURNED, turned)                          \
-                X(HALF_KERNEL, s->half_kernel) X(RAW, raw) X(WITH_STRENGTH, s->with_strength) X(                      \
-                    WITH_NORMAL, s->with_normal && (shape || !tower)) X(DEPTH, depth)                                 \
-                    X(DEPTH_TEXTURE, s->depth == MS_SSS_TEXTURE) X(DEPTH_ALPHA, s->depth == MS_SSS_ALPHA) X(          \
-                        PROFILE, profile) X(PROFILE_TEXTURE, s->profile == MS_SSS_TEXTURE)                            \
-                        X(PROFILE_ALONE,                                                                              \
-                          profile && !depth && !tower) X(READS_PROFILE, again || (raw && profile && !both_alpha))     \
-                            X(BOTH, depth &&profile && !tower) X(BOTH_ALPHA, both_alpha)                              \
-                                X(PERSPECTIVE, o->fov_degrees > 0) X(FOLLOW, follow) X(EXACT, o->exact && !follow)    \
-                                    X(SPATIAL, shape && !o->exact) X(FALLOFF, !follow && !o->exact && !shape)         \
-                                        X(SHAPE, tower ? depth && o->depth_mode == MS_SSS_DEPTH_AWARE : shape &&pass) \
-                                            X(TILTED, shape) X(SLOPES, shape && (pass || base))                       \
-                                                X(GIVEN, s->slopes_kept &&second) X(KEEPS, two && !tower)             \
-                                                    X(COMPUTE, s->compute) X(TILED, s->compute &&pass)                \
-                                                        X(LATER, s->later) X(GROUP_X, group[0])                       \
-                                                            X(GROUP_Y, group[1]) X(APRON_X, apron[0])                 \
-                                                                X(APRON_Y, apron[1])                                  \
-                                                                    X(TILE_X, pass ? group[0] + 2 * apron[0] : 1)     \
-                                                                        X(TILE_Y, pass ? group[1] + 2 * apron[1] : 1)
+#define MS_SSS__FEATURE_LIST(X)                                                                                        \
+    X(PREPARE, s->step == MS_SSS_STEP_PREPARE)                                                                         \
+    X(PASS, pass)                                                                                                      \
+    X(SECOND, second)                                                                                                  \
+    X(HALVED, halved)                                                                                                  \
+    X(DOWN, down)                                                                                                      \
+    X(NORMAL, normal) X(SMALLER, down || normal) X(UP, up) X(NEARNESS, up || down) X(TOWER, tower) X(BASE, base) X(    \
+        SHRINK, s->step == MS_SSS_STEP_SHRINK) X(GATHER, gather) X(RESOLVE, resolve) X(GATHERS, gather || resolve)     \
+        X(SIZES, MS_SSS_PYRAMID_SIZES) X(LAST_SIZE, MS_SSS_PYRAMID_SIZES - 2) X(TAPS, s->tap_count) X(                 \
+            STRIDE, ms_sss__shader_stride(s)) X(PROFILES, ms_sss__shader_profiles(s)) X(TERMS,                         \
+                                                                                        ms_sss__shader_terms(s))       \
+            X(CORNERS, turned ? 4 : 2) X(TURNED, turned) X(HALF_KERNEL, s->half_kernel) X(RAW, raw)                    \
+                X(WITH_STRENGTH, s->with_strength) X(WITH_NORMAL, s->with_normal && (shape || !tower)) X(DEPTH, depth) \
+                    X(DEPTH_TEXTURE, s->depth == MS_SSS_TEXTURE) X(DEPTH_ALPHA, s->depth == MS_SSS_ALPHA) X(           \
+                        PROFILE, profile) X(PROFILE_TEXTURE, s->profile == MS_SSS_TEXTURE)                             \
+                        X(PROFILE_ALONE,                                                                               \
+                          profile && !depth && !tower) X(READS_PROFILE, again || (raw && profile && !both_alpha))      \
+                            X(BOTH, depth &&profile && !tower) X(BOTH_ALPHA, both_alpha)                               \
+                                X(PERSPECTIVE, o->fov_degrees > 0) X(FOLLOW, follow) X(EXACT, o->exact && !follow)     \
+                                    X(SPATIAL, shape && !o->exact) X(FALLOFF, !follow && !o->exact && !shape)          \
+                                        X(SHAPE, tower ? depth && o->depth_mode == MS_SSS_DEPTH_AWARE : shape &&pass)  \
+                                            X(TILTED, shape) X(SLOPES, shape && (pass || base))                        \
+                                                X(GIVEN, s->slopes_kept &&second) X(KEEPS, two && !tower)              \
+                                                    X(COMPUTE, s->compute) X(TILED, s->compute &&pass)                 \
+                                                        X(LATER, s->later) X(GROUP_X, group[0]) X(GROUP_Y, group[1])   \
+                                                            X(APRON_X, apron[0]) X(APRON_Y, apron[1])                  \
+                                                                X(TILE_X, pass ? group[0] + 2 * apron[0] : 1)          \
+                                                                    X(TILE_Y, pass ? group[1] + 2 * apron[1] : 1)
 
 enum {
 #define MS_SSS__FEATURE_ENUM(name, value) MS_SSS__HAS_##name,

@@ -20,7 +20,7 @@ if [ "$(uname -sm)" != "Linux x86_64" ] || ! gcc --version >/dev/null 2>&1; then
     exit 77
 fi
 name=${header%.h}
-flags="-std=c99 -D_POSIX_C_SOURCE=200809L -I. -Itests -Iexamples -Itests/bench"
+flags="-std=c99 -D_POSIX_C_SOURCE=200809L -I. -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench"
 printf '#define %s_IMPLEMENTATION\n#include "%s"\n' "$(echo "$name" | tr a-z A-Z)" "$header" >"$out/names.c"
 gcc $flags -O0 -c "$out/names.c" -o "$out/names.o" || exit 1
 nm "$out/names.o" | awk -v p="^${name}_" '$2 == "T" && $3 ~ p {print $3}' >"$out/names"

@@ -17,7 +17,7 @@ for h; do
         grep -q "include \"$h\"" "$t" || continue
         n=$(basename "$t" .c)
         case $n in *_big_endian | test_memory) continue ;; esac
-        $CC -std=c99 -O0 --coverage -fprofile-update=atomic -w -D_POSIX_C_SOURCE=200809L -I"$root" -I"$root/tests" -I"$root/examples" -I"$root/tests/bench" -c "$t" -o "$out/$n.o" &&
+        $CC -std=c99 -O0 --coverage -fprofile-update=atomic -w -D_POSIX_C_SOURCE=200809L -I"$root" -I"$root/tests" -I"$root/examples/tools" -I"$root/examples/demo" -I"$root/examples/engine" -I"$root/tests/bench" -c "$t" -o "$out/$n.o" &&
             $CC --coverage "$out/$n.o" -o "$out/$n" -lm -lpthread || exit 1
         "$out/$n" >"$out/$n.log" 2>&1 || echo "FAIL $n: $(tail -1 "$out/$n.log")"
         (cd "$out" && gcov -b -c "$n.o" >"$n.gcov.log" 2>&1 && for g in "$h".gcov *"#$h".gcov; do [ ! -f "$g" ] || mv "$g" "$n.lines"; done)

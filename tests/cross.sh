@@ -44,7 +44,7 @@ failed=0
 build() { # NAME SOURCE...
     program=$out/$1$suffix
     shift
-    $compiler $flags -I. -Itests -Iexamples -Itests/bench "$@" -o "$program" $libraries >"$out/log" 2>&1 && return 0
+    $compiler $flags -I. -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench "$@" -o "$program" $libraries >"$out/log" 2>&1 && return 0
     echo "FAIL to build $*"
     head -20 "$out/log"
     failed=$((failed + 1))

@@ -201,7 +201,7 @@ if [ -x build/nn_info ]; then
 fi
 
 if [ -x build/own_shader ] && [ -x build/train ]; then # a shader of one's own, end to end, small
-    ok "own_shader.sh" env COUNT=200 SIZE=16 STEPS=100 TRAIN="--epochs 60 --width 48 --rank 16" sh examples/own_shader.sh "$out/own"
+    ok "own_shader.sh" env COUNT=200 SIZE=16 STEPS=100 TRAIN="--epochs 60 --width 48 --rank 16" sh examples/tools/own_shader.sh "$out/own"
     is "it finds that the channels share" "$(sed -n 's/^channels: share a network, inputs \(.*\) of.*/\1/p' "$out/own/train.txt")" "0,3,6,7,8,9;1,4,6,7,8,9;2,5,6,7,8,9"
     is "names in the answers" "$(head -1 "$out/own/match_00003.csv")" "$(head -1 "$out/own/pictures.csv")"
     is "recommendations that are red metal" "$(awk -F, 'NR > 1 { n += ($9 > .5 && $1 > $2) } END { print (n >= 12) }' "$out/own/recommended.csv")" 1

@@ -2,7 +2,7 @@
    a headless Chromium runs with tests/gpu.js. GPU_FILE "name" stands before the names of files in build/. */
 #ifndef GPU_H
 #define GPU_H
-#include "gl/egl.h"
+#include "egl.h"
 #include "test.h"
 
 enum { GPU_GLSL_330, GPU_GLSL_ES_300, GPU_VULKAN, GPU_HLSL, GPU_WGSL }; /* languages, as the headers number them */

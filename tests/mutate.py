@@ -29,7 +29,7 @@ lines = open(name + '.h').read().split('\n')
 out = 'build/mutate'
 os.makedirs(out, exist_ok=True)
 tsv = '%s/%s.tsv' % (out, name)
-flags = '-std=c99 -O1 -w -D_POSIX_C_SOURCE=200809L -Itests -Iexamples -Itests/bench'.split() + (['-DMS_NO_SIMD'] if o.scalar else [])
+flags = '-std=c99 -O1 -w -D_POSIX_C_SOURCE=200809L -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench'.split() + (['-DMS_NO_SIMD'] if o.scalar else [])
 nice = ['nice', '-n', '10']
 
 

@@ -5,7 +5,7 @@
 set -u
 CC=${CC:-cc}
 CXX=${CXX:-c++}
-flags="-D_POSIX_C_SOURCE=200809L -I. -Itests -Iexamples -Itests/bench -O2"
+flags="-D_POSIX_C_SOURCE=200809L -I. -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench -O2"
 embree=-lembree3
 echo '#include <embree4/rtcore.h>
 int main(void) { return 0; }' >"$2.probe.c"

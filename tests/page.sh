@@ -1,5 +1,5 @@
 #!/bin/sh
-# The exhibition (examples/exhibition.sh) from pictures that the repository holds, laid out by headless Chromium at the width of a
+# The exhibition (examples/demo/exhibition.sh) from pictures that the repository holds, laid out by headless Chromium at the width of a
 # phone and of a desktop: nothing wider than the window, no picture missing, every section there. sh tests/page.sh OUT
 set -u
 out=$1
@@ -15,7 +15,7 @@ for channel in red green blue; do cp examples/data/profile.svg "$out/demo/profil
 echo 'bust.png: before 19.9% | after 10.3% | truth | difference x 4' >"$out/demo/sss.txt"
 printf '| stage | size | time, ms |\n|---|---|---:|\n| fit | 250 | 9 |\n' >"$out/demo/times.md"
 touch "$out/demo/studio.html" "$out/demo/designer.html"
-sh examples/exhibition.sh "$out/demo" >"$out/demo/index.html" || failed=$((failed + 1))
+sh examples/demo/exhibition.sh "$out/demo" >"$out/demo/index.html" || failed=$((failed + 1))
 check "the live pages" "$(grep -c 'href="studio.html".*href="designer.html"' "$out/demo/index.html")" 1
 check "sections" "$(grep -c '<section' "$out/demo/index.html")" 5
 check "closed sections" "$(grep -c '</section' "$out/demo/index.html")" 5

@@ -1,5 +1,5 @@
-/* examples/image.h against OpenImageIO: what one writes the other reads. examples/scene.h against its pictures of
-   old. */
+/* examples/tools/image.h against OpenImageIO: what one writes the other reads. examples/demo/scene.h against its
+   pictures of old. */
 #include "image.h"
 #include "oiio.h"
 #include "scene.h"

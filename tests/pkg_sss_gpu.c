@@ -1098,9 +1098,9 @@ static void case_engine(void)
     int x, k, found, c;
     if (!gl_open(GL_API_33)) SKIP("no OpenGL 3.3 context without a window");
     if (system(
-            "${CC:-cc} -std=c99 -O1 -D_POSIX_C_SOURCE=200809L -I. -Iexamples examples/gl/engine.c -o build/engine -lEGL -lm && build/engine build/engine.png") !=
+            "${CC:-cc} -std=c99 -O1 -D_POSIX_C_SOURCE=200809L -I. examples/engine/engine.c -o build/engine -lEGL -lm && build/engine build/engine.png") !=
         0)
-        TEST_FAIL("examples/gl/engine.c does not build or run");
+        TEST_FAIL("examples/engine/engine.c does not build or run");
     problem = image_read("build/engine.png", &im);
     if (problem) TEST_FAIL("build/engine.png: %s", problem);
     CHECK_INT(im.width, 960);
@@ -1195,7 +1195,7 @@ static const test_case cases[] = {
     {"texels read by 7 taps", case_reads},
     {"layout of the constants", case_constants},
     {"transmission in a light loop", case_transmission},
-    {"examples/gl/engine.c", case_engine},
+    {"examples/engine/engine.c", case_engine},
     {"GLSL 330 is valid", case_glsl},
     {"GLSL ES 300 is valid", case_glsl_es},
     {"GLSL 430 compute is valid", case_glsl_compute},

@@ -55,7 +55,7 @@ number=1000
 warn="-Wall -Wextra -pedantic -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion -Wvla -Wcast-align -Wundef"
 warn_c="$warn -Wstrict-prototypes -Wmissing-prototypes"
 posix="-D_POSIX_C_SOURCE=200809L"
-paths="-I. -Itests -Iexamples -Itests/bench"
+paths="-I. -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench"
 headers=$(ls ms_*.h)
 
 # job NAME COMMAND: a line of shell; false where FILTER leaves it out
@@ -79,7 +79,10 @@ since() {
 }
 # reached FILE: the libraries that it includes; beside FILE: what else it includes
 reached() { grep -o -h 'include "ms_[a-z]*\.h"' "$1" | cut -d'"' -f2; }
-beside() { grep -o -h 'include "[a-z_/]*\.h"' "$1" | cut -d'"' -f2 | grep -v '^ms_' | sed 's/.*/examples\/& tests\/& tests\/bench\/&/'; }
+beside() {
+    grep -o -h 'include "[a-z_/.]*\.h"' "$1" | cut -d'"' -f2 | sed 's/.*\///' | grep -v '^ms_' |
+        sed 's/.*/examples\/tools\/& examples\/demo\/& examples\/engine\/& tests\/& tests\/bench\/&/'
+}
 
 have() { command -v "$1" >/dev/null 2>&1; }
 
@@ -196,7 +199,8 @@ style_jobs() {
     for compiler in gcc clang; do
         have $compiler || { job "style_$compiler" "echo 'no $compiler on this machine'; exit 77"; continue; }
         cxx=$(echo $compiler | sed 's/gcc/g++/; s/clang/clang++/')
-        for f in tests/test_*.c tests/bench/bench_*.c tests/fuzz/*.c examples/*.c examples/web/*.c; do
+        for f in tests/test_*.c tests/bench/bench_*.c tests/fuzz/*.c examples/*/*.c; do
+            ! grep -q '"egl.h"' "$f" || continue # its headers are not everywhere
             [ -f "$f" ] && since "$f" $(beside "$f") || continue
             n=$(echo "${f%.c}" | sed 's/.*\(tests\|examples\)\///; s/\//_/g')
             attributes="" # those of WebAssembly are unknown here

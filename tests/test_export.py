@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""examples/export_torch.py against build/nn_run: outputs and input gradients of PyTorch networks, and of a Keras network
+"""examples/tools/export_torch.py against build/nn_run: outputs and input gradients of PyTorch networks, and of a Keras network
 whose layers are stood in for by objects with get_config() and get_weights(). Skipped (exit 77) without PyTorch."""
 import copy, os, subprocess, sys, types
-sys.path.insert(0, "examples")
+sys.path.insert(0, "examples/tools")
 try:
     import numpy as np, torch
     from torch import nn

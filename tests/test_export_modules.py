@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""examples/export_torch.py without PyTorch: modules are stood in for by objects with its attributes. What cannot be saved is named and
+"""examples/tools/export_torch.py without PyTorch: modules are stood in for by objects with its attributes. What cannot be saved is named and
 leaves no file; Sequentials within one another and BatchNorm against numpy. Skipped (exit 77) without numpy."""
 import math, os, subprocess, sys
-sys.path.insert(0, "examples")
+sys.path.insert(0, "examples/tools")
 try:
     import numpy as np
 except ImportError as e:

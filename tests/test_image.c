@@ -1,5 +1,5 @@
-/* examples/image.h: PFM, PPM, PGM and PNG are read as their formats say, and strictly; the written PNG's parts are
-   well-formed; other sizes keep the light. */
+/* examples/tools/image.h: PFM, PPM, PGM and PNG are read as their formats say, and strictly; the written PNG's parts
+   are well-formed; other sizes keep the light. */
 #include "image.h"
 #include "test.h"
 

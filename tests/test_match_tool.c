@@ -1,5 +1,5 @@
-/* The command build/match (examples/match.c) as people use it: one picture in every format and size, masks, alpha,
-   names, exit codes, and old results that stay after a failure. */
+/* The command build/match (examples/tools/match.c) as people use it: one picture in every format and size, masks,
+   alpha, names, exit codes, and old results that stay after a failure. */
 #include "edits.h"
 #include "test.h"
 #include <sys/wait.h>

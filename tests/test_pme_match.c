@@ -1,6 +1,6 @@
-/* The match of pictures by neural renderers, as examples/match.c does it: networks made up here, of other sizes and
-   with and without a linear last layer, inversion networks that fit or don't, the edits, and the shipped networks where
-   they are. */
+/* The match of pictures by neural renderers, as examples/tools/match.c does it: networks made up here, of other sizes
+   and with and without a linear last layer, inversion networks that fit or don't, the edits, and the shipped networks
+   where they are. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #define MS_PME_IMPLEMENTATION

@@ -1,4 +1,5 @@
-/* The command build/sss_filter (examples/sss_filter.c): results, exit codes, sentences, and no file after a failure. */
+/* The command build/sss_filter (examples/tools/sss_filter.c): results, exit codes, sentences, and no file after a
+ * failure. */
 #include "image.h"
 #include "test.h"
 #include <sys/wait.h>

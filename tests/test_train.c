@@ -1,6 +1,6 @@
-/* What build/train is made of (examples/train.h) against plain loops in double and finite differences, and the command
-   itself as people use it: pictures of an analytic shader in folders and sheets, its network against the shader,
-   interrupted runs, bad input by file and line. */
+/* What build/train is made of (examples/tools/train.h) against plain loops in double and finite differences, and the
+   command itself as people use it: pictures of an analytic shader in folders and sheets, its network against the
+   shader, interrupted runs, bad input by file and line. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #include "test.h"

@@ -7,10 +7,10 @@ web=examples/web
 
 sources() { # what page $1 is made of
     case $1 in
-    studio) echo ms_gpr.h ms_nn.h ms_pme.h examples/studio.h examples/neural.h examples/matcher.h examples/maps.h examples/materialx.h \
-        examples/files.h examples/image.h $web/studio.c $web/wasi.js $web/studio.worker.js $web/studio.js $web/page.css $web/studio.css \
+    studio) echo ms_gpr.h ms_nn.h ms_pme.h examples/tools/studio.h examples/tools/neural.h examples/tools/matcher.h examples/tools/maps.h examples/tools/materialx.h \
+        examples/tools/files.h examples/tools/image.h $web/studio.c $web/wasi.js $web/studio.worker.js $web/studio.js $web/page.css $web/studio.css \
         $web/studio.part.html $web/pack.c $web/build.sh examples/data/renderer_128.safetensors examples/data/inversion_6.safetensors ;;
-    kernels) echo ms_mcml.h ms_sss.h examples/scene.h examples/image.h examples/files.h $web/kernels.c $web/wasi.js $web/kernels.worker.js \
+    kernels) echo ms_mcml.h ms_sss.h examples/demo/scene.h examples/tools/image.h examples/tools/files.h $web/kernels.c $web/wasi.js $web/kernels.worker.js \
         $web/kernels.js $web/page.css $web/kernels.css $web/kernels.part.html $web/build.sh ;;
     *) echo "no page of that name: $1" >&2; exit 2 ;;
     esac
@@ -42,7 +42,7 @@ fi
 made=build/web
 mkdir -p "$made" "$(dirname "$out")"
 echo "compiling $page.wasm"
-${WASM_CC:-clang} --target=wasm32-wasi -mexec-model=reactor -O3 -msimd128 -I. -Iexamples $web/"$page".c -o "$made/$page.wasm" \
+${WASM_CC:-clang} --target=wasm32-wasi -mexec-model=reactor -O3 -msimd128 -I. $web/"$page".c -o "$made/$page.wasm" \
     -Wl,-z,stack-size=524288 -Wl,--strip-all
 base64_of() { gzip -9nc "$1" | base64 | tr -d '\n'; }
 binary() { # id, file

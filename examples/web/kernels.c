@@ -1,12 +1,12 @@
 /* The kernel designer's side of WebAssembly: profiles, kernels, shader texts, the CPU's filter and the layers of the
    objects of scene.h, behind calls of numbers, for kernels.worker.js.
-     clang --target=wasm32-wasi -mexec-model=reactor -O3 -msimd128 -I. -Iexamples examples/web/kernels.c -o kernels.wasm
+     clang --target=wasm32-wasi -mexec-model=reactor -O3 -msimd128 -I. examples/web/kernels.c -o kernels.wasm
    Calls return 0, or a status, and then message() says why. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
-#include "scene.h"
+#include "../demo/scene.h"
 
 #define CALL(type, name, arguments) \
     type web_##name arguments;      \

@@ -1,18 +1,18 @@
-/* The studio's side of WebAssembly: examples/studio.h and its friends behind calls of numbers, for studio.worker.js.
-   Files are read and written where the page's WASI (wasi.js) keeps them, in memory.
-     clang --target=wasm32-wasi -mexec-model=reactor -O3 -msimd128 -I. -Iexamples examples/web/studio.c -o studio.wasm
-   Calls return 0, or a status, and then message() says why. Materials go through x(), numbers through numbers(),
-   pictures through rgba(), 4 bytes a pixel as a canvas takes them. */
+/* The studio's side of WebAssembly: examples/tools/studio.h and its friends behind calls of numbers, for
+   studio.worker.js. Files are read and written where the page's WASI (wasi.js) keeps them, in memory. clang
+   --target=wasm32-wasi -mexec-model=reactor -O3 -msimd128 -I. examples/web/studio.c -o studio.wasm Calls return 0, or a
+   status, and then message() says why. Materials go through x(), numbers through numbers(), pictures through rgba(), 4
+   bytes a pixel as a canvas takes them. */
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #define MS_PME_IMPLEMENTATION
 #include "ms_pme.h"
-#include "studio.h"
-#include "matcher.h"
-#include "maps.h"
-#include "materialx.h"
+#include "../tools/studio.h"
+#include "../tools/matcher.h"
+#include "../tools/maps.h"
+#include "../tools/materialx.h"
 
 #define CALL(type, name, arguments) \
     type web_##name arguments;      \

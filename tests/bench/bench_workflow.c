@@ -1,5 +1,5 @@
-/* The stages of examples/workflow.c beside the thesis's Table 3.3: runs build/workflow nine times and keeps the table
-   of the run with the median sum. Writes build/bench/workflow.md and workflow.csv. */
+/* The stages of examples/tools/workflow.c beside the thesis's Table 3.3: runs build/workflow nine times and keeps the
+   table of the run with the median sum. Writes build/bench/workflow.md and workflow.csv. */
 #include "bench.h"
 
 enum { RUNS = 9, TEXT = 8192 };

@@ -5,7 +5,7 @@
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "bench.h"
-#include "gl/egl.h"
+#include "egl.h"
 
 enum {
     COLOUR,

@@ -18,7 +18,7 @@ for f in tests/bench/bench_*.c; do
     read -r source with <build/bench/peer && name=$(basename "$source" .cpp) &&
         ${CXX:-c++} -std=c++11 -O3 -I/usr/include/opencv4 -c "tests/bench/$source" -o "build/bench/$name.o" >/dev/null 2>&1 &&
         libraries="$libraries build/bench/$name.o $with -lstdc++ -DHAVE_$(echo "$name" | tr a-z A-Z)"
-    ${CC:-cc} -std=c99 ${CFLAGS:--O2} -D_POSIX_C_SOURCE=200809L -I. -Itests -Iexamples -Itests/bench "$f" -o "build/bench/$n" $libraries -lm -lpthread &&
+    ${CC:-cc} -std=c99 ${CFLAGS:--O2} -D_POSIX_C_SOURCE=200809L -I. -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench "$f" -o "build/bench/$n" $libraries -lm -lpthread &&
         "build/bench/$n" || echo "$n failed"
 done
 sh tests/bench/readme.sh

@@ -1,6 +1,6 @@
 /* 60 edited pictures of the held-out materials of examples/data, 64 x 64, for the match's tests and benchmarks: each of
-   the 13 further edits of examples/edits.h of three materials, and 21 by the thesis's ten; and the same of 60 other
-   materials, for a check: of the header only the halving's schedule was chosen with a look at them.
+   the 13 further edits of examples/demo/edits.h of three materials, and 21 by the thesis's ten; and the same of 60
+   other materials, for a check: of the header only the halving's schedule was chosen with a look at them.
    tests/data/pme_targets.csv holds the least RMSE known for each, from `build/bench/bench_pme --known`. */
 #ifndef MS_BENCH_TARGETS_H
 #define MS_BENCH_TARGETS_H

@@ -1,4 +1,4 @@
-/* The reader of PFM, PPM and PGM in examples/image.h. */
+/* The reader of PFM, PPM and PGM in examples/tools/image.h. */
 #include "image.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);

@@ -1,17 +1,17 @@
 /* Pairs of material and picture for training: dataset FOLDER FIRST COUNT [SIZE] [SAMPLES] [TAKE]
 
    Material i is a function of i alone, so that any range can be made anywhere: jobs on several machines take ranges of
-   indices, their folders are copied together. 32 pictures go to a file part_NNNNNN.bin (NNNNNN = first index / 32), which
-   appears under its name only when it is whole: start again after an interruption and what is there is skipped. The last file
-   of a COUNT that is no multiple of 32 holds fewer, and is made again when more of it are asked for.
+   indices, their folders are copied together. 32 pictures go to a file part_NNNNNN.bin (NNNNNN = first index / 32),
+   which appears under its name only when it is whole: start again after an interruption and what is there is skipped.
+   The last file of a COUNT that is no multiple of 32 holds fewer, and is made again when more of it are asked for.
 
    A file: "msds", then little-endian u32: version 1, size, samples, first index, pictures n; then n times 19 f32
    parameters; then n times size x size x 3 f16, linear radiance, top row first.
 
    Even materials are uniform in [0, 1]^19. Odd ones are sharp: the three mix factors (x7, x16, x17) are 0 or 1. Every
-   fourth one (i = 1 mod 4) has glass of low roughness: x11 = 0.3 u^2. Indices from 2^30 on are the held-out ones. Pictures
-   of the same materials with another TAKE (0) have independent noise: the mean of (p - a)(p - b) over two takes a and b is
-   the squared error of p without the noise. */
+   fourth one (i = 1 mod 4) has glass of low roughness: x11 = 0.3 u^2. Indices from 2^30 on are the held-out ones.
+   Pictures of the same materials with another TAKE (0) have independent noise: the mean of (p - a)(p - b) over two
+   takes a and b is the squared error of p without the noise. */
 #define MS_SSS_IMPLEMENTATION /* for the random numbers that all headers share */
 #include "ms_sss.h"
 #include "image.h"
@@ -48,7 +48,8 @@ static uint32_t pictures_in(const char *path)
 }
 
 /* One file of n pictures; 0 where it could not be written. */
-static int write_part(const material_scene *stage, const char *folder, uint32_t first, uint32_t n, int size, int samples, uint32_t take)
+static int write_part(const material_scene *stage, const char *folder, uint32_t first, uint32_t n, int size,
+                      int samples, uint32_t take)
 {
     char path[1024], temporary[1040];
     FILE *f;
@@ -98,11 +99,16 @@ static int write_part(const material_scene *stage, const char *folder, uint32_t 
 
 int main(int argc, char **argv)
 {
-    unsigned long first = argc > 3 ? strtoul(argv[2], NULL, 10) : 1, count = argc > 3 ? strtoul(argv[3], NULL, 10) : 0, i;
-    int size = argc > 4 ? atoi(argv[4]) : 128, samples = argc > 5 ? atoi(argv[5]) : 32, take = argc > 6 ? atoi(argv[6]) : 0;
+    unsigned long first = argc > 3 ? strtoul(argv[2], NULL, 10) : 1, count = argc > 3 ? strtoul(argv[3], NULL, 10) : 0,
+                  i;
+    int size = argc > 4 ? atoi(argv[4]) : 128, samples = argc > 5 ? atoi(argv[5]) : 32,
+        take = argc > 6 ? atoi(argv[6]) : 0;
     material_scene *stage;
-    if (argc < 4 || argc > 7 || first % PART || count < 1 || first + count > 0xfffffff0ul || size < 1 || size > 4096 || samples < 1 || take < 0) {
-        fprintf(stderr, "usage: dataset FOLDER FIRST COUNT [SIZE 128] [SAMPLES 32] [TAKE 0]   (FIRST a multiple of %d)\n", PART);
+    if (argc < 4 || argc > 7 || first % PART || count < 1 || first + count > 0xfffffff0ul || size < 1 || size > 4096 ||
+        samples < 1 || take < 0) {
+        fprintf(stderr,
+                "usage: dataset FOLDER FIRST COUNT [SIZE 128] [SAMPLES 32] [TAKE 0]   (FIRST a multiple of %d)\n",
+                PART);
         return 2;
     }
     stage = material_scene_create(1);
@@ -111,7 +117,8 @@ int main(int argc, char **argv)
         return 1;
     }
     for (i = first; i < first + count; i += PART)
-        if (!write_part(stage, argv[1], (uint32_t)i, (uint32_t)(first + count - i < PART ? first + count - i : PART), size, samples, (uint32_t)take)) {
+        if (!write_part(stage, argv[1], (uint32_t)i, (uint32_t)(first + count - i < PART ? first + count - i : PART),
+                        size, samples, (uint32_t)take)) {
             fprintf(stderr, "dataset: cannot write to %s\n", argv[1]);
             material_scene_destroy(stage);
             return 1;

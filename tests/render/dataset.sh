@@ -11,7 +11,7 @@ for embree in embree4 embree3 none; do
     echo "#include <$embree/rtcore.h>" >build/embree.c
     ! ${CC:-cc} -c build/embree.c -o build/embree.o 2>/dev/null || break
 done
-${CC:-cc} -std=c99 -O3 -D_POSIX_C_SOURCE=200809L -I. -Itests -Iexamples tests/render/dataset.c -o build/dataset_tool "-l$embree" -lm
+${CC:-cc} -std=c99 -O3 -D_POSIX_C_SOURCE=200809L -I. -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine tests/render/dataset.c -o build/dataset_tool "-l$embree" -lm
 # one process a job, each on every JOBS-th block of 256 pictures
 seq "$first" 256 $((first + count - 1)) | while read -r at; do
     left=$((first + count - at))

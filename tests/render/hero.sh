@@ -17,7 +17,7 @@ for embree in embree4 embree3 none; do
     echo "#include <$embree/rtcore.h>" >"$folder/embree.c"
     ! ${CC:-cc} -c "$folder/embree.c" -o "$folder/embree.o" 2>/dev/null || break
 done
-${CC:-cc} -std=c99 -O3 -D_POSIX_C_SOURCE=200809L -I. -Itests -Iexamples tests/render/hero.c -o "$folder/hero" "-l$embree" -lm
+${CC:-cc} -std=c99 -O3 -D_POSIX_C_SOURCE=200809L -I. -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine tests/render/hero.c -o "$folder/hero" "-l$embree" -lm
 if [ ! -s "$materials" ]; then
     for taste in crystal:20 glass:52 metal:52 lacquer:52 wax:52; do
         name=${taste%:*}

@@ -1,5 +1,5 @@
-/* Closed triangle meshes of the distance fields in examples/scene.h, by surface nets: one vertex in every cell that the
-   surface crosses, moved onto the surface, and two triangles for every edge of the grid that it crosses. */
+/* Closed triangle meshes of the distance fields in examples/demo/scene.h, by surface nets: one vertex in every cell
+   that the surface crosses, moved onto the surface, and two triangles for every edge of the grid that it crosses. */
 #ifndef TESTS_RENDER_MESH_H
 #define TESTS_RENDER_MESH_H
 #include "scene.h"

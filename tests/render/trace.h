@@ -2,7 +2,7 @@
    arrives on it from round lamps, and its subsurface scattering by a random walk. One sampler, pixel by pixel: the same
    bytes for any number of threads.
 
-     tracer *t = trace_create(&m, lights, count);      m: tests/render/mesh.h; lights: examples/scene.h
+     tracer *t = trace_create(&m, lights, count);      m: tests/render/mesh.h; lights: examples/demo/scene.h
      trace_primary(t, &camera, width, height, layers); the G-buffer: position, normal, depth
      trace_irradiance, trace_subsurface                what arrives, and what leaves, lamp by lamp
      trace_destroy(t);

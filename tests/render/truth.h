@@ -1,6 +1,6 @@
-/* Ground truth for ms_sss.h: an object of examples/scene.h as a random walk shows it, the irradiance and depth that a
-   filter starts from, the profile of the same walk below a flat surface, and the errors of filtered pictures. Include
-   ms_sss.h with its implementation first. */
+/* Ground truth for ms_sss.h: an object of examples/demo/scene.h as a random walk shows it, the irradiance and depth
+   that a filter starts from, the profile of the same walk below a flat surface, and the errors of filtered pictures.
+   Include ms_sss.h with its implementation first. */
 #ifndef TESTS_RENDER_TRUTH_H
 #define TESTS_RENDER_TRUTH_H
 #include "trace.h"

@@ -18,7 +18,7 @@ done
 # with less noise, to ship
 DATASET=${data}_heldout_2 FIRST=1073741824 COUNT=64 SAMPLES=64 TAKE=2 sh tests/render/dataset.sh
 mkdir -p "$out"
-$CC -std=c99 -O2 -I. -Iexamples tests/render/sheet.c -o build/sheet -lm
+$CC -std=c99 -O2 -I. -Iexamples/tools -Iexamples/demo -Iexamples/engine tests/render/sheet.c -o build/sheet -lm
 build/sheet "$out" "${data}_heldout_0" "${data}_heldout_1" "${data}_heldout_2"
 
 cat >"$out/names.csv" <<'END'

@@ -1,0 +1,150 @@
+#!/bin/sh
+# What `make demo` made, on one page: sh examples/demo/exhibition.sh build/demo > build/demo/index.html
+# A section a header: its picture, its table, the command that made it, the three lines of code. No script, no network.
+set -eu
+out=$1
+
+figure() { # PICTURE, what it shows, then the panels' widths and names: 25:before 25:after ...
+    [ -f "$out/$1" ] || return 0
+    picture=$1
+    caption=$2
+    shift 2
+    echo "<figure>"
+    if [ $# -gt 0 ]; then
+        echo "<div class=\"labels\">"
+        for panel; do echo "<span style=\"width:${panel%%:*}%\">${panel#*:}</span>"; done
+        echo "</div>"
+    fi
+    echo "<a href=\"$picture\"><img src=\"$picture\" alt=\"$caption\"></a><figcaption>$caption</figcaption></figure>"
+}
+table() { # Markdown table rows on standard input
+    echo "<div class=\"wide\"><table>"
+    awk -F'|' 'NF > 2 && $0 !~ /^\|[-:| ]+\|$/ {
+        cell = n++ ? "td" : "th"
+        printf "<tr>"
+        for (i = 2; i < NF; ++i) { gsub(/^ +| +$|\*\*/, "", $i); printf "<%s>%s</%s>", cell, $i, cell }
+        print "</tr>" }'
+    echo "</table></div>"
+}
+section() { # header, its sentence
+    echo "<section id=\"${1%.h}\"><h2><code>$1</code></h2><p>$2</p>"
+}
+code() { # the command, then the three lines on standard input
+    echo "<p class=\"command\"><code>$1</code></p><pre><code>"
+    sed 's/&/\&amp;/g; s/</\&lt;/g; s/>/\&gt;/g'
+    echo "</code></pre></section>"
+}
+
+cat <<'HTML'
+<!DOCTYPE html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>ms: material systems in five C headers</title>
+<style>
+:root{color-scheme:light dark;--ink:#20242a;--soft:#5c6570;--line:#d9dde2;--paper:#fbfaf8;--card:#fff;--accent:#a8402a}
+@media (prefers-color-scheme:dark){:root{--ink:#e7e5e1;--soft:#a2a7ae;--line:#34383e;--paper:#15171a;--card:#1d2024;--accent:#f08a6c}}
+*{box-sizing:border-box}
+body{margin:0;background:var(--paper);color:var(--ink);font:17px/1.55 system-ui,sans-serif}
+main{max-width:1240px;margin:0 auto;padding:clamp(1rem,4vw,3.5rem)}
+h1{font-size:clamp(1.7rem,5vw,3rem);line-height:1.1;margin:0 0 .4em}
+h2{font-size:clamp(1.25rem,3vw,1.7rem);margin:0 0 .3em;color:var(--accent)}
+p{max-width:70ch;margin:.4em 0 1em}
+nav{display:flex;flex-wrap:wrap;gap:.4em 1.4em;margin:1em 0 2.5em}
+a{color:var(--accent)}
+section{background:var(--card);border:1px solid var(--line);border-radius:14px;padding:clamp(1rem,3vw,2rem);margin:0 0 2rem}
+figure{margin:1rem 0}
+img{display:block;width:100%;height:auto;border-radius:6px}
+.labels{display:flex;font-size:clamp(.6rem,1.6vw,.9rem);color:var(--soft);margin:0 0 .3em}
+.labels span{text-align:center;padding:0 .2em;overflow-wrap:anywhere}
+figcaption{font-size:.9rem;color:var(--soft);margin-top:.4em}
+.plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,330px),1fr));gap:1rem}
+.plots img{background:#fff}
+.wide{overflow-x:auto}
+table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.95rem;margin:.5rem 0 1rem}
+td,th{padding:.25em .9em;border-bottom:1px solid var(--line);text-align:right;white-space:nowrap}
+td:first-child,th:first-child{text-align:left;padding-left:0}
+pre{overflow-x:auto;background:var(--paper);border:1px solid var(--line);border-radius:8px;padding:.2em 1em;font-size:.85rem;margin:0}
+code{font-family:ui-monospace,monospace}
+.command{margin:1em 0 .5em;color:var(--soft);font-size:.9rem;overflow-wrap:anywhere}
+.command::before{content:"$ ";color:var(--accent)}
+</style>
+<main>
+<h1>Material systems in five C headers</h1>
+<p>Everything below was made on this machine a moment ago, by programs of a screen each. Each header drops alone into an engine,
+a renderer or a tool, and needs libc and libm.</p>
+<nav><a href="#ms_mcml">light in layers</a><a href="#ms_sss">subsurface scattering</a><a href="#ms_gpr">a learned taste</a><a href="#ms_nn">neural previews</a><a href="#ms_pme">from a picture to its material</a></nav>
+HTML
+
+if [ -f "$out/studio.html" ] && [ -f "$out/designer.html" ]; then
+    echo '<p><b>Live, in your browser:</b> <a href="studio.html">the studio</a>, where it learns what you like while you click, and <a href="designer.html">the kernel designer</a>, a head and a knot with light under their surface.</p>'
+fi
+section ms_mcml.h "How light spreads in skin, milk and marble: a diffusion profile from optical coefficients, without noise."
+echo '<div class="plots">'
+for channel in red green blue; do figure profiles_$channel.svg "What leaves at a distance from where a thin beam enters, $channel, the 11 materials of the thesis"; done
+echo '</div>'
+{ echo "| material | reflectance red | green | blue |"
+  echo "|---|---|---|---|"
+  for material in $(build/profile --list | awk '{print $1}'); do
+      build/profile "$material" | awk -F, -v name="$material" '/^# total_reflectance/ {printf "| %s | %.4f | %.4f | %.4f |\n", name, $2, $3, $4; exit}'
+  done; } | table
+code "build/profile skin1" <<'C'
+for (c = 0; c < 3; ++c) skin[c] = ms_mcml_material_medium(ms_mcml_find_material("skin1"), c);
+if (ms_mcml_profile_make(&profile, skin, 3, NULL, &error)) puts(error.message);
+printf("%.4f of red light comes back\n", profile.total[0]);
+C
+
+section ms_sss.h "The same light on a face: a filter over the picture, measured against path-traced truth."
+if [ -f "$out/sss.txt" ]; then
+    while IFS= read -r line; do
+        old=$IFS; IFS='|'; set -- ${line#*:}; IFS=$old
+        width=$(awk -v n=$# 'BEGIN {print 100 / n}')
+        picture=${line%%:*}
+        labels=""
+        n=$#
+        for label; do labels="$labels
+$width:$(echo "$label" | sed 's/^ *//; s/ *$//')"; done
+        old=$IFS; IFS='
+'; set -f; figure "$picture" "Errors are distances to the truth, in % of its mean square over the object" $labels; set +f; IFS=$old
+    done <"$out/sss.txt"
+else
+    figure skin1.png "A lit bust of skin, before and after" 50:before 50:after
+fi
+figure marble.png "Marble" 50:before 50:after
+figure skins.png "Six skins from what skin is made of: build/profile --skin melanin=0.02,eumelanin=0.7,blood=0.04" "16.6:melanin 0.4%" 16.6:2% 16.6:5% 16.6:10% 16.6:20% 16.6:40%
+echo '<p><a href="kernels.html">Kernel models and their errors</a></p>'
+code "build/sss_filter irradiance.pfm depth.pfm out.png --material skin1 --fov 24" <<'C'
+ms_sss_kernel_make(&kernel, &errors, profile, 24, NULL, NULL, NULL);  /* once */
+ms_sss_shader_text(&shader, &options, text, sizeof text, &error);      /* GPU: the two passes as text */
+ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, &error);  /* CPU: every frame */
+C
+
+section ms_gpr.h "Score a gallery, get hundreds of materials to your taste, and a plane to walk in."
+figure workflow.png "From a scored gallery to recommendations, the plane of the best of them, an edited picture's match and a walk through the plane"
+figure latent.png "Another taste: the plane of its best materials"
+figure materialx.png "Eight materials by the path tracer, and by the shader that MaterialX's own library makes of the file that build/materialx writes"
+[ ! -f "$out/times.md" ] || awk 'NF == 0 {exit} {print}' "$out/times.md" | table
+code "build/recommend examples/data/scores.csv --count 300" <<'C'
+ms_gpr_fit(x, y, n, 19, NULL, &taste, NULL, &error);
+ms_gpr_recommend(taste, NULL, 300, more, NULL, NULL, NULL, &error);
+ms_gpr_destroy(taste);
+C
+
+section ms_nn.h "Pictures of materials in a tenth of a millisecond, by networks of a few megabytes."
+figure preview.png "64 materials that the network never saw" 33.3:network 33.3:path-traced 33.3:"difference × 8"
+[ ! -f "$out/preview.txt" ] || table <"$out/preview.txt"
+code "build/preview examples/data/renderer_128.safetensors examples/data/materials.csv sheet.png examples/data/materials.ppm" <<'C'
+ms_nn_load_file("renderer_128.safetensors", NULL, &network, &error);
+ms_nn_forward(network, count, parameters, pictures, NULL);
+ms_nn_destroy(network);
+C
+
+section ms_pme.h "Paint over a picture of a material, and get the material that looks like it."
+figure match.png "Eight edited pictures, and the materials that come nearest to them"
+[ ! -f "$out/match.txt" ] || table <"$out/match.txt"
+code "build/match examples/data/renderer_128.safetensors edited.png --inversion examples/data --out-png match.png" <<'C'
+ms_pme_renderer renderer = ms_pme_renderer_defaults(); /* parameter_count, image_size, render */
+ms_pme_match(&renderer, target, weight, NULL, x, picture, &result, &error);
+printf("RMSE %.4f\n", result.rmse);
+C
+echo "</main></html>"

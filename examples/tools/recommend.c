@@ -1,0 +1,180 @@
+/* Learns a taste from scored materials and recommends new ones.
+
+     cc -O2 -I. examples/tools/recommend.c -o build/recommend -lm
+     build/recommend SCORES.csv [--pairs PAIRS.csv] [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S]
+                     [--out FILE] [--keep WISH]... [--list LIST.csv]... [--avoid MATERIALS.csv]
+
+   SCORES.csv: columns x0 .. x{m-1}, score; a header line is optional. PAIRS.csv: comparisons, the number of the
+   preferred material and that of the other one in a line, counted from 1 in the order of SCORES.csv; materials that
+   were only compared have nothing behind their last comma. The recommendations go to FILE, or to standard output,
+   as x0 .. x{m-1}, mean, sigma: predicted score and standard deviation. Parameters stay in [0, 1], or in the range of
+   the scored materials, rounded outwards, where those leave it; columns of one value keep it. Scores may be on any
+   scale. --keep x3=0.5 fixes a parameter, x3=0.2:0.4 is a range, x3=0:1:0.25 one in steps; x3=x4 and 2x3-0.5x4=1 are
+   ties. A list has the values that some parameters take together, such as metals; its first line names them, x3,x4,x5.
+   What is avoided may be a file of recommendations. */
+#define MS_GPR_IMPLEMENTATION
+#include "ms_gpr.h"
+#include "scores.h"
+#include "keep.h"
+
+static const char usage[] =
+    "usage: recommend SCORES.csv [--pairs PAIRS.csv] [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S] [--keep WISH]... [--list LIST.csv]... [--avoid MATERIALS.csv] [--out FILE]\n"
+    "  PAIRS.csv: lines of two numbers of materials in SCORES.csv, from 1, the preferred one first;\n"
+    "  count: 1 to 1000000; skip: so many of the same seed are left out; tau: above 0, at most 1; diversity: 0 to 1;\n"
+    "  WISH: x3=0.5, x3=0.2:0.4, x3=0:1:0.25 (in steps), x3=x4, 2x3-0.5x4=1; LIST.csv: rows to choose from below a line x3,x4,x5\n";
+
+/* The value behind an option; ends the program where it is no number from low to high. */
+static double number(const char *text, double low, double high)
+{
+    char *end;
+    double v = strtod(text, &end);
+    if (end == text || *end || !(v >= low && v <= high)) exit(file_usage(usage));
+    return v;
+}
+
+static void write_csv(FILE *f, const double *x, const double *mean, const double *sigma, int count, int m)
+{
+    int i, k;
+    for (k = 0; k < m; ++k) fprintf(f, "x%d,", k);
+    fprintf(f, "mean,sigma\n");
+    for (i = 0; i < count; ++i) {
+        for (k = 0; k < m; ++k) fprintf(f, "%.9g,", x[(size_t)i * (size_t)m + (size_t)k]);
+        fprintf(f, "%.6g,%.6g\n", mean[i], sigma[i]);
+    }
+}
+
+/* The comparisons in a file, as pairs of rows below n; how many, or -1: *problem says why. */
+static int read_pairs(const char *path, int n, int **pairs, const char **problem, int *line)
+{
+    scores s;
+    int count = -1, i;
+    *problem = scores_read(path, &s);
+    *line = s.line;
+    if (*problem == NULL && s.m != 1) *problem = "a line is not two numbers of materials";
+    for (i = 0; i < s.n && *problem == NULL; ++i)
+        if (!(s.x[i] >= 1 && s.x[i] <= n && s.y[i] >= 1 && s.y[i] <= n && floor(s.x[i]) >= s.x[i] &&
+              floor(s.y[i]) >= s.y[i]) ||
+            (s.x[i] >= s.y[i] && s.x[i] <= s.y[i])) {
+            *problem = "a comparison is not of two materials of the scores, counted from 1";
+            *line = i + 1;
+        }
+    if (*problem == NULL && (*pairs = (int *)malloc(2 * (size_t)s.n * sizeof **pairs)) == NULL)
+        *problem = "too large for memory";
+    if (*problem == NULL)
+        for (i = 0, count = s.n; i < count; ++i)
+            (*pairs)[2 * i] = (int)s.x[i] - 1, (*pairs)[2 * i + 1] = (int)s.y[i] - 1;
+    scores_free(&s);
+    return count;
+}
+
+/* The first m columns of a file, [*count][m]. */
+static const char *read_materials(const char *path, int m, double **x, int *count, int *line)
+{
+    scores s;
+    const char *problem = scores_read_table(path, &s);
+    int i;
+    *line = s.line;
+    if (problem == NULL && s.m < m) problem = "has fewer columns than the scores have parameters";
+    for (i = 0; i < s.n && problem == NULL; ++i)
+        memmove(s.x + (size_t)i * (size_t)m, s.x + (size_t)i * (size_t)s.m, (size_t)m * sizeof *s.x);
+    *x = s.x;
+    *count = s.n;
+    s.x = NULL;
+    scores_free(&s);
+    return problem;
+}
+
+static int failed(const char *where, const char *problem, int line)
+{
+    if (line > 0) fprintf(stderr, "recommend: %s: %s (line %d)\n", where, problem, line);
+    else fprintf(stderr, "recommend: %s: %s\n", where, problem);
+    return 1;
+}
+
+int main(int argc, char **argv)
+{
+    static keep kept;
+    static const char *const search[] = {"", "rejection", "subset simulation"};
+    const char *in = NULL, *out = NULL, *compared = NULL, *avoided = NULL, *problem;
+    double count = 300, *x, *mean, *sigma, *avoid = NULL;
+    ms_gpr_fit_options learn;
+    ms_gpr_recommend_options options;
+    ms_gpr_recommend_report report;
+    ms_gpr_fit_report fitted;
+    ms_status status;
+    ms_error error;
+    ms_gpr *gp;
+    scores s;
+    FILE *f = stdout;
+    int i, n, line, scored = 0, *pairs = NULL;
+    file_out saved;
+    memset(&options, 0, sizeof options);
+    memset(&learn, 0, sizeof learn);
+    if (file_help(argc, argv, usage)) return file_end_stdout("recommend");
+    for (i = 1; i < argc; ++i) {
+        if (argv[i][0] != '-' && in == NULL) in = argv[i];
+        else if (argv[i][0] != '-' || i + 1 == argc) return file_usage(usage);
+        else if (strcmp(argv[i], "--pairs") == 0) compared = argv[++i];
+        else if (strcmp(argv[i], "--count") == 0) count = number(argv[++i], 1, 1e6);
+        else if (strcmp(argv[i], "--skip") == 0) options.skip = (int)number(argv[++i], 0, 1e6);
+        else if (strcmp(argv[i], "--diversity") == 0) options.diversity = number(argv[++i], 0, 1);
+        else if (strcmp(argv[i], "--tau") == 0) options.tau = number(argv[++i], 1e-6, 1);
+        else if (strcmp(argv[i], "--seed") == 0) options.seed = (uint64_t)number(argv[++i], 0, 9007199254740992.0);
+        else if (strcmp(argv[i], "--out") == 0) out = argv[++i];
+        else if (strcmp(argv[i], "--avoid") == 0) avoided = argv[++i];
+        else if (strcmp(argv[i], "--keep") == 0 || strcmp(argv[i], "--list") == 0) ++i; /* once there are parameters */
+        else return file_usage(usage);
+    }
+    if (in == NULL || count > floor(count)) return file_usage(usage);
+    problem = compared ? scores_read_some(in, &s) : scores_read(in, &s);
+    if (problem) return failed(in, problem, s.line);
+    if (compared && (learn.pair_count = read_pairs(compared, s.n, &pairs, &problem, &line)) < 0)
+        return failed(compared, problem, line);
+    if ((problem = keep_open(&kept, s.m)) != NULL) return failed(in, problem, 0);
+    for (i = 1; i + 1 < argc; ++i) {
+        if (argv[i][0] != '-') continue;
+        line = 0;
+        if (strcmp(argv[i], "--keep") == 0) problem = keep_wish(&kept, argv[i + 1]);
+        else if (strcmp(argv[i], "--list") == 0) problem = keep_list(&kept, argv[i + 1], &line);
+        if (problem) return failed(argv[i + 1], problem, line);
+        ++i;
+    }
+    options.space = keep_space(&kept);
+    if (avoided && (problem = read_materials(avoided, s.m, &avoid, &options.avoid_count, &line)) != NULL)
+        return failed(avoided, problem, line);
+    options.avoid = avoid;
+    learn.pairs = pairs;
+    for (i = 0; i < s.n; ++i) scored += s.y[i] > SCORES_NONE;
+    n = (int)count;
+    x = (double *)malloc((size_t)n * (size_t)s.m * sizeof *x);
+    mean = (double *)malloc((size_t)n * sizeof *mean);
+    sigma = (double *)malloc((size_t)n * sizeof *sigma);
+    if (!x || !mean || !sigma) return 1;
+    status = ms_gpr_fit(s.x, s.y, s.n, s.m, &learn, &gp, &fitted, &error);
+    if (status == MS_OK) status = ms_gpr_recommend(gp, &options, n, x, mean, sigma, &report, &error);
+    if (status != MS_OK) {
+        fprintf(stderr, "recommend: %s\n", error.message);
+        return 1;
+    }
+    if (out && (f = file_create(out, &saved)) == NULL) {
+        fprintf(stderr, "recommend: %s: %s\n", out, saved.problem);
+        return 1;
+    }
+    write_csv(f, x, mean, sigma, report.found, s.m);
+    if (out && (problem = file_finish(&saved, 1)) != NULL) {
+        fprintf(stderr, "recommend: %s: %s\n", out, problem);
+        return 1;
+    }
+    if (!out && file_end_stdout("recommend")) return 1;
+    if (compared) fprintf(stderr, "%d comparisons; ", learn.pair_count);
+    fprintf(stderr,
+            "%d scores of %d parameters; best predicted score %.3g; %d recommendations of at least %.3g by %s;\n"
+            "one uniform material in %.0f would do; mean distance to the nearest other %.3f\n",
+            scored, s.m, report.best, report.found, report.threshold, search[report.search],
+            report.acceptance > 0 ? 1 / report.acceptance : (double)INFINITY, report.spread);
+    ms_gpr_destroy(gp);
+    scores_free(&s);
+    keep_close(&kept);
+    free(x), free(mean), free(sigma), free(pairs), free(avoid);
+    return 0;
+}

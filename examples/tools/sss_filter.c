@@ -1,0 +1,280 @@
+/* Filters a rendered irradiance picture so that light seems to scatter below the surface:
+
+     cc -O2 -I. examples/tools/sss_filter.c -o build/sss_filter -lm
+     build/sss_filter IRRADIANCE.pfm DEPTH.pfm OUT.(pfm|png) --material NAME|--profile CSV
+                      [--method M] [--model M] [--taps N] [--mm-per-unit S] [--fov DEG|--ortho HEIGHT] [--strength S]
+
+   IRRADIANCE: linear light that arrives, before the surface's color, without specular reflection. DEPTH: distance along
+   the viewing axis in scene units; 0, negative and non-finite values mark pixels that take no part. A PFM result holds
+   the light that leaves, to be multiplied by the surface's color; a PNG is clamped to [0, 1] and sRGB-encoded. Which
+   method it took is printed. */
+#define MS_MCML_IMPLEMENTATION
+#include "ms_mcml.h"
+#define MS_SSS_IMPLEMENTATION
+#include "ms_sss.h"
+#include "image.h"
+
+static const char usage[] =
+    "usage: sss_filter IRRADIANCE.pfm DEPTH.pfm OUT.(pfm|png) --material NAME|--profile CSV [options]\n"
+    "  --material NAME    one of the 11 materials of build/profile --list, such as skin1\n"
+    "  --profile CSV      lines of r_mm,R,G,B in 1/mm^2, as build/profile prints them\n"
+    "  --method M         taps: two passes; half: the same at half resolution; pyramid; gather: from every pixel, in space;\n"
+    "                     auto (auto): gather, in large pictures what --budget allows of the others\n"
+    "  --budget E         how far half resolution may be from taps, of the picture's deviation, 0 to 1 (0: never taken)\n"
+    "  --model M          of the taps: image, preintegrated, residual, gaussians, guided, artist, slice (image)\n"
+    "  --taps N           samples of each of the two passes, odd, 3 to 257 (as many as show no bands)\n"
+    "  --mm-per-unit S    millimetres in a unit of the depth (1; has to be said where that makes the light cover half of\n"
+    "                     the picture)\n"
+    "  --fov DEG          perspective, full vertical angle (45)\n"
+    "  --ortho HEIGHT     orthographic, units from top to bottom\n"
+    "  --strength S       0 none to 1 full (1)\n";
+
+static int fail(int code, const char *what, const char *why)
+{
+    fprintf(stderr, "sss_filter: %s: %s\n", what, why);
+    return code;
+}
+
+/* A number in [low, high] and nothing behind it. */
+static int number(const char *text, double low, double high, double *out)
+{
+    char *end;
+    *out = strtod(text, &end);
+    return end != text && *end == 0 && *out >= low && *out <= high;
+}
+
+/* The diffusion profile of a material, without noise: from optical parameters by the deterministic solver. */
+static ms_status profile_of_material(const char *name, ms_sss_profile **profile, ms_error *error)
+{
+    const ms_mcml_material *material = ms_mcml_find_material(name);
+    ms_mcml_medium medium[3];
+    ms_mcml_profile rings;
+    const double *rd[3];
+    ms_status status;
+    int c;
+    if (material == NULL) {
+        snprintf(error->message, sizeof error->message, "no such material; build/profile --list names them");
+        return MS_INVALID_ARGUMENT;
+    }
+    for (c = 0; c < 3; ++c) medium[c] = ms_mcml_material_medium(material, c);
+    status = ms_mcml_profile_make(&rings, medium, 3, NULL, error);
+    if (status != MS_OK) return status;
+    for (c = 0; c < 3; ++c) rd[c] = rings.rd_per_mm2 + c * rings.rings;
+    status = ms_sss_profile_from_rings(profile, rings.rings, rings.edge_mm, rd, 1, NULL, error);
+    ms_mcml_profile_destroy(&rings);
+    return status;
+}
+
+static ms_status profile_of_file(const char *path, ms_sss_profile **profile, ms_error *error)
+{
+    image__bytes text;
+    const char *problem;
+    ms_status status = MS_IO;
+    memset(&text, 0, sizeof text);
+    problem = image__load(path, &text);
+    if (problem) snprintf(error->message, sizeof error->message, "%s", problem);
+    else status = ms_sss_profile_from_csv(profile, (const char *)text.data, text.size, NULL, error);
+    free(text.data);
+    return status;
+}
+
+static const struct {
+    const char *name;
+    ms_sss_model model;
+} models[] = {{"image", MS_SSS_IMAGE_OPTIMAL}, {"preintegrated", MS_SSS_PREINTEGRATED},
+              {"residual", MS_SSS_RESIDUAL},   {"gaussians", MS_SSS_GAUSSIANS},
+              {"guided", MS_SSS_GUIDED},       {"artist", MS_SSS_ARTIST},
+              {"slice", MS_SSS_SLICE}};
+enum { MODELS = sizeof models / sizeof models[0] };
+
+typedef enum method { AUTO, TAPS, HALF, PYRAMID, GATHER, METHODS } method; /* but the last as in ms_sss_method */
+static const char *const method_names[METHODS] = {"auto", "taps", "half", "pyramid", "gather"};
+static const int gather_pixels = 600000; /* up to which a gather takes seconds */
+
+typedef struct settings {
+    int method, model;                    /* model -1: not said */
+    const char *path[3], *material, *csv; /* irradiance, depth, result; one of the other two is NULL */
+    double taps, mm_per_unit, fov, ortho, strength, budget; /* taps 0: not said; ortho 0: perspective */
+} settings;
+
+/* What has to be released, however the program ends. */
+typedef struct job {
+    image input, depth, output;
+    ms_sss_profile *profile;
+    void *workspace;
+} job;
+
+/* 0, or the exit code after saying what is wrong. */
+static int parse(int argc, char **argv, settings *s)
+{
+    int i, paths = 0, perspective = 0;
+    memset(s, 0, sizeof *s);
+    s->model = -1;
+    s->fov = 45;
+    s->strength = 1;
+    for (i = 1; i < argc; ++i) {
+        const char *name = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
+        int known = 1, good = 1;
+        if (name[0] != '-' || name[1] != '-') {
+            if (paths == 3) return fail(2, name, "a fourth file name is not expected");
+            s->path[paths++] = name;
+            continue;
+        }
+        if (strcmp(name, "--material") == 0) s->material = value;
+        else if (strcmp(name, "--profile") == 0) s->csv = value;
+        else if (strcmp(name, "--taps") == 0)
+            good = value && number(value, 3, MS_SSS_TAPS_MAX, &s->taps) && fmod(s->taps, 2) == 1;
+        else if (strcmp(name, "--method") == 0) {
+            for (s->method = 0; s->method < METHODS && value && strcmp(value, method_names[s->method]) != 0;
+                 ++s->method) {}
+            good = s->method < METHODS;
+        } else if (strcmp(name, "--model") == 0) {
+            for (s->model = 0; s->model < MODELS && value && strcmp(value, models[s->model].name) != 0; ++s->model) {}
+            good = s->model < MODELS;
+        } else if (strcmp(name, "--mm-per-unit") == 0) good = value && number(value, 1e-9, 1e9, &s->mm_per_unit);
+        else if (strcmp(name, "--fov") == 0) good = perspective = value && number(value, 0.01, 179.9, &s->fov);
+        else if (strcmp(name, "--ortho") == 0) good = value && number(value, 1e-9, 1e9, &s->ortho);
+        else if (strcmp(name, "--budget") == 0) good = value && number(value, 0, 1, &s->budget);
+        else if (strcmp(name, "--strength") == 0) good = value && number(value, 0, 1, &s->strength);
+        else known = 0;
+        if (!known) return fail(2, name, "unknown option; --help lists them");
+        if (value == NULL) return fail(2, name, "a value is expected behind it");
+        if (!good) return fail(2, name, "its value is malformed or out of range; --help lists the ranges");
+        ++i;
+    }
+    if (paths < 3) {
+        fail(2, "arguments", "three file names are expected");
+        return file_usage(usage);
+    }
+    if (s->method > HALF && (s->taps > 0 || s->model >= 0))
+        return fail(2, method_names[s->method], "--taps and --model belong to the methods taps and half");
+    if (s->method == AUTO && (s->taps > 0 || s->model >= 0)) s->method = TAPS;
+    if (s->method != AUTO && s->budget > 0)
+        return fail(2, method_names[s->method], "--budget belongs to the method auto");
+    if ((s->material == NULL) == (s->csv == NULL))
+        return fail(2, "arguments", "one of --material and --profile is expected");
+    if (perspective && s->ortho > 0) return fail(2, "arguments", "--fov and --ortho exclude each other");
+    if (!image__has_extension(s->path[2], ".pfm") && !image__has_extension(s->path[2], ".png"))
+        return fail(2, s->path[2], "the result's name should end in .pfm or .png");
+    return 0;
+}
+
+/* Pixels that 99% of the light span where the object is nearest; 0: no pixel takes part. */
+static double radius_px(const settings *s, const job *j)
+{
+    double reach[3], radius_mm = 0, nearest = HUGE_VAL, height_mm;
+    int i, pixel_count = j->depth.width * j->depth.height;
+    for (i = 0; i < pixel_count; ++i)
+        if (j->depth.pixels[i] > 0 && (double)j->depth.pixels[i] < nearest) nearest = (double)j->depth.pixels[i];
+    ms_sss_profile_radius(j->profile, 0.99, reach);
+    for (i = 0; i < 3; ++i) radius_mm = reach[i] > radius_mm ? reach[i] : radius_mm;
+    height_mm = (s->mm_per_unit > 0 ? s->mm_per_unit : 1) *
+        (s->ortho > 0 ? s->ortho : 2 * tan(s->fov * 3.14159265358979 / 360) * nearest);
+    return nearest < HUGE_VAL ? radius_mm / height_mm * j->depth.height : 0;
+}
+
+static ms_status make_kernel(const settings *s, const job *j, double radius, ms_sss_kernel *kernel, ms_error *error)
+{
+    ms_sss_kernel_options options = ms_sss_kernel_defaults();
+    ms_sss_designer *designer;
+    ms_status status;
+    if (s->taps > 0 || s->model > 0) {
+        options.model = models[s->model > 0 ? s->model : 0].model;
+        options.tap_count = s->taps > 0 ? (int)s->taps : 17;
+        options.placement = options.tap_count <= 33 ? MS_SSS_OPTIMISED : MS_SSS_QUANTILE;
+        return ms_sss_kernel_make(kernel, NULL, j->profile, radius, &options, NULL, error);
+    }
+    status = ms_sss_designer_create(&designer, j->profile, radius, NULL, error);
+    if (status != MS_OK) return status;
+    status = ms_sss_kernel_choose(kernel, NULL, designer, 0.1, 33, error);
+    ms_sss_designer_destroy(designer);
+    return status == MS_NOT_CONVERGED ? MS_OK : status; /* it then holds the best */
+}
+
+static int run(const settings *s, job *j)
+{
+    static ms_sss_kernel kernel;
+    static ms_sss_pyramid pyramid;
+    const char *problem;
+    double radius;
+    int way = s->method, i, count = 0;
+    ms_error error;
+    ms_status status;
+    ms_sss_frame frame;
+    ms_sss_filter_options options = ms_sss_filter_defaults();
+    ms_sss_method taken = MS_SSS_METHOD_AUTO;
+    size_t size;
+
+    if ((problem = image_read(s->path[0], &j->input)) != NULL) return fail(1, s->path[0], problem);
+    if ((problem = image_read(s->path[1], &j->depth)) != NULL) return fail(1, s->path[1], problem);
+    if (j->input.channels != 3) return fail(1, s->path[0], "three channels (RGB) are expected");
+    if (j->depth.channels != 1) return fail(1, s->path[1], "one channel is expected");
+    if (j->depth.width != j->input.width || j->depth.height != j->input.height)
+        return fail(1, s->path[1], "its size differs from the irradiance's");
+
+    memset(&error, 0, sizeof error);
+    status = s->material ? profile_of_material(s->material, &j->profile, &error)
+                         : profile_of_file(s->csv, &j->profile, &error);
+    if (status != MS_OK && error.position)
+        fprintf(stderr, "sss_filter: %s:%lu: %s\n", s->csv, (unsigned long)error.position, error.message);
+    if (status != MS_OK) return error.position ? 1 : fail(1, s->material ? s->material : s->csv, error.message);
+    radius = radius_px(s, j);
+    for (i = 0; i < j->depth.width * j->depth.height; ++i) count += j->depth.pixels[i] > 0;
+    if (way == AUTO && radius > 0.5 && count <= gather_pixels) way = GATHER;
+    status = way == GATHER ? MS_OK : make_kernel(s, j, radius > 0 ? radius : 1, &kernel, &error);
+    if (status == MS_OK && (way == AUTO || way == PYRAMID)) {
+        status = ms_sss_pyramid_make(&pyramid, j->profile, &error);
+        options.pyramids = &pyramid;
+    }
+    if (status != MS_OK) return fail(1, "kernel", error.message);
+
+    j->output = image_new(j->input.width, j->input.height, 3);
+    memset(&frame, 0, sizeof frame);
+    frame.width = j->input.width;
+    frame.height = j->input.height;
+    frame.input = ms_sss_interleaved(j->input.pixels, 3, 0);
+    frame.output = ms_sss_interleaved(j->output.pixels, 3, 0);
+    frame.depth = ms_sss_map(j->depth.pixels, 1, 0);
+    options.ortho_height = (float)s->ortho;
+    options.fov_degrees = s->ortho > 0 ? 0 : (float)s->fov;
+    options.mm_per_unit = (float)s->mm_per_unit;
+    options.fade = (float)(1 - s->strength);
+    options.budget = (float)s->budget;
+    frame.taken = &taken;
+    if (way < GATHER) options.method = (ms_sss_method)way;
+    size = way == GATHER ? ms_sss_gather_workspace(frame.width, frame.height, 0)
+                         : ms_sss_filter_workspace(frame.width, frame.height, &kernel, 1, &options);
+    j->workspace = malloc(size);
+    if (j->output.pixels == NULL || j->workspace == NULL) return fail(1, s->path[2], "out of memory");
+    status = way == GATHER ? ms_sss_gather(&frame, NULL, j->profile, &options, j->workspace, size, &error)
+                           : ms_sss_filter(&frame, &kernel, 1, &options, j->workspace, size, &error);
+    if (status != MS_OK) return fail(1, s->path[0], error.message);
+    if (way == GATHER) printf("gathered in space");
+    else if (taken == MS_SSS_METHOD_PYRAMID) printf("pyramid");
+    else
+        printf("two passes of %d taps, %d term%s%s", kernel.tap_count, kernel.term_count,
+               kernel.term_count > 1 ? "s" : "", taken == MS_SSS_METHOD_HALF ? ", at half resolution" : "");
+    printf("; 99%% of the light within %.1f pixels\n", radius);
+
+    if (image__has_extension(s->path[2], ".png")) image_to_srgb(&j->output);
+    problem = image_write(s->path[2], &j->output);
+    return problem ? fail(1, s->path[2], problem) : 0;
+}
+
+int main(int argc, char **argv)
+{
+    settings s;
+    job j;
+    int code;
+    if (file_help(argc, argv, usage)) return file_end_stdout("sss_filter");
+    code = parse(argc, argv, &s);
+    if (code) return code;
+    memset(&j, 0, sizeof j);
+    code = run(&s, &j);
+    image_free(&j.input);
+    image_free(&j.depth);
+    image_free(&j.output);
+    ms_sss_profile_destroy(j.profile);
+    free(j.workspace);
+    return code ? code : file_end_stdout("sss_filter");
+}
