@@ -311,6 +311,8 @@ result "sss_filter" "build/sss_filter '$out/e.pfm' '$out/d.pfm' RESULT --materia
 result "preview" "build/preview tests/data/nn/renderer_f16.safetensors '$out/two.csv' RESULT" .ppm
 result "match" "build/match $net '$out/t.ppm' --cost 5 --out-png RESULT" .png 0
 result "mcml_split" "build/mcml_split run '$out/part.mci' 1 2 RESULT" .tally
+rm -rf "$out/full" && mkdir "$out/full"
+is "demo_sss: a full disk" "$( (ulimit -f 1; trap '' XFSZ; build/demo_sss "$out/full" --width 64 >/dev/null 2>&1; echo $?)) $(ls "$out/full" | grep -c -e '\.new' -e html -e txt)" "1 0"
 if [ -c /dev/full ]; then
     printed() { # NAME, a command that prints
         name=$1

@@ -16,6 +16,7 @@
 
 static const char usage[] = "usage: demo_sss FOLDER [--width 64..7680] [--method auto|taps|half|pyramid]\n";
 static const char *folder;
+static file_out out_page, out_truth; /* kernels.html and sss.txt while they are written */
 static const char *const methods[] = {"auto", "taps", "half", "pyramid"}; /* in the order of ms_sss_method */
 static ms_sss_method method;                                              /* of skin1 and marble */
 
@@ -26,11 +27,13 @@ static const char *file(const char *name)
     return path;
 }
 
-/* Ends the program where `problem` is one. */
+/* Ends the program with a message unless problem is NULL. Files that are not complete are discarded. */
 static void need(const char *problem, const char *where)
 {
     if (problem == NULL) return;
     fprintf(stderr, "demo_sss: %s: %s\n", where, problem);
+    if (out_page.f) file_finish(&out_page, 0);
+    if (out_truth.f) file_finish(&out_truth, 0);
     exit(1);
 }
 
@@ -618,11 +621,8 @@ static void show_models(FILE *page)
 
 int main(int argc, char **argv)
 {
-    file_out out;
-    FILE *page;
+    FILE *page, *lines;
     image bust, knot;
-    file_out truths;
-    FILE *lines;
     int width = 1920, i, known = argc > 1;
     if (file_help(argc, argv, usage)) return file_end_stdout("demo_sss");
     for (i = 2; i < argc && known; i += 2) {
@@ -634,8 +634,8 @@ int main(int argc, char **argv)
     }
     if (!known || width < 64 || width > 7680) return file_usage(usage);
     folder = argv[1];
-    page = file_create(file("kernels.html"), &out);
-    if (page == NULL) need(out.problem, file("kernels.html"));
+    page = file_create(file("kernels.html"), &out_page);
+    if (page == NULL) need(out_page.problem, file("kernels.html"));
     fputs("<!DOCTYPE html>\n<meta charset=\"utf-8\">\n<title>Subsurface scattering</title>\n"
           "<style>body{font:16px sans-serif;max-width:1200px;margin:2em auto;color:#222} img{max-width:100%} "
           "td,th{padding:4px 12px;"
@@ -649,11 +649,11 @@ int main(int argc, char **argv)
           " at a radius of 48 pixels.\n<table>\n<tr><th>model<th>dot, disk, step<th>1D passes<th>step<th>disk<th>1/f "
           "texture\n",
           page);
-    lines = file_create(file("sss.txt"), &truths);
-    if (lines == NULL) need(truths.problem, file("sss.txt"));
+    lines = file_create(file("sss.txt"), &out_truth);
+    if (lines == NULL) need(out_truth.problem, file("sss.txt"));
     show_truth("bust", "skin1", lines);
     show_truth("knot", "marble", lines);
-    need(file_finish(&truths, 1), file("sss.txt"));
+    need(file_finish(&out_truth, 1), file("sss.txt"));
     plot_profiles();
     show_skins(180);
     show_models(page);
@@ -663,7 +663,7 @@ int main(int argc, char **argv)
     image_free(&bust);
     image_free(&knot);
     fputs("</table>\n", page);
-    need(file_finish(&out, 1), file("kernels.html"));
+    need(file_finish(&out_page, 1), file("kernels.html"));
     printf("%s\n", file("kernels.html"));
     return file_end_stdout("demo_sss");
 }

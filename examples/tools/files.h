@@ -1,13 +1,17 @@
-/* What the tools share: files that are replaced when the new one is whole, messages about files that cannot be read,
+/* What the tools share: files that are replaced only by complete ones, messages about files that cannot be read,
    numbers that are the same in every locale, --help and the end of standard output. No dependency; C99 and C++11.
 
      file_out out;
-     FILE *f = file_create("a/b/out.csv", &out);            NULL: out.problem says why. Missing folders are made
+     FILE *f = file_create("a/b/out.csv", &out);            NULL: out.problem says why. Missing folders are made.
      ... fprintf(f, ...) ...
-     const char *problem = file_finish(&out, 1);             NULL: the file stands under its name; 0 in place of 1 drops
-     it
+     const char *problem = file_finish(&out, 1);            NULL: the file stands under its name. 0 in place of 1
+                                                            discards it.
 
-   It is written beside the old file, which stays whatever fails; a folder or a device is refused and left alone.
+   The bytes go to a temporary file in the same folder, PATH.new-PROCESS-NN, which replaces PATH in one step once it is
+   complete and on the disk. Until then, and whatever fails, PATH keeps its old bytes. Links are followed, permissions
+   are kept; a folder or a device is refused. A process that dies while it saves leaves its temporary file; the next
+   save to the same PATH removes it. (The temporary file is locked while it is written, and the system ends the lock
+   with the process. On a file system without locks nothing is removed.)
 
      file_open("in.csv", &problem)             like fopen(path, "rb"), with a sentence where it returns NULL
      number_read(text, ',', &end)              strtod with '.' or the given character before the decimals, in every
@@ -22,6 +26,7 @@
    Headers of the examples that read or write files include this one. */
 #ifndef EXAMPLES_FILES_H
 #define EXAMPLES_FILES_H
+#include <errno.h>
 #include <locale.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,22 +35,46 @@
 #include <sys/types.h>
 #if defined(_WIN32)
 #include <direct.h>
+#include <io.h>
+#include <process.h>
+#ifdef __cplusplus
+extern "C"
+#endif
+    __declspec(dllimport) int __stdcall MoveFileExA(const char *from, const char *to,
+                                                    unsigned long flags); /* as windows.h has it */
 #define FILES__MKDIR(path) _mkdir(path)
 #define FILES__FOLDER(mode) (((mode)&_S_IFMT) == _S_IFDIR)
 #define FILES__REGULAR(mode) (((mode)&_S_IFMT) == _S_IFREG)
+#define FILES__PROCESS ((long)_getpid())
 #else
 #define FILES__MKDIR(path) mkdir(path, 0777)
 #define FILES__FOLDER(mode) S_ISDIR(mode)
 #define FILES__REGULAR(mode) S_ISREG(mode)
+#if defined(__unix__) || defined(__APPLE__)
+#define FILES__POSIX 1
+#define FILES__PROCESS ((long)getpid())
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+#if defined(__linux__) && defined(__STRICT_ANSI__) && !defined(__cplusplus) /* -std=c99 hides the declarations only */
+int fileno(FILE *stream);
+int fsync(int file);
+ssize_t readlink(const char *path, char *to, size_t size);
+#endif
+#else
+#define FILES__PROCESS 0L /* WebAssembly: one process, no locks */
+#endif
 #endif
 
 typedef struct file_out {
     FILE *f;
     const char *problem;
-    char path[1024], beside[1032];
+    char path[1024]; /* behind all links */
+    char temporary[1024 + 48];
 } file_out;
 
-/* What stands in the way of reading it. */
+/* Why a file cannot be read. */
 static inline const char *file_trouble(const char *path)
 {
     struct stat info;
@@ -61,6 +90,82 @@ static inline FILE *file_open(const char *path, const char **problem)
     return f;
 }
 
+/* Removes the temporary files of path whose processes have died: those that nobody has locked. */
+static inline void file__remove_stale(const char *path)
+{
+#if defined(FILES__POSIX) && defined(LOCK_EX)
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    const size_t folder = (size_t)(name - path), length = strlen(name);
+    char other[1024 + 48];
+    struct dirent *entry;
+    DIR *d;
+    memcpy(other, path, folder);
+    strcpy(other + folder, folder ? "" : ".");
+    if ((d = opendir(other)) == NULL) return;
+    while ((entry = readdir(d)) != NULL) {
+        const char *rest = entry->d_name + length + 5; /* PROCESS-NN */
+        size_t digits;
+        struct stat opened, named;
+        int file;
+        if (strncmp(entry->d_name, name, length) != 0 || strncmp(entry->d_name + length, ".new-", 5) != 0) continue;
+        digits = strspn(rest, "0123456789");
+        if (digits == 0 || digits > 20 || rest[digits] != '-' || strspn(rest + digits + 1, "0123456789") != 2 ||
+            rest[digits + 3] != 0)
+            continue;
+        strcpy(other + folder, entry->d_name);
+        if ((file = open(other, O_RDWR)) < 0) continue;
+        if (flock(file, LOCK_EX | LOCK_NB) == 0 && fstat(file, &opened) == 0 && stat(other, &named) == 0 &&
+            opened.st_ino == named.st_ino && opened.st_dev == named.st_dev)
+            remove(other);
+        close(file);
+    }
+    closedir(d);
+#elif defined(_WIN32) /* a file that a live process has open cannot be removed there */
+    char other[1024 + 300];
+    const char *a = strrchr(path, '/'), *b = strrchr(path, '\\');
+    const size_t folder = a > b ? (size_t)(a + 1 - path) : b ? (size_t)(b + 1 - path) : 0;
+    struct _finddata_t found;
+    intptr_t list;
+    snprintf(other, sizeof other, "%s.new-*-??", path);
+    if ((list = _findfirst(other, &found)) == -1) return;
+    do {
+        snprintf(other, sizeof other, "%.*s%s", (int)folder, path, found.name);
+        remove(other);
+    } while (_findnext(list, &found) == 0);
+    _findclose(list);
+#else
+    (void)path;
+#endif
+}
+
+/* 0: the new file is this process's until it closes it. 1: another process, which looked for stale files between its
+   creation and its lock, has removed it. */
+static inline int file__lock(FILE *f)
+{
+#if defined(FILES__POSIX) && defined(LOCK_EX)
+    struct stat info;
+    if (flock(fileno(f), LOCK_EX | LOCK_NB) != 0) return errno == EWOULDBLOCK;
+    return fstat(fileno(f), &info) == 0 && info.st_nlink == 0;
+#else
+    (void)f;
+    return 0;
+#endif
+}
+
+/* fopen for a file that must not exist yet. */
+static inline FILE *file__open_new(const char *path)
+{
+#if defined(_WIN32) && !defined(_UCRT)
+    FILE *taken = fopen(path, "rb");
+    if (taken == NULL) return fopen(path, "wb");
+    fclose(taken);
+    errno = EEXIST;
+    return NULL;
+#else
+    return fopen(path, "wbx"); /* x: C11, in POSIX libraries long before */
+#endif
+}
+
 static inline FILE *file_create(const char *path, file_out *out)
 {
     struct stat info;
@@ -68,43 +173,86 @@ static inline FILE *file_create(const char *path, file_out *out)
     int number;
     out->f = NULL;
     out->problem = NULL;
-    if (n == 0 || n >= sizeof out->path) out->problem = "the file's name is empty or too long";
-    else if (stat(path, &info) == 0 && !FILES__REGULAR(info.st_mode))
-        out->problem = FILES__FOLDER(info.st_mode) ? "a folder, not a regular file: left alone"
-                                                   : "not a regular file: left alone";
-    if (out->problem) return NULL;
+    if (n == 0 || n >= sizeof out->path) return out->problem = "the file's name is empty or too long", (FILE *)NULL;
     memcpy(out->path, path, n + 1);
-    for (i = 1; i < n; ++i)
-        if (path[i] == '/') {
-            memcpy(out->beside, path, i);
-            out->beside[i] = 0;
-            (void)FILES__MKDIR(out->beside);
-        }
-    for (number = 0; number < 100 && out->f == NULL; ++number) {
-        FILE *taken;
-        snprintf(out->beside, sizeof out->beside, "%s.new%02d", path, number);
-        if ((taken = fopen(out->beside, "rb")) != NULL) fclose(taken);
-        else out->f = fopen(out->beside, "wb");
+#if defined(FILES__POSIX)
+    for (number = 0; number < 32; ++number) {
+        const ssize_t length = readlink(out->path, out->temporary, sizeof out->path - 1);
+        char *name = strrchr(out->path, '/'); /* a relative link starts from its own folder */
+        const size_t folder = out->temporary[0] == '/' || name == NULL ? 0 : (size_t)(name + 1 - out->path);
+        if (length <= 0) break;
+        if (folder + (size_t)length >= sizeof out->path)
+            return out->problem = "the file's name is empty or too long", (FILE *)NULL;
+        memcpy(out->path + folder, out->temporary, (size_t)length);
+        n = folder + (size_t)length;
+        out->path[n] = 0;
     }
-    if (out->f == NULL) out->problem = "cannot open a file beside it: its folder cannot be made, is read-only or full";
+#endif
+    if (stat(out->path, &info) != 0) info.st_mode = 0;
+    else if (FILES__FOLDER(info.st_mode)) out->problem = "a folder, not a regular file: left alone";
+    else if (!FILES__REGULAR(info.st_mode)) out->problem = "not a regular file: left alone";
+#if defined(_WIN32)
+    else if (!(info.st_mode & _S_IWRITE)) out->problem = "cannot be written: it is read-only";
+#elif defined(FILES__POSIX)
+    else if (access(out->path, W_OK) != 0) out->problem = "cannot be written: it is read-only";
+#endif
+    if (out->problem) return NULL;
+    for (i = 1; i < n; ++i)
+        if (out->path[i] == '/') {
+            memcpy(out->temporary, out->path, i);
+            out->temporary[i] = 0;
+            (void)FILES__MKDIR(out->temporary);
+        }
+    file__remove_stale(out->path);
+    for (number = 0, errno = 0; number < 100 && out->f == NULL; ++number) {
+        snprintf(out->temporary, sizeof out->temporary, "%s.new-%ld-%02d", out->path, FILES__PROCESS, number);
+        out->f = file__open_new(out->temporary);
+        if (out->f == NULL && errno != EEXIST) break;
+        if (out->f != NULL && file__lock(out->f)) {
+            fclose(out->f);
+            out->f = NULL;
+            errno = EEXIST;
+        }
+    }
+    if (out->f == NULL) {
+        out->problem = errno == EACCES || errno == EPERM || errno == EROFS ? "its folder is read-only"
+            : errno == ENOENT || errno == ENOTDIR ? "its folder is not there and cannot be made"
+            : errno == ENAMETOOLONG               ? "the file's name is too long"
+            : errno == ENOSPC                     ? "the disk is full"
+            : errno == EEXIST ? "100 temporary files of this process stand beside it (NAME.new-PROCESS-NN): remove them"
+                              : "no file can be created in its folder";
+        return NULL;
+    }
+#if defined(FILES__POSIX)
+    if (info.st_mode != 0) (void)chmod(out->temporary, info.st_mode & 0777); /* who could not read it still cannot */
+#endif
     return out->f;
 }
 
 static inline const char *file_finish(file_out *out, int whole)
 {
+#if defined(FILES__POSIX)
+    const int lock = dup(fileno(out->f)); /* keeps the lock until the file has its name */
+#endif
     int written = !ferror(out->f);
     written &= fflush(out->f) == 0;
-    written &= fclose(out->f) == 0;
-    if (whole && !written) out->problem = "cannot be written to its end: the disk is full or failed";
-    if (whole && written) {
-#if defined(_WIN32)
-        remove(out->path); /* rename() does not replace there */
+#if defined(FILES__POSIX)
+    if (whole) written &= fsync(fileno(out->f)) == 0;
+#elif defined(_WIN32)
+    if (whole) written &= _commit(_fileno(out->f)) == 0;
 #endif
-        if (rename(out->beside, out->path) == 0) return NULL;
-        out->problem = "cannot be replaced";
-    }
-    remove(out->beside);
-    return whole ? out->problem : NULL;
+    written &= fclose(out->f) == 0;
+    out->f = NULL;
+    if (whole && !written) out->problem = "cannot be written to its end: the disk is full or failed";
+    else if (whole && rename(out->temporary, out->path) != 0) out->problem = "cannot be replaced";
+#if defined(_WIN32) /* where rename() does not replace; 1: replace, 8: return when it is done */
+    if (whole && written && out->problem && MoveFileExA(out->temporary, out->path, 1 | 8)) out->problem = NULL;
+#endif
+    if (!whole || out->problem) remove(out->temporary);
+#if defined(FILES__POSIX)
+    if (lock >= 0) close(lock);
+#endif
+    return out->problem;
 }
 
 /* Bytes into a file, in the same way. */
