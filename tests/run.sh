@@ -9,7 +9,8 @@
 #   sh tests/run.sh cross      other machines and C libraries, those whose compiler (and emulator) is installed
 # Called by make from the repository's root. CC, CXX, CFLAGS, JOBS (2), FILTER (parts of jobs' names), FUZZ_SECONDS (20), SINCE (a commit:
 # style and sanitize only for the files that differ from it, headers without their rarer options).
-# Each job writes build/run/GROUP/NAME.log; the log of a failed one is shown. The seconds are those of the clock.
+# Each job writes build/run/GROUP/NAME.log; the log of a failed one is shown. Seconds are of processor time; build/run/GROUP/seconds
+# lists them for every job, the dearest first, with those of the clock behind them.
 set -u
 
 # --- one job (called through xargs): run it, count what it says, keep its log -------------------------------------
@@ -20,7 +21,10 @@ if [ "${1:-}" = --one ]; then
     start=$(date +%s)
     sh "$job" >"$log" 2>&1
     rc=$?
-    seconds=$(($(date +%s) - start))
+    clock=$(($(date +%s) - start))
+    times >"$log.times" # its second line: of the children, user and system
+    processor=$(awk 'NR == 2 {for (i = 1; i <= 2; i++) {split($i, t, "[ms]"); s += 60 * t[1] + t[2]}; printf "%.1f", s}' "$log.times")
+    rm -f "$log.times"
     line=$(grep -E '^[0-9]+ passed, [0-9]+ failed' "$log" | tail -1)
     if [ $rc -eq 77 ]; then counts="0 0 1" # a job that can't run here exits with 77 after a line that says why
     elif [ -n "$line" ]; then
@@ -32,12 +36,13 @@ if [ "${1:-}" = --one ]; then
     [ "$counts" != "0 0 0" ] || { counts="0 1 0"; echo "no case ran" >>"$log"; }
     echo "$counts" >"${job%.job}.counts"
     name=$(basename "$job" .job | cut -d- -f2-)
+    echo "$processor $clock $name" >"${job%.job}.seconds"
     set -- $counts
     if [ "$2" != 0 ]; then
         echo "FAIL $name (exit $rc)"
         grep -v -E '^ok  ' "$log" | tail -40 | sed 's/^/    /'
     elif [ "$3" != 0 ] && [ "$1" = 0 ]; then echo "skip $name: $(tail -1 "$log")"
-    else echo "ok   $name: $1 passed$([ "$3" = 0 ] || echo ", $3 skipped")$([ $seconds -lt 5 ] || echo " ($seconds s)")"
+    else echo "ok   $name: $1 passed$([ "$3" = 0 ] || echo ", $3 skipped")$([ "${processor%.*}" -lt 5 ] || echo " ($processor s of processor time)")"
     fi
     exit 0
 fi
@@ -282,5 +287,8 @@ esac
 for job in "$out"/objects/*.job; do [ ! -f "$job" ] || echo "$job"; done | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
 for o in "$out"/objects/*ms_mcml.o; do [ ! -f "$o" ] || ar rcs "${o%_mcml.o}.a" "${o%mcml.o}"*.o; done
 ls "$out"/*.job 2>/dev/null | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
+cat "$out"/*.seconds "$out"/objects/*.seconds 2>/dev/null | sort -rn >"$out/seconds"
+[ "$(wc -l <"$out/seconds")" -lt 11 ] || { echo "the ten dearest, in seconds of processor time:"; head -10 "$out/seconds" | awk '{print "  " $1 "  " $3}'; }
+awk '{s += $1} END {printf "%.0f s of processor time\n", s}' "$out/seconds"
 cat "$out"/*.counts "$out"/objects/*.counts 2>/dev/null | awk -v group="$group" -v since="${SINCE:+1}" '{p += $1; f += $2; s += $3}
     END {printf "%s: %d passed, %d failed, %d skipped\n", group, p, f, s; exit f > 0 || (p == 0 && !since)}'

@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #if defined(__GNUC__)
 #define TEST_UNUSED __attribute__((unused))
@@ -248,6 +249,36 @@ static TEST_UNUSED char *test_read_file(const char *path, size_t *size)
     return text;
 }
 
+/* --- files --- */
+
+static char test_folder[64]; /* the folder of the running program, from the repository's root; empty: none */
+static char test_root[1024]; /* the repository's root */
+
+static TEST_UNUSED void test_leave_folder(void)
+{
+    char command[80];
+    if (test_folder[0] == 0 || chdir(test_root) != 0) return;
+    snprintf(command, sizeof command, "rm -rf %s", test_folder);
+    if (system(command) != 0) printf("%s was not removed\n", test_folder);
+}
+
+/* Moves the program to build/test.PROCESS, a folder with links to the repository's files and to the tools in build/,
+   which is removed at exit. What the program writes to build/ is its own there, so that copies of it can run side by
+   side. */
+static TEST_UNUSED int test_enter_folder(void)
+{
+    char command[600];
+    if (getcwd(test_root, sizeof test_root) == NULL) return 0;
+    snprintf(test_folder, sizeof test_folder, "build/test.%ld", (long)getpid());
+    snprintf(
+        command, sizeof command,
+        "rm -rf %s && mkdir -p %s/build && cd %s && for f in ../../*; do [ $f = ../../build ] || ln -s $f . || exit 1; done && "
+        "for f in ../*; do [ -d $f ] || ! [ -x $f ] || ln -s ../$f build/ || exit 1; done",
+        test_folder, test_folder, test_folder);
+    if (atexit(test_leave_folder) != 0 || system(command) != 0) return 0;
+    return chdir(test_folder) == 0;
+}
+
 static TEST_UNUSED int test_main(int argc, char **argv, const test_case *cases, int count)
 {
     const char *filter = NULL;
@@ -281,4 +312,12 @@ static TEST_UNUSED int test_main(int argc, char **argv, const test_case *cases, 
 /* static const test_case cases[] = {{"name", function}, ...}; TEST_MAIN(cases) */
 #define TEST_MAIN(cases) \
     int main(int argc, char **argv) { return test_main(argc, argv, cases, (int)(sizeof(cases) / sizeof((cases)[0]))); }
+
+/* The same for a program that writes files, in a folder of its own. */
+#define TEST_MAIN_WITH_FILES(cases)                                                     \
+    int main(int argc, char **argv)                                                     \
+    {                                                                                   \
+        if (!test_enter_folder()) return printf("%s cannot be made\n", test_folder), 1; \
+        return test_main(argc, argv, cases, (int)(sizeof(cases) / sizeof((cases)[0]))); \
+    }
 #endif

@@ -342,4 +342,4 @@ static const test_case cases[] = {{"errors in turn", case_errors_in_turn},
                                   {"mapped", case_mapped},
                                   {"reading", case_reading},
                                   {"half", case_half}};
-TEST_MAIN(cases)
+TEST_MAIN_WITH_FILES(cases)

@@ -1395,4 +1395,4 @@ static const test_case cases[] = {{"reference", test_reference},
                                   {"scales", test_scales},
                                   {"wrong_answers", test_wrong_answers},
                                   {"two_thousand", test_two_thousand}};
-TEST_MAIN(cases)
+TEST_MAIN_WITH_FILES(cases)

@@ -407,4 +407,4 @@ static const test_case cases[] = {
     {"write_refused", test_write_refused},   {"srgb", test_srgb},           {"png_chunks", test_png_chunks},
     {"code_lengths", test_code_lengths},     {"png_read", test_png_read},   {"png_damage", test_png_damage},
     {"png_round_trip", test_png_round_trip}, {"resize", test_resize},       {"half", test_half}};
-TEST_MAIN(cases)
+TEST_MAIN_WITH_FILES(cases)

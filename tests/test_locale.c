@@ -172,4 +172,4 @@ static void case_numbers(void)
 }
 
 static const test_case cases[] = {{"written", case_written}, {"read", case_read}, {"numbers", case_numbers}};
-TEST_MAIN(cases)
+TEST_MAIN_WITH_FILES(cases)

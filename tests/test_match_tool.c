@@ -379,4 +379,4 @@ static const test_case cases[] = {{"formats and sizes", test_formats},
                                   {"sequences and views", test_sequences_and_views},
                                   {"logo", test_logo},
                                   {"mistakes", test_mistakes}};
-TEST_MAIN(cases)
+TEST_MAIN_WITH_FILES(cases)

@@ -2591,4 +2591,4 @@ static const test_case cases[] = {{"reference networks", test_reference},
                                   {"collapse factor", test_collapse_factor},
                                   {"low rank", test_low_rank},
                                   {"queries", test_queries}};
-TEST_MAIN(cases)
+TEST_MAIN_WITH_FILES(cases)

@@ -364,4 +364,4 @@ static void test_by_name(void)
 static const test_case cases[] = {{"reference cases", test_cases}, {"headers", test_headers}, {"limits", test_limits},
                                   {"many tensors", test_many},     {"write", test_write},     {"damage", test_damage},
                                   {"files by name", test_by_name}};
-TEST_MAIN(cases)
+TEST_MAIN_WITH_FILES(cases)

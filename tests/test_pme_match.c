@@ -558,4 +558,4 @@ static const test_case cases[] = {{"collapsed or not: the same minimum", test_sa
                                   {"views", test_views},
                                   {"slipped and stamped", test_slipped_and_stamped},
                                   {"shipped networks", test_shipped}};
-TEST_MAIN(cases)
+TEST_MAIN_WITH_FILES(cases)

@@ -289,4 +289,4 @@ static const test_case cases[] = {{"step", test_step},         {"methods", test_
                                   {"strength", test_strength}, {"profile_file", test_profile_file},
                                   {"png", test_png},           {"odd_depth", test_odd_depth},
                                   {"refused", test_refused}};
-TEST_MAIN(cases)
+TEST_MAIN_WITH_FILES(cases)

@@ -631,4 +631,4 @@ static const test_case cases[] = {{"states", test_states},
                                   {"neural", test_neural},
                                   {"materials", test_materials},
                                   {"materialx", test_materialx}};
-TEST_MAIN(cases)
+TEST_MAIN_WITH_FILES(cases)

@@ -608,4 +608,4 @@ static const test_case cases[] = {{"products", test_product},
                                   {"other forms of pictures", test_forms},
                                   {"larger pictures", test_larger},
                                   {"bad input", test_bad_input}};
-TEST_MAIN(cases)
+TEST_MAIN_WITH_FILES(cases)
