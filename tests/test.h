@@ -270,11 +270,12 @@ static TEST_UNUSED int test_enter_folder(void)
     char command[600];
     if (getcwd(test_root, sizeof test_root) == NULL) return 0;
     snprintf(test_folder, sizeof test_folder, "build/test.%ld", (long)getpid());
-    snprintf(
-        command, sizeof command,
-        "rm -rf %s && mkdir -p %s/build && cd %s && for f in ../../*; do [ $f = ../../build ] || ln -s $f . || exit 1; done && "
-        "for f in ../*; do [ -d $f ] || ! [ -x $f ] || ln -s ../$f build/ || exit 1; done",
-        test_folder, test_folder, test_folder);
+    snprintf(command, sizeof command,
+             "for d in build/test.*; do kill -0 ${d##*.} 2>/dev/null || rm -rf $d; done; "
+             "rm -rf %s; mkdir -p %s/build && cd %s && "
+             "for f in ../../*; do [ $f = ../../build ] || ln -s $f . || exit 1; done && "
+             "for f in ../*; do [ -d $f ] || ! [ -x $f ] || ln -s ../$f build/ || exit 1; done",
+             test_folder, test_folder, test_folder);
     if (atexit(test_leave_folder) != 0 || system(command) != 0) return 0;
     return chdir(test_folder) == 0;
 }
