@@ -5,6 +5,8 @@
         b.until("window.ready", 60)
         b.click("#button")
         b.value("1 + 1"); b.picture("shot.png"); b.problems
+    b.tab("page.html")          another tab of the same browser; b.turn(SESSION) goes back
+    b.dialogs                   what alert, confirm or a warning before leaving said; all are answered with yes
 """
 import base64, json, os, select, shutil, signal, subprocess, tempfile, time
 
@@ -36,7 +38,11 @@ class Browser:
                                         stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         for fd in held + [theirs, answers]:
             os.close(fd)
-        self.buffer, self.number, self.answers, self.problems, self.session = b"", 0, {}, [], None
+        self.buffer, self.number, self.answers, self.problems, self.dialogs, self.session = b"", 0, {}, [], [], None
+        self.attach()
+
+    def attach(self):
+        self.session = None
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
         self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log"):
@@ -55,14 +61,18 @@ class Browser:
         os.close(self.inp)
         shutil.rmtree(self.profile, ignore_errors=True)
 
-    def call(self, method, **params):
+    def send(self, method, session, **params):
         self.number += 1
         message = {"id": self.number, "method": method, "params": params}
-        if self.session:
-            message["sessionId"] = self.session
+        if session:
+            message["sessionId"] = session
         os.write(self.out, json.dumps(message).encode() + b"\0")
+        return self.number
+
+    def call(self, method, **params):
+        number = self.send(method, self.session, **params)
         end = time.monotonic() + 240
-        while self.number not in self.answers:
+        while number not in self.answers:
             if not select.select([self.inp], [], [], max(0, end - time.monotonic()))[0]:
                 raise TimeoutError(method)
             part = os.read(self.inp, 1 << 20)
@@ -72,7 +82,7 @@ class Browser:
             *whole, self.buffer = self.buffer.split(b"\0")
             for text in whole:
                 self.heard(json.loads(text))
-        answer = self.answers.pop(self.number)
+        answer = self.answers.pop(number)
         if "error" in answer:
             raise RuntimeError(method + ": " + answer["error"]["message"])
         return answer["result"]
@@ -82,6 +92,9 @@ class Browser:
             self.answers[m["id"]] = m
             return
         p = m.get("params", {})
+        if m["method"] == "Page.javascriptDialogOpening":
+            self.dialogs.append(p["type"])
+            self.send("Page.handleJavaScriptDialog", m.get("sessionId"), accept=True)
         if m["method"] == "Tracing.dataCollected":
             self.events += p["value"]
         if m["method"] == "Tracing.tracingComplete":
@@ -102,6 +115,20 @@ class Browser:
     def open(self, path, width, height, dark=False):
         self.look(width, height, dark)
         self.call("Page.navigate", url="file://" + os.path.abspath(path.split("#")[0]) + path[len(path.split("#")[0]):])
+
+    def tab(self, path, width, height):
+        self.attach()
+        self.open(path, width, height)
+        return self.session
+
+    def turn(self, session):
+        self.session = session
+        self.call("Page.bringToFront")
+
+    def key(self, key, code=""):
+        text = key if len(key) == 1 else "\r" if key == "Enter" else None
+        self.call("Input.dispatchKeyEvent", type="keyDown", key=key, code=code or key, windowsVirtualKeyCode={"Tab": 9, "Enter": 13}.get(key, 0), **({"text": text} if text else {}))
+        self.call("Input.dispatchKeyEvent", type="keyUp", key=key, code=code or key)
 
     def trace(self):
         self.events, self.traced = [], False
@@ -125,7 +152,12 @@ class Browser:
     def until(self, expression, seconds):
         end = time.monotonic() + seconds
         while True:
-            value = self.value("!!(%s)" % expression)
+            try:
+                value = self.value("!!(%s)" % expression)
+            except RuntimeError as e:  # asked while the page was being loaded anew
+                if "navigated" not in str(e):
+                    raise
+                value = None
             if value:
                 return value
             if time.monotonic() > end:

@@ -172,7 +172,7 @@ CALL(int, choose, (void))
     if (status == MS_OK && im.pixels == NULL)
         status = studio__refuse(&error, MS_OUT_OF_MEMORY, "no memory for the map");
     if (status == MS_OK) {
-        for (i = 0; i < GRID * GRID; ++i) { /* colours of what is known; the rest is seen through */
+        for (i = 0; i < GRID * GRID; ++i) { /* colors of what is known; the rest is seen through */
             one[i] = 1;
             if (sure[i] >= 0.25) least = fmin(least, value[i]), most = fmax(most, value[i]);
         }
@@ -247,15 +247,15 @@ static float ball(int x, int y)
     return t < 0 ? 0 : t > 1 ? 1 : t;
 }
 
-/* The picture of material 0 of x, edited: colours times `saturation`, turned by `hue` turns, times 2^light, towards the
-   colour red, green, blue by `tint` with its brightness kept; then the strokes in rgba, painted over. It becomes the
+/* The picture of material 0 of x, edited: colors times `saturation`, turned by `hue` turns, times 2^light, towards the
+   color red, green, blue by `tint` with its brightness kept; then the strokes in rgba, painted over. It becomes the
    target, and rgba. */
 CALL(int, paint, (double saturation, double hue, double light, double tint, double red, double green, double blue))
 {
     const float c = cosf((float)hue * 6.2831853f), s = sinf((float)hue * 6.2831853f) / 1.7320508f,
                 gain = exp2f((float)light);
-    const float amount = (float)tint, colour[3] = {(float)red, (float)green, (float)blue};
-    const float luma = 0.2126f * colour[0] + 0.7152f * colour[1] + 0.0722f * colour[2];
+    const float amount = (float)tint, color[3] = {(float)red, (float)green, (float)blue};
+    const float luma = 0.2126f * color[0] + 0.7152f * color[1] + 0.0722f * color[2];
     float row[M];
     int x, y, k;
     for (k = 0; k < M; ++k) row[k] = (float)material[k];
@@ -270,8 +270,8 @@ CALL(int, paint, (double saturation, double hue, double light, double tint, doub
             grey = 0.2126f * q[0] + 0.7152f * q[1] + 0.0722f * q[2];
             for (k = 0; k < 3; ++k) {
                 float v = grey + (float)saturation * (q[k] - grey), t;
-                t = grey < luma ? colour[k] * grey / fmaxf(luma, 1e-3f)
-                                : 1 - (1 - colour[k]) * (1 - grey) / fmaxf(1 - luma, 1e-3f);
+                t = grey < luma ? color[k] * grey / fmaxf(luma, 1e-3f)
+                                : 1 - (1 - color[k]) * (1 - grey) / fmaxf(1 - luma, 1e-3f);
                 v = gain * (v + amount * (t - v));
                 v = p[k] + inside * (v - p[k]);
                 v += stroke * ((float)bytes[4 * i + k] / 255 - v);
@@ -308,32 +308,24 @@ CALL(int, match, (double cost))
 
 /* -------------------------------------------------------------------------------------------------------- the files */
 
-/* materials.csv and materials.mtlx of x [count], named by the lines of text. */
+/* materials.mtlx of x [count], named by the lines of text, with the scores of numbers [count]; below -1e6: none. */
 CALL(int, save, (int count))
 {
-    file_out csv, mtlx;
-    FILE *table = file_create("materials.csv", &csv), *doc = file_create("materials.mtlx", &mtlx);
+    file_out mtlx;
+    FILE *doc = file_create("materials.mtlx", &mtlx);
     const char *name = text, *problem;
-    char line[48], about[80];
-    int i, k, scored = session.state != STUDIO_EMPTY && web_predict(count) == 0;
-    if (table == NULL || doc == NULL)
-        return (int)studio__refuse(&error, MS_IO, table == NULL ? csv.problem : mtlx.problem);
-    for (k = 0; k < M; ++k) fprintf(table, "x%d,", k);
-    fprintf(table, "score\n");
+    char line[48], about[80], own[64];
+    int i;
+    if (doc == NULL) return (int)studio__refuse(&error, MS_IO, mtlx.problem);
     materialx_begin(doc);
     for (i = 0; i < count; ++i) {
-        char own[64];
         size_t length = strcspn(name, "\n");
         snprintf(own, sizeof own, "%.*s", (int)length, name);
         name += length + (name[length] != 0);
-        for (k = 0; k < M; ++k) fprintf(table, "%s,", number_text(line, "%.6f", material[i * M + k]));
-        fprintf(table, "%s\n", number_text(line, "%.4g", scored ? number[i] : 0));
-        snprintf(about, sizeof about, "predicted score %s", number_text(line, "%.2f", scored ? number[i] : 0));
+        snprintf(about, sizeof about, "score %s", number[i] > -1e6 ? number_text(line, "%.2f", number[i]) : "unknown");
         materialx_write(doc, own, material + i * M, about);
     }
     materialx_end(doc);
-    problem = file_finish(&csv, 1);
-    if (problem) file_finish(&mtlx, 0);
-    else problem = file_finish(&mtlx, 1);
+    problem = file_finish(&mtlx, 1);
     return problem ? (int)studio__refuse(&error, MS_IO, problem) : 0;
 }

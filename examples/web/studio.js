@@ -1,5 +1,5 @@
 // The studio's page: what is seen and touched. All arithmetic is in two workers (studio.worker.js); nothing here takes longer than a frame.
-const $ = id => document.getElementById(id), SIDE = 128, SHELF = 16, SPOTS = 9;
+const $ = id => document.getElementById(id), M = 19, SIDE = 128, SHELF = 16, SPOTS = 9, UNDO = 64;
 const make = (tag, props = {}, ...inside) => { const e = Object.assign(document.createElement(tag), props); e.append(...inside); return e; };
 
 // --------------------------------------------------------------------------------------------------------------- workers
@@ -39,10 +39,10 @@ function latest(run) {
 const show = (canvas, pixels, side = SIDE) => { canvas.getContext('2d', { willReadFrequently: true }).putImageData(new ImageData(pixels, side, side), 0, 0); return canvas; };
 const ball = pixels => show(make('canvas', { className: 'ball', width: SIDE, height: SIDE }), pixels);
 const shares = x => ({ diffuse: (1 - x[17]) * (1 - x[7]), metal: (1 - x[17]) * x[7], glass: x[17] * (1 - x[16]), jelly: x[17] * x[16] });
-const colours = { diffuse: 0, metal: 3, glass: 8, jelly: 13 };
+const colors = { diffuse: 0, metal: 3, glass: 8, jelly: 13 };
 const shown = c => c.map(v => Math.round(255 * Math.pow(Math.min(Math.max(v, 0), 1), 1 / 2.2)));
 
-// The colour that a picture shows where the ball faces the camera.
+// The color that a picture shows where the ball faces the camera.
 function seen(pixels) {
   const sum = [0, 0, 0];
   for (let y = 40; y < 88; y += 2) for (let x = 36; x < 92; x += 2) for (let c = 0; c < 3; ++c) sum[c] += pixels[4 * (y * SIDE + x) + c];
@@ -69,20 +69,43 @@ function face(v, sleeping) {
 }
 const heat = v => `hsl(${18 + 28 * v} ${30 + 65 * v}% ${56 + 2 * v}%)`;
 
-// A scale of eleven steps under a face that follows the pointer; done(score) when one is clicked.
-function scale(done, now) {
-  const f = make('span', { className: 'face', innerHTML: face(now === undefined ? 0.5 : now / 10) }), s = make('div', { className: 'scale', role: 'group' });
-  const light = k => { [...s.children].forEach((b, i) => { b.classList.toggle('lit', i <= k); b.style.setProperty('--heat', heat(k / 10)); }); f.innerHTML = face(k < 0 ? 0.5 : k / 10); };
-  for (let k = 0; k <= 10; ++k) {
-    const b = make('button', { title: String(k), ariaLabel: `score ${k} of 10` });
-    b.onpointerenter = b.onfocus = () => light(k);
-    b.onclick = e => { e.stopPropagation(); light(k); done(k, b); };
-    s.append(b);
-  }
-  s.onpointerleave = () => light(now === undefined ? -1 : now);
-  if (now !== undefined) light(now);
-  return make('div', { className: 'vote' }, f, s);
+// A slider of eleven steps beside a face that follows it. done(score) is called when the pointer is released, or on Enter.
+function scale(done, label, now = -1) {
+  const f = make('span', { className: 'face' }), s = make('div', { className: 'scale', role: 'slider', tabIndex: 0, ariaLabel: label, ariaValueMin: 0, ariaValueMax: 10 });
+  let at = now, held = false;
+  for (let k = 0; k <= 10; ++k) s.append(make('i'));
+  const light = k => {
+    at = k;
+    [...s.children].forEach((b, i) => { b.classList.toggle('lit', i <= k); b.style.setProperty('--heat', heat(k / 10)); });
+    s.ariaValueNow = k < 0 ? 5 : k;
+    s.ariaValueText = k < 0 ? 'no score yet' : `${k} of 10`;
+    f.innerHTML = face(k < 0 ? 0.5 : k / 10);
+  };
+  const under = e => { const r = s.getBoundingClientRect(); return Math.min(Math.max(Math.floor((e.clientX - r.left) / r.width * 11), 0), 10); };
+  s.onpointerdown = e => { if (e.button === 0) { s.setPointerCapture(e.pointerId); held = true; light(under(e)); } };
+  s.onpointermove = e => { if (held || e.pointerType === 'mouse') light(under(e)); };
+  s.onpointerup = () => { if (held) { held = false; done(at); } };
+  s.onpointercancel = s.onpointerleave = s.onblur = e => { if (e.type === 'pointercancel') held = false; if (!held) light(now); }; // a finger that scrolls scores nothing
+  s.onkeydown = e => {
+    const d = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, Home: -10, End: 10 }[e.key];
+    if (d) light(Math.min(Math.max((at < 0 ? 5 : at) + d, 0), 10));
+    else if ((e.key === 'Enter' || e.key === ' ') && at >= 0) done(at);
+    else return;
+    e.preventDefault();
+  };
+  light(now);
+  return Object.assign(make('div', { className: 'vote' }, f, s), { score: k => { light(k); done(k); } });
 }
+// One tab stop for a row of buttons: arrow keys go from one to the next.
+const one = row => [...row.children].forEach((b, k) => { b.tabIndex = k ? -1 : 0; });
+function rove(row) {
+  row.addEventListener('focusin', e => { if (e.target !== row) for (const b of row.children) b.tabIndex = b === e.target ? 0 : -1; });
+  row.addEventListener('keydown', e => {
+    const d = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[e.key], all = [...row.children], next = all[all.indexOf(document.activeElement) + d];
+    if (next) { e.preventDefault(); next.focus(); }
+  });
+}
+for (const id of ['history', 'shelf', 'colors']) rove($(id));
 const heart = '<svg viewBox="0 0 24 24" width="22"><path fill="#f0563a" d="M12 21C5 15 2 12 2 8a5 5 0 0 1 10-1 5 5 0 0 1 10 1c0 4-3 7-10 13z"/></svg>', star = '<svg viewBox="0 0 24 24" width="22"><path fill="#ffb733" d="m12 1 3 8 8 .5-6.3 5 2 8L12 18l-6.7 4.5 2-8-6.3-5L9 9z"/></svg>';
 function sparks(at, kinds) {
   if (matchMedia('(prefers-reduced-motion:reduce)').matches) return;
@@ -96,7 +119,8 @@ function sparks(at, kinds) {
 }
 
 // ------------------------------------------------------------------------------------------------------------- the session
-const studio = window.studio = { deck: [], scored: [], recommended: [], chosen: null, view: null, match: null, kept: [], settled: true, version: 0, answers: 0, longest: 0 };
+const studio = window.studio = { deck: [], scored: [], recommended: [], chosen: null, view: null, match: null, kept: [], settled: true, version: 0, answers: 0, longest: 0, journal: [] };
+const journal = studio.journal, within = v => studio.scored.length ? Math.min(Math.max(v, 0), 10) : v; // predictions on the scale of the scores
 // The longest that the page itself held a frame up, in ms; for whoever wants to know.
 const timed = f => function (...a) {
   const t = performance.now();
@@ -153,77 +177,282 @@ function lay(item) {
   const deck = $('deck'), card = make('div', { className: 'card' }, ball(item.picture), make('div', { className: 'name', textContent: nameOf(item.x, item.picture) }));
   item.card = card;
   card.dataset.x = item.x.map(v => v.toFixed(5)).join();
-  if (item.mode === 'pair') card.onclick = () => prefer(item);
-  else card.append(scale((k, b) => answer(item, k, b)));
+  if (item.mode === 'pair') {
+    Object.assign(card, { tabIndex: 0, role: 'button', ariaLabel: nameOf(item.x, item.picture), onclick: () => prefer(item) });
+    card.onkeydown = e => { if (e.key === 'Enter' || e.key === ' ') { e.preventDefault(); prefer(item); } };
+  } else card.append(scale(k => answer(item, k), 'score of ' + nameOf(item.x, item.picture)));
   const slot = mode === item.mode ? slots.shift() : null; // a new one takes the place of one that left
   if (slot && slot.parentNode) slot.replaceWith(card); else deck.insertBefore(card, deck.querySelector('.pair-bar'));
+  if (document.activeElement === deck) attend(card);
 }
+const attend = card => (card.querySelector('.scale') || card).focus({ preventScroll: true });
+const live = () => [...document.querySelectorAll('#deck .card:not(.gone):not(.waiting)')];
 
 const slots = [];
 function leave(item) {
+  const cards = live(), k = cards.indexOf(item.card), next = cards[k + 1] || cards[k - 1];
   studio.deck.splice(studio.deck.indexOf(item), 1);
+  if (item.card.contains(document.activeElement)) next ? attend(next) : $('deck').focus({ preventScroll: true }); // the focus stays in the deck
   item.card.classList.add('gone');
   slots.push(item.card);
   setTimeout(deal, 230);
 }
 
-// An answer on its way to the mind, and how the page takes it back.
-const done = [];
-function says(call, args, back) {
-  ++studio.answers;
-  studio.settled = false;
-  if (back) done.push(back);
-  $('undo').disabled = done.length === 0;
-  const told = mind.ask(call, args);
-  told.catch(fail);
-  return told;
+// What an answer leaves in the history, e.shown, and how it is taken back.
+function accept(e, pictures = []) {
+  const { call, args } = e;
+  e.shown = call === 'score' ? [{ id: e.id, score: args.score }] : call === 'better' ? [{ score: '♥' }, {}] : call === 'neither' ? args.x.map(() => ({ score: '–' })) : [];
+  e.shown.forEach((s, k) => { s.x = call === 'score' ? args.x : args.x[k]; s.picture = pictures[k]; });
+  e.back = () => again(...e.shown);
+  if (call === 'score') {
+    studio.scored.push(e.shown[0]);
+    e.back = () => { studio.scored.splice(studio.scored.indexOf(e.shown[0]), 1); again(e.shown[0]); };
+  } else if (call === 'rescore') {
+    const s = studio.scored.find(s => s.id === args.of), old = s && s.score, mark = v => { s.score = v; if (s.button) s.button.querySelector('b').textContent = v; };
+    e.back = () => { if (s) mark(old); };
+    if (s) mark(args.score);
+  }
+  if (pictures.length) e.shown.forEach(s => piece(() => remember(s)));
 }
-const answer = timed((item, score, at) => {
+// An answer on its way to the mind.
+let undos = 0;
+function says(call, args, pictures) {
+  const e = { id: fresh(), call, args };
+  accept(e, pictures);
+  journal.push(e);
+  store();
+  undos = Math.min(undos + 1, UNDO);
+  told(mind.ask(call, { ...args, id: e.id }), 1).catch(problem => { refused(e); fail(problem); });
+}
+function told(answer, count) {
+  studio.answers += count;
+  studio.settled = false;
+  buttons();
+  return answer;
+}
+function refused(e) {
+  journal.splice(journal.indexOf(e), 1);
+  undos = Math.max(undos - 1, 0);
+  e.back();
+  store();
+  buttons();
+}
+function buttons() {
+  $('undo').disabled = undos === 0;
+  $('save').disabled = journal.length === 0;
+  $('anew').disabled = journal.length === 0 && studio.kept.length === 0;
+}
+const answer = timed((item, score) => {
   if (!studio.deck.includes(item) || item.card.classList.contains('gone')) return;
-  if (score >= 9) sparks(at, [heart, star]);
-  const s = { x: item.x, score, picture: item.picture };
-  studio.scored.push(s);
-  s.row = says('score', { x: item.x, score }, () => { studio.scored.pop(); again(s); });
+  if (score >= 9) sparks(item.card.querySelector('.scale'), [heart, star]);
+  says('score', { x: item.x, score }, [item.picture]);
   leave(item);
-  piece(() => remember(s));
   tell();
 });
 
 function remember(s) {
-  if (s.gone) return;
+  if (s.gone || s.score === undefined) return;
   s.button = make('button', { className: 'was', ariaLabel: `${nameOf(s.x, s.picture)}: ${s.score}` }, ball(s.picture), make('b', { textContent: s.score }));
-  if (s.row) s.button.onclick = () => rethink(s);
+  if (s.id) s.button.onclick = () => rethink(s);
   $('history').prepend(s.button);
+  one($('history'));
 }
 // What was taken back is shown again.
-function again(...items) {
+async function again(...items) {
   for (const s of items) {
     s.gone = true;
     if (s.button) s.button.remove();
+    if (!s.picture) [s.picture] = await hand.ask('draw', { x: [s.x] });
   }
-  for (const item of studio.deck.splice(studio.deck.length - items.length)) { if (item.card) item.card.remove(); queue.unshift(item); }
+  for (const item of studio.deck.splice(Math.max(studio.deck.length - items.length, 0), items.length)) { if (item.card) item.card.remove(); queue.unshift(item); }
   for (const s of items) queue.unshift({ x: s.x, picture: s.picture });
+  one($('history'));
   deal();
 }
 function rethink(s) {
-  const d = make('dialog'), mark = score => { s.score = score; s.button.querySelector('b').textContent = score; };
-  d.append(ball(s.picture), scale(async k => {
-    const old = s.score;
-    mark(k);
+  const d = make('dialog', { ariaLabel: nameOf(s.x, s.picture) });
+  d.append(ball(s.picture), scale(score => {
     d.close();
-    says('rescore', { index: await s.row, score: k }, () => mark(old));
-  }, s.score));
-  d.onclose = () => d.remove();
+    if (score !== s.score) says('rescore', { of: s.id, score });
+  }, 'another score', s.score));
+  d.onclose = () => { d.remove(); s.button.focus({ preventScroll: true }); };
   d.onclick = e => { if (e.target === d) d.close(); };
   document.body.append(d);
   d.showModal();
 }
 $('undo').onclick = timed(() => {
-  const back = done.pop();
-  says('undo');
-  back();
+  const e = journal.pop();
+  gone.add(e.id);
+  --undos;
+  store();
+  told(mind.ask('undo'), 1).catch(fail);
+  e.back();
+  buttons();
+  if ($('undo').disabled) $('deck').focus({ preventScroll: true });
   tell();
 });
+document.addEventListener('keydown', e => { // digits score, + is ten; of a pair 1 and 2 are the better one, 0 is neither
+  const at = document.activeElement, k = e.key === '+' ? 10 : /^\d$/.test(e.key) ? Number(e.key) : -1;
+  if (k < 0 || e.ctrlKey || e.altKey || e.metaKey || e.repeat) return;
+  const open = document.querySelector('dialog[open] .vote');
+  if (!open && at !== document.body && !$('taste').contains(at)) return;
+  const cards = live(), mine = cards.find(c => c.contains(at)) || cards.find(c => c.matches(':hover')) || cards[0];
+  if (!open && mode === 'pair') { if (k === 0) neither(); else if (k <= 2 && cards[k - 1]) cards[k - 1].click(); }
+  else if (open || mine) (open || mine.querySelector('.vote')).score(k);
+  else return;
+  e.preventDefault();
+});
+
+// ------------------------------------------------------------------------------------------------ what the browser keeps
+// The journal of answers and the collection are written to localStorage at each change. Every answer has an id: two tabs take in what
+// the other one wrote, each id once, and what was taken back in one of them does not return.
+const STORE = 'ms-studio', gone = new Set(), fresh = () => Date.now().toString(36) + Math.random().toString(36).slice(2, 10);
+let stored = true, changed = false;
+const unit = x => Array.isArray(x) && x.length === M && x.every(v => typeof v === 'number' && v >= 0 && v <= 1);
+const score = v => typeof v === 'number' && v >= 0 && v <= 10;
+const sound = new Map(Object.entries({
+  score: a => unit(a.x) && score(a.score),
+  rescore: a => typeof a.of === 'string' && score(a.score),
+  better: a => Array.isArray(a.x) && a.x.length === 2 && a.x.every(unit),
+  neither: a => Array.isArray(a.x) && a.x.length === 2 && a.x.every(unit),
+  like: a => unit(a.x),
+  avoid: a => unit(a.x),
+}));
+function read(text) { // what is sound in a journal, and how many answers and materials of it are not
+  const old = { answers: [], kept: [], gone: [], lost: 0 };
+  if (!text) return old;
+  try {
+    const { answers = [], kept = [], gone = [] } = JSON.parse(text), has = (e, good) => e && typeof e.id === 'string' && good || (++old.lost, false);
+    old.answers = answers.filter(e => has(e, e && e.args && sound.has(e.call) && sound.get(e.call)(e.args))).map(({ id, call, args }) => ({ id, call, args }));
+    old.kept = kept.filter(k => has(k, k && unit(k.x) && typeof k.name === 'string'));
+    old.gone = gone.filter(id => typeof id === 'string');
+  } catch (e) { ++old.lost; }
+  return old;
+}
+function stash(key, text) {
+  try { localStorage.setItem(key, text); return true; } catch (e) { return false; } // a private window, or no room
+}
+function last() {
+  try { return localStorage.getItem(STORE); } catch (e) { return null; }
+}
+function store() {
+  const old = read(last()), mine = new Set([...journal, ...studio.kept].map(e => e.id)), other = e => !mine.has(e.id);
+  old.gone.forEach(id => gone.add(id));
+  const left = e => !gone.has(e.id);
+  stored = stash(STORE, JSON.stringify({
+    answers: [...journal.map(({ id, call, args }) => ({ id, call, args })), ...old.answers.filter(other)].filter(left),
+    kept: [...studio.kept.map(({ id, x, name }) => ({ id, x, name })), ...old.kept.filter(other)].filter(left), gone: [...gone].slice(-500) }));
+  changed = true;
+}
+// Answers and materials of an earlier visit, of another tab or of a file.
+async function take({ answers, kept }) {
+  const mine = new Set([...journal, ...studio.kept].map(e => e.id)), unknown = e => !mine.has(e.id) && !gone.has(e.id);
+  answers = answers.filter(unknown);
+  kept = kept.filter(unknown);
+  for (const e of answers) { accept(e); journal.push(e); }
+  undos = Math.min(undos + answers.length, UNDO);
+  const replayed = answers.length ? told(mind.ask('replay', { answers: answers.map(({ id, call, args }) => ({ id, call, args })) }), answers.length) : [];
+  const shown = answers.flatMap(e => e.shown);
+  for (let i = 0; i < shown.length; i += 8) {
+    const part = shown.slice(i, i + 8), pictures = await hand.ask('draw', { x: part.map(s => s.x) });
+    part.forEach((s, k) => { s.picture = pictures[k]; piece(() => remember(s)); });
+  }
+  const pictures = kept.length ? await hand.ask('draw', { x: kept.map(k => k.x) }) : [];
+  kept.forEach((k, i) => collect(k, pictures[i]));
+  for (const id of await replayed) refused(answers.find(e => e.id === id));
+  buttons();
+  tell();
+  return answers.length;
+}
+const plural = (n, word) => `${n} ${word}${n === 1 ? '' : 's'}`;
+function notice(text) {
+  $('notice').textContent = text;
+  $('notice').hidden = !text;
+}
+async function restore() {
+  const start = performance.now(), text = last(), old = read(text);
+  old.gone.forEach(id => gone.add(id));
+  const n = await take(old);
+  studio.restored = performance.now() - start;
+  if (n || old.kept.length) notice(`Welcome back: ${plural(n, 'answer')} and ${plural(old.kept.length, 'material')} of your last visit are here.`);
+  if (old.lost) {
+    stash(STORE + '-damaged', text);
+    notice(`A part of your last visit could not be read: ${plural(n, 'answer')} and ${plural(old.kept.length, 'material')} could. The browser's storage has what was there, as ${STORE}-damaged.`);
+  }
+}
+addEventListener('storage', e => {
+  if (e.key !== STORE || !e.newValue || !studio.started) return;
+  const old = read(e.newValue);
+  old.gone.forEach(id => gone.add(id));
+  take(old).catch(fail);
+});
+addEventListener('beforeunload', e => { if ((changed && !stored) || easel.unsaved) e.preventDefault(); });
+$('anew').onclick = () => {
+  if (!confirm('Forget all answers and the collection? Save them first if you want them back.')) return;
+  try { localStorage.removeItem(STORE); } catch (e) { /* there is none */ }
+  easel.unsaved = changed = false;
+  location.reload();
+};
+
+// Answers as a table, as examples/data/scores.csv has them: build/recommend and build/workflow --scores read it. Answers that are no
+// scores stand in lines that begin with #, which the tools skip.
+function download(name, type, text) {
+  const link = make('a', { href: URL.createObjectURL(new Blob([text], { type })), download: name });
+  studio.saved = typeof text === 'string' ? text : new TextDecoder().decode(text);
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+const header = Array.from({ length: M }, (_, k) => 'x' + k).join() + ',score\n';
+$('save').onclick = () => {
+  const others = journal.filter(e => !/score/.test(e.call));
+  download('scores.csv', 'text/csv', header + studio.scored.map(s => `${s.x.join()},${s.score}\n`).join('') + others.map(e => `# ${e.call},${e.args.x.flat().join()}\n`).join(''));
+  changed = false;
+};
+$('open').onclick = () => $('file').click();
+$('file').onchange = async () => {
+  const [file] = $('file').files;
+  if (!file) return;
+  try {
+    const { answers, materials } = table(await file.text()), n = await take({ answers, kept: [] });
+    if (materials.length) {
+      const pictures = await hand.ask('draw', { x: materials });
+      for (const item of studio.deck.splice(0)) { if (item.card) item.card.remove(); queue.unshift({ x: item.x, picture: item.picture }); }
+      queue.unshift(...materials.map((x, k) => ({ x, picture: pictures[k] })));
+      slots.length = 0;
+      deal();
+    }
+    store();
+    notice(`${file.name}: ${plural(n, 'new answer')}${materials.length ? `, ${plural(materials.length, 'material')} without a score: score them next` : ''}.`);
+  } catch (e) {
+    notice(`${file.name}: ${e.message}`);
+  }
+  $('file').value = '';
+};
+function table(text) {
+  const answers = [], materials = [], scores = new Map(studio.scored.map(s => [s.x.join(), s]));
+  let rows = 0;
+  text.replace(/^\uFEFF/, '').split(/\r\n|\n|\r/).forEach((line, at) => {
+    const wrong = what => { throw new Error(`line ${at + 1}: ${what}`); };
+    const other = line.match(/^# (better|neither|like|avoid),(.*)/);
+    if (other) {
+      const v = other[2].split(',').map(Number), pair = /better|neither/.test(other[1]), args = { x: pair ? [v.slice(0, M), v.slice(M)] : v };
+      if (!sound.get(other[1])(args)) wrong('not an answer that this page wrote');
+      if (!journal.some(e => e.call === other[1] && e.args.x.join() === args.x.join())) answers.push({ id: fresh(), call: other[1], args });
+    }
+    if (line[0] === '#' || !line.trim()) return;
+    const between = /[;\t]/.exec(line) || ',', cells = line.split(between[0]).map(c => c.trim()), v = cells.map(c => c === '' ? NaN : Number(between === ',' ? c : c.replace(',', '.')));
+    if (rows++ === 0 && isNaN(v[0])) return; // the header
+    if (cells.length !== M + 1) wrong(`${cells.length} columns, expected ${M} parameters and a score`);
+    const x = v.slice(0, M), y = v[M], key = x.join(), old = scores.get(key);
+    if (!unit(x)) wrong('a parameter is not a number from 0 to 1');
+    if (cells[M] === '') return void (old || materials.push(x));
+    if (!score(y)) wrong('the score is not a number from 0 to 10');
+    if (!old) { const e = { id: fresh(), call: 'score', args: { x, score: y } }; answers.push(e); scores.set(key, { id: e.id, score: y }); }
+    else if (old.score !== y) { answers.push({ id: fresh(), call: 'rescore', args: { of: old.id, score: y } }); scores.set(key, { id: old.id, score: y }); }
+  });
+  if (!rows && !answers.length) throw new Error('there are no materials in it');
+  return { answers, materials };
+}
 
 // --------------------------------------------------------------------------------------------------------- recommendations
 let restock;
@@ -243,7 +472,7 @@ restock = latest(async settled => {
   } catch (e) {
     studio.recommended = [];
     $('shelf').replaceChildren();
-    $('advice').textContent = done.length < 8 ? 'Keep going: nothing to go by yet.' : 'Nothing that you like so far. Score something a little higher, and I will find its friends.';
+    $('advice').textContent = journal.length < 8 ? 'Keep going: nothing to go by yet.' : 'Nothing that you like so far. Score something a little higher, and I will find its friends.';
   }
   if (settled) studio.settled = true;
   tell();
@@ -258,11 +487,12 @@ function stock(found) { // the shelf's buttons stay, their pictures change one a
       b = make('button', { className: 'pick' }, make('canvas', { className: 'ball', width: SIDE, height: SIDE }), make('span', { className: 'face' }));
       b.onclick = () => { shelf.querySelectorAll('.chosen').forEach(e => e.classList.remove('chosen')); b.classList.add('chosen'); choose(b.material); };
       shelf.append(b);
+      b.tabIndex = k ? -1 : 0;
     }
     b.material = f.x;
     b.dataset.x = f.x.map(v => v.toFixed(5)).join();
     b.classList.remove('chosen');
-    b.title = b.ariaLabel = studio.scored.length ? `${nameOf(f.x, f.picture)}: about ${f.mean.toFixed(1)} ± ${f.sigma.toFixed(1)}` : nameOf(f.x, f.picture);
+    b.title = b.ariaLabel = studio.scored.length ? `${nameOf(f.x, f.picture)}: about ${within(f.mean).toFixed(1)} ± ${f.sigma.toFixed(1)}` : nameOf(f.x, f.picture);
     show(b.firstChild, f.picture);
     b.firstChild.getAnimations().forEach(a => { a.cancel(); a.play(); });
     b.lastChild.innerHTML = face(Math.min(Math.max(f.mean / top, 0), 1));
@@ -275,7 +505,7 @@ $('more').onclick = () => restock(false);
 // What a delighted face stands for: without scores predictions have a scale of their own.
 const best = () => studio.scored.length ? Math.max(10, ...studio.scored.map(s => s.score)) : Math.max(1e-3, ...studio.recommended.map(r => r.mean));
 function tell() {
-  const n = done.length, r = studio.recommended, mean = r.length ? r.reduce((s, f) => s + f.mean, 0) / r.length / best() : 0.5;
+  const n = journal.length, r = studio.recommended, mean = r.length ? r.reduce((s, f) => s + f.mean, 0) / r.length / best() : 0.5;
   $('mood').innerHTML = face(n ? Math.min(Math.max(r.length ? mean : 0.35, 0), 1) : 0.7);
   const lobes = { diffuse: 0, metal: 0, glass: 0, jelly: 0 };
   r.forEach(f => { const s = shares(f.x); for (const k in s) lobes[k] += s[k] / r.length; });
@@ -364,10 +594,10 @@ const look = timed(v => {
   const s = shares(v.x);
   $('here-face').innerHTML = face(Math.min(Math.max(v.score / best(), 0), 1));
   $('here-name').textContent = nameOf(v.x, v.picture);
-  $('where').textContent = studio.scored.length ? `I guess ${Math.max(v.score, 0).toFixed(1)} ± ${v.sigma.toFixed(1)}` : v.score > 0.8 * best() ? 'I think that you love it' : v.score > 0.5 * best() ? 'I think that you like it' : v.score > 0.2 * best() ? 'I am not sure about it' : 'I doubt that you like it';
+  $('where').textContent = studio.scored.length ? `I guess ${within(v.score).toFixed(1)} ± ${v.sigma.toFixed(1)}` : v.score > 0.8 * best() ? 'I think that you love it' : v.score > 0.5 * best() ? 'I think that you like it' : v.score > 0.2 * best() ? 'I am not sure about it' : 'I doubt that you like it';
   $('here-mix').replaceChildren(...Object.keys(s).map(k => {
     const e = make('i', { title: `${names[k]} ${Math.round(100 * s[k])}%` });
-    e.style.cssText = `width:${100 * s[k]}%;background:rgb(${shown(v.x.slice(colours[k], colours[k] + 3))})`;
+    e.style.cssText = `width:${100 * s[k]}%;background:rgb(${shown(v.x.slice(colors[k], colors[k] + 3))})`;
     return e;
   }));
   for (const id of ['keep', 'brush', 'like', 'avoid']) $(id).disabled = false;
@@ -396,11 +626,11 @@ function walk(to) {
 }
 
 // ------------------------------------------------------------------------------------------------------------- the easel
-const easel = { x: null, dirty: false, colour: '#e8502a' };
+const easel = { x: null, dirty: false, unsaved: false, color: '#e8502a' };
 const sliders = ['saturation', 'hue', 'light', 'tint'];
 function begin(x, picture) {
   easel.x = x;
-  easel.dirty = false;
+  easel.dirty = easel.unsaved = false;
   for (const s of sliders) $(s).value = s === 'saturation' ? 1 : 0;
   $('strokes').getContext('2d').clearRect(0, 0, SIDE, SIDE);
   show($('easel'), picture);
@@ -411,9 +641,9 @@ function begin(x, picture) {
 }
 const repaint = latest(async () => {
   if (!easel.x) return;
-  const value = s => Number($(s).value), c = easel.colour.match(/\w\w/g).map(h => parseInt(h, 16) / 255), from = easel.x;
+  const value = s => Number($(s).value), c = easel.color.match(/\w\w/g).map(h => parseInt(h, 16) / 255), from = easel.x;
   const strokes = $('strokes').getContext('2d').getImageData(0, 0, SIDE, SIDE).data;
-  const edit = { saturation: value('saturation'), hue: value('hue'), light: value('light'), tint: value('tint'), colour: c };
+  const edit = { saturation: value('saturation'), hue: value('hue'), light: value('light'), tint: value('tint'), color: c };
   const { picture } = await hand.ask('paint', { x: from, edit, strokes }, [strokes.buffer]);
   if (from !== easel.x) return;
   show($('easel'), picture);
@@ -429,13 +659,14 @@ const compare = timed(m => {
   $('found').textContent = `${nameOf(m.x, m.picture)}, ${(100 * m.rmse).toFixed(1)}% away`;
   $('adopt').disabled = $('keep-match').disabled = false;
 });
-function change() { if (easel.x) { easel.dirty = true; repaint(); } }
+function change() { if (easel.x) { easel.dirty = easel.unsaved = true; repaint(); } }
 for (const s of sliders) $(s).oninput = change;
 for (const c of ['#e8502a', '#f2b134', '#f6e7c1', '#5fae57', '#2a9d8f', '#2f7de1', '#7b4fd0', '#e05a9c', '#ffffff', '#22211f']) {
-  const b = make('button', { title: c, ariaLabel: 'colour ' + c, ariaPressed: String(c === easel.colour) });
+  const b = make('button', { title: c, ariaLabel: 'color ' + c, ariaPressed: String(c === easel.color) });
   b.style.setProperty('--c', c);
-  b.onclick = () => { easel.colour = c; for (const o of $('colours').children) o.ariaPressed = String(o === b); if (Number($('tint').value) > 0) change(); };
-  $('colours').append(b);
+  b.onclick = () => { easel.color = c; for (const o of $('colors').children) o.ariaPressed = String(o === b); if (Number($('tint').value) > 0) change(); };
+  $('colors').append(b);
+  one($('colors'));
 }
 {
   const c = document.querySelector('.easel'), g = $('strokes').getContext('2d', { willReadFrequently: true }), tip = $('tip');
@@ -445,9 +676,9 @@ for (const c of ['#e8502a', '#f2b134', '#f6e7c1', '#5fae57', '#2a9d8f', '#2f7de1
     const size = Number($('size').value), n = Math.max(1, Math.ceil(Math.hypot(to[0] - from[0], to[1] - from[1]) / (size / 5)));
     for (let k = 1; k <= n; ++k) {
       const x = from[0] + (to[0] - from[0]) * k / n, y = from[1] + (to[1] - from[1]) * k / n, soft = g.createRadialGradient(x, y, 0, x, y, size);
-      soft.addColorStop(0, easel.colour + '55');
-      soft.addColorStop(0.5, easel.colour + '33');
-      soft.addColorStop(1, easel.colour + '00');
+      soft.addColorStop(0, easel.color + '55');
+      soft.addColorStop(0.5, easel.color + '33');
+      soft.addColorStop(1, easel.color + '00');
       g.fillStyle = soft;
       g.fillRect(x - size, y - size, 2 * size, 2 * size);
     }
@@ -464,55 +695,75 @@ for (const c of ['#e8502a', '#f2b134', '#f6e7c1', '#5fae57', '#2a9d8f', '#2f7de1
 }
 $('wipe').onclick = () => { if (studio.view) begin(studio.view.x, studio.view.picture); };
 $('brush').onclick = () => { begin(studio.view.x, studio.view.picture); $('lab').scrollIntoView({ behavior: 'smooth', block: 'center' }); };
-$('like').onclick = e => { sparks(e.target, [heart]); says('like', { x: studio.view.x }, () => {}); tell(); };
-$('avoid').onclick = () => { says('avoid', { x: studio.view.x }, () => {}); tell(); };
-$('adopt').onclick = () => { if (studio.match) { easel.dirty = false; choose(studio.match.x); $('walk').scrollIntoView({ behavior: 'smooth', block: 'center' }); } };
+$('like').onclick = e => { sparks(e.target, [heart]); says('like', { x: studio.view.x }); tell(); };
+$('avoid').onclick = () => { says('avoid', { x: studio.view.x }); tell(); };
+$('adopt').onclick = () => { if (studio.match) { easel.dirty = easel.unsaved = false; choose(studio.match.x); $('walk').scrollIntoView({ behavior: 'smooth', block: 'center' }); } };
 
 // --------------------------------------------------------------------------------------------------------- the collection
-function keep(x, picture, at) {
-  const item = { x, name: nameOf(x, picture) }, drop = make('button', { textContent: '×', ariaLabel: 'remove' });
-  const e = make('div', { className: 'kept card' }, ball(picture), make('span', { textContent: item.name }), drop);
-  drop.onclick = () => { studio.kept.splice(studio.kept.indexOf(item), 1); e.remove(); count(); };
+function collect(item, picture) {
+  const drop = make('button', { textContent: '×', ariaLabel: `remove ${item.name}` }), name = make('input', { value: item.name, ariaLabel: 'name', maxLength: 40, spellcheck: false });
+  const e = make('div', { className: 'kept card' }, ball(picture), name, drop);
+  name.onchange = () => { item.name = name.value = name.value.trim() || nameOf(item.x, picture); store(); };
+  drop.onclick = () => {
+    const next = (e.nextElementSibling || e.previousElementSibling || e).querySelector('button');
+    studio.kept.splice(studio.kept.indexOf(item), 1);
+    gone.add(item.id);
+    e.remove();
+    next.focus();
+    store();
+    count();
+  };
   studio.kept.push(item);
   $('basket').append(e);
-  sparks(at, [star]);
   count();
+}
+function keep(x, picture, at) {
+  collect({ id: fresh(), x, name: nameOf(x, picture) }, picture);
+  sparks(at, [star]);
+  store();
 }
 function count() {
   $('empty').hidden = studio.kept.length > 0;
   $('csv').disabled = $('mtlx').disabled = studio.kept.length === 0;
+  buttons();
 }
 $('keep').onclick = e => keep(studio.view.x, studio.view.picture, e.target);
-$('keep-match').onclick = e => keep(studio.match.x, studio.match.picture, e.target);
-async function save(kind, type) {
-  const seen = {}, names = studio.kept.map(k => { const n = k.name.replace(/\W/g, '_'); seen[n] = (seen[n] || 0) + 1; return seen[n] > 1 ? n + '_' + seen[n] : n; });
-  const files = await mind.ask('save', { x: studio.kept.map(k => k.x), names });
-  const link = make('a', { href: URL.createObjectURL(new Blob([files[kind]], { type })), download: 'materials.' + kind });
-  studio.saved = new TextDecoder().decode(files[kind]);
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+$('keep-match').onclick = e => { easel.unsaved = false; keep(studio.match.x, studio.match.picture, e.target); };
+// A material's own score, or the predicted one; none where nothing was answered.
+async function worth({ x }) {
+  const s = studio.scored.find(s => s.x.join() === x.join());
+  return s ? s.score : journal.length ? within((await mind.ask('predict', { x }))[0]) : null;
 }
-$('csv').onclick = () => save('csv', 'text/csv').catch(fail);
-$('mtlx').onclick = () => save('mtlx', 'application/xml').catch(fail);
+async function save(kind) {
+  const kept = studio.kept.slice(), scores = [], used = {};
+  for (const k of kept) scores.push(await worth(k));
+  if (kind === 'csv') // a name a line above each material, which the tools skip
+    return download('materials.csv', 'text/csv', header + kept.map((k, i) => `# ${k.name}\n${k.x.map(v => v.toFixed(6)).join()},${scores[i] === null ? '' : Number(scores[i].toPrecision(4))}\n`).join(''));
+  const names = kept.map(k => {
+    const n = k.name.replace(/\W/g, '_').replace(/^(?=\d|$)/, 'm_');
+    used[n] = (used[n] || 0) + 1;
+    return used[n] > 1 ? `${n}__${used[n]}` : n;
+  });
+  download('materials.mtlx', 'application/xml', await mind.ask('save', { x: kept.map(k => k.x), names, scores: scores.map(s => s === null ? -1e9 : s) }));
+}
+$('csv').onclick = () => save('csv').catch(fail);
+$('mtlx').onclick = () => save('mtlx').catch(fail);
 
 // -------------------------------------------------------------------------------------------------------------- this or that
 const prefer = timed(item => {
   const other = studio.deck.find(o => o !== item);
   if (!other || !studio.deck.includes(item)) return;
-  const s = { x: item.x, score: '♥', picture: item.picture }, t = { x: other.x, picture: other.picture };
   sparks(item.card, [heart]);
-  says('better', { x: [item.x, other.x] }, () => again(s, t));
+  says('better', { x: [item.x, other.x] }, [item.picture, other.picture]);
   leave(other);
   leave(item);
-  piece(() => remember(s));
   tell();
 });
 const neither = timed(() => {
   if (studio.deck.length < 2) return;
-  const pair = studio.deck.slice(), s = pair.map(o => ({ x: o.x, score: '–', picture: o.picture }));
-  says('neither', { x: pair.map(o => o.x) }, () => again(...s));
+  const pair = studio.deck.slice();
+  says('neither', { x: pair.map(o => o.x) }, pair.map(o => o.picture));
   pair.forEach(leave);
-  s.forEach(one => piece(() => remember(one)));
   tell();
 });
 function answerBy(next) {
@@ -543,6 +794,7 @@ $('by-pair').onclick = () => answerBy('pair');
   hand = worker(true);
   mind.heard = heard;
   await Promise.all([mind.ready, hand.ready]);
+  await restore();
   studio.started = true;
   tell();
   fill();

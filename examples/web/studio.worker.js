@@ -1,6 +1,6 @@
 // One of the studio's two workers: `mind` holds scores, recommendations and the plane, `hand` draws and matches pictures. Calls come as
 // {id, call, args}, answers leave as {id, result} or {id, problem}. Between calls the mind learns, a slice at a time.
-const M = 19, SIDE = 128;
+const M = 19, SIDE = 128, ROOM = 128;
 let wasm, files, learning = false;
 const floats = (at, n) => new Float64Array(wasm.memory.buffer, at, n);
 const put = (at, values) => floats(at, values.length).set(values);
@@ -27,14 +27,24 @@ const calls = {
     check(wasm.open(matches ? 1 : 0));
   },
   gallery({ count }) { check(wasm.gallery(count)); return rows(count); },
-  // What the user says. Each counts as an answer; a score returns the row that it has in the model.
-  score({ x, score }) { put(wasm.x(), x); return answered(wasm.score(score)) - 1; },
-  rescore({ index, score }) { answered(wasm.rescore(index, score)); },
-  better({ x }) { put(wasm.x(), x.flat()); answered(wasm.better()); },
-  neither({ x }) { put(wasm.x(), x.flat()); answered(wasm.neither(x.length)); },
-  like({ x }) { put(wasm.x(), x); answered(wasm.like(1)); },
-  avoid({ x }) { put(wasm.x(), x); answered(wasm.avoid()); },
-  undo() { answered(wasm.undo()); },
+  // What the user says. Each counts as an answer.
+  score({ id, x, score }) { put(wasm.x(), x); check(wasm.score(score)); row.set(id, wasm.scores() - 1); },
+  rescore({ of, score }) {
+    if (!row.has(of)) throw new Error('a material that is scored anew was never scored');
+    check(wasm.rescore(row.get(of), score));
+  },
+  better({ x }) { put(wasm.x(), x.flat()); check(wasm.better()); },
+  neither({ x }) { put(wasm.x(), x.flat()); check(wasm.neither(x.length)); },
+  like({ x }) { put(wasm.x(), x); check(wasm.like(1)); },
+  avoid({ x }) { put(wasm.x(), x); check(wasm.avoid()); },
+  undo() { check(wasm.undo()); },
+  // Many answers at once, and what is learned from all of them; the ids of those that were refused.
+  replay({ answers }) {
+    return answers.filter(({ id, call, args }) => {
+      ++answered;
+      try { calls[call]({ ...args, id }); } catch (e) { return true; }
+    }).map(e => e.id);
+  },
   recommend({ count }) {
     check(wasm.recommend(count));
     const mean = take(wasm.numbers(), 2 * count);
@@ -68,7 +78,7 @@ const calls = {
   paint({ x, edit, strokes }) {
     put(wasm.x(), x);
     new Uint8ClampedArray(wasm.memory.buffer, wasm.rgba(), 4 * SIDE * SIDE).set(strokes);
-    check(wasm.paint(edit.saturation, edit.hue, edit.light, edit.tint, ...edit.colour));
+    check(wasm.paint(edit.saturation, edit.hue, edit.light, edit.tint, ...edit.color));
     return { picture: pixels() };
   },
   match({ x, cost }) {
@@ -77,37 +87,36 @@ const calls = {
     const [rmse, guess] = take(wasm.numbers(), 2);
     return { x: rows(1)[0], rmse, guess, picture: pixels() };
   },
-  save({ x, names }) {
+  save({ x, names, scores }) {
+    if (x.length > ROOM) throw new Error(`at most ${ROOM} materials can be saved at once`);
     put(wasm.x(), x.flat());
+    put(wasm.numbers(), scores);
     const t = new TextEncoder().encode(names.join('\n').slice(0, 16000));
     new Uint8Array(wasm.memory.buffer, wasm.text(), t.length + 1).set([...t, 0]);
     check(wasm.save(x.length));
-    return { csv: files['materials.csv'].slice(), mtlx: files['materials.mtlx'].slice() };
+    return files['materials.mtlx'].slice();
   },
 };
 
-let answers = 0;
-function answered(status) {
-  ++answers;
-  learn();
-  check(status);
-  return wasm.scores();
-}
+const row = new Map(), teaches = new Set(['score', 'rescore', 'better', 'neither', 'like', 'avoid', 'undo']); // row: of a score's id in the model
+let answered = 0;
 function learn() {
   if (learning) return;
   learning = true;
   const slice = () => {
     if (!wasm.settled()) {
       const status = wasm.update();
-      postMessage({ learned: answers, settled: status ? 1 : wasm.settled(), state: wasm.state(), problem: status ? sentence() : '' });
+      postMessage({ learned: answered, settled: status ? 1 : wasm.settled(), state: wasm.state(), problem: status ? sentence() : '' });
       if (!status) return void setTimeout(slice, 0);
-    } else postMessage({ learned: answers, settled: 1, state: wasm.state(), problem: '' });
+    } else postMessage({ learned: answered, settled: 1, state: wasm.state(), problem: '' });
     learning = false;
   };
   setTimeout(slice, 0);
 }
 
 onmessage = async ({ data: { id, call, args } }) => {
+  if (teaches.has(call)) ++answered;
+  if (teaches.has(call) || call === 'replay') learn();
   try {
     const result = await calls[call](args || {});
     const moved = [].concat(result || []).flatMap(r => r instanceof Uint8ClampedArray ? [r] : [r.picture, r.ground]).filter(Boolean);
