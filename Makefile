@@ -27,7 +27,7 @@ LDLIBS = -lm
 
 # Every implementation is compiled once; the examples are told that it is there and link what they use. (Each also
 # compiles alone, as its comment says.)
-TOOLS = build/mcml build/mcml_split build/profile build/sss_kernel build/sss_filter build/postprocess build/lightmap \
+TOOLS = build/mcml build/profile build/sss_kernel build/sss_filter build/postprocess build/lightmap \
 	build/recommend build/latent build/nn_info build/nn_run build/nn_quantise build/preview build/match build/materialx build/workflow build/train build/own_shader
 DEMOS = build/demo_sss build/demo_match
 OBJECTS = build/ms_mcml.o build/ms_sss.o build/ms_gpr.o build/ms_nn.o build/ms_pme.o build/image.o
@@ -53,11 +53,9 @@ build/ms_pme.o: ms_pme.h
 build/image.o: examples/tools/image.h examples/tools/files.h
 	$(OBJECT) -DIMAGE_DEF= -include examples/tools/image.h
 
-build/mcml: examples/tools/mcml.c build/ms_mcml.o
+build/mcml: examples/tools/mcml.c examples/tools/mci.h examples/tools/files.h build/ms_mcml.o
 	$(BUILD) examples/tools/mcml.c build/ms_mcml.o $(LDLIBS)
-build/mcml_split: examples/tools/mcml_split.c build/ms_mcml.o
-	$(BUILD) examples/tools/mcml_split.c build/ms_mcml.o $(LDLIBS)
-build/profile: examples/tools/profile.c build/ms_mcml.o
+build/profile: examples/tools/profile.c examples/tools/mci.h examples/tools/files.h build/ms_mcml.o
 	$(BUILD) examples/tools/profile.c build/ms_mcml.o $(LDLIBS)
 build/sss_kernel: examples/tools/sss_kernel.c build/ms_sss.o build/ms_mcml.o
 	$(BUILD) examples/tools/sss_kernel.c build/ms_sss.o build/ms_mcml.o $(LDLIBS)

@@ -33,7 +33,7 @@ is() { # NAME, value, expected
     fi
 }
 
-tools="mcml mcml_split profile sss_kernel sss_filter postprocess lightmap recommend latent nn_info nn_run nn_quantise preview match materialx workflow train own_shader demo_sss demo_match"
+tools="mcml profile sss_kernel sss_filter postprocess lightmap recommend latent nn_info nn_run nn_quantise preview match materialx workflow train own_shader demo_sss demo_match"
 for tool in $tools; do
     [ -x build/$tool ] || { failed=$((failed + 1)); echo "FAIL build/$tool is not there: make first"; continue; }
     # help where it can be piped, and nothing else; a mistake: one line of usage behind what was wrong, and 2
@@ -310,9 +310,9 @@ result "lightmap" "build/lightmap '$out/e.pfm' RESULT --texels-per-mm 4" .pfm
 result "sss_filter" "build/sss_filter '$out/e.pfm' '$out/d.pfm' RESULT --material skin1 --mm-per-unit 10" .pfm
 result "preview" "build/preview tests/data/nn/renderer_f16.safetensors '$out/two.csv' RESULT" .ppm
 result "match" "build/match $net '$out/t.ppm' --cost 5 --out-png RESULT" .png 0
-result "mcml_split" "build/mcml_split run '$out/part.mci' 1 2 RESULT" .tally
 rm -rf "$out/full" && mkdir "$out/full"
 is "demo_sss: a full disk" "$( (ulimit -f 1; trap '' XFSZ; build/demo_sss "$out/full" --width 64 >/dev/null 2>&1; echo $?)) $(ls "$out/full" | grep -c -e '\.new' -e html -e txt)" "1 0"
+result "mcml --run" "build/mcml --run '$out/part.mci' 1 2 RESULT" .tally
 if [ -c /dev/full ]; then
     printed() { # NAME, a command that prints
         name=$1

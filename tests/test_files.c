@@ -1,8 +1,6 @@
 /* What the headers leave on the disk: whole files or the old ones, whatever fails; and the shared conversion of half
    floats. */
 #include "io.h"
-#define MS_MCML_IMPLEMENTATION
-#include "ms_mcml.h"
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #define MS_NN_IMPLEMENTATION
@@ -27,15 +25,11 @@
 /* --- one save of each kind; the same bytes whenever `which` is the same --- */
 
 static ms_gpr *model;
-static ms_mcml_mci mci;
-static ms_mcml_result result;
 static float weights[2][5000];
 
 static void prepare(void)
 {
-    static const char text[] = "1.0\n1\nx.mco A\n100\n0.1 0.1\n50 50 10\n1\n1\n1.4 1 90 0.5 0.1\n1\n";
     static const double x[4] = {0.1, 0.9, 0.5, 0.2}, y[2] = {1, 2}, theta[4] = {0, 0, 0, -2};
-    ms_mcml_options options = ms_mcml_defaults();
     ms_error error;
     int i;
     mkdir("build", 0777);
@@ -43,20 +37,16 @@ static void prepare(void)
     if (model) return;
     for (i = 0; i < 5000; ++i) weights[0][i] = (float)i, weights[1][i] = (float)-i;
     CHECK_INT(ms_gpr_create(x, y, 2, 2, theta, NULL, &model, &error), MS_OK);
-    CHECK_INT(ms_mcml_mci_read(text, sizeof text - 1, NULL, &mci, &error), MS_OK);
-    options.photons = 100;
-    CHECK_INT(ms_mcml_simulate(&mci.runs[0].tissue, &mci.runs[0].grid, &options, &result, &error), MS_OK);
 }
 
-enum { NETWORK, MODEL, TABLE, KINDS };
-static const char *const kind_name[] = {"ms_nn_file_save", "ms_gpr_save_file", "ms_mcml_mco_save"};
+enum { NETWORK, MODEL, KINDS };
+static const char *const kind_name[] = {"ms_nn_file_save", "ms_gpr_save_file"};
 
 static ms_status save(int kind, const char *path, int which, ms_error *error)
 {
     static const size_t shape[1] = {5000};
     ms_nn_tensor tensor;
     if (kind == MODEL) return ms_gpr_save_file(model, path, error);
-    if (kind == TABLE) return ms_mcml_mco_save(path, mci.runs, &result, which, error);
     tensor.name = "w";
     tensor.dtype = MS_NN_F32;
     tensor.rank = 1;
@@ -236,14 +226,12 @@ static void case_mapped(void)
 /* Reading: each read in turn fails, and a folder is no file. */
 static void case_reading(void)
 {
-    static const char text[] = "1.0\n1\nx.mco A\n100\n0.1 0.1\n5 5 1\n1\n1\n1.4 1 90 0.5 0.1\n1\n";
     ms_nn_options copied = ms_nn_defaults();
     ms_error error;
     long k;
     int kind, rounds = 0;
     prepare();
     copied.copy = 1;
-    put(FOLDER "/in.mci", text);
     CHECK_INT(save(NETWORK, FOLDER "/in.net", 0, &error), MS_OK);
     CHECK_INT(save(MODEL, FOLDER "/in.gp", 0, &error), MS_OK);
     for (kind = 0; kind < KINDS; ++kind)
@@ -255,14 +243,10 @@ static void case_reading(void)
                 ms_nn_file *file = NULL;
                 status = ms_nn_file_read(FOLDER "/in.net", &copied, &file, &error);
                 ms_nn_file_close(file);
-            } else if (kind == MODEL) {
+            } else {
                 ms_gpr *gp = NULL;
                 status = ms_gpr_load_file(FOLDER "/in.gp", NULL, &gp, &error);
                 ms_gpr_destroy(gp);
-            } else {
-                ms_mcml_mci read;
-                status = ms_mcml_mci_load(FOLDER "/in.mci", NULL, &read, &error);
-                if (status == MS_OK) ms_mcml_mci_destroy(&read);
             }
             io_fail_at = 0;
             io_bad_read = 0;
@@ -274,16 +258,13 @@ static void case_reading(void)
     for (kind = 0; kind < 2; ++kind) { /* a folder; nothing */
         const char *path = kind ? FOLDER "/nothing" : FOLDER;
         ms_nn_file *file = NULL;
-        ms_mcml_mci read;
         ms_gpr *gp = NULL;
         CHECK_INT(ms_nn_file_read(path, NULL, &file, &error), MS_IO);
         CHECK(strstr(error.message, path) != NULL);
         CHECK_INT(ms_gpr_load_file(path, NULL, &gp, &error), MS_IO);
         CHECK(strstr(error.message, path) != NULL);
-        CHECK_INT(ms_mcml_mci_load(path, NULL, &read, &error), MS_IO);
-        CHECK(strstr(error.message, path) != NULL);
     }
-    remove(FOLDER "/in.mci"), remove(FOLDER "/in.net"), remove(FOLDER "/in.gp");
+    remove(FOLDER "/in.net"), remove(FOLDER "/in.gp");
 }
 
 /* Every half against its value; floats around every half and every midpoint against the nearest one, found by search.

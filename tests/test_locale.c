@@ -6,6 +6,7 @@
 #include "ms_sss.h"
 #include "test.h"
 #include "files.h"
+#include "mci.h"
 #include "materials.h"
 #include "materialx.h"
 #include "plot.h"
@@ -46,7 +47,7 @@ static void write_all(const char *to)
     double parameters[19];
     char path[200];
     file_out out;
-    ms_mcml_mci file;
+    mci_file file;
     ms_mcml_result result;
     ms_mcml_options options = ms_mcml_defaults();
     ms_error error;
@@ -64,17 +65,17 @@ static void write_all(const char *to)
     snprintf(path, sizeof path, FOLDER "%s.svg", to);
     CHECK(plot_write(&p, path));
     options.photons = 200;
-    CHECK_INT(ms_mcml_mci_read(mci, sizeof mci - 1, NULL, &file, &error), MS_OK);
+    CHECK_INT(mci_read(mci, sizeof mci - 1, &file, &error), MS_OK);
     CHECK_NEAR(file.runs[0].tissue.layers[0].n, 1.4, 0);
     CHECK_INT(ms_mcml_simulate(&file.runs[0].tissue, &file.runs[0].grid, &options, &result, &error), MS_OK);
     snprintf(path, sizeof path, FOLDER "%s.mco", to);
-    CHECK_INT(ms_mcml_mco_save(path, file.runs, &result, 1.5, &error), MS_OK);
+    CHECK_INT(mco_save(path, file.runs, &result, NULL, 1.5, &error), MS_OK);
     ms_mcml_result_destroy(&result);
     options.roulette_weight = 1.625;
     CHECK_INT(ms_mcml_simulate(&file.runs[0].tissue, &file.runs[0].grid, &options, &result, &error),
               MS_INVALID_ARGUMENT);
     CHECK(strncmp(error.message, "roulette_weight is 1.625, ", 26) == 0);
-    ms_mcml_mci_destroy(&file);
+    mci_destroy(&file);
 }
 
 static void case_written(void)

@@ -30,10 +30,9 @@ static const char *scratch(void)
 
 /* --- workflows --- */
 
-/* Optical coefficients to profiles: the solver, Monte Carlo, a tally that goes through bytes, an .mci file. */
+/* Optical coefficients to profiles: the solver, Monte Carlo, a tally that goes through bytes. */
 static ms_status transport(const ms_allocator *allocator)
 {
-    static const char mci[] = "1.0\n1\nx.mco A\n10\n0.1 0.1\n4 4 1\n1\n1\n1.4 1 90 0.5 0.1\n1\n";
     const ms_mcml_layer layer = {1.4, 1, 100, 0.9, 0.1};
     ms_mcml_tissue tissue;
     ms_mcml_grid grid;
@@ -42,12 +41,10 @@ static ms_status transport(const ms_allocator *allocator)
     ms_mcml_profile_options how;
     ms_mcml_profile profile;
     ms_mcml_result result;
-    ms_mcml_mci file;
     ms_mcml *tally = NULL, *copy = NULL;
     ms_status status;
     void *bytes = NULL;
     memset(&result, 0, sizeof result);
-    memset(&file, 0, sizeof file);
     memset(&grid, 0, sizeof grid);
     memset(&medium, 0, sizeof medium);
     memset(&how, 0, sizeof how);
@@ -73,19 +70,12 @@ static ms_status transport(const ms_allocator *allocator)
     }
     STEP(ms_mcml_merge(tally, copy, NULL));
     STEP(ms_mcml_results(tally, &result, NULL));
-    if (status == MS_OK) {
-        FILE *f = fopen(scratch(), "wb");
-        CHECK(f != NULL && fwrite(mci, 1, sizeof mci - 1, f) == sizeof mci - 1 && fclose(f) == 0);
-        status = ms_mcml_mci_load(scratch(), allocator, &file, NULL);
-    }
     STEP(ms_mcml_profile_make(&profile, &medium, 1, &how, NULL));
     if (status == MS_OK) ms_mcml_profile_destroy(&profile);
-    ms_mcml_mci_destroy(&file);
     ms_mcml_result_destroy(&result);
     ms_mcml_destroy(copy);
     ms_mcml_destroy(tally);
     free(bytes);
-    remove(scratch());
     return status;
 }
 

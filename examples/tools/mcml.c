@@ -5,10 +5,16 @@
    and for angles in more than one bin, which it does not compute. Rings that the solver does not hold (beside a clear
    layer, g above 0.97 or so) have the shape that the file's number of photons gives; the program says so. A run that it
    cannot answer for is named with the reason and writes nothing (a file of that name stays as it was), the others are
-   written; the exit code is 1 then. Alone: cc -O2 -I. examples/tools/mcml.c -o build/mcml -lm */
+   written; the exit code is 1 then.
+     build/mcml --run FILE.mci PART OF OUT.tally     the PART-th (from 1) of OF shares of the first run's photons
+     build/mcml --merge FILE.mci TALLY...            adds the shares, in any order, and writes the run's .mco file
+   One simulation over many processes or machines, with the same bits as one process:
+     for i in 1 2 3 4; do build/mcml --run skin.mci $i 4 $i.tally & done; wait
+     build/mcml --merge skin.mci *.tally
+   Alone: cc -O2 -I. examples/tools/mcml.c -o build/mcml -lm */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
-#include "files.h"
+#include "mci.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -42,19 +48,118 @@ static int show_progress(void *user, double fraction)
     return 0;
 }
 
+static int fail(const char *path, const char *message)
+{
+    fprintf(stderr, "%s: %s\n", path, message);
+    return 1;
+}
+
+static int run_share(const mci_run *run, unsigned long long part, unsigned long long of, const char *path)
+{
+    unsigned long long first = run->photons / of * (part - 1) + run->photons % of * (part - 1) / of;
+    unsigned long long end = run->photons / of * part + run->photons % of * part / of;
+    ms_mcml *tally;
+    ms_error error;
+    ms_status status = ms_mcml_create(&run->tissue, &run->grid, NULL, &tally, &error);
+    if (status == MS_OK) status = ms_mcml_run(tally, first, end - first, &error);
+    if (status == MS_OK) {
+        size_t size = ms_mcml_save_size(tally);
+        void *bytes = malloc(size);
+        const char *problem = "out of memory";
+        if (bytes) {
+            ms_mcml_save(tally, bytes);
+            problem = file_save(path, bytes, size);
+        }
+        free(bytes);
+        ms_mcml_destroy(tally);
+        return problem ? fail(path, problem) : 0;
+    }
+    ms_mcml_destroy(tally);
+    return fail(run->output, error.message);
+}
+
+static ms_mcml *load_tally(const char *path)
+{
+    const char *problem = "cannot be read";
+    FILE *file = file_open(path, &problem);
+    char *bytes = NULL;
+    long size = -1;
+    ms_mcml *tally = NULL;
+    ms_error error;
+    memset(&error, 0, sizeof error);
+    if (file && fseek(file, 0, SEEK_END) == 0) size = ftell(file);
+    if (size >= 0 && fseek(file, 0, SEEK_SET) == 0) bytes = (char *)malloc((size_t)size + 1);
+    if (bytes && fread(bytes, 1, (size_t)size, file) == (size_t)size)
+        ms_mcml_load(bytes, (size_t)size, NULL, &tally, &error);
+    if (tally == NULL) fail(path, error.message[0] ? error.message : problem);
+    if (file) fclose(file);
+    free(bytes);
+    return tally;
+}
+
+static int merge_shares(const mci_run *run, char **paths, int count)
+{
+    ms_mcml *sum;
+    ms_mcml_result result;
+    ms_error error;
+    int i;
+    if (ms_mcml_create(&run->tissue, &run->grid, NULL, &sum, &error) != MS_OK) return fail(run->output, error.message);
+    for (i = 0; i < count; ++i) {
+        ms_mcml *share = load_tally(paths[i]);
+        ms_status status = share ? ms_mcml_merge(sum, share, &error) : MS_OK;
+        if (status != MS_OK) fail(paths[i], error.message);
+        ms_mcml_destroy(share);
+        if (share == NULL || status != MS_OK) break;
+    }
+    if (i == count && ms_mcml_photons(sum) != run->photons) {
+        fail(run->output, "the shares do not add up to the photons of the run");
+        i = -1;
+    }
+    if (i == count) {
+        ms_status status = ms_mcml_results(sum, &result, &error);
+        if (status == MS_OK) {
+            status = mco_save(run->output, run, &result, NULL, 0, &error);
+            ms_mcml_result_destroy(&result);
+        }
+        if (status != MS_OK) i = -fail(run->output, error.message);
+    }
+    ms_mcml_destroy(sum);
+    return i != count;
+}
+
 static const char usage[] =
     "usage: mcml [-n PHOTONS] [-s SEED] FILE.mci\n"
-    "  mcml --exact FILE.mci    layers without noise; nan stands for what is not computed (A_rz, angles)\n";
+    "  mcml --exact FILE.mci    layers without noise; nan stands for what is not computed (A_rz, angles)\n"
+    "  mcml --run FILE.mci PART OF OUT.tally    one share of the first run's photons\n"
+    "  mcml --merge FILE.mci TALLY...    adds the shares and writes the .mco file\n";
+
+/* --run FILE.mci PART OF OUT.tally, --merge FILE.mci TALLY... */
+static int split(int argc, char **argv)
+{
+    const int running = strcmp(argv[1], "--run") == 0;
+    unsigned long long part = 1, of = 1;
+    mci_file file;
+    ms_error error;
+    int failed;
+    if (running ? argc != 6 : argc < 4) return file_usage(usage);
+    if (running) part = strtoull(argv[3], NULL, 10), of = strtoull(argv[4], NULL, 10);
+    if (part < 1 || part > of || of > 1000000) return file_usage(usage);
+    if (mci_load(argv[2], &file, &error) != MS_OK) return fail(argv[2], error.message);
+    failed = running ? run_share(&file.runs[0], part, of, argv[5]) : merge_shares(&file.runs[0], argv + 3, argc - 3);
+    mci_destroy(&file);
+    return failed;
+}
 
 int main(int argc, char **argv)
 {
     const char *path = NULL;
     unsigned long long photons = 0, seed = 0;
     int terminal = isatty(2), exact = 0, failed = 0, i;
-    ms_mcml_mci file;
+    mci_file file;
     ms_error error;
 
     if (file_help(argc, argv, usage)) return file_end_stdout("mcml");
+    if (argc > 1 && (strcmp(argv[1], "--run") == 0 || strcmp(argv[1], "--merge") == 0)) return split(argc, argv);
     for (i = 1; i < argc; ++i) {
         if ((strcmp(argv[i], "-n") == 0 || strcmp(argv[i], "-s") == 0) && i + 1 < argc) {
             char *end;
@@ -72,13 +177,13 @@ int main(int argc, char **argv)
         }
     }
     if (path == NULL || (exact && (photons || seed))) return file_usage(usage);
-    if (ms_mcml_mci_load(path, NULL, &file, &error) != MS_OK) {
+    if (mci_load(path, &file, &error) != MS_OK) {
         fprintf(stderr, "%s: %s\n", path, error.message);
         return 1;
     }
 
     for (i = 0; i < file.run_count; ++i) {
-        const ms_mcml_run_spec *run = &file.runs[i];
+        const mci_run *run = &file.runs[i];
         ms_mcml_options options = ms_mcml_defaults();
         ms_mcml_layered_options layered;
         ms_mcml_result result;
@@ -102,7 +207,9 @@ int main(int argc, char **argv)
         else status = ms_mcml_simulate(&run->tissue, &run->grid, &options, &result, &error);
         if (terminal) fprintf(stderr, "\r%78s\r", "");
         if (status == MS_OK)
-            status = ms_mcml_mco_save(run->output, run, &result, (double)(clock() - begun) / CLOCKS_PER_SEC, &error);
+            status = mco_save(run->output, run, &result,
+                              exact ? "Layered solver: nan is what it does not compute (A_rz, angles)." : NULL,
+                              (double)(clock() - begun) / CLOCKS_PER_SEC, &error);
         if (status == MS_OK && exact && result.photons)
             fprintf(stderr, "%s: run %d, %s: the solver gave the totals, %.0f photons the shape of the rings\n", path,
                     i + 1, run->output, (double)result.photons);
@@ -113,6 +220,6 @@ int main(int argc, char **argv)
             if (!exact) break;
         }
     }
-    ms_mcml_mci_destroy(&file);
+    mci_destroy(&file);
     return failed;
 }

@@ -15,7 +15,7 @@
    file; then only the comment lines are printed. Exit: 0, 1 if something failed, 2 if the arguments are wrong. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
-#include "files.h"
+#include "mci.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -101,7 +101,7 @@ static void print_table(FILE *f, const ms_mcml_profile *p)
                 rd[2 * p->rings + i]);
 }
 
-static void print_layers(FILE *f, const ms_mcml_run_spec *run, const ms_mcml_layered *s)
+static void print_layers(FILE *f, const mci_run *run, const ms_mcml_layered *s)
 {
     const double dr = run->grid.dr_cm;
     int i;
@@ -120,14 +120,14 @@ static void print_layers(FILE *f, const ms_mcml_run_spec *run, const ms_mcml_lay
 /* The first run of an .mci file. What cannot be promised is said on stderr, and the exit code is 1. */
 static int layers(const char *path, const char *csv)
 {
-    ms_mcml_mci file;
+    mci_file file;
     ms_mcml_layered solution;
     ms_error error;
-    ms_status status = ms_mcml_mci_load(path, NULL, &file, &error);
+    ms_status status = mci_load(path, &file, &error);
     int failed;
     if (status == MS_OK) {
         status = ms_mcml_layered_solve(&file.runs[0].tissue, NULL, &solution, &error);
-        if (status && status != MS_NOT_CONVERGED) ms_mcml_mci_destroy(&file);
+        if (status && status != MS_NOT_CONVERGED) mci_destroy(&file);
     }
     if (status == MS_IO) fprintf(stderr, "profile: %s\n", error.message); /* names the file itself */
     else if (status) fprintf(stderr, "profile: %s: %s\n", path, error.message);
@@ -146,7 +146,7 @@ static int layers(const char *path, const char *csv)
     } else {
         print_layers(stdout, &file.runs[0], &solution);
     }
-    ms_mcml_mci_destroy(&file);
+    mci_destroy(&file);
     return file_end_stdout("profile") || failed;
 }
 
