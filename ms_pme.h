@@ -7,11 +7,11 @@
       #define MS_PME_IMPLEMENTATION
       #include "ms_pme.h"
 
-   You have a renderer phi(x) (a small neural one, ms_nn.h runs such), and a target picture that somebody painted. This
-   header finds the parameters x, inside their bounds, whose picture is closest: it tries the guesses that you have
-   (inversion networks, the previous frame, the source material), keeps the best, and refines it. It works from
-   callbacks alone, and its optimisers can be used on any function of up to 256 parameters. Link with -lm. Here a
-   "renderer" of two parameters and three pixels:
+   You have a renderer phi(x) (a small neural one; ms_nn.h runs such networks) and a target picture that somebody
+   painted. This header finds the parameters x, inside their bounds, whose picture is closest to the target. It
+   evaluates the candidates that you have (inversion networks, the previous frame, the source material), keeps the best
+   ones and refines them by nonlinear least squares. It calls you back for pictures, and its optimisers work on any
+   residuals of up to 256 parameters. Link with -lm. A "renderer" of two parameters and three pixels:
 
    Example:
       #define MS_PME_IMPLEMENTATION
@@ -43,39 +43,31 @@
       }
    End of example.
 
-   Which optimiser
-   ---------------
-   The default is Levenberg-Marquardt whose every step is a least-squares problem inside the box, solved exactly by an
-   active-set method whose QR factorisation follows each bound that is entered or left. On the 14 problems of
-   tests/data/pme_problems.json (More, Garbow, Hillstrom, free and bounded) it ends within 1e-7 of a trust-region
-   solver's minima on all (`tests/test_pme.c reference`; the methods of the thesis are in tests/bench/thesis_methods.h).
-   With restarts as many first guesses set out as the budget has steps for, the best of them go on (successive halving),
-   and what is left goes to the others and to random points. Give a Jacobian when you have one: it costs a network a few
-   evaluations, differences cost n. On float32 pictures differences of 1.5e-8, the customary default, are noise.
-
-   Budget
-   ------
-   Counted in evaluations; one with a Jacobian counts jacobian_cost. A call never spends more than max_cost (the
-   candidates of ms_pme_match, its final render and its deviations come on top), and stops earlier at a target value,
-   after max_seconds on the wall's clock, or when progress says so: before the next callback. `make bench FILTER=pme`
-   has times and what more cost buys.
+   Optimisers
+   ----------
+   The default is Levenberg-Marquardt. Each step is a linear least-squares problem inside the box; an active-set method
+   solves it exactly. It reaches the minima of all 14 problems of tests/data/pme_problems.json (More, Garbow, Hillstrom,
+   free and bounded) within 1e-7. With restarts it is a multistart by successive halving: as many candidates as the
+   budget allows run for a few steps, the best third goes on, the winner is finished; the rest of the budget goes to the
+   other candidates and to random points. Give a Jacobian if you have one: it costs a network a few evaluations,
+   differences cost n. Differences of a float32 picture need a step near 1e-3; below it they are rounding noise.
+   Nelder-Mead is for renderers with noise. The other methods of the thesis are in tests/bench/thesis_methods.h.
 
    Edits that no material explains
    -------------------------------
-   Exposure, tint and an offset of the picture can be fitted along (options.nuisance). A logo, a stitch: weights by
-   ms_pme_reweigh, and match again from the answer, some times (examples/tools/match.c --robust). Parameters: frozen by
-   equal bounds, tied (options.tie), pulled towards a source (options.pull); bounds around the last frame's answer limit
-   what a frame may change.
+   Exposure, tint and an offset of the picture can be fitted with the material (options.nuisance). Outliers such as a
+   logo lose their weight by ms_pme_reweigh, with a match from the last answer after each call
+   (examples/tools/matcher.h). A parameter is frozen by equal bounds, tied to another by options.tie, pulled towards a
+   source by options.pull. Bounds around the answer for the last frame limit the change from frame to frame.
 
-   Memory, threads, SIMD, determinism, errors
-   ------------------------------------------
-   One block a call (two for ms_pme_match) from options.allocator, sizes stated there; stack below 32 KB, 64 KB when
-   compiled without optimisation.
-   No state: calls may overlap. The callbacks run on the calling thread; a renderer may be parallel inside.
-   The same bits at every call with the same seed, as far as the callbacks' answers are; no SIMD, so on one build.
-   -ffast-math voids this and what is said of NaN and infinity.
-   Statuses, and a sentence in ms_error. NaN or infinite values of a function are no errors: such points lose; a
-   derivative that is not finite is MS_BAD_DATA. Residuals may have any size that doubles have.
+   Memory, threads, determinism, errors
+   ------------------------------------
+   Each call makes one allocation. The stack stays below 32 KB, 64 KB without optimisation. There is no global state:
+   calls may overlap. Callbacks run on the calling thread, one at a time; a renderer may be parallel inside. The result
+   has the same bits at every call with the same seed and the same answers of the callbacks. -ffast-math voids this and
+   the statements about NaN and infinity. Failures return a status and a sentence in ms_error. A point whose residuals
+   are NaN, infinite or beyond 1e140 is worse than every other point, not an error; a derivative that is not finite is
+   MS_BAD_DATA.
 
    Configuration (define before the implementation)
    ------------------------------------------------
@@ -84,15 +76,13 @@
 
    Limits
    ------
-   256 parameters; dense Jacobians [m][n] in double. Local methods: the answer is the minimum nearest to the best
-   candidate; restarts or basin hopping look further. A function must not be smoother than it says: noise larger than
-   the tolerance wants difference_step or Nelder-Mead.
+   256 parameters; dense Jacobians [m][n] of doubles. The methods are local: the answer is a minimum near one of the
+   candidates, and restarts look further. Times and errors: tests/bench/RESULTS.md.
 
    Sources
    -------
    Zsolnai-Feher, Photorealistic Material Learning and Synthesis, chapter 4 (algorithm 4, equations 4.1 to 4.4); More
-   1978; Nielsen 1999; Stark and Parker 1995; Nocedal and Wright 2006; Nelder and Mead 1965; Wales and Doye 1997;
-   Hestenes 1958; Huber 1981; More, Garbow and Hillstrom 1981.
+   1978; Nielsen 1999; Stark and Parker 1995; Nelder and Mead 1965; Huber 1981; More, Garbow and Hillstrom 1981.
 */
 #ifndef MS_PME_H
 #define MS_PME_H
@@ -213,38 +203,29 @@ static inline const char *ms_simd_string(ms_simd level)
 #endif
 /* ms-common end */
 
-/* ---- 1. any function of a few parameters ----------------------------------------------------------------------- */
+/* ---- 1. nonlinear least squares -------------------------------------------------------------------------------- */
 
-/* What is to be made small over the box lower <= x <= upper: f(x) = sum of r_i(x)^2 when `residuals` is given, else
-   `value`. A callback returns MS_OK, or a status that ends the run and becomes its answer. Values that are NaN or
-   infinite are no failure: such a point is taken as worse than every finite one. Callbacks are called from the
-   thread that made the call, one at a time; x is always inside the box. */
+/* f(x) = sum of r_i(x)^2 over the box lower <= x <= upper. x is always inside the box. A callback returns MS_OK, or a
+   status that ends the run and becomes its answer. */
 typedef struct ms_pme_function {
     void *user;
     int parameter_count;   /* n, 1 to MS_PME_PARAMETERS_MAX */
-    size_t residual_count; /* m >= 1 with `residuals` */
-    /* r [m] out. jacobian [m][n] row-major out, d r_i / d x_j, or NULL: not asked for. */
+    size_t residual_count; /* m >= 1 */
+    /* r [m] out. jacobian [m][n] row-major out, d r_i / d x_j; NULL: not asked for. */
     ms_status (*residuals)(void *user, const double *x, double *r, double *jacobian);
-    int residuals_only;   /* non-zero: `residuals` cannot fill a Jacobian; differences take its place */
-    double jacobian_cost; /* what one call with a Jacobian counts, in evaluations; 0: 1 + n / 4 */
-    /* For functions that are no sum of squares: */
-    ms_status (*value)(void *user, const double *x, double *f);
-    /* Optional: f and its gradient [n]; counts jacobian_cost. NULL: from the Jacobian, or by differences. */
-    ms_status (*gradient)(void *user, const double *x, double *f, double *gradient);
+    int residuals_only;          /* non-zero: `residuals` cannot fill a Jacobian; forward differences take its place */
+    double jacobian_cost;        /* cost of a call with a Jacobian, in evaluations; 0: 1 + n / 4 */
     const double *lower, *upper; /* [n]; NULL: no bound on that side; infinities allowed */
 } ms_pme_function;
 #define MS_PME_PARAMETERS_MAX 256
 
 typedef enum ms_pme_method {
-    MS_PME_LEVENBERG_MARQUARDT = 0, /* trust region by damping, each step a bounded least-squares problem solved
-                                       exactly; needs residuals (else L-BFGS takes over) */
-    MS_PME_NELDER_MEAD = 1,         /* simplex, points clipped to the box, first edges 0.1 of the range: for noise */
-    MS_PME_LBFGS = 2,               /* limited-memory quasi-Newton, active set of bounds */
-    MS_PME_BASIN_HOPPING = 3        /* random hops, each followed by Levenberg-Marquardt (or L-BFGS) */
+    MS_PME_LEVENBERG_MARQUARDT = 0, /* each step a bounded least-squares problem, solved exactly */
+    MS_PME_NELDER_MEAD = 1          /* simplex, points clipped to the box, first edges 0.1 of the range: for noise */
 } ms_pme_method;
 
 typedef enum ms_pme_stop {
-    MS_PME_STOP_CONVERGED = 0, /* the step, the decrease or the projected gradient fell below its tolerance */
+    MS_PME_STOP_CONVERGED = 0, /* the step or the decrease fell below its tolerance */
     MS_PME_STOP_TARGET = 1,    /* target_value (or target_rmse) reached */
     MS_PME_STOP_COST = 2,      /* max_cost spent */
     MS_PME_STOP_SECONDS = 3    /* max_seconds spent */
@@ -252,60 +233,49 @@ typedef enum ms_pme_stop {
 
 /* All zero gives the defaults; ms_pme_defaults() returns that. */
 typedef struct ms_pme_options {
-    int method;          /* ms_pme_method */
-    double max_cost;     /* in evaluations of f (Jacobians at jacobian_cost); 0: 1000 */
-    double max_seconds;  /* of `clock`; 0: no limit. No callback begins that would end more than 5% later at the pace so
-                            far */
-    double target_value; /* stop when f <= this; 0: only at 0 */
-    double tolerance;    /* relative decrease and relative step taken as converged; 0: 1e-10 */
-    double start_step;   /* Nelder-Mead: first edge as a fraction of the range (of max(|x|, 1) without bounds), 0: 0.1.
-                            Basin hopping: hop, 0: 0.25 */
-    double difference_step; /* > 0: forward differences of this absolute step; 0: central, near the best step for f64.
-                               A float32 renderer wants about 1e-3: with 1.5e-8 its differences are rounding noise */
-    int restarts;  /* Levenberg-Marquardt: further runs while cost is left, from random points, rough ones that are
-                      finished where  they lead further. ms_pme_match has its best candidates race for the first part of
-                      the budget */
-    uint64_t seed; /* of restarts and hops */
+    int method;             /* ms_pme_method */
+    double max_cost;        /* in evaluations (a Jacobian counts jacobian_cost), never exceeded; 0: 1000 */
+    double max_seconds;     /* of `clock`, from the call; 0: no limit. The first evaluation is always made; a later
+                               callback only if, at the pace so far, it ends less than 5% after the limit */
+    double target_value;    /* stop when f <= this; 0: only at 0 */
+    double tolerance;       /* relative decrease and relative step taken as converged; 0: 1e-10 */
+    double difference_step; /* absolute step of forward differences; 0: near the best for residuals in double precision.
+                               A float32 renderer wants about 1e-3 */
+    int restarts;  /* Levenberg-Marquardt: further starts while cost is left. Each ends at a relative decrease of
+                      1e-3 unless it improves on the best point */
+    uint64_t seed; /* of the random starts */
     double (*clock)(void *user); /* seconds, from any origin; NULL: the wall's clock */
     void *clock_user;
     ms_progress progress;   /* asked before every callback */
-    ms_allocator allocator; /* one block of about (m n + m + 6 n^2) doubles, released before the call returns */
+    ms_allocator allocator; /* one block of about (m n + 2 m + 3 n^2) doubles, released before the call returns */
 } ms_pme_options;
 
 typedef struct ms_pme_result {
-    double value;       /* f at x; infinite or 0 where the sum of squares is out of double's range */
+    double value;       /* f at x */
     double cost;        /* spent, in evaluations */
     size_t evaluations; /* calls without derivatives */
     size_t jacobians;   /* calls with them */
-    size_t iterations;  /* steps of the method */
+    size_t iterations;  /* accepted steps */
     ms_pme_stop stop;
-    double
-        projected_gradient; /* largest |component| at x of the gradient that bounds do not hold; where a run ends
-                               on a value, one call with derivatives more, which does not count, gives it. -1: not known
-                               (Nelder-Mead; no time left; ms_pme_match or differences alone that ended on a value) */
 } ms_pme_result;
 
 MS_API ms_pme_options ms_pme_defaults(void);
 
-/* A name for tables and logs: "levenberg-marquardt", ...; "unknown" outside the enum. */
-MS_API const char *ms_pme_method_string(int method);
-
-/* Makes f small from a start.
-   x        [n] in: start, anything finite (clipped to the box first); out: the best point that was evaluated
+/* Minimises f from a start.
+   x        [n] in: start, finite (clipped to the box first); out: the best point that was evaluated
    options  NULL: defaults
    result   out, may be NULL
    error    may be NULL; position is the index of the offending parameter
-   The answer is the same bits at every call with the same seed, as far as the callbacks are.
-   MS_INVALID_ARGUMENT: n, m or a callback is missing or out of range, lower > upper or NaN (position tells which),
-   x not finite, no finite value at the start. MS_BAD_DATA: a derivative is not finite at a point whose value is.
-   MS_OUT_OF_MEMORY, MS_CANCELLED, or what a callback returned: x is then untouched. MS_NOT_CONVERGED is never returned:
-   a budget that ended the run is said in result->stop. */
+   MS_INVALID_ARGUMENT: a count or callback is missing or out of range, lower > upper or NaN, x not finite, no finite
+   value at the start. MS_BAD_DATA: a derivative is not finite at a point whose value is. MS_OUT_OF_MEMORY,
+   MS_CANCELLED, or the status of a callback. x is untouched on failure. A budget that ended the run is no failure
+   (result->stop). */
 MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_options *options, double *x,
                                  ms_pme_result *result, ms_error *error);
 
 /* ---- 2. which material made this picture? ---------------------------------------------------------------------- */
 
-/* The picture is image_size floats in any order, phi(x). Thesis, chapter 4. */
+/* The picture phi(x) is image_size floats in any order. Thesis, chapter 4. */
 typedef struct ms_pme_renderer {
     void *user;
     int parameter_count;         /* n */
@@ -316,24 +286,23 @@ typedef struct ms_pme_renderer {
     /* Optional: image and d image_i / d x_j as [p][n]. */
     ms_status (*jacobian)(void *user, const double *x, float *image, float *jacobian);
     double jacobian_cost; /* in renders; 0: 1 + n / 4 */
-    /* Optional: prediction i of prediction_count inversion networks, target [p] -> x [n]; outside the box is
-       allowed. */
+    /* Optional: inversion network i of prediction_count, target [p] -> x [n]; values outside the box are clipped. */
     int prediction_count;
     ms_status (*predict)(void *user, int i, const float *target, double *x);
-    /* Optional: a smaller function with the same minimum, valid for this target and these weights (ms_nn.h's collapse):
-       sum of squares + reduced_offset = sum of weight (phi - target)^2. Then candidates and refinement use it, and
-       `render` is called once, for the reported RMSE; where that is another than this function says, it was made for
-       another target or other weights, and the match fails. */
+    /* Optional: a smaller function with the same minimum, made for this target and these weights (ms_nn.h's collapse):
+       sum of squares + reduced_offset = sum of weight (phi - target)^2. Candidates and refinement then use it; `render`
+       is called once, for the reported RMSE, and the match fails if that RMSE differs from the function's. With a
+       nuisance it serves if its parameter_count is n + 2 channels: x, a gain and an offset for each channel. */
     const ms_pme_function *reduced;
     double reduced_offset;
 } ms_pme_renderer;
 
-/* All zero: fill in what you have. */
-MS_API ms_pme_renderer ms_pme_renderer_defaults(void);
+MS_API ms_pme_renderer ms_pme_renderer_defaults(void); /* all zero */
 
 #define MS_PME_CHANNELS_MAX 4
 
-/* What of the picture, not of the material, is fitted along: in the unit of the values, gain x phi(x) + offset. */
+/* Changes of the picture that are fitted with the material: gain x phi(x) + offset. Each log(gain) and offset is pulled
+   to 0 by 1e-4 times its square, added to RMSE^2: it stays near 0 if the picture does not determine it. */
 typedef enum ms_pme_nuisance {
     MS_PME_EXPOSURE = 1, /* one gain, 1/8 to 8 */
     MS_PME_TINT = 2,     /* a gain for each channel */
@@ -341,21 +310,22 @@ typedef enum ms_pme_nuisance {
 } ms_pme_nuisance;
 
 typedef struct ms_pme_match_options {
-    ms_pme_options refine;    /* max_cost 0: 50, spent after the candidates; target_value is set from target_rmse */
-    double target_rmse;       /* good enough: no refinement once a candidate has it ("best of both worlds"); 0: none */
-    int initial_only;         /* non-zero: the best candidate as it is ("close to real time") */
+    ms_pme_options refine;    /* max_cost 0: 50, spent after the candidates; max_seconds from the call, candidates
+                                 included; target_value is set from target_rmse */
+    double target_rmse;       /* good enough: no refinement once a candidate reaches it; 0: none */
+    int initial_only;         /* non-zero: the best candidate is the answer */
     const double *candidates; /* [candidate_count][n]: the previous frame's answer, the source material; may be NULL */
     int candidate_count;
-    int random_count; /* further candidates drawn uniformly. The middle of the box is tried where no other has a finite
-                         picture */
-    int nuisance;     /* flags of ms_pme_nuisance; `reduced` does not serve then */
+    int random_count; /* further candidates, uniform in the box. The middle of the box is tried if no candidate has a
+                         finite picture */
+    int nuisance;     /* flags of ms_pme_nuisance */
     int channels;     /* planes that follow each other in a picture, up to MS_PME_CHANNELS_MAX; 0: 1 */
-    const int *tie;   /* [n] x_j is x_tie[j]; a parameter tied to itself is free; NULL: all are */
-    const double *source; /* [n] where pulls lead */
+    const int *tie;   /* [n] x_j = x_tie[j]; a parameter tied to itself is free; NULL: all are free */
+    const double *source; /* [n] centre of the pulls */
     const double *pull;   /* [n] >= 0: pull (x_j - source_j)^2 is added to RMSE^2; NULL: none */
-    double *
-        deviation; /* [n] out, or NULL: standard deviations of x if errors of the size of the RMSE in the values are
-                      independent; 0 where bounds are equal, near 0.29 of its range where the picture leaves x_j open */
+    double *deviation;    /* [n] out, or NULL: standard deviations of x for independent errors of the size of the RMSE;
+                             0 where bounds are equal, about 0.29 of the range (uniform) if the picture does not determine
+                             x_j */
 } ms_pme_match_options;
 
 typedef struct ms_pme_match_result {
@@ -363,50 +333,37 @@ typedef struct ms_pme_match_result {
     double rmse_initial;    /* of the best candidate */
     int best_candidate;     /* predictions come first, then `candidates`, then random ones (or the middle) */
     int candidates_refused; /* predictions and candidates that were not finite */
-    ms_pme_result refine;   /* cost does not hold that of the candidates */
+    ms_pme_result refine;   /* its cost excludes that of the candidates; stop says why the whole match ended */
     double cost;            /* all renders */
-    double gain[MS_PME_CHANNELS_MAX],
-        offset[MS_PME_CHANNELS_MAX]; /* of each channel; 1 and 0 where nothing was fitted */
+    double gain[MS_PME_CHANNELS_MAX], offset[MS_PME_CHANNELS_MAX]; /* 1 and 0 where nothing was fitted */
 } ms_pme_match_result;
 
-MS_API ms_pme_match_options ms_pme_match_defaults(void);
+MS_API ms_pme_match_options ms_pme_match_defaults(void); /* all zero */
 
-/* Best of n, then refinement (thesis, algorithm 4, eq. 4.1 to 4.4).
+/* Best of n candidates, then refinement (thesis, algorithm 4, eq. 4.1 to 4.4).
    target   [p], finite where the weight is not 0
-   weight   [p] >= 0, or NULL: all 1. RMSE^2 = sum w (phi - t)^2 / sum w
+   weight   [p] >= 0, or NULL: all 1. RMSE^2 = sum w (gain phi + offset - t)^2 / sum w
    x        [n] out: the material
-   image    [p] out: phi(x), gain and offset applied, or NULL
-   MS_INVALID_ARGUMENT: as ms_pme_minimize; a target that is not finite (error->position: its index), a negative or
-   non-finite weight (likewise), weights that are all 0, no candidate with a finite picture, a reduced function of
-   another target or other weights (RMSE beyond a thousandth and 1e-5 of the target's size apart).
+   image    [p] out: gain phi(x) + offset, or NULL
+   MS_INVALID_ARGUMENT: as ms_pme_minimize; a target that is not finite, a negative or non-finite weight (position: its
+   index), weights that are all 0, no candidate with a finite picture, a reduced function of another target or other
+   weights (RMSE off by a thousandth and 1e-5 of the target's root mean square).
    MS_OUT_OF_MEMORY, MS_CANCELLED, or the status of a callback: outputs untouched. */
 MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *target, const float *weight,
                               const ms_pme_match_options *options, double *x, float *image, ms_pme_match_result *result,
                               ms_error *error);
 
-/* How an error of e costs, with s a typical one: Huber e^2 up to 1.345 s, then |e|; Tukey nothing more beyond 4.685
-   s. */
+/* Robust losses of an error e at scale s: Huber e^2 up to 1.345 s, then |e|; Tukey constant beyond 4.685 s. */
 typedef enum ms_pme_loss { MS_PME_HUBER = 1, MS_PME_TUKEY = 2 } ms_pme_loss;
 
-/* Weights that make the next match's squares follow such a loss around this picture (Huber 1981): a pixel of `channels`
-   values gets one factor, so that channels go on sharing what they share.
+/* Iteratively reweighted least squares (Huber 1981): weights for the next match from this picture's errors. A pixel of
+   `channels` values gets one factor.
    scale       s; 0: 1.4826 times the median of the pixels' errors
    image, target, weight [count], weight NULL: all 1; reweighted [count] out, none of them
    used_scale  out, may be NULL */
 MS_API ms_status ms_pme_reweigh(int loss, double scale, size_t count, int channels, const float *image,
                                 const float *target, const float *weight, float *reweighted, double *used_scale,
                                 ms_error *error);
-
-/* What a picture tells about the parameters: the singular values of the Jacobian at x, largest first.
-   singular_value [n] out: change of the residual vector per unit change of x along that direction
-   direction      [n][n] out, may be NULL: row k the unit direction in parameter space of singular_value[k]
-   deviation      [n] out, may be NULL: standard deviation of x_j if every residual carries independent noise of
-                  standard deviation 1; infinite where the picture does not determine x_j (singular value below
-                  1e-12 of the largest)
-   Bounds are not considered. Needs residuals; those without a Jacobian are differenced as options say.
-   Statuses as ms_pme_minimize; MS_BAD_DATA: a residual or derivative at x is not finite. */
-MS_API ms_status ms_pme_sensitivity(const ms_pme_function *function, const ms_pme_options *options, const double *x,
-                                    double *singular_value, double *direction, double *deviation, ms_error *error);
 
 #ifdef __cplusplus
 }
@@ -681,9 +638,8 @@ static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
 #endif /* MS_COMMON_RANDOM */
 /* ms-common-random end */
 
-/* Sections: small maths | the run: budgets and evaluations | bounded least squares | Levenberg-Marquardt | restarts |
-   L-BFGS | Nelder-Mead | basin hopping | public: minimize | match: objectives | match: stages | public: match | public:
-   sensitivity */
+/* Sections: small maths | the run: budget and evaluations | bounded least squares | Levenberg-Marquardt | multistart |
+   Nelder-Mead | public: minimize | match: objective | match: stages | public: match | public: reweigh */
 
 #include <float.h>
 #include <limits.h>
@@ -698,10 +654,10 @@ static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
 /* ---- small maths ----------------------------------------------------------------------------------------------- */
 
 #define MS_PME__INF ((double)HUGE_VAL)
-#define MS_PME__MEMORY 8 /* pairs that L-BFGS keeps */
 #define MS_PME__VARIABLES (MS_PME_PARAMETERS_MAX + 2 * MS_PME_CHANNELS_MAX)
-#define MS_PME__FIELD 16 /* first guesses that are kept at most */
-#define MS_PME__ROWS 32  /* rows of the Jacobian that one QR update takes: they stay in the cache */
+#define MS_PME__SOLVERS 16 /* local solvers at a time, and candidates that a match keeps, at most */
+#define MS_PME__ROWS 32    /* rows of the Jacobian that one QR update takes: they stay in the cache */
+#define MS_PME__LIGHT 1e-4 /* pull of log(gain) and offset to 0 */
 
 static double ms_pme__dot(const double *a, const double *b, int n)
 {
@@ -747,22 +703,6 @@ static double ms_pme__max(double a, double b) { return a > b ? a : b; }
 
 static void ms_pme__copy(double *to, const double *from, int n) { memcpy(to, from, (size_t)n * sizeof *to); }
 
-/* x 2^e, infinite or 0 where that is out of range, without an exception on the way. */
-static double ms_pme__shifted(double x, int e)
-{
-    int own;
-    if (e == 0 || !(x > 0)) return x;
-    frexp(x, &own);
-    return own + e > 1023 ? MS_PME__INF : own + e < -1020 ? 0 : ldexp(x, e);
-}
-
-/* The same to every element, of either sign. */
-static void ms_pme__shift_all(double *x, size_t count, int e)
-{
-    size_t i;
-    for (i = 0; i < count && e != 0; ++i) x[i] = x[i] < 0 ? -ms_pme__shifted(-x[i], e) : ms_pme__shifted(x[i], e);
-}
-
 /* The rotation that turns (a, b) into (r, 0). */
 static double ms_pme__rotation(double a, double b, double *c, double *s)
 {
@@ -778,9 +718,9 @@ static double ms_pme__rotation(double a, double b, double *c, double *s)
     return r;
 }
 
-/* k rows, kept as columns [n + 1][ROWS] (the last is the right-hand side), are folded into the upper triangle r [n +
-   1][n + 1] by Householder reflections of (r_jj, column j): the R of a QR factorisation, built row block by row block
-   (TSQR with a chain for a tree). The columns are destroyed. */
+/* Folds k rows into the upper triangle r [n + 1][n + 1] by Householder reflections of (r_jj, column j): the R of a QR
+   factorisation, block of rows by block of rows (TSQR). The rows are stored as columns [n + 1][ROWS], the right-hand
+   side last, and are destroyed. */
 static void ms_pme__qr_append(double *r, int n, double *columns, int k)
 {
     int w = n + 1, i, j;
@@ -803,26 +743,28 @@ static void ms_pme__qr_append(double *r, int n, double *columns, int k)
     }
 }
 
-/* ---- the run: budgets and evaluations -------------------------------------------------------------------------- */
+/* ---- the run: budget and evaluations --------------------------------------------------------------------------- */
 
 typedef struct ms_pme__run {
     const ms_pme_function *function;
     const ms_pme_options *options;
-    int n, ranged; /* ranged: every parameter has a range that means something */
+    int n, boxed; /* boxed: a match whose parameters all have a range */
     size_t m;
     double max_cost, tolerance, jacobian_cost, start_time;
-    double paid, reserve;  /* cost since the start, what is to come when the run is over: for max_seconds */
-    int shift, shifted;    /* residuals are worked on times 2^shift, chosen once one was seen */
-    double *lower, *upper; /* [n] */
-    double *best;          /* [n] the best point evaluated, its value, and its projected gradient (-1: not known) */
-    double best_value, best_gradient;
-    double *residual, *residual_step; /* [m] of the last evaluation; of a difference */
-    double *jacobian;                 /* [m][n] of the last one with derivatives */
-    double *rows;                     /* [n + 1][ROWS] some of its rows, column by column */
-    double *scratch;                  /* what the methods share out among themselves */
+    double charged, reserve; /* cost since the start, and of what follows the run: for max_seconds */
+    double *lower, *upper;   /* [n] */
+    double *best, best_value;
+    double *residual, *trial_residual; /* [m] at the point of the Jacobian; at the last other point */
+    double *jacobian;                  /* [m][n] */
+    double *rows;                      /* [n + 1][ROWS] rows of the Jacobian and the residual, as columns */
+    double *triangle;                  /* [n + 1][n + 1] R and Q'(-r) of the Jacobian */
+    double *gradient;                  /* [n] of f */
+    double *moved;                     /* [n] x of a difference */
+    double *point;                     /* [SOLVERS][2 n] x and scale of the local solvers */
+    double *work;                      /* workspace of one step or of the simplex */
     ms_pme_result result;
-    int stopped;   /* a budget, the target, a failure: nothing more may be evaluated */
-    int finishing; /* the run is over: what is evaluated now is about its answer, and free */
+    int stopped;   /* by the budget, the target or a failure: no callback follows */
+    int uncharged; /* evaluations for the standard deviations: outside the budget */
     ms_status status;
     size_t bad; /* the derivative that was not finite: residual, parameter */
     int bad_parameter;
@@ -835,7 +777,7 @@ static int ms_pme__stop(ms_pme__run *run, ms_pme_stop why)
     return run->stopped = 1;
 }
 
-/* Ends the run where the status is a failure; non-zero then. */
+/* Ends the run if the status is a failure; non-zero then. */
 static int ms_pme__fail(ms_pme__run *run, ms_status status)
 {
     if (status == MS_OK) return 0;
@@ -843,7 +785,6 @@ static int ms_pme__fail(ms_pme__run *run, ms_status status)
     return run->stopped = 1;
 }
 
-/* Seconds on the wall. */
 static double ms_pme__seconds(const ms_pme_options *options)
 {
     if (options->clock != NULL) return options->clock(options->clock_user);
@@ -856,107 +797,87 @@ static double ms_pme__seconds(const ms_pme_options *options)
         return (double)t.tv_sec + 1e-6 * (double)t.tv_usec;
     }
 #elif defined(_WIN32)
-    return (double)clock() / (double)CLOCKS_PER_SEC; /* there it is the wall's */
+    return (double)clock() / (double)CLOCKS_PER_SEC; /* wall time on this system */
 #else
     return (double)time(NULL);
 #endif
 }
 
-/* Asked before every callback: is there budget for one of this cost? Non-zero: no, the run is over. */
-static int ms_pme__spend(ms_pme__run *run, double cost)
+/* Non-zero, and the run is stopped: a callback of this cost would end after max_seconds, at the pace so far. */
+static int ms_pme__late(ms_pme__run *run, double cost)
 {
     const ms_pme_options *options = run->options;
-    if (run->stopped) return 1;
-    if (run->finishing) return 0;
+    double spent;
+    if (!(options->max_seconds > 0) || !(run->charged > 0)) return 0;
+    spent = ms_pme__seconds(options) - run->start_time;
+    return (spent >= options->max_seconds ||
+            spent + spent / run->charged * (cost + run->reserve) > 1.05 * options->max_seconds) &&
+        ms_pme__stop(run, MS_PME_STOP_SECONDS);
+}
+
+/* Charges the budget before a callback. Non-zero: the run has stopped. */
+static int ms_pme__charge(ms_pme__run *run, double cost)
+{
+    const ms_progress *progress = &run->options->progress;
+    if (run->stopped || run->uncharged) return run->stopped;
     if (run->result.cost + cost > run->max_cost * (1 + 1e-12)) return ms_pme__stop(run, MS_PME_STOP_COST);
-    if (options->max_seconds > 0) { /* nothing that, at the pace so far, would end too late */
-        double spent = ms_pme__seconds(options) - run->start_time,
-               next = run->paid > 0 ? spent / run->paid * (cost + run->reserve) : 0;
-        if (spent >= options->max_seconds || spent + next > 1.05 * options->max_seconds)
-            return ms_pme__stop(run, MS_PME_STOP_SECONDS);
-    }
-    if (options->progress.report != NULL &&
-        options->progress.report(options->progress.user,
-                                 ms__finite(run->max_cost) ? run->result.cost / run->max_cost : 0) != 0)
+    if (ms_pme__late(run, cost)) return 1;
+    if (progress->report != NULL &&
+        progress->report(progress->user, ms__finite(run->max_cost) ? run->result.cost / run->max_cost : 0) != 0)
         return ms_pme__fail(run, MS_CANCELLED);
     run->result.cost += cost;
-    run->paid += cost;
+    run->charged += cost;
     return 0;
 }
 
-/* Every value goes through here: NaN becomes infinity, the best point is kept, the target is looked for. */
-static double ms_pme__seen(ms_pme__run *run, const double *x, double f)
+/* Records f(x): keeps the best point and stops at the target. */
+static double ms_pme__record(ms_pme__run *run, const double *x, double f)
 {
-    if (!ms__finite(f)) return MS_PME__INF;
     if (f < run->best_value) {
         run->best_value = f;
-        run->best_gradient = -1;
         ms_pme__copy(run->best, x, run->n);
     }
-    if (!run->finishing && f <= ms_pme__shifted(run->options->target_value, 2 * run->shift))
-        ms_pme__stop(run, MS_PME_STOP_TARGET);
+    if (!run->uncharged && f <= run->options->target_value) ms_pme__stop(run, MS_PME_STOP_TARGET);
     return f;
 }
 
-/* The sum of squares of r [m] times 2^(2 shift), r becoming that; infinite where an element is not finite or the sum is
-   no number. The first residuals that are seen choose the shift: 0 unless their squares would leave the range of
-   double. */
-static double ms_pme__sum_of_squares(ms_pme__run *run, double *r)
+/* Infinite if an element is not finite or beyond 1e140. */
+static double ms_pme__sum_of_squares(const double *r, size_t m)
 {
-    double largest = 0, sum = 0;
+    double sum = 0;
     size_t i;
-    int exponent;
-    for (i = 0; i < run->m; ++i) {
-        if (!ms__finite(r[i])) return MS_PME__INF;
-        if (fabs(r[i]) > largest) largest = fabs(r[i]);
+    for (i = 0; i < m; ++i) {
+        if (!ms__finite(r[i]) || fabs(r[i]) > 1e140) return MS_PME__INF;
+        sum += r[i] * r[i];
     }
-    if (!run->shifted && largest > 0) {
-        run->shifted = 1;
-        frexp(largest, &exponent);
-        run->shift = exponent > 330 || exponent < -330 ? -exponent : 0;
-    }
-    ms_pme__shift_all(r, run->m, run->shift);
-    largest = ms_pme__shifted(largest, run->shift);
-    if (largest > 1e140) return MS_PME__INF;
-    for (i = 0; i < run->m; ++i) sum += r[i] * r[i];
     return sum;
 }
 
-/* f(x); infinity for NaN, and once the run has stopped. With residuals they go to r [m]. */
+/* f(x) and its residuals r [m]; infinite if the run has stopped. */
 static double ms_pme__value_to(ms_pme__run *run, const double *x, double *r)
 {
     const ms_pme_function *function = run->function;
-    double f = 0;
-    if (ms_pme__spend(run, 1)) return MS_PME__INF;
+    if (ms_pme__charge(run, 1)) return MS_PME__INF;
     run->result.evaluations++;
-    if (ms_pme__fail(run,
-                     function->residuals != NULL ? function->residuals(function->user, x, r, NULL)
-                                                 : function->value(function->user, x, &f)))
-        return MS_PME__INF;
-    return ms_pme__seen(run, x, function->residuals != NULL ? ms_pme__sum_of_squares(run, r) : f);
+    if (ms_pme__fail(run, function->residuals(function->user, x, r, NULL))) return MS_PME__INF;
+    return ms_pme__record(run, x, ms_pme__sum_of_squares(r, run->m));
 }
 
-static double ms_pme__value(ms_pme__run *run, const double *x) { return ms_pme__value_to(run, x, run->residual_step); }
+static double ms_pme__value(ms_pme__run *run, const double *x) { return ms_pme__value_to(run, x, run->trial_residual); }
 
-/* The step of a difference in x_j, inside the box, and whether it may be central. */
-static double ms_pme__difference_step(const ms_pme__run *run, double x, int j, int central, double *back)
+/* The step of a forward difference in x_j, inside the box. */
+static double ms_pme__difference_step(const ms_pme__run *run, double x, int j)
 {
     double range = run->upper[j] - run->lower[j], scale = ms__finite(range) ? range : 1;
     double h = run->options->difference_step;
-    if (!(h > 0)) h = (central ? 6.1e-6 : 1.5e-8) * ms_pme__max(fabs(x), 1e-2 * scale); /* eps^(1/3), eps^(1/2) */
+    if (!(h > 0)) h = 1.5e-8 * ms_pme__max(fabs(x), 1e-2 * scale); /* sqrt(DBL_EPSILON) */
     if (!(h > 1e-15 * fabs(x))) h = 1e-15 * fabs(x) + DBL_MIN;
-    *back = central && !(run->options->difference_step > 0) ? h : 0;
-    if (x + h > run->upper[j]) {
-        if (x - h < run->lower[j]) h = run->upper[j] - x > x - run->lower[j] ? run->upper[j] - x : run->lower[j] - x;
-        else h = -h;
-        *back = 0;
-    } else if (x - *back < run->lower[j]) {
-        *back = 0;
-    }
-    return h;
+    if (x + h <= run->upper[j]) return h;
+    if (x - h >= run->lower[j]) return -h;
+    return run->upper[j] - x > x - run->lower[j] ? run->upper[j] - x : run->lower[j] - x;
 }
 
-/* A derivative is not finite: the run fails, as no step can be made of it. */
+/* A derivative is not finite: the run fails. */
 static double ms_pme__bad_derivative(ms_pme__run *run, size_t i, int j)
 {
     run->bad = i;
@@ -965,175 +886,117 @@ static double ms_pme__bad_derivative(ms_pme__run *run, size_t i, int j)
     return MS_PME__INF;
 }
 
-/* Residuals and Jacobian at x into run->residual and run->jacobian; returns f. known: residual_step holds the
-   residuals. */
+/* Residual and Jacobian at x; returns f. known: f, if trial_residual holds the residuals at x; else infinite. */
 static double ms_pme__linearize(ms_pme__run *run, const double *x, double known)
 {
     const ms_pme_function *function = run->function;
-    int n = run->n, j, k;
+    int n = run->n, j, side;
     size_t i, size = run->m * (size_t)n;
-    double f = known;
+    double f = known, h, *column;
     if (!function->residuals_only) {
-        if (ms_pme__spend(run, run->jacobian_cost)) return MS_PME__INF;
+        if (ms_pme__charge(run, run->jacobian_cost)) return MS_PME__INF;
         run->result.jacobians++;
         if (ms_pme__fail(run, function->residuals(function->user, x, run->residual, run->jacobian))) return MS_PME__INF;
-        f = ms_pme__sum_of_squares(run, run->residual);
-        if (!ms__finite(f)) return MS_PME__INF;
-        for (i = 0; i < size; ++i)
+        f = ms_pme__sum_of_squares(run->residual, run->m);
+        for (i = 0; i < size && ms__finite(f); ++i)
             if (!ms__finite(run->jacobian[i])) return ms_pme__bad_derivative(run, i / (size_t)n, (int)(i % (size_t)n));
-        ms_pme__shift_all(run->jacobian, size, run->shift);
-        return ms_pme__seen(run, x, f);
+        return ms_pme__record(run, x, f);
     }
     if (!ms__finite(f)) f = ms_pme__value_to(run, x, run->residual);
-    else memcpy(run->residual, run->residual_step, run->m * sizeof(double));
-    if (!ms__finite(f)) return f;
-    for (j = 0; j < n; ++j) {
-        double back, h = ms_pme__difference_step(run, x[j], j, 0, &back), *moved = run->scratch;
-        for (k = 0; k < 2; ++k, h = -h) { /* where it is not finite on one side, the other */
+    else memcpy(run->residual, run->trial_residual, run->m * sizeof(double));
+    for (j = 0; j < n && ms__finite(f); ++j) {
+        h = ms_pme__difference_step(run, x[j], j);
+        for (side = 0; side < 2; ++side, h = -h) { /* the other side if one is not finite */
             double value;
-            ms_pme__copy(moved, x, n);
-            moved[j] = ms_pme__clip(x[j] + h, run->lower[j], run->upper[j]);
-            h = moved[j] - x[j];
+            ms_pme__copy(run->moved, x, n);
+            run->moved[j] = ms_pme__clip(x[j] + h, run->lower[j], run->upper[j]);
+            h = run->moved[j] - x[j];
             if (!(h < 0) && !(h > 0)) break;
-            value = ms_pme__value_to(run, moved, run->residual_step);
+            value = ms_pme__value(run, run->moved);
             if (run->stopped) return MS_PME__INF;
             if (ms__finite(value)) break;
         }
-        if (k == 2) return ms_pme__bad_derivative(run, 0, j);
-        for (i = 0; i < run->m; ++i)
-            run->jacobian[i * (size_t)n + (size_t)j] = h < 0 || h > 0 ? (run->residual_step[i] - run->residual[i]) / h
-                                                                      : 0;
+        if (side == 2) return ms_pme__bad_derivative(run, 0, j);
+        for (i = 0, column = run->jacobian + j; i < run->m; ++i, column += n)
+            *column = h < 0 || h > 0 ? (run->trial_residual[i] - run->residual[i]) / h : 0;
     }
     return f;
 }
 
-/* Is x_j held by its bound against a descent along -g? */
-static int ms_pme__held(const ms_pme__run *run, const double *x, const double *g, int j)
+/* Does a bound of x_j stop the descent along -gradient? */
+static int ms_pme__active(const ms_pme__run *run, const double *x, int j)
 {
-    return (x[j] <= run->lower[j] && g[j] >= 0) || (x[j] >= run->upper[j] && g[j] <= 0);
-}
-
-/* The projected gradient at x; kept if x is the best point. */
-static double ms_pme__projected_gradient(ms_pme__run *run, const double *x, const double *g)
-{
-    double largest = 0;
-    int j;
-    for (j = 0; j < run->n; ++j)
-        if (!ms_pme__held(run, x, g, j)) largest = ms_pme__max(largest, fabs(g[j]));
-    if (memcmp(x, run->best, (size_t)run->n * sizeof *x) == 0) run->best_gradient = largest;
-    return largest;
-}
-
-/* f and gradient at x by the best way that there is; infinity if the run has stopped. */
-static double ms_pme__gradient(ms_pme__run *run, const double *x, double *g)
-{
-    const ms_pme_function *function = run->function;
-    int n = run->n, j;
-    double f = 0;
-    if (function->gradient != NULL && !(run->options->difference_step > 0)) {
-        if (ms_pme__spend(run, run->jacobian_cost)) return MS_PME__INF;
-        run->result.jacobians++;
-        if (ms_pme__fail(run, function->gradient(function->user, x, &f, g))) return MS_PME__INF;
-        f = ms_pme__seen(run, x, f);
-        for (j = 0; j < n && ms__finite(f); ++j)
-            if (!ms__finite(g[j])) return ms_pme__bad_derivative(run, 0, j);
-    } else if (function->residuals != NULL && !function->residuals_only && !(run->options->difference_step > 0)) {
-        size_t i;
-        f = ms_pme__linearize(run, x, MS_PME__INF);
-        for (j = 0; j < n; ++j) g[j] = 0;
-        if (!ms__finite(f)) return f;
-        for (i = 0; i < run->m; ++i) ms_pme__add(g, 2 * run->residual[i], run->jacobian + i * (size_t)n, n);
-    } else {
-        f = ms_pme__value(run, x);
-        for (j = 0; j < n && !run->stopped; ++j) {
-            double back, h = ms_pme__difference_step(run, x[j], j, 1, &back), *moved = run->scratch, high, low = f;
-            ms_pme__copy(moved, x, n);
-            moved[j] = x[j] + h;
-            h = moved[j] - x[j];
-            high = ms_pme__value(run, moved);
-            if (back > 0) {
-                moved[j] = x[j] - back;
-                h += x[j] - moved[j];
-                low = ms_pme__value(run, moved);
-            }
-            if (!ms__finite(high) || !ms__finite(low)) return MS_PME__INF; /* an edge: such a point leads nowhere */
-            g[j] = h < 0 || h > 0 ? (high - low) / h : 0;
-        }
-        if (j < n) return MS_PME__INF;
-    }
-    if (run->status != MS_OK) return MS_PME__INF;
-    if (ms__finite(f)) ms_pme__projected_gradient(run, x, g);
-    return f;
+    return (x[j] <= run->lower[j] && run->gradient[j] >= 0) || (x[j] >= run->upper[j] && run->gradient[j] <= 0);
 }
 
 /* ---- bounded least squares ------------------------------------------------------------------------------------- */
 
-/* The columns `order`[0 .. free) of a matrix [n][n + 1] are an upper triangle; the others are full, the last is the
-   right-hand side. Rotations of neighbouring rows keep that when a column enters or leaves, at the cost of some rows
-   each. */
-typedef struct ms_pme__active {
+/* Columns order[0 .. free) of a matrix [n][n + 1] form an upper triangle; the columns of the active bounds are full;
+   the right-hand side is last. Rotations of neighbouring rows restore that form when a bound becomes active or
+   inactive. */
+typedef struct ms_pme__active_set {
     double *a; /* [n][n + 1] */
     int *order, n, free;
-} ms_pme__active;
+} ms_pme__active_set;
 
-static void ms_pme__turn(ms_pme__active *s, int row, int column)
+static void ms_pme__eliminate(ms_pme__active_set *s, int row, int column)
 {
     int w = s->n + 1;
     double c, sine, *upper = s->a + row * w, *lower = upper + w,
                     r = ms_pme__rotation(upper[column], lower[column], &c, &sine);
-    if (c < 1) ms_pme__rotate(upper, lower, c, sine, w); /* also where it only turns signs: c = -1 */
+    if (c < 1) ms_pme__rotate(upper, lower, c, sine, w); /* c = -1: turns signs only */
     upper[column] = r;
     lower[column] = 0;
 }
 
-static void ms_pme__leave(ms_pme__active *s, int place)
+static void ms_pme__activate(ms_pme__active_set *s, int place)
 {
     int column = s->order[place], i;
     for (i = place; i + 1 < s->free; ++i) s->order[i] = s->order[i + 1];
     s->order[--s->free] = column;
-    for (i = place; i < s->free; ++i) ms_pme__turn(s, i, s->order[i]);
+    for (i = place; i < s->free; ++i) ms_pme__eliminate(s, i, s->order[i]);
 }
 
-static void ms_pme__enter(ms_pme__active *s, int column)
+static void ms_pme__deactivate(ms_pme__active_set *s, int column)
 {
     int place = s->free, i;
     while (s->order[place] != column) ++place;
     s->order[place] = s->order[s->free];
     s->order[s->free] = column;
-    for (i = s->n - 2; i >= s->free; --i) ms_pme__turn(s, i, column);
+    for (i = s->n - 2; i >= s->free; --i) ms_pme__eliminate(s, i, column);
     s->free++;
 }
 
 /* d [n] minimises |A d - b| over low <= d <= high, low <= 0 <= high: the active-set method of Stark and Parker (1995),
-   exact after finitely many changes of the set. a [n][n + 1]: A upper triangular of full rank, then b; destroyed.
-   state: the first guess of the set (0 free, -1 at low, 1 at high), out: the set. order [n], z [2 n] scratch. */
+   finite and exact. a [n][n + 1]: A upper triangular of full rank, then b; destroyed. state in: a guess of the active
+   set (0 free, -1 at low, 1 at high); out: the active set. order [n], z [2 n] are workspace. */
 static void ms_pme__bounded_least_squares(double *a, int n, const double *low, const double *high, double *d,
                                           int *state, int *order, double *z)
 {
     int w = n + 1, change, i, j, released = -1;
     double *rest = z + n;
-    ms_pme__active s;
+    ms_pme__active_set s;
     s.a = a;
     s.order = order;
     s.n = s.free = n;
     for (j = 0; j < n; ++j) order[j] = j;
     for (j = n; j-- > 0;) {
         d[j] = state[j] < 0 ? low[j] : state[j] > 0 ? high[j] : 0;
-        if (state[j] != 0) ms_pme__leave(&s, j);
+        if (state[j] != 0) ms_pme__activate(&s, j);
     }
     for (change = 0; change < 4 * n + 8; ++change) {
         int worst = -1, hit = -1;
         double alpha = 1, steepest = 0;
-        for (i = 0; i < n; ++i) { /* what the held columns leave of b */
+        for (i = 0; i < n; ++i) { /* b less the columns of the active bounds */
             rest[i] = a[i * w + n];
             for (j = s.free; j < n; ++j) rest[i] -= a[i * w + order[j]] * d[order[j]];
         }
-        for (i = s.free - 1; i >= 0; --i) {
+        for (i = s.free - 1; i >= 0; --i) { /* the unbounded solution in the free variables */
             double t = rest[i], pivot = a[i * w + order[i]];
             for (j = i + 1; j < s.free; ++j) t -= a[i * w + order[j]] * z[j];
             z[i] = fabs(pivot) > 0 ? t / pivot : 0;
         }
-        for (i = 0; i < s.free; ++i) { /* as far towards z as the box allows */
+        for (i = 0; i < s.free; ++i) { /* the first bound on the way from d to z */
             double limit, t;
             j = order[i];
             if (z[i] >= low[j] && z[i] <= high[j]) continue;
@@ -1152,12 +1015,12 @@ static void ms_pme__bounded_least_squares(double *a, int n, const double *low, c
             j = order[hit];
             state[j] = z[hit] < low[j] ? -1 : 1;
             d[j] = state[j] < 0 ? low[j] : high[j];
-            ms_pme__leave(&s, hit);
+            ms_pme__activate(&s, hit);
             if (j == released && !(alpha > 1e-12)) break; /* rounding frees it again and again */
             released = -1;
             continue;
         }
-        for (j = s.free; j < n; ++j) { /* on the face: which bound holds against the descent? */
+        for (j = s.free; j < n; ++j) { /* the multipliers of the active bounds: the most negative one is freed */
             double t = 0, size = 0, push;
             int column = order[j];
             if (!(low[column] < high[column])) continue;
@@ -1174,110 +1037,94 @@ static void ms_pme__bounded_least_squares(double *a, int n, const double *low, c
         if (worst < 0) break;
         released = worst;
         state[worst] = 0;
-        ms_pme__enter(&s, worst);
+        ms_pme__deactivate(&s, worst);
     }
 }
 
 /* ---- Levenberg-Marquardt --------------------------------------------------------------------------------------- */
 
-/* One descent, which may rest and go on. Derivatives are taken when it takes its next step: several walks share
-   them. */
-typedef struct ms_pme__walk {
-    double f, lambda, grow;
-    double known;      /* f, where run->residual_step still holds the residuals at x; else infinite */
-    int done;          /* nothing left to gain, or nothing finite */
-    double *x, *scale; /* [n] the last accepted point; the trust region's */
-    double *g;         /* [n] gradient */
-    double *triangle;  /* [n + 1][n + 1] R and Q'(-r) */
-} ms_pme__walk;
+/* A local solver between two steps. Derivatives belong to the run: a step begins with them. */
+typedef struct ms_pme__solver {
+    double f, lambda, growth;
+    double known;      /* f, if run->trial_residual still holds the residuals at x; else infinite */
+    int done;          /* converged, or not finite */
+    double *x, *scale; /* [n] the last accepted point; scale of the trust region */
+} ms_pme__solver;
 
-static int ms_pme__walk_size(int n) { return 3 * n + (n + 1) * (n + 1); }
-
-/* points: x and scale, 2 n doubles; null: where derivatives are not in the same block. */
-static void ms_pme__walk_place(ms_pme__walk *walk, double *memory, double *points, int n)
+static void ms_pme__solver_init(ms_pme__solver *solver, double *point, const double *x, int n)
 {
-    memset(walk, 0, sizeof *walk);
-    walk->triangle = memory;
-    walk->g = memory + (n + 1) * (n + 1);
-    walk->x = points != NULL ? points : walk->g + n;
-    walk->scale = walk->x + n;
+    memset(solver, 0, sizeof *solver);
+    solver->x = point;
+    solver->scale = point + n;
+    ms_pme__copy(solver->x, x, n);
+    memset(solver->scale, 0, (size_t)n * sizeof(double));
+    solver->lambda = 1e-3;
+    solver->growth = 2;
+    solver->f = solver->known = MS_PME__INF;
 }
 
-static double ms_pme__column_norm(const ms_pme__walk *walk, int n, int j)
+static double ms_pme__column_norm(const ms_pme__run *run, int j)
 {
     double sum = 0;
-    int i;
-    for (i = 0; i <= j; ++i) sum += walk->triangle[i * (n + 1) + j] * walk->triangle[i * (n + 1) + j];
+    int i, w = run->n + 1;
+    for (i = 0; i <= j; ++i) sum += run->triangle[i * w + j] * run->triangle[i * w + j];
     return sqrt(sum);
 }
 
-/* R and Q'(-r) of run->jacobian, g = 2 J'r. */
-static void ms_pme__factor(ms_pme__run *run, ms_pme__walk *walk)
+/* R and Q'(-r) of the Jacobian, gradient = 2 J'r. */
+static void ms_pme__factor(ms_pme__run *run)
 {
     int n = run->n, w = n + 1, i, j;
-    double *triangle = walk->triangle;
     size_t row = 0;
-    memset(triangle, 0, (size_t)(w * w) * sizeof(double));
+    memset(run->triangle, 0, (size_t)(w * w) * sizeof(double));
     while (row < run->m) {
         int k = run->m - row < MS_PME__ROWS ? (int)(run->m - row) : MS_PME__ROWS;
         for (i = 0; i < k; ++i, ++row) {
             for (j = 0; j < n; ++j) run->rows[j * MS_PME__ROWS + i] = run->jacobian[row * (size_t)n + (size_t)j];
             run->rows[n * MS_PME__ROWS + i] = -run->residual[row];
         }
-        ms_pme__qr_append(triangle, n, run->rows, k);
+        ms_pme__qr_append(run->triangle, n, run->rows, k);
     }
     for (j = 0; j < n; ++j) {
         double t = 0;
-        for (i = 0; i <= j; ++i) t -= triangle[i * w + j] * triangle[i * w + n];
-        walk->g[j] = 2 * t;
+        for (i = 0; i <= j; ++i) t -= run->triangle[i * w + j] * run->triangle[i * w + n];
+        run->gradient[j] = 2 * t;
     }
 }
 
-/* Takes the derivatives at walk->x: factor, and the trust region's scale. That is the largest column norms so far (More
-   1978); for pictures, whose parameters all have a range, the norms of now, none below 0.3 of the largest (both for a
-   step across the box): what hardly changes the picture does not run off to its bounds. */
-static void ms_pme__arrive(ms_pme__run *run, ms_pme__walk *walk)
+/* Derivatives at the solver's point and the scale of its trust region: the largest column norms so far (More 1978). In
+   a match all parameters have a range; then the scale is the present column norm, at least 0.3 of the largest (both for
+   a step across the range), so that parameters with little effect do not run off to their bounds. */
+static void ms_pme__solver_linearize(ms_pme__run *run, ms_pme__solver *solver)
 {
     int n = run->n, j;
-    double largest = 0, angle = 0; /* angle: largest cosine between the residual and a column that may move */
-    walk->f = ms_pme__linearize(run, walk->x, walk->known);
-    walk->known = MS_PME__INF;
-    if (!ms__finite(walk->f)) {
-        walk->done = 1;
+    double largest = 0, cosine = 0; /* cosine: the largest between the residual and a column that may move */
+    solver->f = ms_pme__linearize(run, solver->x, solver->known);
+    solver->known = MS_PME__INF;
+    if (!ms__finite(solver->f)) {
+        solver->done = 1;
         return;
     }
-    ms_pme__factor(run, walk);
-    ms_pme__projected_gradient(run, walk->x, walk->g);
-    for (j = 0; j < n && run->ranged; ++j)
-        largest = ms_pme__max(largest, (run->upper[j] - run->lower[j]) * ms_pme__column_norm(walk, n, j));
+    ms_pme__factor(run);
+    for (j = 0; j < n && run->boxed; ++j)
+        largest = ms_pme__max(largest, (run->upper[j] - run->lower[j]) * ms_pme__column_norm(run, j));
     for (j = 0; j < n; ++j) {
-        double range = run->upper[j] - run->lower[j], norm = ms_pme__column_norm(walk, n, j);
-        walk->scale[j] = ms_pme__max(norm, !run->ranged ? walk->scale[j] : range > 0 ? 0.3 * largest / range : 0);
-        if (!ms_pme__held(run, walk->x, walk->g, j) && norm > 0 && walk->f > 0)
-            angle = ms_pme__max(angle, 0.5 * fabs(walk->g[j]) / (norm * sqrt(walk->f)));
+        double range = run->upper[j] - run->lower[j], norm = ms_pme__column_norm(run, j);
+        solver->scale[j] = ms_pme__max(norm, !run->boxed ? solver->scale[j] : range > 0 ? 0.3 * largest / range : 0);
+        if (!ms_pme__active(run, solver->x, j) && norm > 0 && solver->f > 0)
+            cosine = ms_pme__max(cosine, 0.5 * fabs(run->gradient[j]) / (norm * sqrt(solver->f)));
     }
-    if (!(walk->f > 0) || angle <= 1e-14) walk->done = 1;
+    if (!(solver->f > 0) || cosine <= 1e-14) solver->done = 1;
 }
 
-static void ms_pme__set_out(ms_pme__walk *walk, const double *x, int n)
+/* a: [R; sqrt(lambda) D] as a triangle with its right-hand side, by rotations of each row of D into R. */
+static void ms_pme__damp(const ms_pme__run *run, const ms_pme__solver *solver, double *a, double *row)
 {
-    int j;
-    ms_pme__copy(walk->x, x, n);
-    for (j = 0; j < n; ++j) walk->scale[j] = 0;
-    walk->lambda = 1e-3;
-    walk->grow = 2;
-    walk->done = 0;
-    walk->f = walk->known = MS_PME__INF;
-}
-
-/* [R; sqrt(lambda) D] as a triangle with its right-hand side, by rotations of each row of D into R. */
-static void ms_pme__damp(const ms_pme__walk *walk, int n, double *a, double *row)
-{
-    int w = n + 1, i, j;
-    ms_pme__copy(a, walk->triangle, n * w);
-    for (i = n; i-- > 0;) { /* from below: a row meets only those under it */
+    int n = run->n, w = n + 1, i, j;
+    ms_pme__copy(a, run->triangle, n * w);
+    for (i = n; i-- > 0;) { /* from below: a row meets only the rows under it */
         memset(row + i, 0, (size_t)(w - i) * sizeof *row);
-        row[i] = sqrt(walk->lambda) * (walk->scale[i] > 0 ? walk->scale[i] : 1);
+        row[i] = sqrt(solver->lambda) * (solver->scale[i] > 0 ? solver->scale[i] : 1);
         for (j = i; j < n; ++j) {
             double c, s, r = ms_pme__rotation(a[j * w + j], row[j], &c, &s);
             ms_pme__rotate(a + j * w + j, row + j, c, s, w - j);
@@ -1286,302 +1133,121 @@ static void ms_pme__damp(const ms_pme__walk *walk, int n, double *a, double *row
     }
 }
 
-/* What the linear model promises: |r|^2 - |r + J d|^2. */
-static double ms_pme__predicted_decrease(const ms_pme__walk *walk, int n, const double *d)
+/* The decrease of the linear model: |r|^2 - |r + J d|^2. */
+static double ms_pme__predicted_decrease(const ms_pme__run *run, const double *d)
 {
     double sum = 0;
-    int i;
+    int i, n = run->n;
     for (i = 0; i < n; ++i) {
-        const double *row = walk->triangle + i * (n + 1);
+        const double *row = run->triangle + i * (n + 1);
         double t = ms_pme__dot(row + i, d + i, n - i);
         sum += t * (2 * row[n] - t);
     }
     return sum;
 }
 
-/* Derivatives, then trials until one is accepted, the walk is done or the run has stopped: the damped problem in the
-   box, solved exactly; damping by the ratio of actual to predicted decrease (Nielsen 1999). */
-static void ms_pme__step(ms_pme__run *run, ms_pme__walk *walk, double *memory)
+/* One step: derivatives, then trials until one is accepted, the solver is done or the run has stopped. A trial solves
+   the damped problem in the box; the damping follows the ratio of actual to predicted decrease (Nielsen 1999). */
+static void ms_pme__solver_step(ms_pme__run *run, ms_pme__solver *solver)
 {
     int n = run->n, j, state[MS_PME__VARIABLES], order[MS_PME__VARIABLES];
-    double *trial = memory, *d = trial + n, *low = d + n, *high = low + n, *z = high + n, *row = z + 2 * n,
-           *a = row + n + 1;
-    double *x = walk->x;
-    ms_pme__arrive(run, walk);
-    while (!walk->done && !run->stopped) {
+    double *trial = run->work, *d = trial + n, *low = d + n, *high = low + n, *z = high + n, *row = z + 2 * n,
+           *a = row + n + 1, *x = solver->x;
+    ms_pme__solver_linearize(run, solver);
+    while (!solver->done && !run->stopped) {
         double predicted, f, t, step = 0, size = 0;
-        ms_pme__damp(walk, n, a, row);
+        ms_pme__damp(run, solver, a, row);
         for (j = 0; j < n; ++j) {
             low[j] = run->lower[j] - x[j];
             high[j] = run->upper[j] - x[j];
-            state[j] = !ms_pme__held(run, x, walk->g, j) ? 0 : low[j] >= 0 ? -1 : 1;
+            state[j] = !ms_pme__active(run, x, j) ? 0 : low[j] >= 0 ? -1 : 1;
         }
         ms_pme__bounded_least_squares(a, n, low, high, d, state, order, z);
         for (j = 0; j < n; ++j) {
             trial[j] = state[j] < 0 ? run->lower[j]
                 : state[j] > 0      ? run->upper[j]
                                     : ms_pme__clip(x[j] + d[j], run->lower[j], run->upper[j]);
-            step += walk->scale[j] * walk->scale[j] * d[j] * d[j];
-            size += walk->scale[j] * walk->scale[j] * x[j] * x[j];
+            step += solver->scale[j] * solver->scale[j] * d[j] * d[j];
+            size += solver->scale[j] * solver->scale[j] * x[j] * x[j];
         }
-        predicted = ms_pme__predicted_decrease(walk, n, d);
-        if (!(predicted > 1e-15 * walk->f) || step <= 1e-30 * size || !(walk->lambda < 1e60)) {
-            walk->done = 1; /* nothing left to gain that rounding would not swallow */
+        predicted = ms_pme__predicted_decrease(run, d);
+        if (!(predicted > 1e-15 * solver->f) || step <= 1e-30 * size || !(solver->lambda < 1e60)) {
+            solver->done = 1; /* rounding would swallow any further decrease */
             break;
         }
-        f = ms_pme__value_to(run, trial, run->residual_step);
-        if (ms__finite(f) && walk->f - f > 1e-4 * predicted) {
-            walk->done = (walk->f - f <= run->tolerance * walk->f && predicted <= run->tolerance * walk->f) ||
+        f = ms_pme__value(run, trial);
+        if (ms__finite(f) && solver->f - f > 1e-4 * predicted) {
+            solver->done = (solver->f - f <= run->tolerance * solver->f && predicted <= run->tolerance * solver->f) ||
                 step <= run->tolerance * run->tolerance * size;
-            t = 2 * (walk->f - f) / predicted - 1;
-            walk->lambda = ms_pme__max(walk->lambda * ms_pme__max(0.1, 1 - t * t * t), 1e-16);
-            walk->grow = 2;
+            t = 2 * (solver->f - f) / predicted - 1;
+            solver->lambda = ms_pme__max(solver->lambda * ms_pme__max(0.1, 1 - t * t * t), 1e-16);
+            solver->growth = 2;
             ms_pme__copy(x, trial, n);
             run->result.iterations++;
-            walk->f = walk->known = f;
+            solver->f = solver->known = f;
             break;
         }
-        walk->lambda *= walk->grow;
-        walk->grow *= 2;
+        solver->lambda *= solver->growth;
+        solver->growth *= 2;
     }
 }
 
-/* ---- restarts -------------------------------------------------------------------------------------------------- */
+static void ms_pme__solver_iterate(ms_pme__run *run, ms_pme__solver *solver, int steps)
+{
+    while (steps-- > 0 && !solver->done && !run->stopped) ms_pme__solver_step(run, solver);
+    solver->known = MS_PME__INF; /* another solver may evaluate in between */
+}
 
-/* Uniform in the box; a side without a bound reaches max(|x|, 1) beyond x. */
-static void ms_pme__random_point(ms_pme__run *run, const double *near_x, double *x)
+/* ---- multistart ------------------------------------------------------------------------------------------------ */
+
+/* Uniform in the box; a side without a bound ends max(|centre|, 1) away from the centre. */
+static void ms_pme__random_point(ms_pme__run *run, const double *centre, double *x)
 {
     int j;
     for (j = 0; j < run->n; ++j) {
-        double reach = ms_pme__max(fabs(near_x[j]), 1), u = ms__rng_uniform(&run->rng);
-        double low = ms__finite(run->lower[j]) ? run->lower[j] : near_x[j] - reach;
-        double high = ms__finite(run->upper[j]) ? run->upper[j] : near_x[j] + reach;
+        double reach = ms_pme__max(fabs(centre[j]), 1), u = ms__rng_uniform(&run->rng);
+        double low = ms__finite(run->lower[j]) ? run->lower[j] : centre[j] - reach;
+        double high = ms__finite(run->upper[j]) ? run->upper[j] : centre[j] + reach;
         x[j] = ms_pme__clip(low + u * (high - low), run->lower[j], run->upper[j]);
     }
 }
 
-/* Up to `steps` steps of a walk. */
-static void ms_pme__advance(ms_pme__run *run, ms_pme__walk *walk, int steps, double *memory)
+/* Levenberg-Marquardt from starts [count][n], the best first, with restarts + 1 starts at most. Successive halving:
+   start (budget in steps) / 5 solvers, keep the best third every 3 steps, finish the winner. While cost is left: the
+   other starts at a loose tolerance, finished if they improve; then random points, every second one around the best. */
+static void ms_pme__multistart(ms_pme__run *run, const double *starts, int count, int restarts)
 {
-    while (steps-- > 0 && !walk->done && !run->stopped) ms_pme__step(run, walk, memory);
-    walk->known = MS_PME__INF; /* another one may come between */
-}
-
-/* Levenberg-Marquardt from starts [count][n], the best first, of which `restarts` + 1 may be used. Which minimum is the
-   least shows after some steps, hardly before: as many set out as a fifth of the steps that the budget has, the better
-   third of them goes on, and the best of those to its end (successive halving). While cost is left: the others roughly,
-   and to the end where they lead further; random points, every second one from around the best. */
-static void ms_pme__descend(ms_pme__run *run, const double *starts, int count, int restarts, double *memory)
-{
-    ms_pme__walk walks[MS_PME__FIELD], walk;
-    int n = run->n, i, j, field, alive;
-    double *scratch = memory + ms_pme__walk_size(n) - 2 * n + 2 * n * MS_PME__FIELD, tolerance = run->tolerance;
+    ms_pme__solver solvers[MS_PME__SOLVERS], solver;
+    int n = run->n, i, j, given = restarts < count ? restarts + 1 : count, alive;
+    double tolerance = run->tolerance, *x = run->work;
     double steps = (run->max_cost - run->result.cost) / (1 + (run->function->residuals_only ? n : run->jacobian_cost));
-    field = restarts < count ? restarts + 1 : count;
-    for (i = 0; i < field; ++i) {
-        ms_pme__walk_place(&walks[i], memory, memory + ms_pme__walk_size(n) - 2 * n + 2 * n * i, n);
-        ms_pme__set_out(&walks[i], starts + (size_t)i * (size_t)n, n);
-    }
-    for (alive = steps / 5 < field ? (int)(steps / 5) : field; alive > 1; alive = alive > 3 ? (alive + 2) / 3 : 1) {
-        for (i = 0; i < alive; ++i) ms_pme__advance(run, &walks[i], 3, scratch);
+    for (i = 0; i < given; ++i)
+        ms_pme__solver_init(&solvers[i], run->point + 2 * n * i, starts + (size_t)i * (size_t)n, n);
+    for (alive = steps / 5 < given ? (int)(steps / 5) : given; alive > 1; alive = alive > 3 ? (alive + 2) / 3 : 1) {
+        for (i = 0; i < alive; ++i) ms_pme__solver_iterate(run, &solvers[i], 3);
         for (i = 1; i < alive; ++i)
-            for (j = i; j > 0 && walks[j].f < walks[j - 1].f; --j) {
-                walk = walks[j];
-                walks[j] = walks[j - 1];
-                walks[j - 1] = walk;
+            for (j = i; j > 0 && solvers[j].f < solvers[j - 1].f; --j) {
+                solver = solvers[j];
+                solvers[j] = solvers[j - 1];
+                solvers[j - 1] = solver;
             }
     }
     for (i = 0; i <= restarts && !run->stopped; ++i) {
         double best = run->best_value;
-        ms_pme__walk *next = &walks[i < field ? i : field - 1];
+        ms_pme__solver *next = &solvers[i < given ? i : given - 1];
         if (i > 0) run->tolerance = ms_pme__max(tolerance, 1e-3);
-        if (i >= field) {
-            if (i % 2 != 0 || !run->ranged) ms_pme__random_point(run, run->best, scratch);
-            for (j = 0; j < n && i % 2 == 0 && run->ranged; ++j)
-                scratch[j] = ms_pme__clip(run->best[j] +
-                                              (ms__rng_uniform(&run->rng) - 0.5) * (run->upper[j] - run->lower[j]),
-                                          run->lower[j], run->upper[j]);
-            ms_pme__set_out(next, scratch, n);
+        if (i >= given) {
+            if (i % 2 != 0 || !run->boxed) ms_pme__random_point(run, run->best, x);
+            for (j = 0; j < n && i % 2 == 0 && run->boxed; ++j)
+                x[j] = ms_pme__clip(run->best[j] + (ms__rng_uniform(&run->rng) - 0.5) * (run->upper[j] - run->lower[j]),
+                                    run->lower[j], run->upper[j]);
+            ms_pme__solver_init(next, next->x, x, n);
         }
-        ms_pme__advance(run, next, INT_MAX, scratch);
+        ms_pme__solver_iterate(run, next, INT_MAX);
         run->tolerance = tolerance;
         if (i > 0 && run->best_value < best && ms__finite(next->f)) {
             next->done = 0;
-            ms_pme__advance(run, next, INT_MAX, scratch);
-        }
-    }
-}
-
-/* ---- l-bfgs ---------------------------------------------------------------------------------------------------- */
-
-/* Where a line search stands: a point, its value and gradient. */
-typedef struct ms_pme__point {
-    double f;
-    double *x, *g; /* [n] each */
-} ms_pme__point;
-
-/* Strong Wolfe conditions along d by bracketing and cubic interpolation (Nocedal and Wright 2006, algorithms 3.5 and
-   3.6), the step at most longest; at longest decrease alone is enough. From p to q; the step, or 0 if none was
-   found. */
-static double ms_pme__line_search(ms_pme__run *run, const ms_pme__point *p, const double *d, double first,
-                                  double longest, ms_pme__point *q)
-{
-    int n = run->n, j, tries;
-    double slope = ms_pme__dot(p->g, d, n), t = first < longest ? first : longest;
-    double low = 0, f_low = p->f, slope_low = slope, high = 0, f_high = 0, slope_high = 0, s;
-    int bracketed = 0;
-    if (!(slope < 0) || !(longest > 0)) return 0;
-    for (tries = 0; tries < 40 && !run->stopped; ++tries) {
-        for (j = 0; j < n; ++j) q->x[j] = ms_pme__clip(p->x[j] + t * d[j], run->lower[j], run->upper[j]);
-        q->f = ms_pme__gradient(run, q->x, q->g);
-        s = ms__finite(q->f) ? ms_pme__dot(q->g, d, n) : 0;
-        if (!ms__finite(q->f) || !(q->f <= p->f + 1e-4 * t * slope) || (bracketed && q->f >= f_low)) {
-            high = t;
-            f_high = q->f;
-            slope_high = s;
-            bracketed = 1;
-        } else {
-            if (fabs(s) <= -0.9 * slope || (t >= longest && s < 0)) return t;
-            if (s * (bracketed ? high - low : 1) >= 0) {
-                high = low;
-                f_high = f_low;
-                slope_high = slope_low;
-                bracketed = 1;
-            }
-            low = t;
-            f_low = q->f;
-            slope_low = s;
-        }
-        if (!bracketed) {
-            t = 4 * t < longest ? 4 * t : longest;
-        } else { /* minimum of the cubic through both ends, well inside; the middle where that fails */
-            double width = high - low, theta, radical, next = low + (ms__finite(f_high) ? 0.5 : 0.1) * width;
-            if (fabs(width) <= 1e-15 * (fabs(low) + fabs(high))) break;
-            t = next;
-            if (ms__finite(f_high)) {
-                theta = 3 * (f_low - f_high) / width + slope_low + slope_high;
-                radical = theta * theta - slope_low * slope_high;
-                if (radical >= 0) {
-                    double root = sqrt(radical) * (width > 0 ? 1 : -1), below = slope_high - slope_low + 2 * root;
-                    if (fabs(below) > 0) next = high - width * (slope_high + root - theta) / below;
-                }
-                if ((next - low) / width > 0.05 && (next - low) / width < 0.95) t = next;
-            }
-        }
-    }
-    /* rounding or noise: the best bracketed point will do if it is lower at all */
-    if (low > 0 && f_low < p->f && !run->stopped) {
-        for (j = 0; j < n; ++j) q->x[j] = ms_pme__clip(p->x[j] + low * d[j], run->lower[j], run->upper[j]);
-        q->f = ms_pme__gradient(run, q->x, q->g);
-        if (ms__finite(q->f) && q->f < p->f) return low;
-    }
-    return 0;
-}
-
-/* d = -H g on the variables that no bound holds, H from the last pairs by the two-loop recursion (Nocedal 1980). */
-static void ms_pme__lbfgs_direction(const ms_pme__run *run, const ms_pme__point *p, const double *s, const double *y,
-                                    int newest, int count, double *d)
-{
-    int n = run->n, j, k, pass;
-    double alpha[MS_PME__MEMORY], rho[MS_PME__MEMORY];
-    for (j = 0; j < n; ++j) d[j] = ms_pme__held(run, p->x, p->g, j) ? 0 : -p->g[j];
-    for (pass = 0; pass < 2; ++pass) {
-        for (k = pass ? count - 1 : 0; pass ? k >= 0 : k < count; k += pass ? -1 : 1) {
-            const double *sk = s + (newest - k + MS_PME__MEMORY) % MS_PME__MEMORY * n, *yk = y + (sk - s);
-            double sy = 0, along = 0;
-            for (j = 0; j < n; ++j) {
-                if (ms_pme__held(run, p->x, p->g, j)) continue;
-                sy += sk[j] * yk[j];
-                along += (pass ? yk[j] : sk[j]) * d[j];
-            }
-            rho[k] = sy;
-            if (!(sy > 0)) continue;
-            if (pass == 0) alpha[k] = along / sy;
-            for (j = 0; j < n; ++j)
-                if (!ms_pme__held(run, p->x, p->g, j))
-                    d[j] += pass ? (alpha[k] - along / sy) * sk[j] : -alpha[k] * yk[j];
-        }
-        if (pass == 0 && count > 0 && rho[0] > 0) { /* the first H: s'y / y'y of the newest pair */
-            double yy = 0;
-            for (j = 0; j < n; ++j)
-                if (!ms_pme__held(run, p->x, p->g, j)) yy += y[newest * n + j] * y[newest * n + j];
-            for (j = 0; j < n && yy > 0; ++j) d[j] *= rho[0] / yy;
-        }
-    }
-}
-
-/* Limited-memory quasi-Newton with an active set of bounds. */
-static void ms_pme__lbfgs(ms_pme__run *run, const double *x, double *memory)
-{
-    int n = run->n, j, count = 0, newest = 0, fresh = 1;
-    double *d = memory, *s = d + n, *y = s + MS_PME__MEMORY * n;
-    ms_pme__point p, q;
-    p.x = y + MS_PME__MEMORY * n;
-    p.g = p.x + n;
-    q.x = p.g + n;
-    q.g = q.x + n;
-    ms_pme__copy(p.x, x, n);
-    p.f = ms_pme__gradient(run, p.x, p.g);
-    while (!run->stopped && ms__finite(p.f)) {
-        double step, longest = 1e10, slope, steep = 0, first = 1, sy = 0, yy, size = 0, moved = 0, gain;
-        int was_fresh = fresh;
-        if (!(ms_pme__projected_gradient(run, p.x, p.g) > 0)) break;
-        if (fresh) count = 0; /* the model starts as the gradient */
-        ms_pme__lbfgs_direction(run, &p, s, y, newest, count, d);
-        for (j = 0; j < n; ++j) /* no pushing against a bound */
-            if ((p.x[j] <= run->lower[j] && d[j] < 0) || (p.x[j] >= run->upper[j] && d[j] > 0)) d[j] = 0;
-        for (j = 0; j < n; ++j) {
-            double room = d[j] > 0 ? run->upper[j] - p.x[j] : run->lower[j] - p.x[j];
-            if (!(fabs(d[j]) > 0)) continue;
-            steep += p.g[j] * p.g[j];
-            if (room / d[j] < longest) longest = room / d[j];
-        }
-        slope = ms_pme__dot(p.g, d, n);
-        if (!(slope < -1e-12 * sqrt(steep * ms_pme__dot(d, d, n)))) {
-            if (fresh) break;
-            fresh = 1;
-            continue;
-        }
-        if (fresh) { /* no idea of the scale yet: a step of 1% of the box */
-            double reach = 0;
-            for (j = 0; j < n; ++j) {
-                double range = run->upper[j] - run->lower[j];
-                reach = ms_pme__max(
-                    reach, fabs(d[j]) / (ms__finite(range) && range > 0 ? range : ms_pme__max(fabs(p.x[j]), 1)));
-            }
-            first = reach > 0 ? 0.01 / reach : 1;
-        }
-        step = ms_pme__line_search(run, &p, d, first, longest, &q);
-        if (!(step > 0)) {
-            if (fresh || run->stopped) break;
-            fresh = 1; /* once more along the gradient */
-            continue;
-        }
-        gain = p.f - q.f;
-        newest = (newest + 1) % MS_PME__MEMORY;
-        for (j = 0; j < n; ++j) {
-            s[newest * n + j] = q.x[j] - p.x[j];
-            y[newest * n + j] = q.g[j] - p.g[j];
-            if (step >= longest && fabs(d[j]) > 0) { /* all that reach their bound together land on it */
-                double bound = d[j] > 0 ? run->upper[j] : run->lower[j];
-                if ((bound - p.x[j]) / d[j] <= longest * (1 + 1e-9)) q.x[j] = bound;
-            }
-            sy += s[newest * n + j] * y[newest * n + j];
-            moved = ms_pme__max(moved, fabs(s[newest * n + j]));
-            size = ms_pme__max(size, fabs(q.x[j]));
-        }
-        yy = ms_pme__dot(y + newest * n, y + newest * n, n);
-        if (sy > 1e-14 * yy) count = count < MS_PME__MEMORY ? count + 1 : count;
-        else newest = (newest + MS_PME__MEMORY - 1) % MS_PME__MEMORY;
-        run->result.iterations++;
-        fresh = 0;
-        ms_pme__copy(p.x, q.x, n);
-        ms_pme__copy(p.g, q.g, n);
-        p.f = q.f;
-        if (gain <= run->tolerance * (fabs(p.f) + DBL_MIN) && moved <= run->tolerance * size) break;
-        if (gain <= 1e-16 * fabs(p.f)) {
-            if (was_fresh) break;
-            fresh = 1;
+            ms_pme__solver_iterate(run, next, INT_MAX);
         }
     }
 }
@@ -1596,14 +1262,13 @@ static void ms_pme__between(const ms_pme__run *run, const double *from, const do
         to[j] = ms_pme__clip(from[j] + t * (towards[j] - from[j]), run->lower[j], run->upper[j]);
 }
 
-/* Nelder and Mead 1965 with the customary coefficients 1, 2, 1/2, 1/2, points clipped to the box; a simplex that
-   collapsed is built anew around the best point until that gains nothing. */
-static void ms_pme__nelder_mead(ms_pme__run *run, const double *x, double *memory)
+/* Nelder and Mead 1965 with the usual coefficients 1, 2, 1/2, 1/2, points clipped to the box. A collapsed simplex is
+   built again around the best point until that gains nothing. */
+static void ms_pme__nelder_mead(ms_pme__run *run, const double *x)
 {
     int n = run->n, i, j;
-    double *vertex = memory, *value = vertex + (n + 1) * n, *middle = value + n + 1, *trial = middle + n,
-           *farther = trial + n;
-    double best_before = MS_PME__INF, edge = run->options->start_step > 0 ? run->options->start_step : 0.1;
+    double *vertex = run->work, *value = vertex + (n + 1) * n, *middle = value + n + 1, *trial = middle + n,
+           *farther = trial + n, best_before = MS_PME__INF;
     ms_pme__copy(run->best, x, n);
     while (!run->stopped) {
         for (i = 0; i <= n; ++i) {
@@ -1611,7 +1276,7 @@ static void ms_pme__nelder_mead(ms_pme__run *run, const double *x, double *memor
             ms_pme__copy(v, run->best, n);
             if (i > 0) {
                 double range = run->upper[i - 1] - run->lower[i - 1], *c = &v[i - 1];
-                double h = edge * (ms__finite(range) ? range : ms_pme__max(fabs(*c), 1));
+                double h = 0.1 * (ms__finite(range) ? range : ms_pme__max(fabs(*c), 1));
                 *c = *c + h <= run->upper[i - 1] ? *c + h : ms_pme__max(*c - h, run->lower[i - 1]);
             }
         }
@@ -1677,99 +1342,12 @@ static void ms_pme__nelder_mead(ms_pme__run *run, const double *x, double *memor
     }
 }
 
-/* ---- basin hopping --------------------------------------------------------------------------------------------- */
-
-/* The method that other methods stand on, from x. */
-static void ms_pme__local(ms_pme__run *run, const double *x, double *memory)
-{
-    if (run->function->residuals != NULL) ms_pme__descend(run, x, 1, 0, memory);
-    else ms_pme__lbfgs(run, x, memory);
-}
-
-/* Wales and Doye 1997. The temperature follows the scatter of the minima seen; the hop is tuned to accept half. */
-static void ms_pme__basin_hopping(ms_pme__run *run, const double *x, double *memory)
-{
-    int n = run->n, j, hops, accepted = 0;
-    double *here = memory, *trial = here + n, *best = trial + n,
-           hop = run->options->start_step > 0 ? run->options->start_step : 0.25;
-    double f_here = MS_PME__INF, temperature = 0, best_value = MS_PME__INF, best_gradient = -1;
-    memory = best + n;
-    ms_pme__copy(trial, x, n);
-    for (hops = 0; !run->stopped; ++hops) {
-        double f_trial, rise;
-        for (j = 0; j < n && hops > 0; ++j) {
-            double range = run->upper[j] - run->lower[j], u = 2 * ms__rng_uniform(&run->rng) - 1;
-            trial[j] = here[j] + hop * u * (ms__finite(range) ? range : ms_pme__max(fabs(here[j]), 1));
-            trial[j] = ms_pme__clip(trial[j], run->lower[j], run->upper[j]);
-        }
-        run->best_value = MS_PME__INF; /* so that run->best is where this descent ends */
-        ms_pme__local(run, trial, memory);
-        f_trial = run->best_value;
-        if (ms__finite(f_trial)) ms_pme__copy(trial, run->best, n);
-        if (f_trial < best_value) {
-            best_value = f_trial;
-            best_gradient = run->best_gradient;
-            ms_pme__copy(best, trial, n);
-        }
-        if (hops == 0) {
-            ms_pme__copy(here, trial, n);
-            f_here = f_trial;
-            continue;
-        }
-        if (!ms__finite(f_trial)) continue;
-        rise = ms__finite(f_here) ? f_trial - f_here : -1;
-        temperature += (0.5 * fabs(rise) - temperature) / hops;
-        if (rise <= 0 || ms__rng_uniform(&run->rng) < exp(-rise / (temperature > 0 ? temperature : 1))) {
-            ms_pme__copy(here, trial, n);
-            f_here = f_trial;
-            ++accepted;
-        }
-        if (hops % 10 == 0) hop = ms_pme__clip(2 * accepted > hops ? hop / 0.9 : hop * 0.9, 0.01, 1);
-    }
-    run->best_value = best_value;
-    run->best_gradient = best_gradient;
-    ms_pme__copy(run->best, best, n);
-}
-
 /* The chosen method from starts [count][n], the best first. */
-static void ms_pme__method(ms_pme__run *run, const double *starts, int count, double *memory)
+static void ms_pme__method(ms_pme__run *run, const double *starts, int count)
 {
-    switch (run->options->method) {
-    case MS_PME_NELDER_MEAD: ms_pme__nelder_mead(run, starts, memory); break;
-    case MS_PME_LBFGS: ms_pme__lbfgs(run, starts, memory); break;
-    case MS_PME_BASIN_HOPPING: ms_pme__basin_hopping(run, starts, memory); break;
-    default:
-        if (run->function->residuals == NULL) ms_pme__lbfgs(run, starts, memory);
-        else ms_pme__descend(run, starts, count, run->options->restarts, memory);
-    }
-    run->result.projected_gradient = run->best_gradient < 0 ? -1 : ms_pme__shifted(run->best_gradient, -2 * run->shift);
-    run->result.value = run->best_value < 0 ? run->best_value : ms_pme__shifted(run->best_value, -2 * run->shift);
-}
-
-/* The run ended on a value: the gradient there, by one call more with derivatives, where there are any. */
-static void ms_pme__last_gradient(ms_pme__run *run, double *g)
-{
-    const ms_pme_function *function = run->function;
-    double cost = run->result.cost, *x = g + run->n;
-    size_t jacobians = run->result.jacobians;
-    if (!ms__finite(run->best_value) ||
-        (function->gradient == NULL && (function->residuals == NULL || function->residuals_only)))
-        return;
-    run->stopped = 0;
-    run->max_cost = MS_PME__INF;
-    ms_pme__copy(x, run->best, run->n);
-    run->finishing = 1;
-    ms_pme__gradient(run, x, g);
-    run->result.cost = cost;
-    run->result.jacobians = jacobians;
-    if (run->best_gradient >= 0) run->result.projected_gradient = ms_pme__shifted(run->best_gradient, -2 * run->shift);
-}
-
-/* Doubles that they need beside the run's own; with room for three squares. */
-static size_t ms_pme__method_scratch(int n)
-{
-    size_t un = (size_t)n;
-    return 3 * un * (un + 1) + (2 * MS_PME__MEMORY + 2 * MS_PME__FIELD + 32) * un + 32;
+    if (run->options->method == MS_PME_NELDER_MEAD) ms_pme__nelder_mead(run, starts);
+    else ms_pme__multistart(run, starts, count, run->options->restarts);
+    run->result.value = run->best_value;
 }
 
 /* ---- public: minimize ------------------------------------------------------------------------------------------ */
@@ -1781,41 +1359,28 @@ MS_API ms_pme_options ms_pme_defaults(void)
     return options;
 }
 
-MS_API const char *ms_pme_method_string(int method)
-{
-    static const char *const name[] = {"levenberg-marquardt", "nelder-mead", "l-bfgs", "basin-hopping"};
-    return method >= 0 && method <= MS_PME_BASIN_HOPPING ? name[method] : "unknown";
-}
-
 static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_options *options, const double *x,
                                ms_error *error)
 {
-    static const char *const name[7] = {"max_cost",        "max_seconds",  "tolerance",    "start_step",
+    static const char *const name[6] = {"max_cost",        "max_seconds",  "tolerance",
                                         "difference_step", "target_value", "jacobian_cost"};
-    double value[7] = {options->max_cost,
-                       options->max_seconds,
-                       options->tolerance,
-                       options->start_step,
-                       options->difference_step,
-                       options->target_value,
-                       0};
+    double value[6];
     int j;
-    if (function == NULL || x == NULL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, function ? "x is NULL" : "function is NULL");
-    if (function->residuals == NULL && function->value == NULL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "residuals and value are NULL: one is needed");
-    if (function->parameter_count < 1 || function->parameter_count > MS_PME_PARAMETERS_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter_count is %d, expected 1 to %d",
-                        function->parameter_count, MS_PME_PARAMETERS_MAX);
-    if (function->residuals != NULL && function->residual_count < 1)
+    if (function->residuals == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "residuals is NULL");
+    if (function->residual_count < 1)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "residual_count is 0, expected 1 or more");
-    if (options->method < 0 || options->method > MS_PME_BASIN_HOPPING)
+    if (options->method < 0 || options->method > MS_PME_NELDER_MEAD)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d, expected 0 to %d (ms_pme_method)",
-                        options->method, (int)MS_PME_BASIN_HOPPING);
+                        options->method, (int)MS_PME_NELDER_MEAD);
     if (options->restarts < 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "restarts is %d, expected 0 or more", options->restarts);
-    value[6] = function->jacobian_cost;
-    for (j = 0; j < 7; ++j)
+    value[0] = options->max_cost;
+    value[1] = options->max_seconds;
+    value[2] = options->tolerance;
+    value[3] = options->difference_step;
+    value[4] = options->target_value;
+    value[5] = function->jacobian_cost;
+    for (j = 0; j < 6; ++j)
         if (!ms__finite(value[j]) || value[j] < 0)
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g, expected 0 (the default) or a number above it",
                             name[j], value[j]);
@@ -1832,58 +1397,64 @@ static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_opt
     return MS_OK;
 }
 
-/* Sets up a run; its one block of memory is *block of *size bytes. */
-static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function, const ms_pme_options *options,
-                               void **block, size_t *size, ms_error *error)
+static void *ms_pme__doubles(ms__arena *arena, size_t count) { return ms__take(arena, count, sizeof(double)); }
+
+/* The run's arrays; called to count with arena->base NULL, then to place. */
+static void ms_pme__layout(ms_pme__run *run, ms__arena *arena)
 {
-    int n = function->parameter_count, j;
-    size_t m = function->residuals != NULL ? function->residual_count : 0, un = (size_t)n, count;
-    double *p;
+    size_t n = (size_t)run->n, m = run->m;
+    run->jacobian = (double *)ms_pme__doubles(arena, ms__size_mul(m, n));
+    run->residual = (double *)ms_pme__doubles(arena, m);
+    run->trial_residual = (double *)ms_pme__doubles(arena, m);
+    run->lower = (double *)ms_pme__doubles(arena, 4 * n);
+    run->rows = (double *)ms_pme__doubles(arena, MS_PME__ROWS * (n + 1));
+    run->triangle = (double *)ms_pme__doubles(arena, (n + 1) * (n + 1));
+    run->gradient = (double *)ms_pme__doubles(arena, n);
+    run->point = (double *)ms_pme__doubles(arena, 2 * n * MS_PME__SOLVERS);
+    run->work = (double *)ms_pme__doubles(arena,
+                                          (n + 1) * (n + 8)); /* a step n (n + 8) + 1, a simplex (n + 1)^2 + 3 n */
+}
+
+static void ms_pme__begin(ms_pme__run *run, const ms_pme_function *function, const ms_pme_options *options)
+{
     memset(run, 0, sizeof *run);
     run->function = function;
     run->options = options;
-    run->n = n;
-    run->m = m;
+    run->n = function->parameter_count;
+    run->m = function->residual_count;
     run->max_cost = options->max_cost > 0 ? options->max_cost : 1000;
     run->tolerance = options->tolerance > 0 ? options->tolerance : 1e-10;
     run->bad_parameter = -1;
-    run->jacobian_cost = function->jacobian_cost > 0 ? function->jacobian_cost : 1 + 0.25 * n;
+    run->jacobian_cost = function->jacobian_cost > 0 ? function->jacobian_cost : 1 + 0.25 * run->n;
     run->best_value = MS_PME__INF;
-    run->best_gradient = run->result.projected_gradient = -1;
     run->rng = ms__rng_make(options->seed, 0x706d65);
     run->start_time = options->max_seconds > 0 ? ms_pme__seconds(options) : 0;
-    count = ms__size_add(ms__size_mul(m, un), 2 * m);                   /* jacobian, residual twice */
-    count = ms__size_add(count, 3 * un + MS_PME__ROWS * (un + 1));      /* bounds, best, rows */
-    count = ms__size_add(count, (size_t)n + ms_pme__method_scratch(n)); /* scratch begins with a moved point */
-    *size = ms__size_mul(count, sizeof(double));
-    *block = ms__alloc(&options->allocator, *size);
-    if (*block == NULL)
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %z residuals times %d parameters", m, n);
-    p = (double *)*block;
-    run->jacobian = p;
-    p += m * un;
-    run->residual = p;
-    p += m;
-    run->residual_step = p;
-    p += m;
-    run->lower = p;
-    p += n;
-    run->upper = p;
-    p += n;
-    run->best = p;
-    p += n;
-    run->rows = p;
-    p += MS_PME__ROWS * (n + 1);
-    run->scratch = p;
-    for (j = 0; j < n; ++j) {
+}
+
+/* A block for what was counted, aligned for an arena; NULL: none to be had. */
+static void *ms_pme__alloc(const ms_pme__run *run, ms__arena *arena, size_t *size)
+{
+    void *block = ms__alloc(&run->options->allocator, *size = ms__size_add(arena->used, 63));
+    arena->base = block != NULL ? (char *)block + (64 - (uintptr_t)block % 64) % 64 : NULL;
+    arena->used = 0;
+    return block;
+}
+
+static void ms_pme__bounds(ms_pme__run *run)
+{
+    const ms_pme_function *function = run->function;
+    int j;
+    run->upper = run->lower + run->n;
+    run->best = run->upper + run->n;
+    run->moved = run->best + run->n;
+    for (j = 0; j < run->n; ++j) {
         run->lower[j] = function->lower ? function->lower[j] : -MS_PME__INF;
         run->upper[j] = function->upper ? function->upper[j] : MS_PME__INF;
     }
-    return MS_OK;
 }
 
 /* The sentence of a run that failed; its status. */
-static ms_status ms_pme__why(const ms_pme__run *run, ms_error *error)
+static ms_status ms_pme__failure(const ms_pme__run *run, ms_error *error)
 {
     double cost = run->result.cost;
     if (run->status == MS_OK)
@@ -1902,131 +1473,145 @@ MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_o
 {
     ms_pme_options defaults = ms_pme_defaults();
     ms_pme__run run;
+    ms__arena arena = {NULL, 0};
     void *block;
     size_t size;
     double *start;
-    int n, j;
+    int j;
     ms_status status;
     if (options == NULL) options = &defaults;
+    if (function == NULL || x == NULL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, function ? "x is NULL" : "function is NULL");
+    if (function->parameter_count < 1 || function->parameter_count > MS_PME_PARAMETERS_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter_count is %d, expected 1 to %d",
+                        function->parameter_count, MS_PME_PARAMETERS_MAX);
     status = ms_pme__check(function, options, x, error);
-    if (status == MS_OK) status = ms_pme__begin(&run, function, options, &block, &size, error);
     if (status != MS_OK) return status;
-    n = run.n;
-    start = run.scratch + n;
-    for (j = 0; j < n; ++j) start[j] = ms_pme__clip(x[j], run.lower[j], run.upper[j]);
-    ms_pme__method(&run, start, 1, start + n);
-    if (run.status == MS_OK && run.best_gradient < 0 && options->method != MS_PME_NELDER_MEAD &&
-        run.result.stop != MS_PME_STOP_SECONDS)
-        ms_pme__last_gradient(&run, start + n);
+    ms_pme__begin(&run, function, options);
+    ms_pme__layout(&run, &arena);
+    ms_pme__doubles(&arena, (size_t)run.n);
+    block = ms_pme__alloc(&run, &arena, &size);
+    if (block == NULL)
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %z residuals times %d parameters", run.m, run.n);
+    ms_pme__layout(&run, &arena);
+    ms_pme__bounds(&run);
+    start = (double *)ms_pme__doubles(&arena, (size_t)run.n);
+    for (j = 0; j < run.n; ++j) start[j] = ms_pme__clip(x[j], run.lower[j], run.upper[j]);
+    ms_pme__method(&run, start, 1);
     if (run.status != MS_OK || !ms__finite(run.best_value)) {
-        status = ms_pme__why(&run, error);
+        status = ms_pme__failure(&run, error);
     } else {
-        ms_pme__copy(x, run.best, n);
+        ms_pme__copy(x, run.best, run.n);
         if (result != NULL) *result = run.result;
     }
     ms__release(&options->allocator, block, size);
     return status;
 }
 
-/* ---- match: objectives ----------------------------------------------------------------------------------------- */
+/* ---- match: objective ------------------------------------------------------------------------------------------ */
 
-/* What a match makes small, in variables z: the parameters that lead (others are tied to them), then the nuisance. The
-   picture is a sum of squares, r_i = sqrt(w_i / sum w) (gain phi_i + offset - t_i), so that f is the squared weighted
-   RMSE, or the caller's reduced function in that unit; behind it the pulls. */
+/* The variables z of a match: the free parameters (others are tied to them), log(gain)s, offsets. f is RMSE^2, from the
+   picture or the reduced function, and the pulls. */
 typedef struct ms_pme__objective {
     const ms_pme_renderer *renderer;
     const ms_pme_match_options *options;
+    const ms_pme_function *reduced; /* NULL: pictures are compared */
     const float *target, *weight;
-    double weight_sum, offset;                   /* offset: what the reduced function leaves out, in the unit of f */
-    double size;                                 /* root mean square of the target */
-    int n, leads, pulled, gains, offsets, plain; /* plain: z is x */
-    size_t m, compared;                          /* residuals of the picture; values with a weight */
-    int place[MS_PME_PARAMETERS_MAX];            /* x_j = z[place_j] */
-    int channel_of_gain[MS_PME_CHANNELS_MAX];
-    double x[MS_PME_PARAMETERS_MAX], low[MS_PME__VARIABLES], high[MS_PME__VARIABLES];
-    float *image, *jacobian; /* [p], [p][n] */
-    double *slopes;          /* [m][n] of a reduced function whose parameters are tied */
+    double weight_sum, offset; /* offset: reduced_offset in the unit of f */
+    double size;               /* root mean square of the target */
+    int n, free, pulled, gains, offsets, variables, channels;
+    size_t m, compared;               /* residuals without pulls; values with a weight */
+    int place[MS_PME_PARAMETERS_MAX]; /* x_j = z[place_j] */
+    double x[MS_PME__VARIABLES];      /* n parameters, a gain and an offset for each channel */
+    double low[MS_PME__VARIABLES], high[MS_PME__VARIABLES];
+    float *image, *jacobian;             /* [p], [p][n] */
+    double *wide;                        /* [m][parameters of reduced]; NULL: they are the variables */
+    double *pool, *pool_value;           /* [pool_size + 1][variables] the best candidates in order, then workspace */
+    int pool_size, total, reduced_count; /* total: candidates */
 } ms_pme__objective;
 
-static const double *ms_pme__material(ms_pme__objective *o, const double *z)
+static void ms_pme__unpack(ms_pme__objective *o, const double *z)
 {
+    double *gain = o->x + o->n, *offset = gain + o->channels;
     int j;
     for (j = 0; j < o->n; ++j) o->x[j] = z[o->place[j]];
-    return o->x;
-}
-
-static void ms_pme__nuisance(const ms_pme__objective *o, const double *z, double *gain, double *offset)
-{
-    int c;
-    for (c = 0; c < MS_PME_CHANNELS_MAX; ++c) {
-        gain[c] = o->gains ? exp(z[o->leads + (o->gains > 1 && c < o->gains ? c : 0)]) : 1;
-        offset[c] = c < o->offsets ? z[o->leads + o->gains + c] : 0;
+    for (j = 0; j < o->channels; ++j) {
+        gain[j] = o->gains ? exp(z[o->free + (o->gains > 1 ? j : 0)]) : 1;
+        offset[j] = o->offsets ? z[o->free + o->gains + j] : 0;
     }
 }
 
-/* A row of derivatives by x into one by z. */
-static void ms_pme__lead(const ms_pme__objective *o, const double *by_x, double *by_z, int variables)
+/* A row of derivatives by x, gains and offsets into one by z. */
+static void ms_pme__fold(const ms_pme__objective *o, const double *wide, double *row)
 {
+    const double *gain = o->x + o->n, *by_gain = wide + o->n, *by_offset = by_gain + o->channels;
     int j;
-    for (j = 0; j < variables; ++j) by_z[j] = 0;
-    for (j = 0; j < o->n; ++j) by_z[o->place[j]] += by_x[j];
+    for (j = 0; j < o->variables; ++j) row[j] = 0;
+    for (j = 0; j < o->n; ++j) row[o->place[j]] += wide[j];
+    for (j = 0; j < o->channels && o->gains; ++j) row[o->free + (o->gains > 1 ? j : 0)] += gain[j] * by_gain[j];
+    for (j = 0; j < o->channels && o->offsets; ++j) row[o->free + o->gains + j] += by_offset[j];
 }
 
-static ms_status ms_pme__picture_residuals(ms_pme__objective *o, const double *z, double *r, double *jacobian,
-                                           int variables)
+static double ms_pme__weight(const ms_pme__objective *o, size_t i) { return o->weight ? (double)o->weight[i] : 1; }
+
+/* r_i = sqrt(w_i / sum w) (gain phi_i + offset - t_i) */
+static ms_status ms_pme__picture_residuals(ms_pme__objective *o, double *r, double *jacobian)
 {
     const ms_pme_renderer *renderer = o->renderer;
-    double gain[MS_PME_CHANNELS_MAX], offset[MS_PME_CHANNELS_MAX], by_x[MS_PME_PARAMETERS_MAX];
-    size_t i,
-        plane = o->options->channels > 1 ? renderer->image_size / (size_t)o->options->channels : renderer->image_size;
-    int j, n = o->n;
-    const double *x = ms_pme__material(o, z);
-    ms_status status = jacobian == NULL ? renderer->render(renderer->user, x, o->image)
-                                        : renderer->jacobian(renderer->user, x, o->image, o->jacobian);
-    if (status != MS_OK) return status;
-    ms_pme__nuisance(o, z, gain, offset);
-    for (i = 0; i < renderer->image_size; ++i) {
-        int c = (int)(i / plane);
-        double w = o->weight ? (double)o->weight[i] : 1, s = w > 0 ? sqrt(w / o->weight_sum) : 0,
-               lit = gain[c] * (double)o->image[i];
-        double *row = jacobian ? jacobian + i * (size_t)variables : NULL;
-        r[i] = w > 0 ? s * (lit + offset[c] - (double)o->target[i]) : 0;
-        if (row == NULL) continue;
-        for (j = 0; j < n; ++j) by_x[j] = w > 0 ? s * gain[c] * (double)o->jacobian[i * (size_t)n + (size_t)j] : 0;
-        ms_pme__lead(o, by_x, row, variables);
-        if (o->gains) row[o->leads + (o->gains > 1 ? c : 0)] = w > 0 ? s * lit : 0;
-        if (o->offsets) row[o->leads + o->gains + c] = s;
+    const double *gain = o->x + o->n, *offset = gain + o->channels;
+    double wide[MS_PME__VARIABLES] = {0};
+    size_t i, n = (size_t)o->n, plane = renderer->image_size / (size_t)o->channels;
+    int j, c;
+    ms_status status = jacobian == NULL ? renderer->render(renderer->user, o->x, o->image)
+                                        : renderer->jacobian(renderer->user, o->x, o->image, o->jacobian);
+    for (i = 0; i < renderer->image_size && status == MS_OK; ++i) {
+        double w = ms_pme__weight(o, i), s = w > 0 ? sqrt(w / o->weight_sum) : 0;
+        c = (int)(i / plane);
+        r[i] = w > 0 ? s * (gain[c] * (double)o->image[i] + offset[c] - (double)o->target[i]) : 0;
+        if (jacobian == NULL) continue;
+        for (j = 0; j < o->n; ++j) wide[j] = w > 0 ? s * gain[c] * (double)o->jacobian[i * n + (size_t)j] : 0;
+        for (j = 0; j < o->channels; ++j) {
+            wide[o->n + j] = j == c && w > 0 ? s * (double)o->image[i] : 0;
+            wide[o->n + o->channels + j] = j == c ? s : 0;
+        }
+        ms_pme__fold(o, wide, jacobian + i * (size_t)o->variables);
     }
-    return MS_OK;
+    return status;
+}
+
+/* Appends the residual sqrt(pull) away of variable k. */
+static void ms_pme__pull(const ms_pme__objective *o, double pull, double away, int k, size_t *row, double *r,
+                         double *jacobian)
+{
+    size_t i = (*row)++, n = (size_t)o->variables;
+    r[i] = sqrt(pull) * away;
+    if (jacobian == NULL) return;
+    memset(jacobian + i * n, 0, n * sizeof *jacobian);
+    jacobian[i * n + (size_t)k] = sqrt(pull);
 }
 
 static ms_status ms_pme__objective_residuals(void *user, const double *z, double *r, double *jacobian)
 {
     ms_pme__objective *o = (ms_pme__objective *)user;
-    const ms_pme_function *reduced = o->renderer->reduced;
-    int variables = o->leads + o->gains + o->offsets, j;
-    size_t i, row = o->m;
+    const double *pull = o->options->pull, *source = o->options->source;
+    double scale = 1 / sqrt(o->weight_sum), *wide = jacobian && o->wide ? o->wide : jacobian;
+    int j;
+    size_t i, count = (size_t)o->reduced_count, row = o->m;
     ms_status status;
-    if (reduced == NULL || o->gains + o->offsets > 0) {
-        status = ms_pme__picture_residuals(o, z, r, jacobian, variables);
+    ms_pme__unpack(o, z);
+    if (o->reduced == NULL) {
+        status = ms_pme__picture_residuals(o, r, jacobian);
     } else {
-        double scale = 1 / sqrt(o->weight_sum), *slopes = jacobian && !o->plain ? o->slopes : jacobian;
-        status = reduced->residuals(reduced->user, ms_pme__material(o, z), r, slopes);
+        status = o->reduced->residuals(o->reduced->user, o->x, r, wide);
         for (i = 0; i < o->m && status == MS_OK; ++i) r[i] *= scale;
-        for (i = 0; i < o->m * (size_t)o->n && jacobian && status == MS_OK; ++i) slopes[i] *= scale;
-        for (i = 0; i < o->m && jacobian && !o->plain && status == MS_OK; ++i)
-            ms_pme__lead(o, slopes + i * (size_t)o->n, jacobian + i * (size_t)variables, variables);
+        for (i = 0; i < o->m * count && jacobian && status == MS_OK; ++i) wide[i] *= scale;
+        for (i = 0; i < o->m && wide != jacobian && status == MS_OK; ++i)
+            ms_pme__fold(o, wide + i * count, jacobian + i * (size_t)o->variables);
     }
-    for (j = 0; j < o->n && o->pulled && status == MS_OK; ++j) {
-        double pull = sqrt(o->options->pull[j]);
-        if (!(pull > 0)) continue;
-        r[row] = pull * (z[o->place[j]] - o->options->source[j]);
-        if (jacobian) {
-            memset(jacobian + row * (size_t)variables, 0, (size_t)variables * sizeof *jacobian);
-            jacobian[row * (size_t)variables + (size_t)o->place[j]] = pull;
-        }
-        ++row;
-    }
+    for (j = 0; j < o->n && pull && status == MS_OK; ++j)
+        if (pull[j] > 0) ms_pme__pull(o, pull[j], o->x[j] - source[j], o->place[j], &row, r, jacobian);
+    for (j = o->free; j < o->variables && status == MS_OK; ++j)
+        ms_pme__pull(o, MS_PME__LIGHT, z[j], j, &row, r, jacobian);
     return status;
 }
 
@@ -2044,7 +1629,7 @@ MS_API ms_pme_match_options ms_pme_match_defaults(void)
     return options;
 }
 
-static ms_status ms_pme__check_picture(ms_pme__objective *o, ms_error *error)
+static ms_status ms_pme__check_match(ms_pme__objective *o, ms_error *error)
 {
     const ms_pme_renderer *renderer = o->renderer;
     const ms_pme_match_options *options = o->options;
@@ -2066,17 +1651,18 @@ static ms_status ms_pme__check_picture(ms_pme__objective *o, ms_error *error)
                         options->candidate_count, options->random_count);
     if (!ms__finite(options->target_rmse) || options->target_rmse < 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "target_rmse is %g, expected 0 or more", options->target_rmse);
-    if (renderer->reduced != NULL &&
-        (renderer->reduced->residuals == NULL || !ms__finite(renderer->reduced_offset) ||
-         renderer->reduced->parameter_count != renderer->parameter_count))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the reduced function lacks residuals or has other parameters");
     if (options->nuisance < 0 || options->nuisance > 7)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nuisance is %d, expected flags of ms_pme_nuisance",
                         options->nuisance);
     if (options->channels < 0 || options->channels > MS_PME_CHANNELS_MAX ||
-        (options->channels > 1 && renderer->image_size % (size_t)options->channels != 0))
+        renderer->image_size % (size_t)(o->channels = options->channels > 1 ? options->channels : 1) != 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "channels is %d, expected 0 to %d and a divisor of image_size",
                         options->channels, MS_PME_CHANNELS_MAX);
+    if (renderer->reduced != NULL &&
+        (renderer->reduced->residuals == NULL || !ms__finite(renderer->reduced_offset) ||
+         (renderer->reduced->parameter_count != renderer->parameter_count &&
+          renderer->reduced->parameter_count != renderer->parameter_count + 2 * o->channels)))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the reduced function lacks residuals or has other parameters");
     if (options->pull != NULL && options->source == NULL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pull is given and source is NULL");
     for (i = 0; i < (size_t)renderer->parameter_count; ++i) {
@@ -2090,100 +1676,98 @@ static ms_status ms_pme__check_picture(ms_pme__objective *o, ms_error *error)
                             options->pull[i], options->source[i]);
     }
     for (i = 0; i < renderer->image_size; ++i) {
-        double w = o->weight ? (double)o->weight[i] : 1;
+        double w = ms_pme__weight(o, i), t = (double)o->target[i];
         if (!ms__finite(w) || w < 0)
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "weight %z is %g, expected a finite number >= 0", i, w);
-        if (w > 0 && !ms__finite_f(o->target[i]))
-            return ms__fail(error, MS_INVALID_ARGUMENT, i, "target %z is %g, expected a finite number", i,
-                            (double)o->target[i]);
+        if (w > 0 && !ms__finite(t))
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "target %z is %g, expected a finite number", i, t);
         o->compared += w > 0;
         o->weight_sum += w;
-        if (w > 0) o->size += w * (double)o->target[i] * (double)o->target[i];
+        if (w > 0) o->size += w * t * t;
     }
-    o->size = sqrt(o->size / (o->weight_sum > 0 ? o->weight_sum : 1));
     if (o->compared == 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "every weight is 0: nothing to match");
+    o->size = sqrt(o->size / o->weight_sum);
     return MS_OK;
 }
 
-/* Which variable each parameter is, their bounds, how many residuals there are. */
-static void ms_pme__objective_make(ms_pme__objective *o, ms_pme_function *function)
+/* Places, bounds and counts of the variables; the function to minimise. */
+static void ms_pme__objective_init(ms_pme__objective *o, ms_pme_function *function)
 {
     const ms_pme_renderer *renderer = o->renderer;
     const ms_pme_match_options *options = o->options;
-    int n = renderer->parameter_count, j, k, channels = options->channels > 1 ? options->channels : 1;
     const ms_pme_function *reduced = renderer->reduced;
-    o->n = n;
-    for (j = 0; j < n; ++j) {
-        double low = renderer->lower ? renderer->lower[j] : 0, high = renderer->upper ? renderer->upper[j] : 1;
-        k = options->tie ? options->tie[j] : j;
-        o->place[j] = k == j ? o->leads++ : 0;
-        if (k == j) {
-            o->low[o->place[j]] = low;
-            o->high[o->place[j]] = high;
-        }
-        o->pulled += options->pull != NULL && options->pull[j] > 0;
-    }
-    for (j = 0; j < n && options->tie; ++j)
-        if (options->tie[j] != j) { /* the box of a group is what all its members share */
+    int n = o->n = renderer->parameter_count, j, k, pass;
+    for (pass = 0; pass < 2; ++pass)
+        for (j = 0; j < n; ++j) {
             double low = renderer->lower ? renderer->lower[j] : 0, high = renderer->upper ? renderer->upper[j] : 1;
-            k = o->place[j] = o->place[options->tie[j]];
-            if (low > o->low[k]) o->low[k] = low;
-            if (high < o->high[k]) o->high[k] = high;
+            int leader = options->tie ? options->tie[j] : j;
+            if ((leader == j) != (pass == 0)) continue;
+            k = o->place[j] = pass == 0 ? o->free++ : o->place[leader];
+            o->low[k] = pass == 0 || low > o->low[k] ? low : o->low[k]; /* of tied parameters: the common box */
+            o->high[k] = pass == 0 || high < o->high[k] ? high : o->high[k];
+            o->pulled += options->pull != NULL && options->pull[j] > 0;
         }
-    o->gains = options->nuisance & MS_PME_TINT ? channels : options->nuisance & MS_PME_EXPOSURE ? 1 : 0;
-    o->offsets = options->nuisance & MS_PME_OFFSET ? channels : 0;
-    for (j = 0; j < o->gains + o->offsets; ++j) {
-        o->high[o->leads + j] = j < o->gains ? log(8.0) : 1;
-        o->low[o->leads + j] = -o->high[o->leads + j];
-    }
-    memset(function, 0, sizeof *function);
-    function->user = o;
-    function->parameter_count = o->leads + o->gains + o->offsets;
-    function->residuals = ms_pme__objective_residuals;
-    if (o->gains + o->offsets > 0) reduced = NULL;
+    o->gains = options->nuisance & MS_PME_TINT ? o->channels : options->nuisance & MS_PME_EXPOSURE ? 1 : 0;
+    o->offsets = options->nuisance & MS_PME_OFFSET ? o->channels : 0;
+    o->variables = o->free + o->gains + o->offsets;
+    for (j = o->free; j < o->variables; ++j) o->low[j] = -(o->high[j] = j < o->free + o->gains ? log(8.0) : 1);
+    if (reduced != NULL && reduced->parameter_count == n && o->variables > o->free) reduced = NULL;
+    o->reduced = reduced;
+    o->reduced_count = reduced ? reduced->parameter_count : 0;
     o->m = reduced ? reduced->residual_count : renderer->image_size;
     o->offset = reduced ? renderer->reduced_offset / o->weight_sum : 0;
-    function->residual_count = o->m + (size_t)o->pulled;
+    o->total = renderer->prediction_count + options->candidate_count + options->random_count;
+    o->pool_size = o->total < 1 ? 1 : o->total < MS_PME__SOLVERS ? o->total : MS_PME__SOLVERS;
+    memset(function, 0, sizeof *function);
+    function->user = o;
+    function->parameter_count = o->variables;
+    function->residuals = ms_pme__objective_residuals;
+    function->residual_count = o->m + (size_t)(o->pulled + o->gains + o->offsets);
     function->residuals_only = reduced ? reduced->residuals_only : renderer->jacobian == NULL;
-    function->jacobian_cost = reduced ? reduced->jacobian_cost
-        : renderer->jacobian_cost > 0 ? renderer->jacobian_cost
-                                      : 1 + 0.25 * n;
+    function->jacobian_cost = reduced ? reduced->jacobian_cost : renderer->jacobian_cost;
+    if (!(function->jacobian_cost > 0) && !(function->jacobian_cost < 0)) function->jacobian_cost = 1 + 0.25 * n;
     function->lower = o->low;
     function->upper = o->high;
-    o->plain = o->leads == n && function->parameter_count == n;
+}
+
+static void ms_pme__objective_layout(ms_pme__objective *o, ms__arena *arena, int differences)
+{
+    size_t n = (size_t)o->n, p = o->renderer->image_size, count = (size_t)o->reduced_count,
+           pool = (size_t)o->pool_size + 1;
+    int wide = o->reduced != NULL && (o->free < o->n || o->reduced_count > o->n || o->variables > o->n);
+    o->pool = (double *)ms_pme__doubles(arena, pool * (size_t)o->variables);
+    o->pool_value = (double *)ms_pme__doubles(arena, pool);
+    o->wide = (double *)ms_pme__doubles(arena, wide ? ms__size_mul(o->m, count) : 0);
+    if (!wide) o->wide = NULL;
+    o->image = (float *)ms__take(arena, p, sizeof(float));
+    o->jacobian = (float *)ms__take(arena, o->reduced || differences ? 0 : ms__size_mul(p, n), sizeof(float));
 }
 
 /* ---- match: stages --------------------------------------------------------------------------------------------- */
 
-/* Best of n: eq. (4.3), with the caller's candidates as further members of the pool, eq. (4.4). The best `pool_size` go
-   to pool, sorted; how many there are. */
-static int ms_pme__first_guesses(ms_pme__run *run, ms_pme__objective *o, double *pool, double *pool_value,
-                                 int pool_size, ms_pme_match_result *answer)
+/* Best of n: eq. (4.3), with the caller's candidates in the pool, eq. (4.4). The best pool_size go to the pool; returns
+   their number. */
+static int ms_pme__candidates(ms_pme__run *run, ms_pme__objective *o, ms_pme_match_result *answer)
 {
     const ms_pme_renderer *renderer = o->renderer;
     const ms_pme_match_options *options = o->options;
-    int n = o->n, variables = run->n,
-        total = renderer->prediction_count + options->candidate_count + options->random_count, i, j, kept = 0;
-    double *z = pool + pool_size * variables, x[MS_PME_PARAMETERS_MAX];
+    int n = o->n, variables = run->n, i, j, kept = 0, size = o->pool_size;
+    double *z = o->pool + size * variables, *x = o->x;
     answer->best_candidate = -1;
-    for (i = 0; (i < total || (i == total && !ms__finite(run->best_value))) && run->status == MS_OK; ++i) {
+    for (i = 0; (i < o->total || (i == o->total && !ms__finite(run->best_value))) && !run->stopped; ++i) {
         double before = run->best_value, value;
         int finite = 1;
-        for (j = 0; j < variables;
-             ++j) /* the middle of the box; what has no box starts at 0; the nuisance does nothing */
-            z[j] = j < o->leads && ms__finite(run->lower[j]) && ms__finite(run->upper[j])
+        if (ms_pme__late(run, 1)) break;
+        for (j = 0; j < variables; ++j) /* the middle of the box; 0 without a box, and for the nuisance */
+            z[j] = j < o->free && ms__finite(run->lower[j]) && ms__finite(run->upper[j])
                 ? 0.5 * (run->lower[j] + run->upper[j])
                 : ms_pme__clip(0, run->lower[j], run->upper[j]);
+        if (i >= renderer->prediction_count + options->candidate_count && i < o->total) ms_pme__random_point(run, z, z);
+        for (j = o->free; j < variables; ++j) z[j] = 0;
         for (j = 0; j < n; ++j) x[j] = z[o->place[j]];
-        if (i < renderer->prediction_count) {
-            ms_pme__fail(run, renderer->predict(renderer->user, i, o->target, x));
-        } else if (i < renderer->prediction_count + options->candidate_count) {
+        if (i < renderer->prediction_count) ms_pme__fail(run, renderer->predict(renderer->user, i, o->target, x));
+        else if (i < renderer->prediction_count + options->candidate_count)
             ms_pme__copy(x, options->candidates + (size_t)(i - renderer->prediction_count) * (size_t)n, n);
-        } else if (i < total) {
-            ms_pme__random_point(run, z, z);
-            for (j = 0; j < n; ++j) x[j] = z[o->place[j]];
-            for (j = o->leads; j < variables; ++j) z[j] = 0;
-        }
         for (j = 0; j < n; ++j) {
             finite &= ms__finite(x[j]);
             if (finite && (options->tie == NULL || options->tie[j] == j))
@@ -2195,51 +1779,44 @@ static int ms_pme__first_guesses(ms_pme__run *run, ms_pme__objective *o, double 
         }
         value = ms_pme__value(run, z);
         if (run->best_value < before) answer->best_candidate = i;
-        for (j = kept < pool_size ? kept++ : pool_size; j > 0 && value < pool_value[j - 1]; --j)
-            if (j < pool_size) {
-                pool_value[j] = pool_value[j - 1];
-                ms_pme__copy(pool + j * variables, pool + (j - 1) * variables, variables);
-            }
-        if (j < pool_size) {
-            pool_value[j] = value;
-            ms_pme__copy(pool + j * variables, z, variables);
+        for (j = kept < size ? kept++ : size; j > 0 && value < o->pool_value[j - 1]; --j) {
+            o->pool_value[j] = o->pool_value[j - 1];
+            if (j < size) ms_pme__copy(o->pool + j * variables, o->pool + (j - 1) * variables, variables);
         }
-        if (run->stopped && run->status == MS_OK) break;
+        if (j == size) continue;
+        o->pool_value[j] = value;
+        ms_pme__copy(o->pool + j * variables, z, variables);
     }
     answer->cost = run->result.cost;
     return kept;
 }
 
-/* Standard deviations of x: noise of the size of the RMSE in every compared value, and each parameter somewhere in its
-   box (a variance of range^2 / 12) before the picture was seen. */
-static void ms_pme__deviations(ms_pme__run *run, const ms_pme__objective *o, double rmse, double *memory)
+/* Standard deviations of x: a linear model with noise of the size of the RMSE in each compared value, and a prior
+   variance of range^2 / 12 for each parameter. */
+static void ms_pme__deviations(ms_pme__run *run, const ms_pme__objective *o, double rmse)
 {
-    ms_pme__walk walk;
     int n = run->n, w = n + 1, j, k, i;
-    double sigma = ms_pme__max(rmse, 1e-7 * o->size) / sqrt((double)o->compared), *variance,
-           *y; /* no finer than floats are */
+    double sigma = ms_pme__max(rmse, 1e-7 * o->size) / sqrt((double)o->compared); /* no finer than floats */
+    double *variance = run->work, *y = variance + n;
     size_t row;
-    ms_pme__walk_place(&walk, memory, NULL, n);
-    variance = memory + ms_pme__walk_size(n);
-    y = variance + n;
     run->stopped = 0;
-    run->finishing = 1;
+    run->uncharged = 1;
     for (j = 0; j < n; ++j) variance[j] = 0;
     if (ms__finite(ms_pme__linearize(run, run->best, MS_PME__INF))) {
         for (j = 0; j < n; ++j)
             for (row = 0; row < run->m && !(run->lower[j] < run->upper[j]); ++row)
                 run->jacobian[row * (size_t)n + (size_t)j] = 0;
-        ms_pme__factor(run, &walk);
+        ms_pme__factor(run);
         for (j = 0; j < n; ++j) {
             double range = run->upper[j] - run->lower[j];
             for (k = 0; k < w; ++k) run->rows[k * MS_PME__ROWS] = 0;
             run->rows[j * MS_PME__ROWS] = !(range > 0) ? 1 : ms__finite(range) ? sqrt(12.0) / range * sigma : 0;
-            ms_pme__qr_append(walk.triangle, n, run->rows, 1);
+            ms_pme__qr_append(run->triangle, n, run->rows, 1);
         }
         for (k = 0; k < n; ++k) /* column k of the inverse */
             for (i = k; i >= 0; --i) {
-                double t = i == k, pivot = walk.triangle[i * w + i];
-                for (j = i + 1; j <= k; ++j) t -= walk.triangle[i * w + j] * y[j];
+                double t = i == k, pivot = run->triangle[i * w + i];
+                for (j = i + 1; j <= k; ++j) t -= run->triangle[i * w + j] * y[j];
                 y[i] = fabs(pivot) > 0 ? t / pivot : 0;
                 variance[i] += y[i] * y[i];
             }
@@ -2250,39 +1827,42 @@ static void ms_pme__deviations(ms_pme__run *run, const ms_pme__objective *o, dou
     }
 }
 
-/* What the picture really looks like at the answer: image and RMSE, which a reduced function must agree with. */
+/* The picture of the answer and its RMSE, which a reduced function must agree with. */
 static ms_status ms_pme__last_render(ms_pme__run *run, ms_pme__objective *o, ms_pme_match_result *answer,
                                      ms_error *error)
 {
     const ms_pme_renderer *renderer = o->renderer;
-    size_t i,
-        plane = o->options->channels > 1 ? renderer->image_size / (size_t)o->options->channels : renderer->image_size;
-    double sum = 0, reduced = ms_pme__shifted(run->best_value, -2 * run->shift) + o->offset;
+    const double *pull = o->options->pull;
+    size_t i, plane = renderer->image_size / (size_t)o->channels;
+    double sum = 0, reduced = run->best_value + o->offset;
     int j;
+    ms_pme__unpack(o, run->best);
     answer->cost += 1;
-    if (ms_pme__fail(run, renderer->render(renderer->user, ms_pme__material(o, run->best), o->image)))
-        return ms_pme__why(run, error);
-    ms_pme__nuisance(o, run->best, answer->gain, answer->offset);
+    if (ms_pme__fail(run, renderer->render(renderer->user, o->x, o->image))) return ms_pme__failure(run, error);
+    for (j = 0; j < MS_PME_CHANNELS_MAX; ++j) {
+        answer->gain[j] = j < o->channels ? o->x[o->n + j] : 1;
+        answer->offset[j] = j < o->channels ? o->x[o->n + o->channels + j] : 0;
+    }
     for (i = 0; i < renderer->image_size; ++i) {
-        double w = o->weight ? (double)o->weight[i] : 1, e;
-        if (o->gains + o->offsets > 0)
+        double w = ms_pme__weight(o, i), e;
+        if (o->variables > o->free)
             o->image[i] = (float)(answer->gain[i / plane] * (double)o->image[i] + answer->offset[i / plane]);
         e = (double)o->image[i] - (double)o->target[i];
         if (w > 0) sum += w * e * e;
     }
     answer->rmse = sqrt(sum / o->weight_sum);
-    for (j = 0; j < o->n && o->pulled; ++j) {
+    for (j = 0; j < o->n && pull; ++j) {
         double away = o->x[j] - o->options->source[j];
-        reduced -= o->options->pull[j] * away * away;
+        reduced -= pull[j] * away * away;
     }
+    for (j = o->free; j < o->variables; ++j) reduced -= MS_PME__LIGHT * run->best[j] * run->best[j];
     reduced = sqrt(ms_pme__max(reduced, 0));
-    if (renderer->reduced != NULL && o->gains + o->offsets == 0 &&
-        fabs(reduced - answer->rmse) > 1e-3 * answer->rmse + 1e-5 * o->size)
-        return ms__fail(
-            error, MS_INVALID_ARGUMENT, 0,
-            "the reduced function has an RMSE of %g where the picture has %g: it was made for another target or other weights",
-            reduced, answer->rmse);
-    return MS_OK;
+    if (o->reduced == NULL || fabs(reduced - answer->rmse) <= 1e-3 * answer->rmse + 1e-5 * o->size) return MS_OK;
+    return ms__fail(
+        error, MS_INVALID_ARGUMENT, 0,
+        "the reduced function has an RMSE of %g where the picture has %g: it was made for another target or "
+        "other weights",
+        reduced, answer->rmse);
 }
 
 /* ---- public: match --------------------------------------------------------------------------------------------- */
@@ -2297,90 +1877,73 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     ms_pme_function function;
     ms_pme__objective o;
     ms_pme__run run;
-    void *block = NULL, *pictures = NULL;
-    size_t size = 0, bytes, p, jacobian, slopes;
-    double *pool, *pool_value, *memory, start[MS_PME__VARIABLES];
-    int variables, total, pool_size, kept, j;
+    ms__arena arena = {NULL, 0};
+    void *block;
+    size_t size;
+    int kept, j;
+    ms_pme_stop stop;
     ms_status status;
 
-    /* the function, its bounds and its budget */
+    /* the function, its bounds, its budget and its memory */
     memset(&o, 0, sizeof o);
     memset(&answer, 0, sizeof answer);
     o.renderer = renderer;
-    o.options = options != NULL ? options : &defaults;
+    o.options = options = options != NULL ? options : &defaults;
     o.target = target;
     o.weight = weight;
-    status = ms_pme__check_picture(&o, error);
+    status = ms_pme__check_match(&o, error);
     if (status != MS_OK) return status;
     if (x == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "x is NULL");
-    options = o.options;
-    p = renderer->image_size;
-    ms_pme__objective_make(&o, &function);
-    variables = function.parameter_count;
+    ms_pme__objective_init(&o, &function);
     refine = options->refine;
     if (!(refine.max_cost > 0) && !(refine.max_cost < 0)) refine.max_cost = 50;
     if (function.residuals_only && !(refine.difference_step > 0)) refine.difference_step = 1e-3; /* a float32 picture */
     refine.target_value = ms_pme__max(options->target_rmse * options->target_rmse - o.offset, 0);
-    for (j = 0; j < variables; ++j) start[j] = 0;
-    status = ms_pme__check(&function, &refine, start, error);
+    status = ms_pme__check(&function, &refine, o.x, error);
     if (status != MS_OK) return status;
+    ms_pme__begin(&run, &function, &refine);
+    ms_pme__layout(&run, &arena);
+    ms_pme__objective_layout(&o, &arena, function.residuals_only);
+    block = ms_pme__alloc(&run, &arena, &size);
+    if (block == NULL)
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %z residuals times %d parameters", run.m, run.n);
+    ms_pme__layout(&run, &arena);
+    ms_pme__objective_layout(&o, &arena, function.residuals_only);
+    ms_pme__bounds(&run);
+    run.reserve = 1 + (options->deviation ? run.jacobian_cost : 0); /* the last render, the deviations */
+    for (j = 0, run.boxed = 1; j < run.n; ++j) run.boxed &= ms__finite(run.upper[j] - run.lower[j]);
 
-    /* memory: the run; the best first guesses, one picture and, where they are needed, its Jacobian or that of all
-       parameters */
-    total = renderer->prediction_count + options->candidate_count + options->random_count;
-    pool_size = total < 1 ? 1 : total < MS_PME__FIELD ? total : MS_PME__FIELD;
-    jacobian = renderer->reduced == NULL || o.gains + o.offsets > 0 ? ms__size_mul(p, (size_t)renderer->parameter_count)
-                                                                    : 0;
-    slopes = renderer->reduced != NULL && !o.plain ? ms__size_mul(o.m, (size_t)renderer->parameter_count) : 0;
-    bytes = ms__size_add(ms__size_mul((size_t)(pool_size + 1) * (size_t)(variables + 1), sizeof(double)),
-                         ms__size_mul(slopes, sizeof(double)));
-    bytes = ms__size_add(bytes, ms__size_mul(ms__size_add(p, jacobian), sizeof(float)));
-    pictures = ms__alloc(&refine.allocator, bytes);
-    if (pictures == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a picture of %z values", p);
-    status = ms_pme__begin(&run, &function, &refine, &block, &size, error);
-    if (status != MS_OK) {
-        ms__release(&refine.allocator, pictures, bytes);
-        return status;
-    }
-    pool = (double *)pictures; /* [pool_size + 1][variables], the best first, the last scratch */
-    pool_value = pool + (pool_size + 1) * variables;
-    o.slopes = pool_value + pool_size + 1;
-    o.image = (float *)(void *)(o.slopes + slopes);
-    o.jacobian = o.image + p;
-    memory = run.scratch + variables;
-    run.reserve = 1; /* the last render */
-    for (j = 0, run.ranged = 1; j < variables; ++j) run.ranged &= ms__finite(run.upper[j] - run.lower[j]);
-
-    /* first guesses; refinement with a budget of its own; one real render */
+    /* candidates; refinement with a budget of its own; one real render */
     run.max_cost = MS_PME__INF;
-    kept = ms_pme__first_guesses(&run, &o, pool, pool_value, pool_size, &answer);
+    kept = ms_pme__candidates(&run, &o, &answer);
     if (run.status == MS_OK && ms__finite(run.best_value)) {
-        answer.rmse_initial = sqrt(ms_pme__max(ms_pme__shifted(run.best_value, -2 * run.shift) + o.offset, 0));
+        answer.rmse_initial = sqrt(ms_pme__max(run.best_value + o.offset, 0));
+        stop = run.result.stop;
         memset(&run.result, 0, sizeof run.result);
+        run.result.stop = stop;
+        run.result.value = run.best_value;
         run.max_cost = refine.max_cost;
-        run.result.projected_gradient = -1;
-        run.result.value = ms_pme__shifted(run.best_value, -2 * run.shift);
-        if (run.stopped) run.result.stop = MS_PME_STOP_TARGET;
-        else if (!options->initial_only) ms_pme__method(&run, pool, kept, memory);
+        if (!run.stopped && !options->initial_only) ms_pme__method(&run, o.pool, kept);
         answer.cost += run.result.cost;
         answer.refine = run.result;
         answer.refine.value += o.offset;
     }
-    if (run.status != MS_OK) status = ms_pme__why(&run, error);
+    if (run.status != MS_OK) status = ms_pme__failure(&run, error);
     else if (!ms__finite(run.best_value))
         status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "no candidate has a finite picture (%g renders)", answer.cost);
     else status = ms_pme__last_render(&run, &o, &answer, error);
-    if (status == MS_OK && options->deviation != NULL) ms_pme__deviations(&run, &o, answer.rmse, memory);
-    if (status == MS_OK && run.status != MS_OK) status = ms_pme__why(&run, error);
     if (status == MS_OK) {
-        ms_pme__copy(x, ms_pme__material(&o, run.best), o.n);
-        if (image != NULL) memcpy(image, o.image, p * sizeof *image);
-        if (result != NULL) *result = answer;
+        ms_pme__copy(x, o.x, o.n);
+        if (image != NULL) memcpy(image, o.image, renderer->image_size * sizeof *image);
     }
+    if (status == MS_OK && options->deviation != NULL) ms_pme__deviations(&run, &o, answer.rmse);
+    if (status == MS_OK && run.status != MS_OK) status = ms_pme__failure(&run, error);
+    if (status == MS_OK && result != NULL) *result = answer;
     ms__release(&refine.allocator, block, size);
-    ms__release(&refine.allocator, pictures, bytes);
     return status;
 }
+
+/* ---- public: reweigh ------------------------------------------------------------------------------------------- */
 
 MS_API ms_status ms_pme_reweigh(int loss, double scale, size_t count, int channels, const float *image,
                                 const float *target, const float *weight, float *reweighted, double *used_scale,
@@ -2450,101 +2013,11 @@ MS_API ms_status ms_pme_reweigh(int loss, double scale, size_t count, int channe
     return MS_OK;
 }
 
-/* ---- public: sensitivity --------------------------------------------------------------------------------------- */
-
-MS_API ms_status ms_pme_sensitivity(const ms_pme_function *function, const ms_pme_options *options, const double *x,
-                                    double *singular_value, double *direction, double *deviation, ms_error *error)
-{
-    ms_pme_options defaults = ms_pme_defaults(), unlimited;
-    ms_pme__run run;
-    void *block;
-    size_t size;
-    double *u, *v, *g;
-    int n, i, j, k, sweep, changed = 1;
-    ms_status status;
-    ms_pme__walk walk;
-    if (options == NULL) options = &defaults;
-    unlimited = *options;
-    unlimited.max_cost = 1e300;
-    unlimited.max_seconds = unlimited.target_value = 0;
-    status = ms_pme__check(function, &unlimited, x, error);
-    if (status != MS_OK) return status;
-    if (function->residuals == NULL || singular_value == NULL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL",
-                        singular_value == NULL ? "singular_value" : "residuals");
-    status = ms_pme__begin(&run, function, &unlimited, &block, &size, error);
-    if (status != MS_OK) return status;
-    n = run.n;
-    ms_pme__walk_place(&walk, run.scratch + n, NULL, n);
-    g = walk.g;
-    u = walk.scale + n; /* columns of R, stored as rows, and the accumulated rotations */
-    v = u + n * n;
-    if (!ms__finite(ms_pme__linearize(&run, x, MS_PME__INF)) && run.status == MS_OK &&
-        !(run.stopped && run.best_value <= 0))
-        run.status = MS_BAD_DATA;
-    if (run.status == MS_OK) ms_pme__factor(&run, &walk);
-    if (run.status == MS_OK) {
-        for (i = 0; i < n; ++i)
-            for (j = 0; j < n; ++j) {
-                u[i * n + j] = j <= i ? walk.triangle[j * (n + 1) + i] : 0;
-                v[i * n + j] = i == j;
-            }
-        /* one-sided Jacobi (Hestenes 1958): small singular values keep their relative accuracy */
-        for (sweep = 0; changed && sweep < 60; ++sweep) {
-            changed = 0;
-            for (i = 0; i < n; ++i)
-                for (j = i + 1; j < n; ++j) {
-                    double a = ms_pme__dot(u + i * n, u + i * n, n), b = ms_pme__dot(u + j * n, u + j * n, n);
-                    double c = ms_pme__dot(u + i * n, u + j * n, n), zeta, t, cosine, sine;
-                    if (!(fabs(c) > 1e-15 * sqrt(a * b)) || !(c != 0)) continue;
-                    changed = 1;
-                    zeta = (b - a) / (2 * c);
-                    t = (zeta >= 0 ? 1 : -1) / (fabs(zeta) + sqrt(1 + zeta * zeta));
-                    cosine = 1 / sqrt(1 + t * t);
-                    sine = cosine * t;
-                    ms_pme__rotate(u + i * n, u + j * n, cosine, -sine, n);
-                    ms_pme__rotate(v + i * n, v + j * n, cosine, -sine, n);
-                }
-        }
-        for (i = 0; i < n; ++i) { /* largest first; a quarter turn changes places, and a direction's sign */
-            int top = i;
-            for (j = i, g[i] = -1; j < n; ++j) {
-                double s = sqrt(ms_pme__dot(u + j * n, u + j * n, n));
-                if (s > g[i]) {
-                    g[i] = s;
-                    top = j;
-                }
-            }
-            if (top == i) continue;
-            ms_pme__rotate(u + i * n, u + top * n, 0, 1, n);
-            ms_pme__rotate(v + i * n, v + top * n, 0, 1, n);
-        }
-        for (j = 0; j < n; ++j) {
-            double variance = 0;
-            for (k = 0; k < n; ++k) {
-                double c = v[k * n + j];
-                if (g[k] > 1e-12 * g[0]) variance += c * c / (g[k] * g[k]);
-                else if (c * c > 1e-12) variance = MS_PME__INF;
-            }
-            if (deviation != NULL)
-                deviation[j] = variance < MS_PME__INF ? ms_pme__shifted(sqrt(variance), run.shift) : variance;
-            singular_value[j] = ms_pme__shifted(g[j], -run.shift);
-        }
-        if (direction != NULL) ms_pme__copy(direction, v, n * n);
-    } else {
-        status = run.status == MS_BAD_DATA && run.bad_parameter < 0
-            ? ms__fail(error, MS_BAD_DATA, 0, "a residual is not finite")
-            : ms_pme__why(&run, error);
-    }
-    ms__release(&options->allocator, block, size);
-    return status;
-}
-
 #undef MS_PME__INF
-#undef MS_PME__MEMORY
 #undef MS_PME__VARIABLES
-#undef MS_PME__FIELD
+#undef MS_PME__SOLVERS
 #undef MS_PME__ROWS
+#undef MS_PME__LIGHT
 #endif /* MS_PME_IMPLEMENTATION */
 
 /*

@@ -409,7 +409,7 @@ static int solved(int method, double slack)
         f.lower = low;
         f.upper = high;
         o.method = method;
-        o.max_cost = method == MS_PME_BASIN_HOPPING ? 3000 : 20000;
+        o.max_cost = 20000;
         memcpy(x, start, (size_t)p.n * sizeof *x);
         CHECK_INT(ms_pme_minimize(&f, &o, x, &result, NULL), MS_OK);
         CHECK_LE(result.value, json_number(json_get(e, "start_sum_sq")) * (1 + 1e-12));
@@ -432,19 +432,11 @@ static void test_reference_lm(void)
     TEST_NOTE("14 problems within 1e-7 of the trust-region solver's minima");
 }
 
-static void test_reference_rest(void)
+static void test_reference_nelder_mead(void)
 {
-    /* Exactly these. A local minimum other than the solver's (wood's from the same start), and watson12, where the
-       Hessian's condition is 1e13, are beyond gradient methods; simplices of 19 dimensions die on bounds. */
-    static const struct {
-        int method, exactly;
-    } expected[] = {{MS_PME_LBFGS, 12}, {MS_PME_NELDER_MEAD, 8}, {MS_PME_BASIN_HOPPING, 14}};
-    size_t k;
-    for (k = 0; k < sizeof expected / sizeof expected[0]; ++k) {
-        int count = solved(expected[k].method, 1e-5);
-        CHECK_INT(count, expected[k].exactly);
-        TEST_NOTE("%s %d/14", ms_pme_method_string(expected[k].method), count);
-    }
+    int count = solved(MS_PME_NELDER_MEAD, 1e-5);
+    CHECK_INT(count, 8); /* exactly: simplices of 19 dimensions collapse on bounds */
+    TEST_NOTE("%d of 14 problems", count);
 }
 
 /* --- functions that misbehave --- */
@@ -456,18 +448,6 @@ typedef struct odd {
     uint64_t state;
 } odd;
 
-static ms_status odd_value(void *user, const double *x, double *f)
-{
-    odd *o = (odd *)user;
-    double a = x[0] - 0.7, b = x[1] + 0.2;
-    if (++o->calls == o->fail_at) return MS_IO;
-    *f = 3 * a * a + b * b + 1;
-    if (o->kind == 1 && x[0] > 0.6) *f = nan_value();
-    if (o->kind == 2) *f += 1e-3 * test_uniform(&o->state);
-    if (o->kind == 4) *f = nan_value();
-    return MS_OK;
-}
-
 static ms_status odd_residuals(void *user, const double *x, double *r, double *jacobian)
 {
     odd *o = (odd *)user;
@@ -476,6 +456,7 @@ static ms_status odd_residuals(void *user, const double *x, double *r, double *j
     r[1] = x[1] + 0.2;
     r[2] = 1;
     if (o->kind == 1 && x[0] > 0.6) r[0] = nan_value();
+    if (o->kind == 2) r[2] = sqrt(1 + 1e-3 * test_uniform(&o->state));
     if (o->kind == 4) r[2] = nan_value();
     if (jacobian) {
         memset(jacobian, 0, 6 * sizeof *jacobian);
@@ -486,7 +467,7 @@ static ms_status odd_residuals(void *user, const double *x, double *r, double *j
     return MS_OK;
 }
 
-static ms_pme_function odd_function(odd *o, int kind, int scalar, const double *low, const double *high)
+static ms_pme_function odd_function(odd *o, int kind, int differences, const double *low, const double *high)
 {
     ms_pme_function f;
     memset(&f, 0, sizeof f);
@@ -495,8 +476,8 @@ static ms_pme_function odd_function(odd *o, int kind, int scalar, const double *
     f.user = o;
     f.parameter_count = 2;
     f.residual_count = 3;
-    if (scalar) f.value = odd_value;
-    else f.residuals = odd_residuals;
+    f.residuals = odd_residuals;
+    f.residuals_only = differences;
     f.lower = low;
     f.upper = high;
     return f;
@@ -505,12 +486,12 @@ static ms_pme_function odd_function(odd *o, int kind, int scalar, const double *
 static void test_misbehaviour(void)
 {
     static const double low[2] = {-1, -1}, high[2] = {1, 1};
-    int method, scalar;
+    int method, differences;
     ms_error error;
     odd o;
-    for (method = 0; method <= MS_PME_BASIN_HOPPING; ++method) {
-        for (scalar = 0; scalar < 2; ++scalar) {
-            ms_pme_function f = odd_function(&o, 0, scalar, low, high);
+    for (method = 0; method <= MS_PME_NELDER_MEAD; ++method) {
+        for (differences = 0; differences < 2; ++differences) {
+            ms_pme_function f = odd_function(&o, 0, differences, low, high);
             ms_pme_options options = ms_pme_defaults();
             ms_pme_result result;
             double x[2] = {0.125, 0.125};
@@ -519,7 +500,7 @@ static void test_misbehaviour(void)
             CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_OK);
             CHECK_NEAR(result.value, 1, 1e-9); /* the tolerance of the method, relative 1e-10, on a value of 1 */
             /* NaN beyond x0 = 0.6: the edge is the best there is; a quadratic is lost there, so 0.05 is asked for */
-            f = odd_function(&o, 1, scalar, low, high);
+            f = odd_function(&o, 1, differences, low, high);
             x[0] = x[1] = 0.1;
             CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_OK);
             CHECK(result.value < 1 + 3 * 0.15 * 0.15 + 0.05 && x[0] <= 0.6);
@@ -530,7 +511,7 @@ static void test_misbehaviour(void)
             CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_OK);
             CHECK_LE(result.value, 1 + 5e-3); /* within a few noise amplitudes */
             /* never finite, and a Jacobian that is not */
-            f = odd_function(&o, 4, scalar, low, high);
+            f = odd_function(&o, 4, differences, low, high);
             x[0] = x[1] = 0.1;
             CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_INVALID_ARGUMENT);
             f = odd_function(&o, 5, 0, low, high);
@@ -549,7 +530,7 @@ static void test_failing_callback(void)
 {
     static const double low[2] = {-1, -1}, high[2] = {1, 1};
     int method, k;
-    for (method = 0; method <= MS_PME_BASIN_HOPPING; ++method)
+    for (method = 0; method <= MS_PME_NELDER_MEAD; ++method)
         for (k = 1; k < 6; ++k) {
             odd o;
             ms_pme_function f = odd_function(&o, 0, k % 2, low, high);
@@ -586,7 +567,7 @@ static double tick(void *user)
 static void test_budgets(void)
 {
     int method;
-    for (method = 0; method <= MS_PME_BASIN_HOPPING; ++method) {
+    for (method = 0; method <= MS_PME_NELDER_MEAD; ++method) {
         problem p;
         ms_pme_function f = function_of(&p, 4, 6, wood);
         ms_pme_options options = ms_pme_defaults();
@@ -632,7 +613,7 @@ static void test_starts(void)
     static const double start[3][4] = {{-100, 50, 7, 3}, {0, 0.9, 2, 1.5}, {0.5, 0, 2, -5}};
     int method, k, j;
     double value[3];
-    for (method = 0; method <= MS_PME_BASIN_HOPPING; ++method)
+    for (method = 0; method <= MS_PME_NELDER_MEAD; ++method)
         for (k = 0; k < 3; ++k) {
             problem p;
             ms_pme_function f = function_of(&p, 4, 6, wood);
@@ -647,7 +628,6 @@ static void test_starts(void)
             CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_OK);
             for (j = 0; j < 4; ++j) CHECK(x[j] >= low[j] && x[j] <= high[j]);
             if (method == MS_PME_LEVENBERG_MARQUARDT) value[k] = result.value;
-            if (method == MS_PME_LBFGS) CHECK_NEAR(result.value, value[k], 1e-6 * value[k]);
         }
     CHECK_NEAR(value[1], value[0], 1e-9 * value[0]);
     CHECK_NEAR(value[2], value[0], 1e-9 * value[0]);
@@ -664,7 +644,11 @@ static void test_arguments(void)
     CHECK_INT(ms_pme_minimize(NULL, NULL, x, NULL, NULL), MS_INVALID_ARGUMENT);
     CHECK_INT(ms_pme_minimize(&f, NULL, NULL, NULL, NULL), MS_INVALID_ARGUMENT);
     bad = f;
-    bad.value = NULL;
+    bad.residuals = NULL;
+    CHECK_INT(ms_pme_minimize(&bad, NULL, x, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK(strcmp(error.message, "residuals is NULL") == 0);
+    bad = f;
+    bad.residual_count = 0;
     CHECK_INT(ms_pme_minimize(&bad, NULL, x, NULL, &error), MS_INVALID_ARGUMENT);
     bad = f;
     bad.parameter_count = 0;
@@ -687,8 +671,6 @@ static void test_arguments(void)
     options.method = 0;
     options.tolerance = nan_value();
     CHECK_INT(ms_pme_minimize(&f, &options, x, NULL, &error), MS_INVALID_ARGUMENT);
-    CHECK(strcmp(ms_pme_method_string(-1), "unknown") == 0 && strcmp(ms_pme_method_string(3), "basin-hopping") == 0 &&
-          strcmp(ms_pme_method_string(4), "unknown") == 0);
 }
 
 /* --- a renderer: 6 parameters -> 48 float pixels through a fixed smooth network; its last layer is linear --- */
@@ -1058,45 +1040,44 @@ static void test_reduced(void)
     TEST_NOTE("rmse %.9g direct, %.9g collapsed, x differs by %.1e", direct.rmse, reduced.rmse, worst);
 }
 
-static void test_sensitivity(void)
+/* The standard deviations of a match are the diagonal of (J'J / sigma^2 + 12 I)^-1, sigma the RMSE of the answer: here
+   by Gauss and Jordan. Two parameters that count only by their sum have half the variance of a uniform one each. */
+static void test_deviations(void)
 {
     renderer_state s;
-    ms_pme_function f;
-    collapse c;
-    float target[P];
-    double sv[N], v[N * N], deviation[N], x[N], plus[H], minus[H], jacobian[H * N], r0[H];
-    int i, j, k;
-    renderer_make(&s);
-    for (i = 0; i < H; ++i) s.w1[i][4] = s.w1[i][3]; /* parameters 3 and 4 only count by their sum */
-    render(&s, truth, target);
-    collapse_make(&c, &s, target);
-    memset(&f, 0, sizeof f);
-    f.user = &c;
-    f.parameter_count = N;
-    f.residual_count = H;
-    f.residuals = collapse_residuals;
-    CHECK_INT(ms_pme_sensitivity(&f, NULL, truth, sv, v, deviation, NULL), MS_OK);
-    CHECK_LE(sv[N - 1], 1e-12 * sv[0]);
-    CHECK_NEAR(fabs(v[(N - 1) * N + 3]), sqrt(0.5), 1e-9); /* the direction is (1, -1) / sqrt 2 in 3 and 4 */
-    CHECK_NEAR(v[(N - 1) * N + 3] + v[(N - 1) * N + 4], 0, 1e-9);
-    CHECK(deviation[3] > 1e30 && deviation[4] > 1e30 && deviation[0] < 1e30);
-    /* singular values against what a step along their direction does */
-    collapse_residuals(&c, truth, r0, jacobian);
-    for (k = 0; k < N; ++k) {
-        double change = 0;
-        for (j = 0; j < N; ++j) x[j] = truth[j] + 1e-5 * v[k * N + j];
-        collapse_residuals(&c, x, plus, NULL);
-        for (j = 0; j < N; ++j) x[j] = truth[j] - 1e-5 * v[k * N + j];
-        collapse_residuals(&c, x, minus, NULL);
-        for (i = 0; i < H; ++i) change += (plus[i] - minus[i]) * (plus[i] - minus[i]);
-        CHECK_NEAR(sqrt(change) / 2e-5, sv[k], 1e-7 * sv[0]); /* central differences: h^2 */
-        for (j = 0; j < k; ++j) {
-            double dot = 0;
-            for (i = 0; i < N; ++i) dot += v[k * N + i] * v[j * N + i];
-            CHECK_NEAR(dot, 0, 1e-12);
-        }
+    ms_pme_renderer r;
+    ms_pme_match_options options = ms_pme_match_defaults();
+    ms_pme_match_result result;
+    float target[P], image[P], jacobian[P * N];
+    double x[N], deviation[N], a[N][2 * N];
+    uint64_t state = 12;
+    int i, j, k, same;
+    for (same = 0; same < 2; ++same) {
+        renderer_make(&s);
+        for (i = 0; i < H && same; ++i) s.w1[i][4] = s.w1[i][3];
+        r = renderer_of(&s);
+        render(&s, truth, target);
+        for (i = 0; i < P; ++i) target[i] += (float)(1e-3 * test_normal(&state));
+        options.candidates = truth;
+        options.candidate_count = 1;
+        options.deviation = deviation;
+        CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &result, NULL), MS_OK);
+        render_jacobian(&s, x, image, jacobian);
+        for (i = 0; i < N; ++i)
+            for (j = 0; j < 2 * N; ++j) {
+                a[i][j] = j == i ? 12 : j == i + N;
+                for (k = 0; k < P && j < N; ++k)
+                    a[i][j] += (double)jacobian[k * N + i] * (double)jacobian[k * N + j] / (result.rmse * result.rmse);
+            }
+        for (k = 0; k < N; ++k)
+            for (i = 0; i < N; ++i) {
+                double t = a[i][k] / a[k][k];
+                for (j = 0; j < 2 * N && i != k; ++j) a[i][j] -= t * a[k][j];
+            }
+        for (j = 0; j < N; ++j)
+            CHECK_NEAR(deviation[j], sqrt(a[j][N + j] / a[j][j]), 1e-5 * deviation[j]); /* derivatives in float32 */
+        for (j = 3; j < 5 && same; ++j) CHECK_NEAR(deviation[j], sqrt(1 / 24.0), 1e-3);
     }
-    TEST_NOTE("singular values %.3g ... %.3g, %.1e", sv[0], sv[N - 2], sv[N - 1]);
 }
 
 static void test_repeatable(void)
@@ -1114,7 +1095,6 @@ static void test_repeatable(void)
     options.refine.restarts = 3;
     options.refine.max_cost = 200;
     options.refine.seed = 11;
-    options.refine.method = MS_PME_BASIN_HOPPING;
     CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &a, NULL), MS_OK);
     CHECK_INT(ms_pme_match(&r, target, NULL, &options, y, NULL, &b, NULL), MS_OK);
     CHECK(memcmp(x, y, sizeof x) == 0 && a.cost == b.cost);
@@ -1127,7 +1107,7 @@ static void test_allocation(void)
     problem p;
     ms_pme_function f = function_of(&p, 4, 6, wood);
     float target[P];
-    double x[N], sv[4];
+    double x[N];
     renderer_make(&s);
     r = renderer_of(&s);
     render(&s, truth, target);
@@ -1143,38 +1123,15 @@ static void test_allocation(void)
         x[1] = x[3] = -1;
         status = ms_pme_minimize(&f, &options, x, NULL, NULL);
     });
-    TEST_ALLOCATION_SWEEP(10, {
-        ms_pme_options options = ms_pme_defaults();
-        options.allocator = allocator;
-        status = ms_pme_sensitivity(&f, &options, x, sv, NULL, NULL, NULL);
-    });
 }
 
-/* --- what a result says of its x --- */
-
-/* The largest component of 2 J'r at x that no bound holds, with the test's own derivatives. */
-static double true_gradient(const ms_pme_function *f, const double *x)
-{
-    double r[64], jacobian[64 * 20], largest = 0;
-    int n = f->parameter_count, i, j;
-    evaluate(f->user, x, r, jacobian);
-    for (j = 0; j < n; ++j) {
-        double g = 0;
-        for (i = 0; i < (int)f->residual_count; ++i) g += 2 * r[i] * jacobian[i * n + j];
-        if ((f->lower && x[j] <= f->lower[j] && g >= 0) || (f->upper && x[j] >= f->upper[j] && g <= 0)) continue;
-        largest = fmax(largest, fabs(g));
-    }
-    return largest;
-}
-
-/* It is the one at x: converged, restarted, out of cost at every count, at a target, on bounds, from each method. */
-static void test_projected_gradient(void)
+/* The value is f at x, whatever ended the run. */
+static void test_result_value(void)
 {
     static const double low[4] = {-1, -1, -1, -1}, high[4] = {0.5, 2, 2, 2};
-    static const int methods[] = {MS_PME_LEVENBERG_MARQUARDT, MS_PME_LBFGS, MS_PME_BASIN_HOPPING};
-    int k, bounded, restarts, count = 0;
+    int bounded, restarts, method;
     double cost;
-    for (k = 0; k < 3; ++k)
+    for (method = 0; method < 2; ++method)
         for (bounded = 0; bounded < 2; ++bounded)
             for (restarts = 0; restarts < 3; restarts += 2)
                 for (cost = 3; cost < 2000; cost *= 1.37) {
@@ -1182,106 +1139,21 @@ static void test_projected_gradient(void)
                     ms_pme_function f = function_of(&p, 4, 6, wood);
                     ms_pme_options o = ms_pme_defaults();
                     ms_pme_result result;
-                    double x[4] = {-3, -1, -3, -1}, expected;
+                    double x[4] = {-3, -1, -3, -1};
                     f.lower = bounded ? low : NULL;
                     f.upper = bounded ? high : NULL;
-                    o.method = methods[k];
+                    o.method = method;
                     o.max_cost = cost;
                     o.restarts = restarts;
                     o.target_value = (int)cost % 2 ? 0 : 50;
                     CHECK_INT(ms_pme_minimize(&f, &o, x, &result, NULL), MS_OK);
-                    expected = true_gradient(&f, x);
                     CHECK_LE(result.cost, cost);
-                    CHECK_NEAR(result.projected_gradient, expected,
-                               1e-7 *
-                                   (expected +
-                                    1)); /* the order of the sums; a gradient of 1e-9 of its terms is one of rounding */
                     CHECK_NEAR(result.value, evaluate_value(&f, x), 1e-12 * result.value + 1e-25);
-                    ++count;
+                    CHECK_NEAR(result.cost, (double)result.evaluations + 2 * (double)result.jacobians, 1e-9);
                 }
-    { /* a simplex has none */
-        problem p;
-        ms_pme_function f = function_of(&p, 4, 6, wood);
-        ms_pme_options o = ms_pme_defaults();
-        ms_pme_result result;
-        double x[4] = {-3, -1, -3, -1};
-        o.method = MS_PME_NELDER_MEAD;
-        CHECK_INT(ms_pme_minimize(&f, &o, x, &result, NULL), MS_OK);
-        CHECK(result.projected_gradient < 0);
-    }
-    TEST_NOTE("%d runs", count);
 }
 
-/* --- a function with a gradient of its own --- */
-
-typedef struct smooth {
-    int values, gradients, fail_at, nan_at;
-} smooth;
-
-/* 100 (y - x^2)^2 + (1 - x)^2 */
-static ms_status smooth_value(void *user, const double *x, double *f)
-{
-    double a = x[1] - x[0] * x[0], b = 1 - x[0];
-    ((smooth *)user)->values++;
-    *f = 100 * a * a + b * b;
-    return MS_OK;
-}
-
-static ms_status smooth_gradient(void *user, const double *x, double *f, double *g)
-{
-    smooth *s = (smooth *)user;
-    double a = x[1] - x[0] * x[0], b = 1 - x[0];
-    if (++s->gradients == s->fail_at) return MS_UNSUPPORTED;
-    *f = 100 * a * a + b * b;
-    g[0] = s->gradients == s->nan_at ? nan_value() : -400 * a * x[0] - 2 * b;
-    g[1] = 200 * a;
-    return MS_OK;
-}
-
-static void test_gradient_callback(void)
-{
-    smooth s = {0, 0, 0, 0};
-    ms_pme_function f;
-    ms_pme_options o = ms_pme_defaults();
-    ms_pme_result exact, differences;
-    ms_error error;
-    double x[2] = {-1.2, 1}, y[2] = {-1.2, 1};
-    memset(&f, 0, sizeof f);
-    f.user = &s;
-    f.parameter_count = 2;
-    f.value = smooth_value;
-    f.gradient = smooth_gradient;
-    f.jacobian_cost = 3;
-    CHECK_INT(ms_pme_minimize(&f, &o, x, &exact, NULL), MS_OK); /* without residuals L-BFGS takes over */
-    CHECK_INT(s.values, 0);
-    CHECK_INT(exact.evaluations, 0);
-    CHECK_INT(exact.jacobians, s.gradients);
-    CHECK_NEAR(exact.cost, 3 * s.gradients, 0);
-    CHECK_NEAR(x[0], 1, 1e-7);
-    CHECK_NEAR(x[1], 1, 2e-7);
-    /* what this method needs from here: its step rules (curvature 0.9, first step 1) wrong, it takes twice as many */
-    CHECK_LE(s.gradients, 54);
-    TEST_NOTE("%d gradients", s.gradients);
-    /* by differences: five values a gradient, central */
-    f.gradient = NULL;
-    CHECK_INT(ms_pme_minimize(&f, &o, y, &differences, NULL), MS_OK);
-    CHECK_INT(differences.evaluations, s.values);
-    CHECK_INT(differences.jacobians, 0);
-    CHECK_NEAR(y[0], 1, 1e-5);
-    f.gradient = smooth_gradient;
-    s.gradients = 0;
-    s.fail_at = 3;
-    x[0] = -1.2;
-    x[1] = 1;
-    CHECK_INT(ms_pme_minimize(&f, &o, x, NULL, &error), MS_UNSUPPORTED);
-    s.fail_at = 0;
-    s.gradients = 0;
-    s.nan_at = 4;
-    CHECK_INT(ms_pme_minimize(&f, &o, x, NULL, &error), MS_BAD_DATA);
-    CHECK(strstr(error.message, "parameter 0 is not finite") != NULL && x[0] < -1.1);
-}
-
-/* --- residuals of any size, bounds of any number, clocks --- */
+/* --- residuals of many sizes, bounds of any number, clocks --- */
 
 typedef struct scaled {
     double scale;
@@ -1302,18 +1174,18 @@ static ms_status scaled_rosenbrock(void *user, const double *x, double *r, doubl
     return MS_OK;
 }
 
-/* Squares of 1e160 and 1e-170 leave the range of double; the minimum stays where it is. */
+/* Residuals up to 1e140 are numbers; larger ones are worse than any. */
 static void test_sizes(void)
 {
-    static const double sizes[] = {1, 1e160, 1e-170, 1e300, 1e-300, 1e120};
+    static const double sizes[] = {1, 1e120, 1e-120, 1e160};
     size_t k;
     int differences;
     for (differences = 0; differences < 2; ++differences)
-        for (k = 0; k < 6; ++k) {
+        for (k = 0; k < 4; ++k) {
             scaled s;
             ms_pme_function f;
             ms_pme_result result;
-            double x[2] = {-1.2, 1}, sv[2];
+            double x[2] = {-1.2, 1};
             memset(&f, 0, sizeof f);
             s.scale = sizes[k];
             f.user = &s;
@@ -1321,16 +1193,12 @@ static void test_sizes(void)
             f.residual_count = 3;
             f.residuals = scaled_rosenbrock;
             f.residuals_only = differences;
-            CHECK_INT(ms_pme_minimize(&f, NULL, x, &result, NULL), MS_OK);
+            CHECK_INT(ms_pme_minimize(&f, NULL, x, &result, NULL), k < 3 ? MS_OK : MS_INVALID_ARGUMENT);
+            if (k == 3) continue;
             CHECK_INT(result.stop, MS_PME_STOP_CONVERGED);
             CHECK_NEAR(x[0], 1, differences ? 1e-5 : 1e-8);
             CHECK_NEAR(x[1], 1, differences ? 2e-5 : 2e-8);
-            if (sizes[k] > 1e150) CHECK(result.value > 1e307);
-            else CHECK_NEAR(result.value, 0.25 * sizes[k] * sizes[k], 1e-9 * sizes[k] * sizes[k]);
-            x[0] = x[1] = 1;
-            if (differences) continue;
-            CHECK_INT(ms_pme_sensitivity(&f, NULL, x, sv, NULL, NULL, NULL), MS_OK);
-            CHECK_NEAR(sv[0] / sizes[k] * (sv[1] / sizes[k]), 10, 1e-9); /* the determinant of [-20 10; -1 0] */
+            CHECK_NEAR(result.value, 0.25 * sizes[k] * sizes[k], 1e-9 * sizes[k] * sizes[k]);
         }
 }
 
@@ -1443,14 +1311,15 @@ static void test_active_set(void)
     }
 }
 
-static ms_status sleeping(void *user, const double *x, double *f)
+static ms_status sleeping(void *user, const double *x, double *r, double *jacobian)
 {
     struct timespec t;
     t.tv_sec = 0;
     t.tv_nsec = 5000000;
     (void)user;
     nanosleep(&t, NULL); /* takes the wall's time, not the processor's */
-    *f = x[0] * x[0] + 1e-3 * sin(1e3 * x[0]);
+    (void)jacobian;
+    r[0] = x[0] + 1e-3 * sin(1e3 * x[0]);
     return MS_OK;
 }
 
@@ -1462,8 +1331,11 @@ static void test_wall_clock(void)
     double x = 3;
     memset(&f, 0, sizeof f);
     f.parameter_count = 1;
-    f.value = sleeping;
-    o.method = MS_PME_BASIN_HOPPING;
+    f.residual_count = 1;
+    f.residuals = sleeping;
+    f.residuals_only = 1;
+    o.restarts = 1000;
+    o.target_value = 1e-300;
     o.max_cost = 4000; /* twenty seconds of sleep */
     o.max_seconds = 0.05;
     CHECK_INT(ms_pme_minimize(&f, &o, &x, &result, NULL), MS_OK);
@@ -1520,10 +1392,9 @@ static void test_differences(void)
     renderer_state s;
     ms_pme_renderer r;
     ms_pme_match_options options = ms_pme_match_defaults();
-    ms_pme_options o = ms_pme_defaults();
     ms_error error;
     float target[P];
-    double x[N] = {0.5, 0.2}, sv[N], start[N] = {0.5, 0.5, 0.5, 0.5, 0.5, 0.5};
+    double x[N] = {0.5, 0.2}, start[N] = {0.5, 0.5, 0.5, 0.5, 0.5, 0.5};
     memset(&f, 0, sizeof f);
     f.parameter_count = 2;
     f.residual_count = 2;
@@ -1544,20 +1415,6 @@ static void test_differences(void)
     CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, NULL, NULL), MS_OK);
     CHECK(stepped[0] >= 0.5 && stepped[0] <= 0.5); /* the candidate, again with derivatives in mind, then x_0 moved */
     CHECK_NEAR(stepped[2], 0.501, 1e-12);
-    /* a sensitivity has no budget, whatever the options' */
-    {
-        problem p;
-        double y[4] = {-3, -1, -3, -1};
-        f = function_of(&p, 4, 6, wood);
-        f.residuals = paced;
-        f.residuals_only = 1;
-        o.clock = paced_clock;
-        o.max_seconds = 1e-3;
-        o.max_cost = 1;
-        o.target_value = 1e9;
-        CHECK_INT(ms_pme_sensitivity(&f, &o, y, sv, NULL, NULL, &error), MS_OK);
-        CHECK(sv[0] > sv[3] && sv[3] > 0);
-    }
 }
 
 /* The renderer in other units: x = (y - from) / range. */
@@ -1689,16 +1546,16 @@ static void test_traps(void)
 #if defined(__x86_64__) && defined(__GNUC__)
     static const double low[2] = {-1, -1}, high[2] = {1, 1};
     unsigned state = __builtin_ia32_stmxcsr();
-    int method, kind, scalar, open;
+    int method, kind, differences, open;
     scaled huge;
     huge.scale = 1e160;
     __builtin_ia32_ldmxcsr((state & ~0x3fu) & ~(0x80u | 0x200u | 0x400u));
-    for (method = 0; method <= MS_PME_BASIN_HOPPING; ++method)
-        for (scalar = 0; scalar < 2; ++scalar)
+    for (method = 0; method <= MS_PME_NELDER_MEAD; ++method)
+        for (differences = 0; differences < 2; ++differences)
             for (open = 0; open < 2; ++open)
                 for (kind = 0; kind < 6; ++kind) {
                     odd o;
-                    ms_pme_function f = odd_function(&o, kind, scalar, open ? NULL : low, open ? NULL : high);
+                    ms_pme_function f = odd_function(&o, kind, differences, open ? NULL : low, open ? NULL : high);
                     ms_pme_options options = ms_pme_defaults();
                     double x[2] = {0.1, 0.1};
                     options.method = method;
@@ -1706,7 +1563,6 @@ static void test_traps(void)
                     options.restarts = 2;
                     ms_pme_minimize(&f, &options, x, NULL, NULL);
                     f.residuals = scaled_rosenbrock;
-                    f.value = NULL;
                     f.user = &huge;
                     ms_pme_minimize(&f, &options, x, NULL, NULL);
                 }
@@ -1714,41 +1570,6 @@ static void test_traps(void)
 #else
     SKIP("no control of traps here");
 #endif
-}
-
-static void test_sensitivity_arguments(void)
-{
-    problem p;
-    ms_pme_function f = function_of(&p, 4, 6, wood), bad;
-    odd o;
-    ms_error error;
-    double x[4] = {-3, -1, -3, -1}, sv[4];
-    CHECK_INT(ms_pme_sensitivity(NULL, NULL, x, sv, NULL, NULL, &error), MS_INVALID_ARGUMENT);
-    CHECK(strcmp(error.message, "function is NULL") == 0);
-    CHECK_INT(ms_pme_sensitivity(&f, NULL, NULL, sv, NULL, NULL, &error), MS_INVALID_ARGUMENT);
-    CHECK(strcmp(error.message, "x is NULL") == 0);
-    CHECK_INT(ms_pme_sensitivity(&f, NULL, x, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
-    CHECK(strcmp(error.message, "singular_value is NULL") == 0);
-    bad = odd_function(&o, 0, 1, NULL, NULL);
-    CHECK_INT(ms_pme_sensitivity(&bad, NULL, x, sv, NULL, NULL, &error), MS_INVALID_ARGUMENT);
-    CHECK(strcmp(error.message, "residuals is NULL") == 0);
-    x[2] = nan_value();
-    CHECK_INT(ms_pme_sensitivity(&f, NULL, x, sv, NULL, NULL, &error), MS_INVALID_ARGUMENT);
-    CHECK_INT(error.position, 2);
-    x[2] = 0.1;
-    bad = odd_function(&o, 4, 0, NULL, NULL);
-    CHECK_INT(ms_pme_sensitivity(&bad, NULL, x, sv, NULL, NULL, &error), MS_BAD_DATA);
-    CHECK(strcmp(error.message, "a residual is not finite") == 0);
-    bad = odd_function(&o, 5, 0, NULL, NULL);
-    CHECK_INT(ms_pme_sensitivity(&bad, NULL, x, sv, NULL, NULL, &error), MS_BAD_DATA);
-    CHECK(strcmp(error.message, "the derivative of residual 0 by parameter 0 is not finite") == 0);
-    bad = odd_function(&o, 6, 0, NULL, NULL);
-    CHECK_INT(ms_pme_sensitivity(&bad, NULL, x, sv, NULL, NULL, &error), MS_BAD_DATA);
-    CHECK(strcmp(error.message, "the derivative of residual 2 by parameter 1 is not finite") == 0);
-    CHECK_INT(error.position, 1);
-    bad = odd_function(&o, 0, 0, NULL, NULL);
-    o.fail_at = 1;
-    CHECK_INT(ms_pme_sensitivity(&bad, NULL, x, sv, NULL, NULL, &error), MS_IO);
 }
 
 /* An option that is out of range is named, with its value. */
@@ -1760,7 +1581,6 @@ static void test_option_messages(void)
     } list[] = {{offsetof(ms_pme_options, max_cost), "max_cost is -1"},
                 {offsetof(ms_pme_options, max_seconds), "max_seconds is -1"},
                 {offsetof(ms_pme_options, tolerance), "tolerance is -1"},
-                {offsetof(ms_pme_options, start_step), "start_step is -1"},
                 {offsetof(ms_pme_options, difference_step), "difference_step is -1"},
                 {offsetof(ms_pme_options, target_value), "target_value is -1"}};
     problem p;
@@ -1889,12 +1709,12 @@ static void test_control(void)
     options.channels = 3;
     options.nuisance = MS_PME_TINT | MS_PME_OFFSET;
     CHECK_INT(ms_pme_match(&r, lit, NULL, &options, x, target, &result, NULL), MS_OK);
-    CHECK_LE(result.rmse, 1e-5);
+    CHECK_LE(result.rmse, 2e-4); /* the pull of 1e-4 moves gains and offsets by about that much */
     CHECK_NEAR(result.gain[0], 1.5, 1e-3);
     CHECK_NEAR(result.gain[2], 0.8, 1e-3);
     CHECK_NEAR(result.offset[1], 0.1, 1e-3);
     for (j = 0; j < N; ++j) CHECK_NEAR(x[j], truth[j], 1e-3);
-    for (i = 0; i < P; ++i) CHECK_NEAR(target[i], lit[i], 1e-4); /* the image that comes out has gain and offset */
+    for (i = 0; i < P; ++i) CHECK_NEAR(target[i], lit[i], 1e-3); /* the image that comes out has gain and offset */
     render(&s, truth, lit);
     for (i = 0; i < P; ++i) lit[i] *= 1.7f;
     options.nuisance = MS_PME_EXPOSURE;
@@ -1948,7 +1768,7 @@ static void every_call(void *context)
     ms_pme_match_options options = ms_pme_match_defaults();
     static float target[P];
     static problem p;
-    static double x[64], sv[64], deviation[64];
+    static double x[64], deviation[64];
     ms_pme_function f = function_of(&p, 60, 60, broyden_tridiagonal);
     int method;
     render(s, truth, target);
@@ -1957,13 +1777,12 @@ static void every_call(void *context)
     options.deviation = deviation;
     options.nuisance = 7;
     ms_pme_match(&r, target, NULL, &options, x, NULL, NULL, NULL);
-    for (method = 0; method <= MS_PME_BASIN_HOPPING; ++method) {
+    for (method = 0; method <= MS_PME_NELDER_MEAD; ++method) {
         ms_pme_options o = ms_pme_defaults();
         o.method = method;
         o.max_cost = 300;
         ms_pme_minimize(&f, &o, x, NULL, NULL);
     }
-    ms_pme_sensitivity(&f, NULL, x, sv, NULL, NULL, NULL);
 }
 
 static void test_stack_use(void)
@@ -1979,7 +1798,7 @@ static void test_stack_use(void)
 
 static const test_case cases[] = {{"published minima", test_published},
                                   {"reference, levenberg-marquardt", test_reference_lm},
-                                  {"reference, the others", test_reference_rest},
+                                  {"reference, nelder-mead", test_reference_nelder_mead},
                                   {"misbehaving functions", test_misbehaviour},
                                   {"failing callback", test_failing_callback},
                                   {"budgets", test_budgets},
@@ -1990,11 +1809,10 @@ static const test_case cases[] = {{"published minima", test_published},
                                   {"match, budget", test_match_budget},
                                   {"match, arguments", test_match_arguments},
                                   {"reduced objective", test_reduced},
-                                  {"sensitivity", test_sensitivity},
+                                  {"deviations", test_deviations},
                                   {"repeatable", test_repeatable},
                                   {"allocation failures", test_allocation},
-                                  {"projected gradient", test_projected_gradient},
-                                  {"gradient callback", test_gradient_callback},
+                                  {"value of a result", test_result_value},
                                   {"sizes of residuals", test_sizes},
                                   {"many bounds", test_many_bounds},
                                   {"active set", test_active_set},
@@ -2003,7 +1821,6 @@ static const test_case cases[] = {{"published minima", test_published},
                                   {"units of parameters", test_units},
                                   {"differences", test_differences},
                                   {"traps", test_traps},
-                                  {"sensitivity, arguments", test_sensitivity_arguments},
                                   {"messages of options", test_option_messages},
                                   {"control", test_control},
                                   {"reweigh", test_reweigh},

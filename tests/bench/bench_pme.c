@@ -73,21 +73,23 @@ typedef enum how {
 
 enum { LM = -1 }; /* the library's own method, beside thesis_methods.h's */
 
-/* The mean square of picture and target, for the methods of the thesis. */
+/* The RMSE of picture and target, for the methods of the thesis. */
 typedef struct plain_picture {
     const matcher *m;
     const float *target;
     float *picture;
 } plain_picture;
 
-static ms_status plain_value(void *user, const double *x, double *f)
+static ms_status plain_residual(void *user, const double *x, double *r, double *jacobian)
 {
     const plain_picture *p = (const plain_picture *)user;
     size_t i, count = p->m->renderer.image_size;
     ms_status status = p->m->renderer.render(p->m->renderer.user, x, p->picture);
-    for (i = 0, *f = 0; i < count; ++i)
-        *f += ((double)p->picture[i] - (double)p->target[i]) * ((double)p->picture[i] - (double)p->target[i]) /
+    (void)jacobian;
+    for (i = 0, *r = 0; i < count; ++i)
+        *r += ((double)p->picture[i] - (double)p->target[i]) * ((double)p->picture[i] - (double)p->target[i]) /
             (double)count;
+    *r = sqrt(*r);
     return status;
 }
 
@@ -119,7 +121,9 @@ static double refine(const matcher *m, const float *planes, const double *start,
             if (p.picture == NULL) check_picture("out of memory");
             f.user = &p;
             f.parameter_count = N;
-            f.value = plain_value;
+            f.residual_count = 1;
+            f.residuals = plain_residual;
+            f.residuals_only = 1;
             o.barrier = 1;
             o.difference_step = 1.5e-8;
         }
@@ -182,21 +186,22 @@ static double ours(const matcher *m, const target *t, double cost)
     return 255 * result.rmse;
 }
 
+/* The collapsed objective in the box of the parameters. */
+static ms_pme_function boxed(const matcher *m)
+{
+    static const double zero[N], one[N] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    ms_pme_function f = m->reduced;
+    f.lower = zero;
+    f.upper = one;
+    return f;
+}
+
 static double hop(const matcher *m, const target *t)
 {
-    ms_pme_renderer renderer = m->renderer;
-    ms_pme_match_options options = ms_pme_match_defaults();
-    ms_pme_match_result result;
-    ms_error error;
+    ms_pme_function f = boxed(m);
     double x[N];
-    renderer.prediction_count = 0;
-    options.candidates = t->nn;
-    options.candidate_count = 1;
-    options.refine.method = MS_PME_BASIN_HOPPING;
-    options.refine.max_cost = full ? 1e9 : 3000;
-    options.refine.max_seconds = full ? 60 : 0;
-    check(ms_pme_match(&renderer, t->planes, NULL, &options, x, NULL, &result, &error), &error);
-    return 255 * result.rmse;
+    memcpy(x, t->nn, sizeof x);
+    return 255 * sqrt(thesis_basin_hopping(&f, x, full ? 60000 : 3000, 0) / (double)m->renderer.image_size);
 }
 
 static void table_targets(matcher *m, target *targets)
@@ -422,9 +427,13 @@ static void search_globally(matcher *m)
             options.refine.max_cost = 20000;
             options.refine.restarts = 1000000;
             options.refine.seed = (uint64_t)run;
-            options.refine.method = run == 3 ? MS_PME_BASIN_HOPPING : MS_PME_LEVENBERG_MARQUARDT;
             options.random_count = 20 * run;
+            options.initial_only = run == 3;
             check(ms_pme_match(&m->renderer, planes, NULL, &options, x, NULL, &result, &error), &error);
+            if (run == 3) {
+                ms_pme_function function = boxed(m);
+                result.rmse = sqrt(thesis_basin_hopping(&function, x, 20000, 3) / (double)m->renderer.image_size);
+            }
             least = fmin(least, 255 * result.rmse);
         }
         fprintf(f, "%s,%.4f\n", targets_edit(t)->name, least);
@@ -631,6 +640,57 @@ static void time_units(FILE *f, const matcher *m, const target *t)
     free(picture);
 }
 
+/* Singular values of the Jacobian at x, largest first, and the standard deviation of each parameter if every residual
+   has independent noise of standard deviation 1, by one-sided Jacobi rotations (Hestenes 1958). */
+static void sensitivity(const ms_pme_function *function, const double *x, double *singular_value, double *deviation)
+{
+    size_t m = function->residual_count, i;
+    double *r = (double *)malloc(m * (N + 1) * sizeof(double)), *a = r + m, v[N][N];
+    int j, k, l, sweep, changed = 1;
+    ms_error error;
+    if (r == NULL) check_picture("out of memory");
+    error.message[0] = 0;
+    check(function->residuals(function->user, x, r, a), &error);
+    for (j = 0; j < N; ++j)
+        for (k = 0; k < N; ++k) v[j][k] = j == k;
+    for (sweep = 0; changed && sweep < 60; ++sweep)
+        for (j = changed = 0; j < N; ++j)
+            for (k = j + 1; k < N; ++k) {
+                double jj = 0, kk = 0, jk = 0, zeta, t, c, s;
+                for (i = 0; i < m; ++i) {
+                    jj += a[i * N + j] * a[i * N + j];
+                    kk += a[i * N + k] * a[i * N + k];
+                    jk += a[i * N + j] * a[i * N + k];
+                }
+                if (!(fabs(jk) > 1e-15 * sqrt(jj * kk))) continue;
+                changed = 1;
+                zeta = (kk - jj) / (2 * jk);
+                t = (zeta >= 0 ? 1 : -1) / (fabs(zeta) + sqrt(1 + zeta * zeta));
+                c = 1 / sqrt(1 + t * t);
+                s = c * t;
+                for (i = 0; i < m; ++i) {
+                    double p = a[i * N + j], q = a[i * N + k];
+                    a[i * N + j] = c * p - s * q;
+                    a[i * N + k] = c * q + s * p;
+                }
+                for (l = 0; l < N; ++l) {
+                    double p = v[j][l], q = v[k][l];
+                    v[j][l] = c * p - s * q;
+                    v[k][l] = c * q + s * p;
+                }
+            }
+    for (j = 0; j < N; ++j) deviation[j] = 0;
+    for (k = 0; k < N; ++k) {
+        double square = 0;
+        for (i = 0; i < m; ++i) square += a[i * N + k] * a[i * N + k];
+        for (j = 0; j < N; ++j) deviation[j] += v[k][j] * v[k][j] / fmax(square, 1e-300);
+        for (j = k; j > 0 && singular_value[j - 1] < sqrt(square); --j) singular_value[j] = singular_value[j - 1];
+        singular_value[j] = sqrt(square);
+    }
+    for (j = 0; j < N; ++j) deviation[j] = sqrt(deviation[j]);
+    free(r);
+}
+
 /* --- recovery: unedited pictures --- */
 
 /* Every held-out material, as its picture by the network and by the path tracer. */
@@ -659,7 +719,7 @@ static void table_recovery(matcher *m)
             for (j = 0; j < N; ++j) x[j] = (double)truth[j];
             if (!traced) check(m->renderer.render(m, x, planes), &error);
             aim(m, planes);
-            check(ms_pme_sensitivity(&m->reduced, NULL, x, singular_value, NULL, deviation, &error), &error);
+            sensitivity(&m->reduced, x, singular_value, deviation);
             check(ms_pme_match(&m->renderer, planes, NULL, &options, x, NULL, &result, &error), &error);
             rmse[traced][i] = 255 * result.rmse;
             for (j = 0; j < N; ++j) {
@@ -740,7 +800,7 @@ static void table_edits(matcher *m)
             }
             for (j = 0; j < N; ++j) x[j] = (double)truth[j];
             aim(m, source);
-            check(ms_pme_sensitivity(&m->reduced, NULL, x, singular_value, NULL, deviation, &error), &error);
+            sensitivity(&m->reduced, x, singular_value, deviation);
             options.refine.max_cost = 300;
             options.refine.restarts = 1000;
             options.channels = 3;

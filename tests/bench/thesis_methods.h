@@ -1,7 +1,7 @@
 /* The optimisers that the thesis compares (section 4.3, Table 4.3), for the benchmarks: Nelder-Mead with an infinite
    barrier, L-BFGS, SQP (what SLSQP is when bounds are the only constraints) and conjugate gradient, each with
    projection and exact derivatives, or with the barrier and differences of 1.5e-8 as there. ms_pme.h, its
-   implementation too, comes first. */
+   implementation too, comes first. And basin hopping, a reference for the global minimum. */
 #ifndef BENCH_THESIS_METHODS_H
 #define BENCH_THESIS_METHODS_H
 #include <float.h>
@@ -149,12 +149,8 @@ static double thesis__value_to(thesis__run *run, const double *x, double *r)
     if (thesis__spend(run, 1)) return THESIS__INF;
     run->result.evaluations++;
     if (thesis__outside(run, x)) return THESIS__INF;
-    if (function->residuals != NULL) {
-        status = function->residuals(function->user, x, r, NULL);
-        if (status == MS_OK) f = thesis__sum_of_squares(r, run->m);
-    } else {
-        status = function->value(function->user, x, &f);
-    }
+    status = function->residuals(function->user, x, r, NULL);
+    if (status == MS_OK) f = thesis__sum_of_squares(r, run->m);
     if (status != MS_OK) {
         thesis__fail(run, status);
         return THESIS__INF;
@@ -226,17 +222,7 @@ static double thesis__gradient(thesis__run *run, const double *x, double *g)
         for (j = 0; j < n; ++j) g[j] = 0;
         return thesis__value(run, x);
     }
-    if (function->gradient != NULL && !(run->options->difference_step > 0)) {
-        ms_status status;
-        if (thesis__spend(run, run->jacobian_cost)) return THESIS__INF;
-        run->result.jacobians++;
-        status = function->gradient(function->user, x, &f, g);
-        if (status != MS_OK) {
-            thesis__fail(run, status);
-            return THESIS__INF;
-        }
-        f = thesis__seen(run, x, f);
-    } else if (function->residuals != NULL && !function->residuals_only && !(run->options->difference_step > 0)) {
+    if (!function->residuals_only && !(run->options->difference_step > 0)) {
         size_t i;
         f = thesis__linearize(run, x);
         for (j = 0; j < n; ++j) g[j] = 0;
@@ -559,8 +545,7 @@ static double thesis__gradient_method(thesis__run *run, double *x, int method, d
     p.f = thesis__gradient(run, p.x, p.g);
     while (!run->stopped && isfinite(p.f)) {
         double step, longest, slope, steep = 0, first = 1, sy = 0, size = 0, moved = 0;
-        run->result.projected_gradient = thesis__projected_gradient(run, p.x, p.g);
-        if (!(run->result.projected_gradient > 0)) break;
+        if (!(thesis__projected_gradient(run, p.x, p.g) > 0)) break;
         if (fresh) { /* the model starts as the gradient, or the identity */
             for (i = 0; i < n * n; ++i) model[i] = i % (n + 1) == 0;
             count = 0;
@@ -804,5 +789,47 @@ static ms_status thesis_minimize(const ms_pme_function *function, const thesis_o
     }
     free(block);
     return run.status != MS_OK ? run.status : isfinite(run.best_value) ? MS_OK : MS_INVALID_ARGUMENT;
+}
+
+static double thesis__uniform(uint64_t *state) /* splitmix64 */
+{
+    uint64_t z = *state += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return ((double)((z ^ (z >> 31)) >> 11) + 0.5) / 9007199254740992.0;
+}
+
+/* Basin hopping (Wales and Doye 1997) by ms_pme_minimize, from x [n] of a box with finite bounds: f at the best point,
+   which x becomes. The temperature follows the scatter of the minima; the hop is tuned to accept half. */
+static double thesis_basin_hopping(const ms_pme_function *function, double *x, double max_cost, uint64_t seed)
+{
+    double trial[MS_PME_PARAMETERS_MAX], here[MS_PME_PARAMETERS_MAX], f_here = THESIS__INF, best = THESIS__INF,
+                                                                      hop = 0.25, temperature = 0, rise;
+    ms_pme_options options = ms_pme_defaults();
+    ms_pme_result result;
+    int n = function->parameter_count, j, hops, accepted = 0;
+    thesis__copy(trial, x, n);
+    for (hops = 0; max_cost >= 2; ++hops, max_cost -= result.cost) {
+        for (j = 0; j < n && hops > 0; ++j) {
+            double range = function->upper[j] - function->lower[j];
+            trial[j] = thesis__clip(here[j] + hop * range * (2 * thesis__uniform(&seed) - 1), function->lower[j],
+                                    function->upper[j]);
+        }
+        options.max_cost = max_cost;
+        if (ms_pme_minimize(function, &options, trial, &result, NULL) != MS_OK) return best;
+        if (result.value < best) {
+            best = result.value;
+            thesis__copy(x, trial, n);
+        }
+        rise = hops > 0 ? result.value - f_here : -1;
+        if (hops > 0) temperature += (0.5 * fabs(rise) - temperature) / hops;
+        if (rise <= 0 || thesis__uniform(&seed) < exp(-rise / (temperature > 0 ? temperature : 1))) {
+            thesis__copy(here, trial, n);
+            f_here = result.value;
+            accepted += hops > 0;
+        }
+        if (hops > 0 && hops % 10 == 0) hop = thesis__clip(2 * accepted > hops ? hop / 0.9 : hop * 0.9, 0.01, 1);
+    }
+    return best;
 }
 #endif
