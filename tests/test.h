@@ -251,15 +251,15 @@ static TEST_UNUSED char *test_read_file(const char *path, size_t *size)
 
 /* --- files --- */
 
-static char test_folder[64]; /* the folder of the running program, from the repository's root; empty: none */
+static char test_place[64]; /* the folder of the running program, from the repository's root; empty: none */
 static char test_root[1024]; /* the repository's root */
 
 static TEST_UNUSED void test_leave_folder(void)
 {
     char command[80];
-    if (test_folder[0] == 0 || chdir(test_root) != 0) return;
-    snprintf(command, sizeof command, "rm -rf %s", test_folder);
-    if (system(command) != 0) printf("%s was not removed\n", test_folder);
+    if (test_place[0] == 0 || chdir(test_root) != 0) return;
+    snprintf(command, sizeof command, "rm -rf %s", test_place);
+    if (system(command) != 0) printf("%s was not removed\n", test_place);
 }
 
 /* Moves the program to build/test.PROCESS, a folder with links to the repository's files and to the tools in build/,
@@ -269,15 +269,15 @@ static TEST_UNUSED int test_enter_folder(void)
 {
     char command[600];
     if (getcwd(test_root, sizeof test_root) == NULL) return 0;
-    snprintf(test_folder, sizeof test_folder, "build/test.%ld", (long)getpid());
+    snprintf(test_place, sizeof test_place, "build/test.%ld", (long)getpid());
     snprintf(command, sizeof command,
              "for d in build/test.*; do kill -0 ${d##*.} 2>/dev/null || rm -rf $d; done; "
              "rm -rf %s; mkdir -p %s/build && cd %s && "
              "for f in ../../*; do [ $f = ../../build ] || ln -s $f . || exit 1; done && "
              "for f in ../*; do [ -d $f ] || ! [ -x $f ] || ln -s ../$f build/ || exit 1; done",
-             test_folder, test_folder, test_folder);
+             test_place, test_place, test_place);
     if (atexit(test_leave_folder) != 0 || system(command) != 0) return 0;
-    return chdir(test_folder) == 0;
+    return chdir(test_place) == 0;
 }
 
 static TEST_UNUSED int test_main(int argc, char **argv, const test_case *cases, int count)
@@ -318,7 +318,7 @@ static TEST_UNUSED int test_main(int argc, char **argv, const test_case *cases, 
 #define TEST_MAIN_WITH_FILES(cases)                                                     \
     int main(int argc, char **argv)                                                     \
     {                                                                                   \
-        if (!test_enter_folder()) return printf("%s cannot be made\n", test_folder), 1; \
+        if (!test_enter_folder()) return printf("%s cannot be made\n", test_place), 1; \
         return test_main(argc, argv, cases, (int)(sizeof(cases) / sizeof((cases)[0]))); \
     }
 #endif
