@@ -166,6 +166,12 @@ int main(int argc, char **argv)
         return 1;
     }
     if (!out && file_end_stdout("recommend")) return 1;
+    if (fitted.outlier.row >= 0 && fitted.outlier.column < 0)
+        fprintf(stderr, "is that a slip? score %d is %.6g, about %.2g was expected from the others\n",
+                fitted.outlier.row + 1, fitted.outlier.value, fitted.outlier.expected);
+    else if (fitted.outlier.row >= 0)
+        fprintf(stderr, "is that a slip? x%d of material %d is %.6g, the nearest of the others is %.6g\n",
+                fitted.outlier.column, fitted.outlier.row + 1, fitted.outlier.value, fitted.outlier.expected);
     if (compared) fprintf(stderr, "%d comparisons; ", learn.pair_count);
     fprintf(stderr,
             "%d scores of %d parameters; best predicted score %.3g; %d recommendations of at least %.3g by %s;\n"
