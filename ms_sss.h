@@ -4923,7 +4923,7 @@ static int ms_sss__pairs(ms_sss__sweep *s, const ms_sss__job *job)
     const int pairs = k->tap_count / 2;
     float inner = 0;
     int i, c;
-    if (pairs > (s->shaped ? MS_SSS__LEANING : MS_SSS__PAIRS) || p->follow || (s->shaped && p->exact)) return 0;
+    if (pairs > (s->shaped ? MS_SSS__LEANING : MS_SSS__PAIRS) || p->follow || p->exact) return 0;
     s->plain = !(p->mixed[0] || p->mixed[1] || p->mixed[2]);
     /* dz / (1 + remote dz^2) is at most half of 1 / sqrt(remote), which is the offset over that of upright; 1 + the
        square of a ray's tangent is the most that facing adds */
@@ -8442,9 +8442,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__JOIN_(name, level) ms_sss__##name##_##level
 #define MS_SSS__JOIN(name, level) MS_SSS__JOIN_(name, level)
 #define MS_SSS__NAME(name) MS_SSS__JOIN(name, MS_SSS__LEVEL)
-#define MS_SSS__CHUNK (MS_SSS__LANES == 16 ? 1 : MS_SSS__LANES == 1 ? 16 : 4) /* groups in flight */
-#define MS_SSS__LEAN (MS_SSS__LANES == 16 ? 2 : MS_SSS__CHUNK)                /* the same with slopes */
-#if defined(__GNUC__) && !defined(__clang__) && MS_SSS__LANES >= 8
+#define MS_SSS__LEAN (MS_SSS__LANES == 16 ? 2 : MS_SSS__LANES == 1 ? 16 : 4) /* groups in flight */
+#if defined(__GNUC__) && !defined(__clang__)
 #define MS_SSS__UNROLL _Pragma("GCC unroll 8")
 #else
 #define MS_SSS__UNROLL
@@ -9141,149 +9140,6 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(nearness)(const ms_sss__pass *p, co
                           MS_SSS__NAME(exp2_minus)(MS_SSS__MIN(q, MS_SSS__SET(120.0f))), MS_SSS__SET(0.0f));
 }
 
-/* What the pixels of a pair at distance t weigh by their depths, q: i, i + 1 (and i + 2 where lanes of a group differ),
-   -i, -i - 1 (-i - 2). way: see flat. Returns their sum. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(weigh_pair)(const ms_sss__pass *p, const int way, const float *deep,
-                                                         const ptrdiff_t *step, int place, MS_SSS__V z, MS_SSS__V t,
-                                                         MS_SSS__V *q)
-{
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
-    const int two = way || MS_SSS__LANES == 1 ? 0 : place & MS_SSS__BESIDE, exact = !way && p->exact;
-    const ptrdiff_t i = place - two;
-    MS_SSS__V r = MS_SSS__SUB(t, MS_SSS__SET(ms_sss__whole[i])), share = MS_SSS__SUB(one, r), third = zero, up_sum,
-              down_sum;
-    if (two) {
-        share = MS_SSS__MAX(share, zero);
-        third = MS_SSS__MAX(MS_SSS__SUB(r, one), zero);
-        r = MS_SSS__SUB(one, MS_SSS__ADD(share, third));
-    }
-    q[0] = MS_SSS__MUL(share,
-                       MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + ms_sss__at(way, step, i)))));
-    q[1] = MS_SSS__MUL(
-        r, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + ms_sss__at(way, step, i + 1)))));
-    q[3] = MS_SSS__MUL(
-        share, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + ms_sss__at(way, step, -i)))));
-    q[4] = MS_SSS__MUL(
-        r, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + ms_sss__at(way, step, -i - 1)))));
-    up_sum = MS_SSS__ADD(q[0], q[1]);
-    down_sum = MS_SSS__ADD(q[3], q[4]);
-    if (two) {
-        q[2] = MS_SSS__MUL(third, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + step[i + 2]))));
-        q[5] = MS_SSS__MUL(third, MS_SSS__NAME(nearness)(p, exact, MS_SSS__SUB(z, MS_SSS__LOAD(deep + step[-i - 2]))));
-        up_sum = MS_SSS__ADD(up_sum, q[2]);
-        down_sum = MS_SSS__ADD(down_sum, q[5]);
-    }
-    return MS_SSS__ADD(up_sum, down_sum);
-}
-
-/* The light of a pair's pixels in a channel. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(light)(const float *from, const int way, const ptrdiff_t *step,
-                                                    ptrdiff_t i, const int two, const MS_SSS__V *q)
-{
-    MS_SSS__V v = MS_SSS__MUL(q[0], MS_SSS__LOAD(from + ms_sss__at(way, step, i)));
-    v = MS_SSS__MADD(q[1], MS_SSS__LOAD(from + ms_sss__at(way, step, i + 1)), v);
-    v = MS_SSS__MADD(q[3], MS_SSS__LOAD(from + ms_sss__at(way, step, -i)), v);
-    v = MS_SSS__MADD(q[4], MS_SSS__LOAD(from + ms_sss__at(way, step, -i - 1)), v);
-    if (two)
-        v = MS_SSS__MADD(q[5], MS_SSS__LOAD(from + step[-i - 2]),
-                         MS_SSS__MADD(q[2], MS_SSS__LOAD(from + step[i + 2]), v));
-    return v;
-}
-
-/* Adds a pair's light to v and its weights, whose sum is all, to m. */
-static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const float (*weight)[16], const int way, const float *red,
-                                                  ptrdiff_t plane, const ptrdiff_t *step, int place, const MS_SSS__V *q,
-                                                  MS_SSS__V all, MS_SSS__V v[3], MS_SSS__V m[3])
-{
-    const MS_SSS__V wr = MS_SSS__LOAD(weight[0]), wg = MS_SSS__LOAD(weight[1]), wb = MS_SSS__LOAD(weight[2]);
-    m[0] = MS_SSS__MADD(wr, all, m[0]);
-    m[1] = MS_SSS__MADD(wg, all, m[1]);
-    m[2] = MS_SSS__MADD(wb, all, m[2]);
-    if (way || MS_SSS__LANES == 1 || !(place & MS_SSS__BESIDE)) {
-        v[0] = MS_SSS__MADD(wr, MS_SSS__NAME(light)(red, way, step, place, 0, q), v[0]);
-        v[1] = MS_SSS__MADD(wg, MS_SSS__NAME(light)(red + plane, way, step, place, 0, q), v[1]);
-        v[2] = MS_SSS__MADD(wb, MS_SSS__NAME(light)(red + 2 * plane, way, step, place, 0, q), v[2]);
-    } else {
-        v[0] = MS_SSS__MADD(wr, MS_SSS__NAME(light)(red, way, step, place - MS_SSS__BESIDE, 1, q), v[0]);
-        v[1] = MS_SSS__MADD(wg, MS_SSS__NAME(light)(red + plane, way, step, place - MS_SSS__BESIDE, 1, q), v[1]);
-        v[2] = MS_SSS__MADD(wb, MS_SSS__NAME(light)(red + 2 * plane, way, step, place - MS_SSS__BESIDE, 1, q), v[2]);
-    }
-}
-
-/* n groups from column x on, without slopes: HELD pairs of each at a time, first what they weigh, then the sums, since
-   the chains of one group are long. way: 0: all that go by pairs; ROW, COLUMN: those of one place a pair, of three
-   pairs that make a mean. */
-static MS_SSS__INLINE void MS_SSS__NAME(flat)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l,
-                                              int x, int n, const int way, MS_SSS__V (*out)[3])
-{
-    const ptrdiff_t *step = l->step, here = ms_sss__at(way, step, 0),
-                    plane = way == MS_SSS__COLUMN ? MS_SSS__LANES : l->plane;
-    const ptrdiff_t group = way == MS_SSS__ROW ? MS_SSS__LANES : way == MS_SSS__COLUMN ? 4 * MS_SSS__LANES : l->group;
-    const float *first = l->from + x / MS_SSS__LANES * group, (*offset)[16] = s->offset[l->axis];
-    const int pairs = way ? 3 : s->pairs, plan_size = way ? 4 : s->plan_size, least = way ? MS_SSS__ONE : MS_SSS__SOME;
-    const unsigned char *plans = l->plan + x / MS_SSS__LANES * plan_size + 1;
-    MS_SSS__V q[MS_SSS__HELD][MS_SSS__CHUNK][6], all[MS_SSS__HELD][MS_SSS__CHUNK], norm[MS_SSS__CHUNK][3];
-    int g, k, c, begin = 0, end = 0;
-    do {
-        const unsigned char *plan = plans;
-        const float *red = first;
-        begin = end;
-        end = way || pairs - begin < MS_SSS__HELD ? pairs : begin + MS_SSS__HELD;
-        for (g = 0; g < n; ++g, plan += plan_size, red += group) {
-            const float *deep = red + 3 * plane;
-            const MS_SSS__V z = MS_SSS__LOAD(deep + here), size = MS_SSS__NAME(size)(p, z);
-            if (plan[-1] < least) continue;
-            if (way) {
-                MS_SSS__UNROLL
-                for (k = 0; k < 3; ++k) {
-                    const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(offset[k]));
-                    all[k][g] = MS_SSS__NAME(weigh_pair)(p, way, deep, step, plan[k], z, t, q[k][g]);
-                }
-                continue;
-            }
-            for (k = begin; k < end; ++k) {
-                const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(offset[k]));
-                all[k - begin][g] = MS_SSS__NAME(weigh_pair)(p, 0, deep, step, plan[k], z, t, q[k - begin][g]);
-            }
-        }
-        plan = plans;
-        red = first;
-        for (g = 0; g < n; ++g, plan += plan_size, red += group) {
-            MS_SSS__V v[3], m[3];
-            if (plan[-1] < least) continue;
-            MS_SSS__UNROLL
-            for (c = 0; c < 3; ++c) {
-                m[c] = begin ? norm[g][c] : MS_SSS__LOAD(s->weight[0][c]);
-                v[c] = begin ? out[g][c] : MS_SSS__MUL(m[c], MS_SSS__LOAD(red + c * plane + here));
-            }
-            if (way) {
-                MS_SSS__UNROLL
-                for (k = 0; k < 3; ++k)
-                    MS_SSS__NAME(add_pair)(s->weight[k + 1], way, red, plane, step, plan[k], q[k][g], all[k][g], v, m);
-            }
-            for (k = begin; k < end && !way; ++k) MS_SSS__NAME(add_pair)
-            (s->weight[k + 1], 0, red, plane, step, plan[k], q[k - begin][g], all[k - begin][g], v, m);
-            if (way || (end == pairs && s->simple)) {
-                MS_SSS__UNROLL
-                for (c = 0; c < 3; ++c) out[g][c] = MS_SSS__DIV(v[c], m[c]);
-                continue;
-            }
-            MS_SSS__UNROLL
-            for (c = 0; c < 3; ++c) {
-                const MS_SSS__V own = MS_SSS__LOAD(red + c * plane + here);
-                norm[g][c] = m[c];
-                out[g][c] = end < pairs ? v[c] : MS_SSS__NAME(restore)(v[c], m[c], own, p->total[c], p->mixed[c]);
-            }
-        }
-    } while (end < pairs);
-}
-
-static MS_SSS__APART void MS_SSS__NAME(by_pairs)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l,
-                                                 int x, int n, MS_SSS__V (*out)[3])
-{
-    MS_SSS__NAME(flat)(s, p, l, x, n, 0, out);
-}
-
 /* With slopes: what a pixel dz over the tangent plane weighs of its share of a tap. */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lean)(MS_SSS__V dz, MS_SSS__V share, MS_SSS__V remote)
 {
@@ -9303,139 +9159,190 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lean_area)(MS_SSS__V sum, MS_SSS__V
     return MS_SSS__MIN(MS_SSS__MADD(more, more, MS_SSS__SET(1.0f)), MS_SSS__SET(MS_SSS__AREA_MAX));
 }
 
-/* n groups from column x on, with slopes. Chains are long: of each pair first all groups' weights, then all their sums.
-   Where a pair's whole part is not the same in all lanes its pixels are put together first: light and depth of i, i +
-   1, -i, -i - 1. */
-static MS_SSS__INLINE void MS_SSS__NAME(leaning)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l,
-                                                 int x, int n, MS_SSS__V (*out)[3])
+/* A pair of taps stands at -x and +x. Each reads two pixels by linear interpolation: i and i + 1 steps from the middle. Where
+   they lie, for up to LEAN groups of one vector each. */
+typedef struct MS_SSS__NAME(pair) {
+    const float *light;            /* red of the first group's own pixels */
+    ptrdiff_t at[4], plane, group; /* floats to i, i + 1, -i, -i - 1; to the next channel; to the next group */
+    MS_SSS__V whole[MS_SSS__LEAN]; /* i */
+} MS_SSS__NAME(pair);
+
+/* What the four pixels weigh, and on both sides how far they lie below the tangent plane, mm. */
+typedef struct MS_SSS__NAME(weights) {
+    MS_SSS__V pixel[4], below[2];
+} MS_SSS__NAME(weights);
+
+/* Pair k of n groups. If i differs between groups or lanes, the pixels are copied side by side first. */
+static MS_SSS__INLINE void MS_SSS__NAME(find_pair)(const ms_sss__sweep *s, const ms_sss__line *l, int x, int n, int k, const MS_SSS__V *size,
+                                                   float (*copy)[4][4][MS_SSS__LANES], MS_SSS__NAME(pair) *pair)
 {
-    const MS_SSS__V one = MS_SSS__SET(1.0f), zero = MS_SSS__SET(0.0f), grain = MS_SSS__SET(p->grain);
-    const ptrdiff_t *step = l->step, group = l->group, plane = l->plane;
-    const int pairs = s->pairs, plan_size = s->plan_size, axis = l->axis, perspective = p->perspective;
-    const int steep = s->steep, plain = s->plain, simple = plain && s->simple, width = MS_SSS__LEAN * MS_SSS__LANES;
-    const float *sizes = l->own[0] + x, *rises = l->own[1] + x, *cosines = l->own[2] + x;
-    const float *first = l->from + x / MS_SSS__LANES * group, *from, *light;
-    const unsigned char *plan = l->plan + x / MS_SSS__LANES * plan_size;
-    float mixed[MS_SSS__LEAN][4][4][MS_SSS__LANES];
-    MS_SSS__V held[MS_SSS__LEAN][6], base[MS_SSS__LEAN], away[MS_SSS__LEAN][2];
-    MS_SSS__V v[MS_SSS__LEAN][3], m[MS_SSS__LEAN][3], most[MS_SSS__LEAN][3];
+    const ptrdiff_t *step = l->step;
+    const float *first = l->from + x / MS_SSS__LANES * l->group;
+    const unsigned char *plan = l->plan + x / MS_SSS__LANES * s->plan_size;
+    const int place = plan[0] < MS_SSS__SOME ? 0 : plan[k + 1], i = place & (MS_SSS__BESIDE - 1);
+    int g, side, c, differ = place & MS_SSS__BESIDE;
+    for (g = 0; g < n; ++g) differ |= plan[g * s->plan_size] < MS_SSS__SOME || plan[g * s->plan_size + k + 1] != place;
+    if (!differ) {
+        for (g = 0; g < MS_SSS__LEAN; ++g) pair->whole[g] = MS_SSS__SET(ms_sss__whole[i]);
+        for (side = 0; side < 4; ++side) pair->at[side] = step[side < 2 ? i + side : 2 - i - side];
+        pair->light = first;
+        pair->plane = l->plane;
+        pair->group = l->group;
+        return;
+    }
+    for (g = 0; g < n; ++g, first += l->group, plan += s->plan_size) {
+        const int mine = plan[0] < MS_SSS__SOME ? 0 : plan[k + 1], j = mine & (MS_SSS__BESIDE - 1), more = mine > j;
+        const MS_SSS__V low = MS_SSS__SET(ms_sss__whole[j]), high = MS_SSS__SET(ms_sss__whole[j + more]);
+        const MS_SSS__MASK is_low = MS_SSS__LESS(MS_SSS__MUL(size[g], MS_SSS__LOAD(s->offset[l->axis][k])), high);
+        pair->whole[g] = MS_SSS__SELECT(is_low, low, high);
+        for (side = 0; side < 4; ++side) {
+            const float *a = first + step[side < 2 ? j + side : 2 - j - side];
+            const float *b = first + step[side < 2 ? j + side + more : 2 - j - side - more];
+            for (c = 0; c < 4; ++c, a += l->plane, b += l->plane)
+                MS_SSS__STORE(copy[g][side][c], MS_SSS__SELECT(is_low, MS_SSS__LOAD(a), MS_SSS__LOAD(b)));
+        }
+    }
+    for (side = 0; side < 4; ++side) pair->at[side] = side * 4 * MS_SSS__LANES;
+    pair->light = copy[0][0][0];
+    pair->plane = MS_SSS__LANES;
+    pair->group = 16 * MS_SSS__LANES;
+}
+
+/* Of a group with depth z; t: the taps' distance in pixels; group at column x. */
+static MS_SSS__INLINE void MS_SSS__NAME(weigh_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped, const ms_sss__line *l, int x,
+                                                    int k, const float *depth, const ptrdiff_t *at, MS_SSS__V whole, MS_SSS__V z, MS_SSS__V t,
+                                                    MS_SSS__NAME(weights) *w)
+{
+    const MS_SSS__V one = MS_SSS__SET(1.0f), outer = MS_SSS__SUB(t, whole), share[2] = {MS_SSS__SUB(one, outer), outer};
+    const MS_SSS__V there[4] = {MS_SSS__LOAD(depth + at[0]), MS_SSS__LOAD(depth + at[1]), MS_SSS__LOAD(depth + at[2]), MS_SSS__LOAD(depth + at[3])};
+    MS_SSS__V dz[4];
+    int i;
+    MS_SSS__UNROLL
+    for (i = 0; i < 4; ++i) dz[i] = MS_SSS__SUB(there[i], z);
+    if (!shaped) {
+        MS_SSS__UNROLL
+        for (i = 0; i < 4; ++i) w->pixel[i] = MS_SSS__MUL(share[i % 2], MS_SSS__NAME(falloff)(dz[i]));
+        return;
+    }
+    {
+        const MS_SSS__V slope = MS_SSS__LOAD(l->own[1] + x), facing = MS_SSS__LOAD(l->own[2] + x), remote = MS_SSS__LOAD(s->remote[k]);
+        const MS_SSS__V inner_rise = MS_SSS__MUL(slope, whole), rise[2] = {inner_rise, MS_SSS__ADD(inner_rise, slope)};
+        const MS_SSS__V rounding = MS_SSS__MUL(z, MS_SSS__SET(p->grain)), least = MS_SSS__MADD(rounding, t, MS_SSS__ADD(rounding, rounding));
+        MS_SSS__UNROLL
+        for (i = 0; i < 4; ++i) { /* off the tangent plane, which rises on one side and falls on the other */
+            const MS_SSS__V scale = p->perspective ? there[i] : one;
+            dz[i] = i < 2 ? MS_SSS__LESSEN(rise[i % 2], scale, dz[i]) : MS_SSS__MADD(rise[i % 2], scale, dz[i]);
+            w->pixel[i] = MS_SSS__NAME(lean)(dz[i], share[i % 2], remote);
+        }
+        MS_SSS__UNROLL
+        for (i = 0; i < 2; ++i)
+            w->below[i] = MS_SSS__MUL(facing, MS_SSS__NAME(beyond)(MS_SSS__MADD(w->pixel[2 * i + 1], dz[2 * i + 1], MS_SSS__MUL(w->pixel[2 * i], dz[2 * i])), least));
+    }
+}
+
+/* A group's sums over its taps: light, weights, weights times the elevation's factor. */
+typedef struct MS_SSS__NAME(sums) {
+    MS_SSS__V light[3], weight[3], lifted[3], before[2]; /* before: how far below the plane the pair before lay */
+} MS_SSS__NAME(sums);
+
+static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped, int k, const float *light,
+                                                  ptrdiff_t plane, const ptrdiff_t *at, MS_SSS__NAME(weights) *w, MS_SSS__NAME(sums) *sum)
+{
+    MS_SSS__V all, side[2], height[2];
+    int i, c;
+    if (shaped) {
+        MS_SSS__UNROLL
+        for (i = 0; i < 2; ++i) { /* more surface where it bends away, more light where it lies below */
+            const MS_SSS__V area = MS_SSS__NAME(lean_area)(MS_SSS__ADD(w->pixel[2 * i], w->pixel[2 * i + 1]), w->below[i], MS_SSS__LOAD(s->bulge[k]), &sum->before[i]);
+            w->pixel[2 * i] = MS_SSS__MUL(w->pixel[2 * i], area);
+            w->pixel[2 * i + 1] = MS_SSS__MUL(w->pixel[2 * i + 1], area);
+            height[i] = w->below[i];
+            if (s->steep) height[i] = MS_SSS__MAX(MS_SSS__MIN(height[i], MS_SSS__LOAD(s->span[k])), MS_SSS__MUL(MS_SSS__LOAD(s->span[k]), MS_SSS__SET(p->least)));
+        }
+    }
+    MS_SSS__UNROLL
+    for (i = 0; i < 2; ++i) side[i] = MS_SSS__ADD(w->pixel[2 * i], w->pixel[2 * i + 1]);
+    all = MS_SSS__ADD(side[0], side[1]);
+    MS_SSS__UNROLL
+    for (c = 0; c < 3; ++c, light += plane) {
+        const MS_SSS__V tap = MS_SSS__LOAD(s->weight[k + 1][c]);
+        MS_SSS__V e[2], factor[2];
+        MS_SSS__UNROLL
+        for (i = 0; i < 2; ++i)
+            e[i] = MS_SSS__MADD(w->pixel[2 * i + 1], MS_SSS__LOAD(light + at[2 * i + 1]), MS_SSS__MUL(w->pixel[2 * i], MS_SSS__LOAD(light + at[2 * i])));
+        sum->weight[c] = MS_SSS__MADD(all, tap, sum->weight[c]);
+        if (!shaped) {
+            sum->light[c] = MS_SSS__MADD(tap, MS_SSS__ADD(e[0], e[1]), sum->light[c]);
+            continue;
+        }
+        MS_SSS__UNROLL
+        for (i = 0; i < 2; ++i) { /* tap (1 + K sin(theta) / 4)^4 */
+            factor[i] = MS_SSS__MADD(height[i], MS_SSS__LOAD(s->lift[k][c][0]), MS_SSS__LOAD(s->lift[k][c][1]));
+            factor[i] = MS_SSS__MUL(factor[i], factor[i]);
+            factor[i] = MS_SSS__MUL(factor[i], factor[i]);
+            if (!s->plain && s->weight[k + 1][c][0] < 0) factor[i] = MS_SSS__SUB(MS_SSS__SET(0.0f), factor[i]);
+        }
+        sum->lifted[c] = MS_SSS__MADD(factor[1], side[1], MS_SSS__MADD(factor[0], side[0], sum->lifted[c]));
+        sum->light[c] = MS_SSS__MADD(factor[1], e[1], MS_SSS__MADD(factor[0], e[0], sum->light[c]));
+    }
+}
+
+/* n groups from column x on by pairs of taps; shaped: with slopes. Of each pair first all groups' weights, then all their sums: the
+   chains of one group are long. */
+static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped, const ms_sss__line *l, int x,
+                                              int n, MS_SSS__V (*out)[3])
+{
+    const int axis = l->axis, simple = (!shaped || s->plain) && s->simple, width = MS_SSS__LEAN * MS_SSS__LANES;
+    const ptrdiff_t here = l->step[0];
+    const float *first = l->from + x / MS_SSS__LANES * l->group, *light;
+    const unsigned char *plan = l->plan + x / MS_SSS__LANES * s->plan_size;
+    float copy[MS_SSS__LEAN][4][4][MS_SSS__LANES];
+    MS_SSS__V size[MS_SSS__LEAN];
+    MS_SSS__NAME(pair) pair;
+    MS_SSS__NAME(weights) weights[MS_SSS__LEAN];
+    MS_SSS__NAME(sums) sum[MS_SSS__LEAN];
     int g, k, c, i, some = 0;
-    for (g = 0, light = first + step[0]; g < n; ++g, light += group) {
-        some |= plan[g * plan_size] >= MS_SSS__SOME;
-        away[g][0] = away[g][1] = zero;
+    for (g = 0, light = first + here; g < n; ++g, light += l->group) {
+        some |= plan[g * s->plan_size] >= MS_SSS__SOME;
+        size[g] = shaped ? MS_SSS__LOAD(l->own[0] + x + g * MS_SSS__LANES) : MS_SSS__NAME(size)(p, MS_SSS__LOAD(light + 3 * l->plane));
+        sum[g].before[0] = sum[g].before[1] = MS_SSS__SET(0.0f);
         MS_SSS__UNROLL
         for (c = 0; c < 3; ++c) {
-            m[g][c] = most[g][c] = MS_SSS__LOAD(s->weight[0][c]);
-            v[g][c] = MS_SSS__MUL(m[g][c], MS_SSS__LOAD(light + c * plane));
+            sum[g].weight[c] = sum[g].lifted[c] = MS_SSS__LOAD(s->weight[0][c]);
+            sum[g].light[c] = MS_SSS__MUL(sum[g].weight[c], MS_SSS__LOAD(light + c * l->plane));
         }
     }
     if (!some) return;
-    for (c = 0; c < 3 && axis; ++c) /* the next groups, as below */
+    for (c = 0; c < 3 && axis && shaped; ++c) /* the next groups, as below */
         for (i = 0; i < width; i += 16) MS_SSS__PREFETCH((const char *)(l->own[c] + x + width + i));
-    for (k = 0; k < pairs; ++k) {
-        const MS_SSS__V offset = MS_SSS__LOAD(s->offset[axis][k]), remote = MS_SSS__LOAD(s->remote[k]);
-        const MS_SSS__V bulge = MS_SSS__LOAD(s->bulge[k]), span = MS_SSS__LOAD(s->span[k]);
-        const MS_SSS__V bottom = MS_SSS__MUL(span, MS_SSS__SET(p->least));
-        const int place = plan[0] < MS_SSS__SOME ? 0 : plan[k + 1],
-                  whole = place & (MS_SSS__BESIDE - 1); /* a group without: nothing there */
-        ptrdiff_t at[4], to_green = plane, to_next = group;
-        int differ = place & MS_SSS__BESIDE;
-        for (g = 0; g < n; ++g) differ |= plan[g * plan_size] < MS_SSS__SOME || plan[g * plan_size + k + 1] != place;
-        from = first;
-        if (!differ) {
-            for (g = 0; g < MS_SSS__LEAN; ++g) base[g] = MS_SSS__SET(ms_sss__whole[whole]);
-            for (i = 0; i < 4; ++i) at[i] = step[i < 2 ? whole + i : 2 - whole - i];
-        } else {
-            for (g = 0; g < n; ++g) {
-                const int mine = plan[g * plan_size] < MS_SSS__SOME ? 0 : plan[g * plan_size + k + 1];
-                const int j = mine & (MS_SSS__BESIDE - 1), more = mine > j;
-                const MS_SSS__V low = MS_SSS__SET(ms_sss__whole[j]), high = MS_SSS__SET(ms_sss__whole[j + more]);
-                const MS_SSS__MASK lower = MS_SSS__LESS(MS_SSS__MUL(MS_SSS__LOAD(sizes + g * MS_SSS__LANES), offset),
-                                                        high);
-                base[g] = MS_SSS__SELECT(lower, low, high);
-                for (i = 0; i < 4; ++i) {
-                    const float *a = first + g * group + step[i < 2 ? j + i : 2 - j - i];
-                    const float *b = first + g * group + step[i < 2 ? j + i + more : 2 - j - i - more];
-                    for (c = 0; c < 4; ++c, a += plane, b += plane)
-                        MS_SSS__STORE(mixed[g][i][c], MS_SSS__SELECT(lower, MS_SSS__LOAD(a), MS_SSS__LOAD(b)));
-                }
-            }
-            from = mixed[0][0][0];
-            for (i = 0; i < 4; ++i) at[i] = i * 4 * MS_SSS__LANES;
-            to_green = MS_SSS__LANES;
-            to_next = 16 * MS_SSS__LANES;
-        }
-        for (g = 0, light = from + 3 * to_green; g < n; ++g, light += to_next) {
-            const MS_SSS__V z = MS_SSS__LOAD(first + g * group + step[0] + 3 * plane), unit = MS_SSS__MUL(z, grain);
-            const MS_SSS__V rise = MS_SSS__LOAD(rises + g * MS_SSS__LANES),
-                            facing = MS_SSS__LOAD(cosines + g * MS_SSS__LANES);
-            const MS_SSS__V t = MS_SSS__MUL(MS_SSS__LOAD(sizes + g * MS_SSS__LANES), offset);
-            const MS_SSS__V least = MS_SSS__MADD(unit, t, MS_SSS__ADD(unit, unit));
-            const MS_SSS__V share1 = MS_SSS__SUB(t, base[g]), share = MS_SSS__SUB(one, share1);
-            const MS_SSS__V gain = MS_SSS__MUL(rise, base[g]), gain1 = MS_SSS__ADD(gain, rise);
-            const MS_SSS__V z0 = MS_SSS__LOAD(light + at[0]), z1 = MS_SSS__LOAD(light + at[1]);
-            const MS_SSS__V z2 = MS_SSS__LOAD(light + at[2]), z3 = MS_SSS__LOAD(light + at[3]);
-            const MS_SSS__V d0 = MS_SSS__LESSEN(gain, perspective ? z0 : one, MS_SSS__SUB(z0, z));
-            const MS_SSS__V d1 = MS_SSS__LESSEN(gain1, perspective ? z1 : one, MS_SSS__SUB(z1, z));
-            const MS_SSS__V d2 = MS_SSS__MADD(gain, perspective ? z2 : one, MS_SSS__SUB(z2, z));
-            const MS_SSS__V d3 = MS_SSS__MADD(gain1, perspective ? z3 : one, MS_SSS__SUB(z3, z));
-            MS_SSS__V *h = held[g];
-            h[0] = MS_SSS__NAME(lean)(d0, share, remote);
-            h[1] = MS_SSS__NAME(lean)(d1, share1, remote);
-            h[2] = MS_SSS__NAME(lean)(d2, share, remote);
-            h[3] = MS_SSS__NAME(lean)(d3, share1, remote);
-            h[4] = MS_SSS__MUL(facing, MS_SSS__NAME(beyond)(MS_SSS__MADD(h[1], d1, MS_SSS__MUL(h[0], d0)), least));
-            h[5] = MS_SSS__MUL(facing, MS_SSS__NAME(beyond)(MS_SSS__MADD(h[3], d3, MS_SSS__MUL(h[2], d2)), least));
-            if (axis) /* rows lie far apart: the next groups of the taps' outer ones */
-                for (c = 0; c < 4; c += 16 / MS_SSS__LANES) {
-                    const float *ahead = first + (g + MS_SSS__LEAN) * group + c * MS_SSS__LANES;
-                    MS_SSS__PREFETCH((const char *)(ahead + step[whole + 1]));
-                    MS_SSS__PREFETCH((const char *)(ahead + step[-whole]));
-                }
-        }
-        for (g = 0; g < n; ++g, from += to_next) {
-            const MS_SSS__V *h = held[g];
-            const MS_SSS__V high = MS_SSS__NAME(lean_area)(MS_SSS__ADD(h[0], h[1]), h[4], bulge, &away[g][0]);
-            const MS_SSS__V low = MS_SSS__NAME(lean_area)(MS_SSS__ADD(h[2], h[3]), h[5], bulge, &away[g][1]);
-            const MS_SSS__V q0 = MS_SSS__MUL(h[0], high), q1 = MS_SSS__MUL(h[1], high);
-            const MS_SSS__V q2 = MS_SSS__MUL(h[2], low), q3 = MS_SSS__MUL(h[3], low);
-            const MS_SSS__V up = MS_SSS__ADD(q0, q1), down = MS_SSS__ADD(q2, q3), all = MS_SSS__ADD(up, down);
-            MS_SSS__V rise = h[4], fall = h[5];
-            if (steep) {
-                rise = MS_SSS__MAX(MS_SSS__MIN(rise, span), bottom);
-                fall = MS_SSS__MAX(MS_SSS__MIN(fall, span), bottom);
-            }
-            MS_SSS__UNROLL
-            for (c = 0, light = from; c < 3; ++c, light += to_green) {
-                const MS_SSS__V root = MS_SSS__LOAD(s->lift[k][c][1]), slope = MS_SSS__LOAD(s->lift[k][c][0]);
-                MS_SSS__V a = MS_SSS__MADD(rise, slope, root), b = MS_SSS__MADD(fall, slope, root), above, below;
-                m[g][c] = MS_SSS__MADD(all, MS_SSS__LOAD(s->weight[k + 1][c]), m[g][c]);
-                a = MS_SSS__MUL(a, a);
-                b = MS_SSS__MUL(b, b);
-                a = MS_SSS__MUL(a, a);
-                b = MS_SSS__MUL(b, b);
-                if (!plain && s->weight[k + 1][c][0] < 0) {
-                    a = MS_SSS__SUB(zero, a);
-                    b = MS_SSS__SUB(zero, b);
-                }
-                most[g][c] = MS_SSS__MADD(b, down, MS_SSS__MADD(a, up, most[g][c]));
-                above = MS_SSS__MADD(q1, MS_SSS__LOAD(light + at[1]), MS_SSS__MUL(q0, MS_SSS__LOAD(light + at[0])));
-                below = MS_SSS__MADD(q3, MS_SSS__LOAD(light + at[3]), MS_SSS__MUL(q2, MS_SSS__LOAD(light + at[2])));
-                v[g][c] = MS_SSS__MADD(b, below, MS_SSS__MADD(a, above, v[g][c]));
+    for (k = 0; k < s->pairs; ++k) {
+        const MS_SSS__V offset = MS_SSS__LOAD(s->offset[axis][k]);
+        const int whole = plan[0] < MS_SSS__SOME ? 0 : plan[k + 1] & (MS_SSS__BESIDE - 1);
+        MS_SSS__NAME(find_pair)(s, l, x, n, k, size, copy, &pair);
+        for (g = 0, light = pair.light; g < n; ++g, light += pair.group) {
+            MS_SSS__NAME(weigh_pair)(s, p, shaped, l, x + g * MS_SSS__LANES, k, light + 3 * pair.plane, pair.at, pair.whole[g],
+                                     MS_SSS__LOAD(first + g * l->group + here + 3 * l->plane), MS_SSS__MUL(size[g], offset), &weights[g]);
+            for (c = 0; c < 4 && axis; c += 16 / MS_SSS__LANES) { /* rows lie far apart: the next groups of the taps' outer ones */
+                const float *ahead = first + (g + MS_SSS__LEAN) * l->group + c * MS_SSS__LANES;
+                MS_SSS__PREFETCH((const char *)(ahead + l->step[whole + 1]));
+                MS_SSS__PREFETCH((const char *)(ahead + l->step[-whole]));
             }
         }
+        for (g = 0, light = pair.light; g < n; ++g, light += pair.group)
+            MS_SSS__NAME(add_pair)(s, p, shaped, k, light, pair.plane, pair.at, &weights[g], &sum[g]);
     }
-    for (g = 0, light = first + step[0]; g < n; ++g, light += group) {
+    for (g = 0, light = first + here; g < n; ++g, light += l->group) {
         MS_SSS__UNROLL
         for (c = 0; c < 3; ++c) {
-            if (plain || !p->mixed[c]) m[g][c] = MS_SSS__MAX(m[g][c], MS_SSS__MUL(most[g][c], MS_SSS__SET(p->root[c])));
-            if (simple) out[g][c] = MS_SSS__DIV(v[g][c], m[g][c]);
-            else
-                out[g][c] = MS_SSS__NAME(restore)(v[g][c], m[g][c], MS_SSS__LOAD(light + c * plane), p->total[c],
-                                                  p->mixed[c]);
+            MS_SSS__V all = sum[g].weight[c];
+            if (shaped && (s->plain || !p->mixed[c])) all = MS_SSS__MAX(all, MS_SSS__MUL(sum[g].lifted[c], MS_SSS__SET(p->root[c])));
+            if (simple) out[g][c] = MS_SSS__DIV(sum[g].light[c], all);
+            else out[g][c] = MS_SSS__NAME(restore)(sum[g].light[c], all, MS_SSS__LOAD(light + c * l->plane), p->total[c], p->mixed[c]);
         }
     }
 }
+
+
 /* Eight floats of each lane become eight vectors: interleaving half the vectors with the other half makes the highest
    bit of an element's place the lowest. */
 static MS_SSS__INLINE void MS_SSS__NAME(transpose)(const float *const *lane, float *out)
@@ -9621,43 +9528,6 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
     }
 }
 
-/* Lanes whose places lie far apart, as at the edge of a surface: by pairs in turn, together those that differ by one at
-   most. Returns whether all were near enough. */
-static MS_SSS__APART int MS_SSS__NAME(by_parts)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l,
-                                                int x, MS_SSS__V out[3])
-{
-    const float *deep = l->from + x / MS_SSS__LANES * l->group + 3 * l->plane;
-    const MS_SSS__V z = MS_SSS__LOAD(deep + l->step[0]), size = MS_SSS__NAME(size)(p, z);
-    const unsigned all = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
-    unsigned pending = MS_SSS__BITS(MS_SSS__NAME(need)(p, z));
-    unsigned char plan[MS_SSS__PAIRS + 1];
-    float at[MS_SSS__LANES], chosen[MS_SSS__LANES];
-    ms_sss__line alone = *l;
-    alone.from = deep - 3 * l->plane;
-    alone.plan = plan;
-    plan[0] = MS_SSS__SOME;
-    MS_SSS__STORE(at, size);
-    while (pending) {
-        unsigned bits = pending;
-        MS_SSS__V part[1][3];
-        int i, k, c;
-        for (k = 0; k < s->pairs; ++k) {
-            const float offset = s->offset[l->axis][k][0], place = at[ms_sss__lowest(pending)] * offset;
-            const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__SET(offset));
-            if (!(place < (float)MS_SSS__FAR)) return 0;
-            plan[k + 1] = (unsigned char)((int)place + MS_SSS__BESIDE);
-            bits &= MS_SSS__BITS(MS_SSS__LESS(t, MS_SSS__SET((float)((int)place + 2))));
-            bits &= all ^ MS_SSS__BITS(MS_SSS__LESS(t, MS_SSS__SET((float)(int)place)));
-        }
-        MS_SSS__NAME(by_pairs)(s, p, &alone, 0, 1, part);
-        for (i = 0; i < MS_SSS__LANES; ++i) chosen[i] = bits >> i & 1 ? 1.0f : 0.0f;
-        for (c = 0; c < 3; ++c)
-            out[c] = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__SET(0.5f), MS_SSS__LOAD(chosen)), part[0][c], out[c]);
-        pending &= ~bits;
-    }
-    return 1;
-}
-
 /* What pairs cannot do in the group at column x. */
 static MS_SSS__APART void MS_SSS__NAME(rest)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l,
                                              int x, int kind, MS_SSS__V out[3])
@@ -9670,117 +9540,30 @@ static MS_SSS__APART void MS_SSS__NAME(rest)(const ms_sss__sweep *s, const ms_ss
         own[c] = MS_SSS__MUL(MS_SSS__LOAD(here + c * l->plane), MS_SSS__SET(p->total[c]));
         if (kind < MS_SSS__SOME) out[c] = own[c];
     }
-    if (kind == MS_SSS__ANY &&
-        (MS_SSS__LANES == 1 || s->shaped || !s->pairs || !MS_SSS__NAME(by_parts)(s, p, l, x, out)))
-        MS_SSS__NAME(any)(s, p, l, x, out);
+    if (kind == MS_SSS__ANY) MS_SSS__NAME(any)(s, p, l, x, out);
     for (c = 0; c < 3 && kind != MS_SSS__LEAVE; ++c) out[c] = MS_SSS__SELECT(need, out[c], own[c]);
 }
-
-/* What the next row needs of n groups. */
-static MS_SSS__INLINE void MS_SSS__NAME(fetch)(const ms_sss__line *l, int x, int n)
-{
-    ptrdiff_t b;
-    int c;
-    for (c = 0; c < 4; ++c)
-        for (b = 0; b < n * MS_SSS__LANES * l->ahead_step[c]; b += 64)
-            MS_SSS__PREFETCH(l->ahead[c] + x * l->ahead_step[c] + b);
-}
-
-#if MS_SSS__LANES == 16
-/* A pass whose three pairs make a mean, a group at a time: there are registers for what a group needs. */
-static MS_SSS__APART void MS_SSS__NAME(means)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line,
-                                              int lines, int first, int last)
-{
-    int x, y, k, c;
-    for (x = first; x < last; x += MS_SSS__LANES)
-        for (y = 0; y < lines; ++y) {
-            const ms_sss__line *l = &line[y];
-            const ptrdiff_t at = x / MS_SSS__LANES, plane = l->plane, *step = l->step;
-            const unsigned char *plan;
-            const float *red;
-            MS_SSS__V v[1][3];
-            if (x < l->first || x >= l->last) continue;
-            plan = l->plan + at * 4 + 1;
-            red = l->from + at * l->group;
-            MS_SSS__NAME(fetch)(l, x, 1);
-            if (plan[-1] == MS_SSS__ONE) {
-                const MS_SSS__V z = MS_SSS__LOAD(red + 3 * plane + step[0]), size = MS_SSS__NAME(size)(p, z);
-                MS_SSS__V m[3];
-                MS_SSS__UNROLL
-                for (c = 0; c < 3; ++c) {
-                    m[c] = MS_SSS__LOAD(s->weight[0][c]);
-                    v[0][c] = MS_SSS__MUL(m[c], MS_SSS__LOAD(red + c * plane + step[0]));
-                }
-                MS_SSS__UNROLL
-                for (k = 0; k < 3; ++k) {
-                    MS_SSS__V q[6];
-                    const MS_SSS__V t = MS_SSS__MUL(size, MS_SSS__LOAD(s->offset[l->axis][k]));
-                    const MS_SSS__V all = MS_SSS__NAME(weigh_pair)(p, MS_SSS__COLUMN, red + 3 * plane, step, plan[k], z,
-                                                                   t, q);
-                    MS_SSS__NAME(add_pair)
-                    (s->weight[k + 1], MS_SSS__COLUMN, red, plane, step, plan[k], q, all, v[0], m);
-                }
-                MS_SSS__UNROLL
-                for (c = 0; c < 3; ++c) v[0][c] = MS_SSS__DIV(v[0][c], m[c]);
-            } else {
-                if (plan[-1] >= MS_SSS__SOME) MS_SSS__NAME(by_pairs)(s, p, l, x, 1, v);
-                if (plan[-1] < MS_SSS__ALL) MS_SSS__NAME(rest)(s, p, l, x, plan[-1], v[0]);
-            }
-            MS_SSS__UNROLL
-            for (c = 0; c < 3; ++c) {
-                float *to = l->to[c] + at * l->to_group;
-                if (l->stream) MS_SSS__STREAM(to, v[0][c]);
-                else MS_SSS__STORE(to, v[0][c]);
-            }
-            if (!l->axis)
-                MS_SSS__STORE(l->to[2] + at * l->to_group + MS_SSS__LANES, MS_SSS__LOAD(red + 3 * plane + step[0]));
-        }
-}
-#endif
 
 /* A pass of several rows between columns first and last, chunk by chunk so that what they share stays in the cache. */
 static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped,
                                                const ms_sss__line *line, int lines, int first, int last)
 {
-    const int three = MS_SSS__LANES == 8 && !shaped && s->pairs == 3 && s->simple && !p->exact;
-    const int chunk = shaped ? MS_SSS__LEAN : MS_SSS__CHUNK;
     int x, y, g, c;
-#if MS_SSS__LANES == 16
-    if (!shaped && s->pairs == 3 && s->simple && !p->exact) {
-        MS_SSS__NAME(means)(s, p, line, lines, first, last);
-        return;
-    }
-#endif
-    for (x = first; x < last; x += chunk * MS_SSS__LANES)
+    for (x = first; x < last; x += MS_SSS__LEAN * MS_SSS__LANES)
         for (y = 0; y < lines; ++y) {
             const ms_sss__line *l = &line[y];
-            const int n = (l->last - x) / MS_SSS__LANES < chunk ? (l->last - x) / MS_SSS__LANES : chunk;
-            const int plan_size = s->plan_size, axis = l->axis, stream = l->stream;
-            const ptrdiff_t group = l->group, to_group = l->to_group;
-            const float *deep;
-            float *to[3];
+            const int groups = (l->last - x) / MS_SSS__LANES, n = groups < MS_SSS__LEAN ? groups : MS_SSS__LEAN;
+            const float *depth = l->from + x / MS_SSS__LANES * l->group + l->step[0] + 3 * l->plane;
             MS_SSS__V out[MS_SSS__LEAN][3];
             if (x < l->first || x >= l->last) continue;
-            deep = l->from + x / MS_SSS__LANES * group + l->step[0] + 3 * l->plane;
-            MS_SSS__NAME(fetch)(l, x, n);
-            if (shaped) MS_SSS__NAME(leaning)(s, p, l, x, n, out);
-            else if (three && axis) MS_SSS__NAME(flat)(s, p, l, x, n, MS_SSS__COLUMN, out);
-            else if (three) MS_SSS__NAME(flat)(s, p, l, x, n, MS_SSS__ROW, out);
-            else if (s->pairs) MS_SSS__NAME(by_pairs)(s, p, l, x, n, out);
-            for (c = 0; c < 3; ++c) to[c] = l->to[c] + x / MS_SSS__LANES * l->to_group;
+            if (s->pairs) MS_SSS__NAME(taps)(s, p, shaped, l, x, n, out);
             for (g = 0; g < n; ++g) {
-                const int kind = l->plan[(x / MS_SSS__LANES + g) * plan_size];
-                if (three && kind >= MS_SSS__SOME && kind < MS_SSS__ONE)
-                    MS_SSS__NAME(by_pairs)(s, p, l, x + g * MS_SSS__LANES, 1, out + g);
+                const int kind = l->plan[(x / MS_SSS__LANES + g) * s->plan_size];
+                const ptrdiff_t at = (x / MS_SSS__LANES + g) * l->to_group;
                 if (kind < MS_SSS__ALL) MS_SSS__NAME(rest)(s, p, l, x + g * MS_SSS__LANES, kind, out[g]);
-                if (stream) {
-                    MS_SSS__UNROLL
-                    for (c = 0; c < 3; ++c) MS_SSS__STREAM(to[c] + g * to_group, out[g][c]);
-                } else {
-                    MS_SSS__UNROLL
-                    for (c = 0; c < 3; ++c) MS_SSS__STORE(to[c] + g * to_group, out[g][c]);
-                }
-                if (axis == 0) MS_SSS__STORE(to[2] + g * to_group + MS_SSS__LANES, MS_SSS__LOAD(deep + g * group));
+                MS_SSS__UNROLL
+                for (c = 0; c < 3; ++c) MS_SSS__STORE(l->to[c] + at, out[g][c]);
+                if (l->axis == 0) MS_SSS__STORE(l->to[2] + at + MS_SSS__LANES, MS_SSS__LOAD(depth + g * l->group));
             }
         }
 }
@@ -10703,7 +10486,6 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
 #undef MS_SSS__JOIN
 #undef MS_SSS__NAME
 #undef MS_SSS__LEAN
-#undef MS_SSS__CHUNK
 #undef MS_SSS__UNROLL
 #undef MS_SSS__V
 #undef MS_SSS__X
