@@ -3804,9 +3804,6 @@ typedef struct ms_sss__line {
     int first, last;     /* columns to make */
     float *to[3];
     ptrdiff_t to_group;
-    int stream;
-    const char *ahead[4]; /* the caller's next row, to be fetched by then, ahead_step bytes a pixel; 0: none */
-    ptrdiff_t ahead_step[4];
 } ms_sss__line;
 
 /* What a pixel keeps of its own light, and which pixels are its neighbours, where a kernel works at half resolution. */
@@ -3897,7 +3894,7 @@ typedef struct ms_sss__kernels {
     void (*soften)(const ms_sss__halving *h, const float *const light[3], const float *const blur[3],
                    const float *depth, int count, float *const out[4]);
     void (*refine)(const ms_sss__halving *h, const float *const own[4], float unit, const float *const coarse[2][4],
-                   int odd, int stream, int count, float *const out[3]);
+                   int odd, int count, float *const out[3]);
 } ms_sss__kernels;
 
 /* Floats to what lies i steps along the axis. */
@@ -4242,28 +4239,6 @@ static const float *const *ms_sss__albedo(const ms_sss__job *job, int side, int 
     return out;
 }
 
-/* memcpy past the caches: what takes no part is not looked at again. */
-static void ms_sss__pass_by(char *to, const char *from, size_t size)
-{
-#if defined(MS__X64)
-    const size_t head = (0 - (size_t)(uintptr_t)to) % 64;
-    if (size >= 256) {
-        memcpy(to, from, head);
-        for (to += head, from += head, size -= head; size >= 64; to += 64, from += 64, size -= 64) {
-            const __m128 a = _mm_loadu_ps((const float *)(const void *)from),
-                         b = _mm_loadu_ps((const float *)(const void *)(from + 16));
-            const __m128 c = _mm_loadu_ps((const float *)(const void *)(from + 32)),
-                         d = _mm_loadu_ps((const float *)(const void *)(from + 48));
-            _mm_stream_ps((float *)(void *)to, a);
-            _mm_stream_ps((float *)(void *)(to + 16), b);
-            _mm_stream_ps((float *)(void *)(to + 32), c);
-            _mm_stream_ps((float *)(void *)(to + 48), d);
-        }
-    }
-#endif
-    memcpy(to, from, size);
-}
-
 /* Copies those of pixels [begin, end) of row y that take no part: depth INFINITY, or all where depth is NULL. */
 static void ms_sss__copy(const ms_sss__job *job, int y, int begin, int end, const float *depth)
 {
@@ -4277,8 +4252,7 @@ static void ms_sss__copy(const ms_sss__job *job, int y, int begin, int end, cons
         const ptrdiff_t from_step = f->input.pixel_stride * (ptrdiff_t)size,
                         to_step = f->output.pixel_stride * (ptrdiff_t)size;
         if (job->raw && !depth && !f->profile && f->input.pixel_stride == 1 && f->output.pixel_stride == 1) {
-            if (begin < end)
-                ms_sss__pass_by(to + begin * to_step, from + begin * from_step, (size_t)(end - begin) * size);
+            if (begin < end) memcpy(to + begin * to_step, from + begin * from_step, (size_t)(end - begin) * size);
             continue;
         }
         for (x = begin; x < end; ++x) {
@@ -4703,7 +4677,7 @@ static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
     const ms_sss__job *job = s->job;
     const ms_sss_image *image = &job->frame.output;
     ms_sss__line line[MS_SSS__STEP];
-    int direct[MS_SSS__STEP], y, c, x, i, from = job->padded, to = 0; /* direct: 2: by way of a row that streams */
+    int direct[MS_SSS__STEP], y, c, x, i, from = job->padded, to = 0;
     memset(line, 0, sizeof line);
     for (y = begin; y < end; ++y) {
         const int first = job->first[y], last = job->last[y];
@@ -4721,14 +4695,9 @@ static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
         l->plan = s->plan + s->slot[y] * s->plan_row;
         direct[y - begin] = job->direct && job->whole[y] && last <= job->frame.width &&
             ms_sss__solid(job, y, first, last);
-        l->stream = direct[y - begin];
-        for (c = 0; c < 3; ++c)
-            if ((uintptr_t)((float *)image->channel[c] + y * image->row_stride) % 64) l->stream = 0;
-        if (direct[y - begin] && !l->stream && s->lanes > 1) direct[y - begin] = 2;
         for (c = 0; c < 3; ++c) {
             l->own[c] = s->own + ((ptrdiff_t)s->slot[y] * 3 + c) * s->padded;
-            l->to[c] = direct[y - begin] == 1 ? (float *)image->channel[c] + y * image->row_stride
-                                              : ms_sss__buffer(job, task, 17 + 3 * (y - begin) + c);
+            l->to[c] = ms_sss__buffer(job, task, 17 + 3 * (y - begin) + c);
         }
         from = first < from ? first : from;
         to = last > to ? last : to;
@@ -4750,7 +4719,7 @@ static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
             for (c = 0; c < 3; ++c) blur[c] = l->to[c] + first;
             ms_sss__finish(job, task, y, first, last - first, blur, depth + first);
         }
-        if (first < last && direct[y - begin] == 2)
+        if (first < last && direct[y - begin])
             for (c = 0; c < 3; ++c)
                 job->simd->deliver(l->to[c] + first, last - first,
                                    (float *)image->channel[c] + y * image->row_stride + first);
@@ -4846,13 +4815,6 @@ static void ms_sss__first(const ms_sss__sweep *s, int task, int y, float *const 
     l.plane = mine[1] - mine[0];
     l.to_group = 4 * s->lanes;
     l.plan = plan;
-    for (c = 0; c < 4; ++c) {
-        const ms_sss_image *image = c < 3 ? &job->frame.input : &job->frame.depth;
-        const ptrdiff_t size = image->half ? 2 : 4, next = y + s->rows / 2 + 1;
-        if (next >= job->frame.height || !image->channel[c % 3] || (c % 3 && image->pixel_stride > 1)) continue;
-        l.ahead[c] = (const char *)image->channel[c % 3] + next * image->row_stride * size;
-        l.ahead_step[c] = image->pixel_stride * size;
-    }
     for (c = 0; c < 3; ++c) {
         l.own[c] = temp[2 + c];
         l.to[c] = row + c * s->lanes;
@@ -5835,7 +5797,6 @@ static void ms_sss__half_up(void *context, int task)
                   run = half->plain && again.solid_first[y] < again.solid_last[y];
         const int direct = again.direct && run && again.whole[y] && last <= again.frame.width &&
             ms_sss__solid(&again, y, first, last);
-        int stream = direct;
         if (first == last) continue;
         if (run) {
             ms_sss__half_rows(&again, y, first, last, own, mine);
@@ -5863,13 +5824,11 @@ static void ms_sss__half_up(void *context, int task)
             }
             again.simd->soften(&half->halving, beside[0], beside[1], beside[0][3], until - from, to);
         }
-        for (c = 0; c < 3; ++c) {
-            blur[c] = direct ? (float *)image->channel[c] + y * image->row_stride + first
-                             : ms_sss__buffer(&again, task, 29 + c);
-            if ((uintptr_t)blur[c] % 64) stream = 0;
-        }
+        for (c = 0; c < 3; ++c) blur[c] = ms_sss__buffer(&again, task, 29 + c);
         again.simd->refine(&half->halving, mine, run ? again.depth_scale : 1, (const float *const(*)[4])coarse, y % 2,
-                           stream, last - first, blur);
+                           last - first, blur);
+        for (c = 0; c < 3 && direct; ++c)
+            again.simd->deliver(blur[c], last - first, (float *)image->channel[c] + y * image->row_stride + first);
         if (!direct)
             ms_sss__compose(&again, task, y, first, last - first, blur, fade || !again.whole[y] ? mine : NULL,
                             run ? NULL : own[3] + first);
@@ -9761,7 +9720,7 @@ static MS_SSS__APART void MS_SSS__NAME(refine_rest)(const ms_sss__halving *h, co
    equally far apart; the first is nearer if odd. Weights 0.8 and 0.2 each way, sharper than the linear 0.75 and 0.25,
    make up for part of what averaging pixels blurs. */
 static void MS_SSS__NAME(refine)(const ms_sss__halving *h, const float *const own[4], float unit,
-                                 const float *const coarse[2][4], int odd, int stream, int count, float *const out[3])
+                                 const float *const coarse[2][4], int odd, int count, float *const out[3])
 {
     static const float root[3] = {0.44721360f, 0.63245553f, 0.89442719f}; /* of 0.2 0.2, 0.2 0.8, 0.8 0.8: the fourth */
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), within = MS_SSS__SET(unit * h->within);
@@ -9813,13 +9772,8 @@ static void MS_SSS__NAME(refine)(const ms_sss__halving *h, const float *const ow
             const MS_SSS__V low = MS_SSS__MADD(share[c], MS_SSS__LOAD(own[c] + 2 * x), MS_SSS__ZIP_LOW(p, q));
             const MS_SSS__V high = MS_SSS__MADD(share[c], MS_SSS__LOAD(own[c] + 2 * x + MS_SSS__LANES),
                                                 MS_SSS__ZIP_HIGH(p, q));
-            if (stream) {
-                MS_SSS__STREAM(out[c] + 2 * x, low);
-                MS_SSS__STREAM(out[c] + 2 * x + MS_SSS__LANES, high);
-            } else {
-                MS_SSS__STORE(out[c] + 2 * x, low);
-                MS_SSS__STORE(out[c] + 2 * x + MS_SSS__LANES, high);
-            }
+            MS_SSS__STORE(out[c] + 2 * x, low);
+            MS_SSS__STORE(out[c] + 2 * x + MS_SSS__LANES, high);
         }
     }
 }
