@@ -78,7 +78,7 @@
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
    Profiles and designers are one block each from the caller's allocator (a designer: 2 MB); building a kernel takes
-   another, under 1 MB (rotated: to 20 MB), measuring one 60 KB, and gives it back. Filters allocate nothing: the caller
+   another, under 1 MB, measuring one 60 KB, and gives it back. Filters allocate nothing: the caller
    lends a workspace. No globals. At most 32 KB of stack a call, 64 KB without optimisation.
    Profiles, designers and kernels are only read once made: calls may overlap. Filters cut the picture into rows for
    ms_parallel; kernels are made on one thread.
@@ -348,7 +348,6 @@ typedef struct ms_sss_kernel {
     float delta[3];       /* weight of the unblurred input */
     float radius_mm;      /* the outermost |offset| plus half its cell */
     float reflectance[3]; /* the profile's total; the kernel itself is normalised */
-    int frame_count;      /* 1: axes fixed; n: made for the mean of n frames with axes at f * 90/n degrees in frame f */
     float
         profile_radius_mm; /* that holds 99% of the profile's light in its widest channel; 0: radius_mm stands for it */
     float elevation[3];    /* how light on curved surfaces differs from the plane, see ELEVATION; 0: not at all */
@@ -367,8 +366,7 @@ typedef enum ms_sss_model {
     MS_SSS_GAUSSIANS = 5,      /* best sum of term_count Gaussians (5.9) */
     MS_SSS_GUIDED = 6,         /* guided optimisation (5.14) with guide_k */
     MS_SSS_ARTIST = 7,         /* two Gaussians along the axes (5.6), as given or fitted to a_p */
-    MS_SSS_SLICE = 8,          /* R_d sampled along the axis, as the shader that was released with the paper does */
-    MS_SSS_ROTATED = 9         /* image-optimal for the mean of frame_count frames with turned axes */
+    MS_SSS_SLICE = 8           /* R_d sampled along the axis, as the released shader does: the figures' peer */
 } ms_sss_model;
 
 /* Where the taps of a pass stand. */
@@ -393,7 +391,6 @@ typedef struct ms_sss_kernel_options {
     int no_delta;         /* 1: no weight on the unblurred input */
     double dial;          /* image-optimal only: 0 texture ... 1 a_p, exact on axis-parallel signals */
     double guide_k;       /* guided only: 0 near scattering ... 4 far scattering; the thesis calls 2 neutral */
-    int frame_count;      /* rotated only: 2 to 8; 0: 4 */
     ms_sss_artist artist; /* artist only */
     double index;         /* of refraction, 1 to 2, for the kernel's elevation; 0: 1 */
 } ms_sss_kernel_options;
@@ -425,11 +422,6 @@ MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designe
    sigmas of a thousandth of a cell. MS_INVALID_ARGUMENT: a NULL. */
 MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *designer, ms_sss_artist *artist);
 
-/* The sum of count Gaussians that is closest to the profile in the sense of MS_SSS_GAUSSIANS: sigma_mm and weight
-   [count][3], weights sum to 1; 1 <= count <= MS_SSS_TERMS_MAX. */
-MS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *designer, int count, double (*sigma_mm)[3],
-                                      double (*weight)[3], ms_error *error);
-
 /* ---- errors ---------------------------------------------------------------------------------------------------- */
 
 /* What a kernel gives up against the profile's 2D convolution: root mean square difference over the standard deviation
@@ -447,9 +439,8 @@ typedef struct ms_sss_errors {
 
 #define MS_SSS_BANDS_SEEN 24 /* bands above which stairs are seen */
 
-/* Taps between pixels are read with linear interpolation, as the filter and GPUs do. Kernels with frame_count > 1 are
-   measured as the mean of their frames. Takes 60 KB from the designer's allocator and gives them back.
-   MS_INVALID_ARGUMENT: a NULL. MS_OUT_OF_MEMORY. errors untouched then. */
+/* Taps between pixels are read with linear interpolation, as the filter and GPUs do. Takes 60 KB from the designer's
+   allocator and gives them back. MS_INVALID_ARGUMENT: a NULL. MS_OUT_OF_MEMORY. errors untouched then. */
 MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
                                        const ms_sss_designer *designer);
 
@@ -475,11 +466,6 @@ MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors
    0.15 to 0.95 and T above 1e-3; an index of 1.4 inside loses up to 15% more. Needs the true reflectance: a profile
    that was normalised to 1 passes too much. A channel without light passes none. */
 MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness_mm, double out[3]);
-
-/* The same as a table: out [count][3], entry i at thickness i * max_thickness_mm / (count - 1), count >= 2.
-   Read between its entries linearly. MS_INVALID_ARGUMENT: count, a thickness not above 0; out untouched. */
-MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, double max_thickness_mm, int count,
-                                            float (*out)[3]);
 
 /* For an engine's light loop: what one lamp sends through the object to a point that faces away from it.
    thickness_mm   from the point to where the lamp's light first enters the object, along the light: the lamp's shadow
@@ -561,8 +547,8 @@ typedef struct ms_sss_frame {
         strength; /* optional, 0 to 1: a fraction of the effect; 0 and NaN: another material (see ms_sss_filter) */
     ms_sss_image albedo;    /* optional RGB >= 0: the output is then multiplied by it, as albedo_mode says */
     ms_sss_image specular;  /* optional RGB: added to the output, never filtered */
-    const uint8_t *profile; /* optional: index of each pixel's kernel; an index without a kernel: another material */
-    ptrdiff_t profile_pixel_stride, profile_row_stride; /* in elements; 0: 1, and tightly packed */
+    const uint8_t *profile; /* optional [height][width]: index of each pixel's kernel; an index without a kernel:
+                               another material */
     ms_sss_image normal;  /* optional: the surface's normals, without bump maps, of any length, in view space: x to the
                              right,  y as rows grow, z towards the camera; none: from depth, see `flat` */
     ms_sss_image through; /* optional RGB: light that comes through thin parts (ms_sss_transmission, summed over the
@@ -572,11 +558,8 @@ typedef struct ms_sss_frame {
 
 /* How a tap whose surface lies dz in front of or behind the pixel counts. */
 typedef enum ms_sss_depth_mode {
-    MS_SSS_DEPTH_AWARE =
-        0, /* weight times a falloff in dz from the tangent plane, 0 from depth_sigma_mm on, see ms_sss_filter;
-              flat 1: in dz, and 0 beyond the kernel's radius; the rest is renormalised */
-    MS_SSS_DEPTH_FOLLOW = 1, /* older engines: the tap's colour fades to the pixel's own over follow_mm */
-    MS_SSS_DEPTH_SCALE = 2   /* depth sets the kernel's size in pixels only; light leaks across silhouettes */
+    MS_SSS_DEPTH_AWARE = 0, /* weighted by dz from the tangent plane, renormalised; see ms_sss_filter */
+    MS_SSS_DEPTH_SCALE = 1  /* depth sets the kernel's size in pixels only; light leaks across silhouettes */
 } ms_sss_depth_mode;
 
 /* Where the surface's colour acts: light crosses it when it leaves, when it enters, or half and half. */
@@ -597,7 +580,6 @@ typedef struct ms_sss_filter_options {
     ms_sss_depth_mode depth_mode;
     float depth_sigma_mm; /* of MS_SSS_DEPTH_AWARE: |dz| / 3.0746 from which on nothing counts; 0: such that this is 1.5
                              times the profile's 99% radius (flat 1: 0.37 times, between: between) */
-    float follow_mm;      /* of MS_SSS_DEPTH_FOLLOW: |dz| at which nothing of the tap is left; 0: the kernel's radius */
     ms_sss_albedo_mode albedo_mode;
     float fade;           /* 0: full effect, 1: none; the strength is 1 - fade times the strength map */
     float rotation;       /* radians from +x towards +y: the axes of both passes (a kernel designed for it, or 0) */
@@ -607,8 +589,7 @@ typedef struct ms_sss_filter_options {
     ms_parallel parallel; /* the program's threads: up to 16 tasks a call; zero: the calling thread alone */
     float flat; /* 0: the surface's slope and curvature count in full wherever depth is given (MS_SSS_DEPTH_AWARE);
                    1: not at all, as if every pixel faced the camera; between: slopes are that much less */
-    int exact;  /* 1: depth weights exp(-dz^2 / (2 sigma^2)) to 3.0746 sigma, 0.25 of the profile's radius (flat 1:
-                   0.12), and no more, for comparisons. Pyramid: 1 gathers more widely, see there */
+    int exact;  /* pyramid: 1 gathers more widely, nearer to the truth for more time */
     ms_sss_method method;
     float budget; /* AUTO: root mean square that half resolution may differ by from taps, over the picture's standard
                      deviation (0.03 + 0.35 / radius in pixels on pictures with edges); 0: nothing, so never half */
@@ -698,7 +679,7 @@ MS_API size_t ms_sss_pyramid_workspace(int width, int height);
    what rounding of depths may be is not taken for shape. Gathers widen with slopes up to 48 degrees; steeper planes are
    blurred too little along the level line and too much down the slope (by 0.04 of a wave's height at 60 degrees, 0.15
    at 75).
-   options   as ms_sss_filter; MS_UNSUPPORTED: rotation, jitter, MS_SSS_DEPTH_FOLLOW, pixels_per_mm that differ,
+   options   as ms_sss_filter; MS_UNSUPPORTED: rotation, jitter, pixels_per_mm that differ,
              frame->profile
    Six calls of options.parallel. Bit-equal for any thread count at one level of instructions. No allocation. */
 MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
@@ -737,10 +718,10 @@ MS_API ms_status ms_sss_gather(const ms_sss_frame *frame, const ms_sss_back *bac
 /* The language of a shader text. Metal: make SPIR-V of the Vulkan text and translate it, with the tools of the Vulkan
    SDK: glslangValidator -V -S frag -o pass.spv pass.glsl && spirv-cross --msl --output pass.metal pass.spv */
 typedef enum ms_sss_language {
-    MS_SSS_GLSL_330 = 0,    /* desktop OpenGL 3.3 (compute 4.3); constants: uniform vec4 ms_sss[] */
-    MS_SSS_GLSL_ES_300 = 1, /* OpenGL ES 3.0, WebGL 2; the same; no compute */
+    MS_SSS_GLSL_330 = 0,    /* desktop OpenGL 3.3; constants: uniform vec4 ms_sss[] */
+    MS_SSS_GLSL_ES_300 = 1, /* OpenGL ES 3.0, WebGL 2; the same */
     MS_SSS_GLSL_VULKAN = 2, /* GLSL 450 for SPIR-V; set 0; constants: uniform block, binding 0 */
-    MS_SSS_HLSL = 3,        /* shader model 4 and later (compute 5); constants: cbuffer b0; target of compute: u0 */
+    MS_SSS_HLSL = 3,        /* shader model 4 and later; constants: cbuffer b0 */
     MS_SSS_WGSL = 4         /* WebGPU; group 0; constants: uniform buffer, binding 0 */
 } ms_sss_language;
 
@@ -755,77 +736,61 @@ typedef enum ms_sss_source {
 typedef enum ms_sss_step {
     MS_SSS_STEP_X = 0,
     MS_SSS_STEP_Y = 1,
-    MS_SSS_STEP_PREPARE = 2,
-    MS_SSS_STEP_DOWN = 3,
-    MS_SSS_STEP_NORMAL = 4,
-    MS_SSS_STEP_UP = 5,
-    MS_SSS_STEP_BASE = 6,
-    MS_SSS_STEP_SHRINK = 7,
-    MS_SSS_STEP_GATHER = 8,
-    MS_SSS_STEP_RESOLVE = 9
+    MS_SSS_STEP_DOWN = 2,
+    MS_SSS_STEP_UP = 3,
+    MS_SSS_STEP_BASE = 4,
+    MS_SSS_STEP_SHRINK = 5,
+    MS_SSS_STEP_GATHER = 6,
+    MS_SSS_STEP_RESOLVE = 7
 } ms_sss_step;
 
-/* One step, as a fragment shader for a full-screen triangle or as a compute shader. All zero but tap_count: the first
-   pass of a texture-space filter in GLSL 330.
-     PREPARE  optional: reads the input as ms_sss_colour; writes RGB and, in alpha, depth and profile (0: takes no
-              part). Worth its pass where depth, profile or strength have textures of their own
-     X        along x, or the turned axis: reads PREPARE's target (set prepared), else the input, as ms_sss_colour;
-              writes the same kind of texel
+/* One step, as a fragment shader for a full-screen triangle.
+     X        along x, or the rotated axis: reads the input as ms_sss_colour; writes RGB and, in alpha, depth and
+              profile (0: masked)
      Y        along y: reads X's target as ms_sss_colour; writes the result, alpha 1
-   Half resolution (half_resolution 1: MS_SSS_METHOD_HALF) in place of PREPARE; the constants stay those of the picture:
+   Half resolution (half_resolution 1: MS_SSS_METHOD_HALF); the constants stay those of the full picture:
      DOWN     one texel from four pixels: reads the input as ms_sss_colour; its target and those of X and Y have
               (width + 1) / 2 x (height + 1) / 2 texels
-     NORMAL   with_normal, where slopes count: reads the input and ms_sss_normal; writes what X and Y then read as that
-     X, Y     as above, from DOWN's target, which is Y's ms_sss_input; all terms add up in one target
+     X, Y     as above, from DOWN's target, which is also Y's ms_sss_input; all terms add up in one target
      UP       reads the input as ms_sss_colour, DOWN's target as ms_sss_input, Y's as ms_sss_sum; writes the result,
               alpha 1
-   Textures are float or half RGBA (depth, strength, profile: any with red), read by texel only. Vulkan and WGSL bind
-   them at 1 + n, HLSL at t(n), GLSL 330 and ES 300 by name. OpenGL needs GL_NEAREST for both filters of each: with its
-   defaults a float texture is incomplete and reads as black. The other languages need no sampler.
+   Textures are RGBA of 32-bit floats (depth, strength, profile: any format with red), read by texel only. Vulkan and
+   WGSL bind them at 1 + n, HLSL at t(n), GLSL 330 and ES 300 by name. OpenGL needs GL_NEAREST for both filters of each:
+   with its defaults a float texture is incomplete and reads as black. The other languages need no sampler.
      n  name             read by
      0  ms_sss_colour    every step
-     1  ms_sss_depth     the first step, NORMAL and UP, depth MS_SSS_TEXTURE: as ms_sss_frame.depth
-     2  ms_sss_strength  as 1, and Y but with half_resolution, with_strength: in red
+     1  ms_sss_depth     the first step and UP, depth MS_SSS_TEXTURE: as ms_sss_frame.depth
+     2  ms_sss_strength  as 1, and Y at full resolution, with_strength: in red
      3  ms_sss_input     Y: the input (half_resolution: DOWN's target); UP: DOWN's target
      4  ms_sss_profile   as 1, profile MS_SSS_TEXTURE: index / 255, so that 8-bit UNORM holds ms_sss_frame.profile
-     5  ms_sss_sum       compute, Y of terms after the first: the sum of those before; UP: of all
-     6  ms_sss_normal    X, Y and NORMAL where slopes count, with_normal: as ms_sss_frame.normal
-     7  ms_sss_target    compute: what is written, rgba32f or (half_target) rgba16f; GLSL 330: image unit 0, HLSL: u0
-     8  ms_sss_surface   Y, slopes_kept: X's second target
+     5  ms_sss_sum       UP: of all terms
+     6  ms_sss_normal    X and Y at full resolution where slopes count, with_normal: as ms_sss_frame.normal
 
-   Light does not cross between profiles, nor to pixels that take no part (see ms_sss_filter): an index from
-   profile_count on is such a mask. Texels read a pixel for n taps, everything in alpha or absent: 4 n - 2 in X and Y,
-   26 for 7 taps, and one more where light stays (delta, fade, strength below 1). Slopes (depth, MS_SSS_DEPTH_AWARE,
-   flat below 1) read 4 more in each, 5 or 6 at outlines, or 1 with_normal; with slopes_kept Y reads 1. Depth, profile
-   and strength in textures of their own cost 2 n - 1 each, or one each with PREPARE. Turned axes read twice as many.
-   Half resolution reads 10 a pixel and a quarter of X's and Y's: 17 for 7 taps, 19 with slopes. Of several profiles a
-   texel of DOWN has one, that of the nearest of its pixels (without depth: of the first that takes part); ms_sss_filter
-   halves each by itself. In alpha of the input: depth as it is, or (without depth) index / 255. Both: a 32-bit float
-   depth whose last four bits hold the index, intBitsToFloat(floatBitsToInt(depth) + 8 & ~15 | index), for 16 profiles;
-   depth 0 masks. Targets of PREPARE and X in binary16 round depth to 11 bits: keep that under a tenth of the depth
-   sigma. With depth, the profile travels in the last 4 bits of blue (1e-6 of it), which binary16 lacks: half_target
-   reads ms_sss_profile again in each step. Slopes need depth in 32 bits. */
+   Light does not cross between profiles, nor to masked pixels (see ms_sss_filter): an index from profile_count on is
+   such a mask. Texels read a pixel for n taps, everything in alpha or absent: 4 n - 2 in X and Y together, 26 for 7
+   taps, and one more where light stays (delta, fade, strength below 1). Slopes (depth, flat below 1) read 4 more in
+   each, 5 or 6 at outlines, or 1 with_normal. Depth, profile and strength in textures of their own cost 2 n - 1 each.
+   Rotated axes read twice as many. Half resolution reads 10 a pixel and a quarter of X's and Y's: 17 for 7 taps, 19
+   with slopes. Of several profiles a texel of DOWN has that of the nearest of its pixels (without depth: of the first
+   that is not masked); ms_sss_filter halves each by itself. In alpha of the input: depth as it is, or (without depth)
+   index / 255. Both: a 32-bit float depth whose last four bits hold the index, intBitsToFloat(floatBitsToInt(depth) + 8
+   & ~15 | index), for 16 profiles; depth 0 masks. With depth, X's target carries the profile in the last 4 bits of blue
+   (1e-6 of it). */
 typedef struct ms_sss_shader {
     int tap_count;     /* the most of any of the kernels */
     int profile_count; /* kernels, 1 to MS_SSS_SHADER_PROFILES_MAX; 0: 1 */
-    int half_kernel;   /* 0: all taps are constants; 1: the centre and one of each pair */
     ms_sss_step step;
     ms_sss_language language;
     ms_sss_source depth;   /* perspective needs it */
     ms_sss_source profile; /* more than one kernel need it */
     int with_strength;
-    int with_normal;     /* 0: normals from depth */
-    int prepared;        /* X: PREPARE has run */
-    int half_target;     /* 1: the targets of PREPARE and X, and any of compute, are binary16 */
-    int compute;         /* 0: fragment shader, 1: compute shader, its tile of the picture in shared memory */
-    int later;           /* compute: 1 for Y of terms after the first, adds ms_sss_sum */
+    int with_normal;     /* 0: slopes from depth */
     int half_resolution; /* 1: X and Y work between DOWN and UP */
     int term_count;      /* UP: the most of any of the kernels; 0: 1 */
-    int slopes_kept;     /* 1: X writes its slopes, from depth, to a second target (two or more 32-bit floats), for Y */
 } ms_sss_shader;
 
-/* Pixels of a compute shader's work group: dispatch the target's size over them, rounded up. 0: x, 1: y. */
-MS_API int ms_sss_shader_group(const ms_sss_shader *shader, int axis);
+/* All zero but 7 taps: the first pass of a texture-space filter in GLSL 330. */
+MS_API ms_sss_shader ms_sss_shader_defaults(void);
 
 /* The text of a pass for these options, with entry point main.
    text    at least the returned length + 1 chars, or NULL with capacity 0 to ask; untouched where it does not fit
@@ -834,8 +799,8 @@ MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filte
                                  size_t capacity, ms_error *error);
 
 /* The constants, for callers that fill them without this header; the same for both passes. All float, offsets in bytes:
-   one ms_sss_shader_picture at 0, then for profile i at 48 + i * (80 + 16 taps), taps being tap_count or with
-   half_kernel tap_count / 2 + 1, one ms_sss_shader_profile and its taps {red, green, blue, offset in mm}
+   one ms_sss_shader_picture at 0, then for profile i at 48 + i * (80 + 16 taps), taps being
+   tap_count / 2 + 1, one ms_sss_shader_profile and its taps {red, green, blue, offset in mm}
    (ms_sss_kernel_upload). UP of term_count terms: the profiles of term 0, then those of term 1 and so on; other steps
    read those of one term.
 
@@ -864,15 +829,13 @@ typedef struct ms_sss_shader_profile {
     float total[3];    /*  0: sum of the weights of a pass */
     float radius_mm;   /* 12 */
     float scale[3];    /* 16: of the term */
-    float depth_scale; /* 28: mm_per_unit over the depth at which nothing counts (see MS_SSS_DEPTH_AWARE), exact:
-                              sqrt(2 / ln 2) sigma, follow: follow_mm */
+    float depth_scale; /* 28: mm_per_unit over the depth in mm at which nothing counts */
     float delta[3];    /* 32: weight of the unblurred input */
-    float cut; /* 44: square of the scaled depth difference from which on a tap (with slopes, exact 0: half resolution)
-                      does not count, 120 at most */
-    float curve[3]; /* 48: elevation_axis / 4, with slopes times 1 - flat */
-    float mixed;    /* 60: 1 red, 2 green, 4 blue, added: what is missing goes to the pixel's own colour */
-    float root[3];  /* 64: square root of the reflectance */
-    float reach;    /* 76: square of the scaled radius, the step in depth that ends a surface */
+    float cut;         /* 44: half resolution: square of the scaled depth difference at which nothing counts */
+    float curve[3];    /* 48: elevation_axis / 4, with slopes times 1 - flat */
+    float mixed;       /* 60: 1 red, 2 green, 4 blue, added: what is missing goes to the pixel's own colour */
+    float root[3];     /* 64: square root of the reflectance */
+    float reach;       /* 76: square of the scaled radius, the step in depth that ends a surface */
 } ms_sss_shader_profile;
 
 /* Float4 constants that a shader reads: 3, and for each profile (UP: of each term) 5 and its taps. OpenGL ES 3.0
@@ -882,7 +845,7 @@ MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader);
 /* Their values for term `term` (UP: all terms) of kernels[profile_count]. Terms after the first are drawn with additive
    blending over the first; a kernel with fewer terms adds nothing.
    out    [ms_sss_shader_constant_count()][4]
-   MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: half_kernel and pairs of unequal weight. out untouched. */
+   MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: taps that are no pairs. out untouched. */
 MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term, const ms_sss_filter_options *options,
                                          int width, int height, const ms_sss_shader *shader, float (*out)[4],
                                          ms_error *error);
@@ -893,12 +856,10 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
    text, capacity and result as in ms_sss_shader_text; 0: an unknown language. */
 MS_API size_t ms_sss_transmission_text(ms_sss_language language, char *text, size_t capacity);
 
-/* The taps alone, for engines with a shader of their own: RGB weight and offset in mm, entry 0 is the centre.
-   out    [tap_count][4], or [tap_count / 2 + 1][4] with half_kernel (centre, then one of each pair by growing offset);
-          float, or uint16_t that hold binary16 with binary16 = 1; NULL: checks only
-   MS_UNSUPPORTED: half_kernel and pairs of unequal weight. out untouched. */
-MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int half_kernel, int binary16, void *out,
-                                      ms_error *error);
+/* The taps alone, for engines with a shader of their own: RGB weight and offset in mm.
+   out    [tap_count / 2 + 1][4]: the centre, then one of each pair -x, +x by growing offset; float, or uint16_t that
+   hold binary16 with binary16 = 1; NULL: checks only MS_UNSUPPORTED: taps that are no pairs. out untouched. */
+MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int binary16, void *out, ms_error *error);
 
 /* ms_sss_pyramid_filter as fragment shaders: with n = ms_sss_shader_levels(width, height) levels, of which level l has
    ceil(width / 2^l) x ceil(height / 2^l) pixels, draw a full-screen triangle for each line, into two targets but for
@@ -913,12 +874,12 @@ MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int
      RESOLVE  0               as GATHER; input: the input, with_strength: ms_sss_strength          the result, alpha 1
 
    light: colour, -1 / depth (perspective) or depth; surface: area to a pixel's, change of that depth a pixel along x
-   and y. Names begin with ms_sss_; ms_sss_surface is n = 8 of the list above, coarse 9, coarse_surface 10, weight 11.
+   and y. Names begin with ms_sss_; ms_sss_surface is n = 7 of the list above, coarse 8, coarse_surface 9, weight 10.
    The texts are the same for all levels, the constants are not: ms_sss_shader_pyramid. Several profiles: all steps for
    each, its index in `profile`, RESOLVE's input being what RESOLVE wrote for the one before. tap_count and kernels do
    not matter. Texels read, depth in alpha, on what faces the camera (more on slopes): BASE 5 (5 to 7 at outlines,
    with_normal 2), RESOLVE 35 for each pixel, SHRINK 44 and GATHER 40 for each that they write: 68 a pixel in all,
-   whatever the radius. MS_UNSUPPORTED: compute, half_target, and as ms_sss_pyramid_filter. Equal to that (exact 0)
+   whatever the radius. MS_UNSUPPORTED: as ms_sss_pyramid_filter. Equal to that (exact 0)
    within 1e-4 of the largest input, but where the last bit of a depth decides which of two slopes is the smaller. */
 MS_API int ms_sss_shader_levels(int width, int height);
 
@@ -2269,9 +2230,9 @@ MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss
     ms_sss__signal_power(d);
     ms_sss__fill_cells(profile, d->cells, d->cell_mm, d->cell);
     for (o = 0; o <= d->cells; ++o) { /* a pole at 0 is read at an eighth of a cell */
+        const int pole = o == 0 && profile->kind != MS_SSS__GAUSSIANS;
         double at[3];
-        ms_sss_profile_value(profile,
-                             o == 0 && profile->kind != MS_SSS__GAUSSIANS ? 0.125 * d->cell_mm : o * d->cell_mm, at);
+        ms_sss_profile_value(profile, pole ? 0.125 * d->cell_mm : o * d->cell_mm, at);
         for (c = 0; c < 3; ++c) d->slice[c][o] = at[c];
     }
     for (c = 0; c < 3; ++c) {
@@ -2294,33 +2255,21 @@ MS_API void ms_sss_designer_destroy(ms_sss_designer *designer)
 
 /* ---- kernel errors --------------------------------------------------------------------------------------------- */
 
-/* What the taps at +-(x, y) read of a wave with frequency (kx, ky): the real part of the product of two linear
-   interpolations. along: its derivative when (x, y) moves by (dx, dy); NULL: not wanted. */
-static double ms_sss__pair_transfer(const ms_sss_designer *d, int kx, int ky, double x, double y, double dx, double dy,
-                                    double *along)
+/* What the taps at +-x read of a wave of frequency k: the real part of a linear interpolation. slope: its derivative by
+   x; NULL: not wanted. */
+static double ms_sss__pair_transfer(const ms_sss_designer *d, int k, double x, double *slope)
 {
-    double re[2], im[2], dre[2], dim[2], at[2];
-    int k[2], n;
-    k[0] = kx;
-    k[1] = ky;
-    at[0] = x;
-    at[1] = y;
-    for (n = 0; n < 2; ++n) { /* (1 - f) exp(i w p) + f exp(i w (p + 1)) at p = floor(at), f = at - p */
-        double p = floor(at[n]), f = at[n] - p;
-        int a = (int)p * k[n], b = a + k[n];
-        double c0 = d->cosine[a & (MS_SSS__SIZE - 1)], s0 = d->cosine[(a - 128) & (MS_SSS__SIZE - 1)];
-        dre[n] = d->cosine[b & (MS_SSS__SIZE - 1)] - c0;
-        dim[n] = d->cosine[(b - 128) & (MS_SSS__SIZE - 1)] - s0;
-        re[n] = c0 + f * dre[n];
-        im[n] = s0 + f * dim[n];
-    }
-    if (along != NULL) *along = dx * (dre[0] * re[1] - dim[0] * im[1]) + dy * (re[0] * dre[1] - im[0] * dim[1]);
-    return re[0] * re[1] - im[0] * im[1];
+    /* (1 - f) cos(w p) + f cos(w (p + 1)) at p = floor(x), f = x - p */
+    const double p = floor(x), f = x - p;
+    const int a = (int)p * k;
+    const double first = d->cosine[a & (MS_SSS__SIZE - 1)], rise = d->cosine[(a + k) & (MS_SSS__SIZE - 1)] - first;
+    if (slope != NULL) *slope = rise;
+    return first + f * rise;
 }
 
 /* A kernel in cells and doubles, as it is made and measured. Term t of channel c: sign w w^T. */
 typedef struct ms_sss__curve {
-    int pairs, terms, frames, hats;
+    int pairs, terms, hats;
     double times[MS_SSS__CELLS_MAX + 1];                       /* what an entry adds to the energy: 1, 2, 2, ... */
     double offset[MS_SSS__CELLS_MAX + 1];                      /* [0] is the centre */
     double weight[3][MS_SSS_TERMS_MAX][MS_SSS__CELLS_MAX + 1]; /* of the centre, then of each tap of a pair */
@@ -2328,7 +2277,7 @@ typedef struct ms_sss__curve {
     double delta[3], energy[3]; /* energy of delta and all terms: 1, but for SVD */
 } ms_sss__curve;
 
-/* One pass of fixed axes as a function of its one frequency. */
+/* One pass as a function of its frequency. */
 typedef struct ms_sss__waves {
     float line[3][MS_SSS_TERMS_MAX][MS_SSS__HALF + 1]; /* errors below 1e-6 are none */
 } ms_sss__waves;
@@ -2340,47 +2289,32 @@ typedef struct ms_sss__measurer {
     double line[2][3][MS_SSS__HALF + 1]; /* right result, curve; by distance */
 } ms_sss__measurer;
 
-/* What one pass reads of a wave: the taps of each term along (x, y). */
-static void ms_sss__curve_pass(const ms_sss_designer *d, const ms_sss__curve *v, int k1, int k2, double x, double y,
-                               double out[3][MS_SSS_TERMS_MAX])
-{
-    int t, c, i;
-    for (c = 0; c < 3; ++c)
-        for (t = 0; t < v->terms; ++t) out[c][t] = v->weight[c][t][0];
-    for (i = 1; i <= v->pairs; ++i) {
-        const double wave = 2 * ms_sss__pair_transfer(d, k1, k2, v->offset[i] * x, v->offset[i] * y, 0, 0, NULL);
-        for (c = 0; c < 3; ++c)
-            for (t = 0; t < v->terms; ++t) out[c][t] += v->weight[c][t][i] * wave;
-    }
-}
-
+/* What one pass reads of a wave of each frequency: the taps of each term. */
 static void ms_sss__curve_waves(const ms_sss_designer *d, const ms_sss__curve *v, ms_sss__waves *waves)
 {
     double line[3][MS_SSS_TERMS_MAX];
-    int k, t, c;
+    int k, t, c, i;
     for (k = 0; k <= MS_SSS__HALF; ++k) {
-        ms_sss__curve_pass(d, v, k, 0, 1, 0, line);
+        for (c = 0; c < 3; ++c)
+            for (t = 0; t < v->terms; ++t) line[c][t] = v->weight[c][t][0];
+        for (i = 1; i <= v->pairs; ++i) {
+            const double wave = 2 * ms_sss__pair_transfer(d, k, v->offset[i], NULL);
+            for (c = 0; c < 3; ++c)
+                for (t = 0; t < v->terms; ++t) line[c][t] += v->weight[c][t][i] * wave;
+        }
         for (c = 0; c < 3; ++c)
             for (t = 0; t < v->terms; ++t) waves->line[c][t][k] = (float)line[c][t];
     }
 }
 
-/* Spectrum of one bin: delta + sum over the terms, mean over the frames. waves as made above, for one frame only. */
-static void ms_sss__curve_transfer(const ms_sss_designer *d, const ms_sss__curve *v, const ms_sss__waves *waves, int k1,
-                                   int k2, double out[3])
+/* Spectrum of one bin: delta + sum over the terms. waves as made above. */
+static void ms_sss__curve_transfer(const ms_sss__curve *v, const ms_sss__waves *waves, int k1, int k2, double out[3])
 {
-    double pass[2][3][MS_SSS_TERMS_MAX];
-    int f, t, c;
-    for (c = 0; c < 3; ++c) out[c] = v->delta[c];
-    for (c = 0; c < 3 && v->frames == 1; ++c)
+    int t, c;
+    for (c = 0; c < 3; ++c) {
+        out[c] = v->delta[c];
         for (t = 0; t < v->terms; ++t)
             out[c] += v->sign[c][t] * (double)waves->line[c][t][k1] * (double)waves->line[c][t][k2];
-    for (f = 0; f < v->frames && v->frames > 1; ++f) {
-        const double turn = 0.5 * MS_SSS__PI * f / v->frames, x = cos(turn), y = sin(turn);
-        ms_sss__curve_pass(d, v, k1, k2, x, y, pass[0]);
-        ms_sss__curve_pass(d, v, k1, k2, -y, x, pass[1]);
-        for (c = 0; c < 3; ++c)
-            for (t = 0; t < v->terms; ++t) out[c] += v->sign[c][t] * pass[0][c][t] * pass[1][c][t] / v->frames;
     }
 }
 
@@ -2390,7 +2324,6 @@ static void ms_sss__kernel_curve(const ms_sss_designer *d, const ms_sss_kernel *
     v->hats = 0;
     v->pairs = kernel->tap_count / 2;
     v->terms = kernel->term_count;
-    v->frames = kernel->frame_count > 1 ? kernel->frame_count : 1;
     for (i = 0; i <= v->pairs; ++i) {
         int tap = 2 * i;
         v->times[i] = i ? 2 : 1;
@@ -2411,12 +2344,12 @@ static void ms_sss__curve_errors(const ms_sss_designer *d, const ms_sss__curve *
 {
     double found[3];
     int k1, k2, c, s, o = 0;
-    if (v->frames == 1) ms_sss__curve_waves(d, v, waves);
+    ms_sss__curve_waves(d, v, waves);
     for (s = 0; s < MS_SSS__SIGNALS; ++s) error[s] = 0;
     for (k1 = 0; k1 <= MS_SSS__HALF; ++k1)
         for (k2 = 0; k2 <= k1; ++k2, ++o) {
             double square = 0;
-            ms_sss__curve_transfer(d, v, waves, k1, k2, found);
+            ms_sss__curve_transfer(v, waves, k1, k2, found);
             for (c = 0; c < 3; ++c) square += (found[c] - d->spectrum[c][o]) * (found[c] - d->spectrum[c][o]);
             for (s = 0; s < MS_SSS__SIGNALS; ++s) error[s] += (double)d->power[s][o] * square;
         }
@@ -2437,10 +2370,10 @@ static double ms_sss__curve_bands(const ms_sss_designer *d, ms_sss__measurer *m)
     double found[3], most = 0;
     int k, c, x, n;
     memset(m->line, 0, sizeof m->line);
-    if (v->frames == 1) ms_sss__curve_waves(d, v, &m->waves);
+    ms_sss__curve_waves(d, v, &m->waves);
     for (k = 0; k <= MS_SSS__HALF; ++k) {
         double share = (k == 0 || k == MS_SSS__HALF ? 1.0 : 2.0) / (int)MS_SSS__SIZE;
-        ms_sss__curve_transfer(d, v, &m->waves, k, 0, found);
+        ms_sss__curve_transfer(v, &m->waves, k, 0, found);
         for (c = 0; c < 3; ++c)
             for (x = 0; x <= MS_SSS__HALF; ++x) {
                 double wave = share * d->cosine[k * x & (MS_SSS__SIZE - 1)];
@@ -2534,10 +2467,10 @@ static void ms_sss__curve_normalise(ms_sss__curve *v)
    keep the energy. The entries of a curve of hats are no pairs of taps but bumps over many cells. */
 typedef struct ms_sss__fit {
     const ms_sss_designer *d;
-    int frames, lines, bins, pairs, terms, use_delta, unknowns, local;
+    int lines, bins, pairs, terms, use_delta, unknowns, local;
     int first, end, moved; /* channels; offsets */
     int k1[MS_SSS__BINS_MAX], k2[MS_SSS__BINS_MAX];
-    int line1[MS_SSS__BINS_MAX], line2[MS_SSS__BINS_MAX]; /* of frame 0; frame f stands 2 f further */
+    int line1[MS_SSS__BINS_MAX], line2[MS_SSS__BINS_MAX];
     double weight[MS_SSS__BINS_MAX], target[MS_SSS__BINS_MAX][3];
     double *basis, *slope;                  /* [lines][pairs] of both taps of a pair; d basis / d offset */
     double *wave;                           /* [3][MS_SSS_TERMS_MAX][lines] */
@@ -2560,10 +2493,10 @@ static void ms_sss__fit_bins(ms_sss__fit *fit, const ms_sss__curve *model, doubl
             double squares = 0;
             fit->k1[n] = node[a];
             fit->k2[n] = node[b];
-            fit->line1[n] = fit->frames == 1 ? a : 2 * fit->frames * n;
-            fit->line2[n] = fit->frames == 1 ? b : 2 * fit->frames * n + 1;
+            fit->line1[n] = a;
+            fit->line2[n] = b;
             for (c = 0; c < 3; ++c) fit->target[n][c] = fit->d->spectrum[c][ms_sss__octant(node[a], node[b])];
-            if (model != NULL) ms_sss__curve_transfer(fit->d, model, &fit->waves, node[a], node[b], fit->target[n]);
+            if (model != NULL) ms_sss__curve_transfer(model, &fit->waves, node[a], node[b], fit->target[n]);
             for (c = 0; c < 3; ++c) squares += fit->target[n][c] * fit->target[n][c];
             fit->weight[n] = n == 0 ? 0
                                     : share[a] * share[b] * (a == b ? 1 : 2) * ms_sss__texture_power(node[a], node[b]);
@@ -2571,7 +2504,7 @@ static void ms_sss__fit_bins(ms_sss__fit *fit, const ms_sss__curve *model, doubl
             if (b == 0 && a > 0) on_axis += share[a] / ((double)node[a] * node[a]) * squares;
         }
     fit->bins = n;
-    fit->lines = fit->frames == 1 ? nodes : 2 * fit->frames * n;
+    fit->lines = nodes;
     for (n = 1; n < fit->bins; ++n) fit->weight[n] *= (1 - dial) / all;
     for (a = 1; a < nodes; ++a) fit->weight[a * (a + 1) / 2] += dial * share[a] / ((double)node[a] * node[a]) / on_axis;
 }
@@ -2597,34 +2530,24 @@ static double ms_sss__hat_transfer(const ms_sss_designer *d, const ms_sss__curve
 
 static void ms_sss__fit_basis(ms_sss__fit *fit, const ms_sss__curve *v)
 {
-    int n, f, i, pass;
-    for (n = 0; n < fit->bins; ++n)
-        for (f = 0; f < fit->frames; ++f)
-            for (pass = 0; pass < 2; ++pass) {
-                double turn = 0.5 * MS_SSS__PI * (f + pass * fit->frames) / fit->frames, x = cos(turn), y = sin(turn);
-                int line = (pass ? fit->line2[n] : fit->line1[n]) + 2 * f, k1 = fit->k1[n], k2 = fit->k2[n];
-                double *basis = fit->basis + line * fit->pairs, *slope = fit->slope + line * fit->pairs;
-                if (fit->frames == 1) { /* fixed axes: one line a node, filled from the bins on the axis */
-                    if (pass || k2 != 0) continue;
-                    x = 1;
-                    y = 0;
-                }
-                if (v->hats) {
-                    for (i = 0; i < fit->pairs; ++i) basis[i] = ms_sss__hat_transfer(fit->d, v, i + 1, k1);
-                    continue;
-                }
-                for (i = 0; i < fit->pairs; ++i) {
-                    double o = v->offset[i + 1];
-                    basis[i] = 2 * ms_sss__pair_transfer(fit->d, k1, k2, o * x, o * y, x, y, &slope[i]);
-                    slope[i] *= 2;
-                }
+    int n, i;
+    for (n = 0; n < fit->bins; ++n) { /* one line a node, from the bins on the axis */
+        double *basis = fit->basis + fit->line1[n] * fit->pairs, *slope = fit->slope + fit->line1[n] * fit->pairs;
+        for (i = 0; i < fit->pairs && fit->k2[n] == 0; ++i) {
+            if (v->hats) {
+                basis[i] = ms_sss__hat_transfer(fit->d, v, i + 1, fit->k1[n]);
+                continue;
             }
+            basis[i] = 2 * ms_sss__pair_transfer(fit->d, fit->k1[n], v->offset[i + 1], &slope[i]);
+            slope[i] *= 2;
+        }
+    }
 }
 
 static double ms_sss__fit_objective(ms_sss__fit *fit, const ms_sss__curve *v)
 {
     double sum = 0;
-    int n, f, c, t, i, line;
+    int n, c, t, i, line;
     for (c = fit->first; c < fit->end; ++c)
         for (t = 0; t < fit->terms; ++t)
             for (line = 0; line < fit->lines; ++line) {
@@ -2638,8 +2561,7 @@ static double ms_sss__fit_objective(ms_sss__fit *fit, const ms_sss__curve *v)
             double rest = fit->target[n][c] - v->delta[c];
             for (t = 0; t < fit->terms; ++t) {
                 const double *wave = fit->wave + (c * MS_SSS_TERMS_MAX + t) * fit->lines;
-                for (f = 0; f < fit->frames; ++f)
-                    rest -= v->sign[c][t] * wave[fit->line1[n] + 2 * f] * wave[fit->line2[n] + 2 * f] / fit->frames;
+                rest -= v->sign[c][t] * wave[fit->line1[n]] * wave[fit->line2[n]];
             }
             sum += fit->weight[n] * rest * rest;
         }
@@ -2649,7 +2571,7 @@ static double ms_sss__fit_objective(ms_sss__fit *fit, const ms_sss__curve *v)
 /* Normal equations H step = g of the curve whose waves the last objective left. */
 static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v)
 {
-    int n, f, c, t, i, j, moved = fit->moved;
+    int n, c, t, i, j, moved = fit->moved;
     double *J = fit->jacobian;
     memset(fit->H, 0, sizeof *fit->H * (size_t)(fit->unknowns * fit->unknowns));
     memset(fit->g, 0, sizeof *fit->g * (size_t)fit->unknowns);
@@ -2663,16 +2585,14 @@ static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v)
             for (t = 0; t < fit->terms; ++t) {
                 const double *wave = fit->wave + (c * MS_SSS_TERMS_MAX + t) * fit->lines, *w = v->weight[c][t];
                 double *Jw = J + moved + t * (fit->pairs + 1);
-                for (f = 0; f < fit->frames; ++f) {
-                    int l1 = fit->line1[n] + 2 * f, l2 = fit->line2[n] + 2 * f;
-                    double a1 = wave[l1] * v->sign[c][t] / fit->frames, a2 = wave[l2] * v->sign[c][t] / fit->frames;
-                    const double *b1 = fit->basis + l1 * fit->pairs, *b2 = fit->basis + l2 * fit->pairs;
-                    const double *s1 = fit->slope + l1 * fit->pairs, *s2 = fit->slope + l2 * fit->pairs;
-                    found += a1 * wave[l2];
-                    Jw[0] += a1 + a2;
-                    for (i = 0; i < fit->pairs; ++i) Jw[i + 1] += b1[i] * a2 + a1 * b2[i];
-                    for (i = 0; i < moved; ++i) J[i] += w[i + 1] * (s1[i] * a2 + a1 * s2[i]);
-                }
+                const int l1 = fit->line1[n], l2 = fit->line2[n];
+                const double a1 = wave[l1] * v->sign[c][t], a2 = wave[l2] * v->sign[c][t];
+                const double *b1 = fit->basis + l1 * fit->pairs, *b2 = fit->basis + l2 * fit->pairs;
+                const double *s1 = fit->slope + l1 * fit->pairs, *s2 = fit->slope + l2 * fit->pairs;
+                found += a1 * wave[l2];
+                Jw[0] += a1 + a2;
+                for (i = 0; i < fit->pairs; ++i) Jw[i + 1] += b1[i] * a2 + a1 * b2[i];
+                for (i = 0; i < moved; ++i) J[i] += w[i + 1] * (s1[i] * a2 + a1 * s2[i]);
             }
             rest = fit->target[n][c] - v->delta[c] - found;
             for (t = 0; t < fit->terms; ++t) { /* all terms are scaled to keep sum_t sign_t sum_t^2 = energy - delta */
@@ -2762,7 +2682,7 @@ static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__c
     const int local = moved + v->terms * (v->pairs + 1) + use_delta, unknowns = moved + channels * (local - moved);
     double share[MS_SSS__NODES_MAX];
     int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(d->cells, coarse, node, share);
-    int lines = v->frames == 1 ? nodes : v->frames * nodes * (nodes + 1);
+    int lines = nodes;
     size_t header = (sizeof(ms_sss__fit) + 63) / 64 * 64;
     size_t doubles = (size_t)((2 * v->pairs + 3 * MS_SSS_TERMS_MAX) * lines + 2 * unknowns * (unknowns + 1) + local);
     size_t bytes = header + doubles * sizeof(double);
@@ -2772,7 +2692,6 @@ static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__c
     memset(fit, 0, bytes);
     fit->d = d;
     fit->bytes = bytes;
-    fit->frames = v->frames;
     fit->pairs = v->pairs;
     fit->terms = v->terms;
     fit->first = channel < 0 ? 0 : channel;
@@ -2808,7 +2727,6 @@ static void ms_sss__place(const ms_sss_designer *d, const ms_sss__curve *dense, 
     memset(v, 0, sizeof *v);
     v->pairs = pairs;
     v->terms = dense->terms;
-    v->frames = dense->frames;
     for (n = 0; n <= pairs; ++n) v->times[n] = n ? 2 : 1;
     memcpy(v->sign, dense->sign, sizeof v->sign);
     memcpy(v->delta, dense->delta, sizeof v->delta);
@@ -3167,7 +3085,6 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
     memset(v, 0, sizeof *v);
     v->pairs = M;
     v->terms = 1;
-    v->frames = 1;
     for (i = 0; i <= M; ++i) {
         v->offset[i] = i;
         v->times[i] = i ? 2 : 1;
@@ -3336,7 +3253,6 @@ static MS_SSS__COLD void ms_sss__store_kernel(const ms_sss_designer *d, const ms
     }
     kernel->tap_count = 2 * v->pairs + 1;
     kernel->term_count = v->terms;
-    kernel->frame_count = v->frames;
     for (n = 0; n <= v->pairs; ++n)
         for (side = n ? 0 : 1; side < 2; ++side) {
             int tap = n ? 2 * n - 1 + side : 0;
@@ -3372,7 +3288,7 @@ static MS_SSS__COLD ms_status ms_sss__check_kernel_options(const ms_sss_kernel_o
     const int dense = o->tap_count == MS_SSS_DENSE, most = o->placement == MS_SSS_OPTIMISED ? 33 : MS_SSS_TAPS_MAX;
     ms_status status;
     int c;
-    if ((status = ms_sss__within((int)o->model, "model", 0, (int)MS_SSS_ROTATED, error)) != MS_OK ||
+    if ((status = ms_sss__within((int)o->model, "model", 0, (int)MS_SSS_SLICE, error)) != MS_OK ||
         (status = ms_sss__within((int)o->placement, "placement", 0, (int)MS_SSS_QUADRATIC, error)) != MS_OK ||
         (status = ms_sss__within(o->term_count, "term_count", 1, MS_SSS_TERMS_MAX, error)) != MS_OK ||
         (status = ms_sss__within(o->dial, "dial", 0, 1, error)) != MS_OK ||
@@ -3381,11 +3297,6 @@ static MS_SSS__COLD ms_status ms_sss__check_kernel_options(const ms_sss_kernel_o
         return status;
     if (!dense && (o->tap_count < 3 || o->tap_count > most || o->tap_count % 2 == 0))
         return MS_SSS__REFUSE(error, "tap_count is %d; odd, 3 to %d, or MS_SSS_DENSE expected", o->tap_count, most);
-    if (o->model == MS_SSS_ROTATED &&
-        (dense || o->placement != MS_SSS_OPTIMISED || o->frame_count < 2 || o->frame_count > 8))
-        return MS_SSS__REFUSE(error,
-                              "model rotated: frame_count is %d; 2 to 8, MS_SSS_OPTIMISED and no MS_SSS_DENSE expected",
-                              o->frame_count);
     for (c = 0; c < 3; ++c) {
         const ms_sss_artist *a = &o->artist;
         int fitted = a->sigma_near_mm[c] == 0 && a->sigma_far_mm[c] == 0 && a->near_weight[c] == 0;
@@ -3430,7 +3341,6 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const m
     if (kernel == NULL || d == NULL) return MS_SSS__REFUSE(error, "kernel or designer is NULL");
     if (o.tap_count == 0) o.tap_count = 7;
     if (o.term_count == 0) o.term_count = o.model == MS_SSS_RESIDUAL ? 2 : 1;
-    if (o.frame_count == 0) o.frame_count = 4;
     if (o.index == 0) o.index = 1;
     status = ms_sss__check_kernel_options(&o, error);
     if (status != MS_OK) return status;
@@ -3440,13 +3350,12 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const m
     scratch = dense + 2;
     status = ms_sss__model_curve(d, &o, dense);
     pairs = o.tap_count / 2;
-    if (o.model == MS_SSS_ROTATED) dense->frames = o.frame_count;
     if (status == MS_OK && o.tap_count == MS_SSS_DENSE) {
         *taps = *dense;
         if (o.model == MS_SSS_IMAGE_OPTIMAL) status = ms_sss__dense_optimum(d, o.dial, o.no_delta, scratch, taps);
     } else if (status == MS_OK && o.placement == MS_SSS_OPTIMISED) {
         /* the target: the profile for models that approximate it best, else the model's own dense kernel */
-        of_profile = o.model == MS_SSS_IMAGE_OPTIMAL || o.model == MS_SSS_ROTATED || o.model == MS_SSS_RESIDUAL;
+        of_profile = o.model == MS_SSS_IMAGE_OPTIMAL || o.model == MS_SSS_RESIDUAL;
         status = ms_sss__fit_best(d, dense, of_profile ? NULL : dense, o.dial, pairs, o.no_delta, taps);
     } else if (status == MS_OK && o.placement == MS_SSS_QUADRATIC) {
         ms_sss__place_quadratic(d, dense, pairs, scratch, (ms_sss__waves *)(void *)(dense + 3), taps);
@@ -3480,23 +3389,6 @@ MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *d, ms_sss_artist *arti
         artist->sigma_near_mm[c] = fit[0] * d->cell_mm;
         artist->sigma_far_mm[c] = fit[1] * d->cell_mm;
         artist->near_weight[c] = fit[2];
-    }
-    return MS_OK;
-}
-
-MS_API ms_status ms_sss_fit_gaussians(const ms_sss_designer *d, int count, double (*sigma_mm)[3], double (*weight)[3],
-                                      ms_error *error)
-{
-    double q[MS_SSS_TERMS_MAX], sigma[MS_SSS_TERMS_MAX];
-    int c, n;
-    if (d == NULL || sigma_mm == NULL || weight == NULL || count < 1 || count > MS_SSS_TERMS_MAX)
-        return MS_SSS__REFUSE(error, "%d Gaussians; 1 to %d and no NULL expected", count, MS_SSS_TERMS_MAX);
-    for (c = 0; c < 3; ++c) {
-        ms_sss__fit_mixture(d, c, count, q, sigma);
-        for (n = 0; n < count; ++n) {
-            sigma_mm[n][c] = sigma[n] * d->cell_mm;
-            weight[n][c] = q[n] * q[n];
-        }
     }
     return MS_OK;
 }
@@ -3597,18 +3489,6 @@ MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness
     for (c = 0; c < 3; ++c) out[c] = ms_sss__slab(total[c], decay[c], thickness_mm > 0 ? thickness_mm : 0);
 }
 
-MS_API ms_status ms_sss_transmittance_table(const ms_sss_profile *profile, double max_thickness_mm, int count,
-                                            float (*out)[3])
-{
-    double total[3], decay[3];
-    int i, c;
-    if (profile == NULL || out == NULL || count < 2 || !(max_thickness_mm > 0 && max_thickness_mm <= 1e9))
-        return MS_INVALID_ARGUMENT;
-    ms_sss__decay(profile, total, decay);
-    for (i = 0; i < count; ++i)
-        for (c = 0; c < 3; ++c) out[i][c] = (float)ms_sss__slab(total[c], decay[c], max_thickness_mm * i / (count - 1));
-    return MS_OK;
-}
 #endif
 
 MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm, const float normal[3],
@@ -3714,8 +3594,8 @@ typedef struct ms_sss__fixed {
     int mixed[3];
 } ms_sss__fixed;
 
-/* Taps of one pass at positions that each pixel's size gives. Depths are scaled so that a pixel dz away counts 2^-dz^2,
-   (1 - dz^2)^4, with slopes (1 - dz^2) / (1 + remote dz^2), or 1 - |dz| with follow. */
+/* Taps of one pass at positions that each pixel's size gives. Depths are scaled so that a pixel dz away counts
+   (1 - dz^2)^4, with slopes (1 - dz^2) / (1 + remote dz^2). */
 typedef struct ms_sss__pass {
     int tap_count;
     const float *offset_mm;
@@ -3723,9 +3603,8 @@ typedef struct ms_sss__pass {
     float total[3];
     int mixed[3]; /* weights of both signs: what is missing goes to the pixel's own colour */
     float size, size_max, size_min,
-        aspect[2];                  /* pixels a mm: size, or min(size / depth, size_max); at most size_min: off */
-    int perspective, follow, exact; /* exact: the Gaussian of dz^2 */
-    float cut;                      /* dz^2 from which on nothing counts */
+        aspect[2]; /* pixels a mm: size, or min(size / depth, size_max); at most size_min: off */
+    int perspective;
     /* With slopes: depths are taken against the tangent plane, and light from below it counts more. */
     float focal[2]; /* slope of a pixel's step in depth: times focal, in perspective relative to the depth of the
                        farther pixel */
@@ -3737,7 +3616,7 @@ typedef struct ms_sss__pass {
                     i pixels away: 2 errors for the depths there and here and for each step between, one pixel beside a
                     tap */
     float curve[3], root[3], least; /* K / 4; square root of the reflectance; least sin(theta) */
-    float remote, bulge;            /* square of the mm of dz 1, times upright; square root of upright / 2; exact: 0 */
+    float remote, bulge;            /* square of the mm of dz 1, times upright; square root of upright / 2 */
     float apart;                    /* dz at which the pixels of a larger one part */
 } ms_sss__pass;
 
@@ -3786,8 +3665,6 @@ typedef struct ms_sss__turning {
     const float (*direction)[2];
     int second, height;
     ptrdiff_t stride;
-    const float
-        *packed; /* NULL, or the picture with a pixel's four floats side by side: taps of neighbours lie far apart */
 } ms_sss__turning;
 
 /* A row that a pass makes. What lies i steps along the axis from a group is at from + group + step[i]: red, and `plane`
@@ -3951,16 +3828,6 @@ static MS_SSS__INLINE float ms_sss__floor(float x)
 {
     float whole = (float)(int)x;
     return whole > x ? whole - 1.0f : whole;
-}
-
-/* x 2^-n for 0 <= n < 126 and 1/2 <= x <= 1 */
-static MS_SSS__INLINE float ms_sss__scale(float x, float n)
-{
-    int32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    bits -= (int32_t)n * (1 << 23);
-    memcpy(&x, &bits, sizeof x);
-    return x;
 }
 
 /* Sizes of a pyramid's table are 2^e (1 + m / 4): their index is in the float's top bits. */
@@ -4200,7 +4067,6 @@ typedef struct ms_sss__job {
     int unwritten; /* pixels that take no part still have to be copied to the output */
     int raw;       /* and their elements can be copied as they are */
     float *middle[3], *source[3], *depth, *sum[3], *rows;
-    float *packed;                 /* NULL, or what a turned pass reads, see ms_sss__turning */
     float *fresh;                  /* a row of depths where all pixels take part */
     int *first, *last;             /* of each row: whole blocks that hold pixels which take part */
     int *solid_first, *solid_last; /* a run of columns that all take part; up to padded where it reaches the width */
@@ -4259,7 +4125,7 @@ static void ms_sss__copy(const ms_sss__job *job, int y, int begin, int end, cons
             float value;
             if (depth && depth[x] < INFINITY) continue;
             if (f->profile) { /* each pixel is copied once: under its own profile, or the first if that has no kernel */
-                int profile = f->profile[y * f->profile_row_stride + x * f->profile_pixel_stride];
+                int profile = f->profile[(size_t)y * (size_t)f->width + (size_t)x];
                 if (profile != job->profile && (profile < job->kernel_count || job->profile > 0)) continue;
             }
             if (job->raw) {
@@ -4337,10 +4203,10 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *cons
         for (x = 0; x < job->padded; ++x) depth[x] = INFINITY;
         last = 0;
     } else if (f->profile) {
-        const uint8_t *profile = f->profile + y * f->profile_row_stride;
+        const uint8_t *profile = f->profile + (size_t)y * (size_t)width;
         memcpy(depth, before, (size_t)job->padded * sizeof(float));
         for (x = 0; x < width; ++x)
-            if (profile[x * f->profile_pixel_stride] != job->profile) depth[x] = INFINITY;
+            if (profile[x] != job->profile) depth[x] = INFINITY;
         before = depth;
     }
     job->whole[y] = 1;
@@ -4885,7 +4751,7 @@ static int ms_sss__pairs(ms_sss__sweep *s, const ms_sss__job *job)
     const int pairs = k->tap_count / 2;
     float inner = 0;
     int i, c;
-    if (pairs > (s->shaped ? MS_SSS__LEANING : MS_SSS__PAIRS) || p->follow || p->exact) return 0;
+    if (pairs > (s->shaped ? MS_SSS__LEANING : MS_SSS__PAIRS)) return 0;
     s->plain = !(p->mixed[0] || p->mixed[1] || p->mixed[2]);
     /* dz / (1 + remote dz^2) is at most half of 1 / sqrt(remote), which is the offset over that of upright; 1 + the
        square of a ray's tangent is the most that facing adds */
@@ -4992,19 +4858,6 @@ static void ms_sss__both_passes(ms_sss__job *job)
 
 /* --- turned axes --- */
 
-/* Of a band of rows what the next pass reads: with jitter. */
-static void ms_sss__turned_pack(void *context, int task)
-{
-    const ms_sss__job *job = (const ms_sss__job *)context;
-    const int begin = job->begin + task * job->band, height = job->frame.height;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    const ptrdiff_t last = (end + (end == height)) * job->stride - MS_SSS__LEFT;
-    ptrdiff_t i;
-    int c;
-    for (i = (begin - !begin) * job->stride - MS_SSS__LEFT; i < last; ++i)
-        for (c = 0; c < 4; ++c) job->packed[4 * i + c] = (c < 3 ? job->source[c] : job->depth)[i];
-}
-
 /* Both passes read rows above and below: all rows are prepared first, then each pass makes all of them. */
 static void ms_sss__turned_band(void *context, int task)
 {
@@ -5020,7 +4873,6 @@ static void ms_sss__turned_band(void *context, int task)
         }
         ms_sss__prepare(job, y, task, colour, job->depth + y * job->stride);
     }
-    if (job->packed) ms_sss__turned_pack(context, task);
 }
 
 /* A pass of a band of rows, each pixel along its own axis. */
@@ -5040,7 +4892,6 @@ static void ms_sss__turned_pass(const ms_sss__job *job, int task, int second)
     turn.second = second;
     turn.height = job->frame.height;
     turn.stride = job->stride;
-    turn.packed = job->packed;
     memset(&l, 0, sizeof l);
     l.turn = &turn;
     l.plan = &plan;
@@ -5112,9 +4963,7 @@ static MS_SSS__COLD ms_sss__layout ms_sss__plan(int width, int height, const ms_
     l.padded = ms_sss__round_up(width, l.block);
     l.stride = (size_t)(MS_SSS__LEFT + l.padded + MS_SSS__RIGHT);
     l.plane = ms__size_mul(l.stride, rows + 2); /* an empty row above and below */
-    l.planes = kind == MS_SSS__PLANES                      ? 3
-        : kind == MS_SSS__PASSES && ms_sss__turns(options) ? 7 + (options->jitter > 0)
-                                                           : 0;
+    l.planes = kind == MS_SSS__PLANES ? 3 : kind == MS_SSS__PASSES && ms_sss__turns(options) ? 7 : 0;
     l.ring = l.sweep = 0;
     if (kind == MS_SSS__PASSES && !ms_sss__turns(options)) {
         l.ring = ms__size_mul(
@@ -5134,12 +4983,12 @@ static MS_SSS__COLD ms_sss__layout ms_sss__plan(int width, int height, const ms_
 
 /* Tap sums of a term; those within rounding of 1 become 1 where delta adds nothing, so that what is left alone is left
    alone to the bit. */
-static MS_SSS__COLD void ms_sss__totals(const ms_sss_kernel *k, int term, int follow, float total[3], int mixed[3])
+static MS_SSS__COLD void ms_sss__totals(const ms_sss_kernel *k, int term, float total[3], int mixed[3])
 {
     int c, i;
     for (c = 0; c < 3; ++c) {
         double sum = 0;
-        mixed[c] = follow;
+        mixed[c] = 0;
         for (i = 0; i < k->tap_count; ++i) {
             sum += (double)k->weight[term][i][c];
             if (k->weight[term][i][c] < 0) mixed[c] = 1;
@@ -5153,7 +5002,7 @@ static void ms_sss__fix(ms_sss__fixed *f, const ms_sss_kernel *k, int term, doub
 {
     int i, j, c, half;
     f->count = f->lowest = f->highest = 0;
-    ms_sss__totals(k, term, 0, f->total, f->mixed);
+    ms_sss__totals(k, term, f->total, f->mixed);
     for (i = k->tap_count - 1; i >= 0; --i) {
         const double exact = (double)k->offset_mm[i] * pixels, nearest = floor(exact + 0.5);
         const double t = fabs(exact - nearest) < 1e-4 ? nearest : exact, whole = floor(t);
@@ -5252,15 +5101,13 @@ static MS_SSS__COLD ms_status ms_sss__check_frame(ms_sss_frame *f, int needs_dep
         (status = ms_sss__check_image(&f->normal, "normal", 3, 0, w, h, error)) != MS_OK ||
         (status = ms_sss__check_image(&f->through, "through", 3, 0, w, h, error)) != MS_OK)
         return status;
-    if (f->profile_pixel_stride == 0) f->profile_pixel_stride = 1;
-    if (f->profile_row_stride == 0) f->profile_row_stride = f->profile_pixel_stride * w;
     return MS_OK;
 }
 
 static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options *o, ms_error *error)
 {
-    static const char *const name[] = {"ortho_height", "mm_per_unit", "depth_sigma_mm", "follow_mm"};
-    const float length[] = {o->ortho_height, o->mm_per_unit, o->depth_sigma_mm, o->follow_mm}, *a = o->pixels_per_mm;
+    static const char *const name[] = {"ortho_height", "mm_per_unit", "depth_sigma_mm"};
+    const float length[] = {o->ortho_height, o->mm_per_unit, o->depth_sigma_mm}, *a = o->pixels_per_mm;
     const int sizes = ms_sss__differ(a[0], 0) + ms_sss__differ(o->fov_degrees, 0) + ms_sss__differ(o->ortho_height, 0);
     ms_status status;
     int i;
@@ -5271,7 +5118,7 @@ static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options 
         return MS_SSS__REFUSE(error, "pixels_per_mm %g, %g: expected positive numbers", (double)a[0], (double)a[1]);
     if (ms_sss__differ(o->fov_degrees, 0) && !(o->fov_degrees > 0 && o->fov_degrees < 180))
         return MS_SSS__REFUSE(error, "fov_degrees %g is not within (0, 180)", (double)o->fov_degrees);
-    for (i = 0; i < 4; ++i)
+    for (i = 0; i < 3; ++i)
         if (ms_sss__differ(length[i], 0) && !ms_sss__positive(length[i]))
             return MS_SSS__REFUSE(error, "%s %g is not positive", name[i], (double)length[i]);
     if ((status = ms_sss__within((double)o->fade, "fade", 0, 1, error)) != MS_OK ||
@@ -5311,27 +5158,21 @@ static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kerne
     p->aspect[1] = o->pixels_per_mm[0] > 0 && o->pixels_per_mm[1] > 0 ? o->pixels_per_mm[1] / o->pixels_per_mm[0]
                                                                       : 1.0f;
     p->perspective = o->fov_degrees > 0;
-    p->follow = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
-    p->exact = o->exact;
-    p->cut = p->apart = 1.0f;
-    if (p->follow) {
-        kappa = mm / (o->follow_mm > 0 ? (double)o->follow_mm : radius);
-    } else if (o->depth_mode == MS_SSS_DEPTH_AWARE) {
+    p->apart = 1.0f;
+    if (o->depth_mode == MS_SSS_DEPTH_AWARE) {
         const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : radius;
         const double upright = job->shaped ? 1 - (double)o->flat : 0;
         const double sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : (0.12 + 0.13 * upright) * extent;
-        double end = MS_SSS__FALLOFF_END * sigma, unit = 0.84932180028801904 / sigma,
-               apart; /* exp(-dz^2 / (2 sigma^2)) = 2^-(unit dz)^2 */
-        if (!job->shaped && (o->exact || radius < end)) end = radius;
+        double end = MS_SSS__FALLOFF_END * sigma, unit, apart;
+        if (!job->shaped && radius < end) end = radius;
         apart = end;
-        if (job->shaped && !o->exact && !(o->depth_sigma_mm > 0)) end = (0.37 + 1.13 * upright) * extent;
-        if (!o->exact) unit = 1 / end;
+        if (job->shaped && !(o->depth_sigma_mm > 0)) end = (0.37 + 1.13 * upright) * extent;
+        unit = 1 / end;
         kappa = mm * unit;
-        p->cut = (float)(end * unit * end * unit < 120 ? end * unit * end * unit : 120);
         p->reach = (float)(radius * unit * radius * unit);
         p->unit = (float)(1 / unit);
-        p->apart = (float)(apart * unit < 10.954451 ? apart * unit : 10.954451); /* as the cut */
-        p->remote = o->exact ? 0 : (float)(upright / (unit * unit));
+        p->apart = (float)(apart * unit);
+        p->remote = (float)(upright / (unit * unit));
     }
     job->depth_scale = (float)kappa;
     widest = (double)(p->aspect[0] > p->aspect[1] ? p->aspect[0] : p->aspect[1]);
@@ -5374,7 +5215,7 @@ static int ms_sss__direct(const ms_sss__job *job)
     float total[3];
     int mixed[3], c;
     if (k->term_count > 1 || !ms_sss__plain(job)) return 0;
-    ms_sss__totals(k, 0, 0, total, mixed);
+    ms_sss__totals(k, 0, total, mixed);
     for (c = 0; c < 3; ++c)
         if (ms_sss__differ(k->delta[c], 0) || ms_sss__differ(k->scale[0][c], 1) || ms_sss__differ(total[c], 1))
             return 0;
@@ -5387,8 +5228,8 @@ static void ms_sss__set_term(ms_sss__job *job, int term)
     const int side = job->frame.width > job->frame.height ? job->frame.width : job->frame.height;
     job->term = term;
     p->weight = job->kernel->weight[term];
-    ms_sss__totals(job->kernel, term, p->follow && job->frame.depth.channel[0] != NULL, p->total, p->mixed);
-    p->bulge = job->shaped && !p->exact && !p->mixed[0] && !p->mixed[1] && !p->mixed[2] ? sqrtf(0.5f * p->upright) : 0;
+    ms_sss__totals(job->kernel, term, p->total, p->mixed);
+    p->bulge = job->shaped && !p->mixed[0] && !p->mixed[1] && !p->mixed[2] ? sqrtf(0.5f * p->upright) : 0;
     if (job->fixed) {
         ms_sss__fix(&job->taps[0], job->kernel, term, (double)p->size * (double)p->aspect[0], side);
         ms_sss__fix(&job->taps[1], job->kernel, term, (double)p->size * (double)p->aspect[1], side);
@@ -5578,10 +5419,6 @@ static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame
         else if (i < 7) job->source[6 - i] = plane; /* so that depth is three planes behind red there, too */
         at += layout.plane;
     }
-    if (layout.planes > 7 && options->jitter > 0) { /* passes read the last four, pixel by pixel, and write in place */
-        job->packed = job->source[2] + 3 * (job->stride + MS_SSS__LEFT);
-        for (c = 0; c < 3; ++c) job->source[c] = job->middle[c];
-    }
     ms_sss__clear_around(job);
     job->fresh = at + MS_SSS__LEFT;
     ms_sss__clear(job, job->fresh, INFINITY);
@@ -5621,9 +5458,8 @@ static void ms_sss__apply(ms_sss__job *job, const ms_sss_kernel *kernel, int pro
             ms_sss__both_passes(job);
             continue;
         }
-        if (term == 0 || job->packed) ms_sss__run(job, 0, job->frame.height, ms_sss__turned_band);
+        if (term == 0) ms_sss__run(job, 0, job->frame.height, ms_sss__turned_band);
         if (!job->idle) ms_sss__run(job, 0, job->frame.height, ms_sss__turned_first);
-        if (!job->idle && job->packed) ms_sss__run(job, 0, job->frame.height, ms_sss__turned_pack);
         if (!job->idle) ms_sss__run(job, 0, job->frame.height, ms_sss__turned_second);
     }
 }
@@ -5645,13 +5481,13 @@ static ms_status ms_sss__taps_filter(ms_sss__job *job, const ms_sss_frame *frame
 
 /* --- half resolution --- */
 
-enum { MS_SSS__HALF_PLANES = 11 }; /* light, result, depth, mask, normals */
+enum { MS_SSS__HALF_PLANES = 8 }; /* light, result, depth, mask */
 
 typedef struct ms_sss__half {
     ms_sss__job job; /* first: tasks get its address */
     ms_sss__job inner;
     ms_sss__halving halving;
-    float *light[3], *blur[3], *depth, *mask, *normal[3];
+    float *light[3], *blur[3], *depth, *mask;
     ptrdiff_t stride;
     int plain, bold; /* rows of whole vectors whose light is the caller's; of which nothing but a colour or depth can
                         keep a pixel from taking part */
@@ -5667,28 +5503,6 @@ static MS_SSS__COLD size_t ms_sss__half_plan(int width, int height, const ms_sss
         ms__size_add(ms_sss__plan(width, height, kernels, kernel_count, options, MS_SSS__BARE).total, planes),
         ms__size_add(ms_sss__plan(w, h, kernels, kernel_count, options, MS_SSS__PASSES).total,
                      sizeof(ms_sss__half) + 192));
-}
-
-/* The normal of the nearest of four pixels, for columns [first, last) of row y of the half. */
-static void ms_sss__half_normals(const ms_sss__half *half, int task, int y, int first, int last,
-                                 const float *const depth[2])
-{
-    const ms_sss__job *job = &half->job;
-    const int width = job->frame.width;
-    const float *normal[2][3];
-    float *buffer[3];
-    int r, c, x, i;
-    for (r = 0; r < 2; ++r) {
-        for (c = 0; c < 3; ++c) buffer[c] = ms_sss__buffer(job, task, 18 + 3 * r + c);
-        ms_sss__load(job->simd, &job->frame.normal, 3, width, 2 * y + r < job->frame.height ? 2 * y + r : 2 * y, 0,
-                     width, buffer, normal[r]);
-    }
-    for (x = first; x < last && 2 * x < width; ++x) {
-        int best = 0;
-        for (i = 1; i < 4; ++i)
-            if (depth[i / 2][2 * x + i % 2] < depth[best / 2][2 * x + best % 2]) best = i;
-        for (c = 0; c < 3; ++c) half->normal[c][y * half->stride + x] = normal[best / 2][c][2 * x + best % 2];
-    }
 }
 
 /* Colour and depth of columns [first, last) of a row of the picture as they are. */
@@ -5763,11 +5577,6 @@ static void ms_sss__half_down(void *context, int task)
         if (half->mask)
             for (x = 0; x < stride; ++x)
                 half->mask[y * half->stride + x] = half->depth[y * half->stride + x] < INFINITY ? 1.0f : 0.0f;
-        if (half->normal[0]) {
-            const float *depth[2];
-            for (r = 0; r < 2; ++r) depth[r] = all ? in[r][3] : row[r][3];
-            ms_sss__half_normals(half, task, y, first, last, depth);
-        }
     }
 }
 
@@ -5859,10 +5668,8 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
     half->stride = ms_sss__round_up(inner.width, 16);
     plane = (size_t)half->stride * (size_t)inner.height;
     for (c = 0; c < 3; ++c) {
-        const int given = half->job.shaped && frame->normal.channel[0] != NULL;
         half->light[c] = at + (size_t)c * plane;
         half->blur[c] = at + (size_t)(3 + c) * plane;
-        half->normal[c] = given ? at + (size_t)(8 + c) * plane : NULL;
     }
     half->depth = at + 6 * plane;
     half->mask = frame->depth.channel[0] ? NULL : at + 7 * plane;
@@ -5908,9 +5715,8 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
     inner.output = ms_sss_planar(half->blur[0], half->blur[1], half->blur[2], 0);
     if (half->mask) inner.strength = ms_sss_map(half->mask, 1, 0);
     else inner.depth = ms_sss_map(half->depth, 1, 0);
-    if (half->normal[0]) inner.normal = ms_sss_planar(half->normal[0], half->normal[1], half->normal[2], 0);
     inner.input.row_stride = inner.output.row_stride = inner.strength.row_stride = inner.depth.row_stride =
-        inner.normal.row_stride = half->stride;
+        half->stride;
     inner_options.fade = 0;
     inner_options.albedo_mode = MS_SSS_ALBEDO_POST;
     status = ms_sss__begin(&half->inner, &inner, k, 1, &inner_options, at, left, left, MS_SSS__PASSES, &end, error);
@@ -6454,7 +6260,7 @@ MS_API size_t ms_sss_pyramid_workspace(int width, int height)
 /* Whether a pyramid can do what the options ask for. */
 static int ms_sss__tower_takes(const ms_sss_filter_options *o)
 {
-    return !ms_sss__differ(o->rotation, 0) && !(o->jitter > 0) && o->depth_mode != MS_SSS_DEPTH_FOLLOW &&
+    return !ms_sss__differ(o->rotation, 0) && !(o->jitter > 0) &&
         !(o->pixels_per_mm[1] > 0 && ms_sss__differ(o->pixels_per_mm[0], o->pixels_per_mm[1]));
 }
 
@@ -6576,8 +6382,7 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
     if (status == MS_OK) status = ms_sss__check_options(options, error);
     if (status != MS_OK) return status;
     if (frame->profile || !ms_sss__tower_takes(options))
-        return ms__fail(error, MS_UNSUPPORTED, 0,
-                        "a pyramid has one kernel, round, without rotation, jitter, MS_SSS_DEPTH_FOLLOW");
+        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has one kernel, round, without rotation or jitter");
     return ms_sss__tower_filter(frame, pyramid, 0, 1, options, workspace, error);
 }
 
@@ -6647,7 +6452,7 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
     if (status != MS_OK) return status;
     if (options->method == MS_SSS_METHOD_PYRAMID && (!options->pyramids || !ms_sss__tower_takes(options)))
         return ms__fail(error, MS_UNSUPPORTED, 0,
-                        options->pyramids ? "a pyramid is round, without rotation, jitter, MS_SSS_DEPTH_FOLLOW"
+                        options->pyramids ? "a pyramid is round, without rotation or jitter"
                                           : "method is MS_SSS_METHOD_PYRAMID, but options.pyramids is NULL");
     agreed = *options;
     if (!(agreed.mm_per_unit > 0)) agreed.mm_per_unit = 1;
@@ -7065,7 +6870,6 @@ static const char *const ms_sss__source_body[] = {
     "#endif\n"
     "return pick(none, float4(c.rgb, depth), part);\n"
     "#else\n"
-    "#READS_PROFILE if (c.a > 0.0) { c = float4(c.rg, code_of(c.b, profile_at(fetch_profile(p).r)), c.a); }\n"
     "return pick(none, c, c.a > 0.0);\n"
     "#endif\n"
     "}\n",
@@ -7075,8 +6879,6 @@ static const char *const ms_sss__source_body[] = {
     "}\n",
     "float4 texel(int2 p) {\n"
     "float4 c = float4(0.0, 0.0, 0.0, 0.0);\n"
-    "#TILED int2 t = p - ms_sss_corner;\n"
-    "#TILED if (t.x >= 0 && t.y >= 0 && t.x < TILE_X && t.y < TILE_Y) { return ms_sss_tile[t.y * TILE_X + t.x]; }\n"
     "if (inside(p)) { c = source(p); }\n"
     "return c;\n"
     "}\n",
@@ -7101,7 +6903,6 @@ static const char *const ms_sss__source_body[] = {
     "#endif\n"
     "return ray;\n"
     "}\n",
-    "#if !GIVEN\n"
     "#if !WITH_NORMAL\n"
     "// The slope from the depths before and after, of one surface where steps are under reach (TOWER: slopes): their mean where it\n"
     "// turns little, else the smaller one, steeper by what its step exceeds the next: near outlines depth goes as a root.\n"
@@ -7158,14 +6959,12 @@ static const char *const ms_sss__source_body[] = {
     "#endif\n"
     "return slope;\n"
     "}\n"
-    "#endif\n"
     "#endif\n"};
 
 static const char *const ms_sss__shader_body[] = {
     "// constant: 0 width, height, pixels a mm (perspective: times depth), gain; 1 aspect, rotation, jitter;\n"
     "// 2 first, focal, upright; at 3 + STRIDE * profile: 0 total, radius; 1 scale, depth scale; 2 delta, cut;\n"
     "// 3 curve, mixed; 4 root, reach; from 5 on taps: weight, offset\n"
-    "#PREPARE float4 filter_pixel(int2 p) { return source(p); }\n",
     "#if NEARNESS\n"
     "// Of a pixel near another, of the same surface; at: its profile's constants.\n"
     "float nearness(float4 there, float4 own, int at) {\n"
@@ -7201,23 +7000,6 @@ static const char *const ms_sss__shader_body[] = {
     "return mean;\n"
     "}\n"
     "#endif\n",
-    "#if NORMAL\n"
-    "// The normal of the nearest of four pixels.\n"
-    "float4 filter_pixel(int2 p) {\n"
-    "int2 first = p * 2;\n"
-    "int2 best = first;\n"
-    "float least = texel(first).a;\n"
-    "for (int i = 1; i < 4; i++) {\n"
-    "int2 q = first + int2(i % 2, i / 2);\n"
-    "float depth = texel(q).a;\n"
-    "if (depth > 0.0 && (!(least > 0.0) || depth < least)) {\n"
-    "least = depth;\n"
-    "best = q;\n"
-    "}\n"
-    "}\n"
-    "return fetch_normal(best);\n"
-    "}\n"
-    "#endif\n",
     "#if UP\n"
     "// Pixels a mm there, before the limit of the picture's larger side.\n"
     "float pixels_at(float depth) {\n"
@@ -7234,8 +7016,7 @@ static const char *const ms_sss__shader_body[] = {
     "float3 across = float3(0.0, 0.0, 0.0);\n"
     "float3 down = float3(0.0, 0.0, 0.0);\n"
     "for (int k = 0; k < TAPS; k++) {\n"
-    "#HALF_KERNEL float4 tap = constant[block + 5 + (k + 1) / 2];\n"
-    "#!HALF_KERNEL float4 tap = constant[block + 5 + k];\n"
+    "float4 tap = constant[block + 5 + (k + 1) / 2];\n"
     "float away = pixels * abs(tap.w);\n"
     "across = across + tap.rgb * max(1.0 - away * constant[1].x, 0.0);\n"
     "down = down + tap.rgb * max(1.0 - away * constant[1].y, 0.0);\n"
@@ -7317,9 +7098,7 @@ static const char *const ms_sss__shader_body[] = {
     "float2 ray = ray_of(p);\n"
     "float2 focal = constant[2].yz;\n"
     "#HALVED focal = 0.5 * focal;\n"
-    "#GIVEN float2 slopes = fetch_surface(p).rg;\n"
-    "#!GIVEN float2 slopes = constant[2].w * slopes_of(p, own, ray, focal, sqrt(constant[at + 4].w) / constant[at + 1].w);\n"
-    "#KEEPS ms_sss_other = float4(slopes.x, slopes.y, 0.0, 0.0);\n"
+    "float2 slopes = constant[2].w * slopes_of(p, own, ray, focal, sqrt(constant[at + 4].w) / constant[at + 1].w);\n"
     "float slope = dot(axis, slopes);\n"
     "pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);\n"
     "float2 plane = slopes / focal;\n"
@@ -7338,15 +7117,13 @@ static const char *const ms_sss__shader_body[] = {
     "float3 lifted = weight;\n"
     "if (large) {\n",
     "for (int k = 1; k < TAPS; k++) {\n"
-    "#HALF_KERNEL float4 tap = constant[at + 5 + (k + 1) / 2];\n"
-    "#HALF_KERNEL float offset = pick(tap.w, -tap.w, k % 2 == 0);\n"
-    "#!HALF_KERNEL float4 tap = constant[at + 5 + k];\n"
-    "#!HALF_KERNEL float offset = tap.w;\n"
+    "float4 tap = constant[at + 5 + (k + 1) / 2];\n"
+    "float offset = pick(tap.w, -tap.w, k % 2 == 0);\n"
     "float2 whole = floor(axis * offset);\n"
     "float2 part = axis * offset - whole;\n"
     "float4 sum = black;\n"
     "#SHAPE float below = 0.0;\n"
-    "#SPATIAL float remote = min(constant[2].w * deep * deep / max(offset * offset, 1e-30), 1e6);\n"
+    "#SHAPE float remote = min(constant[2].w * deep * deep / max(offset * offset, 1e-30), 1e6);\n"
     "for (int i = 0; i < CORNERS; i++) {\n"
     "#TURNED int2 corner = int2(i % 2, i / 2);\n"
     "#TURNED float share = abs(1.0 - float(corner.x) - part.x) * abs(1.0 - float(corner.y) - part.y);\n"
@@ -7365,13 +7142,10 @@ static const char *const ms_sss__shader_body[] = {
     "dz = dz - gain;\n"
     "#endif\n"
     "dz = dz * constant[at + 1].w;\n"
-    "#SPATIAL if (!(dz * dz < 1.0)) { continue; }\n"
-    "#!SPATIAL if (!(dz * dz < constant[at + 2].w)) { continue; }\n"
-    "#SPATIAL f = share * (1.0 - dz * dz) / (remote * dz * dz + 1.0);\n"
-    "#FOLLOW f = share * (1.0 - abs(dz));\n"
-    "#EXACT f = share * exp2(-dz * dz);\n"
-    "#FALLOFF f = (1.0 - dz * dz) * (1.0 - dz * dz);\n"
-    "#FALLOFF f = share * f * f;\n"
+    "if (!(dz * dz < 1.0)) { continue; }\n"
+    "#SHAPE f = share * (1.0 - dz * dz) / (remote * dz * dz + 1.0);\n"
+    "#!SHAPE f = (1.0 - dz * dz) * (1.0 - dz * dz);\n"
+    "#!SHAPE f = share * f * f;\n"
     "#SHAPE below = below + f * dz;\n"
     "#endif\n"
     "sum = sum + float4(c.rgb * f, f);\n"
@@ -7381,7 +7155,6 @@ static const char *const ms_sss__shader_body[] = {
     "float sine = 0.0;\n"
     "below = facing * (below - clamp(below, -grain, grain));\n"
     "if (abs(offset) > 1e-20) { sine = clamp(below / abs(offset), least, 1.0); }\n"
-    "#if SPATIAL\n"
     "// The more the surface bends away between the tap before and this one, the more of it there is.\n"
     "bool back = offset < 0.0;\n"
     "float before = pick(height.x, height.y, back);\n"
@@ -7392,7 +7165,6 @@ static const char *const ms_sss__shader_body[] = {
     "sum = sum * min(0.5 * constant[2].w * bend * bend + 1.0, 3.0);\n"
     "height = pick(float2(lower, height.y), float2(height.x, lower), back);\n"
     "inner = pick(float2(abs(offset), inner.y), float2(inner.x, abs(offset)), back);\n"
-    "#endif\n"
     "#endif\n"
     "weight = weight + tap.rgb * sum.a;\n"
     "#SHAPE float3 lift = float3(1.0, 1.0, 1.0) + curve * sine;\n"
@@ -7429,28 +7201,6 @@ static const char *const ms_sss__shader_body[] = {
     "#BOTH result = float3(result.rg, code_of(result.b, profile_of(own)));\n"
     "return float4(result, own.a);\n"
     "#endif\n"
-    "}\n"
-    "#endif\n",
-    "#if COMPUTE\n"
-    "void filter_group(int2 group, int index) {\n"
-    "int2 first = int2(group.x * GROUP_X, group.y * GROUP_Y);\n"
-    "int2 p = first + int2(index % GROUP_X, index / GROUP_X);\n"
-    "#if TILED\n"
-    "ms_sss_corner = first - int2(APRON_X, APRON_Y);\n"
-    "for (int i = index; i < TILE_X * TILE_Y; i += GROUP_X * GROUP_Y) {\n"
-    "int2 q = ms_sss_corner + int2(i % TILE_X, i / TILE_X);\n"
-    "float4 c = float4(0.0, 0.0, 0.0, 0.0);\n"
-    "if (inside(q)) { c = source(q); }\n"
-    "ms_sss_tile[i] = c;\n"
-    "}\n"
-    "tile_ready();\n"
-    "#endif\n"
-    "#SMALLER if (inside(p * 2)) {\n"
-    "#!SMALLER if (inside(p)) {\n"
-    "#LATER float4 before = fetch_sum(p);\n"
-    "#LATER store(p, float4(before.rgb + filter_pixel(p).rgb, 1.0));\n"
-    "#!LATER store(p, filter_pixel(p));\n"
-    "}\n"
     "}\n"
     "#endif\n"};
 
@@ -7733,34 +7483,20 @@ static const char *const ms_sss__transmission_body[] = {
     "}\n"};
 
 /* What lines are chosen by, and what stands as a number in them; the values are of ms_sss__say_shader. */
-#define MS_SSS__FEATURE_LIST(X)                                                                                        \
-    X(PREPARE, s->step == MS_SSS_STEP_PREPARE)                                                                         \
-    X(PASS, pass)                                                                                                      \
-    X(SECOND, second)                                                                                                  \
-    X(HALVED, halved)                                                                                                  \
-    X(DOWN, down)                                                                                                      \
-    X(NORMAL, normal) X(SMALLER, down || normal) X(UP, up) X(NEARNESS, up || down) X(TOWER, tower) X(BASE, base) X(    \
-        SHRINK, s->step == MS_SSS_STEP_SHRINK) X(GATHER, gather) X(RESOLVE, resolve) X(GATHERS, gather || resolve)     \
-        X(SIZES, MS_SSS_PYRAMID_SIZES) X(LAST_SIZE, MS_SSS_PYRAMID_SIZES - 2) X(TAPS, s->tap_count) X(                 \
-            STRIDE, ms_sss__shader_stride(s)) X(PROFILES, ms_sss__shader_profiles(s)) X(TERMS,                         \
-                                                                                        ms_sss__shader_terms(s))       \
-            X(CORNERS, turned ? 4 : 2) X(TURNED, turned) X(HALF_KERNEL, s->half_kernel) X(RAW, raw)                    \
-                X(WITH_STRENGTH, s->with_strength) X(WITH_NORMAL, s->with_normal && (shape || !tower)) X(DEPTH, depth) \
-                    X(DEPTH_TEXTURE, s->depth == MS_SSS_TEXTURE) X(DEPTH_ALPHA, s->depth == MS_SSS_ALPHA) X(           \
-                        PROFILE, profile) X(PROFILE_TEXTURE, s->profile == MS_SSS_TEXTURE)                             \
-                        X(PROFILE_ALONE,                                                                               \
-                          profile && !depth && !tower) X(READS_PROFILE, again || (raw && profile && !both_alpha))      \
-                            X(BOTH, depth &&profile && !tower) X(BOTH_ALPHA, both_alpha)                               \
-                                X(PERSPECTIVE, o->fov_degrees > 0) X(FOLLOW, follow) X(EXACT, o->exact && !follow)     \
-                                    X(SPATIAL, shape && !o->exact) X(FALLOFF, !follow && !o->exact && !shape)          \
-                                        X(SHAPE, tower ? depth && o->depth_mode == MS_SSS_DEPTH_AWARE : shape &&pass)  \
-                                            X(TILTED, shape) X(SLOPES, shape && (pass || base))                        \
-                                                X(GIVEN, s->slopes_kept &&second) X(KEEPS, two && !tower)              \
-                                                    X(COMPUTE, s->compute) X(TILED, s->compute &&pass)                 \
-                                                        X(LATER, s->later) X(GROUP_X, group[0]) X(GROUP_Y, group[1])   \
-                                                            X(APRON_X, apron[0]) X(APRON_Y, apron[1])                  \
-                                                                X(TILE_X, pass ? group[0] + 2 * apron[0] : 1)          \
-                                                                    X(TILE_Y, pass ? group[1] + 2 * apron[1] : 1)
+/* clang-format off */
+#define MS_SSS__FEATURE_LIST(X) \
+    X(PASS, pass) X(SECOND, second) X(HALVED, halved) X(DOWN, down) X(UP, up) X(NEARNESS, up || down) \
+    X(TOWER, tower) X(BASE, base) X(SHRINK, s->step == MS_SSS_STEP_SHRINK) X(GATHER, gather) X(RESOLVE, resolve) \
+    X(GATHERS, gather || resolve) X(SIZES, MS_SSS_PYRAMID_SIZES) X(LAST_SIZE, MS_SSS_PYRAMID_SIZES - 2) \
+    X(TAPS, s->tap_count) X(STRIDE, ms_sss__shader_stride(s)) X(PROFILES, ms_sss__shader_profiles(s)) \
+    X(TERMS, ms_sss__shader_terms(s)) X(CORNERS, turned ? 4 : 2) X(TURNED, turned) X(RAW, raw) \
+    X(WITH_STRENGTH, s->with_strength) X(WITH_NORMAL, normal) X(DEPTH, depth) \
+    X(DEPTH_TEXTURE, s->depth == MS_SSS_TEXTURE) X(DEPTH_ALPHA, s->depth == MS_SSS_ALPHA) X(PROFILE, profile) \
+    X(PROFILE_TEXTURE, s->profile == MS_SSS_TEXTURE) X(PROFILE_ALONE, profile && !depth && !tower) \
+    X(READS_PROFILE, raw && profile && !both_alpha) X(BOTH, depth && profile && !tower) X(BOTH_ALPHA, both_alpha) \
+    X(PERSPECTIVE, o->fov_degrees > 0) X(SHAPE, tower ? depth && o->depth_mode == MS_SSS_DEPTH_AWARE : shape && pass) \
+    X(TILTED, shape) X(SLOPES, shape && (pass || base))
+/* clang-format on */
 
 enum {
 #define MS_SSS__FEATURE_ENUM(name, value) MS_SSS__HAS_##name,
@@ -7776,23 +7512,21 @@ static const char *const ms_sss__feature[] = {
 };
 
 /* Words that differ: here, GLSL, HLSL, WGSL; the types first. */
-enum { MS_SSS__TYPES = 9, MS_SSS__WORDS = 14 };
+enum { MS_SSS__TYPES = 9, MS_SSS__WORDS = 13 };
 
-static const char *const ms_sss__word[MS_SSS__WORDS][4] = {
-    {"void", "void", "void", ""},
-    {"bool", "bool", "bool", "bool"},
-    {"int", "int", "int", "i32"},
-    {"uint", "uint", "uint", "u32"},
-    {"float", "float", "float", "f32"},
-    {"int2", "ivec2", "int2", "vec2<i32>"},
-    {"float2", "vec2", "float2", "vec2<f32>"},
-    {"float3", "vec3", "float3", "vec3<f32>"},
-    {"float4", "vec4", "float4", "vec4<f32>"},
-    {"constant", "ms_sss", "ms_sss", "ms_sss.v"},
-    {"bits_of", "floatBitsToUint", "asuint", "bitcast<u32>"},
-    {"float_of", "uintBitsToFloat", "asfloat", "bitcast<f32>"},
-    {"pick", "pick", "pick", "select"},
-    {"tile_ready", "memoryBarrierShared(); barrier", "GroupMemoryBarrierWithGroupSync", "workgroupBarrier"}};
+static const char *const ms_sss__word[MS_SSS__WORDS][4] = {{"void", "void", "void", ""},
+                                                           {"bool", "bool", "bool", "bool"},
+                                                           {"int", "int", "int", "i32"},
+                                                           {"uint", "uint", "uint", "u32"},
+                                                           {"float", "float", "float", "f32"},
+                                                           {"int2", "ivec2", "int2", "vec2<i32>"},
+                                                           {"float2", "vec2", "float2", "vec2<f32>"},
+                                                           {"float3", "vec3", "float3", "vec3<f32>"},
+                                                           {"float4", "vec4", "float4", "vec4<f32>"},
+                                                           {"constant", "ms_sss", "ms_sss", "ms_sss.v"},
+                                                           {"bits_of", "floatBitsToUint", "asuint", "bitcast<u32>"},
+                                                           {"float_of", "uintBitsToFloat", "asfloat", "bitcast<f32>"},
+                                                           {"pick", "pick", "pick", "select"}};
 
 /* A text that is measured first and written second. */
 typedef struct ms_sss__text {
@@ -7950,10 +7684,7 @@ static MS_SSS__COLD void ms_sss__say_body(ms_sss__text *text, const char *const 
 
 enum { MS_SSS__PICTURE_HEAD = 3, MS_SSS__PROFILE_HEAD = 5, MS_SSS__LEVEL_HEAD = 6 }; /* float4 of the structs */
 
-static int ms_sss__shader_stride(const ms_sss_shader *s)
-{
-    return MS_SSS__PROFILE_HEAD + (s->half_kernel ? s->tap_count / 2 + 1 : s->tap_count);
-}
+static int ms_sss__shader_stride(const ms_sss_shader *s) { return MS_SSS__PROFILE_HEAD + s->tap_count / 2 + 1; }
 
 static int ms_sss__shader_profiles(const ms_sss_shader *s) { return s->profile_count > 0 ? s->profile_count : 1; }
 
@@ -7975,63 +7706,45 @@ MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
         ms_sss__shader_terms(shader) * ms_sss__shader_profiles(shader) * ms_sss__shader_stride(shader);
 }
 
-MS_API int ms_sss_shader_group(const ms_sss_shader *shader, int axis)
-{
-    const int second = shader && shader->step == MS_SSS_STEP_Y; /* along the pass, and rows of at least 128 bytes */
-    return second ? (axis ? 32 : 8) : (axis ? 4 : 64);
-}
-
-/* What differs as a whole: $n constants, $s a texture's name, $b its binding, $t its register, $f a format, $x and $y
-   the work group, $z texels of the tile. */
+/* What differs as a whole: $n constants, $s a texture's name, $b its binding, $t its register. */
 typedef struct ms_sss__dialect {
     int column; /* of ms_sss__word */
-    const char *version, *constants, *texture, *tile, *fragment;
+    const char *version, *constants, *texture, *fragment;
     const char *other, *fragments; /* a variable; to two targets */
 } ms_sss__dialect;
 
 #define MS_SSS__PICK "#define pick(b, a, c) ((c) ? (a) : (b))\n"
 #define MS_SSS__GLSL_TEXTURE \
     "uniform sampler2D ms_sss_$s;\nvec4 fetch_$s(ivec2 p) { return texelFetch(ms_sss_$s, p, 0); }\n"
-#define MS_SSS__GLSL_TILE                                                                                            \
-    ") writeonly uniform image2D ms_sss_target;\nlayout(local_size_x = $x, local_size_y = $y) in;\n"                 \
-    "shared vec4 ms_sss_tile[$z];\nivec2 ms_sss_corner = ivec2(0, 0);\nvoid filter_group(ivec2 group, int index);\n" \
-    "void store(ivec2 p, vec4 c) { imageStore(ms_sss_target, p, c); }\n"                                             \
-    "void main() { filter_group(ivec2(gl_WorkGroupID.xy), int(gl_LocalInvocationIndex)); }\n"
 #define MS_SSS__GLSL_OTHER "vec4 ms_sss_other = vec4(0.0);\n"
-#define MS_SSS__GLSL_MAINS                                                                                                      \
-    "layout(location = 0) out vec4 ms_sss_out;\nlayout(location = 1) out vec4 ms_sss_out_other;\nvec4 filter_pixel(ivec2 p);\n" \
-    "void main() {\n    ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy));\n    ms_sss_out_other = ms_sss_other;\n}\n"
+#define MS_SSS__GLSL_MAINS                                                                                 \
+    "layout(location = 0) out vec4 ms_sss_out;\nlayout(location = 1) out vec4 ms_sss_out_other;\n"         \
+    "vec4 filter_pixel(ivec2 p);\nvoid main() {\n    ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy));\n" \
+    "    ms_sss_out_other = ms_sss_other;\n}\n"
 #define MS_SSS__GLSL_MAIN \
     "ms_sss_out;\nvec4 filter_pixel(ivec2 p);\nvoid main() { ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy)); }\n"
 
 static const ms_sss__dialect ms_sss__dialects[5] = {
     {1, "#version 330\n" MS_SSS__PICK, "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE,
-     "layout($f" MS_SSS__GLSL_TILE, "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER, MS_SSS__GLSL_MAINS},
+     "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER, MS_SSS__GLSL_MAINS},
     {1, "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n" MS_SSS__PICK,
-     "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "", "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER,
+     "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER,
      MS_SSS__GLSL_MAINS},
     {1, "#version 450\n" MS_SSS__PICK, "layout(set = 0, binding = 0) uniform ms_sss_block { vec4 ms_sss[$n]; };\n",
-     "layout(set = 0, binding = $b) " MS_SSS__GLSL_TEXTURE, "layout(set = 0, binding = 8, $f" MS_SSS__GLSL_TILE,
-     "layout(location = 0) out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER, MS_SSS__GLSL_MAINS},
+     "layout(set = 0, binding = $b) " MS_SSS__GLSL_TEXTURE, "layout(location = 0) out vec4 " MS_SSS__GLSL_MAIN,
+     MS_SSS__GLSL_OTHER, MS_SSS__GLSL_MAINS},
     {2, MS_SSS__PICK, "cbuffer ms_sss_block : register(b0) { float4 ms_sss[$n]; };\n",
      "Texture2D<float4> ms_sss_$s : register(t$t);\nfloat4 fetch_$s(int2 p) { return ms_sss_$s.Load(int3(p, 0)); }\n",
-     "RWTexture2D<float4> ms_sss_target : register(u0);\ngroupshared float4 ms_sss_tile[$z];\nstatic int2 ms_sss_corner;\n"
-     "void filter_group(int2 group, int index);\nvoid store(int2 p, float4 c) { ms_sss_target[p] = c; }\n[numthreads($x, $y, 1)]\n"
-     "void main(uint3 group : SV_GroupID, uint index : SV_GroupIndex) { filter_group(int2(group.xy), int(index)); }\n",
-     "float4 filter_pixel(int2 p);\nfloat4 main(float4 position : SV_Position) : SV_Target { return filter_pixel(int2(position.xy)); }\n",
+     "float4 filter_pixel(int2 p);\nfloat4 main(float4 position : SV_Position) : SV_Target "
+     "{ return filter_pixel(int2(position.xy)); }\n",
      "static float4 ms_sss_other;\n",
-     "struct ms_sss_targets { float4 out_first : SV_Target0; float4 out_other : SV_Target1; };\nfloat4 filter_pixel(int2 p);\n"
-     "ms_sss_targets main(float4 position : SV_Position) {\n    ms_sss_targets to;\n    to.out_first = filter_pixel(int2(position.xy));\n"
-     "    to.out_other = ms_sss_other;\n    return to;\n}\n"},
+     "struct ms_sss_targets { float4 out_first : SV_Target0; float4 out_other : SV_Target1; };\n"
+     "float4 filter_pixel(int2 p);\nms_sss_targets main(float4 position : SV_Position) {\n    ms_sss_targets to;\n"
+     "    to.out_first = filter_pixel(int2(position.xy));\n    to.out_other = ms_sss_other;\n    return to;\n}\n"},
     {3, "",
      "struct ms_sss_block { v: array<vec4<f32>, $n> };\n@group(0) @binding(0) var<uniform> ms_sss: ms_sss_block;\n",
      "@group(0) @binding($b) var ms_sss_$s: texture_2d<f32>;\n"
      "fn fetch_$s(p: vec2<i32>) -> vec4<f32> { return textureLoad(ms_sss_$s, p, 0); }\n",
-     "@group(0) @binding(8) var ms_sss_target: texture_storage_2d<$f, write>;\n"
-     "var<workgroup> ms_sss_tile: array<vec4<f32>, $z>;\nvar<private> ms_sss_corner: vec2<i32>;\n"
-     "fn store(p: vec2<i32>, c: vec4<f32>) { textureStore(ms_sss_target, p, c); }\n@compute @workgroup_size($x, $y)\n"
-     "fn main(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) index: u32) {\n"
-     "    filter_group(vec2<i32>(group.xy), i32(index));\n}\n",
      "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {\n"
      "    return filter_pixel(vec2<i32>(position.xy));\n}\n",
      "var<private> ms_sss_other: vec4<f32>;\n",
@@ -8042,25 +7755,15 @@ static const ms_sss__dialect ms_sss__dialects[5] = {
 #undef MS_SSS__GLSL_MAIN
 #undef MS_SSS__GLSL_MAINS
 #undef MS_SSS__GLSL_OTHER
-#undef MS_SSS__GLSL_TILE
 #undef MS_SSS__GLSL_TEXTURE
 
-static MS_SSS__COLD void ms_sss__say_dialect(ms_sss__text *text, const char *s, const ms_sss_shader *shader,
-                                             const char *name, int index)
+static MS_SSS__COLD void ms_sss__say_dialect(ms_sss__text *text, const char *s, int constants, const char *name,
+                                             int index)
 {
-    static const char marks[] = "tbnxyz";
-    const int value[] = {index,
-                         index + 1,
-                         ms_sss_shader_constant_count(shader),
-                         ms_sss_shader_group(shader, 0),
-                         ms_sss_shader_group(shader, 1),
-                         text->feature[MS_SSS__HAS_TILE_X] * text->feature[MS_SSS__HAS_TILE_Y]};
     for (; *s; ++s) {
         if (*s != '$') ms_sss__say_part(text, s, 1);
         else if (*++s == 's') ms_sss__say(text, name);
-        else if (*s != 'f') ms_sss__say_number(text, value[strchr(marks, *s) - marks]);
-        else if (text->column < 3) ms_sss__say(text, shader->half_target ? "rgba16f" : "rgba32f");
-        else ms_sss__say(text, shader->half_target ? "rgba16float" : "rgba32float");
+        else ms_sss__say_number(text, *s == 't' ? index : *s == 'b' ? index + 1 : constants);
     }
 }
 
@@ -8072,34 +7775,28 @@ static int ms_sss__shader_shaped(const ms_sss_shader *s, const ms_sss_filter_opt
 
 static MS_SSS__COLD void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const ms_sss_filter_options *o)
 {
-    enum { NAMES = 12 };
-    static const char *const name[NAMES] = {"colour", "depth", "strength", "input",  "profile",        "sum",
-                                            "normal", "",      "surface",  "coarse", "coarse_surface", "weight"};
+    enum { NAMES = 11 };
+    static const char *const name[NAMES] = {"colour", "depth",   "strength", "input",          "profile", "sum",
+                                            "normal", "surface", "coarse",   "coarse_surface", "weight"};
     const ms_sss__dialect *d = &ms_sss__dialects[s->language];
+    const int constants = ms_sss_shader_constant_count(s);
     const int tower = ms_sss__shader_tower(s), base = s->step == MS_SSS_STEP_BASE,
-              gather = s->step == MS_SSS_STEP_GATHER;
-    const int resolve = s->step == MS_SSS_STEP_RESOLVE, up = s->step == MS_SSS_STEP_UP,
-              down = s->step == MS_SSS_STEP_DOWN;
-    const int normal = s->step == MS_SSS_STEP_NORMAL, second = s->step == MS_SSS_STEP_Y;
-    const int pass = second || s->step == MS_SSS_STEP_X;
-    const int halved = pass && s->half_resolution, raw = tower ? base : !pass || (!second && !s->prepared && !halved);
-    const int depth = s->depth != MS_SSS_NONE, profile = s->profile != MS_SSS_NONE,
-              follow = o->depth_mode == MS_SSS_DEPTH_FOLLOW;
+              gather = s->step == MS_SSS_STEP_GATHER, resolve = s->step == MS_SSS_STEP_RESOLVE;
+    const int up = s->step == MS_SSS_STEP_UP, down = s->step == MS_SSS_STEP_DOWN, second = s->step == MS_SSS_STEP_Y;
+    const int pass = second || s->step == MS_SSS_STEP_X, halved = pass && s->half_resolution;
+    const int raw = tower ? base : !pass || (!second && !halved);
+    const int depth = s->depth != MS_SSS_NONE, profile = s->profile != MS_SSS_NONE;
     const int both_alpha = s->depth == MS_SSS_ALPHA && s->profile == MS_SSS_ALPHA;
-    const int again = depth && profile && !raw && s->half_target; /* blue of 16 bits can't hold the index as well */
     const int shape = ms_sss__shader_shaped(s, o), turned = ms_sss__differ(o->rotation, 0) || o->jitter > 0;
-    const int two = tower ? !resolve : s->slopes_kept && s->step == MS_SSS_STEP_X; /* targets */
-    const int group[2] = {ms_sss_shader_group(s, 0), ms_sss_shader_group(s, 1)};
-    const int apron[2] = {pass && !second ? 32 : 0, second ? 32 : 0};
+    const int normal = s->with_normal && shape && !s->half_resolution && (pass || base);
     const int used[NAMES] = {1,
                              s->depth == MS_SSS_TEXTURE && raw,
                              s->with_strength && (raw || (second && !halved) || resolve),
                              second || up || resolve,
-                             s->profile == MS_SSS_TEXTURE && (raw || (again && !tower)),
-                             s->later || up || gather || resolve,
-                             s->with_normal && shape && (pass || base || normal),
-                             0,
-                             tower ? !base : s->slopes_kept && second,
+                             s->profile == MS_SSS_TEXTURE && raw,
+                             up || gather || resolve,
+                             normal,
+                             tower && !base,
                              gather || resolve,
                              gather || resolve,
                              gather || resolve};
@@ -8111,13 +7808,12 @@ static MS_SSS__COLD void ms_sss__say_shader(ms_sss__text *text, const ms_sss_sha
     int i;
     memcpy(text->feature, value, sizeof value);
     text->column = d->column;
-    if (s->compute && s->language == MS_SSS_GLSL_330) ms_sss__say(text, "#version 430\n" MS_SSS__PICK);
-    else ms_sss__say(text, d->version);
-    ms_sss__say_dialect(text, d->constants, s, "", 0);
+    ms_sss__say(text, d->version);
+    ms_sss__say_dialect(text, d->constants, constants, "", 0);
     for (i = 0; i < NAMES; ++i)
-        if (used[i]) ms_sss__say_dialect(text, d->texture, s, name[i], i);
-    if (tower || two) ms_sss__say(text, d->other);
-    ms_sss__say_dialect(text, s->compute ? d->tile : two ? d->fragments : d->fragment, s, "", 0);
+        if (used[i]) ms_sss__say_dialect(text, d->texture, constants, name[i], i);
+    if (tower) ms_sss__say(text, d->other);
+    ms_sss__say(text, tower && !resolve ? d->fragments : d->fragment);
     if (!tower || base)
         ms_sss__say_body(text, ms_sss__source_body, sizeof ms_sss__source_body / sizeof ms_sss__source_body[0]);
     if (tower) ms_sss__say_body(text, ms_sss__tower_body, sizeof ms_sss__tower_body / sizeof ms_sss__tower_body[0]);
@@ -8137,39 +7833,26 @@ static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, const
         (status = ms_sss__within(s->profile_count, "profile_count", 0, MS_SSS_SHADER_PROFILES_MAX, error)) != MS_OK ||
         (status = ms_sss__within(s->term_count, "term_count", 0, MS_SSS_TERMS_MAX, error)) != MS_OK)
         return status;
-    if (ms_sss__shader_tower(s)) {
-        if (s->compute || s->half_target || !ms_sss__tower_takes(o))
-            return ms__fail(error, MS_UNSUPPORTED, 0,
-                            "a pyramid has fragment shaders and targets of 32 bits, and is round, "
-                            "without rotation, jitter, MS_SSS_DEPTH_FOLLOW");
-    } else if (s->tap_count < 1 || s->tap_count > MS_SSS_TAPS_MAX || s->tap_count % 2 == 0)
+    if (ms_sss__shader_tower(s) && !ms_sss__tower_takes(o))
+        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round, without rotation or jitter");
+    if (!ms_sss__shader_tower(s) && (s->tap_count < 1 || s->tap_count > MS_SSS_TAPS_MAX || s->tap_count % 2 == 0))
         return MS_SSS__REFUSE(error, "tap_count %d: expected an odd number from 1 to %d", s->tap_count,
                               MS_SSS_TAPS_MAX);
     if (s->profile_count > 1 && s->profile == MS_SSS_NONE)
         return MS_SSS__REFUSE(error, "profile_count %d needs profile, the source of the index", s->profile_count);
     if (o->fov_degrees > 0 && s->depth == MS_SSS_NONE)
         return MS_SSS__REFUSE(error, "fov_degrees %g needs depth", (double)o->fov_degrees);
-    if (!ms_sss__shader_tower(s) &&
-        (s->half_resolution ? s->step == MS_SSS_STEP_PREPARE || s->prepared : (int)s->step >= (int)MS_SSS_STEP_DOWN))
-        return MS_SSS__REFUSE(error, "half_resolution %d: its first step is DOWN, that of others PREPARE or X",
-                              s->half_resolution);
-    if (s->step == MS_SSS_STEP_NORMAL && !(s->with_normal && ms_sss__shader_shaped(s, o)))
-        return MS_SSS__REFUSE(error, "step NORMAL without with_normal, or where slopes do not count");
-    if (s->slopes_kept && (s->compute || s->with_normal || ms_sss__shader_tower(s) || !ms_sss__shader_shaped(s, o)))
-        return MS_SSS__REFUSE(error,
-                              "slopes_kept in a pyramid, a compute shader, with_normal, or where slopes do not count");
-    if (s->half_target && ms_sss__shader_shaped(s, o))
-        return ms__fail(error, MS_UNSUPPORTED, 0,
-                        "half_target with flat %g: slopes need more of depth than binary16 holds", (double)o->flat);
-    if (s->half_target && s->depth != MS_SSS_NONE && s->profile == MS_SSS_ALPHA)
-        return ms__fail(error, MS_UNSUPPORTED, 0, "half_target with depth needs profile MS_SSS_TEXTURE");
-    if (s->half_target && s->depth != MS_SSS_NONE && s->profile != MS_SSS_NONE && s->half_resolution)
-        return ms__fail(error, MS_UNSUPPORTED, 0, "half_target with depth and profile and half_resolution");
-    if (s->later && !(s->compute && s->step == MS_SSS_STEP_Y))
-        return MS_SSS__REFUSE(error, "later is of second passes in compute shaders; others blend additively");
-    if (s->compute && s->language == MS_SSS_GLSL_ES_300)
-        return ms__fail(error, MS_UNSUPPORTED, 0, "compute: OpenGL ES 3.0 has none");
+    if (!s->half_resolution && (s->step == MS_SSS_STEP_DOWN || s->step == MS_SSS_STEP_UP))
+        return MS_SSS__REFUSE(error, "step %d is one of half_resolution", (int)s->step);
     return MS_OK;
+}
+
+MS_API ms_sss_shader ms_sss_shader_defaults(void)
+{
+    ms_sss_shader s;
+    memset(&s, 0, sizeof s);
+    s.tap_count = 7;
+    return s;
 }
 
 MS_SSS__COLD MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options,
@@ -8195,8 +7878,8 @@ MS_SSS__COLD MS_API size_t ms_sss_transmission_text(ms_sss_language language, ch
     return t.length;
 }
 
-MS_SSS__COLD MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int half_kernel, int binary16,
-                                                   void *out, ms_error *error)
+MS_SSS__COLD MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int binary16, void *out,
+                                                   ms_error *error)
 {
     ms_status status;
     int i, c;
@@ -8204,7 +7887,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, 
     if ((status = ms_sss__check_kernel(kernel, 0, error)) != MS_OK) return status;
     if (term < 0 || term >= kernel->term_count)
         return MS_SSS__REFUSE(error, "term %d is not within the kernel's %d", term, kernel->term_count);
-    for (i = 1; half_kernel && i < kernel->tap_count; i += 2) {
+    for (i = 1; i < kernel->tap_count; i += 2) {
         int same = !ms_sss__differ(kernel->offset_mm[i], -kernel->offset_mm[i + 1]);
         for (c = 0; c < 3; ++c)
             if (ms_sss__differ(kernel->weight[term][i][c], kernel->weight[term][i + 1][c])) same = 0;
@@ -8212,15 +7895,12 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, 
             return ms__fail(error, MS_UNSUPPORTED, 0, "taps %d and %d differ: half a kernel cannot hold both", i,
                             i + 1);
     }
-    for (i = 0; out && i < kernel->tap_count; ++i) {
-        const int at = half_kernel ? i / 2 : i;
-        if (half_kernel && i % 2 == 1) continue;
+    for (i = 0; out && i < kernel->tap_count; i += 2)
         for (c = 0; c < 4; ++c) {
             const float value = c < 3 ? kernel->weight[term][i][c] : kernel->offset_mm[i];
-            if (binary16) ((uint16_t *)out)[4 * at + c] = ms__half_from_float(value);
-            else ((float *)out)[4 * at + c] = value;
+            if (binary16) ((uint16_t *)out)[2 * i + c] = ms__half_from_float(value);
+            else ((float *)out)[2 * i + c] = value;
         }
-    }
     return MS_OK;
 }
 
@@ -8259,7 +7939,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
                             "kernel %d has %d taps, more than the shader's tap_count %d", i, kernels[i].tap_count,
                             shader->tap_count);
         for (c = up ? 0 : term; c < kernels[i].term_count && (c == term || up); ++c) {
-            status = ms_sss_kernel_upload(&kernels[i], c, shader->half_kernel, 0, NULL, error);
+            status = ms_sss_kernel_upload(&kernels[i], c, 0, NULL, error);
             if (status != MS_OK) return status;
         }
         if (kernels[i].term_count > terms) terms = kernels[i].term_count;
@@ -8297,8 +7977,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
         memcpy(profile.curve, job.pass.curve, sizeof profile.curve);
         memcpy(profile.root, job.pass.root, sizeof profile.root);
         if (t < k->term_count) {
-            ms_sss__totals(k, t, job.pass.follow && shader->depth != MS_SSS_NONE, job.pass.total, job.pass.mixed);
-            ms_sss_kernel_upload(k, t, shader->half_kernel, 0, at + MS_SSS__PROFILE_HEAD, NULL);
+            ms_sss__totals(k, t, job.pass.total, job.pass.mixed);
+            ms_sss_kernel_upload(k, t, 0, at + MS_SSS__PROFILE_HEAD, NULL);
             for (c = 0; c < 3; ++c) {
                 profile.total[c] = job.pass.total[c];
                 profile.scale[c] = k->scale[t][c];
@@ -8422,8 +8102,6 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__ABS(a) _mm512_abs_ps(a)
 #define MS_SSS__RCP(a) _mm512_maskz_rcp14_ps(0xffff, a)
 #define MS_SSS__FLOOR(a) _mm512_floor_ps(a)
-#define MS_SSS__TRUNC(a) _mm512_floor_ps(a)
-#define MS_SSS__SCALE(a, n) _mm512_maskz_scalef_ps(0xffff, a, _mm512_sub_ps(_mm512_setzero_ps(), n))
 #define MS_SSS__LESS(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ)
 #define MS_SSS__SAME(a, b) _mm512_cmp_ps_mask(a, b, _CMP_EQ_OQ)
 #define MS_SSS__BOTH(m, n) ((__mmask16)((m) & (n)))
@@ -8448,9 +8126,6 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__RCP(a) _mm256_rcp_ps(a)
 #define MS_SSS__ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
 #define MS_SSS__FLOOR(a) _mm256_floor_ps(a)
-#define MS_SSS__TRUNC(a) _mm256_floor_ps(a)
-#define MS_SSS__SCALE(a, n) \
-    _mm256_castsi256_ps(_mm256_sub_epi32(_mm256_castps_si256(a), _mm256_slli_epi32(_mm256_cvttps_epi32(n), 23)))
 #define MS_SSS__LESS(a, b) _mm256_cmp_ps(a, b, _CMP_LT_OQ)
 #define MS_SSS__SAME(a, b) _mm256_cmp_ps(a, b, _CMP_EQ_OQ)
 #define MS_SSS__BOTH(m, n) _mm256_and_ps(m, n)
@@ -8470,9 +8145,6 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__RCP(a) _mm_rcp_ps(a)
 #define MS_SSS__ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
 #define MS_SSS__FLOOR(a) ms_sss__floor_sse2(a)
-#define MS_SSS__TRUNC(a) _mm_cvtepi32_ps(_mm_cvttps_epi32(a))
-#define MS_SSS__SCALE(a, n) \
-    _mm_castsi128_ps(_mm_sub_epi32(_mm_castps_si128(a), _mm_slli_epi32(_mm_cvttps_epi32(n), 23)))
 #define MS_SSS__LESS(a, b) _mm_cmplt_ps(a, b)
 #define MS_SSS__SAME(a, b) _mm_cmpeq_ps(a, b)
 #define MS_SSS__BOTH(m, n) _mm_and_ps(m, n)
@@ -8499,9 +8171,6 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__SQRT(a) vsqrtq_f32(a)
 #define MS_SSS__ABS(a) vabsq_f32(a)
 #define MS_SSS__FLOOR(a) vrndmq_f32(a)
-#define MS_SSS__TRUNC(a) vrndq_f32(a)
-#define MS_SSS__SCALE(a, n) \
-    vreinterpretq_f32_s32(vsubq_s32(vreinterpretq_s32_f32(a), vshlq_n_s32(vcvtq_s32_f32(n), 23)))
 #define MS_SSS__LESS(a, b) vcltq_f32(a, b)
 #define MS_SSS__SAME(a, b) vceqq_f32(a, b)
 #define MS_SSS__BOTH(m, n) vandq_u32(m, n)
@@ -8530,8 +8199,6 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #define MS_SSS__SQRT(a) sqrtf(a)
 #define MS_SSS__ABS(a) fabsf(a)
 #define MS_SSS__FLOOR(a) ms_sss__floor(a)
-#define MS_SSS__TRUNC(a) ((float)(int)(a))
-#define MS_SSS__SCALE(a, n) ms_sss__scale(a, n)
 #define MS_SSS__LESS(a, b) ((a) < (b))
 #define MS_SSS__SAME(a, b) ((a) >= (b) && (a) <= (b))
 #define MS_SSS__BOTH(m, n) ((m) & (n))
@@ -8559,26 +8226,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
     MS_SSS__Z(shuffle_ps, a, b, 0x88) /* columns 0, 2 .. of a and b, which ORDER puts in order */
 #define MS_SSS__ODDS(a, b) MS_SSS__Z(shuffle_ps, a, b, 0xdd)
 #endif
-#if MS_SSS__LANES == 16 /* floats from LANES n on of eight of each lane */
-#define MS_SSS__EIGHTH(lane, n)                                                                \
-    _mm512_maskz_insertf32x8(0xffff, _mm512_castps256_ps512(_mm256_loadu_ps((lane)[2 * (n)])), \
-                             _mm256_loadu_ps((lane)[2 * (n) + 1]), 1)
-#else
-#define MS_SSS__EIGHTH(lane, n) MS_SSS__LOAD((lane)[(n)*MS_SSS__LANES / 8] + (n)*MS_SSS__LANES % 8)
-#endif
 #define MS_SSS__EVEN(a, b) MS_SSS__ORDER(MS_SSS__EVENS(a, b))
 #define MS_SSS__ODD(a, b) MS_SSS__ORDER(MS_SSS__ODDS(a, b))
-
-/* 2^-q for 0 <= q < 126; relative error 2.5e-7. The polynomial is the minimax one of 2^-d on [0, 1] with 2^0 = 1. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(exp2_minus)(MS_SSS__V q)
-{
-    const MS_SSS__V n = MS_SSS__TRUNC(q), d = MS_SSS__SUB(q, n),
-                    d2 = MS_SSS__MUL(d, d); /* in pairs: a shorter chain than Horner's */
-    MS_SSS__V p = MS_SSS__MADD(MS_SSS__MADD(MS_SSS__SET(-9.4490301e-4f), d, MS_SSS__SET(9.2057967e-3f)), d2,
-                               MS_SSS__MADD(MS_SSS__SET(-5.5297357e-2f), d, MS_SSS__SET(2.4018014e-1f)));
-    p = MS_SSS__MADD(p, d2, MS_SSS__MADD(MS_SSS__SET(-6.9314372e-1f), d, MS_SSS__SET(1.0f)));
-    return MS_SSS__SCALE(p, n);
-}
 
 /* 1 / a within 2e-7 of itself, a from 1e-30 to 1e30 */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(inverse)(MS_SSS__V a)
@@ -9089,16 +8738,6 @@ static float MS_SSS__NAME(least)(const float *depth, int count)
     return lane[0];
 }
 
-/* What depth leaves of a pixel dz away: (1 - dz^2)^4, exact: 2^-dz^2 within p->cut. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(nearness)(const ms_sss__pass *p, const int exact, MS_SSS__V dz)
-{
-    MS_SSS__V q;
-    if (!exact) return MS_SSS__NAME(falloff)(dz);
-    q = MS_SSS__MUL(dz, dz);
-    return MS_SSS__SELECT(MS_SSS__LESS(q, MS_SSS__SET(p->cut)),
-                          MS_SSS__NAME(exp2_minus)(MS_SSS__MIN(q, MS_SSS__SET(120.0f))), MS_SSS__SET(0.0f));
-}
-
 /* With slopes: what a pixel dz over the tangent plane weighs of its share of a tap. */
 static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lean)(MS_SSS__V dz, MS_SSS__V share, MS_SSS__V remote)
 {
@@ -9118,8 +8757,8 @@ static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lean_area)(MS_SSS__V sum, MS_SSS__V
     return MS_SSS__MIN(MS_SSS__MADD(more, more, MS_SSS__SET(1.0f)), MS_SSS__SET(MS_SSS__AREA_MAX));
 }
 
-/* A pair of taps stands at -x and +x. Each reads two pixels by linear interpolation: i and i + 1 steps from the middle. Where
-   they lie, for up to LEAN groups of one vector each. */
+/* A pair of taps stands at -x and +x. Each reads two pixels by linear interpolation: i and i + 1 steps from the middle.
+   Where they lie, for up to LEAN groups of one vector each. */
 typedef struct MS_SSS__NAME(pair) {
     const float *light;            /* red of the first group's own pixels */
     ptrdiff_t at[4], plane, group; /* floats to i, i + 1, -i, -i - 1; to the next channel; to the next group */
@@ -9132,8 +8771,9 @@ typedef struct MS_SSS__NAME(weights) {
 } MS_SSS__NAME(weights);
 
 /* Pair k of n groups. If i differs between groups or lanes, the pixels are copied side by side first. */
-static MS_SSS__INLINE void MS_SSS__NAME(find_pair)(const ms_sss__sweep *s, const ms_sss__line *l, int x, int n, int k, const MS_SSS__V *size,
-                                                   float (*copy)[4][4][MS_SSS__LANES], MS_SSS__NAME(pair) *pair)
+static MS_SSS__INLINE void MS_SSS__NAME(find_pair)(const ms_sss__sweep *s, const ms_sss__line *l, int x, int n, int k,
+                                                   const MS_SSS__V *size, float (*copy)[4][4][MS_SSS__LANES],
+                                                   MS_SSS__NAME(pair) * pair)
 {
     const ptrdiff_t *step = l->step;
     const float *first = l->from + x / MS_SSS__LANES * l->group;
@@ -9168,12 +8808,14 @@ static MS_SSS__INLINE void MS_SSS__NAME(find_pair)(const ms_sss__sweep *s, const
 }
 
 /* Of a group with depth z; t: the taps' distance in pixels; group at column x. */
-static MS_SSS__INLINE void MS_SSS__NAME(weigh_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped, const ms_sss__line *l, int x,
-                                                    int k, const float *depth, const ptrdiff_t *at, MS_SSS__V whole, MS_SSS__V z, MS_SSS__V t,
-                                                    MS_SSS__NAME(weights) *w)
+static MS_SSS__INLINE void MS_SSS__NAME(weigh_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped,
+                                                    const ms_sss__line *l, int x, int k, const float *depth,
+                                                    const ptrdiff_t *at, MS_SSS__V whole, MS_SSS__V z, MS_SSS__V t,
+                                                    MS_SSS__NAME(weights) * w)
 {
     const MS_SSS__V one = MS_SSS__SET(1.0f), outer = MS_SSS__SUB(t, whole), share[2] = {MS_SSS__SUB(one, outer), outer};
-    const MS_SSS__V there[4] = {MS_SSS__LOAD(depth + at[0]), MS_SSS__LOAD(depth + at[1]), MS_SSS__LOAD(depth + at[2]), MS_SSS__LOAD(depth + at[3])};
+    const MS_SSS__V there[4] = {MS_SSS__LOAD(depth + at[0]), MS_SSS__LOAD(depth + at[1]), MS_SSS__LOAD(depth + at[2]),
+                                MS_SSS__LOAD(depth + at[3])};
     MS_SSS__V dz[4];
     int i;
     MS_SSS__UNROLL
@@ -9184,9 +8826,11 @@ static MS_SSS__INLINE void MS_SSS__NAME(weigh_pair)(const ms_sss__sweep *s, cons
         return;
     }
     {
-        const MS_SSS__V slope = MS_SSS__LOAD(l->own[1] + x), facing = MS_SSS__LOAD(l->own[2] + x), remote = MS_SSS__LOAD(s->remote[k]);
+        const MS_SSS__V slope = MS_SSS__LOAD(l->own[1] + x), facing = MS_SSS__LOAD(l->own[2] + x),
+                        remote = MS_SSS__LOAD(s->remote[k]);
         const MS_SSS__V inner_rise = MS_SSS__MUL(slope, whole), rise[2] = {inner_rise, MS_SSS__ADD(inner_rise, slope)};
-        const MS_SSS__V rounding = MS_SSS__MUL(z, MS_SSS__SET(p->grain)), least = MS_SSS__MADD(rounding, t, MS_SSS__ADD(rounding, rounding));
+        const MS_SSS__V rounding = MS_SSS__MUL(z, MS_SSS__SET(p->grain)),
+                        least = MS_SSS__MADD(rounding, t, MS_SSS__ADD(rounding, rounding));
         MS_SSS__UNROLL
         for (i = 0; i < 4; ++i) { /* off the tangent plane, which rises on one side and falls on the other */
             const MS_SSS__V scale = p->perspective ? there[i] : one;
@@ -9195,7 +8839,10 @@ static MS_SSS__INLINE void MS_SSS__NAME(weigh_pair)(const ms_sss__sweep *s, cons
         }
         MS_SSS__UNROLL
         for (i = 0; i < 2; ++i)
-            w->below[i] = MS_SSS__MUL(facing, MS_SSS__NAME(beyond)(MS_SSS__MADD(w->pixel[2 * i + 1], dz[2 * i + 1], MS_SSS__MUL(w->pixel[2 * i], dz[2 * i])), least));
+            w->below[i] = MS_SSS__MUL(
+                facing,
+                MS_SSS__NAME(beyond)(
+                    MS_SSS__MADD(w->pixel[2 * i + 1], dz[2 * i + 1], MS_SSS__MUL(w->pixel[2 * i], dz[2 * i])), least));
     }
 }
 
@@ -9204,19 +8851,23 @@ typedef struct MS_SSS__NAME(sums) {
     MS_SSS__V light[3], weight[3], lifted[3], before[2]; /* before: how far below the plane the pair before lay */
 } MS_SSS__NAME(sums);
 
-static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped, int k, const float *light,
-                                                  ptrdiff_t plane, const ptrdiff_t *at, MS_SSS__NAME(weights) *w, MS_SSS__NAME(sums) *sum)
+static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped,
+                                                  int k, const float *light, ptrdiff_t plane, const ptrdiff_t *at,
+                                                  MS_SSS__NAME(weights) * w, MS_SSS__NAME(sums) * sum)
 {
     MS_SSS__V all, side[2], height[2];
     int i, c;
     if (shaped) {
         MS_SSS__UNROLL
         for (i = 0; i < 2; ++i) { /* more surface where it bends away, more light where it lies below */
-            const MS_SSS__V area = MS_SSS__NAME(lean_area)(MS_SSS__ADD(w->pixel[2 * i], w->pixel[2 * i + 1]), w->below[i], MS_SSS__LOAD(s->bulge[k]), &sum->before[i]);
+            const MS_SSS__V area = MS_SSS__NAME(lean_area)(MS_SSS__ADD(w->pixel[2 * i], w->pixel[2 * i + 1]),
+                                                           w->below[i], MS_SSS__LOAD(s->bulge[k]), &sum->before[i]);
             w->pixel[2 * i] = MS_SSS__MUL(w->pixel[2 * i], area);
             w->pixel[2 * i + 1] = MS_SSS__MUL(w->pixel[2 * i + 1], area);
             height[i] = w->below[i];
-            if (s->steep) height[i] = MS_SSS__MAX(MS_SSS__MIN(height[i], MS_SSS__LOAD(s->span[k])), MS_SSS__MUL(MS_SSS__LOAD(s->span[k]), MS_SSS__SET(p->least)));
+            if (s->steep)
+                height[i] = MS_SSS__MAX(MS_SSS__MIN(height[i], MS_SSS__LOAD(s->span[k])),
+                                        MS_SSS__MUL(MS_SSS__LOAD(s->span[k]), MS_SSS__SET(p->least)));
         }
     }
     MS_SSS__UNROLL
@@ -9228,7 +8879,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const ms_sss__sweep *s, const 
         MS_SSS__V e[2], factor[2];
         MS_SSS__UNROLL
         for (i = 0; i < 2; ++i)
-            e[i] = MS_SSS__MADD(w->pixel[2 * i + 1], MS_SSS__LOAD(light + at[2 * i + 1]), MS_SSS__MUL(w->pixel[2 * i], MS_SSS__LOAD(light + at[2 * i])));
+            e[i] = MS_SSS__MADD(w->pixel[2 * i + 1], MS_SSS__LOAD(light + at[2 * i + 1]),
+                                MS_SSS__MUL(w->pixel[2 * i], MS_SSS__LOAD(light + at[2 * i])));
         sum->weight[c] = MS_SSS__MADD(all, tap, sum->weight[c]);
         if (!shaped) {
             sum->light[c] = MS_SSS__MADD(tap, MS_SSS__ADD(e[0], e[1]), sum->light[c]);
@@ -9246,10 +8898,10 @@ static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const ms_sss__sweep *s, const 
     }
 }
 
-/* n groups from column x on by pairs of taps; shaped: with slopes. Of each pair first all groups' weights, then all their sums: the
-   chains of one group are long. */
-static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped, const ms_sss__line *l, int x,
-                                              int n, MS_SSS__V (*out)[3])
+/* n groups from column x on by pairs of taps; shaped: with slopes. Of each pair first all groups' weights, then all
+   their sums: the chains of one group are long. */
+static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped,
+                                              const ms_sss__line *l, int x, int n, MS_SSS__V (*out)[3])
 {
     const int axis = l->axis, simple = (!shaped || s->plain) && s->simple, width = MS_SSS__LEAN * MS_SSS__LANES;
     const ptrdiff_t here = l->step[0];
@@ -9263,7 +8915,8 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__sweep *s, const ms_s
     int g, k, c, i, some = 0;
     for (g = 0, light = first + here; g < n; ++g, light += l->group) {
         some |= plan[g * s->plan_size] >= MS_SSS__SOME;
-        size[g] = shaped ? MS_SSS__LOAD(l->own[0] + x + g * MS_SSS__LANES) : MS_SSS__NAME(size)(p, MS_SSS__LOAD(light + 3 * l->plane));
+        size[g] = shaped ? MS_SSS__LOAD(l->own[0] + x + g * MS_SSS__LANES)
+                         : MS_SSS__NAME(size)(p, MS_SSS__LOAD(light + 3 * l->plane));
         sum[g].before[0] = sum[g].before[1] = MS_SSS__SET(0.0f);
         MS_SSS__UNROLL
         for (c = 0; c < 3; ++c) {
@@ -9279,9 +8932,11 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__sweep *s, const ms_s
         const int whole = plan[0] < MS_SSS__SOME ? 0 : plan[k + 1] & (MS_SSS__BESIDE - 1);
         MS_SSS__NAME(find_pair)(s, l, x, n, k, size, copy, &pair);
         for (g = 0, light = pair.light; g < n; ++g, light += pair.group) {
-            MS_SSS__NAME(weigh_pair)(s, p, shaped, l, x + g * MS_SSS__LANES, k, light + 3 * pair.plane, pair.at, pair.whole[g],
-                                     MS_SSS__LOAD(first + g * l->group + here + 3 * l->plane), MS_SSS__MUL(size[g], offset), &weights[g]);
-            for (c = 0; c < 4 && axis; c += 16 / MS_SSS__LANES) { /* rows lie far apart: the next groups of the taps' outer ones */
+            MS_SSS__NAME(weigh_pair)
+            (s, p, shaped, l, x + g * MS_SSS__LANES, k, light + 3 * pair.plane, pair.at, pair.whole[g],
+             MS_SSS__LOAD(first + g * l->group + here + 3 * l->plane), MS_SSS__MUL(size[g], offset), &weights[g]);
+            for (c = 0; c < 4 && axis;
+                 c += 16 / MS_SSS__LANES) { /* rows lie far apart: the next groups of the taps' outer ones */
                 const float *ahead = first + (g + MS_SSS__LEAN) * l->group + c * MS_SSS__LANES;
                 MS_SSS__PREFETCH((const char *)(ahead + l->step[whole + 1]));
                 MS_SSS__PREFETCH((const char *)(ahead + l->step[-whole]));
@@ -9294,43 +8949,23 @@ static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__sweep *s, const ms_s
         MS_SSS__UNROLL
         for (c = 0; c < 3; ++c) {
             MS_SSS__V all = sum[g].weight[c];
-            if (shaped && (s->plain || !p->mixed[c])) all = MS_SSS__MAX(all, MS_SSS__MUL(sum[g].lifted[c], MS_SSS__SET(p->root[c])));
+            if (shaped && (s->plain || !p->mixed[c]))
+                all = MS_SSS__MAX(all, MS_SSS__MUL(sum[g].lifted[c], MS_SSS__SET(p->root[c])));
             if (simple) out[g][c] = MS_SSS__DIV(sum[g].light[c], all);
-            else out[g][c] = MS_SSS__NAME(restore)(sum[g].light[c], all, MS_SSS__LOAD(light + c * l->plane), p->total[c], p->mixed[c]);
+            else
+                out[g][c] = MS_SSS__NAME(restore)(sum[g].light[c], all, MS_SSS__LOAD(light + c * l->plane), p->total[c],
+                                                  p->mixed[c]);
         }
     }
-}
-
-
-/* Eight floats of each lane become eight vectors: interleaving half the vectors with the other half makes the highest
-   bit of an element's place the lowest. */
-static MS_SSS__INLINE void MS_SSS__NAME(transpose)(const float *const *lane, float *out)
-{
-    MS_SSS__V v[2][8];
-    int i, n, now = 0;
-    MS_SSS__UNROLL
-    for (i = 0; i < 8; ++i) v[0][i] = MS_SSS__EIGHTH(lane, i);
-    MS_SSS__UNROLL
-    for (n = 1; n < MS_SSS__LANES; n *= 2, now = !now) {
-        MS_SSS__UNROLL
-        for (i = 0; i < 4; ++i) {
-            v[!now][2 * i] = MS_SSS__ZIP_LOW(v[now][i], v[now][i + 4]);
-            v[!now][2 * i + 1] = MS_SSS__ZIP_HIGH(v[now][i], v[now][i + 4]);
-        }
-    }
-    MS_SSS__UNROLL
-    for (i = 0; i < 8; ++i) MS_SSS__STORE(out + i * MS_SSS__LANES, v[now][i]);
 }
 
 /* The group at column x by any taps along an axis, or turned: along each pixel's own. A tap's two pixels along each
-   axis are read where they lie if all lanes have one place, else put together: place by place, or lane by lane where
-   each has its direction. */
+   axis are read where they lie if all lanes have one place, else put together place by place. */
 static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x,
                                             MS_SSS__V out[3])
 {
     const ms_sss__turning *turn = l->turn;
     const int rows = l->axis == 0 ? 1 : 2, columns = l->axis == 1 ? 1 : 2, shaped = s->shaped;
-    const int usual = !shaped && !p->follow && !p->exact;
     const int height = turn ? turn->height : l->count, width = l->axis == 1 ? x + MS_SSS__LANES : l->count;
     const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
     const float *here = l->from + x / MS_SSS__LANES * l->group, *at = here + l->step[0];
@@ -9340,20 +8975,19 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
               away[2] = {zero, zero};
     MS_SSS__V sum[3] = {zero, zero, zero}, norm[3] = {zero, zero, zero}, lifted[3] = {zero, zero, zero};
     float inner[2] = {0, 0}, lane[2][MS_SSS__LANES], apart[2][8 * MS_SSS__LANES];
-    const float *eight[MS_SSS__LANES], *packed = turn ? turn->packed : NULL;
     MS_SSS__MASK same;
     unsigned left;
     int order, k, c, i, j;
     if (!pending) return;
     if (turn) {
         const float sign = turn->second ? -1.0f : 1.0f;
-        for (i = 0; i < MS_SSS__LANES && packed; ++i) {
+        for (i = 0; i < MS_SSS__LANES; ++i) {
             const float *to = turn->direction[ms_sss__turn(x + i, l->at)];
             lane[0][i] = sign * to[turn->second];
             lane[1][i] = to[!turn->second];
         }
-        d[0] = packed ? MS_SSS__LOAD(lane[0]) : MS_SSS__SET(sign * turn->direction[0][turn->second]);
-        d[1] = packed ? MS_SSS__LOAD(lane[1]) : MS_SSS__SET(turn->direction[0][!turn->second]);
+        d[0] = MS_SSS__LOAD(lane[0]);
+        d[1] = MS_SSS__LOAD(lane[1]);
         if (shaped) {
             const MS_SSS__V sx = MS_SSS__LOAD(l->own[0] + x), sy = MS_SSS__LOAD(l->own[1] + x);
             const MS_SSS__V rx = MS_SSS__NAME(ray)(p, x),
@@ -9389,20 +9023,7 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
         share[1][0] = MS_SSS__SUB(one, share[1][1]);
         MS_SSS__STORE(lane[0], whole);
         MS_SSS__STORE(lane[1], whole_y);
-        if (packed) {
-            const MS_SSS__V column = MS_SSS__ADD(whole,
-                                                 MS_SSS__ADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET((float)x)));
-            MS_SSS__STORE(lane[0], MS_SSS__MIN(MS_SSS__MAX(column, MS_SSS__SET(-2.0f)), MS_SSS__SET((float)width)));
-            for (j = 0; j < 2; ++j) {
-                const MS_SSS__V down = MS_SSS__MAX(MS_SSS__ADD(whole_y, MS_SSS__SET((float)(l->at + j))),
-                                                   MS_SSS__SET(-1.0f));
-                MS_SSS__STORE(lane[1], MS_SSS__MIN(down, MS_SSS__SET((float)height)));
-                for (i = 0; i < MS_SSS__LANES; ++i)
-                    eight[i] = packed + 4 * ((int)lane[0][i] + (int)lane[1][i] * turn->stride);
-                MS_SSS__NAME(transpose)(eight, apart[j]);
-            }
-        }
-        for (left = packed ? 0 : pending; left; left &= ~MS_SSS__BITS(same)) {
+        for (left = pending; left; left &= ~MS_SSS__BITS(same)) {
             const int lead = ms_sss__lowest(left), first = (int)lane[0][lead];
             same = MS_SSS__SAME(whole, MS_SSS__SET(lane[0][lead]));
             same = MS_SSS__BOTH(same, MS_SSS__SAME(whole_y, MS_SSS__SET(lane[1][lead])));
@@ -9430,24 +9051,16 @@ static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss
                 const float *from = row[j] + i * next;
                 MS_SSS__V there = MS_SSS__LOAD(from + 3 * plane), dz = MS_SSS__SUB(there, z);
                 MS_SSS__V f = MS_SSS__MUL(share[0][i], share[1][j]);
-                if (usual) {
+                if (!shaped) {
                     f = MS_SSS__MUL(f, MS_SSS__NAME(falloff)(dz));
                 } else {
-                    if (shaped) {
-                        MS_SSS__V gain = MS_SSS__MADD(rise[0], whole, MS_SSS__MUL(rise[1], whole_y));
-                        if (i) gain = MS_SSS__ADD(gain, rise[0]);
-                        if (j) gain = MS_SSS__ADD(gain, rise[1]);
-                        there = MS_SSS__MIN(there, MS_SSS__SET(MS_SSS__AWAY)); /* turned axes meet infinite ones */
-                        dz = MS_SSS__LESSEN(gain, p->perspective ? there : one, MS_SSS__SUB(there, z));
-                    }
-                    if (p->follow) {
-                        f = MS_SSS__MUL(f, MS_SSS__MAX(MS_SSS__SUB(one, MS_SSS__ABS(dz)), zero));
-                    } else if (p->exact) {
-                        f = MS_SSS__MUL(f, MS_SSS__NAME(nearness)(p, 1, dz));
-                    } else {
-                        const MS_SSS__V q = MS_SSS__MIN(MS_SSS__MUL(dz, dz), one);
-                        f = MS_SSS__MUL(MS_SSS__LESSEN(f, q, f), MS_SSS__NAME(inverse)(MS_SSS__MADD(remote, q, one)));
-                    }
+                    MS_SSS__V gain = MS_SSS__MADD(rise[0], whole, MS_SSS__MUL(rise[1], whole_y)), q;
+                    if (i) gain = MS_SSS__ADD(gain, rise[0]);
+                    if (j) gain = MS_SSS__ADD(gain, rise[1]);
+                    there = MS_SSS__MIN(there, MS_SSS__SET(MS_SSS__AWAY)); /* turned axes meet infinite ones */
+                    dz = MS_SSS__LESSEN(gain, p->perspective ? there : one, MS_SSS__SUB(there, z));
+                    q = MS_SSS__MIN(MS_SSS__MUL(dz, dz), one);
+                    f = MS_SSS__MUL(MS_SSS__LESSEN(f, q, f), MS_SSS__NAME(inverse)(MS_SSS__MADD(remote, q, one)));
                     below = MS_SSS__MADD(f, dz, below);
                 }
                 MS_SSS__UNROLL
@@ -10464,8 +10077,6 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
 #undef MS_SSS__RCP
 #undef MS_SSS__ABS
 #undef MS_SSS__FLOOR
-#undef MS_SSS__TRUNC
-#undef MS_SSS__SCALE
 #undef MS_SSS__LESS
 #undef MS_SSS__SAME
 #undef MS_SSS__BOTH
@@ -10473,7 +10084,6 @@ static const ms_sss__kernels MS_SSS__NAME(kernels) = {
 #undef MS_SSS__BITS
 #undef MS_SSS__ZIP_LOW
 #undef MS_SSS__ZIP_HIGH
-#undef MS_SSS__EIGHTH
 #undef MS_SSS__EVEN
 #undef MS_SSS__ODD
 #undef MS_SSS__EVENS
