@@ -10,6 +10,7 @@
 #include "materials.h"
 #include "materialx.h"
 #include "plot.h"
+#include "profile_csv.h"
 #include "scores.h"
 
 #define FOLDER "build/test_locale/"
@@ -130,7 +131,7 @@ static void read_all(void)
         else CHECK(m.count == 2 && m.x[0] == 0.25f && m.x[1] == 0.5f && m.x[3] == 0.1f);
         materials_free(&m);
     }
-    CHECK_INT(ms_sss_profile_from_csv(&profile, rings, sizeof rings - 1, NULL, &error), MS_OK);
+    CHECK_INT(profile_from_csv(&profile, rings, sizeof rings - 1, &error), MS_OK);
     ms_sss_profile_reflectance(profile, total);
     CHECK_NEAR(total[1], 3.14159265358979 * (0.3 * 0.25 + 0.15 * 0.75), 1e-12); /* two rings; rounding */
     ms_sss_profile_destroy(profile);

@@ -291,22 +291,19 @@ static double plain_depth_factor(const plain *p, const ms_sss_kernel *k, const p
     const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : (double)k->radius_mm;
     const double upright = plain_shaped(p) ? 1 - (double)p->o.flat : 0,
                  sigma = p->o.depth_sigma_mm > 0 ? (double)p->o.depth_sigma_mm : (0.12 + 0.13 * upright) * extent;
-    const double follow = p->o.follow_mm > 0 ? (double)p->o.follow_mm : (double)k->radius_mm;
     double dz, end = 3.0746 * sigma;
     *below = 0;
     if (!(p->with & WITH_DEPTH) || p->o.depth_mode == MS_SSS_DEPTH_SCALE) return 1;
     dz = ((double)p->s->depth[j] - (double)p->s->depth[i]) * mm;
-    if (p->o.depth_mode == MS_SSS_DEPTH_FOLLOW) return fabs(dz) < follow ? 1 - fabs(dz) / follow : 0;
     if (plain_shaped(p))
         *below = dz -= (dx * surface->step[0] + dy * surface->step[1]) *
             (p->o.fov_degrees > 0 ? (double)p->s->depth[j] : 1) * mm;
-    else if (p->o.exact || (double)k->radius_mm < end) end = (double)k->radius_mm;
-    if (plain_shaped(p) && !p->o.exact && !(p->o.depth_sigma_mm > 0)) end = (0.37 + 1.13 * upright) * extent;
+    else if ((double)k->radius_mm < end) end = (double)k->radius_mm;
+    if (plain_shaped(p) && !(p->o.depth_sigma_mm > 0)) end = (0.37 + 1.13 * upright) * extent;
     if (!(fabs(dz) < end)) return 0;
-    if (plain_shaped(p) &&
-        !p->o.exact) /* light at distance sqrt(x^2 + dz^2) in place of x, when it falls as the square */
+    if (plain_shaped(p)) /* light at distance sqrt(x^2 + dz^2) in place of x, when it falls as the square */
         return x > 0 ? (1 - dz * dz / (end * end)) / (1 + fmin(upright / (x * x), 1e6 / (end * end)) * dz * dz) : 1;
-    return p->o.exact ? exp(-dz * dz / (2 * sigma * sigma)) : pow(1 - dz * dz / (end * end), 4);
+    return pow(1 - dz * dz / (end * end), 4);
 }
 
 static double plain_albedo(const plain *p, int c, int i, int side)
@@ -337,7 +334,7 @@ static void plain_pass(const plain *p, int term, int second, const plain_surface
                     total[c] += (double)kernel->weight[term][k][c];
                     if (kernel->weight[term][k][c] < 0) mixed[c] = 1;
                 }
-            bulge = p->o.exact || mixed[0] || mixed[1] || mixed[2] ? 0 : (1 - (double)p->o.flat) / 2;
+            bulge = mixed[0] || mixed[1] || mixed[2] ? 0 : (1 - (double)p->o.flat) / 2;
             plain_size(p, i, size);
             if (p->o.rotation != 0 || p->o.jitter > 0) {
                 const double angle = (double)p->o.rotation +
@@ -402,8 +399,7 @@ static void plain_pass(const plain *p, int term, int second, const plain_surface
                 if (!mixed[c] && norm[c] < sqrt((double)kernel->reflectance[c]) * lifted[c])
                     norm[c] = sqrt((double)kernel->reflectance[c]) * lifted[c];
             for (c = 0; c < 3; ++c) {
-                if (mixed[c] || ((p->with & WITH_DEPTH) && p->o.depth_mode == MS_SSS_DEPTH_FOLLOW))
-                    out[c][i] = sum[c] + (total[c] - norm[c]) * in[c][i];
+                if (mixed[c]) out[c][i] = sum[c] + (total[c] - norm[c]) * in[c][i];
                 else out[c][i] = norm[c] > 0 ? sum[c] * total[c] / norm[c] : total[c] * in[c][i];
                 if (plain_small(p, i)) out[c][i] = total[c] * in[c][i];
             }
@@ -534,11 +530,10 @@ static void case_plain(void)
                 if (variant & 1) o.pixels_per_mm[1] = kind == 0 ? 3.3f : 0.0f;
                 if (variant & 2) o.rotation = 0.6f;
                 if (variant & 4) o.jitter = 0.8f;
-                o.depth_mode = (ms_sss_depth_mode)((with + variant) % 3);
+                o.depth_mode = (ms_sss_depth_mode)((with + variant) % 3 == 1);
                 o.albedo_mode = (ms_sss_albedo_mode)((with / 4 + variant) % 3);
                 o.fade = variant % 3 ? 0.0f : 0.25f;
                 o.flat = (float)((with + variant + kind) % 3) / 2;
-                o.exact = (with / 2 + variant + kind) % 2;
                 e = test_against_plain(&s, k, with & WITH_PROFILE ? 2 : 1, &o, with);
                 if (!(e <= (o.flat < 1 && (with & WITH_DEPTH) ? PLAIN_TOLERANCE_SHAPED : PLAIN_TOLERANCE)))
                     TEST_FAIL("kind %d with %d variant %d: %g", kind, with, variant, e);
@@ -724,14 +719,13 @@ static void case_depth_edge(void)
             float *out[3];
             ms_sss_frame f;
             if (variant & 1) o.rotation = 0.5f;
-            if (variant & 2) o.depth_mode = MS_SSS_DEPTH_FOLLOW;
             if (variant & 8) o.flat = 1;
             for (c = 0; c < 3; ++c) out[c] = test_floats(90 * 70);
             for (y = 0; y < 70; ++y) {
                 for (x = 0; x < 90; ++x) {
                     const int near_by = x + y / 3 <
                         50; /* a slanted edge, deeper than the kernel's radius, with slopes 1.5 times that */
-                    s.depth[y * 90 + x] = near_by ? 50.0f : variant & 10 ? 53.01f : 54.51f;
+                    s.depth[y * 90 + x] = near_by ? 50.0f : variant & 8 ? 53.01f : 54.51f;
                     for (c = 0; c < 3; ++c) s.rgb[c][y * 90 + x] = near_by ? 0.0f : (x % 4 < 2 ? 1e6f : 1.0f);
                 }
             }
@@ -1786,27 +1780,25 @@ static void case_refused(void)
     test_scene_free(&s);
 }
 
-/* The taps alone: centre first, pairs, half a kernel, binary16. */
+/* The taps alone: the centre, one of each pair, binary16. */
 static void case_upload(void)
 {
     ms_sss_kernel k = test_kernel(7, 5.0, 0.0);
-    float full[7][4], half[4][4];
-    uint16_t packed[7][4];
+    float taps[4][4];
+    uint16_t packed[4][4];
     ms_error error;
     int i, c;
-    CHECK_INT(ms_sss_kernel_upload(&k, 0, 0, 0, full, &error), MS_OK);
-    CHECK_INT(ms_sss_kernel_upload(&k, 0, 1, 0, half, &error), MS_OK);
-    CHECK_INT(ms_sss_kernel_upload(&k, 0, 0, 1, packed, &error), MS_OK);
-    for (i = 0; i < 7; ++i) {
-        CHECK_NEAR(full[i][3], k.offset_mm[i], 0);
-        for (c = 0; c < 3; ++c) CHECK_NEAR(full[i][c], k.weight[0][i][c], 0);
-        for (c = 0; c < 4; ++c) CHECK_NEAR(ms__half_to_float(packed[i][c]), full[i][c], fabsf(full[i][c]) / 2048);
-        if (i % 2 == 0) CHECK(memcmp(half[i / 2], full[i], sizeof full[i]) == 0);
+    CHECK_INT(ms_sss_kernel_upload(&k, 0, 0, taps, &error), MS_OK);
+    CHECK_INT(ms_sss_kernel_upload(&k, 0, 1, packed, &error), MS_OK);
+    for (i = 0; i < 4; ++i) {
+        CHECK_NEAR(taps[i][3], k.offset_mm[2 * i], 0);
+        for (c = 0; c < 3; ++c) CHECK_NEAR(taps[i][c], k.weight[0][2 * i][c], 0);
+        for (c = 0; c < 4; ++c) CHECK_NEAR(ms__half_to_float(packed[i][c]), taps[i][c], fabsf(taps[i][c]) / 2048);
     }
     k.weight[0][2][1] *= 1.5f;
-    CHECK_INT(ms_sss_kernel_upload(&k, 0, 1, 0, half, &error), MS_UNSUPPORTED);
+    CHECK_INT(ms_sss_kernel_upload(&k, 0, 0, taps, &error), MS_UNSUPPORTED);
     CHECK(strstr(error.message, "differ") != NULL);
-    CHECK_INT(ms_sss_kernel_upload(&k, 1, 0, 0, full, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_sss_kernel_upload(&k, 1, 0, taps, &error), MS_INVALID_ARGUMENT);
 }
 
 /* --- slope and elevation --- */
@@ -1878,7 +1870,6 @@ static void case_planes(void)
                     else o.ortho_height = (float)((double)SHAPE_H * distance / focal);
                     o.flat = pass == 2 ? 1.0f : 0.0f;
                     if (pass == 0 && tilt == 30) o.rotation = 0.4f;
-                    if (pass == 0 && tilt == 45) o.exact = 1;
                     for (i = 0; i < SHAPE_N; ++i) {
                         double uv[2];
                         s.depth[i] = (float)plane_point(i % SHAPE_W + 0.5 - SHAPE_W / 2,
@@ -2184,10 +2175,9 @@ static void case_bounded(void)
 
 /* --- the same bits as ever --- */
 
-/* Fingerprints (FNV-1a) of pictures at each level, x86-64, with flat 1 and the exact falloff: taps at fixed places and
-   along axes of each pixel's own as the filter made them before it knew of slopes; where depth sets the places, since
-   pairs of taps are added up together there, too (which pixels can be depends on how many go together, so that levels
-   differ by roundings). */
+/* Fingerprints (FNV-1a) of pictures at each level, x86-64, with flat 1: taps at fixed places as the filter always made
+   them; where depth sets the places or each pixel has axes of its own, since one loop makes all pairs of taps (which
+   pixels can be pairs depends on how many go together, so that levels differ by roundings). */
 static uint64_t golden_print(int kind, int level)
 {
     test_scene s = test_scene_make(97, 153, 1);
@@ -2206,7 +2196,6 @@ static uint64_t golden_print(int kind, int level)
     kernel[1] = test_kernel_terms(9, 4.0);
     o.simd = (ms_simd)level;
     o.flat = 1;
-    o.exact = 1;
     if (kind == 4) o.jitter = 0.5f;
     for (c = 0; c < 3; ++c) out[c] = test_floats(n);
     f = test_frame(&s, with, out);
@@ -2228,10 +2217,10 @@ static void case_golden(void)
     static const uint64_t expected[5][4] = {
         /* of each level */
         {0xb26006cf495ba589u, 0xb26006cf495ba589u, 0x31c53e49840ed9b6u, 0x31c53e49840ed9b6u},
-        {0x25f3490f958e9ac9u, 0x40d4090b801745f9u, 0xb64547f9f33eeba8u, 0xdcff7a76a78388abu},
-        {0x031010266cab63f0u, 0x031010266cab63f0u, 0x50478a51ce0c3c1cu, 0x50478a51ce0c3c1cu},
-        {0xf755522dee577f21u, 0xf755522dee577f21u, 0xc4c0138f98ddbfdau, 0xc4c0138f98ddbfdau},
-        {0xe98f97fd70a2b765u, 0xe98f97fd70a2b765u, 0x88f04f320feef331u, 0x88f04f320feef331u}};
+        {0x931b176b978d74b7u, 0x27580ffb7187db3bu, 0xc8b113f86c720a68u, 0xb2606e60a423f35fu},
+        {0x9a9533db61712ce1u, 0x9a9533db61712ce1u, 0xa07a44a27e03edcfu, 0xa07a44a27e03edcfu},
+        {0x1425d93381664322u, 0x1425d93381664322u, 0xc1fd0d72a6ef0929u, 0xc1fd0d72a6ef0929u},
+        {0x382f1fe59c55cfcau, 0x382f1fe59c55cfcau, 0x4e16dacf170bbdbeu, 0x4e16dacf170bbdbeu}};
 #if (defined(__x86_64__) || defined(_M_X64)) && !defined(__FMA__) && \
     !defined(__FAST_MATH__) /* contraction changes the scalar text */
     int kind, level;

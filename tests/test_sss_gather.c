@@ -1,8 +1,9 @@
-/* ms_sss_gather: against the profile on planes and balls, thin plates with a back layer, and what must hold of any
+/* gather.h: against the profile on planes and balls, thin plates with a back layer, and what must hold of any
    picture. */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "test.h"
+#include "gather.h"
 
 enum { W = 96, H = 80 };
 static const double PI = 3.14159265358979323846;
@@ -39,14 +40,10 @@ static ms_sss_filter_options options_of(float fov)
     return o;
 }
 
-static ms_status gather(const ms_sss_frame *f, const ms_sss_back *back, const ms_sss_profile *p,
+static ms_status gather(const ms_sss_frame *f, const gather_back *back, const ms_sss_profile *p,
                         const ms_sss_filter_options *o)
 {
-    size_t size = ms_sss_gather_workspace(f->width, f->height, back != NULL);
-    void *workspace = malloc(size);
-    ms_status status = ms_sss_gather(f, back, p, o, workspace, size, NULL);
-    free(workspace);
-    return status;
+    return gather_filter(f, back, p, o, NULL);
 }
 
 /* A plane that turns about x by the angle; light where the way up along it, from the middle, is positive. */
@@ -102,7 +99,7 @@ static void test_plate(void)
 {
     ms_sss_profile *p = burley(0.7, 2);
     ms_sss_frame f = frame_of();
-    ms_sss_back back;
+    gather_back back;
     ms_sss_filter_options o = options_of(0);
     double total[3], thickness = 4, reach[3];
     int i, c;
@@ -278,15 +275,10 @@ static void test_refused(void)
     static uint8_t index[W * H];
     ms_sss_profile *p = burley(0.6, 3);
     ms_sss_frame f = frame_of();
-    ms_sss_back back;
+    gather_back back;
     ms_sss_filter_options o = options_of(20);
-    ms_error error;
-    char workspace[8];
     lumpy(1);
     out[5] = 77;
-    CHECK(ms_sss_gather(&f, NULL, p, &o, workspace, sizeof workspace, &error) == MS_INVALID_ARGUMENT &&
-          strstr(error.message, "workspace"));
-    CHECK(ms_sss_gather(NULL, NULL, p, &o, workspace, sizeof workspace, &error) == MS_INVALID_ARGUMENT);
     memset(&back, 0, sizeof back);
     CHECK(gather(&f, &back, p, &o) == MS_INVALID_ARGUMENT);
     f.profile = index;
@@ -299,7 +291,15 @@ static void test_refused(void)
     o = options_of(20);
     f.depth.channel[0] = NULL;
     CHECK(gather(&f, NULL, p, &o) == MS_INVALID_ARGUMENT);
-    CHECK(ms_sss_gather_workspace(0, 5, 0) == SIZE_MAX && ms_sss_gather_workspace(70000, 5, 1) == SIZE_MAX);
+    f = frame_of();
+    f.depth.half = 1;
+    CHECK(gather(&f, NULL, p, &o) == MS_INVALID_ARGUMENT);
+    f = frame_of();
+    f.width = 70000;
+    CHECK(gather(&f, NULL, p, &o) == MS_INVALID_ARGUMENT);
+    f = frame_of();
+    o.mm_per_unit = 1e20f; /* lengths whose squares are no floats any more */
+    CHECK(gather(&f, NULL, p, &o) == MS_INVALID_ARGUMENT);
     CHECK(out[5] == 77);
     ms_sss_profile_destroy(p);
 }

@@ -734,7 +734,7 @@ static void case_refused(void)
     const ms_sss_pyramid pyramid = skin_pyramid();
     int i;
     make_scene();
-    for (i = 0; i < 8; ++i) {
+    for (i = 0; i < 7; ++i) {
         ms_sss_filter_options o = ms_sss_filter_defaults();
         ms_sss_frame f = scene_frame(out, 1, 0);
         size_t size = ms_sss_pyramid_workspace(W, H);
@@ -745,17 +745,16 @@ static void case_refused(void)
         if (i == 0) o.rotation = 1;
         if (i == 1) o.jitter = 0.5f;
         if (i == 2) o.fov_degrees = 0, o.pixels_per_mm[0] = 2, o.pixels_per_mm[1] = 3; /* not round */
-        if (i == 3) o.depth_mode = MS_SSS_DEPTH_FOLLOW;
-        if (i == 4) f.profile = profile;
-        if (i == 5) --size;
-        if (i == 6) o.fov_degrees = NAN;
-        if (i == 7) f.input.channel[2] = NULL;
+        if (i == 3) f.profile = profile;
+        if (i == 4) --size;
+        if (i == 5) o.fov_degrees = NAN;
+        if (i == 6) f.input.channel[2] = NULL;
         CHECK_INT(ms_sss_pyramid_filter(&f, &pyramid, &o, workspace, size, &error),
-                  i < 5 ? MS_UNSUPPORTED : MS_INVALID_ARGUMENT);
+                  i < 4 ? MS_UNSUPPORTED : MS_INVALID_ARGUMENT);
         CHECK(strstr(error.message,
-                     i < 5        ? "pyramid"
-                         : i == 5 ? "workspace"
-                         : i == 6 ? "fov_degrees"
+                     i < 4        ? "pyramid"
+                         : i == 4 ? "workspace"
+                         : i == 5 ? "fov_degrees"
                                   : "input") != NULL);
         free(workspace);
     }

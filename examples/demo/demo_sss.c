@@ -11,6 +11,8 @@
 #include "ms_mcml.h"
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
+#include "../tools/gather.h"
+#include "../tools/profile_csv.h"
 #include "plot.h"
 #include "scene.h"
 
@@ -333,7 +335,7 @@ static int truth_read(truth *t, const char *path, const char *profile)
             float value = ldexpf((float)(exponent ? fraction | 1024 : fraction), exponent ? exponent - 25 : -24);
             (c < 3 ? &t->light : &t->walk)->pixels[3 * pixel + (size_t)(c % 3)] = value;
         }
-    need_ok(ms_sss_profile_from_csv(&t->profile, (const char *)csv.data, csv.size, NULL, NULL), profile);
+    need_ok(profile_from_csv(&t->profile, (const char *)csv.data, csv.size, NULL), profile);
     ms_sss_profile_reflectance(t->profile, t->reflectance);
     free(data.data);
     free(csv.data);
@@ -366,7 +368,7 @@ static void show_truth(const char *object, const char *substance, FILE *lines)
     image taps, after, out;
     double radius, before, error[2], distance = 1e9; /* of the nearest pixel */
     float peak = 0;
-    size_t size, other, i;
+    size_t size, i;
     void *workspace;
     int x, y, c, k, left, right = 0, width; /* columns that show the object, and some beside it */
     snprintf(path, sizeof path, "examples/data/truth_%s.bin", object);
@@ -396,8 +398,6 @@ static void show_truth(const char *object, const char *substance, FILE *lines)
         (2 * tan((double)t.fov * 3.14159265358979 / 360) * distance);
     need_ok(ms_sss_kernel_make(&kernel, NULL, t.profile, radius, NULL, NULL, NULL), "kernel");
     size = ms_sss_filter_workspace(t.width, t.height, &kernel, 1, &options);
-    other = ms_sss_gather_workspace(t.width, t.height, 0);
-    if (other > size) size = other;
     workspace = malloc(size);
     if (!taps.pixels || !after.pixels || !out.pixels || !workspace) need("out of memory", object);
     memset(&frame, 0, sizeof frame);
@@ -408,7 +408,7 @@ static void show_truth(const char *object, const char *substance, FILE *lines)
     frame.output = ms_sss_interleaved(taps.pixels, 3, 0);
     need_ok(ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, NULL), "filter");
     frame.output = ms_sss_interleaved(after.pixels, 3, 0);
-    need_ok(ms_sss_gather(&frame, NULL, t.profile, &options, workspace, size, NULL), "gather");
+    need_ok(gather_filter(&frame, NULL, t.profile, &options, NULL), "gather");
     before = truth_error(&t, &t.light);
     error[0] = truth_error(&t, &taps);
     error[1] = truth_error(&t, &after);
@@ -478,8 +478,7 @@ static const struct {
               {"pre-integrated, 7 taps", MS_SSS_PREINTEGRATED, 1, 7, 0},
               {"pre-integrated + 1 residual", MS_SSS_RESIDUAL, 2, MS_SSS_DENSE, 0},
               {"image-optimal", MS_SSS_IMAGE_OPTIMAL, 1, MS_SSS_DENSE, 0},
-              {"image-optimal, 7 taps", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0},
-              {"rotated, mean of four frames, 17 taps", MS_SSS_ROTATED, 1, 17, 0}};
+              {"image-optimal, 7 taps", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0}};
 
 enum { MODELS = sizeof models / sizeof models[0] };
 
@@ -553,15 +552,13 @@ static void show_models(FILE *page)
     double radius_mm = radius_of(profile), gain[SIGNALS] = {1, 1, 1};
     ms_sss_designer *designer;
     ms_sss_filter_options options = ms_sss_filter_defaults();
-    image input, filtered, rows[SIGNALS];
+    image input, rows[SIGNALS];
     void *workspace = NULL;
     char name[64];
     int m, k, x, y, c;
     input = image_new(FIELD, FIELD, 3);
-    filtered = image_new(FIELD, FIELD, 3);
     for (k = 0; k < SIGNALS; ++k) rows[k] = image_new(FIELD, FIELD, 3);
-    if (input.pixels == NULL || filtered.pixels == NULL || rows[SIGNALS - 1].pixels == NULL)
-        need("out of memory", "models");
+    if (input.pixels == NULL || rows[SIGNALS - 1].pixels == NULL) need("out of memory", "models");
     need_ok(ms_sss_designer_create(&designer, profile, RADIUS_PX, NULL, NULL), "models");
     exact_signals(profile, radius_mm / RADIUS_PX, rows);
     gain[0] = 1 / (double)rows[0].pixels[3 * (FIELD / 2 * FIELD + FIELD / 2)];
@@ -579,16 +576,10 @@ static void show_models(FILE *page)
         design.guide_k = models[m].guide_k;
         need_ok(ms_sss_kernel_build(&kernel, designer, &design, NULL), models[m].name);
         need_ok(ms_sss_kernel_measure(&e, &kernel, designer), models[m].name);
-        for (size = 0, k = 0; k < 2; ++k) { /* of turned axes and of others, whichever is larger */
-            size_t wanted;
-            options.rotation = 0.5f * (float)k;
-            wanted = ms_sss_filter_workspace(FIELD, FIELD, &kernel, 1, &options);
-            size = wanted > size ? wanted : size;
-        }
+        size = ms_sss_filter_workspace(FIELD, FIELD, &kernel, 1, &options);
         workspace = realloc(workspace, size);
         if (workspace == NULL) need("out of memory", models[m].name);
         for (k = 0; k < SIGNALS; ++k) {
-            int frames = kernel.frame_count > 1 ? kernel.frame_count : 1, f;
             ms_sss_frame frame;
             for (y = 0; y < FIELD; ++y)
                 for (x = 0; x < FIELD; ++x)
@@ -598,13 +589,8 @@ static void show_models(FILE *page)
             memset(&frame, 0, sizeof frame);
             frame.width = frame.height = FIELD;
             frame.input = ms_sss_interleaved(input.pixels, 3, 0);
-            frame.output = ms_sss_interleaved(filtered.pixels, 3, 0);
-            memset(rows[k].pixels, 0, image_count(&rows[k]) * sizeof(float));
-            for (f = 0; f < frames; ++f) {
-                options.rotation = (float)f * 1.57079633f / (float)frames;
-                need_ok(ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, NULL), models[m].name);
-                for (c = 0; c < 3 * FIELD * FIELD; ++c) rows[k].pixels[c] += filtered.pixels[c] / (float)frames;
-            }
+            frame.output = ms_sss_interleaved(rows[k].pixels, 3, 0);
+            need_ok(ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, NULL), models[m].name);
         }
         snprintf(name, sizeof name, "model_%02d.png", m);
         save_row(rows, gain, name);
@@ -614,7 +600,6 @@ static void show_models(FILE *page)
     free(workspace);
     for (k = 0; k < SIGNALS; ++k) image_free(&rows[k]);
     image_free(&input);
-    image_free(&filtered);
     ms_sss_designer_destroy(designer);
     ms_sss_profile_destroy(profile);
 }

@@ -139,10 +139,9 @@ int main(int argc, char **argv)
        so */
     options.fov_degrees = 40;
     options.mm_per_unit = 10; /* the scene is in centimetres */
-    memset(&shader, 0, sizeof shader);
+    shader = ms_sss_shader_defaults();
     shader.language = MS_SSS_GLSL_330;
     shader.tap_count = kernel[0].tap_count;
-    shader.half_kernel = 1;
     shader.profile_count = KERNELS;
     shader.depth = shader.profile = MS_SSS_ALPHA;
     if (ms_sss_shader_constant_count(&shader) > 64) return fail("constants", "more than 64");

@@ -12,7 +12,9 @@
 #include "ms_mcml.h"
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
+#include "gather.h"
 #include "image.h"
+#include "profile_csv.h"
 
 static const char usage[] =
     "usage: sss_filter IRRADIANCE.pfm DEPTH.pfm OUT.(pfm|png) --material NAME|--profile CSV [options]\n"
@@ -73,7 +75,7 @@ static ms_status profile_of_file(const char *path, ms_sss_profile **profile, ms_
     memset(&text, 0, sizeof text);
     problem = image__load(path, &text);
     if (problem) snprintf(error->message, sizeof error->message, "%s", problem);
-    else status = ms_sss_profile_from_csv(profile, (const char *)text.data, text.size, NULL, error);
+    else status = profile_from_csv(profile, (const char *)text.data, text.size, error);
     free(text.data);
     return status;
 }
@@ -242,11 +244,10 @@ static int run(const settings *s, job *j)
     options.budget = (float)s->budget;
     frame.taken = &taken;
     if (way < GATHER) options.method = (ms_sss_method)way;
-    size = way == GATHER ? ms_sss_gather_workspace(frame.width, frame.height, 0)
-                         : ms_sss_filter_workspace(frame.width, frame.height, &kernel, 1, &options);
+    size = ms_sss_filter_workspace(frame.width, frame.height, &kernel, 1, &options);
     j->workspace = malloc(size);
     if (j->output.pixels == NULL || j->workspace == NULL) return fail(1, s->path[2], "out of memory");
-    status = way == GATHER ? ms_sss_gather(&frame, NULL, j->profile, &options, j->workspace, size, &error)
+    status = way == GATHER ? gather_filter(&frame, NULL, j->profile, &options, &error)
                            : ms_sss_filter(&frame, &kernel, 1, &options, j->workspace, size, &error);
     if (status != MS_OK) return fail(1, s->path[0], error.message);
     if (way == GATHER) printf("gathered in space");

@@ -14,20 +14,21 @@
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "files.h"
+#include "profile_csv.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const model_names[] = {"image",     "preintegrated", "residual", "svd",   "svdn",
-                                          "gaussians", "guided",        "artist",   "slice", "rotated"};
+static const char *const model_names[] = {"image",     "preintegrated", "residual", "svd",  "svdn",
+                                          "gaussians", "guided",        "artist",   "slice"};
 static const char *const placement_names[] = {"optimised", "quantile", "quadratic"};
 
 static const char usage_text[] =
     "usage: sss_kernel MATERIAL|CSV [--radius PIXELS] [--taps N|dense] [--tolerance E] [--model NAME] [more: --help]\n"
-    "       [--terms N] [--placement NAME] [--budget N] [--dial D] [--k K] [--frames N] [--no-delta]\n"
+    "       [--terms N] [--placement NAME] [--budget N] [--dial D] [--k K] [--no-delta]\n"
     "       --tolerance: the cheapest kernel, at most N taps in all its terms (66); of --model or --taps: its fewest taps\n"
-    "       models: image preintegrated residual svd svdn gaussians guided artist slice rotated\n"
+    "       models: image preintegrated residual svd svdn gaussians guided artist slice\n"
     "       placements: optimised quantile quadratic; materials: deon and those of build/profile --list\n";
 
 static int usage(const char *problem, const char *value)
@@ -85,7 +86,7 @@ static ms_status csv_profile(const char *path, ms_sss_profile **profile, ms_erro
     }
     fclose(f);
     if (text == NULL) return MS_OUT_OF_MEMORY;
-    status = ms_sss_profile_from_csv(profile, text, size, NULL, error);
+    status = profile_from_csv(profile, text, size, error);
     free(text);
     return status;
 }
@@ -121,8 +122,8 @@ static ms_status fewest_taps(ms_sss_kernel *kernel, ms_sss_errors *errors, const
 static void print_kernel(const ms_sss_kernel *k, const ms_sss_errors *e)
 {
     int i, t;
-    printf("taps %d, terms %d, frames %d: %d reads a pixel; radius %.5g mm\n", k->tap_count, k->term_count,
-           k->frame_count, 2 * k->tap_count * k->term_count, (double)k->radius_mm);
+    printf("taps %d, terms %d: %d reads a pixel; radius %.5g mm\n", k->tap_count, k->term_count,
+           2 * k->tap_count * k->term_count, (double)k->radius_mm);
     printf(
         "errors %%: texture %.3f, vertical step %.3f, diagonal step %.3f, small disk %.3f, large disk %.3f, dot %.3f\n",
         100 * e->texture, 100 * e->vertical_step, 100 * e->diagonal_step, 100 * e->small_disk, 100 * e->large_disk,
@@ -184,7 +185,6 @@ int main(int argc, char **argv)
         if (*end != 0 || !(number >= 0 && number <= 1e6)) return usage("not a number from 0 to 1e6", value);
         if (strcmp(name, "--taps") == 0) options.tap_count = (int)number;
         else if (strcmp(name, "--terms") == 0) options.term_count = (int)number;
-        else if (strcmp(name, "--frames") == 0) options.frame_count = (int)number;
         else if (strcmp(name, "--budget") == 0) budget = (int)number;
         else if (strcmp(name, "--radius") == 0) radius = number;
         else if (strcmp(name, "--tolerance") == 0) tolerance = number;

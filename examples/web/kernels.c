@@ -163,12 +163,10 @@ static void see(double mm_per_unit, double flat, int way)
 
 static ms_sss_shader pass_of(int language, int way, int step, double flat)
 {
-    ms_sss_shader shader;
-    memset(&shader, 0, sizeof shader);
+    ms_sss_shader shader = ms_sss_shader_defaults();
     shader.language = (ms_sss_language)language;
     shader.step = (ms_sss_step)step;
     shader.tap_count = kernel.tap_count;
-    shader.half_kernel = 1;
     shader.depth = MS_SSS_ALPHA;
     shader.with_normal = flat < 1;
     shader.half_resolution = way == 1;

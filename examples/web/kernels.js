@@ -190,7 +190,7 @@ function onto(...to) {
 }
 // The targets of a way to filter, made when it is first drawn: half the size, or the levels of a pyramid.
 const floats = side => texture(gl.RGBA32F, gl.FLOAT, gl.RGBA, null, side);
-function half() { return targets.half = targets.half || { light: floats(size + 1 >> 1), normal: floats(size + 1 >> 1), middle: floats(size + 1 >> 1), after: floats(size + 1 >> 1) }; }
+function half() { return targets.half = targets.half || { light: floats(size + 1 >> 1), middle: floats(size + 1 >> 1), after: floats(size + 1 >> 1) }; }
 function levels(l) {
   targets.levels = targets.levels || [];
   while (targets.levels.length <= l) {
@@ -204,15 +204,15 @@ function levels(l) {
 function wiring(way, step, level, normal) {
   const input = targets.light;
   if (way === 2) {
-    const own = levels(level), next = step > 6 ? levels(level + 1) : own, all = { ms_sss_colour: own.light, ms_sss_surface: own.surface, ms_sss_coarse: next.light,
+    const own = levels(level), next = step > 4 ? levels(level + 1) : own, all = { ms_sss_colour: own.light, ms_sss_surface: own.surface, ms_sss_coarse: next.light,
       ms_sss_coarse_surface: next.surface, ms_sss_sum: next.sum, ms_sss_weight: next.weight, ms_sss_input: input };
-    return step === 6 ? [{ ms_sss_colour: input, ms_sss_normal: normal }, own.light, own.surface] : step === 7 ? [{ ms_sss_colour: own.light, ms_sss_surface: own.surface }, next.light, next.surface]
-      : step === 8 ? [all, own.sum, own.weight] : [all, targets.after];
+    return step === 4 ? [{ ms_sss_colour: input, ms_sss_normal: normal }, own.light, own.surface] : step === 5 ? [{ ms_sss_colour: own.light, ms_sss_surface: own.surface }, next.light, next.surface]
+      : step === 6 ? [all, own.sum, own.weight] : [all, targets.after];
   }
   if (way === 1) {
     const h = half();
-    return { 3: [{ ms_sss_colour: input }, h.light], 4: [{ ms_sss_colour: input, ms_sss_normal: normal }, h.normal], 0: [{ ms_sss_colour: h.light, ms_sss_normal: h.normal }, h.middle],
-      1: [{ ms_sss_colour: h.middle, ms_sss_input: h.light, ms_sss_normal: h.normal }, h.after], 5: [{ ms_sss_colour: input, ms_sss_input: h.light, ms_sss_sum: h.after }, targets.after] }[step];
+    return { 2: [{ ms_sss_colour: input }, h.light], 0: [{ ms_sss_colour: h.light }, h.middle], 1: [{ ms_sss_colour: h.middle, ms_sss_input: h.light }, h.after],
+      3: [{ ms_sss_colour: input, ms_sss_input: h.light, ms_sss_sum: h.after }, targets.after] }[step];
   }
   return step ? [{ ms_sss_colour: targets.middle, ms_sss_input: input, ms_sss_normal: normal }, targets.after] : [{ ms_sss_colour: input, ms_sss_normal: normal }, targets.middle];
 }

@@ -28,17 +28,17 @@ const calls = {
     return Object.assign(result, calls.look(view));
   },
   // Steps as ms_sss_step numbers them, in the order in which they are drawn.
-  plan({ way, size, flat }) {
+  plan({ way, size }) {
     if (way === 0) return [[0, 0], [1, 0]];
-    if (way === 1) return [[3, 0], ...(flat < 1 ? [[4, 0]] : []), [0, 0], [1, 0], [5, 0]];
-    const n = wasm.levels(size), plan = [[6, 0]];
-    for (let l = 0; l + 1 < n; ++l) plan.push([7, l]);
-    for (let l = n - 2; l > 0; --l) plan.push([8, l]);
-    return [...plan, [9, 0]];
+    if (way === 1) return [[2, 0], [0, 0], [1, 0], [3, 0]];
+    const n = wasm.levels(size), plan = [[4, 0]];
+    for (let l = 0; l + 1 < n; ++l) plan.push([5, l]);
+    for (let l = n - 2; l > 0; --l) plan.push([6, l]);
+    return [...plan, [7, 0]];
   },
   look({ size, way, mm, flat }) {
     if (way === 2) check(wasm.grow());
-    const steps = calls.plan({ way, size, flat }).map(([step, level]) => {
+    const steps = calls.plan({ way, size }).map(([step, level]) => {
       check(wasm.pass(1, way, step, mm, flat));
       const text = words(wasm.text()), count = wasm.fill(size, size, way, step, level, mm, flat);
       if (!count) check(1);
@@ -49,7 +49,7 @@ const calls = {
   },
   code({ kind }) { check(wasm.code(kind)); return words(wasm.text()); },
   shader({ language, way, mm, flat }) { // each text once: it serves all levels
-    return [...new Set(calls.plan({ way, size: 8, flat }).map(s => s[0]))].map(step => { check(wasm.pass(language, way, step, mm, flat)); return words(wasm.text()); }).join('\n');
+    return [...new Set(calls.plan({ way, size: 8 }).map(s => s[0]))].map(step => { check(wasm.pass(language, way, step, mm, flat)); return words(wasm.text()); }).join('\n');
   },
   filter({ light, normals, size, way, mm, flat }) {
     if (way === 2) check(wasm.grow());

@@ -19,7 +19,9 @@ static ms_sss_pyramid pyramid;
 
 static void pass(float *const *from, float *const *to, int dx, int dy, int nearest)
 {
-    const float size = (float)H / (2 * tanf(17.5f * 3.14159265f / 180)), sigma = 0.12f * kernel.profile_radius_mm;
+    const float size = (float)H / (2 * tanf(17.5f * 3.14159265f / 180)),
+                far = 3.0746f * 0.12f * kernel.profile_radius_mm;
+    const float end = far < kernel.radius_mm ? far : kernel.radius_mm; /* the filter's law with flat 1 */
     int x, y, i, c, h;
     for (y = 0; y < H; ++y) {
         for (x = 0; x < W; ++x) {
@@ -34,8 +36,9 @@ static void pass(float *const *from, float *const *to, int dx, int dy, int neare
                     float dz, f;
                     if (px < 0 || py < 0 || px >= W || py >= H) continue;
                     dz = depth[py * W + px] - z;
-                    f = share * expf(-dz * dz / (2 * sigma * sigma));
-                    if (!(fabsf(dz) < kernel.radius_mm)) continue;
+                    if (!(fabsf(dz) < end)) continue;
+                    f = 1 - dz * dz / (end * end);
+                    f = share * f * f * f * f;
                     for (c = 0; c < 3; ++c) {
                         sum[c] += kernel.weight[0][i][c] * f * from[c][py * W + px];
                         norm[c] += kernel.weight[0][i][c] * f;
@@ -418,7 +421,6 @@ int main(void)
                     1e3 * t[r][l].spread);
             if (r > 0) continue;
             check = prepare(DEPTH, levels[l]); /* the same picture as the plain loop's */
-            check.options.exact = 1;
             filter(&check);
             free(check.workspace);
             for (c = 0; c < 3; ++c)

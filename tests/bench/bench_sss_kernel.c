@@ -150,13 +150,13 @@ static void table_of_materials(FILE *md, FILE *csv)
     }
 }
 
-enum { COUNTS = 7, KINDS = 6 };
+enum { COUNTS = 7, KINDS = 5 };
 static void table_of_taps(FILE *md, FILE *csv, const ms_sss_profile *p, double radius, plot *picture,
                           double error[KINDS][COUNTS], double taps[COUNTS])
 {
     static const int count[COUNTS] = {5, 7, 9, 11, 17, 25, 33};
-    static const char *const name[KINDS] = {"a_p, quadratic (thesis)", "a_p, quantiles",       "optimised",
-                                            "optimised + delta",       "two terms, optimised", "4 turned frames"};
+    static const char *const name[KINDS] = {"a_p, quadratic (thesis)", "a_p, quantiles", "optimised",
+                                            "optimised + delta", "two terms, optimised"};
     ms_sss_designer *d = designer(p, radius);
     double ms[KINDS];
     int i, n;
@@ -178,15 +178,13 @@ static void table_of_taps(FILE *md, FILE *csv, const ms_sss_profile *p, double r
             if (n == 0) o.placement = MS_SSS_QUADRATIC;
             if (n == 1) o.placement = MS_SSS_QUANTILE;
             if (n == 4) o.model = MS_SSS_RESIDUAL;
-            if (n == 5) o.model = MS_SSS_ROTATED;
-            if (n >= 4 && count[i] > 17) { /* seconds, for errors nobody sees */
+            if (n == 4 && count[i] > 17) { /* seconds, for errors nobody sees */
                 error[n][i] = sqrt(-1.0);
                 fprintf(md, " |");
                 continue;
             }
-            error[n][i] = errors_of(d, &o, n < 5 ? &ms[n] : NULL).texture;
-            if (n < 5) fprintf(md, " %.2f (%.1f) |", 100 * error[n][i], ms[n]);
-            else fprintf(md, " %.2f |", 100 * error[n][i]);
+            error[n][i] = errors_of(d, &o, &ms[n]).texture;
+            fprintf(md, " %.2f (%.1f) |", 100 * error[n][i], ms[n]);
             fprintf(csv, "taps,%g,%s,%d,%.6g\n", radius, name[n], count[i], error[n][i]);
         }
     }

@@ -13,7 +13,6 @@ enum {
     MIDDLE,
     MIDDLE_HALF,
     TARGET,
-    SLOPES,
     SMALL,
     SMALL_MIDDLE,
     SMALL_TARGET,
@@ -21,36 +20,32 @@ enum {
     TEXTURES = TOWER + 4 * MS_SSS_PYRAMID_LEVELS
 };
 
-enum { TAPS, KEPT, RELEASED, DISC, HALF, PYRAMID }; /* what runs */
+enum { TAPS, RELEASED, DISC, HALF, PYRAMID }; /* what runs */
 
 typedef struct contender {
     const char *name, *reads;
-    int slopes, profiles, half, compute, other; /* half: 16 bits */
+    int slopes, profiles, half, other; /* half: a target of 16 bits */
 } contender;
 
 /* One draw: a step of ms_sss.h of a level, its program, the textures it writes. */
 typedef struct draw {
     ms_sss_step step;
-    int level, to, other, group[2];
+    int level, to, other;
     GLuint program;
 } draw;
 enum { DRAWS = 2 * MS_SSS_PYRAMID_LEVELS };
 
 static const contender contenders[] = {
-    {"ours, 7 taps", "27", 0, 1, 0, 0, 0},
-    {"ours, targets of 16 bits", "27", 0, 1, 1, 0, 0},
-    {"ours, 16 profiles", "27", 0, 16, 0, 0, 0},
-    {"ours, compute", "27 of a tile", 0, 1, 0, 1, 0},
-    {"**ours, slopes and elevation**", "35", 1, 1, 0, 0, 0},
-    {"ours, slopes kept", "32", 1, 1, 0, 0, KEPT},
-    {"ours, slopes, 16 profiles", "35", 1, 16, 0, 0, 0},
-    {"ours, slopes, compute", "35 of a tile", 1, 1, 0, 1, 0},
-    {"structure of the released shader, 7 taps", "28 filtered", 0, 1, 1, 0, RELEASED},
-    {"disc of 64 samples", "130", 0, 1, 0, 0, DISC},
-    {"ours, half resolution", "17", 0, 1, 0, 0, HALF},
-    {"**ours, half resolution, slopes and elevation**", "19", 1, 1, 0, 0, HALF},
-    {"ours, pyramid, flat", "68", 0, 1, 0, 0, PYRAMID},
-    {"**ours, pyramid, slopes and elevation**", "68 or more", 1, 1, 0, 0, PYRAMID},
+    {"ours, 7 taps", "27", 0, 1, 0, 0},
+    {"ours, 16 profiles", "27", 0, 16, 0, 0},
+    {"**ours, slopes and elevation**", "35", 1, 1, 0, 0},
+    {"ours, slopes, 16 profiles", "35", 1, 16, 0, 0},
+    {"structure of the released shader, 7 taps", "28 filtered", 0, 1, 1, RELEASED},
+    {"disc of 64 samples", "130", 0, 1, 0, DISC},
+    {"ours, half resolution", "17", 0, 1, 0, HALF},
+    {"**ours, half resolution, slopes and elevation**", "19", 1, 1, 0, HALF},
+    {"ours, pyramid, flat", "68", 0, 1, 0, PYRAMID},
+    {"**ours, pyramid, slopes and elevation**", "68 or more", 1, 1, 0, PYRAMID},
 };
 
 /* One pass: colour and depth filtered at each tap, the tap's colour fades to the pixel's own with the depth between. */
@@ -111,8 +106,8 @@ static int side_of(int side, int which)
 
 /* Nanoseconds by the GPU's own clock; software: of this process on its processors, for its driver draws after the
    query's end. */
-static double timed(void (*get)(GLuint, GLenum, uint64_t *), GLuint query, int software, const contender *c,
-                    const draw *d, int draws, const GLuint *texture, int width, int height)
+static double timed(void (*get)(GLuint, GLenum, uint64_t *), GLuint query, int software, const draw *d, int draws,
+                    const GLuint *texture, int width, int height)
 {
     static const GLenum both[2] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     uint64_t ns = 0;
@@ -124,19 +119,12 @@ static double timed(void (*get)(GLuint, GLenum, uint64_t *), GLuint query, int s
     for (i = 0; i < draws; ++i, ++d) {
         const int w = side_of(width, d->to), h = side_of(height, d->to);
         gl_UseProgram(d->program);
-        if (c->compute) {
-            gl_BindImageTexture(0, texture[d->to], 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-            gl_DispatchCompute((GLuint)((w + d->group[0] - 1) / d->group[0]),
-                               (GLuint)((h + d->group[1] - 1) / d->group[1]), 1);
-            gl_MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-        } else {
-            gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D,
-                                    d->other ? texture[d->other] : 0, 0);
-            gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture[d->to], 0);
-            gl_DrawBuffers(d->other ? 2 : 1, both);
-            gl_Viewport(0, 0, w, h);
-            gl_DrawArrays(GL_TRIANGLES, 0, 3);
-        }
+        gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, d->other ? texture[d->other] : 0,
+                                0);
+        gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture[d->to], 0);
+        gl_DrawBuffers(d->other ? 2 : 1, both);
+        gl_Viewport(0, 0, w, h);
+        gl_DrawArrays(GL_TRIANGLES, 0, 3);
     }
     gl_EndQuery(0x88BF);
     gl_Finish();
@@ -161,10 +149,8 @@ static int plan(const contender *c, int levels, draw *d)
         return n;
     }
     if (c->other == HALF) d[n].step = MS_SSS_STEP_DOWN, d[n++].to = SMALL;
-    d[n].step = MS_SSS_STEP_X, d[n].other = c->other == KEPT ? SLOPES : 0,
-    d[n++].to = c->other == HALF ? SMALL_MIDDLE
-        : c->other == DISC       ? TARGET
-                                 : middle;
+    d[n].step = MS_SSS_STEP_X;
+    d[n++].to = c->other == HALF ? SMALL_MIDDLE : c->other == DISC ? TARGET : middle;
     if (c->other != DISC) d[n].step = MS_SSS_STEP_Y, d[n++].to = c->other == HALF ? SMALL_TARGET : TARGET;
     if (c->other == HALF) d[n].step = MS_SSS_STEP_UP, d[n++].to = TARGET;
     return n;
@@ -185,22 +171,21 @@ static int read_by(const contender *c, const draw *d, int name)
                                           : COLOUR;
     case 3: return half ? SMALL : COLOUR;
     case 5: return half ? SMALL_TARGET : next + 2;
-    case 8: return c->other == KEPT ? SLOPES : level + 1;
-    case 9: return next;
-    case 10: return next + 1;
+    case 7: return level + 1;
+    case 8: return next;
+    case 9: return next + 1;
     default: return next + 3;
     }
 }
 
 static bench_time measure(const contender *c, int width, int height, const GLuint *texture, int runs, int software)
 {
-    static const char *const name[12] = {"ms_sss_colour",
+    static const char *const name[11] = {"ms_sss_colour",
                                          "",
                                          "",
                                          "ms_sss_input",
                                          "",
                                          "ms_sss_sum",
-                                         "",
                                          "",
                                          "ms_sss_surface",
                                          "ms_sss_coarse",
@@ -218,16 +203,11 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
     int i, k, n = plan(c, ms_sss_shader_levels(width, height), d);
     o.fov_degrees = 40;
     o.flat = c->slopes ? 0.0f : 1.0f;
-    memset(&s, 0, sizeof s);
-    s.tap_count = 7;
-    s.half_kernel = 1;
+    s = ms_sss_shader_defaults();
     s.profile_count = c->profiles;
     s.depth = MS_SSS_ALPHA;
     s.profile = c->profiles > 1 ? MS_SSS_ALPHA : MS_SSS_NONE;
-    s.compute = c->compute;
-    s.half_target = c->half && !c->compute;
     s.half_resolution = c->other == HALF;
-    s.slopes_kept = c->other == KEPT;
     for (i = 0; i < n; ++i) {
         float frame[4] = {(float)width, (float)height, (float)i, 0};
         s.step = d[i].step;
@@ -236,9 +216,7 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
             : ms_sss_shader_constants(kernel, 0, &o, width, height, &s, constants, &error);
         if (status != MS_OK || !ms_sss_shader_text(&s, &o, text, sizeof text, &error)) stop(c->name, error.message);
         frame[3] = constants[0][2];
-        d[i].group[0] = ms_sss_shader_group(&s, 0);
-        d[i].group[1] = ms_sss_shader_group(&s, 1);
-        d[i].program = gl_program(c->compute ? NULL : gl_corner[0],
+        d[i].program = gl_program(gl_corner[0],
                                   c->other == RELEASED   ? released
                                       : c->other == DISC ? disc
                                                          : text,
@@ -247,18 +225,22 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
         gl_Uniform4fv(gl_GetUniformLocation(d[i].program, "ms_sss"), ms_sss_shader_constant_count(&s), constants[0]);
         gl_Uniform4fv(gl_GetUniformLocation(d[i].program, "frame"), 1, frame);
         if (c->other == RELEASED) {
-            static float taps[7][4];
-            ms_sss_kernel_upload(kernel, 0, 0, 0, taps, NULL);
+            static float half[4][4], taps[7][4];
+            ms_sss_kernel_upload(kernel, 0, 0, half, NULL);
+            for (k = 0; k < 7; ++k) {
+                memcpy(taps[k], half[(k + 1) / 2], sizeof taps[k]);
+                if (k % 2) taps[k][3] = -taps[k][3];
+            }
             gl_Uniform4fv(gl_GetUniformLocation(d[i].program, "taps"), 7, taps[0]);
         }
-        for (k = 0; k < 12; ++k)
+        for (k = 0; k < 11; ++k)
             if (name[k][0]) gl_Uniform1i(gl_GetUniformLocation(d[i].program, name[k]), read_by(c, &d[i], k));
         gl_Uniform1i(gl_GetUniformLocation(d[i].program, "colour"), i ? MIDDLE_HALF : COLOUR);
         gl_Uniform1i(gl_GetUniformLocation(d[i].program, "depth"), DEPTH);
     }
     gl_GenQueries(1, &query);
-    timed(get, query, software, c, d, n, texture, width, height); /* compiles and warms up */
-    for (i = 0; i < runs; ++i) t[i] = 1e-6 * timed(get, query, software, c, d, n, texture, width, height);
+    timed(get, query, software, d, n, texture, width, height); /* compiles and warms up */
+    for (i = 0; i < runs; ++i) t[i] = 1e-6 * timed(get, query, software, d, n, texture, width, height);
     for (i = 0; i < n; ++i) gl_DeleteProgram(d[i].program);
     return bench_summary(t, runs);
 }

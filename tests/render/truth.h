@@ -4,6 +4,7 @@
 #ifndef TESTS_RENDER_TRUTH_H
 #define TESTS_RENDER_TRUTH_H
 #include "trace.h"
+#include "gather.h"
 
 #define TRUTH_RINGS 96
 #define TRUTH_SIGMA 0.12 /* of the depth weights, in radii of 99% of the energy: the default of ms_sss_filter */
@@ -440,18 +441,14 @@ static inline ms_status truth_pyramid(const truth *t, const ms_sss_pyramid *pyra
 static inline ms_status truth_gather(const truth *t, int with_back, float flat, image *out)
 {
     ms_sss_frame frame;
-    ms_sss_back back;
+    gather_back back;
     ms_sss_filter_options options = truth_frame(t, &frame, out);
-    size_t size = ms_sss_gather_workspace(t->width, t->height, with_back);
-    void *workspace = malloc(size);
     ms_status status;
-    if (workspace == NULL) return MS_OUT_OF_MEMORY;
     memset(&back, 0, sizeof back);
     back.input = ms_sss_interleaved(t->lit->back.pixels, 3, 0);
     back.depth = ms_sss_map(t->behind.depth.pixels, 1, 0);
     options.flat = flat;
-    status = ms_sss_gather(&frame, with_back ? &back : NULL, t->profile, &options, workspace, size, NULL);
-    free(workspace);
+    status = gather_filter(&frame, with_back ? &back : NULL, t->profile, &options, NULL);
     truth_reflect(t, out);
     return status;
 }
