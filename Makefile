@@ -29,6 +29,7 @@ LDLIBS = -lm
 # compiles alone, as its comment says.)
 TOOLS = build/mcml build/profile build/sss_kernel build/sss_filter build/postprocess build/lightmap \
 	build/recommend build/latent build/nn_info build/nn_run build/nn_quantise build/preview build/match build/materialx build/workflow build/train build/own_shader
+SMALL = build/ms_mcml build/ms_sss build/ms_gpr build/ms_nn build/ms_pme
 DEMOS = build/demo_sss build/demo_match
 OBJECTS = build/ms_mcml.o build/ms_sss.o build/ms_gpr.o build/ms_nn.o build/ms_pme.o build/image.o
 MADE = -DMS_MCML_IMPLEMENTED -DMS_SSS_IMPLEMENTED -DMS_GPR_IMPLEMENTED -DMS_NN_IMPLEMENTED -DMS_PME_IMPLEMENTED -DIMAGE_IMPLEMENTED
@@ -38,7 +39,7 @@ COMPILE = $(CC) -std=c99 $(CPPFLAGS) $(CFLAGS) -I.
 OBJECT = @mkdir -p build && echo "compiling $@" && $(COMPILE) -c -o $@ -x c /dev/null
 BUILD = @echo "linking $@" && $(COMPILE) $(MADE) $(LDFLAGS) -o $@
 
-all: $(TOOLS) $(DEMOS)
+all: $(SMALL) $(TOOLS) $(DEMOS)
 
 build/ms_mcml.o: ms_mcml.h
 	$(OBJECT) -DMS_MCML_IMPLEMENTATION -include ms_mcml.h
@@ -52,6 +53,18 @@ build/ms_pme.o: ms_pme.h
 	$(OBJECT) -DMS_PME_IMPLEMENTATION -include ms_pme.h
 build/image.o: examples/tools/image.h examples/tools/files.h
 	$(OBJECT) -DIMAGE_DEF= -include examples/tools/image.h
+
+# One program a header.
+build/ms_mcml: examples/ms_mcml.c build/ms_mcml.o
+	$(BUILD) examples/ms_mcml.c build/ms_mcml.o $(LDLIBS)
+build/ms_sss: examples/ms_sss.c build/ms_sss.o
+	$(BUILD) examples/ms_sss.c build/ms_sss.o $(LDLIBS)
+build/ms_gpr: examples/ms_gpr.c build/ms_gpr.o
+	$(BUILD) examples/ms_gpr.c build/ms_gpr.o $(LDLIBS)
+build/ms_nn: examples/ms_nn.c build/ms_nn.o
+	$(BUILD) examples/ms_nn.c build/ms_nn.o $(LDLIBS)
+build/ms_pme: examples/ms_pme.c build/ms_pme.o
+	$(BUILD) examples/ms_pme.c build/ms_pme.o $(LDLIBS)
 
 build/mcml: examples/tools/mcml.c examples/tools/mci.h examples/tools/files.h build/ms_mcml.o
 	$(BUILD) examples/tools/mcml.c build/ms_mcml.o $(LDLIBS)
@@ -103,7 +116,7 @@ deps:
 # The examples, two at a time, for the tests: the objects first, which several of them link.
 examples:
 	@printf '%s\n' $(OBJECTS) | xargs -n 1 -P $${JOBS:-2} $(MAKE) -s
-	@printf '%s\n' $(TOOLS) $(DEMOS) | xargs -n 1 -P $${JOBS:-2} $(MAKE) -s
+	@printf '%s\n' $(SMALL) $(TOOLS) $(DEMOS) | xargs -n 1 -P $${JOBS:-2} $(MAKE) -s
 
 RUN = CC="$(CC)" CXX="$(CXX)" CFLAGS="$(CFLAGS)" sh tests/run.sh
 check: examples

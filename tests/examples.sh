@@ -69,6 +69,24 @@ if [ -x build/profile ]; then
     refuses "more melanin than skin" "melanin" build/profile --skin melanin=2
 fi
 
+# One program a header, and what each finds: energies, a shadow that red light crosses, a taste, a picture, parameters.
+if [ -x build/ms_mcml ]; then
+    ok "ms_mcml.c" build/ms_mcml
+    is "the reflectance of skin1 in ms_mcml.c" "$(build/ms_mcml | head -1)" "$(build/profile skin1 | awk -F, '/^# total_reflectance/ {printf "reflected: red %.4f, green %.4f, blue %.4f", $2, $3, $4; exit}')"
+    is "all light leaves somewhere" "$(build/ms_mcml | tail -1 | awk '{print $2, $3, $4}')" "1.0000 1.0000 1.0000"
+    ok "ms_sss.c" build/ms_sss "$out/shadow.ppm"
+    is "red light goes furthest into the shadow" "$(build/ms_sss "$out/shadow.ppm" | awk '{gsub(",", ""); print ($7 > 1.5 * $9 && $9 > $11 && $7 < 0.5)}')" 1
+    is "before and after" "$(wc -c <"$out/shadow.ppm" | tr -d ' ')" $((15 + 512 * 256 * 3))
+    ok "ms_gpr.c" build/ms_gpr
+    is "what it recommends is liked" "$(build/ms_gpr | awk '$NF > 5' | wc -l | tr -d ' ')" 5
+    ok "ms_nn.c" build/ms_nn examples/data/renderer_128.safetensors "$out/ball.ppm"
+    is "a picture of 128 x 128" "$(wc -c <"$out/ball.ppm" | tr -d ' ')" $((15 + 128 * 128 * 3))
+    is "of more than one color" "$([ "$(tail -c 49152 "$out/ball.ppm" | od -An -tu1 -v -w3 | sort -u | wc -l)" -gt 1000 ] && echo yes)" yes
+    ok "ms_pme.c" build/ms_pme
+    is "the edit's parameters" "$(build/ms_pme | awk '{gsub("[,:]", ""); print ($2 - 0.6) ^ 2 < 1e-6 && ($4 - 0.45) ^ 2 < 1e-6}')" 1
+fi
+for f in examples/ms_*.c; do is "$f is short" "$([ "$(wc -l <"$f")" -lt 60 ] && echo yes)" yes; done
+
 if [ -x build/mcml ]; then
     mkdir -p "$out/mcml"
     cat >"$out/mcml/two.mci" <<'MCI'

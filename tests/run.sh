@@ -204,10 +204,10 @@ style_jobs() {
     for compiler in gcc clang; do
         have $compiler || { job "style_$compiler" "echo 'no $compiler on this machine'; exit 77"; continue; }
         cxx=$(echo $compiler | sed 's/gcc/g++/; s/clang/clang++/')
-        for f in tests/test_*.c tests/bench/bench_*.c tests/fuzz/*.c examples/*/*.c; do
+        for f in tests/test_*.c tests/bench/bench_*.c tests/fuzz/*.c examples/*.c examples/*/*.c; do
             ! grep -q '"egl.h"' "$f" || continue # its headers are not everywhere
             [ -f "$f" ] && since "$f" $(beside "$f") || continue
-            n=$(echo "${f%.c}" | sed 's/.*\(tests\|examples\)\///; s/\//_/g')
+            n=$(echo "${f%.c}" | sed 's/^examples\/ms_/small_ms_/; s/.*\(tests\|examples\)\///; s/\//_/g')
             attributes="" # those of WebAssembly are unknown here
             case $f in examples/web/*) attributes="-Wno-attributes $([ $compiler = gcc ] || echo -Wno-unknown-attributes)" ;; esac
             job "${compiler}_$n" "$compiler -std=c99 $posix $paths -Werror $warn_c $attributes$(linked "$f") -O3 -c $f -o $out/${compiler}_$n.o &&
