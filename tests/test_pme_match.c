@@ -171,6 +171,125 @@ static void same_minimum(const char *path, int collapses)
     matcher_close(&m);
 }
 
+/* The collapsed residuals with a gain and an offset for each channel: their squares are the pixels' own at any material
+   and light, their Jacobian is that of their differences, and a match ends where the pictures' own match ends. */
+static void test_light(void)
+{
+    static const int kinds[] = {MS_PME_EXPOSURE, MS_PME_TINT, MS_PME_OFFSET, MS_PME_TINT | MS_PME_OFFSET, 7};
+    static matcher m;
+    static float target[3 * 16 * 16], weight[3 * 16 * 16], picture[3 * 16 * 16];
+    static double r[2][100], jacobian[100 * 13];
+    uint64_t state = 21;
+    double x[13], moved[13], y[2][7], worst = 0;
+    ms_error error;
+    int weighted, k, j, round, direct;
+    size_t i, p, count;
+    CHECK_INT(matcher_open(&m, shared_renderer(16), &error), MS_OK);
+    p = m.renderer.image_size;
+    make_target(&m, 0.05f, target);
+    for (i = 0; i < p; ++i) target[i] = (1.1f + 0.1f * (float)(3 * i / p)) * target[i] - 0.03f;
+    m.light = 1;
+    for (weighted = 0; weighted < 3;
+         ++weighted) { /* none; each pixel's; each value's, so that channels share nothing */
+        for (i = 0; i < p; ++i) {
+            size_t pixel = weighted == 1 ? i % (p / 3) : i;
+            weight[i] = pixel % 5 == 0 ? 0 : 0.5f + (float)(pixel % 3);
+        }
+        CHECK_INT(matcher_aim(&m, target, weighted ? weight : NULL, &error), MS_OK);
+        CHECK(m.renderer.reduced != NULL);
+        count = m.reduced.residual_count;
+        CHECK(count <= 100 && m.reduced.parameter_count == 13);
+        for (round = 0; round < 5; ++round) {
+            double exact = 0, collapsed = 0;
+            for (j = 0; j < 13; ++j)
+                x[j] = j < 7 ? uniform(&state) : j < 10 ? 0.5 + uniform(&state) : uniform(&state) - 0.5;
+            CHECK_INT(m.renderer.render(&m, x, picture), MS_OK);
+            for (i = 0; i < p; ++i) {
+                double e = x[7 + 3 * i / p] * (double)picture[i] + x[10 + 3 * i / p] - (double)target[i];
+                exact += (weighted ? (double)weight[i] : 1) * e * e;
+            }
+            CHECK_INT(m.reduced.residuals(&m, x, r[0], jacobian), MS_OK);
+            for (i = 0; i < count; ++i) collapsed += r[0][i] * r[0][i];
+            CHECK_NEAR(collapsed, exact, 1e-6 * exact); /* pictures in float32 */
+            for (j = 7; j < 13; ++j) {                  /* linear in the light: differences of any step are exact */
+                memcpy(moved, x, sizeof x);
+                moved[j] += 0.25;
+                CHECK_INT(m.reduced.residuals(&m, moved, r[1], NULL), MS_OK);
+                for (i = 0; i < count; ++i)
+                    CHECK_NEAR(r[1][i] - r[0][i], 0.25 * jacobian[i * 13 + (size_t)j], 1e-9 * sqrt(exact));
+            }
+            for (j = 0; j < 7; ++j) {
+                double most = 0, off = 0;
+                memcpy(moved, x, sizeof x);
+                moved[j] += 1e-3;
+                CHECK_INT(m.reduced.residuals(&m, moved, r[1], NULL), MS_OK);
+                for (i = 0; i < count; ++i) {
+                    most = fmax(most, fabs(jacobian[i * 13 + (size_t)j]));
+                    off = fmax(off, fabs((r[1][i] - r[0][i]) / 1e-3 - jacobian[i * 13 + (size_t)j]));
+                }
+                CHECK_LE(off, 0.02 * most); /* a forward difference of 1e-3 against curvatures of some units */
+            }
+        }
+        for (k = 0; k < 5; ++k) {
+            ms_pme_match_result result[2];
+            ms_pme_match_options options = ms_pme_match_defaults();
+            options.refine.max_cost = 3000;
+            options.channels = 3;
+            options.nuisance = kinds[k];
+            for (direct = 0; direct < 2; ++direct) {
+                ms_pme_renderer renderer = m.renderer;
+                if (direct) {
+                    renderer.reduced = NULL;
+                    CHECK_INT(matcher__room(&m.workspace, ms_nn_workspace_size(m.network.nn, MS_NN_JACOBIAN, 1)),
+                              MS_OK);
+                }
+                CHECK_INT(ms_pme_match(&renderer, target, weighted ? weight : NULL, &options, y[direct], NULL,
+                                       &result[direct], &error),
+                          MS_OK);
+            }
+            CHECK_NEAR(result[0].rmse, result[1].rmse, 1e-5 * result[1].rmse);
+            CHECK_NEAR(result[0].gain[1], result[1].gain[1], 1e-3);
+            CHECK_NEAR(result[0].offset[2], result[1].offset[2], 1e-3);
+            for (j = 0; j < 7; ++j) worst = fmax(worst, fabs(y[0][j] - y[1][j]));
+            if (kinds[k] == MS_PME_EXPOSURE) CHECK_NEAR(result[0].gain[0], result[0].gain[2], 0);
+            if (!(kinds[k] & MS_PME_OFFSET)) CHECK_NEAR(result[0].offset[0], 0, 0);
+        }
+    }
+    CHECK_LE(worst, 1e-2);
+    TEST_NOTE("largest difference of a parameter %.1e", worst);
+    matcher_close(&m);
+    CHECK_INT(matcher_open(&m, renderer(9, 16, 20, "linear"), &error), MS_OK); /* channels share their features */
+    m.light = 1;
+    make_target(&m, 0.05f, target);
+    CHECK_INT(matcher_aim(&m, target, NULL, &error), MS_OK);
+    CHECK(m.renderer.reduced == NULL);
+    matcher_close(&m);
+}
+
+/* A mask taken off leaves the objective that was there before it: no new factor, the same residuals. */
+static void test_mask_off(void)
+{
+    static matcher m;
+    static float target[3 * 16 * 16], weight[3 * 16 * 16];
+    double x[9] = {0.1, 0.9, 0.5}, r[2][100];
+    const ms_nn_collapse *plain;
+    ms_error error;
+    size_t i;
+    CHECK_INT(matcher_open(&m, renderer(9, 16, 20, "linear"), &error), MS_OK);
+    make_target(&m, 0.05f, target);
+    for (i = 0; i < m.renderer.image_size; ++i) weight[i] = i % 3 == 0;
+    CHECK_INT(matcher_aim(&m, target, NULL, &error), MS_OK);
+    CHECK_INT(m.reduced.residuals(&m, x, r[0], NULL), MS_OK);
+    plain = m.objective->collapse;
+    CHECK_INT(matcher_aim(&m, target, weight, &error), MS_OK);
+    CHECK(m.objective->collapse != plain);
+    CHECK_INT(matcher_aim(&m, target, NULL, &error), MS_OK);
+    CHECK(m.objective->collapse == plain);
+    CHECK_INT(m.reduced.residuals(&m, x, r[1], NULL), MS_OK);
+    CHECK(memcmp(r[0], r[1], m.reduced.residual_count * sizeof(double)) == 0);
+    matcher_close(&m);
+}
+
 static void test_same_minimum(void) { same_minimum(renderer(9, 16, 20, "linear"), 1); }
 static void test_shared(void) { same_minimum(shared_renderer(16), 1); }
 static void test_not_linear(void) { same_minimum(renderer(4, 7, 20, "sigmoid"), 0); }
@@ -556,6 +675,8 @@ static const test_case cases[] = {{"collapsed or not: the same minimum", test_sa
                                   {"shared channels", test_shared},
                                   {"a last layer that is not linear", test_not_linear},
                                   {"more features than pixels", test_more_features},
+                                  {"gain and offset", test_light},
+                                  {"a mask taken off", test_mask_off},
                                   {"recovery", test_recovery},
                                   {"inversion networks", test_inversion},
                                   {"edits", test_edits},

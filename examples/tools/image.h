@@ -930,6 +930,26 @@ static inline double image__number(const char *word)
     return digits && *word == 0 ? sign * v * pow(10.0, e_sign * exponent) : 0;
 }
 
+/* The sentence for a format that is known and not read; NULL. */
+static inline const char *image__foreign(const unsigned char *data, size_t size)
+{
+    static const struct {
+        const char *start;
+        size_t length;
+        const char *sentence;
+    } known[] = {{"\xff\xd8\xff", 3, "a JPEG file: convert it to PNG first"},
+                 {"RIFF", 4, "a WebP file: convert it to PNG first"},
+                 {"II*\0", 4, "a TIFF file: convert it to PNG first (to PFM if it holds linear floats)"},
+                 {"MM\0*", 4, "a TIFF file: convert it to PNG first (to PFM if it holds linear floats)"},
+                 {"BM", 2, "a BMP file: convert it to PNG first"},
+                 {"GIF8", 4, "a GIF file: convert it to PNG first"},
+                 {"\x76\x2f\x31\x01", 4, "an OpenEXR file: convert it to PFM first, which also holds linear floats"}};
+    size_t i;
+    for (i = 0; i < sizeof known / sizeof known[0]; ++i)
+        if (size >= known[i].length && memcmp(data, known[i].start, known[i].length) == 0) return known[i].sentence;
+    return NULL;
+}
+
 /* A PFM, PPM, PGM or PNG file in memory. PFM values are multiplied by the header's scale. */
 IMAGE_DEF const char *image_decode(const unsigned char *data, size_t size, image *out)
 {
@@ -940,6 +960,7 @@ IMAGE_DEF const char *image_decode(const unsigned char *data, size_t size, image
     image im;
     memset(out, 0, sizeof *out);
     if (size >= 8 && memcmp(data, "\x89PNG\r\n\x1a\n", 8) == 0) return image__decode_png(data, size, out);
+    if (image__foreign(data, size)) return image__foreign(data, size);
     if (size < 3 || data[0] != 'P' || !image__space(data[2])) return "not a PFM, PPM, PGM or PNG file";
     pfm = data[1] == 'F' || data[1] == 'f';
     if (!pfm && data[1] != '5' && data[1] != '6') return "not a PFM, binary PPM (P6) or binary PGM (P5) file";

@@ -10,14 +10,17 @@
    RGB or with alpha (a pixel counts as much as it covers); display values in PNG, PPM and PGM, linear light in a PFM,
    which is converted. DIR holds inversion networks for first guesses, X.csv one more: the source material, or the last
    frame's answer; without either the search starts in the middle of the box. MASK: the weight of each pixel, a channel
-   each where it has colour. --cost: renders to spend on the refinement, --seconds: no longer than that. --robust: what
+   each where it has colour. --cost: renders to spend on the refinement, --seconds: no longer than that, from
+   when all files are read; the objective, one candidate and one picture are always made. --robust: what
    fits badly (a logo, a stitch) counts as an outlier. --exposure, --tint: a gain of the picture, or one a channel with
    an offset, is found along, and is not the material's. --align: the target has slipped by up to an eighth of its
    width; it is moved back. --freeze keeps parameters as X.csv has them, --pull holds all of them to it (0.01: a change
    by 1 costs as much as an RMSE of 0.1), --change lets none go further from it: for frames of a sequence. --view:
    another picture of the same material, by a renderer of its own (another view, light or size), up to seven; all count
    in one objective, without --weights, --robust, --align, --exposure and --tint. The parameters go to CSV as a line of
-   names and a row: the names of the renderer's metadata "ms_parameters" (separated by commas), else those of X.csv. */
+   names and a row: the names of the renderer's metadata "ms_parameters" (separated by commas), else those of X.csv. The
+   PNG has gain and offset applied. The exit code is 3, with all files written, where the renderer can draw nothing like
+   the picture. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #define MS_PME_IMPLEMENTATION
@@ -202,10 +205,10 @@ int main(int argc, char **argv)
     static char header[32768], text[40000];
     const char *renderer = NULL, *target_path = NULL, *inversions = NULL, *mask_path = NULL, *start = NULL, *csv = NULL,
                *png = NULL;
-    const char *problem, *names, *frozen = NULL, *view[2 * matcher_views_max];
+    const char *problem, *names, *sentence, *frozen = NULL, *view[2 * matcher_views_max];
     matcher *all[matcher_views_max];
     double low[MS_PME_PARAMETERS_MAX], high[MS_PME_PARAMETERS_MAX], pulls[MS_PME_PARAMETERS_MAX],
-        pull = 0, change = 1, shift[2], deviation[MS_PME_PARAMETERS_MAX], x[MS_PME_PARAMETERS_MAX],
+        pull = 0, change = 1, shift[2] = {0, 0}, deviation[MS_PME_PARAMETERS_MAX], x[MS_PME_PARAMETERS_MAX],
         source[MS_PME_PARAMETERS_MAX], cost = 50, limit = 0, seconds;
     ms_pme_match_options options = ms_pme_match_defaults();
     ms_pme_match_result result;
@@ -215,7 +218,7 @@ int main(int argc, char **argv)
     ms_error error;
     ms_status status;
     size_t used = 0, total;
-    int i, k, n, pixels, has_alpha = 0, flags = 0, count = 1;
+    int i, k, n, pixels, has_alpha = 0, flags = 0, count = 1, verdict;
     for (i = 1; i < argc; ++i) {
         if (strcmp(argv[i], "--help") == 0) return puts(usage_text) < 0 || file_end_stdout("match");
         if (strcmp(argv[i], "--robust") == 0) flags |= MATCHER_ROBUST;
@@ -315,6 +318,10 @@ int main(int argc, char **argv)
     }
     options.refine.max_cost = cost;
     options.refine.max_seconds = limit;
+    if (options.nuisance && matcher_hides_surroundings(weight, m.network.size))
+        fprintf(stderr,
+                "match: the weights hide the surroundings: the picture cannot tell the colour of the light from the "
+                "material's; leave some of them, or drop --exposure and --tint\n");
     options.refine.restarts = 1000; /* while cost is left: from the other first guesses, then from random points */
     options.candidates = source;
     options.candidate_count = start != NULL;
@@ -324,6 +331,7 @@ int main(int argc, char **argv)
     } else {
         options.channels = 0; /* views have channels of their own */
         status = matcher_views_aim(&views, all, count, target, NULL, &error);
+        if (limit > 0) options.refine.max_seconds = fmax(limit - (now() - seconds), 1e-6);
         if (status == MS_OK)
             status = ms_pme_match(&views.renderer, target, NULL, &options, x, picture, &result, &error);
     }
@@ -338,6 +346,8 @@ int main(int argc, char **argv)
            result.rmse_initial, 255 * result.rmse_initial);
     printf("match: RMSE %.5f (%.2f of 255) after %.0f renders, %.1f ms, %s\n", result.rmse, 255 * result.rmse,
            result.cost, 1e3 * seconds, stop[result.refine.stop]);
+    verdict = matcher_verdict(result.rmse, &sentence);
+    printf("verdict: %s\n", sentence);
     for (i = 0; i < n; ++i) {
         char name[64];
         name_of(names, i, name, sizeof name);
@@ -346,8 +356,8 @@ int main(int argc, char **argv)
     }
     printf("\n");
     if (options.nuisance)
-        printf("gain %.3f %.3f %.3f, offset %.3f %.3f %.3f\n", result.gain[0], result.gain[1], result.gain[2],
-               result.offset[0], result.offset[1], result.offset[2]);
+        printf("gain %.3f %.3f %.3f, offset %.3f %.3f %.3f, applied to the PNG\n", result.gain[0], result.gain[1],
+               result.gain[2], result.offset[0], result.offset[1], result.offset[2]);
     if (flags & MATCHER_ALIGN) printf("the target lies %.2f pixels right, %.2f down\n", shift[0], shift[1]);
     print_open(deviation, n, names);
     for (i = 0; i < n && names; ++i) {
@@ -368,5 +378,5 @@ int main(int argc, char **argv)
     if (start) materials_free(&guess);
     image_free(&answer);
     free(target);
-    return 0;
+    return verdict == 2 ? 3 : 0;
 }
