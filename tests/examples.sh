@@ -355,6 +355,8 @@ fi
 psnr() { build/nn_quantise "$@" | sed -n 's/.*inputs: \([0-9]*\)\..*/\1/p'; }
 is "nn_quantise: i8, then f16 of a lower rank" "$(test "$(psnr $net "$out/q.safetensors" --type i8)" -ge 50 && echo 50) \
 $(test "$(psnr $net "$out/q.safetensors" --type f16 --rank 8 --samples 300)" -ge 35 && echo 35) $(build/nn_info "$out/q.safetensors" | grep -c fc2)" "50 35 2"
+printf '\300\0\0\0\0\0\0\0%-192s\0\270\210G' '{"__metadata__":{"ms_nn_version":"1","ms_nn_input":"[1]","ms_nn_layers":"[{\"type\":\"dense\",\"name\":\"f\",\"bias\":false}]"},"f.weight":{"dtype":"F32","shape":[1,1],"data_offsets":[0,4]}}' >"$out/70000.safetensors"
+refuses "nn_quantise: a weight beyond f16, by name" "'f.weight' has a weight of 70000" build/nn_quantise "$out/70000.safetensors" "$out/q.safetensors" --type f16
 is "nn_quantise: a type that is none" "$(build/nn_quantise $net "$out/q.safetensors" --type f8 2>/dev/null; echo $?)" 2
 
 # Tables as spreadsheets write them: semicolons and decimal commas, a byte order mark; UTF-16 is named.

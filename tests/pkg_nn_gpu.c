@@ -89,36 +89,19 @@ static void dense(recipe *r, const char *name, int out, int in, ms_nn_dtype type
     if (!strstr(rest, "false")) tensor(r, name, "bias", type == MS_NN_F16 ? MS_NN_F16 : MS_NN_F32, 1, out, 1, 0.5);
 }
 
-typedef struct memory {
-    unsigned char *bytes;
-    size_t size;
-} memory;
-
-static int keep(void *user, const void *bytes, size_t size)
-{
-    memory *m = (memory *)user;
-    memcpy(m->bytes + m->size, bytes, size);
-    m->size += size;
-    return 0;
-}
-
 /* The network; *file is freed after it. */
 static ms_nn *made(recipe *r, unsigned char **file)
 {
     ms_nn_entry entries[3] = {{"ms_nn_version", "1"}, {"ms_nn_input", NULL}, {"ms_nn_layers", NULL}};
-    ms_nn_sink sink;
-    memory m;
+    size_t size;
     ms_nn *nn = NULL;
     ms_error error;
     strcat(r->layers, "]");
     entries[1].value = r->input;
     entries[2].value = r->layers;
-    m.bytes = *file = (unsigned char *)malloc(r->used + 100000);
-    m.size = 0;
-    sink.user = &m;
-    sink.write = keep;
-    if (ms_nn_file_write(r->tensor, (size_t)r->count, entries, 3, NULL, sink, &error) != MS_OK ||
-        ms_nn_load(m.bytes, m.size, NULL, &nn, &error) != MS_OK)
+    *file = (unsigned char *)malloc(r->used + 100000);
+    if (ms_nn_file_write(r->tensor, (size_t)r->count, entries, 3, *file, r->used + 100000, &size, &error) != MS_OK ||
+        ms_nn_load(*file, size, NULL, &nn, &error) != MS_OK)
         TEST_FAIL("%s", error.message);
     free(r->room);
     return nn;

@@ -39,21 +39,25 @@ static void prepare(void)
     CHECK_INT(ms_gpr_create(x, y, 2, 2, theta, NULL, &model, &error), MS_OK);
 }
 
-enum { NETWORK, MODEL, KINDS };
-static const char *const kind_name[] = {"ms_nn_file_save", "ms_gpr_save_file"};
+enum { MODEL, KINDS, NETWORK = KINDS }; /* a network is only read */
+static const char *const kind_name[] = {"ms_gpr_save_file", "ms_nn_file_read"};
 
 static ms_status save(int kind, const char *path, int which, ms_error *error)
 {
+    (void)kind, (void)which;
+    return ms_gpr_save_file(model, path, error);
+}
+
+static void put_network(const char *path, int which)
+{
     static const size_t shape[1] = {5000};
-    ms_nn_tensor tensor;
-    if (kind == MODEL) return ms_gpr_save_file(model, path, error);
-    tensor.name = "w";
-    tensor.dtype = MS_NN_F32;
-    tensor.rank = 1;
-    tensor.shape = shape;
+    static unsigned char bytes[30000];
+    ms_nn_tensor tensor = {"w", MS_NN_F32, 1, shape, NULL, sizeof weights[0]};
+    size_t size = 0;
+    FILE *f = fopen(path, "wb");
     tensor.data = weights[which];
-    tensor.bytes = sizeof weights[0];
-    return ms_nn_file_save(path, &tensor, 1, NULL, 0, NULL, error);
+    CHECK_INT(ms_nn_file_write(&tensor, 1, NULL, 0, bytes, sizeof bytes, &size, NULL), MS_OK);
+    CHECK(f != NULL && fwrite(bytes, 1, size, f) == size && fclose(f) == 0);
 }
 
 /* Files in the folder whose names begin like that. */
@@ -204,19 +208,15 @@ static void case_mapped(void)
     ms_nn_file *old = NULL, *fresh = NULL;
     ms_error error;
     prepare();
-    CHECK_INT(save(NETWORK, FOLDER "/net", 0, &error), MS_OK);
+    put_network(FOLDER "/net", 0);
     CHECK_INT(ms_nn_file_read(FOLDER "/net", NULL, &old, &error), MS_OK);
-    CHECK_INT(save(NETWORK, FOLDER "/net", 1, &error), MS_OK);
+    put_network(FOLDER "/net2", 1);
+    CHECK_INT(rename(FOLDER "/net2", FOLDER "/net"), 0);
     CHECK_INT(ms_nn_file_read(FOLDER "/net", NULL, &fresh, &error), MS_OK);
     if (old && fresh) {
         CHECK(memcmp(ms_nn_file_tensor(old, 0)->data, weights[0], sizeof weights[0]) == 0);
         CHECK(memcmp(ms_nn_file_tensor(fresh, 0)->data, weights[1], sizeof weights[1]) == 0);
     }
-    CHECK_INT(ms_nn_file_save(FOLDER "/net", NULL, 1, NULL, 0, NULL, &error),
-              MS_INVALID_ARGUMENT); /* what is wrong leaves the old one */
-    ms_nn_file_close(fresh);
-    CHECK_INT(ms_nn_file_read(FOLDER "/net", NULL, &fresh, &error), MS_OK);
-    CHECK(memcmp(ms_nn_file_tensor(fresh, 0)->data, weights[1], sizeof weights[1]) == 0);
     ms_nn_file_close(old);
     ms_nn_file_close(fresh);
     CHECK_INT(files_like("net"), 1);
@@ -232,9 +232,9 @@ static void case_reading(void)
     int kind, rounds = 0;
     prepare();
     copied.copy = 1;
-    CHECK_INT(save(NETWORK, FOLDER "/in.net", 0, &error), MS_OK);
+    put_network(FOLDER "/in.net", 0);
     CHECK_INT(save(MODEL, FOLDER "/in.gp", 0, &error), MS_OK);
-    for (kind = 0; kind < KINDS; ++kind)
+    for (kind = 0; kind <= NETWORK; ++kind)
         for (k = 1; k < 1000; ++k, ++rounds) {
             ms_status status;
             io_calls = 0;

@@ -139,15 +139,9 @@ static void test_limits(void)
         CHECK_INT(open_text(text, 1, NULL, &error), rank == 32 ? MS_OK : MS_BAD_DATA);
     }
     CHECK(strstr(error.message, "dimensions") != NULL);
-    /* trailing bytes: only by the flag, which forgives nothing else */
     CHECK_INT(open_text("{}", 3, NULL, &error), MS_BAD_DATA);
     CHECK(strstr(error.message, "3 bytes follow") != NULL);
     CHECK_INT(error.position, 10);
-    options.allow_trailing = 1;
-    CHECK_INT(open_text("{}", 3, &options, &error), MS_OK);
-    CHECK_INT(open_text("{\"t\":{\"dtype\":\"I8\",\"shape\":[1],\"data_offsets\":[1,2]}}", 3, &options, &error),
-              MS_BAD_DATA);
-    options = ms_nn_defaults();
     options.max_header_bytes = 2;
     CHECK_INT(open_text("{}", 0, &options, &error), MS_OK);
     CHECK_INT(open_text("{} ", 0, &options, &error), MS_BAD_DATA);
@@ -206,25 +200,6 @@ static void test_many(void)
     free(text);
 }
 
-typedef struct memory_sink {
-    unsigned char *bytes;
-    size_t size, room;
-    int refuse_after; /* calls; 0: never */
-} memory_sink;
-
-static int memory_write(void *user, const void *bytes, size_t size)
-{
-    memory_sink *s = (memory_sink *)user;
-    if (s->refuse_after && --s->refuse_after == 0) return 1;
-    if (s->size + size > s->room) {
-        s->room = 2 * (s->size + size);
-        s->bytes = (unsigned char *)realloc(s->bytes, s->room);
-    }
-    memcpy(s->bytes + s->size, bytes, size);
-    s->size += size;
-    return 0;
-}
-
 static void test_write(void)
 {
     static const char *const name[4] = {"small", "big", "empty", "q\"\\\n\xF0\x9F\x98\x80"};
@@ -232,8 +207,8 @@ static void test_write(void)
     unsigned char data[80 * 4];
     ms_nn_tensor t[4];
     ms_nn_entry e[2];
-    memory_sink memory;
-    ms_nn_sink sink;
+    unsigned char bytes[2048];
+    size_t size = 0;
     ms_nn_file *f = NULL;
     ms_error error;
     size_t i;
@@ -250,46 +225,47 @@ static void test_write(void)
     e[0].value = "pt";
     e[1].key = "k\x01";
     e[1].value = "[{\"a\":1}]";
-    memset(&memory, 0, sizeof memory);
-    sink.user = &memory;
-    sink.write = memory_write;
-    CHECK_INT(ms_nn_file_write(t, 4, e, 2, NULL, sink, &error), MS_OK);
-    CHECK_INT(ms_nn_file_open(memory.bytes, memory.size, NULL, &f, &error), MS_OK);
+    CHECK_INT(ms_nn_file_write(t, 4, e, 2, NULL, 0, &size, &error), MS_OK);
+    CHECK_LE((double)size, sizeof bytes - 1);
+    memset(bytes, 0x5a, sizeof bytes);
+    CHECK_INT(ms_nn_file_write(t, 4, e, 2, bytes, size - 1, &i, &error), MS_INVALID_ARGUMENT);
+    CHECK(strstr(error.message, "capacity") != NULL && bytes[0] == 0x5a);
+    CHECK_INT(ms_nn_file_write(t, 4, e, 2, bytes, size, &i, &error), MS_OK);
+    CHECK(i == size && bytes[size] == 0x5a);
+    CHECK_INT(ms_nn_file_open(bytes, size, NULL, &f, &error), MS_OK);
     CHECK_INT(ms_nn_file_tensor_count(f), 4);
     CHECK_INT(ms_nn_file_entry_count(f), 2);
     CHECK(strcmp(ms_nn_file_metadata(f, "k\x01"), e[1].value) == 0);
     CHECK(strcmp(ms_nn_file_entry(f, 0)->key, "format") == 0);
     CHECK(strcmp(ms_nn_file_tensor(f, 0)->name, "big") == 0); /* the largest first, at a multiple of 64 */
-    CHECK_INT(((const unsigned char *)ms_nn_file_tensor(f, 0)->data - memory.bytes) % 64, 0);
+    CHECK_INT(((const unsigned char *)ms_nn_file_tensor(f, 0)->data - bytes) % 64, 0);
     for (i = 0; i < 4; ++i) {
         const ms_nn_tensor *r = ms_nn_file_find(f, name[i]);
         CHECK(r != NULL && r->bytes == t[i].bytes && r->dtype == t[i].dtype && r->rank == t[i].rank);
         if (r) CHECK(memcmp(r->data, t[i].data, r->bytes) == 0);
     }
     ms_nn_file_close(f);
-    memory.refuse_after = 2;
-    CHECK_INT(ms_nn_file_write(t, 4, e, 2, NULL, sink, &error), MS_IO);
-    CHECK_INT(error.status, MS_IO);
+    /* without data the place stays as it is */
+    t[0].data = NULL;
+    memset(bytes, 0x5a, sizeof bytes);
+    CHECK_INT(ms_nn_file_write(t, 4, e, 2, bytes, sizeof bytes, &size, &error), MS_OK);
+    CHECK_INT(ms_nn_file_open(bytes, size, NULL, &f, &error), MS_OK);
+    CHECK(memcmp(ms_nn_file_find(f, "small")->data, "ZZZ", 3) == 0);
+    ms_nn_file_close(f);
     /* what must not be written */
     t[1].name = "small";
-    CHECK_INT(ms_nn_file_write(t, 4, e, 2, NULL, sink, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_nn_file_write(t, 4, e, 2, NULL, 0, &size, &error), MS_INVALID_ARGUMENT);
     t[1].name = "__metadata__";
-    CHECK_INT(ms_nn_file_write(t, 4, e, 2, NULL, sink, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_nn_file_write(t, 4, e, 2, NULL, 0, &size, &error), MS_INVALID_ARGUMENT);
     t[1].name = "\xff";
-    CHECK_INT(ms_nn_file_write(t, 4, e, 2, NULL, sink, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_nn_file_write(t, 4, e, 2, NULL, 0, &size, &error), MS_INVALID_ARGUMENT);
     CHECK_INT(error.position, 1);
     t[1].name = "big";
     t[1].bytes++;
-    CHECK_INT(ms_nn_file_write(t, 4, e, 2, NULL, sink, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_nn_file_write(t, 4, e, 2, NULL, 0, &size, &error), MS_INVALID_ARGUMENT);
     t[1].bytes--;
     e[1].key = "format";
-    CHECK_INT(ms_nn_file_write(t, 4, e, 2, NULL, sink, &error), MS_INVALID_ARGUMENT);
-    e[1].key = "other";
-    TEST_ALLOCATION_SWEEP(10, {
-        memory.size = 0;
-        status = ms_nn_file_write(t, 4, e, 2, &allocator, sink, NULL);
-    });
-    free(memory.bytes);
+    CHECK_INT(ms_nn_file_write(t, 4, e, 2, NULL, 0, &size, &error), MS_INVALID_ARGUMENT);
 }
 
 /* Random damage: every byte of small files replaced, cut and doubled; outcomes are free, crashes are not, and what is
@@ -335,9 +311,6 @@ static void test_by_name(void)
     ms_nn_file *f = NULL;
     ms_nn *nn = NULL;
     ms_error error;
-    size_t shape = 2;
-    float data[2] = {1, 2};
-    ms_nn_tensor t;
     CHECK_INT(ms_nn_file_read("tests/data/nn/act_elu.safetensors", NULL, &f, &error), MS_OK);
     CHECK_INT(ms_nn_file_tensor_count(f), 2);
     ms_nn_file_close(f);
@@ -347,18 +320,6 @@ static void test_by_name(void)
     CHECK_INT(ms_nn_load_file("tests/data/nn/st_cases/bad_empty_file.safetensors", NULL, &nn, &error), MS_BAD_DATA);
     CHECK_INT(ms_nn_load_file("tests/data/nn/st_cases/ok_basic.safetensors", NULL, &nn, &error), MS_BAD_DATA);
     CHECK(strstr(error.message, "ms_nn_layers") != NULL && nn == NULL);
-    t.name = "x";
-    t.dtype = MS_NN_F32;
-    t.rank = 1;
-    t.shape = &shape;
-    t.data = data;
-    t.bytes = sizeof data;
-    CHECK_INT(ms_nn_file_save("build/test_nn_format.safetensors", &t, 1, NULL, 0, NULL, &error), MS_OK);
-    CHECK_INT(ms_nn_file_read("build/test_nn_format.safetensors", NULL, &f, &error), MS_OK);
-    CHECK(memcmp(ms_nn_file_tensor(f, 0)->data, data, sizeof data) == 0);
-    ms_nn_file_close(f);
-    remove("build/test_nn_format.safetensors");
-    CHECK_INT(ms_nn_file_save("build/no_such_folder/x", &t, 1, NULL, 0, NULL, &error), MS_IO);
 }
 
 static const test_case cases[] = {{"reference cases", test_cases}, {"headers", test_headers}, {"limits", test_limits},

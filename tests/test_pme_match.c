@@ -61,6 +61,9 @@ static void save(network *n, const char *path, const char *input)
 {
     char list[1100];
     ms_nn_entry metadata[3];
+    size_t size = 0;
+    void *bytes;
+    FILE *f;
     int i;
     snprintf(list, sizeof list, "[%s]", n->layers);
     metadata[0].key = "ms_nn_version", metadata[0].value = "1";
@@ -68,7 +71,12 @@ static void save(network *n, const char *path, const char *input)
     metadata[2].key = "ms_nn_layers", metadata[2].value = list;
     mkdir("build", 0777);
     mkdir("build/test_pme_match", 0777);
-    CHECK_INT(ms_nn_file_save(path, n->tensor, (size_t)n->count, metadata, 3, NULL, NULL), MS_OK);
+    CHECK_INT(ms_nn_file_write(n->tensor, (size_t)n->count, metadata, 3, NULL, 0, &size, NULL), MS_OK);
+    bytes = malloc(size);
+    CHECK_INT(ms_nn_file_write(n->tensor, (size_t)n->count, metadata, 3, bytes, size, &size, NULL), MS_OK);
+    f = fopen(path, "wb");
+    CHECK(f != NULL && fwrite(bytes, 1, size, f) == size && fclose(f) == 0);
+    free(bytes);
     for (i = 0; i < n->count; ++i) free(n->data[i]);
     memset(n, 0, sizeof *n);
 }

@@ -67,13 +67,14 @@ int main(int argc, char **argv)
         return 1;
     }
     {
-        size_t inputs = ms_nn_input_size(nn), outputs = ms_nn_output_size(nn), i, printed = vjp ? inputs : outputs;
-        void *workspace = malloc(ms_nn_workspace_size(nn, vjp ? MS_NN_VJP : MS_NN_FORWARD, 1));
+        size_t inputs = ms_nn_input_size(nn), outputs = ms_nn_output_size(nn), i, k, printed = vjp ? inputs : outputs;
+        void *workspace = malloc(ms_nn_workspace_size(nn, vjp ? MS_NN_JACOBIAN : MS_NN_FORWARD, 1));
+        float *jacobian = vjp ? (float *)malloc(inputs * outputs * sizeof(float)) : NULL;
         float *x = (float *)malloc(2 * (inputs + outputs) * sizeof(float)), *y = x + inputs, *g_y = y + outputs,
               *g_x = g_y + outputs;
         char *text = read_text(argv[2]), *text_at = text, *gradients = vjp ? read_text(argv[4]) : NULL,
              *gradients_at = gradients;
-        if (workspace == NULL || x == NULL) {
+        if (workspace == NULL || x == NULL || (vjp && jacobian == NULL)) {
             fprintf(stderr, "out of memory\n");
             return 1;
         }
@@ -83,8 +84,13 @@ int main(int argc, char **argv)
                 row = -1;
                 break;
             }
-            status = vjp ? ms_nn_vjp(nn, 1, x, g_y, NULL, g_x, workspace) : ms_nn_forward(nn, 1, x, y, workspace);
+            status = vjp ? ms_nn_jacobian(nn, x, NULL, jacobian, workspace) : ms_nn_forward(nn, 1, x, y, workspace);
             if (status != MS_OK) break;
+            for (i = 0; vjp && i < inputs; ++i) {
+                double sum = 0;
+                for (k = 0; k < outputs; ++k) sum += (double)g_y[k] * (double)jacobian[k * inputs + i];
+                g_x[i] = (float)sum;
+            }
             for (i = 0; i < printed; ++i) printf("%s%.9g", i ? "," : "", (double)(vjp ? g_x[i] : y[i]));
             printf("\n");
         }
@@ -93,6 +99,7 @@ int main(int argc, char **argv)
         free(text);
         free(gradients);
         free(x);
+        free(jacobian);
         free(workspace);
     }
     ms_nn_destroy(nn);

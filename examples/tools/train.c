@@ -1149,21 +1149,14 @@ static void saved_dense(saved *s, const char *name, const char *activation, ms_n
              name, (double)rows, activation);
 }
 
-static int sink_bytes(void *user, const void *bytes, size_t size)
-{
-    image__put((image__bytes *)user, bytes, size);
-    return ((image__bytes *)user)->failed;
-}
-
 /* The file in memory. extra: two more entries. */
 static int saved_write(saved *s, const char *input, const ms_nn_entry *extra, size_t extras, image__bytes *out)
 {
     char *list = (char *)room(strlen(s->layers) + 3, 1);
     ms_nn_entry entry[16];
-    ms_nn_sink sink;
     ms_error error;
     ms_status status;
-    size_t k;
+    size_t k, size;
     sprintf(list, "[%s]", s->layers);
     entry[0].key = "format", entry[0].value = "pt";
     entry[1].key = "ms_nn_version", entry[1].value = "1";
@@ -1171,9 +1164,12 @@ static int saved_write(saved *s, const char *input, const ms_nn_entry *extra, si
     entry[3].key = "ms_nn_layers", entry[3].value = list;
     for (k = 0; k < extras; ++k) entry[4 + k] = extra[k];
     memset(out, 0, sizeof *out);
-    sink.user = out;
-    sink.write = sink_bytes;
-    status = ms_nn_file_write(s->tensor, s->count, entry, 4 + extras, NULL, sink, &error);
+    status = ms_nn_file_write(s->tensor, s->count, entry, 4 + extras, NULL, 0, &size, &error);
+    if (status == MS_OK) {
+        out->data = (unsigned char *)room(size, 1);
+        out->size = out->room = size;
+        status = ms_nn_file_write(s->tensor, s->count, entry, 4 + extras, out->data, size, &size, &error);
+    }
     free(list);
     return status == MS_OK ? 1 : wrong("%s", error.message);
 }

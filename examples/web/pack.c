@@ -43,6 +43,9 @@ int main(int argc, char **argv)
     ms_nn_options options = ms_nn_defaults();
     ms_nn_file *file;
     ms_error error;
+    size_t size;
+    void *bytes;
+    FILE *f;
     if (argc != 3) return fail("usage", "pack IN.safetensors OUT.safetensors");
     options.copy = 1;
     if (ms_nn_file_read(argv[1], &options, &file, &error) != MS_OK) return fail(argv[1], error.message);
@@ -80,5 +83,12 @@ int main(int argc, char **argv)
         ++count;
     }
     for (i = 0; i < e; ++i) entries[i] = *ms_nn_file_entry(file, i);
-    return ms_nn_file_save(argv[2], out, count, entries, e, NULL, &error) == MS_OK ? 0 : fail(argv[2], error.message);
+    if (ms_nn_file_write(out, count, entries, e, NULL, 0, &size, &error) != MS_OK) return fail(argv[2], error.message);
+    bytes = malloc(size);
+    if (bytes == NULL || ms_nn_file_write(out, count, entries, e, bytes, size, &size, &error) != MS_OK)
+        return fail(argv[2], "out of memory");
+    f = fopen(argv[2], "wb");
+    if (f == NULL || fwrite(bytes, 1, size, f) != size || fclose(f) != 0) return fail(argv[2], "cannot write it");
+    free(bytes);
+    return 0;
 }

@@ -57,7 +57,7 @@ static ms_status widen(const char *path)
     ms_nn_entry entries[MOST];
     ms_nn_options options = ms_nn_defaults();
     ms_nn_file *file;
-    size_t i, k, e, count = 0;
+    size_t i, k, e, count = 0, size = 0;
     ms_status status;
     options.copy = 1;
     status = ms_nn_file_read(path, &options, &file, &error);
@@ -90,7 +90,17 @@ static ms_status widen(const char *path)
         ++count;
     }
     for (e = 0; e < ms_nn_file_entry_count(file) && e < MOST; ++e) entries[e] = *ms_nn_file_entry(file, e);
-    status = ms_nn_file_save(path, out, count, entries, e, NULL, &error);
+    status = ms_nn_file_write(out, count, entries, e, NULL, 0, &size, &error);
+    if (status == MS_OK) {
+        void *bytes = malloc(size);
+        FILE *f = fopen(path, "wb");
+        if (bytes == NULL || f == NULL) status = studio__refuse(&error, MS_OUT_OF_MEMORY, "no memory for a network");
+        else status = ms_nn_file_write(out, count, entries, e, bytes, size, &size, &error);
+        if (status == MS_OK && fwrite(bytes, 1, size, f) != size)
+            status = studio__refuse(&error, MS_IO, "a network cannot be written");
+        if (f) fclose(f);
+        free(bytes);
+    }
     for (i = 0; i < count; ++i)
         if (out[i].data != NULL && out[i].dtype == MS_NN_F32 && ms_nn_file_find(file, out[i].name)->dtype == MS_NN_I8)
             free((void *)(uintptr_t)out[i].data);

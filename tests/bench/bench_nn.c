@@ -55,7 +55,7 @@ typedef struct runner {
     double load;
 } runner;
 
-static runner runner_make(nets_file *file, ms_simd level, ms_parallel parallel, int no_folds)
+static runner runner_make(nets_file *file, ms_simd level, ms_parallel parallel)
 {
     runner r;
     ms_nn_options o = ms_nn_defaults();
@@ -67,7 +67,6 @@ static runner runner_make(nets_file *file, ms_simd level, ms_parallel parallel, 
     r.file = file;
     o.simd = level;
     o.parallel = parallel;
-    o.no_folds = no_folds;
     if (ms_nn_load(file->bytes, file->size, &o, &r.nn, &error) != MS_OK) {
         fprintf(stderr, "%s\n", error.message);
         exit(1);
@@ -426,7 +425,7 @@ static void renderer_peers(runner *r, torch_peer *torch)
     runner scalar;
     bench_pair p;
     bench_time t;
-    scalar = runner_make(r->file, MS_SIMD_SCALAR, no_threads(), 0);
+    scalar = runner_make(r->file, MS_SIMD_SCALAR, no_threads());
     t = bench_run(run_forward, &scalar, 3);
     record("renderer, scalar code", "F32", t.median, t.spread);
     fprintf(md, "| ms_nn F32, scalar code | %.1f | | | | %.1f | | |\n", 1e3 * t.median,
@@ -472,7 +471,7 @@ static void bench_renderer(void)
             pool threads;
             if (huge && nets_huge_pages(f)) break;
             snprintf(label, sizeof label, "%s%s", ms_nn_dtype_string(types[k]), huge ? ", huge pages" : "");
-            r = runner_make(f, MS_SIMD_AUTO, no_threads(), 0);
+            r = runner_make(f, MS_SIMD_AUTO, no_threads());
             record("renderer load", label, r.load, 0);
             if (k == 0 && !huge) renderer_peers(&r, &torch);
             if (k == 0) bench_last_layer(&r, label);
@@ -483,7 +482,7 @@ static void bench_renderer(void)
             t = p.b;
             alone = wall(run_forward, &r, 5);
             pool_start(&threads, 2);
-            two = runner_make(f, MS_SIMD_AUTO, pool_parallel(&threads), 0);
+            two = runner_make(f, MS_SIMD_AUTO, pool_parallel(&threads));
             both = wall(run_forward, &two, 5);
             runner_free(&two);
             pool_stop(&threads);
@@ -533,7 +532,7 @@ static void bench_convolution(void)
     fprintf(more, "\n| Conv2D 32 -> 32, 3 x 3, 205 x 205 | ms | G multiply-adds/s |\n|---|---:|---:|\n");
     for (level = MS_SIMD_AVX512; level >= MS_SIMD_SCALAR; --level) {
         bench_time t;
-        r = runner_make(f, (ms_simd)level, no_threads(), 0);
+        r = runner_make(f, (ms_simd)level, no_threads());
         if ((int)ms_nn_simd(r.nn) == level) {
             t = bench_run(run_forward, &r, level == MS_SIMD_SCALAR ? 3 : 9);
             record("convolution", ms_simd_string((ms_simd)level), t.median, t.spread);
@@ -542,7 +541,7 @@ static void bench_convolution(void)
         }
         runner_free(&r);
     }
-    r = runner_make(f, MS_SIMD_AUTO, no_threads(), 0);
+    r = runner_make(f, MS_SIMD_AUTO, no_threads());
 #if defined(HAVE_DNNL)
     {
         dnnl_job d;
@@ -562,7 +561,7 @@ static void bench_convolution(void)
         double one = wall(run_forward, &r, 9), two;
         runner t;
         pool_start(&threads, 2);
-        t = runner_make(f, MS_SIMD_AUTO, pool_parallel(&threads), 0);
+        t = runner_make(f, MS_SIMD_AUTO, pool_parallel(&threads));
         two = wall(run_forward, &t, 9);
         printf("convolution on two threads: %.2f x one\n", one / two);
         record("convolution, two threads (wall)", "auto", two, 0);
@@ -610,7 +609,7 @@ static void bench_inversion(void)
                 f = (nets_file *)malloc(sizeof *f);
                 if (nets_inversion(f, number, side, 19, types[k])) exit(1);
             }
-            r = runner_make(f, MS_SIMD_AUTO, no_threads(), 0);
+            r = runner_make(f, MS_SIMD_AUTO, no_threads());
             size[k][number] = f->size;
             workspace[number] = ms_nn_workspace_size(r.nn, MS_NN_FORWARD, 1);
             parameters[number] = macs[number] = 0;
@@ -667,7 +666,7 @@ static void bench_shared(void)
         if (nets_shared(f, 64, 160, types[k])) exit(1);
         fprintf(more, "| %s | %.1f |", ms_nn_dtype_string(types[k]), (double)f->size * 1e-6);
         for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
-            runner r = runner_make(f, (ms_simd)level, no_threads(), 0);
+            runner r = runner_make(f, (ms_simd)level, no_threads());
             bench_time t = bench_run(run_forward, &r, 31);
             char label[64];
             snprintf(label, sizeof label, "%s %s", ms_nn_dtype_string(types[k]), ms_simd_string((ms_simd)level));
@@ -690,14 +689,8 @@ typedef struct collapse_job {
     const ms_nn_collapse *c;
     const float *x;
     void *workspace;
-    double value, *residual, *jacobian;
+    double *residual, *jacobian;
 } collapse_job;
-
-static void run_value(void *context)
-{
-    collapse_job *j = (collapse_job *)context;
-    if (ms_nn_collapse_value(j->c, j->x, &j->value, j->workspace) != MS_OK) exit(1);
-}
 
 static void run_residual(void *context)
 {
@@ -713,14 +706,14 @@ static void bench_collapse(const char *label, nets_file *f)
     bench_time picture, value, slopes;
     runner r, two;
     pool threads;
-    double start, made, target[5];
+    double start, made, target[5], *slope_room;
     size_t features, i;
     pool_start(&threads, 2);
-    two = runner_make(f, MS_SIMD_AUTO, pool_parallel(&threads), 0);
+    two = runner_make(f, MS_SIMD_AUTO, pool_parallel(&threads));
     start = bench_wall();
     if (ms_nn_collapse_create(two.nn, NULL, &c, NULL) != MS_OK) exit(1);
     made = bench_wall() - start;
-    r = runner_make(f, MS_SIMD_AUTO, no_threads(), 0);
+    r = runner_make(f, MS_SIMD_AUTO, no_threads());
     picture = bench_run(run_forward, &r, 9);
     features = ms_nn_collapse_features(c);
     {
@@ -738,12 +731,15 @@ static void bench_collapse(const char *label, nets_file *f)
         job.workspace = malloc(ms_nn_collapse_workspace_size(&one, 1));
         job.residual = (double *)malloc((features + 1) * sizeof(double));
         job.jacobian = (double *)malloc((features + 1) * ms_nn_input_size(r.nn) * sizeof(double));
-        value = bench_run(run_value, &job, 15);
+        slope_room = job.jacobian;
+        job.jacobian = NULL;
+        value = bench_run(run_residual, &job, 15);
+        job.jacobian = slope_room;
         slopes = bench_run(run_residual, &job, 9);
     }
     record("collapse: R, two threads (wall)", label, made, 0);
     record("collapse: target", label, bench_median(target, 5), 0);
-    record("collapse: value", label, value.median, value.spread);
+    record("collapse: residual", label, value.median, value.spread);
     record("collapse: residual and Jacobian", label, slopes.median, slopes.spread);
     record("picture for comparison", label, picture.median, picture.spread);
     fprintf(more, "| %s | %.0f | %.1f | %.2f +- %.2f | %.2f +- %.2f | %.2f |\n", label, 1e3 * made,
@@ -765,7 +761,7 @@ static void bench_collapses(void)
     begin_table("nn_collapse.md");
     fprintf(
         more,
-        "\n| collapse | R, once a network, two threads, ms | target, ms | value, ms | residual and Jacobian, ms | the picture, ms |\n|---|---:|---:|---:|---:|---:|\n");
+        "\n| collapse | R, once a network, two threads, ms | target, ms | residual, ms | residual and Jacobian, ms | the picture, ms |\n|---|---:|---:|---:|---:|---:|\n");
     if (nets_shared(f, 128, 256, MS_NN_F16)) exit(1);
     bench_collapse("shared channels, 3 x 256 features, 128 x 128, F16", f);
     if (nets_renderer(f, 128, 64, 1000, MS_NN_F16)) exit(1); /* what R takes grows with the pixels */

@@ -1,4 +1,4 @@
-/* ms_nn.h: batches. Every element type, forward and both products, of dense, shared-channel and convolutional networks:
+/* ms_nn.h: batches. Every element type, of dense, shared-channel and convolutional networks:
    the time of a sample in batches of 2 to 1000 beside that of one alone, and the share of the processor's multiply-adds
    at the largest; then 300 previews by the network that ships, on one thread and on two. Writes
    build/bench/nn_batch.md. `bench_nn_batch [PART OF A NETWORK'S NAME [TYPE [LEVEL, 1 to 4]]]` */
@@ -64,19 +64,16 @@ static double peak(ms_simd level)
 
 typedef struct job {
     ms_nn *nn;
-    ms_nn_product product;
-    float *x, *d, *y, *out; /* inputs, gradients or directions, values, products */
+    float *x, *y;
     void *workspace;
 } job;
 
-/* The samples, or directions at the first point, from `at` on. */
+/* The samples from `at` on. */
 static void run(const job *j, int at, int count)
 {
-    size_t in = (size_t)at * ms_nn_input_size(j->nn), out = (size_t)at * ms_nn_output_size(j->nn);
-    ms_status status = j->product == MS_NN_FORWARD ? ms_nn_forward(j->nn, count, j->x + in, j->y + out, j->workspace)
-        : j->product == MS_NN_VJP ? ms_nn_vjp(j->nn, count, j->x + in, j->d + out, NULL, j->out + in, j->workspace)
-                                  : ms_nn_jvp(j->nn, count, j->x, j->d + in, NULL, j->out + out, j->workspace);
-    if (status != MS_OK) exit(1);
+    if (ms_nn_forward(j->nn, count, j->x + (size_t)at * ms_nn_input_size(j->nn),
+                      j->y + (size_t)at * ms_nn_output_size(j->nn), j->workspace) != MS_OK)
+        exit(1);
 }
 
 /* Seconds a sample of runs of count samples, `all` of them in all, so that alone or together they fill the same
@@ -94,13 +91,12 @@ static FILE *md;
 
 static void measure(const char *name, const char *type, nets_file *f, int largest, ms_simd level, double most)
 {
-    static const char *const names[3] = {"forward", "vjp", "jvp"};
     ms_nn_options o = ms_nn_defaults();
     ms_error error;
     uint64_t state = 99;
-    double macs = 0;
+    double macs = 0, alone = 0, worst = 0, last = 0, lowest = 1e30, rate;
     size_t in, out, i;
-    int p, k, r;
+    int k, r, where = 0, times, reps;
     job j;
     o.simd = level;
     if (ms_nn_load(f->bytes, f->size, &o, &j.nn, &error) != MS_OK) {
@@ -112,45 +108,35 @@ static void measure(const char *name, const char *type, nets_file *f, int larges
     out = ms_nn_output_size(j.nn);
     if (strcmp(ms_nn_layer_at(j.nn, 0).type, "shared_channels") == 0) macs *= 3;
     j.x = (float *)malloc((size_t)largest * in * sizeof(float));
-    j.d = (float *)malloc((size_t)largest * (in > out ? in : out) * sizeof(float));
     j.y = (float *)malloc((size_t)largest * out * sizeof(float));
-    j.out = (float *)malloc((size_t)largest * (in > out ? in : out) * sizeof(float));
     for (i = 0; i < (size_t)largest * in; ++i) j.x[i] = 0.5f + 0.5f * nets_uniform(&state);
-    for (i = 0; i < (size_t)largest * (in > out ? in : out); ++i) j.d[i] = nets_uniform(&state);
-    for (p = MS_NN_FORWARD; p <= MS_NN_JVP; ++p) {
-        double alone = 0, worst = 0, last = 0, lowest = 1e30, rate;
-        int where = 0, times, reps;
-        j.product = (ms_nn_product)p;
-        j.workspace = malloc(ms_nn_workspace_size(j.nn, j.product, largest));
-        sample(&j, 1, 1, 1);
-        times = (int)(3e-4 / sample(&j, 1, 1, 1)) + 1;
-        for (k = 0; k < (int)COUNTS && counts[k] <= largest; ++k) {
-            double a = 1e30, c = 1e30;
-            reps = counts[k] < 100 ? 7 : 3;
-            for (r = 0; r < reps; ++r) { /* in turn, the best of each: whatever disturbs them makes them slower */
-                a = fmin(a, sample(&j, 1, counts[k], times / counts[k] + 1));
-                c = fmin(c, sample(&j, counts[k], counts[k], times / counts[k] + 1));
-            }
-            lowest = fmin(lowest, a);
-            last = c / a;
-            alone = c;
-            if (last > worst) {
-                worst = last;
-                where = counts[k];
-            }
+    j.workspace = malloc(ms_nn_workspace_size(j.nn, MS_NN_FORWARD, largest));
+    sample(&j, 1, 1, 1);
+    times = (int)(3e-4 / sample(&j, 1, 1, 1)) + 1;
+    for (k = 0; k < (int)COUNTS && counts[k] <= largest; ++k) {
+        double a = 1e30, c = 1e30;
+        reps = counts[k] < 100 ? 7 : 3;
+        for (r = 0; r < reps; ++r) { /* in turn, the best of each: whatever disturbs them makes them slower */
+            a = fmin(a, sample(&j, 1, counts[k], times / counts[k] + 1));
+            c = fmin(c, sample(&j, counts[k], counts[k], times / counts[k] + 1));
         }
-        rate = macs / alone * (p == MS_NN_VJP ? 2 : 1); /* forwards and back; the points of directions are run once */
-        printf("%-22s %-5s %-8s alone %9.1f us, worst %.2f at %4d, largest %.2f: %6.1f G/s %3.0f%%\n", name, type,
-               names[p], 1e6 * lowest, worst, where, last, 1e-9 * rate, 100 * rate / most);
-        fflush(stdout);
-        fprintf(md, "| %s | %s | %s | %.1f | %.2f (%d) | %.2f (%d) | %.1f | %.0f%% |\n", name, type, names[p],
-                1e6 * lowest, worst, where, last, largest, 1e-9 * rate, 100 * rate / most);
-        free(j.workspace);
+        lowest = fmin(lowest, a);
+        last = c / a;
+        alone = c;
+        if (last > worst) {
+            worst = last;
+            where = counts[k];
+        }
     }
+    rate = macs / alone;
+    printf("%-22s %-5s alone %9.1f us, worst %.2f at %4d, largest %.2f: %6.1f G/s %3.0f%%\n", name, type, 1e6 * lowest,
+           worst, where, last, 1e-9 * rate, 100 * rate / most);
+    fflush(stdout);
+    fprintf(md, "| %s | %s | %.1f | %.2f (%d) | %.2f (%d) | %.1f | %.0f%% |\n", name, type, 1e6 * lowest, worst, where,
+            last, largest, 1e-9 * rate, 100 * rate / most);
+    free(j.workspace);
     free(j.x);
-    free(j.d);
     free(j.y);
-    free(j.out);
     ms_nn_destroy(j.nn);
 }
 
@@ -194,7 +180,6 @@ static double previews(const char *path, ms_simd level, int threads)
         o.parallel = pool_parallel(&p);
     }
     if (ms_nn_load_file(path, &o, &j.nn, NULL) != MS_OK) exit(1);
-    j.product = MS_NN_FORWARD;
     j.x = x = (float *)malloc(COUNT * ms_nn_input_size(j.nn) * sizeof(float));
     j.y = y = (float *)malloc(COUNT * ms_nn_output_size(j.nn) * sizeof(float));
     j.workspace = malloc(ms_nn_workspace_size(j.nn, MS_NN_FORWARD, COUNT));
@@ -231,8 +216,8 @@ int main(int argc, char **argv)
         bench_processor(), 1e-9 * most);
     fprintf(
         md,
-        "| network | weights | product | one alone, us | slowest batch: a sample over one alone (samples) | the largest | G multiply-adds/s | of the peak |\n"
-        "|---|---|---|---:|---:|---:|---:|---:|\n");
+        "| network | weights | one alone, us | slowest batch: a sample over one alone (samples) | the largest | G multiply-adds/s | of the peak |\n"
+        "|---|---|---:|---:|---:|---:|---:|\n");
     printf("peak %.1f G/s\n", 1e-9 * most);
     for (k = 0; k < 2; ++k) {
         ms_nn *nn;

@@ -544,7 +544,9 @@ static int write_full_size(const char *path)
     ms_nn_entry entry[8];
     ms_nn_file *file;
     ms_error error;
-    size_t i, at = 0, tensors, entries;
+    size_t i, at = 0, tensors, entries, size;
+    void *bytes;
+    FILE *out;
     double *r = (double *)calloc(TRIANGLE, sizeof(double));
     if (r == NULL || nets_renderer(&net, 410, 64, FEATURES, MS_NN_I8)) return 0;
     for (i = 0; i < FEATURES; at += FEATURES - i++) r[at] = sqrt((double)OUTPUTS / (int)FEATURES);
@@ -559,7 +561,13 @@ static int write_full_size(const char *path)
     tensor[tensors].shape = shape;
     tensor[tensors].data = r;
     tensor[tensors].bytes = TRIANGLE * sizeof(double);
-    check(ms_nn_file_save(path, tensor, tensors + !full, entry, entries, NULL, &error), &error);
+    check(ms_nn_file_write(tensor, tensors + !full, entry, entries, NULL, 0, &size, &error), &error);
+    bytes = malloc(size);
+    if (bytes == NULL) return 0;
+    check(ms_nn_file_write(tensor, tensors + !full, entry, entries, bytes, size, &size, &error), &error);
+    out = fopen(path, "wb");
+    if (out == NULL || fwrite(bytes, 1, size, out) != size || fclose(out) != 0) return 0;
+    free(bytes);
     ms_nn_file_close(file);
     free(net.bytes);
     free(r);

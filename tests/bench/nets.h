@@ -65,7 +65,7 @@ static inline void nets_add(nets_file *f, const char *layer, const char *part, m
     t->dtype = dtype;
     t->rank = rank;
     t->shape = f->shapes[f->count];
-    t->data = &f->limits[f->count]; /* stands for "random": see nets_sink */
+    t->data = NULL; /* random: nets_end */
     t->bytes = elements * (dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2);
     f->count++;
 }
@@ -119,25 +119,6 @@ static inline int nets_fill(const nets_file *f, int t, unsigned char *to)
     return 0;
 }
 
-static inline int nets_sink(void *user, const void *bytes, size_t size)
-{
-    nets_file *f = (nets_file *)user;
-    int t;
-    if (f->bytes == NULL) {
-        size_t total = size + 64;
-        for (t = 0; t < f->count; ++t) total += f->tensors[t].bytes;
-        void *at;
-        if (posix_memalign(&at, 4096, total) != 0) return 1; /* as a mapped file lies */
-        f->room = total;
-        f->bytes = (unsigned char *)at;
-    }
-    for (t = 0; t < f->count && f->tensors[t].data != bytes; ++t) continue;
-    if (t == f->count) memcpy(f->bytes + f->size, bytes, size);
-    else if (nets_fill(f, t, f->bytes + f->size)) return 1;
-    f->size += size;
-    return 0;
-}
-
 /* Moves the file to memory of large pages, where the system has them: 0, else 1 and nothing changes. */
 static inline int nets_huge_pages(nets_file *f)
 {
@@ -172,9 +153,11 @@ static inline void nets_begin(nets_file *f, const char *input)
 static inline int nets_end(nets_file *f)
 {
     ms_nn_entry metadata[4];
-    ms_nn_sink sink;
+    ms_nn_file *file = NULL;
     ms_error error;
+    void *at;
     size_t n = strlen(f->layers);
+    int t;
     snprintf(f->layers + n, sizeof f->layers - n, "]");
     metadata[0].key = "format";
     metadata[0].value = "pt";
@@ -184,11 +167,22 @@ static inline int nets_end(nets_file *f)
     metadata[2].value = f->input;
     metadata[3].key = "ms_nn_layers";
     metadata[3].value = f->layers;
-    sink.user = f;
-    sink.write = nets_sink;
-    if (ms_nn_file_write(f->tensors, (size_t)f->count, metadata, 4, NULL, sink, &error) == MS_OK) return 0;
-    fprintf(stderr, "nets: %s\n", error.message);
-    return 1;
+    if (ms_nn_file_write(f->tensors, (size_t)f->count, metadata, 4, NULL, 0, &f->size, &error) != MS_OK) {
+        fprintf(stderr, "nets: %s\n", error.message);
+        return 1;
+    }
+    f->room = f->size + 64;
+    if (posix_memalign(&at, 4096, f->room) != 0) return 1; /* as a mapped file lies */
+    f->bytes = (unsigned char *)at;
+    if (ms_nn_file_write(f->tensors, (size_t)f->count, metadata, 4, at, f->room, &f->size, &error) != MS_OK ||
+        ms_nn_file_open(at, f->size, NULL, &file, &error) != MS_OK)
+        return 1;
+    for (t = 0; t < f->count; ++t) {
+        const ms_nn_tensor *place = ms_nn_file_find(file, f->names[t]);
+        if (nets_fill(f, t, f->bytes + ((const unsigned char *)place->data - f->bytes))) return 1;
+    }
+    ms_nn_file_close(file);
+    return 0;
 }
 
 /* 3.4.2: 4 x {Conv1D(64,3,1)-ELU-Upsample(2)} - FC(1000)-ELU - FC(3 side^2), Keras's flatten order. */

@@ -137,20 +137,6 @@ static int use_gpr(void)
 #endif
 
 #ifdef MS_NN_H
-typedef struct use_bytes {
-    unsigned char byte[4096];
-    size_t size;
-} use_bytes;
-
-static int use_write(void *user, const void *bytes, size_t size)
-{
-    use_bytes *out = (use_bytes *)user;
-    if (size > sizeof out->byte - out->size) return 1;
-    memcpy(out->byte + out->size, bytes, size);
-    out->size += size;
-    return 0;
-}
-
 /* A file written and read again, and a dense layer of it: y = relu(W x + b). The numbers are bytes, little-endian. */
 static int use_nn(void)
 {
@@ -159,12 +145,12 @@ static int use_nn(void)
     static const unsigned char b[8] = {0, 0, 0x80, 0x3f, 0, 0, 0x80, 0xbf};  /* 1 -1 */
     static const size_t shape[2] = {2, 2};
     static const char layers[] = "[{\"type\":\"dense\",\"name\":\"d\",\"activation\":\"relu\"}]";
-    static use_bytes file;
+    static unsigned char file[4096];
+    size_t size = 0;
     const float x[2] = {1, -0.5f};
     float out[2] = {0, 0};
     ms_nn_tensor tensor[2];
     ms_nn_entry entry[4];
-    ms_nn_sink sink;
     ms_nn_options options = ms_nn_defaults();
     ms_nn *nn;
     ms_error error;
@@ -187,12 +173,9 @@ static int use_nn(void)
     entry[2].value = "[2]";
     entry[3].key = "ms_nn_layers";
     entry[3].value = layers;
-    file.size = 0;
-    sink.user = &file;
-    sink.write = use_write;
     options.allocator = use_allocator();
-    if (ms_nn_file_write(tensor, 2, entry, 4, &options.allocator, sink, NULL) != MS_OK) return 1;
-    if (ms_nn_load(file.byte, file.size, &options, &nn, &error) != MS_OK) {
+    if (ms_nn_file_write(tensor, 2, entry, 4, file, sizeof file, &size, NULL) != MS_OK) return 1;
+    if (ms_nn_load(file, size, &options, &nn, &error) != MS_OK) {
         printf("ms_nn.h: %s\n", error.message);
         return 1;
     }
