@@ -1,43 +1,44 @@
-/* From pictures of materials to a neural renderer for build/preview, build/match and build/workflow, and to inversion
+/* Trains a neural renderer on pictures of materials, for build/preview, build/match and build/workflow, and inversion
    networks for it.
 
-     cc -O2 -I. examples/tools/train.c -o build/train -lpthread -lm       (-O3 -fno-math-errno -fno-trapping-math:
-   faster) build/train PICTURES PARAMS.csv OUT.safetensors [--size S] [--check A [--check B]] [--held-out N] [--bytes N
-   |
-                 --psnr DB] [--trunk RENDERER.safetensors] [--rank 96] [--width 384] [--depth 3] [--teachers 0] [--type
-                 F16] [--epochs N] [--channels auto] [--hidden auto] [--seed 1] [--threads 2] [--again] [--every 20]
+     cc -O3 -fno-math-errno -fno-trapping-math -I. examples/tools/train.c -o build/train -lpthread -lm
+
+     build/train PICTURES PARAMS.csv OUT.safetensors [options]
+       --size S          side of the network's pictures, a divisor of the side of PICTURES
+       --check A         a folder of pictures, with A.csv beside it, for the final measure; twice: two renderings of the
+                         same materials, whose noise then cancels. Without it every 16th picture is held out
+       --held-out N      so many pictures are held out
+       --rank 96         principal components; --bytes N (4M, 200k) chooses the rank for a file of that size
+       --width 384       of the hidden layers, and --depth 3, their number
+       --epochs N        at most; --rate 0.004: the largest step
+       --channels auto   or none: whether the colour channels share one network
+       --hidden auto     or none: whether parameters that a picture does not depend on are drawn again at each step
+       --trunk R         no training: the layers of the renderer R but its last, and a new last layer
+       --seed 1, --threads 2
      build/train --inversion RENDERER.safetensors OUT_PREFIX [--count 5] [--steps 6000] [--first 64] [--width 256]
-     [--sharp LIST] [--seed 1] [--threads 2] build/train --measure RENDERER.safetensors PARAMS.csv --check A [--check B]
+                 [--sharp LIST] [--seed 1] [--threads 2]
+     build/train --measure RENDERER.safetensors PARAMS.csv --check A [--check B]
 
-   PICTURES: a folder of square PNG, PPM or PFM files, all of one size; or one file in which they stand below or beside
-   each other, row by row (then --size says where to cut); or a folder of `make dataset`, which has the parameters too
-   (PARAMS.csv: a line of their names, or -). PARAMS.csv: a line of names, then a row for each picture, in the order of
-   the pictures' names; or its first column is called "file" and names the picture. PNG and PPM hold display values, PFM
-   linear light. --size: side of the network's pictures, a divisor of theirs. Parameters outside [0, 1] are mapped to
-   it; ranges go into the file's metadata "ms_ranges", the names into "ms_parameters".
+   PICTURES is a folder of square PNG, PPM (display values) or PFM files (linear light), all of one size, or a folder
+   of `make dataset`, which contains the parameters. PARAMS.csv: a line of names, then a row for each picture in the
+   order of the pictures' names; `-` for a folder of `make dataset`. Parameters outside [0, 1] are mapped to it; the
+   file's metadata has the names (ms_parameters) and ranges (ms_ranges).
 
-   The network is a small trunk (--depth layers of --width SiLUs) whose last layer, linear, is made of the pictures'
-   principal components: the trunk learns their coordinates, which is the picture's error less what no network of that
-   rank could draw. Where a colour channel depends on parameters of its own and others that all share, one network
-   serves the three (--channels auto finds out; none; or lists such as "0,3,6;1,4,6;2,5,6"). Parameters that a picture
-   does not depend on, since a lobe's share is 0 or 1, are drawn anew each time (--hidden auto finds them; none; or
-   "0@7=1,4@7=0": the first where the eighth is 1 ..., of a channel's list). Networks from other starts err apart: of
-   --teachers 3, say, the mean is taught to the one that is saved, on eight times as many materials as there are
-   pictures; better by a decibel where pictures are few, in four times the time. --bytes (4M): the largest file; --psnr:
-   the quality that is enough; either picks rank and type (a --rank that is a multiple of 32 runs fastest). --check:
-   another folder, FOLDER, with FOLDER.csv (or of `make dataset`), for the final measure; two of the same materials
-   cancel their noise. Otherwise every 16th picture is held out. A folder of `make dataset` has linear light, so the
-   layer of pixels is made anew on what the trunk learnt, as with --trunk. --trunk: the trunk of a renderer that is
-   there, and a new pixels' layer for it, of the pictures' full size or --size: for larger pictures with more noise than
-   a trunk could learn from. They are regressed on its features in linear light, and what is noise in the result is
-   shrunk (a folder of `make dataset`). A run that was interrupted goes on where OUT.safetensors.checkpoint0 and so on
-   say (every 20 seconds), to the same bits; --again starts afresh.
+   The network: hidden layers of SiLUs that predict the coordinates of a picture in the principal components of the
+   training pictures, and a linear last layer made of these components. Where each colour channel depends on one of
+   three parameters and on others that all channels share, one network is evaluated for each channel, and a picture is
+   three examples. Where a parameter has no effect because another is 0 or 1, it is drawn again at each step. Training
+   stops early when the error of the held-out pictures has not fallen for a third of the epochs. The result does not
+   depend on the number of threads.
 
-   --inversion: --count small networks from a picture to its parameters, for build/match and ms_pme.h, learnt through
-   the renderer alone: a picture that it draws (many of them edited: contrast, black level, mixed channels) is inverted,
-   drawn again and compared. The network that is best for a picture learns most from it, since a match takes the best of
-   all. They are called OUT_PREFIX1.safetensors and so on. --sharp 7,16,17: what is 0 or 1 in half of the materials; the
-   renderer's file knows, if this program made it. */
+   The last layer is regressed again on the pictures' full size in linear light for a folder of `make dataset`, and with
+   --trunk: noise is then averaged without a bias, and what remains of it is removed by a Wiener filter. This gives
+   larger pictures from data with more noise than the hidden layers could be trained on.
+
+   --inversion trains --count small networks from a picture to its parameters through the renderer alone: its pictures,
+   some with changed contrast, black level and mixed channels, are inverted, rendered again and compared. The network
+   that is best for a picture has the largest weight in its loss, since a match starts from the best of all. --sharp
+   7,16,17: parameters that are 0 or 1 in half of the materials (default: those in the renderer's metadata). */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #include "image.h"
@@ -48,8 +49,8 @@
 #include <sys/time.h>
 
 static const char usage_text[] =
-    "usage: train PICTURES PARAMS.csv OUT.safetensors [--size S] [--check A [--check B]] [--held-out N] [--bytes N | --psnr DB] [--trunk RENDERER.safetensors] [--rank 96] [--width 384] "
-    "[--depth 3] [--teachers 0] [--type F32|F16|I8] [--epochs N] [--channels auto|none|LISTS] [--hidden auto|none|LIST] [--seed 1] [--threads 2] [--again] [--every 20]\n"
+    "usage: train PICTURES PARAMS.csv OUT.safetensors [--size S] [--check A [--check B]] [--held-out N] [--rank 96 | --bytes N] "
+    "[--width 384] [--depth 3] [--epochs N] [--rate 0.004] [--channels auto|none] [--hidden auto|none] [--trunk RENDERER.safetensors] [--seed 1] [--threads 2]\n"
     "       train --inversion RENDERER.safetensors OUT_PREFIX [--count 5] [--steps 6000] [--first 64] [--width 256] [--sharp LIST] [--seed 1] [--threads 2]\n"
     "       train --measure RENDERER.safetensors PARAMS.csv --check A [--check B]\n";
 
@@ -133,12 +134,11 @@ static void add_picture(const float *pixels, int side, int size, int linear, uin
             }
 }
 
-/* One row of numbers and perhaps a file's name in front. */
+/* A line of names, then rows of numbers. */
 typedef struct table {
-    int count, columns, named; /* columns without the name */
-    int *line;                 /* [count] */
-    double *x;                 /* [count][columns] */
-    char **file;               /* [count], NULL unless named */
+    int count, columns;
+    int *line; /* [count] */
+    double *x; /* [count][columns] */
     char *names;
 } table;
 
@@ -188,10 +188,6 @@ static int table_read(const char *path, table *t)
                         "%s: line %d: column %d of the header is '%.40s', no name: the first line names the parameters",
                         path, line, column + 1, word);
                 }
-                if (column == 0 && (strcmp(word, "file") == 0 || strcmp(word, "picture") == 0)) {
-                    t->named = 1;
-                    continue;
-                }
                 if (column++) strcat(t->names, ",");
                 strcat(t->names, word);
             }
@@ -207,34 +203,26 @@ static int table_read(const char *path, table *t)
             space = 2 * space + 256;
             t->x = (double *)realloc(t->x, (size_t)space * (size_t)t->columns * sizeof(double));
             t->line = (int *)realloc(t->line, (size_t)space * sizeof(int));
-            t->file = (char **)realloc(t->file, (size_t)space * sizeof(char *));
-            if (!t->x || !t->line || !t->file) {
+            if (!t->x || !t->line) {
                 fclose(f);
                 return wrong("out of memory");
             }
         }
         t->line[t->count] = line;
-        t->file[t->count] = NULL;
-        if (t->named) {
-            word = word_of(&at, d.between);
-            t->file[t->count] = (char *)room(strlen(word) + 1, 1);
-            strcpy(t->file[t->count], word);
-        }
         while (*at) {
             double v;
             word = word_of(&at, d.between);
             v = number_read(word, d.decimal, &end);
             if (column < t->columns && (end == word || *end != 0 || !(v > -1e30 && v < 1e30))) {
                 fclose(f);
-                return wrong("%s: line %d: column %d is '%.40s', not a number", path, line, column + 1 + t->named,
-                             word);
+                return wrong("%s: line %d: column %d is '%.40s', not a number", path, line, column + 1, word);
             }
             if (column < t->columns) t->x[t->count * t->columns + column] = v;
             ++column;
         }
         if (column != t->columns) {
             fclose(f);
-            return wrong("%s: line %d: %d columns, expected %d", path, line, column + t->named, t->columns + t->named);
+            return wrong("%s: line %d: %d columns, expected %d", path, line, column, t->columns);
         }
         ++t->count;
     }
@@ -245,11 +233,8 @@ static int table_read(const char *path, table *t)
 
 static void table_free(table *t)
 {
-    int i;
-    for (i = 0; i < t->count; ++i) free(t->file[i]);
     free(t->x);
     free(t->line);
-    free(t->file);
     free(t->names);
     memset(t, 0, sizeof *t);
 }
@@ -404,35 +389,28 @@ static int read_parts(train_pool *pool, const char *folder, char **name, int cou
     return 1;
 }
 
-/* Picture k of an image of tiles as a set's picture k; 0: see trouble. */
-static int take_tile(const image *im, const char *path, int tile, int k, int linear, int at, material_set *s)
+/* An image as picture `at` of a set; 0: see trouble. */
+static int take_picture(const image *im, const char *path, int at, material_set *s)
 {
-    int across = im->width / tile, left = k % across * tile, top = k / across * tile, x, y, c,
-        step = im->channels < 3 ? 0 : 1, differ = 0;
-    float *picture = (float *)room((size_t)tile * (size_t)tile * 3, sizeof(float));
-    for (y = 0; y < tile; ++y)
-        for (x = 0; x < tile; ++x)
-            for (c = 0; c < 3; ++c) {
-                float v =
-                    im->pixels[((size_t)(top + y) * (size_t)im->width + (size_t)(left + x)) * (size_t)im->channels +
-                               (size_t)(c * step)];
-                if (!(v >= 0 && v < 1e30f)) {
-                    free(picture);
-                    return wrong("%s: column %d, row %d has a value that is negative or not a number", path, left + x,
-                                 top + y);
-                }
-                picture[3 * (y * tile + x) + c] = v;
-                differ |= v < picture[c] || v > picture[c];
+    int side = im->width, c, step = im->channels < 3 ? 0 : 1, differ = 0;
+    size_t i, pixels = (size_t)side * (size_t)side;
+    float *picture = (float *)room(3 * pixels, sizeof(float));
+    for (i = 0; i < pixels; ++i)
+        for (c = 0; c < 3; ++c) {
+            float v = im->pixels[i * (size_t)im->channels + (size_t)(c * step)];
+            if (!(v >= 0 && v < 1e30f)) {
+                free(picture);
+                return wrong("%s: column %d, row %d has a value that is negative or not a number", path, (int)i % side,
+                             (int)i / side);
             }
-    if (!differ) {
-        free(picture);
-        return im->width > tile || im->height > tile
-            ? wrong("%s: picture %d is of one colour alone: a render that failed?", path, k + 1)
-            : wrong("%s: of one colour alone: a render that failed?", path);
-    }
-    add_picture(picture, tile, s->size, linear, s->value + (size_t)at * 3 * (size_t)s->size * (size_t)s->size);
+            picture[3 * i + (size_t)c] = v;
+            differ |= v < picture[c] || v > picture[c];
+        }
+    if (differ)
+        add_picture(picture, side, s->size, image__has_extension(path, ".pfm"),
+                    s->value + (size_t)at * 3 * (size_t)s->size * (size_t)s->size);
     free(picture);
-    return 1;
+    return differ ? 1 : wrong("%s: of one colour alone: a render that failed?", path);
 }
 
 static int read_images(const char *pictures, char **name, int count, const table *t, const char *csv, int size,
@@ -440,54 +418,32 @@ static int read_images(const char *pictures, char **name, int count, const table
 {
     char path[1300];
     image im;
-    int i, k, side = 0;
-    const char *problem;
-    if (count < 0) { /* one file of many */
-        problem = image_read(pictures, &im);
-        if (problem) return wrong("%s: %s", pictures, problem);
-        side = size ? size : im.width < im.height ? im.width : im.height;
-        if (im.width % side || im.height % side)
-            i = wrong("%s: %d x %d pixels cannot be cut into squares of %d", pictures, im.width, im.height, side);
-        else if ((im.width / side) * (im.height / side) < t->count)
-            i = wrong("%s: %d pictures of %d x %d pixels, %s has %d rows (--size says where to cut)", pictures,
-                      (im.width / side) * (im.height / side), side, side, csv, t->count);
-        else {
-            s->size = side;
-            s->count = t->count;
-            s->value = (uint16_t *)room((size_t)t->count * 3 * (size_t)side * (size_t)side, sizeof(uint16_t));
-            for (i = 1, k = 0; k < t->count && i; ++k)
-                i = take_tile(&im, pictures, side, k, image__has_extension(pictures, ".pfm"), k, s);
-        }
-        image_free(&im);
-        return i;
-    }
-    if (!t->named && count != t->count)
+    int fine, k, side = 0;
+    if (count != t->count)
         return count > t->count
             ? wrong("%s: %d pictures, but %s has %d rows: none for %s", pictures, count, csv, t->count, name[t->count])
             : wrong("%s: %d pictures, but %s has %d rows: no picture for line %d", pictures, count, csv, t->count,
                     t->line[count]);
     s->count = t->count;
     for (k = 0; k < t->count; ++k) {
-        const char *file = t->named ? t->file[k] : name[k];
-        snprintf(path, sizeof path, "%.900s/%.300s", pictures, file);
+        const char *problem;
+        snprintf(path, sizeof path, "%.900s/%.300s", pictures, name[k]);
         problem = image_read(path, &im);
-        if (problem)
-            return t->named ? wrong("%s: line %d: %s: %s", csv, t->line[k], path, problem)
-                            : wrong("%s: %s", path, problem);
+        if (problem) return wrong("%s: %s", path, problem);
         if (k == 0) {
             side = im.width;
             s->size = size ? size : side;
-            if (side % s->size) i = wrong("%s: %d pixels cannot be brought to %d: not a divisor", path, side, s->size);
-            else
+            if (side % s->size == 0)
                 s->value = (uint16_t *)room((size_t)t->count * 3 * (size_t)s->size * (size_t)s->size, sizeof(uint16_t));
         }
-        if (s->value == NULL) i = 0;
+        if (s->value == NULL)
+            fine = wrong("%s: pictures of %d pixels cannot be brought to %d: not a divisor", path, side, s->size);
         else if (im.width != side || im.height != side)
-            i = wrong("%s: %d x %d pixels; %s", path, im.width, im.height,
-                      k ? "the pictures before it have another size" : "it must be square");
-        else i = take_tile(&im, path, side, 0, image__has_extension(path, ".pfm"), k, s);
+            fine = wrong("%s: %d x %d pixels; %s", path, im.width, im.height,
+                         k ? "the pictures before it have another size" : "it must be square");
+        else fine = take_picture(&im, path, k, s);
         image_free(&im);
-        if (!i) return 0;
+        if (!fine) return 0;
     }
     return 1;
 }
@@ -915,48 +871,6 @@ static void find_hidden(train_pool *pool, int rows, int d, const float *x, const
     free(h);
 }
 
-/* "0,3,6;1,4,6;2,5,6" */
-static int parse_lists(const char *text, int parameters, form *f)
-{
-    int c, k;
-    char *end;
-    for (c = 0; c < 3; ++c) {
-        for (k = 0;; ++k) {
-            long v = strtol(text, &end, 10);
-            if (end == text || v < 0 || v >= parameters || k == MOST_PARAMETERS)
-                return wrong("--channels: '%.20s' is no number of a parameter (0 to %d)", text, parameters - 1);
-            f->list[c][k] = (int)v;
-            text = end;
-            if (*text != ',') break;
-            ++text;
-        }
-        if (c && k + 1 != f->inputs) return wrong("--channels: lists of different lengths");
-        f->inputs = k + 1;
-        if (*text != (c < 2 ? ';' : 0)) return wrong("--channels: three lists, as in \"0,3,6;1,4,6;2,5,6\"");
-        ++text;
-    }
-    f->lists = 3;
-    return 1;
-}
-
-/* "0@7=1,4@7=0" */
-static int parse_hidden(const char *text, form *f)
-{
-    int column, gate, value, used;
-    for (f->rules = 0; *text; text += used + (text[used] == ',')) {
-        if (sscanf(text, "%d@%d=%d%n", &column, &gate, &value, &used) != 3 || column < 0 || gate < 0 ||
-            column >= f->inputs || gate >= f->inputs || (value != 0 && value != 1) ||
-            (text[used] != ',' && text[used] != 0) || f->rules == MOST_HIDDEN)
-            return wrong(
-                "--hidden: '%.30s' is no rule; \"0@7=1\" is one: input 0 does not matter where input 7 is 1 (0 to %d)",
-                text, f->inputs - 1);
-        f->rule[f->rules].column = column;
-        f->rule[f->rules].gate = gate;
-        f->rule[f->rules++].value = value;
-    }
-    return 1;
-}
-
 /* --- learning ----------------------------------------------------------------------------------------------------- */
 
 typedef struct trainer {
@@ -1256,38 +1170,10 @@ static int report_all(const char *what, const ms_nn *nn, const material_set *a, 
 
 typedef struct options {
     const char *check[2], *channels, *hidden, *trunk, *sharp;
-    int size, held_out, rank, width, depth, epochs, threads, again, count, first, teachers;
-    ms_nn_dtype type;
-    double bytes, psnr, rate, every;
+    int size, held_out, rank, width, depth, epochs, threads, count, first;
+    double bytes, rate;
     uint64_t seed;
 } options;
-
-/* How rounding to 8 bits spreads over a row's weights: columns are multiplied by deviation^power. The squared error of
-   a picture, summed over its pixels, for the best power, whose factors go to factor [rank]. */
-static double rounding(const train_components *c, size_t pixels, int rank, float *factor)
-{
-    double least = 1e300, power, best = 0;
-    int pass, j;
-    float *row = (float *)room((size_t)rank, sizeof(float));
-    for (pass = 0; pass < 5; ++pass) {
-        double error = 0;
-        size_t i;
-        power = pass < 4 ? 0.25 * pass : best;
-        for (j = 0; j < rank; ++j) factor[j] = (float)pow(sqrt(c->variance[j] > 1e-12 ? c->variance[j] : 1e-12), power);
-        for (i = 0; i < pixels && pass < 4; ++i) {
-            float step;
-            for (j = 0; j < rank; ++j) row[j] = c->basis[i * (size_t)c->rank + (size_t)j] * factor[j];
-            step = row_step(row, (size_t)rank);
-            for (j = 0; j < rank; ++j) {
-                float d = (float)to_i8(row[j], step) * step - row[j];
-                error += (double)(d * d) * c->variance[j] / (double)(factor[j] * factor[j]);
-            }
-        }
-        if (pass < 4 && error < least) least = error, best = power;
-    }
-    free(row);
-    return least;
-}
 
 static double tail(const train_components *c, int rank)
 {
@@ -1297,90 +1183,10 @@ static double tail(const train_components *c, int rank)
     return sum > 0 ? sum : 0;
 }
 
-static double trunk_bytes(const options *o, int inputs, int rank)
+/* The rank of a file of so many bytes; inputs, width: of the trunk. */
+static int rank_of(double bytes, double trunk_weights, double width, double pixels)
 {
-    return 2.0 * ((double)(inputs + rank) * o->width + (double)(o->depth - 1) * o->width * o->width);
-}
-
-/* Rank and type for the bytes or the quality that was asked for; what they leave of the picture's squared error. */
-static void choose(options *o, const train_components *c, size_t pixels, int inputs)
-{
-    static const ms_nn_dtype type[3] = {MS_NN_I8, MS_NN_F16, MS_NN_F32};
-    float *factor = (float *)room((size_t)c->rank, sizeof(float));
-    double best = 1e300;
-    int k, rank, chosen = 0;
-    ms_nn_dtype kind = o->type;
-    if (o->bytes > 0)
-        for (k = 0; k < 2; ++k) {
-            double each = k ? 2 : 1, error;
-            rank = (int)((o->bytes - trunk_bytes(o, inputs, 0) - 8192 - 8.0 * (double)pixels) /
-                         (each * (double)pixels + 2.0 * o->width));
-            rank = rank < c->rank ? rank : c->rank;
-            if (rank < 1) continue;
-            error = tail(c, rank) + (k ? 0 : rounding(c, pixels, rank, factor));
-            if (error < best) best = error, chosen = rank, kind = type[k];
-        }
-    else if (o->psnr > 0) {
-        double allowed = (double)pixels * pow(10, -0.1 * o->psnr) /
-            4; /* a quarter of the error for the basis, the rest for the trunk */
-        for (chosen = 1; chosen < c->rank && tail(c, chosen) > allowed; ++chosen) {}
-        kind = rounding(c, pixels, chosen, factor) < allowed / 4 ? MS_NN_I8 : MS_NN_F16;
-    } else chosen = o->rank < c->rank ? o->rank : c->rank;
-    o->rank = chosen;
-    o->type = kind;
-    free(factor);
-}
-
-static uint64_t hash_bytes(uint64_t h, const void *p, size_t n)
-{
-    const unsigned char *b = (const unsigned char *)p;
-    size_t i;
-    for (i = 0; i < n; ++i) h = (h ^ b[i]) * 0x100000001b3u;
-    return h;
-}
-
-/* Everything that the steps change, and of what; whole or not at all. */
-static const char *checkpoint_save(const char *path, uint64_t key, const trainer *t, int epoch)
-{
-    file_out out;
-    FILE *f = file_create(path, &out);
-    double head[4];
-    if (f == NULL) return out.problem;
-    head[0] = (double)epoch;
-    head[1] = t->adam.power1;
-    head[2] = t->adam.power2;
-    head[3] = (double)t->step;
-    if (fwrite("msck0001", 1, 8, f) != 8 || fwrite(&key, sizeof key, 1, f) != 1 ||
-        fwrite(head, sizeof head, 1, f) != 1 || fwrite(t->net.p, sizeof(float), t->net.count, f) != t->net.count ||
-        fwrite(t->adam.m, sizeof(float), t->net.count, f) != t->net.count ||
-        fwrite(t->adam.v, sizeof(float), t->net.count, f) != t->net.count)
-        return file_finish(&out, 0), "cannot be written to its end";
-    return file_finish(&out, 1);
-}
-
-/* The epoch to go on with; 0: there is none for this run. */
-static int checkpoint_load(const char *path, uint64_t key, trainer *t)
-{
-    FILE *f = fopen(path, "rb");
-    char mark[8];
-    uint64_t theirs;
-    double head[4];
-    size_t n = t->net.count;
-    float *p = (float *)room(3 * n, sizeof(float));
-    int fine = f != NULL && fread(mark, 1, 8, f) == 8 && memcmp(mark, "msck0001", 8) == 0 &&
-        fread(&theirs, sizeof theirs, 1, f) == 1 && theirs == key && fread(head, sizeof head, 1, f) == 1 &&
-        fread(p, sizeof(float), 3 * n, f) == 3 * n && fgetc(f) == EOF;
-    if (fine) {
-        memcpy(t->net.p, p, n * sizeof(float));
-        memcpy(t->adam.m, p + n, n * sizeof(float));
-        memcpy(t->adam.v, p + 2 * n, n * sizeof(float));
-        t->adam.power1 = head[1];
-        t->adam.power2 = head[2];
-        t->step = (uint64_t)head[3];
-    }
-    if (f) fclose(f);
-    free(p);
-    return fine ? (int)head[0] : 0;
+    return (int)((bytes - 2 * trunk_weights - 8192 - 4 * pixels) / (2 * pixels + 2 * width));
 }
 
 /* Coordinates of the held-out pictures and what no network of this basis can draw of them: for the progress line. */
@@ -1454,17 +1260,17 @@ static void rows_of(const form *f, const material_set *s, train_pictures *y)
     y->pixels = 3 * (size_t)s->size * (size_t)s->size / (size_t)f->lists;
 }
 
-static void learn(trainer *t, const options *o, watch *w, size_t outputs, int rows, int epochs, const char *checkpoint,
-                  uint64_t key)
+/* Trains until o->epochs, or until the error of the held-out pictures has not fallen for a third of them: then the
+   weights are those of its minimum. */
+static void learn(trainer *t, const options *o, watch *w, size_t outputs, int rows)
 {
-    int *order = (int *)room((size_t)rows, sizeof(int)), epoch, steps = (rows + t->batch - 1) / t->batch, i, first,
-        batch = t->batch;
-    double start = now(), saved_at = start, said = start;
-    epoch = first = o->again ? 0 : checkpoint_load(checkpoint, key, t);
-    if (epoch) printf("goes on at epoch %d of %s\n", epoch, checkpoint);
-    for (; epoch < epochs; ++epoch) {
-        uint64_t seed = o->seed * 1000003u + (uint64_t)epoch;
-        double sum = 0, at;
+    int *order = (int *)room((size_t)rows, sizeof(int)), epoch, steps = (rows + t->batch - 1) / t->batch, i,
+        best_at = 0, batch = t->batch, epochs = o->epochs, patience = (epochs + 2) / 3;
+    float *best = (float *)room(t->net.count, sizeof(float));
+    double start = now(), said = start, most = -1e300;
+    for (epoch = 1; epoch <= epochs; ++epoch) {
+        uint64_t seed = o->seed * 1000003u + (uint64_t)epoch - 1;
+        double sum = 0, at, held;
         for (i = 0; i < rows; ++i) order[i] = i;
         for (i = rows - 1; i > 0; --i) {
             int k = (int)(train_bits(&seed) % (uint64_t)(i + 1)), v = order[i];
@@ -1484,78 +1290,30 @@ static void learn(trainer *t, const options *o, watch *w, size_t outputs, int ro
             ++t->step;
         }
         t->batch = batch;
+        held = watch_dB(w, t, outputs);
+        if (held > most + 0.01) {
+            most = held;
+            best_at = epoch;
+            memcpy(best, t->net.p, t->net.count * sizeof(float));
+        }
         at = now();
-        if (at - said > 10 || epoch + 1 == epochs || (epoch - first) % (epochs / 10 + 1) == 0) {
-            printf("epoch %d of %d: error of training %.2f dB, of the held-out %.2f dB; %.0f s, %.0f s left\n",
-                   epoch + 1, epochs, -10 * log10(fmax(sum / rows * (t->f->lists) / (double)outputs, 1e-9)),
-                   watch_dB(w, t, outputs), at - start, (at - start) / (epoch + 1 - first) * (epochs - epoch - 1));
-            fflush(stdout);
+        if (at - said > 10 || epoch == epochs || (epoch - 1) % (epochs / 10 + 1) == 0) {
+            printf("epoch %d of %d: error of training %.2f dB, of the held-out %.2f dB; %.0f s, %.0f s left\n", epoch,
+                   epochs, -10 * log10(fmax(sum / rows * (t->f->lists) / (double)outputs, 1e-9)), held, at - start,
+                   (at - start) / epoch * (epochs - epoch));
             said = at;
         }
-        if (at - saved_at >= o->every || epoch + 1 == epochs) {
-            const char *problem = checkpoint_save(checkpoint, key, t, epoch + 1);
-            if (problem) fprintf(stderr, "train: %s: %s\n", checkpoint, problem);
-            saved_at = now();
+        if (epoch - best_at >= patience && epoch < epochs) {
+            memcpy(t->net.p, best, t->net.count * sizeof(float));
+            printf("stopped after %d of %d epochs: the error of the held-out pictures has not fallen since epoch %d "
+                   "(%.2f dB); more pictures will help, more steps will not\n",
+                   epoch, epochs, best_at, most);
+            break;
         }
+        fflush(stdout);
     }
     free(order);
-}
-
-/* Several networks, each from another start, err apart: their mean is nearer to the truth. One network learns it, on as
-   many materials as it takes. */
-typedef struct lesson_rows {
-    int rows, rank;
-    float *x, *c; /* [rows][inputs], [rows][rank] */
-} lesson_rows;
-
-enum { LESSONS = 8 }; /* rows for each that was drawn */
-
-/* The materials, then ones that have each parameter of one or the other of two; what does not matter is drawn anew. */
-static lesson_rows lesson_make(const options *o, const form *f, int rows, const float *x, int rank)
-{
-    lesson_rows l;
-    uint64_t seed = o->seed * 77 + 5;
-    int i, j;
-    l.rows = rows * LESSONS;
-    l.rank = rank;
-    l.x = (float *)room((size_t)l.rows * (size_t)f->inputs, sizeof(float));
-    l.c = (float *)zeros((size_t)l.rows * (size_t)rank, sizeof(float));
-    for (i = 0; i < l.rows; ++i) {
-        const float *a = x + (i % rows) * f->inputs,
-                    *b = i < rows ? a : x + (int)(train_bits(&seed) % (uint64_t)rows) * f->inputs;
-        float *to = l.x + (size_t)i * (size_t)f->inputs;
-        for (j = 0; j < f->inputs; ++j) to[j] = train_bits(&seed) & 1 ? a[j] : b[j];
-        redraw(f, to, train_bits(&seed));
-    }
-    return l;
-}
-
-typedef struct lesson_sum {
-    trainer *t;
-    lesson_rows *l;
-    float share;
-} lesson_sum;
-
-static void lesson_part(void *context, int part)
-{
-    const lesson_sum *s = (const lesson_sum *)context;
-    trainer *t = s->t;
-    const float *out = t->act[part][t->net.layers - 1];
-    int from, n, j, rows = s->l->rows;
-    for (from = part * CHUNK; from < rows; from += 2 * CHUNK) {
-        n = rows - from < CHUNK ? rows - from : (int)CHUNK;
-        train_forward(&t->net, t->work[part], n, s->l->x + (size_t)from * (size_t)t->f->inputs, t->act[part]);
-        for (j = 0; j < n * t->rank; ++j) s->l->c[(size_t)from * (size_t)t->rank + (size_t)j] += s->share * out[j];
-    }
-}
-
-static void lesson_add(lesson_rows *l, trainer *t, float share)
-{
-    lesson_sum s;
-    s.t = t;
-    s.l = l;
-    s.share = share * t->scale;
-    train_run(t->pool, 2, lesson_part, &s);
+    free(best);
 }
 
 /* --- a larger picture from the coordinates of a smaller one ------------------------------------------------------- */
@@ -1765,8 +1523,6 @@ static void larger_basis(train_pool *pool, const material_set *s, int lists, int
     free(l.slope);
 }
 
-static const char *type_name(ms_nn_dtype t) { return t == MS_NN_I8 ? "I8" : t == MS_NN_F16 ? "F16" : "F32"; }
-
 static void say_form(const form *f, const material_set *s)
 {
     int c, k;
@@ -1797,7 +1553,7 @@ static float *leading(const train_components *c, size_t rows)
 
 /* The network as a file in memory. */
 static int renderer_file(const trainer *t, const form *f, const train_components *c, const float *mean,
-                         const material_set *s, ms_nn_dtype type, image__bytes *out)
+                         const material_set *s, image__bytes *out)
 {
     saved file;
     ms_nn_entry extra[4];
@@ -1805,7 +1561,7 @@ static int renderer_file(const trainer *t, const form *f, const train_components
                               *sharp = (char *)zeros((size_t)s->parameters * 5 + 1, 1);
     size_t pixels = 3 * (size_t)s->size * (size_t)s->size / (size_t)f->lists, i;
     int l, k, j, rank = t->rank, hidden = t->net.size[t->net.layers - 1], fine;
-    float *factor = (float *)room((size_t)rank, sizeof(float)), *w, *b;
+    float *w, *b;
     memset(&file, 0, sizeof file);
     if (f->lists == 3) {
         strcpy(file.layers, "{\"type\":\"shared_channels\",\"inputs\":[");
@@ -1823,26 +1579,21 @@ static int renderer_file(const trainer *t, const form *f, const train_components
         saved_dense(&file, name, t->net.silu ? "silu" : "elu", MS_NN_F16, (size_t)t->net.size[l + 1],
                     (size_t)t->net.size[l], train_weight(&t->net, l), train_bias(&t->net, l));
     }
-    if (type == MS_NN_I8) (void)rounding(c, pixels, rank, factor);
-    else
-        for (j = 0; j < rank; ++j) factor[j] = 1;
     w = (float *)room((size_t)rank * (size_t)hidden, sizeof(float));
     b = (float *)room((size_t)rank, sizeof(float));
     for (j = 0; j < rank; ++j) {
         for (k = 0; k < hidden; ++k)
-            w[j * hidden + k] = train_weight(&t->net, t->net.layers - 1)[j * hidden + k] * t->scale / factor[j];
-        b[j] = train_bias(&t->net, t->net.layers - 1)[j] * t->scale / factor[j];
+            w[j * hidden + k] = train_weight(&t->net, t->net.layers - 1)[j * hidden + k] * t->scale;
+        b[j] = train_bias(&t->net, t->net.layers - 1)[j] * t->scale;
     }
     saved_dense(&file, "features", "linear", MS_NN_F16, (size_t)rank, (size_t)hidden, w, b);
     free(w);
     free(b);
     w = (float *)room(pixels * (size_t)rank, sizeof(float));
     for (i = 0; i < pixels; ++i)
-        for (j = 0; j < rank; ++j)
-            w[i * (size_t)rank + (size_t)j] = c->basis[i * (size_t)c->rank + (size_t)j] * factor[j];
-    saved_dense(&file, "pixels", "linear", type, pixels, (size_t)rank, w, mean);
+        for (j = 0; j < rank; ++j) w[i * (size_t)rank + (size_t)j] = c->basis[i * (size_t)c->rank + (size_t)j];
+    saved_dense(&file, "pixels", "linear", MS_NN_F16, pixels, (size_t)rank, w, mean);
     free(w);
-    free(factor);
     for (j = 0; j < s->parameters; ++j) {
         if (j) strcat(ranges, ",");
         strcat(ranges, number_text(number, "%.9g", s->low[j]));
@@ -1901,18 +1652,15 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
     form f;
     trainer t;
     watch w;
-    lesson_rows lesson;
     image__bytes bytes;
     ms_nn *nn = NULL;
     ms_error error;
     size_t pixels, i;
     int sizes[TRAIN_LAYERS + 1], k, fine, n, j;
-    char checkpoint[1020], *changing;
+    char *changing;
     double start = now();
-    uint64_t key = 0xcbf29ce484222325u;
     float *x;
     memset(check, 0, sizeof check);
-    memset(&lesson, 0, sizeof lesson);
     if (!set_read(pool, pictures, csv, o->size, NULL, &s)) return 0;
     for (k = 0; k < 2 && o->check[k]; ++k)
         if (!set_read(pool, o->check[k], csv, s.size, &s, &check[k])) return 0;
@@ -1957,15 +1705,14 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
     f.lists = 3;
     y.mean = (float *)room(pixels, sizeof(float));
     rows_of(&f, &s, &y);
-    k = o->bytes > 0 || o->psnr > 0 ? 192 : o->rank;
+    k = o->bytes > 0 ? 192 : o->rank;
     if (!train_principal(pool, &y, k, 3, o->seed, &c)) return wrong("out of memory");
     if (c.total < 1e-12 * (double)y.pixels) return wrong("%s: all pictures are alike", pictures);
     if (strcmp(o->channels, "auto") == 0) {
         float *lead = leading(&c, y.rows);
         find_channels(pool, &s, lead, o->seed, &f);
         free(lead);
-    } else if (strcmp(o->channels, "none") == 0) no_sharing(&f, s.parameters);
-    else if (!parse_lists(o->channels, s.parameters, &f)) return 0;
+    } else no_sharing(&f, s.parameters);
     if (f.lists == 1) {
         train_components_free(&c);
         rows_of(&f, &s, &y);
@@ -1977,23 +1724,15 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
         float *lead = leading(&c, y.rows);
         find_hidden(pool, (int)y.rows, f.inputs, x, lead, o->seed, &f);
         free(lead);
-    } else if (strcmp(o->hidden, "none") != 0 && !parse_hidden(o->hidden, &f)) return 0;
+    }
     say_form(&f, &s);
-    choose(o, &c, y.pixels, f.inputs);
-    if (o->rank < 1)
-        return wrong("--bytes %.0f is too few for pictures of %d x %d: %.0f would do", o->bytes, s.size, s.size,
-                     trunk_bytes(o, f.inputs, 1) + 9.0 * (double)y.pixels + 8192);
-    printf("rank %d leaves %.2f dB, %s, %.2f MB; %.0f s so far\n", o->rank,
-           -10 * log10(fmax(tail(&c, o->rank) / (double)y.pixels, 1e-10)), type_name(o->type),
-           1e-6 *
-               (trunk_bytes(o, f.inputs, o->rank) +
-                (double)y.pixels *
-                    (4 +
-                     o->rank *
-                         (o->type == MS_NN_I8        ? 1.0
-                              : o->type == MS_NN_F16 ? 2.0
-                                                     : 4.0))),
-           now() - start);
+    if (o->bytes > 0)
+        o->rank = rank_of(o->bytes, ((double)f.inputs + (o->depth - 1.0) * o->width) * o->width, o->width,
+                          (double)y.pixels);
+    if (o->rank > c.rank) o->rank = c.rank;
+    if (o->rank < 1) return wrong("--bytes %.0f is too few for pictures of %d x %d", o->bytes, s.size, s.size);
+    printf("rank %d leaves %.2f dB; %.0f s so far\n", o->rank,
+           -10 * log10(fmax(tail(&c, o->rank) / (double)y.pixels, 1e-10)), now() - start);
 
     /* the trunk learns the coordinates */
     sizes[0] = f.inputs;
@@ -2009,51 +1748,25 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
         for (i = 0; i < y.rows; ++i)
             for (j = 0; j < o->rank; ++j)
                 c.coordinate[i * (size_t)o->rank + (size_t)j] = c.coordinate[i * (size_t)c.rank + (size_t)j];
-    key = hash_bytes(key, sizes, sizeof(int) * (size_t)(o->depth + 2));
-    key = hash_bytes(key, &o->seed, sizeof o->seed);
-    key = hash_bytes(key, &o->epochs, sizeof o->epochs);
-    key = hash_bytes(key, &f, sizeof f);
-    key = hash_bytes(key, x, y.rows * (size_t)f.inputs * sizeof(float));
-    key = hash_bytes(key, c.coordinate, y.rows * (size_t)o->rank * sizeof(float));
-    if (o->teachers) lesson = lesson_make(o, &f, (int)y.rows, x, o->rank);
-    for (k = 0;; ++k) {
-        int last = k == o->teachers, taught = last ? k : 0;
-        uint64_t theirs = hash_bytes(hash_bytes(key, &k, sizeof k), &taught,
-                                     sizeof taught); /* teachers do not know how many they are */
-        if (o->teachers) printf(last ? "their mean:\n" : "teacher %d of %d:\n", k + 1, o->teachers);
-        trainer_start(&t, pool, &f, sizes, o->depth + 2, BATCH, o->seed + (uint64_t)k);
-        t.net.silu = 1; /* smoother than ELUs: a decibel on materials that it never saw */
-        for (i = 0; i < t.net.count; ++i) t.net.p[i] *= 1.6f; /* they halve what goes through */
-        t.scale = (float)sqrt((c.total > 0 ? c.total : 1)) / 8;
-        t.floor = 1e-6f * (float)y.pixels;
-        t.batch = BATCH;
-        t.x = lesson.rows && last ? lesson.x : x;
-        t.c = lesson.rows && last ? lesson.c : c.coordinate;
-        snprintf(checkpoint, sizeof checkpoint, "%.980s.checkpoint%d", path, k);
-        learn(&t, o, &w, pixels, lesson.rows && last ? lesson.rows : (int)y.rows,
-              lesson.rows && last ? (3 * o->epochs + 2 * LESSONS - 1) / (2 * LESSONS) : o->epochs, checkpoint, theirs);
-        if (last) break;
-        lesson_add(&lesson, &t, 1.0f / (float)o->teachers);
-        trainer_end(&t);
-    }
-    free(lesson.x);
-    free(lesson.c);
+    trainer_start(&t, pool, &f, sizes, o->depth + 2, BATCH, o->seed);
+    t.net.silu = 1; /* smoother than ELUs: a decibel on materials that it never saw */
+    for (i = 0; i < t.net.count; ++i) t.net.p[i] *= 1.6f; /* they halve what goes through */
+    t.scale = (float)sqrt((c.total > 0 ? c.total : 1)) / 8;
+    t.floor = 1e-6f * (float)y.pixels;
+    t.batch = BATCH;
+    t.x = x;
+    t.c = c.coordinate;
+    learn(&t, o, &w, pixels, (int)y.rows);
 
     /* what is saved is what is measured */
-    fine = renderer_file(&t, &f, &c, y.mean, &s, o->type, &bytes);
+    fine = renderer_file(&t, &f, &c, y.mean, &s, &bytes);
     if (fine && ms_nn_load(bytes.data, bytes.size, NULL, &nn, &error) != MS_OK) fine = wrong("%s", error.message);
     if (fine && check[0].count) fine = report_all("check", nn, &check[0], check[1].count ? &check[1] : NULL, changing);
     if (fine && n) fine = report_all("held out", nn, &held, NULL, changing);
     if (fine) {
         const char *problem = file_save(path, bytes.data, bytes.size);
         if (problem) fine = wrong("%s: %s", path, problem);
-        else {
-            for (k = 0; k <= o->teachers; ++k) {
-                snprintf(checkpoint, sizeof checkpoint, "%.980s.checkpoint%d", path, k);
-                remove(checkpoint);
-            }
-            printf("%s: %.2f MB; %.0f s\n", path, 1e-6 * (double)bytes.size, now() - start);
-        }
+        else printf("%s: %.2f MB; %.0f s\n", path, 1e-6 * (double)bytes.size, now() - start);
     }
     ms_nn_destroy(nn);
     free(bytes.data);
@@ -2528,7 +2241,7 @@ static int train_larger(train_pool *pool, const char *pictures, const char *csv,
     table names;
     char **name, *changing = NULL;
     int count, i, j, k, rows, full, rank, hidden, fine = 1, last;
-    double start = now(), *covariance, *vector, *value, bytes_each, all = 0, left = 0;
+    double start = now(), *covariance, *vector, *value, all = 0, left = 0;
     float *mean, *x, *u, *act[TRAIN_LAYERS], *to, *m;
     train_work *work = (train_work *)room(1, sizeof *work);
     memset(&s, 0, sizeof s);
@@ -2590,14 +2303,12 @@ static int train_larger(train_pool *pool, const char *pictures, const char *csv,
     train__gram(u, 0, (size_t)rows, full, covariance, work);
     for (j = 0; j < full * full; ++j) covariance[j] /= rows;
     train_eigen(full, covariance, vector, value);
-    bytes_each = o->type == MS_NN_I8 ? 1 : o->type == MS_NN_F16 ? 2 : 4;
-    rank = full;
+    rank = o->rank;
     if (o->bytes > 0) {
-        double pixels = 3.0 * s.size * s.size / r.f.lists, trunk = 0;
-        for (k = 0; k < last; ++k) trunk += 2.0 * (r.net.size[k] + 2) * r.net.size[k + 1];
-        rank = (int)((o->bytes - trunk - 8192 - (o->type == MS_NN_I8 ? 8 : 4) * pixels) /
-                     (bytes_each * pixels + 2.0 * hidden + 4));
-    } else if (o->rank < full) rank = o->rank;
+        double trunk = 0;
+        for (k = 0; k < last; ++k) trunk += (r.net.size[k] + 2) * r.net.size[k + 1];
+        rank = rank_of(o->bytes, trunk, hidden + 2, 3.0 * s.size * s.size / r.f.lists);
+    }
     rank = rank < full ? rank : full;
     if (rank < 1) return wrong("--bytes %.0f is too few", o->bytes);
     c.rank = c.known = rank;
@@ -2635,7 +2346,7 @@ static int train_larger(train_pool *pool, const char *pictures, const char *csv,
     larger_basis(pool, &s, r.f.lists, rank, &c, &mean);
     printf("pixels: %.0f s so far\n", now() - start);
     fflush(stdout);
-    fine = renderer_file(&t, &r.f, &c, mean, &s, o->type, &bytes);
+    fine = renderer_file(&t, &r.f, &c, mean, &s, &bytes);
     if (fine && ms_nn_load(bytes.data, bytes.size, NULL, &nn, &error) != MS_OK) fine = wrong("%s", error.message);
     for (k = 0; k < 2 && o->check[k] && fine; ++k) fine = set_read(pool, o->check[k], csv, s.size, &s, &check[k]);
     if (fine && check[0].count) {
@@ -2717,7 +2428,6 @@ static int parse(int argc, char **argv, options *o, const char **plain, int *inv
         double v = 0;
         if (strcmp(a, "--inversion") == 0) *inversion = 1;
         else if (strcmp(a, "--measure") == 0) *inversion = 2;
-        else if (strcmp(a, "--again") == 0) o->again = 1;
         else if (a[0] != '-' || a[1] != '-') {
             if (plains == 3) return wrong("'%s': one argument too many", a);
             plain[plains++] = a;
@@ -2728,26 +2438,22 @@ static int parse(int argc, char **argv, options *o, const char **plain, int *inv
             else if (strcmp(a, "--trunk") == 0 && next) o->trunk = next;
             else if (strcmp(a, "--sharp") == 0 && next) o->sharp = next;
             else if (strcmp(a, "--check") == 0 && checks < 2 && next) o->check[checks++] = next;
-            else if (strcmp(a, "--teachers") == 0) fine = number(a, next, 0, 16, &v), o->teachers = (int)v;
             else if (strcmp(a, "--held-out") == 0) fine = number(a, next, 1, 1e6, &v), o->held_out = (int)v;
             else if (strcmp(a, "--bytes") == 0) fine = number(a, next, 1e4, 1e10, &o->bytes);
-            else if (strcmp(a, "--psnr") == 0) fine = number(a, next, 10, 80, &o->psnr);
             else if (strcmp(a, "--rank") == 0) fine = number(a, next, 1, 900, &v), o->rank = (int)v;
             else if (strcmp(a, "--width") == 0) fine = number(a, next, 4, 4096, &v), o->width = (int)v;
             else if (strcmp(a, "--depth") == 0) fine = number(a, next, 1, TRAIN_LAYERS - 1, &v), o->depth = (int)v;
             else if (strcmp(a, "--epochs") == 0 || strcmp(a, "--steps") == 0)
                 fine = number(a, next, 1, 1e6, &v), o->epochs = (int)v;
-            else if (strcmp(a, "--every") == 0) fine = number(a, next, 0, 1e9, &o->every);
             else if (strcmp(a, "--rate") == 0) fine = number(a, next, 1e-6, 1, &o->rate);
             else if (strcmp(a, "--seed") == 0) fine = number(a, next, 0, 1e15, &v), o->seed = (uint64_t)v;
             else if (strcmp(a, "--threads") == 0) fine = number(a, next, 1, 64, &v), o->threads = (int)v;
             else if (strcmp(a, "--count") == 0) fine = number(a, next, 1, 16, &v), o->count = (int)v;
             else if (strcmp(a, "--first") == 0) fine = number(a, next, 2, 1024, &v), o->first = (int)v;
-            else if (strcmp(a, "--channels") == 0 && next) o->channels = next;
-            else if (strcmp(a, "--hidden") == 0 && next) o->hidden = next;
-            else if (strcmp(a, "--type") == 0 && next &&
-                     (strcmp(next, "F32") == 0 || strcmp(next, "F16") == 0 || strcmp(next, "I8") == 0))
-                o->type = next[0] == 'I' ? MS_NN_I8 : next[1] == '1' ? MS_NN_F16 : MS_NN_F32;
+            else if (strcmp(a, "--channels") == 0 && next && (!strcmp(next, "auto") || !strcmp(next, "none")))
+                o->channels = next;
+            else if (strcmp(a, "--hidden") == 0 && next && (!strcmp(next, "auto") || !strcmp(next, "none")))
+                o->hidden = next;
             else return wrong("'%s' is no option, or lacks its value", a);
             if (!fine) return 0;
         }
@@ -2758,7 +2464,7 @@ static int parse(int argc, char **argv, options *o, const char **plain, int *inv
                          : *inversion ? "RENDERER.safetensors OUT_PREFIX"
                                       : "PICTURES PARAMS.csv OUT.safetensors");
     if (*inversion == 2 && checks == 0) return wrong("--measure needs --check");
-    return o->bytes > 0 && o->psnr > 0 ? wrong("--bytes or --psnr, not both") : 1;
+    return 1;
 }
 
 int main(int argc, char **argv)
@@ -2774,9 +2480,7 @@ int main(int argc, char **argv)
     o.threads = 2;
     o.count = 5;
     o.first = 64;
-    o.type = MS_NN_F16;
     o.rate = 0;
-    o.every = 20;
     o.seed = 1;
     o.channels = o.hidden = "auto";
     if (file_help(argc, argv, usage_text)) return file_end_stdout("train");

@@ -1,7 +1,7 @@
 #!/bin/sh
 # make train: the networks and pictures of examples/data from nothing: pictures (two hours of a core), then renderers and inversion networks
-# (three quarters of an hour of a core). A C compiler and Embree, nothing else. Pictures that are there are kept and training goes on where it
-# was, so it can be interrupted, or the data set be made by several machines with `make dataset` and FIRST, COUNT.
+# (three quarters of an hour of a core). A C compiler and Embree, nothing else. Pictures and networks that are there are kept, so it can be
+# interrupted, or the data set be made by several machines with `make dataset` and FIRST, COUNT.
 # DATASET (build/dataset), COUNT (4160), JOBS (2), OUT (build/train).
 set -eu
 data=${DATASET:-build/dataset}
@@ -24,10 +24,10 @@ build/sheet "$out" "${data}_heldout_0" "${data}_heldout_1" "${data}_heldout_2"
 cat >"$out/names.csv" <<'END'
 diffuse red,diffuse green,diffuse blue,glossy red,glossy green,glossy blue,glossy roughness,glossy share,glass red,glass green,glass blue,glass roughness,index of refraction,translucent red,translucent green,translucent blue,translucent share,transmissive share,absorption
 END
-train() { build/train "$@" 2>&1 | tee -a "$out/train.log"; }
+train() { [ -f "$3" ] || build/train "$@" 2>&1 | tee -a "$out/train.log"; }
 train "$data" "$out/names.csv" "$out/renderer_64.safetensors" --size 64 $held
 train "$data" "$out/names.csv" "$out/preview_64.safetensors" --size 64 --width 256 --rank 80 $held
 train "$data" "$out/names.csv" "$out/renderer_128.safetensors" --size 128 $held
 train "$data" "$out/names.csv" "$out/renderer_256.safetensors" --trunk "$out/renderer_128.safetensors" --rank 32 $held
-train --inversion "$out/renderer_64.safetensors" "$out/inversion_" --count 5
+[ -f "$out/inversion_5.safetensors" ] || build/train --inversion "$out/renderer_64.safetensors" "$out/inversion_" --count 5 2>&1 | tee -a "$out/train.log"
 echo "networks and pictures are in $out; examples/data has the ones that ship"
