@@ -14,7 +14,8 @@ static ms_status render(void *user, const double *x, float *picture)
     int i;
     (void)user;
     for (i = 0; i < SIDE * SIDE; ++i) {
-        double u = (i % SIDE + 0.5) / SIDE * 2 - 1, v = (i / SIDE + 0.5) / SIDE * 2 - 1, r = u * u + v * v;
+        double u = (2 * (i % SIDE) + 1) / (double)SIDE - 1, v = (2 * (i / SIDE) + 1) / (double)SIDE - 1,
+               r = u * u + v * v;
         double lit = r < 1 ? 0.5 * sqrt(1 - r) - 0.4 * u - 0.4 * v : 0;
         picture[i] = lit > 0 ? (float)(x[0] * lit + x[1] * pow(lit, 2 + 30 * x[2])) : 0;
     }

@@ -1,8 +1,8 @@
 #!/bin/sh
-# make demo: runs the examples and leaves their pictures and tables in build/demo/, no two under one name.
+# make demo: runs the examples and leaves their pictures and tables in build/demo/, or in the folder that is named, no two under one name.
 set -eu
-out=build/demo
-mkdir -p $out
+out=${1:-build/demo}
+mkdir -p "$out"
 build/profile skin1 --csv $out/skin1.csv >/dev/null
 build/sss_kernel skin1 --model preintegrated --taps 7 >$out/skin1_kernel.txt
 echo "light under the skin, marble, kernel models: before and after"
@@ -20,6 +20,7 @@ if [ -f examples/data/inversion_1.safetensors ]; then
     build/workflow $out >$out/workflow.txt
 fi
 cp examples/data/materialx.png $out/materialx.png
+cp examples/data/hero.png $out/hero.png
 cp examples/web/studio.html $out/studio.html
 cp examples/web/kernels.html $out/designer.html
 sh examples/demo/exhibition.sh $out >$out/index.html

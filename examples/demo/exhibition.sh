@@ -1,6 +1,7 @@
 #!/bin/sh
 # What `make demo` made, on one page: sh examples/demo/exhibition.sh build/demo > build/demo/index.html
-# A section a header: its picture, its table, the command that made it, the three lines of code. No script, no network.
+# The hero and the live pages; then a section a header: its picture, its table, the command that made it, its program; last, every
+# file. No script, no network.
 set -eu
 out=$1
 
@@ -29,10 +30,11 @@ table() { # Markdown table rows on standard input
 section() { # header, its sentence
     echo "<section id=\"${1%.h}\"><h2><code>$1</code></h2><p>$2</p>"
 }
-code() { # the command, then the three lines on standard input
-    echo "<p class=\"command\"><code>$1</code></p><pre><code>"
-    sed 's/&/\&amp;/g; s/</\&lt;/g; s/>/\&gt;/g'
-    echo "</code></pre></section>"
+code() { # the command; then the program of the header, which a reader may open
+    name=${2:-}
+    echo "<p class=\"command\"><code>$1</code></p><details><summary>A whole program, examples/$name.c</summary><pre><code>"
+    sed 's/&/\&amp;/g; s/</\&lt;/g; s/>/\&gt;/g' "examples/$name.c"
+    echo "</code></pre></details></section>"
 }
 
 cat <<'HTML'
@@ -58,8 +60,12 @@ img{display:block;width:100%;height:auto;border-radius:6px}
 .labels{display:flex;font-size:clamp(.6rem,1.6vw,.9rem);color:var(--soft);margin:0 0 .3em}
 .labels span{text-align:center;padding:0 .2em;overflow-wrap:anywhere}
 figcaption{font-size:.9rem;color:var(--soft);margin-top:.4em}
-.plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,330px),1fr));gap:1rem}
-.plots img{background:#fff}
+.plots figure{overflow-x:auto}
+.plots img{background:#fff;min-width:640px}
+.live{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,320px),1fr));gap:1rem;margin:1rem 0 2rem}
+.live a{display:block;background:var(--card);border:1px solid var(--line);border-radius:14px;padding:1rem;text-decoration:none;color:var(--ink)}
+.live b{color:var(--accent)}
+summary{cursor:pointer;color:var(--soft);font-size:.9rem;margin:0 0 .5em}
 .wide{overflow-x:auto}
 table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.95rem;margin:.5rem 0 1rem}
 td,th{padding:.25em .9em;border-bottom:1px solid var(--line);text-align:right;white-space:nowrap}
@@ -71,15 +77,17 @@ code{font-family:ui-monospace,monospace}
 </style>
 <main>
 <h1>Material systems in five C headers</h1>
-<p>Everything below was made on this machine a moment ago, by programs of a screen each. Each header drops alone into an engine,
-a renderer or a tool, and needs libc and libm.</p>
-<nav><a href="#ms_mcml">light in layers</a><a href="#ms_sss">subsurface scattering</a><a href="#ms_gpr">a learned taste</a><a href="#ms_nn">neural previews</a><a href="#ms_pme">from a picture to its material</a></nav>
+<p>Programs of this repository made the pictures and tables below on this machine, when <code>make demo</code> ran; the first picture
+and the comparison with MaterialX are copies from <code>examples/data</code>. Times are those of this machine.</p>
+HTML
+figure hero.png "Materials recommended to five tastes, on 209 objects, path-traced (a copy of examples/data/hero.png)"
+cat <<'HTML'
+<div class="live"><a href="studio.html"><b>Live: the studio</b><br>Score materials. It learns what you like, recommends more, and matches what you paint.</a>
+<a href="designer.html"><b>Live: the kernel designer</b><br>Light under the surface of a head and a knot. Change the material, copy the kernel and the shader.</a></div>
+<nav><a href="#ms_mcml">light in layers</a><a href="#ms_sss">subsurface scattering</a><a href="#ms_gpr">a learned taste</a><a href="#ms_nn">neural previews</a><a href="#ms_pme">from a picture to its material</a><a href="#files">all files</a></nav>
 HTML
 
-if [ -f "$out/studio.html" ] && [ -f "$out/designer.html" ]; then
-    echo '<p><b>Live, in your browser:</b> <a href="studio.html">the studio</a>, where it learns what you like while you click, and <a href="designer.html">the kernel designer</a>, a head and a knot with light under their surface.</p>'
-fi
-section ms_mcml.h "How light spreads in skin, milk and marble: a diffusion profile from optical coefficients, without noise."
+section ms_mcml.h "How light spreads in skin, milk and marble: diffusion profiles from optical coefficients, without noise."
 echo '<div class="plots">'
 for channel in red green blue; do figure profiles_$channel.svg "What leaves at a distance from where a thin beam enters, $channel, the 11 materials of the thesis"; done
 echo '</div>'
@@ -88,13 +96,9 @@ echo '</div>'
   for material in $(build/profile --list | awk '{print $1}'); do
       build/profile "$material" | awk -F, -v name="$material" '/^# total_reflectance/ {printf "| %s | %.4f | %.4f | %.4f |\n", name, $2, $3, $4; exit}'
   done; } | table
-code "build/profile skin1" <<'C'
-for (c = 0; c < 3; ++c) skin[c] = ms_mcml_material_medium(ms_mcml_find_material("skin1"), c);
-if (ms_mcml_profile_make(&profile, skin, 3, NULL, &error)) puts(error.message);
-printf("%.4f of red light comes back\n", profile.total[0]);
-C
+code "build/profile skin1" ms_mcml
 
-section ms_sss.h "The same light on a face: a filter over the picture, measured against path-traced truth."
+section ms_sss.h "Subsurface scattering as a filter over the picture of a surface, measured against path-traced truth."
 if [ -f "$out/sss.txt" ]; then
     while IFS= read -r line; do
         old=$IFS; IFS='|'; set -- ${line#*:}; IFS=$old
@@ -105,7 +109,7 @@ if [ -f "$out/sss.txt" ]; then
         for label; do labels="$labels
 $width:$(echo "$label" | sed 's/^ *//; s/ *$//')"; done
         old=$IFS; IFS='
-'; set -f; figure "$picture" "Errors are distances to the truth, in % of its mean square over the object" $labels; set +f; IFS=$old
+'; set -f; figure "$picture" "Errors: root mean square of the difference from the path-traced truth, over the object, in % of the truth's root mean square" $labels; set +f; IFS=$old
     done <"$out/sss.txt"
 else
     figure skin1.png "A lit bust of skin, before and after" 50:before 50:after
@@ -113,38 +117,31 @@ fi
 figure marble.png "Marble" 50:before 50:after
 figure skins.png "Six skins from what skin is made of: build/profile --skin melanin=0.02,eumelanin=0.7,blood=0.04" "16.6:melanin 0.4%" 16.6:2% 16.6:5% 16.6:10% 16.6:20% 16.6:40%
 echo '<p><a href="kernels.html">Kernel models and their errors</a></p>'
-code "build/sss_filter irradiance.pfm depth.pfm out.png --material skin1 --fov 24" <<'C'
-ms_sss_kernel_make(&kernel, &errors, profile, 24, NULL, NULL, NULL);  /* once */
-ms_sss_shader_text(&shader, &options, text, sizeof text, &error);      /* GPU: the two passes as text */
-ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, &error);  /* CPU: every frame */
-C
+code "build/sss_filter irradiance.pfm depth.pfm out.png --material skin1 --fov 24" ms_sss
 
 section ms_gpr.h "Score a gallery, get hundreds of materials to your taste, and a plane to walk in."
 figure workflow.png "From a scored gallery to recommendations, the plane of the best of them, an edited picture's match and a walk through the plane"
-figure latent.png "Another taste: the plane of its best materials"
+figure latent.png "Another taste: the plane of its best materials, of build/latent examples/data/scores.csv"
 figure materialx.png "Eight materials by the path tracer, and by the shader that MaterialX's own library makes of the file that build/materialx writes"
+[ ! -f "$out/recommend.txt" ] || echo "<p>build/recommend on examples/data/scores.csv: $(tr '\n' ' ' <"$out/recommend.txt")</p>"
+[ ! -f "$out/workflow.txt" ] || echo "<p>build/workflow: $(awk 'NF == 0 {exit} {print}' "$out/workflow.txt" | tr '\n' ' ')</p>"
 [ ! -f "$out/times.md" ] || awk 'NF == 0 {exit} {print}' "$out/times.md" | table
-code "build/recommend examples/data/scores.csv --count 300" <<'C'
-ms_gpr_fit(x, y, n, 19, NULL, &taste, NULL, &error);
-ms_gpr_recommend(taste, NULL, 300, more, NULL, NULL, NULL, &error);
-ms_gpr_destroy(taste);
-C
+code "build/recommend examples/data/scores.csv --count 300" ms_gpr
 
-section ms_nn.h "Pictures of materials in a tenth of a millisecond, by networks of a few megabytes."
+section ms_nn.h "Pictures of materials by networks of a few megabytes."
 figure preview.png "64 materials that the network never saw" 33.3:network 33.3:path-traced 33.3:"difference × 8"
-[ ! -f "$out/preview.txt" ] || table <"$out/preview.txt"
-code "build/preview examples/data/renderer_128.safetensors examples/data/materials.csv sheet.png examples/data/materials.ppm" <<'C'
-ms_nn_load_file("renderer_128.safetensors", NULL, &network, &error);
-ms_nn_forward(network, count, parameters, pictures, NULL);
-ms_nn_destroy(network);
-C
+[ ! -f "$out/preview_psnr.txt" ] || echo "<p>Peak signal-to-noise ratio over the 64 pictures, against path-traced ones with their noise: $(sed -n 's/.*noise: //p' "$out/preview_psnr.txt").</p>"
+code "build/preview examples/data/renderer_128.safetensors examples/data/materials.csv sheet.png examples/data/materials.ppm" ms_nn
 
-section ms_pme.h "Paint over a picture of a material, and get the material that looks like it."
+section ms_pme.h "The material whose picture is nearest to an edited one."
 figure match.png "Eight edited pictures, and the materials that come nearest to them"
-[ ! -f "$out/match.txt" ] || table <"$out/match.txt"
-code "build/match examples/data/renderer_128.safetensors edited.png --inversion examples/data --out-png match.png" <<'C'
-ms_pme_renderer renderer = ms_pme_renderer_defaults(); /* parameter_count, image_size, render */
-ms_pme_match(&renderer, target, weight, NULL, x, picture, &result, &error);
-printf("RMSE %.4f\n", result.rmse);
-C
+[ ! -f "$out/match_rmse.txt" ] || { echo '| edit | RMSE of the match, levels of 255 | of the best inversion network | which | time, ms |'; echo '|---|---|---|---|---|'
+    sed -n 's/^\(.*[^ ]\)  *RMSE *\([0-9.]*\) of 255 from *\([0-9.]*\) by \([a-z_0-9]*\), \([0-9.]*\) ms$/| \1 | \2 | \3 | \4 | \5 |/p' "$out/match_rmse.txt"; } | table
+code "build/match examples/data/renderer_128.safetensors edited.png --inversion examples/data --out-png match.png" ms_pme
+echo '<section id="files"><h2>All files</h2><p>'
+for f in "$out"/*; do
+    f=${f##*/}
+    case $f in index.html) ;; *) echo "<a href=\"$f\">$f</a>" ;; esac
+done
+echo '</p></section>'
 echo "</main></html>"
