@@ -2,10 +2,12 @@
 #   make            the examples, into build/
 #   make demo       runs them: pictures and tables in build/demo/
 #   make deps       installs what `make test` needs (OpenImageIO, Embree) with the system's package manager
-#   make check      tests that need a C compiler only, a minute or two
-#   make test       all tests
+#   make check      tests that need a C compiler only, two minutes
+#   make test       tests of every header, example and page, ten minutes
+#   make test-long  what make test leaves out, for releases: longer versions, more builds
 #   make bench      speed against error: tables and plots in build/bench/, peers where they are installed
 #   make bench-gpu  milliseconds of the shaders on this machine's GPU (EGL)
+#   make format     the layout of all C files by clang-format 14 (make check-style checks it)
 #   make sanitize, check-style, thread, valgrind, fuzz, soak     other ways to run the tests
 #   make mutate    do the tests notice when a line changes? (HEADER, COUNT, SEED)
 #   make coverage  lines and branches that the tests of each header reach (gcov)
@@ -123,8 +125,13 @@ check: examples
 	@$(RUN) check
 test: examples
 	@$(RUN) test
+test-long: examples
+	@$(RUN) long
 check-style:
 	@$(RUN) style
+format:
+	@clang-format --version 2>/dev/null | grep -q 'version 14\.' || { echo "make format needs clang-format 14"; exit 1; }
+	@git ls-files '*.c' '*.h' | xargs clang-format -i
 sanitize:
 	@$(RUN) sanitize
 thread:
@@ -176,4 +183,4 @@ common:
 clean:
 	rm -rf build
 
-.PHONY: all demo deps examples check test check-style sanitize thread valgrind fuzz soak test-cross mutate coverage calls sizes bench bench-gpu web studio dataset hero train common clean
+.PHONY: all demo deps examples check test test-long check-style format sanitize thread valgrind fuzz soak test-cross mutate coverage calls sizes bench bench-gpu web studio dataset hero train common clean

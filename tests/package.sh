@@ -1,6 +1,6 @@
 #!/bin/sh
-# Builds a test that needs packages: sh tests/package.sh tests/pkg_X.c OUT [ARCHIVE FLAGS], ARCHIVE being the headers compiled
-# already and FLAGS what leaves them to the linker. The test's comment may hold a line
+# Builds a test that needs packages: sh tests/package.sh tests/pkg_X.c OUT OBJECTS FLAGS, OBJECTS being a folder with the headers
+# (ms.a) and oiio.o compiled already, FLAGS what leaves them to the linker. The test's comment may hold a line
 # "libraries: -lEGL ..." with more of them; where those can't be linked the test is skipped (exit 77).
 set -u
 CC=${CC:-cc}
@@ -18,6 +18,5 @@ if [ -n "$more" ]; then
         exit 77
     fi
 fi
-$CXX -std=c++17 -Itests -O2 -c tests/oiio.cpp -o "$2.oiio.o" &&
-    $CC -std=c99 $flags ${4:-} -c "$1" -o "$2.o" &&
-    $CXX "$2.o" "$2.oiio.o" ${3:-} -o "$2" -lOpenImageIO -lOpenImageIO_Util $embree $more -lm -lpthread
+$CC -std=c99 $flags $4 -c "$1" -o "$2.o" &&
+    $CXX "$2.o" "$3/oiio.o" "$3/ms.a" -o "$2" -lOpenImageIO -lOpenImageIO_Util $embree $more -lm -lpthread

@@ -1,14 +1,15 @@
 #!/bin/sh
 # Runs a group of tests, two programs at a time, and ends with "N passed, N failed, N skipped".
-#   sh tests/run.sh check      what needs a C compiler only: a minute or two
-#   sh tests/run.sh test       check, the long versions, C++, scalar and other builds, OpenImageIO and Embree
+#   sh tests/run.sh check      what needs a C compiler only: two minutes
+#   sh tests/run.sh test       check, the headers without SIMD and as C++ by another compiler, every way to use them, packages: ten minutes
+#   sh tests/run.sh long       what test leaves out: the long versions at -O3, fused products and sums, GCC's C++, stack of every call
 #   sh tests/run.sh style      warnings as errors: GCC and Clang, C99 and C++11, -O0 and -O3, 32-bit where there is one
 #   sh tests/run.sh sanitize   address and undefined-behaviour sanitizers
 #   sh tests/run.sh thread     thread sanitizer;   valgrind, fuzz, soak: as they say
 #   sh tests/run.sh calls      every public call: stack, traps, flushed subnormals, at -O2 and -O0
 #   sh tests/run.sh cross      other machines and C libraries, those whose compiler (and emulator) is installed
 # Called by make from the repository's root. CC, CXX, CFLAGS, JOBS (2), FILTER (parts of jobs' names), FUZZ_SECONDS (20), SINCE (a commit:
-# style and sanitize only for the files that differ from it, headers without their rarer options).
+# style, sanitize and long only for the files that differ from it, headers without their rarer options).
 # Each job writes build/run/GROUP/NAME.log; the log of a failed one is shown. Seconds are of processor time; build/run/GROUP/seconds
 # lists them for every job, the dearest first, with those of the clock behind them.
 set -u
@@ -47,7 +48,7 @@ if [ "${1:-}" = --one ]; then
     exit 0
 fi
 
-group=${1:?usage: sh tests/run.sh check|test|style|sanitize|thread|valgrind|fuzz|soak|calls|cross}
+group=${1:?usage: sh tests/run.sh check|test|long|style|sanitize|thread|valgrind|fuzz|soak|calls|cross}
 CC=${CC:-cc}
 CXX=${CXX:-c++}
 CFLAGS=${CFLAGS:--O2}
@@ -97,13 +98,14 @@ compiles() {
     "$@" "$out/probe.c" -o "$out/probe" >/dev/null 2>&1
 }
 
-# Long to run for what they add: other groups than check run them.
+# Long to run for what they add: check and test leave them out.
 long="test_nn_big_endian test_memory"
 
 # objects PREFIX COMPILER LANGUAGE-FLAGS: the headers compiled once for all that is linked with OUT/PREFIXms.a; a warning fails
-# the job, not the programs
+# the job, not the programs. Check and test take the objects of the examples for the archive without a prefix.
 objects() {
     mkdir -p "$out/objects"
+    case "$group:$1" in check: | test: | long:) return ;; esac
     case $3 in -x*) language="$warn" ;; *) language="-x c $warn_c" ;; esac
     for n in ms_nn ms_sss ms_gpr ms_mcml ms_pme; do
         echo "$2 $posix -I. $3 $language -D$(echo $n | tr a-z A-Z)_IMPLEMENTATION -include $n.h -c -o $out/objects/$1$n.o /dev/null 2>&1 |
@@ -119,35 +121,45 @@ linked() {
         grep -q -E "(${h%.h}|$upper|\bms)__|include \"io\.h\"" "$1" || printf ' -D%s_IMPLEMENTED' "$upper"
     done
 }
+all_linked() { [ "$(echo "$1" | wc -w)" = "$(echo $headers | wc -w)" ]; }
 
-# test_jobs PREFIX COMPILER LANGUAGE-FLAGS RUNNER ARGUMENTS: every tests/test_*.c, built and run
+# test_jobs PREFIX COMPILER LANGUAGE-FLAGS RUNNER ARGUMENTS: every tests/test_*.c, built and run. A program that has no header inside is
+# compiled once and linked with the objects of every build.
 test_jobs() {
     some=""
     for t in tests/test_*.c; do
         n=$(basename "$t" .c)
-        case "$group: $long " in "check:"*" $n "*) continue ;; esac
-        case $group in sanitize) since "$t" $(reached "$t") $(beside "$t") || continue ;; esac
+        case "$group:$1: $long " in check:*" $n "* | test:*" $n "* | long:[!f]*" $n "* | long:fma_:*" $n "*) continue ;; esac
+        case $group in sanitize | long) since "$t" $(reached "$t") $(beside "$t") || continue ;; esac
+        # what uses no header is the same in every build
+        case $1 in "" | full_) ;; *) [ -n "$(reached "$t")" ] || continue ;; esac
         with=$(linked "$t")
-        # The headers are what is tested: a program that has none of them inside need not be fast; what stands in for the C library
-        # waits for the disk.
-        level=""
-        [ "$(echo "$with" | wc -w)" != "$(echo $headers | wc -w)" ] || level=" -O1"
-        ! grep -q 'include "io.h"' "$t" || level=" -O0"
-        job "$1$n" "$2 $posix $paths $3$level$with $t $([ "${3#-x}" = "$3" ] || echo -x none) $out/objects/$1ms.a -o $out/$1$n -lm -lpthread && $4 $out/$1$n $5" &&
-            some=1
+        if all_linked "$with"; then level=-O1; else level=""; fi
+        ! grep -q 'include "io.h"' "$t" || level=-O0 # it waits for the disk
+        case "$group:$level" in
+        check:-O1 | test:-O1 | long:-O1)
+            job "$1$n" "$2 $out/objects/program_$n.o $out/objects/$1ms.a -o $out/$1$n -lm -lpthread && $4 $out/$1$n $5" || continue
+            mkdir -p "$out/objects"
+            echo "$CC $posix $paths -std=c99 -O1$with -c $t -o $out/objects/program_$n.o" >"$out/objects/1-program_$n.job" ;;
+        *)
+            job "$1$n" "$2 $posix $paths $3 $level$with $t $([ "${3#-x}" = "$3" ] || echo -x none) $out/objects/$1ms.a -o $out/$1$n -lm -lpthread && $4 $out/$1$n $5" || continue ;;
+        esac
+        some=1
     done
     [ -z "$some" ] || objects "$1" "$2" "$3"
 }
 
 # --- groups --------------------------------------------------------------------------------------------------------
 
-# replay_jobs FLAGS: every fuzz target over its corpus
+# replay_jobs FLAGS: every fuzz target over its corpus, linked with the archive that has no prefix
 replay_jobs() {
+    some=""
     for f in tests/fuzz/fuzz_*.c; do
         n=$(basename "$f" .c)
         since "$f" $(reached "$f") $(beside "$f") || continue
-        job "replay_$n" "$CC $posix $paths -std=c99 $1 $f tests/fuzz/replay.c -o $out/$n -lm && $out/$n tests/fuzz/corpus_${n#fuzz_}"
+        job "replay_$n" "$CC $posix $paths -std=c99 $1$(linked "$f") $f tests/fuzz/replay.c $out/objects/ms.a -o $out/$n -lm && $out/$n tests/fuzz/corpus_${n#fuzz_}" && some=1
     done
+    [ -z "$some" ] || objects "" "$CC" "-std=c99 $1"
 }
 
 check_jobs() {
@@ -160,58 +172,88 @@ check_jobs() {
         n=${h%.h}
         job "manual_$n" "sh tests/dropin/manual.sh $h $out/manual_$n"
     done
-    replay_jobs "$CFLAGS -O0"
+    replay_jobs "$CFLAGS"
 }
 
-oiio="-lOpenImageIO -lOpenImageIO_Util"
 if [ -f /usr/include/embree4/rtcore.h ] || [ -f /usr/local/include/embree4/rtcore.h ]; then embree=-lembree4; else embree=-lembree3; fi
 
 test_group() {
-    for h in $headers; do
-        n=${h%.h}
-        job "dropin_$n" "sh tests/dropin/dropin.sh $out/dropin_$n $h"
-        job "symbols_$n" "sh tests/dropin/symbols.sh $h $out/symbols_$n"
-        job "calls_$n" "sh tests/calls.sh $out/calls_$n $h stack,flush"
-    done
-    job dropin_together "sh tests/dropin/dropin.sh $out/dropin_together $(echo $headers)"
-    job page "sh tests/page.sh $out/page"
-    job web "sh tests/web.sh $out/web"
-    job materialx "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/materialx_open.py $out/materialx"
-    job null "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/null.py $out/null"
-    job dropin_meson "sh tests/dropin/meson.sh $out/dropin_meson"
-    job dropin_msvc "sh tests/dropin/msvc.sh $out/dropin_msvc $(echo $headers)"
-    check_jobs
-    test_jobs "full_" "$CC" "-std=c99 -O3" "" "--full"
-    test_jobs "cxx_" "$CXX" "-x c++ -std=c++11 $CFLAGS -O1" "" "" # the language, not the optimiser: check-style compiles it at -O2
-    test_jobs "scalar_" "$CC" "-std=c99 $CFLAGS -DMS_NO_SIMD" "" ""
-    ! have clang || test_jobs "clang_" clang "-std=c99 $CFLAGS" "" ""
-    # as many programs are built: products and sums in one instruction wherever the compiler likes
-    ! grep -q -w fma /proc/cpuinfo 2>/dev/null || test_jobs "fma_" "$CC" "-std=gnu11 $CFLAGS -march=haswell -ffp-contract=fast" "" ""
-    job alone "sh tests/alone.sh $out/alone"
+    packages=""
     for t in tests/pkg_*.c; do
-        [ -f "$t" ] || continue
         n=$(basename "$t" .c)
-        job "$n" "sh tests/package.sh $t $out/$n $out/objects/ms.a '$(linked "$t")' && $out/$n" && objects "" "$CC" "-std=c99 $CFLAGS"
+        job "$n" "sh tests/package.sh $t $out/$n $out/objects '$(linked "$t")' && $out/$n" && packages=1
     done
+    if [ -n "$packages" ]; then
+        objects "" "$CC" "-std=c99 $CFLAGS"
+        echo "$CXX -std=c++17 -Itests -O1 -c tests/oiio.cpp -o $out/objects/oiio.o" >"$out/objects/1-oiio.job"
+    fi
+    test_jobs "scalar_" "$CC" "-std=c99 $CFLAGS -DMS_NO_SIMD" "" ""
+    # The other language by the other compiler.
+    if have clang++; then test_jobs "clang_" clang++ "-x c++ -std=c++11 $CFLAGS" "" ""
+    else test_jobs "cxx_" "$CXX" "-x c++ -std=c++11 $CFLAGS -O1" "" ""
+    fi
+    check_jobs
     for t in tests/test_*.py; do
         [ -f "$t" ] || continue
         n=$(basename "$t" .py)
         job "$n" "sh tests/python.sh $t"
     done
+    job page "sh tests/page.sh $out/page"
+    job web "sh tests/web.sh $out/web"
+    job materialx "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/materialx_open.py $out/materialx"
+    job null "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/null.py $out/null"
+    job dropin_together "sh tests/dropin/dropin.sh $out/dropin_together $(echo $headers)"
+    for h in $headers; do
+        n=${h%.h}
+        job "dropin_$n" "sh tests/dropin/dropin.sh $out/dropin_$n $h"
+        job "symbols_$n" "sh tests/dropin/symbols.sh $h $out/symbols_$n"
+    done
+    job dropin_msvc "sh tests/dropin/msvc.sh $out/dropin_msvc $(echo $headers)"
+    job dropin_meson "sh tests/dropin/meson.sh $out/dropin_meson"
+    job alone "sh tests/alone.sh $out/alone"
+}
+
+long_group() {
+    test_jobs "full_" "$CC" "-std=c99 -O3" "" "--full"
+    for h in $headers; do
+        since "$h" tests/calls.sh tests/calls.c || continue
+        job "calls_${h%.h}" "sh tests/calls.sh $out/calls_${h%.h} $h stack,flush"
+    done
+    # as many programs are built: products and sums in one instruction wherever the compiler likes
+    ! grep -q -w fma /proc/cpuinfo 2>/dev/null || test_jobs "fma_" "$CC" "-std=gnu11 $CFLAGS -march=haswell -ffp-contract=fast" "" ""
+    test_jobs "cxx_" "$CXX" "-x c++ -std=c++11 $CFLAGS -O1" "" ""
+    packages=""
+    for t in tests/pkg_*.c; do
+        n=$(basename "$t" .c)
+        grep -q test_full "$t" && since "$t" $(reached "$t") $(beside "$t") || continue
+        job "full_$n" "sh tests/package.sh $t $out/$n $out/objects '$(linked "$t")' && $out/$n --full" && packages=1
+    done
+    if [ -n "$packages" ]; then
+        objects "" "$CC" "-std=c99 $CFLAGS"
+        echo "$CXX -std=c++17 -Itests -O1 -c tests/oiio.cpp -o $out/objects/oiio.o" >"$out/objects/1-oiio.job"
+    fi
 }
 
 style_jobs() {
+        # Layout, by the version whose results are in the repository.
+    if ! clang-format --version 2>/dev/null | grep -q 'version 14\.'; then
+        job style_format "echo 'no clang-format 14 on this machine'; exit 77"
+    else
+        job style_format "git ls-files '*.c' '*.h' | xargs clang-format --dry-run -Werror"
+    fi
     for compiler in gcc clang; do
         have $compiler || { job "style_$compiler" "echo 'no $compiler on this machine'; exit 77"; continue; }
         cxx=$(echo $compiler | sed 's/gcc/g++/; s/clang/clang++/')
+        # Clang warns before it optimises, GCC in part while it does so.
+        if [ $compiler = clang ]; then only=-fsyntax-only levels=-O2; else only=-c levels="-O0 -O2 -O3"; fi
         for f in tests/test_*.c tests/bench/bench_*.c tests/fuzz/*.c examples/*.c examples/*/*.c; do
             ! grep -q '"egl.h"' "$f" || continue # its headers are not everywhere
             [ -f "$f" ] && since "$f" $(beside "$f") || continue
             n=$(echo "${f%.c}" | sed 's/^examples\/ms_/small_ms_/; s/.*\(tests\|examples\)\///; s/\//_/g')
             attributes="" # those of WebAssembly are unknown here
             case $f in examples/web/*) attributes="-Wno-attributes $([ $compiler = gcc ] || echo -Wno-unknown-attributes)" ;; esac
-            job "${compiler}_$n" "$compiler -std=c99 $posix $paths -Werror $warn_c $attributes$(linked "$f") -O3 -c $f -o $out/${compiler}_$n.o &&
-$cxx -x c++ -std=c++11 $posix $paths -Werror $warn $attributes$(linked "$f") -O1 -c $f -o $out/${compiler}_$n.o"
+            job "${compiler}_$n" "$compiler -std=c99 $posix $paths -Werror $warn_c $attributes$(linked "$f") -O3 $only $f -o $out/${compiler}_$n.o &&
+$cxx -x c++ -std=c++11 $posix $paths -Werror $warn $attributes$(linked "$f") -O1 $only $f -o $out/${compiler}_$n.o"
         done
         for h in $headers; do
             since "$h" || continue
@@ -220,14 +262,14 @@ $cxx -x c++ -std=c++11 $posix $paths -Werror $warn $attributes$(linked "$f") -O1
             c="$out/${compiler}_$n.c"
             printf '#define %s_IMPLEMENTATION\n#include "%s"\n' "$upper" "$h" >"$c"
             if [ -n "${SINCE:-}" ]; then # `make test` compiles it at -O2 and -O3, as C and as C++
-                job "${compiler}_$n" "$compiler -std=c99 -I. -Werror $warn_c -DMS_NO_SIMD -O2 -c $c -o $c.o &&
-$compiler -std=c99 -I. -Werror $warn_c -D${upper}_NO_STDIO -DMS_DEF=static -O0 -c $c -o $c.o &&
-$cxx -x c++ -std=c++20 -I. -Werror $warn -O1 -c $c -o $c.o"
+                job "${compiler}_$n" "$compiler -std=c99 -I. -Werror $warn_c -DMS_NO_SIMD -O2 $only $c -o $c.o &&
+$compiler -std=c99 -I. -Werror $warn_c -D${upper}_NO_STDIO -DMS_DEF=static -O0 $only $c -o $c.o &&
+$cxx -x c++ -std=c++20 -I. -Werror $warn -O1 $only $c -o $c.o"
                 continue
             fi
             for flags in "" "-DMS_NO_SIMD" "-D${upper}_NO_STDIO" "-DMS_DEF=static" $(test $n != ms_gpr || echo -DMS_GPR_NO_PLANE); do
-                job "${compiler}_${n}$(echo "$flags" | tr -d ' ')" "for o in -O0 -O2 -O3; do $compiler -std=c99 -I. -Werror $warn_c $flags \$o -c $c -o $c.o || exit 1; done
-for s in c++11 c++17 c++20; do $cxx -x c++ -std=\$s -I. -Werror $warn $flags -O2 -c $c -o $c.o || exit 1; done"
+                job "${compiler}_${n}$(echo "$flags" | tr -d ' ')" "for o in $levels; do $compiler -std=c99 -I. -Werror $warn_c $flags \$o $only $c -o $c.o || exit 1; done
+for s in c++11 c++17 c++20; do $cxx -x c++ -std=\$s -I. -Werror $warn $flags -O2 $only $c -o $c.o || exit 1; done"
             done
             if compiles $compiler -m32; then
                 job "${compiler}_${n}_32bit" "$compiler -m32 -std=c99 -I. -Werror $warn_c -O2 -c $c -o $c.32.o"
@@ -263,6 +305,7 @@ $out/$n -max_total_time=${FUZZ_SECONDS:-20} -timeout=10 -error_exitcode=1 -rss_l
 case $group in
 check) check_jobs ;;
 test) test_group ;;
+long) long_group ;;
 style) style_jobs ;;
 sanitize) sanitize_jobs ;;
 thread) test_jobs "" "$CC" "-std=c99 -g -O1 -fsanitize=thread" "" "" ;;
@@ -284,6 +327,9 @@ cross) for machine in $(sh tests/cross.sh); do job "$machine" "sh tests/cross.sh
 esac
 
 # The objects first, then what is linked with them.
+case $group in
+check | test | long) [ ! -d "$out/objects" ] || ar rcs "$out/objects/ms.a" build/ms_*.o ;;
+esac
 for job in "$out"/objects/*.job; do [ ! -f "$job" ] || echo "$job"; done | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
 for o in "$out"/objects/*ms_mcml.o; do [ ! -f "$o" ] || ar rcs "${o%_mcml.o}.a" "${o%mcml.o}"*.o; done
 ls "$out"/*.job 2>/dev/null | xargs -n 1 -P "$JOBS" sh tests/run.sh --one

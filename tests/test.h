@@ -251,7 +251,7 @@ static TEST_UNUSED char *test_read_file(const char *path, size_t *size)
 
 /* --- files --- */
 
-static char test_place[64]; /* the folder of the running program, from the repository's root; empty: none */
+static char test_place[64];  /* the folder of the running program, from the repository's root; empty: none */
 static char test_root[1024]; /* the repository's root */
 
 static TEST_UNUSED void test_leave_folder(void)
@@ -318,7 +318,7 @@ static TEST_UNUSED int test_main(int argc, char **argv, const test_case *cases, 
 #define TEST_MAIN_WITH_FILES(cases)                                                     \
     int main(int argc, char **argv)                                                     \
     {                                                                                   \
-        if (!test_enter_folder()) return printf("%s cannot be made\n", test_place), 1; \
+        if (!test_enter_folder()) return printf("%s cannot be made\n", test_place), 1;  \
         return test_main(argc, argv, cases, (int)(sizeof(cases) / sizeof((cases)[0]))); \
     }
 #endif
