@@ -3,24 +3,26 @@
 
     import export_torch as ms
     error = ms.save_torch("net.safetensors", net, (3, 410, 410))  # the shape of one input, channels first
-    error = ms.save_keras("net.safetensors", net)  # channels last: inputs and kernels are transposed, the flatten order is recorded
+    error = ms.save_keras("net.safetensors", net)  # channels last: inputs and kernels are transposed
 
-PyTorch: torch.fx traces the network as it is in eval(). Any Module is saved whose forward() is a chain of layers that ms_nn.h has, as modules
-or as functions (F.relu, x.tanh(), torch.flatten), with additions and torch.cat of earlier outputs. A layer that is used twice is stored
-twice. BatchNorm is folded into the linear or convolution layer before it, or becomes a layer of its own.
-Keras: Sequential.
+PyTorch: torch.fx traces the network as it is in eval(). Any Module is saved whose forward() is a chain of layers that
+ms_nn.h has, as modules or as functions (F.relu, x.tanh(), torch.flatten), with additions and torch.cat of earlier
+outputs. A layer that is used twice is stored twice. BatchNorm is folded into the linear or convolution layer before it,
+or becomes a layer of its own. Keras: Sequential.
 
-Every file is checked before it is kept: build/nn_run runs it (a C compiler builds that from examples/tools/nn_run.c where it is missing), and
-its outputs for random inputs must equal the network's own within tolerance times the largest output: 1e-4 by default, 0.01 for float16, 0.1
-for int8. The result is that error of the saved file. Everything else raises Unsupported with the name and type of the module, and leaves no
-file: what ms_nn.h cannot run, hooks, control flow that depends on the input, weights that are not finite or too large for float16."""
+Every file is checked before it is kept: build/nn_run runs it (a C compiler builds that from examples/tools/nn_run.c
+where it is missing), and its outputs for random inputs must equal the network's own within tolerance times the largest
+output: 1e-4 by default, 0.01 for float16, 0.1 for int8. The result is that error of the saved file.
+
+Everything else raises Unsupported with the name and type of the module, and leaves no file: what ms_nn.h cannot run,
+hooks, control flow that depends on the input, weights that are not finite or too large for float16."""
 import copy, json, os, shutil, struct, subprocess, tempfile
 import numpy as np
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-ACTIVATIONS = {"ReLU": "relu", "LeakyReLU": "leaky_relu", "ELU": "elu", "Tanh": "tanh", "Sigmoid": "sigmoid", "Softplus": "softplus",
-               "SiLU": "silu", "GELU": "gelu"}
+ACTIVATIONS = {"ReLU": "relu", "LeakyReLU": "leaky_relu", "ELU": "elu", "Tanh": "tanh", "Sigmoid": "sigmoid",
+               "Softplus": "softplus", "SiLU": "silu", "GELU": "gelu"}
 TOLERANCE = {"float32": 1e-4, "float16": 1e-2, "int8": 1e-1}
 
 
@@ -37,7 +39,8 @@ def require(good, module, reason):
 
 def write(path, input_shape, layers, tensors):
     """The layer list, then the tensors (numpy arrays by name), the largest first."""
-    header = {"__metadata__": {"format": "pt", "ms_nn_version": "1", "ms_nn_input": json.dumps(list(input_shape)), "ms_nn_layers": json.dumps(layers)}}
+    header = {"__metadata__": {"format": "pt", "ms_nn_version": "1", "ms_nn_input": json.dumps(list(input_shape)),
+                               "ms_nn_layers": json.dumps(layers)}}
     names, end = sorted(tensors, key=lambda name: -tensors[name].nbytes), 0
     for name in names:
         t = tensors[name]
@@ -53,9 +56,9 @@ def write(path, input_shape, layers, tensors):
 
 
 def stored(module, name, dtype, weight, bias):
-    """The tensors of a layer: weights as float32, float16, or int8 with one scale for each index of their first dimension."""
-    weight, tensors = np.asarray(weight, np.float64), {}
-    for values, kind in ((weight, "float32" if dtype == "int8" else dtype), (np.asarray(0 if bias is None else bias, np.float64), "float32")):
+    """The tensors of a layer: weights as float32, float16, or int8 with one scale for each index of the first dimension."""
+    weight, offset, tensors = np.asarray(weight, np.float64), np.asarray(0 if bias is None else bias, np.float64), {}
+    for values, kind in ((weight, "float32" if dtype == "int8" else dtype), (offset, "float32")):
         largest = abs(values).max(initial=0)
         require(largest <= np.finfo(kind).max, module, "its largest weight, %g, is not finite in %s" % (largest, kind))
     if dtype == "int8":
@@ -72,11 +75,12 @@ def nn_run(_found=[]):
     if not _found:
         program = os.path.join(ROOT, "build", "nn_run")
         if not os.path.exists(program):
-            compiler = os.environ.get("CC") or shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
-            program = os.path.join(tempfile.mkdtemp(), "nn_run")
-            source = os.path.join(HERE, "nn_run.c")
-            if not compiler or not os.path.exists(source) or subprocess.run([*compiler.split(), "-O2", "-I" + ROOT, "-I" + HERE, source, "-o", program, "-lm"]).returncode:
-                raise RuntimeError("the file cannot be checked, so it is not saved: there is no build/nn_run, and no C compiler that makes it from %s" % source)
+            compiler = os.environ.get("CC") or shutil.which("cc") or shutil.which("gcc") or shutil.which("clang") or "cc"
+            program, source = os.path.join(tempfile.mkdtemp(), "nn_run"), os.path.join(HERE, "nn_run.c")
+            command = [*compiler.split(), "-O2", "-I" + ROOT, "-I" + HERE, source, "-o", program, "-lm"]
+            if not shutil.which(command[0]) or not os.path.exists(source) or subprocess.run(command).returncode:
+                raise RuntimeError("the file cannot be checked, so it is not saved: there is no build/nn_run, and no C "
+                                   "compiler that makes it from %s" % source)
         _found.append(program)
     return _found[0]
 
@@ -88,28 +92,30 @@ def error_of(path, network, x, y):
         np.savetxt(rows, x.reshape(len(x), -1), "%.9g", ",")
         ran = subprocess.run((nn_run(), path, rows), capture_output=True, text=True)
     require(ran.returncode == 0, network, "ms_nn.h refuses it: " + ran.stderr.strip())
-    ours, y = np.array([line.split(",") for line in ran.stdout.split()], np.float64), np.asarray(y, np.float64).reshape(len(x), -1)
+    ours = np.array([line.split(",") for line in ran.stdout.split()], np.float64)
+    y = np.asarray(y, np.float64).reshape(len(x), -1)
     require(ours.shape == y.shape, network, "it has %d outputs, and the saved one %d" % (y.shape[1], ours.shape[1]))
     require(np.isfinite(y).all(), network, "its outputs for random inputs are not finite")
     return abs(ours - y).max() / max(abs(y).max(), 1e-30)
 
 
 def save(path, network, input_shape, layers, weights, dtype, tolerance, forward):
-    """network: name and type. weights: by a layer's index, (module, weight, bias). forward: what the network computes for a batch."""
+    """network: name and type. weights: (module, weight, bias) by a layer's index. forward: the network, for a batch."""
     require(layers, network, "it has no layers")
-    samples = np.random.default_rng(1).normal(size=(4, *input_shape)) * np.reshape([0.3, 1, 3, 1], (-1,) + (1,) * len(input_shape))
-    samples[3] = np.random.default_rng(2).uniform(size=input_shape)
-    x = samples.astype(np.float32)
+    random = np.random.default_rng(1)
+    x = [random.uniform(size=input_shape)] + [random.normal(size=input_shape) * scale for scale in (0.3, 1, 3)]
+    x = np.stack(x).astype(np.float32)
     y = forward(x)
     unchecked = "%s.new-%d" % (path, os.getpid())
     try:
-        for kind in dict.fromkeys(("float32", dtype)):  # in float32 first: a narrow type's rounding would hide a small mistake
+        for kind in dict.fromkeys(("float32", dtype)):  # float32 first: a narrow type's rounding would hide a small mistake
             tensors = {}
             for i, weight in weights.items(): tensors.update(stored(weight[0], layers[i]["name"], kind, *weight[1:]))
             write(unchecked, input_shape, layers, tensors)
             error = error_of(unchecked, network, x, y)
             bound = TOLERANCE[kind] if tolerance is None or kind != dtype else tolerance
-            require(error <= bound, network, "saved as %s, its outputs would differ by %.2g of the largest (at most %g is allowed)" % (kind, error, bound))
+            require(error <= bound, network, "saved as %s, its outputs would differ by %.2g of the largest (at most %g is "
+                    "allowed)" % (kind, error, bound))
         os.replace(unchecked, path)
     finally:
         if os.path.exists(unchecked): os.remove(unchecked)
@@ -124,7 +130,8 @@ def numbers(x): return [int(v) for v in x] if np.ndim(x) else int(x)
 
 
 def traced(net, x):
-    """The torch.fx graph of net run on x. Each node has ms_module, name and type of the module whose forward() it stands in, and ms_value."""
+    """A copy of net in double precision and eval(), and its torch.fx graph, run on x. Each node has ms_value, its result,
+    and ms_module, the name and type of the module whose forward() it belongs to."""
     import torch.fx, torch.nn.modules.module as hooks
     own = lambda m: type(m).forward.__module__.startswith("torch.nn.modules") and not isinstance(m, torch.nn.Sequential)
 
@@ -149,40 +156,51 @@ def traced(net, x):
             node.ms_value = super().run_node(node)
             return node.ms_value
 
-    require(not (hooks._global_forward_hooks or hooks._global_forward_pre_hooks), Tracer.path[0], "there are hooks on all modules")
+    everywhere = hooks._global_forward_hooks or hooks._global_forward_pre_hooks
+    require(not everywhere, Tracer.path[0], "there are hooks on all modules")
     for name, m in net.named_modules():
         me = name or "the network", type(m).__name__
-        require(not (m._forward_pre_hooks or m._forward_hooks), me, "it has hooks; remove them first (remove_weight_norm, remove_spectral_norm)")
+        require(not (m._forward_pre_hooks or m._forward_hooks), me,
+                "it has hooks; remove them first (remove_weight_norm, remove_spectral_norm)")
         require("forward" not in vars(m), me, "its forward() was replaced")
     try: root = copy.deepcopy(net).cpu().double().eval()
-    except Exception as e: raise Unsupported("module 'the network' of type %s cannot be saved: it cannot be copied: %s" % (type(net).__name__, e)) from e
+    except Exception as e: require(False, Tracer.path[0], "it cannot be copied: %s" % first_line(e))
     if own(root): root = torch.nn.Sequential(root)
     tracer = Tracer()
     try: graph = tracer.trace(root)
-    except Exception as e: raise Unsupported("module '%s' of type %s cannot be saved: torch.fx cannot trace it: %s" % (*tracer.path[-1], first_line(e))) from e
+    except Exception as e: require(False, tracer.path[-1], "torch.fx cannot trace it: %s" % first_line(e))
     module = torch.fx.GraphModule(root, graph)
     try:
         with torch.no_grad(): Run(module).run(x)
     except Exception as e:
         me = next((node.ms_module for node in graph.nodes if not hasattr(node, "ms_value")), tracer.path[0])
-        raise Unsupported("module '%s' of type %s cannot be saved: PyTorch cannot run it in double precision on inputs of the shape %s: %s" %
-                          (*me, tuple(x.shape[1:]), first_line(e))) from e
-    return module, root
+        require(False, me, "PyTorch cannot run it in double precision on inputs of the shape %s: %s" %
+                (tuple(x.shape[1:]), first_line(e)))
+    return root, module
 
 
 def functions():
-    """The module that does the same as a function, called with the function's arguments but the first. None: nothing."""
+    """For a function's name, what makes the module that does the same from the arguments behind the first; None: nothing."""
     from torch import nn
-    def dropout(p=0.5, training=True, inplace=False): return None if not training else nn.Dropout
-    def max_pool(kind): return lambda kernel_size, stride=None, padding=0, dilation=1, ceil_mode=False, return_indices=False: kind(kernel_size, stride, padding, dilation, return_indices, ceil_mode)
-    def interpolate(size=None, scale_factor=None, mode="nearest", align_corners=None, recompute_scale_factor=None, antialias=False):
+
+    def dropout(p=0.5, training=True, inplace=False): return nn.Dropout(p) if training else None
+
+    def interpolate(size=None, scale_factor=None, mode="nearest", align_corners=None, recompute_scale_factor=None,
+                    antialias=False):
         if antialias: raise TypeError("antialias")
         return nn.Upsample(size, scale_factor, mode, align_corners)
-    known = {"relu": nn.ReLU, "leaky_relu": nn.LeakyReLU, "elu": nn.ELU, "tanh": nn.Tanh, "sigmoid": nn.Sigmoid, "softplus": nn.Softplus, "silu": nn.SiLU,
-             "gelu": nn.GELU, "max_pool1d": max_pool(nn.MaxPool1d), "max_pool2d": max_pool(nn.MaxPool2d), "avg_pool1d": nn.AvgPool1d,
-             "avg_pool2d": nn.AvgPool2d, "adaptive_avg_pool1d": nn.AdaptiveAvgPool1d, "adaptive_avg_pool2d": nn.AdaptiveAvgPool2d,
-             "adaptive_max_pool1d": nn.AdaptiveMaxPool1d, "adaptive_max_pool2d": nn.AdaptiveMaxPool2d, "interpolate": interpolate,
-             "dropout": dropout, "dropout2d": dropout, "alpha_dropout": dropout, "contiguous": lambda: None, "clone": lambda: None}
+
+    def max_pool(pool):  # the module's arguments have another order
+        return lambda kernel_size, stride=None, padding=0, dilation=1, ceil_mode=False, return_indices=False: pool(
+            kernel_size, stride, padding, dilation, return_indices, ceil_mode)
+
+    known = {"relu": nn.ReLU, "leaky_relu": nn.LeakyReLU, "elu": nn.ELU, "tanh": nn.Tanh, "sigmoid": nn.Sigmoid,
+             "softplus": nn.Softplus, "silu": nn.SiLU, "gelu": nn.GELU, "max_pool1d": max_pool(nn.MaxPool1d),
+             "max_pool2d": max_pool(nn.MaxPool2d), "avg_pool1d": nn.AvgPool1d, "avg_pool2d": nn.AvgPool2d,
+             "adaptive_avg_pool1d": nn.AdaptiveAvgPool1d, "adaptive_avg_pool2d": nn.AdaptiveAvgPool2d,
+             "adaptive_max_pool1d": nn.AdaptiveMaxPool1d, "adaptive_max_pool2d": nn.AdaptiveMaxPool2d,
+             "interpolate": interpolate, "dropout": dropout, "dropout2d": dropout, "alpha_dropout": dropout,
+             "contiguous": lambda: None, "clone": lambda: None}
     return {**known, **{name + "_": known[name] for name in ("relu", "leaky_relu", "elu", "tanh", "sigmoid")}}
 
 
@@ -191,15 +209,16 @@ NOTHING = ("Identity", "Dropout", "Dropout1d", "Dropout2d", "Dropout3d", "AlphaD
 
 
 def torch_layer(m, kind, me, x, y):
-    """The layers that do what a module does, at most two, for an input of shape x and an output of shape y, without the batch; its weights."""
+    """The layers, two at most, that do what a module does with an input of shape x and an output of shape y (without the
+    batch), and the weight and bias of the first."""
     rank, layer = len(x), {}
     if kind in NOTHING or x == y and kind in SHAPES: return [], None
     if kind in SHAPES:
         require(y == (int(np.prod(x)),), me, "it turns the shape %s into %s; only flattening is known" % (x, y))
         return [{"type": "flatten"}], None
     if kind in ACTIVATIONS or kind == "PReLU" and m.weight.numel() == 1:
-        require(getattr(m, "beta", 1) == 1 and getattr(m, "threshold", 20) == 20, me, "beta is not 1, or threshold is not 20")
-        require(getattr(m, "approximate", "none") == "none", me, "approximate is %s" % getattr(m, "approximate", ""))
+        require(kind != "Softplus" or (m.beta, m.threshold) == (1, 20), me, "beta is not 1, or threshold is not 20")
+        require(kind != "GELU" or m.approximate == "none", me, "approximate is not none but tanh")
         layer.update(type="activation", activation=ACTIVATIONS.get(kind, "leaky_relu"))
         if kind in ("LeakyReLU", "ELU"): layer["alpha"] = float(m.negative_slope if kind == "LeakyReLU" else m.alpha)
         if kind == "PReLU": layer["alpha"] = float(m.weight)
@@ -210,7 +229,8 @@ def torch_layer(m, kind, me, x, y):
     if kind in ("Conv1d", "Conv2d", "ConvTranspose1d", "ConvTranspose2d"):
         transposed = "Transpose" in kind
         require(m.padding_mode == "zeros", me, "padding_mode is %s" % m.padding_mode)
-        layer.update(type="conv" + kind[-2:] + "_transpose" * transposed, kernel=numbers(m.kernel_size), stride=numbers(m.stride), dilation=numbers(m.dilation), groups=int(m.groups))
+        layer.update(type="conv" + kind[-2:] + "_transpose" * transposed, kernel=numbers(m.kernel_size),
+                     stride=numbers(m.stride), dilation=numbers(m.dilation), groups=int(m.groups))
         if transposed: layer.update(filters=int(m.out_channels), extra=numbers(m.output_padding))
         if isinstance(m.padding, str): layer["padding"] = m.padding
         else: layer["zeros"] = numbers(m.padding)
@@ -220,26 +240,27 @@ def torch_layer(m, kind, me, x, y):
         gain = 1 / np.sqrt(array(m.running_var) + m.eps) * (1 if m.weight is None else array(m.weight))
         shift = (0 if m.bias is None else array(m.bias)) - gain * array(m.running_mean)
         if rank == 1: return [{"type": "dense"}], (np.diag(gain), shift)
-        return [{"type": "conv%dd" % (rank - 1), "groups": len(gain)}], (gain.reshape((-1, 1) + (1,) * (rank - 1)), shift)
+        weight = gain.reshape((-1, 1) + (1,) * (rank - 1))
+        return [{"type": "conv%dd" % (rank - 1), "groups": len(gain)}], (weight, shift)
     if kind in ("MaxPool1d", "MaxPool2d", "AvgPool1d", "AvgPool2d"):
         require(not np.any(m.padding) and not m.ceil_mode, me, "it pads or rounds up")
-        require(np.all(np.equal(getattr(m, "dilation", 1), 1)) and not getattr(m, "divisor_override", None), me, "it dilates or divides by another number")
+        require(np.all(np.equal(getattr(m, "dilation", 1), 1)), me, "it dilates")
+        require(not getattr(m, "divisor_override", None), me, "it divides by another number")
         return [dict(type=kind.lower(), size=numbers(m.kernel_size), stride=numbers(m.stride))], None
     if kind in ("AdaptiveAvgPool1d", "AdaptiveAvgPool2d", "AdaptiveMaxPool1d", "AdaptiveMaxPool2d"):
-        require(y is not None and np.all(np.mod(x[1:], y[1:]) == 0), me, "output_size is %s, which does not divide %s" % (m.output_size, x[1:]))
+        require(np.all(np.mod(x[1:], y[1:]) == 0), me, "output_size is %s, which does not divide %s" % (m.output_size, x[1:]))
         size = numbers(np.floor_divide(x[1:], y[1:])) if rank == 3 else x[1] // y[1]
         return [dict(type=kind[8:11].lower() + "pool" + kind[-2:], size=size, stride=size)], None
     if kind in ("Upsample", "UpsamplingNearest2d", "UpsamplingBilinear2d"):
         require(m.mode in ("nearest", "linear", "bilinear"), me, "mode is %s; nearest, linear and bilinear are known" % m.mode)
-        require(rank in (2, 3) and np.all(np.mod(y[1:], x[1:]) == 0) and np.all(np.mod(1 if m.scale_factor is None else m.scale_factor, 1) == 0), me,
-                "it scales %s to %s; only whole factors are known" % (x[1:], y[1:]))
+        whole = np.all(np.mod(y[1:], x[1:]) == 0) and not np.any(np.mod(m.scale_factor or 1, 1))
+        require(rank in (2, 3) and whole, me, "it scales %s to %s; only whole factors are known" % (x[1:], y[1:]))
         layer.update(type="upsample%dd" % (rank - 1), factor=numbers(np.floor_divide(y[1:], x[1:])) if rank == 3 else y[1] // x[1])
         if m.mode != "nearest": layer.update(mode="linear", align_corners=bool(m.align_corners))
         return [layer], None
     if kind == "mean":
-        axes = m["dim"] if "dim" in m else None
-        require(axes is not None and rank > 1 and sorted(int(a) % (rank + 1) for a in np.atleast_1d(axes)) == list(range(2, rank + 1)), me,
-                "only the mean of all elements of a channel is known")
+        axes = sorted(int(a) % (rank + 1) for a in np.atleast_1d(m.get("dim", ())))
+        require(rank > 1 and axes == list(range(2, rank + 1)), me, "only the mean of all elements of a channel is known")
         return [{"type": "globalpool"}] + [{"type": "flatten"}] * (len(y) == 1), None
     require(False, me, "ms_nn.h has no such layer")
 
@@ -247,101 +268,130 @@ def torch_layer(m, kind, me, x, y):
 def fold(layer, weight, bias, gain, shift):
     """Weights of a layer with an affine map of each output behind it."""
     if "transpose" in layer["type"]:  # [inputs][outputs of a group]...
-        turn = np.repeat(gain.reshape(layer["groups"], -1), len(weight) // layer["groups"], 0).reshape(weight.shape[:2] + (1,) * (weight.ndim - 2))
-    else: turn = gain.reshape((-1,) + (1,) * (weight.ndim - 1))
-    return weight * turn, shift + (0 if bias is None else gain * bias)
+        gain_of = np.repeat(gain.reshape(layer["groups"], -1), len(weight) // layer["groups"], 0)
+    else: gain_of = gain.reshape(-1, 1)
+    gain_of = gain_of.reshape(gain_of.shape[:2] + (1,) * (weight.ndim - 2))
+    return weight * gain_of, shift + (0 if bias is None else gain * bias)
+
+
+class Chain:
+    """The layers of a file: each runs on the output of the one before it; additions and concatenations read others too."""
+    def __init__(self): self.layers, self.weights, self.modules = [], {}, []
+
+    def last(self): return len(self.layers) - 1
+
+    def name(self, i):
+        """The name by which layer i is read; -1 is the input."""
+        if i < 0: return "input"
+        if "name" not in self.layers[i]:
+            name = "l%s" % (i if self.modules[i] == "the network" else self.modules[i])
+            taken = name in [layer.get("name") for layer in self.layers]  # a module that is used twice
+            self.layers[i]["name"] = "%s_%d" % (name, i) if taken else name
+        return self.layers[i]["name"]
+
+    def add(self, me, layer, weight=None):
+        self.layers.append(layer)
+        self.modules.append(me[0])
+        if weight is not None:
+            layer["bias"] = weight[1] is not None
+            self.weights[self.last()] = (me, *weight)
+            self.name(self.last())
+
+    def join(self, me, kind, sources):
+        """The sum or concatenation of outputs, of which one is that of the last layer."""
+        require(self.last() in sources, me, "none of its inputs is the output of the layer before it")
+        k, names = sources.index(self.last()), [self.name(i) for i in sources]
+        for j in [*range(k - 1, -1, -1), *range(k + 1, len(names))]:
+            order = {"order": "before" if j < k else "after"} if kind == "concat" else {}
+            self.add(me, {"type": kind, "from": names[j], **order})
+
+    def normalise(self, me, layer, weight, foldable):
+        """A BatchNorm, into the weights of the last layer where these are nobody else's."""
+        if not foldable or self.last() not in self.weights: return self.add(me, layer, weight)
+        owner, *own = self.weights[self.last()]
+        self.weights[self.last()] = (owner, *fold(self.layers[-1], *own, weight[0].sum(1).reshape(-1), weight[1]))
+        self.layers[-1]["bias"] = True
 
 
 def save_torch(path, net, input_shape, dtype="float32", tolerance=None):
     import torch, torch.fx
-    module, root = traced(net, torch.rand(2, *input_shape, dtype=torch.float64))
-    network, nodes = ("the network", type(net).__name__), list(module.graph.nodes)
-    known, layers, weights, at = functions(), [], {}, {}  # at: the layer whose output a node is, by its index; -1: the input
-    named = {}  # the module of each layer
-    tensor = lambda a: isinstance(a, torch.fx.Node) and isinstance(a.ms_value, torch.Tensor)
-    value = lambda a: torch.fx.node.map_arg(a, lambda n: n.ms_value)
-    shape = lambda a: tuple(a.ms_value.shape[1:])
+    root, module = traced(net, torch.rand(2, *input_shape, dtype=torch.float64))
+    network, known, chain = ("the network", type(net).__name__), functions(), Chain()
+    output = {}  # the layer whose output a node is; -1: the input
+    def tensor(a): return isinstance(a, torch.fx.Node) and isinstance(a.ms_value, torch.Tensor)
+    def value(a): return torch.fx.node.map_arg(a, lambda n: n.ms_value)
+    def shape(a): return tuple(a.ms_value.shape[1:])
+    def name_of(node): return getattr(node.target, "__name__", str(node.target))
+    def submodule(node): return module.get_submodule(node.target) if node.op == "call_module" else None
 
-    def refer(i):  # the name of a layer that another one reads
-        if i >= 0 and "name" not in layers[i]:
-            name = "l" + named[i]
-            layers[i]["name"] = name if name not in [l.get("name") for l in layers] else "%s_%d" % (name, i)
-        return "input" if i < 0 else layers[i]["name"]
+    def module_of(node):
+        if node.op == "call_module": return node.target, type(submodule(node)).__name__
+        if node.op not in ("call_function", "call_method"): return node.ms_module
+        return node.ms_module[0], "%s (its forward() calls %s)" % (node.ms_module[1], name_of(node))
 
-    def emit(me, layer, weight=None):
-        layers.append(layer)
-        named[len(layers) - 1] = me[0] if me[0] != network[0] else str(len(layers) - 1)
-        if weight is not None:
-            layer["bias"] = weight[1] is not None
-            refer(len(layers) - 1)
-            weights[len(layers) - 1] = (me, *weight)
-
-    for node in nodes:  # before unused nodes go: what works in place may change a value that others read
-        m = module.get_submodule(node.target) if node.op == "call_module" else None
-        in_place = getattr(m, "inplace", False) or node.kwargs.get("inplace") or node.op != "call_module" and str(getattr(node.target, "__name__", node.target)).rstrip(" ").endswith("_")
-        in_place = in_place or getattr(node.target, "__name__", "") in ("iadd", "imul", "isub", "itruediv")
-        me = (node.target, type(m).__name__) if m is not None else node.ms_module
-        require(not in_place or not node.args or not tensor(node.args[0]) or set(node.args[0].users) == {node}, me, "it changes in place what another module reads")
+    for node in module.graph.nodes:
+        in_place = getattr(submodule(node), "inplace", False) or node.kwargs.get("inplace")
+        if node.op in ("call_function", "call_method"): in_place = in_place or name_of(node).endswith(("_", "iadd"))
+        require(not in_place or not node.args or set(node.args[0].users) == {node}, module_of(node),
+                "it changes in place what another module reads")
     module.graph.eliminate_dead_code()
     for node in module.graph.nodes:
-        name = getattr(node.target, "__name__", str(node.target))
-        me = node.ms_module if node.op != "call_module" else (node.target, type(module.get_submodule(node.target)).__name__)
+        me, name, called = module_of(node), name_of(node), node.op in ("call_function", "call_method")
+        inputs = [a for a in node.all_input_nodes if tensor(a)]
         if node.op == "placeholder":
-            require(not at, me, "it has more than one input")
-            at[node] = -1
+            require(not output, me, "it has more than one input")
+            output[node] = -1
             continue
         if node.op == "output":
             require(tensor(node.args[0]), me, "its output is not one tensor")
-            require(at[node.args[0]] == len(layers) - 1, me, "its output is not that of its last layer")
+            require(output.get(node.args[0]) == chain.last(), me, "its output is not that of its last layer")
             continue
-        if node.op == "get_attr" or not tensor(node) and node.op != "call_module":
-            continue  # sizes; parameters, which no function below takes
-        if node.op != "call_module":
-            me = me[0], "%s (its forward() calls %s)" % (me[1], name)
-            require(node.op == "call_method" or (getattr(node.target, "__module__", None) or "torch").split(".")[0] in ("torch", "_operator"), me, "it is no function of PyTorch")
-        inputs = [a for a in node.all_input_nodes if tensor(a)]
-        require(tensor(node) and inputs and all(a in at for a in inputs), me, "ms_nn.h has no such layer")
-        if node.op != "call_module" and name in ("add", "iadd", "add_", "cat", "concat"):
+        if node.op == "get_attr" or called and not tensor(node): continue  # parameters and sizes, for those that read them
+        require(tensor(node) and inputs and all(a in output for a in inputs), me, "ms_nn.h has no such layer")
+        if node.op == "call_function":
+            package = (getattr(node.target, "__module__", None) or "torch").split(".")[0]
+            require(package in ("torch", "_operator"), me, "it is no function of PyTorch")
+        if called and name in ("add", "add_", "iadd", "cat", "concat"):
             adds = "add" in name
             parts = node.args[:2] if adds else node.args[0] if node.args else node.kwargs["tensors"]
             require(isinstance(parts, (list, tuple)) and all(map(tensor, parts)), me, "it takes what is no tensor")
-            require(not adds or len(parts) == 2 and not node.kwargs and shape(parts[0]) == shape(parts[1]), me, "only two tensors of one shape are added")
-            dim = 1 if adds else value(node.kwargs.get("dim", node.args[1] if len(node.args) > 1 else 0))
-            require(dim % (len(shape(node)) + 1) == 1, me, "it joins along dimension %d; only channels (1) are known" % dim)
-            last, own = len(layers) - 1, [at[a] for a in parts]
-            require(last in own, me, "none of its inputs is the output of the layer before it")
-            k = own.index(last)
-            sources = [refer(i) for i in own]
-            for j in [*range(k - 1, -1, -1), *range(k + 1, len(own))]:
-                emit(me, {"type": "add", "from": sources[j]} if adds else {"type": "concat", "from": sources[j], "order": "before" if j < k else "after"})
-            at[node] = len(layers) - 1
+            if adds:
+                same = len(parts) == 2 and not node.kwargs and shape(parts[0]) == shape(parts[1])
+                require(same, me, "only two tensors of one shape are added")
+            else:
+                dim = value(node.kwargs.get("dim", node.args[1] if len(node.args) > 1 else 0))
+                require(dim in (1, -len(shape(node))), me, "it joins along dimension %d; only channels (1) are known" % dim)
+            chain.join(me, "add" if adds else "concat", [output[a] for a in parts])
+            output[node] = chain.last()
             continue
         require(len(inputs) == 1 and node.args and node.args[0] is inputs[0], me, "it has more than one input")
-        source = inputs[0]
-        if node.op == "call_module": m, kind = module.get_submodule(node.target), None
-        elif name in SHAPES: m, kind = None, name
-        elif name == "mean": m, kind = {**dict(zip(("dim", "keepdim"), value(node.args[1:]))), **value(node.kwargs)}, name
+        source, kind = inputs[0], name
+        if not called: m = submodule(node)
+        elif name in SHAPES: m = None
+        elif name == "mean": m = {**dict(zip(("dim", "keepdim"), value(node.args[1:]))), **value(node.kwargs)}
         else:
             require(name in known, me, "ms_nn.h has no such layer, or it is known as a module only")
             try: m = known[name](*value(node.args[1:]), **value(node.kwargs))
             except TypeError as e: require(False, me, "its arguments are not known: %s" % e)
-            require(m is not torch.nn.Dropout, me, "it drops in eval() as well")
-            kind = "Identity" if m is None else None
-        kind = kind or next((c.__name__ for c in type(m).__mro__ if c.__module__.startswith("torch.nn.modules")), type(m).__name__)
+            require(not isinstance(m, torch.nn.Dropout), me, "it drops in eval() as well")
+            if m is None: kind = "Identity"
+        if isinstance(m, torch.nn.Module):  # a class derived from PyTorch's, too
+            own = [c.__name__ for c in type(m).__mro__ if c.__module__.startswith("torch.nn.modules")]
+            kind = own[0] if own else type(m).__name__
         made, weight = torch_layer(m, kind, me, shape(source), shape(node))
-        last = len(layers) - 1
-        require(not made or at[source] == last, me, "its input is not the output of the layer before it; only additions and torch.cat read earlier outputs")
-        if kind.startswith("BatchNorm") and last in weights and len(source.users) == 1 and source.op == "call_module" and weights[last][0][0] == source.target:
-            weights[last] = (weights[last][0], *fold(layers[last], *weights[last][1:], weight[0].sum(1).reshape(-1), weight[1]))
-            layers[last]["bias"] = True
+        require(not made or output[source] == chain.last(), me,
+                "its input is not the output of the layer before it; only additions and torch.cat read earlier outputs")
+        if kind.startswith("BatchNorm"):
+            chain.normalise(me, made[0], weight, source.op == "call_module" and len(source.users) == 1 and
+                            chain.modules[-1:] == [source.target])
         else:
-            for layer in made: emit(me, layer, weight)
-        at[node] = len(layers) - 1 if made else at[source]
+            for layer in made: chain.add(me, layer, weight)
+        output[node] = chain.last() if made else output[source]
 
     def forward(x):
         with torch.no_grad(): return root(torch.from_numpy(x).double()).numpy()
 
-    return save(path, network, input_shape, layers, weights, dtype, tolerance, forward)
+    return save(path, network, input_shape, chain.layers, chain.weights, dtype, tolerance, forward)
 
 
 # --- Keras ------------------------------------------------------------------------------------------------------------
