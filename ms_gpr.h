@@ -45,10 +45,10 @@
    ---------------------
    1. Materials to be scored: ms_gpr_gallery, in batches of 5 to 25, from the first (a model of n = 0) to the last.
    2. Scores, or "the best 2 of 9", or both: ms_gpr_fit learns the hyperparameters, or ms_gpr_create takes them.
-      ms_gpr_append, ms_gpr_rescore and ms_gpr_drop change one score at the cost of n^2, ms_gpr_compare takes
-      comparisons. Another round: concatenate, and fit again.
-   3. What was learned: ms_gpr_predict, ms_gpr_gradient, ms_gpr_relevance; ms_gpr_simplify leaves
-      out what a scene does not need; ms_gpr_save and ms_gpr_load keep it.
+      ms_gpr_append, ms_gpr_rescore and ms_gpr_drop change one score, ms_gpr_compare takes comparisons. Another round:
+   concatenate, and fit again.
+   3. What was learned: ms_gpr_predict, ms_gpr_gradient, ms_gpr_relevance; ms_gpr_simplify leaves out what a scene
+      does not need. To store a model, store materials, scores, pairs and theta, and call ms_gpr_create.
    4. New materials: ms_gpr_recommend. They, galleries and planes keep a ms_gpr_space: what is fixed, ranges, steps,
    ties, lists of metals. 5. Variants of a liked material: ms_gpr_latent_fit lays high-scoring materials out in a plane,
       ms_gpr_latent_map leads from the plane to materials; ms_gpr_map_preference and its sisters colour it;
@@ -56,13 +56,11 @@
 
    What it costs
    -------------
-   A likelihood with gradient takes n^3 / 2 + n^2 m multiply-adds, and a fit some 20 of them on all scores and 150 on a
-   third; a mean n m, with its variance n^2 / 2 more. 300 recommendations take 30 to 150 thousand means, more the rarer
-   they are. Figures and what fits are worth: tests/bench/RESULTS.md, made by `make bench`. What is shown and asked is
-   worth the most: after 60 answers recommendations are better than after 250 scores of uniform materials where the
-   first answers are clicks on the best 2 of 9 of five active galleries, or on none of them; after 80 to 100 of scores
-   of active galleries alone as good. Recommendations scored in rounds need 250 for what 80 do. One of several separate
-   classes in ten is missed, as there.
+   A likelihood with its gradient takes n^3 / 2 + n^2 m multiply-adds; a fit evaluates it 20 times on all scores and 150
+   times on a third of them. A mean takes n m, its variance n^2 / 2 more. 300 recommendations cost 30,000 to 150,000
+   predictions, more for rare classes. 60 answers (2 clicks in each of 5 active galleries, then scores) give better
+   recommendations than 250 uniform scores; active scores alone need 80 to 100. With several separate classes, about one
+   in ten is missed in either case. Figures: tests/bench/RESULTS.md, made by `make bench`.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
@@ -81,7 +79,6 @@
    ------------------------------------------------
    MS_DEF           linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_GPR_FILENAME  this file's name, if it is not "ms_gpr.h"
-   MS_GPR_NO_STDIO  no files, no <stdio.h>
    MS_GPR_NO_PLANE  no latent space, maps and variants: a sixth of the object less
    MS_NO_SIMD       scalar text only
    MS_ASSERT        checks of the header's own invariants (nothing)
@@ -253,14 +250,14 @@ MS_API void ms_gpr_destroy(ms_gpr *gp);
 /* Other hyperparameters [m + 2] for the same data. The model is unchanged unless MS_OK. */
 MS_API ms_status ms_gpr_set_theta(ms_gpr *gp, const double *theta, ms_error *error);
 
-/* One more scored point, x [m], at the cost of n^2; the hyperparameters stay. Equal to a new model of n + 1 points but
-   for rounding. The model is unchanged unless MS_OK. */
+/* One more scored point, x [m]; the hyperparameters stay. Conditions anew: n^3 / 6 multiply-adds, 0.3 ms at n = 240.
+   The model is unchanged unless MS_OK, here and in the next two. */
 MS_API ms_status ms_gpr_append(ms_gpr *gp, const double *x, double y, ms_error *error);
 
-/* Another score for point `index`, at the cost of n^2: the user thought again. */
+/* Another score for point `index`. */
 MS_API ms_status ms_gpr_rescore(ms_gpr *gp, int index, double y, ms_error *error);
 
-/* Forgets point `index`, at the cost of n^2: later points move up by one. */
+/* Forgets point `index`: later points move up by one. */
 MS_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error);
 
 /* More materials without a score, and comparisons, "this one rather than that one", in place of those the model has.
@@ -397,37 +394,13 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
 MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, double *mean, double *variance,
                                 ms_error *error);
 
-/* The mean alone, in single precision: twice as fast. Its error is about 1e-6 sf^2 sum |alpha_i| k_i at worst; see the
-   table in the head comment. */
+/* The mean alone, in single precision: twice as fast. Its error is about 1e-6 sf^2 sum |alpha_i| k_i at worst; see
+   tests/bench/RESULTS.md. */
 MS_API ms_status ms_gpr_predict_f(const ms_gpr *gp, const float *x, int count, float *mean, ms_error *error);
 
 /* Mean and variance at one point x [m] with their gradients [m]; any output may be NULL. */
 MS_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean, double *mean_gradient,
                                  double *variance, double *variance_gradient, ms_error *error);
-
-/* ---- files ----------------------------------------------------------------------------------------------------- */
-
-/* A model as bytes: the same on every machine, whatever its byte order and locale. Layout, little-endian: "ms_gpr\r\n",
-   u32 version 2, u32 n, u32 m, u32 0, then as f64 mean, floor (-1e300: none), floor value, theta [m + 2], x [n][m], y
-   [n]; u64 FNV-1a of all before. Version 3, of models with comparisons, steps or unscored rows: the u32 0 is the number
-   of pairs, the step stands behind the floor value, and u32 pairs [count][2] behind y. */
-MS_API size_t ms_gpr_save_size(const ms_gpr *gp);
-
-/* Writes ms_gpr_save_size(gp) bytes. */
-MS_API void ms_gpr_save(const ms_gpr *gp, void *bytes);
-
-/* The model again. Strict: any other size, version, checksum or a value that is not finite is MS_BAD_DATA (position:
-   the byte) or MS_UNSUPPORTED (a later version); nothing is allocated before the size agrees with n and m. The model is
-   conditioned again: equal to the saved one bit for bit, but for points that were appended or dropped (then to
-   rounding). */
-MS_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_options *options, ms_gpr **out,
-                             ms_error *error);
-
-#ifndef MS_GPR_NO_STDIO
-/* The same with a file; MS_IO where it can't be opened, read or written whole. */
-MS_API ms_status ms_gpr_save_file(const ms_gpr *gp, const char *path, ms_error *error);
-MS_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *options, ms_gpr **out, ms_error *error);
-#endif
 
 /* ---- where materials may lie ----------------------------------------------------------------------------------- */
 
@@ -511,10 +484,10 @@ typedef struct ms_gpr_recommend_report {
    mean    [count] out, or NULL: predicted scores
    sigma   [count] out, or NULL: their standard deviation
    report  or NULL
-   The same seed gives the same sequence: count says how much of it, skip where it begins. Separate modes get the shares
-   that they have of the region: by rejection exactly, by subset simulation with a standard deviation of some 0.04,
-   however rare they are; modes that differ in rows of lists or in steps are weighed by the levels alone, whose error
-   grows to 0.2 where one in 1e9 is left. MS_NOT_CONVERGED: the model predicts no score above the floor (all scores are
+   The same seed gives the same sequence: count says how much of it, skip where it begins. The share of each separate
+   mode among the recommendations is unbiased. By rejection it has the error of independent draws; by subset simulation
+   its standard deviation is 0.07 where one material in 600 is left, 0.13 for one in 100,000, 0.19 for one in 1e9.
+   MS_NOT_CONVERGED: the model predicts no score above the floor (all scores are
    equal, or there are none); nothing reaches the threshold with that caution; or the search gave up, MS_CANCELLED: the
    first report->found rows of x are valid then, and mean and sigma of them. MS_INVALID_ARGUMENT: an option out of
    range, a space that contradicts itself, count < 1. MS_OUT_OF_MEMORY. Memory and threads are the model's. gp is only
@@ -1072,161 +1045,23 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #endif /* MS_COMMON_SIMD */
 /* ms-common-simd end */
 
-#ifndef MS_GPR_NO_STDIO
-/* ms-common-files begin (the same text wherever it stands: see tests/common.sh) */
-#ifndef MS_COMMON_FILES
-#define MS_COMMON_FILES
-/* A file that takes the old one's place only when it is whole: written beside it, flushed, checked, renamed. Whatever
-   fails, the old file stays and nothing else does. Links are followed. Wants a regular file or none under that name. */
-#include <stdio.h>
-#if defined(_WIN32)
-#include <io.h>
-#include <sys/stat.h>
-#include <sys/types.h>
-#ifdef __cplusplus
-extern "C"
-#endif
-    __declspec(dllimport) int __stdcall MoveFileExA(const char *from, const char *to,
-                                                    unsigned long flags); /* as windows.h has it */
-#elif defined(__unix__) || defined(__APPLE__)
-#define MS__POSIX 1
-#include <sys/stat.h>
-#include <sys/types.h>
-#include <unistd.h>
-#if defined(__linux__) && defined(__STRICT_ANSI__) && !defined(__cplusplus) /* -std=c99 hides these, not what they do \
-                                                                             */
-int fileno(FILE *stream);
-int fsync(int file);
-ssize_t readlink(const char *path, char *to, size_t size);
-#endif
-#endif
-
-#define MS__PATH_MAX 4096
-
-typedef struct ms__file {
-    FILE *stream;
-    int failed;                    /* a write did not arrive */
-    char path[MS__PATH_MAX];       /* behind all links */
-    char beside[MS__PATH_MAX + 8]; /* path and a suffix that no other file has */
-} ms__file;
-
-static MS__UNUSED ms_status ms__file_open(ms__file *f, const char *path, ms_error *error)
-{
-    size_t n = path != NULL ? strlen(path) : 0;
-    int i;
-#if defined(MS__POSIX)
-    struct stat info;
-    ssize_t length;
-#elif defined(_WIN32)
-    struct _stat info;
-#endif
-    f->stream = NULL;
-    f->failed = 0;
-    if (n == 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path is NULL or empty");
-    if (n >= MS__PATH_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path is longer than %d bytes", MS__PATH_MAX - 1);
-    memcpy(f->path, path, n + 1);
-#if defined(MS__POSIX)
-    for (i = 0; i < 32 && (length = readlink(f->path, f->beside, MS__PATH_MAX - 1)) > 0; ++i) {
-        char *name = strrchr(f->path, '/'); /* a relative link starts from its own folder */
-        size_t folder = f->beside[0] == '/' || name == NULL ? 0 : (size_t)(name + 1 - f->path);
-        if (folder + (size_t)length >= MS__PATH_MAX) break;
-        memcpy(f->path + folder, f->beside, (size_t)length);
-        n = folder + (size_t)length;
-        f->path[n] = 0;
-    }
-    if (stat(f->path, &info) == 0) {
-        if (S_ISDIR(info.st_mode)) return ms__fail(error, MS_IO, 0, "'%s' is a directory", path);
-        if (!S_ISREG(info.st_mode)) return ms__fail(error, MS_IO, 0, "'%s' is not a regular file", path);
-        if (access(f->path, W_OK) != 0) return ms__fail(error, MS_IO, 0, "'%s' may not be written", path);
-    } else {
-        info.st_mode = 0;
-    }
-#elif defined(_WIN32)
-    if (_stat(f->path, &info) == 0) {
-        if ((info.st_mode & _S_IFMT) == _S_IFDIR) return ms__fail(error, MS_IO, 0, "'%s' is a directory", path);
-        if ((info.st_mode & _S_IFMT) != _S_IFREG) return ms__fail(error, MS_IO, 0, "'%s' is not a regular file", path);
-        if (!(info.st_mode & _S_IWRITE)) return ms__fail(error, MS_IO, 0, "'%s' may not be written", path);
-    }
-#endif
-    memcpy(f->beside, f->path, n);
-    memcpy(f->beside + n, ".new00", 7);
-    for (i = 0; i < 100 && f->stream == NULL; ++i) {
-        FILE *taken;
-        f->beside[n + 4] = (char)('0' + i / 10);
-        f->beside[n + 5] = (char)('0' + i % 10);
-        taken = fopen(f->beside, "rb");
-        if (taken != NULL) fclose(taken);
-#if defined(_WIN32) && !defined(_UCRT)
-        else f->stream = fopen(f->beside, "wb");
-#else
-        else
-            f->stream = fopen(f->beside,
-                              "wbx"); /* x: only if there is none yet (C11, in POSIX libraries long before) */
-#endif
-    }
-    if (f->stream == NULL)
-        return ms__fail(error, MS_IO, 0, "no file can be made beside '%s': its folder is missing, read-only or full",
-                        path);
-#if defined(MS__POSIX)
-    if (info.st_mode != 0)
-        chmod(f->beside, info.st_mode & 0777); /* who could not read the old one cannot read the new one */
-#endif
-    return MS_OK;
-}
-
-/* 0, or 1 if it was not written; ms__file_close() knows it too. */
-static MS__UNUSED int ms__file_write(void *file, const void *bytes, size_t size)
-{
-    ms__file *f = (ms__file *)file;
-    if (size != 0 && fwrite(bytes, 1, size, f->stream) != size) f->failed = 1;
-    return f->failed;
-}
-
-/* MS_OK if status is MS_OK and the file now stands under its name; otherwise it is gone. */
-static MS__UNUSED ms_status ms__file_close(ms__file *f, ms_status status, ms_error *error)
-{
-    int failed = f->failed;
-    if (status == MS_OK && !failed) {
-        failed = fflush(f->stream) != 0;
-#if defined(MS__POSIX)
-        failed = failed || fsync(fileno(f->stream)) != 0;
-#elif defined(_WIN32)
-        failed = failed || _commit(_fileno(f->stream)) != 0;
-#endif
-    }
-    failed = fclose(f->stream) != 0 || failed;
-    if (f->failed || (status == MS_OK && failed))
-        status = ms__fail(error, MS_IO, 0, "'%s' cannot be written to its end: the disk is full or failed", f->path);
-    if (status == MS_OK && rename(f->beside, f->path) != 0) {
-#if defined(_WIN32) /* where rename() refuses to replace; 1: replace, 8: return when it is done */
-        if (!MoveFileExA(f->beside, f->path, 1 | 8))
-#endif
-            status = ms__fail(error, MS_IO, 0, "'%s' cannot be replaced", f->path);
-    }
-    if (status != MS_OK) remove(f->beside);
-    return status;
-}
-#endif /* MS_COMMON_FILES */
-/* ms-common-files end */
-#endif
-
 /* ---- kernel table ---------------------------------------------------------------------------------------------- */
 
 #include <math.h>
-#ifndef MS_GPR_NO_STDIO
-#include <stdio.h>
-#endif
 
 /* Columns of every matrix and rows of every triangular one come in blocks of 8: n is padded with points that are
    independent of everything. One vector of the widest level fits, and no kernel has a remainder. */
-#define MS_GPR__BLOCK 8
-#define MS_GPR__CHUNK 64 /* candidates that are predicted together */
-#define MS_GPR__SLAB 32  /* training points that meet them at a time: the tile of distances stays in the first cache */
+enum {
+    MS_GPR__BLOCK = 8,
+    MS_GPR__CHUNK = 64, /* candidates that are predicted together */
+    MS_GPR__SLAB = 32   /* training points that meet them at a time: the tile of distances stays in the first cache */
+};
 
 /* Parts of a product that are known to be zero or not wanted. */
-#define MS_GPR__UPPER 1 /* only c_ij with i <= j is wanted */
-#define MS_GPR__LOWER 2 /* b_kj = 0 for k < j */
+enum {
+    MS_GPR__UPPER = 1, /* only c_ij with i <= j is wanted */
+    MS_GPR__LOWER = 2  /* b_kj = 0 for k < j */
+};
 
 /* Means along lines: with d2_i the squared distance of a place from point i, that of place + t step is d2_i + t
    (slope_i + t c), c = |step|^2. One such table a level and precision; lists are of `size` bytes a number, n a multiple
@@ -1471,7 +1306,9 @@ static void ms_gpr__release_doubles(const ms_allocator *allocator, void *block, 
 /* f(q) and its gradient. 1: defined; 0: not defined here, the search steps back; -1: stop. */
 typedef int (*ms_gpr__objective)(void *context, const double *q, double *value, double *gradient);
 
-#define MS_GPR__MEMORY 20 /* pairs that L-BFGS remembers; more gained nothing, 10 cost a fifth more evaluations */
+enum {
+    MS_GPR__MEMORY = 20 /* pairs that L-BFGS remembers; more gained nothing, 10 cost a fifth more evaluations */
+};
 
 typedef struct ms_gpr__minimum {
     double value; /* of the last q; HUGE_VAL: not even the start is defined */
@@ -1634,8 +1471,9 @@ typedef struct ms_gpr__link {
     double low, high;
 } ms_gpr__link;
 
-#define MS_GPR__OPEN 1e40 /* a bound that is none */
-#define MS_GPR__WEAK 1e-5 /* K / sf^2 that every row is held to the prior mean by, so that W can be inverted */
+static const double MS_GPR__OPEN = 1e40; /* a bound that is none */
+static const double MS_GPR__WEAK =
+    1e-5; /* K / sf^2 that every row is held to the prior mean by, so that W can be inverted */
 
 /* What one evaluation needs. Rows and columns behind n stand for points that are independent of everything. */
 typedef struct ms_gpr__problem {
@@ -2134,14 +1972,15 @@ static ms_gpr__problem ms_gpr__problem_make(const ms_gpr__kernels *kernels, int 
 
 /* ---- model ----------------------------------------------------------------------------------------------------- */
 
-#define MS_GPR__DROPPED 700.0 /* log l_k of a dimension that is dropped: no exp of it overflows */
-#define MS_GPR__N_MAX 30000   /* the matrix has 7 GB then */
-#define MS_GPR__LARGEST 1e30  /* of a score or an input: squares of sums and single precision hold it */
-#define MS_GPR__NO_FLOOR -1e300
+static const double MS_GPR__DROPPED = 700.0; /* log l_k of a dimension that is dropped: no exp of it overflows */
+enum {
+    MS_GPR__N_MAX = 30000 /* the matrix has 7 GB then */
+};
+static const double MS_GPR__LARGEST = 1e30; /* of a score or an input: squares of sums and single precision hold it */
+static const double MS_GPR__NO_FLOOR = -1e300;
 
 struct ms_gpr {
     int n, m, active; /* active: dimensions in use */
-    int capacity;     /* points that there is room for */
     size_t stride;
     double mean, floor, floor_value; /* scores up to floor are taken as floor_value */
     double jitter, likelihood;       /* the latter of soft models */
@@ -2182,7 +2021,6 @@ static size_t ms_gpr__model_doubles(int capacity, int m)
 static void ms_gpr__lay_out(ms_gpr *gp, int capacity, double *memory)
 {
     size_t m = (size_t)gp->m;
-    gp->capacity = capacity;
     gp->stride = ms_gpr__stride(capacity);
     gp->upper = memory;
     gp->points = gp->upper + (size_t)ms_gpr__padded(capacity) * gp->stride;
@@ -2748,51 +2586,7 @@ static void ms_gpr__leave_one_out(const ms_gpr *gp, double *inverse, double *res
     }
 }
 
-/* --- one point more or less --- */
-
-/* Room for one more point: a new block of half as many points again, everything copied. */
-static ms_status ms_gpr__grow(ms_gpr *gp, ms_error *error)
-{
-    ms_gpr old = *gp;
-    int capacity = gp->n + gp->n / 2 + MS_GPR__BLOCK, i, k;
-    size_t doubles, n = (size_t)gp->n, m = (size_t)gp->m;
-    double *memory;
-    void *block;
-    if (gp->n < gp->capacity) return MS_OK;
-    if (gp->n >= MS_GPR__N_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the model already has %d points", gp->n);
-    doubles = ms_gpr__model_doubles(capacity, gp->m);
-    memory = ms_gpr__doubles(&gp->allocator, doubles, &block);
-    if (memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a model of %d points", capacity);
-    gp->block = block;
-    gp->doubles = doubles;
-    ms_gpr__lay_out(gp, capacity, memory);
-    memcpy(gp->x, old.x, n * m * sizeof *gp->x);
-    memcpy(gp->y, old.y, n * sizeof *gp->y);
-    memcpy(gp->value, old.value, n * sizeof *gp->value);
-    memcpy(gp->theta, old.theta, (m + 2) * sizeof *gp->theta);
-    memcpy(gp->center, old.center, m * sizeof *gp->center);
-    memcpy(gp->scale, old.scale, m * sizeof *gp->scale);
-    memcpy(gp->dimension, old.dimension, m * sizeof *gp->dimension);
-    memcpy(gp->alpha, old.alpha, n * sizeof *gp->alpha);
-    memset(gp->points, 0, m * gp->stride * sizeof *gp->points);
-    memset(gp->points_f, 0, m * gp->stride * sizeof *gp->points_f);
-    for (i = 0; i < gp->n; ++i) ms_gpr__place_training(gp, i);
-    for (k = 0; k < ms_gpr__padded(gp->n); ++k)
-        memcpy(gp->upper + (size_t)k * gp->stride, old.upper + (size_t)k * old.stride,
-               (size_t)ms_gpr__padded(gp->n) * sizeof(double));
-    ms_gpr__release_doubles(&gp->allocator, old.block, old.doubles);
-    return MS_OK;
-}
-
-/* Row and column `at` of the factor as those of a point that is independent of all others. */
-static void ms_gpr__pad(ms_gpr *gp, int at)
-{
-    int padded = ms_gpr__padded(at + 1), i;
-    for (i = 0; i < padded; ++i)
-        gp->upper[(size_t)i * gp->stride + (size_t)at] = gp->upper[(size_t)at * gp->stride + (size_t)i] = 0;
-    gp->upper[(size_t)at * (gp->stride + 1)] = 1;
-}
+/* --- edits --- */
 
 static double ms_gpr__distance2(const double *a, size_t a_spacing, const double *b, size_t b_spacing, int m)
 {
@@ -2807,133 +2601,60 @@ static double ms_gpr__distance2(const double *a, size_t a_spacing, const double 
 
 MS_API ms_status ms_gpr_append(ms_gpr *gp, const double *x, double y, ms_error *error)
 {
-    double sf2, pivot, least;
-    int n, padded, i;
+    ms_gpr *edited;
     ms_status status;
     if (gp == NULL) return ms_gpr__null("gp", error);
     status = ms_gpr__check_data(x, &y, 1, gp->m, error);
-    if (status == MS_OK && (gp->soft || !ms_gpr__scored(y))) {
-        ms_gpr *edited;
-        if (gp->n >= MS_GPR__N_MAX)
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the model already has %d points", gp->n);
-        status = ms_gpr__edit(gp, 1, gp->pairs, gp->pair_count, &edited, error);
-        if (status != MS_OK) return status;
-        memcpy(edited->x + (size_t)gp->n * (size_t)gp->m, x, (size_t)gp->m * sizeof *x);
-        edited->y[edited->n++] = y;
-        return ms_gpr__commit(gp, edited, error);
-    }
-    if (status == MS_OK) status = ms_gpr__grow(gp, error);
+    if (status == MS_OK && gp->n >= MS_GPR__N_MAX)
+        status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "the model already has %d points", gp->n);
+    if (status == MS_OK) status = ms_gpr__edit(gp, 1, gp->pairs, gp->pair_count, &edited, error);
     if (status != MS_OK) return status;
-    n = gp->n;
-    padded = ms_gpr__padded(n);
-    sf2 = ms_gpr__sf2(gp);
-    pivot = sf2 + ms_gpr__sn2(gp) + gp->jitter * sf2;
-    memcpy(gp->x + (size_t)n * (size_t)gp->m, x, (size_t)gp->m * sizeof *x);
-    gp->y[n] = y;
-    gp->n = n + 1;
-    ms_gpr__place_training(gp, n);
-    least = gp->n * 2.220446049250313e-16 * pivot;
-    /* The new column of U is v = U'^-1 k, and the new pivot sqrt(k(x, x) + sn^2 - v'v). */
-    for (i = padded; i < ms_gpr__padded(gp->n); ++i) ms_gpr__pad(gp, i);
-    for (i = 0; i < padded; ++i)
-        gp->alpha[i] = i < n
-            ? sf2 * exp(-0.5 * ms_gpr__distance2(gp->points + i, gp->stride, gp->points + n, gp->stride, gp->active))
-            : 0;
-    ms_gpr__forward_vector(gp->kernels, gp->upper, gp->stride, padded, gp->alpha);
-    pivot -= gp->kernels->dot(gp->alpha, gp->alpha, padded);
-    if (pivot > least) {
-        for (i = 0; i < n; ++i) gp->upper[(size_t)i * gp->stride + (size_t)n] = gp->alpha[i];
-        gp->upper[(size_t)n * (gp->stride + 1)] = sqrt(pivot);
-        ms_gpr__solve_alpha(gp);
-        return MS_OK;
-    }
-    status = ms_gpr__condition(gp, error);
-    if (status != MS_OK) {
-        gp->n = n;
-        ms_gpr__condition(gp, NULL);
-    }
-    return status;
+    memcpy(edited->x + (size_t)gp->n * (size_t)gp->m, x, (size_t)gp->m * sizeof *x);
+    edited->y[edited->n++] = y;
+    return ms_gpr__commit(gp, edited, error);
+}
+
+static ms_status ms_gpr__check_index(const ms_gpr *gp, int index, ms_error *error)
+{
+    if (gp == NULL) return ms_gpr__null("gp", error);
+    return index >= 0 && index < gp->n
+        ? MS_OK
+        : ms__fail(error, MS_INVALID_ARGUMENT, 0, "index is %d: expected 0 to %d", index, gp->n - 1);
 }
 
 MS_API ms_status ms_gpr_rescore(ms_gpr *gp, int index, double y, ms_error *error)
 {
-    ms_status status;
-    if (gp == NULL) return ms_gpr__null("gp", error);
-    status = ms_gpr__check_scores(&y, 1, error);
+    ms_gpr *edited;
+    ms_status status = ms_gpr__check_index(gp, index, error);
+    if (status == MS_OK) status = ms_gpr__check_scores(&y, 1, error);
+    if (status == MS_OK) status = ms_gpr__edit(gp, 0, gp->pairs, gp->pair_count, &edited, error);
     if (status != MS_OK) return status;
-    if (index < 0 || index >= gp->n)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "index is %d: expected 0 to %d", index, gp->n - 1);
-    if (gp->soft || !ms_gpr__scored(y)) {
-        ms_gpr *edited;
-        status = ms_gpr__edit(gp, 1, gp->pairs, gp->pair_count, &edited, error);
-        if (status != MS_OK) return status;
-        edited->y[index] = y;
-        return ms_gpr__commit(gp, edited, error);
-    }
-    gp->y[index] = y;
-    ms_gpr__solve_alpha(gp);
-    return MS_OK;
+    edited->y[index] = y;
+    return ms_gpr__commit(gp, edited, error);
 }
 
 MS_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error)
 {
-    size_t m, stride;
-    int last, i, j, k;
-    if (gp == NULL) return ms_gpr__null("gp", error);
+    ms_gpr *edited;
+    ms_status status = ms_gpr__check_index(gp, index, error);
+    size_t m, after;
+    int i, j;
+    if (status == MS_OK) status = ms_gpr__edit(gp, 0, gp->pairs, gp->pair_count, &edited, error);
+    if (status != MS_OK) return status;
     m = (size_t)gp->m;
-    stride = gp->stride;
-    last = gp->n - 1;
-    if (index < 0 || index > last)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "index is %d: expected 0 to %d", index, last);
-    if (gp->soft) {
-        ms_gpr *edited;
-        ms_status status = ms_gpr__edit(gp, 1, gp->pairs, gp->pair_count, &edited, error);
-        if (status != MS_OK) return status;
-        memmove(edited->x + (size_t)index * m, edited->x + ((size_t)index + 1) * m,
-                (size_t)(last - index) * m * sizeof *gp->x);
-        memmove(edited->y + index, edited->y + index + 1, (size_t)(last - index) * sizeof *gp->y);
-        memmove(edited->alpha + index, edited->alpha + index + 1, (size_t)(last - index) * sizeof *gp->alpha);
-        edited->alpha[last] = 0;
-        edited->n = last;
-        for (i = 0, j = 0; i < gp->pair_count; ++i) {
-            int better = gp->pairs[2 * i], worse = gp->pairs[2 * i + 1];
-            if (better == index || worse == index) continue;
-            edited->pairs[2 * j] = better - (better > index);
-            edited->pairs[2 * j++ + 1] = worse - (worse > index);
-        }
-        edited->pair_count = j;
-        return ms_gpr__commit(gp, edited, error);
+    after = (size_t)(gp->n - 1 - index);
+    memmove(edited->x + (size_t)index * m, edited->x + ((size_t)index + 1) * m, after * m * sizeof *gp->x);
+    memmove(edited->y + index, edited->y + index + 1, after * sizeof *gp->y);
+    memmove(edited->alpha + index, edited->alpha + index + 1, after * sizeof *gp->alpha);
+    edited->alpha[--edited->n] = 0;
+    for (i = 0, j = 0; i < gp->pair_count; ++i) {
+        int better = gp->pairs[2 * i], worse = gp->pairs[2 * i + 1];
+        if (better == index || worse == index) continue;
+        edited->pairs[2 * j] = better - (better > index);
+        edited->pairs[2 * j++ + 1] = worse - (worse > index);
     }
-    memmove(gp->x + (size_t)index * m, gp->x + ((size_t)index + 1) * m, (size_t)(last - index) * m * sizeof *gp->x);
-    memmove(gp->y + index, gp->y + index + 1, (size_t)(last - index) * sizeof *gp->y);
-    for (k = 0; k < gp->active; ++k) {
-        double *p = gp->points + (size_t)k * stride;
-        float *q = gp->points_f + (size_t)k * stride;
-        memmove(p + index, p + index + 1, (size_t)(last - index) * sizeof *p);
-        memmove(q + index, q + index + 1, (size_t)(last - index) * sizeof *q);
-        p[last] = 0;
-        q[last] = 0;
-    }
-    for (i = 0; i <= last; ++i) {
-        double *row = gp->upper + (size_t)i * stride;
-        int first = i < index ? index : i - 1; /* row i > index keeps the element that was on its diagonal */
-        if (first < index) first = index;
-        memmove(row + first, row + first + 1, (size_t)(last - first) * sizeof *row);
-    }
-    for (i = index; i < last; ++i) { /* Givens rotations of rows i and i + 1 remove the element below the diagonal */
-        double *a = gp->upper + (size_t)i * stride, *b = a + stride, r = sqrt(a[i] * a[i] + b[i] * b[i]), c = a[i] / r,
-               s = b[i] / r;
-        for (j = i; j < last; ++j) {
-            double t = c * a[j] + s * b[j];
-            b[j] = c * b[j] - s * a[j];
-            a[j] = t;
-        }
-        a[i] = r;
-    }
-    gp->n = last;
-    ms_gpr__pad(gp, last);
-    ms_gpr__solve_alpha(gp);
-    return MS_OK;
+    edited->pair_count = j;
+    return ms_gpr__commit(gp, edited, error);
 }
 
 MS_API ms_status ms_gpr_compare(ms_gpr *gp, const double *x, int count, const int *pairs, int pair_count,
@@ -3065,7 +2786,8 @@ static ms_status ms_gpr__predict_run(ms_gpr__batch *b, void (*task)(void *contex
     void *block;
     if (b->count == 0) return MS_OK;
     b->tasks = gp->parallel.run == NULL ? 1 : chunks < 16 ? chunks : 16;
-    b->task_doubles = ms__size_mul(MS_GPR__CHUNK, (size_t)gp->active + (rows > MS_GPR__SLAB ? rows : MS_GPR__SLAB));
+    b->task_doubles = ms__size_mul(MS_GPR__CHUNK,
+                                   (size_t)gp->active + (rows > MS_GPR__SLAB ? rows : (size_t)MS_GPR__SLAB));
     doubles = ms__size_mul((size_t)b->tasks, b->task_doubles);
     b->scratch = ms_gpr__doubles(&gp->allocator, doubles, &block);
     if (b->scratch == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for predictions");
@@ -3236,18 +2958,22 @@ static void ms_gpr__ranked_select(ms_gpr__ranked *list, int count, int first)
    people: with 0.2 the 90% intervals of 30 scores hold 75% of new ones, with 0.5 they hold 83%, and the divergence on
    synthetic users does not grow (tests/bench/RESULTS.md). Above the mean by more than MS_GPR__PRIOR_TAIL spreads the
    penalty is linear: scores that contradict each other are believed. */
-#define MS_GPR__PRIOR_LENGTH 2.1 /* times sqrt(m) */
-#define MS_GPR__PRIOR_LENGTH_SPREAD 1.5
-#define MS_GPR__PRIOR_SF_SPREAD 1.0
-#define MS_GPR__PRIOR_SN 0.5
-#define MS_GPR__PRIOR_SN_STEP 1.5 /* of scores that come in steps */
-#define MS_GPR__PRIOR_SN_SPREAD 0.25
-#define MS_GPR__PRIOR_TAIL 1.0
-#define MS_GPR__OUTLIER_ROWS 8 /* scores at least before one of them is an outlier */
-#define MS_GPR__OUTLIER_RANGES 3.0
-#define MS_GPR__OUTLIER_DEVIATIONS 5.0
-#define MS_GPR__PART \
-    100 /* scores at least that the starts of a fit are tried on, and 4 m; a third of all, but at most 400 */
+static const double MS_GPR__PRIOR_LENGTH = 2.1; /* times sqrt(m) */
+static const double MS_GPR__PRIOR_LENGTH_SPREAD = 1.5;
+static const double MS_GPR__PRIOR_SF_SPREAD = 1.0;
+static const double MS_GPR__PRIOR_SN = 0.5;
+static const double MS_GPR__PRIOR_SN_STEP = 1.5; /* of scores that come in steps */
+static const double MS_GPR__PRIOR_SN_SPREAD = 0.25;
+static const double MS_GPR__PRIOR_TAIL = 1.0;
+enum {
+    MS_GPR__OUTLIER_ROWS = 8 /* scores at least before one of them is an outlier */
+};
+static const double MS_GPR__OUTLIER_RANGES = 3.0;
+static const double MS_GPR__OUTLIER_DEVIATIONS = 5.0;
+enum {
+    MS_GPR__PART =
+        100 /* scores at least that the starts of a fit are tried on, and 4 m; a third of all, but at most 400 */
+};
 
 /* Scores that a search looks at: all of them, or a part. Targets have mean 0 and standard deviation 1. */
 typedef struct ms_gpr__sample {
@@ -3773,210 +3499,6 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
     ms_gpr__release_doubles(&fit.o.allocator, block, doubles);
     return status;
 }
-
-/* ---- files ----------------------------------------------------------------------------------------------------- */
-
-#define MS_GPR__HEADER 24 /* bytes before the doubles */
-
-static void ms_gpr__put(unsigned char *bytes, int count, uint64_t value)
-{
-    int i;
-    for (i = 0; i < count; ++i) bytes[i] = (unsigned char)(value >> (8 * i));
-}
-
-static uint64_t ms_gpr__get(const unsigned char *bytes, int count)
-{
-    uint64_t value = 0;
-    int i;
-    for (i = 0; i < count; ++i) value |= (uint64_t)bytes[i] << (8 * i);
-    return value;
-}
-
-static uint64_t ms_gpr__checksum(const unsigned char *bytes, size_t size)
-{
-    uint64_t hash = 0xcbf29ce484222325u; /* FNV-1a */
-    size_t i;
-    for (i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3u;
-    return hash;
-}
-
-/* Behind the header, a pair of comparisons as long as one. soft: 1 in version 3. */
-static size_t ms_gpr__file_doubles(size_t n, size_t m, size_t soft, size_t pairs)
-{
-    return ms__size_add(ms__size_add(m, 5 + soft), ms__size_add(pairs, ms__size_mul(n, ms__size_add(m, 1))));
-}
-
-MS_API size_t ms_gpr_save_size(const ms_gpr *gp)
-{
-    return gp ? MS_GPR__HEADER +
-            8 * ms_gpr__file_doubles((size_t)gp->n, (size_t)gp->m, (size_t)gp->soft, (size_t)gp->pair_count) + 8
-              : 0;
-}
-
-MS_API void ms_gpr_save(const ms_gpr *gp, void *bytes)
-{
-    unsigned char *start = (unsigned char *)bytes, *at = start + MS_GPR__HEADER;
-    const double *part[7];
-    size_t count[7], i;
-    int k;
-    if (gp == NULL || bytes == NULL) return;
-    memcpy(start, "ms_gpr\r\n", 8);
-    ms_gpr__put(start + 8, 4, gp->soft ? 3 : 2);
-    ms_gpr__put(start + 12, 4, (uint64_t)gp->n);
-    ms_gpr__put(start + 16, 4, (uint64_t)gp->m);
-    ms_gpr__put(start + 20, 4, (uint64_t)gp->pair_count);
-    part[0] = &gp->mean, count[0] = 1;
-    part[1] = &gp->floor, count[1] = 1;
-    part[2] = &gp->floor_value, count[2] = 1;
-    part[3] = &gp->step, count[3] = (size_t)gp->soft;
-    part[4] = gp->theta, count[4] = (size_t)gp->m + 2;
-    part[5] = gp->x, count[5] = (size_t)gp->n * (size_t)gp->m;
-    part[6] = gp->y, count[6] = (size_t)gp->n;
-    for (k = 0; k < 7; ++k) {
-        for (i = 0; i < count[k]; ++i, at += 8) {
-            uint64_t bits;
-            memcpy(&bits, part[k] + i, 8);
-            ms_gpr__put(at, 8, bits);
-        }
-    }
-    for (k = 0; k < 2 * gp->pair_count; ++k, at += 4) ms_gpr__put(at, 4, (uint64_t)gp->pairs[k]);
-    ms_gpr__put(at, 8, ms_gpr__checksum(start, (size_t)(at - start)));
-}
-
-/* The doubles of a file whose frame is sound, into `value`, and pairs behind them. */
-static ms_status ms_gpr__load_values(const unsigned char *bytes, size_t n, size_t m, size_t soft, size_t pairs,
-                                     double *value, ms_error *error)
-{
-    size_t count = ms_gpr__file_doubles(n, m, soft, 0), first = 3 + soft, i;
-    int *pair = (int *)(void *)(value + count);
-    for (i = 0; i < count; ++i) {
-        uint64_t bits = ms_gpr__get(bytes + MS_GPR__HEADER + 8 * i, 8);
-        memcpy(&value[i], &bits, 8);
-        if (!ms__finite(value[i]))
-            return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 8 * i, "value %z is not finite", i + 1);
-    }
-    if (soft && !(value[3] >= 0 && value[3] <= MS_GPR__LARGEST))
-        return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 24, "the step is out of range");
-    if (ms_gpr__check_theta(value + first, (int)m, NULL) != MS_OK)
-        return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 8 * first, "a hyperparameter is out of range");
-    if (ms_gpr__check_data(value + first + m + 2, value + first + m + 2 + n * m, (int)n, (int)m, NULL) != MS_OK)
-        return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 8 * (first + m + 2), "an input or a score is beyond 1e30");
-    for (i = 0; i < 2 * pairs; ++i) {
-        uint64_t row = ms_gpr__get(bytes + MS_GPR__HEADER + 8 * count + 4 * i, 4);
-        if (row >= n || (i % 2 && (int)row == pair[i - 1]))
-            return ms__fail(error, MS_BAD_DATA, MS_GPR__HEADER + 8 * count + 4 * i,
-                            "a comparison names a row that is not there, or twice the same");
-        pair[i] = (int)row;
-    }
-    return MS_OK;
-}
-
-MS_API ms_status ms_gpr_load(const void *bytes, size_t size, const ms_gpr_options *options, ms_gpr **out,
-                             ms_error *error)
-{
-    const unsigned char *b = (const unsigned char *)bytes;
-    ms_gpr_options o;
-    size_t n, m, soft, pairs, expected, doubles;
-    double *value;
-    ms_status status;
-    if (out == NULL) return ms_gpr__null("out", error);
-    *out = NULL;
-    if (bytes == NULL) return ms_gpr__null("bytes", error);
-    if (size < MS_GPR__HEADER + 8 || memcmp(b, "ms_gpr\r\n", 8) != 0)
-        return ms__fail(error, MS_BAD_DATA, 0,
-                        "not a model: it does not start with \"ms_gpr\" and a line end, or is cut short");
-    soft = ms_gpr__get(b + 8, 4) == 3;
-    if (!soft && ms_gpr__get(b + 8, 4) != 2)
-        return ms__fail(error, MS_UNSUPPORTED, 8, "version %z: expected 2 or 3", (size_t)ms_gpr__get(b + 8, 4));
-    n = (size_t)ms_gpr__get(b + 12, 4);
-    m = (size_t)ms_gpr__get(b + 16, 4);
-    pairs = (size_t)ms_gpr__get(b + 20, 4);
-    if (n > MS_GPR__N_MAX || m < 1 || m > 0x7fffff || pairs > (soft ? 10000000 : 0))
-        return ms__fail(
-            error, MS_BAD_DATA, 12,
-            "%z points of %z dimensions, %z pairs: expected at most %d points, 1 to 8388607 dimensions, and "
-            "at most 10000000 pairs, none in version 2",
-            n, m, pairs, MS_GPR__N_MAX);
-    doubles = ms_gpr__file_doubles(n, m, soft, pairs);
-    expected = ms__size_add(ms__size_mul(doubles, 8), MS_GPR__HEADER + 8);
-    if (size != expected)
-        return ms__fail(error, MS_BAD_DATA, size < expected ? size : expected,
-                        "%z bytes: expected %z for %z points of %z dimensions", size, expected, n, m);
-    if (ms_gpr__get(b + size - 8, 8) != ms_gpr__checksum(b, size - 8))
-        return ms__fail(error, MS_BAD_DATA, size - 8, "the checksum does not match: the file was changed or damaged");
-    memset(&o, 0, sizeof o);
-    if (options) o = *options;
-    value = (double *)ms__alloc(&o.allocator, doubles * sizeof *value);
-    if (value == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to read %z values", doubles);
-    status = ms_gpr__load_values(b, n, m, soft, pairs, value, error);
-    if (status == MS_OK) {
-        ms_gpr__data data;
-        o.mean = value[0];
-        data.floor = value[1];
-        data.floor_value = value[2];
-        data.step = soft ? value[3] : 0;
-        data.alpha = NULL;
-        data.theta = value + 3 + soft;
-        data.x = data.theta + m + 2;
-        data.y = data.x + n * m;
-        data.n = (int)n;
-        data.m = (int)m;
-        data.pair_count = (int)pairs;
-        data.pairs = (const int *)(const void *)(data.y + n);
-        status = ms_gpr__make(&data, &o, out, error);
-    }
-    ms__release(&o.allocator, value, doubles * sizeof *value);
-    return status;
-}
-
-#ifndef MS_GPR_NO_STDIO
-MS_API ms_status ms_gpr_save_file(const ms_gpr *gp, const char *path, ms_error *error)
-{
-    size_t size;
-    void *bytes;
-    ms__file file;
-    ms_status status;
-    if (gp == NULL) return ms_gpr__null("gp", error);
-    size = ms_gpr_save_size(gp);
-    bytes = ms__alloc(&gp->allocator, size);
-    if (bytes == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a file of %z bytes", size);
-    ms_gpr_save(gp, bytes);
-    status = ms__file_open(&file, path, error);
-    if (status == MS_OK) {
-        ms__file_write(&file, bytes, size);
-        status = ms__file_close(&file, MS_OK, error);
-    }
-    ms__release(&gp->allocator, bytes, size);
-    return status;
-}
-
-MS_API ms_status ms_gpr_load_file(const char *path, const ms_gpr_options *options, ms_gpr **out, ms_error *error)
-{
-    const ms_allocator *allocator = options ? &options->allocator : NULL;
-    ms_status status;
-    FILE *file;
-    void *bytes;
-    long size;
-    if (out == NULL) return ms_gpr__null("out", error);
-    *out = NULL;
-    if (path == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "path is NULL");
-    file = fopen(path, "rb");
-    if (file == NULL) return ms__fail(error, MS_IO, 0, "cannot open %s", path);
-    size = fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
-    if (size < 0 || (size_t)size > SIZE_MAX / 4 || fseek(file, 0, SEEK_SET) != 0) { /* a folder ends nowhere */
-        fclose(file);
-        return ms__fail(error, MS_IO, 0, "cannot read %s", path);
-    }
-    bytes = ms__alloc(allocator, (size_t)size);
-    if (bytes == NULL) status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a file of %z bytes", (size_t)size);
-    else if (fread(bytes, 1, (size_t)size, file) != (size_t)size)
-        status = ms__fail(error, MS_IO, 0, "cannot read %s", path);
-    else status = ms_gpr_load(bytes, (size_t)size, options, out, error);
-    fclose(file);
-    ms__release(allocator, bytes, (size_t)size);
-    return status;
-}
-#endif
 
 /* ---- where materials may lie ----------------------------------------------------------------------------------- */
 
@@ -4519,22 +4041,22 @@ static ms_status ms_gpr__space_make(const double *x, int n, int m, const ms_gpr_
 
 /* Candidates come in batches and chains in groups, each batch and each chain with a random stream of its own: the
    number of threads changes nothing. */
-#define MS_GPR__BATCH 1024      /* uniform candidates a task */
-#define MS_GPR__BATCHES 16      /* tasks a wave */
-#define MS_GPR__PILOT 8         /* batches that are looked at first */
-#define MS_GPR__TASKS 16        /* of a level of subset simulation, and of a wave of recommendations */
-#define MS_GPR__WAVE 64         /* recommendations that are looked for together */
-#define MS_GPR__POPULATION 1024 /* places a level */
-#define MS_GPR__SURVIVE 4       /* one in so many lies above the next level */
-#define MS_GPR__LEVELS 500
-#define MS_GPR__SUMMITS 16 /* ascents that look for the largest mean, and modes at most */
-#define MS_GPR__TIGHT 0.3  /* length scales in the box's width from which on the mean depends on a column */
-#define MS_GPR__AXES 64    /* that the shape of a mode is known along, at most */
-#define MS_GPR__LEAST 384  /* places of a mode at least, before its share is measured */
-#define MS_GPR__REFRESH 2  /* steps of every place before that */
-#define MS_GPR__DRIFT \
-    12.0 /* what a level adds to the variance of a logarithm of shares, times 1 / places: seen, not derived */
-#define MS_GPR__RARE 50 /* candidates that cost about as much as one recommendation of subset simulation */
+enum {
+    MS_GPR__BATCH = 1024,      /* uniform candidates a task */
+    MS_GPR__BATCHES = 16,      /* tasks a wave */
+    MS_GPR__PILOT = 8,         /* batches that are looked at first */
+    MS_GPR__TASKS = 16,        /* of a level of subset simulation, and of a wave of recommendations */
+    MS_GPR__WAVE = 64,         /* recommendations that are looked for together */
+    MS_GPR__POPULATION = 1024, /* places a level */
+    MS_GPR__SURVIVE = 4,       /* one in so many lies above the next level */
+    MS_GPR__LEVELS = 500,
+    MS_GPR__SUMMITS = 16 /* ascents that look for the largest mean */
+};
+static const double MS_GPR__TIGHT =
+    0.3; /* length scales in the box's width from which on the mean depends on a column */
+enum {
+    MS_GPR__RARE = 50 /* candidates that cost about as much as one recommendation of subset simulation */
+};
 
 /* A place in the unit box, what the mean there needs, and a step to go. */
 typedef struct ms_gpr__walker {
@@ -4550,15 +4072,6 @@ typedef struct ms_gpr__walker {
     double value;  /* the mean less caution there */
     double slices; /* means predicted along lines so far */
 } ms_gpr__walker;
-
-/* What lies nearest to one summit, in length scales. */
-typedef struct ms_gpr__mode {
-    int first,
-        count; /* of the population, which is sorted by modes; count: of those that the levels left there, at first */
-    double share;   /* of the region */
-    double *middle; /* [AXES] the mean along the axes of the hunt, */
-    double *shape;  /* [AXES][AXES] and U, U'U = the covariance there */
-} ms_gpr__mode;
 
 /* What all tasks of one call share. */
 typedef struct ms_gpr__hunt {
@@ -4592,10 +4105,7 @@ typedef struct ms_gpr__hunt {
     double *next_value;
     int population, *seed; /* [POPULATION] places where the chains of a level start */
     int seeds, turn;
-    double *tight;                      /* [m] how far to go across; 0: only along the axis */
-    ms_gpr__mode mode[MS_GPR__SUMMITS]; /* as many of the summits, in their order */
-    int modes, axes;
-    double *axis;    /* [AXES][m] orthonormal directions that keep the ties */
+    double *tight;   /* [m] how far to go across; 0: only along the axis */
     uint64_t stream; /* of the wave's first batch or chain */
     ms_gpr_recommend_report report;
 } ms_gpr__hunt;
@@ -4986,11 +4496,10 @@ static void ms_gpr__hunt_wander(void *context, int task)
     for (d = 0; d < m; ++d) directions += h->tight[d] > 0;
     for (i = task; i < h->wave; i += MS_GPR__TASKS) {
         double at = (double)(h->stream + (uint64_t)i) * 0.61803398874989485; /* any run of these is spread evenly */
+        int from;
         ms__rng rng = ms__rng_make(h->o.seed, ((uint64_t)1 << 41) + h->stream + (uint64_t)i);
-        int mode = 0, from;
         at -= floor(at);
-        for (; mode + 1 < h->modes && at >= h->mode[mode].share; ++mode) at -= h->mode[mode].share;
-        from = h->mode[mode].first + (int)(fmin(at / h->mode[mode].share, 0.999999999) * h->mode[mode].count);
+        from = (int)(at * h->population);
         memcpy(w->place, h->place + (size_t)from * m, m * sizeof *w->place);
         for (round = 0; round < h->o.rounds; ++round) {
             for (d = 0, k = 0; d < m; ++d) { /* dropped dimensions are uniform anyway */
@@ -5223,266 +4732,6 @@ static void ms_gpr__hunt_rise(ms_gpr__hunt *h, int step)
     h->population = h->seeds = MS_GPR__POPULATION;
 }
 
-/* --- shares of modes --- */
-
-static int ms_gpr__hunt_mode_of(const ms_gpr__hunt *h, const double *place)
-{
-    double nearest = 1e300;
-    int best = 0, c, k;
-    for (c = 0; c < h->modes; ++c) {
-        const double *summit = h->summit + c * h->gp->m;
-        double sum = 0;
-        for (k = 0; k < h->gp->active; ++k) {
-            int d = h->gp->dimension[k];
-            sum += h->unit[k] * (place[d] - summit[d]) * (h->unit[k] * (place[d] - summit[d]));
-        }
-        if (sum < nearest) best = c, nearest = sum;
-    }
-    return best;
-}
-
-/* Whether the straight way from a place to a summit stays in the region, and nearer to the lower end's height than to
-   the level. */
-static int ms_gpr__hunt_joined(const ms_gpr__hunt *h, const double *place, const double *summit)
-{
-    const ms_gpr *gp = h->gp;
-    ms_gpr__walker w = h->walker[0];
-    double mean[9], bar;
-    int k, i, n = ms_gpr__padded(gp->n);
-    w.place = h->walker[1].place; /* the first one's may be what is asked about */
-    for (k = 0; k < gp->m; ++k) w.direction[k] = summit[k] - (w.place[k] = place[k]);
-    ms_gpr__walker_arrive(h, h->lines, h->points, &w);
-    ms_gpr__walker_face(h, h->lines, h->points, &w);
-    for (i = 0; i <= 8; ++i) mean[i] = gp->mean + h->lines->mean(w.d2, w.slope, 0.125 * i, w.curvature, h->weight, n);
-    bar = h->level + 0.5 * (fmin(mean[0], mean[8]) - h->level);
-    for (i = 1; i < 8; ++i)
-        if (mean[i] < bar || mean[i] - ms_gpr__walker_doubt(h, h->lines, &w, 0.125 * i) < h->level) return 0;
-    return 1;
-}
-
-/* A summit that no other is joined with becomes that of a mode. */
-static void ms_gpr__hunt_found(ms_gpr__hunt *h, const double *summit)
-{
-    size_t m = (size_t)h->gp->m;
-    int c;
-    for (c = 0; c < h->modes; ++c)
-        if (ms_gpr__hunt_joined(h, h->summit + (size_t)c * m, summit)) return;
-    memmove(h->summit + (size_t)h->modes++ * m, summit, m * sizeof *summit);
-}
-
-/* The modes: of the ascents from the first candidates, and of some from places of the population that none of those
-   explains. */
-static void ms_gpr__hunt_modes(ms_gpr__hunt *h)
-{
-    ms_gpr__walker *w = &h->walker[0];
-    size_t m = (size_t)h->gp->m;
-    int i;
-    for (i = 0, h->modes = 0; i < MS_GPR__SUMMITS; ++i)
-        if (h->summit_value[i] >= h->level) ms_gpr__hunt_found(h, h->summit + (size_t)i * m);
-    for (i = 0; i < 2 * MS_GPR__SUMMITS && h->modes > 0 && h->modes < MS_GPR__SUMMITS; ++i) {
-        const double *place = h->place + (size_t)i * (size_t)h->population / (2 * MS_GPR__SUMMITS) * m;
-        if (ms_gpr__hunt_joined(h, place, h->summit + (size_t)ms_gpr__hunt_mode_of(h, place) * m)) continue;
-        memcpy(w->place, place, m * sizeof *place);
-        ms_gpr__walker_ascend(h, w, 30);
-        ms_gpr__space_settle(&h->s, w->place);
-        if (ms_gpr__walker_exact(h, w) - ms_gpr__walker_doubt(h, &h->gp->kernels->lines, w, 0) >= h->level)
-            ms_gpr__hunt_found(h, w->place);
-    }
-}
-
-/* More places of mode c, where it has few: of a chain from one of them, or from its summit. What leaves it counts where
-   it arrives. */
-static void ms_gpr__hunt_enrich(ms_gpr__hunt *h, int c)
-{
-    ms_gpr__walker *w = &h->walker[0];
-    ms__rng rng = ms__rng_make(h->o.seed, ((uint64_t)1 << 42) + (uint64_t)c);
-    size_t m = (size_t)h->gp->m;
-    int have = 0, i;
-    memcpy(w->place, h->summit + (size_t)c * m, m * sizeof *w->place);
-    for (i = 0; i < h->population; ++i)
-        if (h->ranked[i].index == c && have++ == 0) memcpy(w->place, h->place + (size_t)i * m, m * sizeof *w->place);
-    if (have >= MS_GPR__LEAST) return;
-    ms_gpr__walker_arrive(h, h->lines, h->points, w);
-    for (i = 0; have < MS_GPR__LEAST && i < 8 * MS_GPR__LEAST && h->population < MS_GPR__PILOT * MS_GPR__BATCH; ++i) {
-        ms_gpr__walker_stir(h, w, i, &rng);
-        if (i % 4 < 3 || i < MS_GPR__LEAST) continue;
-        h->ranked[h->population].index = ms_gpr__hunt_mode_of(h, w->place);
-        have += h->ranked[h->population].index == c;
-        memcpy(h->place + (size_t)h->population++ * m, w->place, m * sizeof *w->place);
-    }
-}
-
-/* Directions of what is narrow in any mode. */
-static void ms_gpr__hunt_axes(ms_gpr__hunt *h)
-{
-    const ms_gpr *gp = h->gp;
-    size_t m = (size_t)gp->m;
-    int c, i, j, k, at, most = ms_gpr__padded(gp->m) < MS_GPR__AXES ? gp->m : MS_GPR__AXES;
-    double *direction = h->walker[0].direction;
-    h->axes = 0;
-    for (at = 0; at < gp->active && h->axes < most; ++at) {
-        int d = gp->dimension[at];
-        double within = 0, norm2 = 0;
-        if (!(h->tight[d] > 0)) continue;
-        for (c = 0; c < h->modes; ++c) {
-            const double *v = h->place + (size_t)h->mode[c].first * m + d;
-            double sum = 0, sum2 = 0;
-            for (i = 0; i < h->mode[c].count; ++i, v += m) sum += *v, sum2 += *v * *v;
-            within += sum2 - sum * sum / h->mode[c].count;
-        }
-        if (!ms_gpr__space_face(&h->s, d, direction)) continue;
-        if (within > 0.065 * h->population) continue; /* of 1/12 */
-        for (j = 0; j < h->axes; ++j) {
-            double *a = h->axis + (size_t)j * m, sum = 0;
-            for (k = 0; k < gp->m; ++k) sum += a[k] * direction[k];
-            for (k = 0; k < gp->m; ++k) direction[k] -= sum * a[k];
-        }
-        for (k = 0; k < gp->m; ++k) norm2 += direction[k] * direction[k];
-        if (norm2 < 1e-6) continue;
-        for (k = 0; k < gp->m; ++k) h->axis[(size_t)h->axes * m + (size_t)k] = direction[k] / sqrt(norm2);
-        ++h->axes;
-    }
-}
-
-/* Mode by mode the mean along the axes and the covariance, of the first half of its places or the second. 0: there is
-   none. */
-static int ms_gpr__hunt_shapes(ms_gpr__hunt *h, int half)
-{
-    const ms_gpr *gp = h->gp;
-    size_t m = (size_t)gp->m, row = (size_t)ms_gpr__padded(h->axes);
-    int c, i, j, k;
-    for (c = 0; c < h->modes; ++c) {
-        ms_gpr__mode *mode = &h->mode[c];
-        int first = mode->first + half * (mode->count / 2),
-            count = half ? mode->count - mode->count / 2 : mode->count / 2;
-        memset(mode->middle, 0, row * sizeof *mode->middle);
-        memset(mode->shape, 0, row * row * sizeof *mode->shape);
-        for (i = -count; i < count; ++i) { /* the means, then the covariance */
-            const double *place = h->place + (size_t)(first + (i < 0 ? i + count : i)) * m;
-            double *z = h->walker[0].kernel;
-            for (j = 0; j < h->axes; ++j) {
-                for (k = 0, z[j] = 0; k < gp->m; ++k) z[j] += h->axis[(size_t)j * m + (size_t)k] * place[k];
-                if (i < 0) mode->middle[j] += z[j] / count;
-                else z[j] -= mode->middle[j];
-            }
-            for (j = 0; j < h->axes && i >= 0; ++j)
-                for (k = j; k < h->axes; ++k) mode->shape[(size_t)j * row + (size_t)k] += z[j] * z[k] / count;
-        }
-        for (j = 0; j < (int)row; ++j) {
-            for (k = j + 1; k < (int)row && count < 4 * h->axes; ++k)
-                mode->shape[(size_t)j * row + (size_t)k] = 0; /* too few to say */
-            mode->shape[(size_t)j * (row + 1)] = j < h->axes ? 1e-12 + mode->shape[(size_t)j * (row + 1)] * (1 + 1e-9)
-                                                             : 1;
-        }
-        if (!ms_gpr__cholesky(gp->kernels, mode->shape, row, (int)row, 0)) return 0;
-    }
-    return 1;
-}
-
-/* The share of half of mode a's places that the affine map which takes its shape to b's brings into b. */
-static double ms_gpr__hunt_cross(ms_gpr__hunt *h, const ms_gpr__mode *a, const ms_gpr__mode *b, int half)
-{
-    const ms_gpr *gp = h->gp;
-    ms_gpr__walker *w = &h->walker[0];
-    size_t m = (size_t)gp->m, row = (size_t)ms_gpr__padded(h->axes);
-    double *z = w->kernel;
-    int first = half * (a->count / 2), end = half ? a->count : a->count / 2, count = 0, hits = 0, i, j, k;
-    for (i = first; i < end; ++i) {
-        const double *place = h->place + (size_t)(a->first + i) * m;
-        int inside = 1;
-        memset(z, 0, row * sizeof *z);
-        memcpy(w->place, place, m * sizeof *place);
-        for (j = 0; j < h->axes; ++j) {
-            for (k = 0, z[j] = -a->middle[j]; k < gp->m; ++k) z[j] += h->axis[(size_t)j * m + (size_t)k] * place[k];
-            for (k = 0; k < gp->m; ++k) w->place[k] -= z[j] * h->axis[(size_t)j * m + (size_t)k];
-        }
-        ms_gpr__forward_vector(gp->kernels, a->shape, row, (int)row, z);
-        for (j = 0; j < h->axes; ++j) {
-            double to = b->middle[j] - a->middle[j];
-            for (k = 0; k <= j; ++k) to += b->shape[(size_t)k * row + (size_t)j] * z[k];
-            for (k = 0; k < gp->m; ++k) w->place[k] += to * h->axis[(size_t)j * m + (size_t)k];
-        }
-        for (k = 0; k < gp->m; ++k) inside &= w->place[k] > -1e-12 && w->place[k] < 1 + 1e-12;
-        if (!inside || &h->mode[ms_gpr__hunt_mode_of(h, w->place)] != b) continue;
-        ms_gpr__space_material(&h->s, w->place, h->candidate + (size_t)count++ * m);
-    }
-    ms_gpr__hunt_predict(h, 0, 0, count);
-    h->report.candidates += count;
-    for (i = 0; i < count; ++i) hits += h->mean[i] >= h->level;
-    return (double)hits / (end - first);
-}
-
-/* The modes' shares of the region. Each level of the climb lets them drift. But a map that takes mode a to b and
-   changes volumes by J takes a share p of a into b, and its inverse a share q of b into a, so that the volume of b is J
-   p / q of that of a. Both estimates are weighted by what they are worth. Meng & Schilling 2002, "Warp bridge
-   sampling". */
-static void ms_gpr__hunt_balance(ms_gpr__hunt *h, int levels)
-{
-    size_t m = (size_t)h->gp->m;
-    int climbed = h->report.acceptance > 0 ? h->population : 0, left[MS_GPR__SUMMITS], largest = 0, c, i, j;
-    double bridge[MS_GPR__SUMMITS], worth[MS_GPR__SUMMITS], sum = 0;
-    memset(bridge, 0, sizeof bridge);
-    memset(worth, 0, sizeof worth);
-    ms_gpr__hunt_modes(h);
-    if (h->modes == 0) h->modes = 1; /* rounding of the summit's mean */
-    for (j = 0; j < MS_GPR__REFRESH && h->modes > 1 && climbed > 0;
-         ++j) { /* places forget which others they come from */
-        for (i = 0; i < MS_GPR__POPULATION; ++i) h->seed[i] = i;
-        ms_gpr__hunt_rise(h, levels + j);
-    }
-    memset(left, 0, sizeof left);
-    for (i = 0; i < h->population; ++i) {
-        h->ranked[i].index = ms_gpr__hunt_mode_of(h, h->place + (size_t)i * m);
-        left[h->ranked[i].index] += i < climbed;
-    }
-    for (c = 0; c < h->modes && h->modes > 1; ++c) ms_gpr__hunt_enrich(h, c);
-    for (c = 0, i = 0; c < h->modes; ++c) {
-        h->mode[c].first = i;
-        for (j = 0, h->mode[c].count = 0; j < h->population; ++j) i += h->ranked[j].index == c;
-    }
-    for (i = 0; i < h->population; ++i) {
-        ms_gpr__mode *mode = &h->mode[h->ranked[i].index];
-        memcpy(h->next + (size_t)(mode->first + mode->count++) * m, h->place + (size_t)i * m, m * sizeof *h->next);
-    }
-    {
-        double *place = h->place;
-        h->place = h->next;
-        h->next = place;
-    }
-    for (c = 0; c < h->modes; ++c)
-        if (left[c] > left[largest]) largest = c;
-    h->mode[largest].share = 1;
-    if (h->modes > 1) ms_gpr__hunt_axes(h);
-    for (i = 0; i < 2 && h->modes > 1 && h->axes > 0; ++i) {
-        const ms_gpr__mode *a = &h->mode[largest];
-        if (!ms_gpr__hunt_shapes(h, i)) break;
-        for (c = 0; c < h->modes; ++c) {
-            const ms_gpr__mode *b = &h->mode[c];
-            double p = c != largest ? ms_gpr__hunt_cross(h, a, b, 1 - i) : 0,
-                   q = p > 0 ? ms_gpr__hunt_cross(h, b, a, 1 - i) : 0, wide = 0, w;
-            if (!(q > 0)) continue;
-            for (j = 0; j < h->axes; ++j)
-                wide += log(b->shape[(size_t)j * ((size_t)ms_gpr__padded(h->axes) + 1)] /
-                            a->shape[(size_t)j * ((size_t)ms_gpr__padded(h->axes) + 1)]);
-            w = 0.5 / ((1.01 - p) / (0.5 * p * a->count) + (1.01 - q) / (0.5 * q * b->count));
-            bridge[c] += w * (wide + log(p / q));
-            worth[c] += w;
-        }
-    }
-    for (c = 0; c < h->modes; ++c) {
-        double stays = 0;
-        if (c == largest) continue;
-        if (left[c] > 0) {
-            stays = 1 / (MS_GPR__DRIFT * levels * (1.0 / left[c] + 1.0 / left[largest]));
-            bridge[c] += stays * log((double)left[c] / left[largest]);
-        }
-        h->mode[c].share = worth[c] + stays > 0 ? exp(bridge[c] / (worth[c] + stays)) : climbed > 0 ? 0 : 1;
-    }
-    for (c = 0, i = 0; c < h->modes; ++c) /* those that have places to begin at */
-        if (h->mode[c].share > 0 && h->mode[c].count > 0) sum += (h->mode[i++] = h->mode[c]).share;
-    for (h->modes = i, c = 0; c < h->modes; ++c) h->mode[c].share /= sum;
-}
-
 /* The population of the region: that of the box, whose level rises step by step. Each time one in SURVIVE is above the
    next level, and chains from those make the new population; so each mode keeps its share. Where a level has no room to
    rise (the region is narrower than any population sees), the summits of the ascents take its place. */
@@ -5527,7 +4776,6 @@ static ms_status ms_gpr__hunt_climb(ms_gpr__hunt *h)
         h->report.acceptance = 0;
         ms_gpr__hunt_measure(h);
     }
-    ms_gpr__hunt_balance(h, step + 1);
     return MS_OK;
 }
 
@@ -5566,19 +4814,13 @@ static double ms_gpr__hunt_spread(const ms_gpr__hunt *h, const double *x)
 static void ms_gpr__hunt_layout(ms_gpr__hunt *h, ms_gpr__arena *arena)
 {
     size_t m = (size_t)h->gp->m, stride = h->gp->stride, candidates = MS_GPR__BATCHES * MS_GPR__BATCH;
-    size_t population = MS_GPR__PILOT * MS_GPR__BATCH,
-           axes = m < MS_GPR__AXES ? (size_t)ms_gpr__padded((int)m) : MS_GPR__AXES;
+    size_t population = MS_GPR__PILOT * MS_GPR__BATCH;
     int i;
-    for (i = 0; i < MS_GPR__SUMMITS; ++i) {
-        h->mode[i].middle = ms_gpr__take(arena, axes, 1);
-        h->mode[i].shape = ms_gpr__take(arena, axes, axes);
-    }
     h->unit = ms_gpr__take(arena, m, 1);
     h->mover = (int *)(void *)ms_gpr__take(arena, 2 * m + (size_t)h->s.groups, 1);
     h->loose = (int *)(void *)ms_gpr__take(arena, m, 1);
     h->tied = ms_gpr__take(arena, (size_t)h->s.ties + 2, m);
     h->tight = ms_gpr__take(arena, m, 1);
-    h->axis = ms_gpr__take(arena, axes, m);
     h->group = ms_gpr__take(arena, m, 16);
     h->candidate = ms_gpr__take(arena, candidates, m);
     h->candidate_f = (float *)(void *)ms_gpr__take(arena, candidates / 2, m);
@@ -5604,7 +4846,7 @@ static void ms_gpr__hunt_layout(ms_gpr__hunt *h, ms_gpr__arena *arena)
         w->high = ms_gpr__take(arena, m, 1);
         w->d2 = ms_gpr__take(arena, stride, 1);
         w->slope = ms_gpr__take(arena, stride, 1);
-        w->kernel = ms_gpr__take(arena, stride > MS_GPR__AXES ? stride : MS_GPR__AXES, 1);
+        w->kernel = ms_gpr__take(arena, stride, 1);
     }
 }
 
@@ -5730,7 +4972,9 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
 
 /* ---- active learning ------------------------------------------------------------------------------------------- */
 
-#define MS_GPR__NEIGHBOURS 5 /* of novelty search */
+enum {
+    MS_GPR__NEIGHBOURS = 5 /* of novelty search */
+};
 
 /* A pool of uniform candidates and what is known about them, given the scores and the choices so far. */
 typedef struct ms_gpr__pool {
@@ -6031,8 +5275,10 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
 #ifndef MS_GPR_NO_PLANE
 /* ---- latent space ---------------------------------------------------------------------------------------------- */
 
-#define MS_GPR__LATENT_TRIAL 100 /* evaluations of every start of a fit */
-#define MS_GPR__LATENT_STARTS 4  /* training latents from which the nearest point is searched */
+enum {
+    MS_GPR__LATENT_TRIAL = 100, /* evaluations of every start of a fit */
+    MS_GPR__LATENT_STARTS = 4   /* training latents from which the nearest point is searched */
+};
 
 struct ms_gpr_latent {
     int z, m, l;
@@ -6933,8 +6179,10 @@ MS_API void ms_gpr_map_product(const ms_gpr_grid *grid, const double *preference
 
 /* --- automatic variants --- */
 
-#define MS_GPR__MOVES 40   /* of a pattern search, at most */
-#define MS_GPR__HALVINGS 6 /* of its step: from a cell to a 64th */
+enum {
+    MS_GPR__MOVES = 40,  /* of a pattern search, at most */
+    MS_GPR__HALVINGS = 6 /* of its step: from a cell to a 64th */
+};
 
 /* Every point of the plane that was looked at, with its similarity and score. */
 typedef struct ms_gpr__looks {
@@ -7080,50 +6328,6 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
 }
 #endif /* MS_GPR_NO_PLANE */
 
-#undef MS_GPR__BLOCK
-#undef MS_GPR__CHUNK
-#undef MS_GPR__SLAB
-#undef MS_GPR__UPPER
-#undef MS_GPR__LOWER
-#undef MS_GPR__MEMORY
-#undef MS_GPR__DROPPED
-#undef MS_GPR__N_MAX
-#undef MS_GPR__OPEN
-#undef MS_GPR__WEAK
-#undef MS_GPR__PRIOR_SN_STEP
-#undef MS_GPR__LARGEST
-#undef MS_GPR__NO_FLOOR
-#undef MS_GPR__PRIOR_LENGTH
-#undef MS_GPR__PRIOR_LENGTH_SPREAD
-#undef MS_GPR__PRIOR_SF_SPREAD
-#undef MS_GPR__PRIOR_SN
-#undef MS_GPR__PRIOR_SN_SPREAD
-#undef MS_GPR__PRIOR_TAIL
-#undef MS_GPR__OUTLIER_ROWS
-#undef MS_GPR__OUTLIER_RANGES
-#undef MS_GPR__OUTLIER_DEVIATIONS
-#undef MS_GPR__PART
-#undef MS_GPR__HEADER
-#undef MS_GPR__BATCH
-#undef MS_GPR__BATCHES
-#undef MS_GPR__PILOT
-#undef MS_GPR__TASKS
-#undef MS_GPR__WAVE
-#undef MS_GPR__POPULATION
-#undef MS_GPR__SURVIVE
-#undef MS_GPR__LEVELS
-#undef MS_GPR__SUMMITS
-#undef MS_GPR__TIGHT
-#undef MS_GPR__AXES
-#undef MS_GPR__LEAST
-#undef MS_GPR__REFRESH
-#undef MS_GPR__DRIFT
-#undef MS_GPR__RARE
-#undef MS_GPR__NEIGHBOURS
-#undef MS_GPR__LATENT_TRIAL
-#undef MS_GPR__LATENT_STARTS
-#undef MS_GPR__MOVES
-#undef MS_GPR__HALVINGS
 #endif /* MS_GPR_IMPLEMENTATION */
 
 #ifdef MS_GPR__PASS

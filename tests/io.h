@@ -9,6 +9,12 @@
 #include <stdio.h>
 #include <unistd.h>
 
+#if defined(__GNUC__)
+#define IO_UNUSED __attribute__((unused)) /* not every test reads, writes and renames */
+#else
+#define IO_UNUSED
+#endif
+
 static long io_calls, io_fail_at;
 static int io_fail_on, io_bad_read;
 static FILE *io_written; /* the stream that was opened last for writing */
@@ -25,29 +31,25 @@ static FILE *io_fopen(const char *path, const char *mode)
     if (mode[0] == 'w') io_written = f;
     return f;
 }
-static size_t io_fwrite(const void *data, size_t size, size_t count, FILE *f)
+static IO_UNUSED size_t io_fwrite(const void *data, size_t size, size_t count, FILE *f)
 {
     return io_fails() ? fwrite(data, size, count / 2, f) : fwrite(data, size, count, f);
 }
-#if defined(__GNUC__)
-__attribute__((unused)) /* not every test reads */
-#endif
-static size_t
-io_fread(void *data, size_t size, size_t count, FILE *f)
+static IO_UNUSED size_t io_fread(void *data, size_t size, size_t count, FILE *f)
 {
     io_bad_read = io_fails();
     return io_bad_read ? 0 : fread(data, size, count, f);
 }
 static int io_ferror(FILE *f) { return io_bad_read || ferror(f); }
-static int io_fflush(FILE *f) { return io_fails() ? EOF : fflush(f); }
-static int io_fsync(int file) { return io_fails() ? -1 : fsync(file); }
+static IO_UNUSED int io_fflush(FILE *f) { return io_fails() ? EOF : fflush(f); }
+static IO_UNUSED int io_fsync(int file) { return io_fails() ? -1 : fsync(file); }
 static int io_fclose(FILE *f)
 {
     int written = f == io_written, bad = fclose(f);
     if (written) io_written = NULL;
     return written && io_fails() ? EOF : bad;
 }
-static int io_rename(const char *from, const char *to) { return io_fails() ? -1 : rename(from, to); }
+static IO_UNUSED int io_rename(const char *from, const char *to) { return io_fails() ? -1 : rename(from, to); }
 
 #define fopen io_fopen
 #define fwrite io_fwrite

@@ -1,8 +1,5 @@
-/* What the headers leave on the disk: whole files or the old ones, whatever fails; and the shared conversion of half
-   floats. */
+/* Files that ms_nn.h maps and reads, whatever fails; and the conversion of half floats. */
 #include "io.h"
-#define MS_GPR_IMPLEMENTATION
-#include "ms_gpr.h"
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #undef fopen
@@ -22,30 +19,14 @@
 
 #define FOLDER "build/test_files"
 
-/* --- one save of each kind; the same bytes whenever `which` is the same --- */
-
-static ms_gpr *model;
 static float weights[2][5000];
 
 static void prepare(void)
 {
-    static const double x[4] = {0.1, 0.9, 0.5, 0.2}, y[2] = {1, 2}, theta[4] = {0, 0, 0, -2};
-    ms_error error;
     int i;
     mkdir("build", 0777);
     mkdir(FOLDER, 0777);
-    if (model) return;
     for (i = 0; i < 5000; ++i) weights[0][i] = (float)i, weights[1][i] = (float)-i;
-    CHECK_INT(ms_gpr_create(x, y, 2, 2, theta, NULL, &model, &error), MS_OK);
-}
-
-enum { MODEL, KINDS, NETWORK = KINDS }; /* a network is only read */
-static const char *const kind_name[] = {"ms_gpr_save_file", "ms_nn_file_read"};
-
-static ms_status save(int kind, const char *path, int which, ms_error *error)
-{
-    (void)kind, (void)which;
-    return ms_gpr_save_file(model, path, error);
 }
 
 static void put_network(const char *path, int which)
@@ -69,137 +50,6 @@ static int files_like(const char *begin)
     while (d && (e = readdir(d)) != NULL) count += strncmp(e->d_name, begin, strlen(begin)) == 0;
     if (d) closedir(d);
     return count;
-}
-
-static int holds(const char *path, const char *text)
-{
-    size_t size;
-    char *read = test_read_file(path, &size);
-    int same = read && size == strlen(text) && memcmp(read, text, size) == 0;
-    free(read);
-    return same;
-}
-
-static void put(const char *path, const char *text)
-{
-    FILE *f = fopen(path, "wb");
-    if (f) fputs(text, f), fclose(f);
-}
-
-static void case_errors_in_turn(void)
-{
-    int kind, with_old;
-    prepare();
-    for (kind = 0; kind < KINDS; ++kind)
-        for (with_old = 0; with_old < 2; ++with_old) {
-            long k;
-            for (k = 1; k < 10000; ++k) {
-                ms_error error;
-                ms_status status;
-                memset(&error, 0, sizeof error);
-                remove(FOLDER "/turn");
-                if (with_old) put(FOLDER "/turn", "old");
-                io_calls = 0;
-                io_fail_at = k;
-                status = save(kind, FOLDER "/turn", 0, &error);
-                io_fail_at = 0;
-                if (io_calls < k) {
-                    CHECK_INT(status, MS_OK);
-                    CHECK_INT(files_like("turn"), 1);
-                    CHECK(!holds(FOLDER "/turn", "old"));
-                    break;
-                }
-                if (k == 1) { /* the name beside was taken away: another one does */
-                    CHECK_INT(status, MS_OK);
-                    continue;
-                }
-                CHECK_INT(status, MS_IO);
-                CHECK_INT(error.status, MS_IO);
-                CHECK(strstr(error.message, "turn") != NULL);
-                CHECK_INT(files_like("turn"), with_old);
-                if (with_old) CHECK(holds(FOLDER "/turn", "old"));
-            }
-            CHECK(k >= 6); /* open, at least one write, flush, sync, close, rename */
-            if (with_old) TEST_NOTE("%s: %ld calls", kind_name[kind], k - 1);
-        }
-    io_fail_at = 1; /* no file at all can be made */
-    io_fail_on = 1;
-    for (kind = 0; kind < KINDS; ++kind) {
-        ms_error error;
-        io_calls = 0;
-        put(FOLDER "/turn", "old");
-        CHECK_INT(save(kind, FOLDER "/turn", 0, &error), MS_IO);
-        CHECK(holds(FOLDER "/turn", "old") && files_like("turn") == 1);
-    }
-    io_fail_at = io_fail_on = 0;
-    remove(FOLDER "/turn");
-}
-
-/* What may not be replaced is named and stays what it was. */
-static void case_left_alone(void)
-{
-    static const struct {
-        const char *path, *says;
-        ms_status status;
-    } bad[] = {{FOLDER, "directory", MS_IO},
-               {"/dev/null", "not a regular file", MS_IO},
-               {FOLDER "/no such folder/x", "folder", MS_IO},
-               {"/proc/x", "folder", MS_IO},
-               {FOLDER "/to_device", "not a regular file", MS_IO},
-               {"", "path", MS_INVALID_ARGUMENT},
-               {NULL, "path", MS_INVALID_ARGUMENT}};
-    struct stat before, after;
-    int kind, i;
-    prepare();
-    remove(FOLDER "/to_device");
-    CHECK_INT(symlink("/dev/null", FOLDER "/to_device"), 0);
-    for (kind = 0; kind < KINDS; ++kind)
-        for (i = 0; i < (int)(sizeof bad / sizeof bad[0]); ++i) {
-            ms_error error;
-            int there = bad[i].path && stat(bad[i].path, &before) == 0;
-            memset(&error, 0, sizeof error);
-            CHECK_INT(save(kind, bad[i].path, 0, &error), bad[i].status);
-            if (strstr(error.message, bad[i].says) == NULL)
-                TEST_FAIL("%s, %s: '%s'", kind_name[kind], bad[i].path ? bad[i].path : "NULL", error.message);
-            CHECK_INT(bad[i].path && stat(bad[i].path, &after) == 0, there);
-            if (there) CHECK(before.st_mode == after.st_mode && before.st_ino == after.st_ino);
-        }
-    { /* longer than any path */
-        char *path = (char *)malloc(10001);
-        ms_error error;
-        memset(path, 'a', 10000);
-        path[10000] = 0;
-        for (kind = 0; kind < KINDS; ++kind) CHECK_INT(save(kind, path, 0, &error), MS_INVALID_ARGUMENT);
-        free(path);
-    }
-    remove(FOLDER "/to_device");
-}
-
-/* Links stay links, also through folders; permissions stay; what stands beside under the first names is not touched. */
-static void case_kept(void)
-{
-    struct stat info;
-    ms_error error;
-    int kind;
-    prepare();
-    mkdir(FOLDER "/there", 0777);
-    for (kind = 0; kind < KINDS; ++kind) {
-        put(FOLDER "/there/real", "old");
-        chmod(FOLDER "/there/real", 0600);
-        put(FOLDER "/there/real.new00", "someone's");
-        remove(FOLDER "/link");
-        remove(FOLDER "/link2");
-        CHECK_INT(symlink("there/real", FOLDER "/link"), 0);
-        CHECK_INT(symlink("link", FOLDER "/link2"), 0);
-        CHECK_INT(save(kind, FOLDER "/link2", 0, &error), MS_OK);
-        CHECK(lstat(FOLDER "/link2", &info) == 0 && S_ISLNK(info.st_mode));
-        CHECK(lstat(FOLDER "/link", &info) == 0 && S_ISLNK(info.st_mode));
-        CHECK(lstat(FOLDER "/there/real", &info) == 0 && S_ISREG(info.st_mode) && info.st_size > 100);
-        CHECK_INT(info.st_mode & 0777, 0600);
-        CHECK(holds(FOLDER "/there/real.new00", "someone's"));
-    }
-    remove(FOLDER "/there/real"), remove(FOLDER "/there/real.new00");
-    remove(FOLDER "/link"), remove(FOLDER "/link2");
 }
 
 /* Saving over the network that is mapped: the mapping keeps the old weights, the file has the new ones. */
@@ -229,42 +79,30 @@ static void case_reading(void)
     ms_nn_options copied = ms_nn_defaults();
     ms_error error;
     long k;
-    int kind, rounds = 0;
+    int rounds = 0, kind;
     prepare();
     copied.copy = 1;
     put_network(FOLDER "/in.net", 0);
-    CHECK_INT(save(MODEL, FOLDER "/in.gp", 0, &error), MS_OK);
-    for (kind = 0; kind <= NETWORK; ++kind)
-        for (k = 1; k < 1000; ++k, ++rounds) {
-            ms_status status;
-            io_calls = 0;
-            io_fail_at = k;
-            if (kind == NETWORK) {
-                ms_nn_file *file = NULL;
-                status = ms_nn_file_read(FOLDER "/in.net", &copied, &file, &error);
-                ms_nn_file_close(file);
-            } else {
-                ms_gpr *gp = NULL;
-                status = ms_gpr_load_file(FOLDER "/in.gp", NULL, &gp, &error);
-                ms_gpr_destroy(gp);
-            }
-            io_fail_at = 0;
-            io_bad_read = 0;
-            if (status != (io_calls < k ? MS_OK : MS_IO))
-                TEST_FAIL("%s, read %ld: %d", kind_name[kind], k, (int)status);
-            if (io_calls < k) break;
-        }
+    for (k = 1; k < 1000; ++k, ++rounds) {
+        ms_nn_file *file = NULL;
+        ms_status status;
+        io_calls = 0;
+        io_fail_at = k;
+        status = ms_nn_file_read(FOLDER "/in.net", &copied, &file, &error);
+        ms_nn_file_close(file);
+        io_fail_at = 0;
+        io_bad_read = 0;
+        if (status != (io_calls < k ? MS_OK : MS_IO)) TEST_FAIL("read %ld: %d", k, (int)status);
+        if (io_calls < k) break;
+    }
     TEST_NOTE("%d reads failed", rounds);
     for (kind = 0; kind < 2; ++kind) { /* a folder; nothing */
         const char *path = kind ? FOLDER "/nothing" : FOLDER;
         ms_nn_file *file = NULL;
-        ms_gpr *gp = NULL;
         CHECK_INT(ms_nn_file_read(path, NULL, &file, &error), MS_IO);
         CHECK(strstr(error.message, path) != NULL);
-        CHECK_INT(ms_gpr_load_file(path, NULL, &gp, &error), MS_IO);
-        CHECK(strstr(error.message, path) != NULL);
     }
-    remove(FOLDER "/in.net"), remove(FOLDER "/in.gp");
+    remove(FOLDER "/in.net");
 }
 
 /* Every half against its value; floats around every half and every midpoint against the nearest one, found by search.
@@ -317,10 +155,5 @@ static void case_half(void)
     }
 }
 
-static const test_case cases[] = {{"errors in turn", case_errors_in_turn},
-                                  {"left alone", case_left_alone},
-                                  {"kept", case_kept},
-                                  {"mapped", case_mapped},
-                                  {"reading", case_reading},
-                                  {"half", case_half}};
+static const test_case cases[] = {{"mapped", case_mapped}, {"reading", case_reading}, {"half", case_half}};
 TEST_MAIN_WITH_FILES(cases)

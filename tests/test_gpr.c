@@ -1,4 +1,4 @@
-/* Regression of ms_gpr.h: likelihood, gradient, predictions, fits, files. Recommendations, galleries, latent space and
+/* Regression of ms_gpr.h: likelihood, gradient, predictions, fits. Recommendations, galleries, latent space and
    maps have tests of their own. */
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
@@ -1045,18 +1045,14 @@ static void test_null(void)
     REFUSES(ms_gpr_predict_f(gp, xf, 1, NULL, &error), "mean");
     REFUSES(ms_gpr_gradient(NULL, x, out, NULL, NULL, NULL, &error), "gp");
     REFUSES(ms_gpr_gradient(gp, NULL, out, NULL, NULL, NULL, &error), "x");
-    REFUSES(ms_gpr_load(NULL, 100, NULL, &other, &error), "bytes");
-    REFUSES(ms_gpr_save_file(NULL, "build/none", &error), "gp");
 #undef REFUSES
     CHECK(ms_gpr_count(NULL) == 0 && ms_gpr_dimensions(NULL) == 0 && ms_gpr_theta(NULL) == NULL &&
           ms_gpr_inputs(NULL) == NULL);
-    CHECK(ms_gpr_scores(NULL) == NULL && ms_gpr_save_size(NULL) == 0 && ms_gpr_level(NULL) == MS_SIMD_AUTO);
+    CHECK(ms_gpr_scores(NULL) == NULL && ms_gpr_level(NULL) == MS_SIMD_AUTO);
     CHECK_NEAR(ms_gpr_mean(NULL) + ms_gpr_jitter(NULL) + ms_gpr_floor(NULL) + ms_gpr_floor_value(NULL), 0, 0);
     CHECK_NEAR(ms_gpr_mean(gp), 0, 0);
     ms_gpr_relevance(NULL, out);
     ms_gpr_relevance(gp, NULL);
-    ms_gpr_save(NULL, out);
-    ms_gpr_save(gp, NULL);
     ms_gpr_destroy(gp);
 }
 
@@ -1081,79 +1077,8 @@ static void test_allocations(void)
         if (status == MS_OK) status = ms_gpr_likelihood(gp, mean, NULL, NULL);
         if (status == MS_OK) status = ms_gpr_simplify(gp, 0.1, NULL, NULL);
         if (status == MS_OK) status = ms_gpr_set_theta(gp, ms_gpr_theta(gp), NULL);
-        if (status == MS_OK) {
-            size_t size = ms_gpr_save_size(gp);
-            void *bytes = malloc(size);
-            ms_gpr_options options;
-            ms_gpr *copy = NULL;
-            memset(&options, 0, sizeof options);
-            options.allocator = allocator;
-            ms_gpr_save(gp, bytes);
-            status = ms_gpr_load(bytes, size, &options, &copy, NULL);
-            ms_gpr_destroy(copy);
-            free(bytes);
-        }
         ms_gpr_destroy(gp);
     });
-}
-
-/* --- files --- */
-
-static void test_files(void)
-{
-    enum { N = 25, M = 3 };
-    double x[N * M], y[N], mean[N], variance[N], mu[N], s2[N];
-    uint64_t state = 3;
-    unsigned char *bytes, *copy;
-    size_t size, i;
-    ms_gpr *gp, *read = NULL;
-    ms_error error;
-    smooth_data(x, y, N, M, 0.1, &state);
-    y[4] = y[5] = y[6] = y[7] = 0;
-    for (i = 0; i < N; ++i) y[i] = fabs(y[i]);
-    gp = fit(x, y, N, M, NULL, NULL);
-    CHECK(ms_gpr_floor(gp) == 0 && ms_gpr_floor_value(gp) < 0);
-    size = ms_gpr_save_size(gp);
-    bytes = (unsigned char *)malloc(size);
-    copy = (unsigned char *)malloc(size + 1);
-    ms_gpr_save(gp, bytes);
-    CHECK(ms_gpr_load(bytes, size, NULL, &read, &error) == MS_OK);
-    ms_gpr_predict(gp, x, N, mean, variance, NULL);
-    ms_gpr_predict(read, x, N, mu, s2, NULL);
-    CHECK(memcmp(mean, mu, sizeof mu) == 0 && memcmp(variance, s2, sizeof s2) == 0);
-    CHECK(memcmp(ms_gpr_theta(gp), ms_gpr_theta(read), (M + 2) * sizeof(double)) == 0);
-    ms_gpr_save(read, copy);
-    CHECK(memcmp(bytes, copy, size) == 0);
-    ms_gpr_destroy(read);
-    for (i = 0; i < size; ++i) { /* every truncation, every byte changed */
-        read = gp;
-        CHECK(ms_gpr_load(bytes, i, NULL, &read, &error) == MS_BAD_DATA && read == NULL);
-        memcpy(copy, bytes, size);
-        copy[i] ^= (unsigned char)(1 + i % 255);
-        CHECK(ms_gpr_load(copy, size, NULL, &read, &error) == (i >= 8 && i < 12 ? MS_UNSUPPORTED : MS_BAD_DATA) &&
-              read == NULL);
-    }
-    memcpy(copy, bytes, size);
-    copy[size] = 0;
-    CHECK(ms_gpr_load(copy, size + 1, NULL, &read, &error) == MS_BAD_DATA && error.position == size);
-    for (i = 24; i < size - 8; i += 8) { /* behind the frame: a NaN with a checksum that fits */
-        memcpy(copy, bytes, size);
-        copy[i + 6] |= 0xf0;
-        copy[i + 7] |= 0x7f;
-        ms_gpr__put(copy + size - 8, 8, ms_gpr__checksum(copy, size - 8));
-        CHECK(ms_gpr_load(copy, size, NULL, &read, &error) == MS_BAD_DATA && read == NULL && error.position == i);
-    }
-    CHECK(ms_gpr_save_file(gp, "build/test_gpr.model", &error) == MS_OK);
-    CHECK(ms_gpr_load_file("build/test_gpr.model", NULL, &read, &error) == MS_OK);
-    ms_gpr_predict(read, x, N, mu, NULL, NULL);
-    CHECK(memcmp(mean, mu, sizeof mu) == 0);
-    ms_gpr_destroy(read);
-    remove("build/test_gpr.model");
-    CHECK(ms_gpr_load_file("build/none/such", NULL, &read, &error) == MS_IO &&
-          strstr(error.message, "build/none/such"));
-    CHECK(ms_gpr_save_file(gp, "build/none/such", &error) == MS_IO);
-    free(bytes), free(copy);
-    ms_gpr_destroy(gp);
 }
 
 /* --- taste --- */
@@ -1468,7 +1393,6 @@ static const test_case cases[] = {{"reference", test_reference},
                                   {"refusals", test_refusals},
                                   {"null", test_null},
                                   {"allocations", test_allocations},
-                                  {"files", test_files},
                                   {"table_3_2", test_table_3_2},
                                   {"fresh_users", test_fresh_users},
                                   {"few_scores", test_few_scores},

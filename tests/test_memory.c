@@ -112,35 +112,30 @@ static ms_status render(void *user, const double *x, float *picture)
     return MS_OK;
 }
 
-/* Scores to a preference, through a file; recommendations, a plane of them, its maps with pictures, variants. */
+/* Scores to a preference; recommendations, a plane of them, its maps with pictures, variants. */
 static ms_status preference(const ms_allocator *allocator)
 {
     enum { N = 8, M = 2 };
     double x[N * M], y[N], map[9], material[2], lambda = 0.5;
-    const double theta[4] = {-0.5, -0.5, 0.5, -2};
-    double latent[N * 2];
     uint64_t state = 7;
     ms_gpr_fit_options how;
-    ms_gpr_options options;
     ms_gpr_latent_options flat;
     ms_gpr_latent *plane = NULL;
-    ms_gpr *gp = NULL, *copy = NULL;
+    ms_gpr *gp = NULL;
     ms_status status;
     int i;
-    for (i = 0; i < N * M; ++i) latent[i] = x[i] = test_uniform(&state);
+    for (i = 0; i < N * M; ++i) x[i] = test_uniform(&state);
     for (i = 0; i < N; ++i) y[i] = 10 * x[M * i];
     memset(&how, 0, sizeof how);
-    memset(&options, 0, sizeof options);
     memset(&flat, 0, sizeof flat);
     how.evaluations = 2;
-    flat.dimensions = 2;
-    how.allocator = options.allocator = flat.allocator = *allocator;
+    flat.evaluations = 2;
+    how.allocator = flat.allocator = *allocator;
     status = ms_gpr_fit(x, y, N, M, &how, &gp, NULL, NULL);
     STEP(ms_gpr_drop(gp, 3, NULL));
-    STEP(ms_gpr_save_file(gp, scratch(), NULL));
-    STEP(ms_gpr_load_file(scratch(), &options, &copy, NULL));
-    STEP(ms_gpr_recommend(copy, NULL, 4, x, NULL, NULL, NULL, NULL));
-    STEP(ms_gpr_latent_create(x, N, M, latent, theta, &flat, &plane, NULL));
+    STEP(ms_gpr_recommend(gp, NULL, 4, x, NULL, NULL, NULL, NULL));
+    for (i = 0; i < N * M; ++i) x[i] = test_uniform(&state);
+    STEP(ms_gpr_latent_fit(x, N, M, &flat, &plane, NULL, NULL));
     if (status == MS_OK) {
         ms_gpr_grid grid = ms_gpr_grid_around(plane, 3);
         ms_gpr_similarity looks;
@@ -153,9 +148,7 @@ static ms_status preference(const ms_allocator *allocator)
         STEP(ms_gpr_variants(plane, gp, &looks, &grid, &lambda, 1, 0, &variant, material, NULL));
     }
     ms_gpr_latent_destroy(plane);
-    ms_gpr_destroy(copy);
     ms_gpr_destroy(gp);
-    remove(scratch());
     return status;
 }
 
