@@ -248,14 +248,17 @@ def torch_layer(m, kind, me, x, y):
         require(not getattr(m, "divisor_override", None), me, "it divides by another number")
         return [dict(type=kind.lower(), size=numbers(m.kernel_size), stride=numbers(m.stride))], None
     if kind in ("AdaptiveAvgPool1d", "AdaptiveAvgPool2d", "AdaptiveMaxPool1d", "AdaptiveMaxPool2d"):
-        require(np.all(np.mod(x[1:], y[1:]) == 0), me, "output_size is %s, which does not divide %s" % (m.output_size, x[1:]))
+        whole = np.all(np.mod(x[1:], y[1:]) == 0)
+        require(whole, me, "output_size is %s, which does not divide %s" % (m.output_size, x[1:]))
         size = numbers(np.floor_divide(x[1:], y[1:])) if rank == 3 else x[1] // y[1]
         return [dict(type=kind[8:11].lower() + "pool" + kind[-2:], size=size, stride=size)], None
     if kind in ("Upsample", "UpsamplingNearest2d", "UpsamplingBilinear2d"):
-        require(m.mode in ("nearest", "linear", "bilinear"), me, "mode is %s; nearest, linear and bilinear are known" % m.mode)
+        known = ("nearest", "linear", "bilinear")
+        require(m.mode in known, me, "mode is %s; nearest, linear and bilinear are known" % m.mode)
         whole = np.all(np.mod(y[1:], x[1:]) == 0) and not np.any(np.mod(m.scale_factor or 1, 1))
         require(rank in (2, 3) and whole, me, "it scales %s to %s; only whole factors are known" % (x[1:], y[1:]))
-        layer.update(type="upsample%dd" % (rank - 1), factor=numbers(np.floor_divide(y[1:], x[1:])) if rank == 3 else y[1] // x[1])
+        factor = numbers(np.floor_divide(y[1:], x[1:]))
+        layer.update(type="upsample%dd" % (rank - 1), factor=factor if rank == 3 else factor[0])
         if m.mode != "nearest": layer.update(mode="linear", align_corners=bool(m.align_corners))
         return [layer], None
     if kind == "mean":
