@@ -76,13 +76,13 @@
       dropout          rate                                        does nothing
       add              from, activation, alpha                     adds the output of the layer with that name, or
                        "input"
-      concat           from, order: after (default) or before      puts that output's channels behind, or before
+      concat           from, order: after (default) or before      puts that output's channels after, or before
       shared_channels  inputs: [[0,3,6],[1,4,6],[2,5,6]]           first layer only, see below
 
    <name>.bias [outputs] belongs to every dense and convolution layer unless "bias":false stands in the list. Weights
    are F64, F32, F16, BF16, or I8 with <name>.weight_scale (F32, [outputs]; of a transposed convolution [channels], its
    weights' first dimension): weight = scale x integer. Convolutions are correlations. "padding": "valid" (default) or
-   "same": (kernel - 1) / 2 zeros in front, rounded down, and as many behind as make ceil(size / stride) outputs.
+   "same": (kernel - 1) / 2 zeros before, rounded down, and as many after as make ceil(size / stride) outputs.
    "extra" is PyTorch's output_padding. "activation": linear (default), relu,
    leaky_relu (slope alpha, 0.01), elu (alpha, 1), tanh, sigmoid, softplus, silu, gelu (by erf). shared_channels
    evaluates the rest of the list once for each of its lists of input indices and puts the outputs one after the other:
@@ -261,18 +261,21 @@ static inline const char *ms_simd_string(ms_simd level)
 
 /* Every element type of the format: code, name in the file, bits. Networks use F64, F32, F16, BF16 and I8; the
    others are listed, checked and copied. */
-#define MS_NN_DTYPE_LIST(X)                                                                              \
-    X(MS_NN_F64, "F64", 64)                                                                              \
-    X(MS_NN_F32, "F32", 32)                                                                              \
-    X(MS_NN_F16, "F16", 16)                                                                              \
-    X(MS_NN_BF16, "BF16", 16)                                                                            \
-    X(MS_NN_I8, "I8", 8)                                                                                 \
-    X(MS_NN_I16, "I16", 16)                                                                              \
-    X(MS_NN_I32, "I32", 32) X(MS_NN_I64, "I64", 64) X(MS_NN_U8, "U8", 8) X(MS_NN_U16, "U16", 16)         \
-        X(MS_NN_U32, "U32", 32) X(MS_NN_U64, "U64", 64) X(MS_NN_BOOL, "BOOL", 8) X(MS_NN_C64, "C64", 64) \
-            X(MS_NN_F8_E5M2, "F8_E5M2", 8) X(MS_NN_F8_E4M3, "F8_E4M3", 8) X(MS_NN_F8_E8M0, "F8_E8M0", 8) \
-                X(MS_NN_F8_E4M3FNUZ, "F8_E4M3FNUZ", 8) X(MS_NN_F8_E5M2FNUZ, "F8_E5M2FNUZ", 8)            \
-                    X(MS_NN_F6_E2M3, "F6_E2M3", 6) X(MS_NN_F6_E3M2, "F6_E3M2", 6) X(MS_NN_F4, "F4", 4)
+#define MS_NN_DTYPE_LIST(X)                                                                                          \
+    X(MS_NN_F64, "F64", 64)                                                                                          \
+    X(MS_NN_F32, "F32", 32)                                                                                          \
+    X(MS_NN_F16, "F16", 16)                                                                                          \
+    X(MS_NN_BF16, "BF16", 16)                                                                                        \
+    X(MS_NN_I8, "I8", 8)                                                                                             \
+    X(MS_NN_I16, "I16", 16)                                                                                          \
+    X(MS_NN_I32, "I32", 32)                                                                                          \
+    X(MS_NN_I64, "I64", 64)                                                                                          \
+    X(MS_NN_U8, "U8", 8)                                                                                             \
+    X(MS_NN_U16, "U16", 16) X(MS_NN_U32, "U32", 32) X(MS_NN_U64, "U64", 64) X(MS_NN_BOOL, "BOOL", 8)                 \
+        X(MS_NN_C64, "C64", 64) X(MS_NN_F8_E5M2, "F8_E5M2", 8) X(MS_NN_F8_E4M3, "F8_E4M3", 8)                        \
+            X(MS_NN_F8_E8M0, "F8_E8M0", 8) X(MS_NN_F8_E4M3FNUZ, "F8_E4M3FNUZ", 8)                                    \
+                X(MS_NN_F8_E5M2FNUZ, "F8_E5M2FNUZ", 8) X(MS_NN_F6_E2M3, "F6_E2M3", 6) X(MS_NN_F6_E3M2, "F6_E3M2", 6) \
+                    X(MS_NN_F4, "F4", 4)
 
 typedef enum ms_nn_dtype {
 #define MS_NN_DTYPE_ENUM(code, name, bits) code,
@@ -396,7 +399,7 @@ MS_API size_t ms_nn_input_size(const ms_nn *nn); /* floats of one sample */
 MS_API size_t ms_nn_output_size(const ms_nn *nn);
 MS_API int ms_nn_layer_count(const ms_nn *nn);
 MS_API ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i); /* i in [0, ms_nn_layer_count) */
-MS_API const ms_nn_file *ms_nn_tensors(const ms_nn *nn);   /* the file behind it; belongs to nn */
+MS_API const ms_nn_file *ms_nn_tensors(const ms_nn *nn);   /* its file; belongs to nn */
 MS_API ms_simd ms_nn_simd(const ms_nn *nn);                /* the level in use */
 
 /* Reads every weight. MS_BAD_DATA and the name and index of the first NaN or infinity; MS_OK: there is none. */
@@ -995,7 +998,7 @@ static double ms_nn__element(const void *data, ms_nn_dtype dtype, size_t i)
 
 /* x as a float, without an exception where it is too large for one (FLT_MAX and half an ulp: infinite) or a signalling
    NaN. */
-static float ms_nn__narrow(double x)
+static float ms_nn__to_float(double x)
 {
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
@@ -1043,21 +1046,21 @@ typedef struct ms_nn__string {
     char head[20];
 } ms_nn__string;
 
-static MS_NN__COLD ms_status ms_nn__bad(const ms_nn__json *j, const char *sentence)
+static MS_NN__COLD ms_status ms_nn__refuse(const ms_nn__json *j, const char *sentence)
 {
     return ms__fail(j->error, MS_BAD_DATA, j->base + (size_t)(j->p - j->start), "%s", sentence);
 }
 
 /* The same at another place, with a word of the file in the sentence. */
-static MS_NN__COLD ms_status ms_nn__bad_word(const ms_nn__json *j, const unsigned char *at, const char *format,
-                                             const char *word)
+static MS_NN__COLD ms_status ms_nn__refuse_word(const ms_nn__json *j, const unsigned char *at, const char *format,
+                                                const char *word)
 {
     return ms__fail(j->error, MS_BAD_DATA, j->base + (size_t)(at - j->start), format, word);
 }
 
 /* Puts what an error speaks of in front of its sentence: `kind`, then a name in quotes. Returns status. */
-static MS_NN__COLD ms_status ms_nn__about(ms_error *error, ms_status status, size_t position, const char *kind,
-                                          const char *name)
+static MS_NN__COLD ms_status ms_nn__prefix_error(ms_error *error, ms_status status, size_t position, const char *kind,
+                                                 const char *name)
 {
     ms_error inner;
     if (error == NULL) return status;
@@ -1125,17 +1128,17 @@ static MS_NN__COLD int ms_nn__hex4(const unsigned char *p, const unsigned char *
 static MS_NN__COLD ms_status ms_nn__json_string(ms_nn__json *j, char **pool, ms_nn__string *s)
 {
     memset(s, 0, sizeof *s);
-    if (!ms_nn__take(j, '"')) return ms_nn__bad(j, "expected a string in double quotes");
+    if (!ms_nn__take(j, '"')) return ms_nn__refuse(j, "expected a string in double quotes");
     s->text = *pool;
     for (;;) {
         unsigned char out[4];
         size_t n, i;
-        if (j->p == j->end) return ms_nn__bad(j, "a string has no end");
+        if (j->p == j->end) return ms_nn__refuse(j, "a string has no end");
         if (*j->p == '"') break;
-        if (*j->p < 0x20) return ms_nn__bad(j, "a control character in a string must be escaped");
+        if (*j->p < 0x20) return ms_nn__refuse(j, "a control character in a string must be escaped");
         if (*j->p != '\\') {
             n = ms_nn__utf8(j->p, j->end);
-            if (n == 0) return ms_nn__bad(j, "a string is not valid UTF-8");
+            if (n == 0) return ms_nn__refuse(j, "a string is not valid UTF-8");
             memcpy(out, j->p, n);
             j->p += n;
         } else {
@@ -1149,15 +1152,15 @@ static MS_NN__COLD ms_status ms_nn__json_string(ms_nn__json *j, char **pool, ms_
                 j->p += 2;
             } else {
                 if (c != 'u' || !ms_nn__hex4(j->p + 2, j->end, &code))
-                    return ms_nn__bad(j, "unknown escape in a string");
+                    return ms_nn__refuse(j, "unknown escape in a string");
                 if (code >= 0xD800 && code < 0xE000) {
                     if (code >= 0xDC00 || j->end - j->p < 12 || j->p[6] != '\\' || j->p[7] != 'u' ||
                         !ms_nn__hex4(j->p + 8, j->end, &low) || low < 0xDC00 || low >= 0xE000)
-                        return ms_nn__bad(j, "a surrogate escape without its other half");
+                        return ms_nn__refuse(j, "a surrogate escape without its other half");
                     code = 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00);
                     j->p += 6;
                 }
-                if (code == 0) return ms_nn__bad(j, "a NUL character in a string");
+                if (code == 0) return ms_nn__refuse(j, "a NUL character in a string");
                 j->p += 6;
             }
             n = code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
@@ -1183,12 +1186,12 @@ static MS_NN__COLD ms_status ms_nn__json_size(ms_nn__json *j, size_t *value)
     first = j->p;
     for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p) {
         size_t digit = (size_t)(*j->p - '0');
-        if (v > (SIZE_MAX - digit) / 10) return ms_nn__bad(j, "a number is too large for the address space");
+        if (v > (SIZE_MAX - digit) / 10) return ms_nn__refuse(j, "a number is too large for the address space");
         v = v * 10 + digit;
     }
     if (j->p == first || (*first == '0' && j->p - first > 1) ||
         (j->p < j->end && (*j->p == '.' || *j->p == 'e' || *j->p == 'E')))
-        return ms_nn__bad(j, "expected a plain integer: digits without sign, point, exponent or leading zero");
+        return ms_nn__refuse(j, "expected a plain integer: digits without sign, point, exponent or leading zero");
     *value = v;
     return MS_OK;
 }
@@ -1198,7 +1201,7 @@ static MS_NN__COLD ms_status ms_nn__json_more(ms_nn__json *j, char close, int *m
 {
     *more = ms_nn__take(j, ',');
     if (*more || ms_nn__take(j, close)) return MS_OK;
-    return ms_nn__bad(j, close == '}' ? "expected ',' or '}'" : "expected ',' or ']'");
+    return ms_nn__refuse(j, close == '}' ? "expected ',' or '}'" : "expected ',' or ']'");
 }
 
 /* ---- file ------------------------------------------------------------------------------------------------------ */
@@ -1219,7 +1222,7 @@ struct ms_nn_file {
     ms_nn_entry *entry;    /* [entries] */
     size_t *shape;         /* all dimensions */
     size_t *by_data, *by_name, *by_key;
-    size_t *value_at; /* [entries] byte in the file behind the quote that opens a value */
+    size_t *value_at; /* [entries] byte in the file after the quote that opens a value */
     const unsigned char *start;
     char *text;
 };
@@ -1243,7 +1246,7 @@ static MS_NN__COLD ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header 
     ms_nn__string s;
     char *none = NULL;
     ms_status status;
-    if (!ms_nn__take(j, '{')) return ms_nn__bad(j, "a tensor must be an object with dtype, shape and data_offsets");
+    if (!ms_nn__take(j, '{')) return ms_nn__refuse(j, "a tensor must be an object with dtype, shape and data_offsets");
     if (ms_nn__take(j, '}')) more = 0;
     while (more) {
         int field;
@@ -1251,25 +1254,26 @@ static MS_NN__COLD ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header 
         if ((status = ms_nn__json_string(j, &none, &s)) != MS_OK) return status;
         field = ms_nn__is(&s, "dtype") ? 1 : ms_nn__is(&s, "shape") ? 2 : ms_nn__is(&s, "data_offsets") ? 4 : 0;
         if (field == 0)
-            return ms_nn__bad_word(j, at, "unknown field '%s'; known are dtype, shape, data_offsets", s.head);
-        if (seen & field) return ms_nn__bad_word(j, at, "the field '%s' stands twice", s.head);
+            return ms_nn__refuse_word(j, at, "unknown field '%s'; known are dtype, shape, data_offsets", s.head);
+        if (seen & field) return ms_nn__refuse_word(j, at, "the field '%s' appears twice", s.head);
         seen |= field;
-        if (!ms_nn__take(j, ':')) return ms_nn__bad(j, "expected ':'");
+        if (!ms_nn__take(j, ':')) return ms_nn__refuse(j, "expected ':'");
         if (field == 1) {
             ms_nn__space(j);
             at = j->p;
             if ((status = ms_nn__json_string(j, &none, &s)) != MS_OK) return status;
             for (dtype = 0; dtype < (int)MS_NN_DTYPE_COUNT; ++dtype)
                 if (ms_nn__is(&s, ms_nn__dtype_name(dtype))) break;
-            if (dtype == (int)MS_NN_DTYPE_COUNT) return ms_nn__bad_word(j, at, "unknown dtype '%s'", s.head);
+            if (dtype == (int)MS_NN_DTYPE_COUNT) return ms_nn__refuse_word(j, at, "unknown dtype '%s'", s.head);
         } else {
             int list = !ms_nn__take(j, '['), count = 0;
-            if (list) return ms_nn__bad(j, "expected a list of integers in brackets");
+            if (list) return ms_nn__refuse(j, "expected a list of integers in brackets");
             for (list = !ms_nn__take(j, ']'); list; ++count) {
                 size_t value;
                 if ((status = ms_nn__json_size(j, &value)) != MS_OK) return status;
                 if (count == (field == 2 ? MS_NN_MAX_RANK : 2))
-                    return ms_nn__bad(j, field == 2 ? "more than 32 dimensions" : "data_offsets must have two numbers");
+                    return ms_nn__refuse(j,
+                                         field == 2 ? "more than 32 dimensions" : "data_offsets must have two numbers");
                 if (field == 4) {
                     offset[count] = value;
                 } else {
@@ -1280,18 +1284,19 @@ static MS_NN__COLD ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header 
                 if ((status = ms_nn__json_more(j, ']', &list)) != MS_OK) return status;
             }
             if (field == 2) rank = count;
-            else if (count != 2) return ms_nn__bad(j, "data_offsets must have two numbers");
+            else if (count != 2) return ms_nn__refuse(j, "data_offsets must have two numbers");
         }
         if ((status = ms_nn__json_more(j, '}', &more)) != MS_OK) return status;
     }
-    if (seen != 7) return ms_nn__bad(j, "a tensor lacks dtype, shape or data_offsets");
+    if (seen != 7) return ms_nn__refuse(j, "a tensor lacks dtype, shape or data_offsets");
     bits = ms__size_mul(elements, (size_t)ms_nn__bits((ms_nn_dtype)dtype));
     if (ms__size_mul(nonzero, (size_t)ms_nn__bits((ms_nn_dtype)dtype)) == SIZE_MAX || bits == SIZE_MAX)
-        return ms_nn__bad(j, "the product of the dimensions overflows");
-    if (bits % 8) return ms_nn__bad(j, "a tensor must fill whole bytes");
+        return ms_nn__refuse(j, "the product of the dimensions overflows");
+    if (bits % 8) return ms_nn__refuse(j, "a tensor must fill whole bytes");
     if (offset[0] > offset[1] || offset[1] > h->data_size)
-        return ms_nn__bad(j, "data_offsets must rise and lie within the file");
-    if (offset[1] - offset[0] != bits / 8) return ms_nn__bad(j, "data_offsets do not span what dtype and shape need");
+        return ms_nn__refuse(j, "data_offsets must rise and lie within the file");
+    if (offset[1] - offset[0] != bits / 8)
+        return ms_nn__refuse(j, "data_offsets do not span what dtype and shape need");
     if (h->file) {
         ms_nn__record *r = &h->file->record[h->tensors];
         r->tensor.name = name->text;
@@ -1313,12 +1318,12 @@ static MS_NN__COLD ms_status ms_nn__header_metadata(ms_nn__json *j, ms_nn__heade
 {
     int more = 1;
     ms_status status;
-    if (!ms_nn__take(j, '{')) return ms_nn__bad(j, "__metadata__ must be an object of strings");
+    if (!ms_nn__take(j, '{')) return ms_nn__refuse(j, "__metadata__ must be an object of strings");
     if (ms_nn__take(j, '}')) more = 0;
     while (more) {
         ms_nn__string key, value;
         if ((status = ms_nn__json_string(j, &h->pool, &key)) != MS_OK) return status;
-        if (!ms_nn__take(j, ':')) return ms_nn__bad(j, "expected ':'");
+        if (!ms_nn__take(j, ':')) return ms_nn__refuse(j, "expected ':'");
         ms_nn__space(j);
         if (h->file) h->file->value_at[h->entries] = j->base + (size_t)(j->p - j->start) + 1;
         if ((status = ms_nn__json_string(j, &h->pool, &value)) != MS_OK) return status;
@@ -1337,7 +1342,7 @@ static MS_NN__COLD ms_status ms_nn__header_object(ms_nn__json *j, ms_nn__header 
 {
     int more = 1, metadata = 0;
     ms_status status;
-    if (j->p == j->end || *j->p != '{') return ms_nn__bad(j, "the header must begin with '{'");
+    if (j->p == j->end || *j->p != '{') return ms_nn__refuse(j, "the header must begin with '{'");
     ++j->p;
     if (ms_nn__take(j, '}')) more = 0;
     while (more) {
@@ -1347,20 +1352,20 @@ static MS_NN__COLD ms_status ms_nn__header_object(ms_nn__json *j, ms_nn__header 
         position = j->base + (size_t)(j->p - j->start);
         if ((status = ms_nn__json_string(j, &h->pool, &name)) != MS_OK) return status;
         h->text += name.length + 1;
-        if (!ms_nn__take(j, ':')) return ms_nn__bad(j, "expected ':'");
+        if (!ms_nn__take(j, ':')) return ms_nn__refuse(j, "expected ':'");
         if (ms_nn__is(&name, "__metadata__")) {
-            if (metadata++) return ms_nn__bad(j, "__metadata__ stands twice");
+            if (metadata++) return ms_nn__refuse(j, "__metadata__ appears twice");
             status = ms_nn__header_metadata(j, h);
         } else {
             status = ms_nn__header_tensor(j, h, &name, position);
             if (status != MS_OK)
-                return ms_nn__about(j->error, status, j->error ? j->error->position : 0, "tensor", name.head);
+                return ms_nn__prefix_error(j->error, status, j->error ? j->error->position : 0, "tensor", name.head);
         }
         if (status != MS_OK) return status;
         if ((status = ms_nn__json_more(j, '}', &more)) != MS_OK) return status;
     }
     ms_nn__space(j);
-    if (j->p != j->end) return ms_nn__bad(j, "only spaces may follow the header's object");
+    if (j->p != j->end) return ms_nn__refuse(j, "only spaces may follow the header's object");
     return MS_OK;
 }
 
@@ -1395,11 +1400,11 @@ static MS_NN__COLD ms_status ms_nn__file_check(ms_nn_file *f, size_t data_start,
     ms_nn__sort(f->by_key, f->entries, ms_nn__compare_key, f->entry);
     for (i = 1; i < f->tensors; ++i)
         if (ms_nn__compare_name(f->record, f->by_name[i - 1], f->by_name[i]) == 0)
-            return ms__fail(error, MS_BAD_DATA, f->record[f->by_name[i]].position, "the tensor name '%s' stands twice",
+            return ms__fail(error, MS_BAD_DATA, f->record[f->by_name[i]].position, "the tensor name '%s' appears twice",
                             f->record[f->by_name[i]].tensor.name);
     for (i = 1; i < f->entries; ++i)
         if (ms_nn__compare_key(f->entry, f->by_key[i - 1], f->by_key[i]) == 0)
-            return ms__fail(error, MS_BAD_DATA, 8, "the metadata key '%s' stands twice", f->entry[f->by_key[i]].key);
+            return ms__fail(error, MS_BAD_DATA, 8, "the metadata key '%s' appears twice", f->entry[f->by_key[i]].key);
     for (i = 0; i < f->tensors; ++i) {
         const ms_nn__record *r = &f->record[f->by_data[i]];
         if (r->begin != end)
@@ -1797,8 +1802,8 @@ typedef struct ms_nn__spec {
     const char *type, *name, *activation, *padding, *order, *from, *mode;
     size_t units[2], filters[2], kernel[2], stride[2], size[2], factor[2], dilation[2], groups[2], zeros[2], extra[2];
     double alpha, rate;
-    int bias, corners; /* 0: not said, 1: true, 2: false */
-    size_t at;         /* where it begins in the list's text */
+    int bias, align_corners; /* 0: not said, 1: true, 2: false */
+    size_t at;               /* where it begins in the list's text */
 } ms_nn__spec;
 
 typedef enum ms_nn__field_kind {
@@ -1848,7 +1853,7 @@ static const ms_nn__field ms_nn__field_list[] = {
     {"dilation", MS_NN__COUNTS, offsetof(ms_nn__spec, dilation), MS_NN__CONVS},
     {"groups", MS_NN__COUNTS, offsetof(ms_nn__spec, groups), MS_NN__CONVS},
     {"mode", MS_NN__TEXT, offsetof(ms_nn__spec, mode), MS_NN__UPSAMPLES},
-    {"align_corners", MS_NN__FLAG, offsetof(ms_nn__spec, corners), MS_NN__UPSAMPLES},
+    {"align_corners", MS_NN__FLAG, offsetof(ms_nn__spec, align_corners), MS_NN__UPSAMPLES},
     {"stride", MS_NN__COUNTS, offsetof(ms_nn__spec, stride), MS_NN__CONVS | MS_NN__POOLS},
     {"size", MS_NN__COUNTS, offsetof(ms_nn__spec, size), MS_NN__POOLS},
     {"factor", MS_NN__COUNTS, offsetof(ms_nn__spec, factor), MS_NN__UPSAMPLES},
@@ -1876,12 +1881,12 @@ static MS_NN__COLD ms_status ms_nn__json_real(ms_nn__json *j, double *value)
         if (v < 1e300) v = v * 10 + (*j->p - '0');
         else ++shift;
     if (j->p == first || (*first == '0' && j->p > first + 1))
-        return ms_nn__bad(j, "expected a number without leading zeros");
+        return ms_nn__refuse(j, "expected a number without leading zeros");
     if (j->p < j->end && *j->p == '.') {
         first = ++j->p;
         for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p)
             if (v < 1e300) v = v * 10 + (*j->p - '0'), --shift;
-        if (j->p == first) return ms_nn__bad(j, "expected digits behind the point");
+        if (j->p == first) return ms_nn__refuse(j, "expected digits after the point");
     }
     if (j->p < j->end && (*j->p == 'e' || *j->p == 'E')) {
         ++j->p;
@@ -1890,7 +1895,7 @@ static MS_NN__COLD ms_status ms_nn__json_real(ms_nn__json *j, double *value)
         first = j->p;
         for (; j->p < j->end && *j->p >= '0' && *j->p <= '9'; ++j->p)
             if (exponent < 1000) exponent = exponent * 10 + (*j->p - '0');
-        if (j->p == first) return ms_nn__bad(j, "expected the digits of an exponent");
+        if (j->p == first) return ms_nn__refuse(j, "expected the digits of an exponent");
         if (minus) exponent = -exponent;
     }
     if (v > 0 && log10(v) + exponent + shift > 308.2547)
@@ -1910,7 +1915,7 @@ static MS_NN__COLD ms_status ms_nn__json_counts(ms_nn__json *j, size_t out[2])
     if (!list) return MS_OK;
     if ((status = ms_nn__json_more(j, ']', &more)) != MS_OK || !more) return status;
     if ((status = ms_nn__json_size(j, &out[1])) != MS_OK) return status;
-    return ms_nn__take(j, ']') ? MS_OK : ms_nn__bad(j, "expected at most two numbers");
+    return ms_nn__take(j, ']') ? MS_OK : ms_nn__refuse(j, "expected at most two numbers");
 }
 
 /* What the whole layer list becomes. A first pass counts (text, layers, indices), a second one stores. */
@@ -1931,16 +1936,17 @@ static MS_NN__COLD ms_status ms_nn__list_channels(ms_nn__json *j, ms_nn__list *l
     size_t channel, total = 0;
     int more = 1, inner;
     ms_status status;
-    if (!ms_nn__take(j, '[')) return ms_nn__bad(j, "inputs must be a list of lists of indices");
+    if (!ms_nn__take(j, '[')) return ms_nn__refuse(j, "inputs must be a list of lists of indices");
     for (channel = 0; more; ++channel) {
         size_t n = 0, index;
-        if (!ms_nn__take(j, '[')) return ms_nn__bad(j, "inputs must be a list of lists of indices");
+        if (!ms_nn__take(j, '[')) return ms_nn__refuse(j, "inputs must be a list of lists of indices");
         for (inner = 1; inner; ++n, ++total) {
             if ((status = ms_nn__json_size(j, &index)) != MS_OK) return status;
             if (l->channel_input) l->channel_input[total] = index;
             if ((status = ms_nn__json_more(j, ']', &inner)) != MS_OK) return status;
         }
-        if (channel > 0 && n != l->channel_inputs) return ms_nn__bad(j, "the channels must have equally many inputs");
+        if (channel > 0 && n != l->channel_inputs)
+            return ms_nn__refuse(j, "the channels must have equally many inputs");
         l->channel_inputs = n;
         if ((status = ms_nn__json_more(j, ']', &more)) != MS_OK) return status;
     }
@@ -1960,7 +1966,7 @@ static MS_NN__COLD ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
     spec.alpha = -1; /* not said */
     ms_nn__space(j);
     spec.at = (size_t)(j->p - j->start);
-    if (!ms_nn__take(j, '{')) return ms_nn__bad(j, "a layer must be an object");
+    if (!ms_nn__take(j, '{')) return ms_nn__refuse(j, "a layer must be an object");
     if (ms_nn__take(j, '}')) more = 0;
     while (more) {
         ms_nn__string key, text;
@@ -1969,16 +1975,16 @@ static MS_NN__COLD ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
         ms_nn__space(j);
         key_at = j->p;
         if ((status = ms_nn__json_string(j, &none, &key)) != MS_OK) return status;
-        if (!ms_nn__take(j, ':')) return ms_nn__bad(j, "expected ':'");
+        if (!ms_nn__take(j, ':')) return ms_nn__refuse(j, "expected ':'");
         for (f = 0; f < FIELDS; ++f)
             if (ms_nn__is(&key, ms_nn__field_list[f].key)) break;
         if (f == FIELDS && ms_nn__is(&key, "inputs") && !inputs) {
             inputs = 1;
-            if (l->layers > 0) return ms_nn__bad(j, "shared_channels must be the first layer");
+            if (l->layers > 0) return ms_nn__refuse(j, "shared_channels must be the first layer");
             status = ms_nn__list_channels(j, l);
         } else {
-            if (f == FIELDS) return ms_nn__bad_word(j, key_at, "unknown field '%s'", key.head);
-            if (seen & 1u << f) return ms_nn__bad_word(j, key_at, "the field '%s' stands twice", key.head);
+            if (f == FIELDS) return ms_nn__refuse_word(j, key_at, "unknown field '%s'", key.head);
+            if (seen & 1u << f) return ms_nn__refuse_word(j, key_at, "the field '%s' appears twice", key.head);
             seen |= 1u << f;
             at = (char *)&spec + ms_nn__field_list[f].offset;
             switch (ms_nn__field_list[f].kind) {
@@ -1992,16 +1998,16 @@ static MS_NN__COLD ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
                     for (kind = 0; kind < (int)MS_NN__KINDS; ++kind)
                         if (ms_nn__is(&text, ms_nn__kind_name[kind])) break;
                 if (status == MS_OK && kind == (int)MS_NN__KINDS)
-                    return ms_nn__bad_word(j, key_at, "unknown type '%s'", text.head);
+                    return ms_nn__refuse_word(j, key_at, "unknown type '%s'", text.head);
                 break;
             case MS_NN__COUNTS:
             case MS_NN__SIZES: {
                 size_t counts[2] = {0, 0};
                 status = ms_nn__json_counts(j, counts);
                 if (status == MS_OK && (counts[0] > INT_MAX || counts[1] > INT_MAX))
-                    return ms_nn__bad_word(j, key_at, "the size '%s' is too large", key.head);
+                    return ms_nn__refuse_word(j, key_at, "the size '%s' is too large", key.head);
                 if (status == MS_OK && ms_nn__field_list[f].kind == MS_NN__COUNTS && (counts[0] == 0 || counts[1] == 0))
-                    return ms_nn__bad_word(j, key_at, "the size '%s' must not be 0", key.head);
+                    return ms_nn__refuse_word(j, key_at, "the size '%s' must not be 0", key.head);
                 memcpy(at, counts, sizeof counts);
                 break;
             }
@@ -2009,7 +2015,7 @@ static MS_NN__COLD ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
                 double real = 0;
                 status = ms_nn__json_real(j, &real);
                 if (status == MS_OK && !(real >= 0 && real <= 1e30))
-                    return ms_nn__bad_word(j, key_at, "'%s' must not be negative or above 1e30", key.head);
+                    return ms_nn__refuse_word(j, key_at, "'%s' must not be negative or above 1e30", key.head);
                 memcpy(at, &real, sizeof real);
                 break;
             }
@@ -2019,7 +2025,7 @@ static MS_NN__COLD ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
                 yes = j->end - j->p >= 4 && memcmp(j->p, "true", 4) == 0;
                 flag = yes ? 1 : 2;
                 if (!yes && !(j->end - j->p >= 5 && memcmp(j->p, "false", 5) == 0))
-                    return ms_nn__bad(j, "expected true or false");
+                    return ms_nn__refuse(j, "expected true or false");
                 j->p += yes ? 4 : 5;
                 memcpy(at, &flag, sizeof flag);
             }
@@ -2028,14 +2034,14 @@ static MS_NN__COLD ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
         if (status != MS_OK) return status;
         if ((status = ms_nn__json_more(j, '}', &more)) != MS_OK) return status;
     }
-    if (kind < 0) return ms_nn__bad(j, "the layer has no type");
+    if (kind < 0) return ms_nn__refuse(j, "the layer has no type");
     for (f = 0; f < FIELDS; ++f)
         if ((seen & 1u << f) && !(ms_nn__field_list[f].layers & 1u << kind))
             return ms__fail(j->error, MS_BAD_DATA, j->base + spec.at,
                             "the field '%s' does not belong to a layer of type %s", ms_nn__field_list[f].key,
                             ms_nn__kind_name[kind]);
-    if (inputs != (kind == (int)MS_NN__SHARED)) return ms_nn__bad(j, "inputs and shared_channels belong together");
-    if (l->layers == MS_NN_MAX_LAYERS) return ms_nn__bad(j, "more than 4096 layers");
+    if (inputs != (kind == (int)MS_NN__SHARED)) return ms_nn__refuse(j, "inputs and shared_channels belong together");
+    if (l->layers == MS_NN_MAX_LAYERS) return ms_nn__refuse(j, "more than 4096 layers");
     if (l->spec) {
         l->spec[l->layers] = spec;
         l->kind[l->layers] = (ms_nn__kind)kind;
@@ -2054,17 +2060,17 @@ static MS_NN__COLD ms_status ms_nn__list_read(ms_nn__list *l, const char *text, 
     j.end = j.p + strlen(text);
     j.base = 0;
     j.error = error;
-    if (!ms_nn__take(&j, '[')) return ms_nn__bad(&j, "ms_nn_layers must be a list");
+    if (!ms_nn__take(&j, '[')) return ms_nn__refuse(&j, "ms_nn_layers must be a list");
     if (ms_nn__take(&j, ']')) more = 0;
     while (more) {
         if ((status = ms_nn__list_layer(&j, l)) != MS_OK) {
             ms__fail(&layer, MS_OK, 0, "layer %d", l->layers);
-            return ms_nn__about(error, status, error ? error->position : 0, layer.message, "");
+            return ms_nn__prefix_error(error, status, error ? error->position : 0, layer.message, "");
         }
         if ((status = ms_nn__json_more(&j, ']', &more)) != MS_OK) return status;
     }
     ms_nn__space(&j);
-    return j.p == j.end ? MS_OK : ms_nn__bad(&j, "text follows the layer list");
+    return j.p == j.end ? MS_OK : ms_nn__refuse(&j, "text follows the layer list");
 }
 
 static MS_NN__COLD ms_status ms_nn__shape_read(ms_nn_shape *shape, const char *text, ms_error *error)
@@ -2078,17 +2084,17 @@ static MS_NN__COLD ms_status ms_nn__shape_read(ms_nn_shape *shape, const char *t
     j.end = j.p + strlen(text);
     j.base = 0;
     j.error = error;
-    if (!ms_nn__take(&j, '[')) return ms_nn__bad(&j, "ms_nn_input must be a list of sizes");
+    if (!ms_nn__take(&j, '[')) return ms_nn__refuse(&j, "ms_nn_input must be a list of sizes");
     while (more) {
-        if (shape->rank == 3) return ms_nn__bad(&j, "ms_nn_input has more than three sizes");
+        if (shape->rank == 3) return ms_nn__refuse(&j, "ms_nn_input has more than three sizes");
         if ((status = ms_nn__json_size(&j, &shape->size[shape->rank])) != MS_OK) return status;
         total = ms__size_mul(total, shape->size[shape->rank]);
         if (shape->size[shape->rank++] == 0 || total > SIZE_MAX / 64)
-            return ms_nn__bad(&j, "a size in ms_nn_input is 0 or too large");
+            return ms_nn__refuse(&j, "a size in ms_nn_input is 0 or too large");
         if ((status = ms_nn__json_more(&j, ']', &more)) != MS_OK) return status;
     }
     ms_nn__space(&j);
-    return j.p == j.end ? MS_OK : ms_nn__bad(&j, "text follows ms_nn_input");
+    return j.p == j.end ? MS_OK : ms_nn__refuse(&j, "text follows ms_nn_input");
 }
 
 /* ---- plan ------------------------------------------------------------------------------------------------------ */
@@ -2102,7 +2108,7 @@ static size_t ms_nn__count(ms_nn__dims d) { return d.c * d.h * d.w; }
 
 /* A dense layer's matrix where it lies. Rows are cols elements long without padding. One that a cache may hold is there
    once more, as the level in use likes it: in panels of two vectors of rows, [panel][column][row of the panel], zeros
-   behind the last row. */
+   after the last row. */
 typedef struct ms_nn__matrix {
     const unsigned char *w, *scale, *bias; /* scale, bias: [rows] native floats, any alignment, or NULL */
     ms_nn_dtype dtype;                     /* F32, F16, BF16, I8 */
@@ -2117,12 +2123,13 @@ typedef struct ms_nn__matrix {
    channel][tap of a row][output], and 4 instead of 6 multiplications are left. */
 typedef struct ms_nn__conv {
     ms_nn__dims in, out;
-    size_t kernel[2], stride[2], dilate[2]; /* dilate: the input's elements stand so far apart, zeros between */
-    size_t spread[2];                       /* the taps stand so far apart */
-    ptrdiff_t pad[2]; /* zeros above and left of the input; negative: rows and columns that are skipped */
+    size_t kernel[2], stride[2],
+        input_dilation[2]; /* input_dilation: the input's elements stand so far apart, zeros between */
+    size_t dilation[2];    /* the taps stand so far apart */
+    ptrdiff_t pad[2];      /* zeros above and left of the input; negative: rows and columns that are skipped */
     const float *packed;
     const float *bias;    /* [out.c rounded up to blocks], zeros where there is none */
-    int pairs;            /* Winograd */
+    int winograd;         /* two rows at a time */
     size_t taps;          /* that a tile sums over */
     const size_t *offset; /* [taps] from an output's first padded element to the element that tap sees */
     size_t strip;         /* output rows of a task, whose input is padded together */
@@ -2151,7 +2158,7 @@ typedef struct ms_nn__op {
     ms_nn__dims in, out;
     int layer;                 /* in the file's list */
     int skip;                  /* ADD, CONCAT: the other value */
-    int flag;                  /* CONCAT: the other one's channels come first; LINEAR: corners are aligned */
+    int flag;                  /* CONCAT: the other one's channels come first; LINEAR: align_corners are aligned */
     size_t size[2], stride[2]; /* POOL; UPSAMPLE: size is the factor */
     ms_nn__matrix matrix;
     int phases;        /* CONV: 1, or the factor of an upsampling in front of it */
@@ -2187,7 +2194,7 @@ struct ms_nn {
 };
 
 /* Memory held until the network goes; 64-byte aligned for the kernels' sake; NULL: none left. */
-static void *ms_nn__hold(ms_nn *nn, size_t count, size_t size)
+static void *ms_nn__allocate(ms_nn *nn, size_t count, size_t size)
 {
     size_t bytes = ms__size_add(ms__size_mul(count, size), sizeof(ms_nn__block) + 64);
     ms_nn__block *b = (ms_nn__block *)ms_nn__alloc(&nn->options, bytes);
@@ -2240,8 +2247,8 @@ static const unsigned char *ms_nn__floats(ms_nn *nn, const ms_nn_tensor *t)
     size_t count = t->bytes / (size_t)(ms_nn__bits(t->dtype) / 8), i;
     float *copy;
     if (t->dtype == MS_NN_F32 && !MS_NN__BIG_ENDIAN) return (const unsigned char *)t->data;
-    copy = (float *)ms_nn__hold(nn, count, sizeof(float));
-    for (i = 0; copy && i < count; ++i) copy[i] = ms_nn__narrow(ms_nn__element(t->data, t->dtype, i));
+    copy = (float *)ms_nn__allocate(nn, count, sizeof(float));
+    for (i = 0; copy && i < count; ++i) copy[i] = ms_nn__to_float(ms_nn__element(t->data, t->dtype, i));
     return (const unsigned char *)copy;
 }
 
@@ -2312,7 +2319,7 @@ static MS_NN__COLD ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const m
     m->w = (const unsigned char *)w->weight->data;
     m->scale = m->bias = NULL;
     if (folds > 1 || m->dtype == MS_NN_F64) {
-        float *copy = (float *)ms_nn__hold(nn, ms__size_mul(rows, m->cols), sizeof(float));
+        float *copy = (float *)ms_nn__allocate(nn, ms__size_mul(rows, m->cols), sizeof(float));
         if (copy == NULL)
             return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the weights of '%s'", w->weight->name);
         m->w = (const unsigned char *)copy;
@@ -2331,7 +2338,7 @@ static MS_NN__COLD ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const m
                             sum += w->weight->dtype == MS_NN_F32 ? (double)ms_nn__float_of(ms_nn__u32(row + 4 * col))
                                                                  : ms_nn__element(row, MS_NN_F64, col);
                         }
-                    copy[last ? i * low.c + c : c * low.h * low.w + i] = ms_nn__narrow(sum);
+                    copy[last ? i * low.c + c : c * low.h * low.w + i] = ms_nn__to_float(sum);
                 }
             }
             copy += m->cols;
@@ -2384,30 +2391,31 @@ static double ms_nn__tap(const ms_nn__taps *t, size_t o, size_t c, size_t y, siz
 /* Geometry of the padded input of a strip: as many rows and columns as its outputs see. */
 static MS_NN__COLD int ms_nn__conv_geometry(ms_nn *nn, ms_nn__conv *v)
 {
-    size_t s = v->stride[1], w = (v->out.w - 1) * s + (v->kernel[1] - 1) * v->spread[1] + 1,
-           rows = v->pairs ? 1 : v->kernel[0], fit, y, x;
-    size_t high = (v->kernel[0] - 1) * v->spread[0] + 1;
-    size_t *offset = (size_t *)ms_nn__hold(nn, ms__size_mul(rows, v->kernel[1]), sizeof(size_t));
+    size_t s = v->stride[1], w = (v->out.w - 1) * s + (v->kernel[1] - 1) * v->dilation[1] + 1,
+           rows = v->winograd ? 1 : v->kernel[0], fit, y, x;
+    size_t high = (v->kernel[0] - 1) * v->dilation[0] + 1;
+    size_t *offset = (size_t *)ms_nn__allocate(nn, ms__size_mul(rows, v->kernel[1]), sizeof(size_t));
     v->pitch = v->out.w == 0 ? 0 : (w + s - 1) / s * s; /* 0: a phase without outputs */
     fit = MS_NN__STRIP_FLOATS / (v->in.c * v->pitch + 1);
-    v->strip = v->pairs ? fit / 4 * 2 : fit > high ? (fit - high) / v->stride[0] + 1 : 1;
-    if (v->pairs && v->strip < 2) v->strip = 2;
-    if (v->strip > v->out.h) v->strip = v->pairs ? (v->out.h + 1) / 2 * 2 : v->out.h;
-    v->rows = v->pairs ? 2 * v->strip : (v->strip - 1) * v->stride[0] + high;
+    v->strip = v->winograd ? fit / 4 * 2 : fit > high ? (fit - high) / v->stride[0] + 1 : 1;
+    if (v->winograd && v->strip < 2) v->strip = 2;
+    if (v->strip > v->out.h) v->strip = v->winograd ? (v->out.h + 1) / 2 * 2 : v->out.h;
+    v->rows = v->winograd ? 2 * v->strip : (v->strip - 1) * v->stride[0] + high;
     v->plane = v->rows * v->pitch;
     v->taps = rows * v->kernel[1];
     v->offset = offset;
     for (y = 0; offset && y < rows; ++y)
         for (x = 0; x < v->kernel[1]; ++x)
-            *offset++ = y * v->spread[0] * v->pitch + x * v->spread[1] % s * (v->pitch / s) + x * v->spread[1] / s;
+            *offset++ = y * v->dilation[0] * v->pitch + x * v->dilation[1] % s * (v->pitch / s) +
+                x * v->dilation[1] / s;
     return offset != NULL;
 }
 
 static const float *ms_nn__pack(ms_nn *nn, const ms_nn__taps *t, size_t outs, size_t ins, size_t block)
 {
     size_t blocks = (outs + block - 1) / block, taps = t->height * t->taps_w, b, c, k, o;
-    float *packed = (float *)ms_nn__hold(nn, ms__size_mul(ms__size_mul(blocks, block), ms__size_mul(ins, taps)),
-                                         sizeof(float));
+    float *packed = (float *)ms_nn__allocate(nn, ms__size_mul(ms__size_mul(blocks, block), ms__size_mul(ins, taps)),
+                                             sizeof(float));
     float *p = packed;
     if (packed == NULL) return NULL;
     for (b = 0; b < blocks; ++b)
@@ -2419,10 +2427,10 @@ static const float *ms_nn__pack(ms_nn *nn, const ms_nn__taps *t, size_t outs, si
 }
 
 /* Winograd's weights: g0, (g0 + g1 + g2) / 2, (g0 - g1 + g2) / 2, g2 of each column of three. */
-static const float *ms_nn__pack_pairs(ms_nn *nn, const ms_nn__taps *t, size_t outs, size_t ins, size_t block)
+static const float *ms_nn__pack_winograd(ms_nn *nn, const ms_nn__taps *t, size_t outs, size_t ins, size_t block)
 {
     size_t blocks = (outs + block - 1) / block, part = ins * t->taps_w * block, b, c, x, o;
-    float *packed = (float *)ms_nn__hold(nn, ms__size_mul(blocks * 4, part), sizeof(float));
+    float *packed = (float *)ms_nn__allocate(nn, ms__size_mul(blocks * 4, part), sizeof(float));
     if (packed == NULL) return NULL;
     for (b = 0; b < blocks; ++b)
         for (c = 0; c < ins; ++c)
@@ -2442,9 +2450,9 @@ static const float *ms_nn__pack_pairs(ms_nn *nn, const ms_nn__taps *t, size_t ou
 }
 
 /* Is Winograd's form worth it? */
-static MS_NN__COLD int ms_nn__in_pairs(const ms_nn__conv *v)
+static MS_NN__COLD int ms_nn__use_winograd(const ms_nn__conv *v)
 {
-    return v->kernel[0] == 3 && v->stride[0] == 1 && v->dilate[0] == 1 && v->spread[0] == 1 && v->in.c >= 8 &&
+    return v->kernel[0] == 3 && v->stride[0] == 1 && v->input_dilation[0] == 1 && v->dilation[0] == 1 && v->in.c >= 8 &&
         v->out.h >= 2;
 }
 
@@ -2453,19 +2461,19 @@ static MS_NN__COLD int ms_nn__in_pairs(const ms_nn__conv *v)
    its inputs: the correlation of its inputs, zeros between them where the stride is over 1, with the mirrored kernel.
  */
 static MS_NN__COLD ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights *w, const size_t kernel[2],
-                                              const size_t stride[2], const size_t pad[2], const size_t spread[2],
+                                              const size_t stride[2], const size_t pad[2], const size_t dilation[2],
                                               size_t factor, int turned, size_t block, ms_error *error)
 {
     size_t g, o, n, d, outs = op->out.c / op->groups, ins = op->in.c / op->groups,
                        blocks = (outs + block - 1) / block * block;
-    float *bias = (float *)ms_nn__hold(nn, ms__size_mul(op->groups, blocks), sizeof(float));
+    float *bias = (float *)ms_nn__allocate(nn, ms__size_mul(op->groups, blocks), sizeof(float));
     op->phases = (int)factor;
-    op->conv = (ms_nn__conv *)ms_nn__hold(nn, ms__size_mul(op->groups, factor), sizeof(ms_nn__conv));
+    op->conv = (ms_nn__conv *)ms_nn__allocate(nn, ms__size_mul(op->groups, factor), sizeof(ms_nn__conv));
     if (!bias || !op->conv) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
     for (g = 0; g < op->groups; ++g)
         for (o = 0; o < blocks; ++o)
             bias[g * blocks + o] = w->bias && o < outs
-                ? ms_nn__narrow(ms_nn__element(w->bias->data, w->bias->dtype, g * outs + o))
+                ? ms_nn__to_float(ms_nn__element(w->bias->data, w->bias->dtype, g * outs + o))
                 : 0.0f;
     for (n = 0; n < op->groups * factor; ++n) {
         ms_nn__conv *v = &op->conv[n];
@@ -2494,14 +2502,14 @@ static MS_NN__COLD ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms
         v->pad[0] = (ptrdiff_t)pad[0];
         v->pad[1] = -t.first;
         for (d = 0; d < 2; ++d) {
-            v->spread[d] = spread[d];
+            v->dilation[d] = dilation[d];
             v->stride[d] = turned ? 1 : stride[d];
-            v->dilate[d] = turned ? stride[d] : 1;
-            if (turned) v->pad[d] = (ptrdiff_t)((v->kernel[d] - 1) * spread[d]) - v->pad[d];
+            v->input_dilation[d] = turned ? stride[d] : 1;
+            if (turned) v->pad[d] = (ptrdiff_t)((v->kernel[d] - 1) * dilation[d]) - v->pad[d];
         }
         v->bias = bias + n / factor * blocks;
-        v->pairs = ms_nn__in_pairs(v);
-        v->packed = (v->pairs ? ms_nn__pack_pairs : ms_nn__pack)(nn, &t, outs, ins, block);
+        v->winograd = ms_nn__use_winograd(v);
+        v->packed = (v->winograd ? ms_nn__pack_winograd : ms_nn__pack)(nn, &t, outs, ins, block);
         if (!v->packed || !ms_nn__conv_geometry(nn, v))
             return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
     }
@@ -2551,7 +2559,7 @@ static MS_NN__COLD int ms_nn__next(const ms_nn__list *l, int i)
     return i;
 }
 
-/* Can the upsampling at layer i go into the weights behind it? */
+/* Can the upsampling at layer i go into the weights after it? */
 static MS_NN__COLD int ms_nn__foldable(const ms_nn__build *b, int i)
 {
     const ms_nn__list *l = b->list;
@@ -2608,7 +2616,7 @@ static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_lay
     ms_nn__kind kind = b->list->kind[i];
     int two = kind == MS_NN__CONV2D || kind == MS_NN__TRANSPOSED2D,
         turned = kind == MS_NN__TRANSPOSED1D || kind == MS_NN__TRANSPOSED2D, same, d;
-    size_t shape[4], kernel[2], stride[2], pad[2], spread[2], extent[2], reach,
+    size_t shape[4], kernel[2], stride[2], pad[2], dilation[2], extent[2], reach,
         groups = s->groups[0] ? s->groups[0] : 1, n;
     ms_nn__weights w;
     ms_nn__dims out, in;
@@ -2637,14 +2645,14 @@ static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_lay
         int on = two || d == 1, at = two ? d : 0;
         kernel[d] = on ? shape[two ? 2 + d : 2] : 1;
         stride[d] = on && s->stride[at] ? s->stride[at] : 1;
-        spread[d] = on && s->dilation[at] ? s->dilation[at] : 1;
-        reach = ms__size_add(ms__size_mul(kernel[d] - 1, spread[d]), 1);
+        dilation[d] = on && s->dilation[at] ? s->dilation[at] : 1;
+        reach = ms__size_add(ms__size_mul(kernel[d] - 1, dilation[d]), 1);
         pad[d] = !on ? 0 : same ? (reach - 1) / 2 : s->zeros[at];
         if (reach > INT_MAX || extent[d] > INT_MAX)
             return ms__fail(error, MS_BAD_DATA, 0, "its kernel or input is too large");
         if (turned) {
             n = ms__size_add(ms__size_mul(extent[d] - 1, stride[d]), reach);
-            if (on && s->extra[at] >= stride[d] && s->extra[at] >= spread[d])
+            if (on && s->extra[at] >= stride[d] && s->extra[at] >= dilation[d])
                 return ms__fail(error, MS_BAD_DATA, 0, "extra must be smaller than the stride or the dilation");
             if (on) n = ms__size_add(n, s->extra[at]);
             if (n <= 2 * pad[d] || n > INT_MAX)
@@ -2665,7 +2673,7 @@ static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_lay
     op = ms_nn__op_add(b, MS_NN__DO_CONV, i, out);
     op->groups = groups;
     if ((status = ms_nn__activation_read(s, op, info, error)) != MS_OK) return status;
-    status = ms_nn__conv_make(b->nn, op, &w, kernel, stride, pad, spread, b->fold[1], turned, b->block, error);
+    status = ms_nn__conv_make(b->nn, op, &w, kernel, stride, pad, dilation, b->fold[1], turned, b->block, error);
     n = turned ? in.h * in.w : out.h * out.w;
     info->multiply_adds = ms__size_mul(info->multiply_adds, n);
     info->folded = b->fold[1] > 1;
@@ -2705,7 +2713,7 @@ static MS_NN__COLD ms_status ms_nn__build_resize(ms_nn__build *b, int i, ms_erro
         if (strcmp(s->mode, "linear"))
             return ms__fail(error, MS_BAD_DATA, 0, "mode must be nearest or linear, not '%s'", s->mode);
         smooth = 1;
-    } else if (up && s->corners == 1) {
+    } else if (up && s->align_corners == 1) {
         return ms__fail(error, MS_BAD_DATA, 0, "align_corners belongs to mode linear");
     }
     if (up && ms_nn__foldable(b, i)) {
@@ -2719,7 +2727,7 @@ static MS_NN__COLD ms_status ms_nn__build_resize(ms_nn__build *b, int i, ms_erro
                            : kind == MS_NN__AVERAGE1D || kind == MS_NN__AVERAGE2D ? MS_NN__DO_AVERAGE
                                                                                   : MS_NN__DO_POOL,
                        i, out);
-    op->flag = s->corners == 1;
+    op->flag = s->align_corners == 1;
     op->size[0] = size[0];
     op->size[1] = size[1];
     op->stride[0] = stride[0];
@@ -2828,14 +2836,14 @@ static MS_NN__COLD ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error
     return status;
 }
 
-static int ms_nn__joins(const ms_nn__op *op) { return op->step == MS_NN__DO_ADD || op->step == MS_NN__DO_CONCAT; }
+static int ms_nn__has_skip(const ms_nn__op *op) { return op->step == MS_NN__DO_ADD || op->step == MS_NN__DO_CONCAT; }
 
 /* Where values live. Shared memory: a value may take a slot whose last reader has run. */
 static MS_NN__COLD ms_status ms_nn__plan(ms_nn *nn, ms_error *error)
 {
     size_t n = (size_t)nn->ops + 1, used = 0, v, s, at = 0;
-    size_t *size = (size_t *)ms_nn__hold(nn, 3 * n, sizeof(size_t)), *owner, *last;
-    nn->slot = (size_t *)ms_nn__hold(nn, 3 * n, sizeof(size_t));
+    size_t *size = (size_t *)ms_nn__allocate(nn, 3 * n, sizeof(size_t)), *owner, *last;
+    nn->slot = (size_t *)ms_nn__allocate(nn, 3 * n, sizeof(size_t));
     if (size == NULL || nn->slot == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the plan");
     owner = size + n;
     last = owner + n;
@@ -2843,7 +2851,7 @@ static MS_NN__COLD ms_status ms_nn__plan(ms_nn *nn, ms_error *error)
     nn->before = nn->tape + n;
     for (v = 0; v < n; ++v) last[v] = v;
     for (v = 0; v + 1 < n; ++v)
-        if (ms_nn__joins(&nn->op[v])) last[nn->op[v].skip] = v;
+        if (ms_nn__has_skip(&nn->op[v])) last[nn->op[v].skip] = v;
     for (v = 0; v < n; ++v) {
         size_t floats = ms_nn__count(v ? nn->op[v - 1].out : nn->inner);
         nn->tape[v] = nn->tapes;
@@ -2916,13 +2924,13 @@ static MS_NN__COLD ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_
         return status;
     }
     n = (size_t)l.layers;
-    l.spec = (ms_nn__spec *)ms_nn__hold(nn, n, sizeof *l.spec);
-    l.kind = (ms_nn__kind *)ms_nn__hold(nn, n, sizeof *l.kind);
-    l.channel_input = (size_t *)ms_nn__hold(nn, ms__size_mul(l.channels, l.channel_inputs), sizeof(size_t));
-    l.pool = (char *)ms_nn__hold(nn, l.text + 1, 1);
-    b.value = (int *)ms_nn__hold(nn, n, sizeof(int));
-    nn->layer = (ms_nn_layer *)ms_nn__hold(nn, n, sizeof *nn->layer);
-    nn->op = (ms_nn__op *)ms_nn__hold(nn, n + 1, sizeof *nn->op);
+    l.spec = (ms_nn__spec *)ms_nn__allocate(nn, n, sizeof *l.spec);
+    l.kind = (ms_nn__kind *)ms_nn__allocate(nn, n, sizeof *l.kind);
+    l.channel_input = (size_t *)ms_nn__allocate(nn, ms__size_mul(l.channels, l.channel_inputs), sizeof(size_t));
+    l.pool = (char *)ms_nn__allocate(nn, l.text + 1, 1);
+    b.value = (int *)ms_nn__allocate(nn, n, sizeof(int));
+    nn->layer = (ms_nn_layer *)ms_nn__allocate(nn, n, sizeof *nn->layer);
+    nn->op = (ms_nn__op *)ms_nn__allocate(nn, n + 1, sizeof *nn->op);
     if (!l.spec || !l.kind || !l.channel_input || !l.pool || !b.value || !nn->layer || !nn->op)
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %z layers", n);
     l.layers = 0;
@@ -2933,14 +2941,14 @@ static MS_NN__COLD ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_
     b.list = &l;
     b.block = ms_nn__block_of(nn->kernels);
     if ((status = ms_nn__build_input(&b, error)) != MS_OK)
-        return ms_nn__about(error, status, ms_nn__byte_of(nn->file, "ms_nn_layers", l.spec[0].at),
-                            "layer 0, shared_channels", "");
+        return ms_nn__prefix_error(error, status, ms_nn__byte_of(nn->file, "ms_nn_layers", l.spec[0].at),
+                                   "layer 0, shared_channels", "");
     for (i = 0; i < l.layers; ++i)
         if ((status = ms_nn__build_layer(&b, i, error)) != MS_OK) {
             ms_error layer;
             ms__fail(&layer, MS_OK, 0, "layer %d, %s", i, nn->layer[i].type);
-            return ms_nn__about(error, status, ms_nn__byte_of(nn->file, "ms_nn_layers", l.spec[i].at), layer.message,
-                                nn->layer[i].name);
+            return ms_nn__prefix_error(error, status, ms_nn__byte_of(nn->file, "ms_nn_layers", l.spec[i].at),
+                                       layer.message, nn->layer[i].name);
         }
     if (nn->ops == 0) ms_nn__op_add(&b, MS_NN__DO_ACTIVATE, 0, b.low); /* nothing to do is a copy */
     nn->output = ms_nn__shape(b.now, b.rank);
@@ -3032,7 +3040,7 @@ typedef struct ms_nn__conv_job {
     const struct ms_nn__kernels *kernels;
 } ms_nn__conv_job;
 
-#define MS_NN__OVERRUN 64 /* floats that a tile may load behind the end of the padded input */
+#define MS_NN__OVERRUN 64 /* floats that a tile may load beyond the end of the padded input */
 
 /* The loops that differ by level; the kernel section at the end of this file makes one table a level. */
 typedef struct ms_nn__kernels {
@@ -3057,7 +3065,7 @@ static size_t ms_nn__bytes_of(ms_nn_dtype dtype) { return dtype == MS_NN_F32 ? 4
 
 static size_t ms_nn__block_of(const ms_nn__kernels *kernels) { return kernels->block; }
 
-/* Packs a matrix, unless it comes from memory rather than from a cache: one of over two million weights, or behind the
+/* Packs a matrix, unless it comes from memory rather than from a cache: one of over two million weights, or after the
    first eight million of a network; nor one of rows so long that their sums want more than two parts. Those are read
    where they lie, and I8 is summed in integers, faster than it is widened. Nothing here depends on the batch, so that
    bits do not. 0: no memory. */
@@ -3071,7 +3079,7 @@ static MS_NN__COLD int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m)
     m->packed = NULL;
     m->packed_dtype = dtype;
     if (m->cols > 16384 || m->rows > 2000000 / m->cols || nn->packed + m->rows * m->cols > 8000000) return 1;
-    m->packed = w = (unsigned char *)ms_nn__hold(nn, (m->rows + panel - 1) / panel * panel * size, m->cols);
+    m->packed = w = (unsigned char *)ms_nn__allocate(nn, (m->rows + panel - 1) / panel * panel * size, m->cols);
     if (w == NULL) return 0;
     nn->packed += m->rows * m->cols;
     for (k = 0; k < 256; ++k) half[k] = ms__half_from_float(k < 128 ? (float)k : (float)k - 256);
@@ -3156,16 +3164,17 @@ static void ms_nn__pad(const ms_nn__conv_job *job, size_t strip, float *padded)
     for (c = 0; c < v->in.c; ++c) {
         for (y = 0; y < v->rows; ++y) {
             float *to = padded + c * v->plane + y * v->pitch;
-            ptrdiff_t from_y = (ptrdiff_t)(strip * v->strip * v->stride[0] + (v->pairs ? y / 4 * 2 + y % 4 : y)) -
+            ptrdiff_t from_y = (ptrdiff_t)(strip * v->strip * v->stride[0] + (v->winograd ? y / 4 * 2 + y % 4 : y)) -
                 v->pad[0];
             const float *from;
             size_t left, count;
-            if (from_y < 0 || (size_t)from_y % v->dilate[0] || (size_t)from_y / v->dilate[0] >= v->in.h) {
+            if (from_y < 0 || (size_t)from_y % v->input_dilation[0] ||
+                (size_t)from_y / v->input_dilation[0] >= v->in.h) {
                 memset(to, 0, v->pitch * sizeof(float));
                 continue;
             }
-            from = job->x + c * job->x_plane + (size_t)from_y / v->dilate[0] * job->x_row;
-            if (s == 1 && v->dilate[1] == 1) {
+            from = job->x + c * job->x_plane + (size_t)from_y / v->input_dilation[0] * job->x_row;
+            if (s == 1 && v->input_dilation[1] == 1) {
                 left = v->pad[1] > 0 ? ms_nn__min((size_t)v->pad[1], v->pitch) : 0;
                 if (v->pad[1] < 0) from += -v->pad[1];
                 count = v->in.w - (v->pad[1] < 0 ? ms_nn__min((size_t)-v->pad[1], v->in.w) : 0);
@@ -3177,11 +3186,11 @@ static void ms_nn__pad(const ms_nn__conv_job *job, size_t strip, float *padded)
             }
             memset(to, 0, v->pitch * sizeof(float));
             for (x = 0; x < v->in.w; ++x) {
-                ptrdiff_t at = (ptrdiff_t)(x * v->dilate[1]) + v->pad[1];
+                ptrdiff_t at = (ptrdiff_t)(x * v->input_dilation[1]) + v->pad[1];
                 if (at >= 0 && (size_t)at < v->pitch) to[(size_t)at % s * wide + (size_t)at / s] = from[x];
             }
         }
-        for (y = 0; v->pairs && y < v->rows; y += 4)
+        for (y = 0; v->winograd && y < v->rows; y += 4)
             job->kernels->combine(padded + c * v->plane + y * v->pitch, v->pitch);
     }
     memset(padded + v->in.c * v->plane, 0, MS_NN__OVERRUN * sizeof(float));
@@ -3296,11 +3305,11 @@ static void ms_nn__run_upsample(const ms_nn__op *op, const float *x, float *y)
 }
 
 /* Linear interpolation along one axis: output i stands between inputs at and at + 1 (the last repeats), at the share of
-   the second. PyTorch's two rules: centers of elements, or corners, in line. */
-static MS_NN__COLD float ms_nn__between(size_t i, size_t in, size_t out, int corners, size_t *at)
+   the second. PyTorch's two rules: centers of elements, or align_corners, in line. */
+static MS_NN__COLD float ms_nn__interpolate(size_t i, size_t in, size_t out, int align_corners, size_t *at)
 {
-    double x = corners ? (out > 1 ? (double)i * (double)(in - 1) / (double)(out - 1) : 0.0)
-                       : ((double)i + 0.5) * (double)in / (double)out - 0.5;
+    double x = align_corners ? (out > 1 ? (double)i * (double)(in - 1) / (double)(out - 1) : 0.0)
+                             : ((double)i + 0.5) * (double)in / (double)out - 0.5;
     if (x < 0) x = 0;
     *at = (size_t)x;
     if (*at + 1 >= in) {
@@ -3315,9 +3324,9 @@ static MS_NN__COLD void ms_nn__run_linear(const ms_nn__op *op, const float *x, f
 {
     size_t c, i, j, top, left;
     for (i = 0; i < op->out.h; ++i) {
-        float down = ms_nn__between(i, op->in.h, op->out.h, op->flag, &top);
+        float down = ms_nn__interpolate(i, op->in.h, op->out.h, op->flag, &top);
         for (j = 0; j < op->out.w; ++j) {
-            float right = ms_nn__between(j, op->in.w, op->out.w, op->flag, &left);
+            float right = ms_nn__interpolate(j, op->in.w, op->out.w, op->flag, &left);
             size_t below = top + 1 < op->in.h ? op->in.w : 0, next = left + 1 < op->in.w ? 1 : 0;
             float a = (1 - down) * (1 - right), b = (1 - down) * right, d = down * (1 - right), e = down * right;
             for (c = 0; c < op->out.c; ++c) {
@@ -3387,8 +3396,9 @@ static const float *ms_nn__argument(const ms_nn__run *r, int v)
 
 static const float *ms_nn__input_value(const ms_nn__run *r, int v) { return v == 0 ? r->x : ms_nn__value(r, v); }
 
-/* Applies operation k to count vectors. With point NULL they are points themselves; else directions, of which each
-   point has `each`, and point and argument hold the operation's input and what its activation is applied to there. */
+/* Applies operation k to `count` vectors: samples if point is NULL, else tangent vectors, `each` per sample; point and
+   argument then hold the operation's input and what its activation is applied to there. each 0: samples, without the
+   activation. */
 static MS_NN__COLD void ms_nn__apply(const ms_nn *nn, int k, size_t count, const float *x, const float *skip, float *y,
                                      const float *point, const float *argument, size_t each, void *scratch)
 {
@@ -3528,7 +3538,7 @@ MS_API MS_NN__COLD size_t ms_nn_workspace_size(const ms_nn *nn, ms_nn_product pr
 }
 
 /* Copies the inputs that each channel sees: x [count][input] to inner [count][channels][channel_inputs]. */
-static void ms_nn__spread(const ms_nn *nn, size_t count, const float *x, float *inner)
+static void ms_nn__gather_inputs(const ms_nn *nn, size_t count, const float *x, float *inner)
 {
     size_t n = nn->channels * nn->channel_inputs, input = ms_nn_input_size(nn), b, i;
     for (b = 0; b < count; ++b)
@@ -3555,7 +3565,7 @@ static MS_NN__COLD void ms_nn__begin(ms_nn__call *call, const ms_nn *nn, ms_nn_p
     call->run.scratch = call->layout.scratch;
     if (nn->channel_input != NULL) {
         call->run.x = call->layout.x;
-        ms_nn__spread(nn, count, x, call->layout.x);
+        ms_nn__gather_inputs(nn, count, x, call->layout.x);
     }
     ms_nn__run_forward(&call->run);
 }
@@ -3703,7 +3713,7 @@ typedef struct ms_nn__text {
 
 /* Appends format: $v and $i begin a declaration of four floats or an integer, $4 makes four floats, $I an integer, $L
    is what HLSL wants before a loop, $d the next number of n. */
-static MS_NN__COLD void ms_nn__say(ms_nn__text *t, const char *format, const size_t *n)
+static MS_NN__COLD void ms_nn__emit(ms_nn__text *t, const char *format, const size_t *n)
 {
     static const char key[] = "vi4IL",
                       word[3][5][11] = {{"vec4 ", "int ", "vec4", "int", ""},
@@ -3735,10 +3745,10 @@ static MS_NN__COLD int ms_nn__plain(const ms_nn__op *op)
 }
 
 /* Four values, and their rows: what a dense layer has of texels. */
-static MS_NN__COLD size_t ms_nn__fours(size_t n) { return n / 4 + (n % 4 != 0); }
+static MS_NN__COLD size_t ms_nn__vec4_count(size_t n) { return n / 4 + (n % 4 != 0); }
 static MS_NN__COLD size_t ms_nn__texels(const ms_nn__matrix *m)
 {
-    return ms__size_mul(ms_nn__fours(m->rows), ms__size_add(4 * ms_nn__fours(m->cols), 1));
+    return ms__size_mul(ms_nn__vec4_count(m->rows), ms__size_add(4 * ms_nn__vec4_count(m->cols), 1));
 }
 
 /* The operations [first, end) of a step, sizes, and where its weights begin; NULL as shader: of the whole network. */
@@ -3775,7 +3785,7 @@ static MS_NN__COLD ms_status ms_nn__shader_plan(const ms_nn *nn, const ms_nn_sha
         return ms__fail(error, MS_UNSUPPORTED, 0,
                         dense ? "the network is too large for a texture" : "the network has no dense layer");
     p->sizes.rows = (int)nn->channels;
-    p->sizes.input_width = (int)ms_nn__fours(ms_nn__value_size(nn, 0));
+    p->sizes.input_width = (int)ms_nn__vec4_count(ms_nn__value_size(nn, 0));
     p->sizes.steps = s && s->steps ? s->steps : dense > 1 ? 2 : 1;
     if (s == NULL) return MS_OK;
     if ((int)s->language < 0 || (int)s->language > (int)MS_NN_WGSL)
@@ -3796,9 +3806,9 @@ static MS_NN__COLD ms_status ms_nn__shader_plan(const ms_nn *nn, const ms_nn_sha
             return ms__fail(error, MS_UNSUPPORTED, 0,
                             "layer %d adds what a step before this one made: %d steps are too many", nn->op[k].layer,
                             p->sizes.steps);
-    p->sizes.input_width = (int)ms_nn__fours(ms_nn__value_size(nn, p->first));
+    p->sizes.input_width = (int)ms_nn__vec4_count(ms_nn__value_size(nn, p->first));
     outputs = ms_nn__value_size(nn, p->end);
-    p->sizes.target_width = (int)ms_nn__fours(outputs);
+    p->sizes.target_width = (int)ms_nn__vec4_count(outputs);
     if (s->step < p->sizes.steps - 1 || (s->width == 0 && s->height == 0)) return MS_OK;
     pixels = s->width > 0 && s->height > 0 ? ms__size_mul((size_t)s->width, (size_t)s->height) : 0;
     if (pixels == 0 || outputs % pixels || outputs / pixels * nn->channels > 4)
@@ -3809,7 +3819,7 @@ static MS_NN__COLD ms_status ms_nn__shader_plan(const ms_nn *nn, const ms_nn_sha
     for (k = p->first; k < p->end; ++k)
         if (nn->op[k].step == MS_NN__DO_ADD)
             return ms__fail(error, MS_UNSUPPORTED, 0,
-                            "layer %d, an addition, stands behind the last dense layer: pictures have none",
+                            "layer %d, an addition, stands after the last dense layer: pictures have none",
                             nn->op[k].layer);
     p->planes = (int)(outputs / pixels);
     p->sizes.target_width = s->width;
@@ -3851,36 +3861,36 @@ static const char *const ms_nn__shader_activation[] = {
     "x * (0.5 + 0.5 * sign(x) * (1.0 - exp(-z)) / (1.0 + exp(-z)))",
     "0.5 * (x + z) - z * exp(-0.5 * z * z) * t * (0.127414796 + t * (-0.142248368 + t * (0.7107068705 + t * (-0.7265760135 + t * 0.5307027145))))"};
 
-static MS_NN__COLD void ms_nn__say_activation(ms_nn__text *t, const ms_nn__op *op)
+static MS_NN__COLD void ms_nn__emit_activation(ms_nn__text *t, const ms_nn__op *op)
 {
     size_t n[7], millionths = (size_t)((double)op->alpha * 1e6 + 0.5), i;
     for (i = 6; i > 0; --i, millionths /= 10) n[i] = millionths % 10;
     n[0] = millionths;
-    ms_nn__say(t,
-               op->activation == MS_NN__GELU ? "{ $v z = abs(x); $v t = 1.0 / (1.0 + 0.2316418882 * z); x = "
-                                             : "{ $v z = abs(x); x = ",
-               n);
-    ms_nn__say(t, ms_nn__shader_activation[op->activation], n);
-    ms_nn__say(t, "; }\n", n);
+    ms_nn__emit(t,
+                op->activation == MS_NN__GELU ? "{ $v z = abs(x); $v t = 1.0 / (1.0 + 0.2316418882 * z); x = "
+                                              : "{ $v z = abs(x); x = ",
+                n);
+    ms_nn__emit(t, ms_nn__shader_activation[op->activation], n);
+    ms_nn__emit(t, "; }\n", n);
 }
 
-/* Operations [k, end): a dense layer and what follows it, of the four outputs u; from: the value that it reads, as [j],
-   or the step's first. inner: the values that it makes are kept for all u. */
-static MS_NN__COLD void ms_nn__say_dense(ms_nn__text *t, const ms_nn *nn, int first, int k, int end, size_t base,
-                                         int inner)
+/* Operations [k, end): a dense layer and what follows it, of the four outputs u. The layer reads the step's first value
+   (k == first) or value k. inner: the values are kept for all u. */
+static MS_NN__COLD void ms_nn__emit_dense(ms_nn__text *t, const ms_nn *nn, int first, int k, int end, size_t base,
+                                          int inner)
 {
     const ms_nn__matrix *m = &nn->op[k].matrix;
-    size_t n[3], cols = ms_nn__fours(m->cols), rows = ms_nn__fours(m->rows);
+    size_t n[3], cols = ms_nn__vec4_count(m->cols), rows = ms_nn__vec4_count(m->rows);
     int start = k;
     n[0] = (size_t)k;
     n[1] = base + 4 * rows * cols;
     n[2] = cols;
-    ms_nn__say(t, "$v x = weight(u + ", n);
-    ms_nn__say(t, "$d);\n$Lfor ($i j = 0; j < $d; j++) {\n", n + 1);
-    ms_nn__say(t, k == first ? "$v a = value(j, row);\n" : "$v a = v$d[j];\n", n);
+    ms_nn__emit(t, "$v x = weight(u + ", n);
+    ms_nn__emit(t, "$d);\n$Lfor ($i j = 0; j < $d; j++) {\n", n + 1);
+    ms_nn__emit(t, k == first ? "$v a = value(j, row);\n" : "$v a = v$d[j];\n", n);
     n[0] = cols;
     n[1] = base;
-    ms_nn__say(
+    ms_nn__emit(
         t,
         "$i i = (u * $d + j) * 4 + $d;\nx = x + $4(dot(weight(i), a), dot(weight(i + 1), a), dot(weight(i + 2), a), dot(weight(i + 3), a));\n}\n",
         n);
@@ -3888,28 +3898,28 @@ static MS_NN__COLD void ms_nn__say_dense(ms_nn__text *t, const ms_nn *nn, int fi
         const ms_nn__op *op = &nn->op[k];
         n[0] = (size_t)op->skip;
         if (op->step == MS_NN__DO_ADD)
-            ms_nn__say(t,
-                       op->skip == first                ? "x = x + value(u, row);\n"
-                           : inner || op->skip <= start ? "x = x + v$d[u];\n"
-                                                        : "x = x + v$d;\n",
-                       n);
-        if (op->activation != MS_NN__LINEAR) ms_nn__say_activation(t, op);
+            ms_nn__emit(t,
+                        op->skip == first                ? "x = x + value(u, row);\n"
+                            : inner || op->skip <= start ? "x = x + v$d[u];\n"
+                                                         : "x = x + v$d;\n",
+                        n);
+        if (op->activation != MS_NN__LINEAR) ms_nn__emit_activation(t, op);
         n[0] = (size_t)k + 1;
-        ms_nn__say(t, inner ? "v$d[u] = x;\n" : "$v v$d = x;\n", n);
+        ms_nn__emit(t, inner ? "v$d[u] = x;\n" : "$v v$d = x;\n", n);
     }
 }
 
 /* The channels of a pixel. row: of the first; at: the pixel in its plane. */
-static MS_NN__COLD void ms_nn__say_pixel(ms_nn__text *t, const ms_nn *nn, const ms_nn__shader_step *p,
-                                         const ms_nn_shader *s)
+static MS_NN__COLD void ms_nn__emit_pixel(ms_nn__text *t, const ms_nn *nn, const ms_nn__shader_step *p,
+                                          const ms_nn_shader *s)
 {
     const ms_nn__matrix *m = &nn->op[p->first].matrix;
-    size_t n[6], cols = ms_nn__fours(m->cols), q, c, planes = (size_t)p->planes, outs = planes * nn->channels;
+    size_t n[6], cols = ms_nn__vec4_count(m->cols), q, c, planes = (size_t)p->planes, outs = planes * nn->channels;
     int k;
     n[0] = n[4] = n[5] = (size_t)s->width;
     n[1] = n[3] = (size_t)s->height;
     n[2] = nn->channels;
-    ms_nn__say(
+    ms_nn__emit(
         t,
         "$i left = $I(position.x);\n$i top = $I(position.y);\nif (ms_nn.z > 0.0) { top = $I(ms_nn.z) - 1 - top; }\n"
         "$i column = left / $d;\n$i across = top / $d;\n$i picture = across * $I(ms_nn.x) + column;\n"
@@ -3919,74 +3929,74 @@ static MS_NN__COLD void ms_nn__say_pixel(ms_nn__text *t, const ms_nn *nn, const 
     for (q = 0; q < planes; ++q) {
         n[0] = n[1] = n[3] = n[5] = q;
         n[2] = q * (size_t)s->width * (size_t)s->height;
-        ms_nn__say(t, "$i u$d = pixel + ", n);
-        ms_nn__say(t, "$d;\n", n + 2);
-        n[2] = p->base + 4 * ms_nn__fours(m->rows) * cols;
+        ms_nn__emit(t, "$i u$d = pixel + ", n);
+        ms_nn__emit(t, "$d;\n", n + 2);
+        n[2] = p->base + 4 * ms_nn__vec4_count(m->rows) * cols;
         n[1] = q;
-        ms_nn__say(t, "$v b$d = weight((u$d >> 2) + ", n);
+        ms_nn__emit(t, "$v b$d = weight((u$d >> 2) + ", n);
         n[0] = n[2];
-        ms_nn__say(t, "$d);\n", n);
+        ms_nn__emit(t, "$d);\n", n);
         for (c = 0; c < nn->channels; ++c) {
             n[0] = c * planes + q;
             n[1] = n[2] = q;
-            ms_nn__say(t, "x[$d] = b$d[u$d & 3];\n", n);
+            ms_nn__emit(t, "x[$d] = b$d[u$d & 3];\n", n);
         }
     }
     n[0] = cols;
-    ms_nn__say(t, "$Lfor ($i j = 0; j < $d; j++) {\n", n);
+    ms_nn__emit(t, "$Lfor ($i j = 0; j < $d; j++) {\n", n);
     for (c = 0; c < nn->channels; ++c) {
         n[0] = n[1] = c;
-        ms_nn__say(t, "$v a$d = value(j, row + $d);\n", n);
+        ms_nn__emit(t, "$v a$d = value(j, row + $d);\n", n);
     }
     for (q = 0; q < planes; ++q) {
         n[0] = n[1] = n[3] = q;
         n[2] = cols;
         n[4] = p->base;
-        ms_nn__say(t, "$v w$d = weight(((u$d >> 2) * $d + j) * 4 + (u$d & 3) + $d);\n", n);
+        ms_nn__emit(t, "$v w$d = weight(((u$d >> 2) * $d + j) * 4 + (u$d & 3) + $d);\n", n);
         for (c = 0; c < nn->channels; ++c) {
             n[0] = n[1] = c * planes + q;
             n[2] = q;
             n[3] = c;
-            ms_nn__say(t, "x[$d] = x[$d] + dot(w$d, a$d);\n", n);
+            ms_nn__emit(t, "x[$d] = x[$d] + dot(w$d, a$d);\n", n);
         }
     }
-    ms_nn__say(t, "}\n", n);
+    ms_nn__emit(t, "}\n", n);
     for (k = p->first; k < p->end; ++k)
-        if (nn->op[k].activation != MS_NN__LINEAR) ms_nn__say_activation(t, &nn->op[k]);
-    ms_nn__say(t, outs == 1 ? "x[1] = x[0];\nx[2] = x[0];\n" : outs == 2 ? "x[2] = 0.0;\n" : "", n);
-    ms_nn__say(t, outs < 4 ? "x[3] = 1.0;\nreturn x;\n}\n" : "return x;\n}\n", n);
+        if (nn->op[k].activation != MS_NN__LINEAR) ms_nn__emit_activation(t, &nn->op[k]);
+    ms_nn__emit(t, outs == 1 ? "x[1] = x[0];\nx[2] = x[0];\n" : outs == 2 ? "x[2] = 0.0;\n" : "", n);
+    ms_nn__emit(t, outs < 4 ? "x[3] = 1.0;\nreturn x;\n}\n" : "return x;\n}\n", n);
 }
 
-static MS_NN__COLD void ms_nn__say_shader(ms_nn__text *t, const ms_nn *nn, const ms_nn__shader_step *p,
-                                          const ms_nn_shader *s)
+static MS_NN__COLD void ms_nn__emit_shader(ms_nn__text *t, const ms_nn *nn, const ms_nn__shader_step *p,
+                                           const ms_nn_shader *s)
 {
     int k, end;
     size_t base = p->base, n[2];
-    ms_nn__say(t, ms_nn__shader_names[s->language][0], NULL);
-    if (p->planes) ms_nn__say(t, ms_nn__shader_names[s->language][1], NULL);
-    ms_nn__say(t, ms_nn__shader_main[s->language < MS_NN_HLSL ? 0 : (int)s->language - 2], NULL);
+    ms_nn__emit(t, ms_nn__shader_names[s->language][0], NULL);
+    if (p->planes) ms_nn__emit(t, ms_nn__shader_names[s->language][1], NULL);
+    ms_nn__emit(t, ms_nn__shader_main[s->language < MS_NN_HLSL ? 0 : (int)s->language - 2], NULL);
     if (p->planes) {
-        ms_nn__say_pixel(t, nn, p, s);
+        ms_nn__emit_pixel(t, nn, p, s);
         return;
     }
-    ms_nn__say(t, "$i row = $I(position.y);\n", NULL);
+    ms_nn__emit(t, "$i row = $I(position.y);\n", NULL);
     for (k = p->first; k < p->end; k = end) {
         for (end = k + 1; end < p->end && nn->op[end].step != MS_NN__DO_DENSE;) ++end;
         if (end < p->end) {
             int v;
             for (v = k + 1; v <= end; ++v) {
                 n[0] = (size_t)v;
-                n[1] = ms_nn__fours(ms_nn__value_size(nn, v));
-                if (t->language == MS_NN_WGSL) ms_nn__say(t, "var v$d: array<vec4<f32>, $d>;\n", n);
-                else ms_nn__say(t, "$4 v$d[$d];\n", n);
+                n[1] = ms_nn__vec4_count(ms_nn__value_size(nn, v));
+                if (t->language == MS_NN_WGSL) ms_nn__emit(t, "var v$d: array<vec4<f32>, $d>;\n", n);
+                else ms_nn__emit(t, "$4 v$d[$d];\n", n);
             }
-            n[0] = ms_nn__fours(nn->op[k].matrix.rows);
-            ms_nn__say(t, "$Lfor ($i u = 0; u < $d; u++) {\n", n);
+            n[0] = ms_nn__vec4_count(nn->op[k].matrix.rows);
+            ms_nn__emit(t, "$Lfor ($i u = 0; u < $d; u++) {\n", n);
         } else {
-            ms_nn__say(t, "$i u = $I(position.x);\n", NULL);
+            ms_nn__emit(t, "$i u = $I(position.x);\n", NULL);
         }
-        ms_nn__say_dense(t, nn, p->first, k, end, base, end < p->end);
-        ms_nn__say(t, end < p->end ? "}\n" : "return x;\n}\n", NULL);
+        ms_nn__emit_dense(t, nn, p->first, k, end, base, end < p->end);
+        ms_nn__emit(t, end < p->end ? "}\n" : "return x;\n}\n", NULL);
         base += ms_nn__texels(&nn->op[k].matrix);
     }
 }
@@ -4010,11 +4020,11 @@ MS_API MS_NN__COLD size_t ms_nn_shader_text(const ms_nn *nn, const ms_nn_shader 
     if (shader == NULL || ms_nn__shader_plan(nn, shader, &p, error) != MS_OK) return 0;
     memset(&t, 0, sizeof t);
     t.language = shader->language;
-    ms_nn__say_shader(&t, nn, &p, shader);
+    ms_nn__emit_shader(&t, nn, &p, shader);
     if (text && capacity > t.length) {
         t.out = text;
         t.length = 0;
-        ms_nn__say_shader(&t, nn, &p, shader);
+        ms_nn__emit_shader(&t, nn, &p, shader);
         text[t.length] = 0;
     }
     return t.length;
@@ -4034,10 +4044,10 @@ MS_API MS_NN__COLD ms_status ms_nn_shader_weights(const ms_nn *nn, ms_nn_dtype d
         if (pass) memset(out, 0, (size_t)p.sizes.weight_rows * MS_NN_SHADER_WIDTH * 4 * size);
         for (k = 0; k < nn->ops; ++k) {
             const ms_nn__matrix *m = &nn->op[k].matrix;
-            size_t cols = ms_nn__fours(m->cols), q;
+            size_t cols = ms_nn__vec4_count(m->cols), q;
             if (nn->op[k].step != MS_NN__DO_DENSE) continue;
             for (r = 0; r < m->rows; ++r)
-                for (c = 0; c <= m->cols; ++c) { /* behind the last column the bias */
+                for (c = 0; c <= m->cols; ++c) { /* after the last column the bias */
                     size_t at = r * m->cols + c;
                     float v = c == m->cols      ? m->bias ? ms_nn__float_at(m->bias, r) : 0.0f
                         : m->dtype == MS_NN_F32 ? ms_nn__float_at(m->w, at)
@@ -4049,7 +4059,7 @@ MS_API MS_NN__COLD ms_status ms_nn_shader_weights(const ms_nn *nn, ms_nn_dtype d
                                         nn->layer[nn->op[k].layer].name, (double)v);
                     if (!pass) continue;
                     q = c < m->cols ? (r / 4 * cols + c / 4) * 16 + r % 4 * 4 + c % 4
-                                    : ms_nn__fours(m->rows) * cols * 16 + r;
+                                    : ms_nn__vec4_count(m->rows) * cols * 16 + r;
                     half = ms__half_from_float(v);
                     if (size == 2) memcpy(to + 2 * q, &half, 2);
                     else memcpy(to + 4 * q, &v, 4);
@@ -4065,7 +4075,7 @@ MS_API MS_NN__COLD ms_status ms_nn_shader_inputs(const ms_nn *nn, int count, con
     size_t inputs = ms_nn_input_size(nn), one, width, r, i;
     if (nn == NULL || count < 1 || x == NULL || out == NULL) return MS_INVALID_ARGUMENT;
     one = ms_nn__value_size(nn, 0);
-    width = 4 * ms_nn__fours(one);
+    width = 4 * ms_nn__vec4_count(one);
     for (r = 0; r < (size_t)count * nn->channels; ++r, out += width)
         for (i = 0; i < width; ++i)
             out[i] = i < one ? x[r / nn->channels * inputs +
@@ -4100,8 +4110,8 @@ static void ms_nn__map(const char *path, const void **bytes, size_t *size)
 }
 
 /* A whole stream into one allocation of *size bytes, of which *used are the file. */
-static ms_status ms_nn__slurp(const char *path, const ms_nn_options *o, void **bytes, size_t *size, size_t *used,
-                              ms_error *error)
+static ms_status ms_nn__read_whole(const char *path, const ms_nn_options *o, void **bytes, size_t *size, size_t *used,
+                                   ms_error *error)
 {
     FILE *f = fopen(path, "rb");
     char *at = NULL, *larger;
@@ -4145,7 +4155,7 @@ MS_API MS_NN__COLD ms_status ms_nn_file_read(const char *path, const ms_nn_optio
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", path == NULL ? "path" : "file");
     if (!o.copy) ms_nn__map(path, &mapped, &size);
     used = size;
-    if (mapped == NULL && (status = ms_nn__slurp(path, &o, &block, &size, &used, error)) != MS_OK) return status;
+    if (mapped == NULL && (status = ms_nn__read_whole(path, &o, &block, &size, &used, error)) != MS_OK) return status;
     status = ms_nn_file_open(mapped ? mapped : block, used, &o, file, error);
     if (status != MS_OK) {
         ms_nn__release_content(&o.allocator, mapped ? mapped : block, size, mapped != NULL);
@@ -4174,7 +4184,7 @@ MS_API MS_NN__COLD ms_status ms_nn_load_file(const char *path, const ms_nn_optio
 /* ---- collapse -------------------------------------------------------------------------------------------------- */
 
 struct ms_nn_collapse {
-    ms_nn trunk; /* the network without its last layer: a view, it owns nothing */
+    ms_nn body; /* the network without its last layer: a view, it owns nothing */
     const ms_nn *nn;
     const ms_nn__matrix *m; /* W, b */
     size_t channels, h;     /* features of a channel */
@@ -4395,7 +4405,7 @@ static void ms_nn__collapse_pack(ms_nn_collapse *c)
 }
 
 /* The network up to its last layer's input, as a view. */
-static MS_NN__COLD ms_nn ms_nn__trunk(const ms_nn *nn)
+static MS_NN__COLD ms_nn ms_nn__body_of(const ms_nn *nn)
 {
     ms_nn t = *nn;
     int v;
@@ -4451,7 +4461,7 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float 
     made->channels = channels;
     made->h = h;
     made->bytes = a.used;
-    made->trunk = ms_nn__trunk(nn);
+    made->body = ms_nn__body_of(nn);
     made->rest = 0;
     made->has_target = 0;
     made->weighted = weight != NULL;
@@ -4630,7 +4640,7 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
 typedef struct ms_nn__collapse_layout {
     double *columns; /* [MS_NN__COLUMNS][h] */
     float *features; /* [channels][h] */
-    void *trunk;
+    void *body;
     size_t total; /* bytes */
 } ms_nn__collapse_layout;
 
@@ -4638,14 +4648,13 @@ static ms_nn__collapse_layout ms_nn__collapse_layout_of(const ms_nn_collapse *c,
 {
     ms_nn__collapse_layout l;
     ms__arena a;
-    size_t trunk = c->trunk.ops == 0
-        ? 0
-        : ms_nn_workspace_size(&c->trunk, with_jacobian ? MS_NN_JACOBIAN : MS_NN_FORWARD, 1);
+    size_t body = c->body.ops == 0 ? 0
+                                   : ms_nn_workspace_size(&c->body, with_jacobian ? MS_NN_JACOBIAN : MS_NN_FORWARD, 1);
     a.base = base != NULL ? (char *)(((uintptr_t)base + 63) & ~(uintptr_t)63) : NULL;
     a.used = 0;
     l.columns = (double *)ms__take(&a, MS_NN__COLUMNS, c->h * sizeof(double));
     l.features = (float *)ms__take(&a, c->channels, c->h * sizeof(float));
-    l.trunk = ms__take(&a, trunk, 1);
+    l.body = ms__take(&a, body, 1);
     l.total = ms__size_add(a.used, 63);
     return l;
 }
@@ -4655,7 +4664,8 @@ MS_API size_t ms_nn_collapse_workspace_size(const ms_nn_collapse *c, int with_ja
     return c != NULL ? ms_nn__collapse_layout_of(c, with_jacobian, NULL).total : 0;
 }
 
-/* out_ik = sum_j R_ij column_k,j for n columns: rows in fours, each four from its diagonal on. add: out += ... */
+/* out_ik += sum_j R_ij column_k,j for n columns: rows in fours, each four from its diagonal on. column_at: where column
+   k goes; NULL: to k. */
 static void ms_nn__collapse_product(const ms_nn_collapse *c, const double *r, const double *columns, size_t n,
                                     double *out, size_t row_step, const size_t *column_at)
 {
@@ -4686,9 +4696,9 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, co
     workspace = ms_nn__borrow(nn, size, workspace, &allocated);
     if (workspace == NULL) return MS_OUT_OF_MEMORY;
     l = ms_nn__collapse_layout_of(c, jacobian != NULL, workspace);
-    if (c->trunk.ops > 0)
-        ms_nn__begin(&call, &c->trunk, jacobian ? MS_NN_JACOBIAN : MS_NN_FORWARD, 1, x, l.features, l.trunk);
-    else if (nn->channel_input) ms_nn__spread(nn, 1, x, l.features);
+    if (c->body.ops > 0)
+        ms_nn__begin(&call, &c->body, jacobian ? MS_NN_JACOBIAN : MS_NN_FORWARD, 1, x, l.features, l.body);
+    else if (nn->channel_input) ms_nn__gather_inputs(nn, 1, x, l.features);
     else memcpy(l.features, x, h * sizeof(float));
     for (ch = 0; ch < c->channels; ++ch) {
         for (i = 0; i < h; ++i) {
@@ -4702,7 +4712,7 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, co
     for (first = 0; jacobian && first < in; first += n) {
         const float *slopes; /* of h(x): [channels][n][h] */
         n = ms_nn__min(MS_NN__COLUMNS, in - first);
-        slopes = c->trunk.ops > 0 ? ms_nn__columns(&call, first, n) : NULL;
+        slopes = c->body.ops > 0 ? ms_nn__columns(&call, first, n) : NULL;
         for (ch = 0; ch < c->channels; ++ch) {
             double *out = jacobian + ch * h * inputs + (nn->channel_input ? 0 : first);
             for (k = 0; k < n; ++k)
@@ -4744,11 +4754,11 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, co
 #endif
 
 #if defined(__GNUC__) || defined(__clang__)
-#define MS_NN__APART __attribute__((noinline)) /* one copy of what several loops end in */
+#define MS_NN__NOINLINE __attribute__((noinline)) /* one copy of what several loops end in */
 #elif defined(_MSC_VER)
-#define MS_NN__APART __declspec(noinline)
+#define MS_NN__NOINLINE __declspec(noinline)
 #else
-#define MS_NN__APART
+#define MS_NN__NOINLINE
 #endif
 
 /* y = x Phi(x), or with slope y *= Phi(x) + x phi(x), of the normal distribution: plain double, so that both ends keep
@@ -4866,7 +4876,7 @@ static int ms_nn__streams(void)
 #undef MS_NN__COLUMNS
 #undef MS_NN__UNROLL
 #undef MS_NN__INLINE
-#undef MS_NN__APART
+#undef MS_NN__NOINLINE
 #undef MS_NN__COLD
 #undef MS_NN__BATCH
 #undef MS_NN__FN
@@ -5107,7 +5117,7 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(weight)(const unsigned char *p, ms_nn_dt
     return MS_NN__W_INT8(p);
 }
 
-/* n <= MS_NN__V_LANES weights, zeros behind them; nothing behind them is read. */
+/* n <= MS_NN__V_LANES weights, zeros after them; nothing after them is read. */
 #if MS_NN__ISA == 4
 #define MS_NN__W_PART(out, p, dtype, n) ((out) = MS_NN__FN(weight_part)(p, dtype, n))
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(weight_part)(const unsigned char *p, ms_nn_dtype dtype, size_t n)
@@ -5131,8 +5141,8 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(weight_part)(const unsigned char *p, ms_
 #else
 #define MS_NN__W_PART(out, p, dtype, n) MS_NN__FN(weight_part)(&(out), p, dtype, n)
 #endif
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(weight_part)(MS_NN__V_FLOATS *out, const unsigned char *p, ms_nn_dtype dtype,
-                                                       size_t n)
+MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(weight_part)(MS_NN__V_FLOATS *out, const unsigned char *p,
+                                                          ms_nn_dtype dtype, size_t n)
 {
     unsigned char copy[4 * MS_NN__V_LANES];
     memset(copy, 0, sizeof copy);
@@ -5174,8 +5184,8 @@ MS_NN__INLINE void MS_NN__FN(sum4)(const MS_NN__V_FLOATS *v, const float *scale,
    MS_NN__V_LANES MS_NN__W_CHAINS; the chains are added in pairs, then comes what is left of the columns, then the sum
    of the lanes. The order depends on nothing but cols, so that tiles of any shape agree. This is the end of all of
    them. */
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(finish)(const ms_nn__dense *job, size_t row, size_t step, size_t sample,
-                                                  int rows, int batch, MS_NN__V_FLOATS *total)
+MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(finish)(const ms_nn__dense *job, size_t row, size_t step, size_t sample,
+                                                     int rows, int batch, MS_NN__V_FLOATS *total)
 {
     const ms_nn__matrix *m = job->m;
     MS_NN__V_FLOATS v[3], u;
@@ -5305,14 +5315,14 @@ MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t s
 
 #if !MS_NN__W_WIDEN
 /* MS_NN__W_ROWS rows times three samples. */
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(tile)(const ms_nn__dense *job, size_t row, size_t sample)
+MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(tile)(const ms_nn__dense *job, size_t row, size_t sample)
 {
     MS_NN__FN(dots)(job, row, 1, sample, MS_NN__W_ROWS, 3);
 }
 #endif
 
 /* Rows times one sample: each alone, or MS_NN__W_ROWS streams. */
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(rows)(const ms_nn__dense *job, size_t row, size_t row1, size_t sample)
+MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(rows)(const ms_nn__dense *job, size_t row, size_t row1, size_t sample)
 {
 #if MS_NN__W_ROWS > 1
     if (job->streams) {
@@ -5393,9 +5403,9 @@ MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_
 #endif
 
 /* The sums of a tile, of the halves [vectors][batch] each, into its outputs. */
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(packed_end)(const ms_nn__dense *job, size_t row, size_t sample, int vectors,
-                                                      int batch, const MS_NN__V_FLOATS *half0,
-                                                      const MS_NN__V_FLOATS *half1)
+MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(packed_end)(const ms_nn__dense *job, size_t row, size_t sample,
+                                                         int vectors, int batch, const MS_NN__V_FLOATS *half0,
+                                                         const MS_NN__V_FLOATS *half1)
 {
     const ms_nn__matrix *m = job->m;
     size_t i;
@@ -5404,7 +5414,7 @@ MS_NN__KERNEL MS_NN__APART void MS_NN__FN(packed_end)(const ms_nn__dense *job, s
         size_t n = m->rows - row;
         float part[MS_NN__V_LANES], *y = job->y + sample * m->rows + row;
         MS_NN__V_FLOATS scale = MS_NN__V_SET(1.0f), bias = MS_NN__V_SET(0.0f);
-        if (n < MS_NN__V_LANES) { /* what is behind the last row stays as it is */
+        if (n < MS_NN__V_LANES) { /* what is after the last row stays as it is */
             for (i = 0; i < n; ++i) {
                 float one = m->scale ? ms_nn__float_at(m->scale, row + i) : 1.0f,
                       plus = m->bias && !job->linear ? ms_nn__float_at(m->bias, row + i) : 0.0f;
@@ -5504,18 +5514,18 @@ MS_NN__INLINE void MS_NN__FN(packed_typed)(const ms_nn__dense *job, size_t row, 
 MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
     size_t row, b, batch = (size_t)job->batch;
-    int vectors, together;
+    int vectors, samples;
     for (row = row0; row < row1; row += 2 * MS_NN__P_ROWS) {
         vectors = row + MS_NN__P_ROWS < row1 ? 4 : 2;
-        for (b = 0; b < batch; b += (size_t)together) {
-            together = batch - b >= MS_NN__P_SAMPLES ? MS_NN__P_SAMPLES : batch - b >= 3 ? 3 : 1;
+        for (b = 0; b < batch; b += (size_t)samples) {
+            samples = batch - b >= MS_NN__P_SAMPLES ? MS_NN__P_SAMPLES : batch - b >= 3 ? 3 : 1;
 #if !MS_NN__W_WIDEN
-            if (job->m->packed_dtype == MS_NN_F16) MS_NN__FN(packed_typed)(job, row, b, MS_NN_F16, vectors, together);
+            if (job->m->packed_dtype == MS_NN_F16) MS_NN__FN(packed_typed)(job, row, b, MS_NN_F16, vectors, samples);
             else if (job->m->packed_dtype == MS_NN_BF16)
-                MS_NN__FN(packed_typed)(job, row, b, MS_NN_BF16, vectors, together);
+                MS_NN__FN(packed_typed)(job, row, b, MS_NN_BF16, vectors, samples);
             else
 #endif
-                MS_NN__FN(packed_typed)(job, row, b, MS_NN_F32, vectors, together);
+                MS_NN__FN(packed_typed)(job, row, b, MS_NN_F32, vectors, samples);
         }
     }
 }
@@ -5557,9 +5567,9 @@ MS_NN__INLINE void MS_NN__FN(conv_tile_of)(const ms_nn__conv *v, const float *in
     }
 }
 
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(conv_tile)(const ms_nn__conv *v, const float *in, const float *w,
-                                                     const float *bias, float *out, size_t out_plane, size_t outs,
-                                                     size_t tile)
+MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(conv_tile)(const ms_nn__conv *v, const float *in, const float *w,
+                                                        const float *bias, float *out, size_t out_plane, size_t outs,
+                                                        size_t tile)
 {
     if (tile == MS_NN__V_TILE) MS_NN__FN(conv_tile_of)(v, in, w, bias, out, out_plane, outs, MS_NN__V_TILE);
     else MS_NN__FN(conv_tile_of)(v, in, w, bias, out, out_plane, outs, 1);
@@ -5590,7 +5600,7 @@ MS_NN__KERNEL void MS_NN__FN(combine)(float *rows, size_t n)
 }
 
 /* Two rows of a block: m_j = sum over channels and columns of combination j; y0 = m0 + m1 + m2, y1 = m1 - m2 - m3. */
-MS_NN__KERNEL void MS_NN__FN(conv_pair)(const ms_nn__conv_job *job, const float *in, size_t row, size_t block)
+MS_NN__KERNEL void MS_NN__FN(conv_winograd)(const ms_nn__conv_job *job, const float *in, size_t row, size_t block)
 {
     const ms_nn__conv *v = job->conv;
     size_t o = block * MS_NN__V_BLOCK, outs = ms_nn__min(MS_NN__V_BLOCK, v->out.c - o),
@@ -5660,9 +5670,9 @@ MS_NN__KERNEL void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t strip, con
     const ms_nn__conv *v = job->conv;
     size_t blocks = (v->out.c + MS_NN__V_BLOCK - 1) / MS_NN__V_BLOCK, row0 = strip * v->strip,
            row1 = ms_nn__min(row0 + v->strip, v->out.h), row, block;
-    for (row = row0; row < row1; row += v->pairs ? 2 : 1)
+    for (row = row0; row < row1; row += v->winograd ? 2 : 1)
         for (block = 0; block < blocks; ++block) {
-            if (v->pairs) MS_NN__FN(conv_pair)(job, padded + (row - row0) * 2 * v->pitch, row, block);
+            if (v->winograd) MS_NN__FN(conv_winograd)(job, padded + (row - row0) * 2 * v->pitch, row, block);
             else MS_NN__FN(conv_row)(job, padded + (row - row0) * v->stride[0] * v->pitch, row, block);
         }
 }
@@ -5711,11 +5721,10 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(log1p)(MS_NN__V_FLOATS e)
 }
 
 /* y = f(x), or with slope y *= f'(x), for n floats, whole vectors. All but relu and leaky_relu share e = e^-|x|, or
-   what stands for it; which of them it is, is the same for every vector and costs a branch that is foreseen. Slopes are
-   functions of x: those of y
-   lose their digits where f is flat. */
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(curve)(const float *x, float *y, size_t n, ms_nn__activation activation,
-                                                 float alpha, int slope)
+   what stands for it. The activation is loop-invariant, so its branch is predicted. Slopes are functions of x: those of
+   y lose their digits where f is flat. */
+MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(curve)(const float *x, float *y, size_t n, ms_nn__activation activation,
+                                                    float alpha, int slope)
 {
     MS_NN__V_FLOATS zero = MS_NN__V_SET(0.0f), one = MS_NN__V_SET(1.0f), a = MS_NN__V_SET(alpha), v, e, f, up;
     MS_NN__V_FLOATS c = MS_NN__V_SET(!slope && (activation == MS_NN__ELU || activation == MS_NN__TANH) ? 1.0f : 0.0f);
@@ -5964,7 +5973,7 @@ MS_NN__INLINE void MS_NN__FN(widen_typed)(const unsigned char *p, size_t n, floa
     }
 }
 
-MS_NN__KERNEL MS_NN__APART void MS_NN__FN(widen)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype)
+MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(widen)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype)
 {
     if (dtype == MS_NN_F16) MS_NN__FN(widen_typed)(p, n, out, MS_NN_F16);
     else if (dtype == MS_NN_BF16) MS_NN__FN(widen_typed)(p, n, out, MS_NN_BF16);

@@ -720,7 +720,7 @@ static void bench_collapse(const char *label, nets_file *f)
         ms_nn_collapse one = *c; /* the same R, run on this thread: a look inside (ms_nn__ types) */
         one.nn = r.nn;
         one.m = &r.nn->op[r.nn->ops - 1].matrix;
-        one.trunk.options = r.nn->options;
+        one.body.options = r.nn->options;
         for (i = 0; i < 5; ++i) {
             start = bench_cpu();
             if (ms_nn_collapse_target(&one, r.y, NULL) != MS_OK) exit(1);
