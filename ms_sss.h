@@ -14,6 +14,7 @@
       #define MS_SSS_IMPLEMENTATION
       #include "ms_sss.h"
       #include <stdio.h>
+      #include <string.h>
       int main(void)
       {
           static float light[64 * 64 * 3], glow[64 * 64 * 3];
@@ -23,9 +24,7 @@
           ms_sss_errors errors;
           ms_sss_frame frame;
           ms_sss_filter_options options = ms_sss_filter_defaults();
-          size_t size;
-          void *workspace;
-          int i, ok;
+          int i;
           for (i = 0; i < 64 * 64 * 3; ++i) light[i] = i / 3 % 64 < 32;
           if (ms_sss_profile_from_burley(&profile, reflectance, d_mm, NULL, NULL) != MS_OK) return 1;
           if (ms_sss_kernel_make(&kernel, &errors, profile, 24, NULL, NULL, NULL) != MS_OK) return 1;
@@ -36,12 +35,9 @@
           frame.input = ms_sss_interleaved(light, 3, 0);
           frame.output = ms_sss_interleaved(glow, 3, 0);
           options.pixels_per_mm[0] = 1;
-          size = ms_sss_filter_workspace(64, 64, &kernel, 1, &options);
-          workspace = malloc(size);
-          ok = workspace && ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, NULL) == MS_OK;
-          if (ok) printf("behind the edge: red %.3f, blue %.3f\n", (double)glow[3 * 2083], (double)glow[3 * 2083 + 2]);
-          free(workspace);
-          return !ok;
+          if (ms_sss_filter(&frame, &kernel, 1, &options, NULL, 0, NULL) != MS_OK) return 1;
+          printf("behind the edge: red %.3f, blue %.3f\n", (double)glow[3 * 2083], (double)glow[3 * 2083 + 2]);
+          return 0;
       }
    End of example.
 
@@ -78,7 +74,7 @@
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
    Profiles and designers are one block each from the caller's allocator (a designer: 2 MB); building a kernel takes
-   another, under 1 MB, measuring one 60 KB, and gives it back. Filters allocate nothing: the caller
+   another, under 1 MB, measuring one 60 KB, and gives it back. Filters allocate nothing where the caller
    lends a workspace. No globals. At most 32 KB of stack a call, 64 KB without optimisation.
    Profiles, designers and kernels are only read once made: calls may overlap. Filters cut the picture into rows for
    ms_parallel; kernels are made on one thread.
@@ -494,9 +490,8 @@ MS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int hal
 MS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void *blue, int half);
 MS_API ms_sss_image ms_sss_map(const void *values, int stride, int half);
 
-/* How a picture is filtered. AUTO: half resolution where `budget` allows it, else taps; the pyramid, if there is one,
-   where those would show bands: 7 taps beyond a 99% radius of 24 pixels at the nearest depth, 11 beyond 48, 25 beyond
-   70; at half resolution beyond twice that. */
+/* How a picture is filtered. AUTO: the pyramid, if there is one for the kernel and its 99% radius at the nearest depth
+   is above 16 pixels; else taps. */
 typedef enum ms_sss_method {
     MS_SSS_METHOD_AUTO = 0,
     MS_SSS_METHOD_TAPS = 1, /* two passes a term at full resolution */
@@ -583,8 +578,6 @@ typedef struct ms_sss_filter_options {
                    1: not at all, as if every pixel faced the camera; between: slopes are that much less */
     int exact;  /* pyramid: 1 gathers more widely, nearer to the truth for more time */
     ms_sss_method method;
-    float budget; /* AUTO: root mean square that half resolution may differ by from taps, over the picture's standard
-                     deviation (0.03 + 0.35 / radius in pixels on pictures with edges); 0: nothing, so never half */
     const struct ms_sss_pyramid *pyramids; /* [kernel_count], of the kernels' profiles; NULL: none */
 } ms_sss_filter_options;
 
@@ -601,11 +594,11 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
    frame           see there; width x height
    kernels         [kernel_count], 1 to 256
    options         NULL: not possible, one of the three sizes is needed
-   workspace       ms_sss_filter_workspace(...) bytes, any alignment and content
+   workspace       ms_sss_filter_workspace(...) bytes, any alignment and content; NULL and size 0: from malloc
    - A tap reads the two pixels beside its position (four with rotation or jitter), each weighted by its own depth.
-   - Pixels take no part, and are returned as they are (times albedo, plus specular), where a channel is not finite, the
-     depth is not finite or not positive, the strength is 0 or NaN, or the profile has no kernel. Their colour never
-     reaches another pixel. Nor does light cross between profiles.
+   - Pixels take no part, and are returned as they are (times albedo, plus specular), where a channel is not below 1e30
+   or is NaN, the depth is not finite or not positive, the strength is 0 or NaN, or the profile has no kernel. Their
+   colour never reaches another pixel. Nor does light cross between profiles.
    - Slope (see `flat`): taps are spaced on the surface's tangent plane, and depth counts against it, so that a plane is
      filtered alike at any tilt up to 83 degrees. Exact about the screen's axes; diagonal tilts shear the kernel.
    - Distance: a tap's pixel dz off the tangent plane, the tap x mm away on it, counts (1 - dz^2 / D^2) / (1 + dz^2 /
@@ -806,7 +799,7 @@ typedef struct ms_sss_shader_profile {
 } ms_sss_shader_profile;
 
 /* Float4 constants that a shader reads: 3, and for each profile (UP: of each term) 5 and its taps. OpenGL ES 3.0
-   promises 224. */
+   promises 224. 0: a field is out of range. */
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader);
 
 /* Their values for term `term` (UP: all terms) of kernels[profile_count]. Terms after the first are drawn with additive
@@ -3434,8 +3427,9 @@ enum {
 
 /* (1 - (dz / (3.0746 sigma))^2)^4 stands for exp(-dz^2 / (2 sigma^2)): within 0.013 of it everywhere. */
 #define MS_SSS__FALLOFF_END 3.0746
-#define MS_SSS__SPARSE 1e-3f  /* weight below which a tap's height is that of the one before it */
-#define MS_SSS__AREA_MAX 3.0f /* a tap stands for at most so much more surface */
+#define MS_SSS__SPARSE 1e-3f    /* weight below which a tap's height is that of the one before it */
+#define MS_SSS__LIGHT_MAX 1e30f /* from here on a pixel is masked: sums of more would be infinite */
+#define MS_SSS__AREA_MAX 3.0f   /* a tap stands for at most so much more surface */
 
 /* Taps of one pass at whole-pixel offsets, for kernels of one size everywhere. */
 typedef struct ms_sss__fixed {
@@ -4975,7 +4969,6 @@ static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options 
         (status = ms_sss__within((double)o->flat, "flat", 0, 1, error)) != MS_OK ||
         (status = ms_sss__within((double)o->jitter, "jitter", 0, 1, error)) != MS_OK ||
         (status = ms_sss__within((double)o->rotation, "rotation", -1e30, 1e30, error)) != MS_OK ||
-        (status = ms_sss__within((double)o->budget, "budget", 0, HUGE_VAL, error)) != MS_OK ||
         (status = ms_sss__within(o->exact, "exact", 0, 1, error)) != MS_OK ||
         (status = ms_sss__within((int)o->method, "method", 0, (int)MS_SSS_METHOD_PYRAMID, error)) != MS_OK ||
         (status = ms_sss__within((int)o->depth_mode, "depth_mode", 0, (int)MS_SSS_DEPTH_SCALE, error)) != MS_OK)
@@ -6219,6 +6212,14 @@ static ms_status ms_sss__tower_filter(const ms_sss_frame *frame, const ms_sss_py
     return MS_OK;
 }
 
+/* What the easy calls need: a workspace by malloc. */
+static MS_SSS__COLD void *ms_sss__own_workspace(size_t size, ms_error *error)
+{
+    void *workspace = size < SIZE_MAX ? malloc(size) : NULL;
+    if (!workspace) ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a workspace of %z bytes", size);
+    return workspace;
+}
+
 MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
                                        const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                        ms_error *error)
@@ -6226,6 +6227,13 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
     ms_status status;
     if (!frame || !pyramid || !options) return MS_SSS__REFUSE(error, "frame, pyramid or options is NULL");
     status = ms_sss__check_sides(frame->width, frame->height, error);
+    if (status == MS_OK && !workspace && !workspace_size) {
+        workspace_size = ms_sss_pyramid_workspace(frame->width, frame->height);
+        if (!(workspace = ms_sss__own_workspace(workspace_size, error))) return MS_OUT_OF_MEMORY;
+        status = ms_sss_pyramid_filter(frame, pyramid, options, workspace, workspace_size, error);
+        free(workspace);
+        return status;
+    }
     if (status == MS_OK)
         status = ms_sss__check_lent(workspace, workspace_size, ms_sss_pyramid_workspace(frame->width, frame->height),
                                     error);
@@ -6241,34 +6249,22 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
 static int ms_sss__may(const ms_sss_filter_options *o, ms_sss_method method)
 {
     if (o->method != MS_SSS_METHOD_AUTO) return o->method == method;
-    if (method == MS_SSS_METHOD_HALF) return o->budget > 0;
-    return method == MS_SSS_METHOD_TAPS || (o->pyramids && ms_sss__tower_takes(o));
+    return method == MS_SSS_METHOD_TAPS || (method == MS_SSS_METHOD_PYRAMID && o->pyramids && ms_sss__tower_takes(o));
 }
-
-/* What half resolution differs by on pictures with edges, for a kernel's 99% radius in pixels. */
-static double ms_sss__half_error(double radius) { return radius > 0 ? 0.03 + 0.35 / radius : 1; }
-
-/* The radius in pixels up to which that many taps show no bands. */
-static double ms_sss__smooth_radius(int taps) { return taps < 11 ? 24 : taps < 25 ? 48 : taps < 33 ? 70 : 1e9; }
 
 static ms_sss_method ms_sss__choose(ms_sss__job *job, const ms_sss_kernel *k, int profile)
 {
     const ms_sss_filter_options *o = &job->options;
-    const double smooth = ms_sss__smooth_radius(k->tap_count);
     double radius = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : (double)k->radius_mm;
-    int half;
     if (o->method != MS_SSS_METHOD_AUTO) return o->method;
-    if (!ms_sss__may(o, MS_SSS_METHOD_HALF) && !ms_sss__may(o, MS_SSS_METHOD_PYRAMID)) return MS_SSS_METHOD_TAPS;
+    if (!ms_sss__may(o, MS_SSS_METHOD_PYRAMID)) return MS_SSS_METHOD_TAPS;
     ms_sss__set_kernel(job, k, profile);
-    radius *= (double)job->pass.size *
-        (double)(job->pass.aspect[0] > job->pass.aspect[1] ? job->pass.aspect[0] : job->pass.aspect[1]);
+    radius *= (double)job->pass.size;
     if (job->pass.perspective) {
         ms_sss__find_nearest(job);
         radius /= (double)(job->nearest * job->depth_scale);
     }
-    half = o->budget > 0 && ms_sss__half_error(radius) <= (double)o->budget;
-    if (radius > (half ? 2 * smooth : smooth) && ms_sss__may(o, MS_SSS_METHOD_PYRAMID)) return MS_SSS_METHOD_PYRAMID;
-    return half ? MS_SSS_METHOD_HALF : MS_SSS_METHOD_TAPS;
+    return radius > 16 ? MS_SSS_METHOD_PYRAMID : MS_SSS_METHOD_TAPS;
 }
 
 MS_SSS__COLD MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels,
@@ -6296,6 +6292,13 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
     float *end;
     int i;
     if (!frame || !kernels || !options) return MS_SSS__REFUSE(error, "frame, kernels or options is NULL");
+    if (!workspace && !workspace_size && ms_sss__check_sides(frame->width, frame->height, NULL) == MS_OK) {
+        workspace_size = ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options);
+        if (!(workspace = ms_sss__own_workspace(workspace_size, error))) return MS_OUT_OF_MEMORY;
+        status = ms_sss_filter(frame, kernels, kernel_count, options, workspace, workspace_size, error);
+        free(workspace);
+        return status;
+    }
     status = ms_sss__begin(&job, frame, kernels, kernel_count, options, workspace, workspace_size,
                            ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options),
                            MS_SSS__BARE, &end, error);
@@ -6326,8 +6329,8 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
    language; #if NAME, #if !NAME, #else and #endif choose lines by ms_sss__feature, #NAME and #!NAME their own. The
    comments of FILTER KERNELS hold for these lines too. */
 static const char *const ms_sss__source_body[] = {
-    "// By bits: compilers may take it that no number is NaN.\n"
-    "bool finite(float x) { return (bits_of(x) & 0x7f800000u) != 0x7f800000u; }\n",
+    "// Below 1e30, by bits: compilers may take it that no number is NaN.\n"
+    "bool finite(float x) { return (bits_of(x) & 0x7fffffffu) < 0x7149f2cau; }\n",
     "#if BOTH\n"
     "// Alpha holds the depth, the last 4 bits of blue the profile; of black they would be lost.\n"
     "float code_of(float blue, float profile) {\n"
@@ -6547,8 +6550,9 @@ static const char *const ms_sss__shader_body[] = {
     "if (!(f > 0.0)) { continue; }\n"
     "float3 kept = share;\n"
     "#PERSPECTIVE kept = share_at(there.a, at);\n"
-    "float3 change = fetch_sum(q).rgb - there.rgb;\n"
-    "soft = soft + f * (there.rgb + change / (float3(1.0, 1.0, 1.0) - kept));\n"
+    "float3 after = fetch_sum(q).rgb;\n"
+    "float3 least = min(min(there.rgb, after), float3(0.0, 0.0, 0.0));\n"
+    "soft = soft + f * max(there.rgb + (after - there.rgb) / (float3(1.0, 1.0, 1.0) - kept), least);\n"
     "weight = weight + f;\n"
     "}\n"
     "float strength = constant[0].w;\n"
@@ -7202,6 +7206,8 @@ static int ms_sss__shader_terms(const ms_sss_shader *s)
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
 {
     if (shader == NULL) return 0;
+    if (!ms_sss__shader_tower(shader) && (shader->tap_count < 1 || shader->tap_count > MS_SSS_TAPS_MAX)) return 0;
+    if (shader->profile_count > MS_SSS_SHADER_PROFILES_MAX || shader->term_count > MS_SSS_TERMS_MAX) return 0;
     if (shader->step == MS_SSS_STEP_RESOLVE) return MS_SSS__LEVEL_HEAD + 3 * MS_SSS_PYRAMID_SIZES;
     if (ms_sss__shader_tower(shader))
         return MS_SSS__LEVEL_HEAD + (shader->step == MS_SSS_STEP_GATHER ? MS_SSS_PYRAMID_SIZES : 0);
@@ -7571,6 +7577,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 #undef MS_SSS__AWAY
 #undef MS_SSS__SPARSE
 #undef MS_SSS__AREA_MAX
+#undef MS_SSS__LIGHT_MAX
 #undef MS_SSS__FALLOFF_END
 #undef MS_SSS__GATHER
 #endif /* MS_SSS_IMPLEMENTATION */
@@ -7780,7 +7787,7 @@ static int MS_SSS__NAME(gate)(const float *value, float scale, int count, const 
 static int MS_SSS__NAME(admit)(const float *const in[3], const float *const albedo[3], int begin, int end, int count,
                                const float *before, float *depth, float *const colour[3])
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), infinity = MS_SSS__SET(INFINITY);
+    const MS_SSS__V zero = MS_SSS__SET(0.0f), infinity = MS_SSS__SET(INFINITY), most = MS_SSS__SET(MS_SSS__LIGHT_MAX);
     const unsigned full = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
     int x, all = 1;
     for (x = 0; x < count; x += MS_SSS__LANES) {
@@ -7792,9 +7799,9 @@ static int MS_SSS__NAME(admit)(const float *const in[3], const float *const albe
             g = MS_SSS__MUL(g, MS_SSS__LOAD(albedo[1] + x));
             b = MS_SSS__MUL(b, MS_SSS__LOAD(albedo[2] + x));
         }
-        part = MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(r), infinity));
-        part = MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(g), infinity));
-        part = MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(b), infinity));
+        part = MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(r), most));
+        part = MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(g), most));
+        part = MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(b), most));
         if (MS_SSS__BITS(part) != full) {
             const unsigned inside = ms_sss__lanes(end - x, MS_SSS__LANES) & ~ms_sss__lanes(begin - x, MS_SSS__LANES);
             if ((MS_SSS__BITS(part) & inside) != inside) all = 0;
@@ -8718,8 +8725,11 @@ static int MS_SSS__NAME(halve)(const ms_sss__halving *h, const float *const abov
             const MS_SSS__V p = MS_SSS__LOAD(above[c] + 2 * x), q = MS_SSS__LOAD(above[c] + 2 * x + MS_SSS__LANES);
             const MS_SSS__V r = MS_SSS__LOAD(below[c] + 2 * x), t = MS_SSS__LOAD(below[c] + 2 * x + MS_SSS__LANES);
             const MS_SSS__V sum = MS_SSS__MADD(w1, MS_SSS__ODD(p, q), MS_SSS__MUL(w0, MS_SSS__EVEN(p, q)));
-            sums = MS_SSS__MADD(MS_SSS__ADD(MS_SSS__ADD(p, q), MS_SSS__ADD(r, t)), zero,
-                                sums); /* 0, but NaN where a colour is not finite */
+            /* 0, but NaN where a colour is not finite or beyond the largest light */
+            sums = MS_SSS__MADD(MS_SSS__MUL(MS_SSS__ADD(MS_SSS__ADD(MS_SSS__ABS(p), MS_SSS__ABS(q)),
+                                                        MS_SSS__ADD(MS_SSS__ABS(r), MS_SSS__ABS(t))),
+                                            MS_SSS__SET(3.4e38f / MS_SSS__LIGHT_MAX)),
+                                zero, sums);
             MS_SSS__STORE(out[c] + x,
                           MS_SSS__ADD(sum, MS_SSS__MADD(w3, MS_SSS__ODD(r, t), MS_SSS__MUL(w2, MS_SSS__EVEN(r, t)))));
         }
@@ -8791,8 +8801,10 @@ static void MS_SSS__NAME(soften)(const ms_sss__halving *h, const float *const li
         MS_SSS__UNROLL
         for (c = 0; c < 3; ++c) {
             const MS_SSS__V e = MS_SSS__LOAD(light[c] + x), change = MS_SSS__SUB(MS_SSS__LOAD(blur[c] + x), e);
-            const MS_SSS__V soft = MS_SSS__MADD(change, MS_SSS__NAME(inverse)(MS_SSS__SUB(MS_SSS__SET(1.0f), share[c])),
-                                                e);
+            const MS_SSS__V least = MS_SSS__MIN(MS_SSS__MIN(e, MS_SSS__LOAD(blur[c] + x)), MS_SSS__SET(0.0f));
+            /* light without negative parts stays so, also where more than the share was the pixel's own */
+            const MS_SSS__V soft = MS_SSS__MAX(
+                MS_SSS__MADD(change, MS_SSS__NAME(inverse)(MS_SSS__SUB(MS_SSS__SET(1.0f), share[c])), e), least);
             MS_SSS__STORE(out[c] + x, MS_SSS__SELECT(part, soft, MS_SSS__SET(0.0f)));
         }
         MS_SSS__STORE(out[3] + x, MS_SSS__MUL(z, MS_SSS__SET(h->within)));

@@ -72,7 +72,6 @@ int main(int argc, char **argv)
     options.fov_degrees = 35;
     options.mm_per_unit = 10; /* the scene is in cm */
     options.pyramids = &pyramid;
-    if (options.method == MS_SSS_METHOD_AUTO) options.budget = 0.05f;
     memset(&frame, 0, sizeof frame);
     frame.width = WIDTH;
     frame.height = HEIGHT;

@@ -21,8 +21,7 @@ static const char usage[] =
     "  --material NAME    one of the 11 materials of build/profile --list, such as skin1\n"
     "  --profile CSV      lines of r_mm,R,G,B in 1/mm^2, as build/profile prints them\n"
     "  --method M         taps: two passes; half: the same at half resolution; pyramid; gather: from every pixel, in space;\n"
-    "                     auto (auto): gather, in large pictures what --budget allows of the others\n"
-    "  --budget E         how far half resolution may be from taps, of the picture's deviation, 0 to 1 (0: never taken)\n"
+    "                     auto (auto): gather, in large pictures the pyramid or taps\n"
     "  --model M          of the taps: image, preintegrated, residual, gaussians, guided, artist, slice (image)\n"
     "  --taps N           samples of each of the two passes, odd, 3 to 257 (as many as show no bands)\n"
     "  --mm-per-unit S    millimetres in a unit of the depth (1; has to be said where that makes the light cover half of\n"
@@ -94,9 +93,9 @@ static const char *const method_names[METHODS] = {"auto", "taps", "half", "pyram
 static const int gather_pixels = 600000; /* up to which a gather takes seconds */
 
 typedef struct settings {
-    int method, model;                    /* model -1: not said */
-    const char *path[3], *material, *csv; /* irradiance, depth, result; one of the other two is NULL */
-    double taps, mm_per_unit, fov, ortho, strength, budget; /* taps 0: not said; ortho 0: perspective */
+    int method, model;                              /* model -1: not said */
+    const char *path[3], *material, *csv;           /* irradiance, depth, result; one of the other two is NULL */
+    double taps, mm_per_unit, fov, ortho, strength; /* taps 0: not said; ortho 0: perspective */
 } settings;
 
 /* What has to be released, however the program ends. */
@@ -136,7 +135,6 @@ static int parse(int argc, char **argv, settings *s)
         } else if (strcmp(name, "--mm-per-unit") == 0) good = value && number(value, 1e-9, 1e9, &s->mm_per_unit);
         else if (strcmp(name, "--fov") == 0) good = perspective = value && number(value, 0.01, 179.9, &s->fov);
         else if (strcmp(name, "--ortho") == 0) good = value && number(value, 1e-9, 1e9, &s->ortho);
-        else if (strcmp(name, "--budget") == 0) good = value && number(value, 0, 1, &s->budget);
         else if (strcmp(name, "--strength") == 0) good = value && number(value, 0, 1, &s->strength);
         else known = 0;
         if (!known) return fail(2, name, "unknown option; --help lists them");
@@ -151,8 +149,6 @@ static int parse(int argc, char **argv, settings *s)
     if (s->method > HALF && (s->taps > 0 || s->model >= 0))
         return fail(2, method_names[s->method], "--taps and --model belong to the methods taps and half");
     if (s->method == AUTO && (s->taps > 0 || s->model >= 0)) s->method = TAPS;
-    if (s->method != AUTO && s->budget > 0)
-        return fail(2, method_names[s->method], "--budget belongs to the method auto");
     if ((s->material == NULL) == (s->csv == NULL))
         return fail(2, "arguments", "one of --material and --profile is expected");
     if (perspective && s->ortho > 0) return fail(2, "arguments", "--fov and --ortho exclude each other");
@@ -241,7 +237,6 @@ static int run(const settings *s, job *j)
     options.fov_degrees = s->ortho > 0 ? 0 : (float)s->fov;
     options.mm_per_unit = (float)s->mm_per_unit;
     options.fade = (float)(1 - s->strength);
-    options.budget = (float)s->budget;
     frame.taken = &taken;
     if (way < GATHER) options.method = (ms_sss_method)way;
     size = ms_sss_filter_workspace(frame.width, frame.height, &kernel, 1, &options);
