@@ -114,9 +114,10 @@
 
    Sections (search for "---- name")
    ---------------------------------
-   Declarations: profiles, elevation, kernels, errors, translucency, filter, pyramid, GPU text. Implementation:
-   small maths, profile tables, pre-integration, cells and spectra, kernel errors, taps, kernel models, translucency
-   tables, filter code, pyramid code, GPU code. Included once a level: filter kernels, pyramid kernels.
+   Declarations: profiles, elevation, kernels, errors, translucency, filter, pyramid, GPU text. Run time: checks,
+   translucency tables, filter code, pyramid code, GPU code. Design, which MS_SSS_NO_DESIGN leaves out: small maths,
+   profile tables, pre-integration, cells and spectra, kernel errors, taps, kernel models, pyramid weights. Compiled
+   once for each level of instructions (MS_SSS__PASS): filter kernels, pyramid kernels.
 */
 #ifndef MS_SSS_H
 #define MS_SSS_H
@@ -782,7 +783,7 @@ typedef struct ms_sss_shader_picture {
     float jitter;        /* 28 */
     float first;         /* 32: 1 for the first term, else 0 */
     float focal[2];      /* 36: pixels along x and y times mm_per_unit */
-    float upright;       /* 44: 1 - flat */
+    float slope_scale;   /* 44: 1 - flat */
 } ms_sss_shader_picture;
 
 typedef struct ms_sss_shader_profile {
@@ -1263,11 +1264,9 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #endif /* MS_COMMON_SIMD */
 /* ms-common-simd end */
 
-/* ---- small maths ----------------------------------------------------------------------------------------------- */
+/* ---- checks ---------------------------------------------------------------------------------------------------- */
 #include <float.h>
 #include <math.h>
-
-#define MS_SSS__PI 3.14159265358979323846
 
 #if defined(__GNUC__) || defined(__clang__)
 #define MS_SSS__APART __attribute__((noinline))
@@ -1286,7 +1285,4093 @@ static MS_SSS__COLD ms_status ms_sss__within(double x, const char *name, double 
     return MS_SSS__REFUSE(error, "%s %g: %g to %g expected", name, x, low, high);
 }
 
+/* ---- translucency tables --------------------------------------------------------------------------------------- */
+
+static double ms_sss__slab(double R, double decay, double s)
+{
+    double x = exp(-decay * s), dark = 1 - R;
+    if (!(R > 0)) return 0;
+    return (1 - R * R) * x / (1 - R * R * x * x) * (1 - 0.85 * dark * dark * dark * dark * dark * (1 - pow(x, 0.8)));
+}
+
+MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm, const float normal[3],
+                                const float entry_normal[3], const float to_light[3], const float light[3],
+                                float out[3])
+{
+    float facing = 0, entry = 0, parallel = 0;
+    int c;
+    if (kernel == NULL || normal == NULL || entry_normal == NULL || to_light == NULL || light == NULL || out == NULL)
+        return;
+    for (c = 0; c < 3; ++c) {
+        facing += normal[c] * to_light[c];
+        entry += entry_normal[c] * to_light[c];
+        parallel -= normal[c] * entry_normal[c];
+    }
+    for (c = 0; c < 3; ++c) {
+        double R = (double)kernel->reflectance[c];
+        out[c] = 0;
+        if (!(facing < 0 && entry > 0 && R > 0)) continue;
+        R = R < 0.9999 ? R : 0.9999;
+        out[c] = (float)(ms_sss__slab(R, (double)kernel->decay[c], thickness_mm > 0 ? (double)thickness_mm : 0) *
+                         (1 + (1 / R - 1) * (parallel > 0 ? (double)parallel : 0))) *
+            entry * light[c];
+    }
+}
+
+/* ---- filter code ----------------------------------------------------------------------------------------------- */
+
+#ifndef MS_SSS_FILENAME
+#define MS_SSS_FILENAME "ms_sss.h" /* this file's name, for the inclusions below */
+#endif
+#if defined(__GNUC__) && !defined(__OPTIMIZE__)
+#define MS_SSS__INLINE inline /* inlined all the same, each vector in it would have its own place on the stack */
+#elif defined(__GNUC__)
+#define MS_SSS__INLINE inline __attribute__((always_inline))
+#elif defined(_MSC_VER)
+#define MS_SSS__INLINE __forceinline
+#else
+#define MS_SSS__INLINE inline
+#endif
+
+#if defined(MS__X64)
+#define MS_SSS__PREFETCH(p) _mm_prefetch((p), _MM_HINT_T0)
+#elif defined(__GNUC__)
+#define MS_SSS__PREFETCH(p) __builtin_prefetch(p)
+#else
+#define MS_SSS__PREFETCH(p) ((void)(p))
+#endif
+#if defined(__GNUC__)
+#define MS_SSS__ALIGNED __attribute__((aligned(64))) /* no vector lies in two lines of the cache */
+#else
+#define MS_SSS__ALIGNED
+#endif
+
+enum {
+    MS_SSS__LEFT = 16,        /* floats before a row's first pixel: one vector of any level */
+    MS_SSS__RIGHT = 32,       /* floats behind a row's last block */
+    MS_SSS__BLOCK = 32,       /* columns that are left out together where none takes part */
+    MS_SSS__TASKS = 16,       /* of a call to options.parallel at most */
+    MS_SSS__PARTS = 32,       /* two a task */
+    MS_SSS__ROWS = 42,        /* row buffers of a task */
+    MS_SSS__PAIRS = 16,       /* of taps that are made as pairs */
+    MS_SSS__TILTED_PAIRS = 8, /* the same with slopes */
+    MS_SSS__HELD = 3,         /* pairs whose weights are held */
+    MS_SSS__FAR = 120,        /* pixels that pairs may reach */
+    MS_SSS__MARGIN = 144,     /* rows and columns around the picture: FAR, a group, and the pixels beside a tap */
+    MS_SSS__STEP = 8,         /* rows that the second pass takes together */
+    MS_SSS__LEAVE =
+        0, /* plans of a group: no lane has a kernel; lane by lane; by pairs, where some have; all; at one place each */
+    MS_SSS__ANY = 1,
+    MS_SSS__SOME = 2,
+    MS_SSS__ALL = 3,
+    MS_SSS__ONE = 4,
+    MS_SSS__OFF_BY_ONE = 128, /* added to a pair's whole part: it or one more */
+    MS_SSS__ROW = 1,          /* ways of a pass: along planes of a row; down the ring's rows */
+    MS_SSS__COLUMN = 2,
+    MS_SSS__SIDE_MAX = 65536,
+    MS_SSS__FIXED_MAX = 2 * MS_SSS_TAPS_MAX
+};
+
+#if defined(__GNUC__) || defined(__clang__)
+#define MS_SSS__TAKEN(flag) __atomic_load_n((flag), __ATOMIC_RELAXED)
+#define MS_SSS__TAKE(flag) __atomic_exchange_n((flag), 1, __ATOMIC_RELAXED) /* taken before? */
+#elif defined(_MSC_VER)
+#include <intrin.h>
+#define MS_SSS__TAKEN(flag) (*(flag))
+#define MS_SSS__TAKE(flag) _InterlockedExchange((flag), 1)
+#endif
+
+#define MS_SSS__AWAY 1e15f /* in a sweep: depth of what takes no part */
+
+/* (1 - (dz / (3.0746 sigma))^2)^4 stands for exp(-dz^2 / (2 sigma^2)): within 0.013 of it everywhere. */
+#define MS_SSS__FALLOFF_END 3.0746
+#define MS_SSS__SPARSE 1e-3f    /* weight below which a tap's height is that of the one before it */
+#define MS_SSS__LIGHT_MAX 1e30f /* from here on a pixel is masked: sums of more would be infinite */
+#define MS_SSS__AREA_MAX 3.0f   /* a tap stands for at most so much more surface */
+
+/* Taps of one pass at whole-pixel offsets, for kernels of one size everywhere. */
+typedef struct ms_sss__fixed {
+    int count, offset[MS_SSS__FIXED_MAX], lowest, highest;
+    float weight[3][MS_SSS__FIXED_MAX], total[3];
+    int mixed[3];
+} ms_sss__fixed;
+
+/* Taps of one pass at positions that each pixel's size gives. Depths are scaled so that a pixel dz away counts
+   (1 - dz^2)^4, with slopes (1 - dz^2) / (1 + remote dz^2). */
+typedef struct ms_sss__pass {
+    int tap_count;
+    const float *offset_mm;
+    const float (*weight)[3];
+    float total[3];
+    int mixed[3]; /* weights of both signs: what is missing goes to the pixel's own colour */
+    float size, size_max, size_min,
+        aspect[2]; /* pixels a mm: size, or min(size / depth, size_max); at most size_min: off */
+    int perspective;
+    /* With slopes: depths are taken against the tangent plane, and light from below it counts more. */
+    float focal[2];    /* slope of a pixel's step in depth: times focal, in perspective relative to the depth of the
+                          farther pixel */
+    float reach;       /* dz^2 of the kernel's radius: between neighbours a step in depth beyond is an edge */
+    float slope_scale; /* 1 - flat */
+    float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; tangent 0: parallel rays */
+    float unit;               /* mm of dz 1 */
+    float rounding; /* a plane that fits depths with relative errors of grain / 2 errs by at most grain (2 + i) times
+                    depth i pixels away: 2 errors for the depths there and here and for each step between, one pixel
+                    beside a tap */
+    float curve[3], root[3], least; /* K / 4; square root of the reflectance; least sin(theta) */
+    float remote, bulge;            /* square of the mm of dz 1, times upright; square root of upright / 2 */
+    float apart;                    /* dz at which the pixels of a larger one part */
+} ms_sss__pass;
+
+/* Light of a tap x mm away falls about as 1 / x^2: what lies dz off the plane counts 1 / (1 + remote dz^2). Products of
+   three stay finite. */
+static MS_SSS__INLINE float ms_sss__remote(const ms_sss__pass *p, float mm)
+{
+    const float most = 1e6f, square = mm * mm;
+    return p->remote < most * square ? p->remote / square : p->remote > 0 ? most : 0;
+}
+
+/* A tap stands for the more surface the more it bends away between the tap before, at inner mm, and it: 1 + (bulge
+   times the change of height in mm)^2, sec^2 of that angle to second order of both axes. */
+static MS_SSS__INLINE float ms_sss__bulge(const ms_sss__pass *p, float mm, float *inner)
+{
+    const float gap = fabsf(mm) - *inner;
+    *inner = fabsf(mm);
+    return gap > 1e-20f ? p->bulge / gap : 0;
+}
+
+/* Both passes of a kernel: the second follows the first in slabs of rows, which lie in a ring, in groups of one vector
+   each of red, green, blue and depth (fixed taps: in planes). Numbers that all lanes share stand 16 times. */
+typedef struct ms_sss__sweep {
+    float offset[2][MS_SSS__PAIRS][16];                              /* mm; of the axes in their own pixels */
+    float span[MS_SSS__PAIRS][16], weight[MS_SSS__PAIRS + 1][3][16]; /* |offset|; centre, pairs */
+    float remote[MS_SSS__PAIRS][16], bulge[MS_SSS__PAIRS][16],
+        lift[MS_SSS__TILTED_PAIRS][3][2][16]; /* lift: K / (4 span) and 1, times the fourth root of the weight */
+    struct ms_sss__job *job;
+    int pairs;                                   /* of taps that weigh the same; 0: any taps */
+    int shaped, reach, padded, lanes, plan_size; /* plan_size: bytes of a group's plan */
+    int parts, tasks; /* a band: parts of the picture that one task makes from the top down, in a ring of rows */
+    volatile long taken[MS_SSS__PARTS];
+    int simple;                 /* weights make a mean, the centre's above 0 */
+    int plain, may_clamp;       /* with slopes: no weight below 0; whether sines can reach their bounds */
+    float *ring, *own, *window; /* of a task: rows that the first pass reads; own: see ms_sss__line */
+    int rows;                   /* of a window: 5 with slopes, else 1 */
+    ptrdiff_t plan_row, window_row, window_size;
+    unsigned char *plan;
+    int *slot, *done, *held; /* of each row: in the ring, 0: nothing takes part; finished; of each slot: columns that
+                                hold something */
+    ptrdiff_t *row, *column; /* the same in floats, from MARGIN rows above the picture on; 0 1 2 ..., from -MARGIN on */
+} MS_SSS__ALIGNED ms_sss__sweep;
+
+/* Axes of each pixel's own: the picture lies in planes with an empty row above and below. */
+typedef struct ms_sss__rotation {
+    const float (*direction)[2];
+    int second, height;
+    ptrdiff_t stride;
+} ms_sss__rotation;
+
+/* A row that a pass makes. What lies i steps along the axis from a group is at from + group + step[i]: red, and `plane`
+   floats on green, blue and depth. */
+typedef struct ms_sss__line {
+    const float *from;
+    const ptrdiff_t *step;
+    ptrdiff_t group, plane;       /* floats from a group to the next, from red to green */
+    const ms_sss__rotation *turn; /* NULL: along an axis */
+    const float *own[3]; /* with slopes: where turned, both; else pixels a mm of the tangent plane, depth that it gains
+                            a pixel (relative in perspective), cosine of the normal to the ray */
+    const unsigned char *plan;
+    int axis, at, count; /* 0: x, count columns; 1: y, row at of count; 2: turned, row at, count columns */
+    int first, last;     /* columns to make */
+    float *to[3];
+    ptrdiff_t to_group;
+} ms_sss__line;
+
+/* What a pixel keeps of its own light, and which pixels are its neighbours, where a kernel works at half resolution. */
+typedef struct ms_sss__halving {
+    const ms_sss_kernel *kernel;
+    int perspective;
+    float size, size_max, aspect[2]; /* as in ms_sss__pass, in pixels of the picture */
+    float beyond; /* depth up to which the centre alone stands within a pixel of itself: the share is then */
+    float share[3];
+    float tiny;   /* depth from which on kernels are under half a pixel */
+    float within; /* 1 / dz from which on nothing counts */
+    float scale;  /* of depths of the scene */
+} ms_sss__halving;
+
+/* Square of the radius of a level's gather, in pixels of the next. Wider ones see the shape from nearer by, narrower
+   ones cost less: 1.75 and 2.2 of what six pixels hold, wide 2.24 and 3.74 of eight; a wide level 0 of 2.5 or 2.8 is
+   nearer to random walks, but loses 1.2% or 1.6% of textures. */
+#define MS_SSS__GATHER(wide, level) ((wide) ? ((level) > 0 ? 14.0f : 5.0f) : (level) > 0 ? 4.84f : 3.0625f)
+
+/* A pixel that a pixel of the finer level gathers from: floats from the one that its four lie around, place, its
+   square. */
+typedef struct ms_sss__tap {
+    ptrdiff_t at;
+    float x, y, square, rest; /* rest: 1 - its square over the gather's */
+} ms_sss__tap;
+
+/* What the row kernels of the pyramid need. Depth enters as d, which is linear on planes: -1 / depth in perspective,
+   else depth; 0 where nothing takes part. Rows of a level: colour, d, share (surface there, in pixels of the level),
+   the change of d a pixel along x and y. */
+typedef struct ms_sss__pyramid_params {
+    const float (*table)[MS_SSS_PYRAMID_LEVELS][2][3]; /* weight[size][level][blurred][channel] */
+    int perspective, shaped, wide, level; /* wide: options.exact; level: of the rows that are made by gather */
+    float weight[2][3];                   /* of the level where all pixels have one size */
+    float size, size_max;                 /* the kernel's radius in pixels: min(size d, size_max) */
+    float step;                           /* change of d a pixel at slope 1: times d in perspective */
+    float slope_scale;                    /* 1 - flat; 0: the depth counts for the size alone */
+    float reach, join; /* distance from a tangent plane at which nothing is left, in radii: of sums on the way up, of
+                          pixels that become one */
+    float middle[2], tangent;        /* (column + 1/2 - middle) tangent is the tangent of the ray; 0: parallel rays */
+    float quarter[3], most[3];       /* K / 4; 1 / reflectance */
+    const ms_sss__tap (*tap)[2][64]; /* [odd row][odd column], the nearest first: the first four lie around the pixel */
+    int taps, core, sums; /* core: that reach pixels that face the camera; sums: whether the coarser level has any */
+    ptrdiff_t plane;      /* of the coarser level */
+    float inner;          /* 1 / radius of the gather */
+    float norm, mean, spread; /* of the gather's taps: sum, E r / E r^2, E r^2 / E r^4 */
+    float blur;               /* variance of a place in a pixel of the next level */
+    float rounding;           /* twice the relative error of d */
+    float rough; /* on planes the gather's taps are less than this from the tangent plane, in pixels of their level
+                    (times d, not in perspective) */
+} ms_sss__pyramid_params;
+
+typedef struct ms_sss__kernels {
+    int (*mask_by)(const float *value, float scale, int count, const float *before, float *depth, int span[2]);
+    int (*load_masked)(const float *const in[3], const float *const albedo[3], int begin, int end, int count,
+                       const float *before, float *depth, float *const colour[3]);
+    void (*convolve)(const float *in, const ptrdiff_t *at, const float *weight, int taps, int count, float *out);
+    void (*convolve_valid)(const ms_sss__fixed *f, const float *const in[3], const ptrdiff_t *at,
+                           const float *const *depth, const int *tap, int taps, int count, const float *own_depth,
+                           float *const out[3]);
+    void (*slopes)(const ms_sss__pass *p, const float *const depth[5], const float *const normal[3], int y, int begin,
+                   int end, float *const slope[2]);
+    void (*tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin, int end,
+                     float *const out[6]);
+    void (*limit)(float *depth, int count);
+    void (*plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, const float *depth, const float *size,
+                 int first, int last, unsigned char *plan);
+    void (*sweep[2])(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines, int first,
+                     int last); /* [with slopes] */
+    float (*least)(const float *depth, int count);
+    int (*unpack)(const void *from, int half, int count, float *const to[3]);
+    void (*widen)(const uint16_t *from, int count, float *to);
+    void (*narrow)(const float *from, int count, uint16_t *to);
+    void (*deliver)(const float *from, int count, float *to);
+    int lanes;
+    void (*combine)(float a, const float *x, float b, const float *y, int count, float *out);
+    void (*fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
+                 int count, float *blur);
+    void (*slopes_of_d)(const ms_sss__pyramid_params *s, const float *const d[5], const float *const normal[3], int y,
+                        int first, int count, float *const out[3]);
+    void (*downsample_level)(const ms_sss__pyramid_params *s, const float *row[4][7], int first, int count,
+                             float *const out[7]);
+    void (*gather)(const ms_sss__pyramid_params *s, const float *const own[3], const float *coarse, int first,
+                   int count, int y, float *const out[6]);
+    void (*resolve)(const ms_sss__pyramid_params *s, const float *const row[4], ptrdiff_t stride,
+                    const float *const slope[3], const float *const sum[6], int first, int count, float *const out[4]);
+    void (*invert)(const ms_sss__pyramid_params *s, const float *depth, int count, float *d);
+    int (*downsample)(const ms_sss__halving *h, const float *const above[4], const float *const below[4], float unit,
+                      int count, float *const out[4]);
+    void (*subtract_self)(const ms_sss__halving *h, const float *const light[3], const float *const blur[3],
+                          const float *depth, int count, float *const out[4]);
+    void (*upsample)(const ms_sss__halving *h, const float *const own[4], float unit, const float *const coarse[2][4],
+                     int odd, int count, float *const out[3]);
+} ms_sss__kernels;
+
+/* Floats to what lies i steps along the axis. */
+static MS_SSS__INLINE ptrdiff_t ms_sss__at(int way, const ptrdiff_t *step, ptrdiff_t i)
+{
+    return way == MS_SSS__ROW ? i : step[i];
+}
+
+static MS_SSS__INLINE int ms_sss__clamp(int x, int low, int high) { return x < low ? low : x > high ? high : x; }
+
+/* From a group's place in `from` to its pixels i rows further; height: rows that there are. */
+static MS_SSS__INLINE ptrdiff_t ms_sss__row(const ms_sss__line *l, int i, int height)
+{
+    if (l->axis == 0) return 0;
+    i = ms_sss__clamp(i, -1 - l->at, height - l->at);
+    return l->turn ? i * l->turn->stride : l->step[i];
+}
+
+/* Which of 64 directions a pixel has: the R2 sequence (Roberts 2018) in 16-bit fixed point, the same on any machine. */
+static MS_SSS__INLINE int ms_sss__direction_of(int x, int y)
+{
+    return (int)((((uint32_t)x * 49472u + (uint32_t)y * 37345u) & 65535u) >> 10);
+}
+
+static MS_SSS__INLINE int ms_sss__lowest(unsigned bits)
+{
+#if defined(__GNUC__)
+    return __builtin_ctz(bits);
+#else
+    int i = 0;
+    while (!(bits >> i & 1u)) ++i;
+    return i;
+#endif
+}
+
+static MS_SSS__INLINE int ms_sss__highest(unsigned bits)
+{
+#if defined(__GNUC__)
+    return 31 - __builtin_clz(bits);
+#else
+    int i = 0;
+    while (bits >>= 1) ++i;
+    return i;
+#endif
+}
+
+/* The lowest n of a level's lanes. */
+static MS_SSS__INLINE unsigned ms_sss__lanes(int n, int lanes)
+{
+    return n <= 0 ? 0u : (1u << (n < lanes ? n : lanes)) - 1u;
+}
+
+static MS_SSS__INLINE float ms_sss__floor(float x)
+{
+    float whole = (float)(int)x;
+    return whole > x ? whole - 1.0f : whole;
+}
+
+/* Sizes of a pyramid's table are 2^e (1 + m / 4): their index is in the float's top bits. */
+static MS_SSS__INLINE int ms_sss__size_index(float size)
+{
+    int32_t bits;
+    memcpy(&bits, &size, sizeof bits);
+    return ms_sss__clamp((bits - 0x3f800000) >> 21, 0, MS_SSS_PYRAMID_SIZES - 2);
+}
+
+static MS_SSS__INLINE float ms_sss__index_size(int index)
+{
+    int32_t bits = 0x3f800000 + index * (1 << 21);
+    float size;
+    memcpy(&size, &bits, sizeof size);
+    return size;
+}
+
+/* 0 to FAR */
+#define MS_SSS__TEN(n) n, n + 1, n + 2, n + 3, n + 4, n + 5, n + 6, n + 7, n + 8, n + 9
+static const float ms_sss__iota[MS_SSS__FAR + 1] = {MS_SSS__TEN(0),
+                                                    MS_SSS__TEN(10),
+                                                    MS_SSS__TEN(20),
+                                                    MS_SSS__TEN(30),
+                                                    MS_SSS__TEN(40),
+                                                    MS_SSS__TEN(50),
+                                                    MS_SSS__TEN(60),
+                                                    MS_SSS__TEN(70),
+                                                    MS_SSS__TEN(80),
+                                                    MS_SSS__TEN(90),
+                                                    MS_SSS__TEN(100),
+                                                    MS_SSS__TEN(110),
+                                                    120};
+#undef MS_SSS__TEN
+
+#if defined(MS__X64)
+static MS_SSS__INLINE __m128 ms_sss__floor_sse2(__m128 x)
+{
+    __m128 whole = _mm_cvtepi32_ps(_mm_cvttps_epi32(x));
+    return _mm_sub_ps(whole, _mm_and_ps(_mm_cmplt_ps(x, whole), _mm_set1_ps(1.0f)));
+}
+#elif defined(MS__NEON)
+static MS_SSS__INLINE unsigned ms_sss__bits_neon(uint32x4_t m)
+{
+    static const uint32_t bit[4] = {1, 2, 4, 8};
+    return vaddvq_u32(vandq_u32(m, vld1q_u32(bit)));
+}
+#endif
+
+#define MS_SSS__PASS 1
+#define MS_SSS__LEVEL scalar
+#define MS__N 1
+#include MS_SSS_FILENAME
+#if defined(MS__X64) || defined(MS__NEON)
+#define MS_SSS__LEVEL base
+#define MS__N 4
+#include MS_SSS_FILENAME
+#endif
+#if defined(MS__X64)
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2,fma,f16c"))), apply_to = function)
+#elif defined(__GNUC__)
+#pragma GCC push_options
+#pragma GCC target("avx2,fma,f16c")
+#endif
+#define MS_SSS__LEVEL avx2
+#define MS__N 8
+#include MS_SSS_FILENAME
+#if defined(__clang__)
+#pragma clang attribute pop
+#pragma clang attribute push(__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c"))), \
+                             apply_to = function)
+#elif defined(__GNUC__)
+#pragma GCC pop_options
+#pragma GCC push_options
+#pragma GCC target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c")
+#endif
+#define MS_SSS__LEVEL avx512
+#define MS__N 16
+#include MS_SSS_FILENAME
+#if defined(__clang__)
+#pragma clang attribute pop
+#elif defined(__GNUC__)
+#pragma GCC pop_options
+#endif
+#endif
+#undef MS_SSS__PASS
+
+static const ms_sss__kernels *ms_sss__pick(ms_simd cap)
+{
+    switch (ms__simd_pick(cap)) {
+#if defined(MS__X64)
+    case MS_SIMD_AVX512: return &ms_sss__kernels_avx512;
+    case MS_SIMD_AVX2: return &ms_sss__kernels_avx2;
+#endif
+#if defined(MS__X64) || defined(MS__NEON)
+    case MS_SIMD_BASE: return &ms_sss__kernels_base;
+#endif
+    default: return &ms_sss__kernels_scalar;
+    }
+}
+
+/* --- the caller's pixels --- */
+
+static float ms_sss__get(const ms_sss_image *image, int c, int x, int y)
+{
+    ptrdiff_t at = y * image->row_stride + x * image->pixel_stride;
+    return image->half ? ms__half_to_float(((const uint16_t *)image->channel[c])[at])
+                       : ((const float *)image->channel[c])[at];
+}
+
+static void ms_sss__put(const ms_sss_image *image, int c, int x, int y, float value)
+{
+    ptrdiff_t at = y * image->row_stride + x * image->pixel_stride;
+    if (image->half) ((uint16_t *)image->channel[c])[at] = ms__half_from_float(value);
+    else ((float *)image->channel[c])[at] = value;
+}
+
+/* out[c] points at the values of pixels [x, x + count) of row y: in the image where they lie side by side, else in
+   buffer[c], with 0 from column width on. */
+static void ms_sss__load(const ms_sss__kernels *simd, const ms_sss_image *image, int channels, int width, int y, int x,
+                         int count, float *const *buffer, const float **out)
+{
+    const ptrdiff_t at = y * image->row_stride + x * image->pixel_stride, step = image->pixel_stride;
+    const ptrdiff_t size = image->half ? (ptrdiff_t)sizeof(uint16_t) : (ptrdiff_t)sizeof(float);
+    const char *const red = (const char *)image->channel[0] + at * size;
+    const int n = width - x < count ? width - x : count;
+    int c, i, done = 0;
+    if (channels == 3 && step == 4 && (const char *)image->channel[1] == (const char *)image->channel[0] + size &&
+        (const char *)image->channel[2] == (const char *)image->channel[1] + size)
+        done = simd->unpack(red, image->half, n, buffer);
+    for (c = 0; c < channels; ++c) {
+        float *to = buffer[c];
+        out[c] = to;
+        if (image->half) {
+            const uint16_t *from = (const uint16_t *)image->channel[c] + at;
+            if (step == 1) simd->widen(from, n, to);
+            else
+                for (i = done; i < n; ++i) to[i] = ms__half_to_float(from[i * step]);
+        } else {
+            const float *from = (const float *)image->channel[c] + at;
+            if (step == 1 && n == count) {
+                out[c] = from;
+                continue;
+            }
+            for (i = done; i < n; ++i) to[i] = from[i * step];
+        }
+        for (i = n; i < count; ++i) to[i] = 0;
+    }
+}
+
+/* Writes values [begin, end) of a row that starts at pixel (x, y), where depth is finite or NULL. */
+static void ms_sss__store(const ms_sss__kernels *simd, const ms_sss_image *image, int width, int y, int x, int begin,
+                          int end, const float *const in[3], const float *depth)
+{
+    const ptrdiff_t step = image->pixel_stride;
+    int c, i, j;
+    if (end > width - x) end = width - x;
+    if (begin >= end) return;
+    for (c = 0; c < 3; ++c) {
+        const ptrdiff_t at = y * image->row_stride + x * step;
+        const float *from = in[c];
+        if (image->half) {
+            uint16_t *to = (uint16_t *)image->channel[c] + at, narrow[32];
+            for (i = begin; i < end; i += 32) {
+                const int some = end - i < 32 ? end - i : 32;
+                simd->narrow(from + i, some, narrow);
+                for (j = 0; j < some; ++j)
+                    if (!depth || depth[i + j] < INFINITY) to[(i + j) * step] = narrow[j];
+            }
+        } else {
+            float *to = (float *)image->channel[c] + at;
+            if (depth) {
+                for (i = begin; i < end; ++i)
+                    if (depth[i] < INFINITY) to[i * step] = from[i];
+            } else if (step == 1) {
+                simd->deliver(from + begin, end - begin, to + begin);
+            } else {
+                for (i = begin; i < end; ++i) to[i * step] = from[i];
+            }
+        }
+    }
+}
+
+/* --- the passes --- */
+
+/* NaN differs from everything, and == raises no flag for it. */
+static int ms_sss__differ(float a, float b) { return !(a == b); }
+
+#if defined(MS__X64)
+typedef struct ms_sss__task {
+    void (*run)(void *context, int index);
+    void *context;
+} ms_sss__task;
+
+static void ms_sss__mask_exceptions(void *context, int index)
+{
+    const ms_sss__task *task = (const ms_sss__task *)context;
+    const unsigned host = _mm_getcsr();
+    _mm_setcsr((host & ~0x3fu) | 0x1f80u);
+    task->run(task->context, index);
+    _mm_sfence(); /* what was streamed is written before the task counts as done */
+    _mm_setcsr(host);
+}
+#endif
+
+/* ms__run with floating-point exceptions masked and their flags left alone: lanes that take no part hold whatever comes
+   of infinity and 0. */
+static void ms_sss__run_parallel(const ms_parallel *parallel, int count, void (*run)(void *context, int index),
+                                 void *context)
+{
+#if defined(MS__X64)
+    ms_sss__task task;
+    task.run = run;
+    task.context = context;
+    ms__run(parallel, count, ms_sss__mask_exceptions, &task);
+#else
+    ms__run(parallel, count, run, context);
+#endif
+}
+
+typedef struct ms_sss__job {
+    ms_sss_frame frame; /* strides filled in */
+    ms_sss_filter_options options;
+    const ms_sss__kernels *simd;
+    const ms_sss_kernel *kernel; /* of the profile at hand */
+    int profile, kernel_count, term;
+    int block, padded;           /* padded: width in whole blocks */
+    int full_width, full_height; /* of the picture whose pixels are `coarse` times smaller: its own, unless this is the
+                                    half of one */
+    float coarse;
+    int rough;                       /* its depth is binary16 */
+    int begin, end, band;            /* rows of the run at hand, rows a task */
+    int fixed, turned, shaped, idle; /* idle: a kernel under half a pixel */
+    int whole_first;                 /* rows are prepared for the whole picture: with 0 where nothing takes part */
+    ptrdiff_t stride;
+    float depth_scale, gain;
+    int unwritten; /* pixels that take no part still have to be copied to the output */
+    int raw;       /* and their elements can be copied as they are */
+    float *middle[3], *source[3], *depth, *sum[3], *rows;
+    float *fresh;                  /* a row of depths where all pixels take part */
+    int *first, *last;             /* of each row: whole blocks that hold pixels which take part */
+    int *solid_first, *solid_last; /* a run of columns that all take part; up to padded where it reaches the width */
+    int *whole;                    /* no strength of a pixel that takes part is under 1 */
+    int direct;                    /* the second pass writes straight to the output where all pixels take part */
+    ms_sss__fixed *taps;           /* two */
+    ms_sss__pass pass;
+    float direction[64][2];
+    float *planes; /* the first */
+    int plane_count;
+    float nearest, least[MS_SSS__TASKS]; /* the picture's least depth, 0: not known; of each task's rows */
+    float *window;                       /* of a sweep, and behind it what else it keeps */
+} ms_sss__job;
+
+static int ms_sss__round_up(int x, int step) { return (x + step - 1) / step * step; }
+
+static float *ms_sss__buffer(const ms_sss__job *job, int task, int row)
+{
+    return job->rows + ((ptrdiff_t)task * MS_SSS__ROWS + row) * job->stride + MS_SSS__LEFT;
+}
+
+/* The factor that the albedo has before (side 0) or after (side 1) the filter; NULL: none. */
+static const float *const *ms_sss__albedo(const ms_sss__job *job, int side, int y, int x, int count,
+                                          float *const *buffer, const float **out)
+{
+    const ms_sss_albedo_mode mode = job->options.albedo_mode;
+    int c, i;
+    if (!job->frame.albedo.channel[0] || mode == (side ? MS_SSS_ALBEDO_PRE : MS_SSS_ALBEDO_POST)) return NULL;
+    ms_sss__load(job->simd, &job->frame.albedo, 3, job->frame.width, y, x, count, buffer, out);
+    if (mode == MS_SSS_ALBEDO_BOTH) {
+        for (c = 0; c < 3; ++c) {
+            for (i = 0; i < count; ++i) buffer[c][i] = sqrtf(out[c][i]);
+            out[c] = buffer[c];
+        }
+    }
+    return out;
+}
+
+/* Copies those of pixels [begin, end) of row y that take no part: depth INFINITY, or all where depth is NULL. */
+static void ms_sss__copy(const ms_sss__job *job, int y, int begin, int end, const float *depth)
+{
+    const ms_sss_frame *f = &job->frame;
+    const size_t size = f->input.half ? sizeof(uint16_t) : sizeof(float);
+    int x, c;
+    if (!job->unwritten) return;
+    for (c = 0; c < 3; ++c) {
+        const char *from = (const char *)f->input.channel[c] + y * f->input.row_stride * (ptrdiff_t)size;
+        char *to = (char *)f->output.channel[c] + y * f->output.row_stride * (ptrdiff_t)size;
+        const ptrdiff_t from_step = f->input.pixel_stride * (ptrdiff_t)size,
+                        to_step = f->output.pixel_stride * (ptrdiff_t)size;
+        if (job->raw && !depth && !f->profile && f->input.pixel_stride == 1 && f->output.pixel_stride == 1) {
+            if (begin < end) memcpy(to + begin * to_step, from + begin * from_step, (size_t)(end - begin) * size);
+            continue;
+        }
+        for (x = begin; x < end; ++x) {
+            float value;
+            if (depth && depth[x] < INFINITY) continue;
+            if (f->profile) { /* each pixel is copied once: under its own profile, or the first if that has no kernel */
+                int profile = f->profile[(size_t)y * (size_t)f->width + (size_t)x];
+                if (profile != job->profile && (profile < job->kernel_count || job->profile > 0)) continue;
+            }
+            if (job->raw) {
+                if (f->input.half) memcpy(to + x * to_step, from + x * from_step, sizeof(uint16_t));
+                else memcpy(to + x * to_step, from + x * from_step, sizeof(float));
+                continue;
+            }
+            value = ms_sss__get(&f->input, c, x, y);
+            if (ms__finite_f(value)) {
+                if (f->albedo.channel[0]) value *= ms_sss__get(&f->albedo, c, x, y);
+                if (f->specular.channel[0]) value += ms_sss__get(&f->specular, c, x, y);
+            }
+            ms_sss__put(&f->output, c, x, y, value);
+        }
+    }
+}
+
+static int ms_sss__solid(const ms_sss__job *job, int y, int begin, int end)
+{
+    return job->solid_first[y] <= begin && end <= job->solid_last[y];
+}
+
+/* The longest run of pixels of row y that take part, or one of them. */
+static void ms_sss__find_solid(const ms_sss__job *job, int y, const float *depth)
+{
+    int x, run = job->first[y];
+    job->solid_first[y] = job->solid_last[y] = 0;
+    for (x = job->first[y]; x <= job->last[y]; ++x) {
+        if (x < job->last[y] && depth[x] < INFINITY) continue;
+        if (x - run > job->solid_last[y] - job->solid_first[y]) {
+            job->solid_first[y] = run;
+            job->solid_last[y] = x;
+        }
+        run = x + 1;
+    }
+    if (job->solid_last[y] == job->frame.width) job->solid_last[y] = job->padded;
+}
+
+/* Copies what takes no part in row y. depth: from its first column that holds anything on. */
+static void ms_sss__copy_row(const ms_sss__job *job, int y, const float *depth)
+{
+    const int width = job->frame.width, first = job->first[y], last = job->last[y],
+              solid = job->solid_first[y] < job->solid_last[y];
+    const int inside = last < width ? last : width;
+    if (job->term > 0) return;
+    ms_sss__copy(job, y, 0, first, NULL);
+    ms_sss__copy(job, y, first, solid ? job->solid_first[y] : inside, depth);
+    if (solid) ms_sss__copy(job, y, job->solid_last[y], inside, depth);
+    ms_sss__copy(job, y, last, width, NULL);
+}
+
+static void ms_sss__clear(const ms_sss__job *job, float *row, float value)
+{
+    int x;
+    for (x = -MS_SSS__LEFT; x < job->padded + MS_SSS__RIGHT; ++x) row[x] = value;
+}
+
+/* Row y of what the first pass reads: colour (times albedo) and depth for the columns from first to last, which are
+   then known; beyond them no pixel takes part, and colour is 0 as far as taps reach. */
+static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *const colour[3], float *depth)
+{
+    const ms_sss_frame *f = &job->frame;
+    const int width = f->width;
+    float *in_buffer[3], *albedo_buffer[3], *to[3];
+    const float *in[3], *albedo[3], *map, *const *factor, *before = job->fresh;
+    int c, x, span[2], first = 0, last = job->padded, low, high;
+    int begin = 0, end = width; /* none outside takes part; first and last are whole blocks */
+    for (c = 0; c < 3; ++c) {
+        in_buffer[c] = ms_sss__buffer(job, task, 4 + c);
+        albedo_buffer[c] = ms_sss__buffer(job, task, 7 + c);
+    }
+    memcpy(depth - MS_SSS__LEFT, before - MS_SSS__LEFT, (size_t)MS_SSS__LEFT * sizeof(float));
+    memcpy(depth + job->padded, before + job->padded, (size_t)MS_SSS__RIGHT * sizeof(float));
+    if (job->idle) {
+        for (x = 0; x < job->padded; ++x) depth[x] = INFINITY;
+        last = 0;
+    } else if (f->profile) {
+        const uint8_t *profile = f->profile + (size_t)y * (size_t)width;
+        memcpy(depth, before, (size_t)job->padded * sizeof(float));
+        for (x = 0; x < width; ++x)
+            if (profile[x] != job->profile) depth[x] = INFINITY;
+        before = depth;
+    }
+    job->whole[y] = 1;
+    if (f->strength.channel[0] && last > 0) {
+        ms_sss__load(job->simd, &f->strength, 1, width, y, 0, last, in_buffer, &map);
+        job->whole[y] = job->simd->mask_by(map, 0.0f, last, before, depth, span);
+        before = depth;
+        begin = span[0];
+        end = span[1];
+        first = begin - begin % job->block;
+        last = ms_sss__round_up(end, job->block);
+    }
+    if (f->depth.channel[0] && first < last) {
+        ms_sss__load(job->simd, &f->depth, 1, width, y, first, last - first, in_buffer, &map);
+        job->simd->mask_by(map, job->depth_scale, last - first, before + first, depth + first, span);
+        before = depth;
+        begin = first + span[0];
+        end = first + span[1];
+        first = begin - begin % job->block;
+        last = ms_sss__round_up(end, job->block);
+    }
+    job->first[y] = first;
+    job->last[y] = last;
+    job->solid_first[y] = job->solid_last[y] = 0;
+    low = first;
+    high = last;
+    if (job->fixed) {
+        low = first + job->taps[0].lowest;
+        high = last + job->taps[0].highest + 16;
+    }
+    if (job->whole_first || low < -MS_SSS__LEFT) low = -MS_SSS__LEFT;
+    if (job->whole_first || high > job->padded + MS_SSS__RIGHT) high = job->padded + MS_SSS__RIGHT;
+    for (c = 0; c < 3; ++c) {
+        for (x = low; x < first; ++x) colour[c][x] = 0;
+        for (x = last; x < high; ++x) colour[c][x] = 0;
+        to[c] = colour[c] + first;
+    }
+    if (first < last) {
+        ms_sss__load(job->simd, &f->input, 3, width, y, first, last - first, in_buffer, in);
+        factor = ms_sss__albedo(job, 0, y, first, last - first, albedo_buffer, albedo);
+        if (job->simd->load_masked(in, factor, begin - first, end - first, last - first, before + first, depth + first,
+                                   to)) {
+            job->solid_first[y] = begin;
+            job->solid_last[y] = end < width ? end : job->padded;
+        } else {
+            ms_sss__find_solid(job, y, depth);
+        }
+    }
+    ms_sss__copy_row(job, y, depth);
+}
+
+/* What is left to do for columns [x, x + count) of row y once blur holds the filtered light: fades it to own (NULL:
+   there is nothing to fade), multiplies by the albedo, adds the specular light, and writes the pixels that take part:
+   depth NULL: the row's longest run. */
+static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3],
+                            const float *const *own, const float *depth)
+{
+    const ms_sss_frame *f = &job->frame;
+    float *albedo_buffer[3], *specular_buffer[3], *strength_buffer[1];
+    const float *albedo[3], *specular[3], *strength = NULL, *const * factor, *result[3];
+    int c, i;
+    int solid_first = job->solid_first[y] > x ? job->solid_first[y] - x : 0;
+    int solid_last = job->solid_last[y] < x + count ? job->solid_last[y] - x : count;
+    for (c = 0; c < 3; ++c) {
+        result[c] = blur[c];
+        albedo_buffer[c] = ms_sss__buffer(job, task, 9 + c);
+        specular_buffer[c] = ms_sss__buffer(job, task, 13 + c);
+    }
+    if (own && !job->whole[y]) {
+        strength_buffer[0] = ms_sss__buffer(job, task, 12);
+        ms_sss__load(job->simd, &f->strength, 1, f->width, y, x, count, strength_buffer, &strength);
+    }
+    for (c = 0; c < 3 && own; ++c)
+        job->simd->fade(&job->pass, strength, job->gain, depth ? depth : job->fresh + x, own[c], count, blur[c]);
+    if (f->through.channel[0]) {
+        ms_sss__load(job->simd, &f->through, 3, f->width, y, x, count, specular_buffer, specular);
+        for (c = 0; c < 3; ++c)
+            for (i = 0; i < count; ++i)
+                if (specular[c][i] > blur[c][i]) blur[c][i] = specular[c][i];
+    }
+    factor = ms_sss__albedo(job, 1, y, x, count, albedo_buffer, albedo);
+    for (c = 0; factor && c < 3; ++c)
+        for (i = 0; i < count; ++i) blur[c][i] *= factor[c][i];
+    if (f->specular.channel[0]) {
+        ms_sss__load(job->simd, &f->specular, 3, f->width, y, x, count, specular_buffer, specular);
+        for (c = 0; c < 3; ++c) job->simd->combine(1.0f, blur[c], 1.0f, specular[c], count, blur[c]);
+    }
+    if (solid_first >= solid_last) solid_first = solid_last = count;
+    if (depth) ms_sss__store(job->simd, &f->output, f->width, y, x, 0, solid_first, result, depth);
+    ms_sss__store(job->simd, &f->output, f->width, y, x, solid_first, solid_last, result, NULL);
+    if (depth) ms_sss__store(job->simd, &f->output, f->width, y, x, solid_last, count, result, depth);
+}
+
+/* The rest for columns [x, x + count) of row y once blur holds the term's second pass: adds up the terms and delta E
+   and composes. */
+static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3],
+                           const float *depth)
+{
+    const ms_sss_frame *f = &job->frame;
+    const ms_sss_kernel *k = job->kernel;
+    float *in_buffer[3], *own_buffer[3], *albedo_buffer[3];
+    const float *in[3], *albedo[3], *const *factor;
+    const int last_term = job->term + 1 == k->term_count;
+    int c, i, need_own = job->gain < 1.0f || !job->whole[y];
+    for (c = 0; c < 3; ++c) {
+        const float scale = k->scale[job->term][c];
+        float *sum = k->term_count > 1 ? job->sum[c] + (ptrdiff_t)y * job->stride + x : blur[c];
+        in_buffer[c] = ms_sss__buffer(job, task, 3 + c);
+        own_buffer[c] = ms_sss__buffer(job, task, 6 + c);
+        albedo_buffer[c] = ms_sss__buffer(job, task, 9 + c);
+        if (job->term > 0) job->simd->combine(scale, blur[c], 1.0f, sum, count, last_term ? blur[c] : sum);
+        else if (!last_term || ms_sss__differ(scale, 1.0f))
+            job->simd->combine(scale, blur[c], 0.0f, blur[c], count, sum);
+        if (ms_sss__differ(k->delta[c], 0.0f) || ms_sss__differ(scale, 1.0f) ||
+            ms_sss__differ(job->pass.total[c], 1.0f))
+            need_own = 1;
+    }
+    if (!last_term) return;
+    if (need_own) {
+        ms_sss__load(job->simd, &f->input, 3, f->width, y, x, count, in_buffer, in);
+        factor = ms_sss__albedo(job, 0, y, x, count, albedo_buffer, albedo);
+        for (c = 0; c < 3; ++c) {
+            if (factor) {
+                for (i = 0; i < count; ++i) own_buffer[c][i] = in[c][i] * factor[c][i];
+                in[c] = own_buffer[c];
+            }
+            if (ms_sss__differ(k->delta[c], 0.0f))
+                job->simd->combine(k->delta[c], in[c], 1.0f, blur[c], count, blur[c]);
+        }
+    }
+    ms_sss__compose(job, task, y, x, count, blur, need_own ? in : NULL, depth);
+}
+
+/* The least depth in a band of rows. */
+static void ms_sss__least_band(void *context, int task)
+{
+    ms_sss__job *job = (ms_sss__job *)context;
+    const int begin = job->begin + task * job->band, width = job->frame.width;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    float *buffer[1], least = MS_SSS__AWAY;
+    const float *depth;
+    int y;
+    buffer[0] = ms_sss__buffer(job, task, 0);
+    for (y = begin; y < end; ++y) {
+        float row;
+        ms_sss__load(job->simd, &job->frame.depth, 1, width, y, 0, width, buffer, &depth);
+        row = job->simd->least(depth, width);
+        if (row < least) least = row;
+    }
+    job->least[task] = least;
+}
+
+/* One pass for rows [begin, end), cut into bands by the picture alone. */
+static void ms_sss__run(ms_sss__job *job, int begin, int end, void (*pass)(void *context, int task))
+{
+    const int rows = (end - begin + MS_SSS__TASKS - 1) / MS_SSS__TASKS;
+    if (begin >= end) return;
+    job->begin = begin;
+    job->end = end;
+    job->band = rows < 8 ? 8 : rows;
+    ms_sss__run_parallel(&job->options.parallel, (end - begin + job->band - 1) / job->band, pass, job);
+}
+
+static void ms_sss__find_nearest(ms_sss__job *job)
+{
+    int i;
+    if (job->nearest > 0) return;
+    for (i = 0; i < (int)MS_SSS__TASKS; ++i) job->least[i] = MS_SSS__AWAY;
+    ms_sss__run(job, 0, job->frame.height, ms_sss__least_band);
+    job->nearest = MS_SSS__AWAY;
+    for (i = 0; i < (int)MS_SSS__TASKS; ++i)
+        if (job->least[i] < job->nearest) job->nearest = job->least[i];
+}
+
+/* --- the passes: admit, first, second, compose --- */
+
+/* Floats of a row in the ring: two cache lines more than it holds, so that rows side by side do not fall on the same
+   few sets of the cache. */
+static ptrdiff_t ms_sss__ring_row(int padded) { return 4 * (ptrdiff_t)padded + 32; }
+
+/* Rows of a band between which nothing has to stay for its neighbours lie in a ring of this many. */
+static int ms_sss__ring_rows(const ms_sss__sweep *s) { return 2 * s->reach + MS_SSS__STEP; }
+
+/* Where row y of a band that begins at `begin` is kept: rows that the band above needs have their own place; those that
+   the band below needs are the last in the ring. */
+static int ms_sss__slot(const ms_sss__sweep *s, int begin, int y)
+{
+    const int low = begin ? begin + 2 * s->reach : 0;
+    return 1 + (y < low ? y : low + (y - low) % ms_sss__ring_rows(s));
+}
+
+/* First row of a part of the picture. */
+static int ms_sss__part(const ms_sss__sweep *s, int part)
+{
+    return (int)((ptrdiff_t)part * s->job->frame.height / s->parts);
+}
+
+/* Takes the part at which a task begins a band: half-way into the longest run of free ones, so that whoever comes from
+   above finds as much to do; -1: none is left. Who makes a row changes nothing but where it is kept. */
+static int ms_sss__begin_band(ms_sss__sweep *s, int task)
+{
+#ifdef MS_SSS__TAKE
+    (void)task;
+    for (;;) {
+        int i, run = 0, most = 0, part = -1;
+        for (i = 0; i <= s->parts; ++i, ++run) {
+            if (i < s->parts && !MS_SSS__TAKEN(&s->taken[i])) continue;
+            if (run > most) {
+                most = run;
+                part = i > run ? i - (run + 1) / 2 : 0;
+            }
+            run = -1;
+        }
+        if (part < 0 || !MS_SSS__TAKE(&s->taken[part])) return part;
+    }
+#else
+    return s->taken[task]++ ? -1 : 2 * task;
+#endif
+}
+
+/* Whether a band goes on with this part. */
+static int ms_sss__go_on(ms_sss__sweep *s, int part)
+{
+#ifdef MS_SSS__TAKE
+    return part < s->parts && !MS_SSS__TAKE(&s->taken[part]);
+#else
+    return part < s->parts && part % 2;
+#endif
+}
+
+/* Fixed taps along x for columns [begin, end) of a prepared row; a border's columns 16 at a time. */
+static void ms_sss__fixed_x(const ms_sss__job *job, float *const in[4], int begin, int end, float *const out[3])
+{
+    const ms_sss__fixed *f = &job->taps[0];
+    ptrdiff_t at[MS_SSS__FIXED_MAX];
+    const float *from[MS_SSS__FIXED_MAX], *own[3];
+    float *to[3];
+    int tap[MS_SSS__FIXED_MAX], c, j, taps = 0;
+    for (j = 0; j < f->count; ++j) {
+        if (end + f->offset[j] <= 0 || begin + f->offset[j] >= job->frame.width) continue;
+        at[taps] = f->offset[j];
+        from[taps] = in[3] + begin + f->offset[j];
+        tap[taps++] = j;
+    }
+    for (c = 0; c < 3; ++c) {
+        own[c] = in[c] + begin;
+        to[c] = out[c] + begin;
+    }
+    job->simd->convolve_valid(f, own, at, from, tap, taps, end - begin, in[3] + begin, to);
+}
+
+/* The first pass of row y by fixed taps: at once where every tap counts. The ring's rows are planes. */
+static MS_SSS__APART void ms_sss__fixed_first(const ms_sss__sweep *s, int y, float *const in[4])
+{
+    const ms_sss__job *job = s->job;
+    const ms_sss__fixed *f = &job->taps[0];
+    const int first = job->first[y], last = job->last[y];
+    float *out[4];
+    int x, c, j, a, b; /* [a, b): all taps are inside and take part */
+    for (c = 0; c < 4; ++c) out[c] = s->ring + s->row[y] + c * s->padded;
+    if (!ms_sss__solid(job, y, first, last))
+        memcpy(out[3] + first, in[3] + first, (size_t)(last - first) * sizeof(float));
+    a = ms_sss__round_up(job->solid_first[y] - f->lowest, 16);
+    b = ((job->solid_last[y] < job->frame.width ? job->solid_last[y] : job->frame.width) - f->highest) / 16 * 16;
+    if (a >= b) a = b = last;
+    for (x = first; x < a; x += 16) ms_sss__fixed_x(job, in, x, x + 16, out);
+    if (a < b) {
+        ptrdiff_t at[MS_SSS__FIXED_MAX];
+        for (j = 0; j < f->count; ++j) at[j] = f->offset[j];
+        for (c = 0; c < 3; ++c) job->simd->convolve(in[c] + a, at, f->weight[c], f->count, b - a, out[c] + a);
+    }
+    for (x = b; x < last; x += 16) ms_sss__fixed_x(job, in, x, x + 16, out);
+}
+
+/* Fixed taps along y for columns [x, x + count) of row y, of which not all taps need to be inside or take part. */
+static void ms_sss__fixed_y(const ms_sss__sweep *s, int y, int x, int count, float *const out[3])
+{
+    const ms_sss__job *job = s->job;
+    const ms_sss__fixed *f = &job->taps[1];
+    const float *own_row = s->ring + s->row[y] + x;
+    ptrdiff_t at[MS_SSS__FIXED_MAX];
+    const float *from[MS_SSS__FIXED_MAX], *own[3], *own_depth = own_row + 3 * s->padded;
+    int tap[MS_SSS__FIXED_MAX], c, j, taps = 0;
+    if (ms_sss__solid(job, y, x, x + count)) own_depth = job->fresh;
+    for (j = 0; j < f->count; ++j) {
+        const int row = y + f->offset[j];
+        if (row < 0 || row >= job->frame.height || x < job->first[row] || x >= job->last[row]) continue;
+        at[taps] = s->row[row] - s->row[y];
+        from[taps] = ms_sss__solid(job, row, x, x + count) ? job->fresh : s->ring + s->row[row] + 3 * s->padded + x;
+        tap[taps++] = j;
+    }
+    for (c = 0; c < 3; ++c) own[c] = own_row + c * s->padded;
+    job->simd->convolve_valid(f, own, at, from, tap, taps, count, own_depth, out);
+}
+
+/* The second pass of row y by fixed taps: at once where every tap counts, else by blocks. */
+static MS_SSS__APART void ms_sss__fixed_second(const ms_sss__sweep *s, int y, float *const out[3])
+{
+    const ms_sss__job *job = s->job;
+    const ms_sss__fixed *f = &job->taps[1];
+    int a = job->first[y], b = job->last[y], j, c, x; /* [a, b): every tap counts */
+    if (y + f->lowest < 0 || y + f->highest >= job->frame.height) b = a;
+    for (j = 0; j < f->count && a < b; ++j) {
+        const int row = y + f->offset[j];
+        if (job->solid_first[row] > a) a = job->solid_first[row];
+        if (job->solid_last[row] < b) b = job->solid_last[row];
+    }
+    a = ms_sss__round_up(a, 16);
+    b -= b % 16;
+    if (a >= b) a = b = job->last[y];
+    for (x = job->first[y]; x < job->last[y];) {
+        float *to[3];
+        int end = (x / job->block + 1) * job->block;
+        if (x == a) {
+            x = b;
+            continue;
+        }
+        if (x < a && end > a) end = a;
+        for (c = 0; c < 3; ++c) to[c] = out[c] + x;
+        ms_sss__fixed_y(s, y, x, end - x, to);
+        x = end;
+    }
+    if (a < b) {
+        ptrdiff_t at[MS_SSS__FIXED_MAX];
+        const float *from = s->ring + s->row[y] + a;
+        for (j = 0; j < f->count; ++j) at[j] = s->row[y + f->offset[j]] - s->row[y];
+        for (c = 0; c < 3; ++c)
+            job->simd->convolve(from + c * s->padded, at, f->weight[c], f->count, b - a, out[c] + a);
+    }
+}
+
+/* Second pass, composition and output of rows [begin, end), at most STEP. */
+static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
+{
+    const ms_sss__job *job = s->job;
+    const ms_sss_image *image = &job->frame.output;
+    ms_sss__line line[MS_SSS__STEP];
+    int direct[MS_SSS__STEP], y, c, x, i, from = job->padded, to = 0;
+    memset(line, 0, sizeof line);
+    for (y = begin; y < end; ++y) {
+        const int first = job->first[y], last = job->last[y];
+        ms_sss__line *l = &line[y - begin];
+        if (first == last) continue;
+        l->axis = 1;
+        l->at = y;
+        l->count = job->frame.height;
+        l->first = first;
+        l->last = last;
+        l->from = s->ring;
+        l->step = s->row + y;
+        l->group = 4 * s->lanes;
+        l->plane = l->to_group = s->lanes;
+        l->plan = s->plan + s->slot[y] * s->plan_row;
+        direct[y - begin] = job->direct && job->whole[y] && last <= job->frame.width &&
+            ms_sss__solid(job, y, first, last);
+        for (c = 0; c < 3; ++c) {
+            l->own[c] = s->own + ((ptrdiff_t)s->slot[y] * 3 + c) * s->padded;
+            l->to[c] = ms_sss__buffer(job, task, 17 + 3 * (y - begin) + c);
+        }
+        from = first < from ? first : from;
+        to = last > to ? last : to;
+        if (job->fixed) ms_sss__fixed_second(s, y, l->to);
+    }
+    if (!job->fixed) job->simd->sweep[s->shaped](s, &job->pass, line, end - begin, from, to);
+    for (y = begin; y < end; ++y) {
+        const int first = job->first[y], last = job->last[y];
+        const float *own = s->ring + s->row[y];
+        float *blur[3], *depth = ms_sss__buffer(job, task, 41);
+        const ms_sss__line *l = &line[y - begin];
+        if (first < last && !direct[y - begin]) {
+            for (x = first; x < last && !job->fixed; x += s->lanes)
+                for (i = 0; i < s->lanes; ++i) {
+                    const float z = own[4 * x + 3 * s->lanes + i];
+                    depth[x + i] = z < MS_SSS__AWAY / 2 ? z : INFINITY;
+                }
+            if (job->fixed) memcpy(depth + first, own + 3 * s->padded + first, (size_t)(last - first) * sizeof(float));
+            for (c = 0; c < 3; ++c) blur[c] = l->to[c] + first;
+            ms_sss__finish(job, task, y, first, last - first, blur, depth + first);
+        }
+        if (first < last && direct[y - begin])
+            for (c = 0; c < 3; ++c)
+                job->simd->deliver(l->to[c] + first, last - first,
+                                   (float *)image->channel[c] + y * image->row_stride + first);
+        ms_sss__copy_row(job, y, depth);
+    }
+}
+
+/* What stands for row y in an array by rows; by its address, since a pointer may not lie before what it points into. */
+static int *ms_sss__by_row(int *at, int y) { return (int *)((uintptr_t)at - (uintptr_t)y * sizeof *at); }
+
+/* Row y as the first pass reads it, into the window; rows of other bands are read for their depths only. */
+static void ms_sss__window_row(const ms_sss__sweep *s, int task, int y, int foreign, float *const plane[4])
+{
+    ms_sss__job other = *s->job;
+    int info[5], x;
+    if (y < 0 || y >= other.frame.height) {
+        for (x = 0; x < s->padded; ++x) plane[3][x] = MS_SSS__AWAY;
+        return;
+    }
+    other.unwritten = 0;
+    if (foreign) {
+        other.first = ms_sss__by_row(info, y);
+        other.last = ms_sss__by_row(info + 1, y);
+        other.solid_first = ms_sss__by_row(info + 2, y);
+        other.solid_last = ms_sss__by_row(info + 3, y);
+        other.whole = ms_sss__by_row(info + 4, y);
+    }
+    ms_sss__prepare(&other, y, task, plane, plane[3]);
+    if (other.fixed) return;
+    x = ms_sss__solid(&other, y, 0, s->padded) ? other.frame.width / 16 * 16 : 0; /* before it nothing is INFINITY */
+    other.simd->limit(plane[3] - MS_SSS__LEFT, MS_SSS__LEFT);
+    other.simd->limit(plane[3] + x, s->padded - x + MS_SSS__RIGHT);
+}
+
+/* Slopes of row y from the depths of five rows, or from normals. */
+static void ms_sss__slopes(const ms_sss__job *job, int task, int y, const float *const depth[5], float *const slope[2])
+{
+    const int first = job->first[y], last = job->last[y];
+    const float *normal[3];
+    float *buffer[3];
+    int c;
+    if (job->frame.normal.channel[0]) {
+        for (c = 0; c < 3; ++c) buffer[c] = ms_sss__buffer(job, task, c);
+        ms_sss__load(job->simd, &job->frame.normal, 3, job->frame.width, y, first, last - first, buffer, normal);
+        for (c = 0; c < 3; ++c) normal[c] -= first;
+    }
+    job->simd->slopes(&job->pass, depth, job->frame.normal.channel[0] ? normal : NULL, y, first, last, slope);
+}
+
+/* The first pass of row y, whose window of rows is filled, into the ring. */
+static void ms_sss__first(const ms_sss__sweep *s, int task, int y, float *const plane[5][4], float *const temp[5])
+{
+    const ms_sss__job *job = s->job;
+    const ms_sss__pass *p = &job->pass;
+    const int first = job->first[y], last = job->last[y], slot = s->slot[y];
+    float *const *mine = plane[y % s->rows], *row = s->ring + s->row[y], *own[3];
+    int *held = s->held + 2 * slot, c, x;
+    unsigned char *plan = s->plan + slot * s->plan_row;
+    ms_sss__line l;
+    if (job->fixed) {
+        ms_sss__fixed_first(s, y, mine);
+        return;
+    }
+    memset(&l, 0, sizeof l);
+    for (x = held[0]; x < held[1]; x += s->lanes) /* what the row before left there */
+        if (x < first || x >= last)
+            for (c = 0; c < 4 * s->lanes; ++c) row[4 * x + c] = c < 3 * s->lanes ? 0.0f : MS_SSS__AWAY;
+    held[0] = first;
+    held[1] = last;
+    if (s->shaped) {
+        const float *depth[5];
+        float *tangent[6];
+        for (c = 0; c < 5; ++c) depth[c] = plane[(y + 3 + c) % 5][3];
+        for (c = 0; c < 3; ++c) own[c] = s->own + ((ptrdiff_t)slot * 3 + c) * s->padded;
+        ms_sss__slopes(job, task, y, depth, temp);
+        for (c = 0; c < 3; ++c) {
+            tangent[c] = temp[2 + c];
+            tangent[3 + c] = own[c];
+        }
+        job->simd->tangents(p, mine[3], (const float *const *)temp, y, first, last, tangent);
+    }
+    job->simd->plan(s, p, 1, mine[3], s->shaped ? own[0] : NULL, first, last, plan);
+    if (s->shaped || ms_sss__differ(p->aspect[0], p->aspect[1])) {
+        plan = s->plan + (job->frame.height + 1 + task) * s->plan_row;
+        job->simd->plan(s, p, 0, mine[3], s->shaped ? temp[2] : NULL, first, last, plan);
+    }
+    l.count = s->padded;
+    l.first = first;
+    l.last = last;
+    l.from = mine[0];
+    l.step = s->column;
+    l.group = s->lanes;
+    l.plane = mine[1] - mine[0];
+    l.to_group = 4 * s->lanes;
+    l.plan = plan;
+    for (c = 0; c < 3; ++c) {
+        l.own[c] = temp[2 + c];
+        l.to[c] = row + c * s->lanes;
+    }
+    job->simd->sweep[s->shaped](s, p, &l, 1, first, last);
+}
+
+/* Both passes of bands that this task takes; of the second, the rows that need no other band's. */
+static void ms_sss__sweep_band(void *context, int task)
+{
+    ms_sss__sweep *s = (ms_sss__sweep *)context;
+    const ms_sss__job *job = s->job;
+    const int height = job->frame.height, ahead = s->rows / 2;
+    float *plane[5][4], *temp[5];
+    int y, r, c, x, part;
+    while ((part = ms_sss__begin_band(s, task)) >= 0) {
+        const int begin = ms_sss__part(s, part);
+        int end = ms_sss__part(s, part + 1), done = part ? begin + s->reach : 0, admitted = begin - ahead;
+        float *at = s->window + task * s->window_size;
+        for (r = 0; r < s->rows; ++r)
+            for (c = 0; c < 4; ++c, at += s->window_row) {
+                for (x = 0; x < s->window_row; ++x) at[x] = c < 3 ? 0.0f : job->fixed ? INFINITY : MS_SSS__AWAY;
+                plane[r][c] = at + MS_SSS__MARGIN;
+            }
+        for (r = 0; r < 5; ++r, at += s->padded) temp[r] = at;
+        for (y = begin; y < end; ++y) {
+            int last;
+            if (y + 1 + ahead == end && ms_sss__go_on(s, part + 1)) end = ms_sss__part(s, ++part + 1);
+            for (; admitted <= y + ahead; ++admitted)
+                ms_sss__window_row(s, task, admitted, admitted < begin || admitted >= end,
+                                   plane[(admitted + s->rows) % s->rows]);
+            s->slot[y] = job->first[y] < job->last[y] ? ms_sss__slot(s, begin, y) : 0;
+            s->row[y] = (ptrdiff_t)s->slot[y] * ms_sss__ring_row(s->padded);
+            if (s->slot[y]) ms_sss__first(s, task, y, (float *const(*)[4])plane, temp);
+            last = end < height ? end - s->reach : height;
+            while (done < last && (y + 1 == end || y + 1 >= done + MS_SSS__STEP + s->reach)) {
+                const int stop = done + MS_SSS__STEP < last ? done + MS_SSS__STEP : last;
+                ms_sss__second(s, task, done, stop);
+                while (done < stop) s->done[done++] = 1;
+            }
+        }
+    }
+}
+
+/* The second pass of the rows next to other bands, STEP at a time: task by task in turn. */
+static void ms_sss__sweep_rest(void *context, int task)
+{
+    const ms_sss__sweep *s = (const ms_sss__sweep *)context;
+    int y, stop, turn = 0;
+    for (y = 0; y < s->job->frame.height; y = stop) {
+        for (stop = y; stop < s->job->frame.height && stop < y + MS_SSS__STEP && !s->done[stop]; ++stop) {}
+        if (stop == y) ++stop;
+        else if (turn++ % s->tasks == task) ms_sss__second(s, task, y, stop);
+    }
+}
+
+static void ms_sss__broadcast(float to[16], double value)
+{
+    int i;
+    for (i = 0; i < 16; ++i) to[i] = (float)value;
+}
+
+/* Pairs of taps that weigh the same, if the kernel consists of such and depth weighs them as usual; else 0. */
+static int ms_sss__pairs(ms_sss__sweep *s, const ms_sss__job *job)
+{
+    const ms_sss_kernel *k = job->kernel;
+    const ms_sss__pass *p = &job->pass;
+    const int pairs = k->tap_count / 2;
+    float inner = 0;
+    int i, c;
+    if (pairs > (s->shaped ? MS_SSS__TILTED_PAIRS : MS_SSS__PAIRS)) return 0;
+    s->plain = !(p->mixed[0] || p->mixed[1] || p->mixed[2]);
+    /* dz / (1 + remote dz^2) is at most half of 1 / sqrt(remote), which is the offset over that of upright; 1 + the
+       square of a ray's tangent is the most that facing adds */
+    s->may_clamp = !(
+        0.25 *
+            (1 +
+             (double)(p->tangent * p->tangent) *
+                 ((double)p->middle[0] * (double)p->middle[0] + (double)p->middle[1] * (double)p->middle[1])) <
+        0.999 * (double)p->slope_scale * (double)(p->least * p->least));
+    for (c = 0; c < 3; ++c) ms_sss__broadcast(s->weight[0][c], (double)p->weight[0][c]);
+    for (i = 0; i < pairs; ++i) {
+        const double x = (double)k->offset_mm[2 * i + 2];
+        if (!(fabs(x) > 1e-20) || ms_sss__differ(k->offset_mm[2 * i + 1], -k->offset_mm[2 * i + 2])) return 0;
+        for (c = 0; c < 3; ++c) {
+            if (ms_sss__differ(p->weight[2 * i + 1][c], p->weight[2 * i + 2][c])) return 0;
+            ms_sss__broadcast(s->weight[i + 1][c], (double)p->weight[2 * i + 1][c]);
+        }
+        for (c = 0; c < 2; ++c) ms_sss__broadcast(s->offset[c][i], fabs(x) * (double)p->aspect[c]);
+        ms_sss__broadcast(s->span[i], fabs(x));
+        ms_sss__broadcast(s->remote[i], (double)ms_sss__remote(p, (float)x));
+        if (s->remote[i][0] * (float)(x * x) < 0.999f * p->remote) s->may_clamp = 1;
+        ms_sss__broadcast(s->bulge[i], (double)ms_sss__bulge(p, (float)x, &inner));
+        for (c = 0; c < 3 && s->shaped; ++c) {
+            const double w = (double)s->weight[i + 1][c][0], root = sqrt(sqrt(fabs(w)));
+            if (!(w >= 0)) s->plain = 0;
+            ms_sss__broadcast(s->lift[i][c][0], root * (double)p->curve[c] / fabs(x));
+            ms_sss__broadcast(s->lift[i][c][1], root);
+        }
+    }
+    return pairs;
+}
+
+/* Rows that the second pass needs on either side, at most all. */
+static int ms_sss__reach(ms_sss__job *job)
+{
+    const ms_sss__pass *p = &job->pass;
+    double size = (double)p->size, farthest = 0, reach;
+    int i;
+    if (job->fixed) {
+        reach = -job->taps[1].lowest > job->taps[1].highest ? -job->taps[1].lowest : job->taps[1].highest;
+    } else {
+        for (i = 0; i < p->tap_count; ++i)
+            farthest = fabs((double)p->offset_mm[i]) > farthest ? fabs((double)p->offset_mm[i]) : farthest;
+        if (p->perspective) {
+            ms_sss__find_nearest(job);
+            size /= (double)(job->nearest * job->depth_scale);
+            if (size > (double)p->size_max) size = (double)p->size_max;
+        }
+        if (job->shaped) /* a plane that leans towards the ray is seen enlarged */
+            size *= sqrt(
+                1 +
+                (double)(p->tangent * p->tangent) *
+                    ((double)p->middle[0] * (double)p->middle[0] + (double)p->middle[1] * (double)p->middle[1]));
+        reach = size * farthest * (double)p->aspect[1] + 3;
+    }
+    return reach < job->frame.height ? (int)reach : job->frame.height;
+}
+
+/* Both passes of a term: the second follows the first, band by band. */
+static void ms_sss__both_passes(ms_sss__job *job)
+{
+    const int height = job->frame.height;
+    ms_sss__sweep *s = (ms_sss__sweep *)(void *)job->window;
+    int i, c;
+    memset(s, 0, sizeof *s);
+    s->job = job;
+    s->simple = 1;
+    for (c = 0; c < 3; ++c)
+        if (job->pass.mixed[c] || ms_sss__differ(job->pass.total[c], 1) || !(job->pass.weight[0][c] > 1e-20f))
+            s->simple = 0;
+    s->lanes = job->simd->lanes;
+    s->shaped = job->shaped && !job->fixed;
+    s->rows = s->shaped ? 5 : 1;
+    s->padded = job->padded;
+    if (!job->fixed) s->pairs = ms_sss__pairs(s, job);
+    s->reach = job->idle ? 0 : ms_sss__reach(job);
+    s->parts = job->options.parallel.run ? ms_sss__clamp(height / 16, 1, MS_SSS__PARTS) : 1;
+    s->tasks = (s->parts + 1) / 2;
+    s->plan_size = (s->pairs + 4) / 4 * 4;
+    s->plan_row = (ptrdiff_t)(s->padded / s->lanes) * s->plan_size;
+    s->window_row = s->padded + 2 * MS_SSS__MARGIN;
+    s->window_size = 20 * s->window_row + 5 * s->padded;
+    s->ring = job->planes;
+    s->own = s->ring + (height + 1) * ms_sss__ring_row(s->padded);
+    s->window = (float *)(void *)(s + 1);
+    s->row = (ptrdiff_t *)(void *)(s->window + MS_SSS__TASKS * s->window_size) + MS_SSS__MARGIN;
+    s->column = s->row + height + 2 * MS_SSS__MARGIN;
+    s->slot = (int *)(void *)(s->column + MS_SSS__MARGIN);
+    s->done = s->slot + height;
+    s->held = s->done + height;
+    s->plan = (unsigned char *)(s->held + 2 * (height + 1));
+
+    for (i = 0; i < s->padded; i += s->lanes) /* slot 0: what lies outside */
+        for (c = 0; c < 4 * s->lanes; ++c) s->ring[4 * i + c] = c >= 3 * s->lanes ? MS_SSS__AWAY : 0.0f;
+    for (i = -MS_SSS__MARGIN; i < height + MS_SSS__MARGIN; ++i) s->row[i] = 0;
+    for (i = -MS_SSS__MARGIN; i < MS_SSS__MARGIN; ++i) s->column[i] = i;
+    memset(s->done, 0, (size_t)height * sizeof(int));
+    for (i = 0; i <= height; ++i) {
+        s->held[2 * i] = 0;
+        s->held[2 * i + 1] = s->padded;
+    }
+    ms_sss__run_parallel(&job->options.parallel, s->tasks, ms_sss__sweep_band, s);
+    if (s->tasks > 1) ms_sss__run_parallel(&job->options.parallel, s->tasks, ms_sss__sweep_rest, s);
+}
+
+/* --- turned axes --- */
+
+/* Both passes read rows above and below: all rows are prepared first, then each pass makes all of them. */
+static void ms_sss__rotated_rows(void *context, int task)
+{
+    const ms_sss__job *job = (const ms_sss__job *)context;
+    const int begin = job->begin + task * job->band;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    int y, c;
+    for (y = begin; y < end; ++y) {
+        float *colour[3];
+        for (c = 0; c < 3; ++c) {
+            colour[c] = job->source[c] + y * job->stride;
+            ms_sss__clear(job, job->middle[c] + y * job->stride, 0.0f);
+        }
+        ms_sss__prepare(job, y, task, colour, job->depth + y * job->stride);
+    }
+}
+
+/* A pass of a band of rows, each pixel along its own axis. */
+static void ms_sss__rotated_pass(const ms_sss__job *job, int task, int second)
+{
+    const int begin = job->begin + task * job->band;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    const unsigned char plan = MS_SSS__ANY;
+    const ptrdiff_t still = 0;
+    ms_sss__rotation turn;
+    ms_sss__sweep s;
+    ms_sss__line l;
+    int y, c;
+    memset(&s, 0, sizeof s);
+    s.shaped = job->shaped;
+    turn.direction = job->direction;
+    turn.second = second;
+    turn.height = job->frame.height;
+    turn.stride = job->stride;
+    memset(&l, 0, sizeof l);
+    l.turn = &turn;
+    l.plan = &plan;
+    l.step = &still;
+    l.axis = 2;
+    l.count = job->frame.width;
+    l.group = l.to_group = job->simd->lanes;
+    l.plane = second ? job->middle[1] - job->middle[0] : job->source[1] - job->source[0];
+    for (y = begin; y < end; ++y) {
+        const int first = job->first[y], last = job->last[y];
+        const float *depth[5];
+        float *slope[2];
+        if (first == last) continue;
+        l.at = y;
+        l.first = first;
+        l.last = last;
+        l.from = (second ? job->middle[0] : job->source[0]) + y * job->stride;
+        for (c = 0; c < 5; ++c) depth[c] = job->depth + ms_sss__clamp(y + c - 2, -1, job->frame.height) * job->stride;
+        for (c = 0; c < 2; ++c) l.own[c] = slope[c] = ms_sss__buffer(job, task, 18 + c);
+        for (c = 0; c < 3; ++c) l.to[c] = second ? ms_sss__buffer(job, task, 21 + c) : job->middle[c] + y * job->stride;
+        if (job->shaped) ms_sss__slopes(job, task, y, depth, slope);
+        job->simd->sweep[0](&s, &job->pass, &l, 1, first, last);
+        for (c = 0; c < 3; ++c) l.to[c] += first;
+        if (second) ms_sss__finish(job, task, y, first, last - first, l.to, job->depth + y * job->stride + first);
+    }
+}
+
+static void ms_sss__rotated_first(void *context, int task)
+{
+    ms_sss__rotated_pass((const ms_sss__job *)context, task, 0);
+}
+static void ms_sss__rotated_second(void *context, int task)
+{
+    ms_sss__rotated_pass((const ms_sss__job *)context, task, 1);
+}
+
+/* --- one call --- */
+
+/* What the workspace holds: planes (a pyramid), rows alone, or what a kernel's passes need. */
+enum { MS_SSS__PLANES, MS_SSS__BARE, MS_SSS__PASSES };
+
+/* Floats of the parts of the workspace, in the order in which they lie there. */
+typedef struct ms_sss__layout {
+    int padded, block, planes;
+    size_t stride, plane, ring, sweep, total; /* sweep, total: bytes; SIZE_MAX: too many */
+} ms_sss__layout;
+
+/* Slopes count, if there is depth. */
+static int ms_sss__may_shape(const ms_sss_filter_options *o)
+{
+    return o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE;
+}
+
+static int ms_sss__rotates(const ms_sss_filter_options *o) { return ms_sss__differ(o->rotation, 0) || o->jitter > 0; }
+
+static MS_SSS__COLD ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
+                                                const ms_sss_filter_options *options, int kind)
+{
+    const size_t lanes = (size_t)ms_sss__pick(options->simd)->lanes, rows = (size_t)height;
+    ms_sss__layout l;
+    size_t floats;
+    int i, terms = 1, pairs = 0;
+    for (i = 0; i < kernel_count; ++i) {
+        if (kernels[i].term_count > terms) terms = kernels[i].term_count;
+        if (kernels[i].tap_count / 2 > pairs && kernels[i].tap_count / 2 <= MS_SSS__PAIRS)
+            pairs = kernels[i].tap_count / 2;
+    }
+    l.block = width < MS_SSS__BLOCK ? ms_sss__round_up(width, 16) : MS_SSS__BLOCK;
+    l.padded = ms_sss__round_up(width, l.block);
+    l.stride = (size_t)(MS_SSS__LEFT + l.padded + MS_SSS__RIGHT);
+    l.plane = ms__size_mul(l.stride, rows + 2); /* an empty row above and below */
+    l.planes = kind == MS_SSS__PLANES ? 3 : kind == MS_SSS__PASSES && ms_sss__rotates(options) ? 7 : 0;
+    l.ring = l.sweep = 0;
+    if (kind == MS_SSS__PASSES && !ms_sss__rotates(options)) {
+        l.ring = ms__size_mul(
+            rows + 1, (size_t)ms_sss__ring_row(l.padded) + (ms_sss__may_shape(options) ? 3 * (size_t)l.padded : 0));
+        l.sweep = ms__size_mul((rows + 1 + MS_SSS__TASKS) * (size_t)((pairs + 4) / 4 * 4), (size_t)l.padded / lanes);
+        l.sweep = ms__size_add(l.sweep,
+                               sizeof(float) * MS_SSS__TASKS * (25 * (size_t)l.padded + 40 * MS_SSS__MARGIN) +
+                                   (rows + 4 * MS_SSS__MARGIN) * sizeof(ptrdiff_t) + (4 * rows + 2) * sizeof(int) +
+                                   2 * sizeof(ms_sss__fixed) + sizeof(ms_sss__sweep));
+    }
+    if (kind == MS_SSS__PASSES && terms > 1) l.planes += 3;
+    floats = ms__size_add(l.ring, ms__size_mul(l.plane, (size_t)l.planes));
+    floats = ms__size_add(floats, ms__size_mul(l.stride, (size_t)MS_SSS__TASKS * MS_SSS__ROWS + 1));
+    l.total = ms__size_add(ms__size_mul(ms__size_add(floats, 5 * rows), sizeof(float)), ms__size_add(l.sweep, 256));
+    return l;
+}
+
+/* Tap sums of a term; those within rounding of 1 become 1 where delta adds nothing, so that what is left alone is left
+   alone to the bit. */
+static MS_SSS__COLD void ms_sss__totals(const ms_sss_kernel *k, int term, float total[3], int mixed[3])
+{
+    int c, i;
+    for (c = 0; c < 3; ++c) {
+        double sum = 0;
+        mixed[c] = 0;
+        for (i = 0; i < k->tap_count; ++i) {
+            sum += (double)k->weight[term][i][c];
+            if (k->weight[term][i][c] < 0) mixed[c] = 1;
+        }
+        total[c] = fabs(sum - 1) < 1e-5 && !ms_sss__differ(k->delta[c], 0) ? 1.0f : (float)sum;
+    }
+}
+
+/* Taps at `pixels` pixels a mm, each shared between the two whole offsets beside it. */
+static void ms_sss__fix(ms_sss__fixed *f, const ms_sss_kernel *k, int term, double pixels, int side)
+{
+    int i, j, c, half;
+    f->count = f->lowest = f->highest = 0;
+    ms_sss__totals(k, term, f->total, f->mixed);
+    for (i = k->tap_count - 1; i >= 0; --i) {
+        const double exact = (double)k->offset_mm[i] * pixels, nearest = floor(exact + 0.5);
+        const double t = fabs(exact - nearest) < 1e-4 ? nearest : exact, whole = floor(t);
+        for (half = 0; half < 2; ++half) {
+            const double share = half ? t - whole : 1 - (t - whole);
+            int offset;
+            if (share <= 0 || fabs(whole) > side) continue;
+            offset = (int)whole + half;
+            for (j = 0; j < f->count && f->offset[j] != offset; ++j) {}
+            if (j == f->count) {
+                f->offset[f->count++] = offset;
+                for (c = 0; c < 3; ++c) f->weight[c][j] = 0;
+                if (offset < f->lowest) f->lowest = offset;
+                if (offset > f->highest) f->highest = offset;
+            }
+            for (c = 0; c < 3; ++c) f->weight[c][j] += (float)(share * (double)k->weight[term][i][c]);
+        }
+    }
+}
+
+static int ms_sss__positive(float x) { return ms__finite_f(x) && x > 0; }
+
+static MS_SSS__COLD ms_status ms_sss__check_kernel(const ms_sss_kernel *k, int index, ms_error *error)
+{
+    int i, c, t;
+    if (k->tap_count < 1 || k->tap_count > MS_SSS_TAPS_MAX || k->tap_count % 2 == 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
+                        "kernel %d: tap_count %d is not an odd number from 1 to %d", index, k->tap_count,
+                        MS_SSS_TAPS_MAX);
+    if (k->term_count < 1 || k->term_count > MS_SSS_TERMS_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: term_count %d is not within 1 to %d",
+                        index, k->term_count, MS_SSS_TERMS_MAX);
+    if (!ms_sss__positive(k->radius_mm))
+        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: radius_mm %g is not positive", index,
+                        (double)k->radius_mm);
+    for (i = 0; i < k->tap_count; ++i) {
+        if (!ms__finite_f(k->offset_mm[i]) || (i == 0 && ms_sss__differ(k->offset_mm[0], 0)))
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
+                            "kernel %d: offset_mm[%d] is %g; entry 0 must be 0, all finite", index, i,
+                            (double)k->offset_mm[i]);
+        for (t = 0; t < k->term_count; ++t)
+            for (c = 0; c < 3; ++c)
+                if (!ms__finite_f(k->weight[t][i][c]) || !ms__finite_f(k->scale[t][c]) || !ms__finite_f(k->delta[c]))
+                    return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
+                                    "kernel %d: term %d, tap %d, channel %d is not finite", index, t, i, c);
+    }
+    return MS_OK;
+}
+
+/* Fills in the strides. */
+static MS_SSS__COLD ms_status ms_sss__check_image(ms_sss_image *image, const char *name, int channels, int needed,
+                                                  int width, int height, ms_error *error)
+{
+    const ptrdiff_t limit = PTRDIFF_MAX / 8;
+    int c;
+    if (!image->channel[0]) {
+        if (!needed) return MS_OK;
+        return MS_SSS__REFUSE(error, "%s: no pixels were given", name);
+    }
+    for (c = 1; c < channels; ++c)
+        if (!image->channel[c]) return MS_SSS__REFUSE(error, "%s: channel %d has no pixels", name, c);
+    if (image->half != 0 && image->half != 1)
+        return MS_SSS__REFUSE(error, "%s: half is %d, not 0 or 1", name, image->half);
+    if (image->pixel_stride == 0) image->pixel_stride = 1;
+    if (image->pixel_stride > limit / width || image->pixel_stride < -(limit / width))
+        return MS_SSS__REFUSE(error, "%s: pixel_stride is too large", name);
+    if (image->row_stride == 0) image->row_stride = image->pixel_stride * width;
+    if (image->row_stride > limit / height || image->row_stride < -(limit / height))
+        return MS_SSS__REFUSE(error, "%s: row_stride is too large", name);
+    return MS_OK;
+}
+
+static MS_SSS__COLD ms_status ms_sss__check_sides(int width, int height, ms_error *error)
+{
+    if (width >= 1 && height >= 1 && width <= MS_SSS__SIDE_MAX && height <= MS_SSS__SIDE_MAX) return MS_OK;
+    return MS_SSS__REFUSE(error, "width, height %d, %d: expected 1 to %d each", width, height, (int)MS_SSS__SIDE_MAX);
+}
+
+static MS_SSS__COLD ms_status ms_sss__check_lent(const void *workspace, size_t size, size_t needed, ms_error *error)
+{
+    if (workspace && size >= needed) return MS_OK;
+    return MS_SSS__REFUSE(error, "a workspace of %z bytes: expected %z", workspace ? size : 0, needed);
+}
+
+/* Fills in the strides. */
+static MS_SSS__COLD ms_status ms_sss__check_frame(ms_sss_frame *f, int needs_depth, ms_error *error)
+{
+    const int w = f->width, h = f->height;
+    ms_status status;
+    if ((status = ms_sss__check_image(&f->input, "input", 3, 1, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->output, "output", 3, 1, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->depth, "depth", 1, needs_depth, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->strength, "strength", 1, 0, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->albedo, "albedo", 3, 0, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->specular, "specular", 3, 0, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->normal, "normal", 3, 0, w, h, error)) != MS_OK ||
+        (status = ms_sss__check_image(&f->through, "through", 3, 0, w, h, error)) != MS_OK)
+        return status;
+    return MS_OK;
+}
+
+static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options *o, ms_error *error)
+{
+    static const char *const name[] = {"ortho_height", "mm_per_unit", "depth_sigma_mm"};
+    const float length[] = {o->ortho_height, o->mm_per_unit, o->depth_sigma_mm}, *a = o->pixels_per_mm;
+    const int sizes = ms_sss__differ(a[0], 0) + ms_sss__differ(o->fov_degrees, 0) + ms_sss__differ(o->ortho_height, 0);
+    ms_status status;
+    int i;
+    if (sizes != 1)
+        return MS_SSS__REFUSE(error, "%d of pixels_per_mm, fov_degrees and ortho_height are set; exactly one is needed",
+                              sizes);
+    if (ms_sss__differ(a[0], 0) && !(ms_sss__positive(a[0]) && a[1] >= 0 && ms__finite_f(a[1])))
+        return MS_SSS__REFUSE(error, "pixels_per_mm %g, %g: expected positive numbers", (double)a[0], (double)a[1]);
+    if (ms_sss__differ(o->fov_degrees, 0) && !(o->fov_degrees > 0 && o->fov_degrees < 180))
+        return MS_SSS__REFUSE(error, "fov_degrees %g is not within (0, 180)", (double)o->fov_degrees);
+    for (i = 0; i < 3; ++i)
+        if (ms_sss__differ(length[i], 0) && !ms_sss__positive(length[i]))
+            return MS_SSS__REFUSE(error, "%s %g is not positive", name[i], (double)length[i]);
+    if ((status = ms_sss__within((double)o->fade, "fade", 0, 1, error)) != MS_OK ||
+        (status = ms_sss__within((double)o->flat, "flat", 0, 1, error)) != MS_OK ||
+        (status = ms_sss__within((double)o->jitter, "jitter", 0, 1, error)) != MS_OK ||
+        (status = ms_sss__within((double)o->rotation, "rotation", -1e30, 1e30, error)) != MS_OK ||
+        (status = ms_sss__within(o->exact, "exact", 0, 1, error)) != MS_OK ||
+        (status = ms_sss__within((int)o->method, "method", 0, (int)MS_SSS_METHOD_PYRAMID, error)) != MS_OK ||
+        (status = ms_sss__within((int)o->depth_mode, "depth_mode", 0, (int)MS_SSS_DEPTH_SCALE, error)) != MS_OK)
+        return status;
+    return ms_sss__within((int)o->albedo_mode, "albedo_mode", 0, (int)MS_SSS_ALBEDO_BOTH, error);
+}
+
+/* Pixels a mm; in perspective at a depth of 1. */
+static double ms_sss__pixels(const ms_sss_filter_options *o, int height)
+{
+    const double mm = o->mm_per_unit > 0 ? (double)o->mm_per_unit : 1;
+    if (o->fov_degrees > 0) return height / (2 * tan((double)o->fov_degrees * (3.14159265358979323846 / 360)) * mm);
+    return o->ortho_height > 0 ? height / ((double)o->ortho_height * mm) : (double)o->pixels_per_mm[0];
+}
+
+/* What one kernel's passes share: pixels a mm, depth units, taps or fixed taps. */
+static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int profile)
+{
+    const ms_sss_filter_options *o = &job->options;
+    const int width = job->full_width, height = job->full_height;
+    const double side = (double)(width > height ? width : height) / (double)job->coarse, radius = (double)k->radius_mm;
+    const double mm = o->mm_per_unit > 0 ? (double)o->mm_per_unit : 1;
+    double size = ms_sss__pixels(o, height) / (double)job->coarse, widest;
+    double kappa = 1e-9; /* MS_SSS_DEPTH_SCALE: differences so small that they count as none */
+    ms_sss__pass *p = &job->pass;
+    int c;
+    job->kernel = k;
+    job->profile = profile;
+    p->aspect[0] = 1.0f;
+    p->aspect[1] = o->pixels_per_mm[0] > 0 && o->pixels_per_mm[1] > 0 ? o->pixels_per_mm[1] / o->pixels_per_mm[0]
+                                                                      : 1.0f;
+    p->perspective = o->fov_degrees > 0;
+    p->apart = 1.0f;
+    if (o->depth_mode == MS_SSS_DEPTH_AWARE) {
+        const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : radius;
+        const double upright = job->shaped ? 1 - (double)o->flat : 0;
+        const double sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : (0.12 + 0.13 * upright) * extent;
+        double end = MS_SSS__FALLOFF_END * sigma, unit, apart;
+        if (!job->shaped && radius < end) end = radius;
+        apart = end;
+        if (job->shaped && !(o->depth_sigma_mm > 0)) end = (0.37 + 1.13 * upright) * extent;
+        unit = 1 / end;
+        kappa = mm * unit;
+        p->reach = (float)(radius * unit * radius * unit);
+        p->unit = (float)(1 / unit);
+        p->apart = (float)(apart * unit);
+        p->remote = (float)(upright / (unit * unit));
+    }
+    job->depth_scale = (float)kappa;
+    widest = (double)(p->aspect[0] > p->aspect[1] ? p->aspect[0] : p->aspect[1]);
+    p->size_min = (float)(0.5 / (radius * widest));
+    p->size_max = (float)(side / radius);
+    job->idle = !p->perspective && size <= (double)p->size_min;
+    p->slope_scale = 1 - o->flat;
+    p->focal[0] = (float)(p->perspective ? size * mm : size * mm / kappa);
+    p->focal[1] = p->focal[0] * (o->pixels_per_mm[0] > 0 ? p->aspect[1] : 1.0f);
+    p->tangent = p->perspective ? 1 / p->focal[0] : 0;
+    p->middle[0] = 0.5f * (float)width / job->coarse;
+    p->middle[1] = 0.5f * (float)height / job->coarse;
+    p->least = -1;
+    p->rounding = job->rough ? 9.7668e-4f
+                             : 2.3841858e-7f; /* rounded once when given, once when scaled: 2^-11 or 2^-24, and 2^-24 */
+    for (c = 0; c < 3; ++c) {
+        p->curve[c] = k->elevation_axis[c] / 4 * p->slope_scale;
+        p->root[c] = k->reflectance[c] > 0 ? sqrtf(k->reflectance[c]) : 0;
+        if (p->curve[c] * p->least < -1) p->least = -1 / p->curve[c]; /* where 1 + K sin(theta) / 4 is 0 */
+    }
+    if (p->perspective) size *= kappa;
+    else if (size > (double)p->size_max) size = (double)p->size_max;
+    p->size = (float)size;
+    p->offset_mm = k->offset_mm;
+    p->tap_count = k->tap_count;
+}
+
+/* Whether filtered light is the output: nothing to mix or multiply, planar float. */
+static int ms_sss__plain(const ms_sss__job *job)
+{
+    const ms_sss_frame *f = &job->frame;
+    return !f->albedo.channel[0] && !f->specular.channel[0] && !f->through.channel[0] && !(job->gain < 1) &&
+        !f->output.half && f->output.pixel_stride == 1;
+}
+
+/* Whether the second pass is the last step of a pixel: besides, one term. */
+static int ms_sss__direct(const ms_sss__job *job)
+{
+    const ms_sss_kernel *k = job->kernel;
+    float total[3];
+    int mixed[3], c;
+    if (k->term_count > 1 || !ms_sss__plain(job)) return 0;
+    ms_sss__totals(k, 0, total, mixed);
+    for (c = 0; c < 3; ++c)
+        if (ms_sss__differ(k->delta[c], 0) || ms_sss__differ(k->scale[0][c], 1) || ms_sss__differ(total[c], 1))
+            return 0;
+    return 1;
+}
+
+static void ms_sss__set_term(ms_sss__job *job, int term)
+{
+    ms_sss__pass *p = &job->pass;
+    const int side = job->frame.width > job->frame.height ? job->frame.width : job->frame.height;
+    job->term = term;
+    p->weight = job->kernel->weight[term];
+    ms_sss__totals(job->kernel, term, p->total, p->mixed);
+    p->bulge = job->shaped && !p->mixed[0] && !p->mixed[1] && !p->mixed[2] ? sqrtf(0.5f * p->slope_scale) : 0;
+    if (job->fixed) {
+        ms_sss__fix(&job->taps[0], job->kernel, term, (double)p->size * (double)p->aspect[0], side);
+        ms_sss__fix(&job->taps[1], job->kernel, term, (double)p->size * (double)p->aspect[1], side);
+    }
+}
+
+MS_API ms_sss_filter_options ms_sss_filter_defaults(void)
+{
+    ms_sss_filter_options o;
+    memset(&o, 0, sizeof o);
+    return o;
+}
+
+static ms_sss_image ms_sss__view(const void *red, const void *green, const void *blue, int pixel_stride, int half)
+{
+    ms_sss_image image;
+    memset(&image, 0, sizeof image);
+    image.channel[0] = (void *)(uintptr_t)red;
+    image.channel[1] = (void *)(uintptr_t)green;
+    image.channel[2] = (void *)(uintptr_t)blue;
+    image.pixel_stride = pixel_stride;
+    image.half = half;
+    return image;
+}
+
+MS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int half)
+{
+    const char *p = (const char *)pixels;
+    const size_t size = half ? sizeof(uint16_t) : sizeof(float);
+    return ms_sss__view(p, p ? p + size : NULL, p ? p + 2 * size : NULL, channels, half);
+}
+
+MS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void *blue, int half)
+{
+    return ms_sss__view(red, green, blue, 0, half);
+}
+
+MS_API ms_sss_image ms_sss_map(const void *values, int step, int half)
+{
+    return ms_sss__view(values, NULL, NULL, step, half);
+}
+
+MS_API ms_sss_image ms_sss_flipped(ms_sss_image image, int width, int height)
+{
+    const ptrdiff_t row = image.row_stride ? image.row_stride : (image.pixel_stride ? image.pixel_stride : 1) * width;
+    const ptrdiff_t to_last = row * (height - 1) * (ptrdiff_t)(image.half ? sizeof(uint16_t) : sizeof(float));
+    int c;
+    for (c = 0; c < 3; ++c)
+        if (image.channel[c]) image.channel[c] = (char *)image.channel[c] + to_last;
+    image.row_stride = -row;
+    return image;
+}
+
+MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int height, const ms_sss_depth_buffer *how,
+                                     float *out, ms_error *error)
+{
+    ms_sss_image from;
+    ms_status status;
+    double near_plane, far_plane;
+    int x, y, endless;
+    if (!buffer || !how || !out) return MS_SSS__REFUSE(error, "buffer, how or out is NULL");
+    from = *buffer;
+    if ((status = ms_sss__check_sides(width, height, error)) != MS_OK ||
+        (status = ms_sss__check_image(&from, "buffer", 1, 1, width, height, error)) != MS_OK)
+        return status;
+    near_plane = (double)how->near_plane;
+    far_plane = (double)how->far_plane;
+    endless = !(far_plane > 0) || !ms__finite_f(how->far_plane);
+    if (!ms_sss__positive(how->near_plane) ||
+        (endless ? how->orthographic || far_plane < 0 || far_plane != far_plane : far_plane <= near_plane))
+        return MS_SSS__REFUSE(error, "near_plane %g, far_plane %g: expected 0 < near < far, or far 0 in perspective",
+                              near_plane, far_plane);
+    for (y = 0; y < height; ++y)
+        for (x = 0; x < width; ++x) {
+            const double d = (double)ms_sss__get(&from, 0, x, y),
+                         away = how->reversed ? d : 1 - d; /* 1 at the near plane, 0 at the far one */
+            double z = (double)INFINITY;
+            if (away > 0 && away <= 1)
+                z = how->orthographic ? far_plane - away * (far_plane - near_plane)
+                    : endless         ? near_plane / away
+                                      : near_plane * far_plane / (near_plane + away * (far_plane - near_plane));
+            out[(ptrdiff_t)y * width + x] = (float)z;
+        }
+    return MS_OK;
+}
+
+MS_API float ms_sss_fov_along_y(float fov_degrees_along_x, int width, int height)
+{
+    const double degree = 3.14159265358979323846 / 180;
+    if (width < 1 || height < 1 || !(fov_degrees_along_x > 0 && fov_degrees_along_x < 180)) return 0;
+    return (float)(2 * atan(tan((double)fov_degrees_along_x * degree / 2) * height / width) / degree);
+}
+
+/* Refuses a scene that is likelier in other units than millimetres: mm_per_unit was not given, and the smallest kernel
+   covers half of the picture, as the mean over up to 64 x 64 pixels. */
+static MS_SSS__COLD ms_status ms_sss__check_scale(const ms_sss_frame *f, const ms_sss_filter_options *o,
+                                                  double radius_mm, ms_error *error)
+{
+    const int side = f->width > f->height ? f->width : f->height, step_x = (f->width + 63) / 64,
+              step_y = (f->height + 63) / 64;
+    const double size = radius_mm * ms_sss__pixels(o, f->height);
+    double sum = o->fov_degrees > 0 ? 0 : size;
+    int x, y, n = !(o->fov_degrees > 0);
+    if (o->mm_per_unit > 0 || o->pixels_per_mm[0] > 0) return MS_OK;
+    for (y = step_y / 2; y < f->height && o->fov_degrees > 0; y += step_y)
+        for (x = step_x / 2; x < f->width; x += step_x) {
+            const float z = ms_sss__get(&f->depth, 0, x, y);
+            if (!ms_sss__positive(z)) continue;
+            sum += size / (double)z < side ? size / (double)z : side;
+            ++n;
+        }
+    if (!(sum > 0.5 * side * n)) return MS_OK;
+    return MS_SSS__REFUSE(error,
+                          "a radius of %g mm covers half of the picture: mm_per_unit is needed, "
+                          "1000 for a scene in metres, 1 if it is in mm",
+                          radius_mm);
+}
+
+/* The empty rows above and below the planes, of which the fourth is depth. */
+static void ms_sss__clear_around(ms_sss__job *job)
+{
+    const ptrdiff_t plane = job->stride * (job->frame.height + 2);
+    int i;
+    for (i = 0; i < job->plane_count; ++i) {
+        float *top = job->planes + MS_SSS__LEFT + i * plane;
+        ms_sss__clear(job, top, i == 3 ? INFINITY : 0.0f);
+        ms_sss__clear(job, top + plane - job->stride, i == 3 ? INFINITY : 0.0f);
+    }
+}
+
+/* Checks everything and lays the workspace out; *end: the first float behind it. */
+static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels,
+                                            int kernel_count, const ms_sss_filter_options *options, void *workspace,
+                                            size_t workspace_size, size_t needed, int kind, float **end,
+                                            ms_error *error)
+{
+    const int w = frame->width, h = frame->height;
+    ms_sss__layout layout;
+    ms_sss_frame *f = &job->frame;
+    ms_status status;
+    float *at;
+    int i, c;
+    if ((status = ms_sss__check_sides(w, h, error)) != MS_OK) return status;
+    if (kernel_count < 1 || kernel_count > 256)
+        return MS_SSS__REFUSE(error, "kernel_count %d is not within 1 to 256", kernel_count);
+    for (i = 0; i < kernel_count; ++i)
+        if ((status = ms_sss__check_kernel(&kernels[i], i, error)) != MS_OK) return status;
+    if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
+    memset(job, 0, sizeof *job);
+    *f = *frame;
+    job->options = *options;
+    for (i = 1, c = 0; i < kernel_count; ++i)
+        if (kernels[i].radius_mm < kernels[c].radius_mm) c = i;
+    if ((status = ms_sss__check_frame(f, options->fov_degrees > 0, error)) != MS_OK ||
+        (status = ms_sss__check_lent(workspace, workspace_size, needed, error)) != MS_OK ||
+        (status = ms_sss__check_scale(f, options, (double)kernels[c].radius_mm, error)) != MS_OK)
+        return status;
+
+    layout = ms_sss__plan(w, h, kernels, kernel_count, options, kind);
+    job->simd = ms_sss__pick(options->simd);
+    job->kernel_count = kernel_count;
+    job->block = layout.block;
+    job->padded = layout.padded;
+    job->stride = (ptrdiff_t)layout.stride;
+    job->full_width = w;
+    job->full_height = h;
+    job->coarse = 1;
+    job->rough = f->depth.half;
+    job->gain = 1.0f - options->fade;
+    job->turned = ms_sss__rotates(options);
+    job->shaped = f->depth.channel[0] != NULL && ms_sss__may_shape(options);
+    job->whole_first = job->turned;
+    job->raw = !f->albedo.channel[0] && !f->specular.channel[0] && f->input.half == f->output.half;
+    job->unwritten = !job->raw || f->input.pixel_stride != f->output.pixel_stride ||
+        f->input.row_stride != f->output.row_stride;
+    for (c = 0; c < 3; ++c)
+        if (f->input.channel[c] != f->output.channel[c]) job->unwritten = 1;
+
+    job->planes = at = (float *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
+    at += layout.ring;
+    job->plane_count = layout.ring ? 0 : layout.planes;
+    for (i = 0; i < layout.planes; ++i) {
+        float *plane = at + layout.stride + MS_SSS__LEFT;
+        if (i >= layout.planes - 3) job->sum[i - layout.planes + 3] = plane;
+        if (i < 3) job->middle[i] = plane;
+        else if (i == 3) job->depth = plane;
+        else if (i < 7) job->source[6 - i] = plane; /* so that depth is three planes behind red there, too */
+        at += layout.plane;
+    }
+    ms_sss__clear_around(job);
+    job->fresh = at + MS_SSS__LEFT;
+    ms_sss__clear(job, job->fresh, INFINITY);
+    for (i = 0; i < w; ++i) job->fresh[i] = 0.0f;
+    at += layout.stride;
+    job->rows = at;
+    at += layout.stride * MS_SSS__TASKS * MS_SSS__ROWS;
+    job->first = (int *)at;
+    job->last = job->first + h;
+    job->solid_first = job->last + h;
+    job->solid_last = job->solid_first + h;
+    job->whole = job->solid_last + h;
+    job->taps = (ms_sss__fixed *)(void *)(job->whole + h);
+    job->window = (float *)(((uintptr_t)(kind == MS_SSS__PASSES ? (void *)(job->taps + 2) : (void *)job->taps) + 63) &
+                            ~(uintptr_t)63);
+    *end = job->window;
+    for (i = 0; i < 64; ++i) {
+        const double angle = (double)options->rotation + (double)options->jitter * (i + 0.5) / 64 * 1.57079632679489662;
+        job->direction[i][0] = (float)cos(angle);
+        job->direction[i][1] = (float)sin(angle);
+    }
+    return MS_OK;
+}
+
+/* All terms of a kernel, on the pixels of a profile. */
+static void ms_sss__apply(ms_sss__job *job, const ms_sss_kernel *kernel, int profile)
+{
+    int term;
+    ms_sss__set_kernel(job, kernel, profile);
+    job->fixed = !job->turned && !job->pass.perspective &&
+        (!job->frame.depth.channel[0] || job->options.depth_mode == MS_SSS_DEPTH_SCALE);
+    job->direct = ms_sss__direct(job);
+    if (!(job->gain > 0)) job->idle = 1;
+    for (term = 0; term < (job->idle ? 1 : kernel->term_count); ++term) {
+        ms_sss__set_term(job, term);
+        if (!job->turned) {
+            ms_sss__both_passes(job);
+            continue;
+        }
+        if (term == 0) ms_sss__run(job, 0, job->frame.height, ms_sss__rotated_rows);
+        if (!job->idle) ms_sss__run(job, 0, job->frame.height, ms_sss__rotated_first);
+        if (!job->idle) ms_sss__run(job, 0, job->frame.height, ms_sss__rotated_second);
+    }
+}
+
+/* A kernel at full resolution. job: of which the picture's least depth is known, or not. */
+static ms_status ms_sss__taps_filter(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels,
+                                     int profile, int kernel_count, const ms_sss_filter_options *options,
+                                     void *workspace, size_t workspace_size, ms_error *error)
+{
+    const float nearest = job->nearest;
+    float *end;
+    ms_status status = ms_sss__begin(job, frame, kernels, kernel_count, options, workspace, workspace_size,
+                                     workspace_size, MS_SSS__PASSES, &end, error);
+    if (status != MS_OK) return status;
+    job->nearest = nearest;
+    ms_sss__apply(job, &kernels[profile], profile);
+    return MS_OK;
+}
+
+/* --- half resolution --- */
+
+enum { MS_SSS__HALF_PLANES = 8 }; /* light, result, depth, mask */
+
+typedef struct ms_sss__half {
+    ms_sss__job job; /* first: tasks get its address */
+    ms_sss__job inner;
+    ms_sss__halving halving;
+    float *light[3], *blur[3], *depth, *mask;
+    ptrdiff_t stride;
+    int plain, no_masks; /* rows of whole vectors whose light is the caller's; of which nothing but a colour or depth
+                        can keep a pixel from taking part */
+} ms_sss__half;
+
+static MS_SSS__COLD size_t ms_sss__half_plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
+                                             const ms_sss_filter_options *options)
+{
+    const int w = (width + 1) / 2, h = (height + 1) / 2;
+    const size_t planes = ms__size_mul((size_t)ms_sss__round_up(w, 16),
+                                       (size_t)h * MS_SSS__HALF_PLANES * sizeof(float));
+    return ms__size_add(
+        ms__size_add(ms_sss__plan(width, height, kernels, kernel_count, options, MS_SSS__BARE).total, planes),
+        ms__size_add(ms_sss__plan(w, h, kernels, kernel_count, options, MS_SSS__PASSES).total,
+                     sizeof(ms_sss__half) + 192));
+}
+
+/* Colour and depth of columns [first, last) of a row of the picture as they are. */
+static void ms_sss__half_rows(const ms_sss__job *job, int y, int first, int last, float *const buffer[4],
+                              const float *row[4])
+{
+    ms_sss__load(job->simd, &job->frame.input, 3, job->frame.width, y, first, last - first, buffer, row);
+    if (job->frame.depth.channel[0])
+        ms_sss__load(job->simd, &job->frame.depth, 1, job->frame.width, y, first, last - first, buffer + 3, row + 3);
+    else row[3] = job->fresh;
+}
+
+/* Whether all pixels of a row that take part are the longest run of them; if not, that is forgotten. */
+static int ms_sss__only_longest_run(const ms_sss__job *job, int y, const float *depth)
+{
+    int x, others = 0;
+    for (x = job->first[y]; x < job->solid_first[y]; ++x) others |= depth[x] < INFINITY;
+    for (x = job->solid_last[y]; x < job->last[y]; ++x) others |= depth[x] < INFINITY;
+    if (others) job->solid_first[y] = job->solid_last[y] = 0;
+    return !others;
+}
+
+/* The picture at half its size. Pixels that take no part are copied. */
+static void ms_sss__half_down(void *context, int task)
+{
+    const ms_sss__half *half = (const ms_sss__half *)context;
+    const ms_sss__job *job = &half->job;
+    const int begin = job->begin + task * job->band, width = job->frame.width, stride = (int)half->stride;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    float *row[2][4], *to[4];
+    const float *in[2][4];
+    int x, y, r, c;
+    for (r = 0; r < 8; ++r) {
+        row[r / 4][r % 4] = ms_sss__buffer(job, task, 10 + r);
+        ms_sss__clear(job, row[r / 4][r % 4], 0.0f);
+    }
+    for (y = begin; y < end; ++y) {
+        int all = half->no_masks && 2 * y + 1 < job->frame.height, first = stride,
+            last = 0; /* columns of the half that hold anything */
+        for (c = 0; c < 4; ++c) to[c] = (c < 3 ? half->light[c] : half->depth) + y * half->stride;
+        if (all) { /* as if all pixels took part */
+            for (r = 0; r < 2; ++r) ms_sss__half_rows(job, 2 * y + r, 0, width, row[r], in[r]);
+            all = job->simd->downsample(&half->halving, in[0], in[1], job->depth_scale, stride, to);
+        }
+        for (r = 0; r < 2; ++r) {
+            const int at = 2 * y + r;
+            if (all) {
+                job->first[at] = job->solid_first[at] = first = 0;
+                job->last[at] = job->solid_last[at] = width;
+                job->whole[at] = 1;
+                last = stride;
+            } else if (at < job->frame.height) {
+                ms_sss__prepare(job, at, task, row[r], row[r][3]);
+                ms_sss__only_longest_run(job, at, row[r][3]);
+                if (job->first[at] == job->last[at]) continue;
+                if (job->first[at] / 2 < first) first = job->first[at] / 2;
+                if (ms_sss__round_up(job->last[at] / 2, 16) > last) last = ms_sss__round_up(job->last[at] / 2, 16);
+            } else {
+                ms_sss__clear(job, row[r][3], INFINITY);
+            }
+        }
+        if (job->idle) continue;
+        if (first > last) first = last;
+        for (x = 0; x < first; ++x) to[3][x] = INFINITY;
+        for (x = last; x < stride; ++x) to[3][x] = INFINITY;
+        if (!all) {
+            for (r = 0; r < 2; ++r)
+                for (c = 0; c < 4; ++c) in[r][c] = row[r][c] + 2 * first;
+            for (c = 0; c < 4; ++c) to[c] += first;
+            job->simd->downsample(&half->halving, in[0], in[1], 1, last - first, to);
+        }
+        if (half->mask)
+            for (x = 0; x < stride; ++x)
+                half->mask[y * half->stride + x] = half->depth[y * half->stride + x] < INFINITY ? 1.0f : 0.0f;
+    }
+}
+
+/* The picture from its half. */
+static void ms_sss__half_up(void *context, int task)
+{
+    const ms_sss__half *half = (const ms_sss__half *)context;
+    ms_sss__job again = half->job; /* what takes no part is written already */
+    const ms_sss__job *inner = &half->inner;
+    const ms_sss_image *image = &again.frame.output;
+    const int begin = again.begin + task * again.band, fade = again.gain < 1;
+    const int end = begin + again.band < again.end ? begin + again.band : again.end;
+    float *own[4], *soft[2][4];
+    int have[2] = {-1, -1}, held[2][2] = {{0, 0}, {0, 0}}, y, r, c, x;
+    again.unwritten = 0;
+    for (c = 0; c < 4; ++c) {
+        own[c] = ms_sss__buffer(&again, task, 17 + c);
+        for (r = 0; r < 2; ++r) {
+            soft[r][c] = ms_sss__buffer(&again, task, 21 + 4 * r + c);
+            ms_sss__clear(&again, soft[r][c], c == 3 ? MS_SSS__AWAY : 0.0f);
+        }
+    }
+    for (y = begin; y < end; ++y) {
+        const float *beside[2][4], *coarse[2][4], *mine[4];
+        float *blur[3], *to[4];
+        const int first = again.first[y], last = again.last[y],
+                  run = half->plain && again.solid_first[y] < again.solid_last[y];
+        const int direct = again.direct && run && again.whole[y] && last <= again.frame.width &&
+            ms_sss__solid(&again, y, first, last);
+        if (first == last) continue;
+        if (run) {
+            ms_sss__half_rows(&again, y, first, last, own, mine);
+        } else {
+            ms_sss__prepare(&again, y, task, own, own[3]);
+            for (c = 0; c < 4; ++c) mine[c] = own[c] + first;
+        }
+        for (r = 0; r < 2; ++r) {
+            const int at = ms_sss__clamp((y + 1) / 2 - 1 + r, 0, inner->frame.height - 1), slot = at % 2;
+            const int from = inner->idle ? 0 : inner->first[at],
+                      until = inner->idle || inner->last[at] > (int)half->stride ? (int)half->stride : inner->last[at];
+            for (c = 0; c < 4; ++c) coarse[r][c] = soft[slot][c] + first / 2;
+            if (have[slot] == at) continue;
+            have[slot] = at;
+            for (x = held[slot][0]; x < held[slot][1] && x < from; ++x)
+                soft[slot][3][x] = MS_SSS__AWAY; /* of the row before */
+            for (x = until > held[slot][0] ? until : held[slot][0]; x < held[slot][1]; ++x)
+                soft[slot][3][x] = MS_SSS__AWAY;
+            held[slot][0] = from;
+            held[slot][1] = until;
+            for (c = 0; c < 4; ++c) {
+                to[c] = soft[slot][c] + from;
+                beside[0][c] = (c < 3 ? half->light[c] : half->depth) + at * half->stride + from;
+                beside[1][c] = c < 3 ? half->blur[c] + at * half->stride + from : NULL;
+            }
+            again.simd->subtract_self(&half->halving, beside[0], beside[1], beside[0][3], until - from, to);
+        }
+        for (c = 0; c < 3; ++c) blur[c] = ms_sss__buffer(&again, task, 29 + c);
+        again.simd->upsample(&half->halving, mine, run ? again.depth_scale : 1, (const float *const(*)[4])coarse, y % 2,
+                             last - first, blur);
+        for (c = 0; c < 3 && direct; ++c)
+            again.simd->deliver(blur[c], last - first, (float *)image->channel[c] + y * image->row_stride + first);
+        if (!direct)
+            ms_sss__compose(&again, task, y, first, last - first, blur, fade || !again.whole[y] ? mine : NULL,
+                            run ? NULL : own[3] + first);
+    }
+}
+
+/* Everything but the first and last step is the filter at full resolution, of a picture of half the size. */
+static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int profile,
+                                     int kernel_count, const ms_sss_filter_options *options, void *workspace,
+                                     size_t workspace_size, ms_error *error)
+{
+    const ms_sss_kernel *k = &kernels[profile];
+    ms_sss__half *half = (ms_sss__half *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
+    ms_sss__halving *h = &half->halving;
+    ms_sss_filter_options inner_options = *options;
+    ms_sss_frame inner;
+    ms_status status;
+    float *at, *end, apart = 0,
+                     size_min; /* apart: size from which on the centre alone stands within a pixel of itself */
+    size_t plane, left = workspace_size - (size_t)((char *)(half + 1) - (char *)workspace);
+    int i, c, t;
+    status = ms_sss__begin(&half->job, frame, kernels, kernel_count, options, half + 1, left, left, MS_SSS__BARE, &at,
+                           error);
+    if (status != MS_OK) return status;
+    memset(&inner, 0, sizeof inner);
+    inner.width = (frame->width + 1) / 2;
+    inner.height = (frame->height + 1) / 2;
+    half->stride = ms_sss__round_up(inner.width, 16);
+    plane = (size_t)half->stride * (size_t)inner.height;
+    for (c = 0; c < 3; ++c) {
+        half->light[c] = at + (size_t)c * plane;
+        half->blur[c] = at + (size_t)(3 + c) * plane;
+    }
+    half->depth = at + 6 * plane;
+    half->mask = frame->depth.channel[0] ? NULL : at + 7 * plane;
+    at += MS_SSS__HALF_PLANES * plane;
+    left = workspace_size - (size_t)((char *)at - (char *)workspace);
+
+    ms_sss__set_kernel(&half->job, k, profile);
+    size_min = half->job.pass.size_min;
+    half->job.direct = ms_sss__plain(&half->job);
+    if (!(half->job.gain > 0)) half->job.idle = 1;
+    memset(h, 0, sizeof *h);
+    h->kernel = k;
+    h->perspective = half->job.pass.perspective;
+    h->size = half->job.pass.size;
+    h->size_max = half->job.pass.size_max;
+    h->within = 1 / half->job.pass.apart;
+    h->scale = half->job.depth_scale;
+    for (c = 0; c < 2; ++c) h->aspect[c] = half->job.pass.aspect[c];
+    for (i = 1; i < k->tap_count; ++i)
+        for (c = 0; c < 2; ++c)
+            if (!(fabsf(k->offset_mm[i]) * h->aspect[c] * apart >= 1))
+                apart = fabsf(k->offset_mm[i]) > 1e-20f ? 1 / (fabsf(k->offset_mm[i]) * h->aspect[c]) : 3e38f;
+    h->beyond = !((h->perspective ? h->size_max : h->size) >= apart) ? -1
+        : h->perspective && apart > 0                                ? h->size / apart
+                                                                     : INFINITY;
+    h->tiny = !(size_min < (h->perspective ? h->size_max : h->size)) ? -1
+        : h->perspective                                             ? h->size / size_min
+                                                                     : INFINITY;
+    for (c = 0; c < 3; ++c) {
+        double share = (double)k->delta[c];
+        for (t = 0; t < k->term_count; ++t)
+            share += (double)k->scale[t][c] * (double)k->weight[t][0][c] * (double)k->weight[t][0][c];
+        h->share[c] = (float)(share < 0 ? 0 : share > 0.999 ? 0.999 : share);
+    }
+    half->plain = half->job.block == MS_SSS__BLOCK &&
+        (!frame->albedo.channel[0] || options->albedo_mode == MS_SSS_ALBEDO_POST);
+    half->no_masks = half->plain && !half->job.idle && frame->depth.channel[0] && !frame->strength.channel[0] &&
+        !frame->profile && half->job.padded == frame->width;
+    ms_sss__run(&half->job, 0, inner.height, ms_sss__half_down);
+    if (half->job.idle) return MS_OK;
+
+    inner.input = ms_sss_planar(half->light[0], half->light[1], half->light[2], 0);
+    inner.output = ms_sss_planar(half->blur[0], half->blur[1], half->blur[2], 0);
+    if (half->mask) inner.strength = ms_sss_map(half->mask, 1, 0);
+    else inner.depth = ms_sss_map(half->depth, 1, 0);
+    inner.input.row_stride = inner.output.row_stride = inner.strength.row_stride = inner.depth.row_stride =
+        half->stride;
+    inner_options.fade = 0;
+    inner_options.albedo_mode = MS_SSS_ALBEDO_POST;
+    status = ms_sss__begin(&half->inner, &inner, k, 1, &inner_options, at, left, left, MS_SSS__PASSES, &end, error);
+    if (status != MS_OK) return status;
+    half->inner.full_width = frame->width;
+    half->inner.full_height = frame->height;
+    half->inner.coarse = 2;
+    half->inner.rough = frame->depth.half;
+    half->inner.unwritten = 0;
+    ms_sss__apply(&half->inner, k, 0);
+    for (c = 0; c < 3 && half->inner.idle; ++c) half->blur[c] = half->light[c]; /* under half of a larger pixel */
+    ms_sss__run(&half->job, 0, frame->height, ms_sss__half_up);
+    return MS_OK;
+}
+
+/* ---- pyramid code ---------------------------------------------------------------------------------------------- */
+
+/* --- the filter --- */
+
+/* Planes of a level: colour, d, share, sums of light, sums of weights, changes of d along x and y. */
+enum { MS_SSS__D = 3, MS_SSS__SHARE = 4, MS_SSS__SUMS = 5, MS_SSS__CHANGES = 11, MS_SSS__PYRAMID_PLANES = 13 };
+
+typedef struct ms_sss__level {
+    int width, height;
+    ptrdiff_t stride;
+    float *plane[MS_SSS__PYRAMID_PLANES]; /* of the picture itself colour and d alone */
+    int *first, *last;                    /* columns of each row outside of which nothing takes part; multiples of 16 */
+} ms_sss__level;
+
+typedef struct ms_sss__pyramid_state {
+    ms_sss__job job; /* first: tasks get its address */
+    ms_sss_kernel
+        kernel; /* that leaves its input alone: for the size on the screen, and for what comes after the sums */
+    ms_sss__level level[MS_SSS_PYRAMID_LEVELS];
+    int levels, at; /* at: of the run at hand */
+    ms_sss__pyramid_params growth;
+    ms_sss__tap tap[2][2][64];
+    float *rows;      /* row buffers of the tasks */
+    ptrdiff_t stride; /* floats of one */
+} ms_sss__pyramid_state;
+
+/* Row buffers of a task: shares and changes of d of four rows of the picture; or the sums of a row, its shares and
+   changes. */
+enum { MS_SSS__PYRAMID_ROWS = 12, MS_SSS__PYRAMID_ALONE = 3 /* levels from here on are too small to share */ };
+
+/* An odd number of cache lines, so that many rows side by side do not fall on the same few sets of the cache. */
+static ptrdiff_t ms_sss__pyramid_stride(int width)
+{
+    const int floats = ms_sss__round_up(2 * MS_SSS__LEFT + MS_SSS__RIGHT + ms_sss__round_up(width, 32), 16);
+    return floats / 16 % 2 ? floats : floats + 16;
+}
+
+static float *ms_sss__pyramid_row(const ms_sss__pyramid_state *tower, int task, int row)
+{
+    return tower->rows + ((ptrdiff_t)task * MS_SSS__PYRAMID_ROWS + row) * tower->stride + MS_SSS__LEFT;
+}
+
+/* Bytes of the levels; base NULL: count only. */
+static size_t ms_sss__pyramid_levels(ms_sss__pyramid_state *tower, int width, int height, float *base)
+{
+    size_t at = 0;
+    int l, i;
+    for (l = 0; l < MS_SSS_PYRAMID_LEVELS; ++l) {
+        const ptrdiff_t stride = MS_SSS__LEFT + ms_sss__round_up(width, width < 32 ? 16 : 32) +
+            MS_SSS__RIGHT;            /* as the job's */
+        const int beyond = l ? 4 : 1; /* empty rows above and below, as far as a gather reaches */
+        const size_t plane = ms__size_mul((size_t)stride, (size_t)height + 2 * (size_t)beyond);
+        for (i = l == 0 ? (int)MS_SSS__D : 0; i < (l == 0 ? (int)MS_SSS__D + 1 : (int)MS_SSS__PYRAMID_PLANES); ++i) {
+            if (base) {
+                float *p = tower->level[l].plane[i] = base + at + stride * beyond + MS_SSS__LEFT;
+                memset(p - stride * beyond - MS_SSS__LEFT, 0, (size_t)(stride * beyond) * sizeof(float));
+                memset(p + stride * height - MS_SSS__LEFT, 0, (size_t)(stride * beyond) * sizeof(float));
+            }
+            at = ms__size_add(at, plane);
+        }
+        if (base) {
+            tower->level[l].width = width;
+            tower->level[l].height = height;
+            tower->level[l].stride = stride;
+            tower->level[l].first = (int *)(base + at);
+            tower->level[l].last = tower->level[l].first + height;
+            tower->levels = l + 1;
+        }
+        at = ms__size_add(at, 2 * (size_t)height);
+        if (width <= 2 && height <= 2) break;
+        width = (width + 1) / 2;
+        height = (height + 1) / 2;
+    }
+    return at;
+}
+
+/* Shares and changes of d of row y of the picture from column first on. */
+static void ms_sss__pyramid_slopes(const ms_sss__pyramid_state *tower, int task, int y, int first, int last,
+                                   float *const out[3])
+{
+    const ms_sss__job *job = &tower->job;
+    const ms_sss__level *v = &tower->level[0];
+    const float *d[5], *normal[3];
+    float *buffer[3];
+    const int given = job->frame.normal.channel[0] && tower->growth.slope_scale > 0;
+    int i;
+    for (i = 0; i < 5; ++i) d[i] = v->plane[MS_SSS__D] + ms_sss__clamp(y + i - 2, -1, v->height) * v->stride;
+    for (i = 0; i < 3; ++i) {
+        buffer[i] = ms_sss__buffer(job, task, i);
+    }
+    if (given) ms_sss__load(job->simd, &job->frame.normal, 3, v->width, y, first, last - first, buffer, normal);
+    for (i = 0; i < 3 && given; ++i) normal[i] -= first;
+    job->simd->slopes_of_d(&tower->growth, d, given ? normal : NULL, y, first, last, out);
+}
+
+/* Clears what lies beside the columns that rows [from, to) of a level hold, as far as those of rows up to `beyond` away
+   make others read it: where such rows are not within [begin, end), whole. */
+static void ms_sss__pyramid_clear(const ms_sss__level *v, int begin, int end, int from, int to, int beyond, int planes)
+{
+    int y, i, c;
+    for (y = from; y < to; ++y) {
+        const int whole = (begin > 0 && y - beyond < begin) || (end < v->height && y + beyond >= end);
+        const int right = (int)v->stride - MS_SSS__LEFT, first = v->first[y] < v->last[y] ? v->first[y] : 0,
+                  last = v->first[y] < v->last[y] ? v->last[y] : 0;
+        int low = right, high = -MS_SSS__LEFT;
+        for (i = whole ? y : y - beyond < 0 ? 0 : y - beyond; i <= (whole ? y : y + beyond) && i < v->height; ++i) {
+            if (!whole && v->first[i] >= v->last[i]) continue;
+            low = whole || v->first[i] - 48 < -MS_SSS__LEFT ? -MS_SSS__LEFT
+                : v->first[i] - 48 < low                    ? v->first[i] - 48
+                                                            : low;
+            high = whole || v->last[i] + 48 > right ? right : v->last[i] + 48 > high ? v->last[i] + 48 : high;
+        }
+        for (c = 0; c < planes && low < high; ++c) {
+            float *row = v->plane[c] + y * v->stride;
+            if (low < first) memset(row + low, 0, (size_t)((high < first ? high : first) - low) * sizeof(float));
+            if (last < high)
+                memset(row + (low > last ? low : last), 0, (size_t)(high - (low > last ? low : last)) * sizeof(float));
+        }
+    }
+}
+
+/* Rows [begin, end) of level at + 1 from those of level at. */
+static void ms_sss__pyramid_downsample(const ms_sss__pyramid_state *tower, int task, int begin, int end)
+{
+    const ms_sss__level *fine = &tower->level[tower->at], *v = fine + 1;
+    const int tilted = tower->growth.slope_scale > 0;
+    ms_sss__pyramid_params growth = tower->growth;
+    int y, i, c;
+    growth.step *= (float)(1 << tower->at);
+    growth.size /= (float)(1 << tower->at);
+    growth.size_max /= (float)(1 << tower->at);
+    for (y = begin; y < end; ++y) {
+        int first = v->width, last = 0;
+        const float *row[4][7];
+        float *out[7];
+        for (i = 2 * y; i < 2 * y + 2 && i < fine->height; ++i) {
+            if (fine->first[i] >= fine->last[i]) continue;
+            if (fine->first[i] / 2 < first) first = fine->first[i] / 2;
+            if ((fine->last[i] + 1) / 2 > last) last = (fine->last[i] + 1) / 2;
+        }
+        first = first < last ? first / 16 * 16 : 0;
+        last = ms_sss__round_up(last, 16);
+        v->first[y] = first;
+        v->last[y] = last;
+        for (i = 0; i < 4; ++i) {
+            const int at = ms_sss__clamp(2 * y - 1 + i, -1, fine->height);
+            for (c = 0; c < 7; ++c)
+                row[i][c] = tower->at > 0 || c < 4
+                    ? fine->plane[c < 5 ? c : (int)MS_SSS__CHANGES + c - 5] + at * fine->stride
+                    : NULL;
+            if (tower->at == 0 && tilted) { /* in a ring */
+                float *lie[3];
+                for (c = 0; c < 3; ++c) row[i][4 + c] = lie[c] = ms_sss__pyramid_row(tower, task, 3 * (at & 3) + c);
+                if (y > begin && i < 2) continue;
+                for (c = 0; c < 3; ++c) memset(lie[c] - MS_SSS__LEFT, 0, (size_t)tower->stride * sizeof(float));
+                if (at >= 0 && at < fine->height && fine->first[at] < fine->last[at])
+                    ms_sss__pyramid_slopes(tower, task, at, fine->first[at], fine->last[at], lie);
+            }
+        }
+        if (first >= last) continue;
+        for (i = 0; i < 7; ++i) out[i] = v->plane[i < 5 ? i : (int)MS_SSS__CHANGES + i - 5] + y * v->stride;
+        tower->job.simd->downsample_level(&growth, row, first, last, out);
+        for (i = 0; i < 7; ++i)
+            for (c = v->width; c < last; ++c) out[i][c] = 0;
+    }
+}
+
+/* Clears beside rows [begin, end) of level at + 1: a gather reads 4 rows up and down. */
+static void ms_sss__pyramid_clear_beside(const ms_sss__pyramid_state *tower, int begin, int end)
+{
+    const int planes = tower->growth.slope_scale > 0 ? MS_SSS__PYRAMID_PLANES : MS_SSS__CHANGES;
+    ms_sss__pyramid_clear(&tower->level[tower->at + 1], begin, end, begin, end, 4, planes);
+}
+
+/* The rows of level 1 that a band of the picture makes without its neighbours. */
+static void ms_sss__pyramid_own_rows(const ms_sss__pyramid_state *tower, int begin, int end, int *first, int *last)
+{
+    const int height = tower->levels > 1 ? tower->level[1].height : 0;
+    *first = begin > 0 ? ms_sss__clamp((begin + 4) / 2, 0, height)
+                       : 0; /* 4 rows each, and 2 more on either side for their slopes */
+    *last = end < tower->level[0].height ? ms_sss__clamp((end - 3) / 2, *first, height) : height;
+}
+
+/* The picture, and of level 1 what needs no other band. */
+static void ms_sss__pyramid_load(void *context, int task)
+{
+    const ms_sss__pyramid_state *tower = (const ms_sss__pyramid_state *)context;
+    const ms_sss__job *job = &tower->job;
+    const ms_sss__level *v = &tower->level[0];
+    const int begin = job->begin + task * job->band;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    const int behind = tower->growth.slope_scale > 0
+        ? 4
+        : 2; /* rows that a row of level 1 takes behind its first two, slopes 2 more */
+    float *colour[3];
+    int y, c, first, last, to, from = begin;
+    ms_sss__pyramid_own_rows(tower, begin, end, &first, &last);
+    for (y = begin; y < end; ++y) {
+        float *depth = ms_sss__buffer(job, task, 17), *d = v->plane[MS_SSS__D] + y * v->stride;
+        for (c = 0; c < 3; ++c) colour[c] = v->plane[c] + y * v->stride;
+        ms_sss__prepare(job, y, task, colour, depth);
+        job->simd->invert(&tower->growth, depth + job->first[y], job->last[y] - job->first[y], d + job->first[y]);
+        if ((y + 1) % 16 && y + 1 < end) continue; /* while the cache holds them */
+        to = y + 1 < end ? y - 1 : end;
+        ms_sss__pyramid_clear(v, begin, end, from, to, 2, MS_SSS__D + 1);
+        from = to;
+        if (tower->levels < 2 || job->idle) continue;
+        to = y + 1 < end ? ms_sss__clamp((to - 1 - behind) / 2 + 1, first, last) : last;
+        ms_sss__pyramid_downsample(tower, task, first, to);
+        first = to;
+    }
+    ms_sss__pyramid_own_rows(tower, begin, end, &first, &last);
+    if (tower->levels > 1 && !job->idle) ms_sss__pyramid_clear_beside(tower, first, last);
+}
+
+/* The rows of level 1 between bands. */
+static void ms_sss__pyramid_borders(void *context, int task)
+{
+    const ms_sss__pyramid_state *tower = (const ms_sss__pyramid_state *)context;
+    const ms_sss__job *job = &tower->job;
+    const int begin = job->begin + task * job->band, end = begin + job->band, after = end + job->band;
+    int first[2], last[2];
+    if (end >= job->end) return;
+    ms_sss__pyramid_own_rows(tower, begin, end, &first[0], &last[0]);
+    ms_sss__pyramid_own_rows(tower, end, after < job->end ? after : job->end, &first[1], &last[1]);
+    ms_sss__pyramid_downsample(tower, task, last[0], first[1]);
+    ms_sss__pyramid_clear_beside(tower, last[0], first[1]);
+}
+
+static void ms_sss__pyramid_down(void *context, int task)
+{
+    const ms_sss__pyramid_state *tower = (const ms_sss__pyramid_state *)context;
+    const int begin = tower->job.begin + task * tower->job.band;
+    const int end = begin + tower->job.band < tower->job.end ? begin + tower->job.band : tower->job.end;
+    ms_sss__pyramid_downsample(tower, task, begin, end);
+    ms_sss__pyramid_clear_beside(tower, begin, end);
+}
+
+/* The sums of a band of level at from those of level at + 1; of the finest level the picture. */
+static void ms_sss__pyramid_upsample(void *context, int task)
+{
+    const ms_sss__pyramid_state *tower = (const ms_sss__pyramid_state *)context;
+    const ms_sss__job *job = &tower->job;
+    const ms_sss__level *v = &tower->level[tower->at], *coarse = v + 1;
+    const int begin = job->begin + task * job->band, tilted = tower->growth.slope_scale > 0;
+    const int end = begin + job->band < job->end ? begin + job->band : job->end;
+    int y, i, c;
+    for (y = begin; y < end; ++y) {
+        const int low = v->first[y], high = v->last[y];
+        const int first = low / 32 * 32,
+                  last = ms_sss__round_up(high, 32); /* the gather works on 2 vectors at a time */
+        const float *own[3];
+        float *sum[6], *lie[3];
+        if (low >= high) continue;
+        for (i = 0; i < 6; ++i)
+            sum[i] = tower->at > 0 ? v->plane[MS_SSS__SUMS + i] + y * v->stride : ms_sss__pyramid_row(tower, task, i);
+        own[0] = v->plane[MS_SSS__D] + y * v->stride;
+        for (i = 0; i < 3; ++i) lie[i] = ms_sss__pyramid_row(tower, task, 6 + i);
+        for (i = 1; i < 3; ++i) own[i] = tower->at > 0 ? v->plane[MS_SSS__CHANGES + i - 1] + y * v->stride : lie[i];
+        if (tower->at == 0 && tilted) {
+            ms_sss__pyramid_slopes(tower, task, y, low, high, lie);
+            for (i = 0; i < 3; ++i) {
+                for (c = first; c < low; ++c) lie[i][c] = 0;
+                for (c = high; c < last; ++c) lie[i][c] = 0;
+            }
+        }
+        if (tower->at + 1 == tower->levels) {
+            for (i = 0; i < 6; ++i) memset(sum[i] + first, 0, (size_t)(last - first) * sizeof(float));
+        } else {
+            job->simd->gather(&tower->growth, own, coarse->plane[0] + y / 2 * coarse->stride, first / 2, last / 2, y,
+                              sum);
+        }
+        if (tower->at == 0) {
+            const ms_sss_image *image = &job->frame.output;
+            const float *row[4];
+            float *blur[4];
+            for (c = 0; c < 4; ++c) row[c] = v->plane[c] + y * v->stride;
+            for (c = 0; c < 4; ++c) blur[c] = ms_sss__buffer(job, task, c < 3 ? c : 17);
+            job->simd->resolve(&tower->growth, row, v->stride, (const float *const *)lie, (const float *const *)sum,
+                               low, high, blur);
+            for (c = 0; c < 4; ++c) blur[c] += low;
+            if (job->direct && job->whole[y] && high <= v->width && ms_sss__solid(job, y, low, high))
+                for (c = 0; c < 3; ++c)
+                    job->simd->deliver(blur[c], high - low, (float *)image->channel[c] + y * image->row_stride + low);
+            else ms_sss__finish(job, task, y, low, high - low, blur, blur[3]);
+        }
+    }
+}
+
+/* The taps of all four kinds of pixels at a level whose rows are stride floats apart, the nearest first. */
+static void ms_sss__pyramid_sort_taps(ms_sss__pyramid_params *growth, ms_sss__tap tap[2][2][64], ptrdiff_t stride)
+{
+    int y, x, i, j, n = 0;
+    for (y = 0; y < 2; ++y) {
+        for (x = 0; x < 2; ++x) {
+            for (n = 0, i = 0; i < 64; ++i) {
+                ms_sss__tap t;
+                t.at = (i / 8 - 4 + y) * stride + i % 8 - 4 + x;
+                t.x = (x ? -3.25f : -3.75f) + (float)(i % 8);
+                t.y = (y ? -3.25f : -3.75f) + (float)(i / 8);
+                t.square = t.x * t.x + t.y * t.y;
+                t.rest = 1 - t.square / MS_SSS__GATHER(growth->wide, growth->level);
+                if (!growth->wide && (t.x < -3 || t.x > 3 || t.y < -3 || t.y > 3)) continue;
+                for (j = n++; j > 0 && tap[y][x][j - 1].square > t.square; --j) tap[y][x][j] = tap[y][x][j - 1];
+                tap[y][x][j] = t;
+            }
+        }
+    }
+    growth->tap = (const ms_sss__tap(*)[2][64])tap;
+    growth->taps = n;
+}
+
+/* What the gather's taps add up to, and the means of powers of the distance between light that enters and leaves, of
+   which each stands somewhere in its pixel: variances of (1, 3, 3, 1) / 8 down to the level. */
+static void ms_sss__pyramid_tap_sums(ms_sss__pyramid_params *growth, int level)
+{
+    const double coarse = 0.5 * (1 - pow(4, -level - 1)), fine = 0.125 * (1 - pow(4, -level));
+    double n = 0, r1 = 0, r2 = 0, r4 = 0;
+    int i;
+    growth->core = 0;
+    for (i = 0; i < 64; ++i) {
+        const double x = i % 8 - 3.75, y = i / 8 - 3.75,
+                     t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER(growth->wide, level),
+                     w = t > 0 ? t * t * (growth->wide ? t : 1) : 0;
+        const double r = x * x + y * y + coarse - fine;
+        growth->core += t > 0;
+        n += w;
+        r1 += w * sqrt(x * x + y * y + coarse);
+        r2 += w * r;
+        r4 += w * r * r;
+    }
+    growth->level = level;
+    growth->inner = 1 / sqrtf(MS_SSS__GATHER(growth->wide, level));
+    growth->norm = (float)(1 / n);
+    growth->mean = (float)(r1 / r2);
+    growth->spread = (float)(r2 / r4);
+    growth->blur = (float)coarse;
+    /* Two depths' errors, and of slopes, which average over the level, as much again for each of their pixels of 3.5
+       there and back; each level's sums round a few times more. */
+    growth->rough = 10 * (0.5f * growth->rounding + 2.4e-7f * (float)(level + 1)) /
+        (growth->step * (float)(1 << (level + 1)));
+}
+
+/* As the plan of a filter with one term and without slopes, the levels, and what is too large for the stack. */
+static MS_SSS__COLD size_t ms_sss__pyramid_layout(int width, int height, size_t *before)
+{
+    ms_sss_filter_options options;
+    size_t floats;
+    memset(&options, 0, sizeof options);
+    options.flat = 1;
+    *before = ms_sss__plan(width, height, NULL, 0, &options, 0).total;
+    floats = ms__size_mul((size_t)ms_sss__pyramid_stride(width), (size_t)MS_SSS__TASKS * (size_t)MS_SSS__PYRAMID_ROWS);
+    floats = ms__size_add(floats, ms_sss__pyramid_levels(NULL, width, height, NULL));
+    return ms__size_add(ms__size_add(*before, ms__size_mul(floats, sizeof(float))),
+                        sizeof(ms_sss__pyramid_state) + 128);
+}
+
+MS_API size_t ms_sss_pyramid_workspace(int width, int height)
+{
+    size_t before;
+    if (ms_sss__check_sides(width, height, NULL) != MS_OK) return SIZE_MAX;
+    return ms_sss__pyramid_layout(width, height, &before);
+}
+
+/* Whether a pyramid can do what the options ask for. */
+static int ms_sss__pyramid_can(const ms_sss_filter_options *o)
+{
+    return !ms_sss__differ(o->rotation, 0) && !(o->jitter > 0) &&
+        !(o->pixels_per_mm[1] > 0 && ms_sss__differ(o->pixels_per_mm[0], o->pixels_per_mm[1]));
+}
+
+/* What all levels share, of a job whose kernel is set. */
+static MS_SSS__COLD void ms_sss__pyramid_set_params(ms_sss__pyramid_params *growth, const ms_sss__job *job,
+                                                    const ms_sss_pyramid *pyramid, int with_depth, float flat)
+{
+    const ms_sss_filter_options *o = &job->options;
+    double sigma;
+    int c;
+    memset(growth, 0, sizeof *growth);
+    growth->table = pyramid->weight[o->exact];
+    growth->wide = o->exact;
+    growth->perspective = job->pass.perspective;
+    growth->shaped = with_depth && o->depth_mode == MS_SSS_DEPTH_AWARE;
+    growth->slope_scale = growth->shaped ? 1 - flat : 0;
+    growth->size = job->pass.size * pyramid->radius_mm;
+    growth->size_max = job->pass.size_max * pyramid->radius_mm;
+    growth->step = 1 / job->pass.focal[0];
+    growth->rounding = job->pass.rounding + (growth->perspective ? 1.2e-7f : 0); /* rounded once more when inverted */
+    growth->middle[0] = 0.5f * (float)job->full_width;
+    growth->middle[1] = 0.5f * (float)job->full_height;
+    growth->tangent = growth->perspective ? growth->step : 0;
+    sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm
+                                  : (0.12 + 0.13 * (1 - (double)flat)) * (double)pyramid->radius_mm;
+    growth->reach = (float)(3.0746 * sigma / (double)pyramid->radius_mm); /* where (1 - q)^4 has the Gaussian's width */
+    growth->join = o->depth_sigma_mm > 0
+        ? growth->reach
+        : growth->reach + (1.5f - 0.7686f) * (1 - flat); /* as far as a gather reaches */
+    for (c = 0; c < 3; ++c) {
+        growth->quarter[c] = pyramid->elevation[c] * (growth->slope_scale / 4);
+        growth->most[c] = pyramid->reflectance[c] > 0 ? 1 / pyramid->reflectance[c] : 1;
+    }
+}
+
+/* Filters the pixels of one of several profiles. */
+static ms_status ms_sss__pyramid_apply(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid, int profile,
+                                       int profiles, const ms_sss_filter_options *options, void *workspace,
+                                       ms_error *error)
+{
+    ms_sss__pyramid_state *tower;
+    ms_sss__job *job;
+    ms_sss__pyramid_params *growth;
+    ms_sss_filter_options upright;
+    ms_status status;
+    size_t before;
+    float *at, *end;
+    int c, l;
+    ms_sss__pyramid_layout(frame->width, frame->height, &before);
+    at = (float *)(((uintptr_t)workspace + before + 63) & ~(uintptr_t)63);
+    tower = (ms_sss__pyramid_state *)(void *)at;
+    at = (float *)(((uintptr_t)(tower + 1) + 63) & ~(uintptr_t)63);
+    job = &tower->job;
+    growth = &tower->growth;
+    memset(&tower->kernel, 0, sizeof tower->kernel);
+    tower->kernel.tap_count = tower->kernel.term_count = 1;
+    tower->kernel.radius_mm = pyramid->radius_mm;
+    for (c = 0; c < 3; ++c) tower->kernel.weight[0][0][c] = tower->kernel.scale[0][c] = 1;
+    upright = *options;
+    upright.flat = 1; /* slopes are the pyramid's own affair */
+    status = ms_sss__begin(job, frame, &tower->kernel, 1, &upright, workspace, before, before, 0, &end, error);
+    if (status != MS_OK) return status;
+    job->kernel_count = profiles;
+    at += ms_sss__pyramid_levels(tower, frame->width, frame->height, at);
+    tower->level[0].first = job->first;
+    tower->level[0].last = job->last;
+    for (c = 0; c < 3; ++c) tower->level[0].plane[c] = job->middle[c];
+    tower->rows = at;
+    tower->stride = ms_sss__pyramid_stride(frame->width);
+
+    tower->at = 0;
+    ms_sss__set_kernel(job, &tower->kernel, profile);
+    ms_sss__set_term(job, 0);
+    job->direct = ms_sss__plain(job);
+    if (!(job->gain > 0)) job->idle = 1;
+    ms_sss__pyramid_set_params(growth, job, pyramid, frame->depth.channel[0] != NULL,
+                               options->flat); /* the job's own is 1 */
+    ms_sss__run(job, 0, frame->height, ms_sss__pyramid_load);
+    if (job->idle) return MS_OK;
+    if (tower->levels > 1) ms_sss__run(job, 0, frame->height, ms_sss__pyramid_borders);
+    for (l = 1; l + 1 < tower->levels; ++l) {
+        tower->at = l;
+        if (l + 1 < MS_SSS__PYRAMID_ALONE) {
+            ms_sss__run(job, 0, tower->level[l + 1].height, ms_sss__pyramid_down);
+        } else {
+            job->begin = 0;
+            job->end = job->band = tower->level[l + 1].height;
+            ms_sss__run_parallel(&job->options.parallel, 1, ms_sss__pyramid_down, tower);
+        }
+    }
+    for (l = tower->levels - 1; l >= 0; --l) {
+        tower->at = l;
+        ms_sss__pyramid_tap_sums(growth, l);
+        growth->sums = l + 2 < tower->levels;
+        if (l + 1 < tower->levels) {
+            growth->plane = tower->level[l + 1].plane[1] - tower->level[l + 1].plane[0];
+            ms_sss__pyramid_sort_taps(growth, tower->tap, tower->level[l + 1].stride);
+        }
+        if (l < MS_SSS__PYRAMID_ALONE) {
+            ms_sss__run(job, 0, tower->level[l].height, ms_sss__pyramid_upsample);
+        } else {
+            job->begin = 0;
+            job->end = job->band = tower->level[l].height;
+            ms_sss__run_parallel(&job->options.parallel, 1, ms_sss__pyramid_upsample, tower);
+        }
+    }
+    return MS_OK;
+}
+
+/* What the easy calls need: a workspace by malloc. */
+static MS_SSS__COLD void *ms_sss__own_workspace(size_t size, ms_error *error)
+{
+    void *workspace = size < SIZE_MAX ? malloc(size) : NULL;
+    if (!workspace) ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a workspace of %z bytes", size);
+    return workspace;
+}
+
+MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
+                                       const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
+                                       ms_error *error)
+{
+    ms_status status;
+    if (!frame || !pyramid || !options) return MS_SSS__REFUSE(error, "frame, pyramid or options is NULL");
+    status = ms_sss__check_sides(frame->width, frame->height, error);
+    if (status == MS_OK && !workspace && !workspace_size) {
+        workspace_size = ms_sss_pyramid_workspace(frame->width, frame->height);
+        if (!(workspace = ms_sss__own_workspace(workspace_size, error))) return MS_OUT_OF_MEMORY;
+        status = ms_sss_pyramid_filter(frame, pyramid, options, workspace, workspace_size, error);
+        free(workspace);
+        return status;
+    }
+    if (status == MS_OK)
+        status = ms_sss__check_lent(workspace, workspace_size, ms_sss_pyramid_workspace(frame->width, frame->height),
+                                    error);
+    if (status == MS_OK) status = ms_sss__check_options(options, error);
+    if (status != MS_OK) return status;
+    if (frame->profile || !ms_sss__pyramid_can(options))
+        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has one kernel, round, without rotation or jitter");
+    return ms_sss__pyramid_apply(frame, pyramid, 0, 1, options, workspace, error);
+}
+
+/* --- the entry: which method, and its workspace --- */
+
+static int ms_sss__may(const ms_sss_filter_options *o, ms_sss_method method)
+{
+    if (o->method != MS_SSS_METHOD_AUTO) return o->method == method;
+    return method == MS_SSS_METHOD_TAPS || (method == MS_SSS_METHOD_PYRAMID && o->pyramids && ms_sss__pyramid_can(o));
+}
+
+static ms_sss_method ms_sss__choose(ms_sss__job *job, const ms_sss_kernel *k, int profile)
+{
+    const ms_sss_filter_options *o = &job->options;
+    double radius = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : (double)k->radius_mm;
+    if (o->method != MS_SSS_METHOD_AUTO) return o->method;
+    if (!ms_sss__may(o, MS_SSS_METHOD_PYRAMID)) return MS_SSS_METHOD_TAPS;
+    ms_sss__set_kernel(job, k, profile);
+    radius *= (double)job->pass.size;
+    if (job->pass.perspective) {
+        ms_sss__find_nearest(job);
+        radius /= (double)(job->nearest * job->depth_scale);
+    }
+    return radius > 16 ? MS_SSS_METHOD_PYRAMID : MS_SSS_METHOD_TAPS;
+}
+
+MS_SSS__COLD MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels,
+                                                   int kernel_count, const ms_sss_filter_options *options)
+{
+    size_t size = 0, needed;
+    if (ms_sss__check_sides(width, height, NULL) != MS_OK || !kernels || !options) return SIZE_MAX;
+    if (ms_sss__may(options, MS_SSS_METHOD_TAPS))
+        size = ms_sss__plan(width, height, kernels, kernel_count, options, MS_SSS__PASSES).total;
+    if (ms_sss__may(options, MS_SSS_METHOD_HALF) &&
+        size < (needed = ms_sss__half_plan(width, height, kernels, kernel_count, options)))
+        size = needed;
+    if (ms_sss__may(options, MS_SSS_METHOD_PYRAMID) && size < (needed = ms_sss_pyramid_workspace(width, height)))
+        size = needed;
+    return size ? size : SIZE_MAX;
+}
+
+MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
+                               const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
+                               ms_error *error)
+{
+    ms_sss__job job;              /* to check everything before anything is written, and for the sizes of kernels */
+    ms_sss_filter_options agreed; /* on millimetres */
+    ms_status status;
+    float *end;
+    int i;
+    if (!frame || !kernels || !options) return MS_SSS__REFUSE(error, "frame, kernels or options is NULL");
+    if (!workspace && !workspace_size && ms_sss__check_sides(frame->width, frame->height, NULL) == MS_OK) {
+        workspace_size = ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options);
+        if (!(workspace = ms_sss__own_workspace(workspace_size, error))) return MS_OUT_OF_MEMORY;
+        status = ms_sss_filter(frame, kernels, kernel_count, options, workspace, workspace_size, error);
+        free(workspace);
+        return status;
+    }
+    status = ms_sss__begin(&job, frame, kernels, kernel_count, options, workspace, workspace_size,
+                           ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options),
+                           MS_SSS__BARE, &end, error);
+    if (status != MS_OK) return status;
+    if (options->method == MS_SSS_METHOD_PYRAMID && (!options->pyramids || !ms_sss__pyramid_can(options)))
+        return ms__fail(error, MS_UNSUPPORTED, 0,
+                        options->pyramids ? "a pyramid is round, without rotation or jitter"
+                                          : "method is MS_SSS_METHOD_PYRAMID, but options.pyramids is NULL");
+    agreed = *options;
+    if (!(agreed.mm_per_unit > 0)) agreed.mm_per_unit = 1;
+    for (i = 0; i < kernel_count && (i == 0 || frame->profile); ++i) {
+        const ms_sss_method method = ms_sss__choose(&job, &kernels[i], i);
+        if (frame->taken) frame->taken[i] = method;
+        status = method == MS_SSS_METHOD_PYRAMID
+            ? ms_sss__pyramid_apply(frame, &options->pyramids[i], i, kernel_count, &agreed, workspace, error)
+            : method == MS_SSS_METHOD_HALF
+            ? ms_sss__half_filter(frame, kernels, i, kernel_count, &agreed, workspace, workspace_size, error)
+            : ms_sss__taps_filter(&job, frame, kernels, i, kernel_count, &agreed, workspace, workspace_size, error);
+        if (status != MS_OK) return status;
+    }
+    return MS_OK;
+}
+
+/* ---- GPU code -------------------------------------------------------------------------------------------------- */
+
+/* The passes in a notation of their own: HLSL's types and operators as far as GLSL and WGSL have them too, one variable
+   a declaration, braces everywhere, no ?: and no assignment to components. ms_sss__emit_line turns a line into a
+   language; #if NAME, #if !NAME, #else and #endif choose lines by ms_sss__feature, #NAME and #!NAME their own. The
+   comments of FILTER KERNELS hold for these lines too. */
+static const char *const ms_sss__source_body[] = {
+    "// Below 1e30, by bits: compilers may take it that no number is NaN.\n"
+    "bool finite(float x) { return (bits_of(x) & 0x7fffffffu) < 0x7149f2cau; }\n",
+    "#if BOTH\n"
+    "// Alpha holds the depth, the last 4 bits of blue the profile; of black they would be lost.\n"
+    "float code_of(float blue, float profile) {\n"
+    "float x = pick(blue, 1e-30, abs(blue) < 1e-30);\n"
+    "return float_of(((bits_of(x) + 8u) & 0xfffffff0u) | uint(profile));\n"
+    "}\n",
+    "float profile_of(float4 c) { return float(bits_of(c.b) & 15u); }\n"
+    "#endif\n",
+    "#PROFILE_ALONE float profile_of(float4 c) { return c.a - 1.0; }\n",
+    "#if READS_PROFILE\n"
+    "// Index of the pixel's kernel; PROFILES where it has none.\n"
+    "float profile_at(float value) {\n"
+    "float profile = floor(value * 255.0 + 0.5);\n"
+    "return pick(float(PROFILES), profile, finite(value) && profile >= 0.0 && profile < float(PROFILES));\n"
+    "}\n"
+    "#endif\n",
+    "// Colour and depth, 1 without depth (plus the profile), 0: takes no part.\n"
+    "float4 source(int2 p) {\n"
+    "float4 c = fetch_colour(p);\n"
+    "float4 none = float4(0.0, 0.0, 0.0, 0.0);\n"
+    "#if RAW\n"
+    "float depth = 1.0;\n"
+    "bool part = finite(c.r) && finite(c.g) && finite(c.b);\n"
+    "#DEPTH_TEXTURE depth = fetch_depth(p).r;\n"
+    "#DEPTH_ALPHA depth = c.a;\n"
+    "part = part && depth > 0.0 && finite(depth);\n"
+    "#WITH_STRENGTH float strength = fetch_strength(p).r;\n"
+    "#WITH_STRENGTH part = part && strength > 0.0 && (bits_of(strength) & 0x7fffffffu) <= 0x7f800000u;\n"
+    "#if PROFILE\n"
+    "#if BOTH_ALPHA\n"
+    "float profile = float(bits_of(c.a) & 15u);\n"
+    "#else\n"
+    "#PROFILE_TEXTURE float profile = profile_at(fetch_profile(p).r);\n"
+    "#!PROFILE_TEXTURE float profile = profile_at(c.a);\n"
+    "#endif\n"
+    "#if TOWER\n"
+    "part = part && abs(profile - constant[0].w) < 0.5;\n"
+    "#else\n"
+    "part = part && profile < float(PROFILES);\n"
+    "#BOTH c = float4(c.rg, code_of(c.b, profile), c.a);\n"
+    "#!BOTH depth = profile + 1.0;\n"
+    "#endif\n"
+    "#endif\n"
+    "return pick(none, float4(c.rgb, depth), part);\n"
+    "#else\n"
+    "return pick(none, c, c.a > 0.0);\n"
+    "#endif\n"
+    "}\n",
+    "bool inside(int2 p) {\n"
+    "#HALVED return p.x >= 0 && p.y >= 0 && 2 * p.x < int(constant[0].x) && 2 * p.y < int(constant[0].y);\n"
+    "#!HALVED return p.x >= 0 && p.y >= 0 && p.x < int(constant[0].x) && p.y < int(constant[0].y);\n"
+    "}\n",
+    "float4 texel(int2 p) {\n"
+    "float4 c = float4(0.0, 0.0, 0.0, 0.0);\n"
+    "if (inside(p)) { c = source(p); }\n"
+    "return c;\n"
+    "}\n",
+    "// Both take part and have one profile.\n"
+    "bool same(float4 there, float4 own) {\n"
+    "#if BOTH\n"
+    "return there.a > 0.0 && ((bits_of(there.b) ^ bits_of(own.b)) & 15u) == 0u;\n"
+    "#else\n"
+    "#PROFILE_ALONE return there.a > 0.0 && abs(there.a - own.a) < 0.5;\n"
+    "#!PROFILE_ALONE return there.a > 0.0;\n"
+    "#endif\n"
+    "}\n",
+    "#if SLOPES\n"
+    "float2 ray_of(int2 p) {\n"
+    "float2 ray = float2(0.0, 0.0);\n"
+    "#if PERSPECTIVE\n"
+    "ray = float2(float(p.x) + 0.5, float(p.y) + 0.5);\n"
+    "#HALVED ray = 2.0 * ray;\n"
+    "ray = ray - 0.5 * constant[0].xy;\n"
+    "#TOWER ray = ray * constant[1].w;\n"
+    "#!TOWER ray = ray / constant[2].y;\n"
+    "#endif\n"
+    "return ray;\n"
+    "}\n",
+    "#if !WITH_NORMAL\n"
+    "// The slope from the depths before and after, of one surface where steps are under reach (TOWER: slopes): their mean where it\n"
+    "// turns little, else the smaller one, steeper by what its step exceeds the next: near outlines depth goes as a root.\n"
+    "float slope_of(int2 p, int2 way, float4 own, float focal, float reach) {\n"
+    "float4 before = texel(p - way);\n"
+    "float4 after = texel(p + way);\n"
+    "float a = own.a - before.a;\n"
+    "float b = after.a - own.a;\n"
+    "bool on_a = same(before, own);\n"
+    "bool on_b = same(after, own);\n"
+    "#!TOWER on_a = on_a && abs(a) < reach;\n"
+    "#!TOWER on_b = on_b && abs(b) < reach;\n"
+    "#PERSPECTIVE if (on_a) { a = a / before.a; }\n"
+    "#PERSPECTIVE if (on_b) { b = b / after.a; }\n"
+    "a = focal * a;\n"
+    "b = focal * b;\n"
+    "#TOWER on_a = on_a && abs(a) < reach;\n"
+    "#TOWER on_b = on_b && abs(b) < reach;\n"
+    "a = pick(pick(0.0, b, on_b), a, on_a);\n"
+    "b = pick(a, b, on_b);\n"
+    "float slope = 0.5 * (a + b);\n"
+    "if ((on_a || on_b) && !(on_a && on_b && abs(a - b) < 0.5 * (a * b + 1.0))) {\n"
+    "bool back = on_a && (!on_b || abs(a) < abs(b));\n"
+    "if (abs(a) < abs(b)) { slope = a; }\n"
+    "if (abs(b) < abs(a)) { slope = b; }\n"
+    "float next = pick(after.a, before.a, back);\n"
+    "float4 beyond = texel(p + way * pick(2, -2, back));\n"
+    "float step = own.a - next;\n"
+    "float inner = next - beyond.a;\n"
+    "#TOWER float least = own.a * 2.0 * constant[5].z;\n"
+    "#!TOWER float least = own.a * 4.7683716e-7;\n"
+    "#PERSPECTIVE step = step * beyond.a;\n"
+    "#PERSPECTIVE inner = inner * own.a;\n"
+    "#PERSPECTIVE least = least * own.a;\n"
+    "float more = min(abs(step) - abs(inner), abs(inner)) - least;\n"
+    "if (same(beyond, own) && step * inner > 0.0 && more > 0.0) {\n"
+    "more = min(more / abs(inner), 0.85);\n"
+    "slope = slope + slope * more * (0.5 + more * (0.5 + 0.7 * more * more));\n"
+    "}\n"
+    "}\n"
+    "return clamp(slope, -8.0, 8.0);\n"
+    "}\n"
+    "#endif\n",
+    "// Slopes along x and y.\n"
+    "float2 slopes_of(int2 p, float4 own, float2 ray, float2 focal, float reach) {\n"
+    "float2 slope = float2(0.0, 0.0);\n"
+    "#if WITH_NORMAL\n"
+    "float3 normal = fetch_normal(p).rgb;\n"
+    "float eighth = max(abs(normal.x), abs(normal.y)) * 0.125;\n"
+    "float facing = max(normal.z - (ray.x * normal.x + ray.y * normal.y), eighth);\n"
+    "if (facing > 0.0 && finite(normal.x) && finite(normal.y) && finite(normal.z)) { slope = normal.xy / facing; }\n"
+    "#else\n"
+    "slope = float2(slope_of(p, int2(1, 0), own, focal.x, reach), slope_of(p, int2(0, 1), own, focal.y, reach));\n"
+    "#endif\n"
+    "return slope;\n"
+    "}\n"
+    "#endif\n"};
+
+static const char *const ms_sss__shader_body[] = {
+    "// constant: 0 width, height, pixels a mm (perspective: times depth), gain; 1 aspect, rotation, jitter;\n"
+    "// 2 first, focal, upright; at 3 + STRIDE * profile: 0 total, radius; 1 scale, depth scale; 2 delta, cut;\n"
+    "// 3 curve, mixed; 4 root, reach; from 5 on taps: weight, offset\n"
+    "#if NEARNESS\n"
+    "// Of a pixel near another, of the same surface; at: its profile's constants.\n"
+    "float nearness(float4 there, float4 own, int at) {\n"
+    "float f = 1.0;\n"
+    "#DEPTH float dz = (there.a - own.a) * constant[at + 1].w;\n"
+    "#DEPTH f = max(1.0 - dz * dz / constant[at + 2].w, 0.0);\n"
+    "#DEPTH f = f * f * f * f;\n"
+    "return pick(0.0, f, same(there, own));\n"
+    "}\n"
+    "#endif\n",
+    "#if DOWN\n"
+    "float4 nearer(float4 a, float4 b) {\n"
+    "#DEPTH return pick(a, b, b.a > 0.0 && (!(a.a > 0.0) || b.a < a.a));\n"
+    "#!DEPTH return pick(b, a, a.a > 0.0);\n"
+    "}\n",
+    "// The mean of those of four pixels that lie near the nearest.\n"
+    "float4 filter_pixel(int2 p) {\n"
+    "int2 first = p * 2;\n"
+    "float4 a = texel(first);\n"
+    "float4 b = texel(first + int2(1, 0));\n"
+    "float4 c = texel(first + int2(0, 1));\n"
+    "float4 d = texel(first + int2(1, 1));\n"
+    "float4 own = nearer(nearer(a, b), nearer(c, d));\n"
+    "int at = 3;\n"
+    "if (!(own.a > 0.0)) { return own; }\n"
+    "#PROFILE at = 3 + STRIDE * int(profile_of(own));\n"
+    "float fa = nearness(a, own, at);\n"
+    "float fb = nearness(b, own, at);\n"
+    "float fc = nearness(c, own, at);\n"
+    "float fd = nearness(d, own, at);\n"
+    "float4 mean = (fa * a + fb * b + fc * c + fd * d) / (fa + fb + fc + fd);\n"
+    "#BOTH mean = float4(mean.rg, code_of(mean.b, profile_of(own)), mean.a);\n"
+    "return mean;\n"
+    "}\n"
+    "#endif\n",
+    "#if UP\n"
+    "// Pixels a mm there, before the limit of the picture's larger side.\n"
+    "float pixels_at(float depth) {\n"
+    "float pixels = constant[0].z;\n"
+    "#PERSPECTIVE pixels = pixels / depth;\n"
+    "return pixels;\n"
+    "}\n",
+    "// How much of the filtered light is the pixel's own: each tap's bilinear share of it.\n"
+    "float3 share_at(float depth, int at) {\n"
+    "float pixels = min(pixels_at(depth), max(constant[0].x, constant[0].y) / constant[at].w);\n"
+    "float3 share = constant[at + 2].rgb;\n"
+    "for (int t = 0; t < TERMS; t++) {\n"
+    "int block = at + t * PROFILES * STRIDE;\n"
+    "float3 across = float3(0.0, 0.0, 0.0);\n"
+    "float3 down = float3(0.0, 0.0, 0.0);\n"
+    "for (int k = 0; k < TAPS; k++) {\n"
+    "float4 tap = constant[block + 5 + (k + 1) / 2];\n"
+    "float away = pixels * abs(tap.w);\n"
+    "across = across + tap.rgb * max(1.0 - away * constant[1].x, 0.0);\n"
+    "down = down + tap.rgb * max(1.0 - away * constant[1].y, 0.0);\n"
+    "}\n"
+    "share = share + constant[block + 1].rgb * across * down;\n"
+    "}\n"
+    "return clamp(share, float3(0.0, 0.0, 0.0), float3(0.999, 0.999, 0.999));\n"
+    "}\n",
+    "// A pixel keeps its share of its own light; the rest is what became of the light of the four larger pixels around.\n"
+    "float4 filter_pixel(int2 p) {\n"
+    "float4 own = source(p);\n"
+    "float3 light = own.rgb;\n"
+    "int at = 3;\n"
+    "if (!(own.a > 0.0)) { return float4(fetch_colour(p).rgb, 1.0); }\n"
+    "#BOTH light = fetch_colour(p).rgb;\n"
+    "#PROFILE at = 3 + STRIDE * int(profile_of(own));\n"
+    "float3 share = share_at(own.a, at);\n"
+    "float3 soft = float3(0.0, 0.0, 0.0);\n"
+    "float weight = 0.0;\n"
+    "for (int i = 0; i < 4; i++) {\n"
+    "int2 q = int2((p.x + 1) / 2 - 1 + i % 2, (p.y + 1) / 2 - 1 + i / 2);\n"
+    "if (!inside(q * 2)) { continue; }\n"
+    "float4 there = fetch_input(q);\n"
+    "float f = nearness(there, own, at) * pick(0.2, 0.8, q.x == p.x / 2) * pick(0.2, 0.8, q.y == p.y / 2);\n"
+    "if (!(f > 0.0)) { continue; }\n"
+    "float3 kept = share;\n"
+    "#PERSPECTIVE kept = share_at(there.a, at);\n"
+    "float3 after = fetch_sum(q).rgb;\n"
+    "float3 least = min(min(there.rgb, after), float3(0.0, 0.0, 0.0));\n"
+    "soft = soft + f * max(there.rgb + (after - there.rgb) / (float3(1.0, 1.0, 1.0) - kept), least);\n"
+    "weight = weight + f;\n"
+    "}\n"
+    "float strength = constant[0].w;\n"
+    "#WITH_STRENGTH strength = strength * min(fetch_strength(p).r, 1.0);\n"
+    "if (!(pixels_at(own.a) * constant[at].w * max(constant[1].x, constant[1].y) > 0.5) || !(weight > 1e-6)) {\n"
+    "strength = 0.0;\n"
+    "}\n"
+    "if (strength > 0.0) { light = light + strength * (float3(1.0, 1.0, 1.0) - share) * (soft / weight - light); }\n"
+    "return float4(light, 1.0);\n"
+    "}\n"
+    "#endif\n",
+    "#if PASS\n"
+    "float restore(float sum, float weight, float own, float total, bool mixed) {\n"
+    "if (mixed) { return sum + own * (total - weight); }\n"
+    "if (weight > 1e-30) { return sum / weight * total; }\n"
+    "return own * total;\n"
+    "}\n",
+    "#if SECOND\n"
+    "// Only the first term's pass leaves light where it was.\n"
+    "float3 unblurred(int2 p) {\n"
+    "float3 light = float3(0.0, 0.0, 0.0);\n"
+    "if (constant[2].x > 0.5) { light = fetch_input(p).rgb; }\n"
+    "return light;\n"
+    "}\n"
+    "#endif\n",
+    "float4 filter_pixel(int2 p) {\n"
+    "float4 own = texel(p);\n"
+    "float4 black = float4(0.0, 0.0, 0.0, 0.0);\n"
+    "if (!(own.a > 0.0)) {\n"
+    "#SECOND return float4(unblurred(p), 1.0);\n"
+    "#!SECOND return black;\n"
+    "}\n"
+    "int at = 3;\n"
+    "#PROFILE at = 3 + STRIDE * int(profile_of(own));\n"
+    "float4 total = constant[at];\n"
+    "float2 aspect = constant[1].xy;\n"
+    "float pixels = constant[0].z;\n"
+    "float most = max(constant[0].x, constant[0].y) / total.w;\n"
+    "#PERSPECTIVE pixels = pixels / own.a;\n"
+    "#HALVED pixels = 0.5 * pixels;\n"
+    "#HALVED most = 0.5 * most;\n"
+    "bool large = pixels * total.w * max(aspect.x, aspect.y) > 0.5;\n"
+    "pixels = min(pixels, most);\n"
+    "float2 axis = float2(1.0 - float(SECOND), float(SECOND));\n"
+    "#TURNED float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;\n"
+    "#TURNED float angle = constant[1].z + constant[1].w * turn * (1.57079632679 / 64.0);\n"
+    "#TURNED axis = axis.x * float2(cos(angle), sin(angle)) + axis.y * float2(-sin(angle), cos(angle));\n"
+    "#if SHAPE\n"
+    "// Of the tangent plane: depth a column and a row, in perspective relative; mm of scaled depth, times the cosine to the ray.\n"
+    "float2 ray = ray_of(p);\n"
+    "float2 focal = constant[2].yz;\n"
+    "#HALVED focal = 0.5 * focal;\n"
+    "float2 slopes = constant[2].w * slopes_of(p, own, ray, focal, sqrt(constant[at + 4].w) / constant[at + 1].w);\n"
+    "float slope = dot(axis, slopes);\n"
+    "pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);\n"
+    "float2 plane = slopes / focal;\n"
+    "float towards = dot(ray, slopes) + 1.0;\n"
+    "float deep = constant[2].y / (constant[0].z * constant[at + 1].w);\n"
+    "float facing = deep / sqrt(dot(slopes, slopes) + towards * towards);\n"
+    "float3 curve = constant[at + 3].rgb;\n"
+    "float least = -1.0 / max(1.0, max(curve.r, max(curve.g, curve.b)));\n"
+    "// Of the taps before on both sides: how far below the plane, and how far away.\n"
+    "float2 height = float2(0.0, 0.0);\n"
+    "float2 inner = height;\n"
+    "#endif\n"
+    "axis = axis * aspect * pixels;\n"
+    "float3 result = own.rgb * constant[at + 5].rgb;\n"
+    "float3 weight = constant[at + 5].rgb;\n"
+    "float3 lifted = weight;\n"
+    "if (large) {\n",
+    "for (int k = 1; k < TAPS; k++) {\n"
+    "float4 tap = constant[at + 5 + (k + 1) / 2];\n"
+    "float offset = pick(tap.w, -tap.w, k % 2 == 0);\n"
+    "float2 whole = floor(axis * offset);\n"
+    "float2 part = axis * offset - whole;\n"
+    "float4 sum = black;\n"
+    "#SHAPE float below = 0.0;\n"
+    "#SHAPE float remote = min(constant[2].w * deep * deep / max(offset * offset, 1e-30), 1e6);\n"
+    "for (int i = 0; i < CORNERS; i++) {\n"
+    "#TURNED int2 corner = int2(i % 2, i / 2);\n"
+    "#TURNED float share = abs(1.0 - float(corner.x) - part.x) * abs(1.0 - float(corner.y) - part.y);\n"
+    "#!TURNED int2 corner = int2(i - i * SECOND, i * SECOND);\n"
+    "#!TURNED float share = abs(1.0 - float(i) - part.x - part.y);\n"
+    "if (!(share > 0.0)) { continue; }\n"
+    "int2 beside = int2(int(whole.x), int(whole.y)) + corner;\n"
+    "float4 c = texel(p + beside);\n"
+    "if (!same(c, own)) { continue; }\n"
+    "float f = share;\n"
+    "#if DEPTH\n"
+    "float dz = c.a - own.a;\n"
+    "#if SHAPE\n"
+    "float gain = dot(plane, float2(float(beside.x), float(beside.y)));\n"
+    "#PERSPECTIVE gain = gain * c.a;\n"
+    "dz = dz - gain;\n"
+    "#endif\n"
+    "dz = dz * constant[at + 1].w;\n"
+    "if (!(dz * dz < 1.0)) { continue; }\n"
+    "#SHAPE f = share * (1.0 - dz * dz) / (remote * dz * dz + 1.0);\n"
+    "#!SHAPE f = (1.0 - dz * dz) * (1.0 - dz * dz);\n"
+    "#!SHAPE f = share * f * f;\n"
+    "#SHAPE below = below + f * dz;\n"
+    "#endif\n"
+    "sum = sum + float4(c.rgb * f, f);\n"
+    "}\n"
+    "#if SHAPE\n"
+    "float grain = own.a * constant[at + 1].w * 2.3841858e-7 * (2.0 + (abs(axis.x) + abs(axis.y)) * abs(offset));\n"
+    "float sine = 0.0;\n"
+    "below = facing * (below - clamp(below, -grain, grain));\n"
+    "if (abs(offset) > 1e-20) { sine = clamp(below / abs(offset), least, 1.0); }\n"
+    "// The more the surface bends away between the tap before and this one, the more of it there is.\n"
+    "bool back = offset < 0.0;\n"
+    "float before = pick(height.x, height.y, back);\n"
+    "float gap = abs(offset) - pick(inner.x, inner.y, back);\n"
+    "float lower = (below + 0.001 * before) / (sum.a + 0.001);\n"
+    "float bend = 0.0;\n"
+    "if (gap > 1e-20 && constant[at + 3].w < 0.5) { bend = (lower - before) / gap; }\n"
+    "sum = sum * min(0.5 * constant[2].w * bend * bend + 1.0, 3.0);\n"
+    "height = pick(float2(lower, height.y), float2(height.x, lower), back);\n"
+    "inner = pick(float2(abs(offset), inner.y), float2(inner.x, abs(offset)), back);\n"
+    "#endif\n"
+    "weight = weight + tap.rgb * sum.a;\n"
+    "#SHAPE float3 lift = float3(1.0, 1.0, 1.0) + curve * sine;\n"
+    "#SHAPE lift = lift * lift;\n"
+    "#SHAPE tap = float4(tap.rgb * lift * lift, tap.w);\n"
+    "#SHAPE lifted = lifted + tap.rgb * sum.a;\n"
+    "result = result + tap.rgb * sum.rgb;\n"
+    "}\n"
+    "int mixed = int(constant[at + 3].w);\n"
+    "#SHAPE lifted = max(weight, lifted * constant[at + 4].rgb);\n"
+    "#SHAPE weight = float3(pick(lifted.r, weight.r, (mixed & 1) != 0), pick(lifted.g, weight.g, (mixed & 2) != 0),\n"
+    "#SHAPE     pick(lifted.b, weight.b, (mixed & 4) != 0));\n"
+    "result = float3(restore(result.r, weight.r, own.r, total.r, (mixed & 1) != 0),\n"
+    "    restore(result.g, weight.g, own.g, total.g, (mixed & 2) != 0),\n"
+    "    restore(result.b, weight.b, own.b, total.b, (mixed & 4) != 0));\n"
+    "} else {\n"
+    "result = own.rgb * total.rgb;\n"
+    "}\n"
+    "#if SECOND\n"
+    "float strength = 1.0;\n"
+    "#if !HALVED\n"
+    "strength = constant[0].w;\n"
+    "#WITH_STRENGTH strength = strength * min(fetch_strength(p).r, 1.0);\n"
+    "#endif\n"
+    "float3 delta = constant[at + 2].rgb;\n"
+    "result = constant[at + 1].rgb * result;\n"
+    "if (!large || strength < 1.0 || dot(abs(delta), float3(1.0, 1.0, 1.0)) > 0.0) {\n"
+    "float3 light = unblurred(p);\n"
+    "result = result + delta * light;\n"
+    "result = pick(light, strength * result + (1.0 - strength) * light, large);\n"
+    "}\n"
+    "return float4(result, 1.0);\n"
+    "#else\n"
+    "#BOTH result = float3(result.rg, code_of(result.b, profile_of(own)));\n"
+    "return float4(result, own.a);\n"
+    "#endif\n"
+    "}\n"
+    "#endif\n"};
+
+/* The steps of the pyramid; the comments of PYRAMID KERNELS hold for these lines too. */
+static const char *const ms_sss__pyramid_body[] = {
+    "// constant: 0 width, height, gain, profile; 1 radius in pixels (perspective: times depth), its limit, step of d a pixel at\n"
+    "// slope 1 (perspective: times d), tangent of a pixel's ray; 2 reach in radii, upright, pixels of the picture in one of the\n"
+    "// coarser level, square of the taps' radius; 3 K / 4, norm; 4 1 / reflectance, mean; 5 spread, rounding of the taps, of d,\n"
+    "// whether there is a coarser level (1) with sums (2); from 6 on weights by size: of the gather, and of RESOLVE of the\n"
+    "// pixel and its neighbours.\n"
+    "// d is linear on planes: -1 / depth in perspective, else depth; 0 where nothing takes part. A level is two textures: light\n"
+    "// and d; share of the surface, changes of d a pixel along x and y.\n"
+    "// How many pixels of the picture a step of d is deep.\n"
+    "float deep_of(float d) {\n"
+    "#if SHAPE\n"
+    "#PERSPECTIVE return -1.0 / (constant[1].z * d);\n"
+    "#!PERSPECTIVE return 1.0 / constant[1].z;\n"
+    "#else\n"
+    "return 0.0;\n"
+    "#endif\n"
+    "}\n",
+    "// The kernel's radius in pixels of the picture.\n"
+    "float radius_of(float d) {\n"
+    "#PERSPECTIVE return min(-constant[1].x * d, constant[1].y);\n"
+    "#!PERSPECTIVE return min(constant[1].x, constant[1].y);\n"
+    "}\n",
+    "#if !BASE\n"
+    "bool inside(int2 p) {\n"
+    "float2 first = float2(float(p.x), float(p.y)) * (0.5 * constant[2].z);\n"
+    "return p.x >= 0 && p.y >= 0 && first.x < constant[0].x && first.y < constant[0].y;\n"
+    "}\n",
+    "float beside(float away) {\n"
+    "float f = max(1.0 - away * away, 0.0);\n"
+    "return f * f * f * f;\n"
+    "}\n"
+    "#endif\n",
+    "#if !SHRINK\n"
+    "// How much larger the surface is than its picture; middle: the pixel's place in the picture.\n"
+    "float area_of(float2 slope, float2 middle) {\n"
+    "float towards = dot(slope, (middle - 0.5 * constant[0].xy) * constant[1].w) + 1.0;\n"
+    "return sqrt(dot(slope, slope) + towards * towards);\n"
+    "}\n"
+    "#endif\n",
+    "#if BASE\n"
+    "float d_of(float depth) {\n"
+    "float d = 0.0;\n"
+    "if (depth > 0.0) {\n"
+    "#if PERSPECTIVE\n"
+    "d = -1.0 / depth;\n"
+    "#else\n"
+    "#SHAPE d = depth;\n"
+    "#!SHAPE d = 1.0;\n"
+    "#endif\n"
+    "}\n"
+    "return d;\n"
+    "}\n",
+    "// Level 0.\n"
+    "float4 filter_pixel(int2 p) {\n"
+    "float4 own = source(p);\n"
+    "float d = d_of(own.a);\n"
+    "float2 slope = float2(0.0, 0.0);\n"
+    "float2 middle = float2(float(p.x) + 0.5, float(p.y) + 0.5);\n"
+    "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
+    "if (!(abs(d) > 0.0)) { return ms_sss_other; }\n"
+    "#TILTED slope = constant[2].y * slopes_of(p, own, ray_of(p), float2(1.0 / constant[1].z, 1.0 / constant[1].z), radius_of(d));\n"
+    "float step = constant[1].z;\n"
+    "#PERSPECTIVE step = -step * d;\n"
+    "ms_sss_other = float4(min(area_of(slope, middle), 10.0), slope.x * step, slope.y * step, 0.0);\n"
+    "return float4(own.rgb, d);\n"
+    "}\n"
+    "#endif\n",
+    "#if SHRINK\n"
+    "// A pixel of the next level from 4 x 4: what lies near the tangent plane of the nearest of the middle four that has a\n"
+    "// quarter of the largest share.\n"
+    "float4 filter_pixel(int2 p) {\n"
+    "float most = 0.0;\n"
+    "for (int i = 0; i < 4; i++) {\n"
+    "int2 q = p * 2 + int2(i % 2, i / 2);\n"
+    "if (inside(q)) { most = max(most, fetch_surface(q).r); }\n"
+    "}\n"
+    "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
+    "if (!(most > 0.0)) { return ms_sss_other; }\n"
+    "float nearest = 3e38;\n"
+    "float2 change = float2(0.0, 0.0);\n"
+    "float2 at = change;\n"
+    "for (int i = 0; i < 4; i++) {\n"
+    "int2 q = p * 2 + int2(i % 2, i / 2);\n"
+    "if (!inside(q)) { continue; }\n"
+    "float4 surface = fetch_surface(q);\n"
+    "float d = fetch_colour(q).a;\n"
+    "if (surface.r > 0.25 * most && d < nearest) {\n"
+    "nearest = d;\n"
+    "change = surface.gb;\n"
+    "at = float2(float(i % 2) - 0.5, float(i / 2) - 0.5);\n"
+    "}\n"
+    "}\n"
+    "float scale = deep_of(nearest) / radius_of(nearest);\n"
+    "float middle = nearest - dot(at, change);\n"
+    "float least = nearest;\n"
+    "float greatest = nearest;\n"
+    "float4 light = float4(0.0, 0.0, 0.0, 0.0);\n"
+    "float3 surfaces = float3(0.0, 0.0, 0.0);\n"
+    "float seen = 0.0;\n"
+    "for (int i = 0; i < 16; i++) {\n"
+    "int2 q = p * 2 + int2(i % 4 - 1, i / 4 - 1);\n"
+    "if (!inside(q)) { continue; }\n"
+    "float4 there = fetch_colour(q);\n"
+    "float4 surface = fetch_surface(q);\n"
+    "float2 away = float2(float(i % 4) - 1.5, float(i / 4) - 1.5);\n"
+    "float rise = dot(away, change);\n"
+    "float f = beside((there.a - rise - middle) * scale / constant[2].x) * surface.r;\n"
+    "f = f * pick(0.125, 0.375, abs(away.x) < 1.0) * pick(0.125, 0.375, abs(away.y) < 1.0);\n"
+    "if (f > 0.0 && abs((there.a - nearest) * scale) < 1.0) {\n"
+    "least = min(least, there.a);\n"
+    "greatest = max(greatest, there.a);\n"
+    "light = light + f * float4(there.rgb, there.a - rise);\n"
+    "float part = f / max(surface.r, 1.0);\n"
+    "surfaces = surfaces + float3(f, part * surface.g, part * surface.b);\n"
+    "seen = seen + part;\n"
+    "}\n"
+    "}\n"
+    "if (!(surfaces.r > 1e-20)) { return ms_sss_other; }\n"
+    "light = light / surfaces.r;\n"
+    "change = 2.0 * surfaces.gb / seen;\n"
+    "ms_sss_other = float4(surfaces.r, change.x, change.y, 0.0);\n"
+    "return float4(light.rgb, clamp(light.a, least, greatest));\n"
+    "}\n"
+    "#endif\n",
+    "#if GATHERS\n"
+    "// Weights of kernels of this radius in pixels, linear between the sizes of the table.\n"
+    "float3 weight_at(float size, int table) {\n"
+    "int i = clamp((int(bits_of(size)) - 0x3f800000) >> 21u, 0, LAST_SIZE);\n"
+    "float low = float_of(uint(0x3f800000 + (i << 21u)));\n"
+    "float high = float_of(uint(0x3f800000 + ((i + 1) << 21u)));\n"
+    "float t = clamp((size - low) / (high - low), 0.0, 1.0);\n"
+    "return constant[table + i].rgb + t * (constant[table + i + 1].rgb - constant[table + i].rgb);\n"
+    "}\n",
+    "// light times the mean of (1 + K sin(theta) / 4)^4, by mean (moment / light) and mean square of sin(theta), of which grain may\n"
+    "// be rounding.\n"
+    "float raise(float light, float moment, float square, float grain, float quarter, float most) {\n"
+    "float mean = 0.0;\n"
+    "if (abs(light) > 0.0) { mean = moment / light; }\n"
+    "mean = clamp(mean - clamp(mean, -grain, grain), -1.0, 1.0);\n"
+    "float u = max(quarter * mean + 1.0, 0.0);\n"
+    "float spread = max(square - (grain * grain + mean * mean), 0.0);\n"
+    "return light * min(u * u * (6.0 * spread * quarter * quarter + u * u), most);\n"
+    "}\n",
+    "// The light of the next coarser level from up to 6 x 6 pixels around, counted by its distance in space and lifted by how far\n"
+    "// it lies below the tangent plane, and the sums of that level; sums of weights to ms_sss_other.\n"
+    "float3 gather(int2 p, float d, float2 change) {\n"
+    "float cells = constant[2].z;\n"
+    "float deep = deep_of(d) / cells;\n"
+    "float radius = radius_of(d);\n"
+    "float2 slope = change * (2.0 * deep);\n"
+    "float area = area_of(slope, float2(float(p.x) + 0.5, float(p.y) + 0.5) * (0.5 * cells));\n"
+    "float cap = min(area, 1.5);\n"
+    "float limit = radius / cells;\n"
+    "float near_plane = 1.0 / (limit * constant[2].x);\n"
+    "float wide = cap * cap * constant[2].w;\n"
+    "float weight = 0.0;\n"
+    "float square = 0.0;\n"
+    "float3 light = float3(0.0, 0.0, 0.0);\n"
+    "float3 moment = light;\n"
+    "float3 sums = light;\n"
+    "float3 weights = light;\n"
+    "for (int j = 0; j < 6; j++) {\n"
+    "for (int k = 0; k < 6; k++) {\n"
+    "int2 q = int2(p.x / 2 + k - 3 + p.x % 2, p.y / 2 + j - 3 + p.y % 2);\n"
+    "float2 away = float2(float(k) - 2.75 + 0.5 * float(p.x % 2), float(j) - 2.75 + 0.5 * float(p.y % 2));\n"
+    "if (dot(away, away) > wide || !inside(q * 2)) { continue; }\n"
+    "float4 there = fetch_coarse(q);\n"
+    "float dz = (there.a - d) * deep;\n"
+    "if (!(abs(there.a) > 0.0 && dz * dz < limit * limit)) { continue; }\n"
+    "float below = dz - dot(away, slope);\n"
+    "float t = max(1.0 - (dz * dz + dot(away, away)) / wide, 0.0);\n"
+    "float w = t * t * fetch_coarse_surface(q).r;\n"
+    "weight = weight + w;\n"
+    "light = light + w * there.rgb;\n"
+    "moment = moment + w * below * there.rgb;\n"
+    "square = square + w * below * below;\n"
+    "if (abs(away.x) < 1.0 && abs(away.y) < 1.0 && constant[5].w > 1.5) {\n"
+    "t = beside(below * near_plane) * pick(0.25, 0.75, abs(away.x) < 0.5) * pick(0.25, 0.75, abs(away.y) < 0.5);\n"
+    "sums = sums + t * fetch_sum(q).rgb;\n"
+    "weights = weights + t * fetch_weight(q).rgb;\n"
+    "}\n"
+    "}\n"
+    "}\n"
+    "#if TILTED\n"
+    "float facing = 1.0 / (cap * area);\n"
+    "float turn = facing * constant[4].w;\n"
+    "float grain = turn * constant[5].y;\n"
+    "#!PERSPECTIVE grain = grain * d;\n"
+    "// Too steep for a tangent plane on this level.\n"
+    "if (!((abs(slope.x) + abs(slope.y)) * 0.5 * cells < radius)) {\n"
+    "square = 0.0;\n"
+    "moment = float3(0.0, 0.0, 0.0);\n"
+    "}\n"
+    "if (weight > 0.0) { square = square / weight; }\n"
+    "square = square * facing * facing * constant[5].x;\n"
+    "light = float3(raise(light.r, moment.r * turn, square, grain, constant[3].r, constant[4].r),\n"
+    "    raise(light.g, moment.g * turn, square, grain, constant[3].g, constant[4].g),\n"
+    "    raise(light.b, moment.b * turn, square, grain, constant[3].b, constant[4].b));\n"
+    "#endif\n"
+    "float3 share = weight_at(radius / cap, 6) * (constant[3].w / (cap * cap));\n"
+    "weights = weights + share * weight;\n"
+    "ms_sss_other = float4(weights.r, weights.g, weights.b, 0.0);\n"
+    "return sums + share * light;\n"
+    "}\n"
+    "#endif\n",
+    "#if GATHER\n"
+    "float4 filter_pixel(int2 p) {\n"
+    "float d = fetch_colour(p).a;\n"
+    "float3 sum = float3(0.0, 0.0, 0.0);\n"
+    "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
+    "if (abs(d) > 0.0) { sum = gather(p, d, fetch_surface(p).gb); }\n"
+    "return float4(sum, 0.0);\n"
+    "}\n"
+    "#endif\n",
+    "#if RESOLVE\n"
+    "// The pixel's own light, that of its neighbours as far as they lie near its tangent plane, and the sums.\n"
+    "float4 filter_pixel(int2 p) {\n"
+    "float4 own = fetch_colour(p);\n"
+    "if (!(abs(own.a) > 0.0)) { return float4(fetch_input(p).rgb, 1.0); }\n"
+    "float4 surface = fetch_surface(p);\n"
+    "float deep = deep_of(own.a);\n"
+    "float radius = radius_of(own.a);\n"
+    "float size = radius / clamp(surface.r, 1.0, 1.5);\n"
+    "float3 keep = weight_at(size, 6 + SIZES);\n"
+    "float3 pass_on = weight_at(size, 6 + 2 * SIZES);\n"
+    "float3 sum = keep * own.rgb;\n"
+    "float3 weight = keep;\n"
+    "for (int i = 0; i < 9; i++) {\n"
+    "int2 q = p + int2(i % 3 - 1, i / 3 - 1);\n"
+    "if (!inside(q)) { continue; }\n"
+    "float4 there = fetch_colour(q);\n"
+    "float rise = float(i % 3 - 1) * surface.g + float(i / 3 - 1) * surface.b;\n"
+    "float away = (there.a - own.a - rise) * deep;\n"
+    "float f = max(1.0 - 0.25 * away * away, 0.0);\n"
+    "f = f * f * pick(0.25, 0.5, i % 3 == 1) * pick(0.25, 0.5, i / 3 == 1);\n"
+    "if (abs(there.a) > 0.0) {\n"
+    "sum = sum + f * pass_on * there.rgb;\n"
+    "weight = weight + f * pass_on;\n"
+    "}\n"
+    "}\n"
+    "if (constant[5].w > 0.5) {\n"
+    "sum = sum + gather(p, own.a, surface.gb);\n"
+    "weight = weight + ms_sss_other.rgb;\n"
+    "}\n"
+    "float strength = constant[0].z;\n"
+    "#WITH_STRENGTH strength = strength * min(fetch_strength(p).r, 1.0);\n"
+    "if (!(radius > 0.5)) { strength = 0.0; }\n"
+    "float3 light = float3(pick(own.r, sum.r / weight.r, weight.r > 1e-30), pick(own.g, sum.g / weight.g, weight.g > 1e-30),\n"
+    "    pick(own.b, sum.b / weight.b, weight.b > 1e-30));\n"
+    "return float4(own.rgb + strength * (light - own.rgb), 1.0);\n"
+    "}\n"
+    "#endif\n"};
+
+static const char *const ms_sss__transmission_body[] = {
+    "float ms_sss_through(float reflectance, float decay, float thickness, float parallel) {\n"
+    "float dark = max(1.0 - reflectance, 1e-4);\n"
+    "float R = 1.0 - dark;\n"
+    "float y = decay * max(thickness, 0.0);\n"
+    "float x = exp(-y);\n"
+    "float gone = 1.0 - x;\n"
+    "float slab = 1.0 - 0.85 * dark * dark * dark * dark * dark * (1.0 - exp(-0.8 * y));\n"
+    "if (!(reflectance > 0.0)) { return 0.0; }\n"
+    "if (y < 0.02) {\n" /* where the difference would lose digits */
+    "gone = y * (1.0 - 0.5 * y * (1.0 - y / 3.0));\n"
+    "}\n"
+    "slab = slab * dark * (1.0 + R) * x / ((dark + R * gone) * (1.0 + R * x));\n"
+    "return slab * (1.0 + dark / R * max(parallel, 0.0));\n"
+    "}\n",
+    "float3 ms_sss_transmission(float3 reflectance, float3 decay, float thickness_mm, float3 normal, float3 entry_normal, "
+    "float3 to_light, float3 light) {\n"
+    "float entry = dot(entry_normal, to_light);\n"
+    "float parallel = -dot(normal, entry_normal);\n"
+    "if (!(dot(normal, to_light) < 0.0 && entry > 0.0)) { return float3(0.0, 0.0, 0.0); }\n"
+    "return entry * light * float3(ms_sss_through(reflectance.r, decay.r, thickness_mm, parallel),\n"
+    "    ms_sss_through(reflectance.g, decay.g, thickness_mm, parallel), ms_sss_through(reflectance.b, decay.b, thickness_mm, parallel));\n"
+    "}\n"};
+
+/* What lines are chosen by, and what stands as a number in them; the values are of ms_sss__emit_shader. */
+/* clang-format off */
+#define MS_SSS__FEATURE_LIST(X) \
+    X(PASS, pass) X(SECOND, second) X(HALVED, halved) X(DOWN, down) X(UP, up) X(NEARNESS, up || down) \
+    X(TOWER, tower) X(BASE, base) X(SHRINK, s->step == MS_SSS_STEP_SHRINK) X(GATHER, gather) X(RESOLVE, resolve) \
+    X(GATHERS, gather || resolve) X(SIZES, MS_SSS_PYRAMID_SIZES) X(LAST_SIZE, MS_SSS_PYRAMID_SIZES - 2) \
+    X(TAPS, s->tap_count) X(STRIDE, ms_sss__shader_stride(s)) X(PROFILES, ms_sss__shader_profiles(s)) \
+    X(TERMS, ms_sss__shader_terms(s)) X(CORNERS, turned ? 4 : 2) X(TURNED, turned) X(RAW, raw) \
+    X(WITH_STRENGTH, s->with_strength) X(WITH_NORMAL, normal) X(DEPTH, depth) \
+    X(DEPTH_TEXTURE, s->depth == MS_SSS_TEXTURE) X(DEPTH_ALPHA, s->depth == MS_SSS_ALPHA) X(PROFILE, profile) \
+    X(PROFILE_TEXTURE, s->profile == MS_SSS_TEXTURE) X(PROFILE_ALONE, profile && !depth && !tower) \
+    X(READS_PROFILE, raw && profile && !both_alpha) X(BOTH, depth && profile && !tower) X(BOTH_ALPHA, both_alpha) \
+    X(PERSPECTIVE, o->fov_degrees > 0) X(SHAPE, tower ? depth && o->depth_mode == MS_SSS_DEPTH_AWARE : shape && pass) \
+    X(TILTED, shape) X(SLOPES, shape && (pass || base))
+/* clang-format on */
+
+enum {
+#define MS_SSS__FEATURE_ENUM(name, value) MS_SSS__HAS_##name,
+    MS_SSS__FEATURE_LIST(MS_SSS__FEATURE_ENUM)
+#undef MS_SSS__FEATURE_ENUM
+        MS_SSS__FEATURES
+};
+
+static const char *const ms_sss__feature[] = {
+#define MS_SSS__FEATURE_NAME(name, value) #name,
+    MS_SSS__FEATURE_LIST(MS_SSS__FEATURE_NAME)
+#undef MS_SSS__FEATURE_NAME
+};
+
+/* Words that differ: here, GLSL, HLSL, WGSL; the types first. */
+enum { MS_SSS__TYPES = 9, MS_SSS__WORDS = 13 };
+
+static const char *const ms_sss__word[MS_SSS__WORDS][4] = {{"void", "void", "void", ""},
+                                                           {"bool", "bool", "bool", "bool"},
+                                                           {"int", "int", "int", "i32"},
+                                                           {"uint", "uint", "uint", "u32"},
+                                                           {"float", "float", "float", "f32"},
+                                                           {"int2", "ivec2", "int2", "vec2<i32>"},
+                                                           {"float2", "vec2", "float2", "vec2<f32>"},
+                                                           {"float3", "vec3", "float3", "vec3<f32>"},
+                                                           {"float4", "vec4", "float4", "vec4<f32>"},
+                                                           {"constant", "ms_sss", "ms_sss", "ms_sss.v"},
+                                                           {"bits_of", "floatBitsToUint", "asuint", "bitcast<u32>"},
+                                                           {"float_of", "uintBitsToFloat", "asfloat", "bitcast<f32>"},
+                                                           {"pick", "pick", "pick", "select"}};
+
+/* A text that is measured first and written second. */
+typedef struct ms_sss__text {
+    char *out; /* NULL: measure */
+    size_t length;
+    int column; /* of ms_sss__word */
+    int feature[MS_SSS__FEATURES];
+} ms_sss__text;
+
+/* After a text was said: whether to say it again, into the caller's memory. */
+static int ms_sss__emit_again(ms_sss__text *text, char *out, size_t capacity)
+{
+    if (text->out || !out || capacity <= text->length) {
+        if (text->out) text->out[text->length] = 0;
+        return 0;
+    }
+    text->out = out;
+    text->length = 0;
+    return 1;
+}
+
+static void ms_sss__emit_part(ms_sss__text *text, const char *s, size_t n)
+{
+    if (text->out) memcpy(text->out + text->length, s, n);
+    text->length += n;
+}
+
+static void ms_sss__emit(ms_sss__text *text, const char *s) { ms_sss__emit_part(text, s, strlen(s)); }
+
+static void ms_sss__emit_number(ms_sss__text *text, int number)
+{
+    char digits[32];
+    ms__format_number(digits, number);
+    ms_sss__emit(text, digits);
+}
+
+static size_t ms_sss__name_length(const char *s)
+{
+    size_t n = 0;
+    while (s[n] == '_' || (s[n] >= 'a' && s[n] <= 'z') || (s[n] >= 'A' && s[n] <= 'Z') ||
+           (n && s[n] >= '0' && s[n] <= '9'))
+        ++n;
+    return n;
+}
+
+/* Which of names, step apart, the n characters at s are; -1: none. */
+static int ms_sss__find(const char *s, size_t n, const char *const *name, int step, int count)
+{
+    int i;
+    for (i = 0; i < count; ++i)
+        if (strlen(name[i * step]) == n && strncmp(s, name[i * step], n) == 0) return i;
+    return -1;
+}
+
+static int ms_sss__find_feature(const char *s, size_t n)
+{
+    return ms_sss__find(s, n, ms_sss__feature, 1, MS_SSS__FEATURES);
+}
+
+static int ms_sss__find_word(const char *s, size_t n) { return ms_sss__find(s, n, ms_sss__word[0], 4, MS_SSS__WORDS); }
+
+/* One word of a line, or one character that is in none. Returns how far it went. */
+static MS_SSS__COLD size_t ms_sss__emit_word(ms_sss__text *text, const char *s)
+{
+    const size_t n = ms_sss__name_length(s);
+    const int word = ms_sss__find_word(s, n), feature = ms_sss__find_feature(s, n);
+    if (n == 0) {
+        ms_sss__emit_part(text, s, 1);
+        return 1;
+    }
+    if (word >= 0) ms_sss__emit(text, ms_sss__word[word][text->column]);
+    else if (feature >= 0) ms_sss__emit_number(text, text->feature[feature]);
+    else ms_sss__emit_part(text, s, n);
+    return n;
+}
+
+/* A declaration "TYPE name" at s in WGSL's order: "var name: TYPE", or of a function "fn name(a: TYPE) -> TYPE".
+   Returns how far it went, 0 where there is none. */
+static MS_SSS__COLD size_t ms_sss__emit_declaration(ms_sss__text *text, const char *s, int outside)
+{
+    const size_t n = ms_sss__name_length(s), m = n && s[n] == ' ' ? ms_sss__name_length(s + n + 1) : 0;
+    const int type = ms_sss__find_word(s, n);
+    size_t at = n + 1 + m;
+    if (text->column != 3 || type < 0 || type >= MS_SSS__TYPES || m == 0) return 0;
+    ms_sss__emit(text, outside ? "fn " : "var ");
+    ms_sss__emit_part(text, s + n + 1, m);
+    if (!outside) {
+        ms_sss__emit(text, ": ");
+        ms_sss__emit(text, ms_sss__word[type][3]);
+        return at;
+    }
+    while (s[at] != ')') { /* "(" or ", ", then TYPE name */
+        const size_t before = s[at] == '(' ? 1 : 2, of = ms_sss__name_length(s + at + before);
+        const size_t name = ms_sss__name_length(s + at + before + of + 1);
+        ms_sss__emit_part(text, s + at, before);
+        ms_sss__emit_part(text, s + at + before + of + 1, name);
+        ms_sss__emit(text, ": ");
+        ms_sss__emit_word(text, s + at + before);
+        at += before + of + 1 + name;
+    }
+    ms_sss__emit(text, type ? ") -> " : ")");
+    ms_sss__emit(text, ms_sss__word[type][3]);
+    return at + 1;
+}
+
+static MS_SSS__COLD void ms_sss__emit_line(ms_sss__text *text, const char *s, const char *end, int outside)
+{
+    if (s[0] != '/') {
+        if (strncmp(s, "for (", 5) == 0) {
+            ms_sss__emit(text, "for (");
+            s += 5;
+        }
+        s += ms_sss__emit_declaration(text, s, outside);
+        while (s < end) s += ms_sss__emit_word(text, s);
+    }
+    ms_sss__emit_part(text, s, (size_t)(end - s) + 1);
+}
+
+/* Lines are indented by braces, with a blank one between functions. No string is longer than what C99 promises to
+   take. */
+static MS_SSS__COLD void ms_sss__emit_body(ms_sss__text *text, const char *const *part, size_t parts)
+{
+    int skipped = 0, depth = 0, braces = 0; /* skipped: depth of the #if that is not taken, 0: none */
+    int ended = text->length > 0, i;        /* a function */
+    const char *s, *end, *c;
+    for (; parts > 0; ++part, --parts) {
+        for (s = *part; *s; s = end + 1) {
+            end = strchr(s, '\n');
+            if (s[0] == '#') {
+                const int open = strncmp(s, "#if ", 4) == 0, not_it = s[open ? 4 : 1] == '!';
+                const char *name = s + (open ? 4 : 1) + not_it;
+                const size_t n = ms_sss__name_length(name);
+                const int feature = ms_sss__find_feature(name, n);
+                const int taken = feature >= 0 && (text->feature[feature] != 0) != not_it;
+                depth += open;
+                if (open) {
+                    if (!skipped && !taken) skipped = depth;
+                } else if (feature < 0) { /* #else, #endif */
+                    if (skipped == depth) skipped = 0;
+                    else if (!skipped && s[2] == 'l') skipped = depth;
+                    depth -= s[2] == 'n';
+                }
+                if (open || !taken) continue;
+                s = name + n + 1;
+            }
+            if (skipped) continue;
+            if (ended) ms_sss__emit(text, "\n");
+            for (i = *s == '}'; i < braces; ++i) ms_sss__emit(text, "    ");
+            ms_sss__emit_line(text, s, end, braces == 0);
+            for (c = s; c < end; ++c) braces += (*c == '{') - (*c == '}');
+            ended = braces == 0 && end[-1] == '}';
+        }
+    }
+}
+
+enum { MS_SSS__PICTURE_HEAD = 3, MS_SSS__PROFILE_HEAD = 5, MS_SSS__LEVEL_HEAD = 6 }; /* float4 of the structs */
+
+static int ms_sss__shader_stride(const ms_sss_shader *s) { return MS_SSS__PROFILE_HEAD + s->tap_count / 2 + 1; }
+
+static int ms_sss__shader_profiles(const ms_sss_shader *s) { return s->profile_count > 0 ? s->profile_count : 1; }
+
+static int ms_sss__shader_tower(const ms_sss_shader *s) { return (int)s->step >= (int)MS_SSS_STEP_BASE; }
+
+/* Terms whose constants a step reads. */
+static int ms_sss__shader_terms(const ms_sss_shader *s)
+{
+    return s->step == MS_SSS_STEP_UP && s->term_count > 1 ? s->term_count : 1;
+}
+
+MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
+{
+    if (shader == NULL) return 0;
+    if (!ms_sss__shader_tower(shader) && (shader->tap_count < 1 || shader->tap_count > MS_SSS_TAPS_MAX)) return 0;
+    if (shader->profile_count > MS_SSS_SHADER_PROFILES_MAX || shader->term_count > MS_SSS_TERMS_MAX) return 0;
+    if (shader->step == MS_SSS_STEP_RESOLVE) return MS_SSS__LEVEL_HEAD + 3 * MS_SSS_PYRAMID_SIZES;
+    if (ms_sss__shader_tower(shader))
+        return MS_SSS__LEVEL_HEAD + (shader->step == MS_SSS_STEP_GATHER ? MS_SSS_PYRAMID_SIZES : 0);
+    return MS_SSS__PICTURE_HEAD +
+        ms_sss__shader_terms(shader) * ms_sss__shader_profiles(shader) * ms_sss__shader_stride(shader);
+}
+
+/* What differs as a whole: $n constants, $s a texture's name, $b its binding, $t its register. */
+typedef struct ms_sss__dialect {
+    int column; /* of ms_sss__word */
+    const char *version, *constants, *texture, *fragment;
+    const char *other, *fragments; /* a variable; to two targets */
+} ms_sss__dialect;
+
+#define MS_SSS__PICK "#define pick(b, a, c) ((c) ? (a) : (b))\n"
+#define MS_SSS__GLSL_TEXTURE \
+    "uniform sampler2D ms_sss_$s;\nvec4 fetch_$s(ivec2 p) { return texelFetch(ms_sss_$s, p, 0); }\n"
+#define MS_SSS__GLSL_OTHER "vec4 ms_sss_other = vec4(0.0);\n"
+#define MS_SSS__GLSL_MAINS                                                                                 \
+    "layout(location = 0) out vec4 ms_sss_out;\nlayout(location = 1) out vec4 ms_sss_out_other;\n"         \
+    "vec4 filter_pixel(ivec2 p);\nvoid main() {\n    ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy));\n" \
+    "    ms_sss_out_other = ms_sss_other;\n}\n"
+#define MS_SSS__GLSL_MAIN \
+    "ms_sss_out;\nvec4 filter_pixel(ivec2 p);\nvoid main() { ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy)); }\n"
+
+static const ms_sss__dialect ms_sss__dialects[5] = {
+    {1, "#version 330\n" MS_SSS__PICK, "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE,
+     "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER, MS_SSS__GLSL_MAINS},
+    {1, "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n" MS_SSS__PICK,
+     "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER,
+     MS_SSS__GLSL_MAINS},
+    {1, "#version 450\n" MS_SSS__PICK, "layout(set = 0, binding = 0) uniform ms_sss_block { vec4 ms_sss[$n]; };\n",
+     "layout(set = 0, binding = $b) " MS_SSS__GLSL_TEXTURE, "layout(location = 0) out vec4 " MS_SSS__GLSL_MAIN,
+     MS_SSS__GLSL_OTHER, MS_SSS__GLSL_MAINS},
+    {2, MS_SSS__PICK, "cbuffer ms_sss_block : register(b0) { float4 ms_sss[$n]; };\n",
+     "Texture2D<float4> ms_sss_$s : register(t$t);\nfloat4 fetch_$s(int2 p) { return ms_sss_$s.Load(int3(p, 0)); }\n",
+     "float4 filter_pixel(int2 p);\nfloat4 main(float4 position : SV_Position) : SV_Target "
+     "{ return filter_pixel(int2(position.xy)); }\n",
+     "static float4 ms_sss_other;\n",
+     "struct ms_sss_targets { float4 out_first : SV_Target0; float4 out_other : SV_Target1; };\n"
+     "float4 filter_pixel(int2 p);\nms_sss_targets main(float4 position : SV_Position) {\n    ms_sss_targets to;\n"
+     "    to.out_first = filter_pixel(int2(position.xy));\n    to.out_other = ms_sss_other;\n    return to;\n}\n"},
+    {3, "",
+     "struct ms_sss_block { v: array<vec4<f32>, $n> };\n@group(0) @binding(0) var<uniform> ms_sss: ms_sss_block;\n",
+     "@group(0) @binding($b) var ms_sss_$s: texture_2d<f32>;\n"
+     "fn fetch_$s(p: vec2<i32>) -> vec4<f32> { return textureLoad(ms_sss_$s, p, 0); }\n",
+     "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {\n"
+     "    return filter_pixel(vec2<i32>(position.xy));\n}\n",
+     "var<private> ms_sss_other: vec4<f32>;\n",
+     "struct ms_sss_targets { @location(0) out_first: vec4<f32>, @location(1) out_other: vec4<f32> };\n"
+     "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> ms_sss_targets {\n"
+     "    let first = filter_pixel(vec2<i32>(position.xy));\n    return ms_sss_targets(first, ms_sss_other);\n}\n"}};
+
+#undef MS_SSS__GLSL_MAIN
+#undef MS_SSS__GLSL_MAINS
+#undef MS_SSS__GLSL_OTHER
+#undef MS_SSS__GLSL_TEXTURE
+
+static MS_SSS__COLD void ms_sss__emit_dialect(ms_sss__text *text, const char *s, int constants, const char *name,
+                                              int index)
+{
+    for (; *s; ++s) {
+        if (*s != '$') ms_sss__emit_part(text, s, 1);
+        else if (*++s == 's') ms_sss__emit(text, name);
+        else ms_sss__emit_number(text, *s == 't' ? index : *s == 'b' ? index + 1 : constants);
+    }
+}
+
+/* Whether slopes count; ms_sss_filter asks the same. */
+static int ms_sss__shader_shaped(const ms_sss_shader *s, const ms_sss_filter_options *o)
+{
+    return s->depth != MS_SSS_NONE && o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE;
+}
+
+static MS_SSS__COLD void ms_sss__emit_shader(ms_sss__text *text, const ms_sss_shader *s, const ms_sss_filter_options *o)
+{
+    enum { NAMES = 11 };
+    static const char *const name[NAMES] = {"colour", "depth",   "strength", "input",          "profile", "sum",
+                                            "normal", "surface", "coarse",   "coarse_surface", "weight"};
+    const ms_sss__dialect *d = &ms_sss__dialects[s->language];
+    const int constants = ms_sss_shader_constant_count(s);
+    const int tower = ms_sss__shader_tower(s), base = s->step == MS_SSS_STEP_BASE,
+              gather = s->step == MS_SSS_STEP_GATHER, resolve = s->step == MS_SSS_STEP_RESOLVE;
+    const int up = s->step == MS_SSS_STEP_UP, down = s->step == MS_SSS_STEP_DOWN, second = s->step == MS_SSS_STEP_Y;
+    const int pass = second || s->step == MS_SSS_STEP_X, halved = pass && s->half_resolution;
+    const int raw = tower ? base : !pass || (!second && !halved);
+    const int depth = s->depth != MS_SSS_NONE, profile = s->profile != MS_SSS_NONE;
+    const int both_alpha = s->depth == MS_SSS_ALPHA && s->profile == MS_SSS_ALPHA;
+    const int shape = ms_sss__shader_shaped(s, o), turned = ms_sss__differ(o->rotation, 0) || o->jitter > 0;
+    const int normal = s->with_normal && shape && !s->half_resolution && (pass || base);
+    const int used[NAMES] = {1,
+                             s->depth == MS_SSS_TEXTURE && raw,
+                             s->with_strength && (raw || (second && !halved) || resolve),
+                             second || up || resolve,
+                             s->profile == MS_SSS_TEXTURE && raw,
+                             up || gather || resolve,
+                             normal,
+                             tower && !base,
+                             gather || resolve,
+                             gather || resolve,
+                             gather || resolve};
+    const int value[MS_SSS__FEATURES] = {
+#define MS_SSS__FEATURE_VALUE(name, value) value,
+        MS_SSS__FEATURE_LIST(MS_SSS__FEATURE_VALUE)
+#undef MS_SSS__FEATURE_VALUE
+    };
+    int i;
+    memcpy(text->feature, value, sizeof value);
+    text->column = d->column;
+    ms_sss__emit(text, d->version);
+    ms_sss__emit_dialect(text, d->constants, constants, "", 0);
+    for (i = 0; i < NAMES; ++i)
+        if (used[i]) ms_sss__emit_dialect(text, d->texture, constants, name[i], i);
+    if (tower) ms_sss__emit(text, d->other);
+    ms_sss__emit(text, tower && !resolve ? d->fragments : d->fragment);
+    if (!tower || base)
+        ms_sss__emit_body(text, ms_sss__source_body, sizeof ms_sss__source_body / sizeof ms_sss__source_body[0]);
+    if (tower)
+        ms_sss__emit_body(text, ms_sss__pyramid_body, sizeof ms_sss__pyramid_body / sizeof ms_sss__pyramid_body[0]);
+    else ms_sss__emit_body(text, ms_sss__shader_body, sizeof ms_sss__shader_body / sizeof ms_sss__shader_body[0]);
+}
+
+static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filter_options *o,
+                                                   ms_error *error)
+{
+    ms_status status;
+    if (!s || !o) return MS_SSS__REFUSE(error, "shader or options is NULL");
+    if ((status = ms_sss__check_options(o, error)) != MS_OK) return status;
+    if ((status = ms_sss__within((int)s->language, "language", 0, (int)MS_SSS_WGSL, error)) != MS_OK ||
+        (status = ms_sss__within((int)s->step, "step", 0, (int)MS_SSS_STEP_RESOLVE, error)) != MS_OK ||
+        (status = ms_sss__within((int)s->depth, "depth", 0, (int)MS_SSS_ALPHA, error)) != MS_OK ||
+        (status = ms_sss__within((int)s->profile, "profile", 0, (int)MS_SSS_ALPHA, error)) != MS_OK ||
+        (status = ms_sss__within(s->profile_count, "profile_count", 0, MS_SSS_SHADER_PROFILES_MAX, error)) != MS_OK ||
+        (status = ms_sss__within(s->term_count, "term_count", 0, MS_SSS_TERMS_MAX, error)) != MS_OK)
+        return status;
+    if (ms_sss__shader_tower(s) && !ms_sss__pyramid_can(o))
+        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round, without rotation or jitter");
+    if (!ms_sss__shader_tower(s) && (s->tap_count < 1 || s->tap_count > MS_SSS_TAPS_MAX || s->tap_count % 2 == 0))
+        return MS_SSS__REFUSE(error, "tap_count %d: expected an odd number from 1 to %d", s->tap_count,
+                              MS_SSS_TAPS_MAX);
+    if (s->profile_count > 1 && s->profile == MS_SSS_NONE)
+        return MS_SSS__REFUSE(error, "profile_count %d needs profile, the source of the index", s->profile_count);
+    if (o->fov_degrees > 0 && s->depth == MS_SSS_NONE)
+        return MS_SSS__REFUSE(error, "fov_degrees %g needs depth", (double)o->fov_degrees);
+    if (!s->half_resolution && (s->step == MS_SSS_STEP_DOWN || s->step == MS_SSS_STEP_UP))
+        return MS_SSS__REFUSE(error, "step %d is one of half_resolution", (int)s->step);
+    return MS_OK;
+}
+
+MS_API ms_sss_shader ms_sss_shader_defaults(void)
+{
+    ms_sss_shader s;
+    memset(&s, 0, sizeof s);
+    s.tap_count = 7;
+    return s;
+}
+
+MS_SSS__COLD MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options,
+                                              char *text, size_t capacity, ms_error *error)
+{
+    ms_sss__text t;
+    memset(&t, 0, sizeof t);
+    if (ms_sss__check_shader(shader, options, error) != MS_OK) return 0;
+    do ms_sss__emit_shader(&t, shader, options);
+    while (ms_sss__emit_again(&t, text, capacity));
+    return t.length;
+}
+
+MS_SSS__COLD MS_API size_t ms_sss_transmission_text(ms_sss_language language, char *text, size_t capacity)
+{
+    const size_t lines = sizeof ms_sss__transmission_body / sizeof ms_sss__transmission_body[0];
+    ms_sss__text t;
+    memset(&t, 0, sizeof t);
+    if ((int)language < 0 || (int)language > (int)MS_SSS_WGSL) return 0;
+    t.column = ms_sss__dialects[language].column;
+    do ms_sss__emit_body(&t, ms_sss__transmission_body, lines);
+    while (ms_sss__emit_again(&t, text, capacity));
+    return t.length;
+}
+
+MS_SSS__COLD MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int binary16, void *out,
+                                                   ms_error *error)
+{
+    ms_status status;
+    int i, c;
+    if (!kernel) return MS_SSS__REFUSE(error, "kernel is NULL");
+    if ((status = ms_sss__check_kernel(kernel, 0, error)) != MS_OK) return status;
+    if (term < 0 || term >= kernel->term_count)
+        return MS_SSS__REFUSE(error, "term %d is not within the kernel's %d", term, kernel->term_count);
+    for (i = 1; i < kernel->tap_count; i += 2) {
+        int same = !ms_sss__differ(kernel->offset_mm[i], -kernel->offset_mm[i + 1]);
+        for (c = 0; c < 3; ++c)
+            if (ms_sss__differ(kernel->weight[term][i][c], kernel->weight[term][i + 1][c])) same = 0;
+        if (!same)
+            return ms__fail(error, MS_UNSUPPORTED, 0, "taps %d and %d differ: half a kernel cannot hold both", i,
+                            i + 1);
+    }
+    for (i = 0; out && i < kernel->tap_count; i += 2)
+        for (c = 0; c < 4; ++c) {
+            const float value = c < 3 ? kernel->weight[term][i][c] : kernel->offset_mm[i];
+            if (binary16) ((uint16_t *)out)[2 * i + c] = ms__half_from_float(value);
+            else ((float *)out)[2 * i + c] = value;
+        }
+    return MS_OK;
+}
+
+/* The job that ms_sss_filter would make of a kernel. */
+static MS_SSS__COLD void ms_sss__shader_job(ms_sss__job *job, const ms_sss_kernel *k,
+                                            const ms_sss_filter_options *options, int width, int height, int shaped)
+{
+    memset(job, 0, sizeof *job);
+    job->frame.width = job->full_width = width;
+    job->frame.height = job->full_height = height;
+    job->coarse = 1;
+    job->options = *options;
+    job->shaped = shaped;
+    ms_sss__set_kernel(job, k, 0);
+}
+
+MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
+                                                      const ms_sss_filter_options *options, int width, int height,
+                                                      const ms_sss_shader *shader, float (*out)[4], ms_error *error)
+{
+    const int up = shader && shader->step == MS_SSS_STEP_UP;
+    ms_sss__job job;
+    ms_status status;
+    int count, stride, terms = 0, blocks, i, c;
+    double focal;
+    if (!kernels || !out) return MS_SSS__REFUSE(error, "kernels or out is NULL");
+    if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
+    if (ms_sss__shader_tower(shader))
+        return MS_SSS__REFUSE(error, "step %d: ms_sss_shader_pyramid has its constants", (int)shader->step);
+    if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
+    count = ms_sss__shader_profiles(shader);
+    stride = ms_sss__shader_stride(shader);
+    for (i = 0; i < count; ++i) { /* all are checked before anything is written */
+        if (kernels[i].tap_count > shader->tap_count)
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
+                            "kernel %d has %d taps, more than the shader's tap_count %d", i, kernels[i].tap_count,
+                            shader->tap_count);
+        for (c = up ? 0 : term; c < kernels[i].term_count && (c == term || up); ++c) {
+            status = ms_sss_kernel_upload(&kernels[i], c, 0, NULL, error);
+            if (status != MS_OK) return status;
+        }
+        if (kernels[i].term_count > terms) terms = kernels[i].term_count;
+    }
+    if (term < 0 || term >= terms) return MS_SSS__REFUSE(error, "term %d is not within the kernels' %d", term, terms);
+    memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
+    ms_sss__shader_job(&job, kernels, options, width, height, 0);
+    focal = ms_sss__pixels(options, height) * (options->mm_per_unit > 0 ? (double)options->mm_per_unit : 1);
+    {
+        const ms_sss_shader_picture picture = {(float)width,
+                                               (float)height,
+                                               (float)ms_sss__pixels(options, height),
+                                               1.0f - options->fade,
+                                               {job.pass.aspect[0], job.pass.aspect[1]},
+                                               options->rotation,
+                                               options->jitter,
+                                               term == 0 ? 1.0f : 0.0f,
+                                               {(float)focal, (float)(focal * (double)job.pass.aspect[1])},
+                                               1.0f - options->flat};
+        memcpy(out, &picture, sizeof picture);
+    }
+    blocks = up ? ms_sss__shader_terms(shader) * count : count;
+    if (up) term = 0;
+    for (i = 0; i < blocks; ++i) {
+        const ms_sss_kernel *k = &kernels[i % count];
+        const int t = term + i / count;
+        float(*at)[4] = out + MS_SSS__PICTURE_HEAD + i * stride;
+        ms_sss_shader_profile profile;
+        memset(&profile, 0, sizeof profile);
+        ms_sss__shader_job(&job, k, options, width, height, ms_sss__shader_shaped(shader, options));
+        profile.radius_mm = k->radius_mm;
+        profile.depth_scale = job.depth_scale;
+        profile.cut = job.pass.apart * job.pass.apart;
+        profile.reach = job.pass.reach;
+        memcpy(profile.curve, job.pass.curve, sizeof profile.curve);
+        memcpy(profile.root, job.pass.root, sizeof profile.root);
+        if (t < k->term_count) {
+            ms_sss__totals(k, t, job.pass.total, job.pass.mixed);
+            ms_sss_kernel_upload(k, t, 0, at + MS_SSS__PROFILE_HEAD, NULL);
+            for (c = 0; c < 3; ++c) {
+                profile.total[c] = job.pass.total[c];
+                profile.scale[c] = k->scale[t][c];
+                profile.delta[c] = k->delta[c];
+                profile.mixed += (float)(job.pass.mixed[c] << c);
+            }
+        }
+        memcpy(at, &profile, sizeof profile);
+    }
+    return MS_OK;
+}
+
+MS_API int ms_sss_shader_levels(int width, int height)
+{
+    int levels = 1;
+    while (levels < MS_SSS_PYRAMID_LEVELS && (width > 2 || height > 2)) {
+        width = (width + 1) / 2;
+        height = (height + 1) / 2;
+        ++levels;
+    }
+    return levels;
+}
+
+MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_sss_filter_options *options,
+                                                    int width, int height, const ms_sss_shader *shader, int level,
+                                                    int profile, float (*out)[4], ms_error *error)
+{
+    ms_sss_kernel kernel;
+    ms_sss_filter_options round;
+    ms_sss__job job;
+    ms_sss__pyramid_params g;
+    ms_status status;
+    float unit;
+    int levels, i, c;
+    if (!pyramid || !out) return MS_SSS__REFUSE(error, "pyramid or out is NULL");
+    if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
+    if (!ms_sss__shader_tower(shader))
+        return MS_SSS__REFUSE(error, "step %d: ms_sss_shader_constants has its constants", (int)shader->step);
+    if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
+    levels = ms_sss_shader_levels(width, height);
+    if (level < 0 || level >= levels)
+        return MS_SSS__REFUSE(error, "level %d is not within the picture's %d", level, levels);
+    memset(&kernel, 0, sizeof kernel);
+    kernel.tap_count = kernel.term_count = 1;
+    kernel.radius_mm = pyramid->radius_mm;
+    round = *options;
+    round.flat = 1;
+    round.exact = 0;
+    ms_sss__shader_job(&job, &kernel, &round, width, height, 0);
+    ms_sss__pyramid_set_params(&g, &job, pyramid, shader->depth != MS_SSS_NONE, options->flat);
+    ms_sss__pyramid_tap_sums(&g, level);
+    unit = g.perspective ? 1 : job.depth_scale;
+    {
+        const float head[MS_SSS__LEVEL_HEAD][4] = {{(float)width, (float)height, 1.0f - options->fade, (float)profile},
+                                                   {g.perspective ? g.size / job.depth_scale : g.size, g.size_max,
+                                                    g.step / unit, g.tangent}, /* depth as it is given */
+                                                   {shader->step == MS_SSS_STEP_SHRINK ? g.join : g.reach,
+                                                    g.slope_scale, (float)(1 << (level + 1)), MS_SSS__GATHER(0, level)},
+                                                   {g.quarter[0], g.quarter[1], g.quarter[2], g.norm},
+                                                   {g.most[0], g.most[1], g.most[2], g.mean},
+                                                   {g.spread, g.rough * unit, g.rounding,
+                                                    level + 2 < levels       ? 2.0f
+                                                        : level + 1 < levels ? 1.0f
+                                                                             : 0.0f}};
+        memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
+        memcpy(out, head, sizeof head);
+    }
+    for (i = 0; i < MS_SSS_PYRAMID_SIZES && ms_sss_shader_constant_count(shader) > MS_SSS__LEVEL_HEAD; ++i) {
+        float(*to)[4] = out + MS_SSS__LEVEL_HEAD + i;
+        if (level + 1 < MS_SSS_PYRAMID_LEVELS) memcpy(to, pyramid->weight[0][i][level + 1][1], 3 * sizeof(float));
+        for (c = 0; c < 2 && shader->step == MS_SSS_STEP_RESOLVE; ++c)
+            memcpy(to + (c + 1) * MS_SSS_PYRAMID_SIZES, pyramid->weight[0][i][0][c], 3 * sizeof(float));
+    }
+    return MS_OK;
+}
+
 #ifndef MS_SSS_NO_DESIGN
+/* ---- small maths ------------------------------------------------------------------------------------------------- */
+
+#define MS_SSS__PI 3.14159265358979323846
+
 /* Solves A x = b for symmetric positive definite A [n][n] (lower triangle used, overwritten); x over b. 0: not
    positive definite. */
 static int ms_sss__cholesky_solve(double *A, double *b, int n)
@@ -1951,8 +6036,8 @@ static void ms_sss__disk_power(const ms_sss_designer *d, int radius, float *powe
 
 /* The texture is one picture of the Gaussian process with power 1/f^2, band-limited as by a lens: its low frequencies
    are drawn (|S|^2 over its mean is exponentially distributed for each pair of conjugate bins), the others stand at
-   their mean. Seed and limit are those that give the errors in design.md's table, and of the study's taps, best. The
-   mean is 4.5 standard deviations, as of a photograph. */
+   their mean. Seed and band limit are fixed so that the published errors can be reproduced. The mean is 4.5 standard
+   deviations, as of a photograph. */
 static double ms_sss__texture_power(int k1, int k2)
 {
     const double limit = 110, f2 = (double)k1 * k1 + (double)k2 * k2;
@@ -3311,2273 +7396,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_e
     return status;
 }
 
-#endif /* MS_SSS_NO_DESIGN */
+/* ---- pyramid weights --------------------------------------------------------------------------------------------- */
 
-/* ---- translucency tables --------------------------------------------------------------------------------------- */
-
-static double ms_sss__slab(double R, double decay, double s)
-{
-    double x = exp(-decay * s), dark = 1 - R;
-    if (!(R > 0)) return 0;
-    return (1 - R * R) * x / (1 - R * R * x * x) * (1 - 0.85 * dark * dark * dark * dark * dark * (1 - pow(x, 0.8)));
-}
-
-#ifndef MS_SSS_NO_DESIGN
-MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness_mm, double out[3])
-{
-    double total[3], decay[3];
-    int c;
-    if (profile == NULL || out == NULL) return;
-    ms_sss__decay(profile, total, decay);
-    for (c = 0; c < 3; ++c) out[c] = ms_sss__slab(total[c], decay[c], thickness_mm > 0 ? thickness_mm : 0);
-}
-
-#endif
-
-MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm, const float normal[3],
-                                const float entry_normal[3], const float to_light[3], const float light[3],
-                                float out[3])
-{
-    float facing = 0, entry = 0, parallel = 0;
-    int c;
-    if (kernel == NULL || normal == NULL || entry_normal == NULL || to_light == NULL || light == NULL || out == NULL)
-        return;
-    for (c = 0; c < 3; ++c) {
-        facing += normal[c] * to_light[c];
-        entry += entry_normal[c] * to_light[c];
-        parallel -= normal[c] * entry_normal[c];
-    }
-    for (c = 0; c < 3; ++c) {
-        double R = (double)kernel->reflectance[c];
-        out[c] = 0;
-        if (!(facing < 0 && entry > 0 && R > 0)) continue;
-        R = R < 0.9999 ? R : 0.9999;
-        out[c] = (float)(ms_sss__slab(R, (double)kernel->decay[c], thickness_mm > 0 ? (double)thickness_mm : 0) *
-                         (1 + (1 / R - 1) * (parallel > 0 ? (double)parallel : 0))) *
-            entry * light[c];
-    }
-}
-
-#undef MS_SSS__PI
-
-/* ---- filter code ----------------------------------------------------------------------------------------------- */
-
-#ifndef MS_SSS_FILENAME
-#define MS_SSS_FILENAME "ms_sss.h" /* this file's name, for the inclusions below */
-#endif
-#if defined(__GNUC__) && !defined(__OPTIMIZE__)
-#define MS_SSS__INLINE inline /* inlined all the same, each vector in it would have its own place on the stack */
-#elif defined(__GNUC__)
-#define MS_SSS__INLINE inline __attribute__((always_inline))
-#elif defined(_MSC_VER)
-#define MS_SSS__INLINE __forceinline
-#else
-#define MS_SSS__INLINE inline
-#endif
-
-#if defined(MS__X64)
-#define MS_SSS__PREFETCH(p) _mm_prefetch((p), _MM_HINT_T0)
-#elif defined(__GNUC__)
-#define MS_SSS__PREFETCH(p) __builtin_prefetch(p)
-#else
-#define MS_SSS__PREFETCH(p) ((void)(p))
-#endif
-#if defined(__GNUC__)
-#define MS_SSS__ALIGNED __attribute__((aligned(64))) /* no vector lies in two lines of the cache */
-#else
-#define MS_SSS__ALIGNED
-#endif
-
-enum {
-    MS_SSS__LEFT = 16,    /* floats before a row's first pixel: one vector of any level */
-    MS_SSS__RIGHT = 32,   /* floats behind a row's last block */
-    MS_SSS__BLOCK = 32,   /* columns that are left out together where none takes part */
-    MS_SSS__TASKS = 16,   /* of a call to options.parallel at most */
-    MS_SSS__PARTS = 32,   /* two a task */
-    MS_SSS__ROWS = 42,    /* row buffers of a task */
-    MS_SSS__PAIRS = 16,   /* of taps that are made as pairs */
-    MS_SSS__LEANING = 8,  /* the same with slopes */
-    MS_SSS__HELD = 3,     /* pairs whose weights are held */
-    MS_SSS__FAR = 120,    /* pixels that pairs may reach */
-    MS_SSS__MARGIN = 144, /* rows and columns around the picture: FAR, a group, and the pixels beside a tap */
-    MS_SSS__STEP = 8,     /* rows that the second pass takes together */
-    MS_SSS__LEAVE =
-        0, /* plans of a group: no lane has a kernel; lane by lane; by pairs, where some have; all; at one place each */
-    MS_SSS__ANY = 1,
-    MS_SSS__SOME = 2,
-    MS_SSS__ALL = 3,
-    MS_SSS__ONE = 4,
-    MS_SSS__BESIDE = 128, /* added to a pair's whole part: it or one more */
-    MS_SSS__ROW = 1,      /* ways of a pass: along planes of a row; down the ring's rows */
-    MS_SSS__COLUMN = 2,
-    MS_SSS__SIDE_MAX = 65536,
-    MS_SSS__FIXED_MAX = 2 * MS_SSS_TAPS_MAX
-};
-
-#if defined(__GNUC__) || defined(__clang__)
-#define MS_SSS__TAKEN(flag) __atomic_load_n((flag), __ATOMIC_RELAXED)
-#define MS_SSS__TAKE(flag) __atomic_exchange_n((flag), 1, __ATOMIC_RELAXED) /* taken before? */
-#elif defined(_MSC_VER)
-#include <intrin.h>
-#define MS_SSS__TAKEN(flag) (*(flag))
-#define MS_SSS__TAKE(flag) _InterlockedExchange((flag), 1)
-#endif
-
-#define MS_SSS__AWAY 1e15f /* in a sweep: depth of what takes no part */
-
-/* (1 - (dz / (3.0746 sigma))^2)^4 stands for exp(-dz^2 / (2 sigma^2)): within 0.013 of it everywhere. */
-#define MS_SSS__FALLOFF_END 3.0746
-#define MS_SSS__SPARSE 1e-3f    /* weight below which a tap's height is that of the one before it */
-#define MS_SSS__LIGHT_MAX 1e30f /* from here on a pixel is masked: sums of more would be infinite */
-#define MS_SSS__AREA_MAX 3.0f   /* a tap stands for at most so much more surface */
-
-/* Taps of one pass at whole-pixel offsets, for kernels of one size everywhere. */
-typedef struct ms_sss__fixed {
-    int count, offset[MS_SSS__FIXED_MAX], lowest, highest;
-    float weight[3][MS_SSS__FIXED_MAX], total[3];
-    int mixed[3];
-} ms_sss__fixed;
-
-/* Taps of one pass at positions that each pixel's size gives. Depths are scaled so that a pixel dz away counts
-   (1 - dz^2)^4, with slopes (1 - dz^2) / (1 + remote dz^2). */
-typedef struct ms_sss__pass {
-    int tap_count;
-    const float *offset_mm;
-    const float (*weight)[3];
-    float total[3];
-    int mixed[3]; /* weights of both signs: what is missing goes to the pixel's own colour */
-    float size, size_max, size_min,
-        aspect[2]; /* pixels a mm: size, or min(size / depth, size_max); at most size_min: off */
-    int perspective;
-    /* With slopes: depths are taken against the tangent plane, and light from below it counts more. */
-    float focal[2]; /* slope of a pixel's step in depth: times focal, in perspective relative to the depth of the
-                       farther pixel */
-    float reach;    /* dz^2 of the kernel's radius: between neighbours a step in depth beyond is an edge */
-    float upright;  /* 1 - flat */
-    float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; tangent 0: parallel rays */
-    float unit;               /* mm of dz 1 */
-    float grain; /* a plane that fits depths with relative errors of grain / 2 errs by at most grain (2 + i) times depth
-                    i pixels away: 2 errors for the depths there and here and for each step between, one pixel beside a
-                    tap */
-    float curve[3], root[3], least; /* K / 4; square root of the reflectance; least sin(theta) */
-    float remote, bulge;            /* square of the mm of dz 1, times upright; square root of upright / 2 */
-    float apart;                    /* dz at which the pixels of a larger one part */
-} ms_sss__pass;
-
-/* Light of a tap x mm away falls about as 1 / x^2: what lies dz off the plane counts 1 / (1 + remote dz^2). Products of
-   three stay finite. */
-static MS_SSS__INLINE float ms_sss__remote(const ms_sss__pass *p, float mm)
-{
-    const float most = 1e6f, square = mm * mm;
-    return p->remote < most * square ? p->remote / square : p->remote > 0 ? most : 0;
-}
-
-/* A tap stands for the more surface the more it bends away between the tap before, at inner mm, and it: 1 + (bulge
-   times the change of height in mm)^2, sec^2 of that angle to second order of both axes. */
-static MS_SSS__INLINE float ms_sss__bulge(const ms_sss__pass *p, float mm, float *inner)
-{
-    const float gap = fabsf(mm) - *inner;
-    *inner = fabsf(mm);
-    return gap > 1e-20f ? p->bulge / gap : 0;
-}
-
-/* Both passes of a kernel: the second follows the first in slabs of rows, which lie in a ring, in groups of one vector
-   each of red, green, blue and depth (fixed taps: in planes). Numbers that all lanes share stand 16 times. */
-typedef struct ms_sss__sweep {
-    float offset[2][MS_SSS__PAIRS][16];                              /* mm; of the axes in their own pixels */
-    float span[MS_SSS__PAIRS][16], weight[MS_SSS__PAIRS + 1][3][16]; /* |offset|; centre, pairs */
-    float remote[MS_SSS__PAIRS][16], bulge[MS_SSS__PAIRS][16],
-        lift[MS_SSS__LEANING][3][2][16]; /* lift: K / (4 span) and 1, times the fourth root of the weight */
-    struct ms_sss__job *job;
-    int pairs;                                   /* of taps that weigh the same; 0: any taps */
-    int shaped, reach, padded, lanes, plan_size; /* plan_size: bytes of a group's plan */
-    int parts, tasks; /* a band: parts of the picture that one task makes from the top down, in a ring of rows */
-    volatile long taken[MS_SSS__PARTS];
-    int simple;                 /* weights make a mean, the centre's above 0 */
-    int plain, steep;           /* with slopes: no weight below 0; whether sines can reach their bounds */
-    float *ring, *own, *window; /* of a task: rows that the first pass reads; own: see ms_sss__line */
-    int rows;                   /* of a window: 5 with slopes, else 1 */
-    ptrdiff_t plan_row, window_row, window_size;
-    unsigned char *plan;
-    int *slot, *done, *held; /* of each row: in the ring, 0: nothing takes part; finished; of each slot: columns that
-                                hold something */
-    ptrdiff_t *row, *column; /* the same in floats, from MARGIN rows above the picture on; 0 1 2 ..., from -MARGIN on */
-} MS_SSS__ALIGNED ms_sss__sweep;
-
-/* Axes of each pixel's own: the picture lies in planes with an empty row above and below. */
-typedef struct ms_sss__turning {
-    const float (*direction)[2];
-    int second, height;
-    ptrdiff_t stride;
-} ms_sss__turning;
-
-/* A row that a pass makes. What lies i steps along the axis from a group is at from + group + step[i]: red, and `plane`
-   floats on green, blue and depth. */
-typedef struct ms_sss__line {
-    const float *from;
-    const ptrdiff_t *step;
-    ptrdiff_t group, plane;      /* floats from a group to the next, from red to green */
-    const ms_sss__turning *turn; /* NULL: along an axis */
-    const float *own[3]; /* with slopes: where turned, both; else pixels a mm of the tangent plane, depth that it gains
-                            a pixel (relative in perspective), cosine of the normal to the ray */
-    const unsigned char *plan;
-    int axis, at, count; /* 0: x, count columns; 1: y, row at of count; 2: turned, row at, count columns */
-    int first, last;     /* columns to make */
-    float *to[3];
-    ptrdiff_t to_group;
-} ms_sss__line;
-
-/* What a pixel keeps of its own light, and which pixels are its neighbours, where a kernel works at half resolution. */
-typedef struct ms_sss__halving {
-    const ms_sss_kernel *kernel;
-    int perspective;
-    float size, size_max, aspect[2]; /* as in ms_sss__pass, in pixels of the picture */
-    float beyond; /* depth up to which the centre alone stands within a pixel of itself: the share is then */
-    float share[3];
-    float tiny;   /* depth from which on kernels are under half a pixel */
-    float within; /* 1 / dz from which on nothing counts */
-    float scale;  /* of depths of the scene */
-} ms_sss__halving;
-
-/* Square of the radius of a level's gather, in pixels of the next. Wider ones see the shape from nearer by, narrower
-   ones cost less: 1.75 and 2.2 of what six pixels hold, wide 2.24 and 3.74 of eight; a wide level 0 of 2.5 or 2.8 is
-   nearer to random walks, but loses 1.2% or 1.6% of textures. */
-#define MS_SSS__GATHER(wide, level) ((wide) ? ((level) > 0 ? 14.0f : 5.0f) : (level) > 0 ? 4.84f : 3.0625f)
-
-/* A pixel that a pixel of the finer level gathers from: floats from the one that its four lie around, place, its
-   square. */
-typedef struct ms_sss__tap {
-    ptrdiff_t at;
-    float x, y, square, rest; /* rest: 1 - its square over the gather's */
-} ms_sss__tap;
-
-/* What the row kernels of the pyramid need. Depth enters as d, which is linear on planes: -1 / depth in perspective,
-   else depth; 0 where nothing takes part. Rows of a level: colour, d, share (surface there, in pixels of the level),
-   the change of d a pixel along x and y. */
-typedef struct ms_sss__growth {
-    const float (*table)[MS_SSS_PYRAMID_LEVELS][2][3]; /* weight[size][level][blurred][channel] */
-    int perspective, shaped, wide, level; /* wide: options.exact; level: of the rows that are made by gather */
-    float weight[2][3];                   /* of the level where all pixels have one size */
-    float size, size_max;                 /* the kernel's radius in pixels: min(size d, size_max) */
-    float step;                           /* change of d a pixel at slope 1: times d in perspective */
-    float upright;                        /* 1 - flat; 0: the depth counts for the size alone */
-    float reach, join; /* distance from a tangent plane at which nothing is left, in radii: of sums on the way up, of
-                          pixels that become one */
-    float middle[2], tangent;        /* (column + 1/2 - middle) tangent is the tangent of the ray; 0: parallel rays */
-    float quarter[3], most[3];       /* K / 4; 1 / reflectance */
-    const ms_sss__tap (*tap)[2][64]; /* [odd row][odd column], the nearest first: the first four lie around the pixel */
-    int taps, core, sums; /* core: that reach pixels that face the camera; sums: whether the coarser level has any */
-    ptrdiff_t plane;      /* of the coarser level */
-    float inner;          /* 1 / radius of the gather */
-    float norm, mean, spread; /* of the gather's taps: sum, E r / E r^2, E r^2 / E r^4 */
-    float blur;               /* variance of a place in a pixel of the next level */
-    float grain;              /* twice the relative error of d */
-    float rough; /* on planes the gather's taps are less than this from the tangent plane, in pixels of their level
-                    (times d, not in perspective) */
-} ms_sss__growth;
-
-typedef struct ms_sss__kernels {
-    int (*gate)(const float *value, float scale, int count, const float *before, float *depth, int span[2]);
-    int (*admit)(const float *const in[3], const float *const albedo[3], int begin, int end, int count,
-                 const float *before, float *depth, float *const colour[3]);
-    void (*convolve)(const float *in, const ptrdiff_t *at, const float *weight, int taps, int count, float *out);
-    void (*convolve_valid)(const ms_sss__fixed *f, const float *const in[3], const ptrdiff_t *at,
-                           const float *const *depth, const int *tap, int taps, int count, const float *own_depth,
-                           float *const out[3]);
-    void (*shape)(const ms_sss__pass *p, const float *const depth[5], const float *const normal[3], int y, int begin,
-                  int end, float *const slope[2]);
-    void (*tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin, int end,
-                     float *const out[6]);
-    void (*limit)(float *depth, int count);
-    void (*plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, const float *depth, const float *size,
-                 int first, int last, unsigned char *plan);
-    void (*sweep[2])(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines, int first,
-                     int last); /* [with slopes] */
-    float (*least)(const float *depth, int count);
-    int (*unpack)(const void *from, int half, int count, float *const to[3]);
-    void (*widen)(const uint16_t *from, int count, float *to);
-    void (*narrow)(const float *from, int count, uint16_t *to);
-    void (*deliver)(const float *from, int count, float *to);
-    int lanes;
-    void (*combine)(float a, const float *x, float b, const float *y, int count, float *out);
-    void (*fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
-                 int count, float *blur);
-    void (*lie)(const ms_sss__growth *s, const float *const d[5], const float *const normal[3], int y, int first,
-                int count, float *const out[3]);
-    void (*shrink)(const ms_sss__growth *s, const float *row[4][7], int first, int count, float *const out[7]);
-    void (*gather)(const ms_sss__growth *s, const float *const own[3], const float *coarse, int first, int count, int y,
-                   float *const out[6]);
-    void (*settle)(const ms_sss__growth *s, const float *const row[4], ptrdiff_t stride, const float *const slope[3],
-                   const float *const sum[6], int first, int count, float *const out[4]);
-    void (*invert)(const ms_sss__growth *s, const float *depth, int count, float *d);
-    int (*halve)(const ms_sss__halving *h, const float *const above[4], const float *const below[4], float unit,
-                 int count, float *const out[4]);
-    void (*soften)(const ms_sss__halving *h, const float *const light[3], const float *const blur[3],
-                   const float *depth, int count, float *const out[4]);
-    void (*refine)(const ms_sss__halving *h, const float *const own[4], float unit, const float *const coarse[2][4],
-                   int odd, int count, float *const out[3]);
-} ms_sss__kernels;
-
-/* Floats to what lies i steps along the axis. */
-static MS_SSS__INLINE ptrdiff_t ms_sss__at(int way, const ptrdiff_t *step, ptrdiff_t i)
-{
-    return way == MS_SSS__ROW ? i : step[i];
-}
-
-static MS_SSS__INLINE int ms_sss__clamp(int x, int low, int high) { return x < low ? low : x > high ? high : x; }
-
-/* From a group's place in `from` to its pixels i rows further; height: rows that there are. */
-static MS_SSS__INLINE ptrdiff_t ms_sss__row(const ms_sss__line *l, int i, int height)
-{
-    if (l->axis == 0) return 0;
-    i = ms_sss__clamp(i, -1 - l->at, height - l->at);
-    return l->turn ? i * l->turn->stride : l->step[i];
-}
-
-/* Which of 64 directions a pixel has: the R2 sequence (Roberts 2018) in 16-bit fixed point, the same on any machine. */
-static MS_SSS__INLINE int ms_sss__turn(int x, int y)
-{
-    return (int)((((uint32_t)x * 49472u + (uint32_t)y * 37345u) & 65535u) >> 10);
-}
-
-static MS_SSS__INLINE int ms_sss__lowest(unsigned bits)
-{
-#if defined(__GNUC__)
-    return __builtin_ctz(bits);
-#else
-    int i = 0;
-    while (!(bits >> i & 1u)) ++i;
-    return i;
-#endif
-}
-
-static MS_SSS__INLINE int ms_sss__highest(unsigned bits)
-{
-#if defined(__GNUC__)
-    return 31 - __builtin_clz(bits);
-#else
-    int i = 0;
-    while (bits >>= 1) ++i;
-    return i;
-#endif
-}
-
-/* The lowest n of a level's lanes. */
-static MS_SSS__INLINE unsigned ms_sss__lanes(int n, int lanes)
-{
-    return n <= 0 ? 0u : (1u << (n < lanes ? n : lanes)) - 1u;
-}
-
-static MS_SSS__INLINE float ms_sss__floor(float x)
-{
-    float whole = (float)(int)x;
-    return whole > x ? whole - 1.0f : whole;
-}
-
-/* Sizes of a pyramid's table are 2^e (1 + m / 4): their index is in the float's top bits. */
-static MS_SSS__INLINE int ms_sss__size_index(float size)
-{
-    int32_t bits;
-    memcpy(&bits, &size, sizeof bits);
-    return ms_sss__clamp((bits - 0x3f800000) >> 21, 0, MS_SSS_PYRAMID_SIZES - 2);
-}
-
-static MS_SSS__INLINE float ms_sss__index_size(int index)
-{
-    int32_t bits = 0x3f800000 + index * (1 << 21);
-    float size;
-    memcpy(&size, &bits, sizeof size);
-    return size;
-}
-
-/* 0 to FAR */
-#define MS_SSS__TEN(n) n, n + 1, n + 2, n + 3, n + 4, n + 5, n + 6, n + 7, n + 8, n + 9
-static const float ms_sss__whole[MS_SSS__FAR + 1] = {MS_SSS__TEN(0),
-                                                     MS_SSS__TEN(10),
-                                                     MS_SSS__TEN(20),
-                                                     MS_SSS__TEN(30),
-                                                     MS_SSS__TEN(40),
-                                                     MS_SSS__TEN(50),
-                                                     MS_SSS__TEN(60),
-                                                     MS_SSS__TEN(70),
-                                                     MS_SSS__TEN(80),
-                                                     MS_SSS__TEN(90),
-                                                     MS_SSS__TEN(100),
-                                                     MS_SSS__TEN(110),
-                                                     120};
-#undef MS_SSS__TEN
-
-#if defined(MS__X64)
-static MS_SSS__INLINE __m128 ms_sss__floor_sse2(__m128 x)
-{
-    __m128 whole = _mm_cvtepi32_ps(_mm_cvttps_epi32(x));
-    return _mm_sub_ps(whole, _mm_and_ps(_mm_cmplt_ps(x, whole), _mm_set1_ps(1.0f)));
-}
-#elif defined(MS__NEON)
-static MS_SSS__INLINE unsigned ms_sss__bits_neon(uint32x4_t m)
-{
-    static const uint32_t bit[4] = {1, 2, 4, 8};
-    return vaddvq_u32(vandq_u32(m, vld1q_u32(bit)));
-}
-#endif
-
-#define MS_SSS__PASS 1
-#define MS_SSS__LEVEL scalar
-#define MS_SSS__LANES 1
-#include MS_SSS_FILENAME
-#if defined(MS__X64) || defined(MS__NEON)
-#define MS_SSS__LEVEL base
-#define MS_SSS__LANES 4
-#include MS_SSS_FILENAME
-#endif
-#if defined(MS__X64)
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2,fma,f16c"))), apply_to = function)
-#elif defined(__GNUC__)
-#pragma GCC push_options
-#pragma GCC target("avx2,fma,f16c")
-#endif
-#define MS_SSS__LEVEL avx2
-#define MS_SSS__LANES 8
-#include MS_SSS_FILENAME
-#if defined(__clang__)
-#pragma clang attribute pop
-#pragma clang attribute push(__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c"))), \
-                             apply_to = function)
-#elif defined(__GNUC__)
-#pragma GCC pop_options
-#pragma GCC push_options
-#pragma GCC target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c")
-#endif
-#define MS_SSS__LEVEL avx512
-#define MS_SSS__LANES 16
-#include MS_SSS_FILENAME
-#if defined(__clang__)
-#pragma clang attribute pop
-#elif defined(__GNUC__)
-#pragma GCC pop_options
-#endif
-#endif
-#undef MS_SSS__PASS
-
-static const ms_sss__kernels *ms_sss__pick(ms_simd cap)
-{
-    switch (ms__simd_pick(cap)) {
-#if defined(MS__X64)
-    case MS_SIMD_AVX512: return &ms_sss__kernels_avx512;
-    case MS_SIMD_AVX2: return &ms_sss__kernels_avx2;
-#endif
-#if defined(MS__X64) || defined(MS__NEON)
-    case MS_SIMD_BASE: return &ms_sss__kernels_base;
-#endif
-    default: return &ms_sss__kernels_scalar;
-    }
-}
-
-/* --- the caller's pixels --- */
-
-static float ms_sss__get(const ms_sss_image *image, int c, int x, int y)
-{
-    ptrdiff_t at = y * image->row_stride + x * image->pixel_stride;
-    return image->half ? ms__half_to_float(((const uint16_t *)image->channel[c])[at])
-                       : ((const float *)image->channel[c])[at];
-}
-
-static void ms_sss__put(const ms_sss_image *image, int c, int x, int y, float value)
-{
-    ptrdiff_t at = y * image->row_stride + x * image->pixel_stride;
-    if (image->half) ((uint16_t *)image->channel[c])[at] = ms__half_from_float(value);
-    else ((float *)image->channel[c])[at] = value;
-}
-
-/* out[c] points at the values of pixels [x, x + count) of row y: in the image where they lie side by side, else in
-   buffer[c], with 0 from column width on. */
-static void ms_sss__load(const ms_sss__kernels *simd, const ms_sss_image *image, int channels, int width, int y, int x,
-                         int count, float *const *buffer, const float **out)
-{
-    const ptrdiff_t at = y * image->row_stride + x * image->pixel_stride, step = image->pixel_stride;
-    const ptrdiff_t size = image->half ? (ptrdiff_t)sizeof(uint16_t) : (ptrdiff_t)sizeof(float);
-    const char *const red = (const char *)image->channel[0] + at * size;
-    const int n = width - x < count ? width - x : count;
-    int c, i, done = 0;
-    if (channels == 3 && step == 4 && (const char *)image->channel[1] == (const char *)image->channel[0] + size &&
-        (const char *)image->channel[2] == (const char *)image->channel[1] + size)
-        done = simd->unpack(red, image->half, n, buffer);
-    for (c = 0; c < channels; ++c) {
-        float *to = buffer[c];
-        out[c] = to;
-        if (image->half) {
-            const uint16_t *from = (const uint16_t *)image->channel[c] + at;
-            if (step == 1) simd->widen(from, n, to);
-            else
-                for (i = done; i < n; ++i) to[i] = ms__half_to_float(from[i * step]);
-        } else {
-            const float *from = (const float *)image->channel[c] + at;
-            if (step == 1 && n == count) {
-                out[c] = from;
-                continue;
-            }
-            for (i = done; i < n; ++i) to[i] = from[i * step];
-        }
-        for (i = n; i < count; ++i) to[i] = 0;
-    }
-}
-
-/* Writes values [begin, end) of a row that starts at pixel (x, y), where depth is finite or NULL. */
-static void ms_sss__store(const ms_sss__kernels *simd, const ms_sss_image *image, int width, int y, int x, int begin,
-                          int end, const float *const in[3], const float *depth)
-{
-    const ptrdiff_t step = image->pixel_stride;
-    int c, i, j;
-    if (end > width - x) end = width - x;
-    if (begin >= end) return;
-    for (c = 0; c < 3; ++c) {
-        const ptrdiff_t at = y * image->row_stride + x * step;
-        const float *from = in[c];
-        if (image->half) {
-            uint16_t *to = (uint16_t *)image->channel[c] + at, narrow[32];
-            for (i = begin; i < end; i += 32) {
-                const int some = end - i < 32 ? end - i : 32;
-                simd->narrow(from + i, some, narrow);
-                for (j = 0; j < some; ++j)
-                    if (!depth || depth[i + j] < INFINITY) to[(i + j) * step] = narrow[j];
-            }
-        } else {
-            float *to = (float *)image->channel[c] + at;
-            if (depth) {
-                for (i = begin; i < end; ++i)
-                    if (depth[i] < INFINITY) to[i * step] = from[i];
-            } else if (step == 1) {
-                simd->deliver(from + begin, end - begin, to + begin);
-            } else {
-                for (i = begin; i < end; ++i) to[i * step] = from[i];
-            }
-        }
-    }
-}
-
-/* --- the passes --- */
-
-/* NaN differs from everything, and == raises no flag for it. */
-static int ms_sss__differ(float a, float b) { return !(a == b); }
-
-#if defined(MS__X64)
-typedef struct ms_sss__task {
-    void (*run)(void *context, int index);
-    void *context;
-} ms_sss__task;
-
-static void ms_sss__calm(void *context, int index)
-{
-    const ms_sss__task *task = (const ms_sss__task *)context;
-    const unsigned host = _mm_getcsr();
-    _mm_setcsr((host & ~0x3fu) | 0x1f80u);
-    task->run(task->context, index);
-    _mm_sfence(); /* what was streamed is written before the task counts as done */
-    _mm_setcsr(host);
-}
-#endif
-
-/* ms__run with floating-point exceptions masked and their flags left alone: lanes that take no part hold whatever comes
-   of infinity and 0. */
-static void ms_sss__share(const ms_parallel *parallel, int count, void (*run)(void *context, int index), void *context)
-{
-#if defined(MS__X64)
-    ms_sss__task task;
-    task.run = run;
-    task.context = context;
-    ms__run(parallel, count, ms_sss__calm, &task);
-#else
-    ms__run(parallel, count, run, context);
-#endif
-}
-
-typedef struct ms_sss__job {
-    ms_sss_frame frame; /* strides filled in */
-    ms_sss_filter_options options;
-    const ms_sss__kernels *simd;
-    const ms_sss_kernel *kernel; /* of the profile at hand */
-    int profile, kernel_count, term;
-    int block, padded;           /* padded: width in whole blocks */
-    int full_width, full_height; /* of the picture whose pixels are `coarse` times smaller: its own, unless this is the
-                                    half of one */
-    float coarse;
-    int rough;                       /* its depth is binary16 */
-    int begin, end, band;            /* rows of the run at hand, rows a task */
-    int fixed, turned, shaped, idle; /* idle: a kernel under half a pixel */
-    int whole_first;                 /* rows are prepared for the whole picture: with 0 where nothing takes part */
-    ptrdiff_t stride;
-    float depth_scale, gain;
-    int unwritten; /* pixels that take no part still have to be copied to the output */
-    int raw;       /* and their elements can be copied as they are */
-    float *middle[3], *source[3], *depth, *sum[3], *rows;
-    float *fresh;                  /* a row of depths where all pixels take part */
-    int *first, *last;             /* of each row: whole blocks that hold pixels which take part */
-    int *solid_first, *solid_last; /* a run of columns that all take part; up to padded where it reaches the width */
-    int *whole;                    /* no strength of a pixel that takes part is under 1 */
-    int direct;                    /* the second pass writes straight to the output where all pixels take part */
-    ms_sss__fixed *taps;           /* two */
-    ms_sss__pass pass;
-    float direction[64][2];
-    float *planes; /* the first */
-    int plane_count;
-    float nearest, least[MS_SSS__TASKS]; /* the picture's least depth, 0: not known; of each task's rows */
-    float *window;                       /* of a sweep, and behind it what else it keeps */
-} ms_sss__job;
-
-static int ms_sss__round_up(int x, int step) { return (x + step - 1) / step * step; }
-
-static float *ms_sss__buffer(const ms_sss__job *job, int task, int row)
-{
-    return job->rows + ((ptrdiff_t)task * MS_SSS__ROWS + row) * job->stride + MS_SSS__LEFT;
-}
-
-/* The factor that the albedo has before (side 0) or after (side 1) the filter; NULL: none. */
-static const float *const *ms_sss__albedo(const ms_sss__job *job, int side, int y, int x, int count,
-                                          float *const *buffer, const float **out)
-{
-    const ms_sss_albedo_mode mode = job->options.albedo_mode;
-    int c, i;
-    if (!job->frame.albedo.channel[0] || mode == (side ? MS_SSS_ALBEDO_PRE : MS_SSS_ALBEDO_POST)) return NULL;
-    ms_sss__load(job->simd, &job->frame.albedo, 3, job->frame.width, y, x, count, buffer, out);
-    if (mode == MS_SSS_ALBEDO_BOTH) {
-        for (c = 0; c < 3; ++c) {
-            for (i = 0; i < count; ++i) buffer[c][i] = sqrtf(out[c][i]);
-            out[c] = buffer[c];
-        }
-    }
-    return out;
-}
-
-/* Copies those of pixels [begin, end) of row y that take no part: depth INFINITY, or all where depth is NULL. */
-static void ms_sss__copy(const ms_sss__job *job, int y, int begin, int end, const float *depth)
-{
-    const ms_sss_frame *f = &job->frame;
-    const size_t size = f->input.half ? sizeof(uint16_t) : sizeof(float);
-    int x, c;
-    if (!job->unwritten) return;
-    for (c = 0; c < 3; ++c) {
-        const char *from = (const char *)f->input.channel[c] + y * f->input.row_stride * (ptrdiff_t)size;
-        char *to = (char *)f->output.channel[c] + y * f->output.row_stride * (ptrdiff_t)size;
-        const ptrdiff_t from_step = f->input.pixel_stride * (ptrdiff_t)size,
-                        to_step = f->output.pixel_stride * (ptrdiff_t)size;
-        if (job->raw && !depth && !f->profile && f->input.pixel_stride == 1 && f->output.pixel_stride == 1) {
-            if (begin < end) memcpy(to + begin * to_step, from + begin * from_step, (size_t)(end - begin) * size);
-            continue;
-        }
-        for (x = begin; x < end; ++x) {
-            float value;
-            if (depth && depth[x] < INFINITY) continue;
-            if (f->profile) { /* each pixel is copied once: under its own profile, or the first if that has no kernel */
-                int profile = f->profile[(size_t)y * (size_t)f->width + (size_t)x];
-                if (profile != job->profile && (profile < job->kernel_count || job->profile > 0)) continue;
-            }
-            if (job->raw) {
-                if (f->input.half) memcpy(to + x * to_step, from + x * from_step, sizeof(uint16_t));
-                else memcpy(to + x * to_step, from + x * from_step, sizeof(float));
-                continue;
-            }
-            value = ms_sss__get(&f->input, c, x, y);
-            if (ms__finite_f(value)) {
-                if (f->albedo.channel[0]) value *= ms_sss__get(&f->albedo, c, x, y);
-                if (f->specular.channel[0]) value += ms_sss__get(&f->specular, c, x, y);
-            }
-            ms_sss__put(&f->output, c, x, y, value);
-        }
-    }
-}
-
-static int ms_sss__solid(const ms_sss__job *job, int y, int begin, int end)
-{
-    return job->solid_first[y] <= begin && end <= job->solid_last[y];
-}
-
-/* The longest run of pixels of row y that take part, or one of them. */
-static void ms_sss__find_solid(const ms_sss__job *job, int y, const float *depth)
-{
-    int x, run = job->first[y];
-    job->solid_first[y] = job->solid_last[y] = 0;
-    for (x = job->first[y]; x <= job->last[y]; ++x) {
-        if (x < job->last[y] && depth[x] < INFINITY) continue;
-        if (x - run > job->solid_last[y] - job->solid_first[y]) {
-            job->solid_first[y] = run;
-            job->solid_last[y] = x;
-        }
-        run = x + 1;
-    }
-    if (job->solid_last[y] == job->frame.width) job->solid_last[y] = job->padded;
-}
-
-/* Copies what takes no part in row y. depth: from its first column that holds anything on. */
-static void ms_sss__copy_row(const ms_sss__job *job, int y, const float *depth)
-{
-    const int width = job->frame.width, first = job->first[y], last = job->last[y],
-              solid = job->solid_first[y] < job->solid_last[y];
-    const int inside = last < width ? last : width;
-    if (job->term > 0) return;
-    ms_sss__copy(job, y, 0, first, NULL);
-    ms_sss__copy(job, y, first, solid ? job->solid_first[y] : inside, depth);
-    if (solid) ms_sss__copy(job, y, job->solid_last[y], inside, depth);
-    ms_sss__copy(job, y, last, width, NULL);
-}
-
-static void ms_sss__clear(const ms_sss__job *job, float *row, float value)
-{
-    int x;
-    for (x = -MS_SSS__LEFT; x < job->padded + MS_SSS__RIGHT; ++x) row[x] = value;
-}
-
-/* Row y of what the first pass reads: colour (times albedo) and depth for the columns from first to last, which are
-   then known; beyond them no pixel takes part, and colour is 0 as far as taps reach. */
-static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *const colour[3], float *depth)
-{
-    const ms_sss_frame *f = &job->frame;
-    const int width = f->width;
-    float *in_buffer[3], *albedo_buffer[3], *to[3];
-    const float *in[3], *albedo[3], *map, *const *factor, *before = job->fresh;
-    int c, x, span[2], first = 0, last = job->padded, low, high;
-    int begin = 0, end = width; /* none outside takes part; first and last are whole blocks */
-    for (c = 0; c < 3; ++c) {
-        in_buffer[c] = ms_sss__buffer(job, task, 4 + c);
-        albedo_buffer[c] = ms_sss__buffer(job, task, 7 + c);
-    }
-    memcpy(depth - MS_SSS__LEFT, before - MS_SSS__LEFT, (size_t)MS_SSS__LEFT * sizeof(float));
-    memcpy(depth + job->padded, before + job->padded, (size_t)MS_SSS__RIGHT * sizeof(float));
-    if (job->idle) {
-        for (x = 0; x < job->padded; ++x) depth[x] = INFINITY;
-        last = 0;
-    } else if (f->profile) {
-        const uint8_t *profile = f->profile + (size_t)y * (size_t)width;
-        memcpy(depth, before, (size_t)job->padded * sizeof(float));
-        for (x = 0; x < width; ++x)
-            if (profile[x] != job->profile) depth[x] = INFINITY;
-        before = depth;
-    }
-    job->whole[y] = 1;
-    if (f->strength.channel[0] && last > 0) {
-        ms_sss__load(job->simd, &f->strength, 1, width, y, 0, last, in_buffer, &map);
-        job->whole[y] = job->simd->gate(map, 0.0f, last, before, depth, span);
-        before = depth;
-        begin = span[0];
-        end = span[1];
-        first = begin - begin % job->block;
-        last = ms_sss__round_up(end, job->block);
-    }
-    if (f->depth.channel[0] && first < last) {
-        ms_sss__load(job->simd, &f->depth, 1, width, y, first, last - first, in_buffer, &map);
-        job->simd->gate(map, job->depth_scale, last - first, before + first, depth + first, span);
-        before = depth;
-        begin = first + span[0];
-        end = first + span[1];
-        first = begin - begin % job->block;
-        last = ms_sss__round_up(end, job->block);
-    }
-    job->first[y] = first;
-    job->last[y] = last;
-    job->solid_first[y] = job->solid_last[y] = 0;
-    low = first;
-    high = last;
-    if (job->fixed) {
-        low = first + job->taps[0].lowest;
-        high = last + job->taps[0].highest + 16;
-    }
-    if (job->whole_first || low < -MS_SSS__LEFT) low = -MS_SSS__LEFT;
-    if (job->whole_first || high > job->padded + MS_SSS__RIGHT) high = job->padded + MS_SSS__RIGHT;
-    for (c = 0; c < 3; ++c) {
-        for (x = low; x < first; ++x) colour[c][x] = 0;
-        for (x = last; x < high; ++x) colour[c][x] = 0;
-        to[c] = colour[c] + first;
-    }
-    if (first < last) {
-        ms_sss__load(job->simd, &f->input, 3, width, y, first, last - first, in_buffer, in);
-        factor = ms_sss__albedo(job, 0, y, first, last - first, albedo_buffer, albedo);
-        if (job->simd->admit(in, factor, begin - first, end - first, last - first, before + first, depth + first, to)) {
-            job->solid_first[y] = begin;
-            job->solid_last[y] = end < width ? end : job->padded;
-        } else {
-            ms_sss__find_solid(job, y, depth);
-        }
-    }
-    ms_sss__copy_row(job, y, depth);
-}
-
-/* What is left to do for columns [x, x + count) of row y once blur holds the filtered light: fades it to own (NULL:
-   there is nothing to fade), multiplies by the albedo, adds the specular light, and writes the pixels that take part:
-   depth NULL: the row's longest run. */
-static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3],
-                            const float *const *own, const float *depth)
-{
-    const ms_sss_frame *f = &job->frame;
-    float *albedo_buffer[3], *specular_buffer[3], *strength_buffer[1];
-    const float *albedo[3], *specular[3], *strength = NULL, *const * factor, *result[3];
-    int c, i;
-    int solid_first = job->solid_first[y] > x ? job->solid_first[y] - x : 0;
-    int solid_last = job->solid_last[y] < x + count ? job->solid_last[y] - x : count;
-    for (c = 0; c < 3; ++c) {
-        result[c] = blur[c];
-        albedo_buffer[c] = ms_sss__buffer(job, task, 9 + c);
-        specular_buffer[c] = ms_sss__buffer(job, task, 13 + c);
-    }
-    if (own && !job->whole[y]) {
-        strength_buffer[0] = ms_sss__buffer(job, task, 12);
-        ms_sss__load(job->simd, &f->strength, 1, f->width, y, x, count, strength_buffer, &strength);
-    }
-    for (c = 0; c < 3 && own; ++c)
-        job->simd->fade(&job->pass, strength, job->gain, depth ? depth : job->fresh + x, own[c], count, blur[c]);
-    if (f->through.channel[0]) {
-        ms_sss__load(job->simd, &f->through, 3, f->width, y, x, count, specular_buffer, specular);
-        for (c = 0; c < 3; ++c)
-            for (i = 0; i < count; ++i)
-                if (specular[c][i] > blur[c][i]) blur[c][i] = specular[c][i];
-    }
-    factor = ms_sss__albedo(job, 1, y, x, count, albedo_buffer, albedo);
-    for (c = 0; factor && c < 3; ++c)
-        for (i = 0; i < count; ++i) blur[c][i] *= factor[c][i];
-    if (f->specular.channel[0]) {
-        ms_sss__load(job->simd, &f->specular, 3, f->width, y, x, count, specular_buffer, specular);
-        for (c = 0; c < 3; ++c) job->simd->combine(1.0f, blur[c], 1.0f, specular[c], count, blur[c]);
-    }
-    if (solid_first >= solid_last) solid_first = solid_last = count;
-    if (depth) ms_sss__store(job->simd, &f->output, f->width, y, x, 0, solid_first, result, depth);
-    ms_sss__store(job->simd, &f->output, f->width, y, x, solid_first, solid_last, result, NULL);
-    if (depth) ms_sss__store(job->simd, &f->output, f->width, y, x, solid_last, count, result, depth);
-}
-
-/* The rest for columns [x, x + count) of row y once blur holds the term's second pass: adds up the terms and delta E
-   and composes. */
-static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3],
-                           const float *depth)
-{
-    const ms_sss_frame *f = &job->frame;
-    const ms_sss_kernel *k = job->kernel;
-    float *in_buffer[3], *own_buffer[3], *albedo_buffer[3];
-    const float *in[3], *albedo[3], *const *factor;
-    const int last_term = job->term + 1 == k->term_count;
-    int c, i, need_own = job->gain < 1.0f || !job->whole[y];
-    for (c = 0; c < 3; ++c) {
-        const float scale = k->scale[job->term][c];
-        float *sum = k->term_count > 1 ? job->sum[c] + (ptrdiff_t)y * job->stride + x : blur[c];
-        in_buffer[c] = ms_sss__buffer(job, task, 3 + c);
-        own_buffer[c] = ms_sss__buffer(job, task, 6 + c);
-        albedo_buffer[c] = ms_sss__buffer(job, task, 9 + c);
-        if (job->term > 0) job->simd->combine(scale, blur[c], 1.0f, sum, count, last_term ? blur[c] : sum);
-        else if (!last_term || ms_sss__differ(scale, 1.0f))
-            job->simd->combine(scale, blur[c], 0.0f, blur[c], count, sum);
-        if (ms_sss__differ(k->delta[c], 0.0f) || ms_sss__differ(scale, 1.0f) ||
-            ms_sss__differ(job->pass.total[c], 1.0f))
-            need_own = 1;
-    }
-    if (!last_term) return;
-    if (need_own) {
-        ms_sss__load(job->simd, &f->input, 3, f->width, y, x, count, in_buffer, in);
-        factor = ms_sss__albedo(job, 0, y, x, count, albedo_buffer, albedo);
-        for (c = 0; c < 3; ++c) {
-            if (factor) {
-                for (i = 0; i < count; ++i) own_buffer[c][i] = in[c][i] * factor[c][i];
-                in[c] = own_buffer[c];
-            }
-            if (ms_sss__differ(k->delta[c], 0.0f))
-                job->simd->combine(k->delta[c], in[c], 1.0f, blur[c], count, blur[c]);
-        }
-    }
-    ms_sss__compose(job, task, y, x, count, blur, need_own ? in : NULL, depth);
-}
-
-/* The least depth in a band of rows. */
-static void ms_sss__least_band(void *context, int task)
-{
-    ms_sss__job *job = (ms_sss__job *)context;
-    const int begin = job->begin + task * job->band, width = job->frame.width;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    float *buffer[1], least = MS_SSS__AWAY;
-    const float *depth;
-    int y;
-    buffer[0] = ms_sss__buffer(job, task, 0);
-    for (y = begin; y < end; ++y) {
-        float row;
-        ms_sss__load(job->simd, &job->frame.depth, 1, width, y, 0, width, buffer, &depth);
-        row = job->simd->least(depth, width);
-        if (row < least) least = row;
-    }
-    job->least[task] = least;
-}
-
-/* One pass for rows [begin, end), cut into bands by the picture alone. */
-static void ms_sss__run(ms_sss__job *job, int begin, int end, void (*pass)(void *context, int task))
-{
-    const int rows = (end - begin + MS_SSS__TASKS - 1) / MS_SSS__TASKS;
-    if (begin >= end) return;
-    job->begin = begin;
-    job->end = end;
-    job->band = rows < 8 ? 8 : rows;
-    ms_sss__share(&job->options.parallel, (end - begin + job->band - 1) / job->band, pass, job);
-}
-
-static void ms_sss__find_nearest(ms_sss__job *job)
-{
-    int i;
-    if (job->nearest > 0) return;
-    for (i = 0; i < (int)MS_SSS__TASKS; ++i) job->least[i] = MS_SSS__AWAY;
-    ms_sss__run(job, 0, job->frame.height, ms_sss__least_band);
-    job->nearest = MS_SSS__AWAY;
-    for (i = 0; i < (int)MS_SSS__TASKS; ++i)
-        if (job->least[i] < job->nearest) job->nearest = job->least[i];
-}
-
-/* --- the passes: admit, first, second, compose --- */
-
-/* Floats of a row in the ring: two cache lines more than it holds, so that rows side by side do not fall on the same
-   few sets of the cache. */
-static ptrdiff_t ms_sss__ring_row(int padded) { return 4 * (ptrdiff_t)padded + 32; }
-
-/* Rows of a band between which nothing has to stay for its neighbours lie in a ring of this many. */
-static int ms_sss__ring_rows(const ms_sss__sweep *s) { return 2 * s->reach + MS_SSS__STEP; }
-
-/* Where row y of a band that begins at `begin` is kept: rows that the band above needs have their own place; those that
-   the band below needs are the last in the ring. */
-static int ms_sss__slot(const ms_sss__sweep *s, int begin, int y)
-{
-    const int low = begin ? begin + 2 * s->reach : 0;
-    return 1 + (y < low ? y : low + (y - low) % ms_sss__ring_rows(s));
-}
-
-/* First row of a part of the picture. */
-static int ms_sss__part(const ms_sss__sweep *s, int part)
-{
-    return (int)((ptrdiff_t)part * s->job->frame.height / s->parts);
-}
-
-/* Takes the part at which a task begins a band: half-way into the longest run of free ones, so that whoever comes from
-   above finds as much to do; -1: none is left. Who makes a row changes nothing but where it is kept. */
-static int ms_sss__begin_band(ms_sss__sweep *s, int task)
-{
-#ifdef MS_SSS__TAKE
-    (void)task;
-    for (;;) {
-        int i, run = 0, most = 0, part = -1;
-        for (i = 0; i <= s->parts; ++i, ++run) {
-            if (i < s->parts && !MS_SSS__TAKEN(&s->taken[i])) continue;
-            if (run > most) {
-                most = run;
-                part = i > run ? i - (run + 1) / 2 : 0;
-            }
-            run = -1;
-        }
-        if (part < 0 || !MS_SSS__TAKE(&s->taken[part])) return part;
-    }
-#else
-    return s->taken[task]++ ? -1 : 2 * task;
-#endif
-}
-
-/* Whether a band goes on with this part. */
-static int ms_sss__go_on(ms_sss__sweep *s, int part)
-{
-#ifdef MS_SSS__TAKE
-    return part < s->parts && !MS_SSS__TAKE(&s->taken[part]);
-#else
-    return part < s->parts && part % 2;
-#endif
-}
-
-/* Fixed taps along x for columns [begin, end) of a prepared row; a border's columns 16 at a time. */
-static void ms_sss__fixed_x(const ms_sss__job *job, float *const in[4], int begin, int end, float *const out[3])
-{
-    const ms_sss__fixed *f = &job->taps[0];
-    ptrdiff_t at[MS_SSS__FIXED_MAX];
-    const float *from[MS_SSS__FIXED_MAX], *own[3];
-    float *to[3];
-    int tap[MS_SSS__FIXED_MAX], c, j, taps = 0;
-    for (j = 0; j < f->count; ++j) {
-        if (end + f->offset[j] <= 0 || begin + f->offset[j] >= job->frame.width) continue;
-        at[taps] = f->offset[j];
-        from[taps] = in[3] + begin + f->offset[j];
-        tap[taps++] = j;
-    }
-    for (c = 0; c < 3; ++c) {
-        own[c] = in[c] + begin;
-        to[c] = out[c] + begin;
-    }
-    job->simd->convolve_valid(f, own, at, from, tap, taps, end - begin, in[3] + begin, to);
-}
-
-/* The first pass of row y by fixed taps: at once where every tap counts. The ring's rows are planes. */
-static MS_SSS__APART void ms_sss__fixed_first(const ms_sss__sweep *s, int y, float *const in[4])
-{
-    const ms_sss__job *job = s->job;
-    const ms_sss__fixed *f = &job->taps[0];
-    const int first = job->first[y], last = job->last[y];
-    float *out[4];
-    int x, c, j, a, b; /* [a, b): all taps are inside and take part */
-    for (c = 0; c < 4; ++c) out[c] = s->ring + s->row[y] + c * s->padded;
-    if (!ms_sss__solid(job, y, first, last))
-        memcpy(out[3] + first, in[3] + first, (size_t)(last - first) * sizeof(float));
-    a = ms_sss__round_up(job->solid_first[y] - f->lowest, 16);
-    b = ((job->solid_last[y] < job->frame.width ? job->solid_last[y] : job->frame.width) - f->highest) / 16 * 16;
-    if (a >= b) a = b = last;
-    for (x = first; x < a; x += 16) ms_sss__fixed_x(job, in, x, x + 16, out);
-    if (a < b) {
-        ptrdiff_t at[MS_SSS__FIXED_MAX];
-        for (j = 0; j < f->count; ++j) at[j] = f->offset[j];
-        for (c = 0; c < 3; ++c) job->simd->convolve(in[c] + a, at, f->weight[c], f->count, b - a, out[c] + a);
-    }
-    for (x = b; x < last; x += 16) ms_sss__fixed_x(job, in, x, x + 16, out);
-}
-
-/* Fixed taps along y for columns [x, x + count) of row y, of which not all taps need to be inside or take part. */
-static void ms_sss__fixed_y(const ms_sss__sweep *s, int y, int x, int count, float *const out[3])
-{
-    const ms_sss__job *job = s->job;
-    const ms_sss__fixed *f = &job->taps[1];
-    const float *own_row = s->ring + s->row[y] + x;
-    ptrdiff_t at[MS_SSS__FIXED_MAX];
-    const float *from[MS_SSS__FIXED_MAX], *own[3], *own_depth = own_row + 3 * s->padded;
-    int tap[MS_SSS__FIXED_MAX], c, j, taps = 0;
-    if (ms_sss__solid(job, y, x, x + count)) own_depth = job->fresh;
-    for (j = 0; j < f->count; ++j) {
-        const int row = y + f->offset[j];
-        if (row < 0 || row >= job->frame.height || x < job->first[row] || x >= job->last[row]) continue;
-        at[taps] = s->row[row] - s->row[y];
-        from[taps] = ms_sss__solid(job, row, x, x + count) ? job->fresh : s->ring + s->row[row] + 3 * s->padded + x;
-        tap[taps++] = j;
-    }
-    for (c = 0; c < 3; ++c) own[c] = own_row + c * s->padded;
-    job->simd->convolve_valid(f, own, at, from, tap, taps, count, own_depth, out);
-}
-
-/* The second pass of row y by fixed taps: at once where every tap counts, else by blocks. */
-static MS_SSS__APART void ms_sss__fixed_second(const ms_sss__sweep *s, int y, float *const out[3])
-{
-    const ms_sss__job *job = s->job;
-    const ms_sss__fixed *f = &job->taps[1];
-    int a = job->first[y], b = job->last[y], j, c, x; /* [a, b): every tap counts */
-    if (y + f->lowest < 0 || y + f->highest >= job->frame.height) b = a;
-    for (j = 0; j < f->count && a < b; ++j) {
-        const int row = y + f->offset[j];
-        if (job->solid_first[row] > a) a = job->solid_first[row];
-        if (job->solid_last[row] < b) b = job->solid_last[row];
-    }
-    a = ms_sss__round_up(a, 16);
-    b -= b % 16;
-    if (a >= b) a = b = job->last[y];
-    for (x = job->first[y]; x < job->last[y];) {
-        float *to[3];
-        int end = (x / job->block + 1) * job->block;
-        if (x == a) {
-            x = b;
-            continue;
-        }
-        if (x < a && end > a) end = a;
-        for (c = 0; c < 3; ++c) to[c] = out[c] + x;
-        ms_sss__fixed_y(s, y, x, end - x, to);
-        x = end;
-    }
-    if (a < b) {
-        ptrdiff_t at[MS_SSS__FIXED_MAX];
-        const float *from = s->ring + s->row[y] + a;
-        for (j = 0; j < f->count; ++j) at[j] = s->row[y + f->offset[j]] - s->row[y];
-        for (c = 0; c < 3; ++c)
-            job->simd->convolve(from + c * s->padded, at, f->weight[c], f->count, b - a, out[c] + a);
-    }
-}
-
-/* Second pass, composition and output of rows [begin, end), at most STEP. */
-static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
-{
-    const ms_sss__job *job = s->job;
-    const ms_sss_image *image = &job->frame.output;
-    ms_sss__line line[MS_SSS__STEP];
-    int direct[MS_SSS__STEP], y, c, x, i, from = job->padded, to = 0;
-    memset(line, 0, sizeof line);
-    for (y = begin; y < end; ++y) {
-        const int first = job->first[y], last = job->last[y];
-        ms_sss__line *l = &line[y - begin];
-        if (first == last) continue;
-        l->axis = 1;
-        l->at = y;
-        l->count = job->frame.height;
-        l->first = first;
-        l->last = last;
-        l->from = s->ring;
-        l->step = s->row + y;
-        l->group = 4 * s->lanes;
-        l->plane = l->to_group = s->lanes;
-        l->plan = s->plan + s->slot[y] * s->plan_row;
-        direct[y - begin] = job->direct && job->whole[y] && last <= job->frame.width &&
-            ms_sss__solid(job, y, first, last);
-        for (c = 0; c < 3; ++c) {
-            l->own[c] = s->own + ((ptrdiff_t)s->slot[y] * 3 + c) * s->padded;
-            l->to[c] = ms_sss__buffer(job, task, 17 + 3 * (y - begin) + c);
-        }
-        from = first < from ? first : from;
-        to = last > to ? last : to;
-        if (job->fixed) ms_sss__fixed_second(s, y, l->to);
-    }
-    if (!job->fixed) job->simd->sweep[s->shaped](s, &job->pass, line, end - begin, from, to);
-    for (y = begin; y < end; ++y) {
-        const int first = job->first[y], last = job->last[y];
-        const float *own = s->ring + s->row[y];
-        float *blur[3], *depth = ms_sss__buffer(job, task, 41);
-        const ms_sss__line *l = &line[y - begin];
-        if (first < last && !direct[y - begin]) {
-            for (x = first; x < last && !job->fixed; x += s->lanes)
-                for (i = 0; i < s->lanes; ++i) {
-                    const float z = own[4 * x + 3 * s->lanes + i];
-                    depth[x + i] = z < MS_SSS__AWAY / 2 ? z : INFINITY;
-                }
-            if (job->fixed) memcpy(depth + first, own + 3 * s->padded + first, (size_t)(last - first) * sizeof(float));
-            for (c = 0; c < 3; ++c) blur[c] = l->to[c] + first;
-            ms_sss__finish(job, task, y, first, last - first, blur, depth + first);
-        }
-        if (first < last && direct[y - begin])
-            for (c = 0; c < 3; ++c)
-                job->simd->deliver(l->to[c] + first, last - first,
-                                   (float *)image->channel[c] + y * image->row_stride + first);
-        ms_sss__copy_row(job, y, depth);
-    }
-}
-
-/* What stands for row y in an array by rows; by its address, since a pointer may not lie before what it points into. */
-static int *ms_sss__by_row(int *at, int y) { return (int *)((uintptr_t)at - (uintptr_t)y * sizeof *at); }
-
-/* Row y as the first pass reads it, into the window; rows of other bands are read for their depths only. */
-static void ms_sss__admit(const ms_sss__sweep *s, int task, int y, int foreign, float *const plane[4])
-{
-    ms_sss__job other = *s->job;
-    int info[5], x;
-    if (y < 0 || y >= other.frame.height) {
-        for (x = 0; x < s->padded; ++x) plane[3][x] = MS_SSS__AWAY;
-        return;
-    }
-    other.unwritten = 0;
-    if (foreign) {
-        other.first = ms_sss__by_row(info, y);
-        other.last = ms_sss__by_row(info + 1, y);
-        other.solid_first = ms_sss__by_row(info + 2, y);
-        other.solid_last = ms_sss__by_row(info + 3, y);
-        other.whole = ms_sss__by_row(info + 4, y);
-    }
-    ms_sss__prepare(&other, y, task, plane, plane[3]);
-    if (other.fixed) return;
-    x = ms_sss__solid(&other, y, 0, s->padded) ? other.frame.width / 16 * 16 : 0; /* before it nothing is INFINITY */
-    other.simd->limit(plane[3] - MS_SSS__LEFT, MS_SSS__LEFT);
-    other.simd->limit(plane[3] + x, s->padded - x + MS_SSS__RIGHT);
-}
-
-/* Slopes of row y from the depths of five rows, or from normals. */
-static void ms_sss__slopes(const ms_sss__job *job, int task, int y, const float *const depth[5], float *const slope[2])
-{
-    const int first = job->first[y], last = job->last[y];
-    const float *normal[3];
-    float *buffer[3];
-    int c;
-    if (job->frame.normal.channel[0]) {
-        for (c = 0; c < 3; ++c) buffer[c] = ms_sss__buffer(job, task, c);
-        ms_sss__load(job->simd, &job->frame.normal, 3, job->frame.width, y, first, last - first, buffer, normal);
-        for (c = 0; c < 3; ++c) normal[c] -= first;
-    }
-    job->simd->shape(&job->pass, depth, job->frame.normal.channel[0] ? normal : NULL, y, first, last, slope);
-}
-
-/* The first pass of row y, whose window of rows is filled, into the ring. */
-static void ms_sss__first(const ms_sss__sweep *s, int task, int y, float *const plane[5][4], float *const temp[5])
-{
-    const ms_sss__job *job = s->job;
-    const ms_sss__pass *p = &job->pass;
-    const int first = job->first[y], last = job->last[y], slot = s->slot[y];
-    float *const *mine = plane[y % s->rows], *row = s->ring + s->row[y], *own[3];
-    int *held = s->held + 2 * slot, c, x;
-    unsigned char *plan = s->plan + slot * s->plan_row;
-    ms_sss__line l;
-    if (job->fixed) {
-        ms_sss__fixed_first(s, y, mine);
-        return;
-    }
-    memset(&l, 0, sizeof l);
-    for (x = held[0]; x < held[1]; x += s->lanes) /* what the row before left there */
-        if (x < first || x >= last)
-            for (c = 0; c < 4 * s->lanes; ++c) row[4 * x + c] = c < 3 * s->lanes ? 0.0f : MS_SSS__AWAY;
-    held[0] = first;
-    held[1] = last;
-    if (s->shaped) {
-        const float *depth[5];
-        float *tangent[6];
-        for (c = 0; c < 5; ++c) depth[c] = plane[(y + 3 + c) % 5][3];
-        for (c = 0; c < 3; ++c) own[c] = s->own + ((ptrdiff_t)slot * 3 + c) * s->padded;
-        ms_sss__slopes(job, task, y, depth, temp);
-        for (c = 0; c < 3; ++c) {
-            tangent[c] = temp[2 + c];
-            tangent[3 + c] = own[c];
-        }
-        job->simd->tangents(p, mine[3], (const float *const *)temp, y, first, last, tangent);
-    }
-    job->simd->plan(s, p, 1, mine[3], s->shaped ? own[0] : NULL, first, last, plan);
-    if (s->shaped || ms_sss__differ(p->aspect[0], p->aspect[1])) {
-        plan = s->plan + (job->frame.height + 1 + task) * s->plan_row;
-        job->simd->plan(s, p, 0, mine[3], s->shaped ? temp[2] : NULL, first, last, plan);
-    }
-    l.count = s->padded;
-    l.first = first;
-    l.last = last;
-    l.from = mine[0];
-    l.step = s->column;
-    l.group = s->lanes;
-    l.plane = mine[1] - mine[0];
-    l.to_group = 4 * s->lanes;
-    l.plan = plan;
-    for (c = 0; c < 3; ++c) {
-        l.own[c] = temp[2 + c];
-        l.to[c] = row + c * s->lanes;
-    }
-    job->simd->sweep[s->shaped](s, p, &l, 1, first, last);
-}
-
-/* Both passes of bands that this task takes; of the second, the rows that need no other band's. */
-static void ms_sss__sweep_band(void *context, int task)
-{
-    ms_sss__sweep *s = (ms_sss__sweep *)context;
-    const ms_sss__job *job = s->job;
-    const int height = job->frame.height, ahead = s->rows / 2;
-    float *plane[5][4], *temp[5];
-    int y, r, c, x, part;
-    while ((part = ms_sss__begin_band(s, task)) >= 0) {
-        const int begin = ms_sss__part(s, part);
-        int end = ms_sss__part(s, part + 1), done = part ? begin + s->reach : 0, admitted = begin - ahead;
-        float *at = s->window + task * s->window_size;
-        for (r = 0; r < s->rows; ++r)
-            for (c = 0; c < 4; ++c, at += s->window_row) {
-                for (x = 0; x < s->window_row; ++x) at[x] = c < 3 ? 0.0f : job->fixed ? INFINITY : MS_SSS__AWAY;
-                plane[r][c] = at + MS_SSS__MARGIN;
-            }
-        for (r = 0; r < 5; ++r, at += s->padded) temp[r] = at;
-        for (y = begin; y < end; ++y) {
-            int last;
-            if (y + 1 + ahead == end && ms_sss__go_on(s, part + 1)) end = ms_sss__part(s, ++part + 1);
-            for (; admitted <= y + ahead; ++admitted)
-                ms_sss__admit(s, task, admitted, admitted < begin || admitted >= end,
-                              plane[(admitted + s->rows) % s->rows]);
-            s->slot[y] = job->first[y] < job->last[y] ? ms_sss__slot(s, begin, y) : 0;
-            s->row[y] = (ptrdiff_t)s->slot[y] * ms_sss__ring_row(s->padded);
-            if (s->slot[y]) ms_sss__first(s, task, y, (float *const(*)[4])plane, temp);
-            last = end < height ? end - s->reach : height;
-            while (done < last && (y + 1 == end || y + 1 >= done + MS_SSS__STEP + s->reach)) {
-                const int stop = done + MS_SSS__STEP < last ? done + MS_SSS__STEP : last;
-                ms_sss__second(s, task, done, stop);
-                while (done < stop) s->done[done++] = 1;
-            }
-        }
-    }
-}
-
-/* The second pass of the rows next to other bands, STEP at a time: task by task in turn. */
-static void ms_sss__sweep_rest(void *context, int task)
-{
-    const ms_sss__sweep *s = (const ms_sss__sweep *)context;
-    int y, stop, turn = 0;
-    for (y = 0; y < s->job->frame.height; y = stop) {
-        for (stop = y; stop < s->job->frame.height && stop < y + MS_SSS__STEP && !s->done[stop]; ++stop) {}
-        if (stop == y) ++stop;
-        else if (turn++ % s->tasks == task) ms_sss__second(s, task, y, stop);
-    }
-}
-
-static void ms_sss__splat(float to[16], double value)
-{
-    int i;
-    for (i = 0; i < 16; ++i) to[i] = (float)value;
-}
-
-/* Pairs of taps that weigh the same, if the kernel consists of such and depth weighs them as usual; else 0. */
-static int ms_sss__pairs(ms_sss__sweep *s, const ms_sss__job *job)
-{
-    const ms_sss_kernel *k = job->kernel;
-    const ms_sss__pass *p = &job->pass;
-    const int pairs = k->tap_count / 2;
-    float inner = 0;
-    int i, c;
-    if (pairs > (s->shaped ? MS_SSS__LEANING : MS_SSS__PAIRS)) return 0;
-    s->plain = !(p->mixed[0] || p->mixed[1] || p->mixed[2]);
-    /* dz / (1 + remote dz^2) is at most half of 1 / sqrt(remote), which is the offset over that of upright; 1 + the
-       square of a ray's tangent is the most that facing adds */
-    s->steep = !(0.25 *
-                     (1 +
-                      (double)(p->tangent * p->tangent) *
-                          ((double)p->middle[0] * (double)p->middle[0] + (double)p->middle[1] * (double)p->middle[1])) <
-                 0.999 * (double)p->upright * (double)(p->least * p->least));
-    for (c = 0; c < 3; ++c) ms_sss__splat(s->weight[0][c], (double)p->weight[0][c]);
-    for (i = 0; i < pairs; ++i) {
-        const double x = (double)k->offset_mm[2 * i + 2];
-        if (!(fabs(x) > 1e-20) || ms_sss__differ(k->offset_mm[2 * i + 1], -k->offset_mm[2 * i + 2])) return 0;
-        for (c = 0; c < 3; ++c) {
-            if (ms_sss__differ(p->weight[2 * i + 1][c], p->weight[2 * i + 2][c])) return 0;
-            ms_sss__splat(s->weight[i + 1][c], (double)p->weight[2 * i + 1][c]);
-        }
-        for (c = 0; c < 2; ++c) ms_sss__splat(s->offset[c][i], fabs(x) * (double)p->aspect[c]);
-        ms_sss__splat(s->span[i], fabs(x));
-        ms_sss__splat(s->remote[i], (double)ms_sss__remote(p, (float)x));
-        if (s->remote[i][0] * (float)(x * x) < 0.999f * p->remote) s->steep = 1;
-        ms_sss__splat(s->bulge[i], (double)ms_sss__bulge(p, (float)x, &inner));
-        for (c = 0; c < 3 && s->shaped; ++c) {
-            const double w = (double)s->weight[i + 1][c][0], root = sqrt(sqrt(fabs(w)));
-            if (!(w >= 0)) s->plain = 0;
-            ms_sss__splat(s->lift[i][c][0], root * (double)p->curve[c] / fabs(x));
-            ms_sss__splat(s->lift[i][c][1], root);
-        }
-    }
-    return pairs;
-}
-
-/* Rows that the second pass needs on either side, at most all. */
-static int ms_sss__reach(ms_sss__job *job)
-{
-    const ms_sss__pass *p = &job->pass;
-    double size = (double)p->size, farthest = 0, reach;
-    int i;
-    if (job->fixed) {
-        reach = -job->taps[1].lowest > job->taps[1].highest ? -job->taps[1].lowest : job->taps[1].highest;
-    } else {
-        for (i = 0; i < p->tap_count; ++i)
-            farthest = fabs((double)p->offset_mm[i]) > farthest ? fabs((double)p->offset_mm[i]) : farthest;
-        if (p->perspective) {
-            ms_sss__find_nearest(job);
-            size /= (double)(job->nearest * job->depth_scale);
-            if (size > (double)p->size_max) size = (double)p->size_max;
-        }
-        if (job->shaped) /* a plane that leans towards the ray is seen enlarged */
-            size *= sqrt(
-                1 +
-                (double)(p->tangent * p->tangent) *
-                    ((double)p->middle[0] * (double)p->middle[0] + (double)p->middle[1] * (double)p->middle[1]));
-        reach = size * farthest * (double)p->aspect[1] + 3;
-    }
-    return reach < job->frame.height ? (int)reach : job->frame.height;
-}
-
-/* Both passes of a term: the second follows the first, band by band. */
-static void ms_sss__both_passes(ms_sss__job *job)
-{
-    const int height = job->frame.height;
-    ms_sss__sweep *s = (ms_sss__sweep *)(void *)job->window;
-    int i, c;
-    memset(s, 0, sizeof *s);
-    s->job = job;
-    s->simple = 1;
-    for (c = 0; c < 3; ++c)
-        if (job->pass.mixed[c] || ms_sss__differ(job->pass.total[c], 1) || !(job->pass.weight[0][c] > 1e-20f))
-            s->simple = 0;
-    s->lanes = job->simd->lanes;
-    s->shaped = job->shaped && !job->fixed;
-    s->rows = s->shaped ? 5 : 1;
-    s->padded = job->padded;
-    if (!job->fixed) s->pairs = ms_sss__pairs(s, job);
-    s->reach = job->idle ? 0 : ms_sss__reach(job);
-    s->parts = job->options.parallel.run ? ms_sss__clamp(height / 16, 1, MS_SSS__PARTS) : 1;
-    s->tasks = (s->parts + 1) / 2;
-    s->plan_size = (s->pairs + 4) / 4 * 4;
-    s->plan_row = (ptrdiff_t)(s->padded / s->lanes) * s->plan_size;
-    s->window_row = s->padded + 2 * MS_SSS__MARGIN;
-    s->window_size = 20 * s->window_row + 5 * s->padded;
-    s->ring = job->planes;
-    s->own = s->ring + (height + 1) * ms_sss__ring_row(s->padded);
-    s->window = (float *)(void *)(s + 1);
-    s->row = (ptrdiff_t *)(void *)(s->window + MS_SSS__TASKS * s->window_size) + MS_SSS__MARGIN;
-    s->column = s->row + height + 2 * MS_SSS__MARGIN;
-    s->slot = (int *)(void *)(s->column + MS_SSS__MARGIN);
-    s->done = s->slot + height;
-    s->held = s->done + height;
-    s->plan = (unsigned char *)(s->held + 2 * (height + 1));
-
-    for (i = 0; i < s->padded; i += s->lanes) /* slot 0: what lies outside */
-        for (c = 0; c < 4 * s->lanes; ++c) s->ring[4 * i + c] = c >= 3 * s->lanes ? MS_SSS__AWAY : 0.0f;
-    for (i = -MS_SSS__MARGIN; i < height + MS_SSS__MARGIN; ++i) s->row[i] = 0;
-    for (i = -MS_SSS__MARGIN; i < MS_SSS__MARGIN; ++i) s->column[i] = i;
-    memset(s->done, 0, (size_t)height * sizeof(int));
-    for (i = 0; i <= height; ++i) {
-        s->held[2 * i] = 0;
-        s->held[2 * i + 1] = s->padded;
-    }
-    ms_sss__share(&job->options.parallel, s->tasks, ms_sss__sweep_band, s);
-    if (s->tasks > 1) ms_sss__share(&job->options.parallel, s->tasks, ms_sss__sweep_rest, s);
-}
-
-/* --- turned axes --- */
-
-/* Both passes read rows above and below: all rows are prepared first, then each pass makes all of them. */
-static void ms_sss__turned_band(void *context, int task)
-{
-    const ms_sss__job *job = (const ms_sss__job *)context;
-    const int begin = job->begin + task * job->band;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    int y, c;
-    for (y = begin; y < end; ++y) {
-        float *colour[3];
-        for (c = 0; c < 3; ++c) {
-            colour[c] = job->source[c] + y * job->stride;
-            ms_sss__clear(job, job->middle[c] + y * job->stride, 0.0f);
-        }
-        ms_sss__prepare(job, y, task, colour, job->depth + y * job->stride);
-    }
-}
-
-/* A pass of a band of rows, each pixel along its own axis. */
-static void ms_sss__turned_pass(const ms_sss__job *job, int task, int second)
-{
-    const int begin = job->begin + task * job->band;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    const unsigned char plan = MS_SSS__ANY;
-    const ptrdiff_t still = 0;
-    ms_sss__turning turn;
-    ms_sss__sweep s;
-    ms_sss__line l;
-    int y, c;
-    memset(&s, 0, sizeof s);
-    s.shaped = job->shaped;
-    turn.direction = job->direction;
-    turn.second = second;
-    turn.height = job->frame.height;
-    turn.stride = job->stride;
-    memset(&l, 0, sizeof l);
-    l.turn = &turn;
-    l.plan = &plan;
-    l.step = &still;
-    l.axis = 2;
-    l.count = job->frame.width;
-    l.group = l.to_group = job->simd->lanes;
-    l.plane = second ? job->middle[1] - job->middle[0] : job->source[1] - job->source[0];
-    for (y = begin; y < end; ++y) {
-        const int first = job->first[y], last = job->last[y];
-        const float *depth[5];
-        float *slope[2];
-        if (first == last) continue;
-        l.at = y;
-        l.first = first;
-        l.last = last;
-        l.from = (second ? job->middle[0] : job->source[0]) + y * job->stride;
-        for (c = 0; c < 5; ++c) depth[c] = job->depth + ms_sss__clamp(y + c - 2, -1, job->frame.height) * job->stride;
-        for (c = 0; c < 2; ++c) l.own[c] = slope[c] = ms_sss__buffer(job, task, 18 + c);
-        for (c = 0; c < 3; ++c) l.to[c] = second ? ms_sss__buffer(job, task, 21 + c) : job->middle[c] + y * job->stride;
-        if (job->shaped) ms_sss__slopes(job, task, y, depth, slope);
-        job->simd->sweep[0](&s, &job->pass, &l, 1, first, last);
-        for (c = 0; c < 3; ++c) l.to[c] += first;
-        if (second) ms_sss__finish(job, task, y, first, last - first, l.to, job->depth + y * job->stride + first);
-    }
-}
-
-static void ms_sss__turned_first(void *context, int task)
-{
-    ms_sss__turned_pass((const ms_sss__job *)context, task, 0);
-}
-static void ms_sss__turned_second(void *context, int task)
-{
-    ms_sss__turned_pass((const ms_sss__job *)context, task, 1);
-}
-
-/* --- one call --- */
-
-/* What the workspace holds: planes (a pyramid), rows alone, or what a kernel's passes need. */
-enum { MS_SSS__PLANES, MS_SSS__BARE, MS_SSS__PASSES };
-
-/* Floats of the parts of the workspace, in the order in which they lie there. */
-typedef struct ms_sss__layout {
-    int padded, block, planes;
-    size_t stride, plane, ring, sweep, total; /* sweep, total: bytes; SIZE_MAX: too many */
-} ms_sss__layout;
-
-/* Slopes count, if there is depth. */
-static int ms_sss__may_shape(const ms_sss_filter_options *o)
-{
-    return o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE;
-}
-
-static int ms_sss__turns(const ms_sss_filter_options *o) { return ms_sss__differ(o->rotation, 0) || o->jitter > 0; }
-
-static MS_SSS__COLD ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
-                                                const ms_sss_filter_options *options, int kind)
-{
-    const size_t lanes = (size_t)ms_sss__pick(options->simd)->lanes, rows = (size_t)height;
-    ms_sss__layout l;
-    size_t floats;
-    int i, terms = 1, pairs = 0;
-    for (i = 0; i < kernel_count; ++i) {
-        if (kernels[i].term_count > terms) terms = kernels[i].term_count;
-        if (kernels[i].tap_count / 2 > pairs && kernels[i].tap_count / 2 <= MS_SSS__PAIRS)
-            pairs = kernels[i].tap_count / 2;
-    }
-    l.block = width < MS_SSS__BLOCK ? ms_sss__round_up(width, 16) : MS_SSS__BLOCK;
-    l.padded = ms_sss__round_up(width, l.block);
-    l.stride = (size_t)(MS_SSS__LEFT + l.padded + MS_SSS__RIGHT);
-    l.plane = ms__size_mul(l.stride, rows + 2); /* an empty row above and below */
-    l.planes = kind == MS_SSS__PLANES ? 3 : kind == MS_SSS__PASSES && ms_sss__turns(options) ? 7 : 0;
-    l.ring = l.sweep = 0;
-    if (kind == MS_SSS__PASSES && !ms_sss__turns(options)) {
-        l.ring = ms__size_mul(
-            rows + 1, (size_t)ms_sss__ring_row(l.padded) + (ms_sss__may_shape(options) ? 3 * (size_t)l.padded : 0));
-        l.sweep = ms__size_mul((rows + 1 + MS_SSS__TASKS) * (size_t)((pairs + 4) / 4 * 4), (size_t)l.padded / lanes);
-        l.sweep = ms__size_add(l.sweep,
-                               sizeof(float) * MS_SSS__TASKS * (25 * (size_t)l.padded + 40 * MS_SSS__MARGIN) +
-                                   (rows + 4 * MS_SSS__MARGIN) * sizeof(ptrdiff_t) + (4 * rows + 2) * sizeof(int) +
-                                   2 * sizeof(ms_sss__fixed) + sizeof(ms_sss__sweep));
-    }
-    if (kind == MS_SSS__PASSES && terms > 1) l.planes += 3;
-    floats = ms__size_add(l.ring, ms__size_mul(l.plane, (size_t)l.planes));
-    floats = ms__size_add(floats, ms__size_mul(l.stride, (size_t)MS_SSS__TASKS * MS_SSS__ROWS + 1));
-    l.total = ms__size_add(ms__size_mul(ms__size_add(floats, 5 * rows), sizeof(float)), ms__size_add(l.sweep, 256));
-    return l;
-}
-
-/* Tap sums of a term; those within rounding of 1 become 1 where delta adds nothing, so that what is left alone is left
-   alone to the bit. */
-static MS_SSS__COLD void ms_sss__totals(const ms_sss_kernel *k, int term, float total[3], int mixed[3])
-{
-    int c, i;
-    for (c = 0; c < 3; ++c) {
-        double sum = 0;
-        mixed[c] = 0;
-        for (i = 0; i < k->tap_count; ++i) {
-            sum += (double)k->weight[term][i][c];
-            if (k->weight[term][i][c] < 0) mixed[c] = 1;
-        }
-        total[c] = fabs(sum - 1) < 1e-5 && !ms_sss__differ(k->delta[c], 0) ? 1.0f : (float)sum;
-    }
-}
-
-/* Taps at `pixels` pixels a mm, each shared between the two whole offsets beside it. */
-static void ms_sss__fix(ms_sss__fixed *f, const ms_sss_kernel *k, int term, double pixels, int side)
-{
-    int i, j, c, half;
-    f->count = f->lowest = f->highest = 0;
-    ms_sss__totals(k, term, f->total, f->mixed);
-    for (i = k->tap_count - 1; i >= 0; --i) {
-        const double exact = (double)k->offset_mm[i] * pixels, nearest = floor(exact + 0.5);
-        const double t = fabs(exact - nearest) < 1e-4 ? nearest : exact, whole = floor(t);
-        for (half = 0; half < 2; ++half) {
-            const double share = half ? t - whole : 1 - (t - whole);
-            int offset;
-            if (share <= 0 || fabs(whole) > side) continue;
-            offset = (int)whole + half;
-            for (j = 0; j < f->count && f->offset[j] != offset; ++j) {}
-            if (j == f->count) {
-                f->offset[f->count++] = offset;
-                for (c = 0; c < 3; ++c) f->weight[c][j] = 0;
-                if (offset < f->lowest) f->lowest = offset;
-                if (offset > f->highest) f->highest = offset;
-            }
-            for (c = 0; c < 3; ++c) f->weight[c][j] += (float)(share * (double)k->weight[term][i][c]);
-        }
-    }
-}
-
-static int ms_sss__positive(float x) { return ms__finite_f(x) && x > 0; }
-
-static MS_SSS__COLD ms_status ms_sss__check_kernel(const ms_sss_kernel *k, int index, ms_error *error)
-{
-    int i, c, t;
-    if (k->tap_count < 1 || k->tap_count > MS_SSS_TAPS_MAX || k->tap_count % 2 == 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                        "kernel %d: tap_count %d is not an odd number from 1 to %d", index, k->tap_count,
-                        MS_SSS_TAPS_MAX);
-    if (k->term_count < 1 || k->term_count > MS_SSS_TERMS_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: term_count %d is not within 1 to %d",
-                        index, k->term_count, MS_SSS_TERMS_MAX);
-    if (!ms_sss__positive(k->radius_mm))
-        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: radius_mm %g is not positive", index,
-                        (double)k->radius_mm);
-    for (i = 0; i < k->tap_count; ++i) {
-        if (!ms__finite_f(k->offset_mm[i]) || (i == 0 && ms_sss__differ(k->offset_mm[0], 0)))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                            "kernel %d: offset_mm[%d] is %g; entry 0 must be 0, all finite", index, i,
-                            (double)k->offset_mm[i]);
-        for (t = 0; t < k->term_count; ++t)
-            for (c = 0; c < 3; ++c)
-                if (!ms__finite_f(k->weight[t][i][c]) || !ms__finite_f(k->scale[t][c]) || !ms__finite_f(k->delta[c]))
-                    return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                                    "kernel %d: term %d, tap %d, channel %d is not finite", index, t, i, c);
-    }
-    return MS_OK;
-}
-
-/* Fills in the strides. */
-static MS_SSS__COLD ms_status ms_sss__check_image(ms_sss_image *image, const char *name, int channels, int needed,
-                                                  int width, int height, ms_error *error)
-{
-    const ptrdiff_t limit = PTRDIFF_MAX / 8;
-    int c;
-    if (!image->channel[0]) {
-        if (!needed) return MS_OK;
-        return MS_SSS__REFUSE(error, "%s: no pixels were given", name);
-    }
-    for (c = 1; c < channels; ++c)
-        if (!image->channel[c]) return MS_SSS__REFUSE(error, "%s: channel %d has no pixels", name, c);
-    if (image->half != 0 && image->half != 1)
-        return MS_SSS__REFUSE(error, "%s: half is %d, not 0 or 1", name, image->half);
-    if (image->pixel_stride == 0) image->pixel_stride = 1;
-    if (image->pixel_stride > limit / width || image->pixel_stride < -(limit / width))
-        return MS_SSS__REFUSE(error, "%s: pixel_stride is too large", name);
-    if (image->row_stride == 0) image->row_stride = image->pixel_stride * width;
-    if (image->row_stride > limit / height || image->row_stride < -(limit / height))
-        return MS_SSS__REFUSE(error, "%s: row_stride is too large", name);
-    return MS_OK;
-}
-
-static MS_SSS__COLD ms_status ms_sss__check_sides(int width, int height, ms_error *error)
-{
-    if (width >= 1 && height >= 1 && width <= MS_SSS__SIDE_MAX && height <= MS_SSS__SIDE_MAX) return MS_OK;
-    return MS_SSS__REFUSE(error, "width, height %d, %d: expected 1 to %d each", width, height, (int)MS_SSS__SIDE_MAX);
-}
-
-static MS_SSS__COLD ms_status ms_sss__check_lent(const void *workspace, size_t size, size_t needed, ms_error *error)
-{
-    if (workspace && size >= needed) return MS_OK;
-    return MS_SSS__REFUSE(error, "a workspace of %z bytes: expected %z", workspace ? size : 0, needed);
-}
-
-/* Fills in the strides. */
-static MS_SSS__COLD ms_status ms_sss__check_frame(ms_sss_frame *f, int needs_depth, ms_error *error)
-{
-    const int w = f->width, h = f->height;
-    ms_status status;
-    if ((status = ms_sss__check_image(&f->input, "input", 3, 1, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->output, "output", 3, 1, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->depth, "depth", 1, needs_depth, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->strength, "strength", 1, 0, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->albedo, "albedo", 3, 0, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->specular, "specular", 3, 0, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->normal, "normal", 3, 0, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->through, "through", 3, 0, w, h, error)) != MS_OK)
-        return status;
-    return MS_OK;
-}
-
-static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options *o, ms_error *error)
-{
-    static const char *const name[] = {"ortho_height", "mm_per_unit", "depth_sigma_mm"};
-    const float length[] = {o->ortho_height, o->mm_per_unit, o->depth_sigma_mm}, *a = o->pixels_per_mm;
-    const int sizes = ms_sss__differ(a[0], 0) + ms_sss__differ(o->fov_degrees, 0) + ms_sss__differ(o->ortho_height, 0);
-    ms_status status;
-    int i;
-    if (sizes != 1)
-        return MS_SSS__REFUSE(error, "%d of pixels_per_mm, fov_degrees and ortho_height are set; exactly one is needed",
-                              sizes);
-    if (ms_sss__differ(a[0], 0) && !(ms_sss__positive(a[0]) && a[1] >= 0 && ms__finite_f(a[1])))
-        return MS_SSS__REFUSE(error, "pixels_per_mm %g, %g: expected positive numbers", (double)a[0], (double)a[1]);
-    if (ms_sss__differ(o->fov_degrees, 0) && !(o->fov_degrees > 0 && o->fov_degrees < 180))
-        return MS_SSS__REFUSE(error, "fov_degrees %g is not within (0, 180)", (double)o->fov_degrees);
-    for (i = 0; i < 3; ++i)
-        if (ms_sss__differ(length[i], 0) && !ms_sss__positive(length[i]))
-            return MS_SSS__REFUSE(error, "%s %g is not positive", name[i], (double)length[i]);
-    if ((status = ms_sss__within((double)o->fade, "fade", 0, 1, error)) != MS_OK ||
-        (status = ms_sss__within((double)o->flat, "flat", 0, 1, error)) != MS_OK ||
-        (status = ms_sss__within((double)o->jitter, "jitter", 0, 1, error)) != MS_OK ||
-        (status = ms_sss__within((double)o->rotation, "rotation", -1e30, 1e30, error)) != MS_OK ||
-        (status = ms_sss__within(o->exact, "exact", 0, 1, error)) != MS_OK ||
-        (status = ms_sss__within((int)o->method, "method", 0, (int)MS_SSS_METHOD_PYRAMID, error)) != MS_OK ||
-        (status = ms_sss__within((int)o->depth_mode, "depth_mode", 0, (int)MS_SSS_DEPTH_SCALE, error)) != MS_OK)
-        return status;
-    return ms_sss__within((int)o->albedo_mode, "albedo_mode", 0, (int)MS_SSS_ALBEDO_BOTH, error);
-}
-
-/* Pixels a mm; in perspective at a depth of 1. */
-static double ms_sss__pixels(const ms_sss_filter_options *o, int height)
-{
-    const double mm = o->mm_per_unit > 0 ? (double)o->mm_per_unit : 1;
-    if (o->fov_degrees > 0) return height / (2 * tan((double)o->fov_degrees * (3.14159265358979323846 / 360)) * mm);
-    return o->ortho_height > 0 ? height / ((double)o->ortho_height * mm) : (double)o->pixels_per_mm[0];
-}
-
-/* What one kernel's passes share: pixels a mm, depth units, taps or fixed taps. */
-static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int profile)
-{
-    const ms_sss_filter_options *o = &job->options;
-    const int width = job->full_width, height = job->full_height;
-    const double side = (double)(width > height ? width : height) / (double)job->coarse, radius = (double)k->radius_mm;
-    const double mm = o->mm_per_unit > 0 ? (double)o->mm_per_unit : 1;
-    double size = ms_sss__pixels(o, height) / (double)job->coarse, widest;
-    double kappa = 1e-9; /* MS_SSS_DEPTH_SCALE: differences so small that they count as none */
-    ms_sss__pass *p = &job->pass;
-    int c;
-    job->kernel = k;
-    job->profile = profile;
-    p->aspect[0] = 1.0f;
-    p->aspect[1] = o->pixels_per_mm[0] > 0 && o->pixels_per_mm[1] > 0 ? o->pixels_per_mm[1] / o->pixels_per_mm[0]
-                                                                      : 1.0f;
-    p->perspective = o->fov_degrees > 0;
-    p->apart = 1.0f;
-    if (o->depth_mode == MS_SSS_DEPTH_AWARE) {
-        const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : radius;
-        const double upright = job->shaped ? 1 - (double)o->flat : 0;
-        const double sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : (0.12 + 0.13 * upright) * extent;
-        double end = MS_SSS__FALLOFF_END * sigma, unit, apart;
-        if (!job->shaped && radius < end) end = radius;
-        apart = end;
-        if (job->shaped && !(o->depth_sigma_mm > 0)) end = (0.37 + 1.13 * upright) * extent;
-        unit = 1 / end;
-        kappa = mm * unit;
-        p->reach = (float)(radius * unit * radius * unit);
-        p->unit = (float)(1 / unit);
-        p->apart = (float)(apart * unit);
-        p->remote = (float)(upright / (unit * unit));
-    }
-    job->depth_scale = (float)kappa;
-    widest = (double)(p->aspect[0] > p->aspect[1] ? p->aspect[0] : p->aspect[1]);
-    p->size_min = (float)(0.5 / (radius * widest));
-    p->size_max = (float)(side / radius);
-    job->idle = !p->perspective && size <= (double)p->size_min;
-    p->upright = 1 - o->flat;
-    p->focal[0] = (float)(p->perspective ? size * mm : size * mm / kappa);
-    p->focal[1] = p->focal[0] * (o->pixels_per_mm[0] > 0 ? p->aspect[1] : 1.0f);
-    p->tangent = p->perspective ? 1 / p->focal[0] : 0;
-    p->middle[0] = 0.5f * (float)width / job->coarse;
-    p->middle[1] = 0.5f * (float)height / job->coarse;
-    p->least = -1;
-    p->grain = job->rough ? 9.7668e-4f
-                          : 2.3841858e-7f; /* rounded once when given, once when scaled: 2^-11 or 2^-24, and 2^-24 */
-    for (c = 0; c < 3; ++c) {
-        p->curve[c] = k->elevation_axis[c] / 4 * p->upright;
-        p->root[c] = k->reflectance[c] > 0 ? sqrtf(k->reflectance[c]) : 0;
-        if (p->curve[c] * p->least < -1) p->least = -1 / p->curve[c]; /* where 1 + K sin(theta) / 4 is 0 */
-    }
-    if (p->perspective) size *= kappa;
-    else if (size > (double)p->size_max) size = (double)p->size_max;
-    p->size = (float)size;
-    p->offset_mm = k->offset_mm;
-    p->tap_count = k->tap_count;
-}
-
-/* Whether filtered light is the output: nothing to mix or multiply, planar float. */
-static int ms_sss__plain(const ms_sss__job *job)
-{
-    const ms_sss_frame *f = &job->frame;
-    return !f->albedo.channel[0] && !f->specular.channel[0] && !f->through.channel[0] && !(job->gain < 1) &&
-        !f->output.half && f->output.pixel_stride == 1;
-}
-
-/* Whether the second pass is the last step of a pixel: besides, one term. */
-static int ms_sss__direct(const ms_sss__job *job)
-{
-    const ms_sss_kernel *k = job->kernel;
-    float total[3];
-    int mixed[3], c;
-    if (k->term_count > 1 || !ms_sss__plain(job)) return 0;
-    ms_sss__totals(k, 0, total, mixed);
-    for (c = 0; c < 3; ++c)
-        if (ms_sss__differ(k->delta[c], 0) || ms_sss__differ(k->scale[0][c], 1) || ms_sss__differ(total[c], 1))
-            return 0;
-    return 1;
-}
-
-static void ms_sss__set_term(ms_sss__job *job, int term)
-{
-    ms_sss__pass *p = &job->pass;
-    const int side = job->frame.width > job->frame.height ? job->frame.width : job->frame.height;
-    job->term = term;
-    p->weight = job->kernel->weight[term];
-    ms_sss__totals(job->kernel, term, p->total, p->mixed);
-    p->bulge = job->shaped && !p->mixed[0] && !p->mixed[1] && !p->mixed[2] ? sqrtf(0.5f * p->upright) : 0;
-    if (job->fixed) {
-        ms_sss__fix(&job->taps[0], job->kernel, term, (double)p->size * (double)p->aspect[0], side);
-        ms_sss__fix(&job->taps[1], job->kernel, term, (double)p->size * (double)p->aspect[1], side);
-    }
-}
-
-MS_API ms_sss_filter_options ms_sss_filter_defaults(void)
-{
-    ms_sss_filter_options o;
-    memset(&o, 0, sizeof o);
-    return o;
-}
-
-static ms_sss_image ms_sss__view(const void *red, const void *green, const void *blue, int pixel_stride, int half)
-{
-    ms_sss_image image;
-    memset(&image, 0, sizeof image);
-    image.channel[0] = (void *)(uintptr_t)red;
-    image.channel[1] = (void *)(uintptr_t)green;
-    image.channel[2] = (void *)(uintptr_t)blue;
-    image.pixel_stride = pixel_stride;
-    image.half = half;
-    return image;
-}
-
-MS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int half)
-{
-    const char *p = (const char *)pixels;
-    const size_t size = half ? sizeof(uint16_t) : sizeof(float);
-    return ms_sss__view(p, p ? p + size : NULL, p ? p + 2 * size : NULL, channels, half);
-}
-
-MS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void *blue, int half)
-{
-    return ms_sss__view(red, green, blue, 0, half);
-}
-
-MS_API ms_sss_image ms_sss_map(const void *values, int step, int half)
-{
-    return ms_sss__view(values, NULL, NULL, step, half);
-}
-
-MS_API ms_sss_image ms_sss_flipped(ms_sss_image image, int width, int height)
-{
-    const ptrdiff_t row = image.row_stride ? image.row_stride : (image.pixel_stride ? image.pixel_stride : 1) * width;
-    const ptrdiff_t to_last = row * (height - 1) * (ptrdiff_t)(image.half ? sizeof(uint16_t) : sizeof(float));
-    int c;
-    for (c = 0; c < 3; ++c)
-        if (image.channel[c]) image.channel[c] = (char *)image.channel[c] + to_last;
-    image.row_stride = -row;
-    return image;
-}
-
-MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int height, const ms_sss_depth_buffer *how,
-                                     float *out, ms_error *error)
-{
-    ms_sss_image from;
-    ms_status status;
-    double near_plane, far_plane;
-    int x, y, endless;
-    if (!buffer || !how || !out) return MS_SSS__REFUSE(error, "buffer, how or out is NULL");
-    from = *buffer;
-    if ((status = ms_sss__check_sides(width, height, error)) != MS_OK ||
-        (status = ms_sss__check_image(&from, "buffer", 1, 1, width, height, error)) != MS_OK)
-        return status;
-    near_plane = (double)how->near_plane;
-    far_plane = (double)how->far_plane;
-    endless = !(far_plane > 0) || !ms__finite_f(how->far_plane);
-    if (!ms_sss__positive(how->near_plane) ||
-        (endless ? how->orthographic || far_plane < 0 || far_plane != far_plane : far_plane <= near_plane))
-        return MS_SSS__REFUSE(error, "near_plane %g, far_plane %g: expected 0 < near < far, or far 0 in perspective",
-                              near_plane, far_plane);
-    for (y = 0; y < height; ++y)
-        for (x = 0; x < width; ++x) {
-            const double d = (double)ms_sss__get(&from, 0, x, y),
-                         away = how->reversed ? d : 1 - d; /* 1 at the near plane, 0 at the far one */
-            double z = (double)INFINITY;
-            if (away > 0 && away <= 1)
-                z = how->orthographic ? far_plane - away * (far_plane - near_plane)
-                    : endless         ? near_plane / away
-                                      : near_plane * far_plane / (near_plane + away * (far_plane - near_plane));
-            out[(ptrdiff_t)y * width + x] = (float)z;
-        }
-    return MS_OK;
-}
-
-MS_API float ms_sss_fov_along_y(float fov_degrees_along_x, int width, int height)
-{
-    const double degree = 3.14159265358979323846 / 180;
-    if (width < 1 || height < 1 || !(fov_degrees_along_x > 0 && fov_degrees_along_x < 180)) return 0;
-    return (float)(2 * atan(tan((double)fov_degrees_along_x * degree / 2) * height / width) / degree);
-}
-
-/* Refuses a scene that is likelier in other units than millimetres: mm_per_unit was not given, and the smallest kernel
-   covers half of the picture, as the mean over up to 64 x 64 pixels. */
-static MS_SSS__COLD ms_status ms_sss__check_scale(const ms_sss_frame *f, const ms_sss_filter_options *o,
-                                                  double radius_mm, ms_error *error)
-{
-    const int side = f->width > f->height ? f->width : f->height, step_x = (f->width + 63) / 64,
-              step_y = (f->height + 63) / 64;
-    const double size = radius_mm * ms_sss__pixels(o, f->height);
-    double sum = o->fov_degrees > 0 ? 0 : size;
-    int x, y, n = !(o->fov_degrees > 0);
-    if (o->mm_per_unit > 0 || o->pixels_per_mm[0] > 0) return MS_OK;
-    for (y = step_y / 2; y < f->height && o->fov_degrees > 0; y += step_y)
-        for (x = step_x / 2; x < f->width; x += step_x) {
-            const float z = ms_sss__get(&f->depth, 0, x, y);
-            if (!ms_sss__positive(z)) continue;
-            sum += size / (double)z < side ? size / (double)z : side;
-            ++n;
-        }
-    if (!(sum > 0.5 * side * n)) return MS_OK;
-    return MS_SSS__REFUSE(error,
-                          "a radius of %g mm covers half of the picture: mm_per_unit is needed, "
-                          "1000 for a scene in metres, 1 if it is in mm",
-                          radius_mm);
-}
-
-/* The empty rows above and below the planes, of which the fourth is depth. */
-static void ms_sss__clear_around(ms_sss__job *job)
-{
-    const ptrdiff_t plane = job->stride * (job->frame.height + 2);
-    int i;
-    for (i = 0; i < job->plane_count; ++i) {
-        float *top = job->planes + MS_SSS__LEFT + i * plane;
-        ms_sss__clear(job, top, i == 3 ? INFINITY : 0.0f);
-        ms_sss__clear(job, top + plane - job->stride, i == 3 ? INFINITY : 0.0f);
-    }
-}
-
-/* Checks everything and lays the workspace out; *end: the first float behind it. */
-static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels,
-                                            int kernel_count, const ms_sss_filter_options *options, void *workspace,
-                                            size_t workspace_size, size_t needed, int kind, float **end,
-                                            ms_error *error)
-{
-    const int w = frame->width, h = frame->height;
-    ms_sss__layout layout;
-    ms_sss_frame *f = &job->frame;
-    ms_status status;
-    float *at;
-    int i, c;
-    if ((status = ms_sss__check_sides(w, h, error)) != MS_OK) return status;
-    if (kernel_count < 1 || kernel_count > 256)
-        return MS_SSS__REFUSE(error, "kernel_count %d is not within 1 to 256", kernel_count);
-    for (i = 0; i < kernel_count; ++i)
-        if ((status = ms_sss__check_kernel(&kernels[i], i, error)) != MS_OK) return status;
-    if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
-    memset(job, 0, sizeof *job);
-    *f = *frame;
-    job->options = *options;
-    for (i = 1, c = 0; i < kernel_count; ++i)
-        if (kernels[i].radius_mm < kernels[c].radius_mm) c = i;
-    if ((status = ms_sss__check_frame(f, options->fov_degrees > 0, error)) != MS_OK ||
-        (status = ms_sss__check_lent(workspace, workspace_size, needed, error)) != MS_OK ||
-        (status = ms_sss__check_scale(f, options, (double)kernels[c].radius_mm, error)) != MS_OK)
-        return status;
-
-    layout = ms_sss__plan(w, h, kernels, kernel_count, options, kind);
-    job->simd = ms_sss__pick(options->simd);
-    job->kernel_count = kernel_count;
-    job->block = layout.block;
-    job->padded = layout.padded;
-    job->stride = (ptrdiff_t)layout.stride;
-    job->full_width = w;
-    job->full_height = h;
-    job->coarse = 1;
-    job->rough = f->depth.half;
-    job->gain = 1.0f - options->fade;
-    job->turned = ms_sss__turns(options);
-    job->shaped = f->depth.channel[0] != NULL && ms_sss__may_shape(options);
-    job->whole_first = job->turned;
-    job->raw = !f->albedo.channel[0] && !f->specular.channel[0] && f->input.half == f->output.half;
-    job->unwritten = !job->raw || f->input.pixel_stride != f->output.pixel_stride ||
-        f->input.row_stride != f->output.row_stride;
-    for (c = 0; c < 3; ++c)
-        if (f->input.channel[c] != f->output.channel[c]) job->unwritten = 1;
-
-    job->planes = at = (float *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
-    at += layout.ring;
-    job->plane_count = layout.ring ? 0 : layout.planes;
-    for (i = 0; i < layout.planes; ++i) {
-        float *plane = at + layout.stride + MS_SSS__LEFT;
-        if (i >= layout.planes - 3) job->sum[i - layout.planes + 3] = plane;
-        if (i < 3) job->middle[i] = plane;
-        else if (i == 3) job->depth = plane;
-        else if (i < 7) job->source[6 - i] = plane; /* so that depth is three planes behind red there, too */
-        at += layout.plane;
-    }
-    ms_sss__clear_around(job);
-    job->fresh = at + MS_SSS__LEFT;
-    ms_sss__clear(job, job->fresh, INFINITY);
-    for (i = 0; i < w; ++i) job->fresh[i] = 0.0f;
-    at += layout.stride;
-    job->rows = at;
-    at += layout.stride * MS_SSS__TASKS * MS_SSS__ROWS;
-    job->first = (int *)at;
-    job->last = job->first + h;
-    job->solid_first = job->last + h;
-    job->solid_last = job->solid_first + h;
-    job->whole = job->solid_last + h;
-    job->taps = (ms_sss__fixed *)(void *)(job->whole + h);
-    job->window = (float *)(((uintptr_t)(kind == MS_SSS__PASSES ? (void *)(job->taps + 2) : (void *)job->taps) + 63) &
-                            ~(uintptr_t)63);
-    *end = job->window;
-    for (i = 0; i < 64; ++i) {
-        const double angle = (double)options->rotation + (double)options->jitter * (i + 0.5) / 64 * 1.57079632679489662;
-        job->direction[i][0] = (float)cos(angle);
-        job->direction[i][1] = (float)sin(angle);
-    }
-    return MS_OK;
-}
-
-/* All terms of a kernel, on the pixels of a profile. */
-static void ms_sss__apply(ms_sss__job *job, const ms_sss_kernel *kernel, int profile)
-{
-    int term;
-    ms_sss__set_kernel(job, kernel, profile);
-    job->fixed = !job->turned && !job->pass.perspective &&
-        (!job->frame.depth.channel[0] || job->options.depth_mode == MS_SSS_DEPTH_SCALE);
-    job->direct = ms_sss__direct(job);
-    if (!(job->gain > 0)) job->idle = 1;
-    for (term = 0; term < (job->idle ? 1 : kernel->term_count); ++term) {
-        ms_sss__set_term(job, term);
-        if (!job->turned) {
-            ms_sss__both_passes(job);
-            continue;
-        }
-        if (term == 0) ms_sss__run(job, 0, job->frame.height, ms_sss__turned_band);
-        if (!job->idle) ms_sss__run(job, 0, job->frame.height, ms_sss__turned_first);
-        if (!job->idle) ms_sss__run(job, 0, job->frame.height, ms_sss__turned_second);
-    }
-}
-
-/* A kernel at full resolution. job: of which the picture's least depth is known, or not. */
-static ms_status ms_sss__taps_filter(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels,
-                                     int profile, int kernel_count, const ms_sss_filter_options *options,
-                                     void *workspace, size_t workspace_size, ms_error *error)
-{
-    const float nearest = job->nearest;
-    float *end;
-    ms_status status = ms_sss__begin(job, frame, kernels, kernel_count, options, workspace, workspace_size,
-                                     workspace_size, MS_SSS__PASSES, &end, error);
-    if (status != MS_OK) return status;
-    job->nearest = nearest;
-    ms_sss__apply(job, &kernels[profile], profile);
-    return MS_OK;
-}
-
-/* --- half resolution --- */
-
-enum { MS_SSS__HALF_PLANES = 8 }; /* light, result, depth, mask */
-
-typedef struct ms_sss__half {
-    ms_sss__job job; /* first: tasks get its address */
-    ms_sss__job inner;
-    ms_sss__halving halving;
-    float *light[3], *blur[3], *depth, *mask;
-    ptrdiff_t stride;
-    int plain, bold; /* rows of whole vectors whose light is the caller's; of which nothing but a colour or depth can
-                        keep a pixel from taking part */
-} ms_sss__half;
-
-static MS_SSS__COLD size_t ms_sss__half_plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
-                                             const ms_sss_filter_options *options)
-{
-    const int w = (width + 1) / 2, h = (height + 1) / 2;
-    const size_t planes = ms__size_mul((size_t)ms_sss__round_up(w, 16),
-                                       (size_t)h * MS_SSS__HALF_PLANES * sizeof(float));
-    return ms__size_add(
-        ms__size_add(ms_sss__plan(width, height, kernels, kernel_count, options, MS_SSS__BARE).total, planes),
-        ms__size_add(ms_sss__plan(w, h, kernels, kernel_count, options, MS_SSS__PASSES).total,
-                     sizeof(ms_sss__half) + 192));
-}
-
-/* Colour and depth of columns [first, last) of a row of the picture as they are. */
-static void ms_sss__half_rows(const ms_sss__job *job, int y, int first, int last, float *const buffer[4],
-                              const float *row[4])
-{
-    ms_sss__load(job->simd, &job->frame.input, 3, job->frame.width, y, first, last - first, buffer, row);
-    if (job->frame.depth.channel[0])
-        ms_sss__load(job->simd, &job->frame.depth, 1, job->frame.width, y, first, last - first, buffer + 3, row + 3);
-    else row[3] = job->fresh;
-}
-
-/* Whether all pixels of a row that take part are the longest run of them; if not, that is forgotten. */
-static int ms_sss__half_run(const ms_sss__job *job, int y, const float *depth)
-{
-    int x, others = 0;
-    for (x = job->first[y]; x < job->solid_first[y]; ++x) others |= depth[x] < INFINITY;
-    for (x = job->solid_last[y]; x < job->last[y]; ++x) others |= depth[x] < INFINITY;
-    if (others) job->solid_first[y] = job->solid_last[y] = 0;
-    return !others;
-}
-
-/* The picture at half its size. Pixels that take no part are copied. */
-static void ms_sss__half_down(void *context, int task)
-{
-    const ms_sss__half *half = (const ms_sss__half *)context;
-    const ms_sss__job *job = &half->job;
-    const int begin = job->begin + task * job->band, width = job->frame.width, stride = (int)half->stride;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    float *row[2][4], *to[4];
-    const float *in[2][4];
-    int x, y, r, c;
-    for (r = 0; r < 8; ++r) {
-        row[r / 4][r % 4] = ms_sss__buffer(job, task, 10 + r);
-        ms_sss__clear(job, row[r / 4][r % 4], 0.0f);
-    }
-    for (y = begin; y < end; ++y) {
-        int all = half->bold && 2 * y + 1 < job->frame.height, first = stride,
-            last = 0; /* columns of the half that hold anything */
-        for (c = 0; c < 4; ++c) to[c] = (c < 3 ? half->light[c] : half->depth) + y * half->stride;
-        if (all) { /* as if all pixels took part */
-            for (r = 0; r < 2; ++r) ms_sss__half_rows(job, 2 * y + r, 0, width, row[r], in[r]);
-            all = job->simd->halve(&half->halving, in[0], in[1], job->depth_scale, stride, to);
-        }
-        for (r = 0; r < 2; ++r) {
-            const int at = 2 * y + r;
-            if (all) {
-                job->first[at] = job->solid_first[at] = first = 0;
-                job->last[at] = job->solid_last[at] = width;
-                job->whole[at] = 1;
-                last = stride;
-            } else if (at < job->frame.height) {
-                ms_sss__prepare(job, at, task, row[r], row[r][3]);
-                ms_sss__half_run(job, at, row[r][3]);
-                if (job->first[at] == job->last[at]) continue;
-                if (job->first[at] / 2 < first) first = job->first[at] / 2;
-                if (ms_sss__round_up(job->last[at] / 2, 16) > last) last = ms_sss__round_up(job->last[at] / 2, 16);
-            } else {
-                ms_sss__clear(job, row[r][3], INFINITY);
-            }
-        }
-        if (job->idle) continue;
-        if (first > last) first = last;
-        for (x = 0; x < first; ++x) to[3][x] = INFINITY;
-        for (x = last; x < stride; ++x) to[3][x] = INFINITY;
-        if (!all) {
-            for (r = 0; r < 2; ++r)
-                for (c = 0; c < 4; ++c) in[r][c] = row[r][c] + 2 * first;
-            for (c = 0; c < 4; ++c) to[c] += first;
-            job->simd->halve(&half->halving, in[0], in[1], 1, last - first, to);
-        }
-        if (half->mask)
-            for (x = 0; x < stride; ++x)
-                half->mask[y * half->stride + x] = half->depth[y * half->stride + x] < INFINITY ? 1.0f : 0.0f;
-    }
-}
-
-/* The picture from its half. */
-static void ms_sss__half_up(void *context, int task)
-{
-    const ms_sss__half *half = (const ms_sss__half *)context;
-    ms_sss__job again = half->job; /* what takes no part is written already */
-    const ms_sss__job *inner = &half->inner;
-    const ms_sss_image *image = &again.frame.output;
-    const int begin = again.begin + task * again.band, fade = again.gain < 1;
-    const int end = begin + again.band < again.end ? begin + again.band : again.end;
-    float *own[4], *soft[2][4];
-    int have[2] = {-1, -1}, held[2][2] = {{0, 0}, {0, 0}}, y, r, c, x;
-    again.unwritten = 0;
-    for (c = 0; c < 4; ++c) {
-        own[c] = ms_sss__buffer(&again, task, 17 + c);
-        for (r = 0; r < 2; ++r) {
-            soft[r][c] = ms_sss__buffer(&again, task, 21 + 4 * r + c);
-            ms_sss__clear(&again, soft[r][c], c == 3 ? MS_SSS__AWAY : 0.0f);
-        }
-    }
-    for (y = begin; y < end; ++y) {
-        const float *beside[2][4], *coarse[2][4], *mine[4];
-        float *blur[3], *to[4];
-        const int first = again.first[y], last = again.last[y],
-                  run = half->plain && again.solid_first[y] < again.solid_last[y];
-        const int direct = again.direct && run && again.whole[y] && last <= again.frame.width &&
-            ms_sss__solid(&again, y, first, last);
-        if (first == last) continue;
-        if (run) {
-            ms_sss__half_rows(&again, y, first, last, own, mine);
-        } else {
-            ms_sss__prepare(&again, y, task, own, own[3]);
-            for (c = 0; c < 4; ++c) mine[c] = own[c] + first;
-        }
-        for (r = 0; r < 2; ++r) {
-            const int at = ms_sss__clamp((y + 1) / 2 - 1 + r, 0, inner->frame.height - 1), slot = at % 2;
-            const int from = inner->idle ? 0 : inner->first[at],
-                      until = inner->idle || inner->last[at] > (int)half->stride ? (int)half->stride : inner->last[at];
-            for (c = 0; c < 4; ++c) coarse[r][c] = soft[slot][c] + first / 2;
-            if (have[slot] == at) continue;
-            have[slot] = at;
-            for (x = held[slot][0]; x < held[slot][1] && x < from; ++x)
-                soft[slot][3][x] = MS_SSS__AWAY; /* of the row before */
-            for (x = until > held[slot][0] ? until : held[slot][0]; x < held[slot][1]; ++x)
-                soft[slot][3][x] = MS_SSS__AWAY;
-            held[slot][0] = from;
-            held[slot][1] = until;
-            for (c = 0; c < 4; ++c) {
-                to[c] = soft[slot][c] + from;
-                beside[0][c] = (c < 3 ? half->light[c] : half->depth) + at * half->stride + from;
-                beside[1][c] = c < 3 ? half->blur[c] + at * half->stride + from : NULL;
-            }
-            again.simd->soften(&half->halving, beside[0], beside[1], beside[0][3], until - from, to);
-        }
-        for (c = 0; c < 3; ++c) blur[c] = ms_sss__buffer(&again, task, 29 + c);
-        again.simd->refine(&half->halving, mine, run ? again.depth_scale : 1, (const float *const(*)[4])coarse, y % 2,
-                           last - first, blur);
-        for (c = 0; c < 3 && direct; ++c)
-            again.simd->deliver(blur[c], last - first, (float *)image->channel[c] + y * image->row_stride + first);
-        if (!direct)
-            ms_sss__compose(&again, task, y, first, last - first, blur, fade || !again.whole[y] ? mine : NULL,
-                            run ? NULL : own[3] + first);
-    }
-}
-
-/* Everything but the first and last step is the filter at full resolution, of a picture of half the size. */
-static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int profile,
-                                     int kernel_count, const ms_sss_filter_options *options, void *workspace,
-                                     size_t workspace_size, ms_error *error)
-{
-    const ms_sss_kernel *k = &kernels[profile];
-    ms_sss__half *half = (ms_sss__half *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
-    ms_sss__halving *h = &half->halving;
-    ms_sss_filter_options inner_options = *options;
-    ms_sss_frame inner;
-    ms_status status;
-    float *at, *end, apart = 0,
-                     size_min; /* apart: size from which on the centre alone stands within a pixel of itself */
-    size_t plane, left = workspace_size - (size_t)((char *)(half + 1) - (char *)workspace);
-    int i, c, t;
-    status = ms_sss__begin(&half->job, frame, kernels, kernel_count, options, half + 1, left, left, MS_SSS__BARE, &at,
-                           error);
-    if (status != MS_OK) return status;
-    memset(&inner, 0, sizeof inner);
-    inner.width = (frame->width + 1) / 2;
-    inner.height = (frame->height + 1) / 2;
-    half->stride = ms_sss__round_up(inner.width, 16);
-    plane = (size_t)half->stride * (size_t)inner.height;
-    for (c = 0; c < 3; ++c) {
-        half->light[c] = at + (size_t)c * plane;
-        half->blur[c] = at + (size_t)(3 + c) * plane;
-    }
-    half->depth = at + 6 * plane;
-    half->mask = frame->depth.channel[0] ? NULL : at + 7 * plane;
-    at += MS_SSS__HALF_PLANES * plane;
-    left = workspace_size - (size_t)((char *)at - (char *)workspace);
-
-    ms_sss__set_kernel(&half->job, k, profile);
-    size_min = half->job.pass.size_min;
-    half->job.direct = ms_sss__plain(&half->job);
-    if (!(half->job.gain > 0)) half->job.idle = 1;
-    memset(h, 0, sizeof *h);
-    h->kernel = k;
-    h->perspective = half->job.pass.perspective;
-    h->size = half->job.pass.size;
-    h->size_max = half->job.pass.size_max;
-    h->within = 1 / half->job.pass.apart;
-    h->scale = half->job.depth_scale;
-    for (c = 0; c < 2; ++c) h->aspect[c] = half->job.pass.aspect[c];
-    for (i = 1; i < k->tap_count; ++i)
-        for (c = 0; c < 2; ++c)
-            if (!(fabsf(k->offset_mm[i]) * h->aspect[c] * apart >= 1))
-                apart = fabsf(k->offset_mm[i]) > 1e-20f ? 1 / (fabsf(k->offset_mm[i]) * h->aspect[c]) : 3e38f;
-    h->beyond = !((h->perspective ? h->size_max : h->size) >= apart) ? -1
-        : h->perspective && apart > 0                                ? h->size / apart
-                                                                     : INFINITY;
-    h->tiny = !(size_min < (h->perspective ? h->size_max : h->size)) ? -1
-        : h->perspective                                             ? h->size / size_min
-                                                                     : INFINITY;
-    for (c = 0; c < 3; ++c) {
-        double share = (double)k->delta[c];
-        for (t = 0; t < k->term_count; ++t)
-            share += (double)k->scale[t][c] * (double)k->weight[t][0][c] * (double)k->weight[t][0][c];
-        h->share[c] = (float)(share < 0 ? 0 : share > 0.999 ? 0.999 : share);
-    }
-    half->plain = half->job.block == MS_SSS__BLOCK &&
-        (!frame->albedo.channel[0] || options->albedo_mode == MS_SSS_ALBEDO_POST);
-    half->bold = half->plain && !half->job.idle && frame->depth.channel[0] && !frame->strength.channel[0] &&
-        !frame->profile && half->job.padded == frame->width;
-    ms_sss__run(&half->job, 0, inner.height, ms_sss__half_down);
-    if (half->job.idle) return MS_OK;
-
-    inner.input = ms_sss_planar(half->light[0], half->light[1], half->light[2], 0);
-    inner.output = ms_sss_planar(half->blur[0], half->blur[1], half->blur[2], 0);
-    if (half->mask) inner.strength = ms_sss_map(half->mask, 1, 0);
-    else inner.depth = ms_sss_map(half->depth, 1, 0);
-    inner.input.row_stride = inner.output.row_stride = inner.strength.row_stride = inner.depth.row_stride =
-        half->stride;
-    inner_options.fade = 0;
-    inner_options.albedo_mode = MS_SSS_ALBEDO_POST;
-    status = ms_sss__begin(&half->inner, &inner, k, 1, &inner_options, at, left, left, MS_SSS__PASSES, &end, error);
-    if (status != MS_OK) return status;
-    half->inner.full_width = frame->width;
-    half->inner.full_height = frame->height;
-    half->inner.coarse = 2;
-    half->inner.rough = frame->depth.half;
-    half->inner.unwritten = 0;
-    ms_sss__apply(&half->inner, k, 0);
-    for (c = 0; c < 3 && half->inner.idle; ++c) half->blur[c] = half->light[c]; /* under half of a larger pixel */
-    ms_sss__run(&half->job, 0, frame->height, ms_sss__half_up);
-    return MS_OK;
-}
-
-/* ---- pyramid code ---------------------------------------------------------------------------------------------- */
-
-#ifndef MS_SSS_NO_DESIGN
 /* Minimises x'A x / 2 - b'x for x >= 0, n <= 24, rows of A stride apart: active sets (Lawson and Hanson 1974, Solving
    Least Squares Problems, chapter 23). */
 static void ms_sss__fit_positive(const double *A, int stride, const double *b, int n, double *x)
@@ -5738,1831 +7558,17 @@ MS_SSS__COLD MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const
     }
     return MS_OK;
 }
-#endif /* MS_SSS_NO_DESIGN */
-
-/* --- the filter --- */
-
-/* Planes of a level: colour, d, share, sums of light, sums of weights, changes of d along x and y. */
-enum { MS_SSS__D = 3, MS_SSS__SHARE = 4, MS_SSS__SUMS = 5, MS_SSS__CHANGES = 11, MS_SSS__TOWER_PLANES = 13 };
-
-typedef struct ms_sss__level {
-    int width, height;
-    ptrdiff_t stride;
-    float *plane[MS_SSS__TOWER_PLANES]; /* of the picture itself colour and d alone */
-    int *first, *last;                  /* columns of each row outside of which nothing takes part; multiples of 16 */
-} ms_sss__level;
-
-typedef struct ms_sss__tower {
-    ms_sss__job job; /* first: tasks get its address */
-    ms_sss_kernel
-        kernel; /* that leaves its input alone: for the size on the screen, and for what comes after the sums */
-    ms_sss__level level[MS_SSS_PYRAMID_LEVELS];
-    int levels, at; /* at: of the run at hand */
-    ms_sss__growth growth;
-    ms_sss__tap tap[2][2][64];
-    float *rows;      /* row buffers of the tasks */
-    ptrdiff_t stride; /* floats of one */
-} ms_sss__tower;
-
-/* Row buffers of a task: shares and changes of d of four rows of the picture; or the sums of a row, its shares and
-   changes. */
-enum { MS_SSS__TOWER_ROWS = 12, MS_SSS__TOWER_ALONE = 3 /* levels from here on are too small to share */ };
-
-/* An odd number of cache lines, so that many rows side by side do not fall on the same few sets of the cache. */
-static ptrdiff_t ms_sss__tower_stride(int width)
+MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness_mm, double out[3])
 {
-    const int floats = ms_sss__round_up(2 * MS_SSS__LEFT + MS_SSS__RIGHT + ms_sss__round_up(width, 32), 16);
-    return floats / 16 % 2 ? floats : floats + 16;
-}
-
-static float *ms_sss__tower_row(const ms_sss__tower *tower, int task, int row)
-{
-    return tower->rows + ((ptrdiff_t)task * MS_SSS__TOWER_ROWS + row) * tower->stride + MS_SSS__LEFT;
-}
-
-/* Bytes of the levels; base NULL: count only. */
-static size_t ms_sss__tower_levels(ms_sss__tower *tower, int width, int height, float *base)
-{
-    size_t at = 0;
-    int l, i;
-    for (l = 0; l < MS_SSS_PYRAMID_LEVELS; ++l) {
-        const ptrdiff_t stride = MS_SSS__LEFT + ms_sss__round_up(width, width < 32 ? 16 : 32) +
-            MS_SSS__RIGHT;            /* as the job's */
-        const int beyond = l ? 4 : 1; /* empty rows above and below, as far as a gather reaches */
-        const size_t plane = ms__size_mul((size_t)stride, (size_t)height + 2 * (size_t)beyond);
-        for (i = l == 0 ? (int)MS_SSS__D : 0; i < (l == 0 ? (int)MS_SSS__D + 1 : (int)MS_SSS__TOWER_PLANES); ++i) {
-            if (base) {
-                float *p = tower->level[l].plane[i] = base + at + stride * beyond + MS_SSS__LEFT;
-                memset(p - stride * beyond - MS_SSS__LEFT, 0, (size_t)(stride * beyond) * sizeof(float));
-                memset(p + stride * height - MS_SSS__LEFT, 0, (size_t)(stride * beyond) * sizeof(float));
-            }
-            at = ms__size_add(at, plane);
-        }
-        if (base) {
-            tower->level[l].width = width;
-            tower->level[l].height = height;
-            tower->level[l].stride = stride;
-            tower->level[l].first = (int *)(base + at);
-            tower->level[l].last = tower->level[l].first + height;
-            tower->levels = l + 1;
-        }
-        at = ms__size_add(at, 2 * (size_t)height);
-        if (width <= 2 && height <= 2) break;
-        width = (width + 1) / 2;
-        height = (height + 1) / 2;
-    }
-    return at;
-}
-
-/* Shares and changes of d of row y of the picture from column first on. */
-static void ms_sss__tower_lie(const ms_sss__tower *tower, int task, int y, int first, int last, float *const out[3])
-{
-    const ms_sss__job *job = &tower->job;
-    const ms_sss__level *v = &tower->level[0];
-    const float *d[5], *normal[3];
-    float *buffer[3];
-    const int given = job->frame.normal.channel[0] && tower->growth.upright > 0;
-    int i;
-    for (i = 0; i < 5; ++i) d[i] = v->plane[MS_SSS__D] + ms_sss__clamp(y + i - 2, -1, v->height) * v->stride;
-    for (i = 0; i < 3; ++i) {
-        buffer[i] = ms_sss__buffer(job, task, i);
-    }
-    if (given) ms_sss__load(job->simd, &job->frame.normal, 3, v->width, y, first, last - first, buffer, normal);
-    for (i = 0; i < 3 && given; ++i) normal[i] -= first;
-    job->simd->lie(&tower->growth, d, given ? normal : NULL, y, first, last, out);
-}
-
-/* Clears what lies beside the columns that rows [from, to) of a level hold, as far as those of rows up to `beyond` away
-   make others read it: where such rows are not within [begin, end), whole. */
-static void ms_sss__tower_clear(const ms_sss__level *v, int begin, int end, int from, int to, int beyond, int planes)
-{
-    int y, i, c;
-    for (y = from; y < to; ++y) {
-        const int whole = (begin > 0 && y - beyond < begin) || (end < v->height && y + beyond >= end);
-        const int right = (int)v->stride - MS_SSS__LEFT, first = v->first[y] < v->last[y] ? v->first[y] : 0,
-                  last = v->first[y] < v->last[y] ? v->last[y] : 0;
-        int low = right, high = -MS_SSS__LEFT;
-        for (i = whole ? y : y - beyond < 0 ? 0 : y - beyond; i <= (whole ? y : y + beyond) && i < v->height; ++i) {
-            if (!whole && v->first[i] >= v->last[i]) continue;
-            low = whole || v->first[i] - 48 < -MS_SSS__LEFT ? -MS_SSS__LEFT
-                : v->first[i] - 48 < low                    ? v->first[i] - 48
-                                                            : low;
-            high = whole || v->last[i] + 48 > right ? right : v->last[i] + 48 > high ? v->last[i] + 48 : high;
-        }
-        for (c = 0; c < planes && low < high; ++c) {
-            float *row = v->plane[c] + y * v->stride;
-            if (low < first) memset(row + low, 0, (size_t)((high < first ? high : first) - low) * sizeof(float));
-            if (last < high)
-                memset(row + (low > last ? low : last), 0, (size_t)(high - (low > last ? low : last)) * sizeof(float));
-        }
-    }
-}
-
-/* Rows [begin, end) of level at + 1 from those of level at. */
-static void ms_sss__tower_shrink(const ms_sss__tower *tower, int task, int begin, int end)
-{
-    const ms_sss__level *fine = &tower->level[tower->at], *v = fine + 1;
-    const int tilted = tower->growth.upright > 0;
-    ms_sss__growth growth = tower->growth;
-    int y, i, c;
-    growth.step *= (float)(1 << tower->at);
-    growth.size /= (float)(1 << tower->at);
-    growth.size_max /= (float)(1 << tower->at);
-    for (y = begin; y < end; ++y) {
-        int first = v->width, last = 0;
-        const float *row[4][7];
-        float *out[7];
-        for (i = 2 * y; i < 2 * y + 2 && i < fine->height; ++i) {
-            if (fine->first[i] >= fine->last[i]) continue;
-            if (fine->first[i] / 2 < first) first = fine->first[i] / 2;
-            if ((fine->last[i] + 1) / 2 > last) last = (fine->last[i] + 1) / 2;
-        }
-        first = first < last ? first / 16 * 16 : 0;
-        last = ms_sss__round_up(last, 16);
-        v->first[y] = first;
-        v->last[y] = last;
-        for (i = 0; i < 4; ++i) {
-            const int at = ms_sss__clamp(2 * y - 1 + i, -1, fine->height);
-            for (c = 0; c < 7; ++c)
-                row[i][c] = tower->at > 0 || c < 4
-                    ? fine->plane[c < 5 ? c : (int)MS_SSS__CHANGES + c - 5] + at * fine->stride
-                    : NULL;
-            if (tower->at == 0 && tilted) { /* in a ring */
-                float *lie[3];
-                for (c = 0; c < 3; ++c) row[i][4 + c] = lie[c] = ms_sss__tower_row(tower, task, 3 * (at & 3) + c);
-                if (y > begin && i < 2) continue;
-                for (c = 0; c < 3; ++c) memset(lie[c] - MS_SSS__LEFT, 0, (size_t)tower->stride * sizeof(float));
-                if (at >= 0 && at < fine->height && fine->first[at] < fine->last[at])
-                    ms_sss__tower_lie(tower, task, at, fine->first[at], fine->last[at], lie);
-            }
-        }
-        if (first >= last) continue;
-        for (i = 0; i < 7; ++i) out[i] = v->plane[i < 5 ? i : (int)MS_SSS__CHANGES + i - 5] + y * v->stride;
-        tower->job.simd->shrink(&growth, row, first, last, out);
-        for (i = 0; i < 7; ++i)
-            for (c = v->width; c < last; ++c) out[i][c] = 0;
-    }
-}
-
-/* Clears beside rows [begin, end) of level at + 1: a gather reads 4 rows up and down. */
-static void ms_sss__tower_beside(const ms_sss__tower *tower, int begin, int end)
-{
-    const int planes = tower->growth.upright > 0 ? MS_SSS__TOWER_PLANES : MS_SSS__CHANGES;
-    ms_sss__tower_clear(&tower->level[tower->at + 1], begin, end, begin, end, 4, planes);
-}
-
-/* The rows of level 1 that a band of the picture makes without its neighbours. */
-static void ms_sss__tower_inside(const ms_sss__tower *tower, int begin, int end, int *first, int *last)
-{
-    const int height = tower->levels > 1 ? tower->level[1].height : 0;
-    *first = begin > 0 ? ms_sss__clamp((begin + 4) / 2, 0, height)
-                       : 0; /* 4 rows each, and 2 more on either side for their slopes */
-    *last = end < tower->level[0].height ? ms_sss__clamp((end - 3) / 2, *first, height) : height;
-}
-
-/* The picture, and of level 1 what needs no other band. */
-static void ms_sss__tower_load(void *context, int task)
-{
-    const ms_sss__tower *tower = (const ms_sss__tower *)context;
-    const ms_sss__job *job = &tower->job;
-    const ms_sss__level *v = &tower->level[0];
-    const int begin = job->begin + task * job->band;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    const int behind = tower->growth.upright > 0
-        ? 4
-        : 2; /* rows that a row of level 1 takes behind its first two, slopes 2 more */
-    float *colour[3];
-    int y, c, first, last, to, from = begin;
-    ms_sss__tower_inside(tower, begin, end, &first, &last);
-    for (y = begin; y < end; ++y) {
-        float *depth = ms_sss__buffer(job, task, 17), *d = v->plane[MS_SSS__D] + y * v->stride;
-        for (c = 0; c < 3; ++c) colour[c] = v->plane[c] + y * v->stride;
-        ms_sss__prepare(job, y, task, colour, depth);
-        job->simd->invert(&tower->growth, depth + job->first[y], job->last[y] - job->first[y], d + job->first[y]);
-        if ((y + 1) % 16 && y + 1 < end) continue; /* while the cache holds them */
-        to = y + 1 < end ? y - 1 : end;
-        ms_sss__tower_clear(v, begin, end, from, to, 2, MS_SSS__D + 1);
-        from = to;
-        if (tower->levels < 2 || job->idle) continue;
-        to = y + 1 < end ? ms_sss__clamp((to - 1 - behind) / 2 + 1, first, last) : last;
-        ms_sss__tower_shrink(tower, task, first, to);
-        first = to;
-    }
-    ms_sss__tower_inside(tower, begin, end, &first, &last);
-    if (tower->levels > 1 && !job->idle) ms_sss__tower_beside(tower, first, last);
-}
-
-/* The rows of level 1 between bands. */
-static void ms_sss__tower_join(void *context, int task)
-{
-    const ms_sss__tower *tower = (const ms_sss__tower *)context;
-    const ms_sss__job *job = &tower->job;
-    const int begin = job->begin + task * job->band, end = begin + job->band, after = end + job->band;
-    int first[2], last[2];
-    if (end >= job->end) return;
-    ms_sss__tower_inside(tower, begin, end, &first[0], &last[0]);
-    ms_sss__tower_inside(tower, end, after < job->end ? after : job->end, &first[1], &last[1]);
-    ms_sss__tower_shrink(tower, task, last[0], first[1]);
-    ms_sss__tower_beside(tower, last[0], first[1]);
-}
-
-static void ms_sss__tower_down(void *context, int task)
-{
-    const ms_sss__tower *tower = (const ms_sss__tower *)context;
-    const int begin = tower->job.begin + task * tower->job.band;
-    const int end = begin + tower->job.band < tower->job.end ? begin + tower->job.band : tower->job.end;
-    ms_sss__tower_shrink(tower, task, begin, end);
-    ms_sss__tower_beside(tower, begin, end);
-}
-
-/* The sums of a band of level at from those of level at + 1; of the finest level the picture. */
-static void ms_sss__tower_grow(void *context, int task)
-{
-    const ms_sss__tower *tower = (const ms_sss__tower *)context;
-    const ms_sss__job *job = &tower->job;
-    const ms_sss__level *v = &tower->level[tower->at], *coarse = v + 1;
-    const int begin = job->begin + task * job->band, tilted = tower->growth.upright > 0;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    int y, i, c;
-    for (y = begin; y < end; ++y) {
-        const int low = v->first[y], high = v->last[y];
-        const int first = low / 32 * 32,
-                  last = ms_sss__round_up(high, 32); /* the gather works on 2 vectors at a time */
-        const float *own[3];
-        float *sum[6], *lie[3];
-        if (low >= high) continue;
-        for (i = 0; i < 6; ++i)
-            sum[i] = tower->at > 0 ? v->plane[MS_SSS__SUMS + i] + y * v->stride : ms_sss__tower_row(tower, task, i);
-        own[0] = v->plane[MS_SSS__D] + y * v->stride;
-        for (i = 0; i < 3; ++i) lie[i] = ms_sss__tower_row(tower, task, 6 + i);
-        for (i = 1; i < 3; ++i) own[i] = tower->at > 0 ? v->plane[MS_SSS__CHANGES + i - 1] + y * v->stride : lie[i];
-        if (tower->at == 0 && tilted) {
-            ms_sss__tower_lie(tower, task, y, low, high, lie);
-            for (i = 0; i < 3; ++i) {
-                for (c = first; c < low; ++c) lie[i][c] = 0;
-                for (c = high; c < last; ++c) lie[i][c] = 0;
-            }
-        }
-        if (tower->at + 1 == tower->levels) {
-            for (i = 0; i < 6; ++i) memset(sum[i] + first, 0, (size_t)(last - first) * sizeof(float));
-        } else {
-            job->simd->gather(&tower->growth, own, coarse->plane[0] + y / 2 * coarse->stride, first / 2, last / 2, y,
-                              sum);
-        }
-        if (tower->at == 0) {
-            const ms_sss_image *image = &job->frame.output;
-            const float *row[4];
-            float *blur[4];
-            for (c = 0; c < 4; ++c) row[c] = v->plane[c] + y * v->stride;
-            for (c = 0; c < 4; ++c) blur[c] = ms_sss__buffer(job, task, c < 3 ? c : 17);
-            job->simd->settle(&tower->growth, row, v->stride, (const float *const *)lie, (const float *const *)sum, low,
-                              high, blur);
-            for (c = 0; c < 4; ++c) blur[c] += low;
-            if (job->direct && job->whole[y] && high <= v->width && ms_sss__solid(job, y, low, high))
-                for (c = 0; c < 3; ++c)
-                    job->simd->deliver(blur[c], high - low, (float *)image->channel[c] + y * image->row_stride + low);
-            else ms_sss__finish(job, task, y, low, high - low, blur, blur[3]);
-        }
-    }
-}
-
-/* The taps of all four kinds of pixels at a level whose rows are stride floats apart, the nearest first. */
-static void ms_sss__tower_order(ms_sss__growth *growth, ms_sss__tap tap[2][2][64], ptrdiff_t stride)
-{
-    int y, x, i, j, n = 0;
-    for (y = 0; y < 2; ++y) {
-        for (x = 0; x < 2; ++x) {
-            for (n = 0, i = 0; i < 64; ++i) {
-                ms_sss__tap t;
-                t.at = (i / 8 - 4 + y) * stride + i % 8 - 4 + x;
-                t.x = (x ? -3.25f : -3.75f) + (float)(i % 8);
-                t.y = (y ? -3.25f : -3.75f) + (float)(i / 8);
-                t.square = t.x * t.x + t.y * t.y;
-                t.rest = 1 - t.square / MS_SSS__GATHER(growth->wide, growth->level);
-                if (!growth->wide && (t.x < -3 || t.x > 3 || t.y < -3 || t.y > 3)) continue;
-                for (j = n++; j > 0 && tap[y][x][j - 1].square > t.square; --j) tap[y][x][j] = tap[y][x][j - 1];
-                tap[y][x][j] = t;
-            }
-        }
-    }
-    growth->tap = (const ms_sss__tap(*)[2][64])tap;
-    growth->taps = n;
-}
-
-/* What the gather's taps add up to, and the means of powers of the distance between light that enters and leaves, of
-   which each stands somewhere in its pixel: variances of (1, 3, 3, 1) / 8 down to the level. */
-static void ms_sss__tower_taps(ms_sss__growth *growth, int level)
-{
-    const double coarse = 0.5 * (1 - pow(4, -level - 1)), fine = 0.125 * (1 - pow(4, -level));
-    double n = 0, r1 = 0, r2 = 0, r4 = 0;
-    int i;
-    growth->core = 0;
-    for (i = 0; i < 64; ++i) {
-        const double x = i % 8 - 3.75, y = i / 8 - 3.75,
-                     t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER(growth->wide, level),
-                     w = t > 0 ? t * t * (growth->wide ? t : 1) : 0;
-        const double r = x * x + y * y + coarse - fine;
-        growth->core += t > 0;
-        n += w;
-        r1 += w * sqrt(x * x + y * y + coarse);
-        r2 += w * r;
-        r4 += w * r * r;
-    }
-    growth->level = level;
-    growth->inner = 1 / sqrtf(MS_SSS__GATHER(growth->wide, level));
-    growth->norm = (float)(1 / n);
-    growth->mean = (float)(r1 / r2);
-    growth->spread = (float)(r2 / r4);
-    growth->blur = (float)coarse;
-    /* Two depths' errors, and of slopes, which average over the level, as much again for each of their pixels of 3.5
-       there and back; each level's sums round a few times more. */
-    growth->rough = 10 * (0.5f * growth->grain + 2.4e-7f * (float)(level + 1)) /
-        (growth->step * (float)(1 << (level + 1)));
-}
-
-/* As the plan of a filter with one term and without slopes, the levels, and what is too large for the stack. */
-static MS_SSS__COLD size_t ms_sss__tower_plan(int width, int height, size_t *before)
-{
-    ms_sss_filter_options options;
-    size_t floats;
-    memset(&options, 0, sizeof options);
-    options.flat = 1;
-    *before = ms_sss__plan(width, height, NULL, 0, &options, 0).total;
-    floats = ms__size_mul((size_t)ms_sss__tower_stride(width), (size_t)MS_SSS__TASKS * (size_t)MS_SSS__TOWER_ROWS);
-    floats = ms__size_add(floats, ms_sss__tower_levels(NULL, width, height, NULL));
-    return ms__size_add(ms__size_add(*before, ms__size_mul(floats, sizeof(float))), sizeof(ms_sss__tower) + 128);
-}
-
-MS_API size_t ms_sss_pyramid_workspace(int width, int height)
-{
-    size_t before;
-    if (ms_sss__check_sides(width, height, NULL) != MS_OK) return SIZE_MAX;
-    return ms_sss__tower_plan(width, height, &before);
-}
-
-/* Whether a pyramid can do what the options ask for. */
-static int ms_sss__tower_takes(const ms_sss_filter_options *o)
-{
-    return !ms_sss__differ(o->rotation, 0) && !(o->jitter > 0) &&
-        !(o->pixels_per_mm[1] > 0 && ms_sss__differ(o->pixels_per_mm[0], o->pixels_per_mm[1]));
-}
-
-/* What all levels share, of a job whose kernel is set. */
-static MS_SSS__COLD void ms_sss__tower_start(ms_sss__growth *growth, const ms_sss__job *job,
-                                             const ms_sss_pyramid *pyramid, int with_depth, float flat)
-{
-    const ms_sss_filter_options *o = &job->options;
-    double sigma;
+    double total[3], decay[3];
     int c;
-    memset(growth, 0, sizeof *growth);
-    growth->table = pyramid->weight[o->exact];
-    growth->wide = o->exact;
-    growth->perspective = job->pass.perspective;
-    growth->shaped = with_depth && o->depth_mode == MS_SSS_DEPTH_AWARE;
-    growth->upright = growth->shaped ? 1 - flat : 0;
-    growth->size = job->pass.size * pyramid->radius_mm;
-    growth->size_max = job->pass.size_max * pyramid->radius_mm;
-    growth->step = 1 / job->pass.focal[0];
-    growth->grain = job->pass.grain + (growth->perspective ? 1.2e-7f : 0); /* rounded once more when inverted */
-    growth->middle[0] = 0.5f * (float)job->full_width;
-    growth->middle[1] = 0.5f * (float)job->full_height;
-    growth->tangent = growth->perspective ? growth->step : 0;
-    sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm
-                                  : (0.12 + 0.13 * (1 - (double)flat)) * (double)pyramid->radius_mm;
-    growth->reach = (float)(3.0746 * sigma / (double)pyramid->radius_mm); /* where (1 - q)^4 has the Gaussian's width */
-    growth->join = o->depth_sigma_mm > 0
-        ? growth->reach
-        : growth->reach + (1.5f - 0.7686f) * (1 - flat); /* as far as a gather reaches */
-    for (c = 0; c < 3; ++c) {
-        growth->quarter[c] = pyramid->elevation[c] * (growth->upright / 4);
-        growth->most[c] = pyramid->reflectance[c] > 0 ? 1 / pyramid->reflectance[c] : 1;
-    }
+    if (profile == NULL || out == NULL) return;
+    ms_sss__decay(profile, total, decay);
+    for (c = 0; c < 3; ++c) out[c] = ms_sss__slab(total[c], decay[c], thickness_mm > 0 ? thickness_mm : 0);
 }
 
-/* Filters the pixels of one of several profiles. */
-static ms_status ms_sss__tower_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid, int profile,
-                                      int profiles, const ms_sss_filter_options *options, void *workspace,
-                                      ms_error *error)
-{
-    ms_sss__tower *tower;
-    ms_sss__job *job;
-    ms_sss__growth *growth;
-    ms_sss_filter_options upright;
-    ms_status status;
-    size_t before;
-    float *at, *end;
-    int c, l;
-    ms_sss__tower_plan(frame->width, frame->height, &before);
-    at = (float *)(((uintptr_t)workspace + before + 63) & ~(uintptr_t)63);
-    tower = (ms_sss__tower *)(void *)at;
-    at = (float *)(((uintptr_t)(tower + 1) + 63) & ~(uintptr_t)63);
-    job = &tower->job;
-    growth = &tower->growth;
-    memset(&tower->kernel, 0, sizeof tower->kernel);
-    tower->kernel.tap_count = tower->kernel.term_count = 1;
-    tower->kernel.radius_mm = pyramid->radius_mm;
-    for (c = 0; c < 3; ++c) tower->kernel.weight[0][0][c] = tower->kernel.scale[0][c] = 1;
-    upright = *options;
-    upright.flat = 1; /* slopes are the pyramid's own affair */
-    status = ms_sss__begin(job, frame, &tower->kernel, 1, &upright, workspace, before, before, 0, &end, error);
-    if (status != MS_OK) return status;
-    job->kernel_count = profiles;
-    at += ms_sss__tower_levels(tower, frame->width, frame->height, at);
-    tower->level[0].first = job->first;
-    tower->level[0].last = job->last;
-    for (c = 0; c < 3; ++c) tower->level[0].plane[c] = job->middle[c];
-    tower->rows = at;
-    tower->stride = ms_sss__tower_stride(frame->width);
-
-    tower->at = 0;
-    ms_sss__set_kernel(job, &tower->kernel, profile);
-    ms_sss__set_term(job, 0);
-    job->direct = ms_sss__plain(job);
-    if (!(job->gain > 0)) job->idle = 1;
-    ms_sss__tower_start(growth, job, pyramid, frame->depth.channel[0] != NULL, options->flat); /* the job's own is 1 */
-    ms_sss__run(job, 0, frame->height, ms_sss__tower_load);
-    if (job->idle) return MS_OK;
-    if (tower->levels > 1) ms_sss__run(job, 0, frame->height, ms_sss__tower_join);
-    for (l = 1; l + 1 < tower->levels; ++l) {
-        tower->at = l;
-        if (l + 1 < MS_SSS__TOWER_ALONE) {
-            ms_sss__run(job, 0, tower->level[l + 1].height, ms_sss__tower_down);
-        } else {
-            job->begin = 0;
-            job->end = job->band = tower->level[l + 1].height;
-            ms_sss__share(&job->options.parallel, 1, ms_sss__tower_down, tower);
-        }
-    }
-    for (l = tower->levels - 1; l >= 0; --l) {
-        tower->at = l;
-        ms_sss__tower_taps(growth, l);
-        growth->sums = l + 2 < tower->levels;
-        if (l + 1 < tower->levels) {
-            growth->plane = tower->level[l + 1].plane[1] - tower->level[l + 1].plane[0];
-            ms_sss__tower_order(growth, tower->tap, tower->level[l + 1].stride);
-        }
-        if (l < MS_SSS__TOWER_ALONE) {
-            ms_sss__run(job, 0, tower->level[l].height, ms_sss__tower_grow);
-        } else {
-            job->begin = 0;
-            job->end = job->band = tower->level[l].height;
-            ms_sss__share(&job->options.parallel, 1, ms_sss__tower_grow, tower);
-        }
-    }
-    return MS_OK;
-}
-
-/* What the easy calls need: a workspace by malloc. */
-static MS_SSS__COLD void *ms_sss__own_workspace(size_t size, ms_error *error)
-{
-    void *workspace = size < SIZE_MAX ? malloc(size) : NULL;
-    if (!workspace) ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a workspace of %z bytes", size);
-    return workspace;
-}
-
-MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
-                                       const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
-                                       ms_error *error)
-{
-    ms_status status;
-    if (!frame || !pyramid || !options) return MS_SSS__REFUSE(error, "frame, pyramid or options is NULL");
-    status = ms_sss__check_sides(frame->width, frame->height, error);
-    if (status == MS_OK && !workspace && !workspace_size) {
-        workspace_size = ms_sss_pyramid_workspace(frame->width, frame->height);
-        if (!(workspace = ms_sss__own_workspace(workspace_size, error))) return MS_OUT_OF_MEMORY;
-        status = ms_sss_pyramid_filter(frame, pyramid, options, workspace, workspace_size, error);
-        free(workspace);
-        return status;
-    }
-    if (status == MS_OK)
-        status = ms_sss__check_lent(workspace, workspace_size, ms_sss_pyramid_workspace(frame->width, frame->height),
-                                    error);
-    if (status == MS_OK) status = ms_sss__check_options(options, error);
-    if (status != MS_OK) return status;
-    if (frame->profile || !ms_sss__tower_takes(options))
-        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has one kernel, round, without rotation or jitter");
-    return ms_sss__tower_filter(frame, pyramid, 0, 1, options, workspace, error);
-}
-
-/* --- the entry: which method, and its workspace --- */
-
-static int ms_sss__may(const ms_sss_filter_options *o, ms_sss_method method)
-{
-    if (o->method != MS_SSS_METHOD_AUTO) return o->method == method;
-    return method == MS_SSS_METHOD_TAPS || (method == MS_SSS_METHOD_PYRAMID && o->pyramids && ms_sss__tower_takes(o));
-}
-
-static ms_sss_method ms_sss__choose(ms_sss__job *job, const ms_sss_kernel *k, int profile)
-{
-    const ms_sss_filter_options *o = &job->options;
-    double radius = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : (double)k->radius_mm;
-    if (o->method != MS_SSS_METHOD_AUTO) return o->method;
-    if (!ms_sss__may(o, MS_SSS_METHOD_PYRAMID)) return MS_SSS_METHOD_TAPS;
-    ms_sss__set_kernel(job, k, profile);
-    radius *= (double)job->pass.size;
-    if (job->pass.perspective) {
-        ms_sss__find_nearest(job);
-        radius /= (double)(job->nearest * job->depth_scale);
-    }
-    return radius > 16 ? MS_SSS_METHOD_PYRAMID : MS_SSS_METHOD_TAPS;
-}
-
-MS_SSS__COLD MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels,
-                                                   int kernel_count, const ms_sss_filter_options *options)
-{
-    size_t size = 0, needed;
-    if (ms_sss__check_sides(width, height, NULL) != MS_OK || !kernels || !options) return SIZE_MAX;
-    if (ms_sss__may(options, MS_SSS_METHOD_TAPS))
-        size = ms_sss__plan(width, height, kernels, kernel_count, options, MS_SSS__PASSES).total;
-    if (ms_sss__may(options, MS_SSS_METHOD_HALF) &&
-        size < (needed = ms_sss__half_plan(width, height, kernels, kernel_count, options)))
-        size = needed;
-    if (ms_sss__may(options, MS_SSS_METHOD_PYRAMID) && size < (needed = ms_sss_pyramid_workspace(width, height)))
-        size = needed;
-    return size ? size : SIZE_MAX;
-}
-
-MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
-                               const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
-                               ms_error *error)
-{
-    ms_sss__job job;              /* to check everything before anything is written, and for the sizes of kernels */
-    ms_sss_filter_options agreed; /* on millimetres */
-    ms_status status;
-    float *end;
-    int i;
-    if (!frame || !kernels || !options) return MS_SSS__REFUSE(error, "frame, kernels or options is NULL");
-    if (!workspace && !workspace_size && ms_sss__check_sides(frame->width, frame->height, NULL) == MS_OK) {
-        workspace_size = ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options);
-        if (!(workspace = ms_sss__own_workspace(workspace_size, error))) return MS_OUT_OF_MEMORY;
-        status = ms_sss_filter(frame, kernels, kernel_count, options, workspace, workspace_size, error);
-        free(workspace);
-        return status;
-    }
-    status = ms_sss__begin(&job, frame, kernels, kernel_count, options, workspace, workspace_size,
-                           ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options),
-                           MS_SSS__BARE, &end, error);
-    if (status != MS_OK) return status;
-    if (options->method == MS_SSS_METHOD_PYRAMID && (!options->pyramids || !ms_sss__tower_takes(options)))
-        return ms__fail(error, MS_UNSUPPORTED, 0,
-                        options->pyramids ? "a pyramid is round, without rotation or jitter"
-                                          : "method is MS_SSS_METHOD_PYRAMID, but options.pyramids is NULL");
-    agreed = *options;
-    if (!(agreed.mm_per_unit > 0)) agreed.mm_per_unit = 1;
-    for (i = 0; i < kernel_count && (i == 0 || frame->profile); ++i) {
-        const ms_sss_method method = ms_sss__choose(&job, &kernels[i], i);
-        if (frame->taken) frame->taken[i] = method;
-        status = method == MS_SSS_METHOD_PYRAMID
-            ? ms_sss__tower_filter(frame, &options->pyramids[i], i, kernel_count, &agreed, workspace, error)
-            : method == MS_SSS_METHOD_HALF
-            ? ms_sss__half_filter(frame, kernels, i, kernel_count, &agreed, workspace, workspace_size, error)
-            : ms_sss__taps_filter(&job, frame, kernels, i, kernel_count, &agreed, workspace, workspace_size, error);
-        if (status != MS_OK) return status;
-    }
-    return MS_OK;
-}
-
-/* ---- GPU code -------------------------------------------------------------------------------------------------- */
-
-/* The passes in a notation of their own: HLSL's types and operators as far as GLSL and WGSL have them too, one variable
-   a declaration, braces everywhere, no ?: and no assignment to components. ms_sss__say_line turns a line into a
-   language; #if NAME, #if !NAME, #else and #endif choose lines by ms_sss__feature, #NAME and #!NAME their own. The
-   comments of FILTER KERNELS hold for these lines too. */
-static const char *const ms_sss__source_body[] = {
-    "// Below 1e30, by bits: compilers may take it that no number is NaN.\n"
-    "bool finite(float x) { return (bits_of(x) & 0x7fffffffu) < 0x7149f2cau; }\n",
-    "#if BOTH\n"
-    "// Alpha holds the depth, the last 4 bits of blue the profile; of black they would be lost.\n"
-    "float code_of(float blue, float profile) {\n"
-    "float x = pick(blue, 1e-30, abs(blue) < 1e-30);\n"
-    "return float_of(((bits_of(x) + 8u) & 0xfffffff0u) | uint(profile));\n"
-    "}\n",
-    "float profile_of(float4 c) { return float(bits_of(c.b) & 15u); }\n"
-    "#endif\n",
-    "#PROFILE_ALONE float profile_of(float4 c) { return c.a - 1.0; }\n",
-    "#if READS_PROFILE\n"
-    "// Index of the pixel's kernel; PROFILES where it has none.\n"
-    "float profile_at(float value) {\n"
-    "float profile = floor(value * 255.0 + 0.5);\n"
-    "return pick(float(PROFILES), profile, finite(value) && profile >= 0.0 && profile < float(PROFILES));\n"
-    "}\n"
-    "#endif\n",
-    "// Colour and depth, 1 without depth (plus the profile), 0: takes no part.\n"
-    "float4 source(int2 p) {\n"
-    "float4 c = fetch_colour(p);\n"
-    "float4 none = float4(0.0, 0.0, 0.0, 0.0);\n"
-    "#if RAW\n"
-    "float depth = 1.0;\n"
-    "bool part = finite(c.r) && finite(c.g) && finite(c.b);\n"
-    "#DEPTH_TEXTURE depth = fetch_depth(p).r;\n"
-    "#DEPTH_ALPHA depth = c.a;\n"
-    "part = part && depth > 0.0 && finite(depth);\n"
-    "#WITH_STRENGTH float strength = fetch_strength(p).r;\n"
-    "#WITH_STRENGTH part = part && strength > 0.0 && (bits_of(strength) & 0x7fffffffu) <= 0x7f800000u;\n"
-    "#if PROFILE\n"
-    "#if BOTH_ALPHA\n"
-    "float profile = float(bits_of(c.a) & 15u);\n"
-    "#else\n"
-    "#PROFILE_TEXTURE float profile = profile_at(fetch_profile(p).r);\n"
-    "#!PROFILE_TEXTURE float profile = profile_at(c.a);\n"
-    "#endif\n"
-    "#if TOWER\n"
-    "part = part && abs(profile - constant[0].w) < 0.5;\n"
-    "#else\n"
-    "part = part && profile < float(PROFILES);\n"
-    "#BOTH c = float4(c.rg, code_of(c.b, profile), c.a);\n"
-    "#!BOTH depth = profile + 1.0;\n"
-    "#endif\n"
-    "#endif\n"
-    "return pick(none, float4(c.rgb, depth), part);\n"
-    "#else\n"
-    "return pick(none, c, c.a > 0.0);\n"
-    "#endif\n"
-    "}\n",
-    "bool inside(int2 p) {\n"
-    "#HALVED return p.x >= 0 && p.y >= 0 && 2 * p.x < int(constant[0].x) && 2 * p.y < int(constant[0].y);\n"
-    "#!HALVED return p.x >= 0 && p.y >= 0 && p.x < int(constant[0].x) && p.y < int(constant[0].y);\n"
-    "}\n",
-    "float4 texel(int2 p) {\n"
-    "float4 c = float4(0.0, 0.0, 0.0, 0.0);\n"
-    "if (inside(p)) { c = source(p); }\n"
-    "return c;\n"
-    "}\n",
-    "// Both take part and have one profile.\n"
-    "bool same(float4 there, float4 own) {\n"
-    "#if BOTH\n"
-    "return there.a > 0.0 && ((bits_of(there.b) ^ bits_of(own.b)) & 15u) == 0u;\n"
-    "#else\n"
-    "#PROFILE_ALONE return there.a > 0.0 && abs(there.a - own.a) < 0.5;\n"
-    "#!PROFILE_ALONE return there.a > 0.0;\n"
-    "#endif\n"
-    "}\n",
-    "#if SLOPES\n"
-    "float2 ray_of(int2 p) {\n"
-    "float2 ray = float2(0.0, 0.0);\n"
-    "#if PERSPECTIVE\n"
-    "ray = float2(float(p.x) + 0.5, float(p.y) + 0.5);\n"
-    "#HALVED ray = 2.0 * ray;\n"
-    "ray = ray - 0.5 * constant[0].xy;\n"
-    "#TOWER ray = ray * constant[1].w;\n"
-    "#!TOWER ray = ray / constant[2].y;\n"
-    "#endif\n"
-    "return ray;\n"
-    "}\n",
-    "#if !WITH_NORMAL\n"
-    "// The slope from the depths before and after, of one surface where steps are under reach (TOWER: slopes): their mean where it\n"
-    "// turns little, else the smaller one, steeper by what its step exceeds the next: near outlines depth goes as a root.\n"
-    "float slope_of(int2 p, int2 way, float4 own, float focal, float reach) {\n"
-    "float4 before = texel(p - way);\n"
-    "float4 after = texel(p + way);\n"
-    "float a = own.a - before.a;\n"
-    "float b = after.a - own.a;\n"
-    "bool on_a = same(before, own);\n"
-    "bool on_b = same(after, own);\n"
-    "#!TOWER on_a = on_a && abs(a) < reach;\n"
-    "#!TOWER on_b = on_b && abs(b) < reach;\n"
-    "#PERSPECTIVE if (on_a) { a = a / before.a; }\n"
-    "#PERSPECTIVE if (on_b) { b = b / after.a; }\n"
-    "a = focal * a;\n"
-    "b = focal * b;\n"
-    "#TOWER on_a = on_a && abs(a) < reach;\n"
-    "#TOWER on_b = on_b && abs(b) < reach;\n"
-    "a = pick(pick(0.0, b, on_b), a, on_a);\n"
-    "b = pick(a, b, on_b);\n"
-    "float slope = 0.5 * (a + b);\n"
-    "if ((on_a || on_b) && !(on_a && on_b && abs(a - b) < 0.5 * (a * b + 1.0))) {\n"
-    "bool back = on_a && (!on_b || abs(a) < abs(b));\n"
-    "if (abs(a) < abs(b)) { slope = a; }\n"
-    "if (abs(b) < abs(a)) { slope = b; }\n"
-    "float next = pick(after.a, before.a, back);\n"
-    "float4 beyond = texel(p + way * pick(2, -2, back));\n"
-    "float step = own.a - next;\n"
-    "float inner = next - beyond.a;\n"
-    "#TOWER float least = own.a * 2.0 * constant[5].z;\n"
-    "#!TOWER float least = own.a * 4.7683716e-7;\n"
-    "#PERSPECTIVE step = step * beyond.a;\n"
-    "#PERSPECTIVE inner = inner * own.a;\n"
-    "#PERSPECTIVE least = least * own.a;\n"
-    "float more = min(abs(step) - abs(inner), abs(inner)) - least;\n"
-    "if (same(beyond, own) && step * inner > 0.0 && more > 0.0) {\n"
-    "more = min(more / abs(inner), 0.85);\n"
-    "slope = slope + slope * more * (0.5 + more * (0.5 + 0.7 * more * more));\n"
-    "}\n"
-    "}\n"
-    "return clamp(slope, -8.0, 8.0);\n"
-    "}\n"
-    "#endif\n",
-    "// Slopes along x and y.\n"
-    "float2 slopes_of(int2 p, float4 own, float2 ray, float2 focal, float reach) {\n"
-    "float2 slope = float2(0.0, 0.0);\n"
-    "#if WITH_NORMAL\n"
-    "float3 normal = fetch_normal(p).rgb;\n"
-    "float eighth = max(abs(normal.x), abs(normal.y)) * 0.125;\n"
-    "float facing = max(normal.z - (ray.x * normal.x + ray.y * normal.y), eighth);\n"
-    "if (facing > 0.0 && finite(normal.x) && finite(normal.y) && finite(normal.z)) { slope = normal.xy / facing; }\n"
-    "#else\n"
-    "slope = float2(slope_of(p, int2(1, 0), own, focal.x, reach), slope_of(p, int2(0, 1), own, focal.y, reach));\n"
-    "#endif\n"
-    "return slope;\n"
-    "}\n"
-    "#endif\n"};
-
-static const char *const ms_sss__shader_body[] = {
-    "// constant: 0 width, height, pixels a mm (perspective: times depth), gain; 1 aspect, rotation, jitter;\n"
-    "// 2 first, focal, upright; at 3 + STRIDE * profile: 0 total, radius; 1 scale, depth scale; 2 delta, cut;\n"
-    "// 3 curve, mixed; 4 root, reach; from 5 on taps: weight, offset\n"
-    "#if NEARNESS\n"
-    "// Of a pixel near another, of the same surface; at: its profile's constants.\n"
-    "float nearness(float4 there, float4 own, int at) {\n"
-    "float f = 1.0;\n"
-    "#DEPTH float dz = (there.a - own.a) * constant[at + 1].w;\n"
-    "#DEPTH f = max(1.0 - dz * dz / constant[at + 2].w, 0.0);\n"
-    "#DEPTH f = f * f * f * f;\n"
-    "return pick(0.0, f, same(there, own));\n"
-    "}\n"
-    "#endif\n",
-    "#if DOWN\n"
-    "float4 nearer(float4 a, float4 b) {\n"
-    "#DEPTH return pick(a, b, b.a > 0.0 && (!(a.a > 0.0) || b.a < a.a));\n"
-    "#!DEPTH return pick(b, a, a.a > 0.0);\n"
-    "}\n",
-    "// The mean of those of four pixels that lie near the nearest.\n"
-    "float4 filter_pixel(int2 p) {\n"
-    "int2 first = p * 2;\n"
-    "float4 a = texel(first);\n"
-    "float4 b = texel(first + int2(1, 0));\n"
-    "float4 c = texel(first + int2(0, 1));\n"
-    "float4 d = texel(first + int2(1, 1));\n"
-    "float4 own = nearer(nearer(a, b), nearer(c, d));\n"
-    "int at = 3;\n"
-    "if (!(own.a > 0.0)) { return own; }\n"
-    "#PROFILE at = 3 + STRIDE * int(profile_of(own));\n"
-    "float fa = nearness(a, own, at);\n"
-    "float fb = nearness(b, own, at);\n"
-    "float fc = nearness(c, own, at);\n"
-    "float fd = nearness(d, own, at);\n"
-    "float4 mean = (fa * a + fb * b + fc * c + fd * d) / (fa + fb + fc + fd);\n"
-    "#BOTH mean = float4(mean.rg, code_of(mean.b, profile_of(own)), mean.a);\n"
-    "return mean;\n"
-    "}\n"
-    "#endif\n",
-    "#if UP\n"
-    "// Pixels a mm there, before the limit of the picture's larger side.\n"
-    "float pixels_at(float depth) {\n"
-    "float pixels = constant[0].z;\n"
-    "#PERSPECTIVE pixels = pixels / depth;\n"
-    "return pixels;\n"
-    "}\n",
-    "// How much of the filtered light is the pixel's own: each tap's bilinear share of it.\n"
-    "float3 share_at(float depth, int at) {\n"
-    "float pixels = min(pixels_at(depth), max(constant[0].x, constant[0].y) / constant[at].w);\n"
-    "float3 share = constant[at + 2].rgb;\n"
-    "for (int t = 0; t < TERMS; t++) {\n"
-    "int block = at + t * PROFILES * STRIDE;\n"
-    "float3 across = float3(0.0, 0.0, 0.0);\n"
-    "float3 down = float3(0.0, 0.0, 0.0);\n"
-    "for (int k = 0; k < TAPS; k++) {\n"
-    "float4 tap = constant[block + 5 + (k + 1) / 2];\n"
-    "float away = pixels * abs(tap.w);\n"
-    "across = across + tap.rgb * max(1.0 - away * constant[1].x, 0.0);\n"
-    "down = down + tap.rgb * max(1.0 - away * constant[1].y, 0.0);\n"
-    "}\n"
-    "share = share + constant[block + 1].rgb * across * down;\n"
-    "}\n"
-    "return clamp(share, float3(0.0, 0.0, 0.0), float3(0.999, 0.999, 0.999));\n"
-    "}\n",
-    "// A pixel keeps its share of its own light; the rest is what became of the light of the four larger pixels around.\n"
-    "float4 filter_pixel(int2 p) {\n"
-    "float4 own = source(p);\n"
-    "float3 light = own.rgb;\n"
-    "int at = 3;\n"
-    "if (!(own.a > 0.0)) { return float4(fetch_colour(p).rgb, 1.0); }\n"
-    "#BOTH light = fetch_colour(p).rgb;\n"
-    "#PROFILE at = 3 + STRIDE * int(profile_of(own));\n"
-    "float3 share = share_at(own.a, at);\n"
-    "float3 soft = float3(0.0, 0.0, 0.0);\n"
-    "float weight = 0.0;\n"
-    "for (int i = 0; i < 4; i++) {\n"
-    "int2 q = int2((p.x + 1) / 2 - 1 + i % 2, (p.y + 1) / 2 - 1 + i / 2);\n"
-    "if (!inside(q * 2)) { continue; }\n"
-    "float4 there = fetch_input(q);\n"
-    "float f = nearness(there, own, at) * pick(0.2, 0.8, q.x == p.x / 2) * pick(0.2, 0.8, q.y == p.y / 2);\n"
-    "if (!(f > 0.0)) { continue; }\n"
-    "float3 kept = share;\n"
-    "#PERSPECTIVE kept = share_at(there.a, at);\n"
-    "float3 after = fetch_sum(q).rgb;\n"
-    "float3 least = min(min(there.rgb, after), float3(0.0, 0.0, 0.0));\n"
-    "soft = soft + f * max(there.rgb + (after - there.rgb) / (float3(1.0, 1.0, 1.0) - kept), least);\n"
-    "weight = weight + f;\n"
-    "}\n"
-    "float strength = constant[0].w;\n"
-    "#WITH_STRENGTH strength = strength * min(fetch_strength(p).r, 1.0);\n"
-    "if (!(pixels_at(own.a) * constant[at].w * max(constant[1].x, constant[1].y) > 0.5) || !(weight > 1e-6)) {\n"
-    "strength = 0.0;\n"
-    "}\n"
-    "if (strength > 0.0) { light = light + strength * (float3(1.0, 1.0, 1.0) - share) * (soft / weight - light); }\n"
-    "return float4(light, 1.0);\n"
-    "}\n"
-    "#endif\n",
-    "#if PASS\n"
-    "float restore(float sum, float weight, float own, float total, bool mixed) {\n"
-    "if (mixed) { return sum + own * (total - weight); }\n"
-    "if (weight > 1e-30) { return sum / weight * total; }\n"
-    "return own * total;\n"
-    "}\n",
-    "#if SECOND\n"
-    "// Only the first term's pass leaves light where it was.\n"
-    "float3 unblurred(int2 p) {\n"
-    "float3 light = float3(0.0, 0.0, 0.0);\n"
-    "if (constant[2].x > 0.5) { light = fetch_input(p).rgb; }\n"
-    "return light;\n"
-    "}\n"
-    "#endif\n",
-    "float4 filter_pixel(int2 p) {\n"
-    "float4 own = texel(p);\n"
-    "float4 black = float4(0.0, 0.0, 0.0, 0.0);\n"
-    "if (!(own.a > 0.0)) {\n"
-    "#SECOND return float4(unblurred(p), 1.0);\n"
-    "#!SECOND return black;\n"
-    "}\n"
-    "int at = 3;\n"
-    "#PROFILE at = 3 + STRIDE * int(profile_of(own));\n"
-    "float4 total = constant[at];\n"
-    "float2 aspect = constant[1].xy;\n"
-    "float pixels = constant[0].z;\n"
-    "float most = max(constant[0].x, constant[0].y) / total.w;\n"
-    "#PERSPECTIVE pixels = pixels / own.a;\n"
-    "#HALVED pixels = 0.5 * pixels;\n"
-    "#HALVED most = 0.5 * most;\n"
-    "bool large = pixels * total.w * max(aspect.x, aspect.y) > 0.5;\n"
-    "pixels = min(pixels, most);\n"
-    "float2 axis = float2(1.0 - float(SECOND), float(SECOND));\n"
-    "#TURNED float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;\n"
-    "#TURNED float angle = constant[1].z + constant[1].w * turn * (1.57079632679 / 64.0);\n"
-    "#TURNED axis = axis.x * float2(cos(angle), sin(angle)) + axis.y * float2(-sin(angle), cos(angle));\n"
-    "#if SHAPE\n"
-    "// Of the tangent plane: depth a column and a row, in perspective relative; mm of scaled depth, times the cosine to the ray.\n"
-    "float2 ray = ray_of(p);\n"
-    "float2 focal = constant[2].yz;\n"
-    "#HALVED focal = 0.5 * focal;\n"
-    "float2 slopes = constant[2].w * slopes_of(p, own, ray, focal, sqrt(constant[at + 4].w) / constant[at + 1].w);\n"
-    "float slope = dot(axis, slopes);\n"
-    "pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);\n"
-    "float2 plane = slopes / focal;\n"
-    "float towards = dot(ray, slopes) + 1.0;\n"
-    "float deep = constant[2].y / (constant[0].z * constant[at + 1].w);\n"
-    "float facing = deep / sqrt(dot(slopes, slopes) + towards * towards);\n"
-    "float3 curve = constant[at + 3].rgb;\n"
-    "float least = -1.0 / max(1.0, max(curve.r, max(curve.g, curve.b)));\n"
-    "// Of the taps before on both sides: how far below the plane, and how far away.\n"
-    "float2 height = float2(0.0, 0.0);\n"
-    "float2 inner = height;\n"
-    "#endif\n"
-    "axis = axis * aspect * pixels;\n"
-    "float3 result = own.rgb * constant[at + 5].rgb;\n"
-    "float3 weight = constant[at + 5].rgb;\n"
-    "float3 lifted = weight;\n"
-    "if (large) {\n",
-    "for (int k = 1; k < TAPS; k++) {\n"
-    "float4 tap = constant[at + 5 + (k + 1) / 2];\n"
-    "float offset = pick(tap.w, -tap.w, k % 2 == 0);\n"
-    "float2 whole = floor(axis * offset);\n"
-    "float2 part = axis * offset - whole;\n"
-    "float4 sum = black;\n"
-    "#SHAPE float below = 0.0;\n"
-    "#SHAPE float remote = min(constant[2].w * deep * deep / max(offset * offset, 1e-30), 1e6);\n"
-    "for (int i = 0; i < CORNERS; i++) {\n"
-    "#TURNED int2 corner = int2(i % 2, i / 2);\n"
-    "#TURNED float share = abs(1.0 - float(corner.x) - part.x) * abs(1.0 - float(corner.y) - part.y);\n"
-    "#!TURNED int2 corner = int2(i - i * SECOND, i * SECOND);\n"
-    "#!TURNED float share = abs(1.0 - float(i) - part.x - part.y);\n"
-    "if (!(share > 0.0)) { continue; }\n"
-    "int2 beside = int2(int(whole.x), int(whole.y)) + corner;\n"
-    "float4 c = texel(p + beside);\n"
-    "if (!same(c, own)) { continue; }\n"
-    "float f = share;\n"
-    "#if DEPTH\n"
-    "float dz = c.a - own.a;\n"
-    "#if SHAPE\n"
-    "float gain = dot(plane, float2(float(beside.x), float(beside.y)));\n"
-    "#PERSPECTIVE gain = gain * c.a;\n"
-    "dz = dz - gain;\n"
-    "#endif\n"
-    "dz = dz * constant[at + 1].w;\n"
-    "if (!(dz * dz < 1.0)) { continue; }\n"
-    "#SHAPE f = share * (1.0 - dz * dz) / (remote * dz * dz + 1.0);\n"
-    "#!SHAPE f = (1.0 - dz * dz) * (1.0 - dz * dz);\n"
-    "#!SHAPE f = share * f * f;\n"
-    "#SHAPE below = below + f * dz;\n"
-    "#endif\n"
-    "sum = sum + float4(c.rgb * f, f);\n"
-    "}\n"
-    "#if SHAPE\n"
-    "float grain = own.a * constant[at + 1].w * 2.3841858e-7 * (2.0 + (abs(axis.x) + abs(axis.y)) * abs(offset));\n"
-    "float sine = 0.0;\n"
-    "below = facing * (below - clamp(below, -grain, grain));\n"
-    "if (abs(offset) > 1e-20) { sine = clamp(below / abs(offset), least, 1.0); }\n"
-    "// The more the surface bends away between the tap before and this one, the more of it there is.\n"
-    "bool back = offset < 0.0;\n"
-    "float before = pick(height.x, height.y, back);\n"
-    "float gap = abs(offset) - pick(inner.x, inner.y, back);\n"
-    "float lower = (below + 0.001 * before) / (sum.a + 0.001);\n"
-    "float bend = 0.0;\n"
-    "if (gap > 1e-20 && constant[at + 3].w < 0.5) { bend = (lower - before) / gap; }\n"
-    "sum = sum * min(0.5 * constant[2].w * bend * bend + 1.0, 3.0);\n"
-    "height = pick(float2(lower, height.y), float2(height.x, lower), back);\n"
-    "inner = pick(float2(abs(offset), inner.y), float2(inner.x, abs(offset)), back);\n"
-    "#endif\n"
-    "weight = weight + tap.rgb * sum.a;\n"
-    "#SHAPE float3 lift = float3(1.0, 1.0, 1.0) + curve * sine;\n"
-    "#SHAPE lift = lift * lift;\n"
-    "#SHAPE tap = float4(tap.rgb * lift * lift, tap.w);\n"
-    "#SHAPE lifted = lifted + tap.rgb * sum.a;\n"
-    "result = result + tap.rgb * sum.rgb;\n"
-    "}\n"
-    "int mixed = int(constant[at + 3].w);\n"
-    "#SHAPE lifted = max(weight, lifted * constant[at + 4].rgb);\n"
-    "#SHAPE weight = float3(pick(lifted.r, weight.r, (mixed & 1) != 0), pick(lifted.g, weight.g, (mixed & 2) != 0),\n"
-    "#SHAPE     pick(lifted.b, weight.b, (mixed & 4) != 0));\n"
-    "result = float3(restore(result.r, weight.r, own.r, total.r, (mixed & 1) != 0),\n"
-    "    restore(result.g, weight.g, own.g, total.g, (mixed & 2) != 0),\n"
-    "    restore(result.b, weight.b, own.b, total.b, (mixed & 4) != 0));\n"
-    "} else {\n"
-    "result = own.rgb * total.rgb;\n"
-    "}\n"
-    "#if SECOND\n"
-    "float strength = 1.0;\n"
-    "#if !HALVED\n"
-    "strength = constant[0].w;\n"
-    "#WITH_STRENGTH strength = strength * min(fetch_strength(p).r, 1.0);\n"
-    "#endif\n"
-    "float3 delta = constant[at + 2].rgb;\n"
-    "result = constant[at + 1].rgb * result;\n"
-    "if (!large || strength < 1.0 || dot(abs(delta), float3(1.0, 1.0, 1.0)) > 0.0) {\n"
-    "float3 light = unblurred(p);\n"
-    "result = result + delta * light;\n"
-    "result = pick(light, strength * result + (1.0 - strength) * light, large);\n"
-    "}\n"
-    "return float4(result, 1.0);\n"
-    "#else\n"
-    "#BOTH result = float3(result.rg, code_of(result.b, profile_of(own)));\n"
-    "return float4(result, own.a);\n"
-    "#endif\n"
-    "}\n"
-    "#endif\n"};
-
-/* The steps of the pyramid; the comments of PYRAMID KERNELS hold for these lines too. */
-static const char *const ms_sss__tower_body[] = {
-    "// constant: 0 width, height, gain, profile; 1 radius in pixels (perspective: times depth), its limit, step of d a pixel at\n"
-    "// slope 1 (perspective: times d), tangent of a pixel's ray; 2 reach in radii, upright, pixels of the picture in one of the\n"
-    "// coarser level, square of the taps' radius; 3 K / 4, norm; 4 1 / reflectance, mean; 5 spread, rounding of the taps, of d,\n"
-    "// whether there is a coarser level (1) with sums (2); from 6 on weights by size: of the gather, and of RESOLVE of the\n"
-    "// pixel and its neighbours.\n"
-    "// d is linear on planes: -1 / depth in perspective, else depth; 0 where nothing takes part. A level is two textures: light\n"
-    "// and d; share of the surface, changes of d a pixel along x and y.\n"
-    "// How many pixels of the picture a step of d is deep.\n"
-    "float deep_of(float d) {\n"
-    "#if SHAPE\n"
-    "#PERSPECTIVE return -1.0 / (constant[1].z * d);\n"
-    "#!PERSPECTIVE return 1.0 / constant[1].z;\n"
-    "#else\n"
-    "return 0.0;\n"
-    "#endif\n"
-    "}\n",
-    "// The kernel's radius in pixels of the picture.\n"
-    "float radius_of(float d) {\n"
-    "#PERSPECTIVE return min(-constant[1].x * d, constant[1].y);\n"
-    "#!PERSPECTIVE return min(constant[1].x, constant[1].y);\n"
-    "}\n",
-    "#if !BASE\n"
-    "bool inside(int2 p) {\n"
-    "float2 first = float2(float(p.x), float(p.y)) * (0.5 * constant[2].z);\n"
-    "return p.x >= 0 && p.y >= 0 && first.x < constant[0].x && first.y < constant[0].y;\n"
-    "}\n",
-    "float beside(float away) {\n"
-    "float f = max(1.0 - away * away, 0.0);\n"
-    "return f * f * f * f;\n"
-    "}\n"
-    "#endif\n",
-    "#if !SHRINK\n"
-    "// How much larger the surface is than its picture; middle: the pixel's place in the picture.\n"
-    "float area_of(float2 slope, float2 middle) {\n"
-    "float towards = dot(slope, (middle - 0.5 * constant[0].xy) * constant[1].w) + 1.0;\n"
-    "return sqrt(dot(slope, slope) + towards * towards);\n"
-    "}\n"
-    "#endif\n",
-    "#if BASE\n"
-    "float d_of(float depth) {\n"
-    "float d = 0.0;\n"
-    "if (depth > 0.0) {\n"
-    "#if PERSPECTIVE\n"
-    "d = -1.0 / depth;\n"
-    "#else\n"
-    "#SHAPE d = depth;\n"
-    "#!SHAPE d = 1.0;\n"
-    "#endif\n"
-    "}\n"
-    "return d;\n"
-    "}\n",
-    "// Level 0.\n"
-    "float4 filter_pixel(int2 p) {\n"
-    "float4 own = source(p);\n"
-    "float d = d_of(own.a);\n"
-    "float2 slope = float2(0.0, 0.0);\n"
-    "float2 middle = float2(float(p.x) + 0.5, float(p.y) + 0.5);\n"
-    "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
-    "if (!(abs(d) > 0.0)) { return ms_sss_other; }\n"
-    "#TILTED slope = constant[2].y * slopes_of(p, own, ray_of(p), float2(1.0 / constant[1].z, 1.0 / constant[1].z), radius_of(d));\n"
-    "float step = constant[1].z;\n"
-    "#PERSPECTIVE step = -step * d;\n"
-    "ms_sss_other = float4(min(area_of(slope, middle), 10.0), slope.x * step, slope.y * step, 0.0);\n"
-    "return float4(own.rgb, d);\n"
-    "}\n"
-    "#endif\n",
-    "#if SHRINK\n"
-    "// A pixel of the next level from 4 x 4: what lies near the tangent plane of the nearest of the middle four that has a\n"
-    "// quarter of the largest share.\n"
-    "float4 filter_pixel(int2 p) {\n"
-    "float most = 0.0;\n"
-    "for (int i = 0; i < 4; i++) {\n"
-    "int2 q = p * 2 + int2(i % 2, i / 2);\n"
-    "if (inside(q)) { most = max(most, fetch_surface(q).r); }\n"
-    "}\n"
-    "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
-    "if (!(most > 0.0)) { return ms_sss_other; }\n"
-    "float nearest = 3e38;\n"
-    "float2 change = float2(0.0, 0.0);\n"
-    "float2 at = change;\n"
-    "for (int i = 0; i < 4; i++) {\n"
-    "int2 q = p * 2 + int2(i % 2, i / 2);\n"
-    "if (!inside(q)) { continue; }\n"
-    "float4 surface = fetch_surface(q);\n"
-    "float d = fetch_colour(q).a;\n"
-    "if (surface.r > 0.25 * most && d < nearest) {\n"
-    "nearest = d;\n"
-    "change = surface.gb;\n"
-    "at = float2(float(i % 2) - 0.5, float(i / 2) - 0.5);\n"
-    "}\n"
-    "}\n"
-    "float scale = deep_of(nearest) / radius_of(nearest);\n"
-    "float middle = nearest - dot(at, change);\n"
-    "float least = nearest;\n"
-    "float greatest = nearest;\n"
-    "float4 light = float4(0.0, 0.0, 0.0, 0.0);\n"
-    "float3 surfaces = float3(0.0, 0.0, 0.0);\n"
-    "float seen = 0.0;\n"
-    "for (int i = 0; i < 16; i++) {\n"
-    "int2 q = p * 2 + int2(i % 4 - 1, i / 4 - 1);\n"
-    "if (!inside(q)) { continue; }\n"
-    "float4 there = fetch_colour(q);\n"
-    "float4 surface = fetch_surface(q);\n"
-    "float2 away = float2(float(i % 4) - 1.5, float(i / 4) - 1.5);\n"
-    "float rise = dot(away, change);\n"
-    "float f = beside((there.a - rise - middle) * scale / constant[2].x) * surface.r;\n"
-    "f = f * pick(0.125, 0.375, abs(away.x) < 1.0) * pick(0.125, 0.375, abs(away.y) < 1.0);\n"
-    "if (f > 0.0 && abs((there.a - nearest) * scale) < 1.0) {\n"
-    "least = min(least, there.a);\n"
-    "greatest = max(greatest, there.a);\n"
-    "light = light + f * float4(there.rgb, there.a - rise);\n"
-    "float part = f / max(surface.r, 1.0);\n"
-    "surfaces = surfaces + float3(f, part * surface.g, part * surface.b);\n"
-    "seen = seen + part;\n"
-    "}\n"
-    "}\n"
-    "if (!(surfaces.r > 1e-20)) { return ms_sss_other; }\n"
-    "light = light / surfaces.r;\n"
-    "change = 2.0 * surfaces.gb / seen;\n"
-    "ms_sss_other = float4(surfaces.r, change.x, change.y, 0.0);\n"
-    "return float4(light.rgb, clamp(light.a, least, greatest));\n"
-    "}\n"
-    "#endif\n",
-    "#if GATHERS\n"
-    "// Weights of kernels of this radius in pixels, linear between the sizes of the table.\n"
-    "float3 weight_at(float size, int table) {\n"
-    "int i = clamp((int(bits_of(size)) - 0x3f800000) >> 21u, 0, LAST_SIZE);\n"
-    "float low = float_of(uint(0x3f800000 + (i << 21u)));\n"
-    "float high = float_of(uint(0x3f800000 + ((i + 1) << 21u)));\n"
-    "float t = clamp((size - low) / (high - low), 0.0, 1.0);\n"
-    "return constant[table + i].rgb + t * (constant[table + i + 1].rgb - constant[table + i].rgb);\n"
-    "}\n",
-    "// light times the mean of (1 + K sin(theta) / 4)^4, by mean (moment / light) and mean square of sin(theta), of which grain may\n"
-    "// be rounding.\n"
-    "float raise(float light, float moment, float square, float grain, float quarter, float most) {\n"
-    "float mean = 0.0;\n"
-    "if (abs(light) > 0.0) { mean = moment / light; }\n"
-    "mean = clamp(mean - clamp(mean, -grain, grain), -1.0, 1.0);\n"
-    "float u = max(quarter * mean + 1.0, 0.0);\n"
-    "float spread = max(square - (grain * grain + mean * mean), 0.0);\n"
-    "return light * min(u * u * (6.0 * spread * quarter * quarter + u * u), most);\n"
-    "}\n",
-    "// The light of the next coarser level from up to 6 x 6 pixels around, counted by its distance in space and lifted by how far\n"
-    "// it lies below the tangent plane, and the sums of that level; sums of weights to ms_sss_other.\n"
-    "float3 gather(int2 p, float d, float2 change) {\n"
-    "float cells = constant[2].z;\n"
-    "float deep = deep_of(d) / cells;\n"
-    "float radius = radius_of(d);\n"
-    "float2 slope = change * (2.0 * deep);\n"
-    "float area = area_of(slope, float2(float(p.x) + 0.5, float(p.y) + 0.5) * (0.5 * cells));\n"
-    "float cap = min(area, 1.5);\n"
-    "float limit = radius / cells;\n"
-    "float near_plane = 1.0 / (limit * constant[2].x);\n"
-    "float wide = cap * cap * constant[2].w;\n"
-    "float weight = 0.0;\n"
-    "float square = 0.0;\n"
-    "float3 light = float3(0.0, 0.0, 0.0);\n"
-    "float3 moment = light;\n"
-    "float3 sums = light;\n"
-    "float3 weights = light;\n"
-    "for (int j = 0; j < 6; j++) {\n"
-    "for (int k = 0; k < 6; k++) {\n"
-    "int2 q = int2(p.x / 2 + k - 3 + p.x % 2, p.y / 2 + j - 3 + p.y % 2);\n"
-    "float2 away = float2(float(k) - 2.75 + 0.5 * float(p.x % 2), float(j) - 2.75 + 0.5 * float(p.y % 2));\n"
-    "if (dot(away, away) > wide || !inside(q * 2)) { continue; }\n"
-    "float4 there = fetch_coarse(q);\n"
-    "float dz = (there.a - d) * deep;\n"
-    "if (!(abs(there.a) > 0.0 && dz * dz < limit * limit)) { continue; }\n"
-    "float below = dz - dot(away, slope);\n"
-    "float t = max(1.0 - (dz * dz + dot(away, away)) / wide, 0.0);\n"
-    "float w = t * t * fetch_coarse_surface(q).r;\n"
-    "weight = weight + w;\n"
-    "light = light + w * there.rgb;\n"
-    "moment = moment + w * below * there.rgb;\n"
-    "square = square + w * below * below;\n"
-    "if (abs(away.x) < 1.0 && abs(away.y) < 1.0 && constant[5].w > 1.5) {\n"
-    "t = beside(below * near_plane) * pick(0.25, 0.75, abs(away.x) < 0.5) * pick(0.25, 0.75, abs(away.y) < 0.5);\n"
-    "sums = sums + t * fetch_sum(q).rgb;\n"
-    "weights = weights + t * fetch_weight(q).rgb;\n"
-    "}\n"
-    "}\n"
-    "}\n"
-    "#if TILTED\n"
-    "float facing = 1.0 / (cap * area);\n"
-    "float turn = facing * constant[4].w;\n"
-    "float grain = turn * constant[5].y;\n"
-    "#!PERSPECTIVE grain = grain * d;\n"
-    "// Too steep for a tangent plane on this level.\n"
-    "if (!((abs(slope.x) + abs(slope.y)) * 0.5 * cells < radius)) {\n"
-    "square = 0.0;\n"
-    "moment = float3(0.0, 0.0, 0.0);\n"
-    "}\n"
-    "if (weight > 0.0) { square = square / weight; }\n"
-    "square = square * facing * facing * constant[5].x;\n"
-    "light = float3(raise(light.r, moment.r * turn, square, grain, constant[3].r, constant[4].r),\n"
-    "    raise(light.g, moment.g * turn, square, grain, constant[3].g, constant[4].g),\n"
-    "    raise(light.b, moment.b * turn, square, grain, constant[3].b, constant[4].b));\n"
-    "#endif\n"
-    "float3 share = weight_at(radius / cap, 6) * (constant[3].w / (cap * cap));\n"
-    "weights = weights + share * weight;\n"
-    "ms_sss_other = float4(weights.r, weights.g, weights.b, 0.0);\n"
-    "return sums + share * light;\n"
-    "}\n"
-    "#endif\n",
-    "#if GATHER\n"
-    "float4 filter_pixel(int2 p) {\n"
-    "float d = fetch_colour(p).a;\n"
-    "float3 sum = float3(0.0, 0.0, 0.0);\n"
-    "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
-    "if (abs(d) > 0.0) { sum = gather(p, d, fetch_surface(p).gb); }\n"
-    "return float4(sum, 0.0);\n"
-    "}\n"
-    "#endif\n",
-    "#if RESOLVE\n"
-    "// The pixel's own light, that of its neighbours as far as they lie near its tangent plane, and the sums.\n"
-    "float4 filter_pixel(int2 p) {\n"
-    "float4 own = fetch_colour(p);\n"
-    "if (!(abs(own.a) > 0.0)) { return float4(fetch_input(p).rgb, 1.0); }\n"
-    "float4 surface = fetch_surface(p);\n"
-    "float deep = deep_of(own.a);\n"
-    "float radius = radius_of(own.a);\n"
-    "float size = radius / clamp(surface.r, 1.0, 1.5);\n"
-    "float3 keep = weight_at(size, 6 + SIZES);\n"
-    "float3 pass_on = weight_at(size, 6 + 2 * SIZES);\n"
-    "float3 sum = keep * own.rgb;\n"
-    "float3 weight = keep;\n"
-    "for (int i = 0; i < 9; i++) {\n"
-    "int2 q = p + int2(i % 3 - 1, i / 3 - 1);\n"
-    "if (!inside(q)) { continue; }\n"
-    "float4 there = fetch_colour(q);\n"
-    "float rise = float(i % 3 - 1) * surface.g + float(i / 3 - 1) * surface.b;\n"
-    "float away = (there.a - own.a - rise) * deep;\n"
-    "float f = max(1.0 - 0.25 * away * away, 0.0);\n"
-    "f = f * f * pick(0.25, 0.5, i % 3 == 1) * pick(0.25, 0.5, i / 3 == 1);\n"
-    "if (abs(there.a) > 0.0) {\n"
-    "sum = sum + f * pass_on * there.rgb;\n"
-    "weight = weight + f * pass_on;\n"
-    "}\n"
-    "}\n"
-    "if (constant[5].w > 0.5) {\n"
-    "sum = sum + gather(p, own.a, surface.gb);\n"
-    "weight = weight + ms_sss_other.rgb;\n"
-    "}\n"
-    "float strength = constant[0].z;\n"
-    "#WITH_STRENGTH strength = strength * min(fetch_strength(p).r, 1.0);\n"
-    "if (!(radius > 0.5)) { strength = 0.0; }\n"
-    "float3 light = float3(pick(own.r, sum.r / weight.r, weight.r > 1e-30), pick(own.g, sum.g / weight.g, weight.g > 1e-30),\n"
-    "    pick(own.b, sum.b / weight.b, weight.b > 1e-30));\n"
-    "return float4(own.rgb + strength * (light - own.rgb), 1.0);\n"
-    "}\n"
-    "#endif\n"};
-
-static const char *const ms_sss__transmission_body[] = {
-    "float ms_sss_through(float reflectance, float decay, float thickness, float parallel) {\n"
-    "float dark = max(1.0 - reflectance, 1e-4);\n"
-    "float R = 1.0 - dark;\n"
-    "float y = decay * max(thickness, 0.0);\n"
-    "float x = exp(-y);\n"
-    "float gone = 1.0 - x;\n"
-    "float slab = 1.0 - 0.85 * dark * dark * dark * dark * dark * (1.0 - exp(-0.8 * y));\n"
-    "if (!(reflectance > 0.0)) { return 0.0; }\n"
-    "if (y < 0.02) {\n" /* where the difference would lose digits */
-    "gone = y * (1.0 - 0.5 * y * (1.0 - y / 3.0));\n"
-    "}\n"
-    "slab = slab * dark * (1.0 + R) * x / ((dark + R * gone) * (1.0 + R * x));\n"
-    "return slab * (1.0 + dark / R * max(parallel, 0.0));\n"
-    "}\n",
-    "float3 ms_sss_transmission(float3 reflectance, float3 decay, float thickness_mm, float3 normal, float3 entry_normal, "
-    "float3 to_light, float3 light) {\n"
-    "float entry = dot(entry_normal, to_light);\n"
-    "float parallel = -dot(normal, entry_normal);\n"
-    "if (!(dot(normal, to_light) < 0.0 && entry > 0.0)) { return float3(0.0, 0.0, 0.0); }\n"
-    "return entry * light * float3(ms_sss_through(reflectance.r, decay.r, thickness_mm, parallel),\n"
-    "    ms_sss_through(reflectance.g, decay.g, thickness_mm, parallel), ms_sss_through(reflectance.b, decay.b, thickness_mm, parallel));\n"
-    "}\n"};
-
-/* What lines are chosen by, and what stands as a number in them; the values are of ms_sss__say_shader. */
-/* clang-format off */
-#define MS_SSS__FEATURE_LIST(X) \
-    X(PASS, pass) X(SECOND, second) X(HALVED, halved) X(DOWN, down) X(UP, up) X(NEARNESS, up || down) \
-    X(TOWER, tower) X(BASE, base) X(SHRINK, s->step == MS_SSS_STEP_SHRINK) X(GATHER, gather) X(RESOLVE, resolve) \
-    X(GATHERS, gather || resolve) X(SIZES, MS_SSS_PYRAMID_SIZES) X(LAST_SIZE, MS_SSS_PYRAMID_SIZES - 2) \
-    X(TAPS, s->tap_count) X(STRIDE, ms_sss__shader_stride(s)) X(PROFILES, ms_sss__shader_profiles(s)) \
-    X(TERMS, ms_sss__shader_terms(s)) X(CORNERS, turned ? 4 : 2) X(TURNED, turned) X(RAW, raw) \
-    X(WITH_STRENGTH, s->with_strength) X(WITH_NORMAL, normal) X(DEPTH, depth) \
-    X(DEPTH_TEXTURE, s->depth == MS_SSS_TEXTURE) X(DEPTH_ALPHA, s->depth == MS_SSS_ALPHA) X(PROFILE, profile) \
-    X(PROFILE_TEXTURE, s->profile == MS_SSS_TEXTURE) X(PROFILE_ALONE, profile && !depth && !tower) \
-    X(READS_PROFILE, raw && profile && !both_alpha) X(BOTH, depth && profile && !tower) X(BOTH_ALPHA, both_alpha) \
-    X(PERSPECTIVE, o->fov_degrees > 0) X(SHAPE, tower ? depth && o->depth_mode == MS_SSS_DEPTH_AWARE : shape && pass) \
-    X(TILTED, shape) X(SLOPES, shape && (pass || base))
-/* clang-format on */
-
-enum {
-#define MS_SSS__FEATURE_ENUM(name, value) MS_SSS__HAS_##name,
-    MS_SSS__FEATURE_LIST(MS_SSS__FEATURE_ENUM)
-#undef MS_SSS__FEATURE_ENUM
-        MS_SSS__FEATURES
-};
-
-static const char *const ms_sss__feature[] = {
-#define MS_SSS__FEATURE_NAME(name, value) #name,
-    MS_SSS__FEATURE_LIST(MS_SSS__FEATURE_NAME)
-#undef MS_SSS__FEATURE_NAME
-};
-
-/* Words that differ: here, GLSL, HLSL, WGSL; the types first. */
-enum { MS_SSS__TYPES = 9, MS_SSS__WORDS = 13 };
-
-static const char *const ms_sss__word[MS_SSS__WORDS][4] = {{"void", "void", "void", ""},
-                                                           {"bool", "bool", "bool", "bool"},
-                                                           {"int", "int", "int", "i32"},
-                                                           {"uint", "uint", "uint", "u32"},
-                                                           {"float", "float", "float", "f32"},
-                                                           {"int2", "ivec2", "int2", "vec2<i32>"},
-                                                           {"float2", "vec2", "float2", "vec2<f32>"},
-                                                           {"float3", "vec3", "float3", "vec3<f32>"},
-                                                           {"float4", "vec4", "float4", "vec4<f32>"},
-                                                           {"constant", "ms_sss", "ms_sss", "ms_sss.v"},
-                                                           {"bits_of", "floatBitsToUint", "asuint", "bitcast<u32>"},
-                                                           {"float_of", "uintBitsToFloat", "asfloat", "bitcast<f32>"},
-                                                           {"pick", "pick", "pick", "select"}};
-
-/* A text that is measured first and written second. */
-typedef struct ms_sss__text {
-    char *out; /* NULL: measure */
-    size_t length;
-    int column; /* of ms_sss__word */
-    int feature[MS_SSS__FEATURES];
-} ms_sss__text;
-
-/* After a text was said: whether to say it again, into the caller's memory. */
-static int ms_sss__say_again(ms_sss__text *text, char *out, size_t capacity)
-{
-    if (text->out || !out || capacity <= text->length) {
-        if (text->out) text->out[text->length] = 0;
-        return 0;
-    }
-    text->out = out;
-    text->length = 0;
-    return 1;
-}
-
-static void ms_sss__say_part(ms_sss__text *text, const char *s, size_t n)
-{
-    if (text->out) memcpy(text->out + text->length, s, n);
-    text->length += n;
-}
-
-static void ms_sss__say(ms_sss__text *text, const char *s) { ms_sss__say_part(text, s, strlen(s)); }
-
-static void ms_sss__say_number(ms_sss__text *text, int number)
-{
-    char digits[32];
-    ms__format_number(digits, number);
-    ms_sss__say(text, digits);
-}
-
-static size_t ms_sss__name_length(const char *s)
-{
-    size_t n = 0;
-    while (s[n] == '_' || (s[n] >= 'a' && s[n] <= 'z') || (s[n] >= 'A' && s[n] <= 'Z') ||
-           (n && s[n] >= '0' && s[n] <= '9'))
-        ++n;
-    return n;
-}
-
-/* Which of names, step apart, the n characters at s are; -1: none. */
-static int ms_sss__find(const char *s, size_t n, const char *const *name, int step, int count)
-{
-    int i;
-    for (i = 0; i < count; ++i)
-        if (strlen(name[i * step]) == n && strncmp(s, name[i * step], n) == 0) return i;
-    return -1;
-}
-
-static int ms_sss__find_feature(const char *s, size_t n)
-{
-    return ms_sss__find(s, n, ms_sss__feature, 1, MS_SSS__FEATURES);
-}
-
-static int ms_sss__find_word(const char *s, size_t n) { return ms_sss__find(s, n, ms_sss__word[0], 4, MS_SSS__WORDS); }
-
-/* One word of a line, or one character that is in none. Returns how far it went. */
-static MS_SSS__COLD size_t ms_sss__say_word(ms_sss__text *text, const char *s)
-{
-    const size_t n = ms_sss__name_length(s);
-    const int word = ms_sss__find_word(s, n), feature = ms_sss__find_feature(s, n);
-    if (n == 0) {
-        ms_sss__say_part(text, s, 1);
-        return 1;
-    }
-    if (word >= 0) ms_sss__say(text, ms_sss__word[word][text->column]);
-    else if (feature >= 0) ms_sss__say_number(text, text->feature[feature]);
-    else ms_sss__say_part(text, s, n);
-    return n;
-}
-
-/* A declaration "TYPE name" at s in WGSL's order: "var name: TYPE", or of a function "fn name(a: TYPE) -> TYPE".
-   Returns how far it went, 0 where there is none. */
-static MS_SSS__COLD size_t ms_sss__say_declaration(ms_sss__text *text, const char *s, int outside)
-{
-    const size_t n = ms_sss__name_length(s), m = n && s[n] == ' ' ? ms_sss__name_length(s + n + 1) : 0;
-    const int type = ms_sss__find_word(s, n);
-    size_t at = n + 1 + m;
-    if (text->column != 3 || type < 0 || type >= MS_SSS__TYPES || m == 0) return 0;
-    ms_sss__say(text, outside ? "fn " : "var ");
-    ms_sss__say_part(text, s + n + 1, m);
-    if (!outside) {
-        ms_sss__say(text, ": ");
-        ms_sss__say(text, ms_sss__word[type][3]);
-        return at;
-    }
-    while (s[at] != ')') { /* "(" or ", ", then TYPE name */
-        const size_t before = s[at] == '(' ? 1 : 2, of = ms_sss__name_length(s + at + before);
-        const size_t name = ms_sss__name_length(s + at + before + of + 1);
-        ms_sss__say_part(text, s + at, before);
-        ms_sss__say_part(text, s + at + before + of + 1, name);
-        ms_sss__say(text, ": ");
-        ms_sss__say_word(text, s + at + before);
-        at += before + of + 1 + name;
-    }
-    ms_sss__say(text, type ? ") -> " : ")");
-    ms_sss__say(text, ms_sss__word[type][3]);
-    return at + 1;
-}
-
-static MS_SSS__COLD void ms_sss__say_line(ms_sss__text *text, const char *s, const char *end, int outside)
-{
-    if (s[0] != '/') {
-        if (strncmp(s, "for (", 5) == 0) {
-            ms_sss__say(text, "for (");
-            s += 5;
-        }
-        s += ms_sss__say_declaration(text, s, outside);
-        while (s < end) s += ms_sss__say_word(text, s);
-    }
-    ms_sss__say_part(text, s, (size_t)(end - s) + 1);
-}
-
-/* Lines are indented by braces, with a blank one between functions. No string is longer than what C99 promises to
-   take. */
-static MS_SSS__COLD void ms_sss__say_body(ms_sss__text *text, const char *const *part, size_t parts)
-{
-    int skipped = 0, depth = 0, braces = 0; /* skipped: depth of the #if that is not taken, 0: none */
-    int ended = text->length > 0, i;        /* a function */
-    const char *s, *end, *c;
-    for (; parts > 0; ++part, --parts) {
-        for (s = *part; *s; s = end + 1) {
-            end = strchr(s, '\n');
-            if (s[0] == '#') {
-                const int open = strncmp(s, "#if ", 4) == 0, not_it = s[open ? 4 : 1] == '!';
-                const char *name = s + (open ? 4 : 1) + not_it;
-                const size_t n = ms_sss__name_length(name);
-                const int feature = ms_sss__find_feature(name, n);
-                const int taken = feature >= 0 && (text->feature[feature] != 0) != not_it;
-                depth += open;
-                if (open) {
-                    if (!skipped && !taken) skipped = depth;
-                } else if (feature < 0) { /* #else, #endif */
-                    if (skipped == depth) skipped = 0;
-                    else if (!skipped && s[2] == 'l') skipped = depth;
-                    depth -= s[2] == 'n';
-                }
-                if (open || !taken) continue;
-                s = name + n + 1;
-            }
-            if (skipped) continue;
-            if (ended) ms_sss__say(text, "\n");
-            for (i = *s == '}'; i < braces; ++i) ms_sss__say(text, "    ");
-            ms_sss__say_line(text, s, end, braces == 0);
-            for (c = s; c < end; ++c) braces += (*c == '{') - (*c == '}');
-            ended = braces == 0 && end[-1] == '}';
-        }
-    }
-}
-
-enum { MS_SSS__PICTURE_HEAD = 3, MS_SSS__PROFILE_HEAD = 5, MS_SSS__LEVEL_HEAD = 6 }; /* float4 of the structs */
-
-static int ms_sss__shader_stride(const ms_sss_shader *s) { return MS_SSS__PROFILE_HEAD + s->tap_count / 2 + 1; }
-
-static int ms_sss__shader_profiles(const ms_sss_shader *s) { return s->profile_count > 0 ? s->profile_count : 1; }
-
-static int ms_sss__shader_tower(const ms_sss_shader *s) { return (int)s->step >= (int)MS_SSS_STEP_BASE; }
-
-/* Terms whose constants a step reads. */
-static int ms_sss__shader_terms(const ms_sss_shader *s)
-{
-    return s->step == MS_SSS_STEP_UP && s->term_count > 1 ? s->term_count : 1;
-}
-
-MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
-{
-    if (shader == NULL) return 0;
-    if (!ms_sss__shader_tower(shader) && (shader->tap_count < 1 || shader->tap_count > MS_SSS_TAPS_MAX)) return 0;
-    if (shader->profile_count > MS_SSS_SHADER_PROFILES_MAX || shader->term_count > MS_SSS_TERMS_MAX) return 0;
-    if (shader->step == MS_SSS_STEP_RESOLVE) return MS_SSS__LEVEL_HEAD + 3 * MS_SSS_PYRAMID_SIZES;
-    if (ms_sss__shader_tower(shader))
-        return MS_SSS__LEVEL_HEAD + (shader->step == MS_SSS_STEP_GATHER ? MS_SSS_PYRAMID_SIZES : 0);
-    return MS_SSS__PICTURE_HEAD +
-        ms_sss__shader_terms(shader) * ms_sss__shader_profiles(shader) * ms_sss__shader_stride(shader);
-}
-
-/* What differs as a whole: $n constants, $s a texture's name, $b its binding, $t its register. */
-typedef struct ms_sss__dialect {
-    int column; /* of ms_sss__word */
-    const char *version, *constants, *texture, *fragment;
-    const char *other, *fragments; /* a variable; to two targets */
-} ms_sss__dialect;
-
-#define MS_SSS__PICK "#define pick(b, a, c) ((c) ? (a) : (b))\n"
-#define MS_SSS__GLSL_TEXTURE \
-    "uniform sampler2D ms_sss_$s;\nvec4 fetch_$s(ivec2 p) { return texelFetch(ms_sss_$s, p, 0); }\n"
-#define MS_SSS__GLSL_OTHER "vec4 ms_sss_other = vec4(0.0);\n"
-#define MS_SSS__GLSL_MAINS                                                                                 \
-    "layout(location = 0) out vec4 ms_sss_out;\nlayout(location = 1) out vec4 ms_sss_out_other;\n"         \
-    "vec4 filter_pixel(ivec2 p);\nvoid main() {\n    ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy));\n" \
-    "    ms_sss_out_other = ms_sss_other;\n}\n"
-#define MS_SSS__GLSL_MAIN \
-    "ms_sss_out;\nvec4 filter_pixel(ivec2 p);\nvoid main() { ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy)); }\n"
-
-static const ms_sss__dialect ms_sss__dialects[5] = {
-    {1, "#version 330\n" MS_SSS__PICK, "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE,
-     "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER, MS_SSS__GLSL_MAINS},
-    {1, "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n" MS_SSS__PICK,
-     "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER,
-     MS_SSS__GLSL_MAINS},
-    {1, "#version 450\n" MS_SSS__PICK, "layout(set = 0, binding = 0) uniform ms_sss_block { vec4 ms_sss[$n]; };\n",
-     "layout(set = 0, binding = $b) " MS_SSS__GLSL_TEXTURE, "layout(location = 0) out vec4 " MS_SSS__GLSL_MAIN,
-     MS_SSS__GLSL_OTHER, MS_SSS__GLSL_MAINS},
-    {2, MS_SSS__PICK, "cbuffer ms_sss_block : register(b0) { float4 ms_sss[$n]; };\n",
-     "Texture2D<float4> ms_sss_$s : register(t$t);\nfloat4 fetch_$s(int2 p) { return ms_sss_$s.Load(int3(p, 0)); }\n",
-     "float4 filter_pixel(int2 p);\nfloat4 main(float4 position : SV_Position) : SV_Target "
-     "{ return filter_pixel(int2(position.xy)); }\n",
-     "static float4 ms_sss_other;\n",
-     "struct ms_sss_targets { float4 out_first : SV_Target0; float4 out_other : SV_Target1; };\n"
-     "float4 filter_pixel(int2 p);\nms_sss_targets main(float4 position : SV_Position) {\n    ms_sss_targets to;\n"
-     "    to.out_first = filter_pixel(int2(position.xy));\n    to.out_other = ms_sss_other;\n    return to;\n}\n"},
-    {3, "",
-     "struct ms_sss_block { v: array<vec4<f32>, $n> };\n@group(0) @binding(0) var<uniform> ms_sss: ms_sss_block;\n",
-     "@group(0) @binding($b) var ms_sss_$s: texture_2d<f32>;\n"
-     "fn fetch_$s(p: vec2<i32>) -> vec4<f32> { return textureLoad(ms_sss_$s, p, 0); }\n",
-     "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {\n"
-     "    return filter_pixel(vec2<i32>(position.xy));\n}\n",
-     "var<private> ms_sss_other: vec4<f32>;\n",
-     "struct ms_sss_targets { @location(0) out_first: vec4<f32>, @location(1) out_other: vec4<f32> };\n"
-     "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> ms_sss_targets {\n"
-     "    let first = filter_pixel(vec2<i32>(position.xy));\n    return ms_sss_targets(first, ms_sss_other);\n}\n"}};
-
-#undef MS_SSS__GLSL_MAIN
-#undef MS_SSS__GLSL_MAINS
-#undef MS_SSS__GLSL_OTHER
-#undef MS_SSS__GLSL_TEXTURE
-
-static MS_SSS__COLD void ms_sss__say_dialect(ms_sss__text *text, const char *s, int constants, const char *name,
-                                             int index)
-{
-    for (; *s; ++s) {
-        if (*s != '$') ms_sss__say_part(text, s, 1);
-        else if (*++s == 's') ms_sss__say(text, name);
-        else ms_sss__say_number(text, *s == 't' ? index : *s == 'b' ? index + 1 : constants);
-    }
-}
-
-/* Whether slopes count; ms_sss_filter asks the same. */
-static int ms_sss__shader_shaped(const ms_sss_shader *s, const ms_sss_filter_options *o)
-{
-    return s->depth != MS_SSS_NONE && o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE;
-}
-
-static MS_SSS__COLD void ms_sss__say_shader(ms_sss__text *text, const ms_sss_shader *s, const ms_sss_filter_options *o)
-{
-    enum { NAMES = 11 };
-    static const char *const name[NAMES] = {"colour", "depth",   "strength", "input",          "profile", "sum",
-                                            "normal", "surface", "coarse",   "coarse_surface", "weight"};
-    const ms_sss__dialect *d = &ms_sss__dialects[s->language];
-    const int constants = ms_sss_shader_constant_count(s);
-    const int tower = ms_sss__shader_tower(s), base = s->step == MS_SSS_STEP_BASE,
-              gather = s->step == MS_SSS_STEP_GATHER, resolve = s->step == MS_SSS_STEP_RESOLVE;
-    const int up = s->step == MS_SSS_STEP_UP, down = s->step == MS_SSS_STEP_DOWN, second = s->step == MS_SSS_STEP_Y;
-    const int pass = second || s->step == MS_SSS_STEP_X, halved = pass && s->half_resolution;
-    const int raw = tower ? base : !pass || (!second && !halved);
-    const int depth = s->depth != MS_SSS_NONE, profile = s->profile != MS_SSS_NONE;
-    const int both_alpha = s->depth == MS_SSS_ALPHA && s->profile == MS_SSS_ALPHA;
-    const int shape = ms_sss__shader_shaped(s, o), turned = ms_sss__differ(o->rotation, 0) || o->jitter > 0;
-    const int normal = s->with_normal && shape && !s->half_resolution && (pass || base);
-    const int used[NAMES] = {1,
-                             s->depth == MS_SSS_TEXTURE && raw,
-                             s->with_strength && (raw || (second && !halved) || resolve),
-                             second || up || resolve,
-                             s->profile == MS_SSS_TEXTURE && raw,
-                             up || gather || resolve,
-                             normal,
-                             tower && !base,
-                             gather || resolve,
-                             gather || resolve,
-                             gather || resolve};
-    const int value[MS_SSS__FEATURES] = {
-#define MS_SSS__FEATURE_VALUE(name, value) value,
-        MS_SSS__FEATURE_LIST(MS_SSS__FEATURE_VALUE)
-#undef MS_SSS__FEATURE_VALUE
-    };
-    int i;
-    memcpy(text->feature, value, sizeof value);
-    text->column = d->column;
-    ms_sss__say(text, d->version);
-    ms_sss__say_dialect(text, d->constants, constants, "", 0);
-    for (i = 0; i < NAMES; ++i)
-        if (used[i]) ms_sss__say_dialect(text, d->texture, constants, name[i], i);
-    if (tower) ms_sss__say(text, d->other);
-    ms_sss__say(text, tower && !resolve ? d->fragments : d->fragment);
-    if (!tower || base)
-        ms_sss__say_body(text, ms_sss__source_body, sizeof ms_sss__source_body / sizeof ms_sss__source_body[0]);
-    if (tower) ms_sss__say_body(text, ms_sss__tower_body, sizeof ms_sss__tower_body / sizeof ms_sss__tower_body[0]);
-    else ms_sss__say_body(text, ms_sss__shader_body, sizeof ms_sss__shader_body / sizeof ms_sss__shader_body[0]);
-}
-
-static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filter_options *o,
-                                                   ms_error *error)
-{
-    ms_status status;
-    if (!s || !o) return MS_SSS__REFUSE(error, "shader or options is NULL");
-    if ((status = ms_sss__check_options(o, error)) != MS_OK) return status;
-    if ((status = ms_sss__within((int)s->language, "language", 0, (int)MS_SSS_WGSL, error)) != MS_OK ||
-        (status = ms_sss__within((int)s->step, "step", 0, (int)MS_SSS_STEP_RESOLVE, error)) != MS_OK ||
-        (status = ms_sss__within((int)s->depth, "depth", 0, (int)MS_SSS_ALPHA, error)) != MS_OK ||
-        (status = ms_sss__within((int)s->profile, "profile", 0, (int)MS_SSS_ALPHA, error)) != MS_OK ||
-        (status = ms_sss__within(s->profile_count, "profile_count", 0, MS_SSS_SHADER_PROFILES_MAX, error)) != MS_OK ||
-        (status = ms_sss__within(s->term_count, "term_count", 0, MS_SSS_TERMS_MAX, error)) != MS_OK)
-        return status;
-    if (ms_sss__shader_tower(s) && !ms_sss__tower_takes(o))
-        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round, without rotation or jitter");
-    if (!ms_sss__shader_tower(s) && (s->tap_count < 1 || s->tap_count > MS_SSS_TAPS_MAX || s->tap_count % 2 == 0))
-        return MS_SSS__REFUSE(error, "tap_count %d: expected an odd number from 1 to %d", s->tap_count,
-                              MS_SSS_TAPS_MAX);
-    if (s->profile_count > 1 && s->profile == MS_SSS_NONE)
-        return MS_SSS__REFUSE(error, "profile_count %d needs profile, the source of the index", s->profile_count);
-    if (o->fov_degrees > 0 && s->depth == MS_SSS_NONE)
-        return MS_SSS__REFUSE(error, "fov_degrees %g needs depth", (double)o->fov_degrees);
-    if (!s->half_resolution && (s->step == MS_SSS_STEP_DOWN || s->step == MS_SSS_STEP_UP))
-        return MS_SSS__REFUSE(error, "step %d is one of half_resolution", (int)s->step);
-    return MS_OK;
-}
-
-MS_API ms_sss_shader ms_sss_shader_defaults(void)
-{
-    ms_sss_shader s;
-    memset(&s, 0, sizeof s);
-    s.tap_count = 7;
-    return s;
-}
-
-MS_SSS__COLD MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options,
-                                              char *text, size_t capacity, ms_error *error)
-{
-    ms_sss__text t;
-    memset(&t, 0, sizeof t);
-    if (ms_sss__check_shader(shader, options, error) != MS_OK) return 0;
-    do ms_sss__say_shader(&t, shader, options);
-    while (ms_sss__say_again(&t, text, capacity));
-    return t.length;
-}
-
-MS_SSS__COLD MS_API size_t ms_sss_transmission_text(ms_sss_language language, char *text, size_t capacity)
-{
-    const size_t lines = sizeof ms_sss__transmission_body / sizeof ms_sss__transmission_body[0];
-    ms_sss__text t;
-    memset(&t, 0, sizeof t);
-    if ((int)language < 0 || (int)language > (int)MS_SSS_WGSL) return 0;
-    t.column = ms_sss__dialects[language].column;
-    do ms_sss__say_body(&t, ms_sss__transmission_body, lines);
-    while (ms_sss__say_again(&t, text, capacity));
-    return t.length;
-}
-
-MS_SSS__COLD MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int binary16, void *out,
-                                                   ms_error *error)
-{
-    ms_status status;
-    int i, c;
-    if (!kernel) return MS_SSS__REFUSE(error, "kernel is NULL");
-    if ((status = ms_sss__check_kernel(kernel, 0, error)) != MS_OK) return status;
-    if (term < 0 || term >= kernel->term_count)
-        return MS_SSS__REFUSE(error, "term %d is not within the kernel's %d", term, kernel->term_count);
-    for (i = 1; i < kernel->tap_count; i += 2) {
-        int same = !ms_sss__differ(kernel->offset_mm[i], -kernel->offset_mm[i + 1]);
-        for (c = 0; c < 3; ++c)
-            if (ms_sss__differ(kernel->weight[term][i][c], kernel->weight[term][i + 1][c])) same = 0;
-        if (!same)
-            return ms__fail(error, MS_UNSUPPORTED, 0, "taps %d and %d differ: half a kernel cannot hold both", i,
-                            i + 1);
-    }
-    for (i = 0; out && i < kernel->tap_count; i += 2)
-        for (c = 0; c < 4; ++c) {
-            const float value = c < 3 ? kernel->weight[term][i][c] : kernel->offset_mm[i];
-            if (binary16) ((uint16_t *)out)[2 * i + c] = ms__half_from_float(value);
-            else ((float *)out)[2 * i + c] = value;
-        }
-    return MS_OK;
-}
-
-/* The job that ms_sss_filter would make of a kernel. */
-static MS_SSS__COLD void ms_sss__shader_job(ms_sss__job *job, const ms_sss_kernel *k,
-                                            const ms_sss_filter_options *options, int width, int height, int shaped)
-{
-    memset(job, 0, sizeof *job);
-    job->frame.width = job->full_width = width;
-    job->frame.height = job->full_height = height;
-    job->coarse = 1;
-    job->options = *options;
-    job->shaped = shaped;
-    ms_sss__set_kernel(job, k, 0);
-}
-
-MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
-                                                      const ms_sss_filter_options *options, int width, int height,
-                                                      const ms_sss_shader *shader, float (*out)[4], ms_error *error)
-{
-    const int up = shader && shader->step == MS_SSS_STEP_UP;
-    ms_sss__job job;
-    ms_status status;
-    int count, stride, terms = 0, blocks, i, c;
-    double focal;
-    if (!kernels || !out) return MS_SSS__REFUSE(error, "kernels or out is NULL");
-    if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
-    if (ms_sss__shader_tower(shader))
-        return MS_SSS__REFUSE(error, "step %d: ms_sss_shader_pyramid has its constants", (int)shader->step);
-    if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
-    count = ms_sss__shader_profiles(shader);
-    stride = ms_sss__shader_stride(shader);
-    for (i = 0; i < count; ++i) { /* all are checked before anything is written */
-        if (kernels[i].tap_count > shader->tap_count)
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
-                            "kernel %d has %d taps, more than the shader's tap_count %d", i, kernels[i].tap_count,
-                            shader->tap_count);
-        for (c = up ? 0 : term; c < kernels[i].term_count && (c == term || up); ++c) {
-            status = ms_sss_kernel_upload(&kernels[i], c, 0, NULL, error);
-            if (status != MS_OK) return status;
-        }
-        if (kernels[i].term_count > terms) terms = kernels[i].term_count;
-    }
-    if (term < 0 || term >= terms) return MS_SSS__REFUSE(error, "term %d is not within the kernels' %d", term, terms);
-    memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
-    ms_sss__shader_job(&job, kernels, options, width, height, 0);
-    focal = ms_sss__pixels(options, height) * (options->mm_per_unit > 0 ? (double)options->mm_per_unit : 1);
-    {
-        const ms_sss_shader_picture picture = {(float)width,
-                                               (float)height,
-                                               (float)ms_sss__pixels(options, height),
-                                               1.0f - options->fade,
-                                               {job.pass.aspect[0], job.pass.aspect[1]},
-                                               options->rotation,
-                                               options->jitter,
-                                               term == 0 ? 1.0f : 0.0f,
-                                               {(float)focal, (float)(focal * (double)job.pass.aspect[1])},
-                                               1.0f - options->flat};
-        memcpy(out, &picture, sizeof picture);
-    }
-    blocks = up ? ms_sss__shader_terms(shader) * count : count;
-    if (up) term = 0;
-    for (i = 0; i < blocks; ++i) {
-        const ms_sss_kernel *k = &kernels[i % count];
-        const int t = term + i / count;
-        float(*at)[4] = out + MS_SSS__PICTURE_HEAD + i * stride;
-        ms_sss_shader_profile profile;
-        memset(&profile, 0, sizeof profile);
-        ms_sss__shader_job(&job, k, options, width, height, ms_sss__shader_shaped(shader, options));
-        profile.radius_mm = k->radius_mm;
-        profile.depth_scale = job.depth_scale;
-        profile.cut = job.pass.apart * job.pass.apart;
-        profile.reach = job.pass.reach;
-        memcpy(profile.curve, job.pass.curve, sizeof profile.curve);
-        memcpy(profile.root, job.pass.root, sizeof profile.root);
-        if (t < k->term_count) {
-            ms_sss__totals(k, t, job.pass.total, job.pass.mixed);
-            ms_sss_kernel_upload(k, t, 0, at + MS_SSS__PROFILE_HEAD, NULL);
-            for (c = 0; c < 3; ++c) {
-                profile.total[c] = job.pass.total[c];
-                profile.scale[c] = k->scale[t][c];
-                profile.delta[c] = k->delta[c];
-                profile.mixed += (float)(job.pass.mixed[c] << c);
-            }
-        }
-        memcpy(at, &profile, sizeof profile);
-    }
-    return MS_OK;
-}
-
-MS_API int ms_sss_shader_levels(int width, int height)
-{
-    int levels = 1;
-    while (levels < MS_SSS_PYRAMID_LEVELS && (width > 2 || height > 2)) {
-        width = (width + 1) / 2;
-        height = (height + 1) / 2;
-        ++levels;
-    }
-    return levels;
-}
-
-MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_sss_filter_options *options,
-                                                    int width, int height, const ms_sss_shader *shader, int level,
-                                                    int profile, float (*out)[4], ms_error *error)
-{
-    ms_sss_kernel kernel;
-    ms_sss_filter_options round;
-    ms_sss__job job;
-    ms_sss__growth g;
-    ms_status status;
-    float unit;
-    int levels, i, c;
-    if (!pyramid || !out) return MS_SSS__REFUSE(error, "pyramid or out is NULL");
-    if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
-    if (!ms_sss__shader_tower(shader))
-        return MS_SSS__REFUSE(error, "step %d: ms_sss_shader_constants has its constants", (int)shader->step);
-    if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
-    levels = ms_sss_shader_levels(width, height);
-    if (level < 0 || level >= levels)
-        return MS_SSS__REFUSE(error, "level %d is not within the picture's %d", level, levels);
-    memset(&kernel, 0, sizeof kernel);
-    kernel.tap_count = kernel.term_count = 1;
-    kernel.radius_mm = pyramid->radius_mm;
-    round = *options;
-    round.flat = 1;
-    round.exact = 0;
-    ms_sss__shader_job(&job, &kernel, &round, width, height, 0);
-    ms_sss__tower_start(&g, &job, pyramid, shader->depth != MS_SSS_NONE, options->flat);
-    ms_sss__tower_taps(&g, level);
-    unit = g.perspective ? 1 : job.depth_scale;
-    {
-        const float head[MS_SSS__LEVEL_HEAD][4] = {{(float)width, (float)height, 1.0f - options->fade, (float)profile},
-                                                   {g.perspective ? g.size / job.depth_scale : g.size, g.size_max,
-                                                    g.step / unit, g.tangent}, /* depth as it is given */
-                                                   {shader->step == MS_SSS_STEP_SHRINK ? g.join : g.reach, g.upright,
-                                                    (float)(1 << (level + 1)), MS_SSS__GATHER(0, level)},
-                                                   {g.quarter[0], g.quarter[1], g.quarter[2], g.norm},
-                                                   {g.most[0], g.most[1], g.most[2], g.mean},
-                                                   {g.spread, g.rough * unit, g.grain,
-                                                    level + 2 < levels       ? 2.0f
-                                                        : level + 1 < levels ? 1.0f
-                                                                             : 0.0f}};
-        memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
-        memcpy(out, head, sizeof head);
-    }
-    for (i = 0; i < MS_SSS_PYRAMID_SIZES && ms_sss_shader_constant_count(shader) > MS_SSS__LEVEL_HEAD; ++i) {
-        float(*to)[4] = out + MS_SSS__LEVEL_HEAD + i;
-        if (level + 1 < MS_SSS_PYRAMID_LEVELS) memcpy(to, pyramid->weight[0][i][level + 1][1], 3 * sizeof(float));
-        for (c = 0; c < 2 && shader->step == MS_SSS_STEP_RESOLVE; ++c)
-            memcpy(to + (c + 1) * MS_SSS_PYRAMID_SIZES, pyramid->weight[0][i][0][c], 3 * sizeof(float));
-    }
-    return MS_OK;
-}
+#undef MS_SSS__PI
+#endif /* MS_SSS_NO_DESIGN */
 
 #undef MS_SSS__FEATURE_LIST
 #undef MS_SSS__REFUSE
@@ -7590,189 +7596,186 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
 
 #define MS_SSS__JOIN_(name, level) ms_sss__##name##_##level
 #define MS_SSS__JOIN(name, level) MS_SSS__JOIN_(name, level)
-#define MS_SSS__NAME(name) MS_SSS__JOIN(name, MS_SSS__LEVEL)
-#define MS_SSS__LEAN (MS_SSS__LANES == 16 ? 2 : MS_SSS__LANES == 1 ? 16 : 4) /* groups in flight */
+#define MS__F(name) MS_SSS__JOIN(name, MS_SSS__LEVEL)
+#define MS_SSS__GROUPS (MS__N == 16 ? 2 : MS__N == 1 ? 16 : 4) /* groups in flight */
 #if defined(__GNUC__) && !defined(__clang__)
-#define MS_SSS__UNROLL _Pragma("GCC unroll 8")
+#define MS__UNROLL _Pragma("GCC unroll 8")
 #else
-#define MS_SSS__UNROLL
+#define MS__UNROLL
 #endif
 
-#if MS_SSS__LANES == 16
-#define MS_SSS__V __m512
-#define MS_SSS__X(name) _mm512_##name
-#define MS_SSS__Z(name, ...) _mm512_maskz_##name(0xffff, __VA_ARGS__) /* GCC 12 warns about the plain ones in C++ */
-#define MS_SSS__MASK __mmask16
-#define MS_SSS__MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
-#define MS_SSS__LESSEN(a, b, c) _mm512_fnmadd_ps(a, b, c) /* c - a b */
-#define MS_SSS__WIDEN(p) _mm512_maskz_cvtph_ps(0xffff, _mm256_loadu_si256((const __m256i *)(const void *)(p)))
-#define MS_SSS__NARROW(p, a) \
+#if MS__N == 16
+#define MS__V __m512
+#define MS__X(name) _mm512_##name
+#define MS__Z(name, ...) _mm512_maskz_##name(0xffff, __VA_ARGS__) /* GCC 12 warns about the plain ones in C++ */
+#define MS__MASK __mmask16
+#define MS__MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
+#define MS__NMADD(a, b, c) _mm512_fnmadd_ps(a, b, c) /* c - a b */
+#define MS__WIDEN(p) _mm512_maskz_cvtph_ps(0xffff, _mm256_loadu_si256((const __m256i *)(const void *)(p)))
+#define MS__NARROW(p, a) \
     _mm256_storeu_si256((__m256i *)(void *)(p), _mm512_maskz_cvtps_ph(0xffff, a, _MM_FROUND_TO_NEAREST_INT))
-#define MS_SSS__RSQRT(a) _mm512_maskz_rsqrt14_ps(0xffff, a)
-#define MS_SSS__ABS(a) _mm512_abs_ps(a)
-#define MS_SSS__RCP(a) _mm512_maskz_rcp14_ps(0xffff, a)
-#define MS_SSS__FLOOR(a) _mm512_floor_ps(a)
-#define MS_SSS__LESS(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ)
-#define MS_SSS__SAME(a, b) _mm512_cmp_ps_mask(a, b, _CMP_EQ_OQ)
-#define MS_SSS__BOTH(m, n) ((__mmask16)((m) & (n)))
-#define MS_SSS__SELECT(m, a, b) _mm512_mask_blend_ps(m, b, a)
-#define MS_SSS__BITS(m) ((unsigned)(m))
-#define MS_SSS__ZIP_LOW(a, b) \
+#define MS__RSQRT(a) _mm512_maskz_rsqrt14_ps(0xffff, a)
+#define MS__ABS(a) _mm512_abs_ps(a)
+#define MS__RCP(a) _mm512_maskz_rcp14_ps(0xffff, a)
+#define MS__FLOOR(a) _mm512_floor_ps(a)
+#define MS__LESS(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ)
+#define MS__SAME(a, b) _mm512_cmp_ps_mask(a, b, _CMP_EQ_OQ)
+#define MS__BOTH(m, n) ((__mmask16)((m) & (n)))
+#define MS__SELECT(m, a, b) _mm512_mask_blend_ps(m, b, a)
+#define MS__BITS(m) ((unsigned)(m))
+#define MS__ZIP_LOW(a, b) \
     _mm512_permutex2var_ps(a, _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23), b)
-#define MS_SSS__ZIP_HIGH(a, b) \
+#define MS__ZIP_HIGH(a, b) \
     _mm512_permutex2var_ps(a, _mm512_setr_epi32(8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31), b)
-#define MS_SSS__ORDER(a) \
+#define MS__ORDER(a) \
     _mm512_castpd_ps(_mm512_maskz_permutexvar_pd(0xff, _mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7), _mm512_castps_pd(a)))
-#elif MS_SSS__LANES == 8
-#define MS_SSS__V __m256
-#define MS_SSS__X(name) _mm256_##name
-#define MS_SSS__Z(name, ...) _mm256_##name(__VA_ARGS__)
-#define MS_SSS__MASK __m256
-#define MS_SSS__MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
-#define MS_SSS__LESSEN(a, b, c) _mm256_fnmadd_ps(a, b, c)
-#define MS_SSS__WIDEN(p) _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(p)))
-#define MS_SSS__NARROW(p, a) _mm_storeu_si128((__m128i *)(void *)(p), _mm256_cvtps_ph(a, _MM_FROUND_TO_NEAREST_INT))
-#define MS_SSS__RSQRT(a) _mm256_rsqrt_ps(a)
-#define MS_SSS__RCP(a) _mm256_rcp_ps(a)
-#define MS_SSS__ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
-#define MS_SSS__FLOOR(a) _mm256_floor_ps(a)
-#define MS_SSS__LESS(a, b) _mm256_cmp_ps(a, b, _CMP_LT_OQ)
-#define MS_SSS__SAME(a, b) _mm256_cmp_ps(a, b, _CMP_EQ_OQ)
-#define MS_SSS__BOTH(m, n) _mm256_and_ps(m, n)
-#define MS_SSS__SELECT(m, a, b) _mm256_blendv_ps(b, a, m)
-#define MS_SSS__BITS(m) ((unsigned)_mm256_movemask_ps(m))
-#define MS_SSS__ZIP_LOW(a, b) _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x20)
-#define MS_SSS__ZIP_HIGH(a, b) _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x31)
-#define MS_SSS__ORDER(a) _mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(a), 0xd8))
-#elif MS_SSS__LANES == 4 && defined(MS__X64)
-#define MS_SSS__V __m128
-#define MS_SSS__X(name) _mm_##name
-#define MS_SSS__Z(name, ...) _mm_##name(__VA_ARGS__)
-#define MS_SSS__MASK __m128
-#define MS_SSS__MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
-#define MS_SSS__LESSEN(a, b, c) _mm_sub_ps(c, _mm_mul_ps(a, b))
-#define MS_SSS__RSQRT(a) _mm_rsqrt_ps(a)
-#define MS_SSS__RCP(a) _mm_rcp_ps(a)
-#define MS_SSS__ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
-#define MS_SSS__FLOOR(a) ms_sss__floor_sse2(a)
-#define MS_SSS__LESS(a, b) _mm_cmplt_ps(a, b)
-#define MS_SSS__SAME(a, b) _mm_cmpeq_ps(a, b)
-#define MS_SSS__BOTH(m, n) _mm_and_ps(m, n)
-#define MS_SSS__SELECT(m, a, b) _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b))
-#define MS_SSS__BITS(m) ((unsigned)_mm_movemask_ps(m))
-#define MS_SSS__ZIP_LOW(a, b) _mm_unpacklo_ps(a, b)
-#define MS_SSS__ZIP_HIGH(a, b) _mm_unpackhi_ps(a, b)
-#define MS_SSS__ORDER(a) (a)
-#elif MS_SSS__LANES == 4
-#define MS_SSS__V float32x4_t
-#define MS_SSS__MASK uint32x4_t
-#define MS_SSS__LOAD(p) vld1q_f32(p)
-#define MS_SSS__STORE(p, a) vst1q_f32(p, a)
-#define MS_SSS__SET(s) vdupq_n_f32(s)
-#define MS_SSS__ADD(a, b) vaddq_f32(a, b)
-#define MS_SSS__SUB(a, b) vsubq_f32(a, b)
-#define MS_SSS__MUL(a, b) vmulq_f32(a, b)
-#define MS_SSS__DIV(a, b) vdivq_f32(a, b)
-#define MS_SSS__MADD(a, b, c) vfmaq_f32(c, a, b)
-#define MS_SSS__LESSEN(a, b, c) vfmsq_f32(c, a, b)
-#define MS_SSS__STREAM(p, a) vst1q_f32(p, a)
-#define MS_SSS__MIN(a, b) vminq_f32(a, b)
-#define MS_SSS__MAX(a, b) vmaxq_f32(a, b)
-#define MS_SSS__SQRT(a) vsqrtq_f32(a)
-#define MS_SSS__ABS(a) vabsq_f32(a)
-#define MS_SSS__FLOOR(a) vrndmq_f32(a)
-#define MS_SSS__LESS(a, b) vcltq_f32(a, b)
-#define MS_SSS__SAME(a, b) vceqq_f32(a, b)
-#define MS_SSS__BOTH(m, n) vandq_u32(m, n)
-#define MS_SSS__SELECT(m, a, b) vbslq_f32(m, a, b)
-#define MS_SSS__BITS(m) ms_sss__bits_neon(m)
-#define MS_SSS__ZIP_LOW(a, b) vzip1q_f32(a, b)
-#define MS_SSS__ZIP_HIGH(a, b) vzip2q_f32(a, b)
-#define MS_SSS__EVENS(a, b) vuzp1q_f32(a, b)
-#define MS_SSS__ODDS(a, b) vuzp2q_f32(a, b)
-#define MS_SSS__ORDER(a) (a)
+#elif MS__N == 8
+#define MS__V __m256
+#define MS__X(name) _mm256_##name
+#define MS__Z(name, ...) _mm256_##name(__VA_ARGS__)
+#define MS__MASK __m256
+#define MS__MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
+#define MS__NMADD(a, b, c) _mm256_fnmadd_ps(a, b, c)
+#define MS__WIDEN(p) _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(p)))
+#define MS__NARROW(p, a) _mm_storeu_si128((__m128i *)(void *)(p), _mm256_cvtps_ph(a, _MM_FROUND_TO_NEAREST_INT))
+#define MS__RSQRT(a) _mm256_rsqrt_ps(a)
+#define MS__RCP(a) _mm256_rcp_ps(a)
+#define MS__ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
+#define MS__FLOOR(a) _mm256_floor_ps(a)
+#define MS__LESS(a, b) _mm256_cmp_ps(a, b, _CMP_LT_OQ)
+#define MS__SAME(a, b) _mm256_cmp_ps(a, b, _CMP_EQ_OQ)
+#define MS__BOTH(m, n) _mm256_and_ps(m, n)
+#define MS__SELECT(m, a, b) _mm256_blendv_ps(b, a, m)
+#define MS__BITS(m) ((unsigned)_mm256_movemask_ps(m))
+#define MS__ZIP_LOW(a, b) _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x20)
+#define MS__ZIP_HIGH(a, b) _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x31)
+#define MS__ORDER(a) _mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(a), 0xd8))
+#elif MS__N == 4 && defined(MS__X64)
+#define MS__V __m128
+#define MS__X(name) _mm_##name
+#define MS__Z(name, ...) _mm_##name(__VA_ARGS__)
+#define MS__MASK __m128
+#define MS__MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
+#define MS__NMADD(a, b, c) _mm_sub_ps(c, _mm_mul_ps(a, b))
+#define MS__RSQRT(a) _mm_rsqrt_ps(a)
+#define MS__RCP(a) _mm_rcp_ps(a)
+#define MS__ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
+#define MS__FLOOR(a) ms_sss__floor_sse2(a)
+#define MS__LESS(a, b) _mm_cmplt_ps(a, b)
+#define MS__SAME(a, b) _mm_cmpeq_ps(a, b)
+#define MS__BOTH(m, n) _mm_and_ps(m, n)
+#define MS__SELECT(m, a, b) _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b))
+#define MS__BITS(m) ((unsigned)_mm_movemask_ps(m))
+#define MS__ZIP_LOW(a, b) _mm_unpacklo_ps(a, b)
+#define MS__ZIP_HIGH(a, b) _mm_unpackhi_ps(a, b)
+#define MS__ORDER(a) (a)
+#elif MS__N == 4
+#define MS__V float32x4_t
+#define MS__MASK uint32x4_t
+#define MS__LOAD(p) vld1q_f32(p)
+#define MS__STORE(p, a) vst1q_f32(p, a)
+#define MS__SET(s) vdupq_n_f32(s)
+#define MS__ADD(a, b) vaddq_f32(a, b)
+#define MS__SUB(a, b) vsubq_f32(a, b)
+#define MS__MUL(a, b) vmulq_f32(a, b)
+#define MS__DIV(a, b) vdivq_f32(a, b)
+#define MS__MADD(a, b, c) vfmaq_f32(c, a, b)
+#define MS__NMADD(a, b, c) vfmsq_f32(c, a, b)
+#define MS__STREAM(p, a) vst1q_f32(p, a)
+#define MS__MIN(a, b) vminq_f32(a, b)
+#define MS__MAX(a, b) vmaxq_f32(a, b)
+#define MS__SQRT(a) vsqrtq_f32(a)
+#define MS__ABS(a) vabsq_f32(a)
+#define MS__FLOOR(a) vrndmq_f32(a)
+#define MS__LESS(a, b) vcltq_f32(a, b)
+#define MS__SAME(a, b) vceqq_f32(a, b)
+#define MS__BOTH(m, n) vandq_u32(m, n)
+#define MS__SELECT(m, a, b) vbslq_f32(m, a, b)
+#define MS__BITS(m) ms_sss__bits_neon(m)
+#define MS__ZIP_LOW(a, b) vzip1q_f32(a, b)
+#define MS__ZIP_HIGH(a, b) vzip2q_f32(a, b)
+#define MS__EVENS(a, b) vuzp1q_f32(a, b)
+#define MS__ODDS(a, b) vuzp2q_f32(a, b)
+#define MS__ORDER(a) (a)
 #else
-#define MS_SSS__V float
-#define MS_SSS__MASK int
-#define MS_SSS__LOAD(p) (*(p))
-#define MS_SSS__STORE(p, a) (*(p) = (a))
-#define MS_SSS__SET(s) (s)
-#define MS_SSS__ADD(a, b) ((a) + (b))
-#define MS_SSS__SUB(a, b) ((a) - (b))
-#define MS_SSS__MUL(a, b) ((a) * (b))
-#define MS_SSS__DIV(a, b) ((a) / (b))
-#define MS_SSS__MADD(a, b, c) ((a) * (b) + (c))
-#define MS_SSS__LESSEN(a, b, c) ((c) - (a) * (b))
-#define MS_SSS__STREAM(p, a) (*(p) = (a))
-#define MS_SSS__MIN(a, b) ((a) < (b) ? (a) : (b))
-#define MS_SSS__MAX(a, b) ((a) > (b) ? (a) : (b))
-#define MS_SSS__SQRT(a) sqrtf(a)
-#define MS_SSS__ABS(a) fabsf(a)
-#define MS_SSS__FLOOR(a) ms_sss__floor(a)
-#define MS_SSS__LESS(a, b) ((a) < (b))
-#define MS_SSS__SAME(a, b) ((a) >= (b) && (a) <= (b))
-#define MS_SSS__BOTH(m, n) ((m) & (n))
-#define MS_SSS__SELECT(m, a, b) ((m) ? (a) : (b))
-#define MS_SSS__BITS(m) ((unsigned)(m))
-#define MS_SSS__ZIP_LOW(a, b) (a)
-#define MS_SSS__ZIP_HIGH(a, b) (b)
-#define MS_SSS__EVENS(a, b) (a)
-#define MS_SSS__ODDS(a, b) (b)
-#define MS_SSS__ORDER(a) (a)
+#define MS__V float
+#define MS__MASK int
+#define MS__LOAD(p) (*(p))
+#define MS__STORE(p, a) (*(p) = (a))
+#define MS__SET(s) (s)
+#define MS__ADD(a, b) ((a) + (b))
+#define MS__SUB(a, b) ((a) - (b))
+#define MS__MUL(a, b) ((a) * (b))
+#define MS__DIV(a, b) ((a) / (b))
+#define MS__MADD(a, b, c) ((a) * (b) + (c))
+#define MS__NMADD(a, b, c) ((c) - (a) * (b))
+#define MS__STREAM(p, a) (*(p) = (a))
+#define MS__MIN(a, b) ((a) < (b) ? (a) : (b))
+#define MS__MAX(a, b) ((a) > (b) ? (a) : (b))
+#define MS__SQRT(a) sqrtf(a)
+#define MS__ABS(a) fabsf(a)
+#define MS__FLOOR(a) ms_sss__floor(a)
+#define MS__LESS(a, b) ((a) < (b))
+#define MS__SAME(a, b) ((a) >= (b) && (a) <= (b))
+#define MS__BOTH(m, n) ((m) & (n))
+#define MS__SELECT(m, a, b) ((m) ? (a) : (b))
+#define MS__BITS(m) ((unsigned)(m))
+#define MS__ZIP_LOW(a, b) (a)
+#define MS__ZIP_HIGH(a, b) (b)
+#define MS__EVENS(a, b) (a)
+#define MS__ODDS(a, b) (b)
+#define MS__ORDER(a) (a)
 #endif
-#ifdef MS_SSS__X
-#define MS_SSS__LOAD(p) MS_SSS__X(loadu_ps)(p)
-#define MS_SSS__STORE(p, a) MS_SSS__X(storeu_ps)(p, a)
-#define MS_SSS__STREAM(p, a) MS_SSS__X(stream_ps)(p, a)
-#define MS_SSS__SET(s) MS_SSS__X(set1_ps)(s)
-#define MS_SSS__ADD(a, b) MS_SSS__X(add_ps)(a, b)
-#define MS_SSS__SUB(a, b) MS_SSS__X(sub_ps)(a, b)
-#define MS_SSS__MUL(a, b) MS_SSS__X(mul_ps)(a, b)
-#define MS_SSS__DIV(a, b) MS_SSS__X(div_ps)(a, b)
-#define MS_SSS__MIN(a, b) MS_SSS__Z(min_ps, a, b)
-#define MS_SSS__MAX(a, b) MS_SSS__Z(max_ps, a, b)
-#define MS_SSS__SQRT(a) MS_SSS__Z(sqrt_ps, a)
-#define MS_SSS__EVENS(a, b) \
-    MS_SSS__Z(shuffle_ps, a, b, 0x88) /* columns 0, 2 .. of a and b, which ORDER puts in order */
-#define MS_SSS__ODDS(a, b) MS_SSS__Z(shuffle_ps, a, b, 0xdd)
+#ifdef MS__X
+#define MS__LOAD(p) MS__X(loadu_ps)(p)
+#define MS__STORE(p, a) MS__X(storeu_ps)(p, a)
+#define MS__STREAM(p, a) MS__X(stream_ps)(p, a)
+#define MS__SET(s) MS__X(set1_ps)(s)
+#define MS__ADD(a, b) MS__X(add_ps)(a, b)
+#define MS__SUB(a, b) MS__X(sub_ps)(a, b)
+#define MS__MUL(a, b) MS__X(mul_ps)(a, b)
+#define MS__DIV(a, b) MS__X(div_ps)(a, b)
+#define MS__MIN(a, b) MS__Z(min_ps, a, b)
+#define MS__MAX(a, b) MS__Z(max_ps, a, b)
+#define MS__SQRT(a) MS__Z(sqrt_ps, a)
+#define MS__EVENS(a, b) MS__Z(shuffle_ps, a, b, 0x88) /* columns 0, 2 .. of a and b, which ORDER puts in order */
+#define MS__ODDS(a, b) MS__Z(shuffle_ps, a, b, 0xdd)
 #endif
-#define MS_SSS__EVEN(a, b) MS_SSS__ORDER(MS_SSS__EVENS(a, b))
-#define MS_SSS__ODD(a, b) MS_SSS__ORDER(MS_SSS__ODDS(a, b))
+#define MS__EVEN(a, b) MS__ORDER(MS__EVENS(a, b))
+#define MS__ODD(a, b) MS__ORDER(MS__ODDS(a, b))
 
 /* 1 / a within 2e-7 of itself, a from 1e-30 to 1e30 */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(inverse)(MS_SSS__V a)
+static MS_SSS__INLINE MS__V MS__F(inverse)(MS__V a)
 {
-#ifdef MS_SSS__RCP
-    const MS_SSS__V r = MS_SSS__RCP(a);
-    return MS_SSS__MUL(r, MS_SSS__LESSEN(a, r, MS_SSS__SET(2.0f)));
+#ifdef MS__RCP
+    const MS__V r = MS__RCP(a);
+    return MS__MUL(r, MS__NMADD(a, r, MS__SET(2.0f)));
 #else
-    return MS_SSS__DIV(MS_SSS__SET(1.0f), a);
+    return MS__DIV(MS__SET(1.0f), a);
 #endif
 }
 
 /* Where before[i] is finite and value[i] > 0 depth[i] becomes scale * value[i], else INFINITY; before may be depth.
    span: from the first finite one to behind the last. Returns whether all of those values are at least 1, if scale is
    0. */
-static int MS_SSS__NAME(gate)(const float *value, float scale, int count, const float *before, float *depth,
-                              int span[2])
+static int MS__F(mask_by)(const float *value, float scale, int count, const float *before, float *depth, int span[2])
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), infinity = MS_SSS__SET(INFINITY),
-                    s = MS_SSS__SET(scale);
-    const unsigned full = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), infinity = MS__SET(INFINITY), s = MS__SET(scale);
+    const unsigned full = ms_sss__lanes(MS__N, MS__N);
     unsigned partial = 0;
     int x, begin = -1, end = 0;
-    for (x = 0; x < count; x += MS_SSS__LANES) {
-        const MS_SSS__V v = MS_SSS__LOAD(value + x), z = MS_SSS__MUL(v, s);
-        const MS_SSS__MASK part = MS_SSS__BOTH(MS_SSS__LESS(zero, v), MS_SSS__LESS(MS_SSS__LOAD(before + x), infinity));
-        const unsigned bits = MS_SSS__BITS(part);
-        if (!(scale > 0)) partial |= MS_SSS__BITS(MS_SSS__BOTH(part, MS_SSS__LESS(v, one)));
+    for (x = 0; x < count; x += MS__N) {
+        const MS__V v = MS__LOAD(value + x), z = MS__MUL(v, s);
+        const MS__MASK part = MS__BOTH(MS__LESS(zero, v), MS__LESS(MS__LOAD(before + x), infinity));
+        const unsigned bits = MS__BITS(part);
+        if (!(scale > 0)) partial |= MS__BITS(MS__BOTH(part, MS__LESS(v, one)));
         if (bits == full) {
-            MS_SSS__STORE(depth + x, z);
+            MS__STORE(depth + x, z);
             if (begin < 0) begin = x;
-            end = x + MS_SSS__LANES;
+            end = x + MS__N;
             continue;
         }
-        MS_SSS__STORE(depth + x, MS_SSS__SELECT(part, z, infinity));
+        MS__STORE(depth + x, MS__SELECT(part, z, infinity));
         if (!bits) continue;
         if (begin < 0) begin = x + ms_sss__lowest(bits);
         end = x + ms_sss__highest(bits) + 1;
@@ -7784,306 +7787,289 @@ static int MS_SSS__NAME(gate)(const float *value, float scale, int count, const 
 
 /* colour = in (times albedo) and depth = before where the pixel takes part and the colour is finite; else 0 and
    INFINITY. before may be depth. Returns whether pixels [begin, end) all take part. */
-static int MS_SSS__NAME(admit)(const float *const in[3], const float *const albedo[3], int begin, int end, int count,
-                               const float *before, float *depth, float *const colour[3])
+static int MS__F(load_masked)(const float *const in[3], const float *const albedo[3], int begin, int end, int count,
+                              const float *before, float *depth, float *const colour[3])
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), infinity = MS_SSS__SET(INFINITY), most = MS_SSS__SET(MS_SSS__LIGHT_MAX);
-    const unsigned full = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
+    const MS__V zero = MS__SET(0.0f), infinity = MS__SET(INFINITY), most = MS__SET(MS_SSS__LIGHT_MAX);
+    const unsigned full = ms_sss__lanes(MS__N, MS__N);
     int x, all = 1;
-    for (x = 0; x < count; x += MS_SSS__LANES) {
-        MS_SSS__V r = MS_SSS__LOAD(in[0] + x), g = MS_SSS__LOAD(in[1] + x), b = MS_SSS__LOAD(in[2] + x),
-                  z = MS_SSS__LOAD(before + x);
-        MS_SSS__MASK part = MS_SSS__LESS(z, infinity);
+    for (x = 0; x < count; x += MS__N) {
+        MS__V r = MS__LOAD(in[0] + x), g = MS__LOAD(in[1] + x), b = MS__LOAD(in[2] + x), z = MS__LOAD(before + x);
+        MS__MASK part = MS__LESS(z, infinity);
         if (albedo) {
-            r = MS_SSS__MUL(r, MS_SSS__LOAD(albedo[0] + x));
-            g = MS_SSS__MUL(g, MS_SSS__LOAD(albedo[1] + x));
-            b = MS_SSS__MUL(b, MS_SSS__LOAD(albedo[2] + x));
+            r = MS__MUL(r, MS__LOAD(albedo[0] + x));
+            g = MS__MUL(g, MS__LOAD(albedo[1] + x));
+            b = MS__MUL(b, MS__LOAD(albedo[2] + x));
         }
-        part = MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(r), most));
-        part = MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(g), most));
-        part = MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(b), most));
-        if (MS_SSS__BITS(part) != full) {
-            const unsigned inside = ms_sss__lanes(end - x, MS_SSS__LANES) & ~ms_sss__lanes(begin - x, MS_SSS__LANES);
-            if ((MS_SSS__BITS(part) & inside) != inside) all = 0;
-            r = MS_SSS__SELECT(part, r, zero);
-            g = MS_SSS__SELECT(part, g, zero);
-            b = MS_SSS__SELECT(part, b, zero);
-            z = MS_SSS__SELECT(part, z, infinity);
+        part = MS__BOTH(part, MS__LESS(MS__ABS(r), most));
+        part = MS__BOTH(part, MS__LESS(MS__ABS(g), most));
+        part = MS__BOTH(part, MS__LESS(MS__ABS(b), most));
+        if (MS__BITS(part) != full) {
+            const unsigned inside = ms_sss__lanes(end - x, MS__N) & ~ms_sss__lanes(begin - x, MS__N);
+            if ((MS__BITS(part) & inside) != inside) all = 0;
+            r = MS__SELECT(part, r, zero);
+            g = MS__SELECT(part, g, zero);
+            b = MS__SELECT(part, b, zero);
+            z = MS__SELECT(part, z, infinity);
         }
-        MS_SSS__STORE(colour[0] + x, r);
-        MS_SSS__STORE(colour[1] + x, g);
-        MS_SSS__STORE(colour[2] + x, b);
-        MS_SSS__STORE(depth + x, z);
+        MS__STORE(colour[0] + x, r);
+        MS__STORE(colour[1] + x, g);
+        MS__STORE(colour[2] + x, b);
+        MS__STORE(depth + x, z);
     }
     return all;
 }
 
 /* out[x] = sum_j weight[j] in[at[j] + x] */
-static void MS_SSS__NAME(convolve)(const float *in, const ptrdiff_t *at, const float *weight, int taps, int count,
-                                   float *out)
+static void MS__F(convolve)(const float *in, const ptrdiff_t *at, const float *weight, int taps, int count, float *out)
 {
     int x = 0, j;
-    for (; x + 4 * MS_SSS__LANES <= count; x += 4 * MS_SSS__LANES) {
-        MS_SSS__V s0 = MS_SSS__SET(0.0f), s1 = s0, s2 = s0, s3 = s0;
+    for (; x + 4 * MS__N <= count; x += 4 * MS__N) {
+        MS__V s0 = MS__SET(0.0f), s1 = s0, s2 = s0, s3 = s0;
         for (j = 0; j < taps; ++j) {
             const float *p = in + at[j] + x;
-            MS_SSS__V w = MS_SSS__SET(weight[j]);
-            s0 = MS_SSS__MADD(w, MS_SSS__LOAD(p), s0);
-            s1 = MS_SSS__MADD(w, MS_SSS__LOAD(p + MS_SSS__LANES), s1);
-            s2 = MS_SSS__MADD(w, MS_SSS__LOAD(p + 2 * MS_SSS__LANES), s2);
-            s3 = MS_SSS__MADD(w, MS_SSS__LOAD(p + 3 * MS_SSS__LANES), s3);
+            MS__V w = MS__SET(weight[j]);
+            s0 = MS__MADD(w, MS__LOAD(p), s0);
+            s1 = MS__MADD(w, MS__LOAD(p + MS__N), s1);
+            s2 = MS__MADD(w, MS__LOAD(p + 2 * MS__N), s2);
+            s3 = MS__MADD(w, MS__LOAD(p + 3 * MS__N), s3);
         }
-        MS_SSS__STORE(out + x, s0);
-        MS_SSS__STORE(out + x + MS_SSS__LANES, s1);
-        MS_SSS__STORE(out + x + 2 * MS_SSS__LANES, s2);
-        MS_SSS__STORE(out + x + 3 * MS_SSS__LANES, s3);
+        MS__STORE(out + x, s0);
+        MS__STORE(out + x + MS__N, s1);
+        MS__STORE(out + x + 2 * MS__N, s2);
+        MS__STORE(out + x + 3 * MS__N, s3);
     }
-    for (; x < count; x += MS_SSS__LANES) {
-        MS_SSS__V s = MS_SSS__SET(0.0f);
-        for (j = 0; j < taps; ++j) s = MS_SSS__MADD(MS_SSS__SET(weight[j]), MS_SSS__LOAD(in + at[j] + x), s);
-        MS_SSS__STORE(out + x, s);
+    for (; x < count; x += MS__N) {
+        MS__V s = MS__SET(0.0f);
+        for (j = 0; j < taps; ++j) s = MS__MADD(MS__SET(weight[j]), MS__LOAD(in + at[j] + x), s);
+        MS__STORE(out + x, s);
     }
 }
 
 /* What a tap sum s with weights that add up to n stands for once the missing weight, total - n, is made up for. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(restore)(MS_SSS__V s, MS_SSS__V n, MS_SSS__V own, float total, int mixed)
+static MS_SSS__INLINE MS__V MS__F(restore)(MS__V s, MS__V n, MS__V own, float total, int mixed)
 {
-    if (mixed) return MS_SSS__MADD(own, MS_SSS__SUB(MS_SSS__SET(total), n), s);
-    return MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__SET(1e-30f), n), MS_SSS__MUL(MS_SSS__DIV(s, n), MS_SSS__SET(total)),
-                          MS_SSS__MUL(own, MS_SSS__SET(total)));
+    if (mixed) return MS__MADD(own, MS__SUB(MS__SET(total), n), s);
+    return MS__SELECT(MS__LESS(MS__SET(1e-30f), n), MS__MUL(MS__DIV(s, n), MS__SET(total)),
+                      MS__MUL(own, MS__SET(total)));
 }
 
 /* The same for the three channels where only pixels that take part count and are written, the rest as 0. */
-static void MS_SSS__NAME(convolve_valid)(const ms_sss__fixed *f, const float *const in[3], const ptrdiff_t *at,
-                                         const float *const *depth, const int *tap, int taps, int count,
-                                         const float *own_depth, float *const out[3])
+static void MS__F(convolve_valid)(const ms_sss__fixed *f, const float *const in[3], const ptrdiff_t *at,
+                                  const float *const *depth, const int *tap, int taps, int count,
+                                  const float *own_depth, float *const out[3])
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), infinity = MS_SSS__SET(INFINITY);
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), infinity = MS__SET(INFINITY);
     int x, j;
-    for (x = 0; x < count; x += MS_SSS__LANES) {
-        const MS_SSS__MASK part = MS_SSS__LESS(MS_SSS__LOAD(own_depth + x), infinity);
-        MS_SSS__V r = zero, g = zero, b = zero, nr = zero, ng = zero, nb = zero;
-        for (j = 0; j < taps && MS_SSS__BITS(part); ++j) {
-            MS_SSS__V v = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__LOAD(depth[j] + x), infinity), one, zero);
-            MS_SSS__V wr = MS_SSS__SET(f->weight[0][tap[j]]), wg = MS_SSS__SET(f->weight[1][tap[j]]),
-                      wb = MS_SSS__SET(f->weight[2][tap[j]]);
-            r = MS_SSS__MADD(wr, MS_SSS__LOAD(in[0] + at[j] + x), r);
-            g = MS_SSS__MADD(wg, MS_SSS__LOAD(in[1] + at[j] + x), g);
-            b = MS_SSS__MADD(wb, MS_SSS__LOAD(in[2] + at[j] + x), b);
-            nr = MS_SSS__MADD(wr, v, nr);
-            ng = MS_SSS__MADD(wg, v, ng);
-            nb = MS_SSS__MADD(wb, v, nb);
+    for (x = 0; x < count; x += MS__N) {
+        const MS__MASK part = MS__LESS(MS__LOAD(own_depth + x), infinity);
+        MS__V r = zero, g = zero, b = zero, nr = zero, ng = zero, nb = zero;
+        for (j = 0; j < taps && MS__BITS(part); ++j) {
+            MS__V v = MS__SELECT(MS__LESS(MS__LOAD(depth[j] + x), infinity), one, zero);
+            MS__V wr = MS__SET(f->weight[0][tap[j]]), wg = MS__SET(f->weight[1][tap[j]]),
+                  wb = MS__SET(f->weight[2][tap[j]]);
+            r = MS__MADD(wr, MS__LOAD(in[0] + at[j] + x), r);
+            g = MS__MADD(wg, MS__LOAD(in[1] + at[j] + x), g);
+            b = MS__MADD(wb, MS__LOAD(in[2] + at[j] + x), b);
+            nr = MS__MADD(wr, v, nr);
+            ng = MS__MADD(wg, v, ng);
+            nb = MS__MADD(wb, v, nb);
         }
-        r = MS_SSS__NAME(restore)(r, nr, MS_SSS__LOAD(in[0] + x), f->total[0], f->mixed[0]);
-        g = MS_SSS__NAME(restore)(g, ng, MS_SSS__LOAD(in[1] + x), f->total[1], f->mixed[1]);
-        b = MS_SSS__NAME(restore)(b, nb, MS_SSS__LOAD(in[2] + x), f->total[2], f->mixed[2]);
-        MS_SSS__STORE(out[0] + x, MS_SSS__SELECT(part, r, zero));
-        MS_SSS__STORE(out[1] + x, MS_SSS__SELECT(part, g, zero));
-        MS_SSS__STORE(out[2] + x, MS_SSS__SELECT(part, b, zero));
+        r = MS__F(restore)(r, nr, MS__LOAD(in[0] + x), f->total[0], f->mixed[0]);
+        g = MS__F(restore)(g, ng, MS__LOAD(in[1] + x), f->total[1], f->mixed[1]);
+        b = MS__F(restore)(b, nb, MS__LOAD(in[2] + x), f->total[2], f->mixed[2]);
+        MS__STORE(out[0] + x, MS__SELECT(part, r, zero));
+        MS__STORE(out[1] + x, MS__SELECT(part, g, zero));
+        MS__STORE(out[2] + x, MS__SELECT(part, b, zero));
     }
 }
 
 /* Pixels a mm at depth z, but for slopes. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(size)(const ms_sss__pass *p, MS_SSS__V z)
+static MS_SSS__INLINE MS__V MS__F(size)(const ms_sss__pass *p, MS__V z)
 {
-    return p->perspective ? MS_SSS__MIN(MS_SSS__DIV(MS_SSS__SET(p->size), z), MS_SSS__SET(p->size_max))
-                          : MS_SSS__SET(p->size);
+    return p->perspective ? MS__MIN(MS__DIV(MS__SET(p->size), z), MS__SET(p->size_max)) : MS__SET(p->size);
 }
 
 /* Tangents of the rays through pixels from column x on. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(ray)(const ms_sss__pass *p, int x)
+static MS_SSS__INLINE MS__V MS__F(ray)(const ms_sss__pass *p, int x)
 {
-    return MS_SSS__MUL(MS_SSS__ADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET((float)x + 0.5f - p->middle[0])),
-                       MS_SSS__SET(p->tangent));
+    return MS__MUL(MS__ADD(MS__LOAD(ms_sss__iota), MS__SET((float)x + 0.5f - p->middle[0])), MS__SET(p->tangent));
 }
 
 /* 1 / sqrt(a): relative error 3e-7. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(inverse_root)(MS_SSS__V a)
+static MS_SSS__INLINE MS__V MS__F(inverse_root)(MS__V a)
 {
-#ifdef MS_SSS__RSQRT
-    const MS_SSS__V y = MS_SSS__RSQRT(a);
-    return MS_SSS__MUL(y, MS_SSS__LESSEN(MS_SSS__MUL(MS_SSS__MUL(a, MS_SSS__SET(0.5f)), y), y, MS_SSS__SET(1.5f)));
+#ifdef MS__RSQRT
+    const MS__V y = MS__RSQRT(a);
+    return MS__MUL(y, MS__NMADD(MS__MUL(MS__MUL(a, MS__SET(0.5f)), y), y, MS__SET(1.5f)));
 #else
-    return MS_SSS__DIV(MS_SSS__SET(1.0f), MS_SSS__SQRT(a));
+    return MS__DIV(MS__SET(1.0f), MS__SQRT(a));
 #endif
 }
 
 /* Pixels a mm of the tangent plane along an axis of slope `along` and ray `ray`; square: of the ray's length. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(foreshorten)(MS_SSS__V size, MS_SSS__V along, MS_SSS__V ray,
-                                                          MS_SSS__V square)
+static MS_SSS__INLINE MS__V MS__F(foreshorten)(MS__V size, MS__V along, MS__V ray, MS__V square)
 {
-    return MS_SSS__MUL(size,
-                       MS_SSS__NAME(inverse_root)(
-                           MS_SSS__MADD(along, MS_SSS__MADD(along, square, MS_SSS__ADD(ray, ray)), MS_SSS__SET(1.0f))));
+    return MS__MUL(size,
+                   MS__F(inverse_root)(MS__MADD(along, MS__MADD(along, square, MS__ADD(ray, ray)), MS__SET(1.0f))));
 }
 
 /* Cosine of the normal of slopes sx, sy to the ray, in mm of dz 1. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(facing)(const ms_sss__pass *p, MS_SSS__V sx, MS_SSS__V sy, MS_SSS__V rx,
-                                                     MS_SSS__V ry)
+static MS_SSS__INLINE MS__V MS__F(facing)(const ms_sss__pass *p, MS__V sx, MS__V sy, MS__V rx, MS__V ry)
 {
-    const MS_SSS__V axis = MS_SSS__MADD(rx, sx, MS_SSS__MADD(ry, sy, MS_SSS__SET(1.0f)));
-    return MS_SSS__MUL(MS_SSS__SET(p->unit),
-                       MS_SSS__NAME(inverse_root)(MS_SSS__MADD(sx, sx, MS_SSS__MADD(sy, sy, MS_SSS__MUL(axis, axis)))));
+    const MS__V axis = MS__MADD(rx, sx, MS__MADD(ry, sy, MS__SET(1.0f)));
+    return MS__MUL(MS__SET(p->unit), MS__F(inverse_root)(MS__MADD(sx, sx, MS__MADD(sy, sy, MS__MUL(axis, axis)))));
 }
 
 /* The slope of two one-sided ones that count where their step in depth is under the kernel's radius: their mean where
    the surface turns little between them, else the smaller, so that none is taken across an edge or a crease. Towards an
    outline depth goes as the root of the distance to it: by what a step exceeds the next one inwards, both being more
    than rounding, its slope is the steeper (circles seen edge on; planes stay). Five depths, z in the middle. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(slope)(const ms_sss__pass *p, float focal, const MS_SSS__V at[5])
+static MS_SSS__INLINE MS__V MS__F(slope)(const ms_sss__pass *p, float focal, const MS__V at[5])
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), half = MS_SSS__SET(0.5f), reach = MS_SSS__SET(p->reach),
-                    f = MS_SSS__SET(focal), limit = MS_SSS__SET(8.0f);
-    const MS_SSS__V one = MS_SSS__SET(1.0f), z = at[2], da = MS_SSS__SUB(z, at[1]), db = MS_SSS__SUB(at[3], z);
-    const MS_SSS__MASK on_a = MS_SSS__LESS(MS_SSS__MUL(da, da), reach), on_b = MS_SSS__LESS(MS_SSS__MUL(db, db), reach);
-    MS_SSS__V a = MS_SSS__MUL(f, p->perspective ? MS_SSS__DIV(da, at[1]) : da),
-              b = MS_SSS__MUL(f, p->perspective ? MS_SSS__DIV(db, at[3]) : db);
-    MS_SSS__V s;
-    MS_SSS__MASK even;
-    a = MS_SSS__SELECT(on_a, a, MS_SSS__SELECT(on_b, b, zero));
-    b = MS_SSS__SELECT(on_b, b, a);
-    s = MS_SSS__MUL(half, MS_SSS__ADD(a, b));
-    even = MS_SSS__LESS(MS_SSS__ABS(MS_SSS__SUB(a, b)), MS_SSS__MUL(half, MS_SSS__MADD(a, b, one)));
-    even = MS_SSS__BOTH(even, MS_SSS__BOTH(on_a, on_b));
-    if (MS_SSS__BITS(even) != ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES)) {
-        const MS_SSS__MASK first_a = MS_SSS__LESS(MS_SSS__ABS(a), MS_SSS__ABS(b)),
-                           first_b = MS_SSS__LESS(MS_SSS__ABS(b), MS_SSS__ABS(a));
-        const MS_SSS__V is_a = MS_SSS__SELECT(on_b, MS_SSS__SELECT(first_a, one, zero), one),
-                        less = MS_SSS__SELECT(first_a, a, MS_SSS__SELECT(first_b, b, s));
-        const MS_SSS__MASK before = MS_SSS__LESS(half, is_a);
-        const MS_SSS__V next = MS_SSS__SELECT(before, at[1], at[3]), after_next = MS_SSS__SELECT(before, at[0], at[4]);
-        MS_SSS__V step = MS_SSS__SUB(z, next), inner = MS_SSS__SUB(next, after_next),
-                  least = MS_SSS__MUL(z, MS_SSS__SET(2 * p->grain)), more, excess;
+    const MS__V zero = MS__SET(0.0f), half = MS__SET(0.5f), reach = MS__SET(p->reach), f = MS__SET(focal),
+                limit = MS__SET(8.0f);
+    const MS__V one = MS__SET(1.0f), z = at[2], da = MS__SUB(z, at[1]), db = MS__SUB(at[3], z);
+    const MS__MASK on_a = MS__LESS(MS__MUL(da, da), reach), on_b = MS__LESS(MS__MUL(db, db), reach);
+    MS__V a = MS__MUL(f, p->perspective ? MS__DIV(da, at[1]) : da),
+          b = MS__MUL(f, p->perspective ? MS__DIV(db, at[3]) : db);
+    MS__V s;
+    MS__MASK even;
+    a = MS__SELECT(on_a, a, MS__SELECT(on_b, b, zero));
+    b = MS__SELECT(on_b, b, a);
+    s = MS__MUL(half, MS__ADD(a, b));
+    even = MS__LESS(MS__ABS(MS__SUB(a, b)), MS__MUL(half, MS__MADD(a, b, one)));
+    even = MS__BOTH(even, MS__BOTH(on_a, on_b));
+    if (MS__BITS(even) != ms_sss__lanes(MS__N, MS__N)) {
+        const MS__MASK first_a = MS__LESS(MS__ABS(a), MS__ABS(b)), first_b = MS__LESS(MS__ABS(b), MS__ABS(a));
+        const MS__V is_a = MS__SELECT(on_b, MS__SELECT(first_a, one, zero), one),
+                    less = MS__SELECT(first_a, a, MS__SELECT(first_b, b, s));
+        const MS__MASK before = MS__LESS(half, is_a);
+        const MS__V next = MS__SELECT(before, at[1], at[3]), after_next = MS__SELECT(before, at[0], at[4]);
+        MS__V step = MS__SUB(z, next), inner = MS__SUB(next, after_next), least = MS__MUL(z, MS__SET(2 * p->rounding)),
+              more, excess;
         if (p->perspective) { /* of 1 / depth, which is linear on planes */
-            step = MS_SSS__MUL(step, after_next);
-            inner = MS_SSS__MUL(inner, z);
-            least = MS_SSS__MUL(least, z);
+            step = MS__MUL(step, after_next);
+            inner = MS__MUL(inner, z);
+            least = MS__MUL(least, z);
         }
-        excess = MS_SSS__SUB(MS_SSS__MIN(MS_SSS__ABS(inner), MS_SSS__SUB(MS_SSS__ABS(step), MS_SSS__ABS(inner))),
-                             least); /* NaN stays */
-        more = MS_SSS__MIN(MS_SSS__DIV(excess, MS_SSS__ABS(inner)), MS_SSS__SET(0.85f));
-        more = MS_SSS__SELECT(MS_SSS__BOTH(MS_SSS__LESS(zero, excess), MS_SSS__LESS(zero, MS_SSS__MUL(step, inner))),
-                              more, zero);
-        more = MS_SSS__MUL(more,
-                           MS_SSS__MADD(more, MS_SSS__MADD(MS_SSS__MUL(more, more), MS_SSS__SET(0.7f), half), half));
-        s = MS_SSS__SELECT(even, s, MS_SSS__MADD(less, more, less));
+        excess = MS__SUB(MS__MIN(MS__ABS(inner), MS__SUB(MS__ABS(step), MS__ABS(inner))), least); /* NaN stays */
+        more = MS__MIN(MS__DIV(excess, MS__ABS(inner)), MS__SET(0.85f));
+        more = MS__SELECT(MS__BOTH(MS__LESS(zero, excess), MS__LESS(zero, MS__MUL(step, inner))), more, zero);
+        more = MS__MUL(more, MS__MADD(more, MS__MADD(MS__MUL(more, more), MS__SET(0.7f), half), half));
+        s = MS__SELECT(even, s, MS__MADD(less, more, less));
     }
-    return MS_SSS__MIN(MS_SSS__MAX(s, MS_SSS__SUB(zero, limit)), limit);
+    return MS__MIN(MS__MAX(s, MS__SUB(zero, limit)), limit);
 }
 
 /* Slopes of row y, columns [begin, end), from the depths of rows y - 2 to y + 2, or from normals. */
-static void MS_SSS__NAME(shape)(const ms_sss__pass *p, const float *const depth[5], const float *const normal[3], int y,
-                                int begin, int end, float *const slope[2])
+static void MS__F(slopes)(const ms_sss__pass *p, const float *const depth[5], const float *const normal[3], int y,
+                          int begin, int end, float *const slope[2])
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), infinity = MS_SSS__SET(INFINITY);
-    const MS_SSS__V ry = MS_SSS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), infinity = MS__SET(INFINITY);
+    const MS__V ry = MS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
     int x;
-    for (x = begin; x < end; x += MS_SSS__LANES) {
-        const MS_SSS__V z = MS_SSS__LOAD(depth[2] + x), rx = MS_SSS__NAME(ray)(p, x);
-        const MS_SSS__MASK part = MS_SSS__LESS(z, infinity);
-        MS_SSS__V sx, sy, k;
+    for (x = begin; x < end; x += MS__N) {
+        const MS__V z = MS__LOAD(depth[2] + x), rx = MS__F(ray)(p, x);
+        const MS__MASK part = MS__LESS(z, infinity);
+        MS__V sx, sy, k;
         if (normal) {
-            const MS_SSS__V c = MS_SSS__LOAD(normal[2] + x),
-                            any = MS_SSS__ADD(MS_SSS__LOAD(normal[0] + x), MS_SSS__ADD(MS_SSS__LOAD(normal[1] + x), c));
-            const MS_SSS__MASK finite = MS_SSS__LESS(MS_SSS__ABS(any), infinity);
-            const MS_SSS__V a = MS_SSS__SELECT(finite, MS_SSS__LOAD(normal[0] + x), zero),
-                            b = MS_SSS__SELECT(finite, MS_SSS__LOAD(normal[1] + x), zero);
-            const MS_SSS__V facing = MS_SSS__SUB(c, MS_SSS__MADD(rx, a, MS_SSS__MUL(ry, b)));
-            const MS_SSS__V most = MS_SSS__MAX(MS_SSS__ABS(a), MS_SSS__ABS(b)),
-                            eighth = MS_SSS__MUL(most, MS_SSS__SET(0.125f));
-            k = MS_SSS__DIV(one, MS_SSS__SELECT(MS_SSS__LESS(eighth, facing), facing, eighth)); /* at most 8 */
-            sx = MS_SSS__MUL(k, a);
-            sy = MS_SSS__MUL(k, b);
+            const MS__V c = MS__LOAD(normal[2] + x),
+                        any = MS__ADD(MS__LOAD(normal[0] + x), MS__ADD(MS__LOAD(normal[1] + x), c));
+            const MS__MASK finite = MS__LESS(MS__ABS(any), infinity);
+            const MS__V a = MS__SELECT(finite, MS__LOAD(normal[0] + x), zero),
+                        b = MS__SELECT(finite, MS__LOAD(normal[1] + x), zero);
+            const MS__V facing = MS__SUB(c, MS__MADD(rx, a, MS__MUL(ry, b)));
+            const MS__V most = MS__MAX(MS__ABS(a), MS__ABS(b)), eighth = MS__MUL(most, MS__SET(0.125f));
+            k = MS__DIV(one, MS__SELECT(MS__LESS(eighth, facing), facing, eighth)); /* at most 8 */
+            sx = MS__MUL(k, a);
+            sy = MS__MUL(k, b);
         } else {
-            MS_SSS__V across[5], down[5];
+            MS__V across[5], down[5];
             int i;
             for (i = 0; i < 5; ++i) {
-                across[i] = MS_SSS__LOAD(depth[2] + x + i - 2);
-                down[i] = MS_SSS__LOAD(depth[i] + x);
+                across[i] = MS__LOAD(depth[2] + x + i - 2);
+                down[i] = MS__LOAD(depth[i] + x);
             }
-            sx = MS_SSS__NAME(slope)(p, p->focal[0], across);
-            sy = MS_SSS__NAME(slope)(p, p->focal[1], down);
+            sx = MS__F(slope)(p, p->focal[0], across);
+            sy = MS__F(slope)(p, p->focal[1], down);
         }
-        sx = MS_SSS__SELECT(MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(sx), infinity)),
-                            MS_SSS__MUL(sx, MS_SSS__SET(p->upright)), zero);
-        sy = MS_SSS__SELECT(MS_SSS__BOTH(part, MS_SSS__LESS(MS_SSS__ABS(sy), infinity)),
-                            MS_SSS__MUL(sy, MS_SSS__SET(p->upright)), zero);
-        MS_SSS__STORE(slope[0] + x, sx);
-        MS_SSS__STORE(slope[1] + x, sy);
+        sx = MS__SELECT(MS__BOTH(part, MS__LESS(MS__ABS(sx), infinity)), MS__MUL(sx, MS__SET(p->slope_scale)), zero);
+        sy = MS__SELECT(MS__BOTH(part, MS__LESS(MS__ABS(sy), infinity)), MS__MUL(sy, MS__SET(p->slope_scale)), zero);
+        MS__STORE(slope[0] + x, sx);
+        MS__STORE(slope[1] + x, sy);
     }
 }
 
 /* Of row y, see ms_sss__line: out[0 to 2] along x, out[3 to 5] along y. */
-static void MS_SSS__NAME(tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y,
-                                   int begin, int end, float *const out[6])
+static void MS__F(tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin,
+                            int end, float *const out[6])
 {
-    const MS_SSS__V one = MS_SSS__SET(1.0f), ry = MS_SSS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
+    const MS__V one = MS__SET(1.0f), ry = MS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
     int x;
-    for (x = begin; x < end; x += MS_SSS__LANES) {
-        const MS_SSS__V size = MS_SSS__NAME(size)(p, MS_SSS__LOAD(depth + x)), sx = MS_SSS__LOAD(slope[0] + x),
-                        sy = MS_SSS__LOAD(slope[1] + x);
-        const MS_SSS__V rx = MS_SSS__NAME(ray)(p, x), square = MS_SSS__MADD(rx, rx, MS_SSS__MADD(ry, ry, one)),
-                        facing = MS_SSS__NAME(facing)(p, sx, sy, rx, ry);
-        MS_SSS__STORE(out[0] + x, MS_SSS__NAME(foreshorten)(size, sx, rx, square));
-        MS_SSS__STORE(out[1] + x, MS_SSS__MUL(sx, MS_SSS__SET(1 / p->focal[0])));
-        MS_SSS__STORE(out[2] + x, facing);
-        MS_SSS__STORE(out[3] + x, MS_SSS__NAME(foreshorten)(size, sy, ry, square));
-        MS_SSS__STORE(out[4] + x, MS_SSS__MUL(sy, MS_SSS__SET(1 / p->focal[1])));
-        MS_SSS__STORE(out[5] + x, facing);
+    for (x = begin; x < end; x += MS__N) {
+        const MS__V size = MS__F(size)(p, MS__LOAD(depth + x)), sx = MS__LOAD(slope[0] + x),
+                    sy = MS__LOAD(slope[1] + x);
+        const MS__V rx = MS__F(ray)(p, x), square = MS__MADD(rx, rx, MS__MADD(ry, ry, one)),
+                    facing = MS__F(facing)(p, sx, sy, rx, ry);
+        MS__STORE(out[0] + x, MS__F(foreshorten)(size, sx, rx, square));
+        MS__STORE(out[1] + x, MS__MUL(sx, MS__SET(1 / p->focal[0])));
+        MS__STORE(out[2] + x, facing);
+        MS__STORE(out[3] + x, MS__F(foreshorten)(size, sy, ry, square));
+        MS__STORE(out[4] + x, MS__MUL(sy, MS__SET(1 / p->focal[1])));
+        MS__STORE(out[5] + x, facing);
     }
 }
 
 /* --- the taps --- */
 
 /* (1 - d^2)^4 within 1, else 0 */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(falloff)(MS_SSS__V d)
+static MS_SSS__INLINE MS__V MS__F(falloff)(MS__V d)
 {
-    MS_SSS__V f = MS_SSS__MAX(MS_SSS__LESSEN(d, d, MS_SSS__SET(1.0f)), MS_SSS__SET(0.0f));
-    f = MS_SSS__MUL(f, f);
-    return MS_SSS__MUL(f, f);
+    MS__V f = MS__MAX(MS__NMADD(d, d, MS__SET(1.0f)), MS__SET(0.0f));
+    f = MS__MUL(f, f);
+    return MS__MUL(f, f);
 }
 
 /* What of a depth is more than rounding. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(beyond)(MS_SSS__V depth, MS_SSS__V grain)
+static MS_SSS__INLINE MS__V MS__F(residual)(MS__V depth, MS__V grain)
 {
-    return MS_SSS__SUB(depth, MS_SSS__MAX(MS_SSS__MIN(depth, grain), MS_SSS__SUB(MS_SSS__SET(0.0f), grain)));
+    return MS__SUB(depth, MS__MAX(MS__MIN(depth, grain), MS__SUB(MS__SET(0.0f), grain)));
 }
 
 /* (1 + K sin(theta) / 4)^4 */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lift)(const ms_sss__pass *p, int channel, MS_SSS__V sine)
+static MS_SSS__INLINE MS__V MS__F(elevate)(const ms_sss__pass *p, int channel, MS__V sine)
 {
-    MS_SSS__V u = MS_SSS__MADD(MS_SSS__SET(p->curve[channel]), sine, MS_SSS__SET(1.0f));
-    u = MS_SSS__MUL(u, u);
-    return MS_SSS__MUL(u, u);
+    MS__V u = MS__MADD(MS__SET(p->curve[channel]), sine, MS__SET(1.0f));
+    u = MS__MUL(u, u);
+    return MS__MUL(u, u);
 }
 
 /* Which pixels take part and have kernels of half a pixel or more. */
-static MS_SSS__INLINE MS_SSS__MASK MS_SSS__NAME(need)(const ms_sss__pass *p, MS_SSS__V z)
+static MS_SSS__INLINE MS__MASK MS__F(need)(const ms_sss__pass *p, MS__V z)
 {
-    return MS_SSS__BOTH(MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2)),
-                        MS_SSS__LESS(MS_SSS__SET(p->size_min), MS_SSS__NAME(size)(p, z)));
+    return MS__BOTH(MS__LESS(z, MS__SET(MS_SSS__AWAY / 2)), MS__LESS(MS__SET(p->size_min), MS__F(size)(p, z)));
 }
 
 /* Makes depths of what takes no part finite. */
-static void MS_SSS__NAME(limit)(float *depth, int count)
+static void MS__F(limit)(float *depth, int count)
 {
     int x;
-    for (x = 0; x < count; x += MS_SSS__LANES)
-        MS_SSS__STORE(depth + x, MS_SSS__MIN(MS_SSS__LOAD(depth + x), MS_SSS__SET(MS_SSS__AWAY)));
+    for (x = 0; x < count; x += MS__N) MS__STORE(depth + x, MS__MIN(MS__LOAD(depth + x), MS__SET(MS_SSS__AWAY)));
 }
 
 /* The least and the largest of all lanes. */
-static MS_SSS__INLINE void MS_SSS__NAME(bounds)(MS_SSS__V a, float *least, float *most)
+static MS_SSS__INLINE void MS__F(bounds)(MS__V a, float *least, float *most)
 {
-#if MS_SSS__LANES == 1
+#if MS__N == 1
     *least = *most = a;
 #elif defined(MS__X64)
-#if MS_SSS__LANES == 16
+#if MS__N == 16
     const __m256 low = _mm512_maskz_extractf32x8_ps(0xff, a, 0), high = _mm512_maskz_extractf32x8_ps(0xff, a, 1);
     const __m256 l = _mm256_min_ps(low, high), m = _mm256_max_ps(low, high);
     __m128 u = _mm_min_ps(_mm256_castps256_ps128(l), _mm256_extractf128_ps(l, 1)),
            v = _mm_max_ps(_mm256_castps256_ps128(m), _mm256_extractf128_ps(m, 1));
-#elif MS_SSS__LANES == 8
+#elif MS__N == 8
     const __m128 low = _mm256_castps256_ps128(a), high = _mm256_extractf128_ps(a, 1);
     __m128 u = _mm_min_ps(low, high), v = _mm_max_ps(low, high);
 #else
@@ -8102,37 +8088,35 @@ static MS_SSS__INLINE void MS_SSS__NAME(bounds)(MS_SSS__V a, float *least, float
 /* What the groups of a row need along an axis: each pair's whole part where it is the same in all lanes that have
    kernels, or one of two (BESIDE added): products grow with the size, so the ends tell. Between two sizes the plan of
    the group before holds: with rounding on the safe side. size: NULL: from depth. */
-static void MS_SSS__NAME(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, const float *depth,
-                               const float *size, int first, int last, unsigned char *plan)
+static void MS__F(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, const float *depth, const float *size,
+                        int first, int last, unsigned char *plan)
 {
-    const unsigned all = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
+    const unsigned all = ms_sss__lanes(MS__N, MS__N);
     const int pairs = s->pairs, plan_size = s->plan_size;
     const float(*offset)[16] = s->offset[axis];
     const unsigned char *last_plan = plan;
     float least_size = INFINITY, most_size = 0;
     int x, k;
-    for (x = first, plan += first / MS_SSS__LANES * plan_size; x < last; x += MS_SSS__LANES, plan += plan_size) {
-        const MS_SSS__V z = MS_SSS__LOAD(depth + x), pixels = MS_SSS__NAME(size)(p, z);
-        const MS_SSS__MASK need = MS_SSS__BOTH(MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2)),
-                                               MS_SSS__LESS(MS_SSS__SET(p->size_min), pixels));
-        const unsigned bits = MS_SSS__BITS(need);
-        MS_SSS__V own = size ? MS_SSS__LOAD(size + x) : pixels;
-        float at[MS_SSS__LANES], least, most;
+    for (x = first, plan += first / MS__N * plan_size; x < last; x += MS__N, plan += plan_size) {
+        const MS__V z = MS__LOAD(depth + x), pixels = MS__F(size)(p, z);
+        const MS__MASK need = MS__BOTH(MS__LESS(z, MS__SET(MS_SSS__AWAY / 2)), MS__LESS(MS__SET(p->size_min), pixels));
+        const unsigned bits = MS__BITS(need);
+        MS__V own = size ? MS__LOAD(size + x) : pixels;
+        float at[MS__N], least, most;
         int kind, beside = 0;
         if (bits == all &&
-            MS_SSS__BITS(MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(least_size), own),
-                                      MS_SSS__LESS(own, MS_SSS__SET(most_size)))) == all) {
+            MS__BITS(MS__BOTH(MS__LESS(MS__SET(least_size), own), MS__LESS(own, MS__SET(most_size)))) == all) {
             for (k = 0; k < plan_size; k += 4) memcpy(plan + k, last_plan + k, 4);
             continue;
         }
         plan[0] = bits ? MS_SSS__ANY : MS_SSS__LEAVE;
         if (!bits || !pairs) continue;
         if (bits != all) {
-            MS_SSS__STORE(at, own);
-            own = MS_SSS__SELECT(need, own, MS_SSS__SET(at[ms_sss__lowest(bits)]));
+            MS__STORE(at, own);
+            own = MS__SELECT(need, own, MS__SET(at[ms_sss__lowest(bits)]));
         }
         kind = bits == all ? MS_SSS__ALL : MS_SSS__SOME;
-        MS_SSS__NAME(bounds)(own, &least, &most);
+        MS__F(bounds)(own, &least, &most);
         for (k = 0; k < pairs; ++k) {
             int low, high;
             if (!(most * offset[k][0] < (float)MS_SSS__FAR)) break; /* NaN, too */
@@ -8140,7 +8124,7 @@ static void MS_SSS__NAME(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, in
             high = (int)(most * offset[k][0]);
             if (high > low + 1) break;
             beside |= high - low;
-            plan[k + 1] = (unsigned char)(low + (high > low ? MS_SSS__BESIDE : 0));
+            plan[k + 1] = (unsigned char)(low + (high > low ? MS_SSS__OFF_BY_ONE : 0));
         }
         if (k < pairs) continue;
         plan[0] = (unsigned char)(kind == MS_SSS__ALL && !beside ? MS_SSS__ONE : kind);
@@ -8159,29 +8143,29 @@ static void MS_SSS__NAME(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, in
 
 /* Colour of pixels of four elements each, as many as can be had without an element behind the last colour; returns how
    many. */
-static int MS_SSS__NAME(unpack)(const void *from, int half, int count, float *const to[3])
+static int MS__F(unpack)(const void *from, int half, int count, float *const to[3])
 {
     int i = 0;
-#if MS_SSS__LANES > 1
-    for (; i + MS_SSS__LANES < count; i += MS_SSS__LANES) {
-        MS_SSS__V v[4], even[2], odd[2];
+#if MS__N > 1
+    for (; i + MS__N < count; i += MS__N) {
+        MS__V v[4], even[2], odd[2];
         int k;
         if (half) {
-#ifdef MS_SSS__WIDEN
-            for (k = 0; k < 4; ++k) v[k] = MS_SSS__WIDEN((const uint16_t *)from + 4 * i + k * MS_SSS__LANES);
+#ifdef MS__WIDEN
+            for (k = 0; k < 4; ++k) v[k] = MS__WIDEN((const uint16_t *)from + 4 * i + k * MS__N);
 #else
             break;
 #endif
         } else {
-            for (k = 0; k < 4; ++k) v[k] = MS_SSS__LOAD((const float *)from + 4 * i + k * MS_SSS__LANES);
+            for (k = 0; k < 4; ++k) v[k] = MS__LOAD((const float *)from + 4 * i + k * MS__N);
         }
         for (k = 0; k < 2; ++k) {
-            even[k] = MS_SSS__EVEN(v[2 * k], v[2 * k + 1]);
-            odd[k] = MS_SSS__ODD(v[2 * k], v[2 * k + 1]);
+            even[k] = MS__EVEN(v[2 * k], v[2 * k + 1]);
+            odd[k] = MS__ODD(v[2 * k], v[2 * k + 1]);
         }
-        MS_SSS__STORE(to[0] + i, MS_SSS__EVEN(even[0], even[1]));
-        MS_SSS__STORE(to[1] + i, MS_SSS__EVEN(odd[0], odd[1]));
-        MS_SSS__STORE(to[2] + i, MS_SSS__ODD(even[0], even[1]));
+        MS__STORE(to[0] + i, MS__EVEN(even[0], even[1]));
+        MS__STORE(to[1] + i, MS__EVEN(odd[0], odd[1]));
+        MS__STORE(to[2] + i, MS__ODD(even[0], even[1]));
     }
 #else
     (void)from;
@@ -8193,106 +8177,101 @@ static int MS_SSS__NAME(unpack)(const void *from, int half, int count, float *co
 }
 
 /* Halves to floats, and back as ms__half_from_float does it: finite values stay finite. */
-static void MS_SSS__NAME(widen)(const uint16_t *from, int count, float *to)
+static void MS__F(widen)(const uint16_t *from, int count, float *to)
 {
     int i = 0;
-#ifdef MS_SSS__WIDEN
-    for (; i + MS_SSS__LANES <= count; i += MS_SSS__LANES) MS_SSS__STORE(to + i, MS_SSS__WIDEN(from + i));
+#ifdef MS__WIDEN
+    for (; i + MS__N <= count; i += MS__N) MS__STORE(to + i, MS__WIDEN(from + i));
 #endif
     for (; i < count; ++i) to[i] = ms__half_to_float(from[i]);
 }
 
-static void MS_SSS__NAME(narrow)(const float *from, int count, uint16_t *to)
+static void MS__F(narrow)(const float *from, int count, uint16_t *to)
 {
     int i = 0;
-#ifdef MS_SSS__NARROW
-    const MS_SSS__V infinity = MS_SSS__SET(INFINITY), most = MS_SSS__SET(65504.0f), least = MS_SSS__SET(-65504.0f);
-    for (; i + MS_SSS__LANES <= count; i += MS_SSS__LANES) {
-        const MS_SSS__V v = MS_SSS__LOAD(from + i);
-        MS_SSS__NARROW(
-            to + i,
-            MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(v), infinity), MS_SSS__MAX(MS_SSS__MIN(v, most), least), v));
+#ifdef MS__NARROW
+    const MS__V infinity = MS__SET(INFINITY), most = MS__SET(65504.0f), least = MS__SET(-65504.0f);
+    for (; i + MS__N <= count; i += MS__N) {
+        const MS__V v = MS__LOAD(from + i);
+        MS__NARROW(to + i, MS__SELECT(MS__LESS(MS__ABS(v), infinity), MS__MAX(MS__MIN(v, most), least), v));
     }
 #endif
     for (; i < count; ++i) to[i] = ms__half_from_float(from[i]);
 }
 
 /* Copies a row to the caller's memory, around the cache where it is as long as a line. */
-static void MS_SSS__NAME(deliver)(const float *from, int count, float *to)
+static void MS__F(deliver)(const float *from, int count, float *to)
 {
     int i = 0;
-    if (MS_SSS__LANES > 1 && (uintptr_t)to % sizeof(float) == 0) {
+    if (MS__N > 1 && (uintptr_t)to % sizeof(float) == 0) {
         const int head = (int)((64 - (uintptr_t)to % 64) % 64 / sizeof(float));
         for (; i < head && i < count; ++i) to[i] = from[i];
-        for (; i + MS_SSS__LANES <= count; i += MS_SSS__LANES) MS_SSS__STREAM(to + i, MS_SSS__LOAD(from + i));
+        for (; i + MS__N <= count; i += MS__N) MS__STREAM(to + i, MS__LOAD(from + i));
     }
     if (i < count) memcpy(to + i, from + i, (size_t)(count - i) * sizeof(float));
 }
 
 /* The least positive depth, or AWAY. */
-static float MS_SSS__NAME(least)(const float *depth, int count)
+static float MS__F(least)(const float *depth, int count)
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), away = MS_SSS__SET(MS_SSS__AWAY);
-    MS_SSS__V least = away;
-    float lane[MS_SSS__LANES];
+    const MS__V zero = MS__SET(0.0f), away = MS__SET(MS_SSS__AWAY);
+    MS__V least = away;
+    float lane[MS__N];
     int x;
-    for (x = 0; x + MS_SSS__LANES <= count; x += MS_SSS__LANES) {
-        const MS_SSS__V z = MS_SSS__LOAD(depth + x);
-        least = MS_SSS__MIN(least, MS_SSS__SELECT(MS_SSS__LESS(zero, z), z, away));
+    for (x = 0; x + MS__N <= count; x += MS__N) {
+        const MS__V z = MS__LOAD(depth + x);
+        least = MS__MIN(least, MS__SELECT(MS__LESS(zero, z), z, away));
     }
-    MS_SSS__STORE(lane, least);
+    MS__STORE(lane, least);
     for (; x < count; ++x)
         if (depth[x] > 0 && depth[x] < lane[0]) lane[0] = depth[x];
-    for (x = 1; x < MS_SSS__LANES; ++x)
+    for (x = 1; x < MS__N; ++x)
         if (lane[x] < lane[0]) lane[0] = lane[x];
     return lane[0];
 }
 
 /* With slopes: what a pixel dz over the tangent plane weighs of its share of a tap. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lean)(MS_SSS__V dz, MS_SSS__V share, MS_SSS__V remote)
+static MS_SSS__INLINE MS__V MS__F(tilted_weight)(MS__V dz, MS__V share, MS__V remote)
 {
-    const MS_SSS__V one = MS_SSS__SET(1.0f), q = MS_SSS__MUL(dz, dz),
-                    f = MS_SSS__MAX(MS_SSS__SUB(one, q), MS_SSS__SET(0.0f));
-    return MS_SSS__MUL(share, MS_SSS__DIV(f, MS_SSS__MADD(remote, q, one)));
+    const MS__V one = MS__SET(1.0f), q = MS__MUL(dz, dz), f = MS__MAX(MS__SUB(one, q), MS__SET(0.0f));
+    return MS__MUL(share, MS__DIV(f, MS__MADD(remote, q, one)));
 }
 
 /* How much more surface a side of weight sum at height `below` stands for; away: height of the pair before, then of
    this one. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lean_area)(MS_SSS__V sum, MS_SSS__V below, MS_SSS__V bulge,
-                                                        MS_SSS__V *away)
+static MS_SSS__INLINE MS__V MS__F(surface_ratio)(MS__V sum, MS__V below, MS__V bulge, MS__V *away)
 {
-    MS_SSS__V more = MS_SSS__DIV(MS_SSS__LESSEN(sum, *away, below), MS_SSS__ADD(sum, MS_SSS__SET(MS_SSS__SPARSE)));
-    *away = MS_SSS__ADD(*away, more);
-    more = MS_SSS__MUL(more, bulge);
-    return MS_SSS__MIN(MS_SSS__MADD(more, more, MS_SSS__SET(1.0f)), MS_SSS__SET(MS_SSS__AREA_MAX));
+    MS__V more = MS__DIV(MS__NMADD(sum, *away, below), MS__ADD(sum, MS__SET(MS_SSS__SPARSE)));
+    *away = MS__ADD(*away, more);
+    more = MS__MUL(more, bulge);
+    return MS__MIN(MS__MADD(more, more, MS__SET(1.0f)), MS__SET(MS_SSS__AREA_MAX));
 }
 
 /* A pair of taps stands at -x and +x. Each reads two pixels by linear interpolation: i and i + 1 steps from the middle.
    Where they lie, for up to LEAN groups of one vector each. */
-typedef struct MS_SSS__NAME(pair) {
+typedef struct MS__F(pair) {
     const float *light;            /* red of the first group's own pixels */
     ptrdiff_t at[4], plane, group; /* floats to i, i + 1, -i, -i - 1; to the next channel; to the next group */
-    MS_SSS__V whole[MS_SSS__LEAN]; /* i */
-} MS_SSS__NAME(pair);
+    MS__V whole[MS_SSS__GROUPS];   /* i */
+} MS__F(pair);
 
 /* What the four pixels weigh, and on both sides how far they lie below the tangent plane, mm. */
-typedef struct MS_SSS__NAME(weights) {
-    MS_SSS__V pixel[4], below[2];
-} MS_SSS__NAME(weights);
+typedef struct MS__F(weights) {
+    MS__V pixel[4], below[2];
+} MS__F(weights);
 
 /* Pair k of n groups. If i differs between groups or lanes, the pixels are copied side by side first. */
-static MS_SSS__INLINE void MS_SSS__NAME(find_pair)(const ms_sss__sweep *s, const ms_sss__line *l, int x, int n, int k,
-                                                   const MS_SSS__V *size, float (*copy)[4][4][MS_SSS__LANES],
-                                                   MS_SSS__NAME(pair) * pair)
+static MS_SSS__INLINE void MS__F(find_pair)(const ms_sss__sweep *s, const ms_sss__line *l, int x, int n, int k,
+                                            const MS__V *size, float (*copy)[4][4][MS__N], MS__F(pair) * pair)
 {
     const ptrdiff_t *step = l->step;
-    const float *first = l->from + x / MS_SSS__LANES * l->group;
-    const unsigned char *plan = l->plan + x / MS_SSS__LANES * s->plan_size;
-    const int place = plan[0] < MS_SSS__SOME ? 0 : plan[k + 1], i = place & (MS_SSS__BESIDE - 1);
-    int g, side, c, differ = place & MS_SSS__BESIDE;
+    const float *first = l->from + x / MS__N * l->group;
+    const unsigned char *plan = l->plan + x / MS__N * s->plan_size;
+    const int place = plan[0] < MS_SSS__SOME ? 0 : plan[k + 1], i = place & (MS_SSS__OFF_BY_ONE - 1);
+    int g, side, c, differ = place & MS_SSS__OFF_BY_ONE;
     for (g = 0; g < n; ++g) differ |= plan[g * s->plan_size] < MS_SSS__SOME || plan[g * s->plan_size + k + 1] != place;
     if (!differ) {
-        for (g = 0; g < MS_SSS__LEAN; ++g) pair->whole[g] = MS_SSS__SET(ms_sss__whole[i]);
+        for (g = 0; g < MS_SSS__GROUPS; ++g) pair->whole[g] = MS__SET(ms_sss__iota[i]);
         for (side = 0; side < 4; ++side) pair->at[side] = step[side < 2 ? i + side : 2 - i - side];
         pair->light = first;
         pair->plane = l->plane;
@@ -8300,392 +8279,384 @@ static MS_SSS__INLINE void MS_SSS__NAME(find_pair)(const ms_sss__sweep *s, const
         return;
     }
     for (g = 0; g < n; ++g, first += l->group, plan += s->plan_size) {
-        const int mine = plan[0] < MS_SSS__SOME ? 0 : plan[k + 1], j = mine & (MS_SSS__BESIDE - 1), more = mine > j;
-        const MS_SSS__V low = MS_SSS__SET(ms_sss__whole[j]), high = MS_SSS__SET(ms_sss__whole[j + more]);
-        const MS_SSS__MASK is_low = MS_SSS__LESS(MS_SSS__MUL(size[g], MS_SSS__LOAD(s->offset[l->axis][k])), high);
-        pair->whole[g] = MS_SSS__SELECT(is_low, low, high);
+        const int mine = plan[0] < MS_SSS__SOME ? 0 : plan[k + 1], j = mine & (MS_SSS__OFF_BY_ONE - 1), more = mine > j;
+        const MS__V low = MS__SET(ms_sss__iota[j]), high = MS__SET(ms_sss__iota[j + more]);
+        const MS__MASK is_low = MS__LESS(MS__MUL(size[g], MS__LOAD(s->offset[l->axis][k])), high);
+        pair->whole[g] = MS__SELECT(is_low, low, high);
         for (side = 0; side < 4; ++side) {
             const float *a = first + step[side < 2 ? j + side : 2 - j - side];
             const float *b = first + step[side < 2 ? j + side + more : 2 - j - side - more];
             for (c = 0; c < 4; ++c, a += l->plane, b += l->plane)
-                MS_SSS__STORE(copy[g][side][c], MS_SSS__SELECT(is_low, MS_SSS__LOAD(a), MS_SSS__LOAD(b)));
+                MS__STORE(copy[g][side][c], MS__SELECT(is_low, MS__LOAD(a), MS__LOAD(b)));
         }
     }
-    for (side = 0; side < 4; ++side) pair->at[side] = side * 4 * MS_SSS__LANES;
+    for (side = 0; side < 4; ++side) pair->at[side] = side * 4 * MS__N;
     pair->light = copy[0][0][0];
-    pair->plane = MS_SSS__LANES;
-    pair->group = 16 * MS_SSS__LANES;
+    pair->plane = MS__N;
+    pair->group = 16 * MS__N;
 }
 
 /* Of a group with depth z; t: the taps' distance in pixels; group at column x. */
-static MS_SSS__INLINE void MS_SSS__NAME(weigh_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped,
-                                                    const ms_sss__line *l, int x, int k, const float *depth,
-                                                    const ptrdiff_t *at, MS_SSS__V whole, MS_SSS__V z, MS_SSS__V t,
-                                                    MS_SSS__NAME(weights) * w)
+static MS_SSS__INLINE void MS__F(weigh_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped,
+                                             const ms_sss__line *l, int x, int k, const float *depth,
+                                             const ptrdiff_t *at, MS__V whole, MS__V z, MS__V t, MS__F(weights) * w)
 {
-    const MS_SSS__V one = MS_SSS__SET(1.0f), outer = MS_SSS__SUB(t, whole), share[2] = {MS_SSS__SUB(one, outer), outer};
-    const MS_SSS__V there[4] = {MS_SSS__LOAD(depth + at[0]), MS_SSS__LOAD(depth + at[1]), MS_SSS__LOAD(depth + at[2]),
-                                MS_SSS__LOAD(depth + at[3])};
-    MS_SSS__V dz[4];
+    const MS__V one = MS__SET(1.0f), outer = MS__SUB(t, whole), share[2] = {MS__SUB(one, outer), outer};
+    const MS__V there[4] = {MS__LOAD(depth + at[0]), MS__LOAD(depth + at[1]), MS__LOAD(depth + at[2]),
+                            MS__LOAD(depth + at[3])};
+    MS__V dz[4];
     int i;
-    MS_SSS__UNROLL
-    for (i = 0; i < 4; ++i) dz[i] = MS_SSS__SUB(there[i], z);
+    MS__UNROLL
+    for (i = 0; i < 4; ++i) dz[i] = MS__SUB(there[i], z);
     if (!shaped) {
-        MS_SSS__UNROLL
-        for (i = 0; i < 4; ++i) w->pixel[i] = MS_SSS__MUL(share[i % 2], MS_SSS__NAME(falloff)(dz[i]));
+        MS__UNROLL
+        for (i = 0; i < 4; ++i) w->pixel[i] = MS__MUL(share[i % 2], MS__F(falloff)(dz[i]));
         return;
     }
     {
-        const MS_SSS__V slope = MS_SSS__LOAD(l->own[1] + x), facing = MS_SSS__LOAD(l->own[2] + x),
-                        remote = MS_SSS__LOAD(s->remote[k]);
-        const MS_SSS__V inner_rise = MS_SSS__MUL(slope, whole), rise[2] = {inner_rise, MS_SSS__ADD(inner_rise, slope)};
-        const MS_SSS__V rounding = MS_SSS__MUL(z, MS_SSS__SET(p->grain)),
-                        least = MS_SSS__MADD(rounding, t, MS_SSS__ADD(rounding, rounding));
-        MS_SSS__UNROLL
+        const MS__V slope = MS__LOAD(l->own[1] + x), facing = MS__LOAD(l->own[2] + x), remote = MS__LOAD(s->remote[k]);
+        const MS__V inner_rise = MS__MUL(slope, whole), rise[2] = {inner_rise, MS__ADD(inner_rise, slope)};
+        const MS__V rounding = MS__MUL(z, MS__SET(p->rounding)),
+                    least = MS__MADD(rounding, t, MS__ADD(rounding, rounding));
+        MS__UNROLL
         for (i = 0; i < 4; ++i) { /* off the tangent plane, which rises on one side and falls on the other */
-            const MS_SSS__V scale = p->perspective ? there[i] : one;
-            dz[i] = i < 2 ? MS_SSS__LESSEN(rise[i % 2], scale, dz[i]) : MS_SSS__MADD(rise[i % 2], scale, dz[i]);
-            w->pixel[i] = MS_SSS__NAME(lean)(dz[i], share[i % 2], remote);
+            const MS__V scale = p->perspective ? there[i] : one;
+            dz[i] = i < 2 ? MS__NMADD(rise[i % 2], scale, dz[i]) : MS__MADD(rise[i % 2], scale, dz[i]);
+            w->pixel[i] = MS__F(tilted_weight)(dz[i], share[i % 2], remote);
         }
-        MS_SSS__UNROLL
+        MS__UNROLL
         for (i = 0; i < 2; ++i)
-            w->below[i] = MS_SSS__MUL(
+            w->below[i] = MS__MUL(
                 facing,
-                MS_SSS__NAME(beyond)(
-                    MS_SSS__MADD(w->pixel[2 * i + 1], dz[2 * i + 1], MS_SSS__MUL(w->pixel[2 * i], dz[2 * i])), least));
+                MS__F(residual)(MS__MADD(w->pixel[2 * i + 1], dz[2 * i + 1], MS__MUL(w->pixel[2 * i], dz[2 * i])),
+                                least));
     }
 }
 
 /* A group's sums over its taps: light, weights, weights times the elevation's factor. */
-typedef struct MS_SSS__NAME(sums) {
-    MS_SSS__V light[3], weight[3], lifted[3], before[2]; /* before: how far below the plane the pair before lay */
-} MS_SSS__NAME(sums);
+typedef struct MS__F(sums) {
+    MS__V light[3], weight[3], lifted[3], before[2]; /* before: how far below the plane the pair before lay */
+} MS__F(sums);
 
-static MS_SSS__INLINE void MS_SSS__NAME(add_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped,
-                                                  int k, const float *light, ptrdiff_t plane, const ptrdiff_t *at,
-                                                  MS_SSS__NAME(weights) * w, MS_SSS__NAME(sums) * sum)
+static MS_SSS__INLINE void MS__F(add_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped, int k,
+                                           const float *light, ptrdiff_t plane, const ptrdiff_t *at, MS__F(weights) * w,
+                                           MS__F(sums) * sum)
 {
-    MS_SSS__V all, side[2], height[2];
+    MS__V all, side[2], height[2];
     int i, c;
     if (shaped) {
-        MS_SSS__UNROLL
+        MS__UNROLL
         for (i = 0; i < 2; ++i) { /* more surface where it bends away, more light where it lies below */
-            const MS_SSS__V area = MS_SSS__NAME(lean_area)(MS_SSS__ADD(w->pixel[2 * i], w->pixel[2 * i + 1]),
-                                                           w->below[i], MS_SSS__LOAD(s->bulge[k]), &sum->before[i]);
-            w->pixel[2 * i] = MS_SSS__MUL(w->pixel[2 * i], area);
-            w->pixel[2 * i + 1] = MS_SSS__MUL(w->pixel[2 * i + 1], area);
+            const MS__V area = MS__F(surface_ratio)(MS__ADD(w->pixel[2 * i], w->pixel[2 * i + 1]), w->below[i],
+                                                    MS__LOAD(s->bulge[k]), &sum->before[i]);
+            w->pixel[2 * i] = MS__MUL(w->pixel[2 * i], area);
+            w->pixel[2 * i + 1] = MS__MUL(w->pixel[2 * i + 1], area);
             height[i] = w->below[i];
-            if (s->steep)
-                height[i] = MS_SSS__MAX(MS_SSS__MIN(height[i], MS_SSS__LOAD(s->span[k])),
-                                        MS_SSS__MUL(MS_SSS__LOAD(s->span[k]), MS_SSS__SET(p->least)));
+            if (s->may_clamp)
+                height[i] = MS__MAX(MS__MIN(height[i], MS__LOAD(s->span[k])),
+                                    MS__MUL(MS__LOAD(s->span[k]), MS__SET(p->least)));
         }
     }
-    MS_SSS__UNROLL
-    for (i = 0; i < 2; ++i) side[i] = MS_SSS__ADD(w->pixel[2 * i], w->pixel[2 * i + 1]);
-    all = MS_SSS__ADD(side[0], side[1]);
-    MS_SSS__UNROLL
+    MS__UNROLL
+    for (i = 0; i < 2; ++i) side[i] = MS__ADD(w->pixel[2 * i], w->pixel[2 * i + 1]);
+    all = MS__ADD(side[0], side[1]);
+    MS__UNROLL
     for (c = 0; c < 3; ++c, light += plane) {
-        const MS_SSS__V tap = MS_SSS__LOAD(s->weight[k + 1][c]);
-        MS_SSS__V e[2], factor[2];
-        MS_SSS__UNROLL
+        const MS__V tap = MS__LOAD(s->weight[k + 1][c]);
+        MS__V e[2], factor[2];
+        MS__UNROLL
         for (i = 0; i < 2; ++i)
-            e[i] = MS_SSS__MADD(w->pixel[2 * i + 1], MS_SSS__LOAD(light + at[2 * i + 1]),
-                                MS_SSS__MUL(w->pixel[2 * i], MS_SSS__LOAD(light + at[2 * i])));
-        sum->weight[c] = MS_SSS__MADD(all, tap, sum->weight[c]);
+            e[i] = MS__MADD(w->pixel[2 * i + 1], MS__LOAD(light + at[2 * i + 1]),
+                            MS__MUL(w->pixel[2 * i], MS__LOAD(light + at[2 * i])));
+        sum->weight[c] = MS__MADD(all, tap, sum->weight[c]);
         if (!shaped) {
-            sum->light[c] = MS_SSS__MADD(tap, MS_SSS__ADD(e[0], e[1]), sum->light[c]);
+            sum->light[c] = MS__MADD(tap, MS__ADD(e[0], e[1]), sum->light[c]);
             continue;
         }
-        MS_SSS__UNROLL
+        MS__UNROLL
         for (i = 0; i < 2; ++i) { /* tap (1 + K sin(theta) / 4)^4 */
-            factor[i] = MS_SSS__MADD(height[i], MS_SSS__LOAD(s->lift[k][c][0]), MS_SSS__LOAD(s->lift[k][c][1]));
-            factor[i] = MS_SSS__MUL(factor[i], factor[i]);
-            factor[i] = MS_SSS__MUL(factor[i], factor[i]);
-            if (!s->plain && s->weight[k + 1][c][0] < 0) factor[i] = MS_SSS__SUB(MS_SSS__SET(0.0f), factor[i]);
+            factor[i] = MS__MADD(height[i], MS__LOAD(s->lift[k][c][0]), MS__LOAD(s->lift[k][c][1]));
+            factor[i] = MS__MUL(factor[i], factor[i]);
+            factor[i] = MS__MUL(factor[i], factor[i]);
+            if (!s->plain && s->weight[k + 1][c][0] < 0) factor[i] = MS__SUB(MS__SET(0.0f), factor[i]);
         }
-        sum->lifted[c] = MS_SSS__MADD(factor[1], side[1], MS_SSS__MADD(factor[0], side[0], sum->lifted[c]));
-        sum->light[c] = MS_SSS__MADD(factor[1], e[1], MS_SSS__MADD(factor[0], e[0], sum->light[c]));
+        sum->lifted[c] = MS__MADD(factor[1], side[1], MS__MADD(factor[0], side[0], sum->lifted[c]));
+        sum->light[c] = MS__MADD(factor[1], e[1], MS__MADD(factor[0], e[0], sum->light[c]));
     }
 }
 
 /* n groups from column x on by pairs of taps; shaped: with slopes. Of each pair first all groups' weights, then all
    their sums: the chains of one group are long. */
-static MS_SSS__INLINE void MS_SSS__NAME(taps)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped,
-                                              const ms_sss__line *l, int x, int n, MS_SSS__V (*out)[3])
+static MS_SSS__INLINE void MS__F(taps)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped,
+                                       const ms_sss__line *l, int x, int n, MS__V (*out)[3])
 {
-    const int axis = l->axis, simple = (!shaped || s->plain) && s->simple, width = MS_SSS__LEAN * MS_SSS__LANES;
+    const int axis = l->axis, simple = (!shaped || s->plain) && s->simple, width = MS_SSS__GROUPS * MS__N;
     const ptrdiff_t here = l->step[0];
-    const float *first = l->from + x / MS_SSS__LANES * l->group, *light;
-    const unsigned char *plan = l->plan + x / MS_SSS__LANES * s->plan_size;
-    float copy[MS_SSS__LEAN][4][4][MS_SSS__LANES];
-    MS_SSS__V size[MS_SSS__LEAN];
-    MS_SSS__NAME(pair) pair;
-    MS_SSS__NAME(weights) weights[MS_SSS__LEAN];
-    MS_SSS__NAME(sums) sum[MS_SSS__LEAN];
+    const float *first = l->from + x / MS__N * l->group, *light;
+    const unsigned char *plan = l->plan + x / MS__N * s->plan_size;
+    float copy[MS_SSS__GROUPS][4][4][MS__N];
+    MS__V size[MS_SSS__GROUPS];
+    MS__F(pair) pair;
+    MS__F(weights) weights[MS_SSS__GROUPS];
+    MS__F(sums) sum[MS_SSS__GROUPS];
     int g, k, c, i, some = 0;
     for (g = 0, light = first + here; g < n; ++g, light += l->group) {
         some |= plan[g * s->plan_size] >= MS_SSS__SOME;
-        size[g] = shaped ? MS_SSS__LOAD(l->own[0] + x + g * MS_SSS__LANES)
-                         : MS_SSS__NAME(size)(p, MS_SSS__LOAD(light + 3 * l->plane));
-        sum[g].before[0] = sum[g].before[1] = MS_SSS__SET(0.0f);
-        MS_SSS__UNROLL
+        size[g] = shaped ? MS__LOAD(l->own[0] + x + g * MS__N) : MS__F(size)(p, MS__LOAD(light + 3 * l->plane));
+        sum[g].before[0] = sum[g].before[1] = MS__SET(0.0f);
+        MS__UNROLL
         for (c = 0; c < 3; ++c) {
-            sum[g].weight[c] = sum[g].lifted[c] = MS_SSS__LOAD(s->weight[0][c]);
-            sum[g].light[c] = MS_SSS__MUL(sum[g].weight[c], MS_SSS__LOAD(light + c * l->plane));
+            sum[g].weight[c] = sum[g].lifted[c] = MS__LOAD(s->weight[0][c]);
+            sum[g].light[c] = MS__MUL(sum[g].weight[c], MS__LOAD(light + c * l->plane));
         }
     }
     if (!some) return;
     for (c = 0; c < 3 && axis && shaped; ++c) /* the next groups, as below */
         for (i = 0; i < width; i += 16) MS_SSS__PREFETCH((const char *)(l->own[c] + x + width + i));
     for (k = 0; k < s->pairs; ++k) {
-        const MS_SSS__V offset = MS_SSS__LOAD(s->offset[axis][k]);
-        const int whole = plan[0] < MS_SSS__SOME ? 0 : plan[k + 1] & (MS_SSS__BESIDE - 1);
-        MS_SSS__NAME(find_pair)(s, l, x, n, k, size, copy, &pair);
+        const MS__V offset = MS__LOAD(s->offset[axis][k]);
+        const int whole = plan[0] < MS_SSS__SOME ? 0 : plan[k + 1] & (MS_SSS__OFF_BY_ONE - 1);
+        MS__F(find_pair)(s, l, x, n, k, size, copy, &pair);
         for (g = 0, light = pair.light; g < n; ++g, light += pair.group) {
-            MS_SSS__NAME(weigh_pair)
-            (s, p, shaped, l, x + g * MS_SSS__LANES, k, light + 3 * pair.plane, pair.at, pair.whole[g],
-             MS_SSS__LOAD(first + g * l->group + here + 3 * l->plane), MS_SSS__MUL(size[g], offset), &weights[g]);
+            MS__F(weigh_pair)
+            (s, p, shaped, l, x + g * MS__N, k, light + 3 * pair.plane, pair.at, pair.whole[g],
+             MS__LOAD(first + g * l->group + here + 3 * l->plane), MS__MUL(size[g], offset), &weights[g]);
             for (c = 0; c < 4 && axis;
-                 c += 16 / MS_SSS__LANES) { /* rows lie far apart: the next groups of the taps' outer ones */
-                const float *ahead = first + (g + MS_SSS__LEAN) * l->group + c * MS_SSS__LANES;
+                 c += 16 / MS__N) { /* rows lie far apart: the next groups of the taps' outer ones */
+                const float *ahead = first + (g + MS_SSS__GROUPS) * l->group + c * MS__N;
                 MS_SSS__PREFETCH((const char *)(ahead + l->step[whole + 1]));
                 MS_SSS__PREFETCH((const char *)(ahead + l->step[-whole]));
             }
         }
         for (g = 0, light = pair.light; g < n; ++g, light += pair.group)
-            MS_SSS__NAME(add_pair)(s, p, shaped, k, light, pair.plane, pair.at, &weights[g], &sum[g]);
+            MS__F(add_pair)(s, p, shaped, k, light, pair.plane, pair.at, &weights[g], &sum[g]);
     }
     for (g = 0, light = first + here; g < n; ++g, light += l->group) {
-        MS_SSS__UNROLL
+        MS__UNROLL
         for (c = 0; c < 3; ++c) {
-            MS_SSS__V all = sum[g].weight[c];
+            MS__V all = sum[g].weight[c];
             if (shaped && (s->plain || !p->mixed[c]))
-                all = MS_SSS__MAX(all, MS_SSS__MUL(sum[g].lifted[c], MS_SSS__SET(p->root[c])));
-            if (simple) out[g][c] = MS_SSS__DIV(sum[g].light[c], all);
+                all = MS__MAX(all, MS__MUL(sum[g].lifted[c], MS__SET(p->root[c])));
+            if (simple) out[g][c] = MS__DIV(sum[g].light[c], all);
             else
-                out[g][c] = MS_SSS__NAME(restore)(sum[g].light[c], all, MS_SSS__LOAD(light + c * l->plane), p->total[c],
-                                                  p->mixed[c]);
+                out[g][c] = MS__F(restore)(sum[g].light[c], all, MS__LOAD(light + c * l->plane), p->total[c],
+                                           p->mixed[c]);
         }
     }
 }
 
 /* The group at column x by any taps along an axis, or turned: along each pixel's own. A tap's two pixels along each
    axis are read where they lie if all lanes have one place, else put together place by place. */
-static MS_SSS__APART void MS_SSS__NAME(any)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x,
-                                            MS_SSS__V out[3])
+static MS_SSS__APART void MS__F(any)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x,
+                                     MS__V out[3])
 {
-    const ms_sss__turning *turn = l->turn;
+    const ms_sss__rotation *turn = l->turn;
     const int rows = l->axis == 0 ? 1 : 2, columns = l->axis == 1 ? 1 : 2, shaped = s->shaped;
-    const int height = turn ? turn->height : l->count, width = l->axis == 1 ? x + MS_SSS__LANES : l->count;
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
-    const float *here = l->from + x / MS_SSS__LANES * l->group, *at = here + l->step[0];
-    const MS_SSS__V z = MS_SSS__LOAD(at + 3 * l->plane), grain = MS_SSS__MUL(z, MS_SSS__SET(p->grain));
-    const unsigned pending = MS_SSS__BITS(MS_SSS__NAME(need)(p, z));
-    MS_SSS__V size = MS_SSS__NAME(size)(p, z), facing = zero, rise[2] = {zero, zero}, d[2] = {zero, zero},
-              away[2] = {zero, zero};
-    MS_SSS__V sum[3] = {zero, zero, zero}, norm[3] = {zero, zero, zero}, lifted[3] = {zero, zero, zero};
-    float inner[2] = {0, 0}, lane[2][MS_SSS__LANES], apart[2][8 * MS_SSS__LANES];
-    MS_SSS__MASK same;
+    const int height = turn ? turn->height : l->count, width = l->axis == 1 ? x + MS__N : l->count;
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f);
+    const float *here = l->from + x / MS__N * l->group, *at = here + l->step[0];
+    const MS__V z = MS__LOAD(at + 3 * l->plane), grain = MS__MUL(z, MS__SET(p->rounding));
+    const unsigned pending = MS__BITS(MS__F(need)(p, z));
+    MS__V size = MS__F(size)(p, z), facing = zero, rise[2] = {zero, zero}, d[2] = {zero, zero}, away[2] = {zero, zero};
+    MS__V sum[3] = {zero, zero, zero}, norm[3] = {zero, zero, zero}, lifted[3] = {zero, zero, zero};
+    float inner[2] = {0, 0}, lane[2][MS__N], apart[2][8 * MS__N];
+    MS__MASK same;
     unsigned left;
     int order, k, c, i, j;
     if (!pending) return;
     if (turn) {
         const float sign = turn->second ? -1.0f : 1.0f;
-        for (i = 0; i < MS_SSS__LANES; ++i) {
-            const float *to = turn->direction[ms_sss__turn(x + i, l->at)];
+        for (i = 0; i < MS__N; ++i) {
+            const float *to = turn->direction[ms_sss__direction_of(x + i, l->at)];
             lane[0][i] = sign * to[turn->second];
             lane[1][i] = to[!turn->second];
         }
-        d[0] = MS_SSS__LOAD(lane[0]);
-        d[1] = MS_SSS__LOAD(lane[1]);
+        d[0] = MS__LOAD(lane[0]);
+        d[1] = MS__LOAD(lane[1]);
         if (shaped) {
-            const MS_SSS__V sx = MS_SSS__LOAD(l->own[0] + x), sy = MS_SSS__LOAD(l->own[1] + x);
-            const MS_SSS__V rx = MS_SSS__NAME(ray)(p, x),
-                            ry = MS_SSS__SET(((float)l->at + 0.5f - p->middle[1]) * p->tangent);
-            const MS_SSS__V ray = MS_SSS__MADD(d[0], rx, MS_SSS__MUL(d[1], ry));
-            const MS_SSS__V along = MS_SSS__MADD(d[0], sx, MS_SSS__MUL(d[1], sy));
-            size = MS_SSS__NAME(foreshorten)(size, along, ray, MS_SSS__MADD(rx, rx, MS_SSS__MADD(ry, ry, one)));
-            facing = MS_SSS__NAME(facing)(p, sx, sy, rx, ry);
-            rise[0] = MS_SSS__MUL(sx, MS_SSS__SET(1 / p->focal[0]));
-            rise[1] = MS_SSS__MUL(sy, MS_SSS__SET(1 / p->focal[1]));
+            const MS__V sx = MS__LOAD(l->own[0] + x), sy = MS__LOAD(l->own[1] + x);
+            const MS__V rx = MS__F(ray)(p, x), ry = MS__SET(((float)l->at + 0.5f - p->middle[1]) * p->tangent);
+            const MS__V ray = MS__MADD(d[0], rx, MS__MUL(d[1], ry));
+            const MS__V along = MS__MADD(d[0], sx, MS__MUL(d[1], sy));
+            size = MS__F(foreshorten)(size, along, ray, MS__MADD(rx, rx, MS__MADD(ry, ry, one)));
+            facing = MS__F(facing)(p, sx, sy, rx, ry);
+            rise[0] = MS__MUL(sx, MS__SET(1 / p->focal[0]));
+            rise[1] = MS__MUL(sy, MS__SET(1 / p->focal[1]));
         }
     } else {
         d[l->axis] = one;
         if (shaped) {
-            size = MS_SSS__LOAD(l->own[0] + x);
-            rise[l->axis] = MS_SSS__LOAD(l->own[1] + x);
-            facing = MS_SSS__LOAD(l->own[2] + x);
+            size = MS__LOAD(l->own[0] + x);
+            rise[l->axis] = MS__LOAD(l->own[1] + x);
+            facing = MS__LOAD(l->own[2] + x);
         }
     }
-    for (i = 0; i < 2; ++i) d[i] = MS_SSS__MUL(d[i], MS_SSS__MUL(size, MS_SSS__SET(p->aspect[i])));
+    for (i = 0; i < 2; ++i) d[i] = MS__MUL(d[i], MS__MUL(size, MS__SET(p->aspect[i])));
     for (order = 1; order < p->tap_count; ++order) { /* with slopes outwards */
         const float mm = p->offset_mm[k = shaped ? order : p->tap_count - order];
-        const MS_SSS__V t = MS_SSS__MUL(MS_SSS__SET(mm), d[0]), t_y = MS_SSS__MUL(MS_SSS__SET(mm), d[1]);
-        const MS_SSS__V whole = MS_SSS__FLOOR(t), whole_y = MS_SSS__FLOOR(t_y);
-        const MS_SSS__V remote = MS_SSS__SET(shaped ? ms_sss__remote(p, mm) : 0);
-        MS_SSS__V share[2][2], tap[3] = {zero, zero, zero}, n = zero, below = zero, sine = zero;
+        const MS__V t = MS__MUL(MS__SET(mm), d[0]), t_y = MS__MUL(MS__SET(mm), d[1]);
+        const MS__V whole = MS__FLOOR(t), whole_y = MS__FLOOR(t_y);
+        const MS__V remote = MS__SET(shaped ? ms_sss__remote(p, mm) : 0);
+        MS__V share[2][2], tap[3] = {zero, zero, zero}, n = zero, below = zero, sine = zero;
         const float *row[2] = {apart[0], apart[1]};
         ptrdiff_t plane = l->plane, next = 1;
         int together = 0;
-        share[0][1] = MS_SSS__SUB(t, whole);
-        share[0][0] = MS_SSS__SUB(one, share[0][1]);
-        share[1][1] = MS_SSS__SUB(t_y, whole_y);
-        share[1][0] = MS_SSS__SUB(one, share[1][1]);
-        MS_SSS__STORE(lane[0], whole);
-        MS_SSS__STORE(lane[1], whole_y);
-        for (left = pending; left; left &= ~MS_SSS__BITS(same)) {
+        share[0][1] = MS__SUB(t, whole);
+        share[0][0] = MS__SUB(one, share[0][1]);
+        share[1][1] = MS__SUB(t_y, whole_y);
+        share[1][0] = MS__SUB(one, share[1][1]);
+        MS__STORE(lane[0], whole);
+        MS__STORE(lane[1], whole_y);
+        for (left = pending; left; left &= ~MS__BITS(same)) {
             const int lead = ms_sss__lowest(left), first = (int)lane[0][lead];
-            same = MS_SSS__SAME(whole, MS_SSS__SET(lane[0][lead]));
-            same = MS_SSS__BOTH(same, MS_SSS__SAME(whole_y, MS_SSS__SET(lane[1][lead])));
-            together = !(pending & ~MS_SSS__BITS(same)) && x + first >= -MS_SSS__LANES && x + first < width;
+            same = MS__SAME(whole, MS__SET(lane[0][lead]));
+            same = MS__BOTH(same, MS__SAME(whole_y, MS__SET(lane[1][lead])));
+            together = !(pending & ~MS__BITS(same)) && x + first >= -MS__N && x + first < width;
             for (j = 0; j < rows; ++j) {
                 const float *from = here + ms_sss__row(l, (int)lane[1][lead] + j, height);
                 if (together) row[j] = from + first;
                 for (i = 0; i < columns && !together; ++i) {
-                    const float *at_i = from + ms_sss__clamp(first + i, -MS_SSS__LANES - x, width - x);
-                    float *to = apart[j] + 4 * i * MS_SSS__LANES;
-                    MS_SSS__UNROLL
-                    for (c = 0; c < 4; ++c, at_i += plane, to += MS_SSS__LANES)
-                        MS_SSS__STORE(to,
-                                      left == pending ? MS_SSS__LOAD(at_i)
-                                                      : MS_SSS__SELECT(same, MS_SSS__LOAD(at_i), MS_SSS__LOAD(to)));
+                    const float *at_i = from + ms_sss__clamp(first + i, -MS__N - x, width - x);
+                    float *to = apart[j] + 4 * i * MS__N;
+                    MS__UNROLL
+                    for (c = 0; c < 4; ++c, at_i += plane, to += MS__N)
+                        MS__STORE(to,
+                                  left == pending ? MS__LOAD(at_i) : MS__SELECT(same, MS__LOAD(at_i), MS__LOAD(to)));
                 }
             }
         }
         if (!together) {
-            plane = MS_SSS__LANES;
-            next = 4 * MS_SSS__LANES;
+            plane = MS__N;
+            next = 4 * MS__N;
         }
         for (j = 0; j < rows; ++j)
             for (i = 0; i < columns; ++i) {
                 const float *from = row[j] + i * next;
-                MS_SSS__V there = MS_SSS__LOAD(from + 3 * plane), dz = MS_SSS__SUB(there, z);
-                MS_SSS__V f = MS_SSS__MUL(share[0][i], share[1][j]);
+                MS__V there = MS__LOAD(from + 3 * plane), dz = MS__SUB(there, z);
+                MS__V f = MS__MUL(share[0][i], share[1][j]);
                 if (!shaped) {
-                    f = MS_SSS__MUL(f, MS_SSS__NAME(falloff)(dz));
+                    f = MS__MUL(f, MS__F(falloff)(dz));
                 } else {
-                    MS_SSS__V gain = MS_SSS__MADD(rise[0], whole, MS_SSS__MUL(rise[1], whole_y)), q;
-                    if (i) gain = MS_SSS__ADD(gain, rise[0]);
-                    if (j) gain = MS_SSS__ADD(gain, rise[1]);
-                    there = MS_SSS__MIN(there, MS_SSS__SET(MS_SSS__AWAY)); /* turned axes meet infinite ones */
-                    dz = MS_SSS__LESSEN(gain, p->perspective ? there : one, MS_SSS__SUB(there, z));
-                    q = MS_SSS__MIN(MS_SSS__MUL(dz, dz), one);
-                    f = MS_SSS__MUL(MS_SSS__LESSEN(f, q, f), MS_SSS__NAME(inverse)(MS_SSS__MADD(remote, q, one)));
-                    below = MS_SSS__MADD(f, dz, below);
+                    MS__V gain = MS__MADD(rise[0], whole, MS__MUL(rise[1], whole_y)), q;
+                    if (i) gain = MS__ADD(gain, rise[0]);
+                    if (j) gain = MS__ADD(gain, rise[1]);
+                    there = MS__MIN(there, MS__SET(MS_SSS__AWAY)); /* turned axes meet infinite ones */
+                    dz = MS__NMADD(gain, p->perspective ? there : one, MS__SUB(there, z));
+                    q = MS__MIN(MS__MUL(dz, dz), one);
+                    f = MS__MUL(MS__NMADD(f, q, f), MS__F(inverse)(MS__MADD(remote, q, one)));
+                    below = MS__MADD(f, dz, below);
                 }
-                MS_SSS__UNROLL
-                for (c = 0; c < 3; ++c) tap[c] = MS_SSS__MADD(f, MS_SSS__LOAD(from + c * plane), tap[c]);
-                n = MS_SSS__ADD(n, f);
+                MS__UNROLL
+                for (c = 0; c < 3; ++c) tap[c] = MS__MADD(f, MS__LOAD(from + c * plane), tap[c]);
+                n = MS__ADD(n, f);
             }
         if (shaped) {
-            MS_SSS__V area;
-            area = MS_SSS__MADD(grain, MS_SSS__ADD(MS_SSS__ABS(t), MS_SSS__ABS(t_y)), MS_SSS__ADD(grain, grain));
-            below = MS_SSS__MUL(facing, MS_SSS__NAME(beyond)(below, area));
-            sine = MS_SSS__MUL(below, MS_SSS__SET(fabsf(mm) > 1e-20f ? 1 / fabsf(mm) : 0.0f));
-            sine = MS_SSS__MAX(MS_SSS__MIN(sine, one), MS_SSS__SET(p->least));
-            area = MS_SSS__SET(ms_sss__bulge(p, mm, &inner[mm < 0]));
-            area = MS_SSS__NAME(lean_area)(n, below, area, &away[mm < 0]);
-            n = MS_SSS__MUL(n, area);
-            MS_SSS__UNROLL
-            for (c = 0; c < 3; ++c) tap[c] = MS_SSS__MUL(tap[c], area);
+            MS__V area;
+            area = MS__MADD(grain, MS__ADD(MS__ABS(t), MS__ABS(t_y)), MS__ADD(grain, grain));
+            below = MS__MUL(facing, MS__F(residual)(below, area));
+            sine = MS__MUL(below, MS__SET(fabsf(mm) > 1e-20f ? 1 / fabsf(mm) : 0.0f));
+            sine = MS__MAX(MS__MIN(sine, one), MS__SET(p->least));
+            area = MS__SET(ms_sss__bulge(p, mm, &inner[mm < 0]));
+            area = MS__F(surface_ratio)(n, below, area, &away[mm < 0]);
+            n = MS__MUL(n, area);
+            MS__UNROLL
+            for (c = 0; c < 3; ++c) tap[c] = MS__MUL(tap[c], area);
         }
-        MS_SSS__UNROLL
+        MS__UNROLL
         for (c = 0; c < 3; ++c) {
-            MS_SSS__V w = MS_SSS__SET(p->weight[k][c]);
-            norm[c] = MS_SSS__MADD(w, n, norm[c]);
+            MS__V w = MS__SET(p->weight[k][c]);
+            norm[c] = MS__MADD(w, n, norm[c]);
             if (shaped) {
-                w = MS_SSS__MUL(w, MS_SSS__NAME(lift)(p, c, sine));
-                lifted[c] = MS_SSS__MADD(w, n, lifted[c]);
+                w = MS__MUL(w, MS__F(elevate)(p, c, sine));
+                lifted[c] = MS__MADD(w, n, lifted[c]);
             }
-            sum[c] = MS_SSS__MADD(w, tap[c], sum[c]);
+            sum[c] = MS__MADD(w, tap[c], sum[c]);
         }
     }
-    MS_SSS__UNROLL
+    MS__UNROLL
     for (c = 0; c < 3; ++c) {
-        const MS_SSS__V own = MS_SSS__LOAD(at + c * l->plane), w = MS_SSS__SET(p->weight[0][c]);
-        norm[c] = MS_SSS__ADD(norm[c], w);
-        lifted[c] = MS_SSS__MUL(MS_SSS__SET(p->root[c]), MS_SSS__ADD(lifted[c], w));
-        if (shaped && !p->mixed[c]) norm[c] = MS_SSS__MAX(norm[c], lifted[c]);
-        out[c] = MS_SSS__NAME(restore)(MS_SSS__MADD(own, w, sum[c]), norm[c], own, p->total[c], p->mixed[c]);
+        const MS__V own = MS__LOAD(at + c * l->plane), w = MS__SET(p->weight[0][c]);
+        norm[c] = MS__ADD(norm[c], w);
+        lifted[c] = MS__MUL(MS__SET(p->root[c]), MS__ADD(lifted[c], w));
+        if (shaped && !p->mixed[c]) norm[c] = MS__MAX(norm[c], lifted[c]);
+        out[c] = MS__F(restore)(MS__MADD(own, w, sum[c]), norm[c], own, p->total[c], p->mixed[c]);
     }
 }
 
 /* What pairs cannot do in the group at column x. */
-static MS_SSS__APART void MS_SSS__NAME(rest)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l,
-                                             int x, int kind, MS_SSS__V out[3])
+static MS_SSS__APART void MS__F(rest)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x,
+                                      int kind, MS__V out[3])
 {
-    const float *here = l->from + x / MS_SSS__LANES * l->group + l->step[0];
-    const MS_SSS__MASK need = MS_SSS__NAME(need)(p, MS_SSS__LOAD(here + 3 * l->plane));
-    MS_SSS__V own[3];
+    const float *here = l->from + x / MS__N * l->group + l->step[0];
+    const MS__MASK need = MS__F(need)(p, MS__LOAD(here + 3 * l->plane));
+    MS__V own[3];
     int c;
     for (c = 0; c < 3; ++c) {
-        own[c] = MS_SSS__MUL(MS_SSS__LOAD(here + c * l->plane), MS_SSS__SET(p->total[c]));
+        own[c] = MS__MUL(MS__LOAD(here + c * l->plane), MS__SET(p->total[c]));
         if (kind < MS_SSS__SOME) out[c] = own[c];
     }
-    if (kind == MS_SSS__ANY) MS_SSS__NAME(any)(s, p, l, x, out);
-    for (c = 0; c < 3 && kind != MS_SSS__LEAVE; ++c) out[c] = MS_SSS__SELECT(need, out[c], own[c]);
+    if (kind == MS_SSS__ANY) MS__F(any)(s, p, l, x, out);
+    for (c = 0; c < 3 && kind != MS_SSS__LEAVE; ++c) out[c] = MS__SELECT(need, out[c], own[c]);
 }
 
 /* A pass of several rows between columns first and last, chunk by chunk so that what they share stays in the cache. */
-static MS_SSS__INLINE void MS_SSS__NAME(sweep)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped,
-                                               const ms_sss__line *line, int lines, int first, int last)
+static MS_SSS__INLINE void MS__F(sweep)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped,
+                                        const ms_sss__line *line, int lines, int first, int last)
 {
     int x, y, g, c;
-    for (x = first; x < last; x += MS_SSS__LEAN * MS_SSS__LANES)
+    for (x = first; x < last; x += MS_SSS__GROUPS * MS__N)
         for (y = 0; y < lines; ++y) {
             const ms_sss__line *l = &line[y];
-            const int groups = (l->last - x) / MS_SSS__LANES, n = groups < MS_SSS__LEAN ? groups : MS_SSS__LEAN;
-            const float *depth = l->from + x / MS_SSS__LANES * l->group + l->step[0] + 3 * l->plane;
-            MS_SSS__V out[MS_SSS__LEAN][3];
+            const int groups = (l->last - x) / MS__N, n = groups < MS_SSS__GROUPS ? groups : MS_SSS__GROUPS;
+            const float *depth = l->from + x / MS__N * l->group + l->step[0] + 3 * l->plane;
+            MS__V out[MS_SSS__GROUPS][3];
             if (x < l->first || x >= l->last) continue;
-            if (s->pairs) MS_SSS__NAME(taps)(s, p, shaped, l, x, n, out);
+            if (s->pairs) MS__F(taps)(s, p, shaped, l, x, n, out);
             for (g = 0; g < n; ++g) {
-                const int kind = l->plan[(x / MS_SSS__LANES + g) * s->plan_size];
-                const ptrdiff_t at = (x / MS_SSS__LANES + g) * l->to_group;
-                if (kind < MS_SSS__ALL) MS_SSS__NAME(rest)(s, p, l, x + g * MS_SSS__LANES, kind, out[g]);
-                MS_SSS__UNROLL
-                for (c = 0; c < 3; ++c) MS_SSS__STORE(l->to[c] + at, out[g][c]);
-                if (l->axis == 0) MS_SSS__STORE(l->to[2] + at + MS_SSS__LANES, MS_SSS__LOAD(depth + g * l->group));
+                const int kind = l->plan[(x / MS__N + g) * s->plan_size];
+                const ptrdiff_t at = (x / MS__N + g) * l->to_group;
+                if (kind < MS_SSS__ALL) MS__F(rest)(s, p, l, x + g * MS__N, kind, out[g]);
+                MS__UNROLL
+                for (c = 0; c < 3; ++c) MS__STORE(l->to[c] + at, out[g][c]);
+                if (l->axis == 0) MS__STORE(l->to[2] + at + MS__N, MS__LOAD(depth + g * l->group));
             }
         }
 }
 
-static void MS_SSS__NAME(sweep_flat)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines,
-                                     int first, int last)
+static void MS__F(sweep_flat)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines,
+                              int first, int last)
 {
-    MS_SSS__NAME(sweep)(s, p, 0, line, lines, first, last);
+    MS__F(sweep)(s, p, 0, line, lines, first, last);
 }
 
-static void MS_SSS__NAME(sweep_shaped)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line,
-                                       int lines, int first, int last)
+static void MS__F(sweep_shaped)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines,
+                                int first, int last)
 {
-    MS_SSS__NAME(sweep)(s, p, 1, line, lines, first, last);
+    MS__F(sweep)(s, p, 1, line, lines, first, last);
 }
 
 /* out = a x + b y */
-static void MS_SSS__NAME(combine)(float a, const float *x, float b, const float *y, int count, float *out)
+static void MS__F(combine)(float a, const float *x, float b, const float *y, int count, float *out)
 {
     int i;
-    for (i = 0; i < count; i += MS_SSS__LANES)
-        MS_SSS__STORE(
-            out + i,
-            MS_SSS__MADD(MS_SSS__SET(a), MS_SSS__LOAD(x + i), MS_SSS__MUL(MS_SSS__SET(b), MS_SSS__LOAD(y + i))));
+    for (i = 0; i < count; i += MS__N)
+        MS__STORE(out + i, MS__MADD(MS__SET(a), MS__LOAD(x + i), MS__MUL(MS__SET(b), MS__LOAD(y + i))));
 }
 
 /* blur = (1 - s) own + s blur with s = min(strength, 1) gain; own where the kernel is under half a pixel. */
-static void MS_SSS__NAME(fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth,
-                               const float *own, int count, float *blur)
+static void MS__F(fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
+                        int count, float *blur)
 {
     int x;
-    for (x = 0; x < count; x += MS_SSS__LANES) {
-        MS_SSS__V e = MS_SSS__LOAD(own + x), s = MS_SSS__SET(gain), out;
-        if (strength) s = MS_SSS__MUL(s, MS_SSS__MIN(MS_SSS__LOAD(strength + x), MS_SSS__SET(1.0f)));
-        out = MS_SSS__MADD(s, MS_SSS__LOAD(blur + x), MS_SSS__MUL(MS_SSS__SUB(MS_SSS__SET(1.0f), s), e));
+    for (x = 0; x < count; x += MS__N) {
+        MS__V e = MS__LOAD(own + x), s = MS__SET(gain), out;
+        if (strength) s = MS__MUL(s, MS__MIN(MS__LOAD(strength + x), MS__SET(1.0f)));
+        out = MS__MADD(s, MS__LOAD(blur + x), MS__MUL(MS__SUB(MS__SET(1.0f), s), e));
         if (p->perspective) {
-            MS_SSS__V size = MS_SSS__DIV(MS_SSS__SET(p->size), MS_SSS__LOAD(depth + x));
-            out = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__SET(p->size_min), size), out, e);
+            MS__V size = MS__DIV(MS__SET(p->size), MS__LOAD(depth + x));
+            out = MS__SELECT(MS__LESS(MS__SET(p->size_min), size), out, e);
         }
-        MS_SSS__STORE(blur + x, out);
+        MS__STORE(blur + x, out);
     }
 }
 
@@ -8694,214 +8665,198 @@ static void MS_SSS__NAME(fade)(const ms_sss__pass *p, const float *strength, flo
 /* Every four pixels of two rows of colour and depth become one: the mean of those near the nearest. count: of columns
    of the result; unit: of the rows' depths. Returns whether all take part; if some do not, they must have depth
    INFINITY. */
-static int MS_SSS__NAME(halve)(const ms_sss__halving *h, const float *const above[4], const float *const below[4],
-                               float unit, int count, float *const out[4])
+static int MS__F(downsample)(const ms_sss__halving *h, const float *const above[4], const float *const below[4],
+                             float unit, int count, float *const out[4])
 {
-    const MS_SSS__V away = MS_SSS__SET(MS_SSS__AWAY), scale = MS_SSS__SET(h->within), raw = MS_SSS__SET(unit),
-                    zero = MS_SSS__SET(0.0f);
-    const unsigned every = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
+    const MS__V away = MS__SET(MS_SSS__AWAY), scale = MS__SET(h->within), raw = MS__SET(unit), zero = MS__SET(0.0f);
+    const unsigned every = ms_sss__lanes(MS__N, MS__N);
     unsigned all_part = every;
     int x, c;
-    for (x = 0; x < count; x += MS_SSS__LANES) {
-        const MS_SSS__V a = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(above[3] + 2 * x), raw), away),
-                        b = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(above[3] + 2 * x + MS_SSS__LANES), raw), away);
-        const MS_SSS__V d = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(below[3] + 2 * x), raw), away),
-                        e = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(below[3] + 2 * x + MS_SSS__LANES), raw), away);
-        const MS_SSS__V z0 = MS_SSS__EVEN(a, b), z1 = MS_SSS__ODD(a, b), z2 = MS_SSS__EVEN(d, e),
-                        z3 = MS_SSS__ODD(d, e);
-        const MS_SSS__V least = MS_SSS__MIN(MS_SSS__MIN(z0, z1), MS_SSS__MIN(z2, z3));
-        MS_SSS__V w0 = MS_SSS__NAME(falloff)(MS_SSS__MUL(MS_SSS__SUB(z0, least), scale)),
-                  w1 = MS_SSS__NAME(falloff)(MS_SSS__MUL(MS_SSS__SUB(z1, least), scale));
-        MS_SSS__V w2 = MS_SSS__NAME(falloff)(MS_SSS__MUL(MS_SSS__SUB(z2, least), scale)),
-                  w3 = MS_SSS__NAME(falloff)(MS_SSS__MUL(MS_SSS__SUB(z3, least), scale)), z;
-        const MS_SSS__V all = MS_SSS__DIV(MS_SSS__SET(1.0f), MS_SSS__ADD(MS_SSS__ADD(w0, w1), MS_SSS__ADD(w2, w3)));
-        MS_SSS__V most = MS_SSS__MAX(MS_SSS__MAX(z0, z1), MS_SSS__MAX(z2, z3)), sums = zero;
-        w0 = MS_SSS__MUL(w0, all);
-        w1 = MS_SSS__MUL(w1, all);
-        w2 = MS_SSS__MUL(w2, all);
-        w3 = MS_SSS__MUL(w3, all);
-        MS_SSS__UNROLL
+    for (x = 0; x < count; x += MS__N) {
+        const MS__V a = MS__MIN(MS__MUL(MS__LOAD(above[3] + 2 * x), raw), away),
+                    b = MS__MIN(MS__MUL(MS__LOAD(above[3] + 2 * x + MS__N), raw), away);
+        const MS__V d = MS__MIN(MS__MUL(MS__LOAD(below[3] + 2 * x), raw), away),
+                    e = MS__MIN(MS__MUL(MS__LOAD(below[3] + 2 * x + MS__N), raw), away);
+        const MS__V z0 = MS__EVEN(a, b), z1 = MS__ODD(a, b), z2 = MS__EVEN(d, e), z3 = MS__ODD(d, e);
+        const MS__V least = MS__MIN(MS__MIN(z0, z1), MS__MIN(z2, z3));
+        MS__V w0 = MS__F(falloff)(MS__MUL(MS__SUB(z0, least), scale)),
+              w1 = MS__F(falloff)(MS__MUL(MS__SUB(z1, least), scale));
+        MS__V w2 = MS__F(falloff)(MS__MUL(MS__SUB(z2, least), scale)),
+              w3 = MS__F(falloff)(MS__MUL(MS__SUB(z3, least), scale)), z;
+        const MS__V all = MS__DIV(MS__SET(1.0f), MS__ADD(MS__ADD(w0, w1), MS__ADD(w2, w3)));
+        MS__V most = MS__MAX(MS__MAX(z0, z1), MS__MAX(z2, z3)), sums = zero;
+        w0 = MS__MUL(w0, all);
+        w1 = MS__MUL(w1, all);
+        w2 = MS__MUL(w2, all);
+        w3 = MS__MUL(w3, all);
+        MS__UNROLL
         for (c = 0; c < 3; ++c) {
-            const MS_SSS__V p = MS_SSS__LOAD(above[c] + 2 * x), q = MS_SSS__LOAD(above[c] + 2 * x + MS_SSS__LANES);
-            const MS_SSS__V r = MS_SSS__LOAD(below[c] + 2 * x), t = MS_SSS__LOAD(below[c] + 2 * x + MS_SSS__LANES);
-            const MS_SSS__V sum = MS_SSS__MADD(w1, MS_SSS__ODD(p, q), MS_SSS__MUL(w0, MS_SSS__EVEN(p, q)));
+            const MS__V p = MS__LOAD(above[c] + 2 * x), q = MS__LOAD(above[c] + 2 * x + MS__N);
+            const MS__V r = MS__LOAD(below[c] + 2 * x), t = MS__LOAD(below[c] + 2 * x + MS__N);
+            const MS__V sum = MS__MADD(w1, MS__ODD(p, q), MS__MUL(w0, MS__EVEN(p, q)));
             /* 0, but NaN where a colour is not finite or beyond the largest light */
-            sums = MS_SSS__MADD(MS_SSS__MUL(MS_SSS__ADD(MS_SSS__ADD(MS_SSS__ABS(p), MS_SSS__ABS(q)),
-                                                        MS_SSS__ADD(MS_SSS__ABS(r), MS_SSS__ABS(t))),
-                                            MS_SSS__SET(3.4e38f / MS_SSS__LIGHT_MAX)),
-                                zero, sums);
-            MS_SSS__STORE(out[c] + x,
-                          MS_SSS__ADD(sum, MS_SSS__MADD(w3, MS_SSS__ODD(r, t), MS_SSS__MUL(w2, MS_SSS__EVEN(r, t)))));
+            sums = MS__MADD(MS__MUL(MS__ADD(MS__ADD(MS__ABS(p), MS__ABS(q)), MS__ADD(MS__ABS(r), MS__ABS(t))),
+                                    MS__SET(3.4e38f / MS_SSS__LIGHT_MAX)),
+                            zero, sums);
+            MS__STORE(out[c] + x, MS__ADD(sum, MS__MADD(w3, MS__ODD(r, t), MS__MUL(w2, MS__EVEN(r, t)))));
         }
-        z = MS_SSS__ADD(MS_SSS__MADD(w1, z1, MS_SSS__MUL(w0, z0)), MS_SSS__MADD(w3, z3, MS_SSS__MUL(w2, z2)));
-        z = MS_SSS__SELECT(MS_SSS__LESS(least, MS_SSS__SET(MS_SSS__AWAY / 2)),
-                           MS_SSS__MUL(z, MS_SSS__SET(1 / h->scale)), MS_SSS__SET(INFINITY));
-        MS_SSS__STORE(out[3] + x, z);
-        most = MS_SSS__SELECT(MS_SSS__LESS(zero, least), most, away);
-        all_part &= MS_SSS__BITS(
-            MS_SSS__BOTH(MS_SSS__SAME(sums, zero), MS_SSS__LESS(most, MS_SSS__SET(MS_SSS__AWAY / 2))));
+        z = MS__ADD(MS__MADD(w1, z1, MS__MUL(w0, z0)), MS__MADD(w3, z3, MS__MUL(w2, z2)));
+        z = MS__SELECT(MS__LESS(least, MS__SET(MS_SSS__AWAY / 2)), MS__MUL(z, MS__SET(1 / h->scale)),
+                       MS__SET(INFINITY));
+        MS__STORE(out[3] + x, z);
+        most = MS__SELECT(MS__LESS(zero, least), most, away);
+        all_part &= MS__BITS(MS__BOTH(MS__SAME(sums, zero), MS__LESS(most, MS__SET(MS_SSS__AWAY / 2))));
     }
     return all_part == every;
 }
 
 /* The share of a pixel's own light in the result where taps stand on it: each tap's bilinear part. depth, share: of
    LANES pixels. */
-static MS_SSS__APART void MS_SSS__NAME(share)(const ms_sss__halving *h, const float *depth, float *share)
+static MS_SSS__APART void MS__F(self_weight)(const ms_sss__halving *h, const float *depth, float *share)
 {
     const ms_sss_kernel *k = h->kernel;
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
-    MS_SSS__V pixels = MS_SSS__SET(h->size);
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f);
+    MS__V pixels = MS__SET(h->size);
     int t, i, c, axis;
-    if (h->perspective) pixels = MS_SSS__MIN(MS_SSS__DIV(pixels, MS_SSS__LOAD(depth)), MS_SSS__SET(h->size_max));
+    if (h->perspective) pixels = MS__MIN(MS__DIV(pixels, MS__LOAD(depth)), MS__SET(h->size_max));
     for (c = 0; c < 3; ++c) {
-        MS_SSS__V all = MS_SSS__SET(k->delta[c]);
+        MS__V all = MS__SET(k->delta[c]);
         for (t = 0; t < k->term_count; ++t) {
-            MS_SSS__V sum[2];
+            MS__V sum[2];
             for (axis = 0; axis < 2; ++axis)
                 for (sum[axis] = zero, i = 0; i < k->tap_count; ++i)
-                    sum[axis] = MS_SSS__MADD(
-                        MS_SSS__SET(k->weight[t][i][c]),
-                        MS_SSS__MAX(MS_SSS__LESSEN(pixels, MS_SSS__SET(fabsf(k->offset_mm[i]) * h->aspect[axis]), one),
-                                    zero),
+                    sum[axis] = MS__MADD(
+                        MS__SET(k->weight[t][i][c]),
+                        MS__MAX(MS__NMADD(pixels, MS__SET(fabsf(k->offset_mm[i]) * h->aspect[axis]), one), zero),
                         sum[axis]);
-            all = MS_SSS__MADD(MS_SSS__MUL(sum[0], sum[1]), MS_SSS__SET(k->scale[t][c]), all);
+            all = MS__MADD(MS__MUL(sum[0], sum[1]), MS__SET(k->scale[t][c]), all);
         }
-        MS_SSS__STORE(share + c * MS_SSS__LANES, MS_SSS__MIN(MS_SSS__MAX(all, zero), MS_SSS__SET(0.999f)));
+        MS__STORE(share + c * MS__N, MS__MIN(MS__MAX(all, zero), MS__SET(0.999f)));
     }
 }
 
 /* The same of pixels at depth z; what takes no part, AWAY, may get any. */
-static MS_SSS__INLINE void MS_SSS__NAME(keep)(const ms_sss__halving *h, MS_SSS__V z, MS_SSS__V share[3])
+static MS_SSS__INLINE void MS__F(self_weights)(const ms_sss__halving *h, MS__V z, MS__V share[3])
 {
-    float depth[MS_SSS__LANES], to[3 * MS_SSS__LANES];
+    float depth[MS__N], to[3 * MS__N];
     int c;
-    MS_SSS__UNROLL
-    for (c = 0; c < 3; ++c) share[c] = MS_SSS__SET(h->share[c]);
-    if (!MS_SSS__BITS(
-            MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(h->beyond), z), MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2)))))
-        return;
-    MS_SSS__STORE(depth, z);
-    MS_SSS__NAME(share)(h, depth, to);
-    MS_SSS__UNROLL
-    for (c = 0; c < 3; ++c) share[c] = MS_SSS__LOAD(to + c * MS_SSS__LANES);
+    MS__UNROLL
+    for (c = 0; c < 3; ++c) share[c] = MS__SET(h->share[c]);
+    if (!MS__BITS(MS__BOTH(MS__LESS(MS__SET(h->beyond), z), MS__LESS(z, MS__SET(MS_SSS__AWAY / 2))))) return;
+    MS__STORE(depth, z);
+    MS__F(self_weight)(h, depth, to);
+    MS__UNROLL
+    for (c = 0; c < 3; ++c) share[c] = MS__LOAD(to + c * MS__N);
 }
 
 /* A coarse row of light and what became of it, without what pixels keep of their own; depth in units of the falloff,
    AWAY or so where nothing takes part. */
-static void MS_SSS__NAME(soften)(const ms_sss__halving *h, const float *const light[3], const float *const blur[3],
+static void MS__F(subtract_self)(const ms_sss__halving *h, const float *const light[3], const float *const blur[3],
                                  const float *depth, int count, float *const out[4])
 {
     int x, c;
-    for (x = 0; x < count; x += MS_SSS__LANES) {
-        const MS_SSS__V z = MS_SSS__MIN(MS_SSS__MUL(MS_SSS__LOAD(depth + x), MS_SSS__SET(h->scale)),
-                                        MS_SSS__SET(MS_SSS__AWAY));
-        const MS_SSS__MASK part = MS_SSS__LESS(z, MS_SSS__SET(MS_SSS__AWAY / 2));
-        MS_SSS__V share[3];
-        MS_SSS__NAME(keep)(h, z, share);
-        MS_SSS__UNROLL
+    for (x = 0; x < count; x += MS__N) {
+        const MS__V z = MS__MIN(MS__MUL(MS__LOAD(depth + x), MS__SET(h->scale)), MS__SET(MS_SSS__AWAY));
+        const MS__MASK part = MS__LESS(z, MS__SET(MS_SSS__AWAY / 2));
+        MS__V share[3];
+        MS__F(self_weights)(h, z, share);
+        MS__UNROLL
         for (c = 0; c < 3; ++c) {
-            const MS_SSS__V e = MS_SSS__LOAD(light[c] + x), change = MS_SSS__SUB(MS_SSS__LOAD(blur[c] + x), e);
-            const MS_SSS__V least = MS_SSS__MIN(MS_SSS__MIN(e, MS_SSS__LOAD(blur[c] + x)), MS_SSS__SET(0.0f));
+            const MS__V e = MS__LOAD(light[c] + x), change = MS__SUB(MS__LOAD(blur[c] + x), e);
+            const MS__V least = MS__MIN(MS__MIN(e, MS__LOAD(blur[c] + x)), MS__SET(0.0f));
             /* light without negative parts stays so, also where more than the share was the pixel's own */
-            const MS_SSS__V soft = MS_SSS__MAX(
-                MS_SSS__MADD(change, MS_SSS__NAME(inverse)(MS_SSS__SUB(MS_SSS__SET(1.0f), share[c])), e), least);
-            MS_SSS__STORE(out[c] + x, MS_SSS__SELECT(part, soft, MS_SSS__SET(0.0f)));
+            const MS__V soft = MS__MAX(MS__MADD(change, MS__F(inverse)(MS__SUB(MS__SET(1.0f), share[c])), e), least);
+            MS__STORE(out[c] + x, MS__SELECT(part, soft, MS__SET(0.0f)));
         }
-        MS_SSS__STORE(out[3] + x, MS_SSS__MUL(z, MS_SSS__SET(h->within)));
+        MS__STORE(out[3] + x, MS__MUL(z, MS__SET(h->within)));
     }
 }
 
 /* What is left of LANES times two columns from x on where pixels differ in what they keep, or have no neighbours: sum:
    of each side's neighbours light and weights. */
-static MS_SSS__APART void MS_SSS__NAME(refine_rest)(const ms_sss__halving *h, const float *const own[4], float unit,
-                                                    float (*sum)[4][MS_SSS__LANES], int x, float *const out[3])
+static MS_SSS__APART void MS__F(upsample_rest)(const ms_sss__halving *h, const float *const own[4], float unit,
+                                               float (*sum)[4][MS__N], int x, float *const out[3])
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), tiny = MS_SSS__SET(1e-6f);
-    MS_SSS__V change[2][3], stay[2][3];
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), tiny = MS__SET(1e-6f);
+    MS__V change[2][3], stay[2][3];
     int side, c;
     for (side = 0; side < 2; ++side) {
-        const MS_SSS__V a = MS_SSS__LOAD(own[3] + 2 * x), b = MS_SSS__LOAD(own[3] + 2 * x + MS_SSS__LANES),
-                        n = MS_SSS__LOAD(sum[side][3]);
-        const MS_SSS__V z = MS_SSS__MIN(MS_SSS__MUL(side ? MS_SSS__ODD(a, b) : MS_SSS__EVEN(a, b), MS_SSS__SET(unit)),
-                                        MS_SSS__SET(MS_SSS__AWAY));
-        const MS_SSS__MASK some = MS_SSS__BOTH(MS_SSS__LESS(tiny, n), MS_SSS__LESS(z, MS_SSS__SET(h->tiny)));
-        MS_SSS__V share[3];
-        MS_SSS__NAME(keep)(h, z, share);
+        const MS__V a = MS__LOAD(own[3] + 2 * x), b = MS__LOAD(own[3] + 2 * x + MS__N), n = MS__LOAD(sum[side][3]);
+        const MS__V z = MS__MIN(MS__MUL(side ? MS__ODD(a, b) : MS__EVEN(a, b), MS__SET(unit)), MS__SET(MS_SSS__AWAY));
+        const MS__MASK some = MS__BOTH(MS__LESS(tiny, n), MS__LESS(z, MS__SET(h->tiny)));
+        MS__V share[3];
+        MS__F(self_weights)(h, z, share);
         for (c = 0; c < 3; ++c) {
-            const MS_SSS__V mean = MS_SSS__MUL(MS_SSS__LOAD(sum[side][c]), MS_SSS__NAME(inverse)(MS_SSS__MAX(n, tiny)));
-            change[side][c] = MS_SSS__SELECT(some, MS_SSS__MUL(MS_SSS__SUB(one, share[c]), mean), zero);
-            stay[side][c] = MS_SSS__SELECT(some, share[c], one);
+            const MS__V mean = MS__MUL(MS__LOAD(sum[side][c]), MS__F(inverse)(MS__MAX(n, tiny)));
+            change[side][c] = MS__SELECT(some, MS__MUL(MS__SUB(one, share[c]), mean), zero);
+            stay[side][c] = MS__SELECT(some, share[c], one);
         }
     }
     for (c = 0; c < 3; ++c) {
-        const MS_SSS__V a = MS_SSS__LOAD(own[c] + 2 * x), b = MS_SSS__LOAD(own[c] + 2 * x + MS_SSS__LANES);
-        MS_SSS__STORE(
-            out[c] + 2 * x,
-            MS_SSS__MADD(MS_SSS__ZIP_LOW(stay[0][c], stay[1][c]), a, MS_SSS__ZIP_LOW(change[0][c], change[1][c])));
-        MS_SSS__STORE(
-            out[c] + 2 * x + MS_SSS__LANES,
-            MS_SSS__MADD(MS_SSS__ZIP_HIGH(stay[0][c], stay[1][c]), b, MS_SSS__ZIP_HIGH(change[0][c], change[1][c])));
+        const MS__V a = MS__LOAD(own[c] + 2 * x), b = MS__LOAD(own[c] + 2 * x + MS__N);
+        MS__STORE(out[c] + 2 * x,
+                  MS__MADD(MS__ZIP_LOW(stay[0][c], stay[1][c]), a, MS__ZIP_LOW(change[0][c], change[1][c])));
+        MS__STORE(out[c] + 2 * x + MS__N,
+                  MS__MADD(MS__ZIP_HIGH(stay[0][c], stay[1][c]), b, MS__ZIP_HIGH(change[0][c], change[1][c])));
     }
 }
 
 /* A row of the picture from its colour and depth (times unit) and the two softened rows beside it, whose planes lie
    equally far apart; the first is nearer if odd. Weights 0.8 and 0.2 each way, sharper than the linear 0.75 and 0.25,
    make up for part of what averaging pixels blurs. */
-static void MS_SSS__NAME(refine)(const ms_sss__halving *h, const float *const own[4], float unit,
-                                 const float *const coarse[2][4], int odd, int count, float *const out[3])
+static void MS__F(upsample)(const ms_sss__halving *h, const float *const own[4], float unit,
+                            const float *const coarse[2][4], int odd, int count, float *const out[3])
 {
     static const float root[3] = {0.44721360f, 0.63245553f, 0.89442719f}; /* of 0.2 0.2, 0.2 0.8, 0.8 0.8: the fourth */
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), within = MS_SSS__SET(unit * h->within);
-    const MS_SSS__V even = MS_SSS__SET((h->beyond < h->tiny ? h->beyond : h->tiny) /
-                                       unit); /* depth up to which all keep the same share */
-    const MS_SSS__V share[3] = {MS_SSS__SET(h->share[0]), MS_SSS__SET(h->share[1]), MS_SSS__SET(h->share[2])};
-    const unsigned every = ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES);
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), within = MS__SET(unit * h->within);
+    const MS__V even = MS__SET((h->beyond < h->tiny ? h->beyond : h->tiny) /
+                               unit); /* depth up to which all keep the same share */
+    const MS__V share[3] = {MS__SET(h->share[0]), MS__SET(h->share[1]), MS__SET(h->share[2])};
+    const unsigned every = ms_sss__lanes(MS__N, MS__N);
     const ptrdiff_t plane = coarse[0][1] - coarse[0][0];
     int x, side, i, j, c;
-    for (x = 0; 2 * x < count; x += MS_SSS__LANES) {
-        const MS_SSS__V a = MS_SSS__LOAD(own[3] + 2 * x), b = MS_SSS__LOAD(own[3] + 2 * x + MS_SSS__LANES);
-        const unsigned uneven = MS_SSS__BITS(MS_SSS__LESS(even, MS_SSS__MAX(a, b)));
-        MS_SSS__V sum[2][4];
-        MS_SSS__UNROLL
+    for (x = 0; 2 * x < count; x += MS__N) {
+        const MS__V a = MS__LOAD(own[3] + 2 * x), b = MS__LOAD(own[3] + 2 * x + MS__N);
+        const unsigned uneven = MS__BITS(MS__LESS(even, MS__MAX(a, b)));
+        MS__V sum[2][4];
+        MS__UNROLL
         for (side = 0; side < 2; ++side) {
-            const MS_SSS__V z = MS_SSS__MUL(side ? MS_SSS__ODD(a, b) : MS_SSS__EVEN(a, b), within);
-            MS_SSS__V *of = sum[side];
+            const MS__V z = MS__MUL(side ? MS__ODD(a, b) : MS__EVEN(a, b), within);
+            MS__V *of = sum[side];
             of[0] = of[1] = of[2] = of[3] = zero;
-            MS_SSS__UNROLL
+            MS__UNROLL
             for (j = 0; j < 2; ++j) {
-                MS_SSS__UNROLL
+                MS__UNROLL
                 for (i = 0; i < 2; ++i) {
                     const float *from = coarse[j][0] + x + i - 1 + side;
-                    const MS_SSS__V weight = MS_SSS__SET(root[(i != side) + ((j == 0) == odd)]),
-                                    d = MS_SSS__SUB(MS_SSS__LOAD(from + 3 * plane), z);
-                    MS_SSS__V f = MS_SSS__MAX(MS_SSS__LESSEN(MS_SSS__MUL(d, d), weight, weight), zero);
-                    f = MS_SSS__MUL(f, f);
-                    f = MS_SSS__MUL(f, f);
-                    of[3] = MS_SSS__ADD(of[3], f);
-                    MS_SSS__UNROLL
-                    for (c = 0; c < 3; ++c) of[c] = MS_SSS__MADD(f, MS_SSS__LOAD(from + c * plane), of[c]);
+                    const MS__V weight = MS__SET(root[(i != side) + ((j == 0) == odd)]),
+                                d = MS__SUB(MS__LOAD(from + 3 * plane), z);
+                    MS__V f = MS__MAX(MS__NMADD(MS__MUL(d, d), weight, weight), zero);
+                    f = MS__MUL(f, f);
+                    f = MS__MUL(f, f);
+                    of[3] = MS__ADD(of[3], f);
+                    MS__UNROLL
+                    for (c = 0; c < 3; ++c) of[c] = MS__MADD(f, MS__LOAD(from + c * plane), of[c]);
                 }
             }
         }
-        if (uneven || MS_SSS__BITS(MS_SSS__LESS(MS_SSS__SET(1e-6f), MS_SSS__MIN(sum[0][3], sum[1][3]))) != every) {
-            float kept[2][4][MS_SSS__LANES];
+        if (uneven || MS__BITS(MS__LESS(MS__SET(1e-6f), MS__MIN(sum[0][3], sum[1][3]))) != every) {
+            float kept[2][4][MS__N];
             for (side = 0; side < 2; ++side)
-                for (c = 0; c < 4; ++c) MS_SSS__STORE(kept[side][c], sum[side][c]);
-            MS_SSS__NAME(refine_rest)(h, own, unit, kept, x, out);
+                for (c = 0; c < 4; ++c) MS__STORE(kept[side][c], sum[side][c]);
+            MS__F(upsample_rest)(h, own, unit, kept, x, out);
             continue;
         }
-        sum[0][3] = MS_SSS__NAME(inverse)(sum[0][3]);
-        sum[1][3] = MS_SSS__NAME(inverse)(sum[1][3]);
-        MS_SSS__UNROLL
+        sum[0][3] = MS__F(inverse)(sum[0][3]);
+        sum[1][3] = MS__F(inverse)(sum[1][3]);
+        MS__UNROLL
         for (c = 0; c < 3; ++c) {
-            const MS_SSS__V change = MS_SSS__SUB(one, share[c]),
-                            p = MS_SSS__MUL(sum[0][c], MS_SSS__MUL(sum[0][3], change)),
-                            q = MS_SSS__MUL(sum[1][c], MS_SSS__MUL(sum[1][3], change));
-            const MS_SSS__V low = MS_SSS__MADD(share[c], MS_SSS__LOAD(own[c] + 2 * x), MS_SSS__ZIP_LOW(p, q));
-            const MS_SSS__V high = MS_SSS__MADD(share[c], MS_SSS__LOAD(own[c] + 2 * x + MS_SSS__LANES),
-                                                MS_SSS__ZIP_HIGH(p, q));
-            MS_SSS__STORE(out[c] + 2 * x, low);
-            MS_SSS__STORE(out[c] + 2 * x + MS_SSS__LANES, high);
+            const MS__V change = MS__SUB(one, share[c]), p = MS__MUL(sum[0][c], MS__MUL(sum[0][3], change)),
+                        q = MS__MUL(sum[1][c], MS__MUL(sum[1][3], change));
+            const MS__V low = MS__MADD(share[c], MS__LOAD(own[c] + 2 * x), MS__ZIP_LOW(p, q));
+            const MS__V high = MS__MADD(share[c], MS__LOAD(own[c] + 2 * x + MS__N), MS__ZIP_HIGH(p, q));
+            MS__STORE(out[c] + 2 * x, low);
+            MS__STORE(out[c] + 2 * x + MS__N, high);
         }
     }
 }
@@ -8909,129 +8864,119 @@ static void MS_SSS__NAME(refine)(const ms_sss__halving *h, const float *const ow
 /* ---- pyramid kernels ------------------------------------------------------------------------------------------- */
 
 /* d from depth (INFINITY: takes no part). */
-static void MS_SSS__NAME(invert)(const ms_sss__growth *s, const float *depth, int count, float *d)
+static void MS__F(invert)(const ms_sss__pyramid_params *s, const float *depth, int count, float *d)
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), infinity = MS_SSS__SET(INFINITY);
+    const MS__V zero = MS__SET(0.0f), infinity = MS__SET(INFINITY);
     int i;
-    for (i = 0; i < count; i += MS_SSS__LANES) {
-        const MS_SSS__V z = MS_SSS__LOAD(depth + i);
-        const MS_SSS__V value = s->perspective ? MS_SSS__DIV(MS_SSS__SET(-1.0f), z) : s->shaped ? z : MS_SSS__SET(1.0f);
-        MS_SSS__STORE(d + i, MS_SSS__SELECT(MS_SSS__LESS(z, infinity), value, zero));
+    for (i = 0; i < count; i += MS__N) {
+        const MS__V z = MS__LOAD(depth + i);
+        const MS__V value = s->perspective ? MS__DIV(MS__SET(-1.0f), z) : s->shaped ? z : MS__SET(1.0f);
+        MS__STORE(d + i, MS__SELECT(MS__LESS(z, infinity), value, zero));
     }
 }
 
 /* Steps of d a pixel wide are this many pixels deep; quick: within 2e-7 of itself, where no step is as deep as another
    or a bound. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(deep)(const ms_sss__growth *s, MS_SSS__V d, const int quick)
+static MS_SSS__INLINE MS__V MS__F(deep)(const ms_sss__pyramid_params *s, MS__V d, const int quick)
 {
-    const MS_SSS__V scale = MS_SSS__SET((s->perspective ? -1.0f : 1.0f) / s->step);
-    if (!s->shaped) return MS_SSS__SET(0.0f);
-    if (quick) return s->perspective ? MS_SSS__MUL(scale, MS_SSS__NAME(inverse)(d)) : scale;
-    return s->perspective ? MS_SSS__DIV(scale, d) : scale;
+    const MS__V scale = MS__SET((s->perspective ? -1.0f : 1.0f) / s->step);
+    if (!s->shaped) return MS__SET(0.0f);
+    if (quick) return s->perspective ? MS__MUL(scale, MS__F(inverse)(d)) : scale;
+    return s->perspective ? MS__DIV(scale, d) : scale;
 }
 
 /* Radius of the kernel in pixels on a surface that faces the camera. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(radius)(const ms_sss__growth *s, MS_SSS__V d)
+static MS_SSS__INLINE MS__V MS__F(radius)(const ms_sss__pyramid_params *s, MS__V d)
 {
-    return MS_SSS__MIN(s->perspective ? MS_SSS__MUL(MS_SSS__SET(-s->size), d) : MS_SSS__SET(s->size),
-                       MS_SSS__SET(s->size_max));
+    return MS__MIN(s->perspective ? MS__MUL(MS__SET(-s->size), d) : MS__SET(s->size), MS__SET(s->size_max));
 }
 
 /* How much larger the surface is than its picture: the length of (slope, 1 + slope . ray). */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(area)(MS_SSS__V sx, MS_SSS__V sy, MS_SSS__V rx, MS_SSS__V ry)
+static MS_SSS__INLINE MS__V MS__F(area)(MS__V sx, MS__V sy, MS__V rx, MS__V ry)
 {
-    const MS_SSS__V n = MS_SSS__MADD(sx, rx, MS_SSS__MADD(sy, ry, MS_SSS__SET(1.0f)));
-    return MS_SSS__SQRT(MS_SSS__MADD(sx, sx, MS_SSS__MADD(sy, sy, MS_SSS__MUL(n, n))));
+    const MS__V n = MS__MADD(sx, rx, MS__MADD(sy, ry, MS__SET(1.0f)));
+    return MS__SQRT(MS__MADD(sx, sx, MS__MADD(sy, sy, MS__MUL(n, n))));
 }
 
 /* As slope above, of d: its slope from the steps on both sides, those that the radius lets count. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(incline)(const ms_sss__growth *s, const MS_SSS__V at[5], MS_SSS__V deep,
-                                                      MS_SSS__V radius)
+static MS_SSS__INLINE MS__V MS__F(slope_of_d)(const ms_sss__pyramid_params *s, const MS__V at[5], MS__V deep,
+                                              MS__V radius)
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), half = MS_SSS__SET(0.5f), one = MS_SSS__SET(1.0f);
-    const MS_SSS__V a = MS_SSS__MUL(MS_SSS__SUB(at[2], at[1]), deep), b = MS_SSS__MUL(MS_SSS__SUB(at[3], at[2]), deep);
-    const MS_SSS__MASK near_a = MS_SSS__LESS(MS_SSS__ABS(a), radius), near_b = MS_SSS__LESS(MS_SSS__ABS(b), radius),
-                       both = MS_SSS__LESS(zero, MS_SSS__MUL(at[1], at[3]));
-    const MS_SSS__MASK even = MS_SSS__BOTH(
-        MS_SSS__BOTH(near_a, near_b),
-        MS_SSS__BOTH(both, MS_SSS__LESS(MS_SSS__ABS(MS_SSS__SUB(a, b)), MS_SSS__MADD(MS_SSS__MUL(a, b), half, half))));
-    MS_SSS__V slope = MS_SSS__MUL(half, MS_SSS__ADD(a, b));
-    if (MS_SSS__BITS(even) != ms_sss__lanes(MS_SSS__LANES, MS_SSS__LANES)) {
-        const MS_SSS__MASK is_a = MS_SSS__BOTH(MS_SSS__LESS(zero, MS_SSS__ABS(at[1])), near_a),
-                           is_b = MS_SSS__BOTH(MS_SSS__LESS(zero, MS_SSS__ABS(at[3])), near_b);
-        const MS_SSS__V sum = MS_SSS__ADD(MS_SSS__SELECT(is_a, a, zero), MS_SSS__SELECT(is_b, b, zero));
-        const MS_SSS__MASK first_a = MS_SSS__LESS(MS_SSS__ABS(a), MS_SSS__ABS(b)),
-                           first_b = MS_SSS__LESS(MS_SSS__ABS(b), MS_SSS__ABS(a));
-        const MS_SSS__V less = MS_SSS__SELECT(MS_SSS__BOTH(is_a, is_b),
-                                              MS_SSS__SELECT(first_a, a, MS_SSS__SELECT(first_b, b, slope)), sum);
-        const MS_SSS__MASK before = MS_SSS__LESS(
-            half, MS_SSS__SELECT(is_b, MS_SSS__SELECT(is_a, MS_SSS__SELECT(first_a, one, zero), zero), one));
-        const MS_SSS__V next = MS_SSS__SELECT(before, at[1], at[3]), after_next = MS_SSS__SELECT(before, at[0], at[4]);
-        const MS_SSS__V step = MS_SSS__SUB(at[2], next), inner = MS_SSS__SUB(next, after_next),
-                        least = MS_SSS__ABS(inner);
-        const MS_SSS__V excess = MS_SSS__LESSEN(MS_SSS__ABS(at[2]), MS_SSS__SET(2 * s->grain),
-                                                MS_SSS__MIN(MS_SSS__SUB(MS_SSS__ABS(step), least), least));
-        MS_SSS__V more = MS_SSS__MIN(MS_SSS__DIV(excess, least), MS_SSS__SET(0.85f));
-        more = MS_SSS__SELECT(
-            MS_SSS__BOTH(MS_SSS__LESS(zero, excess),
-                         MS_SSS__LESS(zero, MS_SSS__MUL(MS_SSS__MUL(step, deep), MS_SSS__MUL(inner, deep)))),
-            more, zero);
-        more = MS_SSS__MUL(more,
-                           MS_SSS__MADD(more, MS_SSS__MADD(MS_SSS__MUL(more, more), MS_SSS__SET(0.7f), half), half));
-        slope = MS_SSS__SELECT(even, slope, MS_SSS__MADD(less, more, less));
+    const MS__V zero = MS__SET(0.0f), half = MS__SET(0.5f), one = MS__SET(1.0f);
+    const MS__V a = MS__MUL(MS__SUB(at[2], at[1]), deep), b = MS__MUL(MS__SUB(at[3], at[2]), deep);
+    const MS__MASK near_a = MS__LESS(MS__ABS(a), radius), near_b = MS__LESS(MS__ABS(b), radius),
+                   both = MS__LESS(zero, MS__MUL(at[1], at[3]));
+    const MS__MASK even = MS__BOTH(
+        MS__BOTH(near_a, near_b),
+        MS__BOTH(both, MS__LESS(MS__ABS(MS__SUB(a, b)), MS__MADD(MS__MUL(a, b), half, half))));
+    MS__V slope = MS__MUL(half, MS__ADD(a, b));
+    if (MS__BITS(even) != ms_sss__lanes(MS__N, MS__N)) {
+        const MS__MASK is_a = MS__BOTH(MS__LESS(zero, MS__ABS(at[1])), near_a),
+                       is_b = MS__BOTH(MS__LESS(zero, MS__ABS(at[3])), near_b);
+        const MS__V sum = MS__ADD(MS__SELECT(is_a, a, zero), MS__SELECT(is_b, b, zero));
+        const MS__MASK first_a = MS__LESS(MS__ABS(a), MS__ABS(b)), first_b = MS__LESS(MS__ABS(b), MS__ABS(a));
+        const MS__V less = MS__SELECT(MS__BOTH(is_a, is_b), MS__SELECT(first_a, a, MS__SELECT(first_b, b, slope)), sum);
+        const MS__MASK before = MS__LESS(half,
+                                         MS__SELECT(is_b, MS__SELECT(is_a, MS__SELECT(first_a, one, zero), zero), one));
+        const MS__V next = MS__SELECT(before, at[1], at[3]), after_next = MS__SELECT(before, at[0], at[4]);
+        const MS__V step = MS__SUB(at[2], next), inner = MS__SUB(next, after_next), least = MS__ABS(inner);
+        const MS__V excess = MS__NMADD(MS__ABS(at[2]), MS__SET(2 * s->rounding),
+                                       MS__MIN(MS__SUB(MS__ABS(step), least), least));
+        MS__V more = MS__MIN(MS__DIV(excess, least), MS__SET(0.85f));
+        more = MS__SELECT(
+            MS__BOTH(MS__LESS(zero, excess), MS__LESS(zero, MS__MUL(MS__MUL(step, deep), MS__MUL(inner, deep)))), more,
+            zero);
+        more = MS__MUL(more, MS__MADD(more, MS__MADD(MS__MUL(more, more), MS__SET(0.7f), half), half));
+        slope = MS__SELECT(even, slope, MS__MADD(less, more, less));
     }
     return slope;
 }
 
 /* Share and change of d along x and y of row y of the picture; d: rows y - 2 to y + 2; normal: the caller's or NULL. */
-static void MS_SSS__NAME(lie)(const ms_sss__growth *s, const float *const d[5], const float *const normal[3], int y,
-                              int first, int count, float *const out[3])
+static void MS__F(slopes_of_d)(const ms_sss__pyramid_params *s, const float *const d[5], const float *const normal[3],
+                               int y, int first, int count, float *const out[3])
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), most = MS_SSS__SET(8.0f),
-                    infinity = MS_SSS__SET(INFINITY);
-    const MS_SSS__V ry = MS_SSS__SET(((float)y + 0.5f - s->middle[1]) * s->tangent);
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), most = MS__SET(8.0f), infinity = MS__SET(INFINITY);
+    const MS__V ry = MS__SET(((float)y + 0.5f - s->middle[1]) * s->tangent);
     int i;
-    for (i = first; i < count; i += MS_SSS__LANES) {
-        const MS_SSS__V own = MS_SSS__LOAD(d[2] + i);
-        const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(own));
-        const MS_SSS__V safe = MS_SSS__SELECT(part, own, MS_SSS__SET(-1.0f));
-        const MS_SSS__V deep = MS_SSS__NAME(deep)(s, safe, 0), radius = MS_SSS__NAME(radius)(s, safe);
-        MS_SSS__V sx, sy, rx, step;
-        if (!(s->upright > 0) || !MS_SSS__BITS(part)) {
-            MS_SSS__STORE(out[0] + i, MS_SSS__SELECT(part, one, zero));
-            MS_SSS__STORE(out[1] + i, zero);
-            MS_SSS__STORE(out[2] + i, zero);
+    for (i = first; i < count; i += MS__N) {
+        const MS__V own = MS__LOAD(d[2] + i);
+        const MS__MASK part = MS__LESS(zero, MS__ABS(own));
+        const MS__V safe = MS__SELECT(part, own, MS__SET(-1.0f));
+        const MS__V deep = MS__F(deep)(s, safe, 0), radius = MS__F(radius)(s, safe);
+        MS__V sx, sy, rx, step;
+        if (!(s->slope_scale > 0) || !MS__BITS(part)) {
+            MS__STORE(out[0] + i, MS__SELECT(part, one, zero));
+            MS__STORE(out[1] + i, zero);
+            MS__STORE(out[2] + i, zero);
             continue;
         }
-        rx = MS_SSS__MADD(MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET(s->tangent),
-                          MS_SSS__SET(((float)i + 0.5f - s->middle[0]) * s->tangent));
+        rx = MS__MADD(MS__LOAD(ms_sss__iota), MS__SET(s->tangent),
+                      MS__SET(((float)i + 0.5f - s->middle[0]) * s->tangent));
         if (normal) { /* slopes beyond 8, and normals turned away, keep their direction */
-            const MS_SSS__V a = MS_SSS__LOAD(normal[0] + i), b = MS_SSS__LOAD(normal[1] + i),
-                            c = MS_SSS__LOAD(normal[2] + i);
-            const MS_SSS__V least = MS_SSS__MUL(MS_SSS__MAX(MS_SSS__ABS(a), MS_SSS__ABS(b)), MS_SSS__SET(0.125f));
-            const MS_SSS__V n = MS_SSS__MAX(MS_SSS__SUB(c, MS_SSS__MADD(rx, a, MS_SSS__MUL(ry, b))), least);
-            MS_SSS__MASK sound = MS_SSS__BOTH(MS_SSS__LESS(zero, n), MS_SSS__LESS(MS_SSS__ABS(a), infinity));
-            sound = MS_SSS__BOTH(
-                sound, MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__ABS(b), infinity), MS_SSS__LESS(MS_SSS__ABS(c), infinity)));
-            sx = MS_SSS__SELECT(sound, MS_SSS__DIV(a, n), zero);
-            sy = MS_SSS__SELECT(sound, MS_SSS__DIV(b, n), zero);
+            const MS__V a = MS__LOAD(normal[0] + i), b = MS__LOAD(normal[1] + i), c = MS__LOAD(normal[2] + i);
+            const MS__V least = MS__MUL(MS__MAX(MS__ABS(a), MS__ABS(b)), MS__SET(0.125f));
+            const MS__V n = MS__MAX(MS__SUB(c, MS__MADD(rx, a, MS__MUL(ry, b))), least);
+            MS__MASK sound = MS__BOTH(MS__LESS(zero, n), MS__LESS(MS__ABS(a), infinity));
+            sound = MS__BOTH(sound, MS__BOTH(MS__LESS(MS__ABS(b), infinity), MS__LESS(MS__ABS(c), infinity)));
+            sx = MS__SELECT(sound, MS__DIV(a, n), zero);
+            sy = MS__SELECT(sound, MS__DIV(b, n), zero);
         } else {
-            MS_SSS__V across[5], down[5];
+            MS__V across[5], down[5];
             int k;
             for (k = 0; k < 5; ++k) {
-                across[k] = MS_SSS__LOAD(d[2] + i + k - 2);
-                down[k] = MS_SSS__LOAD(d[k] + i);
+                across[k] = MS__LOAD(d[2] + i + k - 2);
+                down[k] = MS__LOAD(d[k] + i);
             }
-            sx = MS_SSS__NAME(incline)(s, across, deep, radius);
-            sy = MS_SSS__NAME(incline)(s, down, deep, radius);
+            sx = MS__F(slope_of_d)(s, across, deep, radius);
+            sy = MS__F(slope_of_d)(s, down, deep, radius);
         }
-        sx = MS_SSS__MUL(MS_SSS__MIN(MS_SSS__MAX(sx, MS_SSS__SUB(zero, most)), most), MS_SSS__SET(s->upright));
-        sy = MS_SSS__MUL(MS_SSS__MIN(MS_SSS__MAX(sy, MS_SSS__SUB(zero, most)), most), MS_SSS__SET(s->upright));
-        step = s->perspective ? MS_SSS__MUL(safe, MS_SSS__SET(-s->step)) : MS_SSS__SET(s->step);
-        MS_SSS__STORE(out[0] + i,
-                      MS_SSS__SELECT(part, MS_SSS__MIN(MS_SSS__NAME(area)(sx, sy, rx, ry), MS_SSS__SET(10.0f)), zero));
-        MS_SSS__STORE(out[1] + i, MS_SSS__SELECT(part, MS_SSS__MUL(sx, step), zero));
-        MS_SSS__STORE(out[2] + i, MS_SSS__SELECT(part, MS_SSS__MUL(sy, step), zero));
+        sx = MS__MUL(MS__MIN(MS__MAX(sx, MS__SUB(zero, most)), most), MS__SET(s->slope_scale));
+        sy = MS__MUL(MS__MIN(MS__MAX(sy, MS__SUB(zero, most)), most), MS__SET(s->slope_scale));
+        step = s->perspective ? MS__MUL(safe, MS__SET(-s->step)) : MS__SET(s->step);
+        MS__STORE(out[0] + i, MS__SELECT(part, MS__MIN(MS__F(area)(sx, sy, rx, ry), MS__SET(10.0f)), zero));
+        MS__STORE(out[1] + i, MS__SELECT(part, MS__MUL(sx, step), zero));
+        MS__STORE(out[2] + i, MS__SELECT(part, MS__MUL(sy, step), zero));
     }
 }
 
@@ -9039,160 +8984,153 @@ static void MS_SSS__NAME(lie)(const ms_sss__growth *s, const float *const d[5], 
    mean of columns 2i - 1 to 2i + 2 by (1, 3, 3, 1) / 8 both ways, of what lies near the tangent plane of the nearest of
    the middle four that has a quarter of the largest share. tilted 0: no changes, on the picture (share NULL) shares of
    1, and colours of levels are times their share. */
-static MS_SSS__INLINE void MS_SSS__NAME(shrink_row)(const ms_sss__growth *s, const int tilted, const int shares,
-                                                    const float *row[4][7], int first, int count, float *const out[7])
+static MS_SSS__INLINE void MS__F(downsample_level_row)(const ms_sss__pyramid_params *s, const int tilted,
+                                                       const int shares, const float *row[4][7], int first, int count,
+                                                       float *const out[7])
 {
     /* Fourth roots of 1, 3, 9 of 64, by how many sides are near, and their roots. */
     static const float root[3] = {0.353553391f, 0.465302426f, 0.612372436f};
     static const float half_root[3] = {0.594603558f, 0.682130799f, 0.782542290f};
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), infinity = MS_SSS__SET(INFINITY);
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), infinity = MS__SET(INFINITY);
     int i, y, x, c;
-    for (i = first; i < count; i += MS_SSS__LANES) {
-        MS_SSS__V most = zero, d = infinity, dx = zero, dy = zero, bx = zero, by = zero, n = zero, least, greatest,
-                  nearest, scale;
-        MS_SSS__V narrow[3];
-        MS_SSS__V sum[3], dd = zero, gx = zero, gy = zero, seen = zero, middle[2][2], share[2][2];
-        MS_SSS__MASK some;
+    for (i = first; i < count; i += MS__N) {
+        MS__V most = zero, d = infinity, dx = zero, dy = zero, bx = zero, by = zero, n = zero, least, greatest, nearest,
+              scale;
+        MS__V narrow[3];
+        MS__V sum[3], dd = zero, gx = zero, gy = zero, seen = zero, middle[2][2], share[2][2];
+        MS__MASK some;
         int check;
-        MS_SSS__UNROLL
+        MS__UNROLL
         for (y = 0; y < 2; ++y) {
             const float *z = row[y + 1][3] + 2 * i, *w = shares ? row[y + 1][4] + 2 * i : z;
-            const MS_SSS__V z0 = MS_SSS__LOAD(z), z1 = MS_SSS__LOAD(z + MS_SSS__LANES);
-            middle[y][0] = MS_SSS__EVENS(z0, z1);
-            middle[y][1] = MS_SSS__ODDS(z0, z1);
-            share[y][0] = MS_SSS__ABS(MS_SSS__EVENS(MS_SSS__LOAD(w), MS_SSS__LOAD(w + MS_SSS__LANES)));
-            share[y][1] = MS_SSS__ABS(MS_SSS__ODDS(MS_SSS__LOAD(w), MS_SSS__LOAD(w + MS_SSS__LANES)));
-            most = MS_SSS__MAX(most, MS_SSS__MAX(share[y][0], share[y][1]));
+            const MS__V z0 = MS__LOAD(z), z1 = MS__LOAD(z + MS__N);
+            middle[y][0] = MS__EVENS(z0, z1);
+            middle[y][1] = MS__ODDS(z0, z1);
+            share[y][0] = MS__ABS(MS__EVENS(MS__LOAD(w), MS__LOAD(w + MS__N)));
+            share[y][1] = MS__ABS(MS__ODDS(MS__LOAD(w), MS__LOAD(w + MS__N)));
+            most = MS__MAX(most, MS__MAX(share[y][0], share[y][1]));
         }
-        some = MS_SSS__LESS(zero, most);
-        if (!MS_SSS__BITS(some)) {
-            for (c = 0; c < (tilted ? 7 : 5); ++c) MS_SSS__STORE(out[c] + i, zero);
+        some = MS__LESS(zero, most);
+        if (!MS__BITS(some)) {
+            for (c = 0; c < (tilted ? 7 : 5); ++c) MS__STORE(out[c] + i, zero);
             continue;
         }
-        if (shares) most = MS_SSS__MUL(most, MS_SSS__SET(0.25f));
+        if (shares) most = MS__MUL(most, MS__SET(0.25f));
         else most = zero;
         for (y = 0; y < 2; ++y) {
             for (x = 0; x < 2; ++x) {
-                const MS_SSS__MASK better = MS_SSS__BOTH(MS_SSS__LESS(most, share[y][x]),
-                                                         MS_SSS__LESS(middle[y][x], d));
-                d = MS_SSS__SELECT(better, middle[y][x], d);
+                const MS__MASK better = MS__BOTH(MS__LESS(most, share[y][x]), MS__LESS(middle[y][x], d));
+                d = MS__SELECT(better, middle[y][x], d);
                 if (!tilted) continue;
                 for (c = 5; c < 7; ++c) {
-                    const MS_SSS__V a = MS_SSS__LOAD(row[y + 1][c] + 2 * i),
-                                    b = MS_SSS__LOAD(row[y + 1][c] + 2 * i + MS_SSS__LANES),
-                                    there = x ? MS_SSS__ODDS(a, b) : MS_SSS__EVENS(a, b);
-                    if (c == 5) dx = MS_SSS__SELECT(better, there, dx);
-                    else dy = MS_SSS__SELECT(better, there, dy);
+                    const MS__V a = MS__LOAD(row[y + 1][c] + 2 * i), b = MS__LOAD(row[y + 1][c] + 2 * i + MS__N),
+                                there = x ? MS__ODDS(a, b) : MS__EVENS(a, b);
+                    if (c == 5) dx = MS__SELECT(better, there, dx);
+                    else dy = MS__SELECT(better, there, dy);
                 }
-                bx = MS_SSS__SELECT(better, MS_SSS__SET((float)x - 0.5f), bx);
-                by = MS_SSS__SELECT(better, MS_SSS__SET((float)y - 0.5f), by);
+                bx = MS__SELECT(better, MS__SET((float)x - 0.5f), bx);
+                by = MS__SELECT(better, MS__SET((float)y - 0.5f), by);
             }
         }
-        d = MS_SSS__SELECT(some, d, MS_SSS__SET(-1.0f));
-        scale = MS_SSS__DIV(MS_SSS__NAME(deep)(s, d, 0), MS_SSS__NAME(radius)(s, d));
-        for (c = 0; c < 3; ++c) narrow[c] = MS_SSS__MUL(scale, MS_SSS__SET(half_root[c] / s->join));
+        d = MS__SELECT(some, d, MS__SET(-1.0f));
+        scale = MS__DIV(MS__F(deep)(s, d, 0), MS__F(radius)(s, d));
+        for (c = 0; c < 3; ++c) narrow[c] = MS__MUL(scale, MS__SET(half_root[c] / s->join));
         /* Else what takes no part lies too deep to count. */
-        check = !shares &&
-            MS_SSS__BITS(MS_SSS__LESS(MS_SSS__MUL(MS_SSS__ABS(d), narrow[0]), MS_SSS__SET(half_root[0])));
+        check = !shares && MS__BITS(MS__LESS(MS__MUL(MS__ABS(d), narrow[0]), MS__SET(half_root[0])));
         nearest = least = greatest = d;
-        if (tilted) d = MS_SSS__SUB(d, MS_SSS__MADD(bx, dx, MS_SSS__MUL(by, dy))); /* at the middle */
+        if (tilted) d = MS__SUB(d, MS__MADD(bx, dx, MS__MUL(by, dy))); /* at the middle */
         sum[0] = sum[1] = sum[2] = zero;
         for (y = 0; y < 4; ++y) {
             int half;
             for (half = 0; half < 2; ++half) { /* two columns at a time */
                 const ptrdiff_t at = 2 * i - 1 + 2 * half;
-                MS_SSS__V f[2], g[2], a = MS_SSS__LOAD(row[y][3] + at),
-                                      b = MS_SSS__LOAD(row[y][3] + at + MS_SSS__LANES);
-                MS_SSS__UNROLL
+                MS__V f[2], g[2], a = MS__LOAD(row[y][3] + at), b = MS__LOAD(row[y][3] + at + MS__N);
+                MS__UNROLL
                 for (x = 0; x < 2; ++x) {
                     const float along = (float)(2 * half + x) - 1.5f;
                     const int inner = (half != x) + (y == 1 || y == 2);
-                    const MS_SSS__V there = x ? MS_SSS__ODDS(a, b) : MS_SSS__EVENS(a, b),
-                                    away = MS_SSS__SUB(there, nearest);
-                    MS_SSS__V level = there, off = away, w;
+                    const MS__V there = x ? MS__ODDS(a, b) : MS__EVENS(a, b), away = MS__SUB(there, nearest);
+                    MS__V level = there, off = away, w;
                     if (tilted) {
-                        level = MS_SSS__SUB(
-                            there, MS_SSS__MADD(MS_SSS__SET(along), dx, MS_SSS__MUL(MS_SSS__SET((float)y - 1.5f), dy)));
-                        off = MS_SSS__SUB(level, d);
+                        level = MS__SUB(there, MS__MADD(MS__SET(along), dx, MS__MUL(MS__SET((float)y - 1.5f), dy)));
+                        off = MS__SUB(level, d);
                     }
-                    off = MS_SSS__MUL(off, narrow[inner]);
-                    f[x] = MS_SSS__MAX(MS_SSS__LESSEN(off, off, MS_SSS__SET(root[inner])), zero);
-                    f[x] = MS_SSS__MUL(f[x], f[x]);
-                    f[x] = MS_SSS__MUL(f[x], f[x]);
+                    off = MS__MUL(off, narrow[inner]);
+                    f[x] = MS__MAX(MS__NMADD(off, off, MS__SET(root[inner])), zero);
+                    f[x] = MS__MUL(f[x], f[x]);
+                    f[x] = MS__MUL(f[x], f[x]);
                     if (shares) {
-                        const MS_SSS__V w0 = MS_SSS__LOAD(row[y][4] + at),
-                                        w1 = MS_SSS__LOAD(row[y][4] + at + MS_SSS__LANES);
-                        w = x ? MS_SSS__ODDS(w0, w1) : MS_SSS__EVENS(w0, w1);
-                        if (tilted) f[x] = MS_SSS__MUL(f[x], w);
+                        const MS__V w0 = MS__LOAD(row[y][4] + at), w1 = MS__LOAD(row[y][4] + at + MS__N);
+                        w = x ? MS__ODDS(w0, w1) : MS__EVENS(w0, w1);
+                        if (tilted) f[x] = MS__MUL(f[x], w);
                     } else {
                         w = one;
-                        if (check) f[x] = MS_SSS__SELECT(MS_SSS__LESS(zero, MS_SSS__ABS(there)), f[x], zero);
+                        if (check) f[x] = MS__SELECT(MS__LESS(zero, MS__ABS(there)), f[x], zero);
                     }
                     if (tilted || s->join > 1)
-                        f[x] = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(MS_SSS__MUL(away, scale)), one), f[x], zero);
-                    off = shares && !tilted ? MS_SSS__MUL(f[x], w) : f[x];
-                    n = MS_SSS__ADD(n, off);
-                    dd = MS_SSS__MADD(off, level, dd);
+                        f[x] = MS__SELECT(MS__LESS(MS__ABS(MS__MUL(away, scale)), one), f[x], zero);
+                    off = shares && !tilted ? MS__MUL(f[x], w) : f[x];
+                    n = MS__ADD(n, off);
+                    dd = MS__MADD(off, level, dd);
                     if (tilted) { /* planes continue, but not beyond what is there; normals add up by area, slopes by
                                      what is seen of it */
-                        const MS_SSS__MASK counts = MS_SSS__LESS(zero, f[x]);
-                        least = MS_SSS__MIN(least, MS_SSS__SELECT(counts, there, nearest));
-                        greatest = MS_SSS__MAX(greatest, MS_SSS__SELECT(counts, there, nearest));
-                        g[x] = MS_SSS__DIV(f[x], MS_SSS__MAX(w, one));
-                        seen = MS_SSS__ADD(seen, g[x]);
+                        const MS__MASK counts = MS__LESS(zero, f[x]);
+                        least = MS__MIN(least, MS__SELECT(counts, there, nearest));
+                        greatest = MS__MAX(greatest, MS__SELECT(counts, there, nearest));
+                        g[x] = MS__DIV(f[x], MS__MAX(w, one));
+                        seen = MS__ADD(seen, g[x]);
                     }
                 }
-                MS_SSS__UNROLL
+                MS__UNROLL
                 for (c = 0; c < 3; ++c) {
-                    a = MS_SSS__LOAD(row[y][c] + at);
-                    b = MS_SSS__LOAD(row[y][c] + at + MS_SSS__LANES);
-                    sum[c] = MS_SSS__MADD(f[0], MS_SSS__EVENS(a, b), sum[c]);
-                    sum[c] = MS_SSS__MADD(f[1], MS_SSS__ODDS(a, b), sum[c]);
+                    a = MS__LOAD(row[y][c] + at);
+                    b = MS__LOAD(row[y][c] + at + MS__N);
+                    sum[c] = MS__MADD(f[0], MS__EVENS(a, b), sum[c]);
+                    sum[c] = MS__MADD(f[1], MS__ODDS(a, b), sum[c]);
                 }
                 if (!tilted) continue;
-                a = MS_SSS__LOAD(row[y][5] + at);
-                b = MS_SSS__LOAD(row[y][5] + at + MS_SSS__LANES);
-                gx = MS_SSS__MADD(g[1], MS_SSS__ODDS(a, b), MS_SSS__MADD(g[0], MS_SSS__EVENS(a, b), gx));
-                a = MS_SSS__LOAD(row[y][6] + at);
-                b = MS_SSS__LOAD(row[y][6] + at + MS_SSS__LANES);
-                gy = MS_SSS__MADD(g[1], MS_SSS__ODDS(a, b), MS_SSS__MADD(g[0], MS_SSS__EVENS(a, b), gy));
+                a = MS__LOAD(row[y][5] + at);
+                b = MS__LOAD(row[y][5] + at + MS__N);
+                gx = MS__MADD(g[1], MS__ODDS(a, b), MS__MADD(g[0], MS__EVENS(a, b), gx));
+                a = MS__LOAD(row[y][6] + at);
+                b = MS__LOAD(row[y][6] + at + MS__N);
+                gy = MS__MADD(g[1], MS__ODDS(a, b), MS__MADD(g[0], MS__EVENS(a, b), gy));
             }
         }
-        some = MS_SSS__BOTH(MS_SSS__LESS(MS_SSS__SET(1e-20f), n), some);
-        most = MS_SSS__NAME(inverse)(n);
+        some = MS__BOTH(MS__LESS(MS__SET(1e-20f), n), some);
+        most = MS__F(inverse)(n);
         for (c = 0; c < 3; ++c)
-            MS_SSS__STORE(out[c] + i,
-                          MS_SSS__ORDER(MS_SSS__SELECT(some, tilted ? MS_SSS__MUL(sum[c], most) : sum[c], zero)));
-        dd = MS_SSS__DIV(dd, n);
-        if (tilted) dd = MS_SSS__MIN(MS_SSS__MAX(dd, least), greatest);
-        MS_SSS__STORE(out[3] + i, MS_SSS__ORDER(MS_SSS__SELECT(some, dd, zero)));
-        MS_SSS__STORE(out[4] + i, MS_SSS__ORDER(MS_SSS__SELECT(some, n, zero)));
+            MS__STORE(out[c] + i, MS__ORDER(MS__SELECT(some, tilted ? MS__MUL(sum[c], most) : sum[c], zero)));
+        dd = MS__DIV(dd, n);
+        if (tilted) dd = MS__MIN(MS__MAX(dd, least), greatest);
+        MS__STORE(out[3] + i, MS__ORDER(MS__SELECT(some, dd, zero)));
+        MS__STORE(out[4] + i, MS__ORDER(MS__SELECT(some, n, zero)));
         if (!tilted) continue;
-        MS_SSS__STORE(out[5] + i, MS_SSS__ORDER(MS_SSS__SELECT(some, MS_SSS__DIV(MS_SSS__ADD(gx, gx), seen), zero)));
-        MS_SSS__STORE(out[6] + i, MS_SSS__ORDER(MS_SSS__SELECT(some, MS_SSS__DIV(MS_SSS__ADD(gy, gy), seen), zero)));
+        MS__STORE(out[5] + i, MS__ORDER(MS__SELECT(some, MS__DIV(MS__ADD(gx, gx), seen), zero)));
+        MS__STORE(out[6] + i, MS__ORDER(MS__SELECT(some, MS__DIV(MS__ADD(gy, gy), seen), zero)));
     }
 }
 
-static void MS_SSS__NAME(shrink)(const ms_sss__growth *s, const float *row[4][7], int first, int count,
-                                 float *const out[7])
+static void MS__F(downsample_level)(const ms_sss__pyramid_params *s, const float *row[4][7], int first, int count,
+                                    float *const out[7])
 {
-    if (s->upright > 0) MS_SSS__NAME(shrink_row)(s, 1, 1, row, first, count, out);
-    else MS_SSS__NAME(shrink_row)(s, 0, row[1][4] != NULL, row, first, count, out);
+    if (s->slope_scale > 0) MS__F(downsample_level_row)(s, 1, 1, row, first, count, out);
+    else MS__F(downsample_level_row)(s, 0, row[1][4] != NULL, row, first, count, out);
 }
 
 /* Weights of a level, of each lane between two sizes of the table: only the blurred, or (both) the own and the
    blurred. */
-typedef struct MS_SSS__NAME(scale) {
-    MS_SSS__V low, high, unit, from[6], more[6];
-} MS_SSS__NAME(scale);
+typedef struct MS__F(scale) {
+    MS__V low, high, unit, from[6], more[6];
+} MS__F(scale);
 
-static MS_SSS__APART void MS_SSS__NAME(rescale)(const ms_sss__growth *s, int level, int both, MS_SSS__V size,
-                                                unsigned part, MS_SSS__NAME(scale) * w)
+static MS_SSS__APART void MS__F(look_up_weights)(const ms_sss__pyramid_params *s, int level, int both, MS__V size,
+                                                 unsigned part, MS__F(scale) * w)
 {
-    float sizes[MS_SSS__LANES], value[15][MS_SSS__LANES];
+    float sizes[MS__N], value[15][MS__N];
     int c, k;
-    MS_SSS__STORE(sizes, size);
-    for (k = 0; k < MS_SSS__LANES; ++k) {
+    MS__STORE(sizes, size);
+    for (k = 0; k < MS__N; ++k) {
         const float at = sizes[part >> k & 1 ? k : ms_sss__lowest(part)];
         const int i = ms_sss__size_index(at);
         const float low = ms_sss__index_size(i), high = ms_sss__index_size(i + 1);
@@ -9206,406 +9144,407 @@ static MS_SSS__APART void MS_SSS__NAME(rescale)(const ms_sss__growth *s, int lev
             value[9 + c][k] = w1[c] - w0[c];
         }
     }
-    w->low = MS_SSS__LOAD(value[0]);
-    w->high = MS_SSS__LOAD(value[1]);
-    w->unit = MS_SSS__LOAD(value[2]);
+    w->low = MS__LOAD(value[0]);
+    w->high = MS__LOAD(value[1]);
+    w->unit = MS__LOAD(value[2]);
     for (c = 0; c < (both ? 6 : 3); ++c) {
-        w->from[c] = MS_SSS__LOAD(value[3 + c]);
-        w->more[c] = MS_SSS__LOAD(value[9 + c]);
+        w->from[c] = MS__LOAD(value[3 + c]);
+        w->more[c] = MS__LOAD(value[9 + c]);
     }
 }
 
 /* Weights for kernels of these radii in pixels. part: lanes that count; w: of the group before in the row, at first
    with low above high. */
-static MS_SSS__INLINE void MS_SSS__NAME(weigh)(const ms_sss__growth *s, int level, const int both, MS_SSS__V size,
-                                               unsigned part, MS_SSS__NAME(scale) * w, MS_SSS__V out[])
+static MS_SSS__INLINE void MS__F(level_weights)(const ms_sss__pyramid_params *s, int level, const int both, MS__V size,
+                                                unsigned part, MS__F(scale) * w, MS__V out[])
 {
-    MS_SSS__V t;
+    MS__V t;
     int c;
-    if ((MS_SSS__BITS(MS_SSS__LESS(size, w->low)) | MS_SSS__BITS(MS_SSS__LESS(w->high, size))) & part)
-        MS_SSS__NAME(rescale)(s, level, both, size, part, w);
-    t = MS_SSS__MUL(MS_SSS__SUB(size, w->low), w->unit);
-    MS_SSS__UNROLL
+    if ((MS__BITS(MS__LESS(size, w->low)) | MS__BITS(MS__LESS(w->high, size))) & part)
+        MS__F(look_up_weights)(s, level, both, size, part, w);
+    t = MS__MUL(MS__SUB(size, w->low), w->unit);
+    MS__UNROLL
     for (c = 0; c < 3; ++c) {
-        out[c] = MS_SSS__MADD(t, w->more[c], w->from[c]);
-        if (both) out[c + 3] = MS_SSS__MADD(t, w->more[c + 3], w->from[c + 3]);
+        out[c] = MS__MADD(t, w->more[c], w->from[c]);
+        if (both) out[c + 3] = MS__MADD(t, w->more[c + 3], w->from[c + 3]);
     }
 }
 
 /* light times the mean of (1 + K sin(theta) / 4)^4, by mean (moment / light) and mean square v of sin(theta), of which
    grain may be rounding. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(raise)(const ms_sss__growth *s, int channel, MS_SSS__V light,
-                                                    MS_SSS__V moment, MS_SSS__V v, MS_SSS__V grain)
+static MS_SSS__INLINE MS__V MS__F(elevate_mean)(const ms_sss__pyramid_params *s, int channel, MS__V light, MS__V moment,
+                                                MS__V v, MS__V grain)
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), quarter = MS_SSS__SET(s->quarter[channel]);
-    MS_SSS__V m = MS_SSS__DIV(moment, MS_SSS__SELECT(MS_SSS__SAME(light, zero), one, light)), u;
-    m = MS_SSS__MIN(MS_SSS__MAX(MS_SSS__NAME(beyond)(m, grain), MS_SSS__SET(-1.0f)), one);
-    u = MS_SSS__MAX(MS_SSS__MADD(quarter, m, one), zero);
-    u = MS_SSS__MUL(u, u);
-    m = MS_SSS__MAX(MS_SSS__SUB(v, MS_SSS__MADD(grain, grain, MS_SSS__MUL(m, m))), zero);
-    m = MS_SSS__MADD(MS_SSS__MUL(m, MS_SSS__MUL(quarter, quarter)), MS_SSS__SET(6.0f), u);
-    return MS_SSS__MUL(light, MS_SSS__MIN(MS_SSS__MUL(u, m), MS_SSS__SET(s->most[channel])));
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), quarter = MS__SET(s->quarter[channel]);
+    MS__V m = MS__DIV(moment, MS__SELECT(MS__SAME(light, zero), one, light)), u;
+    m = MS__MIN(MS__MAX(MS__F(residual)(m, grain), MS__SET(-1.0f)), one);
+    u = MS__MAX(MS__MADD(quarter, m, one), zero);
+    u = MS__MUL(u, u);
+    m = MS__MAX(MS__SUB(v, MS__MADD(grain, grain, MS__MUL(m, m))), zero);
+    m = MS__MADD(MS__MUL(m, MS__MUL(quarter, quarter)), MS__SET(6.0f), u);
+    return MS__MUL(light, MS__MIN(MS__MUL(u, m), MS__SET(s->most[channel])));
 }
 
 /* w times (1 + K sin(theta) / 4)^4 */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(lifted)(const ms_sss__growth *s, int channel, MS_SSS__V sine, MS_SSS__V w)
+static MS_SSS__INLINE MS__V MS__F(elevate_weight)(const ms_sss__pyramid_params *s, int channel, MS__V sine, MS__V w)
 {
-    MS_SSS__V u = MS_SSS__MAX(MS_SSS__MADD(MS_SSS__SET(s->quarter[channel]), sine, MS_SSS__SET(1.0f)),
-                              MS_SSS__SET(0.0f));
-    u = MS_SSS__MUL(u, u);
-    return MS_SSS__MUL(w, MS_SSS__MUL(u, u));
+    MS__V u = MS__MAX(MS__MADD(MS__SET(s->quarter[channel]), sine, MS__SET(1.0f)), MS__SET(0.0f));
+    u = MS__MUL(u, u);
+    return MS__MUL(w, MS__MUL(u, u));
 }
 
 /* 1 / sqrt(a) within 2e-7 of itself */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(root)(MS_SSS__V a)
+static MS_SSS__INLINE MS__V MS__F(fast_inverse_root)(MS__V a)
 {
-#if defined(MS_SSS__RSQRT)
-    const MS_SSS__V r = MS_SSS__RSQRT(a);
-    return MS_SSS__MUL(r, MS_SSS__LESSEN(MS_SSS__MUL(a, MS_SSS__SET(0.5f)), MS_SSS__MUL(r, r), MS_SSS__SET(1.5f)));
+#if defined(MS__RSQRT)
+    const MS__V r = MS__RSQRT(a);
+    return MS__MUL(r, MS__NMADD(MS__MUL(a, MS__SET(0.5f)), MS__MUL(r, r), MS__SET(1.5f)));
 #else
-    return MS_SSS__DIV(MS_SSS__SET(1.0f), MS_SSS__SQRT(a));
+    return MS__DIV(MS__SET(1.0f), MS__SQRT(a));
 #endif
 }
 
 /* What keeps the mean factor, lifted / n, at most at this. */
-static MS_SSS__INLINE MS_SSS__V MS_SSS__NAME(bounded)(MS_SSS__V n, MS_SSS__V lifted, float most)
+static MS_SSS__INLINE MS__V MS__F(bounded)(MS__V n, MS__V lifted, float most)
 {
-    const MS_SSS__V limit = MS_SSS__MUL(n, MS_SSS__SET(most));
-    return MS_SSS__SELECT(MS_SSS__LESS(limit, lifted), MS_SSS__DIV(limit, MS_SSS__MAX(lifted, MS_SSS__SET(1e-30f))),
-                          MS_SSS__SET(1.0f));
+    const MS__V limit = MS__MUL(n, MS__SET(most));
+    return MS__SELECT(MS__LESS(limit, lifted), MS__DIV(limit, MS__MAX(lifted, MS__SET(1e-30f))), MS__SET(1.0f));
 }
 
 /* gather for the even or the odd columns of LANES pairs: at, their d and changes of d. */
-static MS_SSS__INLINE void MS_SSS__NAME(gather_side)(const ms_sss__growth *s, const int wide, const int tilted,
-                                                     MS_SSS__V d, MS_SSS__V dx, MS_SSS__V dy, const float *coarse,
-                                                     const ms_sss__tap *tap, MS_SSS__V rx, MS_SSS__V ry,
-                                                     MS_SSS__NAME(scale) * scale, MS_SSS__V result[6])
+static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, const int wide, const int tilted,
+                                              MS__V d, MS__V dx, MS__V dy, const float *coarse, const ms_sss__tap *tap,
+                                              MS__V rx, MS__V ry, MS__F(scale) * scale, MS__V result[6])
 {
     static const float nearness[4] = {0.86602540f, 0.65803701f, 0.65803701f,
                                       0.5f}; /* fourth roots of 9, 3, 3, 1 of 16 */
     static const float half_nearness[3] = {0.93060486f, 0.81119480f, 0.70710678f}; /* theirs */
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f);
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f);
     const ptrdiff_t plane = s->plane;
     const float cells = (float)(1 << (s->level + 1)),
                 square = MS_SSS__GATHER(wide, s->level); /* pixels of the picture in one of the coarse level */
-    const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(d));
-    const unsigned parts = MS_SSS__BITS(part);
-    const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f)), radius = MS_SSS__NAME(radius)(s, safe);
-    const MS_SSS__V deep = MS_SSS__MUL(MS_SSS__NAME(deep)(s, safe, 1), MS_SSS__SET(1 / cells)),
-                    limit = MS_SSS__MUL(radius, MS_SSS__SET(1 / cells)), limit2 = MS_SSS__MUL(limit, limit);
-    MS_SSS__V size = radius, sx = zero, sy = zero, area = one, inverse = one, fall = MS_SSS__SET(-1 / square),
-              norm = MS_SSS__SET(s->norm), rough = zero, rise = one;
-    MS_SSS__V n = zero, v = zero, r = zero, g = zero, b = zero, mr = zero, mg = zero, mb = zero,
-              weight[3]; /* wide: m the sums of factors */
-    MS_SSS__V s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, s5 = zero;
+    const MS__MASK part = MS__LESS(zero, MS__ABS(d));
+    const unsigned parts = MS__BITS(part);
+    const MS__V safe = MS__SELECT(part, d, MS__SET(-1.0f)), radius = MS__F(radius)(s, safe);
+    const MS__V deep = MS__MUL(MS__F(deep)(s, safe, 1), MS__SET(1 / cells)),
+                limit = MS__MUL(radius, MS__SET(1 / cells)), limit2 = MS__MUL(limit, limit);
+    MS__V size = radius, sx = zero, sy = zero, area = one, inverse = one, fall = MS__SET(-1 / square),
+          norm = MS__SET(s->norm), rough = zero, rise = one;
+    MS__V n = zero, v = zero, r = zero, g = zero, b = zero, mr = zero, mg = zero, mb = zero,
+          weight[3]; /* wide: m the sums of factors */
+    MS__V s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, s5 = zero;
     int k, count = tilted ? 4 : s->core;
     if (!parts) {
         for (k = 0; k < 6; ++k) result[k] = zero;
         return;
     }
     if (tilted) {
-        MS_SSS__V cap, reach;
-        MS_SSS__MASK sound; /* planes so steep that four pixels are a radius deep have no tangent plane on this level:
+        MS__V cap, reach;
+        MS__MASK sound; /* planes so steep that four pixels are a radius deep have no tangent plane on this level:
                                see shrink */
-        sx = MS_SSS__MUL(MS_SSS__MUL(dx, deep), MS_SSS__SET(2.0f));
-        sy = MS_SSS__MUL(MS_SSS__MUL(dy, deep), MS_SSS__SET(2.0f));
-        sound = MS_SSS__LESS(MS_SSS__MUL(MS_SSS__ADD(MS_SSS__ABS(sx), MS_SSS__ABS(sy)), MS_SSS__SET(0.5f * cells)),
-                             radius);
-        area = MS_SSS__SELECT(part, MS_SSS__NAME(area)(sx, sy, rx, ry), one);
-        cap = MS_SSS__MIN(area, MS_SSS__SET(1.5f));
-        inverse = MS_SSS__DIV(one, cap);
-        size = MS_SSS__MUL(radius, inverse);
-        reach = MS_SSS__MUL(MS_SSS__MUL(cap, cap), MS_SSS__SET(square));
-        while (count < s->taps && MS_SSS__BITS(MS_SSS__LESS(MS_SSS__SET(tap[count].square), reach))) ++count;
-        fall = MS_SSS__MUL(MS_SSS__MUL(inverse, inverse), fall);
-        norm = MS_SSS__MUL(MS_SSS__MUL(inverse, inverse), norm);
-        rise = MS_SSS__SELECT(sound, MS_SSS__DIV(one, area), zero); /* cosine of the normal to the ray */
-        rough = s->perspective ? MS_SSS__SET(s->rough) : MS_SSS__MUL(d, MS_SSS__SET(s->rough));
+        sx = MS__MUL(MS__MUL(dx, deep), MS__SET(2.0f));
+        sy = MS__MUL(MS__MUL(dy, deep), MS__SET(2.0f));
+        sound = MS__LESS(MS__MUL(MS__ADD(MS__ABS(sx), MS__ABS(sy)), MS__SET(0.5f * cells)), radius);
+        area = MS__SELECT(part, MS__F(area)(sx, sy, rx, ry), one);
+        cap = MS__MIN(area, MS__SET(1.5f));
+        inverse = MS__DIV(one, cap);
+        size = MS__MUL(radius, inverse);
+        reach = MS__MUL(MS__MUL(cap, cap), MS__SET(square));
+        while (count < s->taps && MS__BITS(MS__LESS(MS__SET(tap[count].square), reach))) ++count;
+        fall = MS__MUL(MS__MUL(inverse, inverse), fall);
+        norm = MS__MUL(MS__MUL(inverse, inverse), norm);
+        rise = MS__SELECT(sound, MS__DIV(one, area), zero); /* cosine of the normal to the ray */
+        rough = s->perspective ? MS__SET(s->rough) : MS__MUL(d, MS__SET(s->rough));
     }
     if (s->sums) {
-        const MS_SSS__V near_plane = MS_SSS__MUL(MS_SSS__SET(1 / s->reach), MS_SSS__NAME(inverse)(limit));
+        const MS__V near_plane = MS__MUL(MS__SET(1 / s->reach), MS__F(inverse)(limit));
         const int cut = tilted || s->reach > 1; /* else what lies beyond the limit is too far from the plane */
-        MS_SSS__V close[3];
+        MS__V close[3];
         for (k = 0; k < 3; ++k)
-            close[k] = MS_SSS__MUL(tilted ? near_plane : MS_SSS__MUL(deep, near_plane), MS_SSS__SET(half_nearness[k]));
+            close[k] = MS__MUL(tilted ? near_plane : MS__MUL(deep, near_plane), MS__SET(half_nearness[k]));
         for (k = 0; k < 4; ++k) {
             const float *p = coarse + tap[k].at;
-            const MS_SSS__V away = MS_SSS__SUB(MS_SSS__LOAD(p + 3 * plane), d);
-            MS_SSS__V off = away, t;
-            if (tilted)
-                off = MS_SSS__LESSEN(MS_SSS__SET(tap[k].x), sx,
-                                     MS_SSS__LESSEN(MS_SSS__SET(tap[k].y), sy, MS_SSS__MUL(away, deep)));
-            off = MS_SSS__MUL(off, close[(k + 1) / 2]);
-            t = MS_SSS__MAX(MS_SSS__LESSEN(off, off, MS_SSS__SET(nearness[k])), zero);
-            t = MS_SSS__MUL(t, t);
-            t = MS_SSS__MUL(t, t);
-            if (cut) t = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__ABS(MS_SSS__MUL(away, deep)), limit), t, zero);
-            s0 = MS_SSS__MADD(t, MS_SSS__LOAD(p + 5 * plane), s0);
-            s1 = MS_SSS__MADD(t, MS_SSS__LOAD(p + 6 * plane), s1);
-            s2 = MS_SSS__MADD(t, MS_SSS__LOAD(p + 7 * plane), s2);
-            s3 = MS_SSS__MADD(t, MS_SSS__LOAD(p + 8 * plane), s3);
-            s4 = MS_SSS__MADD(t, MS_SSS__LOAD(p + 9 * plane), s4);
-            s5 = MS_SSS__MADD(t, MS_SSS__LOAD(p + 10 * plane), s5);
+            const MS__V away = MS__SUB(MS__LOAD(p + 3 * plane), d);
+            MS__V off = away, t;
+            if (tilted) off = MS__NMADD(MS__SET(tap[k].x), sx, MS__NMADD(MS__SET(tap[k].y), sy, MS__MUL(away, deep)));
+            off = MS__MUL(off, close[(k + 1) / 2]);
+            t = MS__MAX(MS__NMADD(off, off, MS__SET(nearness[k])), zero);
+            t = MS__MUL(t, t);
+            t = MS__MUL(t, t);
+            if (cut) t = MS__SELECT(MS__LESS(MS__ABS(MS__MUL(away, deep)), limit), t, zero);
+            s0 = MS__MADD(t, MS__LOAD(p + 5 * plane), s0);
+            s1 = MS__MADD(t, MS__LOAD(p + 6 * plane), s1);
+            s2 = MS__MADD(t, MS__LOAD(p + 7 * plane), s2);
+            s3 = MS__MADD(t, MS__LOAD(p + 8 * plane), s3);
+            s4 = MS__MADD(t, MS__LOAD(p + 9 * plane), s4);
+            s5 = MS__MADD(t, MS__LOAD(p + 10 * plane), s5);
         }
     }
     if (!tilted) { /* light of levels is times its share */
-        const MS_SSS__V inner = MS_SSS__MUL(deep, MS_SSS__SET(s->inner)),
-                        most = MS_SSS__MUL(limit2, MS_SSS__SET(1 / square));
-        const int cut = (MS_SSS__BITS(MS_SSS__LESS(most, one)) & parts) !=
+        const MS__V inner = MS__MUL(deep, MS__SET(s->inner)), most = MS__MUL(limit2, MS__SET(1 / square));
+        const int cut = (MS__BITS(MS__LESS(most, one)) & parts) !=
             0; /* else what lies beyond the limit is too far away */
         for (k = 0; k < count; ++k) {
             const float *p = coarse + tap[k].at;
-            const MS_SSS__V dz = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p + 3 * plane), d), inner),
-                            t = MS_SSS__MAX(MS_SSS__LESSEN(dz, dz, MS_SSS__SET(tap[k].rest)), zero);
-            MS_SSS__V w = MS_SSS__MUL(t, t);
-            if (wide) w = MS_SSS__MUL(w, t);
-            if (cut) w = MS_SSS__SELECT(MS_SSS__LESS(MS_SSS__MUL(dz, dz), most), w, zero);
-            n = MS_SSS__MADD(w, MS_SSS__LOAD(p + 4 * plane), n);
-            r = MS_SSS__MADD(w, MS_SSS__LOAD(p), r);
-            g = MS_SSS__MADD(w, MS_SSS__LOAD(p + plane), g);
-            b = MS_SSS__MADD(w, MS_SSS__LOAD(p + 2 * plane), b);
+            const MS__V dz = MS__MUL(MS__SUB(MS__LOAD(p + 3 * plane), d), inner),
+                        t = MS__MAX(MS__NMADD(dz, dz, MS__SET(tap[k].rest)), zero);
+            MS__V w = MS__MUL(t, t);
+            if (wide) w = MS__MUL(w, t);
+            if (cut) w = MS__SELECT(MS__LESS(MS__MUL(dz, dz), most), w, zero);
+            n = MS__MADD(w, MS__LOAD(p + 4 * plane), n);
+            r = MS__MADD(w, MS__LOAD(p), r);
+            g = MS__MADD(w, MS__LOAD(p + plane), g);
+            b = MS__MADD(w, MS__LOAD(p + 2 * plane), b);
         }
     }
     for (k = 0; k < count && tilted; ++k) {
         const float *p = coarse + tap[k].at;
-        const MS_SSS__V dz = MS_SSS__MUL(MS_SSS__SUB(MS_SSS__LOAD(p + 3 * plane), d), deep), q = MS_SSS__MUL(dz, dz),
-                        away = MS_SSS__ADD(q, MS_SSS__SET(tap[k].square));
-        const MS_SSS__V off = MS_SSS__LESSEN(MS_SSS__SET(tap[k].x), sx, MS_SSS__LESSEN(MS_SSS__SET(tap[k].y), sy, dz));
-        const MS_SSS__V t = MS_SSS__MAX(MS_SSS__MADD(away, fall, one), zero);
-        MS_SSS__V w = MS_SSS__MUL(t, t);
-        if (wide) w = MS_SSS__MUL(w, t);
-        w = MS_SSS__SELECT(MS_SSS__LESS(q, limit2), MS_SSS__MUL(w, MS_SSS__LOAD(p + 4 * plane)), zero);
-        n = MS_SSS__ADD(n, w);
+        const MS__V dz = MS__MUL(MS__SUB(MS__LOAD(p + 3 * plane), d), deep), q = MS__MUL(dz, dz),
+                    away = MS__ADD(q, MS__SET(tap[k].square));
+        const MS__V off = MS__NMADD(MS__SET(tap[k].x), sx, MS__NMADD(MS__SET(tap[k].y), sy, dz));
+        const MS__V t = MS__MAX(MS__MADD(away, fall, one), zero);
+        MS__V w = MS__MUL(t, t);
+        if (wide) w = MS__MUL(w, t);
+        w = MS__SELECT(MS__LESS(q, limit2), MS__MUL(w, MS__LOAD(p + 4 * plane)), zero);
+        n = MS__ADD(n, w);
         if (wide) {
-            const MS_SSS__V sine = MS_SSS__MUL(MS_SSS__MUL(MS_SSS__NAME(beyond)(off, rough), rise),
-                                               MS_SSS__NAME(root)(MS_SSS__ADD(away, MS_SSS__SET(s->blur))));
-            MS_SSS__V f = MS_SSS__NAME(lifted)(s, 0, sine, w);
-            mr = MS_SSS__ADD(mr, f);
-            r = MS_SSS__MADD(f, MS_SSS__LOAD(p), r);
-            f = MS_SSS__NAME(lifted)(s, 1, sine, w);
-            mg = MS_SSS__ADD(mg, f);
-            g = MS_SSS__MADD(f, MS_SSS__LOAD(p + plane), g);
-            f = MS_SSS__NAME(lifted)(s, 2, sine, w);
-            mb = MS_SSS__ADD(mb, f);
-            b = MS_SSS__MADD(f, MS_SSS__LOAD(p + 2 * plane), b);
+            const MS__V sine = MS__MUL(MS__MUL(MS__F(residual)(off, rough), rise),
+                                       MS__F(fast_inverse_root)(MS__ADD(away, MS__SET(s->blur))));
+            MS__V f = MS__F(elevate_weight)(s, 0, sine, w);
+            mr = MS__ADD(mr, f);
+            r = MS__MADD(f, MS__LOAD(p), r);
+            f = MS__F(elevate_weight)(s, 1, sine, w);
+            mg = MS__ADD(mg, f);
+            g = MS__MADD(f, MS__LOAD(p + plane), g);
+            f = MS__F(elevate_weight)(s, 2, sine, w);
+            mb = MS__ADD(mb, f);
+            b = MS__MADD(f, MS__LOAD(p + 2 * plane), b);
         } else {
-            const MS_SSS__V e0 = MS_SSS__LOAD(p), e1 = MS_SSS__LOAD(p + plane), e2 = MS_SSS__LOAD(p + 2 * plane);
-            r = MS_SSS__MADD(w, e0, r);
-            g = MS_SSS__MADD(w, e1, g);
-            b = MS_SSS__MADD(w, e2, b);
-            w = MS_SSS__MUL(w, off);
-            mr = MS_SSS__MADD(w, e0, mr);
-            mg = MS_SSS__MADD(w, e1, mg);
-            mb = MS_SSS__MADD(w, e2, mb);
-            v = MS_SSS__MADD(w, off, v);
+            const MS__V e0 = MS__LOAD(p), e1 = MS__LOAD(p + plane), e2 = MS__LOAD(p + 2 * plane);
+            r = MS__MADD(w, e0, r);
+            g = MS__MADD(w, e1, g);
+            b = MS__MADD(w, e2, b);
+            w = MS__MUL(w, off);
+            mr = MS__MADD(w, e0, mr);
+            mg = MS__MADD(w, e1, mg);
+            mb = MS__MADD(w, e2, mb);
+            v = MS__MADD(w, off, v);
         }
     }
     if (wide && tilted) { /* an even light never comes out stronger than it went in */
-        r = MS_SSS__MUL(r, MS_SSS__NAME(bounded)(n, mr, s->most[0]));
-        g = MS_SSS__MUL(g, MS_SSS__NAME(bounded)(n, mg, s->most[1]));
-        b = MS_SSS__MUL(b, MS_SSS__NAME(bounded)(n, mb, s->most[2]));
+        r = MS__MUL(r, MS__F(bounded)(n, mr, s->most[0]));
+        g = MS__MUL(g, MS__F(bounded)(n, mg, s->most[1]));
+        b = MS__MUL(b, MS__F(bounded)(n, mb, s->most[2]));
     } else if (tilted) {
-        const MS_SSS__V facing = MS_SSS__MUL(inverse, rise), turn = MS_SSS__MUL(facing, MS_SSS__SET(s->mean)),
-                        grain = MS_SSS__MUL(turn, rough);
-        v = MS_SSS__DIV(v, MS_SSS__SELECT(MS_SSS__LESS(zero, n), n, one));
-        v = MS_SSS__MUL(v, MS_SSS__MUL(MS_SSS__MUL(facing, facing), MS_SSS__SET(s->spread)));
-        r = MS_SSS__NAME(raise)(s, 0, r, MS_SSS__MUL(mr, turn), v, grain);
-        g = MS_SSS__NAME(raise)(s, 1, g, MS_SSS__MUL(mg, turn), v, grain);
-        b = MS_SSS__NAME(raise)(s, 2, b, MS_SSS__MUL(mb, turn), v, grain);
+        const MS__V facing = MS__MUL(inverse, rise), turn = MS__MUL(facing, MS__SET(s->mean)),
+                    grain = MS__MUL(turn, rough);
+        v = MS__DIV(v, MS__SELECT(MS__LESS(zero, n), n, one));
+        v = MS__MUL(v, MS__MUL(MS__MUL(facing, facing), MS__SET(s->spread)));
+        r = MS__F(elevate_mean)(s, 0, r, MS__MUL(mr, turn), v, grain);
+        g = MS__F(elevate_mean)(s, 1, g, MS__MUL(mg, turn), v, grain);
+        b = MS__F(elevate_mean)(s, 2, b, MS__MUL(mb, turn), v, grain);
     }
-    MS_SSS__NAME(weigh)(s, s->level + 1, 0, size, parts, scale, weight);
-    n = MS_SSS__MUL(n, norm);
-    result[0] = MS_SSS__SELECT(part, MS_SSS__MADD(MS_SSS__MUL(weight[0], norm), r, s0), zero);
-    result[1] = MS_SSS__SELECT(part, MS_SSS__MADD(MS_SSS__MUL(weight[1], norm), g, s1), zero);
-    result[2] = MS_SSS__SELECT(part, MS_SSS__MADD(MS_SSS__MUL(weight[2], norm), b, s2), zero);
-    result[3] = MS_SSS__SELECT(part, MS_SSS__MADD(weight[0], n, s3), zero);
-    result[4] = MS_SSS__SELECT(part, MS_SSS__MADD(weight[1], n, s4), zero);
-    result[5] = MS_SSS__SELECT(part, MS_SSS__MADD(weight[2], n, s5), zero);
+    MS__F(level_weights)(s, s->level + 1, 0, size, parts, scale, weight);
+    n = MS__MUL(n, norm);
+    result[0] = MS__SELECT(part, MS__MADD(MS__MUL(weight[0], norm), r, s0), zero);
+    result[1] = MS__SELECT(part, MS__MADD(MS__MUL(weight[1], norm), g, s1), zero);
+    result[2] = MS__SELECT(part, MS__MADD(MS__MUL(weight[2], norm), b, s2), zero);
+    result[3] = MS__SELECT(part, MS__MADD(weight[0], n, s3), zero);
+    result[4] = MS__SELECT(part, MS__MADD(weight[1], n, s4), zero);
+    result[5] = MS__SELECT(part, MS__MADD(weight[2], n, s5), zero);
 }
 
 /* Weighted sums of row y of a level: the light of the next coarser level, counted by its distance in space and lifted
    by how far it lies below the tangent plane, and the sums of that level, bilinear. own: d and its changes; coarse: row
    y/2, followed by planes of green, blue, d, share, three sums of light, three of weights; first, count: columns / 2;
    out: the two times three sums. */
-static MS_SSS__INLINE void MS_SSS__NAME(gather_row)(const ms_sss__growth *s, const int wide, const int tilted,
-                                                    const float *const own[3], const float *coarse, int first,
-                                                    int count, int y, float *const out[6])
+static MS_SSS__INLINE void MS__F(gather_row)(const ms_sss__pyramid_params *s, const int wide, const int tilted,
+                                             const float *const own[3], const float *coarse, int first, int count,
+                                             int y, float *const out[6])
 {
     const float cells = (float)(1 << (s->level + 1));
-    const MS_SSS__V ry = MS_SSS__SET((((float)y + 0.5f) * 0.5f * cells - s->middle[1]) * s->tangent);
-    MS_SSS__NAME(scale) scale;
+    const MS__V ry = MS__SET((((float)y + 0.5f) * 0.5f * cells - s->middle[1]) * s->tangent);
+    MS__F(scale) scale;
     int i, c, odd;
-    scale.low = MS_SSS__SET(1.0f);
-    scale.high = MS_SSS__SET(0.0f);
-    for (i = first; i < count; i += MS_SSS__LANES) {
-        MS_SSS__V result[2][6];
-        const MS_SSS__V d0 = MS_SSS__LOAD(own[0] + 2 * i), d1 = MS_SSS__LOAD(own[0] + 2 * i + MS_SSS__LANES);
-        MS_SSS__V x0 = d0, x1 = d0, y0 = d0, y1 = d0;
+    scale.low = MS__SET(1.0f);
+    scale.high = MS__SET(0.0f);
+    for (i = first; i < count; i += MS__N) {
+        MS__V result[2][6];
+        const MS__V d0 = MS__LOAD(own[0] + 2 * i), d1 = MS__LOAD(own[0] + 2 * i + MS__N);
+        MS__V x0 = d0, x1 = d0, y0 = d0, y1 = d0;
         if (tilted) {
-            x0 = MS_SSS__LOAD(own[1] + 2 * i);
-            x1 = MS_SSS__LOAD(own[1] + 2 * i + MS_SSS__LANES);
-            y0 = MS_SSS__LOAD(own[2] + 2 * i);
-            y1 = MS_SSS__LOAD(own[2] + 2 * i + MS_SSS__LANES);
+            x0 = MS__LOAD(own[1] + 2 * i);
+            x1 = MS__LOAD(own[1] + 2 * i + MS__N);
+            y0 = MS__LOAD(own[2] + 2 * i);
+            y1 = MS__LOAD(own[2] + 2 * i + MS__N);
         }
         for (odd = 0; odd < 2; ++odd) {
-            const MS_SSS__V rx = MS_SSS__MADD(
-                MS_SSS__LOAD(ms_sss__whole), MS_SSS__SET(cells * s->tangent),
-                MS_SSS__SET((((float)(2 * i + odd) + 0.5f) * 0.5f * cells - s->middle[0]) * s->tangent));
-            MS_SSS__NAME(gather_side)
-            (s, wide, tilted, odd ? MS_SSS__ODD(d0, d1) : MS_SSS__EVEN(d0, d1),
-             odd ? MS_SSS__ODD(x0, x1) : MS_SSS__EVEN(x0, x1), odd ? MS_SSS__ODD(y0, y1) : MS_SSS__EVEN(y0, y1),
-             coarse + i, s->tap[y & 1][odd], rx, ry, &scale, result[odd]);
+            const MS__V rx = MS__MADD(
+                MS__LOAD(ms_sss__iota), MS__SET(cells * s->tangent),
+                MS__SET((((float)(2 * i + odd) + 0.5f) * 0.5f * cells - s->middle[0]) * s->tangent));
+            MS__F(gather_side)
+            (s, wide, tilted, odd ? MS__ODD(d0, d1) : MS__EVEN(d0, d1), odd ? MS__ODD(x0, x1) : MS__EVEN(x0, x1),
+             odd ? MS__ODD(y0, y1) : MS__EVEN(y0, y1), coarse + i, s->tap[y & 1][odd], rx, ry, &scale, result[odd]);
         }
         for (c = 0; c < 6; ++c) {
-            MS_SSS__STORE(out[c] + 2 * i, MS_SSS__ZIP_LOW(result[0][c], result[1][c]));
-            MS_SSS__STORE(out[c] + 2 * i + MS_SSS__LANES, MS_SSS__ZIP_HIGH(result[0][c], result[1][c]));
+            MS__STORE(out[c] + 2 * i, MS__ZIP_LOW(result[0][c], result[1][c]));
+            MS__STORE(out[c] + 2 * i + MS__N, MS__ZIP_HIGH(result[0][c], result[1][c]));
         }
     }
 }
 
-static void MS_SSS__NAME(gather)(const ms_sss__growth *s, const float *const own[3], const float *coarse, int first,
-                                 int count, int y, float *const out[6])
+static void MS__F(gather)(const ms_sss__pyramid_params *s, const float *const own[3], const float *coarse, int first,
+                          int count, int y, float *const out[6])
 {
-    if (!(s->upright > 0)) MS_SSS__NAME(gather_row)(s, s->wide, 0, own, coarse, first, count, y, out);
-    else if (s->wide) MS_SSS__NAME(gather_row)(s, 1, 1, own, coarse, first, count, y, out);
-    else MS_SSS__NAME(gather_row)(s, 0, 1, own, coarse, first, count, y, out);
+    if (!(s->slope_scale > 0)) MS__F(gather_row)(s, s->wide, 0, own, coarse, first, count, y, out);
+    else if (s->wide) MS__F(gather_row)(s, 1, 1, own, coarse, first, count, y, out);
+    else MS__F(gather_row)(s, 0, 1, own, coarse, first, count, y, out);
 }
 
 /* The picture: a pixel's own light, the light of its neighbours by (1, 2, 1) / 4 both ways as far as they lie near its
    tangent plane, and the sums. row: colour and d, of rows stride floats apart; slope: share, then the changes of d;
    out: colour, and INFINITY where nothing takes part, else 0. */
-static MS_SSS__INLINE void MS_SSS__NAME(settle_row)(const ms_sss__growth *s, const int tilted,
-                                                    const float *const row[4], ptrdiff_t stride,
-                                                    const float *const slope[3], const float *const sum[6], int first,
-                                                    int count, float *const out[4])
+static MS_SSS__INLINE void MS__F(resolve_row)(const ms_sss__pyramid_params *s, const int tilted,
+                                              const float *const row[4], ptrdiff_t stride, const float *const slope[3],
+                                              const float *const sum[6], int first, int count, float *const out[4])
 {
-    const MS_SSS__V zero = MS_SSS__SET(0.0f), one = MS_SSS__SET(1.0f), half = MS_SSS__SET(0.5f),
-                    quarter = MS_SSS__SET(0.25f);
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), half = MS__SET(0.5f), quarter = MS__SET(0.25f);
     const int check = !s->perspective || !s->shaped ||
         s->step > 0.4f; /* else what takes no part lies too deep to count */
     const float *const red = row[0], *const green = row[1], *const blue = row[2], *const from = row[3];
-    MS_SSS__NAME(scale) scale;
+    MS__F(scale) scale;
     int i, j, k, c;
     scale.low = one;
     scale.high = zero;
-    for (i = first; i < count; i += MS_SSS__LANES) {
-        const MS_SSS__V d = MS_SSS__LOAD(from + i);
-        const MS_SSS__MASK part = MS_SSS__LESS(zero, MS_SSS__ABS(d));
-        const MS_SSS__V safe = MS_SSS__SELECT(part, d, MS_SSS__SET(-1.0f)), deep = MS_SSS__NAME(deep)(s, safe, 1),
-                        radius = MS_SSS__NAME(radius)(s, safe);
-        MS_SSS__V r = zero, g = zero, b = zero, n = zero, share[6], size = radius, dx = zero, dy = zero;
-        const unsigned parts = MS_SSS__BITS(part);
-        MS_SSS__STORE(out[3] + i, MS_SSS__SELECT(part, zero, MS_SSS__SET(INFINITY)));
+    for (i = first; i < count; i += MS__N) {
+        const MS__V d = MS__LOAD(from + i);
+        const MS__MASK part = MS__LESS(zero, MS__ABS(d));
+        const MS__V safe = MS__SELECT(part, d, MS__SET(-1.0f)), deep = MS__F(deep)(s, safe, 1),
+                    radius = MS__F(radius)(s, safe);
+        MS__V r = zero, g = zero, b = zero, n = zero, share[6], size = radius, dx = zero, dy = zero;
+        const unsigned parts = MS__BITS(part);
+        MS__STORE(out[3] + i, MS__SELECT(part, zero, MS__SET(INFINITY)));
         if (!parts) continue;
         if (tilted) {
-            size = MS_SSS__DIV(radius, MS_SSS__MIN(MS_SSS__MAX(MS_SSS__LOAD(slope[0] + i), one), MS_SSS__SET(1.5f)));
-            dx = MS_SSS__LOAD(slope[1] + i);
-            dy = MS_SSS__LOAD(slope[2] + i);
+            size = MS__DIV(radius, MS__MIN(MS__MAX(MS__LOAD(slope[0] + i), one), MS__SET(1.5f)));
+            dx = MS__LOAD(slope[1] + i);
+            dy = MS__LOAD(slope[2] + i);
         }
-        MS_SSS__NAME(weigh)(s, 0, 1, size, parts, &scale, share);
-        if (MS_SSS__BITS(MS_SSS__LESS(zero, MS_SSS__MAX(share[3], MS_SSS__MAX(share[4], share[5])))) & parts) {
-            const MS_SSS__V corner = MS_SSS__MUL(deep, quarter),
-                            edge = MS_SSS__MUL(deep, MS_SSS__SET(0.29730178f)); /* roots / 2 */
+        MS__F(level_weights)(s, 0, 1, size, parts, &scale, share);
+        if (MS__BITS(MS__LESS(zero, MS__MAX(share[3], MS__MAX(share[4], share[5])))) & parts) {
+            const MS__V corner = MS__MUL(deep, quarter), edge = MS__MUL(deep, MS__SET(0.29730178f)); /* roots / 2 */
             n = quarter;
-            r = MS_SSS__MUL(quarter, MS_SSS__LOAD(red + i));
-            g = MS_SSS__MUL(quarter, MS_SSS__LOAD(green + i));
-            b = MS_SSS__MUL(quarter, MS_SSS__LOAD(blue + i));
+            r = MS__MUL(quarter, MS__LOAD(red + i));
+            g = MS__MUL(quarter, MS__LOAD(green + i));
+            b = MS__MUL(quarter, MS__LOAD(blue + i));
             for (j = -1; j < 2; ++j) {
-                MS_SSS__UNROLL
+                MS__UNROLL
                 for (k = -1; k < 2; ++k) {
                     const ptrdiff_t at = i + k + j * stride;
-                    const MS_SSS__V there = MS_SSS__LOAD(from + at);
-                    MS_SSS__V f = MS_SSS__SUB(there, d);
+                    const MS__V there = MS__LOAD(from + at);
+                    MS__V f = MS__SUB(there, d);
                     if (!j && !k) continue;
-                    if (tilted)
-                        f = MS_SSS__LESSEN(MS_SSS__SET((float)k), dx, MS_SSS__LESSEN(MS_SSS__SET((float)j), dy, f));
-                    f = MS_SSS__MUL(f, j && k ? corner : edge); /* none 2 pixels away */
-                    f = MS_SSS__MAX(MS_SSS__LESSEN(f, f, j && k ? quarter : MS_SSS__SET(0.35355339f)),
-                                    zero); /* roots of 1, 2 of 16 */
-                    f = MS_SSS__MUL(f, f);
-                    if (check) f = MS_SSS__SELECT(MS_SSS__LESS(zero, MS_SSS__ABS(there)), f, zero);
-                    n = MS_SSS__ADD(n, f);
-                    r = MS_SSS__MADD(f, MS_SSS__LOAD(red + at), r);
-                    g = MS_SSS__MADD(f, MS_SSS__LOAD(green + at), g);
-                    b = MS_SSS__MADD(f, MS_SSS__LOAD(blue + at), b);
+                    if (tilted) f = MS__NMADD(MS__SET((float)k), dx, MS__NMADD(MS__SET((float)j), dy, f));
+                    f = MS__MUL(f, j && k ? corner : edge); /* none 2 pixels away */
+                    f = MS__MAX(MS__NMADD(f, f, j && k ? quarter : MS__SET(0.35355339f)),
+                                zero); /* roots of 1, 2 of 16 */
+                    f = MS__MUL(f, f);
+                    if (check) f = MS__SELECT(MS__LESS(zero, MS__ABS(there)), f, zero);
+                    n = MS__ADD(n, f);
+                    r = MS__MADD(f, MS__LOAD(red + at), r);
+                    g = MS__MADD(f, MS__LOAD(green + at), g);
+                    b = MS__MADD(f, MS__LOAD(blue + at), b);
                 }
             }
         }
         for (c = 0; c < 3; ++c) {
-            const MS_SSS__V e = MS_SSS__LOAD(row[c] + i), soft = c == 0 ? r : c == 1 ? g : b;
-            const MS_SSS__V light = MS_SSS__ADD(MS_SSS__MADD(share[c], e, MS_SSS__MUL(share[c + 3], soft)),
-                                                MS_SSS__LOAD(sum[c] + i));
-            const MS_SSS__V all = MS_SSS__ADD(MS_SSS__MADD(share[c + 3], n, share[c]), MS_SSS__LOAD(sum[c + 3] + i));
-            const MS_SSS__MASK sound = MS_SSS__BOTH(
-                MS_SSS__LESS(MS_SSS__SET(1e-30f), all),
-                MS_SSS__LESS(half, radius)); /* kernels under half a pixel leave it as it is */
-            const MS_SSS__V to = MS_SSS__SELECT(sound, MS_SSS__MUL(light, MS_SSS__NAME(inverse)(all)), e);
-            MS_SSS__STORE(out[c] + i, to);
+            const MS__V e = MS__LOAD(row[c] + i), soft = c == 0 ? r : c == 1 ? g : b;
+            const MS__V light = MS__ADD(MS__MADD(share[c], e, MS__MUL(share[c + 3], soft)), MS__LOAD(sum[c] + i));
+            const MS__V all = MS__ADD(MS__MADD(share[c + 3], n, share[c]), MS__LOAD(sum[c + 3] + i));
+            const MS__MASK sound = MS__BOTH(MS__LESS(MS__SET(1e-30f), all),
+                                            MS__LESS(half, radius)); /* kernels under half a pixel leave it as it is */
+            const MS__V to = MS__SELECT(sound, MS__MUL(light, MS__F(inverse)(all)), e);
+            MS__STORE(out[c] + i, to);
         }
     }
 }
 
-static void MS_SSS__NAME(settle)(const ms_sss__growth *s, const float *const row[4], ptrdiff_t stride,
-                                 const float *const slope[3], const float *const sum[6], int first, int count,
-                                 float *const out[4])
+static void MS__F(resolve)(const ms_sss__pyramid_params *s, const float *const row[4], ptrdiff_t stride,
+                           const float *const slope[3], const float *const sum[6], int first, int count,
+                           float *const out[4])
 {
-    if (s->upright > 0) MS_SSS__NAME(settle_row)(s, 1, row, stride, slope, sum, first, count, out);
-    else MS_SSS__NAME(settle_row)(s, 0, row, stride, slope, sum, first, count, out);
+    if (s->slope_scale > 0) MS__F(resolve_row)(s, 1, row, stride, slope, sum, first, count, out);
+    else MS__F(resolve_row)(s, 0, row, stride, slope, sum, first, count, out);
 }
 
-static const ms_sss__kernels MS_SSS__NAME(kernels) = {
-    MS_SSS__NAME(gate),           MS_SSS__NAME(admit),   MS_SSS__NAME(convolve),
-    MS_SSS__NAME(convolve_valid), MS_SSS__NAME(shape),   MS_SSS__NAME(tangents),
-    MS_SSS__NAME(limit),          MS_SSS__NAME(plan),    {MS_SSS__NAME(sweep_flat), MS_SSS__NAME(sweep_shaped)},
-    MS_SSS__NAME(least),          MS_SSS__NAME(unpack),  MS_SSS__NAME(widen),
-    MS_SSS__NAME(narrow),         MS_SSS__NAME(deliver), MS_SSS__LANES,
-    MS_SSS__NAME(combine),        MS_SSS__NAME(fade),    MS_SSS__NAME(lie),
-    MS_SSS__NAME(shrink),         MS_SSS__NAME(gather),  MS_SSS__NAME(settle),
-    MS_SSS__NAME(invert),         MS_SSS__NAME(halve),   MS_SSS__NAME(soften),
-    MS_SSS__NAME(refine)};
+static const ms_sss__kernels MS__F(kernels) = {MS__F(mask_by),
+                                               MS__F(load_masked),
+                                               MS__F(convolve),
+                                               MS__F(convolve_valid),
+                                               MS__F(slopes),
+                                               MS__F(tangents),
+                                               MS__F(limit),
+                                               MS__F(plan),
+                                               {MS__F(sweep_flat), MS__F(sweep_shaped)},
+                                               MS__F(least),
+                                               MS__F(unpack),
+                                               MS__F(widen),
+                                               MS__F(narrow),
+                                               MS__F(deliver),
+                                               MS__N,
+                                               MS__F(combine),
+                                               MS__F(fade),
+                                               MS__F(slopes_of_d),
+                                               MS__F(downsample_level),
+                                               MS__F(gather),
+                                               MS__F(resolve),
+                                               MS__F(invert),
+                                               MS__F(downsample),
+                                               MS__F(subtract_self),
+                                               MS__F(upsample)};
 
 #undef MS_SSS__JOIN_
 #undef MS_SSS__JOIN
-#undef MS_SSS__NAME
-#undef MS_SSS__LEAN
-#undef MS_SSS__UNROLL
-#undef MS_SSS__V
-#undef MS_SSS__X
-#undef MS_SSS__Z
-#undef MS_SSS__MASK
-#undef MS_SSS__LOAD
-#undef MS_SSS__STORE
-#undef MS_SSS__SET
-#undef MS_SSS__ADD
-#undef MS_SSS__SUB
-#undef MS_SSS__MUL
-#undef MS_SSS__DIV
-#undef MS_SSS__MADD
-#undef MS_SSS__LESSEN
-#undef MS_SSS__STREAM
-#undef MS_SSS__WIDEN
-#undef MS_SSS__NARROW
-#undef MS_SSS__MIN
-#undef MS_SSS__MAX
-#undef MS_SSS__SQRT
-#undef MS_SSS__RSQRT
-#undef MS_SSS__RCP
-#undef MS_SSS__ABS
-#undef MS_SSS__FLOOR
-#undef MS_SSS__LESS
-#undef MS_SSS__SAME
-#undef MS_SSS__BOTH
-#undef MS_SSS__SELECT
-#undef MS_SSS__BITS
-#undef MS_SSS__ZIP_LOW
-#undef MS_SSS__ZIP_HIGH
-#undef MS_SSS__EVEN
-#undef MS_SSS__ODD
-#undef MS_SSS__EVENS
-#undef MS_SSS__ODDS
-#undef MS_SSS__ORDER
+#undef MS__F
+#undef MS_SSS__GROUPS
+#undef MS__UNROLL
+#undef MS__V
+#undef MS__X
+#undef MS__Z
+#undef MS__MASK
+#undef MS__LOAD
+#undef MS__STORE
+#undef MS__SET
+#undef MS__ADD
+#undef MS__SUB
+#undef MS__MUL
+#undef MS__DIV
+#undef MS__MADD
+#undef MS__NMADD
+#undef MS__STREAM
+#undef MS__WIDEN
+#undef MS__NARROW
+#undef MS__MIN
+#undef MS__MAX
+#undef MS__SQRT
+#undef MS__RSQRT
+#undef MS__RCP
+#undef MS__ABS
+#undef MS__FLOOR
+#undef MS__LESS
+#undef MS__SAME
+#undef MS__BOTH
+#undef MS__SELECT
+#undef MS__BITS
+#undef MS__ZIP_LOW
+#undef MS__ZIP_HIGH
+#undef MS__EVEN
+#undef MS__ODD
+#undef MS__EVENS
+#undef MS__ODDS
+#undef MS__ORDER
 #undef MS_SSS__LEVEL
-#undef MS_SSS__LANES
+#undef MS__N
 
 #endif /* MS_SSS__PASS */
 

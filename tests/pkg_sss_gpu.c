@@ -887,7 +887,7 @@ static void case_constants(void)
     CHECK_INT(offsetof(ms_sss_shader_profile, depth_scale), 28);
     CHECK_INT(offsetof(ms_sss_shader_profile, cut), 44);
     CHECK_INT(offsetof(ms_sss_shader_picture, focal), 36);
-    CHECK_INT(offsetof(ms_sss_shader_picture, upright), 44);
+    CHECK_INT(offsetof(ms_sss_shader_picture, slope_scale), 44);
     CHECK_INT(offsetof(ms_sss_shader_profile, curve), 48);
     CHECK_INT(offsetof(ms_sss_shader_profile, mixed), 60);
     CHECK_INT(offsetof(ms_sss_shader_profile, reach), 76);
