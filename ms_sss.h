@@ -68,8 +68,26 @@
      two terms, optimised taps                    1.89   0.67   0.29            8.12   3.74   1.98
 
    Edges along the screen's axes want `dial` towards 1, a single bright dot wants more taps, detail and shadows are
-   served by the default. Making a kernel takes longer with taps, terms and frames; the filter with pixels, taps and
+   served by the default. Making a kernel takes longer with taps and terms; the filter with pixels, taps and
    terms, hardly with the radius (`make bench FILTER=sss_filter`).
+
+   Depth
+   -----
+   A tap reads the two pixels beside its position (four with rotation or jitter), each weighted by its own depth.
+   Slope: taps are spaced on the surface's tangent plane, so that a plane is filtered alike at any tilt up to
+   83 degrees; diagonal tilts shear the kernel. Slopes come from normals, or from depth, one-sided at edges.
+   Distance: a pixel dz off the tangent plane, for a tap x mm away, counts (1 - dz^2 / D^2) / (1 + dz^2 / x^2), D being
+   the depth of depth_sigma_mm; with flat 1 (1 - dz^2 / D^2)^4. Steps wider than D let nothing through.
+   Area: where the surface bends away between two taps by an angle of tangent m, the outer tap stands for 1 + m^2 / 2
+   times as much of it, at most 3 times; not for terms with weights of both signs.
+   Elevation (see there): sin(theta) is how far the tap lies below the pixel's tangent plane over its distance. No pass
+   multiplies the mean by more than reflectance^(-1/2), so reflectance times output never exceeds the brightest input.
+   Weights that fall outside the picture or on masked pixels are renormalised away: a constant stays constant
+   within 1e-6 on planes, and everywhere with flat 1. A kernel whose terms have weights of both signs gives what is
+   missing to the pixel's own colour instead. Half-precision depth is too coarse for slopes: set flat to 1. Half
+   resolution (MS_SSS_METHOD_HALF): a pixel keeps its own share of light, so that detail stays; the rest comes from the
+   up to four larger pixels around that lie near it in depth. On pictures of heads, hair and leaves it differs from full
+   resolution by 7 to 13%. Slopes come from its own depth, normals are not read.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
@@ -591,42 +609,19 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
                                       const ms_sss_filter_options *options);
 
 /* Subsurface scattering of a picture or a texture: out = delta E + sum_t scale_t (E * w_t along x) * w_t along y, then
-   (1 - strength) E + strength out, once after both passes. E is the input (times albedo, see albedo_mode).
-   frame           see there; width x height
-   kernels         [kernel_count], 1 to 256
-   options         NULL: not possible, one of the three sizes is needed
-   workspace       ms_sss_filter_workspace(...) bytes, any alignment and content; NULL and size 0: from malloc
-   - A tap reads the two pixels beside its position (four with rotation or jitter), each weighted by its own depth.
-   - Pixels take no part, and are returned as they are (times albedo, plus specular), where a channel is not below 1e30
-   or is NaN, the depth is not finite or not positive, the strength is 0 or NaN, or the profile has no kernel. Their
-   colour never reaches another pixel. Nor does light cross between profiles.
-   - Slope (see `flat`): taps are spaced on the surface's tangent plane, and depth counts against it, so that a plane is
-     filtered alike at any tilt up to 83 degrees. Exact about the screen's axes; diagonal tilts shear the kernel.
-   - Distance: a tap's pixel dz off the tangent plane, the tap x mm away on it, counts (1 - dz^2 / D^2) / (1 + dz^2 /
-     x^2), D the depth of depth_sigma_mm: light along an axis falls about as 1 / distance^2. (flat 1: (1 - dz^2 /
-     D^2)^4.)
-   - Area: where the surface bends away between two taps by an angle of tangent m, the outer one stands for more of it:
-     1 + m^2 / 2 times as much, at most 3 times. Not for terms with weights of both signs.
-   - Elevation (see ELEVATION): sin(theta) = how far the tap lies below the pixel's tangent plane over the tap's
-     distance, which on a sphere is the same. No pass multiplies the mean by more than reflectance^(-1/2): reflectance
-     times output is never above the brightest input.
-     Slopes and normals are those of depth, one-sided differences where an edge or crease is on the other side; 0 where
-     edges are on both. Half-precision depth is too coarse for that: give normals, or set flat to 1.
-   - What of a kernel falls outside the picture or on such pixels is made up for by the rest: on planes, and everywhere
-     with flat 1, a constant stays constant within 1e-6 and what the rounding of depth does to slopes. A kernel whose
-     terms have weights of both signs gives what is missing to the pixel's own colour instead.
-   - Where the kernel's radius is under half a pixel, and where strength is 0, the input is returned bit for bit
-     (without albedo and specular). A radius above the larger side of the picture is reduced to it.
-   - Half resolution: a pixel keeps the share of its own light that it keeps at full resolution, so that detail stays;
-     the rest comes from the up to four larger pixels around that lie near it in depth, and none leaves it as it is.
-   - Pyramids: MS_UNSUPPORTED with what ms_sss_pyramid_filter does not take, but for frame->profile; AUTO then takes
-     none.
-   - Depth edges wider than D, flat 1: than that or the kernel's radius, let nothing through; beside a slope that is
-     counted against its continuation.
-   Bit-equal for any thread count at one level; across levels within 2e-6 of the largest input near the pixel.
-   Work is in proportion to the pixels that take part. No allocation. Calls may overlap if workspace and output differ.
-   MS_INVALID_ARGUMENT: a pointer, size, stride or option out of range (nothing written). Thesis 5.5, 5.8.2, 5.10;
-   Jimenez et al. 2009, "Screen-space perceptual rendering of human skin". */
+   (1 - strength) E + strength out, once after both passes. E is the input (times albedo, see albedo_mode). How depth
+   weighs the taps stands in the head comment under Depth.
+   kernels     [kernel_count], 1 to 256
+   options     one of the three sizes of a pixel is needed, so NULL is not possible
+   workspace   ms_sss_filter_workspace(...) bytes, any alignment and content; NULL and size 0: from malloc
+   Masked pixels are copied (times albedo, plus specular): those where a channel is NaN or not within 1e30, the depth is
+   not finite or not positive, the strength is 0 or NaN, or the profile has no kernel. No light passes between masked
+   and other pixels, or between profiles. The input is returned bit for bit (without albedo and specular) where the
+   kernel's radius is under half a pixel or the strength is 0. A radius above the picture's larger side is reduced to
+   it. Bit-equal for any thread count at one level; across levels within 2e-6 of the largest input near the pixel. Calls
+   may overlap if workspace and output differ. MS_INVALID_ARGUMENT: a pointer, size, stride or option out of range;
+   MS_UNSUPPORTED: method PYRAMID without one, or with what ms_sss_pyramid_filter does not take. Nothing is written
+   then. Thesis 5.5, 5.8.2, 5.10; Jimenez et al. 2009, "Screen-space perceptual rendering of human skin". */
 MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
                                const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                ms_error *error);
@@ -653,21 +648,16 @@ MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profi
 /* Bytes that ms_sss_pyramid_filter needs: about 40 a pixel of a large picture. SIZE_MAX: sides out of range. */
 MS_API size_t ms_sss_pyramid_workspace(int width, int height);
 
-/* ms_sss_filter with the round kernel instead of a separable one. With depth and MS_SSS_DEPTH_AWARE light counts by its
-   distance in space and by the area of surface that a pixel shows, and is lifted by (1 + K sin(theta) / 4)^4, see
-   ELEVATION: every pixel gathers from 8 to 16 pixels of the next coarser level, in levels from 1 on up to 36, at exact
-   distances, K sin(theta) entering by its mean and variance, and passes its sums on to the finer level. options.exact
-   1, nearer to the truth for more time: from up to 64 pixels, each with its own sin(theta). A level's mean factor is at
-   most 1 / reflectance: an even light never comes out stronger than it went in. options.flat 1: as if all pixels faced
-   the camera. A pixel of a coarser level belongs to one surface, the nearest that covers it; only light from within
-   reach of its tangent plane gets in, and from there only to pixels of the same surface: nothing crosses a depth edge
-   wider than the radius, masks and NaN are as in ms_sss_filter. A constant stays constant where the surface is plane:
-   what rounding of depths may be is not taken for shape. Gathers widen with slopes up to 48 degrees; steeper planes are
-   blurred too little along the level line and too much down the slope (by 0.04 of a wave's height at 60 degrees, 0.15
-   at 75).
-   options   as ms_sss_filter; MS_UNSUPPORTED: rotation, jitter, pixels_per_mm that differ,
-             frame->profile
-   Six calls of options.parallel. Bit-equal for any thread count at one level of instructions. No allocation. */
+/* ms_sss_filter with the round kernel instead of a separable one. With depth and MS_SSS_DEPTH_AWARE every pixel gathers
+   from 8 to 16 pixels of the next coarser level (options.exact 1: up to 64) at their distances in space and by the area
+   of surface that they show, and passes its sums to the finer level. Elevation enters by its mean and variance over the
+   gather (exact 1: for each pixel); a level's mean factor is at most 1 / reflectance. A pixel of a coarser level
+   belongs to the nearest surface that covers it, and light reaches only pixels of the same surface: none crosses a
+   depth edge wider than the radius. Masks are as in ms_sss_filter. A constant stays constant on planes. Gathers widen
+   with slopes up to 48 degrees; steeper planes are blurred too little along the level line and too much down the slope
+   (by 0.04 of a wave's height at 60 degrees, 0.15 at 75). options   as ms_sss_filter; MS_UNSUPPORTED: rotation, jitter,
+   pixels_per_mm that differ, frame->profile workspace ms_sss_pyramid_workspace bytes; NULL and size 0: from malloc Six
+   calls of options.parallel. Bit-equal for any thread count at one level of instructions. */
 MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
                                        const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                        ms_error *error);
@@ -1278,11 +1268,19 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 
 #define MS_SSS__REFUSE(error, ...) ms__fail(error, MS_INVALID_ARGUMENT, 0, __VA_ARGS__)
 
-/* Refuses a number outside [low, high], and NaN. */
-static MS_SSS__COLD ms_status ms_sss__within(double x, const char *name, double low, double high, ms_error *error)
+/* A number of the caller's and its range; NaN is outside of any. */
+typedef struct ms_sss__range {
+    const char *name;
+    double value, low, high;
+} ms_sss__range;
+
+static MS_SSS__COLD ms_status ms_sss__check_ranges(const ms_sss__range *range, size_t count, ms_error *error)
 {
-    if (x >= low && x <= high) return MS_OK;
-    return MS_SSS__REFUSE(error, "%s %g: %g to %g expected", name, x, low, high);
+    for (; count > 0; --count, ++range)
+        if (!(range->value >= range->low && range->value <= range->high))
+            return MS_SSS__REFUSE(error, "%s %g: %g to %g expected", range->name, range->value, range->low,
+                                  range->high);
+    return MS_OK;
 }
 
 /* ---- translucency tables --------------------------------------------------------------------------------------- */
@@ -1355,7 +1353,6 @@ enum {
     MS_SSS__ROWS = 42,        /* row buffers of a task */
     MS_SSS__PAIRS = 16,       /* of taps that are made as pairs */
     MS_SSS__TILTED_PAIRS = 8, /* the same with slopes */
-    MS_SSS__HELD = 3,         /* pairs whose weights are held */
     MS_SSS__FAR = 120,        /* pixels that pairs may reach */
     MS_SSS__MARGIN = 144,     /* rows and columns around the picture: FAR, a group, and the pixels beside a tap */
     MS_SSS__STEP = 8,         /* rows that the second pass takes together */
@@ -1366,8 +1363,6 @@ enum {
     MS_SSS__ALL = 3,
     MS_SSS__ONE = 4,
     MS_SSS__OFF_BY_ONE = 128, /* added to a pair's whole part: it or one more */
-    MS_SSS__ROW = 1,          /* ways of a pass: along planes of a row; down the ring's rows */
-    MS_SSS__COLUMN = 2,
     MS_SSS__SIDE_MAX = 65536,
     MS_SSS__FIXED_MAX = 2 * MS_SSS_TAPS_MAX
 };
@@ -1577,16 +1572,10 @@ typedef struct ms_sss__kernels {
                      int odd, int count, float *const out[3]);
 } ms_sss__kernels;
 
-/* Floats to what lies i steps along the axis. */
-static MS_SSS__INLINE ptrdiff_t ms_sss__at(int way, const ptrdiff_t *step, ptrdiff_t i)
-{
-    return way == MS_SSS__ROW ? i : step[i];
-}
-
 static MS_SSS__INLINE int ms_sss__clamp(int x, int low, int high) { return x < low ? low : x > high ? high : x; }
 
 /* From a group's place in `from` to its pixels i rows further; height: rows that there are. */
-static MS_SSS__INLINE ptrdiff_t ms_sss__row(const ms_sss__line *l, int i, int height)
+static MS_SSS__INLINE ptrdiff_t ms_sss__row_step(const ms_sss__line *l, int i, int height)
 {
     if (l->axis == 0) return 0;
     i = ms_sss__clamp(i, -1 - l->at, height - l->at);
@@ -1852,6 +1841,13 @@ static void ms_sss__run_parallel(const ms_parallel *parallel, int count, void (*
 #endif
 }
 
+/* The columns of a row that hold anything. */
+typedef struct ms_sss__row {
+    int first, last;             /* whole blocks outside of which every pixel is masked */
+    int solid_first, solid_last; /* a run without masked pixels; up to job->padded where it reaches the width */
+    int whole;                   /* no strength of an unmasked pixel is under 1 */
+} ms_sss__row;
+
 typedef struct ms_sss__job {
     ms_sss_frame frame; /* strides filled in */
     ms_sss_filter_options options;
@@ -1871,12 +1867,10 @@ typedef struct ms_sss__job {
     int unwritten; /* pixels that take no part still have to be copied to the output */
     int raw;       /* and their elements can be copied as they are */
     float *middle[3], *source[3], *depth, *sum[3], *rows;
-    float *fresh;                  /* a row of depths where all pixels take part */
-    int *first, *last;             /* of each row: whole blocks that hold pixels which take part */
-    int *solid_first, *solid_last; /* a run of columns that all take part; up to padded where it reaches the width */
-    int *whole;                    /* no strength of a pixel that takes part is under 1 */
-    int direct;                    /* the second pass writes straight to the output where all pixels take part */
-    ms_sss__fixed *taps;           /* two */
+    float *fresh; /* a row of depths where all pixels take part */
+    ms_sss__row *row;
+    int direct;          /* the second pass writes straight to the output where all pixels take part */
+    ms_sss__fixed *taps; /* two */
     ms_sss__pass pass;
     float direction[64][2];
     float *planes; /* the first */
@@ -1949,35 +1943,35 @@ static void ms_sss__copy(const ms_sss__job *job, int y, int begin, int end, cons
 
 static int ms_sss__solid(const ms_sss__job *job, int y, int begin, int end)
 {
-    return job->solid_first[y] <= begin && end <= job->solid_last[y];
+    return job->row[y].solid_first <= begin && end <= job->row[y].solid_last;
 }
 
 /* The longest run of pixels of row y that take part, or one of them. */
-static void ms_sss__find_solid(const ms_sss__job *job, int y, const float *depth)
+static void ms_sss__find_solid(const ms_sss__job *job, ms_sss__row *row, const float *depth)
 {
-    int x, run = job->first[y];
-    job->solid_first[y] = job->solid_last[y] = 0;
-    for (x = job->first[y]; x <= job->last[y]; ++x) {
-        if (x < job->last[y] && depth[x] < INFINITY) continue;
-        if (x - run > job->solid_last[y] - job->solid_first[y]) {
-            job->solid_first[y] = run;
-            job->solid_last[y] = x;
+    int x, run = row->first;
+    row->solid_first = row->solid_last = 0;
+    for (x = row->first; x <= row->last; ++x) {
+        if (x < row->last && depth[x] < INFINITY) continue;
+        if (x - run > row->solid_last - row->solid_first) {
+            row->solid_first = run;
+            row->solid_last = x;
         }
         run = x + 1;
     }
-    if (job->solid_last[y] == job->frame.width) job->solid_last[y] = job->padded;
+    if (row->solid_last == job->frame.width) row->solid_last = job->padded;
 }
 
 /* Copies what takes no part in row y. depth: from its first column that holds anything on. */
-static void ms_sss__copy_row(const ms_sss__job *job, int y, const float *depth)
+static void ms_sss__copy_row(const ms_sss__job *job, int y, const ms_sss__row *row, const float *depth)
 {
-    const int width = job->frame.width, first = job->first[y], last = job->last[y],
-              solid = job->solid_first[y] < job->solid_last[y];
+    const int width = job->frame.width, first = row->first, last = row->last,
+              solid = row->solid_first < row->solid_last;
     const int inside = last < width ? last : width;
     if (job->term > 0) return;
     ms_sss__copy(job, y, 0, first, NULL);
-    ms_sss__copy(job, y, first, solid ? job->solid_first[y] : inside, depth);
-    if (solid) ms_sss__copy(job, y, job->solid_last[y], inside, depth);
+    ms_sss__copy(job, y, first, solid ? row->solid_first : inside, depth);
+    if (solid) ms_sss__copy(job, y, row->solid_last, inside, depth);
     ms_sss__copy(job, y, last, width, NULL);
 }
 
@@ -1989,7 +1983,8 @@ static void ms_sss__clear(const ms_sss__job *job, float *row, float value)
 
 /* Row y of what the first pass reads: colour (times albedo) and depth for the columns from first to last, which are
    then known; beyond them no pixel takes part, and colour is 0 as far as taps reach. */
-static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *const colour[3], float *depth)
+static void ms_sss__prepare(const ms_sss__job *job, int y, int task, ms_sss__row *row, float *const colour[3],
+                            float *depth)
 {
     const ms_sss_frame *f = &job->frame;
     const int width = f->width;
@@ -2013,10 +2008,10 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *cons
             if (profile[x] != job->profile) depth[x] = INFINITY;
         before = depth;
     }
-    job->whole[y] = 1;
+    row->whole = 1;
     if (f->strength.channel[0] && last > 0) {
         ms_sss__load(job->simd, &f->strength, 1, width, y, 0, last, in_buffer, &map);
-        job->whole[y] = job->simd->mask_by(map, 0.0f, last, before, depth, span);
+        row->whole = job->simd->mask_by(map, 0.0f, last, before, depth, span);
         before = depth;
         begin = span[0];
         end = span[1];
@@ -2032,9 +2027,9 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *cons
         first = begin - begin % job->block;
         last = ms_sss__round_up(end, job->block);
     }
-    job->first[y] = first;
-    job->last[y] = last;
-    job->solid_first[y] = job->solid_last[y] = 0;
+    row->first = first;
+    row->last = last;
+    row->solid_first = row->solid_last = 0;
     low = first;
     high = last;
     if (job->fixed) {
@@ -2053,13 +2048,13 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, float *cons
         factor = ms_sss__albedo(job, 0, y, first, last - first, albedo_buffer, albedo);
         if (job->simd->load_masked(in, factor, begin - first, end - first, last - first, before + first, depth + first,
                                    to)) {
-            job->solid_first[y] = begin;
-            job->solid_last[y] = end < width ? end : job->padded;
+            row->solid_first = begin;
+            row->solid_last = end < width ? end : job->padded;
         } else {
-            ms_sss__find_solid(job, y, depth);
+            ms_sss__find_solid(job, row, depth);
         }
     }
-    ms_sss__copy_row(job, y, depth);
+    ms_sss__copy_row(job, y, row, depth);
 }
 
 /* What is left to do for columns [x, x + count) of row y once blur holds the filtered light: fades it to own (NULL:
@@ -2072,14 +2067,14 @@ static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int 
     float *albedo_buffer[3], *specular_buffer[3], *strength_buffer[1];
     const float *albedo[3], *specular[3], *strength = NULL, *const * factor, *result[3];
     int c, i;
-    int solid_first = job->solid_first[y] > x ? job->solid_first[y] - x : 0;
-    int solid_last = job->solid_last[y] < x + count ? job->solid_last[y] - x : count;
+    int solid_first = job->row[y].solid_first > x ? job->row[y].solid_first - x : 0;
+    int solid_last = job->row[y].solid_last < x + count ? job->row[y].solid_last - x : count;
     for (c = 0; c < 3; ++c) {
         result[c] = blur[c];
         albedo_buffer[c] = ms_sss__buffer(job, task, 9 + c);
         specular_buffer[c] = ms_sss__buffer(job, task, 13 + c);
     }
-    if (own && !job->whole[y]) {
+    if (own && !job->row[y].whole) {
         strength_buffer[0] = ms_sss__buffer(job, task, 12);
         ms_sss__load(job->simd, &f->strength, 1, f->width, y, x, count, strength_buffer, &strength);
     }
@@ -2114,7 +2109,7 @@ static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int c
     float *in_buffer[3], *own_buffer[3], *albedo_buffer[3];
     const float *in[3], *albedo[3], *const *factor;
     const int last_term = job->term + 1 == k->term_count;
-    int c, i, need_own = job->gain < 1.0f || !job->whole[y];
+    int c, i, need_own = job->gain < 1.0f || !job->row[y].whole;
     for (c = 0; c < 3; ++c) {
         const float scale = k->scale[job->term][c];
         float *sum = k->term_count > 1 ? job->sum[c] + (ptrdiff_t)y * job->stride + x : blur[c];
@@ -2267,14 +2262,15 @@ static MS_SSS__APART void ms_sss__fixed_first(const ms_sss__sweep *s, int y, flo
 {
     const ms_sss__job *job = s->job;
     const ms_sss__fixed *f = &job->taps[0];
-    const int first = job->first[y], last = job->last[y];
+    const int first = job->row[y].first, last = job->row[y].last;
     float *out[4];
     int x, c, j, a, b; /* [a, b): all taps are inside and take part */
     for (c = 0; c < 4; ++c) out[c] = s->ring + s->row[y] + c * s->padded;
     if (!ms_sss__solid(job, y, first, last))
         memcpy(out[3] + first, in[3] + first, (size_t)(last - first) * sizeof(float));
-    a = ms_sss__round_up(job->solid_first[y] - f->lowest, 16);
-    b = ((job->solid_last[y] < job->frame.width ? job->solid_last[y] : job->frame.width) - f->highest) / 16 * 16;
+    a = ms_sss__round_up(job->row[y].solid_first - f->lowest, 16);
+    b = ((job->row[y].solid_last < job->frame.width ? job->row[y].solid_last : job->frame.width) - f->highest) / 16 *
+        16;
     if (a >= b) a = b = last;
     for (x = first; x < a; x += 16) ms_sss__fixed_x(job, in, x, x + 16, out);
     if (a < b) {
@@ -2297,7 +2293,7 @@ static void ms_sss__fixed_y(const ms_sss__sweep *s, int y, int x, int count, flo
     if (ms_sss__solid(job, y, x, x + count)) own_depth = job->fresh;
     for (j = 0; j < f->count; ++j) {
         const int row = y + f->offset[j];
-        if (row < 0 || row >= job->frame.height || x < job->first[row] || x >= job->last[row]) continue;
+        if (row < 0 || row >= job->frame.height || x < job->row[row].first || x >= job->row[row].last) continue;
         at[taps] = s->row[row] - s->row[y];
         from[taps] = ms_sss__solid(job, row, x, x + count) ? job->fresh : s->ring + s->row[row] + 3 * s->padded + x;
         tap[taps++] = j;
@@ -2311,17 +2307,17 @@ static MS_SSS__APART void ms_sss__fixed_second(const ms_sss__sweep *s, int y, fl
 {
     const ms_sss__job *job = s->job;
     const ms_sss__fixed *f = &job->taps[1];
-    int a = job->first[y], b = job->last[y], j, c, x; /* [a, b): every tap counts */
+    int a = job->row[y].first, b = job->row[y].last, j, c, x; /* [a, b): every tap counts */
     if (y + f->lowest < 0 || y + f->highest >= job->frame.height) b = a;
     for (j = 0; j < f->count && a < b; ++j) {
         const int row = y + f->offset[j];
-        if (job->solid_first[row] > a) a = job->solid_first[row];
-        if (job->solid_last[row] < b) b = job->solid_last[row];
+        if (job->row[row].solid_first > a) a = job->row[row].solid_first;
+        if (job->row[row].solid_last < b) b = job->row[row].solid_last;
     }
     a = ms_sss__round_up(a, 16);
     b -= b % 16;
-    if (a >= b) a = b = job->last[y];
-    for (x = job->first[y]; x < job->last[y];) {
+    if (a >= b) a = b = job->row[y].last;
+    for (x = job->row[y].first; x < job->row[y].last;) {
         float *to[3];
         int end = (x / job->block + 1) * job->block;
         if (x == a) {
@@ -2351,7 +2347,7 @@ static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
     int direct[MS_SSS__STEP], y, c, x, i, from = job->padded, to = 0;
     memset(line, 0, sizeof line);
     for (y = begin; y < end; ++y) {
-        const int first = job->first[y], last = job->last[y];
+        const int first = job->row[y].first, last = job->row[y].last;
         ms_sss__line *l = &line[y - begin];
         if (first == last) continue;
         l->axis = 1;
@@ -2364,7 +2360,7 @@ static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
         l->group = 4 * s->lanes;
         l->plane = l->to_group = s->lanes;
         l->plan = s->plan + s->slot[y] * s->plan_row;
-        direct[y - begin] = job->direct && job->whole[y] && last <= job->frame.width &&
+        direct[y - begin] = job->direct && job->row[y].whole && last <= job->frame.width &&
             ms_sss__solid(job, y, first, last);
         for (c = 0; c < 3; ++c) {
             l->own[c] = s->own + ((ptrdiff_t)s->slot[y] * 3 + c) * s->padded;
@@ -2376,7 +2372,7 @@ static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
     }
     if (!job->fixed) job->simd->sweep[s->shaped](s, &job->pass, line, end - begin, from, to);
     for (y = begin; y < end; ++y) {
-        const int first = job->first[y], last = job->last[y];
+        const int first = job->row[y].first, last = job->row[y].last;
         const float *own = s->ring + s->row[y];
         float *blur[3], *depth = ms_sss__buffer(job, task, 41);
         const ms_sss__line *l = &line[y - begin];
@@ -2394,33 +2390,26 @@ static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
             for (c = 0; c < 3; ++c)
                 job->simd->deliver(l->to[c] + first, last - first,
                                    (float *)image->channel[c] + y * image->row_stride + first);
-        ms_sss__copy_row(job, y, depth);
+        ms_sss__copy_row(job, y, &job->row[y], depth);
     }
 }
-
-/* What stands for row y in an array by rows; by its address, since a pointer may not lie before what it points into. */
-static int *ms_sss__by_row(int *at, int y) { return (int *)((uintptr_t)at - (uintptr_t)y * sizeof *at); }
 
 /* Row y as the first pass reads it, into the window; rows of other bands are read for their depths only. */
 static void ms_sss__window_row(const ms_sss__sweep *s, int task, int y, int foreign, float *const plane[4])
 {
     ms_sss__job other = *s->job;
-    int info[5], x;
+    ms_sss__row elsewhere, *row;
+    int x;
     if (y < 0 || y >= other.frame.height) {
         for (x = 0; x < s->padded; ++x) plane[3][x] = MS_SSS__AWAY;
         return;
     }
     other.unwritten = 0;
-    if (foreign) {
-        other.first = ms_sss__by_row(info, y);
-        other.last = ms_sss__by_row(info + 1, y);
-        other.solid_first = ms_sss__by_row(info + 2, y);
-        other.solid_last = ms_sss__by_row(info + 3, y);
-        other.whole = ms_sss__by_row(info + 4, y);
-    }
-    ms_sss__prepare(&other, y, task, plane, plane[3]);
+    row = foreign ? &elsewhere : &other.row[y];
+    ms_sss__prepare(&other, y, task, row, plane, plane[3]);
     if (other.fixed) return;
-    x = ms_sss__solid(&other, y, 0, s->padded) ? other.frame.width / 16 * 16 : 0; /* before it nothing is INFINITY */
+    x = row->solid_first <= 0 && s->padded <= row->solid_last ? other.frame.width / 16 * 16
+                                                              : 0; /* none INFINITY before */
     other.simd->limit(plane[3] - MS_SSS__LEFT, MS_SSS__LEFT);
     other.simd->limit(plane[3] + x, s->padded - x + MS_SSS__RIGHT);
 }
@@ -2428,7 +2417,7 @@ static void ms_sss__window_row(const ms_sss__sweep *s, int task, int y, int fore
 /* Slopes of row y from the depths of five rows, or from normals. */
 static void ms_sss__slopes(const ms_sss__job *job, int task, int y, const float *const depth[5], float *const slope[2])
 {
-    const int first = job->first[y], last = job->last[y];
+    const int first = job->row[y].first, last = job->row[y].last;
     const float *normal[3];
     float *buffer[3];
     int c;
@@ -2445,7 +2434,7 @@ static void ms_sss__first(const ms_sss__sweep *s, int task, int y, float *const 
 {
     const ms_sss__job *job = s->job;
     const ms_sss__pass *p = &job->pass;
-    const int first = job->first[y], last = job->last[y], slot = s->slot[y];
+    const int first = job->row[y].first, last = job->row[y].last, slot = s->slot[y];
     float *const *mine = plane[y % s->rows], *row = s->ring + s->row[y], *own[3];
     int *held = s->held + 2 * slot, c, x;
     unsigned char *plan = s->plan + slot * s->plan_row;
@@ -2517,7 +2506,7 @@ static void ms_sss__sweep_band(void *context, int task)
             for (; admitted <= y + ahead; ++admitted)
                 ms_sss__window_row(s, task, admitted, admitted < begin || admitted >= end,
                                    plane[(admitted + s->rows) % s->rows]);
-            s->slot[y] = job->first[y] < job->last[y] ? ms_sss__slot(s, begin, y) : 0;
+            s->slot[y] = job->row[y].first < job->row[y].last ? ms_sss__slot(s, begin, y) : 0;
             s->row[y] = (ptrdiff_t)s->slot[y] * ms_sss__ring_row(s->padded);
             if (s->slot[y]) ms_sss__first(s, task, y, (float *const(*)[4])plane, temp);
             last = end < height ? end - s->reach : height;
@@ -2677,7 +2666,7 @@ static void ms_sss__rotated_rows(void *context, int task)
             colour[c] = job->source[c] + y * job->stride;
             ms_sss__clear(job, job->middle[c] + y * job->stride, 0.0f);
         }
-        ms_sss__prepare(job, y, task, colour, job->depth + y * job->stride);
+        ms_sss__prepare(job, y, task, &job->row[y], colour, job->depth + y * job->stride);
     }
 }
 
@@ -2707,7 +2696,7 @@ static void ms_sss__rotated_pass(const ms_sss__job *job, int task, int second)
     l.group = l.to_group = job->simd->lanes;
     l.plane = second ? job->middle[1] - job->middle[0] : job->source[1] - job->source[0];
     for (y = begin; y < end; ++y) {
-        const int first = job->first[y], last = job->last[y];
+        const int first = job->row[y].first, last = job->row[y].last;
         const float *depth[5];
         float *slope[2];
         if (first == last) continue;
@@ -2896,18 +2885,20 @@ static MS_SSS__COLD ms_status ms_sss__check_lent(const void *workspace, size_t s
 /* Fills in the strides. */
 static MS_SSS__COLD ms_status ms_sss__check_frame(ms_sss_frame *f, int needs_depth, ms_error *error)
 {
-    const int w = f->width, h = f->height;
-    ms_status status;
-    if ((status = ms_sss__check_image(&f->input, "input", 3, 1, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->output, "output", 3, 1, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->depth, "depth", 1, needs_depth, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->strength, "strength", 1, 0, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->albedo, "albedo", 3, 0, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->specular, "specular", 3, 0, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->normal, "normal", 3, 0, w, h, error)) != MS_OK ||
-        (status = ms_sss__check_image(&f->through, "through", 3, 0, w, h, error)) != MS_OK)
-        return status;
-    return MS_OK;
+    const struct {
+        ms_sss_image *image;
+        const char *name;
+        int channels, needed;
+    } pictures[] = {{&f->input, "input", 3, 1},           {&f->output, "output", 3, 1},
+                    {&f->depth, "depth", 1, needs_depth}, {&f->strength, "strength", 1, 0},
+                    {&f->albedo, "albedo", 3, 0},         {&f->specular, "specular", 3, 0},
+                    {&f->normal, "normal", 3, 0},         {&f->through, "through", 3, 0}};
+    ms_status status = MS_OK;
+    size_t i;
+    for (i = 0; i < sizeof pictures / sizeof pictures[0] && status == MS_OK; ++i)
+        status = ms_sss__check_image(pictures[i].image, pictures[i].name, pictures[i].channels, pictures[i].needed,
+                                     f->width, f->height, error);
+    return status;
 }
 
 static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options *o, ms_error *error)
@@ -2915,7 +2906,6 @@ static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options 
     static const char *const name[] = {"ortho_height", "mm_per_unit", "depth_sigma_mm"};
     const float length[] = {o->ortho_height, o->mm_per_unit, o->depth_sigma_mm}, *a = o->pixels_per_mm;
     const int sizes = ms_sss__differ(a[0], 0) + ms_sss__differ(o->fov_degrees, 0) + ms_sss__differ(o->ortho_height, 0);
-    ms_status status;
     int i;
     if (sizes != 1)
         return MS_SSS__REFUSE(error, "%d of pixels_per_mm, fov_degrees and ortho_height are set; exactly one is needed",
@@ -2927,15 +2917,17 @@ static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options 
     for (i = 0; i < 3; ++i)
         if (ms_sss__differ(length[i], 0) && !ms_sss__positive(length[i]))
             return MS_SSS__REFUSE(error, "%s %g is not positive", name[i], (double)length[i]);
-    if ((status = ms_sss__within((double)o->fade, "fade", 0, 1, error)) != MS_OK ||
-        (status = ms_sss__within((double)o->flat, "flat", 0, 1, error)) != MS_OK ||
-        (status = ms_sss__within((double)o->jitter, "jitter", 0, 1, error)) != MS_OK ||
-        (status = ms_sss__within((double)o->rotation, "rotation", -1e30, 1e30, error)) != MS_OK ||
-        (status = ms_sss__within(o->exact, "exact", 0, 1, error)) != MS_OK ||
-        (status = ms_sss__within((int)o->method, "method", 0, (int)MS_SSS_METHOD_PYRAMID, error)) != MS_OK ||
-        (status = ms_sss__within((int)o->depth_mode, "depth_mode", 0, (int)MS_SSS_DEPTH_SCALE, error)) != MS_OK)
-        return status;
-    return ms_sss__within((int)o->albedo_mode, "albedo_mode", 0, (int)MS_SSS_ALBEDO_BOTH, error);
+    {
+        const ms_sss__range ranges[] = {{"fade", (double)o->fade, 0, 1},
+                                        {"flat", (double)o->flat, 0, 1},
+                                        {"jitter", (double)o->jitter, 0, 1},
+                                        {"rotation", (double)o->rotation, -1e30, 1e30},
+                                        {"exact", (double)o->exact, 0, 1},
+                                        {"method", (double)o->method, 0, (double)MS_SSS_METHOD_PYRAMID},
+                                        {"depth_mode", (double)o->depth_mode, 0, (double)MS_SSS_DEPTH_SCALE},
+                                        {"albedo_mode", (double)o->albedo_mode, 0, (double)MS_SSS_ALBEDO_BOTH}};
+        return ms_sss__check_ranges(ranges, sizeof ranges / sizeof ranges[0], error);
+    }
 }
 
 /* Pixels a mm; in perspective at a depth of 1. */
@@ -3231,12 +3223,8 @@ static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame
     at += layout.stride;
     job->rows = at;
     at += layout.stride * MS_SSS__TASKS * MS_SSS__ROWS;
-    job->first = (int *)at;
-    job->last = job->first + h;
-    job->solid_first = job->last + h;
-    job->solid_last = job->solid_first + h;
-    job->whole = job->solid_last + h;
-    job->taps = (ms_sss__fixed *)(void *)(job->whole + h);
+    job->row = (ms_sss__row *)(void *)at;
+    job->taps = (ms_sss__fixed *)(void *)(job->row + h);
     job->window = (float *)(((uintptr_t)(kind == MS_SSS__PASSES ? (void *)(job->taps + 2) : (void *)job->taps) + 63) &
                             ~(uintptr_t)63);
     *end = job->window;
@@ -3324,9 +3312,9 @@ static void ms_sss__half_rows(const ms_sss__job *job, int y, int first, int last
 static int ms_sss__only_longest_run(const ms_sss__job *job, int y, const float *depth)
 {
     int x, others = 0;
-    for (x = job->first[y]; x < job->solid_first[y]; ++x) others |= depth[x] < INFINITY;
-    for (x = job->solid_last[y]; x < job->last[y]; ++x) others |= depth[x] < INFINITY;
-    if (others) job->solid_first[y] = job->solid_last[y] = 0;
+    for (x = job->row[y].first; x < job->row[y].solid_first; ++x) others |= depth[x] < INFINITY;
+    for (x = job->row[y].solid_last; x < job->row[y].last; ++x) others |= depth[x] < INFINITY;
+    if (others) job->row[y].solid_first = job->row[y].solid_last = 0;
     return !others;
 }
 
@@ -3355,16 +3343,17 @@ static void ms_sss__half_down(void *context, int task)
         for (r = 0; r < 2; ++r) {
             const int at = 2 * y + r;
             if (all) {
-                job->first[at] = job->solid_first[at] = first = 0;
-                job->last[at] = job->solid_last[at] = width;
-                job->whole[at] = 1;
+                job->row[at].first = job->row[at].solid_first = first = 0;
+                job->row[at].last = job->row[at].solid_last = width;
+                job->row[at].whole = 1;
                 last = stride;
             } else if (at < job->frame.height) {
-                ms_sss__prepare(job, at, task, row[r], row[r][3]);
+                ms_sss__prepare(job, at, task, &job->row[at], row[r], row[r][3]);
                 ms_sss__only_longest_run(job, at, row[r][3]);
-                if (job->first[at] == job->last[at]) continue;
-                if (job->first[at] / 2 < first) first = job->first[at] / 2;
-                if (ms_sss__round_up(job->last[at] / 2, 16) > last) last = ms_sss__round_up(job->last[at] / 2, 16);
+                if (job->row[at].first == job->row[at].last) continue;
+                if (job->row[at].first / 2 < first) first = job->row[at].first / 2;
+                if (ms_sss__round_up(job->row[at].last / 2, 16) > last)
+                    last = ms_sss__round_up(job->row[at].last / 2, 16);
             } else {
                 ms_sss__clear(job, row[r][3], INFINITY);
             }
@@ -3407,21 +3396,22 @@ static void ms_sss__half_up(void *context, int task)
     for (y = begin; y < end; ++y) {
         const float *beside[2][4], *coarse[2][4], *mine[4];
         float *blur[3], *to[4];
-        const int first = again.first[y], last = again.last[y],
-                  run = half->plain && again.solid_first[y] < again.solid_last[y];
-        const int direct = again.direct && run && again.whole[y] && last <= again.frame.width &&
+        const int first = again.row[y].first, last = again.row[y].last,
+                  run = half->plain && again.row[y].solid_first < again.row[y].solid_last;
+        const int direct = again.direct && run && again.row[y].whole && last <= again.frame.width &&
             ms_sss__solid(&again, y, first, last);
         if (first == last) continue;
         if (run) {
             ms_sss__half_rows(&again, y, first, last, own, mine);
         } else {
-            ms_sss__prepare(&again, y, task, own, own[3]);
+            ms_sss__prepare(&again, y, task, &again.row[y], own, own[3]);
             for (c = 0; c < 4; ++c) mine[c] = own[c] + first;
         }
         for (r = 0; r < 2; ++r) {
             const int at = ms_sss__clamp((y + 1) / 2 - 1 + r, 0, inner->frame.height - 1), slot = at % 2;
-            const int from = inner->idle ? 0 : inner->first[at],
-                      until = inner->idle || inner->last[at] > (int)half->stride ? (int)half->stride : inner->last[at];
+            const int from = inner->idle ? 0 : inner->row[at].first,
+                      until = inner->idle || inner->row[at].last > (int)half->stride ? (int)half->stride
+                                                                                     : inner->row[at].last;
             for (c = 0; c < 4; ++c) coarse[r][c] = soft[slot][c] + first / 2;
             if (have[slot] == at) continue;
             have[slot] = at;
@@ -3444,7 +3434,7 @@ static void ms_sss__half_up(void *context, int task)
         for (c = 0; c < 3 && direct; ++c)
             again.simd->deliver(blur[c], last - first, (float *)image->channel[c] + y * image->row_stride + first);
         if (!direct)
-            ms_sss__compose(&again, task, y, first, last - first, blur, fade || !again.whole[y] ? mine : NULL,
+            ms_sss__compose(&again, task, y, first, last - first, blur, fade || !again.row[y].whole ? mine : NULL,
                             run ? NULL : own[3] + first);
     }
 }
@@ -3548,7 +3538,7 @@ typedef struct ms_sss__level {
     int width, height;
     ptrdiff_t stride;
     float *plane[MS_SSS__PYRAMID_PLANES]; /* of the picture itself colour and d alone */
-    int *first, *last;                    /* columns of each row outside of which nothing takes part; multiples of 16 */
+    ms_sss__row *row;                     /* first and last are multiples of 16 */
 } ms_sss__level;
 
 typedef struct ms_sss__pyramid_state {
@@ -3601,11 +3591,10 @@ static size_t ms_sss__pyramid_levels(ms_sss__pyramid_state *tower, int width, in
             tower->level[l].width = width;
             tower->level[l].height = height;
             tower->level[l].stride = stride;
-            tower->level[l].first = (int *)(base + at);
-            tower->level[l].last = tower->level[l].first + height;
+            tower->level[l].row = (ms_sss__row *)(void *)(base + at);
             tower->levels = l + 1;
         }
-        at = ms__size_add(at, 2 * (size_t)height);
+        at = ms__size_add(at, 5 * (size_t)height);
         if (width <= 2 && height <= 2) break;
         width = (width + 1) / 2;
         height = (height + 1) / 2;
@@ -3639,15 +3628,17 @@ static void ms_sss__pyramid_clear(const ms_sss__level *v, int begin, int end, in
     int y, i, c;
     for (y = from; y < to; ++y) {
         const int whole = (begin > 0 && y - beyond < begin) || (end < v->height && y + beyond >= end);
-        const int right = (int)v->stride - MS_SSS__LEFT, first = v->first[y] < v->last[y] ? v->first[y] : 0,
-                  last = v->first[y] < v->last[y] ? v->last[y] : 0;
+        const int right = (int)v->stride - MS_SSS__LEFT, first = v->row[y].first < v->row[y].last ? v->row[y].first : 0,
+                  last = v->row[y].first < v->row[y].last ? v->row[y].last : 0;
         int low = right, high = -MS_SSS__LEFT;
         for (i = whole ? y : y - beyond < 0 ? 0 : y - beyond; i <= (whole ? y : y + beyond) && i < v->height; ++i) {
-            if (!whole && v->first[i] >= v->last[i]) continue;
-            low = whole || v->first[i] - 48 < -MS_SSS__LEFT ? -MS_SSS__LEFT
-                : v->first[i] - 48 < low                    ? v->first[i] - 48
-                                                            : low;
-            high = whole || v->last[i] + 48 > right ? right : v->last[i] + 48 > high ? v->last[i] + 48 : high;
+            if (!whole && v->row[i].first >= v->row[i].last) continue;
+            low = whole || v->row[i].first - 48 < -MS_SSS__LEFT ? -MS_SSS__LEFT
+                : v->row[i].first - 48 < low                    ? v->row[i].first - 48
+                                                                : low;
+            high = whole || v->row[i].last + 48 > right ? right
+                : v->row[i].last + 48 > high            ? v->row[i].last + 48
+                                                        : high;
         }
         for (c = 0; c < planes && low < high; ++c) {
             float *row = v->plane[c] + y * v->stride;
@@ -3673,14 +3664,14 @@ static void ms_sss__pyramid_downsample(const ms_sss__pyramid_state *tower, int t
         const float *row[4][7];
         float *out[7];
         for (i = 2 * y; i < 2 * y + 2 && i < fine->height; ++i) {
-            if (fine->first[i] >= fine->last[i]) continue;
-            if (fine->first[i] / 2 < first) first = fine->first[i] / 2;
-            if ((fine->last[i] + 1) / 2 > last) last = (fine->last[i] + 1) / 2;
+            if (fine->row[i].first >= fine->row[i].last) continue;
+            if (fine->row[i].first / 2 < first) first = fine->row[i].first / 2;
+            if ((fine->row[i].last + 1) / 2 > last) last = (fine->row[i].last + 1) / 2;
         }
         first = first < last ? first / 16 * 16 : 0;
         last = ms_sss__round_up(last, 16);
-        v->first[y] = first;
-        v->last[y] = last;
+        v->row[y].first = first;
+        v->row[y].last = last;
         for (i = 0; i < 4; ++i) {
             const int at = ms_sss__clamp(2 * y - 1 + i, -1, fine->height);
             for (c = 0; c < 7; ++c)
@@ -3692,8 +3683,8 @@ static void ms_sss__pyramid_downsample(const ms_sss__pyramid_state *tower, int t
                 for (c = 0; c < 3; ++c) row[i][4 + c] = lie[c] = ms_sss__pyramid_row(tower, task, 3 * (at & 3) + c);
                 if (y > begin && i < 2) continue;
                 for (c = 0; c < 3; ++c) memset(lie[c] - MS_SSS__LEFT, 0, (size_t)tower->stride * sizeof(float));
-                if (at >= 0 && at < fine->height && fine->first[at] < fine->last[at])
-                    ms_sss__pyramid_slopes(tower, task, at, fine->first[at], fine->last[at], lie);
+                if (at >= 0 && at < fine->height && fine->row[at].first < fine->row[at].last)
+                    ms_sss__pyramid_slopes(tower, task, at, fine->row[at].first, fine->row[at].last, lie);
             }
         }
         if (first >= last) continue;
@@ -3737,8 +3728,9 @@ static void ms_sss__pyramid_load(void *context, int task)
     for (y = begin; y < end; ++y) {
         float *depth = ms_sss__buffer(job, task, 17), *d = v->plane[MS_SSS__D] + y * v->stride;
         for (c = 0; c < 3; ++c) colour[c] = v->plane[c] + y * v->stride;
-        ms_sss__prepare(job, y, task, colour, depth);
-        job->simd->invert(&tower->growth, depth + job->first[y], job->last[y] - job->first[y], d + job->first[y]);
+        ms_sss__prepare(job, y, task, &job->row[y], colour, depth);
+        job->simd->invert(&tower->growth, depth + job->row[y].first, job->row[y].last - job->row[y].first,
+                          d + job->row[y].first);
         if ((y + 1) % 16 && y + 1 < end) continue; /* while the cache holds them */
         to = y + 1 < end ? y - 1 : end;
         ms_sss__pyramid_clear(v, begin, end, from, to, 2, MS_SSS__D + 1);
@@ -3785,7 +3777,7 @@ static void ms_sss__pyramid_upsample(void *context, int task)
     const int end = begin + job->band < job->end ? begin + job->band : job->end;
     int y, i, c;
     for (y = begin; y < end; ++y) {
-        const int low = v->first[y], high = v->last[y];
+        const int low = v->row[y].first, high = v->row[y].last;
         const int first = low / 32 * 32,
                   last = ms_sss__round_up(high, 32); /* the gather works on 2 vectors at a time */
         const float *own[3];
@@ -3818,7 +3810,7 @@ static void ms_sss__pyramid_upsample(void *context, int task)
             job->simd->resolve(&tower->growth, row, v->stride, (const float *const *)lie, (const float *const *)sum,
                                low, high, blur);
             for (c = 0; c < 4; ++c) blur[c] += low;
-            if (job->direct && job->whole[y] && high <= v->width && ms_sss__solid(job, y, low, high))
+            if (job->direct && job->row[y].whole && high <= v->width && ms_sss__solid(job, y, low, high))
                 for (c = 0; c < 3; ++c)
                     job->simd->deliver(blur[c], high - low, (float *)image->channel[c] + y * image->row_stride + low);
             else ms_sss__finish(job, task, y, low, high - low, blur, blur[3]);
@@ -3969,8 +3961,7 @@ static ms_status ms_sss__pyramid_apply(const ms_sss_frame *frame, const ms_sss_p
     if (status != MS_OK) return status;
     job->kernel_count = profiles;
     at += ms_sss__pyramid_levels(tower, frame->width, frame->height, at);
-    tower->level[0].first = job->first;
-    tower->level[0].last = job->last;
+    tower->level[0].row = job->row;
     for (c = 0; c < 3; ++c) tower->level[0].plane[c] = job->middle[c];
     tower->rows = at;
     tower->stride = ms_sss__pyramid_stride(frame->width);
@@ -5138,13 +5129,15 @@ static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, const
     ms_status status;
     if (!s || !o) return MS_SSS__REFUSE(error, "shader or options is NULL");
     if ((status = ms_sss__check_options(o, error)) != MS_OK) return status;
-    if ((status = ms_sss__within((int)s->language, "language", 0, (int)MS_SSS_WGSL, error)) != MS_OK ||
-        (status = ms_sss__within((int)s->step, "step", 0, (int)MS_SSS_STEP_RESOLVE, error)) != MS_OK ||
-        (status = ms_sss__within((int)s->depth, "depth", 0, (int)MS_SSS_ALPHA, error)) != MS_OK ||
-        (status = ms_sss__within((int)s->profile, "profile", 0, (int)MS_SSS_ALPHA, error)) != MS_OK ||
-        (status = ms_sss__within(s->profile_count, "profile_count", 0, MS_SSS_SHADER_PROFILES_MAX, error)) != MS_OK ||
-        (status = ms_sss__within(s->term_count, "term_count", 0, MS_SSS_TERMS_MAX, error)) != MS_OK)
-        return status;
+    {
+        const ms_sss__range ranges[] = {{"language", (double)s->language, 0, (double)MS_SSS_WGSL},
+                                        {"step", (double)s->step, 0, (double)MS_SSS_STEP_RESOLVE},
+                                        {"depth", (double)s->depth, 0, (double)MS_SSS_ALPHA},
+                                        {"profile", (double)s->profile, 0, (double)MS_SSS_ALPHA},
+                                        {"profile_count", (double)s->profile_count, 0, MS_SSS_SHADER_PROFILES_MAX},
+                                        {"term_count", (double)s->term_count, 0, MS_SSS_TERMS_MAX}};
+        if ((status = ms_sss__check_ranges(ranges, sizeof ranges / sizeof ranges[0], error)) != MS_OK) return status;
+    }
     if (ms_sss__shader_tower(s) && !ms_sss__pyramid_can(o))
         return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round, without rotation or jitter");
     if (!ms_sss__shader_tower(s) && (s->tap_count < 1 || s->tap_count > MS_SSS_TAPS_MAX || s->tap_count % 2 == 0))
@@ -7216,13 +7209,15 @@ static MS_SSS__COLD ms_status ms_sss__check_kernel_options(const ms_sss_kernel_o
     const int dense = o->tap_count == MS_SSS_DENSE, most = o->placement == MS_SSS_OPTIMISED ? 33 : MS_SSS_TAPS_MAX;
     ms_status status;
     int c;
-    if ((status = ms_sss__within((int)o->model, "model", 0, (int)MS_SSS_SLICE, error)) != MS_OK ||
-        (status = ms_sss__within((int)o->placement, "placement", 0, (int)MS_SSS_QUADRATIC, error)) != MS_OK ||
-        (status = ms_sss__within(o->term_count, "term_count", 1, MS_SSS_TERMS_MAX, error)) != MS_OK ||
-        (status = ms_sss__within(o->dial, "dial", 0, 1, error)) != MS_OK ||
-        (status = ms_sss__within(o->guide_k, "guide_k", 0, 4, error)) != MS_OK ||
-        (status = ms_sss__within(o->index, "index", 1, 2, error)) != MS_OK)
-        return status;
+    {
+        const ms_sss__range ranges[] = {{"model", (double)o->model, 0, (double)MS_SSS_SLICE},
+                                        {"placement", (double)o->placement, 0, (double)MS_SSS_QUADRATIC},
+                                        {"term_count", (double)o->term_count, 1, MS_SSS_TERMS_MAX},
+                                        {"dial", o->dial, 0, 1},
+                                        {"guide_k", o->guide_k, 0, 4},
+                                        {"index", o->index, 1, 2}};
+        if ((status = ms_sss__check_ranges(ranges, sizeof ranges / sizeof ranges[0], error)) != MS_OK) return status;
+    }
     if (!dense && (o->tap_count < 3 || o->tap_count > most || o->tap_count % 2 == 0))
         return MS_SSS__REFUSE(error, "tap_count is %d; odd, 3 to %d, or MS_SSS_DENSE expected", o->tap_count, most);
     for (c = 0; c < 3; ++c) {
@@ -8513,7 +8508,7 @@ static MS_SSS__APART void MS__F(any)(const ms_sss__sweep *s, const ms_sss__pass 
             same = MS__BOTH(same, MS__SAME(whole_y, MS__SET(lane[1][lead])));
             together = !(pending & ~MS__BITS(same)) && x + first >= -MS__N && x + first < width;
             for (j = 0; j < rows; ++j) {
-                const float *from = here + ms_sss__row(l, (int)lane[1][lead] + j, height);
+                const float *from = here + ms_sss__row_step(l, (int)lane[1][lead] + j, height);
                 if (together) row[j] = from + first;
                 for (i = 0; i < columns && !together; ++i) {
                     const float *at_i = from + ms_sss__clamp(first + i, -MS__N - x, width - x);
