@@ -570,7 +570,7 @@ static inline ms_status matcher_match(matcher *m, const float *target, const flo
         }
         matcher__shift(target, weight, m->network.size, at, moved, known);
         if (flags & MATCHER_ROBUST)
-            status = ms_pme_reweigh(MS_PME_TUKEY, 0, p, 3, picture, moved, known, counted = known + p, NULL, error);
+            status = ms_pme_reweigh(MS_PME_TUKEY, 0, p, 3, picture, moved, known, counted = known + p, error);
         if (status == MS_OK) status = matcher_aim(m, moved, counted, error);
         memcpy(guesses, x,
                count * sizeof(double)); /* where it slipped far, the other first guesses have another chance */
