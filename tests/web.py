@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The pages of examples/web as somebody uses them, in headless Chromium: python3 tests/web.py OUT [studio|session|pairs|kernels|frames]"""
-import csv, io, json, math, os, re, subprocess, sys, time, xml.etree.ElementTree as xml
+"""The pages of examples/web as somebody uses them, in headless Chromium: python3 tests/web.py OUT [studio|session|pairs|kernels|frames|pictures]"""
+import base64, csv, json, math, os, re, subprocess, sys, time, xml.etree.ElementTree as xml
 sys.dont_write_bytecode = True
 from browser import Browser
 
@@ -576,11 +576,35 @@ def frames(b):
     row("ten hues, a stroke, matched")
 
 
+def pictures(b):
+    """No test: README's pictures of both pages, OUT/studio.png and OUT/kernels.png."""
+    b.open("examples/web/studio.html", 1240, 860)
+    b.until("window.studio && studio.idle()", WAIT)
+    for n in range(1, 61):
+        b.until(CARD, WAIT)
+        give(b, round(taste([float(v) for v in b.value(CARD + ".dataset.x").split(",")])))
+        b.until("studio.scored.length === %d" % n, WAIT)
+    b.until("studio.idle()", WAIT)
+    b.click("#shelf .pick")
+    b.until("studio.view && studio.idle()", WAIT)
+    b.value("scrollTo(0, 0)")
+    shot(b, "studio")
+    b.open("examples/web/kernels.html#384", 1240, 860, dark=True)
+    b.until("window.designer && designer.idle()", WAIT)
+    shot(b, "kernels")
+
+
+def shot(b, name):
+    time.sleep(1)
+    with open("%s/%s.png" % (out, name), "wb") as f:
+        f.write(base64.b64decode(b.call("Page.captureScreenshot", clip={"x": 0, "y": 0, "width": 1240, "height": 860, "scale": 0.5})["data"]))
+
+
 pages = {"studio": studio, "session": session, "pairs": pairs, "kernels": kernels}
 for name in sys.argv[2:] or list(pages):
     with Browser(out) as browser:
         try:
-            {**pages, "frames": frames}[name](browser)
+            {**pages, "frames": frames, "pictures": pictures}[name](browser)
         except (TimeoutError, RuntimeError) as e:
             check(name, False, "%s; console: %s" % (e, browser.problems[:5]))
             browser.picture("%s/%s_failed.png" % (out, name))
