@@ -146,7 +146,7 @@ static void test_write_refused(void)
     CHECK(strstr(image_save("build", "x", 1), "regular") != NULL);
     CHECK(strstr(image_save("/dev/null", "x", 1), "regular") != NULL);
     CHECK(image_save("build/test_image.txt", "old", 3) == NULL); /* a file is no folder, and stays */
-    CHECK(strstr(image_write("build/test_image.txt/x.png", &im), "cannot open") != NULL);
+    CHECK(strstr(image_write("build/test_image.txt/x.png", &im), "folder is not there") != NULL);
     CHECK(image_save("build/test_image.txt", "new", 3) == NULL);
     f = fopen("build/test_image.txt", "rb");
     CHECK(f != NULL && fgetc(f) == 'n' && fgetc(f) == 'e' && fgetc(f) == 'w' && fgetc(f) == EOF);

@@ -168,7 +168,8 @@ int main(int argc, char **argv)
         ++i;
         if (strcmp(name, "--model") == 0 || strcmp(name, "--taps") == 0) one_model = 1;
         if (strcmp(name, "--model") == 0) {
-            if ((index = find(value, model_names, 10)) < 0) return usage("no such model", value);
+            if ((index = find(value, model_names, (int)(sizeof model_names / sizeof model_names[0]))) < 0)
+                return usage("no such model", value);
             options.model = (ms_sss_model)index;
             continue;
         }
