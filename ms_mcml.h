@@ -40,7 +40,7 @@
      a diffusion profile for rendering (half-space, g = 0)   ms_mcml_profile_make: no noise, milliseconds
      a picked colour and a path length to a medium           ms_mcml_medium_from_color
      skin of melanin and blood to colours and profiles       ms_mcml_skin_color, ms_mcml_skin_profile
-     layers, g: totals, rings, depth without noise           ms_mcml_layered_solve, over a grid ms_mcml_layered_result
+     layers, g: totals, rings, depth without noise           ms_mcml_layered_solve
      layers, g, glass, absorption, angles, time              ms_mcml_simulate, or for jobs that are split:
                                                              ms_mcml_create, _run, _save, _load, _merge, _results
      .mci and .mco files of MCML 1.2, finite beams           examples/tools/mci.h
@@ -63,13 +63,14 @@
 
    Layers without noise
    --------------------
-   ms_mcml_layered_solve: up to 16 layers, any phase function by its Legendre moments, R and T over radius, totals,
-   depth. For each spatial frequency the moments of the source on panels in depth, exact flights between them along rays
-   through every layer and back (Fresnel at each boundary), GMRES; single scattering of the top layer in space with the
-   whole phase function. Time grows with the order, which g asks for (3 moments at 0.3, 9 at 0.8, 19 at 0.9), and with
-   the panels, which follow optical depth; totals are the limit of three orders. Each ring has an error beside it; what
-   cannot be held is MS_NOT_CONVERGED. ms_mcml_layered_result takes rings beside clear layers, and of g near 1, from
-   photons, to the exact totals.
+   ms_mcml_layered_solve: up to 16 layers, Henyey-Greenstein scattering, R and T over radius, totals, depth. For each
+   spatial frequency: source moments on panels in depth, exact ray sweeps between them through every layer and back
+   (Fresnel at each boundary), GMRES; single scattering of the top layer in space with the whole phase function. Time
+   grows with the order, which g asks for (3 moments at 0.3, 9 at 0.8, 19 at 0.9), and with the panels, which follow
+   optical depth; totals are the limit of three orders. Each ring has an error beside it, estimated from half the order,
+   twice the frequency step and another end of the spectrum. Where it is above 3%, beside clear layers and for g near 1
+   the rings are Monte Carlo's, with standard errors, and the solution says so. `make bench FILTER=layered` compares
+   300 random media with Monte Carlo of another seed.
 
    Diffusion profiles
    ------------------
@@ -109,9 +110,8 @@
    ------
    Monte Carlo: 2^32 photons a tally; 32767 layers; n 0.01 to 100; mu up to 1e9 per cm; -1 < g <= 1; fewer than 2^31
    cells. Pencil beam (incidence_degrees: oblique, Monte Carlo only); flat layers; unpolarised light; no fluence in
-   clear layers. Layers without noise: g above about 0.9 (the order ends at 31) and below -0.7, rings beside clear
-   layers (ms_mcml_layered_result takes their shape from photons), transmission
-   within a mean free path of the axis where it has 1e-3 of its energy there. One thread.
+   clear layers. Layers without noise: 16 layers; totals of g above 0.99 or below -0.9 to less than 5e-5. The layered
+   solver runs each channel on one thread.
 
    Sources
    -------
@@ -352,7 +352,6 @@ typedef struct ms_mcml_result {
     void *memory;
     size_t memory_size;
     ms_allocator allocator;
-    int layered; /* not 0: from ms_mcml_layered_result */
 } ms_mcml_result;
 
 /* Results so far. Errors of Rd and Tt come from the squares of single photons, those of A and phi from the spread of up
@@ -500,77 +499,60 @@ MS_API double ms_mcml_medium_length(const ms_mcml_medium *medium, int kind);
 
 /* All zero: the defaults. */
 typedef struct ms_mcml_layered_options {
-    int order;             /* Legendre moments of scattering that are solved for, 1 to 31; what is sharper counts as not
-                              scattered (delta-M). 0: the least odd order with g^(order + 1) below 0.13 in every layer, 0.015 in
-                              thin tissue;             |g|^(order + 1) below 0.003 where g is negative */
-    double tolerance;      /* of the iteration, 1e-9 to 1e-2; 0: 1e-4, up to order 3 and in thin tissue 1e-6 */
-    double frequency_step; /* log spacing of the spatial frequencies, 0.1 to 1; 0: 0.25, with a bottom 0.2 */
-    int totals_only;       /* not 0: no rings, only what does not depend on r: one frequency instead of some 30 */
-    const double *moment;  /* NULL: Henyey-Greenstein of each layer's g. Else [layer_count][34] Legendre moments of the
-                              phase  functions: 1, mean cosine, ... */
-    double dz_cm;          /* > 0 with a_z */
+    int totals_only; /* not 0: no rings, only what does not depend on r: one frequency instead of some 30 */
+    double dz_cm;    /* > 0 with a_z */
     int nz;
-    double *a_z;          /* [nz] out: absorbed between i dz and (i + 1) dz, 1/cm; or NULL */
-    double *a_l;          /* [layer_count] out: part absorbed in each layer; or NULL */
-    ms_progress progress; /* asked before every frequency */
+    double *a_z;      /* [nz] out: absorbed between i dz and (i + 1) dz, 1/cm; or NULL */
+    double *a_l;      /* [layer_count] out: part absorbed in each layer; or NULL */
+    uint64_t photons; /* of Monte Carlo where the solver's rings are not good enough; 0: 1000000 */
+    ms_progress progress;
     ms_allocator allocator;
-    ms_simd simd;     /* a cap; levels round differently, to 1e-12 of the totals */
-    uint64_t photons; /* of ms_mcml_layered_result, for rings that the solver cannot hold; 0: 1000000 */
+    ms_simd simd; /* a cap; levels round differently, to 1e-12 of the totals */
 } ms_mcml_layered_options;
 
-/* Reflectance and transmittance of layers under a pencil beam at normal incidence, without noise. A plain value: copy
-   it freely. Totals count as MCML counts: specular is what the surface (and clear layers on top) reflects at entry, rd
-   and tt contain what was never scattered.
+/* Light that leaves one surface, over radius; read it with ms_mcml_layered_beyond and _ring. */
+typedef struct ms_mcml_layered_side {
+    uint64_t photons; /* 0: by the solver; else by so many photons */
+    double radius_cm, last_per_cm, multiple, rest, tail_cm, tail, fall_per_cm;
+    double energy[MS_MCML_LAYERED_RATES], beyond[MS_MCML_LAYERED_RADII], error[MS_MCML_LAYERED_RADII];
+} ms_mcml_layered_side;
+
+/* Reflectance and transmittance of layers under a pencil beam at normal incidence. A plain value: copy it freely.
+   Totals count as MCML counts: specular is what the surface (and clear layers on top) reflects at entry; rd and tt
+   include unscattered light. rd_error, tt_error: of the limit of three orders, whose errors alternate. The fields from
+   `order` on belong to the solver:
 
      energy beyond r    sum single max(0, exp(-single_rate r) - single_end) + sum energy (rate r) K1(rate r)
-
-   and what positive terms do not give as beyond[] at radius_cm exp(0.1 i). Index [order][side]: order 0 is the result,
-   1 half the order, for errors.
-
-   rd_error, tt_error: of the limit of three orders, whose errors alternate. */
+                        + side.beyond[] at side.radius_cm exp(0.1 i) */
 typedef struct ms_mcml_layered {
     double specular, rd, rd_error, tt, tt_error, a, rd_unscattered, tt_unscattered;
-    double residual, peak;                         /* of the iteration; largest part of scattering taken as forward */
-    int order, frequencies, rates, singles, clear; /* clear: a layer is, so that errors of rings are infinite */
-    double frequency_per_cm[MS_MCML_LAYERED_RATES], rd_spectrum[MS_MCML_LAYERED_RATES],
-        tt_spectrum[MS_MCML_LAYERED_RATES]; /* at k */
-    double rate_per_cm[MS_MCML_LAYERED_RATES], energy[2][2][MS_MCML_LAYERED_RATES];
-    double radius_cm, multiple[2][2], rest[2][2], beyond[2][2][MS_MCML_LAYERED_RADII];
-    double tail_cm[2][2], tail[2][2],
-        fall_per_cm[2][2]; /* multiple scattering beyond a radius: tail exp(-fall (r - tail_cm)) */
+    ms_mcml_layered_side side[2]; /* top, bottom */
+    int order, rates, singles;
+    double residual, peak, mu_t_per_cm, rate_per_cm[MS_MCML_LAYERED_RATES];
     double single_rate_per_cm[MS_MCML_LAYERED_SINGLES], single_energy[MS_MCML_LAYERED_SINGLES],
         single_end[MS_MCML_LAYERED_SINGLES];
 } ms_mcml_layered;
 
-/* Solves the transport equation for each spatial frequency: source moments on panels in depth, exact flights between
-   them along rays through all layers and back, GMRES with low-order spherical harmonics as preconditioner. 1 to 16
-   layers, index 0.01 to 100, any absorption and scattering, |g| <= 0.995; thickness_cm x effective attenuation above 23
-   counts as infinite. options may be NULL. Memory while it runs: 5 to 100 MB, with order and panels.
-   MS_NOT_CONVERGED: *out is filled, and its errors are the best that was reached: g so close to 1 that the order does
-   not hold (peak above 0.3), an iteration above ten times its tolerance, totals not known to 5e-5, or rings beside a
-   clear layer; error says which. MS_INVALID_ARGUMENT, MS_UNSUPPORTED (more than 16 layers), MS_OUT_OF_MEMORY,
-   MS_CANCELLED: *out untouched. */
+/* Solves the transport equation for each spatial frequency: source moments on panels in depth, exact ray sweeps between
+   them through all layers and back, GMRES with low-order spherical harmonics as preconditioner. 1 to 16 layers, index
+   0.01 to 100, any absorption and scattering; thickness_cm x effective attenuation above 23 counts as infinite.
+   Rings of a side whose total is above 1e-3 come from Monte Carlo, scaled to the solver's total, where the solver
+   cannot hold them: beside a clear layer, g above 0.96, or an estimated error above 3% in a ring with 1e-3 of the
+   side's energy. side[].photons says so, and the errors are standard errors then. options may be NULL. Memory while it
+   runs: 5 to 100 MB, with order and panels. MS_NOT_CONVERGED: *out is filled, but the totals are known to rd_error and
+   tt_error only, above 5e-5. MS_INVALID_ARGUMENT, MS_UNSUPPORTED (more than 16 layers), MS_OUT_OF_MEMORY, MS_CANCELLED:
+   *out untouched. */
 MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *options,
                                        ms_mcml_layered *out, ms_error *error);
 
-/* Energy that leaves at the top (side 0) or the bottom (side 1) farther than r_cm >= 0 from the beam; what was not
-   scattered leaves at 0. ring: mean over r0_cm <= r < r1_cm in 1/cm^2, not negative; its error estimate goes to
-   *ring_error unless NULL. line_beyond: at x > x_cm on one side of the beam. NaN outside these ranges. */
+/* Energy that leaves at the top (side 0) or the bottom (side 1) farther than r_cm >= 0 from the beam; unscattered light
+   leaves at 0. ring: mean over r0_cm <= r < r1_cm in 1/cm^2, not negative; its error goes to *ring_error unless NULL:
+   an estimate from half the order, twice the frequency step and another end of the spectrum, or a standard error.
+   line_beyond: at x > x_cm on one side of the beam. NaN outside these ranges. */
 MS_API double ms_mcml_layered_beyond(const ms_mcml_layered *solution, int side, double r_cm);
 MS_API double ms_mcml_layered_ring(const ms_mcml_layered *solution, int side, double r0_cm, double r1_cm,
                                    double *ring_error);
 MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *solution, int side, double x_cm);
-
-/* All of it over a grid, as from ms_mcml_simulate but without noise: layered is 1, photons 0; totals, rings and what
-   layers absorb with their errors, A_z without (they add up to a). Rings beside a clear layer, or with peak above 0.3,
-   have the shape that photons give (seed 1, with their standard errors; photons is their number) and the solver's
-   totals, and are MS_OK. Angles only in a grid of one, times and A_rz not at all: those arrays are NULL. options may be
-   NULL; its totals_only, dz_cm, nz, a_z and a_l are not read. Release with ms_mcml_result_destroy. MS_NOT_CONVERGED: as
-   above, *result is filled and to be released. MS_UNSUPPORTED also for a grid with nt > 0. Else *result is
-   untouched. */
-MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid,
-                                        const ms_mcml_layered_options *options, ms_mcml_result *result,
-                                        ms_error *error);
 
 /* ---- diffusion profiles ---------------------------------------------------------------------------------------- */
 
@@ -2589,7 +2571,7 @@ MS_API double ms_mcml_halfspace_line_beyond(const ms_mcml_halfspace *s, double x
 #define MS_MCML__ORDER_MAX 31
 #define MS_MCML__STRATA 16
 #define MS_MCML__RAYS 8         /* side by side: a part of a panel of nu = n sin(theta) */
-#define MS_MCML__AZIMUTHS 14    /* at most, in a quarter of the circle */
+#define MS_MCML__AZIMUTHS 17    /* at most, in a quarter of the circle: order 31 needs them */
 #define MS_MCML__SHAPES 64      /* different panel lengths of a layer */
 #define MS_MCML__PANELS_MAX 160 /* of a layer */
 #define MS_MCML__SPAN 48        /* steps of GMRES */
@@ -2601,7 +2583,6 @@ MS_API double ms_mcml_halfspace_line_beyond(const ms_mcml_halfspace *s, double x
 typedef struct ms_mcml__stratum {
     double n, d, mu_a, mu_s, mu_t, kappa; /* d: as far as nodes go; kappa: effective attenuation */
     double mu_s_full, g, sigma[MS_MCML__ORDER_MAX + 1];
-    const double *moment;                 /* NULL: Henyey-Greenstein */
     double down, up;                      /* the beam at the top going down, at the bottom going up */
     int clear, semi, panel, panels, used; /* used: panels within reach at this frequency */
     int deep, node, end; /* first node of all; first and last of those within reach, each layer's a multiple of 8 */
@@ -2632,13 +2613,14 @@ typedef struct ms_mcml__flights {
     int panel_shape[MS_MCML__STRATA * MS_MCML__PANELS_MAX];
     /* at one frequency */
     double k, mu_least;
-    int most, blocks, azimuths, terms, reach; /* m up to most; terms: of l and m; reach: nodes within reach */
-    double *nu, *nu_weight;                   /* [blocks][RAYS] */
-    double *cosine, *turn;                    /* [blocks][azimuths][RAYS] cos(phi), weight */
-    double *around;                           /* [blocks][azimuths][most + 1][RAYS] (-1)^(m/2) cos(m phi) / norm */
-    double *mu;                               /* [blocks][layers][RAYS], or 0 */
-    double *theta;                            /* [blocks][layers][terms][RAYS] */
-    double *table;                            /* [blocks][azimuths][shapes][4][6][2][RAYS] */
+    int most, blocks, azimuths, azimuths_most, terms,
+        reach;              /* m up to most; terms: of l and m; reach: nodes within reach */
+    double *nu, *nu_weight; /* [blocks][RAYS] */
+    double *cosine, *turn;  /* [blocks][azimuths][RAYS] cos(phi), weight */
+    double *around;         /* [blocks][azimuths][most + 1][RAYS] (-1)^(m/2) cos(m phi) / norm */
+    double *mu;             /* [blocks][layers][RAYS], or 0 */
+    double *theta;          /* [blocks][layers][terms][RAYS] */
+    double *table;          /* [blocks][azimuths][shapes][4][6][2][RAYS] */
     double *chain; /* [blocks][azimuths][layers][5][2][RAYS] of each ray through a layer: what passes; back over down at
                       its   bottom and at its top; what v of the next layer counts here; 1 / (1 - r times back at its
                       top) */
@@ -2822,8 +2804,8 @@ static void ms_mcml__rays(ms_mcml__flights *s, double k, int most)
         int count = t > 1e-9 ? (int)ceil(log((t < 0.25 ? 1e-7 : 1e-5) * (s->order > 3 ? 1 : 1e-3)) / (4 * log(t))) : 1,
             even;
         if (count * 4 < 2 * most + 2) count = (2 * most + 5) / 4;
-        even = count <= MS_MCML__AZIMUTHS;
-        if (!even) count = MS_MCML__AZIMUTHS;
+        even = count <= s->azimuths_most;
+        if (!even) count = s->azimuths_most;
         s->azimuths = count;
         ms_mcml__legendre_nodes(count, x, w);
         for (b = 0; b < s->blocks; ++b)
@@ -3221,7 +3203,7 @@ static double ms_mcml__settle(ms_mcml__flights *s, double *d, double tolerance, 
 
 static double ms_mcml__moment(const ms_mcml__stratum *y, int l)
 {
-    return y->moment ? y->moment[l] : l == 0 ? 1 : y->g < 0 || y->g > 0 ? pow(y->g, l) : 0;
+    return l == 0 ? 1 : fabs(y->g) > 0 ? pow(y->g, l) : 0;
 }
 
 /* Attenuation far from everything: the least root of h_0 - k^2 / (3 h_1 - (2 k)^2 / (5 h_2 - ...)), h_l = mu_t -
@@ -3249,8 +3231,9 @@ static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tis
                                        const ms_mcml_layered_options *o, int order, int parts, int most,
                                        ms_error *error)
 {
-    enum { R = MS_MCML__RAYS, LM = MS_MCML__ORDER_MAX };
-    const size_t az = most > 0 ? MS_MCML__AZIMUTHS : 1, sheets = (size_t)most + 1;
+    enum { R = MS_MCML__RAYS };
+    const int around = (2 * most + 5) / 4 > 14 ? (2 * most + 5) / 4 : 14;
+    const size_t az = most > 0 ? (size_t)around : 1, sheets = (size_t)most + 1;
     size_t blocks, terms, nz, at[21], count = 0; /* doubles of each array */
     ms_mcml__flights *s = (ms_mcml__flights *)ms__alloc(&o->allocator, sizeof *s);
     double h[MS_MCML__PANELS_MAX + 8], all[MS_MCML__STRATA + 2], depth = 0, thickest = 0;
@@ -3260,6 +3243,7 @@ static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tis
     s->kernels = ms_mcml__kernels_of(ms__simd_pick(o->simd));
     s->order = order;
     s->parts = parts;
+    s->azimuths_most = around;
     s->n_above = tissue->n_above;
     s->n_below = tissue->n_below;
     s->mu_least = 1e300;
@@ -3271,8 +3255,7 @@ static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tis
         y->n = layer->n;
         y->d = layer->thickness_cm;
         y->g = layer->g;
-        y->moment = o->moment ? o->moment + (size_t)i * (LM + 3) : NULL;
-        y->mu_s_full = y->moment || layer->g < 1 ? layer->mu_s_per_cm : 0;
+        y->mu_s_full = layer->g < 1 ? layer->mu_s_per_cm : 0;
         f = y->mu_s_full > 0 ? ms_mcml__moment(y, order + 1) : 0;
         if (!(f > 0) || ms_mcml__moment(y, 1) < 0) f = 0; /* a peak that is not forward has to be resolved */
         y->mu_s = y->mu_s_full * (1 - f);
@@ -3460,23 +3443,13 @@ static void ms_mcml__singles(const ms_mcml__flights *s, ms_mcml_layered *out)
     const ms_mcml__stratum *y = &s->layer[0];
     const double least = y->n > s->n_above ? sqrt(1 - s->n_above * s->n_above / (y->n * y->n)) : 0;
     double x[MS_MCML_LAYERED_SINGLES], w[MS_MCML_LAYERED_SINGLES];
-    int j, l;
+    int j;
     if (y->clear || !(y->mu_s_full > 0)) return;
     ms_mcml__legendre_nodes(MS_MCML_LAYERED_SINGLES, x, w);
     for (j = 0; j < MS_MCML_LAYERED_SINGLES; ++j) {
         const double mu = least + (1 - least) * x[j] * x[j], sine = sqrt((1 - mu) * (1 + mu)),
                      rate = y->mu_t * (1 + 1 / mu);
-        double phase = 0, p0 = 1, p1 = -mu;
-        if (y->moment == NULL) {
-            phase = (1 - y->g * y->g) / pow(1 + y->g * y->g + 2 * y->g * mu, 1.5);
-        } else {
-            for (l = 0; l <= MS_MCML__ORDER_MAX; ++l) {
-                const double next = ((2 * l + 3) * -mu * p1 - (l + 1) * p0) / (l + 2);
-                phase += (2 * l + 1) * y->moment[l] * p0;
-                p0 = p1;
-                p1 = next;
-            }
-        }
+        const double phase = (1 - y->g * y->g) / pow(1 + y->g * y->g + 2 * y->g * mu, 1.5);
         out->single_rate_per_cm[j] = rate * mu / sine;
         out->single_end[j] = y->semi ? 0 : exp(-rate * y->d);
         out->single_energy[j] = (1 - least) * x[j] * w[j] * (1 - ms_mcml__fresnel_nu(y->n, s->n_above, y->n * sine)) *
@@ -3505,8 +3478,9 @@ static double ms_mcml__bessel_j1(double x)
 
 /* A spectrum at arsinh(k / low) = u, from its values at whole multiples of a step of u: even and analytic out to 1.57
    off the axis, where k = i low, so that Lagrange's polynomial through twelve of them is good to 1e-6 and better;
-   beyond them a power that fades. */
-static double ms_mcml__between_samples(const double *y, int logarithms, int count, double step, double u)
+   beyond them a power that fades; steeper is added to it. */
+static double ms_mcml__between_samples(const double *y, int logarithms, int count, double step, double u,
+                                       double steeper)
 {
     static const double choose[7][12] = {{1},
                                          {1, -1},
@@ -3523,9 +3497,10 @@ static double ms_mcml__between_samples(const double *y, int logarithms, int coun
         const double fall = logarithms ? (y0 - y1) / step : y0 * y1 > 0 ? log(y0 / y1) / step : 8;
         return a < 2.5 ? (logarithms ? exp(y1) : y1) *
                 exp(-a *
-                    (fall < 1       ? 1
-                         : fall > 8 ? 8
-                                    : fall)) *
+                    (steeper +
+                     (fall < 1       ? 1
+                          : fall > 8 ? 8
+                                     : fall))) *
                 (1 - a * a / 6.25)
                        : 0;
     }
@@ -3543,7 +3518,7 @@ static double ms_mcml__between_samples(const double *y, int logarithms, int coun
    J1(k r) dk, out to 40 / low; where waves are many a window ends them smoothly, which changes nothing as far out. What
    has little fall between its first and last frequency is smoothest in logarithms, what falls like a bell is not. */
 static void ms_mcml__hankel(const double *value, int side, int count, double low, double step, double r_first,
-                            double *f, double *beyond)
+                            double steeper, double *f, double *beyond)
 {
     static const double gauss[4] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629};
     static const double weight[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
@@ -3557,7 +3532,7 @@ static void ms_mcml__hankel(const double *value, int side, int count, double low
     if (count < 4) return;
     for (i = 0; i < count; ++i) y[i] = logarithms ? log(value[i]) : value[i];
     for (i = 0; i < most; ++i)
-        f[i] = ms_mcml__between_samples(y, logarithms, count, step, fabs(0.125 * step * (i - 1)));
+        f[i] = ms_mcml__between_samples(y, logarithms, count, step, fabs(0.125 * step * (i - 1)), steeper);
     for (i = 0; i < MS_MCML_LAYERED_RADII; ++i) {
         const double r = r_first * exp(0.1 * i), end = last * r < 400 ? last : 400 / r;
         double sum = 0, at = 0;
@@ -3616,131 +3591,163 @@ static double ms_mcml__positive_fit(const double *k, const double *value, const 
     return misfit;
 }
 
-/* Spectra at all frequencies of the multiple scattering that leaves the top and of all that leaves the bottom, fitted.
-   coarse, a lower order for the errors: every third frequency, the others by the ratio to fine, which the first call
-   leaves. */
-static ms_status ms_mcml__spectra(ms_mcml__flights *s, const ms_mcml_layered_options *o, ms_mcml_layered *out,
-                                  int coarse, int isotropic, double fine[2][MS_MCML_LAYERED_RATES], ms_error *error)
+/* The spatial frequencies k = low sinh(step i) of a solution, and the spectra there: what leaves the top after two
+   collisions and more, and all scattered light that leaves the bottom. */
+typedef struct ms_mcml__spectra {
+    int count, positive; /* positive: the top's spectrum is a sum of positive terms (isotropic half-space) */
+    double low, step, most, mu_t, k[MS_MCML_LAYERED_RATES], noise[MS_MCML_LAYERED_RATES];
+    double value[2][MS_MCML_LAYERED_RATES], scale[2][MS_MCML_LAYERED_RATES];
+} ms_mcml__spectra;
+
+/* Accuracy of the iteration at k, relative to the tolerance. Low frequencies make the far tail and cost little. */
+static double ms_mcml__care(const ms_mcml__spectra *p, double k)
 {
-    enum { MOST = MS_MCML_LAYERED_RATES };
-    double k[MOST], value[2][MOST], scale[2][MOST], noise[MOST], step = o->frequency_step, mu_t = 0, low = 1e300,
-                                                                 finest = 0, deepest = 0, most;
-    const size_t size = (size_t)(2 * MOST * (MOST + 4)) * sizeof(double), n3 = (size_t)s->nodes;
-    double *a = (double *)ms__alloc(&o->allocator, size), *d = s->moments,
-           *before = d + (size_t)ms_mcml__first_term(s->order, s->order + 1) * n3;
-    double *earlier = before + (before - d);
-    int i, j, side, count = 0, layer, fits = 0;
-    if (a == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the fit of the spectrum", size);
-    for (layer = 0; layer < s->layers; ++layer) {
-        const ms_mcml__stratum *y = &s->layer[layer];
+    const double x = k / p->mu_t, care = x / 0.3;
+    return x > 3 ? fmin(x / 3, 10) : x > 0.3 ? 1 : care > 0.03 ? care * care : 1e-3;
+}
+
+/* From the slowest attenuation or the thickness, the longer of the two lengths, to 40 mu_t. */
+static void ms_mcml__frequencies(const ms_mcml__flights *s, double tolerance, ms_mcml__spectra *p, ms_mcml_layered *out)
+{
+    const int semi = s->layer[s->layers - 1].semi;
+    double finest = 0, coarsest = 1e300, deepest = 0, more;
+    int i;
+    memset(p, 0, sizeof *p);
+    p->low = 1e300;
+    for (i = 0; i < s->layers; ++i) {
+        const ms_mcml__stratum *y = &s->layer[i];
         deepest += y->d;
-        if (y->clear) continue;
-        { /* the same rates for both orders */
-            const double f = y->mu_s_full > 0 && ms_mcml__moment(y, 1) > 0 ? ms_mcml__moment(y, out->order + 1) : 0,
-                         here = y->mu_a + y->mu_s_full * (f > 0 ? 1 - f : 1);
-            if (here > mu_t) mu_t = here;
-        }
-        if (y->kappa < low) low = y->kappa;
-        if (y->mu_t - y->sigma[1] > finest) finest = y->mu_t - y->sigma[1];
+        p->mu_t = fmax(p->mu_t, y->mu_t);
+        p->low = fmin(p->low, y->kappa);
+        finest = fmax(finest, y->mu_t - y->sigma[1]);
+        coarsest = fmin(coarsest, y->mu_t - y->sigma[1]); /* light that is guided in a weak layer goes far */
     }
-    if (low < 1 / (deepest + 4 / finest) && !s->layer[s->layers - 1].semi) low = 1 / (deepest + 4 / finest);
-    if (low < 1e-4 * finest) low = 1e-4 * finest;
-    if (coarse) low = out->rate_per_cm[0];
-    most = fmax(40 / deepest, 20 * mu_t); /* beyond, rays are too few for what leaves at the bottom */
-    if (!(step > 0)) step = s->layer[s->layers - 1].semi ? 0.25 : 0.2;
-    if (step * (MOST - 6) < log(150 * mu_t / low)) step = log(150 * mu_t / low) / (MOST - 6);
-    out->rate_per_cm[0] = low;
-    for (i = 1; i < MOST && low * exp(0.8 * step * (i - 4)) < 150 * mu_t; ++i) {
-        const double more = exp(0.8 * step * (i - 4));
-        out->rate_per_cm[i] = low * sqrt(1 + more * more);
+    if (!semi) p->low = fmax(p->low, 1 / (deepest + 4 / coarsest));
+    p->low = fmax(p->low, 1e-4 * finest);
+    p->most = fmax(40 / deepest, 20 * p->mu_t); /* beyond, rays are too few for what leaves at the bottom */
+    p->step = fmax(semi ? 0.25 : 0.2, log(150 * p->mu_t / p->low) / (MS_MCML_LAYERED_RATES - 6));
+    for (i = 0; i < MS_MCML_LAYERED_RATES; ++i) {
+        const double k = p->low * sinh(p->step * i);
+        if (k > 40 * p->mu_t) break;
+        p->k[i] = k;
+        p->noise[i] = tolerance * (0.1 * fmax(ms_mcml__care(p, k), 0.03) + k / p->mu_t * (0.5 + k / p->mu_t));
+        p->count = i + 1;
+    }
+    out->rate_per_cm[0] = p->low;
+    for (i = 1; i < MS_MCML_LAYERED_RATES && p->low * exp(0.8 * p->step * (i - 4)) < 150 * p->mu_t; ++i) {
+        more = exp(0.8 * p->step * (i - 4));
+        out->rate_per_cm[i] = p->low * sqrt(1 + more * more);
     }
     out->rates = i;
-    for (i = 0; i < MOST; ++i) {
-        double leave[2], residual, care;
-        k[i] = low * sinh(step * i);
-        if (k[i] > 40 * mu_t) break;
-        count = i + 1;
+}
+
+/* The next frequency starts from the moments of the last three, extrapolated. */
+static void ms_mcml__extrapolate(ms_mcml__flights *s, int i)
+{
+    const size_t n3 = (size_t)s->nodes, all = (size_t)ms_mcml__first_term(s->order, s->order + 1) * n3;
+    double *d = s->moments, *before = d + all, *earlier = before + all;
+    int layer, j, node;
+    memset(s->x, 0, (size_t)s->terms * (size_t)s->reach * sizeof(double));
+    for (layer = 0; layer < s->layers; ++layer) {
+        const ms_mcml__stratum *y = &s->layer[layer];
+        for (j = 0; j < s->terms && y->used; ++j)
+            for (node = y->node; node <= y->end; ++node) {
+                const size_t full = (size_t)j * n3 + (size_t)(y->deep + node - y->node);
+                const double here = d[full], last = before[full];
+                s->x[(size_t)j * (size_t)s->reach + (size_t)node] = i > 2 ? 3 * (here - last) + earlier[full]
+                    : i < 2                                               ? here
+                    : j <= s->order                                       ? 4 * here - 3 * last
+                                                                          : here;
+                before[full] = here;
+                earlier[full] = last;
+            }
+    }
+}
+
+/* Solves at every stride-th frequency. */
+static ms_status ms_mcml__spectra_solve(ms_mcml__flights *s, const ms_mcml_layered_options *o, double tolerance,
+                                        int stride, ms_mcml__spectra *p, ms_mcml_layered *out, ms_error *error)
+{
+    const size_t n3 = (size_t)s->nodes;
+    int i, j, layer;
+    for (i = 0; i < p->count; i += stride) {
+        double leave[2], residual, care = ms_mcml__care(p, p->k[i]);
         if (o->progress.report &&
-            o->progress.report(o->progress.user, (coarse ? 0.85 : 0.1) + (coarse ? 0.15 : 0.75) * i / out->rates)) {
-            ms__release(&o->allocator, a, size);
+            o->progress.report(o->progress.user, (stride > 1 ? 0.85 : 0.1) + (stride > 1 ? 0.15 : 0.75) * i / p->count))
             return ms__fail(error, MS_CANCELLED, 0, "stopped by the progress callback");
-        }
-        /* low frequencies make the far tail and cost little: up to 1000 times the accuracy */
-        care = k[i] < 0.3 * mu_t ? k[i] / (0.3 * mu_t) : 1;
-        care = k[i] > 3 * mu_t ? fmin(k[i] / (3 * mu_t), 10) : care > 0.03 ? care * care : 1e-3;
-        noise[i] = o->tolerance * (0.1 * fmax(care, 0.03) + k[i] / mu_t * (0.5 + k[i] / mu_t));
-        if (coarse && i % 3) continue;
-        s->through = !s->layer[s->layers - 1].semi && k[i] < most && (i < 3 || fine[1][i - 1] > 1e-7 * fine[1][0]);
-        ms_mcml__tune(s, k[i]);
-        memset(s->x, 0, (size_t)s->terms * (size_t)s->reach * sizeof(double));
-        for (layer = 0; layer < s->layers; ++layer) { /* from the last three frequencies on */
-            const ms_mcml__stratum *y = &s->layer[layer];
-            for (j = 0; j < s->terms && y->used; ++j)
-                for (side = y->node; side <= y->end; ++side) {
-                    const size_t full = (size_t)j * n3 + (size_t)(y->deep + side - y->node);
-                    const double here = d[full], last = before[full];
-                    s->x[(size_t)j * (size_t)s->reach + (size_t)side] = i > 2 ? 3 * (here - last) + earlier[full]
-                        : i < 2                                               ? here
-                        : j <= s->order                                       ? 4 * here - 3 * last
-                                                                              : here;
-                    before[full] = here;
-                    earlier[full] = last;
-                }
-        }
-        residual = ms_mcml__settle(s, s->x, care * o->tolerance, leave);
+        s->through = !s->layer[s->layers - 1].semi && p->k[i] < p->most &&
+            (i < 3 * stride || p->value[1][i - stride] > 1e-7 * p->value[1][0]);
+        ms_mcml__tune(s, p->k[i]);
+        ms_mcml__extrapolate(s, i / stride);
+        residual = ms_mcml__settle(s, s->x, care * tolerance, leave);
         for (layer = 0; layer < s->layers; ++layer) {
             const ms_mcml__stratum *y = &s->layer[layer];
             for (j = 0; j < s->terms && y->used; ++j)
-                memcpy(d + (size_t)j * n3 + y->deep, s->x + (size_t)j * (size_t)s->reach + y->node,
+                memcpy(s->moments + (size_t)j * n3 + y->deep, s->x + (size_t)j * (size_t)s->reach + y->node,
                        (size_t)(4 * y->used + 1) * sizeof(double));
         }
-        if (residual / care > out->residual) out->residual = residual / care;
-        value[0][i] = leave[0] - ms_mcml__single_spectrum(s);
-        value[1][i] = leave[1];
-        scale[0][i] = leave[0];
-        scale[1][i] = fabs(leave[1]) + 1e-6 * fabs(value[1][0]);
-        if (!coarse) {
-            out->frequency_per_cm[i] = k[i];
-            out->rd_spectrum[i] = leave[0];
-            out->tt_spectrum[i] = leave[1] + s->unscattered;
-            fine[0][i] = value[0][i];
-            fine[1][i] = value[1][i];
-        }
+        out->residual = fmax(out->residual, residual / care);
+        p->value[0][i] = leave[0] - ms_mcml__single_spectrum(s);
+        p->value[1][i] = leave[1];
+        p->scale[0][i] = leave[0];
+        p->scale[1][i] = fabs(leave[1]) + 1e-6 * fabs(p->value[1][0]);
     }
-    for (side = 0; side < 2 && coarse; ++side) {
-        double ratio[MOST / 3 + 1] = {1};
-        for (i = 0; i < count; i += 3)
-            ratio[i / 3] = fabs(fine[side][i]) > 1e-6 * fabs(fine[side][0]) ? value[side][i] / fine[side][i]
-                                                                            : ratio[i > 0 ? i / 3 - 1 : 0];
-        for (i = 0; i < count; ++i)
+    return MS_OK;
+}
+
+/* A spectrum that is known at every third frequency, at the others by its ratio to a finer one. */
+static void ms_mcml__fill_in(ms_mcml__spectra *p, const ms_mcml__spectra *fine)
+{
+    double ratio[MS_MCML_LAYERED_RATES / 3 + 1] = {1};
+    int side, i;
+    for (side = 0; side < 2; ++side) {
+        const double *f = fine->value[side];
+        for (i = 0; i < p->count; i += 3)
+            ratio[i / 3] = fabs(f[i]) > 1e-6 * fabs(f[0]) ? p->value[side][i] / f[i] : ratio[i > 0 ? i / 3 - 1 : 0];
+        for (i = 0; i < p->count; ++i)
             if (i % 3) {
-                value[side][i] = fine[side][i] *
-                    ms_mcml__between_samples(ratio, 0, (count + 2) / 3, 3 * step, step * fmin(i, (count - 1) / 3 * 3));
-                scale[side][i] = scale[side][i - 1];
+                p->value[side][i] = f[i] *
+                    ms_mcml__between_samples(ratio, 0, (p->count + 2) / 3, 3 * p->step,
+                                             p->step * fmin(i, (p->count - 1) / 3 * 3), 0);
+                p->scale[side][i] = p->scale[side][i - 1];
             }
     }
-    if (!coarse) out->frequencies = count;
-    out->radius_cm = 0.02 / mu_t;
-    for (side = 0; side < 2; ++side) { /* as much as positive terms can give, and a table of the rest */
-        double *energy = out->energy[coarse][side], *v = value[side];
-        memset(energy, 0, MOST * sizeof(double));
-        if (!(scale[side][0] > 0) || (side && s->layer[s->layers - 1].semi)) continue;
-        /* transmission falls faster than any sum of such terms */
-        if (side == 0)
-            fits = ms_mcml__positive_fit(k, v, scale[0], noise, count, out->rate_per_cm, out->rates, energy, a) < 5 ||
-                isotropic;
-        out->multiple[coarse][side] = v[0];
-        for (i = 0; i < count; ++i)
-            for (j = 0; j < out->rates; ++j)
-                v[i] -= energy[j] / (1 + k[i] / out->rate_per_cm[j] * (k[i] / out->rate_per_cm[j]));
-        for (i = 0; i < count && side == 0 && fits; ++i)
-            v[i] /= 1 + pow(k[i] / (2 * mu_t), 4); /* there the fit is better than rays */
-        for (i = side ? 2 : count; i < count && k[i] < most && v[i] > 1e-7 * v[0]; ++i) {} /* as far as it is known */
-        ms_mcml__hankel(v, side, i, low, step, out->radius_cm, a, out->beyond[coarse][side]);
-        out->rest[coarse][side] = v[0];
+}
+
+/* Inverts the spectra to `out`, [2]: positive terms as far as they fit, and a table of the rest. stride: of the
+   frequencies; steeper: the power by which spectra fall faster beyond the last frequency. a: workspace. */
+static void ms_mcml__spectra_invert(const ms_mcml__spectra *p, int stride, double steeper, const ms_mcml_layered *s,
+                                    int semi, double *a, ms_mcml_layered_side out[2])
+{
+    enum { MOST = MS_MCML_LAYERED_RATES };
+    double k[MOST], scale[MOST], noise[MOST], v[MOST];
+    int side, i, j, count = (p->count + stride - 1) / stride, fits = 0;
+    for (i = 0; i < count; ++i) {
+        k[i] = p->k[i * stride];
+        scale[i] = p->scale[0][i * stride];
+        noise[i] = p->noise[i * stride];
     }
-    ms__release(&o->allocator, a, size);
-    return MS_OK;
+    memset(out, 0, 2 * sizeof *out);
+    for (side = 0; side < 2; ++side) {
+        ms_mcml_layered_side *y = &out[side];
+        y->radius_cm = 0.02 / p->mu_t;
+        if (!(p->scale[side][0] > 0) || (side && semi)) continue;
+        for (i = 0; i < count; ++i) v[i] = p->value[side][i * stride];
+        if (side == 0) /* transmission falls faster than any sum of such terms */
+            fits = ms_mcml__positive_fit(k, v, scale, noise, count, s->rate_per_cm, s->rates, y->energy, a) < 5 ||
+                p->positive;
+        y->multiple = v[0];
+        for (i = 0; i < count; ++i)
+            for (j = 0; j < s->rates; ++j)
+                v[i] -= y->energy[j] / (1 + k[i] / s->rate_per_cm[j] * (k[i] / s->rate_per_cm[j]));
+        for (i = 0; i < count && side == 0 && fits; ++i)
+            v[i] /= 1 + pow(k[i] / (2 * p->mu_t), 4); /* there the fit is better than rays */
+        for (i = side ? 2 : count; i < count && k[i] < p->most && v[i] > 1e-7 * v[0]; ++i) {
+        } /* as far as it is known */
+        y->last_per_cm = i > 0 ? k[i - 1] : 0;
+        ms_mcml__hankel(v, side, i, p->low, p->step * stride, y->radius_cm, steeper, a, y->beyond);
+        y->rest = v[0];
+    }
 }
 
 /* Absorbed above z of a layer, of the solution at k = 0. */
@@ -3831,29 +3838,311 @@ static ms_status ms_mcml__totals(const ms_mcml_tissue *tissue, const ms_mcml_lay
 
 /* Multiple scattering that leaves beyond r: terms, and a cubic through the nearest four of the table, of logarithms for
    transmission; a paraboloid before its start. */
-static double ms_mcml__layered_multiple(const ms_mcml_layered *s, int coarse, int side, double r)
+static double ms_mcml__layered_multiple(const ms_mcml_layered *s, const ms_mcml_layered_side *y, int logarithms,
+                                        double r)
 {
-    const double *y = s->beyond[coarse][side], u = 10 * log(r / s->radius_cm), rest = s->rest[coarse][side];
+    const double u = 10 * log(r / y->radius_cm);
     double sum = 0, t, d0, d1, at[4];
     int i, j;
-    if (r > s->tail_cm[coarse][side]) {
-        t = s->fall_per_cm[coarse][side] * (r - s->tail_cm[coarse][side]);
-        return t < 700 ? s->tail[coarse][side] * exp(-t) : 0;
+    if (r > y->tail_cm) {
+        t = y->fall_per_cm * (r - y->tail_cm);
+        return t < 700 ? y->tail * exp(-t) : 0;
     }
     for (i = 0; i < s->rates && s->rate_per_cm[i] * r < 700; ++i)
-        sum += s->energy[coarse][side][i] * ms_mcml__x_bessel_k1(s->rate_per_cm[i] * r);
-    if (u <= 0) return sum + rest - (rest - y[0]) * (r / s->radius_cm) * (r / s->radius_cm);
+        if (y->energy[i] > 0) sum += y->energy[i] * ms_mcml__x_bessel_k1(s->rate_per_cm[i] * r);
+    if (u <= 0) return sum + y->rest - (y->rest - y->beyond[0]) * (r / y->radius_cm) * (r / y->radius_cm);
     if (u >= MS_MCML_LAYERED_RADII - 3) return sum;
     i = (int)u;
     t = u - i;
-    for (j = 0; j < 4; ++j) at[j] = y[i > 0 || j > 0 ? i + j - 1 : 0];
-    if (side) {
-        for (j = 0; j < 4; ++j) at[j] = log(at[j] > 1e-300 ? at[j] : 1e-300);
-    }
+    for (j = 0; j < 4; ++j) at[j] = y->beyond[i > 0 || j > 0 ? i + j - 1 : 0];
+    for (j = 0; j < 4 && logarithms; ++j) at[j] = log(at[j] > 1e-300 ? at[j] : 1e-300);
     d0 = i > 0 ? 0.5 * (at[2] - at[0]) : at[2] - at[1];
     d1 = 0.5 * (at[3] - at[1]);
     t = at[1] + t * (d0 + t * (3 * (at[2] - at[1]) - 2 * d0 - d1 + t * (2 * (at[1] - at[2]) + d0 + d1)));
-    return sum + (side ? exp(t) : t);
+    return sum + (logarithms ? exp(t) : t);
+}
+
+/* Scales a side to its total, and ends its table where 3e-7 of the energy is left, or where rounding makes it rise:
+   from there the energy falls exponentially. Near the axis a small rise is the noise of the spectrum, not the tail. */
+static void ms_mcml__layered_finish(const ms_mcml_layered *s, ms_mcml_layered_side *y, int side, double scattered)
+{
+    double sum = y->rest, here, before, low;
+    int i;
+    for (i = 0; i < s->rates; ++i) sum += y->energy[i];
+    if (scattered > 0 && sum > 0.5 * scattered && sum < 2 * scattered) {
+        for (i = 0; i < s->rates; ++i) y->energy[i] *= scattered / sum;
+        for (i = 0; i < MS_MCML_LAYERED_RADII; ++i) y->beyond[i] *= scattered / sum;
+        y->rest *= scattered / sum;
+        y->multiple = scattered;
+    }
+    here = before = y->multiple;
+    low = 3e-7 * here;
+    y->tail_cm = 1e300;
+    for (i = 0; i < MS_MCML_LAYERED_RADII && here > 0; ++i) {
+        const double radius = y->radius_cm * exp(0.1 * i), next = ms_mcml__layered_multiple(s, y, side, radius);
+        if (i > 2 && !(next > low && (next < here || here > 3e-3 * y->multiple))) {
+            const double last = y->radius_cm * exp(0.1 * (i - 1));
+            y->tail_cm = last;
+            y->tail = here;
+            y->fall_per_cm = fmax(log(fmax(before / here, 1)) / (last * (1 - exp(-0.1))), s->rate_per_cm[0]);
+            if (side && i + 1 < MS_MCML_LAYERED_RADII) { /* its slope there */
+                y->beyond[i] = fmax(next, here * here / before);
+                y->beyond[i + 1] = fmax(y->beyond[i + 1], y->beyond[i] * here / before);
+            }
+            break;
+        }
+        before = here;
+        here = next;
+    }
+}
+
+/* Energy of multiple scattering in cell i of the table: inside the first radius, or between radii i - 1 and i. */
+static double ms_mcml__layered_cell(const ms_mcml_layered *s, const ms_mcml_layered_side *y, int side, int i)
+{
+    const double radius = y->radius_cm * exp(0.1 * i);
+    return (i ? ms_mcml__layered_multiple(s, y, side, radius * exp(-0.1)) : y->multiple) -
+        ms_mcml__layered_multiple(s, y, side, radius);
+}
+
+/* Errors of the cells from three other inversions, each the largest of the cells nearby, since differences change sign:
+   half the order, twice the frequency step (whose error falls faster than in proportion) and a spectrum that is steeper
+   beyond the last frequency. The parts are those that bound the true errors of the 300 media of RESULTS.md.
+   Transmission near the axis falls as 1 / r after one collision, and is known as far as the last frequency reaches;
+   forward: energy of the forward peak, which the solver leaves on the axis. thin: a first layer of less than
+   a mean free path, in cm, or 0: about the axis reflectance is off by 3%. */
+static void ms_mcml__layered_errors(const ms_mcml_layered *s, ms_mcml_layered_side (*y)[2], int side, double forward,
+                                    double thin, double (*cell)[MS_MCML_LAYERED_RADII])
+{
+    enum { CELLS = MS_MCML_LAYERED_RADII };
+    double *error = y[0][side].error;
+    int v, i, j;
+    for (v = 0; v < 4; ++v)
+        for (i = 0; i < CELLS; ++i) cell[v][i] = ms_mcml__layered_cell(s, &y[v][side], side, i);
+    for (i = 0; i < CELLS; ++i) {
+        const double wave = y[0][side].radius_cm * exp(0.1 * i) * y[0][side].last_per_cm;
+        double own = 0, most[4] = {0, 0, 0, 0};
+        for (j = i > 2 ? i - 2 : 0; j <= i + 2 && j < CELLS; ++j) {
+            own = fmax(own, fabs(cell[0][j]));
+            for (v = 1; v < 4; ++v) most[v] = fmax(most[v], fabs(cell[v][j] - cell[0][j]));
+        }
+        error[i] = 5e-7 * y[0][side].multiple + 5e-4 * own + 0.2 * most[1] + 0.25 * most[3];
+        error[i] += most[2] * fmin(0.06 + 2 * most[2] / (own > 0 ? own : 1e-300), 0.6);
+        if (side) error[i] += 0.25 * exp(-0.5 * wave) * own;
+        else if (thin > 0) error[i] += 0.035 * exp(-y[0][side].radius_cm * exp(0.1 * i) / (3 * thin)) * own;
+        if (i == 0) error[i] += 0.3 * forward;
+    }
+}
+
+/* Whether a ring from r to 1.5 r that has 1e-3 of the energy is not known to 3% and 1e-4 of the energy. */
+static int ms_mcml__layered_unsure(const ms_mcml_layered *s, int side)
+{
+    const double total = side ? s->tt : s->rd;
+    int i, j;
+    for (i = 0; i + 4 < MS_MCML_LAYERED_RADII; ++i) {
+        const double radius = s->side[side].radius_cm * exp(0.1 * (i - 1)), r = i ? radius : 0,
+                     next = radius * exp(0.4);
+        const double energy = ms_mcml_layered_beyond(s, side, r) - ms_mcml_layered_beyond(s, side, next);
+        double error = 0;
+        for (j = i; j < i + 4; ++j) error += s->side[side].error[j];
+        if (!(error <= 0.03 * fabs(energy) + 1e-4 * total) && (energy > 1e-3 * total || error > 1e-3 * total)) return 1;
+    }
+    return 0;
+}
+
+/* Rings of a side by photons, scaled to the exact total: the table of energies beyond radii, and variances of its
+   cells. */
+static void ms_mcml__layered_tabulate(const ms_mcml_result *p, int side, const ms_mcml_layered *s,
+                                      ms_mcml_layered_side *y)
+{
+    const double *ring = side ? p->tt_r : p->rd_r, *ring_error = side ? p->tt_r_error : p->rd_r_error;
+    const double traced = side ? p->tt : p->rd, total = side ? s->tt : s->rd, dr = p->grid.dr_cm;
+    const double scattered = total - (side ? s->tt_unscattered : s->rd_unscattered), n = (double)p->photons;
+    const double unscattered = side ? p->tt_unscattered : p->rd_unscattered;
+    const double scale = traced > unscattered ? scattered / (traced - unscattered) : 0;
+    double left = scattered, energy = 0, square = 0, start = 0;
+    int k, i = 0;
+    memset(y, 0, sizeof *y);
+    y->rest = y->multiple = scattered;
+    y->photons = p->photons;
+    y->radius_cm = dr;
+    for (k = 0; k + 1 < p->grid.nr && i < MS_MCML_LAYERED_RADII;) {
+        const double edge = y->radius_cm * exp(0.1 * i), next = fmin(edge, (k + 1) * dr),
+                     area = ms_mcml__ring_area(k, dr);
+        const double part = 3.14159265358979324 * (next - start) * (next + start) / area;
+        double e = scale * (area * ring[k] - (k ? 0 : unscattered)), sigma = scale * area * ring_error[k];
+        e = e > 0 ? part * e : 0;
+        left -= e;
+        energy += e;
+        square += part * (sigma > 1e300 ? 0 : sigma * sigma);
+        start = next;
+        if (next < edge) {
+            ++k;
+            continue;
+        }
+        y->beyond[i] = left > 0 ? left : 0;
+        y->error[i] = sqrt(energy > 0 ? square : 0.1 * scale * scale / (n * n)); /* an empty cell: a part of a photon */
+        if (!(traced > 0)) y->error[i] = total;
+        energy = square = 0;
+        ++i;
+    }
+    y->tail_cm = i > 3 ? y->radius_cm * exp(0.1 * (i - 1)) : 1e300;
+    y->tail = i > 3 ? y->beyond[i - 1] : 0;
+    y->fall_per_cm = i > 3 ? 3 / y->tail_cm : 0;
+    for (; i < MS_MCML_LAYERED_RADII; ++i) y->error[i] = y->tail + scale / n;
+}
+
+/* The sides of a mask by Monte Carlo. A few photons first find how far the rings must go. */
+static ms_status ms_mcml__layered_photons(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *o, int mask,
+                                          ms_mcml_layered *s, ms_error *error)
+{
+    ms_mcml_options with = ms_mcml_defaults();
+    ms_mcml_grid grid;
+    ms_mcml_result p;
+    ms_status status;
+    double finest = 0, thinnest = 1e300;
+    int i, done = 0;
+    for (i = 0; i < tissue->layer_count; ++i) {
+        finest = fmax(finest, tissue->layers[i].mu_a_per_cm + tissue->layers[i].mu_s_per_cm);
+        thinnest = fmin(thinnest, tissue->layers[i].thickness_cm);
+    }
+    memset(&grid, 0, sizeof grid);
+    grid.dr_cm = finest > 0 ? 0.005 / finest : 0.005 * thinnest;
+    grid.dz_cm = grid.nz = grid.na = 1;
+    grid.nr = 1 << 18;
+    if (!(s->mu_t_per_cm > 0)) s->mu_t_per_cm = 0.005 / grid.dr_cm;
+    with.no_absorption = 1;
+    with.simd = o->simd;
+    with.allocator = o->allocator;
+    with.seed = 1;
+    for (;;) {
+        double far_out = 0;
+        with.photons = done ? (o->photons ? o->photons : 1000000) : 4096;
+        if (done) with.progress = o->progress;
+        if ((status = ms_mcml_simulate(tissue, &grid, &with, &p, error)) != MS_OK) return status;
+        if (done) break;
+        for (i = 0; i < 2; ++i) {
+            const double *ring = i ? p.tt_r : p.rd_r, total = i ? p.tt : p.rd;
+            if (mask >> i & 1 && total > 0)
+                far_out = fmax(far_out, ring[grid.nr - 1] * ms_mcml__ring_area(grid.nr - 1, grid.dr_cm) / total);
+        }
+        done = far_out < 1e-3 || grid.dr_cm > 1e9 * thinnest;
+        if (!done) grid.dr_cm *= 4;
+        ms_mcml_result_destroy(&p);
+    }
+    for (i = 0; i < 2; ++i)
+        if (mask >> i & 1) ms_mcml__layered_tabulate(&p, i, s, &s->side[i]);
+    if (mask & 1) s->singles = 0;
+    ms_mcml_result_destroy(&p);
+    return MS_OK;
+}
+
+/* What the layers ask of the solver. */
+typedef struct ms_mcml__demand {
+    int isotropic, order, high;  /* order of rings, highest order of totals */
+    double transport, tolerance; /* reduced optical thickness; of the iteration */
+} ms_mcml__demand;
+
+static ms_mcml__demand ms_mcml__demand_of(const ms_mcml_tissue *tissue)
+{
+    ms_mcml__demand d = {1, 0, 0, 0, 0};
+    double forward = 0, backward = 0, sharp;
+    int i, l;
+    for (i = 0; i < tissue->layer_count; ++i) {
+        const ms_mcml_layer *y = &tissue->layers[i];
+        d.transport += (y->mu_a_per_cm + y->mu_s_per_cm * (1 - y->g)) * y->thickness_cm;
+        if (!(y->mu_s_per_cm > 0) || !(y->g < 1)) continue;
+        if (fabs(y->g) > 0) d.isotropic = 0;
+        forward = fmax(forward, y->g);
+        backward = fmax(backward, -y->g);
+    }
+    for (l = 1; d.order == 0; l += 2)
+        if (d.isotropic ||
+            (l > 1 && pow(forward, l + 1) < (d.transport < 2.5 ? 0.015 : 0.13) && pow(backward, l + 1) < 0.003) ||
+            l == MS_MCML__ORDER_MAX)
+            d.order = l;
+    sharp = fmax(forward, backward > 0 ? 0.15 + backward : 0);
+    d.high = sharp > 0.81 ? MS_MCML__ORDER_MAX : sharp > 0.6 ? 23 : 15;
+    d.tolerance = d.order < 4 || d.transport < 2.5 ? 1e-6 : 1e-4; /* few moments or nodes: cheap */
+    return d;
+}
+
+/* Totals: the limit of three orders. */
+static ms_status ms_mcml__layered_totals(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *o,
+                                         const ms_mcml__demand *d, ms_mcml_layered *out, ms_error *error)
+{
+    double total[3][3], known = 0, scale;
+    int l, i;
+    for (l = d->isotropic ? 2 : 0; l < 3; ++l) {
+        const ms_status status = ms_mcml__totals(tissue, o, d->isotropic ? d->order : d->high - 8 + 4 * l, l == 2, out,
+                                                 error);
+        if (status) return status;
+        total[0][l] = out->rd;
+        total[1][l] = out->tt;
+        total[2][l] = out->a;
+    }
+    out->rd_error = out->tt_error = 1e-7;
+    if (d->isotropic) return MS_OK;
+    out->rd = ms_mcml__limit(total[0], &out->rd_error);
+    out->tt = ms_mcml__limit(total[1], &out->tt_error);
+    out->a = ms_mcml__limit(total[2], &known);
+    scale = total[2][2] > 0 ? out->a / total[2][2] : 1;
+    for (i = 0; o->a_z && i < o->nz; ++i) o->a_z[i] *= scale;
+    for (i = 0; o->a_l && i < tissue->layer_count; ++i) o->a_l[i] *= scale;
+    return MS_OK;
+}
+
+typedef struct ms_mcml__rings_work {
+    ms_mcml__spectra spectra[2];
+    ms_mcml_layered_side side[4][2];
+    double a[2 * MS_MCML_LAYERED_RATES * (MS_MCML_LAYERED_RATES + 4)], cell[4][MS_MCML_LAYERED_RADII];
+} ms_mcml__rings_work;
+
+/* Rings by the solver: the spectra of the order asked for, of half the order at every third frequency, and four
+   inversions that give the errors. */
+static ms_status ms_mcml__layered_rings(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *o,
+                                        const ms_mcml__demand *d, ms_mcml_layered *out, ms_error *error)
+{
+    ms_mcml__rings_work *w = (ms_mcml__rings_work *)ms__alloc(&o->allocator, sizeof *w);
+    double scattered[2] = {0, 0}, forward[2] = {0, 0}, thin = 0;
+    int l, i, v, semi = 0, orders = d->isotropic ? 1 : 2;
+    ms_status status = MS_OK;
+    if (w == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the spectra", sizeof *w);
+    for (l = 0; l < orders && status == MS_OK; ++l) {
+        const int order = l ? (d->order - 1) / 2 > 1 ? (d->order - 1) / 2 : 1 : d->order;
+        ms_mcml__flights *s;
+        status = ms_mcml__flights_make(&s, tissue, o, order, order > 15 || d->transport < 2.5 ? 2 : 1, order, error);
+        if (status) break;
+        if (l == 0) {
+            semi = s->layer[s->layers - 1].semi;
+            ms_mcml__frequencies(s, d->tolerance, &w->spectra[0], out);
+            if (s->layers > 1 && s->layer[0].mu_t * s->layer[0].d < 1) thin = s->layer[0].d;
+            w->spectra[0].positive = d->isotropic && tissue->layer_count == 1 && semi;
+            out->mu_t_per_cm = w->spectra[0].mu_t;
+            ms_mcml__singles(s, out);
+            scattered[0] = out->rd - (s->specular - out->specular); /* unscattered but for the forward peak */
+            scattered[1] = out->tt - s->unscattered;
+            forward[0] = out->rd - out->rd_unscattered - scattered[0];
+            forward[1] = out->tt - out->tt_unscattered - scattered[1];
+        } else {
+            w->spectra[1] = w->spectra[0];
+        }
+        status = ms_mcml__spectra_solve(s, o, d->tolerance, l ? 3 : 1, &w->spectra[l], out, error);
+        ms_mcml__flights_destroy(s, &o->allocator);
+    }
+    if (status == MS_OK) {
+        if (orders == 2) ms_mcml__fill_in(&w->spectra[1], &w->spectra[0]);
+        for (v = 0; v < 4; ++v)
+            ms_mcml__spectra_invert(&w->spectra[v == 1 && orders == 2], v == 2 ? 2 : 1, v == 3 ? 2 : 0, out, semi, w->a,
+                                    w->side[v]);
+        for (i = 0; i < out->singles; ++i) scattered[0] -= out->single_energy[i] * (1 - out->single_end[i]);
+        for (v = 0; v < 8; ++v) ms_mcml__layered_finish(out, &w->side[v / 2][v % 2], v % 2, scattered[v % 2]);
+        for (i = 0; i < 2; ++i) {
+            ms_mcml__layered_errors(out, w->side, i, forward[i], thin, w->cell);
+            out->side[i] = w->side[0][i];
+        }
+    }
+    ms__release(&o->allocator, w, sizeof *w);
+    return status;
 }
 
 MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *options,
@@ -3861,10 +4150,9 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
 {
     ms_mcml_layered_options o;
     ms_mcml_layered r;
-    ms_mcml__flights *s;
+    ms_mcml__demand d;
     ms_status status;
-    double sharpest = 0, backward = 0, sharp = 0, transport = 0, before[2] = {0, 0}, total[3][3];
-    int i, l, order, high, isotropic = 1;
+    int i, clear = 0, mask = 0;
     memset(&o, 0, sizeof o);
     memset(&r, 0, sizeof r);
     if (options) o = *options;
@@ -3873,146 +4161,36 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
     if (tissue->layer_count > MS_MCML__STRATA)
         return ms__fail(error, MS_UNSUPPORTED, 0, "%d layers, the layered solver takes %d", tissue->layer_count,
                         MS_MCML__STRATA);
-    if (o.order < 0 || o.order > MS_MCML__ORDER_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "order is %d, expected 1 to %d, or 0", o.order,
-                        MS_MCML__ORDER_MAX);
-    if (!ms_mcml__between(o.tolerance, 0, 1e-2) || (o.tolerance > 0 && o.tolerance < 1e-9))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tolerance is %g, expected 1e-9 to 0.01, or 0", o.tolerance);
-    if (!ms_mcml__between(o.frequency_step, 0, 1) || (o.frequency_step > 0 && o.frequency_step < 0.1))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frequency_step is %g, expected 0.1 to 1, or 0",
-                        o.frequency_step);
     if (o.a_z && (o.nz < 1 || !ms_mcml__between(o.dz_cm, 1e-30, 1e30)))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nz is %d and dz_cm %g, expected at least 1 and above 0", o.nz,
                         o.dz_cm);
+    d = ms_mcml__demand_of(tissue);
+    r.order = d.order;
     for (i = 0; i < tissue->layer_count; ++i) {
         const ms_mcml_layer *layer = &tissue->layers[i];
-        const double *moment = o.moment ? o.moment + (size_t)i * (MS_MCML__ORDER_MAX + 3) : NULL;
-        transport += (layer->mu_a_per_cm + (layer->g < 1 ? layer->mu_s_per_cm * (1 - layer->g) : 0)) *
-            layer->thickness_cm;
-        if (!(layer->mu_s_per_cm > 0)) continue;
-        for (l = 0; moment && l < MS_MCML__ORDER_MAX + 3; ++l)
-            if (!ms_mcml__between(moment[l], l ? -1 : 1, 1))
-                return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i + 1,
-                                "moment %d of a phase function is %g, expected -1 to 1, the first 1", l, moment[l]);
-        if (moment ? fabs(moment[1]) + fabs(moment[2]) > 0 : layer->g < 1 && fabs(layer->g) > 0) isotropic = 0;
-        if (!moment && layer->g < 1) sharpest = fmax(sharpest, layer->g), backward = fmax(backward, -layer->g);
-        if (!moment && layer->g < 1) sharp = fmax(sharp, layer->g < 0 ? 0.15 - layer->g : layer->g);
-        for (l = 12; moment && l < MS_MCML__ORDER_MAX + 3; ++l)
-            sharp = fmax(sharp, pow(fabs(moment[l]), 1.0 / l) + (moment[1] < 0 ? 0.15 : 0));
+        if (tissue->layer_count > 1 && !(layer->mu_a_per_cm + layer->mu_s_per_cm > 0)) clear = 1;
+        if (layer->mu_s_per_cm > 0 && layer->g < 1) r.peak = fmax(r.peak, pow(fabs(layer->g), d.order + 1));
     }
-    order = o.order;
-    if (order == 0 && o.moment && !isotropic) order = 15;
-    for (l = 1; order == 0; l += 2)
-        if (isotropic ||
-            (l > 1 && pow(sharpest, l + 1) < (transport < 2.5 ? 0.015 : 0.13) && pow(backward, l + 1) < 0.003) ||
-            l == MS_MCML__ORDER_MAX)
-            order = l;
-    r.order = order;
-    if (!(o.tolerance > 0)) o.tolerance = order < 4 || transport < 2.5 ? 1e-6 : 1e-4; /* few moments or nodes: cheap */
-    high = sharp > 0.81 ? MS_MCML__ORDER_MAX : sharp > 0.6 ? 23 : 15;
-    for (l = isotropic ? 2 : 0; l < 3; ++l) {
-        status = ms_mcml__totals(tissue, &o, isotropic ? order : high - 8 + 4 * l, l == 2, &r, error);
-        if (status) return status;
-        total[0][l] = r.rd;
-        total[1][l] = r.tt;
-        total[2][l] = r.a;
-    }
-    r.rd_error = r.tt_error = 1e-7;
-    if (!isotropic) {
-        double known = 0, scale;
-        r.rd = ms_mcml__limit(total[0], &r.rd_error);
-        r.tt = ms_mcml__limit(total[1], &r.tt_error);
-        r.a = ms_mcml__limit(total[2], &known);
-        scale = total[2][2] > 0 ? r.a / total[2][2] : 1;
-        for (i = 0; o.a_z && i < o.nz; ++i) o.a_z[i] *= scale;
-        for (i = 0; o.a_l && i < tissue->layer_count; ++i) o.a_l[i] *= scale;
-    }
-    for (i = 0; i < tissue->layer_count; ++i) {
-        const ms_mcml_layer *layer = &tissue->layers[i];
-        const double *moment = o.moment ? o.moment + (size_t)i * (MS_MCML__ORDER_MAX + 3) : NULL;
-        if (!(layer->mu_s_per_cm > 0) || isotropic || (!moment && !(layer->g < 1))) continue;
-        r.peak = fmax(r.peak, moment ? fabs(moment[order + 1]) : pow(fabs(layer->g), order + 1));
-    }
+    if ((status = ms_mcml__layered_totals(tissue, &o, &d, &r, error)) != MS_OK) return status;
     if (!o.totals_only) {
-        double fine[2][MS_MCML_LAYERED_RATES];
-        for (l = 0; l < (isotropic ? 1 : 2); ++l) { /* half the order as well, for the errors of rings */
-            const int here = l ? (order - 1) / 2 > 1 ? (order - 1) / 2 : 1 : order;
-            status = ms_mcml__flights_make(&s, tissue, &o, here, here > 15 || transport < 2.5 ? 2 : 1, here, error);
-            if (status) return status;
-            status = ms_mcml__spectra(s, &o, &r, l, isotropic && tissue->layer_count == 1 && s->layer[0].semi, fine,
-                                      error);
-            if (status == MS_OK && l == 0) {
-                ms_mcml__singles(s, &r);
-                before[0] = s->specular - r.specular; /* not scattered but by the forward peak */
-                before[1] = s->unscattered;
-            }
-            ms_mcml__flights_destroy(s, &o.allocator);
-            if (status) return status;
-        }
-        if (isotropic) {
-            memcpy(r.energy[1], r.energy[0], sizeof r.energy[0]);
-            memcpy(r.beyond[1], r.beyond[0], sizeof r.beyond[0]);
-            memcpy(r.rest[1], r.rest[0], sizeof r.rest[0]);
-            memcpy(r.multiple[1], r.multiple[0], sizeof r.multiple[0]);
-        }
-        for (l = 0; l < 4; ++l) { /* energies add up to the totals */
-            const int coarse = l & 1, side = l >> 1;
-            double scattered = side ? r.tt - before[1] : r.rd - before[0], sum = r.rest[coarse][side];
-            for (i = 0; side == 0 && i < r.singles; ++i) scattered -= r.single_energy[i] * (1 - r.single_end[i]);
-            for (i = 0; i < r.rates; ++i) sum += r.energy[coarse][side][i];
-            if (!(scattered > 0 && sum > 0.5 * scattered && sum < 2 * scattered)) continue;
-            for (i = 0; i < r.rates; ++i) r.energy[coarse][side][i] *= scattered / sum;
-            for (i = 0; i < MS_MCML_LAYERED_RADII; ++i) r.beyond[coarse][side][i] *= scattered / sum;
-            r.rest[coarse][side] *= scattered / sum;
-            r.multiple[coarse][side] = scattered;
-        }
-        for (l = 0; l < 4;
-             ++l) { /* as far as 3e-7 of the energy; from there, or from where rounding makes it rise, exponentially */
-            const int coarse = l & 1, side = l >> 1;
-            double here = r.multiple[coarse][side], before_here = here, low = 3e-7 * here, step = 1 - exp(-0.1);
-            r.tail_cm[coarse][side] = 1e300;
-            for (i = 0; i < MS_MCML_LAYERED_RADII && here > 0; ++i) {
-                const double radius = r.radius_cm * exp(0.1 * i),
-                             next = ms_mcml__layered_multiple(&r, coarse, side, radius);
-                if (i > 2 && !(next > low && next < here)) {
-                    const double last = r.radius_cm * exp(0.1 * (i - 1));
-                    r.tail_cm[coarse][side] = last;
-                    r.tail[coarse][side] = here;
-                    r.fall_per_cm[coarse][side] = fmax(log(before_here / here) / (last * step), r.rate_per_cm[0]);
-                    if (side && i + 1 < MS_MCML_LAYERED_RADII) { /* its slope there */
-                        r.beyond[coarse][1][i] = fmax(next, here * here / before_here);
-                        r.beyond[coarse][1][i + 1] = fmax(r.beyond[coarse][1][i + 1],
-                                                          r.beyond[coarse][1][i] * here / before_here);
-                    }
-                    break;
-                }
-                before_here = here;
-                here = next;
-            }
-        }
+        if (clear || r.peak > 0.3) mask = 3; /* rings that the solver does not hold */
+        else if ((status = ms_mcml__layered_rings(tissue, &o, &d, &r, error)) != MS_OK) return status;
+        for (i = 0; i < 2; ++i)
+            if ((i ? r.tt : r.rd) > 1e-3 && mask != 3 &&
+                (r.residual > 10 * d.tolerance || ms_mcml__layered_unsure(&r, i)))
+                mask |= 1 << i;
+        if (mask && (status = ms_mcml__layered_photons(tissue, &o, mask, &r, error)) != MS_OK) return status;
     }
-    for (i = 0; i < tissue->layer_count; ++i)
-        if (tissue->layer_count > 1 && !(tissue->layers[i].mu_a_per_cm + tissue->layers[i].mu_s_per_cm > 0))
-            r.clear = i + 1;
     *out = r;
-    if (r.residual > 10 * o.tolerance)
-        return ms__fail(error, MS_NOT_CONVERGED, 0, "the iteration ended at a residual of %g, expected %g", r.residual,
-                        o.tolerance);
     if (r.rd_error > 5e-5 || r.tt_error > 5e-5)
         return ms__fail(error, MS_NOT_CONVERGED, 0, "the totals are known to %g only",
                         r.rd_error > r.tt_error ? r.rd_error : r.tt_error);
-    if (!o.totals_only && r.peak > 0.3)
-        return ms__fail(error, MS_NOT_CONVERGED, 0,
-                        "g is too close to 1 for order %d: %g of the scattering counts as forward", order, r.peak);
-    if (!o.totals_only && r.clear)
-        return ms__fail(error, MS_NOT_CONVERGED, (size_t)r.clear,
-                        "layer %d is clear: the solver does not hold rings, only totals", r.clear);
     return MS_OK;
 }
 
-static double ms_mcml__layered_beyond(const ms_mcml_layered *s, int coarse, int side, double r)
+static double ms_mcml__layered_beyond(const ms_mcml_layered *s, int side, double r)
 {
-    double sum = ms_mcml__layered_multiple(s, coarse, side, r);
+    double sum = ms_mcml__layered_multiple(s, &s->side[side], side && !s->side[side].photons, r);
     int i;
     for (i = 0; side == 0 && i < s->singles; ++i) {
         const double x = s->single_rate_per_cm[i] * r, e = x < 700 ? exp(-x) : 0;
@@ -4026,13 +4204,34 @@ MS_API double ms_mcml_layered_beyond(const ms_mcml_layered *s, int side, double 
     double sum;
     if (s == NULL || side < 0 || side > 1 || !ms_mcml__between(r_cm, 0, 1e300)) return ms_mcml__nan();
     if (!(r_cm > 0)) return side ? s->tt : s->rd;
-    sum = ms_mcml__layered_beyond(s, 0, side, r_cm);
+    sum = ms_mcml__layered_beyond(s, side, r_cm);
     return sum > 0 ? sum : 0;
+}
+
+/* Where r is among the cells: 0 to 1 within the first radius, one more for every 10%. */
+static double ms_mcml__layered_position(const ms_mcml_layered_side *y, double r)
+{
+    const double x = r / y->radius_cm;
+    return x < 1 ? x * x : fmin(1 + 10 * log(x), MS_MCML_LAYERED_RADII);
+}
+
+/* Errors of parts of cells: they add, those of photons in squares. */
+static double ms_mcml__layered_ring_error(const ms_mcml_layered *s, int side, double r0, double r1)
+{
+    const ms_mcml_layered_side *y = &s->side[side];
+    const double from = ms_mcml__layered_position(y, r0), to = ms_mcml__layered_position(y, r1);
+    double sum = 0;
+    int i;
+    for (i = (int)from; i < MS_MCML_LAYERED_RADII && i < to; ++i) {
+        const double e = y->error[i] * (fmin(to, i + 1) - fmax(from, i));
+        sum += y->photons ? e * e : e;
+    }
+    return y->photons ? sqrt(sum) : sum;
 }
 
 MS_API double ms_mcml_layered_ring(const ms_mcml_layered *s, int side, double r0_cm, double r1_cm, double *ring_error)
 {
-    double r0 = r0_cm, r1 = r1_cm, fine, coarse, inner, q;
+    double r0 = r0_cm, r1 = r1_cm, total, energy, q;
     if (s == NULL || side < 0 || side > 1 || !ms_mcml__between(r0, 0, 1e150) || !ms_mcml__between(r1, 0, 1e150) ||
         !(r0 < r1))
         return ms_mcml__nan();
@@ -4041,17 +4240,16 @@ MS_API double ms_mcml_layered_ring(const ms_mcml_layered *s, int side, double r0
         r1 = (1 + 0.5e-4) * 0.5 * (r0_cm + r1_cm);
     }
     q = 1 / (3.14159265358979324 * (r1 - r0) * (r1 + r0));
-    inner = side ? s->tt : s->rd;
-    fine = (r0 > 0 ? ms_mcml__layered_beyond(s, 0, side, r0) : inner) - ms_mcml__layered_beyond(s, 0, side, r1);
-    coarse = (r0 > 0 ? ms_mcml__layered_beyond(s, 1, side, r0) : inner) - ms_mcml__layered_beyond(s, 1, side, r1);
-    fine = fine > 0 ? fine * q : 0;
-    /* half of what the last doubling of the order moved; what the fit of the highest and the lowest frequencies leaves
-       open */
-    if (ring_error)
-        *ring_error = 0.5 * fabs(coarse * q - fine) + (5e-4 + 7e-3 * exp(-r0 / (10 * s->radius_cm))) * fine +
-            5e-7 * inner * q;
-    if (ring_error && s->clear) *ring_error = HUGE_VAL;
-    return fine;
+    total = side ? s->tt : s->rd;
+    energy = (r0 > 0 ? ms_mcml__layered_beyond(s, side, r0) : total) - ms_mcml__layered_beyond(s, side, r1);
+    energy = energy > 0 ? energy : 0;
+    if (ring_error) {
+        *ring_error = q * ms_mcml__layered_ring_error(s, side, r0, r1);
+        if (!s->side[side].photons) /* what the fit of the highest frequencies leaves open, against half-spaces */
+            *ring_error += q * energy * (5e-4 + 7e-3 * exp(-r0 * s->mu_t_per_cm / 0.2));
+        if (total > 0) *ring_error += q * energy / total * (side ? s->tt_error : s->rd_error);
+    }
+    return energy * q;
 }
 
 MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *s, int side, double x_cm)
@@ -4062,124 +4260,9 @@ MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *s, int side, do
     if (!(x_cm > 0)) return 0.5 * (side ? s->tt : s->rd);
     for (j = 0; j < 48; ++j) { /* 2 / pi times the integral of what lies beyond r = x / cos(t) */
         const double r = x_cm / cos(1.5707963267948966 * (j + 0.5) / 48);
-        sum += ms_mcml__layered_beyond(s, 0, side, r) / 48;
+        sum += ms_mcml__layered_beyond(s, side, r) / 48;
     }
     return 0.5 * (sum > 0 ? sum : 0);
-}
-
-MS_API ms_status ms_mcml_layered_result(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid,
-                                        const ms_mcml_layered_options *options, ms_mcml_result *result, ms_error *error)
-{
-    ms_mcml_layered_options o;
-    ms_mcml_layered *s;
-    ms_mcml_result out, photons;
-    ms_error failure;
-    ms_status status;
-    double *block, cosine, solid;
-    size_t nr, nz, layers, one;
-    int i, side;
-    if (tissue == NULL || grid == NULL || result == NULL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tissue, grid or result is NULL");
-    if ((status = ms_mcml__check_tissue(tissue, error)) != MS_OK ||
-        (status = ms_mcml__check_grid(grid, error)) != MS_OK)
-        return status;
-    if (grid->nt > 0)
-        return ms__fail(error, MS_UNSUPPORTED, 0, "the layered solver knows no times of flight, nt is %d", grid->nt);
-    memset(&o, 0, sizeof o);
-    memset(&out, 0, sizeof out);
-    if (options) o = *options;
-    nr = (size_t)grid->nr;
-    nz = (size_t)grid->nz;
-    layers = (size_t)tissue->layer_count;
-    one = grid->na == 1;
-    out.grid = *grid;
-    out.layer_count = tissue->layer_count;
-    out.layered = 1;
-    out.allocator = o.allocator;
-    out.memory_size = ms__size_mul(ms__size_add(ms__size_mul(4 + 4 * one, nr + one), ms__size_add(nz, 2 * layers)),
-                                   sizeof(double));
-    out.memory = ms__alloc(&out.allocator, out.memory_size);
-    if (out.memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the results", out.memory_size);
-    s = (ms_mcml_layered *)ms__alloc(&out.allocator,
-                                     sizeof *s); /* beside the solver's own frame it would be much stack */
-    if (s == NULL) {
-        ms__release(&out.allocator, out.memory, out.memory_size);
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the solver", sizeof *s);
-    }
-    block = (double *)out.memory;
-    out.a_l = ms_mcml__take(&block, layers, 1);
-    out.a_l_error = ms_mcml__take(&block, layers, 1);
-    out.a_z = ms_mcml__take(&block, nz, 1);
-    o.totals_only = 0;
-    for (i = 0; i < tissue->layer_count; ++i) /* then the solver has no rings */
-        if (tissue->layer_count > 1 && !(tissue->layers[i].mu_a_per_cm + tissue->layers[i].mu_s_per_cm > 0))
-            o.totals_only = 1;
-    o.dz_cm = grid->dz_cm;
-    o.nz = grid->nz;
-    o.a_z = out.a_z;
-    o.a_l = out.a_l;
-    status = ms_mcml_layered_solve(tissue, &o, s, &failure);
-    memset(&photons, 0, sizeof photons);
-    if ((status == MS_OK || status == MS_NOT_CONVERGED) && (s->clear || s->peak > 0.3)) {
-        ms_mcml_options with = ms_mcml_defaults();
-        ms_mcml_grid rings = *grid;
-        rings.na = 1;
-        with.photons = o.photons;
-        with.seed = 1;
-        with.no_absorption = 1;
-        with.simd = o.simd;
-        with.progress = o.progress;
-        with.allocator = o.allocator;
-        if (s->residual <= 10 * (o.tolerance > 0 ? o.tolerance : 1e-4) && s->rd_error <= 5e-5 && s->tt_error <= 5e-5)
-            status = MS_OK;
-        if (ms_mcml_simulate(tissue, &rings, &with, &photons, &failure) != MS_OK) status = failure.status;
-        out.photons = photons.photons;
-    }
-    if (status != MS_OK && error) *error = failure;
-    if (status != MS_OK && status != MS_NOT_CONVERGED) {
-        ms__release(&out.allocator, s, sizeof *s);
-        ms__release(&out.allocator, out.memory, out.memory_size);
-        return status;
-    }
-    out.specular = s->specular;
-    out.rd = s->rd;
-    out.rd_error = s->rd_error;
-    out.tt = s->tt;
-    out.tt_error = s->tt_error;
-    out.a = s->a;
-    out.a_error = s->rd_error + s->tt_error;
-    out.rd_unscattered = s->rd_unscattered;
-    out.tt_unscattered = s->tt_unscattered;
-    for (i = 0; i < tissue->layer_count; ++i) out.a_l_error[i] = out.a_error;
-    solid = ms_mcml__solid_angle(0, 1, &cosine);
-    for (side = 0; side < 2; ++side) { /* as in a tally the last ring has all that lies beyond */
-        double *r = ms_mcml__take(&block, nr, 1), *r_error = ms_mcml__take(&block, nr, 1);
-        double *a = ms_mcml__take(&block, 1, (int)one), *a_error = ms_mcml__take(&block, 1, (int)one);
-        double *ra = ms_mcml__take(&block, nr, (int)one), *ra_error = ms_mcml__take(&block, nr, (int)one);
-        const double total = side ? s->tt : s->rd, traced = side ? photons.tt : photons.rd,
-                     scale = traced > 0 ? total / traced : 0;
-        for (i = 0; i < grid->nr; ++i) {
-            const double r0 = i * grid->dr_cm;
-            r[i] = ms_mcml_layered_ring(s, side, r0, r0 + grid->dr_cm, &r_error[i]);
-            if (i + 1 == grid->nr) r[i] = ms_mcml_layered_beyond(s, side, r0) / ms_mcml__ring_area(i, grid->dr_cm);
-            if (traced > 0) {
-                r[i] = scale * (side ? photons.tt_r : photons.rd_r)[i];
-                r_error[i] = scale * (side ? photons.tt_r_error : photons.rd_r_error)[i];
-            }
-            if (one) ra[i] = r[i] / (solid * cosine), ra_error[i] = r_error[i] / (solid * cosine);
-        }
-        if (one) a[0] = total / solid, a_error[0] = (side ? s->tt_error : s->rd_error) / solid;
-        *(side ? &out.tt_r : &out.rd_r) = r;
-        *(side ? &out.tt_r_error : &out.rd_r_error) = r_error;
-        *(side ? &out.tt_a : &out.rd_a) = a;
-        *(side ? &out.tt_a_error : &out.rd_a_error) = a_error;
-        *(side ? &out.tt_ra : &out.rd_ra) = ra;
-        *(side ? &out.tt_ra_error : &out.rd_ra_error) = ra_error;
-    }
-    ms__release(&out.allocator, s, sizeof *s);
-    ms_mcml_result_destroy(&photons);
-    *result = out;
-    return status;
 }
 
 /* ---- colours --------------------------------------------------------------------------------------------------- */
@@ -4486,7 +4569,7 @@ static void ms_mcml__profile_solve(void *context, int channel)
         ms_mcml_layered_options options;
         memset(&options, 0, sizeof options);
         options.allocator = o->allocator;
-        options.frequency_step = o->frequency_step;
+        options.photons = o->photons;
         options.simd = o->simd;
         job->failure[channel].status = MS_OK;
         job->layered[channel].rd = -1;
@@ -4549,7 +4632,7 @@ static void ms_mcml__profile_fill(void *context, int channel)
 /* Radius beyond which a channel has 1e-5 of its energy left. */
 static double ms_mcml__profile_radius(const ms_mcml_halfspace *s, const ms_mcml_layered *y)
 {
-    double low = y ? 0.01 * y->radius_cm : 1e-3 / s->mu_t_per_mm, high = 1e11 * low;
+    double low = y ? 2e-4 / y->mu_t_per_cm : 1e-3 / s->mu_t_per_mm, high = 1e11 * low;
     int i;
     for (i = 0; i < 40; ++i) {
         double middle = sqrt(low * high);
@@ -4569,7 +4652,7 @@ static int ms_mcml__profile_rings(const ms_mcml_halfspace *solution, const ms_mc
     int c, n;
     for (c = 0; c < channels; ++c) {
         const ms_mcml_layered *y = layered && layered[c].rd >= 0 ? &layered[c] : NULL;
-        const double here = y ? 0.002 / y->radius_cm : solution[c].mu_t_per_mm; /* the table starts at 0.02 / mu_t */
+        const double here = y ? 0.1 * y->mu_t_per_cm : solution[c].mu_t_per_mm;
         const double end = (y ? y->rd : solution[c].total) > 0 ? ms_mcml__profile_radius(&solution[c], y) : 1 / here;
         if (end > radius) radius = end;
         if (here > mu_t) mu_t = here;

@@ -404,6 +404,84 @@ static inline ms_status mco_save(const char *path, const mci_run *run, const ms_
     return problem ? mci__fail(error, MS_IO, 0, "%.150s: %s", path, problem) : MS_OK;
 }
 
+/* ---- layers without noise -------------------------------------------------------------------------------------- */
+
+/* The layered solver's answer over a grid, as from ms_mcml_simulate: totals, rings and what layers absorb with their
+   errors; A_z without (it adds up to a). result->photons is how many photons gave the shape of the rings where the
+   solver does not hold them, or 0. Angles only in a grid of one, A_rz not at all: those arrays are NULL. The last ring
+   holds all that lies beyond, as in a tally. Release with ms_mcml_result_destroy. MS_NOT_CONVERGED: *result is filled
+   and to be released. Other failures leave it untouched. */
+static inline ms_status mci_layered(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, uint64_t photons,
+                                    const ms_progress *progress, ms_mcml_result *result, ms_error *error)
+{
+    const double solid = 6.283185307179586, cosine = sqrt(0.5), dr = grid->dr_cm;
+    const size_t nr = (size_t)grid->nr, nz = (size_t)grid->nz, layers = (size_t)tissue->layer_count,
+                 one = grid->na == 1 ? 1 : 0, size = ((4 + 4 * one) * (nr + one) + nz + 2 * layers) * sizeof(double);
+    ms_mcml_layered_options o;
+    ms_mcml_layered *s = (ms_mcml_layered *)malloc(sizeof *s);
+    double *block = (double *)malloc(size);
+    ms_mcml_result out;
+    ms_status status;
+    int i, side;
+    memset(&o, 0, sizeof o);
+    memset(&out, 0, sizeof out);
+    if (s == NULL || block == NULL) {
+        free(s);
+        free(block);
+        return mci__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the results");
+    }
+    out.memory = block;
+    out.memory_size = size;
+    out.grid = *grid;
+    out.layer_count = tissue->layer_count;
+    out.a_l = o.a_l = block;
+    out.a_l_error = block + layers;
+    out.a_z = o.a_z = block + 2 * layers;
+    block += 2 * layers + nz;
+    o.dz_cm = grid->dz_cm;
+    o.nz = grid->nz;
+    o.photons = photons;
+    if (progress) o.progress = *progress;
+    status = ms_mcml_layered_solve(tissue, &o, s, error);
+    if (status != MS_OK && status != MS_NOT_CONVERGED) {
+        free(out.memory);
+        free(s);
+        return status;
+    }
+    out.photons = s->side[0].photons ? s->side[0].photons : s->side[1].photons;
+    out.specular = s->specular;
+    out.rd = s->rd;
+    out.rd_error = s->rd_error;
+    out.tt = s->tt;
+    out.tt_error = s->tt_error;
+    out.a = s->a;
+    out.a_error = s->rd_error + s->tt_error;
+    out.rd_unscattered = s->rd_unscattered;
+    out.tt_unscattered = s->tt_unscattered;
+    for (i = 0; i < tissue->layer_count; ++i) out.a_l_error[i] = out.a_error;
+    for (side = 0; side < 2; ++side) {
+        double *r = block, *r_error = r + nr, *ra = one ? r + 2 * nr : NULL, *ra_error = one ? r + 3 * nr : NULL,
+               *a = one ? r + 4 * nr : NULL, *a_error = one ? a + 1 : NULL;
+        block += (2 + 2 * one) * nr + 2 * one;
+        for (i = 0; i < grid->nr; ++i) {
+            const double r0 = i * dr, area = 3.14159265358979324 * (2 * i + 1) * dr * dr;
+            r[i] = ms_mcml_layered_ring(s, side, r0, r0 + dr, &r_error[i]);
+            if (i + 1 == grid->nr) r[i] = ms_mcml_layered_beyond(s, side, r0) / area;
+            if (one) ra[i] = r[i] / (solid * cosine), ra_error[i] = r_error[i] / (solid * cosine);
+        }
+        if (one) a[0] = (side ? s->tt : s->rd) / solid, a_error[0] = (side ? s->tt_error : s->rd_error) / solid;
+        *(side ? &out.tt_r : &out.rd_r) = r;
+        *(side ? &out.tt_r_error : &out.rd_r_error) = r_error;
+        *(side ? &out.tt_a : &out.rd_a) = a;
+        *(side ? &out.tt_a_error : &out.rd_a_error) = a_error;
+        *(side ? &out.tt_ra : &out.rd_ra) = ra;
+        *(side ? &out.tt_ra_error : &out.rd_ra_error) = ra_error;
+    }
+    free(s);
+    *result = out;
+    return status;
+}
+
 /* ---- finite beams ---------------------------------------------------------------------------------------------- */
 
 typedef enum mci_beam {

@@ -185,7 +185,6 @@ int main(int argc, char **argv)
     for (i = 0; i < file.run_count; ++i) {
         const mci_run *run = &file.runs[i];
         ms_mcml_options options = ms_mcml_defaults();
-        ms_mcml_layered_options layered;
         ms_mcml_result result;
         ms_status status;
         clock_t begun = clock();
@@ -199,17 +198,18 @@ int main(int argc, char **argv)
         options.seed = seed;
         options.progress.user = &s;
         options.progress.report = terminal ? show_progress : NULL;
-        memset(&layered, 0, sizeof layered);
         memset(&result, 0, sizeof result);
-        layered.progress = options.progress;
-        layered.photons = options.photons;
-        if (exact) status = ms_mcml_layered_result(&run->tissue, &run->grid, &layered, &result, &error);
+        if (exact) status = mci_layered(&run->tissue, &run->grid, options.photons, &options.progress, &result, &error);
         else status = ms_mcml_simulate(&run->tissue, &run->grid, &options, &result, &error);
         if (terminal) fprintf(stderr, "\r%78s\r", "");
-        if (status == MS_OK)
-            status = mco_save(run->output, run, &result,
-                              exact ? "Layered solver: nan is what it does not compute (A_rz, angles)." : NULL,
-                              (double)(clock() - begun) / CLOCKS_PER_SEC, &error);
+        if (status == MS_OK) {
+            const char *note = NULL;
+            if (exact)
+                note = result.photons
+                    ? "Layered solver, rings by photons: nan is what it does not compute (A_rz, angles)."
+                    : "Layered solver, no photons: nan is what it does not compute (A_rz, angles).";
+            status = mco_save(run->output, run, &result, note, (double)(clock() - begun) / CLOCKS_PER_SEC, &error);
+        }
         if (status == MS_OK && exact && result.photons)
             fprintf(stderr, "%s: run %d, %s: the solver gave the totals, %.0f photons the shape of the rings\n", path,
                     i + 1, run->output, (double)result.photons);

@@ -23,7 +23,7 @@
 
 static const char usage_text[] =
     "usage: profile MATERIAL | --mua R,G,B --mus R,G,B --eta N [--photons N] [--csv FILE]\n"
-    "  profile --mci FILE.mci [--csv FILE]    layers, without noise, in the rings of the file's first run\n"
+    "  profile --mci FILE.mci [--csv FILE]    layers, in the rings of the file's first run\n"
     "  profile --colour R,G,B (--mfp|--dmfp|--distance) R,G,B [--eta N] [--csv FILE]    as artists pick them, 0 to 1 and mm\n"
     "  profile --skin [melanin=..,blood=..,...] [--csv FILE]    skin from what it is made of; --skin default\n"
     "  profile --list    the materials; coefficients are per mm\n";
@@ -108,6 +108,10 @@ static void print_layers(FILE *f, const mci_run *run, const ms_mcml_layered *s)
     fprintf(f, "# %s: %d layers, layered solver of order %d\n", run->output, run->tissue.layer_count, s->order);
     fprintf(f, "# specular,%.9g\n# total_reflectance,%.9g\n# total_transmittance,%.9g\n# absorbed,%.9g\n", s->specular,
             s->rd, s->tt, s->a);
+    for (i = 0; i < 2; ++i)
+        if (s->side[i].photons)
+            fprintf(f, "# rings of %c by Monte Carlo, %.0f photons: the solver cannot hold them\n", "RT"[i],
+                    (double)s -> side[i].photons);
     fprintf(f, "# error_of_totals,%.2g,%.2g\n", s->rd_error, s->tt_error);
     fprintf(f, "# %d rings %.9g mm wide; R and T are means over each, r_mm its middle\n", run->grid.nr, 10 * dr);
     fprintf(f, "r_mm,R_1/mm2,T_1/mm2\n");

@@ -1,5 +1,5 @@
 /* Layers: time against error of the layered solver and of the Monte Carlo beside it (and original MCML's by its
-   nanoseconds a photon, RESULTS.md's table of bench_mcml), on the same rings, by order and by frequency_step. MEDIUM=0
+   nanoseconds a photon, RESULTS.md's table of bench_mcml), on the same rings. MEDIUM=0
    to 3: that medium alone; the table is joined from the rows that there are. To build/bench/layered_N.txt,
    layered.md. */
 #define MS_MCML_IMPLEMENTATION
@@ -56,7 +56,7 @@ int main(void)
     FILE *md;
     char name[64];
     const char *only = getenv("MEDIUM"), *photons = getenv("PHOTONS");
-    int m, i, k;
+    int m, i;
     for (m = 0; m < (int)(sizeof media / sizeof *media); ++m) {
         const medium *d = &media[m];
         ms_mcml_tissue tissue;
@@ -65,8 +65,6 @@ int main(void)
         ms_mcml_result r;
         ms_error failure;
         double edge[RINGS + 1], got[RINGS], error, noise, seconds, t[5];
-        static const double step[] = {0.5, 0, 0, 0, 0};
-        static const int order[] = {0, 0, 5, 15, 25};
         if (only && atoi(only) != m) continue;
         snprintf(name, sizeof name, "layered_%d.txt", m);
         md = bench_open(name);
@@ -90,14 +88,11 @@ int main(void)
         fprintf(md, "| %s | Monte Carlo | %.3g s | 3e-03 | |\n", d->name, seconds * noise * noise / 9e-6);
         printf("%s: Monte Carlo %.3g s, noise %.2e; %.3g s for 0.3%%\n", d->name, seconds, noise,
                seconds * noise * noise / 9e-6);
-        for (k = 0; k < 5; ++k) {
+        {
             char way[80];
             ms_mcml_layered_options o;
             ms_mcml_layered y;
             memset(&o, 0, sizeof o);
-            o.frequency_step = step[k];
-            o.order = order[k];
-            if (order[k] && !(d->layers[0].g > 0)) continue; /* one moment is all there is */
             for (i = 0; i < 5; ++i) {
                 const double start = bench_cpu();
                 const ms_status status = ms_mcml_layered_solve(&tissue, &o, &y, &failure);
@@ -108,11 +103,7 @@ int main(void)
             seconds = bench_median(t, 5);
             for (i = 0; i < RINGS; ++i) got[i] = ms_mcml_layered_ring(&y, 0, edge[i], edge[i + 1], NULL);
             compare(got, &r, edge, &error, &noise);
-            snprintf(way, sizeof way,
-                     k == 0       ? "order %d, frequency_step 0.5"
-                         : k == 1 ? "**order %d, the default**"
-                                  : "order %d",
-                     y.order);
+            snprintf(way, sizeof way, "order %d", y.order);
             fprintf(md, "| %s | layered solver, %s | %.3g s | %.0e | %.0e |\n", d->name, way, seconds, error, noise);
             printf("%s: %s %.3g s, error %.2e\n", d->name, way, seconds, error);
         }
