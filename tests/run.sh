@@ -83,12 +83,9 @@ since() {
     for file; do case " $changes" in *" $file "*) return 0 ;; esac; done
     return 1
 }
-# reached FILE: the libraries that it includes; beside FILE: what else it includes
-reached() { grep -o -h 'include "ms_[a-z]*\.h"' "$1" | cut -d'"' -f2; }
-beside() {
-    grep -o -h 'include "[a-z_/.]*\.h"' "$1" | cut -d'"' -f2 | sed 's/.*\///' | grep -v '^ms_' |
-        sed 's/.*/examples\/tools\/& examples\/demo\/& examples\/engine\/& tests\/& tests\/bench\/&/'
-}
+# used FILE: it and all that it includes of this repository; reached FILE: the headers among them
+used() { $CC -std=c99 $posix $paths -MM -MG "$1" 2>/dev/null | tr -s ' \\' '\n\n' | sed 's/^\.\///' | grep '\.[ch]$'; }
+reached() { used "$1" | grep -x 'ms_[a-z]*\.h'; }
 
 have() { command -v "$1" >/dev/null 2>&1; }
 
@@ -101,15 +98,19 @@ compiles() {
 # Long to run for what they add: check and test leave them out.
 long="test_nn_big_endian test_memory"
 
-# objects PREFIX COMPILER LANGUAGE-FLAGS: the headers compiled once for all that is linked with OUT/PREFIXms.a; a warning fails
+# objects PREFIX COMPILER LANGUAGE-FLAGS HEADER...: these compiled once for all that is linked with OUT/PREFIXms.a; a warning fails
 # the job, not the programs. Check and test take the objects of the examples for the archive without a prefix.
 objects() {
     mkdir -p "$out/objects"
     case "$group:$1" in check: | test: | long:) return ;; esac
+    [ -f "$out/objects/$1ms.a" ] || ar rcs "$out/objects/$1ms.a" # it may stay empty
     case $3 in -x*) language="$warn" ;; *) language="-x c $warn_c" ;; esac
-    for n in ms_nn ms_sss ms_gpr ms_mcml ms_pme; do
-        echo "$2 $posix -I. $3 $language -D$(echo $n | tr a-z A-Z)_IMPLEMENTATION -include $n.h -c -o $out/objects/$1$n.o /dev/null 2>&1 |
-            awk '{print; bad += /warning:|error:/} END {exit bad > 0}'" >"$out/objects/1-$1$n.job"
+    prefix=$1 build="$2 $posix -I. $3"
+    shift 3
+    for n; do
+        n=${n%.h}
+        echo "$build $language -D$(echo $n | tr a-z A-Z)_IMPLEMENTATION -include $n.h -c -o $out/objects/$prefix$n.o /dev/null 2>&1 |
+            awk '{print; bad += /warning:|error:/} END {exit bad > 0}'" >"$out/objects/1-$prefix$n.job"
     done
 }
 
@@ -121,6 +122,8 @@ linked() {
         grep -q -E "(${h%.h}|$upper|\bms)__|include \"io\.h\"" "$1" || printf ' -D%s_IMPLEMENTED' "$upper"
     done
 }
+# needed FILE: the headers that it leaves to the linker
+needed() { for h in $(reached "$1"); do case $(linked "$1") in *"-D$(echo "${h%.h}" | tr a-z A-Z)_IMPLEMENTED"*) echo "$h" ;; esac; done; }
 all_linked() { [ "$(echo "$1" | wc -w)" = "$(echo $headers | wc -w)" ]; }
 
 # test_jobs PREFIX COMPILER LANGUAGE-FLAGS RUNNER ARGUMENTS: every tests/test_*.c, built and run. A program that has no header inside is
@@ -130,7 +133,7 @@ test_jobs() {
     for t in tests/test_*.c; do
         n=$(basename "$t" .c)
         case "$group:$1: $long " in check:*" $n "* | test:*" $n "* | long:[!f]*" $n "* | long:fma_:*" $n "*) continue ;; esac
-        case $group in sanitize | long) since "$t" $(reached "$t") $(beside "$t") || continue ;; esac
+        case $group in sanitize | long) since $(used "$t") || continue ;; esac
         # what uses no header is the same in every build
         case $1 in "" | full_) ;; *) [ -n "$(reached "$t")" ] || continue ;; esac
         with=$(linked "$t")
@@ -144,9 +147,9 @@ test_jobs() {
         *)
             job "$1$n" "$2 $posix $paths $3 $level$with $t $([ "${3#-x}" = "$3" ] || echo -x none) $out/objects/$1ms.a -o $out/$1$n -lm -lpthread && $4 $out/$1$n $5" || continue ;;
         esac
-        some=1
+        some="$some $(needed "$t")"
     done
-    [ -z "$some" ] || objects "$1" "$2" "$3"
+    [ -z "$some" ] || objects "$1" "$2" "$3" $some
 }
 
 # --- groups --------------------------------------------------------------------------------------------------------
@@ -156,10 +159,11 @@ replay_jobs() {
     some=""
     for f in tests/fuzz/fuzz_*.c; do
         n=$(basename "$f" .c)
-        since "$f" $(reached "$f") $(beside "$f") || continue
-        job "replay_$n" "$CC $posix $paths -std=c99 $1$(linked "$f") $f tests/fuzz/replay.c $out/objects/ms.a -o $out/$n -lm && $out/$n tests/fuzz/corpus_${n#fuzz_}" && some=1
+        since $(used "$f") || continue
+        job "replay_$n" "$CC $posix $paths -std=c99 $1$(linked "$f") $f tests/fuzz/replay.c $out/objects/ms.a -o $out/$n -lm && $out/$n tests/fuzz/corpus_${n#fuzz_}" &&
+            some="$some $(needed "$f")"
     done
-    [ -z "$some" ] || objects "" "$CC" "-std=c99 $1"
+    [ -z "$some" ] || objects "" "$CC" "-std=c99 $1" $some
 }
 
 check_jobs() {
@@ -225,7 +229,7 @@ long_group() {
     packages=""
     for t in tests/pkg_*.c; do
         n=$(basename "$t" .c)
-        grep -q test_full "$t" && since "$t" $(reached "$t") $(beside "$t") || continue
+        grep -q test_full "$t" && since $(used "$t") || continue
         job "full_$n" "sh tests/package.sh $t $out/$n $out/objects '$(linked "$t")' && $out/$n --full" && packages=1
     done
     if [ -n "$packages" ]; then
@@ -248,7 +252,7 @@ style_jobs() {
         if [ $compiler = clang ]; then only=-fsyntax-only levels=-O2; else only=-c levels="-O0 -O2 -O3"; fi
         for f in tests/test_*.c tests/bench/bench_*.c tests/fuzz/*.c examples/*.c examples/*/*.c; do
             ! grep -q '"egl.h"' "$f" || continue # its headers are not everywhere
-            [ -f "$f" ] && since "$f" $(beside "$f") || continue
+            [ -f "$f" ] && since $(used "$f" | grep -v '^ms_') || continue
             n=$(echo "${f%.c}" | sed 's/^examples\/ms_/small_ms_/; s/.*\(tests\|examples\)\///; s/\//_/g')
             attributes="" # those of WebAssembly are unknown here
             case $f in examples/web/*) attributes="-Wno-attributes $([ $compiler = gcc ] || echo -Wno-unknown-attributes)" ;; esac
@@ -331,7 +335,7 @@ case $group in
 check | test | long) [ ! -d "$out/objects" ] || ar rcs "$out/objects/ms.a" build/ms_*.o ;;
 esac
 for job in "$out"/objects/*.job; do [ ! -f "$job" ] || echo "$job"; done | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
-for o in "$out"/objects/*ms_mcml.o; do [ ! -f "$o" ] || ar rcs "${o%_mcml.o}.a" "${o%mcml.o}"*.o; done
+for o in "$out"/objects/*ms_*.o; do [ ! -f "$o" ] || ar rcs "${o%ms_*.o}ms.a" "$o"; done
 ls "$out"/*.job 2>/dev/null | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
 cat "$out"/*.seconds "$out"/objects/*.seconds 2>/dev/null | sort -rn >"$out/seconds"
 [ "$(wc -l <"$out/seconds")" -lt 11 ] || { echo "the ten dearest, in seconds of processor time:"; head -10 "$out/seconds" | awk '{print "  " $1 "  " $3}'; }
