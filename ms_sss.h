@@ -8603,9 +8603,10 @@ static MS_SSS__INLINE void MS__F(sweep)(const ms_sss__sweep *s, const ms_sss__pa
         for (y = 0; y < lines; ++y) {
             const ms_sss__line *l = &line[y];
             const int groups = (l->last - x) / MS__N, n = groups < MS_SSS__GROUPS ? groups : MS_SSS__GROUPS;
-            const float *depth = l->from + x / MS__N * l->group + l->step[0] + 3 * l->plane;
+            const float *depth;
             MS__V out[MS_SSS__GROUPS][3];
             if (x < l->first || x >= l->last) continue;
+            depth = l->from + x / MS__N * l->group + l->step[0] + 3 * l->plane;
             if (s->pairs) MS__F(taps)(s, p, shaped, l, x, n, out);
             for (g = 0; g < n; ++g) {
                 const int kind = l->plan[(x / MS__N + g) * s->plan_size];
