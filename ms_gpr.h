@@ -342,6 +342,8 @@ typedef struct ms_gpr_fit_options {
     ms_allocator allocator;
     ms_parallel parallel; /* kept by the model for what it says in ms_gpr_options; the fit runs on the calling thread */
     ms_progress progress; /* asked before every evaluation */
+    int probe_first;      /* MAP tries `probes` columns, from this one on, at another length after the search; a tool */
+    int probes;           /* that fits in short calls probes a few at a time. probes 0: all. Negative: none */
     const int *pairs;     /* [pair_count][2] comparisons, as in ms_gpr_compare */
     int pair_count;
     double
@@ -3192,8 +3194,8 @@ static void ms_gpr__fit_place(ms_gpr__fit *fit, ms_gpr__sample *sample, int to, 
                            fit->unit);
 }
 
-/* Priors, bounds, and where the searches start. */
-static void ms_gpr__fit_starts(ms_gpr__fit *fit)
+/* Priors, bounds, and where the searches start; columns: of x. */
+static void ms_gpr__fit_starts(ms_gpr__fit *fit, int columns)
 {
     static const double lengths[] = {0.25, 0.5, 3}; /* widths, times sqrt(m) */
     const ms_gpr_fit_options *o = &fit->o;
@@ -3212,8 +3214,8 @@ static void ms_gpr__fit_starts(ms_gpr__fit *fit)
     for (i = 0; i < fit->starts; ++i) {
         ms__rng rng = ms__rng_make(o->seed, (uint64_t)i);
         double *q = fit->q + i * (m + 2);
-        q[m] = 0;
-        q[m + 1] = -2.302585092994046; /* log 0.1 */
+        q[m] = o->start ? o->start[columns] - log(fit->unit) : 0;
+        q[m + 1] = o->start ? o->start[columns + 1] - log(fit->unit) : -2.302585092994046; /* log 0.1 */
         for (k = 0; k < m; ++k) {
             if (o->start) q[k] = o->start[fit->column[k]] - log(fit->width[k]);
             else if (o->length_start > 0) q[k] = log(o->length_start);
@@ -3229,8 +3231,11 @@ static void ms_gpr__fit_starts(ms_gpr__fit *fit)
    switched on (length 1 width). What raises the posterior is kept. How many were switched; -1: cancelled. */
 static int ms_gpr__fit_probe(ms_gpr__fit *fit, double *q, double value)
 {
-    int switched = 0, k;
-    for (k = 0; k < fit->m; ++k) {
+    int switched = 0,
+        end = fit->o.probes > 0 && fit->o.probes < fit->m - fit->o.probe_first ? fit->o.probe_first + fit->o.probes
+                                                                               : fit->m,
+        k;
+    for (k = fit->o.probe_first; k < end && fit->o.probes >= 0; ++k) {
         double before = q[k], trial;
         int defined;
         q[k] = before < 0.5 * fit->prior[k] ? fit->prior[k] : 0;
@@ -3338,6 +3343,8 @@ static ms_status ms_gpr__fit_options(const ms_gpr_fit_options *options, int m, m
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "floor is %g: expected a score", *o->floor);
     if (o->noise_min > 9)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "noise_min is %g: expected at most 9", o->noise_min);
+    if (o->probe_first < 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "probe_first is %d: expected at least 0", o->probe_first);
     if (o->evaluations < 0 || o->random_starts < 0 || o->random_starts > 1000)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0,
                         "evaluations is %d and random_starts %d: expected at least 0, and at most 1000 starts",
@@ -3424,7 +3431,7 @@ static ms_status ms_gpr__fit_run(ms_gpr__fit *fit, const double *x, const double
             ms_gpr__fit_place(fit, &fit->part, i, x, y, fit->order[rank].index, m);
         }
     }
-    ms_gpr__fit_starts(fit);
+    ms_gpr__fit_starts(fit, m);
     memset(&found, 0, sizeof found);
     if (differ && fit->m > 0) found = ms_gpr__fit_search(fit);
     else if (fit->starts > 2) memcpy(fit->q, fit->q + 2 * (fit->m + 2), ((size_t)fit->m + 2) * sizeof *fit->q);

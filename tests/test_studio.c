@@ -139,6 +139,93 @@ static void test_picks(void)
     neural_free(&net);
 }
 
+/* A session of everything, saved and loaded: the same predictions, recommendations and plane, and undo goes on; a file
+   that was cut or changed is refused, and the studio keeps what it has. */
+static void test_saved(void)
+{
+    static const char path[] = "build/test_studio.session";
+    static double low[M], high[M], steps[M];
+    static const double rows[4] = {0.2, 0.4, 0.6, 0.8};
+    static const int columns[1] = {7};
+    neural net;
+    studio s, t;
+    studio_renderer renderer = renderer_of(&net);
+    studio_view view[2];
+    ms_gpr_list list;
+    double x[9 * M], at[20 * M], mean[2][20], variance[2][20], found[2][8 * M];
+    uint64_t state = test_seed + 3;
+    int picked[2], g, i, damaged = 0;
+    char *text;
+    size_t size, cut;
+    ms_error error;
+    CHECK(neural_load(network, &net) == NULL);
+    CHECK_INT(studio_open(&s, &renderer, &error), MS_OK);
+    for (i = 0; i < M; ++i)
+        low[i] = i == 5 ? -HUGE_VAL : 0, high[i] = i == 5 ? HUGE_VAL : 1, steps[i] = i == 9 ? 0.25 : 0;
+    list.columns = columns, list.width = 1, list.rows = rows, list.count = 4;
+    s.space.low = low, s.space.high = high, s.space.steps = steps, s.space.lists = &list, s.space.list_count = 1;
+    for (g = 0; g < 3; ++g) {
+        CHECK_INT(studio_gallery(&s, 9, x, NULL, &error), MS_OK);
+        CHECK_INT(studio_pick(&s, x, 9, picked, best_of(x, 9, 2, picked), &error), MS_OK);
+    }
+    for (i = 0; i < 25; ++i) {
+        random_material(&state, x);
+        CHECK_INT(studio_score(&s, x, taste(x), &error), MS_OK);
+    }
+    settle(&s);
+    CHECK_INT(studio_recommend(&s, 2, x, NULL, &error), MS_OK);
+    CHECK_INT(studio_avoid(&s, x, &error), MS_OK);
+    CHECK_INT(studio_choose(&s, x + M, &error), MS_OK);
+    CHECK_INT(studio_move(&s, 0.1, 0.05, &view[0], &error), MS_OK);
+    CHECK_INT(studio_save(&s, path, &error), MS_OK);
+    CHECK_INT(studio_open(&t, &renderer, &error), MS_OK);
+    CHECK_INT(studio_load(&t, path, &error), MS_OK);
+    CHECK(t.state == s.state && t.settled == s.settled && t.avoids == s.avoids && t.undos == s.undos &&
+          t.seed == s.seed);
+    CHECK_INT(ms_gpr_pair_count(t.gp), ms_gpr_pair_count(s.gp));
+    for (i = 0; i < 20; ++i) random_material(&state, at + i * M);
+    CHECK_INT(ms_gpr_predict(s.gp, at, 20, mean[0], variance[0], NULL), MS_OK);
+    CHECK_INT(ms_gpr_predict(t.gp, at, 20, mean[1], variance[1], NULL), MS_OK);
+    for (i = 0; i < 20; ++i) { /* where Newton's method ends */
+        CHECK_NEAR(mean[1][i], mean[0][i], 1e-5);
+        CHECK_NEAR(variance[1][i], variance[0][i], 1e-5);
+    }
+    CHECK_INT(studio_recommend(&s, 8, found[0], NULL, &error), MS_OK);
+    CHECK_INT(studio_recommend(&t, 8, found[1], NULL, &error), MS_OK);
+    for (i = 0; i < 8; ++i) /* what is kept is kept */
+        for (g = 0; g < 4 && fabs(found[1][i * M + 7] - rows[g]) > 0; ++g) CHECK(g < 3);
+    CHECK_INT(studio_move(&s, 0.1, 0, &view[0], &error), MS_OK);
+    CHECK_INT(studio_move(&t, 0.1, 0, &view[1], &error), MS_OK);
+    for (i = 0; i < M; ++i) CHECK_NEAR(view[1].x[i], view[0].x[i], 1e-9); /* the same plane */
+    while (t.undos > 0) CHECK_INT(studio_undo(&t, &error), MS_OK);
+    CHECK_INT(ms_gpr_count(t.gp), 0);
+    CHECK_INT(t.avoids, 0);
+    text = test_read_file(path, &size);
+    for (cut = 0; cut < size; cut += 997) { /* cut, or a digit changed to a letter */
+        char kept = text[cut];
+        FILE *f = fopen(path, "wb");
+        fwrite(text, 1, cut, f);
+        fclose(f);
+        CHECK(studio_load(&t, path, &error) != MS_OK);
+        text[cut] = 'q';
+        f = fopen(path, "wb");
+        fwrite(text, 1, size, f);
+        fclose(f);
+        text[cut] = kept;
+        damaged += studio_load(&t, path, &error) != MS_OK;
+        CHECK_INT(t.state, STUDIO_EMPTY);
+    }
+    CHECK_INT(damaged, (int)((size + 996) / 997));
+    CHECK_INT(studio_load(&t, "build/none/such", &error), MS_IO);
+    CHECK_INT(studio_score(&t, at, 3, &error), MS_OK); /* and it goes on */
+    TEST_NOTE("%d bytes, refused %d times", (int)size, 2 * damaged);
+    free(text);
+    remove(path);
+    studio_close(&s);
+    studio_close(&t);
+    neural_free(&net);
+}
+
 static void test_states(void)
 {
     neural net;
@@ -621,14 +708,10 @@ static void test_words(void)
     image_free(&legend);
 }
 
-static const test_case cases[] = {{"states", test_states},
-                                  {"words", test_words},
-                                  {"space", test_space},
-                                  {"picks", test_picks},
-                                  {"session", test_session},
-                                  {"orders", test_orders},
-                                  {"nothing liked", test_nothing_liked},
-                                  {"neural", test_neural},
-                                  {"materials", test_materials},
+static const test_case cases[] = {{"saved", test_saved},        {"states", test_states},
+                                  {"words", test_words},        {"space", test_space},
+                                  {"picks", test_picks},        {"session", test_session},
+                                  {"orders", test_orders},      {"nothing liked", test_nothing_liked},
+                                  {"neural", test_neural},      {"materials", test_materials},
                                   {"materialx", test_materialx}};
 TEST_MAIN_WITH_FILES(cases)

@@ -18,6 +18,9 @@
      studio_choose(&s, x, &error);               a material was picked: the plane around it          LEARNED   ->
      EXPLORING
      studio_move(&s, dx, dy, &view, &error);     the mouse moved                                     EXPLORING
+     if (s.outlier.row >= 0) ...                 an answer that looks like a slip: ask         after an update
+     studio_save(&s, "session.txt", &error);     all of it as text: answers, what is avoided and kept, undo, the plane
+     studio_load(&s, "session.txt", &error);     in place of what a studio that is open holds
      studio_close(&s);
 
    Scores may come one by one with updates between them, in any order, on any scale, and picks beside or in place of
@@ -27,10 +30,12 @@
    to do again. A call in the wrong state is MS_INVALID_ARGUMENT and changes nothing. */
 #ifndef EXAMPLES_STUDIO_H
 #define EXAMPLES_STUDIO_H
+#include "files.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 enum {
     STUDIO_LIKED = 15 /* materials in the plane besides the chosen one */,
@@ -56,15 +61,22 @@ typedef struct studio {
     studio_renderer renderer;
     ms_gpr *gp;
     ms_gpr_latent *plane;
-    double at[2];           /* where in the plane */
-    uint64_t seed;          /* of the next recommendations */
-    int search;             /* which start studio_update works on: 0 where it stands, 1 to 3 the fit's own */
-    double *theta, reached; /* [m + 2] how far that start has come, and its objective */
-    double *x;              /* [m] a material, */
-    float *row, *planes;    /* [m] the same, and its picture */
-    ms_gpr_space space; /* what galleries, recommendations and the plane keep; may be set after studio_open, of arrays
-                           that last */
-    double least;       /* what "none of these" scores; may be set after studio_open where scores do not begin at 0 */
+    double at[2];                /* where in the plane */
+    uint64_t seed;               /* of the next recommendations */
+    int search;                  /* which start studio_update works on: 0 where it stands, 1 to 3 the fit's own */
+    double *theta, reached;      /* [m + 2] how far that start has come, and its objective */
+    int probe, switched, probed; /* the next column to be probed, or -1; whether one was switched; all were, once */
+    double cost;                 /* processor seconds an evaluation of the likelihood takes, as measured; 0: not yet */
+    ms_gpr_outlier outlier;      /* of the last update; row -1: none */
+    double *embedded;            /* [embedded_count][m] materials of the plane */
+    int embedded_count;
+    double *owned[4];    /* what a loaded space points at: low, high, steps, ties; */
+    ms_gpr_list *lists;  /* and lists, [space.list_count] */
+    double *x;           /* [m] a material, */
+    float *row, *planes; /* [m] the same, and its picture */
+    ms_gpr_space space;  /* what galleries, recommendations and the plane keep; may be set after studio_open, of arrays
+                            that last */
+    double least;        /* what "none of these" scores; may be set after studio_open where scores do not begin at 0 */
     double *others,
         *avoid; /* [STUDIO_OTHERS][m] what likes are compared with; [avoids][m] what recommendations keep away from */
     int avoids;
@@ -95,6 +107,7 @@ static inline ms_status studio__refuse(ms_error *error, ms_status status, const 
 
 static inline void studio_close(studio *s)
 {
+    int i;
     ms_gpr_latent_destroy(s->plane);
     ms_gpr_destroy(s->gp);
     free(s->theta);
@@ -103,6 +116,11 @@ static inline void studio_close(studio *s)
     free(s->planes);
     free(s->others);
     free(s->avoid);
+    free(s->embedded);
+    for (i = 0; i < 4; ++i) free(s->owned[i]);
+    for (i = 0; s->lists && i < s->space.list_count; ++i)
+        free((void *)(uintptr_t)s->lists[i].columns), free((void *)(uintptr_t)s->lists[i].rows);
+    free(s->lists);
     memset(s, 0, sizeof *s);
 }
 
@@ -111,6 +129,7 @@ static inline ms_status studio_open(studio *s, const studio_renderer *renderer, 
     size_t m = (size_t)renderer->parameters;
     int k;
     memset(s, 0, sizeof *s);
+    s->outlier.row = s->probe = -1;
     s->renderer = *renderer;
     s->theta = (double *)malloc((m + 2) * sizeof(double));
     s->x = (double *)malloc(m * sizeof(double));
@@ -128,7 +147,8 @@ static inline ms_status studio_open(studio *s, const studio_renderer *renderer, 
 static inline void studio__changed(studio *s)
 {
     s->settled = 0;
-    s->search = 0;
+    s->search = s->switched = s->probed = 0;
+    s->outlier.row = s->probe = -1;
     s->reached = s->objective = -1e300;
     memcpy(s->theta, ms_gpr_theta(s->gp), ((size_t)s->renderer.parameters + 2) * sizeof(double));
 }
@@ -328,27 +348,34 @@ static inline ms_status studio_undo(studio *s, ms_error *error)
     return MS_OK;
 }
 
-/* Some steps of the fit: from where the model stands, then from each of the fit's own starts until it gains no more;
-   the best of all is the model. As many evaluations of the likelihood at a time as 8e7 multiply-adds make. */
+/* Some steps of the fit: from where the model stands, then from each of the fit's own starts, until it gains no more
+   and no other length of a column is better; the best of all is the model. As many evaluations of the likelihood at a
+   time as fit into 10 ms, by what they took before; three at least. */
 static inline ms_status studio_update(studio *s, ms_error *error)
 {
     static const double length[] = {0.25, 0.5, 3}; /* widths, times sqrt(m) */
-    int n = ms_gpr_count(s->gp), m = s->renderer.parameters;
+    int n = ms_gpr_count(s->gp), m = s->renderer.parameters, next = 0, count;
     size_t size = ((size_t)m + 2) * sizeof(double);
-    double evaluations = 8e7 / ((ms_gpr_pair_count(s->gp) ? 4 : 0.5) * n * n * n + (double)n * n * m + 1), gain;
+    double evaluations = s->cost > 0 ? 0.010 / s->cost : 3, gain;
     ms_gpr_fit_options options = s->learn;
     ms_gpr_fit_report report;
     ms_gpr *found;
     ms_status status;
+    clock_t clocks;
     if (s->state == STUDIO_EMPTY) return studio__refuse(error, MS_INVALID_ARGUMENT, "nothing was scored yet");
     if (s->settled) return MS_OK;
     if (s->search == 0 || s->reached > -1e300) options.start = s->theta;
     else options.length_start = length[s->search - 1] * sqrt((double)m);
-    options.evaluations = evaluations < 3 ? 3 : evaluations > 40 ? 40 : (int)evaluations;
+    count = evaluations < 3 ? 3 : evaluations > 40 ? 40 : (int)evaluations;
+    options.evaluations = s->probe < 0 ? count : 1;
+    options.probe_first = s->probe < 0 ? 0 : s->probe;
+    options.probes = s->probe < 0 ? -1 : 2 * count; /* without a gradient, which is half of the cost and more */
     options.pairs = ms_gpr_pairs(s->gp);
     options.pair_count = ms_gpr_pair_count(s->gp);
+    clocks = clock();
     status = ms_gpr_fit(ms_gpr_inputs(s->gp), ms_gpr_scores(s->gp), n, m, &options, &found, &report, error);
     if (status != MS_OK) return status;
+    if (s->probe < 0) s->cost = (double)(clock() - clocks) / CLOCKS_PER_SEC / (report.evaluations + 1);
     memcpy(s->theta, ms_gpr_theta(found), size);
     gain = report.objective - s->reached;
     s->reached = report.objective;
@@ -356,12 +383,26 @@ static inline ms_status studio_update(studio *s, ms_error *error)
         ms_gpr_destroy(s->gp);
         s->gp = found;
         s->objective = report.objective;
+        s->outlier = report.outlier;
     } else {
         ms_gpr_destroy(found);
     }
-    if (gain < 0.05) { /* this start is at its end */
+    if (s->probe >= 0) {
+        s->switched |= report.probes > 0;
+        s->probe += options.probes;
+        if (s->probe >= m) {
+            s->probe = -1;
+            s->probed = 1;
+            next = !s->switched;
+        }
+    } else if (gain < 0.05) { /* this start is at its end, but for columns that it overlooked */
+        next = s->probed;
+        if (!next) s->probe = s->switched = 0;
+    }
+    if (next) {
         s->settled = s->search == 3;
         ++s->search;
+        s->probed = 0;
         s->reached = -1e300;
     }
     if (s->state == STUDIO_SCORED) s->state = STUDIO_LEARNED;
@@ -430,12 +471,26 @@ static inline int studio_liked(const ms_gpr *gp, int limit, const double *x, dou
     return count;
 }
 
+/* The plane of materials x [count][m]. */
+static inline ms_status studio__embed(studio *s, const double *x, int count, ms_error *error)
+{
+    ms_gpr_latent_options options;
+    ms_gpr_latent *plane;
+    ms_status status;
+    memset(&options, 0, sizeof options);
+    options.prior = 0.1; /* keeps the plane compact */
+    options.space = s->space;
+    status = ms_gpr_latent_fit(x, count, s->renderer.parameters, &options, &plane, NULL, error);
+    if (status != MS_OK) return status;
+    ms_gpr_latent_destroy(s->plane);
+    s->plane = plane;
+    return MS_OK;
+}
+
 /* Embeds the best-scored materials and the chosen one, x [m], and stands on it. */
 static inline ms_status studio_choose(studio *s, const double *x, ms_error *error)
 {
     int m = s->renderer.parameters, count;
-    ms_gpr_latent_options options;
-    ms_gpr_latent *plane;
     ms_status status;
     double *liked;
     if (s->state < STUDIO_LEARNED) return studio__refuse(error, MS_INVALID_ARGUMENT, "no taste was learned yet");
@@ -443,19 +498,17 @@ static inline ms_status studio_choose(studio *s, const double *x, ms_error *erro
     if (liked == NULL) return studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for the materials of a plane");
     count = studio_liked(s->gp, STUDIO_LIKED, x, liked);
     memcpy(liked + (size_t)count * (size_t)m, x, (size_t)m * sizeof *liked);
-    memset(&options, 0, sizeof options);
-    options.prior = 0.1; /* keeps the plane compact */
-    options.space = s->space;
     status = count > 0
-        ? ms_gpr_latent_fit(liked, count + 1, m, &options, &plane, NULL, error)
+        ? studio__embed(s, liked, count + 1, error)
         : studio__refuse(
               error, MS_INVALID_ARGUMENT,
               "nothing else is liked yet: a plane needs another material that was scored above the lowest score");
-    free(liked);
+    if (status != MS_OK) free(liked);
     if (status != MS_OK) return status;
-    ms_gpr_latent_destroy(s->plane);
-    s->plane = plane;
-    memcpy(s->at, ms_gpr_latent_points(plane) + 2 * count, sizeof s->at);
+    free(s->embedded);
+    s->embedded = liked;
+    s->embedded_count = count + 1;
+    memcpy(s->at, ms_gpr_latent_points(s->plane) + 2 * count, sizeof s->at);
     s->state = STUDIO_EXPLORING;
     return MS_OK;
 }
@@ -496,5 +549,224 @@ static inline ms_status studio_move(studio *s, double dx, double dy, studio_view
     view->x = s->x;
     memcpy(s->at, to, sizeof to);
     return MS_OK;
+}
+
+/* --- a session as text: a line for every array, its name, how many numbers, the numbers --- */
+
+static inline void studio__put(FILE *f, const char *name, const double *v, int count)
+{
+    char text[48];
+    int i;
+    fprintf(f, "%s %d", name, v ? count : 0);
+    for (i = 0; v && i < count; ++i) fprintf(f, " %s", number_text(text, "%.17g", v[i]));
+    fprintf(f, "\n");
+}
+
+static inline void studio__put_ints(FILE *f, const char *name, const int *v, int count)
+{
+    int i;
+    fprintf(f, "%s %d", name, count);
+    for (i = 0; i < count; ++i) fprintf(f, " %d", v[i]);
+    fprintf(f, "\n");
+}
+
+/* The whole session in one file: answers, what is avoided, what is kept, undo, the plane and the place in it. */
+static inline ms_status studio_save(const studio *s, const char *path, ms_error *error)
+{
+    int m = s->renderer.parameters, n = ms_gpr_count(s->gp), i;
+    double numbers[7], undo[4 * STUDIO_UNDO];
+    file_out out;
+    FILE *f = file_create(path, &out);
+    const char *problem;
+    if (f == NULL) return studio__refuse(error, MS_IO, out.problem);
+    numbers[0] = m, numbers[1] = (int)s->state, numbers[2] = s->settled, numbers[3] = (double)s->seed;
+    numbers[4] = s->least, numbers[5] = s->at[0], numbers[6] = s->at[1];
+    for (i = 0; i < s->undos; ++i) {
+        undo[4 * i] = s->undo[i].kind, undo[4 * i + 1] = s->undo[i].index;
+        undo[4 * i + 2] = s->undo[i].score, undo[4 * i + 3] = s->undo[i].pairs;
+    }
+    fprintf(f, "studio session 1\n");
+    studio__put(f, "session", numbers, 7);
+    studio__put(f, "theta", ms_gpr_theta(s->gp), m + 2);
+    studio__put(f, "materials", ms_gpr_inputs(s->gp), n * m);
+    studio__put(f, "scores", ms_gpr_scores(s->gp), n);
+    studio__put_ints(f, "pairs", ms_gpr_pairs(s->gp), 2 * ms_gpr_pair_count(s->gp));
+    studio__put(f, "others", s->others, STUDIO_OTHERS * m);
+    studio__put(f, "avoid", s->avoid, s->avoids * m);
+    studio__put(f, "undo", undo, 4 * s->undos);
+    studio__put(f, "plane", s->embedded, s->embedded_count * m);
+    studio__put(f, "low", s->space.low, m);
+    studio__put(f, "high", s->space.high, m);
+    studio__put(f, "steps", s->space.steps, m);
+    studio__put(f, "ties", s->space.ties, s->space.tie_count * (m + 1));
+    fprintf(f, "lists %d\n", s->space.list_count);
+    for (i = 0; i < s->space.list_count; ++i) {
+        studio__put_ints(f, "columns", s->space.lists[i].columns, s->space.lists[i].width);
+        studio__put(f, "rows", s->space.lists[i].rows, s->space.lists[i].width * s->space.lists[i].count);
+    }
+    problem = file_finish(&out, !ferror(f));
+    return problem ? studio__refuse(error, MS_IO, problem) : MS_OK;
+}
+
+/* The array that must come next, to be freed (NULL where it has no numbers); *count: -1 where it is not there. */
+static inline double *studio__get(char **text, const char *name, int *count)
+{
+    size_t length = strlen(name);
+    double *v = NULL;
+    char *end;
+    long numbers;
+    int i;
+    *count = -1;
+    if (strncmp(*text, name, length) != 0 || (*text)[length] != ' ') return NULL;
+    numbers = strtol(*text + length, &end, 10);
+    if (end == *text + length || numbers < 0 || numbers > 100000000 || (size_t)numbers > strlen(end)) return NULL;
+    if (numbers > 0 && (v = (double *)malloc((size_t)numbers * sizeof *v)) == NULL) return NULL;
+    for (i = 0; i < numbers; ++i) {
+        char *from = end;
+        v[i] = number_read(from, '.', &end);
+        if (end == from) break;
+    }
+    if (i == numbers && *end == '\n') {
+        *text = end + 1;
+        *count = (int)numbers;
+        return v;
+    }
+    free(v);
+    return NULL;
+}
+
+/* The same as whole numbers. */
+static inline int *studio__get_ints(char **text, const char *name, int *count)
+{
+    double *v = studio__get(text, name, count);
+    int *whole = *count > 0 ? (int *)malloc((size_t)*count * sizeof *whole) : NULL, i;
+    for (i = 0; i < *count && whole; ++i) {
+        whole[i] = v[i] >= -2e9 && v[i] <= 2e9 ? (int)v[i] : -1;
+    }
+    if (*count > 0 && whole == NULL) *count = -1;
+    free(v);
+    return whole;
+}
+
+/* The session from its text into s, which is open and empty. */
+static inline ms_status studio__parse(studio *s, char *text, ms_error *error)
+{
+    static const char title[] = "studio session 1\n";
+    static const char *const space[] = {"low", "high", "steps", "ties"};
+    int m = s->renderer.parameters, count[6], n, lists, pair_numbers, i, good;
+    double *v, *theta, *x, *y, *undo;
+    int *pairs;
+    ms_gpr_fit_options options = s->learn;
+    ms_gpr *gp = NULL;
+    ms_status status;
+    if (strncmp(text, title, sizeof title - 1) != 0)
+        return studio__refuse(error, MS_BAD_DATA, "it does not begin as a session of a studio does");
+    text += sizeof title - 1;
+    v = studio__get(&text, "session", &count[0]);
+    good = count[0] == 7 && v[0] <= m && v[0] >= m && v[1] >= 0 && v[1] <= STUDIO_EXPLORING && v[3] >= 0 && v[3] < 9e15;
+    if (good) {
+        s->state = (studio_state)(int)v[1];
+        s->settled = v[2] > 0;
+        s->seed = (uint64_t)v[3];
+        s->least = v[4], s->at[0] = v[5], s->at[1] = v[6];
+    }
+    free(v);
+    if (!good) return studio__refuse(error, MS_BAD_DATA, "the session is of other parameters, or was changed");
+    theta = studio__get(&text, "theta", &count[0]);
+    x = studio__get(&text, "materials", &count[1]);
+    y = studio__get(&text, "scores", &n);
+    pairs = studio__get_ints(&text, "pairs", &pair_numbers);
+    s->others = studio__get(&text, "others", &count[3]);
+    s->avoid = studio__get(&text, "avoid", &count[4]);
+    undo = studio__get(&text, "undo", &count[5]);
+    good = count[0] == m + 2 && n >= 0 && n <= 30000 && count[1] == n * m && pair_numbers >= 0 &&
+        pair_numbers % 2 == 0 && (count[3] == 0 || count[3] == STUDIO_OTHERS * m) && count[4] >= 0 &&
+        count[4] % m == 0 && count[5] >= 0 && count[5] % 4 == 0 && count[5] <= 4 * STUDIO_UNDO;
+    for (i = 0; good && i < count[5]; i += 4) {
+        good = undo[i] >= 0 && undo[i] <= STUDIO__AVOIDED && undo[i + 1] >= 0 && undo[i + 1] <= n && undo[i + 3] >= 0 &&
+            2 * undo[i + 3] <= pair_numbers;
+        if (!good) break;
+        s->undo[s->undos].kind = (int)undo[i], s->undo[s->undos].index = (int)undo[i + 1];
+        s->undo[s->undos].score = undo[i + 2], s->undo[s->undos++].pairs = (int)undo[i + 3];
+    }
+    s->avoids = good ? count[4] / m : 0;
+    s->embedded = studio__get(&text, "plane", &count[3]);
+    good = good && count[3] >= 0 && count[3] % m == 0 && (count[3] > 0 || s->state != STUDIO_EXPLORING);
+    s->embedded_count = good ? count[3] / m : 0;
+    for (i = 0; i < 4; ++i) {
+        s->owned[i] = studio__get(&text, space[i], &count[i]);
+        good = good && (count[i] == 0 || (i < 3 ? count[i] == m : count[i] > 0 && count[i] % (m + 1) == 0));
+    }
+    s->space.low = s->owned[0], s->space.high = s->owned[1], s->space.steps = s->owned[2], s->space.ties = s->owned[3];
+    s->space.tie_count = good ? count[3] / (m + 1) : 0;
+    good = good && sscanf(text, "lists %d", &lists) == 1 && lists >= 0 && lists <= 10000;
+    if (good && lists > 0) good = (s->lists = (ms_gpr_list *)calloc((size_t)lists, sizeof *s->lists)) != NULL;
+    for (i = 0, text = strchr(text, '\n'), text = text ? text + 1 : NULL; good && text && i < lists; ++i) {
+        int width, numbers;
+        s->lists[i].columns = studio__get_ints(&text, "columns", &width);
+        s->lists[i].rows = studio__get(&text, "rows", &numbers);
+        s->space.list_count = i + 1;
+        good = width > 0 && numbers > 0 && numbers % width == 0;
+        s->lists[i].width = width;
+        s->lists[i].count = good ? numbers / width : 0;
+    }
+    s->space.lists = s->lists;
+    good = good && text && *text == 0;
+    status = good ? MS_OK : studio__refuse(error, MS_BAD_DATA, "not a session of this studio, or it was changed");
+    if (good && n > 0) { /* the model of these answers at that theta: a fit that does not move */
+        options.start = theta;
+        options.evaluations = 1;
+        options.probes = -1;
+        options.pairs = pairs;
+        options.pair_count = pair_numbers / 2;
+        status = ms_gpr_fit(x, y, n, m, &options, &gp, NULL, error);
+        if (status == MS_OK) {
+            ms_gpr_destroy(s->gp);
+            s->gp = gp;
+            memcpy(s->theta, theta, ((size_t)m + 2) * sizeof *theta);
+        }
+        s->reached = s->objective = -1e300;
+    }
+    if (status == MS_OK && s->embedded) status = studio__embed(s, s->embedded, s->embedded_count, error);
+    free(theta), free(x), free(y), free(pairs), free(undo);
+    return status;
+}
+
+/* The session of a file in place of the one that s, which is open, holds. s is as it was unless MS_OK. */
+static inline ms_status studio_load(studio *s, const char *path, ms_error *error)
+{
+    const char *problem = NULL;
+    FILE *f = file_open(path, &problem);
+    char *text = NULL, *more;
+    size_t size = 0, got = 1;
+    ms_status status = MS_OK;
+    studio fresh;
+    if (f == NULL) return studio__refuse(error, MS_IO, problem);
+    while (got > 0 && status == MS_OK) {
+        more = (char *)realloc(text, 2 * size + 65537);
+        if (more == NULL) {
+            status = studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a session");
+            break;
+        }
+        text = more;
+        got = fread(text + size, 1, size + 65536, f);
+        size += got;
+    }
+    if (status == MS_OK && ferror(f)) status = studio__refuse(error, MS_IO, "cannot be read to its end");
+    fclose(f);
+    if (status == MS_OK) status = studio_open(&fresh, &s->renderer, error);
+    if (status == MS_OK) {
+        text[size] = 0;
+        fresh.learn = s->learn;
+        status = studio__parse(&fresh, text, error);
+        if (status == MS_OK) {
+            studio_close(s);
+            *s = fresh;
+        } else {
+            studio_close(&fresh);
+        }
+    }
+    free(text);
+    return status;
 }
 #endif
