@@ -26,6 +26,13 @@ refuses() { # NAME, text of the message, then a command that must exit with 1 or
         echo "FAIL $name: exit $rc, message: $(head -1 "$out/log")"
     fi
 }
+nothing_like() { # NAME, a match that writes its files, says that nothing like the picture can be drawn, and exits with 3
+    name=$1
+    shift
+    "$@" >"$out/log" 2>&1
+    rc=$?
+    is "$name" "$rc $(grep -c 'can draw nothing like' "$out/log")" "3 1"
+}
 is() { # NAME, value, expected
     if [ "$2" = "$3" ]; then passed=$((passed + 1)); else
         failed=$((failed + 1))
@@ -256,10 +263,11 @@ if [ -x build/match ]; then
     grey 'P5\n8 8\n255\n' 64 >"$out/mask.pgm"
     { printf 'P5\n8 8\n255\n'; head -c 64 /dev/zero; } >"$out/none.pgm"
     { printf 'PF\n8 8\n-1.0\n'; head -c 764 /dev/zero; printf '\000\000\300\177'; } >"$out/nan.pfm"
-    ok "a material for a picture" build/match $net "$out/t.ppm" --weights "$out/mask.pgm" --out-params "$out/match.csv" --out-png "$out/match.png"
+    # a network without training, which draws nothing like these
+    nothing_like "a material for a picture" build/match $net "$out/t.ppm" --weights "$out/mask.pgm" --out-params "$out/match.csv" --out-png "$out/match.png"
     is "a row of parameters" "$(awk -F, 'END {print NF}' "$out/match.csv")" 19
-    ok "starts from it again" build/match $net "$out/t.ppm" --start "$out/match.csv" --cost 5
-    ok "a target of another size, grey" build/match $net "$out/small.pgm"
+    nothing_like "starts from it again" build/match $net "$out/t.ppm" --start "$out/match.csv" --cost 5
+    nothing_like "a target of another size, grey" build/match $net "$out/small.pgm"
     is "is said on stderr" "$(build/match $net "$out/small.pgm" 2>&1 >/dev/null | grep -c "4 x 4 pixels, brought to the renderer's 8 x 8")" 1
     refuses "NaN in the target" "finite" build/match $net "$out/nan.pfm" --out-params "$out/never.csv"
     refuses "no weights" "weight is 0" build/match $net "$out/t.ppm" --weights "$out/none.pgm"
@@ -307,12 +315,12 @@ fi
 net=tests/data/nn/renderer_f16.safetensors
 awk 'BEGIN {for (r = 0; r < 2; r++) {for (i = 0; i < 19; i++) printf "%s0.%d", (i ? "," : ""), i % 10; print ""}}' >"$out/two.csv"
 printf '1.0\n1\n%s A\n1000\n0.01 0.01\n20 20 10\n1\n1\n1.4 1 90 0.5 0.1\n1\n' "$out/part.mco" >"$out/part.mci"
-result() { # NAME, the line of shell with RESULT for the file that it writes
+result() { # NAME, the line of shell with RESULT for the file that it writes, ending, blocks of a full disk, exit code of success
     name=$1
     command=$2
     run() { sh -c "$(printf '%s' "$command" | sed "s|RESULT|$1|g")" >"$out/log.out" 2>"$out/log"; echo $?; }
     rm -rf "$out/made"
-    is "$name: folders are made" "$(run "$out/made/a/b/file$3") $(ls "$out/made/a/b" 2>/dev/null)" "0 file$3"
+    is "$name: folders are made" "$(run "$out/made/a/b/file$3") $(ls "$out/made/a/b" 2>/dev/null)" "${5:-0} file$3"
     mkdir -p "$out/a_folder$3"
     is "$name: a folder is left alone" "$(run "$out/a_folder$3") $(ls -d "$out/a_folder$3") $(grep -c "a_folder" "$out/log")" "1 $out/a_folder$3 1"
     is "$name: a file is no folder" "$(run "$out/two.csv/x$3")" 1
@@ -327,7 +335,7 @@ result "postprocess" "build/postprocess RESULT" .png
 result "lightmap" "build/lightmap '$out/e.pfm' RESULT --texels-per-mm 4" .pfm
 result "sss_filter" "build/sss_filter '$out/e.pfm' '$out/d.pfm' RESULT --material skin1 --mm-per-unit 10" .pfm
 result "preview" "build/preview tests/data/nn/renderer_f16.safetensors '$out/two.csv' RESULT" .ppm
-result "match" "build/match $net '$out/t.ppm' --cost 5 --out-png RESULT" .png 0
+result "match" "build/match $net '$out/t.ppm' --cost 5 --out-png RESULT" .png 0 3
 rm -rf "$out/full" && mkdir "$out/full"
 is "demo_sss: a full disk" "$( (ulimit -f 1; trap '' XFSZ; build/demo_sss "$out/full" --width 64 >/dev/null 2>&1; echo $?)) $(ls "$out/full" | grep -c -e '\.new' -e html -e txt)" "1 0"
 result "mcml --run" "build/mcml --run '$out/part.mci' 1 2 RESULT" .tally

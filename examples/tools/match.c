@@ -1,5 +1,5 @@
 /* From an edited picture to a material: finds the parameters whose picture, drawn by a neural renderer, is closest to
-     it. cc -O2 -I. examples/tools/match.c -o build/match -lm
+   it. cc -O2 -I. examples/tools/match.c -o build/match -lm
 
      build/match RENDERER.safetensors TARGET.(png|ppm|pgm|pfm) [--inversion DIR] [--weights MASK.(png|pgm|ppm|pfm)]
                  [--start X.csv] [--cost 50] [--seconds 0] [--robust] [--align] [--exposure] [--tint] [--freeze

@@ -219,6 +219,10 @@ static int run(const settings *s, job *j)
     radius = radius_px(s, j);
     for (i = 0; i < j->depth.width * j->depth.height; ++i) count += j->depth.pixels[i] > 0;
     if (way == AUTO && radius > 0.5 && count <= gather_pixels) way = GATHER;
+    if (way == GATHER && !(s->mm_per_unit > 0) && 2 * radius >= j->depth.height) /* as ms_sss_filter does */
+        return fail(1, s->path[1],
+                    "the light covers half of the picture: --mm-per-unit (mm_per_unit) is needed, 1000 "
+                    "where the depth is in metres, 1 to confirm millimetres");
     status = way == GATHER ? MS_OK : make_kernel(s, j, radius > 0 ? radius : 1, &kernel, &error);
     if (status == MS_OK && (way == AUTO || way == PYRAMID)) {
         status = ms_sss_pyramid_make(&pyramid, j->profile, &error);
