@@ -3123,7 +3123,7 @@ static void ms_gpr__fit_doubted(ms_gpr__fit *fit, const ms_gpr *gp)
 {
     double *residual = fit->whole.problem.target, *variance = fit->whole.problem.weight, first = 0, second = 0;
     double least = MS_GPR__OPEN, most = -MS_GPR__OPEN;
-    int row = -1, above = 0, far, i;
+    int row = -1, above = 0, outside, i;
     if (fit->report.outlier.row >= 0 || fit->scored < MS_GPR__OUTLIER_ROWS) return;
     ms_gpr__leave_one_out(gp, fit->whole.problem.inverse, residual, variance);
     for (i = 0; i < gp->n; ++i) {
@@ -3139,8 +3139,8 @@ static void ms_gpr__fit_doubted(ms_gpr__fit *fit, const ms_gpr *gp)
     }
     for (i = 0; i < gp->n; ++i) above += i != row && gp->y[i] > least;
     if (row < 0 || above < 2) return; /* too few are liked to contradict one */
-    far = fmax(gp->y[row] - most, least - gp->y[row]) > MS_GPR__OUTLIER_RANGES * (most - least);
-    if (!far && !(first > MS_GPR__OUTLIER_DEVIATIONS && first > 2 * second && above > 3)) return;
+    outside = fmax(gp->y[row] - most, least - gp->y[row]) > MS_GPR__OUTLIER_RANGES * (most - least);
+    if (!outside && !(first > MS_GPR__OUTLIER_DEVIATIONS && first > 2 * second && above > 3)) return;
     fit->report.outlier.row = row;
     fit->report.outlier.value = gp->y[row];
     fit->report.outlier.expected = fmin(fmax(gp->y[row] - residual[row], least), most);
