@@ -594,6 +594,7 @@ static inline ms_status matcher_match(matcher *m, const float *target, const flo
         }
         free(guesses);
     }
+    m->light = 0; /* of this call alone */
     for (i = 0; i < 2 && shift; ++i) shift[i] = at[i];
     free(moved);
     return status;
