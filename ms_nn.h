@@ -117,7 +117,7 @@
    Configuration (define before the implementation)
    ------------------------------------------------
    MS_NN_NO_STDIO    no <stdio.h>, no files by name
-   MS_NN_NO_COLLAPSE no collapse: what matching needs, a tenth of the code
+   MS_NN_NO_COLLAPSE no collapse: what matching needs, a seventh of the code
    MS_NO_SIMD        plain C only
    MS_DEF            linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_NN_FILENAME    "ms_nn.h"; set it if the file is renamed (it includes itself once a SIMD level)
