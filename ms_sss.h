@@ -1259,10 +1259,10 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #include <math.h>
 
 #if defined(__GNUC__) || defined(__clang__)
-#define MS_SSS__APART __attribute__((noinline))
+#define MS_SSS__NOINLINE __attribute__((noinline))
 #define MS_SSS__COLD __attribute__((cold, noinline)) /* runs once a call or less: size counts more than speed */
 #else
-#define MS_SSS__APART
+#define MS_SSS__NOINLINE
 #define MS_SSS__COLD
 #endif
 
@@ -1353,30 +1353,30 @@ enum {
     MS_SSS__ROWS = 42,        /* row buffers of a task */
     MS_SSS__PAIRS = 16,       /* of taps that are made as pairs */
     MS_SSS__TILTED_PAIRS = 8, /* the same with slopes */
-    MS_SSS__FAR = 120,        /* pixels that pairs may reach */
+    MS_SSS__PAIR_REACH = 120, /* pixels that pairs may reach */
     MS_SSS__MARGIN = 144,     /* rows and columns around the picture: FAR, a group, and the pixels beside a tap */
     MS_SSS__STEP = 8,         /* rows that the second pass takes together */
-    MS_SSS__LEAVE =
+    MS_SSS__PLAN_NONE =
         0, /* plans of a group: no lane has a kernel; lane by lane; by pairs, where some have; all; at one place each */
-    MS_SSS__ANY = 1,
-    MS_SSS__SOME = 2,
-    MS_SSS__ALL = 3,
-    MS_SSS__ONE = 4,
+    MS_SSS__PLAN_BY_LANE = 1,
+    MS_SSS__PLAN_SOME_LANES = 2,
+    MS_SSS__PLAN_ALL_LANES = 3,
+    MS_SSS__PLAN_ONE_OFFSET = 4,
     MS_SSS__OFF_BY_ONE = 128, /* added to a pair's whole part: it or one more */
     MS_SSS__SIDE_MAX = 65536,
     MS_SSS__FIXED_MAX = 2 * MS_SSS_TAPS_MAX
 };
 
 #if defined(__GNUC__) || defined(__clang__)
-#define MS_SSS__TAKEN(flag) __atomic_load_n((flag), __ATOMIC_RELAXED)
-#define MS_SSS__TAKE(flag) __atomic_exchange_n((flag), 1, __ATOMIC_RELAXED) /* taken before? */
+#define MS_SSS__CLAIMED(flag) __atomic_load_n((flag), __ATOMIC_RELAXED)
+#define MS_SSS__CLAIM(flag) __atomic_exchange_n((flag), 1, __ATOMIC_RELAXED) /* taken before? */
 #elif defined(_MSC_VER)
 #include <intrin.h>
-#define MS_SSS__TAKEN(flag) (*(flag))
-#define MS_SSS__TAKE(flag) _InterlockedExchange((flag), 1)
+#define MS_SSS__CLAIMED(flag) (*(flag))
+#define MS_SSS__CLAIM(flag) _InterlockedExchange((flag), 1)
 #endif
 
-#define MS_SSS__AWAY 1e15f /* in a sweep: depth of what takes no part */
+#define MS_SSS__MASKED_DEPTH 1e15f /* in a sweep: depth of what takes no part */
 
 /* (1 - (dz / (3.0746 sigma))^2)^4 stands for exp(-dz^2 / (2 sigma^2)): within 0.013 of it everywhere. */
 #define MS_SSS__FALLOFF_END 3.0746
@@ -1412,26 +1412,26 @@ typedef struct ms_sss__pass {
     float rounding; /* a plane that fits depths with relative errors of grain / 2 errs by at most grain (2 + i) times
                     depth i pixels away: 2 errors for the depths there and here and for each step between, one pixel
                     beside a tap */
-    float curve[3], root[3], least; /* K / 4; square root of the reflectance; least sin(theta) */
-    float remote, bulge;            /* square of the mm of dz 1, times upright; square root of upright / 2 */
-    float apart;                    /* dz at which the pixels of a larger one part */
+    float elevation_4[3], root[3], least; /* K / 4; square root of the reflectance; least sin(theta) */
+    float dz_falloff, area_scale;         /* square of the mm of dz 1, times upright; square root of upright / 2 */
+    float split_dz;                       /* dz at which the pixels of a larger one part */
 } ms_sss__pass;
 
 /* Light of a tap x mm away falls about as 1 / x^2: what lies dz off the plane counts 1 / (1 + remote dz^2). Products of
    three stay finite. */
-static MS_SSS__INLINE float ms_sss__remote(const ms_sss__pass *p, float mm)
+static MS_SSS__INLINE float ms_sss__dz_falloff(const ms_sss__pass *p, float mm)
 {
     const float most = 1e6f, square = mm * mm;
-    return p->remote < most * square ? p->remote / square : p->remote > 0 ? most : 0;
+    return p->dz_falloff < most * square ? p->dz_falloff / square : p->dz_falloff > 0 ? most : 0;
 }
 
 /* A tap stands for the more surface the more it bends away between the tap before, at inner mm, and it: 1 + (bulge
    times the change of height in mm)^2, sec^2 of that angle to second order of both axes. */
-static MS_SSS__INLINE float ms_sss__bulge(const ms_sss__pass *p, float mm, float *inner)
+static MS_SSS__INLINE float ms_sss__area_scale(const ms_sss__pass *p, float mm, float *inner)
 {
     const float gap = fabsf(mm) - *inner;
     *inner = fabsf(mm);
-    return gap > 1e-20f ? p->bulge / gap : 0;
+    return gap > 1e-20f ? p->area_scale / gap : 0;
 }
 
 /* Both passes of a kernel: the second follows the first in slabs of rows, which lie in a ring, in groups of one vector
@@ -1439,20 +1439,20 @@ static MS_SSS__INLINE float ms_sss__bulge(const ms_sss__pass *p, float mm, float
 typedef struct ms_sss__sweep {
     float offset[2][MS_SSS__PAIRS][16];                              /* mm; of the axes in their own pixels */
     float span[MS_SSS__PAIRS][16], weight[MS_SSS__PAIRS + 1][3][16]; /* |offset|; centre, pairs */
-    float remote[MS_SSS__PAIRS][16], bulge[MS_SSS__PAIRS][16],
-        lift[MS_SSS__TILTED_PAIRS][3][2][16]; /* lift: K / (4 span) and 1, times the fourth root of the weight */
+    float dz_falloff[MS_SSS__PAIRS][16], area_scale[MS_SSS__PAIRS][16],
+        elevation[MS_SSS__TILTED_PAIRS][3][2][16]; /* lift: K / (4 span) and 1, times the fourth root of the weight */
     struct ms_sss__job *job;
-    int pairs;                                   /* of taps that weigh the same; 0: any taps */
-    int shaped, reach, padded, lanes, plan_size; /* plan_size: bytes of a group's plan */
+    int pairs;                                        /* of taps that weigh the same; 0: any taps */
+    int with_slopes, reach, padded, lanes, plan_size; /* plan_size: bytes of a group's plan */
     int parts, tasks; /* a band: parts of the picture that one task makes from the top down, in a ring of rows */
-    volatile long taken[MS_SSS__PARTS];
-    int simple;                 /* weights make a mean, the centre's above 0 */
-    int plain, may_clamp;       /* with slopes: no weight below 0; whether sines can reach their bounds */
+    volatile long claimed[MS_SSS__PARTS];
+    int normalised;             /* weights make a mean, the centre's above 0 */
+    int nonnegative, may_clamp; /* with slopes: no weight below 0; whether sines can reach their bounds */
     float *ring, *own, *window; /* of a task: rows that the first pass reads; own: see ms_sss__line */
     int rows;                   /* of a window: 5 with slopes, else 1 */
     ptrdiff_t plan_row, window_row, window_size;
     unsigned char *plan;
-    int *slot, *done, *held; /* of each row: in the ring, 0: nothing takes part; finished; of each slot: columns that
+    int *slot, *done, *filled; /* of each row: in the ring, 0: nothing takes part; finished; of each slot: columns that
                                 hold something */
     ptrdiff_t *row, *column; /* the same in floats, from MARGIN rows above the picture on; 0 1 2 ..., from -MARGIN on */
 } MS_SSS__ALIGNED ms_sss__sweep;
@@ -1469,8 +1469,8 @@ typedef struct ms_sss__rotation {
 typedef struct ms_sss__line {
     const float *from;
     const ptrdiff_t *step;
-    ptrdiff_t group, plane;       /* floats from a group to the next, from red to green */
-    const ms_sss__rotation *turn; /* NULL: along an axis */
+    ptrdiff_t group, plane;           /* floats from a group to the next, from red to green */
+    const ms_sss__rotation *rotation; /* NULL: along an axis */
     const float *own[3]; /* with slopes: where turned, both; else pixels a mm of the tangent plane, depth that it gains
                             a pixel (relative in perspective), cosine of the normal to the ray */
     const unsigned char *plan;
@@ -1481,16 +1481,16 @@ typedef struct ms_sss__line {
 } ms_sss__line;
 
 /* What a pixel keeps of its own light, and which pixels are its neighbours, where a kernel works at half resolution. */
-typedef struct ms_sss__halving {
+typedef struct ms_sss__half_params {
     const ms_sss_kernel *kernel;
     int perspective;
     float size, size_max, aspect[2]; /* as in ms_sss__pass, in pixels of the picture */
-    float beyond; /* depth up to which the centre alone stands within a pixel of itself: the share is then */
-    float share[3];
-    float tiny;   /* depth from which on kernels are under half a pixel */
-    float within; /* 1 / dz from which on nothing counts */
-    float scale;  /* of depths of the scene */
-} ms_sss__halving;
+    float centre_only_depth; /* depth up to which the centre alone stands within a pixel of itself: the share is then */
+    float self_weight[3];
+    float identity_depth; /* depth from which on kernels are under half a pixel */
+    float falloff_scale;  /* 1 / dz from which on nothing counts */
+    float scale;          /* of depths of the scene */
+} ms_sss__half_params;
 
 /* Square of the radius of a level's gather, in pixels of the next. Wider ones see the shape from nearer by, narrower
    ones cost less: 1.75 and 2.2 of what six pixels hold, wide 2.24 and 3.74 of eight; a wide level 0 of 2.5 or 2.8 is
@@ -1509,15 +1509,15 @@ typedef struct ms_sss__tap {
    the change of d a pixel along x and y. */
 typedef struct ms_sss__pyramid_params {
     const float (*table)[MS_SSS_PYRAMID_LEVELS][2][3]; /* weight[size][level][blurred][channel] */
-    int perspective, shaped, wide, level; /* wide: options.exact; level: of the rows that are made by gather */
-    float weight[2][3];                   /* of the level where all pixels have one size */
-    float size, size_max;                 /* the kernel's radius in pixels: min(size d, size_max) */
-    float step;                           /* change of d a pixel at slope 1: times d in perspective */
-    float slope_scale;                    /* 1 - flat; 0: the depth counts for the size alone */
+    int perspective, depth_aware, wide, level; /* wide: options.exact; level: of the rows that are made by gather */
+    float weight[2][3];                        /* of the level where all pixels have one size */
+    float size, size_max;                      /* the kernel's radius in pixels: min(size d, size_max) */
+    float step;                                /* change of d a pixel at slope 1: times d in perspective */
+    float slope_scale;                         /* 1 - flat; 0: the depth counts for the size alone */
     float reach, join; /* distance from a tangent plane at which nothing is left, in radii: of sums on the way up, of
                           pixels that become one */
-    float middle[2], tangent;        /* (column + 1/2 - middle) tangent is the tangent of the ray; 0: parallel rays */
-    float quarter[3], most[3];       /* K / 4; 1 / reflectance */
+    float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; 0: parallel rays */
+    float elevation_4[3], max_factor[3]; /* K / 4; 1 / reflectance */
     const ms_sss__tap (*tap)[2][64]; /* [odd row][odd column], the nearest first: the first four lie around the pixel */
     int taps, core, sums; /* core: that reach pixels that face the camera; sums: whether the coarser level has any */
     ptrdiff_t plane;      /* of the coarser level */
@@ -1525,8 +1525,8 @@ typedef struct ms_sss__pyramid_params {
     float norm, mean, spread; /* of the gather's taps: sum, E r / E r^2, E r^2 / E r^4 */
     float blur;               /* variance of a place in a pixel of the next level */
     float rounding;           /* twice the relative error of d */
-    float rough; /* on planes the gather's taps are less than this from the tangent plane, in pixels of their level
-                    (times d, not in perspective) */
+    float plane_rounding; /* on planes the gather's taps are less than this from the tangent plane, in pixels of their
+                    level (times d, not in perspective) */
 } ms_sss__pyramid_params;
 
 typedef struct ms_sss__kernels {
@@ -1564,12 +1564,12 @@ typedef struct ms_sss__kernels {
     void (*resolve)(const ms_sss__pyramid_params *s, const float *const row[4], ptrdiff_t stride,
                     const float *const slope[3], const float *const sum[6], int first, int count, float *const out[4]);
     void (*invert)(const ms_sss__pyramid_params *s, const float *depth, int count, float *d);
-    int (*downsample)(const ms_sss__halving *h, const float *const above[4], const float *const below[4], float unit,
-                      int count, float *const out[4]);
-    void (*subtract_self)(const ms_sss__halving *h, const float *const light[3], const float *const blur[3],
+    int (*downsample)(const ms_sss__half_params *h, const float *const above[4], const float *const below[4],
+                      float unit, int count, float *const out[4]);
+    void (*subtract_self)(const ms_sss__half_params *h, const float *const light[3], const float *const blur[3],
                           const float *depth, int count, float *const out[4]);
-    void (*upsample)(const ms_sss__halving *h, const float *const own[4], float unit, const float *const coarse[2][4],
-                     int odd, int count, float *const out[3]);
+    void (*upsample)(const ms_sss__half_params *h, const float *const own[4], float unit,
+                     const float *const coarse[2][4], int odd, int count, float *const out[3]);
 } ms_sss__kernels;
 
 static MS_SSS__INLINE int ms_sss__clamp(int x, int low, int high) { return x < low ? low : x > high ? high : x; }
@@ -1579,7 +1579,7 @@ static MS_SSS__INLINE ptrdiff_t ms_sss__row_step(const ms_sss__line *l, int i, i
 {
     if (l->axis == 0) return 0;
     i = ms_sss__clamp(i, -1 - l->at, height - l->at);
-    return l->turn ? i * l->turn->stride : l->step[i];
+    return l->rotation ? i * l->rotation->stride : l->step[i];
 }
 
 /* Which of 64 directions a pixel has: the R2 sequence (Roberts 2018) in 16-bit fixed point, the same on any machine. */
@@ -1640,19 +1640,19 @@ static MS_SSS__INLINE float ms_sss__index_size(int index)
 
 /* 0 to FAR */
 #define MS_SSS__TEN(n) n, n + 1, n + 2, n + 3, n + 4, n + 5, n + 6, n + 7, n + 8, n + 9
-static const float ms_sss__iota[MS_SSS__FAR + 1] = {MS_SSS__TEN(0),
-                                                    MS_SSS__TEN(10),
-                                                    MS_SSS__TEN(20),
-                                                    MS_SSS__TEN(30),
-                                                    MS_SSS__TEN(40),
-                                                    MS_SSS__TEN(50),
-                                                    MS_SSS__TEN(60),
-                                                    MS_SSS__TEN(70),
-                                                    MS_SSS__TEN(80),
-                                                    MS_SSS__TEN(90),
-                                                    MS_SSS__TEN(100),
-                                                    MS_SSS__TEN(110),
-                                                    120};
+static const float ms_sss__iota[MS_SSS__PAIR_REACH + 1] = {MS_SSS__TEN(0),
+                                                           MS_SSS__TEN(10),
+                                                           MS_SSS__TEN(20),
+                                                           MS_SSS__TEN(30),
+                                                           MS_SSS__TEN(40),
+                                                           MS_SSS__TEN(50),
+                                                           MS_SSS__TEN(60),
+                                                           MS_SSS__TEN(70),
+                                                           MS_SSS__TEN(80),
+                                                           MS_SSS__TEN(90),
+                                                           MS_SSS__TEN(100),
+                                                           MS_SSS__TEN(110),
+                                                           120};
 #undef MS_SSS__TEN
 
 #if defined(MS__X64)
@@ -1844,8 +1844,8 @@ static void ms_sss__run_parallel(const ms_parallel *parallel, int count, void (*
 /* The columns of a row that hold anything. */
 typedef struct ms_sss__row {
     int first, last;             /* whole blocks outside of which every pixel is masked */
-    int solid_first, solid_last; /* a run without masked pixels; up to job->padded where it reaches the width */
-    int whole;                   /* no strength of an unmasked pixel is under 1 */
+    int valid_first, valid_last; /* a run without masked pixels; up to job->padded where it reaches the width */
+    int full_strength;           /* no strength of an unmasked pixel is under 1 */
 } ms_sss__row;
 
 typedef struct ms_sss__job {
@@ -1858,18 +1858,18 @@ typedef struct ms_sss__job {
     int full_width, full_height; /* of the picture whose pixels are `coarse` times smaller: its own, unless this is the
                                     half of one */
     float coarse;
-    int rough;                       /* its depth is binary16 */
-    int begin, end, band;            /* rows of the run at hand, rows a task */
-    int fixed, turned, shaped, idle; /* idle: a kernel under half a pixel */
-    int whole_first;                 /* rows are prepared for the whole picture: with 0 where nothing takes part */
+    int half_depth;                            /* its depth is binary16 */
+    int begin, end, band;                      /* rows of the run at hand, rows a task */
+    int fixed, rotated, with_slopes, identity; /* idle: a kernel under half a pixel */
+    int whole_rows; /* rows are prepared for the whole picture: with 0 where nothing takes part */
     ptrdiff_t stride;
     float depth_scale, gain;
-    int unwritten; /* pixels that take no part still have to be copied to the output */
-    int raw;       /* and their elements can be copied as they are */
+    int copy_masked; /* pixels that take no part still have to be copied to the output */
+    int copy_bits;   /* and their elements can be copied as they are */
     float *middle[3], *source[3], *depth, *sum[3], *rows;
-    float *fresh; /* a row of depths where all pixels take part */
+    float *unmasked; /* a row of depths where all pixels take part */
     ms_sss__row *row;
-    int direct;          /* the second pass writes straight to the output where all pixels take part */
+    int writes_output;   /* the second pass writes straight to the output where all pixels take part */
     ms_sss__fixed *taps; /* two */
     ms_sss__pass pass;
     float direction[64][2];
@@ -1909,13 +1909,13 @@ static void ms_sss__copy(const ms_sss__job *job, int y, int begin, int end, cons
     const ms_sss_frame *f = &job->frame;
     const size_t size = f->input.half ? sizeof(uint16_t) : sizeof(float);
     int x, c;
-    if (!job->unwritten) return;
+    if (!job->copy_masked) return;
     for (c = 0; c < 3; ++c) {
         const char *from = (const char *)f->input.channel[c] + y * f->input.row_stride * (ptrdiff_t)size;
         char *to = (char *)f->output.channel[c] + y * f->output.row_stride * (ptrdiff_t)size;
         const ptrdiff_t from_step = f->input.pixel_stride * (ptrdiff_t)size,
                         to_step = f->output.pixel_stride * (ptrdiff_t)size;
-        if (job->raw && !depth && !f->profile && f->input.pixel_stride == 1 && f->output.pixel_stride == 1) {
+        if (job->copy_bits && !depth && !f->profile && f->input.pixel_stride == 1 && f->output.pixel_stride == 1) {
             if (begin < end) memcpy(to + begin * to_step, from + begin * from_step, (size_t)(end - begin) * size);
             continue;
         }
@@ -1926,7 +1926,7 @@ static void ms_sss__copy(const ms_sss__job *job, int y, int begin, int end, cons
                 int profile = f->profile[(size_t)y * (size_t)f->width + (size_t)x];
                 if (profile != job->profile && (profile < job->kernel_count || job->profile > 0)) continue;
             }
-            if (job->raw) {
+            if (job->copy_bits) {
                 if (f->input.half) memcpy(to + x * to_step, from + x * from_step, sizeof(uint16_t));
                 else memcpy(to + x * to_step, from + x * from_step, sizeof(float));
                 continue;
@@ -1941,37 +1941,37 @@ static void ms_sss__copy(const ms_sss__job *job, int y, int begin, int end, cons
     }
 }
 
-static int ms_sss__solid(const ms_sss__job *job, int y, int begin, int end)
+static int ms_sss__all_valid(const ms_sss__job *job, int y, int begin, int end)
 {
-    return job->row[y].solid_first <= begin && end <= job->row[y].solid_last;
+    return job->row[y].valid_first <= begin && end <= job->row[y].valid_last;
 }
 
 /* The longest run of pixels of row y that take part, or one of them. */
-static void ms_sss__find_solid(const ms_sss__job *job, ms_sss__row *row, const float *depth)
+static void ms_sss__find_valid_run(const ms_sss__job *job, ms_sss__row *row, const float *depth)
 {
     int x, run = row->first;
-    row->solid_first = row->solid_last = 0;
+    row->valid_first = row->valid_last = 0;
     for (x = row->first; x <= row->last; ++x) {
         if (x < row->last && depth[x] < INFINITY) continue;
-        if (x - run > row->solid_last - row->solid_first) {
-            row->solid_first = run;
-            row->solid_last = x;
+        if (x - run > row->valid_last - row->valid_first) {
+            row->valid_first = run;
+            row->valid_last = x;
         }
         run = x + 1;
     }
-    if (row->solid_last == job->frame.width) row->solid_last = job->padded;
+    if (row->valid_last == job->frame.width) row->valid_last = job->padded;
 }
 
 /* Copies what takes no part in row y. depth: from its first column that holds anything on. */
 static void ms_sss__copy_row(const ms_sss__job *job, int y, const ms_sss__row *row, const float *depth)
 {
     const int width = job->frame.width, first = row->first, last = row->last,
-              solid = row->solid_first < row->solid_last;
+              solid = row->valid_first < row->valid_last;
     const int inside = last < width ? last : width;
     if (job->term > 0) return;
     ms_sss__copy(job, y, 0, first, NULL);
-    ms_sss__copy(job, y, first, solid ? row->solid_first : inside, depth);
-    if (solid) ms_sss__copy(job, y, row->solid_last, inside, depth);
+    ms_sss__copy(job, y, first, solid ? row->valid_first : inside, depth);
+    if (solid) ms_sss__copy(job, y, row->valid_last, inside, depth);
     ms_sss__copy(job, y, last, width, NULL);
 }
 
@@ -1989,7 +1989,7 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, ms_sss__row
     const ms_sss_frame *f = &job->frame;
     const int width = f->width;
     float *in_buffer[3], *albedo_buffer[3], *to[3];
-    const float *in[3], *albedo[3], *map, *const *factor, *before = job->fresh;
+    const float *in[3], *albedo[3], *map, *const *factor, *before = job->unmasked;
     int c, x, span[2], first = 0, last = job->padded, low, high;
     int begin = 0, end = width; /* none outside takes part; first and last are whole blocks */
     for (c = 0; c < 3; ++c) {
@@ -1998,7 +1998,7 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, ms_sss__row
     }
     memcpy(depth - MS_SSS__LEFT, before - MS_SSS__LEFT, (size_t)MS_SSS__LEFT * sizeof(float));
     memcpy(depth + job->padded, before + job->padded, (size_t)MS_SSS__RIGHT * sizeof(float));
-    if (job->idle) {
+    if (job->identity) {
         for (x = 0; x < job->padded; ++x) depth[x] = INFINITY;
         last = 0;
     } else if (f->profile) {
@@ -2008,10 +2008,10 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, ms_sss__row
             if (profile[x] != job->profile) depth[x] = INFINITY;
         before = depth;
     }
-    row->whole = 1;
+    row->full_strength = 1;
     if (f->strength.channel[0] && last > 0) {
         ms_sss__load(job->simd, &f->strength, 1, width, y, 0, last, in_buffer, &map);
-        row->whole = job->simd->mask_by(map, 0.0f, last, before, depth, span);
+        row->full_strength = job->simd->mask_by(map, 0.0f, last, before, depth, span);
         before = depth;
         begin = span[0];
         end = span[1];
@@ -2029,15 +2029,15 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, ms_sss__row
     }
     row->first = first;
     row->last = last;
-    row->solid_first = row->solid_last = 0;
+    row->valid_first = row->valid_last = 0;
     low = first;
     high = last;
     if (job->fixed) {
         low = first + job->taps[0].lowest;
         high = last + job->taps[0].highest + 16;
     }
-    if (job->whole_first || low < -MS_SSS__LEFT) low = -MS_SSS__LEFT;
-    if (job->whole_first || high > job->padded + MS_SSS__RIGHT) high = job->padded + MS_SSS__RIGHT;
+    if (job->whole_rows || low < -MS_SSS__LEFT) low = -MS_SSS__LEFT;
+    if (job->whole_rows || high > job->padded + MS_SSS__RIGHT) high = job->padded + MS_SSS__RIGHT;
     for (c = 0; c < 3; ++c) {
         for (x = low; x < first; ++x) colour[c][x] = 0;
         for (x = last; x < high; ++x) colour[c][x] = 0;
@@ -2048,10 +2048,10 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, ms_sss__row
         factor = ms_sss__albedo(job, 0, y, first, last - first, albedo_buffer, albedo);
         if (job->simd->load_masked(in, factor, begin - first, end - first, last - first, before + first, depth + first,
                                    to)) {
-            row->solid_first = begin;
-            row->solid_last = end < width ? end : job->padded;
+            row->valid_first = begin;
+            row->valid_last = end < width ? end : job->padded;
         } else {
-            ms_sss__find_solid(job, row, depth);
+            ms_sss__find_valid_run(job, row, depth);
         }
     }
     ms_sss__copy_row(job, y, row, depth);
@@ -2067,19 +2067,19 @@ static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int 
     float *albedo_buffer[3], *specular_buffer[3], *strength_buffer[1];
     const float *albedo[3], *specular[3], *strength = NULL, *const * factor, *result[3];
     int c, i;
-    int solid_first = job->row[y].solid_first > x ? job->row[y].solid_first - x : 0;
-    int solid_last = job->row[y].solid_last < x + count ? job->row[y].solid_last - x : count;
+    int valid_first = job->row[y].valid_first > x ? job->row[y].valid_first - x : 0;
+    int valid_last = job->row[y].valid_last < x + count ? job->row[y].valid_last - x : count;
     for (c = 0; c < 3; ++c) {
         result[c] = blur[c];
         albedo_buffer[c] = ms_sss__buffer(job, task, 9 + c);
         specular_buffer[c] = ms_sss__buffer(job, task, 13 + c);
     }
-    if (own && !job->row[y].whole) {
+    if (own && !job->row[y].full_strength) {
         strength_buffer[0] = ms_sss__buffer(job, task, 12);
         ms_sss__load(job->simd, &f->strength, 1, f->width, y, x, count, strength_buffer, &strength);
     }
     for (c = 0; c < 3 && own; ++c)
-        job->simd->fade(&job->pass, strength, job->gain, depth ? depth : job->fresh + x, own[c], count, blur[c]);
+        job->simd->fade(&job->pass, strength, job->gain, depth ? depth : job->unmasked + x, own[c], count, blur[c]);
     if (f->through.channel[0]) {
         ms_sss__load(job->simd, &f->through, 3, f->width, y, x, count, specular_buffer, specular);
         for (c = 0; c < 3; ++c)
@@ -2093,10 +2093,10 @@ static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int 
         ms_sss__load(job->simd, &f->specular, 3, f->width, y, x, count, specular_buffer, specular);
         for (c = 0; c < 3; ++c) job->simd->combine(1.0f, blur[c], 1.0f, specular[c], count, blur[c]);
     }
-    if (solid_first >= solid_last) solid_first = solid_last = count;
-    if (depth) ms_sss__store(job->simd, &f->output, f->width, y, x, 0, solid_first, result, depth);
-    ms_sss__store(job->simd, &f->output, f->width, y, x, solid_first, solid_last, result, NULL);
-    if (depth) ms_sss__store(job->simd, &f->output, f->width, y, x, solid_last, count, result, depth);
+    if (valid_first >= valid_last) valid_first = valid_last = count;
+    if (depth) ms_sss__store(job->simd, &f->output, f->width, y, x, 0, valid_first, result, depth);
+    ms_sss__store(job->simd, &f->output, f->width, y, x, valid_first, valid_last, result, NULL);
+    if (depth) ms_sss__store(job->simd, &f->output, f->width, y, x, valid_last, count, result, depth);
 }
 
 /* The rest for columns [x, x + count) of row y once blur holds the term's second pass: adds up the terms and delta E
@@ -2109,7 +2109,7 @@ static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int c
     float *in_buffer[3], *own_buffer[3], *albedo_buffer[3];
     const float *in[3], *albedo[3], *const *factor;
     const int last_term = job->term + 1 == k->term_count;
-    int c, i, need_own = job->gain < 1.0f || !job->row[y].whole;
+    int c, i, need_own = job->gain < 1.0f || !job->row[y].full_strength;
     for (c = 0; c < 3; ++c) {
         const float scale = k->scale[job->term][c];
         float *sum = k->term_count > 1 ? job->sum[c] + (ptrdiff_t)y * job->stride + x : blur[c];
@@ -2145,7 +2145,7 @@ static void ms_sss__least_band(void *context, int task)
     ms_sss__job *job = (ms_sss__job *)context;
     const int begin = job->begin + task * job->band, width = job->frame.width;
     const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    float *buffer[1], least = MS_SSS__AWAY;
+    float *buffer[1], least = MS_SSS__MASKED_DEPTH;
     const float *depth;
     int y;
     buffer[0] = ms_sss__buffer(job, task, 0);
@@ -2173,9 +2173,9 @@ static void ms_sss__find_nearest(ms_sss__job *job)
 {
     int i;
     if (job->nearest > 0) return;
-    for (i = 0; i < (int)MS_SSS__TASKS; ++i) job->least[i] = MS_SSS__AWAY;
+    for (i = 0; i < (int)MS_SSS__TASKS; ++i) job->least[i] = MS_SSS__MASKED_DEPTH;
     ms_sss__run(job, 0, job->frame.height, ms_sss__least_band);
-    job->nearest = MS_SSS__AWAY;
+    job->nearest = MS_SSS__MASKED_DEPTH;
     for (i = 0; i < (int)MS_SSS__TASKS; ++i)
         if (job->least[i] < job->nearest) job->nearest = job->least[i];
 }
@@ -2198,7 +2198,7 @@ static int ms_sss__slot(const ms_sss__sweep *s, int begin, int y)
 }
 
 /* First row of a part of the picture. */
-static int ms_sss__part(const ms_sss__sweep *s, int part)
+static int ms_sss__part_begin(const ms_sss__sweep *s, int part)
 {
     return (int)((ptrdiff_t)part * s->job->frame.height / s->parts);
 }
@@ -2207,30 +2207,30 @@ static int ms_sss__part(const ms_sss__sweep *s, int part)
    above finds as much to do; -1: none is left. Who makes a row changes nothing but where it is kept. */
 static int ms_sss__begin_band(ms_sss__sweep *s, int task)
 {
-#ifdef MS_SSS__TAKE
+#ifdef MS_SSS__CLAIM
     (void)task;
     for (;;) {
         int i, run = 0, most = 0, part = -1;
         for (i = 0; i <= s->parts; ++i, ++run) {
-            if (i < s->parts && !MS_SSS__TAKEN(&s->taken[i])) continue;
+            if (i < s->parts && !MS_SSS__CLAIMED(&s->claimed[i])) continue;
             if (run > most) {
                 most = run;
                 part = i > run ? i - (run + 1) / 2 : 0;
             }
             run = -1;
         }
-        if (part < 0 || !MS_SSS__TAKE(&s->taken[part])) return part;
+        if (part < 0 || !MS_SSS__CLAIM(&s->claimed[part])) return part;
     }
 #else
-    return s->taken[task]++ ? -1 : 2 * task;
+    return s->claimed[task]++ ? -1 : 2 * task;
 #endif
 }
 
 /* Whether a band goes on with this part. */
-static int ms_sss__go_on(ms_sss__sweep *s, int part)
+static int ms_sss__extend_band(ms_sss__sweep *s, int part)
 {
-#ifdef MS_SSS__TAKE
-    return part < s->parts && !MS_SSS__TAKE(&s->taken[part]);
+#ifdef MS_SSS__CLAIM
+    return part < s->parts && !MS_SSS__CLAIM(&s->claimed[part]);
 #else
     return part < s->parts && part % 2;
 #endif
@@ -2258,7 +2258,7 @@ static void ms_sss__fixed_x(const ms_sss__job *job, float *const in[4], int begi
 }
 
 /* The first pass of row y by fixed taps: at once where every tap counts. The ring's rows are planes. */
-static MS_SSS__APART void ms_sss__fixed_first(const ms_sss__sweep *s, int y, float *const in[4])
+static MS_SSS__NOINLINE void ms_sss__fixed_first(const ms_sss__sweep *s, int y, float *const in[4])
 {
     const ms_sss__job *job = s->job;
     const ms_sss__fixed *f = &job->taps[0];
@@ -2266,10 +2266,10 @@ static MS_SSS__APART void ms_sss__fixed_first(const ms_sss__sweep *s, int y, flo
     float *out[4];
     int x, c, j, a, b; /* [a, b): all taps are inside and take part */
     for (c = 0; c < 4; ++c) out[c] = s->ring + s->row[y] + c * s->padded;
-    if (!ms_sss__solid(job, y, first, last))
+    if (!ms_sss__all_valid(job, y, first, last))
         memcpy(out[3] + first, in[3] + first, (size_t)(last - first) * sizeof(float));
-    a = ms_sss__round_up(job->row[y].solid_first - f->lowest, 16);
-    b = ((job->row[y].solid_last < job->frame.width ? job->row[y].solid_last : job->frame.width) - f->highest) / 16 *
+    a = ms_sss__round_up(job->row[y].valid_first - f->lowest, 16);
+    b = ((job->row[y].valid_last < job->frame.width ? job->row[y].valid_last : job->frame.width) - f->highest) / 16 *
         16;
     if (a >= b) a = b = last;
     for (x = first; x < a; x += 16) ms_sss__fixed_x(job, in, x, x + 16, out);
@@ -2290,12 +2290,13 @@ static void ms_sss__fixed_y(const ms_sss__sweep *s, int y, int x, int count, flo
     ptrdiff_t at[MS_SSS__FIXED_MAX];
     const float *from[MS_SSS__FIXED_MAX], *own[3], *own_depth = own_row + 3 * s->padded;
     int tap[MS_SSS__FIXED_MAX], c, j, taps = 0;
-    if (ms_sss__solid(job, y, x, x + count)) own_depth = job->fresh;
+    if (ms_sss__all_valid(job, y, x, x + count)) own_depth = job->unmasked;
     for (j = 0; j < f->count; ++j) {
         const int row = y + f->offset[j];
         if (row < 0 || row >= job->frame.height || x < job->row[row].first || x >= job->row[row].last) continue;
         at[taps] = s->row[row] - s->row[y];
-        from[taps] = ms_sss__solid(job, row, x, x + count) ? job->fresh : s->ring + s->row[row] + 3 * s->padded + x;
+        from[taps] = ms_sss__all_valid(job, row, x, x + count) ? job->unmasked
+                                                               : s->ring + s->row[row] + 3 * s->padded + x;
         tap[taps++] = j;
     }
     for (c = 0; c < 3; ++c) own[c] = own_row + c * s->padded;
@@ -2303,7 +2304,7 @@ static void ms_sss__fixed_y(const ms_sss__sweep *s, int y, int x, int count, flo
 }
 
 /* The second pass of row y by fixed taps: at once where every tap counts, else by blocks. */
-static MS_SSS__APART void ms_sss__fixed_second(const ms_sss__sweep *s, int y, float *const out[3])
+static MS_SSS__NOINLINE void ms_sss__fixed_second(const ms_sss__sweep *s, int y, float *const out[3])
 {
     const ms_sss__job *job = s->job;
     const ms_sss__fixed *f = &job->taps[1];
@@ -2311,8 +2312,8 @@ static MS_SSS__APART void ms_sss__fixed_second(const ms_sss__sweep *s, int y, fl
     if (y + f->lowest < 0 || y + f->highest >= job->frame.height) b = a;
     for (j = 0; j < f->count && a < b; ++j) {
         const int row = y + f->offset[j];
-        if (job->row[row].solid_first > a) a = job->row[row].solid_first;
-        if (job->row[row].solid_last < b) b = job->row[row].solid_last;
+        if (job->row[row].valid_first > a) a = job->row[row].valid_first;
+        if (job->row[row].valid_last < b) b = job->row[row].valid_last;
     }
     a = ms_sss__round_up(a, 16);
     b -= b % 16;
@@ -2339,12 +2340,12 @@ static MS_SSS__APART void ms_sss__fixed_second(const ms_sss__sweep *s, int y, fl
 }
 
 /* Second pass, composition and output of rows [begin, end), at most STEP. */
-static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
+static void ms_sss__second_pass(const ms_sss__sweep *s, int task, int begin, int end)
 {
     const ms_sss__job *job = s->job;
     const ms_sss_image *image = &job->frame.output;
     ms_sss__line line[MS_SSS__STEP];
-    int direct[MS_SSS__STEP], y, c, x, i, from = job->padded, to = 0;
+    int writes_output[MS_SSS__STEP], y, c, x, i, from = job->padded, to = 0;
     memset(line, 0, sizeof line);
     for (y = begin; y < end; ++y) {
         const int first = job->row[y].first, last = job->row[y].last;
@@ -2360,8 +2361,8 @@ static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
         l->group = 4 * s->lanes;
         l->plane = l->to_group = s->lanes;
         l->plan = s->plan + s->slot[y] * s->plan_row;
-        direct[y - begin] = job->direct && job->row[y].whole && last <= job->frame.width &&
-            ms_sss__solid(job, y, first, last);
+        writes_output[y - begin] = job->writes_output && job->row[y].full_strength && last <= job->frame.width &&
+            ms_sss__all_valid(job, y, first, last);
         for (c = 0; c < 3; ++c) {
             l->own[c] = s->own + ((ptrdiff_t)s->slot[y] * 3 + c) * s->padded;
             l->to[c] = ms_sss__buffer(job, task, 17 + 3 * (y - begin) + c);
@@ -2370,23 +2371,23 @@ static void ms_sss__second(const ms_sss__sweep *s, int task, int begin, int end)
         to = last > to ? last : to;
         if (job->fixed) ms_sss__fixed_second(s, y, l->to);
     }
-    if (!job->fixed) job->simd->sweep[s->shaped](s, &job->pass, line, end - begin, from, to);
+    if (!job->fixed) job->simd->sweep[s->with_slopes](s, &job->pass, line, end - begin, from, to);
     for (y = begin; y < end; ++y) {
         const int first = job->row[y].first, last = job->row[y].last;
         const float *own = s->ring + s->row[y];
         float *blur[3], *depth = ms_sss__buffer(job, task, 41);
         const ms_sss__line *l = &line[y - begin];
-        if (first < last && !direct[y - begin]) {
+        if (first < last && !writes_output[y - begin]) {
             for (x = first; x < last && !job->fixed; x += s->lanes)
                 for (i = 0; i < s->lanes; ++i) {
                     const float z = own[4 * x + 3 * s->lanes + i];
-                    depth[x + i] = z < MS_SSS__AWAY / 2 ? z : INFINITY;
+                    depth[x + i] = z < MS_SSS__MASKED_DEPTH / 2 ? z : INFINITY;
                 }
             if (job->fixed) memcpy(depth + first, own + 3 * s->padded + first, (size_t)(last - first) * sizeof(float));
             for (c = 0; c < 3; ++c) blur[c] = l->to[c] + first;
             ms_sss__finish(job, task, y, first, last - first, blur, depth + first);
         }
-        if (first < last && direct[y - begin])
+        if (first < last && writes_output[y - begin])
             for (c = 0; c < 3; ++c)
                 job->simd->deliver(l->to[c] + first, last - first,
                                    (float *)image->channel[c] + y * image->row_stride + first);
@@ -2401,14 +2402,14 @@ static void ms_sss__window_row(const ms_sss__sweep *s, int task, int y, int fore
     ms_sss__row elsewhere, *row;
     int x;
     if (y < 0 || y >= other.frame.height) {
-        for (x = 0; x < s->padded; ++x) plane[3][x] = MS_SSS__AWAY;
+        for (x = 0; x < s->padded; ++x) plane[3][x] = MS_SSS__MASKED_DEPTH;
         return;
     }
-    other.unwritten = 0;
+    other.copy_masked = 0;
     row = foreign ? &elsewhere : &other.row[y];
     ms_sss__prepare(&other, y, task, row, plane, plane[3]);
     if (other.fixed) return;
-    x = row->solid_first <= 0 && s->padded <= row->solid_last ? other.frame.width / 16 * 16
+    x = row->valid_first <= 0 && s->padded <= row->valid_last ? other.frame.width / 16 * 16
                                                               : 0; /* none INFINITY before */
     other.simd->limit(plane[3] - MS_SSS__LEFT, MS_SSS__LEFT);
     other.simd->limit(plane[3] + x, s->padded - x + MS_SSS__RIGHT);
@@ -2430,13 +2431,13 @@ static void ms_sss__slopes(const ms_sss__job *job, int task, int y, const float 
 }
 
 /* The first pass of row y, whose window of rows is filled, into the ring. */
-static void ms_sss__first(const ms_sss__sweep *s, int task, int y, float *const plane[5][4], float *const temp[5])
+static void ms_sss__first_pass(const ms_sss__sweep *s, int task, int y, float *const plane[5][4], float *const temp[5])
 {
     const ms_sss__job *job = s->job;
     const ms_sss__pass *p = &job->pass;
     const int first = job->row[y].first, last = job->row[y].last, slot = s->slot[y];
     float *const *mine = plane[y % s->rows], *row = s->ring + s->row[y], *own[3];
-    int *held = s->held + 2 * slot, c, x;
+    int *filled = s->filled + 2 * slot, c, x;
     unsigned char *plan = s->plan + slot * s->plan_row;
     ms_sss__line l;
     if (job->fixed) {
@@ -2444,12 +2445,12 @@ static void ms_sss__first(const ms_sss__sweep *s, int task, int y, float *const 
         return;
     }
     memset(&l, 0, sizeof l);
-    for (x = held[0]; x < held[1]; x += s->lanes) /* what the row before left there */
+    for (x = filled[0]; x < filled[1]; x += s->lanes) /* what the row before left there */
         if (x < first || x >= last)
-            for (c = 0; c < 4 * s->lanes; ++c) row[4 * x + c] = c < 3 * s->lanes ? 0.0f : MS_SSS__AWAY;
-    held[0] = first;
-    held[1] = last;
-    if (s->shaped) {
+            for (c = 0; c < 4 * s->lanes; ++c) row[4 * x + c] = c < 3 * s->lanes ? 0.0f : MS_SSS__MASKED_DEPTH;
+    filled[0] = first;
+    filled[1] = last;
+    if (s->with_slopes) {
         const float *depth[5];
         float *tangent[6];
         for (c = 0; c < 5; ++c) depth[c] = plane[(y + 3 + c) % 5][3];
@@ -2461,10 +2462,10 @@ static void ms_sss__first(const ms_sss__sweep *s, int task, int y, float *const 
         }
         job->simd->tangents(p, mine[3], (const float *const *)temp, y, first, last, tangent);
     }
-    job->simd->plan(s, p, 1, mine[3], s->shaped ? own[0] : NULL, first, last, plan);
-    if (s->shaped || ms_sss__differ(p->aspect[0], p->aspect[1])) {
+    job->simd->plan(s, p, 1, mine[3], s->with_slopes ? own[0] : NULL, first, last, plan);
+    if (s->with_slopes || ms_sss__differ(p->aspect[0], p->aspect[1])) {
         plan = s->plan + (job->frame.height + 1 + task) * s->plan_row;
-        job->simd->plan(s, p, 0, mine[3], s->shaped ? temp[2] : NULL, first, last, plan);
+        job->simd->plan(s, p, 0, mine[3], s->with_slopes ? temp[2] : NULL, first, last, plan);
     }
     l.count = s->padded;
     l.first = first;
@@ -2479,7 +2480,7 @@ static void ms_sss__first(const ms_sss__sweep *s, int task, int y, float *const 
         l.own[c] = temp[2 + c];
         l.to[c] = row + c * s->lanes;
     }
-    job->simd->sweep[s->shaped](s, p, &l, 1, first, last);
+    job->simd->sweep[s->with_slopes](s, p, &l, 1, first, last);
 }
 
 /* Both passes of bands that this task takes; of the second, the rows that need no other band's. */
@@ -2491,28 +2492,28 @@ static void ms_sss__sweep_band(void *context, int task)
     float *plane[5][4], *temp[5];
     int y, r, c, x, part;
     while ((part = ms_sss__begin_band(s, task)) >= 0) {
-        const int begin = ms_sss__part(s, part);
-        int end = ms_sss__part(s, part + 1), done = part ? begin + s->reach : 0, admitted = begin - ahead;
+        const int begin = ms_sss__part_begin(s, part);
+        int end = ms_sss__part_begin(s, part + 1), done = part ? begin + s->reach : 0, loaded = begin - ahead;
         float *at = s->window + task * s->window_size;
         for (r = 0; r < s->rows; ++r)
             for (c = 0; c < 4; ++c, at += s->window_row) {
-                for (x = 0; x < s->window_row; ++x) at[x] = c < 3 ? 0.0f : job->fixed ? INFINITY : MS_SSS__AWAY;
+                for (x = 0; x < s->window_row; ++x) at[x] = c < 3 ? 0.0f : job->fixed ? INFINITY : MS_SSS__MASKED_DEPTH;
                 plane[r][c] = at + MS_SSS__MARGIN;
             }
         for (r = 0; r < 5; ++r, at += s->padded) temp[r] = at;
         for (y = begin; y < end; ++y) {
             int last;
-            if (y + 1 + ahead == end && ms_sss__go_on(s, part + 1)) end = ms_sss__part(s, ++part + 1);
-            for (; admitted <= y + ahead; ++admitted)
-                ms_sss__window_row(s, task, admitted, admitted < begin || admitted >= end,
-                                   plane[(admitted + s->rows) % s->rows]);
+            if (y + 1 + ahead == end && ms_sss__extend_band(s, part + 1)) end = ms_sss__part_begin(s, ++part + 1);
+            for (; loaded <= y + ahead; ++loaded)
+                ms_sss__window_row(s, task, loaded, loaded < begin || loaded >= end,
+                                   plane[(loaded + s->rows) % s->rows]);
             s->slot[y] = job->row[y].first < job->row[y].last ? ms_sss__slot(s, begin, y) : 0;
             s->row[y] = (ptrdiff_t)s->slot[y] * ms_sss__ring_row(s->padded);
-            if (s->slot[y]) ms_sss__first(s, task, y, (float *const(*)[4])plane, temp);
+            if (s->slot[y]) ms_sss__first_pass(s, task, y, (float *const(*)[4])plane, temp);
             last = end < height ? end - s->reach : height;
             while (done < last && (y + 1 == end || y + 1 >= done + MS_SSS__STEP + s->reach)) {
                 const int stop = done + MS_SSS__STEP < last ? done + MS_SSS__STEP : last;
-                ms_sss__second(s, task, done, stop);
+                ms_sss__second_pass(s, task, done, stop);
                 while (done < stop) s->done[done++] = 1;
             }
         }
@@ -2520,14 +2521,14 @@ static void ms_sss__sweep_band(void *context, int task)
 }
 
 /* The second pass of the rows next to other bands, STEP at a time: task by task in turn. */
-static void ms_sss__sweep_rest(void *context, int task)
+static void ms_sss__sweep_borders(void *context, int task)
 {
     const ms_sss__sweep *s = (const ms_sss__sweep *)context;
     int y, stop, turn = 0;
     for (y = 0; y < s->job->frame.height; y = stop) {
         for (stop = y; stop < s->job->frame.height && stop < y + MS_SSS__STEP && !s->done[stop]; ++stop) {}
         if (stop == y) ++stop;
-        else if (turn++ % s->tasks == task) ms_sss__second(s, task, y, stop);
+        else if (turn++ % s->tasks == task) ms_sss__second_pass(s, task, y, stop);
     }
 }
 
@@ -2538,15 +2539,15 @@ static void ms_sss__broadcast(float to[16], double value)
 }
 
 /* Pairs of taps that weigh the same, if the kernel consists of such and depth weighs them as usual; else 0. */
-static int ms_sss__pairs(ms_sss__sweep *s, const ms_sss__job *job)
+static int ms_sss__set_pairs(ms_sss__sweep *s, const ms_sss__job *job)
 {
     const ms_sss_kernel *k = job->kernel;
     const ms_sss__pass *p = &job->pass;
     const int pairs = k->tap_count / 2;
     float inner = 0;
     int i, c;
-    if (pairs > (s->shaped ? MS_SSS__TILTED_PAIRS : MS_SSS__PAIRS)) return 0;
-    s->plain = !(p->mixed[0] || p->mixed[1] || p->mixed[2]);
+    if (pairs > (s->with_slopes ? MS_SSS__TILTED_PAIRS : MS_SSS__PAIRS)) return 0;
+    s->nonnegative = !(p->mixed[0] || p->mixed[1] || p->mixed[2]);
     /* dz / (1 + remote dz^2) is at most half of 1 / sqrt(remote), which is the offset over that of upright; 1 + the
        square of a ray's tangent is the most that facing adds */
     s->may_clamp = !(
@@ -2565,21 +2566,21 @@ static int ms_sss__pairs(ms_sss__sweep *s, const ms_sss__job *job)
         }
         for (c = 0; c < 2; ++c) ms_sss__broadcast(s->offset[c][i], fabs(x) * (double)p->aspect[c]);
         ms_sss__broadcast(s->span[i], fabs(x));
-        ms_sss__broadcast(s->remote[i], (double)ms_sss__remote(p, (float)x));
-        if (s->remote[i][0] * (float)(x * x) < 0.999f * p->remote) s->may_clamp = 1;
-        ms_sss__broadcast(s->bulge[i], (double)ms_sss__bulge(p, (float)x, &inner));
-        for (c = 0; c < 3 && s->shaped; ++c) {
+        ms_sss__broadcast(s->dz_falloff[i], (double)ms_sss__dz_falloff(p, (float)x));
+        if (s->dz_falloff[i][0] * (float)(x * x) < 0.999f * p->dz_falloff) s->may_clamp = 1;
+        ms_sss__broadcast(s->area_scale[i], (double)ms_sss__area_scale(p, (float)x, &inner));
+        for (c = 0; c < 3 && s->with_slopes; ++c) {
             const double w = (double)s->weight[i + 1][c][0], root = sqrt(sqrt(fabs(w)));
-            if (!(w >= 0)) s->plain = 0;
-            ms_sss__broadcast(s->lift[i][c][0], root * (double)p->curve[c] / fabs(x));
-            ms_sss__broadcast(s->lift[i][c][1], root);
+            if (!(w >= 0)) s->nonnegative = 0;
+            ms_sss__broadcast(s->elevation[i][c][0], root * (double)p->elevation_4[c] / fabs(x));
+            ms_sss__broadcast(s->elevation[i][c][1], root);
         }
     }
     return pairs;
 }
 
 /* Rows that the second pass needs on either side, at most all. */
-static int ms_sss__reach(ms_sss__job *job)
+static int ms_sss__rows_reached(ms_sss__job *job)
 {
     const ms_sss__pass *p = &job->pass;
     double size = (double)p->size, farthest = 0, reach;
@@ -2594,7 +2595,7 @@ static int ms_sss__reach(ms_sss__job *job)
             size /= (double)(job->nearest * job->depth_scale);
             if (size > (double)p->size_max) size = (double)p->size_max;
         }
-        if (job->shaped) /* a plane that leans towards the ray is seen enlarged */
+        if (job->with_slopes) /* a plane that leans towards the ray is seen enlarged */
             size *= sqrt(
                 1 +
                 (double)(p->tangent * p->tangent) *
@@ -2612,16 +2613,16 @@ static void ms_sss__both_passes(ms_sss__job *job)
     int i, c;
     memset(s, 0, sizeof *s);
     s->job = job;
-    s->simple = 1;
+    s->normalised = 1;
     for (c = 0; c < 3; ++c)
         if (job->pass.mixed[c] || ms_sss__differ(job->pass.total[c], 1) || !(job->pass.weight[0][c] > 1e-20f))
-            s->simple = 0;
+            s->normalised = 0;
     s->lanes = job->simd->lanes;
-    s->shaped = job->shaped && !job->fixed;
-    s->rows = s->shaped ? 5 : 1;
+    s->with_slopes = job->with_slopes && !job->fixed;
+    s->rows = s->with_slopes ? 5 : 1;
     s->padded = job->padded;
-    if (!job->fixed) s->pairs = ms_sss__pairs(s, job);
-    s->reach = job->idle ? 0 : ms_sss__reach(job);
+    if (!job->fixed) s->pairs = ms_sss__set_pairs(s, job);
+    s->reach = job->identity ? 0 : ms_sss__rows_reached(job);
     s->parts = job->options.parallel.run ? ms_sss__clamp(height / 16, 1, MS_SSS__PARTS) : 1;
     s->tasks = (s->parts + 1) / 2;
     s->plan_size = (s->pairs + 4) / 4 * 4;
@@ -2635,20 +2636,20 @@ static void ms_sss__both_passes(ms_sss__job *job)
     s->column = s->row + height + 2 * MS_SSS__MARGIN;
     s->slot = (int *)(void *)(s->column + MS_SSS__MARGIN);
     s->done = s->slot + height;
-    s->held = s->done + height;
-    s->plan = (unsigned char *)(s->held + 2 * (height + 1));
+    s->filled = s->done + height;
+    s->plan = (unsigned char *)(s->filled + 2 * (height + 1));
 
     for (i = 0; i < s->padded; i += s->lanes) /* slot 0: what lies outside */
-        for (c = 0; c < 4 * s->lanes; ++c) s->ring[4 * i + c] = c >= 3 * s->lanes ? MS_SSS__AWAY : 0.0f;
+        for (c = 0; c < 4 * s->lanes; ++c) s->ring[4 * i + c] = c >= 3 * s->lanes ? MS_SSS__MASKED_DEPTH : 0.0f;
     for (i = -MS_SSS__MARGIN; i < height + MS_SSS__MARGIN; ++i) s->row[i] = 0;
     for (i = -MS_SSS__MARGIN; i < MS_SSS__MARGIN; ++i) s->column[i] = i;
     memset(s->done, 0, (size_t)height * sizeof(int));
     for (i = 0; i <= height; ++i) {
-        s->held[2 * i] = 0;
-        s->held[2 * i + 1] = s->padded;
+        s->filled[2 * i] = 0;
+        s->filled[2 * i + 1] = s->padded;
     }
     ms_sss__run_parallel(&job->options.parallel, s->tasks, ms_sss__sweep_band, s);
-    if (s->tasks > 1) ms_sss__run_parallel(&job->options.parallel, s->tasks, ms_sss__sweep_rest, s);
+    if (s->tasks > 1) ms_sss__run_parallel(&job->options.parallel, s->tasks, ms_sss__sweep_borders, s);
 }
 
 /* --- turned axes --- */
@@ -2675,20 +2676,20 @@ static void ms_sss__rotated_pass(const ms_sss__job *job, int task, int second)
 {
     const int begin = job->begin + task * job->band;
     const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    const unsigned char plan = MS_SSS__ANY;
+    const unsigned char plan = MS_SSS__PLAN_BY_LANE;
     const ptrdiff_t still = 0;
-    ms_sss__rotation turn;
+    ms_sss__rotation rotation;
     ms_sss__sweep s;
     ms_sss__line l;
     int y, c;
     memset(&s, 0, sizeof s);
-    s.shaped = job->shaped;
-    turn.direction = job->direction;
-    turn.second = second;
-    turn.height = job->frame.height;
-    turn.stride = job->stride;
+    s.with_slopes = job->with_slopes;
+    rotation.direction = job->direction;
+    rotation.second = second;
+    rotation.height = job->frame.height;
+    rotation.stride = job->stride;
     memset(&l, 0, sizeof l);
-    l.turn = &turn;
+    l.rotation = &rotation;
     l.plan = &plan;
     l.step = &still;
     l.axis = 2;
@@ -2707,7 +2708,7 @@ static void ms_sss__rotated_pass(const ms_sss__job *job, int task, int second)
         for (c = 0; c < 5; ++c) depth[c] = job->depth + ms_sss__clamp(y + c - 2, -1, job->frame.height) * job->stride;
         for (c = 0; c < 2; ++c) l.own[c] = slope[c] = ms_sss__buffer(job, task, 18 + c);
         for (c = 0; c < 3; ++c) l.to[c] = second ? ms_sss__buffer(job, task, 21 + c) : job->middle[c] + y * job->stride;
-        if (job->shaped) ms_sss__slopes(job, task, y, depth, slope);
+        if (job->with_slopes) ms_sss__slopes(job, task, y, depth, slope);
         job->simd->sweep[0](&s, &job->pass, &l, 1, first, last);
         for (c = 0; c < 3; ++c) l.to[c] += first;
         if (second) ms_sss__finish(job, task, y, first, last - first, l.to, job->depth + y * job->stride + first);
@@ -2726,7 +2727,7 @@ static void ms_sss__rotated_second(void *context, int task)
 /* --- one call --- */
 
 /* What the workspace holds: planes (a pyramid), rows alone, or what a kernel's passes need. */
-enum { MS_SSS__PLANES, MS_SSS__BARE, MS_SSS__PASSES };
+enum { MS_SSS__PLANES, MS_SSS__ROW_BUFFERS, MS_SSS__PASSES };
 
 /* Floats of the parts of the workspace, in the order in which they lie there. */
 typedef struct ms_sss__layout {
@@ -2735,15 +2736,16 @@ typedef struct ms_sss__layout {
 } ms_sss__layout;
 
 /* Slopes count, if there is depth. */
-static int ms_sss__may_shape(const ms_sss_filter_options *o)
+static int ms_sss__uses_slopes(const ms_sss_filter_options *o)
 {
     return o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE;
 }
 
 static int ms_sss__rotates(const ms_sss_filter_options *o) { return ms_sss__differ(o->rotation, 0) || o->jitter > 0; }
 
-static MS_SSS__COLD ms_sss__layout ms_sss__plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
-                                                const ms_sss_filter_options *options, int kind)
+static MS_SSS__COLD ms_sss__layout ms_sss__plan_workspace(int width, int height, const ms_sss_kernel *kernels,
+                                                          int kernel_count, const ms_sss_filter_options *options,
+                                                          int kind)
 {
     const size_t lanes = (size_t)ms_sss__pick(options->simd)->lanes, rows = (size_t)height;
     ms_sss__layout l;
@@ -2762,7 +2764,7 @@ static MS_SSS__COLD ms_sss__layout ms_sss__plan(int width, int height, const ms_
     l.ring = l.sweep = 0;
     if (kind == MS_SSS__PASSES && !ms_sss__rotates(options)) {
         l.ring = ms__size_mul(
-            rows + 1, (size_t)ms_sss__ring_row(l.padded) + (ms_sss__may_shape(options) ? 3 * (size_t)l.padded : 0));
+            rows + 1, (size_t)ms_sss__ring_row(l.padded) + (ms_sss__uses_slopes(options) ? 3 * (size_t)l.padded : 0));
         l.sweep = ms__size_mul((rows + 1 + MS_SSS__TASKS) * (size_t)((pairs + 4) / 4 * 4), (size_t)l.padded / lanes);
         l.sweep = ms__size_add(l.sweep,
                                sizeof(float) * MS_SSS__TASKS * (25 * (size_t)l.padded + 40 * MS_SSS__MARGIN) +
@@ -2793,7 +2795,7 @@ static MS_SSS__COLD void ms_sss__totals(const ms_sss_kernel *k, int term, float 
 }
 
 /* Taps at `pixels` pixels a mm, each shared between the two whole offsets beside it. */
-static void ms_sss__fix(ms_sss__fixed *f, const ms_sss_kernel *k, int term, double pixels, int side)
+static void ms_sss__make_fixed(ms_sss__fixed *f, const ms_sss_kernel *k, int term, double pixels, int side)
 {
     int i, j, c, half;
     f->count = f->lowest = f->highest = 0;
@@ -2876,7 +2878,8 @@ static MS_SSS__COLD ms_status ms_sss__check_sides(int width, int height, ms_erro
     return MS_SSS__REFUSE(error, "width, height %d, %d: expected 1 to %d each", width, height, (int)MS_SSS__SIDE_MAX);
 }
 
-static MS_SSS__COLD ms_status ms_sss__check_lent(const void *workspace, size_t size, size_t needed, ms_error *error)
+static MS_SSS__COLD ms_status ms_sss__check_workspace(const void *workspace, size_t size, size_t needed,
+                                                      ms_error *error)
 {
     if (workspace && size >= needed) return MS_OK;
     return MS_SSS__REFUSE(error, "a workspace of %z bytes: expected %z", workspace ? size : 0, needed);
@@ -2955,27 +2958,27 @@ static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kerne
     p->aspect[1] = o->pixels_per_mm[0] > 0 && o->pixels_per_mm[1] > 0 ? o->pixels_per_mm[1] / o->pixels_per_mm[0]
                                                                       : 1.0f;
     p->perspective = o->fov_degrees > 0;
-    p->apart = 1.0f;
+    p->split_dz = 1.0f;
     if (o->depth_mode == MS_SSS_DEPTH_AWARE) {
         const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : radius;
-        const double upright = job->shaped ? 1 - (double)o->flat : 0;
-        const double sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : (0.12 + 0.13 * upright) * extent;
+        const double slope_scale = job->with_slopes ? 1 - (double)o->flat : 0;
+        const double sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : (0.12 + 0.13 * slope_scale) * extent;
         double end = MS_SSS__FALLOFF_END * sigma, unit, apart;
-        if (!job->shaped && radius < end) end = radius;
+        if (!job->with_slopes && radius < end) end = radius;
         apart = end;
-        if (job->shaped && !(o->depth_sigma_mm > 0)) end = (0.37 + 1.13 * upright) * extent;
+        if (job->with_slopes && !(o->depth_sigma_mm > 0)) end = (0.37 + 1.13 * slope_scale) * extent;
         unit = 1 / end;
         kappa = mm * unit;
         p->reach = (float)(radius * unit * radius * unit);
         p->unit = (float)(1 / unit);
-        p->apart = (float)(apart * unit);
-        p->remote = (float)(upright / (unit * unit));
+        p->split_dz = (float)(apart * unit);
+        p->dz_falloff = (float)(slope_scale / (unit * unit));
     }
     job->depth_scale = (float)kappa;
     widest = (double)(p->aspect[0] > p->aspect[1] ? p->aspect[0] : p->aspect[1]);
     p->size_min = (float)(0.5 / (radius * widest));
     p->size_max = (float)(side / radius);
-    job->idle = !p->perspective && size <= (double)p->size_min;
+    job->identity = !p->perspective && size <= (double)p->size_min;
     p->slope_scale = 1 - o->flat;
     p->focal[0] = (float)(p->perspective ? size * mm : size * mm / kappa);
     p->focal[1] = p->focal[0] * (o->pixels_per_mm[0] > 0 ? p->aspect[1] : 1.0f);
@@ -2983,12 +2986,13 @@ static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kerne
     p->middle[0] = 0.5f * (float)width / job->coarse;
     p->middle[1] = 0.5f * (float)height / job->coarse;
     p->least = -1;
-    p->rounding = job->rough ? 9.7668e-4f
-                             : 2.3841858e-7f; /* rounded once when given, once when scaled: 2^-11 or 2^-24, and 2^-24 */
+    p->rounding = job->half_depth
+        ? 9.7668e-4f
+        : 2.3841858e-7f; /* rounded once when given, once when scaled: 2^-11 or 2^-24, and 2^-24 */
     for (c = 0; c < 3; ++c) {
-        p->curve[c] = k->elevation_axis[c] / 4 * p->slope_scale;
+        p->elevation_4[c] = k->elevation_axis[c] / 4 * p->slope_scale;
         p->root[c] = k->reflectance[c] > 0 ? sqrtf(k->reflectance[c]) : 0;
-        if (p->curve[c] * p->least < -1) p->least = -1 / p->curve[c]; /* where 1 + K sin(theta) / 4 is 0 */
+        if (p->elevation_4[c] * p->least < -1) p->least = -1 / p->elevation_4[c]; /* where 1 + K sin(theta) / 4 is 0 */
     }
     if (p->perspective) size *= kappa;
     else if (size > (double)p->size_max) size = (double)p->size_max;
@@ -2998,7 +3002,7 @@ static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kerne
 }
 
 /* Whether filtered light is the output: nothing to mix or multiply, planar float. */
-static int ms_sss__plain(const ms_sss__job *job)
+static int ms_sss__no_compositing(const ms_sss__job *job)
 {
     const ms_sss_frame *f = &job->frame;
     return !f->albedo.channel[0] && !f->specular.channel[0] && !f->through.channel[0] && !(job->gain < 1) &&
@@ -3006,12 +3010,12 @@ static int ms_sss__plain(const ms_sss__job *job)
 }
 
 /* Whether the second pass is the last step of a pixel: besides, one term. */
-static int ms_sss__direct(const ms_sss__job *job)
+static int ms_sss__writes_output(const ms_sss__job *job)
 {
     const ms_sss_kernel *k = job->kernel;
     float total[3];
     int mixed[3], c;
-    if (k->term_count > 1 || !ms_sss__plain(job)) return 0;
+    if (k->term_count > 1 || !ms_sss__no_compositing(job)) return 0;
     ms_sss__totals(k, 0, total, mixed);
     for (c = 0; c < 3; ++c)
         if (ms_sss__differ(k->delta[c], 0) || ms_sss__differ(k->scale[0][c], 1) || ms_sss__differ(total[c], 1))
@@ -3026,10 +3030,10 @@ static void ms_sss__set_term(ms_sss__job *job, int term)
     job->term = term;
     p->weight = job->kernel->weight[term];
     ms_sss__totals(job->kernel, term, p->total, p->mixed);
-    p->bulge = job->shaped && !p->mixed[0] && !p->mixed[1] && !p->mixed[2] ? sqrtf(0.5f * p->slope_scale) : 0;
+    p->area_scale = job->with_slopes && !p->mixed[0] && !p->mixed[1] && !p->mixed[2] ? sqrtf(0.5f * p->slope_scale) : 0;
     if (job->fixed) {
-        ms_sss__fix(&job->taps[0], job->kernel, term, (double)p->size * (double)p->aspect[0], side);
-        ms_sss__fix(&job->taps[1], job->kernel, term, (double)p->size * (double)p->aspect[1], side);
+        ms_sss__make_fixed(&job->taps[0], job->kernel, term, (double)p->size * (double)p->aspect[0], side);
+        ms_sss__make_fixed(&job->taps[1], job->kernel, term, (double)p->size * (double)p->aspect[1], side);
     }
 }
 
@@ -3040,7 +3044,7 @@ MS_API ms_sss_filter_options ms_sss_filter_defaults(void)
     return o;
 }
 
-static ms_sss_image ms_sss__view(const void *red, const void *green, const void *blue, int pixel_stride, int half)
+static ms_sss_image ms_sss__make_image(const void *red, const void *green, const void *blue, int pixel_stride, int half)
 {
     ms_sss_image image;
     memset(&image, 0, sizeof image);
@@ -3056,17 +3060,17 @@ MS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int hal
 {
     const char *p = (const char *)pixels;
     const size_t size = half ? sizeof(uint16_t) : sizeof(float);
-    return ms_sss__view(p, p ? p + size : NULL, p ? p + 2 * size : NULL, channels, half);
+    return ms_sss__make_image(p, p ? p + size : NULL, p ? p + 2 * size : NULL, channels, half);
 }
 
 MS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void *blue, int half)
 {
-    return ms_sss__view(red, green, blue, 0, half);
+    return ms_sss__make_image(red, green, blue, 0, half);
 }
 
 MS_API ms_sss_image ms_sss_map(const void *values, int step, int half)
 {
-    return ms_sss__view(values, NULL, NULL, step, half);
+    return ms_sss__make_image(values, NULL, NULL, step, half);
 }
 
 MS_API ms_sss_image ms_sss_flipped(ms_sss_image image, int width, int height)
@@ -3181,11 +3185,11 @@ static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame
     for (i = 1, c = 0; i < kernel_count; ++i)
         if (kernels[i].radius_mm < kernels[c].radius_mm) c = i;
     if ((status = ms_sss__check_frame(f, options->fov_degrees > 0, error)) != MS_OK ||
-        (status = ms_sss__check_lent(workspace, workspace_size, needed, error)) != MS_OK ||
+        (status = ms_sss__check_workspace(workspace, workspace_size, needed, error)) != MS_OK ||
         (status = ms_sss__check_scale(f, options, (double)kernels[c].radius_mm, error)) != MS_OK)
         return status;
 
-    layout = ms_sss__plan(w, h, kernels, kernel_count, options, kind);
+    layout = ms_sss__plan_workspace(w, h, kernels, kernel_count, options, kind);
     job->simd = ms_sss__pick(options->simd);
     job->kernel_count = kernel_count;
     job->block = layout.block;
@@ -3194,16 +3198,16 @@ static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame
     job->full_width = w;
     job->full_height = h;
     job->coarse = 1;
-    job->rough = f->depth.half;
+    job->half_depth = f->depth.half;
     job->gain = 1.0f - options->fade;
-    job->turned = ms_sss__rotates(options);
-    job->shaped = f->depth.channel[0] != NULL && ms_sss__may_shape(options);
-    job->whole_first = job->turned;
-    job->raw = !f->albedo.channel[0] && !f->specular.channel[0] && f->input.half == f->output.half;
-    job->unwritten = !job->raw || f->input.pixel_stride != f->output.pixel_stride ||
+    job->rotated = ms_sss__rotates(options);
+    job->with_slopes = f->depth.channel[0] != NULL && ms_sss__uses_slopes(options);
+    job->whole_rows = job->rotated;
+    job->copy_bits = !f->albedo.channel[0] && !f->specular.channel[0] && f->input.half == f->output.half;
+    job->copy_masked = !job->copy_bits || f->input.pixel_stride != f->output.pixel_stride ||
         f->input.row_stride != f->output.row_stride;
     for (c = 0; c < 3; ++c)
-        if (f->input.channel[c] != f->output.channel[c]) job->unwritten = 1;
+        if (f->input.channel[c] != f->output.channel[c]) job->copy_masked = 1;
 
     job->planes = at = (float *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
     at += layout.ring;
@@ -3217,9 +3221,9 @@ static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame
         at += layout.plane;
     }
     ms_sss__clear_around(job);
-    job->fresh = at + MS_SSS__LEFT;
-    ms_sss__clear(job, job->fresh, INFINITY);
-    for (i = 0; i < w; ++i) job->fresh[i] = 0.0f;
+    job->unmasked = at + MS_SSS__LEFT;
+    ms_sss__clear(job, job->unmasked, INFINITY);
+    for (i = 0; i < w; ++i) job->unmasked[i] = 0.0f;
     at += layout.stride;
     job->rows = at;
     at += layout.stride * MS_SSS__TASKS * MS_SSS__ROWS;
@@ -3241,19 +3245,19 @@ static void ms_sss__apply(ms_sss__job *job, const ms_sss_kernel *kernel, int pro
 {
     int term;
     ms_sss__set_kernel(job, kernel, profile);
-    job->fixed = !job->turned && !job->pass.perspective &&
+    job->fixed = !job->rotated && !job->pass.perspective &&
         (!job->frame.depth.channel[0] || job->options.depth_mode == MS_SSS_DEPTH_SCALE);
-    job->direct = ms_sss__direct(job);
-    if (!(job->gain > 0)) job->idle = 1;
-    for (term = 0; term < (job->idle ? 1 : kernel->term_count); ++term) {
+    job->writes_output = ms_sss__writes_output(job);
+    if (!(job->gain > 0)) job->identity = 1;
+    for (term = 0; term < (job->identity ? 1 : kernel->term_count); ++term) {
         ms_sss__set_term(job, term);
-        if (!job->turned) {
+        if (!job->rotated) {
             ms_sss__both_passes(job);
             continue;
         }
         if (term == 0) ms_sss__run(job, 0, job->frame.height, ms_sss__rotated_rows);
-        if (!job->idle) ms_sss__run(job, 0, job->frame.height, ms_sss__rotated_first);
-        if (!job->idle) ms_sss__run(job, 0, job->frame.height, ms_sss__rotated_second);
+        if (!job->identity) ms_sss__run(job, 0, job->frame.height, ms_sss__rotated_first);
+        if (!job->identity) ms_sss__run(job, 0, job->frame.height, ms_sss__rotated_second);
     }
 }
 
@@ -3279,22 +3283,23 @@ enum { MS_SSS__HALF_PLANES = 8 }; /* light, result, depth, mask */
 typedef struct ms_sss__half {
     ms_sss__job job; /* first: tasks get its address */
     ms_sss__job inner;
-    ms_sss__halving halving;
+    ms_sss__half_params params;
     float *light[3], *blur[3], *depth, *mask;
     ptrdiff_t stride;
-    int plain, no_masks; /* rows of whole vectors whose light is the caller's; of which nothing but a colour or depth
-                        can keep a pixel from taking part */
+    int copies_input, no_masks; /* rows of whole vectors whose light is the caller's; of which nothing but a colour or
+                        depth can keep a pixel from taking part */
 } ms_sss__half;
 
-static MS_SSS__COLD size_t ms_sss__half_plan(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
-                                             const ms_sss_filter_options *options)
+static MS_SSS__COLD size_t ms_sss__half_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
+                                                  const ms_sss_filter_options *options)
 {
     const int w = (width + 1) / 2, h = (height + 1) / 2;
     const size_t planes = ms__size_mul((size_t)ms_sss__round_up(w, 16),
                                        (size_t)h * MS_SSS__HALF_PLANES * sizeof(float));
     return ms__size_add(
-        ms__size_add(ms_sss__plan(width, height, kernels, kernel_count, options, MS_SSS__BARE).total, planes),
-        ms__size_add(ms_sss__plan(w, h, kernels, kernel_count, options, MS_SSS__PASSES).total,
+        ms__size_add(ms_sss__plan_workspace(width, height, kernels, kernel_count, options, MS_SSS__ROW_BUFFERS).total,
+                     planes),
+        ms__size_add(ms_sss__plan_workspace(w, h, kernels, kernel_count, options, MS_SSS__PASSES).total,
                      sizeof(ms_sss__half) + 192));
 }
 
@@ -3305,16 +3310,16 @@ static void ms_sss__half_rows(const ms_sss__job *job, int y, int first, int last
     ms_sss__load(job->simd, &job->frame.input, 3, job->frame.width, y, first, last - first, buffer, row);
     if (job->frame.depth.channel[0])
         ms_sss__load(job->simd, &job->frame.depth, 1, job->frame.width, y, first, last - first, buffer + 3, row + 3);
-    else row[3] = job->fresh;
+    else row[3] = job->unmasked;
 }
 
 /* Whether all pixels of a row that take part are the longest run of them; if not, that is forgotten. */
-static int ms_sss__only_longest_run(const ms_sss__job *job, int y, const float *depth)
+static int ms_sss__keep_single_run(const ms_sss__job *job, int y, const float *depth)
 {
     int x, others = 0;
-    for (x = job->row[y].first; x < job->row[y].solid_first; ++x) others |= depth[x] < INFINITY;
-    for (x = job->row[y].solid_last; x < job->row[y].last; ++x) others |= depth[x] < INFINITY;
-    if (others) job->row[y].solid_first = job->row[y].solid_last = 0;
+    for (x = job->row[y].first; x < job->row[y].valid_first; ++x) others |= depth[x] < INFINITY;
+    for (x = job->row[y].valid_last; x < job->row[y].last; ++x) others |= depth[x] < INFINITY;
+    if (others) job->row[y].valid_first = job->row[y].valid_last = 0;
     return !others;
 }
 
@@ -3338,18 +3343,18 @@ static void ms_sss__half_down(void *context, int task)
         for (c = 0; c < 4; ++c) to[c] = (c < 3 ? half->light[c] : half->depth) + y * half->stride;
         if (all) { /* as if all pixels took part */
             for (r = 0; r < 2; ++r) ms_sss__half_rows(job, 2 * y + r, 0, width, row[r], in[r]);
-            all = job->simd->downsample(&half->halving, in[0], in[1], job->depth_scale, stride, to);
+            all = job->simd->downsample(&half->params, in[0], in[1], job->depth_scale, stride, to);
         }
         for (r = 0; r < 2; ++r) {
             const int at = 2 * y + r;
             if (all) {
-                job->row[at].first = job->row[at].solid_first = first = 0;
-                job->row[at].last = job->row[at].solid_last = width;
-                job->row[at].whole = 1;
+                job->row[at].first = job->row[at].valid_first = first = 0;
+                job->row[at].last = job->row[at].valid_last = width;
+                job->row[at].full_strength = 1;
                 last = stride;
             } else if (at < job->frame.height) {
                 ms_sss__prepare(job, at, task, &job->row[at], row[r], row[r][3]);
-                ms_sss__only_longest_run(job, at, row[r][3]);
+                ms_sss__keep_single_run(job, at, row[r][3]);
                 if (job->row[at].first == job->row[at].last) continue;
                 if (job->row[at].first / 2 < first) first = job->row[at].first / 2;
                 if (ms_sss__round_up(job->row[at].last / 2, 16) > last)
@@ -3358,7 +3363,7 @@ static void ms_sss__half_down(void *context, int task)
                 ms_sss__clear(job, row[r][3], INFINITY);
             }
         }
-        if (job->idle) continue;
+        if (job->identity) continue;
         if (first > last) first = last;
         for (x = 0; x < first; ++x) to[3][x] = INFINITY;
         for (x = last; x < stride; ++x) to[3][x] = INFINITY;
@@ -3366,7 +3371,7 @@ static void ms_sss__half_down(void *context, int task)
             for (r = 0; r < 2; ++r)
                 for (c = 0; c < 4; ++c) in[r][c] = row[r][c] + 2 * first;
             for (c = 0; c < 4; ++c) to[c] += first;
-            job->simd->downsample(&half->halving, in[0], in[1], 1, last - first, to);
+            job->simd->downsample(&half->params, in[0], in[1], 1, last - first, to);
         }
         if (half->mask)
             for (x = 0; x < stride; ++x)
@@ -3383,23 +3388,23 @@ static void ms_sss__half_up(void *context, int task)
     const ms_sss_image *image = &again.frame.output;
     const int begin = again.begin + task * again.band, fade = again.gain < 1;
     const int end = begin + again.band < again.end ? begin + again.band : again.end;
-    float *own[4], *soft[2][4];
-    int have[2] = {-1, -1}, held[2][2] = {{0, 0}, {0, 0}}, y, r, c, x;
-    again.unwritten = 0;
+    float *own[4], *softened[2][4];
+    int have[2] = {-1, -1}, filled[2][2] = {{0, 0}, {0, 0}}, y, r, c, x;
+    again.copy_masked = 0;
     for (c = 0; c < 4; ++c) {
         own[c] = ms_sss__buffer(&again, task, 17 + c);
         for (r = 0; r < 2; ++r) {
-            soft[r][c] = ms_sss__buffer(&again, task, 21 + 4 * r + c);
-            ms_sss__clear(&again, soft[r][c], c == 3 ? MS_SSS__AWAY : 0.0f);
+            softened[r][c] = ms_sss__buffer(&again, task, 21 + 4 * r + c);
+            ms_sss__clear(&again, softened[r][c], c == 3 ? MS_SSS__MASKED_DEPTH : 0.0f);
         }
     }
     for (y = begin; y < end; ++y) {
         const float *beside[2][4], *coarse[2][4], *mine[4];
         float *blur[3], *to[4];
         const int first = again.row[y].first, last = again.row[y].last,
-                  run = half->plain && again.row[y].solid_first < again.row[y].solid_last;
-        const int direct = again.direct && run && again.row[y].whole && last <= again.frame.width &&
-            ms_sss__solid(&again, y, first, last);
+                  run = half->copies_input && again.row[y].valid_first < again.row[y].valid_last;
+        const int writes_output = again.writes_output && run && again.row[y].full_strength &&
+            last <= again.frame.width && ms_sss__all_valid(&again, y, first, last);
         if (first == last) continue;
         if (run) {
             ms_sss__half_rows(&again, y, first, last, own, mine);
@@ -3409,33 +3414,33 @@ static void ms_sss__half_up(void *context, int task)
         }
         for (r = 0; r < 2; ++r) {
             const int at = ms_sss__clamp((y + 1) / 2 - 1 + r, 0, inner->frame.height - 1), slot = at % 2;
-            const int from = inner->idle ? 0 : inner->row[at].first,
-                      until = inner->idle || inner->row[at].last > (int)half->stride ? (int)half->stride
-                                                                                     : inner->row[at].last;
-            for (c = 0; c < 4; ++c) coarse[r][c] = soft[slot][c] + first / 2;
+            const int from = inner->identity ? 0 : inner->row[at].first,
+                      until = inner->identity || inner->row[at].last > (int)half->stride ? (int)half->stride
+                                                                                         : inner->row[at].last;
+            for (c = 0; c < 4; ++c) coarse[r][c] = softened[slot][c] + first / 2;
             if (have[slot] == at) continue;
             have[slot] = at;
-            for (x = held[slot][0]; x < held[slot][1] && x < from; ++x)
-                soft[slot][3][x] = MS_SSS__AWAY; /* of the row before */
-            for (x = until > held[slot][0] ? until : held[slot][0]; x < held[slot][1]; ++x)
-                soft[slot][3][x] = MS_SSS__AWAY;
-            held[slot][0] = from;
-            held[slot][1] = until;
+            for (x = filled[slot][0]; x < filled[slot][1] && x < from; ++x)
+                softened[slot][3][x] = MS_SSS__MASKED_DEPTH; /* of the row before */
+            for (x = until > filled[slot][0] ? until : filled[slot][0]; x < filled[slot][1]; ++x)
+                softened[slot][3][x] = MS_SSS__MASKED_DEPTH;
+            filled[slot][0] = from;
+            filled[slot][1] = until;
             for (c = 0; c < 4; ++c) {
-                to[c] = soft[slot][c] + from;
+                to[c] = softened[slot][c] + from;
                 beside[0][c] = (c < 3 ? half->light[c] : half->depth) + at * half->stride + from;
                 beside[1][c] = c < 3 ? half->blur[c] + at * half->stride + from : NULL;
             }
-            again.simd->subtract_self(&half->halving, beside[0], beside[1], beside[0][3], until - from, to);
+            again.simd->subtract_self(&half->params, beside[0], beside[1], beside[0][3], until - from, to);
         }
         for (c = 0; c < 3; ++c) blur[c] = ms_sss__buffer(&again, task, 29 + c);
-        again.simd->upsample(&half->halving, mine, run ? again.depth_scale : 1, (const float *const(*)[4])coarse, y % 2,
+        again.simd->upsample(&half->params, mine, run ? again.depth_scale : 1, (const float *const(*)[4])coarse, y % 2,
                              last - first, blur);
-        for (c = 0; c < 3 && direct; ++c)
+        for (c = 0; c < 3 && writes_output; ++c)
             again.simd->deliver(blur[c], last - first, (float *)image->channel[c] + y * image->row_stride + first);
-        if (!direct)
-            ms_sss__compose(&again, task, y, first, last - first, blur, fade || !again.row[y].whole ? mine : NULL,
-                            run ? NULL : own[3] + first);
+        if (!writes_output)
+            ms_sss__compose(&again, task, y, first, last - first, blur,
+                            fade || !again.row[y].full_strength ? mine : NULL, run ? NULL : own[3] + first);
     }
 }
 
@@ -3446,7 +3451,7 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
 {
     const ms_sss_kernel *k = &kernels[profile];
     ms_sss__half *half = (ms_sss__half *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
-    ms_sss__halving *h = &half->halving;
+    ms_sss__half_params *h = &half->params;
     ms_sss_filter_options inner_options = *options;
     ms_sss_frame inner;
     ms_status status;
@@ -3454,8 +3459,8 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
                      size_min; /* apart: size from which on the centre alone stands within a pixel of itself */
     size_t plane, left = workspace_size - (size_t)((char *)(half + 1) - (char *)workspace);
     int i, c, t;
-    status = ms_sss__begin(&half->job, frame, kernels, kernel_count, options, half + 1, left, left, MS_SSS__BARE, &at,
-                           error);
+    status = ms_sss__begin(&half->job, frame, kernels, kernel_count, options, half + 1, left, left, MS_SSS__ROW_BUFFERS,
+                           &at, error);
     if (status != MS_OK) return status;
     memset(&inner, 0, sizeof inner);
     inner.width = (frame->width + 1) / 2;
@@ -3473,38 +3478,38 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
 
     ms_sss__set_kernel(&half->job, k, profile);
     size_min = half->job.pass.size_min;
-    half->job.direct = ms_sss__plain(&half->job);
-    if (!(half->job.gain > 0)) half->job.idle = 1;
+    half->job.writes_output = ms_sss__no_compositing(&half->job);
+    if (!(half->job.gain > 0)) half->job.identity = 1;
     memset(h, 0, sizeof *h);
     h->kernel = k;
     h->perspective = half->job.pass.perspective;
     h->size = half->job.pass.size;
     h->size_max = half->job.pass.size_max;
-    h->within = 1 / half->job.pass.apart;
+    h->falloff_scale = 1 / half->job.pass.split_dz;
     h->scale = half->job.depth_scale;
     for (c = 0; c < 2; ++c) h->aspect[c] = half->job.pass.aspect[c];
     for (i = 1; i < k->tap_count; ++i)
         for (c = 0; c < 2; ++c)
             if (!(fabsf(k->offset_mm[i]) * h->aspect[c] * apart >= 1))
                 apart = fabsf(k->offset_mm[i]) > 1e-20f ? 1 / (fabsf(k->offset_mm[i]) * h->aspect[c]) : 3e38f;
-    h->beyond = !((h->perspective ? h->size_max : h->size) >= apart) ? -1
-        : h->perspective && apart > 0                                ? h->size / apart
-                                                                     : INFINITY;
-    h->tiny = !(size_min < (h->perspective ? h->size_max : h->size)) ? -1
-        : h->perspective                                             ? h->size / size_min
-                                                                     : INFINITY;
+    h->centre_only_depth = !((h->perspective ? h->size_max : h->size) >= apart) ? -1
+        : h->perspective && apart > 0                                           ? h->size / apart
+                                                                                : INFINITY;
+    h->identity_depth = !(size_min < (h->perspective ? h->size_max : h->size)) ? -1
+        : h->perspective                                                       ? h->size / size_min
+                                                                               : INFINITY;
     for (c = 0; c < 3; ++c) {
         double share = (double)k->delta[c];
         for (t = 0; t < k->term_count; ++t)
             share += (double)k->scale[t][c] * (double)k->weight[t][0][c] * (double)k->weight[t][0][c];
-        h->share[c] = (float)(share < 0 ? 0 : share > 0.999 ? 0.999 : share);
+        h->self_weight[c] = (float)(share < 0 ? 0 : share > 0.999 ? 0.999 : share);
     }
-    half->plain = half->job.block == MS_SSS__BLOCK &&
+    half->copies_input = half->job.block == MS_SSS__BLOCK &&
         (!frame->albedo.channel[0] || options->albedo_mode == MS_SSS_ALBEDO_POST);
-    half->no_masks = half->plain && !half->job.idle && frame->depth.channel[0] && !frame->strength.channel[0] &&
-        !frame->profile && half->job.padded == frame->width;
+    half->no_masks = half->copies_input && !half->job.identity && frame->depth.channel[0] &&
+        !frame->strength.channel[0] && !frame->profile && half->job.padded == frame->width;
     ms_sss__run(&half->job, 0, inner.height, ms_sss__half_down);
-    if (half->job.idle) return MS_OK;
+    if (half->job.identity) return MS_OK;
 
     inner.input = ms_sss_planar(half->light[0], half->light[1], half->light[2], 0);
     inner.output = ms_sss_planar(half->blur[0], half->blur[1], half->blur[2], 0);
@@ -3519,10 +3524,10 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
     half->inner.full_width = frame->width;
     half->inner.full_height = frame->height;
     half->inner.coarse = 2;
-    half->inner.rough = frame->depth.half;
-    half->inner.unwritten = 0;
+    half->inner.half_depth = frame->depth.half;
+    half->inner.copy_masked = 0;
     ms_sss__apply(&half->inner, k, 0);
-    for (c = 0; c < 3 && half->inner.idle; ++c) half->blur[c] = half->light[c]; /* under half of a larger pixel */
+    for (c = 0; c < 3 && half->inner.identity; ++c) half->blur[c] = half->light[c]; /* under half of a larger pixel */
     ms_sss__run(&half->job, 0, frame->height, ms_sss__half_up);
     return MS_OK;
 }
@@ -3547,7 +3552,7 @@ typedef struct ms_sss__pyramid_state {
         kernel; /* that leaves its input alone: for the size on the screen, and for what comes after the sums */
     ms_sss__level level[MS_SSS_PYRAMID_LEVELS];
     int levels, at; /* at: of the run at hand */
-    ms_sss__pyramid_params growth;
+    ms_sss__pyramid_params params;
     ms_sss__tap tap[2][2][64];
     float *rows;      /* row buffers of the tasks */
     ptrdiff_t stride; /* floats of one */
@@ -3555,7 +3560,7 @@ typedef struct ms_sss__pyramid_state {
 
 /* Row buffers of a task: shares and changes of d of four rows of the picture; or the sums of a row, its shares and
    changes. */
-enum { MS_SSS__PYRAMID_ROWS = 12, MS_SSS__PYRAMID_ALONE = 3 /* levels from here on are too small to share */ };
+enum { MS_SSS__PYRAMID_ROWS = 12, MS_SSS__PYRAMID_SERIAL = 3 /* levels from here on are too small to share */ };
 
 /* An odd number of cache lines, so that many rows side by side do not fall on the same few sets of the cache. */
 static ptrdiff_t ms_sss__pyramid_stride(int width)
@@ -3564,13 +3569,13 @@ static ptrdiff_t ms_sss__pyramid_stride(int width)
     return floats / 16 % 2 ? floats : floats + 16;
 }
 
-static float *ms_sss__pyramid_row(const ms_sss__pyramid_state *tower, int task, int row)
+static float *ms_sss__pyramid_row(const ms_sss__pyramid_state *state, int task, int row)
 {
-    return tower->rows + ((ptrdiff_t)task * MS_SSS__PYRAMID_ROWS + row) * tower->stride + MS_SSS__LEFT;
+    return state->rows + ((ptrdiff_t)task * MS_SSS__PYRAMID_ROWS + row) * state->stride + MS_SSS__LEFT;
 }
 
 /* Bytes of the levels; base NULL: count only. */
-static size_t ms_sss__pyramid_levels(ms_sss__pyramid_state *tower, int width, int height, float *base)
+static size_t ms_sss__pyramid_levels(ms_sss__pyramid_state *state, int width, int height, float *base)
 {
     size_t at = 0;
     int l, i;
@@ -3581,18 +3586,18 @@ static size_t ms_sss__pyramid_levels(ms_sss__pyramid_state *tower, int width, in
         const size_t plane = ms__size_mul((size_t)stride, (size_t)height + 2 * (size_t)beyond);
         for (i = l == 0 ? (int)MS_SSS__D : 0; i < (l == 0 ? (int)MS_SSS__D + 1 : (int)MS_SSS__PYRAMID_PLANES); ++i) {
             if (base) {
-                float *p = tower->level[l].plane[i] = base + at + stride * beyond + MS_SSS__LEFT;
+                float *p = state->level[l].plane[i] = base + at + stride * beyond + MS_SSS__LEFT;
                 memset(p - stride * beyond - MS_SSS__LEFT, 0, (size_t)(stride * beyond) * sizeof(float));
                 memset(p + stride * height - MS_SSS__LEFT, 0, (size_t)(stride * beyond) * sizeof(float));
             }
             at = ms__size_add(at, plane);
         }
         if (base) {
-            tower->level[l].width = width;
-            tower->level[l].height = height;
-            tower->level[l].stride = stride;
-            tower->level[l].row = (ms_sss__row *)(void *)(base + at);
-            tower->levels = l + 1;
+            state->level[l].width = width;
+            state->level[l].height = height;
+            state->level[l].stride = stride;
+            state->level[l].row = (ms_sss__row *)(void *)(base + at);
+            state->levels = l + 1;
         }
         at = ms__size_add(at, 5 * (size_t)height);
         if (width <= 2 && height <= 2) break;
@@ -3603,14 +3608,14 @@ static size_t ms_sss__pyramid_levels(ms_sss__pyramid_state *tower, int width, in
 }
 
 /* Shares and changes of d of row y of the picture from column first on. */
-static void ms_sss__pyramid_slopes(const ms_sss__pyramid_state *tower, int task, int y, int first, int last,
+static void ms_sss__pyramid_slopes(const ms_sss__pyramid_state *state, int task, int y, int first, int last,
                                    float *const out[3])
 {
-    const ms_sss__job *job = &tower->job;
-    const ms_sss__level *v = &tower->level[0];
+    const ms_sss__job *job = &state->job;
+    const ms_sss__level *v = &state->level[0];
     const float *d[5], *normal[3];
     float *buffer[3];
-    const int given = job->frame.normal.channel[0] && tower->growth.slope_scale > 0;
+    const int given = job->frame.normal.channel[0] && state->params.slope_scale > 0;
     int i;
     for (i = 0; i < 5; ++i) d[i] = v->plane[MS_SSS__D] + ms_sss__clamp(y + i - 2, -1, v->height) * v->stride;
     for (i = 0; i < 3; ++i) {
@@ -3618,12 +3623,13 @@ static void ms_sss__pyramid_slopes(const ms_sss__pyramid_state *tower, int task,
     }
     if (given) ms_sss__load(job->simd, &job->frame.normal, 3, v->width, y, first, last - first, buffer, normal);
     for (i = 0; i < 3 && given; ++i) normal[i] -= first;
-    job->simd->slopes_of_d(&tower->growth, d, given ? normal : NULL, y, first, last, out);
+    job->simd->slopes_of_d(&state->params, d, given ? normal : NULL, y, first, last, out);
 }
 
 /* Clears what lies beside the columns that rows [from, to) of a level hold, as far as those of rows up to `beyond` away
    make others read it: where such rows are not within [begin, end), whole. */
-static void ms_sss__pyramid_clear(const ms_sss__level *v, int begin, int end, int from, int to, int beyond, int planes)
+static void ms_sss__pyramid_clear_outside(const ms_sss__level *v, int begin, int end, int from, int to, int beyond,
+                                          int planes)
 {
     int y, i, c;
     for (y = from; y < to; ++y) {
@@ -3650,15 +3656,15 @@ static void ms_sss__pyramid_clear(const ms_sss__level *v, int begin, int end, in
 }
 
 /* Rows [begin, end) of level at + 1 from those of level at. */
-static void ms_sss__pyramid_downsample(const ms_sss__pyramid_state *tower, int task, int begin, int end)
+static void ms_sss__pyramid_downsample(const ms_sss__pyramid_state *state, int task, int begin, int end)
 {
-    const ms_sss__level *fine = &tower->level[tower->at], *v = fine + 1;
-    const int tilted = tower->growth.slope_scale > 0;
-    ms_sss__pyramid_params growth = tower->growth;
+    const ms_sss__level *fine = &state->level[state->at], *v = fine + 1;
+    const int tilted = state->params.slope_scale > 0;
+    ms_sss__pyramid_params params = state->params;
     int y, i, c;
-    growth.step *= (float)(1 << tower->at);
-    growth.size /= (float)(1 << tower->at);
-    growth.size_max /= (float)(1 << tower->at);
+    params.step *= (float)(1 << state->at);
+    params.size /= (float)(1 << state->at);
+    params.size_max /= (float)(1 << state->at);
     for (y = begin; y < end; ++y) {
         int first = v->width, last = 0;
         const float *row[4][7];
@@ -3675,105 +3681,106 @@ static void ms_sss__pyramid_downsample(const ms_sss__pyramid_state *tower, int t
         for (i = 0; i < 4; ++i) {
             const int at = ms_sss__clamp(2 * y - 1 + i, -1, fine->height);
             for (c = 0; c < 7; ++c)
-                row[i][c] = tower->at > 0 || c < 4
+                row[i][c] = state->at > 0 || c < 4
                     ? fine->plane[c < 5 ? c : (int)MS_SSS__CHANGES + c - 5] + at * fine->stride
                     : NULL;
-            if (tower->at == 0 && tilted) { /* in a ring */
-                float *lie[3];
-                for (c = 0; c < 3; ++c) row[i][4 + c] = lie[c] = ms_sss__pyramid_row(tower, task, 3 * (at & 3) + c);
+            if (state->at == 0 && tilted) { /* in a ring */
+                float *slope[3];
+                for (c = 0; c < 3; ++c) row[i][4 + c] = slope[c] = ms_sss__pyramid_row(state, task, 3 * (at & 3) + c);
                 if (y > begin && i < 2) continue;
-                for (c = 0; c < 3; ++c) memset(lie[c] - MS_SSS__LEFT, 0, (size_t)tower->stride * sizeof(float));
+                for (c = 0; c < 3; ++c) memset(slope[c] - MS_SSS__LEFT, 0, (size_t)state->stride * sizeof(float));
                 if (at >= 0 && at < fine->height && fine->row[at].first < fine->row[at].last)
-                    ms_sss__pyramid_slopes(tower, task, at, fine->row[at].first, fine->row[at].last, lie);
+                    ms_sss__pyramid_slopes(state, task, at, fine->row[at].first, fine->row[at].last, slope);
             }
         }
         if (first >= last) continue;
         for (i = 0; i < 7; ++i) out[i] = v->plane[i < 5 ? i : (int)MS_SSS__CHANGES + i - 5] + y * v->stride;
-        tower->job.simd->downsample_level(&growth, row, first, last, out);
+        state->job.simd->downsample_level(&params, row, first, last, out);
         for (i = 0; i < 7; ++i)
             for (c = v->width; c < last; ++c) out[i][c] = 0;
     }
 }
 
 /* Clears beside rows [begin, end) of level at + 1: a gather reads 4 rows up and down. */
-static void ms_sss__pyramid_clear_beside(const ms_sss__pyramid_state *tower, int begin, int end)
+static void ms_sss__pyramid_clear_margins(const ms_sss__pyramid_state *state, int begin, int end)
 {
-    const int planes = tower->growth.slope_scale > 0 ? MS_SSS__PYRAMID_PLANES : MS_SSS__CHANGES;
-    ms_sss__pyramid_clear(&tower->level[tower->at + 1], begin, end, begin, end, 4, planes);
+    const int planes = state->params.slope_scale > 0 ? MS_SSS__PYRAMID_PLANES : MS_SSS__CHANGES;
+    ms_sss__pyramid_clear_outside(&state->level[state->at + 1], begin, end, begin, end, 4, planes);
 }
 
 /* The rows of level 1 that a band of the picture makes without its neighbours. */
-static void ms_sss__pyramid_own_rows(const ms_sss__pyramid_state *tower, int begin, int end, int *first, int *last)
+static void ms_sss__pyramid_independent_rows(const ms_sss__pyramid_state *state, int begin, int end, int *first,
+                                             int *last)
 {
-    const int height = tower->levels > 1 ? tower->level[1].height : 0;
+    const int height = state->levels > 1 ? state->level[1].height : 0;
     *first = begin > 0 ? ms_sss__clamp((begin + 4) / 2, 0, height)
                        : 0; /* 4 rows each, and 2 more on either side for their slopes */
-    *last = end < tower->level[0].height ? ms_sss__clamp((end - 3) / 2, *first, height) : height;
+    *last = end < state->level[0].height ? ms_sss__clamp((end - 3) / 2, *first, height) : height;
 }
 
 /* The picture, and of level 1 what needs no other band. */
 static void ms_sss__pyramid_load(void *context, int task)
 {
-    const ms_sss__pyramid_state *tower = (const ms_sss__pyramid_state *)context;
-    const ms_sss__job *job = &tower->job;
-    const ms_sss__level *v = &tower->level[0];
+    const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
+    const ms_sss__job *job = &state->job;
+    const ms_sss__level *v = &state->level[0];
     const int begin = job->begin + task * job->band;
     const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    const int behind = tower->growth.slope_scale > 0
+    const int behind = state->params.slope_scale > 0
         ? 4
         : 2; /* rows that a row of level 1 takes behind its first two, slopes 2 more */
     float *colour[3];
     int y, c, first, last, to, from = begin;
-    ms_sss__pyramid_own_rows(tower, begin, end, &first, &last);
+    ms_sss__pyramid_independent_rows(state, begin, end, &first, &last);
     for (y = begin; y < end; ++y) {
         float *depth = ms_sss__buffer(job, task, 17), *d = v->plane[MS_SSS__D] + y * v->stride;
         for (c = 0; c < 3; ++c) colour[c] = v->plane[c] + y * v->stride;
         ms_sss__prepare(job, y, task, &job->row[y], colour, depth);
-        job->simd->invert(&tower->growth, depth + job->row[y].first, job->row[y].last - job->row[y].first,
+        job->simd->invert(&state->params, depth + job->row[y].first, job->row[y].last - job->row[y].first,
                           d + job->row[y].first);
         if ((y + 1) % 16 && y + 1 < end) continue; /* while the cache holds them */
         to = y + 1 < end ? y - 1 : end;
-        ms_sss__pyramid_clear(v, begin, end, from, to, 2, MS_SSS__D + 1);
+        ms_sss__pyramid_clear_outside(v, begin, end, from, to, 2, MS_SSS__D + 1);
         from = to;
-        if (tower->levels < 2 || job->idle) continue;
+        if (state->levels < 2 || job->identity) continue;
         to = y + 1 < end ? ms_sss__clamp((to - 1 - behind) / 2 + 1, first, last) : last;
-        ms_sss__pyramid_downsample(tower, task, first, to);
+        ms_sss__pyramid_downsample(state, task, first, to);
         first = to;
     }
-    ms_sss__pyramid_own_rows(tower, begin, end, &first, &last);
-    if (tower->levels > 1 && !job->idle) ms_sss__pyramid_clear_beside(tower, first, last);
+    ms_sss__pyramid_independent_rows(state, begin, end, &first, &last);
+    if (state->levels > 1 && !job->identity) ms_sss__pyramid_clear_margins(state, first, last);
 }
 
 /* The rows of level 1 between bands. */
 static void ms_sss__pyramid_borders(void *context, int task)
 {
-    const ms_sss__pyramid_state *tower = (const ms_sss__pyramid_state *)context;
-    const ms_sss__job *job = &tower->job;
+    const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
+    const ms_sss__job *job = &state->job;
     const int begin = job->begin + task * job->band, end = begin + job->band, after = end + job->band;
     int first[2], last[2];
     if (end >= job->end) return;
-    ms_sss__pyramid_own_rows(tower, begin, end, &first[0], &last[0]);
-    ms_sss__pyramid_own_rows(tower, end, after < job->end ? after : job->end, &first[1], &last[1]);
-    ms_sss__pyramid_downsample(tower, task, last[0], first[1]);
-    ms_sss__pyramid_clear_beside(tower, last[0], first[1]);
+    ms_sss__pyramid_independent_rows(state, begin, end, &first[0], &last[0]);
+    ms_sss__pyramid_independent_rows(state, end, after < job->end ? after : job->end, &first[1], &last[1]);
+    ms_sss__pyramid_downsample(state, task, last[0], first[1]);
+    ms_sss__pyramid_clear_margins(state, last[0], first[1]);
 }
 
 static void ms_sss__pyramid_down(void *context, int task)
 {
-    const ms_sss__pyramid_state *tower = (const ms_sss__pyramid_state *)context;
-    const int begin = tower->job.begin + task * tower->job.band;
-    const int end = begin + tower->job.band < tower->job.end ? begin + tower->job.band : tower->job.end;
-    ms_sss__pyramid_downsample(tower, task, begin, end);
-    ms_sss__pyramid_clear_beside(tower, begin, end);
+    const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
+    const int begin = state->job.begin + task * state->job.band;
+    const int end = begin + state->job.band < state->job.end ? begin + state->job.band : state->job.end;
+    ms_sss__pyramid_downsample(state, task, begin, end);
+    ms_sss__pyramid_clear_margins(state, begin, end);
 }
 
 /* The sums of a band of level at from those of level at + 1; of the finest level the picture. */
 static void ms_sss__pyramid_upsample(void *context, int task)
 {
-    const ms_sss__pyramid_state *tower = (const ms_sss__pyramid_state *)context;
-    const ms_sss__job *job = &tower->job;
-    const ms_sss__level *v = &tower->level[tower->at], *coarse = v + 1;
-    const int begin = job->begin + task * job->band, tilted = tower->growth.slope_scale > 0;
+    const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
+    const ms_sss__job *job = &state->job;
+    const ms_sss__level *v = &state->level[state->at], *coarse = v + 1;
+    const int begin = job->begin + task * job->band, tilted = state->params.slope_scale > 0;
     const int end = begin + job->band < job->end ? begin + job->band : job->end;
     int y, i, c;
     for (y = begin; y < end; ++y) {
@@ -3781,36 +3788,37 @@ static void ms_sss__pyramid_upsample(void *context, int task)
         const int first = low / 32 * 32,
                   last = ms_sss__round_up(high, 32); /* the gather works on 2 vectors at a time */
         const float *own[3];
-        float *sum[6], *lie[3];
+        float *sum[6], *slope[3];
         if (low >= high) continue;
         for (i = 0; i < 6; ++i)
-            sum[i] = tower->at > 0 ? v->plane[MS_SSS__SUMS + i] + y * v->stride : ms_sss__pyramid_row(tower, task, i);
+            sum[i] = state->at > 0 ? v->plane[MS_SSS__SUMS + i] + y * v->stride : ms_sss__pyramid_row(state, task, i);
         own[0] = v->plane[MS_SSS__D] + y * v->stride;
-        for (i = 0; i < 3; ++i) lie[i] = ms_sss__pyramid_row(tower, task, 6 + i);
-        for (i = 1; i < 3; ++i) own[i] = tower->at > 0 ? v->plane[MS_SSS__CHANGES + i - 1] + y * v->stride : lie[i];
-        if (tower->at == 0 && tilted) {
-            ms_sss__pyramid_slopes(tower, task, y, low, high, lie);
+        for (i = 0; i < 3; ++i) slope[i] = ms_sss__pyramid_row(state, task, 6 + i);
+        for (i = 1; i < 3; ++i) own[i] = state->at > 0 ? v->plane[MS_SSS__CHANGES + i - 1] + y * v->stride : slope[i];
+        if (state->at == 0 && tilted) {
+            ms_sss__pyramid_slopes(state, task, y, low, high, slope);
             for (i = 0; i < 3; ++i) {
-                for (c = first; c < low; ++c) lie[i][c] = 0;
-                for (c = high; c < last; ++c) lie[i][c] = 0;
+                for (c = first; c < low; ++c) slope[i][c] = 0;
+                for (c = high; c < last; ++c) slope[i][c] = 0;
             }
         }
-        if (tower->at + 1 == tower->levels) {
+        if (state->at + 1 == state->levels) {
             for (i = 0; i < 6; ++i) memset(sum[i] + first, 0, (size_t)(last - first) * sizeof(float));
         } else {
-            job->simd->gather(&tower->growth, own, coarse->plane[0] + y / 2 * coarse->stride, first / 2, last / 2, y,
+            job->simd->gather(&state->params, own, coarse->plane[0] + y / 2 * coarse->stride, first / 2, last / 2, y,
                               sum);
         }
-        if (tower->at == 0) {
+        if (state->at == 0) {
             const ms_sss_image *image = &job->frame.output;
             const float *row[4];
             float *blur[4];
             for (c = 0; c < 4; ++c) row[c] = v->plane[c] + y * v->stride;
             for (c = 0; c < 4; ++c) blur[c] = ms_sss__buffer(job, task, c < 3 ? c : 17);
-            job->simd->resolve(&tower->growth, row, v->stride, (const float *const *)lie, (const float *const *)sum,
+            job->simd->resolve(&state->params, row, v->stride, (const float *const *)slope, (const float *const *)sum,
                                low, high, blur);
             for (c = 0; c < 4; ++c) blur[c] += low;
-            if (job->direct && job->row[y].whole && high <= v->width && ms_sss__solid(job, y, low, high))
+            if (job->writes_output && job->row[y].full_strength && high <= v->width &&
+                ms_sss__all_valid(job, y, low, high))
                 for (c = 0; c < 3; ++c)
                     job->simd->deliver(blur[c], high - low, (float *)image->channel[c] + y * image->row_stride + low);
             else ms_sss__finish(job, task, y, low, high - low, blur, blur[3]);
@@ -3819,7 +3827,7 @@ static void ms_sss__pyramid_upsample(void *context, int task)
 }
 
 /* The taps of all four kinds of pixels at a level whose rows are stride floats apart, the nearest first. */
-static void ms_sss__pyramid_sort_taps(ms_sss__pyramid_params *growth, ms_sss__tap tap[2][2][64], ptrdiff_t stride)
+static void ms_sss__pyramid_sort_taps(ms_sss__pyramid_params *params, ms_sss__tap tap[2][2][64], ptrdiff_t stride)
 {
     int y, x, i, j, n = 0;
     for (y = 0; y < 2; ++y) {
@@ -3830,46 +3838,46 @@ static void ms_sss__pyramid_sort_taps(ms_sss__pyramid_params *growth, ms_sss__ta
                 t.x = (x ? -3.25f : -3.75f) + (float)(i % 8);
                 t.y = (y ? -3.25f : -3.75f) + (float)(i / 8);
                 t.square = t.x * t.x + t.y * t.y;
-                t.rest = 1 - t.square / MS_SSS__GATHER(growth->wide, growth->level);
-                if (!growth->wide && (t.x < -3 || t.x > 3 || t.y < -3 || t.y > 3)) continue;
+                t.rest = 1 - t.square / MS_SSS__GATHER(params->wide, params->level);
+                if (!params->wide && (t.x < -3 || t.x > 3 || t.y < -3 || t.y > 3)) continue;
                 for (j = n++; j > 0 && tap[y][x][j - 1].square > t.square; --j) tap[y][x][j] = tap[y][x][j - 1];
                 tap[y][x][j] = t;
             }
         }
     }
-    growth->tap = (const ms_sss__tap(*)[2][64])tap;
-    growth->taps = n;
+    params->tap = (const ms_sss__tap(*)[2][64])tap;
+    params->taps = n;
 }
 
 /* What the gather's taps add up to, and the means of powers of the distance between light that enters and leaves, of
    which each stands somewhere in its pixel: variances of (1, 3, 3, 1) / 8 down to the level. */
-static void ms_sss__pyramid_tap_sums(ms_sss__pyramid_params *growth, int level)
+static void ms_sss__pyramid_tap_sums(ms_sss__pyramid_params *params, int level)
 {
     const double coarse = 0.5 * (1 - pow(4, -level - 1)), fine = 0.125 * (1 - pow(4, -level));
     double n = 0, r1 = 0, r2 = 0, r4 = 0;
     int i;
-    growth->core = 0;
+    params->core = 0;
     for (i = 0; i < 64; ++i) {
         const double x = i % 8 - 3.75, y = i / 8 - 3.75,
-                     t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER(growth->wide, level),
-                     w = t > 0 ? t * t * (growth->wide ? t : 1) : 0;
+                     t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER(params->wide, level),
+                     w = t > 0 ? t * t * (params->wide ? t : 1) : 0;
         const double r = x * x + y * y + coarse - fine;
-        growth->core += t > 0;
+        params->core += t > 0;
         n += w;
         r1 += w * sqrt(x * x + y * y + coarse);
         r2 += w * r;
         r4 += w * r * r;
     }
-    growth->level = level;
-    growth->inner = 1 / sqrtf(MS_SSS__GATHER(growth->wide, level));
-    growth->norm = (float)(1 / n);
-    growth->mean = (float)(r1 / r2);
-    growth->spread = (float)(r2 / r4);
-    growth->blur = (float)coarse;
+    params->level = level;
+    params->inner = 1 / sqrtf(MS_SSS__GATHER(params->wide, level));
+    params->norm = (float)(1 / n);
+    params->mean = (float)(r1 / r2);
+    params->spread = (float)(r2 / r4);
+    params->blur = (float)coarse;
     /* Two depths' errors, and of slopes, which average over the level, as much again for each of their pixels of 3.5
        there and back; each level's sums round a few times more. */
-    growth->rough = 10 * (0.5f * growth->rounding + 2.4e-7f * (float)(level + 1)) /
-        (growth->step * (float)(1 << (level + 1)));
+    params->plane_rounding = 10 * (0.5f * params->rounding + 2.4e-7f * (float)(level + 1)) /
+        (params->step * (float)(1 << (level + 1)));
 }
 
 /* As the plan of a filter with one term and without slopes, the levels, and what is too large for the stack. */
@@ -3879,7 +3887,7 @@ static MS_SSS__COLD size_t ms_sss__pyramid_layout(int width, int height, size_t 
     size_t floats;
     memset(&options, 0, sizeof options);
     options.flat = 1;
-    *before = ms_sss__plan(width, height, NULL, 0, &options, 0).total;
+    *before = ms_sss__plan_workspace(width, height, NULL, 0, &options, 0).total;
     floats = ms__size_mul((size_t)ms_sss__pyramid_stride(width), (size_t)MS_SSS__TASKS * (size_t)MS_SSS__PYRAMID_ROWS);
     floats = ms__size_add(floats, ms_sss__pyramid_levels(NULL, width, height, NULL));
     return ms__size_add(ms__size_add(*before, ms__size_mul(floats, sizeof(float))),
@@ -3894,41 +3902,41 @@ MS_API size_t ms_sss_pyramid_workspace(int width, int height)
 }
 
 /* Whether a pyramid can do what the options ask for. */
-static int ms_sss__pyramid_can(const ms_sss_filter_options *o)
+static int ms_sss__pyramid_supports(const ms_sss_filter_options *o)
 {
     return !ms_sss__differ(o->rotation, 0) && !(o->jitter > 0) &&
         !(o->pixels_per_mm[1] > 0 && ms_sss__differ(o->pixels_per_mm[0], o->pixels_per_mm[1]));
 }
 
 /* What all levels share, of a job whose kernel is set. */
-static MS_SSS__COLD void ms_sss__pyramid_set_params(ms_sss__pyramid_params *growth, const ms_sss__job *job,
+static MS_SSS__COLD void ms_sss__pyramid_set_params(ms_sss__pyramid_params *params, const ms_sss__job *job,
                                                     const ms_sss_pyramid *pyramid, int with_depth, float flat)
 {
     const ms_sss_filter_options *o = &job->options;
     double sigma;
     int c;
-    memset(growth, 0, sizeof *growth);
-    growth->table = pyramid->weight[o->exact];
-    growth->wide = o->exact;
-    growth->perspective = job->pass.perspective;
-    growth->shaped = with_depth && o->depth_mode == MS_SSS_DEPTH_AWARE;
-    growth->slope_scale = growth->shaped ? 1 - flat : 0;
-    growth->size = job->pass.size * pyramid->radius_mm;
-    growth->size_max = job->pass.size_max * pyramid->radius_mm;
-    growth->step = 1 / job->pass.focal[0];
-    growth->rounding = job->pass.rounding + (growth->perspective ? 1.2e-7f : 0); /* rounded once more when inverted */
-    growth->middle[0] = 0.5f * (float)job->full_width;
-    growth->middle[1] = 0.5f * (float)job->full_height;
-    growth->tangent = growth->perspective ? growth->step : 0;
+    memset(params, 0, sizeof *params);
+    params->table = pyramid->weight[o->exact];
+    params->wide = o->exact;
+    params->perspective = job->pass.perspective;
+    params->depth_aware = with_depth && o->depth_mode == MS_SSS_DEPTH_AWARE;
+    params->slope_scale = params->depth_aware ? 1 - flat : 0;
+    params->size = job->pass.size * pyramid->radius_mm;
+    params->size_max = job->pass.size_max * pyramid->radius_mm;
+    params->step = 1 / job->pass.focal[0];
+    params->rounding = job->pass.rounding + (params->perspective ? 1.2e-7f : 0); /* rounded once more when inverted */
+    params->middle[0] = 0.5f * (float)job->full_width;
+    params->middle[1] = 0.5f * (float)job->full_height;
+    params->tangent = params->perspective ? params->step : 0;
     sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm
                                   : (0.12 + 0.13 * (1 - (double)flat)) * (double)pyramid->radius_mm;
-    growth->reach = (float)(3.0746 * sigma / (double)pyramid->radius_mm); /* where (1 - q)^4 has the Gaussian's width */
-    growth->join = o->depth_sigma_mm > 0
-        ? growth->reach
-        : growth->reach + (1.5f - 0.7686f) * (1 - flat); /* as far as a gather reaches */
+    params->reach = (float)(3.0746 * sigma / (double)pyramid->radius_mm); /* where (1 - q)^4 has the Gaussian's width */
+    params->join = o->depth_sigma_mm > 0
+        ? params->reach
+        : params->reach + (1.5f - 0.7686f) * (1 - flat); /* as far as a gather reaches */
     for (c = 0; c < 3; ++c) {
-        growth->quarter[c] = pyramid->elevation[c] * (growth->slope_scale / 4);
-        growth->most[c] = pyramid->reflectance[c] > 0 ? 1 / pyramid->reflectance[c] : 1;
+        params->elevation_4[c] = pyramid->elevation[c] * (params->slope_scale / 4);
+        params->max_factor[c] = pyramid->reflectance[c] > 0 ? 1 / pyramid->reflectance[c] : 1;
     }
 }
 
@@ -3937,76 +3945,76 @@ static ms_status ms_sss__pyramid_apply(const ms_sss_frame *frame, const ms_sss_p
                                        int profiles, const ms_sss_filter_options *options, void *workspace,
                                        ms_error *error)
 {
-    ms_sss__pyramid_state *tower;
+    ms_sss__pyramid_state *state;
     ms_sss__job *job;
-    ms_sss__pyramid_params *growth;
-    ms_sss_filter_options upright;
+    ms_sss__pyramid_params *params;
+    ms_sss_filter_options flat_options;
     ms_status status;
     size_t before;
     float *at, *end;
     int c, l;
     ms_sss__pyramid_layout(frame->width, frame->height, &before);
     at = (float *)(((uintptr_t)workspace + before + 63) & ~(uintptr_t)63);
-    tower = (ms_sss__pyramid_state *)(void *)at;
-    at = (float *)(((uintptr_t)(tower + 1) + 63) & ~(uintptr_t)63);
-    job = &tower->job;
-    growth = &tower->growth;
-    memset(&tower->kernel, 0, sizeof tower->kernel);
-    tower->kernel.tap_count = tower->kernel.term_count = 1;
-    tower->kernel.radius_mm = pyramid->radius_mm;
-    for (c = 0; c < 3; ++c) tower->kernel.weight[0][0][c] = tower->kernel.scale[0][c] = 1;
-    upright = *options;
-    upright.flat = 1; /* slopes are the pyramid's own affair */
-    status = ms_sss__begin(job, frame, &tower->kernel, 1, &upright, workspace, before, before, 0, &end, error);
+    state = (ms_sss__pyramid_state *)(void *)at;
+    at = (float *)(((uintptr_t)(state + 1) + 63) & ~(uintptr_t)63);
+    job = &state->job;
+    params = &state->params;
+    memset(&state->kernel, 0, sizeof state->kernel);
+    state->kernel.tap_count = state->kernel.term_count = 1;
+    state->kernel.radius_mm = pyramid->radius_mm;
+    for (c = 0; c < 3; ++c) state->kernel.weight[0][0][c] = state->kernel.scale[0][c] = 1;
+    flat_options = *options;
+    flat_options.flat = 1; /* slopes are the pyramid's own affair */
+    status = ms_sss__begin(job, frame, &state->kernel, 1, &flat_options, workspace, before, before, 0, &end, error);
     if (status != MS_OK) return status;
     job->kernel_count = profiles;
-    at += ms_sss__pyramid_levels(tower, frame->width, frame->height, at);
-    tower->level[0].row = job->row;
-    for (c = 0; c < 3; ++c) tower->level[0].plane[c] = job->middle[c];
-    tower->rows = at;
-    tower->stride = ms_sss__pyramid_stride(frame->width);
+    at += ms_sss__pyramid_levels(state, frame->width, frame->height, at);
+    state->level[0].row = job->row;
+    for (c = 0; c < 3; ++c) state->level[0].plane[c] = job->middle[c];
+    state->rows = at;
+    state->stride = ms_sss__pyramid_stride(frame->width);
 
-    tower->at = 0;
-    ms_sss__set_kernel(job, &tower->kernel, profile);
+    state->at = 0;
+    ms_sss__set_kernel(job, &state->kernel, profile);
     ms_sss__set_term(job, 0);
-    job->direct = ms_sss__plain(job);
-    if (!(job->gain > 0)) job->idle = 1;
-    ms_sss__pyramid_set_params(growth, job, pyramid, frame->depth.channel[0] != NULL,
+    job->writes_output = ms_sss__no_compositing(job);
+    if (!(job->gain > 0)) job->identity = 1;
+    ms_sss__pyramid_set_params(params, job, pyramid, frame->depth.channel[0] != NULL,
                                options->flat); /* the job's own is 1 */
     ms_sss__run(job, 0, frame->height, ms_sss__pyramid_load);
-    if (job->idle) return MS_OK;
-    if (tower->levels > 1) ms_sss__run(job, 0, frame->height, ms_sss__pyramid_borders);
-    for (l = 1; l + 1 < tower->levels; ++l) {
-        tower->at = l;
-        if (l + 1 < MS_SSS__PYRAMID_ALONE) {
-            ms_sss__run(job, 0, tower->level[l + 1].height, ms_sss__pyramid_down);
+    if (job->identity) return MS_OK;
+    if (state->levels > 1) ms_sss__run(job, 0, frame->height, ms_sss__pyramid_borders);
+    for (l = 1; l + 1 < state->levels; ++l) {
+        state->at = l;
+        if (l + 1 < MS_SSS__PYRAMID_SERIAL) {
+            ms_sss__run(job, 0, state->level[l + 1].height, ms_sss__pyramid_down);
         } else {
             job->begin = 0;
-            job->end = job->band = tower->level[l + 1].height;
-            ms_sss__run_parallel(&job->options.parallel, 1, ms_sss__pyramid_down, tower);
+            job->end = job->band = state->level[l + 1].height;
+            ms_sss__run_parallel(&job->options.parallel, 1, ms_sss__pyramid_down, state);
         }
     }
-    for (l = tower->levels - 1; l >= 0; --l) {
-        tower->at = l;
-        ms_sss__pyramid_tap_sums(growth, l);
-        growth->sums = l + 2 < tower->levels;
-        if (l + 1 < tower->levels) {
-            growth->plane = tower->level[l + 1].plane[1] - tower->level[l + 1].plane[0];
-            ms_sss__pyramid_sort_taps(growth, tower->tap, tower->level[l + 1].stride);
+    for (l = state->levels - 1; l >= 0; --l) {
+        state->at = l;
+        ms_sss__pyramid_tap_sums(params, l);
+        params->sums = l + 2 < state->levels;
+        if (l + 1 < state->levels) {
+            params->plane = state->level[l + 1].plane[1] - state->level[l + 1].plane[0];
+            ms_sss__pyramid_sort_taps(params, state->tap, state->level[l + 1].stride);
         }
-        if (l < MS_SSS__PYRAMID_ALONE) {
-            ms_sss__run(job, 0, tower->level[l].height, ms_sss__pyramid_upsample);
+        if (l < MS_SSS__PYRAMID_SERIAL) {
+            ms_sss__run(job, 0, state->level[l].height, ms_sss__pyramid_upsample);
         } else {
             job->begin = 0;
-            job->end = job->band = tower->level[l].height;
-            ms_sss__run_parallel(&job->options.parallel, 1, ms_sss__pyramid_upsample, tower);
+            job->end = job->band = state->level[l].height;
+            ms_sss__run_parallel(&job->options.parallel, 1, ms_sss__pyramid_upsample, state);
         }
     }
     return MS_OK;
 }
 
 /* What the easy calls need: a workspace by malloc. */
-static MS_SSS__COLD void *ms_sss__own_workspace(size_t size, ms_error *error)
+static MS_SSS__COLD void *ms_sss__allocate_workspace(size_t size, ms_error *error)
 {
     void *workspace = size < SIZE_MAX ? malloc(size) : NULL;
     if (!workspace) ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a workspace of %z bytes", size);
@@ -4022,27 +4030,28 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
     status = ms_sss__check_sides(frame->width, frame->height, error);
     if (status == MS_OK && !workspace && !workspace_size) {
         workspace_size = ms_sss_pyramid_workspace(frame->width, frame->height);
-        if (!(workspace = ms_sss__own_workspace(workspace_size, error))) return MS_OUT_OF_MEMORY;
+        if (!(workspace = ms_sss__allocate_workspace(workspace_size, error))) return MS_OUT_OF_MEMORY;
         status = ms_sss_pyramid_filter(frame, pyramid, options, workspace, workspace_size, error);
         free(workspace);
         return status;
     }
     if (status == MS_OK)
-        status = ms_sss__check_lent(workspace, workspace_size, ms_sss_pyramid_workspace(frame->width, frame->height),
-                                    error);
+        status = ms_sss__check_workspace(workspace, workspace_size,
+                                         ms_sss_pyramid_workspace(frame->width, frame->height), error);
     if (status == MS_OK) status = ms_sss__check_options(options, error);
     if (status != MS_OK) return status;
-    if (frame->profile || !ms_sss__pyramid_can(options))
+    if (frame->profile || !ms_sss__pyramid_supports(options))
         return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has one kernel, round, without rotation or jitter");
     return ms_sss__pyramid_apply(frame, pyramid, 0, 1, options, workspace, error);
 }
 
 /* --- the entry: which method, and its workspace --- */
 
-static int ms_sss__may(const ms_sss_filter_options *o, ms_sss_method method)
+static int ms_sss__may_use(const ms_sss_filter_options *o, ms_sss_method method)
 {
     if (o->method != MS_SSS_METHOD_AUTO) return o->method == method;
-    return method == MS_SSS_METHOD_TAPS || (method == MS_SSS_METHOD_PYRAMID && o->pyramids && ms_sss__pyramid_can(o));
+    return method == MS_SSS_METHOD_TAPS ||
+        (method == MS_SSS_METHOD_PYRAMID && o->pyramids && ms_sss__pyramid_supports(o));
 }
 
 static ms_sss_method ms_sss__choose(ms_sss__job *job, const ms_sss_kernel *k, int profile)
@@ -4050,7 +4059,7 @@ static ms_sss_method ms_sss__choose(ms_sss__job *job, const ms_sss_kernel *k, in
     const ms_sss_filter_options *o = &job->options;
     double radius = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : (double)k->radius_mm;
     if (o->method != MS_SSS_METHOD_AUTO) return o->method;
-    if (!ms_sss__may(o, MS_SSS_METHOD_PYRAMID)) return MS_SSS_METHOD_TAPS;
+    if (!ms_sss__may_use(o, MS_SSS_METHOD_PYRAMID)) return MS_SSS_METHOD_TAPS;
     ms_sss__set_kernel(job, k, profile);
     radius *= (double)job->pass.size;
     if (job->pass.perspective) {
@@ -4065,12 +4074,12 @@ MS_SSS__COLD MS_API size_t ms_sss_filter_workspace(int width, int height, const 
 {
     size_t size = 0, needed;
     if (ms_sss__check_sides(width, height, NULL) != MS_OK || !kernels || !options) return SIZE_MAX;
-    if (ms_sss__may(options, MS_SSS_METHOD_TAPS))
-        size = ms_sss__plan(width, height, kernels, kernel_count, options, MS_SSS__PASSES).total;
-    if (ms_sss__may(options, MS_SSS_METHOD_HALF) &&
-        size < (needed = ms_sss__half_plan(width, height, kernels, kernel_count, options)))
+    if (ms_sss__may_use(options, MS_SSS_METHOD_TAPS))
+        size = ms_sss__plan_workspace(width, height, kernels, kernel_count, options, MS_SSS__PASSES).total;
+    if (ms_sss__may_use(options, MS_SSS_METHOD_HALF) &&
+        size < (needed = ms_sss__half_workspace(width, height, kernels, kernel_count, options)))
         size = needed;
-    if (ms_sss__may(options, MS_SSS_METHOD_PYRAMID) && size < (needed = ms_sss_pyramid_workspace(width, height)))
+    if (ms_sss__may_use(options, MS_SSS_METHOD_PYRAMID) && size < (needed = ms_sss_pyramid_workspace(width, height)))
         size = needed;
     return size ? size : SIZE_MAX;
 }
@@ -4079,37 +4088,37 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
                                const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                ms_error *error)
 {
-    ms_sss__job job;              /* to check everything before anything is written, and for the sizes of kernels */
-    ms_sss_filter_options agreed; /* on millimetres */
+    ms_sss__job job;                /* to check everything before anything is written, and for the sizes of kernels */
+    ms_sss_filter_options resolved; /* on millimetres */
     ms_status status;
     float *end;
     int i;
     if (!frame || !kernels || !options) return MS_SSS__REFUSE(error, "frame, kernels or options is NULL");
     if (!workspace && !workspace_size && ms_sss__check_sides(frame->width, frame->height, NULL) == MS_OK) {
         workspace_size = ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options);
-        if (!(workspace = ms_sss__own_workspace(workspace_size, error))) return MS_OUT_OF_MEMORY;
+        if (!(workspace = ms_sss__allocate_workspace(workspace_size, error))) return MS_OUT_OF_MEMORY;
         status = ms_sss_filter(frame, kernels, kernel_count, options, workspace, workspace_size, error);
         free(workspace);
         return status;
     }
     status = ms_sss__begin(&job, frame, kernels, kernel_count, options, workspace, workspace_size,
                            ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options),
-                           MS_SSS__BARE, &end, error);
+                           MS_SSS__ROW_BUFFERS, &end, error);
     if (status != MS_OK) return status;
-    if (options->method == MS_SSS_METHOD_PYRAMID && (!options->pyramids || !ms_sss__pyramid_can(options)))
+    if (options->method == MS_SSS_METHOD_PYRAMID && (!options->pyramids || !ms_sss__pyramid_supports(options)))
         return ms__fail(error, MS_UNSUPPORTED, 0,
                         options->pyramids ? "a pyramid is round, without rotation or jitter"
                                           : "method is MS_SSS_METHOD_PYRAMID, but options.pyramids is NULL");
-    agreed = *options;
-    if (!(agreed.mm_per_unit > 0)) agreed.mm_per_unit = 1;
+    resolved = *options;
+    if (!(resolved.mm_per_unit > 0)) resolved.mm_per_unit = 1;
     for (i = 0; i < kernel_count && (i == 0 || frame->profile); ++i) {
         const ms_sss_method method = ms_sss__choose(&job, &kernels[i], i);
         if (frame->taken) frame->taken[i] = method;
         status = method == MS_SSS_METHOD_PYRAMID
-            ? ms_sss__pyramid_apply(frame, &options->pyramids[i], i, kernel_count, &agreed, workspace, error)
+            ? ms_sss__pyramid_apply(frame, &options->pyramids[i], i, kernel_count, &resolved, workspace, error)
             : method == MS_SSS_METHOD_HALF
-            ? ms_sss__half_filter(frame, kernels, i, kernel_count, &agreed, workspace, workspace_size, error)
-            : ms_sss__taps_filter(&job, frame, kernels, i, kernel_count, &agreed, workspace, workspace_size, error);
+            ? ms_sss__half_filter(frame, kernels, i, kernel_count, &resolved, workspace, workspace_size, error)
+            : ms_sss__taps_filter(&job, frame, kernels, i, kernel_count, &resolved, workspace, workspace_size, error);
         if (status != MS_OK) return status;
     }
     return MS_OK;
@@ -4988,7 +4997,7 @@ static int ms_sss__shader_stride(const ms_sss_shader *s) { return MS_SSS__PROFIL
 
 static int ms_sss__shader_profiles(const ms_sss_shader *s) { return s->profile_count > 0 ? s->profile_count : 1; }
 
-static int ms_sss__shader_tower(const ms_sss_shader *s) { return (int)s->step >= (int)MS_SSS_STEP_BASE; }
+static int ms_sss__shader_pyramid(const ms_sss_shader *s) { return (int)s->step >= (int)MS_SSS_STEP_BASE; }
 
 /* Terms whose constants a step reads. */
 static int ms_sss__shader_terms(const ms_sss_shader *s)
@@ -4999,10 +5008,10 @@ static int ms_sss__shader_terms(const ms_sss_shader *s)
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
 {
     if (shader == NULL) return 0;
-    if (!ms_sss__shader_tower(shader) && (shader->tap_count < 1 || shader->tap_count > MS_SSS_TAPS_MAX)) return 0;
+    if (!ms_sss__shader_pyramid(shader) && (shader->tap_count < 1 || shader->tap_count > MS_SSS_TAPS_MAX)) return 0;
     if (shader->profile_count > MS_SSS_SHADER_PROFILES_MAX || shader->term_count > MS_SSS_TERMS_MAX) return 0;
     if (shader->step == MS_SSS_STEP_RESOLVE) return MS_SSS__LEVEL_HEAD + 3 * MS_SSS_PYRAMID_SIZES;
-    if (ms_sss__shader_tower(shader))
+    if (ms_sss__shader_pyramid(shader))
         return MS_SSS__LEVEL_HEAD + (shader->step == MS_SSS_STEP_GATHER ? MS_SSS_PYRAMID_SIZES : 0);
     return MS_SSS__PICTURE_HEAD +
         ms_sss__shader_terms(shader) * ms_sss__shader_profiles(shader) * ms_sss__shader_stride(shader);
@@ -5070,7 +5079,7 @@ static MS_SSS__COLD void ms_sss__emit_dialect(ms_sss__text *text, const char *s,
 }
 
 /* Whether slopes count; ms_sss_filter asks the same. */
-static int ms_sss__shader_shaped(const ms_sss_shader *s, const ms_sss_filter_options *o)
+static int ms_sss__shader_slopes(const ms_sss_shader *s, const ms_sss_filter_options *o)
 {
     return s->depth != MS_SSS_NONE && o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE;
 }
@@ -5082,14 +5091,14 @@ static MS_SSS__COLD void ms_sss__emit_shader(ms_sss__text *text, const ms_sss_sh
                                             "normal", "surface", "coarse",   "coarse_surface", "weight"};
     const ms_sss__dialect *d = &ms_sss__dialects[s->language];
     const int constants = ms_sss_shader_constant_count(s);
-    const int tower = ms_sss__shader_tower(s), base = s->step == MS_SSS_STEP_BASE,
+    const int tower = ms_sss__shader_pyramid(s), base = s->step == MS_SSS_STEP_BASE,
               gather = s->step == MS_SSS_STEP_GATHER, resolve = s->step == MS_SSS_STEP_RESOLVE;
     const int up = s->step == MS_SSS_STEP_UP, down = s->step == MS_SSS_STEP_DOWN, second = s->step == MS_SSS_STEP_Y;
     const int pass = second || s->step == MS_SSS_STEP_X, halved = pass && s->half_resolution;
     const int raw = tower ? base : !pass || (!second && !halved);
     const int depth = s->depth != MS_SSS_NONE, profile = s->profile != MS_SSS_NONE;
     const int both_alpha = s->depth == MS_SSS_ALPHA && s->profile == MS_SSS_ALPHA;
-    const int shape = ms_sss__shader_shaped(s, o), turned = ms_sss__differ(o->rotation, 0) || o->jitter > 0;
+    const int shape = ms_sss__shader_slopes(s, o), turned = ms_sss__differ(o->rotation, 0) || o->jitter > 0;
     const int normal = s->with_normal && shape && !s->half_resolution && (pass || base);
     const int used[NAMES] = {1,
                              s->depth == MS_SSS_TEXTURE && raw,
@@ -5138,9 +5147,9 @@ static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, const
                                         {"term_count", (double)s->term_count, 0, MS_SSS_TERMS_MAX}};
         if ((status = ms_sss__check_ranges(ranges, sizeof ranges / sizeof ranges[0], error)) != MS_OK) return status;
     }
-    if (ms_sss__shader_tower(s) && !ms_sss__pyramid_can(o))
+    if (ms_sss__shader_pyramid(s) && !ms_sss__pyramid_supports(o))
         return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round, without rotation or jitter");
-    if (!ms_sss__shader_tower(s) && (s->tap_count < 1 || s->tap_count > MS_SSS_TAPS_MAX || s->tap_count % 2 == 0))
+    if (!ms_sss__shader_pyramid(s) && (s->tap_count < 1 || s->tap_count > MS_SSS_TAPS_MAX || s->tap_count % 2 == 0))
         return MS_SSS__REFUSE(error, "tap_count %d: expected an odd number from 1 to %d", s->tap_count,
                               MS_SSS_TAPS_MAX);
     if (s->profile_count > 1 && s->profile == MS_SSS_NONE)
@@ -5211,14 +5220,15 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, 
 
 /* The job that ms_sss_filter would make of a kernel. */
 static MS_SSS__COLD void ms_sss__shader_job(ms_sss__job *job, const ms_sss_kernel *k,
-                                            const ms_sss_filter_options *options, int width, int height, int shaped)
+                                            const ms_sss_filter_options *options, int width, int height,
+                                            int with_slopes)
 {
     memset(job, 0, sizeof *job);
     job->frame.width = job->full_width = width;
     job->frame.height = job->full_height = height;
     job->coarse = 1;
     job->options = *options;
-    job->shaped = shaped;
+    job->with_slopes = with_slopes;
     ms_sss__set_kernel(job, k, 0);
 }
 
@@ -5233,7 +5243,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
     double focal;
     if (!kernels || !out) return MS_SSS__REFUSE(error, "kernels or out is NULL");
     if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
-    if (ms_sss__shader_tower(shader))
+    if (ms_sss__shader_pyramid(shader))
         return MS_SSS__REFUSE(error, "step %d: ms_sss_shader_pyramid has its constants", (int)shader->step);
     if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
     count = ms_sss__shader_profiles(shader);
@@ -5274,12 +5284,12 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
         float(*at)[4] = out + MS_SSS__PICTURE_HEAD + i * stride;
         ms_sss_shader_profile profile;
         memset(&profile, 0, sizeof profile);
-        ms_sss__shader_job(&job, k, options, width, height, ms_sss__shader_shaped(shader, options));
+        ms_sss__shader_job(&job, k, options, width, height, ms_sss__shader_slopes(shader, options));
         profile.radius_mm = k->radius_mm;
         profile.depth_scale = job.depth_scale;
-        profile.cut = job.pass.apart * job.pass.apart;
+        profile.cut = job.pass.split_dz * job.pass.split_dz;
         profile.reach = job.pass.reach;
-        memcpy(profile.curve, job.pass.curve, sizeof profile.curve);
+        memcpy(profile.curve, job.pass.elevation_4, sizeof profile.curve);
         memcpy(profile.root, job.pass.root, sizeof profile.root);
         if (t < k->term_count) {
             ms_sss__totals(k, t, job.pass.total, job.pass.mixed);
@@ -5320,7 +5330,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
     int levels, i, c;
     if (!pyramid || !out) return MS_SSS__REFUSE(error, "pyramid or out is NULL");
     if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
-    if (!ms_sss__shader_tower(shader))
+    if (!ms_sss__shader_pyramid(shader))
         return MS_SSS__REFUSE(error, "step %d: ms_sss_shader_constants has its constants", (int)shader->step);
     if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
     levels = ms_sss_shader_levels(width, height);
@@ -5342,9 +5352,9 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
                                                     g.step / unit, g.tangent}, /* depth as it is given */
                                                    {shader->step == MS_SSS_STEP_SHRINK ? g.join : g.reach,
                                                     g.slope_scale, (float)(1 << (level + 1)), MS_SSS__GATHER(0, level)},
-                                                   {g.quarter[0], g.quarter[1], g.quarter[2], g.norm},
-                                                   {g.most[0], g.most[1], g.most[2], g.mean},
-                                                   {g.spread, g.rough * unit, g.rounding,
+                                                   {g.elevation_4[0], g.elevation_4[1], g.elevation_4[2], g.norm},
+                                                   {g.max_factor[0], g.max_factor[1], g.max_factor[2], g.mean},
+                                                   {g.spread, g.plane_rounding * unit, g.rounding,
                                                     level + 2 < levels       ? 2.0f
                                                         : level + 1 < levels ? 1.0f
                                                                              : 0.0f}};
@@ -5405,7 +5415,7 @@ static int ms_sss__marquardt(const double *H, const double *g, double lambda, in
 }
 
 /* Steps along directions that change nothing can be of any size; weights are of the order of 1. */
-static double ms_sss__bounded(double step) { return step < -1e6 ? -1e6 : step > 1e6 ? 1e6 : step; }
+static double ms_sss__bound_factor(double step) { return step < -1e6 ? -1e6 : step > 1e6 ? 1e6 : step; }
 
 /* A sum of squares of n unknowns. evaluate: its value at x, which it may move to where bounds are kept, and the normal
    equations H step = g of a step from there (lower triangle, from zeros). */
@@ -5444,7 +5454,7 @@ static double ms_sss__descend(const ms_sss__squares *p, double *x, double *scrat
             lambda *= p->growth;
         }
         if (!ms_sss__marquardt(H, g, lambda, p->n, work, step)) break;
-        for (i = 0; i < p->n; ++i) trial[i] = x[i] + ms_sss__bounded(step[i]);
+        for (i = 0; i < p->n; ++i) trial[i] = x[i] + ms_sss__bound_factor(step[i]);
     }
     return least;
 }
@@ -6541,17 +6551,17 @@ static void ms_sss__fit_move(const ms_sss__fit *fit, const ms_sss__curve *from, 
     int c, t, i;
     *to = *from;
     for (i = 1; i <= fit->moved; ++i) {
-        double o = from->offset[i] + ms_sss__bounded(*step++);
+        double o = from->offset[i] + ms_sss__bound_factor(*step++);
         to->offset[i] = o < 0.05 ? 0.05 : o > 2 * fit->d->cells + 2 ? 2 * fit->d->cells + 2 : o;
     }
     for (c = fit->first; c < fit->end; ++c) {
         for (t = 0; t < fit->terms; ++t)
             for (i = 0; i <= fit->pairs; ++i) {
-                double w = from->weight[c][t][i], q = sqrt(t == 0 ? w : 0) + ms_sss__bounded(*step++);
+                double w = from->weight[c][t][i], q = sqrt(t == 0 ? w : 0) + ms_sss__bound_factor(*step++);
                 to->weight[c][t][i] = t == 0 ? q * q : w + q;
             }
         if (fit->use_delta) {
-            double q = sqrt(from->delta[c]) + ms_sss__bounded(*step++);
+            double q = sqrt(from->delta[c]) + ms_sss__bound_factor(*step++);
             to->delta[c] = q * q < 0.99 * to->energy[c] ? q * q : 0.99 * to->energy[c];
         }
     }
@@ -7567,15 +7577,15 @@ MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness
 
 #undef MS_SSS__FEATURE_LIST
 #undef MS_SSS__REFUSE
-#undef MS_SSS__TAKE
-#undef MS_SSS__TAKEN
+#undef MS_SSS__CLAIM
+#undef MS_SSS__CLAIMED
 #undef MS_SSS__PICK
 #undef MS_SSS__INLINE
-#undef MS_SSS__APART
+#undef MS_SSS__NOINLINE
 #undef MS_SSS__ALIGNED
 #undef MS_SSS__COLD
 #undef MS_SSS__PREFETCH
-#undef MS_SSS__AWAY
+#undef MS_SSS__MASKED_DEPTH
 #undef MS_SSS__SPARSE
 #undef MS_SSS__AREA_MAX
 #undef MS_SSS__LIGHT_MAX
@@ -7761,16 +7771,16 @@ static int MS__F(mask_by)(const float *value, float scale, int count, const floa
     int x, begin = -1, end = 0;
     for (x = 0; x < count; x += MS__N) {
         const MS__V v = MS__LOAD(value + x), z = MS__MUL(v, s);
-        const MS__MASK part = MS__BOTH(MS__LESS(zero, v), MS__LESS(MS__LOAD(before + x), infinity));
-        const unsigned bits = MS__BITS(part);
-        if (!(scale > 0)) partial |= MS__BITS(MS__BOTH(part, MS__LESS(v, one)));
+        const MS__MASK valid = MS__BOTH(MS__LESS(zero, v), MS__LESS(MS__LOAD(before + x), infinity));
+        const unsigned bits = MS__BITS(valid);
+        if (!(scale > 0)) partial |= MS__BITS(MS__BOTH(valid, MS__LESS(v, one)));
         if (bits == full) {
             MS__STORE(depth + x, z);
             if (begin < 0) begin = x;
             end = x + MS__N;
             continue;
         }
-        MS__STORE(depth + x, MS__SELECT(part, z, infinity));
+        MS__STORE(depth + x, MS__SELECT(valid, z, infinity));
         if (!bits) continue;
         if (begin < 0) begin = x + ms_sss__lowest(bits);
         end = x + ms_sss__highest(bits) + 1;
@@ -7790,22 +7800,22 @@ static int MS__F(load_masked)(const float *const in[3], const float *const albed
     int x, all = 1;
     for (x = 0; x < count; x += MS__N) {
         MS__V r = MS__LOAD(in[0] + x), g = MS__LOAD(in[1] + x), b = MS__LOAD(in[2] + x), z = MS__LOAD(before + x);
-        MS__MASK part = MS__LESS(z, infinity);
+        MS__MASK valid = MS__LESS(z, infinity);
         if (albedo) {
             r = MS__MUL(r, MS__LOAD(albedo[0] + x));
             g = MS__MUL(g, MS__LOAD(albedo[1] + x));
             b = MS__MUL(b, MS__LOAD(albedo[2] + x));
         }
-        part = MS__BOTH(part, MS__LESS(MS__ABS(r), most));
-        part = MS__BOTH(part, MS__LESS(MS__ABS(g), most));
-        part = MS__BOTH(part, MS__LESS(MS__ABS(b), most));
-        if (MS__BITS(part) != full) {
+        valid = MS__BOTH(valid, MS__LESS(MS__ABS(r), most));
+        valid = MS__BOTH(valid, MS__LESS(MS__ABS(g), most));
+        valid = MS__BOTH(valid, MS__LESS(MS__ABS(b), most));
+        if (MS__BITS(valid) != full) {
             const unsigned inside = ms_sss__lanes(end - x, MS__N) & ~ms_sss__lanes(begin - x, MS__N);
-            if ((MS__BITS(part) & inside) != inside) all = 0;
-            r = MS__SELECT(part, r, zero);
-            g = MS__SELECT(part, g, zero);
-            b = MS__SELECT(part, b, zero);
-            z = MS__SELECT(part, z, infinity);
+            if ((MS__BITS(valid) & inside) != inside) all = 0;
+            r = MS__SELECT(valid, r, zero);
+            g = MS__SELECT(valid, g, zero);
+            b = MS__SELECT(valid, b, zero);
+            z = MS__SELECT(valid, z, infinity);
         }
         MS__STORE(colour[0] + x, r);
         MS__STORE(colour[1] + x, g);
@@ -7857,9 +7867,9 @@ static void MS__F(convolve_valid)(const ms_sss__fixed *f, const float *const in[
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), infinity = MS__SET(INFINITY);
     int x, j;
     for (x = 0; x < count; x += MS__N) {
-        const MS__MASK part = MS__LESS(MS__LOAD(own_depth + x), infinity);
+        const MS__MASK valid = MS__LESS(MS__LOAD(own_depth + x), infinity);
         MS__V r = zero, g = zero, b = zero, nr = zero, ng = zero, nb = zero;
-        for (j = 0; j < taps && MS__BITS(part); ++j) {
+        for (j = 0; j < taps && MS__BITS(valid); ++j) {
             MS__V v = MS__SELECT(MS__LESS(MS__LOAD(depth[j] + x), infinity), one, zero);
             MS__V wr = MS__SET(f->weight[0][tap[j]]), wg = MS__SET(f->weight[1][tap[j]]),
                   wb = MS__SET(f->weight[2][tap[j]]);
@@ -7873,9 +7883,9 @@ static void MS__F(convolve_valid)(const ms_sss__fixed *f, const float *const in[
         r = MS__F(restore)(r, nr, MS__LOAD(in[0] + x), f->total[0], f->mixed[0]);
         g = MS__F(restore)(g, ng, MS__LOAD(in[1] + x), f->total[1], f->mixed[1]);
         b = MS__F(restore)(b, nb, MS__LOAD(in[2] + x), f->total[2], f->mixed[2]);
-        MS__STORE(out[0] + x, MS__SELECT(part, r, zero));
-        MS__STORE(out[1] + x, MS__SELECT(part, g, zero));
-        MS__STORE(out[2] + x, MS__SELECT(part, b, zero));
+        MS__STORE(out[0] + x, MS__SELECT(valid, r, zero));
+        MS__STORE(out[1] + x, MS__SELECT(valid, g, zero));
+        MS__STORE(out[2] + x, MS__SELECT(valid, b, zero));
     }
 }
 
@@ -7966,7 +7976,7 @@ static void MS__F(slopes)(const ms_sss__pass *p, const float *const depth[5], co
     int x;
     for (x = begin; x < end; x += MS__N) {
         const MS__V z = MS__LOAD(depth[2] + x), rx = MS__F(ray)(p, x);
-        const MS__MASK part = MS__LESS(z, infinity);
+        const MS__MASK valid = MS__LESS(z, infinity);
         MS__V sx, sy, k;
         if (normal) {
             const MS__V c = MS__LOAD(normal[2] + x),
@@ -7989,8 +7999,8 @@ static void MS__F(slopes)(const ms_sss__pass *p, const float *const depth[5], co
             sx = MS__F(slope)(p, p->focal[0], across);
             sy = MS__F(slope)(p, p->focal[1], down);
         }
-        sx = MS__SELECT(MS__BOTH(part, MS__LESS(MS__ABS(sx), infinity)), MS__MUL(sx, MS__SET(p->slope_scale)), zero);
-        sy = MS__SELECT(MS__BOTH(part, MS__LESS(MS__ABS(sy), infinity)), MS__MUL(sy, MS__SET(p->slope_scale)), zero);
+        sx = MS__SELECT(MS__BOTH(valid, MS__LESS(MS__ABS(sx), infinity)), MS__MUL(sx, MS__SET(p->slope_scale)), zero);
+        sy = MS__SELECT(MS__BOTH(valid, MS__LESS(MS__ABS(sy), infinity)), MS__MUL(sy, MS__SET(p->slope_scale)), zero);
         MS__STORE(slope[0] + x, sx);
         MS__STORE(slope[1] + x, sy);
     }
@@ -8027,15 +8037,15 @@ static MS_SSS__INLINE MS__V MS__F(falloff)(MS__V d)
 }
 
 /* What of a depth is more than rounding. */
-static MS_SSS__INLINE MS__V MS__F(residual)(MS__V depth, MS__V grain)
+static MS_SSS__INLINE MS__V MS__F(residual)(MS__V depth, MS__V rounding)
 {
-    return MS__SUB(depth, MS__MAX(MS__MIN(depth, grain), MS__SUB(MS__SET(0.0f), grain)));
+    return MS__SUB(depth, MS__MAX(MS__MIN(depth, rounding), MS__SUB(MS__SET(0.0f), rounding)));
 }
 
 /* (1 + K sin(theta) / 4)^4 */
 static MS_SSS__INLINE MS__V MS__F(elevate)(const ms_sss__pass *p, int channel, MS__V sine)
 {
-    MS__V u = MS__MADD(MS__SET(p->curve[channel]), sine, MS__SET(1.0f));
+    MS__V u = MS__MADD(MS__SET(p->elevation_4[channel]), sine, MS__SET(1.0f));
     u = MS__MUL(u, u);
     return MS__MUL(u, u);
 }
@@ -8043,14 +8053,15 @@ static MS_SSS__INLINE MS__V MS__F(elevate)(const ms_sss__pass *p, int channel, M
 /* Which pixels take part and have kernels of half a pixel or more. */
 static MS_SSS__INLINE MS__MASK MS__F(need)(const ms_sss__pass *p, MS__V z)
 {
-    return MS__BOTH(MS__LESS(z, MS__SET(MS_SSS__AWAY / 2)), MS__LESS(MS__SET(p->size_min), MS__F(size)(p, z)));
+    return MS__BOTH(MS__LESS(z, MS__SET(MS_SSS__MASKED_DEPTH / 2)), MS__LESS(MS__SET(p->size_min), MS__F(size)(p, z)));
 }
 
 /* Makes depths of what takes no part finite. */
 static void MS__F(limit)(float *depth, int count)
 {
     int x;
-    for (x = 0; x < count; x += MS__N) MS__STORE(depth + x, MS__MIN(MS__LOAD(depth + x), MS__SET(MS_SSS__AWAY)));
+    for (x = 0; x < count; x += MS__N)
+        MS__STORE(depth + x, MS__MIN(MS__LOAD(depth + x), MS__SET(MS_SSS__MASKED_DEPTH)));
 }
 
 /* The least and the largest of all lanes. */
@@ -8094,36 +8105,37 @@ static void MS__F(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis,
     int x, k;
     for (x = first, plan += first / MS__N * plan_size; x < last; x += MS__N, plan += plan_size) {
         const MS__V z = MS__LOAD(depth + x), pixels = MS__F(size)(p, z);
-        const MS__MASK need = MS__BOTH(MS__LESS(z, MS__SET(MS_SSS__AWAY / 2)), MS__LESS(MS__SET(p->size_min), pixels));
+        const MS__MASK need = MS__BOTH(MS__LESS(z, MS__SET(MS_SSS__MASKED_DEPTH / 2)),
+                                       MS__LESS(MS__SET(p->size_min), pixels));
         const unsigned bits = MS__BITS(need);
         MS__V own = size ? MS__LOAD(size + x) : pixels;
         float at[MS__N], least, most;
-        int kind, beside = 0;
+        int kind, off_by_one = 0;
         if (bits == all &&
             MS__BITS(MS__BOTH(MS__LESS(MS__SET(least_size), own), MS__LESS(own, MS__SET(most_size)))) == all) {
             for (k = 0; k < plan_size; k += 4) memcpy(plan + k, last_plan + k, 4);
             continue;
         }
-        plan[0] = bits ? MS_SSS__ANY : MS_SSS__LEAVE;
+        plan[0] = bits ? MS_SSS__PLAN_BY_LANE : MS_SSS__PLAN_NONE;
         if (!bits || !pairs) continue;
         if (bits != all) {
             MS__STORE(at, own);
             own = MS__SELECT(need, own, MS__SET(at[ms_sss__lowest(bits)]));
         }
-        kind = bits == all ? MS_SSS__ALL : MS_SSS__SOME;
+        kind = bits == all ? MS_SSS__PLAN_ALL_LANES : MS_SSS__PLAN_SOME_LANES;
         MS__F(bounds)(own, &least, &most);
         for (k = 0; k < pairs; ++k) {
             int low, high;
-            if (!(most * offset[k][0] < (float)MS_SSS__FAR)) break; /* NaN, too */
+            if (!(most * offset[k][0] < (float)MS_SSS__PAIR_REACH)) break; /* NaN, too */
             low = (int)(least * offset[k][0]);
             high = (int)(most * offset[k][0]);
             if (high > low + 1) break;
-            beside |= high - low;
+            off_by_one |= high - low;
             plan[k + 1] = (unsigned char)(low + (high > low ? MS_SSS__OFF_BY_ONE : 0));
         }
         if (k < pairs) continue;
-        plan[0] = (unsigned char)(kind == MS_SSS__ALL && !beside ? MS_SSS__ONE : kind);
-        if (plan[0] != MS_SSS__ONE) continue;
+        plan[0] = (unsigned char)(kind == MS_SSS__PLAN_ALL_LANES && !off_by_one ? MS_SSS__PLAN_ONE_OFFSET : kind);
+        if (plan[0] != MS_SSS__PLAN_ONE_OFFSET) continue;
         last_plan = plan;
         least_size = 0;
         most_size = INFINITY;
@@ -8209,7 +8221,7 @@ static void MS__F(deliver)(const float *from, int count, float *to)
 /* The least positive depth, or AWAY. */
 static float MS__F(least)(const float *depth, int count)
 {
-    const MS__V zero = MS__SET(0.0f), away = MS__SET(MS_SSS__AWAY);
+    const MS__V zero = MS__SET(0.0f), away = MS__SET(MS_SSS__MASKED_DEPTH);
     MS__V least = away;
     float lane[MS__N];
     int x;
@@ -8226,19 +8238,19 @@ static float MS__F(least)(const float *depth, int count)
 }
 
 /* With slopes: what a pixel dz over the tangent plane weighs of its share of a tap. */
-static MS_SSS__INLINE MS__V MS__F(tilted_weight)(MS__V dz, MS__V share, MS__V remote)
+static MS_SSS__INLINE MS__V MS__F(tilted_weight)(MS__V dz, MS__V share, MS__V dz_falloff)
 {
     const MS__V one = MS__SET(1.0f), q = MS__MUL(dz, dz), f = MS__MAX(MS__SUB(one, q), MS__SET(0.0f));
-    return MS__MUL(share, MS__DIV(f, MS__MADD(remote, q, one)));
+    return MS__MUL(share, MS__DIV(f, MS__MADD(dz_falloff, q, one)));
 }
 
 /* How much more surface a side of weight sum at height `below` stands for; away: height of the pair before, then of
    this one. */
-static MS_SSS__INLINE MS__V MS__F(surface_ratio)(MS__V sum, MS__V below, MS__V bulge, MS__V *away)
+static MS_SSS__INLINE MS__V MS__F(surface_ratio)(MS__V sum, MS__V below, MS__V area_scale, MS__V *away)
 {
     MS__V more = MS__DIV(MS__NMADD(sum, *away, below), MS__ADD(sum, MS__SET(MS_SSS__SPARSE)));
     *away = MS__ADD(*away, more);
-    more = MS__MUL(more, bulge);
+    more = MS__MUL(more, area_scale);
     return MS__MIN(MS__MADD(more, more, MS__SET(1.0f)), MS__SET(MS_SSS__AREA_MAX));
 }
 
@@ -8247,7 +8259,7 @@ static MS_SSS__INLINE MS__V MS__F(surface_ratio)(MS__V sum, MS__V below, MS__V b
 typedef struct MS__F(pair) {
     const float *light;            /* red of the first group's own pixels */
     ptrdiff_t at[4], plane, group; /* floats to i, i + 1, -i, -i - 1; to the next channel; to the next group */
-    MS__V whole[MS_SSS__GROUPS];   /* i */
+    MS__V offset[MS_SSS__GROUPS];  /* i */
 } MS__F(pair);
 
 /* What the four pixels weigh, and on both sides how far they lie below the tangent plane, mm. */
@@ -8262,11 +8274,12 @@ static MS_SSS__INLINE void MS__F(find_pair)(const ms_sss__sweep *s, const ms_sss
     const ptrdiff_t *step = l->step;
     const float *first = l->from + x / MS__N * l->group;
     const unsigned char *plan = l->plan + x / MS__N * s->plan_size;
-    const int place = plan[0] < MS_SSS__SOME ? 0 : plan[k + 1], i = place & (MS_SSS__OFF_BY_ONE - 1);
+    const int place = plan[0] < MS_SSS__PLAN_SOME_LANES ? 0 : plan[k + 1], i = place & (MS_SSS__OFF_BY_ONE - 1);
     int g, side, c, differ = place & MS_SSS__OFF_BY_ONE;
-    for (g = 0; g < n; ++g) differ |= plan[g * s->plan_size] < MS_SSS__SOME || plan[g * s->plan_size + k + 1] != place;
+    for (g = 0; g < n; ++g)
+        differ |= plan[g * s->plan_size] < MS_SSS__PLAN_SOME_LANES || plan[g * s->plan_size + k + 1] != place;
     if (!differ) {
-        for (g = 0; g < MS_SSS__GROUPS; ++g) pair->whole[g] = MS__SET(ms_sss__iota[i]);
+        for (g = 0; g < MS_SSS__GROUPS; ++g) pair->offset[g] = MS__SET(ms_sss__iota[i]);
         for (side = 0; side < 4; ++side) pair->at[side] = step[side < 2 ? i + side : 2 - i - side];
         pair->light = first;
         pair->plane = l->plane;
@@ -8274,10 +8287,11 @@ static MS_SSS__INLINE void MS__F(find_pair)(const ms_sss__sweep *s, const ms_sss
         return;
     }
     for (g = 0; g < n; ++g, first += l->group, plan += s->plan_size) {
-        const int mine = plan[0] < MS_SSS__SOME ? 0 : plan[k + 1], j = mine & (MS_SSS__OFF_BY_ONE - 1), more = mine > j;
+        const int mine = plan[0] < MS_SSS__PLAN_SOME_LANES ? 0 : plan[k + 1], j = mine & (MS_SSS__OFF_BY_ONE - 1),
+                  more = mine > j;
         const MS__V low = MS__SET(ms_sss__iota[j]), high = MS__SET(ms_sss__iota[j + more]);
         const MS__MASK is_low = MS__LESS(MS__MUL(size[g], MS__LOAD(s->offset[l->axis][k])), high);
-        pair->whole[g] = MS__SELECT(is_low, low, high);
+        pair->offset[g] = MS__SELECT(is_low, low, high);
         for (side = 0; side < 4; ++side) {
             const float *a = first + step[side < 2 ? j + side : 2 - j - side];
             const float *b = first + step[side < 2 ? j + side + more : 2 - j - side - more];
@@ -8292,7 +8306,7 @@ static MS_SSS__INLINE void MS__F(find_pair)(const ms_sss__sweep *s, const ms_sss
 }
 
 /* Of a group with depth z; t: the taps' distance in pixels; group at column x. */
-static MS_SSS__INLINE void MS__F(weigh_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped,
+static MS_SSS__INLINE void MS__F(weigh_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const int with_slopes,
                                              const ms_sss__line *l, int x, int k, const float *depth,
                                              const ptrdiff_t *at, MS__V whole, MS__V z, MS__V t, MS__F(weights) * w)
 {
@@ -8303,13 +8317,14 @@ static MS_SSS__INLINE void MS__F(weigh_pair)(const ms_sss__sweep *s, const ms_ss
     int i;
     MS__UNROLL
     for (i = 0; i < 4; ++i) dz[i] = MS__SUB(there[i], z);
-    if (!shaped) {
+    if (!with_slopes) {
         MS__UNROLL
         for (i = 0; i < 4; ++i) w->pixel[i] = MS__MUL(share[i % 2], MS__F(falloff)(dz[i]));
         return;
     }
     {
-        const MS__V slope = MS__LOAD(l->own[1] + x), facing = MS__LOAD(l->own[2] + x), remote = MS__LOAD(s->remote[k]);
+        const MS__V slope = MS__LOAD(l->own[1] + x), facing = MS__LOAD(l->own[2] + x),
+                    dz_falloff = MS__LOAD(s->dz_falloff[k]);
         const MS__V inner_rise = MS__MUL(slope, whole), rise[2] = {inner_rise, MS__ADD(inner_rise, slope)};
         const MS__V rounding = MS__MUL(z, MS__SET(p->rounding)),
                     least = MS__MADD(rounding, t, MS__ADD(rounding, rounding));
@@ -8317,7 +8332,7 @@ static MS_SSS__INLINE void MS__F(weigh_pair)(const ms_sss__sweep *s, const ms_ss
         for (i = 0; i < 4; ++i) { /* off the tangent plane, which rises on one side and falls on the other */
             const MS__V scale = p->perspective ? there[i] : one;
             dz[i] = i < 2 ? MS__NMADD(rise[i % 2], scale, dz[i]) : MS__MADD(rise[i % 2], scale, dz[i]);
-            w->pixel[i] = MS__F(tilted_weight)(dz[i], share[i % 2], remote);
+            w->pixel[i] = MS__F(tilted_weight)(dz[i], share[i % 2], dz_falloff);
         }
         MS__UNROLL
         for (i = 0; i < 2; ++i)
@@ -8330,20 +8345,20 @@ static MS_SSS__INLINE void MS__F(weigh_pair)(const ms_sss__sweep *s, const ms_ss
 
 /* A group's sums over its taps: light, weights, weights times the elevation's factor. */
 typedef struct MS__F(sums) {
-    MS__V light[3], weight[3], lifted[3], before[2]; /* before: how far below the plane the pair before lay */
+    MS__V light[3], weight[3], elevated[3], before[2]; /* before: how far below the plane the pair before lay */
 } MS__F(sums);
 
-static MS_SSS__INLINE void MS__F(add_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped, int k,
+static MS_SSS__INLINE void MS__F(add_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const int with_slopes, int k,
                                            const float *light, ptrdiff_t plane, const ptrdiff_t *at, MS__F(weights) * w,
                                            MS__F(sums) * sum)
 {
     MS__V all, side[2], height[2];
     int i, c;
-    if (shaped) {
+    if (with_slopes) {
         MS__UNROLL
         for (i = 0; i < 2; ++i) { /* more surface where it bends away, more light where it lies below */
             const MS__V area = MS__F(surface_ratio)(MS__ADD(w->pixel[2 * i], w->pixel[2 * i + 1]), w->below[i],
-                                                    MS__LOAD(s->bulge[k]), &sum->before[i]);
+                                                    MS__LOAD(s->area_scale[k]), &sum->before[i]);
             w->pixel[2 * i] = MS__MUL(w->pixel[2 * i], area);
             w->pixel[2 * i + 1] = MS__MUL(w->pixel[2 * i + 1], area);
             height[i] = w->below[i];
@@ -8364,28 +8379,29 @@ static MS_SSS__INLINE void MS__F(add_pair)(const ms_sss__sweep *s, const ms_sss_
             e[i] = MS__MADD(w->pixel[2 * i + 1], MS__LOAD(light + at[2 * i + 1]),
                             MS__MUL(w->pixel[2 * i], MS__LOAD(light + at[2 * i])));
         sum->weight[c] = MS__MADD(all, tap, sum->weight[c]);
-        if (!shaped) {
+        if (!with_slopes) {
             sum->light[c] = MS__MADD(tap, MS__ADD(e[0], e[1]), sum->light[c]);
             continue;
         }
         MS__UNROLL
         for (i = 0; i < 2; ++i) { /* tap (1 + K sin(theta) / 4)^4 */
-            factor[i] = MS__MADD(height[i], MS__LOAD(s->lift[k][c][0]), MS__LOAD(s->lift[k][c][1]));
+            factor[i] = MS__MADD(height[i], MS__LOAD(s->elevation[k][c][0]), MS__LOAD(s->elevation[k][c][1]));
             factor[i] = MS__MUL(factor[i], factor[i]);
             factor[i] = MS__MUL(factor[i], factor[i]);
-            if (!s->plain && s->weight[k + 1][c][0] < 0) factor[i] = MS__SUB(MS__SET(0.0f), factor[i]);
+            if (!s->nonnegative && s->weight[k + 1][c][0] < 0) factor[i] = MS__SUB(MS__SET(0.0f), factor[i]);
         }
-        sum->lifted[c] = MS__MADD(factor[1], side[1], MS__MADD(factor[0], side[0], sum->lifted[c]));
+        sum->elevated[c] = MS__MADD(factor[1], side[1], MS__MADD(factor[0], side[0], sum->elevated[c]));
         sum->light[c] = MS__MADD(factor[1], e[1], MS__MADD(factor[0], e[0], sum->light[c]));
     }
 }
 
 /* n groups from column x on by pairs of taps; shaped: with slopes. Of each pair first all groups' weights, then all
    their sums: the chains of one group are long. */
-static MS_SSS__INLINE void MS__F(taps)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped,
+static MS_SSS__INLINE void MS__F(taps)(const ms_sss__sweep *s, const ms_sss__pass *p, const int with_slopes,
                                        const ms_sss__line *l, int x, int n, MS__V (*out)[3])
 {
-    const int axis = l->axis, simple = (!shaped || s->plain) && s->simple, width = MS_SSS__GROUPS * MS__N;
+    const int axis = l->axis, normalised = (!with_slopes || s->nonnegative) && s->normalised,
+              width = MS_SSS__GROUPS * MS__N;
     const ptrdiff_t here = l->step[0];
     const float *first = l->from + x / MS__N * l->group, *light;
     const unsigned char *plan = l->plan + x / MS__N * s->plan_size;
@@ -8396,25 +8412,25 @@ static MS_SSS__INLINE void MS__F(taps)(const ms_sss__sweep *s, const ms_sss__pas
     MS__F(sums) sum[MS_SSS__GROUPS];
     int g, k, c, i, some = 0;
     for (g = 0, light = first + here; g < n; ++g, light += l->group) {
-        some |= plan[g * s->plan_size] >= MS_SSS__SOME;
-        size[g] = shaped ? MS__LOAD(l->own[0] + x + g * MS__N) : MS__F(size)(p, MS__LOAD(light + 3 * l->plane));
+        some |= plan[g * s->plan_size] >= MS_SSS__PLAN_SOME_LANES;
+        size[g] = with_slopes ? MS__LOAD(l->own[0] + x + g * MS__N) : MS__F(size)(p, MS__LOAD(light + 3 * l->plane));
         sum[g].before[0] = sum[g].before[1] = MS__SET(0.0f);
         MS__UNROLL
         for (c = 0; c < 3; ++c) {
-            sum[g].weight[c] = sum[g].lifted[c] = MS__LOAD(s->weight[0][c]);
+            sum[g].weight[c] = sum[g].elevated[c] = MS__LOAD(s->weight[0][c]);
             sum[g].light[c] = MS__MUL(sum[g].weight[c], MS__LOAD(light + c * l->plane));
         }
     }
     if (!some) return;
-    for (c = 0; c < 3 && axis && shaped; ++c) /* the next groups, as below */
+    for (c = 0; c < 3 && axis && with_slopes; ++c) /* the next groups, as below */
         for (i = 0; i < width; i += 16) MS_SSS__PREFETCH((const char *)(l->own[c] + x + width + i));
     for (k = 0; k < s->pairs; ++k) {
         const MS__V offset = MS__LOAD(s->offset[axis][k]);
-        const int whole = plan[0] < MS_SSS__SOME ? 0 : plan[k + 1] & (MS_SSS__OFF_BY_ONE - 1);
+        const int whole = plan[0] < MS_SSS__PLAN_SOME_LANES ? 0 : plan[k + 1] & (MS_SSS__OFF_BY_ONE - 1);
         MS__F(find_pair)(s, l, x, n, k, size, copy, &pair);
         for (g = 0, light = pair.light; g < n; ++g, light += pair.group) {
             MS__F(weigh_pair)
-            (s, p, shaped, l, x + g * MS__N, k, light + 3 * pair.plane, pair.at, pair.whole[g],
+            (s, p, with_slopes, l, x + g * MS__N, k, light + 3 * pair.plane, pair.at, pair.offset[g],
              MS__LOAD(first + g * l->group + here + 3 * l->plane), MS__MUL(size[g], offset), &weights[g]);
             for (c = 0; c < 4 && axis;
                  c += 16 / MS__N) { /* rows lie far apart: the next groups of the taps' outer ones */
@@ -8424,15 +8440,15 @@ static MS_SSS__INLINE void MS__F(taps)(const ms_sss__sweep *s, const ms_sss__pas
             }
         }
         for (g = 0, light = pair.light; g < n; ++g, light += pair.group)
-            MS__F(add_pair)(s, p, shaped, k, light, pair.plane, pair.at, &weights[g], &sum[g]);
+            MS__F(add_pair)(s, p, with_slopes, k, light, pair.plane, pair.at, &weights[g], &sum[g]);
     }
     for (g = 0, light = first + here; g < n; ++g, light += l->group) {
         MS__UNROLL
         for (c = 0; c < 3; ++c) {
             MS__V all = sum[g].weight[c];
-            if (shaped && (s->plain || !p->mixed[c]))
-                all = MS__MAX(all, MS__MUL(sum[g].lifted[c], MS__SET(p->root[c])));
-            if (simple) out[g][c] = MS__DIV(sum[g].light[c], all);
+            if (with_slopes && (s->nonnegative || !p->mixed[c]))
+                all = MS__MAX(all, MS__MUL(sum[g].elevated[c], MS__SET(p->root[c])));
+            if (normalised) out[g][c] = MS__DIV(sum[g].light[c], all);
             else
                 out[g][c] = MS__F(restore)(sum[g].light[c], all, MS__LOAD(light + c * l->plane), p->total[c],
                                            p->mixed[c]);
@@ -8442,33 +8458,33 @@ static MS_SSS__INLINE void MS__F(taps)(const ms_sss__sweep *s, const ms_sss__pas
 
 /* The group at column x by any taps along an axis, or turned: along each pixel's own. A tap's two pixels along each
    axis are read where they lie if all lanes have one place, else put together place by place. */
-static MS_SSS__APART void MS__F(any)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x,
-                                     MS__V out[3])
+static MS_SSS__NOINLINE void MS__F(any)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x,
+                                        MS__V out[3])
 {
-    const ms_sss__rotation *turn = l->turn;
-    const int rows = l->axis == 0 ? 1 : 2, columns = l->axis == 1 ? 1 : 2, shaped = s->shaped;
-    const int height = turn ? turn->height : l->count, width = l->axis == 1 ? x + MS__N : l->count;
+    const ms_sss__rotation *rotation = l->rotation;
+    const int rows = l->axis == 0 ? 1 : 2, columns = l->axis == 1 ? 1 : 2, with_slopes = s->with_slopes;
+    const int height = rotation ? rotation->height : l->count, width = l->axis == 1 ? x + MS__N : l->count;
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f);
     const float *here = l->from + x / MS__N * l->group, *at = here + l->step[0];
-    const MS__V z = MS__LOAD(at + 3 * l->plane), grain = MS__MUL(z, MS__SET(p->rounding));
+    const MS__V z = MS__LOAD(at + 3 * l->plane), rounding = MS__MUL(z, MS__SET(p->rounding));
     const unsigned pending = MS__BITS(MS__F(need)(p, z));
     MS__V size = MS__F(size)(p, z), facing = zero, rise[2] = {zero, zero}, d[2] = {zero, zero}, away[2] = {zero, zero};
-    MS__V sum[3] = {zero, zero, zero}, norm[3] = {zero, zero, zero}, lifted[3] = {zero, zero, zero};
-    float inner[2] = {0, 0}, lane[2][MS__N], apart[2][8 * MS__N];
+    MS__V sum[3] = {zero, zero, zero}, norm[3] = {zero, zero, zero}, elevated[3] = {zero, zero, zero};
+    float inner[2] = {0, 0}, lane[2][MS__N], gathered[2][8 * MS__N];
     MS__MASK same;
     unsigned left;
     int order, k, c, i, j;
     if (!pending) return;
-    if (turn) {
-        const float sign = turn->second ? -1.0f : 1.0f;
+    if (rotation) {
+        const float sign = rotation->second ? -1.0f : 1.0f;
         for (i = 0; i < MS__N; ++i) {
-            const float *to = turn->direction[ms_sss__direction_of(x + i, l->at)];
-            lane[0][i] = sign * to[turn->second];
-            lane[1][i] = to[!turn->second];
+            const float *to = rotation->direction[ms_sss__direction_of(x + i, l->at)];
+            lane[0][i] = sign * to[rotation->second];
+            lane[1][i] = to[!rotation->second];
         }
         d[0] = MS__LOAD(lane[0]);
         d[1] = MS__LOAD(lane[1]);
-        if (shaped) {
+        if (with_slopes) {
             const MS__V sx = MS__LOAD(l->own[0] + x), sy = MS__LOAD(l->own[1] + x);
             const MS__V rx = MS__F(ray)(p, x), ry = MS__SET(((float)l->at + 0.5f - p->middle[1]) * p->tangent);
             const MS__V ray = MS__MADD(d[0], rx, MS__MUL(d[1], ry));
@@ -8480,7 +8496,7 @@ static MS_SSS__APART void MS__F(any)(const ms_sss__sweep *s, const ms_sss__pass 
         }
     } else {
         d[l->axis] = one;
-        if (shaped) {
+        if (with_slopes) {
             size = MS__LOAD(l->own[0] + x);
             rise[l->axis] = MS__LOAD(l->own[1] + x);
             facing = MS__LOAD(l->own[2] + x);
@@ -8488,12 +8504,12 @@ static MS_SSS__APART void MS__F(any)(const ms_sss__sweep *s, const ms_sss__pass 
     }
     for (i = 0; i < 2; ++i) d[i] = MS__MUL(d[i], MS__MUL(size, MS__SET(p->aspect[i])));
     for (order = 1; order < p->tap_count; ++order) { /* with slopes outwards */
-        const float mm = p->offset_mm[k = shaped ? order : p->tap_count - order];
+        const float mm = p->offset_mm[k = with_slopes ? order : p->tap_count - order];
         const MS__V t = MS__MUL(MS__SET(mm), d[0]), t_y = MS__MUL(MS__SET(mm), d[1]);
         const MS__V whole = MS__FLOOR(t), whole_y = MS__FLOOR(t_y);
-        const MS__V remote = MS__SET(shaped ? ms_sss__remote(p, mm) : 0);
+        const MS__V dz_falloff = MS__SET(with_slopes ? ms_sss__dz_falloff(p, mm) : 0);
         MS__V share[2][2], tap[3] = {zero, zero, zero}, n = zero, below = zero, sine = zero;
-        const float *row[2] = {apart[0], apart[1]};
+        const float *row[2] = {gathered[0], gathered[1]};
         ptrdiff_t plane = l->plane, next = 1;
         int together = 0;
         share[0][1] = MS__SUB(t, whole);
@@ -8512,7 +8528,7 @@ static MS_SSS__APART void MS__F(any)(const ms_sss__sweep *s, const ms_sss__pass 
                 if (together) row[j] = from + first;
                 for (i = 0; i < columns && !together; ++i) {
                     const float *at_i = from + ms_sss__clamp(first + i, -MS__N - x, width - x);
-                    float *to = apart[j] + 4 * i * MS__N;
+                    float *to = gathered[j] + 4 * i * MS__N;
                     MS__UNROLL
                     for (c = 0; c < 4; ++c, at_i += plane, to += MS__N)
                         MS__STORE(to,
@@ -8529,29 +8545,29 @@ static MS_SSS__APART void MS__F(any)(const ms_sss__sweep *s, const ms_sss__pass 
                 const float *from = row[j] + i * next;
                 MS__V there = MS__LOAD(from + 3 * plane), dz = MS__SUB(there, z);
                 MS__V f = MS__MUL(share[0][i], share[1][j]);
-                if (!shaped) {
+                if (!with_slopes) {
                     f = MS__MUL(f, MS__F(falloff)(dz));
                 } else {
                     MS__V gain = MS__MADD(rise[0], whole, MS__MUL(rise[1], whole_y)), q;
                     if (i) gain = MS__ADD(gain, rise[0]);
                     if (j) gain = MS__ADD(gain, rise[1]);
-                    there = MS__MIN(there, MS__SET(MS_SSS__AWAY)); /* turned axes meet infinite ones */
+                    there = MS__MIN(there, MS__SET(MS_SSS__MASKED_DEPTH)); /* turned axes meet infinite ones */
                     dz = MS__NMADD(gain, p->perspective ? there : one, MS__SUB(there, z));
                     q = MS__MIN(MS__MUL(dz, dz), one);
-                    f = MS__MUL(MS__NMADD(f, q, f), MS__F(inverse)(MS__MADD(remote, q, one)));
+                    f = MS__MUL(MS__NMADD(f, q, f), MS__F(inverse)(MS__MADD(dz_falloff, q, one)));
                     below = MS__MADD(f, dz, below);
                 }
                 MS__UNROLL
                 for (c = 0; c < 3; ++c) tap[c] = MS__MADD(f, MS__LOAD(from + c * plane), tap[c]);
                 n = MS__ADD(n, f);
             }
-        if (shaped) {
+        if (with_slopes) {
             MS__V area;
-            area = MS__MADD(grain, MS__ADD(MS__ABS(t), MS__ABS(t_y)), MS__ADD(grain, grain));
+            area = MS__MADD(rounding, MS__ADD(MS__ABS(t), MS__ABS(t_y)), MS__ADD(rounding, rounding));
             below = MS__MUL(facing, MS__F(residual)(below, area));
             sine = MS__MUL(below, MS__SET(fabsf(mm) > 1e-20f ? 1 / fabsf(mm) : 0.0f));
             sine = MS__MAX(MS__MIN(sine, one), MS__SET(p->least));
-            area = MS__SET(ms_sss__bulge(p, mm, &inner[mm < 0]));
+            area = MS__SET(ms_sss__area_scale(p, mm, &inner[mm < 0]));
             area = MS__F(surface_ratio)(n, below, area, &away[mm < 0]);
             n = MS__MUL(n, area);
             MS__UNROLL
@@ -8561,9 +8577,9 @@ static MS_SSS__APART void MS__F(any)(const ms_sss__sweep *s, const ms_sss__pass 
         for (c = 0; c < 3; ++c) {
             MS__V w = MS__SET(p->weight[k][c]);
             norm[c] = MS__MADD(w, n, norm[c]);
-            if (shaped) {
+            if (with_slopes) {
                 w = MS__MUL(w, MS__F(elevate)(p, c, sine));
-                lifted[c] = MS__MADD(w, n, lifted[c]);
+                elevated[c] = MS__MADD(w, n, elevated[c]);
             }
             sum[c] = MS__MADD(w, tap[c], sum[c]);
         }
@@ -8572,15 +8588,15 @@ static MS_SSS__APART void MS__F(any)(const ms_sss__sweep *s, const ms_sss__pass 
     for (c = 0; c < 3; ++c) {
         const MS__V own = MS__LOAD(at + c * l->plane), w = MS__SET(p->weight[0][c]);
         norm[c] = MS__ADD(norm[c], w);
-        lifted[c] = MS__MUL(MS__SET(p->root[c]), MS__ADD(lifted[c], w));
-        if (shaped && !p->mixed[c]) norm[c] = MS__MAX(norm[c], lifted[c]);
+        elevated[c] = MS__MUL(MS__SET(p->root[c]), MS__ADD(elevated[c], w));
+        if (with_slopes && !p->mixed[c]) norm[c] = MS__MAX(norm[c], elevated[c]);
         out[c] = MS__F(restore)(MS__MADD(own, w, sum[c]), norm[c], own, p->total[c], p->mixed[c]);
     }
 }
 
 /* What pairs cannot do in the group at column x. */
-static MS_SSS__APART void MS__F(rest)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x,
-                                      int kind, MS__V out[3])
+static MS_SSS__NOINLINE void MS__F(rest)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x,
+                                         int kind, MS__V out[3])
 {
     const float *here = l->from + x / MS__N * l->group + l->step[0];
     const MS__MASK need = MS__F(need)(p, MS__LOAD(here + 3 * l->plane));
@@ -8588,14 +8604,14 @@ static MS_SSS__APART void MS__F(rest)(const ms_sss__sweep *s, const ms_sss__pass
     int c;
     for (c = 0; c < 3; ++c) {
         own[c] = MS__MUL(MS__LOAD(here + c * l->plane), MS__SET(p->total[c]));
-        if (kind < MS_SSS__SOME) out[c] = own[c];
+        if (kind < MS_SSS__PLAN_SOME_LANES) out[c] = own[c];
     }
-    if (kind == MS_SSS__ANY) MS__F(any)(s, p, l, x, out);
-    for (c = 0; c < 3 && kind != MS_SSS__LEAVE; ++c) out[c] = MS__SELECT(need, out[c], own[c]);
+    if (kind == MS_SSS__PLAN_BY_LANE) MS__F(any)(s, p, l, x, out);
+    for (c = 0; c < 3 && kind != MS_SSS__PLAN_NONE; ++c) out[c] = MS__SELECT(need, out[c], own[c]);
 }
 
 /* A pass of several rows between columns first and last, chunk by chunk so that what they share stays in the cache. */
-static MS_SSS__INLINE void MS__F(sweep)(const ms_sss__sweep *s, const ms_sss__pass *p, const int shaped,
+static MS_SSS__INLINE void MS__F(sweep)(const ms_sss__sweep *s, const ms_sss__pass *p, const int with_slopes,
                                         const ms_sss__line *line, int lines, int first, int last)
 {
     int x, y, g, c;
@@ -8607,11 +8623,11 @@ static MS_SSS__INLINE void MS__F(sweep)(const ms_sss__sweep *s, const ms_sss__pa
             MS__V out[MS_SSS__GROUPS][3];
             if (x < l->first || x >= l->last) continue;
             depth = l->from + x / MS__N * l->group + l->step[0] + 3 * l->plane;
-            if (s->pairs) MS__F(taps)(s, p, shaped, l, x, n, out);
+            if (s->pairs) MS__F(taps)(s, p, with_slopes, l, x, n, out);
             for (g = 0; g < n; ++g) {
                 const int kind = l->plan[(x / MS__N + g) * s->plan_size];
                 const ptrdiff_t at = (x / MS__N + g) * l->to_group;
-                if (kind < MS_SSS__ALL) MS__F(rest)(s, p, l, x + g * MS__N, kind, out[g]);
+                if (kind < MS_SSS__PLAN_ALL_LANES) MS__F(rest)(s, p, l, x + g * MS__N, kind, out[g]);
                 MS__UNROLL
                 for (c = 0; c < 3; ++c) MS__STORE(l->to[c] + at, out[g][c]);
                 if (l->axis == 0) MS__STORE(l->to[2] + at + MS__N, MS__LOAD(depth + g * l->group));
@@ -8625,8 +8641,8 @@ static void MS__F(sweep_flat)(const ms_sss__sweep *s, const ms_sss__pass *p, con
     MS__F(sweep)(s, p, 0, line, lines, first, last);
 }
 
-static void MS__F(sweep_shaped)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines,
-                                int first, int last)
+static void MS__F(sweep_with_slopes)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines,
+                                     int first, int last)
 {
     MS__F(sweep)(s, p, 1, line, lines, first, last);
 }
@@ -8661,18 +8677,19 @@ static void MS__F(fade)(const ms_sss__pass *p, const float *strength, float gain
 /* Every four pixels of two rows of colour and depth become one: the mean of those near the nearest. count: of columns
    of the result; unit: of the rows' depths. Returns whether all take part; if some do not, they must have depth
    INFINITY. */
-static int MS__F(downsample)(const ms_sss__halving *h, const float *const above[4], const float *const below[4],
+static int MS__F(downsample)(const ms_sss__half_params *h, const float *const above[4], const float *const below[4],
                              float unit, int count, float *const out[4])
 {
-    const MS__V away = MS__SET(MS_SSS__AWAY), scale = MS__SET(h->within), raw = MS__SET(unit), zero = MS__SET(0.0f);
+    const MS__V away = MS__SET(MS_SSS__MASKED_DEPTH), scale = MS__SET(h->falloff_scale), copy_bits = MS__SET(unit),
+                zero = MS__SET(0.0f);
     const unsigned every = ms_sss__lanes(MS__N, MS__N);
     unsigned all_part = every;
     int x, c;
     for (x = 0; x < count; x += MS__N) {
-        const MS__V a = MS__MIN(MS__MUL(MS__LOAD(above[3] + 2 * x), raw), away),
-                    b = MS__MIN(MS__MUL(MS__LOAD(above[3] + 2 * x + MS__N), raw), away);
-        const MS__V d = MS__MIN(MS__MUL(MS__LOAD(below[3] + 2 * x), raw), away),
-                    e = MS__MIN(MS__MUL(MS__LOAD(below[3] + 2 * x + MS__N), raw), away);
+        const MS__V a = MS__MIN(MS__MUL(MS__LOAD(above[3] + 2 * x), copy_bits), away),
+                    b = MS__MIN(MS__MUL(MS__LOAD(above[3] + 2 * x + MS__N), copy_bits), away);
+        const MS__V d = MS__MIN(MS__MUL(MS__LOAD(below[3] + 2 * x), copy_bits), away),
+                    e = MS__MIN(MS__MUL(MS__LOAD(below[3] + 2 * x + MS__N), copy_bits), away);
         const MS__V z0 = MS__EVEN(a, b), z1 = MS__ODD(a, b), z2 = MS__EVEN(d, e), z3 = MS__ODD(d, e);
         const MS__V least = MS__MIN(MS__MIN(z0, z1), MS__MIN(z2, z3));
         MS__V w0 = MS__F(falloff)(MS__MUL(MS__SUB(z0, least), scale)),
@@ -8697,18 +8714,18 @@ static int MS__F(downsample)(const ms_sss__halving *h, const float *const above[
             MS__STORE(out[c] + x, MS__ADD(sum, MS__MADD(w3, MS__ODD(r, t), MS__MUL(w2, MS__EVEN(r, t)))));
         }
         z = MS__ADD(MS__MADD(w1, z1, MS__MUL(w0, z0)), MS__MADD(w3, z3, MS__MUL(w2, z2)));
-        z = MS__SELECT(MS__LESS(least, MS__SET(MS_SSS__AWAY / 2)), MS__MUL(z, MS__SET(1 / h->scale)),
+        z = MS__SELECT(MS__LESS(least, MS__SET(MS_SSS__MASKED_DEPTH / 2)), MS__MUL(z, MS__SET(1 / h->scale)),
                        MS__SET(INFINITY));
         MS__STORE(out[3] + x, z);
         most = MS__SELECT(MS__LESS(zero, least), most, away);
-        all_part &= MS__BITS(MS__BOTH(MS__SAME(sums, zero), MS__LESS(most, MS__SET(MS_SSS__AWAY / 2))));
+        all_part &= MS__BITS(MS__BOTH(MS__SAME(sums, zero), MS__LESS(most, MS__SET(MS_SSS__MASKED_DEPTH / 2))));
     }
     return all_part == every;
 }
 
 /* The share of a pixel's own light in the result where taps stand on it: each tap's bilinear part. depth, share: of
    LANES pixels. */
-static MS_SSS__APART void MS__F(self_weight)(const ms_sss__halving *h, const float *depth, float *share)
+static MS_SSS__NOINLINE void MS__F(self_weight)(const ms_sss__half_params *h, const float *depth, float *share)
 {
     const ms_sss_kernel *k = h->kernel;
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f);
@@ -8732,13 +8749,14 @@ static MS_SSS__APART void MS__F(self_weight)(const ms_sss__halving *h, const flo
 }
 
 /* The same of pixels at depth z; what takes no part, AWAY, may get any. */
-static MS_SSS__INLINE void MS__F(self_weights)(const ms_sss__halving *h, MS__V z, MS__V share[3])
+static MS_SSS__INLINE void MS__F(self_weights)(const ms_sss__half_params *h, MS__V z, MS__V share[3])
 {
     float depth[MS__N], to[3 * MS__N];
     int c;
     MS__UNROLL
-    for (c = 0; c < 3; ++c) share[c] = MS__SET(h->share[c]);
-    if (!MS__BITS(MS__BOTH(MS__LESS(MS__SET(h->beyond), z), MS__LESS(z, MS__SET(MS_SSS__AWAY / 2))))) return;
+    for (c = 0; c < 3; ++c) share[c] = MS__SET(h->self_weight[c]);
+    if (!MS__BITS(MS__BOTH(MS__LESS(MS__SET(h->centre_only_depth), z), MS__LESS(z, MS__SET(MS_SSS__MASKED_DEPTH / 2)))))
+        return;
     MS__STORE(depth, z);
     MS__F(self_weight)(h, depth, to);
     MS__UNROLL
@@ -8747,13 +8765,13 @@ static MS_SSS__INLINE void MS__F(self_weights)(const ms_sss__halving *h, MS__V z
 
 /* A coarse row of light and what became of it, without what pixels keep of their own; depth in units of the falloff,
    AWAY or so where nothing takes part. */
-static void MS__F(subtract_self)(const ms_sss__halving *h, const float *const light[3], const float *const blur[3],
+static void MS__F(subtract_self)(const ms_sss__half_params *h, const float *const light[3], const float *const blur[3],
                                  const float *depth, int count, float *const out[4])
 {
     int x, c;
     for (x = 0; x < count; x += MS__N) {
-        const MS__V z = MS__MIN(MS__MUL(MS__LOAD(depth + x), MS__SET(h->scale)), MS__SET(MS_SSS__AWAY));
-        const MS__MASK part = MS__LESS(z, MS__SET(MS_SSS__AWAY / 2));
+        const MS__V z = MS__MIN(MS__MUL(MS__LOAD(depth + x), MS__SET(h->scale)), MS__SET(MS_SSS__MASKED_DEPTH));
+        const MS__MASK valid = MS__LESS(z, MS__SET(MS_SSS__MASKED_DEPTH / 2));
         MS__V share[3];
         MS__F(self_weights)(h, z, share);
         MS__UNROLL
@@ -8762,24 +8780,25 @@ static void MS__F(subtract_self)(const ms_sss__halving *h, const float *const li
             const MS__V least = MS__MIN(MS__MIN(e, MS__LOAD(blur[c] + x)), MS__SET(0.0f));
             /* light without negative parts stays so, also where more than the share was the pixel's own */
             const MS__V soft = MS__MAX(MS__MADD(change, MS__F(inverse)(MS__SUB(MS__SET(1.0f), share[c])), e), least);
-            MS__STORE(out[c] + x, MS__SELECT(part, soft, MS__SET(0.0f)));
+            MS__STORE(out[c] + x, MS__SELECT(valid, soft, MS__SET(0.0f)));
         }
-        MS__STORE(out[3] + x, MS__MUL(z, MS__SET(h->within)));
+        MS__STORE(out[3] + x, MS__MUL(z, MS__SET(h->falloff_scale)));
     }
 }
 
 /* What is left of LANES times two columns from x on where pixels differ in what they keep, or have no neighbours: sum:
    of each side's neighbours light and weights. */
-static MS_SSS__APART void MS__F(upsample_rest)(const ms_sss__halving *h, const float *const own[4], float unit,
-                                               float (*sum)[4][MS__N], int x, float *const out[3])
+static MS_SSS__NOINLINE void MS__F(upsample_rest)(const ms_sss__half_params *h, const float *const own[4], float unit,
+                                                  float (*sum)[4][MS__N], int x, float *const out[3])
 {
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), tiny = MS__SET(1e-6f);
     MS__V change[2][3], stay[2][3];
     int side, c;
     for (side = 0; side < 2; ++side) {
         const MS__V a = MS__LOAD(own[3] + 2 * x), b = MS__LOAD(own[3] + 2 * x + MS__N), n = MS__LOAD(sum[side][3]);
-        const MS__V z = MS__MIN(MS__MUL(side ? MS__ODD(a, b) : MS__EVEN(a, b), MS__SET(unit)), MS__SET(MS_SSS__AWAY));
-        const MS__MASK some = MS__BOTH(MS__LESS(tiny, n), MS__LESS(z, MS__SET(h->tiny)));
+        const MS__V z = MS__MIN(MS__MUL(side ? MS__ODD(a, b) : MS__EVEN(a, b), MS__SET(unit)),
+                                MS__SET(MS_SSS__MASKED_DEPTH));
+        const MS__MASK some = MS__BOTH(MS__LESS(tiny, n), MS__LESS(z, MS__SET(h->identity_depth)));
         MS__V share[3];
         MS__F(self_weights)(h, z, share);
         for (c = 0; c < 3; ++c) {
@@ -8800,14 +8819,14 @@ static MS_SSS__APART void MS__F(upsample_rest)(const ms_sss__halving *h, const f
 /* A row of the picture from its colour and depth (times unit) and the two softened rows beside it, whose planes lie
    equally far apart; the first is nearer if odd. Weights 0.8 and 0.2 each way, sharper than the linear 0.75 and 0.25,
    make up for part of what averaging pixels blurs. */
-static void MS__F(upsample)(const ms_sss__halving *h, const float *const own[4], float unit,
+static void MS__F(upsample)(const ms_sss__half_params *h, const float *const own[4], float unit,
                             const float *const coarse[2][4], int odd, int count, float *const out[3])
 {
     static const float root[3] = {0.44721360f, 0.63245553f, 0.89442719f}; /* of 0.2 0.2, 0.2 0.8, 0.8 0.8: the fourth */
-    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), within = MS__SET(unit * h->within);
-    const MS__V even = MS__SET((h->beyond < h->tiny ? h->beyond : h->tiny) /
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), falloff_scale = MS__SET(unit * h->falloff_scale);
+    const MS__V even = MS__SET((h->centre_only_depth < h->identity_depth ? h->centre_only_depth : h->identity_depth) /
                                unit); /* depth up to which all keep the same share */
-    const MS__V share[3] = {MS__SET(h->share[0]), MS__SET(h->share[1]), MS__SET(h->share[2])};
+    const MS__V share[3] = {MS__SET(h->self_weight[0]), MS__SET(h->self_weight[1]), MS__SET(h->self_weight[2])};
     const unsigned every = ms_sss__lanes(MS__N, MS__N);
     const ptrdiff_t plane = coarse[0][1] - coarse[0][0];
     int x, side, i, j, c;
@@ -8817,7 +8836,7 @@ static void MS__F(upsample)(const ms_sss__halving *h, const float *const own[4],
         MS__V sum[2][4];
         MS__UNROLL
         for (side = 0; side < 2; ++side) {
-            const MS__V z = MS__MUL(side ? MS__ODD(a, b) : MS__EVEN(a, b), within);
+            const MS__V z = MS__MUL(side ? MS__ODD(a, b) : MS__EVEN(a, b), falloff_scale);
             MS__V *of = sum[side];
             of[0] = of[1] = of[2] = of[3] = zero;
             MS__UNROLL
@@ -8866,17 +8885,17 @@ static void MS__F(invert)(const ms_sss__pyramid_params *s, const float *depth, i
     int i;
     for (i = 0; i < count; i += MS__N) {
         const MS__V z = MS__LOAD(depth + i);
-        const MS__V value = s->perspective ? MS__DIV(MS__SET(-1.0f), z) : s->shaped ? z : MS__SET(1.0f);
+        const MS__V value = s->perspective ? MS__DIV(MS__SET(-1.0f), z) : s->depth_aware ? z : MS__SET(1.0f);
         MS__STORE(d + i, MS__SELECT(MS__LESS(z, infinity), value, zero));
     }
 }
 
 /* Steps of d a pixel wide are this many pixels deep; quick: within 2e-7 of itself, where no step is as deep as another
    or a bound. */
-static MS_SSS__INLINE MS__V MS__F(deep)(const ms_sss__pyramid_params *s, MS__V d, const int quick)
+static MS_SSS__INLINE MS__V MS__F(pixels_per_d)(const ms_sss__pyramid_params *s, MS__V d, const int quick)
 {
     const MS__V scale = MS__SET((s->perspective ? -1.0f : 1.0f) / s->step);
-    if (!s->shaped) return MS__SET(0.0f);
+    if (!s->depth_aware) return MS__SET(0.0f);
     if (quick) return s->perspective ? MS__MUL(scale, MS__F(inverse)(d)) : scale;
     return s->perspective ? MS__DIV(scale, d) : scale;
 }
@@ -8895,11 +8914,11 @@ static MS_SSS__INLINE MS__V MS__F(area)(MS__V sx, MS__V sy, MS__V rx, MS__V ry)
 }
 
 /* As slope above, of d: its slope from the steps on both sides, those that the radius lets count. */
-static MS_SSS__INLINE MS__V MS__F(slope_of_d)(const ms_sss__pyramid_params *s, const MS__V at[5], MS__V deep,
+static MS_SSS__INLINE MS__V MS__F(slope_of_d)(const ms_sss__pyramid_params *s, const MS__V at[5], MS__V pixels_per_d,
                                               MS__V radius)
 {
     const MS__V zero = MS__SET(0.0f), half = MS__SET(0.5f), one = MS__SET(1.0f);
-    const MS__V a = MS__MUL(MS__SUB(at[2], at[1]), deep), b = MS__MUL(MS__SUB(at[3], at[2]), deep);
+    const MS__V a = MS__MUL(MS__SUB(at[2], at[1]), pixels_per_d), b = MS__MUL(MS__SUB(at[3], at[2]), pixels_per_d);
     const MS__MASK near_a = MS__LESS(MS__ABS(a), radius), near_b = MS__LESS(MS__ABS(b), radius),
                    both = MS__LESS(zero, MS__MUL(at[1], at[3]));
     const MS__MASK even = MS__BOTH(
@@ -8919,9 +8938,9 @@ static MS_SSS__INLINE MS__V MS__F(slope_of_d)(const ms_sss__pyramid_params *s, c
         const MS__V excess = MS__NMADD(MS__ABS(at[2]), MS__SET(2 * s->rounding),
                                        MS__MIN(MS__SUB(MS__ABS(step), least), least));
         MS__V more = MS__MIN(MS__DIV(excess, least), MS__SET(0.85f));
-        more = MS__SELECT(
-            MS__BOTH(MS__LESS(zero, excess), MS__LESS(zero, MS__MUL(MS__MUL(step, deep), MS__MUL(inner, deep)))), more,
-            zero);
+        more = MS__SELECT(MS__BOTH(MS__LESS(zero, excess),
+                                   MS__LESS(zero, MS__MUL(MS__MUL(step, pixels_per_d), MS__MUL(inner, pixels_per_d)))),
+                          more, zero);
         more = MS__MUL(more, MS__MADD(more, MS__MADD(MS__MUL(more, more), MS__SET(0.7f), half), half));
         slope = MS__SELECT(even, slope, MS__MADD(less, more, less));
     }
@@ -8937,12 +8956,12 @@ static void MS__F(slopes_of_d)(const ms_sss__pyramid_params *s, const float *con
     int i;
     for (i = first; i < count; i += MS__N) {
         const MS__V own = MS__LOAD(d[2] + i);
-        const MS__MASK part = MS__LESS(zero, MS__ABS(own));
-        const MS__V safe = MS__SELECT(part, own, MS__SET(-1.0f));
-        const MS__V deep = MS__F(deep)(s, safe, 0), radius = MS__F(radius)(s, safe);
+        const MS__MASK valid = MS__LESS(zero, MS__ABS(own));
+        const MS__V safe = MS__SELECT(valid, own, MS__SET(-1.0f));
+        const MS__V pixels_per_d = MS__F(pixels_per_d)(s, safe, 0), radius = MS__F(radius)(s, safe);
         MS__V sx, sy, rx, step;
-        if (!(s->slope_scale > 0) || !MS__BITS(part)) {
-            MS__STORE(out[0] + i, MS__SELECT(part, one, zero));
+        if (!(s->slope_scale > 0) || !MS__BITS(valid)) {
+            MS__STORE(out[0] + i, MS__SELECT(valid, one, zero));
             MS__STORE(out[1] + i, zero);
             MS__STORE(out[2] + i, zero);
             continue;
@@ -8964,15 +8983,15 @@ static void MS__F(slopes_of_d)(const ms_sss__pyramid_params *s, const float *con
                 across[k] = MS__LOAD(d[2] + i + k - 2);
                 down[k] = MS__LOAD(d[k] + i);
             }
-            sx = MS__F(slope_of_d)(s, across, deep, radius);
-            sy = MS__F(slope_of_d)(s, down, deep, radius);
+            sx = MS__F(slope_of_d)(s, across, pixels_per_d, radius);
+            sy = MS__F(slope_of_d)(s, down, pixels_per_d, radius);
         }
         sx = MS__MUL(MS__MIN(MS__MAX(sx, MS__SUB(zero, most)), most), MS__SET(s->slope_scale));
         sy = MS__MUL(MS__MIN(MS__MAX(sy, MS__SUB(zero, most)), most), MS__SET(s->slope_scale));
         step = s->perspective ? MS__MUL(safe, MS__SET(-s->step)) : MS__SET(s->step);
-        MS__STORE(out[0] + i, MS__SELECT(part, MS__MIN(MS__F(area)(sx, sy, rx, ry), MS__SET(10.0f)), zero));
-        MS__STORE(out[1] + i, MS__SELECT(part, MS__MUL(sx, step), zero));
-        MS__STORE(out[2] + i, MS__SELECT(part, MS__MUL(sy, step), zero));
+        MS__STORE(out[0] + i, MS__SELECT(valid, MS__MIN(MS__F(area)(sx, sy, rx, ry), MS__SET(10.0f)), zero));
+        MS__STORE(out[1] + i, MS__SELECT(valid, MS__MUL(sx, step), zero));
+        MS__STORE(out[2] + i, MS__SELECT(valid, MS__MUL(sy, step), zero));
     }
 }
 
@@ -9029,7 +9048,7 @@ static MS_SSS__INLINE void MS__F(downsample_level_row)(const ms_sss__pyramid_par
             }
         }
         d = MS__SELECT(some, d, MS__SET(-1.0f));
-        scale = MS__DIV(MS__F(deep)(s, d, 0), MS__F(radius)(s, d));
+        scale = MS__DIV(MS__F(pixels_per_d)(s, d, 0), MS__F(radius)(s, d));
         for (c = 0; c < 3; ++c) narrow[c] = MS__MUL(scale, MS__SET(half_root[c] / s->join));
         /* Else what takes no part lies too deep to count. */
         check = !shares && MS__BITS(MS__LESS(MS__MUL(MS__ABS(d), narrow[0]), MS__SET(half_root[0])));
@@ -9120,14 +9139,14 @@ typedef struct MS__F(scale) {
     MS__V low, high, unit, from[6], more[6];
 } MS__F(scale);
 
-static MS_SSS__APART void MS__F(look_up_weights)(const ms_sss__pyramid_params *s, int level, int both, MS__V size,
-                                                 unsigned part, MS__F(scale) * w)
+static MS_SSS__NOINLINE void MS__F(look_up_weights)(const ms_sss__pyramid_params *s, int level, int both, MS__V size,
+                                                    unsigned valid, MS__F(scale) * w)
 {
     float sizes[MS__N], value[15][MS__N];
     int c, k;
     MS__STORE(sizes, size);
     for (k = 0; k < MS__N; ++k) {
-        const float at = sizes[part >> k & 1 ? k : ms_sss__lowest(part)];
+        const float at = sizes[valid >> k & 1 ? k : ms_sss__lowest(valid)];
         const int i = ms_sss__size_index(at);
         const float low = ms_sss__index_size(i), high = ms_sss__index_size(i + 1);
         const float *w0 = s->table[i + (at > high)][level][!both],
@@ -9152,12 +9171,12 @@ static MS_SSS__APART void MS__F(look_up_weights)(const ms_sss__pyramid_params *s
 /* Weights for kernels of these radii in pixels. part: lanes that count; w: of the group before in the row, at first
    with low above high. */
 static MS_SSS__INLINE void MS__F(level_weights)(const ms_sss__pyramid_params *s, int level, const int both, MS__V size,
-                                                unsigned part, MS__F(scale) * w, MS__V out[])
+                                                unsigned valid, MS__F(scale) * w, MS__V out[])
 {
     MS__V t;
     int c;
-    if ((MS__BITS(MS__LESS(size, w->low)) | MS__BITS(MS__LESS(w->high, size))) & part)
-        MS__F(look_up_weights)(s, level, both, size, part, w);
+    if ((MS__BITS(MS__LESS(size, w->low)) | MS__BITS(MS__LESS(w->high, size))) & valid)
+        MS__F(look_up_weights)(s, level, both, size, valid, w);
     t = MS__MUL(MS__SUB(size, w->low), w->unit);
     MS__UNROLL
     for (c = 0; c < 3; ++c) {
@@ -9169,22 +9188,22 @@ static MS_SSS__INLINE void MS__F(level_weights)(const ms_sss__pyramid_params *s,
 /* light times the mean of (1 + K sin(theta) / 4)^4, by mean (moment / light) and mean square v of sin(theta), of which
    grain may be rounding. */
 static MS_SSS__INLINE MS__V MS__F(elevate_mean)(const ms_sss__pyramid_params *s, int channel, MS__V light, MS__V moment,
-                                                MS__V v, MS__V grain)
+                                                MS__V v, MS__V rounding)
 {
-    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), quarter = MS__SET(s->quarter[channel]);
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), quarter = MS__SET(s->elevation_4[channel]);
     MS__V m = MS__DIV(moment, MS__SELECT(MS__SAME(light, zero), one, light)), u;
-    m = MS__MIN(MS__MAX(MS__F(residual)(m, grain), MS__SET(-1.0f)), one);
+    m = MS__MIN(MS__MAX(MS__F(residual)(m, rounding), MS__SET(-1.0f)), one);
     u = MS__MAX(MS__MADD(quarter, m, one), zero);
     u = MS__MUL(u, u);
-    m = MS__MAX(MS__SUB(v, MS__MADD(grain, grain, MS__MUL(m, m))), zero);
+    m = MS__MAX(MS__SUB(v, MS__MADD(rounding, rounding, MS__MUL(m, m))), zero);
     m = MS__MADD(MS__MUL(m, MS__MUL(quarter, quarter)), MS__SET(6.0f), u);
-    return MS__MUL(light, MS__MIN(MS__MUL(u, m), MS__SET(s->most[channel])));
+    return MS__MUL(light, MS__MIN(MS__MUL(u, m), MS__SET(s->max_factor[channel])));
 }
 
 /* w times (1 + K sin(theta) / 4)^4 */
 static MS_SSS__INLINE MS__V MS__F(elevate_weight)(const ms_sss__pyramid_params *s, int channel, MS__V sine, MS__V w)
 {
-    MS__V u = MS__MAX(MS__MADD(MS__SET(s->quarter[channel]), sine, MS__SET(1.0f)), MS__SET(0.0f));
+    MS__V u = MS__MAX(MS__MADD(MS__SET(s->elevation_4[channel]), sine, MS__SET(1.0f)), MS__SET(0.0f));
     u = MS__MUL(u, u);
     return MS__MUL(w, MS__MUL(u, u));
 }
@@ -9201,10 +9220,10 @@ static MS_SSS__INLINE MS__V MS__F(fast_inverse_root)(MS__V a)
 }
 
 /* What keeps the mean factor, lifted / n, at most at this. */
-static MS_SSS__INLINE MS__V MS__F(bounded)(MS__V n, MS__V lifted, float most)
+static MS_SSS__INLINE MS__V MS__F(bounded)(MS__V n, MS__V elevated, float most)
 {
     const MS__V limit = MS__MUL(n, MS__SET(most));
-    return MS__SELECT(MS__LESS(limit, lifted), MS__DIV(limit, MS__MAX(lifted, MS__SET(1e-30f))), MS__SET(1.0f));
+    return MS__SELECT(MS__LESS(limit, elevated), MS__DIV(limit, MS__MAX(elevated, MS__SET(1e-30f))), MS__SET(1.0f));
 }
 
 /* gather for the even or the odd columns of LANES pairs: at, their d and changes of d. */
@@ -9219,18 +9238,18 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
     const ptrdiff_t plane = s->plane;
     const float cells = (float)(1 << (s->level + 1)),
                 square = MS_SSS__GATHER(wide, s->level); /* pixels of the picture in one of the coarse level */
-    const MS__MASK part = MS__LESS(zero, MS__ABS(d));
-    const unsigned parts = MS__BITS(part);
-    const MS__V safe = MS__SELECT(part, d, MS__SET(-1.0f)), radius = MS__F(radius)(s, safe);
-    const MS__V deep = MS__MUL(MS__F(deep)(s, safe, 1), MS__SET(1 / cells)),
+    const MS__MASK valid = MS__LESS(zero, MS__ABS(d));
+    const unsigned valid_bits = MS__BITS(valid);
+    const MS__V safe = MS__SELECT(valid, d, MS__SET(-1.0f)), radius = MS__F(radius)(s, safe);
+    const MS__V pixels_per_d = MS__MUL(MS__F(pixels_per_d)(s, safe, 1), MS__SET(1 / cells)),
                 limit = MS__MUL(radius, MS__SET(1 / cells)), limit2 = MS__MUL(limit, limit);
     MS__V size = radius, sx = zero, sy = zero, area = one, inverse = one, fall = MS__SET(-1 / square),
-          norm = MS__SET(s->norm), rough = zero, rise = one;
+          norm = MS__SET(s->norm), plane_rounding = zero, rise = one;
     MS__V n = zero, v = zero, r = zero, g = zero, b = zero, mr = zero, mg = zero, mb = zero,
           weight[3]; /* wide: m the sums of factors */
     MS__V s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, s5 = zero;
     int k, count = tilted ? 4 : s->core;
-    if (!parts) {
+    if (!valid_bits) {
         for (k = 0; k < 6; ++k) result[k] = zero;
         return;
     }
@@ -9238,10 +9257,10 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
         MS__V cap, reach;
         MS__MASK sound; /* planes so steep that four pixels are a radius deep have no tangent plane on this level:
                                see shrink */
-        sx = MS__MUL(MS__MUL(dx, deep), MS__SET(2.0f));
-        sy = MS__MUL(MS__MUL(dy, deep), MS__SET(2.0f));
+        sx = MS__MUL(MS__MUL(dx, pixels_per_d), MS__SET(2.0f));
+        sy = MS__MUL(MS__MUL(dy, pixels_per_d), MS__SET(2.0f));
         sound = MS__LESS(MS__MUL(MS__ADD(MS__ABS(sx), MS__ABS(sy)), MS__SET(0.5f * cells)), radius);
-        area = MS__SELECT(part, MS__F(area)(sx, sy, rx, ry), one);
+        area = MS__SELECT(valid, MS__F(area)(sx, sy, rx, ry), one);
         cap = MS__MIN(area, MS__SET(1.5f));
         inverse = MS__DIV(one, cap);
         size = MS__MUL(radius, inverse);
@@ -9250,24 +9269,25 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
         fall = MS__MUL(MS__MUL(inverse, inverse), fall);
         norm = MS__MUL(MS__MUL(inverse, inverse), norm);
         rise = MS__SELECT(sound, MS__DIV(one, area), zero); /* cosine of the normal to the ray */
-        rough = s->perspective ? MS__SET(s->rough) : MS__MUL(d, MS__SET(s->rough));
+        plane_rounding = s->perspective ? MS__SET(s->plane_rounding) : MS__MUL(d, MS__SET(s->plane_rounding));
     }
     if (s->sums) {
         const MS__V near_plane = MS__MUL(MS__SET(1 / s->reach), MS__F(inverse)(limit));
         const int cut = tilted || s->reach > 1; /* else what lies beyond the limit is too far from the plane */
         MS__V close[3];
         for (k = 0; k < 3; ++k)
-            close[k] = MS__MUL(tilted ? near_plane : MS__MUL(deep, near_plane), MS__SET(half_nearness[k]));
+            close[k] = MS__MUL(tilted ? near_plane : MS__MUL(pixels_per_d, near_plane), MS__SET(half_nearness[k]));
         for (k = 0; k < 4; ++k) {
             const float *p = coarse + tap[k].at;
             const MS__V away = MS__SUB(MS__LOAD(p + 3 * plane), d);
             MS__V off = away, t;
-            if (tilted) off = MS__NMADD(MS__SET(tap[k].x), sx, MS__NMADD(MS__SET(tap[k].y), sy, MS__MUL(away, deep)));
+            if (tilted)
+                off = MS__NMADD(MS__SET(tap[k].x), sx, MS__NMADD(MS__SET(tap[k].y), sy, MS__MUL(away, pixels_per_d)));
             off = MS__MUL(off, close[(k + 1) / 2]);
             t = MS__MAX(MS__NMADD(off, off, MS__SET(nearness[k])), zero);
             t = MS__MUL(t, t);
             t = MS__MUL(t, t);
-            if (cut) t = MS__SELECT(MS__LESS(MS__ABS(MS__MUL(away, deep)), limit), t, zero);
+            if (cut) t = MS__SELECT(MS__LESS(MS__ABS(MS__MUL(away, pixels_per_d)), limit), t, zero);
             s0 = MS__MADD(t, MS__LOAD(p + 5 * plane), s0);
             s1 = MS__MADD(t, MS__LOAD(p + 6 * plane), s1);
             s2 = MS__MADD(t, MS__LOAD(p + 7 * plane), s2);
@@ -9277,8 +9297,8 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
         }
     }
     if (!tilted) { /* light of levels is times its share */
-        const MS__V inner = MS__MUL(deep, MS__SET(s->inner)), most = MS__MUL(limit2, MS__SET(1 / square));
-        const int cut = (MS__BITS(MS__LESS(most, one)) & parts) !=
+        const MS__V inner = MS__MUL(pixels_per_d, MS__SET(s->inner)), most = MS__MUL(limit2, MS__SET(1 / square));
+        const int cut = (MS__BITS(MS__LESS(most, one)) & valid_bits) !=
             0; /* else what lies beyond the limit is too far away */
         for (k = 0; k < count; ++k) {
             const float *p = coarse + tap[k].at;
@@ -9295,7 +9315,7 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
     }
     for (k = 0; k < count && tilted; ++k) {
         const float *p = coarse + tap[k].at;
-        const MS__V dz = MS__MUL(MS__SUB(MS__LOAD(p + 3 * plane), d), deep), q = MS__MUL(dz, dz),
+        const MS__V dz = MS__MUL(MS__SUB(MS__LOAD(p + 3 * plane), d), pixels_per_d), q = MS__MUL(dz, dz),
                     away = MS__ADD(q, MS__SET(tap[k].square));
         const MS__V off = MS__NMADD(MS__SET(tap[k].x), sx, MS__NMADD(MS__SET(tap[k].y), sy, dz));
         const MS__V t = MS__MAX(MS__MADD(away, fall, one), zero);
@@ -9304,7 +9324,7 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
         w = MS__SELECT(MS__LESS(q, limit2), MS__MUL(w, MS__LOAD(p + 4 * plane)), zero);
         n = MS__ADD(n, w);
         if (wide) {
-            const MS__V sine = MS__MUL(MS__MUL(MS__F(residual)(off, rough), rise),
+            const MS__V sine = MS__MUL(MS__MUL(MS__F(residual)(off, plane_rounding), rise),
                                        MS__F(fast_inverse_root)(MS__ADD(away, MS__SET(s->blur))));
             MS__V f = MS__F(elevate_weight)(s, 0, sine, w);
             mr = MS__ADD(mr, f);
@@ -9328,26 +9348,26 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
         }
     }
     if (wide && tilted) { /* an even light never comes out stronger than it went in */
-        r = MS__MUL(r, MS__F(bounded)(n, mr, s->most[0]));
-        g = MS__MUL(g, MS__F(bounded)(n, mg, s->most[1]));
-        b = MS__MUL(b, MS__F(bounded)(n, mb, s->most[2]));
+        r = MS__MUL(r, MS__F(bounded)(n, mr, s->max_factor[0]));
+        g = MS__MUL(g, MS__F(bounded)(n, mg, s->max_factor[1]));
+        b = MS__MUL(b, MS__F(bounded)(n, mb, s->max_factor[2]));
     } else if (tilted) {
         const MS__V facing = MS__MUL(inverse, rise), turn = MS__MUL(facing, MS__SET(s->mean)),
-                    grain = MS__MUL(turn, rough);
+                    rounding = MS__MUL(turn, plane_rounding);
         v = MS__DIV(v, MS__SELECT(MS__LESS(zero, n), n, one));
         v = MS__MUL(v, MS__MUL(MS__MUL(facing, facing), MS__SET(s->spread)));
-        r = MS__F(elevate_mean)(s, 0, r, MS__MUL(mr, turn), v, grain);
-        g = MS__F(elevate_mean)(s, 1, g, MS__MUL(mg, turn), v, grain);
-        b = MS__F(elevate_mean)(s, 2, b, MS__MUL(mb, turn), v, grain);
+        r = MS__F(elevate_mean)(s, 0, r, MS__MUL(mr, turn), v, rounding);
+        g = MS__F(elevate_mean)(s, 1, g, MS__MUL(mg, turn), v, rounding);
+        b = MS__F(elevate_mean)(s, 2, b, MS__MUL(mb, turn), v, rounding);
     }
-    MS__F(level_weights)(s, s->level + 1, 0, size, parts, scale, weight);
+    MS__F(level_weights)(s, s->level + 1, 0, size, valid_bits, scale, weight);
     n = MS__MUL(n, norm);
-    result[0] = MS__SELECT(part, MS__MADD(MS__MUL(weight[0], norm), r, s0), zero);
-    result[1] = MS__SELECT(part, MS__MADD(MS__MUL(weight[1], norm), g, s1), zero);
-    result[2] = MS__SELECT(part, MS__MADD(MS__MUL(weight[2], norm), b, s2), zero);
-    result[3] = MS__SELECT(part, MS__MADD(weight[0], n, s3), zero);
-    result[4] = MS__SELECT(part, MS__MADD(weight[1], n, s4), zero);
-    result[5] = MS__SELECT(part, MS__MADD(weight[2], n, s5), zero);
+    result[0] = MS__SELECT(valid, MS__MADD(MS__MUL(weight[0], norm), r, s0), zero);
+    result[1] = MS__SELECT(valid, MS__MADD(MS__MUL(weight[1], norm), g, s1), zero);
+    result[2] = MS__SELECT(valid, MS__MADD(MS__MUL(weight[2], norm), b, s2), zero);
+    result[3] = MS__SELECT(valid, MS__MADD(weight[0], n, s3), zero);
+    result[4] = MS__SELECT(valid, MS__MADD(weight[1], n, s4), zero);
+    result[5] = MS__SELECT(valid, MS__MADD(weight[2], n, s5), zero);
 }
 
 /* Weighted sums of row y of a level: the light of the next coarser level, counted by its distance in space and lifted
@@ -9405,7 +9425,7 @@ static MS_SSS__INLINE void MS__F(resolve_row)(const ms_sss__pyramid_params *s, c
                                               const float *const sum[6], int first, int count, float *const out[4])
 {
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), half = MS__SET(0.5f), quarter = MS__SET(0.25f);
-    const int check = !s->perspective || !s->shaped ||
+    const int check = !s->perspective || !s->depth_aware ||
         s->step > 0.4f; /* else what takes no part lies too deep to count */
     const float *const red = row[0], *const green = row[1], *const blue = row[2], *const from = row[3];
     MS__F(scale) scale;
@@ -9414,21 +9434,22 @@ static MS_SSS__INLINE void MS__F(resolve_row)(const ms_sss__pyramid_params *s, c
     scale.high = zero;
     for (i = first; i < count; i += MS__N) {
         const MS__V d = MS__LOAD(from + i);
-        const MS__MASK part = MS__LESS(zero, MS__ABS(d));
-        const MS__V safe = MS__SELECT(part, d, MS__SET(-1.0f)), deep = MS__F(deep)(s, safe, 1),
+        const MS__MASK valid = MS__LESS(zero, MS__ABS(d));
+        const MS__V safe = MS__SELECT(valid, d, MS__SET(-1.0f)), pixels_per_d = MS__F(pixels_per_d)(s, safe, 1),
                     radius = MS__F(radius)(s, safe);
         MS__V r = zero, g = zero, b = zero, n = zero, share[6], size = radius, dx = zero, dy = zero;
-        const unsigned parts = MS__BITS(part);
-        MS__STORE(out[3] + i, MS__SELECT(part, zero, MS__SET(INFINITY)));
-        if (!parts) continue;
+        const unsigned valid_bits = MS__BITS(valid);
+        MS__STORE(out[3] + i, MS__SELECT(valid, zero, MS__SET(INFINITY)));
+        if (!valid_bits) continue;
         if (tilted) {
             size = MS__DIV(radius, MS__MIN(MS__MAX(MS__LOAD(slope[0] + i), one), MS__SET(1.5f)));
             dx = MS__LOAD(slope[1] + i);
             dy = MS__LOAD(slope[2] + i);
         }
-        MS__F(level_weights)(s, 0, 1, size, parts, &scale, share);
-        if (MS__BITS(MS__LESS(zero, MS__MAX(share[3], MS__MAX(share[4], share[5])))) & parts) {
-            const MS__V corner = MS__MUL(deep, quarter), edge = MS__MUL(deep, MS__SET(0.29730178f)); /* roots / 2 */
+        MS__F(level_weights)(s, 0, 1, size, valid_bits, &scale, share);
+        if (MS__BITS(MS__LESS(zero, MS__MAX(share[3], MS__MAX(share[4], share[5])))) & valid_bits) {
+            const MS__V corner = MS__MUL(pixels_per_d, quarter),
+                        edge = MS__MUL(pixels_per_d, MS__SET(0.29730178f)); /* roots / 2 */
             n = quarter;
             r = MS__MUL(quarter, MS__LOAD(red + i));
             g = MS__MUL(quarter, MS__LOAD(green + i));
@@ -9481,7 +9502,7 @@ static const ms_sss__kernels MS__F(kernels) = {MS__F(mask_by),
                                                MS__F(tangents),
                                                MS__F(limit),
                                                MS__F(plan),
-                                               {MS__F(sweep_flat), MS__F(sweep_shaped)},
+                                               {MS__F(sweep_flat), MS__F(sweep_with_slopes)},
                                                MS__F(least),
                                                MS__F(unpack),
                                                MS__F(widen),
