@@ -266,11 +266,12 @@ static inline const char *ms_simd_string(ms_simd level)
 typedef struct ms_sss_profile ms_sss_profile;
 
 /* From averages over rings, as Monte Carlo tallies and ms_mcml.h deliver them, noise and empty channels included.
-   Copied. edge_mm  [count + 1] increasing, edge_mm[0] >= 0 (a hole inside it counts as dark), finite
-   value    three arrays of count averages, stride elements apart (0: 1), >= 0, finite, 1/mm^2
-   Within a ring R_d is linear in r^2, with the ring's energy and the slope of its neighbours where they agree, else
-   flat. MS_INVALID_ARGUMENT: counts, edges, values (error->position: the ring). MS_OUT_OF_MEMORY. *profile NULL
-   then. */
+   The values are copied.
+   edge_mm  [count + 1] increasing, edge_mm[0] >= 0 (a hole inside it counts as dark), finite
+   value    three arrays of count averages in 1/mm^2, stride elements apart (0: 1), >= 0, finite
+   Within a ring R_d is linear in r^2: it has the ring's energy and the slope of its neighbours where they agree, else
+   slope 0. MS_INVALID_ARGUMENT: counts, edges, values (error->position: the ring). MS_OUT_OF_MEMORY. *profile is then
+   NULL. */
 MS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile, int count, const double *edge_mm,
                                            const double *const value[3], int stride, const ms_allocator *allocator,
                                            ms_error *error);
@@ -323,18 +324,17 @@ MS_API void ms_sss_profile_radius(const ms_sss_profile *profile, double fraction
 
 /* ---- elevation ------------------------------------------------------------------------------------------------- */
 
-/* On a curved surface more light leaves than on the plane that the profile was made for, in hollows less. Light that
-   enters at q and leaves at p, outward normals n_q and n_p: profile on the surface over profile on the plane, at the
-   same distance, is close to f = max(0, 1 + K sin(theta) / 4)^4 with sin(theta) = (n_p - n_q).(p - q) / (2 |p - q|), on
-   a sphere of radius a |p - q| / (2 a). The factor is the colour's, not the normalisation's: out = reflectance sum(w f
-   E) / sum(w), of which reflectance sum(w f) / sum(w) is held to 1: no more leaves than entered.
-   This is K, the elevation of a channel: with q = 1 - reflectance, 0.57 + 2.45 q + 1.8 q^6 where the index of
-   refraction inside is that outside, 0.5 + 2.2 q + 2.5 q^12 at an index of 1.4, between and beyond linearly in the
-   coefficients; 0 for a channel without light. index 1 to 2. From random walks in spheres and hollows of 2 to 64 mean
-   free paths, albedo 0.3 to 0.999 (`make bench FILTER=sss_elevation`): what balls and cylinders with a radius of 8 mean
-   free paths return is met within 3% (flat: up to 28% off), of 4 within 10% (43%), where the reflectance is above 0.1.
-   Tight hollows in bright media come out too bright, by up to 15% at 4 mean free paths and 40% at an index of 1.4;
-   bodies thinner than one, which let light straight through, a third too dark. */
+/* A curved surface returns more light than the plane that the profile was made for, a hollow less. For light that
+   enters at q and leaves at p, with outward normals n_q and n_p, the profile on the surface over the profile on the
+   plane is close to f = max(0, 1 + K sin(theta) / 4)^4, with sin(theta) = (n_p - n_q).(p - q) / (2 |p - q|); on a
+   sphere of radius a that is |p - q| / (2 a). The factor multiplies the colour and not the normalisation:
+   out = reflectance sum(w f E) / sum(w), where reflectance sum(w f) / sum(w) is kept at or below 1.
+   Returns K, the elevation of a channel: with q = 1 - reflectance, 0.57 + 2.45 q + 1.8 q^6 at an index of refraction
+   of 1, 0.5 + 2.2 q + 2.5 q^12 at 1.4; other indices, 1 to 2, are linear in the coefficients; 0 without light.
+   The fit is to random walks in spheres and hollows of 2 to 64 mean free paths, albedo 0.3 to 0.999
+   (`make bench FILTER=sss_elevation`). Where the reflectance is above 0.1, balls and cylinders of 8 mean free paths
+   are met within 3% (flat: up to 28% off), of 4 within 10% (43%). Tight hollows in bright media come out too bright,
+   by up to 15% at 4 mean free paths and 40% at an index of 1.4; bodies thinner than one a third too dark. */
 MS_API double ms_sss_elevation(double reflectance, double index);
 
 /* ---- kernels --------------------------------------------------------------------------------------------------- */
@@ -350,16 +350,14 @@ typedef struct ms_sss_kernel {
     int term_count; /* 1 except for SVD, sums of Gaussians, residuals */
     float offset_mm[MS_SSS_TAPS_MAX];
     float weight[MS_SSS_TERMS_MAX][MS_SSS_TAPS_MAX][3]; /* of one 1D pass, applied along x, then along y */
-    float scale[MS_SSS_TERMS_MAX]
-               [3];       /* factor of each term, applied once after both passes (sign of a singular value) */
-    float delta[3];       /* weight of the unblurred input */
-    float radius_mm;      /* the outermost |offset| plus half its cell */
-    float reflectance[3]; /* the profile's total; the kernel itself is normalised */
-    float
-        profile_radius_mm; /* that holds 99% of the profile's light in its widest channel; 0: radius_mm stands for it */
-    float elevation[3];    /* how light on curved surfaces differs from the plane, see ELEVATION; 0: not at all */
-    float decay[3];        /* 1/mm, of light in the depth, see ms_sss_transmittance */
-    float elevation_axis[3]; /* the same for the distances of one 1D pass: over both passes it has the mean of the round
+    float scale[MS_SSS_TERMS_MAX][3]; /* factor of each term after both passes (sign of a singular value) */
+    float delta[3];                   /* weight of the unblurred input */
+    float radius_mm;                  /* the outermost |offset| plus half its cell */
+    float reflectance[3];             /* the profile's total; the kernel itself is normalised */
+    float profile_radius_mm;          /* radius of 99% of the light of the widest channel; 0: radius_mm */
+    float elevation[3];               /* K of ms_sss_elevation; 0: no elevation */
+    float decay[3];                   /* 1/mm, decay of light with depth, see ms_sss_transmittance */
+    float elevation_axis[3]; /* K for the distances of one 1D pass, so that both passes have the mean of the round
                                 kernel */
 } ms_sss_kernel;
 
@@ -408,8 +406,8 @@ MS_API ms_sss_kernel_options ms_sss_kernel_defaults(void);
 MS_API ms_sss_artist ms_sss_artist_close_fit(void);
 MS_API ms_sss_artist ms_sss_artist_production(void);
 
-/* What building kernels for one profile at one size on the screen needs to know: the profile's cells and spectrum, and
-   the spectra of the standard signals. Make one, build and measure many kernels. */
+/* A designer builds and measures many kernels for one profile at one size on the screen. It holds the profile's cells
+   and spectrum, and the spectra of the standard signals. */
 typedef struct ms_sss_designer ms_sss_designer;
 
 /* radius_px: pixels that the 99% energy radius of the widest channel covers where the kernel will be used, > 0; 0: 24;
@@ -431,8 +429,8 @@ MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *designer, ms_sss_artis
 
 /* ---- errors ---------------------------------------------------------------------------------------------------- */
 
-/* What a kernel gives up against the profile's 2D convolution: root mean square difference over the standard deviation
-   of the right result, all channels together, on signals of 512 x 512 pixels that repeat. */
+/* The error of a kernel against the profile's 2D convolution: the root mean square difference over the standard
+   deviation of the right result, over all channels, on signals of 512 x 512 pixels that repeat. */
 typedef struct ms_sss_errors {
     double vertical_step; /* an edge along an axis */
     double diagonal_step; /* an edge at 45 degrees */
@@ -458,43 +456,41 @@ MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kerne
 MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_designer *designer,
                                       double tolerance, int tap_budget, ms_error *error);
 
-/* All of it in one call: designer for radius_px, kernel by options (NULL: 7 optimised taps), errors (optional). */
+/* A designer for radius_px, a kernel by options (NULL: 7 optimised taps) and its errors (optional) in one call. */
 MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile,
                                     double radius_px, const ms_sss_kernel_options *options,
                                     const ms_allocator *allocator, ms_error *error);
 
 /* ---- translucency ---------------------------------------------------------------------------------------------- */
 
-/* What a slab of this thickness passes of the light that enters its far side evenly from all directions:
-   T(s) = (1 - R^2) x / (1 - R^2 x^2) (1 - 0.85 (1 - R)^5 (1 - x^0.8)), x = exp(-decay s), R the channel's reflectance:
-   two streams (Kubelka and Munk 1931) with the decay of the deep field, less what dark media lose of the light that has
-   yet to take that field's shape. decay = (1 - R) (0.52 - 0.6 ln(1 - R) + 0.625 R^0.5) / (mean distance between entry
-   and exit). Both were fitted to random walks of albedo 0.3 to 0.999 with isotropic scattering: within 7% where R is
-   0.15 to 0.95 and T above 1e-3; an index of 1.4 inside loses up to 15% more. Needs the true reflectance: a profile
-   that was normalised to 1 passes too much. A channel without light passes none. */
+/* The fraction of light that a slab of this thickness transmits, for light that enters its far side evenly from all
+   directions: T(s) = (1 - R^2) x / (1 - R^2 x^2) (1 - 0.85 (1 - R)^5 (1 - x^0.8)), with x = exp(-decay s) and R the
+   channel's reflectance. The first factor is the two-stream solution (Kubelka and Munk 1931) with the decay of the deep
+   field. The last one is the loss in dark media before the light has the shape of that field.
+   decay = (1 - R) (0.52 - 0.6 ln(1 - R) + 0.625 R^0.5) / (mean distance between entry and exit). Both were fitted to
+   random walks of albedo 0.3 to 0.999 with isotropic scattering: within 7% where R is 0.15 to 0.95 and T above 1e-3; an
+   index of 1.4 inside loses up to 15% more. The profile needs its true reflectance: one that was normalised to 1
+   transmits too much. A channel without light transmits none. */
 MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness_mm, double out[3]);
 
-/* For an engine's light loop: what one lamp sends through the object to a point that faces away from it.
-   thickness_mm   from the point to where the lamp's light first enters the object, along the light: the lamp's shadow
-                  map
+/* For an engine's light loop: the light of one lamp that reaches a point which faces away from it, through the object.
+   thickness_mm   from the point to where the lamp's light first enters the object, along the light: by the shadow map
    normal, entry_normal, to_light   outward normals at the point and at that entry, direction to the lamp; unit length,
                   any common axes. out is 0 where the point faces the lamp, or the entry does not
-   light          the lamp's irradiance at the entry at right angle to the light
-   out            T(thickness) (1 + (1 / R - 1) max(0, -normal.entry_normal)) max(0, entry_normal.to_light) light, T as
-                  above, R the reflectance. In the filter's units: reflectance or albedo times out is what leaves.
-                  Combine it with the filtered light by max.
-   Parallel faces pass what a slab passes, T / R; in a wedge and at the edge of a round body, where the way gets short
-   because the surface turns away, part of the light has left on the way: R times that, which also joins the light on
-   both sides of the shadow's border. Why max: near that border the filter holds light that came through the body
-   already, and a sum would count it twice; far from it the filter knows nothing of the far side. */
+   light          the lamp's irradiance at the entry, on a plane at a right angle to the light
+   out            T(thickness) (1 + (1 / R - 1) max(0, -normal.entry_normal)) max(0, entry_normal.to_light) light, with
+                  T as above and R the reflectance. It has the filter's units: reflectance or albedo times out leaves.
+   Combine it with the filtered light by max: near the shadow's border the filter already holds light that came through
+   the body, so a sum would count it twice. Parallel faces transmit T / R, as a slab does. In a wedge and at the edge of
+   a round body part of the light leaves on the way, so the factor falls to 1. */
 MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm, const float normal[3],
                                 const float entry_normal[3], const float to_light[3], const float light[3],
                                 float out[3]);
 
 /* ---- filter ---------------------------------------------------------------------------------------------------- */
 
-/* Pixels in the caller's memory: three channels, or one value a pixel (depth, strength) in channel[0]. All zero: none.
-   No alignment is asked beyond the element's own. The filter writes to its output alone. */
+/* Pixels in the caller's memory: three channels, or one value a pixel (depth, strength) in channel[0]. All zero: no
+   picture. Elements need the alignment of their type, no more. The filter writes to its output alone. */
 typedef struct ms_sss_image {
     void *channel[3];       /* red, green and blue of the first pixel: float, or uint16_t that hold IEEE binary16 */
     ptrdiff_t pixel_stride; /* elements from a pixel to the next: planar 1, RGB 3, RGBA and RGB + depth 4; 0: 1 */
@@ -513,62 +509,60 @@ MS_API ms_sss_image ms_sss_map(const void *values, int stride, int half);
    is above 16 pixels; else taps. */
 typedef enum ms_sss_method {
     MS_SSS_METHOD_AUTO = 0,
-    MS_SSS_METHOD_TAPS = 1, /* two passes a term at full resolution */
-    MS_SSS_METHOD_HALF =
-        2, /* the same on pixels of twice the size; each pixel gets what those of its surface changed by */
+    MS_SSS_METHOD_TAPS = 1,   /* two passes a term at full resolution */
+    MS_SSS_METHOD_HALF = 2,   /* taps at half resolution, then upsampled along surfaces */
     MS_SSS_METHOD_PYRAMID = 3 /* ms_sss_pyramid_filter */
 } ms_sss_method;
 
 struct ms_sss_pyramid;
 
-/* The same pixels with rows in the other order: all pictures of a frame must begin at the same side, top or bottom, and
-   a normal's y points to later rows. */
+/* The same pixels with rows in the opposite order. All pictures of a frame begin at the same side, top or bottom; a
+   normal's y points to later rows. */
 MS_API ms_sss_image ms_sss_flipped(ms_sss_image image, int width, int height);
 
-/* How an engine writes depth: the numbers of its projection. D3D, Vulkan, Metal and the depth textures of OpenGL
-   alike. */
+/* The projection by which an engine writes depth: the same for D3D, Vulkan, Metal and the depth textures of OpenGL. */
 typedef struct ms_sss_depth_buffer {
     float near_plane, far_plane; /* scene units, 0 < near < far; far 0 or infinite: infinitely far */
     int reversed;                /* 0: 0 near to 1 far; 1: 1 near to 0 far */
     int orthographic;            /* 1: depth goes linearly from near to far */
 } ms_sss_depth_buffer;
 
-/* Distances along the view axis for ms_sss_frame.depth, out[height][width], from a depth buffer; out may be its memory
-   where that is float and packed. Where nothing was drawn (the far plane or beyond), and for NaN: infinite, that is, no
-   part. MS_INVALID_ARGUMENT: a plane out of range, a stride, a NULL; out is untouched then. */
+/* Converts a depth buffer into distances along the view axis, out[height][width], for ms_sss_frame.depth. out may be
+   the buffer's memory if that is float and packed. Where nothing was drawn (at the far plane or beyond), and for NaN,
+   the distance is infinite: those pixels are masked. MS_INVALID_ARGUMENT: a plane out of range, a stride, a NULL; out
+   is untouched then. */
 MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int height, const ms_sss_depth_buffer *how,
                                      float *out, ms_error *error);
 
 /* The angle along y, as options.fov_degrees wants it, of a camera with this angle along x; pixels are square. */
 MS_API float ms_sss_fov_along_y(float fov_degrees_along_x, int width, int height);
 
-/* What is filtered. The input is light that entered the surface, linear, before the albedo unless the albedo is baked
-   in; it must not hold specular reflection, which never went below the surface. */
+/* The pictures of a call. The input is linear light that entered the surface, before the albedo unless the albedo is
+   baked in. It must not hold specular reflection, which never went below the surface. */
 typedef struct ms_sss_frame {
-    int width, height;   /* 1 to 65536 each */
-    ms_sss_image input;  /* linear RGB */
-    ms_sss_image output; /* every pixel is written; may be the input's own memory, but must not overlap it otherwise */
-    ms_sss_image depth; /* optional with pixels_per_mm: distance along the view axis (not along the ray), scene units */
-    ms_sss_image
-        strength; /* optional, 0 to 1: a fraction of the effect; 0 and NaN: another material (see ms_sss_filter) */
-    ms_sss_image albedo;    /* optional RGB >= 0: the output is then multiplied by it, as albedo_mode says */
-    ms_sss_image specular;  /* optional RGB: added to the output, never filtered */
-    const uint8_t *profile; /* optional [height][width]: index of each pixel's kernel; an index without a kernel:
-                               another material */
-    ms_sss_image normal;  /* optional: the surface's normals, without bump maps, of any length, in view space: x to the
-                             right,  y as rows grow, z towards the camera; none: from depth, see `flat` */
-    ms_sss_image through; /* optional RGB: light that comes through thin parts (ms_sss_transmission, summed over the
-                             lamps); the output is the larger of both, before albedo and specular */
+    int width, height;     /* 1 to 65536 each */
+    ms_sss_image input;    /* linear RGB */
+    ms_sss_image output;   /* every pixel is written; may be the input, but must not overlap it otherwise */
+    ms_sss_image depth;    /* optional with pixels_per_mm: distance along the view axis (not the ray), scene units */
+    ms_sss_image strength; /* optional, 0 to 1: fraction of the effect; 0 and NaN: masked */
+    ms_sss_image albedo;   /* optional RGB >= 0: the output is then multiplied by it, as albedo_mode says */
+    ms_sss_image specular; /* optional RGB: added to the output, never filtered */
+    const uint8_t
+        *profile; /* optional [height][width]: index of each pixel's kernel; an index from kernel_count on: masked */
+    ms_sss_image normal;  /* optional: normals of the surface, without bump maps, of any length, in view space: x to the
+                             right, y as rows grow, z towards the camera; none: slopes from depth, see `flat` */
+    ms_sss_image through; /* optional RGB: transmitted light (ms_sss_transmission, summed over the lamps); the output is
+                             the larger of both, before albedo and specular */
     ms_sss_method *taken; /* optional [kernel_count], written: the method that each kernel in use was filtered by */
 } ms_sss_frame;
 
-/* How a tap whose surface lies dz in front of or behind the pixel counts. */
+/* The weight of a tap whose depth differs from the pixel's by dz. */
 typedef enum ms_sss_depth_mode {
     MS_SSS_DEPTH_AWARE = 0, /* weighted by dz from the tangent plane, renormalised; see ms_sss_filter */
     MS_SSS_DEPTH_SCALE = 1  /* depth sets the kernel's size in pixels only; light leaks across silhouettes */
 } ms_sss_depth_mode;
 
-/* Where the surface's colour acts: light crosses it when it leaves, when it enters, or half and half. */
+/* Where the albedo multiplies the light: as it leaves, as it enters, or half and half. */
 typedef enum ms_sss_albedo_mode {
     MS_SSS_ALBEDO_POST = 0, /* albedo * filter(input): keeps texture sharp */
     MS_SSS_ALBEDO_PRE = 1,  /* filter(albedo * input): blurs texture as well */
@@ -581,21 +575,21 @@ typedef struct ms_sss_filter_options {
     float pixels_per_mm[2]; /* texture space: pixels a millimetre along x and y; [1] 0: as [0] */
     float fov_degrees;      /* perspective: the picture's full angle along y, in (0, 180) */
     float ortho_height;     /* orthographic: scene units from the picture's top to its bottom */
-    float mm_per_unit;      /* millimetres in a scene unit, 1000 where that is the metre; 0: 1, refused where that makes
-                               kernels      cover half of the picture */
+    float mm_per_unit; /* millimetres in a scene unit, 1000 for metres; 0: 1, refused where kernels then cover half of
+                          the picture */
     ms_sss_depth_mode depth_mode;
-    float depth_sigma_mm; /* of MS_SSS_DEPTH_AWARE: |dz| / 3.0746 from which on nothing counts; 0: such that this is 1.5
-                             times the profile's 99% radius (flat 1: 0.37 times, between: between) */
+    float depth_sigma_mm; /* of MS_SSS_DEPTH_AWARE: weights are 0 from |dz| = 3.0746 sigma on; 0: that is 1.5 times the
+                             profile's 99% radius (flat 1: 0.37 times, linear between) */
     ms_sss_albedo_mode albedo_mode;
-    float fade;           /* 0: full effect, 1: none; the strength is 1 - fade times the strength map */
-    float rotation;       /* radians from +x towards +y: the axes of both passes (a kernel designed for it, or 0) */
-    float jitter;         /* 0 to 1: turns each pixel's axes by up to this part of 90 degrees (interleaved noise); the
-                             error gets no lower: noise hides structure */
-    ms_simd simd;         /* cap of the instruction set */
+    float fade;     /* 0: full effect, 1: none; the strength is 1 - fade times the strength map */
+    float rotation; /* radians from +x towards +y of the axes of both passes */
+    float jitter; /* 0 to 1: rotates each pixel's axes by up to this part of 90 degrees (interleaved noise); noise hides
+                     structure, the error gets no lower */
+    ms_simd simd; /* cap of the instruction set */
     ms_parallel parallel; /* the program's threads: up to 16 tasks a call; zero: the calling thread alone */
-    float flat; /* 0: the surface's slope and curvature count in full wherever depth is given (MS_SSS_DEPTH_AWARE);
-                   1: not at all, as if every pixel faced the camera; between: slopes are that much less */
-    int exact;  /* pyramid: 1 gathers more widely, nearer to the truth for more time */
+    float flat; /* 0: the surface's slope and curvature count in full if there is depth (MS_SSS_DEPTH_AWARE); 1: not at
+                   all; between: slopes are scaled by 1 - flat */
+    int exact;  /* pyramid: 1 gathers from more pixels, for less error and more time */
     ms_sss_method method;
     const struct ms_sss_pyramid *pyramids; /* [kernel_count], of the kernels' profiles; NULL: none */
 } ms_sss_filter_options;
@@ -632,12 +626,12 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
 #define MS_SSS_PYRAMID_SIZES 49  /* kernel radii of 1, 1.25, 1.5, 1.75, 2, 2.5 ... 4096 pixels */
 
 /* The round 2D kernel of a profile as a sum over the levels of a pyramid, for radii from about 16 pixels on: the cost
-   does not depend on the radius. [0][0] is the weight of a pixel's own light, [0][1] of its neighbours', [l][1] of what
-   is gathered from level l; all are >= 0 and add up to 1. Those of options.exact gather more widely. */
+   does not depend on the radius. [0][0] is the weight of a pixel's own light, [0][1] of its neighbours', [l][1] of the
+   gather from level l; all are >= 0 and add up to 1. */
 typedef struct ms_sss_pyramid {
-    float radius_mm; /* that holds 99% of the light of the widest channel */
+    float radius_mm; /* radius of 99% of the light of the widest channel */
     float weight[2][MS_SSS_PYRAMID_SIZES][MS_SSS_PYRAMID_LEVELS][2][3]; /* [exact][size][level][blurred][channel] */
-    float elevation[3];                                                 /* see ELEVATION; of index 1 */
+    float elevation[3];                                                 /* K of ms_sss_elevation at index 1 */
     float reflectance[3]; /* the profile's total; the weights add up to 1 */
 } ms_sss_pyramid;
 
@@ -649,15 +643,15 @@ MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profi
 MS_API size_t ms_sss_pyramid_workspace(int width, int height);
 
 /* ms_sss_filter with the round kernel instead of a separable one. With depth and MS_SSS_DEPTH_AWARE every pixel gathers
-   from 8 to 16 pixels of the next coarser level (options.exact 1: up to 64) at their distances in space and by the area
-   of surface that they show, and passes its sums to the finer level. Elevation enters by its mean and variance over the
-   gather (exact 1: for each pixel); a level's mean factor is at most 1 / reflectance. A pixel of a coarser level
-   belongs to the nearest surface that covers it, and light reaches only pixels of the same surface: none crosses a
-   depth edge wider than the radius. Masks are as in ms_sss_filter. A constant stays constant on planes. Gathers widen
-   with slopes up to 48 degrees; steeper planes are blurred too little along the level line and too much down the slope
-   (by 0.04 of a wave's height at 60 degrees, 0.15 at 75). options   as ms_sss_filter; MS_UNSUPPORTED: rotation, jitter,
-   pixels_per_mm that differ, frame->profile workspace ms_sss_pyramid_workspace bytes; NULL and size 0: from malloc Six
-   calls of options.parallel. Bit-equal for any thread count at one level of instructions. */
+   from 8 to 16 pixels of the next coarser level (options.exact 1: up to 64), weighted by their distance in space and
+   the area of surface that they show, and passes its sums to the finer level. A pixel of a coarser level belongs to the
+   nearest surface that covers it, and light reaches only pixels of the same surface: none crosses a depth edge wider
+   than the radius. A constant stays constant on planes. Gathers widen with slopes up to 48 degrees; steeper planes are
+   blurred too little along the level line and too much down the slope (by 0.04 of a wave's height at 60 degrees, 0.15
+   at 75). Elevation enters by its mean and variance over the gather (exact 1: for each pixel). Masks are as in
+   ms_sss_filter. options.parallel is called about six times; results are bit-equal for any thread count at one level.
+   options    as ms_sss_filter; MS_UNSUPPORTED: rotation, jitter, pixels_per_mm that differ, frame->profile
+   workspace  ms_sss_pyramid_workspace bytes; NULL and size 0: from malloc */
 MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
                                        const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                        ms_error *error);
@@ -676,7 +670,7 @@ typedef enum ms_sss_language {
     MS_SSS_WGSL = 4         /* WebGPU; group 0; constants: uniform buffer, binding 0 */
 } ms_sss_language;
 
-/* Where a pass finds a value of each pixel. */
+/* Where a pass reads a value of each pixel. */
 typedef enum ms_sss_source {
     MS_SSS_NONE = 0,
     MS_SSS_TEXTURE = 1, /* in red of a texture of its own */
@@ -1260,7 +1254,7 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 
 #if defined(__GNUC__) || defined(__clang__)
 #define MS_SSS__NOINLINE __attribute__((noinline))
-#define MS_SSS__COLD __attribute__((cold, noinline)) /* runs once a call or less: size counts more than speed */
+#define MS_SSS__COLD __attribute__((cold, noinline)) /* runs at most once a call: optimised for size */
 #else
 #define MS_SSS__NOINLINE
 #define MS_SSS__COLD
@@ -1268,7 +1262,7 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 
 #define MS_SSS__REFUSE(error, ...) ms__fail(error, MS_INVALID_ARGUMENT, 0, __VA_ARGS__)
 
-/* A number of the caller's and its range; NaN is outside of any. */
+/* A number of the caller and its range; NaN is outside of any. */
 typedef struct ms_sss__range {
     const char *name;
     double value, low, high;
@@ -1322,7 +1316,7 @@ MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm,
 #define MS_SSS_FILENAME "ms_sss.h" /* this file's name, for the inclusions below */
 #endif
 #if defined(__GNUC__) && !defined(__OPTIMIZE__)
-#define MS_SSS__INLINE inline /* inlined all the same, each vector in it would have its own place on the stack */
+#define MS_SSS__INLINE inline /* without optimisation, inlined vectors would each take stack */
 #elif defined(__GNUC__)
 #define MS_SSS__INLINE inline __attribute__((always_inline))
 #elif defined(_MSC_VER)
@@ -1339,7 +1333,7 @@ MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm,
 #define MS_SSS__PREFETCH(p) ((void)(p))
 #endif
 #if defined(__GNUC__)
-#define MS_SSS__ALIGNED __attribute__((aligned(64))) /* no vector lies in two lines of the cache */
+#define MS_SSS__ALIGNED __attribute__((aligned(64))) /* no vector straddles two cache lines */
 #else
 #define MS_SSS__ALIGNED
 #endif
@@ -1347,42 +1341,44 @@ MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm,
 enum {
     MS_SSS__LEFT = 16,        /* floats before a row's first pixel: one vector of any level */
     MS_SSS__RIGHT = 32,       /* floats behind a row's last block */
-    MS_SSS__BLOCK = 32,       /* columns that are left out together where none takes part */
+    MS_SSS__BLOCK = 32,       /* columns that are skipped together where all pixels are masked */
     MS_SSS__TASKS = 16,       /* of a call to options.parallel at most */
     MS_SSS__PARTS = 32,       /* two a task */
     MS_SSS__ROWS = 42,        /* row buffers of a task */
-    MS_SSS__PAIRS = 16,       /* of taps that are made as pairs */
+    MS_SSS__PAIRS = 16,       /* pairs of taps at most */
     MS_SSS__TILTED_PAIRS = 8, /* the same with slopes */
-    MS_SSS__PAIR_REACH = 120, /* pixels that pairs may reach */
-    MS_SSS__MARGIN = 144,     /* rows and columns around the picture: FAR, a group, and the pixels beside a tap */
-    MS_SSS__STEP = 8,         /* rows that the second pass takes together */
-    MS_SSS__PLAN_NONE =
-        0, /* plans of a group: no lane has a kernel; lane by lane; by pairs, where some have; all; at one place each */
+    MS_SSS__PAIR_REACH = 120, /* pixels: the largest offset of a pair */
+    MS_SSS__MARGIN = 144,  /* rows and columns around the picture: PAIR_REACH, a group, and the pixels beside a tap */
+    MS_SSS__STEP = 8,      /* rows that the second pass takes together */
+    MS_SSS__PLAN_NONE = 0, /* plan of a group, where a lane has a kernel if it is not masked and its kernel is not under
+                              half a pixel: no lane has one; lane by lane; pairs, some lanes have one; pairs, all have
+                              one; the same with one offset a pair */
     MS_SSS__PLAN_BY_LANE = 1,
     MS_SSS__PLAN_SOME_LANES = 2,
     MS_SSS__PLAN_ALL_LANES = 3,
     MS_SSS__PLAN_ONE_OFFSET = 4,
-    MS_SSS__OFF_BY_ONE = 128, /* added to a pair's whole part: it or one more */
+    MS_SSS__OFF_BY_ONE = 128, /* added to a pair's integer offset: lanes have it or one more */
     MS_SSS__SIDE_MAX = 65536,
     MS_SSS__FIXED_MAX = 2 * MS_SSS_TAPS_MAX
 };
 
 #if defined(__GNUC__) || defined(__clang__)
 #define MS_SSS__CLAIMED(flag) __atomic_load_n((flag), __ATOMIC_RELAXED)
-#define MS_SSS__CLAIM(flag) __atomic_exchange_n((flag), 1, __ATOMIC_RELAXED) /* taken before? */
+#define MS_SSS__CLAIM(flag) \
+    __atomic_exchange_n((flag), 1, __ATOMIC_RELAXED) /* returns whether the flag was set before */
 #elif defined(_MSC_VER)
 #include <intrin.h>
 #define MS_SSS__CLAIMED(flag) (*(flag))
 #define MS_SSS__CLAIM(flag) _InterlockedExchange((flag), 1)
 #endif
 
-#define MS_SSS__MASKED_DEPTH 1e15f /* in a sweep: depth of what takes no part */
+#define MS_SSS__MASKED_DEPTH 1e15f /* finite depth of masked pixels in a sweep */
 
-/* (1 - (dz / (3.0746 sigma))^2)^4 stands for exp(-dz^2 / (2 sigma^2)): within 0.013 of it everywhere. */
+/* (1 - (dz / (3.0746 sigma))^2)^4 approximates exp(-dz^2 / (2 sigma^2)) within 0.013. */
 #define MS_SSS__FALLOFF_END 3.0746
-#define MS_SSS__SPARSE 1e-3f    /* weight below which a tap's height is that of the one before it */
-#define MS_SSS__LIGHT_MAX 1e30f /* from here on a pixel is masked: sums of more would be infinite */
-#define MS_SSS__AREA_MAX 3.0f   /* a tap stands for at most so much more surface */
+#define MS_SSS__SPARSE 1e-3f    /* weight below which a tap takes the height of the one before it */
+#define MS_SSS__LIGHT_MAX 1e30f /* pixels from here on are masked: their sums would be infinite */
+#define MS_SSS__AREA_MAX 3.0f   /* bound on the area that one tap represents */
 
 /* Taps of one pass at whole-pixel offsets, for kernels of one size everywhere. */
 typedef struct ms_sss__fixed {
@@ -1391,42 +1387,42 @@ typedef struct ms_sss__fixed {
     int mixed[3];
 } ms_sss__fixed;
 
-/* Taps of one pass at positions that each pixel's size gives. Depths are scaled so that a pixel dz away counts
-   (1 - dz^2)^4, with slopes (1 - dz^2) / (1 + remote dz^2). */
+/* Taps of one pass at positions that depend on each pixel's size. Depths are scaled so that the weight is (1 - dz^2)^4,
+   with slopes (1 - dz^2) / (1 + dz_falloff dz^2). */
 typedef struct ms_sss__pass {
     int tap_count;
     const float *offset_mm;
     const float (*weight)[3];
     float total[3];
-    int mixed[3]; /* weights of both signs: what is missing goes to the pixel's own colour */
+    int mixed[3]; /* weights of both signs: the missing weight goes to the pixel's own colour */
     float size, size_max, size_min,
-        aspect[2]; /* pixels a mm: size, or min(size / depth, size_max); at most size_min: off */
+        aspect[2]; /* pixels per mm: `size`, or min(size / depth, size_max) in perspective; at or below size_min the
+                      kernel is under half a pixel and is skipped */
     int perspective;
-    /* With slopes: depths are taken against the tangent plane, and light from below it counts more. */
-    float focal[2];    /* slope of a pixel's step in depth: times focal, in perspective relative to the depth of the
+    /* With slopes: dz is the distance from the tangent plane, and light from below it counts more. */
+    float focal[2];    /* slope = focal times the step in depth of a pixel, in perspective relative to the depth of the
                           farther pixel */
-    float reach;       /* dz^2 of the kernel's radius: between neighbours a step in depth beyond is an edge */
+    float reach;       /* dz^2 of the kernel's radius: a larger step in depth between neighbours is an edge */
     float slope_scale; /* 1 - flat */
     float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; tangent 0: parallel rays */
     float unit;               /* mm of dz 1 */
-    float rounding; /* a plane that fits depths with relative errors of grain / 2 errs by at most grain (2 + i) times
-                    depth i pixels away: 2 errors for the depths there and here and for each step between, one pixel
-                    beside a tap */
+    float rounding; /* bound on rounding: depths carry a relative error of rounding / 2, so a fitted plane is off by at
+                       most rounding (2 + i) depth at a distance of i pixels */
     float elevation_4[3], root[3], least; /* K / 4; square root of the reflectance; least sin(theta) */
-    float dz_falloff, area_scale;         /* square of the mm of dz 1, times upright; square root of upright / 2 */
-    float split_dz;                       /* dz at which the pixels of a larger one part */
+    float dz_falloff, area_scale;         /* (mm of dz 1)^2 times slope_scale; square root of slope_scale / 2 */
+    float split_dz;                       /* half resolution: dz from which on four pixels are not averaged */
 } ms_sss__pass;
 
-/* Light of a tap x mm away falls about as 1 / x^2: what lies dz off the plane counts 1 / (1 + remote dz^2). Products of
-   three stay finite. */
+/* The light of a tap falls about as 1 / x^2 with its distance x = mm, so a pixel dz off the plane has the weight 1 / (1
+   + dz_falloff dz^2). The bound keeps products of three finite. */
 static MS_SSS__INLINE float ms_sss__dz_falloff(const ms_sss__pass *p, float mm)
 {
     const float most = 1e6f, square = mm * mm;
     return p->dz_falloff < most * square ? p->dz_falloff / square : p->dz_falloff > 0 ? most : 0;
 }
 
-/* A tap stands for the more surface the more it bends away between the tap before, at inner mm, and it: 1 + (bulge
-   times the change of height in mm)^2, sec^2 of that angle to second order of both axes. */
+/* A tap represents more surface where it bends away between the tap before, at inner mm, and this one: 1 + (area_scale
+   times the change of height in mm)^2, which is sec^2 of that angle to second order for both axes. */
 static MS_SSS__INLINE float ms_sss__area_scale(const ms_sss__pass *p, float mm, float *inner)
 {
     const float gap = fabsf(mm) - *inner;
@@ -1434,99 +1430,105 @@ static MS_SSS__INLINE float ms_sss__area_scale(const ms_sss__pass *p, float mm, 
     return gap > 1e-20f ? p->area_scale / gap : 0;
 }
 
-/* Both passes of a kernel: the second follows the first in slabs of rows, which lie in a ring, in groups of one vector
-   each of red, green, blue and depth (fixed taps: in planes). Numbers that all lanes share stand 16 times. */
+/* The state of both passes of a term: the second follows the first in slabs of rows, which lie in a ring, in groups of
+   one vector each of red, green, blue and depth (fixed taps: in planes). Numbers that all lanes share are stored 16
+   times. */
 typedef struct ms_sss__sweep {
-    float offset[2][MS_SSS__PAIRS][16];                              /* mm; of the axes in their own pixels */
+    float offset[2][MS_SSS__PAIRS][16];                              /* mm times the aspect of the axis */
     float span[MS_SSS__PAIRS][16], weight[MS_SSS__PAIRS + 1][3][16]; /* |offset|; centre, pairs */
     float dz_falloff[MS_SSS__PAIRS][16], area_scale[MS_SSS__PAIRS][16],
-        elevation[MS_SSS__TILTED_PAIRS][3][2][16]; /* lift: K / (4 span) and 1, times the fourth root of the weight */
+        elevation[MS_SSS__TILTED_PAIRS][3][2]
+                 [16]; /* elevation: K / (4 span) and 1, times the fourth root of the weight */
     struct ms_sss__job *job;
-    int pairs;                                        /* of taps that weigh the same; 0: any taps */
-    int with_slopes, reach, padded, lanes, plan_size; /* plan_size: bytes of a group's plan */
-    int parts, tasks; /* a band: parts of the picture that one task makes from the top down, in a ring of rows */
+    int pairs; /* pairs of equal weights; 0: general taps */
+    int with_slopes, reach, padded, lanes,
+        plan_size; /* plan_size: bytes of a group's plan; reach: rows that the second pass reads on each side */
+    int parts,
+        tasks; /* a band: consecutive parts of the picture that one task filters from the top down, in a ring of rows */
     volatile long claimed[MS_SSS__PARTS];
-    int normalised;             /* weights make a mean, the centre's above 0 */
-    int nonnegative, may_clamp; /* with slopes: no weight below 0; whether sines can reach their bounds */
+    int normalised;             /* weights are positive in the centre and add up to 1 */
+    int nonnegative, may_clamp; /* with slopes: no weight is negative; sines may reach their bounds */
     float *ring, *own, *window; /* of a task: rows that the first pass reads; own: see ms_sss__line */
-    int rows;                   /* of a window: 5 with slopes, else 1 */
+    int rows;                   /* rows of a window: 5 with slopes, else 1 */
     ptrdiff_t plan_row, window_row, window_size;
     unsigned char *plan;
-    int *slot, *done, *filled; /* of each row: in the ring, 0: nothing takes part; finished; of each slot: columns that
-                                hold something */
-    ptrdiff_t *row, *column; /* the same in floats, from MARGIN rows above the picture on; 0 1 2 ..., from -MARGIN on */
+    int *slot, *done, *filled; /* of each row: its place in the ring, 0: all masked; whether it is finished; of each
+                                  slot: the columns that are filled */
+    ptrdiff_t *row,
+        *column; /* offsets in floats: of rows, from MARGIN rows above the picture on; of columns, from -MARGIN on */
 } MS_SSS__ALIGNED ms_sss__sweep;
 
-/* Axes of each pixel's own: the picture lies in planes with an empty row above and below. */
+/* Rotated axes of each pixel. The picture lies in planes with an empty row above and below. */
 typedef struct ms_sss__rotation {
     const float (*direction)[2];
     int second, height;
     ptrdiff_t stride;
 } ms_sss__rotation;
 
-/* A row that a pass makes. What lies i steps along the axis from a group is at from + group + step[i]: red, and `plane`
-   floats on green, blue and depth. */
+/* One row of a pass. The group i steps along the axis starts at from + group + step[i] with red; green, blue and depth
+   follow `plane` floats apart. */
 typedef struct ms_sss__line {
     const float *from;
     const ptrdiff_t *step;
     ptrdiff_t group, plane;           /* floats from a group to the next, from red to green */
-    const ms_sss__rotation *rotation; /* NULL: along an axis */
-    const float *own[3]; /* with slopes: where turned, both; else pixels a mm of the tangent plane, depth that it gains
-                            a pixel (relative in perspective), cosine of the normal to the ray */
+    const ms_sss__rotation *rotation; /* NULL: unrotated */
+    const float *own[3]; /* with slopes: rotated: the slopes along x and y; else pixels per mm of the tangent plane, its
+                            gain of depth a pixel (relative in perspective), cosine of the normal to the ray */
     const unsigned char *plan;
-    int axis, at, count; /* 0: x, count columns; 1: y, row at of count; 2: turned, row at, count columns */
-    int first, last;     /* columns to make */
+    int axis, at, count; /* 0: x, count columns; 1: y, row at of count; 2: rotated, row at, count columns */
+    int first, last;     /* columns to filter */
     float *to[3];
     ptrdiff_t to_group;
 } ms_sss__line;
 
-/* What a pixel keeps of its own light, and which pixels are its neighbours, where a kernel works at half resolution. */
+/* Half resolution: the self weight of a pixel, and the depths that its surface spans. */
 typedef struct ms_sss__half_params {
     const ms_sss_kernel *kernel;
     int perspective;
     float size, size_max, aspect[2]; /* as in ms_sss__pass, in pixels of the picture */
-    float centre_only_depth; /* depth up to which the centre alone stands within a pixel of itself: the share is then */
+    float centre_only_depth; /* up to this depth only the centre tap touches the pixel itself: its self weight is then
+                                `self_weight` */
     float self_weight[3];
-    float identity_depth; /* depth from which on kernels are under half a pixel */
-    float falloff_scale;  /* 1 / dz from which on nothing counts */
-    float scale;          /* of depths of the scene */
+    float identity_depth; /* depth from which on kernels are under half a pixel, so that the filter is the identity */
+    float falloff_scale;  /* 1 / the dz at which weights reach 0 */
+    float scale;          /* dz per scene unit */
 } ms_sss__half_params;
 
-/* Square of the radius of a level's gather, in pixels of the next. Wider ones see the shape from nearer by, narrower
-   ones cost less: 1.75 and 2.2 of what six pixels hold, wide 2.24 and 3.74 of eight; a wide level 0 of 2.5 or 2.8 is
-   nearer to random walks, but loses 1.2% or 1.6% of textures. */
+/* Square of the radius of a level's gather, in pixels of the next level. Wider gathers measure the shape from nearer
+   by, narrower ones cost less: 1.75 and 2.2 of six pixels, wide 2.24 and 3.74 of eight. A wide level 0 of 2.5 or 2.8 is
+   nearer to random walks, but its error on textures is 1.2% or 1.6% higher. */
 #define MS_SSS__GATHER(wide, level) ((wide) ? ((level) > 0 ? 14.0f : 5.0f) : (level) > 0 ? 4.84f : 3.0625f)
 
-/* A pixel that a pixel of the finer level gathers from: floats from the one that its four lie around, place, its
-   square. */
+/* A tap of the gather: offset in floats from the pixel at the middle of its four nearest, position, squared distance.
+ */
 typedef struct ms_sss__tap {
     ptrdiff_t at;
-    float x, y, square, rest; /* rest: 1 - its square over the gather's */
+    float x, y, square, rest; /* rest: 1 - square / the squared radius of the gather */
 } ms_sss__tap;
 
-/* What the row kernels of the pyramid need. Depth enters as d, which is linear on planes: -1 / depth in perspective,
-   else depth; 0 where nothing takes part. Rows of a level: colour, d, share (surface there, in pixels of the level),
-   the change of d a pixel along x and y. */
+/* Parameters of the pyramid's row kernels. Depth enters as d, which is linear on planes: -1 / depth in perspective,
+   else depth; 0 for masked pixels. Rows of a level: colour, d, coverage (area of surface, in pixels of the level), the
+   change of d a pixel along x and y. */
 typedef struct ms_sss__pyramid_params {
     const float (*table)[MS_SSS_PYRAMID_LEVELS][2][3]; /* weight[size][level][blurred][channel] */
-    int perspective, depth_aware, wide, level; /* wide: options.exact; level: of the rows that are made by gather */
-    float weight[2][3];                        /* of the level where all pixels have one size */
-    float size, size_max;                      /* the kernel's radius in pixels: min(size d, size_max) */
-    float step;                                /* change of d a pixel at slope 1: times d in perspective */
-    float slope_scale;                         /* 1 - flat; 0: the depth counts for the size alone */
-    float reach, join; /* distance from a tangent plane at which nothing is left, in radii: of sums on the way up, of
-                          pixels that become one */
+    int perspective, depth_aware, wide, level;         /* wide: options.exact; level: of the rows that gather writes */
+    float weight[2][3];                                /* of the level, if all pixels have one size */
+    float size, size_max;                              /* the kernel's radius in pixels: min(size d, size_max) */
+    float step;                                        /* change of d a pixel at slope 1; in perspective times d */
+    float slope_scale;                                 /* 1 - flat; 0: depth sets the size alone */
+    float reach, join; /* distance from a tangent plane at which weights reach 0, in radii: of sums on the way up, of
+                          pixels that are averaged */
     float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; 0: parallel rays */
     float elevation_4[3], max_factor[3]; /* K / 4; 1 / reflectance */
-    const ms_sss__tap (*tap)[2][64]; /* [odd row][odd column], the nearest first: the first four lie around the pixel */
-    int taps, core, sums; /* core: that reach pixels that face the camera; sums: whether the coarser level has any */
+    const ms_sss__tap (*tap)[2][64]; /* [odd row][odd column], the nearest first: the first four surround the pixel */
+    int taps, core, sums; /* core: taps of surfaces that face the camera; sums: whether the coarser level has sums */
     ptrdiff_t plane;      /* of the coarser level */
     float inner;          /* 1 / radius of the gather */
-    float norm, mean, spread; /* of the gather's taps: sum, E r / E r^2, E r^2 / E r^4 */
-    float blur;               /* variance of a place in a pixel of the next level */
+    float norm, mean, spread; /* of the gather's taps: 1 / sum, E r / E r^2, E r^2 / E r^4 */
+    float blur;               /* variance of a position within a pixel of the next level */
     float rounding;           /* twice the relative error of d */
-    float plane_rounding; /* on planes the gather's taps are less than this from the tangent plane, in pixels of their
-                    level (times d, not in perspective) */
+    float plane_rounding; /* on planes the gather's taps are less than this off the tangent plane, in pixels of their
+                             level (orthographic: times d) */
 } ms_sss__pyramid_params;
 
 typedef struct ms_sss__kernels {
@@ -1574,7 +1576,7 @@ typedef struct ms_sss__kernels {
 
 static MS_SSS__INLINE int ms_sss__clamp(int x, int low, int high) { return x < low ? low : x > high ? high : x; }
 
-/* From a group's place in `from` to its pixels i rows further; height: rows that there are. */
+/* Offset in floats to the pixels i rows away; rows outside of the picture are clamped to the empty ones. */
 static MS_SSS__INLINE ptrdiff_t ms_sss__row_step(const ms_sss__line *l, int i, int height)
 {
     if (l->axis == 0) return 0;
@@ -1582,7 +1584,7 @@ static MS_SSS__INLINE ptrdiff_t ms_sss__row_step(const ms_sss__line *l, int i, i
     return l->rotation ? i * l->rotation->stride : l->step[i];
 }
 
-/* Which of 64 directions a pixel has: the R2 sequence (Roberts 2018) in 16-bit fixed point, the same on any machine. */
+/* The direction of a pixel, of 64: the R2 sequence (Roberts 2018) in 16-bit fixed point, the same on any machine. */
 static MS_SSS__INLINE int ms_sss__direction_of(int x, int y)
 {
     return (int)((((uint32_t)x * 49472u + (uint32_t)y * 37345u) & 65535u) >> 10);
@@ -1610,7 +1612,7 @@ static MS_SSS__INLINE int ms_sss__highest(unsigned bits)
 #endif
 }
 
-/* The lowest n of a level's lanes. */
+/* A mask of the first n lanes. */
 static MS_SSS__INLINE unsigned ms_sss__lanes(int n, int lanes)
 {
     return n <= 0 ? 0u : (1u << (n < lanes ? n : lanes)) - 1u;
@@ -1622,7 +1624,7 @@ static MS_SSS__INLINE float ms_sss__floor(float x)
     return whole > x ? whole - 1.0f : whole;
 }
 
-/* Sizes of a pyramid's table are 2^e (1 + m / 4): their index is in the float's top bits. */
+/* Sizes of a pyramid's table are 2^e (1 + m / 4), so their index is the float's top bits. */
 static MS_SSS__INLINE int ms_sss__size_index(float size)
 {
     int32_t bits;
@@ -1738,7 +1740,7 @@ static void ms_sss__put(const ms_sss_image *image, int c, int x, int y, float va
     else ((float *)image->channel[c])[at] = value;
 }
 
-/* out[c] points at the values of pixels [x, x + count) of row y: in the image where they lie side by side, else in
+/* Sets out[c] to the values of pixels [x, x + count) of row y: in the image if they are contiguous, else copied to
    buffer[c], with 0 from column width on. */
 static void ms_sss__load(const ms_sss__kernels *simd, const ms_sss_image *image, int channels, int width, int y, int x,
                          int count, float *const *buffer, const float **out)
@@ -1771,7 +1773,7 @@ static void ms_sss__load(const ms_sss__kernels *simd, const ms_sss_image *image,
     }
 }
 
-/* Writes values [begin, end) of a row that starts at pixel (x, y), where depth is finite or NULL. */
+/* Writes values [begin, end) of a row that starts at pixel (x, y), where depth is finite or depth is NULL. */
 static void ms_sss__store(const ms_sss__kernels *simd, const ms_sss_image *image, int width, int y, int x, int begin,
                           int end, const float *const in[3], const float *depth)
 {
@@ -1806,7 +1808,7 @@ static void ms_sss__store(const ms_sss__kernels *simd, const ms_sss_image *image
 
 /* --- the passes --- */
 
-/* NaN differs from everything, and == raises no flag for it. */
+/* NaN differs from everything. == raises no floating-point flag for a quiet NaN. */
 static int ms_sss__differ(float a, float b) { return !(a == b); }
 
 #if defined(MS__X64)
@@ -1821,13 +1823,12 @@ static void ms_sss__mask_exceptions(void *context, int index)
     const unsigned host = _mm_getcsr();
     _mm_setcsr((host & ~0x3fu) | 0x1f80u);
     task->run(task->context, index);
-    _mm_sfence(); /* what was streamed is written before the task counts as done */
+    _mm_sfence(); /* streamed stores must be visible before the task counts as done */
     _mm_setcsr(host);
 }
 #endif
 
-/* ms__run with floating-point exceptions masked and their flags left alone: lanes that take no part hold whatever comes
-   of infinity and 0. */
+/* ms__run with floating-point exceptions masked and their flags restored: masked lanes compute with infinity and 0. */
 static void ms_sss__run_parallel(const ms_parallel *parallel, int count, void (*run)(void *context, int index),
                                  void *context)
 {
@@ -1841,11 +1842,11 @@ static void ms_sss__run_parallel(const ms_parallel *parallel, int count, void (*
 #endif
 }
 
-/* The columns of a row that hold anything. */
+/* The unmasked columns of a row. */
 typedef struct ms_sss__row {
-    int first, last;             /* whole blocks outside of which every pixel is masked */
-    int valid_first, valid_last; /* a run without masked pixels; up to job->padded where it reaches the width */
-    int full_strength;           /* no strength of an unmasked pixel is under 1 */
+    int first, last;             /* whole blocks; every pixel outside is masked */
+    int valid_first, valid_last; /* a run without masked pixels; extends to job->padded if it reaches the width */
+    int full_strength;           /* no strength of an unmasked pixel is below 1 */
 } ms_sss__row;
 
 typedef struct ms_sss__job {
@@ -1855,28 +1856,28 @@ typedef struct ms_sss__job {
     const ms_sss_kernel *kernel; /* of the profile at hand */
     int profile, kernel_count, term;
     int block, padded;           /* padded: width in whole blocks */
-    int full_width, full_height; /* of the picture whose pixels are `coarse` times smaller: its own, unless this is the
-                                    half of one */
+    int full_width, full_height; /* of the picture at full resolution, whose pixels are `coarse` times smaller; coarse
+                                    1: this is it */
     float coarse;
-    int half_depth;                            /* its depth is binary16 */
-    int begin, end, band;                      /* rows of the run at hand, rows a task */
-    int fixed, rotated, with_slopes, identity; /* idle: a kernel under half a pixel */
-    int whole_rows; /* rows are prepared for the whole picture: with 0 where nothing takes part */
+    int half_depth;                            /* depth was given as binary16 */
+    int begin, end, band;                      /* rows of the current run, rows a task */
+    int fixed, rotated, with_slopes, identity; /* identity: the kernel is under half a pixel */
+    int whole_rows;                            /* prepare clears masked columns of the whole row */
     ptrdiff_t stride;
     float depth_scale, gain;
-    int copy_masked; /* pixels that take no part still have to be copied to the output */
-    int copy_bits;   /* and their elements can be copied as they are */
+    int copy_masked; /* masked pixels still have to be copied to the output */
+    int copy_bits;   /* and copied bit for bit */
     float *middle[3], *source[3], *depth, *sum[3], *rows;
-    float *unmasked; /* a row of depths where all pixels take part */
+    float *unmasked; /* a row of depths: 0 in every column, INFINITY beside them */
     ms_sss__row *row;
-    int writes_output;   /* the second pass writes straight to the output where all pixels take part */
+    int writes_output;   /* the second pass writes to the output itself where no pixel is masked */
     ms_sss__fixed *taps; /* two */
     ms_sss__pass pass;
     float direction[64][2];
     float *planes; /* the first */
     int plane_count;
-    float nearest, least[MS_SSS__TASKS]; /* the picture's least depth, 0: not known; of each task's rows */
-    float *window;                       /* of a sweep, and behind it what else it keeps */
+    float nearest, least[MS_SSS__TASKS]; /* the picture's least depth, 0: not known; the least of each task's rows */
+    float *window;                       /* an ms_sss__sweep and its arrays */
 } ms_sss__job;
 
 static int ms_sss__round_up(int x, int step) { return (x + step - 1) / step * step; }
@@ -1886,7 +1887,7 @@ static float *ms_sss__buffer(const ms_sss__job *job, int task, int row)
     return job->rows + ((ptrdiff_t)task * MS_SSS__ROWS + row) * job->stride + MS_SSS__LEFT;
 }
 
-/* The factor that the albedo has before (side 0) or after (side 1) the filter; NULL: none. */
+/* The albedo's factor before (side 0) or after (side 1) the filter; NULL: 1. */
 static const float *const *ms_sss__albedo(const ms_sss__job *job, int side, int y, int x, int count,
                                           float *const *buffer, const float **out)
 {
@@ -1903,7 +1904,7 @@ static const float *const *ms_sss__albedo(const ms_sss__job *job, int side, int 
     return out;
 }
 
-/* Copies those of pixels [begin, end) of row y that take no part: depth INFINITY, or all where depth is NULL. */
+/* Copies masked pixels of [begin, end) of row y: those with depth INFINITY, or all if depth is NULL. */
 static void ms_sss__copy(const ms_sss__job *job, int y, int begin, int end, const float *depth)
 {
     const ms_sss_frame *f = &job->frame;
@@ -1922,7 +1923,8 @@ static void ms_sss__copy(const ms_sss__job *job, int y, int begin, int end, cons
         for (x = begin; x < end; ++x) {
             float value;
             if (depth && depth[x] < INFINITY) continue;
-            if (f->profile) { /* each pixel is copied once: under its own profile, or the first if that has no kernel */
+            if (f->profile) { /* each pixel is copied once: for its own profile, or for the first if that has no kernel
+                               */
                 int profile = f->profile[(size_t)y * (size_t)f->width + (size_t)x];
                 if (profile != job->profile && (profile < job->kernel_count || job->profile > 0)) continue;
             }
@@ -1946,7 +1948,7 @@ static int ms_sss__all_valid(const ms_sss__job *job, int y, int begin, int end)
     return job->row[y].valid_first <= begin && end <= job->row[y].valid_last;
 }
 
-/* The longest run of pixels of row y that take part, or one of them. */
+/* The longest run of unmasked pixels of a row. */
 static void ms_sss__find_valid_run(const ms_sss__job *job, ms_sss__row *row, const float *depth)
 {
     int x, run = row->first;
@@ -1962,7 +1964,7 @@ static void ms_sss__find_valid_run(const ms_sss__job *job, ms_sss__row *row, con
     if (row->valid_last == job->frame.width) row->valid_last = job->padded;
 }
 
-/* Copies what takes no part in row y. depth: from its first column that holds anything on. */
+/* Copies the masked pixels of row y. */
 static void ms_sss__copy_row(const ms_sss__job *job, int y, const ms_sss__row *row, const float *depth)
 {
     const int width = job->frame.width, first = row->first, last = row->last,
@@ -1981,8 +1983,8 @@ static void ms_sss__clear(const ms_sss__job *job, float *row, float value)
     for (x = -MS_SSS__LEFT; x < job->padded + MS_SSS__RIGHT; ++x) row[x] = value;
 }
 
-/* Row y of what the first pass reads: colour (times albedo) and depth for the columns from first to last, which are
-   then known; beyond them no pixel takes part, and colour is 0 as far as taps reach. */
+/* Loads row y for the first pass: colour (times albedo) and depth of the columns from first to last, which it finds.
+   Pixels outside are masked, and colour is 0 there as far as taps reach. */
 static void ms_sss__prepare(const ms_sss__job *job, int y, int task, ms_sss__row *row, float *const colour[3],
                             float *depth)
 {
@@ -1991,7 +1993,7 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, ms_sss__row
     float *in_buffer[3], *albedo_buffer[3], *to[3];
     const float *in[3], *albedo[3], *map, *const *factor, *before = job->unmasked;
     int c, x, span[2], first = 0, last = job->padded, low, high;
-    int begin = 0, end = width; /* none outside takes part; first and last are whole blocks */
+    int begin = 0, end = width; /* [begin, end): unmasked columns; first, last: the same in whole blocks */
     for (c = 0; c < 3; ++c) {
         in_buffer[c] = ms_sss__buffer(job, task, 4 + c);
         albedo_buffer[c] = ms_sss__buffer(job, task, 7 + c);
@@ -2057,9 +2059,9 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, ms_sss__row
     ms_sss__copy_row(job, y, row, depth);
 }
 
-/* What is left to do for columns [x, x + count) of row y once blur holds the filtered light: fades it to own (NULL:
-   there is nothing to fade), multiplies by the albedo, adds the specular light, and writes the pixels that take part:
-   depth NULL: the row's longest run. */
+/* Composites columns [x, x + count) of row y, of which blur is the filtered light: fades to own (NULL: no fade), takes
+   the larger of it and the transmitted light, multiplies by the albedo, adds the specular light and writes the unmasked
+   pixels. depth NULL: all in the row's longest run are unmasked. */
 static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3],
                             const float *const *own, const float *depth)
 {
@@ -2099,8 +2101,8 @@ static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int 
     if (depth) ms_sss__store(job->simd, &f->output, f->width, y, x, valid_last, count, result, depth);
 }
 
-/* The rest for columns [x, x + count) of row y once blur holds the term's second pass: adds up the terms and delta E
-   and composes. */
+/* Adds up the terms and delta E for columns [x, x + count) of row y, of which blur is the term's second pass, and
+   composites after the last term. */
 static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3],
                            const float *depth)
 {
@@ -2158,7 +2160,7 @@ static void ms_sss__least_band(void *context, int task)
     job->least[task] = least;
 }
 
-/* One pass for rows [begin, end), cut into bands by the picture alone. */
+/* Runs a pass over rows [begin, end), cut into bands that depend on the picture alone. */
 static void ms_sss__run(ms_sss__job *job, int begin, int end, void (*pass)(void *context, int task))
 {
     const int rows = (end - begin + MS_SSS__TASKS - 1) / MS_SSS__TASKS;
@@ -2182,29 +2184,28 @@ static void ms_sss__find_nearest(ms_sss__job *job)
 
 /* --- the passes: admit, first, second, compose --- */
 
-/* Floats of a row in the ring: two cache lines more than it holds, so that rows side by side do not fall on the same
-   few sets of the cache. */
+/* Floats of a row in the ring. Two more cache lines keep neighbouring rows off the same cache sets. */
 static ptrdiff_t ms_sss__ring_row(int padded) { return 4 * (ptrdiff_t)padded + 32; }
 
-/* Rows of a band between which nothing has to stay for its neighbours lie in a ring of this many. */
+/* Rows of the ring for rows that no neighbouring band needs. */
 static int ms_sss__ring_rows(const ms_sss__sweep *s) { return 2 * s->reach + MS_SSS__STEP; }
 
-/* Where row y of a band that begins at `begin` is kept: rows that the band above needs have their own place; those that
-   the band below needs are the last in the ring. */
+/* The slot of row y in a band that begins at `begin`. Rows that the band above needs have slots of their own; those
+   that the band below needs are the last in the ring. */
 static int ms_sss__slot(const ms_sss__sweep *s, int begin, int y)
 {
     const int low = begin ? begin + 2 * s->reach : 0;
     return 1 + (y < low ? y : low + (y - low) % ms_sss__ring_rows(s));
 }
 
-/* First row of a part of the picture. */
+/* The first row of a part of the picture. */
 static int ms_sss__part_begin(const ms_sss__sweep *s, int part)
 {
     return (int)((ptrdiff_t)part * s->job->frame.height / s->parts);
 }
 
-/* Takes the part at which a task begins a band: half-way into the longest run of free ones, so that whoever comes from
-   above finds as much to do; -1: none is left. Who makes a row changes nothing but where it is kept. */
+/* Claims the part at which a task begins a band: the middle of the longest run of unclaimed parts, to balance the load;
+   -1: none is left. The order of claims changes no result, only where rows are stored. */
 static int ms_sss__begin_band(ms_sss__sweep *s, int task)
 {
 #ifdef MS_SSS__CLAIM
@@ -2226,7 +2227,7 @@ static int ms_sss__begin_band(ms_sss__sweep *s, int task)
 #endif
 }
 
-/* Whether a band goes on with this part. */
+/* Claims the next part for a band; 0: another band has it. */
 static int ms_sss__extend_band(ms_sss__sweep *s, int part)
 {
 #ifdef MS_SSS__CLAIM
@@ -2236,7 +2237,7 @@ static int ms_sss__extend_band(ms_sss__sweep *s, int part)
 #endif
 }
 
-/* Fixed taps along x for columns [begin, end) of a prepared row; a border's columns 16 at a time. */
+/* Fixed taps along x for columns [begin, end) of a prepared row that have masked or missing taps. */
 static void ms_sss__fixed_x(const ms_sss__job *job, float *const in[4], int begin, int end, float *const out[3])
 {
     const ms_sss__fixed *f = &job->taps[0];
@@ -2257,14 +2258,14 @@ static void ms_sss__fixed_x(const ms_sss__job *job, float *const in[4], int begi
     job->simd->convolve_valid(f, own, at, from, tap, taps, end - begin, in[3] + begin, to);
 }
 
-/* The first pass of row y by fixed taps: at once where every tap counts. The ring's rows are planes. */
+/* The first pass of row y by fixed taps: one convolution where no tap is masked. The ring's rows are planes. */
 static MS_SSS__NOINLINE void ms_sss__fixed_first(const ms_sss__sweep *s, int y, float *const in[4])
 {
     const ms_sss__job *job = s->job;
     const ms_sss__fixed *f = &job->taps[0];
     const int first = job->row[y].first, last = job->row[y].last;
     float *out[4];
-    int x, c, j, a, b; /* [a, b): all taps are inside and take part */
+    int x, c, j, a, b; /* [a, b): all taps are inside and unmasked */
     for (c = 0; c < 4; ++c) out[c] = s->ring + s->row[y] + c * s->padded;
     if (!ms_sss__all_valid(job, y, first, last))
         memcpy(out[3] + first, in[3] + first, (size_t)(last - first) * sizeof(float));
@@ -2281,7 +2282,7 @@ static MS_SSS__NOINLINE void ms_sss__fixed_first(const ms_sss__sweep *s, int y, 
     for (x = b; x < last; x += 16) ms_sss__fixed_x(job, in, x, x + 16, out);
 }
 
-/* Fixed taps along y for columns [x, x + count) of row y, of which not all taps need to be inside or take part. */
+/* Fixed taps along y for columns [x, x + count) of row y that have masked or missing taps. */
 static void ms_sss__fixed_y(const ms_sss__sweep *s, int y, int x, int count, float *const out[3])
 {
     const ms_sss__job *job = s->job;
@@ -2303,12 +2304,12 @@ static void ms_sss__fixed_y(const ms_sss__sweep *s, int y, int x, int count, flo
     job->simd->convolve_valid(f, own, at, from, tap, taps, count, own_depth, out);
 }
 
-/* The second pass of row y by fixed taps: at once where every tap counts, else by blocks. */
+/* The second pass of row y by fixed taps: one convolution where no tap is masked, else by blocks. */
 static MS_SSS__NOINLINE void ms_sss__fixed_second(const ms_sss__sweep *s, int y, float *const out[3])
 {
     const ms_sss__job *job = s->job;
     const ms_sss__fixed *f = &job->taps[1];
-    int a = job->row[y].first, b = job->row[y].last, j, c, x; /* [a, b): every tap counts */
+    int a = job->row[y].first, b = job->row[y].last, j, c, x; /* [a, b): all taps are inside and unmasked */
     if (y + f->lowest < 0 || y + f->highest >= job->frame.height) b = a;
     for (j = 0; j < f->count && a < b; ++j) {
         const int row = y + f->offset[j];
@@ -2339,7 +2340,7 @@ static MS_SSS__NOINLINE void ms_sss__fixed_second(const ms_sss__sweep *s, int y,
     }
 }
 
-/* Second pass, composition and output of rows [begin, end), at most STEP. */
+/* Second pass, compositing and output of rows [begin, end), at most STEP. */
 static void ms_sss__second_pass(const ms_sss__sweep *s, int task, int begin, int end)
 {
     const ms_sss__job *job = s->job;
@@ -2395,7 +2396,7 @@ static void ms_sss__second_pass(const ms_sss__sweep *s, int task, int begin, int
     }
 }
 
-/* Row y as the first pass reads it, into the window; rows of other bands are read for their depths only. */
+/* Loads row y into the window. Rows of other bands are read for their depths only. */
 static void ms_sss__window_row(const ms_sss__sweep *s, int task, int y, int foreign, float *const plane[4])
 {
     ms_sss__job other = *s->job;
@@ -2410,7 +2411,7 @@ static void ms_sss__window_row(const ms_sss__sweep *s, int task, int y, int fore
     ms_sss__prepare(&other, y, task, row, plane, plane[3]);
     if (other.fixed) return;
     x = row->valid_first <= 0 && s->padded <= row->valid_last ? other.frame.width / 16 * 16
-                                                              : 0; /* none INFINITY before */
+                                                              : 0; /* the columns before have finite depths */
     other.simd->limit(plane[3] - MS_SSS__LEFT, MS_SSS__LEFT);
     other.simd->limit(plane[3] + x, s->padded - x + MS_SSS__RIGHT);
 }
@@ -2430,7 +2431,7 @@ static void ms_sss__slopes(const ms_sss__job *job, int task, int y, const float 
     job->simd->slopes(&job->pass, depth, job->frame.normal.channel[0] ? normal : NULL, y, first, last, slope);
 }
 
-/* The first pass of row y, whose window of rows is filled, into the ring. */
+/* The first pass of row y, whose window is loaded, into the ring. */
 static void ms_sss__first_pass(const ms_sss__sweep *s, int task, int y, float *const plane[5][4], float *const temp[5])
 {
     const ms_sss__job *job = s->job;
@@ -2445,7 +2446,7 @@ static void ms_sss__first_pass(const ms_sss__sweep *s, int task, int y, float *c
         return;
     }
     memset(&l, 0, sizeof l);
-    for (x = filled[0]; x < filled[1]; x += s->lanes) /* what the row before left there */
+    for (x = filled[0]; x < filled[1]; x += s->lanes) /* clears the columns of the slot's former row */
         if (x < first || x >= last)
             for (c = 0; c < 4 * s->lanes; ++c) row[4 * x + c] = c < 3 * s->lanes ? 0.0f : MS_SSS__MASKED_DEPTH;
     filled[0] = first;
@@ -2483,7 +2484,7 @@ static void ms_sss__first_pass(const ms_sss__sweep *s, int task, int y, float *c
     job->simd->sweep[s->with_slopes](s, p, &l, 1, first, last);
 }
 
-/* Both passes of bands that this task takes; of the second, the rows that need no other band's. */
+/* Both passes of the bands that this task claims. The second pass skips rows that need another band's rows. */
 static void ms_sss__sweep_band(void *context, int task)
 {
     ms_sss__sweep *s = (ms_sss__sweep *)context;
@@ -2520,7 +2521,7 @@ static void ms_sss__sweep_band(void *context, int task)
     }
 }
 
-/* The second pass of the rows next to other bands, STEP at a time: task by task in turn. */
+/* The second pass of the rows next to other bands, STEP at a time; tasks take turns. */
 static void ms_sss__sweep_borders(void *context, int task)
 {
     const ms_sss__sweep *s = (const ms_sss__sweep *)context;
@@ -2538,7 +2539,7 @@ static void ms_sss__broadcast(float to[16], double value)
     for (i = 0; i < 16; ++i) to[i] = (float)value;
 }
 
-/* Pairs of taps that weigh the same, if the kernel consists of such and depth weighs them as usual; else 0. */
+/* The number of pairs, if all taps are pairs of equal weights; else 0. */
 static int ms_sss__set_pairs(ms_sss__sweep *s, const ms_sss__job *job)
 {
     const ms_sss_kernel *k = job->kernel;
@@ -2548,8 +2549,8 @@ static int ms_sss__set_pairs(ms_sss__sweep *s, const ms_sss__job *job)
     int i, c;
     if (pairs > (s->with_slopes ? MS_SSS__TILTED_PAIRS : MS_SSS__PAIRS)) return 0;
     s->nonnegative = !(p->mixed[0] || p->mixed[1] || p->mixed[2]);
-    /* dz / (1 + remote dz^2) is at most half of 1 / sqrt(remote), which is the offset over that of upright; 1 + the
-       square of a ray's tangent is the most that facing adds */
+    /* dz / (1 + dz_falloff dz^2) is at most 1 / (2 sqrt(dz_falloff)), half of the offset over sqrt(slope_scale). The
+       rays add a factor of at most 1 + the square of their largest tangent. */
     s->may_clamp = !(
         0.25 *
             (1 +
@@ -2579,7 +2580,7 @@ static int ms_sss__set_pairs(ms_sss__sweep *s, const ms_sss__job *job)
     return pairs;
 }
 
-/* Rows that the second pass needs on either side, at most all. */
+/* Rows that the second pass reads on each side, at most the height. */
 static int ms_sss__rows_reached(ms_sss__job *job)
 {
     const ms_sss__pass *p = &job->pass;
@@ -2595,7 +2596,7 @@ static int ms_sss__rows_reached(ms_sss__job *job)
             size /= (double)(job->nearest * job->depth_scale);
             if (size > (double)p->size_max) size = (double)p->size_max;
         }
-        if (job->with_slopes) /* a plane that leans towards the ray is seen enlarged */
+        if (job->with_slopes) /* a plane tilted towards the ray is seen enlarged */
             size *= sqrt(
                 1 +
                 (double)(p->tangent * p->tangent) *
@@ -2605,7 +2606,6 @@ static int ms_sss__rows_reached(ms_sss__job *job)
     return reach < job->frame.height ? (int)reach : job->frame.height;
 }
 
-/* Both passes of a term: the second follows the first, band by band. */
 static void ms_sss__both_passes(ms_sss__job *job)
 {
     const int height = job->frame.height;
@@ -2639,7 +2639,7 @@ static void ms_sss__both_passes(ms_sss__job *job)
     s->filled = s->done + height;
     s->plan = (unsigned char *)(s->filled + 2 * (height + 1));
 
-    for (i = 0; i < s->padded; i += s->lanes) /* slot 0: what lies outside */
+    for (i = 0; i < s->padded; i += s->lanes) /* slot 0: rows outside of the picture */
         for (c = 0; c < 4 * s->lanes; ++c) s->ring[4 * i + c] = c >= 3 * s->lanes ? MS_SSS__MASKED_DEPTH : 0.0f;
     for (i = -MS_SSS__MARGIN; i < height + MS_SSS__MARGIN; ++i) s->row[i] = 0;
     for (i = -MS_SSS__MARGIN; i < MS_SSS__MARGIN; ++i) s->column[i] = i;
@@ -2654,7 +2654,7 @@ static void ms_sss__both_passes(ms_sss__job *job)
 
 /* --- turned axes --- */
 
-/* Both passes read rows above and below: all rows are prepared first, then each pass makes all of them. */
+/* Rotated passes read rows above and below, so all rows are prepared first and each pass runs over the picture. */
 static void ms_sss__rotated_rows(void *context, int task)
 {
     const ms_sss__job *job = (const ms_sss__job *)context;
@@ -2671,7 +2671,7 @@ static void ms_sss__rotated_rows(void *context, int task)
     }
 }
 
-/* A pass of a band of rows, each pixel along its own axis. */
+/* One pass of a band of rows along each pixel's own axis. */
 static void ms_sss__rotated_pass(const ms_sss__job *job, int task, int second)
 {
     const int begin = job->begin + task * job->band;
@@ -2726,16 +2726,15 @@ static void ms_sss__rotated_second(void *context, int task)
 
 /* --- one call --- */
 
-/* What the workspace holds: planes (a pyramid), rows alone, or what a kernel's passes need. */
+/* Kinds of workspace: planes and rows (pyramid), rows, or the buffers of a kernel's passes. */
 enum { MS_SSS__PLANES, MS_SSS__ROW_BUFFERS, MS_SSS__PASSES };
 
-/* Floats of the parts of the workspace, in the order in which they lie there. */
+/* The parts of the workspace, in floats, in their order. */
 typedef struct ms_sss__layout {
     int padded, block, planes;
     size_t stride, plane, ring, sweep, total; /* sweep, total: bytes; SIZE_MAX: too many */
 } ms_sss__layout;
 
-/* Slopes count, if there is depth. */
 static int ms_sss__uses_slopes(const ms_sss_filter_options *o)
 {
     return o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE;
@@ -2778,8 +2777,8 @@ static MS_SSS__COLD ms_sss__layout ms_sss__plan_workspace(int width, int height,
     return l;
 }
 
-/* Tap sums of a term; those within rounding of 1 become 1 where delta adds nothing, so that what is left alone is left
-   alone to the bit. */
+/* Sums of a term's weights. A sum within rounding of 1 becomes 1 if delta is 0, so that pixels without neighbours keep
+   their bits. */
 static MS_SSS__COLD void ms_sss__totals(const ms_sss_kernel *k, int term, float total[3], int mixed[3])
 {
     int c, i;
@@ -2794,7 +2793,7 @@ static MS_SSS__COLD void ms_sss__totals(const ms_sss_kernel *k, int term, float 
     }
 }
 
-/* Taps at `pixels` pixels a mm, each shared between the two whole offsets beside it. */
+/* Fixed taps at `pixels` pixels per mm, each split between the two nearest integer offsets. */
 static void ms_sss__make_fixed(ms_sss__fixed *f, const ms_sss_kernel *k, int term, double pixels, int side)
 {
     int i, j, c, half;
@@ -2933,7 +2932,7 @@ static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options 
     }
 }
 
-/* Pixels a mm; in perspective at a depth of 1. */
+/* Pixels per mm; in perspective at a depth of 1. */
 static double ms_sss__pixels(const ms_sss_filter_options *o, int height)
 {
     const double mm = o->mm_per_unit > 0 ? (double)o->mm_per_unit : 1;
@@ -2941,7 +2940,7 @@ static double ms_sss__pixels(const ms_sss_filter_options *o, int height)
     return o->ortho_height > 0 ? height / ((double)o->ortho_height * mm) : (double)o->pixels_per_mm[0];
 }
 
-/* What one kernel's passes share: pixels a mm, depth units, taps or fixed taps. */
+/* Sets the parameters that all terms of a kernel share. */
 static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int profile)
 {
     const ms_sss_filter_options *o = &job->options;
@@ -2949,7 +2948,7 @@ static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kerne
     const double side = (double)(width > height ? width : height) / (double)job->coarse, radius = (double)k->radius_mm;
     const double mm = o->mm_per_unit > 0 ? (double)o->mm_per_unit : 1;
     double size = ms_sss__pixels(o, height) / (double)job->coarse, widest;
-    double kappa = 1e-9; /* MS_SSS_DEPTH_SCALE: differences so small that they count as none */
+    double kappa = 1e-9; /* MS_SSS_DEPTH_SCALE: makes differences of depth negligible */
     ms_sss__pass *p = &job->pass;
     int c;
     job->kernel = k;
@@ -2988,11 +2987,11 @@ static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kerne
     p->least = -1;
     p->rounding = job->half_depth
         ? 9.7668e-4f
-        : 2.3841858e-7f; /* rounded once when given, once when scaled: 2^-11 or 2^-24, and 2^-24 */
+        : 2.3841858e-7f; /* depths are rounded to 2^-11 or 2^-24 when given and to 2^-24 when scaled */
     for (c = 0; c < 3; ++c) {
         p->elevation_4[c] = k->elevation_axis[c] / 4 * p->slope_scale;
         p->root[c] = k->reflectance[c] > 0 ? sqrtf(k->reflectance[c]) : 0;
-        if (p->elevation_4[c] * p->least < -1) p->least = -1 / p->elevation_4[c]; /* where 1 + K sin(theta) / 4 is 0 */
+        if (p->elevation_4[c] * p->least < -1) p->least = -1 / p->elevation_4[c]; /* 1 + K sin(theta) / 4 is 0 there */
     }
     if (p->perspective) size *= kappa;
     else if (size > (double)p->size_max) size = (double)p->size_max;
@@ -3001,7 +3000,7 @@ static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kerne
     p->tap_count = k->tap_count;
 }
 
-/* Whether filtered light is the output: nothing to mix or multiply, planar float. */
+/* Whether the output is planar float and equals the filtered light: no albedo, specular, transmitted light or fade. */
 static int ms_sss__no_compositing(const ms_sss__job *job)
 {
     const ms_sss_frame *f = &job->frame;
@@ -3009,7 +3008,7 @@ static int ms_sss__no_compositing(const ms_sss__job *job)
         !f->output.half && f->output.pixel_stride == 1;
 }
 
-/* Whether the second pass is the last step of a pixel: besides, one term. */
+/* Whether the second pass gives the output: no compositing, one term and weights that add up to 1. */
 static int ms_sss__writes_output(const ms_sss__job *job)
 {
     const ms_sss_kernel *k = job->kernel;
@@ -3124,8 +3123,8 @@ MS_API float ms_sss_fov_along_y(float fov_degrees_along_x, int width, int height
     return (float)(2 * atan(tan((double)fov_degrees_along_x * degree / 2) * height / width) / degree);
 }
 
-/* Refuses a scene that is likelier in other units than millimetres: mm_per_unit was not given, and the smallest kernel
-   covers half of the picture, as the mean over up to 64 x 64 pixels. */
+/* Refuses a scene whose units are likely not millimetres: mm_per_unit was not given, and the smallest kernel covers
+   half of the picture, in the mean over up to 64 x 64 pixels. */
 static MS_SSS__COLD ms_status ms_sss__check_scale(const ms_sss_frame *f, const ms_sss_filter_options *o,
                                                   double radius_mm, ms_error *error)
 {
@@ -3149,7 +3148,7 @@ static MS_SSS__COLD ms_status ms_sss__check_scale(const ms_sss_frame *f, const m
                           radius_mm);
 }
 
-/* The empty rows above and below the planes, of which the fourth is depth. */
+/* Clears the empty rows above and below the planes, of which the fourth is depth. */
 static void ms_sss__clear_around(ms_sss__job *job)
 {
     const ptrdiff_t plane = job->stride * (job->frame.height + 2);
@@ -3161,7 +3160,7 @@ static void ms_sss__clear_around(ms_sss__job *job)
     }
 }
 
-/* Checks everything and lays the workspace out; *end: the first float behind it. */
+/* Checks all arguments and lays out the workspace; *end: the first float behind it. */
 static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels,
                                             int kernel_count, const ms_sss_filter_options *options, void *workspace,
                                             size_t workspace_size, size_t needed, int kind, float **end,
@@ -3217,7 +3216,8 @@ static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame
         if (i >= layout.planes - 3) job->sum[i - layout.planes + 3] = plane;
         if (i < 3) job->middle[i] = plane;
         else if (i == 3) job->depth = plane;
-        else if (i < 7) job->source[6 - i] = plane; /* so that depth is three planes behind red there, too */
+        else if (i < 7)
+            job->source[6 - i] = plane; /* reversed, so that depth is three planes behind red as in the middle planes */
         at += layout.plane;
     }
     ms_sss__clear_around(job);
@@ -3240,7 +3240,7 @@ static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame
     return MS_OK;
 }
 
-/* All terms of a kernel, on the pixels of a profile. */
+/* Filters the pixels of a profile by all terms of its kernel. */
 static void ms_sss__apply(ms_sss__job *job, const ms_sss_kernel *kernel, int profile)
 {
     int term;
@@ -3261,7 +3261,7 @@ static void ms_sss__apply(ms_sss__job *job, const ms_sss_kernel *kernel, int pro
     }
 }
 
-/* A kernel at full resolution. job: of which the picture's least depth is known, or not. */
+/* MS_SSS_METHOD_TAPS. job->nearest may be known from the choice of the method. */
 static ms_status ms_sss__taps_filter(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels,
                                      int profile, int kernel_count, const ms_sss_filter_options *options,
                                      void *workspace, size_t workspace_size, ms_error *error)
@@ -8028,7 +8028,7 @@ static void MS__F(tangents)(const ms_sss__pass *p, const float *depth, const flo
 
 /* --- the taps --- */
 
-/* (1 - d^2)^4 within 1, else 0 */
+/* (1 - d^2)^4 for |d| < 1, else 0 */
 static MS_SSS__INLINE MS__V MS__F(falloff)(MS__V d)
 {
     MS__V f = MS__MAX(MS__NMADD(d, d, MS__SET(1.0f)), MS__SET(0.0f));
