@@ -1,7 +1,7 @@
 /* Trains a neural renderer on pictures of materials, for build/preview, build/match and build/workflow, and inversion
    networks for it.
 
-     cc -O3 -fno-math-errno -fno-trapping-math -I. examples/tools/train.c -o build/train -lpthread -lm
+     cc -O2 -I. examples/tools/train.c -o build/train -lpthread -lm     (-O3 -fno-math-errno -fno-trapping-math: faster)
 
      build/train PICTURES PARAMS.csv OUT.safetensors [options]
        --size S          side of the network's pictures, a divisor of the side of PICTURES
