@@ -263,7 +263,7 @@ static void test_refused(void)
                {DEPTH " " DEPTH " " OUT " --material skin1", 1, "three channels"},
                {IRRADIANCE " " IRRADIANCE " " OUT " --material skin1", 1, "one channel"},
                {IRRADIANCE " build/test_sss_tool_small.pfm " OUT " --material skin1", 1, "size differs"},
-               {IRRADIANCE " " DEPTH " tests/test.h/no.pfm --material skin1", 1, "cannot open"}};
+               {IRRADIANCE " " DEPTH " tests/test.h/no.pfm --material skin1", 1, "cannot be made"}};
     int i, count = (int)(sizeof bad / sizeof bad[0]);
     image small;
     need_tool();

@@ -171,6 +171,25 @@ static double radius_px(const settings *s, const job *j)
     return nearest < HUGE_VAL ? radius_mm / height_mm * j->depth.height : 0;
 }
 
+/* Is the mean over the object of the light's radius, which is `radius` where it is nearest, above half of the picture?
+ */
+static int covers_half(const settings *s, const job *j, double radius)
+{
+    const int pixel_count = j->depth.width * j->depth.height;
+    const double side = j->depth.width > j->depth.height ? j->depth.width : j->depth.height;
+    double nearest = HUGE_VAL, sum = 0;
+    int i, count = 0;
+    for (i = 0; i < pixel_count; ++i)
+        if (j->depth.pixels[i] > 0 && (double)j->depth.pixels[i] < nearest) nearest = (double)j->depth.pixels[i];
+    for (i = 0; i < pixel_count; ++i) {
+        const double z = (double)j->depth.pixels[i], here = s->ortho > 0 ? radius : radius * nearest / z;
+        if (!(z > 0) || !(z < HUGE_VAL)) continue;
+        sum += here < side ? here : side;
+        ++count;
+    }
+    return sum > 0.5 * side * count;
+}
+
 static ms_status make_kernel(const settings *s, const job *j, double radius, ms_sss_kernel *kernel, ms_error *error)
 {
     ms_sss_kernel_options options = ms_sss_kernel_defaults();
@@ -219,10 +238,10 @@ static int run(const settings *s, job *j)
     radius = radius_px(s, j);
     for (i = 0; i < j->depth.width * j->depth.height; ++i) count += j->depth.pixels[i] > 0;
     if (way == AUTO && radius > 0.5 && count <= gather_pixels) way = GATHER;
-    if (way == GATHER && !(s->mm_per_unit > 0) && 2 * radius >= j->depth.height) /* as ms_sss_filter does */
+    if (way == GATHER && !(s->mm_per_unit > 0) && covers_half(s, j, radius)) /* as ms_sss_filter does */
         return fail(1, s->path[1],
-                    "the light covers half of the picture: --mm-per-unit (mm_per_unit) is needed, 1000 "
-                    "where the depth is in metres, 1 to confirm millimetres");
+                    "the light covers half of the picture: --mm-per-unit (mm_per_unit) is needed, 1000 where the depth "
+                    "is in meters, 1 to confirm millimeters");
     status = way == GATHER ? MS_OK : make_kernel(s, j, radius > 0 ? radius : 1, &kernel, &error);
     if (status == MS_OK && (way == AUTO || way == PYRAMID)) {
         status = ms_sss_pyramid_make(&pyramid, j->profile, &error);
