@@ -85,9 +85,9 @@
    Weights that fall outside the picture or on masked pixels are renormalised away: a constant stays constant
    within 1e-6 on planes, and everywhere with flat 1. A kernel whose terms have weights of both signs gives what is
    missing to the pixel's own colour instead. Half-precision depth is too coarse for slopes: set flat to 1. Half
-   resolution (MS_SSS_METHOD_HALF): a pixel keeps its own share of light, so that detail stays; the rest comes from the
-   up to four larger pixels around that lie near it in depth. On pictures of heads, hair and leaves it differs from full
-   resolution by 7 to 13%. Slopes come from its own depth, normals are not read.
+   resolution (MS_SSS_METHOD_HALF): a pixel keeps the self weight of its light, so that detail stays; the rest comes
+   from the up to four larger pixels around that lie near it in depth. On pictures of heads, hair and leaves it differs
+   from full resolution by 7 to 13%. Slopes come from its own depth, normals are not read.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
@@ -99,7 +99,7 @@
    Filters run scalar, SSE2 or NEON, AVX2 or AVX-512 text, chosen once a call, capped by options.simd; on x86-64 with
    floating-point exceptions masked, and raise no flags. They give the same bits for any thread count at one level,
    kernels the same bits in every call of one build. -ffast-math voids what is said of bits, NaN and infinity.
-   Calls return ms_status and fill an optional ms_error; outputs are untouched then, but where the call says otherwise.
+   Calls return ms_status and fill an optional ms_error; outputs are then untouched unless the call says otherwise.
 
    Configuration (define before the implementation)
    ------------------------------------------------
@@ -357,8 +357,7 @@ typedef struct ms_sss_kernel {
     float profile_radius_mm;          /* radius of 99% of the light of the widest channel; 0: radius_mm */
     float elevation[3];               /* K of ms_sss_elevation; 0: no elevation */
     float decay[3];                   /* 1/mm, decay of light with depth, see ms_sss_transmittance */
-    float elevation_axis[3]; /* K for the distances of one 1D pass, so that both passes have the mean of the round
-                                kernel */
+    float elevation_axis[3];          /* K of one 1D pass: both passes have the mean of the round kernel */
 } ms_sss_kernel;
 
 /* How the 2D profile becomes separable terms. Cost: 2 term_count passes. */
@@ -540,15 +539,14 @@ MS_API float ms_sss_fov_along_y(float fov_degrees_along_x, int width, int height
 /* The pictures of a call. The input is linear light that entered the surface, before the albedo unless the albedo is
    baked in. It must not hold specular reflection, which never went below the surface. */
 typedef struct ms_sss_frame {
-    int width, height;     /* 1 to 65536 each */
-    ms_sss_image input;    /* linear RGB */
-    ms_sss_image output;   /* every pixel is written; may be the input, but must not overlap it otherwise */
-    ms_sss_image depth;    /* optional with pixels_per_mm: distance along the view axis (not the ray), scene units */
-    ms_sss_image strength; /* optional, 0 to 1: fraction of the effect; 0 and NaN: masked */
-    ms_sss_image albedo;   /* optional RGB >= 0: the output is then multiplied by it, as albedo_mode says */
-    ms_sss_image specular; /* optional RGB: added to the output, never filtered */
-    const uint8_t
-        *profile; /* optional [height][width]: index of each pixel's kernel; an index from kernel_count on: masked */
+    int width, height;      /* 1 to 65536 each */
+    ms_sss_image input;     /* linear RGB */
+    ms_sss_image output;    /* every pixel is written; may be the input, but must not overlap it otherwise */
+    ms_sss_image depth;     /* optional with pixels_per_mm: distance along the view axis (not the ray), scene units */
+    ms_sss_image strength;  /* optional, 0 to 1: fraction of the effect; 0 and NaN: masked */
+    ms_sss_image albedo;    /* optional RGB >= 0: the output is then multiplied by it, as albedo_mode says */
+    ms_sss_image specular;  /* optional RGB: added to the output, never filtered */
+    const uint8_t *profile; /* optional [height][width]: kernel of each pixel; from kernel_count on: masked */
     ms_sss_image normal;  /* optional: normals of the surface, without bump maps, of any length, in view space: x to the
                              right, y as rows grow, z towards the camera; none: slopes from depth, see `flat` */
     ms_sss_image through; /* optional RGB: transmitted light (ms_sss_transmission, summed over the lamps); the output is
@@ -629,7 +627,7 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
    does not depend on the radius. [0][0] is the weight of a pixel's own light, [0][1] of its neighbours', [l][1] of the
    gather from level l; all are >= 0 and add up to 1. */
 typedef struct ms_sss_pyramid {
-    float radius_mm; /* radius of 99% of the light of the widest channel */
+    float radius_mm;                                                    /* of 99% of the light of the widest channel */
     float weight[2][MS_SSS_PYRAMID_SIZES][MS_SSS_PYRAMID_LEVELS][2][3]; /* [exact][size][level][blurred][channel] */
     float elevation[3];                                                 /* K of ms_sss_elevation at index 1 */
     float reflectance[3]; /* the profile's total; the weights add up to 1 */
@@ -649,7 +647,7 @@ MS_API size_t ms_sss_pyramid_workspace(int width, int height);
    than the radius. A constant stays constant on planes. Gathers widen with slopes up to 48 degrees; steeper planes are
    blurred too little along the level line and too much down the slope (by 0.04 of a wave's height at 60 degrees, 0.15
    at 75). Elevation enters by its mean and variance over the gather (exact 1: for each pixel). Masks are as in
-   ms_sss_filter. options.parallel is called about six times; results are bit-equal for any thread count at one level.
+   ms_sss_filter. options.parallel is called six times. Results are bit-equal for any thread count at one level.
    options    as ms_sss_filter; MS_UNSUPPORTED: rotation, jitter, pixels_per_mm that differ, frame->profile
    workspace  ms_sss_pyramid_workspace bytes; NULL and size 0: from malloc */
 MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
@@ -773,14 +771,14 @@ typedef struct ms_sss_shader_picture {
 typedef struct ms_sss_shader_profile {
     float total[3];    /*  0: sum of the weights of a pass */
     float radius_mm;   /* 12 */
-    float scale[3];    /* 16: of the term */
-    float depth_scale; /* 28: mm_per_unit over the depth in mm at which nothing counts */
+    float scale[3];    /* 16: factor of the term */
+    float depth_scale; /* 28: mm_per_unit over the difference of depth in mm at which weights reach 0 */
     float delta[3];    /* 32: weight of the unblurred input */
-    float cut;         /* 44: half resolution: square of the scaled depth difference at which nothing counts */
+    float cut;         /* 44: half resolution: square of the scaled difference of depth at which weights reach 0 */
     float curve[3];    /* 48: elevation_axis / 4, with slopes times 1 - flat */
-    float mixed;       /* 60: 1 red, 2 green, 4 blue, added: what is missing goes to the pixel's own colour */
+    float mixed;       /* 60: sum of 1 red, 2 green, 4 blue: the missing weight goes to the pixel's own colour */
     float root[3];     /* 64: square root of the reflectance */
-    float reach;       /* 76: square of the scaled radius, the step in depth that ends a surface */
+    float reach;       /* 76: square of the scaled radius: a larger step in depth is an edge */
 } ms_sss_shader_profile;
 
 /* Float4 constants that a shader reads: 3, and for each profile (UP: of each term) 5 and its taps. OpenGL ES 3.0
@@ -802,8 +800,9 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
 MS_API size_t ms_sss_transmission_text(ms_sss_language language, char *text, size_t capacity);
 
 /* The taps alone, for engines with a shader of their own: RGB weight and offset in mm.
-   out    [tap_count / 2 + 1][4]: the centre, then one of each pair -x, +x by growing offset; float, or uint16_t that
-   hold binary16 with binary16 = 1; NULL: checks only MS_UNSUPPORTED: taps that are no pairs. out untouched. */
+   out    [tap_count / 2 + 1][4]: the centre, then one of each pair -x, +x by growing offset; float, or with
+          binary16 = 1 uint16_t that hold binary16; NULL: checks only
+   MS_UNSUPPORTED: taps that are no pairs. out is untouched then. */
 MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int binary16, void *out, ms_error *error);
 
 /* ms_sss_pyramid_filter as fragment shaders: with n = ms_sss_shader_levels(width, height) levels, of which level l has
@@ -812,8 +811,7 @@ MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int
 
      step     of level        reads (name: image)                                                  writes
      BASE     0               the first step's of X; with_normal: ms_sss_normal                    light[0], surface[0]
-     SHRINK   0, 1 to n - 2   colour: light[l], surface: surface[l]                                light[l+1],
-              surface[l+1]
+     SHRINK   0, 1 to n - 2   colour: light[l], surface: surface[l]                       light[l+1], surface[l+1]
      GATHER   n - 2 to 1      as SHRINK; coarse: light[l+1], coarse_surface: surface[l+1],
                               sum: sums[l+1], weight: weights[l+1] (l = n - 2: anything)           sums[l], weights[l]
      RESOLVE  0               as GATHER; input: the input, with_strength: ms_sss_strength          the result, alpha 1
@@ -831,7 +829,7 @@ MS_API int ms_sss_shader_levels(int width, int height);
 /* The constants of a step of a level (of SHRINK: that it reads), which the text's first lines list: 6, then weights by
    size of the kernel, as in ms_sss_pyramid.weight, {red, green, blue, 0}: GATHER [MS_SSS_PYRAMID_SIZES] those of level
    + 1; RESOLVE three such tables: those of level 1, of the pixel's own light, of its neighbours.
-   profile   index that takes part, with shader->profile; else 0
+   profile   index that is filtered, with shader->profile; else 0
    out       [ms_sss_shader_constant_count()][4]: 6 for BASE and SHRINK, 55, 153
    MS_INVALID_ARGUMENT: a NULL, a size, a level out of range. out untouched. At a resize all change. */
 MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_sss_filter_options *options, int width,
@@ -1437,14 +1435,14 @@ typedef struct ms_sss__sweep {
     float offset[2][MS_SSS__PAIRS][16];                              /* mm times the aspect of the axis */
     float span[MS_SSS__PAIRS][16], weight[MS_SSS__PAIRS + 1][3][16]; /* |offset|; centre, pairs */
     float dz_falloff[MS_SSS__PAIRS][16], area_scale[MS_SSS__PAIRS][16],
-        elevation[MS_SSS__TILTED_PAIRS][3][2]
-                 [16]; /* elevation: K / (4 span) and 1, times the fourth root of the weight */
+        elevation[MS_SSS__TILTED_PAIRS][3][2][16]; /* K / (4 span) and 1, times the fourth root of the weight */
     struct ms_sss__job *job;
     int pairs; /* pairs of equal weights; 0: general taps */
-    int with_slopes, reach, padded, lanes,
-        plan_size; /* plan_size: bytes of a group's plan; reach: rows that the second pass reads on each side */
-    int parts,
-        tasks; /* a band: consecutive parts of the picture that one task filters from the top down, in a ring of rows */
+    int with_slopes;
+    int reach; /* rows that the second pass reads on each side */
+    int padded, lanes;
+    int plan_size;    /* bytes of a group's plan */
+    int parts, tasks; /* a task filters a band, consecutive parts of the picture, from the top down in its ring */
     volatile long claimed[MS_SSS__PARTS];
     int normalised;             /* weights are positive in the centre and add up to 1 */
     int nonnegative, may_clamp; /* with slopes: no weight is negative; sines may reach their bounds */
@@ -1454,8 +1452,7 @@ typedef struct ms_sss__sweep {
     unsigned char *plan;
     int *slot, *done, *filled; /* of each row: its place in the ring, 0: all masked; whether it is finished; of each
                                   slot: the columns that are filled */
-    ptrdiff_t *row,
-        *column; /* offsets in floats: of rows, from MARGIN rows above the picture on; of columns, from -MARGIN on */
+    ptrdiff_t *row, *column;   /* offsets in floats, from MARGIN rows above the picture and from column -MARGIN on */
 } MS_SSS__ALIGNED ms_sss__sweep;
 
 /* Rotated axes of each pixel. The picture lies in planes with an empty row above and below. */
@@ -1499,8 +1496,7 @@ typedef struct ms_sss__half_params {
    nearer to random walks, but its error on textures is 1.2% or 1.6% higher. */
 #define MS_SSS__GATHER(wide, level) ((wide) ? ((level) > 0 ? 14.0f : 5.0f) : (level) > 0 ? 4.84f : 3.0625f)
 
-/* A tap of the gather: offset in floats from the pixel at the middle of its four nearest, position, squared distance.
- */
+/* A tap of the gather: offset in floats from the middle of its four nearest, position, squared distance. */
 typedef struct ms_sss__tap {
     ptrdiff_t at;
     float x, y, square, rest; /* rest: 1 - square / the squared radius of the gather */
@@ -1923,8 +1919,7 @@ static void ms_sss__copy(const ms_sss__job *job, int y, int begin, int end, cons
         for (x = begin; x < end; ++x) {
             float value;
             if (depth && depth[x] < INFINITY) continue;
-            if (f->profile) { /* each pixel is copied once: for its own profile, or for the first if that has no kernel
-                               */
+            if (f->profile) { /* copies each pixel once: for its own profile, or for the first if that has no kernel */
                 int profile = f->profile[(size_t)y * (size_t)f->width + (size_t)x];
                 if (profile != job->profile && (profile < job->kernel_count || job->profile > 0)) continue;
             }
@@ -2182,7 +2177,7 @@ static void ms_sss__find_nearest(ms_sss__job *job)
         if (job->least[i] < job->nearest) job->nearest = job->least[i];
 }
 
-/* --- the passes: admit, first, second, compose --- */
+/* --- the passes: load, first, second, composite --- */
 
 /* Floats of a row in the ring. Two more cache lines keep neighbouring rows off the same cache sets. */
 static ptrdiff_t ms_sss__ring_row(int padded) { return 4 * (ptrdiff_t)padded + 32; }
@@ -2652,7 +2647,7 @@ static void ms_sss__both_passes(ms_sss__job *job)
     if (s->tasks > 1) ms_sss__run_parallel(&job->options.parallel, s->tasks, ms_sss__sweep_borders, s);
 }
 
-/* --- turned axes --- */
+/* --- rotated axes --- */
 
 /* Rotated passes read rows above and below, so all rows are prepared first and each pass runs over the picture. */
 static void ms_sss__rotated_rows(void *context, int task)
@@ -3278,7 +3273,7 @@ static ms_status ms_sss__taps_filter(ms_sss__job *job, const ms_sss_frame *frame
 
 /* --- half resolution --- */
 
-enum { MS_SSS__HALF_PLANES = 8 }; /* light, result, depth, mask */
+enum { MS_SSS__HALF_PLANES = 8 }; /* planes of light, result, depth, mask */
 
 typedef struct ms_sss__half {
     ms_sss__job job; /* first: tasks get its address */
@@ -3286,8 +3281,8 @@ typedef struct ms_sss__half {
     ms_sss__half_params params;
     float *light[3], *blur[3], *depth, *mask;
     ptrdiff_t stride;
-    int copies_input, no_masks; /* rows of whole vectors whose light is the caller's; of which nothing but a colour or
-                        depth can keep a pixel from taking part */
+    int copies_input; /* rows are read from the input as they are */
+    int no_masks;     /* and pixels can be masked by their colour or depth alone */
 } ms_sss__half;
 
 static MS_SSS__COLD size_t ms_sss__half_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
@@ -3303,7 +3298,7 @@ static MS_SSS__COLD size_t ms_sss__half_workspace(int width, int height, const m
                      sizeof(ms_sss__half) + 192));
 }
 
-/* Colour and depth of columns [first, last) of a row of the picture as they are. */
+/* Reads colour and depth of columns [first, last) of a row. */
 static void ms_sss__half_rows(const ms_sss__job *job, int y, int first, int last, float *const buffer[4],
                               const float *row[4])
 {
@@ -3313,7 +3308,7 @@ static void ms_sss__half_rows(const ms_sss__job *job, int y, int first, int last
     else row[3] = job->unmasked;
 }
 
-/* Whether all pixels of a row that take part are the longest run of them; if not, that is forgotten. */
+/* Whether all unmasked pixels of a row are in its longest run; if not, the run is emptied. */
 static int ms_sss__keep_single_run(const ms_sss__job *job, int y, const float *depth)
 {
     int x, others = 0;
@@ -3323,7 +3318,7 @@ static int ms_sss__keep_single_run(const ms_sss__job *job, int y, const float *d
     return !others;
 }
 
-/* The picture at half its size. Pixels that take no part are copied. */
+/* Downsamples the picture to half its size and copies masked pixels. */
 static void ms_sss__half_down(void *context, int task)
 {
     const ms_sss__half *half = (const ms_sss__half *)context;
@@ -3339,9 +3334,9 @@ static void ms_sss__half_down(void *context, int task)
     }
     for (y = begin; y < end; ++y) {
         int all = half->no_masks && 2 * y + 1 < job->frame.height, first = stride,
-            last = 0; /* columns of the half that hold anything */
+            last = 0; /* unmasked columns of the half */
         for (c = 0; c < 4; ++c) to[c] = (c < 3 ? half->light[c] : half->depth) + y * half->stride;
-        if (all) { /* as if all pixels took part */
+        if (all) { /* tries without masks */
             for (r = 0; r < 2; ++r) ms_sss__half_rows(job, 2 * y + r, 0, width, row[r], in[r]);
             all = job->simd->downsample(&half->params, in[0], in[1], job->depth_scale, stride, to);
         }
@@ -3379,11 +3374,11 @@ static void ms_sss__half_down(void *context, int task)
     }
 }
 
-/* The picture from its half. */
+/* Upsamples the filtered half and composites. */
 static void ms_sss__half_up(void *context, int task)
 {
     const ms_sss__half *half = (const ms_sss__half *)context;
-    ms_sss__job again = half->job; /* what takes no part is written already */
+    ms_sss__job again = half->job; /* masked pixels are written already */
     const ms_sss__job *inner = &half->inner;
     const ms_sss_image *image = &again.frame.output;
     const int begin = again.begin + task * again.band, fade = again.gain < 1;
@@ -3421,7 +3416,7 @@ static void ms_sss__half_up(void *context, int task)
             if (have[slot] == at) continue;
             have[slot] = at;
             for (x = filled[slot][0]; x < filled[slot][1] && x < from; ++x)
-                softened[slot][3][x] = MS_SSS__MASKED_DEPTH; /* of the row before */
+                softened[slot][3][x] = MS_SSS__MASKED_DEPTH; /* the slot's former row */
             for (x = until > filled[slot][0] ? until : filled[slot][0]; x < filled[slot][1]; ++x)
                 softened[slot][3][x] = MS_SSS__MASKED_DEPTH;
             filled[slot][0] = from;
@@ -3444,7 +3439,7 @@ static void ms_sss__half_up(void *context, int task)
     }
 }
 
-/* Everything but the first and last step is the filter at full resolution, of a picture of half the size. */
+/* MS_SSS_METHOD_HALF: downsample, filter at full resolution the picture of half the size, upsample. */
 static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int profile,
                                      int kernel_count, const ms_sss_filter_options *options, void *workspace,
                                      size_t workspace_size, ms_error *error)
@@ -3455,8 +3450,7 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
     ms_sss_filter_options inner_options = *options;
     ms_sss_frame inner;
     ms_status status;
-    float *at, *end, apart = 0,
-                     size_min; /* apart: size from which on the centre alone stands within a pixel of itself */
+    float *at, *end, apart = 0, size_min; /* apart: size from which on only the centre tap touches the pixel itself */
     size_t plane, left = workspace_size - (size_t)((char *)(half + 1) - (char *)workspace);
     int i, c, t;
     status = ms_sss__begin(&half->job, frame, kernels, kernel_count, options, half + 1, left, left, MS_SSS__ROW_BUFFERS,
@@ -3527,7 +3521,8 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
     half->inner.half_depth = frame->depth.half;
     half->inner.copy_masked = 0;
     ms_sss__apply(&half->inner, k, 0);
-    for (c = 0; c < 3 && half->inner.identity; ++c) half->blur[c] = half->light[c]; /* under half of a larger pixel */
+    for (c = 0; c < 3 && half->inner.identity; ++c)
+        half->blur[c] = half->light[c]; /* kernels under half of a larger pixel */
     ms_sss__run(&half->job, 0, frame->height, ms_sss__half_up);
     return MS_OK;
 }
@@ -3536,33 +3531,32 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
 
 /* --- the filter --- */
 
-/* Planes of a level: colour, d, share, sums of light, sums of weights, changes of d along x and y. */
-enum { MS_SSS__D = 3, MS_SSS__SHARE = 4, MS_SSS__SUMS = 5, MS_SSS__CHANGES = 11, MS_SSS__PYRAMID_PLANES = 13 };
+/* Planes of a level: colour, d, coverage, sums of light, sums of weights, changes of d along x and y. */
+enum { MS_SSS__D = 3, MS_SSS__COVERAGE = 4, MS_SSS__SUMS = 5, MS_SSS__CHANGES = 11, MS_SSS__PYRAMID_PLANES = 13 };
 
 typedef struct ms_sss__level {
     int width, height;
     ptrdiff_t stride;
-    float *plane[MS_SSS__PYRAMID_PLANES]; /* of the picture itself colour and d alone */
+    float *plane[MS_SSS__PYRAMID_PLANES]; /* level 0: colour and d alone */
     ms_sss__row *row;                     /* first and last are multiples of 16 */
 } ms_sss__level;
 
 typedef struct ms_sss__pyramid_state {
-    ms_sss__job job; /* first: tasks get its address */
-    ms_sss_kernel
-        kernel; /* that leaves its input alone: for the size on the screen, and for what comes after the sums */
+    ms_sss__job job;      /* first: tasks get its address */
+    ms_sss_kernel kernel; /* the identity, which gives the job its sizes and its compositing */
     ms_sss__level level[MS_SSS_PYRAMID_LEVELS];
-    int levels, at; /* at: of the run at hand */
+    int levels, at; /* at: level of the current run */
     ms_sss__pyramid_params params;
     ms_sss__tap tap[2][2][64];
     float *rows;      /* row buffers of the tasks */
     ptrdiff_t stride; /* floats of one */
 } ms_sss__pyramid_state;
 
-/* Row buffers of a task: shares and changes of d of four rows of the picture; or the sums of a row, its shares and
-   changes. */
-enum { MS_SSS__PYRAMID_ROWS = 12, MS_SSS__PYRAMID_SERIAL = 3 /* levels from here on are too small to share */ };
+/* Row buffers of a task: coverage and changes of d of four rows of the picture; or the sums, coverage and changes of
+   one row. */
+enum { MS_SSS__PYRAMID_ROWS = 12, MS_SSS__PYRAMID_SERIAL = 3 /* levels from here on run on one thread */ };
 
-/* An odd number of cache lines, so that many rows side by side do not fall on the same few sets of the cache. */
+/* An odd number of cache lines: neighbouring rows fall on different cache sets. */
 static ptrdiff_t ms_sss__pyramid_stride(int width)
 {
     const int floats = ms_sss__round_up(2 * MS_SSS__LEFT + MS_SSS__RIGHT + ms_sss__round_up(width, 32), 16);
@@ -3574,15 +3568,15 @@ static float *ms_sss__pyramid_row(const ms_sss__pyramid_state *state, int task, 
     return state->rows + ((ptrdiff_t)task * MS_SSS__PYRAMID_ROWS + row) * state->stride + MS_SSS__LEFT;
 }
 
-/* Bytes of the levels; base NULL: count only. */
+/* Floats of the levels; places them if base is not NULL. */
 static size_t ms_sss__pyramid_levels(ms_sss__pyramid_state *state, int width, int height, float *base)
 {
     size_t at = 0;
     int l, i;
     for (l = 0; l < MS_SSS_PYRAMID_LEVELS; ++l) {
         const ptrdiff_t stride = MS_SSS__LEFT + ms_sss__round_up(width, width < 32 ? 16 : 32) +
-            MS_SSS__RIGHT;            /* as the job's */
-        const int beyond = l ? 4 : 1; /* empty rows above and below, as far as a gather reaches */
+            MS_SSS__RIGHT;            /* as in the job */
+        const int beyond = l ? 4 : 1; /* empty rows above and below that a gather may read */
         const size_t plane = ms__size_mul((size_t)stride, (size_t)height + 2 * (size_t)beyond);
         for (i = l == 0 ? (int)MS_SSS__D : 0; i < (l == 0 ? (int)MS_SSS__D + 1 : (int)MS_SSS__PYRAMID_PLANES); ++i) {
             if (base) {
@@ -3607,7 +3601,7 @@ static size_t ms_sss__pyramid_levels(ms_sss__pyramid_state *state, int width, in
     return at;
 }
 
-/* Shares and changes of d of row y of the picture from column first on. */
+/* Coverage and changes of d of row y of the picture from column first on. */
 static void ms_sss__pyramid_slopes(const ms_sss__pyramid_state *state, int task, int y, int first, int last,
                                    float *const out[3])
 {
@@ -3626,8 +3620,8 @@ static void ms_sss__pyramid_slopes(const ms_sss__pyramid_state *state, int task,
     job->simd->slopes_of_d(&state->params, d, given ? normal : NULL, y, first, last, out);
 }
 
-/* Clears what lies beside the columns that rows [from, to) of a level hold, as far as those of rows up to `beyond` away
-   make others read it: where such rows are not within [begin, end), whole. */
+/* Clears the margins of rows [from, to) of a level, beside their filled columns, as far as the rows up to `beyond` away
+   reach. If some of those rows are not within [begin, end), the margins are cleared whole. */
 static void ms_sss__pyramid_clear_outside(const ms_sss__level *v, int begin, int end, int from, int to, int beyond,
                                           int planes)
 {
@@ -3655,7 +3649,7 @@ static void ms_sss__pyramid_clear_outside(const ms_sss__level *v, int begin, int
     }
 }
 
-/* Rows [begin, end) of level at + 1 from those of level at. */
+/* Downsamples rows [begin, end) of level at + 1 from level at. */
 static void ms_sss__pyramid_downsample(const ms_sss__pyramid_state *state, int task, int begin, int end)
 {
     const ms_sss__level *fine = &state->level[state->at], *v = fine + 1;
@@ -3701,24 +3695,24 @@ static void ms_sss__pyramid_downsample(const ms_sss__pyramid_state *state, int t
     }
 }
 
-/* Clears beside rows [begin, end) of level at + 1: a gather reads 4 rows up and down. */
+/* Clears the margins of rows [begin, end) of level at + 1: a gather reads 4 rows up and down. */
 static void ms_sss__pyramid_clear_margins(const ms_sss__pyramid_state *state, int begin, int end)
 {
     const int planes = state->params.slope_scale > 0 ? MS_SSS__PYRAMID_PLANES : MS_SSS__CHANGES;
     ms_sss__pyramid_clear_outside(&state->level[state->at + 1], begin, end, begin, end, 4, planes);
 }
 
-/* The rows of level 1 that a band of the picture makes without its neighbours. */
+/* The rows of level 1 that depend on one band of the picture alone. */
 static void ms_sss__pyramid_independent_rows(const ms_sss__pyramid_state *state, int begin, int end, int *first,
                                              int *last)
 {
     const int height = state->levels > 1 ? state->level[1].height : 0;
     *first = begin > 0 ? ms_sss__clamp((begin + 4) / 2, 0, height)
-                       : 0; /* 4 rows each, and 2 more on either side for their slopes */
+                       : 0; /* each reads 4 rows, and their slopes 2 more on each side */
     *last = end < state->level[0].height ? ms_sss__clamp((end - 3) / 2, *first, height) : height;
 }
 
-/* The picture, and of level 1 what needs no other band. */
+/* Loads a band of the picture and downsamples the rows of level 1 that depend on it alone. */
 static void ms_sss__pyramid_load(void *context, int task)
 {
     const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
@@ -3728,7 +3722,7 @@ static void ms_sss__pyramid_load(void *context, int task)
     const int end = begin + job->band < job->end ? begin + job->band : job->end;
     const int behind = state->params.slope_scale > 0
         ? 4
-        : 2; /* rows that a row of level 1 takes behind its first two, slopes 2 more */
+        : 2; /* rows of the picture that a row of level 1 reads below its own two, 2 more for slopes */
     float *colour[3];
     int y, c, first, last, to, from = begin;
     ms_sss__pyramid_independent_rows(state, begin, end, &first, &last);
@@ -3738,7 +3732,7 @@ static void ms_sss__pyramid_load(void *context, int task)
         ms_sss__prepare(job, y, task, &job->row[y], colour, depth);
         job->simd->invert(&state->params, depth + job->row[y].first, job->row[y].last - job->row[y].first,
                           d + job->row[y].first);
-        if ((y + 1) % 16 && y + 1 < end) continue; /* while the cache holds them */
+        if ((y + 1) % 16 && y + 1 < end) continue; /* every 16 rows, while they are cached */
         to = y + 1 < end ? y - 1 : end;
         ms_sss__pyramid_clear_outside(v, begin, end, from, to, 2, MS_SSS__D + 1);
         from = to;
@@ -3751,7 +3745,7 @@ static void ms_sss__pyramid_load(void *context, int task)
     if (state->levels > 1 && !job->identity) ms_sss__pyramid_clear_margins(state, first, last);
 }
 
-/* The rows of level 1 between bands. */
+/* Downsamples the rows of level 1 between bands. */
 static void ms_sss__pyramid_borders(void *context, int task)
 {
     const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
@@ -3774,7 +3768,7 @@ static void ms_sss__pyramid_down(void *context, int task)
     ms_sss__pyramid_clear_margins(state, begin, end);
 }
 
-/* The sums of a band of level at from those of level at + 1; of the finest level the picture. */
+/* Gathers the sums of a band of level at from level at + 1; level 0 is resolved and composited. */
 static void ms_sss__pyramid_upsample(void *context, int task)
 {
     const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
@@ -3785,8 +3779,7 @@ static void ms_sss__pyramid_upsample(void *context, int task)
     int y, i, c;
     for (y = begin; y < end; ++y) {
         const int low = v->row[y].first, high = v->row[y].last;
-        const int first = low / 32 * 32,
-                  last = ms_sss__round_up(high, 32); /* the gather works on 2 vectors at a time */
+        const int first = low / 32 * 32, last = ms_sss__round_up(high, 32); /* the gather steps by 2 vectors */
         const float *own[3];
         float *sum[6], *slope[3];
         if (low >= high) continue;
@@ -3826,7 +3819,8 @@ static void ms_sss__pyramid_upsample(void *context, int task)
     }
 }
 
-/* The taps of all four kinds of pixels at a level whose rows are stride floats apart, the nearest first. */
+/* The taps of pixels in odd and even rows and columns of a level whose next level has rows stride floats apart, the
+   nearest first. */
 static void ms_sss__pyramid_sort_taps(ms_sss__pyramid_params *params, ms_sss__tap tap[2][2][64], ptrdiff_t stride)
 {
     int y, x, i, j, n = 0;
@@ -3849,8 +3843,8 @@ static void ms_sss__pyramid_sort_taps(ms_sss__pyramid_params *params, ms_sss__ta
     params->taps = n;
 }
 
-/* What the gather's taps add up to, and the means of powers of the distance between light that enters and leaves, of
-   which each stands somewhere in its pixel: variances of (1, 3, 3, 1) / 8 down to the level. */
+/* The sum of the gather's weights, and the means of powers of the distance between entry and exit of light. Both have a
+   random position in their pixels: the variance of (1, 3, 3, 1) / 8 down to the level. */
 static void ms_sss__pyramid_tap_sums(ms_sss__pyramid_params *params, int level)
 {
     const double coarse = 0.5 * (1 - pow(4, -level - 1)), fine = 0.125 * (1 - pow(4, -level));
@@ -3874,13 +3868,14 @@ static void ms_sss__pyramid_tap_sums(ms_sss__pyramid_params *params, int level)
     params->mean = (float)(r1 / r2);
     params->spread = (float)(r2 / r4);
     params->blur = (float)coarse;
-    /* Two depths' errors, and of slopes, which average over the level, as much again for each of their pixels of 3.5
-       there and back; each level's sums round a few times more. */
+    /* Rounding of two depths; the slopes' error averages over the level, but counts for each of their 3.5 pixels there
+       and back; each level's sums add a few roundings. */
     params->plane_rounding = 10 * (0.5f * params->rounding + 2.4e-7f * (float)(level + 1)) /
         (params->step * (float)(1 << (level + 1)));
 }
 
-/* As the plan of a filter with one term and without slopes, the levels, and what is too large for the stack. */
+/* Bytes of the workspace: row buffers and planes (before), then levels and the state, which is too large for the stack.
+ */
 static MS_SSS__COLD size_t ms_sss__pyramid_layout(int width, int height, size_t *before)
 {
     ms_sss_filter_options options;
@@ -3901,14 +3896,14 @@ MS_API size_t ms_sss_pyramid_workspace(int width, int height)
     return ms_sss__pyramid_layout(width, height, &before);
 }
 
-/* Whether a pyramid can do what the options ask for. */
+/* Whether a pyramid supports the options. */
 static int ms_sss__pyramid_supports(const ms_sss_filter_options *o)
 {
     return !ms_sss__differ(o->rotation, 0) && !(o->jitter > 0) &&
         !(o->pixels_per_mm[1] > 0 && ms_sss__differ(o->pixels_per_mm[0], o->pixels_per_mm[1]));
 }
 
-/* What all levels share, of a job whose kernel is set. */
+/* Sets the parameters that all levels share. The kernel of the job is set. */
 static MS_SSS__COLD void ms_sss__pyramid_set_params(ms_sss__pyramid_params *params, const ms_sss__job *job,
                                                     const ms_sss_pyramid *pyramid, int with_depth, float flat)
 {
@@ -3924,23 +3919,22 @@ static MS_SSS__COLD void ms_sss__pyramid_set_params(ms_sss__pyramid_params *para
     params->size = job->pass.size * pyramid->radius_mm;
     params->size_max = job->pass.size_max * pyramid->radius_mm;
     params->step = 1 / job->pass.focal[0];
-    params->rounding = job->pass.rounding + (params->perspective ? 1.2e-7f : 0); /* rounded once more when inverted */
+    params->rounding = job->pass.rounding + (params->perspective ? 1.2e-7f : 0); /* the division rounds again */
     params->middle[0] = 0.5f * (float)job->full_width;
     params->middle[1] = 0.5f * (float)job->full_height;
     params->tangent = params->perspective ? params->step : 0;
     sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm
                                   : (0.12 + 0.13 * (1 - (double)flat)) * (double)pyramid->radius_mm;
-    params->reach = (float)(3.0746 * sigma / (double)pyramid->radius_mm); /* where (1 - q)^4 has the Gaussian's width */
-    params->join = o->depth_sigma_mm > 0
-        ? params->reach
-        : params->reach + (1.5f - 0.7686f) * (1 - flat); /* as far as a gather reaches */
+    params->reach = (float)(3.0746 * sigma / (double)pyramid->radius_mm); /* there (1 - q)^4 has the Gaussian's width */
+    params->join = o->depth_sigma_mm > 0 ? params->reach
+                                         : params->reach + (1.5f - 0.7686f) * (1 - flat); /* the reach of a gather */
     for (c = 0; c < 3; ++c) {
         params->elevation_4[c] = pyramid->elevation[c] * (params->slope_scale / 4);
         params->max_factor[c] = pyramid->reflectance[c] > 0 ? 1 / pyramid->reflectance[c] : 1;
     }
 }
 
-/* Filters the pixels of one of several profiles. */
+/* Filters the pixels of one profile. */
 static ms_status ms_sss__pyramid_apply(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid, int profile,
                                        int profiles, const ms_sss_filter_options *options, void *workspace,
                                        ms_error *error)
@@ -3964,7 +3958,7 @@ static ms_status ms_sss__pyramid_apply(const ms_sss_frame *frame, const ms_sss_p
     state->kernel.radius_mm = pyramid->radius_mm;
     for (c = 0; c < 3; ++c) state->kernel.weight[0][0][c] = state->kernel.scale[0][c] = 1;
     flat_options = *options;
-    flat_options.flat = 1; /* slopes are the pyramid's own affair */
+    flat_options.flat = 1; /* the pyramid has slopes of its own */
     status = ms_sss__begin(job, frame, &state->kernel, 1, &flat_options, workspace, before, before, 0, &end, error);
     if (status != MS_OK) return status;
     job->kernel_count = profiles;
@@ -3979,8 +3973,7 @@ static ms_status ms_sss__pyramid_apply(const ms_sss_frame *frame, const ms_sss_p
     ms_sss__set_term(job, 0);
     job->writes_output = ms_sss__no_compositing(job);
     if (!(job->gain > 0)) job->identity = 1;
-    ms_sss__pyramid_set_params(params, job, pyramid, frame->depth.channel[0] != NULL,
-                               options->flat); /* the job's own is 1 */
+    ms_sss__pyramid_set_params(params, job, pyramid, frame->depth.channel[0] != NULL, options->flat);
     ms_sss__run(job, 0, frame->height, ms_sss__pyramid_load);
     if (job->identity) return MS_OK;
     if (state->levels > 1) ms_sss__run(job, 0, frame->height, ms_sss__pyramid_borders);
@@ -4013,7 +4006,6 @@ static ms_status ms_sss__pyramid_apply(const ms_sss_frame *frame, const ms_sss_p
     return MS_OK;
 }
 
-/* What the easy calls need: a workspace by malloc. */
 static MS_SSS__COLD void *ms_sss__allocate_workspace(size_t size, ms_error *error)
 {
     void *workspace = size < SIZE_MAX ? malloc(size) : NULL;
@@ -4088,8 +4080,8 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
                                const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                ms_error *error)
 {
-    ms_sss__job job;                /* to check everything before anything is written, and for the sizes of kernels */
-    ms_sss_filter_options resolved; /* on millimetres */
+    ms_sss__job job;                /* checks everything before anything is written, and gives the kernels' sizes */
+    ms_sss_filter_options resolved; /* with mm_per_unit filled in */
     ms_status status;
     float *end;
     int i;
@@ -4791,7 +4783,7 @@ static const char *const ms_sss__transmission_body[] = {
     "    ms_sss_through(reflectance.g, decay.g, thickness_mm, parallel), ms_sss_through(reflectance.b, decay.b, thickness_mm, parallel));\n"
     "}\n"};
 
-/* What lines are chosen by, and what stands as a number in them; the values are of ms_sss__emit_shader. */
+/* The names that choose lines, and the numbers that stand in them; ms_sss__emit_shader sets the values. */
 /* clang-format off */
 #define MS_SSS__FEATURE_LIST(X) \
     X(PASS, pass) X(SECOND, second) X(HALVED, halved) X(DOWN, down) X(UP, up) X(NEARNESS, up || down) \
@@ -4837,7 +4829,7 @@ static const char *const ms_sss__word[MS_SSS__WORDS][4] = {{"void", "void", "voi
                                                            {"float_of", "uintBitsToFloat", "asfloat", "bitcast<f32>"},
                                                            {"pick", "pick", "pick", "select"}};
 
-/* A text that is measured first and written second. */
+/* A text: measured first, then written. */
 typedef struct ms_sss__text {
     char *out; /* NULL: measure */
     size_t length;
@@ -4845,7 +4837,7 @@ typedef struct ms_sss__text {
     int feature[MS_SSS__FEATURES];
 } ms_sss__text;
 
-/* After a text was said: whether to say it again, into the caller's memory. */
+/* Whether to emit a text again, into the caller's memory, after it was measured. */
 static int ms_sss__emit_again(ms_sss__text *text, char *out, size_t capacity)
 {
     if (text->out || !out || capacity <= text->length) {
@@ -4881,7 +4873,7 @@ static size_t ms_sss__name_length(const char *s)
     return n;
 }
 
-/* Which of names, step apart, the n characters at s are; -1: none. */
+/* Index of the n characters at s among names, which are step apart; -1: none. */
 static int ms_sss__find(const char *s, size_t n, const char *const *name, int step, int count)
 {
     int i;
@@ -4897,7 +4889,7 @@ static int ms_sss__find_feature(const char *s, size_t n)
 
 static int ms_sss__find_word(const char *s, size_t n) { return ms_sss__find(s, n, ms_sss__word[0], 4, MS_SSS__WORDS); }
 
-/* One word of a line, or one character that is in none. Returns how far it went. */
+/* Emits one word of a line, or one character outside of words. Returns the characters read. */
 static MS_SSS__COLD size_t ms_sss__emit_word(ms_sss__text *text, const char *s)
 {
     const size_t n = ms_sss__name_length(s);
@@ -4912,8 +4904,8 @@ static MS_SSS__COLD size_t ms_sss__emit_word(ms_sss__text *text, const char *s)
     return n;
 }
 
-/* A declaration "TYPE name" at s in WGSL's order: "var name: TYPE", or of a function "fn name(a: TYPE) -> TYPE".
-   Returns how far it went, 0 where there is none. */
+/* Emits a declaration "TYPE name" at s in WGSL's order: "var name: TYPE", or of a function "fn name(a: TYPE) -> TYPE".
+   Returns the characters read, 0 if there is none. */
 static MS_SSS__COLD size_t ms_sss__emit_declaration(ms_sss__text *text, const char *s, int outside)
 {
     const size_t n = ms_sss__name_length(s), m = n && s[n] == ' ' ? ms_sss__name_length(s + n + 1) : 0;
@@ -4954,8 +4946,8 @@ static MS_SSS__COLD void ms_sss__emit_line(ms_sss__text *text, const char *s, co
     ms_sss__emit_part(text, s, (size_t)(end - s) + 1);
 }
 
-/* Lines are indented by braces, with a blank one between functions. No string is longer than what C99 promises to
-   take. */
+/* Emits lines, indented by their braces, with an empty line between functions. No string literal is longer than C99
+   guarantees. */
 static MS_SSS__COLD void ms_sss__emit_body(ms_sss__text *text, const char *const *part, size_t parts)
 {
     int skipped = 0, depth = 0, braces = 0; /* skipped: depth of the #if that is not taken, 0: none */
@@ -4997,9 +4989,9 @@ static int ms_sss__shader_stride(const ms_sss_shader *s) { return MS_SSS__PROFIL
 
 static int ms_sss__shader_profiles(const ms_sss_shader *s) { return s->profile_count > 0 ? s->profile_count : 1; }
 
-static int ms_sss__shader_pyramid(const ms_sss_shader *s) { return (int)s->step >= (int)MS_SSS_STEP_BASE; }
+static int ms_sss__shader_pyramid_job(const ms_sss_shader *s) { return (int)s->step >= (int)MS_SSS_STEP_BASE; }
 
-/* Terms whose constants a step reads. */
+/* The number of terms whose constants a step reads. */
 static int ms_sss__shader_terms(const ms_sss_shader *s)
 {
     return s->step == MS_SSS_STEP_UP && s->term_count > 1 ? s->term_count : 1;
@@ -5008,16 +5000,16 @@ static int ms_sss__shader_terms(const ms_sss_shader *s)
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
 {
     if (shader == NULL) return 0;
-    if (!ms_sss__shader_pyramid(shader) && (shader->tap_count < 1 || shader->tap_count > MS_SSS_TAPS_MAX)) return 0;
+    if (!ms_sss__shader_pyramid_job(shader) && (shader->tap_count < 1 || shader->tap_count > MS_SSS_TAPS_MAX)) return 0;
     if (shader->profile_count > MS_SSS_SHADER_PROFILES_MAX || shader->term_count > MS_SSS_TERMS_MAX) return 0;
     if (shader->step == MS_SSS_STEP_RESOLVE) return MS_SSS__LEVEL_HEAD + 3 * MS_SSS_PYRAMID_SIZES;
-    if (ms_sss__shader_pyramid(shader))
+    if (ms_sss__shader_pyramid_job(shader))
         return MS_SSS__LEVEL_HEAD + (shader->step == MS_SSS_STEP_GATHER ? MS_SSS_PYRAMID_SIZES : 0);
     return MS_SSS__PICTURE_HEAD +
         ms_sss__shader_terms(shader) * ms_sss__shader_profiles(shader) * ms_sss__shader_stride(shader);
 }
 
-/* What differs as a whole: $n constants, $s a texture's name, $b its binding, $t its register. */
+/* Texts that differ between languages: $n constants, $s a texture's name, $b its binding, $t its register. */
 typedef struct ms_sss__dialect {
     int column; /* of ms_sss__word */
     const char *version, *constants, *texture, *fragment;
@@ -5078,7 +5070,7 @@ static MS_SSS__COLD void ms_sss__emit_dialect(ms_sss__text *text, const char *s,
     }
 }
 
-/* Whether slopes count; ms_sss_filter asks the same. */
+/* Whether a shader has slopes, as in ms_sss_filter. */
 static int ms_sss__shader_slopes(const ms_sss_shader *s, const ms_sss_filter_options *o)
 {
     return s->depth != MS_SSS_NONE && o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE;
@@ -5091,7 +5083,7 @@ static MS_SSS__COLD void ms_sss__emit_shader(ms_sss__text *text, const ms_sss_sh
                                             "normal", "surface", "coarse",   "coarse_surface", "weight"};
     const ms_sss__dialect *d = &ms_sss__dialects[s->language];
     const int constants = ms_sss_shader_constant_count(s);
-    const int tower = ms_sss__shader_pyramid(s), base = s->step == MS_SSS_STEP_BASE,
+    const int tower = ms_sss__shader_pyramid_job(s), base = s->step == MS_SSS_STEP_BASE,
               gather = s->step == MS_SSS_STEP_GATHER, resolve = s->step == MS_SSS_STEP_RESOLVE;
     const int up = s->step == MS_SSS_STEP_UP, down = s->step == MS_SSS_STEP_DOWN, second = s->step == MS_SSS_STEP_Y;
     const int pass = second || s->step == MS_SSS_STEP_X, halved = pass && s->half_resolution;
@@ -5147,9 +5139,9 @@ static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, const
                                         {"term_count", (double)s->term_count, 0, MS_SSS_TERMS_MAX}};
         if ((status = ms_sss__check_ranges(ranges, sizeof ranges / sizeof ranges[0], error)) != MS_OK) return status;
     }
-    if (ms_sss__shader_pyramid(s) && !ms_sss__pyramid_supports(o))
+    if (ms_sss__shader_pyramid_job(s) && !ms_sss__pyramid_supports(o))
         return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round, without rotation or jitter");
-    if (!ms_sss__shader_pyramid(s) && (s->tap_count < 1 || s->tap_count > MS_SSS_TAPS_MAX || s->tap_count % 2 == 0))
+    if (!ms_sss__shader_pyramid_job(s) && (s->tap_count < 1 || s->tap_count > MS_SSS_TAPS_MAX || s->tap_count % 2 == 0))
         return MS_SSS__REFUSE(error, "tap_count %d: expected an odd number from 1 to %d", s->tap_count,
                               MS_SSS_TAPS_MAX);
     if (s->profile_count > 1 && s->profile == MS_SSS_NONE)
@@ -5218,7 +5210,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, 
     return MS_OK;
 }
 
-/* The job that ms_sss_filter would make of a kernel. */
+/* Sets up the job of ms_sss_filter for a kernel. */
 static MS_SSS__COLD void ms_sss__shader_job(ms_sss__job *job, const ms_sss_kernel *k,
                                             const ms_sss_filter_options *options, int width, int height,
                                             int with_slopes)
@@ -5243,7 +5235,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
     double focal;
     if (!kernels || !out) return MS_SSS__REFUSE(error, "kernels or out is NULL");
     if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
-    if (ms_sss__shader_pyramid(shader))
+    if (ms_sss__shader_pyramid_job(shader))
         return MS_SSS__REFUSE(error, "step %d: ms_sss_shader_pyramid has its constants", (int)shader->step);
     if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
     count = ms_sss__shader_profiles(shader);
@@ -5330,7 +5322,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
     int levels, i, c;
     if (!pyramid || !out) return MS_SSS__REFUSE(error, "pyramid or out is NULL");
     if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
-    if (!ms_sss__shader_pyramid(shader))
+    if (!ms_sss__shader_pyramid_job(shader))
         return MS_SSS__REFUSE(error, "step %d: ms_sss_shader_constants has its constants", (int)shader->step);
     if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
     levels = ms_sss_shader_levels(width, height);
@@ -5414,17 +5406,18 @@ static int ms_sss__marquardt(const double *H, const double *g, double lambda, in
     return ms_sss__cholesky_solve(work, step, n);
 }
 
-/* Steps along directions that change nothing can be of any size; weights are of the order of 1. */
+/* A bound on steps along directions that change nothing; weights are of the order of 1. */
 static double ms_sss__bound_factor(double step) { return step < -1e6 ? -1e6 : step > 1e6 ? 1e6 : step; }
 
-/* A sum of squares of n unknowns. evaluate: its value at x, which it may move to where bounds are kept, and the normal
-   equations H step = g of a step from there (lower triangle, from zeros). */
+/* A sum of squares of n unknowns. evaluate returns its value at x, which it may move within bounds, and adds up the
+   normal equations H step = g at x (lower triangle, from zeros). */
 typedef struct ms_sss__squares {
     double (*evaluate)(const struct ms_sss__squares *problem, double *x, double *H, double *g);
     const struct ms_sss_designer *d;
     int channel, n, rounds;
-    double lambda, growth, tolerance; /* at the start; of lambda after a failure; relative gain at which it ends */
-    const double *curve;              /* what the problem is about: values by cell */
+    double lambda, growth,
+        tolerance;       /* initial lambda; its factor after a failure; relative gain at which the descent ends */
+    const double *curve; /* values by cell that the problem fits */
     int cells;
     double half_width, guide;
 } ms_sss__squares;
@@ -5484,7 +5477,7 @@ static double ms_sss__bickley_1(double x)
     return step * sum;
 }
 
-/* Area that the disc of radius r has in common with [0, x] x [0, y]; odd in x and y. */
+/* Area of the intersection of the disc of radius r with [0, x] x [0, y]; odd in x and y. */
 static double ms_sss__disc_corner(double x, double y, double r)
 {
     double sign = (x < 0) != (y < 0) ? -1 : 1, t;
@@ -5625,7 +5618,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_profile_from_samples(ms_sss_profile **profi
     if (stride == 0) stride = 1;
     status = ms_sss__check_table(count, 2, r_mm, count, value, stride, error);
     if (status != MS_OK) return status;
-    inner = r_mm[0] > 0; /* one ring more, inside the first sample */
+    inner = r_mm[0] > 0; /* one more ring, inside the first sample */
     status = ms_sss__profile_alloc(&p, MS_SSS__RINGS, count - 1 + inner, allocator, error);
     if (status != MS_OK) return status;
     p->edge[0] = 0;
@@ -5911,14 +5904,14 @@ struct ms_sss_designer {
 
 static int ms_sss__octant(int k1, int k2) { return k1 * (k1 + 1) / 2 + k2; }
 
-/* How many bins of the full spectrum the octant's (k1, k2) stands for. */
+/* The number of bins of the full spectrum that the octant's (k1, k2) represents. */
 static int ms_sss__orbit(int k1, int k2)
 {
     int n1 = k1 == 0 || k1 == MS_SSS__HALF ? 1 : 2, n2 = k2 == 0 || k2 == MS_SSS__HALF ? 1 : 2;
     return n1 * n2 * (k1 == k2 ? 1 : 2);
 }
 
-/* Radii of rings that are thin against a cell near the centre and near a pole at 0; returns how many. */
+/* Radii of rings that are thin compared with a cell, near the centre and near a pole at 0; returns their number. */
 static int ms_sss__thin_rings(double outer, double *edge)
 {
     int n = 0;
@@ -5951,7 +5944,7 @@ static void ms_sss__fill_cells(const ms_sss_profile *p, int cells, double h, dou
                 if (edge[k] <= nearest) low = k;
                 else high = k;
             }
-            for (k = low; k < rings && edge[k] < farthest; ++k) { /* area that the ring has in common with the cell */
+            for (k = low; k < rings && edge[k] < farthest; ++k) { /* area of the intersection of ring and cell */
                 double r = edge[k + 1];
                 double area = ms_sss__disc_corner(x1, y1, r) - ms_sss__disc_corner(x0, y1, r) -
                     ms_sss__disc_corner(x1, y0, r) + ms_sss__disc_corner(x0, y0, r);
@@ -6186,8 +6179,8 @@ MS_API void ms_sss_designer_destroy(ms_sss_designer *designer)
 
 /* ---- kernel errors --------------------------------------------------------------------------------------------- */
 
-/* What the taps at +-x read of a wave of frequency k: the real part of a linear interpolation. slope: its derivative by
-   x; NULL: not wanted. */
+/* Response of the taps at +-x to a wave of frequency k: the real part of a linear interpolation. slope: its derivative
+   by x, or NULL. */
 static double ms_sss__pair_transfer(const ms_sss_designer *d, int k, double x, double *slope)
 {
     /* (1 - f) cos(w p) + f cos(w (p + 1)) at p = floor(x), f = x - p */
@@ -6198,10 +6191,10 @@ static double ms_sss__pair_transfer(const ms_sss_designer *d, int k, double x, d
     return first + f * rise;
 }
 
-/* A kernel in cells and doubles, as it is made and measured. Term t of channel c: sign w w^T. */
+/* A kernel in cells and doubles, for design and measurement. Term t of channel c: sign w w^T. */
 typedef struct ms_sss__curve {
     int pairs, terms, hats;
-    double times[MS_SSS__CELLS_MAX + 1];                       /* what an entry adds to the energy: 1, 2, 2, ... */
+    double times[MS_SSS__CELLS_MAX + 1];                       /* factor of an entry in the energy: 1, 2, 2, ... */
     double offset[MS_SSS__CELLS_MAX + 1];                      /* [0] is the centre */
     double weight[3][MS_SSS_TERMS_MAX][MS_SSS__CELLS_MAX + 1]; /* of the centre, then of each tap of a pair */
     double sign[3][MS_SSS_TERMS_MAX];
@@ -6210,17 +6203,17 @@ typedef struct ms_sss__curve {
 
 /* One pass as a function of its frequency. */
 typedef struct ms_sss__waves {
-    float line[3][MS_SSS_TERMS_MAX][MS_SSS__HALF + 1]; /* errors below 1e-6 are none */
+    float line[3][MS_SSS_TERMS_MAX][MS_SSS__HALF + 1]; /* float: relative errors below 1e-6 do not matter */
 } ms_sss__waves;
 
-/* What measuring takes; too large for the stack. */
+/* Scratch memory of a measurement; too large for the stack. */
 typedef struct ms_sss__measurer {
     ms_sss__curve curve;
     ms_sss__waves waves;
     double line[2][3][MS_SSS__HALF + 1]; /* right result, curve; by distance */
 } ms_sss__measurer;
 
-/* What one pass reads of a wave of each frequency: the taps of each term. */
+/* Response of one pass to a wave of each frequency: the taps of each term. */
 static void ms_sss__curve_waves(const ms_sss_designer *d, const ms_sss__curve *v, ms_sss__waves *waves)
 {
     double line[3][MS_SSS_TERMS_MAX];
@@ -6270,7 +6263,7 @@ static void ms_sss__kernel_curve(const ms_sss_designer *d, const ms_sss_kernel *
     }
 }
 
-/* Relative errors of a curve on every signal. */
+/* Relative errors of a curve for every signal. */
 static void ms_sss__curve_errors(const ms_sss_designer *d, const ms_sss__curve *v, ms_sss__waves *waves, double *error)
 {
     double found[3];
@@ -6293,7 +6286,7 @@ static double ms_sss__srgb(double v) /* linear 0 to 1 as 0 to 255 */
     return 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1 / 2.4) - 0.055);
 }
 
-/* ms_sss_errors.bands: what lies on the spectrum's axis is the sum of the kernel's columns, its running sum the
+/* ms_sss_errors.bands: the spectrum's axis is that of the sums over the kernel's columns, whose running sum is the
    response to an edge. */
 static double ms_sss__curve_bands(const ms_sss_designer *d, ms_sss__measurer *m)
 {
@@ -6356,7 +6349,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const
 /* The bins over which taps are fitted: every frequency up to 12 + a third of the cells, as far as spectra of such
    kernels have detail that matters, then with gaps that grow in proportion; each bin also stands for the gap around it.
    With `coarse` about a quarter of them, for searches. */
-/* node: frequencies, share: how many of the 512 frequencies each stands for; returns how many. */
+/* node: frequencies, share: the number of the 512 frequencies that each represents; returns the count. */
 static int ms_sss__nodes(int cells, int coarse, int *node, double *share)
 {
     int count = 0, all = (12 + cells / 3) >> coarse, growth = coarse ? 3 : 6, k, n;
@@ -6963,7 +6956,7 @@ static double ms_sss__guided_squares(const ms_sss__squares *p, double *a, double
     return value;
 }
 
-/* Coarse cells first. */
+/* Solves on coarse cells first. */
 static ms_status ms_sss__guided(const ms_sss_designer *d, int c, double k_guide, double *a)
 {
     int M = d->cells, row = M + 1, level, i, j, p, q;
@@ -7007,7 +7000,7 @@ static ms_status ms_sss__guided(const ms_sss_designer *d, int c, double k_guide,
     return MS_OK;
 }
 
-/* Every model but the fits of taps, as weights of all cells. */
+/* All models but the fits of taps, as weights of all cells. */
 static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kernel_options *o, ms_sss__curve *v)
 {
     double slope[MS_SSS__CELLS_MAX + 1], sum;
@@ -7447,15 +7440,15 @@ static void ms_sss__fit_positive(const double *A, int stride, const double *b, i
     }
 }
 
-/* Transfer of (1, 3, 3, 1) / 8 down or up by one level, along one axis. */
+/* Transfer of (1, 3, 3, 1) / 8, down or up by one level, along one axis. */
 static double ms_sss__step_wave(double k)
 {
     const double c = cos(k / 2);
     return c * c * c;
 }
 
-/* Of a level's gather from the next: taps (1 - r^2 / MS_SSS__GATHER)^2 at distances r of its pixels, a quarter pixel
-   off their middle. */
+/* Transfer of a level's gather from the next: taps (1 - r^2 / MS_SSS__GATHER)^2 at distances r of its pixels, whose
+   middle is a quarter pixel off. */
 static double ms_sss__gather_wave(double kx, double ky, int wide, int level)
 {
     double sum = 0, n = 0;
@@ -7533,7 +7526,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const
             memset(b, 0, sizeof b);
             for (i = 0; i <= 10 * STEPS + 1; ++i) { /* frequencies up to pi: a 1/f spectrum has equal power an octave */
                 const double k = i ? 3.14159265358979 * pow(2.0, (double)(i - 1) / (double)STEPS - 10) : 0,
-                             weight = i ? 1 : 1e3; /* energy first */
+                             weight = i ? 1 : 1e3; /* the energy has priority */
                 ms_sss__pyramid_wave(wide, k, wave);
                 for (l = 0; l < TERMS; ++l)
                     for (m = 0; m < TERMS; ++m) A[l * TERMS + m] += weight * wave[l] * wave[m];
@@ -7555,7 +7548,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const
                     ++levels;
                 if (total[c] > 0) ms_sss__fit_positive(A, TERMS, b[size], 2 * levels, x);
                 else
-                    for (l = 0; l < 2 * levels; ++l) x[l] = l == 0; /* a dark channel stays as it is */
+                    for (l = 0; l < 2 * levels; ++l) x[l] = l == 0; /* a channel without light: the identity */
                 for (l = 0; l < 2 * levels; ++l) sum += x[l];
                 for (l = 0; l < 2 * levels; ++l) pyramid->weight[wide][size][l / 2][l % 2][c] = (float)(x[l] / sum);
             }
@@ -7596,8 +7589,8 @@ MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness
 #ifdef MS_SSS__PASS /* one inclusion a level, from FILTER CODE above */
 /* ---- filter kernels -------------------------------------------------------------------------------------------- */
 
-/* Row kernels. Counts are multiples of 16; rows may be read and written up to that, and by the taps up to
-   MS_SSS__LEFT before and MS_SSS__RIGHT behind a row. A pixel that takes no part has depth INFINITY and colour 0. */
+/* Row kernels. Counts are multiples of 16. Rows may be read and written up to that; taps reach MS_SSS__LEFT floats
+   before and MS_SSS__RIGHT behind a row. A masked pixel has depth INFINITY and colour 0. */
 
 #define MS_SSS__JOIN_(name, level) ms_sss__##name##_##level
 #define MS_SSS__JOIN(name, level) MS_SSS__JOIN_(name, level)
@@ -7743,13 +7736,13 @@ MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness
 #define MS__MIN(a, b) MS__Z(min_ps, a, b)
 #define MS__MAX(a, b) MS__Z(max_ps, a, b)
 #define MS__SQRT(a) MS__Z(sqrt_ps, a)
-#define MS__EVENS(a, b) MS__Z(shuffle_ps, a, b, 0x88) /* columns 0, 2 .. of a and b, which ORDER puts in order */
+#define MS__EVENS(a, b) MS__Z(shuffle_ps, a, b, 0x88) /* columns 0, 2 ... of a and b; ORDER sorts them */
 #define MS__ODDS(a, b) MS__Z(shuffle_ps, a, b, 0xdd)
 #endif
 #define MS__EVEN(a, b) MS__ORDER(MS__EVENS(a, b))
 #define MS__ODD(a, b) MS__ORDER(MS__ODDS(a, b))
 
-/* 1 / a within 2e-7 of itself, a from 1e-30 to 1e30 */
+/* 1 / a, relative error 2e-7, for a from 1e-30 to 1e30 */
 static MS_SSS__INLINE MS__V MS__F(inverse)(MS__V a)
 {
 #ifdef MS__RCP
@@ -7760,9 +7753,8 @@ static MS_SSS__INLINE MS__V MS__F(inverse)(MS__V a)
 #endif
 }
 
-/* Where before[i] is finite and value[i] > 0 depth[i] becomes scale * value[i], else INFINITY; before may be depth.
-   span: from the first finite one to behind the last. Returns whether all of those values are at least 1, if scale is
-   0. */
+/* depth[i] = scale * value[i] if before[i] is finite and value[i] > 0, else INFINITY; before may be depth. span: from
+   the first finite one to behind the last. With scale 0, returns whether all of those values are at least 1. */
 static int MS__F(mask_by)(const float *value, float scale, int count, const float *before, float *depth, int span[2])
 {
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), infinity = MS__SET(INFINITY), s = MS__SET(scale);
@@ -7790,8 +7782,8 @@ static int MS__F(mask_by)(const float *value, float scale, int count, const floa
     return !partial;
 }
 
-/* colour = in (times albedo) and depth = before where the pixel takes part and the colour is finite; else 0 and
-   INFINITY. before may be depth. Returns whether pixels [begin, end) all take part. */
+/* Loads colour = in (times albedo) and depth = before where before and the colour are finite; else 0 and INFINITY.
+   before may be depth. Returns whether no pixel of [begin, end) is masked. */
 static int MS__F(load_masked)(const float *const in[3], const float *const albedo[3], int begin, int end, int count,
                               const float *before, float *depth, float *const colour[3])
 {
@@ -7851,7 +7843,8 @@ static void MS__F(convolve)(const float *in, const ptrdiff_t *at, const float *w
     }
 }
 
-/* What a tap sum s with weights that add up to n stands for once the missing weight, total - n, is made up for. */
+/* Renormalises a tap sum s whose weights add up to n: to the sum `total`, or, if mixed, by adding own for the missing
+   weight. */
 static MS_SSS__INLINE MS__V MS__F(restore)(MS__V s, MS__V n, MS__V own, float total, int mixed)
 {
     if (mixed) return MS__MADD(own, MS__SUB(MS__SET(total), n), s);
@@ -7859,7 +7852,7 @@ static MS_SSS__INLINE MS__V MS__F(restore)(MS__V s, MS__V n, MS__V own, float to
                       MS__MUL(own, MS__SET(total)));
 }
 
-/* The same for the three channels where only pixels that take part count and are written, the rest as 0. */
+/* convolve for three channels, with masked pixels left out and the weights renormalised; masked pixels become 0. */
 static void MS__F(convolve_valid)(const ms_sss__fixed *f, const float *const in[3], const ptrdiff_t *at,
                                   const float *const *depth, const int *tap, int taps, int count,
                                   const float *own_depth, float *const out[3])
@@ -7889,13 +7882,13 @@ static void MS__F(convolve_valid)(const ms_sss__fixed *f, const float *const in[
     }
 }
 
-/* Pixels a mm at depth z, but for slopes. */
+/* Pixels per mm at depth z on a surface that faces the camera. */
 static MS_SSS__INLINE MS__V MS__F(size)(const ms_sss__pass *p, MS__V z)
 {
     return p->perspective ? MS__MIN(MS__DIV(MS__SET(p->size), z), MS__SET(p->size_max)) : MS__SET(p->size);
 }
 
-/* Tangents of the rays through pixels from column x on. */
+/* Tangents along x of the rays through the pixels from column x on. */
 static MS_SSS__INLINE MS__V MS__F(ray)(const ms_sss__pass *p, int x)
 {
     return MS__MUL(MS__ADD(MS__LOAD(ms_sss__iota), MS__SET((float)x + 0.5f - p->middle[0])), MS__SET(p->tangent));
@@ -7912,24 +7905,25 @@ static MS_SSS__INLINE MS__V MS__F(inverse_root)(MS__V a)
 #endif
 }
 
-/* Pixels a mm of the tangent plane along an axis of slope `along` and ray `ray`; square: of the ray's length. */
+/* Pixels per mm of the tangent plane along an axis with this slope and ray; square: of the ray's length. */
 static MS_SSS__INLINE MS__V MS__F(foreshorten)(MS__V size, MS__V along, MS__V ray, MS__V square)
 {
     return MS__MUL(size,
                    MS__F(inverse_root)(MS__MADD(along, MS__MADD(along, square, MS__ADD(ray, ray)), MS__SET(1.0f))));
 }
 
-/* Cosine of the normal of slopes sx, sy to the ray, in mm of dz 1. */
+/* Cosine of the normal to the ray, for slopes sx and sy, times the mm of dz 1. */
 static MS_SSS__INLINE MS__V MS__F(facing)(const ms_sss__pass *p, MS__V sx, MS__V sy, MS__V rx, MS__V ry)
 {
     const MS__V axis = MS__MADD(rx, sx, MS__MADD(ry, sy, MS__SET(1.0f)));
     return MS__MUL(MS__SET(p->unit), MS__F(inverse_root)(MS__MADD(sx, sx, MS__MADD(sy, sy, MS__MUL(axis, axis)))));
 }
 
-/* The slope of two one-sided ones that count where their step in depth is under the kernel's radius: their mean where
-   the surface turns little between them, else the smaller, so that none is taken across an edge or a crease. Towards an
-   outline depth goes as the root of the distance to it: by what a step exceeds the next one inwards, both being more
-   than rounding, its slope is the steeper (circles seen edge on; planes stay). Five depths, z in the middle. */
+/* The slope along an axis from five depths, z in the middle. A one-sided slope is valid if its step in depth is within
+   the kernel's radius. Where the surface bends little the result is the mean of both, else the smaller one, so that no
+   slope is taken across an edge or a crease. Near an outline depth goes as the root of the distance to it, so the
+   smaller slope is made steeper by what its step exceeds the next one inwards, if that is more than rounding. Planes
+   are unchanged. */
 static MS_SSS__INLINE MS__V MS__F(slope)(const ms_sss__pass *p, float focal, const MS__V at[5])
 {
     const MS__V zero = MS__SET(0.0f), half = MS__SET(0.5f), reach = MS__SET(p->reach), f = MS__SET(focal),
@@ -7953,7 +7947,7 @@ static MS_SSS__INLINE MS__V MS__F(slope)(const ms_sss__pass *p, float focal, con
         const MS__V next = MS__SELECT(before, at[1], at[3]), after_next = MS__SELECT(before, at[0], at[4]);
         MS__V step = MS__SUB(z, next), inner = MS__SUB(next, after_next), least = MS__MUL(z, MS__SET(2 * p->rounding)),
               more, excess;
-        if (p->perspective) { /* of 1 / depth, which is linear on planes */
+        if (p->perspective) { /* differences of 1 / depth, which is linear on planes */
             step = MS__MUL(step, after_next);
             inner = MS__MUL(inner, z);
             least = MS__MUL(least, z);
@@ -8006,7 +8000,7 @@ static void MS__F(slopes)(const ms_sss__pass *p, const float *const depth[5], co
     }
 }
 
-/* Of row y, see ms_sss__line: out[0 to 2] along x, out[3 to 5] along y. */
+/* The tangent planes of row y, see ms_sss__line: out[0 to 2] along x, out[3 to 5] along y. */
 static void MS__F(tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin,
                             int end, float *const out[6])
 {
@@ -8036,7 +8030,7 @@ static MS_SSS__INLINE MS__V MS__F(falloff)(MS__V d)
     return MS__MUL(f, f);
 }
 
-/* What of a depth is more than rounding. */
+/* depth less the bound on its rounding, towards 0. */
 static MS_SSS__INLINE MS__V MS__F(residual)(MS__V depth, MS__V rounding)
 {
     return MS__SUB(depth, MS__MAX(MS__MIN(depth, rounding), MS__SUB(MS__SET(0.0f), rounding)));
@@ -8050,13 +8044,13 @@ static MS_SSS__INLINE MS__V MS__F(elevate)(const ms_sss__pass *p, int channel, M
     return MS__MUL(u, u);
 }
 
-/* Which pixels take part and have kernels of half a pixel or more. */
+/* Lanes that are not masked and have kernels of half a pixel or more. */
 static MS_SSS__INLINE MS__MASK MS__F(need)(const ms_sss__pass *p, MS__V z)
 {
     return MS__BOTH(MS__LESS(z, MS__SET(MS_SSS__MASKED_DEPTH / 2)), MS__LESS(MS__SET(p->size_min), MS__F(size)(p, z)));
 }
 
-/* Makes depths of what takes no part finite. */
+/* Makes the depths of masked pixels finite. */
 static void MS__F(limit)(float *depth, int count)
 {
     int x;
@@ -8091,9 +8085,10 @@ static MS_SSS__INLINE void MS__F(bounds)(MS__V a, float *least, float *most)
 #endif
 }
 
-/* What the groups of a row need along an axis: each pair's whole part where it is the same in all lanes that have
-   kernels, or one of two (BESIDE added): products grow with the size, so the ends tell. Between two sizes the plan of
-   the group before holds: with rounding on the safe side. size: NULL: from depth. */
+/* Plans a row along an axis: for each group and pair the integer tap offset, if all lanes that have kernels share it or
+   differ by at most one (OFF_BY_ONE added). Offsets grow with the kernel's size, so the smallest and the largest size
+   decide. A group within the sizes of the last plan with one offset copies it, with bounds on the safe side of
+   rounding. size NULL: from depth. */
 static void MS__F(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, const float *depth, const float *size,
                         int first, int last, unsigned char *plan)
 {
@@ -8148,8 +8143,8 @@ static void MS__F(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis,
     }
 }
 
-/* Colour of pixels of four elements each, as many as can be had without an element behind the last colour; returns how
-   many. */
+/* Unpacks the colour of pixels of four elements each, as many as vectors can read without passing the last colour.
+   Returns how many. */
 static int MS__F(unpack)(const void *from, int half, int count, float *const to[3])
 {
     int i = 0;
@@ -8183,7 +8178,7 @@ static int MS__F(unpack)(const void *from, int half, int count, float *const to[
     return i;
 }
 
-/* Halves to floats, and back as ms__half_from_float does it: finite values stay finite. */
+/* Halves to floats; narrow rounds as ms__half_from_float: finite values stay finite. */
 static void MS__F(widen)(const uint16_t *from, int count, float *to)
 {
     int i = 0;
@@ -8206,7 +8201,7 @@ static void MS__F(narrow)(const float *from, int count, uint16_t *to)
     for (; i < count; ++i) to[i] = ms__half_from_float(from[i]);
 }
 
-/* Copies a row to the caller's memory, around the cache where it is as long as a line. */
+/* Copies a row to the caller's memory by streaming stores. */
 static void MS__F(deliver)(const float *from, int count, float *to)
 {
     int i = 0;
@@ -8218,7 +8213,7 @@ static void MS__F(deliver)(const float *from, int count, float *to)
     if (i < count) memcpy(to + i, from + i, (size_t)(count - i) * sizeof(float));
 }
 
-/* The least positive depth, or AWAY. */
+/* The least positive depth, or MASKED_DEPTH. */
 static float MS__F(least)(const float *depth, int count)
 {
     const MS__V zero = MS__SET(0.0f), away = MS__SET(MS_SSS__MASKED_DEPTH);
@@ -8237,15 +8232,15 @@ static float MS__F(least)(const float *depth, int count)
     return lane[0];
 }
 
-/* With slopes: what a pixel dz over the tangent plane weighs of its share of a tap. */
+/* With slopes: the weight of a pixel dz off the tangent plane that has this share of a tap. */
 static MS_SSS__INLINE MS__V MS__F(tilted_weight)(MS__V dz, MS__V share, MS__V dz_falloff)
 {
     const MS__V one = MS__SET(1.0f), q = MS__MUL(dz, dz), f = MS__MAX(MS__SUB(one, q), MS__SET(0.0f));
     return MS__MUL(share, MS__DIV(f, MS__MADD(dz_falloff, q, one)));
 }
 
-/* How much more surface a side of weight sum at height `below` stands for; away: height of the pair before, then of
-   this one. */
+/* The area that the tap of one side represents. sum: its weight; below: weight times depth under the tangent plane;
+   away: depth of the pair before, then of this one. */
 static MS_SSS__INLINE MS__V MS__F(surface_ratio)(MS__V sum, MS__V below, MS__V area_scale, MS__V *away)
 {
     MS__V more = MS__DIV(MS__NMADD(sum, *away, below), MS__ADD(sum, MS__SET(MS_SSS__SPARSE)));
@@ -8254,20 +8249,20 @@ static MS_SSS__INLINE MS__V MS__F(surface_ratio)(MS__V sum, MS__V below, MS__V a
     return MS__MIN(MS__MADD(more, more, MS__SET(1.0f)), MS__SET(MS_SSS__AREA_MAX));
 }
 
-/* A pair of taps stands at -x and +x. Each reads two pixels by linear interpolation: i and i + 1 steps from the middle.
-   Where they lie, for up to LEAN groups of one vector each. */
+/* A pair of taps at -x and +x, for up to GROUPS groups of one vector each. Each tap interpolates two pixels, i and i +
+   1 steps from the middle. */
 typedef struct MS__F(pair) {
     const float *light;            /* red of the first group's own pixels */
     ptrdiff_t at[4], plane, group; /* floats to i, i + 1, -i, -i - 1; to the next channel; to the next group */
     MS__V offset[MS_SSS__GROUPS];  /* i */
 } MS__F(pair);
 
-/* What the four pixels weigh, and on both sides how far they lie below the tangent plane, mm. */
+/* The weights of the four pixels, and on each side the weighted depth under the tangent plane in mm. */
 typedef struct MS__F(weights) {
     MS__V pixel[4], below[2];
 } MS__F(weights);
 
-/* Pair k of n groups. If i differs between groups or lanes, the pixels are copied side by side first. */
+/* Places pair k of n groups. If i differs between groups or lanes, the pixels are first copied to contiguous memory. */
 static MS_SSS__INLINE void MS__F(find_pair)(const ms_sss__sweep *s, const ms_sss__line *l, int x, int n, int k,
                                             const MS__V *size, float (*copy)[4][4][MS__N], MS__F(pair) * pair)
 {
@@ -8305,7 +8300,7 @@ static MS_SSS__INLINE void MS__F(find_pair)(const ms_sss__sweep *s, const ms_sss
     pair->group = 16 * MS__N;
 }
 
-/* Of a group with depth z; t: the taps' distance in pixels; group at column x. */
+/* Weighs the pixels of pair k for the group at column x with depth z; t: the taps' distance in pixels. */
 static MS_SSS__INLINE void MS__F(weigh_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const int with_slopes,
                                              const ms_sss__line *l, int x, int k, const float *depth,
                                              const ptrdiff_t *at, MS__V whole, MS__V z, MS__V t, MS__F(weights) * w)
@@ -8329,7 +8324,7 @@ static MS_SSS__INLINE void MS__F(weigh_pair)(const ms_sss__sweep *s, const ms_ss
         const MS__V rounding = MS__MUL(z, MS__SET(p->rounding)),
                     least = MS__MADD(rounding, t, MS__ADD(rounding, rounding));
         MS__UNROLL
-        for (i = 0; i < 4; ++i) { /* off the tangent plane, which rises on one side and falls on the other */
+        for (i = 0; i < 4; ++i) { /* distance from the tangent plane, which rises on one side and falls on the other */
             const MS__V scale = p->perspective ? there[i] : one;
             dz[i] = i < 2 ? MS__NMADD(rise[i % 2], scale, dz[i]) : MS__MADD(rise[i % 2], scale, dz[i]);
             w->pixel[i] = MS__F(tilted_weight)(dz[i], share[i % 2], dz_falloff);
@@ -8343,9 +8338,9 @@ static MS_SSS__INLINE void MS__F(weigh_pair)(const ms_sss__sweep *s, const ms_ss
     }
 }
 
-/* A group's sums over its taps: light, weights, weights times the elevation's factor. */
+/* Sums of a group over its taps: light, weights, weights times the elevation factor. */
 typedef struct MS__F(sums) {
-    MS__V light[3], weight[3], elevated[3], before[2]; /* before: how far below the plane the pair before lay */
+    MS__V light[3], weight[3], elevated[3], before[2]; /* before: depth of the pair before under the plane */
 } MS__F(sums);
 
 static MS_SSS__INLINE void MS__F(add_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const int with_slopes, int k,
@@ -8356,7 +8351,7 @@ static MS_SSS__INLINE void MS__F(add_pair)(const ms_sss__sweep *s, const ms_sss_
     int i, c;
     if (with_slopes) {
         MS__UNROLL
-        for (i = 0; i < 2; ++i) { /* more surface where it bends away, more light where it lies below */
+        for (i = 0; i < 2; ++i) { /* area where the surface bends away; elevation where it lies below */
             const MS__V area = MS__F(surface_ratio)(MS__ADD(w->pixel[2 * i], w->pixel[2 * i + 1]), w->below[i],
                                                     MS__LOAD(s->area_scale[k]), &sum->before[i]);
             w->pixel[2 * i] = MS__MUL(w->pixel[2 * i], area);
@@ -8395,8 +8390,8 @@ static MS_SSS__INLINE void MS__F(add_pair)(const ms_sss__sweep *s, const ms_sss_
     }
 }
 
-/* n groups from column x on by pairs of taps; shaped: with slopes. Of each pair first all groups' weights, then all
-   their sums: the chains of one group are long. */
+/* Filters n groups from column x on by pairs of taps. For each pair the weights of all groups come first, then their
+   sums: one group alone would be bound by latency. */
 static MS_SSS__INLINE void MS__F(taps)(const ms_sss__sweep *s, const ms_sss__pass *p, const int with_slopes,
                                        const ms_sss__line *l, int x, int n, MS__V (*out)[3])
 {
@@ -8422,7 +8417,7 @@ static MS_SSS__INLINE void MS__F(taps)(const ms_sss__sweep *s, const ms_sss__pas
         }
     }
     if (!some) return;
-    for (c = 0; c < 3 && axis && with_slopes; ++c) /* the next groups, as below */
+    for (c = 0; c < 3 && axis && with_slopes; ++c) /* prefetches the next groups, as below */
         for (i = 0; i < width; i += 16) MS_SSS__PREFETCH((const char *)(l->own[c] + x + width + i));
     for (k = 0; k < s->pairs; ++k) {
         const MS__V offset = MS__LOAD(s->offset[axis][k]);
@@ -8433,7 +8428,7 @@ static MS_SSS__INLINE void MS__F(taps)(const ms_sss__sweep *s, const ms_sss__pas
             (s, p, with_slopes, l, x + g * MS__N, k, light + 3 * pair.plane, pair.at, pair.offset[g],
              MS__LOAD(first + g * l->group + here + 3 * l->plane), MS__MUL(size[g], offset), &weights[g]);
             for (c = 0; c < 4 && axis;
-                 c += 16 / MS__N) { /* rows lie far apart: the next groups of the taps' outer ones */
+                 c += 16 / MS__N) { /* rows are far apart: prefetches the outer pixels of the next groups */
                 const float *ahead = first + (g + MS_SSS__GROUPS) * l->group + c * MS__N;
                 MS_SSS__PREFETCH((const char *)(ahead + l->step[whole + 1]));
                 MS_SSS__PREFETCH((const char *)(ahead + l->step[-whole]));
@@ -8456,8 +8451,8 @@ static MS_SSS__INLINE void MS__F(taps)(const ms_sss__sweep *s, const ms_sss__pas
     }
 }
 
-/* The group at column x by any taps along an axis, or turned: along each pixel's own. A tap's two pixels along each
-   axis are read where they lie if all lanes have one place, else put together place by place. */
+/* Filters the group at column x by general taps, along an axis or along each pixel's own. Pixels are loaded in place if
+   all lanes use the same offset, otherwise gathered offset by offset. */
 static MS_SSS__NOINLINE void MS__F(any)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x,
                                         MS__V out[3])
 {
@@ -8503,7 +8498,7 @@ static MS_SSS__NOINLINE void MS__F(any)(const ms_sss__sweep *s, const ms_sss__pa
         }
     }
     for (i = 0; i < 2; ++i) d[i] = MS__MUL(d[i], MS__MUL(size, MS__SET(p->aspect[i])));
-    for (order = 1; order < p->tap_count; ++order) { /* with slopes outwards */
+    for (order = 1; order < p->tap_count; ++order) { /* with slopes: outwards */
         const float mm = p->offset_mm[k = with_slopes ? order : p->tap_count - order];
         const MS__V t = MS__MUL(MS__SET(mm), d[0]), t_y = MS__MUL(MS__SET(mm), d[1]);
         const MS__V whole = MS__FLOOR(t), whole_y = MS__FLOOR(t_y);
@@ -8551,7 +8546,7 @@ static MS_SSS__NOINLINE void MS__F(any)(const ms_sss__sweep *s, const ms_sss__pa
                     MS__V gain = MS__MADD(rise[0], whole, MS__MUL(rise[1], whole_y)), q;
                     if (i) gain = MS__ADD(gain, rise[0]);
                     if (j) gain = MS__ADD(gain, rise[1]);
-                    there = MS__MIN(there, MS__SET(MS_SSS__MASKED_DEPTH)); /* turned axes meet infinite ones */
+                    there = MS__MIN(there, MS__SET(MS_SSS__MASKED_DEPTH)); /* rotated passes have infinite depths */
                     dz = MS__NMADD(gain, p->perspective ? there : one, MS__SUB(there, z));
                     q = MS__MIN(MS__MUL(dz, dz), one);
                     f = MS__MUL(MS__NMADD(f, q, f), MS__F(inverse)(MS__MADD(dz_falloff, q, one)));
@@ -8594,7 +8589,7 @@ static MS_SSS__NOINLINE void MS__F(any)(const ms_sss__sweep *s, const ms_sss__pa
     }
 }
 
-/* What pairs cannot do in the group at column x. */
+/* The lanes of the group at column x that pairs did not filter. */
 static MS_SSS__NOINLINE void MS__F(rest)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x,
                                          int kind, MS__V out[3])
 {
@@ -8610,7 +8605,7 @@ static MS_SSS__NOINLINE void MS__F(rest)(const ms_sss__sweep *s, const ms_sss__p
     for (c = 0; c < 3 && kind != MS_SSS__PLAN_NONE; ++c) out[c] = MS__SELECT(need, out[c], own[c]);
 }
 
-/* A pass of several rows between columns first and last, chunk by chunk so that what they share stays in the cache. */
+/* One pass of several rows between columns first and last, chunk by chunk, so that shared rows stay cached. */
 static MS_SSS__INLINE void MS__F(sweep)(const ms_sss__sweep *s, const ms_sss__pass *p, const int with_slopes,
                                         const ms_sss__line *line, int lines, int first, int last)
 {
@@ -8674,8 +8669,8 @@ static void MS__F(fade)(const ms_sss__pass *p, const float *strength, float gain
 
 /* --- half resolution --- */
 
-/* Every four pixels of two rows of colour and depth become one: the mean of those near the nearest. count: of columns
-   of the result; unit: of the rows' depths. Returns whether all take part; if some do not, they must have depth
+/* Averages every four pixels of two rows of colour and depth, of those near the nearest one. count: columns of the
+   result; unit: scale of the rows' depths. Returns whether no pixel is masked; if some are, they must have depth
    INFINITY. */
 static int MS__F(downsample)(const ms_sss__half_params *h, const float *const above[4], const float *const below[4],
                              float unit, int count, float *const out[4])
@@ -8707,7 +8702,7 @@ static int MS__F(downsample)(const ms_sss__half_params *h, const float *const ab
             const MS__V p = MS__LOAD(above[c] + 2 * x), q = MS__LOAD(above[c] + 2 * x + MS__N);
             const MS__V r = MS__LOAD(below[c] + 2 * x), t = MS__LOAD(below[c] + 2 * x + MS__N);
             const MS__V sum = MS__MADD(w1, MS__ODD(p, q), MS__MUL(w0, MS__EVEN(p, q)));
-            /* 0, but NaN where a colour is not finite or beyond the largest light */
+            /* 0, or NaN if a colour is not finite or beyond the largest light */
             sums = MS__MADD(MS__MUL(MS__ADD(MS__ADD(MS__ABS(p), MS__ABS(q)), MS__ADD(MS__ABS(r), MS__ABS(t))),
                                     MS__SET(3.4e38f / MS_SSS__LIGHT_MAX)),
                             zero, sums);
@@ -8723,8 +8718,7 @@ static int MS__F(downsample)(const ms_sss__half_params *h, const float *const ab
     return all_part == every;
 }
 
-/* The share of a pixel's own light in the result where taps stand on it: each tap's bilinear part. depth, share: of
-   LANES pixels. */
+/* The self weight of MS__N pixels where several taps touch the pixel itself: the bilinear part of each tap. */
 static MS_SSS__NOINLINE void MS__F(self_weight)(const ms_sss__half_params *h, const float *depth, float *share)
 {
     const ms_sss_kernel *k = h->kernel;
@@ -8748,7 +8742,7 @@ static MS_SSS__NOINLINE void MS__F(self_weight)(const ms_sss__half_params *h, co
     }
 }
 
-/* The same of pixels at depth z; what takes no part, AWAY, may get any. */
+/* The self weight of pixels at depth z; any for masked pixels. */
 static MS_SSS__INLINE void MS__F(self_weights)(const ms_sss__half_params *h, MS__V z, MS__V share[3])
 {
     float depth[MS__N], to[3 * MS__N];
@@ -8763,8 +8757,8 @@ static MS_SSS__INLINE void MS__F(self_weights)(const ms_sss__half_params *h, MS_
     for (c = 0; c < 3; ++c) share[c] = MS__LOAD(to + c * MS__N);
 }
 
-/* A coarse row of light and what became of it, without what pixels keep of their own; depth in units of the falloff,
-   AWAY or so where nothing takes part. */
+/* Subtracts the self weight from a filtered coarse row. The depth becomes that of the falloff; masked pixels have a
+   large one. */
 static void MS__F(subtract_self)(const ms_sss__half_params *h, const float *const light[3], const float *const blur[3],
                                  const float *depth, int count, float *const out[4])
 {
@@ -8778,7 +8772,7 @@ static void MS__F(subtract_self)(const ms_sss__half_params *h, const float *cons
         for (c = 0; c < 3; ++c) {
             const MS__V e = MS__LOAD(light[c] + x), change = MS__SUB(MS__LOAD(blur[c] + x), e);
             const MS__V least = MS__MIN(MS__MIN(e, MS__LOAD(blur[c] + x)), MS__SET(0.0f));
-            /* light without negative parts stays so, also where more than the share was the pixel's own */
+            /* non-negative light stays so, also where the pixel's true self weight is larger */
             const MS__V soft = MS__MAX(MS__MADD(change, MS__F(inverse)(MS__SUB(MS__SET(1.0f), share[c])), e), least);
             MS__STORE(out[c] + x, MS__SELECT(valid, soft, MS__SET(0.0f)));
         }
@@ -8786,8 +8780,8 @@ static void MS__F(subtract_self)(const ms_sss__half_params *h, const float *cons
     }
 }
 
-/* What is left of LANES times two columns from x on where pixels differ in what they keep, or have no neighbours: sum:
-   of each side's neighbours light and weights. */
+/* Upsamples 2 MS__N columns from x on if self weights differ or neighbours are missing. sum: light and weights of the
+   neighbours of even and odd columns. */
 static MS_SSS__NOINLINE void MS__F(upsample_rest)(const ms_sss__half_params *h, const float *const own[4], float unit,
                                                   float (*sum)[4][MS__N], int x, float *const out[3])
 {
@@ -8816,16 +8810,17 @@ static MS_SSS__NOINLINE void MS__F(upsample_rest)(const ms_sss__half_params *h, 
     }
 }
 
-/* A row of the picture from its colour and depth (times unit) and the two softened rows beside it, whose planes lie
-   equally far apart; the first is nearer if odd. Weights 0.8 and 0.2 each way, sharper than the linear 0.75 and 0.25,
-   make up for part of what averaging pixels blurs. */
+/* Upsamples a row of the picture from its colour and depth (times unit) and the two coarse rows beside it, whose planes
+   lie equally far apart; the first is nearer if odd. 0.8 and 0.2 instead of the bilinear 0.75 and 0.25 compensate part
+   of the blur of the downsampling. */
 static void MS__F(upsample)(const ms_sss__half_params *h, const float *const own[4], float unit,
                             const float *const coarse[2][4], int odd, int count, float *const out[3])
 {
-    static const float root[3] = {0.44721360f, 0.63245553f, 0.89442719f}; /* of 0.2 0.2, 0.2 0.8, 0.8 0.8: the fourth */
+    static const float root[3] = {0.44721360f, 0.63245553f,
+                                  0.89442719f}; /* fourth roots of 0.2 0.2, 0.2 0.8, 0.8 0.8 */
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), falloff_scale = MS__SET(unit * h->falloff_scale);
     const MS__V even = MS__SET((h->centre_only_depth < h->identity_depth ? h->centre_only_depth : h->identity_depth) /
-                               unit); /* depth up to which all keep the same share */
+                               unit); /* depth up to which all self weights are the same */
     const MS__V share[3] = {MS__SET(h->self_weight[0]), MS__SET(h->self_weight[1]), MS__SET(h->self_weight[2])};
     const unsigned every = ms_sss__lanes(MS__N, MS__N);
     const ptrdiff_t plane = coarse[0][1] - coarse[0][0];
@@ -8878,7 +8873,7 @@ static void MS__F(upsample)(const ms_sss__half_params *h, const float *const own
 
 /* ---- pyramid kernels ------------------------------------------------------------------------------------------- */
 
-/* d from depth (INFINITY: takes no part). */
+/* d from depth; 0 for masked pixels. */
 static void MS__F(invert)(const ms_sss__pyramid_params *s, const float *depth, int count, float *d)
 {
     const MS__V zero = MS__SET(0.0f), infinity = MS__SET(INFINITY);
@@ -8890,8 +8885,7 @@ static void MS__F(invert)(const ms_sss__pyramid_params *s, const float *depth, i
     }
 }
 
-/* Steps of d a pixel wide are this many pixels deep; quick: within 2e-7 of itself, where no step is as deep as another
-   or a bound. */
+/* Depth in pixels of a step of d. quick: relative error 2e-7, where no two results are compared. */
 static MS_SSS__INLINE MS__V MS__F(pixels_per_d)(const ms_sss__pyramid_params *s, MS__V d, const int quick)
 {
     const MS__V scale = MS__SET((s->perspective ? -1.0f : 1.0f) / s->step);
@@ -8906,14 +8900,14 @@ static MS_SSS__INLINE MS__V MS__F(radius)(const ms_sss__pyramid_params *s, MS__V
     return MS__MIN(s->perspective ? MS__MUL(MS__SET(-s->size), d) : MS__SET(s->size), MS__SET(s->size_max));
 }
 
-/* How much larger the surface is than its picture: the length of (slope, 1 + slope . ray). */
+/* The area of the surface over that of its picture: the length of (slope, 1 + slope . ray). */
 static MS_SSS__INLINE MS__V MS__F(area)(MS__V sx, MS__V sy, MS__V rx, MS__V ry)
 {
     const MS__V n = MS__MADD(sx, rx, MS__MADD(sy, ry, MS__SET(1.0f)));
     return MS__SQRT(MS__MADD(sx, sx, MS__MADD(sy, sy, MS__MUL(n, n))));
 }
 
-/* As slope above, of d: its slope from the steps on both sides, those that the radius lets count. */
+/* As slope above, from d; a step is valid if it is within the radius. */
 static MS_SSS__INLINE MS__V MS__F(slope_of_d)(const ms_sss__pyramid_params *s, const MS__V at[5], MS__V pixels_per_d,
                                               MS__V radius)
 {
@@ -8947,7 +8941,8 @@ static MS_SSS__INLINE MS__V MS__F(slope_of_d)(const ms_sss__pyramid_params *s, c
     return slope;
 }
 
-/* Share and change of d along x and y of row y of the picture; d: rows y - 2 to y + 2; normal: the caller's or NULL. */
+/* Coverage and change of d along x and y of row y of the picture; d: rows y - 2 to y + 2; normal: the caller's or NULL.
+ */
 static void MS__F(slopes_of_d)(const ms_sss__pyramid_params *s, const float *const d[5], const float *const normal[3],
                                int y, int first, int count, float *const out[3])
 {
@@ -8968,7 +8963,7 @@ static void MS__F(slopes_of_d)(const ms_sss__pyramid_params *s, const float *con
         }
         rx = MS__MADD(MS__LOAD(ms_sss__iota), MS__SET(s->tangent),
                       MS__SET(((float)i + 0.5f - s->middle[0]) * s->tangent));
-        if (normal) { /* slopes beyond 8, and normals turned away, keep their direction */
+        if (normal) { /* slopes above 8, and normals that face away, keep their direction */
             const MS__V a = MS__LOAD(normal[0] + i), b = MS__LOAD(normal[1] + i), c = MS__LOAD(normal[2] + i);
             const MS__V least = MS__MUL(MS__MAX(MS__ABS(a), MS__ABS(b)), MS__SET(0.125f));
             const MS__V n = MS__MAX(MS__SUB(c, MS__MADD(rx, a, MS__MUL(ry, b))), least);
@@ -8995,15 +8990,15 @@ static void MS__F(slopes_of_d)(const ms_sss__pyramid_params *s, const float *con
     }
 }
 
-/* One row of a level from rows 2j - 1 to 2j + 2 of the finer one, each colour, d, share, changes of d: pixel i is the
-   mean of columns 2i - 1 to 2i + 2 by (1, 3, 3, 1) / 8 both ways, of what lies near the tangent plane of the nearest of
-   the middle four that has a quarter of the largest share. tilted 0: no changes, on the picture (share NULL) shares of
-   1, and colours of levels are times their share. */
+/* Downsamples one row of a level from rows 2j - 1 to 2j + 2 of the finer one, each colour, d, coverage, changes of d.
+   Pixel i averages columns 2i - 1 to 2i + 2 by (1, 3, 3, 1) / 8 both ways, of pixels near the tangent plane of the
+   nearest of the middle four that has a quarter of the largest coverage. tilted 0: no changes; the picture has coverage
+   1 (NULL), and colours of levels are premultiplied by coverage. */
 static MS_SSS__INLINE void MS__F(downsample_level_row)(const ms_sss__pyramid_params *s, const int tilted,
-                                                       const int shares, const float *row[4][7], int first, int count,
-                                                       float *const out[7])
+                                                       const int with_coverage, const float *row[4][7], int first,
+                                                       int count, float *const out[7])
 {
-    /* Fourth roots of 1, 3, 9 of 64, by how many sides are near, and their roots. */
+    /* Fourth roots of 1, 3, 9 over 64, by the number of near sides, and their square roots. */
     static const float root[3] = {0.353553391f, 0.465302426f, 0.612372436f};
     static const float half_root[3] = {0.594603558f, 0.682130799f, 0.782542290f};
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), infinity = MS__SET(INFINITY);
@@ -9012,29 +9007,29 @@ static MS_SSS__INLINE void MS__F(downsample_level_row)(const ms_sss__pyramid_par
         MS__V most = zero, d = infinity, dx = zero, dy = zero, bx = zero, by = zero, n = zero, least, greatest, nearest,
               scale;
         MS__V narrow[3];
-        MS__V sum[3], dd = zero, gx = zero, gy = zero, seen = zero, middle[2][2], share[2][2];
+        MS__V sum[3], dd = zero, gx = zero, gy = zero, seen = zero, middle[2][2], coverage[2][2];
         MS__MASK some;
         int check;
         MS__UNROLL
         for (y = 0; y < 2; ++y) {
-            const float *z = row[y + 1][3] + 2 * i, *w = shares ? row[y + 1][4] + 2 * i : z;
+            const float *z = row[y + 1][3] + 2 * i, *w = with_coverage ? row[y + 1][4] + 2 * i : z;
             const MS__V z0 = MS__LOAD(z), z1 = MS__LOAD(z + MS__N);
             middle[y][0] = MS__EVENS(z0, z1);
             middle[y][1] = MS__ODDS(z0, z1);
-            share[y][0] = MS__ABS(MS__EVENS(MS__LOAD(w), MS__LOAD(w + MS__N)));
-            share[y][1] = MS__ABS(MS__ODDS(MS__LOAD(w), MS__LOAD(w + MS__N)));
-            most = MS__MAX(most, MS__MAX(share[y][0], share[y][1]));
+            coverage[y][0] = MS__ABS(MS__EVENS(MS__LOAD(w), MS__LOAD(w + MS__N)));
+            coverage[y][1] = MS__ABS(MS__ODDS(MS__LOAD(w), MS__LOAD(w + MS__N)));
+            most = MS__MAX(most, MS__MAX(coverage[y][0], coverage[y][1]));
         }
         some = MS__LESS(zero, most);
         if (!MS__BITS(some)) {
             for (c = 0; c < (tilted ? 7 : 5); ++c) MS__STORE(out[c] + i, zero);
             continue;
         }
-        if (shares) most = MS__MUL(most, MS__SET(0.25f));
+        if (with_coverage) most = MS__MUL(most, MS__SET(0.25f));
         else most = zero;
         for (y = 0; y < 2; ++y) {
             for (x = 0; x < 2; ++x) {
-                const MS__MASK better = MS__BOTH(MS__LESS(most, share[y][x]), MS__LESS(middle[y][x], d));
+                const MS__MASK better = MS__BOTH(MS__LESS(most, coverage[y][x]), MS__LESS(middle[y][x], d));
                 d = MS__SELECT(better, middle[y][x], d);
                 if (!tilted) continue;
                 for (c = 5; c < 7; ++c) {
@@ -9050,10 +9045,10 @@ static MS_SSS__INLINE void MS__F(downsample_level_row)(const ms_sss__pyramid_par
         d = MS__SELECT(some, d, MS__SET(-1.0f));
         scale = MS__DIV(MS__F(pixels_per_d)(s, d, 0), MS__F(radius)(s, d));
         for (c = 0; c < 3; ++c) narrow[c] = MS__MUL(scale, MS__SET(half_root[c] / s->join));
-        /* Else what takes no part lies too deep to count. */
-        check = !shares && MS__BITS(MS__LESS(MS__MUL(MS__ABS(d), narrow[0]), MS__SET(half_root[0])));
+        /* Otherwise masked pixels are too deep to count. */
+        check = !with_coverage && MS__BITS(MS__LESS(MS__MUL(MS__ABS(d), narrow[0]), MS__SET(half_root[0])));
         nearest = least = greatest = d;
-        if (tilted) d = MS__SUB(d, MS__MADD(bx, dx, MS__MUL(by, dy))); /* at the middle */
+        if (tilted) d = MS__SUB(d, MS__MADD(bx, dx, MS__MUL(by, dy))); /* d at the middle */
         sum[0] = sum[1] = sum[2] = zero;
         for (y = 0; y < 4; ++y) {
             int half;
@@ -9074,7 +9069,7 @@ static MS_SSS__INLINE void MS__F(downsample_level_row)(const ms_sss__pyramid_par
                     f[x] = MS__MAX(MS__NMADD(off, off, MS__SET(root[inner])), zero);
                     f[x] = MS__MUL(f[x], f[x]);
                     f[x] = MS__MUL(f[x], f[x]);
-                    if (shares) {
+                    if (with_coverage) {
                         const MS__V w0 = MS__LOAD(row[y][4] + at), w1 = MS__LOAD(row[y][4] + at + MS__N);
                         w = x ? MS__ODDS(w0, w1) : MS__EVENS(w0, w1);
                         if (tilted) f[x] = MS__MUL(f[x], w);
@@ -9084,11 +9079,11 @@ static MS_SSS__INLINE void MS__F(downsample_level_row)(const ms_sss__pyramid_par
                     }
                     if (tilted || s->join > 1)
                         f[x] = MS__SELECT(MS__LESS(MS__ABS(MS__MUL(away, scale)), one), f[x], zero);
-                    off = shares && !tilted ? MS__MUL(f[x], w) : f[x];
+                    off = with_coverage && !tilted ? MS__MUL(f[x], w) : f[x];
                     n = MS__ADD(n, off);
                     dd = MS__MADD(off, level, dd);
-                    if (tilted) { /* planes continue, but not beyond what is there; normals add up by area, slopes by
-                                     what is seen of it */
+                    if (tilted) { /* d of planes is extrapolated within the bounds of the pixels; slopes are averaged by
+                                     picture area */
                         const MS__MASK counts = MS__LESS(zero, f[x]);
                         least = MS__MIN(least, MS__SELECT(counts, there, nearest));
                         greatest = MS__MAX(greatest, MS__SELECT(counts, there, nearest));
@@ -9133,7 +9128,7 @@ static void MS__F(downsample_level)(const ms_sss__pyramid_params *s, const float
     else MS__F(downsample_level_row)(s, 0, row[1][4] != NULL, row, first, count, out);
 }
 
-/* Weights of a level, of each lane between two sizes of the table: only the blurred, or (both) the own and the
+/* Weights of a level, interpolated for each lane between two sizes of the table: the blurred ones, or (both) own and
    blurred. */
 typedef struct MS__F(scale) {
     MS__V low, high, unit, from[6], more[6];
@@ -9150,7 +9145,7 @@ static MS_SSS__NOINLINE void MS__F(look_up_weights)(const ms_sss__pyramid_params
         const int i = ms_sss__size_index(at);
         const float low = ms_sss__index_size(i), high = ms_sss__index_size(i + 1);
         const float *w0 = s->table[i + (at > high)][level][!both],
-                    *w1 = s->table[i + !(at < low)][level][!both]; /* the same beyond the table */
+                    *w1 = s->table[i + !(at < low)][level][!both]; /* equal outside of the table */
         value[0][k] = low;
         value[1][k] = high;
         value[2][k] = 1 / (high - low);
@@ -9168,8 +9163,8 @@ static MS_SSS__NOINLINE void MS__F(look_up_weights)(const ms_sss__pyramid_params
     }
 }
 
-/* Weights for kernels of these radii in pixels. part: lanes that count; w: of the group before in the row, at first
-   with low above high. */
+/* Level weights for kernels of these radii in pixels. valid: lanes that count; w: of the group before in the row,
+   initially with low above high. */
 static MS_SSS__INLINE void MS__F(level_weights)(const ms_sss__pyramid_params *s, int level, const int both, MS__V size,
                                                 unsigned valid, MS__F(scale) * w, MS__V out[])
 {
@@ -9185,8 +9180,8 @@ static MS_SSS__INLINE void MS__F(level_weights)(const ms_sss__pyramid_params *s,
     }
 }
 
-/* light times the mean of (1 + K sin(theta) / 4)^4, by mean (moment / light) and mean square v of sin(theta), of which
-   grain may be rounding. */
+/* light times the mean of (1 + K sin(theta) / 4)^4, from the mean (moment / light) and mean square v of sin(theta),
+   with this bound on rounding. */
 static MS_SSS__INLINE MS__V MS__F(elevate_mean)(const ms_sss__pyramid_params *s, int channel, MS__V light, MS__V moment,
                                                 MS__V v, MS__V rounding)
 {
@@ -9208,7 +9203,7 @@ static MS_SSS__INLINE MS__V MS__F(elevate_weight)(const ms_sss__pyramid_params *
     return MS__MUL(w, MS__MUL(u, u));
 }
 
-/* 1 / sqrt(a) within 2e-7 of itself */
+/* 1 / sqrt(a): relative error 2e-7. */
 static MS_SSS__INLINE MS__V MS__F(fast_inverse_root)(MS__V a)
 {
 #if defined(MS__RSQRT)
@@ -9219,21 +9214,21 @@ static MS_SSS__INLINE MS__V MS__F(fast_inverse_root)(MS__V a)
 #endif
 }
 
-/* What keeps the mean factor, lifted / n, at most at this. */
+/* The scale that bounds the mean factor, lifted / n, by `most`. */
 static MS_SSS__INLINE MS__V MS__F(bounded)(MS__V n, MS__V elevated, float most)
 {
     const MS__V limit = MS__MUL(n, MS__SET(most));
     return MS__SELECT(MS__LESS(limit, elevated), MS__DIV(limit, MS__MAX(elevated, MS__SET(1e-30f))), MS__SET(1.0f));
 }
 
-/* gather for the even or the odd columns of LANES pairs: at, their d and changes of d. */
+/* gather for the even or the odd columns of MS__N pairs with these d and changes of d. */
 static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, const int wide, const int tilted,
                                               MS__V d, MS__V dx, MS__V dy, const float *coarse, const ms_sss__tap *tap,
                                               MS__V rx, MS__V ry, MS__F(scale) * scale, MS__V result[6])
 {
     static const float nearness[4] = {0.86602540f, 0.65803701f, 0.65803701f,
-                                      0.5f}; /* fourth roots of 9, 3, 3, 1 of 16 */
-    static const float half_nearness[3] = {0.93060486f, 0.81119480f, 0.70710678f}; /* theirs */
+                                      0.5f}; /* fourth roots of 9, 3, 3, 1 over 16 */
+    static const float half_nearness[3] = {0.93060486f, 0.81119480f, 0.70710678f}; /* their square roots */
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f);
     const ptrdiff_t plane = s->plane;
     const float cells = (float)(1 << (s->level + 1)),
@@ -9246,7 +9241,7 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
     MS__V size = radius, sx = zero, sy = zero, area = one, inverse = one, fall = MS__SET(-1 / square),
           norm = MS__SET(s->norm), plane_rounding = zero, rise = one;
     MS__V n = zero, v = zero, r = zero, g = zero, b = zero, mr = zero, mg = zero, mb = zero,
-          weight[3]; /* wide: m the sums of factors */
+          weight[3]; /* m: moments; wide: sums of factors */
     MS__V s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, s5 = zero;
     int k, count = tilted ? 4 : s->core;
     if (!valid_bits) {
@@ -9255,8 +9250,8 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
     }
     if (tilted) {
         MS__V cap, reach;
-        MS__MASK sound; /* planes so steep that four pixels are a radius deep have no tangent plane on this level:
-                               see shrink */
+        MS__MASK
+        sound; /* planes so steep that four pixels span a radius in depth have no tangent plane on this level */
         sx = MS__MUL(MS__MUL(dx, pixels_per_d), MS__SET(2.0f));
         sy = MS__MUL(MS__MUL(dy, pixels_per_d), MS__SET(2.0f));
         sound = MS__LESS(MS__MUL(MS__ADD(MS__ABS(sx), MS__ABS(sy)), MS__SET(0.5f * cells)), radius);
@@ -9273,7 +9268,8 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
     }
     if (s->sums) {
         const MS__V near_plane = MS__MUL(MS__SET(1 / s->reach), MS__F(inverse)(limit));
-        const int cut = tilted || s->reach > 1; /* else what lies beyond the limit is too far from the plane */
+        const int cut = tilted ||
+            s->reach > 1; /* otherwise pixels beyond the limit are too far from the plane to count */
         MS__V close[3];
         for (k = 0; k < 3; ++k)
             close[k] = MS__MUL(tilted ? near_plane : MS__MUL(pixels_per_d, near_plane), MS__SET(half_nearness[k]));
@@ -9296,10 +9292,10 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
             s5 = MS__MADD(t, MS__LOAD(p + 10 * plane), s5);
         }
     }
-    if (!tilted) { /* light of levels is times its share */
+    if (!tilted) { /* colours of levels are premultiplied by coverage */
         const MS__V inner = MS__MUL(pixels_per_d, MS__SET(s->inner)), most = MS__MUL(limit2, MS__SET(1 / square));
         const int cut = (MS__BITS(MS__LESS(most, one)) & valid_bits) !=
-            0; /* else what lies beyond the limit is too far away */
+            0; /* otherwise pixels beyond the limit are too far away to count */
         for (k = 0; k < count; ++k) {
             const float *p = coarse + tap[k].at;
             const MS__V dz = MS__MUL(MS__SUB(MS__LOAD(p + 3 * plane), d), inner),
@@ -9347,7 +9343,7 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
             v = MS__MADD(w, off, v);
         }
     }
-    if (wide && tilted) { /* an even light never comes out stronger than it went in */
+    if (wide && tilted) { /* bounds the factor: constant light is not amplified */
         r = MS__MUL(r, MS__F(bounded)(n, mr, s->max_factor[0]));
         g = MS__MUL(g, MS__F(bounded)(n, mg, s->max_factor[1]));
         b = MS__MUL(b, MS__F(bounded)(n, mb, s->max_factor[2]));
@@ -9370,10 +9366,10 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
     result[5] = MS__SELECT(valid, MS__MADD(weight[2], n, s5), zero);
 }
 
-/* Weighted sums of row y of a level: the light of the next coarser level, counted by its distance in space and lifted
-   by how far it lies below the tangent plane, and the sums of that level, bilinear. own: d and its changes; coarse: row
-   y/2, followed by planes of green, blue, d, share, three sums of light, three of weights; first, count: columns / 2;
-   out: the two times three sums. */
+/* Gathers row y of a level: sums of the next coarser level's light, weighted by distance in space and elevation, plus
+   that level's own sums, bilinear. own: d and its changes; coarse: row y / 2, followed by planes of green, blue, d,
+   coverage, three sums of light, three of weights; first, count: columns / 2; out: three sums of light, three of
+   weights. */
 static MS_SSS__INLINE void MS__F(gather_row)(const ms_sss__pyramid_params *s, const int wide, const int tilted,
                                              const float *const own[3], const float *coarse, int first, int count,
                                              int y, float *const out[6])
@@ -9417,16 +9413,16 @@ static void MS__F(gather)(const ms_sss__pyramid_params *s, const float *const ow
     else MS__F(gather_row)(s, 0, 1, own, coarse, first, count, y, out);
 }
 
-/* The picture: a pixel's own light, the light of its neighbours by (1, 2, 1) / 4 both ways as far as they lie near its
-   tangent plane, and the sums. row: colour and d, of rows stride floats apart; slope: share, then the changes of d;
-   out: colour, and INFINITY where nothing takes part, else 0. */
+/* Resolves the picture: a pixel's own light, that of its neighbours by (1, 2, 1) / 4 both ways if they are near its
+   tangent plane, and the sums. row: colour and d, of rows stride floats apart; slope: coverage, then the changes of d;
+   out: colour, and 0 or, for masked pixels, INFINITY. */
 static MS_SSS__INLINE void MS__F(resolve_row)(const ms_sss__pyramid_params *s, const int tilted,
                                               const float *const row[4], ptrdiff_t stride, const float *const slope[3],
                                               const float *const sum[6], int first, int count, float *const out[4])
 {
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), half = MS__SET(0.5f), quarter = MS__SET(0.25f);
     const int check = !s->perspective || !s->depth_aware ||
-        s->step > 0.4f; /* else what takes no part lies too deep to count */
+        s->step > 0.4f; /* otherwise masked pixels are too deep to count */
     const float *const red = row[0], *const green = row[1], *const blue = row[2], *const from = row[3];
     MS__F(scale) scale;
     int i, j, k, c;
@@ -9462,9 +9458,9 @@ static MS_SSS__INLINE void MS__F(resolve_row)(const ms_sss__pyramid_params *s, c
                     MS__V f = MS__SUB(there, d);
                     if (!j && !k) continue;
                     if (tilted) f = MS__NMADD(MS__SET((float)k), dx, MS__NMADD(MS__SET((float)j), dy, f));
-                    f = MS__MUL(f, j && k ? corner : edge); /* none 2 pixels away */
+                    f = MS__MUL(f, j && k ? corner : edge); /* 0 from 2 pixels away on */
                     f = MS__MAX(MS__NMADD(f, f, j && k ? quarter : MS__SET(0.35355339f)),
-                                zero); /* roots of 1, 2 of 16 */
+                                zero); /* square roots of 1, 2 over 16 */
                     f = MS__MUL(f, f);
                     if (check) f = MS__SELECT(MS__LESS(zero, MS__ABS(there)), f, zero);
                     n = MS__ADD(n, f);
@@ -9479,7 +9475,7 @@ static MS_SSS__INLINE void MS__F(resolve_row)(const ms_sss__pyramid_params *s, c
             const MS__V light = MS__ADD(MS__MADD(share[c], e, MS__MUL(share[c + 3], soft)), MS__LOAD(sum[c] + i));
             const MS__V all = MS__ADD(MS__MADD(share[c + 3], n, share[c]), MS__LOAD(sum[c + 3] + i));
             const MS__MASK sound = MS__BOTH(MS__LESS(MS__SET(1e-30f), all),
-                                            MS__LESS(half, radius)); /* kernels under half a pixel leave it as it is */
+                                            MS__LESS(half, radius)); /* kernels under half a pixel are the identity */
             const MS__V to = MS__SELECT(sound, MS__MUL(light, MS__F(inverse)(all)), e);
             MS__STORE(out[c] + i, to);
         }
