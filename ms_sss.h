@@ -67,38 +67,38 @@
      image-optimal, optimised taps (default)      2.50   1.61   1.41            9.25   5.62   4.16
      two terms, optimised taps                    1.89   0.67   0.29            8.12   3.74   1.98
 
-   Edges along the screen's axes want `dial` towards 1, a single bright dot wants more taps, detail and shadows are
-   served by the default. Making a kernel takes longer with taps and terms; the filter with pixels, taps and
-   terms, hardly with the radius (`make bench FILTER=sss_filter`).
+   For edges along the screen's axes turn `dial` towards 1; for single bright dots use more taps; the default serves
+   detail and shadows. Making a kernel takes longer with more taps and terms. The filter takes longer with more pixels,
+   taps and terms, hardly with the radius (`make bench FILTER=sss_filter`).
 
    Depth
    -----
-   A tap reads the two pixels beside its position (four with rotation or jitter), each weighted by its own depth.
-   Slope: taps are spaced on the surface's tangent plane, so that a plane is filtered alike at any tilt up to
-   83 degrees; diagonal tilts shear the kernel. Slopes come from normals, or from depth, one-sided at edges.
-   Distance: a pixel dz off the tangent plane, for a tap x mm away, counts (1 - dz^2 / D^2) / (1 + dz^2 / x^2), D being
-   the depth of depth_sigma_mm; with flat 1 (1 - dz^2 / D^2)^4. Steps wider than D let nothing through.
-   Area: where the surface bends away between two taps by an angle of tangent m, the outer tap stands for 1 + m^2 / 2
-   times as much of it, at most 3 times; not for terms with weights of both signs.
-   Elevation (see there): sin(theta) is how far the tap lies below the pixel's tangent plane over its distance. No pass
-   multiplies the mean by more than reflectance^(-1/2), so reflectance times output never exceeds the brightest input.
-   Weights that fall outside the picture or on masked pixels are renormalised away: a constant stays constant
-   within 1e-6 on planes, and everywhere with flat 1. A kernel whose terms have weights of both signs gives what is
-   missing to the pixel's own colour instead. Half-precision depth is too coarse for slopes: set flat to 1. Half
-   resolution (MS_SSS_METHOD_HALF): a pixel keeps the self weight of its light, so that detail stays; the rest comes
-   from the up to four larger pixels around that lie near it in depth. On pictures of heads, hair and leaves it differs
-   from full resolution by 7 to 13%. Slopes come from its own depth, normals are not read.
+   A tap interpolates the two pixels beside its position (four with rotation or jitter), each weighted by its own depth.
+   Slope: taps are spaced on the surface's tangent plane, so a plane is filtered alike at any tilt up to 83 degrees;
+   diagonal tilts shear the kernel. Slopes come from normals, or from depth, one-sided at edges.
+   Distance: a pixel dz off the tangent plane, for a tap x mm away, has the weight (1 - dz^2 / D^2) / (1 + dz^2 / x^2),
+   where D is the depth of depth_sigma_mm; with flat 1 (1 - dz^2 / D^2)^4. No light crosses steps wider than D.
+   Area: where the surface bends away between two taps by an angle of tangent m, the outer tap represents 1 + m^2 / 2
+   times the area, at most 3 times; not for terms with weights of both signs.
+   Elevation: sin(theta) is the tap's depth under the pixel's tangent plane over its distance. No pass multiplies the
+   mean by more than reflectance^(-1/2), so reflectance times output never exceeds the brightest input.
+   Weights that fall outside the picture or on masked pixels are renormalised away: a constant stays constant within
+   1e-6 on planes, and everywhere with flat 1. If a kernel's terms have weights of both signs, the missing weight goes
+   to the pixel's own colour instead. Half-precision depth is too coarse for slopes: set flat to 1. Half resolution
+   (MS_SSS_METHOD_HALF): a pixel keeps the self weight of its light, so that detail stays; the rest comes from up to
+   four larger pixels around it that are near it in depth. On pictures of heads, hair and leaves it differs from full
+   resolution by 7 to 13%. Slopes come from its own depth; normals are not read.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
    Profiles and designers are one block each from the caller's allocator (a designer: 2 MB); building a kernel takes
-   another, under 1 MB, measuring one 60 KB, and gives it back. Filters allocate nothing where the caller
-   lends a workspace. No globals. At most 32 KB of stack a call, 64 KB without optimisation.
+   another, under 1 MB, measuring one 60 KB, and gives it back. Filters allocate nothing if the caller
+   gives a workspace. No globals. At most 32 KB of stack a call, 64 KB without optimisation.
    Profiles, designers and kernels are only read once made: calls may overlap. Filters cut the picture into rows for
    ms_parallel; kernels are made on one thread.
    Filters run scalar, SSE2 or NEON, AVX2 or AVX-512 text, chosen once a call, capped by options.simd; on x86-64 with
    floating-point exceptions masked, and raise no flags. They give the same bits for any thread count at one level,
-   kernels the same bits in every call of one build. -ffast-math voids what is said of bits, NaN and infinity.
+   kernels the same bits in every call of one build. With -ffast-math nothing holds of bits, NaN and infinity.
    Calls return ms_status and fill an optional ms_error; outputs are then untouched unless the call says otherwise.
 
    Configuration (define before the implementation)
@@ -112,8 +112,8 @@
 
    Limits
    ------
-   A separable kernel is no profile: step and disk errors above stay however many taps are spent, unless terms are
-   added. Against random walks through three objects (`make bench FILTER=sss_truth`) what is left of the error lies at
+   A separable kernel only approximates a profile: the step and disk errors above do not fall with more taps, only with
+   more terms. Against random walks through three objects (`make bench FILTER=sss_truth`) the remaining error lies at
    shadow borders (the pyramid and examples/tools/gather.h do better there), and on parts that let light through
    (ms_sss_transmission, or the gather with a back layer): there, lit from behind, the filter alone is
    no better than none. Bodies thinner than a mean free path stay too dark.
@@ -1636,21 +1636,11 @@ static MS_SSS__INLINE float ms_sss__index_size(int index)
     return size;
 }
 
-/* 0 to FAR */
+/* 0 to PAIR_REACH */
 #define MS_SSS__TEN(n) n, n + 1, n + 2, n + 3, n + 4, n + 5, n + 6, n + 7, n + 8, n + 9
-static const float ms_sss__iota[MS_SSS__PAIR_REACH + 1] = {MS_SSS__TEN(0),
-                                                           MS_SSS__TEN(10),
-                                                           MS_SSS__TEN(20),
-                                                           MS_SSS__TEN(30),
-                                                           MS_SSS__TEN(40),
-                                                           MS_SSS__TEN(50),
-                                                           MS_SSS__TEN(60),
-                                                           MS_SSS__TEN(70),
-                                                           MS_SSS__TEN(80),
-                                                           MS_SSS__TEN(90),
-                                                           MS_SSS__TEN(100),
-                                                           MS_SSS__TEN(110),
-                                                           120};
+#define MS_SSS__FORTY(n) MS_SSS__TEN(n), MS_SSS__TEN(n + 10), MS_SSS__TEN(n + 20), MS_SSS__TEN(n + 30)
+static const float ms_sss__iota[MS_SSS__PAIR_REACH + 1] = {MS_SSS__FORTY(0), MS_SSS__FORTY(40), MS_SSS__FORTY(80), 120};
+#undef MS_SSS__FORTY
 #undef MS_SSS__TEN
 
 #if defined(MS__X64)
@@ -1770,8 +1760,8 @@ static void ms_sss__load(const ms_sss__kernels *simd, const ms_sss_image *image,
 }
 
 /* Writes values [begin, end) of a row that starts at pixel (x, y), where depth is finite or depth is NULL. */
-static void ms_sss__store(const ms_sss__kernels *simd, const ms_sss_image *image, int width, int y, int x, int begin,
-                          int end, const float *const in[3], const float *depth)
+static void ms_sss__store_unmasked(const ms_sss__kernels *simd, const ms_sss_image *image, int width, int y, int x,
+                                   int begin, int end, const float *const in[3], const float *depth)
 {
     const ptrdiff_t step = image->pixel_stride;
     int c, i, j;
@@ -1901,7 +1891,7 @@ static const float *const *ms_sss__albedo(const ms_sss__job *job, int side, int 
 }
 
 /* Copies masked pixels of [begin, end) of row y: those with depth INFINITY, or all if depth is NULL. */
-static void ms_sss__copy(const ms_sss__job *job, int y, int begin, int end, const float *depth)
+static void ms_sss__copy_masked(const ms_sss__job *job, int y, int begin, int end, const float *depth)
 {
     const ms_sss_frame *f = &job->frame;
     const size_t size = f->input.half ? sizeof(uint16_t) : sizeof(float);
@@ -1943,7 +1933,6 @@ static int ms_sss__all_valid(const ms_sss__job *job, int y, int begin, int end)
     return job->row[y].valid_first <= begin && end <= job->row[y].valid_last;
 }
 
-/* The longest run of unmasked pixels of a row. */
 static void ms_sss__find_valid_run(const ms_sss__job *job, ms_sss__row *row, const float *depth)
 {
     int x, run = row->first;
@@ -1959,17 +1948,16 @@ static void ms_sss__find_valid_run(const ms_sss__job *job, ms_sss__row *row, con
     if (row->valid_last == job->frame.width) row->valid_last = job->padded;
 }
 
-/* Copies the masked pixels of row y. */
-static void ms_sss__copy_row(const ms_sss__job *job, int y, const ms_sss__row *row, const float *depth)
+static void ms_sss__copy_masked_row(const ms_sss__job *job, int y, const ms_sss__row *row, const float *depth)
 {
     const int width = job->frame.width, first = row->first, last = row->last,
               solid = row->valid_first < row->valid_last;
     const int inside = last < width ? last : width;
     if (job->term > 0) return;
-    ms_sss__copy(job, y, 0, first, NULL);
-    ms_sss__copy(job, y, first, solid ? row->valid_first : inside, depth);
-    if (solid) ms_sss__copy(job, y, row->valid_last, inside, depth);
-    ms_sss__copy(job, y, last, width, NULL);
+    ms_sss__copy_masked(job, y, 0, first, NULL);
+    ms_sss__copy_masked(job, y, first, solid ? row->valid_first : inside, depth);
+    if (solid) ms_sss__copy_masked(job, y, row->valid_last, inside, depth);
+    ms_sss__copy_masked(job, y, last, width, NULL);
 }
 
 static void ms_sss__clear(const ms_sss__job *job, float *row, float value)
@@ -2051,7 +2039,7 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, ms_sss__row
             ms_sss__find_valid_run(job, row, depth);
         }
     }
-    ms_sss__copy_row(job, y, row, depth);
+    ms_sss__copy_masked_row(job, y, row, depth);
 }
 
 /* Composites columns [x, x + count) of row y, of which blur is the filtered light: fades to own (NULL: no fade), takes
@@ -2091,9 +2079,9 @@ static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int 
         for (c = 0; c < 3; ++c) job->simd->combine(1.0f, blur[c], 1.0f, specular[c], count, blur[c]);
     }
     if (valid_first >= valid_last) valid_first = valid_last = count;
-    if (depth) ms_sss__store(job->simd, &f->output, f->width, y, x, 0, valid_first, result, depth);
-    ms_sss__store(job->simd, &f->output, f->width, y, x, valid_first, valid_last, result, NULL);
-    if (depth) ms_sss__store(job->simd, &f->output, f->width, y, x, valid_last, count, result, depth);
+    if (depth) ms_sss__store_unmasked(job->simd, &f->output, f->width, y, x, 0, valid_first, result, depth);
+    ms_sss__store_unmasked(job->simd, &f->output, f->width, y, x, valid_first, valid_last, result, NULL);
+    if (depth) ms_sss__store_unmasked(job->simd, &f->output, f->width, y, x, valid_last, count, result, depth);
 }
 
 /* Adds up the terms and delta E for columns [x, x + count) of row y, of which blur is the term's second pass, and
@@ -2136,7 +2124,6 @@ static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int c
     ms_sss__compose(job, task, y, x, count, blur, need_own ? in : NULL, depth);
 }
 
-/* The least depth in a band of rows. */
 static void ms_sss__least_band(void *context, int task)
 {
     ms_sss__job *job = (ms_sss__job *)context;
@@ -2193,7 +2180,6 @@ static int ms_sss__slot(const ms_sss__sweep *s, int begin, int y)
     return 1 + (y < low ? y : low + (y - low) % ms_sss__ring_rows(s));
 }
 
-/* The first row of a part of the picture. */
 static int ms_sss__part_begin(const ms_sss__sweep *s, int part)
 {
     return (int)((ptrdiff_t)part * s->job->frame.height / s->parts);
@@ -2387,7 +2373,7 @@ static void ms_sss__second_pass(const ms_sss__sweep *s, int task, int begin, int
             for (c = 0; c < 3; ++c)
                 job->simd->deliver(l->to[c] + first, last - first,
                                    (float *)image->channel[c] + y * image->row_stride + first);
-        ms_sss__copy_row(job, y, &job->row[y], depth);
+        ms_sss__copy_masked_row(job, y, &job->row[y], depth);
     }
 }
 
@@ -2411,7 +2397,6 @@ static void ms_sss__window_row(const ms_sss__sweep *s, int task, int y, int fore
     other.simd->limit(plane[3] + x, s->padded - x + MS_SSS__RIGHT);
 }
 
-/* Slopes of row y from the depths of five rows, or from normals. */
 static void ms_sss__slopes(const ms_sss__job *job, int task, int y, const float *const depth[5], float *const slope[2])
 {
     const int first = job->row[y].first, last = job->row[y].last;
@@ -2426,7 +2411,6 @@ static void ms_sss__slopes(const ms_sss__job *job, int task, int y, const float 
     job->simd->slopes(&job->pass, depth, job->frame.normal.channel[0] ? normal : NULL, y, first, last, slope);
 }
 
-/* The first pass of row y, whose window is loaded, into the ring. */
 static void ms_sss__first_pass(const ms_sss__sweep *s, int task, int y, float *const plane[5][4], float *const temp[5])
 {
     const ms_sss__job *job = s->job;
@@ -2935,7 +2919,6 @@ static double ms_sss__pixels(const ms_sss_filter_options *o, int height)
     return o->ortho_height > 0 ? height / ((double)o->ortho_height * mm) : (double)o->pixels_per_mm[0];
 }
 
-/* Sets the parameters that all terms of a kernel share. */
 static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int profile)
 {
     const ms_sss_filter_options *o = &job->options;
@@ -3298,9 +3281,8 @@ static MS_SSS__COLD size_t ms_sss__half_workspace(int width, int height, const m
                      sizeof(ms_sss__half) + 192));
 }
 
-/* Reads colour and depth of columns [first, last) of a row. */
-static void ms_sss__half_rows(const ms_sss__job *job, int y, int first, int last, float *const buffer[4],
-                              const float *row[4])
+static void ms_sss__half_read_row(const ms_sss__job *job, int y, int first, int last, float *const buffer[4],
+                                  const float *row[4])
 {
     ms_sss__load(job->simd, &job->frame.input, 3, job->frame.width, y, first, last - first, buffer, row);
     if (job->frame.depth.channel[0])
@@ -3337,7 +3319,7 @@ static void ms_sss__half_down(void *context, int task)
             last = 0; /* unmasked columns of the half */
         for (c = 0; c < 4; ++c) to[c] = (c < 3 ? half->light[c] : half->depth) + y * half->stride;
         if (all) { /* tries without masks */
-            for (r = 0; r < 2; ++r) ms_sss__half_rows(job, 2 * y + r, 0, width, row[r], in[r]);
+            for (r = 0; r < 2; ++r) ms_sss__half_read_row(job, 2 * y + r, 0, width, row[r], in[r]);
             all = job->simd->downsample(&half->params, in[0], in[1], job->depth_scale, stride, to);
         }
         for (r = 0; r < 2; ++r) {
@@ -3402,7 +3384,7 @@ static void ms_sss__half_up(void *context, int task)
             last <= again.frame.width && ms_sss__all_valid(&again, y, first, last);
         if (first == last) continue;
         if (run) {
-            ms_sss__half_rows(&again, y, first, last, own, mine);
+            ms_sss__half_read_row(&again, y, first, last, own, mine);
         } else {
             ms_sss__prepare(&again, y, task, &again.row[y], own, own[3]);
             for (c = 0; c < 4; ++c) mine[c] = own[c] + first;
@@ -3552,8 +3534,7 @@ typedef struct ms_sss__pyramid_state {
     ptrdiff_t stride; /* floats of one */
 } ms_sss__pyramid_state;
 
-/* Row buffers of a task: coverage and changes of d of four rows of the picture; or the sums, coverage and changes of
-   one row. */
+/* Row buffers of a task: coverage and changes of d of four rows; or sums, coverage and changes of one row. */
 enum { MS_SSS__PYRAMID_ROWS = 12, MS_SSS__PYRAMID_SERIAL = 3 /* levels from here on run on one thread */ };
 
 /* An odd number of cache lines: neighbouring rows fall on different cache sets. */
@@ -3649,7 +3630,6 @@ static void ms_sss__pyramid_clear_outside(const ms_sss__level *v, int begin, int
     }
 }
 
-/* Downsamples rows [begin, end) of level at + 1 from level at. */
 static void ms_sss__pyramid_downsample(const ms_sss__pyramid_state *state, int task, int begin, int end)
 {
     const ms_sss__level *fine = &state->level[state->at], *v = fine + 1;
@@ -3819,8 +3799,7 @@ static void ms_sss__pyramid_upsample(void *context, int task)
     }
 }
 
-/* The taps of pixels in odd and even rows and columns of a level whose next level has rows stride floats apart, the
-   nearest first. */
+/* The taps by odd and even rows and columns, nearest first; stride: of the next level. */
 static void ms_sss__pyramid_sort_taps(ms_sss__pyramid_params *params, ms_sss__tap tap[2][2][64], ptrdiff_t stride)
 {
     int y, x, i, j, n = 0;
@@ -3874,8 +3853,7 @@ static void ms_sss__pyramid_tap_sums(ms_sss__pyramid_params *params, int level)
         (params->step * (float)(1 << (level + 1)));
 }
 
-/* Bytes of the workspace: row buffers and planes (before), then levels and the state, which is too large for the stack.
- */
+/* Bytes of the workspace: row buffers and planes (before), then the levels and the state. */
 static MS_SSS__COLD size_t ms_sss__pyramid_layout(int width, int height, size_t *before)
 {
     ms_sss_filter_options options;
@@ -3896,7 +3874,6 @@ MS_API size_t ms_sss_pyramid_workspace(int width, int height)
     return ms_sss__pyramid_layout(width, height, &before);
 }
 
-/* Whether a pyramid supports the options. */
 static int ms_sss__pyramid_supports(const ms_sss_filter_options *o)
 {
     return !ms_sss__differ(o->rotation, 0) && !(o->jitter > 0) &&
@@ -3934,7 +3911,6 @@ static MS_SSS__COLD void ms_sss__pyramid_set_params(ms_sss__pyramid_params *para
     }
 }
 
-/* Filters the pixels of one profile. */
 static ms_status ms_sss__pyramid_apply(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid, int profile,
                                        int profiles, const ms_sss_filter_options *options, void *workspace,
                                        ms_error *error)
@@ -8143,8 +8119,7 @@ static void MS__F(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis,
     }
 }
 
-/* Unpacks the colour of pixels of four elements each, as many as vectors can read without passing the last colour.
-   Returns how many. */
+/* Unpacks the colour of RGBA pixels, without reading past the last colour; returns how many. */
 static int MS__F(unpack)(const void *from, int half, int count, float *const to[3])
 {
     int i = 0;
@@ -8249,8 +8224,7 @@ static MS_SSS__INLINE MS__V MS__F(surface_ratio)(MS__V sum, MS__V below, MS__V a
     return MS__MIN(MS__MADD(more, more, MS__SET(1.0f)), MS__SET(MS_SSS__AREA_MAX));
 }
 
-/* A pair of taps at -x and +x, for up to GROUPS groups of one vector each. Each tap interpolates two pixels, i and i +
-   1 steps from the middle. */
+/* A pair of taps at -x and +x, of up to GROUPS groups. Each interpolates two pixels, i and i + 1 steps away. */
 typedef struct MS__F(pair) {
     const float *light;            /* red of the first group's own pixels */
     ptrdiff_t at[4], plane, group; /* floats to i, i + 1, -i, -i - 1; to the next channel; to the next group */
@@ -8390,8 +8364,7 @@ static MS_SSS__INLINE void MS__F(add_pair)(const ms_sss__sweep *s, const ms_sss_
     }
 }
 
-/* Filters n groups from column x on by pairs of taps. For each pair the weights of all groups come first, then their
-   sums: one group alone would be bound by latency. */
+/* Filters n groups from column x on by pairs of taps. Weights of all groups come first: one alone waits for latency. */
 static MS_SSS__INLINE void MS__F(taps)(const ms_sss__sweep *s, const ms_sss__pass *p, const int with_slopes,
                                        const ms_sss__line *l, int x, int n, MS__V (*out)[3])
 {
@@ -8757,8 +8730,7 @@ static MS_SSS__INLINE void MS__F(self_weights)(const ms_sss__half_params *h, MS_
     for (c = 0; c < 3; ++c) share[c] = MS__LOAD(to + c * MS__N);
 }
 
-/* Subtracts the self weight from a filtered coarse row. The depth becomes that of the falloff; masked pixels have a
-   large one. */
+/* Subtracts the self weight from a filtered coarse row, and scales its depth for the falloff. */
 static void MS__F(subtract_self)(const ms_sss__half_params *h, const float *const light[3], const float *const blur[3],
                                  const float *depth, int count, float *const out[4])
 {
@@ -8941,8 +8913,7 @@ static MS_SSS__INLINE MS__V MS__F(slope_of_d)(const ms_sss__pyramid_params *s, c
     return slope;
 }
 
-/* Coverage and change of d along x and y of row y of the picture; d: rows y - 2 to y + 2; normal: the caller's or NULL.
- */
+/* Coverage and changes of d of row y of the picture; d: rows y - 2 to y + 2; normal: the caller's or NULL. */
 static void MS__F(slopes_of_d)(const ms_sss__pyramid_params *s, const float *const d[5], const float *const normal[3],
                                int y, int first, int count, float *const out[3])
 {
@@ -9128,8 +9099,7 @@ static void MS__F(downsample_level)(const ms_sss__pyramid_params *s, const float
     else MS__F(downsample_level_row)(s, 0, row[1][4] != NULL, row, first, count, out);
 }
 
-/* Weights of a level, interpolated for each lane between two sizes of the table: the blurred ones, or (both) own and
-   blurred. */
+/* Weights of a level between two sizes of the table, by lane: the blurred ones, or (both) own and blurred. */
 typedef struct MS__F(scale) {
     MS__V low, high, unit, from[6], more[6];
 } MS__F(scale);
