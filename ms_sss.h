@@ -600,20 +600,19 @@ MS_API ms_sss_filter_options ms_sss_filter_defaults(void);
 MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                       const ms_sss_filter_options *options);
 
-/* Subsurface scattering of a picture or a texture: out = delta E + sum_t scale_t (E * w_t along x) * w_t along y, then
-   (1 - strength) E + strength out, once after both passes. E is the input (times albedo, see albedo_mode). How depth
-   weighs the taps stands in the head comment under Depth.
-   kernels     [kernel_count], 1 to 256
-   options     one of the three sizes of a pixel is needed, so NULL is not possible
+/* Subsurface scattering of a picture or a texture: blur = delta E + sum_t scale_t (E * w_t along x) * w_t along y, then
+   (1 - strength) E + strength blur after both passes. E is the input (times albedo, see albedo_mode). Depth's part is
+   in the head comment. kernels     [kernel_count], 1 to 256; a radius above the picture's larger side is reduced to it
+   options     not NULL: one of the three sizes of a pixel is needed
    workspace   ms_sss_filter_workspace(...) bytes, any alignment and content; NULL and size 0: from malloc
    Masked pixels are copied (times albedo, plus specular): those where a channel is NaN or not within 1e30, the depth is
    not finite or not positive, the strength is 0 or NaN, or the profile has no kernel. No light passes between masked
    and other pixels, or between profiles. The input is returned bit for bit (without albedo and specular) where the
-   kernel's radius is under half a pixel or the strength is 0. A radius above the picture's larger side is reduced to
-   it. Bit-equal for any thread count at one level; across levels within 2e-6 of the largest input near the pixel. Calls
-   may overlap if workspace and output differ. MS_INVALID_ARGUMENT: a pointer, size, stride or option out of range;
-   MS_UNSUPPORTED: method PYRAMID without one, or with what ms_sss_pyramid_filter does not take. Nothing is written
-   then. Thesis 5.5, 5.8.2, 5.10; Jimenez et al. 2009, "Screen-space perceptual rendering of human skin". */
+   kernel's radius is under half a pixel or the strength is 0. Results are bit-equal for any thread count at one level,
+   across levels within 2e-6 of the largest input near the pixel. Calls may overlap if workspace and output differ.
+   MS_INVALID_ARGUMENT: a pointer, size, stride or option out of range. MS_UNSUPPORTED: method PYRAMID without one, or
+   with what ms_sss_pyramid_filter does not take. Nothing is written then. Thesis 5.5, 5.8.2, 5.10; Jimenez et al. 2009,
+   Screen-space perceptual rendering of human skin. */
 MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
                                const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                ms_error *error);
@@ -1512,8 +1511,8 @@ typedef struct ms_sss__pyramid_params {
     float size, size_max;                              /* the kernel's radius in pixels: min(size d, size_max) */
     float step;                                        /* change of d a pixel at slope 1; in perspective times d */
     float slope_scale;                                 /* 1 - flat; 0: depth sets the size alone */
-    float reach, join; /* distance from a tangent plane at which weights reach 0, in radii: of sums on the way up, of
-                          pixels that are averaged */
+    float reach, merge_reach; /* distance from a tangent plane at which weights reach 0, in radii: of sums on the way
+                          up, of pixels that are averaged */
     float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; 0: parallel rays */
     float elevation_4[3], max_factor[3]; /* K / 4; 1 / reflectance */
     const ms_sss__tap (*tap)[2][64]; /* [odd row][odd column], the nearest first: the first four surround the pixel */
@@ -1539,16 +1538,16 @@ typedef struct ms_sss__kernels {
                    int end, float *const slope[2]);
     void (*tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin, int end,
                      float *const out[6]);
-    void (*limit)(float *depth, int count);
+    void (*limit_depth)(float *depth, int count);
     void (*plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, const float *depth, const float *size,
                  int first, int last, unsigned char *plan);
     void (*sweep[2])(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines, int first,
                      int last); /* [with slopes] */
-    float (*least)(const float *depth, int count);
+    float (*least_depth)(const float *depth, int count);
     int (*unpack)(const void *from, int half, int count, float *const to[3]);
     void (*widen)(const uint16_t *from, int count, float *to);
     void (*narrow)(const float *from, int count, uint16_t *to);
-    void (*deliver)(const float *from, int count, float *to);
+    void (*stream)(const float *from, int count, float *to);
     int lanes;
     void (*combine)(float a, const float *x, float b, const float *y, int count, float *out);
     void (*fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
@@ -1561,7 +1560,7 @@ typedef struct ms_sss__kernels {
                    int count, int y, float *const out[6]);
     void (*resolve)(const ms_sss__pyramid_params *s, const float *const row[4], ptrdiff_t stride,
                     const float *const slope[3], const float *const sum[6], int first, int count, float *const out[4]);
-    void (*invert)(const ms_sss__pyramid_params *s, const float *depth, int count, float *d);
+    void (*depth_to_d)(const ms_sss__pyramid_params *s, const float *depth, int count, float *d);
     int (*downsample)(const ms_sss__half_params *h, const float *const above[4], const float *const below[4],
                       float unit, int count, float *const out[4]);
     void (*subtract_self)(const ms_sss__half_params *h, const float *const light[3], const float *const blur[3],
@@ -1784,7 +1783,7 @@ static void ms_sss__store_unmasked(const ms_sss__kernels *simd, const ms_sss_ima
                 for (i = begin; i < end; ++i)
                     if (depth[i] < INFINITY) to[i * step] = from[i];
             } else if (step == 1) {
-                simd->deliver(from + begin, end - begin, to + begin);
+                simd->stream(from + begin, end - begin, to + begin);
             } else {
                 for (i = begin; i < end; ++i) to[i * step] = from[i];
             }
@@ -1848,7 +1847,7 @@ typedef struct ms_sss__job {
     int half_depth;                            /* depth was given as binary16 */
     int begin, end, band;                      /* rows of the current run, rows a task */
     int fixed, rotated, with_slopes, identity; /* identity: the kernel is under half a pixel */
-    int whole_rows;                            /* prepare clears masked columns of the whole row */
+    int whole_rows;                            /* load_row clears masked columns of the whole row */
     ptrdiff_t stride;
     float depth_scale, gain;
     int copy_masked; /* masked pixels still have to be copied to the output */
@@ -1960,7 +1959,7 @@ static void ms_sss__copy_masked_row(const ms_sss__job *job, int y, const ms_sss_
     ms_sss__copy_masked(job, y, last, width, NULL);
 }
 
-static void ms_sss__clear(const ms_sss__job *job, float *row, float value)
+static void ms_sss__fill_row(const ms_sss__job *job, float *row, float value)
 {
     int x;
     for (x = -MS_SSS__LEFT; x < job->padded + MS_SSS__RIGHT; ++x) row[x] = value;
@@ -1968,8 +1967,8 @@ static void ms_sss__clear(const ms_sss__job *job, float *row, float value)
 
 /* Loads row y for the first pass: colour (times albedo) and depth of the columns from first to last, which it finds.
    Pixels outside are masked, and colour is 0 there as far as taps reach. */
-static void ms_sss__prepare(const ms_sss__job *job, int y, int task, ms_sss__row *row, float *const colour[3],
-                            float *depth)
+static void ms_sss__load_row(const ms_sss__job *job, int y, int task, ms_sss__row *row, float *const colour[3],
+                             float *depth)
 {
     const ms_sss_frame *f = &job->frame;
     const int width = f->width;
@@ -2045,8 +2044,8 @@ static void ms_sss__prepare(const ms_sss__job *job, int y, int task, ms_sss__row
 /* Composites columns [x, x + count) of row y, of which blur is the filtered light: fades to own (NULL: no fade), takes
    the larger of it and the transmitted light, multiplies by the albedo, adds the specular light and writes the unmasked
    pixels. depth NULL: all in the row's longest run are unmasked. */
-static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3],
-                            const float *const *own, const float *depth)
+static void ms_sss__composite(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3],
+                              const float *const *own, const float *depth)
 {
     const ms_sss_frame *f = &job->frame;
     float *albedo_buffer[3], *specular_buffer[3], *strength_buffer[1];
@@ -2086,8 +2085,8 @@ static void ms_sss__compose(const ms_sss__job *job, int task, int y, int x, int 
 
 /* Adds up the terms and delta E for columns [x, x + count) of row y, of which blur is the term's second pass, and
    composites after the last term. */
-static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3],
-                           const float *depth)
+static void ms_sss__add_term(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3],
+                             const float *depth)
 {
     const ms_sss_frame *f = &job->frame;
     const ms_sss_kernel *k = job->kernel;
@@ -2121,7 +2120,7 @@ static void ms_sss__finish(const ms_sss__job *job, int task, int y, int x, int c
                 job->simd->combine(k->delta[c], in[c], 1.0f, blur[c], count, blur[c]);
         }
     }
-    ms_sss__compose(job, task, y, x, count, blur, need_own ? in : NULL, depth);
+    ms_sss__composite(job, task, y, x, count, blur, need_own ? in : NULL, depth);
 }
 
 static void ms_sss__least_band(void *context, int task)
@@ -2136,7 +2135,7 @@ static void ms_sss__least_band(void *context, int task)
     for (y = begin; y < end; ++y) {
         float row;
         ms_sss__load(job->simd, &job->frame.depth, 1, width, y, 0, width, buffer, &depth);
-        row = job->simd->least(depth, width);
+        row = job->simd->least_depth(depth, width);
         if (row < least) least = row;
     }
     job->least[task] = least;
@@ -2367,12 +2366,12 @@ static void ms_sss__second_pass(const ms_sss__sweep *s, int task, int begin, int
                 }
             if (job->fixed) memcpy(depth + first, own + 3 * s->padded + first, (size_t)(last - first) * sizeof(float));
             for (c = 0; c < 3; ++c) blur[c] = l->to[c] + first;
-            ms_sss__finish(job, task, y, first, last - first, blur, depth + first);
+            ms_sss__add_term(job, task, y, first, last - first, blur, depth + first);
         }
         if (first < last && writes_output[y - begin])
             for (c = 0; c < 3; ++c)
-                job->simd->deliver(l->to[c] + first, last - first,
-                                   (float *)image->channel[c] + y * image->row_stride + first);
+                job->simd->stream(l->to[c] + first, last - first,
+                                  (float *)image->channel[c] + y * image->row_stride + first);
         ms_sss__copy_masked_row(job, y, &job->row[y], depth);
     }
 }
@@ -2389,12 +2388,12 @@ static void ms_sss__window_row(const ms_sss__sweep *s, int task, int y, int fore
     }
     other.copy_masked = 0;
     row = foreign ? &elsewhere : &other.row[y];
-    ms_sss__prepare(&other, y, task, row, plane, plane[3]);
+    ms_sss__load_row(&other, y, task, row, plane, plane[3]);
     if (other.fixed) return;
     x = row->valid_first <= 0 && s->padded <= row->valid_last ? other.frame.width / 16 * 16
                                                               : 0; /* the columns before have finite depths */
-    other.simd->limit(plane[3] - MS_SSS__LEFT, MS_SSS__LEFT);
-    other.simd->limit(plane[3] + x, s->padded - x + MS_SSS__RIGHT);
+    other.simd->limit_depth(plane[3] - MS_SSS__LEFT, MS_SSS__LEFT);
+    other.simd->limit_depth(plane[3] + x, s->padded - x + MS_SSS__RIGHT);
 }
 
 static void ms_sss__slopes(const ms_sss__job *job, int task, int y, const float *const depth[5], float *const slope[2])
@@ -2644,9 +2643,9 @@ static void ms_sss__rotated_rows(void *context, int task)
         float *colour[3];
         for (c = 0; c < 3; ++c) {
             colour[c] = job->source[c] + y * job->stride;
-            ms_sss__clear(job, job->middle[c] + y * job->stride, 0.0f);
+            ms_sss__fill_row(job, job->middle[c] + y * job->stride, 0.0f);
         }
-        ms_sss__prepare(job, y, task, &job->row[y], colour, job->depth + y * job->stride);
+        ms_sss__load_row(job, y, task, &job->row[y], colour, job->depth + y * job->stride);
     }
 }
 
@@ -2690,7 +2689,7 @@ static void ms_sss__rotated_pass(const ms_sss__job *job, int task, int second)
         if (job->with_slopes) ms_sss__slopes(job, task, y, depth, slope);
         job->simd->sweep[0](&s, &job->pass, &l, 1, first, last);
         for (c = 0; c < 3; ++c) l.to[c] += first;
-        if (second) ms_sss__finish(job, task, y, first, last - first, l.to, job->depth + y * job->stride + first);
+        if (second) ms_sss__add_term(job, task, y, first, last - first, l.to, job->depth + y * job->stride + first);
     }
 }
 
@@ -3127,14 +3126,14 @@ static MS_SSS__COLD ms_status ms_sss__check_scale(const ms_sss_frame *f, const m
 }
 
 /* Clears the empty rows above and below the planes, of which the fourth is depth. */
-static void ms_sss__clear_around(ms_sss__job *job)
+static void ms_sss__clear_borders(ms_sss__job *job)
 {
     const ptrdiff_t plane = job->stride * (job->frame.height + 2);
     int i;
     for (i = 0; i < job->plane_count; ++i) {
         float *top = job->planes + MS_SSS__LEFT + i * plane;
-        ms_sss__clear(job, top, i == 3 ? INFINITY : 0.0f);
-        ms_sss__clear(job, top + plane - job->stride, i == 3 ? INFINITY : 0.0f);
+        ms_sss__fill_row(job, top, i == 3 ? INFINITY : 0.0f);
+        ms_sss__fill_row(job, top + plane - job->stride, i == 3 ? INFINITY : 0.0f);
     }
 }
 
@@ -3198,9 +3197,9 @@ static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame
             job->source[6 - i] = plane; /* reversed, so that depth is three planes behind red as in the middle planes */
         at += layout.plane;
     }
-    ms_sss__clear_around(job);
+    ms_sss__clear_borders(job);
     job->unmasked = at + MS_SSS__LEFT;
-    ms_sss__clear(job, job->unmasked, INFINITY);
+    ms_sss__fill_row(job, job->unmasked, INFINITY);
     for (i = 0; i < w; ++i) job->unmasked[i] = 0.0f;
     at += layout.stride;
     job->rows = at;
@@ -3312,7 +3311,7 @@ static void ms_sss__half_down(void *context, int task)
     int x, y, r, c;
     for (r = 0; r < 8; ++r) {
         row[r / 4][r % 4] = ms_sss__buffer(job, task, 10 + r);
-        ms_sss__clear(job, row[r / 4][r % 4], 0.0f);
+        ms_sss__fill_row(job, row[r / 4][r % 4], 0.0f);
     }
     for (y = begin; y < end; ++y) {
         int all = half->no_masks && 2 * y + 1 < job->frame.height, first = stride,
@@ -3330,14 +3329,14 @@ static void ms_sss__half_down(void *context, int task)
                 job->row[at].full_strength = 1;
                 last = stride;
             } else if (at < job->frame.height) {
-                ms_sss__prepare(job, at, task, &job->row[at], row[r], row[r][3]);
+                ms_sss__load_row(job, at, task, &job->row[at], row[r], row[r][3]);
                 ms_sss__keep_single_run(job, at, row[r][3]);
                 if (job->row[at].first == job->row[at].last) continue;
                 if (job->row[at].first / 2 < first) first = job->row[at].first / 2;
                 if (ms_sss__round_up(job->row[at].last / 2, 16) > last)
                     last = ms_sss__round_up(job->row[at].last / 2, 16);
             } else {
-                ms_sss__clear(job, row[r][3], INFINITY);
+                ms_sss__fill_row(job, row[r][3], INFINITY);
             }
         }
         if (job->identity) continue;
@@ -3372,7 +3371,7 @@ static void ms_sss__half_up(void *context, int task)
         own[c] = ms_sss__buffer(&again, task, 17 + c);
         for (r = 0; r < 2; ++r) {
             softened[r][c] = ms_sss__buffer(&again, task, 21 + 4 * r + c);
-            ms_sss__clear(&again, softened[r][c], c == 3 ? MS_SSS__MASKED_DEPTH : 0.0f);
+            ms_sss__fill_row(&again, softened[r][c], c == 3 ? MS_SSS__MASKED_DEPTH : 0.0f);
         }
     }
     for (y = begin; y < end; ++y) {
@@ -3386,7 +3385,7 @@ static void ms_sss__half_up(void *context, int task)
         if (run) {
             ms_sss__half_read_row(&again, y, first, last, own, mine);
         } else {
-            ms_sss__prepare(&again, y, task, &again.row[y], own, own[3]);
+            ms_sss__load_row(&again, y, task, &again.row[y], own, own[3]);
             for (c = 0; c < 4; ++c) mine[c] = own[c] + first;
         }
         for (r = 0; r < 2; ++r) {
@@ -3414,10 +3413,10 @@ static void ms_sss__half_up(void *context, int task)
         again.simd->upsample(&half->params, mine, run ? again.depth_scale : 1, (const float *const(*)[4])coarse, y % 2,
                              last - first, blur);
         for (c = 0; c < 3 && writes_output; ++c)
-            again.simd->deliver(blur[c], last - first, (float *)image->channel[c] + y * image->row_stride + first);
+            again.simd->stream(blur[c], last - first, (float *)image->channel[c] + y * image->row_stride + first);
         if (!writes_output)
-            ms_sss__compose(&again, task, y, first, last - first, blur,
-                            fade || !again.row[y].full_strength ? mine : NULL, run ? NULL : own[3] + first);
+            ms_sss__composite(&again, task, y, first, last - first, blur,
+                              fade || !again.row[y].full_strength ? mine : NULL, run ? NULL : own[3] + first);
     }
 }
 
@@ -3709,9 +3708,9 @@ static void ms_sss__pyramid_load(void *context, int task)
     for (y = begin; y < end; ++y) {
         float *depth = ms_sss__buffer(job, task, 17), *d = v->plane[MS_SSS__D] + y * v->stride;
         for (c = 0; c < 3; ++c) colour[c] = v->plane[c] + y * v->stride;
-        ms_sss__prepare(job, y, task, &job->row[y], colour, depth);
-        job->simd->invert(&state->params, depth + job->row[y].first, job->row[y].last - job->row[y].first,
-                          d + job->row[y].first);
+        ms_sss__load_row(job, y, task, &job->row[y], colour, depth);
+        job->simd->depth_to_d(&state->params, depth + job->row[y].first, job->row[y].last - job->row[y].first,
+                              d + job->row[y].first);
         if ((y + 1) % 16 && y + 1 < end) continue; /* every 16 rows, while they are cached */
         to = y + 1 < end ? y - 1 : end;
         ms_sss__pyramid_clear_outside(v, begin, end, from, to, 2, MS_SSS__D + 1);
@@ -3793,8 +3792,8 @@ static void ms_sss__pyramid_upsample(void *context, int task)
             if (job->writes_output && job->row[y].full_strength && high <= v->width &&
                 ms_sss__all_valid(job, y, low, high))
                 for (c = 0; c < 3; ++c)
-                    job->simd->deliver(blur[c], high - low, (float *)image->channel[c] + y * image->row_stride + low);
-            else ms_sss__finish(job, task, y, low, high - low, blur, blur[3]);
+                    job->simd->stream(blur[c], high - low, (float *)image->channel[c] + y * image->row_stride + low);
+            else ms_sss__add_term(job, task, y, low, high - low, blur, blur[3]);
         }
     }
 }
@@ -3903,8 +3902,9 @@ static MS_SSS__COLD void ms_sss__pyramid_set_params(ms_sss__pyramid_params *para
     sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm
                                   : (0.12 + 0.13 * (1 - (double)flat)) * (double)pyramid->radius_mm;
     params->reach = (float)(3.0746 * sigma / (double)pyramid->radius_mm); /* there (1 - q)^4 has the Gaussian's width */
-    params->join = o->depth_sigma_mm > 0 ? params->reach
-                                         : params->reach + (1.5f - 0.7686f) * (1 - flat); /* the reach of a gather */
+    params->merge_reach = o->depth_sigma_mm > 0
+        ? params->reach
+        : params->reach + (1.5f - 0.7686f) * (1 - flat); /* the reach of a gather */
     for (c = 0; c < 3; ++c) {
         params->elevation_4[c] = pyramid->elevation[c] * (params->slope_scale / 4);
         params->max_factor[c] = pyramid->reflectance[c] > 0 ? 1 / pyramid->reflectance[c] : 1;
@@ -4022,7 +4022,7 @@ static int ms_sss__may_use(const ms_sss_filter_options *o, ms_sss_method method)
         (method == MS_SSS_METHOD_PYRAMID && o->pyramids && ms_sss__pyramid_supports(o));
 }
 
-static ms_sss_method ms_sss__choose(ms_sss__job *job, const ms_sss_kernel *k, int profile)
+static ms_sss_method ms_sss__choose_method(ms_sss__job *job, const ms_sss_kernel *k, int profile)
 {
     const ms_sss_filter_options *o = &job->options;
     double radius = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : (double)k->radius_mm;
@@ -4080,7 +4080,7 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
     resolved = *options;
     if (!(resolved.mm_per_unit > 0)) resolved.mm_per_unit = 1;
     for (i = 0; i < kernel_count && (i == 0 || frame->profile); ++i) {
-        const ms_sss_method method = ms_sss__choose(&job, &kernels[i], i);
+        const ms_sss_method method = ms_sss__choose_method(&job, &kernels[i], i);
         if (frame->taken) frame->taken[i] = method;
         status = method == MS_SSS_METHOD_PYRAMID
             ? ms_sss__pyramid_apply(frame, &options->pyramids[i], i, kernel_count, &resolved, workspace, error)
@@ -4814,7 +4814,7 @@ typedef struct ms_sss__text {
 } ms_sss__text;
 
 /* Whether to emit a text again, into the caller's memory, after it was measured. */
-static int ms_sss__emit_again(ms_sss__text *text, char *out, size_t capacity)
+static int ms_sss__emit_measured(ms_sss__text *text, char *out, size_t capacity)
 {
     if (text->out || !out || capacity <= text->length) {
         if (text->out) text->out[text->length] = 0;
@@ -5144,7 +5144,7 @@ MS_SSS__COLD MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const
     memset(&t, 0, sizeof t);
     if (ms_sss__check_shader(shader, options, error) != MS_OK) return 0;
     do ms_sss__emit_shader(&t, shader, options);
-    while (ms_sss__emit_again(&t, text, capacity));
+    while (ms_sss__emit_measured(&t, text, capacity));
     return t.length;
 }
 
@@ -5156,7 +5156,7 @@ MS_SSS__COLD MS_API size_t ms_sss_transmission_text(ms_sss_language language, ch
     if ((int)language < 0 || (int)language > (int)MS_SSS_WGSL) return 0;
     t.column = ms_sss__dialects[language].column;
     do ms_sss__emit_body(&t, ms_sss__transmission_body, lines);
-    while (ms_sss__emit_again(&t, text, capacity));
+    while (ms_sss__emit_measured(&t, text, capacity));
     return t.length;
 }
 
@@ -5318,7 +5318,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
         const float head[MS_SSS__LEVEL_HEAD][4] = {{(float)width, (float)height, 1.0f - options->fade, (float)profile},
                                                    {g.perspective ? g.size / job.depth_scale : g.size, g.size_max,
                                                     g.step / unit, g.tangent}, /* depth as it is given */
-                                                   {shader->step == MS_SSS_STEP_SHRINK ? g.join : g.reach,
+                                                   {shader->step == MS_SSS_STEP_SHRINK ? g.merge_reach : g.reach,
                                                     g.slope_scale, (float)(1 << (level + 1)), MS_SSS__GATHER(0, level)},
                                                    {g.elevation_4[0], g.elevation_4[1], g.elevation_4[2], g.norm},
                                                    {g.max_factor[0], g.max_factor[1], g.max_factor[2], g.mean},
@@ -6183,11 +6183,11 @@ typedef struct ms_sss__waves {
 } ms_sss__waves;
 
 /* Scratch memory of a measurement; too large for the stack. */
-typedef struct ms_sss__measurer {
+typedef struct ms_sss__measurement {
     ms_sss__curve curve;
     ms_sss__waves waves;
     double line[2][3][MS_SSS__HALF + 1]; /* right result, curve; by distance */
-} ms_sss__measurer;
+} ms_sss__measurement;
 
 /* Response of one pass to a wave of each frequency: the taps of each term. */
 static void ms_sss__curve_waves(const ms_sss_designer *d, const ms_sss__curve *v, ms_sss__waves *waves)
@@ -6264,7 +6264,7 @@ static double ms_sss__srgb(double v) /* linear 0 to 1 as 0 to 255 */
 
 /* ms_sss_errors.bands: the spectrum's axis is that of the sums over the kernel's columns, whose running sum is the
    response to an edge. */
-static double ms_sss__curve_bands(const ms_sss_designer *d, ms_sss__measurer *m)
+static double ms_sss__curve_bands(const ms_sss_designer *d, ms_sss__measurement *m)
 {
     const ms_sss__curve *v = &m->curve;
     double found[3], most = 0;
@@ -6299,7 +6299,7 @@ static double ms_sss__curve_bands(const ms_sss_designer *d, ms_sss__measurer *m)
 }
 
 static void ms_sss__measure(ms_sss_errors *errors, const ms_sss_kernel *kernel, const ms_sss_designer *designer,
-                            ms_sss__measurer *m)
+                            ms_sss__measurement *m)
 {
     double error[MS_SSS__SIGNALS];
     ms_sss__kernel_curve(designer, kernel, &m->curve);
@@ -6311,9 +6311,9 @@ static void ms_sss__measure(ms_sss_errors *errors, const ms_sss_kernel *kernel, 
 MS_SSS__COLD MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
                                                     const ms_sss_designer *designer)
 {
-    ms_sss__measurer *m;
+    ms_sss__measurement *m;
     if (errors == NULL || kernel == NULL || designer == NULL) return MS_INVALID_ARGUMENT;
-    m = (ms_sss__measurer *)ms__alloc(&designer->allocator, sizeof *m);
+    m = (ms_sss__measurement *)ms__alloc(&designer->allocator, sizeof *m);
     if (m == NULL) return MS_OUT_OF_MEMORY;
     ms_sss__measure(errors, kernel, designer, m);
     ms__release(&designer->allocator, m, sizeof *m);
@@ -7070,7 +7070,7 @@ static ms_status ms_sss__dense_optimum(const ms_sss_designer *d, double dial, in
 
 /* Moves offsets of best over the kinks that linear interpolation has at whole pixels, where descent gets stuck, as long
    as that helps; then descends to the end. */
-static void ms_sss__fit_hops(ms_sss__fit *fit, int sweeps, ms_sss__curve *best)
+static void ms_sss__fit_past_kinks(ms_sss__fit *fit, int sweeps, ms_sss__curve *best)
 {
     ms_sss__curve *v = &fit->hop;
     double least = ms_sss__fit_run(fit, best, 10), objective;
@@ -7117,11 +7117,12 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
             *best = *v;
         }
     }
-    ms_sss__fit_hops(fit, 2, best);
+    ms_sss__fit_past_kinks(fit, 2, best);
     ms_sss__fit_destroy(fit);
     fit = ms_sss__fit_create(d, model, dial, best, -1, !no_delta, 0);
     if (fit == NULL) return MS_OUT_OF_MEMORY;
-    ms_sss__fit_hops(fit, dense->terms > 1 || pairs <= 5, best); /* worth its time where a tap or an error counts */
+    ms_sss__fit_past_kinks(fit, dense->terms > 1 || pairs <= 5,
+                           best); /* worth its time where a tap or an error counts */
     ms_sss__fit_destroy(fit);
     return MS_OK;
 }
@@ -7306,7 +7307,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss
                                                {3, 21}, {3, 25}, {4, 21}, {3, 33}, {4, 33}};
     ms_sss_kernel_options options = ms_sss_kernel_defaults();
     ms_sss_errors found, best;
-    ms_sss__measurer *m;
+    ms_sss__measurement *m;
     ms_sss_kernel *trial;
     ms_status status;
     double least = HUGE_VAL, miss;
@@ -7318,7 +7319,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss
                               tap_budget);
     options.tap_count =
         MS_SSS_DENSE; /* the best that any number of taps can do with one term, at the cost of a few taps */
-    m = (ms_sss__measurer *)ms__alloc(&d->allocator, sizeof *m + 2 * sizeof *trial);
+    m = (ms_sss__measurement *)ms__alloc(&d->allocator, sizeof *m + 2 * sizeof *trial);
     if (m == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to choose a kernel");
     trial = (ms_sss_kernel *)(void *)(m + 1);
     status = ms_sss_kernel_build(trial, d, &options, error);
@@ -7358,10 +7359,10 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_e
                                                  ms_error *error)
 {
     ms_sss_designer *designer;
-    ms_sss__measurer *m = NULL;
+    ms_sss__measurement *m = NULL;
     ms_status status = ms_sss_designer_create(&designer, profile, radius_px, allocator, error);
     if (status != MS_OK) return status;
-    if (errors != NULL && (m = (ms_sss__measurer *)ms__alloc(&designer->allocator, sizeof *m)) == NULL)
+    if (errors != NULL && (m = (ms_sss__measurement *)ms__alloc(&designer->allocator, sizeof *m)) == NULL)
         status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to measure a kernel");
     if (status == MS_OK) status = ms_sss_kernel_build(kernel, designer, options, error);
     if (status == MS_OK && m != NULL) ms_sss__measure(errors, kernel, designer, m);
@@ -7821,7 +7822,7 @@ static void MS__F(convolve)(const float *in, const ptrdiff_t *at, const float *w
 
 /* Renormalises a tap sum s whose weights add up to n: to the sum `total`, or, if mixed, by adding own for the missing
    weight. */
-static MS_SSS__INLINE MS__V MS__F(restore)(MS__V s, MS__V n, MS__V own, float total, int mixed)
+static MS_SSS__INLINE MS__V MS__F(renormalise)(MS__V s, MS__V n, MS__V own, float total, int mixed)
 {
     if (mixed) return MS__MADD(own, MS__SUB(MS__SET(total), n), s);
     return MS__SELECT(MS__LESS(MS__SET(1e-30f), n), MS__MUL(MS__DIV(s, n), MS__SET(total)),
@@ -7849,9 +7850,9 @@ static void MS__F(convolve_valid)(const ms_sss__fixed *f, const float *const in[
             ng = MS__MADD(wg, v, ng);
             nb = MS__MADD(wb, v, nb);
         }
-        r = MS__F(restore)(r, nr, MS__LOAD(in[0] + x), f->total[0], f->mixed[0]);
-        g = MS__F(restore)(g, ng, MS__LOAD(in[1] + x), f->total[1], f->mixed[1]);
-        b = MS__F(restore)(b, nb, MS__LOAD(in[2] + x), f->total[2], f->mixed[2]);
+        r = MS__F(renormalise)(r, nr, MS__LOAD(in[0] + x), f->total[0], f->mixed[0]);
+        g = MS__F(renormalise)(g, ng, MS__LOAD(in[1] + x), f->total[1], f->mixed[1]);
+        b = MS__F(renormalise)(b, nb, MS__LOAD(in[2] + x), f->total[2], f->mixed[2]);
         MS__STORE(out[0] + x, MS__SELECT(valid, r, zero));
         MS__STORE(out[1] + x, MS__SELECT(valid, g, zero));
         MS__STORE(out[2] + x, MS__SELECT(valid, b, zero));
@@ -8021,13 +8022,13 @@ static MS_SSS__INLINE MS__V MS__F(elevate)(const ms_sss__pass *p, int channel, M
 }
 
 /* Lanes that are not masked and have kernels of half a pixel or more. */
-static MS_SSS__INLINE MS__MASK MS__F(need)(const ms_sss__pass *p, MS__V z)
+static MS_SSS__INLINE MS__MASK MS__F(active)(const ms_sss__pass *p, MS__V z)
 {
     return MS__BOTH(MS__LESS(z, MS__SET(MS_SSS__MASKED_DEPTH / 2)), MS__LESS(MS__SET(p->size_min), MS__F(size)(p, z)));
 }
 
 /* Makes the depths of masked pixels finite. */
-static void MS__F(limit)(float *depth, int count)
+static void MS__F(limit_depth)(float *depth, int count)
 {
     int x;
     for (x = 0; x < count; x += MS__N)
@@ -8177,7 +8178,7 @@ static void MS__F(narrow)(const float *from, int count, uint16_t *to)
 }
 
 /* Copies a row to the caller's memory by streaming stores. */
-static void MS__F(deliver)(const float *from, int count, float *to)
+static void MS__F(stream)(const float *from, int count, float *to)
 {
     int i = 0;
     if (MS__N > 1 && (uintptr_t)to % sizeof(float) == 0) {
@@ -8189,7 +8190,7 @@ static void MS__F(deliver)(const float *from, int count, float *to)
 }
 
 /* The least positive depth, or MASKED_DEPTH. */
-static float MS__F(least)(const float *depth, int count)
+static float MS__F(least_depth)(const float *depth, int count)
 {
     const MS__V zero = MS__SET(0.0f), away = MS__SET(MS_SSS__MASKED_DEPTH);
     MS__V least = away;
@@ -8418,16 +8419,16 @@ static MS_SSS__INLINE void MS__F(taps)(const ms_sss__sweep *s, const ms_sss__pas
                 all = MS__MAX(all, MS__MUL(sum[g].elevated[c], MS__SET(p->root[c])));
             if (normalised) out[g][c] = MS__DIV(sum[g].light[c], all);
             else
-                out[g][c] = MS__F(restore)(sum[g].light[c], all, MS__LOAD(light + c * l->plane), p->total[c],
-                                           p->mixed[c]);
+                out[g][c] = MS__F(renormalise)(sum[g].light[c], all, MS__LOAD(light + c * l->plane), p->total[c],
+                                               p->mixed[c]);
         }
     }
 }
 
 /* Filters the group at column x by general taps, along an axis or along each pixel's own. Pixels are loaded in place if
    all lanes use the same offset, otherwise gathered offset by offset. */
-static MS_SSS__NOINLINE void MS__F(any)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x,
-                                        MS__V out[3])
+static MS_SSS__NOINLINE void MS__F(general_taps)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l,
+                                                 int x, MS__V out[3])
 {
     const ms_sss__rotation *rotation = l->rotation;
     const int rows = l->axis == 0 ? 1 : 2, columns = l->axis == 1 ? 1 : 2, with_slopes = s->with_slopes;
@@ -8435,7 +8436,7 @@ static MS_SSS__NOINLINE void MS__F(any)(const ms_sss__sweep *s, const ms_sss__pa
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f);
     const float *here = l->from + x / MS__N * l->group, *at = here + l->step[0];
     const MS__V z = MS__LOAD(at + 3 * l->plane), rounding = MS__MUL(z, MS__SET(p->rounding));
-    const unsigned pending = MS__BITS(MS__F(need)(p, z));
+    const unsigned pending = MS__BITS(MS__F(active)(p, z));
     MS__V size = MS__F(size)(p, z), facing = zero, rise[2] = {zero, zero}, d[2] = {zero, zero}, away[2] = {zero, zero};
     MS__V sum[3] = {zero, zero, zero}, norm[3] = {zero, zero, zero}, elevated[3] = {zero, zero, zero};
     float inner[2] = {0, 0}, lane[2][MS__N], gathered[2][8 * MS__N];
@@ -8558,23 +8559,23 @@ static MS_SSS__NOINLINE void MS__F(any)(const ms_sss__sweep *s, const ms_sss__pa
         norm[c] = MS__ADD(norm[c], w);
         elevated[c] = MS__MUL(MS__SET(p->root[c]), MS__ADD(elevated[c], w));
         if (with_slopes && !p->mixed[c]) norm[c] = MS__MAX(norm[c], elevated[c]);
-        out[c] = MS__F(restore)(MS__MADD(own, w, sum[c]), norm[c], own, p->total[c], p->mixed[c]);
+        out[c] = MS__F(renormalise)(MS__MADD(own, w, sum[c]), norm[c], own, p->total[c], p->mixed[c]);
     }
 }
 
 /* The lanes of the group at column x that pairs did not filter. */
-static MS_SSS__NOINLINE void MS__F(rest)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l, int x,
-                                         int kind, MS__V out[3])
+static MS_SSS__NOINLINE void MS__F(general_lanes)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l,
+                                                  int x, int kind, MS__V out[3])
 {
     const float *here = l->from + x / MS__N * l->group + l->step[0];
-    const MS__MASK need = MS__F(need)(p, MS__LOAD(here + 3 * l->plane));
+    const MS__MASK need = MS__F(active)(p, MS__LOAD(here + 3 * l->plane));
     MS__V own[3];
     int c;
     for (c = 0; c < 3; ++c) {
         own[c] = MS__MUL(MS__LOAD(here + c * l->plane), MS__SET(p->total[c]));
         if (kind < MS_SSS__PLAN_SOME_LANES) out[c] = own[c];
     }
-    if (kind == MS_SSS__PLAN_BY_LANE) MS__F(any)(s, p, l, x, out);
+    if (kind == MS_SSS__PLAN_BY_LANE) MS__F(general_taps)(s, p, l, x, out);
     for (c = 0; c < 3 && kind != MS_SSS__PLAN_NONE; ++c) out[c] = MS__SELECT(need, out[c], own[c]);
 }
 
@@ -8595,7 +8596,7 @@ static MS_SSS__INLINE void MS__F(sweep)(const ms_sss__sweep *s, const ms_sss__pa
             for (g = 0; g < n; ++g) {
                 const int kind = l->plan[(x / MS__N + g) * s->plan_size];
                 const ptrdiff_t at = (x / MS__N + g) * l->to_group;
-                if (kind < MS_SSS__PLAN_ALL_LANES) MS__F(rest)(s, p, l, x + g * MS__N, kind, out[g]);
+                if (kind < MS_SSS__PLAN_ALL_LANES) MS__F(general_lanes)(s, p, l, x + g * MS__N, kind, out[g]);
                 MS__UNROLL
                 for (c = 0; c < 3; ++c) MS__STORE(l->to[c] + at, out[g][c]);
                 if (l->axis == 0) MS__STORE(l->to[2] + at + MS__N, MS__LOAD(depth + g * l->group));
@@ -8846,7 +8847,7 @@ static void MS__F(upsample)(const ms_sss__half_params *h, const float *const own
 /* ---- pyramid kernels ------------------------------------------------------------------------------------------- */
 
 /* d from depth; 0 for masked pixels. */
-static void MS__F(invert)(const ms_sss__pyramid_params *s, const float *depth, int count, float *d)
+static void MS__F(depth_to_d)(const ms_sss__pyramid_params *s, const float *depth, int count, float *d)
 {
     const MS__V zero = MS__SET(0.0f), infinity = MS__SET(INFINITY);
     int i;
@@ -9015,7 +9016,7 @@ static MS_SSS__INLINE void MS__F(downsample_level_row)(const ms_sss__pyramid_par
         }
         d = MS__SELECT(some, d, MS__SET(-1.0f));
         scale = MS__DIV(MS__F(pixels_per_d)(s, d, 0), MS__F(radius)(s, d));
-        for (c = 0; c < 3; ++c) narrow[c] = MS__MUL(scale, MS__SET(half_root[c] / s->join));
+        for (c = 0; c < 3; ++c) narrow[c] = MS__MUL(scale, MS__SET(half_root[c] / s->merge_reach));
         /* Otherwise masked pixels are too deep to count. */
         check = !with_coverage && MS__BITS(MS__LESS(MS__MUL(MS__ABS(d), narrow[0]), MS__SET(half_root[0])));
         nearest = least = greatest = d;
@@ -9048,7 +9049,7 @@ static MS_SSS__INLINE void MS__F(downsample_level_row)(const ms_sss__pyramid_par
                         w = one;
                         if (check) f[x] = MS__SELECT(MS__LESS(zero, MS__ABS(there)), f[x], zero);
                     }
-                    if (tilted || s->join > 1)
+                    if (tilted || s->merge_reach > 1)
                         f[x] = MS__SELECT(MS__LESS(MS__ABS(MS__MUL(away, scale)), one), f[x], zero);
                     off = with_coverage && !tilted ? MS__MUL(f[x], w) : f[x];
                     n = MS__ADD(n, off);
@@ -9184,7 +9185,7 @@ static MS_SSS__INLINE MS__V MS__F(fast_inverse_root)(MS__V a)
 #endif
 }
 
-/* The scale that bounds the mean factor, lifted / n, by `most`. */
+/* The scale that bounds the mean factor, elevated / n, by `most`. */
 static MS_SSS__INLINE MS__V MS__F(bounded)(MS__V n, MS__V elevated, float most)
 {
     const MS__V limit = MS__MUL(n, MS__SET(most));
@@ -9460,31 +9461,16 @@ static void MS__F(resolve)(const ms_sss__pyramid_params *s, const float *const r
     else MS__F(resolve_row)(s, 0, row, stride, slope, sum, first, count, out);
 }
 
-static const ms_sss__kernels MS__F(kernels) = {MS__F(mask_by),
-                                               MS__F(load_masked),
-                                               MS__F(convolve),
-                                               MS__F(convolve_valid),
-                                               MS__F(slopes),
-                                               MS__F(tangents),
-                                               MS__F(limit),
-                                               MS__F(plan),
-                                               {MS__F(sweep_flat), MS__F(sweep_with_slopes)},
-                                               MS__F(least),
-                                               MS__F(unpack),
-                                               MS__F(widen),
-                                               MS__F(narrow),
-                                               MS__F(deliver),
-                                               MS__N,
-                                               MS__F(combine),
-                                               MS__F(fade),
-                                               MS__F(slopes_of_d),
-                                               MS__F(downsample_level),
-                                               MS__F(gather),
-                                               MS__F(resolve),
-                                               MS__F(invert),
-                                               MS__F(downsample),
-                                               MS__F(subtract_self),
-                                               MS__F(upsample)};
+static const ms_sss__kernels MS__F(kernels) = {
+    MS__F(mask_by),          MS__F(load_masked), MS__F(convolve),
+    MS__F(convolve_valid),   MS__F(slopes),      MS__F(tangents),
+    MS__F(limit_depth),      MS__F(plan),        {MS__F(sweep_flat), MS__F(sweep_with_slopes)},
+    MS__F(least_depth),      MS__F(unpack),      MS__F(widen),
+    MS__F(narrow),           MS__F(stream),      MS__N,
+    MS__F(combine),          MS__F(fade),        MS__F(slopes_of_d),
+    MS__F(downsample_level), MS__F(gather),      MS__F(resolve),
+    MS__F(depth_to_d),       MS__F(downsample),  MS__F(subtract_self),
+    MS__F(upsample)};
 
 #undef MS_SSS__JOIN_
 #undef MS_SSS__JOIN
