@@ -81,10 +81,9 @@
    1e-5 of the energy to 8e-5; coarser steps take a tenth of the time (`make bench FILTER=profile`).
 
    Valid for index ratios 0.1 to 10 and every albedo, 1 included. Media with g other than 0 and layers go to the layered
-   solver, a tenth of a second to a second a channel; similarity, mu_s (1 - g), is an option, whose totals are off by
-   0.3% at reduced albedo 0.99, 6% at 0.9, 60% at 0.5 and whose profile is off by 100% and more within a mean free path
-   of the beam. Monte Carlo of 1e6 photons leaves about 1% of noise in a profile (relative L2 over rings of a twentieth
-   of a mean free path).
+   solver, a tenth of a second to a second a channel. ms_mcml_halfspace_solve alone takes g as mu_s (1 - g): totals are
+   off by 0.3% at reduced albedo 0.99, 6% at 0.9, 60% at 0.5. Monte Carlo of 1e6
+   photons leaves about 1% of noise in a profile (relative L2 over rings of a twentieth of a mean free path).
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
@@ -398,7 +397,7 @@ MS_API ms_mcml_medium ms_mcml_material_medium(const ms_mcml_material *material, 
 #define MS_MCML_RATES_MAX 112
 #define MS_MCML_CONE_MAX 64
 
-/* Knobs of the deterministic solver; zero is the default. Time and error of each: the table in the head comment. */
+/* Knobs of the deterministic solver; zero is the default. Time and error of each: tests/bench/RESULTS.md. */
 typedef struct ms_mcml_halfspace_options {
     double depth_step;     /* log spacing of the exponentials in depth, 0.28 to 1; 0: 0.3 */
     double frequency_step; /* log spacing of the spatial frequencies, 0.2 to 1; 0: 0.25 */
@@ -571,8 +570,6 @@ typedef struct ms_mcml_profile_options {
     int rings;             /* 0 (with edge_mm NULL, ring_mm 0): rings that suit the media, see ms_mcml_profile */
     double ring_mm;
     double depth_step, frequency_step; /* deterministic: see ms_mcml_halfspace_options */
-    int similarity; /* not 0: deterministic takes g other than 0 as mu_s (1 - g) and g = 0: tens of times faster;
-                       RESULTS.md has the errors: 100% and more within a mean free path of the beam */
     const ms_mcml_tissue *tissues; /* NULL, or [channels] layered tissues in place of media, which may be NULL then */
     ms_simd simd;
     ms_parallel parallel;
@@ -2940,9 +2937,9 @@ static void ms_mcml__invert(double *a, int n)
     }
 }
 
-/* What all later flights add to a residual, by the equations of spherical harmonics up to most_l: even l as linear
-   elements in depth, continuous over n^2, odd l eliminated. With A and X the streaming along z and x (moments times
-     i^m), A v' + k X v + S_e u = q_e,   A^T u' - k X^T u + S_o v = q_o,   S_l = mu_t - sigma_l. */
+/* Preconditioner: P_N equations up to most_l; even moments by linear finite elements in depth (u / n^2 continuous), odd
+   moments eliminated. With A and X the streaming along z and x (moments times i^m),
+     A v' + k X v + S_e u = q_e,   A^T u' - k X^T u + S_o v = q_o,   S_l = mu_t - sigma_l. */
 static void ms_mcml__smoother_make(ms_mcml__flights *s, int most_l)
 {
     ms_mcml__smoother *f = &s->smoother;
@@ -4776,7 +4773,7 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     for (i = 0; i < channels && !o.tissues; ++i) {
         status = ms_mcml__check_medium(&media[i], error);
         if (status) return status;
-        layers |= (media[i].g < 0 || media[i].g > 0) && !o.similarity;
+        layers |= media[i].g < 0 || media[i].g > 0;
     }
     if (o.method < MS_MCML_AUTO || o.method > MS_MCML_DIRECT)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d, expected one of ms_mcml_method", o.method);

@@ -810,7 +810,7 @@ static void automatic_method(void)
         CHECK(!g || p.method == (photons ? MS_MCML_DIRECT : MS_MCML_DETERMINISTIC));
         ms_mcml_profile_destroy(&p);
     }
-    { /* g is not silently replaced by mu_s (1 - g): both ways to the same medium, and the one that says so */
+    { /* g is not silently replaced by mu_s (1 - g): both ways to the same medium, and that other one */
         ms_mcml_medium m = medium_of(0.9, 1.3);
         ms_mcml_layer layer = {1.3, 0, 0, 0.8, 1e8};
         ms_mcml_tissue tissue;
@@ -840,7 +840,8 @@ static void automatic_method(void)
         ms_mcml_profile_destroy(&p);
         o.tissues = NULL;
         o.photons = 0;
-        o.similarity = 1;
+        m.mu_s_per_mm *= 1 - m.g;
+        m.g = 0;
         CHECK_INT(ms_mcml_profile_make(&p, &m, 1, &o, NULL), MS_OK);
         CHECK(fabs(p.rd_per_mm2[0] / r[0] - 1) > 0.05);
         ms_mcml_profile_destroy(&p);

@@ -1,7 +1,6 @@
 /* Diffusion profiles: time against error for each way to one, on skin1, ketchup and cream, on the dissertation's rings
-   (build/bench/profile.csv, .svg, .md), the two knobs of the half-space solver over all 33 channels (halfspace.csv,
-   .md), and what similarity costs where g is not 0 (similarity.csv, .md). Errors are against the solver at its finest
-   knobs, which the tests compare with tables; those of similarity against direct Monte Carlo. */
+   (build/bench/profile.csv, .svg, .md), and the two knobs of the half-space solver over all 33 channels (halfspace.csv,
+   .md). Errors are against the solver at its finest knobs, which the tests compare with tables. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 #include "bench.h"
@@ -227,56 +226,6 @@ static void bench_knobs(void)
     fclose(md);
 }
 
-/* --- similarity --- */
-
-static void bench_similarity(void)
-{
-    static const double g[] = {-0.5, 0.3, 0.75, 0.9, 0.95}, albedo[] = {0.5, 0.9, 0.99, 0.999};
-    FILE *csv = bench_open("similarity.csv"), *md = bench_open("similarity.md");
-    int i, k, q;
-    fprintf(csv, "g,reduced_albedo,total_error,total_error_se,misplaced\n");
-    fprintf(
-        md,
-        "The half-space solver with mu_s (1 - g) in place of mu_s and g, eta 1.4, against direct Monte Carlo of 1e6 photons: relative "
-        "error of the total; part of the energy in the wrong ring of 0.1 mm / mu_t', noise included.\n\n| g |");
-    for (q = 0; q < 4; ++q) fprintf(md, " albedo' %g |", albedo[q]);
-    fprintf(md, "\n|---:|---:|---:|---:|---:|\n");
-    for (k = 0; k < 5; ++k) {
-        fprintf(md, "| %g |", g[k]);
-        for (q = 0; q < 4; ++q) {
-            ms_mcml_medium m;
-            ms_mcml_profile direct, solver;
-            ms_mcml_profile_options o;
-            double misplaced = 0;
-            m.mu_a_per_mm = 1 - albedo[q];
-            m.mu_s_per_mm = albedo[q] / (1 - g[k]);
-            m.g = g[k];
-            m.eta = 1.4;
-            memset(&o, 0, sizeof o);
-            o.rings = 300;
-            o.ring_mm = 0.1;
-            o.photons = 1000000;
-            make(&direct, &m, 1, &o);
-            o.photons = 0;
-            make(&solver, &m, 1, &o);
-            for (i = 0; i < o.rings; ++i)
-                misplaced += 0.5 *
-                    fabs(direct.rd_per_mm2[i] / direct.total[0] - solver.rd_per_mm2[i] / solver.total[0]) * PI * 0.01 *
-                    (2 * i + 1);
-            fprintf(csv, "%g,%g,%.5f,%.5f,%.5f\n", g[k], albedo[q], solver.total[0] / direct.total[0] - 1,
-                    direct.total_error[0] / direct.total[0], misplaced);
-            fprintf(md, " %+.1f%%, %.1f%% |", 100 * (solver.total[0] / direct.total[0] - 1), 100 * misplaced);
-            printf("similarity g %g albedo' %g: total %+.2f%%, misplaced %.2f%%\n", g[k], albedo[q],
-                   100 * (solver.total[0] / direct.total[0] - 1), 100 * misplaced);
-            ms_mcml_profile_destroy(&direct);
-            ms_mcml_profile_destroy(&solver);
-        }
-        fprintf(md, "\n");
-    }
-    fclose(csv);
-    fclose(md);
-}
-
 int main(void)
 {
     static const char *const material[] = {"skin1", "ketchup", "cream"};
@@ -351,6 +300,5 @@ int main(void)
     fclose(md);
     if (!plot_write(&p, "build/bench/profile.svg")) return 1;
     bench_knobs();
-    bench_similarity();
     return 0;
 }
