@@ -364,7 +364,8 @@ static void test_verdict(void)
     image_write(FOLDER "noise.png", &clean);
     CHECK_INT(run(FOLDER "noise.png --inversion examples/data --out-params " CSV), 3);
     CHECK(strstr(said, "nothing like this picture") != NULL);
-    CHECK_INT(run(FOLDER "half.png --inversion examples/data --robust --cost 100000 --seconds 0.2"), code);
+    code = run(FOLDER "half.png --inversion examples/data --robust --cost 100000 --seconds 0.2");
+    CHECK(code == 0 || code == 3); /* how far it comes in that time, no test can say */
     CHECK(strstr(said, "time spent") != NULL);
     net = NET;
     image_free(&sheet);

@@ -12,7 +12,7 @@
 
 #define USER_CLASSES 3
 #define USER_KINDS 12
-#define USER_TERMS 7
+#define USER_TERMS 8
 #define USER_DIMENSIONS_MAX 64
 
 typedef struct user_class {
