@@ -7,7 +7,7 @@ pictures do. Uses what `make deps` put into ${MS_PACKAGES:-~/.cache/ms/npm} and 
 --picture: a sheet of path tracer and MaterialX, 8 materials of 128 pixels each."""
 import csv, json, math, os, shutil, struct, subprocess, sys, zlib
 sys.dont_write_bytecode = True
-import browser
+import browser, png
 
 out = sys.argv[1]
 packages = os.path.join(os.path.expanduser(os.environ.get("MS_PACKAGES") or "~/.cache/ms/npm"), "node_modules")
@@ -17,7 +17,7 @@ if not shutil.which("node") or not os.path.exists(library + "/JsMaterialXGenShad
     sys.exit(77)
 os.makedirs(out, exist_ok=True)
 passed = failed = 0
-MATERIALS = "examples/data/materials.csv"  # held out of the networks' training; path-traced in materials.ppm and materials_64.ppm
+MATERIALS = "examples/data/materials.csv"  # held out of the networks' training; path-traced in materials.png and materials_64.png
 
 
 def check(name, true, said=""):
@@ -37,8 +37,7 @@ def runs(name, *command):
 
 def traced(path, size, i):
     """The path-traced picture of material i, [size][size][3] bytes, from a sheet of 8 x 8."""
-    with open(path, "rb") as f:
-        sheet = f.read()[-64 * 3 * size * size:]
+    sheet = png.read(path)[2]
     return [sheet[3 * ((i // 8 * size + r) * 8 * size + i % 8 * size + c) + k] for r in range(size) for c in range(size) for k in range(3)]
 
 
@@ -108,7 +107,7 @@ with browser.Browser(out) as b:
     some = names[:8]
     drawn = b.value("shade(%s, %s, 64)" % (json.dumps(held_out), json.dumps(some)))
     a = [v for p in drawn for v in seen(p, 64)]
-    t = [v for i in range(len(some)) for v in seen(traced("examples/data/materials_64.ppm", 64, i), 64)]
+    t = [v for i in range(len(some)) for v in seen(traced("examples/data/materials_64.png", 64, i), 64)]
     near, other = correlation(a, t), correlation(a, t[3:] + t[:3])
     apart = sum(abs(p - q) for p, q in zip(a, t)) / len(a)
     # Real-time shading has no light within the body and none between its parts, and this ball has no relief; of 16 materials .96 and .04
@@ -119,7 +118,7 @@ with browser.Browser(out) as b:
     if "--picture" in sys.argv:
         size, data = 128, bytearray(8 * 128 * 2 * 128 * 3)
         for i, picture in enumerate(b.value("shade(%s, %s, %d)" % (json.dumps(held_out), json.dumps(some), size))):
-            for row, pixels in enumerate((traced("examples/data/materials.ppm", size, i), picture)):
+            for row, pixels in enumerate((traced("examples/data/materials.png", size, i), picture)):
                 for y in range(size):
                     start = 3 * ((row * size + y) * 8 * size + i * size)
                     data[start:start + 3 * size] = bytes(pixels[3 * y * size:3 * (y + 1) * size])

@@ -18,7 +18,7 @@ static inline float *networks_truth(int size)
           *out = truth;
     int t, c, x, y;
     if (truth == NULL ||
-        image_read(size == 64 ? "examples/data/materials_64.ppm" : "examples/data/materials.ppm", &sheet) != NULL) {
+        image_read(size == 64 ? "examples/data/materials_64.png" : "examples/data/materials.png", &sheet) != NULL) {
         free(truth);
         return NULL;
     }
@@ -64,7 +64,7 @@ static inline const char *networks_psnr(const char *path, neural *n, double *dB)
     pixels = ms_nn_output_size(n->nn);
     truth = networks_truth(n->size);
     planes = (float *)malloc(NETWORKS_TILES * pixels * sizeof(float));
-    problem = truth == NULL || planes == NULL ? "examples/data/materials.ppm cannot be read" : NULL;
+    problem = truth == NULL || planes == NULL ? "examples/data/materials.png cannot be read" : NULL;
     if (problem == NULL &&
         (materials_read("examples/data/materials.csv", NETWORKS_PARAMETERS, &list) || list.count != NETWORKS_TILES))
         problem = "examples/data/materials.csv: not 64 materials";

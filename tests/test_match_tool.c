@@ -229,7 +229,7 @@ static void test_sequences_and_views(void)
     CHECK(run(FOLDER "a.ppm --view tests/data/nn/act_elu.safetensors " FOLDER "other.ppm") == 1);
     image_free(&im);
     /* held-out material 0 of the sheet, two pixels off, by the shipped network */
-    if (image_read("examples/data/materials.ppm", &large) == NULL && edit_tile(&large, 0, 64, &im) == NULL) {
+    if (image_read("examples/data/materials.png", &large) == NULL && edit_tile(&large, 0, 64, &im) == NULL) {
         double straight, slipped, aligned;
         net = "examples/data/renderer_64.safetensors";
         image_write(FOLDER "straight.ppm", &im);
@@ -299,7 +299,7 @@ static void test_logo(void)
     int k;
     size_t i;
     if (!have_tool()) SKIP("build/match is not there; make builds it");
-    if (image_read("examples/data/materials.ppm", &sheet)) SKIP("examples/data/materials.ppm is not there");
+    if (image_read("examples/data/materials.png", &sheet)) SKIP("examples/data/materials.png is not there");
     CHECK(edit_tile(&sheet, 20, 64, &clean) == NULL);
     CHECK(edit_apply(&edits_further[0], &clean, &clean, &painted));
     image_write(FOLDER "painted.png", &painted);
@@ -345,7 +345,7 @@ static void test_verdict(void)
         CHECK_INT(run(FOLDER "foreign.png"), 1);
         if (strstr(said, foreign[k].name) == NULL || strstr(said, "convert it to") == NULL) TEST_FAIL("%s", said);
     }
-    if (image_read("examples/data/materials.ppm", &sheet)) SKIP("examples/data/materials.ppm is not there");
+    if (image_read("examples/data/materials.png", &sheet)) SKIP("examples/data/materials.png is not there");
     CHECK(edit_tile(&sheet, 20, 64, &clean) == NULL);
     mask = image_new(64, 64, 1);
     for (i = 0; i < 64 * 64; ++i) mask.pixels[i] = (i % 64 - 32) * (i % 64 - 32) + (i / 64 - 32) * (i / 64 - 32) < 400;

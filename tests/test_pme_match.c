@@ -526,7 +526,7 @@ static void test_shipped(void)
     ms_error error;
     int t, count = test_full ? 30 : 10;
     double worst = 0;
-    if (image_read("examples/data/materials.ppm", &sheet)) SKIP("examples/data/materials.ppm is not there");
+    if (image_read("examples/data/materials.png", &sheet)) SKIP("examples/data/materials.png is not there");
     if (matcher_open(&m, "examples/data/renderer_64.safetensors", &error) != MS_OK) SKIP("%.190s", error.message);
     if (matcher_add_inversions(&m, "examples/data", &error) != MS_OK) SKIP("%.190s", error.message);
     for (t = 0; t < count; ++t) {

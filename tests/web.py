@@ -2,6 +2,7 @@
 """The pages of examples/web as somebody uses them, in headless Chromium: python3 tests/web.py OUT [studio|session|pairs|kernels|frames|pictures]"""
 import base64, csv, json, math, os, re, subprocess, sys, time, xml.etree.ElementTree as xml
 sys.dont_write_bytecode = True
+import png
 from browser import Browser
 
 out = sys.argv[1]
@@ -42,8 +43,7 @@ def held_out(count):
     """Materials that the networks never saw, and their path-traced pictures of 128 x 128."""
     with open("examples/data/materials.csv") as f:
         x = [[float(v) for v in row] for row in list(csv.reader(f))[:count]]
-    with open("examples/data/materials.ppm", "rb") as f:
-        sheet = f.read()[-1024 * 1024 * 3:]
+    sheet = png.read("examples/data/materials.png")[2]
     tile = lambda i: [sheet[3 * ((i // 8 * 128 + r) * 1024 + i % 8 * 128 + c) + k] for r in range(128) for c in range(128) for k in range(3)]
     return x, [tile(i) for i in range(count)]
 

@@ -11,7 +11,7 @@ build/recommend examples/data/scores.csv --count 300 --out $out/glass.csv 2>$out
 build/latent examples/data/scores.csv $out/latent.png examples/data/renderer_64.safetensors >/dev/null
 if [ -f examples/data/renderer_128.safetensors ]; then
     echo "neural previews of 64 materials"
-    build/preview examples/data/renderer_128.safetensors examples/data/materials.csv $out/preview.png examples/data/materials.ppm >$out/preview_psnr.txt
+    build/preview examples/data/renderer_128.safetensors examples/data/materials.csv $out/preview.png examples/data/materials.png >$out/preview_psnr.txt
 fi
 if [ -f examples/data/inversion_1.safetensors ]; then
     echo "eight edited pictures, and the materials that match them"

@@ -20,7 +20,7 @@ enum { SIZE = 128, GAP = 2, PITCH = SIZE + GAP, BREAK = 12, COUNT = 8, DIFFERENC
 
 static const struct {
     const char *edit;
-    int source, other; /* pictures of materials.ppm */
+    int source, other; /* pictures of materials.png */
 } list[COUNT] = {{"saturation", 26, 26}, {"grayscale", 14, 14},  {"colorize", 9, 9},         {"mix of two", 14, 12},
                  {"stitching", 43, 17},  {"inpainting", 35, 35}, {"highlight blur", 16, 16}, {"poor mask", 30, 30}};
 
@@ -76,7 +76,7 @@ int main(int argc, char **argv)
     int i, k, x, y;
     if (file_help(argc, argv, usage)) return file_end_stdout("demo_match");
     if (argc != 2) return file_usage(usage);
-    problem = image_read("examples/data/materials.ppm", &pictures);
+    problem = image_read("examples/data/materials.png", &pictures);
     if (problem) return fail(problem);
     if (matcher_open(&m, "examples/data/renderer_128.safetensors", &error) != MS_OK ||
         matcher_add_inversions(&m, "examples/data", &error) != MS_OK)

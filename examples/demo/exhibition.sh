@@ -131,7 +131,7 @@ code "build/recommend examples/data/scores.csv --count 300" ms_gpr
 section ms_nn.h "Pictures of materials by networks of a few megabytes."
 figure preview.png "64 materials that the network never saw" 33.3:network 33.3:path-traced 33.3:"difference × 8"
 [ ! -f "$out/preview_psnr.txt" ] || echo "<p>Peak signal-to-noise ratio over the 64 pictures, against path-traced ones with their noise: $(sed -n 's/.*noise: //p' "$out/preview_psnr.txt").</p>"
-code "build/preview examples/data/renderer_128.safetensors examples/data/materials.csv sheet.png examples/data/materials.ppm" ms_nn
+code "build/preview examples/data/renderer_128.safetensors examples/data/materials.csv sheet.png examples/data/materials.png" ms_nn
 
 section ms_pme.h "The material whose picture is nearest to an edited one."
 figure match.png "Eight edited pictures, and the materials that come nearest to them"

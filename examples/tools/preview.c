@@ -1,11 +1,11 @@
 /* Draws materials with a neural renderer: a gallery sheet, one picture for each row of parameters.
 
      cc -O2 -I. examples/tools/preview.c -o build/preview -lm
-     build/preview WEIGHTS.safetensors PARAMS.csv OUT.png [TRUTH.ppm]
+     build/preview WEIGHTS.safetensors PARAMS.csv OUT.png [TRUTH.png]
 
    WEIGHTS: a network from parameters to a square RGB picture, such as examples/data/renderer_128.safetensors. PARAMS:
    as many columns as the network has inputs, all in [0, 1]; a header line is optional. OUT: .png or .ppm. TRUTH: a
-   sheet of rendered pictures of the same size and order, without gaps, such as examples/data/materials.ppm; then OUT
+   sheet of rendered pictures of the same size and order, without gaps, such as examples/data/materials.png; then OUT
    shows three blocks - network, truth, and 8 times their difference - and the peak signal-to-noise ratios are
    printed. */
 #define MS_NN_IMPLEMENTATION
@@ -13,7 +13,7 @@
 #include "neural.h"
 #include "materials.h"
 
-static const char usage[] = "usage: preview WEIGHTS.safetensors PARAMS.csv OUT.png [TRUTH.ppm]\n";
+static const char usage[] = "usage: preview WEIGHTS.safetensors PARAMS.csv OUT.png [TRUTH.png]\n";
 
 enum { GAP = 2, DIFFERENCE = 8 };
 

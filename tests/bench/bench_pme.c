@@ -865,7 +865,7 @@ int main(int argc, char **argv)
     int t;
     full = argc > 1 && strcmp(argv[1], "--full") == 0;
     problem = materials_read("examples/data/materials.csv", N, &held_out);
-    if (!problem) problem = image_read("examples/data/materials.ppm", &sheet);
+    if (!problem) problem = image_read("examples/data/materials.png", &sheet);
     check_picture(problem);
     open_networks(&small, 64, small_targets);
     if (argc > 1) { /* one table alone */

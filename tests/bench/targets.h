@@ -14,7 +14,7 @@ static const edit *targets_edit(int t)
     return t < 39 ? &edits_further[t % EDIT_FURTHER_COUNT] : &edits[(t - 39) % EDIT_COUNT];
 }
 
-/* Planes [3][64][64] of target t; sheet: examples/data/materials.ppm. NULL, or what went wrong. */
+/* Planes [3][64][64] of target t; sheet: examples/data/materials.png. NULL, or what went wrong. */
 static const char *targets_make(const image *sheet, int t, float *planes)
 {
     image a, b, c;

@@ -3,7 +3,7 @@
 
      sheet OUT_FOLDER TAKE_FOLDER...
 
-   Each take's first 64 pictures count by their samples a pixel. Writes materials.ppm and materials_64.ppm (display
+   Each take's first 64 pictures count by their samples a pixel. Writes materials.png and materials_64.png (display
    values; averages in linear light, clipped last: clipping noisy pixels would darken them) and materials.csv. */
 #include "image.h"
 
@@ -82,7 +82,7 @@ int main(int argc, char **argv)
             return 1;
         }
     for (i = 0; i < 2 && problem == NULL; ++i) {
-        snprintf(path, sizeof path, "%.900s/materials%s.ppm", argv[1], i ? "_64" : "");
+        snprintf(path, sizeof path, "%.900s/materials%s.png", argv[1], i ? "_64" : "");
         problem = size % (i ? 64 : 128) ? "pictures of no multiple of this size"
                                         : write_tiles(path, sum, weight, size, i ? 64 : 128);
     }
