@@ -43,7 +43,7 @@ made=build/web
 mkdir -p "$made" "$(dirname "$out")"
 echo "compiling $page.wasm"
 ${WASM_CC:-clang} --target=wasm32-wasi -mexec-model=reactor -O3 -msimd128 -I. $web/"$page".c -o "$made/$page.wasm" \
-    -Wl,-z,stack-size=524288 -Wl,--strip-all
+    -D_WASI_EMULATED_PROCESS_CLOCKS -lwasi-emulated-process-clocks -Wl,-z,stack-size=524288 -Wl,--strip-all
 base64_of() { gzip -9nc "$1" | base64 | tr -d '\n'; }
 binary() { # id, file
     printf '<script type="application/base64" %s>' "$1"
