@@ -34,8 +34,9 @@
           }
           if (ms_gpr_fit(x, score, N, M, NULL, &gp, &report, &error) != MS_OK) return puts(error.message), 1;
           printf("log likelihood %.1f after %d evaluations\n", report.likelihood, report.evaluations);
-          if (ms_gpr_recommend(gp, NULL, COUNT, found, mean, sigma, NULL, &error) != MS_OK) return puts(error.message),
-          1; for (i = 0; i < COUNT; ++i) printf("x0 = %.2f: score %.1f +- %.1f\n", found[i * M], mean[i], sigma[i]);
+          if (ms_gpr_recommend(gp, NULL, COUNT, found, mean, sigma, NULL, &error) != MS_OK)
+              return puts(error.message), 1;
+          for (i = 0; i < COUNT; ++i) printf("x0 = %.2f: score %.1f +- %.1f\n", found[i * M], mean[i], sigma[i]);
           ms_gpr_destroy(gp);
           return 0;
       }
@@ -46,13 +47,14 @@
    1. Materials to be scored: ms_gpr_gallery, in batches of 5 to 25, from the first (a model of n = 0) to the last.
    2. Scores, or "the best 2 of 9", or both: ms_gpr_fit learns the hyperparameters, or ms_gpr_create takes them.
       ms_gpr_append, ms_gpr_rescore and ms_gpr_drop change one score, ms_gpr_compare takes comparisons. Another round:
-   concatenate, and fit again.
+      concatenate, and fit again.
    3. What was learned: ms_gpr_predict, ms_gpr_gradient, ms_gpr_relevance; ms_gpr_simplify leaves out what a scene
       does not need. To store a model, store materials, scores, pairs and theta, and call ms_gpr_create.
-   4. New materials: ms_gpr_recommend. They, galleries and planes keep a ms_gpr_space: what is fixed, ranges, steps,
-   ties, lists of metals. 5. Variants of a liked material: ms_gpr_latent_fit lays high-scoring materials out in a plane,
-      ms_gpr_latent_map leads from the plane to materials; ms_gpr_map_preference and its sisters colour it;
-      ms_gpr_variants finds the best ones.
+   4. New materials: ms_gpr_recommend. Recommendations, galleries and planes satisfy a ms_gpr_space: what is fixed,
+      ranges, steps, ties, lists of metals.
+   5. Variants of a liked material: ms_gpr_latent_fit lays high-scoring materials out in a plane, ms_gpr_latent_map
+      leads from the plane to materials; ms_gpr_map_preference and its sisters color it; ms_gpr_variants finds the
+      best ones.
 
    What it costs
    -------------
@@ -414,7 +416,7 @@ typedef struct ms_gpr_list {
     int count;
 } ms_gpr_list;
 
-/* What recommendations, galleries and planes keep. All zero: the box that the scores suggest. */
+/* Constraints that recommendations, galleries and planes satisfy. All zero: the box that the scores suggest. */
 typedef struct ms_gpr_space {
     const double *
         low; /* [m] the box of allowed parameters, low = high for a fixed one. NULL: in every column 0 to 1 where all */

@@ -261,21 +261,31 @@ static inline const char *ms_simd_string(ms_simd level)
 
 /* Every element type of the format: code, name in the file, bits. Networks use F64, F32, F16, BF16 and I8; the
    others are listed, checked and copied. */
-#define MS_NN_DTYPE_LIST(X)                                                                                          \
-    X(MS_NN_F64, "F64", 64)                                                                                          \
-    X(MS_NN_F32, "F32", 32)                                                                                          \
-    X(MS_NN_F16, "F16", 16)                                                                                          \
-    X(MS_NN_BF16, "BF16", 16)                                                                                        \
-    X(MS_NN_I8, "I8", 8)                                                                                             \
-    X(MS_NN_I16, "I16", 16)                                                                                          \
-    X(MS_NN_I32, "I32", 32)                                                                                          \
-    X(MS_NN_I64, "I64", 64)                                                                                          \
-    X(MS_NN_U8, "U8", 8)                                                                                             \
-    X(MS_NN_U16, "U16", 16) X(MS_NN_U32, "U32", 32) X(MS_NN_U64, "U64", 64) X(MS_NN_BOOL, "BOOL", 8)                 \
-        X(MS_NN_C64, "C64", 64) X(MS_NN_F8_E5M2, "F8_E5M2", 8) X(MS_NN_F8_E4M3, "F8_E4M3", 8)                        \
-            X(MS_NN_F8_E8M0, "F8_E8M0", 8) X(MS_NN_F8_E4M3FNUZ, "F8_E4M3FNUZ", 8)                                    \
-                X(MS_NN_F8_E5M2FNUZ, "F8_E5M2FNUZ", 8) X(MS_NN_F6_E2M3, "F6_E2M3", 6) X(MS_NN_F6_E3M2, "F6_E3M2", 6) \
-                    X(MS_NN_F4, "F4", 4)
+/* clang-format off */
+#define MS_NN_DTYPE_LIST(X)                \
+    X(MS_NN_F64, "F64", 64)                \
+    X(MS_NN_F32, "F32", 32)                \
+    X(MS_NN_F16, "F16", 16)                \
+    X(MS_NN_BF16, "BF16", 16)              \
+    X(MS_NN_I8, "I8", 8)                   \
+    X(MS_NN_I16, "I16", 16)                \
+    X(MS_NN_I32, "I32", 32)                \
+    X(MS_NN_I64, "I64", 64)                \
+    X(MS_NN_U8, "U8", 8)                   \
+    X(MS_NN_U16, "U16", 16)                \
+    X(MS_NN_U32, "U32", 32)                \
+    X(MS_NN_U64, "U64", 64)                \
+    X(MS_NN_BOOL, "BOOL", 8)               \
+    X(MS_NN_C64, "C64", 64)                \
+    X(MS_NN_F8_E5M2, "F8_E5M2", 8)         \
+    X(MS_NN_F8_E4M3, "F8_E4M3", 8)         \
+    X(MS_NN_F8_E8M0, "F8_E8M0", 8)         \
+    X(MS_NN_F8_E4M3FNUZ, "F8_E4M3FNUZ", 8) \
+    X(MS_NN_F8_E5M2FNUZ, "F8_E5M2FNUZ", 8) \
+    X(MS_NN_F6_E2M3, "F6_E2M3", 6)         \
+    X(MS_NN_F6_E3M2, "F6_E3M2", 6)         \
+    X(MS_NN_F4, "F4", 4)
+/* clang-format on */
 
 typedef enum ms_nn_dtype {
 #define MS_NN_DTYPE_ENUM(code, name, bits) code,
