@@ -489,8 +489,8 @@ typedef struct ms_gpr_recommend_report {
    sigma   [count] out, or NULL: their standard deviation
    report  or NULL
    The same seed gives the same sequence: count says how much of it, skip where it begins. The share of each separate
-   mode among the recommendations is unbiased. By rejection it has the error of independent draws; by subset simulation
-   its standard deviation is 0.07 where one material in 600 is left, 0.13 for one in 100,000, 0.19 for one in 1e9.
+   mode among the recommendations has, by rejection, the error of independent draws; by subset simulation its root mean
+   square error is 0.07 where one material in 600 is left, 0.13 for one in 100,000, 0.19 for one in 1e9.
    MS_NOT_CONVERGED: the model predicts no score above the floor (all scores are
    equal, or there are none); nothing reaches the threshold with that caution; or the search gave up, MS_CANCELLED: the
    first report->found rows of x are valid then, and mean and sigma of them. MS_INVALID_ARGUMENT: an option out of

@@ -637,7 +637,7 @@ static void test_many_modes(void)
     }
 }
 
-/* Shares of modes where one place in 1e3 to 1e9 is left: without bias, with the error that the levels add. */
+/* Shares of modes where one place in 1e3 to 1e9 is left, with the error that the levels add. Bias is not tested. */
 static void test_rare_shares(void)
 {
     enum { COUNT = 300, SEEDS = 6 };
