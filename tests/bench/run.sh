@@ -16,7 +16,7 @@ for f in tests/bench/bench_*.c; do
     # a peer in C++: its source and libraries, when it compiles
     sed -n 's/.*peer source: *\([^ ]*\) \(-l.*[a-zA-Z0-9]\).*/\1 \2/p' "$f" | head -1 >build/bench/peer
     read -r source with <build/bench/peer && name=$(basename "$source" .cpp) &&
-        ${CXX:-c++} -std=c++11 -O3 -I/usr/include/opencv4 -c "tests/bench/$source" -o "build/bench/$name.o" >/dev/null 2>&1 &&
+        ${CXX:-c++} -std=c++11 -O3 -march=native -ffast-math -I/usr/include/opencv4 -c "tests/bench/$source" -o "build/bench/$name.o" >/dev/null 2>&1 &&
         libraries="$libraries build/bench/$name.o $with -lstdc++ -DHAVE_$(echo "$name" | tr a-z A-Z)"
     ${CC:-cc} -std=c99 ${CFLAGS:--O2} -D_POSIX_C_SOURCE=200809L -I. -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench "$f" -o "build/bench/$n" $libraries -lm -lpthread &&
         "build/bench/$n" || echo "$n failed"
