@@ -374,12 +374,13 @@ int main(int argc, char **argv)
     report(times.f, f, calls);
     if ((problem = file_finish(&times, 1)) != NULL) return fail(path, problem);
 
-    if (file) printf("%d scores of %s\n", f->n, file);
+    if (file) printf("%d scores of %s.\n", f->n, file);
     else
-        printf("%d scores of one who likes %s; of the first, random %d %.1f on average, of the recommended ones %.1f\n",
-               f->n, f->user->words, GALLERY / 2, mean_score(f->user, f->x, GALLERY / 2),
-               mean_score(f->user, f->recommended, RECOMMENDED));
-    printf("match: RMSE %.2f of 255 at first, %.2f after %.0f renders\n\n", 255 * f->found.rmse_initial,
+        printf(
+            "%d scores of a user who likes %s. Mean score of %d random materials: %.1f; of the recommended ones: %.1f.\n",
+            f->n, f->user->words, GALLERY / 2, mean_score(f->user, f->x, GALLERY / 2),
+            mean_score(f->user, f->recommended, RECOMMENDED));
+    printf("Match: RMSE %.2f of 255 at the first guess, %.2f after %.0f renders.\n\n", 255 * f->found.rmse_initial,
            255 * f->found.rmse, f->found.cost);
     report(stdout, f, calls);
     ms_gpr_latent_destroy(f->plane);
