@@ -167,6 +167,7 @@ bench-gpu: build/bench_gpu
 
 web:
 	@CC="$(CC)" sh examples/web/build.sh kernels examples/web/kernels.html
+	@CC="$(CC)" sh examples/web/build.sh three examples/web/three.html
 studio:
 	@CC="$(CC)" sh examples/web/build.sh studio examples/web/studio.html
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# A page of one file: sh examples/web/build.sh studio OUT.html, or kernels. WebAssembly by clang with wasi-libc; the networks of the
+# A page of one file: sh examples/web/build.sh studio OUT.html, kernels or three, which also writes sss_three.js beside it. WebAssembly by clang with wasi-libc; the networks of the
 # studio packed (pack.c) from examples/data. `sh examples/web/build.sh hash studio` is what a page of these sources carries.
 set -eu
 cd "$(dirname "$0")/../.."
@@ -12,6 +12,7 @@ sources() { # what page $1 is made of
         $web/studio.part.html $web/pack.c $web/build.sh examples/data/renderer_128.safetensors examples/data/inversion_6.safetensors ;;
     kernels) echo ms_mcml.h ms_sss.h examples/demo/scene.h examples/tools/image.h examples/tools/files.h $web/kernels.c $web/wasi.js $web/kernels.worker.js \
         $web/kernels.js $web/page.css $web/kernels.css $web/kernels.part.html $web/build.sh ;;
+    three) echo ms_sss.h $web/three.c $web/sss_three.part.js $web/three.page.js $web/three.part.html $web/build.sh ;;
     *) echo "no page of that name: $1" >&2; exit 2 ;;
     esac
 }
@@ -44,6 +45,26 @@ mkdir -p "$made" "$(dirname "$out")"
 echo "compiling $page.wasm"
 ${WASM_CC:-clang} --target=wasm32-wasi -mexec-model=reactor -O3 -msimd128 -I. $web/"$page".c -o "$made/$page.wasm" \
     -D_WASI_EMULATED_PROCESS_CLOCKS -lwasi-emulated-process-clocks -Wl,-z,stack-size=524288 -Wl,--strip-all
+if [ "$page" = three ]; then # a module, and a page that holds a copy of it, because browsers do not import from files
+    module=$(dirname "$out")/sss_three.js
+    {
+        echo "// sources $(hash three)"
+        cat $web/sss_three.part.js
+        echo "const BINARY = '$(gzip -9nc "$made/three.wasm" | base64 | tr -d '\n')';"
+    } >"$made/sss_three.js"
+    {
+        echo '<!DOCTYPE html>'
+        cat $web/three.part.html
+        echo '<script type="module">'
+        sed 's/^export class/class/' "$made/sss_three.js"
+        cat $web/three.page.js
+        echo '</script>'
+    } >"$made/three.html"
+    mv "$made/sss_three.js" "$module"
+    mv "$made/three.html" "$out"
+    echo "$out: $(wc -c <"$out" | tr -d ' ') bytes"
+    exit
+fi
 base64_of() { gzip -9nc "$1" | base64 | tr -d '\n'; }
 binary() { # id, file
     printf '<script type="application/base64" %s>' "$1"

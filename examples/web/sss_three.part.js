@@ -1,0 +1,224 @@
+// Separable subsurface scattering for three.js, by ms_sss.h: `make web` writes this file with the header in WebAssembly.
+//
+//   import { Subsurface } from './sss_three.js';
+//   const sss = await Subsurface.create(renderer, [
+//     { reflectance: [0.44, 0.22, 0.13], path: [1.2, 0.5, 0.3] },     a material's diffuse reflectance and mean free
+//     { reflectance: [0.83, 0.79, 0.75], path: [2.2, 2.6, 3.1] }],    path in mm, red, green, blue; at most 16
+//     { mmPerUnit: 10, taps: 11 });
+//   sss.apply(head.material, 0);                    MeshStandardMaterial or MeshPhysicalMaterial, and which of them it is
+//   sss.lamp = directionalLight;                    optional: light of this lamp passes through thin parts
+//   sss.enabled = false;                            the materials are drawn as three.js alone draws them
+//   every frame: sss.render(scene, camera); renderer.render(scene, camera);         or a composer's render
+//
+// sss.render draws the diffuse light of these materials without their color, and its depth; two passes scatter it. The
+// materials then read the scattered light in place of their own. Specular light, maps, shadows, tone mapping and
+// post-processing are three's. Call it again after a resize, for every eye of a headset and every view that is rendered.
+import * as THREE from 'three';
+
+const patch = [ // of the fragment shader: where, and what stands there
+  ['void main() {', `
+uniform int sss_mode; // 0: scattered light, 1: write light and depth, 2: as without this
+uniform int sss_index;
+uniform highp sampler2D sss_light, sss_scattered, sss_lamp_map;
+uniform mat4 sss_lamp_matrix; // from this camera's view to the lamp's clip space
+uniform vec4 sss_lamp_range; // near, far, mm a unit, 1: there is a lamp
+uniform vec3 sss_lamp_direction, sss_lamp_light, sss_reflectance, sss_decay;
+uniform mat3 sss_lamp_normal; // from the lamp's view to this camera's
+TRANSMISSION
+// From the lamp's map: what entered where the lamp sees this object before it sees the position.
+vec3 sss_behind(vec3 position, vec3 normal) {
+  vec4 q = sss_lamp_matrix * vec4(position, 1.0);
+  vec3 at = 0.5 * q.xyz + 0.5, sum = vec3(0.0);
+  ivec2 size = textureSize(sss_lamp_map, 0), p = ivec2(at.xy * vec2(size) - 0.5);
+  float own = mix(sss_lamp_range.x, sss_lamp_range.y, at.z);
+  if (sss_lamp_range.w < 0.5 || min(at.x, at.y) < 0.0 || max(at.x, at.y) > 1.0) return sum;
+  for (int i = 0; i < 4; ++i) {
+    vec4 entry = texelFetch(sss_lamp_map, clamp(p + ivec2(i & 1, i >> 1), ivec2(0), size - 1), 0);
+    if (entry.a > 0.0 && entry.a < own) sum += 0.25 * ms_sss_transmission(sss_reflectance, sss_decay, (own - entry.a) * sss_lamp_range.z, normal,
+      sss_lamp_normal * entry.xyz, sss_lamp_direction, sss_lamp_light);
+  }
+  return sum;
+}
+void main() {`],
+  ['#include <lights_physical_fragment>', `
+  vec3 sss_albedo = diffuseColor.rgb * (1.0 - metalnessFactor);
+  if (sss_mode == 1) { diffuseColor.rgb = vec3(1.0); metalnessFactor = 0.0; }
+  #include <lights_physical_fragment>`],
+  ['vec3 outgoingLight =', `
+  if (sss_mode == 1) {
+    gl_FragColor = vec4(totalDiffuse, intBitsToFloat(((floatBitsToInt(vViewPosition.z) + 8) & ~15) | sss_index));
+    return;
+  } else if (sss_mode == 0) { // where this fragment is what the pixel showed to sss.render
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    float z = texelFetch(sss_light, p, 0).a;
+    if (abs(z - vViewPosition.z) < 0.02 * z)
+      totalDiffuse = sss_albedo * max(texelFetch(sss_scattered, p, 0).rgb, sss_behind(-vViewPosition, normal));
+  }
+  vec3 outgoingLight =`]];
+
+export class Subsurface {
+  // materials: [{reflectance, path}]; options: mmPerUnit (1000: meters), taps (3 to 63), radius (pixels that the taps are made for)
+  static async create(renderer, materials, { mmPerUnit = 1000, taps = 11, radius = 48 } = {}) {
+    const packed = Uint8Array.from(atob(BINARY), c => c.charCodeAt(0));
+    const binary = await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+    const nothing = new Proxy({}, { get: () => () => 52 }); // the header asks for no file
+    const { instance } = await WebAssembly.instantiate(binary, { wasi_snapshot_preview1: nothing });
+    instance.exports._initialize();
+    return new Subsurface(renderer, instance.exports, materials, mmPerUnit, taps, radius);
+  }
+
+  constructor(renderer, wasm, materials, mmPerUnit, taps, radius) {
+    if (!materials.length || !renderer.getContext().getExtension('EXT_color_buffer_float')) throw new Error('Subsurface: wants a material, and WebGL 2 with float targets');
+    Object.assign(this, { renderer, wasm, mmPerUnit, taps, radius, given: materials, lamp: null, count: materials.length });
+    this.materials = materials.map(({ reflectance, path }, i) => {
+      const numbers = () => new Float64Array(wasm.memory.buffer, wasm.numbers(), 16);
+      numbers().set([...reflectance, ...path]);
+      this.check(wasm.material(i, taps, radius));
+      const [radiusMm, ...rest] = numbers();
+      return { radiusMm, reflectance: rest.slice(0, 3), decay: rest.slice(3, 6) };
+    });
+    this.check(wasm.transmission());
+    this.transmission = this.words(wasm.text());
+    const target = () => new THREE.WebGLRenderTarget(1, 1, { type: THREE.FloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter, depthBuffer: false });
+    this.light = target();
+    this.light.depthBuffer = true;
+    this.between = target();
+    this.scattered = target();
+    this.lampMap = target();
+    this.lampMap.depthBuffer = true;
+    this.uniforms = {
+      sss_mode: { value: 0 }, sss_light: { value: this.light.texture }, sss_scattered: { value: this.scattered.texture }, sss_lamp_map: { value: this.lampMap.texture },
+      sss_lamp_matrix: { value: new THREE.Matrix4() }, sss_lamp_range: { value: new THREE.Vector4() }, sss_lamp_direction: { value: new THREE.Vector3() },
+      sss_lamp_light: { value: new THREE.Vector3() }, sss_lamp_normal: { value: new THREE.Matrix3() } };
+    this.constants = { value: new Float32Array(4) };
+    this.passes = [0, 1].map(step => {
+      this.check(wasm.pass(step, taps, this.count));
+      const uniforms = { ms_sss: this.constants, ms_sss_color: { value: (step ? this.between : this.light).texture }, ms_sss_input: { value: this.light.texture } };
+      uniforms.ms_sss_colour = uniforms.ms_sss_color;
+      return new THREE.RawShaderMaterial({
+        glslVersion: THREE.GLSL3, uniforms, depthTest: false, depthWrite: false, blending: THREE.NoBlending,
+        vertexShader: 'in vec3 position; void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }',
+        fragmentShader: this.words(wasm.text()).replace(/^#version.*\n/, '') });
+    });
+    const triangle = new THREE.BufferGeometry().setAttribute('position', new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3));
+    this.triangle = new THREE.Mesh(triangle, this.passes[0]);
+    this.triangle.frustumCulled = false;
+    this.black = new THREE.MeshBasicMaterial({ color: 0, opacity: 0, blending: THREE.NoBlending, side: THREE.DoubleSide, fog: false }); // alpha 0: masked
+    this.unseen = new THREE.MeshBasicMaterial({ colorWrite: false, depthWrite: false });
+    this.lampCamera = new THREE.OrthographicCamera();
+    this.lampMaterials = [true, false].map(enters => {
+      const m = new THREE.MeshNormalMaterial({ side: THREE.DoubleSide, blending: THREE.NoBlending });
+      m.onBeforeCompile = s => {
+        s.uniforms.sss_lamp_range = this.uniforms.sss_lamp_range;
+        s.fragmentShader = 'uniform vec4 sss_lamp_range;\n' + s.fragmentShader.replace(/}\s*$/,
+          `gl_FragColor = vec4(${enters ? 'normalize(normal)' : 'vec3(0.0)'}, mix(sss_lamp_range.x, sss_lamp_range.y, gl_FragCoord.z));\n}`);
+      };
+      m.customProgramCacheKey = () => 'sss-lamp' + enters;
+      return m;
+    });
+  }
+
+  words(at) {
+    const bytes = new Uint8Array(this.wasm.memory.buffer, at);
+    return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
+  }
+
+  check(status) { if (status) throw new Error('Subsurface: ' + this.words(this.wasm.message())); }
+
+  apply(material, index) {
+    if (!this.materials[index] || !(material.isMeshStandardMaterial)) throw new Error(`Subsurface: wants a MeshStandardMaterial and an index below ${this.count}`);
+    const { reflectance, decay } = this.materials[index];
+    material.userData.subsurface = this;
+    material.onBeforeCompile = s => {
+      Object.assign(s.uniforms, this.uniforms, { sss_index: { value: index }, sss_reflectance: { value: reflectance }, sss_decay: { value: decay } });
+      for (const [where, text] of patch) {
+        if (!s.fragmentShader.includes(where)) throw new Error('Subsurface: this version of three.js has no "' + where + '"');
+        s.fragmentShader = s.fragmentShader.replace(where, () => text.replace('TRANSMISSION', () => this.transmission));
+      }
+    };
+    material.customProgramCacheKey = () => 'sss';
+    material.needsUpdate = true;
+  }
+
+  // Draws the scene with other materials: ours (yes: a material, or null: their own) and all others'.
+  draw(scene, camera, target, yes, no) {
+    const kept = [], { background, environment, overrideMaterial } = scene, mine = m => m.userData.subsurface === this;
+    scene.traverseVisible(o => {
+      if (!o.material) return;
+      const of = m => mine(m) ? yes || m : m.transparent || !o.isMesh ? this.unseen : no;
+      kept.push([o, o.material]);
+      o.material = Array.isArray(o.material) ? o.material.map(of) : of(o.material);
+    });
+    scene.background = null;
+    scene.overrideMaterial = null;
+    this.renderer.setRenderTarget(target);
+    try { this.renderer.clear(); this.renderer.render(scene, camera); }
+    finally {
+      for (const [o, m] of kept) o.material = m;
+      Object.assign(scene, { background, environment, overrideMaterial });
+    }
+  }
+
+  drawLamp(scene, camera) {
+    const { lamp, lampCamera: eye, uniforms: u } = this;
+    u.sss_lamp_range.value.w = 0;
+    if (!lamp) return;
+    const s = lamp.shadow.camera, size = lamp.shadow.mapSize;
+    eye.copy(s, false);
+    lamp.updateWorldMatrix(true, false);
+    lamp.target.updateWorldMatrix(true, false);
+    eye.position.setFromMatrixPosition(lamp.matrixWorld);
+    eye.lookAt(new THREE.Vector3().setFromMatrixPosition(lamp.target.matrixWorld));
+    eye.updateMatrixWorld();
+    eye.updateProjectionMatrix();
+    u.sss_lamp_range.value.set(eye.near, eye.far, this.mmPerUnit, 1);
+    this.lampMap.setSize(size.x, size.y);
+    const { autoUpdate } = this.renderer.shadowMap;
+    this.renderer.shadowMap.autoUpdate = false;
+    this.draw(scene, eye, this.lampMap, ...this.lampMaterials);
+    this.renderer.shadowMap.autoUpdate = autoUpdate;
+    const toLamp = eye.matrixWorldInverse.clone().multiply(camera.matrixWorld);
+    u.sss_lamp_matrix.value.multiplyMatrices(eye.projectionMatrix, toLamp);
+    u.sss_lamp_normal.value.setFromMatrix4(camera.matrixWorldInverse.clone().multiply(eye.matrixWorld));
+    u.sss_lamp_direction.value.set(0, 0, 1).applyMatrix3(u.sss_lamp_normal.value);
+    u.sss_lamp_light.value.fromArray(lamp.color.toArray()).multiplyScalar(lamp.intensity / Math.PI);
+  }
+
+  get enabled() { return this.uniforms.sss_mode.value !== 2; }
+  set enabled(yes) { this.uniforms.sss_mode.value = yes ? 0 : 2; }
+
+  render(scene, camera) {
+    if (!this.enabled) return;
+    const { renderer, wasm, uniforms } = this, { x, y } = renderer.getDrawingBufferSize(new THREE.Vector2());
+    const target = renderer.getRenderTarget(), color = renderer.getClearColor(new THREE.Color()), alpha = renderer.getClearAlpha();
+    for (const t of [this.light, this.between, this.scattered]) t.setSize(x, y);
+    if (camera.parent === null) camera.updateMatrixWorld();
+    const fov = 360 / Math.PI * Math.atan(1 / camera.projectionMatrix.elements[5]);
+    const n = wasm.fill(this.taps, this.count, x, y, fov, this.mmPerUnit);
+    if (!n) this.check(1);
+    this.constants.value = new Float32Array(wasm.memory.buffer, wasm.constants(), 4 * n).slice();
+    renderer.setClearColor(0, 0);
+    try {
+      this.drawLamp(scene, camera);
+      uniforms.sss_mode.value = 1;
+      uniforms.sss_light.value = this.between.texture; // a target must not be read
+      this.draw(scene, camera, this.light, null, this.black);
+      this.passes.forEach((pass, i) => {
+        this.triangle.material = pass;
+        renderer.setRenderTarget(i ? this.scattered : this.between);
+        renderer.render(this.triangle, camera);
+      });
+    } finally {
+      uniforms.sss_mode.value = 0;
+      uniforms.sss_light.value = this.light.texture;
+      renderer.setRenderTarget(target);
+      renderer.setClearColor(color, alpha);
+    }
+  }
+
+  dispose() {
+    for (const t of [this.light, this.between, this.scattered, this.lampMap]) t.dispose();
+    for (const m of [...this.passes, ...this.lampMaterials, this.black, this.unseen]) m.dispose();
+    this.triangle.geometry.dispose();
+  }
+}

@@ -1,0 +1,94 @@
+/* What sss_three.js asks of ms_sss.h, in WebAssembly: kernels of materials, the texts of both passes, their constants.
+     clang --target=wasm32-wasi -mexec-model=reactor -Os -I. examples/web/three.c -o three.wasm
+   Calls return 0, or a status, and then message() says why. */
+#define MS_NO_SIMD
+#define MS_SSS_IMPLEMENTATION
+#include "ms_sss.h"
+#include <stdio.h>
+#include <string.h>
+
+#define CALL(type, name, arguments) \
+    type web_##name arguments;      \
+    __attribute__((export_name(#name))) type web_##name arguments
+
+enum { MATERIALS = MS_SSS_SHADER_PROFILES_MAX, CONSTANTS = 1024 };
+
+static ms_error error;
+static ms_sss_kernel kernel[MATERIALS];
+static double number[16];
+static float constant[CONSTANTS][4];
+static char text[1 << 16];
+
+CALL(double *, numbers, (void)) { return number; }
+CALL(float *, constants, (void)) { return constant[0]; }
+CALL(char *, text, (void)) { return text; }
+CALL(const char *, message, (void)) { return error.message; }
+
+/* Numbers 0 to 2: diffuse reflectance, 3 to 5: mean free path in mm. Afterwards 0: radius in mm, 1 to 3: reflectance, 4
+   to 6: decay a mm, as ms_sss_transmission takes them. radius_px: what the taps are optimised for. */
+CALL(int, material, (int index, int taps, double radius_px))
+{
+    ms_sss_kernel_options options = ms_sss_kernel_defaults();
+    ms_sss_profile *profile;
+    double d[3];
+    ms_status status;
+    int c;
+    if (index < 0 || index >= MATERIALS)
+        return (int)ms__fail(&error, MS_INVALID_ARGUMENT, 0, "at most %d materials", MATERIALS);
+    for (c = 0; c < 3; ++c) d[c] = ms_sss_burley_d_mm(number[c], number[3 + c]);
+    status = ms_sss_profile_from_burley(&profile, number, d, NULL, &error);
+    if (status != MS_OK) return (int)status;
+    options.tap_count = taps;
+    status = ms_sss_kernel_make(&kernel[index], NULL, profile, radius_px, &options, NULL, &error);
+    ms_sss_profile_destroy(profile);
+    if (status != MS_OK) return (int)status;
+    number[0] = (double)kernel[index].radius_mm;
+    for (c = 0; c < 3; ++c) {
+        number[1 + c] = (double)kernel[index].reflectance[c];
+        number[4 + c] = (double)kernel[index].decay[c];
+    }
+    return 0;
+}
+
+static ms_sss_filter_options view_of(double fov_degrees, double mm_per_unit)
+{
+    ms_sss_filter_options view = ms_sss_filter_defaults();
+    view.fov_degrees = (float)fov_degrees;
+    view.mm_per_unit = (float)mm_per_unit;
+    return view;
+}
+
+static ms_sss_shader pass_of(int step, int taps, int materials)
+{
+    ms_sss_shader shader = ms_sss_shader_defaults();
+    shader.language = MS_SSS_GLSL_ES_300;
+    shader.step = step ? MS_SSS_STEP_Y : MS_SSS_STEP_X;
+    shader.tap_count = taps;
+    shader.profile_count = materials;
+    shader.depth = MS_SSS_ALPHA;
+    shader.profile = materials > 1 ? MS_SSS_ALPHA : MS_SSS_NONE;
+    return shader;
+}
+
+/* A pass for `materials` materials of so many taps, into text. */
+CALL(int, pass, (int step, int taps, int materials))
+{
+    const ms_sss_shader shader = pass_of(step, taps, materials);
+    const ms_sss_filter_options view = view_of(35, 1);
+    return ms_sss_shader_text(&shader, &view, text, sizeof text, &error) ? 0 : (int)error.status;
+}
+
+/* The light loop's ms_sss_transmission, into text. */
+CALL(int, transmission, (void)) { return ms_sss_transmission_text(MS_SSS_GLSL_ES_300, text, sizeof text) ? 0 : 1; }
+
+/* How many vec4 there are in constants(), the same for both passes; 0: message() says why not. */
+CALL(int, fill, (int taps, int materials, int width, int height, double fov_degrees, double mm_per_unit))
+{
+    const ms_sss_shader shader = pass_of(0, taps, materials);
+    const ms_sss_filter_options view = view_of(fov_degrees, mm_per_unit);
+    const int count = ms_sss_shader_constant_count(&shader);
+    return count <= CONSTANTS &&
+            ms_sss_shader_constants(kernel, 0, &view, width, height, &shader, constant, &error) == MS_OK
+        ? count
+        : 0;
+}
