@@ -9,6 +9,8 @@
 #define DEPTH "build/test_sss_tool_z.pfm"
 #define OUT "build/test_sss_tool_out.pfm"
 #define OUT_PNG "build/test_sss_tool_out.png"
+#define BACK "build/test_sss_tool_back.pfm"
+#define BACK_DEPTH "build/test_sss_tool_back_z.pfm"
 #define LOG "build/test_sss_tool.log"
 
 static int exists(const char *path)
@@ -231,6 +233,50 @@ static void test_odd_depth(void)
     image_free(&a);
 }
 
+/* A dark sheet before a lit one: the nearer, the more shines through, red before blue; a dark back adds nothing. */
+static void test_back(void)
+{
+    static const float distance[3] = {2, 4, 8};
+    image e, z, a;
+    float through[3][2] = {{0}};
+    int i, k;
+    need_tool();
+    if (test_skip_reason[0]) return;
+    write_inputs(48, 48, 100);
+    e = image_new(48, 48, 3); /* dark */
+    CHECK(image_write(IRRADIANCE, &e) == NULL);
+    for (k = 0; k < 3; ++k) {
+        z = image_new(48, 48, 1);
+        for (i = 0; i < 48 * 48; ++i) {
+            z.pixels[i] = 100 + distance[k];
+            e.pixels[3 * i] = e.pixels[3 * i + 1] = e.pixels[3 * i + 2] = 1;
+        }
+        CHECK(image_write(BACK, &e) == NULL);
+        CHECK(image_write(BACK_DEPTH, &z) == NULL);
+        CHECK_INT(run(IRRADIANCE " " DEPTH " " OUT " --material skin1 --ortho 24 --mm-per-unit 1 --back " BACK
+                                 " --back-depth " BACK_DEPTH),
+                  0);
+        a = read_out(OUT);
+        for (i = 0; a.pixels && i < 2; ++i) through[k][i] = a.pixels[3 * (24 * 48 + 24) + 2 * i];
+        CHECK(through[k][0] > through[k][1]);
+        CHECK(k == 0 || (through[k][0] < through[k - 1][0] && through[k][1] <= through[k - 1][1]));
+        image_free(&a);
+        image_free(&z);
+    }
+    CHECK(through[0][0] > 0.1f);
+    memset(e.pixels, 0, 3 * 48 * 48 * sizeof(float));
+    CHECK(image_write(BACK, &e) == NULL);
+    CHECK_INT(run(IRRADIANCE " " DEPTH " " OUT " --material skin1 --ortho 24 --mm-per-unit 1 --back " BACK
+                             " --back-depth " BACK_DEPTH),
+              0);
+    a = read_out(OUT);
+    for (i = 0; a.pixels && i < 3 * 48 * 48; ++i) CHECK(a.pixels[i] >= 0 && a.pixels[i] <= 0);
+    TEST_NOTE("red through 2, 4, 8 mm: %.3f %.3f %.3f", (double)through[0][0], (double)through[1][0],
+              (double)through[2][0]);
+    image_free(&a);
+    image_free(&e);
+}
+
 /* --- refusals --- */
 
 static void test_refused(void)
@@ -255,6 +301,13 @@ static void test_refused(void)
                {IRRADIANCE " " DEPTH " " OUT " --material skin1 --ortho 1 --fov 30", 2, "exclude"},
                {IRRADIANCE " " DEPTH " " OUT " --material skin1 --mm-per-unit -1", 2, "--mm-per-unit"},
                {IRRADIANCE " " DEPTH " " OUT " --material skin1 --strength 1.5", 2, "--strength"},
+               {IRRADIANCE " " DEPTH " " OUT " --material skin1 --back " IRRADIANCE, 2, "together"},
+               {IRRADIANCE " " DEPTH " " OUT " --material skin1 --method taps --back " IRRADIANCE
+                           " --back-depth " DEPTH,
+                2, "gather"},
+               {IRRADIANCE " " DEPTH " " OUT " --material skin1 --back " IRRADIANCE
+                           " --back-depth build/test_sss_tool_small.pfm",
+                1, "size differs"},
                {IRRADIANCE " " DEPTH " build/test_sss_tool_out.exr --material skin1", 2, ".pfm or .png"},
                {IRRADIANCE " " DEPTH " " OUT " --material granite", 1, "no such material"},
                {IRRADIANCE " " DEPTH " " OUT " --profile build/no_such.csv", 1, "build/no_such.csv"},
@@ -288,5 +341,5 @@ static void test_refused(void)
 static const test_case cases[] = {{"step", test_step},         {"methods", test_methods},
                                   {"strength", test_strength}, {"profile_file", test_profile_file},
                                   {"png", test_png},           {"odd_depth", test_odd_depth},
-                                  {"refused", test_refused}};
+                                  {"back", test_back},         {"refused", test_refused}};
 TEST_MAIN_WITH_FILES(cases)

@@ -3,11 +3,13 @@
      cc -O2 -I. examples/tools/sss_filter.c -o build/sss_filter -lm
      build/sss_filter IRRADIANCE.pfm DEPTH.pfm OUT.(pfm|png) --material NAME|--profile CSV
                       [--method M] [--model M] [--taps N] [--mm-per-unit S] [--fov DEG|--ortho HEIGHT] [--strength S]
+                      [--back IRRADIANCE.pfm --back-depth DEPTH.pfm]
 
    IRRADIANCE: linear light that arrives, before the surface's color, without specular reflection. DEPTH: distance along
-   the viewing axis in scene units; 0, negative and non-finite values mark pixels that take no part. A PFM result holds
-   the light that leaves, to be multiplied by the surface's color; a PNG is clamped to [0, 1] and sRGB-encoded. Which
-   method it took is printed. */
+   the viewing axis in scene units; 0, negative and non-finite values mark pixels that take no part. The back layer,
+   drawn with front faces culled, brings the light of lamps behind thin parts. A PFM result holds the light that leaves,
+   to be multiplied by the surface's color; a PNG is clamped to [0, 1] and sRGB-encoded. Which method it took is
+   printed. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 #define MS_SSS_IMPLEMENTATION
@@ -28,7 +30,8 @@ static const char usage[] =
     "                     the picture)\n"
     "  --fov DEG          perspective, full vertical angle (45)\n"
     "  --ortho HEIGHT     orthographic, units from top to bottom\n"
-    "  --strength S       0 none to 1 full (1)\n";
+    "  --strength S       0 none to 1 full (1)\n"
+    "  --back IRRADIANCE.pfm --back-depth DEPTH.pfm    what lies first behind each pixel; then it gathers\n";
 
 static int fail(int code, const char *what, const char *why)
 {
@@ -95,12 +98,13 @@ static const int gather_pixels = 600000; /* up to which a gather takes seconds *
 typedef struct settings {
     int method, model;                              /* model -1: not said */
     const char *path[3], *material, *csv;           /* irradiance, depth, result; one of the other two is NULL */
+    const char *back[2];                            /* irradiance, depth; both or neither NULL */
     double taps, mm_per_unit, fov, ortho, strength; /* taps 0: not said; ortho 0: perspective */
 } settings;
 
 /* What has to be released, however the program ends. */
 typedef struct job {
-    image input, depth, output;
+    image input, depth, output, back[2]; /* back: irradiance, depth */
     ms_sss_profile *profile;
     void *workspace;
 } job;
@@ -136,6 +140,8 @@ static int parse(int argc, char **argv, settings *s)
         else if (strcmp(name, "--fov") == 0) good = perspective = value && number(value, 0.01, 179.9, &s->fov);
         else if (strcmp(name, "--ortho") == 0) good = value && number(value, 1e-9, 1e9, &s->ortho);
         else if (strcmp(name, "--strength") == 0) good = value && number(value, 0, 1, &s->strength);
+        else if (strcmp(name, "--back") == 0) s->back[0] = value;
+        else if (strcmp(name, "--back-depth") == 0) s->back[1] = value;
         else known = 0;
         if (!known) return fail(2, name, "unknown option; --help lists them");
         if (value == NULL) return fail(2, name, "a value is expected behind it");
@@ -148,12 +154,29 @@ static int parse(int argc, char **argv, settings *s)
     }
     if (s->method > HALF && (s->taps > 0 || s->model >= 0))
         return fail(2, method_names[s->method], "--taps and --model belong to the methods taps and half");
+    if ((s->back[0] == NULL) != (s->back[1] == NULL))
+        return fail(2, "arguments", "--back and --back-depth are expected together");
+    if (s->back[0] && (s->taps > 0 || s->model >= 0 || (s->method != AUTO && s->method != GATHER)))
+        return fail(2, "--back", "a back layer belongs to the method gather");
+    if (s->back[0]) s->method = GATHER;
     if (s->method == AUTO && (s->taps > 0 || s->model >= 0)) s->method = TAPS;
     if ((s->material == NULL) == (s->csv == NULL))
         return fail(2, "arguments", "one of --material and --profile is expected");
     if (perspective && s->ortho > 0) return fail(2, "arguments", "--fov and --ortho exclude each other");
     if (!image__has_extension(s->path[2], ".pfm") && !image__has_extension(s->path[2], ".png"))
         return fail(2, s->path[2], "the result's name should end in .pfm or .png");
+    return 0;
+}
+
+/* A picture of `channels` channels and the irradiance's size; 0, or the exit code after saying what is wrong. */
+static int read_picture(const job *j, const char *path, int channels, image *out)
+{
+    const char *problem = image_read(path, out);
+    if (problem) return fail(1, path, problem);
+    if (out->channels != channels)
+        return fail(1, path, channels == 3 ? "three channels (RGB) are expected" : "one channel is expected");
+    if (out->width != j->input.width || out->height != j->input.height)
+        return fail(1, path, "its size differs from the irradiance's");
     return 0;
 }
 
@@ -220,14 +243,12 @@ static int run(const settings *s, job *j)
     ms_sss_frame frame;
     ms_sss_filter_options options = ms_sss_filter_defaults();
     ms_sss_method taken = MS_SSS_METHOD_AUTO;
+    gather_back back;
     size_t size;
 
-    if ((problem = image_read(s->path[0], &j->input)) != NULL) return fail(1, s->path[0], problem);
-    if ((problem = image_read(s->path[1], &j->depth)) != NULL) return fail(1, s->path[1], problem);
-    if (j->input.channels != 3) return fail(1, s->path[0], "three channels (RGB) are expected");
-    if (j->depth.channels != 1) return fail(1, s->path[1], "one channel is expected");
-    if (j->depth.width != j->input.width || j->depth.height != j->input.height)
-        return fail(1, s->path[1], "its size differs from the irradiance's");
+    if (read_picture(j, s->path[0], 3, &j->input) || read_picture(j, s->path[1], 1, &j->depth)) return 1;
+    if (s->back[0] && (read_picture(j, s->back[0], 3, &j->back[0]) || read_picture(j, s->back[1], 1, &j->back[1])))
+        return 1;
 
     memset(&error, 0, sizeof error);
     status = s->material ? profile_of_material(s->material, &j->profile, &error)
@@ -265,10 +286,15 @@ static int run(const settings *s, job *j)
     size = ms_sss_filter_workspace(frame.width, frame.height, &kernel, 1, &options);
     j->workspace = malloc(size);
     if (j->output.pixels == NULL || j->workspace == NULL) return fail(1, s->path[2], "out of memory");
-    status = way == GATHER ? gather_filter(&frame, NULL, j->profile, &options, &error)
+    memset(&back, 0, sizeof back);
+    if (s->back[0]) {
+        back.input = ms_sss_interleaved(j->back[0].pixels, 3, 0);
+        back.depth = ms_sss_map(j->back[1].pixels, 1, 0);
+    }
+    status = way == GATHER ? gather_filter(&frame, s->back[0] ? &back : NULL, j->profile, &options, &error)
                            : ms_sss_filter(&frame, &kernel, 1, &options, j->workspace, size, &error);
     if (status != MS_OK) return fail(1, s->path[0], error.message);
-    if (way == GATHER) printf("gathered in space");
+    if (way == GATHER) printf("gathered in space%s", s->back[0] ? ", front and back" : "");
     else if (taken == MS_SSS_METHOD_PYRAMID) printf("pyramid");
     else
         printf("two passes of %d taps, %d term%s%s", kernel.tap_count, kernel.term_count,
@@ -293,6 +319,8 @@ int main(int argc, char **argv)
     image_free(&j.input);
     image_free(&j.depth);
     image_free(&j.output);
+    image_free(&j.back[0]);
+    image_free(&j.back[1]);
     ms_sss_profile_destroy(j.profile);
     free(j.workspace);
     return code ? code : file_end_stdout("sss_filter");
