@@ -35,7 +35,7 @@ static double against(const float *p, int size, const image *a, const image *b)
 
 static void test_rendered_again(void)
 {
-    static const int chosen[] = {0, 8, 29, 39, 52, 63}; /* 8 and 29: among the renderers' worst */
+    static const int chosen[] = {8, 29, 0, 39, 52, 63}; /* 8 and 29: among the renderers' worst */
     neural n[2];
     materials list;
     float *truth = networks_truth(128);
@@ -50,7 +50,7 @@ static void test_rendered_again(void)
         TEST_FAIL("%s", problem ? problem : "Embree, or the pictures");
         return;
     }
-    for (k = 0; k < sizeof chosen / sizeof *chosen; ++k) {
+    for (k = 0; k < (test_full ? sizeof chosen / sizeof *chosen : 3); ++k) {
         const float *m = list.x + chosen[k] * MATERIAL_PARAMETERS;
         image a, b;
         CHECK(material_render(s, m, 128, 128, 24, 71, &a));

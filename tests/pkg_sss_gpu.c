@@ -500,13 +500,37 @@ static void case_es(void) { compare_all(GL_API_ES_30, MS_SSS_GLSL_ES_300, FULL, 
 static void case_vulkan_runs(void) { compare_all(GL_API_33, MS_SSS_GLSL_VULKAN, FULL, test_full ? 72 : 8); }
 static void case_hlsl_runs(void) { compare_all(GL_API_33, MS_SSS_HLSL, FULL, test_full ? 72 : 8); }
 static void case_half_resolution(void) { compare_all(GL_API_33, MS_SSS_GLSL_330, HALF, test_full ? 360 : 36); }
-static void case_half_es(void) { compare_all(GL_API_ES_30, MS_SSS_GLSL_ES_300, HALF, test_full ? 120 : 12); }
-static void case_half_vulkan(void) { compare_all(GL_API_33, MS_SSS_GLSL_VULKAN, HALF, test_full ? 72 : 6); }
-static void case_half_hlsl(void) { compare_all(GL_API_33, MS_SSS_HLSL, HALF, test_full ? 72 : 6); }
+static void case_half_es(void)
+{
+    TEST_LONG;
+    compare_all(GL_API_ES_30, MS_SSS_GLSL_ES_300, HALF, 120);
+}
+static void case_half_vulkan(void)
+{
+    TEST_LONG;
+    compare_all(GL_API_33, MS_SSS_GLSL_VULKAN, HALF, 72);
+}
+static void case_half_hlsl(void)
+{
+    TEST_LONG;
+    compare_all(GL_API_33, MS_SSS_HLSL, HALF, 72);
+}
 static void case_tower(void) { compare_all(GL_API_33, MS_SSS_GLSL_330, PYRAMID, test_full ? 360 : 24); }
-static void case_tower_es(void) { compare_all(GL_API_ES_30, MS_SSS_GLSL_ES_300, PYRAMID, test_full ? 120 : 8); }
-static void case_tower_vulkan(void) { compare_all(GL_API_33, MS_SSS_GLSL_VULKAN, PYRAMID, test_full ? 24 : 3); }
-static void case_tower_hlsl(void) { compare_all(GL_API_33, MS_SSS_HLSL, PYRAMID, test_full ? 24 : 3); }
+static void case_tower_es(void)
+{
+    TEST_LONG;
+    compare_all(GL_API_ES_30, MS_SSS_GLSL_ES_300, PYRAMID, 120);
+}
+static void case_tower_vulkan(void)
+{
+    TEST_LONG;
+    compare_all(GL_API_33, MS_SSS_GLSL_VULKAN, PYRAMID, 24);
+}
+static void case_tower_hlsl(void)
+{
+    TEST_LONG;
+    compare_all(GL_API_33, MS_SSS_HLSL, PYRAMID, 24);
+}
 
 /* What the light loop's function returns for column x and row y of a picture, as a fragment shader. */
 static const char *transmission_shader(ms_sss_language language)

@@ -208,7 +208,11 @@ static void check_order(scene_object object, const char *name, int samples)
 }
 
 static void test_bust(void) { check_order(SCENE_BUST, "bust", 96); }
-static void test_knot(void) { check_order(SCENE_KNOT, "knot", 64); }
+static void test_knot(void)
+{
+    TEST_LONG;
+    check_order(SCENE_KNOT, "knot", 64);
+}
 
 static const test_case cases[] = {{"sampler", test_sampler},
                                   {"mesh_closed", test_mesh_closed},

@@ -191,10 +191,10 @@ test_group() {
         objects "" "$CC" "-std=c99 $CFLAGS"
         echo "$CXX -std=c++17 -Itests -O1 -c tests/oiio.cpp -o $out/objects/oiio.o" >"$out/objects/1-oiio.job"
     fi
-    test_jobs "scalar_" "$CC" "-std=c99 $CFLAGS -DMS_NO_SIMD" "" ""
+    test_jobs "scalar_" "$CC" "-std=c99 $CFLAGS -DMS_NO_SIMD" "" "--build --no-simd"
     # The other language by the other compiler.
-    if have clang++; then test_jobs "clang_" clang++ "-x c++ -std=c++11 $CFLAGS" "" ""
-    else test_jobs "cxx_" "$CXX" "-x c++ -std=c++11 $CFLAGS -O1" "" ""
+    if have clang++; then test_jobs "clang_" clang++ "-x c++ -std=c++11 $CFLAGS" "" "--build"
+    else test_jobs "cxx_" "$CXX" "-x c++ -std=c++11 $CFLAGS -O1" "" "--build"
     fi
     check_jobs
     for t in tests/test_*.py; do
@@ -225,7 +225,8 @@ long_group() {
         job "calls_${h%.h}" "sh tests/calls.sh $out/calls_${h%.h} $h stack,flush"
     done
     # as many programs are built: products and sums in one instruction wherever the compiler likes
-    ! grep -q -w fma /proc/cpuinfo 2>/dev/null || test_jobs "fma_" "$CC" "-std=gnu11 $CFLAGS -march=haswell -ffp-contract=fast" "" ""
+    ! grep -q -w fma /proc/cpuinfo 2>/dev/null || test_jobs "fma_" "$CC" "-std=gnu11 $CFLAGS -march=haswell -ffp-contract=fast" "" "--fused"
+    test_jobs "scalar_" "$CC" "-std=c99 $CFLAGS -DMS_NO_SIMD" "" "--no-simd"
     test_jobs "cxx_" "$CXX" "-x c++ -std=c++11 $CFLAGS -O1" "" ""
     packages=""
     for t in tests/pkg_*.c; do

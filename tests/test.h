@@ -1,6 +1,7 @@
 /* The test harness: named cases, checks that print what they compared, a failing allocator that counts, a thread
-   pool. One program a header: test_X [--full] [--seed N] [FILTER] runs the cases whose name holds FILTER, prints a
-   line a case and ends with "N passed, N failed, N skipped". --full adds the long versions (`make test`). */
+   pool. One program a header: test_X [--full] [--build] [--no-simd] [--fused] [--seed N] [FILTER] runs the cases whose
+   name holds FILTER, prints a line a case and ends with "N passed, N failed, N skipped". --full adds the long versions
+   (`make test-long`); --build leaves out TEST_METHOD cases; --no-simd and --fused say how the headers are compiled. */
 #ifndef MS_TEST_H
 #define MS_TEST_H
 #include <math.h>
@@ -9,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 #if defined(__GNUC__)
@@ -23,6 +25,10 @@ typedef struct test_case {
 } test_case;
 
 static int test_full;          /* non-zero: run the long version */
+static int test_build;         /* non-zero: the same text in one more build; see TEST_METHOD */
+static int test_no_simd;       /* non-zero: the headers are compiled without SIMD */
+static int test_fused;         /* non-zero: they are compiled with products and sums in one instruction */
+static int test_left_out;      /* the running case is not for this run */
 static uint64_t test_seed = 1; /* for random inputs; a failure is repeated with the same --seed */
 static int test_failures;      /* of the running case */
 static char test_note[400];    /* what the running case compared, printed behind its name */
@@ -80,6 +86,25 @@ static char test_skip_reason[200];
         return;                                                           \
     } while (0)
 
+/* First line of a case that judges a method, by statistics or at length, not how a compiler took the text: `make test`
+   runs it in one build only. */
+#define TEST_METHOD            \
+    do {                       \
+        if (test_build) {      \
+            test_left_out = 1; \
+            return;            \
+        }                      \
+    } while (0)
+
+/* First line of a case that --full runs alone. */
+#define TEST_LONG              \
+    do {                       \
+        if (!test_full) {      \
+            test_left_out = 1; \
+            return;            \
+        }                      \
+    } while (0)
+
 /* Whether floating-point exceptions are unmasked in the calls (tests/calls.sh traps): cases that hand over NaN or
    infinity as data, which the processor itself traps on, leave that part out then. */
 static TEST_UNUSED int test_unmasked(void)
@@ -114,6 +139,29 @@ static TEST_UNUSED double test_chi2_p(double chi2, int n)
 {
     double k = 2.0 / (9.0 * n), z = (pow(chi2 / n, 1.0 / 3.0) - (1 - k)) / sqrt(k);
     return 0.5 * erfc(z / sqrt(2.0));
+}
+
+/* --- IEEE binary16 --- */
+
+static TEST_UNUSED float test_half_value(uint16_t h)
+{
+    const int exponent = h >> 10 & 31, mantissa = h & 1023;
+    const double value = exponent == 31 ? (mantissa ? (double)NAN : (double)INFINITY)
+        : exponent                      ? ldexp(1024 + mantissa, exponent - 25)
+                                        : ldexp(mantissa, -24);
+    return (float)(h & 0x8000 ? -value : value);
+}
+
+/* The nearest, ties to even; what is finite stays finite. */
+static TEST_UNUSED uint16_t test_half(float v)
+{
+    const unsigned sign = signbit(v) ? 0x8000 : 0;
+    const double a = fabs((double)v);
+    int e;
+    if (!(a <= 65504)) return (uint16_t)(sign | (a > 3.5e38 ? 0x7c00u : a > 0 ? 0x7bffu : 0x7e00u));
+    if (a < 6.103515625e-5) return (uint16_t)(sign | (unsigned)rint(ldexp(a, 24)));
+    frexp(a, &e); /* a = 0.5 to 1 times 2^e */
+    return (uint16_t)(sign | ((unsigned)(e + 14) * 1024 + (unsigned)rint(ldexp(a, 11 - e)) - 1024));
 }
 
 /* --- an allocator that counts and fails on request --- */
@@ -232,6 +280,19 @@ static TEST_UNUSED ms_parallel test_parallel(test_pool *pool, int threads)
 }
 #endif
 
+/* The best level of instructions (ms_simd) that the headers take on this machine; at least that. */
+static TEST_UNUSED int test_simd_best(void)
+{
+    if (test_no_simd) return 1;
+#if defined(__x86_64__) && defined(__GNUC__)
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl"))
+        return 4;
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return 3;
+#endif
+    return 2;
+}
+
 /* Bytes of a file with a NUL behind them (caller frees), or NULL. */
 static TEST_UNUSED char *test_read_file(const char *path, size_t *size)
 {
@@ -284,8 +345,12 @@ static TEST_UNUSED int test_main(int argc, char **argv, const test_case *cases, 
 {
     const char *filter = NULL;
     int i, passed = 0, failed = 0, skipped = 0;
+    double seconds; /* of processor time, told where it is more than one */
     for (i = 1; i < argc; ++i) {
         if (strcmp(argv[i], "--full") == 0) test_full = 1;
+        else if (strcmp(argv[i], "--build") == 0) test_build = 1;
+        else if (strcmp(argv[i], "--no-simd") == 0) test_no_simd = 1;
+        else if (strcmp(argv[i], "--fused") == 0) test_fused = 1;
         else if (strcmp(argv[i], "--seed") == 0 && i + 1 < argc) test_seed = strtoull(argv[++i], NULL, 10);
         else filter = argv[i];
     }
@@ -294,7 +359,11 @@ static TEST_UNUSED int test_main(int argc, char **argv, const test_case *cases, 
         test_failures = 0;
         test_note[0] = 0;
         test_skip_reason[0] = 0;
+        test_left_out = 0;
+        seconds = (double)clock() / CLOCKS_PER_SEC;
         cases[i].run();
+        seconds = (double)clock() / CLOCKS_PER_SEC - seconds;
+        if (test_left_out) continue;
         if (test_failures) ++failed;
         else if (test_skip_reason[0]) ++skipped;
         else ++passed;
@@ -304,6 +373,7 @@ static TEST_UNUSED int test_main(int argc, char **argv, const test_case *cases, 
                                          : "ok  ",
                cases[i].name, test_note[0] || test_skip_reason[0] ? ": " : "",
                test_skip_reason[0] ? test_skip_reason : test_note);
+        if (seconds >= 1) printf("     (%s: %.1f s)\n", cases[i].name, seconds);
         fflush(stdout);
     }
     printf("%d passed, %d failed, %d skipped\n", passed, failed, skipped);

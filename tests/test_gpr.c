@@ -495,6 +495,7 @@ static void test_ml_starts(void)
     static const uint64_t seed[] = {5555004, 5555007};
     double likelihood[2][3], gain;
     int i, c;
+    TEST_METHOD;
     for (i = 0; i < 2; ++i) {
         uint64_t state = seed[i];
         user u = user_make(state + 500, M, i ? 0.19 : 0.10);
@@ -1100,6 +1101,7 @@ static void test_table_3_2(void)
 {
     static const int sizes[] = {150, 250, 500};
     int m, i, c, count = test_full ? 3 : 2;
+    TEST_METHOD;
     for (m = 19; m <= 38; m += 19) {
         reference_user u;
         load_user(&u, m);
@@ -1134,6 +1136,7 @@ static void test_fresh_users(void)
     static double x[N * M], y[N], held[H * M], truth[H], mean[H];
     double sum[2][2] = {{0, 0}, {0, 0}}, ratio = 0;
     int users = test_full ? 60 : 16, i, c, k, of_class[2] = {0, 0};
+    TEST_METHOD;
     for (i = 0; i < users; ++i) {
         uint64_t state = test_seed * 1000 + (uint64_t)i;
         user u = user_make(state + 500, M, i % 2 ? 0.19 : 0.10); /* the two shares of the thesis */
@@ -1167,6 +1170,7 @@ static void test_few_scores(void)
     static double x[N * M], y[N], held[H * M], truth[H], mean[H];
     double sum[2] = {0, 0};
     int users = test_full ? 120 : 40, i, c, k, nothing = 0;
+    TEST_METHOD;
     for (i = 0; i < users; ++i) {
         uint64_t state = test_seed * 1000 + 5000 + (uint64_t)i;
         user u = user_make(state, M, i % 2 ? 0.19 : 0.10);
@@ -1199,6 +1203,7 @@ static void test_scales(void)
     static double x[N * M], y[N], z[N], held[H * M], truth[H], mean[H];
     double jsd[SCALES];
     int users = test_full ? 24 : 8, i, c, k;
+    TEST_METHOD;
     memset(jsd, 0, sizeof jsd);
     for (i = 0; i < users; ++i) {
         uint64_t state = test_seed * 1000 + 9000 + (uint64_t)i;
@@ -1246,6 +1251,7 @@ static void test_wrong_answers(void)
     double sum[3] = {0, 0, 0}, gain = 0, square = 0;
     const int users = 24;
     int i, c, k;
+    TEST_METHOD;
     for (i = 0; i < users; ++i) {
         double jsd[3];
         uint64_t state = test_seed * 1000 + 8000 + (uint64_t)i;
@@ -1281,6 +1287,7 @@ static void test_outliers(void)
     enum { M = 19, N = 80, SLIPS = 4 };
     static double x[N * M], y[N];
     int named[SLIPS] = {0, 0, 0, 0}, right[SLIPS] = {0, 0, 0, 0}, users = test_full ? 6 : 2, kind, i, k, slip, at;
+    TEST_METHOD;
     for (slip = 0; slip < SLIPS; ++slip)
         for (kind = 0; kind < USER_KINDS - 1; ++kind)
             for (i = 0; i < users; ++i) {
@@ -1353,6 +1360,7 @@ static void test_two_thousand(void)
     ms_gpr *gp;
     double first;
     user_gallery(&u, n, x, y, &state);
+    TEST_METHOD;
     o.length_start = 1;
     o.evaluations = 1;
     gp = fit(x, y, n, M, &o, &r);

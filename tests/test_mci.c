@@ -153,7 +153,7 @@ static void numbers(void)
         double x, y = 0;
         if (i % 2) x = (test_uniform(&state) - 0.5) * pow(10, (double)(bits % 40) - 20);
         else memcpy(&x, &bits, sizeof x);
-        if (!ms__finite(x)) continue;
+        if (!isfinite(x)) continue;
         snprintf(text, sizeof text, i % 3 ? "%.17g" : "%.4E", x);
         memset(&t, 0, sizeof t);
         t.p = text;

@@ -8,6 +8,9 @@
 
 #define LIGHT_CM_PER_PS 0.0299792458
 
+/* Of ring i of those dr wide. */
+static double ring_area(int i, double dr) { return 6.283185307179586 * (i + 0.5) * dr * dr; }
+
 static ms_mcml_layer layer(double n, double mu_a, double mu_s, double g, double d)
 {
     ms_mcml_layer l;
@@ -64,6 +67,7 @@ static ms_mcml_result run(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid
 /* Every total of the reference file within 4 standard errors: one chance in 16000 each. */
 static void totals(void)
 {
+    TEST_METHOD;
     json *all = json_load("tests/data/mcml_totals.json"), *cases = json_get(all, "cases");
     double worst = 0, largest = 0;
     int i, k;
@@ -171,7 +175,7 @@ static void one_profile(const char *path, double photons)
         double sum = 0, square = 0, area = 0, scale, error;
         if (sscanf(line + 1, "%lf,%lf,%lf,%lf,%lf,%lf", &v[0], &v[1], &v[2], &v[3], &v[4], &v[5]) != 6) break;
         for (i = (int)v[0]; i < (int)v[1]; ++i) {
-            const double a = ms_mcml__ring_area(i, grid.dr_cm);
+            const double a = ring_area(i, grid.dr_cm);
             sum += a * r.rd_r[i];
             square += a * a * r.rd_r_error[i] * r.rd_r_error[i];
             area += a;
@@ -199,6 +203,7 @@ static void profiles(void)
                                         "exact_skin1_R",     "mcml_fluence_n1.37", "mcml_g_0.95",      "mcml_glass_top",
                                         "mcml_sample3layer", "mcml_skin1_R",       "mcml_vdhulst_slab"};
     size_t i;
+    TEST_METHOD;
     TEST_NOTE("chi2 / n:");
     for (i = 0; i < sizeof names / sizeof *names; ++i) {
         char path[128];
@@ -220,6 +225,7 @@ static void errors_are_honest(void)
     double sum[9] = {0}, square[9] = {0}, claimed[9] = {0};
     static const char *const name[9] = {"Rd", "Rd_r", "Rd_a", "Rd_ra", "Tt", "A", "A_l", "A_z", "A_rz"};
     int i, k;
+    TEST_METHOD;
     layers[0] = layer(1.4, 2, 60, 0.8, 0.05);
     layers[1] = layer(1.3, 5, 20, 0, 0.1);
     for (i = 0; i < RUNS; ++i) {
@@ -287,9 +293,8 @@ static void survives(const char *name, const ms_mcml_layer *layers, int count, d
         if (!(fabs(sum - 1) <= tolerance))
             TEST_FAIL("%s, %s: specular %.5f + Rd %.5f + Tt %.5f + A %.5f = %.5f", name, ms_simd_string((ms_simd)level),
                       r.specular, r.rd, r.tt, r.a, sum);
-        for (i = 0; i < (size_t)50 * 50; ++i) CHECK(r.a_rz[i] >= 0 && ms__finite(r.a_rz[i]));
-        for (i = 0; i < (size_t)50 * 10; ++i)
-            CHECK(r.rd_ra[i] >= 0 && ms__finite(r.rd_ra[i]) && ms__finite(r.tt_ra[i]));
+        for (i = 0; i < (size_t)50 * 50; ++i) CHECK(r.a_rz[i] >= 0 && isfinite(r.a_rz[i]));
+        for (i = 0; i < (size_t)50 * 10; ++i) CHECK(r.rd_ra[i] >= 0 && isfinite(r.rd_ra[i]) && isfinite(r.tt_ra[i]));
         ms_mcml_result_destroy(&r);
     }
 }
@@ -298,6 +303,7 @@ static void survives(const char *name, const ms_mcml_layer *layers, int count, d
 static void hard_media(void)
 {
     ms_mcml_layer l[3];
+    TEST_METHOD;
     l[0] = layer(1.3, 1e-4, 9.9999, 0, 1e7);
     survives("albedo 0.99999", l, 1, 1, 1, 3000, 0.05);
     l[0] = layer(1.3, 99, 1, 0, 1e7);
@@ -396,7 +402,7 @@ static void largest_grid(void)
     ms_mcml_result r = run(&t, &g, &o);
     double sum = 0;
     int i;
-    for (i = 0; i < 32767; ++i) sum += r.rd_r[i] * ms_mcml__ring_area(i, g.dr_cm);
+    for (i = 0; i < 32767; ++i) sum += r.rd_r[i] * ring_area(i, g.dr_cm);
     CHECK_NEAR(sum, r.rd, 1e-9);
     ms_mcml_result_destroy(&r);
 }
@@ -439,8 +445,7 @@ static void oblique(void)
         CHECK_NEAR(r.rd_unscattered, r.rd, 1e-9);
         for (k = 0; k < 2; ++k) { /* what leaves below: after one crossing, and after three */
             const int ring = (int)(shift * (1 + 2 * k) / 0.01);
-            CHECK_NEAR(r.tt_r[ring] * ms_mcml__ring_area(ring, 0.01), first * (k ? r1 * r2 * e * e : 1),
-                       5 * r.tt_error);
+            CHECK_NEAR(r.tt_r[ring] * ring_area(ring, 0.01), first * (k ? r1 * r2 * e * e : 1), 5 * r.tt_error);
         }
         i = (int)(asin(1.5 * sin(inside) / 1.3) / (pi / 2) * 30);
         for (k = 0; k < 30; ++k) CHECK(k == i ? r.tt_a[k] > 0 : !(r.tt_a[k] > 0));
@@ -481,7 +486,7 @@ static void oblique(void)
         o.incidence_degrees = 40;
         CHECK_INT(ms_mcml_simulate(&t, &g, &o, &r, &error), MS_OK);
         i = (int)((0.3 * tan(asin(sin(40 * pi / 180) / 1.6)) + 0.2 * tan(asin(sin(40 * pi / 180) / 1.5))) / 0.01);
-        CHECK(r.tt_r[i] * ms_mcml__ring_area(i, 0.01) > 0.9 * r.tt);
+        CHECK(r.tt_r[i] * ring_area(i, 0.01) > 0.9 * r.tt);
         ms_mcml_result_destroy(&r);
     }
     CHECK_INT(ms_mcml_create(&t, &g, &o, &a, &error),
@@ -534,7 +539,7 @@ static void absorption_adds_up(void)
     r = run(&t, &g, &o);
     for (k = 0; k < 30; ++k) {
         double column = 0;
-        for (i = 0; i < 30; ++i) column += r.a_rz[i * 30 + k] * ms_mcml__ring_area(i, g.dr_cm);
+        for (i = 0; i < 30; ++i) column += r.a_rz[i * 30 + k] * ring_area(i, g.dr_cm);
         CHECK_NEAR(column, r.a_z[k], 1e-9 * r.a);
         total += r.a_z[k] * g.dz_cm;
         if (k < 10) first += r.a_z[k] * g.dz_cm;
@@ -546,14 +551,15 @@ static void absorption_adds_up(void)
     for (i = 0; i < 30; ++i) {
         double row = 0, back = 0;
         for (k = 0; k < 10; ++k) {
-            double cosine, solid = ms_mcml__solid_angle(k, 10, &cosine);
+            const double angle = (k + 0.5) * 0.15707963267948966, cosine = cos(angle);
+            const double solid = 12.566370614359172 * sin(angle) * sin(0.15707963267948966 / 2);
             row += r.rd_ra[i * 10 + k] * solid * cosine;
             back += r.tt_ra[i * 10 + k] * solid * cosine;
         }
         CHECK_NEAR(row, r.rd_r[i], 1e-9 * r.rd_r[0]);
         CHECK_NEAR(back, r.tt_r[i], 1e-9 * r.rd_r[0]);
-        rd += r.rd_r[i] * ms_mcml__ring_area(i, g.dr_cm);
-        tt += r.tt_r[i] * ms_mcml__ring_area(i, g.dr_cm);
+        rd += r.rd_r[i] * ring_area(i, g.dr_cm);
+        tt += r.tt_r[i] * ring_area(i, g.dr_cm);
     }
     CHECK_NEAR(rd, r.rd, 1e-12);
     CHECK_NEAR(tt, r.tt, 1e-12);
@@ -598,6 +604,7 @@ static void time_resolved(void)
     ms_mcml_result a, b;
     double sum = 0, chi2 = 0, first;
     int i, n = 0;
+    TEST_METHOD;
     g.dt_ps = 2;
     g.nt = 100;
     o.no_absorption = 1;
@@ -673,9 +680,9 @@ static int same_bits(const ms_mcml *a, const ms_mcml *b)
 static void splits_and_threads(void)
 {
     static const uint64_t cuts[] = {0, 1, 2, 63, 777, 1024, 30001, 65535, 65537, 100000};
-    ms_simd best = ms__simd_pick(MS_SIMD_AUTO);
+    const int best = test_simd_best();
     int level, threads, i;
-    for (level = MS_SIMD_SCALAR; level <= (int)best; ++level) {
+    for (level = MS_SIMD_SCALAR; level <= best; ++level) {
         ms_mcml_options o = options_of(0);
         ms_mcml *whole, *sum;
         ms_error e;
@@ -821,6 +828,7 @@ static void target_and_progress(void)
     ms_mcml_result r, other;
     test_pool pool;
     ms_error e;
+    TEST_METHOD;
     watch w;
     memset(&w, 0, sizeof w);
     o.target_error = 1e-3;

@@ -10,6 +10,9 @@
 
 #define NODES 120 /* at most: rays of a layer, the beam last */
 
+/* Of ring i of those dr wide. */
+static double ring_area(int i, double dr) { return 6.283185307179586 * (i + 0.5) * dr * dr; }
+
 /* --- adding-doubling: van de Hulst 1980, Prahl, van Gemert, Welch 1993 --- */
 
 typedef struct slab {
@@ -115,7 +118,7 @@ static void add(slab *a, const slab *b)
 /* Specular, diffuse reflectance and transmittance as MCML counts them. per: nodes of a panel of nu. */
 static void reference(const ms_mcml_tissue *tissue, int per, int order, double *rd, double *tt)
 {
-    double nu[NODES], wn[NODES], x[64], w[64], breaks[20], mu[NODES], weight[NODES], power;
+    double nu[NODES], wn[NODES], x[64], w[64], breaks[20], mu[NODES], weight[NODES], power, specular, n_over;
     int count = 0, i, j, l, layer, panels = 0, n, side;
     slab all = slab_make(NODES);
     breaks[panels++] = 0;
@@ -237,7 +240,13 @@ static void reference(const ms_mcml_tissue *tissue, int per, int order, double *
     }
     i = 0;
     while (i < tissue->layer_count && !(tissue->layers[i].mu_a_per_cm + tissue->layers[i].mu_s_per_cm > 0)) ++i;
-    *rd -= ms_mcml__specular(tissue, i, 0);
+    for (side = 0, specular = 0, n_over = tissue->n_above; side <= i; ++side) { /* of clear layers on top as well */
+        const double under = side < tissue->layer_count ? tissue->layers[side].n : tissue->n_below;
+        const double one_more = (n_over - under) * (n_over - under) / ((n_over + under) * (n_over + under));
+        specular = (specular + one_more - 2 * specular * one_more) / (1 - specular * one_more);
+        n_over = under;
+    }
+    *rd -= specular;
     free(all.r);
 }
 
@@ -394,6 +403,7 @@ static void rings_of_layers(void)
     double chi2 = 0;
     int n = 0, side, i, k;
     unsigned q;
+    TEST_METHOD;
     for (q = 0; q < (test_full ? 5u : 4u); ++q) {
         const ms_mcml_tissue t = tissue_of(which[q]);
         ms_mcml_options options = ms_mcml_defaults();
@@ -419,7 +429,7 @@ static void rings_of_layers(void)
                              area = 3.14159265358979 * (r1 - r0) * (r1 + r0);
                 double sum = 0, square = 0, claim, got = ms_mcml_layered_ring(&s, side, r0, r1, &claim);
                 for (k = from; k < to; ++k) {
-                    const double a = ms_mcml__ring_area(k, grid.dr_cm), e = side ? r.tt_r_error[k] : r.rd_r_error[k];
+                    const double a = ring_area(k, grid.dr_cm), e = side ? r.tt_r_error[k] : r.rd_r_error[k];
                     sum += a * (side ? r.tt_r[k] : r.rd_r[k]);
                     square += a * a * e * e;
                 }
@@ -575,6 +585,7 @@ static void rings_of_photons(void)
     const ms_mcml_grid grid = {0.02, 0.02, 0, 20, 20, 1, 0};
     double chi2 = 0;
     int k, i, n = 0;
+    TEST_METHOD;
     for (k = 0; k < 2; ++k) {
         ms_mcml_tissue t;
         ms_mcml_result r, mc;
@@ -593,7 +604,7 @@ static void rings_of_photons(void)
         for (i = 0; i < 20; ++i) {
             const double rd = r.rd_r_error[i] * r.rd_r_error[i] + mc.rd_r_error[i] * mc.rd_r_error[i];
             const double tt = r.tt_r_error[i] * r.tt_r_error[i] + mc.tt_r_error[i] * mc.tt_r_error[i];
-            sum += r.rd_r[i] * ms_mcml__ring_area(i, grid.dr_cm);
+            sum += r.rd_r[i] * ring_area(i, grid.dr_cm);
             if (!(rd > 0 && tt > 0 && mc.rd_r[i] > 6 * mc.rd_r_error[i] && mc.tt_r[i] > 6 * mc.tt_r_error[i]))
                 continue; /* enough photons for a normal law */
             chi2 += (r.rd_r[i] - mc.rd_r[i]) * (r.rd_r[i] - mc.rd_r[i]) / rd +
@@ -616,7 +627,7 @@ static void rings_of_photons(void)
         t.layer_count = 3;
         t.layers = thick;
         CHECK_INT(mci_layered(&t, &grid, 2000, NULL, &r, NULL), MS_OK);
-        CHECK(r.tt > 0 && r.tt < 1e-8 && r.tt_r_error[0] * ms_mcml__ring_area(0, grid.dr_cm) >= r.tt &&
+        CHECK(r.tt > 0 && r.tt < 1e-8 && r.tt_r_error[0] * ring_area(0, grid.dr_cm) >= r.tt &&
               r.rd_r_error[0] < r.rd_r[0]);
         ms_mcml_result_destroy(&r);
     }
@@ -634,6 +645,7 @@ static void a_file_without_noise(void)
         "1.33 3 50 -0.3 0.005\n1.4 0 20 0 0.005\n1.4 2 60 0.7 0.005\n1.5 1 40 0.5 0.005\n1.35 3 50 0.6 0.005\n1.4 0.1 20 0 0.005\n"
         "1.4 2 60 0.7 0.005\n1.45 1 40 0.5 0.005\n1.33 3 50 0.6 0.005\n1.4 9 20 0 0.01\n1.2\n";
     char *text_of = NULL;
+    TEST_METHOD;
     mci_file f = {0, NULL, NULL};
     ms_error error;
     int run, i, side, nans;
@@ -657,7 +669,7 @@ static void a_file_without_noise(void)
         for (side = 0; side < 2; ++side) {
             const double total = side ? r.tt : r.rd;
             CHECK_INT(numbers_of(text_of, side ? "Tt_r #" : "Rd_r #", x, 200, &nans), 12);
-            for (sum = 0, i = 0; i < 12; ++i) sum += x[i] * ms_mcml__ring_area(i, 0.02);
+            for (sum = 0, i = 0; i < 12; ++i) sum += x[i] * ring_area(i, 0.02);
             CHECK_NEAR(sum, total, 1e-5 + 2e-5 * total);
             CHECK_INT(numbers_of(text_of, side ? "Tt_a #" : "Rd_a #", x, 200, &nans), na);
             CHECK_INT(nans, na > 1 ? na : 0);
@@ -849,6 +861,7 @@ static void skin_profile_of_a_color(void)
     ms_mcml_profile p;
     double rgb[3];
     int c, i;
+    TEST_METHOD;
     skin.dermis_mm = 2;
     skin.g = 0;
     CHECK_INT(ms_mcml_skin_color(&skin, rgb, NULL, NULL, NULL, NULL), MS_OK);

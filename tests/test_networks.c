@@ -112,6 +112,7 @@ static void test_channels(void)
 static void test_inversion(void)
 {
     enum { COUNT = 200 };
+    TEST_METHOD;
     neural n;
     ms_error error;
     float *planes, x[COUNT * NETWORKS_PARAMETERS], *guess;

@@ -522,6 +522,7 @@ static void test_shipped(void)
 {
     static matcher m;
     static float target[3 * 64 * 64];
+    TEST_METHOD;
     image sheet, source, other, edited;
     ms_error error;
     int t, count = test_full ? 30 : 10;
@@ -580,6 +581,7 @@ static void test_slipped_and_stamped(void)
     static const double slips[4][2] = {{2, -1}, {-3, 5}, {-3.4, 2.7}, {0.3, 0.4}};
     static matcher m;
     static float target[3 * 64 * 64], picture[3 * 64 * 64], drawn[3 * 64 * 64];
+    TEST_METHOD;
     materials held_out;
     ms_error error;
     int k, j;

@@ -178,6 +178,7 @@ static void case_texture(void)
     static const double radius[] = {64, 90, 24, 128};
     const ms_sss_pyramid pyramid = skin_pyramid();
     int i;
+    TEST_METHOD;
     for (i = 0; i < (test_full ? 4 : 3); ++i) {
         const double e = texture_error(&pyramid, radius[i]);
         CHECK_LE(e,
@@ -547,6 +548,7 @@ static void case_planes(void)
     const ms_sss_pyramid pyramid = skin_pyramid();
     char note[400];
     int i, j, n = 0;
+    TEST_METHOD;
     for (i = 0; i < 5; ++i) {
         double worst = 0, constant = 0;
         for (j = 0; j < 8; ++j) {

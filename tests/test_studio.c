@@ -370,6 +370,7 @@ static void test_orders(void)
     static double x[ORDERED * M], y[ORDERED];
     double least = 1e300, sum = 0;
     int t, order, i, k, updates = 0;
+    TEST_METHOD;
     for (t = 0; t < 3; ++t) {
         uint64_t state = test_seed + 31 * (uint64_t)t;
         double reference;

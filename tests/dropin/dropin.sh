@@ -33,27 +33,31 @@ include_all() { for h; do echo "#include \"$h\""; done; }
 use='#include "tests/dropin/use.h"'
 warn="-I. -Wall -Wextra -pedantic -Werror"
 libraries=-lm
+# The ways that differ in what is declared and linked, not in what is compiled, leave the text for SIMD out: a third of the time.
+plain="-O0 -DMS_NO_SIMD"
 
 # One file. The last two: declarations first and twice; the headers in the opposite order.
 { make_all "$@"; include_all "$@"; echo "$use"; } >"$out/one.c"
-runs "one file, C99" $CC -std=c99 $warn $([ $# -gt 1 ] && echo -O0 || echo -O1) "$out/one.c"
+runs "one file, C99" $CC -std=c99 $warn -O0 "$out/one.c"
 if [ $# -gt 1 ]; then
     { include_all "$@" "$@"; make_all "$@"; include_all "$@" "$@"; echo "$use"; } >"$out/twice.c"
-    runs "declared first, made once, included again" $CC -std=c99 $warn -O0 "$out/twice.c"
+    runs "declared first, made once, included again" $CC -std=c99 $warn $plain "$out/twice.c"
     reversed=$(printf '%s\n' "$@" | sed '1!G;h;$!d')
     { make_all $reversed; include_all $reversed; echo "$use"; } >"$out/reversed.c"
-    runs "the opposite order" $CC -std=c99 $warn -O0 "$out/reversed.c"
+    works "the opposite order" $CC -std=c99 $warn -fsyntax-only "$out/reversed.c"
 fi
 if command -v "$CXX" >/dev/null 2>&1; then
-    runs "one file, c++11" $CXX -x c++ -std=c++11 $warn -O0 "$out/one.c"
+    if [ $# -gt 1 ]; then works "one file, c++11" $CXX -x c++ -std=c++11 $warn -fsyntax-only "$out/one.c"
+    else runs "one file, c++11" $CXX -x c++ -std=c++11 $warn -O0 "$out/one.c"
+    fi
     for standard in c++17 c++20; do works "one file, $standard" $CXX -x c++ -std=$standard $warn -fsyntax-only "$out/one.c"; done
-    [ $# -gt 1 ] || for h; do works "the example of $h, C++11" sh tests/dropin/manual.sh "$h" "$out/manual" $CXX -x c++ -std=c++11; done
+    [ $# -gt 1 ] || for h; do works "the example of $h, C++11" sh tests/dropin/manual.sh "$h" "$out/manual" $CXX -x c++ -std=c++11 -fsyntax-only; done
 else
     skipped=$((skipped + 3 + $#))
 fi
 
 # -ffast-math promises fewer digits, no NaN handling and no equal bits, but no other results.
-[ $# -gt 1 ] || runs "-ffast-math" $CC -std=c99 $warn -O2 -ffast-math "$out/one.c"
+[ $# -gt 1 ] || runs "-ffast-math" $CC -std=c99 $warn -O1 -ffast-math "$out/one.c"
 if [ $# = 1 ]; then
     echo "$passed passed, $failed failed, $skipped skipped"
     [ $failed = 0 ]
@@ -64,7 +68,7 @@ fi
 objects=""
 for h; do
     printf '#define %s_IMPLEMENTATION\n#include "%s"\n' "$(upper "$h")" "$h" >"$out/${h%.h}.c"
-    works "object of $h" $CC -std=c99 $warn -O0 -fPIC -fvisibility=hidden '-DMS_DEF=__attribute__((visibility("default")))' -c "$out/${h%.h}.c" -o "$out/${h%.h}.o"
+    works "object of $h" $CC -std=c99 $warn $plain -fPIC -fvisibility=hidden '-DMS_DEF=__attribute__((visibility("default")))' -c "$out/${h%.h}.c" -o "$out/${h%.h}.o"
     objects="$objects $out/${h%.h}.o"
 done
 { include_all "$@"; echo "$use"; } >"$out/user.c"
@@ -85,14 +89,14 @@ works "and what is declared alone" test ! -s "$out/log"
 # Private copies: two files of one program each have their own.
 { echo '#define MS_DEF static'; make_all "$@"; include_all "$@"; } >"$out/copy.c"
 { cat "$out/copy.c"; echo "$use"; } >"$out/static.c"
-runs "two static copies" $CC -std=c99 $warn -O0 "$out/static.c" "$out/copy.c"
+runs "two static copies" $CC -std=c99 $warn $plain "$out/static.c" "$out/copy.c"
 
 # Memory from use.h's arena only: neither the C library's allocator nor stdio in the object.
 { printf '#include <stdlib.h>\n#define malloc(size) NULL\n#define free(pointer) ((void)(pointer))\n'
   for h; do echo "#define $(upper "$h")_NO_STDIO"; done
   make_all "$@"; include_all "$@"; } >"$out/bare.c"
-works "no stdio, no malloc" $CC -std=c99 $warn -O0 -c "$out/bare.c" -o "$out/bare.o"
-nm "$out/bare.o" | awk '$1 == "U" {print $2}' | grep -E '^_?(malloc|calloc|realloc|free|qsort|f(open|close|read|write)|s?n?printf)$' >"$out/log"
+works "no stdio, no malloc" $CC -std=c99 $warn $plain -c "$out/bare.c" -o "$out/bare.o"
+nm "$out/bare.o" | awk '$1 == "U" {print $2}' | grep -E '^_?(malloc|calloc|realloc|free|qsort|f(open|close|read|write|seek|tell|stat)|remove|v?s?n?printf|open|close|read|write|m(un)?map)$' >"$out/log"
 works "the object calls neither" test ! -s "$out/log"
 runs "no stdio, no malloc, linked" $CC -std=c99 $warn "$out/user.c" "$out/bare.o"
 
@@ -100,7 +104,7 @@ runs "no stdio, no malloc, linked" $CC -std=c99 $warn "$out/user.c" "$out/bare.o
 { for h; do cp "$h" "$out/third party/renamed_$h"; echo "#define $(upper "$h")_FILENAME \"renamed_$h\""; done
   make_all "$@"
   for h; do echo "#include \"third party/renamed_$h\""; done; } >"$out/renamed.c"
-works "renamed, in a folder" $CC -std=c99 -Wall -Wextra -pedantic -Werror -O0 -c "$out/renamed.c" -o "$out/renamed.o"
+works "renamed, in a folder" $CC -std=c99 -Wall -Wextra -pedantic -Werror -fsyntax-only "$out/renamed.c"
 
 echo "$passed passed, $failed failed, $skipped skipped"
 [ $failed = 0 ]

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The program in a header's comment, in a folder of its own: sh tests/dropin/manual.sh HEADER OUT [COMPILER FLAGS...]. It
-# stands between the lines "   Example:" and "   End of example.", indented by six spaces.
+# stands between the lines "   Example:" and "   End of example.", indented by six spaces. -fsyntax-only does not run it.
 set -eu
 header=$1
 out=$2
@@ -12,6 +12,7 @@ if ! grep -q main "$out.c"; then
     exit 1
 fi
 "$@" -O0 -I. -Wall -Wextra -pedantic -Wconversion -Wshadow -Werror "$out.c" -o "$out" -lm
+case " $* " in *" -fsyntax-only "*) exit ;; esac
 folder=$(mktemp -d)
 program=$(pwd)/$out
 (cd "$folder" && "$program")

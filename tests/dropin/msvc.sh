@@ -18,7 +18,8 @@ for h; do
     printf '#include <windows.h>\n#include "%s"\n' "$h" >"$out/windows.c"
     for file in plain windows; do
         for language in "-x c -std=c99" "-x c++ -std=c++14"; do
-            if clang $language $flags "-D${upper}_IMPLEMENTATION" -c "$out/$file.c" -o "$out/$file.o" >"$out/log" 2>&1; then
+            case "$file $language" in "plain -x c "*) only=-c ;; *) only=-fsyntax-only ;; esac # which intrinsics a level has is seen once
+            if clang $language $flags "-D${upper}_IMPLEMENTATION" $only "$out/$file.c" -o "$out/$file.o" >"$out/log" 2>&1; then
                 passed=$((passed + 1))
             else
                 failed=$((failed + 1))

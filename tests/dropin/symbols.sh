@@ -1,7 +1,7 @@
 #!/bin/sh
 # What a header adds to a program: no public symbol and no macro without the ms_ prefix, no writable global, no printing,
-# exit or locale; with MS_X_NO_STDIO and malloc switched off, neither files nor a C library's memory. Reads the objects
-# with nm. sh tests/dropin/symbols.sh HEADER OUT
+# exit or locale. Reads with nm the object that the examples link, if there is one. (Files and memory: dropin.sh.)
+# sh tests/dropin/symbols.sh HEADER OUT
 set -eu
 name=${1%.h}
 upper=$(echo "$name" | tr a-z A-Z)
@@ -12,23 +12,20 @@ none() { # WHAT, LIST: the list must be empty
     checks=$((checks + 1))
     [ -z "$2" ] || { echo "$name.h has $1: $(echo $2)"; bad=$((bad + 1)); }
 }
-undefined() { nm "$1" | awk '$1 == "U" {print $2}' | grep -E "^_?($2)\$" || true; }
+undefined() { nm "$object" | awk '$1 == "U" {print $2}' | grep -E "^_?($1)\$" || true; }
 macros() { $CC -std=c99 -dM -E -I. "$1" | awk '{print $2}' | sed 's/(.*//' | sort -u; }
 
 printf '#define %s_IMPLEMENTATION\n#include "%s"\n' "$upper" "$1" >"$2.c"
-$CC -std=c99 -O1 -I. -c "$2.c" -o "$2.o"
-none "symbols without the prefix" "$(nm "$2.o" | awk 'NF == 3 && $2 ~ /[A-Z]/ && $2 != "U" && $3 !~ /^_?ms_/ {print $3}')"
-none "writable globals" "$(nm -f sysv "$2.o" | awk -F'|' '$3 ~ /[bBdDC]/ && $7 !~ /rel\.ro/ {print $1}')" # .data.rel.ro: constant tables of pointers
+object=build/$name.o
+if [ ! -f "$object" ] || [ "$object" -ot "$1" ]; then
+    object=$2.o
+    $CC -std=c99 -O1 -I. -c "$2.c" -o "$object"
+fi
+none "symbols without the prefix" "$(nm "$object" | awk 'NF == 3 && $2 ~ /[A-Z]/ && $2 != "U" && $3 !~ /^_?ms_/ {print $3}')"
+none "writable globals" "$(nm -f sysv "$object" | awk -F'|' '$3 ~ /[bBdDC]/ && $7 !~ /rel\.ro/ {print $1}')" # .data.rel.ro: constant tables of pointers
 none "calls that print, end the program or heed the locale" \
-    "$(undefined "$2.o" 'f?printf|puts|fputs|putchar|stdout|stderr|exit|_exit|abort|raise|s?rand|strtod|atof|scanf|setlocale|getenv|errno|__errno_location')"
-none "library calls that may allocate" "$(undefined "$2.o" 'calloc|realloc|aligned_alloc|posix_memalign|strdup|qsort|getline')"
-
-# The program's own allocator in every call, and none of the C library's in the object.
-printf '#include <stdlib.h>\n#define malloc(size) NULL\n#define free(pointer) ((void)(pointer))\n#define %s_NO_STDIO\n#define %s_IMPLEMENTATION\n#include "%s"\n' \
-    "$upper" "$upper" "$1" >"$2.bare.c"
-$CC -std=c99 -O1 -I. -c "$2.bare.c" -o "$2.bare.o"
-none "malloc, though switched off" "$(undefined "$2.bare.o" 'malloc|free|calloc|realloc|qsort')"
-none "files with $upper""_NO_STDIO" "$(undefined "$2.bare.o" 'fopen|fclose|fread|fwrite|fseek|ftell|remove|sn?printf|vsn?printf|open|close|read|write|mmap|munmap|fstat')"
+    "$(undefined 'f?printf|puts|fputs|putchar|stdout|stderr|exit|_exit|abort|raise|s?rand|strtod|atof|scanf|setlocale|getenv|errno|__errno_location')"
+none "library calls that may allocate" "$(undefined 'calloc|realloc|aligned_alloc|posix_memalign|strdup|qsort|getline')"
 
 # Macros: what is defined after the header and was not by the standard headers that it includes.
 grep -h -E '^ *# *include *<' "$1" | sort -u | sed '/<io\.h>\|immintrin\|intrin.h\|cpuid\|arm_neon\|windows\|sys\//d' >"$2.base.c"
