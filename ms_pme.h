@@ -10,7 +10,7 @@
    You have a renderer phi(x) (a small neural one; ms_nn.h runs such networks) and a target picture that somebody
    painted. This header finds the parameters x, inside their bounds, whose picture is closest to the target. It
    evaluates the candidates that you have (inversion networks, the previous frame, the source material), keeps the best
-   ones and refines them by nonlinear least squares. It calls you back for pictures, and its optimisers work on any
+   ones and refines them by nonlinear least squares. It calls you back for pictures, and its optimizers work on any
    residuals of up to 256 parameters. Link with -lm. A "renderer" of two parameters and three pixels:
 
    Example:
@@ -43,7 +43,7 @@
       }
    End of example.
 
-   Optimisers
+   Optimizers
    ----------
    The default is Levenberg-Marquardt; each step is a linear least-squares problem inside the box, solved exactly by an
    active-set method. It reaches the minima of all 14 problems of tests/data/pme_problems.json (free and bounded) within
@@ -56,12 +56,12 @@
    -------------------------------
    Exposure, tint and an offset of the picture can be fitted with the material (options.nuisance). Outliers such as a
    logo lose their weight by ms_pme_reweigh, with a match from the last answer after each call
-   (examples/tools/matcher.h). A parameter is frozen by equal bounds, tied to another by options.tie, pulled towards a
+   (examples/tools/matcher.h). A parameter is frozen by equal bounds and pulled towards a
    source by options.pull. Bounds around the answer for the last frame limit the change from frame to frame.
 
    Memory, threads, determinism, errors
    ------------------------------------
-   Each call makes one allocation. The stack stays below 32 KB, 64 KB without optimisation. There is no global state:
+   Each call makes one allocation. The stack stays below 32 KB, 64 KB without optimization. There is no global state:
    calls may overlap. Callbacks run on the calling thread, one at a time; a renderer may be parallel inside. The result
    has the same bits at every call with the same seed and the same answers of the callbacks. -ffast-math voids this and
    the statements about NaN and infinity. Failures return a status and a sentence in ms_error. A point whose residuals
@@ -224,10 +224,9 @@ typedef enum ms_pme_method {
 } ms_pme_method;
 
 typedef enum ms_pme_stop {
-    MS_PME_STOP_CONVERGED = 0, /* the step or the decrease fell below its tolerance */
-    MS_PME_STOP_TARGET = 1,    /* target_value (or target_rmse) reached */
-    MS_PME_STOP_COST = 2,      /* max_cost spent */
-    MS_PME_STOP_SECONDS = 3    /* max_seconds spent */
+    MS_PME_STOP_CONVERGED = 0, /* the step or the decrease fell below its tolerance, or f is 0 */
+    MS_PME_STOP_COST = 1,      /* max_cost spent */
+    MS_PME_STOP_SECONDS = 2    /* max_seconds spent */
 } ms_pme_stop;
 
 /* All zero gives the defaults; ms_pme_defaults() returns that. */
@@ -236,7 +235,6 @@ typedef struct ms_pme_options {
     double max_cost;        /* in evaluations (a Jacobian counts jacobian_cost), never exceeded; 0: 1000 */
     double max_seconds;     /* of `clock`, from the call; 0: no limit. The first evaluation is always made; a later
                                callback only if, at the pace so far, it ends less than 5% after the limit */
-    double target_value;    /* stop when f <= this; 0: only at 0 */
     double tolerance;       /* relative decrease and relative step taken as converged; 0: 1e-10 */
     double difference_step; /* absolute step of forward differences; 0: near the best for residuals in double precision.
                                A float32 renderer wants about 1e-3 */
@@ -260,7 +258,7 @@ typedef struct ms_pme_result {
 
 MS_API ms_pme_options ms_pme_defaults(void);
 
-/* Minimises f from a start.
+/* Minimizes f from a start.
    x        [n] in: start, finite (clipped to the box first); out: the best point that was evaluated
    options  NULL: defaults
    result   out, may be NULL
@@ -310,8 +308,7 @@ typedef enum ms_pme_nuisance {
 
 typedef struct ms_pme_match_options {
     ms_pme_options refine;    /* max_cost 0: 50, spent after the candidates; max_seconds from the call, candidates
-                                 included; target_value is set from target_rmse */
-    double target_rmse;       /* good enough: no refinement once a candidate reaches it; 0: none */
+                                 included */
     int initial_only;         /* non-zero: the best candidate is the answer */
     const double *candidates; /* [candidate_count][n]: the previous frame's answer, the source material; may be NULL */
     int candidate_count;
@@ -319,8 +316,7 @@ typedef struct ms_pme_match_options {
                          finite picture */
     int nuisance;     /* flags of ms_pme_nuisance */
     int channels;     /* planes that follow each other in a picture, up to MS_PME_CHANNELS_MAX; 0: 1 */
-    const int *tie;   /* [n] x_j = x_tie[j]; a parameter tied to itself is free; NULL: all are free */
-    const double *source; /* [n] centre of the pulls */
+    const double *source; /* [n] center of the pulls */
     const double *pull;   /* [n] >= 0: pull (x_j - source_j)^2 is added to RMSE^2; NULL: none */
     double *deviation;    /* [n] out, or NULL: standard deviations of x for independent errors of the size of the RMSE;
                              0 where bounds are equal, about 0.29 of the range (uniform) if the picture does not determine
@@ -328,12 +324,11 @@ typedef struct ms_pme_match_options {
 } ms_pme_match_options;
 
 typedef struct ms_pme_match_result {
-    double rmse;            /* weighted, in the image's unit, from one real render of x */
-    double rmse_initial;    /* of the best candidate */
-    int best_candidate;     /* predictions come first, then `candidates`, then random ones (or the middle) */
-    int candidates_refused; /* predictions and candidates that were not finite */
-    ms_pme_result refine;   /* its cost excludes that of the candidates; stop says why the whole match ended */
-    double cost;            /* all renders */
+    double rmse;          /* weighted, in the image's unit, from one real render of x */
+    double rmse_initial;  /* of the best candidate */
+    int best_candidate;   /* predictions come first, then `candidates`, then random ones (or the middle) */
+    ms_pme_result refine; /* its cost excludes that of the candidates; stop says why the whole match ended */
+    double cost;          /* all renders */
     double gain[MS_PME_CHANNELS_MAX], offset[MS_PME_CHANNELS_MAX]; /* 1 and 0 where nothing was fitted */
 } ms_pme_match_result;
 
@@ -352,15 +347,12 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
                               const ms_pme_match_options *options, double *x, float *image, ms_pme_match_result *result,
                               ms_error *error);
 
-/* Robust losses of an error e at scale s: Huber e^2 up to 1.345 s, then |e|; Tukey constant beyond 4.685 s. */
-typedef enum ms_pme_loss { MS_PME_HUBER = 1, MS_PME_TUKEY = 2 } ms_pme_loss;
-
-/* Iteratively reweighted least squares (Huber 1981): weights for the next match from this picture's errors. A pixel of
-   `channels` values gets one factor.
-   scale       s; 0: 1.4826 times the median of the pixels' errors
-   image, target, weight [count], weight NULL: all 1; reweighted [count] out, none of them */
-MS_API ms_status ms_pme_reweigh(int loss, double scale, size_t count, int channels, const float *image,
-                                const float *target, const float *weight, float *reweighted, ms_error *error);
+/* Iteratively reweighted least squares (Huber 1981) with Tukey's biweight: weights for the next match from the errors
+   of this picture. A pixel of `channels` values gets one factor (1 - (e / 4.685 s)^2)^2, e its root mean square error,
+   s 1.4826 times the median of all e; 0 beyond 4.685 s. image, target, weight [count], weight NULL: all 1; reweighted
+   [count] out, none of them */
+MS_API ms_status ms_pme_reweigh(size_t count, int channels, const float *image, const float *target,
+                                const float *weight, float *reweighted, ms_error *error);
 
 #ifdef __cplusplus
 }
@@ -716,7 +708,7 @@ static double ms_pme__rotation(double a, double b, double *c, double *s)
 }
 
 /* Folds k rows into the upper triangle r [n + 1][n + 1] by Householder reflections of (r_jj, column j): the R of a QR
-   factorisation, block of rows by block of rows (TSQR). The rows are stored as columns [n + 1][ROWS], the right-hand
+   factorization, block of rows by block of rows (TSQR). The rows are stored as columns [n + 1][ROWS], the right-hand
    side last, and are destroyed. */
 static void ms_pme__qr_append(double *r, int n, double *columns, int k)
 {
@@ -759,7 +751,7 @@ typedef struct ms_pme__run {
     double *point;                            /* [SOLVERS][2 n] x and scale of the local solvers */
     double *work;                             /* workspace of one step or of the simplex */
     ms_pme_result result;
-    int stopped;   /* by the budget, the target or a failure: no callback follows */
+    int stopped;   /* by the budget, a failure or f = 0: no callback follows */
     int uncharged; /* evaluations for the standard deviations: outside the budget */
     ms_status status;
     size_t bad; /* the derivative that was not finite: residual, parameter */
@@ -826,14 +818,14 @@ static int ms_pme__charge(ms_pme__run *run, double cost)
     return 0;
 }
 
-/* Records f(x): keeps the best point and stops at the target. */
+/* Records f(x): keeps the best point and stops at 0. */
 static double ms_pme__record(ms_pme__run *run, const double *x, double f)
 {
     if (f < run->best_value) {
         run->best_value = f;
         ms_pme__copy(run->best, x, run->n);
     }
-    if (!run->uncharged && f <= run->options->target_value) ms_pme__stop(run, MS_PME_STOP_TARGET);
+    if (!run->uncharged && !(f > 0)) ms_pme__stop(run, MS_PME_STOP_CONVERGED);
     return f;
 }
 
@@ -928,7 +920,7 @@ static int ms_pme__active(const ms_pme__run *run, const double *x, int j)
 /* ---- bounded least squares ------------------------------------------------------------------------------------- */
 
 /* Columns order[0 .. free) of a matrix [n][n + 1] form an upper triangle; the columns of the active bounds are full;
-   the right-hand side is last. Rotations of neighbouring rows restore that form when a bound becomes active or
+   the right-hand side is last. Rotations of neighboring rows restore that form when a bound becomes active or
    inactive. */
 typedef struct ms_pme__active_set {
     double *a; /* [n][n + 1] */
@@ -963,7 +955,7 @@ static void ms_pme__deactivate(ms_pme__active_set *s, int column)
     s->free++;
 }
 
-/* d [n] minimises |A d - b| over low <= d <= high, low <= 0 <= high: the active-set method of Stark and Parker (1995),
+/* d [n] minimizes |A d - b| over low <= d <= high, low <= 0 <= high: the active-set method of Stark and Parker (1995),
    finite and exact. a [n][n + 1]: A upper triangular of full rank, then b; destroyed. state in: a guess of the active
    set (0 free, -1 at low, 1 at high); out: the active set. order [n], z [2 n] are workspace. */
 static void ms_pme__bounded_least_squares(double *a, int n, const double *low, const double *high, double *d,
@@ -1196,14 +1188,14 @@ static void ms_pme__solver_iterate(ms_pme__run *run, ms_pme__solver *solver, int
 
 /* ---- multistart ------------------------------------------------------------------------------------------------ */
 
-/* Uniform in the box; a side without a bound ends max(|centre|, 1) away from the centre. */
-static void ms_pme__random_point(ms_pme__run *run, const double *centre, double *x)
+/* Uniform in the box; a side without a bound ends max(|center|, 1) away from the center. */
+static void ms_pme__random_point(ms_pme__run *run, const double *center, double *x)
 {
     int j;
     for (j = 0; j < run->n; ++j) {
-        double reach = ms_pme__max(fabs(centre[j]), 1), u = ms__rng_uniform(&run->rng);
-        double low = ms__finite(run->lower[j]) ? run->lower[j] : centre[j] - reach;
-        double high = ms__finite(run->upper[j]) ? run->upper[j] : centre[j] + reach;
+        double reach = ms_pme__max(fabs(center[j]), 1), u = ms__rng_uniform(&run->rng);
+        double low = ms__finite(run->lower[j]) ? run->lower[j] : center[j] - reach;
+        double high = ms__finite(run->upper[j]) ? run->upper[j] : center[j] + reach;
         x[j] = ms_pme__clip(low + u * (high - low), run->lower[j], run->upper[j]);
     }
 }
@@ -1348,10 +1340,9 @@ MS_API ms_pme_options ms_pme_defaults(void)
 static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_options *options, const double *x,
                                ms_error *error)
 {
-    static const char *const name[6] = {"max_cost",        "max_seconds",  "tolerance",
-                                        "difference_step", "target_value", "jacobian_cost"};
-    const double value[6] = {options->max_cost,        options->max_seconds,  options->tolerance,
-                             options->difference_step, options->target_value, function->jacobian_cost};
+    static const char *const name[5] = {"max_cost", "max_seconds", "tolerance", "difference_step", "jacobian_cost"};
+    const double value[5] = {options->max_cost, options->max_seconds, options->tolerance, options->difference_step,
+                             function->jacobian_cost};
     int j;
     if (function->residuals == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "residuals is NULL");
     if (function->residual_count < 1)
@@ -1361,7 +1352,7 @@ static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_opt
                         options->method, (int)MS_PME_NELDER_MEAD);
     if (options->restarts < 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "restarts is %d, expected 0 or more", options->restarts);
-    for (j = 0; j < 6; ++j)
+    for (j = 0; j < 5; ++j)
         if (!ms__finite(value[j]) || value[j] < 0)
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g, expected 0 (the default) or a number above it",
                             name[j], value[j]);
@@ -1495,8 +1486,8 @@ MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_o
 
 /* ---- match: objective ------------------------------------------------------------------------------------------ */
 
-/* The variables z of a match: the free parameters (others are tied to them), log(gain)s, offsets. f is RMSE^2, from the
-   picture or the reduced function, and the pulls. */
+/* The variables z of a match: the n parameters, log(gain)s, offsets. f is RMSE^2, from the picture or the reduced
+   function, and the pulls. */
 struct ms_pme__objective {
     const ms_pme_renderer *renderer;
     const ms_pme_match_options *options;
@@ -1504,10 +1495,9 @@ struct ms_pme__objective {
     const float *target, *weight;
     double weight_sum, offset; /* offset: reduced_offset in the unit of f */
     double size;               /* root mean square of the target */
-    int n, free, pulled, gains, offsets, variables, channels;
-    size_t m, compared;               /* residuals without pulls; values with a weight */
-    int place[MS_PME_PARAMETERS_MAX]; /* x_j = z[place_j] */
-    double x[MS_PME__VARIABLES];      /* n parameters, a gain and an offset for each channel */
+    int n, pulled, gains, offsets, variables, channels;
+    size_t m, compared;          /* residuals without pulls; values with a weight */
+    double x[MS_PME__VARIABLES]; /* n parameters, a gain and an offset for each channel */
     double low[MS_PME__VARIABLES], high[MS_PME__VARIABLES];
     float *image, *jacobian;             /* [p], [p][n] */
     double *wide;                        /* [m][parameters of reduced]; NULL: they are the variables */
@@ -1519,10 +1509,10 @@ static void ms_pme__unpack(ms_pme__objective *o, const double *z)
 {
     double *gain = o->x + o->n, *offset = gain + o->channels;
     int j;
-    for (j = 0; j < o->n; ++j) o->x[j] = z[o->place[j]];
+    ms_pme__copy(o->x, z, o->n);
     for (j = 0; j < o->channels; ++j) {
-        gain[j] = o->gains ? exp(z[o->free + (o->gains > 1 ? j : 0)]) : 1;
-        offset[j] = o->offsets ? z[o->free + o->gains + j] : 0;
+        gain[j] = o->gains ? exp(z[o->n + (o->gains > 1 ? j : 0)]) : 1;
+        offset[j] = o->offsets ? z[o->n + o->gains + j] : 0;
     }
 }
 
@@ -1531,10 +1521,10 @@ static void ms_pme__fold(const ms_pme__objective *o, const double *wide, double 
 {
     const double *gain = o->x + o->n, *by_gain = wide + o->n, *by_offset = by_gain + o->channels;
     int j;
-    for (j = 0; j < o->variables; ++j) row[j] = 0;
-    for (j = 0; j < o->n; ++j) row[o->place[j]] += wide[j];
-    for (j = 0; j < o->channels && o->gains; ++j) row[o->free + (o->gains > 1 ? j : 0)] += gain[j] * by_gain[j];
-    for (j = 0; j < o->channels && o->offsets; ++j) row[o->free + o->gains + j] += by_offset[j];
+    ms_pme__copy(row, wide, o->n);
+    for (j = o->n; j < o->variables; ++j) row[j] = 0;
+    for (j = 0; j < o->channels && o->gains; ++j) row[o->n + (o->gains > 1 ? j : 0)] += gain[j] * by_gain[j];
+    for (j = 0; j < o->channels && o->offsets; ++j) row[o->n + o->gains + j] += by_offset[j];
 }
 
 static double ms_pme__weight(const ms_pme__objective *o, size_t i) { return o->weight ? (double)o->weight[i] : 1; }
@@ -1594,9 +1584,8 @@ static ms_status ms_pme__objective_residuals(void *user, const double *z, double
             ms_pme__fold(o, wide + i * count, jacobian + i * (size_t)o->variables);
     }
     for (j = 0; j < o->n && pull && status == MS_OK; ++j)
-        if (pull[j] > 0) ms_pme__pull(o, pull[j], o->x[j] - source[j], o->place[j], &row, r, jacobian);
-    for (j = o->free; j < o->variables && status == MS_OK; ++j)
-        ms_pme__pull(o, MS_PME__LIGHT, z[j], j, &row, r, jacobian);
+        if (pull[j] > 0) ms_pme__pull(o, pull[j], o->x[j] - source[j], j, &row, r, jacobian);
+    for (j = o->n; j < o->variables && status == MS_OK; ++j) ms_pme__pull(o, MS_PME__LIGHT, z[j], j, &row, r, jacobian);
     return status;
 }
 
@@ -1634,8 +1623,6 @@ static ms_status ms_pme__check_match(ms_pme__objective *o, ms_error *error)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0,
                         "candidate_count is %d, random_count %d: negative, or candidates is NULL",
                         options->candidate_count, options->random_count);
-    if (!ms__finite(options->target_rmse) || options->target_rmse < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "target_rmse is %g, expected 0 or more", options->target_rmse);
     if (options->nuisance < 0 || options->nuisance > 7)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nuisance is %d, expected flags of ms_pme_nuisance",
                         options->nuisance);
@@ -1650,16 +1637,11 @@ static ms_status ms_pme__check_match(ms_pme__objective *o, ms_error *error)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the reduced function lacks residuals or has other parameters");
     if (options->pull != NULL && options->source == NULL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pull is given and source is NULL");
-    for (i = 0; i < (size_t)renderer->parameter_count; ++i) {
-        int t = options->tie ? options->tie[i] : (int)i;
-        if (t < 0 || t >= renderer->parameter_count || (options->tie && options->tie[t] != t))
-            return ms__fail(error, MS_INVALID_ARGUMENT, i, "tie %z is %d, expected a parameter that is tied to itself",
-                            i, t);
+    for (i = 0; i < (size_t)renderer->parameter_count; ++i)
         if (options->pull && (!ms__finite(options->pull[i]) || options->pull[i] < 0 || !ms__finite(options->source[i])))
             return ms__fail(error, MS_INVALID_ARGUMENT, i,
                             "pull %z is %g towards %g, expected finite numbers, the first 0 or more", i,
                             options->pull[i], options->source[i]);
-    }
     for (i = 0; i < renderer->image_size; ++i) {
         double w = ms_pme__weight(o, i), t = (double)o->target[i];
         if (!ms__finite(w) || w < 0)
@@ -1675,28 +1657,23 @@ static ms_status ms_pme__check_match(ms_pme__objective *o, ms_error *error)
     return MS_OK;
 }
 
-/* Places, bounds and counts of the variables; the function to minimise. */
+/* Places, bounds and counts of the variables; the function to minimize. */
 static void ms_pme__objective_init(ms_pme__objective *o, ms_pme_function *function)
 {
     const ms_pme_renderer *renderer = o->renderer;
     const ms_pme_match_options *options = o->options;
     const ms_pme_function *reduced = renderer->reduced;
-    int n = o->n = renderer->parameter_count, j, k, pass;
-    for (pass = 0; pass < 2; ++pass)
-        for (j = 0; j < n; ++j) {
-            double low = renderer->lower ? renderer->lower[j] : 0, high = renderer->upper ? renderer->upper[j] : 1;
-            int leader = options->tie ? options->tie[j] : j;
-            if ((leader == j) != (pass == 0)) continue;
-            k = o->place[j] = pass == 0 ? o->free++ : o->place[leader];
-            o->low[k] = pass == 0 || low > o->low[k] ? low : o->low[k]; /* of tied parameters: the common box */
-            o->high[k] = pass == 0 || high < o->high[k] ? high : o->high[k];
-            o->pulled += options->pull != NULL && options->pull[j] > 0;
-        }
+    int n = o->n = renderer->parameter_count, j;
+    for (j = 0; j < n; ++j) {
+        o->low[j] = renderer->lower ? renderer->lower[j] : 0;
+        o->high[j] = renderer->upper ? renderer->upper[j] : 1;
+        o->pulled += options->pull != NULL && options->pull[j] > 0;
+    }
     o->gains = options->nuisance & MS_PME_TINT ? o->channels : options->nuisance & MS_PME_EXPOSURE ? 1 : 0;
     o->offsets = options->nuisance & MS_PME_OFFSET ? o->channels : 0;
-    o->variables = o->free + o->gains + o->offsets;
-    for (j = o->free; j < o->variables; ++j) o->low[j] = -(o->high[j] = j < o->free + o->gains ? log(8.0) : 1);
-    if (reduced != NULL && reduced->parameter_count == n && o->variables > o->free) reduced = NULL;
+    o->variables = n + o->gains + o->offsets;
+    for (j = n; j < o->variables; ++j) o->low[j] = -(o->high[j] = j < n + o->gains ? log(8.0) : 1);
+    if (reduced != NULL && reduced->parameter_count == n && o->variables > n) reduced = NULL;
     o->reduced = reduced;
     o->reduced_count = reduced ? reduced->parameter_count : 0;
     o->m = reduced ? reduced->residual_count : renderer->image_size;
@@ -1719,7 +1696,7 @@ static void ms_pme__objective_layout(ms_pme__objective *o, ms__arena *arena, int
 {
     size_t n = (size_t)o->n, p = o->renderer->image_size, count = (size_t)o->reduced_count,
            pool = (size_t)o->pool_size + 1;
-    int wide = o->reduced != NULL && (o->free < o->n || o->reduced_count > o->n || o->variables > o->n);
+    int wide = o->reduced != NULL && (o->reduced_count > o->n || o->variables > o->n);
     o->pool = ms_pme__doubles(arena, pool * (size_t)o->variables);
     o->pool_value = ms_pme__doubles(arena, pool);
     o->wide = ms_pme__doubles(arena, wide ? ms__size_mul(o->m, count) : 0);
@@ -1737,31 +1714,27 @@ static int ms_pme__candidates(ms_pme__run *run, ms_pme__objective *o, ms_pme_mat
     const ms_pme_renderer *renderer = o->renderer;
     const ms_pme_match_options *options = o->options;
     int n = o->n, variables = run->n, i, j, kept = 0, size = o->pool_size;
-    double *z = o->pool + size * variables, *x = o->x;
+    int given = renderer->prediction_count + options->candidate_count;
+    double *z = o->pool + size * variables;
     answer->best_candidate = -1;
     for (i = 0; (i < o->total || (i == o->total && !ms__finite(run->best_value))) && !run->stopped; ++i) {
         double before = run->best_value, value;
         int finite = 1;
         if (ms_pme__late(run, 1)) break;
-        for (j = 0; j < variables; ++j) /* the middle of the box; 0 without a box, and for the nuisance */
-            z[j] = j < o->free && ms__finite(run->lower[j]) && ms__finite(run->upper[j])
+        for (j = 0; j < n; ++j) /* the middle of the box; 0 without a box */
+            z[j] = ms__finite(run->lower[j]) && ms__finite(run->upper[j])
                 ? 0.5 * (run->lower[j] + run->upper[j])
                 : ms_pme__clip(0, run->lower[j], run->upper[j]);
-        if (i >= renderer->prediction_count + options->candidate_count && i < o->total) ms_pme__random_point(run, z, z);
-        for (j = o->free; j < variables; ++j) z[j] = 0;
-        for (j = 0; j < n; ++j) x[j] = z[o->place[j]];
-        if (i < renderer->prediction_count) ms_pme__fail(run, renderer->predict(renderer->user, i, o->target, x));
-        else if (i < renderer->prediction_count + options->candidate_count)
-            ms_pme__copy(x, options->candidates + (size_t)(i - renderer->prediction_count) * (size_t)n, n);
-        for (j = 0; j < n; ++j) {
-            finite &= ms__finite(x[j]);
-            if (finite && (options->tie == NULL || options->tie[j] == j))
-                z[o->place[j]] = ms_pme__clip(x[j], run->lower[o->place[j]], run->upper[o->place[j]]);
+        for (; j < variables; ++j) z[j] = 0;
+        if (i < renderer->prediction_count) ms_pme__fail(run, renderer->predict(renderer->user, i, o->target, z));
+        else if (i < given)
+            ms_pme__copy(z, options->candidates + (size_t)(i - renderer->prediction_count) * (size_t)n, n);
+        else if (i < o->total) ms_pme__random_point(run, z, z);
+        for (j = 0; j < variables; ++j) {
+            finite &= ms__finite(z[j]);
+            z[j] = j < n ? ms_pme__clip(z[j], run->lower[j], run->upper[j]) : 0;
         }
-        if (!finite) {
-            answer->candidates_refused++;
-            continue;
-        }
+        if (!finite) continue;
         value = ms_pme__value(run, z);
         if (run->best_value < before) answer->best_candidate = i;
         for (j = kept < size ? kept++ : size; j > 0 && value < o->pool_value[j - 1]; --j) {
@@ -1806,10 +1779,7 @@ static void ms_pme__deviations(ms_pme__run *run, const ms_pme__objective *o, dou
                 variance[i] += y[i] * y[i];
             }
     }
-    for (j = 0; j < o->n; ++j) {
-        k = o->place[j];
-        o->options->deviation[j] = run->lower[k] < run->upper[k] ? sigma * sqrt(variance[k]) : 0;
-    }
+    for (j = 0; j < o->n; ++j) o->options->deviation[j] = run->lower[j] < run->upper[j] ? sigma * sqrt(variance[j]) : 0;
 }
 
 /* The picture of the answer and its RMSE, which a reduced function must agree with. */
@@ -1830,7 +1800,7 @@ static ms_status ms_pme__last_render(ms_pme__run *run, ms_pme__objective *o, ms_
     }
     for (i = 0; i < renderer->image_size; ++i) {
         double w = ms_pme__weight(o, i), e;
-        if (o->variables > o->free)
+        if (o->variables > o->n)
             o->image[i] = (float)(answer->gain[i / plane] * (double)o->image[i] + answer->offset[i / plane]);
         e = (double)o->image[i] - (double)o->target[i];
         if (w > 0) sum += w * e * e;
@@ -1840,7 +1810,7 @@ static ms_status ms_pme__last_render(ms_pme__run *run, ms_pme__objective *o, ms_
         double away = o->x[j] - o->options->source[j];
         reduced -= pull[j] * away * away;
     }
-    for (j = o->free; j < o->variables; ++j) reduced -= MS_PME__LIGHT * run->best[j] * run->best[j];
+    for (j = o->n; j < o->variables; ++j) reduced -= MS_PME__LIGHT * run->best[j] * run->best[j];
     reduced = sqrt(ms_pme__max(reduced, 0));
     if (o->reduced == NULL || fabs(reduced - answer->rmse) <= 1e-3 * answer->rmse + 1e-5 * o->size) return MS_OK;
     return ms__fail(
@@ -1882,7 +1852,6 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     refine = options->refine;
     if (!(refine.max_cost > 0) && !(refine.max_cost < 0)) refine.max_cost = 50;
     if (function.residuals_only && !(refine.difference_step > 0)) refine.difference_step = 1e-3; /* a float32 picture */
-    refine.target_value = ms_pme__max(options->target_rmse * options->target_rmse - o.offset, 0);
     status = ms_pme__check(&function, &refine, o.x, error);
     if (status != MS_OK) return status;
     block = ms_pme__begin(&run, &function, &refine, &o, NULL, &size);
@@ -1922,12 +1891,31 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
 
 /* ---- public: reweigh ------------------------------------------------------------------------------------------- */
 
-MS_API ms_status ms_pme_reweigh(int loss, double scale, size_t count, int channels, const float *image,
-                                const float *target, const float *weight, float *reweighted, ms_error *error)
+/* The median of count values >= 0 by bisection of their bits, which sort as they do; infinite values do not count. */
+static double ms_pme__median(const float *value, size_t count)
 {
-    size_t plane, i, below, compared = 0;
     uint32_t low = 0, high = 0x7f800000u, bits;
-    float e;
+    size_t i, below, finite = 0;
+    float median;
+    for (i = 0; i < count; ++i) finite += (size_t)ms__finite_f(value[i]);
+    while (high - low > 1 && finite > 0) {
+        uint32_t middle = low + (high - low) / 2;
+        for (i = below = 0; i < count; ++i) {
+            memcpy(&bits, &value[i], sizeof bits);
+            below += bits < middle;
+        }
+        if (2 * below > finite) high = middle;
+        else low = middle;
+    }
+    memcpy(&median, &low, sizeof median);
+    return (double)median;
+}
+
+MS_API ms_status ms_pme_reweigh(size_t count, int channels, const float *image, const float *target,
+                                const float *weight, float *reweighted, ms_error *error)
+{
+    size_t plane, i;
+    double scale;
     int c;
     if (image == NULL || target == NULL || reweighted == NULL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL",
@@ -1940,13 +1928,8 @@ MS_API ms_status ms_pme_reweigh(int loss, double scale, size_t count, int channe
     if (channels < 1 || count < 1 || count % (size_t)channels != 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "channels is %d, expected a divisor of count %z", channels,
                         count);
-    if (loss != MS_PME_HUBER && loss != MS_PME_TUKEY)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "loss is %d, expected one of ms_pme_loss", loss);
-    if (!ms__finite(scale) || scale < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "scale is %g, expected 0 or more", scale);
     plane = count / (size_t)channels;
-    for (i = 0; i < plane;
-         ++i) { /* the pixel's error, root mean square over what counts of its channels; infinite: nothing does */
+    for (i = 0; i < plane; ++i) { /* e of the pixel; infinite if its weights are 0 */
         double sum = 0, total = 0;
         for (c = 0; c < channels; ++c) {
             size_t at = i + (size_t)c * plane;
@@ -1960,26 +1943,12 @@ MS_API ms_status ms_pme_reweigh(int loss, double scale, size_t count, int channe
             total += w;
         }
         reweighted[i] = total > 0 ? (float)sqrt(sum / total) : (float)HUGE_VAL;
-        compared += total > 0;
     }
-    if (scale <= 0 &&
-        compared > 0) { /* 1.4826 times the median, found by the bits of positive floats, which sort as they do */
-        while (high - low > 1) {
-            uint32_t middle = low + (high - low) / 2;
-            for (i = below = 0; i < plane; ++i) {
-                memcpy(&bits, &reweighted[i], sizeof bits);
-                below += bits < middle;
-            }
-            if (2 * below > compared) high = middle;
-            else low = middle;
-        }
-        memcpy(&e, &low, sizeof e);
-        scale = 1.4826 * (double)e;
-    }
+    scale = 4.685 * 1.4826 * ms_pme__median(reweighted, plane);
     for (i = plane; i-- > 0;) {
-        double t = (double)reweighted[i] / (scale > 0 ? scale * (loss == MS_PME_HUBER ? 1.345 : 4.685) : 1), factor = 1;
-        if (scale > 0 && ms__finite(t))
-            factor = loss == MS_PME_HUBER ? (t > 1 ? 1 / t : 1) : t < 1 ? (1 - t * t) * (1 - t * t) : 0;
+        double t = scale > 0 ? (double)reweighted[i] / scale : 0, factor = 0;
+        if (!ms__finite(t)) factor = 1;
+        else if (t < 1) factor = (1 - t * t) * (1 - t * t);
         for (c = channels - 1; c >= 0; --c) {
             size_t at = i + (size_t)c * plane;
             reweighted[at] = (float)(factor * (weight ? (double)weight[at] : 1));

@@ -6,11 +6,11 @@
                  NAME,NUMBER,...] [--pull 0] [--change 1] [--view RENDERER.safetensors TARGET]... [--out-params CSV]
                  [--out-png PNG]
 
-   The renderer takes parameters in [0, 1] and makes 3 x S x S display values. The target may have any size and be grey,
+   The renderer takes parameters in [0, 1] and makes 3 x S x S display values. The target may have any size and be gray,
    RGB or with alpha (a pixel counts as much as it covers); display values in PNG, PPM and PGM, linear light in a PFM,
    which is converted. DIR holds inversion networks for first guesses, X.csv one more: the source material, or the last
    frame's answer; without either the search starts in the middle of the box. MASK: the weight of each pixel, a channel
-   each where it has colour. --cost: renders to spend on the refinement, --seconds: no longer than that, from
+   each where it has color. --cost: renders to spend on the refinement, --seconds: no longer than that, from
    when all files are read; the objective, one candidate and one picture are always made. --robust: what
    fits badly (a logo, a stitch) counts as an outlier. --exposure, --tint: a gain of the picture, or one a channel with
    an offset, is found along, and is not the material's. --align: the target has slipped by up to an eighth of its
@@ -75,7 +75,7 @@ static const char *fit(const char *path, int size, int displayed, image *im)
     return NULL;
 }
 
-/* Channel c of pixel i as a picture in colour has it. */
+/* Channel c of pixel i as a picture in color has it. */
 static float sample(const image *im, int i, int c)
 {
     return im->pixels[i * im->channels + (im->channels == 1 ? 0 : c)];
@@ -199,7 +199,7 @@ static void print_open(const double *deviation, int n, const char *names)
 
 int main(int argc, char **argv)
 {
-    static const char *const stop[] = {"converged", "target reached", "cost spent", "time spent"};
+    static const char *const stop[] = {"converged", "cost spent", "time spent"};
     static matcher m, further[matcher_views_max];
     static matcher_views views;
     static char header[32768], text[40000];
@@ -320,7 +320,7 @@ int main(int argc, char **argv)
     options.refine.max_seconds = limit;
     if (options.nuisance && matcher_hides_surroundings(weight, m.network.size))
         fprintf(stderr,
-                "match: the weights hide the surroundings: the picture cannot tell the colour of the light from the "
+                "match: the weights hide the surroundings: the picture cannot tell the color of the light from the "
                 "material's; leave some of them, or drop --exposure and --tint\n");
     options.refine.restarts = 1000; /* while cost is left: from the other first guesses, then from random points */
     options.candidates = source;

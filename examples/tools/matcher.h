@@ -347,7 +347,7 @@ static inline ms_status matcher__light(matcher *m, const float *target, const fl
 }
 
 /* Once for every target, before ms_pme_match, with the same weights. Where a weight is 0 the target may be anything
-   finite. Other weights than the last time cost a QR factorisation of the last layer; the one without weights is kept.
+   finite. Other weights than the last time cost a QR factorization of the last layer; the one without weights is kept.
  */
 static inline ms_status matcher_aim(matcher *m, const float *target, const float *weight, ms_error *error)
 {
@@ -395,7 +395,7 @@ static inline int matcher_verdict(double rmse, const char **sentence)
     return verdict;
 }
 
-/* Do the weights hide the border of a picture? Of a material alone nobody can tell the colour of its light. */
+/* Do the weights hide the border of a picture? Of a material alone nobody can tell the color of its light. */
 static inline int matcher_hides_surroundings(const float *weight, int size)
 {
     double border = 0, all = 0;
@@ -569,8 +569,7 @@ static inline ms_status matcher_match(matcher *m, const float *target, const flo
             break;
         }
         matcher__shift(target, weight, m->network.size, at, moved, known);
-        if (flags & MATCHER_ROBUST)
-            status = ms_pme_reweigh(MS_PME_TUKEY, 0, p, 3, picture, moved, known, counted = known + p, error);
+        if (flags & MATCHER_ROBUST) status = ms_pme_reweigh(p, 3, picture, moved, known, counted = known + p, error);
         if (status == MS_OK) status = matcher_aim(m, moved, counted, error);
         memcpy(guesses, x,
                count * sizeof(double)); /* where it slipped far, the other first guesses have another chance */
