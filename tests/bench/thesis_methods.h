@@ -1,4 +1,4 @@
-/* The optimisers that the thesis compares (section 4.3, Table 4.3), for the benchmarks: Nelder-Mead with an infinite
+/* The optimizers that the thesis compares (section 4.3, Table 4.3), for the benchmarks: Nelder-Mead with an infinite
    barrier, L-BFGS, SQP (what SLSQP is when bounds are the only constraints) and conjugate gradient, each with
    projection and exact derivatives, or with the barrier and differences of 1.5e-8 as there. ms_pme.h, its
    implementation too, comes first. And basin hopping, a reference for the global minimum. */
@@ -44,7 +44,7 @@ static double thesis__max(double a, double b) { return a > b ? a : b; }
 static void thesis__copy(double *to, const double *from, int n) { memcpy(to, from, (size_t)n * sizeof *to); }
 
 /* Rows [k][n + 1] (the last column is the right-hand side) are folded into the upper triangle r [n + 1][n + 1] by
-   Householder reflections of (r_jj, column j of the rows): the R of a QR factorisation, built row block by row block
+   Householder reflections of (r_jj, column j of the rows): the R of a QR factorization, built row block by row block
    (TSQR with a chain for a tree). The rows are destroyed. */
 static void thesis__qr_append(double *r, int n, double *rows, int k)
 {
@@ -271,7 +271,7 @@ static double thesis__projected_gradient(const thesis__run *run, const double *x
 
 /* ---- bounded least squares --------------------------------------------------------------------------------------- */
 
-/* d [n] minimises |A d - b| over low <= d <= high, low <= 0 <= high: the active-set method of Stark and Parker (1995),
+/* d [n] minimizes |A d - b| over low <= d <= high, low <= 0 <= high: the active-set method of Stark and Parker (1995),
    exact after finitely many changes of the set. A [rows][n] has full rank; work holds (n + 1)^2 + rows (n + 1) + n
    doubles, state n ints, which come in as the first guess of the set (0 free, -1 at low, 1 at high). */
 static void thesis__bounded_least_squares(const double *a, const double *b, int rows, int n, const double *low,
