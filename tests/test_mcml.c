@@ -713,7 +713,7 @@ static void splits_and_threads(void)
         }
         ms_mcml_destroy(whole);
     }
-    TEST_NOTE("levels scalar to %s, threads 1, 2, 7, nine parts", ms_simd_string(best));
+    TEST_NOTE("levels scalar to %s, threads 1, 2, 7, nine parts", ms_simd_string((ms_simd)best));
 }
 
 static void levels_agree(void)

@@ -156,7 +156,7 @@ static void test_saved(void)
     uint64_t state = test_seed + 3;
     int picked[2], g, i, damaged = 0;
     char *text;
-    size_t size, cut;
+    size_t size = 0, cut;
     ms_error error;
     CHECK(neural_load(network, &net) == NULL);
     CHECK_INT(studio_open(&s, &renderer, &error), MS_OK);

@@ -663,7 +663,8 @@ static inline ms_status studio__parse(studio *s, char *text, ms_error *error)
         return studio__refuse(error, MS_BAD_DATA, "it does not begin as a session of a studio does");
     text += sizeof title - 1;
     v = studio__get(&text, "session", &count[0]);
-    good = count[0] == 7 && v[0] <= m && v[0] >= m && v[1] >= 0 && v[1] <= STUDIO_EXPLORING && v[3] >= 0 && v[3] < 9e15;
+    good = count[0] == 7 && v[0] <= m && v[0] >= m && v[1] >= 0 && v[1] <= (double)STUDIO_EXPLORING && v[3] >= 0 &&
+        v[3] < 9e15;
     if (good) {
         s->state = (studio_state)(int)v[1];
         s->settled = v[2] > 0;
@@ -683,8 +684,8 @@ static inline ms_status studio__parse(studio *s, char *text, ms_error *error)
         pair_numbers % 2 == 0 && (count[3] == 0 || count[3] == STUDIO_OTHERS * m) && count[4] >= 0 &&
         count[4] % m == 0 && count[5] >= 0 && count[5] % 4 == 0 && count[5] <= 4 * STUDIO_UNDO;
     for (i = 0; good && i < count[5]; i += 4) {
-        good = undo[i] >= 0 && undo[i] <= STUDIO__AVOIDED && undo[i + 1] >= 0 && undo[i + 1] <= n && undo[i + 3] >= 0 &&
-            2 * undo[i + 3] <= pair_numbers;
+        good = undo[i] >= 0 && undo[i] <= (double)STUDIO__AVOIDED && undo[i + 1] >= 0 && undo[i + 1] <= n &&
+            undo[i + 3] >= 0 && 2 * undo[i + 3] <= pair_numbers;
         if (!good) break;
         s->undo[s->undos].kind = (int)undo[i], s->undo[s->undos].index = (int)undo[i + 1];
         s->undo[s->undos].score = undo[i + 2], s->undo[s->undos++].pairs = (int)undo[i + 3];

@@ -788,7 +788,8 @@ static ms_status thesis_minimize(const ms_pme_function *function, const thesis_o
         if (result) *result = run.result;
     }
     free(block);
-    return run.status != MS_OK ? run.status : isfinite(run.best_value) ? MS_OK : MS_INVALID_ARGUMENT;
+    if (run.status != MS_OK) return run.status;
+    return isfinite(run.best_value) ? MS_OK : MS_INVALID_ARGUMENT;
 }
 
 static double thesis__uniform(uint64_t *state) /* splitmix64 */
@@ -801,7 +802,11 @@ static double thesis__uniform(uint64_t *state) /* splitmix64 */
 
 /* Basin hopping (Wales and Doye 1997) by ms_pme_minimize, from x [n] of a box with finite bounds: f at the best point,
    which x becomes. The temperature follows the scatter of the minima; the hop is tuned to accept half. */
-static double thesis_basin_hopping(const ms_pme_function *function, double *x, double max_cost, uint64_t seed)
+#if defined(__GNUC__)
+__attribute__((unused)) /* of the bench alone */
+#endif
+static double
+thesis_basin_hopping(const ms_pme_function *function, double *x, double max_cost, uint64_t seed)
 {
     double trial[MS_PME_PARAMETERS_MAX], here[MS_PME_PARAMETERS_MAX], f_here = THESIS__INF, best = THESIS__INF,
                                                                       hop = 0.25, temperature = 0, rise;
