@@ -7,10 +7,10 @@
       #define MS_NN_IMPLEMENTATION
       #include "ms_nn.h"
 
-   Runs small trained networks - a neural renderer (parameters to picture), inversion networks (picture to parameters) -
-   from safetensors files at the speed at which memory delivers the weights: values, the Jacobian, and least-squares
-   objectives; dense networks also as GLSL, HLSL or WGSL. Reads safetensors strictly and writes it into memory. It never
-   trains. Link with -lm. Here a network of one layer, which the program writes first:
+   Runs small trained networks from safetensors files at the speed at which memory delivers the weights: a neural
+   renderer (parameters to picture), inversion networks (picture to parameters). It computes values, Jacobians and
+   least-squares objectives, and writes dense networks as GLSL, HLSL or WGSL. It reads safetensors strictly, writes it
+   into memory, and never trains. Link with -lm. This program writes a network of one layer and runs it:
 
    Example:
       #define MS_NN_IMPLEMENTATION
@@ -44,7 +44,7 @@
 
    The file
    --------
-   safetensors: a length of 8 bytes, a JSON header, the data. A network is a file whose __metadata__ has
+   safetensors: a length of 8 bytes, a JSON header, the data. The __metadata__ of a network has
 
       "format"         "pt": weights as PyTorch lays them out (may be absent)
       "ms_nn_version"  "1"
@@ -52,18 +52,15 @@
       "ms_nn_layers"   JSON list of layers, in a string; each runs on the output of the one before
 
    Data lies row-major, channels first. A layer is an object with "type" and, as the type allows, the fields below; any
-   other field is refused. Sizes that are left out are read from the tensors. Sizes marked * are a number or a pair
-   [height, width].
+   other field is refused. Sizes that are left out are read from the tensors. * is a number or a pair [height, width].
 
       dense            name, units, activation, alpha, bias        <name>.weight [units][inputs]; the input must be flat
       conv1d           name, filters, kernel, stride, padding,     <name>.weight [filters][channels / groups][kernel]
                        zeros (0: on both sides), dilation (1),
                        groups (1), activation, alpha, bias
-      conv2d           the same, with * where there are numbers    <name>.weight [filters][channels /
-                       groups][height][width]
-      conv1d_transpose the same without padding, and extra (0)     <name>.weight [channels][filters / groups][kernel]
-      conv2d_transpose the same, with *                            <name>.weight [channels][filters /
-                                                                   groups][height][width]
+      conv2d           as conv1d, with *                           ... [filters][channels / groups][height][width]
+      conv1d_transpose as conv1d without padding, and extra (0)    ... [channels][filters / groups][kernel]
+      conv2d_transpose as conv1d_transpose, with *                 ... [channels][filters / groups][height][width]
       upsample1d       factor (2), mode (nearest or linear),       align_corners as PyTorch has it
                        align_corners (false)
       upsample2d       the same, factor*
@@ -74,50 +71,44 @@
       flatten          order: channels_first (default, PyTorch) or channels_last (Keras)
       activation       activation, alpha                           alone
       dropout          rate                                        does nothing
-      add              from, activation, alpha                     adds the output of the layer with that name, or
-                       "input"
+      add              from, activation, alpha                     adds the output of the layer `from`, or "input"
       concat           from, order: after (default) or before      puts that output's channels after, or before
       shared_channels  inputs: [[0,3,6],[1,4,6],[2,5,6]]           first layer only, see below
 
-   <name>.bias [outputs] belongs to every dense and convolution layer unless "bias":false stands in the list. Weights
-   are F64, F32, F16, BF16, or I8 with <name>.weight_scale (F32, [outputs]; of a transposed convolution [channels], its
-   weights' first dimension): weight = scale x integer. Convolutions are correlations. "padding": "valid" (default) or
-   "same": (kernel - 1) / 2 zeros before, rounded down, and as many after as make ceil(size / stride) outputs.
-   "extra" is PyTorch's output_padding. "activation": linear (default), relu,
+   <name>.bias [outputs] belongs to every dense and convolution layer without "bias":false. Weights are F64, F32, F16,
+   BF16, or I8 with <name>.weight_scale (F32, [first dimension of the weights]): weight = scale x integer. Convolutions
+   are correlations. "padding": "valid" (default) or "same": (kernel - 1) / 2 zeros before, rounded down, and as many
+   after as make ceil(size / stride) outputs. "extra" is PyTorch's output_padding. "activation": linear (default), relu,
    leaky_relu (slope alpha, 0.01), elu (alpha, 1), tanh, sigmoid, softplus, silu, gelu (by erf). shared_channels
-   evaluates the rest of the list once for each of its lists of input indices and puts the outputs one after the other:
-   one small network for the red, green and blue of a scene without colours of its own. examples/tools/export_torch.py
-   saves PyTorch and Keras networks in this form.
+   evaluates the rest of the list once for each of its lists of input indices and concatenates the outputs: one small
+   network for red, green and blue. examples/tools/export_torch.py saves PyTorch and Keras networks in this form.
 
    What it costs
    -------------
-   A dense layer costs what reading its weights costs. A picture of the full-size renderer (2.1 GB of F32) takes little
-   more than the memory needs to deliver them, with F16 and BF16 half and with I8 a quarter to a third of that time, at
-   about 86, 68 and 65 dB against F32. Large pages under the weights (on Linux madvise(MADV_HUGEPAGE) on the memory that
-   ms_nn_load is given) save a sixth to a third of it. README.md and tests/bench/RESULTS.md have the tables, with
-   PyTorch, OpenBLAS and oneDNN; `make bench FILTER=nn` makes them.
+   A dense layer costs what reading its weights costs. Large layers run at the memory's bandwidth: F16 and BF16 take
+   half and I8 a quarter to a third of the time of F32, at about 86, 68 and 65 dB against F32. Large pages under the
+   weights (on Linux madvise(MADV_HUGEPAGE) on the memory that ms_nn_load is given) save a sixth to a third.
+   tests/bench/RESULTS.md has the tables; `make bench FILTER=nn` makes them.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
-   A file costs one small allocation; a network some dozens at load: packed copies of the convolutions' weights and of
-   dense layers of up to two million weights and 16384 inputs, the first eight million of a network; float copies of F64
-   and of folded dense weights. Larger layers are read in place. The calls allocate nothing when they are given a
-   workspace of ms_nn_workspace_size bytes, which stops growing at 48 samples at most: more run in blocks. Stack: below
-   32 kB, 64 kB when compiled without optimisation.
-   No globals. A network is only read once it is loaded: calls on it may overlap if their workspaces differ.
-   options.parallel takes a thread pool; the work is cut by the problem alone.
-   SSE2, AVX2, AVX-512 and NEON, chosen at load, capped by options.simd. MS_NO_SIMD: plain C.
-   At one level the same bits for any number of threads, and for a sample alone or in a batch; levels agree within the
-   error below. Arithmetic is in floats: about 1e-6 of the largest output against double precision for the networks
-   above, at most 1e-5 in the tests. The collapse is in double. Every call that can fail returns a status; loaders also
-   fill an ms_error with a byte offset and a sentence. On failure outputs are untouched. Weights and inputs that are NaN
-   or infinite pass through (ms_nn_check_weights finds them). -ffast-math voids what is said of bits, NaN and infinity;
-   the rest holds to rounding.
+   A file costs one small allocation, a network some dozens at load: packed copies of the convolutions' weights and of
+   dense layers of up to two million weights (eight million of a network), float copies of F64 and of folded weights.
+   Larger layers are read in place. With a workspace of ms_nn_workspace_size bytes the calls allocate nothing; it stops
+   growing at 48 samples, since more run in blocks. Stack: below 32 kB, 64 kB when compiled without optimization.
+   No globals. A loaded network is only read: calls on it may overlap if their workspaces differ. options.parallel takes
+   a thread pool; the work is cut by the problem alone.
+   AVX2, AVX-512 and NEON are chosen at load, capped by options.simd; other processors and MS_NO_SIMD run plain C.
+   At one level the bits are the same for any number of threads, and for a sample alone or in a batch. Arithmetic is in
+   floats: about 1e-6 of the largest output against double precision, at most 1e-5 in the tests; the collapse is in
+   double. Every call that can fail returns a status; loaders also fill an ms_error with a byte offset and a sentence.
+   On failure outputs are untouched. NaN and infinity pass through (ms_nn_check_weights finds them in weights). With
+   -ffast-math nothing holds that is said of bits, NaN and infinity.
 
    Configuration (define before the implementation)
    ------------------------------------------------
    MS_NN_NO_STDIO    no <stdio.h>, no files by name
-   MS_NN_NO_COLLAPSE no collapse: what matching needs, a seventh of the code
+   MS_NN_NO_COLLAPSE no collapse, which matching needs: a seventh less code
    MS_NO_SIMD        plain C only
    MS_DEF            linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_NN_FILENAME    "ms_nn.h"; set it if the file is renamed (it includes itself once a SIMD level)
@@ -125,12 +116,11 @@
 
    Limits
    ------
-   Refused with MS_BAD_DATA: whatever the strict format forbids (duplicate names, holes, overlaps, trailing
-   bytes, NUL in names, null metadata, header over 100,000,000 bytes, rank over 32) and layers that do
-   not fit their tensors; 4096 layers at most. MS_UNSUPPORTED: other element types than the five as weights. Files of
-   2^31 bytes and more need a 64-bit machine. A mapped file must not shrink while it is used: options.copy reads it
-   instead. Networks are chains with skips that are added or concatenated: no recurrence, attention, or normalisation at
-   run time (BatchNorm goes into the weights).
+   MS_BAD_DATA: whatever the strict format forbids (duplicate names, holes, overlaps, trailing bytes, NUL in names, null
+   metadata, a header over 100,000,000 bytes, rank over 32), layers that do not fit their tensors, over 4096 layers.
+   MS_UNSUPPORTED: weights of other element types. Files of 2^31 bytes and more need a 64-bit machine. A mapped file
+   must not shrink while it is used; options.copy reads it instead. Networks are chains with added or concatenated
+   skips: no recurrence, attention, or normalization at run time (BatchNorm goes into the weights).
 
    Sources
    -------
@@ -354,13 +344,13 @@ MS_API const ms_nn_entry *ms_nn_file_entry(const ms_nn_file *file, size_t i);
 MS_API const ms_nn_tensor *ms_nn_file_find(const ms_nn_file *file, const char *name);
 MS_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *key);
 
-/* Writes a safetensors file into memory: the header padded with spaces so that the data starts at a multiple of 64
-   bytes, then the largest tensor first, equal sizes in the order given. The reference implementation reads it. tensors
-   [count]; data of bytes = product of shape x element size, little-endian; NULL: the place in the file is left as it
-   is, for the caller to fill (ms_nn_file_open finds it); names unique metadata  [entries]; keys unique; NULL with
-   entries 0 file      [capacity] out, any alignment; NULL: only *size is wanted size      out: bytes of the file
-   MS_INVALID_ARGUMENT: a name twice, "__metadata__" as a name, text that is not UTF-8, a wrong size, capacity below
-   *size; nothing is written then. position: index of the tensor or entry. */
+/* Writes a safetensors file into memory: a header padded with spaces to a multiple of 64 bytes, then the largest tensor
+   first, equal sizes in the order given.
+   tensors   [count]; data of bytes = product of shape x element size, little-endian; NULL: the caller fills its place
+   in the file (ms_nn_file_open finds it); names unique metadata  [entries]; keys unique; NULL with entries 0 file
+   [capacity] out, any alignment; NULL: only *size is wanted size      out: bytes of the file MS_INVALID_ARGUMENT: a
+   name twice, "__metadata__" as a name, text that is not UTF-8, a wrong size, capacity below *size; nothing is written
+   then. position: index of the tensor or entry. */
 MS_API ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
                                   size_t entries, void *file, size_t capacity, size_t *size, ms_error *error);
 
@@ -385,9 +375,7 @@ typedef struct ms_nn_layer {
 } ms_nn_layer;
 
 /* Makes a network of a safetensors file with a layer list (grammar in the head comment).
-   bytes    [size] must outlive *nn, unchanged: F32, F16, BF16 and I8 weights of dense layers are used where they lie
-            (on little-endian hosts), of smaller ones a packed copy too; F64 and all weights of convolutions are copied
-            as floats
+   bytes    [size] must outlive *nn, unchanged: large dense layers are used where they lie
    *nn      out; ms_nn_destroy releases it; untouched on failure
    error    NULL or filled on failure; position: byte in the file, or 0
    upsample1d before conv1d, and upsample1d or upsample2d before flatten and dense of F32 or F64, go into the weights.
@@ -431,12 +419,11 @@ MS_API size_t ms_nn_workspace_size(const ms_nn *nn, ms_nn_product product, int c
    MS_INVALID_ARGUMENT: count < 1, a NULL pointer. MS_OUT_OF_MEMORY: only with workspace NULL. */
 MS_API ms_status ms_nn_forward(const ms_nn *nn, int count, const float *x, float *y, void *workspace);
 
-/* The Jacobian at one x, by directional derivatives, which read the weights once for 48 inputs: made for networks of
-   few inputs.
+/* The Jacobian at one x by directional derivatives, which read the weights once for 48 inputs.
    x          [input size]
    y          [output size] out: f(x), bit-equal to ms_nn_forward; NULL: not wanted
    jacobian   [output size][input size] out
-   At a kink (relu at 0) the slope of the left side, at a tie in a pool the first maximum, as PyTorch has it.
+   At a kink (relu at 0) the slope of the left side, at a tie in a pool that of the first maximum, as in PyTorch.
    Statuses, threads, bits and workspace (MS_NN_JACOBIAN, count 1) as for ms_nn_forward. */
 MS_API ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, float *jacobian, void *workspace);
 
@@ -454,11 +441,10 @@ typedef enum ms_nn_language {
     MS_NN_WGSL = 4         /* WebGPU; group 0; constants: uniform buffer, binding 0 */
 } ms_nn_language;
 
-/* One draw of a full-screen triangle. Networks are dense layers with activations and added skips, also once a channel
-   (shared_channels). The dense layers are cut into steps: the last `steps` - 1 of them are steps of their own, those
-   before are the first step, which keeps their values in registers. A gallery is two draws: features of all pictures,
-   then all pixels. Wide layers run faster in a step each (they are then computed once, not once for every four outputs
-   of the step). All zero but step: steps 2, GLSL 330, values out. */
+/* One draw of a full-screen triangle. The network may have dense layers, activations, added skips and shared_channels.
+   Its dense layers are cut into steps: the last `steps` - 1 are steps of their own, those before are the first step,
+   which keeps their values in registers. A gallery is two draws: features of all pictures, then all pixels. Wide layers
+   run faster in a step each. All zero but step: steps 2, GLSL 330, values out. */
 typedef struct ms_nn_shader {
     int step;          /* 0 to steps - 1 */
     int steps;         /* 1 to the number of dense layers; 0: 2, or 1 where there is one layer only */
@@ -467,18 +453,15 @@ typedef struct ms_nn_shader {
 } ms_nn_shader;
 
 /* Sizes of the textures, all RGBA and read by texel (OpenGL: GL_NEAREST for both filters):
-     ms_nn_weights  HLSL t0, Vulkan and WGSL binding 1: MS_NN_SHADER_WIDTH x weight_rows, 16 or 32 bits, the same for
-                    each step
-     ms_nn_values   HLSL t1, Vulkan and WGSL binding 2: input_width x rows a picture, 32-bit floats: of the first step
-                    what ms_nn_shader_inputs makes, of the others the target of the step before
-   The target is target_width x rows a picture for values (32-bit floats; 16 bits lose up to 1/2000 of each value): four
-   values a texel, and row r x rows + c is channel c of picture r. With width and height it is a sheet of pictures in
-   any format: the outputs are planes of width x height, one to four: grey, two channels, RGB, RGBA (alpha 1 without a
-   fourth). Picture i stands in column i mod ms_nn.x, row i / ms_nn.x, pictures from ms_nn.y on are 0. The constants of
-     this step alone: ms_nn  {pictures in a row of the sheet, pictures, flip, 0}; flip 0: row 0 of the sheet is row 0 of
-            the target, which OpenGL shows at the bottom; the height of the target: it is the last row
-   Values agree with ms_nn_forward within some 1e-6 of the largest with 32-bit weights; 16 bits round each by up to
-   2^-12. */
+     ms_nn_weights  HLSL t0, Vulkan and WGSL binding 1: MS_NN_SHADER_WIDTH x weight_rows, 16 or 32 bits
+     ms_nn_values   HLSL t1, Vulkan and WGSL binding 2: input_width x rows a picture, 32-bit floats: the output of
+                    ms_nn_shader_inputs for the first step, the target of the step before for the others
+   Without width and height the target is target_width x rows a picture, 32-bit floats: four values a texel, row
+   r x rows + c is channel c of picture r. With them it is a sheet of pictures: the outputs are one to four planes of
+   width x height, gray, two channels, RGB or RGBA. The step then has the constants
+     ms_nn  {pictures in a row of the sheet, pictures, flip, 0}; flip 0: row 0 of the sheet is row 0 of the target,
+   which OpenGL shows at the bottom; the height of the target: it is the last row Values agree with ms_nn_forward within
+   some 1e-6 of the largest; 16-bit weights are rounded by up to 2^-12. */
 typedef struct ms_nn_shader_sizes {
     int steps, rows, input_width, target_width, weight_rows;
 } ms_nn_shader_sizes;
@@ -495,14 +478,13 @@ MS_API ms_status ms_nn_shader_layout(const ms_nn *nn, const ms_nn_shader *shader
 MS_API size_t ms_nn_shader_text(const ms_nn *nn, const ms_nn_shader *shader, char *text, size_t capacity,
                                 ms_error *error);
 
-/* The weights' texture: for each dense layer, blocks of 4 outputs x 4 inputs (a texel holds 4 inputs of an output, 4
-   texels follow for the outputs; zeros beyond the ends), inputs fastest; then its biases, 4 a texel.
-   dtype   MS_NN_F16 or MS_NN_F32, in the host's order of bytes; I8 weights are multiplied by their scales
-   out     [weight_rows][MS_NN_SHADER_WIDTH][4] elements
+/* The weights' texture: for each dense layer, blocks of 4 outputs x 4 inputs (a texel holds 4 inputs of an output;
+   zeros beyond the ends), inputs fastest; then its biases, 4 a texel. dtype   MS_NN_F16 or MS_NN_F32, in the host's
+   order of bytes; I8 weights are multiplied by their scales out     [weight_rows][MS_NN_SHADER_WIDTH][4] elements
    MS_UNSUPPORTED as above, and a weight over 65504 in F16. */
 MS_API ms_status ms_nn_shader_weights(const ms_nn *nn, ms_nn_dtype dtype, void *out, ms_error *error);
 
-/* The first step's values, all that changes with the materials.
+/* The first step's input, the only one that changes with the materials.
    x       [count][input size]
    out     [count][rows][input_width][4] */
 MS_API ms_status ms_nn_shader_inputs(const ms_nn *nn, int count, const float *x, float *out);
@@ -512,20 +494,17 @@ MS_API ms_status ms_nn_shader_inputs(const ms_nn *nn, int count, const float *x,
 
 /* With y = W h(x) + b, target t and a weight for each output in the diagonal of M,
      |y - t|_M^2 = |R (h - h0) - e|^2 + rest,   R'R = W' M W,
-   where R is square in the features h: an evaluation needs the layers up to h and one triangular product, not W.
-   With shared_channels each channel has its features, and its outputs their part of M and t; channels with the same
-   weights share one R. */
+   where R is square in the features h: an evaluation needs the layers up to h and one triangular product, not W. With
+   shared_channels each channel has its features and its part of M and t; channels with equal weights share one R. */
 typedef struct ms_nn_collapse ms_nn_collapse;
 
-/* Makes R by a QR of sqrt(M) W in double precision (blocked Householder; parts joined in a fixed order); with weights
-   by the Cholesky factor of W' M W, some times as fast, unless a column of sqrt(M) W lies within 1e-4 of the others'
-   span.
+/* Makes R in double precision, by a blocked Householder QR of sqrt(M) W; with weights by the Cholesky factor of W' M W,
+   some times as fast, unless a column of sqrt(M) W lies within 1e-4 of the others' span.
    nn      its last layer must be dense and linear (MS_UNSUPPORTED); must outlive *c
    weight  [output size] >= 0, diagonal of M; NULL: all 1. Then R is read from the file's tensor
            "ms_nn.collapse" (F64, [h (h + 1) / 2], h = inputs of the last layer) if it is there
    *c      out; ms_nn_collapse_destroy releases it
-   About 2 h^2 multiply-adds for each output of a channel, once for each different set of weights; 8 h^2 bytes for each
-   channel and, while it runs, for each of 8 parts.
+   About 2 h^2 multiply-adds for each output, once for each different set of weights.
    MS_INVALID_ARGUMENT: a negative or non-finite weight (position: its index). MS_OUT_OF_MEMORY. */
 MS_API ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, ms_nn_collapse **c, ms_error *error);
 MS_API void ms_nn_collapse_destroy(ms_nn_collapse *c); /* NULL is allowed */
@@ -533,12 +512,11 @@ MS_API void ms_nn_collapse_destroy(ms_nn_collapse *c); /* NULL is allowed */
 /* Inputs of the last layer, those of all channels together. */
 MS_API size_t ms_nn_collapse_features(const ms_nn_collapse *c);
 
-/* R of the first channel, rows of the upper triangle one after the other: store that of a collapse without weights as
-   F64 tensor "ms_nn.collapse" (ms_nn_file_write) and the next ms_nn_collapse_create takes no time. */
+/* R of the first channel, rows of the upper triangle one after the other. Stored as F64 tensor "ms_nn.collapse", that
+   of a collapse without weights spares the next ms_nn_collapse_create the QR. */
 MS_API const double *ms_nn_collapse_r(const ms_nn_collapse *c);
 
-/* Sets t. Two passes over W in double: semi-normal equations with a correction (Bjoerck 1987), so that
-   the residual of the best h is summed, not subtracted.
+/* Sets t. Two passes over W in double: semi-normal equations with a correction (Bjoerck 1987).
    target  [output size], finite */
 MS_API ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target, ms_error *error);
 
@@ -2117,13 +2095,13 @@ typedef struct ms_nn__dims {
 static size_t ms_nn__count(ms_nn__dims d) { return d.c * d.h * d.w; }
 
 /* A dense layer's matrix where it lies. Rows are cols elements long without padding. One that a cache may hold is there
-   once more, as the level in use likes it: in panels of two vectors of rows, [panel][column][row of the panel], zeros
-   after the last row. */
+   once more, in panels of four vectors of rows: [panel][column][row of the panel], zeros after the last row. */
 typedef struct ms_nn__matrix {
     const unsigned char *w, *scale, *bias; /* scale, bias: [rows] native floats, any alignment, or NULL */
     ms_nn_dtype dtype;                     /* F32, F16, BF16, I8 */
     size_t rows, cols;
-    const unsigned char *packed; /* 64-byte aligned; NULL: not packed */
+    const unsigned char *packed;             /* 64-byte aligned; NULL: not packed */
+    const float *packed_scale, *packed_bias; /* of every row of the panels: 1 and 0 where there is none */
     ms_nn_dtype packed_dtype;
 } ms_nn__matrix;
 
@@ -2146,6 +2124,56 @@ typedef struct ms_nn__conv {
     size_t rows;          /* padded input rows of a strip */
     size_t pitch, plane;  /* floats of a padded row and channel; with stride s, columns 0, s, 2s... come first */
 } ms_nn__conv;
+
+/* Rows of y_b = W x_b + bias, one b a sample. */
+typedef struct ms_nn__dense {
+    const ms_nn__matrix *m;
+    int batch;
+    const float *x; /* [batch][cols] */
+    float *y;       /* [batch][rows] */
+    int linear;     /* no bias, no activation: products with directions */
+    ms_nn__activation activation;
+    float alpha;
+    size_t chunk_rows; /* of a task */
+    int streams;       /* one sample: MS_NN__W_ROWS rows together, far apart */
+    const struct ms_nn__kernels *kernels;
+} ms_nn__dense;
+
+/* One convolution of one sample. */
+typedef struct ms_nn__conv_job {
+    const ms_nn__conv *conv;
+    const float *x; /* [in.c] planes of x_plane floats, rows of x_row */
+    size_t x_plane, x_row;
+    float *padded;      /* [strips][in.c][plane], each strip with room for loads beyond its end */
+    size_t padded_step; /* floats from one strip's to the next; 0 where strips follow each other and share one */
+    float *y;           /* [out.c] planes */
+    size_t y_plane, y_row, y_step;
+    int linear;
+    ms_nn__activation activation;
+    float alpha;
+    const struct ms_nn__kernels *kernels;
+} ms_nn__conv_job;
+
+#define MS_NN__OVERRUN 64 /* floats that a tile may load beyond the end of the padded input */
+
+/* The loops that differ by level; the kernel section at the end of this file makes one table a level. */
+typedef struct ms_nn__kernels {
+    size_t block; /* outputs that a convolution computes together */
+    size_t panel; /* rows of a panel of packed weights */
+    int level;    /* 1: plain C, whose packed weights are floats, since narrow ones are slow to widen there */
+    void (*packed)(const ms_nn__dense *job, size_t row0, size_t row1);
+    void (*dense)(const ms_nn__dense *job, size_t row0, size_t row1);
+    void (*conv)(const ms_nn__conv_job *job, size_t strip, const float *padded);
+    void (*combine)(float *rows, size_t n);
+    void (*activate)(float *y, size_t n, ms_nn__activation activation, float alpha);
+    void (*derive)(const float *y, float *g, size_t n, ms_nn__activation activation, float alpha);
+    void (*pool2)(const float *x, size_t row, float *y, size_t n);
+#ifndef MS_NN_NO_COLLAPSE
+    void (*gram)(const double *a, size_t na, const double *b, size_t nb, size_t stride, size_t n, double *out);
+    void (*add)(double *y, size_t ny, const double *a, size_t na, size_t stride, size_t n, const double *s);
+    void (*row)(const ms_nn__matrix *m, size_t row, double factor, double *out);
+#endif
+} ms_nn__kernels;
 
 typedef enum ms_nn__step {
     MS_NN__DO_DENSE,
@@ -2186,7 +2214,7 @@ struct ms_nn {
     ms_nn_options options;
     ms_nn_file *file;
     ms_nn__block *blocks;
-    const struct ms_nn__kernels *kernels;
+    const ms_nn__kernels *kernels;
     ms_simd level;
     int streams;               /* large matrices are read as several streams */
     size_t packed;             /* weights that are packed */
@@ -2889,9 +2917,8 @@ static MS_NN__COLD ms_status ms_nn__plan(ms_nn *nn, ms_error *error)
     return MS_OK;
 }
 
-static const struct ms_nn__kernels *ms_nn__kernels_for(ms_simd level);
+static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level);
 static int ms_nn__streams(void);
-static size_t ms_nn__block_of(const struct ms_nn__kernels *kernels);
 
 /* The input of one evaluation: a channel's share with shared_channels, else the whole. */
 static MS_NN__COLD ms_status ms_nn__build_input(ms_nn__build *b, ms_error *error)
@@ -2949,7 +2976,7 @@ static MS_NN__COLD ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_
     nn->layers = l.layers;
     b.nn = nn;
     b.list = &l;
-    b.block = ms_nn__block_of(nn->kernels);
+    b.block = nn->kernels->block;
     if ((status = ms_nn__build_input(&b, error)) != MS_OK)
         return ms_nn__prefix_error(error, status, ms_nn__byte_of(nn->file, "ms_nn_layers", l.spec[0].at),
                                    "layer 0, shared_channels", "");
@@ -2985,6 +3012,7 @@ static MS_NN__COLD ms_status ms_nn__make(ms_nn_file *file, const ms_nn_options *
     made->file = file;
     made->level = ms__simd_pick(o->simd);
     made->kernels = ms_nn__kernels_for(made->level);
+    if (made->kernels->level == 1) made->level = MS_SIMD_SCALAR; /* there are no kernels for SSE2 alone */
     made->streams = ms_nn__streams();
     format = ms_nn_file_metadata(file, "format");
     version = ms_nn_file_metadata(file, "ms_nn_version");
@@ -3021,93 +3049,39 @@ MS_API MS_NN__COLD ms_status ms_nn_load(const void *bytes, size_t size, const ms
 
 /* ---- run ------------------------------------------------------------------------------------------------------- */
 
-/* Rows of y_b = W x_b + bias, one b a sample. */
-typedef struct ms_nn__dense {
-    const ms_nn__matrix *m;
-    int batch;
-    const float *x; /* [batch][cols] */
-    float *y;       /* [batch][rows] */
-    int linear;     /* no bias, no activation: products with directions */
-    ms_nn__activation activation;
-    float alpha;
-    size_t chunk_rows; /* of a task */
-    int streams;       /* one sample: MS_NN__W_ROWS rows together, far apart */
-    const struct ms_nn__kernels *kernels;
-} ms_nn__dense;
-
-/* One convolution of one sample. */
-typedef struct ms_nn__conv_job {
-    const ms_nn__conv *conv;
-    const float *x; /* [in.c] planes of x_plane floats, rows of x_row */
-    size_t x_plane, x_row;
-    float *padded;      /* [strips][in.c][plane], each strip with room for loads beyond its end */
-    size_t padded_step; /* floats from one strip's to the next; 0 where strips follow each other and share one */
-    float *y;           /* [out.c] planes */
-    size_t y_plane, y_row, y_step;
-    int linear;
-    ms_nn__activation activation;
-    float alpha;
-    const struct ms_nn__kernels *kernels;
-} ms_nn__conv_job;
-
-#define MS_NN__OVERRUN 64 /* floats that a tile may load beyond the end of the padded input */
-
-/* The loops that differ by level; the kernel section at the end of this file makes one table a level. */
-typedef struct ms_nn__kernels {
-    size_t block; /* outputs that a convolution computes together */
-    size_t panel; /* rows of a panel of packed weights */
-    int widen;    /* packed weights are floats, whatever they were */
-    void (*packed)(const ms_nn__dense *job, size_t row0, size_t row1);
-    void (*dense)(const ms_nn__dense *job, size_t row0, size_t row1);
-    void (*conv)(const ms_nn__conv_job *job, size_t strip, const float *padded);
-    void (*combine)(float *rows, size_t n);
-    void (*activate)(float *y, size_t n, ms_nn__activation activation, float alpha);
-    void (*derive)(const float *y, float *g, size_t n, ms_nn__activation activation, float alpha);
-    void (*pool2)(const float *x, size_t row, float *y, size_t n);
-#ifndef MS_NN_NO_COLLAPSE
-    void (*gram)(const double *a, size_t na, const double *b, size_t nb, size_t stride, size_t n, double *out);
-    void (*add)(double *y, size_t ny, const double *a, size_t na, size_t stride, size_t n, const double *s);
-    void (*row)(const ms_nn__matrix *m, size_t row, double factor, double *out);
-#endif
-} ms_nn__kernels;
-
 static size_t ms_nn__bytes_of(ms_nn_dtype dtype) { return dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2; }
 
-static size_t ms_nn__block_of(const ms_nn__kernels *kernels) { return kernels->block; }
-
-/* Packs a matrix, unless it comes from memory rather than from a cache: one of over two million weights, or after the
-   first eight million of a network; nor one of rows so long that their sums want more than two parts. Those are read
-   where they lie, and I8 is summed in integers, faster than it is widened. Nothing here depends on the batch, so that
-   bits do not. 0: no memory. */
+/* Packs a matrix that a cache may hold: at most two million weights, rows of at most 16384, and eight million weights
+   of a network. Others are read in place. Nothing here depends on the batch, so that bits do not. 0: no memory. */
 static MS_NN__COLD int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m)
 {
-    const ms_nn_dtype dtype = nn->kernels->widen ? MS_NN_F32 : m->dtype == MS_NN_I8 ? MS_NN_F16 : m->dtype;
-    const size_t panel = nn->kernels->panel, size = ms_nn__bytes_of(dtype), own = ms_nn__bytes_of(m->dtype);
-    uint16_t half[256]; /* of every I8 */
+    const ms_nn_dtype dtype = nn->kernels->level == 1 ? MS_NN_F32 : m->dtype == MS_NN_I8 ? MS_NN_F16 : m->dtype;
+    const size_t panel = nn->kernels->panel, size = ms_nn__bytes_of(dtype), own = ms_nn__bytes_of(m->dtype),
+                 rows = (m->rows + panel - 1) / panel * panel;
     unsigned char *w;
+    float *scale;
     size_t row, k;
     m->packed = NULL;
     m->packed_dtype = dtype;
     if (m->cols > 16384 || m->rows > 2000000 / m->cols || nn->packed + m->rows * m->cols > 8000000) return 1;
-    m->packed = w = (unsigned char *)ms_nn__allocate(nn, (m->rows + panel - 1) / panel * panel * size, m->cols);
-    if (w == NULL) return 0;
+    m->packed = w = (unsigned char *)ms_nn__allocate(nn, rows * size, m->cols);
+    m->packed_scale = scale = (float *)ms_nn__allocate(nn, rows, 2 * sizeof(float));
+    m->packed_bias = scale + rows;
+    if (w == NULL || scale == NULL) return 0;
     nn->packed += m->rows * m->cols;
-    for (k = 0; k < 256; ++k) half[k] = ms__half_from_float(k < 128 ? (float)k : (float)k - 256);
-    for (row = 0; row < m->rows || row % panel; ++row) {
+    for (row = 0; row < rows; ++row) {
         const unsigned char *from = m->w + (row < m->rows ? row * m->cols * own : 0);
         unsigned char *to = w + (row / panel * panel * m->cols + row % panel) * size;
-        for (k = 0; k < m->cols; ++k, from += own, to += panel * size)
-            if (row >= m->rows) {
-                memset(to, 0, size);
-            } else if (dtype == m->dtype) {
-                if (size == 4) memcpy(to, from, 4);
-                else memcpy(to, from, 2);
-            } else if (size == 2) {
-                ms_nn__put_u16(to, half[*from]);
-            } else {
-                const float value = (float)ms_nn__element(from, m->dtype, 0);
-                memcpy(to, &value, 4);
-            }
+        scale[row] = row < m->rows && m->scale ? ms_nn__float_at(m->scale, row) : 1;
+        scale[rows + row] = row < m->rows && m->bias ? ms_nn__float_at(m->bias, row) : 0;
+        for (k = 0; k < m->cols; ++k, from += own, to += panel * size) {
+            const float value = row >= m->rows ? 0
+                : m->dtype == MS_NN_F32        ? ms_nn__float_at(from, 0)
+                                               : (float)ms_nn__element(from, m->dtype, 0);
+            if (dtype == MS_NN_F32) memcpy(to, &value, 4);
+            else if (m->dtype != MS_NN_I8 && row < m->rows) memcpy(to, from, 2);
+            else ms_nn__put_u16(to, ms__half_from_float(value));
+        }
     }
     return 1;
 }
@@ -3158,8 +3132,7 @@ static MS_NN__COLD void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, i
     job.streams = nn->streams;
     job.chunk_rows = MS_NN__TASK_BYTES / (m->cols * (size_t)(ms_nn__bits(m->dtype) / 8)) + 1;
     if (batch > 1 || m->packed) { /* whole tiles of rows, and of a large batch so few that several threads find some */
-        size_t most = MS_NN__TASK_PRODUCTS / (m->cols * (size_t)batch) + 1,
-               tile = m->packed ? 2 * nn->kernels->panel : 16;
+        size_t most = MS_NN__TASK_PRODUCTS / (m->cols * (size_t)batch) + 1, tile = m->packed ? nn->kernels->panel : 16;
         job.chunk_rows = (ms_nn__min(job.chunk_rows, most) + tile - 1) / tile * tile;
     }
     ms_nn__chunks(nn, m->rows, &job.chunk_rows, ms_nn__dense_task, &job);
@@ -4744,17 +4717,17 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, co
    all forms. */
 #if defined(__GNUC__) && !defined(__OPTIMIZE__)
 #define MS_NN__UNROLL
-#define MS_NN__INLINE static inline
+#define MS_NN__INLINE static inline MS_NN__TARGET
 #elif defined(__clang__)
 #if __has_feature(address_sanitizer) || __has_feature(undefined_behavior_sanitizer) || __has_feature(thread_sanitizer)
 #define MS_NN__UNROLL
 #else
 #define MS_NN__UNROLL _Pragma("clang loop unroll(full)")
 #endif
-#define MS_NN__INLINE static inline __attribute__((always_inline))
+#define MS_NN__INLINE static inline MS_NN__TARGET __attribute__((always_inline))
 #elif defined(__GNUC__)
 #define MS_NN__UNROLL _Pragma("GCC unroll 16")
-#define MS_NN__INLINE static inline __attribute__((always_inline))
+#define MS_NN__INLINE static inline MS_NN__TARGET __attribute__((always_inline))
 #elif defined(_MSC_VER)
 #define MS_NN__UNROLL
 #define MS_NN__INLINE static __forceinline
@@ -4796,45 +4769,21 @@ static float ms_nn__max_nan(float a, float b) { return a > b || a != a ? a : b; 
 #define MS_NN__ISA 1
 #include MS_NN_FILENAME
 
-#if defined(MS__X64) || defined(MS__NEON)
+#if defined(MS__NEON)
 #define MS_NN__LEVEL base
 #define MS_NN__ISA 2
 #include MS_NN_FILENAME
 #endif
 
 #if defined(MS__X64)
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2,fma,f16c"))), apply_to = function)
-#elif defined(__GNUC__)
-#pragma GCC push_options
-#pragma GCC target("avx2,fma,f16c")
-#endif
 #define MS_NN__LEVEL avx2
 #define MS_NN__ISA 3
 #include MS_NN_FILENAME
-#if defined(__clang__)
-#pragma clang attribute pop
-#elif defined(__GNUC__)
-#pragma GCC pop_options
-#endif
 
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2,fma,f16c,avx512f,avx512bw,avx512dq,avx512vl"))), \
-                             apply_to = function)
-#elif defined(__GNUC__)
-#pragma GCC push_options
-#pragma GCC target("avx2,fma,f16c,avx512f,avx512bw,avx512dq,avx512vl")
-#endif
 #define MS_NN__LEVEL avx512
 #define MS_NN__ISA 4
 #include MS_NN_FILENAME
-#if defined(__clang__)
-#pragma clang attribute pop
-#elif defined(__GNUC__)
-#pragma GCC pop_options
 #endif
-
-#endif /* MS__X64 */
 #undef MS_NN__PASS
 
 static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
@@ -4843,7 +4792,7 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
     if (level == MS_SIMD_AVX512) return &ms_nn__table_avx512;
     if (level == MS_SIMD_AVX2) return &ms_nn__table_avx2;
 #endif
-#if defined(MS__X64) || defined(MS__NEON)
+#if defined(MS__NEON)
     if (level == MS_SIMD_BASE) return &ms_nn__table_base;
 #endif
     (void)level;
@@ -4897,12 +4846,17 @@ static int ms_nn__streams(void)
 #if defined(MS_NN_IMPLEMENTATION) && defined(MS_NN__PASS)
 /* ---- kernels --------------------------------------------------------------------------------------------------- */
 
-/* Plain C beside SIMD, and SSE2, are compiled for size: few run them. */
-#if MS_NN__ISA <= 2 && defined(MS__X64) && defined(__GNUC__)
-#define MS_NN__KERNEL static __attribute__((cold))
+/* The instruction set of every function of a level; plain C beside SIMD is compiled for size: few run it. */
+#if !defined(__GNUC__) || !defined(MS__X64)
+#define MS_NN__TARGET
+#elif MS_NN__ISA == 1
+#define MS_NN__TARGET __attribute__((cold))
+#elif MS_NN__ISA == 3
+#define MS_NN__TARGET __attribute__((target("avx2,fma,f16c")))
 #else
-#define MS_NN__KERNEL static
+#define MS_NN__TARGET __attribute__((target("avx2,fma,f16c,avx512f,avx512bw,avx512dq,avx512vl")))
 #endif
+#define MS_NN__KERNEL static MS_NN__TARGET
 
 /* Read once a level. MS_NN__V_FLOATS is a vector of MS_NN__V_LANES floats; W_... load weights as floats.
    MS_NN__V_BLOCK outputs x MS_NN__V_TILE vectors of positions are a convolution's registers; MS_NN__W_ROWS rows x 3
@@ -4933,68 +4887,6 @@ static int ms_nn__streams(void)
 #define MS_NN__W_HALF(p) ms__half_to_float((uint16_t)ms_nn__u16(p))
 #define MS_NN__W_BRAIN(p) ms_nn__float_of(ms_nn__u16(p) << 16)
 #define MS_NN__W_INT8(p) ((float)(*(p) < 128 ? *(p) : *(p)-256))
-#elif MS_NN__ISA == 2 && defined(MS__X64)
-#define MS_NN__V_LANES 4
-#define MS_NN__V_BLOCK 4
-#define MS_NN__V_TILE 2
-#define MS_NN__W_ROWS 2
-#define MS_NN__W_CHAINS 2
-#define MS_NN__V_FLOATS __m128
-#define MS_NN__V_LOAD(p) _mm_loadu_ps((const float *)(const void *)(p))
-#define MS_NN__V_STORE(p, v) _mm_storeu_ps(p, v)
-#define MS_NN__V_SET(x) _mm_set1_ps(x)
-#define MS_NN__V_ADD(a, b) _mm_add_ps(a, b)
-#define MS_NN__V_SUB(a, b) _mm_sub_ps(a, b)
-#define MS_NN__V_MUL(a, b) _mm_mul_ps(a, b)
-#define MS_NN__V_DIV(a, b) _mm_div_ps(a, b)
-#define MS_NN__V_MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
-#define MS_NN__V_MAX(a, b) _mm_max_ps(a, b)
-#define MS_NN__V_MIN(a, b) _mm_min_ps(a, b)
-#define MS_NN__V_IF_GREATER(a, b, x, y) MS_NN__FN(if_greater)(a, b, x, y)
-#define MS_NN__V_MAX_NAN(a, b) MS_NN__FN(max_nan)(a, b)
-#define MS_NN__V_PAIR_MAX(a, b) MS_NN__FN(max_nan)(_mm_shuffle_ps(a, b, 0x88), _mm_shuffle_ps(a, b, 0xDD))
-#define MS_NN__V_INT __m128i
-#define MS_NN__V_ROUND(a) _mm_cvtps_epi32(a)
-#define MS_NN__V_FROM_INT(i) _mm_cvtepi32_ps(i)
-#define MS_NN__V_POW2(i) _mm_castsi128_ps(_mm_slli_epi32(_mm_add_epi32(i, _mm_set1_epi32(127)), 23))
-#define MS_NN__W_HALF(p) MS_NN__FN(half)(p)
-#define MS_NN__W_BRAIN(p) \
-    _mm_castsi128_ps(_mm_unpacklo_epi16(_mm_setzero_si128(), _mm_loadl_epi64((const __m128i *)(const void *)(p))))
-#define MS_NN__W_INT8(p) MS_NN__FN(int8)(p)
-MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(if_greater)(MS_NN__V_FLOATS a, MS_NN__V_FLOATS b, MS_NN__V_FLOATS x,
-                                                    MS_NN__V_FLOATS y)
-{
-    MS_NN__V_FLOATS m = _mm_cmpgt_ps(a, b);
-    return _mm_or_ps(_mm_and_ps(m, x), _mm_andnot_ps(m, y));
-}
-#define MS_NN__V_FOLD(v) (v)
-MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(max_nan)(MS_NN__V_FLOATS a, MS_NN__V_FLOATS b)
-{
-    MS_NN__V_FLOATS nan = _mm_cmpunord_ps(a, a);
-    return _mm_or_ps(_mm_and_ps(nan, a), _mm_andnot_ps(nan, _mm_max_ps(a, b)));
-}
-/* As ms__half_to_float, both cases at once. */
-MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(half)(const unsigned char *p)
-{
-    __m128i h = _mm_unpacklo_epi16(_mm_loadl_epi64((const __m128i *)(const void *)p), _mm_setzero_si128());
-    __m128i magnitude = _mm_and_si128(h, _mm_set1_epi32(0x7fff)),
-            sign = _mm_slli_epi32(_mm_xor_si128(h, magnitude), 16);
-    __m128i special = _mm_and_si128(_mm_cmpgt_epi32(magnitude, _mm_set1_epi32(0x7bff)), _mm_set1_epi32(0x38000000));
-    __m128i tiny = _mm_castps_si128(_mm_mul_ps(_mm_cvtepi32_ps(magnitude), _mm_set1_ps(5.9604644775390625e-8f)));
-    __m128i is_tiny = _mm_cmpgt_epi32(_mm_set1_epi32(0x400), magnitude);
-    __m128i bits = _mm_add_epi32(_mm_add_epi32(_mm_slli_epi32(magnitude, 13), _mm_set1_epi32(0x38000000)), special);
-    bits = _mm_or_si128(_mm_and_si128(is_tiny, tiny), _mm_andnot_si128(is_tiny, bits));
-    return _mm_castsi128_ps(_mm_or_si128(bits, sign));
-}
-MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
-{
-    int32_t four;
-    __m128i q;
-    memcpy(&four, p, 4);
-    q = _mm_cvtsi32_si128(four);
-    q = _mm_unpacklo_epi8(q, q);
-    return _mm_cvtepi32_ps(_mm_srai_epi32(_mm_unpacklo_epi16(q, q), 24));
-}
 #elif MS_NN__ISA == 2
 #define MS_NN__V_LANES 4
 #define MS_NN__V_BLOCK 8
@@ -5109,13 +5001,6 @@ MS_NN__INLINE __m128 MS_NN__FN(fold)(MS_NN__V_FLOATS v)
 #define MS_NN__V_KEEP(v) __asm__("" : "+v"(v))
 #else
 #define MS_NN__V_KEEP(v) ((void)0)
-#endif
-
-/* Where narrow weights are slow to widen, packed ones are at load. */
-#if MS_NN__ISA == 1 || (MS_NN__ISA == 2 && defined(MS__X64))
-#define MS_NN__W_WIDEN 1
-#else
-#define MS_NN__W_WIDEN 0
 #endif
 
 /* MS_NN__V_LANES weights of a type that is a constant where this is inlined. */
@@ -5323,7 +5208,7 @@ MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t s
     MS_NN__FN(finish)(job, row, step, sample, rows, batch, total);
 }
 
-#if !MS_NN__W_WIDEN
+#if MS_NN__ISA > 1
 /* MS_NN__W_ROWS rows times three samples. */
 MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(tile)(const ms_nn__dense *job, size_t row, size_t sample)
 {
@@ -5355,7 +5240,7 @@ MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t
             for (b = b0; b < b1; ++b) MS_NN__FN(rows)(job, row0, row1, b);
             continue;
         }
-#if MS_NN__W_WIDEN
+#if MS_NN__ISA == 1
         for (row = row0; row < row1;
              row = next) { /* plain C: compilers make vectors of one sample's chains; SSE2: for the size */
             next = ms_nn__min(row + 8, row1);
@@ -5371,9 +5256,33 @@ MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t
     }
 }
 
-/* Packed weights. An output is the sum over the first half of the columns plus that over the second, each from the
-   left, whatever the tile; a sample alone takes both at once, for more sums that do not wait for each other. */
-#if MS_NN__V_LANES == 1
+#if MS_NN__ISA > 1 || !defined(MS_NN_NO_COLLAPSE)
+/* n weights as floats. */
+MS_NN__INLINE void MS_NN__FN(widen_typed)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype)
+{
+    size_t k = 0;
+    for (; k + MS_NN__V_LANES <= n; k += MS_NN__V_LANES)
+        MS_NN__V_STORE(out + k, MS_NN__FN(weight)(p + k * ms_nn__bytes_of(dtype), dtype));
+    if (k < n) {
+        MS_NN__V_FLOATS u;
+        float last[MS_NN__V_LANES];
+        MS_NN__W_PART(u, p + k * ms_nn__bytes_of(dtype), dtype, n - k);
+        MS_NN__V_STORE(last, u);
+        memcpy(out + k, last, (n - k) * sizeof(float));
+    }
+}
+
+MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(widen)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype)
+{
+    if (dtype == MS_NN_F16) MS_NN__FN(widen_typed)(p, n, out, MS_NN_F16);
+    else if (dtype == MS_NN_BF16) MS_NN__FN(widen_typed)(p, n, out, MS_NN_BF16);
+    else MS_NN__FN(widen_typed)(p, n, out, MS_NN_I8);
+}
+#endif
+
+/* Packed weights. An output is the sum over the first half of the columns plus the sum over the second, each from the
+   left, whatever the batch. */
+#if MS_NN__ISA == 1
 #define MS_NN__P_ROWS 4
 MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
@@ -5396,148 +5305,161 @@ MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_
                 total[2] += s2;
                 total[3] += s3;
             }
-            for (k = 0; k < ms_nn__min(4, m->rows - row); ++k) {
-                if (m->scale) total[k] *= ms_nn__float_at(m->scale, row + k);
-                job->y[b * m->rows + row + k] = total[k] +
-                    (m->bias && !job->linear ? ms_nn__float_at(m->bias, row + k) : 0.0f);
-            }
+            for (k = 0; k < ms_nn__min(4, m->rows - row); ++k)
+                job->y[b * m->rows + row + k] = total[k] * m->packed_scale[row + k] +
+                    (job->linear ? 0.0f : m->packed_bias[row + k]);
         }
 }
 
 #else
-#define MS_NN__P_ROWS (2 * MS_NN__V_LANES)
+#define MS_NN__P_ROWS (4 * MS_NN__V_LANES)
+#define MS_NN__P_BATCH 24   /* samples whose sums are kept together */
+#define MS_NN__P_COLUMNS 32 /* of narrow weights, widened once for all of them */
 #if MS_NN__ISA == 4 || defined(MS__NEON)
-#define MS_NN__P_SAMPLES 6 /* sums of 4 vectors times so many are the registers of a tile */
+#define MS_NN__P_SAMPLES 6 /* of a tile: as many sums of 4 vectors as there are registers */
 #else
 #define MS_NN__P_SAMPLES 3
 #endif
 
-/* The sums of a tile, of the halves [vectors][batch] each, into its outputs. */
+/* The outputs of a panel for one sample from the sums of both halves, 4 vectors each. */
 MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(packed_end)(const ms_nn__dense *job, size_t row, size_t sample,
-                                                         int vectors, int batch, const MS_NN__V_FLOATS *half0,
-                                                         const MS_NN__V_FLOATS *half1)
+                                                         const MS_NN__V_FLOATS *half0, const MS_NN__V_FLOATS *half1)
 {
     const ms_nn__matrix *m = job->m;
-    size_t i;
-    int v, b;
-    for (v = 0; v < vectors && row < m->rows; ++v, row += MS_NN__V_LANES) {
-        size_t n = m->rows - row;
-        float part[MS_NN__V_LANES], *y = job->y + sample * m->rows + row;
-        MS_NN__V_FLOATS scale = MS_NN__V_SET(1.0f), bias = MS_NN__V_SET(0.0f);
-        if (n < MS_NN__V_LANES) { /* what is after the last row stays as it is */
-            for (i = 0; i < n; ++i) {
-                float one = m->scale ? ms_nn__float_at(m->scale, row + i) : 1.0f,
-                      plus = m->bias && !job->linear ? ms_nn__float_at(m->bias, row + i) : 0.0f;
-                for (b = 0; b < batch; ++b) {
-                    MS_NN__V_STORE(part,
-                                   MS_NN__V_MADD(MS_NN__V_ADD(half0[v * batch + b], half1[v * batch + b]),
-                                                 MS_NN__V_SET(one), MS_NN__V_SET(plus)));
-                    y[(size_t)b * m->rows + i] = part[i];
-                }
-            }
-            return;
+    float *y = job->y + sample * m->rows, part[MS_NN__V_LANES];
+    int v;
+    for (v = 0; v < 4 && row < m->rows; ++v, row += MS_NN__V_LANES) {
+        MS_NN__V_FLOATS bias = job->linear ? MS_NN__V_SET(0.0f) : MS_NN__V_LOAD(m->packed_bias + row);
+        bias = MS_NN__V_MADD(MS_NN__V_ADD(half0[v], half1[v]), MS_NN__V_LOAD(m->packed_scale + row), bias);
+        if (row + MS_NN__V_LANES <= m->rows) {
+            MS_NN__V_STORE(y + row, bias);
+        } else {
+            MS_NN__V_STORE(part, bias);
+            memcpy(y + row, part, (m->rows - row) * sizeof(float));
         }
-        if (m->scale) scale = MS_NN__V_LOAD(m->scale + 4 * row);
-        if (m->bias && !job->linear) bias = MS_NN__V_LOAD(m->bias + 4 * row);
-        for (b = 0; b < batch; ++b, y += m->rows)
-            MS_NN__V_STORE(y, MS_NN__V_MADD(MS_NN__V_ADD(half0[v * batch + b], half1[v * batch + b]), scale, bias));
     }
 }
 
-/* Two panels, or one twice where there is no other. dtype and batch are constants. */
-MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype,
-                                        int vectors, int batch)
+/* One sample takes both halves at once, for more sums that do not wait for each other. dtype is a constant. */
+MS_NN__INLINE void MS_NN__FN(packed_one)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype)
 {
-    size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), wide = 2 * MS_NN__V_LANES * size, half = (cols + 1) / 2,
-           k, end, second = vectors == 4 ? cols * wide : 0;
+    const size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), wide = MS_NN__P_ROWS * size, half = (cols + 1) / 2;
     const unsigned char *w = job->m->packed + row * cols * size;
     const float *x = job->x + sample * cols;
-    MS_NN__V_FLOATS total[2][4 * MS_NN__P_SAMPLES], s[4][MS_NN__P_SAMPLES], u, value[MS_NN__P_SAMPLES];
-    int v, b, h;
-    if (batch == 1) {
-        MS_NN__V_FLOATS t[4];
+    MS_NN__V_FLOATS s[4], t[4], value;
+    size_t k;
+    int v;
+    MS_NN__UNROLL
+    for (v = 0; v < 4; ++v) s[v] = t[v] = MS_NN__V_SET(0.0f);
+    for (k = 0; k < half; ++k) {
+        const unsigned char *p = w + k * wide;
+        value = MS_NN__V_SET(x[k]);
         MS_NN__UNROLL
-        for (v = 0; v < 4; ++v) s[v][0] = t[v] = MS_NN__V_SET(0.0f);
-        for (k = 0; k < half; ++k) {
-            const unsigned char *p = w + k * wide;
-            value[0] = MS_NN__V_SET(x[k]);
-            MS_NN__UNROLL
-            for (v = 0; v < 4; ++v)
-                s[v][0] = MS_NN__V_MADD(
-                    MS_NN__FN(weight)(p + (size_t)(v / 2) * second + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype),
-                    value[0], s[v][0]);
-            if (k + half == cols) break; /* the first half may have one more */
-            value[0] = MS_NN__V_SET(x[k + half]);
-            p += half * wide;
-            MS_NN__UNROLL
-            for (v = 0; v < 4; ++v)
-                t[v] = MS_NN__V_MADD(
-                    MS_NN__FN(weight)(p + (size_t)(v / 2) * second + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype),
-                    value[0], t[v]);
-        }
+        for (v = 0; v < 4; ++v)
+            s[v] = MS_NN__V_MADD(MS_NN__FN(weight)(p + (size_t)v * MS_NN__V_LANES * size, dtype), value, s[v]);
+        if (k + half == cols) break; /* the first half may have one more */
+        value = MS_NN__V_SET(x[k + half]);
+        p += half * wide;
         MS_NN__UNROLL
-        for (v = 0; v < 4; ++v) {
-            total[0][v] = s[v][0];
-            total[1][v] = t[v];
-        }
+        for (v = 0; v < 4; ++v)
+            t[v] = MS_NN__V_MADD(MS_NN__FN(weight)(p + (size_t)v * MS_NN__V_LANES * size, dtype), value, t[v]);
     }
-    for (h = 0; batch > 1 && h < 2; ++h) {
-        MS_NN__UNROLL
-        for (v = 0; v < 4; ++v) {
-            MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) s[v][b] = MS_NN__V_SET(0.0f);
-        }
-        end = h ? cols : half;
-        for (k = h ? half : 0; k < end; ++k) {
-            const unsigned char *p = w + k * wide;
-            MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) value[b] = MS_NN__V_SET(x[(size_t)b * cols + k]);
-            MS_NN__UNROLL
-            for (v = 0; v < 4; ++v) {
-                u = MS_NN__FN(weight)(p + (size_t)(v / 2) * second + (size_t)(v % 2) * MS_NN__V_LANES * size, dtype);
-                MS_NN__V_KEEP(u);
-                MS_NN__UNROLL
-                for (b = 0; b < batch; ++b) s[v][b] = MS_NN__V_MADD(u, value[b], s[v][b]);
-            }
-        }
-        MS_NN__UNROLL
-        for (v = 0; v < 4; ++v) {
-            MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) total[h][v * batch + b] = s[v][b];
-        }
-    }
-    MS_NN__FN(packed_end)(job, row, sample, vectors, batch, total[0], total[1]);
+    MS_NN__FN(packed_end)(job, row, sample, s, t);
 }
 
-MS_NN__INLINE void MS_NN__FN(packed_typed)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype,
-                                           int vectors, int batch)
+/* sum [batch][4] += n columns of the panel w times x [batch], whose samples are `cols` apart. dtype and batch are
+   constants. */
+MS_NN__INLINE void MS_NN__FN(packed_tile)(const unsigned char *w, ms_nn_dtype dtype, const float *x, size_t cols,
+                                          size_t n, MS_NN__V_FLOATS *sum, int batch)
 {
+    const size_t size = ms_nn__bytes_of(dtype);
+    MS_NN__V_FLOATS s[4][MS_NN__P_SAMPLES], value[MS_NN__P_SAMPLES], u;
+    size_t k;
+    int v, b;
+    MS_NN__UNROLL
+    for (v = 0; v < 4; ++v) {
+        MS_NN__UNROLL
+        for (b = 0; b < batch; ++b) s[v][b] = sum[4 * b + v];
+    }
+    for (k = 0; k < n; ++k) {
+        MS_NN__UNROLL
+        for (b = 0; b < batch; ++b) value[b] = MS_NN__V_SET(x[(size_t)b * cols + k]);
+        MS_NN__UNROLL
+        for (v = 0; v < 4; ++v, w += MS_NN__V_LANES * size) {
+            u = MS_NN__FN(weight)(w, dtype);
+            MS_NN__V_KEEP(u);
+            MS_NN__W_PREFETCH(w, 2048);
+            MS_NN__UNROLL
+            for (b = 0; b < batch; ++b) s[v][b] = MS_NN__V_MADD(u, value[b], s[v][b]);
+        }
+    }
+    MS_NN__UNROLL
+    for (v = 0; v < 4; ++v) {
+        MS_NN__UNROLL
+        for (b = 0; b < batch; ++b) sum[4 * b + v] = s[v][b];
+    }
+}
+
+/* The same for up to MS_NN__P_BATCH samples: of floats in tiles as equal as possible, of narrow weights one tile of 3
+   or MS_NN__P_SAMPLES. */
+MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(packed_tiles)(const unsigned char *w, ms_nn_dtype dtype, const float *x,
+                                                           size_t cols, size_t n, MS_NN__V_FLOATS *sum, size_t batch)
+{
+    size_t tiles = (batch + MS_NN__P_SAMPLES - 1) / MS_NN__P_SAMPLES, m;
+    for (; batch > 0; batch -= m, --tiles, x += m * cols, sum += 4 * m) {
+        m = (batch + tiles - 1) / tiles;
+        if (dtype == MS_NN_F32 && m == 2) MS_NN__FN(packed_tile)(w, MS_NN_F32, x, cols, n, sum, 2);
+        else if (dtype == MS_NN_F32 && m == 3) MS_NN__FN(packed_tile)(w, MS_NN_F32, x, cols, n, sum, 3);
+        else if (m == 3 && dtype == MS_NN_F16) MS_NN__FN(packed_tile)(w, MS_NN_F16, x, cols, n, sum, 3);
+        else if (m == 3) MS_NN__FN(packed_tile)(w, MS_NN_BF16, x, cols, n, sum, 3);
 #if MS_NN__P_SAMPLES > 3
-    if (batch > 3) MS_NN__FN(packed_of)(job, row, sample, dtype, vectors, MS_NN__P_SAMPLES);
-    else
+        else if (dtype == MS_NN_F16) MS_NN__FN(packed_tile)(w, MS_NN_F16, x, cols, n, sum, 6);
+        else if (dtype == MS_NN_BF16) MS_NN__FN(packed_tile)(w, MS_NN_BF16, x, cols, n, sum, 6);
+        else if (m == 4) MS_NN__FN(packed_tile)(w, MS_NN_F32, x, cols, n, sum, 4);
+        else if (m == 5) MS_NN__FN(packed_tile)(w, MS_NN_F32, x, cols, n, sum, 5);
+        else MS_NN__FN(packed_tile)(w, MS_NN_F32, x, cols, n, sum, 6);
 #endif
-        if (batch == 3)
-        MS_NN__FN(packed_of)(job, row, sample, dtype, vectors, 3);
-    else MS_NN__FN(packed_of)(job, row, sample, dtype, vectors, 1);
+    }
+}
+
+/* A panel times 2 to MS_NN__P_BATCH samples. Narrow weights that several tiles read are widened first. */
+MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(packed_batch)(const ms_nn__dense *job, size_t row, size_t sample,
+                                                           size_t batch)
+{
+    const ms_nn__matrix *m = job->m;
+    const size_t cols = m->cols, size = ms_nn__bytes_of(m->packed_dtype);
+    const int direct = m->packed_dtype == MS_NN_F32 || batch == 3 || batch == MS_NN__P_SAMPLES;
+    MS_NN__V_FLOATS sum[2][4 * MS_NN__P_BATCH];
+    float wide[MS_NN__P_ROWS * MS_NN__P_COLUMNS];
+    size_t k, end, n, b, h;
+    for (h = 0, k = 0; h < 2; ++h) {
+        for (b = 0; b < 4 * batch; ++b) sum[h][b] = MS_NN__V_SET(0.0f);
+        for (end = h ? cols : (cols + 1) / 2; k < end; k += n) {
+            const unsigned char *w = m->packed + (row * cols + k * MS_NN__P_ROWS) * size;
+            n = direct ? end - k : ms_nn__min(end - k, MS_NN__P_COLUMNS);
+            if (!direct) MS_NN__FN(widen)(w, n * MS_NN__P_ROWS, wide, m->packed_dtype);
+            MS_NN__FN(packed_tiles)
+            (direct ? w : (const unsigned char *)wide, direct ? m->packed_dtype : MS_NN_F32, job->x + sample * cols + k,
+             cols, n, sum[h], batch);
+        }
+    }
+    for (b = 0; b < batch; ++b) MS_NN__FN(packed_end)(job, row, sample + b, sum[0] + 4 * b, sum[1] + 4 * b);
 }
 
 MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
-    size_t row, b, batch = (size_t)job->batch;
-    int vectors, samples;
-    for (row = row0; row < row1; row += 2 * MS_NN__P_ROWS) {
-        vectors = row + MS_NN__P_ROWS < row1 ? 4 : 2;
-        for (b = 0; b < batch; b += (size_t)samples) {
-            samples = batch - b >= MS_NN__P_SAMPLES ? MS_NN__P_SAMPLES : batch - b >= 3 ? 3 : 1;
-#if !MS_NN__W_WIDEN
-            if (job->m->packed_dtype == MS_NN_F16) MS_NN__FN(packed_typed)(job, row, b, MS_NN_F16, vectors, samples);
-            else if (job->m->packed_dtype == MS_NN_BF16)
-                MS_NN__FN(packed_typed)(job, row, b, MS_NN_BF16, vectors, samples);
-            else
-#endif
-                MS_NN__FN(packed_typed)(job, row, b, MS_NN_F32, vectors, samples);
+    const ms_nn_dtype dtype = job->m->packed_dtype;
+    size_t row, b, batch, left, parts;
+    for (row = row0; row < row1; row += MS_NN__P_ROWS)
+        for (b = 0; b < (size_t)job->batch; b += batch) {
+            left = (size_t)job->batch - b;
+            parts = (left + MS_NN__P_BATCH - 1) / MS_NN__P_BATCH;
+            batch = (left + parts - 1) / parts;
+            if (batch > 1) MS_NN__FN(packed_batch)(job, row, b, batch);
+            else if (dtype == MS_NN_F16) MS_NN__FN(packed_one)(job, row, b, MS_NN_F16);
+            else if (dtype == MS_NN_BF16) MS_NN__FN(packed_one)(job, row, b, MS_NN_BF16);
+            else MS_NN__FN(packed_one)(job, row, b, MS_NN_F32);
         }
-    }
 }
 #endif
 
@@ -5830,8 +5752,8 @@ MS_NN__KERNEL void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t
 }
 #endif
 
-/* For the size SSE2 takes plain C's, and AVX-512 AVX2's, which are as fast on Zen 4. */
-#if !defined(MS_NN_NO_COLLAPSE) && MS_NN__ISA != 4 && !(MS_NN__ISA == 2 && defined(MS__X64))
+/* AVX-512 takes AVX2's, which are as fast on Zen 4. */
+#if !defined(MS_NN_NO_COLLAPSE) && MS_NN__ISA != 4
 /* --- double precision, for the collapse: vectors of MS_NN__D_LANES --- */
 
 #if MS_NN__ISA == 1
@@ -5968,28 +5890,6 @@ MS_NN__KERNEL void MS_NN__FN(add)(double *y, size_t ny, const double *a, size_t 
         }
 }
 
-/* n weights as floats. */
-MS_NN__INLINE void MS_NN__FN(widen_typed)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype)
-{
-    size_t k = 0;
-    for (; k + MS_NN__V_LANES <= n; k += MS_NN__V_LANES)
-        MS_NN__V_STORE(out + k, MS_NN__FN(weight)(p + k * ms_nn__bytes_of(dtype), dtype));
-    if (k < n) {
-        MS_NN__V_FLOATS u;
-        float last[MS_NN__V_LANES];
-        MS_NN__W_PART(u, p + k * ms_nn__bytes_of(dtype), dtype, n - k);
-        MS_NN__V_STORE(last, u);
-        memcpy(out + k, last, (n - k) * sizeof(float));
-    }
-}
-
-MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(widen)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype)
-{
-    if (dtype == MS_NN_F16) MS_NN__FN(widen_typed)(p, n, out, MS_NN_F16);
-    else if (dtype == MS_NN_BF16) MS_NN__FN(widen_typed)(p, n, out, MS_NN_BF16);
-    else MS_NN__FN(widen_typed)(p, n, out, MS_NN_I8);
-}
-
 /* One row of a matrix in double, times a factor and the scale of I8. */
 MS_NN__KERNEL void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, double factor, double *out)
 {
@@ -6008,16 +5908,14 @@ MS_NN__KERNEL void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, double fac
 }
 #endif /* MS_NN_NO_COLLAPSE */
 
-#if MS_NN__ISA == 2 && defined(MS__X64)
-#define MS_NN__OTHER scalar
-#elif MS_NN__ISA == 4
+#if MS_NN__ISA == 4
 #define MS_NN__OTHER avx2
 #else
 #define MS_NN__OTHER MS_NN__LEVEL
 #endif
 static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,
                                                 MS_NN__P_ROWS,
-                                                MS_NN__W_WIDEN,
+                                                MS_NN__ISA,
                                                 MS_NN__FN(packed),
                                                 MS_NN__FN(dense),
                                                 MS_NN__FN(conv),
@@ -6040,6 +5938,7 @@ static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,
 #undef MS_NN__OTHER
 #undef MS_NN__W_PART
 #undef MS_NN__V_KEEP
+#undef MS_NN__TARGET
 #undef MS_NN__KERNEL
 #undef MS_NN__LEVEL
 #undef MS_NN__ISA
@@ -6048,7 +5947,8 @@ static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,
 #undef MS_NN__V_TILE
 #undef MS_NN__W_ROWS
 #undef MS_NN__W_CHAINS
-#undef MS_NN__W_WIDEN
+#undef MS_NN__P_BATCH
+#undef MS_NN__P_COLUMNS
 #undef MS_NN__P_ROWS
 #undef MS_NN__P_SAMPLES
 #undef MS_NN__W_PREFETCH
