@@ -4059,18 +4059,19 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
     ms_sss__job job;                /* checks everything before anything is written, and gives the kernels' sizes */
     ms_sss_filter_options resolved; /* with mm_per_unit filled in */
     ms_status status;
+    size_t needed;
     float *end;
     int i;
     if (!frame || !kernels || !options) return MS_SSS__REFUSE(error, "frame, kernels or options is NULL");
-    if (!workspace && !workspace_size && ms_sss__check_sides(frame->width, frame->height, NULL) == MS_OK) {
-        workspace_size = ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options);
+    needed = ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options);
+    if (!workspace && !workspace_size && needed < SIZE_MAX) { /* SIZE_MAX: something is refused below, by name */
+        workspace_size = needed;
         if (!(workspace = ms_sss__allocate_workspace(workspace_size, error))) return MS_OUT_OF_MEMORY;
         status = ms_sss_filter(frame, kernels, kernel_count, options, workspace, workspace_size, error);
         free(workspace);
         return status;
     }
-    status = ms_sss__begin(&job, frame, kernels, kernel_count, options, workspace, workspace_size,
-                           ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options),
+    status = ms_sss__begin(&job, frame, kernels, kernel_count, options, workspace, workspace_size, needed,
                            MS_SSS__ROW_BUFFERS, &end, error);
     if (status != MS_OK) return status;
     if (options->method == MS_SSS_METHOD_PYRAMID && (!options->pyramids || !ms_sss__pyramid_supports(options)))

@@ -230,6 +230,48 @@ static TEST_UNUSED void test_memory_release(void *user, void *pointer, size_t si
         TEST_NOTE("%ld allocations failed in turn", test_round - 1); \
     } while (0)
 
+/* --- memory of a stated size --- */
+
+#if defined(__has_feature)
+#define TEST_HAS_FEATURE(x) __has_feature(x)
+#else
+#define TEST_HAS_FEATURE(x) 0
+#endif
+#if defined(__SANITIZE_ADDRESS__) || TEST_HAS_FEATURE(address_sanitizer)
+enum { TEST_GUARD = 0 }; /* the sanitizer sees the first byte behind a block, and reads of it, too */
+#else
+enum { TEST_GUARD = 64 };
+#endif
+
+/* size bytes at `offset` (0 to 63) from an aligned address, filled with `fill`; the bytes behind them are known. */
+static TEST_UNUSED unsigned char *test_guarded(size_t size, size_t offset, int fill)
+{
+    unsigned char *block = (unsigned char *)malloc(offset + size + TEST_GUARD);
+    size_t i;
+    if (block == NULL) abort();
+    memset(block, fill, offset + size);
+    for (i = 0; i < TEST_GUARD; ++i) block[offset + size + i] = (unsigned char)(0x5A ^ i);
+    return block + offset;
+}
+
+/* Frees them. Whether nothing was written behind them. */
+static TEST_UNUSED int test_unguard(unsigned char *memory, size_t size, size_t offset)
+{
+    size_t i;
+    int intact = 1;
+    for (i = 0; i < TEST_GUARD; ++i) intact &= memory[size + i] == (unsigned char)(0x5A ^ i);
+    free(memory - offset);
+    return intact;
+}
+
+/* Of bytes (FNV-1a): equal for equal bits. */
+static TEST_UNUSED uint64_t test_print(uint64_t print, const void *bytes, size_t size)
+{
+    const unsigned char *p = (const unsigned char *)bytes;
+    while (size--) print = (print ^ *p++) * 1099511628211u;
+    return print;
+}
+
 /* --- threads: ms_parallel over n POSIX threads that take the tasks in a scrambled order --- */
 
 typedef struct test_pool {
