@@ -1,7 +1,7 @@
 # ms: five single-header C libraries. Plain make and a C compiler build the examples and make their pictures.
 #   make            the examples, into build/
 #   make demo       runs them: pictures and tables in build/demo/
-#   make deps       installs what `make test` needs (OpenImageIO, Embree) with the system's package manager
+#   make deps       installs what `make test` needs (OpenImageIO, Embree; BLENDER=1: Blender) with the package manager
 #   make check      tests that need a C compiler only, two minutes
 #   make test       tests of every header, example and page, ten minutes
 #   make test-long  what make test leaves out, for releases: longer versions, more builds
@@ -19,6 +19,8 @@
 #   make train      the networks of examples/data from nothing: hours of rendering, an hour of training
 #   make web        examples/web/kernels.html: subsurface kernels designed live in a browser (clang for WebAssembly, wasi-libc)
 #   make studio     examples/web/studio.html: the whole workflow live in a browser (the same)
+#   make blender    build/material_taste: an add-on for Blender that learns a taste (examples/blender)
+#   make blender-dataset, blender-train   its network again, from pictures by Blender's Cycles (COUNT, SAMPLES, JOBS)
 #   make common     copies the blocks that headers share from the first that has them into the rest
 .POSIX:
 
@@ -178,10 +180,17 @@ hero: build/recommend
 train: build/train
 	@CC="$(CC)" sh tests/train/train.sh
 
+blender:
+	@CC="$(CC)" sh examples/blender/build.sh addon
+blender-dataset:
+	@sh examples/blender/build.sh dataset
+blender-train: build/train
+	@sh examples/blender/build.sh train
+
 common:
 	@sh tests/common.sh copy
 
 clean:
 	rm -rf build
 
-.PHONY: all demo deps examples check test test-long check-style format sanitize thread valgrind fuzz soak test-cross mutate coverage calls sizes bench bench-gpu web studio dataset hero train common clean
+.PHONY: all demo deps examples check test test-long check-style format sanitize thread valgrind fuzz soak test-cross mutate coverage calls sizes bench bench-gpu web studio dataset hero train blender blender-dataset blender-train common clean

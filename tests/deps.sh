@@ -8,6 +8,20 @@ if command -v npm >/dev/null 2>&1 && ! { [ -f "$packages/node_modules/three/exam
     mkdir -p "$packages" && npm install --prefix "$packages" --ignore-scripts --no-audit --no-fund --no-save --fetch-retries=1 --fetch-timeout=30000 \
         three@0.187.0 @needle-tools/materialx@1.4.6 >/dev/null 2>&1 || echo "deps: npm could not install three.js and MaterialX: their test will be skipped"
 fi
+root=""
+[ "$(id -u)" = 0 ] || root=sudo
+if [ "${BLENDER:-0}" = 1 ] && ! command -v blender >/dev/null 2>&1; then # for tests/blender.sh, which is skipped without
+    for manager in apt-get dnf zypper pacman; do
+        command -v $manager >/dev/null 2>&1 || continue
+        case $manager in
+        apt-get) $root apt-get update -q && DEBIAN_FRONTEND=noninteractive $root apt-get install -y -q --no-install-recommends blender ;;
+        pacman) $root pacman -S --needed --noconfirm blender ;;
+        *) $root $manager install -y blender ;;
+        esac
+        break
+    done
+    command -v blender >/dev/null 2>&1 || echo "deps: Blender could not be installed: its test will be skipped"
+fi
 mkdir -p build/deps
 probe() { # NAME, then the program's text on standard input, then libraries
     name=$1
@@ -29,8 +43,6 @@ if ! missing; then
     echo "deps: C++ compiler, OpenImageIO and Embree are there"
     exit 0
 fi
-root=""
-[ "$(id -u)" = 0 ] || root=sudo
 if command -v apt-get >/dev/null 2>&1; then
     DEBIAN_FRONTEND=noninteractive
     export DEBIAN_FRONTEND

@@ -1,0 +1,42 @@
+#!/bin/sh
+# make blender: the add-on with its library, build/material_taste and, with zip, .zip (CC: also x86_64-w64-mingw32-gcc).
+# make blender-dataset: pictures by Cycles in build/blender; what is there is kept. COUNT (4000), SAMPLES (32), JOBS (2).
+# make blender-train: the network from them, build/blender/renderer.safetensors.
+set -eu
+here=examples/blender
+data=build/blender
+jobs=${JOBS:-2}
+mkdir -p "$data"
+
+pictures() { # FOLDER, COUNT, SAMPLES, SEED, NOISE
+    job=0
+    while [ $job -lt "$jobs" ]; do
+        PART=$job PARTS=$jobs blender -b --factory-startup -t 1 --python $here/dataset.py -- "$@" | grep -E ' of |Error|error' &
+        job=$((job + 1))
+    done
+    wait
+}
+
+case $1 in
+addon)
+    cp -r $here/material_taste build/
+    case ${CC:-cc} in
+    *mingw*) $CC -O2 -shared -static -I. -Iexamples/tools $here/flat.c -o build/material_taste/ms_flat.dll -lm ;;
+    *) ${CC:-cc} -std=c99 -O2 -shared -fPIC -fvisibility=hidden -I. -Iexamples/tools $here/flat.c -o build/material_taste/libms_flat.so -lm ;;
+    esac
+    rm -rf build/material_taste/__pycache__ build/material_taste.zip
+    (cd build && python3 -m zipfile -c material_taste.zip material_taste)
+    echo "build/material_taste.zip: install it in Blender's preferences"
+    ;;
+dataset)
+    pictures $data/train "${COUNT:-4000}" "${SAMPLES:-32}" 1 1
+    for noise in 1 2; do # two renderings of the same materials: their noise cancels
+        pictures $data/held_out_$noise 100 $((2 * ${SAMPLES:-32})) 2 $noise
+    done
+    ;;
+train)
+    build/train $data/train $data/train.csv $data/renderer.safetensors --rank 80 --width 256 --epochs "${EPOCHS:-200}" \
+        --check $data/held_out_1 --check $data/held_out_2
+    python3 $here/label.py $data/renderer.safetensors blender "$(cat $data/train.version)"
+    ;;
+esac

@@ -1,0 +1,135 @@
+"""A person's taste in materials, and a neural renderer, for numpy: ms_gpr.h, ms_nn.h and ms_pme.h through flat.c.
+
+Works without Blender. Materials are arrays [count, parameters] in [0, 1]. What fails raises RuntimeError with the
+header's own sentence. MS_FLAT (environment) names another library than the one beside this file."""
+import ctypes
+import os
+import sys
+
+import numpy as np
+
+_NAME = {"win32": "ms_flat.dll", "darwin": "libms_flat.dylib"}.get(sys.platform, "libms_flat.so")
+_FOLDER = os.path.dirname(os.path.abspath(__file__))
+_library = ctypes.CDLL(os.environ.get("MS_FLAT", os.path.join(_FOLDER, _NAME)))
+_library.flat_metadata.restype = ctypes.c_char_p
+
+
+def _array(a, kind=np.float64):
+    return np.ascontiguousarray(a, kind)
+
+
+def _pass(value):
+    if isinstance(value, np.ndarray):
+        return ctypes.c_void_p(value.ctypes.data)
+    return ctypes.c_double(value) if isinstance(value, float) else value
+
+
+def _call(name, *values):
+    why = ctypes.create_string_buffer(240)
+    if getattr(_library, "flat_" + name)(*[_pass(v) for v in values], why):
+        raise RuntimeError(why.value.decode())
+
+
+class _Owner:
+    """Holds what the library made, and gives it back."""
+
+    def __init__(self):
+        self.handle = ctypes.c_void_p()
+
+    def __del__(self):
+        getattr(_library, "flat_%s_free" % type(self).__name__.lower())(self.handle)
+
+
+def _box(m, low, high):
+    low = np.zeros(m) if low is None else _array(low)
+    return low, np.ones(m) if high is None else _array(high)
+
+
+class Taste(_Owner):
+    """Learnt from scores from 0 up (NaN: none) and from pairs of rows of x, the better one first."""
+
+    def __init__(self, x, scores, pairs=()):
+        super().__init__()
+        x, scores, pairs = np.atleast_2d(_array(x)), np.array(scores, np.float64), _array(pairs, np.int32).reshape(-1, 2)
+        self.m = x.shape[1]
+        if len(scores) != len(x):
+            raise RuntimeError("%d materials, but %d scores" % (len(x), len(scores)))
+        _call("taste", x, scores, *x.shape, pairs, len(pairs), ctypes.byref(self.handle))
+
+    def predict(self, x):
+        """Scores and their standard deviations."""
+        x = np.atleast_2d(_array(x))
+        if x.shape[1] != self.m:
+            raise RuntimeError("materials of %d parameters, the taste has %d" % (x.shape[1], self.m))
+        mean, variance = np.empty(len(x)), np.empty(len(x))
+        _call("predict", self.handle, x, len(x), mean, variance)
+        return mean, np.sqrt(variance)
+
+    def recommend(self, count, quality=0.6, distance=0.0, seed=1, low=None, high=None):
+        """Materials whose predicted scores reach `quality` of the best, and these scores."""
+        x, mean = np.empty((count, self.m)), np.empty(count)
+        _call("recommend", self.handle, count, float(quality), float(distance), seed, *_box(self.m, low, high), x, mean)
+        return x, mean
+
+
+def gallery(taste, m, count, seed=1, low=None, high=None):
+    """Materials of m parameters to be scored next; taste None: the first."""
+    x = np.empty((count, m))
+    _call("gallery", taste.handle if taste else None, m, count, seed, *_box(m, low, high), x)
+    return x
+
+
+class Renderer(_Owner):
+    """A network from materials to their pictures."""
+
+    def __init__(self, path):
+        super().__init__()
+        m, size = ctypes.c_int(), ctypes.c_int()
+        _call("renderer", os.fsencode(path), ctypes.byref(self.handle), ctypes.byref(m), ctypes.byref(size))
+        self.m, self.size = m.value, size.value
+
+    def metadata(self, key):
+        return (_library.flat_metadata(self.handle, key.encode()) or b"").decode()
+
+    def pictures(self, x):
+        """[count, size, size, 3], rows from the top, as displayed."""
+        x = np.atleast_2d(_array(x, np.float32))
+        if x.shape[1] != self.m:
+            raise RuntimeError("materials of %d parameters, the renderer has %d" % (x.shape[1], self.m))
+        planes = np.empty((len(x), 3, self.size, self.size), np.float32)
+        _library.flat_pictures(self.handle, _pass(x), len(x), _pass(planes))
+        return planes.transpose(0, 2, 3, 1).clip(0, 1)
+
+    def match(self, picture, source=None, low=None, high=None):
+        """The material whose picture is nearest to one of [size, size, 3], that picture, and the RMS difference."""
+        if np.shape(picture) != (self.size, self.size, 3):
+            raise RuntimeError("a picture of %d x %d pixels and three channels is wanted" % (self.size, self.size))
+        target = _array(np.moveaxis(picture, 2, 0), np.float32)
+        x, found, rmse = np.empty(self.m), np.empty_like(target), ctypes.c_double()
+        source = None if source is None else _array(source)
+        box = _box(self.m, low, high)
+        _call("match", self.handle, target, None, source, *box, x, found, ctypes.byref(rmse))
+        return x, np.moveaxis(found, 0, 2).clip(0, 1), rmse.value
+
+
+class Plane(_Owner):
+    """Liked materials [count, m] laid out in a plane, so that neighbors are alike. box: x0, y0, x1, y1."""
+
+    def __init__(self, liked, low=None, high=None):
+        super().__init__()
+        liked, self.box = np.atleast_2d(_array(liked)), np.empty(4)
+        self.m = liked.shape[1]
+        _call("plane", liked, *liked.shape, *_box(self.m, low, high), ctypes.byref(self.handle), self.box)
+
+    def materials(self, at):
+        """Materials at points [count, 2] of the plane."""
+        at = np.atleast_2d(_array(at))
+        x = np.empty((len(at), self.m))
+        _call("plane_map", self.handle, at, len(at), x)
+        return x
+
+    def variants(self, taste, renderer, material, count):
+        """From the most similar to `material` to the best by taste."""
+        x = np.empty((count, self.m))
+        _call("variants", self.handle, taste.handle, renderer.handle, _array(material), count, x)
+        return x
