@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Do a header's tests bite?  python3 tests/mutate.py HEADER [--count 20] [--seed 1] [--lines A-B] [--tests NAME,...]
-                            [--scalar] [--jobs 1] [--again] [--keep]
+                            [--scalar] [--address] [--jobs 1] [--again] [--keep]
 
 Changes one place of the header's implementation at a time - a constant by 1 % or by one, a comparison, an operator, a dropped
 statement, an intrinsic or a vector macro by its opposite - and runs the header's tests (those that include it), the fastest
 first, until one fails. A change that leaves the compiled object as it was is no change and is thrown away. Lines that this
 machine does not compile are left out; --scalar takes the build without SIMD. --lines: of the header, as an editor counts them.
---again runs the survivors of earlier runs once more, after tests were added. Each result is a line of
+--again runs the survivors of earlier runs once more, after tests were added; with --address under Clang's address sanitizer.
+The header is compiled once a mutant, and again in tests that call its private functions. Each result is a line of
 build/mutate/HEADER.tsv; the survivors are printed: some are equivalent (they change no result that is promised), the others
 ask for a test. Exit 0. Needs GCC; one mutant costs a compilation and a run of each test that does not notice."""
 import argparse, hashlib, os, random, re, signal, subprocess, sys, time
@@ -19,6 +20,7 @@ p.add_argument('--seed', type=int, default=1)
 p.add_argument('--lines')
 p.add_argument('--tests')
 p.add_argument('--scalar', action='store_true')
+p.add_argument('--address', action='store_true')
 p.add_argument('--jobs', type=int, default=1)
 p.add_argument('--again', action='store_true')
 p.add_argument('--keep', action='store_true', help='leaves the folder of the last mutants')
@@ -30,7 +32,9 @@ out = 'build/mutate'
 os.makedirs(out, exist_ok=True)
 tsv = '%s/%s.tsv' % (out, name)
 flags = '-std=c99 -O1 -w -D_POSIX_C_SOURCE=200809L -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench'.split() + (['-DMS_NO_SIMD'] if o.scalar else [])
+cc = ['clang', '-fsanitize=address'] if o.address else ['gcc']
 nice = ['nice', '-n', '10']
+headers = sorted(f[:-2] for f in os.listdir('.') if re.match(r'ms_\w+\.h$', f))
 
 
 def run(command, seconds):
@@ -63,17 +67,38 @@ def tests_of_header():
     return [n for n in names if re.search(r'include "%s\.h"' % name, open('tests/%s.c' % n).read()) and not n.endswith('_big_endian') and n != 'test_memory']
 
 
-def build(folder, test):
-    """The object's digest, or None where it does not compile; a program beside it."""
-    base = '%s/%s' % (folder, test)
-    if run(['gcc', '-I' + folder, '-I.'] + flags + ['-c', 'tests/%s.c' % test, '-o', base + '.o'], 300)[0] != 0:
+def linked(test):
+    """The headers that a test leaves to the linker: all but those whose private text it reaches (as tests/run.sh has it)."""
+    text = open('tests/%s.c' % test).read()
+    return [h for h in headers if not re.search(r'(%s|%s|\bms)__|include "io\.h"' % (h, h.upper()), text)]
+
+
+def digest(path):
+    return hashlib.md5(open(path, 'rb').read()).hexdigest()
+
+
+def header(folder):
+    """The digest of the header's object, or None where it does not compile."""
+    to = '%s/%s.o' % (folder, name)
+    if run(cc + ['-I' + folder, '-I.'] + flags + ['-D%s_IMPLEMENTATION' % upper, '-include', '%s/%s.h' % (folder, name), '-c', '-x', 'c', '/dev/null', '-o', to], 300)[0] != 0:
         return None
-    return hashlib.md5(open(base + '.o', 'rb').read()).hexdigest()
+    return digest(to)
+
+
+def build(folder, test):
+    """The digest of the test's object, or None where it does not compile."""
+    to = '%s/%s.o' % (folder, test)
+    made = ['-D%s_IMPLEMENTED' % h.upper() for h in linked(test)]
+    if run(cc + ['-I' + folder, '-I.'] + flags + made + ['-c', 'tests/%s.c' % test, '-o', to], 300)[0] != 0:
+        return None
+    return digest(to)
 
 
 def link(folder, test):
     base = '%s/%s' % (folder, test)
-    return run(['gcc', base + '.o', '-o', base, '-lm', '-lpthread'], 60)[0] == 0
+    program = ('%s/base/%s.o' % (out, test)) if name in linked(test) else base + '.o'
+    objects = ['%s/%s.o' % (folder, h) if h == name else 'build/%s.o' % h for h in linked(test)]
+    return run(cc + [program] + objects + ['-o', base, '-lm', '-lpthread'], 60)[0] == 0
 
 
 # --- places ---------------------------------------------------------------------------------------------------------------
@@ -168,14 +193,16 @@ def attempt(number, i, new):
     text[i] = new
     open('%s/%s.h' % (folder, name), 'w').write('\n'.join(text))
     try:
-        for k, t in enumerate(tests):
-            digest = build(folder, t)
-            if digest is None:
-                return None
-            if digest == base[t]:
-                if k == 0:
+        object = header(folder)
+        if object is None or object == base[name]:
+            return None
+        for t in tests:
+            if name not in linked(t):
+                of = build(folder, t)
+                if of is None:
                     return None
-                continue
+                if of == base[t]:
+                    continue
             if not link(folder, t):
                 return None
             rc, said = run(['%s/%s' % (folder, t)], 20 + 5 * spent[t])
@@ -205,6 +232,8 @@ def baseline(t):
     spent[t] = time.time() - start
 
 
+subprocess.run(['make', '-s'] + ['build/%s.o' % h for h in headers], check=True)
+base[name] = header(out + '/base')
 with ThreadPoolExecutor(o.jobs) as pool:
     list(pool.map(baseline, tests))
 tests.sort(key=lambda t: spent[t])

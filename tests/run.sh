@@ -8,7 +8,8 @@
 #   sh tests/run.sh thread     thread sanitizer;   valgrind, fuzz, soak: as they say
 #   sh tests/run.sh calls      every public call: stack, traps, flushed subnormals, at -O2 and -O0
 #   sh tests/run.sh cross      other machines and C libraries, those whose compiler (and emulator) is installed
-# Called by make from the repository's root. CC, CXX, CFLAGS, JOBS (2), FILTER (parts of jobs' names), FUZZ_SECONDS (20), SINCE (a commit:
+# Called by make from the repository's root. CC, CXX, CFLAGS, JOBS (2), FILTER (parts of jobs' names), SHUFFLE (a number: the jobs in a
+# random order of that number, two or more at a time: nothing may depend on it), FUZZ_SECONDS (20), SINCE (a commit:
 # style, sanitize and long only for the files that differ from it, headers without their rarer options).
 # Each job writes build/run/GROUP/NAME.log; the log of a failed one is shown. Seconds are of processor time; build/run/GROUP/seconds
 # lists them for every job, the dearest first, with those of the clock behind them.
@@ -338,7 +339,12 @@ check | test | long) [ ! -d "$out/objects" ] || ar rcs "$out/objects/ms.a" build
 esac
 for job in "$out"/objects/*.job; do [ ! -f "$job" ] || echo "$job"; done | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
 for o in "$out"/objects/*ms_*.o; do [ ! -f "$o" ] || ar rcs "${o%ms_*.o}ms.a" "$o"; done
-ls "$out"/*.job 2>/dev/null | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
+in_order() {
+    if [ -z "${SHUFFLE:-}" ]; then cat
+    else awk -v seed="$SHUFFLE" 'BEGIN {srand(seed)} {print rand() "\t" $0}' | sort | cut -f 2
+    fi
+}
+ls "$out"/*.job 2>/dev/null | in_order | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
 cat "$out"/*.seconds "$out"/objects/*.seconds 2>/dev/null | sort -rn >"$out/seconds"
 [ "$(wc -l <"$out/seconds")" -lt 11 ] || { echo "the ten dearest, in seconds of processor time:"; head -10 "$out/seconds" | awk '{print "  " $1 "  " $3}'; }
 awk '{s += $1} END {printf "%.0f s of processor time\n", s}' "$out/seconds"

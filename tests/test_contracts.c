@@ -4,10 +4,15 @@
      defaults  an option that says "0: value" gives the same bits with 0 and with the value, and others with `other`
      limits    the last value that is accepted and the first that is refused
    A line of the tables below is one fact: add yours where your header's lines stand. */
+#define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
+#define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
+#define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
+#define MS_PME_IMPLEMENTATION
 #include "ms_pme.h"
+#define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 
 #include "test.h"
@@ -500,6 +505,36 @@ static runs run_pme(const void *options)
     return ended(status, &error, out, sizeof out);
 }
 
+static ms_status picture(void *user, const double *x, float *image)
+{
+    int i;
+    (void)user;
+    for (i = 0; i < 12; ++i) image[i] = (float)(0.5 + 0.3 * sin(x[0] * i) * x[1] + 0.1 * x[0] * x[0]);
+    return MS_OK;
+}
+
+static runs run_match(const void *options)
+{
+    ms_pme_renderer renderer = ms_pme_renderer_defaults();
+    ms_pme_match_result result;
+    ms_error error;
+    float target[12];
+    double x[2] = {0.3, 0.6}, out[14];
+    int i;
+    ms_status status;
+    picture(NULL, x, target);
+    for (i = 0; i < 12; ++i) target[i] = target[i] * (i % 2 ? 1.2f : 0.9f) + (i < 6 ? 0.02f : 0);
+    renderer.parameter_count = 2;
+    renderer.image_size = 12;
+    renderer.render = picture;
+    memset(&result, 0, sizeof result);
+    status = ms_pme_match(&renderer, target, NULL, (const ms_pme_match_options *)options, x, NULL, &result, &error);
+    out[0] = x[0], out[1] = x[1], out[2] = result.rmse, out[3] = result.cost, out[4] = result.refine.cost;
+    out[5] = (double)result.refine.stop;
+    for (i = 0; i < 4; ++i) out[6 + i] = result.gain[i], out[10 + i] = result.offset[i];
+    return ended(status, &error, out, sizeof out);
+}
+
 /* --- ms_gpr.h --- */
 
 static runs run_fit(const void *options)
@@ -702,6 +737,7 @@ static runs run_nn_shader(const void *shader)
 /* Every options structure, all zero but for what `set` says. */
 typedef union options_of {
     ms_pme_options pme;
+    ms_pme_match_options match;
     ms_gpr_fit_options fit;
     ms_gpr_recommend_options recommend;
     ms_gpr_gallery_options gallery;
@@ -717,6 +753,7 @@ typedef union options_of {
     char bytes[512];
 } options_of;
 
+static void set_tint(options_of *o) { o->match.nuisance = MS_PME_TINT; }
 static void set_floor(options_of *o)
 {
     static const double least = 0;
@@ -744,6 +781,8 @@ static const struct {
 } defaults[] = {
     {run_pme, NULL, FIELD(ms_pme_options, max_cost, 'd'), 1000, 12},
     {run_pme, NULL, FIELD(ms_pme_options, tolerance, 'd'), 1e-10, 1e-2},
+    {run_match, NULL, FIELD(ms_pme_match_options, refine.max_cost, 'd'), 50, 9},
+    {run_match, set_tint, FIELD(ms_pme_match_options, channels, 'i'), 1, 2},
     {run_fit, set_floor, FIELD(ms_gpr_fit_options, floor_offset, 'd'), 0.75, 0.5},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, length_min, 'd'), 0.01, 2},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, length_max, 'd'), 1000, 0.5},
@@ -809,6 +848,10 @@ static const struct {
     {run_pme, NULL, FIELD(ms_pme_options, tolerance, 'd'), -1e-9, 0, 1e-3, HUGE_VAL},
     {run_pme, NULL, FIELD(ms_pme_options, method, 'i'), -1, 0, 1, 2},
     {run_pme, NULL, FIELD(ms_pme_options, restarts, 'i'), -1, 0, 3, NONE},
+    {run_match, set_tint, FIELD(ms_pme_match_options, channels, 'i'), -1, 0, MS_PME_CHANNELS_MAX, 6},
+    {run_match, NULL, FIELD(ms_pme_match_options, channels, 'i'), 5, 0, 3, 7},
+    {run_match, NULL, FIELD(ms_pme_match_options, nuisance, 'i'), -1, 0, 7, 8},
+    {run_match, NULL, FIELD(ms_pme_match_options, random_count, 'i'), -1, 0, 5, NONE},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, noise_min, 'd'), -1e-9, 0, 9, 9.001},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, floor_offset, 'd'), -101, -100, 100, 100.1},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, evaluations, 'i'), -1, 0, 5, NONE},
@@ -878,8 +921,30 @@ static void limits_are_those_stated(void)
     TEST_NOTE("%d arguments", (int)i);
 }
 
-static const test_case cases[] = {{"memory: ms_nn.h", memory_nn},     {"memory: ms_sss.h", memory_sss},
-                                  {"memory: texts", memory_texts},    {"memory: ms_gpr.h", memory_gpr},
-                                  {"memory: ms_mcml.h", memory_mcml}, {"zero is the default", zero_is_the_default},
+/* The report's spread: mean distance to the nearest other recommendation; there is none of one alone. */
+static void spread_of_few(void)
+{
+    ms_gpr *gp = user_model();
+    ms_gpr_recommend_report report;
+    double x[3 * USER_M], d[3] = {0, 0, 0};
+    int i, k;
+    CHECK_INT(ms_gpr_recommend(gp, NULL, 1, x, NULL, NULL, &report, NULL), MS_OK);
+    CHECK_NEAR(report.spread, 0, 0);
+    CHECK_INT(ms_gpr_recommend(gp, NULL, 3, x, NULL, NULL, &report, NULL), MS_OK);
+    for (i = 0; i < 3; ++i) { /* between i and i + 1; the box is 0 to 1 */
+        for (k = 0; k < USER_M; ++k) d[i] += pow(x[i * USER_M + k] - x[(i + 1) % 3 * USER_M + k], 2) / USER_M;
+        d[i] = sqrt(d[i]);
+    }
+    CHECK_NEAR(report.spread, (fmin(d[0], d[2]) + fmin(d[0], d[1]) + fmin(d[1], d[2])) / 3, 1e-12);
+    ms_gpr_destroy(gp);
+}
+
+static const test_case cases[] = {{"memory: ms_nn.h", memory_nn},
+                                  {"memory: ms_sss.h", memory_sss},
+                                  {"memory: texts", memory_texts},
+                                  {"memory: ms_gpr.h", memory_gpr},
+                                  {"memory: ms_mcml.h", memory_mcml},
+                                  {"spread of few", spread_of_few},
+                                  {"zero is the default", zero_is_the_default},
                                   {"limits", limits_are_those_stated}};
 TEST_MAIN(cases)

@@ -1766,7 +1766,7 @@ static void case_refused(void)
         if (i == 21) o.fade = 1.5f;
         if (i == 22) o.jitter = NAN;
         if (i == 23) o.rotation = INFINITY;
-        if (i == 24) o.depth_mode = (ms_sss_depth_mode)3;
+        if (i == 24) o.depth_mode = (ms_sss_depth_mode)i;
         if (i == 25) o.albedo_mode = (ms_sss_albedo_mode)3;
         if (i == 26) given = size - 1;
         if (i == 27) given = 0;
