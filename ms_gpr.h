@@ -51,7 +51,7 @@
    3. What was learned: ms_gpr_predict, ms_gpr_gradient, ms_gpr_relevance; ms_gpr_simplify leaves out what a scene
       does not need. To store a model, store materials, scores, pairs and theta, and call ms_gpr_create.
    4. New materials: ms_gpr_recommend. Recommendations, galleries and planes satisfy a ms_gpr_space: what is fixed,
-      ranges, steps, ties, lists of metals.
+      ranges, steps, equal columns, lists of metals.
    5. Variants of a liked material: ms_gpr_latent_fit lays high-scoring materials out in a plane, ms_gpr_latent_map
       leads from the plane to materials; ms_gpr_map_preference and its sisters color it; ms_gpr_variants finds the
       best ones.
@@ -249,9 +249,6 @@ MS_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, c
 
 MS_API void ms_gpr_destroy(ms_gpr *gp);
 
-/* Other hyperparameters [m + 2] for the same data. The model is unchanged unless MS_OK. */
-MS_API ms_status ms_gpr_set_theta(ms_gpr *gp, const double *theta, ms_error *error);
-
 /* One more scored point, x [m]; the hyperparameters stay. Conditions anew: n^3 / 6 multiply-adds, 0.3 ms at n = 240.
    The model is unchanged unless MS_OK, here and in the next two. */
 MS_API ms_status ms_gpr_append(ms_gpr *gp, const double *x, double y, ms_error *error);
@@ -289,27 +286,23 @@ MS_API ms_status ms_gpr_simplify(ms_gpr *gp, double tolerance, int *kept, ms_err
    that differs in dimension k alone, the scores correlate by about exp(-relevance / 2). 0 for a dropped dimension. */
 MS_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance);
 
-MS_API int ms_gpr_count(const ms_gpr *gp);            /* n */
-MS_API int ms_gpr_dimensions(const ms_gpr *gp);       /* m */
-MS_API const double *ms_gpr_theta(const ms_gpr *gp);  /* [m + 2]; a dropped dimension has log l_k = 700 */
-MS_API const double *ms_gpr_inputs(const ms_gpr *gp); /* [n][m], valid until the model changes */
-MS_API const double *ms_gpr_scores(const ms_gpr *gp); /* [n], as they were given */
-MS_API const double *ms_gpr_values(const ms_gpr *gp); /* [n] the same, and predictions where there are none */
-MS_API const int *ms_gpr_pairs(const ms_gpr *gp);     /* [ms_gpr_pair_count][2] */
-MS_API int ms_gpr_pair_count(const ms_gpr *gp);
-MS_API double ms_gpr_mean(const ms_gpr *gp);        /* the prior mean */
-MS_API double ms_gpr_floor(const ms_gpr *gp);       /* the least score that can be given; see ms_gpr_fit_options */
-MS_API double ms_gpr_floor_value(const ms_gpr *gp); /* what scores there are taken as */
-MS_API ms_simd ms_gpr_level(const ms_gpr *gp);      /* instruction set in use */
+/* What a model consists of; all zero for NULL. Pointers are valid until the model changes. */
+typedef struct ms_gpr_view {
+    int n, m, pair_count;
+    const double *x;     /* [n][m] */
+    const double *y;     /* [n] scores as they were given */
+    const double *value; /* [n] the same, and predictions for rows without a score */
+    const double *theta; /* [m + 2]; a dropped dimension has log l_k = 700 */
+    const int *pairs;    /* [pair_count][2] */
+    double mean;         /* prior mean */
+    double floor;        /* the least score that can be given; see ms_gpr_fit_options */
+    double floor_value;  /* what scores at the floor are modelled as */
+    double jitter;       /* was added to sn^2, in units of sf^2, to make K' positive definite in double precision: 0
+                            nearly always, else a power of ten from 1e-15 to 1e-6 */
+    ms_simd level;       /* instruction set in use */
+} ms_gpr_view;
 
-/* What had to be added to sn^2, in units of sf^2, to make K' positive definite in double precision: 0 nearly always,
-   else a power of ten from 1e-15 to 1e-6. Results are those of the model with that noise. */
-MS_API double ms_gpr_jitter(const ms_gpr *gp);
-
-/* log p(y | X, theta), and where not NULL its gradient [m + 2] with respect to theta. Exact; allocates 3 n^2 doubles
-   and costs n^3 / 2 + n^2 m multiply-adds with the gradient. Rasmussen & Williams 2006, (5.8), (5.9); thesis (3.7) with
-   errata. */
-MS_API ms_status ms_gpr_likelihood(const ms_gpr *gp, double *likelihood, double *gradient, ms_error *error);
+MS_API ms_gpr_view ms_gpr_view_of(const ms_gpr *gp);
 
 /* ---- fit ------------------------------------------------------------------------------------------------------- */
 
@@ -329,17 +322,7 @@ typedef struct ms_gpr_fit_options {
     const double
         *start; /* [m + 2] theta where the search starts, alone; NULL: sf = 1 and sn = 0.1 standard deviations, and */
     double length_start; /* l_k = so many widths, alone; 0: 0.25, 0.5 and 3 sqrt(m) */
-    double length_min;   /* bounds of l_k in widths; 0: 0.01 */
-    double length_max;   /* 0: 1000 */
-    double noise_min;    /* least sn in standard deviations of the scores; 0: 0.001 */
-    double noise; /* MAP expects about this sn, in units of the scores; 0: 0.5 standard deviations of them, 1.5 where
-                     they come in steps */
-    double noise_spread;  /* and is a factor of e^noise_spread in doubt (a standard deviation of log sn); 0: 0.25 */
-    double length;        /* MAP expects about this l_k, in widths; 0: 2.1 sqrt(m) */
-    double length_spread; /* doubt about it, as noise_spread; 0: 1.5 */
-    int evaluations;      /* of the likelihood at most, a start; 0: 200 */
-    int random_starts;    /* besides the three */
-    uint64_t seed;        /* of those */
+    int evaluations;     /* of the likelihood at most, a start; 0: 200 */
     ms_simd simd;
     ms_allocator allocator;
     ms_parallel parallel; /* kept by the model for what it says in ms_gpr_options; the fit runs on the calling thread */
@@ -354,7 +337,7 @@ typedef struct ms_gpr_fit_options {
                  above the least given 3 times or more on average, as such; others are exact. Negative: exact */
 } ms_gpr_fit_options;
 
-/* The one number among the answers that looks like a slip: a score that all others contradict, or a value far outside
+/* The one number among the answers that visited like a slip: a score that all others contradict, or a value far outside
    the rest of its column. */
 typedef struct ms_gpr_outlier {
     int row;          /* of x and y; -1: none */
@@ -398,14 +381,6 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
 MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, double *mean, double *variance,
                                 ms_error *error);
 
-/* The mean alone, in single precision: twice as fast. Its error is about 1e-6 sf^2 sum |alpha_i| k_i at worst; see
-   tests/bench/RESULTS.md. */
-MS_API ms_status ms_gpr_predict_f(const ms_gpr *gp, const float *x, int count, float *mean, ms_error *error);
-
-/* Mean and variance at one point x [m] with their gradients [m]; any output may be NULL. */
-MS_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean, double *mean_gradient,
-                                 double *variance, double *variance_gradient, ms_error *error);
-
 /* ---- where materials may lie ----------------------------------------------------------------------------------- */
 
 /* Values that some parameters take together, such as a list of metals. */
@@ -424,17 +399,14 @@ typedef struct ms_gpr_space {
                            list's range. -INFINITY, INFINITY: so in that column */
     const double *steps; /* [m] parameters that come in steps from low on, such as 1 for whole numbers; 0: continuous.
                             NULL: all are */
-    const double
-        *ties; /* [tie_count][m + 1] sum over k of tie[k] x[k] = tie[m], to 1e-9 of the box. What is neither fixed, in
-                  steps nor in a list follows what is; uniform is then uniform on what the ties leave, by hit-and-run */
-    int tie_count;
+    const int *equal;    /* [equal_count][2] columns that always have equal values, on the same scale */
+    int equal_count;
     const ms_gpr_list *lists;
     int list_count;
 } ms_gpr_space;
 /* MS_INVALID_ARGUMENT, and a message that says which of them, where they contradict each other: low > high; no row of a
-   list in the box; a parameter in two lists, or in a list and in steps; ties that nothing in the box keeps, or that
-   join only what is fixed, in steps or in lists. Smith 1984, "Efficient Monte Carlo procedures for generating points
-   uniformly distributed over bounded regions". */
+   list in the box; a parameter in two lists, or in a list and in steps; equal columns whose ranges do not meet, in a
+   list, or in different steps. */
 
 /* ---- recommendation -------------------------------------------------------------------------------------------- */
 
@@ -449,14 +421,11 @@ typedef enum ms_gpr_search {
 
 /* All zero: the defaults. */
 typedef struct ms_gpr_recommend_options {
-    double tau;     /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. The thesis advises 0.4 (variety)
-                       to 0.7 (quality); recommendations score a little above it on average: 0.8 for the best alone.
-                       floor: ms_gpr_floor */
-    double best;    /* the score that tau = 1 means, such as 10; 0: the largest that was given. Where the model predicts
-                       less all over the box, the largest mean takes its place */
-    double caution; /* accept on mean - caution * sigma, >= 0. 0: on the mean */
-    double min_distance; /* between any two recommendations: root mean square over the dimensions, in widths of the box.
-                            0: none. Uniform pairs are 0.4 apart */
+    double tau;  /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. The thesis advises 0.4 (variety)
+                    to 0.7 (quality); recommendations score a little above it on average: 0.8 for the best alone.
+                    floor: ms_gpr_floor */
+    double best; /* the score that tau = 1 means, such as 10; 0: the largest that was given. Where the model predicts
+                    less all over the box, the largest mean takes its place */
     double diversity; /* 0: in proportion to the volume of what is liked. Up to 1: every recommendation is the farthest
                          from those before it of 1 + 15 diversity */
     ms_gpr_space space;  /* what is kept */
@@ -466,9 +435,7 @@ typedef struct ms_gpr_recommend_options {
     int skip;              /* leaves out the first `skip` of the sequence that seed stands for: 20 more of the same */
     uint64_t seed;
     ms_gpr_search search;
-    int rounds;            /* of slice steps before a recommendation is taken; more come closer to independence. 0: 1 */
-    double max_candidates; /* rejection gives up after so many predictions; 0: 1e7 */
-    ms_progress progress;  /* asked once every 16384 candidates, step of the threshold or 64 recommendations */
+    ms_progress progress; /* asked once every 16384 candidates, step of the threshold or 64 recommendations */
 } ms_gpr_recommend_options;
 
 typedef struct ms_gpr_recommend_report {
@@ -508,24 +475,17 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
    liked: a material drawn in proportion to its score, half of them crossed with a second one, some of the parameters
    drawn anew. */
 typedef enum ms_gpr_gallery_kind {
-    MS_GPR_GALLERY_ACTIVE = 0, /* spread evenly until something is liked; then by turns what recommendations depend on,
-                                  largest 1.96 sigma - |mean - threshold of tau = 0.6|, and what is promising */
-    MS_GPR_GALLERY_PROMISING = 1, /* largest P(score > floor) sigma: what may be liked and is not known yet */
-    MS_GPR_GALLERY_INTERMEDIATE =
-        2, /* draws from the distribution learned so far, density in proportion to max(u - floor, 0) */
-    MS_GPR_GALLERY_UNCERTAIN = 3, /* largest sigma */
-    MS_GPR_GALLERY_NOVEL = 4,     /* novelty search: farthest, in length scales, from everything seen so far */
-    MS_GPR_GALLERY_UNIFORM = 5,   /* the thesis's first gallery */
-    MS_GPR_GALLERY_SPREAD = 6     /* uniform, each parameter evenly over its range (a Latin hypercube) */
+    MS_GPR_GALLERY_ACTIVE = 0, /* spread evenly until something is liked; then, in turns, materials near the threshold
+                                  of recommendations (largest 1.96 sigma - |mean - threshold of tau = 0.6|) and
+                                  promising ones (largest P(score > floor) sigma) */
+    MS_GPR_GALLERY_SPREAD = 1  /* uniform, each parameter evenly over its range (a Latin hypercube) */
 } ms_gpr_gallery_kind;
 
 /* All zero: the defaults. */
 typedef struct ms_gpr_gallery_options {
-    ms_gpr_space space; /* what is kept */
+    ms_gpr_space space; /* constraints */
     uint64_t seed;      /* the number of scores is part of it: every round gives another gallery */
     ms_gpr_gallery_kind kind;
-    int pool;    /* candidates to choose from; 0: the larger of 4000 and 10 count */
-    int uniform; /* 1: no variants among them */
 } ms_gpr_gallery_options;
 
 /* Materials that the user is to score next, best in batches of 5 to 25. Each choice takes those before it as seen:
@@ -547,11 +507,7 @@ typedef struct ms_gpr_latent ms_gpr_latent;
 
 /* All zero: the defaults. */
 typedef struct ms_gpr_latent_options {
-    int dimensions;     /* of the latent space, 1 to 3; 0: 2 */
-    double prior;       /* precision of a normal prior on every latent coordinate; 0: none */
-    double noise_floor; /* least standard deviation of the noise, in units of x; 0: 1e-3 of the materials' own */
-    int starts;         /* scales of the PCA start that are tried; 0: 3 */
-    int evaluations;    /* of the likelihood, at most; 0: 2000 */
+    double prior; /* precision of a normal prior on every latent coordinate; 0: none */
     ms_gpr_space
         space; /* what materials of the plane keep: what the model says is moved to the nearest that does. All zero:
                   nothing, not even a box; else as in recommendations, for the range of the embedded materials */
@@ -578,22 +534,10 @@ typedef struct ms_gpr_latent_report {
 MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_latent_options *options,
                                    ms_gpr_latent **out, ms_gpr_latent_report *report, ms_error *error);
 
-/* A latent space whose latents [z][l] and theta [l + 2] = log lengths, log sf, log sn are given (stored, or fitted
-   elsewhere); l = options->dimensions. x is modelled as it stands: not centred. Statuses as above, and MS_NOT_CONVERGED
-   as in ms_gpr_create. */
-MS_API ms_status ms_gpr_latent_create(const double *x, int z, int m, const double *latent, const double *theta,
-                                      const ms_gpr_latent_options *options, ms_gpr_latent **out, ms_error *error);
-
 MS_API void ms_gpr_latent_destroy(ms_gpr_latent *plane);
 
-/* The log likelihood of a latent space (latents, theta and x as it holds them) and, where not NULL, its gradient with
-   respect to theta [l + 2] and to the latents [z][l]. Exact: direct differences. */
-MS_API ms_status ms_gpr_latent_likelihood(const ms_gpr_latent *plane, double *likelihood, double *gradient_theta,
-                                          double *gradient_latent, ms_error *error);
-
 /* Views that live as long as the space: [z][l] latents; [l + 2] theta. */
-MS_API int ms_gpr_latent_count(const ms_gpr_latent *plane);     /* z */
-MS_API double ms_gpr_latent_jitter(const ms_gpr_latent *plane); /* as ms_gpr_jitter */
+MS_API int ms_gpr_latent_count(const ms_gpr_latent *plane); /* z */
 MS_API const double *ms_gpr_latent_points(const ms_gpr_latent *plane);
 MS_API const double *ms_gpr_latent_theta(const ms_gpr_latent *plane);
 
@@ -1067,18 +1011,19 @@ enum {
     MS_GPR__LOWER = 2  /* b_kj = 0 for k < j */
 };
 
-/* Means along lines: with d2_i the squared distance of a place from point i, that of place + t step is d2_i + t
+/* Means along lines: with d2_i the squared distance of a point from point i, that of point + t step is d2_i + t
    (slope_i + t c), c = |step|^2. One such table a level and precision; lists are of `size` bytes a number, n a multiple
    of 8. */
 typedef struct ms_gpr__lines {
     size_t size;
     /* d2_i = sum over k of (points[k stride + i] - place_k)^2 */
-    void (*arrive)(void *d2, const void *points, size_t stride, const double *place, int m, int n);
+    void (*distances)(void *d2, const void *points, size_t stride, const double *point, int m, int n);
     /* slope_i = 2 sum over k of step_k (place_k - points[k stride + i]) */
-    void (*face)(void *slope, const void *points, size_t stride, const double *place, const double *step, int m, int n);
+    void (*slopes)(void *slope, const void *points, size_t stride, const double *point, const double *step, int m,
+                   int n);
     /* sum of weight_i exp(-(d2_i + t (slope_i + t c)) / 2) */
     double (*mean)(const void *d2, const void *slope, double t, double c, const void *weight, int n);
-    void (*go)(void *d2, const void *slope, double t, double c, int n); /* d2_i += t (slope_i + t c) */
+    void (*advance)(void *d2, const void *slope, double t, double c, int n); /* d2_i += t (slope_i + t c) */
 } ms_gpr__lines;
 
 /* The inner loops, one table a level. Matrices are row-major with a stride; a is [depth][rows], b is [depth][columns],
@@ -1102,8 +1047,8 @@ typedef struct ms_gpr__kernels {
     void (*solve)(const double *u, size_t u_stride, double *b, size_t b_stride, int columns);
     /* w_j = (g_j + alpha_i alpha_j) k_j; returns their sum */
     double (*weights)(double *w, const double *g, const double *k, const double *alpha, double alpha_i, int columns);
-    /* slope[8 k] to slope[8 k + 7] += partial sums over j of w_j (points[k stride + j] - place[k stride])^2, k < m */
-    void (*slopes)(double *slope, const double *w, const double *points, size_t stride, const double *place, int m,
+    /* slope[8 k] to slope[8 k + 7] += partial sums over j of w_j (points[k stride + j] - point[k stride])^2, k < m */
+    void (*slopes)(double *slope, const double *w, const double *points, size_t stride, const double *point, int m,
                    int columns);
     void (*axpy)(double *y, double a, const double *x, int columns); /* y += a x */
     double (*dot)(const double *x, const double *y, int columns);
@@ -1343,7 +1288,7 @@ static double ms_gpr__clip(const ms_gpr__search *s, int i, double x)
 }
 
 /* Whether variable i sits on a bound and the gradient holds it there. */
-static int ms_gpr__held(const ms_gpr__search *s, int i, double x, double slope)
+static int ms_gpr__at_bound(const ms_gpr__search *s, int i, double x, double slope)
 {
     return (s->low && x <= s->low[i] && slope > 0) || (s->high && x >= s->high[i] && slope < 0);
 }
@@ -1371,7 +1316,7 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
     while (best.evaluations < s->evaluations) {
         double slope = 0, largest = 0, step = 1, value = 0, decrease = 0, steepest = 0;
         for (i = 0; i < s->count; ++i) {
-            direction[i] = ms_gpr__held(s, i, q[i], gradient[i]) ? 0 : -gradient[i];
+            direction[i] = ms_gpr__at_bound(s, i, q[i], gradient[i]) ? 0 : -gradient[i];
             if (fabs(direction[i]) > steepest) steepest = fabs(direction[i]);
         }
         if (!(steepest > 0)) break;
@@ -1399,7 +1344,7 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
             for (i = 0; i < s->count; ++i) direction[i] += b * move[i];
         }
         for (i = 0; i < s->count; ++i) {
-            if (ms_gpr__held(s, i, q[i], gradient[i])) direction[i] = 0;
+            if (ms_gpr__at_bound(s, i, q[i], gradient[i])) direction[i] = 0;
             slope += direction[i] * gradient[i];
             if (fabs(direction[i]) > largest) largest = fabs(direction[i]);
         }
@@ -1449,7 +1394,7 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
                 yy += change[i] * change[i];
                 q[i] = trial[i];
                 gradient[i] = trial_gradient[i];
-                if (!ms_gpr__held(s, i, q[i], gradient[i]) && fabs(gradient[i]) > steepest)
+                if (!ms_gpr__at_bound(s, i, q[i], gradient[i]) && fabs(gradient[i]) > steepest)
                     steepest = fabs(gradient[i]);
             }
             best.value = value;
@@ -1470,36 +1415,36 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
 /* What was said about a latent value g = f_row, or about a difference g = f_row - f_than: that g and its noise lie from
    low to high. A score is low = high, a comparison 0 to MS_GPR__OPEN of a difference, a score of coarse steps a
    range. */
-typedef struct ms_gpr__link {
+typedef struct ms_gpr__observation {
     int row, than; /* than < 0: one row */
     double low, high;
-} ms_gpr__link;
+} ms_gpr__observation;
 
 static const double MS_GPR__OPEN = 1e40; /* a bound that is none */
-static const double MS_GPR__WEAK =
+static const double MS_GPR__RIDGE =
     1e-5; /* K / sf^2 that every row is held to the prior mean by, so that W can be inverted */
 
 /* What one evaluation needs. Rows and columns behind n stand for points that are independent of everything. */
 typedef struct ms_gpr__problem {
     const ms_gpr__kernels *kernels;
-    int n, m;         /* m: dimensions in use */
-    size_t stride;    /* of every matrix here */
-    double *points;   /* [m][stride] inputs in length scales, by dimension */
-    double *target;   /* [stride] scores less the prior mean */
-    double *alpha;    /* [stride] K'^-1 target */
-    double *kernel;   /* [n][stride] K, upper triangle */
-    double *upper;    /* [n][stride] U, U'U = K'; later -K'^-1 */
-    double *inverse;  /* [n][stride] U'^-1 */
-    double *weight;   /* [stride] a row of dL/dK * K */
-    double *slope;    /* [m][8] */
-    int links, pairs; /* where not every row has one exact score: what was said, comparisons last; else 0 */
-    ms_gpr__link *link;
+    int n, m;                /* m: dimensions in use */
+    size_t stride;           /* of every matrix here */
+    double *points;          /* [m][stride] inputs in length scales, by dimension */
+    double *target;          /* [stride] scores less the prior mean */
+    double *alpha;           /* [stride] K'^-1 target */
+    double *kernel;          /* [n][stride] K, upper triangle */
+    double *upper;           /* [n][stride] U, U'U = K'; later -K'^-1 */
+    double *inverse;         /* [n][stride] U'^-1 */
+    double *weight;          /* [stride] a row of dL/dK * K */
+    double *slope;           /* [m][8] */
+    int observations, pairs; /* where not every row has one exact score: what was said, comparisons last; else 0 */
+    ms_gpr__observation *observation;
     double *solved;   /* [n][stride] U'^-1 K; before that, blocks of W */
     double *latent;   /* [stride] f, the most probable latent values; alpha = K^-1 f */
     double *list;     /* [6][stride] scratch, then [pairs] */
     int components;   /* of the graph of comparisons, single rows included; 0: not known yet */
     int *member;      /* [n] rows, component by component */
-    int *place;       /* [n] where a row is in its component */
+    int *position;    /* [n] where a row is in its component */
     int *first;       /* [n + 1] the first member of each component */
     int *head, *next; /* [n], [pairs] lists of the comparisons that a row won; -1 ends one */
 } ms_gpr__problem;
@@ -1542,11 +1487,11 @@ static double ms_gpr__log_determinant(const double *upper, size_t stride, int n)
 
 /* --- comparisons and coarse scores --- */
 
-/* log p(g in [low, high] after noise) of one link, and its derivatives. */
-typedef struct ms_gpr__opinion {
-    double value, slope, curvature, jerk; /* l and its derivatives by g, the last two with their signs turned */
-    double value_s, slope_s, curvature_s; /* the first three by the logarithm of the noise's deviation */
-} ms_gpr__opinion;
+/* log p(g in [low, high] after noise) of one observation, and its derivatives. */
+typedef struct ms_gpr__term {
+    double value, slope, curvature, third; /* l and its derivatives by g, the last two with their signs turned */
+    double value_s, slope_s, curvature_s;  /* the first three by the logarithm of the noise's deviation */
+} ms_gpr__term;
 
 /* (1 - Phi(x)) / phi(x) for x >= 0: Mills' ratio, by its continued fraction where erfc has few digits left. */
 static double ms_gpr__mills(double x)
@@ -1559,15 +1504,15 @@ static double ms_gpr__mills(double x)
 }
 
 /* s: deviation of the noise of g. */
-static ms_gpr__opinion ms_gpr__opinion_of(const ms_gpr__link *link, double g, double s)
+static ms_gpr__term ms_gpr__term_of(const ms_gpr__observation *observation, double g, double s)
 {
-    ms_gpr__opinion r;
-    double a = (link->low - g) / s, b = (link->high - g) / s, sign = 1, ra, rb, q, e, d, q_s, e_s;
-    if (!(link->high > link->low)) {                             /* a density */
+    ms_gpr__term r;
+    double a = (observation->low - g) / s, b = (observation->high - g) / s, sign = 1, ra, rb, q, e, d, q_s, e_s;
+    if (!(observation->high > observation->low)) {               /* a density */
         r.value = -0.5 * a * a - log(s) - 0.9189385332046727418; /* log(2 pi) / 2 */
         r.slope = a / s;
         r.curvature = 1 / (s * s);
-        r.jerk = 0;
+        r.third = 0;
         r.value_s = a * a - 1;
         r.slope_s = -2 * r.slope;
         r.curvature_s = -2 * r.curvature;
@@ -1601,18 +1546,18 @@ static ms_gpr__opinion ms_gpr__opinion_of(const ms_gpr__link *link, double g, do
     e_s = (b * b * b - b) * rb - (a * a * a - a) * ra + e * e;
     r.slope = sign * q / s;
     r.curvature = d / (s * s);
-    r.jerk = sign * ((1 - a * a) * ra - (1 - b * b) * rb - 2 * q * d - e * q) / (s * s * s);
+    r.third = sign * ((1 - a * a) * ra - (1 - b * b) * rb - 2 * q * d - e * q) / (s * s * s);
     r.value_s = -e;
     r.slope_s = sign * (q_s - q) / s;
     r.curvature_s = (2 * q * q_s + e_s - 2 * d) / (s * s);
     return r;
 }
 
-static ms_gpr__opinion ms_gpr__opinion_at(const ms_gpr__problem *p, int i, double noise)
+static ms_gpr__term ms_gpr__term_at(const ms_gpr__problem *p, int i, double noise)
 {
-    const ms_gpr__link *l = &p->link[i];
-    return ms_gpr__opinion_of(l, p->latent[l->row] - (l->than < 0 ? 0 : p->latent[l->than]),
-                              sqrt(l->than < 0 ? noise : 2 * noise));
+    const ms_gpr__observation *l = &p->observation[i];
+    return ms_gpr__term_of(l, p->latent[l->row] - (l->than < 0 ? 0 : p->latent[l->than]),
+                           sqrt(l->than < 0 ? noise : 2 * noise));
 }
 
 /* out = a v, a symmetric, of which the upper triangle is there. */
@@ -1635,12 +1580,12 @@ static void ms_gpr__symmetric(const ms_gpr__kernels *f, const double *a, size_t 
 }
 
 /* sum of l - alpha' f / 2, which Newton's method climbs. */
-static double ms_gpr__agreement(const ms_gpr__problem *p, double weak, double noise)
+static double ms_gpr__log_posterior(const ms_gpr__problem *p, double ridge, double noise)
 {
     double sum = 0;
     int i;
-    for (i = 0; i < p->n; ++i) sum -= 0.5 * p->latent[i] * (p->alpha[i] + weak * p->latent[i]);
-    for (i = 0; i < p->links; ++i) sum += ms_gpr__opinion_at(p, i, noise).value;
+    for (i = 0; i < p->n; ++i) sum -= 0.5 * p->latent[i] * (p->alpha[i] + ridge * p->latent[i]);
+    for (i = 0; i < p->observations; ++i) sum += ms_gpr__term_at(p, i, noise).value;
     return sum;
 }
 
@@ -1654,8 +1599,8 @@ static int ms_gpr__root(int *parent, int i)
 /* Connected components of the graph whose edges are the comparisons: W is block-diagonal over them. */
 static void ms_gpr__components(ms_gpr__problem *p)
 {
-    int *parent = p->place, *size = p->first, n = p->n, i, j, root, at = 0;
-    const ms_gpr__link *pair = p->link + p->links - p->pairs;
+    int *parent = p->position, *size = p->first, n = p->n, i, j, root, at = 0;
+    const ms_gpr__observation *pair = p->observation + p->observations - p->pairs;
     for (i = 0; i < n; ++i) parent[i] = i, size[i] = 0, p->head[i] = -1;
     for (i = 0; i < p->pairs; ++i) {
         int a = ms_gpr__root(parent, pair[i].row), b = ms_gpr__root(parent, pair[i].than);
@@ -1676,7 +1621,7 @@ static void ms_gpr__components(ms_gpr__problem *p)
     }
     p->first[p->components] = n;
     for (j = 0; j < p->components; ++j)
-        for (i = p->first[j]; i < p->first[j + 1]; ++i) p->place[p->member[i]] = i - p->first[j];
+        for (i = p->first[j]; i < p->first[j + 1]; ++i) p->position[p->member[i]] = i - p->first[j];
 }
 
 /* Component c of W, whose diagonal is curvature [n] and whose other elements are -compared [pairs]: adds its inverse to
@@ -1689,7 +1634,7 @@ static double ms_gpr__component(ms_gpr__problem *p, int c, const double *curvatu
     int rows = p->first[c + 1] - p->first[c], padded = ms_gpr__padded(rows), i, j;
     size_t stride = ms_gpr__stride(rows), size = (size_t)padded * stride * sizeof(double);
     double *w = p->solved, determinant;
-    const ms_gpr__link *pair = p->link + p->links - p->pairs;
+    const ms_gpr__observation *pair = p->observation + p->observations - p->pairs;
     memset(w, 0, size);
     memset(v, 0, (size_t)padded * sizeof *v);
     for (i = 0; i < padded; ++i) w[(size_t)i * (stride + 1)] = i < rows ? curvature[member[i]] : 1;
@@ -1697,7 +1642,7 @@ static double ms_gpr__component(ms_gpr__problem *p, int c, const double *curvatu
         int at;
         v[i] = z[member[i]];
         for (at = p->head[member[i]]; at >= 0; at = p->next[at]) {
-            j = p->place[pair[at].than];
+            j = p->position[pair[at].than];
             w[(size_t)(i < j ? i : j) * stride + (size_t)(i < j ? j : i)] -= compared[at];
         }
     }
@@ -1718,20 +1663,20 @@ static double ms_gpr__component(ms_gpr__problem *p, int c, const double *curvatu
 
 /* upper = the factor of K + W^-1, W = -l'' at the latent values; list[0] = f + W^-1 l', list[1] = l'. Returns log |W|,
    or 1e300 where a factor fails. */
-static double ms_gpr__opinions(ms_gpr__problem *p, double weak, double noise)
+static double ms_gpr__laplace_factor(ms_gpr__problem *p, double ridge, double noise)
 {
     const ms_gpr__kernels *f = p->kernels;
-    int padded = ms_gpr__padded(p->n), scores = p->links - p->pairs, i, c;
+    int padded = ms_gpr__padded(p->n), scores = p->observations - p->pairs, i, c;
     double *z = p->list, *l1 = z + p->stride, *curvature = z + 4 * p->stride, *v = curvature + p->stride,
            *compared = v + p->stride, determinant = 0;
     if (p->components == 0) ms_gpr__components(p);
     for (i = 0; i < padded; ++i) {
-        curvature[i] = i < p->n ? weak : 1;
-        l1[i] = i < p->n ? -weak * p->latent[i] : 0;
+        curvature[i] = i < p->n ? ridge : 1;
+        l1[i] = i < p->n ? -ridge * p->latent[i] : 0;
     }
-    for (i = 0; i < p->links; ++i) {
-        const ms_gpr__link *l = &p->link[i];
-        ms_gpr__opinion o = ms_gpr__opinion_at(p, i, noise);
+    for (i = 0; i < p->observations; ++i) {
+        const ms_gpr__observation *l = &p->observation[i];
+        ms_gpr__term o = ms_gpr__term_at(p, i, noise);
         curvature[l->row] += o.curvature;
         l1[l->row] += o.slope;
         if (i < scores) continue;
@@ -1770,15 +1715,15 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
     const ms_gpr__kernels *f = p->kernels;
     int padded = ms_gpr__padded(p->n), step, halving, i;
     size_t row = (size_t)padded * sizeof(double);
-    double weak = MS_GPR__WEAK / sf2, determinant = 0, value, better;
+    double ridge = MS_GPR__RIDGE / sf2, determinant = 0, value, better;
     double *z = p->list, *l1 = z + p->stride, *turn = l1 + p->stride, *move = turn + p->stride;
     ms_gpr__symmetric(f, p->kernel, p->stride, padded, p->alpha, p->latent);
-    value = ms_gpr__agreement(p, weak, noise);
+    value = ms_gpr__log_posterior(p, ridge, noise);
     memcpy(turn, p->alpha, row);
     memset(p->alpha, 0, row);
     memcpy(move, p->latent, row);
     memset(p->latent, 0, row);
-    better = ms_gpr__agreement(p, weak, noise);
+    better = ms_gpr__log_posterior(p, ridge, noise);
     if (!ms__finite(value) || better > value) {
         value = better; /* nothing known is the better start */
     } else {
@@ -1787,7 +1732,7 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
     }
     for (step = 0; step < 100; ++step) {
         double slope = 0;
-        determinant = ms_gpr__opinions(p, weak, noise);
+        determinant = ms_gpr__laplace_factor(p, ridge, noise);
         if (determinant > 1e299 || !ms__finite(determinant)) return 0;
         memcpy(turn, z, row);
         ms_gpr__forward_vector(f, p->upper, p->stride, padded, turn);
@@ -1805,27 +1750,27 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
             f->axpy(p->latent, length, move, padded);
             if (slope < 1e-12 * (1 + fabs(value))) break;
             if (halving == 1 && slope < 1e-8 * (1 + fabs(value))) break; /* rounding hides what is gained */
-            better = ms_gpr__agreement(p, weak, noise);
+            better = ms_gpr__log_posterior(p, ridge, noise);
             if (ms__finite(better) && better > value) break;
         }
         if (slope < 1e-12 * (1 + fabs(value)) || halving == 40 || !(better > value)) break;
         value = better;
     }
-    *likelihood = ms_gpr__agreement(p, weak, noise) -
+    *likelihood = ms_gpr__log_posterior(p, ridge, noise) -
         0.5 * (determinant + ms_gpr__log_determinant(p->upper, p->stride, p->n));
     return 1;
 }
 
-/* What the gradient of Laplace's log p(y) has besides tr((alpha alpha' - (K + W^-1)^-1) dK) / 2 because f moves with
+/* What the gradient of Laplace's log p(y) has besides tr((alpha alpha' - (K + W^-1)^-1) dK) / 2 because f implicit with
    theta (Rasmussen & Williams 2006, 5.5.1): u' dK alpha with u = (I - (K + W^-1)^-1 K) s, s = -1/2 d log |I + K W| /
    df, into u; and by log sf and log sn through the noise. upper is the factor of K + W^-1. */
-static void ms_gpr__laplace_moves(ms_gpr__problem *p, double sf2, double noise, double **moves, double *by_sf,
-                                  double *by_sn)
+static void ms_gpr__laplace_implicit(ms_gpr__problem *p, double sf2, double noise, double **implicit, double *by_sf,
+                                     double *by_sn)
 {
     const ms_gpr__kernels *f = p->kernels;
-    int padded = ms_gpr__padded(p->n), first = p->links - p->pairs, i, j;
+    int padded = ms_gpr__padded(p->n), first = p->observations - p->pairs, i, j;
     size_t row = (size_t)padded * sizeof(double);
-    double weak = MS_GPR__WEAK / sf2;
+    double ridge = MS_GPR__RIDGE / sf2;
     double *s = p->list, *u = s + p->stride, *h = u + p->stride, *l1_s = h + p->stride, *explained = l1_s + p->stride;
     for (i = 0; i < padded; ++i)
         for (j = i; j < padded; ++j)
@@ -1837,16 +1782,16 @@ static void ms_gpr__laplace_moves(ms_gpr__problem *p, double sf2, double noise, 
         const double *v = p->solved + (size_t)i * p->stride;
         double *pair = explained + p->stride;
         for (j = 0; j < p->n; ++j) explained[j] += v[j] * v[j];
-        for (j = first; j < p->links; ++j) {
-            double d = v[p->link[j].row] - v[p->link[j].than];
+        for (j = first; j < p->observations; ++j) {
+            double d = v[p->observation[j].row] - v[p->observation[j].than];
             *pair++ += d * d;
         }
     }
     memset(s, 0, 4 * p->stride * sizeof *s);
     *by_sf = *by_sn = 0;
-    for (i = 0; i < p->links; ++i) { /* variances of g: a' (K - K (K + W^-1)^-1 K) a */
-        const ms_gpr__link *l = &p->link[i];
-        ms_gpr__opinion o = ms_gpr__opinion_at(p, i, noise);
+    for (i = 0; i < p->observations; ++i) { /* variances of g: a' (K - K (K + W^-1)^-1 K) a */
+        const ms_gpr__observation *l = &p->observation[i];
+        ms_gpr__term o = ms_gpr__term_at(p, i, noise);
         double variance = sf2 - explained[l->row];
         if (l->than >= 0)
             variance = 2 *
@@ -1854,9 +1799,9 @@ static void ms_gpr__laplace_moves(ms_gpr__problem *p, double sf2, double noise, 
                      p->kernel[(size_t)(l->row < l->than ? l->row : l->than) * p->stride +
                                (size_t)(l->row < l->than ? l->than : l->row)]) -
                 explained[p->stride + (size_t)(i - first)];
-        s[l->row] -= 0.5 * o.jerk * variance;
+        s[l->row] -= 0.5 * o.third * variance;
         l1_s[l->row] += o.slope_s;
-        if (l->than >= 0) s[l->than] += 0.5 * o.jerk * variance, l1_s[l->than] -= o.slope_s;
+        if (l->than >= 0) s[l->than] += 0.5 * o.third * variance, l1_s[l->than] -= o.slope_s;
         *by_sn += o.value_s - 0.5 * o.curvature_s * variance;
     }
     ms_gpr__symmetric(f, p->kernel, p->stride, padded, s, h);
@@ -1867,8 +1812,8 @@ static void ms_gpr__laplace_moves(ms_gpr__problem *p, double sf2, double noise, 
     ms_gpr__symmetric(f, p->kernel, p->stride, padded, u, h);
     *by_sn += f->dot(l1_s, h, padded);
     for (i = 0; i < p->n; ++i)
-        *by_sf += weak * (p->latent[i] * p->latent[i] + sf2 - explained[i] + 2 * p->latent[i] * h[i]);
-    *moves = u;
+        *by_sf += ridge * (p->latent[i] * p->latent[i] + sf2 - explained[i] + 2 * p->latent[i] * h[i]);
+    *implicit = u;
 }
 
 /* log p(y | X, theta) = -1/2 y' alpha - 1/2 log |K'| - n/2 log 2 pi, or Laplace's approximation, and its gradient [m +
@@ -1879,9 +1824,9 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
     const ms_gpr__kernels *f = p->kernels;
     int padded = ms_gpr__padded(p->n), i, k;
     size_t row = (size_t)padded * sizeof(double);
-    double trace = 0, kernel_sum = 0, by_sf = 0, by_sn = 0, *moves = NULL;
+    double trace = 0, kernel_sum = 0, by_sf = 0, by_sn = 0, *implicit = NULL;
     ms_gpr__covariance(f, p->points, p->stride, p->n, p->m, sf2, p->kernel);
-    if (p->link) {
+    if (p->observation) {
         for (i = 0; i < p->n; ++i) p->kernel[(size_t)i * (p->stride + 1)] = sf2;
         if (!ms_gpr__laplace(p, sf2, noise, likelihood)) return 0;
     } else {
@@ -1893,7 +1838,7 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
              p->n * 1.8378770664093454836); /* log 2 pi */
     }
     if (gradient == NULL) return 1;
-    if (p->link) ms_gpr__laplace_moves(p, sf2, noise, &moves, &by_sf, &by_sn);
+    if (p->observation) ms_gpr__laplace_implicit(p, sf2, noise, &implicit, &by_sf, &by_sn);
     else ms_gpr__backward_vector(f, p->upper, p->stride, padded, p->alpha);
     for (i = 0; i < padded; ++i) memset(p->inverse + (size_t)i * p->stride, 0, row);
     ms_gpr__invert(f, p->upper, p->stride, padded, p->inverse);
@@ -1905,9 +1850,9 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
         int block = i / MS_GPR__BLOCK * MS_GPR__BLOCK, j;
         size_t at = (size_t)i * p->stride;
         double own;
-        if (moves) {
-            f->axpy(p->upper + at + block, moves[i], p->alpha + block, padded - block);
-            f->axpy(p->upper + at + block, p->alpha[i], moves + block, padded - block);
+        if (implicit) {
+            f->axpy(p->upper + at + block, implicit[i], p->alpha + block, padded - block);
+            f->axpy(p->upper + at + block, p->alpha[i], implicit + block, padded - block);
         }
         own = p->alpha[i] * p->alpha[i] + p->upper[at + (size_t)i];
         for (j = block; j <= i; ++j) p->kernel[at + (size_t)j] = 0; /* each pair once; the diagonal has d = 0 */
@@ -1920,25 +1865,26 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
         const double *s = p->slope + MS_GPR__BLOCK * k;
         gradient[k] = ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
     }
-    gradient[p->m] = sf2 * trace + 2 * kernel_sum + by_sf; /* dK/dlog sf = 2 K */
-    gradient[p->m + 1] = p->link ? by_sn : noise * trace;  /* dK'/dlog sn = 2 sn^2 I */
+    gradient[p->m] = sf2 * trace + 2 * kernel_sum + by_sf;       /* dK/dlog sf = 2 K */
+    gradient[p->m + 1] = p->observation ? by_sn : noise * trace; /* dK'/dlog sn = 2 sn^2 I */
     return 1;
 }
 
-/* links: 0, or how many there are, of which so many are pairs. */
-static size_t ms_gpr__problem_doubles(int n, int m, int links, int pairs)
+/* observations: 0, or how many there are, of which so many are pairs. */
+static size_t ms_gpr__problem_doubles(int n, int m, int observations, int pairs)
 {
     size_t stride = ms_gpr__stride(n), padded = (size_t)ms_gpr__padded(n);
-    size_t matrices = ms__size_mul(ms__size_mul(links ? 4 : 3, padded), stride);
+    size_t matrices = ms__size_mul(ms__size_mul(observations ? 4 : 3, padded), stride);
     size_t lists = ms__size_add(ms__size_mul((size_t)m + 3, stride), ms__size_mul((size_t)m, MS_GPR__BLOCK));
-    if (links)
+    if (observations)
         lists = ms__size_add(
-            lists, ms__size_add(ms__size_mul(9, stride), (size_t)links * 3 + (size_t)pairs * 2 + MS_GPR__BLOCK));
+            lists, ms__size_add(ms__size_mul(9, stride), (size_t)observations * 3 + (size_t)pairs * 2 + MS_GPR__BLOCK));
     return ms__size_add(matrices, lists);
 }
 
-/* Lays a problem out in ms_gpr__problem_doubles(n, m, links, pairs) doubles; points, target and alpha are zero. */
-static ms_gpr__problem ms_gpr__problem_make(const ms_gpr__kernels *kernels, int n, int m, int links, int pairs,
+/* Lays a problem out in ms_gpr__problem_doubles(n, m, observations, pairs) doubles; points, target and alpha are zero.
+ */
+static ms_gpr__problem ms_gpr__problem_make(const ms_gpr__kernels *kernels, int n, int m, int observations, int pairs,
                                             double *memory)
 {
     ms_gpr__problem p;
@@ -1958,18 +1904,18 @@ static ms_gpr__problem ms_gpr__problem_make(const ms_gpr__kernels *kernels, int 
     p.weight = p.alpha + p.stride;
     p.slope = p.weight + p.stride;
     memset(p.points, 0, (size_t)(m + 2) * p.stride * sizeof *p.points);
-    if (links) {
-        p.links = links;
+    if (observations) {
+        p.observations = observations;
         p.pairs = pairs;
         p.solved = p.slope + (size_t)m * MS_GPR__BLOCK;
         p.latent = p.solved + matrix;
         p.list = p.latent + p.stride;
         p.member = (int *)(void *)(p.list + 6 * p.stride + pairs);
-        p.place = p.member + n;
-        p.head = p.place + n;
+        p.position = p.member + n;
+        p.head = p.position + n;
         p.first = p.head + n;
         p.next = p.first + n + 1;
-        p.link = (ms_gpr__link *)(void *)(p.list + 8 * p.stride + 2 * pairs + 1);
+        p.observation = (ms_gpr__observation *)(void *)(p.list + 8 * p.stride + 2 * pairs + 1);
     }
     return p;
 }
@@ -2051,19 +1997,19 @@ static double ms_gpr__target(const ms_gpr *gp, int i)
 }
 
 /* The input x [m] in length scales from the center, `spacing` apart. */
-static void ms_gpr__place(const ms_gpr *gp, const double *x, double *place, size_t spacing)
+static void ms_gpr__scale(const ms_gpr *gp, const double *x, double *scaled, size_t spacing)
 {
     int k;
     for (k = 0; k < gp->active; ++k) {
         int d = gp->dimension[k];
-        place[(size_t)k * spacing] = (x[d] - gp->center[d]) * gp->scale[d];
+        scaled[(size_t)k * spacing] = (x[d] - gp->center[d]) * gp->scale[d];
     }
 }
 
-static void ms_gpr__place_training(ms_gpr *gp, int i)
+static void ms_gpr__scale_training(ms_gpr *gp, int i)
 {
     int k;
-    ms_gpr__place(gp, gp->x + (size_t)i * (size_t)gp->m, gp->points + i, gp->stride);
+    ms_gpr__scale(gp, gp->x + (size_t)i * (size_t)gp->m, gp->points + i, gp->stride);
     for (k = 0; k < gp->active; ++k) {
         size_t at = (size_t)k * gp->stride + (size_t)i;
         gp->points_f[at] = (float)gp->points[at];
@@ -2073,7 +2019,7 @@ static void ms_gpr__place_training(ms_gpr *gp, int i)
 static int ms_gpr__scored(double y) { return y > 0.5 * MS_GPR_UNSCORED; }
 
 /* What follows from alpha. */
-static void ms_gpr__weigh(ms_gpr *gp)
+static void ms_gpr__update_weights(ms_gpr *gp)
 {
     int padded = ms_gpr__padded(gp->n), i;
     double sf2 = ms_gpr__sf2(gp);
@@ -2091,7 +2037,7 @@ static void ms_gpr__solve_alpha(ms_gpr *gp)
     for (i = 0; i < padded; ++i) gp->alpha[i] = i < gp->n ? ms_gpr__target(gp, i) : 0;
     ms_gpr__forward_vector(gp->kernels, gp->upper, gp->stride, padded, gp->alpha);
     ms_gpr__backward_vector(gp->kernels, gp->upper, gp->stride, padded, gp->alpha);
-    ms_gpr__weigh(gp);
+    ms_gpr__update_weights(gp);
 }
 
 /* log p(y | X, theta) from the factor. */
@@ -2119,8 +2065,8 @@ static double ms_gpr__floor(const double *y, int n, double known)
 }
 
 /* What a score says about its row, less `mean` and over `unit`; `taken`: what a score at the floor is taken as. */
-static void ms_gpr__link_score(ms_gpr__link *l, int row, double y, double floor, double taken, double step, double mean,
-                               double unit)
+static void ms_gpr__observe_score(ms_gpr__observation *l, int row, double y, double floor, double taken, double step,
+                                  double mean, double unit)
 {
     l->row = row;
     l->than = -1;
@@ -2130,20 +2076,20 @@ static void ms_gpr__link_score(ms_gpr__link *l, int row, double y, double floor,
     l->high += 0.5 * step / unit;
 }
 
-/* Links of n scores and of the comparisons; returns how many. link NULL: only counts; 0 where all rows have one exact
-   score. */
-static int ms_gpr__link_all(ms_gpr__link *link, const double *y, int n, double floor, double taken, double step,
-                            double mean, double unit, const int *pairs, int pair_count)
+/* Links of n scores and of the comparisons; returns how many. observation NULL: only counts; 0 where all rows have one
+   exact score. */
+static int ms_gpr__observe_all(ms_gpr__observation *observation, const double *y, int n, double floor, double taken,
+                               double step, double mean, double unit, const int *pairs, int pair_count)
 {
     int count = 0, i;
     for (i = 0; i < n; ++i)
         if (ms_gpr__scored(y[i])) {
-            if (link) ms_gpr__link_score(&link[count], i, y[i], floor, taken, step, mean, unit);
+            if (observation) ms_gpr__observe_score(&observation[count], i, y[i], floor, taken, step, mean, unit);
             ++count;
         }
     if (pair_count == 0 && count == n && !(step > 0)) return 0;
-    for (i = 0; i < pair_count && link; ++i) {
-        ms_gpr__link *l = &link[count + i];
+    for (i = 0; i < pair_count && observation; ++i) {
+        ms_gpr__observation *l = &observation[count + i];
         l->row = pairs[2 * i];
         l->than = pairs[2 * i + 1];
         l->low = 0;
@@ -2152,10 +2098,10 @@ static int ms_gpr__link_all(ms_gpr__link *link, const double *y, int n, double f
     return count + pair_count;
 }
 
-static int ms_gpr__links(const ms_gpr *gp, ms_gpr__link *link)
+static int ms_gpr__observe(const ms_gpr *gp, ms_gpr__observation *observation)
 {
-    return ms_gpr__link_all(link, gp->y, gp->n, gp->floor, gp->floor_value, gp->step, gp->mean, 1, gp->pairs,
-                            gp->pair_count);
+    return ms_gpr__observe_all(observation, gp->y, gp->n, gp->floor, gp->floor_value, gp->step, gp->mean, 1, gp->pairs,
+                               gp->pair_count);
 }
 
 /* The problem of this model's data and theta; memory from the model's allocator, to be released as `block`. */
@@ -2163,16 +2109,16 @@ static ms_status ms_gpr__problem_of(const ms_gpr *gp, ms_gpr__problem *p, void *
                                     ms_error *error)
 {
     double *memory;
-    int links = gp->soft ? ms_gpr__links(gp, NULL) : 0, i, k;
+    int observations = gp->soft ? ms_gpr__observe(gp, NULL) : 0, i, k;
     memset(p, 0, sizeof *p);
-    *doubles = ms_gpr__problem_doubles(gp->n, gp->m, gp->soft ? links + 1 : 0, gp->pair_count);
+    *doubles = ms_gpr__problem_doubles(gp->n, gp->m, gp->soft ? observations + 1 : 0, gp->pair_count);
     memory = ms_gpr__doubles(&gp->allocator, *doubles, block);
     if (memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d points", gp->n);
-    *p = ms_gpr__problem_make(gp->kernels, gp->n, gp->active, gp->soft ? links + 1 : 0, gp->pair_count, memory);
+    *p = ms_gpr__problem_make(gp->kernels, gp->n, gp->active, gp->soft ? observations + 1 : 0, gp->pair_count, memory);
     for (k = 0; k < gp->active; ++k)
         memcpy(p->points + (size_t)k * p->stride, gp->points + (size_t)k * gp->stride, (size_t)gp->n * sizeof(double));
     for (i = 0; i < gp->n; ++i) p->target[i] = ms_gpr__target(gp, i);
-    if (gp->soft) p->links = ms_gpr__links(gp, p->link);
+    if (gp->soft) p->observations = ms_gpr__observe(gp, p->observation);
     return MS_OK;
 }
 
@@ -2196,7 +2142,7 @@ static ms_status ms_gpr__condition_soft(ms_gpr *gp, ms_error *error)
         for (i = 0; i < padded; ++i)
             memcpy(gp->upper + (size_t)i * gp->stride, p.upper + (size_t)i * p.stride, (size_t)padded * sizeof(double));
         memcpy(gp->alpha, p.alpha, (size_t)padded * sizeof *p.alpha);
-        ms_gpr__weigh(gp);
+        ms_gpr__update_weights(gp);
         for (i = 0; i < gp->n; ++i)
             if (!ms_gpr__scored(gp->y[i])) gp->value[i] = gp->mean + p.latent[i];
     }
@@ -2224,7 +2170,7 @@ static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
     }
     memset(gp->points, 0, lists * sizeof *gp->points);
     memset(gp->points_f, 0, lists * sizeof *gp->points_f);
-    for (i = 0; i < gp->n; ++i) ms_gpr__place_training(gp, i);
+    for (i = 0; i < gp->n; ++i) ms_gpr__scale_training(gp, i);
     gp->soft = gp->step > 0 || gp->pair_count > 0;
     for (i = 0; i < gp->n; ++i) gp->soft |= !ms_gpr__scored(gp->y[i]);
     if (gp->soft) return ms_gpr__condition_soft(gp, error);
@@ -2396,7 +2342,7 @@ static ms_status ms_gpr__edit(const ms_gpr *gp, int more, const int *pairs, int 
     return ms_gpr__copy(&data, gp->n + more, &options, out, error);
 }
 
-/* Conditions the changed copy and puts it in the place of gp, which keeps its address; or drops it. */
+/* Conditions the changed copy and puts it in the scaled of gp, which keeps its address; or drops it. */
 static ms_status ms_gpr__commit(ms_gpr *gp, ms_gpr *edited, ms_error *error)
 {
     ms_status status = ms_gpr__condition(edited, error);
@@ -2466,22 +2412,6 @@ static ms_status ms_gpr__try_theta(ms_gpr *gp, const double *theta, double *swap
     return status;
 }
 
-MS_API ms_status ms_gpr_set_theta(ms_gpr *gp, const double *theta, ms_error *error)
-{
-    ms_status status;
-    double *swap;
-    size_t size;
-    if (gp == NULL) return ms_gpr__null("gp", error);
-    status = ms_gpr__check_theta(theta, gp->m, error);
-    if (status != MS_OK) return status;
-    size = ((size_t)gp->m + 2) * sizeof *theta;
-    swap = (double *)ms__alloc(&gp->allocator, size);
-    if (swap == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a copy of theta");
-    status = ms_gpr__try_theta(gp, theta, swap, error);
-    ms__release(&gp->allocator, swap, size);
-    return status;
-}
-
 MS_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance)
 {
     int i, k;
@@ -2525,50 +2455,27 @@ MS_API ms_status ms_gpr_simplify(ms_gpr *gp, double tolerance, int *kept, ms_err
     return status;
 }
 
-MS_API int ms_gpr_count(const ms_gpr *gp) { return gp ? gp->n : 0; }
-MS_API int ms_gpr_dimensions(const ms_gpr *gp) { return gp ? gp->m : 0; }
-MS_API const double *ms_gpr_theta(const ms_gpr *gp) { return gp ? gp->theta : NULL; }
-MS_API const double *ms_gpr_inputs(const ms_gpr *gp) { return gp ? gp->x : NULL; }
-MS_API const double *ms_gpr_scores(const ms_gpr *gp) { return gp ? gp->y : NULL; }
-MS_API const double *ms_gpr_values(const ms_gpr *gp) { return gp ? gp->value : NULL; }
-MS_API const int *ms_gpr_pairs(const ms_gpr *gp) { return gp ? gp->pairs : NULL; }
-MS_API int ms_gpr_pair_count(const ms_gpr *gp) { return gp ? gp->pair_count : 0; }
-MS_API double ms_gpr_mean(const ms_gpr *gp) { return gp ? gp->mean : 0; }
-MS_API double ms_gpr_floor(const ms_gpr *gp) { return gp ? ms_gpr__floor(gp->y, gp->n, gp->floor) : 0; }
-MS_API double ms_gpr_floor_value(const ms_gpr *gp)
-{
-    return gp && gp->floor > MS_GPR__NO_FLOOR ? gp->floor_value : ms_gpr_floor(gp);
-}
-MS_API ms_simd ms_gpr_level(const ms_gpr *gp) { return gp ? gp->level : MS_SIMD_AUTO; }
-MS_API double ms_gpr_jitter(const ms_gpr *gp) { return gp ? gp->jitter : 0; }
+static double ms_gpr__floor_of(const ms_gpr *gp) { return ms_gpr__floor(gp->y, gp->n, gp->floor); }
 
-MS_API ms_status ms_gpr_likelihood(const ms_gpr *gp, double *likelihood, double *gradient, ms_error *error)
+MS_API ms_gpr_view ms_gpr_view_of(const ms_gpr *gp)
 {
-    ms_gpr__problem p;
-    void *block;
-    size_t doubles;
-    double sf2, sn2, value;
-    ms_status status;
-    int k;
-    if (gp == NULL) return ms_gpr__null("gp", error);
-    sf2 = ms_gpr__sf2(gp);
-    sn2 = ms_gpr__sn2(gp);
-    status = ms_gpr__problem_of(gp, &p, &block, &doubles, error);
-    if (status != MS_OK) return status;
-    if (!ms_gpr__evaluate(&p, sf2, sn2 + gp->jitter * sf2, &value, gradient)) {
-        status = ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix is not positive definite");
-    } else {
-        if (likelihood) *likelihood = value;
-        if (gradient) {
-            double with_jitter = sn2 + gp->jitter * sf2;
-            gradient[gp->m + 1] = gradient[gp->active + 1] * (with_jitter > 0 ? sn2 / with_jitter : 1);
-            gradient[gp->m] = gradient[gp->active];
-            for (k = gp->m - 1, p.m = gp->active; k >= 0; --k)
-                gradient[k] = p.m > 0 && gp->dimension[p.m - 1] == k ? gradient[--p.m] : 0;
-        }
-    }
-    ms_gpr__release_doubles(&gp->allocator, block, doubles);
-    return status;
+    ms_gpr_view view;
+    memset(&view, 0, sizeof view);
+    if (gp == NULL) return view;
+    view.n = gp->n;
+    view.m = gp->m;
+    view.pair_count = gp->pair_count;
+    view.x = gp->x;
+    view.y = gp->y;
+    view.value = gp->value;
+    view.theta = gp->theta;
+    view.pairs = gp->pairs;
+    view.mean = gp->mean;
+    view.floor = ms_gpr__floor_of(gp);
+    view.floor_value = gp->floor > MS_GPR__NO_FLOOR ? gp->floor_value : view.floor;
+    view.jitter = gp->jitter;
+    view.level = gp->level;
+    return view;
 }
 
 /* What the other n - 1 points say about each score: residual [n] = score - mean, variance [n] with noise. inverse:
@@ -2695,33 +2602,33 @@ typedef struct ms_gpr__batch {
 } ms_gpr__batch;
 
 /* 64 candidates by dimension, in length scales; missing ones stand at the center. */
-static int ms_gpr__chunk_place(const ms_gpr__batch *b, int start, double *place)
+static int ms_gpr__chunk_scale(const ms_gpr__batch *b, int start, double *scaled)
 {
     int filled = b->count - start < MS_GPR__CHUNK ? b->count - start : MS_GPR__CHUNK, j;
-    memset(place, 0, (size_t)b->gp->active * MS_GPR__CHUNK * sizeof *place);
+    memset(scaled, 0, (size_t)b->gp->active * MS_GPR__CHUNK * sizeof *scaled);
     for (j = 0; j < filled; ++j)
-        ms_gpr__place(b->gp, b->x + (size_t)(start + j) * (size_t)b->gp->m, place + j, MS_GPR__CHUNK);
+        ms_gpr__scale(b->gp, b->x + (size_t)(start + j) * (size_t)b->gp->m, scaled + j, MS_GPR__CHUNK);
     return filled;
 }
 
-static void ms_gpr__chunk_mean(const ms_gpr *gp, const double *place, double *tile, double *mean)
+static void ms_gpr__chunk_mean(const ms_gpr *gp, const double *scaled, double *tile, double *mean)
 {
     int n = ms_gpr__padded(gp->n), i, j;
     for (j = 0; j < MS_GPR__CHUNK; ++j) mean[j] = 0;
     for (i = 0; i < n; i += MS_GPR__SLAB) {
         int rows = n - i < MS_GPR__SLAB ? n - i : MS_GPR__SLAB;
-        gp->kernels->distances(tile, MS_GPR__CHUNK, gp->points + i, gp->stride, place, MS_GPR__CHUNK, rows,
+        gp->kernels->distances(tile, MS_GPR__CHUNK, gp->points + i, gp->stride, scaled, MS_GPR__CHUNK, rows,
                                MS_GPR__CHUNK, gp->active, 0);
         gp->kernels->accumulate(mean, tile, MS_GPR__CHUNK, gp->weight + i, rows, MS_GPR__CHUNK);
     }
 }
 
 /* sf^2 - |v|^2, v = U'^-1 k* */
-static void ms_gpr__chunk_variance(const ms_gpr *gp, const double *place, double *columns, double *variance)
+static void ms_gpr__chunk_variance(const ms_gpr *gp, const double *scaled, double *columns, double *variance)
 {
     double sf2 = ms_gpr__sf2(gp);
     int n = ms_gpr__padded(gp->n), i, j;
-    gp->kernels->distances(columns, MS_GPR__CHUNK, gp->points, gp->stride, place, MS_GPR__CHUNK, n, MS_GPR__CHUNK,
+    gp->kernels->distances(columns, MS_GPR__CHUNK, gp->points, gp->stride, scaled, MS_GPR__CHUNK, n, MS_GPR__CHUNK,
                            gp->active, 0);
     gp->kernels->exponentials(columns, gp->n * MS_GPR__CHUNK, sf2);
     memset(columns + (size_t)gp->n * MS_GPR__CHUNK, 0, (size_t)(n - gp->n) * MS_GPR__CHUNK * sizeof *columns);
@@ -2736,17 +2643,18 @@ static void ms_gpr__chunk_variance(const ms_gpr *gp, const double *place, double
 static void ms_gpr__predict_task(void *context, int task)
 {
     const ms_gpr__batch *b = (const ms_gpr__batch *)context;
-    double *place = b->scratch + (size_t)task * b->task_doubles, *tile = place + (size_t)b->gp->active * MS_GPR__CHUNK;
+    double *scaled = b->scratch + (size_t)task * b->task_doubles,
+           *tile = scaled + (size_t)b->gp->active * MS_GPR__CHUNK;
     double result[MS_GPR__CHUNK];
     int start, j;
     for (start = task * MS_GPR__CHUNK; start < b->count; start += b->tasks * MS_GPR__CHUNK) {
-        int filled = ms_gpr__chunk_place(b, start, place);
+        int filled = ms_gpr__chunk_scale(b, start, scaled);
         if (b->mean) {
-            ms_gpr__chunk_mean(b->gp, place, tile, result);
+            ms_gpr__chunk_mean(b->gp, scaled, tile, result);
             for (j = 0; j < filled; ++j) b->mean[start + j] = b->gp->mean + result[j];
         }
         if (b->variance) {
-            ms_gpr__chunk_variance(b->gp, place, tile, result);
+            ms_gpr__chunk_variance(b->gp, scaled, tile, result);
             for (j = 0; j < filled; ++j) b->variance[start + j] = result[j] > 0 ? result[j] : 0;
         }
     }
@@ -2756,24 +2664,24 @@ static void ms_gpr__predict_task_f(void *context, int task)
 {
     const ms_gpr__batch *b = (const ms_gpr__batch *)context;
     const ms_gpr *gp = b->gp;
-    float *place = (float *)(void *)(b->scratch + (size_t)task * b->task_doubles),
-          *tile = place + (size_t)gp->active * MS_GPR__CHUNK;
+    float *scaled = (float *)(void *)(b->scratch + (size_t)task * b->task_doubles),
+          *tile = scaled + (size_t)gp->active * MS_GPR__CHUNK;
     float mean[MS_GPR__CHUNK];
     int n = ms_gpr__padded(gp->n), start, i, j, k;
     for (start = task * MS_GPR__CHUNK; start < b->count; start += b->tasks * MS_GPR__CHUNK) {
         int filled = b->count - start < MS_GPR__CHUNK ? b->count - start : MS_GPR__CHUNK;
-        memset(place, 0, (size_t)gp->active * MS_GPR__CHUNK * sizeof *place);
+        memset(scaled, 0, (size_t)gp->active * MS_GPR__CHUNK * sizeof *scaled);
         for (j = 0; j < filled; ++j) {
             const float *x = b->x_f + (size_t)(start + j) * (size_t)gp->m;
             for (k = 0; k < gp->active; ++k) {
                 int d = gp->dimension[k];
-                place[k * MS_GPR__CHUNK + j] = (float)(((double)x[d] - gp->center[d]) * gp->scale[d]);
+                scaled[k * MS_GPR__CHUNK + j] = (float)(((double)x[d] - gp->center[d]) * gp->scale[d]);
             }
         }
         for (j = 0; j < MS_GPR__CHUNK; ++j) mean[j] = 0;
         for (i = 0; i < n; i += MS_GPR__SLAB) {
             int rows = n - i < MS_GPR__SLAB ? n - i : MS_GPR__SLAB;
-            gp->kernels->distances_f(tile, MS_GPR__CHUNK, gp->points_f + i, gp->stride, place, MS_GPR__CHUNK, rows,
+            gp->kernels->distances_f(tile, MS_GPR__CHUNK, gp->points_f + i, gp->stride, scaled, MS_GPR__CHUNK, rows,
                                      MS_GPR__CHUNK, gp->active, 0);
             gp->kernels->accumulate_f(mean, tile, MS_GPR__CHUNK, gp->weight_f + i, rows, MS_GPR__CHUNK);
         }
@@ -2816,77 +2724,6 @@ MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, do
     b.mean = mean;
     b.variance = variance;
     return ms_gpr__predict_run(&b, ms_gpr__predict_task, error);
-}
-
-MS_API ms_status ms_gpr_predict_f(const ms_gpr *gp, const float *x, int count, float *mean, ms_error *error)
-{
-    ms_gpr__batch b;
-    size_t i, values;
-    if (gp == NULL || (count > 0 && (x == NULL || mean == NULL)))
-        return ms_gpr__null(gp == NULL ? "gp" : x ? "mean" : "x", error);
-    if (count < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected at least 0", count);
-    values = (size_t)count * (size_t)gp->m;
-    for (i = 0; i < values; ++i)
-        if (!ms__finite_f(x[i]))
-            return ms__fail(error, MS_BAD_DATA, i / (size_t)gp->m + 1, "candidate %z has a value that is not finite",
-                            i / (size_t)gp->m + 1);
-    memset(&b, 0, sizeof b);
-    b.gp = gp;
-    b.x_f = x;
-    b.count = count;
-    b.mean_f = mean;
-    return ms_gpr__predict_run(&b, ms_gpr__predict_task_f, error);
-}
-
-MS_API ms_status ms_gpr_gradient(const ms_gpr *gp, const double *x, double *mean, double *mean_gradient,
-                                 double *variance, double *variance_gradient, ms_error *error)
-{
-    double sf2, sum, *place, *covariance, *beta, explained;
-    int padded, i, k;
-    size_t doubles;
-    ms_status status;
-    void *block;
-    if (gp == NULL || x == NULL) return ms_gpr__null(gp ? "x" : "gp", error);
-    status = ms_gpr__check_rows(x, 1, gp->m, 1.7e308, "candidate", error);
-    if (status != MS_OK) return status;
-    padded = ms_gpr__padded(gp->n);
-    sf2 = ms_gpr__sf2(gp);
-    sum = gp->mean;
-    doubles = (size_t)gp->active + 2 * (size_t)padded;
-    place = ms_gpr__doubles(&gp->allocator, doubles, &block);
-    if (place == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a gradient");
-    covariance = place + gp->active; /* k*, then beta = K'^-1 k* beside it */
-    beta = covariance + padded;
-    ms_gpr__place(gp, x, place, 1);
-    for (i = 0; i < padded; ++i) {
-        covariance[i] = i < gp->n
-            ? sf2 * exp(-0.5 * ms_gpr__distance2(gp->points + i, gp->stride, place, 1, gp->active))
-            : 0;
-        beta[i] = covariance[i];
-        if (i < gp->n) sum += gp->alpha[i] * covariance[i];
-    }
-    if (mean) *mean = sum;
-    if (variance || variance_gradient) {
-        ms_gpr__forward_vector(gp->kernels, gp->upper, gp->stride, padded, beta);
-        explained = gp->kernels->dot(beta, beta, padded);
-        if (variance) *variance = sf2 > explained ? sf2 - explained : 0;
-        ms_gpr__backward_vector(gp->kernels, gp->upper, gp->stride, padded, beta);
-    }
-    if (mean_gradient) memset(mean_gradient, 0, (size_t)gp->m * sizeof *mean_gradient);
-    if (variance_gradient) memset(variance_gradient, 0, (size_t)gp->m * sizeof *variance_gradient);
-    for (k = 0; k < gp->active; ++k) { /* dk_i/dx_k = k_i (x_ik - x_k) / l_k^2 */
-        const double *p = gp->points + (size_t)k * gp->stride;
-        double slope = 0, variance_slope = 0, scale = gp->scale[gp->dimension[k]];
-        for (i = 0; i < gp->n; ++i) {
-            double d = covariance[i] * (p[i] - place[k]);
-            slope += gp->alpha[i] * d;
-            variance_slope -= 2 * beta[i] * d;
-        }
-        if (mean_gradient) mean_gradient[gp->dimension[k]] = slope * scale;
-        if (variance_gradient) variance_gradient[gp->dimension[k]] = variance_slope * scale;
-    }
-    ms_gpr__release_doubles(&gp->allocator, block, doubles);
-    return MS_OK;
 }
 
 /* ---- fit ------------------------------------------------------------------------------------------------------- */
@@ -2979,9 +2816,9 @@ enum {
         100 /* scores at least that the starts of a fit are tried on, and 4 m; a third of all, but at most 400 */
 };
 
-/* Scores that a search looks at: all of them, or a part. Targets have mean 0 and standard deviation 1. */
+/* Scores that a search visited at: all of them, or a part. Targets have mean 0 and standard deviation 1. */
 typedef struct ms_gpr__sample {
-    ms_gpr__problem problem; /* with the links of its scores and comparisons, where there are any */
+    ms_gpr__problem problem; /* with the observations of its scores and comparisons, where there are any */
     double *columns;         /* [m][stride] inputs in widths from their centers, by dimension */
 } ms_gpr__sample;
 
@@ -2999,8 +2836,8 @@ typedef struct ms_gpr__fit {
     ms_gpr__ranked *order;               /* [n + starts] */
     double *work;
     double mean, unit, floor, floor_value;
-    int links, scored; /* of all rows; 0 links: every row has one exact score */
-    int expected;      /* evaluations, about */
+    int observations, scored; /* of all rows; 0 observations: every row has one exact score */
+    int expected;             /* evaluations, about */
     ms_gpr_fit_report report;
 } ms_gpr__fit;
 
@@ -3107,7 +2944,7 @@ static double ms_gpr__fit_step(const double *y, int n)
 }
 
 /* A value is an outlier of its column where it lies more ranges of the others away from them than any before. */
-static void ms_gpr__fit_outlier(ms_gpr__fit *fit, int row, int column, double value, double nearest, double range)
+static void ms_gpr__fit_outlier_value(ms_gpr__fit *fit, int row, int column, double value, double nearest, double range)
 {
     ms_gpr_outlier *o = &fit->report.outlier;
     double deviation = range > 0 ? (value - nearest) / range : 0;
@@ -3121,7 +2958,7 @@ static void ms_gpr__fit_outlier(ms_gpr__fit *fit, int row, int column, double va
 
 /* The score that the others contradict most, by leaving out one at a time. It is an outlier where no other one is
    half as far off, or where it is far outside the range of the others. */
-static void ms_gpr__fit_doubted(ms_gpr__fit *fit, const ms_gpr *gp)
+static void ms_gpr__fit_outlier_score(ms_gpr__fit *fit, const ms_gpr *gp)
 {
     double *residual = fit->whole.problem.target, *variance = fit->whole.problem.weight, first = 0, second = 0;
     double least = MS_GPR__OPEN, most = -MS_GPR__OPEN;
@@ -3165,8 +3002,8 @@ static ms_status ms_gpr__fit_columns(ms_gpr__fit *fit, const double *x, int n, i
             sum += *v / n;
         }
         if (n >= MS_GPR__OUTLIER_ROWS) {
-            ms_gpr__fit_outlier(fit, row[0], k, least, second[0], most - second[0]);
-            ms_gpr__fit_outlier(fit, row[1], k, most, second[1], second[1] - least);
+            ms_gpr__fit_outlier_value(fit, row[0], k, least, second[0], most - second[0]);
+            ms_gpr__fit_outlier_value(fit, row[1], k, most, second[1], second[1] - least);
         }
         largest = fabs(least) > fabs(most) ? fabs(least) : fabs(most);
         if (!(most - least > 1e-10 * largest)) continue;
@@ -3182,18 +3019,18 @@ static ms_status ms_gpr__fit_columns(ms_gpr__fit *fit, const double *x, int n, i
 }
 
 /* Row `row` of the scores as row `to` of a sample. */
-static void ms_gpr__fit_place(ms_gpr__fit *fit, ms_gpr__sample *sample, int to, const double *x, const double *y,
-                              int row, int m)
+static void ms_gpr__fit_put_row(ms_gpr__fit *fit, ms_gpr__sample *sample, int to, const double *x, const double *y,
+                                int row, int m)
 {
     int k;
     for (k = 0; k < fit->m; ++k)
         sample->columns[(size_t)k * sample->problem.stride + (size_t)to] =
             (x[(size_t)row * (size_t)m + (size_t)fit->column[k]] - fit->center[k]) / fit->width[k];
-    if (!sample->problem.link)
+    if (!sample->problem.observation)
         sample->problem.target[to] = ((y[row] > fit->floor ? y[row] : fit->floor_value) - fit->mean) / fit->unit;
     else if (sample == &fit->part) /* of steps alone: every row has a score */
-        ms_gpr__link_score(&sample->problem.link[to], to, y[row], fit->floor, fit->floor_value, fit->o.step, fit->mean,
-                           fit->unit);
+        ms_gpr__observe_score(&sample->problem.observation[to], to, y[row], fit->floor, fit->floor_value, fit->o.step,
+                              fit->mean, fit->unit);
 }
 
 /* Priors, bounds, and where the searches start; columns: of x. */
@@ -3203,28 +3040,23 @@ static void ms_gpr__fit_starts(ms_gpr__fit *fit, int columns)
     const ms_gpr_fit_options *o = &fit->o;
     double root = sqrt((double)(fit->m > 0 ? fit->m : 1));
     int m = fit->m, i, k;
-    for (k = 0; k < m + 2; ++k) {
-        fit->low[k] = log(k < m ? o->length_min : k == m ? 1e-3 : o->noise_min);
-        fit->high[k] = log(k < m ? o->length_max : k == m ? 1e3 : 10.0);
-        fit->prior[k] = k < m ? log(o->length > 0 ? o->length : MS_GPR__PRIOR_LENGTH * root)
-            : k == m          ? 0
-                              : log(o->noise > 0      ? o->noise / fit->unit
-                                        : o->step > 0 ? MS_GPR__PRIOR_SN_STEP
-                                                      : MS_GPR__PRIOR_SN);
-        fit->spread[k] = k < m ? o->length_spread : k == m ? MS_GPR__PRIOR_SF_SPREAD : o->noise_spread;
+    for (k = 0; k < m; ++k) {
+        fit->low[k] = log(0.01);
+        fit->high[k] = log(1000.0);
+        fit->prior[k] = log(MS_GPR__PRIOR_LENGTH * root);
+        fit->spread[k] = MS_GPR__PRIOR_LENGTH_SPREAD;
     }
+    fit->low[m] = fit->low[m + 1] = log(1e-3);
+    fit->high[m] = log(1e3), fit->high[m + 1] = log(10.0);
+    fit->prior[m] = 0, fit->prior[m + 1] = log(o->step > 0 ? MS_GPR__PRIOR_SN_STEP : MS_GPR__PRIOR_SN);
+    fit->spread[m] = MS_GPR__PRIOR_SF_SPREAD, fit->spread[m + 1] = MS_GPR__PRIOR_SN_SPREAD;
     for (i = 0; i < fit->starts; ++i) {
-        ms__rng rng = ms__rng_make(o->seed, (uint64_t)i);
         double *q = fit->q + i * (m + 2);
         q[m] = o->start ? o->start[columns] - log(fit->unit) : 0;
         q[m + 1] = o->start ? o->start[columns + 1] - log(fit->unit) : -2.302585092994046; /* log 0.1 */
         for (k = 0; k < m; ++k) {
             if (o->start) q[k] = o->start[fit->column[k]] - log(fit->width[k]);
-            else if (o->length_start > 0) q[k] = log(o->length_start);
-            else if (i < 3) q[k] = log(lengths[i] * root);
-            else
-                q[k] = -1 +
-                    ms__rng_uniform(&rng) * (fit->prior[k] + 1); /* from 0.37 widths to what the prior expects */
+            else q[k] = log(o->length_start > 0 ? o->length_start : lengths[i] * root);
         }
     }
 }
@@ -3324,44 +3156,25 @@ static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
 
 static ms_status ms_gpr__fit_options(const ms_gpr_fit_options *options, int m, ms_gpr_fit_options *o, ms_error *error)
 {
-    static const char *const name[] = {"length_start", "length_min", "length_max",    "noise_min", "noise",
-                                       "noise_spread", "length",     "length_spread", "step"};
-    double value[9];
-    int i;
     memset(o, 0, sizeof *o);
     if (options) *o = *options;
-    value[0] = o->length_start, value[1] = o->length_min, value[2] = o->length_max, value[3] = o->noise_min;
-    value[4] = o->noise, value[5] = o->noise_spread, value[6] = o->length, value[7] = o->length_spread;
-    value[8] = o->step;
-    for (i = 0; i < 9; ++i)
-        if (!ms__finite(value[i]) || !(value[i] >= (i == 8 ? -MS_GPR__LARGEST : 0) && value[i] <= MS_GPR__LARGEST))
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g: expected a number from 0 to %g", name[i],
-                            value[i], MS_GPR__LARGEST);
+    if (!ms__finite(o->length_start) || !(o->length_start >= 0 && o->length_start <= MS_GPR__LARGEST))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "length_start is %g: expected a number from 0 to %g",
+                        o->length_start, MS_GPR__LARGEST);
+    if (!ms__finite(o->step) || !(fabs(o->step) <= MS_GPR__LARGEST))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step is %g: expected at most %g", o->step, MS_GPR__LARGEST);
     if ((int)o->method < 0 || (int)o->method > (int)MS_GPR_METHOD_ML)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d: expected 0 or 1", (int)o->method);
     if (!ms__finite(o->floor_offset) || !(fabs(o->floor_offset) <= 100))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "floor_offset is %g: expected at most 100", o->floor_offset);
     if (o->floor && (!ms__finite(*o->floor) || !(fabs(*o->floor) <= MS_GPR__LARGEST)))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "floor is %g: expected a score", *o->floor);
-    if (o->noise_min > 9)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "noise_min is %g: expected at most 9", o->noise_min);
-    if (o->probe_first < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "probe_first is %d: expected at least 0", o->probe_first);
-    if (o->evaluations < 0 || o->random_starts < 0 || o->random_starts > 1000)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0,
-                        "evaluations is %d and random_starts %d: expected at least 0, and at most 1000 starts",
-                        o->evaluations, o->random_starts);
+    if (o->probe_first < 0 || o->evaluations < 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "probe_first is %d and evaluations %d: expected at least 0",
+                        o->probe_first, o->evaluations);
     if (o->floor_offset < 0) o->floor_offset = 0;
     else if (!(o->floor_offset > 0)) o->floor_offset = o->method == MS_GPR_METHOD_MAP ? 0.75 : 0;
-    if (!(o->length_min > 0)) o->length_min = 0.01;
-    if (!(o->length_max > 0)) o->length_max = 1000;
-    if (!(o->noise_min > 0)) o->noise_min = 1e-3;
-    if (!(o->noise_spread > 0)) o->noise_spread = MS_GPR__PRIOR_SN_SPREAD;
-    if (!(o->length_spread > 0)) o->length_spread = MS_GPR__PRIOR_LENGTH_SPREAD;
     if (o->evaluations == 0) o->evaluations = 200;
-    if (!(o->length_min < o->length_max))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "length_min is %g: expected less than length_max, %g",
-                        o->length_min, o->length_max);
     return o->start ? ms_gpr__check_theta(o->start, m, error) : MS_OK;
 }
 
@@ -3370,7 +3183,7 @@ static int ms_gpr__fit_part(const ms_gpr__fit *fit, int n, int m)
 {
     int least = 4 * m > MS_GPR__PART ? 4 * m : MS_GPR__PART;
     if (fit->o.method == MS_GPR_METHOD_ML || fit->starts == 1 || fit->o.pair_count > 0 ||
-        (fit->links && fit->links != n))
+        (fit->observations && fit->observations != n))
         return n;
     if (n / 2 < least) return n;
     if (n / 3 < least) return least;
@@ -3381,13 +3194,13 @@ static void ms_gpr__fit_layout(ms_gpr__fit *fit, int n, int m, int part, ms_gpr_
 {
     const ms_gpr__kernels *f = ms_gpr__kernels_of(ms_gpr__simd_pick(fit->o.simd));
     size_t row = (size_t)m + 2;
-    double *memory = ms_gpr__take(arena, ms_gpr__problem_doubles(n, m, fit->links, fit->o.pair_count), 1);
-    if (memory) fit->whole.problem = ms_gpr__problem_make(f, n, m, fit->links, fit->o.pair_count, memory);
+    double *memory = ms_gpr__take(arena, ms_gpr__problem_doubles(n, m, fit->observations, fit->o.pair_count), 1);
+    if (memory) fit->whole.problem = ms_gpr__problem_make(f, n, m, fit->observations, fit->o.pair_count, memory);
     fit->whole.columns = ms_gpr__take(arena, (size_t)m, ms_gpr__stride(n));
     fit->part.columns = NULL;
     if (part < n) {
-        memory = ms_gpr__take(arena, ms_gpr__problem_doubles(part, m, fit->links ? part : 0, 0), 1);
-        if (memory) fit->part.problem = ms_gpr__problem_make(f, part, m, fit->links ? part : 0, 0, memory);
+        memory = ms_gpr__take(arena, ms_gpr__problem_doubles(part, m, fit->observations ? part : 0, 0), 1);
+        if (memory) fit->part.problem = ms_gpr__problem_make(f, part, m, fit->observations ? part : 0, 0, memory);
         fit->part.columns = ms_gpr__take(arena, (size_t)m, ms_gpr__stride(part));
     }
     fit->work = ms_gpr__take(arena, ms_gpr__minimize_doubles(m + 2), 1);
@@ -3419,18 +3232,18 @@ static ms_status ms_gpr__fit_run(ms_gpr__fit *fit, const double *x, const double
     for (i = 0; i < n; ++i) {
         fit->order[i].index = i;
         fit->order[i].value = y[i];
-        ms_gpr__fit_place(fit, &fit->whole, i, x, y, i, m);
+        ms_gpr__fit_put_row(fit, &fit->whole, i, x, y, i, m);
     }
-    if (fit->links)
-        ms_gpr__link_all(fit->whole.problem.link, y, n, fit->floor, fit->floor_value, fit->o.step, fit->mean, fit->unit,
-                         fit->o.pairs, fit->o.pair_count);
+    if (fit->observations)
+        ms_gpr__observe_all(fit->whole.problem.observation, y, n, fit->floor, fit->floor_value, fit->o.step, fit->mean,
+                            fit->unit, fit->o.pairs, fit->o.pair_count);
     if (part < n) { /* the better half of the part is the best of all; the rest evenly from what is left */
         int best = part / 2, left = part - best;
         ms_gpr__ranked_sort(fit->order, n);
         for (i = 0; i < part; ++i) {
             int rank = i < best ? i
                                 : best + (int)((size_t)(2 * (i - best) + 1) * (size_t)(n - best) / (size_t)(2 * left));
-            ms_gpr__fit_place(fit, &fit->part, i, x, y, fit->order[rank].index, m);
+            ms_gpr__fit_put_row(fit, &fit->part, i, x, y, fit->order[rank].index, m);
         }
     }
     ms_gpr__fit_starts(fit, m);
@@ -3466,8 +3279,8 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
     if (status != MS_OK) return status;
     if (fit.o.step < 0) fit.o.step = 0;
     else if (!(fit.o.step > 0) && fit.o.method == MS_GPR_METHOD_MAP) fit.o.step = ms_gpr__fit_step(y, n);
-    fit.links = ms_gpr__link_all(NULL, y, n, 0, 0, fit.o.step, 0, 1, NULL, fit.o.pair_count);
-    fit.starts = fit.o.start || fit.o.length_start > 0 ? 1 : 3 + fit.o.random_starts;
+    fit.observations = ms_gpr__observe_all(NULL, y, n, 0, 0, fit.o.step, 0, 1, NULL, fit.o.pair_count);
+    fit.starts = fit.o.start || fit.o.length_start > 0 ? 1 : 3;
     fit.expected = 30 * fit.starts + fit.o.evaluations / 2;
     part = ms_gpr__fit_part(&fit, n, m);
     ms_gpr__fit_layout(&fit, n, m, part, &arena);
@@ -3491,8 +3304,8 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
         data.floor = fit.floor;
         data.floor_value = fit.floor_value;
         data.step = fit.o.step;
-        data.alpha = fit.links ? fit.whole.problem.alpha : NULL;
-        for (part = 0; fit.links && part < n; ++part) fit.whole.problem.alpha[part] /= fit.unit;
+        data.alpha = fit.observations ? fit.whole.problem.alpha : NULL;
+        for (part = 0; fit.observations && part < n; ++part) fit.whole.problem.alpha[part] /= fit.unit;
         model.mean = fit.mean;
         model.simd = fit.o.simd;
         model.allocator = fit.o.allocator;
@@ -3500,7 +3313,7 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
         status = ms_gpr__make(&data, &model, out, error);
     }
     if (status == MS_OK && report) {
-        ms_gpr__fit_doubted(&fit, *out);
+        ms_gpr__fit_outlier_score(&fit, *out);
         *report = fit.report;
         report->likelihood = (*out)->soft ? (*out)->likelihood : ms_gpr__likelihood_of(*out);
         report->jitter = (*out)->jitter;
@@ -3548,24 +3361,22 @@ static void ms_gpr__natural_range(const double *x, int n, int m, int k, double *
 /* Uniform in (0, 1), 32 bits. */
 static double ms_gpr__uniform(ms__rng *rng) { return (ms__rng_u32(rng) + 0.5) * (1.0 / 4294967296.0); }
 
-static double ms_gpr__into(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
+static double ms_gpr__clamp(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
 
 /* A list without its rows outside the box. */
 typedef struct ms_gpr__group {
-    int width, count, idle; /* idle: the model asks nothing of it, and no tie */
+    int width, count, idle; /* idle: the model does not depend on its columns */
     int *column;            /* [width] */
     double *rows;           /* [count][width] */
 } ms_gpr__group;
 
-/* A ms_gpr_space made ready: a material in the box has a place in the unit box. */
+/* A ms_gpr_space made ready: a material in the box has a point in the unit box. */
 typedef struct ms_gpr__space {
-    int m, ties, groups, tied_count;
+    int m, groups, tied;       /* tied: some columns are equal */
     double *low, *width, *per; /* [m] the box, in units of x, and 1 / width or 0 */
     double *step, *cells;      /* [m] a step and how many values there are; 0: continuous */
-    double *tie;               /* [ties][m + 1] of places; over the continuous columns the rows are orthonormal */
-    double *inside;            /* [m] a place that keeps everything, in the middle of it where possible */
+    int *lead;                 /* [m] the first of the columns that are equal to this one; itself: it is free */
     int *owner;                /* [m] which list the column is from, counted from 1, or 0 */
-    int *tied, *which;         /* [m] whether it is in a tie; [tied_count] those that are */
     ms_gpr__group *group;
     ms_allocator allocator;
     void *block;
@@ -3581,11 +3392,8 @@ static void ms_gpr__space_layout(ms_gpr__space *s, const ms_gpr_space *wish, ms_
     s->per = ms_gpr__take(arena, m, 1);
     s->step = ms_gpr__take(arena, m, 1);
     s->cells = ms_gpr__take(arena, m, 1);
-    s->inside = ms_gpr__take(arena, m, 1);
+    s->lead = (int *)(void *)ms_gpr__take(arena, m, 1);
     s->owner = (int *)(void *)ms_gpr__take(arena, m, 1);
-    s->tied = (int *)(void *)ms_gpr__take(arena, m, 1);
-    s->which = (int *)(void *)ms_gpr__take(arena, m, 1);
-    s->tie = ms_gpr__take(arena, (size_t)wish->tie_count, m + 1);
     s->group = (ms_gpr__group *)(void *)ms_gpr__take(arena, (size_t)wish->list_count,
                                                      sizeof *s->group / sizeof(double) + 1);
     for (g = 0; g < wish->list_count; ++g) {
@@ -3603,25 +3411,40 @@ static int ms_gpr__space_continuous(const ms_gpr__space *s, int k)
     return s->width[k] > 0 && !(s->cells[k] > 0) && s->owner[k] == 0;
 }
 
+/* Equal columns take the values of their lead: of a point, or of a direction. */
+static void ms_gpr__space_follow(const ms_gpr__space *s, double *v)
+{
+    int k;
+    for (k = 0; k < s->m && s->tied; ++k) v[k] = v[s->lead[k]];
+}
+
+/* Whether other columns are equal to column k, the first of them. */
+static int ms_gpr__space_leads(const ms_gpr__space *s, int k)
+{
+    int i, followers = 0;
+    for (i = k + 1; i < s->m && s->tied; ++i) followers += s->lead[i] == k;
+    return s->lead[k] == k ? followers : 0;
+}
+
 /* A uniform value of parameter k, in the unit box. */
-static double ms_gpr__space_draw(const ms_gpr__space *s, int k, ms__rng *rng)
+static double ms_gpr__space_uniform_column(const ms_gpr__space *s, int k, ms__rng *rng)
 {
     double u = ms_gpr__uniform(rng);
     return s->cells[k] > 0 ? floor(u * s->cells[k]) * s->step[k] / s->width[k] : u;
 }
 
-/* Row `row` of a list takes its place. */
-static void ms_gpr__group_put(const ms_gpr__space *s, const ms_gpr__group *g, int row, double *place)
+/* Row `row` of a list takes its point. */
+static void ms_gpr__group_put(const ms_gpr__space *s, const ms_gpr__group *g, int row, double *point)
 {
     int i;
     for (i = 0; i < g->width; ++i) {
         int k = g->column[i];
-        place[k] = (g->rows[(size_t)row * (size_t)g->width + (size_t)i] - s->low[k]) * s->per[k];
+        point[k] = (g->rows[(size_t)row * (size_t)g->width + (size_t)i] - s->low[k]) * s->per[k];
     }
 }
 
-/* The row of a list that is nearest to a place. */
-static int ms_gpr__group_nearest(const ms_gpr__space *s, const ms_gpr__group *g, const double *place)
+/* The row of a list that is nearest to a point. */
+static int ms_gpr__group_nearest(const ms_gpr__space *s, const ms_gpr__group *g, const double *point)
 {
     double least = 0;
     int best = -1, row, i;
@@ -3629,7 +3452,7 @@ static int ms_gpr__group_nearest(const ms_gpr__space *s, const ms_gpr__group *g,
         double sum = 0;
         for (i = 0; i < g->width; ++i) {
             int k = g->column[i];
-            double d = (g->rows[(size_t)row * (size_t)g->width + (size_t)i] - s->low[k]) * s->per[k] - place[k];
+            double d = (g->rows[(size_t)row * (size_t)g->width + (size_t)i] - s->low[k]) * s->per[k] - point[k];
             sum += d * d;
         }
         if (best >= 0 && !(sum < least)) continue;
@@ -3639,47 +3462,23 @@ static int ms_gpr__group_nearest(const ms_gpr__space *s, const ms_gpr__group *g,
     return best;
 }
 
-/* The material at a place that keeps everything; values of a list are its own to the bit. */
-static void ms_gpr__space_material(const ms_gpr__space *s, const double *place, double *x)
+/* The material at a point that keeps everything; values of a list are its own to the bit. */
+static void ms_gpr__space_material(const ms_gpr__space *s, const double *point, double *x)
 {
     int k, i, g;
     for (k = 0; k < s->m; ++k) {
-        double offset = s->width[k] * place[k];
+        double offset = s->width[k] * point[k];
         x[k] = s->low[k] + (s->cells[k] > 0 ? s->step[k] * floor(offset / s->step[k] + 0.5) : offset);
     }
     for (g = 0; g < s->groups; ++g) {
         const ms_gpr__group *list = &s->group[g];
-        const double *row = list->rows + (size_t)ms_gpr__group_nearest(s, list, place) * (size_t)list->width;
+        const double *row = list->rows + (size_t)ms_gpr__group_nearest(s, list, point) * (size_t)list->width;
         for (i = 0; i < list->width; ++i) x[list->column[i]] = row[i];
     }
 }
 
-/* The part of a direction that the ties leave: what is continuous gives way. */
-static void ms_gpr__space_project(const ms_gpr__space *s, double *direction)
-{
-    int t, k;
-    for (t = 0; t < s->ties; ++t) {
-        const double *a = s->tie + (size_t)t * ((size_t)s->m + 1);
-        double sum = 0;
-        for (k = 0; k < s->m; ++k) sum += a[k] * direction[k];
-        for (k = 0; k < s->m; ++k)
-            if (ms_gpr__space_continuous(s, k)) direction[k] -= sum * a[k];
-    }
-    for (k = 0; k < s->m && s->ties > 0; ++k) /* rounding would end chords at a wall beside which they run */
-        if (fabs(direction[k]) < 1e-12) direction[k] = 0;
-}
-
-/* Column k forward, the tied ones with it. 0 where the ties do not let it go. */
-static int ms_gpr__space_face(const ms_gpr__space *s, int k, double *direction)
-{
-    memset(direction, 0, (size_t)s->m * sizeof *direction);
-    direction[k] = 1;
-    ms_gpr__space_project(s, direction);
-    return direction[k] > 1e-9;
-}
-
-/* From a row of a list to another, the tied columns with it. */
-static void ms_gpr__space_swap(const ms_gpr__space *s, const ms_gpr__group *g, int from, int to, double *direction)
+/* The direction from one row of a list to another. */
+static void ms_gpr__group_direction(const ms_gpr__space *s, const ms_gpr__group *g, int from, int to, double *direction)
 {
     int i;
     memset(direction, 0, (size_t)s->m * sizeof *direction);
@@ -3687,11 +3486,10 @@ static void ms_gpr__space_swap(const ms_gpr__space *s, const ms_gpr__group *g, i
         direction[g->column[i]] = (g->rows[(size_t)to * (size_t)g->width + (size_t)i] -
                                    g->rows[(size_t)from * (size_t)g->width + (size_t)i]) *
             s->per[g->column[i]];
-    ms_gpr__space_project(s, direction);
 }
 
 /* The part t0 <= 0 <= t1 of a line that lies in the box. */
-static void ms_gpr__space_chord(const ms_gpr__space *s, const double *place, const double *direction, double *t0,
+static void ms_gpr__space_chord(const ms_gpr__space *s, const double *point, const double *direction, double *t0,
                                 double *t1)
 {
     int k;
@@ -3701,8 +3499,8 @@ static void ms_gpr__space_chord(const ms_gpr__space *s, const double *place, con
         double d = direction[k], back, ahead, per;
         if (!(d < 0 || d > 0)) continue;
         per = 1 / d;
-        back = (d > 0 ? -place[k] : 1 - place[k]) * per;
-        ahead = (d > 0 ? 1 - place[k] : -place[k]) * per;
+        back = (d > 0 ? -point[k] : 1 - point[k]) * per;
+        ahead = (d > 0 ? 1 - point[k] : -point[k]) * per;
         if (back > *t0) *t0 = back;
         if (ahead < *t1) *t1 = ahead;
     }
@@ -3710,137 +3508,49 @@ static void ms_gpr__space_chord(const ms_gpr__space *s, const double *place, con
 
 /* How many steps t0 to t1 there are to other values of column k, which comes in steps, where the chord allows t0 to
    t1. */
-static void ms_gpr__space_cells(const ms_gpr__space *s, int k, const double *place, double *t0, double *t1)
+static void ms_gpr__space_steps(const ms_gpr__space *s, int k, const double *point, double *t0, double *t1)
 {
-    double step = s->step[k] / s->width[k], own = floor(place[k] / step + 0.5);
+    double step = s->step[k] / s->width[k], own = floor(point[k] / step + 0.5);
     *t0 = fmax(-own, ceil(*t0 / step - 1e-9));
     *t1 = fmin(s->cells[k] - 1 - own, floor(*t1 / step + 1e-9));
 }
 
-static void ms_gpr__space_go(const ms_gpr__space *s, double *place, const double *direction, double t)
-{
-    int k;
-    for (k = 0; k < s->m; ++k) {
-        double p = place[k] + t * direction[k];
-        place[k] = p < 1e-12 ? 0 : p > 1 - 1e-12 ? 1 : p;
-    }
-}
-
-/* Hit-and-run over the tied columns: each step a uniform point of the chord along one of them, or across all.
-   direction: [m] */
-static void ms_gpr__space_wander(const ms_gpr__space *s, double *place, int steps, double *direction, ms__rng *rng)
-{
-    int i, k;
-    for (; steps > 0; --steps) {
-        int at = s->which[(int)(ms_gpr__uniform(rng) * s->tied_count)];
-        double t0, t1, t = 1;
-        if (s->owner[at] > 0) {
-            const ms_gpr__group *g = &s->group[s->owner[at] - 1];
-            ms_gpr__space_swap(s, g, ms_gpr__group_nearest(s, g, place), (int)(ms_gpr__uniform(rng) * g->count),
-                               direction);
-            ms_gpr__space_chord(s, place, direction, &t0, &t1);
-            if (!(t1 >= 1 - 1e-12)) continue;
-        } else if (s->cells[at] > 0) {
-            ms_gpr__space_face(s, at, direction);
-            ms_gpr__space_chord(s, place, direction, &t0, &t1);
-            ms_gpr__space_cells(s, at, place, &t0, &t1);
-            t = floor(t0 + ms_gpr__uniform(rng) * (t1 + 1 - t0)) * s->step[at] / s->width[at];
-        } else {
-            if (steps % 2) {
-                if (!ms_gpr__space_face(s, at, direction)) continue;
-            } else {
-                memset(direction, 0, (size_t)s->m * sizeof *direction);
-                for (i = 0; i < s->tied_count; ++i) {
-                    k = s->which[i];
-                    if (ms_gpr__space_continuous(s, k)) direction[k] = 2 * ms_gpr__uniform(rng) - 1;
-                }
-                ms_gpr__space_project(s, direction);
-            }
-            ms_gpr__space_chord(s, place, direction, &t0, &t1);
-            if (!(t1 < 1e300)) continue;
-            t = t0 + ms_gpr__uniform(rng) * (t1 - t0);
-        }
-        ms_gpr__space_go(s, place, direction, t);
-    }
-}
-
-/* Whether a list or any of its columns is tied. */
-static int ms_gpr__group_tied(const ms_gpr__space *s, const ms_gpr__group *g)
-{
-    int i, any = 0;
-    for (i = 0; i < g->width; ++i) any |= s->tied[g->column[i]];
-    return any;
-}
-
-/* The next of a row of uniform places; tied columns go on from the one before, at first s->inside. direction: [m] */
-static void ms_gpr__space_next(const ms_gpr__space *s, double *place, double *direction, ms__rng *rng)
+/* A uniform point of the unit box that satisfies everything. */
+static void ms_gpr__space_uniform(const ms_gpr__space *s, double *point, ms__rng *rng)
 {
     int k, g;
     for (k = 0; k < s->m; ++k)
-        if (s->owner[k] == 0 && !s->tied[k]) place[k] = ms_gpr__space_draw(s, k, rng);
+        if (s->owner[k] == 0) point[k] = ms_gpr__space_uniform_column(s, k, rng);
     for (g = 0; g < s->groups; ++g)
-        if (!ms_gpr__group_tied(s, &s->group[g]))
-            ms_gpr__group_put(s, &s->group[g], (int)(ms_gpr__uniform(rng) * s->group[g].count), place);
-    ms_gpr__space_wander(s, place, 3 * s->tied_count, direction, rng);
+        ms_gpr__group_put(s, &s->group[g], (int)(ms_gpr__uniform(rng) * s->group[g].count), point);
+    ms_gpr__space_follow(s, point);
 }
 
-/* The first of such a row. */
-static void ms_gpr__space_first(const ms_gpr__space *s, double *place, double *direction, ms__rng *rng)
+/* Moves a point, of the unit box or not, to a near one that keeps everything. */
+static void ms_gpr__space_project(const ms_gpr__space *s, double *point)
 {
-    memcpy(place, s->inside, (size_t)s->m * sizeof *place);
-    ms_gpr__space_wander(s, place, 20 * s->tied_count, direction, rng);
-}
-
-/* Moves what is continuous onto the ties and into the box less a margin, by projections in turn (von Neumann). 0: there
-   is no way. */
-static int ms_gpr__space_pull(const ms_gpr__space *s, double *place, double margin, int tries)
-{
-    double off = 0;
-    int t, k;
-    for (; tries > 0; --tries) {
-        for (t = 0; t < s->ties; ++t) {
-            const double *a = s->tie + (size_t)t * ((size_t)s->m + 1);
-            double sum = a[s->m];
-            for (k = 0; k < s->m; ++k) sum -= a[k] * place[k];
-            for (k = 0; k < s->m; ++k)
-                if (ms_gpr__space_continuous(s, k)) place[k] += sum * a[k];
-        }
-        for (k = 0, off = 0; k < s->m; ++k) {
-            double p;
-            if (!ms_gpr__space_continuous(s, k)) continue;
-            p = ms_gpr__into(place[k], margin, 1 - margin);
-            off = fmax(off, fabs(place[k] - p));
-            place[k] = p;
-        }
-        if (off <= 1e-13) return 1;
+    int k, i, g;
+    for (k = 0; k < s->m; ++k) { /* equal columns meet in their mean */
+        double sum = point[k];
+        int followers = ms_gpr__space_leads(s, k);
+        for (i = k + 1; i < s->m && followers; ++i) sum += s->lead[i] == k ? point[i] : 0;
+        if (followers) point[k] = sum / (followers + 1);
     }
-    return off <= 1e-9;
-}
-
-/* Moves a place, of the unit box or not, to a near one that keeps everything. */
-static void ms_gpr__space_settle(const ms_gpr__space *s, double *place)
-{
-    int k, g;
+    ms_gpr__space_follow(s, point);
     for (k = 0; k < s->m; ++k) {
-        place[k] = s->width[k] > 0 ? ms_gpr__into(place[k], 0, 1) : 0;
+        point[k] = s->width[k] > 0 ? ms_gpr__clamp(point[k], 0, 1) : 0;
         if (s->cells[k] > 0)
-            place[k] = fmin(floor(place[k] * s->width[k] / s->step[k] + 0.5), s->cells[k] - 1) * s->step[k] /
+            point[k] = fmin(floor(point[k] * s->width[k] / s->step[k] + 0.5), s->cells[k] - 1) * s->step[k] /
                 s->width[k];
     }
     for (g = 0; g < s->groups; ++g)
-        ms_gpr__group_put(s, &s->group[g], ms_gpr__group_nearest(s, &s->group[g], place), place);
-    if (s->ties == 0 || ms_gpr__space_pull(s, place, 0, 2000)) return;
-    for (k = 0; k < s->m; ++k) /* with other steps and rows of lists */
-        if (s->tied[k] && !ms_gpr__space_continuous(s, k)) place[k] = s->inside[k];
-    if (!ms_gpr__space_pull(s, place, 0, 2000)) memcpy(place, s->inside, (size_t)s->m * sizeof *place);
-    for (g = 0; g < s->groups; ++g)
-        ms_gpr__group_put(s, &s->group[g], ms_gpr__group_nearest(s, &s->group[g], place), place);
+        ms_gpr__group_put(s, &s->group[g], ms_gpr__group_nearest(s, &s->group[g], point), point);
 }
 
-static void ms_gpr__space_place(const ms_gpr__space *s, const double *x, double *place)
+static void ms_gpr__space_scale(const ms_gpr__space *s, const double *x, double *point)
 {
     int k;
-    for (k = 0; k < s->m; ++k) place[k] = (x[k] - s->low[k]) * s->per[k];
+    for (k = 0; k < s->m; ++k) point[k] = (x[k] - s->low[k]) * s->per[k];
 }
 
 /* wish[k], where it is given and not infinite. */
@@ -3897,84 +3607,38 @@ static ms_status ms_gpr__space_lists(ms_gpr__space *s, const ms_gpr_space *wish,
     return MS_OK;
 }
 
-/* The ties as rows over places, orthonormal over what is continuous; what says nothing new is left out. */
-static ms_status ms_gpr__space_ties(ms_gpr__space *s, const ms_gpr_space *wish, ms_error *error)
+/* Which columns are equal; they share the range that all of them allow. */
+static ms_status ms_gpr__space_equal(ms_gpr__space *s, const ms_gpr_space *wish, ms_error *error)
 {
-    size_t row = (size_t)s->m + 1;
-    int t, k, i, pass;
-    for (t = 0; t < wish->tie_count; ++t) {
-        const double *from = wish->ties + (size_t)t * row;
-        double *a = s->tie + (size_t)s->ties * row, least = 0, most = 0, size = fabs(from[s->m]), norm2 = 0, rest = 0;
-        a[s->m] = from[s->m];
-        for (k = 0; k < s->m; ++k) {
-            a[k] = from[k] * s->width[k];
-            a[s->m] -= from[k] * s->low[k];
-            least += from[k] * (s->low[k] + (from[k] < 0 ? s->width[k] : 0));
-            most += from[k] * (s->low[k] + (from[k] > 0 ? s->width[k] : 0));
-            size += fabs(from[k]) * (fabs(s->low[k]) + s->width[k]);
-        }
-        if (!(from[s->m] >= least - 1e-9 * size && from[s->m] <= most + 1e-9 * size))
+    int i, k;
+    for (i = 0; i < wish->equal_count; ++i) {
+        int a = wish->equal[2 * i], b = wish->equal[2 * i + 1], first, second;
+        double low, high;
+        if (a < 0 || a >= s->m || b < 0 || b >= s->m)
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "columns %d and %d are to be equal: expected 0 to %d", a, b,
+                            s->m - 1);
+        first = s->lead[a] < s->lead[b] ? s->lead[a] : s->lead[b];
+        second = s->lead[a] < s->lead[b] ? s->lead[b] : s->lead[a];
+        if (first == second) continue;
+        if (s->owner[first] || s->owner[second] ||
+            (s->step[first] > 0 && s->step[second] > 0 && fabs(s->step[first] - s->step[second]) > 0))
             return ms__fail(error, MS_INVALID_ARGUMENT, 0,
-                            "tie %d contradicts the box: its sum lies from %g to %g there, not at %g", t + 1, least,
-                            most, from[s->m]);
-        for (pass = 0; pass < 2; ++pass)
-            for (i = 0; i < s->ties; ++i) {
-                const double *b = s->tie + (size_t)i * row;
-                double sum = 0;
-                for (k = 0; k < s->m; ++k) sum += ms_gpr__space_continuous(s, k) ? a[k] * b[k] : 0;
-                for (k = 0; k <= s->m; ++k) a[k] -= sum * b[k];
-            }
-        for (k = 0; k < s->m; ++k) {
-            if (ms_gpr__space_continuous(s, k)) norm2 += a[k] * a[k];
-            else rest = fmax(rest, fabs(a[k]));
-        }
-        if (!(sqrt(norm2) > 1e-9 * size)) {
-            if (rest > 1e-9 * size)
-                return ms__fail(error, MS_INVALID_ARGUMENT, 0,
-                                "tie %d joins only parameters that are fixed, tied already, in steps or in lists",
-                                t + 1);
-            if (fabs(a[s->m]) > 1e-9 * size)
-                return ms__fail(error, MS_INVALID_ARGUMENT, 0,
-                                "tie %d contradicts what is fixed and the ties before it", t + 1);
-            continue;
-        }
-        for (k = 0; k <= s->m; ++k) a[k] /= sqrt(norm2);
-        ++s->ties;
-    }
-    return MS_OK;
-}
-
-/* Which columns are tied, and a place that keeps everything. */
-static ms_status ms_gpr__space_inside(ms_gpr__space *s, ms_error *error)
-{
-    static const double margin[] = {0.1, 0.02, 1e-3, 1e-6, 0};
-    ms__rng rng = ms__rng_make(1, 0);
-    int k, t, g, i, attempt, choices = 0;
-    for (k = 0; k < s->m; ++k) {
-        for (t = 0; t < s->ties; ++t) s->tied[k] |= fabs(s->tie[(size_t)t * ((size_t)s->m + 1) + (size_t)k]) > 1e-12;
-        s->inside[k] = s->width[k] > 0 ? 0.5 : 0;
-    }
-    for (g = 0; g < s->groups; ++g) /* all columns of a list move together */
-        for (i = 0, t = ms_gpr__group_tied(s, &s->group[g]); i < s->group[g].width; ++i)
-            s->tied[s->group[g].column[i]] = t;
-    for (k = 0; k < s->m; ++k) {
-        if (s->tied[k]) s->which[s->tied_count++] = k;
-        choices |= s->tied[k] && !ms_gpr__space_continuous(s, k);
-    }
-    for (attempt = 0; attempt < (choices ? 1000 : 1); ++attempt) {
+                            "columns %d and %d are to be equal, but are in a list or come in different steps", a, b);
+        low = fmax(s->low[first], s->low[second]);
+        high = fmin(s->low[first] + s->width[first], s->low[second] + s->width[second]);
+        if (high < low)
+            return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                            "columns %d and %d are to be equal, but no value is in both ranges", a, b);
+        s->low[first] = low;
+        s->width[first] = high - low;
+        s->step[first] = fmax(s->step[first], s->step[second]);
+        s->tied = 1;
         for (k = 0; k < s->m; ++k)
-            if (s->cells[k] > 0)
-                s->inside[k] = attempt ? ms_gpr__space_draw(s, k, &rng)
-                                       : floor(0.5 * s->cells[k]) * s->step[k] / s->width[k];
-        for (g = 0; g < s->groups; ++g)
-            ms_gpr__group_put(s, &s->group[g],
-                              attempt ? (int)(ms_gpr__uniform(&rng) * s->group[g].count) : s->group[g].count / 2,
-                              s->inside);
-        for (i = 0; i < 5; ++i)
-            if (s->ties == 0 || ms_gpr__space_pull(s, s->inside, margin[i], choices ? 300 : 10000)) return MS_OK;
+            if (s->lead[k] == second) s->lead[k] = first;
     }
-    return ms__fail(error, MS_INVALID_ARGUMENT, 0,
-                    "the %d ties contradict each other: no material in the box keeps all of them", s->ties);
+    for (k = 0; k < s->m; ++k)
+        s->low[k] = s->low[s->lead[k]], s->width[k] = s->width[s->lead[k]], s->step[k] = s->step[s->lead[k]];
+    return MS_OK;
 }
 
 static void ms_gpr__space_free(ms_gpr__space *s) { ms_gpr__release_doubles(&s->allocator, s->block, s->doubles); }
@@ -3986,13 +3650,11 @@ static ms_status ms_gpr__space_make(const double *x, int n, int m, const ms_gpr_
     ms_gpr__arena arena = {NULL, 0};
     ms_status status = MS_OK;
     int k, g, i;
-    if (wish->tie_count < 0 || wish->list_count < 0 || wish->tie_count > 10000 || wish->list_count > 10000)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tie_count is %d and list_count %d: expected 0 to 10000",
-                        wish->tie_count, wish->list_count);
-    if (wish->tie_count > 0 && wish->ties == NULL) return ms_gpr__null("ties", error);
+    if (wish->list_count < 0 || wish->list_count > 10000 || wish->equal_count < 0 || wish->equal_count > 10000)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "list_count is %d and equal_count %d: expected 0 to 10000",
+                        wish->list_count, wish->equal_count);
+    if (wish->equal_count > 0 && wish->equal == NULL) return ms_gpr__null("equal", error);
     if (wish->list_count > 0 && wish->lists == NULL) return ms_gpr__null("lists", error);
-    if (wish->tie_count > 0)
-        status = ms_gpr__check_rows(wish->ties, wish->tie_count, m + 1, MS_GPR__LARGEST, "tie", error);
     for (g = 0; g < wish->list_count && status == MS_OK; ++g) {
         const ms_gpr_list *list = &wish->lists[g];
         if (list->columns == NULL || list->rows == NULL)
@@ -4024,6 +3686,7 @@ static ms_status ms_gpr__space_make(const double *x, int n, int m, const ms_gpr_
     ms_gpr__space_layout(s, wish, &arena);
     for (k = 0; k < m && status == MS_OK; ++k) {
         double a, b;
+        s->lead[k] = k;
         ms_gpr__natural_range(x, n, m, k, &a, &b);
         a = ms_gpr__given(wish->low, k, -1, a);
         b = ms_gpr__given(wish->high, k, 1, b);
@@ -4035,13 +3698,12 @@ static ms_status ms_gpr__space_make(const double *x, int n, int m, const ms_gpr_
         s->step[k] = wish->steps && b > a ? wish->steps[k] : 0;
     }
     if (status == MS_OK) status = ms_gpr__space_lists(s, wish, error);
+    if (status == MS_OK) status = ms_gpr__space_equal(s, wish, error);
     for (k = 0; k < m; ++k) {
         s->cells[k] = s->step[k] > 0 ? floor(s->width[k] / s->step[k] + 1e-9) + 1 : 0;
         if (s->cells[k] > 0 && s->cells[k] < 2) s->cells[k] = s->width[k] = 0;
         s->per[k] = s->width[k] > 0 ? 1 / s->width[k] : 0;
     }
-    if (status == MS_OK) status = ms_gpr__space_ties(s, wish, error);
-    if (status == MS_OK) status = ms_gpr__space_inside(s, error);
     if (status != MS_OK) ms_gpr__space_free(s);
     return status;
 }
@@ -4056,87 +3718,89 @@ enum {
     MS_GPR__PILOT = 8,         /* batches that are looked at first */
     MS_GPR__TASKS = 16,        /* of a level of subset simulation, and of a wave of recommendations */
     MS_GPR__WAVE = 64,         /* recommendations that are looked for together */
-    MS_GPR__POPULATION = 1024, /* places a level */
-    MS_GPR__SURVIVE = 4,       /* one in so many lies above the next level */
+    MS_GPR__POPULATION = 1024, /* points a level */
+    MS_GPR__LEVEL_SHARE = 4,   /* one in so many lies above the next level */
     MS_GPR__LEVELS = 500,
-    MS_GPR__SUMMITS = 16 /* ascents that look for the largest mean */
+    MS_GPR__MODES = 16 /* ascents that look for the largest mean */
 };
-static const double MS_GPR__TIGHT =
+static const double MS_GPR__INFORMATIVE =
     0.3; /* length scales in the box's width from which on the mean depends on a column */
+static const double MS_GPR__GIVE_UP = 1e7; /* predictions by rejection, at most */
 enum {
     MS_GPR__RARE = 50 /* candidates that cost about as much as one recommendation of subset simulation */
 };
 
-/* A place in the unit box, what the mean there needs, and a step to go. */
-typedef struct ms_gpr__walker {
-    double *place;      /* [m] */
+/* A point in the unit box, what the mean there needs, and a step to go. */
+typedef struct ms_gpr__chain {
+    double *point;      /* [m] */
     double *direction;  /* [m] in widths of the box, of dimensions in use */
-    double *scaled;     /* [active] the place in length scales */
+    double *scaled;     /* [active] the point in length scales */
     double *step;       /* [active] the direction in length scales */
     double *low, *high; /* [m] of a hyperrectangle */
     void *d2, *slope;   /* [stride] as in ms_gpr__lines */
     double *kernel;     /* [stride] */
     double curvature;
     int axis;      /* of those in use, along which it faces; -1: along the direction */
-    double value;  /* the mean less caution there */
+    double value;  /* the mean there */
     double slices; /* means predicted along lines so far */
-} ms_gpr__walker;
+} ms_gpr__chain;
 
 /* What all tasks of one call share. */
-typedef struct ms_gpr__hunt {
+typedef struct ms_gpr__sampler {
     const ms_gpr *gp;
     ms_gpr_recommend_options o; /* with the defaults filled in */
     const ms_gpr__lines *lines; /* of single precision, where that is good enough for this model */
     const void *points, *weight;
     int count, taken, wave; /* wanted, with those to be skipped; found; of the wave that runs */
-    double *kept;           /* [count][m] what was found */
-    double *group;          /* [16][m] candidates for the next one, */
-    int grouped;            /* and how many there are */
+    double *result;         /* [count][m] what was found */
+    double *rivals;         /* [16][m] candidates for the next one, */
+    int rival_count;        /* and how many there are */
     ms_gpr__space s;
-    double *unit;       /* [active] length scales in the box's width */
-    int *loose, looses; /* [m] columns that the mean hardly depends on, continuous and not tied */
-    int *mover, movers; /* what slices go along: a dimension in use; active + a tied column; active + m + a list */
-    double *tied;       /* [ties][m] scratch of the ascents */
-    double goal;        /* the threshold, and a margin for the rounding of means that walkers sum up */
-    double level;       /* what walkers must not fall below */
-    double *candidate;  /* [BATCHES * BATCH][m] of a wave, in units of x */
+    double *unit;     /* [active] length scales in the box's width */
+    int *flat, flats; /* [m] columns that the mean hardly depends on, continuous */
+    int *coordinate,
+        coordinates;   /* what slices go along: a dimension in use; active + a column that others are equal to; active
+                + m + a list */
+    double goal;       /* the threshold, and a margin for the rounding of means that chains sum up */
+    double level;      /* what chains must not fall below */
+    double *candidate; /* [BATCHES * BATCH][m] of a wave, in units of x */
     float *candidate_f;
-    double *mean; /* [BATCHES * BATCH + n] less caution */
-    double *variance;
+    double *mean; /* [BATCHES * BATCH + n] */
+    float *mean_f;
     double *scratch; /* [BATCHES] of the prediction */
     size_t scratch_size;
     ms_gpr__ranked *ranked; /* [BATCHES * BATCH + n] */
-    ms_gpr__walker walker[MS_GPR__TASKS];
-    double *summit; /* [SUMMITS][m] */
-    double summit_value[MS_GPR__SUMMITS];
-    double *place, *next; /* [PILOT * BATCH][m] population in the unit box, and the one of the next level */
+    ms_gpr__chain chain[MS_GPR__TASKS];
+    double *mode; /* [SUMMITS][m] */
+    double mode_value[MS_GPR__MODES];
+    double *point, *next; /* [PILOT * BATCH][m] population in the unit box, and the one of the next level */
     double *value;        /* [PILOT * BATCH] of the population, */
     double *next_value;
-    int population, *seed; /* [POPULATION] places where the chains of a level start */
+    int population, *seed; /* [POPULATION] points where the chains of a level start */
     int seeds, turn;
-    double *tight;   /* [m] how far to go across; 0: only along the axis */
+    double *scale;   /* [m] how far to go across; 0: only along the axis */
     uint64_t stream; /* of the wave's first batch or chain */
     ms_gpr_recommend_report report;
-} ms_gpr__hunt;
+} ms_gpr__sampler;
 
-/* --- a walker --- */
+/* --- a chain --- */
 
-/* Distances anew from the place. */
-static void ms_gpr__walker_arrive(const ms_gpr__hunt *h, const ms_gpr__lines *lines, const void *points,
-                                  ms_gpr__walker *w)
+/* Distances anew from the point. */
+static void ms_gpr__chain_distances(const ms_gpr__sampler *h, const ms_gpr__lines *lines, const void *points,
+                                    ms_gpr__chain *w)
 {
     const ms_gpr *gp = h->gp;
     int k, d;
     for (k = 0; k < gp->active; ++k) {
         d = gp->dimension[k];
-        w->scaled[k] = (h->s.low[d] + h->s.width[d] * w->place[d] - gp->center[d]) * gp->scale[d];
+        w->scaled[k] = (h->s.low[d] + h->s.width[d] * w->point[d] - gp->center[d]) * gp->scale[d];
     }
-    lines->arrive(w->d2, points, gp->stride, w->scaled, gp->active, ms_gpr__padded(gp->n));
+    lines->distances(w->d2, points, gp->stride, w->scaled, gp->active, ms_gpr__padded(gp->n));
 }
 
 /* Makes the mean along the direction a function of t alone. */
-static void ms_gpr__walker_face(const ms_gpr__hunt *h, const ms_gpr__lines *lines, const void *points,
-                                ms_gpr__walker *w)
+static void ms_gpr__chain_slopes(const ms_gpr__sampler *h, const ms_gpr__lines *lines, const void *points,
+                                 ms_gpr__chain *w)
 {
     const ms_gpr *gp = h->gp;
     int k;
@@ -4146,87 +3810,26 @@ static void ms_gpr__walker_face(const ms_gpr__hunt *h, const ms_gpr__lines *line
         w->step[k] = h->unit[k] * w->direction[gp->dimension[k]];
         w->curvature += w->step[k] * w->step[k];
     }
-    lines->face(w->slope, points, gp->stride, w->scaled, w->step, gp->active, ms_gpr__padded(gp->n));
+    lines->slopes(w->slope, points, gp->stride, w->scaled, w->step, gp->active, ms_gpr__padded(gp->n));
 }
 
-static void ms_gpr__walker_step(const ms_gpr__hunt *h, const ms_gpr__lines *lines, ms_gpr__walker *w, double t)
+static void ms_gpr__chain_step(const ms_gpr__sampler *h, const ms_gpr__lines *lines, ms_gpr__chain *w, double t)
 {
     const ms_gpr *gp = h->gp;
     int k, first = w->axis < 0 ? 0 : w->axis, end = w->axis < 0 ? gp->active : first + 1;
     for (k = first; k < end; ++k) {
         int d = gp->dimension[k];
-        double p = w->place[d] + t * (w->axis < 0 ? w->direction[d] : 1);
-        w->place[d] = p < 1e-12 ? 0 : p > 1 - 1e-12 ? 1 : p;
+        double p = w->point[d] + t * (w->axis < 0 ? w->direction[d] : 1);
+        w->point[d] = p < 1e-12 ? 0 : p > 1 - 1e-12 ? 1 : p;
         w->scaled[k] += t * w->step[k];
     }
-    lines->go(w->d2, w->slope, t, w->curvature, ms_gpr__padded(gp->n));
-}
-
-/* caution * sigma at t along the line. */
-static double ms_gpr__walker_doubt(const ms_gpr__hunt *h, const ms_gpr__lines *lines, ms_gpr__walker *w, double t)
-{
-    const ms_gpr *gp = h->gp;
-    double sf2 = ms_gpr__sf2(gp), variance, d2, slope;
-    int n = ms_gpr__padded(gp->n), i;
-    if (!(h->o.caution > 0)) return 0;
-    for (i = 0; i < n; ++i) {
-        d2 = lines->size == sizeof(float) ? (double)((const float *)w->d2)[i] : ((const double *)w->d2)[i];
-        slope = !(t < 0 || t > 0)          ? 0
-            : lines->size == sizeof(float) ? (double)((const float *)w->slope)[i]
-                                           : ((const double *)w->slope)[i];
-        w->kernel[i] = t < 0 || t > 0 ? d2 + t * (slope + t * w->curvature) : d2;
-    }
-    gp->kernels->exponentials(w->kernel, n, sf2);
-    for (i = gp->n; i < n; ++i) w->kernel[i] = 0;
-    ms_gpr__forward_vector(gp->kernels, gp->upper, gp->stride, n, w->kernel);
-    variance = sf2 - gp->kernels->dot(w->kernel, w->kernel, n);
-    return variance > 0 ? h->o.caution * sqrt(variance) : 0;
-}
-
-/* Turns the slopes that the direction holds for tied columns into the steepest way up, in length scales, that keeps the
-   ties and the box: those that would leave it stand still. */
-static void ms_gpr__walker_yield(const ms_gpr__hunt *h, ms_gpr__walker *w)
-{
-    const ms_gpr *gp = h->gp;
-    const ms_gpr__space *s = &h->s;
-    size_t m = (size_t)gp->m;
-    double *reach = h->tied + (size_t)s->ties * m, *way = reach + m;
-    int pass, t, i, k, changed = 1;
-    for (k = 0; k < gp->m; ++k)
-        reach[k] = s->tied[k] && ms_gpr__space_continuous(s, k) ? 10
-                                                                : 0; /* widths, for what the mean hardly depends on */
-    for (k = 0; k < gp->active; ++k)
-        if (h->unit[k] > 0.1 && reach[gp->dimension[k]] > 0) reach[gp->dimension[k]] = 1 / h->unit[k];
-    for (pass = 0; pass <= gp->m && changed; ++pass) {
-        for (k = 0; k < gp->m; ++k) way[k] = reach[k] * (s->tied[k] ? w->direction[k] : 0);
-        for (t = 0; t < s->ties; ++t) {
-            const double *a = s->tie + (size_t)t * (m + 1);
-            double *row = h->tied + (size_t)t * m, norm2 = 0, sum = 0;
-            for (k = 0; k < gp->m; ++k) row[k] = a[k] * reach[k];
-            for (i = 0; i < t; ++i) {
-                const double *before = h->tied + (size_t)i * m;
-                for (k = 0, sum = 0; k < gp->m; ++k) sum += row[k] * before[k];
-                for (k = 0; k < gp->m; ++k) row[k] -= sum * before[k];
-            }
-            for (k = 0; k < gp->m; ++k) norm2 += row[k] * row[k];
-            for (k = 0, sum = 0; k < gp->m; ++k) sum += (row[k] *= norm2 > 1e-18 ? 1 / sqrt(norm2) : 0) * way[k];
-            for (k = 0; k < gp->m; ++k) way[k] -= sum * row[k];
-        }
-        for (k = 0, changed = 0; k < gp->m; ++k) {
-            way[k] = fabs(way[k] * reach[k]) > 1e-12 ? way[k] * reach[k] : 0;
-            if (!(way[k] < 0 && w->place[k] <= 0) && !(way[k] > 0 && w->place[k] >= 1)) continue;
-            reach[k] = 0;
-            changed = 1;
-        }
-    }
-    for (k = 0; k < gp->m; ++k)
-        if (s->tied[k]) w->direction[k] = changed ? 0 : way[k];
+    lines->advance(w->d2, w->slope, t, w->curvature, ms_gpr__padded(gp->n));
 }
 
 /* Uphill to a maximum of the mean, for at most `steps` steps: along the gradient in length scales, which points like a
-   mean shift to sum_i weight_i k_i (x_i - x), less the components that would leave the box or break a tie. Lists stay
+   mean shift to sum_i weight_i k_i (x_i - x), less the components that would leave the box. Lists stay
    as they are. */
-static void ms_gpr__walker_ascend(const ms_gpr__hunt *h, ms_gpr__walker *w, int steps)
+static void ms_gpr__chain_ascend(const ms_gpr__sampler *h, ms_gpr__chain *w, int steps)
 {
     const ms_gpr *gp = h->gp;
     const ms_gpr__lines *lines = &gp->kernels->lines;
@@ -4235,31 +3838,36 @@ static void ms_gpr__walker_ascend(const ms_gpr__hunt *h, ms_gpr__walker *w, int 
     for (; steps >= 0; --steps) {
         double total, norm2 = 0, t0, t1, t, ahead, farther;
         int halvings = 0;
-        ms_gpr__walker_arrive(h, lines, gp->points, w);
+        ms_gpr__chain_distances(h, lines, gp->points, w);
         memcpy(w->kernel, w->d2, (size_t)n * sizeof *w->kernel);
         gp->kernels->exponentials(w->kernel, n, 1);
         for (i = 0, total = 0; i < n; ++i) total += w->kernel[i] *= gp->weight[i];
         w->value = gp->mean + total;
         if (steps == 0) return;
         memset(w->direction, 0, (size_t)gp->m * sizeof *w->direction);
+        memset(w->low, 0, (size_t)gp->m * sizeof *w->low);
+        memset(w->high, 0, (size_t)gp->m * sizeof *w->high);
         for (k = 0; k < gp->active; ++k) {
             int d = gp->dimension[k];
-            double p = w->place[d], g;
+            double p = w->point[d], g;
             if (h->s.owner[d] > 0 || !(h->unit[k] > 0)) continue;
             g = gp->kernels->dot(w->kernel, gp->points + (size_t)k * gp->stride, n) - total * w->scaled[k];
-            if (h->s.tied[d]) {
-                w->direction[d] = g * h->unit[k];
-            } else if (!(g < 0 && p <= 0) && !(g > 0 && p >= 1)) {
-                w->direction[d] = g / h->unit[k];
-            }
+            if (!(g < 0 && p <= 0) && !(g > 0 && p >= 1)) w->direction[d] = g / h->unit[k];
+            w->low[h->s.lead[d]] += g * h->unit[k]; /* the slope of equal columns together, and of what metric */
+            w->high[h->s.lead[d]] += h->unit[k] * h->unit[k];
         }
-        if (h->s.ties > 0) ms_gpr__walker_yield(h, w);
+        for (k = 0; k < gp->m; ++k) {
+            if (!ms_gpr__space_leads(&h->s, k)) continue;
+            w->direction[k] = w->high[k] > 0 ? w->low[k] / w->high[k] : 0;
+            if ((w->low[k] < 0 && w->point[k] <= 0) || (w->low[k] > 0 && w->point[k] >= 1)) w->direction[k] = 0;
+        }
+        ms_gpr__space_follow(&h->s, w->direction);
         for (k = 0; k < gp->active; ++k)
             norm2 += h->unit[k] * w->direction[gp->dimension[k]] * (h->unit[k] * w->direction[gp->dimension[k]]);
         if (!(norm2 > 0)) return;
         for (k = 0; k < gp->m; ++k) w->direction[k] /= sqrt(norm2);
-        ms_gpr__walker_face(h, lines, gp->points, w);
-        ms_gpr__space_chord(&h->s, w->place, w->direction, &t0, &t1);
+        ms_gpr__chain_slopes(h, lines, gp->points, w);
+        ms_gpr__space_chord(&h->s, w->point, w->direction, &t0, &t1);
         t = reach < t1 ? reach : t1;
         ahead = gp->mean + lines->mean(w->d2, w->slope, t, w->curvature, gp->weight, n);
         while (!(ahead > w->value) && halvings++ < 20)
@@ -4271,149 +3879,147 @@ static void ms_gpr__walker_ascend(const ms_gpr__hunt *h, ms_gpr__walker *w, int 
             ahead = farther;
         }
         if (ahead - w->value < 1e-7 * (fabs(ahead) + fabs(w->value))) steps = 1;
-        ms_gpr__walker_step(h, lines, w, t);
+        ms_gpr__chain_step(h, lines, w, t);
         reach = 2 * t;
     }
 }
 
-/* Goes t along the line that the walker faces, if that stays in the region. */
-static int ms_gpr__walker_try(const ms_gpr__hunt *h, ms_gpr__walker *w, double t)
+/* Goes t along the line that the chain faces, if that stays in the region. */
+static int ms_gpr__chain_try(const ms_gpr__sampler *h, ms_gpr__chain *w, double t)
 {
     double mean = h->gp->mean + h->lines->mean(w->d2, w->slope, t, w->curvature, h->weight, ms_gpr__padded(h->gp->n));
     w->slices += 1;
-    if (!(mean >= h->level) || !((mean -= ms_gpr__walker_doubt(h, h->lines, w, t)) >= h->level)) return 0;
-    ms_gpr__walker_step(h, h->lines, w, t);
+    if (!(mean >= h->level)) return 0;
+    ms_gpr__chain_step(h, h->lines, w, t);
     w->value = mean;
     return 1;
 }
 
-/* Neal's slice step along the line that the walker faces: a uniform point of the chord; while it lies outside the
-   region, the chord shrinks towards the walker. The uniform distribution over the region is left as it is. A column k
-   that comes in steps is a row of cells, and the walker somewhere in its own. k < 0: across several. */
-static void ms_gpr__walker_slice(const ms_gpr__hunt *h, ms_gpr__walker *w, int k, ms__rng *rng)
+/* Neal's slice step along the line that the chain faces: a uniform point of the chord; while it lies outside the
+   region, the chord shrinks towards the chain. The uniform distribution over the region is left as it is. A column k
+   that comes in steps is a row of cells, and the chain somewhere in its own. k < 0: across several. */
+static void ms_gpr__chain_slice(const ms_gpr__sampler *h, ms_gpr__chain *w, int k, ms__rng *rng)
 {
     double cells = k < 0 ? 0 : h->s.cells[k], step = cells > 0 ? h->s.step[k] / h->s.width[k] : 0, t0, t1, offset = 0;
     int tries;
     if (w->axis < 0) {
-        ms_gpr__space_chord(&h->s, w->place, w->direction, &t0, &t1);
+        ms_gpr__space_chord(&h->s, w->point, w->direction, &t0, &t1);
     } else {
-        t0 = -w->place[k];
-        t1 = 1 - w->place[k];
+        t0 = -w->point[k];
+        t1 = 1 - w->point[k];
     }
     if (cells > 0) { /* at = t + offset; its own cell is [0, 1) */
         offset = ms_gpr__uniform(rng);
-        ms_gpr__space_cells(&h->s, k, w->place, &t0, &t1);
+        ms_gpr__space_steps(&h->s, k, w->point, &t0, &t1);
         t1 += 1;
     }
     for (tries = 0; tries < 60; ++tries) {
         double at = t0 + ms_gpr__uniform(rng) * (t1 - t0);
-        if (ms_gpr__walker_try(h, w, cells > 0 ? floor(at) * step : at)) return;
+        if (ms_gpr__chain_try(h, w, cells > 0 ? floor(at) * step : at)) return;
         if (at < offset) t0 = at;
         else t1 = at;
     }
 }
 
 /* A slice over the rows of a list: as over the cells of a column in steps. */
-static void ms_gpr__walker_list(const ms_gpr__hunt *h, ms_gpr__walker *w, const ms_gpr__group *g, ms__rng *rng)
+static void ms_gpr__chain_slice_list(const ms_gpr__sampler *h, ms_gpr__chain *w, const ms_gpr__group *g, ms__rng *rng)
 {
-    int own = ms_gpr__group_nearest(&h->s, g, w->place), row;
-    double offset = own + ms_gpr__uniform(rng), t0 = 0, t1 = g->count, back, ahead;
+    int own = ms_gpr__group_nearest(&h->s, g, w->point), row;
+    double offset = own + ms_gpr__uniform(rng), t0 = 0, t1 = g->count;
     for (;;) {
         double at = t0 + ms_gpr__uniform(rng) * (t1 - t0);
         row = (int)at < g->count ? (int)at : g->count - 1;
         if (row == own) return;
-        ms_gpr__space_swap(&h->s, g, own, row, w->direction);
-        ms_gpr__space_chord(&h->s, w->place, w->direction, &back, &ahead);
-        if (ahead >= 1 - 1e-12) {
-            ms_gpr__walker_face(h, h->lines, h->points, w);
-            if (ms_gpr__walker_try(h, w, 1)) return;
-        }
+        ms_gpr__group_direction(&h->s, g, own, row, w->direction);
+        ms_gpr__chain_slopes(h, h->lines, h->points, w);
+        if (ms_gpr__chain_try(h, w, 1)) return;
         if (at < offset) t0 = at;
         else t1 = at;
     }
 }
 
 /* The best row of every list, as things stand. 0: it had them already. */
-static int ms_gpr__walker_choose(const ms_gpr__hunt *h, ms_gpr__walker *w)
+static int ms_gpr__chain_best_rows(const ms_gpr__sampler *h, ms_gpr__chain *w)
 {
     const ms_gpr__lines *lines = &h->gp->kernels->lines;
     int changed = 0, i, row, n = ms_gpr__padded(h->gp->n);
     for (i = 0; i < h->s.groups; ++i) {
         const ms_gpr__group *g = &h->s.group[i];
-        int own = ms_gpr__group_nearest(&h->s, g, w->place), best = own;
-        double back, ahead, largest = w->value;
+        int own = ms_gpr__group_nearest(&h->s, g, w->point), best = own;
+        double largest = w->value;
         for (row = 0; row < g->count; ++row) {
             double mean;
-            ms_gpr__space_swap(&h->s, g, own, row, w->direction);
-            ms_gpr__space_chord(&h->s, w->place, w->direction, &back, &ahead);
-            if (row == own || !(ahead >= 1 - 1e-12)) continue;
-            ms_gpr__walker_face(h, lines, h->gp->points, w);
+            if (row == own) continue;
+            ms_gpr__group_direction(&h->s, g, own, row, w->direction);
+            ms_gpr__chain_slopes(h, lines, h->gp->points, w);
             mean = h->gp->mean + lines->mean(w->d2, w->slope, 1, w->curvature, h->gp->weight, n);
             if (mean > largest) largest = mean, best = row;
         }
         if (best == own) continue;
-        ms_gpr__space_swap(&h->s, g, own, best, w->direction);
-        ms_gpr__walker_face(h, lines, h->gp->points, w);
-        ms_gpr__walker_step(h, lines, w, 1);
+        ms_gpr__group_direction(&h->s, g, own, best, w->direction);
+        ms_gpr__chain_slopes(h, lines, h->gp->points, w);
+        ms_gpr__chain_step(h, lines, w, 1);
         w->value = largest;
         changed = 1;
     }
     return changed;
 }
 
-/* A slice along one of the movers, which renews what the mean hardly depends on. */
-static void ms_gpr__walker_along(const ms_gpr__hunt *h, ms_gpr__walker *w, int mover, ms__rng *rng)
+/* A slice along one of the coordinates, which renews what the mean hardly depends on. */
+static void ms_gpr__chain_coordinate(const ms_gpr__sampler *h, ms_gpr__chain *w, int coordinate, ms__rng *rng)
 {
     const ms_gpr *gp = h->gp;
-    int k = h->mover[mover];
+    int k = h->coordinate[coordinate];
     if (k >= gp->active + gp->m) {
-        ms_gpr__walker_list(h, w, &h->s.group[k - gp->active - gp->m], rng);
+        ms_gpr__chain_slice_list(h, w, &h->s.group[k - gp->active - gp->m], rng);
     } else if (k >= gp->active) {
-        if (!ms_gpr__space_face(&h->s, k - gp->active, w->direction)) return;
-        ms_gpr__walker_face(h, h->lines, h->points, w);
-        ms_gpr__walker_slice(h, w, k - gp->active, rng);
+        memset(w->direction, 0, (size_t)gp->m * sizeof *w->direction);
+        w->direction[k - gp->active] = 1;
+        ms_gpr__space_follow(&h->s, w->direction);
+        ms_gpr__chain_slopes(h, h->lines, h->points, w);
+        ms_gpr__chain_slice(h, w, k - gp->active, rng);
     } else {
         w->axis = k;
         w->step[k] = h->unit[k];
         w->curvature = h->unit[k] * h->unit[k];
-        h->lines->face(w->slope, (const char *)h->points + (size_t)k * gp->stride * h->lines->size, gp->stride,
-                       w->scaled + k, w->step + k, 1, ms_gpr__padded(gp->n));
-        ms_gpr__walker_slice(h, w, gp->dimension[k], rng);
+        h->lines->slopes(w->slope, (const char *)h->points + (size_t)k * gp->stride * h->lines->size, gp->stride,
+                         w->scaled + k, w->step + k, 1, ms_gpr__padded(gp->n));
+        ms_gpr__chain_slice(h, w, gp->dimension[k], rng);
     }
 }
 
 /* A slice along a random direction of the dimensions that matter, if any does. Any law of directions will do that is
    symmetric. */
-static void ms_gpr__walker_across(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__rng *rng)
+static void ms_gpr__chain_direction(const ms_gpr__sampler *h, ms_gpr__chain *w, ms__rng *rng)
 {
     int k, any = 0;
-    for (k = 0; k < h->gp->m; ++k) w->direction[k] = h->tight[k] > 0 ? h->tight[k] * (2 * ms_gpr__uniform(rng) - 1) : 0;
-    ms_gpr__space_project(&h->s, w->direction);
+    for (k = 0; k < h->gp->m; ++k) w->direction[k] = h->scale[k] > 0 ? h->scale[k] * (2 * ms_gpr__uniform(rng) - 1) : 0;
+    ms_gpr__space_follow(&h->s, w->direction);
     for (k = 0; k < h->gp->m; ++k) any |= w->direction[k] < 0 || w->direction[k] > 0;
     if (!any) return; /* the chord would have no end */
-    ms_gpr__walker_face(h, h->lines, h->points, w);
-    ms_gpr__walker_slice(h, w, -1, rng);
+    ms_gpr__chain_slopes(h, h->lines, h->points, w);
+    ms_gpr__chain_slice(h, w, -1, rng);
 }
 
 /* What the mean hardly depends on, all at once: a uniform point of a hyperrectangle, at first the box, which shrinks
-   towards the walker. */
-static void ms_gpr__walker_shake(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__rng *rng)
+   towards the chain. */
+static void ms_gpr__chain_rectangle(const ms_gpr__sampler *h, ms_gpr__chain *w, ms__rng *rng)
 {
     int tries, i, k;
-    if (h->looses == 0) return;
-    for (i = 0; i < h->looses; ++i) w->low[i] = 0, w->high[i] = 1;
+    if (h->flats == 0) return;
+    for (i = 0; i < h->flats; ++i) w->low[i] = 0, w->high[i] = 1;
     memset(w->direction, 0, (size_t)h->gp->m * sizeof *w->direction);
     for (tries = 0; tries < 60; ++tries) {
-        for (i = 0; i < h->looses; ++i) {
-            k = h->loose[i];
-            w->direction[k] = w->low[i] + ms_gpr__uniform(rng) * (w->high[i] - w->low[i]) - w->place[k];
+        for (i = 0; i < h->flats; ++i) {
+            k = h->flat[i];
+            w->direction[k] = w->low[i] + ms_gpr__uniform(rng) * (w->high[i] - w->low[i]) - w->point[k];
         }
-        ms_gpr__walker_face(h, h->lines, h->points, w);
-        if (ms_gpr__walker_try(h, w, 1)) return;
-        for (i = 0; i < h->looses; ++i) {
-            k = h->loose[i];
-            if (w->direction[k] < 0) w->low[i] = w->place[k] + w->direction[k];
-            else w->high[i] = w->place[k] + w->direction[k];
+        ms_gpr__chain_slopes(h, h->lines, h->points, w);
+        if (ms_gpr__chain_try(h, w, 1)) return;
+        for (i = 0; i < h->flats; ++i) {
+            k = h->flat[i];
+            if (w->direction[k] < 0) w->low[i] = w->point[k] + w->direction[k];
+            else w->high[i] = w->point[k] + w->direction[k];
         }
     }
 }
@@ -4422,147 +4028,145 @@ static void ms_gpr__walker_shake(const ms_gpr__hunt *h, ms_gpr__walker *w, ms__r
 
 /* The mean, less caution, of `count` candidates from `first` on, in the precision of the lines, with the scratch of
    that batch. */
-static void ms_gpr__hunt_predict(const ms_gpr__hunt *h, int batch, size_t first, int count)
+static void ms_gpr__sampler_predict(const ms_gpr__sampler *h, int batch, size_t first, int count)
 {
     ms_gpr__batch b;
     size_t m = (size_t)h->gp->m, i;
-    int single = h->lines->size == sizeof(float) && !(h->o.caution > 0);
     memset(&b, 0, sizeof b);
     b.gp = h->gp;
     b.count = count;
     b.tasks = 1;
     b.scratch = h->scratch + (size_t)batch * h->scratch_size;
-    if (single) {
+    if (h->lines->size == sizeof(float)) {
         float *x = h->candidate_f + first * m;
         for (i = 0; i < (size_t)count * m; ++i) x[i] = (float)h->candidate[first * m + i];
         b.x_f = x;
-        b.mean_f = (float *)(void *)(h->variance + first);
+        b.mean_f = h->mean_f + first;
         ms_gpr__predict_task_f(&b, 0);
         for (i = 0; i < (size_t)count; ++i) h->mean[first + i] = (double)b.mean_f[i];
         return;
     }
     b.x = h->candidate + first * m;
     b.mean = h->mean + first;
-    b.variance = h->o.caution > 0 ? h->variance + first : NULL;
     ms_gpr__predict_task(&b, 0);
-    for (i = 0; b.variance && i < (size_t)count; ++i) b.mean[i] -= h->o.caution * sqrt(b.variance[i]);
 }
 
 /* One batch of uniform candidates and their means. */
-static void ms_gpr__hunt_batch(void *context, int batch)
+static void ms_gpr__sampler_batch(void *context, int batch)
 {
-    ms_gpr__hunt *h = (ms_gpr__hunt *)context;
+    ms_gpr__sampler *h = (ms_gpr__sampler *)context;
     ms__rng rng = ms__rng_make(h->o.seed, h->stream + (uint64_t)batch);
     size_t first = (size_t)batch * MS_GPR__BATCH, m = (size_t)h->gp->m, i;
-    ms_gpr__walker *w = &h->walker[batch];
-    ms_gpr__space_first(&h->s, w->place, w->direction, &rng);
+    ms_gpr__chain *w = &h->chain[batch];
     for (i = 0; i < MS_GPR__BATCH; ++i) {
-        ms_gpr__space_next(&h->s, w->place, w->direction, &rng);
-        ms_gpr__space_material(&h->s, w->place, h->candidate + (first + i) * m);
+        ms_gpr__space_uniform(&h->s, w->point, &rng);
+        ms_gpr__space_material(&h->s, w->point, h->candidate + (first + i) * m);
     }
-    ms_gpr__hunt_predict(h, batch, first, MS_GPR__BATCH);
+    ms_gpr__sampler_predict(h, batch, first, MS_GPR__BATCH);
 }
 
-/* One step of a chain: along, across and over all that is loose by turns. */
-static void ms_gpr__walker_stir(const ms_gpr__hunt *h, ms_gpr__walker *w, int turn, ms__rng *rng)
+/* One step of a chain: along, across and over all that is flat by turns. */
+static void ms_gpr__chain_transition(const ms_gpr__sampler *h, ms_gpr__chain *w, int turn, ms__rng *rng)
 {
-    if (h->looses > 0 && turn % 4 == 3) ms_gpr__walker_shake(h, w, rng);
-    else if (h->movers > 0 && turn % 2) ms_gpr__walker_along(h, w, (int)(ms_gpr__uniform(rng) * h->movers), rng);
-    else ms_gpr__walker_across(h, w, rng);
+    if (h->flats > 0 && turn % 4 == 3) ms_gpr__chain_rectangle(h, w, rng);
+    else if (h->coordinates > 0 && turn % 2)
+        ms_gpr__chain_coordinate(h, w, (int)(ms_gpr__uniform(rng) * h->coordinates), rng);
+    else ms_gpr__chain_direction(h, w, rng);
 }
 
 /* Chains task, task + TASKS, ... of a level: each from its seed through its share of the next population. */
-static void ms_gpr__hunt_level(void *context, int task)
+static void ms_gpr__sampler_level(void *context, int task)
 {
-    ms_gpr__hunt *h = (ms_gpr__hunt *)context;
-    ms_gpr__walker *w = &h->walker[task];
+    ms_gpr__sampler *h = (ms_gpr__sampler *)context;
+    ms_gpr__chain *w = &h->chain[task];
     size_t m = (size_t)h->gp->m;
     int chain, at;
     for (chain = task; chain < h->seeds; chain += MS_GPR__TASKS) {
         int from = (int)((size_t)chain * MS_GPR__POPULATION / (size_t)h->seeds);
         int to = (int)(((size_t)chain + 1) * MS_GPR__POPULATION / (size_t)h->seeds);
         ms__rng rng = ms__rng_make(h->o.seed, h->stream + (uint64_t)chain);
-        memcpy(w->place, h->place + (size_t)h->seed[chain] * m, m * sizeof *w->place);
+        memcpy(w->point, h->point + (size_t)h->seed[chain] * m, m * sizeof *w->point);
         w->value = h->value[h->seed[chain]];
-        ms_gpr__walker_arrive(h, h->lines, h->points, w);
+        ms_gpr__chain_distances(h, h->lines, h->points, w);
         for (at = from; at < to; ++at) {
-            ms_gpr__walker_stir(h, w, at + h->turn, &rng);
-            memcpy(h->next + (size_t)at * m, w->place, m * sizeof *w->place);
+            ms_gpr__chain_transition(h, w, at + h->turn, &rng);
+            memcpy(h->next + (size_t)at * m, w->point, m * sizeof *w->point);
             h->next_value[at] = w->value;
         }
     }
 }
 
-/* Recommendations task, task + TASKS, ... of a wave: from a place of the population through `rounds` rounds of a slice
+/* Recommendations task, task + TASKS, ... of a wave: from a point of the population through `rounds` rounds of a slice
    along every axis and as many across, which forget where they started. */
-static void ms_gpr__hunt_wander(void *context, int task)
+static void ms_gpr__sampler_draw(void *context, int task)
 {
-    ms_gpr__hunt *h = (ms_gpr__hunt *)context;
+    ms_gpr__sampler *h = (ms_gpr__sampler *)context;
     const ms_gpr *gp = h->gp;
-    ms_gpr__walker *w = &h->walker[task];
+    ms_gpr__chain *w = &h->chain[task];
     size_t m = (size_t)gp->m, d;
-    int i, k, round, directions = 0;
-    for (d = 0; d < m; ++d) directions += h->tight[d] > 0;
+    int i, k, directions = 0;
+    for (d = 0; d < m; ++d) directions += h->scale[d] > 0;
     for (i = task; i < h->wave; i += MS_GPR__TASKS) {
         double at = (double)(h->stream + (uint64_t)i) * 0.61803398874989485; /* any run of these is spread evenly */
         int from;
         ms__rng rng = ms__rng_make(h->o.seed, ((uint64_t)1 << 41) + h->stream + (uint64_t)i);
         at -= floor(at);
         from = (int)(at * h->population);
-        memcpy(w->place, h->place + (size_t)from * m, m * sizeof *w->place);
-        for (round = 0; round < h->o.rounds; ++round) {
+        memcpy(w->point, h->point + (size_t)from * m, m * sizeof *w->point);
+        {
             for (d = 0, k = 0; d < m; ++d) { /* dropped dimensions are uniform anyway */
                 if (k < gp->active && (size_t)gp->dimension[k] == d) ++k;
-                else if (!h->s.tied[d] && h->s.owner[d] == 0) w->place[d] = ms_gpr__space_draw(&h->s, (int)d, &rng);
+                else if (h->s.owner[d] == 0 && h->s.lead[d] == (int)d && !ms_gpr__space_leads(&h->s, (int)d))
+                    w->point[d] = ms_gpr__space_uniform_column(&h->s, (int)d, &rng);
             }
             for (k = 0; k < h->s.groups; ++k)
                 if (h->s.group[k].idle)
                     ms_gpr__group_put(&h->s, &h->s.group[k], (int)(ms_gpr__uniform(&rng) * h->s.group[k].count),
-                                      w->place);
-            ms_gpr__walker_arrive(h, h->lines, h->points, w);
-            for (k = 0; k < h->movers || k < directions; ++k) {
-                if (k < h->movers) ms_gpr__walker_along(h, w, k, &rng);
-                if (k < directions) ms_gpr__walker_across(h, w, &rng);
-                if (k % 4 == 0) ms_gpr__walker_shake(h, w, &rng);
+                                      w->point);
+            ms_gpr__chain_distances(h, h->lines, h->points, w);
+            for (k = 0; k < h->coordinates || k < directions; ++k) {
+                if (k < h->coordinates) ms_gpr__chain_coordinate(h, w, k, &rng);
+                if (k < directions) ms_gpr__chain_direction(h, w, &rng);
+                if (k % 4 == 0) ms_gpr__chain_rectangle(h, w, &rng);
             }
-            ms_gpr__walker_shake(h, w, &rng);
+            ms_gpr__chain_rectangle(h, w, &rng);
         }
-        ms_gpr__space_material(&h->s, w->place, h->candidate + (size_t)i * m);
+        ms_gpr__space_material(&h->s, w->point, h->candidate + (size_t)i * m);
     }
 }
 
 /* --- one call --- */
 
-/* A material as a place in the unit box; one from outside is moved to its surface. */
-static void ms_gpr__hunt_place(const ms_gpr__hunt *h, const double *x, double *place)
+/* A material as a point in the unit box; one from outside is moved to its surface. */
+static void ms_gpr__sampler_point(const ms_gpr__sampler *h, const double *x, double *point)
 {
     int k;
     for (k = 0; k < h->gp->m; ++k) {
         double p = h->s.width[k] > 0 ? (x[k] - h->s.low[k]) / h->s.width[k] : 0;
-        place[k] = p < 0 ? 0 : p > 1 ? 1 : p;
+        point[k] = p < 0 ? 0 : p > 1 ? 1 : p;
     }
 }
 
-/* The mean at the walker's place, in double precision. */
-static double ms_gpr__walker_exact(const ms_gpr__hunt *h, ms_gpr__walker *w)
+/* The mean at the chain's point, in double precision. */
+static double ms_gpr__chain_mean(const ms_gpr__sampler *h, ms_gpr__chain *w)
 {
     const ms_gpr *gp = h->gp;
-    ms_gpr__walker_arrive(h, &gp->kernels->lines, gp->points, w);
+    ms_gpr__chain_distances(h, &gp->kernels->lines, gp->points, w);
     memset(w->slope, 0, gp->stride * sizeof(double));
     return gp->mean + gp->kernels->lines.mean(w->d2, w->slope, 0, 0, gp->weight, ms_gpr__padded(gp->n));
 }
 
 /* Whether single precision will do: means of the scored materials agree to 1e-4 of what the scores span. What is found
    is looked at again in double precision. */
-static int ms_gpr__hunt_single(ms_gpr__hunt *h, double span)
+static int ms_gpr__sampler_single(ms_gpr__sampler *h, double span)
 {
     const ms_gpr *gp = h->gp;
-    ms_gpr__walker *w = &h->walker[0];
+    ms_gpr__chain *w = &h->chain[0];
     int i, n = gp->n < 256 ? gp->n : 256;
     for (i = 0; i < n; ++i) {
-        ms_gpr__hunt_place(h, gp->x + (size_t)(i * (gp->n / n)) * (size_t)gp->m, w->place);
-        w->value = ms_gpr__walker_exact(h, w) - gp->mean;
-        ms_gpr__walker_arrive(h, &gp->kernels->lines_f, gp->points_f, w);
+        ms_gpr__sampler_point(h, gp->x + (size_t)(i * (gp->n / n)) * (size_t)gp->m, w->point);
+        w->value = ms_gpr__chain_mean(h, w) - gp->mean;
+        ms_gpr__chain_distances(h, &gp->kernels->lines_f, gp->points_f, w);
         w->value -= gp->kernels->lines_f.mean(w->d2, w->slope, 0, 0, gp->weight_f, ms_gpr__padded(gp->n));
         if (!(fabs(w->value) <= 1e-4 * span)) return 0;
     }
@@ -4570,50 +4174,47 @@ static int ms_gpr__hunt_single(ms_gpr__hunt *h, double span)
 }
 
 /* The first candidates, the largest mean, and the threshold. */
-static ms_status ms_gpr__hunt_begin(ms_gpr__hunt *h, ms_error *error)
+static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, ms_error *error)
 {
     const ms_gpr *gp = h->gp;
-    ms_gpr__walker *w = &h->walker[0];
-    double least = ms_gpr_floor(gp), safest = -1e300, best = -1e300, top = least;
+    ms_gpr__chain *w = &h->chain[0];
+    double least = ms_gpr__floor_of(gp), best = -1e300, top = least;
     int pilot = MS_GPR__PILOT * MS_GPR__BATCH, i, k;
     for (k = 0; k < gp->active; ++k) h->unit[k] = h->s.width[gp->dimension[k]] * gp->scale[gp->dimension[k]];
     for (i = 0; i < gp->n; ++i)
         if (gp->value[i] > top) top = gp->value[i];
-    if (gp->n > 0 && ms_gpr__hunt_single(h, top - least)) {
+    if (gp->n > 0 && ms_gpr__sampler_single(h, top - least)) {
         h->lines = &gp->kernels->lines_f;
         h->points = gp->points_f;
         h->weight = gp->weight_f;
     }
-    ms__run(&gp->parallel, MS_GPR__PILOT, ms_gpr__hunt_batch, h);
+    ms__run(&gp->parallel, MS_GPR__PILOT, ms_gpr__sampler_batch, h);
     for (i = 0; i < gp->n; ++i) {
-        ms_gpr__hunt_place(h, gp->x + (size_t)i * (size_t)gp->m, w->place);
-        h->mean[pilot + i] = ms_gpr__walker_exact(h, w);
+        ms_gpr__sampler_point(h, gp->x + (size_t)i * (size_t)gp->m, w->point);
+        h->mean[pilot + i] = ms_gpr__chain_mean(h, w);
     }
     for (i = 0; i < pilot + gp->n; ++i) {
         h->ranked[i].value = h->mean[i];
         h->ranked[i].index = i;
     }
-    ms_gpr__ranked_select(h->ranked, pilot + gp->n, MS_GPR__SUMMITS);
-    ms_gpr__ranked_sort(h->ranked, MS_GPR__SUMMITS);
-    for (i = 0; i < MS_GPR__SUMMITS; ++i) {
+    ms_gpr__ranked_select(h->ranked, pilot + gp->n, MS_GPR__MODES);
+    ms_gpr__ranked_sort(h->ranked, MS_GPR__MODES);
+    for (i = 0; i < MS_GPR__MODES; ++i) {
         int index = h->ranked[i].index;
-        double safe;
-        ms_gpr__hunt_place(h,
-                           index < pilot ? h->candidate + (size_t)index * (size_t)gp->m
-                                         : gp->x + (size_t)(index - pilot) * (size_t)gp->m,
-                           w->place);
-        if (h->s.ties > 0 || h->s.groups > 0) ms_gpr__space_settle(&h->s, w->place);
+        ms_gpr__sampler_point(h,
+                              index < pilot ? h->candidate + (size_t)index * (size_t)gp->m
+                                            : gp->x + (size_t)(index - pilot) * (size_t)gp->m,
+                              w->point);
+        if (h->s.groups > 0 || h->s.tied) ms_gpr__space_project(&h->s, w->point);
         for (k = 0; k < 4; ++k) {
-            ms_gpr__walker_ascend(h, w, 100);
-            if (!ms_gpr__walker_choose(h, w)) break;
+            ms_gpr__chain_ascend(h, w, 100);
+            if (!ms_gpr__chain_best_rows(h, w)) break;
         }
-        ms_gpr__space_settle(&h->s, w->place);
-        memcpy(h->summit + i * gp->m, w->place, (size_t)gp->m * sizeof *w->place);
-        w->value = ms_gpr__walker_exact(h, w);
-        safe = w->value - ms_gpr__walker_doubt(h, &gp->kernels->lines, w, 0);
-        h->summit_value[i] = safe;
+        ms_gpr__space_project(&h->s, w->point);
+        memcpy(h->mode + i * gp->m, w->point, (size_t)gp->m * sizeof *w->point);
+        w->value = ms_gpr__chain_mean(h, w);
+        h->mode_value[i] = w->value;
         if (w->value > best) best = w->value;
-        if (safe > safest) safest = safe;
     }
     h->report.best = best;
     h->report.candidates = pilot + gp->n;
@@ -4623,13 +4224,8 @@ static ms_status ms_gpr__hunt_begin(ms_gpr__hunt *h, ms_error *error)
         return ms__fail(error, MS_NOT_CONVERGED, 0, "no material is predicted to score above %g, the lowest score",
                         least);
     h->report.threshold = least + h->o.tau * (top - least);
-    if (h->report.threshold > safest)
-        return ms__fail(error, MS_NOT_CONVERGED, 0,
-                        "no material reaches the threshold %g with caution %g: the best one has mean - "
-                        "caution sigma = %g",
-                        h->report.threshold, h->o.caution, safest);
-    if (h->report.threshold > safest - 1e-6 * (best - least)) h->report.threshold = safest - 1e-6 * (best - least);
-    if (h->report.threshold > safest - 1e-3 * (best - least)) { /* the last digits count */
+    if (h->report.threshold > best - 1e-6 * (best - least)) h->report.threshold = best - 1e-6 * (best - least);
+    if (h->report.threshold > best - 1e-3 * (best - least)) { /* the last digits count */
         h->lines = &gp->kernels->lines;
         h->points = gp->points;
         h->weight = gp->weight;
@@ -4639,7 +4235,7 @@ static ms_status ms_gpr__hunt_begin(ms_gpr__hunt *h, ms_error *error)
 }
 
 /* Squared root-mean-square distance, in widths of the box, of x to the nearest of `count` rows. */
-static double ms_gpr__hunt_nearest2(const ms_gpr__hunt *h, const double *rows, int count, const double *x)
+static double ms_gpr__sampler_nearest2(const ms_gpr__sampler *h, const double *rows, int count, const double *x)
 {
     double nearest = 1e300;
     int m = h->gp->m, i, k;
@@ -4655,40 +4251,36 @@ static double ms_gpr__hunt_nearest2(const ms_gpr__hunt *h, const double *rows, i
 }
 
 /* The next candidate of the sequence. It is looked at again in double precision; of every 1 + 15 diversity that pass,
-   the one that is farthest from those before is taken, unless it is too near to one of them. */
-static void ms_gpr__hunt_offer(ms_gpr__hunt *h, const double *x)
+   the one that is farthest from those before is taken. */
+static void ms_gpr__sampler_accept(ms_gpr__sampler *h, const double *x)
 {
-    ms_gpr__walker *w = &h->walker[0];
+    ms_gpr__chain *w = &h->chain[0];
     size_t m = (size_t)h->gp->m;
     double farthest = -1, value;
     int size = 1 + (int)(15 * h->o.diversity + 0.5), i, best = 0;
-    ms_gpr__hunt_place(h, x, w->place);
-    value = ms_gpr__walker_exact(h, w);
-    value -= ms_gpr__walker_doubt(h, &h->gp->kernels->lines, w, 0);
+    ms_gpr__sampler_point(h, x, w->point);
+    value = ms_gpr__chain_mean(h, w);
     if (value < 0.5 * (h->report.threshold + h->goal)) return;
     if (h->o.avoid_count > 0 &&
-        ms_gpr__hunt_nearest2(h, h->o.avoid, h->o.avoid_count, x) < h->o.avoid_distance * h->o.avoid_distance)
+        ms_gpr__sampler_nearest2(h, h->o.avoid, h->o.avoid_count, x) < h->o.avoid_distance * h->o.avoid_distance)
         return;
-    memcpy(h->group + (size_t)h->grouped++ * m, x, m * sizeof *x);
-    if (h->grouped < size) return;
-    for (i = 0; i < h->grouped; ++i) {
-        double near2 = size > 1 || h->o.min_distance > 0
-            ? ms_gpr__hunt_nearest2(h, h->kept, h->taken, h->group + (size_t)i * m)
-            : 0;
+    memcpy(h->rivals + (size_t)h->rival_count++ * m, x, m * sizeof *x);
+    if (h->rival_count < size) return;
+    for (i = 0; i < h->rival_count; ++i) {
+        double near2 = size > 1 ? ms_gpr__sampler_nearest2(h, h->result, h->taken, h->rivals + (size_t)i * m) : 0;
         if (near2 > farthest) best = i, farthest = near2;
     }
-    h->grouped = 0;
-    if (farthest >= h->o.min_distance * h->o.min_distance)
-        memcpy(h->kept + (size_t)h->taken++ * m, h->group + (size_t)best * m, m * sizeof *x);
+    h->rival_count = 0;
+    memcpy(h->result + (size_t)h->taken++ * m, h->rivals + (size_t)best * m, m * sizeof *x);
 }
 
-static int ms_gpr__hunt_stopped(const ms_gpr__hunt *h)
+static int ms_gpr__sampler_stopped(const ms_gpr__sampler *h)
 {
     return h->o.progress.report != NULL && h->o.progress.report(h->o.progress.user, (double)h->taken / h->count);
 }
 
 /* Uniform candidates against the threshold, wave by wave; the first candidates are the first wave. */
-static ms_status ms_gpr__hunt_reject(ms_gpr__hunt *h)
+static ms_status ms_gpr__sampler_reject(ms_gpr__sampler *h)
 {
     double accepted = 0, seen = 0;
     int batches = MS_GPR__PILOT, i;
@@ -4697,60 +4289,61 @@ static ms_status ms_gpr__hunt_reject(ms_gpr__hunt *h)
             seen += 1;
             if (h->mean[i] < h->goal) continue;
             accepted += 1;
-            ms_gpr__hunt_offer(h, h->candidate + (size_t)i * (size_t)h->gp->m);
+            ms_gpr__sampler_accept(h, h->candidate + (size_t)i * (size_t)h->gp->m);
         }
         h->report.acceptance = accepted / seen;
         if (h->taken == h->count) return MS_OK;
-        if (h->report.candidates >= h->o.max_candidates) return MS_NOT_CONVERGED;
-        if (ms_gpr__hunt_stopped(h)) return MS_CANCELLED;
+        if (h->report.candidates >= MS_GPR__GIVE_UP) return MS_NOT_CONVERGED;
+        if (ms_gpr__sampler_stopped(h)) return MS_CANCELLED;
         h->stream += (uint64_t)batches;
         batches = MS_GPR__BATCHES;
-        ms__run(&h->gp->parallel, batches, ms_gpr__hunt_batch, h);
+        ms__run(&h->gp->parallel, batches, ms_gpr__sampler_batch, h);
         h->report.candidates += batches * MS_GPR__BATCH;
     }
 }
 
 /* How far to go in every dimension that matters, for directions across: the population's spread, or a length scale. */
-static void ms_gpr__hunt_measure(ms_gpr__hunt *h)
+static void ms_gpr__sampler_scales(ms_gpr__sampler *h)
 {
     size_t m = (size_t)h->gp->m, k;
     int i;
-    memset(h->tight, 0, m * sizeof *h->tight);
+    memset(h->scale, 0, m * sizeof *h->scale);
     for (i = 0; i < h->gp->active; ++i) {
         double sum = 0, sum2 = 0, spread;
         int j;
         k = (size_t)h->gp->dimension[i];
-        for (j = 0; j < h->population; ++j) sum += h->place[(size_t)j * m + k] / h->population;
+        for (j = 0; j < h->population; ++j) sum += h->point[(size_t)j * m + k] / h->population;
         for (j = 0; j < h->population; ++j)
-            sum2 += (h->place[(size_t)j * m + k] - sum) * (h->place[(size_t)j * m + k] - sum) / h->population;
+            sum2 += (h->point[(size_t)j * m + k] - sum) * (h->point[(size_t)j * m + k] - sum) / h->population;
         spread = sqrt(sum2);
-        if (h->unit[i] > MS_GPR__TIGHT && ms_gpr__space_continuous(&h->s, (int)k))
-            h->tight[k] = spread * h->unit[i] > 1 ? 1 / h->unit[i] : spread;
+        if (h->unit[i] > MS_GPR__INFORMATIVE && ms_gpr__space_continuous(&h->s, (int)k))
+            h->scale[k] = spread * h->unit[i] > 1 ? 1 / h->unit[i] : spread;
     }
 }
 
 /* The next population, of chains from the seeds. */
-static void ms_gpr__hunt_rise(ms_gpr__hunt *h, int step)
+static void ms_gpr__sampler_next_level(ms_gpr__sampler *h, int step)
 {
-    double *place = h->place, *value = h->value;
+    double *point = h->point, *value = h->value;
     h->turn = step;
     h->stream = ((uint64_t)1 << 40) + (uint64_t)step * MS_GPR__POPULATION;
-    ms__run(&h->gp->parallel, MS_GPR__TASKS, ms_gpr__hunt_level, h);
-    h->place = h->next, h->value = h->next_value;
-    h->next = place, h->next_value = value;
+    ms__run(&h->gp->parallel, MS_GPR__TASKS, ms_gpr__sampler_level, h);
+    h->point = h->next, h->value = h->next_value;
+    h->next = point, h->next_value = value;
     h->population = h->seeds = MS_GPR__POPULATION;
 }
 
 /* The population of the region: that of the box, whose level rises step by step. Each time one in SURVIVE is above the
    next level, and chains from those make the new population; so each mode keeps its share. Where a level has no room to
-   rise (the region is narrower than any population sees), the summits of the ascents take its place. */
-static ms_status ms_gpr__hunt_climb(ms_gpr__hunt *h)
+   rise (the region is narrower than any population sees), the modes of the ascents take its point. */
+static ms_status ms_gpr__sampler_levels(ms_gpr__sampler *h)
 {
     size_t m = (size_t)h->gp->m, row = m * sizeof(double);
     int i, k, step;
     h->population = MS_GPR__PILOT * MS_GPR__BATCH;
     h->report.acceptance = 1;
-    for (i = 0; i < h->population; ++i) ms_gpr__hunt_place(h, h->candidate + (size_t)i * m, h->place + (size_t)i * m);
+    for (i = 0; i < h->population; ++i)
+        ms_gpr__sampler_point(h, h->candidate + (size_t)i * m, h->point + (size_t)i * m);
     memcpy(h->value, h->mean, (size_t)h->population * sizeof *h->value);
     h->level = -1e300;
     for (step = 0; step < MS_GPR__LEVELS; ++step) {
@@ -4759,95 +4352,94 @@ static ms_status ms_gpr__hunt_climb(ms_gpr__hunt *h)
             h->ranked[i].value = h->value[i];
             h->ranked[i].index = i;
         }
-        ms_gpr__ranked_select(h->ranked, h->population, MS_GPR__POPULATION / MS_GPR__SURVIVE);
-        for (i = 0, h->level = h->goal; i < MS_GPR__POPULATION / MS_GPR__SURVIVE; ++i)
+        ms_gpr__ranked_select(h->ranked, h->population, MS_GPR__POPULATION / MS_GPR__LEVEL_SHARE);
+        for (i = 0, h->level = h->goal; i < MS_GPR__POPULATION / MS_GPR__LEVEL_SHARE; ++i)
             if (h->ranked[i].value < h->level) h->level = h->ranked[i].value;
         for (i = 0, k = 0; i < h->population; ++i) { /* survivors, in their order */
             if (h->value[i] < h->level) continue;
-            if (k < i) memcpy(h->place + (size_t)k * m, h->place + (size_t)i * m, row);
+            if (k < i) memcpy(h->point + (size_t)k * m, h->point + (size_t)i * m, row);
             h->value[k++] = h->value[i];
         }
         h->report.acceptance *= (double)k / h->population;
         h->population = k;
         if (!(h->level > before)) break;
-        ms_gpr__hunt_measure(h);
+        ms_gpr__sampler_scales(h);
         h->seeds = k < MS_GPR__POPULATION ? k : MS_GPR__POPULATION;
         for (i = 0; i < h->seeds; ++i) h->seed[i] = (int)((size_t)i * (size_t)k / (size_t)h->seeds);
-        ms_gpr__hunt_rise(h, step);
+        ms_gpr__sampler_next_level(h, step);
         if (h->level >= h->goal) break;
-        if (ms_gpr__hunt_stopped(h)) return MS_CANCELLED;
+        if (ms_gpr__sampler_stopped(h)) return MS_CANCELLED;
     }
     if (h->level < h->goal) {
         h->level = h->goal;
-        for (i = 0, h->population = 0; i < MS_GPR__SUMMITS; ++i)
-            if (h->summit_value[i] >= h->goal)
-                memcpy(h->place + (size_t)h->population++ * m, h->summit + (size_t)i * m, row);
+        for (i = 0, h->population = 0; i < MS_GPR__MODES; ++i)
+            if (h->mode_value[i] >= h->goal)
+                memcpy(h->point + (size_t)h->population++ * m, h->mode + (size_t)i * m, row);
         h->report.acceptance = 0;
-        ms_gpr__hunt_measure(h);
+        ms_gpr__sampler_scales(h);
     }
     return MS_OK;
 }
 
 /* The population, and walks through the region from it; 40 times as many as are wanted at most. */
-static ms_status ms_gpr__hunt_walk(ms_gpr__hunt *h)
+static ms_status ms_gpr__sampler_subset(ms_gpr__sampler *h)
 {
-    ms_status status = ms_gpr__hunt_climb(h);
+    ms_status status = ms_gpr__sampler_levels(h);
     int size = 1 + (int)(15 * h->o.diversity + 0.5), i;
     if (status != MS_OK) return status;
     for (h->stream = 0; h->taken < h->count; h->stream += (uint64_t)h->wave) {
-        int left = (h->count - h->taken) * size - h->grouped;
+        int left = (h->count - h->taken) * size - h->rival_count;
         if (h->stream / 40 > (uint64_t)h->count * (uint64_t)size) return MS_NOT_CONVERGED;
         h->wave = left < MS_GPR__WAVE ? left : MS_GPR__WAVE;
-        ms__run(&h->gp->parallel, MS_GPR__TASKS, ms_gpr__hunt_wander, h);
+        ms__run(&h->gp->parallel, MS_GPR__TASKS, ms_gpr__sampler_draw, h);
         for (i = 0; i < h->wave && h->taken < h->count; ++i)
-            ms_gpr__hunt_offer(h, h->candidate + (size_t)i * (size_t)h->gp->m);
-        if (h->taken < h->count && ms_gpr__hunt_stopped(h)) return MS_CANCELLED;
+            ms_gpr__sampler_accept(h, h->candidate + (size_t)i * (size_t)h->gp->m);
+        if (h->taken < h->count && ms_gpr__sampler_stopped(h)) return MS_CANCELLED;
     }
     return MS_OK;
 }
 
 /* Mean distance of the first 200 to the nearest other one of them. */
-static double ms_gpr__hunt_spread(const ms_gpr__hunt *h, const double *x)
+static double ms_gpr__sampler_spread(const ms_gpr__sampler *h, const double *x)
 {
     int count = h->report.found < 200 ? h->report.found : 200, i;
     size_t m = (size_t)h->gp->m;
     double sum = 0;
     for (i = 0; i < count; ++i) {
-        double before = ms_gpr__hunt_nearest2(h, x, i, x + (size_t)i * m);
-        double after = ms_gpr__hunt_nearest2(h, x + (size_t)(i + 1) * m, count - i - 1, x + (size_t)i * m);
+        double before = ms_gpr__sampler_nearest2(h, x, i, x + (size_t)i * m);
+        double after = ms_gpr__sampler_nearest2(h, x + (size_t)(i + 1) * m, count - i - 1, x + (size_t)i * m);
         sum += sqrt(before < after ? before : after);
     }
     return count > 1 ? sum / count : 0;
 }
 
-static void ms_gpr__hunt_layout(ms_gpr__hunt *h, ms_gpr__arena *arena)
+static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms_gpr__arena *arena)
 {
     size_t m = (size_t)h->gp->m, stride = h->gp->stride, candidates = MS_GPR__BATCHES * MS_GPR__BATCH;
     size_t population = MS_GPR__PILOT * MS_GPR__BATCH;
     int i;
     h->unit = ms_gpr__take(arena, m, 1);
-    h->mover = (int *)(void *)ms_gpr__take(arena, 2 * m + (size_t)h->s.groups, 1);
-    h->loose = (int *)(void *)ms_gpr__take(arena, m, 1);
-    h->tied = ms_gpr__take(arena, (size_t)h->s.ties + 2, m);
-    h->tight = ms_gpr__take(arena, m, 1);
-    h->group = ms_gpr__take(arena, m, 16);
+    h->coordinate = (int *)(void *)ms_gpr__take(arena, 2 * m + (size_t)h->s.groups, 1);
+    h->flat = (int *)(void *)ms_gpr__take(arena, m, 1);
+    h->scale = ms_gpr__take(arena, m, 1);
+    h->rivals = ms_gpr__take(arena, m, 16);
     h->candidate = ms_gpr__take(arena, candidates, m);
     h->candidate_f = (float *)(void *)ms_gpr__take(arena, candidates / 2, m);
     h->mean = ms_gpr__take(arena, candidates + (size_t)h->gp->n, 1);
-    h->variance = ms_gpr__take(arena, candidates, 1);
+    h->mean_f = (float *)(void *)ms_gpr__take(arena, candidates / 2, 1);
     h->scratch = ms_gpr__take(arena, MS_GPR__BATCHES, h->scratch_size);
     h->ranked = (ms_gpr__ranked *)(void *)ms_gpr__take(arena, candidates + (size_t)h->gp->n,
                                                        sizeof *h->ranked / sizeof(double));
-    h->summit = ms_gpr__take(arena, MS_GPR__SUMMITS, m);
-    h->place = ms_gpr__take(arena, population, m);
+    h->mode = ms_gpr__take(arena, MS_GPR__MODES, m);
+    h->point = ms_gpr__take(arena, population, m);
     h->next = ms_gpr__take(arena, population, m);
     h->value = ms_gpr__take(arena, population, 1);
     h->next_value = ms_gpr__take(arena, population, 1);
     h->seed = (int *)(void *)ms_gpr__take(arena, MS_GPR__POPULATION, 1);
-    if (h->o.skip > 0) h->kept = ms_gpr__take(arena, (size_t)h->count, m);
+    if (h->o.skip > 0) h->result = ms_gpr__take(arena, (size_t)h->count, m);
     for (i = 0; i < MS_GPR__TASKS; ++i) {
-        ms_gpr__walker *w = &h->walker[i];
-        w->place = ms_gpr__take(arena, m, 1);
+        ms_gpr__chain *w = &h->chain[i];
+        w->point = ms_gpr__take(arena, m, 1);
         w->direction = ms_gpr__take(arena, m, 1);
         w->scaled = ms_gpr__take(arena, m, 1);
         w->step = ms_gpr__take(arena, m, 1);
@@ -4862,16 +4454,14 @@ static void ms_gpr__hunt_layout(ms_gpr__hunt *h, ms_gpr__arena *arena)
 static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *options, int m, ms_gpr_recommend_options *o,
                                            ms_error *error)
 {
-    static const char *const name[] = {"tau",       "caution",        "min_distance",
-                                       "diversity", "avoid_distance", "max_candidates"};
-    double value[6];
+    static const char *const name[] = {"tau", "diversity", "avoid_distance"};
+    double value[3];
     int i;
     if (options != NULL) *o = *options;
     else memset(o, 0, sizeof *o);
-    value[0] = o->tau, value[1] = o->caution, value[2] = o->min_distance;
-    value[3] = o->diversity, value[4] = o->avoid_distance, value[5] = o->max_candidates;
-    for (i = 0; i < 6; ++i) {
-        double most = i == 0 || i == 3 ? 1 : MS_GPR__LARGEST;
+    value[0] = o->tau, value[1] = o->diversity, value[2] = o->avoid_distance;
+    for (i = 0; i < 3; ++i) {
+        double most = i < 2 ? 1 : MS_GPR__LARGEST;
         if (!ms__finite(value[i]) || !(value[i] >= 0 && value[i] <= most))
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g: expected a number from 0 to %g", name[i],
                             value[i], most);
@@ -4880,11 +4470,9 @@ static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *optio
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "best is %g: expected a score", o->best);
     if (!(o->tau > 0)) o->tau = 0.6;
     if (!(o->avoid_distance > 0)) o->avoid_distance = 0.15;
-    if (!(o->max_candidates > 0)) o->max_candidates = 1e7;
-    if (o->rounds < 0 || o->skip < 0 || o->avoid_count < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rounds is %d, skip %d, avoid_count %d: expected at least 0",
-                        o->rounds, o->skip, o->avoid_count);
-    if (o->rounds == 0) o->rounds = 1;
+    if (o->skip < 0 || o->avoid_count < 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "skip is %d and avoid_count %d: expected at least 0", o->skip,
+                        o->avoid_count);
     if ((int)o->search < 0 || (int)o->search > (int)MS_GPR_SEARCH_SUBSET)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "search is %d: expected 0 to 2", (int)o->search);
     if (o->avoid_count > 0 && o->avoid == NULL)
@@ -4895,18 +4483,18 @@ static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *optio
 }
 
 /* The search that was asked for, or the cheaper one. */
-static ms_status ms_gpr__hunt_run(ms_gpr__hunt *h, ms_error *error)
+static ms_status ms_gpr__sampler_run(ms_gpr__sampler *h, ms_error *error)
 {
     int pilot = MS_GPR__PILOT * MS_GPR__BATCH, hits = 0, i;
-    ms_status status = ms_gpr__hunt_begin(h, error);
+    ms_status status = ms_gpr__sampler_begin(h, error);
     if (status != MS_OK) return status;
     for (i = 0; i < pilot; ++i) hits += h->mean[i] >= h->goal;
     h->report.acceptance = (double)hits / pilot;
     h->report.search = h->o.search;
     if (h->o.search == MS_GPR_SEARCH_AUTO)
         h->report.search = hits * MS_GPR__RARE >= pilot ? MS_GPR_SEARCH_REJECTION : MS_GPR_SEARCH_SUBSET;
-    status = h->report.search == MS_GPR_SEARCH_REJECTION ? ms_gpr__hunt_reject(h) : ms_gpr__hunt_walk(h);
-    for (i = 0; i < MS_GPR__TASKS; ++i) h->report.slices += h->walker[i].slices;
+    status = h->report.search == MS_GPR_SEARCH_REJECTION ? ms_gpr__sampler_reject(h) : ms_gpr__sampler_subset(h);
+    for (i = 0; i < MS_GPR__TASKS; ++i) h->report.slices += h->chain[i].slices;
     if (status == MS_OK) return MS_OK;
     return ms__fail(error, status, 0, "%s after %d of %d recommendations",
                     status == MS_CANCELLED ? "cancelled" : "gave up", h->taken, h->count);
@@ -4915,7 +4503,7 @@ static ms_status ms_gpr__hunt_run(ms_gpr__hunt *h, ms_error *error)
 MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
                                   double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error)
 {
-    ms_gpr__hunt hunt, *h = &hunt;
+    ms_gpr__sampler sampler, *h = &sampler;
     ms_gpr__arena arena = {NULL, 0};
     ms_status status;
     size_t doubles, m;
@@ -4933,14 +4521,14 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     m = (size_t)gp->m;
     h->gp = gp;
     h->count = count + h->o.skip;
-    h->kept = x;
+    h->result = x;
     h->lines = &gp->kernels->lines;
     h->points = gp->points;
     h->weight = gp->weight;
-    h->scratch_size = MS_GPR__CHUNK * (m + (size_t)(h->o.caution > 0 ? ms_gpr__padded(gp->n) : 0) + MS_GPR__SLAB);
+    h->scratch_size = MS_GPR__CHUNK * (m + MS_GPR__SLAB);
     status = ms_gpr__space_make(gp->x, gp->n, gp->m, &h->o.space, &gp->allocator, &h->s, error);
     if (status != MS_OK) return status;
-    ms_gpr__hunt_layout(h, &arena);
+    ms_gpr__sampler_layout(h, &arena);
     doubles = arena.used;
     arena.base = ms_gpr__doubles(&gp->allocator, doubles, &block);
     if (arena.base == NULL) {
@@ -4948,26 +4536,27 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a search over %d scores", gp->n);
     }
     arena.used = 0;
-    ms_gpr__hunt_layout(h, &arena);
+    ms_gpr__sampler_layout(h, &arena);
     for (k = 0; k < gp->active; ++k)
-        if (!h->s.tied[gp->dimension[k]] && h->s.owner[gp->dimension[k]] == 0) {
+        if (h->s.owner[gp->dimension[k]] == 0) {
             int d = gp->dimension[k];
-            if (h->s.width[d] * gp->scale[d] > MS_GPR__TIGHT || !ms_gpr__space_continuous(&h->s, d))
-                h->mover[h->movers++] = k;
-            else h->loose[h->looses++] = d;
+            if (h->s.lead[d] != d || ms_gpr__space_leads(&h->s, d)) continue;
+            if (h->s.width[d] * gp->scale[d] > MS_GPR__INFORMATIVE || !ms_gpr__space_continuous(&h->s, d))
+                h->coordinate[h->coordinates++] = k;
+            else h->flat[h->flats++] = d;
         }
     for (k = 0; k < gp->m; ++k)
-        if (h->s.tied[k] && h->s.owner[k] == 0) h->mover[h->movers++] = gp->active + k;
+        if (ms_gpr__space_leads(&h->s, k) && h->s.width[k] > 0) h->coordinate[h->coordinates++] = gp->active + k;
     for (k = 0; k < h->s.groups; ++k) {
         int used = 0;
         for (i = 0; i < gp->active; ++i) used |= h->s.owner[gp->dimension[i]] == k + 1;
-        h->s.group[k].idle = !used && !ms_gpr__group_tied(&h->s, &h->s.group[k]);
-        if (!h->s.group[k].idle) h->mover[h->movers++] = gp->active + gp->m + k;
+        h->s.group[k].idle = !used;
+        if (used) h->coordinate[h->coordinates++] = gp->active + gp->m + k;
     }
-    status = ms_gpr__hunt_run(h, error);
+    status = ms_gpr__sampler_run(h, error);
     h->report.found = h->taken > h->o.skip ? h->taken - h->o.skip : 0;
-    if (h->kept != x) memcpy(x, h->kept + (size_t)h->o.skip * m, (size_t)h->report.found * m * sizeof *x);
-    if (h->report.found > 0) h->report.spread = ms_gpr__hunt_spread(h, x);
+    if (h->result != x) memcpy(x, h->result + (size_t)h->o.skip * m, (size_t)h->report.found * m * sizeof *x);
+    if (h->report.found > 0) h->report.spread = ms_gpr__sampler_spread(h, x);
     ms_gpr__release_doubles(&gp->allocator, block, doubles);
     ms_gpr__space_free(&h->s);
     if (h->report.found > 0 && (mean || sigma)) {
@@ -4982,13 +4571,12 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
 /* ---- active learning ------------------------------------------------------------------------------------------- */
 
 enum {
-    MS_GPR__NEIGHBOURS = 5 /* of novelty search */
+    MS_GPR__CANDIDATES = 4000 /* that a gallery is chosen from, at least; 10 for each choice */
 };
 
 /* A pool of uniform candidates and what is known about them, given the scores and the choices so far. */
 typedef struct ms_gpr__pool {
     const ms_gpr *gp;
-    ms_gpr_gallery_kind kind;
     double floor, threshold; /* scores above are liked, and recommended */
     int size, count;         /* size: a multiple of CHUNK */
     double *x;               /* [size][m] */
@@ -4998,26 +4586,13 @@ typedef struct ms_gpr__pool {
     double *columns;         /* [padded n][size] U'^-1 k(training, pool) */
     double *basis;   /* [count][size] posterior covariance with each choice, less what earlier ones explain, over its
                         deviation */
-    double *nearest; /* [NEIGHBOURS][size] smallest squared distances to what was seen, ascending */
-    double *luck;    /* [size] logarithm of a uniform number */
+    double *shuffle; /* [size] logarithm of a uniform number */
     double *taken;   /* [size] 1: chosen */
     ms_gpr__space s;
-    double *place, *direction; /* [m] */
+    double *point;   /* [m] */
     double *scratch; /* [m][4] a choice, four times: a tile of the distance kernel; [4][size] its distances; before, [n]
                         parents */
 } ms_gpr__pool;
-
-/* Candidate j has seen something at that squared distance. */
-static void ms_gpr__pool_see(ms_gpr__pool *p, int j, double distance2)
-{
-    double *nearest = p->nearest + j;
-    size_t size = (size_t)p->size;
-    int i = MS_GPR__NEIGHBOURS - 1;
-    if (!(distance2 < nearest[(size_t)i * size])) return;
-    for (; i > 0 && nearest[(size_t)(i - 1) * size] > distance2; --i)
-        nearest[(size_t)i * size] = nearest[(size_t)(i - 1) * size];
-    nearest[(size_t)i * size] = distance2;
-}
 
 /* Task: a chunk of candidates against the training set. */
 static void ms_gpr__pool_chunk(void *context, int chunk)
@@ -5029,12 +4604,6 @@ static void ms_gpr__pool_chunk(void *context, int chunk)
     int n = ms_gpr__padded(gp->n), i, j;
     gp->kernels->distances(columns, size, gp->points, gp->stride, p->points + first, size, n, MS_GPR__CHUNK, gp->active,
                            0);
-    if (p->kind == MS_GPR_GALLERY_NOVEL) {
-        for (i = 0; i < gp->n; ++i)
-            for (j = 0; j < MS_GPR__CHUNK; ++j)
-                ms_gpr__pool_see(p, (int)first + j, columns[(size_t)i * size + (size_t)j]);
-        return;
-    }
     for (i = 0; i < n; ++i) {
         double *row = columns + (size_t)i * size;
         if (i < gp->n) gp->kernels->exponentials(row, MS_GPR__CHUNK, sf2);
@@ -5043,7 +4612,6 @@ static void ms_gpr__pool_chunk(void *context, int chunk)
     for (j = 0; j < MS_GPR__CHUNK; ++j) p->mean[first + (size_t)j] = gp->mean;
     for (i = 0; i < gp->n; ++i)
         gp->kernels->axpy(p->mean + first, gp->alpha[i], columns + (size_t)i * size, MS_GPR__CHUNK);
-    if (p->kind == MS_GPR_GALLERY_INTERMEDIATE) return;
     ms_gpr__forward(gp->kernels, gp->upper, gp->stride, n, columns, size, MS_GPR__CHUNK);
     for (j = 0; j < MS_GPR__CHUNK; ++j) p->variance[first + (size_t)j] = sf2;
     for (i = 0; i < gp->n; ++i)
@@ -5053,21 +4621,12 @@ static void ms_gpr__pool_chunk(void *context, int chunk)
         }
 }
 
-/* How much candidate j is worth seeing as choice number q. */
-static double ms_gpr__pool_worth(const ms_gpr__pool *p, int q, int j)
+/* The acquisition function: how much candidate j is value seeing as choice number q. */
+static double ms_gpr__pool_acquisition(const ms_gpr__pool *p, int q, int j)
 {
-    double sum = 0, sigma, above = p->mean[j] - p->floor;
-    int i;
-    if (p->kind == MS_GPR_GALLERY_NOVEL) {
-        for (i = 0; i < MS_GPR__NEIGHBOURS; ++i) sum += sqrt(p->nearest[(size_t)i * (size_t)p->size + (size_t)j]);
-        return sum;
-    }
-    /* Draws without replacement with probabilities in proportion to max(above, 0): largest log(uniform) / weight first
-       (Efraimidis and Spirakis 2006); candidates without weight come last */
-    if (p->kind == MS_GPR_GALLERY_INTERMEDIATE) return above > 0 ? p->luck[j] / above : -1e300;
-    sigma = p->variance[j] > 0 ? sqrt(p->variance[j]) : 0;
-    if (p->kind == MS_GPR_GALLERY_ACTIVE && q % 2 == 0) return 1.96 * sigma - fabs(p->mean[j] - p->threshold);
-    if (p->kind == MS_GPR_GALLERY_UNCERTAIN || !(sigma > 0)) return sigma;
+    double sigma = p->variance[j] > 0 ? sqrt(p->variance[j]) : 0, above = p->mean[j] - p->floor;
+    if (q % 2 == 0) return 1.96 * sigma - fabs(p->mean[j] - p->threshold);
+    if (!(sigma > 0)) return sigma;
     return sigma * 0.5 * erfc(-above / (1.4142135623730951 * sigma)); /* P(u > floor) sigma */
 }
 
@@ -5076,9 +4635,9 @@ static int ms_gpr__pool_best(const ms_gpr__pool *p, int q)
     double largest = 0;
     int best = -1, j;
     for (j = 0; j < p->size; ++j) {
-        double worth = p->taken[j] > 0 ? 0 : ms_gpr__pool_worth(p, q, j);
-        if (p->taken[j] > 0 || (best >= 0 && !(worth > largest))) continue;
-        largest = worth;
+        double value = p->taken[j] > 0 ? 0 : ms_gpr__pool_acquisition(p, q, j);
+        if (p->taken[j] > 0 || (best >= 0 && !(value > largest))) continue;
+        largest = value;
         best = j;
     }
     return best;
@@ -5089,16 +4648,12 @@ static void ms_gpr__pool_choose(ms_gpr__pool *p, int q, int j)
 {
     const ms_gpr *gp = p->gp;
     size_t size = (size_t)p->size;
-    double *place = p->scratch, *row = place + 4 * (size_t)gp->m, *basis = p->basis + (size_t)q * size;
+    double *point = p->scratch, *row = point + 4 * (size_t)gp->m, *basis = p->basis + (size_t)q * size;
     double sf2 = ms_gpr__sf2(gp), scale;
     int i, k;
     for (k = 0; k < gp->active; ++k)
-        for (i = 0; i < 4; ++i) place[4 * k + i] = p->points[(size_t)k * size + (size_t)j];
-    gp->kernels->distances(row, size, place, 4, p->points, size, 4, p->size, gp->active, 0);
-    if (p->kind == MS_GPR_GALLERY_NOVEL) {
-        for (i = 0; i < p->size; ++i) ms_gpr__pool_see(p, i, row[i]);
-        return;
-    }
+        for (i = 0; i < 4; ++i) point[4 * k + i] = p->points[(size_t)k * size + (size_t)j];
+    gp->kernels->distances(row, size, point, 4, p->points, size, 4, p->size, gp->active, 0);
     gp->kernels->exponentials(row, p->size, sf2);
     for (i = 0; i < gp->n; ++i) {
         const double *v = p->columns + (size_t)i * size;
@@ -5122,13 +4677,11 @@ static void ms_gpr__pool_layout(ms_gpr__pool *p, ms_gpr__arena *arena)
     p->points = ms_gpr__take(arena, size, m);
     p->mean = ms_gpr__take(arena, size, 1);
     p->variance = ms_gpr__take(arena, size, 1);
-    p->luck = ms_gpr__take(arena, size, 1);
+    p->shuffle = ms_gpr__take(arena, size, 1);
     p->taken = ms_gpr__take(arena, size, 1);
     p->columns = ms_gpr__take(arena, size, (size_t)ms_gpr__padded(p->gp->n));
     p->basis = ms_gpr__take(arena, size, (size_t)p->count);
-    p->nearest = ms_gpr__take(arena, size, MS_GPR__NEIGHBOURS);
-    p->place = ms_gpr__take(arena, m, 1);
-    p->direction = ms_gpr__take(arena, m, 1);
+    p->point = ms_gpr__take(arena, m, 1);
     p->scratch = ms_gpr__take(arena, 4, ms__size_add(size, ms__size_add(m, (size_t)p->gp->n)));
 }
 
@@ -5151,9 +4704,9 @@ static double ms_gpr__pool_parents(const ms_gpr__pool *p, double *parent)
     return sum;
 }
 
-/* The uniform place as a variant of scored materials: whatever parameters are not drawn anew come from a parent, or
+/* The uniform point as a variant of scored materials: whatever parameters are not drawn anew come from a parent, or
    from two; those of a list together. */
-static void ms_gpr__pool_vary(ms_gpr__pool *p, const double *parents, double sum, ms__rng *rng)
+static void ms_gpr__pool_mutate(ms_gpr__pool *p, const double *parents, double sum, ms__rng *rng)
 {
     const ms_gpr *gp = p->gp;
     double share = 0.1 + 0.5 * ms_gpr__uniform(rng);
@@ -5170,14 +4723,14 @@ static void ms_gpr__pool_vary(ms_gpr__pool *p, const double *parents, double sum
     for (k = 0; k < gp->m; ++k) {
         const double *from = gp->x + (size_t)parent[crossed && ms_gpr__uniform(rng) < 0.5] * (size_t)gp->m;
         int kept = ms_gpr__uniform(rng) >= share && k != anew;
-        if (kept && p->s.owner[k] == 0) p->place[k] = (from[k] - p->s.low[k]) * p->s.per[k];
+        if (kept && p->s.owner[k] == 0) p->point[k] = (from[k] - p->s.low[k]) * p->s.per[k];
         if (!kept || p->s.owner[k] == 0 || p->s.group[p->s.owner[k] - 1].column[0] != k) continue;
         for (i = 0; i < p->s.group[p->s.owner[k] - 1].width; ++i) {
             int column = p->s.group[p->s.owner[k] - 1].column[i];
-            p->place[column] = (from[column] - p->s.low[column]) * p->s.per[column];
+            p->point[column] = (from[column] - p->s.low[column]) * p->s.per[column];
         }
     }
-    ms_gpr__space_settle(&p->s, p->place);
+    ms_gpr__space_project(&p->s, p->point);
 }
 
 /* The candidates; nothing is taken or seen. Every parameter of the first `spread` of them, and every list, falls once
@@ -5189,36 +4742,28 @@ static void ms_gpr__pool_fill(ms_gpr__pool *p, uint64_t seed, int spread, int va
     size_t m = (size_t)p->gp->m, k;
     double parents = vary ? ms_gpr__pool_parents(p, p->scratch) : 0;
     int i, j;
-    for (k = 0; k < m + (size_t)s->groups && spread > 0; ++k) { /* which part, in luck: a shuffle */
+    for (k = 0; k < m + (size_t)s->groups && spread > 0; ++k) { /* which part, in shuffle: a shuffle */
         for (j = 0; j < spread; ++j) {
             i = (int)(ms_gpr__uniform(&rng) * (j + 1));
-            p->luck[j] = p->luck[i];
-            p->luck[i] = j;
+            p->shuffle[j] = p->shuffle[i];
+            p->shuffle[i] = j;
         }
         for (j = 0; j < spread; ++j) { /* places for now */
-            double u = (p->luck[j] + ms_gpr__uniform(&rng)) / spread;
+            double u = (p->shuffle[j] + ms_gpr__uniform(&rng)) / spread;
             if (k >= m) ms_gpr__group_put(s, &s->group[k - m], (int)(u * s->group[k - m].count), p->x + (size_t)j * m);
             else p->x[(size_t)j * m + k] = s->cells[k] > 0 ? floor(u * s->cells[k]) * s->step[k] / s->width[k] : u;
         }
     }
-    ms_gpr__space_first(s, p->place, p->direction, &rng);
     for (j = 0; j < p->size; ++j) {
         double *x = p->x + (size_t)j * m;
-        if (j >= spread) {
-            ms_gpr__space_next(s, p->place, p->direction, &rng);
-        } else {
-            ms_gpr__space_wander(s, p->place, 3 * s->tied_count, p->direction, &rng);
-            for (k = 0; k < m; ++k)
-                if (!s->tied[k]) p->place[k] = x[k];
-        }
-        memcpy(p->direction, p->place, m * sizeof *p->place); /* where the row of uniform places stands */
-        if (parents > 0 && j % 2) ms_gpr__pool_vary(p, p->scratch, parents, &rng);
-        ms_gpr__space_material(s, p->place, x);
-        memcpy(p->place, p->direction, m * sizeof *p->place);
-        ms_gpr__place(p->gp, x, p->points + j, (size_t)p->size);
-        p->luck[j] = log(ms_gpr__uniform(&rng));
+        if (j >= spread) ms_gpr__space_uniform(s, p->point, &rng);
+        else memcpy(p->point, x, m * sizeof *x);
+        ms_gpr__space_follow(s, p->point);
+        if (parents > 0 && j % 2) ms_gpr__pool_mutate(p, p->scratch, parents, &rng);
+        ms_gpr__space_material(s, p->point, x);
+        ms_gpr__scale(p->gp, x, p->points + j, (size_t)p->size);
+        ms_gpr__uniform(&rng);
         p->taken[j] = 0;
-        for (i = 0; i < MS_GPR__NEIGHBOURS; ++i) p->nearest[(size_t)i * (size_t)p->size + (size_t)j] = 1e100;
     }
 }
 
@@ -5239,23 +4784,18 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     if (gp == NULL || x == NULL) return ms_gpr__null(gp ? "x" : "gp", error);
     if (count < 1 || count > 1000000)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected 1 to 1000000", count);
-    if (o.pool < 0 || o.pool > 10000000)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "pool is %d: expected 0 to 10000000", o.pool);
     if ((int)o.kind < 0 || (int)o.kind > (int)MS_GPR_GALLERY_SPREAD)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kind is %d: expected 0 to %d", (int)o.kind,
                         (int)MS_GPR_GALLERY_SPREAD);
     p->gp = gp;
-    p->kind = o.kind;
     p->count = count;
-    p->floor = ms_gpr_floor(gp);
+    p->floor = ms_gpr__floor_of(gp);
     for (q = 0, top = p->floor; q < gp->n; ++q)
         if (gp->value[q] > top) top = gp->value[q];
     p->threshold = p->floor + 0.6 * (top - p->floor);
-    if (o.kind == MS_GPR_GALLERY_ACTIVE && !(top > p->floor))
-        p->kind = MS_GPR_GALLERY_SPREAD; /* nothing is liked yet */
-    drawn = p->kind == MS_GPR_GALLERY_UNIFORM || p->kind == MS_GPR_GALLERY_SPREAD;
-    p->size = drawn ? count : o.pool > 0 ? o.pool : 10 * count > 4000 ? 10 * count : 4000;
-    if (p->size < count) p->size = count;
+    if (o.kind == MS_GPR_GALLERY_ACTIVE && !(top > p->floor)) o.kind = MS_GPR_GALLERY_SPREAD; /* nothing is liked yet */
+    drawn = o.kind == MS_GPR_GALLERY_SPREAD;
+    p->size = drawn ? count : 10 * count > MS_GPR__CANDIDATES ? 10 * count : MS_GPR__CANDIDATES;
     p->size = (p->size + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
     status = ms_gpr__space_make(gp->x, gp->n, gp->m, &o.space, &gp->allocator, &p->s, error);
     if (status != MS_OK) return status;
@@ -5268,13 +4808,13 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     }
     arena.used = 0;
     ms_gpr__pool_layout(p, &arena);
-    ms_gpr__pool_fill(p, o.seed, p->kind == MS_GPR_GALLERY_SPREAD ? count : 0, !drawn && !o.uniform);
+    ms_gpr__pool_fill(p, o.seed, drawn ? count : 0, !drawn);
     if (!drawn) ms__run(&gp->parallel, p->size / MS_GPR__CHUNK, ms_gpr__pool_chunk, p);
     for (q = 0; q < count; ++q) {
         int best = drawn ? q : ms_gpr__pool_best(p, q);
         memcpy(x + (size_t)q * (size_t)gp->m, p->x + (size_t)best * (size_t)gp->m, (size_t)gp->m * sizeof *x);
         p->taken[best] = 1;
-        if (!drawn && p->kind != MS_GPR_GALLERY_INTERMEDIATE) ms_gpr__pool_choose(p, q, best);
+        if (!drawn) ms_gpr__pool_choose(p, q, best);
     }
     ms_gpr__release_doubles(&gp->allocator, block, doubles);
     ms_gpr__space_free(&p->s);
@@ -5285,12 +4825,14 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
 /* ---- latent space ---------------------------------------------------------------------------------------------- */
 
 enum {
-    MS_GPR__LATENT_TRIAL = 100, /* evaluations of every start of a fit */
-    MS_GPR__LATENT_STARTS = 4   /* training latents from which the nearest point is searched */
+    MS_GPR__PLANE = 2,           /* dimensions of the latent space */
+    MS_GPR__LATENT_LIMIT = 2000, /* evaluations of the likelihood of a fit, at most */
+    MS_GPR__LATENT_TRIAL = 100,  /* evaluations of every start of a fit */
+    MS_GPR__LATENT_NEAREST = 4   /* training latents from which the nearest point is searched */
 };
 
 struct ms_gpr_latent {
-    int z, m, l;
+    int z, m;
     size_t stride, columns; /* of matrices over points; of rows of materials: m in whole blocks */
     ms_simd level;
     const ms_gpr__kernels *kernels;
@@ -5298,7 +4840,7 @@ struct ms_gpr_latent {
     void *block;
     size_t doubles;
     double jitter;
-    int kept; /* materials keep what is in s */
+    int constrained; /* materials keep what is in s */
     ms_gpr__space s;
     double *latent; /* [z][l] */
     double *theta;  /* [l + 2] */
@@ -5313,7 +4855,7 @@ struct ms_gpr_latent {
 /* What one evaluation of the likelihood needs. */
 typedef struct ms_gpr__embedding {
     const ms_gpr__kernels *kernels;
-    int z, m, l;
+    int z, m;
     size_t stride, columns;
     const double *x;  /* [padded z][columns] */
     double *kernel;   /* [padded z][stride] K without noise, upper triangle */
@@ -5334,7 +4876,7 @@ static int ms_gpr__embedding_evaluate(const ms_gpr__embedding *e, const double *
     size_t matrix = (size_t)padded * e->stride, materials = (size_t)padded * e->columns, list = e->columns * e->stride,
            at;
     double fit, determinant, *minus = e->weight, *plus = e->weight + list;
-    ms_gpr__covariance(f, points, e->stride, e->z, e->l, sf2, e->kernel);
+    ms_gpr__covariance(f, points, e->stride, e->z, MS_GPR__PLANE, sf2, e->kernel);
     if (!ms_gpr__factor(f, e->kernel, e->stride, e->z, sf2, noise, e->upper)) return 0;
     memcpy(e->whitened, e->x, materials * sizeof(double));
     ms_gpr__forward(f, e->upper, e->stride, padded, e->whitened, e->columns, columns);
@@ -5353,15 +4895,15 @@ static int ms_gpr__embedding_evaluate(const ms_gpr__embedding *e, const double *
     for (i = 0; i < e->z; ++i)
         for (j = i; j < e->z; ++j) e->upper[(size_t)i * e->stride + (size_t)j] *= e->m;
     f->reduce(e->upper, e->stride, minus, e->stride, plus, e->stride, padded, padded, columns, MS_GPR__UPPER);
-    memset(gradient, 0, ((size_t)e->l + 2) * sizeof(double));
-    memset(gradient_points, 0, (size_t)e->l * e->stride * sizeof(double));
+    memset(gradient, 0, ((size_t)MS_GPR__PLANE + 2) * sizeof(double));
+    memset(gradient_points, 0, (size_t)MS_GPR__PLANE * e->stride * sizeof(double));
     for (i = 0; i < e->z; ++i) {
         const double *kernel = e->kernel + (size_t)i * e->stride;
         double *w = e->upper + (size_t)i * e->stride;
-        gradient[e->l] += sf2 * w[i]; /* dK/dlog sf = 2 K */
-        gradient[e->l + 1] += 0.5 * w[i];
-        for (j = i + 1; j < e->z; ++j) gradient[e->l] += 2 * (w[j] *= kernel[j]);
-        for (k = 0; k < e->l; ++k) { /* dK_ij/dp_ik = -K_ij (p_ik - p_jk); each pair stands twice in K */
+        gradient[MS_GPR__PLANE] += sf2 * w[i]; /* dK/dlog sf = 2 K */
+        gradient[MS_GPR__PLANE + 1] += 0.5 * w[i];
+        for (j = i + 1; j < e->z; ++j) gradient[MS_GPR__PLANE] += 2 * (w[j] *= kernel[j]);
+        for (k = 0; k < MS_GPR__PLANE; ++k) { /* dK_ij/dp_ik = -K_ij (p_ik - p_jk); each pair stands twice in K */
             const double *p = points + (size_t)k * e->stride;
             double *slope = gradient_points + (size_t)k * e->stride, own = 0, stretch = 0;
             for (j = i + 1; j < e->z; ++j) {
@@ -5391,7 +4933,6 @@ static ms_gpr__embedding ms_gpr__embedding_make(const ms_gpr_latent *plane, doub
     e.kernels = plane->kernels;
     e.z = plane->z;
     e.m = plane->m;
-    e.l = plane->l;
     e.stride = plane->stride;
     e.columns = plane->columns;
     e.x = plane->x;
@@ -5407,7 +4948,7 @@ static ms_gpr__embedding ms_gpr__embedding_make(const ms_gpr_latent *plane, doub
 
 static void ms_gpr__latent_layout(ms_gpr_latent *p, ms_gpr__arena *arena)
 {
-    size_t z = (size_t)p->z, l = (size_t)p->l, padded = (size_t)ms_gpr__padded(p->z);
+    size_t z = (size_t)p->z, l = (size_t)MS_GPR__PLANE, padded = (size_t)ms_gpr__padded(p->z);
     p->latent = ms_gpr__take(arena, z, l);
     p->theta = ms_gpr__take(arena, l + 2, 1);
     p->center = ms_gpr__take(arena, p->columns, 1);
@@ -5418,21 +4959,19 @@ static void ms_gpr__latent_layout(ms_gpr_latent *p, ms_gpr__arena *arena)
     p->weight = ms_gpr__take(arena, padded, p->columns);
 }
 
-/* A space with its materials, less their mean where `centered` is set; no latents yet. */
-static ms_status ms_gpr__latent_make(const double *x, int z, int m, int centered, const ms_gpr_latent_options *o,
-                                     ms_gpr_latent **out, ms_error *error)
+/* A latent space with its centered materials; no latents yet. */
+static ms_status ms_gpr__latent_make(const double *x, int z, int m, const ms_gpr_latent_options *o, ms_gpr_latent **out,
+                                     ms_error *error)
 {
     ms_gpr__arena arena = {NULL, 0};
     ms_gpr_latent *p;
-    int i, k, l = o->dimensions ? o->dimensions : 2;
+    int i, k;
     ms_status status;
     *out = NULL;
     if (x == NULL) return ms_gpr__null("x", error);
     if (z < 2 || z > MS_GPR__N_MAX)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "z is %d: expected 2 to %d", z, MS_GPR__N_MAX);
-    if (m < 1 || l < 1 || l > 3)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "m is %d and dimensions %d: expected at least 1, and 1 to 3", m,
-                        l);
+    if (m < 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "m is %d: expected at least 1", m);
     status = ms_gpr__check_rows(x, z, m, MS_GPR__LARGEST, "material", error);
     if (status != MS_OK) return status;
     p = (ms_gpr_latent *)ms__alloc(&o->allocator, sizeof *p);
@@ -5440,7 +4979,6 @@ static ms_status ms_gpr__latent_make(const double *x, int z, int m, int centered
     memset(p, 0, sizeof *p);
     p->z = z;
     p->m = m;
-    p->l = l;
     p->stride = ms_gpr__stride(z);
     p->columns = (size_t)ms_gpr__padded(m);
     p->level = ms_gpr__simd_pick(o->simd);
@@ -5459,13 +4997,13 @@ static ms_status ms_gpr__latent_make(const double *x, int z, int m, int centered
     for (k = 0; k < m; ++k) {
         double sum = 0;
         for (i = 0; i < z; ++i) sum += x[(size_t)i * (size_t)m + (size_t)k] / z;
-        p->center[k] = centered ? sum : 0;
+        p->center[k] = sum;
         for (i = 0; i < z; ++i)
             p->x[(size_t)i * p->columns + (size_t)k] = x[(size_t)i * (size_t)m + (size_t)k] - p->center[k];
     }
-    p->kept = o->space.low || o->space.high || o->space.steps || o->space.tie_count || o->space.list_count;
-    status = p->kept ? ms_gpr__space_make(x, z, m, &o->space, &p->allocator, &p->s, error) : MS_OK;
-    p->kept = p->kept && status == MS_OK;
+    p->constrained = o->space.low || o->space.high || o->space.steps || o->space.equal_count || o->space.list_count;
+    status = p->constrained ? ms_gpr__space_make(x, z, m, &o->space, &p->allocator, &p->s, error) : MS_OK;
+    p->constrained = p->constrained && status == MS_OK;
     if (status != MS_OK) ms_gpr_latent_destroy(p);
     else *out = p;
     return status;
@@ -5474,17 +5012,17 @@ static ms_status ms_gpr__latent_make(const double *x, int z, int m, int centered
 /* Everything that follows from latents and theta; jitter as in ms_gpr__condition. */
 static ms_status ms_gpr__latent_condition(ms_gpr_latent *p, ms_error *error)
 {
-    double sf2 = exp(2 * p->theta[p->l]), sn2 = exp(2 * p->theta[p->l + 1]);
+    double sf2 = exp(2 * p->theta[MS_GPR__PLANE]), sn2 = exp(2 * p->theta[MS_GPR__PLANE + 1]);
     int padded = ms_gpr__padded(p->z), columns = (int)p->columns, i, j, k;
-    for (k = 0; k < p->l; ++k) {
+    for (k = 0; k < MS_GPR__PLANE; ++k) {
         double scale = exp(-p->theta[k]), sum = 0;
-        for (i = 0; i < p->z; ++i) sum += p->latent[i * p->l + k] / p->z;
+        for (i = 0; i < p->z; ++i) sum += p->latent[i * MS_GPR__PLANE + k] / p->z;
         p->origin[k] = sum;
         for (i = 0; i < p->z; ++i)
-            p->points[(size_t)k * p->stride + (size_t)i] = (p->latent[i * p->l + k] - sum) * scale;
+            p->points[(size_t)k * p->stride + (size_t)i] = (p->latent[i * MS_GPR__PLANE + k] - sum) * scale;
     }
     for (p->jitter = 0; p->jitter<2e-6; p->jitter = p->jitter> 0 ? 10 * p->jitter : 1e-15) {
-        ms_gpr__covariance(p->kernels, p->points, p->stride, p->z, p->l, sf2, p->upper);
+        ms_gpr__covariance(p->kernels, p->points, p->stride, p->z, MS_GPR__PLANE, sf2, p->upper);
         if (!ms_gpr__factor(p->kernels, p->upper, p->stride, p->z, sf2, sn2 + p->jitter * sf2, p->upper)) continue;
         memcpy(p->weight, p->x, (size_t)padded * p->columns * sizeof(double));
         ms_gpr__forward(p->kernels, p->upper, p->stride, padded, p->weight, p->columns, columns);
@@ -5505,86 +5043,27 @@ MS_API void ms_gpr_latent_destroy(ms_gpr_latent *plane)
     ms_allocator allocator;
     if (plane == NULL) return;
     allocator = plane->allocator;
-    if (plane->kept) ms_gpr__space_free(&plane->s);
+    if (plane->constrained) ms_gpr__space_free(&plane->s);
     ms_gpr__release_doubles(&allocator, plane->block, plane->doubles);
     ms__release(&allocator, plane, sizeof *plane);
-}
-
-MS_API ms_status ms_gpr_latent_create(const double *x, int z, int m, const double *latent, const double *theta,
-                                      const ms_gpr_latent_options *options, ms_gpr_latent **out, ms_error *error)
-{
-    ms_gpr_latent_options o;
-    ms_gpr_latent *p;
-    ms_status status;
-    int l;
-    if (out == NULL) return ms_gpr__null("out", error);
-    *out = NULL;
-    if (latent == NULL) return ms_gpr__null("latent", error);
-    if (options) o = *options;
-    else memset(&o, 0, sizeof o);
-    l = o.dimensions ? o.dimensions : 2;
-    status = ms_gpr__latent_make(x, z, m, 0, &o, &p, error);
-    if (status != MS_OK) return status;
-    status = ms_gpr__check_rows(latent, z, l, MS_GPR__LARGEST, "latent", error);
-    if (status == MS_OK) status = ms_gpr__check_theta(theta, l, error);
-    if (status == MS_OK) {
-        memcpy(p->latent, latent, (size_t)z * (size_t)l * sizeof *latent);
-        memcpy(p->theta, theta, ((size_t)l + 2) * sizeof *theta);
-        status = ms_gpr__latent_condition(p, error);
-    }
-    if (status != MS_OK) ms_gpr_latent_destroy(p);
-    else *out = p;
-    return status;
 }
 
 MS_API int ms_gpr_latent_count(const ms_gpr_latent *plane) { return plane ? plane->z : 0; }
 MS_API const double *ms_gpr_latent_points(const ms_gpr_latent *plane) { return plane ? plane->latent : NULL; }
 MS_API const double *ms_gpr_latent_theta(const ms_gpr_latent *plane) { return plane ? plane->theta : NULL; }
-MS_API double ms_gpr_latent_jitter(const ms_gpr_latent *plane) { return plane ? plane->jitter : 0; }
-
-MS_API ms_status ms_gpr_latent_likelihood(const ms_gpr_latent *plane, double *likelihood, double *gradient_theta,
-                                          double *gradient_latent, ms_error *error)
-{
-    const ms_gpr_latent *p = plane;
-    double sf2, sn2, noise, value = 0, gradient[5];
-    size_t doubles;
-    ms_gpr__embedding e;
-    double *slopes;
-    void *block;
-    int i, k, wanted = gradient_theta || gradient_latent, defined;
-    if (plane == NULL) return ms_gpr__null("plane", error);
-    sf2 = exp(2 * p->theta[p->l]);
-    sn2 = exp(2 * p->theta[p->l + 1]);
-    noise = sn2 + p->jitter * sf2;
-    doubles = ms__size_add(ms_gpr__embedding_doubles(p->z, p->m), (size_t)p->l * p->stride);
-    slopes = ms_gpr__doubles(&p->allocator, doubles, &block);
-    if (slopes == NULL)
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d materials", p->z);
-    e = ms_gpr__embedding_make(p, slopes + (size_t)p->l * p->stride);
-    defined = ms_gpr__embedding_evaluate(&e, p->points, sf2, noise, &value, wanted ? gradient : NULL, slopes);
-    for (k = 0; defined && gradient_latent && k < p->l; ++k)
-        for (i = 0; i < p->z; ++i)
-            gradient_latent[i * p->l + k] = slopes[(size_t)k * p->stride + (size_t)i] * exp(-p->theta[k]);
-    ms_gpr__release_doubles(&p->allocator, block, doubles);
-    if (!defined) return ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix is not positive definite");
-    if (likelihood) *likelihood = value;
-    for (k = 0; gradient_theta && k < p->l + 2; ++k)
-        gradient_theta[k] = gradient[k] * (k == p->l + 1 ? 2 * sn2 : 1); /* of log sn */
-    return MS_OK;
-}
 
 /* --- maps both ways --- */
 
 /* Kernel between a latent point and the training ones, [padded z]; padding is 0. */
 static void ms_gpr__latent_kernel(const ms_gpr_latent *p, const double *latent, double *kernel)
 {
-    double sf2 = exp(2 * p->theta[p->l]), place[3];
+    double sf2 = exp(2 * p->theta[MS_GPR__PLANE]), scaled[3];
     int padded = ms_gpr__padded(p->z), i, k;
-    for (k = 0; k < p->l; ++k) place[k] = (latent[k] - p->origin[k]) * exp(-p->theta[k]);
+    for (k = 0; k < MS_GPR__PLANE; ++k) scaled[k] = (latent[k] - p->origin[k]) * exp(-p->theta[k]);
     for (i = 0; i < padded; ++i) kernel[i] = 0;
-    for (k = 0; k < p->l; ++k) {
+    for (k = 0; k < MS_GPR__PLANE; ++k) {
         const double *q = p->points + (size_t)k * p->stride;
-        for (i = 0; i < p->z; ++i) kernel[i] += (place[k] - q[i]) * (place[k] - q[i]);
+        for (i = 0; i < p->z; ++i) kernel[i] += (scaled[k] - q[i]) * (scaled[k] - q[i]);
     }
     p->kernels->exponentials(kernel, padded, sf2);
     for (i = p->z; i < padded; ++i) kernel[i] = 0;
@@ -5598,13 +5077,13 @@ static void ms_gpr__latent_material(const ms_gpr_latent *p, const double *kernel
     for (i = 0; i < p->z; ++i) p->kernels->axpy(x, kernel[i], p->weight + (size_t)i * p->columns, (int)p->columns);
 }
 
-/* Moved to where it keeps what the plane keeps: x [m]; place: [m] */
-static void ms_gpr__latent_keep(const ms_gpr_latent *p, double *x, double *place)
+/* Moved to where it keeps what the plane keeps: x [m]; scaled: [m] */
+static void ms_gpr__latent_project(const ms_gpr_latent *p, double *x, double *scaled)
 {
-    if (!p->kept) return;
-    ms_gpr__space_place(&p->s, x, place);
-    ms_gpr__space_settle(&p->s, place);
-    ms_gpr__space_material(&p->s, place, x);
+    if (!p->constrained) return;
+    ms_gpr__space_scale(&p->s, x, scaled);
+    ms_gpr__space_project(&p->s, scaled);
+    ms_gpr__space_material(&p->s, scaled, x);
 }
 
 /* sf^2 - k' K'^-1 k; the kernel is used up. */
@@ -5613,7 +5092,7 @@ static double ms_gpr__latent_variance(const ms_gpr_latent *p, double *kernel)
     double variance;
     int padded = ms_gpr__padded(p->z);
     ms_gpr__forward_vector(p->kernels, p->upper, p->stride, padded, kernel);
-    variance = exp(2 * p->theta[p->l]) - p->kernels->dot(kernel, kernel, padded);
+    variance = exp(2 * p->theta[MS_GPR__PLANE]) - p->kernels->dot(kernel, kernel, padded);
     return variance > 0 ? variance : 0;
 }
 
@@ -5627,7 +5106,7 @@ MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *lat
     int i;
     if (plane == NULL || latent == NULL) return ms_gpr__null(plane ? "latent" : "plane", error);
     if (count < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected at least 0", count);
-    status = ms_gpr__check_rows(latent, count, plane->l, MS_GPR__LARGEST, "latent", error);
+    status = ms_gpr__check_rows(latent, count, MS_GPR__PLANE, MS_GPR__LARGEST, "latent", error);
     if (status != MS_OK) return status;
     m = (size_t)plane->m;
     doubles = plane->stride + plane->columns;
@@ -5635,11 +5114,11 @@ MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *lat
     if (kernel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a material");
     material = kernel + plane->stride;
     for (i = 0; i < count; ++i) {
-        ms_gpr__latent_kernel(plane, latent + (size_t)i * (size_t)plane->l, kernel);
+        ms_gpr__latent_kernel(plane, latent + (size_t)i * (size_t)MS_GPR__PLANE, kernel);
         if (x) {
             ms_gpr__latent_material(plane, kernel, material);
             memcpy(x + (size_t)i * m, material, m * sizeof *x);
-            ms_gpr__latent_keep(plane, x + (size_t)i * m, material);
+            ms_gpr__latent_project(plane, x + (size_t)i * m, material);
         }
         if (variance) variance[i] = ms_gpr__latent_variance(plane, kernel);
     }
@@ -5667,10 +5146,11 @@ static int ms_gpr__nearest_objective(void *context, const double *q, double *val
         *value += 0.5 * s->material[k] * s->material[k];
     }
     for (k = p->m; k < (int)p->columns; ++k) s->material[k] = 0;
-    for (k = 0; k < p->l; ++k) gradient[k] = 0;
+    for (k = 0; k < MS_GPR__PLANE; ++k) gradient[k] = 0;
     for (i = 0; i < p->z; ++i) { /* dk_i/dq = k_i (l_i - q) / length^2 */
         double pull = s->kernel[i] * p->kernels->dot(s->material, p->weight + (size_t)i * p->columns, (int)p->columns);
-        for (k = 0; k < p->l; ++k) gradient[k] += pull * (p->latent[i * p->l + k] - q[k]) * exp(-2 * p->theta[k]);
+        for (k = 0; k < MS_GPR__PLANE; ++k)
+            gradient[k] += pull * (p->latent[i * MS_GPR__PLANE + k] - q[k]) * exp(-2 * p->theta[k]);
     }
     return 1;
 }
@@ -5689,7 +5169,7 @@ MS_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x,
     if (p == NULL || x == NULL || latent == NULL) return ms_gpr__null(p == NULL ? "plane" : x ? "latent" : "x", error);
     status = ms_gpr__check_rows(x, 1, p->m, MS_GPR__LARGEST, "material", error);
     if (status != MS_OK) return status;
-    doubles = ms_gpr__minimize_doubles(p->l) + 2 * p->stride + p->columns;
+    doubles = ms_gpr__minimize_doubles(MS_GPR__PLANE) + 2 * p->stride + p->columns;
     s.kernel = ms_gpr__doubles(&p->allocator, doubles, &block);
     if (s.kernel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a search in the latent space");
     s.material = s.kernel + p->stride;
@@ -5700,20 +5180,20 @@ MS_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x,
     memset(&search, 0, sizeof search);
     search.f = ms_gpr__nearest_objective;
     search.context = &s;
-    search.count = p->l;
-    search.tolerance = 1e-20 * exp(2 * p->theta[p->l]);
+    search.count = MS_GPR__PLANE;
+    search.tolerance = 1e-20 * exp(2 * p->theta[MS_GPR__PLANE]);
     search.evaluations = 200;
-    for (i = 0; i < p->z; ++i) ms_gpr__nearest_objective(&s, p->latent + i * p->l, &misfit[i], gradient);
-    for (start = 0; start < MS_GPR__LATENT_STARTS && start < p->z; ++start) {
+    for (i = 0; i < p->z; ++i) ms_gpr__nearest_objective(&s, p->latent + i * MS_GPR__PLANE, &misfit[i], gradient);
+    for (start = 0; start < MS_GPR__LATENT_NEAREST && start < p->z; ++start) {
         ms_gpr__minimum found;
         for (i = 1, nearest = 0; i < p->z; ++i)
             if (misfit[i] < misfit[nearest]) nearest = i;
         misfit[nearest] = HUGE_VAL;
-        memcpy(q, p->latent + nearest * p->l, (size_t)p->l * sizeof *q);
+        memcpy(q, p->latent + nearest * MS_GPR__PLANE, (size_t)MS_GPR__PLANE * sizeof *q);
         found = ms_gpr__minimize(&search, q, work);
         if (!(found.value < best)) continue;
         best = found.value;
-        for (k = 0; k < p->l; ++k) latent[k] = q[k];
+        for (k = 0; k < MS_GPR__PLANE; ++k) latent[k] = q[k];
     }
     if (distance) *distance = sqrt(2 * best / p->m);
     ms_gpr__latent_kernel(p, latent, s.kernel);
@@ -5741,12 +5221,12 @@ static int ms_gpr__latent_objective(void *context, const double *q, double *valu
     int i, k;
     if (p->progress->report && p->progress->report(p->progress->user, (double)p->evaluations / p->limit)) return -1;
     if (p->evaluations < p->limit) ++p->evaluations;
-    for (k = 0; k < p->e.l; ++k)
+    for (k = 0; k < MS_GPR__PLANE; ++k)
         memcpy(p->points + (size_t)k * p->e.stride, q + 2 + k * p->e.z, (size_t)p->e.z * sizeof *q);
     if (!ms_gpr__embedding_evaluate(&p->e, p->points, exp(2 * q[0]), noise, &likelihood, theta, p->slopes)) return 0;
-    gradient[0] = scale * theta[p->e.l];
-    gradient[1] = scale * 2 * noise * theta[p->e.l + 1];
-    for (k = 0; k < p->e.l; ++k)
+    gradient[0] = scale * theta[MS_GPR__PLANE];
+    gradient[1] = scale * 2 * noise * theta[MS_GPR__PLANE + 1];
+    for (k = 0; k < MS_GPR__PLANE; ++k)
         for (i = 0; i < p->e.z; ++i) {
             int at = 2 + k * p->e.z + i;
             likelihood -= 0.5 * p->prior * q[at] * q[at];
@@ -5763,9 +5243,9 @@ static void ms_gpr__latent_components(const ms_gpr_latent *p, double *points, do
     ms__rng rng = ms__rng_make(0, 0);
     int columns = (int)p->columns, pass, i, j, k;
     double total = p->kernels->dot(p->x, p->x, p->z * columns);
-    for (i = 0; i < p->l * p->z; ++i) points[i] = ms__rng_uniform(&rng) - 0.5;
+    for (i = 0; i < MS_GPR__PLANE * p->z; ++i) points[i] = ms__rng_uniform(&rng) - 0.5;
     for (pass = 0; pass < 60; ++pass) {
-        for (k = 0; k < p->l; ++k) {
+        for (k = 0; k < MS_GPR__PLANE; ++k) {
             double *component = points + k * p->z, norm2 = 0, scale;
             memset(axis, 0, p->columns * sizeof *axis);
             for (i = 0; i < p->z; ++i) p->kernels->axpy(axis, component[i], p->x + (size_t)i * p->columns, columns);
@@ -5789,7 +5269,7 @@ static double ms_gpr__latent_error(const ms_gpr_latent *p, double *kernel, doubl
     double sum = 0;
     int i, k;
     for (i = 0; i < p->z; ++i) {
-        ms_gpr__latent_kernel(p, p->latent + i * p->l, kernel);
+        ms_gpr__latent_kernel(p, p->latent + i * MS_GPR__PLANE, kernel);
         ms_gpr__latent_material(p, kernel, material);
         for (k = 0; k < p->m; ++k) {
             double d = material[k] - p->center[k] - p->x[(size_t)i * p->columns + (size_t)k];
@@ -5808,7 +5288,7 @@ typedef struct ms_gpr__latent_scratch {
 static void ms_gpr__latent_scratch_layout(const ms_gpr_latent *p, ms_gpr__latent_problem *problem,
                                           ms_gpr__latent_scratch *s, ms_gpr__arena *arena)
 {
-    size_t count = (size_t)p->l * (size_t)p->z + 2;
+    size_t count = (size_t)MS_GPR__PLANE * (size_t)p->z + 2;
     s->q = ms_gpr__take(arena, count, 1);
     s->best = ms_gpr__take(arena, count, 1);
     s->low = ms_gpr__take(arena, count, 1);
@@ -5816,18 +5296,17 @@ static void ms_gpr__latent_scratch_layout(const ms_gpr_latent *p, ms_gpr__latent
     s->work = ms_gpr__take(arena,
                            ms__size_add(ms_gpr__minimize_doubles((int)count), ms__size_add(p->stride, p->columns)), 1);
     s->memory = ms_gpr__take(arena, ms_gpr__embedding_doubles(p->z, p->m), 1);
-    problem->points = ms_gpr__take(arena, p->stride, (size_t)p->l);
-    problem->slopes = ms_gpr__take(arena, p->stride, (size_t)p->l);
+    problem->points = ms_gpr__take(arena, p->stride, (size_t)MS_GPR__PLANE);
+    problem->slopes = ms_gpr__take(arena, p->stride, (size_t)MS_GPR__PLANE);
 }
 
 /* Latents and theta: every start for a while, then the best of them to the end. spread: root mean square of the
    materials. */
-static ms_status ms_gpr__latent_search(ms_gpr_latent *plane, const ms_gpr_latent_options *o, double spread,
-                                       ms_gpr__latent_problem *problem, const ms_gpr__latent_scratch *s,
-                                       ms_error *error)
+static ms_status ms_gpr__latent_search(ms_gpr_latent *plane, double spread, ms_gpr__latent_problem *problem,
+                                       const ms_gpr__latent_scratch *s, ms_error *error)
 {
-    static const double scale[] = {0.5, 0.3, 1, 0.2, 2}; /* of the principal components, in lengths */
-    int count = plane->l * plane->z, starts = o->starts ? o->starts : 3, i, k;
+    static const double scale[] = {0.5, 0.3, 1}; /* of the principal components, in lengths */
+    int count = MS_GPR__PLANE * plane->z, starts = 3, i, k;
     double best = HUGE_VAL;
     ms_gpr__search search;
     memset(&search, 0, sizeof search);
@@ -5838,7 +5317,7 @@ static ms_status ms_gpr__latent_search(ms_gpr_latent *plane, const ms_gpr_latent
     search.step = 1;
     search.tolerance = 1e-9;
     s->low[0] = log(spread) - 5;
-    s->low[1] = log(o->noise_floor > 0 ? o->noise_floor : 1e-3 * spread);
+    s->low[1] = log(1e-3 * spread);
     for (i = 0; i < count; ++i) s->low[2 + i] = -1e3;
     ms_gpr__latent_components(plane, s->start, s->work);
     for (k = 0; k <= starts; ++k) {
@@ -5860,10 +5339,10 @@ static ms_status ms_gpr__latent_search(ms_gpr_latent *plane, const ms_gpr_latent
         memcpy(s->best, s->q, ((size_t)count + 2) * sizeof(double));
     }
     if (!(best < HUGE_VAL)) return ms__fail(error, MS_NOT_CONVERGED, 0, "the likelihood is not defined at any start");
-    for (k = 0; k < plane->l; ++k)
-        for (i = 0; i < plane->z; ++i) plane->latent[i * plane->l + k] = s->best[2 + k * plane->z + i];
-    plane->theta[plane->l] = s->best[0];
-    plane->theta[plane->l + 1] = s->best[1];
+    for (k = 0; k < MS_GPR__PLANE; ++k)
+        for (i = 0; i < plane->z; ++i) plane->latent[i * MS_GPR__PLANE + k] = s->best[2 + k * plane->z + i];
+    plane->theta[MS_GPR__PLANE] = s->best[0];
+    plane->theta[MS_GPR__PLANE + 1] = s->best[1];
     return ms_gpr__latent_condition(plane, error);
 }
 
@@ -5883,13 +5362,9 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
     *out = NULL;
     if (options) o = *options;
     else memset(&o, 0, sizeof o);
-    if (!ms__finite(o.prior) || o.prior < 0 || !ms__finite(o.noise_floor) || o.noise_floor < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "prior is %g and noise_floor %g: expected at least 0", o.prior,
-                        o.noise_floor);
-    if (o.starts < 0 || o.starts > 5 || o.evaluations < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0,
-                        "starts is %d and evaluations %d: expected 0 to 5 and at least 0", o.starts, o.evaluations);
-    status = ms_gpr__latent_make(x, z, m, 1, &o, &p, error);
+    if (!ms__finite(o.prior) || o.prior < 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "prior is %g: expected at least 0", o.prior);
+    status = ms_gpr__latent_make(x, z, m, &o, &p, error);
     if (status != MS_OK) return status;
     spread = sqrt(p->kernels->dot(p->x, p->x, z * (int)p->columns) / ((double)z * m));
     if (!(spread > 1e-150) || !(spread * spread > 1e-26 * p->kernels->dot(p->center, p->center, (int)p->columns) / m)) {
@@ -5906,14 +5381,14 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
     }
     arena.used = 0;
     ms_gpr__latent_scratch_layout(p, &problem, &scratch, &arena);
-    memset(problem.points, 0, (size_t)p->l * p->stride * sizeof(double));
+    memset(problem.points, 0, (size_t)MS_GPR__PLANE * p->stride * sizeof(double));
     problem.e = ms_gpr__embedding_make(p, scratch.memory);
     problem.prior = o.prior;
     problem.progress = &o.progress;
-    problem.limit = o.evaluations ? o.evaluations : 2000;
-    status = ms_gpr__latent_search(p, &o, spread, &problem, &scratch, error);
+    problem.limit = MS_GPR__LATENT_LIMIT;
+    status = ms_gpr__latent_search(p, spread, &problem, &scratch, error);
     if (status == MS_OK && report) {
-        double sf2 = exp(2 * p->theta[p->l]), noise = exp(2 * p->theta[p->l + 1]) + p->jitter * sf2;
+        double sf2 = exp(2 * p->theta[MS_GPR__PLANE]), noise = exp(2 * p->theta[MS_GPR__PLANE + 1]) + p->jitter * sf2;
         ms_gpr__embedding_evaluate(&problem.e, p->points, sf2, noise, &report->likelihood, NULL, NULL);
         report->error = ms_gpr__latent_error(p, scratch.work, scratch.work + p->stride);
         report->evaluations = problem.evaluations;
@@ -5932,12 +5407,12 @@ MS_API ms_gpr_grid ms_gpr_grid_around(const ms_gpr_latent *plane, int resolution
     double low[2], high[2], side = 0;
     int i, k;
     memset(&grid, 0, sizeof grid);
-    if (plane == NULL || plane->l != 2) return grid;
+    if (plane == NULL) return grid;
     for (k = 0; k < 2; ++k) {
         double length = exp(plane->theta[k]), margin;
         low[k] = high[k] = plane->latent[k];
         for (i = 1; i < plane->z; ++i) {
-            double v = plane->latent[i * plane->l + k];
+            double v = plane->latent[i * MS_GPR__PLANE + k];
             if (v < low[k]) low[k] = v;
             if (v > high[k]) high[k] = v;
         }
@@ -5987,8 +5462,6 @@ MS_API double ms_gpr_grid_value(const ms_gpr_grid *grid, const double *map, doub
 static ms_status ms_gpr__grid_check(const ms_gpr_latent *plane, const ms_gpr_grid *grid, ms_error *error)
 {
     if (plane == NULL || grid == NULL) return ms_gpr__null(plane ? "grid" : "plane", error);
-    if (plane->l != 2)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the latent space has %d dimensions: expected 2", plane->l);
     if (grid->columns < 2 || grid->rows < 2 || grid->columns > 32768 || grid->rows > 32768 || !ms__finite(grid->x0) ||
         !ms__finite(grid->y0) || !ms__finite(grid->x1) || !ms__finite(grid->y1) || !(grid->x0 < grid->x1) ||
         !(grid->y0 < grid->y1))
@@ -6028,7 +5501,7 @@ static void ms_gpr__grid_materials(const ms_gpr_latent *p, const ms_gpr_grid *gr
             for (i = 0; i < n; ++i) kernel[i] = c[i] * down[i];
             ms_gpr__latent_material(p, kernel, material);
             memcpy(x, material, (size_t)p->m * sizeof *x);
-            ms_gpr__latent_keep(p, x, material);
+            ms_gpr__latent_project(p, x, material);
             x += p->m;
         }
     }
@@ -6194,7 +5667,7 @@ enum {
 };
 
 /* Every point of the plane that was looked at, with its similarity and score. */
-typedef struct ms_gpr__looks {
+typedef struct ms_gpr__visited {
     const ms_gpr_latent *plane;
     const ms_gpr *gp;
     const ms_gpr_similarity *similarity;
@@ -6203,40 +5676,40 @@ typedef struct ms_gpr__looks {
     ms_gpr_variant *seen;
     int count;
     double best, floor; /* the scores that count as 1 and 0 */
-} ms_gpr__looks;
+} ms_gpr__visited;
 
-static ms_status ms_gpr__look(ms_gpr__looks *looks, double a, double b, ms_error *error)
+static ms_status ms_gpr__visit(ms_gpr__visited *visited, double a, double b, ms_error *error)
 {
-    ms_gpr_variant *v = &looks->seen[looks->count];
+    ms_gpr_variant *v = &visited->seen[visited->count];
     ms_status status;
     v->latent[0] = a;
     v->latent[1] = b;
-    status = ms_gpr_latent_map(looks->plane, v->latent, 1, looks->x, &v->confidence, error);
-    v->confidence = 1 - v->confidence / exp(2 * looks->plane->theta[2]);
-    if (status == MS_OK) status = ms_gpr_predict(looks->gp, looks->x, 1, &v->score, NULL, error);
+    status = ms_gpr_latent_map(visited->plane, v->latent, 1, visited->x, &v->confidence, error);
+    v->confidence = 1 - v->confidence / exp(2 * visited->plane->theta[2]);
+    if (status == MS_OK) status = ms_gpr_predict(visited->gp, visited->x, 1, &v->score, NULL, error);
     if (status == MS_OK)
-        status = ms_gpr__similarity(looks->similarity, looks->plane->m, looks->x, looks->pictures, &v->similarity,
-                                    error);
-    if (status == MS_OK) ++looks->count;
+        status = ms_gpr__similarity(visited->similarity, visited->plane->m, visited->x, visited->pictures,
+                                    &v->similarity, error);
+    if (status == MS_OK) ++visited->count;
     return status;
 }
 
-static double ms_gpr__looks_value(const ms_gpr__looks *looks, const ms_gpr_variant *v, double lambda)
+static double ms_gpr__visited_value(const ms_gpr__visited *visited, const ms_gpr_variant *v, double lambda)
 {
     return v->confidence *
-        (lambda * v->similarity + (1 - lambda) * (v->score - looks->floor) / (looks->best - looks->floor));
+        (lambda * v->similarity + (1 - lambda) * (v->score - visited->floor) / (visited->best - visited->floor));
 }
 
 /* The best so far; of those that are two steps away from a point, where one is given. */
-static ms_gpr_variant ms_gpr__looks_best(const ms_gpr__looks *looks, double lambda, const double *away,
-                                         const double *step)
+static ms_gpr_variant ms_gpr__visited_best(const ms_gpr__visited *visited, double lambda, const double *away,
+                                           const double *step)
 {
-    ms_gpr_variant chosen = looks->seen[0];
+    ms_gpr_variant chosen = visited->seen[0];
     int i;
     chosen.value = -HUGE_VAL;
-    for (i = 0; i < looks->count; ++i) {
-        const ms_gpr_variant *v = &looks->seen[i];
-        double value = ms_gpr__looks_value(looks, v, lambda);
+    for (i = 0; i < visited->count; ++i) {
+        const ms_gpr_variant *v = &visited->seen[i];
+        double value = ms_gpr__visited_value(visited, v, lambda);
         if (!(value > chosen.value)) continue;
         if (away && fabs(v->latent[0] - away[0]) < 2 * step[0] && fabs(v->latent[1] - away[1]) < 2 * step[1]) continue;
         chosen = *v;
@@ -6247,26 +5720,27 @@ static ms_gpr_variant ms_gpr__looks_best(const ms_gpr__looks *looks, double lamb
 
 /* Pattern searches from the best so far and from the best elsewhere, inside the grid: the four neighbours at a step,
    which is halved where none is better. */
-static ms_status ms_gpr__looks_refine(ms_gpr__looks *looks, const ms_gpr_grid *grid, double lambda, ms_error *error)
+static ms_status ms_gpr__visited_refine(ms_gpr__visited *visited, const ms_gpr_grid *grid, double lambda,
+                                        ms_error *error)
 {
     double cell[2], top[2];
     int start, halvings, moves, side;
     cell[0] = (grid->x1 - grid->x0) / (grid->columns - 1), cell[1] = (grid->y1 - grid->y0) / (grid->rows - 1);
     for (start = 0; start < 2; ++start) {
-        ms_gpr_variant at = ms_gpr__looks_best(looks, lambda, start ? top : NULL, cell);
+        ms_gpr_variant at = ms_gpr__visited_best(visited, lambda, start ? top : NULL, cell);
         double step = 1;
         if (start == 0) memcpy(top, at.latent, sizeof top);
         for (halvings = 0, moves = 0; halvings < MS_GPR__HALVINGS && moves < MS_GPR__MOVES / 2; ++moves) {
             ms_gpr_variant center = at;
             for (side = 0; side < 4; ++side) {
                 double sign = side % 2 ? -step : step, value;
-                double a = ms_gpr__into(center.latent[0] + (side < 2 ? sign * cell[0] : 0), grid->x0, grid->x1);
-                double b = ms_gpr__into(center.latent[1] + (side < 2 ? 0 : sign * cell[1]), grid->y0, grid->y1);
-                ms_status status = ms_gpr__look(looks, a, b, error);
+                double a = ms_gpr__clamp(center.latent[0] + (side < 2 ? sign * cell[0] : 0), grid->x0, grid->x1);
+                double b = ms_gpr__clamp(center.latent[1] + (side < 2 ? 0 : sign * cell[1]), grid->y0, grid->y1);
+                ms_status status = ms_gpr__visit(visited, a, b, error);
                 if (status != MS_OK) return status;
-                value = ms_gpr__looks_value(looks, &looks->seen[looks->count - 1], lambda);
+                value = ms_gpr__visited_value(visited, &visited->seen[visited->count - 1], lambda);
                 if (!(value > at.value)) continue;
-                at = looks->seen[looks->count - 1];
+                at = visited->seen[visited->count - 1];
                 at.value = value;
             }
             if (at.value > center.value) continue;
@@ -6281,7 +5755,7 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
                                  const ms_gpr_grid *grid, const double *lambda, int count, double best,
                                  ms_gpr_variant *variant, double *x, ms_error *error)
 {
-    ms_gpr__looks looks;
+    ms_gpr__visited visited;
     double at[2];
     size_t points, x_size, seen_size;
     ms_status status = ms_gpr__grid_check(plane, grid, error);
@@ -6300,39 +5774,40 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
         if (!ms__finite(lambda[i]) || lambda[i] < 0 || lambda[i] > 1)
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "lambda[%d] is %g: expected 0 to 1", i, lambda[i]);
     points = (size_t)grid->columns * (size_t)grid->rows + 1 + ms__size_mul((size_t)count, 4 * MS_GPR__MOVES);
-    seen_size = ms__size_mul(points, sizeof *looks.seen);
-    x_size = (size_t)plane->m * sizeof *looks.x;
-    looks.plane = plane;
-    looks.gp = gp;
-    looks.similarity = similarity;
-    looks.count = 0;
-    looks.x = (double *)ms__alloc(&plane->allocator, x_size);
-    looks.seen = (ms_gpr_variant *)ms__alloc(&plane->allocator, seen_size);
-    status = looks.x && looks.seen ? ms_gpr__pictures(plane, similarity, &looks.pictures, error)
-                                   : ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %z points", points);
+    seen_size = ms__size_mul(points, sizeof *visited.seen);
+    x_size = (size_t)plane->m * sizeof *visited.x;
+    visited.plane = plane;
+    visited.gp = gp;
+    visited.similarity = similarity;
+    visited.count = 0;
+    visited.x = (double *)ms__alloc(&plane->allocator, x_size);
+    visited.seen = (ms_gpr_variant *)ms__alloc(&plane->allocator, seen_size);
+    status = visited.x && visited.seen ? ms_gpr__pictures(plane, similarity, &visited.pictures, error)
+                                       : ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %z points", points);
     if (status == MS_OK) {
         status = ms_gpr_latent_find(plane, similarity->x, at, NULL, NULL, error);
-        if (status == MS_OK) status = ms_gpr__look(&looks, at[0], at[1], error);
+        if (status == MS_OK) status = ms_gpr__visit(&visited, at[0], at[1], error);
         for (row = 0; row < grid->rows; ++row)
             for (column = 0; column < grid->columns && status == MS_OK; ++column) {
                 ms_gpr_grid_point(grid, column, row, at);
-                status = ms_gpr__look(&looks, at[0], at[1], error);
+                status = ms_gpr__visit(&visited, at[0], at[1], error);
             }
-        looks.floor = ms_gpr_floor(gp);
-        looks.best = best > looks.floor ? best : -HUGE_VAL;
-        for (i = 0; !(best > looks.floor) && i < looks.count; ++i)
-            if (looks.seen[i].score > looks.best) looks.best = looks.seen[i].score;
-        if (!(looks.best > looks.floor)) looks.best = looks.floor + 1;
-        for (i = 0; i < count && status == MS_OK; ++i) status = ms_gpr__looks_refine(&looks, grid, lambda[i], error);
+        visited.floor = ms_gpr__floor_of(gp);
+        visited.best = best > visited.floor ? best : -HUGE_VAL;
+        for (i = 0; !(best > visited.floor) && i < visited.count; ++i)
+            if (visited.seen[i].score > visited.best) visited.best = visited.seen[i].score;
+        if (!(visited.best > visited.floor)) visited.best = visited.floor + 1;
+        for (i = 0; i < count && status == MS_OK; ++i)
+            status = ms_gpr__visited_refine(&visited, grid, lambda[i], error);
         for (i = 0; i < count && status == MS_OK; ++i) {
-            variant[i] = ms_gpr__looks_best(&looks, lambda[i], NULL, NULL);
+            variant[i] = ms_gpr__visited_best(&visited, lambda[i], NULL, NULL);
             if (x)
                 status = ms_gpr_latent_map(plane, variant[i].latent, 1, x + (size_t)i * (size_t)plane->m, NULL, error);
         }
-        ms_gpr__release_pictures(plane, similarity, looks.pictures);
+        ms_gpr__release_pictures(plane, similarity, visited.pictures);
     }
-    ms__release(&plane->allocator, looks.seen, seen_size);
-    ms__release(&plane->allocator, looks.x, x_size);
+    ms__release(&plane->allocator, visited.seen, seen_size);
+    ms__release(&plane->allocator, visited.x, x_size);
     return status;
 }
 #endif /* MS_GPR_NO_PLANE */
@@ -6561,7 +6036,8 @@ static void MS_GPR__KERNEL(accumulate)(MS_GPR__REAL *mean, const MS_GPR__REAL *c
     }
 }
 
-static void MS_GPR__KERNEL(arrive)(void *d2, const void *points, size_t stride, const double *place, int m, int n)
+static void MS_GPR__KERNEL(line_distances)(void *d2, const void *points, size_t stride, const double *point, int m,
+                                           int n)
 {
     MS_GPR__REAL *out = (MS_GPR__REAL *)d2;
     const MS_GPR__REAL *p;
@@ -6569,7 +6045,7 @@ static void MS_GPR__KERNEL(arrive)(void *d2, const void *points, size_t stride, 
     for (; i + 4 * MS_GPR__LANES <= n; i += 4 * MS_GPR__LANES) { /* four sums at a time hide the latency of one */
         MS_GPR__V s0 = MS_GPR__SET(0), s1 = s0, s2 = s0, s3 = s0, at, d;
         for (k = 0, p = (const MS_GPR__REAL *)points + i; k < m; ++k, p += stride) {
-            at = MS_GPR__SET((MS_GPR__REAL)place[k]);
+            at = MS_GPR__SET((MS_GPR__REAL)point[k]);
             d = MS_GPR__SUB(at, MS_GPR__LOAD(p)), s0 = MS_GPR__MADD(d, d, s0);
             d = MS_GPR__SUB(at, MS_GPR__LOAD(p + MS_GPR__LANES)), s1 = MS_GPR__MADD(d, d, s1);
             d = MS_GPR__SUB(at, MS_GPR__LOAD(p + 2 * MS_GPR__LANES)), s2 = MS_GPR__MADD(d, d, s2);
@@ -6581,21 +6057,21 @@ static void MS_GPR__KERNEL(arrive)(void *d2, const void *points, size_t stride, 
     for (; i < n; i += MS_GPR__LANES) {
         MS_GPR__V sum = MS_GPR__SET(0);
         for (k = 0, p = (const MS_GPR__REAL *)points + i; k < m; ++k, p += stride) {
-            MS_GPR__V d = MS_GPR__SUB(MS_GPR__SET((MS_GPR__REAL)place[k]), MS_GPR__LOAD(p));
+            MS_GPR__V d = MS_GPR__SUB(MS_GPR__SET((MS_GPR__REAL)point[k]), MS_GPR__LOAD(p));
             sum = MS_GPR__MADD(d, d, sum);
         }
         MS_GPR__STORE(out + i, sum);
     }
 }
 
-static void MS_GPR__KERNEL(face)(void *slope, const void *points, size_t stride, const double *place,
-                                 const double *step, int m, int n)
+static void MS_GPR__KERNEL(line_slopes)(void *slope, const void *points, size_t stride, const double *point,
+                                        const double *step, int m, int n)
 {
     MS_GPR__REAL *out = (MS_GPR__REAL *)slope;
     const MS_GPR__REAL *p;
     double own = 0;
     int i = 0, k;
-    for (k = 0; k < m; ++k) own += 2 * step[k] * place[k];
+    for (k = 0; k < m; ++k) own += 2 * step[k] * point[k];
     for (; i + 4 * MS_GPR__LANES <= n; i += 4 * MS_GPR__LANES) {
         MS_GPR__V s0 = MS_GPR__SET((MS_GPR__REAL)own), s1 = s0, s2 = s0, s3 = s0, by;
         for (k = 0, p = (const MS_GPR__REAL *)points + i; k < m; ++k, p += stride) {
@@ -6638,7 +6114,7 @@ static double MS_GPR__KERNEL(line_mean)(const void *d2, const void *slope, doubl
     return total;
 }
 
-static void MS_GPR__KERNEL(go)(void *d2, const void *slope, double t, double c, int n)
+static void MS_GPR__KERNEL(line_advance)(void *d2, const void *slope, double t, double c, int n)
 {
     MS_GPR__REAL *d = (MS_GPR__REAL *)d2;
     const MS_GPR__REAL *s = (const MS_GPR__REAL *)slope;
@@ -6777,11 +6253,11 @@ static double MS_GPR__KERNEL(weights)(double *w, const double *g, const double *
 }
 
 static void MS_GPR__KERNEL(slopes)(double *slope, const double *w, const double *points, size_t stride,
-                                   const double *place, int m, int columns)
+                                   const double *point, int m, int columns)
 {
     int j, k, l;
     for (j = 0; j < columns; j += MS_GPR__BLOCK) {
-        const double *p = points + j, *q = place;
+        const double *p = points + j, *q = point;
         double *s = slope;
         for (k = 0; k < m; ++k, p += stride, q += stride, s += MS_GPR__BLOCK) {
             for (l = 0; l < MS_GPR__BLOCK; l += MS_GPR__LANES) {
@@ -6822,9 +6298,11 @@ static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
     MS_GPR__KERNEL(slopes),
     MS_GPR__KERNEL(axpy),
     MS_GPR__KERNEL(dot),
-    {sizeof(double), MS_GPR__KERNEL(arrive), MS_GPR__KERNEL(face), MS_GPR__KERNEL(line_mean), MS_GPR__KERNEL(go)},
-    {sizeof(float), MS_GPR__JOIN(ms_gpr__arrive_f_, MS_GPR__LEVEL), MS_GPR__JOIN(ms_gpr__face_f_, MS_GPR__LEVEL),
-     MS_GPR__JOIN(ms_gpr__line_mean_f_, MS_GPR__LEVEL), MS_GPR__JOIN(ms_gpr__go_f_, MS_GPR__LEVEL)}};
+    {sizeof(double), MS_GPR__KERNEL(line_distances), MS_GPR__KERNEL(line_slopes), MS_GPR__KERNEL(line_mean),
+     MS_GPR__KERNEL(line_advance)},
+    {sizeof(float), MS_GPR__JOIN(ms_gpr__line_distances_f_, MS_GPR__LEVEL),
+     MS_GPR__JOIN(ms_gpr__line_slopes_f_, MS_GPR__LEVEL), MS_GPR__JOIN(ms_gpr__line_mean_f_, MS_GPR__LEVEL),
+     MS_GPR__JOIN(ms_gpr__line_advance_f_, MS_GPR__LEVEL)}};
 #endif /* !MS_GPR__FLOAT */
 
 #undef MS_GPR__ROWS

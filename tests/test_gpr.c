@@ -171,17 +171,17 @@ static void reference_problem(const json *problem, ms_simd level, double *worst)
     memset(&options, 0, sizeof options);
     options.simd = level;
     gp = make(x, y, n, m, theta, &options);
-    CHECK(ms_gpr_likelihood(gp, &got, g, NULL) == MS_OK);
+    CHECK(inside_likelihood(gp, &got, g, NULL) == MS_OK);
     if (json_get(problem, "f64_err")->kind == 'n') {
         /* Not positive definite in double precision: the jitter is reported, and the answer is that of a model with
            it. */
-        CHECK(ms_gpr_jitter(gp) > 0);
-        CHECK_LE(ms_gpr_jitter(gp), 1e-12);
+        CHECK(ms_gpr_view_of(gp).jitter > 0);
+        CHECK_LE(ms_gpr_view_of(gp).jitter, 1e-12);
         ms_gpr_predict(gp, xs, count, mu, s2, NULL);
         CHECK_LE(largest_difference(mu, mean, count), 1e-6); /* sqrt(jitter) is 3e-8 */
     } else {
         double e;
-        CHECK(!(ms_gpr_jitter(gp) > 0));
+        CHECK(!(ms_gpr_view_of(gp).jitter > 0));
 #define AGAINST(value, reference, length, key)                                                          \
     e = largest_difference(value, reference, length) / largest(reference, length);                      \
     if (!(e <= tolerance_of(problem, key)))                                                             \
@@ -273,38 +273,6 @@ static void test_one_point(void)
 
 /* --- predictions --- */
 
-static void test_gradient(void)
-{
-    double x[60 * 4], y[60], theta[6] = {-1, -0.5, 0.2, 0.5, 0.1, -2}, worst = 0;
-    uint64_t state = test_seed;
-    ms_gpr *gp;
-    int round, k;
-    smooth_data(x, y, 60, 4, 0.1, &state);
-    gp = make(x, y, 60, 4, theta, NULL);
-    for (round = 0; round < 20; ++round) {
-        double p[4], mean, g[4], variance, v[4], at[8], mu[2], s2[2];
-        for (k = 0; k < 4; ++k) p[k] = 1.4 * test_uniform(&state) - 0.2;
-        CHECK(ms_gpr_gradient(gp, p, &mean, g, &variance, v, NULL) == MS_OK);
-        CHECK(ms_gpr_predict(gp, p, 1, mu, s2, NULL) == MS_OK);
-        CHECK_NEAR(mean, mu[0], 1e-12); /* two orders of summation over alpha of size 1e2 */
-        CHECK_NEAR(variance, s2[0], 1e-12);
-        for (k = 0; k < 4; ++k) {
-            double h = 1e-5;
-            memcpy(at, p, sizeof p);
-            memcpy(at + 4, p, sizeof p);
-            at[k] += h;
-            at[4 + k] -= h;
-            ms_gpr_predict(gp, at, 2, mu, s2, NULL);
-            /* differences: h^2 times a third derivative of about 30, plus 1e-13 / h of rounding */
-            CHECK_NEAR(g[k], (mu[0] - mu[1]) / (2 * h), 3e-8);
-            CHECK_NEAR(v[k], (s2[0] - s2[1]) / (2 * h), 3e-8);
-            if (fabs(g[k] - (mu[0] - mu[1]) / (2 * h)) > worst) worst = fabs(g[k] - (mu[0] - mu[1]) / (2 * h));
-        }
-    }
-    TEST_NOTE("largest difference %.1e", worst);
-    ms_gpr_destroy(gp);
-}
-
 static void test_batches(void)
 {
     enum { N = 150, M = 7, C = 1000 };
@@ -324,13 +292,13 @@ static void test_batches(void)
         memset(&options, 0, sizeof options);
         options.simd = level[l];
         gp = make(x, y, N, M, theta, &options);
-        CHECK(ms_gpr_level(gp) == level[l]);
+        CHECK(ms_gpr_view_of(gp).level == level[l]);
         CHECK(ms_gpr_predict(gp, xs, C, mean, variance, NULL) == MS_OK);
-        CHECK(ms_gpr_predict_f(gp, xf, C, mf, NULL) == MS_OK);
+        CHECK(inside_predict_f(gp, xf, C, mf, NULL) == MS_OK);
         for (i = 0; i < C; ++i) CHECK(variance[i] >= 0 && variance[i] <= exp(0.4) + 1e-12);
         for (i = 0; i < C; ++i) { /* one at a time, and the mean without the variance: the same bits */
             ms_gpr_predict(gp, xs + i * M, 1, mu + i, s2 + i, NULL);
-            ms_gpr_predict_f(gp, xf + i * M, 1, nf + i, NULL);
+            inside_predict_f(gp, xf + i * M, 1, nf + i, NULL);
         }
         CHECK(memcmp(mu, mean, sizeof mu) == 0 && memcmp(s2, variance, sizeof s2) == 0 &&
               memcmp(mf, nf, sizeof mf) == 0);
@@ -342,7 +310,7 @@ static void test_batches(void)
             options.parallel = test_parallel(&pool, threads[t]);
             gp = make(x, y, N, M, theta, &options);
             ms_gpr_predict(gp, xs, C, mu, s2, NULL);
-            ms_gpr_predict_f(gp, xf, C, nf, NULL);
+            inside_predict_f(gp, xf, C, nf, NULL);
             CHECK(memcmp(mu, mean, sizeof mu) == 0 && memcmp(s2, variance, sizeof s2) == 0 &&
                   memcmp(mf, nf, sizeof mf) == 0);
             ms_gpr_destroy(gp);
@@ -388,8 +356,8 @@ static void test_append_drop(void)
         CHECK_LE(largest_difference(variance, s2, 10), 1e-11);
         ms_gpr_destroy(fresh);
     }
-    CHECK_INT(ms_gpr_count(gp), N);
-    CHECK(memcmp(ms_gpr_inputs(gp), x, sizeof x) == 0 && memcmp(ms_gpr_scores(gp), y, sizeof y) == 0);
+    CHECK_INT(ms_gpr_view_of(gp).n, N);
+    CHECK(memcmp(ms_gpr_view_of(gp).x, x, sizeof x) == 0 && memcmp(ms_gpr_view_of(gp).y, y, sizeof y) == 0);
     for (n = N - 1; n >= 0; --n) {
         int at = n % 3 == 0 ? n : (int)(test_uniform(&state) * (n + 1));
         CHECK(ms_gpr_drop(gp, at, NULL) == MS_OK);
@@ -406,9 +374,9 @@ static void test_append_drop(void)
     CHECK(ms_gpr_drop(gp, 0, NULL) == MS_INVALID_ARGUMENT);
     /* The same point again and again without noise: jitter, not a failure. */
     theta[M + 1] = -18;
-    CHECK(ms_gpr_set_theta(gp, theta, NULL) == MS_OK);
+    CHECK(inside_set_theta(gp, theta, NULL) == MS_OK);
     for (i = 0; i < 5; ++i) CHECK(ms_gpr_append(gp, xs, 1, NULL) == MS_OK);
-    CHECK(ms_gpr_jitter(gp) > 0 && ms_gpr_jitter(gp) < 1e-12);
+    CHECK(ms_gpr_view_of(gp).jitter > 0 && ms_gpr_view_of(gp).jitter < 1e-12);
     ms_gpr_predict(gp, xs, 1, mean, NULL, NULL);
     CHECK_NEAR(mean[0], 1, 1e-6);
     ms_gpr_destroy(gp);
@@ -459,7 +427,7 @@ static void test_fit_methods(void)
         ms_gpr *gp, *again;
         double value;
         gp = fit(x, y, N, M, &o, &r);
-        CHECK(ms_gpr_likelihood(gp, &value, gradient, NULL) == MS_OK);
+        CHECK(inside_likelihood(gp, &value, gradient, NULL) == MS_OK);
         CHECK_NEAR(value, r.likelihood, 1e-9 * fabs(value)); /* two ways to the same number */
         CHECK(r.evaluations > 10 && r.evaluations <= 700);
         likelihood[method] = r.likelihood;
@@ -467,10 +435,10 @@ static void test_fit_methods(void)
             for (k = 0; k < M + 2; ++k) CHECK_LE(fabs(gradient[k]), 0.05);
         ms_gpr_relevance(gp, relevance);
         for (k = 3; k < M; ++k) CHECK_LE(relevance[k], 0.2 * relevance[0]); /* y depends on columns 0 to 2 alone */
-        CHECK_NEAR(exp(ms_gpr_theta(gp)[M + 1]), 0.05,
+        CHECK_NEAR(exp(ms_gpr_view_of(gp).theta[M + 1]), 0.05,
                    0.02); /* the noise that was put in, 0.05 / sqrt(2 N) = 0.003 at best */
         again = fit(x, y, N, M, &o, NULL);
-        CHECK(memcmp(ms_gpr_theta(gp), ms_gpr_theta(again), (M + 2) * sizeof(double)) == 0);
+        CHECK(memcmp(ms_gpr_view_of(gp).theta, ms_gpr_view_of(again).theta, (M + 2) * sizeof(double)) == 0);
         ms_gpr_destroy(again);
         ms_gpr_destroy(gp);
     }
@@ -574,7 +542,7 @@ static void test_fit_options(void)
     ms_gpr_fit_report r;
     ms_error error;
     ms_gpr *gp;
-    int left, method, k;
+    int left, method;
     smooth_data(x, y, N, M, 0.1, &state);
     for (method = 0; method < 2; ++method) {
         for (left = 0; left < 80; left += 13) {
@@ -592,35 +560,20 @@ static void test_fit_options(void)
         }
     }
     o = fit_options(MS_GPR_METHOD_MAP);
-    o.length_min = 0.5, o.length_max = 0.8, o.noise_min = 0.3;
     gp = fit(x, y, N, M, &o, &r);
-    for (k = 0; k < M; ++k) { /* in widths: sqrt(12) standard deviations */
-        double sum = 0, sum2 = 0, width;
-        int i;
-        for (i = 0; i < N; ++i) sum += x[i * M + k] / (int)N;
-        for (i = 0; i < N; ++i) sum2 += (x[i * M + k] - sum) * (x[i * M + k] - sum) / (int)N;
-        width = sqrt(12 * sum2);
-        CHECK(exp(ms_gpr_theta(gp)[k]) >= 0.4999 * width && exp(ms_gpr_theta(gp)[k]) <= 0.8001 * width);
-    }
-    memcpy(theta, ms_gpr_theta(gp), sizeof theta);
+    CHECK(r.start >= 0 && r.start < 3);
+    memcpy(theta, ms_gpr_view_of(gp).theta, sizeof theta);
     ms_gpr_destroy(gp);
     o.start = theta; /* from its own optimum: there at once */
     gp = fit(x, y, N, M, &o, &r);
-    CHECK_LE(largest_difference(ms_gpr_theta(gp), theta, M + 2), 0.05);
+    CHECK_LE(largest_difference(ms_gpr_view_of(gp).theta, theta, M + 2), 0.05);
     CHECK_LE(r.evaluations, 40);
     ms_gpr_destroy(gp);
-    o = fit_options(MS_GPR_METHOD_MAP);
-    o.random_starts = 4, o.seed = 9;
-    gp = fit(x, y, N, M, &o, &r);
-    CHECK(r.start >= 0 && r.start < 7);
-    ms_gpr_destroy(gp);
-    o.length_min = 2, o.length_max = 1;
-    CHECK(ms_gpr_fit(x, y, N, M, &o, &gp, NULL, &error) == MS_INVALID_ARGUMENT && strstr(error.message, "length_min"));
     o = fit_options(MS_GPR_METHOD_MAP);
     memcpy(&o.method, &no_method, sizeof o.method);
     CHECK(ms_gpr_fit(x, y, N, M, &o, &gp, NULL, &error) == MS_INVALID_ARGUMENT && strstr(error.message, "method"));
     o = fit_options(MS_GPR_METHOD_MAP);
-    o.noise_min = (double)NAN;
+    o.length_start = (double)NAN;
     CHECK(ms_gpr_fit(x, y, N, M, &o, &gp, NULL, &error) == MS_INVALID_ARGUMENT);
 }
 
@@ -641,15 +594,15 @@ static void test_floor_offset(void)
     for (i = 0; i < N; ++i) sum2 += (y[i] - sum) * (y[i] - sum) / (int)N;
     sd = sqrt(sum2);
     gp = fit(x, y, N, M, NULL, NULL);
-    CHECK_NEAR(ms_gpr_floor(gp), 0, 0);
-    CHECK_NEAR(ms_gpr_floor_value(gp), -0.75 * sd, 1e-12);
-    CHECK(memcmp(ms_gpr_scores(gp), y, sizeof y) == 0);
+    CHECK_NEAR(ms_gpr_view_of(gp).floor, 0, 0);
+    CHECK_NEAR(ms_gpr_view_of(gp).floor_value, -0.75 * sd, 1e-12);
+    CHECK(memcmp(ms_gpr_view_of(gp).y, y, sizeof y) == 0);
     ms_gpr_predict(gp, xs, 3, mean, NULL, NULL);
     ms_gpr_destroy(gp);
     for (c = 0; c < 4; ++c) { /* the same taste on another scale */
         for (i = 0; i < N; ++i) z[i] = shift[c] + scale[c] * y[i];
         gp = fit(x, z, N, M, NULL, NULL);
-        CHECK_NEAR(ms_gpr_floor(gp), shift[c], 0);
+        CHECK_NEAR(ms_gpr_view_of(gp).floor, shift[c], 0);
         ms_gpr_predict(gp, xs, 3, mu, NULL, NULL);
         /* rounding may send the search along another path to the same optimum: 1e-4 of objective there, 1e-2 of
            theta */
@@ -658,18 +611,18 @@ static void test_floor_offset(void)
     }
     o.floor_offset = -1;
     gp = fit(x, y, N, M, &o, NULL);
-    CHECK_NEAR(ms_gpr_floor_value(gp), 0, 0);
+    CHECK_NEAR(ms_gpr_view_of(gp).floor_value, 0, 0);
     ms_gpr_destroy(gp);
     y[3] = -1e-3; /* the least score is given once: it is no floor */
     gp = fit(x, y, N, M, NULL, NULL);
-    CHECK_NEAR(ms_gpr_floor(gp), -1e-3, 0);
-    CHECK_NEAR(ms_gpr_floor_value(gp), -1e-3, 0);
+    CHECK_NEAR(ms_gpr_view_of(gp).floor, -1e-3, 0);
+    CHECK_NEAR(ms_gpr_view_of(gp).floor_value, -1e-3, 0);
     ms_gpr_destroy(gp);
     o.floor_offset = 0;
     o.floor = &one; /* unless it is said: what is scored below counts as the floor */
     gp = fit(x, y, N, M, &o, NULL);
-    CHECK_NEAR(ms_gpr_floor(gp), 1, 0);
-    CHECK(ms_gpr_floor_value(gp) < 1);
+    CHECK_NEAR(ms_gpr_view_of(gp).floor, 1, 0);
+    CHECK(ms_gpr_view_of(gp).floor_value < 1);
     ms_gpr_destroy(gp);
 }
 
@@ -738,31 +691,6 @@ static void test_magnitudes(void)
     ms_gpr_destroy(gp);
 }
 
-/* What the user says beforehand about noise and lengths is heard. */
-static void test_priors(void)
-{
-    enum { N = 40, M = 3 };
-    double x[N * M], y[N], sigma[2], length[2];
-    uint64_t state = 6;
-    int c;
-    smooth_data(x, y, N, M, 0.3, &state);
-    for (c = 0; c < 2; ++c) {
-        ms_gpr_fit_options o = fit_options(MS_GPR_METHOD_MAP);
-        ms_gpr *gp;
-        o.noise = c ? 0.02 : 0.6;
-        o.noise_spread = 0.02;
-        o.length = c ? 0.3 : 6;
-        o.length_spread = 0.05;
-        gp = fit(x, y, N, M, &o, NULL);
-        sigma[c] = exp(ms_gpr_theta(gp)[M + 1]);
-        length[c] = exp(ms_gpr_theta(gp)[0]);
-        ms_gpr_destroy(gp);
-    }
-    CHECK_NEAR(sigma[0], 0.6, 0.12); /* a tight prior leaves the likelihood a tenth or two */
-    CHECK_LE(sigma[1], 0.1);
-    CHECK(length[0] > 4 && length[1] < 0.5);
-}
-
 static void test_rescore(void)
 {
     enum { N = 40, M = 3 };
@@ -781,7 +709,7 @@ static void test_rescore(void)
     CHECK_INT(ms_gpr_rescore(gp, N, 1, &error), MS_INVALID_ARGUMENT);
     CHECK(strstr(error.message, "0 to 39") != NULL);
     CHECK_INT(ms_gpr_rescore(gp, 2, (double)NAN, &error), MS_BAD_DATA);
-    CHECK(ms_gpr_scores(gp)[2] == y[2]);
+    CHECK(ms_gpr_view_of(gp).y[2] == y[2]);
     ms_gpr_destroy(gp);
     ms_gpr_destroy(fresh);
 }
@@ -808,10 +736,10 @@ static void test_simplify(void)
     jsd_less = user_jsd(all, u.truth + 750, 750);
     CHECK_LE(jsd_less, 1.1 * jsd); /* what was dropped turns distances by 1% */
     /* the same as infinite lengths: e^30 is infinite enough, (1e-13)^2 */
-    memcpy(theta, ms_gpr_theta(gp), sizeof theta);
+    memcpy(theta, ms_gpr_view_of(gp).theta, sizeof theta);
     for (k = 0; k < 19; ++k)
         if (!(relevance[k] > 0)) theta[k] = 30;
-    CHECK(ms_gpr_set_theta(gp, theta, NULL) == MS_OK);
+    CHECK(inside_set_theta(gp, theta, NULL) == MS_OK);
     ms_gpr_predict(gp, u.x + 750 * 19, 200, mean, NULL, NULL);
     CHECK_LE(largest_difference(mean, less, 200), 1e-8);
     { /* dropped columns may hold anything finite; the gradient there is 0 */
@@ -823,7 +751,7 @@ static void test_simplify(void)
             if (!(relevance[k] > 0)) x[k] = 1e300;
         ms_gpr_predict(gp, x, 1, &b, NULL, NULL);
         CHECK(memcmp(&a, &b, sizeof a) == 0);
-        CHECK(ms_gpr_likelihood(gp, &value, g, NULL) == MS_OK);
+        CHECK(inside_likelihood(gp, &value, g, NULL) == MS_OK);
         for (k = i = 0; k < 19; ++k) {
             if (relevance[k] > 0) continue;
             CHECK(!(g[k] > 0) && !(g[k] < 0));
@@ -852,7 +780,7 @@ static void test_small(void)
             CHECK(variance >= 0 && variance < 1e9);
             CHECK_INT(r.outlier.row, -1);
             CHECK(ms_gpr_append(gp, xs, 5, NULL) == MS_OK);
-            CHECK_INT(ms_gpr_count(gp), n + 1);
+            CHECK_INT(ms_gpr_view_of(gp).n, n + 1);
             ms_gpr_destroy(gp);
         }
     }
@@ -877,7 +805,7 @@ static void test_duplicates(void)
         for (i = 0; i < 2; ++i) CHECK_NEAR(mean[i], sin(5 * x[2 * i]), 0.6); /* between the two scores */
         /* scores that contradict each other by +-0.5 at one place are noise of 0.5, give or take 0.5 / sqrt(2 N) =
            0.056 */
-        CHECK_NEAR(exp(ms_gpr_theta(gp)[M + 1]), 0.5, 0.15);
+        CHECK_NEAR(exp(ms_gpr_view_of(gp).theta[M + 1]), 0.5, 0.15);
         CHECK(ms__finite(r.likelihood));
         ms_gpr_destroy(gp);
     }
@@ -953,7 +881,7 @@ static void test_dimensions(void)
         for (e = -3; e <= 3; e += 6) {
             for (k = 0; k < m + 2; ++k) theta[k] = k < m ? e * log(10.0) : k == m ? 0 : -3;
             gp = make(x, y, 60, m, theta, NULL);
-            CHECK(ms_gpr_likelihood(gp, &likelihood, gradient, NULL) == MS_OK);
+            CHECK(inside_likelihood(gp, &likelihood, gradient, NULL) == MS_OK);
             CHECK(ms__finite(likelihood));
             for (k = 0; k < m + 2; ++k) CHECK(ms__finite(gradient[k]));
             ms_gpr_destroy(gp);
@@ -979,12 +907,11 @@ static void test_refusals(void)
         CHECK(ms_gpr_predict(good, x, 3, &mean, NULL, &error) == MS_BAD_DATA && error.position == 2);
         CHECK(mean > 6.9 && mean < 7.1);
         CHECK(ms_gpr_append(good, x + 2, 1, &error) == MS_BAD_DATA);
-        CHECK(ms_gpr_gradient(good, x + 2, &mean, NULL, NULL, NULL, &error) == MS_BAD_DATA);
         xf[0] = 0.5f;
         xf[1] = (float)bad[i];
         {
             float mf = 7;
-            CHECK(ms_gpr_predict_f(good, xf, 1, &mf, &error) == MS_BAD_DATA && error.position == 1 && mf > 6);
+            CHECK(inside_predict_f(good, xf, 1, &mf, &error) == MS_BAD_DATA && error.position == 1 && mf > 6);
         }
         x[3] = 0.4;
         y[2] = bad[i];
@@ -995,10 +922,10 @@ static void test_refusals(void)
         theta[3] = bad[i];
         CHECK(ms_gpr_create(x, y, 3, 2, theta, NULL, &gp, &error) == MS_INVALID_ARGUMENT &&
               strstr(error.message, "theta[3]"));
-        CHECK(ms_gpr_set_theta(good, theta, &error) == MS_INVALID_ARGUMENT);
+        CHECK(inside_set_theta(good, theta, &error) == MS_INVALID_ARGUMENT);
         theta[3] = -1;
     }
-    CHECK_INT(ms_gpr_count(good), 3);
+    CHECK_INT(ms_gpr_view_of(good).n, 3);
     CHECK(ms_gpr_fit(x, y, -1, 2, NULL, &gp, NULL, &error) == MS_INVALID_ARGUMENT && strstr(error.message, "n is -1"));
     CHECK(ms_gpr_fit(x, y, 3, 0, NULL, &gp, NULL, &error) == MS_INVALID_ARGUMENT && strstr(error.message, "m is 0"));
     CHECK(ms_gpr_fit(NULL, y, 3, 2, NULL, &gp, NULL, &error) == MS_INVALID_ARGUMENT);
@@ -1031,27 +958,27 @@ static void test_null(void)
     REFUSES(ms_gpr_create(x, y, 1, 2, NULL, NULL, &other, &error), "theta");
     REFUSES(ms_gpr_create(x, y, 1, 2, theta, NULL, NULL, &error), "out");
     REFUSES(ms_gpr_fit(x, NULL, 1, 2, NULL, &other, NULL, &error), "y");
-    REFUSES(ms_gpr_set_theta(NULL, theta, &error), "gp");
-    REFUSES(ms_gpr_set_theta(gp, NULL, &error), "theta");
+    REFUSES(inside_set_theta(NULL, theta, &error), "gp");
+    REFUSES(inside_set_theta(gp, NULL, &error), "theta");
     REFUSES(ms_gpr_append(NULL, x, 1, &error), "gp");
     REFUSES(ms_gpr_append(gp, NULL, 1, &error), "x");
     REFUSES(ms_gpr_rescore(NULL, 0, 1, &error), "gp");
     REFUSES(ms_gpr_drop(NULL, 0, &error), "gp");
     REFUSES(ms_gpr_simplify(NULL, 0, NULL, &error), "gp");
-    REFUSES(ms_gpr_likelihood(NULL, out, NULL, &error), "gp");
+    REFUSES(inside_likelihood(NULL, out, NULL, &error), "gp");
     REFUSES(ms_gpr_predict(NULL, x, 1, out, NULL, &error), "gp");
     REFUSES(ms_gpr_predict(gp, NULL, 1, out, NULL, &error), "x");
-    REFUSES(ms_gpr_predict_f(NULL, xf, 1, &mf, &error), "gp");
-    REFUSES(ms_gpr_predict_f(gp, NULL, 1, &mf, &error), "x");
-    REFUSES(ms_gpr_predict_f(gp, xf, 1, NULL, &error), "mean");
-    REFUSES(ms_gpr_gradient(NULL, x, out, NULL, NULL, NULL, &error), "gp");
-    REFUSES(ms_gpr_gradient(gp, NULL, out, NULL, NULL, NULL, &error), "x");
+    REFUSES(inside_predict_f(NULL, xf, 1, &mf, &error), "gp");
+    REFUSES(inside_predict_f(gp, NULL, 1, &mf, &error), "x");
+    REFUSES(inside_predict_f(gp, xf, 1, NULL, &error), "mean");
 #undef REFUSES
-    CHECK(ms_gpr_count(NULL) == 0 && ms_gpr_dimensions(NULL) == 0 && ms_gpr_theta(NULL) == NULL &&
-          ms_gpr_inputs(NULL) == NULL);
-    CHECK(ms_gpr_scores(NULL) == NULL && ms_gpr_level(NULL) == MS_SIMD_AUTO);
-    CHECK_NEAR(ms_gpr_mean(NULL) + ms_gpr_jitter(NULL) + ms_gpr_floor(NULL) + ms_gpr_floor_value(NULL), 0, 0);
-    CHECK_NEAR(ms_gpr_mean(gp), 0, 0);
+    CHECK(ms_gpr_view_of(NULL).n == 0 && ms_gpr_view_of(NULL).m == 0 && ms_gpr_view_of(NULL).theta == NULL &&
+          ms_gpr_view_of(NULL).x == NULL);
+    CHECK(ms_gpr_view_of(NULL).y == NULL && ms_gpr_view_of(NULL).level == MS_SIMD_AUTO);
+    CHECK_NEAR(ms_gpr_view_of(NULL).mean + ms_gpr_view_of(NULL).jitter + ms_gpr_view_of(NULL).floor +
+                   ms_gpr_view_of(NULL).floor_value,
+               0, 0);
+    CHECK_NEAR(ms_gpr_view_of(gp).mean, 0, 0);
     ms_gpr_relevance(NULL, out);
     ms_gpr_relevance(gp, NULL);
     ms_gpr_destroy(gp);
@@ -1073,11 +1000,10 @@ static void test_allocations(void)
         CHECK((gp != NULL) == (status == MS_OK));
         if (status == MS_OK) status = ms_gpr_append(gp, x, 1, NULL);
         if (status == MS_OK) status = ms_gpr_predict(gp, x, 3, mean, mean, NULL);
-        if (status == MS_OK) status = ms_gpr_predict_f(gp, xf, 1, &mf, NULL);
-        if (status == MS_OK) status = ms_gpr_gradient(gp, x, mean, NULL, NULL, NULL, NULL);
-        if (status == MS_OK) status = ms_gpr_likelihood(gp, mean, NULL, NULL);
+        if (status == MS_OK) status = inside_predict_f(gp, xf, 1, &mf, NULL);
+        if (status == MS_OK) status = inside_likelihood(gp, mean, NULL, NULL);
         if (status == MS_OK) status = ms_gpr_simplify(gp, 0.1, NULL, NULL);
-        if (status == MS_OK) status = ms_gpr_set_theta(gp, ms_gpr_theta(gp), NULL);
+        if (status == MS_OK) status = inside_set_theta(gp, ms_gpr_view_of(gp).theta, NULL);
         ms_gpr_destroy(gp);
     });
 }
@@ -1226,7 +1152,7 @@ static void test_scales(void)
                               : 10 * star;
             }
             gp = fit(x, z, N, M, NULL, NULL);
-            CHECK_NEAR(ms_gpr_floor(gp), least, 0);
+            CHECK_NEAR(ms_gpr_view_of(gp).floor, least, 0);
             ms_gpr_predict(gp, held, H, mean, NULL, NULL);
             for (k = 0; k < H; ++k) mean[k] -= least;
             jsd[c] += user_jsd(mean, truth, H) / users;
@@ -1243,41 +1169,36 @@ static void test_scales(void)
     }
 }
 
-/* 10% of the answers are random: what they cost, in divergence, of scores that are right. */
+/* 10% of the answers are random: the model takes scores that contradict each other for noise. */
 static void test_wrong_answers(void)
 {
     enum { N = 250, M = 19, H = 1000 };
     static double x[N * M], y[N], held[H * M], truth[H], mean[H];
-    double sum[3] = {0, 0, 0}, gain = 0, square = 0;
+    double sum[2] = {0, 0};
     const int users = 24;
-    int i, c, k;
+    int i, c, k, more = 0;
     TEST_METHOD;
     for (i = 0; i < users; ++i) {
-        double jsd[3];
+        double jsd[2], noise[2];
         uint64_t state = test_seed * 1000 + 8000 + (uint64_t)i;
         user u = user_make(state, M, 0.15);
         user_gallery(&u, N, x, y, &state);
         for (k = 0; k < H * M; ++k) held[k] = test_uniform(&state);
         for (k = 0; k < H; ++k) truth[k] = user_true(&u, held + k * M);
-        for (c = 0; c < 3;
-             ++c) { /* right; wrong; wrong, and the noise expected as tightly as it would be without an option */
-            ms_gpr_fit_options o = fit_options(MS_GPR_METHOD_MAP);
-            ms_gpr *gp;
-            o.noise_spread = c == 2 ? 0.05 : 0;
-            gp = fit(x, y, N, M, &o, NULL);
+        for (c = 0; c < 2; ++c) { /* right; wrong */
+            ms_gpr *gp = fit(x, y, N, M, NULL, NULL);
             ms_gpr_predict(gp, held, H, mean, NULL, NULL);
             jsd[c] = user_jsd(mean, truth, H);
             sum[c] += jsd[c] / users;
+            noise[c] = ms_gpr_view_of(gp).theta[M + 1];
             ms_gpr_destroy(gp);
             for (k = 0; c == 0 && k < N; ++k)
                 if (test_uniform(&state) < 0.1) y[k] = floor(11 * test_uniform(&state));
         }
-        gain += (jsd[2] - jsd[1]) / users;
-        square += (jsd[2] - jsd[1]) * (jsd[2] - jsd[1]) / users;
+        more += noise[1] > noise[0];
     }
-    TEST_NOTE("JSD %.3f, with 10%% wrong %.3f, with a tight prior %.3f, better by %.3f +- %.3f", sum[0], sum[1], sum[2],
-              gain, sqrt((square - gain * gain) / (users - 1)));
-    CHECK(gain > 2 * sqrt((square - gain * gain) / (users - 1))); /* user by user: two standard errors of the mean */
+    TEST_NOTE("JSD %.3f, with 10%% wrong %.3f; more noise in %d of %d", sum[0], sum[1], more, users);
+    CHECK_INT(more, users);
 }
 
 /* A slip among the answers of users of all kinds but the erratic one: nothing, 100 in place of a score, 1e6 in place of
@@ -1333,8 +1254,8 @@ static void test_steps(void)
     for (c = 0; c < 2; ++c) {
         ms_gpr *gp = fit(x, c ? z : y, N, M, NULL, NULL);
         step[c] = gp->step;
-        CHECK_NEAR(ms_gpr_floor(gp), 0, 1e-3);
-        CHECK(ms_gpr_floor_value(gp) < -0.1);
+        CHECK_NEAR(ms_gpr_view_of(gp).floor, 0, 1e-3);
+        CHECK(ms_gpr_view_of(gp).floor_value < -0.1);
         ms_gpr_destroy(gp);
     }
     CHECK_NEAR(step[0], 1, 0);
@@ -1379,7 +1300,6 @@ static void test_two_thousand(void)
 static const test_case cases[] = {{"reference", test_reference},
                                   {"exponential", test_exponential},
                                   {"one_point", test_one_point},
-                                  {"gradient", test_gradient},
                                   {"batches", test_batches},
                                   {"append_drop", test_append_drop},
                                   {"leave_one_out", test_leave_one_out},
@@ -1390,7 +1310,6 @@ static const test_case cases[] = {{"reference", test_reference},
                                   {"floor_offset", test_floor_offset},
                                   {"constant_columns", test_constant_columns},
                                   {"magnitudes", test_magnitudes},
-                                  {"priors", test_priors},
                                   {"rescore", test_rescore},
                                   {"simplify", test_simplify},
                                   {"small", test_small},

@@ -3,6 +3,7 @@
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #include "users.h"
+#include "gpr_inside.h" /* calls ms_gpr__ functions */
 
 static double normal_pdf(double z) { return exp(-0.5 * z * z) / sqrt(2 * acos(-1.0)); }
 
@@ -55,7 +56,7 @@ static ms_gpr *talk_model(const talk *t)
     o.step = t->step > 0 ? t->step : -1;
     o.evaluations = 1;
     if (ms_gpr_fit(t->x, t->y, t->n, t->m, &o, &gp, NULL, &error) != MS_OK ||
-        ms_gpr_set_theta(gp, t->theta, &error) != MS_OK)
+        inside_set_theta(gp, t->theta, &error) != MS_OK)
         TEST_FAIL("%s", error.message);
     return gp;
 }
@@ -73,7 +74,7 @@ static void test_derivatives(void)
         if (round % 2) t.step = 1;
         if (round >= 6) t.theta[t.m + 1] = log(0.1); /* what was said is nearly certain */
         gp = talk_model(&t);
-        CHECK_INT(ms_gpr_likelihood(gp, &value, gradient, NULL), MS_OK);
+        CHECK_INT(inside_likelihood(gp, &value, gradient, NULL), MS_OK);
         for (k = 0; k < t.m + 2; ++k) {
             const double h = 1e-3; /* central differences of fourth order: h^4 = 1e-12 times a fifth derivative of at
                                       most 1e5 here */
@@ -82,8 +83,8 @@ static void test_derivatives(void)
             for (i = 0; i < 4; ++i) {
                 static const double at[] = {-2, -1, 1, 2};
                 t.theta[k] = theta + at[i] * h;
-                CHECK_INT(ms_gpr_set_theta(gp, t.theta, NULL), MS_OK);
-                CHECK_INT(ms_gpr_likelihood(gp, &v[i], NULL, NULL), MS_OK);
+                CHECK_INT(inside_set_theta(gp, t.theta, NULL), MS_OK);
+                CHECK_INT(inside_likelihood(gp, &v[i], NULL, NULL), MS_OK);
             }
             t.theta[k] = theta;
             up = v[2] - v[1], down = v[3] - v[0];
@@ -120,11 +121,11 @@ static void brute_kernel(const talk *t, double *kernel)
 static double brute_opinions(const talk *t, const ms_gpr *gp, const double *f, double *slope, double *hessian)
 {
     double sn = exp(t->theta[t->m + 1]), sum = 0;
-    int n = t->n, i, floors = ms_gpr_floor_value(gp) < ms_gpr_floor(gp); /* or there is none */
+    int n = t->n, i, floors = ms_gpr_view_of(gp).floor_value < ms_gpr_view_of(gp).floor; /* or there is none */
     if (slope) memset(slope, 0, (size_t)n * sizeof *slope);
     if (hessian) memset(hessian, 0, (size_t)n * (size_t)n * sizeof *hessian);
     for (i = 0; i < n; ++i) {
-        double g = f[i] + ms_gpr_mean(gp), floor_score = ms_gpr_floor(gp), low, high, p, z, w;
+        double g = f[i] + ms_gpr_view_of(gp).mean, floor_score = ms_gpr_view_of(gp).floor, low, high, p, z, w;
         if (t->y[i] < -1e37) continue;
         if (t->step > 0 && !(floors && t->y[i] <= floor_score)) {
             low = t->y[i] - 0.5 * t->step;
@@ -135,7 +136,7 @@ static double brute_opinions(const talk *t, const ms_gpr *gp, const double *f, d
                 ((high - g) / sn * normal_pdf((high - g) / sn) - (low - g) / sn * normal_pdf((low - g) / sn)) / p;
             sum += log(p);
         } else {
-            z = ((t->y[i] > floor_score ? t->y[i] : ms_gpr_floor_value(gp)) - g) / sn;
+            z = ((t->y[i] > floor_score ? t->y[i] : ms_gpr_view_of(gp).floor_value) - g) / sn;
             w = 1;
             sum += log(normal_pdf(z) / sn);
         }
@@ -200,8 +201,8 @@ static void test_mode(void)
             for (i = 0; i < t.n; ++i) t.y[i] = MS_GPR_UNSCORED;
         gp = talk_model(&t);
         CHECK_INT(ms_gpr_predict(gp, t.x, t.n, mean, variance, NULL), MS_OK);
-        CHECK_INT(ms_gpr_likelihood(gp, &likelihood, NULL, NULL), MS_OK);
-        for (i = 0; i < t.n; ++i) f[i] = mean[i] - ms_gpr_mean(gp);
+        CHECK_INT(inside_likelihood(gp, &likelihood, NULL, NULL), MS_OK);
+        for (i = 0; i < t.n; ++i) f[i] = mean[i] - ms_gpr_view_of(gp).mean;
         brute_kernel(&t, kernel);
         expected = brute_opinions(&t, gp, f, slope, hessian);
         for (i = 0; i < t.n; ++i) {
@@ -228,7 +229,7 @@ static void test_mode(void)
         if (fabs(likelihood - expected) > worst_likelihood) worst_likelihood = fabs(likelihood - expected);
         CHECK_NEAR(likelihood, expected, 1e-5 * 5 * t.n); /* half of 1e-5 (f^2 + variance) / sf^2 a row */
         CHECK(t.y[2] > -1e37 ||
-              fabs(ms_gpr_values(gp)[2] - mean[2]) < 1e-9 * (1 + fabs(mean[2]))); /* sums in another order */
+              fabs(ms_gpr_view_of(gp).value[2] - mean[2]) < 1e-9 * (1 + fabs(mean[2]))); /* sums in another order */
         ms_gpr_destroy(gp);
     }
     TEST_NOTE("f off by %.1e, variances by %.1e, log likelihoods by %.1e", worst, worst_variance, worst_likelihood);
@@ -249,7 +250,7 @@ static void test_one_pair(void)
     CHECK_INT(ms_gpr_create(x, y, 2, 1, theta, NULL, &gp, NULL), MS_OK);
     CHECK_INT(ms_gpr_compare(gp, NULL, 0, pair, 1, NULL), MS_OK);
     CHECK_INT(ms_gpr_predict(gp, x, 2, mean, NULL, NULL), MS_OK);
-    CHECK_INT(ms_gpr_likelihood(gp, &likelihood, NULL, NULL), MS_OK);
+    CHECK_INT(inside_likelihood(gp, &likelihood, NULL, NULL), MS_OK);
     exact = 4 / sqrt(2 * acos(-1.0) * 2.5);
     for (i = 1; i < 40000; ++i) {
         double d = i * 1e-4, value = log(normal_cdf(d / sqrt(0.5))) - d * d / 4;
@@ -309,7 +310,7 @@ static void test_sampling(void)
     CHECK_INT(ms_gpr_predict(gp, t.x, N, mean, variance, NULL), MS_OK);
     for (i = 0; i < N; ++i) {
         double sigma = sqrt(sum2[i] - sum[i] * sum[i]);
-        double off = fabs(mean[i] - ms_gpr_mean(gp) - sum[i]) / sigma, r = sqrt(variance[i]) / sigma;
+        double off = fabs(mean[i] - ms_gpr_view_of(gp).mean - sum[i]) / sigma, r = sqrt(variance[i]) / sigma;
         if (off > worst) worst = off;
         if (fabs(log(r)) > ratio) ratio = fabs(log(r));
         /* Laplace's approximation: mode for mean. Kuss & Rasmussen 2005 report such shares of a deviation; sampling
@@ -339,14 +340,14 @@ static void test_limits(void)
     o.evaluations = 1;
     o.floor = &floor_none;
     CHECK_INT(ms_gpr_fit(t.x, t.y, t.n, 2, &o, &a, NULL, NULL), MS_OK);
-    CHECK_INT(ms_gpr_set_theta(a, t.theta, NULL), MS_OK);
+    CHECK_INT(inside_set_theta(a, t.theta, NULL), MS_OK);
     CHECK_INT(ms_gpr_predict(a, at, 50, plain, variance, NULL), MS_OK);
-    CHECK_INT(ms_gpr_likelihood(a, &likelihood, NULL, NULL), MS_OK);
+    CHECK_INT(inside_likelihood(a, &likelihood, NULL, NULL), MS_OK);
     o.step = 0.01;
     CHECK_INT(ms_gpr_fit(t.x, t.y, t.n, 2, &o, &b, NULL, NULL), MS_OK);
-    CHECK_INT(ms_gpr_set_theta(b, t.theta, NULL), MS_OK);
+    CHECK_INT(inside_set_theta(b, t.theta, NULL), MS_OK);
     CHECK_INT(ms_gpr_predict(b, at, 50, soft, soft_variance, NULL), MS_OK);
-    CHECK_INT(ms_gpr_likelihood(b, &stepped, NULL, NULL), MS_OK);
+    CHECK_INT(inside_likelihood(b, &stepped, NULL, NULL), MS_OK);
     for (i = 0; i < 50; ++i) { /* the rows' own 1e-5, against data that hold a hundred times as firmly */
         CHECK_NEAR(soft[i], plain[i], 1e-4);
         CHECK_NEAR(soft_variance[i], variance[i], 1e-4);
@@ -359,7 +360,7 @@ static void test_limits(void)
         CHECK_NEAR(soft[i], plain[i], 1e-4);
         CHECK_NEAR(soft_variance[i], variance[i], 2e-4);
     }
-    CHECK_NEAR(ms_gpr_values(a)[24], soft[0], 1e-9);
+    CHECK_NEAR(ms_gpr_view_of(a).value[24], soft[0], 1e-9);
     CHECK_INT(ms_gpr_drop(a, 24, NULL), MS_OK); /* and the model is the exact one again */
     CHECK_INT(ms_gpr_predict(a, at, 50, soft, NULL, NULL), MS_OK);
     for (i = 0; i < 50; ++i) CHECK_NEAR(soft[i], plain[i], 1e-12);
@@ -451,7 +452,7 @@ static void test_edits(void)
     ms_gpr_options o;
     for (i = 0; i < 40; ++i) at[i] = test_uniform(&state);
     memset(&o, 0, sizeof o);
-    o.mean = ms_gpr_mean(whole);
+    o.mean = ms_gpr_view_of(whole).mean;
     CHECK_INT(ms_gpr_create(t.x, t.y, 6, 2, t.theta, &o, &gp, NULL),
               MS_OK); /* whole takes scores at the floor below it: none is here */
     for (i = 0, count = 0; i < 20; ++i) t.y[i] = t.y[i] < -1e37 ? t.y[i] : 1 + t.x[2 * i] + 0.1 * i;
@@ -460,15 +461,15 @@ static void test_edits(void)
     CHECK_INT(ms_gpr_compare(gp, t.x + 24, 8, t.pairs, t.pair_count, NULL),
               MS_OK); /* eight more, unscored, and all pairs */
     for (i = 12; i < 20; ++i) CHECK_INT(ms_gpr_rescore(gp, i, t.y[i], NULL), MS_OK);
-    CHECK_INT(ms_gpr_pair_count(gp), 15);
+    CHECK_INT(ms_gpr_view_of(gp).pair_count, 15);
     ms_gpr_destroy(whole);
     CHECK_INT(ms_gpr_create(t.x, t.y, 20, 2, t.theta, &o, &whole, NULL), MS_OK);
     CHECK_INT(ms_gpr_compare(whole, NULL, 0, t.pairs, 15, NULL), MS_OK);
     same_predictions(gp, whole, at, 1e-6); /* Newton's method ends where the likelihood gains 1e-12 */
     memcpy(theta, t.theta, sizeof theta);
     theta[0] += 0.5;
-    CHECK_INT(ms_gpr_set_theta(gp, theta, NULL), MS_OK);
-    CHECK_INT(ms_gpr_set_theta(gp, t.theta, NULL), MS_OK);
+    CHECK_INT(inside_set_theta(gp, theta, NULL), MS_OK);
+    CHECK_INT(inside_set_theta(gp, t.theta, NULL), MS_OK);
     same_predictions(gp, whole, at, 1e-6);
     for (i = 0, count = 0; i < 15; ++i) { /* row 4 goes, and its comparisons with it */
         int a = t.pairs[2 * i], b = t.pairs[2 * i + 1];
@@ -477,8 +478,8 @@ static void test_edits(void)
         pairs[2 * count++ + 1] = b - (b > 4);
     }
     CHECK_INT(ms_gpr_drop(gp, 4, NULL), MS_OK);
-    CHECK_INT(ms_gpr_pair_count(gp), count);
-    CHECK(memcmp(ms_gpr_pairs(gp), pairs, 2 * (size_t)count * sizeof *pairs) == 0);
+    CHECK_INT(ms_gpr_view_of(gp).pair_count, count);
+    CHECK(memcmp(ms_gpr_view_of(gp).pairs, pairs, 2 * (size_t)count * sizeof *pairs) == 0);
     memmove(t.x + 8, t.x + 10, 30 * sizeof *t.x);
     memmove(t.y + 4, t.y + 5, 15 * sizeof *t.y);
     ms_gpr_destroy(whole);
@@ -542,7 +543,7 @@ static void test_refusals(void)
         memory.fail_at = 0;
         if (status == MS_OK) break;
         CHECK_INT(status, MS_OUT_OF_MEMORY);
-        CHECK_INT(ms_gpr_count(gp), 10);
+        CHECK_INT(ms_gpr_view_of(gp).n, 10);
         CHECK_INT(ms_gpr_predict(gp, at, 20, after, NULL, NULL), MS_OK);
         CHECK(memcmp(before, after, sizeof before) == 0);
     }

@@ -94,7 +94,7 @@ static void test_picks(void)
     for (g = 0; g < 5; ++g) {
         CHECK_INT(studio_gallery(&s, 9, x, planes, &error), MS_OK);
         CHECK_INT(studio_pick(&s, x, 9, picked, best_of(x, 9, 2, picked), &error), MS_OK);
-        CHECK_INT(ms_gpr_count(s.gp), 9 * (g + 1));
+        CHECK_INT(ms_gpr_view_of(s.gp).n, 9 * (g + 1));
         settle(&s);
     }
     CHECK_INT(s.state, STUDIO_LEARNED);
@@ -103,15 +103,15 @@ static void test_picks(void)
     CHECK(mean[0] > 4); /* uniform materials have 1.0 */
     for (i = 0; i < 2; ++i) random_material(&state, at + i * M);
     CHECK_INT(ms_gpr_predict(s.gp, at, 2, before, NULL, NULL), MS_OK);
-    n = ms_gpr_count(s.gp);
-    pairs = ms_gpr_pair_count(s.gp);
+    n = ms_gpr_view_of(s.gp).n;
+    pairs = ms_gpr_view_of(s.gp).pair_count;
     CHECK_INT(studio_better(&s, x, x, &error), MS_INVALID_ARGUMENT);
     CHECK_INT(studio_better(&s, at, at + M, &error), MS_OK);
     CHECK_INT(studio_better(&s, at, x, &error), MS_OK); /* rows that are there are not there twice */
-    CHECK_INT(ms_gpr_count(s.gp), n + 2);
-    CHECK_INT(ms_gpr_pair_count(s.gp), pairs + 2);
+    CHECK_INT(ms_gpr_view_of(s.gp).n, n + 2);
+    CHECK_INT(ms_gpr_view_of(s.gp).pair_count, pairs + 2);
     CHECK_INT(studio_like(&s, found, 2, &error), MS_OK);
-    CHECK_INT(ms_gpr_count(s.gp), n + 2 + 2 + STUDIO_OTHERS);
+    CHECK_INT(ms_gpr_view_of(s.gp).n, n + 2 + 2 + STUDIO_OTHERS);
     CHECK_INT(studio_score(&s, found + 2 * M, 6, &error), MS_OK);
     CHECK_INT(studio_rescore(&s, n + 4 + STUDIO_OTHERS, 7, &error), MS_OK);
     CHECK_INT(studio_avoid(&s, found, &error), MS_OK);
@@ -123,13 +123,13 @@ static void test_picks(void)
         CHECK(sqrt(sum) >= 0.15);
     }
     for (i = 0; i < 6; ++i) CHECK_INT(studio_undo(&s, &error), MS_OK);
-    CHECK_INT(ms_gpr_count(s.gp), n);
-    CHECK_INT(ms_gpr_pair_count(s.gp), pairs);
+    CHECK_INT(ms_gpr_view_of(s.gp).n, n);
+    CHECK_INT(ms_gpr_view_of(s.gp).pair_count, pairs);
     CHECK_INT(ms_gpr_predict(s.gp, at, 2, after, NULL, NULL), MS_OK);
     for (i = 0; i < 2; ++i) CHECK_NEAR(after[i], before[i], 1e-6); /* where Newton's method ends */
     CHECK_INT(studio_choose(&s, found, &error), MS_OK);            /* picked materials make a plane too */
     for (g = 0; g < 5; ++g) CHECK_INT(studio_undo(&s, &error), MS_OK);
-    CHECK_INT(ms_gpr_count(s.gp), 0);
+    CHECK_INT(ms_gpr_view_of(s.gp).n, 0);
     CHECK_INT(s.state, STUDIO_EMPTY);
     CHECK_INT(studio_like(&s, x, 1, &error), MS_OK); /* from nothing: one like alone */
     settle(&s);
@@ -182,7 +182,7 @@ static void test_saved(void)
     CHECK_INT(studio_load(&t, path, &error), MS_OK);
     CHECK(t.state == s.state && t.settled == s.settled && t.avoids == s.avoids && t.undos == s.undos &&
           t.seed == s.seed);
-    CHECK_INT(ms_gpr_pair_count(t.gp), ms_gpr_pair_count(s.gp));
+    CHECK_INT(ms_gpr_view_of(t.gp).pair_count, ms_gpr_view_of(s.gp).pair_count);
     for (i = 0; i < 20; ++i) random_material(&state, at + i * M);
     CHECK_INT(ms_gpr_predict(s.gp, at, 20, mean[0], variance[0], NULL), MS_OK);
     CHECK_INT(ms_gpr_predict(t.gp, at, 20, mean[1], variance[1], NULL), MS_OK);
@@ -198,7 +198,7 @@ static void test_saved(void)
     CHECK_INT(studio_move(&t, 0.1, 0, &view[1], &error), MS_OK);
     for (i = 0; i < M; ++i) CHECK_NEAR(view[1].x[i], view[0].x[i], 1e-9); /* the same plane */
     while (t.undos > 0) CHECK_INT(studio_undo(&t, &error), MS_OK);
-    CHECK_INT(ms_gpr_count(t.gp), 0);
+    CHECK_INT(ms_gpr_view_of(t.gp).n, 0);
     CHECK_INT(t.avoids, 0);
     text = test_read_file(path, &size);
     for (cut = 0; cut < size; cut += 997) { /* cut, or a digit changed to a letter */
@@ -413,7 +413,7 @@ static void test_orders(void)
             }
             for (i = 0; order == 6 && i < ORDERED; i += 3) CHECK_INT(studio_rescore(&s, i, y[at[i]], &error), MS_OK);
             updates += settle(&s);
-            CHECK_INT(ms_gpr_count(s.gp), ORDERED);
+            CHECK_INT(ms_gpr_view_of(s.gp).n, ORDERED);
             got = worth(tastes_of[t], s.gp);
             sum += got / reference / 24;
             if (got / reference < least) least = got / reference;
@@ -609,7 +609,8 @@ static void test_space(void)
     static const double metal[METALS][3] = {
         {0.95, 0.64, 0.54}, {1, 0.71, 0.29}, {0.91, 0.92, 0.92}, {0.56, 0.57, 0.58}};
     ms_gpr_list list;
-    double tie[M + 1] = {0}, x[20 * M], variance = 0;
+    int equal[4] = {11, 12, 11, 12};
+    double x[20 * M], variance = 0;
     neural net;
     studio s;
     studio_renderer renderer = renderer_of(&net);
@@ -620,14 +621,12 @@ static void test_space(void)
     list.width = 3;
     list.rows = metal[0];
     list.count = METALS;
-    tie[11] = 1;
-    tie[12] = -1;
     CHECK(neural_load(network, &net) == NULL);
     CHECK_INT(studio_open(&s, &renderer, &error), MS_OK);
     s.space.lists = &list;
     s.space.list_count = 1;
-    s.space.ties = tie;
-    s.space.tie_count = 1;
+    s.space.equal = equal;
+    s.space.equal_count = 1;
     for (round = 0; round < 4; ++round) {
         CHECK_INT(studio_gallery(&s, 20, x, NULL, &error), MS_OK);
         for (i = 0; i < 20; ++i) {
@@ -653,9 +652,9 @@ static void test_space(void)
     CHECK_INT(ms_gpr_latent_map(s.plane, s.at, 1, NULL, &variance, NULL),
               MS_OK); /* it led far, but not out of what is known */
     CHECK_LE(variance, 0.75 * exp(2 * ms_gpr_latent_theta(s.plane)[2]));
-    tie[M] = 2; /* no two parameters are so far apart */
+    equal[1] = 3; /* a metal's: no parameter of a list equals another */
     CHECK_INT(studio_recommend(&s, 20, x, NULL, &error), MS_INVALID_ARGUMENT);
-    CHECK(strstr(error.message, "tie 1 contradicts the box") != NULL);
+    CHECK(strstr(error.message, "columns 11 and 3 are to be equal") != NULL);
     CHECK_INT(s.state, STUDIO_EXPLORING);
     studio_close(&s);
     neural_free(&net);

@@ -5,8 +5,7 @@
      if (!problem) problem = keep_wish(&k, "x3=0.5");           fixed
      if (!problem) problem = keep_wish(&k, "x3=0.2:0.4");       a range
      if (!problem) problem = keep_wish(&k, "x3=0:1:0.25");      a range in steps
-     if (!problem) problem = keep_wish(&k, "x3=x4");            ties: sums of parameters with factors, and a number
-     if (!problem) problem = keep_wish(&k, "2x3 - 0.5x4 + x5 = 1");
+     if (!problem) problem = keep_wish(&k, "x3=x4");            equal
      if (!problem) problem = keep_list(&k, "metals.csv", &line); rows to choose from; the header line names the columns:
      x3,x4,x5
      options.space = keep_space(&k);                            valid until the next wish
@@ -19,9 +18,10 @@
 enum { KEEP_LISTS = 64 };
 
 typedef struct keep {
-    int m, ties, lists;
-    double *low, *high, *steps, *sum, *tie; /* [m] each, sum [m + 1]; [ties][m + 1] */
-    int *columns;                           /* [KEEP_LISTS][m] */
+    int m, equals, lists;
+    double *low, *high, *steps; /* [m] each */
+    int *equal;                 /* [equals][2] */
+    int *columns;               /* [KEEP_LISTS][m] */
     ms_gpr_list list[KEEP_LISTS];
     scores table[KEEP_LISTS];
 } keep;
@@ -29,7 +29,7 @@ typedef struct keep {
 static inline void keep_close(keep *k)
 {
     while (k->lists > 0) scores_free(&k->table[--k->lists]);
-    free(k->low), free(k->high), free(k->steps), free(k->sum), free(k->tie), free(k->columns);
+    free(k->low), free(k->high), free(k->steps), free(k->equal), free(k->columns);
     memset(k, 0, sizeof *k);
 }
 
@@ -42,9 +42,8 @@ static inline const char *keep_open(keep *k, int m)
     k->low = (double *)malloc(size);
     k->high = (double *)malloc(size);
     k->steps = (double *)calloc(1, size);
-    k->sum = (double *)malloc(size + sizeof(double));
     k->columns = (int *)malloc(KEEP_LISTS * (size_t)m * sizeof(int));
-    if (!k->low || !k->high || !k->steps || !k->sum || !k->columns) return "out of memory";
+    if (!k->low || !k->high || !k->steps || !k->columns) return "out of memory";
     for (i = 0; i < m; ++i) k->low[i] = -HUGE_VAL, k->high[i] = HUGE_VAL;
     return NULL;
 }
@@ -61,71 +60,27 @@ static inline int keep__column(const keep *k, const char **text)
     return (int)column;
 }
 
-/* Adds a sum of terms, each a number, a column or a product of both, to k->sum; where it ends, or NULL. */
-static inline const char *keep__terms(keep *k, const char *text, double sign)
-{
-    int first = 1;
-    for (;;) {
-        double factor = sign;
-        char *end;
-        int column, number;
-        text += strspn(text, " ");
-        if (*text == '-') factor = -factor;
-        if (*text == '-' || *text == '+') text += 1 + strspn(text + 1, " ");
-        else if (!first) return text;
-        number = (*text >= '0' && *text <= '9') || *text == '.';
-        if (number) {
-            size_t digits = strspn(text, "0123456789.");
-            double v = number_read(text, '.', &end);
-            if (end > text + digits && (text[digits] == 'x' || text[digits] == 'X')) return NULL; /* hexadecimal */
-            factor *= v;
-            text = end + strspn(end, " ");
-            if (*text == '*') text += 1 + strspn(text + 1, " ");
-        }
-        column = keep__column(k, &text);
-        if (column < 0 && (!number || *text == 'x')) return NULL;
-        k->sum[column < 0 ? k->m : column] += factor;
-        first = 0;
-    }
-}
-
 static inline const char *keep_wish(keep *k, const char *text)
 {
-    static const char *const wrong =
-        "a wish is none of xK=V, xK=LOW:HIGH, xK=LOW:HIGH:STEP and a sum of parameters = another";
-    const char *right = strchr(text, '='), *end;
-    double *more;
-    int i, used = 0, column = -1;
-    if (right == NULL) return wrong;
-    for (i = 0; i <= k->m; ++i) k->sum[i] = 0;
-    end = keep__terms(k, text, 1);
-    if (end != right) return "a parameter is not one of the table's, or something else stands there";
-    for (i = 0; i < k->m; ++i)
-        if (k->sum[i] > 0 || k->sum[i] < 0) ++used, column = i;
-    if (strchr(right, ':')) {
-        char *at;
-        if (used != 1 || !(fabs(k->sum[column] - 1) <= 0) || k->sum[k->m] > 0 || k->sum[k->m] < 0)
-            return "a range is of one parameter";
-        k->low[column] = number_read(right + 1, '.', &at);
-        if (*at != ':') return wrong;
-        k->high[column] = number_read(at + 1, '.', &at);
-        if (*at == ':') k->steps[column] = number_read(at + 1, '.', &at);
-        return *at ? wrong : NULL;
-    }
-    end = keep__terms(k, right + 1, -1);
-    if (end == NULL || *end) return wrong;
-    for (i = 0, used = 0; i < k->m; ++i)
-        if (k->sum[i] > 0 || k->sum[i] < 0) ++used, column = i;
-    k->sum[k->m] = -k->sum[k->m];
-    if (used == 1) {
-        k->low[column] = k->high[column] = k->sum[k->m] / k->sum[column];
+    static const char *const wrong = "a wish is none of xK=V, xK=LOW:HIGH, xK=LOW:HIGH:STEP and xK=xL";
+    int column = keep__column(k, &text), other, *more;
+    char *end;
+    text += strspn(text, " ");
+    if (column < 0 || *text != '=') return wrong;
+    text += 1 + strspn(text + 1, " ");
+    if (*text == 'x') {
+        if ((other = keep__column(k, &text)) < 0 || *text) return wrong;
+        more = (int *)realloc(k->equal, 2 * ((size_t)k->equals + 1) * sizeof *more);
+        if (more == NULL) return "out of memory";
+        k->equal = more;
+        k->equal[2 * k->equals] = column, k->equal[2 * k->equals++ + 1] = other;
         return NULL;
     }
-    more = (double *)realloc(k->tie, ((size_t)k->ties + 1) * ((size_t)k->m + 1) * sizeof *more);
-    if (more == NULL) return "out of memory";
-    k->tie = more;
-    memcpy(k->tie + (size_t)k->ties++ * ((size_t)k->m + 1), k->sum, ((size_t)k->m + 1) * sizeof *more);
-    return NULL;
+    k->low[column] = k->high[column] = number_read(text, '.', &end);
+    if (end == text) return wrong;
+    if (*end == ':') k->high[column] = number_read(end + 1, '.', &end);
+    if (*end == ':') k->steps[column] = number_read(end + 1, '.', &end);
+    return *end ? wrong : NULL;
 }
 
 /* line: of the file, where it has a problem */
@@ -165,8 +120,8 @@ static inline ms_gpr_space keep_space(const keep *k)
     s.low = k->low;
     s.high = k->high;
     s.steps = k->steps;
-    s.ties = k->tie;
-    s.tie_count = k->ties;
+    s.equal = k->equal;
+    s.equal_count = k->equals;
     s.lists = k->list;
     s.list_count = k->lists;
     return s;

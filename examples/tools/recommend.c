@@ -9,8 +9,8 @@
    were only compared have nothing behind their last comma. The recommendations go to FILE, or to standard output,
    as x0 .. x{m-1}, mean, sigma: predicted score and standard deviation. Parameters stay in [0, 1], or in the range of
    the scored materials, rounded outwards, where those leave it; columns of one value keep it. Scores may be on any
-   scale. --keep x3=0.5 fixes a parameter, x3=0.2:0.4 is a range, x3=0:1:0.25 one in steps; x3=x4 and 2x3-0.5x4=1 are
-   ties. A list has the values that some parameters take together, such as metals; its first line names them, x3,x4,x5.
+   scale. --keep x3=0.5 fixes a parameter, x3=0.2:0.4 is a range, x3=0:1:0.25 one in steps; x3=x4 makes two equal.
+   A list has the values that some parameters take together, such as metals; its first line names them, x3,x4,x5.
    What is avoided may be a file of recommendations. */
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"

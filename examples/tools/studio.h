@@ -70,7 +70,8 @@ typedef struct studio {
     ms_gpr_outlier outlier;      /* of the last update; row -1: none */
     double *embedded;            /* [embedded_count][m] materials of the plane */
     int embedded_count;
-    double *owned[4];    /* what a loaded space points at: low, high, steps, ties; */
+    double *owned[3];    /* what a loaded space points at: low, high, steps; */
+    int *equal;          /* equal columns, */
     ms_gpr_list *lists;  /* and lists, [space.list_count] */
     double *x;           /* [m] a material, */
     float *row, *planes; /* [m] the same, and its picture */
@@ -117,7 +118,8 @@ static inline void studio_close(studio *s)
     free(s->others);
     free(s->avoid);
     free(s->embedded);
-    for (i = 0; i < 4; ++i) free(s->owned[i]);
+    for (i = 0; i < 3; ++i) free(s->owned[i]);
+    free(s->equal);
     for (i = 0; s->lists && i < s->space.list_count; ++i)
         free((void *)(uintptr_t)s->lists[i].columns), free((void *)(uintptr_t)s->lists[i].rows);
     free(s->lists);
@@ -150,7 +152,7 @@ static inline void studio__changed(studio *s)
     s->search = s->switched = s->probed = 0;
     s->outlier.row = s->probe = -1;
     s->reached = s->objective = -1e300;
-    memcpy(s->theta, ms_gpr_theta(s->gp), ((size_t)s->renderer.parameters + 2) * sizeof(double));
+    memcpy(s->theta, ms_gpr_view_of(s->gp).theta, ((size_t)s->renderer.parameters + 2) * sizeof(double));
 }
 
 enum { STUDIO__ADDED, STUDIO__SCORED, STUDIO__COMPARED, STUDIO__AVOIDED };
@@ -169,7 +171,7 @@ static inline ms_status studio_score(studio *s, const double *x, double score, m
 {
     ms_status status = ms_gpr_append(s->gp, x, score, error);
     if (status != MS_OK) return status;
-    studio__remember(s, STUDIO__ADDED, ms_gpr_count(s->gp) - 1, 0, 0);
+    studio__remember(s, STUDIO__ADDED, ms_gpr_view_of(s->gp).n - 1, 0, 0);
     studio__changed(s);
     if (s->state == STUDIO_EMPTY) s->state = STUDIO_SCORED;
     return MS_OK;
@@ -178,7 +180,7 @@ static inline ms_status studio_score(studio *s, const double *x, double score, m
 /* Another score for material `index`, counted from 0 in the order of studio_score. */
 static inline ms_status studio_rescore(studio *s, int index, double score, ms_error *error)
 {
-    double before = index >= 0 && index < ms_gpr_count(s->gp) ? ms_gpr_scores(s->gp)[index] : 0;
+    double before = index >= 0 && index < ms_gpr_view_of(s->gp).n ? ms_gpr_view_of(s->gp).y[index] : 0;
     ms_status status = ms_gpr_rescore(s->gp, index, score, error);
     if (status != MS_OK) return status;
     studio__remember(s, STUDIO__SCORED, index, before, 0);
@@ -190,8 +192,8 @@ static inline ms_status studio_rescore(studio *s, int index, double score, ms_er
    them, which are copied to fresh [count][m]. How many are fresh. */
 static inline int studio__rows(const studio *s, const double *x, int count, int *row, double *fresh)
 {
-    const double *rows = ms_gpr_inputs(s->gp);
-    int m = s->renderer.parameters, n = ms_gpr_count(s->gp), added = 0, i, k;
+    const double *rows = ms_gpr_view_of(s->gp).x;
+    int m = s->renderer.parameters, n = ms_gpr_view_of(s->gp).n, added = 0, i, k;
     size_t size = (size_t)m * sizeof *x;
     for (i = 0; i < count; ++i, x += m) {
         for (k = 0; k < n + added; ++k)
@@ -205,7 +207,7 @@ static inline int studio__rows(const studio *s, const double *x, int count, int 
 /* The first `better` of the materials x [count][m] are preferred to each of the others; 0: all have the least score. */
 static inline ms_status studio__prefer(studio *s, const double *x, int count, int better, ms_error *error)
 {
-    int n = ms_gpr_count(s->gp), before = ms_gpr_pair_count(s->gp), pairs = before, added, i, k;
+    int n = ms_gpr_view_of(s->gp).n, before = ms_gpr_view_of(s->gp).pair_count, pairs = before, added, i, k;
     int *row = (int *)malloc((size_t)count * sizeof *row),
         *pair = (int *)malloc(2 * (size_t)(before + better * (count - better) + 1) * sizeof *pair);
     double *fresh = (double *)malloc((size_t)count * (size_t)s->renderer.parameters * sizeof *fresh);
@@ -213,7 +215,7 @@ static inline ms_status studio__prefer(studio *s, const double *x, int count, in
                                             : studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a comparison");
     if (status == MS_OK) {
         added = studio__rows(s, x, count, row, fresh);
-        if (before > 0) memcpy(pair, ms_gpr_pairs(s->gp), 2 * (size_t)before * sizeof *pair);
+        if (before > 0) memcpy(pair, ms_gpr_view_of(s->gp).pairs, 2 * (size_t)before * sizeof *pair);
         for (i = 0; i < better; ++i)
             for (k = better; k < count; ++k) {
                 if (row[i] == row[k]) continue;
@@ -323,7 +325,7 @@ static inline ms_status studio_avoid(studio *s, const double *x, ms_error *error
 static inline ms_status studio_undo(studio *s, ms_error *error)
 {
     ms_status status = MS_OK;
-    int index, n = ms_gpr_count(s->gp), i;
+    int index, n = ms_gpr_view_of(s->gp).n, i;
     if (s->undos == 0) return studio__refuse(error, MS_INVALID_ARGUMENT, "there is nothing to undo");
     index = s->undo[s->undos - 1].index;
     switch (s->undo[s->undos - 1].kind) {
@@ -333,7 +335,7 @@ static inline ms_status studio_undo(studio *s, ms_error *error)
         size_t size = 2 * (size_t)s->undo[s->undos - 1].pairs * sizeof(int);
         int *pairs = (int *)malloc(size + 1);
         if (pairs == NULL) return studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for comparisons");
-        if (size > 0) memcpy(pairs, ms_gpr_pairs(s->gp), size);
+        if (size > 0) memcpy(pairs, ms_gpr_view_of(s->gp).pairs, size);
         status = ms_gpr_compare(s->gp, NULL, 0, pairs, s->undo[s->undos - 1].pairs, error);
         free(pairs);
         for (i = n - 1; i >= index && status == MS_OK; --i) status = ms_gpr_drop(s->gp, i, error);
@@ -344,7 +346,7 @@ static inline ms_status studio_undo(studio *s, ms_error *error)
     if (status != MS_OK) return status;
     if (s->undo[--s->undos].kind == STUDIO__AVOIDED) return MS_OK;
     studio__changed(s);
-    if (ms_gpr_count(s->gp) == 0) s->state = STUDIO_EMPTY;
+    if (ms_gpr_view_of(s->gp).n == 0) s->state = STUDIO_EMPTY;
     return MS_OK;
 }
 
@@ -354,7 +356,7 @@ static inline ms_status studio_undo(studio *s, ms_error *error)
 static inline ms_status studio_update(studio *s, ms_error *error)
 {
     static const double length[] = {0.25, 0.5, 3}; /* widths, times sqrt(m) */
-    int n = ms_gpr_count(s->gp), m = s->renderer.parameters, next = 0, count;
+    int n = ms_gpr_view_of(s->gp).n, m = s->renderer.parameters, next = 0, count;
     size_t size = ((size_t)m + 2) * sizeof(double);
     double evaluations = s->cost > 0 ? 0.010 / s->cost : 3, gain;
     ms_gpr_fit_options options = s->learn;
@@ -370,13 +372,13 @@ static inline ms_status studio_update(studio *s, ms_error *error)
     options.evaluations = s->probe < 0 ? count : 1;
     options.probe_first = s->probe < 0 ? 0 : s->probe;
     options.probes = s->probe < 0 ? -1 : 2 * count; /* without a gradient, which is half of the cost and more */
-    options.pairs = ms_gpr_pairs(s->gp);
-    options.pair_count = ms_gpr_pair_count(s->gp);
+    options.pairs = ms_gpr_view_of(s->gp).pairs;
+    options.pair_count = ms_gpr_view_of(s->gp).pair_count;
     clocks = clock();
-    status = ms_gpr_fit(ms_gpr_inputs(s->gp), ms_gpr_scores(s->gp), n, m, &options, &found, &report, error);
+    status = ms_gpr_fit(ms_gpr_view_of(s->gp).x, ms_gpr_view_of(s->gp).y, n, m, &options, &found, &report, error);
     if (status != MS_OK) return status;
     if (s->probe < 0) s->cost = (double)(clock() - clocks) / CLOCKS_PER_SEC / (report.evaluations + 1);
-    memcpy(s->theta, ms_gpr_theta(found), size);
+    memcpy(s->theta, ms_gpr_view_of(found).theta, size);
     gain = report.objective - s->reached;
     s->reached = report.objective;
     if (report.objective > s->objective) {
@@ -454,13 +456,13 @@ static inline ms_status studio_recommend(studio *s, int count, double *x, float 
    where it is one of them (NULL: nothing is). */
 static inline int studio_liked(const ms_gpr *gp, int limit, const double *x, double *liked)
 {
-    const double *y = ms_gpr_values(gp), *rows = ms_gpr_inputs(gp);
-    int n = ms_gpr_count(gp), count = 0, last = -1, i;
-    size_t m = (size_t)ms_gpr_dimensions(gp);
+    const double *y = ms_gpr_view_of(gp).value, *rows = ms_gpr_view_of(gp).x;
+    int n = ms_gpr_view_of(gp).n, count = 0, last = -1, i;
+    size_t m = (size_t)ms_gpr_view_of(gp).m;
     while (count < limit) {
         int best = -1;
         for (i = 0; i < n; ++i) /* the next in the order of falling scores, then of rows */
-            if (y[i] > ms_gpr_floor(gp) && (last < 0 || y[i] < y[last] || (!(y[i] > y[last]) && i > last)) &&
+            if (y[i] > ms_gpr_view_of(gp).floor && (last < 0 || y[i] < y[last] || (!(y[i] > y[last]) && i > last)) &&
                 (best < 0 || y[i] > y[best]))
                 best = i;
         if (best < 0) break;
@@ -515,7 +517,7 @@ static inline ms_status studio_choose(studio *s, const double *x, ms_error *erro
 
 static inline int studio__keeps(const studio *s)
 {
-    return s->space.low || s->space.high || s->space.steps || s->space.tie_count || s->space.list_count;
+    return s->space.low || s->space.high || s->space.steps || s->space.equal_count || s->space.list_count;
 }
 
 /* A step in the plane, in length scales, and what is seen there. It ends where the plane knows less than a quarter, but
@@ -573,7 +575,7 @@ static inline void studio__put_ints(FILE *f, const char *name, const int *v, int
 /* The whole session in one file: answers, what is avoided, what is kept, undo, the plane and the place in it. */
 static inline ms_status studio_save(const studio *s, const char *path, ms_error *error)
 {
-    int m = s->renderer.parameters, n = ms_gpr_count(s->gp), i;
+    int m = s->renderer.parameters, n = ms_gpr_view_of(s->gp).n, i;
     double numbers[7], undo[4 * STUDIO_UNDO];
     file_out out;
     FILE *f = file_create(path, &out);
@@ -587,10 +589,10 @@ static inline ms_status studio_save(const studio *s, const char *path, ms_error 
     }
     fprintf(f, "studio session 1\n");
     studio__put(f, "session", numbers, 7);
-    studio__put(f, "theta", ms_gpr_theta(s->gp), m + 2);
-    studio__put(f, "materials", ms_gpr_inputs(s->gp), n * m);
-    studio__put(f, "scores", ms_gpr_scores(s->gp), n);
-    studio__put_ints(f, "pairs", ms_gpr_pairs(s->gp), 2 * ms_gpr_pair_count(s->gp));
+    studio__put(f, "theta", ms_gpr_view_of(s->gp).theta, m + 2);
+    studio__put(f, "materials", ms_gpr_view_of(s->gp).x, n * m);
+    studio__put(f, "scores", ms_gpr_view_of(s->gp).y, n);
+    studio__put_ints(f, "pairs", ms_gpr_view_of(s->gp).pairs, 2 * ms_gpr_view_of(s->gp).pair_count);
     studio__put(f, "others", s->others, STUDIO_OTHERS * m);
     studio__put(f, "avoid", s->avoid, s->avoids * m);
     studio__put(f, "undo", undo, 4 * s->undos);
@@ -598,7 +600,7 @@ static inline ms_status studio_save(const studio *s, const char *path, ms_error 
     studio__put(f, "low", s->space.low, m);
     studio__put(f, "high", s->space.high, m);
     studio__put(f, "steps", s->space.steps, m);
-    studio__put(f, "ties", s->space.ties, s->space.tie_count * (m + 1));
+    studio__put_ints(f, "equal", s->space.equal, 2 * s->space.equal_count);
     fprintf(f, "lists %d\n", s->space.list_count);
     for (i = 0; i < s->space.list_count; ++i) {
         studio__put_ints(f, "columns", s->space.lists[i].columns, s->space.lists[i].width);
@@ -652,7 +654,7 @@ static inline int *studio__get_ints(char **text, const char *name, int *count)
 static inline ms_status studio__parse(studio *s, char *text, ms_error *error)
 {
     static const char title[] = "studio session 1\n";
-    static const char *const space[] = {"low", "high", "steps", "ties"};
+    static const char *const space[] = {"low", "high", "steps"};
     int m = s->renderer.parameters, count[6], n, lists, pair_numbers, i, good;
     double *v, *theta, *x, *y, *undo;
     int *pairs;
@@ -694,12 +696,14 @@ static inline ms_status studio__parse(studio *s, char *text, ms_error *error)
     s->embedded = studio__get(&text, "plane", &count[3]);
     good = good && count[3] >= 0 && count[3] % m == 0 && (count[3] > 0 || s->state != STUDIO_EXPLORING);
     s->embedded_count = good ? count[3] / m : 0;
-    for (i = 0; i < 4; ++i) {
+    for (i = 0; i < 3; ++i) {
         s->owned[i] = studio__get(&text, space[i], &count[i]);
-        good = good && (count[i] == 0 || (i < 3 ? count[i] == m : count[i] > 0 && count[i] % (m + 1) == 0));
+        good = good && (count[i] == 0 || count[i] == m);
     }
-    s->space.low = s->owned[0], s->space.high = s->owned[1], s->space.steps = s->owned[2], s->space.ties = s->owned[3];
-    s->space.tie_count = good ? count[3] / (m + 1) : 0;
+    s->space.low = s->owned[0], s->space.high = s->owned[1], s->space.steps = s->owned[2];
+    s->space.equal = s->equal = studio__get_ints(&text, "equal", &count[3]);
+    good = good && count[3] >= 0 && count[3] % 2 == 0;
+    s->space.equal_count = good ? count[3] / 2 : 0;
     good = good && sscanf(text, "lists %d", &lists) == 1 && lists >= 0 && lists <= 10000;
     if (good && lists > 0) good = (s->lists = (ms_gpr_list *)calloc((size_t)lists, sizeof *s->lists)) != NULL;
     for (i = 0, text = strchr(text, '\n'), text = text ? text + 1 : NULL; good && text && i < lists; ++i) {

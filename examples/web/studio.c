@@ -130,7 +130,7 @@ CALL(int, open, (int matches))
 
 /* --------------------------------------------------------------------------------------- scores and recommendations */
 
-CALL(int, scores, (void)) { return ms_gpr_count(session.gp); }
+CALL(int, scores, (void)) { return ms_gpr_view_of(session.gp).n; }
 CALL(int, state, (void)) { return (int)session.state; }
 CALL(int, settled, (void)) { return session.settled || session.state == STUDIO_EMPTY; }
 

@@ -56,7 +56,7 @@ static void keep_release(void *unused, void *pointer, size_t size)
 static void run_likelihood(void *context)
 {
     static double value, gradient[64];
-    if (ms_gpr_likelihood((const ms_gpr *)context, &value, gradient, NULL) != MS_OK) exit(1);
+    if (inside_likelihood((const ms_gpr *)context, &value, gradient, NULL) != MS_OK) exit(1);
 }
 
 /* n materials of a synthetic user, standardised scores; theta of a fit that is on its way. */
@@ -146,7 +146,7 @@ static void bench_likelihood(void)
         for (l = MS_SIMD_SCALAR; l <= MS_SIMD_AVX2; ++l) {
             ms_gpr *gp = model(sizes[s][0], sizes[s][1], (ms_simd)l, x, y);
             bench_time t = bench_run(run_likelihood, gp, sizes[s][0] < 2000 ? 15 : l == MS_SIMD_AVX2 ? 5 : 1);
-            if ((int)ms_gpr_level(gp) != l) fprintf(md, " - |");
+            if ((int)ms_gpr_view_of(gp).level != l) fprintf(md, " - |");
             else fprintf(md, " %.2f ms |", 1e3 * t.median);
             fprintf(csv, "likelihood,%d,%d,%s,%.6g,%.2g\n", sizes[s][0], sizes[s][1], ms_simd_string((ms_simd)l),
                     t.median, t.spread);
@@ -176,7 +176,7 @@ static void run_mean(void *context)
 static void run_mean_f(void *context)
 {
     prediction *p = (prediction *)context;
-    if (ms_gpr_predict_f(p->gp, p->x_f, p->count, p->mean_f, NULL) != MS_OK) exit(1);
+    if (inside_predict_f(p->gp, p->x_f, p->count, p->mean_f, NULL) != MS_OK) exit(1);
 }
 
 static void run_variance(void *context)
@@ -212,7 +212,7 @@ static void bench_predictions(void)
             user_gallery(&u, N, xt, training, &gallery);
             memcpy(y, training, sizeof y);
             if (ms_gpr_fit(xt, y, N, M, &o, &gp, NULL, NULL) != MS_OK) exit(1);
-            if ((int)ms_gpr_level(gp) != l) {
+            if ((int)ms_gpr_view_of(gp).level != l) {
                 ms_gpr_destroy(gp);
                 continue;
             }

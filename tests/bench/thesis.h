@@ -8,6 +8,7 @@
 #ifndef BENCH_THESIS_H
 #define BENCH_THESIS_H
 #include "test.h"
+#include "gpr_inside.h"
 
 enum { THESIS_RPROP, THESIS_SCG, THESIS_VARIABLES = 64 };
 
@@ -32,7 +33,7 @@ static int thesis__value(thesis_search *s, const double *theta, double *value, d
 {
     int i;
     ++s->evaluations;
-    if (ms_gpr_set_theta(s->gp, theta, NULL) != MS_OK || ms_gpr_likelihood(s->gp, value, slope, NULL) != MS_OK)
+    if (inside_set_theta(s->gp, theta, NULL) != MS_OK || inside_likelihood(s->gp, value, slope, NULL) != MS_OK)
         return 0;
     *value = -*value;
     for (i = 0; i < s->count; ++i) slope[i] = -slope[i];
@@ -150,7 +151,7 @@ static TEST_UNUSED ms_gpr *thesis_fit(const double *x, const double *y, int n, i
     }
     if (ms_gpr_create(x, y, n, m, theta, &options, &s.gp, NULL) != MS_OK) return NULL;
     best = method == THESIS_RPROP ? thesis__rprop(&s, theta) : thesis__scg(&s, theta);
-    ms_gpr_set_theta(s.gp, theta, NULL);
+    inside_set_theta(s.gp, theta, NULL);
     if (report) {
         report->likelihood = -best;
         report->evaluations = s.evaluations;
@@ -164,7 +165,7 @@ static TEST_UNUSED int thesis_climb(const ms_gpr *gp, double threshold, int coun
                                     double *candidates)
 {
     double x[THESIS_VARIABLES], value, best = 0;
-    int m = ms_gpr_dimensions(gp), i = 0, k, step = 0;
+    int m = ms_gpr_view_of(gp).m, i = 0, k, step = 0;
     uint64_t state = seed;
     for (*candidates = 0; i < count && *candidates < 2e6; *candidates += 1, step = (step + 1) % 21) {
         double *kept = found + i * m;

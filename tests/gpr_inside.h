@@ -1,0 +1,138 @@
+/* Inner calls of ms_gpr.h that tests and benches look at: the likelihood and its gradient, other hyperparameters for a
+   model, means in single precision, a latent space from given latents. The implementation comes first. */
+#ifndef TEST_GPR_INSIDE_H
+#define TEST_GPR_INSIDE_H
+#include "test.h"
+
+/* Other hyperparameters [m + 2] for the same data. The model is unchanged unless MS_OK. */
+static TEST_UNUSED ms_status inside_set_theta(ms_gpr *gp, const double *theta, ms_error *error)
+{
+    ms_status status;
+    double *swap;
+    size_t size;
+    if (gp == NULL) return ms_gpr__null("gp", error);
+    status = ms_gpr__check_theta(theta, gp->m, error);
+    if (status != MS_OK) return status;
+    size = ((size_t)gp->m + 2) * sizeof *theta;
+    swap = (double *)ms__alloc(&gp->allocator, size);
+    if (swap == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a copy of theta");
+    status = ms_gpr__try_theta(gp, theta, swap, error);
+    ms__release(&gp->allocator, swap, size);
+    return status;
+}
+
+/* log p(y | X, theta), and where not NULL its gradient [m + 2] with respect to theta. */
+static TEST_UNUSED ms_status inside_likelihood(const ms_gpr *gp, double *likelihood, double *gradient, ms_error *error)
+{
+    ms_gpr__problem p;
+    void *block;
+    size_t doubles;
+    double sf2, sn2, value;
+    ms_status status;
+    int k;
+    if (gp == NULL) return ms_gpr__null("gp", error);
+    sf2 = ms_gpr__sf2(gp);
+    sn2 = ms_gpr__sn2(gp);
+    status = ms_gpr__problem_of(gp, &p, &block, &doubles, error);
+    if (status != MS_OK) return status;
+    if (!ms_gpr__evaluate(&p, sf2, sn2 + gp->jitter * sf2, &value, gradient)) {
+        status = ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix is not positive definite");
+    } else {
+        if (likelihood) *likelihood = value;
+        if (gradient) {
+            double with_jitter = sn2 + gp->jitter * sf2;
+            gradient[gp->m + 1] = gradient[gp->active + 1] * (with_jitter > 0 ? sn2 / with_jitter : 1);
+            gradient[gp->m] = gradient[gp->active];
+            for (k = gp->m - 1, p.m = gp->active; k >= 0; --k)
+                gradient[k] = p.m > 0 && gp->dimension[p.m - 1] == k ? gradient[--p.m] : 0;
+        }
+    }
+    ms_gpr__release_doubles(&gp->allocator, block, doubles);
+    return status;
+}
+
+/* The mean alone, in single precision. */
+static TEST_UNUSED ms_status inside_predict_f(const ms_gpr *gp, const float *x, int count, float *mean, ms_error *error)
+{
+    ms_gpr__batch b;
+    size_t i, values;
+    if (gp == NULL || (count > 0 && (x == NULL || mean == NULL)))
+        return ms_gpr__null(gp == NULL ? "gp" : x ? "mean" : "x", error);
+    if (count < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected at least 0", count);
+    values = (size_t)count * (size_t)gp->m;
+    for (i = 0; i < values; ++i)
+        if (!ms__finite_f(x[i]))
+            return ms__fail(error, MS_BAD_DATA, i / (size_t)gp->m + 1, "candidate %z has a value that is not finite",
+                            i / (size_t)gp->m + 1);
+    memset(&b, 0, sizeof b);
+    b.gp = gp;
+    b.x_f = x;
+    b.count = count;
+    b.mean_f = mean;
+    return ms_gpr__predict_run(&b, ms_gpr__predict_task_f, error);
+}
+
+/* A latent space whose latents [z][2] and theta [4] are given; x is modelled as it is, not centered. */
+static TEST_UNUSED ms_status inside_latent(const double *x, int z, int m, const double *latent, const double *theta,
+                                           const ms_gpr_latent_options *options, ms_gpr_latent **out, ms_error *error)
+{
+    ms_gpr_latent_options o;
+    ms_gpr_latent *p;
+    ms_status status;
+    int l, i, k;
+    if (out == NULL) return ms_gpr__null("out", error);
+    *out = NULL;
+    if (latent == NULL) return ms_gpr__null("latent", error);
+    if (options) o = *options;
+    else memset(&o, 0, sizeof o);
+    l = MS_GPR__PLANE;
+    status = ms_gpr__latent_make(x, z, m, &o, &p, error);
+    if (status != MS_OK) return status;
+    status = ms_gpr__check_rows(latent, z, l, MS_GPR__LARGEST, "latent", error);
+    if (status == MS_OK) status = ms_gpr__check_theta(theta, l, error);
+    if (status == MS_OK) {
+        memcpy(p->latent, latent, (size_t)z * (size_t)l * sizeof *latent);
+        memcpy(p->theta, theta, ((size_t)l + 2) * sizeof *theta);
+        for (i = 0; i < z; ++i)
+            for (k = 0; k < m; ++k) p->x[(size_t)i * p->columns + (size_t)k] += p->center[k];
+        memset(p->center, 0, (size_t)m * sizeof *p->center);
+        status = ms_gpr__latent_condition(p, error);
+    }
+    if (status != MS_OK) ms_gpr_latent_destroy(p);
+    else *out = p;
+    return status;
+}
+
+/* log p(X | L, theta) and where not NULL its gradients by theta [4] and by the latents [z][2]. */
+static TEST_UNUSED ms_status inside_latent_likelihood(const ms_gpr_latent *plane, double *likelihood,
+                                                      double *gradient_theta, double *gradient_latent, ms_error *error)
+{
+    const ms_gpr_latent *p = plane;
+    double sf2, sn2, noise, value = 0, gradient[5];
+    size_t doubles;
+    ms_gpr__embedding e;
+    double *slopes;
+    void *block;
+    int i, k, wanted = gradient_theta || gradient_latent, defined;
+    if (plane == NULL) return ms_gpr__null("plane", error);
+    sf2 = exp(2 * p->theta[MS_GPR__PLANE]);
+    sn2 = exp(2 * p->theta[MS_GPR__PLANE + 1]);
+    noise = sn2 + p->jitter * sf2;
+    doubles = ms__size_add(ms_gpr__embedding_doubles(p->z, p->m), (size_t)MS_GPR__PLANE * p->stride);
+    slopes = ms_gpr__doubles(&p->allocator, doubles, &block);
+    if (slopes == NULL)
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d materials", p->z);
+    e = ms_gpr__embedding_make(p, slopes + (size_t)MS_GPR__PLANE * p->stride);
+    defined = ms_gpr__embedding_evaluate(&e, p->points, sf2, noise, &value, wanted ? gradient : NULL, slopes);
+    for (k = 0; defined && gradient_latent && k < MS_GPR__PLANE; ++k)
+        for (i = 0; i < p->z; ++i)
+            gradient_latent[i * MS_GPR__PLANE + k] = slopes[(size_t)k * p->stride + (size_t)i] * exp(-p->theta[k]);
+    ms_gpr__release_doubles(&p->allocator, block, doubles);
+    if (!defined) return ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix is not positive definite");
+    if (likelihood) *likelihood = value;
+    for (k = 0; gradient_theta && k < MS_GPR__PLANE + 2; ++k)
+        gradient_theta[k] = gradient[k] * (k == MS_GPR__PLANE + 1 ? 2 * sn2 : 1); /* of log sn */
+    return MS_OK;
+}
+
+#endif
