@@ -9,7 +9,7 @@
 
    Layers with refractive index, absorption, scattering and thickness become reflectance, transmittance and absorption,
    over radius, angle, depth and time, each number with its standard error. Link with -lm. Here 0.1 cm of skin on muscle
-   (n, mu_a, mu_s, g, thickness of each layer, per cm and cm; then dr, dz, dt, nr, nz, na, nt of the grid):
+   (n, mu_a, mu_s, g, thickness of each layer, per cm and cm; then dr, dz, nr, nz, na of the grid):
 
    Example:
       #define MS_MCML_IMPLEMENTATION
@@ -19,7 +19,7 @@
       {
           const ms_mcml_layer layers[2] = {{1.4, 2.0, 180, 0.85, 0.1}, {1.4, 0.5, 90, 0.9, 1e8}};
           ms_mcml_tissue tissue = {1.0, 1.4, 2, layers};
-          ms_mcml_grid grid = {0.01, 0.01, 0, 100, 100, 30, 0};
+          ms_mcml_grid grid = {0.01, 0.01, 100, 100, 30};
           ms_mcml_options options = ms_mcml_defaults();
           ms_mcml_result result;
           ms_error error;
@@ -258,30 +258,24 @@ typedef struct ms_mcml_tissue {
     const ms_mcml_layer *layers; /* [layer_count] the caller's, copied by ms_mcml_create */
 } ms_mcml_tissue;
 
-/* Where photons are counted: rings i dr <= r < (i + 1) dr, slabs in z, exit angles in [0, pi/2] and, if nt > 0, times
-   of flight. As in MCML, the last ring, slab and time bin collect all that lies beyond. */
+/* Where photons are counted: rings i dr <= r < (i + 1) dr, slabs in z, exit angles in [0, pi/2]. As in MCML, the last
+   ring and slab collect everything beyond. */
 typedef struct ms_mcml_grid {
-    double dr_cm, dz_cm, dt_ps; /* > 0; dt_ps only if nt > 0 */
-    int nr, nz, na;             /* >= 1 */
-    int nt;                     /* 0: no time resolution */
+    double dr_cm, dz_cm; /* > 0 */
+    int nr, nz, na;      /* >= 1 */
 } ms_mcml_grid;
 
 /* All zero: the defaults. */
 typedef struct ms_mcml_options {
     uint64_t photons; /* that ms_mcml_simulate runs; 0: 1000000; at most 2^32 in one tally */
     uint64_t seed;
-    double target_error; /* > 0: ms_mcml_simulate stops when one standard error of Rd + Tt is at most this part of it */
-    double roulette_weight;   /* photons of less weight play roulette; at most 1; 0: 0.01 times the least albedo of a
-                                 layer   that scatters, but at least MCML's 1e-4 */
-    int no_absorption;        /* not 0: neither A_rz nor A_z: faster, and no memory for them; A_l remains */
-    int absorption_error;     /* not 0: standard errors of A_rz, A_z and phi_rz: 64 times their memory */
-    int fluence;              /* not 0: phi_rz by the collision estimator, which also works where mu_a = 0 */
-    double incidence_degrees; /* of the beam to the normal, in the medium above, towards +x; 0 to 90; rings stay around
-                                 the point where it meets the surface */
-    size_t memory_limit;      /* bytes that tallies may take; 0: 4 GiB */
-    ms_simd simd;             /* a cap */
-    ms_parallel parallel;     /* each of at most 16 tasks then has its own tally */
-    ms_progress progress;     /* asked after every 65536 photons */
+    double roulette_weight; /* photons of less weight play roulette, at most 1; 0: 0.01 times the least albedo of a
+                               layer that scatters, but at least MCML's 1e-4 */
+    int no_absorption;      /* not 0: neither A_rz nor A_z, which saves time and memory; A_l remains */
+    size_t memory_limit;    /* bytes that tallies may take; 0: 4 GiB */
+    ms_simd simd;           /* a cap */
+    ms_parallel parallel;   /* at most 16 tasks, each with its own tally */
+    ms_progress progress;   /* called after every 65536 photons */
     ms_allocator allocator;
 } ms_mcml_options;
 
@@ -298,8 +292,7 @@ typedef struct ms_mcml ms_mcml;
 
 /* Checks tissue and grid and makes an empty tally. options may be NULL.
    MS_INVALID_ARGUMENT (position: layer, from 1), MS_OUT_OF_MEMORY, MS_UNSUPPORTED (above memory_limit): *out is NULL.
-   Memory: 16 bytes for each of 2 nr na + nr nt bins, 8 for each of nr nz bins of absorption and of fluence (512 with
-   absorption_error); times 17 with options->parallel. */
+   Memory: 16 bytes for each of 2 nr na bins, 8 for each of nr nz bins; times 17 with options->parallel. */
 MS_API ms_status ms_mcml_create(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, const ms_mcml_options *options,
                                 ms_mcml **out, ms_error *error);
 
@@ -326,10 +319,9 @@ MS_API void ms_mcml_save(const ms_mcml *tally, void *bytes);
 MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_options *options, ms_mcml **out,
                               ms_error *error);
 
-/* Means per photon that arrives at the tissue, specular reflection included in the count of photons, not in Rd. Each
-   array x has x_error beside it: one standard error of each element; a NULL array was not asked for. Rd, Tt: what
-   leaves at the top and the bottom; r: radius; a: angle to the normal; t: time; A: absorbed; phi: fluence. Row-major.
-   The arrays belong to the result. */
+/* Means per photon that arrives at the tissue. Photons reflected at entry count as photons, but not in Rd. Each x_error
+   is one standard error of each element of x. Rd, Tt: what leaves at the top and the bottom; r: radius; a: angle to the
+   normal; A: absorbed. Row-major. The arrays belong to the result. */
 typedef struct ms_mcml_result {
     uint64_t photons;
     ms_mcml_grid grid;
@@ -342,27 +334,23 @@ typedef struct ms_mcml_result {
     double *rd_a, *rd_a_error;             /* [na] 1/sr */
     double *rd_ra, *rd_ra_error;           /* [nr][na] 1/(cm^2 sr), per area perpendicular to the direction */
     double *tt_r, *tt_r_error, *tt_a, *tt_a_error, *tt_ra, *tt_ra_error;
-    double *rd_t, *rd_t_error;     /* [nt] 1/ps */
-    double *rd_rt, *rd_rt_error;   /* [nr][nt] 1/(cm^2 ps) */
-    double *a_l, *a_l_error;       /* [layer_count] part absorbed in each layer */
-    double *a_z, *a_z_error;       /* [nz] 1/cm */
-    double *a_rz, *a_rz_error;     /* [nr][nz] 1/cm^3 */
-    double *phi_rz, *phi_rz_error; /* [nr][nz] 1/cm^2 */
+    double *a_l, *a_l_error; /* [layer_count] part absorbed in each layer */
+    double *a_z;             /* [nz] 1/cm; NULL with no_absorption */
+    double *a_rz;            /* [nr][nz] 1/cm^3; NULL with no_absorption */
     void *memory;
     size_t memory_size;
     ms_allocator allocator;
 } ms_mcml_result;
 
-/* Results so far. Errors of Rd and Tt come from the squares of single photons, those of A and phi from the spread of up
-   to 64 groups of 1024 photons (64 groups: good to 9%). An error that cannot be known (one photon, one group) is
-   infinite. MS_INVALID_ARGUMENT: an empty tally. MS_OUT_OF_MEMORY. *result is untouched then. */
+/* Results so far. Errors of Rd and Tt come from the squares of single photons, those of A from the spread of up to 64
+   groups of 1024 photons (64 groups: good to 9%). The error of one photon or one group is unknown: infinite.
+   MS_INVALID_ARGUMENT: an empty tally. MS_OUT_OF_MEMORY. *result is untouched then. */
 MS_API ms_status ms_mcml_results(const ms_mcml *tally, ms_mcml_result *result, ms_error *error);
 
 /* NULL and a zeroed result are fine. */
 MS_API void ms_mcml_result_destroy(ms_mcml_result *result);
 
-/* All of it in one call: options->photons photons from 0 on, or fewer if target_error is reached (asked every 65536
-   photons). *result is untouched unless MS_OK. Statuses as above. */
+/* All of it in one call: options->photons photons from 0 on. *result is untouched unless MS_OK. Statuses as above. */
 MS_API ms_status ms_mcml_simulate(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid,
                                   const ms_mcml_options *options, ms_mcml_result *result, ms_error *error);
 
@@ -392,103 +380,33 @@ MS_API const ms_mcml_material *ms_mcml_find_material(const char *name);
 /* One channel (0 R, 1 G, 2 B) of a material; nothing at all (index 1) where there is none. */
 MS_API ms_mcml_medium ms_mcml_material_medium(const ms_mcml_material *material, int channel);
 
-/* ---- half-space solver ----------------------------------------------------------------------------------------- */
-
-#define MS_MCML_RATES_MAX 112
-#define MS_MCML_CONE_MAX 64
-
-/* Knobs of the deterministic solver; zero is the default. Time and error of each: tests/bench/RESULTS.md. */
-typedef struct ms_mcml_halfspace_options {
-    double depth_step;     /* log spacing of the exponentials in depth, 0.28 to 1; 0: 0.3 */
-    double frequency_step; /* log spacing of the spatial frequencies, 0.2 to 1; 0: 0.25 */
-    ms_allocator allocator;
-} ms_mcml_halfspace_options;
-
-/* The diffuse reflectance of a half-space under a pencil beam at normal incidence, per incident energy, without the
-   specular reflection at entry. Exact in form: single scattering is a sum of exponentials, multiple scattering a sum
-   of Bessel functions, all with positive energies, so the profile is positive, falls with r, and ends in the tail
-   exp(-decay r) / r^2 of transport theory.
-
-     energy beyond radius r    sum single_energy exp(-single_rate r) + sum energy (rate r) K1(rate r)
-     spectrum at k             sum single_energy / sqrt(1 + (k / single_rate)^2) + sum energy / (1 + (k / rate)^2)
-     energy at |x| > x0        sum line_energy exp(-line_rate x0) + sum energy exp(-rate x0)
-
-   A plain value: copy it freely; nothing to release. */
-typedef struct ms_mcml_halfspace {
-    ms_mcml_medium medium; /* as given */
-    double mu_t_per_mm;    /* mu_a + (1 - g) mu_s: similarity to isotropic scattering where g is not 0 */
-    double albedo;         /* (1 - g) mu_s / mu_t */
-    double specular;       /* reflected at entry: ((eta - 1) / (eta + 1))^2; not part of any number below */
-    double total;          /* diffuse reflectance: single + multiple scattering */
-    double total_single;
-    double decay_per_mm; /* of the far tail: the Case eigenvalue nu_0 mu_t */
-    double fit_error;    /* largest relative misfit of the multiple-scattering spectrum at the solved frequencies */
-    int singles, rates, lines;
-    double single_rate_per_mm[MS_MCML_CONE_MAX], single_energy[MS_MCML_CONE_MAX]; /* [singles] ascending rates */
-    double rate_per_mm[MS_MCML_RATES_MAX], energy[MS_MCML_RATES_MAX];             /* [rates] ascending */
-    double line_rate_per_mm[MS_MCML_RATES_MAX],
-        line_energy[MS_MCML_RATES_MAX]; /* [lines] single scattering, summed along lines */
-} ms_mcml_halfspace;
-
-/* Solves one medium: 2 to 5 ms, no thread, memory from options->allocator (0.3 MB, released before it returns).
-   options may be NULL. The same bits on every machine with the same math library.
-   MS_INVALID_ARGUMENT: a value outside its range. MS_OUT_OF_MEMORY. *out untouched on failure. */
-MS_API ms_status ms_mcml_halfspace_solve(const ms_mcml_medium *medium, const ms_mcml_halfspace_options *options,
-                                         ms_mcml_halfspace *out, ms_error *error);
-
-/* The four evaluators return NaN outside the stated range (r < 0, an empty ring, NaN, solution NULL).
-
-   Energy that leaves farther than r_mm >= 0 from the beam; at 0 the total. */
-MS_API double ms_mcml_halfspace_beyond(const ms_mcml_halfspace *solution, double r_mm);
-
-/* Mean of R_d over the ring r0_mm <= r < r1_mm in 1/mm^2, r0_mm < r1_mm. */
-MS_API double ms_mcml_halfspace_ring(const ms_mcml_halfspace *solution, double r0_mm, double r1_mm);
-
-/* Two-dimensional Fourier transform of R_d at k_per_mm (radians), which is also the cosine transform of a_p. */
-MS_API double ms_mcml_halfspace_spectrum(const ms_mcml_halfspace *solution, double k_per_mm);
-
-/* Energy that leaves at x > x_mm >= 0 on one side of the beam: the integral of the pre-integrated kernel a_p from
-   there on; at 0 half the total. */
-MS_API double ms_mcml_halfspace_line_beyond(const ms_mcml_halfspace *solution, double x_mm);
-
 /* ---- colours --------------------------------------------------------------------------------------------------- */
 
 /* What a length stands for. With A the colour below, Christensen, Burley 2015 (Approximate reflectance profiles for
    efficient subsurface scattering, equations 6 and 8) give the last two. */
 typedef enum ms_mcml_length {
     MS_MCML_MEAN_FREE_PATH = 0, /* 1 / (mu_a + mu_s) */
-    MS_MCML_REDUCED_PATH = 1,   /* 1 / (mu_a + mu_s (1 - g)); Unreal's mean free path */
     MS_MCML_BURLEY_D =
-        2, /* reduced path / (1.85 - A + 7 |A - 0.8|^3): d of ms_sss_profile_from_burley, HDRP's scattering distance */
-    MS_MCML_DIFFUSE_PATH = 3 /* d (3.5 + 100 (A - 0.33)^4): Unreal's diffuse mean free path */
+        1, /* reduced path / (1.85 - A + 7 |A - 0.8|^3): d of ms_sss_profile_from_burley, HDRP's distance */
+    MS_MCML_DIFFUSE_PATH = 2 /* d (3.5 + 100 (A - 0.33)^4): Unreal's diffuse mean free path */
 } ms_mcml_length;
 
-/* Total diffuse reflectance of a half-space, what ms_mcml_profile_make calls total, without the profile: tenths of a
-   millisecond, no memory. Within 1e-8 at g = 0, 1e-6 up to |g| = 0.5, 2e-5 at 0.8, 1e-4 at 0.9 of the other solvers
-   (tests/test_mcml_profile.c); not compared beyond. NaN where the medium is not valid or g < -0.7. */
-MS_API double ms_mcml_reflectance(const ms_mcml_medium *medium);
-
-/* The medium that looks so: of this colour and this length. ms_mcml_reflectance of it gives the colour back to 1e-7.
+/* The medium that looks so: of this colour and this length. its reflectance gives the color back to 1e-7.
    color      0 to 1: reflectance over 1 - specular, the part of the light let in that comes out again: a renderer's
               albedo beside a specular lobe. One channel, linear, not sRGB
    length_mm  > 0; kind: an ms_mcml_length
    About 1 ms; no memory. MS_INVALID_ARGUMENT: out of these ranges; MS_UNSUPPORTED: g < -0.7. *medium is untouched then.
 
-   An artist's skin, Unreal's mean free path colour (1, 0.35, 0.2) times 0.12 cm, at eta 1.4, and the same for HDRP:
+   An artist's skin, Unreal's mean free path color (1, 0.35, 0.2) times 0.12 cm, at eta 1.4:
 
       const double color[3] = {0.80, 0.52, 0.39}, path_mm[3] = {1.2, 0.42, 0.24};
-      for (c = 0; c < 3; ++c) {
+      for (c = 0; c < 3; ++c)
           ms_mcml_medium_from_color(color[c], path_mm[c], MS_MCML_DIFFUSE_PATH, 0, 1.4, &medium[c], NULL);
-          hdrp_distance_mm[c] = ms_mcml_medium_length(&medium[c], MS_MCML_BURLEY_D);
-      }
       ms_mcml_profile_make(&profile, medium, 3, NULL, NULL);
 
    The profile is that of a medium, not Burley's curve. */
 MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int kind, double g, double eta,
                                            ms_mcml_medium *medium, ms_error *error);
-
-/* A length of a medium in mm, an ms_mcml_length; NaN where medium or kind is not valid. */
-MS_API double ms_mcml_medium_length(const ms_mcml_medium *medium, int kind);
 
 /* ---- layered solver -------------------------------------------------------------------------------------------- */
 
@@ -546,31 +464,22 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
 
 /* Energy that leaves at the top (side 0) or the bottom (side 1) farther than r_cm >= 0 from the beam; unscattered light
    leaves at 0. ring: mean over r0_cm <= r < r1_cm in 1/cm^2, not negative; its error goes to *ring_error unless NULL:
-   an estimate from half the order, twice the frequency step and another end of the spectrum, or a standard error.
-   line_beyond: at x > x_cm on one side of the beam. NaN outside these ranges. */
+   an estimate from half the order, twice the frequency step and another end of the spectrum, or a standard error. NaN
+   outside these ranges. */
 MS_API double ms_mcml_layered_beyond(const ms_mcml_layered *solution, int side, double r_cm);
 MS_API double ms_mcml_layered_ring(const ms_mcml_layered *solution, int side, double r0_cm, double r1_cm,
                                    double *ring_error);
-MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *solution, int side, double x_cm);
 
 /* ---- diffusion profiles ---------------------------------------------------------------------------------------- */
 
-typedef enum ms_mcml_method {
-    MS_MCML_AUTO = 0, /* deterministic if photons = 0, else direct */
-    MS_MCML_DETERMINISTIC =
-        1, /* no noise: the half-space solver where g = 0 (rings to 1e-4, totals to 1e-8), else the layered one */
-    MS_MCML_DIRECT = 2 /* Monte Carlo of each channel */
-} ms_mcml_method;
-
 typedef struct ms_mcml_profile_options {
-    int method;       /* ms_mcml_method */
-    uint64_t photons; /* Monte Carlo only, a channel; 0: 1000000, at most 2^32 */
+    uint64_t photons; /* 0: solvers, without noise; else Monte Carlo of each channel, at most 2^32 */
     uint64_t seed;
     const double *edge_mm; /* [rings + 1] increasing, from >= 0; NULL: rings of equal width ring_mm from 0 */
     int rings;             /* 0 (with edge_mm NULL, ring_mm 0): rings that suit the media, see ms_mcml_profile */
     double ring_mm;
-    double depth_step, frequency_step; /* deterministic: see ms_mcml_halfspace_options */
-    const ms_mcml_tissue *tissues; /* NULL, or [channels] layered tissues in place of media, which may be NULL then */
+    double depth_step;     /* half-space solver: log spacing of the exponentials in depth, 0.28 to 1; 0: 0.3 */
+    double frequency_step; /* log spacing of the spatial frequencies, 0.2 to 1; 0: 0.25; see RESULTS.md */
     ms_simd simd;
     ms_parallel parallel;
     ms_progress progress;
@@ -581,14 +490,11 @@ typedef struct ms_mcml_profile_options {
    Arrays belong to the profile. Row c of an array [channels][n] starts at element c * n. */
 typedef struct ms_mcml_profile {
     int channels, rings;
-    int method;               /* that was used */
     double *edge_mm;          /* [rings + 1] */
     double *rd_per_mm2;       /* [channels][rings] mean over each ring */
     double *rd_error_per_mm2; /* [channels][rings] standard error, or the layered solver's; zeros from the half-space
                                  solver */
     double *within;           /* [channels][rings + 1] energy that leaves nearer than the edge */
-    double *ap_per_mm;        /* [channels][rings] mean of the pre-integrated kernel a_p over edge_i <= x < edge_i+1;
-                                       NULL from Monte Carlo (ms_sss.h integrates rings) */
     double *total;            /* [channels] of all that leaves */
     double *total_error;      /* [channels] */
     void *memory;
@@ -610,8 +516,6 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
 MS_API void ms_mcml_profile_destroy(ms_mcml_profile *profile);
 
 /* ---- skin ------------------------------------------------------------------------------------------------------ */
-
-#define MS_MCML_SKIN_BANDS 13
 
 /* What skin is made of. Start from ms_mcml_skin_defaults(); a zero is a zero.
    Laws, per cm at w nm: melanosomes 6.6e11 w^-3.33 of eumelanin (Jacques 1998, "Skin optics") and 2.9e15 w^-4.75 of
@@ -637,21 +541,11 @@ typedef struct ms_mcml_skin {
    epidermis 0.06 mm, dermis without end, scattering 2.2; g 0.8. */
 MS_API ms_mcml_skin ms_mcml_skin_defaults(void);
 
-/* Its layers for light of 400 to 700 nm: 2 or 3, *count; under air (n_above 1), n_below 1.4. MS_INVALID_ARGUMENT. */
-MS_API ms_status ms_mcml_skin_layers(const ms_mcml_skin *skin, double wavelength_nm, ms_mcml_layer layers[3],
-                                     int *count, ms_error *error);
-
-/* Its colour under daylight (D65), linear sRGB, diffuse reflectance without specular, a perfect white being 1; from 13
-   wavelengths, which with their reflectances go to nm and spectrum ([MS_MCML_SKIN_BANDS] each, or NULL). A tenth of a
-   second to a second. CIE 1931 observer by Wyman, Sloan, Shirley 2013 (JCGT 2:2). MS_INVALID_ARGUMENT,
-   MS_OUT_OF_MEMORY, MS_NOT_CONVERGED: untouched. */
-MS_API ms_status ms_mcml_skin_color(const ms_mcml_skin *skin, double rgb[3], double *nm, double *spectrum,
-                                    const ms_allocator *allocator, ms_error *error);
-
-/* Its diffusion profile for R, G and B: total is the colour above; the shape of a channel is the mean of the 13
-   wavelengths' profiles by the positive part of what they give to the channel, so that no ring is negative. options as
-   in ms_mcml_profile_make (edge_mm, rings, ring_mm, frequency_step, parallel, allocator are read), or NULL. Release
-   with ms_mcml_profile_destroy. MS_NOT_CONVERGED: as there. */
+/* Its diffusion profile for R, G and B. total is its color under daylight (D65), linear sRGB, a perfect white being 1,
+   from 13 wavelengths; CIE 1931 observer by Wyman, Sloan, Shirley 2013 (JCGT 2:2). The shape of a channel is the mean
+   of the 13 wavelengths' profiles by the positive part of what they give to the channel, so that no ring is negative.
+   options as in ms_mcml_profile_make (edge_mm, rings, ring_mm, frequency_step, parallel, allocator are read), or NULL.
+   Release with ms_mcml_profile_destroy. MS_NOT_CONVERGED: as there. */
 MS_API ms_status ms_mcml_skin_profile(ms_mcml_profile *profile, const ms_mcml_skin *skin,
                                       const ms_mcml_profile_options *options, ms_error *error);
 
@@ -1002,9 +896,6 @@ static ms_status ms_mcml__check_grid(const ms_mcml_grid *grid, ms_error *error)
     if (grid->nz < 1 || grid->nr < 1 || grid->na < 1)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nz, nr, na are %d, %d, %d, expected 1 or more", grid->nz,
                         grid->nr, grid->na);
-    if (grid->nt < 0 || (grid->nt > 0 && !ms_mcml__between(grid->dt_ps, 1e-30, 1e30)))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nt and dt are %d and %g ps, expected 0 or more and above 0",
-                        grid->nt, grid->dt_ps);
     return MS_OK;
 }
 
@@ -1026,36 +917,38 @@ static ms_status ms_mcml__check_tissue(const ms_mcml_tissue *tissue, ms_error *e
 
 /* ---- direct Monte Carlo ---------------------------------------------------------------------------------------- */
 
-#define MS_MCML__UNITS 1073741824.0f /* 2^30: a whole photon in the sums */
-#define MS_MCML__PHI_UNITS 65536.0f  /* fluence adds up over collisions: coarser, to stay below 2^63 */
-#define MS_MCML__PHOTONS_MAX ((uint64_t)1 << 32)
-#define MS_MCML__CHANCE 0.1f         /* of surviving roulette */
-#define MS_MCML__HALVING_EVENTS 4096 /* then every fourfold: half of the photons end and the others count double */
-#define MS_MCML__GROUPS 64           /* for errors by spread: photon i is in group i / BLOCK mod GROUPS */
-#define MS_MCML__BLOCK 1024
-#define MS_MCML__STRETCH 65536 /* photons between two looks at the progress callback */
-#define MS_MCML__TASKS 16
-#define MS_MCML__LANES_MAX 16
-#define MS_MCML__C_CM_PER_PS 0.0299792458
+static const float ms_mcml__units = 1073741824.0f; /* 2^30: a whole photon in the sums */
+static const uint64_t ms_mcml__photons_max = (uint64_t)1 << 32;
+static const float ms_mcml__chance = 0.1f; /* of surviving roulette */
+enum {
+    MS_MCML__HALVING_EVENTS = 4096, /* then every fourfold: half of the photons end and the others count double */
+    MS_MCML__GROUPS = 64,           /* for errors by spread: photon i is in group i / BLOCK mod GROUPS */
+    MS_MCML__BLOCK = 1024,
+    MS_MCML__STRETCH = 65536, /* photons between two calls of the progress callback */
+    MS_MCML__TASKS = 16,
+    MS_MCML__LANES_MAX = 16,
+    MS_MCML__TALLY_WORDS = 11, /* of the head of a saved tally */
+    MS_MCML__TALLY_HEAD = 16 + 8 * MS_MCML__TALLY_WORDS,
+    MS_MCML__LAYER_BYTES = 5 * 8
+};
 
-/* A layer as the kernel wants it. */
+/* A layer as the kernel reads it. */
 typedef struct ms_mcml__slab {
-    float depth;                      /* thickness */
-    float top;                        /* z of its upper side */
-    float mfp;                        /* 1 / (mu_a + mu_s); clear: beyond every boundary */
-    float absorbed;                   /* mu_a / (mu_a + mu_s) */
-    float g, n, ratio_up, ratio_down; /* ratio: n over n of the neighbour */
+    float depth;                   /* thickness */
+    float top;                     /* z of its upper side */
+    float mfp;                     /* 1 / (mu_a + mu_s); clear: beyond every boundary */
+    float absorbed;                /* mu_a / (mu_a + mu_s) */
+    float g, ratio_up, ratio_down; /* ratio: n over n of the neighbor */
     int clear;
 } ms_mcml__slab;
 
 /* Offsets into the sums of a tally; S: the sum of weights, Q: of their squares. */
 typedef struct ms_mcml__layout {
     size_t leave;       /* [2: top, bottom][nr][na][2: S, Q] */
-    size_t time;        /* [nr][nt][2: S, Q] */
     size_t unscattered; /* [2] */
     size_t photons;     /* [GROUPS] */
     size_t layers;      /* [GROUPS][layer_count] */
-    size_t a, phi;      /* [groups][nr][nz], where asked for */
+    size_t a;           /* [nr][nz], unless no_absorption */
     size_t count;
 } ms_mcml__layout;
 
@@ -1066,39 +959,33 @@ struct ms_mcml {
     ms_mcml__layout at;
     ms_mcml__slab *slab;
     int64_t *sum;    /* [at.count] */
-    int first_layer; /* where photons start; layer_count: all is clear */
-    double specular, entry_path_cm, mfp_max_cm;
-    float entry_x, entry_sine, entry_cosine; /* of the beam in the first layer */
+    int first_layer; /* where photons start; layer_count: all layers are clear */
+    double specular;
     uint64_t photons;
     ms_simd simd;
-    int groups;            /* of a and phi: 1 or GROUPS */
-    const double *edge_cm; /* NULL, or [nr] where the rings begin in place of i dr; the caller's */
     size_t size;
 };
 
-/* Up to 16 photons on their way, a lane each; one bit a lane in alive. */
+/* Up to 16 photons, a lane each; one bit a lane in alive. */
 typedef struct ms_mcml__tracer {
     float x[MS_MCML__LANES_MAX], y[MS_MCML__LANES_MAX], z[MS_MCML__LANES_MAX]; /* cm; z from the top of the layer */
     float ux[MS_MCML__LANES_MAX], uy[MS_MCML__LANES_MAX], uz[MS_MCML__LANES_MAX];
     float w[MS_MCML__LANES_MAX];
-    float kept[MS_MCML__LANES_MAX]; /* absorbed in this layer since it was entered */
-    float path[MS_MCML__LANES_MAX]; /* optical path in cm */
+    float kept[MS_MCML__LANES_MAX]; /* absorbed in this layer since the photon entered it */
     float depth[MS_MCML__LANES_MAX], top[MS_MCML__LANES_MAX], mfp[MS_MCML__LANES_MAX], absorbed[MS_MCML__LANES_MAX];
-    float g[MS_MCML__LANES_MAX], n[MS_MCML__LANES_MAX], ratio_up[MS_MCML__LANES_MAX], ratio_down[MS_MCML__LANES_MAX];
-    float cos_t[MS_MCML__LANES_MAX], units_a[MS_MCML__LANES_MAX], units_phi[MS_MCML__LANES_MAX];
+    float g[MS_MCML__LANES_MAX], ratio_up[MS_MCML__LANES_MAX], ratio_down[MS_MCML__LANES_MAX];
+    float cos_t[MS_MCML__LANES_MAX], units[MS_MCML__LANES_MAX]; /* units: not yet in their cell */
     uint32_t s[4][MS_MCML__LANES_MAX], word[MS_MCML__LANES_MAX];
     uint32_t events[MS_MCML__LANES_MAX], limit[MS_MCML__LANES_MAX];
     uint32_t cell[MS_MCML__LANES_MAX];
     int layer[MS_MCML__LANES_MAX], group[MS_MCML__LANES_MAX];
-    int64_t *bins_a[MS_MCML__LANES_MAX], *bins_phi[MS_MCML__LANES_MAX]; /* of the photon's group; NULL if not wanted */
-    uint32_t bit[MS_MCML__LANES_MAX];                                   /* 1 << lane */
-    uint32_t fresh[4][MS_MCML__LANES_MAX]; /* states of photons to come, from fresh_at on */
+    uint32_t bit[MS_MCML__LANES_MAX];      /* 1 << lane */
+    uint32_t fresh[4][MS_MCML__LANES_MAX]; /* states of the next photons, from fresh_at on */
     int fresh_at;
     unsigned alive;
-    int volume_a, volume_phi;
-    float low_weight, inverse_dr, inverse_dz, last_r, last_z, phi_units;
+    float low_weight, inverse_dr, inverse_dz, last_r, last_z;
     uint32_t nz;
-    int64_t *sum;
+    int64_t *sum, *cells; /* cells: of absorption, or NULL */
     const ms_mcml *tally;
     uint64_t next, end;
 } ms_mcml__tracer;
@@ -1113,13 +1000,12 @@ static void ms_mcml__enter(ms_mcml__tracer *t, int i, int layer, int from_above)
     t->mfp[i] = slab->mfp;
     t->absorbed[i] = slab->absorbed;
     t->g[i] = slab->g;
-    t->n[i] = slab->n;
     t->ratio_up[i] = slab->ratio_up;
     t->ratio_down[i] = slab->ratio_down;
     t->kept[i] = 0;
 }
 
-/* The lowest lane of some. */
+/* Index of the lowest set bit. */
 static int ms_mcml__lowest(unsigned lanes)
 {
 #if defined(__GNUC__) || defined(__clang__)
@@ -1131,86 +1017,48 @@ static int ms_mcml__lowest(unsigned lanes)
 #endif
 }
 
-/* Absorption that is not yet in the bins of lane i. */
-static void ms_mcml__settle_bins(ms_mcml__tracer *t, int i)
-{
-    if (t->bins_a[i]) t->bins_a[i][t->cell[i]] += (int64_t)t->units_a[i];
-    if (t->bins_phi[i]) t->bins_phi[i][t->cell[i]] += (int64_t)t->units_phi[i];
-    t->units_a[i] = t->units_phi[i] = 0;
-}
-
-/* Lane i gets the next photon's state and bins; 0 if there is none. */
+/* Lane i gets the next photon's random state; 0 if there is none. */
 static inline int ms_mcml__assign(ms_mcml__tracer *t, int i)
 {
     const int k = t->fresh_at;
     t->group[i] = (int)(t->next / MS_MCML__BLOCK % MS_MCML__GROUPS);
     t->layer[i] = t->tally->first_layer;
-    if (t->tally->groups > 1) {
-        const size_t bins = (size_t)t->group[i] * (size_t)t->tally->grid.nr * t->nz;
-        ms_mcml__settle_bins(t, i);
-        if (t->volume_a) t->bins_a[i] = t->sum + t->tally->at.a + bins;
-        if (t->volume_phi) t->bins_phi[i] = t->sum + t->tally->at.phi + bins;
-    }
     if (t->next >= t->end) return 0;
     ++t->next;
     ++t->fresh_at;
     t->s[0][i] = t->fresh[0][k];
     t->s[1][i] = t->fresh[1][k];
     t->s[2][i] = t->fresh[2][k];
-    t->s[3][i] = t->fresh[3][k] |
-        (uint32_t)((t->fresh[0][k] | t->fresh[1][k] | t->fresh[2][k] | t->fresh[3][k]) ==
-                   0); /* all 0 is a fixed point */
+    t->s[3][i] = t->fresh[3][k];
+    if ((t->s[0][i] | t->s[1][i] | t->s[2][i] | t->s[3][i]) == 0) t->s[3][i] = 1; /* all 0 is a fixed point */
     return 1;
 }
 
-/* What lane i left in its layer goes to the sums, rounded at random by bits that its other choices do not use. */
+/* Adds the absorption of lane i in its layer to the sums, rounded at random by bits that its other choices do not
+   use. */
 static inline void ms_mcml__keep(ms_mcml__tracer *t, int i)
 {
     size_t at = t->tally->at.layers + (size_t)t->group[i] * (size_t)t->tally->tissue.layer_count + (size_t)t->layer[i];
-    t->sum[at] += (int64_t)(t->kept[i] * MS_MCML__UNITS + (float)(t->word[i] & 127) * (1.0f / 128));
+    t->sum[at] += (int64_t)(t->kept[i] * ms_mcml__units + (float)(t->word[i] & 127) * (1.0f / 128));
 }
 
-/* Ring of edged radius r by bisection; rings if outside. */
-static int ms_mcml__ring_of(const double *edge, int rings, double r)
-{
-    int low = 0, high = rings;
-    if (!(r >= edge[0] && r < edge[rings])) return rings;
-    while (high - low > 1) {
-        int middle = (low + high) / 2;
-        if (r < edge[middle]) high = middle;
-        else low = middle;
-    }
-    return low;
-}
-
-/* Lane i leaves the tissue with its whole weight; squares are rounded up, so that none is lost and no error becomes
-   0. */
+/* Lane i leaves the tissue with its whole weight. Squares are rounded up, so that no error becomes 0. */
 static void ms_mcml__leave(ms_mcml__tracer *t, int i, int down)
 {
     const ms_mcml *m = t->tally;
     const double w = (double)t->w[i], r = sqrt((double)t->x[i] * (double)t->x[i] + (double)t->y[i] * (double)t->y[i]);
     const double cosine = (double)t->cos_t[i] < 1 ? (double)t->cos_t[i] : 1, ring = r / m->grid.dr_cm;
-    size_t ir = (size_t)(ring < m->grid.nr - 1 ? (int)ring : m->grid.nr - 1);
+    const size_t ir = (size_t)(ring < m->grid.nr - 1 ? (int)ring : m->grid.nr - 1);
     const double angle = m->grid.na > 1 ? acos(cosine) * m->grid.na / 1.5707963267948966 : 0;
-    const int64_t s = (int64_t)(w * (double)MS_MCML__UNITS + 0.5), q = (int64_t)ceil(w * w * (double)MS_MCML__UNITS);
+    const int64_t s = (int64_t)(w * (double)ms_mcml__units + 0.5), q = (int64_t)ceil(w * w * (double)ms_mcml__units);
     const size_t ia = (size_t)(angle < m->grid.na - 1 ? (int)angle : m->grid.na - 1);
-    const size_t nr = (size_t)m->grid.nr, na = (size_t)m->grid.na, nt = (size_t)m->grid.nt;
-    int64_t *bin;
-    if (m->edge_cm) ir = (size_t)ms_mcml__ring_of(m->edge_cm, m->grid.nr - 1, r);
-    bin = t->sum + m->at.leave + 2 * (((size_t)down * nr + ir) * na + ia);
+    int64_t *bin = t->sum + m->at.leave + 2 * (((size_t)down * (size_t)m->grid.nr + ir) * (size_t)m->grid.na + ia);
     bin[0] += s;
     bin[1] += q;
-    if (nt && !down) {
-        const double time = (double)t->path[i] / (MS_MCML__C_CM_PER_PS * m->grid.dt_ps);
-        bin = t->sum + m->at.time + 2 * (ir * nt + (time < m->grid.nt - 1 ? (size_t)time : nt - 1));
-        bin[0] += s;
-        bin[1] += q;
-    }
-    if (!(t->uy[i] < 0 || t->uy[i] > 0) && (m->entry_sine > 0 || !(t->ux[i] < 0 || t->ux[i] > 0)))
-        t->sum[m->at.unscattered + (size_t)down] += s;
+    if (!(t->uy[i] < 0 || t->uy[i] > 0 || t->ux[i] < 0 || t->ux[i] > 0)) t->sum[m->at.unscattered + (size_t)down] += s;
 }
 
-/* Lane i crosses a boundary; not 0: it leaves. */
+/* Lane i crosses a boundary; returns 1 if it leaves the tissue. */
 static int ms_mcml__cross(ms_mcml__tracer *t, int i)
 {
     const int down = t->uz[i] > 0, layer = t->layer[i] + (down ? 1 : -1);
@@ -1227,7 +1075,7 @@ static int ms_mcml__cross(ms_mcml__tracer *t, int i)
     return 0;
 }
 
-/* What is compiled for each level. */
+/* The functions that are compiled for each level. */
 struct ms_mcml__flights;
 typedef struct ms_mcml__kernels {
     void (*trace)(ms_mcml__tracer *t);
@@ -1239,21 +1087,19 @@ typedef struct ms_mcml__kernels {
     double (*inner)(const double *a, const double *b, size_t n); /* n: a multiple of 8 */
     void (*add)(double *to, double x, const double *a, size_t n);
 } ms_mcml__kernels;
-static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level); /* behind the kernels */
+static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level); /* after the kernels */
 
 /* The photons first to end - 1 into sum. */
 static void ms_mcml__trace(const ms_mcml *m, int64_t *sum, uint64_t first, uint64_t end)
 {
     ms_mcml__tracer t;
-    uint64_t i;
-    for (i = first; i < end;) { /* photons of each group */
-        const uint64_t next = (i / MS_MCML__BLOCK + 1) * MS_MCML__BLOCK < end
-            ? (i / MS_MCML__BLOCK + 1) * MS_MCML__BLOCK
-            : end;
+    uint64_t i, next;
+    for (i = first; i < end; i = next) { /* photons of each group */
+        next = (i / MS_MCML__BLOCK + 1) * MS_MCML__BLOCK;
+        if (next > end) next = end;
         sum[m->at.photons + (size_t)(i / MS_MCML__BLOCK % MS_MCML__GROUPS)] += (int64_t)(next - i);
-        i = next;
     }
-    if (m->first_layer == m->tissue.layer_count) { /* clear throughout: all that enters leaves below, at r = 0 */
+    if (m->first_layer == m->tissue.layer_count) { /* clear: all that enters leaves at the bottom, at r = 0 */
         const int64_t all = (int64_t)((end - first) << 30);
         int64_t *bin = sum + m->at.leave + 2 * (size_t)m->grid.nr * (size_t)m->grid.na;
         bin[0] += all;
@@ -1268,17 +1114,15 @@ static void ms_mcml__trace(const ms_mcml *m, int64_t *sum, uint64_t first, uint6
     t.inverse_dz = (float)(1 / m->grid.dz_cm);
     t.last_r = (float)(m->grid.nr - 1);
     t.last_z = (float)(m->grid.nz - 1);
-    t.phi_units = (float)((double)MS_MCML__PHI_UNITS / m->mfp_max_cm);
     t.nz = (uint32_t)m->grid.nz;
     t.sum = sum;
-    t.volume_a = !m->options.no_absorption;
-    t.volume_phi = m->options.fluence != 0;
+    t.cells = m->options.no_absorption ? NULL : sum + m->at.a;
     t.next = first;
     t.end = end;
     ms_mcml__kernels_of(m->simd)->trace(&t);
 }
 
-/* Reflectance from n1 to n2 for nu = n sin(theta); 1 where nothing propagates beyond. */
+/* Fresnel reflectance from n1 to n2 for nu = n sin(theta); 1 for total reflection. */
 static double ms_mcml__fresnel_nu(double n1, double n2, double nu)
 {
     double a, b, s, p;
@@ -1290,15 +1134,15 @@ static double ms_mcml__fresnel_nu(double n1, double n2, double nu)
     return 0.5 * (s * s + p * p);
 }
 
-/* Reflectance at normal incidence of the boundaries from above the tissue to the first layer that is not clear, light
-   that runs to and fro between them added up: R = (r + s - 2 r s) / (1 - r s), boundary by boundary. */
-static double ms_mcml__specular(const ms_mcml_tissue *tissue, int first_layer, double nu)
+/* Reflectance at normal incidence of the boundaries from above the tissue to the first layer that is not clear, with
+   all reflections between them: R = (r + s - 2 r s) / (1 - r s), boundary by boundary. */
+static double ms_mcml__specular(const ms_mcml_tissue *tissue, int first_layer)
 {
     double reflectance = 0, n = tissue->n_above;
     int i;
     for (i = 0; i <= first_layer; ++i) {
         const double below = i < tissue->layer_count ? tissue->layers[i].n : tissue->n_below;
-        const double s = ms_mcml__fresnel_nu(n, below, nu);
+        const double s = ms_mcml__fresnel_nu(n, below, 0);
         reflectance = (reflectance + s - 2 * reflectance * s) / (1 - reflectance * s);
         n = below;
     }
@@ -1306,18 +1150,15 @@ static double ms_mcml__specular(const ms_mcml_tissue *tissue, int first_layer, d
 }
 
 /* Memory of the sums, or SIZE_MAX. */
-static size_t ms_mcml__layout_make(ms_mcml__layout *at, const ms_mcml_grid *grid, int layer_count, int groups, int a,
-                                   int phi)
+static size_t ms_mcml__layout_make(ms_mcml__layout *at, const ms_mcml_grid *grid, int layer_count, int absorption)
 {
-    const size_t nr = (size_t)grid->nr, cells = ms__size_mul(ms__size_mul(nr, (size_t)grid->nz), (size_t)groups);
+    const size_t nr = (size_t)grid->nr;
     at->leave = 0;
-    at->time = ms__size_mul(4, ms__size_mul(nr, (size_t)grid->na));
-    at->unscattered = ms__size_add(at->time, ms__size_mul(2, ms__size_mul(nr, (size_t)grid->nt)));
+    at->unscattered = ms__size_mul(4, ms__size_mul(nr, (size_t)grid->na));
     at->photons = ms__size_add(at->unscattered, 2);
     at->layers = ms__size_add(at->photons, MS_MCML__GROUPS);
     at->a = ms__size_add(at->layers, (size_t)layer_count * MS_MCML__GROUPS);
-    at->phi = ms__size_add(at->a, a ? cells : 0);
-    at->count = ms__size_add(at->phi, phi ? cells : 0);
+    at->count = ms__size_add(at->a, absorption ? ms__size_mul(nr, (size_t)grid->nz) : 0);
     return ms__size_mul(at->count, sizeof(int64_t));
 }
 
@@ -1325,43 +1166,51 @@ static size_t ms_mcml__layout_make(ms_mcml__layout *at, const ms_mcml_grid *grid
 static void ms_mcml__prepare(ms_mcml *m)
 {
     const ms_mcml_layer *layer = m->tissue.layers;
-    const double nu = m->tissue.n_above * sin(m->options.incidence_degrees * (3.14159265358979324 / 180));
     double top = 0, albedo = 1;
     int i;
     m->first_layer = m->tissue.layer_count;
-    m->mfp_max_cm = 0;
-    for (i = m->tissue.layer_count - 1; i >= 0; --i) {
+    for (i = 0; i < m->tissue.layer_count; ++i) {
         const double mu_s = layer[i].g < 1 ? layer[i].mu_s_per_cm : 0, mu_t = layer[i].mu_a_per_cm + mu_s;
         const double above = i > 0 ? layer[i - 1].n : m->tissue.n_above;
         const double below = i + 1 < m->tissue.layer_count ? layer[i + 1].n : m->tissue.n_below;
         ms_mcml__slab *slab = &m->slab[i];
         slab->clear = !(mu_t > 0);
         slab->depth = (float)(layer[i].thickness_cm < 1e12 ? layer[i].thickness_cm : 1e12);
+        slab->top = (float)top;
         slab->mfp = slab->clear ? 1e30f : (float)(mu_t > 1e-12 ? 1 / mu_t : 1e12);
         slab->absorbed = slab->clear ? 0.0f : (float)(layer[i].mu_a_per_cm / mu_t);
         slab->g = mu_s > 0 ? (float)layer[i].g : 0.0f;
-        slab->n = (float)layer[i].n;
         slab->ratio_up = (float)(layer[i].n / above);
         slab->ratio_down = (float)(layer[i].n / below);
-        if (!slab->clear) m->first_layer = i;
+        if (!slab->clear && i < m->first_layer) m->first_layer = i;
         if (mu_s > 0 && mu_s < albedo * mu_t) albedo = mu_s / mu_t;
-        if (!slab->clear && (double)slab->mfp > m->mfp_max_cm) m->mfp_max_cm = (double)slab->mfp;
-    }
-    for (i = 0; i < m->tissue.layer_count; ++i) {
-        m->slab[i].top = (float)top;
         top += layer[i].thickness_cm;
-        if (i <= m->first_layer) { /* through clear layers on top; nu = n sin(theta) is the same in all */
-            const double sine = nu / layer[i].n, cosine = sqrt((1 - sine) * (1 + sine)),
-                         d = i < m->first_layer ? layer[i].thickness_cm / cosine : 0;
-            m->entry_path_cm += layer[i].n * d;
-            m->entry_x += (float)(sine * d);
-            m->entry_sine = (float)sine;
-            m->entry_cosine = (float)cosine;
-        }
     }
-    m->specular = ms_mcml__specular(&m->tissue, m->first_layer, nu);
+    m->specular = ms_mcml__specular(&m->tissue, m->first_layer);
     /* One collision in a dark layer must not make a photon that still matters play. */
     if (!(m->options.roulette_weight > 0)) m->options.roulette_weight = 0.01 * albedo > 1e-4 ? 0.01 * albedo : 1e-4;
+}
+
+/* One block: the tally, sums, layers, slabs. block NULL: only its size. */
+static ms_mcml *ms_mcml__place(void *block, size_t sums, int layer_count, size_t *size)
+{
+    ms__arena arena = {NULL, 0};
+    ms_mcml *m;
+    ms_mcml_layer *layers;
+    int64_t *sum;
+    ms_mcml__slab *slab;
+    arena.base = (char *)block;
+    m = (ms_mcml *)ms__take(&arena, 1, sizeof *m);
+    sum = (int64_t *)ms__take(&arena, sums, 1);
+    layers = (ms_mcml_layer *)ms__take(&arena, (size_t)layer_count, sizeof *layers);
+    slab = (ms_mcml__slab *)ms__take(&arena, (size_t)layer_count, sizeof *slab);
+    *size = arena.used;
+    if (m == NULL) return NULL;
+    memset(m, 0, arena.used);
+    m->sum = sum;
+    m->tissue.layers = layers;
+    m->slab = slab;
+    return m;
 }
 
 MS_API ms_status ms_mcml_create(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, const ms_mcml_options *options,
@@ -1369,11 +1218,11 @@ MS_API ms_status ms_mcml_create(const ms_mcml_tissue *tissue, const ms_mcml_grid
 {
     const ms_mcml_options o = options ? *options : ms_mcml_defaults();
     const size_t limit = o.memory_limit ? o.memory_limit : sizeof(size_t) > 4 ? (size_t)1 << 16 << 16 : (size_t)1 << 31;
-    size_t layer_size, slab_size, sums, size, all;
+    size_t sums, size, all;
     ms_mcml__layout at;
+    ms_mcml_layer *layers;
     ms_mcml *m;
     ms_status status;
-    int groups;
     if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
     *out = NULL;
     if (tissue == NULL || grid == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tissue or grid is NULL");
@@ -1381,47 +1230,26 @@ MS_API ms_status ms_mcml_create(const ms_mcml_tissue *tissue, const ms_mcml_grid
     if ((status = ms_mcml__check_grid(grid, error)) != MS_OK) return status;
     if (!ms_mcml__between(o.roulette_weight, 0, 1))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "roulette_weight is %g, expected 0 to 1", o.roulette_weight);
-    if (!ms_mcml__between(o.target_error, 0, 1e300))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "target_error is %g, expected 0 or more", o.target_error);
-    if (o.photons > MS_MCML__PHOTONS_MAX) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "more than 2^32 photons");
-    if (!ms_mcml__between(o.incidence_degrees, 0, 89.999))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "incidence_degrees is %g, expected 0 to less than 90",
-                        o.incidence_degrees);
-    for (groups = 0; o.incidence_degrees > 0; ++groups) { /* down to the first layer that is not clear */
-        const double nu = tissue->n_above * sin(o.incidence_degrees * (3.14159265358979324 / 180));
-        if (groups == tissue->layer_count)
-            return ms__fail(error, MS_UNSUPPORTED, 0, "a tissue that is clear takes light at the normal only");
-        if (!(nu < tissue->layers[groups].n))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)groups + 1,
-                            "light at %g degrees does not enter layer %d", o.incidence_degrees, groups + 1);
-        if (tissue->layers[groups].mu_a_per_cm > 0 ||
-            (tissue->layers[groups].mu_s_per_cm > 0 && tissue->layers[groups].g < 1))
-            break;
-    }
-
-    groups = o.absorption_error ? MS_MCML__GROUPS : 1;
-    sums = ms_mcml__layout_make(&at, grid, tissue->layer_count, groups, !o.no_absorption, o.fluence);
-    layer_size = (size_t)tissue->layer_count * sizeof(ms_mcml_layer);
-    slab_size = (size_t)tissue->layer_count * sizeof(ms_mcml__slab);
-    size = ms__size_add(sizeof *m + 8 + layer_size + slab_size, sums);
-    all = o.parallel.run ? ms__size_mul(size, MS_MCML__TASKS + 1) : size;
+    if (o.photons > ms_mcml__photons_max) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "more than 2^32 photons");
     if (ms__size_mul((size_t)grid->nr, (size_t)grid->nz) > 0x7fffffffu)
         return ms__fail(error, MS_UNSUPPORTED, 0, "%d by %d cells, expected fewer than 2^31", grid->nr, grid->nz);
+
+    sums = ms_mcml__layout_make(&at, grid, tissue->layer_count, !o.no_absorption);
+    ms_mcml__place(NULL, sums, tissue->layer_count, &size);
+    all = o.parallel.run ? ms__size_mul(size, MS_MCML__TASKS + 1) : size;
     if (all > limit)
         return ms__fail(error, MS_UNSUPPORTED, 0, "the tallies take %z bytes, more than memory_limit, %z", all, limit);
-    m = (ms_mcml *)ms__alloc(&o.allocator, size);
+    m = ms_mcml__place(ms__alloc(&o.allocator, size), sums, tissue->layer_count, &size);
     if (m == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the tally", size);
-    memset(m, 0, size);
+    layers = (ms_mcml_layer *)m->tissue.layers;
+    memcpy(layers, tissue->layers, (size_t)tissue->layer_count * sizeof *layers);
+    m->tissue = *tissue;
+    m->tissue.layers = layers;
     m->options = o;
     m->grid = *grid;
     m->at = at;
     m->size = size;
-    m->groups = groups;
     m->simd = ms__simd_pick(o.simd);
-    m->sum = (int64_t *)(void *)((char *)m + (sizeof *m + 7) / 8 * 8);
-    m->tissue = *tissue;
-    m->tissue.layers = (const ms_mcml_layer *)memcpy(m->sum + at.count, tissue->layers, layer_size);
-    m->slab = (ms_mcml__slab *)(void *)((char *)(m->sum + at.count) + layer_size);
     ms_mcml__prepare(m);
     *out = m;
     return MS_OK;
@@ -1459,19 +1287,20 @@ static void ms_mcml__wave_task(void *context, int index)
                    wave->first + wave->count * (i + 1) / MS_MCML__TASKS);
 }
 
-/* ms_mcml_run as the part of a longer call: done photons of `of` went before. */
-static ms_status ms_mcml__run(ms_mcml *m, uint64_t first, uint64_t count, uint64_t done, uint64_t of, ms_error *error)
+MS_API ms_status ms_mcml_run(ms_mcml *m, uint64_t first, uint64_t count, ms_error *error)
 {
-    const int parallel = m->options.parallel.run != NULL;
+    const int parallel = m && m->options.parallel.run != NULL;
     const size_t size = parallel ? ms__size_mul(m->at.count, MS_MCML__TASKS * sizeof(int64_t)) : 0;
     const uint64_t end = first + count;
-    const ms_progress *progress = &m->options.progress;
+    const ms_progress *progress;
     ms_status status = MS_OK;
     ms_mcml__wave wave;
     int i;
-    if (count > MS_MCML__PHOTONS_MAX || m->photons > MS_MCML__PHOTONS_MAX - count)
+    if (m == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tally is NULL");
+    if (count > ms_mcml__photons_max || m->photons > ms_mcml__photons_max - count)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "more than 2^32 photons in one tally");
     if (end < first) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the last photon's index is above 2^64");
+    progress = &m->options.progress;
     wave.tally = m;
     wave.sums = NULL;
     if (parallel) {
@@ -1483,7 +1312,7 @@ static ms_status ms_mcml__run(ms_mcml *m, uint64_t first, uint64_t count, uint64
     for (wave.first = first; wave.first < end; wave.first += wave.count) {
         wave.count = MS_MCML__STRETCH - wave.first % MS_MCML__STRETCH;
         if (wave.count > end - wave.first) wave.count = end - wave.first;
-        if (progress->report && progress->report(progress->user, (double)(done + wave.first - first) / (double)of)) {
+        if (progress->report && progress->report(progress->user, (double)(wave.first - first) / (double)count)) {
             status = ms__fail(error, MS_CANCELLED, 0, "stopped by the progress callback");
             break;
         }
@@ -1497,28 +1326,25 @@ static ms_status ms_mcml__run(ms_mcml *m, uint64_t first, uint64_t count, uint64
     return status;
 }
 
-MS_API ms_status ms_mcml_run(ms_mcml *tally, uint64_t first, uint64_t count, ms_error *error)
+static uint64_t ms_mcml__real_bits(double value)
 {
-    if (tally == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tally is NULL");
-    return ms_mcml__run(tally, first, count, 0, count ? count : 1, error);
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
 }
 
-/* The head of a saved tally: what must be equal for a merge, then the layers. */
-#define MS_MCML__HEAD (16 + 8 * 13)
-#define MS_MCML__LAYER_BYTES (5 * 8)
+static double ms_mcml__bits_real(uint64_t bits)
+{
+    double value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
 
 static uint8_t *ms_mcml__put(uint8_t *p, uint64_t value)
 {
     int i;
     for (i = 0; i < 8; ++i) *p++ = (uint8_t)(value >> (8 * i));
     return p;
-}
-
-static uint8_t *ms_mcml__put_real(uint8_t *p, double value)
-{
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return ms_mcml__put(p, bits);
 }
 
 static uint64_t ms_mcml__get(const uint8_t *p)
@@ -1529,66 +1355,37 @@ static uint64_t ms_mcml__get(const uint8_t *p)
     return value;
 }
 
-static double ms_mcml__get_real(const uint8_t *p)
-{
-    const uint64_t bits = ms_mcml__get(p);
-    double value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
+/* A saved tally: 16 characters, these words, five reals a layer, the sums. Tallies merge if all words but the first and
+   the layers are equal. */
+static const char ms_mcml__magic[17] = "ms_mcml tally 3\n";
 
-/* Head and layers; the photon count stands first and is no part of a comparison. */
-static uint8_t *ms_mcml__put_head(const ms_mcml *m, uint8_t *p)
+static void ms_mcml__tally_words(const ms_mcml *m, uint64_t word[MS_MCML__TALLY_WORDS])
 {
-    const ms_mcml_options *o = &m->options;
-    int i;
-    memcpy(p, "ms_mcml tally 2\n", 16);
-    p = ms_mcml__put(p + 16, m->photons);
-    p = ms_mcml__put(p, o->seed);
-    p = ms_mcml__put_real(p, o->roulette_weight);
-    p = ms_mcml__put(p,
-                     (uint64_t)(o->no_absorption != 0) | (uint64_t)(o->absorption_error != 0) << 1 |
-                         (uint64_t)(o->fluence != 0) << 2);
-    p = ms_mcml__put_real(p, m->grid.dr_cm);
-    p = ms_mcml__put_real(p, m->grid.dz_cm);
-    p = ms_mcml__put_real(p, m->grid.dt_ps);
-    p = ms_mcml__put(p, (uint64_t)m->grid.nr | (uint64_t)m->grid.nz << 32);
-    p = ms_mcml__put(p, (uint64_t)m->grid.na | (uint64_t)m->grid.nt << 32);
-    p = ms_mcml__put_real(p, m->tissue.n_above);
-    p = ms_mcml__put_real(p, m->tissue.n_below);
-    p = ms_mcml__put(p, (uint64_t)m->tissue.layer_count);
-    p = ms_mcml__put_real(p, o->incidence_degrees);
-    for (i = 0; i < m->tissue.layer_count; ++i) {
-        const ms_mcml_layer *l = &m->tissue.layers[i];
-        p = ms_mcml__put_real(p, l->n);
-        p = ms_mcml__put_real(p, l->mu_a_per_cm);
-        p = ms_mcml__put_real(p, l->mu_s_per_cm);
-        p = ms_mcml__put_real(p, l->g);
-        p = ms_mcml__put_real(p, l->thickness_cm);
-    }
-    return p;
+    word[0] = m->photons;
+    word[1] = m->options.seed;
+    word[2] = ms_mcml__real_bits(m->options.roulette_weight);
+    word[3] = m->options.no_absorption != 0;
+    word[4] = ms_mcml__real_bits(m->grid.dr_cm);
+    word[5] = ms_mcml__real_bits(m->grid.dz_cm);
+    word[6] = (uint64_t)m->grid.nr | (uint64_t)m->grid.nz << 32;
+    word[7] = (uint64_t)m->grid.na;
+    word[8] = ms_mcml__real_bits(m->tissue.n_above);
+    word[9] = ms_mcml__real_bits(m->tissue.n_below);
+    word[10] = (uint64_t)m->tissue.layer_count;
 }
 
 MS_API ms_status ms_mcml_merge(ms_mcml *tally, const ms_mcml *other, ms_error *error)
 {
+    uint64_t a[MS_MCML__TALLY_WORDS], b[MS_MCML__TALLY_WORDS];
     if (tally == NULL || other == NULL || tally == other)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "two different tallies are expected");
-    if (other->photons > MS_MCML__PHOTONS_MAX - tally->photons)
+    if (other->photons > ms_mcml__photons_max - tally->photons)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "more than 2^32 photons in one tally");
-    if (tally->options.seed != other->options.seed)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the tallies have different seeds");
-    if (tally->tissue.layer_count != other->tissue.layer_count ||
-        memcmp(tally->tissue.layers, other->tissue.layers, (size_t)tally->tissue.layer_count * sizeof(ms_mcml_layer)) !=
-            0 ||
-        memcmp(&tally->tissue.n_above, &other->tissue.n_above, sizeof(double)) != 0 ||
-        memcmp(&tally->tissue.n_below, &other->tissue.n_below, sizeof(double)) != 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the tallies have different tissues");
-    if (memcmp(&tally->at, &other->at, sizeof tally->at) != 0 ||
-        memcmp(&tally->grid.dr_cm, &other->grid.dr_cm, 3 * sizeof(double)) != 0 || tally->grid.nr != other->grid.nr ||
-        tally->grid.nz != other->grid.nz ||
-        memcmp(&tally->options.roulette_weight, &other->options.roulette_weight, sizeof(double)) != 0 ||
-        memcmp(&tally->options.incidence_degrees, &other->options.incidence_degrees, sizeof(double)) != 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the tallies have different grids or options");
+    ms_mcml__tally_words(tally, a);
+    ms_mcml__tally_words(other, b);
+    if (memcmp(a + 1, b + 1, sizeof a - sizeof a[0]) != 0 ||
+        memcmp(tally->tissue.layers, other->tissue.layers, (size_t)tally->tissue.layer_count * sizeof(ms_mcml_layer)))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the tallies have different seeds, tissues, grids or options");
     ms_mcml__add(tally->sum, other->sum, tally->at.count);
     tally->photons += other->photons;
     return MS_OK;
@@ -1597,113 +1394,121 @@ MS_API ms_status ms_mcml_merge(ms_mcml *tally, const ms_mcml *other, ms_error *e
 MS_API size_t ms_mcml_save_size(const ms_mcml *tally)
 {
     if (tally == NULL) return 0;
-    return MS_MCML__HEAD + (size_t)tally->tissue.layer_count * MS_MCML__LAYER_BYTES + tally->at.count * 8;
+    return MS_MCML__TALLY_HEAD + (size_t)tally->tissue.layer_count * MS_MCML__LAYER_BYTES + tally->at.count * 8;
 }
 
 MS_API void ms_mcml_save(const ms_mcml *tally, void *bytes)
 {
-    uint8_t *p;
+    uint64_t word[MS_MCML__TALLY_WORDS];
+    uint8_t *p = (uint8_t *)bytes;
     size_t i;
+    int layer;
     if (tally == NULL || bytes == NULL) return;
-    p = ms_mcml__put_head(tally, (uint8_t *)bytes);
+    ms_mcml__tally_words(tally, word);
+    memcpy(p, ms_mcml__magic, 16);
+    for (p += 16, i = 0; i < MS_MCML__TALLY_WORDS; ++i) p = ms_mcml__put(p, word[i]);
+    for (layer = 0; layer < tally->tissue.layer_count; ++layer) {
+        const ms_mcml_layer *l = &tally->tissue.layers[layer];
+        p = ms_mcml__put(p, ms_mcml__real_bits(l->n));
+        p = ms_mcml__put(p, ms_mcml__real_bits(l->mu_a_per_cm));
+        p = ms_mcml__put(p, ms_mcml__real_bits(l->mu_s_per_cm));
+        p = ms_mcml__put(p, ms_mcml__real_bits(l->g));
+        p = ms_mcml__put(p, ms_mcml__real_bits(l->thickness_cm));
+    }
     for (i = 0; i < tally->at.count; ++i) p = ms_mcml__put(p, (uint64_t)tally->sum[i]);
 }
 
-MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_options *options, ms_mcml **out,
-                              ms_error *error)
+/* Layers and sums of a saved tally whose head, at least, is whole. */
+static ms_status ms_mcml__load_rest(const uint8_t *p, const ms_mcml_tissue *head, const ms_mcml_grid *grid,
+                                    const ms_mcml_options *o, uint64_t photons, ms_mcml **out, ms_error *error)
 {
-    const uint8_t *p = (const uint8_t *)bytes, *head;
-    ms_mcml_options o = options ? *options : ms_mcml_defaults();
-    ms_mcml_tissue tissue;
-    ms_mcml_grid grid;
-    ms_mcml_layer *layers;
-    ms_mcml__layout at;
+    const size_t bytes = (size_t)head->layer_count * sizeof(ms_mcml_layer);
+    ms_mcml_layer *layers = (ms_mcml_layer *)ms__alloc(&o->allocator, bytes);
+    ms_mcml_tissue tissue = *head;
     ms_mcml *m = NULL;
     ms_status status;
-    uint64_t word[12], sums;
-    size_t layer_size, i;
-    if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
-    *out = NULL;
-    if (p == NULL || size < MS_MCML__HEAD || memcmp(p, "ms_mcml tally 2\n", 16) != 0)
-        return ms__fail(error, MS_BAD_DATA, 0, "these bytes are not a saved tally");
-    for (i = 0; i < 12; ++i) word[i] = ms_mcml__get(p + 16 + 8 * i);
-    for (i = 7; i <= 8; ++i)
-        if ((word[i] >> 31 & 1) || word[i] >> 63)
-            return ms__fail(error, MS_BAD_DATA, 16 + 8 * i, "a negative bin count");
-    if (word[0] > MS_MCML__PHOTONS_MAX || word[3] > 7 || word[11] < 1 || word[11] > 32767)
-        return ms__fail(error, MS_BAD_DATA, 16, "the head of the saved tally is damaged");
-    o.photons = 0;
-    o.target_error = 0;
-    o.seed = word[1];
-    o.roulette_weight = ms_mcml__get_real(p + 32);
-    o.incidence_degrees = ms_mcml__get_real(p + 112);
-    o.no_absorption = (int)(word[3] & 1);
-    o.absorption_error = (int)(word[3] >> 1 & 1);
-    o.fluence = (int)(word[3] >> 2 & 1);
-    grid.dr_cm = ms_mcml__get_real(p + 48);
-    grid.dz_cm = ms_mcml__get_real(p + 56);
-    grid.dt_ps = ms_mcml__get_real(p + 64);
-    grid.nr = (int)(uint32_t)word[7];
-    grid.nz = (int)(word[7] >> 32);
-    grid.na = (int)(uint32_t)word[8];
-    grid.nt = (int)(word[8] >> 32);
-    tissue.n_above = ms_mcml__get_real(p + 88);
-    tissue.n_below = ms_mcml__get_real(p + 96);
-    tissue.layer_count = (int)word[11];
-
-    /* the size is known before anything of it is allocated */
-    sums = ms_mcml__layout_make(&at, &grid, tissue.layer_count, o.absorption_error ? MS_MCML__GROUPS : 1,
-                                !o.no_absorption, o.fluence);
-    layer_size = (size_t)tissue.layer_count * MS_MCML__LAYER_BYTES;
-    if (sums == SIZE_MAX || size - MS_MCML__HEAD < layer_size || size - MS_MCML__HEAD - layer_size != sums)
-        return ms__fail(error, MS_BAD_DATA, size, "the saved tally is cut short or longer than its head says");
-    layers = (ms_mcml_layer *)ms__alloc(&o.allocator, (size_t)tissue.layer_count * sizeof(ms_mcml_layer));
+    size_t i;
     if (layers == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %d layers", tissue.layer_count);
-    head = p + MS_MCML__HEAD;
-    for (i = 0; i < (size_t)tissue.layer_count; ++i, head += MS_MCML__LAYER_BYTES) {
-        layers[i].n = ms_mcml__get_real(head);
-        layers[i].mu_a_per_cm = ms_mcml__get_real(head + 8);
-        layers[i].mu_s_per_cm = ms_mcml__get_real(head + 16);
-        layers[i].g = ms_mcml__get_real(head + 24);
-        layers[i].thickness_cm = ms_mcml__get_real(head + 32);
-    }
     tissue.layers = layers;
-    status = ms_mcml_create(&tissue, &grid, &o, &m, error);
-    ms__release(&o.allocator, layers, (size_t)tissue.layer_count * sizeof(ms_mcml_layer));
+    for (i = 0; i < (size_t)tissue.layer_count; ++i, p += MS_MCML__LAYER_BYTES) {
+        layers[i].n = ms_mcml__bits_real(ms_mcml__get(p));
+        layers[i].mu_a_per_cm = ms_mcml__bits_real(ms_mcml__get(p + 8));
+        layers[i].mu_s_per_cm = ms_mcml__bits_real(ms_mcml__get(p + 16));
+        layers[i].g = ms_mcml__bits_real(ms_mcml__get(p + 24));
+        layers[i].thickness_cm = ms_mcml__bits_real(ms_mcml__get(p + 32));
+    }
+    status = ms_mcml_create(&tissue, grid, o, &m, error);
+    ms__release(&o->allocator, layers, bytes);
     if (status == MS_INVALID_ARGUMENT) {
         if (error) error->status = MS_BAD_DATA;
         return MS_BAD_DATA;
     }
     if (status) return status;
-    for (i = 0; i < m->at.count && status == MS_OK; ++i) {
-        const uint64_t value = ms_mcml__get(head + 8 * i);
-        if (value > (uint64_t)1 << 62)
-            status = ms__fail(error, MS_BAD_DATA, (size_t)(head - p) + 8 * i,
-                              "a sum of the saved tally is out of range");
-        m->sum[i] = (int64_t)value;
+    for (i = 0; i < m->at.count; ++i, p += 8) {
+        if (ms_mcml__get(p) > (uint64_t)1 << 62) {
+            ms_mcml_destroy(m);
+            return ms__fail(error, MS_BAD_DATA, i, "sum %z of the saved tally is out of range", i);
+        }
+        m->sum[i] = (int64_t)ms_mcml__get(p);
     }
-    m->photons = word[0];
-    if (status) {
-        ms_mcml_destroy(m);
-        return status;
-    }
+    m->photons = photons;
     *out = m;
     return MS_OK;
+}
+
+MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_options *options, ms_mcml **out,
+                              ms_error *error)
+{
+    const uint8_t *p = (const uint8_t *)bytes;
+    ms_mcml_options o = options ? *options : ms_mcml_defaults();
+    ms_mcml_tissue tissue;
+    ms_mcml_grid grid;
+    ms_mcml__layout at;
+    uint64_t word[MS_MCML__TALLY_WORDS];
+    size_t expected, i;
+    if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
+    *out = NULL;
+    if (p == NULL || size < MS_MCML__TALLY_HEAD || memcmp(p, ms_mcml__magic, 16) != 0)
+        return ms__fail(error, MS_BAD_DATA, 0, "these bytes are not a saved tally");
+    for (i = 0; i < MS_MCML__TALLY_WORDS; ++i) word[i] = ms_mcml__get(p + 16 + 8 * i);
+    if (word[0] > ms_mcml__photons_max || word[3] > 1 || (word[6] & 0x8000000080000000u) || word[7] > 0x7fffffffu ||
+        word[10] < 1 || word[10] > 32767)
+        return ms__fail(error, MS_BAD_DATA, 16, "the head of the saved tally is damaged");
+    o.photons = 0;
+    o.seed = word[1];
+    o.roulette_weight = ms_mcml__bits_real(word[2]);
+    o.no_absorption = (int)word[3];
+    grid.dr_cm = ms_mcml__bits_real(word[4]);
+    grid.dz_cm = ms_mcml__bits_real(word[5]);
+    grid.nr = (int)(word[6] & 0x7fffffffu);
+    grid.nz = (int)(word[6] >> 32);
+    grid.na = (int)word[7];
+    tissue.n_above = ms_mcml__bits_real(word[8]);
+    tissue.n_below = ms_mcml__bits_real(word[9]);
+    tissue.layer_count = (int)word[10];
+    tissue.layers = NULL;
+
+    /* the size is checked before anything of it is allocated */
+    expected = ms_mcml__layout_make(&at, &grid, tissue.layer_count, !o.no_absorption);
+    expected = ms__size_add(expected, MS_MCML__TALLY_HEAD + (size_t)tissue.layer_count * MS_MCML__LAYER_BYTES);
+    if (expected != size)
+        return ms__fail(error, MS_BAD_DATA, size, "the saved tally is cut short or longer than its head says");
+    return ms_mcml__load_rest(p + MS_MCML__TALLY_HEAD, &tissue, &grid, &o, word[0], out, error);
 }
 
 /* Mean and standard error from a sum and a sum of squares over n photons, both in units of 2^-30, times scale. */
 static void ms_mcml__moments(double s, double q, double n, double scale, double *mean, double *error)
 {
-    const double unit = (double)MS_MCML__UNITS, m = s / unit / n, v = q / unit / n - m * m;
+    const double unit = (double)ms_mcml__units, m = s / unit / n, v = q / unit / n - m * m;
     *mean = m * scale;
     *error = n > 1 ? (v > 0 ? sqrt(v / (n - 1)) * scale : 0) : HUGE_VAL;
 }
 
 /* The same from the sums of the groups, whose sizes differ: the spread of sum_g - mean n_g. */
-static void ms_mcml__spread(const ms_mcml *m, const double *sum, double unit, double scale, double *mean, double *error)
+static void ms_mcml__spread(const ms_mcml *m, const double *sum, double *mean, double *error)
 {
     const int64_t *size = m->sum + m->at.photons;
-    const double n = (double)m->photons;
+    const double n = (double)m->photons, unit = (double)ms_mcml__units, scale = 1 - m->specular;
     double total = 0, square = 0, used = 0;
     size_t g;
     for (g = 0; g < MS_MCML__GROUPS; ++g) total += sum[g];
@@ -1726,98 +1531,59 @@ static double ms_mcml__solid_angle(int ia, int na, double *cosine)
 
 static double ms_mcml__ring_area(int ir, double dr) { return 6.283185307179586 * (ir + 0.5) * dr * dr; }
 
-static double ms_mcml__area(const ms_mcml *m, int ir)
-{
-    const double *edge = m->edge_cm;
-    if (edge && ir + 1 < m->grid.nr) return 3.141592653589793 * (edge[ir + 1] - edge[ir]) * (edge[ir + 1] + edge[ir]);
-    return ms_mcml__ring_area(ir, m->grid.dr_cm);
-}
-
 /* Rd or Tt: the total, and over r, a, and both. */
-static void ms_mcml__leave_results(const ms_mcml *m, int down, double *total, double *total_error, double *r,
-                                   double *r_error, double *a, double *a_error, double *ra, double *ra_error)
+static void ms_mcml__leave_results(const ms_mcml *m, int down, ms_mcml_result *out)
 {
     const int nr = m->grid.nr, na = m->grid.na;
     const int64_t *bin = m->sum + m->at.leave + 2 * (size_t)down * (size_t)nr * (size_t)na;
     const double n = (double)m->photons, entered = 1 - m->specular;
-    double s = 0, q = 0;
+    double *ra = down ? out->tt_ra : out->rd_ra, *ra_error = down ? out->tt_ra_error : out->rd_ra_error;
+    double *r = down ? out->tt_r : out->rd_r, *r_error = down ? out->tt_r_error : out->rd_r_error;
+    double *a = down ? out->tt_a : out->rd_a, *a_error = down ? out->tt_a_error : out->rd_a_error;
+    double s = 0, q = 0, cosine, solid;
     int ir, ia;
     for (ir = 0; ir < nr; ++ir) {
-        const double area = ms_mcml__area(m, ir);
+        const double area = ms_mcml__ring_area(ir, m->grid.dr_cm);
         double ring_s = 0, ring_q = 0;
         for (ia = 0; ia < na; ++ia) {
             const size_t i = (size_t)ir * (size_t)na + (size_t)ia;
-            double cosine, solid = ms_mcml__solid_angle(ia, na, &cosine);
-            ms_mcml__moments((double)bin[2 * i], (double)bin[2 * i + 1], n, entered / (area * solid * cosine), &ra[i],
-                             &ra_error[i]);
-            ring_s += (double)bin[2 * i];
-            ring_q += (double)bin[2 * i + 1];
+            const double bin_s = (double)bin[2 * i], bin_q = (double)bin[2 * i + 1];
+            solid = ms_mcml__solid_angle(ia, na, &cosine);
+            ms_mcml__moments(bin_s, bin_q, n, entered / (area * solid * cosine), &ra[i], &ra_error[i]);
+            ring_s += bin_s;
+            ring_q += bin_q;
         }
         ms_mcml__moments(ring_s, ring_q, n, entered / area, &r[ir], &r_error[ir]);
         s += ring_s;
         q += ring_q;
     }
-    ms_mcml__moments(s, q, n, entered, total, total_error);
+    ms_mcml__moments(s, q, n, entered, down ? &out->tt : &out->rd, down ? &out->tt_error : &out->rd_error);
     for (ia = 0; ia < na; ++ia) {
-        double cosine, solid = ms_mcml__solid_angle(ia, na, &cosine);
-        s = q = 0;
-        for (ir = 0; ir < nr; ++ir) {
-            s += (double)bin[2 * ((size_t)ir * (size_t)na + (size_t)ia)];
-            q += (double)bin[2 * ((size_t)ir * (size_t)na + (size_t)ia) + 1];
+        solid = ms_mcml__solid_angle(ia, na, &cosine);
+        for (s = q = 0, ir = 0; ir < nr; ++ir) {
+            const size_t i = (size_t)ir * (size_t)na + (size_t)ia;
+            s += (double)bin[2 * i];
+            q += (double)bin[2 * i + 1];
         }
         ms_mcml__moments(s, q, n, entered / solid, &a[ia], &a_error[ia]);
     }
 }
 
-static void ms_mcml__time_results(const ms_mcml *m, ms_mcml_result *out)
-{
-    const int nr = m->grid.nr, nt = m->grid.nt;
-    const int64_t *bin = m->sum + m->at.time;
-    const double n = (double)m->photons, scale = nt > 0 ? (1 - m->specular) / m->grid.dt_ps : 0;
-    int ir, it;
-    for (it = 0; it < nt; ++it) {
-        double s = 0, q = 0;
-        for (ir = 0; ir < nr; ++ir) {
-            const size_t i = (size_t)ir * (size_t)nt + (size_t)it;
-            ms_mcml__moments((double)bin[2 * i], (double)bin[2 * i + 1], n, scale / ms_mcml__area(m, ir),
-                             &out->rd_rt[i], &out->rd_rt_error[i]);
-            s += (double)bin[2 * i];
-            q += (double)bin[2 * i + 1];
-        }
-        ms_mcml__moments(s, q, n, scale, &out->rd_t[it], &out->rd_t_error[it]);
-    }
-}
-
-/* Densities over r and z of one of the volume tallies; error may be NULL. */
-static void ms_mcml__volume_results(const ms_mcml *m, const int64_t *sum, double unit, double *value, double *error)
-{
-    const size_t nr = (size_t)m->grid.nr, nz = (size_t)m->grid.nz, cells = nr * nz;
-    double group[MS_MCML__GROUPS];
-    size_t i, g;
-    for (i = 0; i < cells; ++i) {
-        const double volume = ms_mcml__area(m, (int)(i / nz)) * m->grid.dz_cm;
-        const double scale = (1 - m->specular) / volume;
-        for (g = 0; error && g < MS_MCML__GROUPS; ++g) group[g] = (double)sum[g * cells + i];
-        if (error) ms_mcml__spread(m, group, unit, scale, &value[i], &error[i]);
-        else value[i] = (double)sum[i] / unit / (double)m->photons * scale;
-    }
-}
-
+/* Absorption over r and z, and over z. */
 static void ms_mcml__depth_results(const ms_mcml *m, ms_mcml_result *out)
 {
     const size_t nr = (size_t)m->grid.nr, nz = (size_t)m->grid.nz;
-    const double scale = (1 - m->specular) / m->grid.dz_cm;
-    double group[MS_MCML__GROUPS];
+    const double dz = m->grid.dz_cm, unit = (double)ms_mcml__units, n = (double)m->photons, entered = 1 - m->specular;
+    const int64_t *sum = m->sum + m->at.a;
     size_t z, r;
-    int g;
     for (z = 0; z < nz; ++z) {
-        for (g = 0; g < m->groups; ++g) {
-            const int64_t *sum = m->sum + m->at.a + (size_t)g * nr * nz + z;
-            group[g] = 0;
-            for (r = 0; r < nr; ++r) group[g] += (double)sum[r * nz];
+        double all = 0;
+        for (r = 0; r < nr; ++r) {
+            const double cell = (double)sum[r * nz + z];
+            out->a_rz[r * nz + z] = cell / unit / n * (entered / (ms_mcml__ring_area((int)r, m->grid.dr_cm) * dz));
+            all += cell;
         }
-        if (out->a_z_error) ms_mcml__spread(m, group, (double)MS_MCML__UNITS, scale, &out->a_z[z], &out->a_z_error[z]);
-        else out->a_z[z] = group[0] / (double)MS_MCML__UNITS / (double)m->photons * scale;
+        out->a_z[z] = all / unit / n * (entered / dz);
     }
 }
 
@@ -1832,92 +1598,62 @@ static void ms_mcml__layer_results(const ms_mcml *m, ms_mcml_result *out)
             group[g] = (double)sum[g * count + i];
             all[g] += group[g];
         }
-        ms_mcml__spread(m, group, (double)MS_MCML__UNITS, 1 - m->specular, &out->a_l[i], &out->a_l_error[i]);
+        ms_mcml__spread(m, group, &out->a_l[i], &out->a_l_error[i]);
     }
-    ms_mcml__spread(m, all, (double)MS_MCML__UNITS, 1 - m->specular, &out->a, &out->a_error);
+    ms_mcml__spread(m, all, &out->a, &out->a_error);
 }
 
-/* The next n doubles of a block, or NULL if they are not wanted. */
-static double *ms_mcml__take(double **block, size_t n, int wanted)
+/* The arrays of a result, one block; arena->base NULL: only counts. */
+static void ms_mcml__result_place(ms__arena *arena, const ms_mcml *m, ms_mcml_result *out)
 {
-    double *at = *block;
-    if (!wanted) return NULL;
-    *block += n;
-    return at;
+    const size_t size = sizeof(double), nr = (size_t)m->grid.nr, na = (size_t)m->grid.na, nz = (size_t)m->grid.nz;
+    const size_t layers = (size_t)m->tissue.layer_count;
+    out->rd_r = (double *)ms__take(arena, nr, size);
+    out->rd_r_error = (double *)ms__take(arena, nr, size);
+    out->rd_a = (double *)ms__take(arena, na, size);
+    out->rd_a_error = (double *)ms__take(arena, na, size);
+    out->rd_ra = (double *)ms__take(arena, nr * na, size);
+    out->rd_ra_error = (double *)ms__take(arena, nr * na, size);
+    out->tt_r = (double *)ms__take(arena, nr, size);
+    out->tt_r_error = (double *)ms__take(arena, nr, size);
+    out->tt_a = (double *)ms__take(arena, na, size);
+    out->tt_a_error = (double *)ms__take(arena, na, size);
+    out->tt_ra = (double *)ms__take(arena, nr * na, size);
+    out->tt_ra_error = (double *)ms__take(arena, nr * na, size);
+    out->a_l = (double *)ms__take(arena, layers, size);
+    out->a_l_error = (double *)ms__take(arena, layers, size);
+    if (m->options.no_absorption) return;
+    out->a_z = (double *)ms__take(arena, nz, size);
+    out->a_rz = (double *)ms__take(arena, nr * nz, size);
 }
 
 MS_API ms_status ms_mcml_results(const ms_mcml *tally, ms_mcml_result *result, ms_error *error)
 {
-    size_t nr, na, nz, nt, layers, cells, count;
+    ms__arena arena = {NULL, 0};
     ms_mcml_result out;
-    double *block;
-    int a, phi, e;
+    double scale;
     if (tally == NULL || result == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tally or result is NULL");
     if (tally->photons == 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the tally is empty: no photons were run");
-    nr = (size_t)tally->grid.nr;
-    na = (size_t)tally->grid.na;
-    nz = (size_t)tally->grid.nz;
-    nt = (size_t)tally->grid.nt;
-    cells = nr * nz;
-    layers = (size_t)tally->tissue.layer_count;
-    a = !tally->options.no_absorption;
-    phi = tally->options.fluence != 0;
-    e = tally->options.absorption_error != 0;
-    count = ms__size_mul(4, ms__size_mul(nr + 1, na + 1)); /* fits: the sums were larger */
-    count = ms__size_add(count, 2 * nt * (nr + 1) + 2 * layers + (a ? (cells + nz) << e : 0) + (phi ? cells << e : 0));
-
     memset(&out, 0, sizeof out);
     out.photons = tally->photons;
     out.grid = tally->grid;
     out.layer_count = tally->tissue.layer_count;
     out.allocator = tally->options.allocator;
-    out.memory_size = ms__size_mul(count, sizeof(double));
+    ms_mcml__result_place(&arena, tally, &out);
+    out.memory_size = arena.used;
     out.memory = ms__alloc(&out.allocator, out.memory_size);
     if (out.memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the results", out.memory_size);
-    block = (double *)out.memory;
-    out.rd_r = ms_mcml__take(&block, nr, 1);
-    out.rd_r_error = ms_mcml__take(&block, nr, 1);
-    out.rd_a = ms_mcml__take(&block, na, 1);
-    out.rd_a_error = ms_mcml__take(&block, na, 1);
-    out.rd_ra = ms_mcml__take(&block, nr * na, 1);
-    out.rd_ra_error = ms_mcml__take(&block, nr * na, 1);
-    out.tt_r = ms_mcml__take(&block, nr, 1);
-    out.tt_r_error = ms_mcml__take(&block, nr, 1);
-    out.tt_a = ms_mcml__take(&block, na, 1);
-    out.tt_a_error = ms_mcml__take(&block, na, 1);
-    out.tt_ra = ms_mcml__take(&block, nr * na, 1);
-    out.tt_ra_error = ms_mcml__take(&block, nr * na, 1);
-    out.rd_t = ms_mcml__take(&block, nt, nt > 0);
-    out.rd_t_error = ms_mcml__take(&block, nt, nt > 0);
-    out.rd_rt = ms_mcml__take(&block, nr * nt, nt > 0);
-    out.rd_rt_error = ms_mcml__take(&block, nr * nt, nt > 0);
-    out.a_l = ms_mcml__take(&block, layers, 1);
-    out.a_l_error = ms_mcml__take(&block, layers, 1);
-    out.a_z = ms_mcml__take(&block, nz, a);
-    out.a_z_error = ms_mcml__take(&block, nz, a && e);
-    out.a_rz = ms_mcml__take(&block, cells, a);
-    out.a_rz_error = ms_mcml__take(&block, cells, a && e);
-    out.phi_rz = ms_mcml__take(&block, cells, phi);
-    out.phi_rz_error = ms_mcml__take(&block, cells, phi && e);
-
+    arena.base = (char *)out.memory;
+    arena.used = 0;
+    ms_mcml__result_place(&arena, tally, &out);
+    scale = (1 - tally->specular) / (double)tally->photons;
     out.specular = tally->specular;
-    out.rd_unscattered = (double)tally->sum[tally->at.unscattered] / (double)MS_MCML__UNITS;
-    out.tt_unscattered = (double)tally->sum[tally->at.unscattered + 1] / (double)MS_MCML__UNITS;
-    out.rd_unscattered *= (1 - tally->specular) / (double)tally->photons;
-    out.tt_unscattered *= (1 - tally->specular) / (double)tally->photons;
-    ms_mcml__leave_results(tally, 0, &out.rd, &out.rd_error, out.rd_r, out.rd_r_error, out.rd_a, out.rd_a_error,
-                           out.rd_ra, out.rd_ra_error);
-    ms_mcml__leave_results(tally, 1, &out.tt, &out.tt_error, out.tt_r, out.tt_r_error, out.tt_a, out.tt_a_error,
-                           out.tt_ra, out.tt_ra_error);
-    ms_mcml__time_results(tally, &out);
+    out.rd_unscattered = (double)tally->sum[tally->at.unscattered] / (double)ms_mcml__units * scale;
+    out.tt_unscattered = (double)tally->sum[tally->at.unscattered + 1] / (double)ms_mcml__units * scale;
+    ms_mcml__leave_results(tally, 0, &out);
+    ms_mcml__leave_results(tally, 1, &out);
     ms_mcml__layer_results(tally, &out);
-    if (a) {
-        ms_mcml__volume_results(tally, tally->sum + tally->at.a, (double)MS_MCML__UNITS, out.a_rz, out.a_rz_error);
-        ms_mcml__depth_results(tally, &out);
-    }
-    if (phi)
-        ms_mcml__volume_results(tally, tally->sum + tally->at.phi, (double)MS_MCML__PHI_UNITS / tally->mfp_max_cm,
-                                out.phi_rz, out.phi_rz_error);
+    if (out.a_z) ms_mcml__depth_results(tally, &out);
     *result = out;
     return MS_OK;
 }
@@ -1929,38 +1665,15 @@ MS_API void ms_mcml_result_destroy(ms_mcml_result *result)
     memset(result, 0, sizeof *result);
 }
 
-/* One standard error of Rd + Tt over their sum. */
-static double ms_mcml__relative_error(const ms_mcml *m)
-{
-    const int64_t *bin = m->sum + m->at.leave;
-    double mean, error;
-    double s = 0, q = 0;
-    size_t i;
-    for (i = 0; i < (m->at.time - m->at.leave) / 2; ++i) {
-        s += (double)bin[2 * i];
-        q += (double)bin[2 * i + 1];
-    }
-    ms_mcml__moments(s, q, (double)m->photons, 1, &mean, &error);
-    return mean > 0 ? error / mean : 1e300;
-}
-
 MS_API ms_status ms_mcml_simulate(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid,
                                   const ms_mcml_options *options, ms_mcml_result *result, ms_error *error)
 {
     ms_mcml *m;
     ms_status status;
-    uint64_t photons, done;
     if (result == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "result is NULL");
     status = ms_mcml_create(tissue, grid, options, &m, error);
     if (status) return status;
-    photons = m->options.photons ? m->options.photons : 1000000;
-    for (done = 0; status == MS_OK && done < photons; done = m->photons) {
-        /* with a target, stop for a look after every eighth more; the numbers of photons depend on nothing else */
-        uint64_t count = photons - done, look = (done / 8 / MS_MCML__STRETCH + 1) * MS_MCML__STRETCH;
-        if (m->options.target_error > 0 && done > 0 && ms_mcml__relative_error(m) <= m->options.target_error) break;
-        if (m->options.target_error > 0 && count > look) count = look;
-        status = ms_mcml__run(m, done, count, done, photons, error);
-    }
+    status = ms_mcml_run(m, 0, m->options.photons ? m->options.photons : 1000000, error);
     if (status == MS_OK) status = ms_mcml_results(m, result, error);
     ms_mcml_destroy(m);
     return status;
@@ -2012,6 +1725,8 @@ MS_API ms_mcml_medium ms_mcml_material_medium(const ms_mcml_material *material, 
 
 /* ---- half-space solver ----------------------------------------------------------------------------------------- */
 
+enum { MS_MCML__RATES_MAX = 112, MS_MCML__CONE_MAX = 64 };
+
 /* Lengths in mean free paths 1 / mu_t. The lateral Fourier transform q(z; k) of the collision density under a pencil
    beam obeys  q(z) = exp(-z) + a integral_0^inf K(z, z') q(z') dz'  with  K(z, z') = L(|z - z'|) + M(z + z'),
 
@@ -2035,21 +1750,41 @@ MS_API ms_mcml_medium ms_mcml_material_medium(const ms_mcml_material *material, 
    positive energies. They are found by non-negative least squares from R at k^2 = t^2 - nu_0^2, t on a logarithmic
    lattice: frequencies on both sides of k = 0, and up to the branch point, where the far tail of the profile shows. */
 
+/* The diffuse reflectance of a half-space under a pencil beam at normal incidence, per incident energy, without the
+   specular reflection at entry. Single scattering is a sum of exponentials, multiple scattering a sum of Bessel
+   functions, all with positive energies, so the profile is positive and falls with r:
+
+     energy beyond radius r    sum single_energy exp(-single_rate r) + sum energy (rate r) K1(rate r)
+     spectrum at k             sum single_energy / sqrt(1 + (k / single_rate)^2) + sum energy / (1 + (k / rate)^2) */
+typedef struct ms_mcml__halfspace {
+    double mu_t_per_mm; /* mu_a + (1 - g) mu_s: similarity to isotropic scattering where g is not 0 */
+    double albedo;      /* (1 - g) mu_s / mu_t */
+    double specular;    /* reflected at entry: ((eta - 1) / (eta + 1))^2; not part of any number below */
+    double total;       /* diffuse reflectance: single + multiple scattering */
+    double total_single;
+    double decay_per_mm; /* of the far tail: the Case eigenvalue nu_0 mu_t */
+    double fit_error;    /* largest relative misfit of the multiple-scattering spectrum at the solved frequencies */
+    int singles, rates;
+    double single_rate_per_mm[MS_MCML__CONE_MAX], single_energy[MS_MCML__CONE_MAX]; /* [singles] ascending rates */
+    double rate_per_mm[MS_MCML__RATES_MAX], energy[MS_MCML__RATES_MAX];             /* [rates] ascending */
+} ms_mcml__halfspace;
+
 /* The cone of directions that leave: nodes of a double exponential rule in mu on [mu_c, 1]. It clusters them at both
    ends, where T has its square root and where tan theta has its own. */
 typedef struct ms_mcml__cone {
     int count;
-    double mu[MS_MCML_CONE_MAX], sin2[MS_MCML_CONE_MAX];
-    double weight[MS_MCML_CONE_MAX]; /* T dmu / 2 */
+    double mu[MS_MCML__CONE_MAX], sin2[MS_MCML__CONE_MAX];
+    double weight[MS_MCML__CONE_MAX]; /* T dmu / 2 */
 } ms_mcml__cone;
 
 static void ms_mcml__cone_make(ms_mcml__cone *cone, double eta)
 {
-    double mu_c = eta > 1 ? sqrt((eta - 1) * (eta + 1)) / eta : 0, step = 6.6 / MS_MCML_CONE_MAX;
+    const double nodes = MS_MCML__CONE_MAX, step = 6.6 / nodes;
+    double mu_c = eta > 1 ? sqrt((eta - 1) * (eta + 1)) / eta : 0;
     int i;
-    cone->count = MS_MCML_CONE_MAX;
+    cone->count = MS_MCML__CONE_MAX;
     for (i = 0; i < cone->count; ++i) {
-        double x = (i + 0.5 - 0.5 * MS_MCML_CONE_MAX) * step;
+        double x = (i + 0.5 - 0.5 * nodes) * step;
         double e = exp(-3.14159265358979324 * sinh(x));
         double above = (1 - mu_c) / (1 + e), below = (1 - mu_c) * e / (1 + e); /* mu - mu_c, 1 - mu */
         double mu = mu_c + above;
@@ -2111,7 +1846,7 @@ static double ms_mcml__flight(double b, double k2, double *derivative)
     return y * s;
 }
 
-#define MS_MCML__DEPTH_MAX 64
+enum { MS_MCML__DEPTH_MAX = 64 };
 
 /* R(k) of multiple scattering without the factor 1 - R_sp. t = sqrt(k^2 + nu_0^2) is the slowest decay in depth.
    matrix: MS_MCML__DEPTH_MAX^2 doubles of workspace. */
@@ -2172,7 +1907,9 @@ static double ms_mcml__multiple(const ms_mcml__cone *cone, double albedo, double
     return albedo * albedo * sum;
 }
 
-#define MS_MCML__COLUMNS_MAX 200 /* candidates for the sum; as many as there are rows are taken at most */
+enum {
+    MS_MCML__COLUMNS_MAX = 200 /* candidates for the sum; as many as there are rows are taken at most */
+};
 
 /* Non-negative least squares (Lawson & Hanson 1974, chapter 23): minimises |A x - target| with x >= 0. Columns have
    unit length. QR by Householder reflections that are appended as columns enter and rebuilt from the place where one
@@ -2302,8 +2039,10 @@ static void ms_mcml__nnls_solve(ms_mcml__nnls *p)
    lattice sqrt(edge^2 + tau^2) of log spacing `step` in tau. Returns how many; *misfit is relative. total is the
    spectrum at k = 0, which the energies are scaled to. Row i counts as 1 / (1 + noise t[i]): noise = 1 says that the
    relative error of the spectrum grows with t. tolerance: 0 fits to rounding. */
-#define MS_MCML__FIT_DOUBLES \
-    (MS_MCML_RATES_MAX * (MS_MCML__COLUMNS_MAX + MS_MCML_RATES_MAX + 4) + 2 * MS_MCML__COLUMNS_MAX)
+enum {
+    MS_MCML__FIT_DOUBLES = (MS_MCML__RATES_MAX * (MS_MCML__COLUMNS_MAX + MS_MCML__RATES_MAX + 4) +
+                            2 * MS_MCML__COLUMNS_MAX)
+};
 
 static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows, double noise, double tolerance,
                               double edge, double step, double total, double *rate, double *energy, double *misfit,
@@ -2321,12 +2060,12 @@ static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows,
          ++i)
         tau[p.columns++] = t[0] * exp(step * i);
     p.a = a;
-    p.qr = a + MS_MCML__COLUMNS_MAX * MS_MCML_RATES_MAX;
-    p.diagonal = p.qr + MS_MCML_RATES_MAX * MS_MCML_RATES_MAX;
-    p.rhs = p.diagonal + MS_MCML_RATES_MAX;
-    p.residual = p.rhs + MS_MCML_RATES_MAX;
-    p.target = target = p.residual + MS_MCML_RATES_MAX;
-    p.x = target + MS_MCML_RATES_MAX;
+    p.qr = a + MS_MCML__COLUMNS_MAX * MS_MCML__RATES_MAX;
+    p.diagonal = p.qr + MS_MCML__RATES_MAX * MS_MCML__RATES_MAX;
+    p.rhs = p.diagonal + MS_MCML__RATES_MAX;
+    p.residual = p.rhs + MS_MCML__RATES_MAX;
+    p.target = target = p.residual + MS_MCML__RATES_MAX;
+    p.x = target + MS_MCML__RATES_MAX;
     p.solution = p.x + MS_MCML__COLUMNS_MAX;
     for (i = 0; i < rows; ++i) target[i] = 1 / (1 + noise * t[i]);   /* misfits are relative to the spectrum */
     if (spectrum[0] > 0 && spectrum[0] < 1e-100) unit = spectrum[0]; /* the squares below would overflow */
@@ -2370,20 +2109,21 @@ static ms_status ms_mcml__check_medium(const ms_mcml_medium *medium, ms_error *e
     return MS_OK;
 }
 
-#define MS_MCML__SOLVE_BYTES ((MS_MCML__FIT_DOUBLES + MS_MCML__DEPTH_MAX * MS_MCML__DEPTH_MAX) * sizeof(double))
+enum {
+    MS_MCML__SOLVE_BYTES = (int)((MS_MCML__FIT_DOUBLES + MS_MCML__DEPTH_MAX * MS_MCML__DEPTH_MAX) * sizeof(double))
+};
 
 /* A medium that was checked; h and step are the two knobs, work has MS_MCML__SOLVE_BYTES. */
-static void ms_mcml__solve(const ms_mcml_medium *medium, double h, double step, ms_mcml_halfspace *out, double *work)
+static void ms_mcml__solve(const ms_mcml_medium *medium, double h, double step, ms_mcml__halfspace *out, double *work)
 {
     const double slowest = 1e-7, fastest = 200; /* of the lattice of t, per mean free path */
-    ms_mcml_halfspace s;
+    ms_mcml__halfspace s;
     ms_mcml__cone cone;
-    double t[MS_MCML_RATES_MAX], spectrum[MS_MCML_RATES_MAX];
-    double absorption, entering, nu, misfit, multiple, low;
+    double t[MS_MCML__RATES_MAX], spectrum[MS_MCML__RATES_MAX];
+    double absorption, entering, nu, multiple, low;
     int i, rows;
 
     memset(&s, 0, sizeof s);
-    s.medium = *medium;
     s.mu_t_per_mm = medium->mu_a_per_mm + medium->mu_s_per_mm * (1 - medium->g);
     s.albedo = medium->mu_s_per_mm * (1 - medium->g) / s.mu_t_per_mm;
     s.specular = (medium->eta - 1) / (medium->eta + 1);
@@ -2405,21 +2145,6 @@ static void ms_mcml__solve(const ms_mcml_medium *medium, double h, double step, 
         s.total_single += s.single_energy[i];
     }
     s.singles = cone.count;
-    low = s.single_rate_per_mm[0];
-    rows = 0;
-    for (i = 0; rows < MS_MCML_RATES_MAX && 0.01 * low * exp(step * (i - 1)) < 1e4; ++i) {
-        double sum = 0;
-        int c;
-        t[rows] = 0.01 * low * exp(step * i);
-        for (c = 0; c < s.singles; ++c) { /* energy / sqrt(1 + k^2 / rate^2) at k^2 = t^2 - low^2 */
-            double rate = s.single_rate_per_mm[c];
-            sum += s.single_energy[c] * rate / sqrt((rate - low) * (rate + low) + t[rows] * t[rows]);
-        }
-        spectrum[rows++] = sum;
-    }
-    s.lines = ms_mcml__stieltjes(t, spectrum, rows, 0, 1e-12, low, 1.2 * step, s.total_single, s.line_rate_per_mm,
-                                 s.line_energy, &misfit, work);
-
     nu = ms_mcml__case_eigenvalue(s.albedo, absorption);
     multiple = entering * ms_mcml__multiple(&cone, s.albedo, 0, nu > slowest ? nu : slowest, h, work);
     if (nu < slowest) /* what is absorbed falls with nu, to nothing */
@@ -2427,7 +2152,7 @@ static void ms_mcml__solve(const ms_mcml_medium *medium, double h, double step, 
     s.total = s.total_single + multiple;
     low = 0.01 * nu > slowest ? 0.01 * nu : slowest;
     rows = 0;
-    for (i = 0; rows < MS_MCML_RATES_MAX && low * exp(step * (i - 1)) < fastest; ++i) {
+    for (i = 0; rows < MS_MCML__RATES_MAX && low * exp(step * (i - 1)) < fastest; ++i) {
         t[rows] = low * exp(step * i);
         spectrum[rows] = entering * ms_mcml__multiple(&cone, s.albedo, t[rows] * t[rows] - nu * nu, t[rows], h, work);
         ++rows;
@@ -2436,7 +2161,6 @@ static void ms_mcml__solve(const ms_mcml_medium *medium, double h, double step, 
                                  &s.fit_error, work);
 
     for (i = 0; i < s.singles; ++i) s.single_rate_per_mm[i] *= s.mu_t_per_mm;
-    for (i = 0; i < s.lines; ++i) s.line_rate_per_mm[i] *= s.mu_t_per_mm;
     for (i = 0; i < s.rates; ++i) s.rate_per_mm[i] *= s.mu_t_per_mm;
     s.decay_per_mm = nu * s.mu_t_per_mm;
     *out = s;
@@ -2451,28 +2175,6 @@ static ms_status ms_mcml__check_steps(double *depth_step, double *frequency_step
                         *frequency_step);
     if (!(*depth_step > 0)) *depth_step = 0.3;
     if (!(*frequency_step > 0)) *frequency_step = 0.25;
-    return MS_OK;
-}
-
-MS_API ms_status ms_mcml_halfspace_solve(const ms_mcml_medium *medium, const ms_mcml_halfspace_options *options,
-                                         ms_mcml_halfspace *out, ms_error *error)
-{
-    ms_mcml_halfspace_options o;
-    double *work;
-    ms_status status;
-    memset(&o, 0, sizeof o);
-    if (options) o = *options;
-    if (medium == NULL || out == NULL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "medium and out must not be NULL");
-    status = ms_mcml__check_medium(medium, error);
-    if (status == MS_OK) status = ms_mcml__check_steps(&o.depth_step, &o.frequency_step, error);
-    if (status) return status;
-    work = (double *)ms__alloc(&o.allocator, MS_MCML__SOLVE_BYTES);
-    if (work == NULL)
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the half-space solver",
-                        (size_t)MS_MCML__SOLVE_BYTES);
-    ms_mcml__solve(medium, o.depth_step, o.frequency_step, out, work);
-    ms__release(&o.allocator, work, MS_MCML__SOLVE_BYTES);
     return MS_OK;
 }
 
@@ -2503,27 +2205,25 @@ static double ms_mcml__x_bessel_k1(double x)
     return sum * sqrt(x) * exp(-x);
 }
 
-/* By its bits: no invalid operation is raised. */
-MS_API double ms_mcml_halfspace_beyond(const ms_mcml_halfspace *s, double r_mm)
+/* Energy that leaves farther than r from the beam; at 0 the total. */
+static double ms_mcml__halfspace_beyond(const ms_mcml__halfspace *s, double r)
 {
     double sum = 0;
     int i;
-    if (s == NULL || !ms_mcml__between(r_mm, 0, 1e300)) return ms_mcml__nan();
-    for (i = 0; i < s->singles && s->single_rate_per_mm[i] * r_mm < 745; ++i)
-        sum += s->single_energy[i] * exp(-s->single_rate_per_mm[i] * r_mm);
-    for (i = 0; i < s->rates && s->rate_per_mm[i] * r_mm < 745; ++i)
-        sum += s->energy[i] * ms_mcml__x_bessel_k1(s->rate_per_mm[i] * r_mm);
+    for (i = 0; i < s->singles && s->single_rate_per_mm[i] * r < 745; ++i)
+        sum += s->single_energy[i] * exp(-s->single_rate_per_mm[i] * r);
+    for (i = 0; i < s->rates && s->rate_per_mm[i] * r < 745; ++i)
+        sum += s->energy[i] * ms_mcml__x_bessel_k1(s->rate_per_mm[i] * r);
     return sum;
 }
 
-MS_API double ms_mcml_halfspace_ring(const ms_mcml_halfspace *s, double r0_mm, double r1_mm)
+/* Mean of R_d over the ring r0 <= r < r1 in 1/mm^2. */
+static double ms_mcml__halfspace_ring(const ms_mcml__halfspace *s, double r0, double r1)
 {
-    double r0 = r0_mm, r1 = r1_mm, sum = 0;
+    double sum = 0;
     int i;
-    if (s == NULL || !ms_mcml__between(r0, 0, 1e150) || !ms_mcml__between(r1, 0, 1e150) || !(r0 < r1))
-        return ms_mcml__nan();
     if (r1 - r0 < 1e-4 * r1) { /* a narrower ring has the same mean to 1e-9 (rate r)^2, but would cancel */
-        double middle = 0.5 * (r0 + r1);
+        const double middle = 0.5 * (r0 + r1);
         r0 = (1 - 0.5e-4) * middle;
         r1 = (1 + 0.5e-4) * middle;
     }
@@ -2535,46 +2235,20 @@ MS_API double ms_mcml_halfspace_ring(const ms_mcml_halfspace *s, double r0_mm, d
     return sum / (3.14159265358979324 * (r1 - r0) * (r1 + r0));
 }
 
-MS_API double ms_mcml_halfspace_spectrum(const ms_mcml_halfspace *s, double k_per_mm)
-{
-    double sum = 0;
-    int i;
-    if (s == NULL || !ms_mcml__between(k_per_mm, 0, 1e150)) return ms_mcml__nan();
-    for (i = 0; i < s->singles; ++i) {
-        double x = k_per_mm / s->single_rate_per_mm[i];
-        sum += s->single_energy[i] / sqrt(1 + x * x);
-    }
-    for (i = 0; i < s->rates; ++i) {
-        double x = k_per_mm / s->rate_per_mm[i];
-        sum += s->energy[i] / (1 + x * x);
-    }
-    return sum;
-}
-
-MS_API double ms_mcml_halfspace_line_beyond(const ms_mcml_halfspace *s, double x_mm)
-{
-    double sum = 0;
-    int i;
-    if (s == NULL || !ms_mcml__between(x_mm, 0, 1e300)) return ms_mcml__nan();
-    for (i = 0; i < s->lines && s->line_rate_per_mm[i] * x_mm < 745; ++i)
-        sum += s->line_energy[i] * exp(-s->line_rate_per_mm[i] * x_mm);
-    for (i = 0; i < s->rates && s->rate_per_mm[i] * x_mm < 745; ++i)
-        sum += s->energy[i] * exp(-s->rate_per_mm[i] * x_mm);
-    return 0.5 * sum;
-}
-
 /* ---- layered solver -------------------------------------------------------------------------------------------- */
 
-#define MS_MCML__ORDER_MAX 31
-#define MS_MCML__STRATA 16
-#define MS_MCML__RAYS 8         /* side by side: a part of a panel of nu = n sin(theta) */
-#define MS_MCML__AZIMUTHS 17    /* at most, in a quarter of the circle: order 31 needs them */
-#define MS_MCML__SHAPES 64      /* different panel lengths of a layer */
-#define MS_MCML__PANELS_MAX 160 /* of a layer */
-#define MS_MCML__SPAN 48        /* steps of GMRES */
-#define MS_MCML__EVEN_MAX 9     /* even moments of the preconditioner */
-#define MS_MCML__ODD_MAX 12
-#define MS_MCML__SERIES 17 /* terms of exp(-y), |y| < 1, and of its last moment: 1e-16 */
+enum {
+    MS_MCML__ORDER_MAX = 31,
+    MS_MCML__STRATA = 16,
+    MS_MCML__RAYS = 8,         /* side by side: a part of a panel of nu = n sin(theta) */
+    MS_MCML__AZIMUTHS = 17,    /* at most, in a quarter of the circle: order 31 needs them */
+    MS_MCML__SHAPES = 64,      /* different panel lengths of a layer */
+    MS_MCML__PANELS_MAX = 160, /* of a layer */
+    MS_MCML__SPAN = 48,        /* steps of GMRES */
+    MS_MCML__EVEN_MAX = 9,     /* even moments of the preconditioner */
+    MS_MCML__ODD_MAX = 12,
+    MS_MCML__SERIES = 17 /* terms of exp(-y), |y| < 1, and of its last moment: 1e-16 */
+};
 
 /* A layer as the flights see it; mu_s, mu_t and sigma without the forward peak. */
 typedef struct ms_mcml__stratum {
@@ -3796,7 +3470,7 @@ static ms_status ms_mcml__totals(const ms_mcml_tissue *tissue, const ms_mcml_lay
     if (status) return status;
     for (first = 0; first < tissue->layer_count && s->layer[first < s->layers ? first : s->layers - 1].clear; ++first) {
     }
-    out->specular = ms_mcml__specular(tissue, first, 0);
+    out->specular = ms_mcml__specular(tissue, first);
     ms_mcml__tune(s, 0);
     residual = ms_mcml__settle(s, s->x, 1e-8, leave);
     if (residual > out->residual && residual > 1e-6) out->residual = residual;
@@ -4249,22 +3923,9 @@ MS_API double ms_mcml_layered_ring(const ms_mcml_layered *s, int side, double r0
     return energy * q;
 }
 
-MS_API double ms_mcml_layered_line_beyond(const ms_mcml_layered *s, int side, double x_cm)
-{
-    double sum = 0;
-    int j;
-    if (s == NULL || side < 0 || side > 1 || !ms_mcml__between(x_cm, 0, 1e300)) return ms_mcml__nan();
-    if (!(x_cm > 0)) return 0.5 * (side ? s->tt : s->rd);
-    for (j = 0; j < 48; ++j) { /* 2 / pi times the integral of what lies beyond r = x / cos(t) */
-        const double r = x_cm / cos(1.5707963267948966 * (j + 0.5) / 48);
-        sum += ms_mcml__layered_beyond(s, side, r) / 48;
-    }
-    return 0.5 * (sum > 0 ? sum : 0);
-}
-
 /* ---- colours --------------------------------------------------------------------------------------------------- */
 
-#define MS_MCML__NODES 28
+enum { MS_MCML__NODES = 28 };
 
 /* Inverse of a symmetric positive matrix in place, rows of NODES apart, by sweeping its lower half; the logarithm of
    its determinant. */
@@ -4427,14 +4088,6 @@ static double ms_mcml__total_of(double absorbed, double g, double eta, int fine)
     return absorbed < least ? most - (most - total) * sqrt(absorbed / least) : total;
 }
 
-MS_API double ms_mcml_reflectance(const ms_mcml_medium *medium)
-{
-    if (medium == NULL || ms_mcml__check_medium(medium, NULL) != MS_OK || medium->g < -0.7) return ms_mcml__nan();
-    if (!(medium->mu_s_per_mm > 0)) return 0;
-    return ms_mcml__total_of(medium->mu_a_per_mm / (medium->mu_a_per_mm + medium->mu_s_per_mm), medium->g, medium->eta,
-                             1);
-}
-
 /* 1 - albedo of a reflectance. In s = sqrt((1 - albedo) / (1 - albedo g)) (van de Hulst 1980) the reflectance falls
    almost along a line: secants inside a bracket, with few nodes first, then with many. */
 static double ms_mcml__absorbed_of(double reflectance, double g, double eta)
@@ -4463,7 +4116,7 @@ static double ms_mcml__path_of(int kind, double absorbed, double g, double color
 {
     const double x = fabs(color - 0.8), y = (color - 0.33) * (color - 0.33), d = 1.85 - color + 7 * x * x * x;
     if (kind == MS_MCML_MEAN_FREE_PATH) return 1 / (absorbed + (1 - absorbed) * (1 - g));
-    return kind == MS_MCML_REDUCED_PATH ? 1 : kind == MS_MCML_BURLEY_D ? d : d / (3.5 + 100 * y * y);
+    return kind == MS_MCML_BURLEY_D ? d : d / (3.5 + 100 * y * y);
 }
 
 MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int kind, double g, double eta,
@@ -4492,167 +4145,130 @@ MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int k
     return MS_OK;
 }
 
-MS_API double ms_mcml_medium_length(const ms_mcml_medium *medium, int kind)
-{
-    const double color = ms_mcml_reflectance(medium) / (medium ? ms_mcml__let_in(medium->eta) : 1);
-    if (!ms__finite(color) || kind < MS_MCML_MEAN_FREE_PATH || kind > MS_MCML_DIFFUSE_PATH) return ms_mcml__nan();
-    return 1 /
-        ((medium->mu_a_per_mm + medium->mu_s_per_mm * (1 - medium->g)) *
-         ms_mcml__path_of(kind, medium->mu_a_per_mm / (medium->mu_a_per_mm + medium->mu_s_per_mm), medium->g, color));
-}
-
 /* ---- diffusion profiles ---------------------------------------------------------------------------------------- */
 
-static ms_status ms_mcml__check_edges(const double *edge, int rings, int most, ms_error *error)
+static ms_status ms_mcml__check_rings(const ms_mcml_profile_options *o, ms_error *error)
 {
+    const double *edge = o->edge_mm;
     int i;
-    if (rings < 1 || rings > most)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rings is %d, expected 1 to %d", rings, most);
-    for (i = 0; edge && i <= rings; ++i)
-        if (!ms__finite(edge[i]) || edge[i] < 0 || edge[i] > 1e100 || (i > 0 && !(edge[i] > edge[i - 1])))
+    if (o->rings == 0 && edge == NULL) return MS_OK;
+    if (o->rings < 1 || o->rings > 1 << 24)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rings is %d, expected 1 to %d", o->rings, 1 << 24);
+    for (i = 0; edge && i <= o->rings; ++i)
+        if (!ms_mcml__between(edge[i], 0, 1e100) || (i > 0 && !(edge[i] > edge[i - 1])))
             return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
                             "ring edge %d is %g, expected increasing numbers from 0 to 1e100", i, edge[i]);
+    if (edge == NULL && !(o->ring_mm > 0 && ms_mcml__between(o->ring_mm, 0, 1e100)))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "ring_mm is %g, expected a positive number", o->ring_mm);
+    if (edge && o->photons)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "Monte Carlo takes rings of equal width: edge_mm must be NULL");
     return MS_OK;
 }
 
-static ms_status ms_mcml__check_photons(uint64_t photons, double eta, ms_error *error)
-{
-    if (photons > 0xffffffffu)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%g photons, expected at most 2^32 - 1", (double)photons);
-    if (!ms__finite(eta) || !(eta >= 0.1 && eta <= 10))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "eta is %g, expected 0.1 to 10", eta);
-    return MS_OK;
-}
+/* A channel: its layers in cm, and the solution that was asked for. */
+typedef struct ms_mcml__channel {
+    ms_mcml_tissue tissue;
+    ms_mcml_layer layer;          /* of a medium */
+    const ms_mcml_medium *medium; /* NULL: layers */
+    int layered;                  /* by the layered solver; else by the half-space solver */
+    ms_mcml__halfspace half;
+    ms_mcml_layered solution;
+    ms_error failure;
+} ms_mcml__channel;
 
-/* Everything that tasks share; a task is a channel. */
 typedef struct ms_mcml__profile_job {
-    const ms_mcml_medium *media;
+    ms_mcml__channel *channel;
     ms_mcml_profile *profile;
-    ms_mcml_halfspace *solution; /* [channels] */
-    double *work;                /* MS_MCML__SOLVE_BYTES for each channel, or for one if they run in turn */
-    size_t work_stride;
-    double depth_step, frequency_step;
     const ms_mcml_profile_options *options;
-    ms_mcml_layered *layered; /* [channels], where one needs it; rd < 0: by the half-space solver */
-    ms_error *failure;        /* [channels] */
 } ms_mcml__profile_job;
 
-/* A channel's layers, in cm; layer is for a medium. */
-static void ms_mcml__profile_tissue(const ms_mcml__profile_job *job, int channel, ms_mcml_tissue *tissue,
-                                    ms_mcml_layer *layer)
+static double ms_mcml__channel_mu_t(const ms_mcml__channel *c)
 {
-    const ms_mcml_medium *m = job->media + channel;
-    if (job->options->tissues) {
-        *tissue = job->options->tissues[channel];
-        return;
-    }
-    layer->n = m->eta;
-    layer->mu_a_per_cm = 10 * m->mu_a_per_mm;
-    layer->mu_s_per_cm = 10 * m->mu_s_per_mm;
-    layer->g = m->g;
-    layer->thickness_cm = 1e8;
-    tissue->n_above = tissue->n_below = 1;
-    tissue->layer_count = 1;
-    tissue->layers = layer;
+    return c->layered ? 0.1 * c->solution.mu_t_per_cm : c->half.mu_t_per_mm;
 }
 
-static void ms_mcml__profile_solve(void *context, int channel)
+static double ms_mcml__channel_total(const ms_mcml__channel *c) { return c->layered ? c->solution.rd : c->half.total; }
+
+static double ms_mcml__channel_beyond(const ms_mcml__channel *c, double r_mm)
+{
+    return c->layered ? ms_mcml_layered_beyond(&c->solution, 0, 0.1 * r_mm) : ms_mcml__halfspace_beyond(&c->half, r_mm);
+}
+
+static void ms_mcml__profile_solve(void *context, int index)
 {
     const ms_mcml__profile_job *job = (const ms_mcml__profile_job *)context;
     const ms_mcml_profile_options *o = job->options;
-    if (job->layered) {
-        ms_mcml_layer layer;
-        ms_mcml_tissue tissue;
+    ms_mcml__channel *c = &job->channel[index];
+    double *work;
+    c->failure.status = MS_OK;
+    if (c->layered) {
         ms_mcml_layered_options options;
         memset(&options, 0, sizeof options);
         options.allocator = o->allocator;
-        options.photons = o->photons;
         options.simd = o->simd;
-        job->failure[channel].status = MS_OK;
-        job->layered[channel].rd = -1;
-        ms_mcml__profile_tissue(job, channel, &tissue, &layer);
-        if (o->tissues || job->media[channel].g < 0 || job->media[channel].g > 0) {
-            ms_mcml_layered_solve(&tissue, &options, &job->layered[channel], &job->failure[channel]);
-            return;
-        }
+        ms_mcml_layered_solve(&c->tissue, &options, &c->solution, &c->failure);
+        return;
     }
-    ms_mcml__solve(&job->media[channel], job->depth_step, job->frequency_step, &job->solution[channel],
-                   job->work + (size_t)channel * job->work_stride);
+    work = (double *)ms__alloc(&o->allocator, MS_MCML__SOLVE_BYTES);
+    if (work == NULL) ms__fail(&c->failure, MS_OUT_OF_MEMORY, 0, "no memory for the half-space solver");
+    else ms_mcml__solve(c->medium, o->depth_step, o->frequency_step, &c->half, work);
+    ms__release(&o->allocator, work, MS_MCML__SOLVE_BYTES);
 }
 
-/* Rings from the closed forms; where the difference of two edges would cancel, from the ring itself. */
+/* The rows of a channel; where the difference of two edges would cancel, from the ring itself. */
 static void ms_mcml__profile_fill(void *context, int channel)
 {
     const ms_mcml__profile_job *job = (const ms_mcml__profile_job *)context;
     const ms_mcml_profile *p = job->profile;
-    const ms_mcml_halfspace *s = &job->solution[channel];
-    size_t row = (size_t)channel * (size_t)p->rings;
-    double *within = p->within + row + channel;
-    double beyond, line;
+    const ms_mcml__channel *c = &job->channel[channel];
+    const size_t row = (size_t)channel * (size_t)p->rings;
+    const double total = ms_mcml__channel_total(c);
+    double *within = p->within + row + channel, *rd = p->rd_per_mm2 + row, *rd_error = p->rd_error_per_mm2 + row;
+    double beyond = ms_mcml__channel_beyond(c, p->edge_mm[0]);
     int i;
-    if (job->layered && job->layered[channel].rd >= 0) {
-        const ms_mcml_layered *y = &job->layered[channel];
-        line = ms_mcml_layered_line_beyond(y, 0, 0.1 * p->edge_mm[0]);
-        within[0] = p->edge_mm[0] > 0 ? y->rd - ms_mcml_layered_beyond(y, 0, 0.1 * p->edge_mm[0]) : 0;
-        for (i = 0; i < p->rings; ++i) {
-            const double r0 = p->edge_mm[i], r1 = p->edge_mm[i + 1], next = ms_mcml_layered_line_beyond(y, 0, 0.1 * r1);
-            double error = 0;
-            p->rd_per_mm2[row + (size_t)i] = 0.01 * ms_mcml_layered_ring(y, 0, 0.1 * r0, 0.1 * r1, &error);
-            p->rd_error_per_mm2[row + (size_t)i] = 0.01 * error;
-            within[i + 1] = y->rd - ms_mcml_layered_beyond(y, 0, 0.1 * r1);
-            p->ap_per_mm[row + (size_t)i] = line > next ? (line - next) / (r1 - r0) : 0;
-            line = next;
-        }
-        p->total[channel] = y->rd;
-        p->total_error[channel] = y->rd_error;
-        return;
-    }
-    beyond = ms_mcml_halfspace_beyond(s, p->edge_mm[0]);
-    line = ms_mcml_halfspace_line_beyond(s, p->edge_mm[0]);
-    within[0] = s->total - beyond;
+    within[0] = total - beyond;
     for (i = 0; i < p->rings; ++i) {
-        double r0 = p->edge_mm[i], r1 = p->edge_mm[i + 1], next = ms_mcml_halfspace_beyond(s, r1);
-        double line_next = ms_mcml_halfspace_line_beyond(s, r1);
-        within[i + 1] = s->total - next;
-        p->rd_per_mm2[row + (size_t)i] = beyond - next > 1e-6 * beyond
-            ? (beyond - next) / (3.14159265358979324 * (r1 - r0) * (r1 + r0))
-            : ms_mcml_halfspace_ring(s, r0, r1);
-        p->rd_error_per_mm2[row + (size_t)i] = 0;
-        p->ap_per_mm[row + (size_t)i] = (line - line_next) / (r1 - r0);
+        const double r0 = p->edge_mm[i], r1 = p->edge_mm[i + 1], next = ms_mcml__channel_beyond(c, r1);
+        within[i + 1] = total - next;
+        rd_error[i] = 0;
+        if (c->layered) {
+            rd[i] = 0.01 * ms_mcml_layered_ring(&c->solution, 0, 0.1 * r0, 0.1 * r1, &rd_error[i]);
+            rd_error[i] *= 0.01;
+        } else if (beyond - next > 1e-6 * beyond) {
+            rd[i] = (beyond - next) / (3.14159265358979324 * (r1 - r0) * (r1 + r0));
+        } else {
+            rd[i] = ms_mcml__halfspace_ring(&c->half, r0, r1);
+        }
         beyond = next;
-        line = line_next;
     }
-    p->total[channel] = s->total;
-    p->total_error[channel] = 0;
+    p->total[channel] = total;
+    p->total_error[channel] = c->layered ? c->solution.rd_error : 0;
 }
 
 /* Radius beyond which a channel has 1e-5 of its energy left. */
-static double ms_mcml__profile_radius(const ms_mcml_halfspace *s, const ms_mcml_layered *y)
+static double ms_mcml__profile_radius(const ms_mcml__channel *c)
 {
-    double low = y ? 2e-4 / y->mu_t_per_cm : 1e-3 / s->mu_t_per_mm, high = 1e11 * low;
+    double low = c->layered ? 2e-4 / c->solution.mu_t_per_cm : 1e-3 / c->half.mu_t_per_mm, high;
     int i;
+    high = 1e11 * low;
     for (i = 0; i < 40; ++i) {
-        double middle = sqrt(low * high);
-        if (y ? ms_mcml_layered_beyond(y, 0, 0.1 * middle) > 1e-5 * y->rd
-              : ms_mcml_halfspace_beyond(s, middle) > 1e-5 * s->total)
-            low = middle;
+        const double middle = sqrt(low * high);
+        if (ms_mcml__channel_beyond(c, middle) > 1e-5 * ms_mcml__channel_total(c)) low = middle;
         else high = middle;
     }
     return high;
 }
 
-/* The rings that suit the media. edge NULL: only counts them. */
-static int ms_mcml__profile_rings(const ms_mcml_halfspace *solution, const ms_mcml_layered *layered, int channels,
-                                  double *edge)
+/* The rings that suit the channels. edge NULL: only counts them. */
+static int ms_mcml__profile_rings(const ms_mcml__channel *channel, int channels, double *edge)
 {
     double radius = 0, mu_t = 0, r = 0;
     int c, n;
     for (c = 0; c < channels; ++c) {
-        const ms_mcml_layered *y = layered && layered[c].rd >= 0 ? &layered[c] : NULL;
-        const double here = y ? 0.1 * y->mu_t_per_cm : solution[c].mu_t_per_mm;
-        const double end = (y ? y->rd : solution[c].total) > 0 ? ms_mcml__profile_radius(&solution[c], y) : 1 / here;
-        if (end > radius) radius = end;
-        if (here > mu_t) mu_t = here;
+        const double here = ms_mcml__channel_mu_t(&channel[c]);
+        radius = fmax(radius,
+                      ms_mcml__channel_total(&channel[c]) > 0 ? ms_mcml__profile_radius(&channel[c]) : 1 / here);
+        mu_t = fmax(mu_t, here);
     }
     if (edge) edge[0] = 0;
     for (n = 0; r < radius || n < 20; ++n) {
@@ -4663,14 +4279,15 @@ static int ms_mcml__profile_rings(const ms_mcml_halfspace *solution, const ms_mc
 }
 
 /* Section 5.9: a twentieth of the shortest mean free path, out to 32 of the longest. */
-static void ms_mcml__profile_equal_rings(const ms_mcml_medium *media, int channels, ms_mcml_profile_options *o)
+static void ms_mcml__profile_equal_rings(const ms_mcml__channel *channel, int channels, ms_mcml_profile_options *o)
 {
-    double shortest = 0, longest = 0, rings;
+    double shortest = 1e300, longest = 0, rings;
     int c;
     for (c = 0; c < channels; ++c) {
-        double path = 1 / (media[c].mu_a_per_mm + media[c].mu_s_per_mm * (1 - media[c].g));
-        if (c == 0 || path < shortest) shortest = path;
-        if (c == 0 || path > longest) longest = path;
+        const ms_mcml_medium *m = channel[c].medium;
+        const double path = 1 / (m->mu_a_per_mm + m->mu_s_per_mm * (1 - m->g));
+        shortest = fmin(shortest, path);
+        longest = fmax(longest, path);
     }
     rings = ceil(32 * longest / (shortest / 20));
     o->rings = rings < 65535 ? (int)rings : 65535;
@@ -4689,64 +4306,101 @@ static int ms_mcml__profile_report(void *user, double fraction)
     return p->whole->report(p->whole->user, (p->channel + fraction) / p->channels);
 }
 
-static ms_status ms_mcml__profile_direct(const ms_mcml__profile_job *job, const ms_mcml_profile_options *o,
-                                         ms_error *error)
+static ms_status ms_mcml__profile_direct(const ms_mcml__profile_job *job, ms_error *error)
 {
+    const ms_mcml_profile_options *o = job->options;
     ms_mcml_profile *p = job->profile;
-    const int inner = p->edge_mm[0] > 0; /* a ring for what leaves nearer than the first edge */
-    const size_t size = ((size_t)p->rings + 2) * sizeof(double);
     ms_mcml__profile_progress progress;
-    double *edge_cm = (double *)ms__alloc(&o->allocator, size);
-    ms_status status = MS_OK;
+    ms_mcml_options options = ms_mcml_defaults();
+    ms_mcml_grid grid;
     int i;
-    if (edge_cm == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the ring edges", size);
-    edge_cm[0] = 0;
-    for (i = 0; i <= p->rings; ++i) edge_cm[i + inner] = 0.1 * p->edge_mm[i];
+    grid.dr_cm = 0.1 * o->ring_mm;
+    grid.dz_cm = grid.nz = grid.na = 1;
+    grid.nr = p->rings + 1; /* the last collects what lies beyond */
+    options.photons = o->photons;
+    options.seed = o->seed;
+    options.no_absorption = 1;
+    options.simd = o->simd;
+    options.parallel = o->parallel;
+    options.allocator = o->allocator;
+    if (o->progress.report) {
+        options.progress.user = &progress;
+        options.progress.report = ms_mcml__profile_report;
+    }
     progress.whole = &o->progress;
     progress.channels = p->channels;
-    for (progress.channel = 0; status == MS_OK && progress.channel < p->channels; ++progress.channel) {
-        size_t row = (size_t)progress.channel * (size_t)p->rings;
+    for (progress.channel = 0; progress.channel < p->channels; ++progress.channel) {
+        const size_t row = (size_t)progress.channel * (size_t)p->rings;
         double *within = p->within + row + progress.channel;
-        ms_mcml_layer layer;
-        ms_mcml_tissue tissue;
-        ms_mcml_grid grid;
-        ms_mcml_options options = ms_mcml_defaults();
         ms_mcml_result result;
-        ms_mcml *tally;
-        ms_mcml__profile_tissue(job, progress.channel, &tissue, &layer);
-        memset(&grid, 0, sizeof grid);
-        grid.dr_cm = grid.dz_cm = 1;
-        grid.nr = p->rings + 1 + inner; /* the last collects what lies beyond */
-        grid.nz = grid.na = 1;
-        options.seed = o->seed;
-        options.no_absorption = 1;
-        options.simd = o->simd;
-        options.parallel = o->parallel;
-        options.allocator = o->allocator;
-        if (o->progress.report) {
-            options.progress.user = &progress;
-            options.progress.report = ms_mcml__profile_report;
-        }
-        status = ms_mcml_create(&tissue, &grid, &options, &tally, error);
-        if (status) break;
-        tally->edge_cm = edge_cm;
-        status = ms_mcml__run(tally, 0, o->photons, 0, o->photons, error);
-        if (status == MS_OK) status = ms_mcml_results(tally, &result, error);
-        ms_mcml_destroy(tally);
-        if (status) break;
-        within[0] = inner ? result.rd_r[0] * 3.14159265358979324 * edge_cm[1] * edge_cm[1] : 0;
+        const ms_status status = ms_mcml_simulate(&job->channel[progress.channel].tissue, &grid, &options, &result,
+                                                  error);
+        if (status) return status;
+        within[0] = 0;
         for (i = 0; i < p->rings; ++i) {
-            p->rd_per_mm2[row + (size_t)i] = 0.01 * result.rd_r[i + inner];
-            p->rd_error_per_mm2[row + (size_t)i] = 0.01 * result.rd_r_error[i + inner];
-            within[i + 1] = within[i] +
-                0.01 * result.rd_r[i + inner] * 3.14159265358979324 * (p->edge_mm[i + 1] - p->edge_mm[i]) *
-                    (p->edge_mm[i + 1] + p->edge_mm[i]);
+            p->rd_per_mm2[row + (size_t)i] = 0.01 * result.rd_r[i];
+            p->rd_error_per_mm2[row + (size_t)i] = 0.01 * result.rd_r_error[i];
+            within[i + 1] = within[i] + result.rd_r[i] * ms_mcml__ring_area(i, grid.dr_cm);
         }
         p->total[progress.channel] = result.rd;
         p->total_error[progress.channel] = result.rd_error;
         ms_mcml_result_destroy(&result);
     }
-    ms__release(&o->allocator, edge_cm, size);
+    return MS_OK;
+}
+
+/* The arrays of a profile, one block; arena->base NULL: only counts. */
+static void ms_mcml__profile_place(ms__arena *arena, ms_mcml_profile *p)
+{
+    const size_t n = (size_t)p->rings, c = (size_t)p->channels, size = sizeof(double);
+    p->edge_mm = (double *)ms__take(arena, n + 1, size);
+    p->within = (double *)ms__take(arena, c * (n + 1), size);
+    p->rd_per_mm2 = (double *)ms__take(arena, c * n, size);
+    p->rd_error_per_mm2 = (double *)ms__take(arena, c * n, size);
+    p->total = (double *)ms__take(arena, c, size);
+    p->total_error = (double *)ms__take(arena, c, size);
+}
+
+/* The profile of channels whose tissue, medium and layered are set. */
+static ms_status ms_mcml__profile_of(ms_mcml_profile *profile, ms_mcml__channel *channel, int channels,
+                                     ms_mcml_profile_options o, ms_error *error)
+{
+    ms_mcml_profile p;
+    ms_mcml__profile_job job;
+    ms__arena arena = {NULL, 0};
+    ms_status status = ms_mcml__check_steps(&o.depth_step, &o.frequency_step, error);
+    int i;
+    if (status == MS_OK) status = ms_mcml__check_rings(&o, error);
+    if (status) return status;
+    memset(&p, 0, sizeof p);
+    job.channel = channel;
+    job.options = &o;
+    job.profile = &p;
+    if (o.photons && o.rings == 0) ms_mcml__profile_equal_rings(channel, channels, &o);
+    if (!o.photons) ms__run(&o.parallel, channels, ms_mcml__profile_solve, &job);
+    for (i = 0; i < channels && !o.photons; ++i) {
+        const ms_status here = channel[i].failure.status;
+        if (here == MS_NOT_CONVERGED) status = here;
+        if (here != MS_OK && error) *error = channel[i].failure;
+        if (here != MS_OK && here != MS_NOT_CONVERGED) return here;
+    }
+    p.channels = channels;
+    p.rings = o.rings ? o.rings : ms_mcml__profile_rings(channel, channels, NULL);
+    p.allocator = o.allocator;
+    ms_mcml__profile_place(&arena, &p);
+    p.memory_size = arena.used;
+    p.memory = ms__alloc(&o.allocator, p.memory_size);
+    if (p.memory == NULL)
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %d channels of %d rings", channels, p.rings);
+    arena.base = (char *)p.memory;
+    arena.used = 0;
+    ms_mcml__profile_place(&arena, &p);
+    for (i = 0; i <= p.rings && o.rings; ++i) p.edge_mm[i] = o.edge_mm ? o.edge_mm[i] : i * o.ring_mm;
+    if (o.rings == 0) ms_mcml__profile_rings(channel, channels, p.edge_mm);
+    if (o.photons) status = ms_mcml__profile_direct(&job, error);
+    else ms__run(&o.parallel, channels, ms_mcml__profile_fill, &job);
+    if (status == MS_OK || status == MS_NOT_CONVERGED) *profile = p;
+    else ms_mcml_profile_destroy(&p);
     return status;
 }
 
@@ -4754,109 +4408,36 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
                                       const ms_mcml_profile_options *options, ms_error *error)
 {
     ms_mcml_profile_options o;
-    ms_mcml_profile p;
-    ms_mcml__profile_job job;
-    size_t solve_size = 0, n, c;
+    ms_mcml__channel *channel;
     ms_status status = MS_OK;
-    int i, layers = 0, solve;
+    size_t size;
+    int i;
     if (profile) memset(profile, 0, sizeof *profile);
-    if (profile == NULL || (media == NULL && !(options && options->tissues)) || channels < 1 || channels > 65536)
+    if (profile == NULL || media == NULL || channels < 1 || channels > 65536)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d channels, expected 1 to 65536; profile and media not NULL",
                         channels);
     memset(&o, 0, sizeof o);
     if (options) o = *options;
-    for (i = 0; i < channels && o.tissues; ++i) {
-        layers = 1;
-        status = ms_mcml__check_tissue(&o.tissues[i], error);
-        if (status) return status;
+    for (i = 0; i < channels; ++i)
+        if ((status = ms_mcml__check_medium(&media[i], error)) != MS_OK) return status;
+    size = ms__size_mul((size_t)channels, sizeof *channel);
+    channel = (ms_mcml__channel *)ms__alloc(&o.allocator, size);
+    if (channel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the channels", size);
+    for (i = 0; i < channels; ++i) {
+        ms_mcml__channel *c = &channel[i];
+        const ms_mcml_medium *m = c->medium = &media[i];
+        c->layered = m->g < 0 || m->g > 0;
+        c->layer.n = m->eta;
+        c->layer.mu_a_per_cm = 10 * m->mu_a_per_mm;
+        c->layer.mu_s_per_cm = 10 * m->mu_s_per_mm;
+        c->layer.g = m->g;
+        c->layer.thickness_cm = 1e8;
+        c->tissue.n_above = c->tissue.n_below = 1;
+        c->tissue.layer_count = 1;
+        c->tissue.layers = &c->layer;
     }
-    for (i = 0; i < channels && !o.tissues; ++i) {
-        status = ms_mcml__check_medium(&media[i], error);
-        if (status) return status;
-        layers |= media[i].g < 0 || media[i].g > 0;
-    }
-    if (o.method < MS_MCML_AUTO || o.method > MS_MCML_DIRECT)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d, expected one of ms_mcml_method", o.method);
-    if (o.method == MS_MCML_AUTO) o.method = o.photons == 0 ? MS_MCML_DETERMINISTIC : MS_MCML_DIRECT;
-    if (o.photons == 0) o.photons = 1000000;
-    status = ms_mcml__check_steps(&o.depth_step, &o.frequency_step, error);
-    if (status == MS_OK) status = ms_mcml__check_photons(o.photons, o.tissues ? 1 : media[0].eta, error);
-    if (status == MS_OK && (o.rings != 0 || o.edge_mm))
-        status = ms_mcml__check_edges(o.edge_mm, o.rings, 1 << 24, error);
-    if (status) return status;
-    if (o.edge_mm == NULL && o.rings != 0 && !(ms__finite(o.ring_mm) && o.ring_mm > 0 && o.ring_mm <= 1e100))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "ring_mm is %g, expected a positive number", o.ring_mm);
-    if (o.method == MS_MCML_DIRECT && o.rings == 0 && o.tissues)
-        return ms__fail(error, MS_UNSUPPORTED, 0, "direct Monte Carlo of layers needs rings: edge_mm or ring_mm");
-    if (o.method == MS_MCML_DIRECT && o.rings == 0) ms_mcml__profile_equal_rings(media, channels, &o);
-
-    memset(&job, 0, sizeof job);
-    memset(&p, 0, sizeof p);
-    job.media = media;
-    job.options = &o;
-    job.profile = &p;
-    job.depth_step = o.depth_step;
-    job.frequency_step = o.frequency_step;
-    job.work_stride = o.parallel.run ? MS_MCML__SOLVE_BYTES / sizeof(double) : 0;
-    p.channels = channels;
-    p.rings = o.rings;
-    p.method = o.method;
-    p.allocator = o.allocator;
-    c = (size_t)channels;
-    solve = o.method == MS_MCML_DETERMINISTIC || o.rings == 0;
-    if (solve) {
-        n = (o.parallel.run ? c : 1) * MS_MCML__SOLVE_BYTES;
-        solve_size = ms__size_add(
-            n, c * (sizeof(ms_mcml_halfspace) + (layers ? sizeof(ms_mcml_layered) + sizeof(ms_error) : 0)));
-        job.work = (double *)ms__alloc(&o.allocator, solve_size);
-        if (job.work == NULL)
-            return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the half-space solver", solve_size);
-        job.solution = (ms_mcml_halfspace *)(void *)((char *)job.work + n);
-        if (layers) {
-            memset(job.solution, 0, solve_size - n);
-            job.layered = (ms_mcml_layered *)(void *)(job.solution + channels);
-            job.failure = (ms_error *)(void *)(job.layered + channels);
-        }
-        ms__run(&o.parallel, channels, ms_mcml__profile_solve, &job);
-        for (i = 0; i < channels && layers; ++i) {
-            const ms_status here = job.failure[i].status;
-            if (here == MS_OK || here == MS_NOT_CONVERGED) continue;
-            if (error) *error = job.failure[i];
-            ms__release(&o.allocator, job.work, solve_size);
-            return here;
-        }
-    }
-    if (o.rings == 0) p.rings = ms_mcml__profile_rings(job.solution, job.layered, channels, NULL);
-    n = (size_t)p.rings;
-    p.memory_size = ms__size_mul(ms__size_add(ms__size_mul(c, ms__size_add(ms__size_mul(4, n), 3)), n + 1),
-                                 sizeof(double));
-    p.memory = ms__alloc(&o.allocator, p.memory_size);
-    if (p.memory) {
-        p.edge_mm = (double *)p.memory;
-        p.within = p.edge_mm + n + 1;
-        p.rd_per_mm2 = p.within + c * (n + 1);
-        p.rd_error_per_mm2 = p.rd_per_mm2 + c * n;
-        p.ap_per_mm = p.rd_error_per_mm2 + c * n;
-        p.total = p.ap_per_mm + c * n;
-        p.total_error = p.total + c;
-        if (o.rings == 0) ms_mcml__profile_rings(job.solution, job.layered, channels, p.edge_mm);
-        for (i = 0; o.rings != 0 && i <= p.rings; ++i) p.edge_mm[i] = o.edge_mm ? o.edge_mm[i] : i * o.ring_mm;
-        if (o.method == MS_MCML_DETERMINISTIC) {
-            ms__run(&o.parallel, channels, ms_mcml__profile_fill, &job);
-        } else {
-            status = ms_mcml__profile_direct(&job, &o, error);
-            p.ap_per_mm = NULL;
-        }
-    } else {
-        status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %d channels of %d rings", channels, p.rings);
-    }
-    if (status) ms_mcml_profile_destroy(&p);
-    else *profile = p;
-    for (i = 0; i < channels && job.layered && status == MS_OK && o.method == MS_MCML_DETERMINISTIC; ++i) {
-        status = job.failure[i].status;
-        if (status && error) *error = job.failure[i];
-    }
-    ms__release(&o.allocator, job.work, solve_size);
+    status = ms_mcml__profile_of(profile, channel, channels, o, error);
+    ms__release(&o.allocator, channel, size);
     return status;
 }
 
@@ -4870,6 +4451,8 @@ MS_API void ms_mcml_profile_destroy(ms_mcml_profile *profile)
 }
 
 /* ---- skin ------------------------------------------------------------------------------------------------------ */
+
+enum { MS_MCML__BANDS = 13 };
 
 /* Haemoglobin with and without oxygen, molar extinction per cm, every 10 nm from 400 (Prahl's table). */
 static const double ms_mcml__haemoglobin[31][2] = {
@@ -4886,8 +4469,7 @@ static const double ms_mcml__daylight[31] = {82.75,  91.49,  93.43,  86.68,  104
                                              100,    96.33,  95.79,  88.69,  90.01,  89.60,  87.70,  83.29,
                                              83.70,  80.03,  80.21,  82.28,  78.28,  69.72,  71.61};
 
-static const double ms_mcml__bands[MS_MCML_SKIN_BANDS] = {400, 425, 445, 465, 500, 535, 560,
-                                                          578, 590, 603, 625, 655, 700};
+static const double ms_mcml__bands[MS_MCML__BANDS] = {400, 425, 445, 465, 500, 535, 560, 578, 590, 603, 625, 655, 700};
 
 MS_API ms_mcml_skin ms_mcml_skin_defaults(void)
 {
@@ -4903,16 +4485,15 @@ MS_API ms_mcml_skin ms_mcml_skin_defaults(void)
     return skin;
 }
 
-MS_API ms_status ms_mcml_skin_layers(const ms_mcml_skin *skin, double w, ms_mcml_layer layers[3], int *count,
-                                     ms_error *error)
+/* Its layers for light of 400 to 700 nm: 2 or 3, *count. */
+static ms_status ms_mcml__skin_layers(const ms_mcml_skin *skin, double w, ms_mcml_layer layers[3], int *count,
+                                      ms_error *error)
 {
     static const char *const name[] = {"melanin",      "eumelanin", "blood",      "oxygen",
                                        "epidermis_mm", "dermis_mm", "scattering", "g"};
     static const double low[] = {0, 0, 0, 0, 1e-3, 0, 0.1, 0}, high[] = {1, 1, 1, 1, 1, 1e3, 10, 0.95};
     double value[8], base, melanin, blood, scatter;
     int i;
-    if (skin == NULL || layers == NULL || count == NULL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "skin, layers or count is NULL");
     value[0] = skin->melanin;
     value[1] = skin->eumelanin;
     value[2] = skin->blood;
@@ -4925,8 +4506,6 @@ MS_API ms_status ms_mcml_skin_layers(const ms_mcml_skin *skin, double w, ms_mcml
         if (!ms_mcml__between(value[i], low[i], high[i]))
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g, expected %g to %g", name[i], value[i], low[i],
                             high[i]);
-    if (!ms_mcml__between(w, 400, 700))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "wavelength_nm is %g, expected 400 to 700", w);
     i = w < 700 ? (int)((w - 400) / 10) : 29;
     {
         const double *a = ms_mcml__haemoglobin[i], *b = ms_mcml__haemoglobin[i + 1], t = (w - 400) / 10 - i,
@@ -4961,13 +4540,13 @@ static double ms_mcml__lobe(double w, double at, double below, double above)
 
 /* What each band gives to linear sRGB under daylight: the bands' reflectances are joined by lines. A white sums to
    1. */
-static void ms_mcml__band_weights(double weight[MS_MCML_SKIN_BANDS][3])
+static void ms_mcml__band_weights(double weight[MS_MCML__BANDS][3])
 {
     static const double rgb[3][3] = {
         {3.2404542, -1.5371385, -0.4985314}, {-0.9692660, 1.8760108, 0.0415560}, {0.0556434, -0.2040259, 1.0572252}};
     double sum[3] = {0, 0, 0};
     int i, c, w, band = 0;
-    memset(weight, 0, MS_MCML_SKIN_BANDS * sizeof weight[0]);
+    memset(weight, 0, MS_MCML__BANDS * sizeof weight[0]);
     for (w = 400; w <= 700; w += 5) {
         const double light = w % 10 ? 0.5 * (ms_mcml__daylight[(w - 400) / 10] + ms_mcml__daylight[(w - 390) / 10])
                                     : ms_mcml__daylight[(w - 400) / 10];
@@ -4975,7 +4554,7 @@ static void ms_mcml__band_weights(double weight[MS_MCML_SKIN_BANDS][3])
             0.065 * ms_mcml__lobe(w, 501.1, 20.4, 26.2);
         const double y = 0.821 * ms_mcml__lobe(w, 568.8, 46.9, 40.5) + 0.286 * ms_mcml__lobe(w, 530.9, 16.3, 31.1);
         const double z = 1.217 * ms_mcml__lobe(w, 437.0, 11.8, 36.0) + 0.681 * ms_mcml__lobe(w, 459.0, 26.0, 13.8);
-        while (band + 2 < MS_MCML_SKIN_BANDS && w > ms_mcml__bands[band + 1]) ++band;
+        while (band + 2 < MS_MCML__BANDS && w > ms_mcml__bands[band + 1]) ++band;
         for (c = 0; c < 3; ++c) {
             const double t = (w - ms_mcml__bands[band]) / (ms_mcml__bands[band + 1] - ms_mcml__bands[band]);
             const double v = light * (rgb[c][0] * x + rgb[c][1] * y + rgb[c][2] * z);
@@ -4984,59 +4563,17 @@ static void ms_mcml__band_weights(double weight[MS_MCML_SKIN_BANDS][3])
             sum[c] += v;
         }
     }
-    for (i = 0; i < MS_MCML_SKIN_BANDS; ++i)
+    for (i = 0; i < MS_MCML__BANDS; ++i)
         for (c = 0; c < 3; ++c) weight[i][c] /= sum[c];
 }
 
-static ms_status ms_mcml__skin_tissue(const ms_mcml_skin *skin, int band, ms_mcml_tissue *tissue,
-                                      ms_mcml_layer layers[3], ms_error *error)
-{
-    tissue->n_above = 1;
-    tissue->n_below = 1.4;
-    tissue->layers = layers;
-    return ms_mcml_skin_layers(skin, ms_mcml__bands[band], layers, &tissue->layer_count, error);
-}
-
-MS_API ms_status ms_mcml_skin_color(const ms_mcml_skin *skin, double rgb[3], double *nm, double *spectrum,
-                                    const ms_allocator *allocator, ms_error *error)
-{
-    double weight[MS_MCML_SKIN_BANDS][3], total[MS_MCML_SKIN_BANDS];
-    ms_mcml_layered_options o;
-    ms_mcml_layered *y;
-    ms_status status = MS_OK;
-    int i, c;
-    memset(&o, 0, sizeof o);
-    o.totals_only = 1;
-    if (allocator) o.allocator = *allocator;
-    if (rgb == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "rgb is NULL");
-    y = (ms_mcml_layered *)ms__alloc(&o.allocator, sizeof *y);
-    if (y == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for a solution", sizeof *y);
-    for (i = 0; i < MS_MCML_SKIN_BANDS && status == MS_OK; ++i) {
-        ms_mcml_layer layers[3];
-        ms_mcml_tissue tissue;
-        status = ms_mcml__skin_tissue(skin, i, &tissue, layers, error);
-        if (status == MS_OK) status = ms_mcml_layered_solve(&tissue, &o, y, error);
-        total[i] = status == MS_OK ? y->rd : 0;
-    }
-    ms__release(&o.allocator, y, sizeof *y);
-    if (status) return status;
-    ms_mcml__band_weights(weight);
-    for (c = 0; c < 3; ++c)
-        for (rgb[c] = 0, i = 0; i < MS_MCML_SKIN_BANDS; ++i) rgb[c] += weight[i][c] * total[i];
-    for (i = 0; i < MS_MCML_SKIN_BANDS; ++i) {
-        if (nm) nm[i] = ms_mcml__bands[i];
-        if (spectrum) spectrum[i] = total[i];
-    }
-    return MS_OK;
-}
-
 /* Rows of the bands become rows of R, G, B, in place. */
-static void ms_mcml__skin_mix(double *row, int n, double weight[MS_MCML_SKIN_BANDS][3])
+static void ms_mcml__skin_mix(double *row, int n, double weight[MS_MCML__BANDS][3])
 {
     int i, band, c;
     for (i = 0; i < n; ++i) {
         double sum[3] = {0, 0, 0};
-        for (band = 0; band < MS_MCML_SKIN_BANDS; ++band)
+        for (band = 0; band < MS_MCML__BANDS; ++band)
             for (c = 0; c < 3; ++c) sum[c] += weight[band][c] * row[(size_t)band * (size_t)n + (size_t)i];
         for (c = 0; c < 3; ++c) row[(size_t)c * (size_t)n + (size_t)i] = sum[c];
     }
@@ -5046,38 +4583,46 @@ MS_API ms_status ms_mcml_skin_profile(ms_mcml_profile *profile, const ms_mcml_sk
                                       const ms_mcml_profile_options *options, ms_error *error)
 {
     ms_mcml_profile_options o;
-    ms_mcml_tissue tissue[MS_MCML_SKIN_BANDS];
-    ms_mcml_layer layers[MS_MCML_SKIN_BANDS][3];
-    double weight[MS_MCML_SKIN_BANDS][3];
+    ms_mcml_layer layers[MS_MCML__BANDS][3];
+    ms_mcml__channel *channel;
+    double weight[MS_MCML__BANDS][3];
     ms_status status = MS_OK;
     int i, c;
-    if (profile == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile is NULL");
-    memset(profile, 0, sizeof *profile);
+    if (profile) memset(profile, 0, sizeof *profile);
+    if (profile == NULL || skin == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile or skin is NULL");
     memset(&o, 0, sizeof o);
     if (options) o = *options;
-    o.method = MS_MCML_DETERMINISTIC;
-    o.tissues = tissue;
-    for (i = 0; i < MS_MCML_SKIN_BANDS && status == MS_OK; ++i)
-        status = ms_mcml__skin_tissue(skin, i, &tissue[i], layers[i], error);
-    if (status == MS_OK) status = ms_mcml_profile_make(profile, NULL, MS_MCML_SKIN_BANDS, &o, error);
+    if (o.photons) return ms__fail(error, MS_UNSUPPORTED, 0, "photons is not 0: skin is for the layered solver");
+    channel = (ms_mcml__channel *)ms__alloc(&o.allocator, MS_MCML__BANDS * sizeof *channel);
+    if (channel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the wavelengths");
+    for (i = 0; i < MS_MCML__BANDS && status == MS_OK; ++i) {
+        ms_mcml_tissue *tissue = &channel[i].tissue;
+        channel[i].medium = NULL;
+        channel[i].layered = 1;
+        tissue->n_above = 1;
+        tissue->n_below = 1.4;
+        tissue->layers = layers[i];
+        status = ms_mcml__skin_layers(skin, ms_mcml__bands[i], layers[i], &tissue->layer_count, error);
+    }
+    if (status == MS_OK) status = ms_mcml__profile_of(profile, channel, MS_MCML__BANDS, o, error);
+    ms__release(&o.allocator, channel, MS_MCML__BANDS * sizeof *channel);
     if (status && status != MS_NOT_CONVERGED) return status;
     ms_mcml__band_weights(weight);
     for (c = 0; c < 3; ++c) {
         double color = 0, positive = 0;
-        for (i = 0; i < MS_MCML_SKIN_BANDS; ++i) {
+        for (i = 0; i < MS_MCML__BANDS; ++i) {
             color += weight[i][c] * profile->total[i];
             if (weight[i][c] < 0) weight[i][c] = 0;
             positive += weight[i][c] * profile->total[i];
         }
         color = color > 0 ? color : 0;
-        for (i = 0; i < MS_MCML_SKIN_BANDS; ++i) weight[i][c] *= color / positive;
+        for (i = 0; i < MS_MCML__BANDS; ++i) weight[i][c] *= color / positive;
     }
     ms_mcml__skin_mix(profile->total, 1, weight);
     ms_mcml__skin_mix(profile->total_error, 1, weight);
     ms_mcml__skin_mix(profile->rd_per_mm2, profile->rings, weight);
     ms_mcml__skin_mix(profile->rd_error_per_mm2, profile->rings,
                       weight); /* errors of neighbouring wavelengths are alike: they add */
-    ms_mcml__skin_mix(profile->ap_per_mm, profile->rings, weight);
     ms_mcml__skin_mix(profile->within, profile->rings + 1, weight);
     profile->channels = 3;
     return status;
@@ -5172,38 +4717,9 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
     return &ms_mcml__kernels_scalar;
 }
 
-#undef MS_MCML__AZIMUTHS
-#undef MS_MCML__EVEN_MAX
-#undef MS_MCML__NODES
-#undef MS_MCML__ODD_MAX
-#undef MS_MCML__ORDER_MAX
-#undef MS_MCML__PANELS_MAX
-#undef MS_MCML__RAYS
-#undef MS_MCML__SERIES
-#undef MS_MCML__SHAPES
-#undef MS_MCML__SPAN
-#undef MS_MCML__STRATA
-#undef MS_MCML__BLOCK
-#undef MS_MCML__CHANCE
-#undef MS_MCML__COLUMNS_MAX
-#undef MS_MCML__C_CM_PER_PS
-#undef MS_MCML__DEPTH_MAX
-#undef MS_MCML__FILE_MAX
-#undef MS_MCML__FIT_DOUBLES
 #undef MS_MCML__FN
-#undef MS_MCML__GROUPS
-#undef MS_MCML__HALVING_EVENTS
-#undef MS_MCML__HEAD
 #undef MS_MCML__JOIN
 #undef MS_MCML__JOIN2
-#undef MS_MCML__LANES_MAX
-#undef MS_MCML__LAYER_BYTES
-#undef MS_MCML__PHI_UNITS
-#undef MS_MCML__PHOTONS_MAX
-#undef MS_MCML__SOLVE_BYTES
-#undef MS_MCML__STRETCH
-#undef MS_MCML__TASKS
-#undef MS_MCML__UNITS
 #endif /* MS_MCML_IMPLEMENTATION */
 
 #if defined(MS_MCML_IMPLEMENTATION) && defined(MS_MCML__PASS)
@@ -5512,21 +5028,19 @@ static void MS_MCML__FN(launch)(ms_mcml__tracer *t, unsigned lanes)
     int i;
 #define MS_MCML__START(field, value) \
     MS_MCML__V_STORE(t->field, MS_MCML__V_SELECT(stays, MS_MCML__V_LOAD(t->field), value))
-    MS_MCML__START(x, MS_MCML__V_SET(t->tally->entry_x));
+    MS_MCML__START(x, zero);
     MS_MCML__START(y, zero);
     MS_MCML__START(z, zero);
-    MS_MCML__START(ux, MS_MCML__V_SET(t->tally->entry_sine));
+    MS_MCML__START(ux, zero);
     MS_MCML__START(uy, zero);
-    MS_MCML__START(uz, MS_MCML__V_SET(t->tally->entry_cosine));
+    MS_MCML__START(uz, MS_MCML__V_SET(1.0f));
     MS_MCML__START(w, MS_MCML__V_SET(1.0f));
     MS_MCML__START(kept, zero);
-    MS_MCML__START(path, MS_MCML__V_SET((float)t->tally->entry_path_cm));
     MS_MCML__START(depth, MS_MCML__V_SET(slab->depth));
     MS_MCML__START(top, MS_MCML__V_SET(slab->top));
     MS_MCML__START(mfp, MS_MCML__V_SET(slab->mfp));
     MS_MCML__START(absorbed, MS_MCML__V_SET(slab->absorbed));
     MS_MCML__START(g, MS_MCML__V_SET(slab->g));
-    MS_MCML__START(n, MS_MCML__V_SET(slab->n));
     MS_MCML__START(ratio_up, MS_MCML__V_SET(slab->ratio_up));
     MS_MCML__START(ratio_down, MS_MCML__V_SET(slab->ratio_down));
 #undef MS_MCML__START
@@ -5548,7 +5062,7 @@ static inline MS_MCML__V MS_MCML__FN(absorb)(ms_mcml__tracer *t, MS_MCML__M hit,
 {
     const MS_MCML__V zero = MS_MCML__V_SET(0.0f), one = MS_MCML__V_SET(1.0f);
     const MS_MCML__V lost = MS_MCML__V_SELECT(hit, zero, MS_MCML__V_MUL(w, MS_MCML__V_LOAD(t->absorbed)));
-    if (t->volume_a || t->volume_phi) {
+    if (t->cells) {
         const MS_MCML__V r = MS_MCML__V_SQRT(MS_MCML__V_MADD(x, x, MS_MCML__V_MUL(y, y))),
                          ring = MS_MCML__V_MIN(MS_MCML__V_MUL(r, MS_MCML__V_SET(t->inverse_dr)),
                                                MS_MCML__V_SET(t->last_r));
@@ -5557,17 +5071,13 @@ static inline MS_MCML__V MS_MCML__FN(absorb)(ms_mcml__tracer *t, MS_MCML__M hit,
         const MS_MCML__U row = MS_MCML__U_MUL(MS_MCML__V_TO_INT(MS_MCML__V_MAX(ring, zero)), MS_MCML__U_SET(t->nz));
         const MS_MCML__V column = MS_MCML__V_MAX(MS_MCML__V_MIN(slab, MS_MCML__V_SET(t->last_z)), zero);
         MS_MCML__U_STORE(t->cell, MS_MCML__U_ADD(row, MS_MCML__V_TO_INT(column)));
-        MS_MCML__V_STORE(t->units_a, MS_MCML__V_MADD(lost, MS_MCML__V_SET(MS_MCML__UNITS), u));
-        MS_MCML__V_STORE(t->units_phi,
-                         MS_MCML__V_SELECT(hit, zero,
-                                           MS_MCML__V_MADD(MS_MCML__V_MUL(w, MS_MCML__V_LOAD(t->mfp)),
-                                                           MS_MCML__V_SET(t->phi_units), u)));
+        MS_MCML__V_STORE(t->units, MS_MCML__V_MADD(lost, MS_MCML__V_SET(ms_mcml__units), u));
     }
     w = MS_MCML__V_SUB(w, lost);
     MS_MCML__V_STORE(t->kept, MS_MCML__V_ADD(lost, MS_MCML__V_LOAD(t->kept)));
     return MS_MCML__V_SELECT(MS_MCML__V_LESS(MS_MCML__V_SELECT(hit, one, w), MS_MCML__V_SET(t->low_weight)),
-                             MS_MCML__V_SELECT(MS_MCML__V_LESS(u, MS_MCML__V_SET(MS_MCML__CHANCE)),
-                                               MS_MCML__V_MUL(w, MS_MCML__V_SET(1 / MS_MCML__CHANCE)), zero),
+                             MS_MCML__V_SELECT(MS_MCML__V_LESS(u, MS_MCML__V_SET(ms_mcml__chance)),
+                                               MS_MCML__V_MUL(w, MS_MCML__V_SET(1 / ms_mcml__chance)), zero),
                              w);
 }
 
@@ -5648,11 +5158,7 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
     MS_MCML__U s0, s1, s2, s3;
     int i;
 
-    for (i = 0; i < MS_MCML__L; ++i) {
-        t->bit[i] = 1u << i;
-        t->bins_a[i] = t->volume_a ? t->sum + t->tally->at.a : NULL;
-        t->bins_phi[i] = t->volume_phi ? t->sum + t->tally->at.phi : NULL;
-    }
+    for (i = 0; i < MS_MCML__L; ++i) t->bit[i] = 1u << i;
     t->alive = all;
     t->fresh_at = MS_MCML__L;
     MS_MCML__FN(launch)(t, all);
@@ -5669,11 +5175,7 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         unsigned boundary, crossing = 0, ended, halving, finished = 0;
         MS_MCML__M hit, up;
 
-        if (t->volume_a)
-            for (i = 0; i < MS_MCML__L; ++i) t->bins_a[i][t->cell[i]] += (int64_t)t->units_a[i];
-        if (t->volume_phi)
-            for (i = 0; i < MS_MCML__L; ++i) t->bins_phi[i][t->cell[i]] += (int64_t)t->units_phi[i];
-
+        for (i = 0; t->cells && i < MS_MCML__L; ++i) t->cells[t->cell[i]] += (int64_t)t->units[i];
         MS_MCML__DRAW(word_flight);
         MS_MCML__DRAW(word_cosine);
         MS_MCML__DRAW(word_azimuth);
@@ -5691,11 +5193,9 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         x = MS_MCML__V_MADD(step, ux, x);
         y = MS_MCML__V_MADD(step, uy, y);
         z = MS_MCML__V_SELECT(hit, MS_MCML__V_SELECT(up, zero, depth), MS_MCML__V_MADD(step, uz, z));
-        MS_MCML__V_STORE(t->path, MS_MCML__V_MADD(step, MS_MCML__V_LOAD(t->n), MS_MCML__V_LOAD(t->path)));
 
         if (MS_MCML__M_BITS(hit) == all) {
-            MS_MCML__V_STORE(t->units_a, zero);
-            MS_MCML__V_STORE(t->units_phi, zero);
+            MS_MCML__V_STORE(t->units, zero);
         } else {
             w = MS_MCML__FN(absorb)(t, hit, x, y, z, w, u);
             MS_MCML__FN(deflect)(hit, MS_MCML__V_LOAD(t->g), word_cosine, word_azimuth, &ux, &uy, &uz);
@@ -5741,7 +5241,7 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         s2 = MS_MCML__U_LOAD(t->s[2]);
         s3 = MS_MCML__U_LOAD(t->s[3]);
     }
-    for (i = 0; i < MS_MCML__L; ++i) ms_mcml__settle_bins(t, i);
+    for (i = 0; t->cells && i < MS_MCML__L; ++i) t->cells[t->cell[i]] += (int64_t)t->units[i];
 #if MS_MCML__ISA >= 3
     _mm256_zeroupper(); /* GCC leaves it out here, and code of other levels then takes twice its time */
 #endif

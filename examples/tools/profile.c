@@ -83,10 +83,10 @@ static void print_head(FILE *f, const subject *what, const ms_mcml_profile *p)
             k->melanin, k->eumelanin, k->blood, k->oxygen, k->epidermis_mm, k->dermis_mm, k->scattering, k->g);
     }
     if (m == NULL) fprintf(f, "# layered solver, 13 wavelengths; R,G,B linear sRGB under D65\n");
-    else if (p->method == MS_MCML_DETERMINISTIC) fprintf(f, "# half-space solver\n");
+    else if (!(photons > 0)) fprintf(f, "# half-space solver\n");
     else fprintf(f, "# Monte Carlo, %.0f photons\n", photons);
     fprintf(f, "# total_reflectance,%.9g,%.9g,%.9g\n", p->total[0], p->total[1], p->total[2]);
-    if (p->method != MS_MCML_DETERMINISTIC)
+    if (photons > 0)
         fprintf(f, "# standard_error,%.3g,%.3g,%.3g\n", p->total_error[0], p->total_error[1], p->total_error[2]);
     fprintf(f, "# %d rings %.9g mm wide; R_d is the mean over each, r_mm its middle\n", p->rings, p->edge_mm[1]);
 }

@@ -129,23 +129,22 @@ static double run_peer(const medium *m, const char *program, double photons)
 /* What the options cost, at the best level: time, and time to equal error of Rd(r), against the defaults. */
 static void options_row(FILE *md, int m)
 {
-    double t[5][RUNS], total, far, profile[5];
+    double t[4][RUNS], total, far, profile[4];
     int k, i;
     for (k = 0; k < RUNS; ++k)
-        for (i = 0; i < 5; ++i) {
+        for (i = 0; i < 4; ++i) {
             ms_mcml_options options = ms_mcml_defaults();
             ms_mcml_result r;
             const double start = bench_cpu();
             options.roulette_weight = i == 1 ? 1e-4 : i == 2 ? 0.1 : 0;
             options.no_absorption = i == 3;
-            options.absorption_error = i == 4;
             r = simulate(&media[m], photons_of(m) / 2, options);
             t[i][k] = bench_cpu() - start;
             variances(&r, &total, &profile[i], &far);
             ms_mcml_result_destroy(&r);
         }
     fprintf(md, "| %s |", media[m].name);
-    for (i = 0; i < 5; ++i) {
+    for (i = 0; i < 4; ++i) {
         const double ratio = bench_median(t[i], RUNS) / bench_median(t[0], RUNS);
         fprintf(md, " %.2f (%.2f) |", ratio, ratio * profile[i] / profile[0]);
     }
@@ -229,17 +228,16 @@ int main(void)
             else fprintf(md, " %.0f |", ns);
             fprintf(csv, "%s,%s,%.1f,%.1f,%.2f,%.2f,%.2f,%.2f\n", media[m].name, ms_simd_string((ms_simd)level), ns,
                     peer[m], peer[m] / ns, peer[m] * peer_total / (ns * total), peer[m] * peer_profile / (ns * profile),
-                    peer[m] * peer_far / (ns * far));
+                    far > 0 ? peer[m] * peer_far / (ns * far) : 0);
         }
         printf("  equal error: Rd %.1fx, Rd(r) %.1fx, far %.1fx\n", peer[m] * peer_total / (fastest * total),
-               peer[m] * peer_profile / (fastest * profile), peer[m] * peer_far / (fastest * far));
+               peer[m] * peer_profile / (fastest * profile), far > 0 ? peer[m] * peer_far / (fastest * far) : 0);
         if (program)
             fprintf(md, " %.1fx | %.1fx |", peer[m] * peer_total / (fastest * total),
                     peer[m] * peer_profile / (fastest * profile));
         else fprintf(md, " | |");
-        if (program && far > 0)
-            fprintf(md, " %.1fx |\n", peer[m] * peer_far / (fastest * far)); /* no ring out there holds 1e-5 */
-        else fprintf(md, " |\n");
+        if (program && far > 0 && peer_far > 0) fprintf(md, " %.1fx |\n", peer[m] * peer_far / (fastest * far));
+        else fprintf(md, " |\n"); /* no ring out there holds 1e-5 */
         fclose(md);
         fclose(csv);
         md = row_open("option", m);
@@ -265,7 +263,7 @@ int main(void)
     fprintf(
         all,
         "\nTime against the defaults, and in brackets time for an equal error of Rd(r).\n\n"
-        "| medium | defaults | roulette_weight 1e-4 | roulette_weight 0.1 | no_absorption | absorption_error |\n|---|---:|---:|---:|---:|---:|\n");
+        "| medium | defaults | roulette_weight 1e-4 | roulette_weight 0.1 | no_absorption |\n|---|---:|---:|---:|---:|\n");
     join(all, "option");
     fprintf(all, "\n");
     if (program && !only) {

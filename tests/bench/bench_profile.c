@@ -265,7 +265,6 @@ int main(void)
                 r.photons = way == PLAIN ? plain_photons[k] : photons[k];
                 r.o = s[m].rings;
                 r.o.photons = way == SOLVER ? 0 : (uint64_t)r.photons;
-                r.o.method = way == DIRECT ? MS_MCML_DIRECT : MS_MCML_DETERMINISTIC;
                 if (way == SOLVER) {
                     r.o.depth_step = knob[k][0];
                     r.o.frequency_step = knob[k][1];
