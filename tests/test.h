@@ -87,7 +87,7 @@ static char test_skip_reason[200];
     } while (0)
 
 /* First line of a case that judges a method, by statistics or at length, not how a compiler took the text: `make test`
-   runs it in one build only. */
+   runs it in one build only, `make check` not at all. */
 #define TEST_METHOD            \
     do {                       \
         if (test_build) {      \

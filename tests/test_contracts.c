@@ -16,6 +16,7 @@
 #include "ms_sss.h"
 
 #include "test.h"
+#include <limits.h>
 #include <stddef.h>
 
 static const int counts[] = {1, 3, 64, 300};
@@ -921,6 +922,51 @@ static void limits_are_those_stated(void)
     TEST_NOTE("%d arguments", (int)i);
 }
 
+/* Sizes that no machine has are refused before any memory is touched; the largest that are allowed work. */
+static void extreme_sizes(void)
+{
+    static const size_t residuals[] = {SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / 8, (size_t)1 << 60};
+    static const int grids[][3] = {
+        {INT_MAX, 1, 1},  {1, INT_MAX, 1}, {INT_MAX, 1, INT_MAX}, {65536, 65536, 65536}, {INT_MAX, INT_MAX, INT_MAX},
+        {46341, 46341, 1}};
+    static const sss_call taps = {"taps", MS_SSS_METHOD_TAPS, 0, 1, 1, 0, 0};
+    static const sss_call half = {"half resolution", MS_SSS_METHOD_HALF, 0, 1, 1, 0, 0};
+    static const sss_call pyramid = {"pyramid", MS_SSS_METHOD_PYRAMID, 0, 1, 1, 0, 0};
+    static const ms_mcml_layer layer = {1.4, 10, 90, 0.8, 0.02};
+    static double offset = 0.5;
+    const ms_mcml_tissue tissue = {1, 1, 1, &layer};
+    size_t i;
+    for (i = 0; i < sizeof residuals / sizeof residuals[0]; ++i) {
+        ms_pme_function f;
+        double x[2] = {0, 0};
+        memset(&f, 0, sizeof f);
+        f.user = &offset;
+        f.parameter_count = 2;
+        f.residual_count = residuals[i];
+        f.residuals = valley;
+        CHECK_INT(ms_pme_minimize(&f, NULL, x, NULL, NULL), MS_OUT_OF_MEMORY);
+        f.residual_count = 3;
+        f.parameter_count = i == 0 ? MS_PME_PARAMETERS_MAX + 1 : i == 1 ? INT_MAX : i == 2 ? INT_MIN : 0;
+        CHECK_INT(ms_pme_minimize(&f, NULL, x, NULL, NULL), MS_INVALID_ARGUMENT);
+    }
+    for (i = 0; i < sizeof grids / sizeof grids[0]; ++i) {
+        ms_mcml *tally = NULL;
+        ms_mcml_grid grid;
+        memset(&grid, 0, sizeof grid);
+        grid.dr_cm = grid.dz_cm = 0.01;
+        grid.nr = grids[i][0], grid.nz = grids[i][1], grid.na = grids[i][2];
+        CHECK_INT(ms_mcml_create(&tissue, &grid, NULL, &tally, NULL), MS_UNSUPPORTED);
+        CHECK(tally == NULL);
+    }
+    for (i = 0; i < 2; ++i) {
+        const int width = i ? 1 : 65536, height = i ? 65536 : 1;
+        sss_run(&taps, 0, width, height, 0xCD, 0);
+        sss_run(&half, 0, width, height, 0xCD, 0);
+        sss_run(&pyramid, 1, width, height, 0xCD, 0);
+    }
+    CHECK(ms_sss_shader_levels(65536, 65536) > 0 && ms_sss_shader_levels(1, 1) > 0);
+}
+
 /* The report's spread: mean distance to the nearest other recommendation; there is none of one alone. */
 static void spread_of_few(void)
 {
@@ -939,12 +985,9 @@ static void spread_of_few(void)
     ms_gpr_destroy(gp);
 }
 
-static const test_case cases[] = {{"memory: ms_nn.h", memory_nn},
-                                  {"memory: ms_sss.h", memory_sss},
-                                  {"memory: texts", memory_texts},
-                                  {"memory: ms_gpr.h", memory_gpr},
-                                  {"memory: ms_mcml.h", memory_mcml},
-                                  {"spread of few", spread_of_few},
-                                  {"zero is the default", zero_is_the_default},
+static const test_case cases[] = {{"memory: ms_nn.h", memory_nn},     {"memory: ms_sss.h", memory_sss},
+                                  {"memory: texts", memory_texts},    {"memory: ms_gpr.h", memory_gpr},
+                                  {"memory: ms_mcml.h", memory_mcml}, {"extreme sizes", extreme_sizes},
+                                  {"spread of few", spread_of_few},   {"zero is the default", zero_is_the_default},
                                   {"limits", limits_are_those_stated}};
 TEST_MAIN(cases)
