@@ -978,7 +978,7 @@ static void spread_of_few(void)
     CHECK_NEAR(report.spread, 0, 0);
     CHECK_INT(ms_gpr_recommend(gp, NULL, 3, x, NULL, NULL, &report, NULL), MS_OK);
     for (i = 0; i < 3; ++i) { /* between i and i + 1; the box is 0 to 1 */
-        for (k = 0; k < USER_M; ++k) d[i] += pow(x[i * USER_M + k] - x[(i + 1) % 3 * USER_M + k], 2) / USER_M;
+        for (k = 0; k < USER_M; ++k) d[i] += pow(x[i * USER_M + k] - x[(i + 1) % 3 * USER_M + k], 2) / (double)USER_M;
         d[i] = sqrt(d[i]);
     }
     CHECK_NEAR(report.spread, (fmin(d[0], d[2]) + fmin(d[0], d[1]) + fmin(d[1], d[2])) / 3, 1e-12);
