@@ -506,6 +506,42 @@ static runs run_pme(const void *options)
     return ended(status, &error, out, sizeof out);
 }
 
+static ms_status valley_of_three(void *user, const double *x, double *r, double *jacobian)
+{
+    (void)user, (void)jacobian;
+    r[0] = 10 * (x[1] - x[0] * x[0]);
+    r[1] = 1 - x[0] + x[2];
+    r[2] = 0.5;
+    return MS_OK;
+}
+
+/* A parameter that equal bounds freeze costs nothing: the problem is that of the others, evaluation by evaluation. */
+static void frozen_by_equal_bounds(void)
+{
+    static double offset = 0.5;
+    static const double low[3] = {-5, -5, 0}, high[3] = {5, 5, 0};
+    ms_pme_function two, three;
+    ms_pme_result of_two, of_three;
+    double x[2] = {-1.2, 1}, y[3] = {-1.2, 1, 0};
+    memset(&two, 0, sizeof two);
+    two.user = &offset;
+    two.parameter_count = 2;
+    two.residual_count = 3;
+    two.residuals = valley;
+    two.residuals_only = 1;
+    two.lower = low;
+    two.upper = high;
+    three = two;
+    three.parameter_count = 3;
+    three.residuals = valley_of_three;
+    CHECK_INT(ms_pme_minimize(&two, NULL, x, &of_two, NULL), MS_OK);
+    CHECK_INT(ms_pme_minimize(&three, NULL, y, &of_three, NULL), MS_OK);
+    CHECK_NEAR(x[0], 1, 1e-7);
+    CHECK(y[0] == x[0] && y[1] == x[1] && y[2] == 0);
+    CHECK_INT(of_three.iterations, of_two.iterations);
+    CHECK_INT(of_three.evaluations, of_two.evaluations);
+}
+
 static ms_status picture(void *user, const double *x, float *image)
 {
     int i;
@@ -548,8 +584,9 @@ static runs run_fit(const void *options)
     user_make();
     status = ms_gpr_fit(user_x, user_y, USER_N, USER_M, (const ms_gpr_fit_options *)options, &gp, &report, &error);
     if (status == MS_OK) {
-        memcpy(out, ms_gpr_theta(gp), (USER_M + 2) * sizeof(double));
-        out[USER_M + 2] = ms_gpr_floor_value(gp);
+        const ms_gpr_view view = ms_gpr_view_of(gp);
+        memcpy(out, view.theta, (USER_M + 2) * sizeof(double));
+        out[USER_M + 2] = view.floor_value;
     }
     ms_gpr_destroy(gp);
     return ended(status, &error, out, sizeof out);
@@ -582,20 +619,6 @@ static runs run_gallery(const void *options)
     return ended(status, &error, x, sizeof x);
 }
 
-static runs run_plane(const void *options)
-{
-    ms_gpr_latent *plane = NULL;
-    ms_gpr_latent_report report;
-    ms_error error;
-    double out[2] = {0, 0};
-    ms_status status;
-    user_make();
-    status = ms_gpr_latent_fit(user_x, 20, USER_M, (const ms_gpr_latent_options *)options, &plane, &report, &error);
-    if (status == MS_OK) out[0] = ms_gpr_latent_points(plane)[3], out[1] = report.likelihood;
-    ms_gpr_latent_destroy(plane);
-    return ended(status, &error, out, sizeof out);
-}
-
 /* --- ms_mcml.h --- */
 
 static runs run_simulate(const void *options)
@@ -618,23 +641,33 @@ static runs run_simulate(const void *options)
     return ended(status, &error, out, sizeof out);
 }
 
-static runs run_halfspace(const void *options)
+static runs profile_of(const ms_mcml_medium *medium, ms_mcml_profile_options *o)
+{
+    ms_mcml_profile profile;
+    ms_error error;
+    ms_status status;
+    double out[6] = {0};
+    o->rings = 5;
+    o->ring_mm = 0.3;
+    memset(&profile, 0, sizeof profile);
+    status = ms_mcml_profile_make(&profile, medium, 1, o, &error);
+    if (status == MS_OK) memcpy(out, profile.rd_per_mm2, 5 * sizeof(double)), out[5] = profile.total[0];
+    ms_mcml_profile_destroy(&profile);
+    return ended(status, &error, out, sizeof out);
+}
+
+static runs run_profile(const void *options)
 {
     const ms_mcml_medium medium = {0.02, 1.2, 0, 1.3};
-    static ms_mcml_halfspace h;
-    ms_error error;
-    memset(&h, 0, sizeof h);
-    return ended(ms_mcml_halfspace_solve(&medium, (const ms_mcml_halfspace_options *)options, &h, &error), &error,
-                 &h.energy, sizeof h.energy);
+    ms_mcml_profile_options o = *(const ms_mcml_profile_options *)options;
+    return profile_of(&medium, &o);
 }
 
 static runs run_medium(const void *medium)
 {
-    static ms_mcml_halfspace h;
-    ms_error error;
-    memset(&h, 0, sizeof h);
-    return ended(ms_mcml_halfspace_solve((const ms_mcml_medium *)medium, NULL, &h, &error), &error, &h.total,
-                 sizeof h.total);
+    ms_mcml_profile_options o;
+    memset(&o, 0, sizeof o);
+    return profile_of((const ms_mcml_medium *)medium, &o);
 }
 
 /* --- ms_sss.h --- */
@@ -744,7 +777,7 @@ typedef union options_of {
     ms_gpr_gallery_options gallery;
     ms_gpr_latent_options plane;
     ms_mcml_options mcml;
-    ms_mcml_halfspace_options halfspace;
+    ms_mcml_profile_options profile;
     ms_mcml_medium medium;
     ms_sss_kernel_options kernel;
     radius_of radius;
@@ -772,7 +805,6 @@ static void set_up(options_of *o)
     o->shader.tap_count = 7, o->shader.step = MS_SSS_STEP_UP, o->shader.half_resolution = 1;
 }
 static void set_rejection(options_of *o) { o->recommend.search = MS_GPR_SEARCH_REJECTION; }
-static void set_subset(options_of *o) { o->recommend.search = MS_GPR_SEARCH_SUBSET; }
 
 static const struct {
     runs (*run)(const void *options);
@@ -785,24 +817,13 @@ static const struct {
     {run_match, NULL, FIELD(ms_pme_match_options, refine.max_cost, 'd'), 50, 9},
     {run_match, set_tint, FIELD(ms_pme_match_options, channels, 'i'), 1, 2},
     {run_fit, set_floor, FIELD(ms_gpr_fit_options, floor_offset, 'd'), 0.75, 0.5},
-    {run_fit, NULL, FIELD(ms_gpr_fit_options, length_min, 'd'), 0.01, 2},
-    {run_fit, NULL, FIELD(ms_gpr_fit_options, length_max, 'd'), 1000, 0.5},
-    {run_fit, NULL, FIELD(ms_gpr_fit_options, noise_min, 'd'), 0.001, 0.9},
-    {run_fit, NULL, FIELD(ms_gpr_fit_options, noise_spread, 'd'), 0.25, 2},
-    {run_fit, NULL, FIELD(ms_gpr_fit_options, length, 'd'), 2.1 * 2 /* sqrt(4) */, 1},
-    {run_fit, NULL, FIELD(ms_gpr_fit_options, length_spread, 'd'), 1.5, 0.2},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, evaluations, 'i'), 200, 3},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, tau, 'd'), 0.6, 0.4},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, avoid_distance, 'd'), 0.15, 0.3},
-    {run_recommend, set_subset, FIELD(ms_gpr_recommend_options, rounds, 'i'), 1, 2},
-    {run_gallery, NULL, FIELD(ms_gpr_gallery_options, pool, 'i'), 4000, 3000},
-    {run_plane, NULL, FIELD(ms_gpr_latent_options, dimensions, 'i'), 2, 1},
-    {run_plane, NULL, FIELD(ms_gpr_latent_options, starts, 'i'), 3, 1},
-    {run_plane, NULL, FIELD(ms_gpr_latent_options, evaluations, 'i'), 2000, 5},
     {run_simulate, NULL, FIELD(ms_mcml_options, photons, 'u'), 1000000, 500000},
     {run_simulate, set_fast, FIELD(ms_mcml_options, roulette_weight, 'd'), 0.01 * (3.0 / 303), 0.1},
-    {run_halfspace, NULL, FIELD(ms_mcml_halfspace_options, depth_step, 'd'), 0.3, 0.5},
-    {run_halfspace, NULL, FIELD(ms_mcml_halfspace_options, frequency_step, 'd'), 0.25, 0.5},
+    {run_profile, NULL, FIELD(ms_mcml_profile_options, depth_step, 'd'), 0.3, 0.5},
+    {run_profile, NULL, FIELD(ms_mcml_profile_options, frequency_step, 'd'), 0.25, 0.5},
     {run_kernel, NULL, FIELD(ms_sss_kernel_options, tap_count, 'i'), 7, 9},
     {run_kernel, set_gaussians, FIELD(ms_sss_kernel_options, term_count, 'i'), 1, 2},
     {run_kernel, set_residual, FIELD(ms_sss_kernel_options, term_count, 'i'), 2, 3},
@@ -853,24 +874,18 @@ static const struct {
     {run_match, NULL, FIELD(ms_pme_match_options, channels, 'i'), 5, 0, 3, 7},
     {run_match, NULL, FIELD(ms_pme_match_options, nuisance, 'i'), -1, 0, 7, 8},
     {run_match, NULL, FIELD(ms_pme_match_options, random_count, 'i'), -1, 0, 5, NONE},
-    {run_fit, NULL, FIELD(ms_gpr_fit_options, noise_min, 'd'), -1e-9, 0, 9, 9.001},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, floor_offset, 'd'), -101, -100, 100, 100.1},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, evaluations, 'i'), -1, 0, 5, NONE},
-    {run_fit, NULL, FIELD(ms_gpr_fit_options, random_starts, 'i'), -1, 0, 1, 1001},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, method, 'i'), -1, 0, 1, 2},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, tau, 'd'), -0.001, 0, 0.9, 1.001},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, diversity, 'd'), -0.001, 0, 1, 1.001},
-    {run_recommend, NULL, FIELD(ms_gpr_recommend_options, caution, 'd'), -0.001, 0, 0.5, HUGE_VAL},
-    {run_recommend, NULL, FIELD(ms_gpr_recommend_options, rounds, 'i'), -1, 0, 2, NONE},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, skip, 'i'), -1, 0, 2, NONE},
     {run_recommend, set_rejection, FIELD(ms_gpr_recommend_options, search, 'i'), -1, 0, 2, 3},
-    {run_gallery, NULL, FIELD(ms_gpr_gallery_options, kind, 'i'), -1, 0, 6, 7},
-    {run_plane, NULL, FIELD(ms_gpr_latent_options, dimensions, 'i'), -1, 0, 3, 4},
+    {run_gallery, NULL, FIELD(ms_gpr_gallery_options, kind, 'i'), -1, 0, 1, 2},
     {run_simulate, set_fast, FIELD(ms_mcml_options, roulette_weight, 'd'), -1e-9, 0, 1, 1.0001},
-    {run_simulate, set_fast, FIELD(ms_mcml_options, target_error, 'd'), -1e-9, 0, 0.5, NONE},
     {run_simulate, NULL, FIELD(ms_mcml_options, photons, 'u'), NONE, 1, 2, 4294967297.0},
-    {run_halfspace, NULL, FIELD(ms_mcml_halfspace_options, depth_step, 'd'), 0.2799, 0.28, 1, 1.0001},
-    {run_halfspace, NULL, FIELD(ms_mcml_halfspace_options, frequency_step, 'd'), 0.1999, 0.2, 1, 1.0001},
+    {run_profile, NULL, FIELD(ms_mcml_profile_options, depth_step, 'd'), 0.2799, 0.28, 1, 1.0001},
+    {run_profile, NULL, FIELD(ms_mcml_profile_options, frequency_step, 'd'), 0.1999, 0.2, 1, 1.0001},
     {run_medium, set_medium, FIELD(ms_mcml_medium, mu_a_per_mm, 'd'), -1e-12, 0, 1e6, HUGE_VAL},
     {run_medium, set_medium, FIELD(ms_mcml_medium, mu_s_per_mm, 'd'), -1e-12, 0, 1e6, HUGE_VAL},
     {run_medium, set_medium, FIELD(ms_mcml_medium, g, 'd'), -1, -0.5, 0.9, 1},
@@ -985,9 +1000,14 @@ static void spread_of_few(void)
     ms_gpr_destroy(gp);
 }
 
-static const test_case cases[] = {{"memory: ms_nn.h", memory_nn},     {"memory: ms_sss.h", memory_sss},
-                                  {"memory: texts", memory_texts},    {"memory: ms_gpr.h", memory_gpr},
-                                  {"memory: ms_mcml.h", memory_mcml}, {"extreme sizes", extreme_sizes},
-                                  {"spread of few", spread_of_few},   {"zero is the default", zero_is_the_default},
+static const test_case cases[] = {{"memory: ms_nn.h", memory_nn},
+                                  {"memory: ms_sss.h", memory_sss},
+                                  {"memory: texts", memory_texts},
+                                  {"memory: ms_gpr.h", memory_gpr},
+                                  {"memory: ms_mcml.h", memory_mcml},
+                                  {"extreme sizes", extreme_sizes},
+                                  {"frozen by equal bounds", frozen_by_equal_bounds},
+                                  {"spread of few", spread_of_few},
+                                  {"zero is the default", zero_is_the_default},
                                   {"limits", limits_are_those_stated}};
 TEST_MAIN(cases)
