@@ -337,7 +337,7 @@ typedef struct ms_gpr_fit_options {
                  above the least given 3 times or more on average, as such; others are exact. Negative: exact */
 } ms_gpr_fit_options;
 
-/* The one number among the answers that visited like a slip: a score that all others contradict, or a value far outside
+/* The one number among the answers that looks like a slip: a score that all others contradict, or a value far outside
    the rest of its column. */
 typedef struct ms_gpr_outlier {
     int row;          /* of x and y; -1: none */
