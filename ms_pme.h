@@ -8,10 +8,9 @@
       #include "ms_pme.h"
 
    You have a renderer phi(x) (a small neural one; ms_nn.h runs such networks) and a target picture that somebody
-   painted. This header finds the parameters x, inside their bounds, whose picture is closest to the target. It
-   evaluates the candidates that you have (inversion networks, the previous frame, the source material), keeps the best
-   ones and refines them by nonlinear least squares. It calls you back for pictures, and its optimizers work on any
-   residuals of up to 256 parameters. Link with -lm. A "renderer" of two parameters and three pixels:
+   painted. This header finds the parameters x inside their bounds whose picture is closest to the target. It evaluates
+   your candidates (inversion networks, the previous frame, the source material), keeps the best ones and refines them
+   by nonlinear least squares. Link with -lm.
 
    Example:
       #define MS_PME_IMPLEMENTATION
@@ -46,42 +45,38 @@
    Optimizers
    ----------
    The default is Levenberg-Marquardt; each step is a linear least-squares problem inside the box, solved exactly by an
-   active-set method. It reaches the minima of all 14 problems of tests/data/pme_problems.json (free and bounded) within
-   1e-7, and four digits of NIST's certified values from 52 of 54 starts. With restarts it is a multistart by successive
-   halving: as many candidates as the budget allows run for a few steps, the best third goes on, the winner is finished;
-   then the others and random points. Give a Jacobian if you have one: it costs a network a few evaluations, differences
-   cost n; those of a float32 picture need a step near 1e-3. Nelder-Mead is for renderers with noise.
+   active-set method. It reaches the minima of all 14 problems of tests/data/pme_problems.json within 1e-7, and four
+   digits of NIST's certified values from 52 of 54 starts. With restarts it is a multistart by successive halving, then
+   from random points. Give a Jacobian if you have one: it costs a network a few evaluations, differences cost n; those
+   of a float32 picture need a step near 1e-3. Nelder-Mead is for renderers with noise.
 
    Edits that no material explains
    -------------------------------
    Exposure, tint and an offset of the picture can be fitted with the material (options.nuisance). Outliers such as a
-   logo lose their weight by ms_pme_reweigh, with a match from the last answer after each call
-   (examples/tools/matcher.h). A parameter is frozen by equal bounds and pulled towards a
-   source by options.pull. Bounds around the answer for the last frame limit the change from frame to frame.
+   logo lose their weight in matcher_match of examples/tools/matcher.h. A parameter is frozen by equal bounds and pulled
+   towards a source by options.pull. Bounds around the last frame's answer limit the change from frame to frame.
 
    Memory, threads, determinism, errors
    ------------------------------------
    Each call makes one allocation. The stack stays below 32 KB, 64 KB without optimization. There is no global state:
-   calls may overlap. Callbacks run on the calling thread, one at a time; a renderer may be parallel inside. The result
-   has the same bits at every call with the same seed and the same answers of the callbacks. -ffast-math voids this and
-   the statements about NaN and infinity. Failures return a status and a sentence in ms_error. A point whose residuals
-   are NaN, infinite or beyond 1e140 is worse than every other point, not an error; a derivative that is not finite is
-   MS_BAD_DATA.
+   calls may overlap. Callbacks run on the calling thread, one at a time. The result has the same bits at every call
+   with the same seed and the same answers of the callbacks. -ffast-math voids this and the statements about NaN and
+   infinity. Failures return a status and a sentence in ms_error. A point whose residuals are NaN, infinite or beyond
+   1e140 is worse than every other point, not an error; a derivative that is not finite is MS_BAD_DATA.
 
    Configuration (define before the implementation)
    ------------------------------------------------
-   MS_PME_NO_CLOCK   no <time.h>, <sys/time.h>; max_seconds then needs options.clock. The header never uses stdio.
-   MS_DEF            linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
+   MS_DEF   linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
 
    Limits
    ------
-   256 parameters; dense Jacobians [m][n] of doubles. The methods are local: the answer is a minimum near one of the
-   candidates, and restarts look further. Times and errors: tests/bench/RESULTS.md.
+   256 parameters; dense Jacobians. The answer is a minimum near one of the candidates; restarts look further. Times and
+   errors: tests/bench/RESULTS.md.
 
    Sources
    -------
    Zsolnai-Feher, Photorealistic Material Learning and Synthesis, chapter 4 (algorithm 4, equations 4.1 to 4.4); More
-   1978; Nielsen 1999; Stark and Parker 1995; Nelder and Mead 1965; Huber 1981; More, Garbow and Hillstrom 1981.
+   1978; Nielsen 1999; Stark and Parker 1995; Nelder and Mead 1965; More, Garbow and Hillstrom 1981.
 */
 #ifndef MS_PME_H
 #define MS_PME_H
@@ -205,7 +200,7 @@ static inline const char *ms_simd_string(ms_simd level)
 /* ---- 1. nonlinear least squares -------------------------------------------------------------------------------- */
 
 /* f(x) = sum of r_i(x)^2 over the box lower <= x <= upper. x is always inside the box. A callback returns MS_OK, or a
-   status that ends the run and becomes its answer. */
+   status that ends the run and becomes its answer: MS_CANCELLED stops it. */
 typedef struct ms_pme_function {
     void *user;
     int parameter_count;   /* n, 1 to MS_PME_PARAMETERS_MAX */
@@ -241,9 +236,8 @@ typedef struct ms_pme_options {
     int restarts;  /* Levenberg-Marquardt: further starts while cost is left. Each ends at a relative decrease of
                       1e-3 unless it improves on the best point */
     uint64_t seed; /* of the random starts */
-    double (*clock)(void *user); /* seconds, from any origin; NULL: the wall's clock */
+    double (*clock)(void *user); /* seconds, from any origin; may be NULL without max_seconds */
     void *clock_user;
-    ms_progress progress;   /* asked before every callback */
     ms_allocator allocator; /* one block of about (m n + 2 m + 3 n^2) doubles, released before the call returns */
 } ms_pme_options;
 
@@ -252,7 +246,6 @@ typedef struct ms_pme_result {
     double cost;        /* spent, in evaluations */
     size_t evaluations; /* calls without derivatives */
     size_t jacobians;   /* calls with them */
-    size_t iterations;  /* accepted steps */
     ms_pme_stop stop;
 } ms_pme_result;
 
@@ -264,9 +257,8 @@ MS_API ms_pme_options ms_pme_defaults(void);
    result   out, may be NULL
    error    may be NULL; position is the index of the offending parameter
    MS_INVALID_ARGUMENT: a count or callback is missing or out of range, lower > upper or NaN, x not finite, no finite
-   value at the start. MS_BAD_DATA: a derivative is not finite at a point whose value is. MS_OUT_OF_MEMORY,
-   MS_CANCELLED, or the status of a callback. x is untouched on failure. A budget that ended the run is no failure
-   (result->stop). */
+   value at the start. MS_BAD_DATA: a derivative is not finite at a point whose value is. MS_OUT_OF_MEMORY, or the
+   status of a callback. x is untouched on failure. A budget that ended the run is no failure (result->stop). */
 MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_options *options, double *x,
                                  ms_pme_result *result, ms_error *error);
 
@@ -342,17 +334,10 @@ MS_API ms_pme_match_options ms_pme_match_defaults(void); /* all zero */
    MS_INVALID_ARGUMENT: as ms_pme_minimize; a target that is not finite, a negative or non-finite weight (position: its
    index), weights that are all 0, no candidate with a finite picture, a reduced function of another target or other
    weights (RMSE off by a thousandth and 1e-5 of the target's root mean square).
-   MS_OUT_OF_MEMORY, MS_CANCELLED, or the status of a callback: outputs untouched. */
+   MS_OUT_OF_MEMORY, or the status of a callback: outputs untouched. */
 MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *target, const float *weight,
                               const ms_pme_match_options *options, double *x, float *image, ms_pme_match_result *result,
                               ms_error *error);
-
-/* Iteratively reweighted least squares (Huber 1981) with Tukey's biweight: weights for the next match from the errors
-   of this picture. A pixel of `channels` values gets one factor (1 - (e / 4.685 s)^2)^2, e its root mean square error,
-   s 1.4826 times the median of all e; 0 beyond 4.685 s. image, target, weight [count], weight NULL: all 1; reweighted
-   [count] out, none of them */
-MS_API ms_status ms_pme_reweigh(size_t count, int channels, const float *image, const float *target,
-                                const float *weight, float *reweighted, ms_error *error);
 
 #ifdef __cplusplus
 }
@@ -628,17 +613,11 @@ static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
 /* ms-common-random end */
 
 /* Sections: small maths | the run: budget and evaluations | bounded least squares | Levenberg-Marquardt | multistart |
-   Nelder-Mead | public: minimize | match: objective | match: stages | public: match | public: reweigh */
+   Nelder-Mead | public: minimize | match: objective | match: stages | public: match */
 
 #include <float.h>
 #include <limits.h>
 #include <math.h>
-#ifndef MS_PME_NO_CLOCK
-#if defined(__unix__) || defined(__APPLE__)
-#include <sys/time.h>
-#endif
-#include <time.h>
-#endif
 
 /* ---- small maths ----------------------------------------------------------------------------------------------- */
 
@@ -665,14 +644,8 @@ static double ms_pme__dot(const double *a, const double *b, int n)
 /* y += t x */
 static void ms_pme__add(double *y, double t, const double *x, int n)
 {
-    int i = 0;
-    for (; i + 4 <= n; i += 4) {
-        y[i] += t * x[i];
-        y[i + 1] += t * x[i + 1];
-        y[i + 2] += t * x[i + 2];
-        y[i + 3] += t * x[i + 3];
-    }
-    for (; i < n; ++i) y[i] += t * x[i];
+    int i;
+    for (i = 0; i < n; ++i) y[i] += t * x[i];
 }
 
 /* (a, b) = (c a + s b, c b - s a) for n elements of two rows. */
@@ -747,15 +720,14 @@ typedef struct ms_pme__run {
     double *rows;                             /* [n + 1][ROWS] rows of the Jacobian and the residual, as columns */
     double *triangle;                         /* [n + 1][n + 1] R and Q'(-r) of the Jacobian */
     double *gradient;                         /* [n] of f */
-    double *moved;                            /* [n] x of a difference */
+    double *moved;                            /* [n] the start, then x of a difference */
     double *point;                            /* [SOLVERS][2 n] x and scale of the local solvers */
     double *work;                             /* workspace of one step or of the simplex */
     ms_pme_result result;
     int stopped;   /* by the budget, a failure or f = 0: no callback follows */
     int uncharged; /* evaluations for the standard deviations: outside the budget */
     ms_status status;
-    size_t bad; /* the derivative that was not finite: residual, parameter */
-    int bad_parameter;
+    int bad; /* the parameter by which a derivative is not finite; -1: none */
     ms__rng rng;
 } ms_pme__run;
 
@@ -773,31 +745,13 @@ static int ms_pme__fail(ms_pme__run *run, ms_status status)
     return run->stopped = 1;
 }
 
-static double ms_pme__seconds(const ms_pme_options *options)
-{
-    if (options->clock != NULL) return options->clock(options->clock_user);
-#if defined(MS_PME_NO_CLOCK)
-    return 0;
-#elif defined(__unix__) || defined(__APPLE__)
-    {
-        struct timeval t;
-        gettimeofday(&t, NULL);
-        return (double)t.tv_sec + 1e-6 * (double)t.tv_usec;
-    }
-#elif defined(_WIN32)
-    return (double)clock() / (double)CLOCKS_PER_SEC; /* wall time on this system */
-#else
-    return (double)time(NULL);
-#endif
-}
-
 /* Non-zero, and the run is stopped: a callback of this cost would end after max_seconds, at the pace so far. */
 static int ms_pme__late(ms_pme__run *run, double cost)
 {
     const ms_pme_options *options = run->options;
     double spent;
     if (!(options->max_seconds > 0) || !(run->charged > 0)) return 0;
-    spent = ms_pme__seconds(options) - run->start_time;
+    spent = options->clock(options->clock_user) - run->start_time;
     return (spent >= options->max_seconds ||
             spent + spent / run->charged * (cost + run->reserve) > 1.05 * options->max_seconds) &&
         ms_pme__stop(run, MS_PME_STOP_SECONDS);
@@ -806,13 +760,9 @@ static int ms_pme__late(ms_pme__run *run, double cost)
 /* Charges the budget before a callback. Non-zero: the run has stopped. */
 static int ms_pme__charge(ms_pme__run *run, double cost)
 {
-    const ms_progress *progress = &run->options->progress;
     if (run->stopped || run->uncharged) return run->stopped;
     if (run->result.cost + cost > run->max_cost * (1 + 1e-12)) return ms_pme__stop(run, MS_PME_STOP_COST);
     if (ms_pme__late(run, cost)) return 1;
-    if (progress->report != NULL &&
-        progress->report(progress->user, ms__finite(run->max_cost) ? run->result.cost / run->max_cost : 0) != 0)
-        return ms_pme__fail(run, MS_CANCELLED);
     run->result.cost += cost;
     run->charged += cost;
     return 0;
@@ -841,17 +791,15 @@ static double ms_pme__sum_of_squares(const double *r, size_t m)
     return sum;
 }
 
-/* f(x) and its residuals r [m]; infinite if the run has stopped. */
-static double ms_pme__value_to(ms_pme__run *run, const double *x, double *r)
+/* f(x), its residuals in trial_residual; infinite if the run has stopped. */
+static double ms_pme__value(ms_pme__run *run, const double *x)
 {
     const ms_pme_function *function = run->function;
     if (ms_pme__charge(run, 1)) return MS_PME__INF;
     run->result.evaluations++;
-    if (ms_pme__fail(run, function->residuals(function->user, x, r, NULL))) return MS_PME__INF;
-    return ms_pme__record(run, x, ms_pme__sum_of_squares(r, run->m));
+    if (ms_pme__fail(run, function->residuals(function->user, x, run->trial_residual, NULL))) return MS_PME__INF;
+    return ms_pme__record(run, x, ms_pme__sum_of_squares(run->trial_residual, run->m));
 }
-
-static double ms_pme__value(ms_pme__run *run, const double *x) { return ms_pme__value_to(run, x, run->trial_residual); }
 
 /* The step of a forward difference in x_j, inside the box. */
 static double ms_pme__difference_step(const ms_pme__run *run, double x, int j)
@@ -866,10 +814,9 @@ static double ms_pme__difference_step(const ms_pme__run *run, double x, int j)
 }
 
 /* A derivative is not finite: the run fails. */
-static double ms_pme__bad_derivative(ms_pme__run *run, size_t i, int j)
+static double ms_pme__bad_derivative(ms_pme__run *run, int j)
 {
-    run->bad = i;
-    run->bad_parameter = j;
+    run->bad = j;
     ms_pme__fail(run, MS_BAD_DATA);
     return MS_PME__INF;
 }
@@ -887,11 +834,11 @@ static double ms_pme__linearize(ms_pme__run *run, const double *x, double known)
         if (ms_pme__fail(run, function->residuals(function->user, x, run->residual, run->jacobian))) return MS_PME__INF;
         f = ms_pme__sum_of_squares(run->residual, run->m);
         for (i = 0; i < size && ms__finite(f); ++i)
-            if (!ms__finite(run->jacobian[i])) return ms_pme__bad_derivative(run, i / (size_t)n, (int)(i % (size_t)n));
+            if (!ms__finite(run->jacobian[i])) return ms_pme__bad_derivative(run, (int)(i % (size_t)n));
         return ms_pme__record(run, x, f);
     }
-    if (!ms__finite(f)) f = ms_pme__value_to(run, x, run->residual);
-    else memcpy(run->residual, run->trial_residual, run->m * sizeof(double));
+    if (!ms__finite(f)) f = ms_pme__value(run, x);
+    memcpy(run->residual, run->trial_residual, run->m * sizeof(double));
     for (j = 0; j < n && ms__finite(f); ++j) {
         h = ms_pme__difference_step(run, x[j], j);
         for (side = 0; side < 2; ++side, h = -h) { /* the other side if one is not finite */
@@ -904,7 +851,7 @@ static double ms_pme__linearize(ms_pme__run *run, const double *x, double known)
             if (run->stopped) return MS_PME__INF;
             if (ms__finite(value)) break;
         }
-        if (side == 2) return ms_pme__bad_derivative(run, 0, j);
+        if (side == 2) return ms_pme__bad_derivative(run, j);
         for (i = 0, column = run->jacobian + j; i < run->m; ++i, column += n)
             *column = h < 0 || h > 0 ? (run->trial_residual[i] - run->residual[i]) / h : 0;
     }
@@ -1171,7 +1118,6 @@ static void ms_pme__solver_step(ms_pme__run *run, ms_pme__solver *solver)
             solver->lambda = ms_pme__max(solver->lambda * ms_pme__max(0.1, 1 - t * t * t), 1e-16);
             solver->growth = 2;
             ms_pme__copy(x, trial, n);
-            run->result.iterations++;
             solver->f = solver->known = f;
             break;
         }
@@ -1288,7 +1234,6 @@ static void ms_pme__nelder_mead(ms_pme__run *run, const double *x)
                  spread <= 1e-4 * ms_pme__max(size, 1e-30)) ||
                 spread <= 1e-14 * ms_pme__max(size, 1e-290))
                 break;
-            run->result.iterations++;
             for (j = 0; j < n; ++j) {
                 middle[j] = 0;
                 for (i = 0; i <= n; ++i)
@@ -1337,6 +1282,12 @@ MS_API ms_pme_options ms_pme_defaults(void)
     return options;
 }
 
+static ms_status ms_pme__check_count(int n, ms_error *error)
+{
+    if (n >= 1 && n <= MS_PME_PARAMETERS_MAX) return MS_OK;
+    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter_count is %d, expected 1 to %d", n, MS_PME_PARAMETERS_MAX);
+}
+
 static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_options *options, const double *x,
                                ms_error *error)
 {
@@ -1350,6 +1301,8 @@ static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_opt
     if (options->method < 0 || options->method > MS_PME_NELDER_MEAD)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d, expected 0 to %d (ms_pme_method)",
                         options->method, (int)MS_PME_NELDER_MEAD);
+    if (options->max_seconds > 0 && options->clock == NULL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "max_seconds is %g and clock is NULL", options->max_seconds);
     if (options->restarts < 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "restarts is %d, expected 0 or more", options->restarts);
     for (j = 0; j < 5; ++j)
@@ -1395,10 +1348,10 @@ static void ms_pme__layout(ms_pme__run *run, ms__arena *arena)
     run->work = ms_pme__doubles(arena, (n + 1) * (n + 8)); /* a step n (n + 8) + 1, a simplex (n + 1)^2 + 3 n */
 }
 
-/* Sets up a run and its one block of memory of *size bytes; the match's objective may be NULL. *start: [n], or NULL.
+/* Sets up a run and its one block of memory of *size bytes; the match's objective may be NULL.
    NULL: no memory. */
 static void *ms_pme__begin(ms_pme__run *run, const ms_pme_function *function, const ms_pme_options *options,
-                           ms_pme__objective *o, double **start, size_t *size)
+                           ms_pme__objective *o, size_t *size)
 {
     ms__arena arena = {NULL, 0};
     void *block = NULL;
@@ -1410,15 +1363,14 @@ static void *ms_pme__begin(ms_pme__run *run, const ms_pme_function *function, co
     run->m = function->residual_count;
     run->max_cost = options->max_cost > 0 ? options->max_cost : 1000;
     run->tolerance = options->tolerance > 0 ? options->tolerance : 1e-10;
-    run->bad_parameter = -1;
+    run->bad = -1;
     run->jacobian_cost = function->jacobian_cost > 0 ? function->jacobian_cost : 1 + 0.25 * run->n;
     run->best_value = MS_PME__INF;
     run->rng = ms__rng_make(options->seed, 0x706d65);
-    run->start_time = options->max_seconds > 0 ? ms_pme__seconds(options) : 0;
+    run->start_time = options->max_seconds > 0 ? options->clock(options->clock_user) : 0;
     for (pass = 0; pass < 2; ++pass) {
         ms_pme__layout(run, &arena);
         if (o != NULL) ms_pme__objective_layout(o, &arena, function->residuals_only);
-        if (start != NULL) *start = ms_pme__doubles(&arena, (size_t)run->n);
         if (pass > 0) break;
         block = ms__alloc(&options->allocator, *size = ms__size_add(arena.used, 63));
         if (block == NULL) return NULL;
@@ -1443,13 +1395,9 @@ static ms_status ms_pme__failure(const ms_pme__run *run, ms_error *error)
     double cost = run->result.cost;
     if (run->status == MS_OK)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "no finite value within %g evaluations of the start", cost);
-    if (run->status == MS_BAD_DATA && run->bad_parameter >= 0)
-        return ms__fail(error, MS_BAD_DATA, (size_t)run->bad_parameter,
-                        "the derivative of residual %z by parameter %d is not finite", run->bad, run->bad_parameter);
-    return ms__fail(error, run->status, 0,
-                    run->status == MS_CANCELLED ? "cancelled after %g evaluations"
-                                                : "a callback failed after %g evaluations",
-                    cost);
+    if (run->status == MS_BAD_DATA && run->bad >= 0)
+        return ms__fail(error, MS_BAD_DATA, (size_t)run->bad, "a derivative by parameter %d is not finite", run->bad);
+    return ms__fail(error, run->status, 0, "a callback failed after %g evaluations", cost);
 }
 
 MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_options *options, double *x,
@@ -1459,21 +1407,18 @@ MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_o
     ms_pme__run run;
     void *block;
     size_t size;
-    double *start;
     int j;
     ms_status status;
     if (options == NULL) options = &defaults;
     if (function == NULL || x == NULL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, function ? "x is NULL" : "function is NULL");
-    if (function->parameter_count < 1 || function->parameter_count > MS_PME_PARAMETERS_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter_count is %d, expected 1 to %d",
-                        function->parameter_count, MS_PME_PARAMETERS_MAX);
-    status = ms_pme__check(function, options, x, error);
+    status = ms_pme__check_count(function->parameter_count, error);
+    if (status == MS_OK) status = ms_pme__check(function, options, x, error);
     if (status != MS_OK) return status;
-    block = ms_pme__begin(&run, function, options, NULL, &start, &size);
+    block = ms_pme__begin(&run, function, options, NULL, &size);
     if (block == NULL) return ms_pme__no_memory(&run, error);
-    for (j = 0; j < run.n; ++j) start[j] = ms_pme__clip(x[j], run.lower[j], run.upper[j]);
-    ms_pme__method(&run, start, 1);
+    for (j = 0; j < run.n; ++j) run.moved[j] = ms_pme__clip(x[j], run.lower[j], run.upper[j]);
+    ms_pme__method(&run, run.moved, 1);
     if (run.status != MS_OK || !ms__finite(run.best_value)) {
         status = ms_pme__failure(&run, error);
     } else {
@@ -1608,21 +1553,17 @@ static ms_status ms_pme__check_match(ms_pme__objective *o, ms_error *error)
     const ms_pme_renderer *renderer = o->renderer;
     const ms_pme_match_options *options = o->options;
     size_t i;
-    if (renderer == NULL || o->target == NULL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, renderer ? "target is NULL" : "renderer is NULL");
-    if (renderer->render == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "renderer->render is NULL");
-    if (renderer->parameter_count < 1 || renderer->parameter_count > MS_PME_PARAMETERS_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "parameter_count is %d, expected 1 to %d",
-                        renderer->parameter_count, MS_PME_PARAMETERS_MAX);
+    if (renderer == NULL || o->target == NULL || renderer->render == NULL)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "renderer, target or renderer->render is NULL");
+    if (ms_pme__check_count(renderer->parameter_count, error) != MS_OK) return MS_INVALID_ARGUMENT;
     if (renderer->image_size < 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "image_size is 0, expected 1 or more");
-    if (renderer->prediction_count < 0 || (renderer->prediction_count > 0 && renderer->predict == NULL))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "prediction_count is %d and predict is NULL",
-                        renderer->prediction_count);
-    if (options->candidate_count < 0 || options->random_count < 0 ||
+    if (renderer->prediction_count < 0 || options->candidate_count < 0 || options->random_count < 0 ||
+        (renderer->prediction_count > 0 && renderer->predict == NULL) ||
         (options->candidate_count > 0 && options->candidates == NULL))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0,
-                        "candidate_count is %d, random_count %d: negative, or candidates is NULL",
-                        options->candidate_count, options->random_count);
+                        "prediction_count is %d, candidate_count %d, random_count %d: negative, or predict or "
+                        "candidates is NULL",
+                        renderer->prediction_count, options->candidate_count, options->random_count);
     if (options->nuisance < 0 || options->nuisance > 7)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nuisance is %d, expected flags of ms_pme_nuisance",
                         options->nuisance);
@@ -1854,7 +1795,7 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     if (function.residuals_only && !(refine.difference_step > 0)) refine.difference_step = 1e-3; /* a float32 picture */
     status = ms_pme__check(&function, &refine, o.x, error);
     if (status != MS_OK) return status;
-    block = ms_pme__begin(&run, &function, &refine, &o, NULL, &size);
+    block = ms_pme__begin(&run, &function, &refine, &o, &size);
     if (block == NULL) return ms_pme__no_memory(&run, error);
     run.reserve = 1 + (options->deviation ? run.jacobian_cost : 0); /* the last render, the deviations */
     for (j = 0, run.boxed = 1; j < run.n; ++j) run.boxed &= ms__finite(run.upper[j] - run.lower[j]);
@@ -1887,74 +1828,6 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     if (status == MS_OK && result != NULL) *result = answer;
     ms__release(&refine.allocator, block, size);
     return status;
-}
-
-/* ---- public: reweigh ------------------------------------------------------------------------------------------- */
-
-/* The median of count values >= 0 by bisection of their bits, which sort as they do; infinite values do not count. */
-static double ms_pme__median(const float *value, size_t count)
-{
-    uint32_t low = 0, high = 0x7f800000u, bits;
-    size_t i, below, finite = 0;
-    float median;
-    for (i = 0; i < count; ++i) finite += (size_t)ms__finite_f(value[i]);
-    while (high - low > 1 && finite > 0) {
-        uint32_t middle = low + (high - low) / 2;
-        for (i = below = 0; i < count; ++i) {
-            memcpy(&bits, &value[i], sizeof bits);
-            below += bits < middle;
-        }
-        if (2 * below > finite) high = middle;
-        else low = middle;
-    }
-    memcpy(&median, &low, sizeof median);
-    return (double)median;
-}
-
-MS_API ms_status ms_pme_reweigh(size_t count, int channels, const float *image, const float *target,
-                                const float *weight, float *reweighted, ms_error *error)
-{
-    size_t plane, i;
-    double scale;
-    int c;
-    if (image == NULL || target == NULL || reweighted == NULL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL",
-                        image == NULL        ? "image"
-                            : target == NULL ? "target"
-                                             : "reweighted");
-    if (reweighted == weight || reweighted == image || reweighted == target)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0,
-                        "reweighted is weight, image or target, expected memory of its own");
-    if (channels < 1 || count < 1 || count % (size_t)channels != 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "channels is %d, expected a divisor of count %z", channels,
-                        count);
-    plane = count / (size_t)channels;
-    for (i = 0; i < plane; ++i) { /* e of the pixel; infinite if its weights are 0 */
-        double sum = 0, total = 0;
-        for (c = 0; c < channels; ++c) {
-            size_t at = i + (size_t)c * plane;
-            double w = weight ? (double)weight[at] : 1, d = (double)image[at] - (double)target[at];
-            if (!ms__finite(w) || w < 0)
-                return ms__fail(error, MS_INVALID_ARGUMENT, at, "weight %z is %g, expected a finite number >= 0", at,
-                                w);
-            if (w > 0 && !ms__finite(d))
-                return ms__fail(error, MS_INVALID_ARGUMENT, at, "image or target %z is not finite", at);
-            if (w > 0) sum += w * d * d;
-            total += w;
-        }
-        reweighted[i] = total > 0 ? (float)sqrt(sum / total) : (float)HUGE_VAL;
-    }
-    scale = 4.685 * 1.4826 * ms_pme__median(reweighted, plane);
-    for (i = plane; i-- > 0;) {
-        double t = scale > 0 ? (double)reweighted[i] / scale : 0, factor = 0;
-        if (!ms__finite(t)) factor = 1;
-        else if (t < 1) factor = (1 - t * t) * (1 - t * t);
-        for (c = channels - 1; c >= 0; --c) {
-            size_t at = i + (size_t)c * plane;
-            reweighted[at] = (float)(factor * (weight ? (double)weight[at] : 1));
-        }
-    }
-    return MS_OK;
 }
 
 #undef MS_PME__INF

@@ -6,7 +6,6 @@
 #include "stack.h"
 #include "json.h"
 #include <stddef.h>
-#include <time.h>
 
 /* --- the problems of More, Garbow and Hillstrom (1981), with differences for Jacobians checked against closed forms
    --- */
@@ -633,8 +632,7 @@ static void test_misbehavior(void)
             CHECK_INT(ms_pme_minimize(&f, &options, x, &result, &error),
                       method == MS_PME_NELDER_MEAD ? MS_OK : MS_BAD_DATA);
             if (method != MS_PME_NELDER_MEAD)
-                CHECK(x[0] >= 0.1 && x[0] <= 0.1 &&
-                      strstr(error.message, "derivative of residual 0 by parameter 0") != NULL);
+                CHECK(x[0] >= 0.1 && x[0] <= 0.1 && strstr(error.message, "derivative by parameter 0") != NULL);
         }
     }
 }
@@ -664,13 +662,6 @@ static void test_failing_callback(void)
         }
 }
 
-static int cancel_after(void *user, double fraction)
-{
-    int *left = (int *)user;
-    CHECK(fraction >= 0 && fraction <= 1);
-    return --*left < 0;
-}
-
 static double tick(void *user)
 {
     double *now = (double *)user;
@@ -686,7 +677,6 @@ static void test_budgets(void)
         ms_pme_options options = ms_pme_defaults();
         ms_pme_result result;
         double x[4] = {-3, -1, -3, -1}, now = 0, budget;
-        int left = 7;
         memset(&result, 0, sizeof result);
         options.method = method;
         for (budget = 1; budget < 40; budget += 6.5) {
@@ -703,12 +693,9 @@ static void test_budgets(void)
         CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_OK);
         CHECK_INT(result.stop, MS_PME_STOP_SECONDS);
         CHECK(result.evaluations + result.jacobians <= 10);
-        options.max_seconds = 0;
-        options.progress.report = cancel_after;
-        options.progress.user = &left;
-        x[0] = -3;
-        CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_CANCELLED);
-        CHECK(x[0] == -3);
+        options.max_seconds = 1;
+        options.clock = NULL;
+        CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_INVALID_ARGUMENT);
     }
 }
 
@@ -1365,7 +1352,7 @@ static void test_many_bounds(void)
             at_bounds += x[j] <= low[j] || x[j] >= high[j];
         }
         if (l.n == 256) CHECK(at_bounds > 150);
-        CHECK_LE(result.iterations, 6); /* the model is exact: what is left is the damping, which falls by tens */
+        CHECK_LE(result.jacobians, 7); /* the model is exact: what is left is the damping, which falls by tens */
         TEST_NOTE("n = %d: %d at bounds, %.0f evaluations", l.n, at_bounds, result.cost);
         free(l.a);
     }
@@ -1405,37 +1392,6 @@ static void test_active_set(void)
             }
         }
     }
-}
-
-static ms_status sleeping(void *user, const double *x, double *r, double *jacobian)
-{
-    struct timespec t;
-    t.tv_sec = 0;
-    t.tv_nsec = 5000000;
-    (void)user;
-    nanosleep(&t, NULL); /* takes the wall's time, not the processor's */
-    (void)jacobian;
-    r[0] = x[0] + 1e-3 * sin(1e3 * x[0]);
-    return MS_OK;
-}
-
-static void test_wall_clock(void)
-{
-    ms_pme_function f;
-    ms_pme_options o = ms_pme_defaults();
-    ms_pme_result result;
-    double x = 3;
-    memset(&f, 0, sizeof f);
-    f.parameter_count = 1;
-    f.residual_count = 1;
-    f.residuals = sleeping;
-    f.residuals_only = 1;
-    o.restarts = 1000;
-    o.max_cost = 4000; /* twenty seconds of sleep */
-    o.max_seconds = 0.05;
-    CHECK_INT(ms_pme_minimize(&f, &o, &x, &result, NULL), MS_OK);
-    CHECK_INT(result.stop, MS_PME_STOP_SECONDS);
-    CHECK_LE(result.evaluations, 11); /* 5 ms each, at least */
 }
 
 /* A clock that callbacks move: 20 ms a value, 90 ms with derivatives. */
@@ -1896,39 +1852,6 @@ static void test_stop(void)
     CHECK_INT(result.refine.stop, MS_PME_STOP_COST);
 }
 
-/* Weights against outliers, by their formula. */
-static void test_reweigh(void)
-{
-    enum { PIXELS = 101, COUNT = 3 * PIXELS };
-    float image[COUNT], target[COUNT], weight[COUNT], out[COUNT];
-    int i, c;
-    ms_error error;
-    for (i = 0; i < PIXELS; ++i)
-        for (c = 0; c < 3; ++c) {
-            image[c * PIXELS + i] = i % 2 ? 0.01f * (float)i : 0.0001f * (float)i;
-            target[c * PIXELS + i] = 0;
-            weight[c * PIXELS + i] = i == 7 && c == 1 ? 0.25f : 1;
-        }
-    weight[7] = 0; /* two channels count; of pixel 100 none: 50 errors below 0.01, 50 from 0.01 on */
-    for (c = 0; c < 3; ++c) weight[c * PIXELS + 100] = 0;
-    CHECK_INT(ms_pme_reweigh(COUNT, 3, image, target, weight, out, NULL), MS_OK);
-    for (i = 0; i < COUNT; ++i) {
-        double e = (double)image[i], t = e / (4.685 * 1.4826 * 0.01);
-        double expected = t < 1 ? (1 - t * t) * (1 - t * t) : 0;
-        CHECK_NEAR(out[i], (double)weight[i] * expected, 1e-5);
-    }
-    memset(image, 0, sizeof image); /* no errors: the weights stay */
-    CHECK_INT(ms_pme_reweigh(COUNT, 3, image, target, weight, out, NULL), MS_OK);
-    for (i = 0; i < COUNT; ++i) CHECK_NEAR(out[i], weight[i], 0);
-    target[3] = nan_f();
-    CHECK_INT(ms_pme_reweigh(COUNT, 3, image, target, weight, out, &error), MS_INVALID_ARGUMENT);
-    CHECK_INT(error.position, 3);
-    CHECK_INT(ms_pme_reweigh(COUNT, 2, image, target, weight, out, &error), MS_INVALID_ARGUMENT);
-    CHECK_INT(ms_pme_reweigh(COUNT, 3, image, target, weight, weight, &error), MS_INVALID_ARGUMENT);
-    CHECK(strstr(error.message, "memory of its own") != NULL);
-    CHECK_INT(ms_pme_reweigh(COUNT, 3, NULL, target, weight, out, &error), MS_INVALID_ARGUMENT);
-}
-
 static void every_call(void *context)
 {
     renderer_state *s = (renderer_state *)context;
@@ -1985,7 +1908,6 @@ static const test_case cases[] = {{"published minima", test_published},
                                   {"sizes of residuals", test_sizes},
                                   {"many bounds", test_many_bounds},
                                   {"active set", test_active_set},
-                                  {"wall clock", test_wall_clock},
                                   {"seconds", test_seconds},
                                   {"units of parameters", test_units},
                                   {"differences", test_differences},
@@ -1994,6 +1916,5 @@ static const test_case cases[] = {{"published minima", test_published},
                                   {"control", test_control},
                                   {"defaults and limits", test_defaults},
                                   {"the reason of a stop", test_stop},
-                                  {"reweigh", test_reweigh},
                                   {"stack", test_stack_use}};
 TEST_MAIN(cases)

@@ -143,6 +143,7 @@ def studio(b):
     found = b.value("[studio.match.rmse, studio.match.guess]")
     shift = differ(before, edited)
     check("an edit is seen", shift > 0.02, shift)
+    check("the verdict stands beside the distance", b.value("document.getElementById('found').textContent.includes(['away', 'not a material', 'no material'][studio.match.verdict])"))
     check("its match is nearer than what it came from", found[0] < 0.7 * shift and found[0] <= found[1] + 1e-9, (found, shift))
     matched = b.value("Array.from(studio.match.picture)")
     check("the distance said is that of the pictures", abs(differ([v for i, v in enumerate(matched) if i % 4 != 3], [v for i, v in enumerate(edited) if i % 4 != 3]) - found[0]) < 0.004)

@@ -29,7 +29,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/time.h>
 #include "matcher.h"
 #include "materials.h"
 
@@ -41,14 +40,6 @@ static int fail(const char *path, const char *what)
 {
     fprintf(stderr, "match: %s: %s\n", path, what);
     return 1;
-}
-
-/* Seconds on the wall. */
-static double now(void)
-{
-    struct timeval t;
-    gettimeofday(&t, NULL);
-    return (double)t.tv_sec + 1e-6 * (double)t.tv_usec;
 }
 
 /* A number in (low, 1e9], the whole word; 0: it is none. */
@@ -308,7 +299,7 @@ int main(int argc, char **argv)
         return fail(frozen, "--freeze takes names or numbers of parameters") + 1;
 
     /* the match */
-    seconds = now();
+    seconds = matcher_clock(NULL);
     m.renderer.lower = low;
     m.renderer.upper = high;
     options.channels = 3;
@@ -318,6 +309,7 @@ int main(int argc, char **argv)
     }
     options.refine.max_cost = cost;
     options.refine.max_seconds = limit;
+    options.refine.clock = matcher_clock;
     if (options.nuisance && matcher_hides_surroundings(weight, m.network.size))
         fprintf(stderr,
                 "match: the weights hide the surroundings: the picture cannot tell the color of the light from the "
@@ -331,12 +323,12 @@ int main(int argc, char **argv)
     } else {
         options.channels = 0; /* views have channels of their own */
         status = matcher_views_aim(&views, all, count, target, NULL, &error);
-        if (limit > 0) options.refine.max_seconds = fmax(limit - (now() - seconds), 1e-6);
+        if (limit > 0) options.refine.max_seconds = fmax(limit - (matcher_clock(NULL) - seconds), 1e-6);
         if (status == MS_OK)
             status = ms_pme_match(&views.renderer, target, NULL, &options, x, picture, &result, &error);
     }
     if (status != MS_OK) return fail(target_path, error.message);
-    seconds = now() - seconds;
+    seconds = matcher_clock(NULL) - seconds;
 
     /* what was found */
     printf("first guess: %s, RMSE %.5f (%.2f of 255)\n",

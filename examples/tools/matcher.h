@@ -527,18 +527,69 @@ static inline void matcher_find_shift(const float *picture, const float *target,
     }
 }
 
-static inline double matcher__now(void)
+/* Seconds on the wall: a clock for options.refine. */
+static inline double matcher_clock(void *user)
 {
     struct timeval t;
+    (void)user;
     gettimeofday(&t, NULL);
     return (double)t.tv_sec + 1e-6 * (double)t.tv_usec;
 }
 
+/* The median of count values >= 0 by bisection of their bits, which sort as they do; infinite values do not count. */
+static inline double matcher__median(const float *value, size_t count)
+{
+    uint32_t low = 0, high = 0x7f800000u, bits;
+    size_t i, below, finite = 0;
+    float median;
+    for (i = 0; i < count; ++i) finite += (double)value[i] < HUGE_VAL;
+    while (high - low > 1 && finite > 0) {
+        uint32_t middle = low + (high - low) / 2;
+        for (i = below = 0; i < count; ++i) {
+            memcpy(&bits, &value[i], sizeof bits);
+            below += bits < middle;
+        }
+        if (2 * below > finite) high = middle;
+        else low = middle;
+    }
+    memcpy(&median, &low, sizeof median);
+    return (double)median;
+}
+
+/* Iteratively reweighted least squares (Huber 1981) with Tukey's biweight: each pixel's three weights times
+   (1 - (e / 4.685 s)^2)^2, e the root mean square of its errors, s 1.4826 times the median of all e; 0 beyond 4.685 s.
+   picture, target, weight [3][pixels]; reweighted [3][pixels] out, other memory. */
+static inline void matcher_reweigh(size_t pixels, const float *picture, const float *target, const float *weight,
+                                   float *reweighted)
+{
+    double scale;
+    size_t i;
+    int c;
+    for (i = 0; i < pixels; ++i) { /* e; infinite where all weights are 0 */
+        double sum = 0, total = 0;
+        for (c = 0; c < 3; ++c) {
+            size_t at = (size_t)c * pixels + i;
+            double w = (double)weight[at], d = (double)picture[at] - (double)target[at];
+            if (w > 0) sum += w * d * d;
+            total += w;
+        }
+        reweighted[i] = total > 0 ? (float)sqrt(sum / total) : (float)HUGE_VAL;
+    }
+    scale = 4.685 * 1.4826 * matcher__median(reweighted, pixels);
+    for (i = pixels; i-- > 0;) {
+        double t = scale > 0 ? (double)reweighted[i] / scale : 0, factor = t < 1 ? (1 - t * t) * (1 - t * t) : 0;
+        for (c = 2; c >= 0; --c) {
+            size_t at = (size_t)c * pixels + i;
+            reweighted[at] = (float)(factor * (double)weight[at]);
+        }
+    }
+}
+
 /* Aims and matches: with MATCHER_ROBUST what fits badly loses its weight (Tukey), with MATCHER_ALIGN the target is
    moved to where the renderer's pictures lie, in some rounds, each from the last one's answer. refine.max_seconds
-   counts from the call, for all rounds; the objective and the first candidate are always made. picture may not be NULL.
-   shift [2] out: pixels right and down that the target had slipped; may be NULL. The result's RMSE is of what counts in
-   the end. */
+   counts from the call by the wall's clock, for all rounds; the objective and the first candidate are always made.
+   picture may not be NULL. shift [2] out: pixels right and down that the target had slipped; may be NULL. The result's
+   RMSE is of what counts in the end. */
 static inline ms_status matcher_match(matcher *m, const float *target, const float *weight,
                                       const ms_pme_match_options *options, int flags, double *x, float *picture,
                                       ms_pme_match_result *result, double *shift, ms_error *error)
@@ -549,16 +600,17 @@ static inline ms_status matcher_match(matcher *m, const float *target, const flo
     float *moved = flags ? (float *)malloc(3 * p * sizeof(float)) : NULL, *known = moved ? moved + p : NULL,
           *counted = known;
     double at[2] = {0, 0}, last[2], cost, limit = options->refine.max_seconds,
-           end = limit > 0 ? matcher__now() + limit : 0;
+           end = limit > 0 ? matcher_clock(NULL) + limit : 0;
     int round, n = options->candidate_count;
     ms_status status;
+    again.refine.clock = matcher_clock;
     m->light = options->nuisance != 0;
     status = matcher_aim(m, target, weight, error);
-    if (limit > 0) again.refine.max_seconds = fmax(end - matcher__now(), 1e-6);
+    if (limit > 0) again.refine.max_seconds = fmax(end - matcher_clock(NULL), 1e-6);
     if (status == MS_OK) status = ms_pme_match(&m->renderer, target, weight, &again, x, picture, result, error);
     if (flags && moved == NULL && status == MS_OK)
         status = matcher__fail(error, MS_OUT_OF_MEMORY, "match", ms_status_string(MS_OUT_OF_MEMORY));
-    for (round = 0; round < 6 && flags && status == MS_OK && !(limit > 0 && matcher__now() >= end); ++round) {
+    for (round = 0; round < 6 && flags && status == MS_OK && !(limit > 0 && matcher_clock(NULL) >= end); ++round) {
         double *guesses = (double *)malloc((size_t)(n + 1) * count * sizeof(double));
         int slipped;
         memcpy(last, at, sizeof at);
@@ -569,8 +621,8 @@ static inline ms_status matcher_match(matcher *m, const float *target, const flo
             break;
         }
         matcher__shift(target, weight, m->network.size, at, moved, known);
-        if (flags & MATCHER_ROBUST) status = ms_pme_reweigh(p, 3, picture, moved, known, counted = known + p, error);
-        if (status == MS_OK) status = matcher_aim(m, moved, counted, error);
+        if (flags & MATCHER_ROBUST) matcher_reweigh(p / 3, picture, moved, known, counted = known + p);
+        status = matcher_aim(m, moved, counted, error);
         memcpy(guesses, x,
                count * sizeof(double)); /* where it slipped far, the other first guesses have another chance */
         if (n > 0) memcpy(guesses + count, options->candidates, (size_t)n * count * sizeof(double));
@@ -579,7 +631,7 @@ static inline ms_status matcher_match(matcher *m, const float *target, const flo
         again.refine.restarts = slipped ? options->refine.restarts : 0;
         alone = m->renderer;
         if (!slipped) alone.prediction_count = 0;
-        if (limit > 0) again.refine.max_seconds = fmax(end - matcher__now(), 1e-6);
+        if (limit > 0) again.refine.max_seconds = fmax(end - matcher_clock(NULL), 1e-6);
         cost = result->cost;
         if (status == MS_OK) {
             ms_pme_match_result better;

@@ -294,12 +294,13 @@ CALL(int, paint, (double saturation, double hue, double light, double tint, doub
 }
 
 /* The material nearest to the target, into x and rgba, from material 0 of x and what the inversion network guesses;
-   cost: how many pictures may be tried, 0: the better of these two. Distances in numbers: at the end, and of the
-   guess. */
+   cost: how many pictures may be tried, 0: the better of these two. In numbers: the distance at the end, that of
+   the guess, and matcher_verdict's answer. */
 CALL(int, match, (double cost))
 {
     ms_pme_match_options options = ms_pme_match_defaults();
     ms_pme_match_result result;
+    const char *sentence;
     double from[M];
     ms_status status;
     if (!targets) return (int)studio__refuse(&error, MS_INVALID_ARGUMENT, "there is no picture to match yet");
@@ -312,6 +313,7 @@ CALL(int, match, (double cost))
     if (status != MS_OK) return (int)status;
     number[0] = result.rmse;
     number[1] = result.rmse_initial;
+    number[2] = matcher_verdict(result.rmse, &sentence);
     to_rgba(picture);
     return 0;
 }

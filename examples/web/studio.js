@@ -653,10 +653,11 @@ const repaint = latest(async () => {
     compare(m);
   }
 });
+const verdicts = ['', ': a part of the picture is not a material\u2019s', ': no material looks like this picture'];
 const compare = timed(m => {
   studio.match = m;
   show($('matched'), m.picture);
-  $('found').textContent = `${nameOf(m.x, m.picture)}, ${(100 * m.rmse).toFixed(1)}% away`;
+  $('found').textContent = `${nameOf(m.x, m.picture)}, ${(100 * m.rmse).toFixed(1)}% away${verdicts[m.verdict]}`;
   $('adopt').disabled = $('keep-match').disabled = false;
 });
 function change() { if (easel.x) { easel.dirty = easel.unsaved = true; repaint(); } }

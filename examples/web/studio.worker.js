@@ -84,8 +84,8 @@ const calls = {
   match({ x, cost }) {
     put(wasm.x(), x);
     check(wasm.match(cost));
-    const [rmse, guess] = take(wasm.numbers(), 2);
-    return { x: rows(1)[0], rmse, guess, picture: pixels() };
+    const [rmse, guess, verdict] = take(wasm.numbers(), 3);
+    return { x: rows(1)[0], rmse, guess, verdict, picture: pixels() };
   },
   save({ x, names, scores }) {
     if (x.length > ROOM) throw new Error(`at most ${ROOM} materials can be saved at once`);

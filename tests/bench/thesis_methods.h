@@ -625,7 +625,6 @@ static double thesis__gradient_method(thesis__run *run, double *x, int method, d
             if (sy > 1e-14 * yy) count = count < THESIS__MEMORY ? count + 1 : count;
             else newest = (newest + THESIS__MEMORY - 1) % THESIS__MEMORY;
         }
-        run->result.iterations++;
         i = fresh;
         fresh = 0;
         thesis__copy(p.x, q.x, n);
@@ -685,7 +684,6 @@ static double thesis__nelder_mead(thesis__run *run, double *x, int barrier, doub
                  spread <= 1e-4 * thesis__max(size, 1e-30)) ||
                 spread <= 1e-14 * thesis__max(size, 1e-290))
                 break;
-            run->result.iterations++;
             for (j = 0; j < n; ++j) {
                 middle[j] = 0;
                 for (i = 0; i <= n; ++i)
