@@ -48,7 +48,7 @@
    2. Scores, or "the best 2 of 9", or both: ms_gpr_fit learns the hyperparameters, or ms_gpr_create takes them.
       ms_gpr_append, ms_gpr_rescore and ms_gpr_drop change one score, ms_gpr_compare takes comparisons. Another round:
       concatenate, and fit again.
-   3. What was learned: ms_gpr_predict, ms_gpr_gradient, ms_gpr_relevance; ms_gpr_simplify leaves out what a scene
+   3. What was learned: ms_gpr_predict, ms_gpr_relevance; ms_gpr_simplify leaves out what a scene
       does not need. To store a model, store materials, scores, pairs and theta, and call ms_gpr_create.
    4. New materials: ms_gpr_recommend. Recommendations, galleries and planes satisfy a ms_gpr_space: what is fixed,
       ranges, steps, equal columns, lists of metals.
@@ -91,7 +91,7 @@
    preferences that jump are smoothed. Values that are not finite or beyond 1e30 are refused with their row, columns and
    scores that span less than 1e-30 by name. Distances are direct differences of centred inputs, so that near-duplicates
    and offsets of 1e8 cost no digits. Where K' is not positive definite in double precision, the least jitter that helps
-   is added and reported by ms_gpr_jitter.
+   is added and reported by ms_gpr_view_of.
 
    Sources
    -------
@@ -242,7 +242,7 @@ typedef struct ms_gpr_options {
    m      >= 1
    theta  [m + 2]: log l_k for every dimension, log sf, log sn; l_k in units of x, sf and sn in units of y
    MS_BAD_DATA: a value of x or y that is not finite or beyond 1e30 (position: its row, from 1). MS_INVALID_ARGUMENT:
-   theta not finite. MS_NOT_CONVERGED: K' is not positive definite even with the largest jitter (see ms_gpr_jitter).
+   theta not finite. MS_NOT_CONVERGED: K' is not positive definite even with the largest jitter (see ms_gpr_view).
    MS_OUT_OF_MEMORY. *out is NULL unless MS_OK. Cost n^3 / 6 multiply-adds; memory n^2 + n m doubles. */
 MS_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, const double *theta,
                                const ms_gpr_options *options, ms_gpr **out, ms_error *error);
@@ -267,7 +267,7 @@ MS_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error);
    Each has P = Phi((f_better - f_worse) / (sqrt(2) sn)): the user sees both with the noise of a score. Scores and
    comparisons make one model; without scores the unit is sf. What is predicted then is Laplace's approximation: the
    Gaussian around the most probable latent values. Where rows have no score or comparisons, or the scores came in steps
-   (ms_gpr_fit_options), this call, ms_gpr_set_theta, ms_gpr_append, ms_gpr_rescore and ms_gpr_drop take some 2 n^3
+   (ms_gpr_fit_options), this call, ms_gpr_append, ms_gpr_rescore and ms_gpr_drop take some 2 n^3
    multiply-adds, and the likelihood is Laplace's. ms_gpr_drop drops the
    comparisons of its row. MS_BAD_DATA as ms_gpr_create. MS_INVALID_ARGUMENT: a row outside the model or compared with
    itself (position: the pair, from 1); MS_NOT_CONVERGED, MS_OUT_OF_MEMORY. The model is unchanged unless MS_OK.
@@ -350,7 +350,7 @@ typedef struct ms_gpr_outlier {
 typedef struct ms_gpr_fit_report {
     double likelihood;      /* log p(y | X, theta) of the scores as they were modelled */
     double objective;       /* the same plus the log prior of MAP */
-    double jitter;          /* ms_gpr_jitter of the model */
+    double jitter;          /* as in ms_gpr_view */
     int evaluations;        /* of the likelihood, all starts and probes */
     int start;              /* the start that won, from 0 */
     int probes;             /* dimensions that probing switched on or off */
@@ -381,7 +381,7 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
 MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, double *mean, double *variance,
                                 ms_error *error);
 
-/* ---- where materials may lie ----------------------------------------------------------------------------------- */
+/* ---- search space ----------------------------------------------------------------------------------- */
 
 /* Values that some parameters take together, such as a list of metals. */
 typedef struct ms_gpr_list {
@@ -423,15 +423,16 @@ typedef enum ms_gpr_search {
 typedef struct ms_gpr_recommend_options {
     double tau;  /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. The thesis advises 0.4 (variety)
                     to 0.7 (quality); recommendations score a little above it on average: 0.8 for the best alone.
-                    floor: ms_gpr_floor */
+                    floor: as in ms_gpr_view */
     double best; /* the score that tau = 1 means, such as 10; 0: the largest that was given. Where the model predicts
                     less all over the box, the largest mean takes its place */
     double diversity; /* 0: in proportion to the volume of what is liked. Up to 1: every recommendation is the farthest
                          from those before it of 1 + 15 diversity */
-    ms_gpr_space space;  /* what is kept */
+    ms_gpr_space space;  /* constraints */
     const double *avoid; /* [avoid_count][m] "not like these": nothing nearer than avoid_distance to any of them */
     int avoid_count;
-    double avoid_distance; /* as min_distance; 0: 0.15 */
+    double avoid_distance; /* root mean square over the dimensions, in widths of the box; uniform pairs are 0.4 apart.
+                              0: 0.15 */
     int skip;              /* leaves out the first `skip` of the sequence that seed stands for: 20 more of the same */
     uint64_t seed;
     ms_gpr_search search;
@@ -446,7 +447,7 @@ typedef struct ms_gpr_recommend_report {
     double acceptance;    /* share of the box whose mean reaches the threshold (subset simulation: estimated) */
     double candidates;    /* means predicted at single points */
     double slices;        /* means predicted along lines, which cost n instead of n m */
-    double spread; /* mean distance of the first 200 to the nearest other one of them, measured as min_distance */
+    double spread; /* mean distance of the first 200 to the nearest other one of them, measured as avoid_distance */
 } ms_gpr_recommend_report;
 
 /* Materials whose predicted score reaches a threshold.
@@ -455,17 +456,15 @@ typedef struct ms_gpr_recommend_report {
    mean    [count] out, or NULL: predicted scores
    sigma   [count] out, or NULL: their standard deviation
    report  or NULL
-   The same seed gives the same sequence: count says how much of it, skip where it begins. The share of each separate
-   mode among the recommendations has, by rejection, the error of independent draws; by subset simulation its root mean
-   square error is 0.07 where one material in 600 is left, 0.13 for one in 100,000, 0.19 for one in 1e9.
-   MS_NOT_CONVERGED: the model predicts no score above the floor (all scores are
-   equal, or there are none); nothing reaches the threshold with that caution; or the search gave up, MS_CANCELLED: the
-   first report->found rows of x are valid then, and mean and sigma of them. MS_INVALID_ARGUMENT: an option out of
-   range, a space that contradicts itself, count < 1. MS_OUT_OF_MEMORY. Memory and threads are the model's. gp is only
-   read: calls may overlap. Bit-equal for any thread count at one SIMD level. Thesis 3.4.1; Au & Beck 2001, "Estimation
-   of small failure probabilities in high dimensions by subset simulation"; its steps: Neal 2003, "Slice sampling", with
-   shrinkage, along axes, along random directions and in hyperrectangles; shares: Meng & Schilling 2002, "Warp bridge
-   sampling". */
+   The same seed gives the same sequence; skip says where in it to begin. By rejection, the share of each separate mode
+   has the error of independent draws. By subset simulation its root mean square error is 0.05 where one material in 600
+   is above the threshold, 0.08 for one in 100,000 and 0.10 for one in 1e9 (two to four modes).
+   MS_NOT_CONVERGED: no score is predicted above the floor, or the search gave up. MS_CANCELLED. In either case the
+   first report->found rows of x, mean and sigma are valid. MS_INVALID_ARGUMENT: an option out of range, a space that
+   contradicts itself, count < 1. MS_OUT_OF_MEMORY. Memory and threads are the model's. gp is only read: calls may
+   overlap. Bit-equal for any thread count at one SIMD level.
+   Thesis 3.4.1; Au & Beck 2001, "Estimation of small failure probabilities in high dimensions by subset simulation";
+   Neal 2003, "Slice sampling", along axes, along random directions and in hyperrectangles. */
 MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
                                   double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error);
 
@@ -608,7 +607,7 @@ typedef struct ms_gpr_variant {
     double latent[2];
     double similarity; /* s */
     double score;      /* u, predicted */
-    double value;      /* confidence (lambda s + (1 - lambda) (u - floor) / (best - floor)), floor: ms_gpr_floor */
+    double value;      /* confidence (lambda s + (1 - lambda) (u - floor) / (best - floor)), floor: as in ms_gpr_view */
     double confidence; /* as in ms_gpr_map_confidence: where the plane knows nothing there are no variants */
 } ms_gpr_variant;
 
@@ -3322,7 +3321,7 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
     return status;
 }
 
-/* ---- where materials may lie ----------------------------------------------------------------------------------- */
+/* ---- search space ----------------------------------------------------------------------------------- */
 
 /* A round range that holds column k of the rows of x: [0, 1] or another unit's, or steps of 1, 2 or 5 times a power of
    ten. A locked column, equal in 8 rows or more, keeps its value. */
@@ -3718,7 +3717,8 @@ enum {
     MS_GPR__PILOT = 8,         /* batches that are looked at first */
     MS_GPR__TASKS = 16,        /* of a level of subset simulation, and of a wave of recommendations */
     MS_GPR__WAVE = 64,         /* recommendations that are looked for together */
-    MS_GPR__POPULATION = 1024, /* points a level */
+    MS_GPR__POPULATION = 1024, /* points a level where there is one mode, */
+    MS_GPR__CROWD = 4096,      /* and where there are several: their shares drift from level to level */
     MS_GPR__LEVEL_SHARE = 4,   /* one in so many lies above the next level */
     MS_GPR__LEVELS = 500,
     MS_GPR__MODES = 16 /* ascents that look for the largest mean */
@@ -3732,7 +3732,7 @@ enum {
 
 /* A point in the unit box, what the mean there needs, and a step to go. */
 typedef struct ms_gpr__chain {
-    double *point;      /* [m] */
+    double *point;      /* [m] in the unit box */
     double *direction;  /* [m] in widths of the box, of dimensions in use */
     double *scaled;     /* [active] the point in length scales */
     double *step;       /* [active] the direction in length scales */
@@ -3745,7 +3745,7 @@ typedef struct ms_gpr__chain {
     double slices; /* means predicted along lines so far */
 } ms_gpr__chain;
 
-/* What all tasks of one call share. */
+/* The sampler: what all tasks of one call share. */
 typedef struct ms_gpr__sampler {
     const ms_gpr *gp;
     ms_gpr_recommend_options o; /* with the defaults filled in */
@@ -3776,7 +3776,8 @@ typedef struct ms_gpr__sampler {
     double *point, *next; /* [PILOT * BATCH][m] population in the unit box, and the one of the next level */
     double *value;        /* [PILOT * BATCH] of the population, */
     double *next_value;
-    int population, *seed; /* [POPULATION] points where the chains of a level start */
+    int level_size;        /* points of a level */
+    int population, *seed; /* [CROWD] points where the chains of a level start */
     int seeds, turn;
     double *scale;   /* [m] how far to go across; 0: only along the axis */
     uint64_t stream; /* of the wave's first batch or chain */
@@ -3785,7 +3786,7 @@ typedef struct ms_gpr__sampler {
 
 /* --- a chain --- */
 
-/* Distances anew from the point. */
+/* Computes the squared distances from the point to all training points. */
 static void ms_gpr__chain_distances(const ms_gpr__sampler *h, const ms_gpr__lines *lines, const void *points,
                                     ms_gpr__chain *w)
 {
@@ -3798,7 +3799,7 @@ static void ms_gpr__chain_distances(const ms_gpr__sampler *h, const ms_gpr__line
     lines->distances(w->d2, points, gp->stride, w->scaled, gp->active, ms_gpr__padded(gp->n));
 }
 
-/* Makes the mean along the direction a function of t alone. */
+/* Prepares means along the direction: they are functions of t alone then. */
 static void ms_gpr__chain_slopes(const ms_gpr__sampler *h, const ms_gpr__lines *lines, const void *points,
                                  ms_gpr__chain *w)
 {
@@ -3884,7 +3885,7 @@ static void ms_gpr__chain_ascend(const ms_gpr__sampler *h, ms_gpr__chain *w, int
     }
 }
 
-/* Goes t along the line that the chain faces, if that stays in the region. */
+/* Moves by t along the line if the mean there is above the level. */
 static int ms_gpr__chain_try(const ms_gpr__sampler *h, ms_gpr__chain *w, double t)
 {
     double mean = h->gp->mean + h->lines->mean(w->d2, w->slope, t, w->curvature, h->weight, ms_gpr__padded(h->gp->n));
@@ -3938,7 +3939,7 @@ static void ms_gpr__chain_slice_list(const ms_gpr__sampler *h, ms_gpr__chain *w,
     }
 }
 
-/* The best row of every list, as things stand. 0: it had them already. */
+/* Takes the best row of every list, the rest fixed. 0: they were taken already. */
 static int ms_gpr__chain_best_rows(const ms_gpr__sampler *h, ms_gpr__chain *w)
 {
     const ms_gpr__lines *lines = &h->gp->kernels->lines;
@@ -3965,7 +3966,7 @@ static int ms_gpr__chain_best_rows(const ms_gpr__sampler *h, ms_gpr__chain *w)
     return changed;
 }
 
-/* A slice along one of the coordinates, which renews what the mean hardly depends on. */
+/* A slice step along one coordinate. */
 static void ms_gpr__chain_coordinate(const ms_gpr__sampler *h, ms_gpr__chain *w, int coordinate, ms__rng *rng)
 {
     const ms_gpr *gp = h->gp;
@@ -4065,7 +4066,8 @@ static void ms_gpr__sampler_batch(void *context, int batch)
     ms_gpr__sampler_predict(h, batch, first, MS_GPR__BATCH);
 }
 
-/* One step of a chain: along, across and over all that is flat by turns. */
+/* One transition of a chain: by turns along a coordinate, along a random direction, and in the hyperrectangle of flat
+   dimensions. */
 static void ms_gpr__chain_transition(const ms_gpr__sampler *h, ms_gpr__chain *w, int turn, ms__rng *rng)
 {
     if (h->flats > 0 && turn % 4 == 3) ms_gpr__chain_rectangle(h, w, rng);
@@ -4082,8 +4084,8 @@ static void ms_gpr__sampler_level(void *context, int task)
     size_t m = (size_t)h->gp->m;
     int chain, at;
     for (chain = task; chain < h->seeds; chain += MS_GPR__TASKS) {
-        int from = (int)((size_t)chain * MS_GPR__POPULATION / (size_t)h->seeds);
-        int to = (int)(((size_t)chain + 1) * MS_GPR__POPULATION / (size_t)h->seeds);
+        int from = (int)((size_t)chain * (size_t)h->level_size / (size_t)h->seeds);
+        int to = (int)(((size_t)chain + 1) * (size_t)h->level_size / (size_t)h->seeds);
         ms__rng rng = ms__rng_make(h->o.seed, h->stream + (uint64_t)chain);
         memcpy(w->point, h->point + (size_t)h->seed[chain] * m, m * sizeof *w->point);
         w->value = h->value[h->seed[chain]];
@@ -4156,8 +4158,8 @@ static double ms_gpr__chain_mean(const ms_gpr__sampler *h, ms_gpr__chain *w)
     return gp->mean + gp->kernels->lines.mean(w->d2, w->slope, 0, 0, gp->weight, ms_gpr__padded(gp->n));
 }
 
-/* Whether single precision will do: means of the scored materials agree to 1e-4 of what the scores span. What is found
-   is looked at again in double precision. */
+/* Whether single precision suffices: means of the scored materials agree to 1e-4 of the span of scores. Recommendations
+   are checked again in double precision. */
 static int ms_gpr__sampler_single(ms_gpr__sampler *h, double span)
 {
     const ms_gpr *gp = h->gp;
@@ -4326,11 +4328,28 @@ static void ms_gpr__sampler_next_level(ms_gpr__sampler *h, int step)
 {
     double *point = h->point, *value = h->value;
     h->turn = step;
-    h->stream = ((uint64_t)1 << 40) + (uint64_t)step * MS_GPR__POPULATION;
+    h->stream = ((uint64_t)1 << 40) + (uint64_t)step * (uint64_t)h->level_size;
     ms__run(&h->gp->parallel, MS_GPR__TASKS, ms_gpr__sampler_level, h);
     h->point = h->next, h->value = h->next_value;
     h->next = point, h->next_value = value;
-    h->population = h->seeds = MS_GPR__POPULATION;
+    h->population = h->seeds = h->level_size;
+}
+
+/* Whether two of the modes are separate: the mean falls below the threshold on the segment between them. */
+static int ms_gpr__sampler_separate(ms_gpr__sampler *h)
+{
+    ms_gpr__chain *w = &h->chain[0];
+    const double *a = h->mode, *b;
+    int i, j, k;
+    for (i = 1; i < MS_GPR__MODES; ++i) {
+        if (h->mode_value[i] < h->goal || h->mode_value[0] < h->goal) continue;
+        b = h->mode + i * h->gp->m;
+        for (j = 1; j < 8; ++j) {
+            for (k = 0; k < h->gp->m; ++k) w->point[k] = a[k] + (b[k] - a[k]) * j / 8;
+            if (ms_gpr__chain_mean(h, w) < h->goal) return 1;
+        }
+    }
+    return 0;
 }
 
 /* The population of the region: that of the box, whose level rises step by step. Each time one in SURVIVE is above the
@@ -4342,6 +4361,7 @@ static ms_status ms_gpr__sampler_levels(ms_gpr__sampler *h)
     int i, k, step;
     h->population = MS_GPR__PILOT * MS_GPR__BATCH;
     h->report.acceptance = 1;
+    h->level_size = ms_gpr__sampler_separate(h) ? MS_GPR__CROWD : MS_GPR__POPULATION;
     for (i = 0; i < h->population; ++i)
         ms_gpr__sampler_point(h, h->candidate + (size_t)i * m, h->point + (size_t)i * m);
     memcpy(h->value, h->mean, (size_t)h->population * sizeof *h->value);
@@ -4352,8 +4372,8 @@ static ms_status ms_gpr__sampler_levels(ms_gpr__sampler *h)
             h->ranked[i].value = h->value[i];
             h->ranked[i].index = i;
         }
-        ms_gpr__ranked_select(h->ranked, h->population, MS_GPR__POPULATION / MS_GPR__LEVEL_SHARE);
-        for (i = 0, h->level = h->goal; i < MS_GPR__POPULATION / MS_GPR__LEVEL_SHARE; ++i)
+        ms_gpr__ranked_select(h->ranked, h->population, h->level_size / MS_GPR__LEVEL_SHARE);
+        for (i = 0, h->level = h->goal; i < h->level_size / MS_GPR__LEVEL_SHARE; ++i)
             if (h->ranked[i].value < h->level) h->level = h->ranked[i].value;
         for (i = 0, k = 0; i < h->population; ++i) { /* survivors, in their order */
             if (h->value[i] < h->level) continue;
@@ -4364,7 +4384,7 @@ static ms_status ms_gpr__sampler_levels(ms_gpr__sampler *h)
         h->population = k;
         if (!(h->level > before)) break;
         ms_gpr__sampler_scales(h);
-        h->seeds = k < MS_GPR__POPULATION ? k : MS_GPR__POPULATION;
+        h->seeds = k < h->level_size ? k : h->level_size;
         for (i = 0; i < h->seeds; ++i) h->seed[i] = (int)((size_t)i * (size_t)k / (size_t)h->seeds);
         ms_gpr__sampler_next_level(h, step);
         if (h->level >= h->goal) break;
@@ -4435,7 +4455,7 @@ static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms_gpr__arena *arena)
     h->next = ms_gpr__take(arena, population, m);
     h->value = ms_gpr__take(arena, population, 1);
     h->next_value = ms_gpr__take(arena, population, 1);
-    h->seed = (int *)(void *)ms_gpr__take(arena, MS_GPR__POPULATION, 1);
+    h->seed = (int *)(void *)ms_gpr__take(arena, MS_GPR__CROWD, 1);
     if (h->o.skip > 0) h->result = ms_gpr__take(arena, (size_t)h->count, m);
     for (i = 0; i < MS_GPR__TASKS; ++i) {
         ms_gpr__chain *w = &h->chain[i];

@@ -7,6 +7,8 @@ from browser import Browser
 
 out = sys.argv[1]
 passed = failed = 0
+# Cards that were scored have left and no other one is on its way: what is read is what is clicked.
+STILL = "!document.querySelector('#deck .card.gone') && document.getElementById('deck').getAnimations({ subtree: true }).every(a => a.playState !== 'running' || a.effect.getTiming().iterations === Infinity)"
 WAIT = 120  # seconds for anything that takes one on an idle machine
 
 
@@ -217,6 +219,7 @@ def session(b):
     b.value("document.activeElement.blur()")
     for n in range(1, 41):
         b.until(CARD, WAIT)
+        b.until(STILL, WAIT)
         x = [float(v) for v in b.value(CARD + ".dataset.x").split(",")]
         if n <= 10:  # of the focused card
             b.value("document.activeElement.closest('.card') || %s.querySelector('.scale').focus()" % CARD)
@@ -240,6 +243,10 @@ def session(b):
     b.until("document.querySelector('dialog[open]')", WAIT)
     b.key("6")
     b.until("studio.scored[39].score === 6 && studio.idle()", WAIT)
+    b.value("heard({ learned: studio.answers, settled: 1, state: 1, problem: '', doubt: { id: studio.scored[39].id, expected: 1 } })")
+    check("a score that looks like a slip is asked about", b.value("!document.getElementById('doubt').hidden && /a 6; about 1 was expected/.test(document.getElementById('doubt').textContent)"))
+    b.click("#doubt-keep")
+    check("and not again", b.value("heard({ learned: studio.answers, settled: 1, state: 1, problem: '', doubt: { id: studio.scored[39].id, expected: 1 } }), document.getElementById('doubt').hidden"))
     check("predictions within the scale", b.value("[...document.querySelectorAll('.pick')].map(p => Number(p.title.match(/about ([-\\d.]+)/)[1])).every(v => v >= 0 && v <= 10)"))
     before = answers(b)
 
@@ -251,10 +258,12 @@ def session(b):
     b.until("document.querySelectorAll('#history .was').length === 40", WAIT)
     check("recommendations again", b.value("studio.recommended.length") == 16)
     liked = mean(taste(x) for x in b.value("studio.recommended.map(r => r.x)"))
-    # Which materials are asked depends on how far learning had come when one clicked: 2.7 to 8.6 in sessions of this kind. What is
-    # recommended has to beat the first 16 that were asked, which are spread evenly (0.3 to 0.9).
-    spread = mean(map(taste, b.value("studio.scored.slice(0, 16).map(s => Array.from(s.x))")))
-    check("to the taste", liked > 2 * spread, (liked, spread))
+    # A score that fell on another card than the one whose material was read would teach another taste; the 40th was changed by hand.
+    given = b.value("studio.scored.slice(0, 39).map(s => [s.score, Array.from(s.x)])")
+    check("every score is that of its material", all(abs(score - taste(x)) < 0.51 for score, x in given), [(s, taste(x)) for s, x in given if abs(s - taste(x)) >= 0.51])
+    # 240 sessions of this kind without a page, with 0 to 1000 updates between answers, a wrong 40th answer and a reload: 3.8 to 9.3,
+    # 7.1 on average.
+    check("to the taste", liked > 3, liked)
     check("no warning where all is stored", b.dialogs == [], b.dialogs)
     b.click("#undo")  # the changed score of before
     b.until("studio.scored[39].score !== 6 && studio.idle()", WAIT)

@@ -147,6 +147,14 @@ CALL(int, avoid, (void)) { return (int)studio_avoid(&session, material, &error);
 CALL(int, undo, (void)) { return (int)studio_undo(&session, &error); }
 CALL(int, update, (void)) { return (int)studio_update(&session, &error); }
 
+/* The row of a score that the others contradict, with what it is and what was expected in numbers [2]; -1: none. */
+CALL(int, outlier, (void))
+{
+    number[0] = session.outlier.value;
+    number[1] = session.outlier.expected;
+    return session.outlier.row >= 0 && session.outlier.column < 0 ? session.outlier.row : -1;
+}
+
 /* Means and standard deviations of x [count] into numbers [count] each. */
 CALL(int, predict, (int count))
 {

@@ -456,11 +456,22 @@ function table(text) {
 
 // --------------------------------------------------------------------------------------------------------- recommendations
 let restock;
-function heard({ learned, settled, state, problem }) {
+function heard({ learned, settled, state, problem, doubt }) {
   if (problem) return fail(problem);
   if (learned !== studio.answers && settled) return; // more is under way
+  if (settled) ask(doubt);
   if (state >= 2) restock(settled);
   if (settled && !(state >= 2)) studio.settled = true;
+}
+// Once for each score: was that a slip of the finger? The answer is to score it anew, or to say nothing.
+const asked = new Set();
+function ask(doubt) {
+  const s = doubt && studio.scored.find(s => s.id === doubt.id && !s.gone);
+  $('doubt').hidden = !s || asked.has(s.id + s.score);
+  if ($('doubt').hidden) return;
+  $('doubt-says').textContent = `You gave ${nameOf(s.x, s.picture)} a ${s.score}; about ${within(doubt.expected).toFixed(0)} was expected.`;
+  $('doubt-change').onclick = () => { asked.add(s.id + s.score); $('doubt').hidden = true; rethink(s); };
+  $('doubt-keep').onclick = () => { asked.add(s.id + s.score); $('doubt').hidden = true; };
 }
 const names = { diffuse: 'matt', metal: 'metal', glass: 'glass', jelly: 'translucent' };
 restock = latest(async settled => {

@@ -100,6 +100,11 @@ const calls = {
 
 const row = new Map(), teaches = new Set(['score', 'rescore', 'better', 'neither', 'like', 'avoid', 'undo']); // row: of a score's id in the model
 let answered = 0;
+// A score that looks like a slip of the finger: its id, what it is and what was expected.
+function doubt() {
+  const at = wasm.outlier(), [id] = [...row].find(([, r]) => r === at) || [];
+  return id ? { id, expected: take(wasm.numbers(), 2)[1] } : null;
+}
 function learn() {
   if (learning) return;
   learning = true;
@@ -108,7 +113,7 @@ function learn() {
       const status = wasm.update();
       postMessage({ learned: answered, settled: status ? 1 : wasm.settled(), state: wasm.state(), problem: status ? sentence() : '' });
       if (!status) return void setTimeout(slice, 0);
-    } else postMessage({ learned: answered, settled: 1, state: wasm.state(), problem: '' });
+    } else postMessage({ learned: answered, settled: 1, state: wasm.state(), problem: '', doubt: doubt() });
     learning = false;
   };
   setTimeout(slice, 0);
