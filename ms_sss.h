@@ -573,6 +573,8 @@ typedef struct ms_sss_filter_options {
     float pixels_per_mm[2]; /* texture space: pixels a millimetre along x and y; [1] 0: as [0] */
     float fov_degrees;      /* perspective: the picture's full angle along y, in (0, 180) */
     float ortho_height;     /* orthographic: scene units from the picture's top to its bottom */
+    float center[2]; /* perspective: where the view axis meets the picture, in pixels from its middle, x to the right, y
+                        as rows grow; 0 but for off-center projections: -P02 width / 2, of OpenGL's matrix */
     float mm_per_unit; /* millimetres in a scene unit, 1000 for metres; 0: 1, refused where kernels then cover half of
                           the picture */
     ms_sss_depth_mode depth_mode;
@@ -667,13 +669,6 @@ typedef enum ms_sss_language {
     MS_SSS_WGSL = 4         /* WebGPU; group 0; constants: uniform buffer, binding 0 */
 } ms_sss_language;
 
-/* Where a pass reads a value of each pixel. */
-typedef enum ms_sss_source {
-    MS_SSS_NONE = 0,
-    MS_SSS_TEXTURE = 1, /* in red of a texture of its own */
-    MS_SSS_ALPHA = 2    /* in alpha of the input, which saves reads */
-} ms_sss_source;
-
 /* The steps of the filter: see ms_sss_shader; from BASE on of a pyramid: see ms_sss_shader_levels. */
 typedef enum ms_sss_step {
     MS_SSS_STEP_X = 0,
@@ -686,52 +681,61 @@ typedef enum ms_sss_step {
     MS_SSS_STEP_RESOLVE = 7
 } ms_sss_step;
 
-/* One step, as a fragment shader for a full-screen triangle.
-     X        along x, or the rotated axis: reads the input as ms_sss_colour; writes RGB and, in alpha, depth and
-              profile (0: masked)
-     Y        along y: reads X's target as ms_sss_colour; writes the result, alpha 1
-   Half resolution (half_resolution 1: MS_SSS_METHOD_HALF); the constants stay those of the full picture:
-     DOWN     one texel from four pixels: reads the input as ms_sss_colour; its target and those of X and Y have
-              (width + 1) / 2 x (height + 1) / 2 texels
-     X, Y     as above, from DOWN's target, which is also Y's ms_sss_input; all terms add up in one target
-     UP       reads the input as ms_sss_colour, DOWN's target as ms_sss_input, Y's as ms_sss_sum; writes the result,
-              alpha 1
-   Textures are RGBA of 32-bit floats (depth, strength, profile: any format with red), read by texel only. Vulkan and
-   WGSL bind them at 1 + n, HLSL at t(n), GLSL 330 and ES 300 by name. OpenGL needs GL_NEAREST for both filters of each:
-   with its defaults a float texture is incomplete and reads as black. The other languages need no sampler.
-     n  name             read by
-     0  ms_sss_colour    every step
-     1  ms_sss_depth     the first step and UP, depth MS_SSS_TEXTURE: as ms_sss_frame.depth
-     2  ms_sss_strength  as 1, and Y at full resolution, with_strength: in red
-     3  ms_sss_input     Y: the input (half_resolution: DOWN's target); UP: DOWN's target
-     4  ms_sss_profile   as 1, profile MS_SSS_TEXTURE: index / 255, so that 8-bit UNORM holds ms_sss_frame.profile
-     5  ms_sss_sum       UP: of all terms
-     6  ms_sss_normal    X and Y at full resolution where slopes count, with_normal: as ms_sss_frame.normal
+/* One step, as a fragment shader for a full-screen triangle. Three ways to filter:
+     full               X, then Y: along x (or the rotated axis), then along y, once a term
+     half resolution    half_resolution 1: DOWN, X, Y, UP. The targets of the first three have (width + 1) / 2 x
+                        (height + 1) / 2 texels; the constants stay those of the full picture
+     pyramid            see ms_sss_shader_levels
+   In texture space (pixels_per_mm) the same steps filter a light map.
 
-   Light does not cross between profiles, nor to masked pixels (see ms_sss_filter): an index from profile_count on is
-   such a mask. Texels read a pixel for n taps, everything in alpha or absent: 4 n - 2 in X and Y together, 26 for 7
-   taps, and one more where light stays (delta, fade, strength below 1). Slopes (depth, flat below 1) read 4 more in
-   each, 5 or 6 at outlines, or 1 with_normal. Depth, profile and strength in textures of their own cost 2 n - 1 each.
-   Rotated axes read twice as many. Half resolution reads 10 a pixel and a quarter of X's and Y's: 17 for 7 taps, 19
-   with slopes. Of several profiles a texel of DOWN has that of the nearest of its pixels (without depth: of the first
-   that is not masked); ms_sss_filter halves each by itself. In alpha of the input: depth as it is, or (without depth)
-   index / 255. Both: a 32-bit float depth whose last four bits hold the index, intBitsToFloat(floatBitsToInt(depth) + 8
-   & ~15 | index), for 16 profiles; depth 0 masks. With depth, X's target carries the profile in the last 4 bits of blue
-   (1e-6 of it). */
+   The engine's pixels are read by five functions; p is a texel of its textures, the pixel plus `origin`:
+     float3 ms_sss_fetch_color(int2 p)      light before the albedo; masked if not within 1e30
+     float ms_sss_fetch_depth(int2 p)       with_depth: as ms_sss_frame.depth
+     int ms_sss_fetch_profile(int2 p)       with_profile: index of the kernel; outside [0, profile_count): masked
+     float ms_sss_fetch_strength(int2 p)    with_strength: as ms_sss_frame.strength
+     float3 ms_sss_fetch_normal(int2 p)     with_normal: as ms_sss_frame.normal
+   `fetch` holds the engine's own text of them, in the shader's language (ivec2 and vec3 in GLSL, vec2<i32> and
+   vec3<f32> in WGSL): over a raw depth buffer (near far / (far - d (far - near)); reversed Z without a far plane: near
+   / d), octahedral or world-space normals, a stencil index, an array layer, one sample of a multisampled target. NULL:
+   they read the textures below. Color may have 16 bits a channel; depth needs 32, because steps of 16 bits are seen as
+   slopes. Vulkan and WGSL bind textures at 1 + n, HLSL at t(n), GLSL 330 and ES 300 by name. OpenGL needs GL_NEAREST
+   for both filters of each: with its defaults a float texture is incomplete and reads as black. n  name holds read by
+      0  ms_sss_color     RGB                              the first step, UP, RESOLVE; Y at full resolution
+      1  ms_sss_depth     R                                the first step, UP
+      2  ms_sss_strength  R                                the same, RESOLVE; Y at full resolution
+      3  ms_sss_input     the target of the step before    Y; X at half resolution; a pyramid's steps but BASE
+      4  ms_sss_profile   R: index / 255 (8-bit UNORM)     the first step, UP
+      5  ms_sss_sum       Y's target, all terms added      UP
+      6  ms_sss_normal    RGB                              BASE; X and Y at full resolution, where slopes count
+     11  ms_sss_half      DOWN's target                    UP; Y at half resolution
+   Targets are RGBA of 32-bit floats. X writes RGB and, in alpha, depth or profile + 1 (0: masked), with both the
+   profile in the last 4 bits of blue. Y and UP write the result with alpha 1. Light crosses neither between profiles
+   nor to masked pixels. Of several profiles a texel of DOWN has that of its nearest pixel; ms_sss_filter halves each by
+   itself.
+
+   Texels read a pixel by 7 taps in X and Y: 26 of color, and 13 of depth, profile and strength each; one more of color
+   where light stays (delta, fade, strength below 1). Slopes (depth, flat below 1) read 12 more, a few more at outlines,
+   or 2 with_normal. Rotated axes read twice as many. Half resolution reads 2 and 11 a pixel and a quarter of X and Y.
+
+   Dynamic resolution and stereo: width and height are the viewport's, `origin` its corner, options->center the
+   projection's. Jitter for temporal antialiasing moves the center by less than a pixel and may be left out.
+   Multisampled pictures are resolved first, or one sample is fetched. */
 typedef struct ms_sss_shader {
-    int tap_count;     /* the most of any of the kernels */
-    int profile_count; /* kernels, 1 to MS_SSS_SHADER_PROFILES_MAX; 0: 1 */
-    ms_sss_step step;
     ms_sss_language language;
-    ms_sss_source depth;   /* perspective needs it */
-    ms_sss_source profile; /* more than one kernel need it */
-    int with_strength;
-    int with_normal;     /* 0: slopes from depth */
+    ms_sss_step step;
     int half_resolution; /* 1: X and Y work between DOWN and UP */
+    int tap_count;       /* the most of any of the kernels */
     int term_count;      /* UP: the most of any of the kernels; 0: 1 */
+    int profile_count;   /* kernels, 1 to MS_SSS_SHADER_PROFILES_MAX; 0: 1; more than one need with_profile */
+    int with_depth;      /* perspective needs it */
+    int with_profile, with_strength;
+    int with_normal; /* 0: slopes from depth */
+    int origin[2];   /* the viewport's corner in the engine's textures and in the targets of X, Y, UP and RESOLVE */
+    float nearest;   /* > 0: the scene's least depth; ms_sss_shader_constants refuses kernels that show stairs there */
+    const char *fetch; /* the engine's fetch functions, borrowed; NULL: those of the list above */
 } ms_sss_shader;
 
-/* All zero but 7 taps: the first pass of a texture-space filter in GLSL 330. */
+/* All zero but depth and 7 taps: the first pass at full resolution in GLSL 330. */
 MS_API ms_sss_shader ms_sss_shader_defaults(void);
 
 /* The text of a pass for these options, with entry point main.
@@ -741,7 +745,7 @@ MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filte
                                  size_t capacity, ms_error *error);
 
 /* The constants, for callers that fill them without this header; the same for both passes. All float, offsets in bytes:
-   one ms_sss_shader_picture at 0, then for profile i at 48 + i * (80 + 16 taps), taps being
+   one ms_sss_shader_picture at 0, then for profile i at 64 + i * (80 + 16 taps), taps being
    tap_count / 2 + 1, one ms_sss_shader_profile and its taps {red, green, blue, offset in mm}
    (ms_sss_kernel_upload). UP of term_count terms: the profiles of term 0, then those of term 1 and so on; other steps
    read those of one term.
@@ -749,9 +753,10 @@ MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filte
      when                 what changes
      a pass is drawn      nothing: both passes of a term share the constants
      another term         first, and scale, total, mixed and taps of each profile
-     resize               width, height; pixels and focal in proportion to height; all targets
-     camera, zoom         focal; pixels: height / (2 tan(fov / 2) mm_per_unit), orthographic height / (ortho_height
-                          mm_per_unit)
+     resize               width, height, center; pixels and focal in proportion to height; all targets
+     camera, zoom         center, focal; pixels: height / (2 tan(fov / 2) mm_per_unit), orthographic height /
+                          (ortho_height mm_per_unit)
+     viewport             origin, and as for a resize
      frame                rotation, where the kernel is made for it; nothing else
      option, kernel       all: ms_sss_shader_constants; another language, source, depth mode, tap count,
                           rotation or jitter to or from 0, flat to or from 1: the texts */
@@ -765,6 +770,8 @@ typedef struct ms_sss_shader_picture {
     float first;         /* 32: 1 for the first term, else 0 */
     float focal[2];      /* 36: pixels along x and y times mm_per_unit */
     float slope_scale;   /* 44: 1 - flat */
+    float center[2];     /* 48: of the projection, in pixels from the picture's first corner */
+    float origin[2];     /* 56: of the viewport */
 } ms_sss_shader_picture;
 
 typedef struct ms_sss_shader_profile {
@@ -780,14 +787,16 @@ typedef struct ms_sss_shader_profile {
     float reach;       /* 76: square of the scaled radius: a larger step in depth is an edge */
 } ms_sss_shader_profile;
 
-/* Float4 constants that a shader reads: 3, and for each profile (UP: of each term) 5 and its taps. OpenGL ES 3.0
+/* Float4 constants that a shader reads: 4, and for each profile (UP: of each term) 5 and its taps. OpenGL ES 3.0
    promises 224. 0: a field is out of range. */
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader);
 
 /* Their values for term `term` (UP: all terms) of kernels[profile_count]. Terms after the first are drawn with additive
    blending over the first; a kernel with fewer terms adds nothing.
    out    [ms_sss_shader_constant_count()][4]
-   MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: taps that are no pairs. out untouched. */
+   MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: taps that are no pairs; with shader->nearest, a kernel that is
+   too wide there for its taps: stairs are seen from about 8 pixels on with 7, 16 with 11, 47 with 17, 150 with 25 taps.
+   out untouched. */
 MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term, const ms_sss_filter_options *options,
                                          int width, int height, const ms_sss_shader *shader, float (*out)[4],
                                          ms_error *error);
@@ -810,26 +819,26 @@ MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int
 
      step     of level        reads (name: image)                                                  writes
      BASE     0               the first step's of X; with_normal: ms_sss_normal                    light[0], surface[0]
-     SHRINK   0, 1 to n - 2   colour: light[l], surface: surface[l]                       light[l+1], surface[l+1]
+     SHRINK   0, 1 to n - 2   input: light[l], surface: surface[l]                        light[l+1], surface[l+1]
      GATHER   n - 2 to 1      as SHRINK; coarse: light[l+1], coarse_surface: surface[l+1],
                               sum: sums[l+1], weight: weights[l+1] (l = n - 2: anything)           sums[l], weights[l]
-     RESOLVE  0               as GATHER; input: the input, with_strength: ms_sss_strength          the result, alpha 1
+     RESOLVE  0               as GATHER; color: the light, with_strength: ms_sss_strength          the result, alpha 1
 
    light: colour, -1 / depth (perspective) or depth; surface: area to a pixel's, change of that depth a pixel along x
    and y. Names begin with ms_sss_; ms_sss_surface is n = 7 of the list above, coarse 8, coarse_surface 9, weight 10.
    The texts are the same for all levels, the constants are not: ms_sss_shader_pyramid. Several profiles: all steps for
-   each, its index in `profile`, RESOLVE's input being what RESOLVE wrote for the one before. tap_count and kernels do
-   not matter. Texels read, depth in alpha, on what faces the camera (more on slopes): BASE 5 (5 to 7 at outlines,
-   with_normal 2), RESOLVE 35 for each pixel, SHRINK 44 and GATHER 40 for each that they write: 68 a pixel in all,
+   each, its index in `profile`, RESOLVE's color being what RESOLVE wrote for the one before. tap_count and kernels do
+   not matter. Texels read on what faces the camera (more on slopes): BASE 5 of color and depth each (with_normal 1, and
+   the normal), RESOLVE 35 for each pixel, SHRINK 44 and GATHER 40 for each that they write: 73 a pixel in all,
    whatever the radius. MS_UNSUPPORTED: as ms_sss_pyramid_filter. Equal to that (exact 0)
    within 1e-4 of the largest input, but where the last bit of a depth decides which of two slopes is the smaller. */
 MS_API int ms_sss_shader_levels(int width, int height);
 
-/* The constants of a step of a level (of SHRINK: that it reads), which the text's first lines list: 6, then weights by
+/* The constants of a step of a level (of SHRINK: that it reads), which the text's first lines list: 7, then weights by
    size of the kernel, as in ms_sss_pyramid.weight, {red, green, blue, 0}: GATHER [MS_SSS_PYRAMID_SIZES] those of level
    + 1; RESOLVE three such tables: those of level 1, of the pixel's own light, of its neighbours.
-   profile   index that is filtered, with shader->profile; else 0
-   out       [ms_sss_shader_constant_count()][4]: 6 for BASE and SHRINK, 55, 153
+   profile   index that is filtered, with_profile; else 0
+   out       [ms_sss_shader_constant_count()][4]: 7 for BASE and SHRINK, 56, 154
    MS_INVALID_ARGUMENT: a NULL, a size, a level out of range. out untouched. At a resize all change. */
 MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_sss_filter_options *options, int width,
                                        int height, const ms_sss_shader *shader, int level, int profile, float (*out)[4],
@@ -1402,6 +1411,7 @@ typedef struct ms_sss__pass {
     float reach;       /* dz^2 of the kernel's radius: a larger step in depth between neighbours is an edge */
     float slope_scale; /* 1 - flat */
     float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; tangent 0: parallel rays */
+    double steepest;          /* 1 + the square of the largest tangent of a ray */
     float unit;               /* mm of dz 1 */
     float rounding; /* bound on rounding: depths carry a relative error of rounding / 2, so a fitted plane is off by at
                        most rounding (2 + i) depth at a distance of i pixels */
@@ -2529,12 +2539,7 @@ static int ms_sss__set_pairs(ms_sss__sweep *s, const ms_sss__job *job)
     s->nonnegative = !(p->mixed[0] || p->mixed[1] || p->mixed[2]);
     /* dz / (1 + dz_falloff dz^2) is at most 1 / (2 sqrt(dz_falloff)), half of the offset over sqrt(slope_scale). The
        rays add a factor of at most 1 + the square of their largest tangent. */
-    s->may_clamp = !(
-        0.25 *
-            (1 +
-             (double)(p->tangent * p->tangent) *
-                 ((double)p->middle[0] * (double)p->middle[0] + (double)p->middle[1] * (double)p->middle[1])) <
-        0.999 * (double)p->slope_scale * (double)(p->least * p->least));
+    s->may_clamp = !(0.25 * p->steepest < 0.999 * (double)p->slope_scale * (double)(p->least * p->least));
     for (c = 0; c < 3; ++c) ms_sss__broadcast(s->weight[0][c], (double)p->weight[0][c]);
     for (i = 0; i < pairs; ++i) {
         const double x = (double)k->offset_mm[2 * i + 2];
@@ -2575,10 +2580,7 @@ static int ms_sss__rows_reached(ms_sss__job *job)
             if (size > (double)p->size_max) size = (double)p->size_max;
         }
         if (job->with_slopes) /* a plane tilted towards the ray is seen enlarged */
-            size *= sqrt(
-                1 +
-                (double)(p->tangent * p->tangent) *
-                    ((double)p->middle[0] * (double)p->middle[0] + (double)p->middle[1] * (double)p->middle[1]));
+            size *= sqrt(p->steepest);
         reach = size * farthest * (double)p->aspect[1] + 3;
     }
     return reach < job->frame.height ? (int)reach : job->frame.height;
@@ -2902,6 +2904,8 @@ static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options 
                                         {"flat", (double)o->flat, 0, 1},
                                         {"jitter", (double)o->jitter, 0, 1},
                                         {"rotation", (double)o->rotation, -1e30, 1e30},
+                                        {"center[0]", (double)o->center[0], -1e6, 1e6},
+                                        {"center[1]", (double)o->center[1], -1e6, 1e6},
                                         {"exact", (double)o->exact, 0, 1},
                                         {"method", (double)o->method, 0, (double)MS_SSS_METHOD_PYRAMID},
                                         {"depth_mode", (double)o->depth_mode, 0, (double)MS_SSS_DEPTH_SCALE},
@@ -2926,6 +2930,7 @@ static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kerne
     const double mm = o->mm_per_unit > 0 ? (double)o->mm_per_unit : 1;
     double size = ms_sss__pixels(o, height) / (double)job->coarse, widest;
     double kappa = 1e-9; /* MS_SSS_DEPTH_SCALE: makes differences of depth negligible */
+    double corner = 0;
     ms_sss__pass *p = &job->pass;
     int c;
     job->kernel = k;
@@ -2959,8 +2964,12 @@ static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kerne
     p->focal[0] = (float)(p->perspective ? size * mm : size * mm / kappa);
     p->focal[1] = p->focal[0] * (o->pixels_per_mm[0] > 0 ? p->aspect[1] : 1.0f);
     p->tangent = p->perspective ? 1 / p->focal[0] : 0;
-    p->middle[0] = 0.5f * (float)width / job->coarse;
-    p->middle[1] = 0.5f * (float)height / job->coarse;
+    for (c = 0; c < 2; ++c) {
+        const float half = 0.5f * (float)(c ? height : width);
+        p->middle[c] = (half + o->center[c]) / job->coarse;
+        corner += pow((double)((half + fabsf(o->center[c])) / job->coarse), 2);
+    }
+    p->steepest = 1 + (double)(p->tangent * p->tangent) * corner;
     p->least = -1;
     p->rounding = job->half_depth
         ? 9.7668e-4f
@@ -3896,8 +3905,7 @@ static MS_SSS__COLD void ms_sss__pyramid_set_params(ms_sss__pyramid_params *para
     params->size_max = job->pass.size_max * pyramid->radius_mm;
     params->step = 1 / job->pass.focal[0];
     params->rounding = job->pass.rounding + (params->perspective ? 1.2e-7f : 0); /* the division rounds again */
-    params->middle[0] = 0.5f * (float)job->full_width;
-    params->middle[1] = 0.5f * (float)job->full_height;
+    for (c = 0; c < 2; ++c) params->middle[c] = job->pass.middle[c];
     params->tangent = params->perspective ? params->step : 0;
     sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm
                                   : (0.12 + 0.13 * (1 - (double)flat)) * (double)pyramid->radius_mm;
@@ -4099,6 +4107,18 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
    a declaration, braces everywhere, no ?: and no assignment to components. ms_sss__emit_line turns a line into a
    language; #if NAME, #if !NAME, #else and #endif choose lines by ms_sss__feature, #NAME and #!NAME their own. The
    comments of FILTER KERNELS hold for these lines too. */
+static const char *const ms_sss__fetch_body[] = {
+    "#COLOR float3 ms_sss_fetch_color(int2 p) { return fetch_color(p).rgb; }\n"
+    "#READS_DEPTH float ms_sss_fetch_depth(int2 p) { return fetch_depth(p).r; }\n"
+    "#READS_STRENGTH float ms_sss_fetch_strength(int2 p) { return fetch_strength(p).r; }\n"
+    "#WITH_NORMAL float3 ms_sss_fetch_normal(int2 p) { return fetch_normal(p).rgb; }\n"
+    "#if READS_PROFILE\n"
+    "int ms_sss_fetch_profile(int2 p) {\n"
+    "float value = fetch_profile(p).r;\n"
+    "return pick(255, int(floor(value * 255.0 + 0.5)), value > -1.0 && value < 9.0);\n"
+    "}\n"
+    "#endif\n"};
+
 static const char *const ms_sss__source_body[] = {
     "// Below 1e30, by bits: compilers may take it that no number is NaN.\n"
     "bool finite(float x) { return (bits_of(x) & 0x7fffffffu) < 0x7149f2cau; }\n",
@@ -4111,42 +4131,34 @@ static const char *const ms_sss__source_body[] = {
     "float profile_of(float4 c) { return float(bits_of(c.b) & 15u); }\n"
     "#endif\n",
     "#PROFILE_ALONE float profile_of(float4 c) { return c.a - 1.0; }\n",
-    "#if READS_PROFILE\n"
-    "// Index of the pixel's kernel; PROFILES where it has none.\n"
-    "float profile_at(float value) {\n"
-    "float profile = floor(value * 255.0 + 0.5);\n"
-    "return pick(float(PROFILES), profile, finite(value) && profile >= 0.0 && profile < float(PROFILES));\n"
-    "}\n"
-    "#endif\n",
-    "// Colour and depth, 1 without depth (plus the profile), 0: takes no part.\n"
+    "// A texel of the engine's textures.\n"
+    "int2 texel_of(int2 p) { return p + int2(int(constant[HEAD - 1].z), int(constant[HEAD - 1].w)); }\n",
+    "// Color and depth, 1 without depth (plus the profile), 0: takes no part.\n"
     "float4 source(int2 p) {\n"
-    "float4 c = fetch_colour(p);\n"
     "float4 none = float4(0.0, 0.0, 0.0, 0.0);\n"
     "#if RAW\n"
+    "int2 at = texel_of(p);\n"
+    "float3 c = ms_sss_fetch_color(at);\n"
     "float depth = 1.0;\n"
     "bool part = finite(c.r) && finite(c.g) && finite(c.b);\n"
-    "#DEPTH_TEXTURE depth = fetch_depth(p).r;\n"
-    "#DEPTH_ALPHA depth = c.a;\n"
+    "#DEPTH depth = ms_sss_fetch_depth(at);\n"
     "part = part && depth > 0.0 && finite(depth);\n"
-    "#WITH_STRENGTH float strength = fetch_strength(p).r;\n"
+    "#WITH_STRENGTH float strength = ms_sss_fetch_strength(at);\n"
     "#WITH_STRENGTH part = part && strength > 0.0 && (bits_of(strength) & 0x7fffffffu) <= 0x7f800000u;\n"
     "#if PROFILE\n"
-    "#if BOTH_ALPHA\n"
-    "float profile = float(bits_of(c.a) & 15u);\n"
-    "#else\n"
-    "#PROFILE_TEXTURE float profile = profile_at(fetch_profile(p).r);\n"
-    "#!PROFILE_TEXTURE float profile = profile_at(c.a);\n"
-    "#endif\n"
+    "int profile = ms_sss_fetch_profile(at);\n"
     "#if TOWER\n"
-    "part = part && abs(profile - constant[0].w) < 0.5;\n"
+    "part = part && abs(float(profile) - constant[0].w) < 0.5;\n"
     "#else\n"
-    "part = part && profile < float(PROFILES);\n"
-    "#BOTH c = float4(c.rg, code_of(c.b, profile), c.a);\n"
-    "#!BOTH depth = profile + 1.0;\n"
+    "part = part && profile >= 0 && profile < PROFILES;\n"
+    "#BOTH c = float3(c.rg, code_of(c.b, float(profile)));\n"
+    "#!BOTH depth = float(profile) + 1.0;\n"
     "#endif\n"
     "#endif\n"
-    "return pick(none, float4(c.rgb, depth), part);\n"
+    "return pick(none, float4(c, depth), part);\n"
     "#else\n"
+    "#HALVED float4 c = fetch_input(p);\n"
+    "#!HALVED float4 c = fetch_input(texel_of(p));\n"
     "return pick(none, c, c.a > 0.0);\n"
     "#endif\n"
     "}\n",
@@ -4174,7 +4186,7 @@ static const char *const ms_sss__source_body[] = {
     "#if PERSPECTIVE\n"
     "ray = float2(float(p.x) + 0.5, float(p.y) + 0.5);\n"
     "#HALVED ray = 2.0 * ray;\n"
-    "ray = ray - 0.5 * constant[0].xy;\n"
+    "ray = ray - constant[HEAD - 1].xy;\n"
     "#TOWER ray = ray * constant[1].w;\n"
     "#!TOWER ray = ray / constant[2].y;\n"
     "#endif\n"
@@ -4227,7 +4239,7 @@ static const char *const ms_sss__source_body[] = {
     "float2 slopes_of(int2 p, float4 own, float2 ray, float2 focal, float reach) {\n"
     "float2 slope = float2(0.0, 0.0);\n"
     "#if WITH_NORMAL\n"
-    "float3 normal = fetch_normal(p).rgb;\n"
+    "float3 normal = ms_sss_fetch_normal(texel_of(p));\n"
     "float eighth = max(abs(normal.x), abs(normal.y)) * 0.125;\n"
     "float facing = max(normal.z - (ray.x * normal.x + ray.y * normal.y), eighth);\n"
     "if (facing > 0.0 && finite(normal.x) && finite(normal.y) && finite(normal.z)) { slope = normal.xy / facing; }\n"
@@ -4240,7 +4252,7 @@ static const char *const ms_sss__source_body[] = {
 
 static const char *const ms_sss__shader_body[] = {
     "// constant: 0 width, height, pixels a mm (perspective: times depth), gain; 1 aspect, rotation, jitter;\n"
-    "// 2 first, focal, upright; at 3 + STRIDE * profile: 0 total, radius; 1 scale, depth scale; 2 delta, cut;\n"
+    "// 2 first, focal, upright; 3 center, origin; at HEAD + STRIDE * profile: 0 total, radius; 1 scale, depth scale; 2 delta, cut;\n"
     "// 3 curve, mixed; 4 root, reach; from 5 on taps: weight, offset\n"
     "#if NEARNESS\n"
     "// Of a pixel near another, of the same surface; at: its profile's constants.\n"
@@ -4265,9 +4277,9 @@ static const char *const ms_sss__shader_body[] = {
     "float4 c = texel(first + int2(0, 1));\n"
     "float4 d = texel(first + int2(1, 1));\n"
     "float4 own = nearer(nearer(a, b), nearer(c, d));\n"
-    "int at = 3;\n"
+    "int at = HEAD;\n"
     "if (!(own.a > 0.0)) { return own; }\n"
-    "#PROFILE at = 3 + STRIDE * int(profile_of(own));\n"
+    "#PROFILE at = HEAD + STRIDE * int(profile_of(own));\n"
     "float fa = nearness(a, own, at);\n"
     "float fb = nearness(b, own, at);\n"
     "float fc = nearness(c, own, at);\n"
@@ -4303,20 +4315,20 @@ static const char *const ms_sss__shader_body[] = {
     "return clamp(share, float3(0.0, 0.0, 0.0), float3(0.999, 0.999, 0.999));\n"
     "}\n",
     "// A pixel keeps its share of its own light; the rest is what became of the light of the four larger pixels around.\n"
-    "float4 filter_pixel(int2 p) {\n"
+    "float4 filter_pixel(int2 pixel) {\n"
+    "int2 p = pixel - texel_of(int2(0, 0));\n"
     "float4 own = source(p);\n"
-    "float3 light = own.rgb;\n"
-    "int at = 3;\n"
-    "if (!(own.a > 0.0)) { return float4(fetch_colour(p).rgb, 1.0); }\n"
-    "#BOTH light = fetch_colour(p).rgb;\n"
-    "#PROFILE at = 3 + STRIDE * int(profile_of(own));\n"
+    "float3 light = ms_sss_fetch_color(pixel);\n"
+    "int at = HEAD;\n"
+    "if (!(own.a > 0.0)) { return float4(light, 1.0); }\n"
+    "#PROFILE at = HEAD + STRIDE * int(profile_of(own));\n"
     "float3 share = share_at(own.a, at);\n"
     "float3 soft = float3(0.0, 0.0, 0.0);\n"
     "float weight = 0.0;\n"
     "for (int i = 0; i < 4; i++) {\n"
     "int2 q = int2((p.x + 1) / 2 - 1 + i % 2, (p.y + 1) / 2 - 1 + i / 2);\n"
     "if (!inside(q * 2)) { continue; }\n"
-    "float4 there = fetch_input(q);\n"
+    "float4 there = fetch_half(q);\n"
     "float f = nearness(there, own, at) * pick(0.2, 0.8, q.x == p.x / 2) * pick(0.2, 0.8, q.y == p.y / 2);\n"
     "if (!(f > 0.0)) { continue; }\n"
     "float3 kept = share;\n"
@@ -4327,7 +4339,7 @@ static const char *const ms_sss__shader_body[] = {
     "weight = weight + f;\n"
     "}\n"
     "float strength = constant[0].w;\n"
-    "#WITH_STRENGTH strength = strength * min(fetch_strength(p).r, 1.0);\n"
+    "#WITH_STRENGTH strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);\n"
     "if (!(pixels_at(own.a) * constant[at].w * max(constant[1].x, constant[1].y) > 0.5) || !(weight > 1e-6)) {\n"
     "strength = 0.0;\n"
     "}\n"
@@ -4345,19 +4357,22 @@ static const char *const ms_sss__shader_body[] = {
     "// Only the first term's pass leaves light where it was.\n"
     "float3 unblurred(int2 p) {\n"
     "float3 light = float3(0.0, 0.0, 0.0);\n"
-    "if (constant[2].x > 0.5) { light = fetch_input(p).rgb; }\n"
+    "#HALVED if (constant[2].x > 0.5) { light = fetch_half(p).rgb; }\n"
+    "#!HALVED if (constant[2].x > 0.5) { light = ms_sss_fetch_color(texel_of(p)); }\n"
     "return light;\n"
     "}\n"
     "#endif\n",
-    "float4 filter_pixel(int2 p) {\n"
+    "float4 filter_pixel(int2 pixel) {\n"
+    "#HALVED int2 p = pixel;\n"
+    "#!HALVED int2 p = pixel - texel_of(int2(0, 0));\n"
     "float4 own = texel(p);\n"
     "float4 black = float4(0.0, 0.0, 0.0, 0.0);\n"
     "if (!(own.a > 0.0)) {\n"
     "#SECOND return float4(unblurred(p), 1.0);\n"
     "#!SECOND return black;\n"
     "}\n"
-    "int at = 3;\n"
-    "#PROFILE at = 3 + STRIDE * int(profile_of(own));\n"
+    "int at = HEAD;\n"
+    "#PROFILE at = HEAD + STRIDE * int(profile_of(own));\n"
     "float4 total = constant[at];\n"
     "float2 aspect = constant[1].xy;\n"
     "float pixels = constant[0].z;\n"
@@ -4465,7 +4480,7 @@ static const char *const ms_sss__shader_body[] = {
     "float strength = 1.0;\n"
     "#if !HALVED\n"
     "strength = constant[0].w;\n"
-    "#WITH_STRENGTH strength = strength * min(fetch_strength(p).r, 1.0);\n"
+    "#WITH_STRENGTH strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);\n"
     "#endif\n"
     "float3 delta = constant[at + 2].rgb;\n"
     "result = constant[at + 1].rgb * result;\n"
@@ -4487,7 +4502,7 @@ static const char *const ms_sss__pyramid_body[] = {
     "// constant: 0 width, height, gain, profile; 1 radius in pixels (perspective: times depth), its limit, step of d a pixel at\n"
     "// slope 1 (perspective: times d), tangent of a pixel's ray; 2 reach in radii, upright, pixels of the picture in one of the\n"
     "// coarser level, square of the taps' radius; 3 K / 4, norm; 4 1 / reflectance, mean; 5 spread, rounding of the taps, of d,\n"
-    "// whether there is a coarser level (1) with sums (2); from 6 on weights by size: of the gather, and of RESOLVE of the\n"
+    "// whether there is a coarser level (1) with sums (2); 6 center, origin; from HEAD on weights by size: of the gather, and of RESOLVE of the\n"
     "// pixel and its neighbours.\n"
     "// d is linear on planes: -1 / depth in perspective, else depth; 0 where nothing takes part. A level is two textures: light\n"
     "// and d; share of the surface, changes of d a pixel along x and y.\n"
@@ -4518,7 +4533,7 @@ static const char *const ms_sss__pyramid_body[] = {
     "#if !SHRINK\n"
     "// How much larger the surface is than its picture; middle: the pixel's place in the picture.\n"
     "float area_of(float2 slope, float2 middle) {\n"
-    "float towards = dot(slope, (middle - 0.5 * constant[0].xy) * constant[1].w) + 1.0;\n"
+    "float towards = dot(slope, (middle - constant[HEAD - 1].xy) * constant[1].w) + 1.0;\n"
     "return sqrt(dot(slope, slope) + towards * towards);\n"
     "}\n"
     "#endif\n",
@@ -4568,7 +4583,7 @@ static const char *const ms_sss__pyramid_body[] = {
     "int2 q = p * 2 + int2(i % 2, i / 2);\n"
     "if (!inside(q)) { continue; }\n"
     "float4 surface = fetch_surface(q);\n"
-    "float d = fetch_colour(q).a;\n"
+    "float d = fetch_input(q).a;\n"
     "if (surface.r > 0.25 * most && d < nearest) {\n"
     "nearest = d;\n"
     "change = surface.gb;\n"
@@ -4585,7 +4600,7 @@ static const char *const ms_sss__pyramid_body[] = {
     "for (int i = 0; i < 16; i++) {\n"
     "int2 q = p * 2 + int2(i % 4 - 1, i / 4 - 1);\n"
     "if (!inside(q)) { continue; }\n"
-    "float4 there = fetch_colour(q);\n"
+    "float4 there = fetch_input(q);\n"
     "float4 surface = fetch_surface(q);\n"
     "float2 away = float2(float(i % 4) - 1.5, float(i / 4) - 1.5);\n"
     "float rise = dot(away, change);\n"
@@ -4682,7 +4697,7 @@ static const char *const ms_sss__pyramid_body[] = {
     "    raise(light.g, moment.g * turn, square, grain, constant[3].g, constant[4].g),\n"
     "    raise(light.b, moment.b * turn, square, grain, constant[3].b, constant[4].b));\n"
     "#endif\n"
-    "float3 share = weight_at(radius / cap, 6) * (constant[3].w / (cap * cap));\n"
+    "float3 share = weight_at(radius / cap, HEAD) * (constant[3].w / (cap * cap));\n"
     "weights = weights + share * weight;\n"
     "ms_sss_other = float4(weights.r, weights.g, weights.b, 0.0);\n"
     "return sums + share * light;\n"
@@ -4690,7 +4705,7 @@ static const char *const ms_sss__pyramid_body[] = {
     "#endif\n",
     "#if GATHER\n"
     "float4 filter_pixel(int2 p) {\n"
-    "float d = fetch_colour(p).a;\n"
+    "float d = fetch_input(p).a;\n"
     "float3 sum = float3(0.0, 0.0, 0.0);\n"
     "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
     "if (abs(d) > 0.0) { sum = gather(p, d, fetch_surface(p).gb); }\n"
@@ -4699,21 +4714,22 @@ static const char *const ms_sss__pyramid_body[] = {
     "#endif\n",
     "#if RESOLVE\n"
     "// The pixel's own light, that of its neighbours as far as they lie near its tangent plane, and the sums.\n"
-    "float4 filter_pixel(int2 p) {\n"
-    "float4 own = fetch_colour(p);\n"
-    "if (!(abs(own.a) > 0.0)) { return float4(fetch_input(p).rgb, 1.0); }\n"
+    "float4 filter_pixel(int2 pixel) {\n"
+    "int2 p = pixel - int2(int(constant[HEAD - 1].z), int(constant[HEAD - 1].w));\n"
+    "float4 own = fetch_input(p);\n"
+    "if (!(abs(own.a) > 0.0)) { return float4(ms_sss_fetch_color(pixel), 1.0); }\n"
     "float4 surface = fetch_surface(p);\n"
     "float deep = deep_of(own.a);\n"
     "float radius = radius_of(own.a);\n"
     "float size = radius / clamp(surface.r, 1.0, 1.5);\n"
-    "float3 keep = weight_at(size, 6 + SIZES);\n"
-    "float3 pass_on = weight_at(size, 6 + 2 * SIZES);\n"
+    "float3 keep = weight_at(size, HEAD + SIZES);\n"
+    "float3 pass_on = weight_at(size, HEAD + 2 * SIZES);\n"
     "float3 sum = keep * own.rgb;\n"
     "float3 weight = keep;\n"
     "for (int i = 0; i < 9; i++) {\n"
     "int2 q = p + int2(i % 3 - 1, i / 3 - 1);\n"
     "if (!inside(q)) { continue; }\n"
-    "float4 there = fetch_colour(q);\n"
+    "float4 there = fetch_input(q);\n"
     "float rise = float(i % 3 - 1) * surface.g + float(i / 3 - 1) * surface.b;\n"
     "float away = (there.a - own.a - rise) * deep;\n"
     "float f = max(1.0 - 0.25 * away * away, 0.0);\n"
@@ -4728,7 +4744,7 @@ static const char *const ms_sss__pyramid_body[] = {
     "weight = weight + ms_sss_other.rgb;\n"
     "}\n"
     "float strength = constant[0].z;\n"
-    "#WITH_STRENGTH strength = strength * min(fetch_strength(p).r, 1.0);\n"
+    "#WITH_STRENGTH strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);\n"
     "if (!(radius > 0.5)) { strength = 0.0; }\n"
     "float3 light = float3(pick(own.r, sum.r / weight.r, weight.r > 1e-30), pick(own.g, sum.g / weight.g, weight.g > 1e-30),\n"
     "    pick(own.b, sum.b / weight.b, weight.b > 1e-30));\n"
@@ -4767,12 +4783,13 @@ static const char *const ms_sss__transmission_body[] = {
     X(TOWER, tower) X(BASE, base) X(SHRINK, s->step == MS_SSS_STEP_SHRINK) X(GATHER, gather) X(RESOLVE, resolve) \
     X(GATHERS, gather || resolve) X(SIZES, MS_SSS_PYRAMID_SIZES) X(LAST_SIZE, MS_SSS_PYRAMID_SIZES - 2) \
     X(TAPS, s->tap_count) X(STRIDE, ms_sss__shader_stride(s)) X(PROFILES, ms_sss__shader_profiles(s)) \
-    X(TERMS, ms_sss__shader_terms(s)) X(CORNERS, turned ? 4 : 2) X(TURNED, turned) X(RAW, raw) \
-    X(WITH_STRENGTH, s->with_strength) X(WITH_NORMAL, normal) X(DEPTH, depth) \
-    X(DEPTH_TEXTURE, s->depth == MS_SSS_TEXTURE) X(DEPTH_ALPHA, s->depth == MS_SSS_ALPHA) X(PROFILE, profile) \
-    X(PROFILE_TEXTURE, s->profile == MS_SSS_TEXTURE) X(PROFILE_ALONE, profile && !depth && !tower) \
-    X(READS_PROFILE, raw && profile && !both_alpha) X(BOTH, depth && profile && !tower) X(BOTH_ALPHA, both_alpha) \
-    X(PERSPECTIVE, o->fov_degrees > 0) X(SHAPE, tower ? depth && o->depth_mode == MS_SSS_DEPTH_AWARE : shape && pass) \
+    X(HEAD, tower ? MS_SSS__LEVEL_HEAD : MS_SSS__PICTURE_HEAD) \
+    X(TERMS, ms_sss__shader_terms(s)) X(CORNERS, turned ? 4 : 2) X(TURNED, turned) X(RAW, raw) X(COLOR, color) \
+    X(WITH_STRENGTH, s->with_strength) X(READS_STRENGTH, strength) X(WITH_NORMAL, normal) X(DEPTH, s->with_depth) \
+    X(READS_DEPTH, s->with_depth && raw) X(PROFILE, s->with_profile) X(READS_PROFILE, s->with_profile && raw) \
+    X(PROFILE_ALONE, s->with_profile && !s->with_depth && !tower) X(BOTH, s->with_depth && s->with_profile && !tower) \
+    X(PERSPECTIVE, o->fov_degrees > 0) \
+    X(SHAPE, tower ? s->with_depth && o->depth_mode == MS_SSS_DEPTH_AWARE : shape && pass) \
     X(TILTED, shape) X(SLOPES, shape && (pass || base))
 /* clang-format on */
 
@@ -4960,7 +4977,7 @@ static MS_SSS__COLD void ms_sss__emit_body(ms_sss__text *text, const char *const
     }
 }
 
-enum { MS_SSS__PICTURE_HEAD = 3, MS_SSS__PROFILE_HEAD = 5, MS_SSS__LEVEL_HEAD = 6 }; /* float4 of the structs */
+enum { MS_SSS__PICTURE_HEAD = 4, MS_SSS__PROFILE_HEAD = 5, MS_SSS__LEVEL_HEAD = 7 }; /* float4 of the structs */
 
 static int ms_sss__shader_stride(const ms_sss_shader *s) { return MS_SSS__PROFILE_HEAD + s->tap_count / 2 + 1; }
 
@@ -5050,14 +5067,14 @@ static MS_SSS__COLD void ms_sss__emit_dialect(ms_sss__text *text, const char *s,
 /* Whether a shader has slopes, as in ms_sss_filter. */
 static int ms_sss__shader_slopes(const ms_sss_shader *s, const ms_sss_filter_options *o)
 {
-    return s->depth != MS_SSS_NONE && o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE;
+    return s->with_depth && o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE;
 }
 
 static MS_SSS__COLD void ms_sss__emit_shader(ms_sss__text *text, const ms_sss_shader *s, const ms_sss_filter_options *o)
 {
-    enum { NAMES = 11 };
-    static const char *const name[NAMES] = {"colour", "depth",   "strength", "input",          "profile", "sum",
-                                            "normal", "surface", "coarse",   "coarse_surface", "weight"};
+    enum { NAMES = 12 };
+    static const char *const name[NAMES] = {"color",  "depth",   "strength", "input",          "profile", "sum",
+                                            "normal", "surface", "coarse",   "coarse_surface", "weight",  "half"};
     const ms_sss__dialect *d = &ms_sss__dialects[s->language];
     const int constants = ms_sss_shader_constant_count(s);
     const int tower = ms_sss__shader_pyramid_job(s), base = s->step == MS_SSS_STEP_BASE,
@@ -5065,21 +5082,21 @@ static MS_SSS__COLD void ms_sss__emit_shader(ms_sss__text *text, const ms_sss_sh
     const int up = s->step == MS_SSS_STEP_UP, down = s->step == MS_SSS_STEP_DOWN, second = s->step == MS_SSS_STEP_Y;
     const int pass = second || s->step == MS_SSS_STEP_X, halved = pass && s->half_resolution;
     const int raw = tower ? base : !pass || (!second && !halved);
-    const int depth = s->depth != MS_SSS_NONE, profile = s->profile != MS_SSS_NONE;
-    const int both_alpha = s->depth == MS_SSS_ALPHA && s->profile == MS_SSS_ALPHA;
+    const int color = raw || resolve || (second && !halved), strength = s->with_strength && color;
     const int shape = ms_sss__shader_slopes(s, o), turned = ms_sss__differ(o->rotation, 0) || o->jitter > 0;
-    const int normal = s->with_normal && shape && !s->half_resolution && (pass || base);
-    const int used[NAMES] = {1,
-                             s->depth == MS_SSS_TEXTURE && raw,
-                             s->with_strength && (raw || (second && !halved) || resolve),
-                             second || up || resolve,
-                             s->profile == MS_SSS_TEXTURE && raw,
+    const int normal = s->with_normal && shape && !s->half_resolution && (pass || base), ours = s->fetch == NULL;
+    const int used[NAMES] = {color && ours,
+                             s->with_depth && raw && ours,
+                             strength && ours,
+                             !raw,
+                             s->with_profile && raw && ours,
                              up || gather || resolve,
-                             normal,
+                             normal && ours,
                              tower && !base,
                              gather || resolve,
                              gather || resolve,
-                             gather || resolve};
+                             gather || resolve,
+                             up || (second && halved)};
     const int value[MS_SSS__FEATURES] = {
 #define MS_SSS__FEATURE_VALUE(name, value) value,
         MS_SSS__FEATURE_LIST(MS_SSS__FEATURE_VALUE)
@@ -5092,6 +5109,8 @@ static MS_SSS__COLD void ms_sss__emit_shader(ms_sss__text *text, const ms_sss_sh
     ms_sss__emit_dialect(text, d->constants, constants, "", 0);
     for (i = 0; i < NAMES; ++i)
         if (used[i]) ms_sss__emit_dialect(text, d->texture, constants, name[i], i);
+    if (ours) ms_sss__emit_body(text, ms_sss__fetch_body, sizeof ms_sss__fetch_body / sizeof ms_sss__fetch_body[0]);
+    else ms_sss__emit(text, s->fetch);
     if (tower) ms_sss__emit(text, d->other);
     ms_sss__emit(text, tower && !resolve ? d->fragments : d->fragment);
     if (!tower || base)
@@ -5110,8 +5129,9 @@ static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, const
     {
         const ms_sss__range ranges[] = {{"language", (double)s->language, 0, (double)MS_SSS_WGSL},
                                         {"step", (double)s->step, 0, (double)MS_SSS_STEP_RESOLVE},
-                                        {"depth", (double)s->depth, 0, (double)MS_SSS_ALPHA},
-                                        {"profile", (double)s->profile, 0, (double)MS_SSS_ALPHA},
+                                        {"nearest", (double)s->nearest, 0, 3e38},
+                                        {"origin[0]", (double)s->origin[0], 0, 65536},
+                                        {"origin[1]", (double)s->origin[1], 0, 65536},
                                         {"profile_count", (double)s->profile_count, 0, MS_SSS_SHADER_PROFILES_MAX},
                                         {"term_count", (double)s->term_count, 0, MS_SSS_TERMS_MAX}};
         if ((status = ms_sss__check_ranges(ranges, sizeof ranges / sizeof ranges[0], error)) != MS_OK) return status;
@@ -5121,10 +5141,10 @@ static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, const
     if (!ms_sss__shader_pyramid_job(s) && (s->tap_count < 1 || s->tap_count > MS_SSS_TAPS_MAX || s->tap_count % 2 == 0))
         return MS_SSS__REFUSE(error, "tap_count %d: expected an odd number from 1 to %d", s->tap_count,
                               MS_SSS_TAPS_MAX);
-    if (s->profile_count > 1 && s->profile == MS_SSS_NONE)
-        return MS_SSS__REFUSE(error, "profile_count %d needs profile, the source of the index", s->profile_count);
-    if (o->fov_degrees > 0 && s->depth == MS_SSS_NONE)
-        return MS_SSS__REFUSE(error, "fov_degrees %g needs depth", (double)o->fov_degrees);
+    if (s->profile_count > 1 && !s->with_profile)
+        return MS_SSS__REFUSE(error, "profile_count %d needs with_profile", s->profile_count);
+    if (o->fov_degrees > 0 && !s->with_depth)
+        return MS_SSS__REFUSE(error, "fov_degrees %g needs with_depth", (double)o->fov_degrees);
     if (!s->half_resolution && (s->step == MS_SSS_STEP_DOWN || s->step == MS_SSS_STEP_UP))
         return MS_SSS__REFUSE(error, "step %d is one of half_resolution", (int)s->step);
     return MS_OK;
@@ -5135,6 +5155,7 @@ MS_API ms_sss_shader ms_sss_shader_defaults(void)
     ms_sss_shader s;
     memset(&s, 0, sizeof s);
     s.tap_count = 7;
+    s.with_depth = 1;
     return s;
 }
 
@@ -5201,6 +5222,32 @@ static MS_SSS__COLD void ms_sss__shader_job(ms_sss__job *job, const ms_sss_kerne
     ms_sss__set_kernel(job, k, 0);
 }
 
+/* The largest radius in pixels at which so many pairs of taps keep bands within MS_SSS_BANDS_SEEN: the least of seven
+   profiles, of skin1, marble, ketchup and four of Burley's, at radii from 6 to 188 pixels. */
+static int ms_sss__smooth_radius(int pairs)
+{
+    static const unsigned char most[13] = {0, 1, 4, 8, 12, 16, 23, 29, 47, 65, 90, 115, 150};
+    return pairs <= 12 ? most[pairs] : pairs * pairs;
+}
+
+/* Whether a kernel shows stairs at shader->nearest. */
+static MS_SSS__COLD ms_status ms_sss__check_stairs(const ms_sss_kernel *k, const ms_sss_filter_options *o, int width,
+                                                   int height, const ms_sss_shader *s, ms_error *error)
+{
+    const int side = width > height ? width : height;
+    double pixels = (double)k->radius_mm * ms_sss__pixels(o, height);
+    int pairs = k->tap_count / 2;
+    if (!(s->nearest > 0)) return MS_OK;
+    if (o->fov_degrees > 0) pixels /= (double)s->nearest;
+    if (pixels > side) pixels = side;
+    if (s->half_resolution) pixels /= 2;
+    if (pixels <= ms_sss__smooth_radius(pairs)) return MS_OK;
+    while (pixels > ms_sss__smooth_radius(pairs)) ++pairs;
+    return ms__fail(error, MS_UNSUPPORTED, 0,
+                    "%d pixels with %d taps show bands: half resolution, %d taps or the pyramid", (int)pixels,
+                    k->tap_count, 2 * pairs + 1);
+}
+
 MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
                                                       const ms_sss_filter_options *options, int width, int height,
                                                       const ms_sss_shader *shader, float (*out)[4], ms_error *error)
@@ -5226,6 +5273,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
             status = ms_sss_kernel_upload(&kernels[i], c, 0, NULL, error);
             if (status != MS_OK) return status;
         }
+        if ((status = ms_sss__check_stairs(&kernels[i], options, width, height, shader, error)) != MS_OK) return status;
         if (kernels[i].term_count > terms) terms = kernels[i].term_count;
     }
     if (term < 0 || term >= terms) return MS_SSS__REFUSE(error, "term %d is not within the kernels' %d", term, terms);
@@ -5242,7 +5290,9 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
                                                options->jitter,
                                                term == 0 ? 1.0f : 0.0f,
                                                {(float)focal, (float)(focal * (double)job.pass.aspect[1])},
-                                               1.0f - options->flat};
+                                               1.0f - options->flat,
+                                               {job.pass.middle[0], job.pass.middle[1]},
+                                               {(float)shader->origin[0], (float)shader->origin[1]}};
         memcpy(out, &picture, sizeof picture);
     }
     blocks = up ? ms_sss__shader_terms(shader) * count : count;
@@ -5312,21 +5362,23 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyrami
     round.flat = 1;
     round.exact = 0;
     ms_sss__shader_job(&job, &kernel, &round, width, height, 0);
-    ms_sss__pyramid_set_params(&g, &job, pyramid, shader->depth != MS_SSS_NONE, options->flat);
+    ms_sss__pyramid_set_params(&g, &job, pyramid, shader->with_depth, options->flat);
     ms_sss__pyramid_tap_sums(&g, level);
     unit = g.perspective ? 1 : job.depth_scale;
     {
-        const float head[MS_SSS__LEVEL_HEAD][4] = {{(float)width, (float)height, 1.0f - options->fade, (float)profile},
-                                                   {g.perspective ? g.size / job.depth_scale : g.size, g.size_max,
-                                                    g.step / unit, g.tangent}, /* depth as it is given */
-                                                   {shader->step == MS_SSS_STEP_SHRINK ? g.merge_reach : g.reach,
-                                                    g.slope_scale, (float)(1 << (level + 1)), MS_SSS__GATHER(0, level)},
-                                                   {g.elevation_4[0], g.elevation_4[1], g.elevation_4[2], g.norm},
-                                                   {g.max_factor[0], g.max_factor[1], g.max_factor[2], g.mean},
-                                                   {g.spread, g.plane_rounding * unit, g.rounding,
-                                                    level + 2 < levels       ? 2.0f
-                                                        : level + 1 < levels ? 1.0f
-                                                                             : 0.0f}};
+        const float head[MS_SSS__LEVEL_HEAD][4] = {
+            {(float)width, (float)height, 1.0f - options->fade, (float)profile},
+            {g.perspective ? g.size / job.depth_scale : g.size, g.size_max, g.step / unit,
+             g.tangent}, /* depth as it is given */
+            {shader->step == MS_SSS_STEP_SHRINK ? g.merge_reach : g.reach, g.slope_scale, (float)(1 << (level + 1)),
+             MS_SSS__GATHER(0, level)},
+            {g.elevation_4[0], g.elevation_4[1], g.elevation_4[2], g.norm},
+            {g.max_factor[0], g.max_factor[1], g.max_factor[2], g.mean},
+            {g.spread, g.plane_rounding * unit, g.rounding,
+             level + 2 < levels       ? 2.0f
+                 : level + 1 < levels ? 1.0f
+                                      : 0.0f},
+            {g.middle[0], g.middle[1], (float)shader->origin[0], (float)shader->origin[1]}};
         memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
         memcpy(out, head, sizeof head);
     }

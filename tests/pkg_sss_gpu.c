@@ -91,12 +91,22 @@ typedef struct one_case {
     int terms;
 } one_case;
 
+/* An engine's own fetch functions: depth in alpha, whose last four bits are the index. */
+static const char *const own_fetch =
+    "uniform sampler2D ms_sss_color, ms_sss_strength, ms_sss_normal;\n"
+    "vec3 ms_sss_fetch_color(ivec2 p) { return texelFetch(ms_sss_color, p, 0).rgb; }\n"
+    "float ms_sss_fetch_depth(ivec2 p) { return texelFetch(ms_sss_color, p, 0).a; }\n"
+    "int ms_sss_fetch_profile(ivec2 p) { return floatBitsToInt(texelFetch(ms_sss_color, p, 0).a) & 15; }\n"
+    "float ms_sss_fetch_strength(ivec2 p) { return texelFetch(ms_sss_strength, p, 0).r; }\n"
+    "vec3 ms_sss_fetch_normal(ivec2 p) { return texelFetch(ms_sss_normal, p, 0).rgb; }\n";
+
 static int shaped(const one_case *t)
 {
-    return t->shader.depth && t->options.depth_mode == MS_SSS_DEPTH_AWARE && t->options.flat < 1;
+    return t->shader.with_depth && t->options.depth_mode == MS_SSS_DEPTH_AWARE && t->options.flat < 1;
 }
 
-/* Case i of those that run: all sources, sizes of a pixel, depth modes, terms, both kinds of kernel constants. */
+/* Case i of those that run: the engine's fetch functions and ours, sizes of a pixel, depth modes, terms, both kinds of
+ * kernel constants. */
 static void make_case(one_case *t, int i, ms_sss_language language, int max_terms)
 {
     const int taps = i % 2 ? 7 : 11;
@@ -106,13 +116,17 @@ static void make_case(one_case *t, int i, ms_sss_language language, int max_term
     t->options = ms_sss_filter_defaults();
     t->shader.language = language;
     t->shader.tap_count = taps;
-    t->shader.depth = (ms_sss_source)(i % 3);
-    t->shader.profile = (ms_sss_source)(i / 3 % 3);
+    t->shader.with_depth = i % 3 > 0;
+    t->shader.with_profile = i / 3 % 3 > 0;
+    if (i % 3 == 2 && language <= MS_SSS_GLSL_ES_300) t->shader.fetch = own_fetch;
     t->shader.with_strength = i / 2 % 2;
-    t->shader.profile_count = t->shader.profile ? i % 5 == 4 ? 1 : PROFILES : 0;
+    t->shader.profile_count = t->shader.with_profile ? i % 5 == 4 ? 1 : PROFILES : 0;
     for (k = 0; k < PROFILES; ++k) t->kernel[k] = make_kernel(k == 2 ? 5 : taps, k == 1 ? 1 : t->terms, 1 - 0.3 * k);
-    if (t->shader.depth && i % 4 < 2) t->options.fov_degrees = 30;
-    else if (i % 2) t->options.ortho_height = 40;
+    if (t->shader.with_depth && i % 4 < 2) {
+        t->options.fov_degrees = 30;
+        t->options.center[0] = i % 8 < 2 ? 11.5f : 0.0f;
+        t->options.center[1] = i % 8 < 2 ? -7.0f : 0.0f;
+    } else if (i % 2) t->options.ortho_height = 40;
     else t->options.pixels_per_mm[0] = 1.7f;
     if (i % 6 == 1) t->options.pixels_per_mm[1] = t->options.pixels_per_mm[0] > 0 ? 2.1f : 0;
     t->options.depth_mode = i % 8 == 6 ? MS_SSS_DEPTH_SCALE : MS_SSS_DEPTH_AWARE;
@@ -206,8 +220,7 @@ static void find_jumps(const one_case *t, const ms_sss_frame *frame, int count, 
 static void make_reference(const one_case *t)
 {
     static float packed[PIXELS];
-    const int count = t->shader.profile ? t->shader.profile_count : 1;
-    const int both_alpha = t->shader.depth == MS_SSS_ALPHA && t->shader.profile == MS_SSS_ALPHA;
+    const int count = t->shader.with_profile ? t->shader.profile_count : 1;
     const size_t size = ms_sss_filter_workspace(WIDTH, HEIGHT, t->kernel, count, &t->options);
     void *workspace = malloc(size);
     ms_sss_frame f;
@@ -216,17 +229,16 @@ static void make_reference(const one_case *t)
     memcpy(input, light, sizeof input);
     for (i = 0; i < PIXELS; ++i) {
         packed[i] = profile[i] > 15 || !(depth[i] > 0) || depth[i] > 1e30f ? 0 : with_bits(depth[i], profile[i]);
-        if (t->shader.profile == MS_SSS_ALPHA) input[4 * i + 3] = index_of[i];
-        if (t->shader.depth == MS_SSS_ALPHA) input[4 * i + 3] = both_alpha ? packed[i] : depth[i];
+        if (t->shader.fetch) input[4 * i + 3] = packed[i];
     }
     memset(&f, 0, sizeof f);
     f.width = WIDTH;
     f.height = HEIGHT;
     f.input = ms_sss_interleaved(light, 4, 0);
     f.output = ms_sss_interleaved(output, 4, 0);
-    if (t->shader.depth) f.depth = ms_sss_map(both_alpha ? packed : depth, 1, 0);
+    if (t->shader.with_depth) f.depth = ms_sss_map(t->shader.fetch ? packed : depth, 1, 0);
     if (t->shader.with_strength) f.strength = ms_sss_map(strength, 1, 0);
-    if (t->shader.profile) f.profile = profile;
+    if (t->shader.with_profile) f.profile = profile;
     if (t->shader.with_normal && shaped(t)) f.normal = ms_sss_interleaved(normal, 4, 0);
     if (ms_sss_filter(&f, t->kernel, count, &t->options, workspace, size, &error) != MS_OK)
         TEST_FAIL("%s", error.message);
@@ -260,9 +272,10 @@ static double difference(void)
 
 static double tolerance_of(const one_case *t)
 {
-    if (t->shader.half_resolution && t->shader.depth)
+    if (t->shader.half_resolution && t->shader.with_depth)
         return WIDER_TOLERANCE; /* divided by 1 - share of the one, times that of the other */
-    return shaped(t) || t->options.jitter > 0 || t->options.rotation > 0 || (t->shader.depth && t->shader.profile)
+    return shaped(t) || t->options.jitter > 0 || t->options.rotation > 0 ||
+            (t->shader.with_depth && t->shader.with_profile)
         ? WIDER_TOLERANCE
         : GPU_TOLERANCE;
 }
@@ -270,11 +283,11 @@ static double tolerance_of(const one_case *t)
 /* --- OpenGL against the CPU --- */
 
 static float constants[1000][4];
-enum { NAMES = 11, LEVELS = 7 }; /* 97 x 75 to 2 x 2 */
+enum { NAMES = 12, LEVELS = 7 }; /* 97 x 75 to 2 x 2 */
 static const char *const texture_name[NAMES] = {
-    "ms_sss_colour", "ms_sss_depth",   "ms_sss_strength", "ms_sss_input",          "ms_sss_profile", "ms_sss_sum",
-    "ms_sss_normal", "ms_sss_surface", "ms_sss_coarse",   "ms_sss_coarse_surface", "ms_sss_weight"};
-enum { SURFACE = 7, COARSE, COARSE_SURFACE, WEIGHT }; /* of the names */
+    "ms_sss_color",  "ms_sss_depth",   "ms_sss_strength", "ms_sss_input",          "ms_sss_profile", "ms_sss_sum",
+    "ms_sss_normal", "ms_sss_surface", "ms_sss_coarse",   "ms_sss_coarse_surface", "ms_sss_weight",  "ms_sss_half"};
+enum { SURFACE = 7, COARSE, COARSE_SURFACE, WEIGHT, BEFORE_HALF }; /* of the names */
 enum {
     COLOUR,
     DEPTH,
@@ -316,7 +329,7 @@ static int plan_steps(const one_case *t, one_step step[STEPS])
     const int half = t->shader.half_resolution;
     int n = 0, term, i;
     memset(step, 0, STEPS * sizeof *step);
-    for (term = 0; t->options.pyramids && term < (t->shader.profile ? t->shader.profile_count : 1); ++term) {
+    for (term = 0; t->options.pyramids && term < (t->shader.with_profile ? t->shader.profile_count : 1); ++term) {
         for (i = 0; i < 2 * LEVELS - 1; ++i, ++n) {
             step[n].term = term;
             step[n].step = i == 0    ? MS_SSS_STEP_BASE
@@ -346,18 +359,19 @@ static int read_by(const one_case *t, one_step s, int name)
     const int level = TOWER + 4 * s.level, next = s.level + 1 < LEVELS ? level + 4 : level;
     if (s.step >= MS_SSS_STEP_BASE) {
         switch (name) {
-        case COLOUR: return s.step == MS_SSS_STEP_BASE ? COLOUR : level;
+        case INPUT: return level;
         case SURFACE: return level + 1;
         case COARSE: return next;
         case COARSE_SURFACE: return next + 1;
         case SUM: return next + 2;
         case WEIGHT: return next + 3;
-        case INPUT: return s.term == 0 ? INPUT : s.term % 2 ? RESULT : SUM; /* what RESOLVE wrote before */
+        case COLOUR: /* of RESOLVE: what it wrote before */
+            return s.step == MS_SSS_STEP_BASE || s.term == 0 ? COLOUR : s.term % 2 ? RESULT : SUM;
         default: return name;
         }
     }
-    if (name == COLOUR) return y ? half ? SMALL_MIDDLE : MIDDLE : x && half ? SMALL : COLOUR;
-    if (name == INPUT && half) return SMALL;
+    if (name == INPUT) return y ? half ? SMALL_MIDDLE : MIDDLE : x && half ? SMALL : INPUT;
+    if (name == BEFORE_HALF) return SMALL;
     if (name == SUM && half) return SMALL_RESULT;
     return name;
 }
@@ -487,7 +501,7 @@ static void compare_all(gl_api which, ms_sss_language language, int method, int 
         w = tolerance_of(&t) > GPU_TOLERANCE ? &worst_wider : &worst;
         if (!(e <= tolerance_of(&t)))
             TEST_FAIL("case %d (depth %d, profile %d, depth mode %d, flat %g, normal %d, turned %d): %g", i,
-                      (int)t.shader.depth, (int)t.shader.profile, (int)t.options.depth_mode, (double)t.options.flat,
+                      t.shader.with_depth, t.shader.with_profile, (int)t.options.depth_mode, (double)t.options.flat,
                       t.shader.with_normal, t.options.rotation > 0 || t.options.jitter > 0, e);
         if (e > *w) *w = e;
     }
@@ -532,6 +546,60 @@ static void case_tower_hlsl(void)
     compare_all(GL_API_33, MS_SSS_HLSL, PYRAMID, 24);
 }
 
+/* A viewport with an origin in larger textures, and a projection whose center is not the picture's: as the CPU's filter
+   on the picture alone. */
+static void case_viewport(void)
+{
+    enum { LEFT = 13, BELOW = 9, WIDE = WIDTH + LEFT + 4, HIGH = HEIGHT + BELOW + 2 };
+    static float color[WIDE * HIGH * 4], deep[WIDE * HIGH];
+    static const GLenum to[1] = {GL_COLOR_ATTACHMENT0};
+    GLuint texture[4];
+    one_case t;
+    int i, x, y;
+    if (!gl_open(GL_API_33)) SKIP("no OpenGL 3.3 context without a window");
+    make_picture();
+    make_case(&t, 1, MS_SSS_GLSL_330, 1);
+    t.options = ms_sss_filter_defaults();
+    t.options.fov_degrees = 30;
+    t.options.center[0] = -20;
+    t.options.center[1] = 15;
+    t.shader.with_profile = t.shader.with_strength = t.shader.with_normal = 0;
+    t.shader.profile_count = 0;
+    t.shader.origin[0] = LEFT;
+    t.shader.origin[1] = BELOW;
+    make_reference(&t);
+    for (i = 0; i < WIDE * HIGH; ++i) { /* around it: what must not be read */
+        color[4 * i] = color[4 * i + 1] = color[4 * i + 2] = 9;
+        deep[i] = 50;
+    }
+    for (y = 0; y < HEIGHT; ++y)
+        for (x = 0; x < WIDTH; ++x) {
+            memcpy(color + 4 * ((y + BELOW) * WIDE + x + LEFT), input + 4 * (y * WIDTH + x), 4 * sizeof(float));
+            deep[(y + BELOW) * WIDE + x + LEFT] = depth[y * WIDTH + x];
+        }
+    texture[0] = gl_texture(COLOUR, GL_RGBA32F, WIDE, HIGH, color);
+    texture[1] = gl_texture(DEPTH, GL_R32F, WIDE, HIGH, deep);
+    texture[2] = gl_texture(MIDDLE, GL_RGBA32F, WIDE, HIGH, NULL);
+    texture[3] = gl_texture(RESULT, GL_RGBA32F, WIDE, HIGH, NULL);
+    for (i = 0; i < 2; ++i) {
+        const one_step step = {i ? MS_SSS_STEP_Y : MS_SSS_STEP_X, 0, 0};
+        set_step(&t, step);
+        gl_step(&t, step);
+        gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
+        gl_FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture[2 + i], 0);
+        gl_DrawBuffers(1, to);
+        gl_Viewport(LEFT, BELOW, WIDTH, HEIGHT);
+        gl_DrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    gl_ReadPixels(LEFT, BELOW, WIDTH, HEIGHT, GL_RGBA, GL_FLOAT, drawn);
+    CHECK_LE(difference(), WIDER_TOLERANCE);
+    TEST_NOTE("largest difference %.1e", difference());
+    t.options.center[0] = t.options.center[1] = 0; /* and the center is not without effect */
+    make_reference(&t);
+    CHECK(difference() > 10 * WIDER_TOLERANCE);
+    gl_DeleteTextures(4, texture);
+}
+
 /* What the light loop's function returns for column x and row y of a picture, as a fragment shader. */
 static const char *transmission_shader(ms_sss_language language)
 {
@@ -570,7 +638,7 @@ static void case_sixteen(void)
         double e;
         make_picture();
         make_case(&t, i, MS_SSS_GLSL_ES_300, 1);
-        t.shader.profile = i % 2 ? MS_SSS_ALPHA : MS_SSS_TEXTURE;
+        t.shader.with_profile = 1;
         t.shader.profile_count = MS_SSS_SHADER_PROFILES_MAX;
         for (k = 0; k < MS_SSS_SHADER_PROFILES_MAX; ++k)
             t.kernel[k] = make_kernel(t.shader.tap_count - (k % 3 ? 2 : 0), 1, 1.5 - 0.08 * k);
@@ -597,15 +665,16 @@ static int variant(int i, ms_sss_language language)
     memset(&s, 0, sizeof s);
     s.tap_count = 7;
     s.language = language;
-    s.depth = (ms_sss_source)(i % 3);
-    s.profile = (ms_sss_source)(i / 3 % 3);
+    s.with_depth = i % 3 > 0;
+    s.with_profile = i / 3 % 3 > 0;
+    if (i % 3 == 2 && language <= MS_SSS_GLSL_ES_300) s.fetch = own_fetch;
     o.depth_mode = (ms_sss_depth_mode)(i / 9 % 3 == 1);
     s.step = i / 27 % 3 == 1 ? MS_SSS_STEP_Y : MS_SSS_STEP_X;
     s.with_strength = bits >> 1 & 1;
     if (bits >> 2 & 1) o.fov_degrees = 40;
     else o.ortho_height = 100;
     o.rotation = (float)(bits >> 3 & 1);
-    s.profile_count = s.profile ? 1 + (bits >> 5 & 1) * 15 : 0;
+    s.profile_count = s.with_profile ? 1 + (bits >> 5 & 1) * 15 : 0;
     o.flat = (float)(bits >> 6 & 1);
     s.with_normal = bits >> 7 & 1;
     if (bits >> 10 & 1) { /* half resolution */
@@ -619,7 +688,7 @@ static int variant(int i, ms_sss_language language)
         o.rotation = 0;
     }
     if (ms_sss_shader_text(&s, &o, text, sizeof text, &error)) return 1;
-    if (!(o.fov_degrees > 0 && !s.depth)) TEST_FAIL("variant %d: %s", i, error.message);
+    if (!(o.fov_degrees > 0 && !s.with_depth)) TEST_FAIL("variant %d: %s", i, error.message);
     return 0;
 }
 
@@ -703,8 +772,9 @@ static void case_bleeding(void)
     if (!gl_open(GL_API_33)) SKIP("no OpenGL 3.3 context without a window");
     make_picture();
     make_case(&t, 4, MS_SSS_GLSL_330, 1);
-    t.shader.depth = MS_SSS_NONE;
-    t.shader.profile = MS_SSS_ALPHA;
+    t.shader.with_depth = 0;
+    t.shader.fetch = NULL;
+    t.shader.with_profile = 1;
     t.shader.profile_count = PROFILES;
     t.options = ms_sss_filter_defaults();
     t.options.pixels_per_mm[0] = 4;
@@ -753,7 +823,7 @@ static void case_refused(void)
     s = good, s.profile_count = 17;
     refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "profile_count 17");
     s = good, s.profile_count = 2;
-    refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "profile");
+    refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "with_profile");
     s = good, s.language = (ms_sss_language)5;
     refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "language 5");
     s = good, s.step = (ms_sss_step)8;
@@ -766,8 +836,13 @@ static void case_refused(void)
     refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "half_resolution");
     s = good, s.term_count = MS_SSS_TERMS_MAX + 1;
     refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "term_count");
-    s = good, s.depth = (ms_sss_source)4;
-    refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "depth 4");
+    s = good, s.origin[1] = -1;
+    refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "origin[1] -1");
+    s = good, s.with_depth = 1, s.nearest = 2; /* 4 mm of the kernel, 48 pixels of height 30 degrees wide, at depth 2 */
+    p = o, p.pixels_per_mm[0] = 0, p.fov_degrees = 30;
+    refuses(&s, &p, &k, 0, MS_UNSUPPORTED, "pixels with 7 taps show bands");
+    p = o, p.center[0] = NAN;
+    refuses(&good, &p, NULL, 0, MS_INVALID_ARGUMENT, "center[0]");
     s = good, p = o, p.pixels_per_mm[0] = 0, p.fov_degrees = 30;
     refuses(&s, &p, NULL, 0, MS_INVALID_ARGUMENT, "fov_degrees 30");
     p = o, p.fade = 2;
@@ -842,14 +917,16 @@ static void case_reads(void)
 {
     static const struct {
         float flat, delta;
-        int source, normal, usual, most;
-    } kinds[6] = {{1, 0, MS_SSS_ALPHA, 0, 26, 26}, {1, 0, MS_SSS_TEXTURE, 0, 39, 39},
-                  {0, 0, MS_SSS_ALPHA, 0, 34, 38}, {0, 0, MS_SSS_ALPHA, 1, 28, 28},
-                  {1, 0, MS_SSS_NONE, 0, 26, 26},  {1, 0.1f, MS_SSS_ALPHA, 0, 27, 27}};
+        int depth, normal, usual, most;
+    } kinds[5] = {{1, 0, 1, 0, 39, 39},
+                  {0, 0, 1, 0, 51, 57},
+                  {0, 0, 1, 1, 41, 41},
+                  {1, 0, 0, 0, 26, 26},
+                  {1, 0.1f, 1, 0, 40, 40}};
     int i, c, k, both, usual[2];
     if (!gl_open(GL_API_33)) SKIP("no OpenGL 3.3 context without a window");
     make_picture();
-    for (i = 0; i < 6; ++i) {
+    for (i = 0; i < 5; ++i) {
         one_case t;
         memset(&t, 0, sizeof t);
         t.kernel[0] = make_kernel(7, 1, 1);
@@ -858,7 +935,7 @@ static void case_reads(void)
         t.options.ortho_height = 40;
         t.options.flat = kinds[i].flat;
         t.shader.tap_count = 7;
-        t.shader.depth = (ms_sss_source)kinds[i].source;
+        t.shader.with_depth = kinds[i].depth;
         t.shader.with_normal = kinds[i].normal;
         make_reference(&t);
         if (ms_sss_shader_constants(t.kernel, 0, &t.options, WIDTH, HEIGHT, &t.shader, constants, NULL) != MS_OK)
@@ -868,17 +945,17 @@ static void case_reads(void)
         if (usual[0] + usual[1] != kinds[i].usual || both < kinds[i].usual || both > kinds[i].most)
             TEST_FAIL("kind %d: usually %d, at most %d texels read, the header says %d, %d", i, usual[0] + usual[1],
                       both, kinds[i].usual, kinds[i].most);
-        if (kinds[i].source == MS_SSS_TEXTURE) continue;
-        t.shader.half_resolution = 1; /* DOWN reads 4 for every 4 pixels, UP 9 for each */
-        CHECK_INT(count_reads(&t, MS_SSS_STEP_DOWN, &usual[0]), 4);
-        CHECK_INT(count_reads(&t, MS_SSS_STEP_UP, &usual[0]), 9);
+        if (!kinds[i].depth) continue;
+        t.shader.half_resolution = 1; /* DOWN reads 4 of color and of depth for every 4 pixels, UP 11 for each */
+        CHECK_INT(count_reads(&t, MS_SSS_STEP_DOWN, &usual[0]), 8);
+        CHECK_INT(count_reads(&t, MS_SSS_STEP_UP, &usual[0]), 11);
         count_reads(&t, MS_SSS_STEP_X, &usual[0]);
         count_reads(&t, MS_SSS_STEP_Y, &usual[1]);
-        CHECK_INT(usual[0] + usual[1], kinds[i].normal ? kinds[2].usual : kinds[i].usual); /* slopes from depth */
-        if (i != 2) continue;
+        CHECK_INT(usual[0] + usual[1], kinds[i].flat < 1 ? 34 : kinds[i].delta > 0 ? 27 : 26); /* slopes from depth */
+        if (i != 1) continue;
         for (k = 0; k < 4; ++k) {
             static ms_sss_pyramid pyramid;
-            static const int reads[4] = {5, 44, 40, 35};
+            static const int reads[4] = {10, 44, 40, 35};
             pyramid.radius_mm = 10;
             t.shader.half_resolution = 0;
             t.shader.step = (ms_sss_step)((int)MS_SSS_STEP_BASE + k);
@@ -903,7 +980,7 @@ static void case_constants(void)
     one_case t;
     ms_error error;
     int i;
-    CHECK_INT(sizeof picture, 48);
+    CHECK_INT(sizeof picture, 64);
     CHECK_INT(sizeof first, 80);
     CHECK_INT(offsetof(ms_sss_shader_picture, aspect), 16);
     CHECK_INT(offsetof(ms_sss_shader_picture, first), 32);
@@ -912,6 +989,8 @@ static void case_constants(void)
     CHECK_INT(offsetof(ms_sss_shader_profile, cut), 44);
     CHECK_INT(offsetof(ms_sss_shader_picture, focal), 36);
     CHECK_INT(offsetof(ms_sss_shader_picture, slope_scale), 44);
+    CHECK_INT(offsetof(ms_sss_shader_picture, center), 48);
+    CHECK_INT(offsetof(ms_sss_shader_picture, origin), 56);
     CHECK_INT(offsetof(ms_sss_shader_profile, curve), 48);
     CHECK_INT(offsetof(ms_sss_shader_profile, mixed), 60);
     CHECK_INT(offsetof(ms_sss_shader_profile, reach), 76);
@@ -920,8 +999,7 @@ static void case_constants(void)
     CHECK_INT(ms_sss_shader_levels(65536, 65536), MS_SSS_PYRAMID_LEVELS);
     make_case(&t, 4, MS_SSS_GLSL_330, 1);
     t.shader.profile_count = PROFILES;
-    t.shader.profile = MS_SSS_TEXTURE;
-    t.shader.depth = MS_SSS_TEXTURE;
+    t.shader.with_profile = t.shader.with_depth = 1;
     t.options = ms_sss_filter_defaults();
     t.options.fov_degrees = 40;
     t.options.mm_per_unit = 10;
@@ -934,6 +1012,8 @@ static void case_constants(void)
     picture.pixels *= 720.0f / 360.0f;
     picture.focal[0] *= 720.0f / 360.0f;
     picture.focal[1] *= 720.0f / 360.0f;
+    picture.center[0] = 640;
+    picture.center[1] = 360;
     picture.width = 1280;
     picture.height = 720;
     memcpy(from_struct, &picture, sizeof picture);
@@ -942,7 +1022,7 @@ static void case_constants(void)
     for (i = 0; i < 4 * ms_sss_shader_constant_count(&t.shader); ++i)
         CHECK_NEAR((double)(&from_struct[0][0])[i], (double)(&constants[0][0])[i],
                    1e-6 * fabs((double)(&constants[0][0])[i]));
-    memcpy(&first, constants[3], sizeof first);
+    memcpy(&first, constants[4], sizeof first);
     CHECK_NEAR((double)first.radius_mm, (double)t.kernel[0].radius_mm, 0);
     /* those of a pyramid lie where the text's first lines say */
     if (ms_sss_profile_from_burley(&profile, reflectance, d_mm, NULL, &error) != MS_OK ||
@@ -1081,6 +1161,7 @@ static const test_case cases[] = {
     {"HLSL against the CPU", case_hlsl_runs},
     {"WebGL 2 in a browser against the CPU", case_webgl},
     {"WGSL in a browser against the CPU", case_wgsl},
+    {"a viewport and a center of their own", case_viewport},
     {"nothing crosses between materials", case_bleeding},
     {"what is refused, by name", case_refused},
     {"texels read by 7 taps", case_reads},

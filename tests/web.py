@@ -449,7 +449,8 @@ def kernels(b):
         check("seen: " + name, change > least, change)
         state["picture"] = now
 
-    agree("skin, 11 taps")
+    check("opens at life size without a warning", b.value("[document.querySelectorAll('#numbers .bad').length, Number(document.getElementById('scale').value)]") == [0, 0])
+    agree("skin, the taps it opens with")
     for name, to in (("taps", 25), ("scale", -0.9), ("elevation", 0.2), ("through", 0.1), ("azimuth", 150), ("height", 60), ("power", 1.6)):
         b.slide("#" + name, to)
         moved(name, 2e-5 if name == "taps" else 0.0005)

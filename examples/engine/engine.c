@@ -57,6 +57,14 @@ static const char *const scene =
     "    through = vec4(behind, 1.0);\n"
     "}\n";
 
+/* How the passes read the G-buffer: the same functions over a raw depth buffer, a stencil index or an array layer do.
+ */
+static const char *const fetch =
+    "uniform sampler2D irradiance;\n"
+    "vec3 ms_sss_fetch_color(ivec2 p) { return texelFetch(irradiance, p, 0).rgb; }\n"
+    "float ms_sss_fetch_depth(ivec2 p) { return texelFetch(irradiance, p, 0).a; }\n"
+    "int ms_sss_fetch_profile(ivec2 p) { return floatBitsToInt(texelFetch(irradiance, p, 0).a) & 15; }\n";
+
 /* The engine's composition. Light through thin parts by max: near a shadow's border the filter holds it already. */
 static const char *const compose =
     "#version 330\n"
@@ -94,10 +102,13 @@ static void draw(int first, int count)
 
 int main(int argc, char **argv)
 {
-    /* Assets: built once, by a tool; 7 taps a pass. Materials as colour and Burley's distance here. */
+    /* Assets: built once, by a tool, for 90 pixels, about their radius where they are nearest. Materials as
+       color and Burley's distance here. */
     static const double reflectance[KERNELS][3] = {{0.78, 0.5, 0.38}, {0.9, 0.82, 0.55}},
-                        distance_mm[KERNELS][3] = {{3.6, 1.4, 0.7}, {2.4, 1.8, 0.9}};
+                        distance_mm[KERNELS][3] = {{1.2, 0.47, 0.23}, {0.8, 0.6, 0.3}};
     static ms_sss_kernel kernel[KERNELS];
+    ms_sss_kernel_options taps = ms_sss_kernel_defaults();
+    ms_sss_errors errors;
     static float constants[64][4], factor[2][KERNELS][4];
     static unsigned char picture[WIDTH * HEIGHT * 4], rgb[WIDTH * HEIGHT * 3];
     ms_sss_filter_options options = ms_sss_filter_defaults();
@@ -112,8 +123,11 @@ int main(int argc, char **argv)
         ms_sss_profile *profile;
         if (ms_sss_profile_from_burley(&profile, reflectance[i], distance_mm[i], NULL, &error) != MS_OK)
             return fail("profile", error.message);
-        if (ms_sss_kernel_make(&kernel[i], NULL, profile, 48, NULL, NULL, &error) != MS_OK)
+        taps.tap_count = 25;
+        if (ms_sss_kernel_make(&kernel[i], &errors, profile, 90, &taps, NULL, &error) != MS_OK)
             return fail("kernel", error.message);
+        printf("kernel %d: %d taps, bands %.0f (seen from %d), error on textures %.1f%%\n", i, kernel[i].tap_count,
+               errors.bands, MS_SSS_BANDS_SEEN, 100 * errors.texture);
         ms_sss_profile_destroy(profile);
         for (c = 0; c < 3; ++c) {
             factor[0][i][c] = kernel[i].reflectance[c];
@@ -143,7 +157,9 @@ int main(int argc, char **argv)
     shader.language = MS_SSS_GLSL_330;
     shader.tap_count = kernel[0].tap_count;
     shader.profile_count = KERNELS;
-    shader.depth = shader.profile = MS_SSS_ALPHA;
+    shader.with_profile = 1;
+    shader.nearest = 9.4f; /* of the wax ball: too wide a kernel for its taps is refused */
+    shader.fetch = fetch;
     if (ms_sss_shader_constant_count(&shader) > 64) return fail("constants", "more than 64");
     if (ms_sss_shader_constants(kernel, 0, &options, WIDTH, HEIGHT, &shader, constants, &error) != MS_OK)
         return fail("constants", error.message);
@@ -152,8 +168,8 @@ int main(int argc, char **argv)
         if (!ms_sss_shader_text(&shader, &options, text, sizeof text, &error)) return fail("text", error.message);
         if (!(program = gl_program(gl_corner[0], text, log_text, sizeof log_text))) return fail("pass", log_text);
         gl_Uniform4fv(gl_GetUniformLocation(program, "ms_sss"), ms_sss_shader_constant_count(&shader), constants[0]);
-        read_by(program, "ms_sss_colour", step ? MIDDLE : IRRADIANCE);
-        read_by(program, "ms_sss_input", IRRADIANCE);
+        read_by(program, "irradiance", IRRADIANCE);
+        read_by(program, "ms_sss_input", MIDDLE);
         draw(step ? FILTERED : MIDDLE, 1);
     }
 

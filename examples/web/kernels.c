@@ -87,7 +87,7 @@ static ms_status make_profile(int material, const double *own)
     return MS_OK;
 }
 
-/* A kernel (rough: its errors are not measured): material; -1 and numbers 0 to 5, colour and mean free paths in mm; -2
+/* A kernel (rough: its errors are not measured; taps 0: as few as show no bands): material; -1 and numbers 0 to 5, colour and mean free paths in mm; -2
    and numbers 0 and 1, melanin and blood of skin; its place on the screen by pixels a millimetre of
    material. Numbers then: 0 to 6 errors, 7 taps, 8 radius in mm, 9 radius in pixels, 10 to 12 reflectance, 13 to 15
    decay; from 64 on CURVE rows of r, R_d in three channels, x, a_p in three channels. */
@@ -107,12 +107,15 @@ CALL(int, design, (int material, int taps, int model, double pixels_per_mm, int 
     memcpy(made_for, key, sizeof key);
     ms_sss_profile_radius(profile, 0.99, radius);
     most = fmax(fmax(radius[0], radius[1]), radius[2]);
-    options.tap_count = taps;
     options.model = (ms_sss_model)model;
     options.index = 1.3;
-    status = ms_sss_kernel_make(&next, rough ? NULL : &errors, profile, fmax(most * pixels_per_mm, 1), &options, NULL,
-                                &error);
-    if (status != MS_OK) return (int)status;
+    for (i = taps ? taps : 7; i <= 33; i += 2) {
+        options.tap_count = i;
+        status = ms_sss_kernel_make(&next, rough ? NULL : &errors, profile, fmax(most * pixels_per_mm, 1), &options,
+                                    NULL, &error);
+        if (status != MS_OK) return (int)status;
+        if (taps || errors.bands <= MS_SSS_BANDS_SEEN) break;
+    }
     kernel = next;
     memcpy(number, &errors, sizeof errors);
     number[7] = kernel.tap_count;
@@ -161,14 +164,23 @@ static void see(double mm_per_unit, double flat, int way)
     view.pyramids = &pyramid;
 }
 
+/* Light with depth in alpha, and normals: what this page draws. The texts in other languages read the header's
+ * textures. */
+static const char *const fetch[5] = {NULL,
+                                     "uniform sampler2D light, normals;\n"
+                                     "vec3 ms_sss_fetch_color(ivec2 p) { return texelFetch(light, p, 0).rgb; }\n"
+                                     "float ms_sss_fetch_depth(ivec2 p) { return texelFetch(light, p, 0).a; }\n"
+                                     "vec3 ms_sss_fetch_normal(ivec2 p) { return texelFetch(normals, p, 0).rgb; }\n",
+                                     NULL, NULL, NULL};
+
 static ms_sss_shader pass_of(int language, int way, int step, double flat)
 {
     ms_sss_shader shader = ms_sss_shader_defaults();
     shader.language = (ms_sss_language)language;
     shader.step = (ms_sss_step)step;
     shader.tap_count = kernel.tap_count;
-    shader.depth = MS_SSS_ALPHA;
     shader.with_normal = flat < 1;
+    shader.fetch = fetch[language];
     shader.half_resolution = way == 1;
     return shader;
 }

@@ -204,17 +204,17 @@ function levels(l) {
 function wiring(way, step, level, normal) {
   const input = targets.light;
   if (way === 2) {
-    const own = levels(level), next = step > 4 ? levels(level + 1) : own, all = { ms_sss_colour: own.light, ms_sss_surface: own.surface, ms_sss_coarse: next.light,
-      ms_sss_coarse_surface: next.surface, ms_sss_sum: next.sum, ms_sss_weight: next.weight, ms_sss_input: input };
-    return step === 4 ? [{ ms_sss_colour: input, ms_sss_normal: normal }, own.light, own.surface] : step === 5 ? [{ ms_sss_colour: own.light, ms_sss_surface: own.surface }, next.light, next.surface]
+    const own = levels(level), next = step > 4 ? levels(level + 1) : own, all = { light: input, ms_sss_input: own.light, ms_sss_surface: own.surface,
+      ms_sss_coarse: next.light, ms_sss_coarse_surface: next.surface, ms_sss_sum: next.sum, ms_sss_weight: next.weight };
+    return step === 4 ? [{ light: input, normals: normal }, own.light, own.surface] : step === 5 ? [{ ms_sss_input: own.light, ms_sss_surface: own.surface }, next.light, next.surface]
       : step === 6 ? [all, own.sum, own.weight] : [all, targets.after];
   }
   if (way === 1) {
     const h = half();
-    return { 2: [{ ms_sss_colour: input }, h.light], 0: [{ ms_sss_colour: h.light }, h.middle], 1: [{ ms_sss_colour: h.middle, ms_sss_input: h.light }, h.after],
-      3: [{ ms_sss_colour: input, ms_sss_input: h.light, ms_sss_sum: h.after }, targets.after] }[step];
+    return { 2: [{ light: input }, h.light], 0: [{ ms_sss_input: h.light }, h.middle], 1: [{ ms_sss_input: h.middle, ms_sss_half: h.light }, h.after],
+      3: [{ light: input, ms_sss_half: h.light, ms_sss_sum: h.after }, targets.after] }[step];
   }
-  return step ? [{ ms_sss_colour: targets.middle, ms_sss_input: input, ms_sss_normal: normal }, targets.after] : [{ ms_sss_colour: input, ms_sss_normal: normal }, targets.middle];
+  return step ? [{ ms_sss_input: targets.middle, light: input, normals: normal }, targets.after] : [{ light: input, normals: normal }, targets.middle];
 }
 const triangle = () => gl.drawArrays(gl.TRIANGLES, 0, 3);
 
@@ -281,9 +281,14 @@ const own = () => {
 };
 const perMm = () => size / (2 * 0.2126 * (designer.object ? 265 : 660)) / state().mm;
 const design = latest(async () => {
-  if (!designer.kernel) took(await maker.ask('design', { material: designer.material, own: own(), taps: 7, model: 1, pixels: perMm(), rough: true, size, ...state() })); // one to begin with
-  const k = await maker.ask('design', { material: designer.material, own: own(), taps: value('taps'), model: Number($('model').value), pixels: perMm(), size, ...state() });
+  const first = !designer.kernel;
+  if (first) took(await maker.ask('design', { material: designer.material, own: own(), taps: 7, model: 1, pixels: perMm(), rough: true, size, ...state() })); // one to begin with
+  const k = await maker.ask('design', { material: designer.material, own: own(), taps: first ? 0 : value('taps'), model: Number($('model').value), pixels: perMm(), size, ...state() });
   took(k);
+  if (first) { // as few as show no bands
+    $('taps').value = k.taps;
+    said();
+  }
   facts(k);
 });
 const look = latest(async () => {

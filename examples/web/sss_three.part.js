@@ -93,8 +93,7 @@ export class Subsurface {
     this.constants = { value: new Float32Array(4) };
     this.passes = [0, 1].map(step => {
       this.check(wasm.pass(step, taps, this.count));
-      const uniforms = { ms_sss: this.constants, ms_sss_color: { value: (step ? this.between : this.light).texture }, ms_sss_input: { value: this.light.texture } };
-      uniforms.ms_sss_colour = uniforms.ms_sss_color;
+      const uniforms = { ms_sss: this.constants, light: { value: this.light.texture }, ms_sss_input: { value: this.between.texture } };
       return new THREE.RawShaderMaterial({
         glslVersion: THREE.GLSL3, uniforms, depthTest: false, depthWrite: false, blending: THREE.NoBlending,
         vertexShader: 'in vec3 position; void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }',
@@ -193,8 +192,8 @@ export class Subsurface {
     const target = renderer.getRenderTarget(), color = renderer.getClearColor(new THREE.Color()), alpha = renderer.getClearAlpha();
     for (const t of [this.light, this.between, this.scattered]) t.setSize(x, y);
     if (camera.parent === null) camera.updateMatrixWorld();
-    const fov = 360 / Math.PI * Math.atan(1 / camera.projectionMatrix.elements[5]);
-    const n = wasm.fill(this.taps, this.count, x, y, fov, this.mmPerUnit);
+    const { elements: m } = camera.projectionMatrix, fov = 360 / Math.PI * Math.atan(1 / m[5]);
+    const n = wasm.fill(this.taps, this.count, x, y, fov, this.mmPerUnit, -m[8] * x / 2, -m[9] * y / 2);
     if (!n) this.check(1);
     this.constants.value = new Float32Array(wasm.memory.buffer, wasm.constants(), 4 * n).slice();
     renderer.setClearColor(0, 0);

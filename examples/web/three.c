@@ -50,11 +50,13 @@ CALL(int, material, (int index, int taps, double radius_px))
     return 0;
 }
 
-static ms_sss_filter_options view_of(double fov_degrees, double mm_per_unit)
+static ms_sss_filter_options view_of(double fov_degrees, double mm_per_unit, double center_x, double center_y)
 {
     ms_sss_filter_options view = ms_sss_filter_defaults();
     view.fov_degrees = (float)fov_degrees;
     view.mm_per_unit = (float)mm_per_unit;
+    view.center[0] = (float)center_x;
+    view.center[1] = (float)center_y;
     return view;
 }
 
@@ -65,8 +67,11 @@ static ms_sss_shader pass_of(int step, int taps, int materials)
     shader.step = step ? MS_SSS_STEP_Y : MS_SSS_STEP_X;
     shader.tap_count = taps;
     shader.profile_count = materials;
-    shader.depth = MS_SSS_ALPHA;
-    shader.profile = materials > 1 ? MS_SSS_ALPHA : MS_SSS_NONE;
+    shader.with_profile = 1;
+    shader.fetch = "uniform sampler2D light;\n"
+                   "vec3 ms_sss_fetch_color(ivec2 p) { return texelFetch(light, p, 0).rgb; }\n"
+                   "float ms_sss_fetch_depth(ivec2 p) { return texelFetch(light, p, 0).a; }\n"
+                   "int ms_sss_fetch_profile(ivec2 p) { return floatBitsToInt(texelFetch(light, p, 0).a) & 15; }\n";
     return shader;
 }
 
@@ -74,7 +79,7 @@ static ms_sss_shader pass_of(int step, int taps, int materials)
 CALL(int, pass, (int step, int taps, int materials))
 {
     const ms_sss_shader shader = pass_of(step, taps, materials);
-    const ms_sss_filter_options view = view_of(35, 1);
+    const ms_sss_filter_options view = view_of(35, 1, 0, 0);
     return ms_sss_shader_text(&shader, &view, text, sizeof text, &error) ? 0 : (int)error.status;
 }
 
@@ -82,10 +87,12 @@ CALL(int, pass, (int step, int taps, int materials))
 CALL(int, transmission, (void)) { return ms_sss_transmission_text(MS_SSS_GLSL_ES_300, text, sizeof text) ? 0 : 1; }
 
 /* How many vec4 there are in constants(), the same for both passes; 0: message() says why not. */
-CALL(int, fill, (int taps, int materials, int width, int height, double fov_degrees, double mm_per_unit))
+CALL(int, fill,
+     (int taps, int materials, int width, int height, double fov_degrees, double mm_per_unit, double center_x,
+      double center_y))
 {
     const ms_sss_shader shader = pass_of(0, taps, materials);
-    const ms_sss_filter_options view = view_of(fov_degrees, mm_per_unit);
+    const ms_sss_filter_options view = view_of(fov_degrees, mm_per_unit, center_x, center_y);
     const int count = ms_sss_shader_constant_count(&shader);
     return count <= CONSTANTS &&
             ms_sss_shader_constants(kernel, 0, &view, width, height, &shader, constant, &error) == MS_OK

@@ -162,14 +162,15 @@ static int read_by(const contender *c, const draw *d, int name)
     const int level = TOWER + 4 * d->level, next = d->level + 1 < MS_SSS_PYRAMID_LEVELS ? level + 4 : level;
     const int x = d->step == MS_SSS_STEP_X, y = d->step == MS_SSS_STEP_Y, half = c->other == HALF;
     switch (name) {
-    case 0:
+    case 0: return COLOUR;
+    case 3:
         return d->step > MS_SSS_STEP_BASE ? level
             : y                           ? half    ? SMALL_MIDDLE
                                           : c->half ? MIDDLE_HALF
                                                     : MIDDLE
             : x && half                   ? SMALL
                                           : COLOUR;
-    case 3: return half ? SMALL : COLOUR;
+    case 11: return SMALL;
     case 5: return half ? SMALL_TARGET : next + 2;
     case 7: return level + 1;
     case 8: return next;
@@ -178,9 +179,16 @@ static int read_by(const contender *c, const draw *d, int name)
     }
 }
 
+/* Depth, whose last four bits are the profile, in alpha. */
+static const char *const in_alpha =
+    "uniform sampler2D ms_sss_color;\n"
+    "vec3 ms_sss_fetch_color(ivec2 p) { return texelFetch(ms_sss_color, p, 0).rgb; }\n"
+    "float ms_sss_fetch_depth(ivec2 p) { return texelFetch(ms_sss_color, p, 0).a; }\n"
+    "int ms_sss_fetch_profile(ivec2 p) { return floatBitsToInt(texelFetch(ms_sss_color, p, 0).a) & 15; }\n";
+
 static bench_time measure(const contender *c, int width, int height, const GLuint *texture, int runs, int software)
 {
-    static const char *const name[11] = {"ms_sss_colour",
+    static const char *const name[12] = {"ms_sss_color",
                                          "",
                                          "",
                                          "ms_sss_input",
@@ -190,7 +198,8 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
                                          "ms_sss_surface",
                                          "ms_sss_coarse",
                                          "ms_sss_coarse_surface",
-                                         "ms_sss_weight"};
+                                         "ms_sss_weight",
+                                         "ms_sss_half"};
     void (*get)(GLuint, GLenum,
                 uint64_t *) = (void (*)(GLuint, GLenum, uint64_t *))eglGetProcAddress("glGetQueryObjectui64v");
     ms_sss_filter_options o = ms_sss_filter_defaults();
@@ -205,8 +214,8 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
     o.flat = c->slopes ? 0.0f : 1.0f;
     s = ms_sss_shader_defaults();
     s.profile_count = c->profiles;
-    s.depth = MS_SSS_ALPHA;
-    s.profile = c->profiles > 1 ? MS_SSS_ALPHA : MS_SSS_NONE;
+    s.with_profile = c->profiles > 1;
+    s.fetch = in_alpha;
     s.half_resolution = c->other == HALF;
     for (i = 0; i < n; ++i) {
         float frame[4] = {(float)width, (float)height, (float)i, 0};
@@ -233,7 +242,7 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
             }
             gl_Uniform4fv(gl_GetUniformLocation(d[i].program, "taps"), 7, taps[0]);
         }
-        for (k = 0; k < 11; ++k)
+        for (k = 0; k < 12; ++k)
             if (name[k][0]) gl_Uniform1i(gl_GetUniformLocation(d[i].program, name[k]), read_by(c, &d[i], k));
         gl_Uniform1i(gl_GetUniformLocation(d[i].program, "colour"), i ? MIDDLE_HALF : COLOUR);
         gl_Uniform1i(gl_GetUniformLocation(d[i].program, "depth"), DEPTH);
