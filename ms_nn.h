@@ -108,7 +108,6 @@
    Configuration (define before the implementation)
    ------------------------------------------------
    MS_NN_NO_STDIO    no <stdio.h>, no files by name
-   MS_NN_NO_COLLAPSE no collapse, which matching needs: a seventh less code
    MS_NO_SIMD        plain C only
    MS_DEF            linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_NN_FILENAME    "ms_nn.h"; set it if the file is renamed (it includes itself once a SIMD level)
@@ -249,8 +248,7 @@ static inline const char *ms_simd_string(ms_simd level)
 
 /* ---- safetensors: what is in a file ---------------------------------------------------------------------------- */
 
-/* Every element type of the format: code, name in the file, bits. Networks use F64, F32, F16, BF16 and I8; the
-   others are listed, checked and copied. */
+/* Every element type of the format: code, name in the file, bits. Networks use the first five. */
 /* clang-format off */
 #define MS_NN_DTYPE_LIST(X)                \
     X(MS_NN_F64, "F64", 64)                \
@@ -306,11 +304,9 @@ typedef struct ms_nn_entry {
 
 /* Zero for every default; ms_nn_defaults() returns that. */
 typedef struct ms_nn_options {
-    ms_simd simd;            /* the fastest level to use; MS_SIMD_AUTO (0): what the processor has */
-    size_t max_header_bytes; /* 0: MS_NN_MAX_HEADER; a longer header is refused */
-    size_t max_memory_bytes; /* largest single allocation; 0: no cap. Over it: MS_OUT_OF_MEMORY */
-    ms_parallel parallel;    /* runs the layers' tasks; zero: the calling thread */
-    ms_allocator allocator;  /* zero: malloc and free */
+    ms_simd simd;           /* the fastest level to use; MS_SIMD_AUTO (0): what the processor has */
+    ms_parallel parallel;   /* runs the layers' tasks; zero: the calling thread */
+    ms_allocator allocator; /* zero: malloc and free */
     int copy; /* non-zero: files by name are read into memory, not mapped: they may then change while in use */
 } ms_nn_options;
 
@@ -322,12 +318,11 @@ MS_API const char *ms_nn_dtype_string(ms_nn_dtype dtype);
 
 typedef struct ms_nn_file ms_nn_file;
 
-/* Checks a whole safetensors file and lists it. Nothing is copied but the names.
+/* Checks a whole safetensors file and lists it. Nothing is copied but the names, in one allocation.
    bytes     [size] the file, e.g. mapped; must outlive *file; any alignment
    options   NULL: defaults
    *file     out; ms_nn_file_close releases it; untouched on failure
-   error     NULL or filled on failure: position is the byte in the file, message the reason
-   One allocation, of at most 5 times the header that is really there. No recursion.
+   error     NULL or filled on failure; position: byte in the file
    MS_BAD_DATA: not a strict safetensors file. MS_UNSUPPORTED: 2^31 bytes or more on a 32-bit machine.
    MS_OUT_OF_MEMORY. */
 MS_API ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_options *options, ms_nn_file **file,
@@ -340,7 +335,7 @@ MS_API const ms_nn_tensor *ms_nn_file_tensor(const ms_nn_file *file, size_t i);
 MS_API size_t ms_nn_file_entry_count(const ms_nn_file *file);
 MS_API const ms_nn_entry *ms_nn_file_entry(const ms_nn_file *file, size_t i);
 
-/* By name, in O(log count); NULL if there is none. */
+/* By name; NULL if there is none. */
 MS_API const ms_nn_tensor *ms_nn_file_find(const ms_nn_file *file, const char *name);
 MS_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *key);
 
@@ -358,7 +353,7 @@ MS_API ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_t count, con
 
 typedef struct ms_nn ms_nn;
 
-/* channels; channels, length; or channels, height, width: row-major, the last index runs fastest. */
+/* channels; channels, length; or channels, height, width, row-major. */
 typedef struct ms_nn_shape {
     int rank;       /* 1 to 3 */
     size_t size[3]; /* [rank] */
@@ -489,7 +484,6 @@ MS_API ms_status ms_nn_shader_weights(const ms_nn *nn, ms_nn_dtype dtype, void *
    out     [count][rows][input_width][4] */
 MS_API ms_status ms_nn_shader_inputs(const ms_nn *nn, int count, const float *x, float *out);
 
-#ifndef MS_NN_NO_COLLAPSE
 /* ---- collapse: a network with a linear last layer as an objective ---------------------------------------------- */
 
 /* With y = W h(x) + b, target t and a weight for each output in the diagonal of M,
@@ -529,8 +523,6 @@ MS_API ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target, m
 MS_API ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, const float *x, double *residual, double *jacobian,
                                          void *workspace);
 MS_API size_t ms_nn_collapse_workspace_size(const ms_nn_collapse *c, int with_jacobian);
-
-#endif /* MS_NN_NO_COLLAPSE */
 
 #ifdef __cplusplus
 }
@@ -903,8 +895,17 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 /* Reading, writing and planning are compiled for size. */
 #if defined(__GNUC__) || defined(__clang__)
 #define MS_NN__COLD __attribute__((cold))
+#define MS_NN__NOINLINE __attribute__((noinline))
 #else
 #define MS_NN__COLD
+#define MS_NN__NOINLINE
+#endif
+
+/* Kernels need vectors that have operators: compilers other than GCC and Clang get plain C. */
+#if defined(MS__X64) && (defined(__GNUC__) || defined(__clang__))
+#define MS_NN__X86 1
+#elif defined(MS__NEON) && (defined(__GNUC__) || defined(__clang__))
+#define MS_NN__ARM 1
 #endif
 
 /* ---- bytes ----------------------------------------------------------------------------------------------------- */
@@ -1416,20 +1417,12 @@ MS_API MS_NN__COLD ms_nn_options ms_nn_defaults(void)
 
 MS_API const char *ms_nn_dtype_string(ms_nn_dtype dtype) { return ms_nn__dtype_name((int)dtype); }
 
-/* An allocation under the caller's cap. */
-static MS_NN__COLD void *ms_nn__alloc(const ms_nn_options *options, size_t size)
-{
-    if (options->max_memory_bytes && size > options->max_memory_bytes) return NULL;
-    return ms__alloc(&options->allocator, size);
-}
-
 MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, const ms_nn_options *options,
                                              ms_nn_file **file, ms_error *error)
 {
     const unsigned char *b = (const unsigned char *)bytes;
     ms_nn_options o = options ? *options : ms_nn_defaults();
-    uint64_t length,
-        most = o.max_header_bytes && o.max_header_bytes < MS_NN_MAX_HEADER ? o.max_header_bytes : MS_NN_MAX_HEADER;
+    uint64_t length;
     ms_nn__json j;
     ms_nn__header h;
     ms_nn_file *f;
@@ -1441,8 +1434,8 @@ MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, con
     if (size > SIZE_MAX / 2)
         return ms__fail(error, MS_UNSUPPORTED, 0, "a file of %z bytes needs a 64-bit machine", size);
     length = ms_nn__u64(b);
-    if (length > most)
-        return ms__fail(error, MS_BAD_DATA, 0, "the header length is over the limit of %z bytes", (size_t)most);
+    if (length > MS_NN_MAX_HEADER)
+        return ms__fail(error, MS_BAD_DATA, 0, "the header length is over the limit of %d bytes", MS_NN_MAX_HEADER);
     if (length > size - 8)
         return ms__fail(error, MS_BAD_DATA, 0, "the header length %z does not fit into a file of %z bytes",
                         (size_t)length, size);
@@ -1459,7 +1452,7 @@ MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, con
     total = ms__size_add(sizeof *f, ms__size_mul(h.tensors, sizeof(ms_nn__record) + 2 * sizeof(size_t)));
     total = ms__size_add(total, ms__size_mul(h.entries, sizeof(ms_nn_entry) + 2 * sizeof(size_t)));
     total = ms__size_add(total, ms__size_add(ms__size_mul(h.dimensions, sizeof(size_t)), h.text));
-    f = (ms_nn_file *)ms_nn__alloc(&o, total);
+    f = (ms_nn_file *)ms__alloc(&o.allocator, total);
     if (f == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a list of %z tensors", h.tensors);
     memset(f, 0, sizeof *f);
     f->allocator = o.allocator;
@@ -1540,15 +1533,9 @@ MS_API const ms_nn_tensor *ms_nn_file_find(const ms_nn_file *file, const char *n
 
 MS_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *key)
 {
-    size_t low = 0, high = file && key ? file->entries : 0;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        const ms_nn_entry *e = &file->entry[file->by_key[middle]];
-        int order = strcmp(key, e->key);
-        if (order == 0) return e->value;
-        if (order < 0) high = middle;
-        else low = middle + 1;
-    }
+    size_t i;
+    for (i = 0; file && key && i < file->entries; ++i)
+        if (strcmp(file->entry[i].key, key) == 0) return file->entry[i].value;
     return NULL;
 }
 
@@ -1577,10 +1564,11 @@ static MS_NN__COLD size_t ms_nn__byte_of(const ms_nn_file *file, const char *key
 
 /* ---- writer ---------------------------------------------------------------------------------------------------- */
 
-/* The header's text goes through this: counted first, then written. */
+/* Text is counted first, then written. */
 typedef struct ms_nn__writer {
     char *out; /* NULL while counting */
     size_t length;
+    ms_nn_language language; /* of a shader */
 } ms_nn__writer;
 
 static MS_NN__COLD void ms_nn__put(ms_nn__writer *w, const char *text, size_t n)
@@ -1849,14 +1837,6 @@ static const ms_nn__field ms_nn__field_list[] = {
     {"rate", MS_NN__REAL, offsetof(ms_nn__spec, rate), MS_NN__BIT(MS_NN__DROPOUT)},
     {"from", MS_NN__TEXT, offsetof(ms_nn__spec, from), MS_NN__BIT(MS_NN__ADD) | MS_NN__BIT(MS_NN__CONCAT)}};
 
-static MS_NN__COLD int ms_nn__index_of(const char *const *names, int count, const char *name)
-{
-    int i;
-    for (i = 0; i < count; ++i)
-        if (name != NULL && strcmp(names[i], name) == 0) return i;
-    return -1;
-}
-
 /* A JSON number as a double, within some units of its last place: enough for slopes and rates. */
 static MS_NN__COLD ms_status ms_nn__json_real(ms_nn__json *j, double *value)
 {
@@ -2038,16 +2018,22 @@ static MS_NN__COLD ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
     return MS_OK;
 }
 
-static MS_NN__COLD ms_status ms_nn__list_read(ms_nn__list *l, const char *text, ms_error *error)
+static MS_NN__COLD ms_nn__json ms_nn__json_of(const char *text, ms_error *error)
 {
     ms_nn__json j;
-    ms_error layer;
-    int more = 1;
-    ms_status status;
     j.start = j.p = (const unsigned char *)text;
     j.end = j.p + strlen(text);
     j.base = 0;
     j.error = error;
+    return j;
+}
+
+static MS_NN__COLD ms_status ms_nn__list_read(ms_nn__list *l, const char *text, ms_error *error)
+{
+    ms_nn__json j = ms_nn__json_of(text, error);
+    ms_error layer;
+    int more = 1;
+    ms_status status;
     if (!ms_nn__take(&j, '[')) return ms_nn__refuse(&j, "ms_nn_layers must be a list");
     if (ms_nn__take(&j, ']')) more = 0;
     while (more) {
@@ -2063,15 +2049,11 @@ static MS_NN__COLD ms_status ms_nn__list_read(ms_nn__list *l, const char *text, 
 
 static MS_NN__COLD ms_status ms_nn__shape_read(ms_nn_shape *shape, const char *text, ms_error *error)
 {
-    ms_nn__json j;
+    ms_nn__json j = ms_nn__json_of(text, error);
     int more = 1;
     size_t total = 1;
     ms_status status;
     memset(shape, 0, sizeof *shape);
-    j.start = j.p = (const unsigned char *)text;
-    j.end = j.p + strlen(text);
-    j.base = 0;
-    j.error = error;
     if (!ms_nn__take(&j, '[')) return ms_nn__refuse(&j, "ms_nn_input must be a list of sizes");
     while (more) {
         if (shape->rank == 3) return ms_nn__refuse(&j, "ms_nn_input has more than three sizes");
@@ -2154,7 +2136,7 @@ typedef struct ms_nn__conv_job {
     const struct ms_nn__kernels *kernels;
 } ms_nn__conv_job;
 
-#define MS_NN__OVERRUN 64 /* floats that a tile may load beyond the end of the padded input */
+enum { MS_NN__OVERRUN = 64 }; /* floats that a tile may load beyond the end of the padded input */
 
 /* The loops that differ by level; the kernel section at the end of this file makes one table a level. */
 typedef struct ms_nn__kernels {
@@ -2167,12 +2149,9 @@ typedef struct ms_nn__kernels {
     void (*combine)(float *rows, size_t n);
     void (*activate)(float *y, size_t n, ms_nn__activation activation, float alpha);
     void (*derive)(const float *y, float *g, size_t n, ms_nn__activation activation, float alpha);
-    void (*pool2)(const float *x, size_t row, float *y, size_t n);
-#ifndef MS_NN_NO_COLLAPSE
     void (*gram)(const double *a, size_t na, const double *b, size_t nb, size_t stride, size_t n, double *out);
     void (*add)(double *y, size_t ny, const double *a, size_t na, size_t stride, size_t n, const double *s);
     void (*row)(const ms_nn__matrix *m, size_t row, double factor, double *out);
-#endif
 } ms_nn__kernels;
 
 typedef enum ms_nn__step {
@@ -2235,7 +2214,7 @@ struct ms_nn {
 static void *ms_nn__allocate(ms_nn *nn, size_t count, size_t size)
 {
     size_t bytes = ms__size_add(ms__size_mul(count, size), sizeof(ms_nn__block) + 64);
-    ms_nn__block *b = (ms_nn__block *)ms_nn__alloc(&nn->options, bytes);
+    ms_nn__block *b = (ms_nn__block *)ms__alloc(&nn->options.allocator, bytes);
     uintptr_t at;
     if (b == NULL) return NULL;
     b->next = nn->blocks;
@@ -2347,7 +2326,7 @@ static int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m);
    columns of the fold_h x fold_w positions that one low-resolution element was copied to are added up (in double,
    rounded once): W u(x) = (W U) x. low: the shape before the upsampling; last: channels run fastest. */
 static MS_NN__COLD ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights *w, const size_t fold[2],
-                                               ms_nn__dims low, int last, ms_error *error)
+                                               ms_nn__dims low, int last)
 {
     ms_nn__matrix *m = &op->matrix;
     size_t rows = w->weight->shape[0], cols = w->weight->shape[1], folds = fold[0] * fold[1], r, c, y, x, i;
@@ -2358,8 +2337,7 @@ static MS_NN__COLD ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const m
     m->scale = m->bias = NULL;
     if (folds > 1 || m->dtype == MS_NN_F64) {
         float *copy = (float *)ms_nn__allocate(nn, ms__size_mul(rows, m->cols), sizeof(float));
-        if (copy == NULL)
-            return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the weights of '%s'", w->weight->name);
+        if (copy == NULL) return MS_OUT_OF_MEMORY;
         m->w = (const unsigned char *)copy;
         m->dtype = MS_NN_F32;
         for (r = 0; r < rows; ++r) {
@@ -2382,15 +2360,11 @@ static MS_NN__COLD ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const m
             copy += m->cols;
         }
     } else if (m->dtype == MS_NN_F32 && (m->w = ms_nn__floats(nn, w->weight)) == NULL) {
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the weights of '%s'", w->weight->name);
+        return MS_OUT_OF_MEMORY;
     }
-    if (w->bias && (m->bias = ms_nn__floats(nn, w->bias)) == NULL)
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a bias");
-    if (w->scale && (m->scale = ms_nn__floats(nn, w->scale)) == NULL)
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for scales");
-    if (!ms_nn__pack_dense(nn, m))
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the weights of '%s'", w->weight->name);
-    return MS_OK;
+    if (w->bias && (m->bias = ms_nn__floats(nn, w->bias)) == NULL) return MS_OUT_OF_MEMORY;
+    if (w->scale && (m->scale = ms_nn__floats(nn, w->scale)) == NULL) return MS_OUT_OF_MEMORY;
+    return ms_nn__pack_dense(nn, m) ? MS_OK : MS_OUT_OF_MEMORY;
 }
 
 /* ceil(a / b) and floor(a / b) for b > 0. */
@@ -2424,7 +2398,7 @@ static double ms_nn__tap(const ms_nn__taps *t, size_t o, size_t c, size_t y, siz
     return sum;
 }
 
-#define MS_NN__STRIP_FLOATS 65536u /* of padded input, which a strip should not exceed, to stay in a cache */
+enum { MS_NN__STRIP_FLOATS = 65536 }; /* of padded input, which a strip should not exceed, to stay in a cache */
 
 /* Geometry of the padded input of a strip: as many rows and columns as its outputs see. */
 static MS_NN__COLD int ms_nn__conv_geometry(ms_nn *nn, ms_nn__conv *v)
@@ -2449,49 +2423,30 @@ static MS_NN__COLD int ms_nn__conv_geometry(ms_nn *nn, ms_nn__conv *v)
     return offset != NULL;
 }
 
-static const float *ms_nn__pack(ms_nn *nn, const ms_nn__taps *t, size_t outs, size_t ins, size_t block)
+/* Winograd's weights are g0, (g0 + g1 + g2) / 2, (g0 - g1 + g2) / 2, g2 of each column of three. */
+static const float *ms_nn__pack(ms_nn *nn, const ms_nn__taps *t, size_t outs, size_t ins, size_t block, int winograd)
 {
-    size_t blocks = (outs + block - 1) / block, taps = t->height * t->taps_w, b, c, k, o;
-    float *packed = (float *)ms_nn__allocate(nn, ms__size_mul(ms__size_mul(blocks, block), ms__size_mul(ins, taps)),
-                                             sizeof(float));
-    float *p = packed;
-    if (packed == NULL) return NULL;
-    for (b = 0; b < blocks; ++b)
+    const size_t blocks = (outs + block - 1) / block, taps = (winograd ? 1 : t->height) * t->taps_w,
+                 parts = winograd ? 4 : 1, part = ins * taps * block;
+    float *packed = (float *)ms_nn__allocate(nn, ms__size_mul(blocks * parts, part), sizeof(float));
+    size_t b, c, k, o;
+    for (b = 0; packed && b < blocks; ++b)
         for (c = 0; c < ins; ++c)
             for (k = 0; k < taps; ++k)
-                for (o = b * block; o < (b + 1) * block; ++o)
-                    *p++ = o < outs ? (float)ms_nn__tap(t, o, c, k / t->taps_w, k % t->taps_w) : 0.0f;
-    return packed;
-}
-
-/* Winograd's weights: g0, (g0 + g1 + g2) / 2, (g0 - g1 + g2) / 2, g2 of each column of three. */
-static const float *ms_nn__pack_winograd(ms_nn *nn, const ms_nn__taps *t, size_t outs, size_t ins, size_t block)
-{
-    size_t blocks = (outs + block - 1) / block, part = ins * t->taps_w * block, b, c, x, o;
-    float *packed = (float *)ms_nn__allocate(nn, ms__size_mul(blocks * 4, part), sizeof(float));
-    if (packed == NULL) return NULL;
-    for (b = 0; b < blocks; ++b)
-        for (c = 0; c < ins; ++c)
-            for (x = 0; x < t->taps_w; ++x)
                 for (o = 0; o < block; ++o) {
-                    float *p = packed + b * 4 * part + (c * t->taps_w + x) * block + o;
-                    int used = b * block + o < outs;
-                    double g0 = used ? ms_nn__tap(t, b * block + o, c, 0, x) : 0,
-                           g1 = used ? ms_nn__tap(t, b * block + o, c, 1, x) : 0;
-                    double g2 = used ? ms_nn__tap(t, b * block + o, c, 2, x) : 0;
-                    p[0] = (float)g0;
-                    p[part] = (float)((g0 + g1 + g2) / 2);
-                    p[2 * part] = (float)((g0 - g1 + g2) / 2);
-                    p[3 * part] = (float)g2;
+                    float *p = packed + b * parts * part + (c * taps + k) * block + o;
+                    const size_t out = b * block + o;
+                    double g[3] = {0, 0, 0};
+                    size_t y;
+                    for (y = 0; y < (winograd ? 3u : 1u) && out < outs; ++y)
+                        g[y] = ms_nn__tap(t, out, c, winograd ? y : k / t->taps_w, k % t->taps_w);
+                    p[0] = (float)g[0];
+                    if (!winograd) continue;
+                    p[part] = (float)((g[0] + g[1] + g[2]) / 2);
+                    p[2 * part] = (float)((g[0] - g[1] + g[2]) / 2);
+                    p[3 * part] = (float)g[2];
                 }
     return packed;
-}
-
-/* Is Winograd's form worth it? */
-static MS_NN__COLD int ms_nn__use_winograd(const ms_nn__conv *v)
-{
-    return v->kernel[0] == 3 && v->stride[0] == 1 && v->input_dilation[0] == 1 && v->dilation[0] == 1 && v->in.c >= 8 &&
-        v->out.h >= 2;
 }
 
 /* The convolutions of an operation, one a group and phase. op->in is the shape before the upsampling by factor that is
@@ -2500,14 +2455,14 @@ static MS_NN__COLD int ms_nn__use_winograd(const ms_nn__conv *v)
  */
 static MS_NN__COLD ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights *w, const size_t kernel[2],
                                               const size_t stride[2], const size_t pad[2], const size_t dilation[2],
-                                              size_t factor, int turned, size_t block, ms_error *error)
+                                              size_t factor, int turned, size_t block)
 {
     size_t g, o, n, d, outs = op->out.c / op->groups, ins = op->in.c / op->groups,
                        blocks = (outs + block - 1) / block * block;
     float *bias = (float *)ms_nn__allocate(nn, ms__size_mul(op->groups, blocks), sizeof(float));
     op->phases = (int)factor;
     op->conv = (ms_nn__conv *)ms_nn__allocate(nn, ms__size_mul(op->groups, factor), sizeof(ms_nn__conv));
-    if (!bias || !op->conv) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
+    if (!bias || !op->conv) return MS_OUT_OF_MEMORY;
     for (g = 0; g < op->groups; ++g)
         for (o = 0; o < blocks; ++o)
             bias[g * blocks + o] = w->bias && o < outs
@@ -2546,10 +2501,10 @@ static MS_NN__COLD ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms
             if (turned) v->pad[d] = (ptrdiff_t)((v->kernel[d] - 1) * dilation[d]) - v->pad[d];
         }
         v->bias = bias + n / factor * blocks;
-        v->winograd = ms_nn__use_winograd(v);
-        v->packed = (v->winograd ? ms_nn__pack_winograd : ms_nn__pack)(nn, &t, outs, ins, block);
-        if (!v->packed || !ms_nn__conv_geometry(nn, v))
-            return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a convolution");
+        v->winograd = v->kernel[0] == 3 && v->stride[0] == 1 && v->input_dilation[0] == 1 && v->dilation[0] == 1 &&
+            ins >= 8 && v->out.h >= 2;
+        v->packed = ms_nn__pack(nn, &t, outs, ins, block, v->winograd);
+        if (!v->packed || !ms_nn__conv_geometry(nn, v)) return MS_OUT_OF_MEMORY;
     }
     return MS_OK;
 }
@@ -2581,9 +2536,10 @@ static MS_NN__COLD ms_nn__op *ms_nn__op_add(ms_nn__build *b, ms_nn__step step, i
 static MS_NN__COLD ms_status ms_nn__activation_read(const ms_nn__spec *spec, ms_nn__op *op, ms_nn_layer *info,
                                                     ms_error *error)
 {
-    int a = spec->activation == NULL ? 0
-                                     : ms_nn__index_of(ms_nn__activation_name, MS_NN__ACTIVATIONS, spec->activation);
-    if (a < 0) return ms__fail(error, MS_BAD_DATA, 0, "unknown activation '%s'", spec->activation);
+    int a = 0;
+    while (spec->activation && a < (int)MS_NN__ACTIVATIONS && strcmp(ms_nn__activation_name[a], spec->activation)) ++a;
+    if (a == (int)MS_NN__ACTIVATIONS)
+        return ms__fail(error, MS_BAD_DATA, 0, "unknown activation '%s'", spec->activation);
     op->activation = (ms_nn__activation)a;
     op->alpha = (float)(spec->alpha >= 0 ? spec->alpha : a == (int)MS_NN__LEAKY ? 0.01 : 1.0);
     info->activation = ms_nn__activation_name[a];
@@ -2640,7 +2596,7 @@ static MS_NN__COLD ms_status ms_nn__build_dense(ms_nn__build *b, int i, ms_nn_la
     out.h = out.w = 1;
     op = ms_nn__op_add(b, MS_NN__DO_DENSE, i, out);
     if ((status = ms_nn__activation_read(s, op, info, error)) != MS_OK) return status;
-    status = ms_nn__dense_make(b->nn, op, &w, b->fold, low, b->last, error);
+    status = ms_nn__dense_make(b->nn, op, &w, b->fold, low, b->last);
     info->folded = b->fold[0] * b->fold[1] > 1;
     b->fold[0] = b->fold[1] = 1;
     b->now = out;
@@ -2711,7 +2667,7 @@ static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_lay
     op = ms_nn__op_add(b, MS_NN__DO_CONV, i, out);
     op->groups = groups;
     if ((status = ms_nn__activation_read(s, op, info, error)) != MS_OK) return status;
-    status = ms_nn__conv_make(b->nn, op, &w, kernel, stride, pad, dilation, b->fold[1], turned, b->block, error);
+    status = ms_nn__conv_make(b->nn, op, &w, kernel, stride, pad, dilation, b->fold[1], turned, b->block);
     n = turned ? in.h * in.w : out.h * out.w;
     info->multiply_adds = ms__size_mul(info->multiply_adds, n);
     info->folded = b->fold[1] > 1;
@@ -2725,18 +2681,21 @@ static MS_NN__COLD ms_status ms_nn__build_resize(ms_nn__build *b, int i, ms_erro
     const ms_nn__spec *s = &b->list->spec[i];
     ms_nn__kind kind = b->list->kind[i];
     int two = kind == MS_NN__UPSAMPLE2D || kind == MS_NN__POOL2D || kind == MS_NN__AVERAGE2D, smooth = 0,
-        up = kind == MS_NN__UPSAMPLE1D || kind == MS_NN__UPSAMPLE2D, d;
+        up = kind == MS_NN__UPSAMPLE1D || kind == MS_NN__UPSAMPLE2D, global = kind == MS_NN__GLOBAL, d;
     const size_t *given = up ? s->factor : s->size;
     size_t size[2], stride[2], extent[2];
     ms_nn__dims out = b->now;
     ms_nn__op *op;
-    if (b->rank != (two ? 3 : 2))
-        return ms__fail(error, MS_BAD_DATA, 0, two ? "it needs channels, height, width" : "it needs channels, length");
+    if (global ? b->rank < 2 : b->rank != (two ? 3 : 2))
+        return ms__fail(error, MS_BAD_DATA, 0,
+                        global    ? "it needs channels"
+                            : two ? "it needs channels, height, width"
+                                  : "it needs channels, length");
     for (d = 0; d < 2; ++d) {
         int on = two || d == 1;
-        size[d] = !on ? 1 : given[two ? d : 0] ? given[two ? d : 0] : 2;
-        stride[d] = !on ? 1 : s->stride[two ? d : 0] ? s->stride[two ? d : 0] : size[d];
         extent[d] = d == 0 ? b->now.h : b->now.w;
+        size[d] = global ? extent[d] : !on ? 1 : given[two ? d : 0] ? given[two ? d : 0] : 2;
+        stride[d] = on && s->stride[two ? d : 0] ? s->stride[two ? d : 0] : size[d];
         if (up) extent[d] = ms__size_mul(extent[d], size[d]);
         else if (extent[d] < size[d])
             return ms__fail(error, MS_BAD_DATA, 0, "it takes %z, its input has only %z", size[d], extent[d]);
@@ -2760,10 +2719,10 @@ static MS_NN__COLD ms_status ms_nn__build_resize(ms_nn__build *b, int i, ms_erro
         return MS_OK;
     }
     op = ms_nn__op_add(b,
-                       smooth                                                     ? MS_NN__DO_LINEAR
-                           : up                                                   ? MS_NN__DO_UPSAMPLE
-                           : kind == MS_NN__AVERAGE1D || kind == MS_NN__AVERAGE2D ? MS_NN__DO_AVERAGE
-                                                                                  : MS_NN__DO_POOL,
+                       smooth                                               ? MS_NN__DO_LINEAR
+                           : up                                             ? MS_NN__DO_UPSAMPLE
+                           : kind == MS_NN__POOL1D || kind == MS_NN__POOL2D ? MS_NN__DO_POOL
+                                                                            : MS_NN__DO_AVERAGE,
                        i, out);
     op->flag = s->align_corners == 1;
     op->size[0] = size[0];
@@ -2785,20 +2744,6 @@ static MS_NN__COLD ms_status ms_nn__build_flatten(ms_nn__build *b, int i, ms_err
     b->now.c = ms_nn__count(b->now);
     b->now.h = b->now.w = 1;
     b->rank = 1;
-    return MS_OK;
-}
-
-/* The mean of every channel. */
-static MS_NN__COLD ms_status ms_nn__build_global(ms_nn__build *b, int i, ms_error *error)
-{
-    ms_nn__op *op;
-    ms_nn__dims out = b->now;
-    if (b->rank < 2) return ms__fail(error, MS_BAD_DATA, 0, "it needs channels");
-    out.h = out.w = 1;
-    op = ms_nn__op_add(b, MS_NN__DO_AVERAGE, i, out);
-    op->size[0] = op->stride[0] = op->in.h;
-    op->size[1] = op->stride[1] = op->in.w;
-    b->now = out;
     return MS_OK;
 }
 
@@ -2856,11 +2801,11 @@ static MS_NN__COLD ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error
     case MS_NN__POOL1D:
     case MS_NN__POOL2D:
     case MS_NN__AVERAGE1D:
-    case MS_NN__AVERAGE2D: status = ms_nn__build_resize(b, i, error); break;
+    case MS_NN__AVERAGE2D:
+    case MS_NN__GLOBAL: status = ms_nn__build_resize(b, i, error); break;
     case MS_NN__FLATTEN: status = ms_nn__build_flatten(b, i, error); break;
     case MS_NN__ADD:
     case MS_NN__CONCAT: status = ms_nn__build_join(b, i, info, error); break;
-    case MS_NN__GLOBAL: status = ms_nn__build_global(b, i, error); break;
     case MS_NN__ACTIVATE:
         status = ms_nn__activation_read(s, ms_nn__op_add(b, MS_NN__DO_ACTIVATE, i, b->low), info, error);
         break;
@@ -2869,6 +2814,7 @@ static MS_NN__COLD ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error
         break;
     default: break; /* shared_channels: done before the first layer */
     }
+    if (status == MS_OUT_OF_MEMORY) ms__fail(error, status, 0, "no memory for its weights");
     info->output = ms_nn__shape(b->now, b->rank);
     b->value[i] = b->nn->ops;
     return status;
@@ -3000,7 +2946,7 @@ static MS_NN__COLD ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_
 /* A network of an open file, which it owns from here on. */
 static MS_NN__COLD ms_status ms_nn__make(ms_nn_file *file, const ms_nn_options *o, ms_nn **nn, ms_error *error)
 {
-    ms_nn *made = (ms_nn *)ms_nn__alloc(o, sizeof *made);
+    ms_nn *made = (ms_nn *)ms__alloc(&o->allocator, sizeof *made);
     const char *version, *input, *layers, *format;
     ms_status status;
     if (made == NULL) {
@@ -3092,8 +3038,10 @@ static size_t ms_nn__samples(size_t cols) { return cols > 512 ? 12 : 6144 / cols
 static size_t ms_nn__min(size_t a, size_t b) { return a < b ? a : b; }
 
 /* How large a task is: enough to hide the cost of handing it out. The sizes depend on the problem alone. */
-#define MS_NN__TASK_BYTES 262144u     /* of streamed weights */
-#define MS_NN__TASK_PRODUCTS 2097152u /* of a batch: some 40 us */
+enum {
+    MS_NN__TASK_BYTES = 262144,    /* of streamed weights */
+    MS_NN__TASK_PRODUCTS = 2097152 /* of a batch: some 40 us */
+};
 
 /* Runs task over count items in chunks; the context holds the chunk's size. */
 static void ms_nn__chunks(const ms_nn *nn, size_t count, size_t *chunk, void (*task)(void *, int), void *context)
@@ -3249,7 +3197,6 @@ typedef struct ms_nn__pool_job {
     const float *point, *x;
     float *y;
     size_t chunk; /* channels of a task */
-    const ms_nn__kernels *kernels;
 } ms_nn__pool_job;
 
 static void ms_nn__pool_task(void *context, int index)
@@ -3257,14 +3204,10 @@ static void ms_nn__pool_task(void *context, int index)
     const ms_nn__pool_job *job = (const ms_nn__pool_job *)context;
     const ms_nn__op *op = job->op;
     size_t c = (size_t)index * job->chunk, c1 = ms_nn__min(c + job->chunk, op->out.c), i, j;
-    int fast = job->point == job->x && op->size[0] == 2 && op->size[1] == 2 && op->stride[0] == 2 && op->stride[1] == 2;
     float *y = job->y + c * op->out.h * op->out.w;
     for (; c < c1; ++c)
-        for (i = 0; i < op->out.h; ++i, y += op->out.w) {
-            if (fast) job->kernels->pool2(job->x + (c * op->in.h + 2 * i) * op->in.w, op->in.w, y, op->out.w);
-            else
-                for (j = 0; j < op->out.w; ++j) y[j] = job->x[ms_nn__pool_at(op, job->point, c, i, j)];
-        }
+        for (i = 0; i < op->out.h; ++i)
+            for (j = 0; j < op->out.w; ++j) *y++ = job->x[ms_nn__pool_at(op, job->point, c, i, j)];
 }
 
 static void ms_nn__run_pool(const ms_nn *nn, const ms_nn__op *op, const float *point, const float *x, float *y)
@@ -3274,7 +3217,6 @@ static void ms_nn__run_pool(const ms_nn *nn, const ms_nn__op *op, const float *p
     job.point = point;
     job.x = x;
     job.y = y;
-    job.kernels = nn->kernels;
     job.chunk = 65536 / (op->in.h * op->in.w) + 1;
     ms_nn__chunks(nn, op->out.c, &job.chunk, ms_nn__pool_task, &job);
 }
@@ -3469,7 +3411,7 @@ static MS_NN__COLD size_t ms_nn__scratch_size(const ms_nn *nn)
     return most;
 }
 
-#define MS_NN__BATCH 48 /* samples or directions that run together at most */
+enum { MS_NN__BATCH = 48 }; /* samples or directions that run together at most */
 
 /* How many samples of a call run together: dense layers gain from many, values should stay in a cache. */
 static MS_NN__COLD size_t ms_nn__batch_size(const ms_nn *nn)
@@ -3557,7 +3499,7 @@ static MS_NN__COLD void ms_nn__begin(ms_nn__call *call, const ms_nn *nn, ms_nn_p
 static MS_NN__COLD void *ms_nn__borrow(const ms_nn *nn, size_t size, void *workspace, void **allocated)
 {
     *allocated = NULL;
-    if (workspace == NULL && size != SIZE_MAX) workspace = *allocated = ms_nn__alloc(&nn->options, size);
+    if (workspace == NULL && size != SIZE_MAX) workspace = *allocated = ms__alloc(&nn->options.allocator, size);
     return size != SIZE_MAX ? workspace : NULL;
 }
 
@@ -3623,15 +3565,10 @@ MS_API MS_NN__COLD ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, flo
 
 /* ---- queries --------------------------------------------------------------------------------------------------- */
 
-static ms_nn_shape ms_nn__no_shape(void)
-{
-    ms_nn_shape none;
-    memset(&none, 0, sizeof none);
-    return none;
-}
+static const ms_nn_shape ms_nn__no_shape = {0, {0, 0, 0}};
 
-MS_API ms_nn_shape ms_nn_input_shape(const ms_nn *nn) { return nn ? nn->input : ms_nn__no_shape(); }
-MS_API ms_nn_shape ms_nn_output_shape(const ms_nn *nn) { return nn ? nn->output : ms_nn__no_shape(); }
+MS_API ms_nn_shape ms_nn_input_shape(const ms_nn *nn) { return nn ? nn->input : ms_nn__no_shape; }
+MS_API ms_nn_shape ms_nn_output_shape(const ms_nn *nn) { return nn ? nn->output : ms_nn__no_shape; }
 
 MS_API size_t ms_nn_input_size(const ms_nn *nn)
 {
@@ -3687,38 +3624,18 @@ MS_API MS_NN__COLD void ms_nn_destroy(ms_nn *nn)
 
 /* ---- GPU text -------------------------------------------------------------------------------------------------- */
 
-/* A text as it is written; out is NULL while only counting. */
-typedef struct ms_nn__text {
-    char *out;
-    size_t length;
-    ms_nn_language language;
-} ms_nn__text;
-
 /* Appends format: $v and $i begin a declaration of four floats or an integer, $4 makes four floats, $I an integer, $L
    is what HLSL wants before a loop, $d the next number of n. */
-static MS_NN__COLD void ms_nn__emit(ms_nn__text *t, const char *format, const size_t *n)
+static MS_NN__COLD void ms_nn__emit(ms_nn__writer *t, const char *format, const size_t *n)
 {
     static const char key[] = "vi4IL",
                       word[3][5][11] = {{"vec4 ", "int ", "vec4", "int", ""},
                                         {"float4 ", "int ", "float4", "int", "[loop] "},
                                         {"var ", "var ", "vec4<f32>", "i32", ""}};
     for (; *format; ++format) {
-        char digits[24];
-        const char *s = digits;
-        size_t length = 0, value;
-        if (*format != '$') {
-            s = format;
-            length = 1;
-        } else if (*++format == 'd') {
-            for (value = *n++; length == 0 || value; value /= 10)
-                digits[sizeof digits - ++length] = (char)('0' + value % 10);
-            s = digits + sizeof digits - length;
-        } else {
-            s = word[t->language < MS_NN_HLSL ? 0 : (int)t->language - 2][strchr(key, *format) - key];
-            length = strlen(s);
-        }
-        if (t->out) memcpy(t->out + t->length, s, length);
-        t->length += length;
+        if (*format != '$') ms_nn__put(t, format, 1);
+        else if (*++format == 'd') ms_nn__put_size(t, *n++);
+        else ms_nn__put_text(t, word[t->language < MS_NN_HLSL ? 0 : (int)t->language - 2][strchr(key, *format) - key]);
     }
 }
 
@@ -3813,20 +3730,25 @@ static MS_NN__COLD ms_status ms_nn__shader_plan(const ms_nn *nn, const ms_nn_sha
    how. */
 static const char *const ms_nn__shader_names[5][2] = {
     {"#version 330\nuniform sampler2D ms_nn_weights, ms_nn_values;\n", "uniform vec4 ms_nn;\n"},
-    {"#version 300 es\nprecision highp float;\nprecision highp int;\nuniform highp sampler2D ms_nn_weights, ms_nn_values;\n",
+    {"#version 300 es\nprecision highp float;\nprecision highp int;\n"
+     "uniform highp sampler2D ms_nn_weights, ms_nn_values;\n",
      "uniform vec4 ms_nn;\n"},
-    {"#version 450\nlayout(set = 0, binding = 1) uniform sampler2D ms_nn_weights;\nlayout(set = 0, binding = 2) uniform sampler2D ms_nn_values;\n",
+    {"#version 450\nlayout(set = 0, binding = 1) uniform sampler2D ms_nn_weights;\n"
+     "layout(set = 0, binding = 2) uniform sampler2D ms_nn_values;\n",
      "layout(set = 0, binding = 0) uniform ms_nn_block { vec4 ms_nn; };\n"},
     {"Texture2D<float4> ms_nn_weights : register(t0), ms_nn_values : register(t1);\n",
      "cbuffer ms_nn_block : register(b0) { float4 ms_nn; };\n"},
-    {"@group(0) @binding(1) var ms_nn_weights: texture_2d<f32>;\n@group(0) @binding(2) var ms_nn_values: texture_2d<f32>;\n",
+    {"@group(0) @binding(1) var ms_nn_weights: texture_2d<f32>;\n"
+     "@group(0) @binding(2) var ms_nn_values: texture_2d<f32>;\n",
      "@group(0) @binding(0) var<uniform> ms_nn: vec4<f32>;\n"}};
 static const char *const ms_nn__shader_main[3] = {
     "vec4 weight(int i) { return texelFetch(ms_nn_weights, ivec2(i & 2047, i >> 11), 0); }\n"
     "vec4 value(int i, int row) { return texelFetch(ms_nn_values, ivec2(i, row), 0); }\n"
-    "layout(location = 0) out vec4 ms_nn_target;\nvec4 shade(vec4 position);\nvoid main() { ms_nn_target = shade(gl_FragCoord); }\nvec4 shade(vec4 position)\n{\n",
+    "layout(location = 0) out vec4 ms_nn_target;\nvec4 shade(vec4 position);\n"
+    "void main() { ms_nn_target = shade(gl_FragCoord); }\nvec4 shade(vec4 position)\n{\n",
     "float4 weight(int i) { return ms_nn_weights.Load(int3(i & 2047, i >> 11, 0)); }\n"
-    "float4 value(int i, int row) { return ms_nn_values.Load(int3(i, row, 0)); }\nfloat4 main(float4 position : SV_Position) : SV_Target\n{\n",
+    "float4 value(int i, int row) { return ms_nn_values.Load(int3(i, row, 0)); }\n"
+    "float4 main(float4 position : SV_Position) : SV_Target\n{\n",
     "fn weight(i: i32) -> vec4<f32> { return textureLoad(ms_nn_weights, vec2<i32>(i & 2047, i >> 11u), 0); }\n"
     "fn value(i: i32, row: i32) -> vec4<f32> { return textureLoad(ms_nn_values, vec2<i32>(i, row), 0); }\n"
     "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32>\n{\n"};
@@ -3842,9 +3764,10 @@ static const char *const ms_nn__shader_activation[] = {
     "0.5 + 0.5 * sign(x) * (1.0 - exp(-z)) / (1.0 + exp(-z))",
     "0.5 * (x + z) + log(1.0 + exp(-z))",
     "x * (0.5 + 0.5 * sign(x) * (1.0 - exp(-z)) / (1.0 + exp(-z)))",
-    "0.5 * (x + z) - z * exp(-0.5 * z * z) * t * (0.127414796 + t * (-0.142248368 + t * (0.7107068705 + t * (-0.7265760135 + t * 0.5307027145))))"};
+    "0.5 * (x + z) - z * exp(-0.5 * z * z) * t * "
+    "(0.127414796 + t * (-0.142248368 + t * (0.7107068705 + t * (-0.7265760135 + t * 0.5307027145))))"};
 
-static MS_NN__COLD void ms_nn__emit_activation(ms_nn__text *t, const ms_nn__op *op)
+static MS_NN__COLD void ms_nn__emit_activation(ms_nn__writer *t, const ms_nn__op *op)
 {
     size_t n[7], millionths = (size_t)((double)op->alpha * 1e6 + 0.5), i;
     for (i = 6; i > 0; --i, millionths /= 10) n[i] = millionths % 10;
@@ -3859,7 +3782,7 @@ static MS_NN__COLD void ms_nn__emit_activation(ms_nn__text *t, const ms_nn__op *
 
 /* Operations [k, end): a dense layer and what follows it, of the four outputs u. The layer reads the step's first value
    (k == first) or value k. inner: the values are kept for all u. */
-static MS_NN__COLD void ms_nn__emit_dense(ms_nn__text *t, const ms_nn *nn, int first, int k, int end, size_t base,
+static MS_NN__COLD void ms_nn__emit_dense(ms_nn__writer *t, const ms_nn *nn, int first, int k, int end, size_t base,
                                           int inner)
 {
     const ms_nn__matrix *m = &nn->op[k].matrix;
@@ -3875,7 +3798,8 @@ static MS_NN__COLD void ms_nn__emit_dense(ms_nn__text *t, const ms_nn *nn, int f
     n[1] = base;
     ms_nn__emit(
         t,
-        "$i i = (u * $d + j) * 4 + $d;\nx = x + $4(dot(weight(i), a), dot(weight(i + 1), a), dot(weight(i + 2), a), dot(weight(i + 3), a));\n}\n",
+        "$i i = (u * $d + j) * 4 + $d;\n"
+        "x = x + $4(dot(weight(i), a), dot(weight(i + 1), a), dot(weight(i + 2), a), dot(weight(i + 3), a));\n}\n",
         n);
     for (; k < end; ++k) {
         const ms_nn__op *op = &nn->op[k];
@@ -3893,7 +3817,7 @@ static MS_NN__COLD void ms_nn__emit_dense(ms_nn__text *t, const ms_nn *nn, int f
 }
 
 /* The channels of a pixel. row: of the first; at: the pixel in its plane. */
-static MS_NN__COLD void ms_nn__emit_pixel(ms_nn__text *t, const ms_nn *nn, const ms_nn__shader_step *p,
+static MS_NN__COLD void ms_nn__emit_pixel(ms_nn__writer *t, const ms_nn *nn, const ms_nn__shader_step *p,
                                           const ms_nn_shader *s)
 {
     const ms_nn__matrix *m = &nn->op[p->first].matrix;
@@ -3907,7 +3831,8 @@ static MS_NN__COLD void ms_nn__emit_pixel(ms_nn__text *t, const ms_nn *nn, const
         "$i left = $I(position.x);\n$i top = $I(position.y);\nif (ms_nn.z > 0.0) { top = $I(ms_nn.z) - 1 - top; }\n"
         "$i column = left / $d;\n$i across = top / $d;\n$i picture = across * $I(ms_nn.x) + column;\n"
         "if (column >= $I(ms_nn.x) || picture >= $I(ms_nn.y)) { return $4(0.0, 0.0, 0.0, 0.0); }\n"
-        "$i row = picture * $d;\n$i pixel = (top - across * $d) * $d + left - column * $d;\n$v x = $4(0.0, 0.0, 0.0, 0.0);\n",
+        "$i row = picture * $d;\n$i pixel = (top - across * $d) * $d + left - column * $d;\n"
+        "$v x = $4(0.0, 0.0, 0.0, 0.0);\n",
         n);
     for (q = 0; q < planes; ++q) {
         n[0] = n[1] = n[3] = n[5] = q;
@@ -3950,7 +3875,7 @@ static MS_NN__COLD void ms_nn__emit_pixel(ms_nn__text *t, const ms_nn *nn, const
     ms_nn__emit(t, outs < 4 ? "x[3] = 1.0;\nreturn x;\n}\n" : "return x;\n}\n", n);
 }
 
-static MS_NN__COLD void ms_nn__emit_shader(ms_nn__text *t, const ms_nn *nn, const ms_nn__shader_step *p,
+static MS_NN__COLD void ms_nn__emit_shader(ms_nn__writer *t, const ms_nn *nn, const ms_nn__shader_step *p,
                                            const ms_nn_shader *s)
 {
     int k, end;
@@ -3998,7 +3923,7 @@ MS_API MS_NN__COLD size_t ms_nn_shader_text(const ms_nn *nn, const ms_nn_shader 
                                             ms_error *error)
 {
     ms_nn__shader_step p;
-    ms_nn__text t;
+    ms_nn__writer t;
     if (shader == NULL) ms__fail(error, MS_INVALID_ARGUMENT, 0, "shader is NULL");
     if (shader == NULL || ms_nn__shader_plan(nn, shader, &p, error) != MS_OK) return 0;
     memset(&t, 0, sizeof t);
@@ -4070,26 +3995,25 @@ MS_API MS_NN__COLD ms_status ms_nn_shader_inputs(const ms_nn *nn, int count, con
 /* ---- stdio ----------------------------------------------------------------------------------------------------- */
 
 #ifndef MS_NN_NO_STDIO
-/* A regular file mapped read-only; *bytes NULL where that is not possible. */
-static void ms_nn__map(const char *path, const void **bytes, size_t *size)
+/* A regular file mapped read-only; NULL where that is not possible. */
+static const void *ms_nn__map(const char *path, size_t *size)
 {
+    const void *bytes = NULL;
 #ifdef MS_NN__MMAP
     struct stat info;
     int fd = open(path, O_RDONLY);
-    if (fd < 0) return;
+    if (fd < 0) return NULL;
     if (fstat(fd, &info) == 0 && S_ISREG(info.st_mode) && info.st_size > 0 && (uint64_t)info.st_size < SIZE_MAX) {
         void *at = mmap(NULL, (size_t)info.st_size, PROT_READ, MAP_PRIVATE, fd, 0);
-        if (at != MAP_FAILED) {
-            *bytes = at;
-            *size = (size_t)info.st_size;
-        }
+        *size = (size_t)info.st_size;
+        if (at != MAP_FAILED) bytes = at;
     }
     close(fd);
 #else
     (void)path;
-    (void)bytes;
     (void)size;
 #endif
+    return bytes;
 }
 
 /* A whole stream into one allocation of *size bytes, of which *used are the file. */
@@ -4105,7 +4029,7 @@ static ms_status ms_nn__read_whole(const char *path, const ms_nn_options *o, voi
         size_t got;
         if (*used == *size) {
             size_t room = *size ? ms__size_mul(*size, 2) : 65536;
-            larger = (char *)ms_nn__alloc(o, room);
+            larger = (char *)ms__alloc(&o->allocator, room);
             if (larger && *used) memcpy(larger, at, *used);
             ms__release(&o->allocator, at, *size);
             at = larger;
@@ -4136,7 +4060,7 @@ MS_API MS_NN__COLD ms_status ms_nn_file_read(const char *path, const ms_nn_optio
     ms_status status;
     if (path == NULL || file == NULL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", path == NULL ? "path" : "file");
-    if (!o.copy) ms_nn__map(path, &mapped, &size);
+    if (!o.copy) mapped = ms_nn__map(path, &size);
     used = size;
     if (mapped == NULL && (status = ms_nn__read_whole(path, &o, &block, &size, &used, error)) != MS_OK) return status;
     status = ms_nn_file_open(mapped ? mapped : block, used, &o, file, error);
@@ -4163,7 +4087,6 @@ MS_API MS_NN__COLD ms_status ms_nn_load_file(const char *path, const ms_nn_optio
 
 #endif /* MS_NN_NO_STDIO */
 
-#ifndef MS_NN_NO_COLLAPSE
 /* ---- collapse -------------------------------------------------------------------------------------------------- */
 
 struct ms_nn_collapse {
@@ -4181,9 +4104,15 @@ struct ms_nn_collapse {
     int has_target, weighted;
 };
 
-#define MS_NN__QR_ROWS 128 /* of a block that is folded into R */
-#define MS_NN__QR_PANEL 16 /* columns that are reflected together */
-#define MS_NN__QR_PARTS 8  /* of the rows; joined in order */
+enum {
+    MS_NN__QR_ROWS = 128,     /* of a block that is folded into R */
+    MS_NN__QR_PANEL = 16,     /* columns that are reflected together */
+    MS_NN__QR_PARTS = 8,      /* of the rows; joined in order */
+    MS_NN__GRAM_ROWS = 248,   /* of W together */
+    MS_NN__GRAM_STRIDE = 264, /* doubles from column to column: a power of two would use one set of the cache */
+    MS_NN__PASS_ROWS = 8,     /* of W in double together */
+    MS_NN__COLUMNS = 32       /* of the Jacobian, multiplied by R together */
+};
 
 /* Folds the rows of B into R: Householder QR of [R; B] in panels, I - V T V' with V = [I; B] (compact WY: Schreiber and
    Van Loan 1989).
@@ -4263,7 +4192,7 @@ static MS_NN__COLD int ms_nn__qr_allocate(const ms_nn_collapse *c, const float *
         job->row = (double *)ms__take(&a, parts, 3 * h * sizeof(double));
         *bytes = a.used;
         if (a.base != NULL) return 1;
-        a.base = (char *)ms_nn__alloc(&c->nn->options, a.used);
+        a.base = (char *)ms__alloc(&c->nn->options.allocator, a.used);
         if (a.base == NULL) return 0;
     }
 }
@@ -4292,10 +4221,6 @@ static void ms_nn__qr_task(void *context, int index)
         i += n;
     }
 }
-
-#define MS_NN__GRAM_ROWS 248 /* of W together */
-#define MS_NN__GRAM_STRIDE \
-    264 /* doubles from column to column: no power of two, which one set of the cache would hold */
 
 /* A part's W' M W: upper triangle, rows i of columns k >= i. */
 static MS_NN__COLD void ms_nn__gram_task(void *context, int index)
@@ -4436,7 +4361,7 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float 
             *made = t;
             break;
         }
-        a.base = (char *)ms_nn__alloc(&nn->options, a.used);
+        a.base = (char *)ms__alloc(&nn->options.allocator, a.used);
         if (a.base == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a collapse of %z features", h);
     }
     made->nn = nn;
@@ -4475,8 +4400,6 @@ MS_API void ms_nn_collapse_destroy(ms_nn_collapse *c)
 
 MS_API size_t ms_nn_collapse_features(const ms_nn_collapse *c) { return c ? c->channels * c->h : 0; }
 MS_API const double *ms_nn_collapse_r(const ms_nn_collapse *c) { return c ? c->packed : NULL; }
-
-#define MS_NN__PASS_ROWS 8 /* of W in double together */
 
 /* One pass over W: residuals res of h0 and sum_i w_i m_i res_i, rows cut into parts that are added in order. */
 typedef struct ms_nn__pass_job {
@@ -4596,7 +4519,7 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
         job.wide = (double *)ms__take(&a, job.parts, MS_NN__PASS_ROWS * h * sizeof(double));
         job.residual = (double *)ms__take(&a, job.parts, MS_NN__PASS_ROWS * c->channels * sizeof(double));
         if (a.base != NULL) break;
-        a.base = (char *)ms_nn__alloc(&c->nn->options, a.used);
+        a.base = (char *)ms__alloc(&c->nn->options.allocator, a.used);
         if (a.base == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a target");
     }
     memset(c->h0, 0, n * sizeof(double));
@@ -4616,8 +4539,6 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
     ms__release(&c->nn->options.allocator, job.sum, a.used);
     return MS_OK;
 }
-
-#define MS_NN__COLUMNS 32 /* of the Jacobian, multiplied by R together */
 
 /* The workspace of an evaluation, or with base NULL its size. */
 typedef struct ms_nn__collapse_layout {
@@ -4708,40 +4629,24 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, co
     ms__release(&nn->options.allocator, allocated, size);
     return MS_OK;
 }
-#endif /* MS_NN_NO_COLLAPSE */
 
 /* ---- levels ---------------------------------------------------------------------------------------------------- */
 
 /* Full unrolling of the short loops over register tiles, also at -O2, and inlining of what has constant arguments.
-   Under Clang's sanitizers that would take minutes to compile; without optimisation it would only add up the stack of
-   all forms. */
-#if defined(__GNUC__) && !defined(__OPTIMIZE__)
+   Clang's sanitizers would take minutes for that; without optimization it would only add up the stack of all forms. */
 #define MS_NN__UNROLL
 #define MS_NN__INLINE static inline MS_NN__TARGET
-#elif defined(__clang__)
-#if __has_feature(address_sanitizer) || __has_feature(undefined_behavior_sanitizer) || __has_feature(thread_sanitizer)
+#if defined(__OPTIMIZE__)
+#undef MS_NN__INLINE
+#define MS_NN__INLINE static inline MS_NN__TARGET __attribute__((always_inline))
+#undef MS_NN__UNROLL
+#if !defined(__clang__)
+#define MS_NN__UNROLL _Pragma("GCC unroll 16")
+#elif __has_feature(address_sanitizer) || __has_feature(undefined_behavior_sanitizer) || __has_feature(thread_sanitizer)
 #define MS_NN__UNROLL
 #else
 #define MS_NN__UNROLL _Pragma("clang loop unroll(full)")
 #endif
-#define MS_NN__INLINE static inline MS_NN__TARGET __attribute__((always_inline))
-#elif defined(__GNUC__)
-#define MS_NN__UNROLL _Pragma("GCC unroll 16")
-#define MS_NN__INLINE static inline MS_NN__TARGET __attribute__((always_inline))
-#elif defined(_MSC_VER)
-#define MS_NN__UNROLL
-#define MS_NN__INLINE static __forceinline
-#else
-#define MS_NN__UNROLL
-#define MS_NN__INLINE static inline
-#endif
-
-#if defined(__GNUC__) || defined(__clang__)
-#define MS_NN__NOINLINE __attribute__((noinline)) /* one copy of what several loops end in */
-#elif defined(_MSC_VER)
-#define MS_NN__NOINLINE __declspec(noinline)
-#else
-#define MS_NN__NOINLINE
 #endif
 
 /* y = x Phi(x), or with slope y *= Phi(x) + x phi(x), of the normal distribution: plain double, so that both ends keep
@@ -4757,9 +4662,6 @@ static void ms_nn__gelu(const float *x, float *y, size_t n, int slope)
     }
 }
 
-/* The larger of two, or the NaN if there is one. */
-static float ms_nn__max_nan(float a, float b) { return a > b || a != a ? a : b; }
-
 #define MS_NN__JOIN2(a, b) a##b
 #define MS_NN__JOIN(a, b) MS_NN__JOIN2(a, b)
 #define MS_NN__FN(name) MS_NN__JOIN(MS_NN__JOIN(ms_nn__##name, _), MS_NN__LEVEL)
@@ -4769,13 +4671,13 @@ static float ms_nn__max_nan(float a, float b) { return a > b || a != a ? a : b; 
 #define MS_NN__ISA 1
 #include MS_NN_FILENAME
 
-#if defined(MS__NEON)
+#ifdef MS_NN__ARM
 #define MS_NN__LEVEL base
 #define MS_NN__ISA 2
 #include MS_NN_FILENAME
 #endif
 
-#if defined(MS__X64)
+#ifdef MS_NN__X86
 #define MS_NN__LEVEL avx2
 #define MS_NN__ISA 3
 #include MS_NN_FILENAME
@@ -4788,11 +4690,11 @@ static float ms_nn__max_nan(float a, float b) { return a > b || a != a ? a : b; 
 
 static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 {
-#if defined(MS__X64)
+#ifdef MS_NN__X86
     if (level == MS_SIMD_AVX512) return &ms_nn__table_avx512;
     if (level == MS_SIMD_AVX2) return &ms_nn__table_avx2;
 #endif
-#if defined(MS__NEON)
+#ifdef MS_NN__ARM
     if (level == MS_SIMD_BASE) return &ms_nn__table_base;
 #endif
     (void)level;
@@ -4804,7 +4706,7 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
    The bits are the same. */
 static int ms_nn__streams(void)
 {
-#if defined(MS__X64)
+#ifdef MS_NN__X86
     uint32_t r[4];
     ms__cpuid(0, 0, r);
     return r[1] == 0x756e6547u; /* "Genu", of GenuineIntel */
@@ -4815,6 +4717,8 @@ static int ms_nn__streams(void)
 
 #undef MS_NN__BIG_ENDIAN
 #undef MS_NN__MMAP
+#undef MS_NN__X86
+#undef MS_NN__ARM
 #undef MS_NN__BIT
 #undef MS_NN__WEIGHTED
 #undef MS_NN__CONVS
@@ -4822,22 +4726,10 @@ static int ms_nn__streams(void)
 #undef MS_NN__POOLS
 #undef MS_NN__UPSAMPLES
 #undef MS_NN__ACTIVATED
-#undef MS_NN__OVERRUN
-#undef MS_NN__TASK_BYTES
-#undef MS_NN__TASK_PRODUCTS
-#undef MS_NN__STRIP_FLOATS
-#undef MS_NN__QR_ROWS
-#undef MS_NN__GRAM_ROWS
-#undef MS_NN__GRAM_STRIDE
-#undef MS_NN__QR_PANEL
-#undef MS_NN__QR_PARTS
-#undef MS_NN__PASS_ROWS
-#undef MS_NN__COLUMNS
 #undef MS_NN__UNROLL
 #undef MS_NN__INLINE
 #undef MS_NN__NOINLINE
 #undef MS_NN__COLD
-#undef MS_NN__BATCH
 #undef MS_NN__FN
 #undef MS_NN__JOIN
 #undef MS_NN__JOIN2
@@ -4847,7 +4739,7 @@ static int ms_nn__streams(void)
 /* ---- kernels --------------------------------------------------------------------------------------------------- */
 
 /* The instruction set of every function of a level; plain C beside SIMD is compiled for size: few run it. */
-#if !defined(__GNUC__) || !defined(MS__X64)
+#ifndef MS_NN__X86
 #define MS_NN__TARGET
 #elif MS_NN__ISA == 1
 #define MS_NN__TARGET __attribute__((cold))
@@ -4872,10 +4764,6 @@ static int ms_nn__streams(void)
 #define MS_NN__V_LOAD(p) ms_nn__float_at((const unsigned char *)(p), 0)
 #define MS_NN__V_STORE(p, v) (*(p) = (v))
 #define MS_NN__V_SET(x) (x)
-#define MS_NN__V_ADD(a, b) ((a) + (b))
-#define MS_NN__V_SUB(a, b) ((a) - (b))
-#define MS_NN__V_MUL(a, b) ((a) * (b))
-#define MS_NN__V_DIV(a, b) ((a) / (b))
 #define MS_NN__V_MADD(a, b, c) ((a) * (b) + (c))
 #define MS_NN__V_MAX(a, b) ((a) > (b) ? (a) : (b))
 #define MS_NN__V_MIN(a, b) ((a) < (b) ? (a) : (b))
@@ -4897,16 +4785,10 @@ static int ms_nn__streams(void)
 #define MS_NN__V_LOAD(p) vreinterpretq_f32_u8(vld1q_u8((const unsigned char *)(p)))
 #define MS_NN__V_STORE(p, v) vst1q_f32(p, v)
 #define MS_NN__V_SET(x) vdupq_n_f32(x)
-#define MS_NN__V_ADD(a, b) vaddq_f32(a, b)
-#define MS_NN__V_SUB(a, b) vsubq_f32(a, b)
-#define MS_NN__V_MUL(a, b) vmulq_f32(a, b)
-#define MS_NN__V_DIV(a, b) vdivq_f32(a, b)
 #define MS_NN__V_MADD(a, b, c) vfmaq_f32(c, a, b)
 #define MS_NN__V_MAX(a, b) vmaxq_f32(a, b)
 #define MS_NN__V_MIN(a, b) vminq_f32(a, b)
 #define MS_NN__V_IF_GREATER(a, b, x, y) vbslq_f32(vcgtq_f32(a, b), x, y)
-#define MS_NN__V_MAX_NAN(a, b) vmaxq_f32(a, b)
-#define MS_NN__V_PAIR_MAX(a, b) vpmaxq_f32(a, b)
 #define MS_NN__V_INT int32x4_t
 #define MS_NN__V_ROUND(a) vcvtnq_s32_f32(a)
 #define MS_NN__V_FROM_INT(i) vcvtq_f32_s32(i)
@@ -4930,16 +4812,10 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
 #define MS_NN__V_LOAD(p) _mm256_loadu_ps((const float *)(const void *)(p))
 #define MS_NN__V_STORE(p, v) _mm256_storeu_ps(p, v)
 #define MS_NN__V_SET(x) _mm256_set1_ps(x)
-#define MS_NN__V_ADD(a, b) _mm256_add_ps(a, b)
-#define MS_NN__V_SUB(a, b) _mm256_sub_ps(a, b)
-#define MS_NN__V_MUL(a, b) _mm256_mul_ps(a, b)
-#define MS_NN__V_DIV(a, b) _mm256_div_ps(a, b)
 #define MS_NN__V_MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
 #define MS_NN__V_MAX(a, b) _mm256_max_ps(a, b)
 #define MS_NN__V_MIN(a, b) _mm256_min_ps(a, b)
 #define MS_NN__V_IF_GREATER(a, b, x, y) _mm256_blendv_ps(y, x, _mm256_cmp_ps(a, b, _CMP_GT_OQ))
-#define MS_NN__V_MAX_NAN(a, b) _mm256_blendv_ps(_mm256_max_ps(a, b), a, _mm256_cmp_ps(a, a, _CMP_UNORD_Q))
-#define MS_NN__V_PAIR_MAX(a, b) MS_NN__FN(pair_max)(a, b)
 #define MS_NN__V_INT __m256i
 #define MS_NN__V_ROUND(a) _mm256_cvtps_epi32(a)
 #define MS_NN__V_FROM_INT(i) _mm256_cvtepi32_ps(i)
@@ -4949,11 +4825,6 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
     _mm256_castsi256_ps(  \
         _mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)(p))), 16))
 #define MS_NN__W_INT8(p) _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)(p))))
-MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(pair_max)(MS_NN__V_FLOATS a, MS_NN__V_FLOATS b)
-{
-    MS_NN__V_FLOATS even = _mm256_shuffle_ps(a, b, 0x88), odd = _mm256_shuffle_ps(a, b, 0xDD);
-    return _mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(MS_NN__V_MAX_NAN(even, odd)), 0xD8));
-}
 #define MS_NN__V_FOLD(v) _mm_add_ps(_mm256_castps256_ps128(v), _mm256_extractf128_ps(v, 1))
 #else /* maskz_ forms: the plain ones of GCC 12 warn in C++ */
 #define MS_NN__V_LANES 16
@@ -4965,10 +4836,6 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(pair_max)(MS_NN__V_FLOATS a, MS_NN__V_FL
 #define MS_NN__V_LOAD(p) _mm512_loadu_ps(p)
 #define MS_NN__V_STORE(p, v) _mm512_storeu_ps(p, v)
 #define MS_NN__V_SET(x) _mm512_set1_ps(x)
-#define MS_NN__V_ADD(a, b) _mm512_add_ps(a, b)
-#define MS_NN__V_SUB(a, b) _mm512_sub_ps(a, b)
-#define MS_NN__V_MUL(a, b) _mm512_mul_ps(a, b)
-#define MS_NN__V_DIV(a, b) _mm512_div_ps(a, b)
 #define MS_NN__V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
 #define MS_NN__V_MAX(a, b) _mm512_maskz_max_ps(0xFFFF, a, b)
 #define MS_NN__V_MIN(a, b) _mm512_maskz_min_ps(0xFFFF, a, b)
@@ -5013,41 +4880,17 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(weight)(const unsigned char *p, ms_nn_dt
 }
 
 /* n <= MS_NN__V_LANES weights, zeros after them; nothing after them is read. */
-#if MS_NN__ISA == 4
-#define MS_NN__W_PART(out, p, dtype, n) ((out) = MS_NN__FN(weight_part)(p, dtype, n))
-MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(weight_part)(const unsigned char *p, ms_nn_dtype dtype, size_t n)
-{
-    __mmask16 m = (__mmask16)((1u << n) - 1);
-    if (dtype == MS_NN_F32) return _mm512_maskz_loadu_ps(m, p);
-    if (dtype == MS_NN_I8)
-        return _mm512_maskz_cvtepi32_ps(0xFFFF, _mm512_maskz_cvtepi8_epi32(0xFFFF, _mm_maskz_loadu_epi8(m, p)));
-    if (dtype == MS_NN_F16) return _mm512_maskz_cvtph_ps(0xFFFF, _mm256_maskz_loadu_epi16(m, p));
-    return _mm512_castsi512_ps(
-        _mm512_maskz_slli_epi32(0xFFFF, _mm512_maskz_cvtepu16_epi32(0xFFFF, _mm256_maskz_loadu_epi16(m, p)), 16));
-}
-#else
-#if MS_NN__ISA == 3
-#define MS_NN__W_PART(out, p, dtype, n)                                                                  \
-    if ((dtype) == MS_NN_F32)                                                                            \
-        (out) = _mm256_maskload_ps(                                                                      \
-            (const float *)(const void *)(p),                                                            \
-            _mm256_cmpgt_epi32(_mm256_set1_epi32((int)(n)), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7))); \
-    else MS_NN__FN(weight_part)(&(out), p, dtype, n)
-#else
-#define MS_NN__W_PART(out, p, dtype, n) MS_NN__FN(weight_part)(&(out), p, dtype, n)
-#endif
-MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(weight_part)(MS_NN__V_FLOATS *out, const unsigned char *p,
-                                                          ms_nn_dtype dtype, size_t n)
+MS_NN__KERNEL MS_NN__NOINLINE MS_NN__V_FLOATS MS_NN__FN(weight_part)(const unsigned char *p, ms_nn_dtype dtype,
+                                                                     size_t n)
 {
     unsigned char copy[4 * MS_NN__V_LANES];
     memset(copy, 0, sizeof copy);
-    memcpy(copy, p, ms_nn__min(n, MS_NN__V_LANES) * ms_nn__bytes_of(dtype));
-    *out = MS_NN__FN(weight)(copy, dtype);
+    memcpy(copy, p, n * ms_nn__bytes_of(dtype));
+    return MS_NN__FN(weight)(copy, dtype);
 }
-#endif
 
 /* Asks for weights that are read soon; a request beyond the end of the matrix does no harm. */
-#if defined(MS__X64) && MS_NN__ISA > 1
+#if defined(MS_NN__X86) && MS_NN__ISA > 1
 #define MS_NN__W_PREFETCH(p, ahead) \
     _mm_prefetch((const char *)(p) + (ahead), (ahead) > 4096 ? _MM_HINT_T1 : _MM_HINT_T0)
 #else
@@ -5057,7 +4900,7 @@ MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(weight_part)(MS_NN__V_FLOATS *out, 
 /* Four sums of lanes, each as (l0 + l2) + (l1 + l3) of the sums of its quarters, times a scale, plus a bias. */
 MS_NN__INLINE void MS_NN__FN(sum4)(const MS_NN__V_FLOATS *v, const float *scale, const float *bias, float *out)
 {
-#if defined(MS__X64) && MS_NN__ISA > 1
+#if defined(MS_NN__X86) && MS_NN__ISA > 1
     __m128 a = MS_NN__V_FOLD(v[0]), b = MS_NN__V_FOLD(v[1]), c = MS_NN__V_FOLD(v[2]), d = MS_NN__V_FOLD(v[3]);
     __m128 ab = _mm_add_ps(_mm_unpacklo_ps(a, b), _mm_unpackhi_ps(a, b)),
            cd = _mm_add_ps(_mm_unpacklo_ps(c, d), _mm_unpackhi_ps(c, d));
@@ -5089,9 +4932,10 @@ MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(finish)(const ms_nn__dense *job, si
     for (; at < cols; at += n) {
         n = ms_nn__min(cols - at, MS_NN__V_LANES);
         for (b = 0; b < batch; ++b)
-            MS_NN__W_PART(v[b], (const unsigned char *)(job->x + (sample + (size_t)b) * cols + at), MS_NN_F32, n);
+            v[b] = MS_NN__FN(weight_part)((const unsigned char *)(job->x + (sample + (size_t)b) * cols + at), MS_NN_F32,
+                                          n);
         for (r = 0; r < rows; ++r) {
-            MS_NN__W_PART(u, m->w + ((row + (size_t)r * step) * cols + at) * size, m->dtype, n);
+            u = MS_NN__FN(weight_part)(m->w + ((row + (size_t)r * step) * cols + at) * size, m->dtype, n);
             for (b = 0; b < batch; ++b) total[b * rows + r] = MS_NN__V_MADD(u, v[b], total[b * rows + r]);
         }
     }
@@ -5187,9 +5031,9 @@ MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t s
     for (r = 0; r < rows; ++r) {
         MS_NN__UNROLL
         for (b = 0; b < batch; ++b) {
-            MS_NN__V_FLOATS sum = MS_NN__V_ADD(s[r][b][0], s[r][b][1]);
+            MS_NN__V_FLOATS sum = s[r][b][0] + s[r][b][1];
 #if MS_NN__W_CHAINS == 4
-            sum = MS_NN__V_ADD(sum, MS_NN__V_ADD(s[r][b][2], s[r][b][3]));
+            sum = sum + (s[r][b][2] + s[r][b][3]);
 #endif
             total[b * rows + r] = sum;
         }
@@ -5208,13 +5052,11 @@ MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t s
     MS_NN__FN(finish)(job, row, step, sample, rows, batch, total);
 }
 
-#if MS_NN__ISA > 1
 /* MS_NN__W_ROWS rows times three samples. */
 MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(tile)(const ms_nn__dense *job, size_t row, size_t sample)
 {
     MS_NN__FN(dots)(job, row, 1, sample, MS_NN__W_ROWS, 3);
 }
-#endif
 
 /* Rows times one sample: each alone, or MS_NN__W_ROWS streams. */
 MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(rows)(const ms_nn__dense *job, size_t row, size_t row1, size_t sample)
@@ -5240,23 +5082,14 @@ MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t
             for (b = b0; b < b1; ++b) MS_NN__FN(rows)(job, row0, row1, b);
             continue;
         }
-#if MS_NN__ISA == 1
-        for (row = row0; row < row1;
-             row = next) { /* plain C: compilers make vectors of one sample's chains; SSE2: for the size */
-            next = ms_nn__min(row + 8, row1);
-            for (b = b0; b < b1; ++b) MS_NN__FN(rows)(job, row, next, b);
-        }
-#else
         for (row = row0; row < row1; row = next) {
             next = ms_nn__min(row + MS_NN__W_ROWS, row1);
             for (b = b0; next - row == MS_NN__W_ROWS && b + 3 <= b1; b += 3) MS_NN__FN(tile)(job, row, b);
             for (; b < b1; ++b) MS_NN__FN(rows)(job, row, next, b);
         }
-#endif
     }
 }
 
-#if MS_NN__ISA > 1 || !defined(MS_NN_NO_COLLAPSE)
 /* n weights as floats. */
 MS_NN__INLINE void MS_NN__FN(widen_typed)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype)
 {
@@ -5266,7 +5099,7 @@ MS_NN__INLINE void MS_NN__FN(widen_typed)(const unsigned char *p, size_t n, floa
     if (k < n) {
         MS_NN__V_FLOATS u;
         float last[MS_NN__V_LANES];
-        MS_NN__W_PART(u, p + k * ms_nn__bytes_of(dtype), dtype, n - k);
+        u = MS_NN__FN(weight_part)(p + k * ms_nn__bytes_of(dtype), dtype, n - k);
         MS_NN__V_STORE(last, u);
         memcpy(out + k, last, (n - k) * sizeof(float));
     }
@@ -5278,7 +5111,6 @@ MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(widen)(const unsigned char *p, size
     else if (dtype == MS_NN_BF16) MS_NN__FN(widen_typed)(p, n, out, MS_NN_BF16);
     else MS_NN__FN(widen_typed)(p, n, out, MS_NN_I8);
 }
-#endif
 
 /* Packed weights. An output is the sum over the first half of the columns plus the sum over the second, each from the
    left, whatever the batch. */
@@ -5315,7 +5147,7 @@ MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_
 #define MS_NN__P_ROWS (4 * MS_NN__V_LANES)
 #define MS_NN__P_BATCH 24   /* samples whose sums are kept together */
 #define MS_NN__P_COLUMNS 32 /* of narrow weights, widened once for all of them */
-#if MS_NN__ISA == 4 || defined(MS__NEON)
+#if MS_NN__ISA == 4 || defined(MS_NN__ARM)
 #define MS_NN__P_SAMPLES 6 /* of a tile: as many sums of 4 vectors as there are registers */
 #else
 #define MS_NN__P_SAMPLES 3
@@ -5330,7 +5162,7 @@ MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(packed_end)(const ms_nn__dense *job
     int v;
     for (v = 0; v < 4 && row < m->rows; ++v, row += MS_NN__V_LANES) {
         MS_NN__V_FLOATS bias = job->linear ? MS_NN__V_SET(0.0f) : MS_NN__V_LOAD(m->packed_bias + row);
-        bias = MS_NN__V_MADD(MS_NN__V_ADD(half0[v], half1[v]), MS_NN__V_LOAD(m->packed_scale + row), bias);
+        bias = MS_NN__V_MADD(half0[v] + half1[v], MS_NN__V_LOAD(m->packed_scale + row), bias);
         if (row + MS_NN__V_LANES <= m->rows) {
             MS_NN__V_STORE(y + row, bias);
         } else {
@@ -5517,10 +5349,10 @@ MS_NN__KERNEL void MS_NN__FN(combine)(float *rows, size_t n)
     for (; i + MS_NN__V_LANES <= n; i += MS_NN__V_LANES) {
         MS_NN__V_FLOATS a = MS_NN__V_LOAD(d0 + i), b = MS_NN__V_LOAD(d1 + i), c = MS_NN__V_LOAD(d2 + i),
                         d = MS_NN__V_LOAD(d3 + i);
-        MS_NN__V_STORE(d0 + i, MS_NN__V_SUB(a, c));
-        MS_NN__V_STORE(d1 + i, MS_NN__V_ADD(b, c));
-        MS_NN__V_STORE(d2 + i, MS_NN__V_SUB(c, b));
-        MS_NN__V_STORE(d3 + i, MS_NN__V_SUB(b, d));
+        MS_NN__V_STORE(d0 + i, a - c);
+        MS_NN__V_STORE(d1 + i, b + c);
+        MS_NN__V_STORE(d2 + i, c - b);
+        MS_NN__V_STORE(d3 + i, b - d);
     }
     for (; i < n; ++i) {
         float a = d0[i], b = d1[i], c = d2[i], d = d3[i];
@@ -5554,13 +5386,10 @@ MS_NN__KERNEL void MS_NN__FN(conv_winograd)(const ms_nn__conv_job *job, const fl
             for (j = 0; j < tile; ++j) {
                 MS_NN__V_FLOATS a = MS_NN__V_LOAD(m1 + j * MS_NN__V_LANES),
                                 b = MS_NN__V_LOAD(m[2] + i * MS_NN__V_TILE * MS_NN__V_LANES + j * MS_NN__V_LANES);
-                MS_NN__V_STORE(
-                    m1 + j * MS_NN__V_LANES,
-                    MS_NN__V_SUB(MS_NN__V_ADD(bias, MS_NN__V_SUB(a, b)),
-                                 MS_NN__V_LOAD(m[3] + i * MS_NN__V_TILE * MS_NN__V_LANES + j * MS_NN__V_LANES)));
-                MS_NN__V_STORE(
-                    m0 + j * MS_NN__V_LANES,
-                    MS_NN__V_ADD(MS_NN__V_ADD(bias, MS_NN__V_ADD(a, b)), MS_NN__V_LOAD(m0 + j * MS_NN__V_LANES)));
+                MS_NN__V_STORE(m1 + j * MS_NN__V_LANES,
+                               (bias + (a - b)) -
+                                   MS_NN__V_LOAD(m[3] + i * MS_NN__V_TILE * MS_NN__V_LANES + j * MS_NN__V_LANES));
+                MS_NN__V_STORE(m0 + j * MS_NN__V_LANES, (bias + (a + b)) + MS_NN__V_LOAD(m0 + j * MS_NN__V_LANES));
             }
             memcpy(to, m0, width * sizeof(float));
             if (rows == 2) memcpy(to + job->y_row, m1, width * sizeof(float));
@@ -5617,7 +5446,7 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(exp_minus)(MS_NN__V_FLOATS x, MS_NN__V_F
     MS_NN__V_FLOATS r, q, s, t, half;
     MS_NN__V_INT n;
     x = MS_NN__V_MAX(MS_NN__V_SET(-104.0f), MS_NN__V_MIN(MS_NN__V_SET(88.0f), x));
-    n = MS_NN__V_ROUND(MS_NN__V_MUL(x, MS_NN__V_SET(1.44269504f)));
+    n = MS_NN__V_ROUND(x * MS_NN__V_SET(1.44269504f));
     t = MS_NN__V_FROM_INT(n);
     r = MS_NN__V_MADD(t, MS_NN__V_SET(-0.693145752f),
                       x); /* ln 2 in two pieces: the first has 15 bits, t times it is exact */
@@ -5628,20 +5457,19 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(exp_minus)(MS_NN__V_FLOATS x, MS_NN__V_F
     q = MS_NN__V_MADD(q, r, MS_NN__V_SET(1.0f / 24));
     q = MS_NN__V_MADD(q, r, MS_NN__V_SET(1.0f / 6));
     q = MS_NN__V_MADD(q, r, MS_NN__V_SET(0.5f));
-    q = MS_NN__V_MADD(MS_NN__V_MUL(r, r), q, r);
-    n = MS_NN__V_ROUND(MS_NN__V_MUL(t, MS_NN__V_SET(0.5f)));
+    q = MS_NN__V_MADD(r * r, q, r);
+    n = MS_NN__V_ROUND(t * MS_NN__V_SET(0.5f));
     s = MS_NN__V_POW2(n);
-    n = MS_NN__V_ROUND(MS_NN__V_SUB(t, MS_NN__V_FROM_INT(n)));
+    n = MS_NN__V_ROUND(t - MS_NN__V_FROM_INT(n));
     half = MS_NN__V_POW2(n);
-    return MS_NN__V_MADD(MS_NN__V_MUL(s, q), half, MS_NN__V_SUB(MS_NN__V_MUL(s, half), c));
+    return MS_NN__V_MADD(s * q, half, s * half - c);
 }
 
 /* ln(1 + e) for e in [0, 1]: 2 artanh(z), z = e / (2 + e) <= 1/3; the series to z^15 leaves 1e-9. 2 z first: e may be
    subnormal. */
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(log1p)(MS_NN__V_FLOATS e)
 {
-    MS_NN__V_FLOATS two = MS_NN__V_DIV(MS_NN__V_ADD(e, e), MS_NN__V_ADD(e, MS_NN__V_SET(2.0f))),
-                    s = MS_NN__V_MUL(two, MS_NN__V_MUL(MS_NN__V_SET(0.25f), two));
+    MS_NN__V_FLOATS two = (e + e) / (e + MS_NN__V_SET(2.0f)), s = two * (MS_NN__V_SET(0.25f) * two);
     MS_NN__V_FLOATS q = MS_NN__V_SET(1.0f / 15);
     q = MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f / 13));
     q = MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f / 11));
@@ -5649,7 +5477,7 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(log1p)(MS_NN__V_FLOATS e)
     q = MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f / 7));
     q = MS_NN__V_MADD(q, s, MS_NN__V_SET(0.2f));
     q = MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f / 3));
-    return MS_NN__V_MUL(two, MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f)));
+    return two * MS_NN__V_MADD(q, s, MS_NN__V_SET(1.0f));
 }
 
 /* y = f(x), or with slope y *= f'(x), for n floats, whole vectors. All but relu and leaky_relu share e = e^-|x|, or
@@ -5666,33 +5494,35 @@ MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(curve)(const float *x, float *y, si
         if (activation == MS_NN__RELU) {
             f = slope ? MS_NN__V_IF_GREATER(v, zero, one, zero) : MS_NN__V_MAX(zero, v);
         } else if (activation == MS_NN__LEAKY) {
-            f = MS_NN__V_IF_GREATER(v, zero, slope ? one : v, slope ? a : MS_NN__V_MUL(MS_NN__V_MIN(zero, v), a));
+            up = MS_NN__V_MIN(zero, v) * a;
+            f = MS_NN__V_IF_GREATER(v, zero, slope ? one : v, slope ? a : up);
         } else {
-            e = MS_NN__V_MAX(MS_NN__V_SUB(zero, v), v); /* |x| */
-            e = activation == MS_NN__ELU    ? MS_NN__V_MIN(zero, v)
-                : activation == MS_NN__TANH ? MS_NN__V_MUL(MS_NN__V_SET(-2.0f), MS_NN__V_MIN(MS_NN__V_SET(64.0f), e))
-                                            : MS_NN__V_SUB(zero, e);
+            e = MS_NN__V_MAX(zero - v, v); /* |x| */
+            if (activation == MS_NN__ELU) e = MS_NN__V_MIN(zero, v);
+            else if (activation == MS_NN__TANH) e = MS_NN__V_SET(-2.0f) * MS_NN__V_MIN(MS_NN__V_SET(64.0f), e);
+            else e = zero - e;
             e = MS_NN__FN(exp_minus)(e, c);
             if (activation == MS_NN__ELU) {
-                f = MS_NN__V_IF_GREATER(v, zero, slope ? one : v, MS_NN__V_MUL(a, e));
+                up = a * e;
+                f = MS_NN__V_IF_GREATER(v, zero, slope ? one : v, up);
             } else if (activation == MS_NN__TANH && !slope) { /* e = e^-2|x| - 1: -e / (2 + e) */
-                f = MS_NN__V_DIV(MS_NN__V_SUB(zero, e), MS_NN__V_ADD(e, MS_NN__V_SET(2.0f)));
-                f = MS_NN__V_IF_GREATER(zero, v, MS_NN__V_SUB(zero, f), f);
+                f = (zero - e) / (e + MS_NN__V_SET(2.0f));
+                up = zero - f;
+                f = MS_NN__V_IF_GREATER(zero, v, up, f);
             } else {
-                f = MS_NN__V_DIV(one, MS_NN__V_ADD(one, e));
-                up = MS_NN__V_MUL(f, MS_NN__V_IF_GREATER(zero, v, e, one)); /* sigmoid(x) */
-                if (activation == MS_NN__SIGMOID) f = slope ? MS_NN__V_MUL(MS_NN__V_MUL(f, f), e) : up;
-                else if (activation == MS_NN__TANH)
-                    f = MS_NN__V_MUL(MS_NN__V_SET(4.0f), MS_NN__V_MUL(MS_NN__V_MUL(f, f), e));
-                else if (activation == MS_NN__SOFTPLUS)
-                    f = slope ? up : MS_NN__V_ADD(MS_NN__V_MAX(zero, v), MS_NN__FN(log1p)(e));
-                else
-                    f = slope
-                        ? MS_NN__V_MADD(MS_NN__V_MUL(up, v), MS_NN__V_MUL(f, MS_NN__V_IF_GREATER(zero, v, one, e)), up)
-                        : MS_NN__V_MUL(v, up); /* silu */
+                f = one / (one + e);
+                up = f * MS_NN__V_IF_GREATER(zero, v, e, one); /* sigmoid(x) */
+                if (activation == MS_NN__SILU && slope)
+                    f = MS_NN__V_MADD(up * v, f * MS_NN__V_IF_GREATER(zero, v, one, e), up);
+                else if (activation == MS_NN__SILU) f = v * up;
+                else if (activation == MS_NN__TANH) f = MS_NN__V_SET(4.0f) * (f * f * e);
+                else if (activation == MS_NN__SIGMOID && slope) f = f * f * e;
+                else if (activation == MS_NN__SOFTPLUS && !slope) f = MS_NN__V_MAX(zero, v) + MS_NN__FN(log1p)(e);
+                else f = up;
             }
         }
-        MS_NN__V_STORE(y + i, slope ? MS_NN__V_MUL(MS_NN__V_LOAD(y + i), f) : f);
+        if (slope) f = f * MS_NN__V_LOAD(y + i);
+        MS_NN__V_STORE(y + i, f);
     }
 }
 
@@ -5733,27 +5563,8 @@ MS_NN__KERNEL void MS_NN__FN(derive)(const float *x, float *g, size_t n, ms_nn__
     memcpy(g + whole, last[1], (n - whole) * sizeof(float));
 }
 
-#if MS_NN__ISA != 4 /* AVX-512 takes AVX2's */
-/* Maxima of n windows of 2 x 2 in two rows; a NaN wins. */
-MS_NN__KERNEL void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t n)
-{
-    size_t j = 0;
-#if MS_NN__V_LANES > 1
-    for (; j + MS_NN__V_LANES <= n; j += MS_NN__V_LANES) {
-        const float *p = x + 2 * j, *q = p + row;
-        MS_NN__V_FLOATS a = MS_NN__V_MAX_NAN(MS_NN__V_LOAD(p), MS_NN__V_LOAD(q));
-        MS_NN__V_FLOATS b = MS_NN__V_MAX_NAN(MS_NN__V_LOAD(p + MS_NN__V_LANES), MS_NN__V_LOAD(q + MS_NN__V_LANES));
-        MS_NN__V_STORE(y + j, MS_NN__V_PAIR_MAX(a, b));
-    }
-#endif
-    for (; j < n; ++j)
-        y[j] = ms_nn__max_nan(ms_nn__max_nan(x[2 * j], x[2 * j + row]),
-                              ms_nn__max_nan(x[2 * j + 1], x[2 * j + row + 1]));
-}
-#endif
-
 /* AVX-512 takes AVX2's, which are as fast on Zen 4. */
-#if !defined(MS_NN_NO_COLLAPSE) && MS_NN__ISA != 4
+#if MS_NN__ISA != 4
 /* --- double precision, for the collapse: vectors of MS_NN__D_LANES --- */
 
 #if MS_NN__ISA == 1
@@ -5763,7 +5574,6 @@ MS_NN__KERNEL void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t
 #define MS_NN__D_STORE(p, v) (*(p) = (v))
 #define MS_NN__D_SET(x) (x)
 #define MS_NN__D_WIDEN(p) ((double)*(p))
-#define MS_NN__D_MUL(a, b) ((a) * (b))
 #define MS_NN__D_MADD(a, b, c) ((a) * (b) + (c))
 #elif MS_NN__ISA == 2
 #define MS_NN__D_LANES 2
@@ -5772,7 +5582,6 @@ MS_NN__KERNEL void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t
 #define MS_NN__D_STORE(p, v) vst1q_f64(p, v)
 #define MS_NN__D_SET(x) vdupq_n_f64(x)
 #define MS_NN__D_WIDEN(p) vcvt_f64_f32(vld1_f32(p))
-#define MS_NN__D_MUL(a, b) vmulq_f64(a, b)
 #define MS_NN__D_MADD(a, b, c) vfmaq_f64(c, a, b)
 #elif MS_NN__ISA == 3
 #define MS_NN__D_LANES 4
@@ -5781,7 +5590,6 @@ MS_NN__KERNEL void MS_NN__FN(pool2)(const float *x, size_t row, float *y, size_t
 #define MS_NN__D_STORE(p, v) _mm256_storeu_pd(p, v)
 #define MS_NN__D_SET(x) _mm256_set1_pd(x)
 #define MS_NN__D_WIDEN(p) _mm256_cvtps_pd(_mm_loadu_ps(p))
-#define MS_NN__D_MUL(a, b) _mm256_mul_pd(a, b)
 #define MS_NN__D_MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
 #endif
 
@@ -5902,11 +5710,12 @@ MS_NN__KERNEL void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, double fac
         if (m->dtype == MS_NN_F32) memcpy(part, w + 4 * at, 4 * n);
         else MS_NN__FN(widen)(w + at * size, n, part, m->dtype);
         for (k = 0; k + MS_NN__D_LANES <= n; k += MS_NN__D_LANES)
-            MS_NN__D_STORE(out + k, MS_NN__D_MUL(MS_NN__D_SET(factor), MS_NN__D_WIDEN(part + k)));
+            MS_NN__D_STORE(out + k, MS_NN__D_SET(factor) * MS_NN__D_WIDEN(part + k));
         for (; k < n; ++k) out[k] = factor * (double)part[k];
     }
 }
-#endif /* MS_NN_NO_COLLAPSE */
+
+#endif
 
 #if MS_NN__ISA == 4
 #define MS_NN__OTHER avx2
@@ -5922,21 +5731,11 @@ static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,
                                                 MS_NN__FN(combine),
                                                 MS_NN__FN(activate),
                                                 MS_NN__FN(derive),
-#if MS_NN__ISA == 4
-                                                ms_nn__pool2_avx2
-#else
-                                                MS_NN__FN(pool2)
-#endif
-#ifndef MS_NN_NO_COLLAPSE
-                                                ,
                                                 MS_NN__JOIN(ms_nn__gram_, MS_NN__OTHER),
                                                 MS_NN__JOIN(ms_nn__add_, MS_NN__OTHER),
-                                                MS_NN__JOIN(ms_nn__row_, MS_NN__OTHER)
-#endif
-};
+                                                MS_NN__JOIN(ms_nn__row_, MS_NN__OTHER)};
 
 #undef MS_NN__OTHER
-#undef MS_NN__W_PART
 #undef MS_NN__V_KEEP
 #undef MS_NN__TARGET
 #undef MS_NN__KERNEL
@@ -5952,16 +5751,10 @@ static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,
 #undef MS_NN__P_ROWS
 #undef MS_NN__P_SAMPLES
 #undef MS_NN__W_PREFETCH
-#undef MS_NN__V_MAX_NAN
-#undef MS_NN__V_PAIR_MAX
 #undef MS_NN__V_FLOATS
 #undef MS_NN__V_LOAD
 #undef MS_NN__V_STORE
 #undef MS_NN__V_SET
-#undef MS_NN__V_ADD
-#undef MS_NN__V_SUB
-#undef MS_NN__V_MUL
-#undef MS_NN__V_DIV
 #undef MS_NN__V_MADD
 #undef MS_NN__V_MAX
 #undef MS_NN__V_MIN
@@ -5980,7 +5773,6 @@ static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,
 #undef MS_NN__D_STORE
 #undef MS_NN__D_SET
 #undef MS_NN__D_WIDEN
-#undef MS_NN__D_MUL
 #undef MS_NN__D_MADD
 #endif /* kernels */
 

@@ -127,7 +127,6 @@ static void test_limits(void)
 {
     char text[600];
     ms_error error;
-    ms_nn_options options = ms_nn_defaults();
     ms_nn_file *f = NULL;
     unsigned char *b;
     size_t size, n, i;
@@ -142,12 +141,6 @@ static void test_limits(void)
     CHECK_INT(open_text("{}", 3, NULL, &error), MS_BAD_DATA);
     CHECK(strstr(error.message, "3 bytes follow") != NULL);
     CHECK_INT(error.position, 10);
-    options.max_header_bytes = 2;
-    CHECK_INT(open_text("{}", 0, &options, &error), MS_OK);
-    CHECK_INT(open_text("{} ", 0, &options, &error), MS_BAD_DATA);
-    options = ms_nn_defaults();
-    options.max_memory_bytes = 16; /* less than any file object */
-    CHECK_INT(open_text("{}", 0, &options, &error), MS_OUT_OF_MEMORY);
     /* the largest header: 100,000,000 bytes of mostly padding; one more is refused by its length alone */
     n = MS_NN_MAX_HEADER;
     b = (unsigned char *)malloc(8 + n + 1);

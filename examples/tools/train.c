@@ -74,17 +74,55 @@ static double now(void)
     return (double)t.tv_sec + 1e-6 * (double)t.tv_usec;
 }
 
-static void *room(size_t count, size_t size)
+/* Memory in lists that are freed whole; `whole` is the main thread's, tasks have their own. */
+typedef struct block {
+    struct block *before, *after;
+} block;
+
+static block whole = {&whole, &whole};
+
+static void drop(void *p)
 {
-    void *p = count < ((size_t)1 << 46) / (size + 1) ? malloc(count * size + 1) : NULL;
-    if (p == NULL) {
+    block *b = (block *)p - 1;
+    b->before->after = b->after;
+    b->after->before = b->before;
+}
+
+static void drop_all(block *list)
+{
+    while (list->after != list) drop(list->after + 1);
+}
+
+static void *room_in(block *list, size_t count, size_t size)
+{
+    block *b = count < ((size_t)1 << 46) / (size + 1) ? (block *)malloc(sizeof *b + count * size) : NULL;
+    if (b == NULL) {
         fprintf(stderr, "train: out of memory (%.0f MB more were needed)\n", (double)count * (double)size * 1e-6);
         exit(1);
     }
-    return p;
+    b->before = list;
+    b->after = list->after;
+    list->after->before = b;
+    list->after = b;
+    return b + 1;
 }
 
-static void *zeros(size_t count, size_t size) { return memset(room(count, size), 0, count * size); }
+static void *zeros_in(block *list, size_t count, size_t size)
+{
+    return memset(room_in(list, count, size), 0, count * size);
+}
+static void *room(size_t count, size_t size) { return room_in(&whole, count, size); }
+static void *zeros(size_t count, size_t size) { return zeros_in(&whole, count, size); }
+
+/* The first `count` elements of p (may be NULL) in memory for `more`. */
+static void *grow(void *p, size_t count, size_t more, size_t size)
+{
+    void *larger = room(more, size);
+    if (p == NULL) return larger;
+    memcpy(larger, p, count * size);
+    drop(p);
+    return larger;
+}
 
 /* --- what is read: materials and pictures ------------------------------------------------------------------------- */
 
@@ -96,17 +134,6 @@ typedef struct material_set {
     char *names;        /* separated by commas */
     double *low, *high; /* [parameters] */
 } material_set;
-
-static void set_free(material_set *s)
-{
-    free(s->x);
-    free(s->value);
-    free(s->linear);
-    free(s->names);
-    free(s->low);
-    free(s->high);
-    memset(s, 0, sizeof *s);
-}
 
 static uint16_t display(float linear)
 {
@@ -201,12 +228,8 @@ static int table_read(const char *path, table *t)
         }
         if (t->count == space) {
             space = 2 * space + 256;
-            t->x = (double *)realloc(t->x, (size_t)space * (size_t)t->columns * sizeof(double));
-            t->line = (int *)realloc(t->line, (size_t)space * sizeof(int));
-            if (!t->x || !t->line) {
-                fclose(f);
-                return wrong("out of memory");
-            }
+            t->x = (double *)grow(t->x, (size_t)t->count, (size_t)space, (size_t)t->columns * sizeof(double));
+            t->line = (int *)grow(t->line, (size_t)t->count, (size_t)space, sizeof(int));
         }
         t->line[t->count] = line;
         while (*at) {
@@ -231,14 +254,6 @@ static int table_read(const char *path, table *t)
     return seen ? 1 : wrong("%s: empty: a line of names, then a row for each picture", path);
 }
 
-static void table_free(table *t)
-{
-    free(t->x);
-    free(t->line);
-    free(t->names);
-    memset(t, 0, sizeof *t);
-}
-
 /* Files of a folder by their ending, sorted; count, or -1: no folder. */
 static int compare_names(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
 
@@ -259,20 +274,13 @@ static int list_folder(const char *folder, const char *const *endings, char ***n
         for (k = 0; endings[k]; ++k)
             if (e->d_name[0] != '.' && has_ending(e->d_name, endings[k])) {
                 if (count == space)
-                    *names = (char **)realloc(*names, (size_t)(space = 2 * space + 256) * sizeof(char *));
-                if (*names == NULL) return 0;
+                    *names = (char **)grow(*names, (size_t)count, (size_t)(space = 2 * space + 256), sizeof(char *));
                 (*names)[count] = (char *)room(strlen(e->d_name) + 1, 1);
                 strcpy((*names)[count++], e->d_name);
             }
     closedir(d);
     if (count) qsort(*names, (size_t)count, sizeof **names, compare_names);
     return count;
-}
-
-static void list_free(char **names, int count)
-{
-    while (count > 0) free(names[--count]);
-    free(names);
 }
 
 /* The parts of a data set (tests/render/dataset.c). */
@@ -292,11 +300,12 @@ static unsigned u32(const unsigned char *p)
 
 static void read_part(void *context, int index)
 {
+    block mine = {&mine, &mine};
     parts *p = (parts *)context;
     int n = p->first[index + 1] - p->first[index], i, m = p->set->parameters;
     size_t pixels = (size_t)p->side * (size_t)p->side * 3, k;
-    unsigned char *bytes = (unsigned char *)room(pixels, 2);
-    float *picture = (float *)room(pixels, sizeof(float));
+    unsigned char *bytes = (unsigned char *)room_in(&mine, pixels, 2);
+    float *picture = (float *)room_in(&mine, pixels, sizeof(float));
     char path[1200];
     FILE *f;
     snprintf(path, sizeof path, "%.1000s/%.180s", p->folder, p->name[index]);
@@ -338,8 +347,7 @@ static void read_part(void *context, int index)
                             (size_t)(p->first[index] + i) * 3 * (size_t)p->set->size * (size_t)p->set->size);
     }
     if (f) fclose(f);
-    free(bytes);
-    free(picture);
+    drop_all(&mine);
 }
 
 static int read_parts(train_pool *pool, const char *folder, char **name, int count, int size, int linear,
@@ -361,7 +369,6 @@ static int read_parts(train_pool *pool, const char *folder, char **name, int cou
         if (f == NULL || fread(h, 1, 24, f) != 24 || memcmp(h, "msds", 4) != 0 || u32(h + 4) != 1 || u32(h + 8) < 1 ||
             u32(h + 8) > 8192 || (p.side && p.side != (int)u32(h + 8)) || u32(h + 20) > 65536) {
             if (f) fclose(f);
-            free(p.first);
             return wrong("%s: not a part of a data set, or of pictures of another size", path);
         }
         fclose(f);
@@ -374,13 +381,11 @@ static int read_parts(train_pool *pool, const char *folder, char **name, int cou
     s->parameters = 19;
     s->size = size ? size : p.side;
     if (p.side % s->size)
-        return free(p.first),
-               wrong("%s: pictures of %d pixels cannot be brought to %d: not a divisor", folder, p.side, s->size);
+        return wrong("%s: pictures of %d pixels cannot be brought to %d: not a divisor", folder, p.side, s->size);
     s->x = (float *)zeros((size_t)total * 19, sizeof(float));
     if (linear) s->linear = (uint16_t *)room((size_t)total * 3 * (size_t)s->size * (size_t)s->size, sizeof(uint16_t));
     else s->value = (uint16_t *)room((size_t)total * 3 * (size_t)s->size * (size_t)s->size, sizeof(uint16_t));
     train_run(pool, count, read_part, &p);
-    free(p.first);
     for (i = 0; i < 8; ++i)
         if (p.problem[i][0]) return wrong("%s/%s", folder, p.problem[i]);
     for (i = 0; i < total * 19; ++i)
@@ -392,14 +397,14 @@ static int read_parts(train_pool *pool, const char *folder, char **name, int cou
 /* An image as picture `at` of a set; 0: see trouble. */
 static int take_picture(const image *im, const char *path, int at, material_set *s)
 {
+    block mine = {&mine, &mine};
     int side = im->width, c, step = im->channels < 3 ? 0 : 1, differ = 0;
     size_t i, pixels = (size_t)side * (size_t)side;
-    float *picture = (float *)room(3 * pixels, sizeof(float));
+    float *picture = (float *)room_in(&mine, 3 * pixels, sizeof(float));
     for (i = 0; i < pixels; ++i)
         for (c = 0; c < 3; ++c) {
             float v = im->pixels[i * (size_t)im->channels + (size_t)(c * step)];
             if (!(v >= 0 && v < 1e30f)) {
-                free(picture);
                 return wrong("%s: column %d, row %d has a value that is negative or not a number", path, (int)i % side,
                              (int)i / side);
             }
@@ -409,7 +414,7 @@ static int take_picture(const image *im, const char *path, int at, material_set 
     if (differ)
         add_picture(picture, side, s->size, image__has_extension(path, ".pfm"),
                     s->value + (size_t)at * 3 * (size_t)s->size * (size_t)s->size);
-    free(picture);
+    drop_all(&mine);
     return differ ? 1 : wrong("%s: of one colour alone: a render that failed?", path);
 }
 
@@ -461,7 +466,6 @@ static int is_data_set(const char *pictures)
     static const char *const part[] = {".bin", NULL};
     char **name;
     int count = list_folder(pictures, part, &name);
-    list_free(name, count);
     return count > 0;
 }
 
@@ -483,7 +487,6 @@ static int set_read(train_pool *pool, const char *pictures, const char *csv, int
         if (fine) s->names = t.names ? t.names : names_like(s->parameters);
         t.names = NULL;
     } else {
-        list_free(name, count > 0 ? count : 0);
         count = list_folder(pictures, picture, &name);
         snprintf(beside, sizeof beside, "%.1000s.csv", pictures);
         if (like) csv = beside; /* a set to check with has its own */
@@ -519,9 +522,6 @@ static int set_read(train_pool *pool, const char *pictures, const char *csv, int
         if (like && (like->parameters != s->parameters || like->size != s->size))
             fine = wrong("%s: other parameters or another size than the pictures before", pictures);
     }
-    list_free(name, count > 0 ? count : 0);
-    table_free(&t);
-    if (!fine) set_free(s);
     return fine;
 }
 
@@ -547,12 +547,13 @@ enum { PROBE = 384, OUTPUTS = 8 };
    matter? */
 static double probe(int rows, int d, const float *x, const float *y, const char *drop, uint64_t seed)
 {
+    block mine = {&mine, &mine};
     int features = rows / 6 < PROBE ? rows / 6 : (int)PROBE, m = features + d + 1, train = 0, test = 0, i, j, k, o;
-    float *phi = (float *)room((size_t)rows * (size_t)m, sizeof(float)),
-          *w = (float *)room((size_t)features * (size_t)(d + 1), sizeof(float));
-    double *gram = (double *)zeros((size_t)m * (size_t)m, sizeof(double)),
-           *right = (double *)zeros((size_t)m * OUTPUTS, sizeof(double)), error = 0;
-    train_work *work = (train_work *)room(1, sizeof *work);
+    float *phi = (float *)room_in(&mine, (size_t)rows * (size_t)m, sizeof(float)),
+          *w = (float *)room_in(&mine, (size_t)features * (size_t)(d + 1), sizeof(float));
+    double *gram = (double *)zeros_in(&mine, (size_t)m * (size_t)m, sizeof(double)),
+           *right = (double *)zeros_in(&mine, (size_t)m * OUTPUTS, sizeof(double)), error = 0;
+    train_work *work = (train_work *)room_in(&mine, 1, sizeof *work);
     for (k = 0; k < features; ++k) {
         float bias = 0;
         for (j = 0; j < d; ++j) {
@@ -600,11 +601,7 @@ static double probe(int rows, int d, const float *x, const float *y, const char 
             error += s * s;
         }
     }
-    free(phi);
-    free(w);
-    free(gram);
-    free(right);
-    free(work);
+    drop_all(&mine);
     return error / (test > 0 ? test : 1);
 }
 
@@ -636,7 +633,6 @@ static void probe_each(train_pool *pool, int rows, int d, const float *x, const 
     p.drop = (char(*)[MOST_PARAMETERS])zeros((size_t)d + 1, MOST_PARAMETERS);
     for (j = 0; j < d; ++j) p.drop[j][j] = 1;
     train_run(pool, d + 1, probe_task, &p);
-    free(p.drop);
 }
 
 /* x [rows][inputs] of the form. */
@@ -713,9 +709,10 @@ static void form_of(const sharing *h, int more, form *f)
    its inputs. */
 static double share_error(const sharing *h, int k, int masked)
 {
+    block mine = {&mine, &mine};
     char drop[MOST_PARAMETERS] = {0};
-    form *f = (form *)room(1, sizeof *f);
-    float *x = (float *)room((size_t)h->rows * 3 * (size_t)h->d, sizeof(float));
+    form *f = (form *)room_in(&mine, 1, sizeof *f);
+    float *x = (float *)room_in(&mine, (size_t)h->rows * 3 * (size_t)h->d, sizeof(float));
     material_set part = *h->s;
     double error;
     form_of(h, k, f);
@@ -723,8 +720,7 @@ static double share_error(const sharing *h, int k, int masked)
     inputs_of(f, &part, x);
     drop[h->count] = (char)masked;
     error = probe(3 * h->rows, f->inputs, x, h->y, drop, h->seed);
-    free(x);
-    free(f);
+    drop_all(&mine);
     return error;
 }
 
@@ -770,7 +766,6 @@ static void find_channels(train_pool *pool, const material_set *s, const float *
             for (o = 0; o < OUTPUTS; ++o) part[i * OUTPUTS + o] = y[(3 * i + c) * OUTPUTS + o];
         apart += probe(rows, d, s->x, part, none, seed) / 3;
     }
-    free(part);
     while (h.triples > 0 && h.count < d / 3) {
         train_run(pool, h.triples, share_task, &h);
         for (k = 0, i = 1; i < h.triples; ++i)
@@ -789,7 +784,6 @@ static void find_channels(train_pool *pool, const material_set *s, const float *
                 o = h.chosen[k], h.chosen[k] = h.chosen[k - 1], h.chosen[k - 1] = o;
         form_of(&h, -1, f);
     } else no_sharing(f, d);
-    free(h.triple);
 }
 
 /* The rows in which inputs gate[0], ... are value[0], ... exactly. */
@@ -866,9 +860,6 @@ static void find_hidden(train_pool *pool, int rows, int d, const float *x, const
                     f->rule[f->rules++].value = h->value[0];
                 }
         }
-    free(h->px);
-    free(h->py);
-    free(h);
 }
 
 /* --- learning ----------------------------------------------------------------------------------------------------- */
@@ -971,22 +962,6 @@ static void trainer_start(trainer *t, train_pool *pool, form *f, const int *size
     }
 }
 
-static void trainer_end(trainer *t)
-{
-    int k, l;
-    free(t->net.p);
-    free(t->adam.m);
-    free(t->adam.v);
-    for (k = 0; k < 64; ++k) {
-        free(t->grad[k]);
-        free(t->work[k]);
-        free(t->in[k]);
-        free(t->g[k]);
-        free(t->spare[k]);
-        for (l = 0; l < TRAIN_LAYERS; ++l) free(t->act[k][l]);
-    }
-}
-
 /* Coordinates [rows][rank] that the network gives. */
 static void trainer_predict(trainer *t, int rows, const float *x, float *c)
 {
@@ -1009,11 +984,6 @@ typedef struct saved { /* tensors of a network to come */
     size_t count;
     char layers[8192];
 } saved;
-
-static void saved_free(saved *s)
-{
-    while (s->count > 0) free(s->data[--s->count]);
-}
 
 static void *saved_tensor(saved *s, const char *name, const char *what, ms_nn_dtype type, size_t rows, size_t columns)
 {
@@ -1084,7 +1054,6 @@ static int saved_write(saved *s, const char *input, const ms_nn_entry *extra, si
         out->size = out->room = size;
         status = ms_nn_file_write(s->tensor, s->count, entry, 4 + extras, out->data, size, &size, &error);
     }
-    free(list);
     return status == MS_OK ? 1 : wrong("%s", error.message);
 }
 
@@ -1107,7 +1076,6 @@ static void report(const char *what, const double *dB, int n)
                sorted[(int)(0.05 * (n - 1) + 0.5)], sorted[(n - 1) / 2], n);
         fflush(stdout);
     }
-    free(sorted);
 }
 
 /* PSNR of a saved network on the pictures of a set, [count]: of all pixels, and of those that `changing` [3][pixels]
@@ -1121,8 +1089,7 @@ static int measure(const ms_nn *nn, const material_set *a, const material_set *b
     for (i = 0; i < a->count; ++i) {
         const uint16_t *ta = a->value + (size_t)i * outputs, *tb = (b ? b : a)->value + (size_t)i * outputs;
         double sum = 0, part = 0, many = 0;
-        if (ms_nn_forward(nn, 1, a->x + i * a->parameters, picture, NULL) != MS_OK)
-            return free(picture), wrong("out of memory");
+        if (ms_nn_forward(nn, 1, a->x + i * a->parameters, picture, NULL) != MS_OK) return wrong("out of memory");
         for (p = 0; p < outputs; ++p) {
             float v = picture[p] > 0 ? picture[p] < 1 ? picture[p] : 1 : 0;
             double e = (double)(v - (float)ta[p] / 65535) * (double)(v - (float)tb[p] / 65535);
@@ -1132,7 +1099,6 @@ static int measure(const ms_nn *nn, const material_set *a, const material_set *b
         all[i] = -10 * log10(fmax(sum / (double)outputs, 1e-8));
         some[i] = -10 * log10(fmax(part / fmax(many, 1), 1e-8));
     }
-    free(picture);
     return 1;
 }
 
@@ -1161,8 +1127,6 @@ static int report_all(const char *what, const ms_nn *nn, const material_set *a, 
             report(text, some, n);
         }
     }
-    free(all);
-    free(some);
     return fine;
 }
 
@@ -1171,8 +1135,7 @@ static int report_all(const char *what, const ms_nn *nn, const material_set *a, 
 typedef struct options {
     const char *check[2], *channels, *hidden, *trunk, *sharp;
     int size, held_out, rank, width, depth, epochs, threads, count, first;
-    double bytes, rate;
-    uint64_t seed;
+    double bytes, rate, seed;
 } options;
 
 static double tail(const train_components *c, int rank)
@@ -1240,16 +1203,6 @@ static void watch_make(watch *w, const form *f, const material_set *held, const 
         for (j = 0; j < rank; ++j) sum -= (double)(w->c[i * rank + j] * w->c[i * rank + j]);
         w->outside[i] = sum > 0 ? sum : 0;
     }
-    free(row);
-    free(work);
-}
-
-static void watch_free(watch *w)
-{
-    free(w->x);
-    free(w->c);
-    free(w->guess);
-    free(w->outside);
 }
 
 /* Rows for the network that is learnt: a channel, or a picture. */
@@ -1269,7 +1222,7 @@ static void learn(trainer *t, const options *o, watch *w, size_t outputs, int ro
     float *best = (float *)room(t->net.count, sizeof(float));
     double start = now(), said = start, most = -1e300;
     for (epoch = 1; epoch <= epochs; ++epoch) {
-        uint64_t seed = o->seed * 1000003u + (uint64_t)epoch - 1;
+        uint64_t seed = (uint64_t)o->seed * 1000003u + (uint64_t)epoch - 1;
         double sum = 0, at, held;
         for (i = 0; i < rows; ++i) order[i] = i;
         for (i = rows - 1; i > 0; --i) {
@@ -1312,8 +1265,6 @@ static void learn(trainer *t, const options *o, watch *w, size_t outputs, int ro
         }
         fflush(stdout);
     }
-    free(order);
-    free(best);
 }
 
 /* --- a larger picture from the coordinates of a smaller one ------------------------------------------------------- */
@@ -1338,17 +1289,18 @@ enum { LARGER_TILE = 512, LARGER_ROWS = 96 };
 
 static void larger_tile(void *context, int tile)
 {
+    block mine = {&mine, &mine};
     larger *l = (larger *)context;
     size_t pixels = 3 * (size_t)l->s->size * (size_t)l->s->size / (size_t)l->lists,
            rows = (size_t)l->s->count * (size_t)l->lists, from = (size_t)tile * LARGER_TILE, i, p;
     int wide = pixels - from < LARGER_TILE ? (int)(pixels - from) : (int)LARGER_TILE, n, j, r = l->rank;
-    float *y = (float *)room(LARGER_ROWS * LARGER_TILE, sizeof(float)),
-          *z = (float *)zeros((size_t)wide * (size_t)r, sizeof(float));
-    float *left = (float *)zeros(LARGER_ROWS * LARGER_TILE, sizeof(float)),
-          *square = (float *)room((size_t)LARGER_ROWS * (size_t)r, sizeof(float)),
-          *z2 = (float *)zeros((size_t)wide * (size_t)r, sizeof(float));
-    double *sum = (double *)zeros(LARGER_TILE, sizeof(double));
-    train_work *w = (train_work *)room(1, sizeof *w);
+    float *y = (float *)room_in(&mine, LARGER_ROWS * LARGER_TILE, sizeof(float)),
+          *z = (float *)zeros_in(&mine, (size_t)wide * (size_t)r, sizeof(float));
+    float *left = (float *)zeros_in(&mine, LARGER_ROWS * LARGER_TILE, sizeof(float)),
+          *square = (float *)room_in(&mine, (size_t)LARGER_ROWS * (size_t)r, sizeof(float)),
+          *z2 = (float *)zeros_in(&mine, (size_t)wide * (size_t)r, sizeof(float));
+    double *sum = (double *)zeros_in(&mine, LARGER_TILE, sizeof(double));
+    train_work *w = (train_work *)room_in(&mine, 1, sizeof *w);
     for (i = 0; i < rows; i += LARGER_ROWS) {
         n = rows - i < LARGER_ROWS ? (int)(rows - i) : (int)LARGER_ROWS;
         if (!l->first)
@@ -1391,13 +1343,7 @@ static void larger_tile(void *context, int tile)
             l->variance[(from + p) * (size_t)r + (size_t)j] = z2[p * (size_t)r + (size_t)j] * by * by;
         }
     }
-    free(y);
-    free(z);
-    free(left);
-    free(square);
-    free(z2);
-    free(sum);
-    free(w);
+    drop_all(&mine);
 }
 
 /* Wiener's filter on the levels of Haar's transform: of a plane [size][size] whose values have noise of these
@@ -1405,15 +1351,16 @@ static void larger_tile(void *context, int tile)
    blocks; then the means, down to an odd size or 32. Returns how much of the finest level is kept. */
 static double wiener(float *plane, const float *variance, int size)
 {
+    block mine = {&mine, &mine};
     int small = size / 2, x, y, u, v, q;
     size_t count = (size_t)small * (size_t)small;
     float *mean, *old, *noise, *energy;
     double kept = 0;
     if (size % 2 || size <= 32) return 1;
-    mean = (float *)zeros(count, sizeof(float));
-    old = (float *)room(count, sizeof(float));
-    noise = (float *)zeros(count, sizeof(float));
-    energy = (float *)zeros(count, sizeof(float));
+    mean = (float *)zeros_in(&mine, count, sizeof(float));
+    old = (float *)room_in(&mine, count, sizeof(float));
+    noise = (float *)zeros_in(&mine, count, sizeof(float));
+    energy = (float *)zeros_in(&mine, count, sizeof(float));
     for (y = 0; y < size; ++y)
         for (x = 0; x < size; ++x) {
             mean[y / 2 * small + x / 2] += plane[y * size + x] / 4;
@@ -1439,29 +1386,26 @@ static double wiener(float *plane, const float *variance, int size)
                 *d = (*d - old[y * small + x]) * keep + mean[y * small + x];
             }
         }
-    free(mean);
-    free(old);
-    free(noise);
-    free(energy);
+    drop_all(&mine);
     return kept;
 }
 
 /* Every column of the layer, which is a picture. */
 static void larger_shrink(void *context, int task)
 {
+    block mine = {&mine, &mine};
     larger *l = (larger *)context;
     int size = l->s->size, planes = 3 / l->lists, j = task / planes;
     size_t count = (size_t)size * (size_t)size, at = (size_t)(task % planes) * count, i, step = (size_t)l->rank;
-    float *from = l->basis + at * step + j, *plane = (float *)zeros(count, sizeof(float)),
-          *variance = (float *)zeros(count, sizeof(float));
+    float *from = l->basis + at * step + j, *plane = (float *)zeros_in(&mine, count, sizeof(float)),
+          *variance = (float *)zeros_in(&mine, count, sizeof(float));
     for (i = 0; i < count; ++i) {
         plane[i] = from[i * step];
         variance[i] = l->variance[(at + i) * step + (size_t)j];
     }
     l->kept[task] = (float)wiener(plane, variance, size);
     for (i = 0; i < count; ++i) from[i * step] = plane[i];
-    free(plane);
-    free(variance);
+    drop_all(&mine);
 }
 
 /* c and mean become those of s's size. The components of c are orthogonal on s's rows, its coordinates of mean zero. */
@@ -1510,17 +1454,9 @@ static void larger_basis(train_pool *pool, const material_set *s, int lists, int
     printf("detail of %d x %d: kept of the first features' %.2f %.2f %.2f, of the last %.2f; the rest is noise\n",
            s->size, s->size, (double)l.kept[0], (double)l.kept[3 / lists], (double)l.kept[2 * 3 / lists],
            (double)l.kept[(rank - 1) * 3 / lists]);
-    free(c->basis);
-    free(*mean);
     c->basis = l.basis;
     c->rank = rank;
     *mean = l.mean;
-    free(l.next);
-    free(l.next_mean);
-    free(l.variance);
-    free(l.half);
-    free(l.decode);
-    free(l.slope);
 }
 
 static void say_form(const form *f, const material_set *s)
@@ -1587,13 +1523,10 @@ static int renderer_file(const trainer *t, const form *f, const train_components
         b[j] = train_bias(&t->net, t->net.layers - 1)[j] * t->scale;
     }
     saved_dense(&file, "features", "linear", MS_NN_F16, (size_t)rank, (size_t)hidden, w, b);
-    free(w);
-    free(b);
     w = (float *)room(pixels * (size_t)rank, sizeof(float));
     for (i = 0; i < pixels; ++i)
         for (j = 0; j < rank; ++j) w[i * (size_t)rank + (size_t)j] = c->basis[i * (size_t)c->rank + (size_t)j];
     saved_dense(&file, "pixels", "linear", MS_NN_F16, pixels, (size_t)rank, w, mean);
-    free(w);
     for (j = 0; j < s->parameters; ++j) {
         if (j) strcat(ranges, ",");
         strcat(ranges, number_text(number, "%.9g", s->low[j]));
@@ -1612,9 +1545,6 @@ static int renderer_file(const trainer *t, const form *f, const train_components
     }
     extra[3].key = "ms_sharp", extra[3].value = sharp;
     fine = saved_write(&file, input, extra, *sharp ? 4 : 3, out);
-    free(ranges);
-    free(sharp);
-    saved_free(&file);
     return fine;
 }
 
@@ -1638,10 +1568,43 @@ static char *changing_pixels(const material_set *a, const material_set *b)
         mark[p] = sum[2 * pixels + p] / a->count - sum[p] / a->count * (sum[pixels + p] / a->count) > 1e-4;
         count += mark[p];
     }
-    free(sum);
     printf("pixels that change with the material, by a hundredth of white and more: %.0f%%\n",
            100 * count / (double)pixels);
     return mark;
+}
+
+/* Pictures of --check, as `like` (or NULL) says; sets that are two takes must be of the same materials. */
+static int read_checks(train_pool *pool, const options *o, const char *csv, int size, const material_set *like,
+                       material_set *check)
+{
+    int k;
+    memset(check, 0, 2 * sizeof *check);
+    for (k = 0; k < 2 && o->check[k]; ++k)
+        if (!set_read(pool, o->check[k], csv, size, like || k == 0 ? like : &check[0], &check[k])) return 0;
+    if (check[1].count &&
+        (check[0].count != check[1].count ||
+         memcmp(check[0].x, check[1].x, (size_t)check[0].count * (size_t)check[0].parameters * sizeof(float)) != 0))
+        return wrong("%s: other materials than %s", o->check[1], o->check[0]);
+    return 1;
+}
+
+/* What is saved is what is measured: on the sets of --check, and on held-out pictures unless that is NULL. */
+static int measure_and_save(const char *path, const image__bytes *bytes, const material_set *check,
+                            const material_set *held, const char *changing, double start)
+{
+    ms_nn *nn = NULL;
+    ms_error error;
+    const char *problem;
+    int fine = 1;
+    if (ms_nn_load(bytes->data, bytes->size, NULL, &nn, &error) != MS_OK) return wrong("%s", error.message);
+    if (check[0].count) fine = report_all("check", nn, &check[0], check[1].count ? &check[1] : NULL, changing);
+    if (fine && held) fine = report_all("held out", nn, held, NULL, changing);
+    ms_nn_destroy(nn);
+    if (!fine) return 0;
+    problem = file_save(path, bytes->data, bytes->size);
+    if (problem) return wrong("%s: %s", path, problem);
+    printf("%s: %.2f MB; %.0f s\n", path, 1e-6 * (double)bytes->size, now() - start);
+    return 1;
 }
 
 static int train_renderer(train_pool *pool, const char *pictures, const char *csv, const char *path, options *o)
@@ -1653,21 +1616,12 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
     trainer t;
     watch w;
     image__bytes bytes;
-    ms_nn *nn = NULL;
-    ms_error error;
     size_t pixels, i;
     int sizes[TRAIN_LAYERS + 1], k, fine, n, j;
     char *changing;
     double start = now();
     float *x;
-    memset(check, 0, sizeof check);
-    if (!set_read(pool, pictures, csv, o->size, NULL, &s)) return 0;
-    for (k = 0; k < 2 && o->check[k]; ++k)
-        if (!set_read(pool, o->check[k], csv, s.size, &s, &check[k])) return 0;
-    if (check[1].count &&
-        (check[0].count != check[1].count ||
-         memcmp(check[0].x, check[1].x, (size_t)check[0].count * (size_t)s.parameters * sizeof(float)) != 0))
-        return wrong("%s: other materials than %s", o->check[1], o->check[0]);
+    if (!set_read(pool, pictures, csv, o->size, NULL, &s) || !read_checks(pool, o, csv, s.size, &s, check)) return 0;
     n = o->held_out > 0 ? o->held_out : check[0].count ? 0 : s.count / 16 + 1;
     if (s.count - n < 16)
         return wrong("%s: %d pictures; at least %d are needed, some hundred are sensible", pictures, s.count, n + 16);
@@ -1688,8 +1642,8 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
             memcpy(v + (size_t)to * pixels, s.value + (size_t)k * pixels, pixels * sizeof(uint16_t));
             memcpy(x + to * s.parameters, s.x + k * s.parameters, (size_t)s.parameters * sizeof(float));
         }
-        free(s.value);
-        free(s.x);
+        drop(s.value);
+        drop(s.x);
         s.value = v;
         s.x = x;
         held.count = n;
@@ -1706,24 +1660,22 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
     y.mean = (float *)room(pixels, sizeof(float));
     rows_of(&f, &s, &y);
     k = o->bytes > 0 ? 192 : o->rank;
-    if (!train_principal(pool, &y, k, 3, o->seed, &c)) return wrong("out of memory");
+    if (!train_principal(pool, &y, k, 3, (uint64_t)o->seed, &c)) return wrong("out of memory");
     if (c.total < 1e-12 * (double)y.pixels) return wrong("%s: all pictures are alike", pictures);
     if (strcmp(o->channels, "auto") == 0) {
         float *lead = leading(&c, y.rows);
-        find_channels(pool, &s, lead, o->seed, &f);
-        free(lead);
+        find_channels(pool, &s, lead, (uint64_t)o->seed, &f);
     } else no_sharing(&f, s.parameters);
     if (f.lists == 1) {
         train_components_free(&c);
         rows_of(&f, &s, &y);
-        if (!train_principal(pool, &y, k, 3, o->seed, &c)) return wrong("out of memory");
+        if (!train_principal(pool, &y, k, 3, (uint64_t)o->seed, &c)) return wrong("out of memory");
     }
     x = (float *)room(y.rows * (size_t)f.inputs, sizeof(float));
     inputs_of(&f, &s, x);
     if (strcmp(o->hidden, "auto") == 0) {
         float *lead = leading(&c, y.rows);
-        find_hidden(pool, (int)y.rows, f.inputs, x, lead, o->seed, &f);
-        free(lead);
+        find_hidden(pool, (int)y.rows, f.inputs, x, lead, (uint64_t)o->seed, &f);
     }
     say_form(&f, &s);
     if (o->bytes > 0)
@@ -1748,7 +1700,7 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
         for (i = 0; i < y.rows; ++i)
             for (j = 0; j < o->rank; ++j)
                 c.coordinate[i * (size_t)o->rank + (size_t)j] = c.coordinate[i * (size_t)c.rank + (size_t)j];
-    trainer_start(&t, pool, &f, sizes, o->depth + 2, BATCH, o->seed);
+    trainer_start(&t, pool, &f, sizes, o->depth + 2, BATCH, (uint64_t)o->seed);
     t.net.silu = 1; /* smoother than ELUs: a decibel on materials that it never saw */
     for (i = 0; i < t.net.count; ++i) t.net.p[i] *= 1.6f; /* they halve what goes through */
     t.scale = (float)sqrt((c.total > 0 ? c.total : 1)) / 8;
@@ -1758,27 +1710,10 @@ static int train_renderer(train_pool *pool, const char *pictures, const char *cs
     t.c = c.coordinate;
     learn(&t, o, &w, pixels, (int)y.rows);
 
-    /* what is saved is what is measured */
-    fine = renderer_file(&t, &f, &c, y.mean, &s, &bytes);
-    if (fine && ms_nn_load(bytes.data, bytes.size, NULL, &nn, &error) != MS_OK) fine = wrong("%s", error.message);
-    if (fine && check[0].count) fine = report_all("check", nn, &check[0], check[1].count ? &check[1] : NULL, changing);
-    if (fine && n) fine = report_all("held out", nn, &held, NULL, changing);
-    if (fine) {
-        const char *problem = file_save(path, bytes.data, bytes.size);
-        if (problem) fine = wrong("%s: %s", path, problem);
-        else printf("%s: %.2f MB; %.0f s\n", path, 1e-6 * (double)bytes.size, now() - start);
-    }
-    ms_nn_destroy(nn);
-    free(bytes.data);
-    trainer_end(&t);
-    watch_free(&w);
+    fine = renderer_file(&t, &f, &c, y.mean, &s, &bytes) &&
+        measure_and_save(path, &bytes, check, n ? &held : NULL, changing, start);
+    free(t.net.p);
     train_components_free(&c);
-    free(y.mean);
-    free(x);
-    free(changing);
-    set_free(&check[0]);
-    set_free(&check[1]);
-    set_free(&s);
     return fine;
 }
 
@@ -1930,21 +1865,8 @@ static int frozen_load(const char *path, const char *sharp, frozen *r)
             r->ones_u[j] += r->q[i * n + j];
             r->mean_u[j] += r->q[i * n + j] * r->mean[i];
         }
-    for (l = 0; l <= count; ++l) {
-        free(weight[l]);
-        free(bias[l]);
-    }
-    free(gram);
+    for (l = 0; l <= count; ++l) {}
     return 1;
-}
-
-static void frozen_free(frozen *r)
-{
-    free(r->net.p);
-    free(r->q);
-    free(r->mean);
-    free(r->ones_u);
-    free(r->mean_u);
 }
 
 typedef struct inverting {
@@ -2108,11 +2030,6 @@ static const char *inversion_save(const char *path, const inverting *t, int k)
     snprintf(input, sizeof input, "[3,%d,%d]", r->size, r->size);
     if (!saved_write(&file, input, NULL, 0, &bytes)) problem = trouble;
     else problem = file_save(path, bytes.data, bytes.size);
-    free(bytes.data);
-    saved_free(&file);
-    free(w);
-    free(b);
-    free(work);
     return problem;
 }
 
@@ -2121,7 +2038,7 @@ static int train_inversion(train_pool *pool, const char *path, const char *prefi
     frozen r;
     inverting t;
     int sizes[5], k, l, part, step, wide, most, steps = o->epochs ? o->epochs : 6000;
-    uint64_t seed = o->seed;
+    uint64_t seed = (uint64_t)o->seed;
     double start = now(), said = start, sum = 0;
     if (!frozen_load(path, o->sharp, &r)) return 0;
     memset(&t, 0, sizeof t);
@@ -2169,7 +2086,7 @@ static int train_inversion(train_pool *pool, const char *path, const char *prefi
            r.size, wide);
     for (step = 0; step < steps; ++step) {
         double at, left;
-        t.seed = o->seed * 1000003u + (uint64_t)step + 1;
+        t.seed = (uint64_t)o->seed * 1000003u + (uint64_t)step + 1;
         t.rate = (float)(o->rate * fmin(1, (step + 1) / 200.0) * (0.5 + 0.5 * cos(3.141592653589793 * step / steps)) +
                          1e-7);
         train_run(pool, t.parts, invert_part, &t);
@@ -2201,26 +2118,8 @@ static int train_inversion(train_pool *pool, const char *path, const char *prefi
         if (problem) return wrong("%s: %s", name, problem);
         printf("%s\n", name);
     }
-    for (k = 0; k < t.nets; ++k) {
-        free(t.net[k].p);
-        free(t.adam[k].m);
-        free(t.adam[k].v);
-    }
-    for (part = 0; part < t.parts; ++part) {
-        free(t.work[part]);
-        free(t.u[part]);
-        free(t.guess[part]);
-        free(t.x[part]);
-        free(t.rows[part]);
-        free(t.gx[part]);
-        free(t.g[part]);
-        free(t.spare[part]);
-        for (k = 0; k < t.nets; ++k) {
-            for (l = 0; l < TRAIN_LAYERS; ++l) free(t.ract[part][k][l]), free(t.act[part][k][l]);
-            free(t.grad[part][k]);
-        }
-    }
-    frozen_free(&r);
+    for (k = 0; k < t.nets; ++k) free(t.net[k].p);
+    free(r.net.p);
     return 1;
 }
 
@@ -2236,24 +2135,19 @@ static int train_larger(train_pool *pool, const char *pictures, const char *csv,
     trainer t;
     train_components c;
     image__bytes bytes;
-    ms_nn *nn = NULL;
-    ms_error error;
     table names;
     char **name, *changing = NULL;
-    int count, i, j, k, rows, full, rank, hidden, fine = 1, last;
+    int count, i, j, k, rows, full, rank, hidden, last;
     double start = now(), *covariance, *vector, *value, all = 0, left = 0;
     float *mean, *x, *u, *act[TRAIN_LAYERS], *to, *m;
     train_work *work = (train_work *)room(1, sizeof *work);
     memset(&s, 0, sizeof s);
-    memset(check, 0, sizeof check);
     memset(&t, 0, sizeof t);
     memset(&c, 0, sizeof c);
-    memset(&bytes, 0, sizeof bytes);
     if (!frozen_load(o->trunk, NULL, &r)) return 0;
     count = list_folder(pictures, part, &name);
     if (count < 1) return wrong("%s: --trunk needs a folder of `make dataset`: linear light", pictures);
     if (!read_parts(pool, pictures, name, count, o->size, 1, &s)) return 0;
-    list_free(name, count);
     if (s.parameters != r.parameters)
         return wrong("%s: %d parameters, %s has %d", pictures, s.parameters, o->trunk, r.parameters);
     memset(&names, 0, sizeof names);
@@ -2268,7 +2162,6 @@ static int train_larger(train_pool *pool, const char *pictures, const char *csv,
     }
     s.names = names.names ? names.names : names_like(s.parameters);
     names.names = NULL;
-    table_free(&names);
     s.low = (double *)zeros((size_t)s.parameters, sizeof(double));
     s.high = (double *)zeros((size_t)s.parameters, sizeof(double));
     for (j = 0; j < s.parameters; ++j) s.high[j] = 1;
@@ -2346,37 +2239,10 @@ static int train_larger(train_pool *pool, const char *pictures, const char *csv,
     larger_basis(pool, &s, r.f.lists, rank, &c, &mean);
     printf("pixels: %.0f s so far\n", now() - start);
     fflush(stdout);
-    fine = renderer_file(&t, &r.f, &c, mean, &s, &bytes);
-    if (fine && ms_nn_load(bytes.data, bytes.size, NULL, &nn, &error) != MS_OK) fine = wrong("%s", error.message);
-    for (k = 0; k < 2 && o->check[k] && fine; ++k) fine = set_read(pool, o->check[k], csv, s.size, &s, &check[k]);
-    if (fine && check[0].count) {
-        changing = changing_pixels(&check[0], check[1].count ? &check[1] : NULL);
-        fine = report_all("check", nn, &check[0], check[1].count ? &check[1] : NULL, changing);
-    }
-    if (fine) {
-        const char *problem = file_save(path, bytes.data, bytes.size);
-        if (problem) fine = wrong("%s: %s", path, problem);
-        else printf("%s: %.2f MB; %.0f s\n", path, 1e-6 * (double)bytes.size, now() - start);
-    }
-    ms_nn_destroy(nn);
-    free(bytes.data);
-    free(changing);
-    for (k = 0; k < r.net.layers; ++k) free(act[k]);
-    free(t.net.p);
-    free(mean);
-    free(x);
-    free(u);
-    free(m);
-    free(covariance);
-    free(vector);
-    free(value);
-    free(work);
-    train_components_free(&c);
-    frozen_free(&r);
-    set_free(&check[0]);
-    set_free(&check[1]);
-    set_free(&s);
-    return fine;
+    if (!renderer_file(&t, &r.f, &c, mean, &s, &bytes) || !read_checks(pool, o, csv, s.size, &s, check)) return 0;
+    if (check[0].count) changing = changing_pixels(&check[0], check[1].count ? &check[1] : NULL);
+    free(r.net.p);
+    return measure_and_save(path, &bytes, check, NULL, changing, start);
 }
 
 /* A network that is there against pictures. */
@@ -2385,39 +2251,67 @@ static int measure_renderer(train_pool *pool, const char *path, const char *csv,
     material_set check[2];
     ms_nn *nn;
     ms_error error;
-    char *changing;
-    int k, size = 0, fine = 1;
+    int size = 0, fine;
     if (ms_nn_load_file(path, NULL, &nn, &error) != MS_OK) return wrong("%s: %s", path, error.message);
     while (3 * (size_t)size * (size_t)size < ms_nn_output_size(nn)) ++size;
-    memset(check, 0, sizeof check);
-    for (k = 0; k < 2 && o->check[k] && fine; ++k)
-        fine = set_read(pool, o->check[k], csv, size, k ? &check[0] : NULL, &check[k]);
+    fine = read_checks(pool, o, csv, size, NULL, check);
     if (fine &&
         (check[0].parameters != (int)ms_nn_input_size(nn) || 3 * (size_t)size * (size_t)size != ms_nn_output_size(nn)))
         fine = wrong("%s: other parameters or no square pictures", path);
-    if (fine && check[1].count && check[1].count != check[0].count)
-        fine = wrong("%s: other materials than %s", o->check[1], o->check[0]);
-    if (fine) {
-        changing = changing_pixels(&check[0], check[1].count ? &check[1] : NULL);
-        fine = report_all(path, nn, &check[0], check[1].count ? &check[1] : NULL, changing);
-        free(changing);
-    }
-    set_free(&check[0]);
-    set_free(&check[1]);
+    if (fine)
+        fine = report_all(path, nn, &check[0], check[1].count ? &check[1] : NULL,
+                          changing_pixels(&check[0], check[1].count ? &check[1] : NULL));
     ms_nn_destroy(nn);
     return fine;
 }
 
 /* --- the command line --------------------------------------------------------------------------------------------- */
 
-static int number(const char *name, const char *text, double low, double high, double *value)
+static const struct {
+    const char *name;
+    double low, high;   /* of a number */
+    char type;          /* i: int, d: double, t: text */
+    size_t at;          /* in options */
+    const char *choice; /* of a text, or NULL */
+} option_list[] = {{"--size", 1, 4096, 'i', offsetof(options, size), NULL},
+                   {"--trunk", 0, 0, 't', offsetof(options, trunk), NULL},
+                   {"--sharp", 0, 0, 't', offsetof(options, sharp), NULL},
+                   {"--channels", 0, 0, 't', offsetof(options, channels), "auto none"},
+                   {"--hidden", 0, 0, 't', offsetof(options, hidden), "auto none"},
+                   {"--held-out", 1, 1e6, 'i', offsetof(options, held_out), NULL},
+                   {"--bytes", 1e4, 1e10, 'd', offsetof(options, bytes), NULL},
+                   {"--rank", 1, 900, 'i', offsetof(options, rank), NULL},
+                   {"--width", 4, 4096, 'i', offsetof(options, width), NULL},
+                   {"--depth", 1, TRAIN_LAYERS - 1, 'i', offsetof(options, depth), NULL},
+                   {"--epochs", 1, 1e6, 'i', offsetof(options, epochs), NULL},
+                   {"--steps", 1, 1e6, 'i', offsetof(options, epochs), NULL},
+                   {"--rate", 1e-6, 1, 'd', offsetof(options, rate), NULL},
+                   {"--seed", 0, 1e15, 'd', offsetof(options, seed), NULL},
+                   {"--threads", 1, 64, 'i', offsetof(options, threads), NULL},
+                   {"--count", 1, 16, 'i', offsetof(options, count), NULL},
+                   {"--first", 2, 1024, 'i', offsetof(options, first), NULL}};
+
+static int parse_option(const char *name, const char *text, options *o)
 {
-    char *end;
-    *value = text ? strtod(text, &end) : 0;
-    if (text && end != text && (*end == 'M' || *end == 'k') && strcmp(name, "--bytes") == 0)
-        *value *= *end++ == 'M' ? 1e6 : 1e3;
-    if (text && end != text && *end == 0 && *value >= low && *value <= high) return 1;
-    return wrong("%s: '%s' is no number from %g to %g", name, text ? text : "", low, high);
+    char *end, *at;
+    double v;
+    size_t k = 0, count = sizeof option_list / sizeof option_list[0];
+    while (k < count && strcmp(option_list[k].name, name) != 0) ++k;
+    if (k == count || text == NULL) return wrong("'%s' is no option, or lacks its value", name);
+    at = (char *)o + option_list[k].at;
+    if (option_list[k].type == 't') {
+        const char *choice = option_list[k].choice, *found = choice ? strstr(choice, text) : text;
+        if (found == NULL || (choice && strlen(text) != 4)) return wrong("'%s' is no option, or lacks its value", name);
+        memcpy(at, &text, sizeof text);
+        return 1;
+    }
+    v = strtod(text, &end);
+    if (end != text && (*end == 'M' || *end == 'k') && strcmp(name, "--bytes") == 0) v *= *end++ == 'M' ? 1e6 : 1e3;
+    if (end == text || *end != 0 || !(v >= option_list[k].low && v <= option_list[k].high))
+        return wrong("%s: '%s' is no number from %g to %g", name, text, option_list[k].low, option_list[k].high);
+    if (option_list[k].type == 'd') memcpy(at, &v, sizeof v);
+    else *(int *)(void *)at = (int)v;
+    return 1;
 }
 
 static int parse(int argc, char **argv, options *o, const char **plain, int *inversion)
@@ -2425,37 +2319,15 @@ static int parse(int argc, char **argv, options *o, const char **plain, int *inv
     int i, plains = 0, checks = 0;
     for (i = 1; i < argc; ++i) {
         const char *a = argv[i], *next = i + 1 < argc ? argv[i + 1] : NULL;
-        double v = 0;
         if (strcmp(a, "--inversion") == 0) *inversion = 1;
         else if (strcmp(a, "--measure") == 0) *inversion = 2;
-        else if (a[0] != '-' || a[1] != '-') {
+        else if (strcmp(a, "--check") == 0 && checks < 2 && next) o->check[checks++] = argv[++i];
+        else if (a[0] == '-' && a[1] == '-') {
+            if (!parse_option(a, next, o)) return 0;
+            ++i;
+        } else {
             if (plains == 3) return wrong("'%s': one argument too many", a);
             plain[plains++] = a;
-        } else {
-            int fine = 1;
-            ++i;
-            if (strcmp(a, "--size") == 0) fine = number(a, next, 1, 4096, &v), o->size = (int)v;
-            else if (strcmp(a, "--trunk") == 0 && next) o->trunk = next;
-            else if (strcmp(a, "--sharp") == 0 && next) o->sharp = next;
-            else if (strcmp(a, "--check") == 0 && checks < 2 && next) o->check[checks++] = next;
-            else if (strcmp(a, "--held-out") == 0) fine = number(a, next, 1, 1e6, &v), o->held_out = (int)v;
-            else if (strcmp(a, "--bytes") == 0) fine = number(a, next, 1e4, 1e10, &o->bytes);
-            else if (strcmp(a, "--rank") == 0) fine = number(a, next, 1, 900, &v), o->rank = (int)v;
-            else if (strcmp(a, "--width") == 0) fine = number(a, next, 4, 4096, &v), o->width = (int)v;
-            else if (strcmp(a, "--depth") == 0) fine = number(a, next, 1, TRAIN_LAYERS - 1, &v), o->depth = (int)v;
-            else if (strcmp(a, "--epochs") == 0 || strcmp(a, "--steps") == 0)
-                fine = number(a, next, 1, 1e6, &v), o->epochs = (int)v;
-            else if (strcmp(a, "--rate") == 0) fine = number(a, next, 1e-6, 1, &o->rate);
-            else if (strcmp(a, "--seed") == 0) fine = number(a, next, 0, 1e15, &v), o->seed = (uint64_t)v;
-            else if (strcmp(a, "--threads") == 0) fine = number(a, next, 1, 64, &v), o->threads = (int)v;
-            else if (strcmp(a, "--count") == 0) fine = number(a, next, 1, 16, &v), o->count = (int)v;
-            else if (strcmp(a, "--first") == 0) fine = number(a, next, 2, 1024, &v), o->first = (int)v;
-            else if (strcmp(a, "--channels") == 0 && next && (!strcmp(next, "auto") || !strcmp(next, "none")))
-                o->channels = next;
-            else if (strcmp(a, "--hidden") == 0 && next && (!strcmp(next, "auto") || !strcmp(next, "none")))
-                o->hidden = next;
-            else return wrong("'%s' is no option, or lacks its value", a);
-            if (!fine) return 0;
         }
     }
     if (plains != (*inversion ? 2 : 3))
@@ -2497,6 +2369,7 @@ int main(int argc, char **argv)
     else {
         fine = o.trunk || train_renderer(&pool, plain[0], plain[1], plain[2], &o);
         if (fine && (o.trunk || is_data_set(plain[0]))) {
+            drop_all(&whole);
             if (o.trunk == NULL) o.trunk = plain[2], o.bytes = 0; /* rank and type are chosen */
             fine = train_larger(&pool, plain[0], plain[1], plain[2], &o);
         }

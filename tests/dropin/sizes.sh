@@ -20,6 +20,5 @@ kilobytes() { # HEADER FLAGS...
         echo "| \`$h\` | $(wc -l <"$h" | tr -d ' ') | $(kilobytes "$h" -O2) | $(kilobytes "$h" -O2 -DMS_NO_SIMD) | $(kilobytes "$h" -Os -DMS_NO_SIMD "$no_stdio") |"
     done
     echo "| \`ms_sss.h\`, \`MS_SSS_NO_DESIGN\` | | $(kilobytes ms_sss.h -O2 -DMS_SSS_NO_DESIGN) | $(kilobytes ms_sss.h -O2 -DMS_SSS_NO_DESIGN -DMS_NO_SIMD) | $(kilobytes ms_sss.h -Os -DMS_SSS_NO_DESIGN -DMS_NO_SIMD -DMS_SSS_NO_STDIO) |"
-    echo "| \`ms_nn.h\`, \`MS_NN_NO_COLLAPSE\` | | $(kilobytes ms_nn.h -O2 -DMS_NN_NO_COLLAPSE) | $(kilobytes ms_nn.h -O2 -DMS_NN_NO_COLLAPSE -DMS_NO_SIMD) | $(kilobytes ms_nn.h -Os -DMS_NN_NO_COLLAPSE -DMS_NO_SIMD -DMS_NN_NO_STDIO) |"
 } >build/bench/sizes.md
 cat build/bench/sizes.md
