@@ -34,7 +34,8 @@ def refused(name, sentence, call, **options):
 def stars(x):
     """Golden polished metal, 0 to 5."""
     x = np.asarray(x)
-    return np.rint(5 * np.clip(x[..., 3] * (1 - x[..., 4]) * (1 - x[..., 5]) * (0.6 + x[..., 0] + 0.3 * x[..., 1] - x[..., 2]), 0, 1))
+    polished, gold = x[..., 3] * (1 - x[..., 4]) * (1 - x[..., 5]), 0.6 + x[..., 0] + 0.3 * x[..., 1] - x[..., 2]
+    return np.rint(5 * np.clip(polished * gold, 0, 1))
 
 
 def shown(t):
@@ -149,7 +150,8 @@ def refusals():
     refused("a texture", "comes from another node", bpy.ops.taste.variants)
     material.node_tree.nodes.remove(node)
     refused("no Principled BSDF", "no Principled BSDF", bpy.ops.taste.variants)
-    for path, sentence in (("/nowhere.safetensors", "cannot open"), ("examples/data/renderer_64.safetensors", "Principled")):
+    others = ("/nowhere.safetensors", "cannot open"), ("examples/data/renderer_64.safetensors", "Principled")
+    for path, sentence in others:
         addon.kept.pop("renderer", None)
         network = os.environ.get("MS_NETWORK")
         os.environ["MS_NETWORK"] = path

@@ -208,6 +208,7 @@ test_group() {
     job web "sh tests/web.sh $out/web"
     job three "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/three.py $out/three"
     job materialx "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/materialx_open.py $out/materialx"
+    job blender "sh tests/blender.sh $out/blender"
     job null "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/null.py $out/null"
     job dropin_together "sh tests/dropin/dropin.sh $out/dropin_together $(echo $headers)"
     for h in $headers; do

@@ -1,6 +1,7 @@
 #!/bin/sh
-# make blender: the add-on with its library, build/material_taste and, with zip, .zip (CC: also x86_64-w64-mingw32-gcc).
-# make blender-dataset: pictures by Cycles in build/blender; what is there is kept. COUNT (4000), SAMPLES (32), JOBS (2).
+# make blender: the add-on with its library, build/material_taste.zip (CC: also x86_64-w64-mingw32-gcc).
+# make blender-dataset: pictures by Cycles in build/blender, half an hour of two cores; what is there is kept.
+#   COUNT (4000), SAMPLES (32), JOBS (2).
 # make blender-train: the network from them, build/blender/renderer.safetensors.
 set -eu
 here=examples/blender
@@ -21,8 +22,9 @@ case $1 in
 addon)
     cp -r $here/material_taste build/
     case ${CC:-cc} in
-    *mingw*) $CC -O2 -shared -static -I. -Iexamples/tools $here/flat.c -o build/material_taste/ms_flat.dll -lm ;;
-    *) ${CC:-cc} -std=c99 -O2 -shared -fPIC -fvisibility=hidden -I. -Iexamples/tools $here/flat.c -o build/material_taste/libms_flat.so -lm ;;
+    *mingw*) $CC -O2 -shared -static -I. -Iexamples/tools $here/flat.c -o build/material_taste/ms_flat.dll ;;
+    *) ${CC:-cc} -std=c99 -O2 -shared -fPIC -fvisibility=hidden -I. -Iexamples/tools $here/flat.c \
+        -o build/material_taste/libms_flat.so -lm ;;
     esac
     rm -rf build/material_taste/__pycache__ build/material_taste.zip
     (cd build && python3 -m zipfile -c material_taste.zip material_taste)
@@ -35,7 +37,7 @@ dataset)
     done
     ;;
 train)
-    build/train $data/train $data/train.csv $data/renderer.safetensors --rank 80 --width 256 --epochs "${EPOCHS:-200}" \
+    build/train $data/train $data/train.csv $data/renderer.safetensors --rank 64 --width 256 --epochs "${EPOCHS:-200}" \
         --check $data/held_out_1 --check $data/held_out_2
     python3 $here/label.py $data/renderer.safetensors blender "$(cat $data/train.version)"
     ;;

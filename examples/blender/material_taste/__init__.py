@@ -377,6 +377,20 @@ class TASTE_OT_match(Work, bpy.types.Operator):
         self.report({"INFO"}, "%.1f dB from the picture" % (-20 * np.log10(max(rmse, 1e-6))))
 
 
+class TASTE_OT_large(bpy.types.Operator):
+    """The gallery in a window of its own"""
+    bl_idname, bl_label = "taste.large", "Large gallery"
+
+    def invoke(self, context, event):
+        return context.window_manager.invoke_popup(self, width=680)
+
+    def execute(self, context):
+        return {"FINISHED"}
+
+    def draw(self, context):
+        draw_all(self, context, 5)
+
+
 class TASTE_OT_forget(Work, bpy.types.Operator):
     """Forgets all stars and comparisons of this scene"""
     bl_idname, bl_label = "taste.forget", "Forget all"
@@ -398,7 +412,8 @@ def draw_gallery(layout, t, columns):
         row = cell.row(align=True)
         for score in range(6):
             symbol = "X" if score == 0 else "SOLO_ON" if score <= item.score else "SOLO_OFF"
-            button = row.operator("taste.score", text="", icon=symbol, depress=item.score == 0 == score, emboss=score == 0)
+            button = row.operator("taste.score", text="", icon=symbol, emboss=score == 0,
+                                  depress=item.score == 0 == score)
             button.index, button.score = k, score
         row = cell.row(align=True)
         row.prop(item, "best", text="", icon="FUND")
@@ -407,29 +422,36 @@ def draw_gallery(layout, t, columns):
         row.operator("taste.paint", text="", icon="BRUSH_DATA").index = k
 
 
+def draw_all(self, context, columns):
+    layout, t = self.layout, context.scene.taste
+    buttons = layout.column(align=True) if columns < 3 else layout.row(align=True)
+    buttons.prop(t, "count")
+    buttons.prop(t, "quality")
+    buttons.operator("taste.gallery", icon="FILE_REFRESH")
+    buttons.operator("taste.recommend", icon="ASSET_MANAGER")
+    buttons.operator("taste.best", icon="FUND")
+    try:
+        draw_gallery(layout, t, columns)
+    except (RuntimeError, OSError) as error:
+        layout.label(text=str(error), icon="ERROR")
+
+
 class TASTE_PT_panel(bpy.types.Panel):
     bl_label, bl_category = "Material taste", "Taste"
     bl_space_type, bl_region_type = "VIEW_3D", "UI"
 
     def draw(self, context):
+        width = context.region.width / context.preferences.system.ui_scale
+        draw_all(self, context, max(1, int(width - 40) // 120))
         try:
-            self.contents(context, context.scene.taste)
+            self.more(context.scene.taste)
         except (RuntimeError, OSError) as error:
             self.layout.label(text=str(error), icon="ERROR")
 
-    def contents(self, context, t):
+    def more(self, t):
         layout = self.layout
-        row = layout.row(align=True)
-        row.prop(t, "count")
-        row.prop(t, "quality")
-        row = layout.row(align=True)
-        row.operator("taste.gallery", icon="FILE_REFRESH")
-        row.operator("taste.recommend", icon="ASSET_MANAGER")
-        row = layout.row(align=True)
-        row.operator("taste.best", icon="FUND")
-        row.operator("taste.variants", text="Variants of active", icon="PARTICLES").index = -1
-        width = context.region.width / context.preferences.system.ui_scale
-        draw_gallery(layout, t, max(1, int(width - 40) // 120))
+        layout.operator("taste.large", icon="WINDOW")
+        layout.operator("taste.variants", text="Variants of active", icon="PARTICLES").index = -1
         layout.label(text="%d stars given, %d comparisons" % (sum(a.score >= 0 for a in t.answers), len(t.pairs)))
 
         layout.prop(t, "show_locks", icon="LOCKED")
@@ -454,8 +476,8 @@ class TASTE_PT_panel(bpy.types.Panel):
 
 
 CLASSES = (TasteItem, TasteAnswer, TastePair, TasteState, TASTE_OT_gallery, TASTE_OT_score, TASTE_OT_best,
-           TASTE_OT_recommend, TASTE_OT_variants, TASTE_OT_use, TASTE_OT_paint, TASTE_OT_match, TASTE_OT_forget,
-           TASTE_PT_panel)
+           TASTE_OT_recommend, TASTE_OT_variants, TASTE_OT_use, TASTE_OT_paint, TASTE_OT_match, TASTE_OT_large,
+           TASTE_OT_forget, TASTE_PT_panel)
 
 
 def register():

@@ -50,7 +50,8 @@ class Taste(_Owner):
 
     def __init__(self, x, scores, pairs=()):
         super().__init__()
-        x, scores, pairs = np.atleast_2d(_array(x)), np.array(scores, np.float64), _array(pairs, np.int32).reshape(-1, 2)
+        x, scores = np.atleast_2d(_array(x)), np.array(scores, np.float64)
+        pairs = _array(pairs, np.int32).reshape(-1, 2)
         self.m = x.shape[1]
         if len(scores) != len(x):
             raise RuntimeError("%d materials, but %d scores" % (len(x), len(scores)))
