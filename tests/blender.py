@@ -6,7 +6,7 @@ import traceback
 import bpy
 import numpy as np
 
-OUT = sys.argv[sys.argv.index("--") + 1]
+OUT = os.path.abspath(sys.argv[sys.argv.index("--") + 1])
 sys.path.insert(0, os.path.join(os.getcwd(), "examples/blender"))
 import material_taste as addon
 from material_taste import preview
@@ -162,24 +162,27 @@ def refusals():
 
 
 def cycles():
-    """Four pictures by Cycles, 128 samples, against the network's."""
+    """Four materials by Cycles against the network: two renderings of 64 samples each, whose noise cancels."""
     renderer = addon.renderer()
     # plastic, metal, glass and paint: none of them smooth
     x = [[0.8, 0.2, 0.1, 0, 0.4, 0, 0.5], [0.9, 0.7, 0.3, 1, 0.3, 0, 0.5], [0.9, 0.9, 0.9, 0, 0.4, 1, 0.5],
          [0.1, 0.3, 0.8, 0, 0.8, 0, 0.5]]
-    scene, material = preview.build(renderer.size, 128)
+    scene, material = preview.build(renderer.size, 64)
     settings = scene.render.image_settings
     settings.file_format, settings.color_depth = "OPEN_EXR", "32"
     scene.render.filepath = os.path.join(OUT, "cycles.exr")
     for k, row in enumerate(x):
         preview.write(material, row)
-        bpy.ops.render.render(write_still=True)
-        image = bpy.data.images.load(scene.render.filepath)
-        picture = addon.read_picture(image, renderer.size, scene)
-        bpy.data.images.remove(image)
-        decibels = -10 * np.log10(((renderer.pictures([row])[0] - picture)**2).mean())
+        product = renderer.pictures([row])[0] * 0 + 1
+        for seed in (1, 2):
+            scene.cycles.seed = seed
+            bpy.ops.render.render(write_still=True)
+            image = bpy.data.images.load(scene.render.filepath)
+            product *= renderer.pictures([row])[0] - addon.read_picture(image, renderer.size, scene)
+            bpy.data.images.remove(image)
+        decibels = -10 * np.log10(max(product.mean(), 1e-6))
         print("material %d: %.1f dB" % (k, decibels), flush=True)
-        # 128 samples leave noise of 32 to 38 dB in a picture; a wrong socket or color space is below 20 dB
+        # the least of 26 held-out materials that are no smooth glass or metal is 29.7 dB; a wrong socket is below 20
         check("picture %d" % k, decibels > 25, decibels)
 
 

@@ -77,15 +77,15 @@ FLAT int flat_gallery(const ms_gpr *taste, int m, int count, int seed, const dou
     return flat_answer(status, &error, why);
 }
 
-/* Materials whose predicted scores (mean [count]) reach tau of the best, at least `distance` apart. */
-FLAT int flat_recommend(const ms_gpr *taste, int count, double tau, double distance, int seed, const double *low,
+/* Materials whose predicted scores (mean [count]) reach tau of the best; diversity from 0 to 1. */
+FLAT int flat_recommend(const ms_gpr *taste, int count, double tau, double diversity, int seed, const double *low,
                         const double *high, double *x, double *mean, char *why)
 {
     ms_gpr_recommend_options options;
     ms_error error;
     memset(&options, 0, sizeof options);
     options.tau = tau;
-    options.min_distance = distance;
+    options.diversity = diversity;
     options.seed = (uint64_t)seed;
     options.space.low = low;
     options.space.high = high;

@@ -298,7 +298,7 @@ class TASTE_OT_recommend(Work, bpy.types.Operator):
     bl_idname, bl_label = "taste.recommend", "Recommend"
 
     def work(self, context, t):
-        x, mean = learnt(t).recommend(t.count, t.quality, 0.02, t.asked + 1, *box(t))
+        x, mean = learnt(t).recommend(t.count, t.quality, 0.3, t.asked + 1, *box(t))
         pictures = renderer().pictures(x)
         t.asked += 1
         for row, score, picture in zip(x, mean, pictures):
