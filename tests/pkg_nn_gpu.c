@@ -57,7 +57,7 @@ static void tensor(recipe *r, const char *name, const char *part, ms_nn_dtype ty
         double v = size * (2 * test_uniform(&r->seed) - 1);
         float f = (float)v;
         uint32_t bits;
-        uint16_t half = test_half(f);
+        uint16_t half = test_half_of(f);
         unsigned char *to = r->room + r->used + i * width;
         memcpy(&bits, &f, 4);
         if (type == MS_NN_F64) memcpy(to, &v, 8);

@@ -153,7 +153,7 @@ static TEST_UNUSED float test_half_value(uint16_t h)
 }
 
 /* The nearest, ties to even; what is finite stays finite. */
-static TEST_UNUSED uint16_t test_half(float v)
+static TEST_UNUSED uint16_t test_half_of(float v)
 {
     const unsigned sign = signbit(v) ? 0x8000 : 0;
     const double a = fabs((double)v);

@@ -33,7 +33,7 @@ static void net_fill(unsigned char *to, ms_nn_dtype type, size_t n, uint64_t *st
     for (i = 0; i < n; ++i) {
         const double v = test_uniform(state) - 0.5;
         const float f = (float)v;
-        const uint16_t half = test_half(f);
+        const uint16_t half = test_half_of(f);
         uint32_t bits;
         uint64_t wide;
         memcpy(&bits, &f, 4);
@@ -208,7 +208,7 @@ static uint64_t sss_run(const sss_call *call, int direct, int width, int height,
     ms_error error;
     for (i = 0; i < 3 * n; ++i) {
         const float v = (float)test_uniform(&state);
-        const uint16_t h = test_half(v);
+        const uint16_t h = test_half_of(v);
         memcpy(in + element * i, call->half ? (const void *)&h : (const void *)&v, element);
     }
     for (i = 0; i < n; ++i) {

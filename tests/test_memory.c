@@ -129,7 +129,6 @@ static ms_status preference(const ms_allocator *allocator)
     memset(&how, 0, sizeof how);
     memset(&flat, 0, sizeof flat);
     how.evaluations = 2;
-    flat.evaluations = 2;
     how.allocator = flat.allocator = *allocator;
     status = ms_gpr_fit(x, y, N, M, &how, &gp, NULL, NULL);
     STEP(ms_gpr_drop(gp, 3, NULL));

@@ -890,7 +890,7 @@ static void case_layouts(void)
     ms_sss_kernel k = test_kernel(7, 5.0, 0.1);
     int layout, level, i, c, kind;
     for (i = 0; i < n; ++i) /* values that are exact in binary16 */
-        for (c = 0; c < 3; ++c) s.rgb[c][i] = test_half_value(test_half(s.rgb[c][i]));
+        for (c = 0; c < 3; ++c) s.rgb[c][i] = test_half_value(test_half_of(s.rgb[c][i]));
     for (kind = 0; kind < 3; ++kind) {
         for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
             ms_sss_filter_options o = test_options(kind);
@@ -919,7 +919,7 @@ static void case_layouts(void)
                         const int to = (layout == 5 ? 42 - y : y) * row + x * step;
                         for (c = 0; c < 3 && step > 1; ++c) {
                             in[to + c] = s.rgb[c][y * 61 + x];
-                            half_in[to + c] = test_half(s.rgb[c][y * 61 + x]);
+                            half_in[to + c] = test_half_of(s.rgb[c][y * 61 + x]);
                         }
                         if (layout == 3) in[to + 3] = s.depth[y * 61 + x];
                     }
@@ -952,7 +952,7 @@ static void case_layouts(void)
                             float v = layout == 7
                                 ? plane[c][y * 61 + x]
                                 : (layout == 6 ? in : out)[(layout == 5 ? 42 - y : y) * row + x * step + c];
-                            if (layout == 8) wrong += half_out[y * row + x * 4 + c] != test_half(e);
+                            if (layout == 8) wrong += half_out[y * row + x * 4 + c] != test_half_of(e);
                             else wrong += !test_same(&v, &e, 1);
                         }
                         for (c = 3; c < step; ++c) { /* what lies between is left alone */
@@ -1031,7 +1031,7 @@ static void case_addresses(void)
                 const int step = at ? 1 : 4, plane = at ? n : 1;
                 for (i = 0; i < n; ++i)
                     for (c = 0; c < 3; ++c) {
-                        const uint16_t h = test_half(s.rgb[c][i]);
+                        const uint16_t h = test_half_of(s.rgb[c][i]);
                         halves[step * i + plane * c] = h;
                         packed[3 * i + c] = test_half_value(h);
                     }
@@ -1045,7 +1045,7 @@ static void case_addresses(void)
                               : ms_sss_interleaved(halves_out, 4, 1);
                 test_run(&f, &k, 1, &o);
                 for (i = 0; i < n; ++i)
-                    for (c = 0; c < 3; ++c) wrong += halves_out[step * i + plane * c] != test_half(inside[c][i]);
+                    for (c = 0; c < 3; ++c) wrong += halves_out[step * i + plane * c] != test_half_of(inside[c][i]);
             }
             if (wrong) TEST_FAIL("level %d, flat %d: %d packed or half pixels differ", level, kind, wrong);
             for (c = 0; c < 3; ++c) {
