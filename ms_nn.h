@@ -3764,8 +3764,8 @@ static const char *const ms_nn__shader_activation[] = {
     "0.5 + 0.5 * sign(x) * (1.0 - exp(-z)) / (1.0 + exp(-z))",
     "0.5 * (x + z) + log(1.0 + exp(-z))",
     "x * (0.5 + 0.5 * sign(x) * (1.0 - exp(-z)) / (1.0 + exp(-z)))",
-    "0.5 * (x + z) - z * exp(-0.5 * z * z) * t * "
-    "(0.127414796 + t * (-0.142248368 + t * (0.7107068705 + t * (-0.7265760135 + t * 0.5307027145))))"};
+    ("0.5 * (x + z) - z * exp(-0.5 * z * z) * t * "
+     "(0.127414796 + t * (-0.142248368 + t * (0.7107068705 + t * (-0.7265760135 + t * 0.5307027145))))")};
 
 static MS_NN__COLD void ms_nn__emit_activation(ms_nn__writer *t, const ms_nn__op *op)
 {
