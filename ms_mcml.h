@@ -7,8 +7,8 @@
       #define MS_MCML_IMPLEMENTATION
       #include "ms_mcml.h"
 
-   Layers with refractive index, absorption, scattering and thickness become reflectance, transmittance and absorption,
-   over radius, angle, depth and time, each number with its standard error. Link with -lm. Here 0.1 cm of skin on muscle
+   Layers with refractive index, absorption, scattering and thickness become reflectance and transmittance over radius
+   and angle, with standard errors, and absorption over depth. Link with -lm. Here 0.1 cm of skin on muscle
    (n, mu_a, mu_s, g, thickness of each layer, per cm and cm; then dr, dz, nr, nz, na of the grid):
 
    Example:
@@ -37,66 +37,60 @@
 
    Which call
    ----------
-     a diffusion profile for rendering (half-space, g = 0)   ms_mcml_profile_make: no noise, milliseconds
-     a picked colour and a path length to a medium           ms_mcml_medium_from_color
-     skin of melanin and blood to colours and profiles       ms_mcml_skin_color, ms_mcml_skin_profile
+     a diffusion profile for rendering (half-space)          ms_mcml_profile_make: no noise, milliseconds at g = 0
+     a picked color and a path length to a medium            ms_mcml_medium_from_color
+     skin of melanin and blood to profiles and colors        ms_mcml_skin_profile
      layers, g: totals, rings, depth without noise           ms_mcml_layered_solve
-     layers, g, glass, absorption, angles, time              ms_mcml_simulate, or for jobs that are split:
+     layers, g, glass, absorption, angles                    ms_mcml_simulate, or for jobs that are split:
                                                              ms_mcml_create, _run, _save, _load, _merge, _results
      .mci and .mco files of MCML 1.2, finite beams           examples/tools/mci.h
 
    Monte Carlo
    -----------
-   Packets of 4, 8 or 16 photons, as MCML (Wang, Jacques, Zheng 1995): absorption by weight, Henyey-Greenstein, Fresnel,
-   roulette. Time grows with the collisions of a photon; RESULTS.md has it for each level beside original MCML
-   (`MCML=path make bench FILTER=mcml` makes the table on your machine).
+   Packets of 4, 8 or 16 photons, as in MCML (Wang, Jacques, Zheng 1995): absorption by weight, Henyey-Greenstein
+   scattering, Fresnel boundaries, roulette. Time grows with the collisions of a photon. RESULTS.md compares each level
+   with original MCML (`MCML=path make bench FILTER=mcml` makes the table on your machine).
 
-   Roulette starts at 0.01 times the least albedo, not at MCML's 1e-4: that takes a seventh to a third of the time away;
-   a larger roulette_weight takes more, but thins out far rings. Without A_rz (no_absorption) a photon takes 0.7 to 0.9
-   of the time, with its errors (absorption_error) 1.1 to 2.2 times.
+   Roulette starts at 0.01 times the least albedo, not at MCML's 1e-4: this saves a seventh to a third of the time. A
+   larger roulette_weight saves more, but leaves fewer photons in far rings. Without A_rz (no_absorption) a photon takes
+   0.6 to 0.9 of the time.
 
-   Long paths: from event 4096 on, and every fourfold more, half of the photons end and the rest count double, so that
-   media without absorption end, too.
-   Clear layers on top count as part of the surface: what they reflect is specular.
-   Rounding: paths are float, relative to their layer; the totals of 17 media agree with adding-doubling within their
-   errors (tests/test_mcml.c).
+   From event 4096 on, and at every fourfold count, half of the photons end and the weight of the others doubles: media
+   without absorption end, too. Clear layers on top are part of the surface: their reflection is specular.
+   Paths are float, relative to their layer; the totals of 17 media agree with adding-doubling within their errors
+   (tests/test_mcml.c).
 
    Layers without noise
    --------------------
-   ms_mcml_layered_solve: up to 16 layers, Henyey-Greenstein scattering, R and T over radius, totals, depth. For each
-   spatial frequency: source moments on panels in depth, exact ray sweeps between them through every layer and back
-   (Fresnel at each boundary), GMRES; single scattering of the top layer in space with the whole phase function. Time
-   grows with the order, which g asks for (3 moments at 0.3, 9 at 0.8, 19 at 0.9), and with the panels, which follow
-   optical depth; totals are the limit of three orders. Each ring has an error beside it, estimated from half the order,
-   twice the frequency step and another end of the spectrum. Where it is above 3%, beside clear layers and for g near 1
-   the rings are Monte Carlo's, with standard errors, and the solution says so. `make bench FILTER=layered` compares
-   300 random media with Monte Carlo of another seed.
+   ms_mcml_layered_solve takes up to 16 layers and gives R and T over radius, totals and depth. For each spatial
+   frequency it solves for source moments on panels in depth, by exact ray sweeps through all layers (Fresnel at each
+   boundary) and GMRES. Single scattering of the top layer is computed in space with the whole phase function. Time
+   grows with the order, which g determines (3 moments at 0.3, 9 at 0.8, 19 at 0.9), and with optical depth. Totals are
+   the limit of three orders. Each ring has an error, estimated from half the order, twice the frequency step and
+   another end of the spectrum. Where it exceeds 3%, beside clear layers and for g near 1 the rings come from Monte
+   Carlo, with standard errors, and the solution says so. `make bench FILTER=layered` compares 300 random media with
+   Monte Carlo.
 
    Diffusion profiles
    ------------------
-   ms_mcml_profile_make turns mu_a, mu_s, eta of any number of channels into R_d(r): averages over rings that the caller
-   chooses, the energy within each edge, and the pre-integrated kernel a_p. The default is the half-space solver:
-   Galerkin's method in depth for each spatial frequency, and the spectrum as a sum of Bessel functions with positive
-   energies, so that every number asked for has a closed form. At the default steps totals are good to 5e-13, rings with
-   1e-5 of the energy to 8e-5; coarser steps take a tenth of the time (`make bench FILTER=profile`).
-
-   Valid for index ratios 0.1 to 10 and every albedo, 1 included. Media with g other than 0 and layers go to the layered
-   solver, a tenth of a second to a second a channel. ms_mcml_halfspace_solve alone takes g as mu_s (1 - g): totals are
-   off by 0.3% at reduced albedo 0.99, 6% at 0.9, 60% at 0.5. Monte Carlo of 1e6
+   ms_mcml_profile_make turns mu_a, mu_s, g and eta of any number of channels into R_d(r): averages over rings that the
+   caller chooses, and the energy within each edge. At g = 0 the half-space solver computes them: Galerkin's method in
+   depth for each spatial frequency, and the spectrum as a sum of terms with positive energies, so that every number has
+   a closed form. At the default steps totals are good to 5e-13, rings with 1e-5 of the energy to 8e-5; coarser steps
+   take a tenth of the time (`make bench FILTER=profile`). Index ratios of 0.1 to 10 and every albedo are valid, 1
+   included. Media with other g take the layered solver: a tenth of a second to a second a channel. Monte Carlo of 1e6
    photons leaves about 1% of noise in a profile (relative L2 over rings of a twentieth of a mean free path).
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
-   Monte Carlo: one block a tally, one a result, see ms_mcml_create; nothing else. Stack: less than 8 KB. Threads:
-   options.parallel cuts stretches of 65536 photons into 16 tasks with a tally each. Calls on different tallies may
-   overlap. Solvers: 0.3 MB while the solver runs (0.3 MB a channel with options.parallel), 32 bytes a ring and channel
-   for the result. Stack: less than 40 KB. Calls without a common object may overlap. The same bits for any thread
-   count; the half-space solver is plain C at every level.
-   Monte Carlo: photon i draws from (seed, i); sums are integers. Same bits for any thread count and any split at one
-   level of instruction sets; levels round paths differently (they agree far within a standard error). MCML's own
-   generator is biased (ketchup blue by -0.33%): results agree with the exact answer, not with its bits. -ffast-math
-   voids what is said of bits, NaN and infinity.
-   A status and, where asked for, a sentence. On failure outputs are untouched.
+   Monte Carlo: one block a tally, one a result, see ms_mcml_create. Stack: less than 8 KB. options.parallel cuts every
+   65536 photons into 16 tasks with a tally each. Layered solver: 5 to 100 MB while it runs, on one thread; half-space
+   solver: 0.3 MB a channel that runs. Stack: less than 40 KB. Calls without a common object may overlap.
+   The same bits for any thread count. Monte Carlo: photon i draws from (seed, i) and sums are integers, so that any
+   split gives the same bits at one level of instruction sets; levels round differently and agree far within a standard
+   error. MCML's own generator is biased (ketchup blue by -0.33%): results agree with the exact answer, not with its
+   bits. The half-space solver is plain C at every level. -ffast-math voids what is said of bits, NaN and infinity.
+   Calls return a status and, where asked for, a sentence. On failure outputs are untouched.
 
    Configuration (define before the implementation)
    ------------------------------------------------
@@ -108,9 +102,8 @@
    Limits
    ------
    Monte Carlo: 2^32 photons a tally; 32767 layers; n 0.01 to 100; mu up to 1e9 per cm; -1 < g <= 1; fewer than 2^31
-   cells. Pencil beam (incidence_degrees: oblique, Monte Carlo only); flat layers; unpolarised light; no fluence in
-   clear layers. Layers without noise: 16 layers; totals of g above 0.99 or below -0.9 to less than 5e-5. The layered
-   solver runs each channel on one thread.
+   cells. A pencil beam at normal incidence; flat layers; unpolarized light. Layered solver: 16 layers; totals of g
+   above 0.99 or below -0.9 to less than 5e-5.
 
    Sources
    -------
@@ -380,9 +373,9 @@ MS_API const ms_mcml_material *ms_mcml_find_material(const char *name);
 /* One channel (0 R, 1 G, 2 B) of a material; nothing at all (index 1) where there is none. */
 MS_API ms_mcml_medium ms_mcml_material_medium(const ms_mcml_material *material, int channel);
 
-/* ---- colours --------------------------------------------------------------------------------------------------- */
+/* ---- colors ---------------------------------------------------------------------------------------------------- */
 
-/* What a length stands for. With A the colour below, Christensen, Burley 2015 (Approximate reflectance profiles for
+/* What a length stands for. With A the color below, Christensen, Burley 2015 (Approximate reflectance profiles for
    efficient subsurface scattering, equations 6 and 8) give the last two. */
 typedef enum ms_mcml_length {
     MS_MCML_MEAN_FREE_PATH = 0, /* 1 / (mu_a + mu_s) */
@@ -391,7 +384,7 @@ typedef enum ms_mcml_length {
     MS_MCML_DIFFUSE_PATH = 2 /* d (3.5 + 100 (A - 0.33)^4): Unreal's diffuse mean free path */
 } ms_mcml_length;
 
-/* The medium that looks so: of this colour and this length. its reflectance gives the color back to 1e-7.
+/* The medium that looks so: of this color and this length. Its reflectance gives the color back to 1e-7.
    color      0 to 1: reflectance over 1 - specular, the part of the light let in that comes out again: a renderer's
               albedo beside a specular lobe. One channel, linear, not sRGB
    length_mm  > 0; kind: an ms_mcml_length
@@ -453,12 +446,11 @@ typedef struct ms_mcml_layered {
 /* Solves the transport equation for each spatial frequency: source moments on panels in depth, exact ray sweeps between
    them through all layers and back, GMRES with low-order spherical harmonics as preconditioner. 1 to 16 layers, index
    0.01 to 100, any absorption and scattering; thickness_cm x effective attenuation above 23 counts as infinite.
-   Rings of a side whose total is above 1e-3 come from Monte Carlo, scaled to the solver's total, where the solver
-   cannot hold them: beside a clear layer, g above 0.96, or an estimated error above 3% in a ring with 1e-3 of the
-   side's energy. side[].photons says so, and the errors are standard errors then. options may be NULL. Memory while it
-   runs: 5 to 100 MB, with order and panels. MS_NOT_CONVERGED: *out is filled, but the totals are known to rd_error and
-   tt_error only, above 5e-5. MS_INVALID_ARGUMENT, MS_UNSUPPORTED (more than 16 layers), MS_OUT_OF_MEMORY, MS_CANCELLED:
-   *out untouched. */
+   Rings of a side whose total is above 1e-3 come from Monte Carlo, scaled to the solver's total, beside a clear layer,
+   for g above 0.96, or where the estimated error exceeds 3% in a ring with 1e-3 of the side's energy. side[].photons
+   says so, and the errors are standard errors then. options may be NULL. Memory while it runs: 5 to 100 MB, with order
+   and panels. MS_NOT_CONVERGED: *out is filled, but the totals are known to rd_error and tt_error only, above 5e-5.
+   MS_INVALID_ARGUMENT, MS_UNSUPPORTED (more than 16 layers), MS_OUT_OF_MEMORY, MS_CANCELLED: *out untouched. */
 MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *options,
                                        ms_mcml_layered *out, ms_error *error);
 
@@ -521,7 +513,7 @@ MS_API void ms_mcml_profile_destroy(ms_mcml_profile *profile);
    Laws, per cm at w nm: melanosomes 6.6e11 w^-3.33 of eumelanin (Jacques 1998, "Skin optics") and 2.9e15 w^-4.75 of
    pheomelanin (Donner, Jensen 2006, "A spectral BSSRDF for shading human skin"); bloodless, pale skin 0.244 + 85.3
    exp(-(w - 154) / 66.2) (Jacques 1998); reduced scattering 46 (w / 500)^-1.421 (mean of skin in Jacques 2013, "Optical
-   properties of biological tissues"); blood of 150 g/l haemoglobin (Prahl's table of Gratzer's and Kollias's data,
+   properties of biological tissues"); blood of 150 g/l hemoglobin (Prahl's table of Gratzer's and Kollias's data,
    omlc.org); fat scatters 1050 w^-0.68 (Bashkatov et al. 2005) and absorbs as dermis with a tenth of the blood. Index
    1.4. Melanin, blood and scattering fitted to people in NIST's reference data (Cooksey, Allen, Tsai 2017, read off
    plots) follow their spectra to 0.01 from 500 to 700 nm, with scattering 2 to 4 times the mean: this shows what the
@@ -1036,7 +1028,7 @@ static inline int ms_mcml__assign(ms_mcml__tracer *t, int i)
 
 /* Adds the absorption of lane i in its layer to the sums, rounded at random by bits that its other choices do not
    use. */
-static inline void ms_mcml__keep(ms_mcml__tracer *t, int i)
+static inline void ms_mcml__add_absorbed(ms_mcml__tracer *t, int i)
 {
     size_t at = t->tally->at.layers + (size_t)t->group[i] * (size_t)t->tally->tissue.layer_count + (size_t)t->layer[i];
     t->sum[at] += (int64_t)(t->kept[i] * ms_mcml__units + (float)(t->word[i] & 127) * (1.0f / 128));
@@ -1063,7 +1055,7 @@ static int ms_mcml__cross(ms_mcml__tracer *t, int i)
 {
     const int down = t->uz[i] > 0, layer = t->layer[i] + (down ? 1 : -1);
     const float ratio = down ? t->ratio_down[i] : t->ratio_up[i];
-    ms_mcml__keep(t, i);
+    ms_mcml__add_absorbed(t, i);
     if (layer < 0 || layer == t->tally->tissue.layer_count) {
         ms_mcml__leave(t, i, down);
         return 1;
@@ -1076,14 +1068,14 @@ static int ms_mcml__cross(ms_mcml__tracer *t, int i)
 }
 
 /* The functions that are compiled for each level. */
-struct ms_mcml__flights;
+struct ms_mcml__sweeps;
 typedef struct ms_mcml__kernels {
     void (*trace)(ms_mcml__tracer *t);
-    /* One flight of everything that scatters: out = where light of the moments d (NULL: none) and, if beam, of the
-       beam's first scattering arrives; leave: what leaves at the top and at the bottom on that flight. */
-    void (*fly)(const struct ms_mcml__flights *s, const double *d, int beam, double *out, double leave[2]);
-    void (*weigh)(double mu_t, const double *h, const double *wave, const double *polynomial, const double *series,
-                  double *out);
+    /* One sweep of all rays: out = the moments of the light that the sources d (NULL: none) and, if beam, the first
+       scattering of the beam send out; leave: the parts that leave at the top and the bottom. */
+    void (*sweep)(const struct ms_mcml__sweeps *s, const double *d, int beam, double *out, double leave[2]);
+    void (*panel_weights)(double mu_t, const double *h, const double *wave, const double *polynomial,
+                          const double *series, double *out);
     double (*inner)(const double *a, const double *b, size_t n); /* n: a multiple of 8 */
     void (*add)(double *to, double x, const double *a, size_t n);
 } ms_mcml__kernels;
@@ -1272,15 +1264,15 @@ static void ms_mcml__add(int64_t *sum, const int64_t *other, size_t count)
     for (i = 0; i < count; ++i) sum[i] = (int64_t)((uint64_t)sum[i] + (uint64_t)other[i]);
 }
 
-typedef struct ms_mcml__wave {
+typedef struct ms_mcml__trace_job {
     const ms_mcml *tally;
     int64_t *sums; /* [TASKS][count] */
     uint64_t first, count;
-} ms_mcml__wave;
+} ms_mcml__trace_job;
 
-static void ms_mcml__wave_task(void *context, int index)
+static void ms_mcml__trace_task(void *context, int index)
 {
-    const ms_mcml__wave *wave = (const ms_mcml__wave *)context;
+    const ms_mcml__trace_job *wave = (const ms_mcml__trace_job *)context;
     const uint64_t i = (uint64_t)index;
     ms_mcml__trace(wave->tally, wave->sums + (size_t)index * wave->tally->at.count,
                    wave->first + wave->count * i / MS_MCML__TASKS,
@@ -1294,7 +1286,7 @@ MS_API ms_status ms_mcml_run(ms_mcml *m, uint64_t first, uint64_t count, ms_erro
     const uint64_t end = first + count;
     const ms_progress *progress;
     ms_status status = MS_OK;
-    ms_mcml__wave wave;
+    ms_mcml__trace_job wave;
     int i;
     if (m == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tally is NULL");
     if (count > ms_mcml__photons_max || m->photons > ms_mcml__photons_max - count)
@@ -1316,7 +1308,7 @@ MS_API ms_status ms_mcml_run(ms_mcml *m, uint64_t first, uint64_t count, ms_erro
             status = ms__fail(error, MS_CANCELLED, 0, "stopped by the progress callback");
             break;
         }
-        if (parallel) ms__run(&m->options.parallel, MS_MCML__TASKS, ms_mcml__wave_task, &wave);
+        if (parallel) ms__run(&m->options.parallel, MS_MCML__TASKS, ms_mcml__trace_task, &wave);
         else ms_mcml__trace(m, m->sum, wave.first, wave.first + wave.count);
         m->photons += wave.count;
     }
@@ -1505,7 +1497,7 @@ static void ms_mcml__moments(double s, double q, double n, double scale, double 
 }
 
 /* The same from the sums of the groups, whose sizes differ: the spread of sum_g - mean n_g. */
-static void ms_mcml__spread(const ms_mcml *m, const double *sum, double *mean, double *error)
+static void ms_mcml__group_error(const ms_mcml *m, const double *sum, double *mean, double *error)
 {
     const int64_t *size = m->sum + m->at.photons;
     const double n = (double)m->photons, unit = (double)ms_mcml__units, scale = 1 - m->specular;
@@ -1598,9 +1590,9 @@ static void ms_mcml__layer_results(const ms_mcml *m, ms_mcml_result *out)
             group[g] = (double)sum[g * count + i];
             all[g] += group[g];
         }
-        ms_mcml__spread(m, group, &out->a_l[i], &out->a_l_error[i]);
+        ms_mcml__group_error(m, group, &out->a_l[i], &out->a_l_error[i]);
     }
-    ms_mcml__spread(m, all, &out->a, &out->a_error);
+    ms_mcml__group_error(m, all, &out->a, &out->a_error);
 }
 
 /* The arrays of a result, one block; arena->base NULL: only counts. */
@@ -1790,7 +1782,7 @@ static void ms_mcml__cone_make(ms_mcml__cone *cone, double eta)
         double mu = mu_c + above;
         double mu_out = eta > 1 ? eta * sqrt(above * (mu + mu_c)) : sqrt((1 - eta) * (1 + eta) + eta * eta * mu * mu);
         double s = eta * mu + mu_out, p = eta * mu_out + mu;
-        double transmitted = 2 * eta * mu * mu_out * (1 / (s * s) + 1 / (p * p)); /* Fresnel, unpolarised */
+        double transmitted = 2 * eta * mu * mu_out * (1 / (s * s) + 1 / (p * p)); /* Fresnel, unpolarized */
         cone->mu[i] = mu;
         cone->sin2[i] = below * (1 + mu);
         cone->weight[i] = 0.5 * transmitted * step * 3.14159265358979324 * cosh(x) * above * e / (1 + e);
@@ -1825,7 +1817,7 @@ static double ms_mcml__case_eigenvalue(double albedo, double absorption)
 
 /* G(b) and its derivative. With T = 1 / (1 + sqrt(1 + k^2)) and y = T / (1 + b T),
    G = y S(x),  x = (b^2 - k^2) y^2,  S(x) = atanh(sqrt x) / sqrt x = 1 + x / 3 + x^2 / 5 + ... */
-static double ms_mcml__flight(double b, double k2, double *derivative)
+static double ms_mcml__flight_transform(double b, double k2, double *derivative)
 {
     double t = 1 / (1 + sqrt(1 + k2)), y = t / (1 + b * t), d2 = b * b - k2, x = d2 * y * y, s, ds;
     if (fabs(x) < 0.3) {
@@ -1867,7 +1859,7 @@ static double ms_mcml__multiple(const ms_mcml__cone *cone, double albedo, double
     for (i = 0; i < n; ++i) {
         double f = 0, df = 0, e = 0;
         scale[i] = sqrt(2 * b[i]); /* 1 / norm of exp(-b z) */
-        g[i] = ms_mcml__flight(b[i], k2, &dg[i]);
+        g[i] = ms_mcml__flight_transform(b[i], k2, &dg[i]);
         for (c = 0; c < cone->count; ++c) {
             double v = b[i] * cone->mu[c] + 1, square = v * v + k2 * cone->sin2[c];
             double term = cone->weight[c] / sqrt(square);
@@ -1911,7 +1903,7 @@ enum {
     MS_MCML__COLUMNS_MAX = 200 /* candidates for the sum; as many as there are rows are taken at most */
 };
 
-/* Non-negative least squares (Lawson & Hanson 1974, chapter 23): minimises |A x - target| with x >= 0. Columns have
+/* Non-negative least squares (Lawson & Hanson 1974, chapter 23): minimizes |A x - target| with x >= 0. Columns have
    unit length. QR by Householder reflections that are appended as columns enter and rebuilt from the place where one
    leaves. */
 typedef struct ms_mcml__nnls {
@@ -2239,19 +2231,19 @@ static double ms_mcml__halfspace_ring(const ms_mcml__halfspace *s, double r0, do
 
 enum {
     MS_MCML__ORDER_MAX = 31,
-    MS_MCML__STRATA = 16,
+    MS_MCML__LAYERS_MAX = 16,
     MS_MCML__RAYS = 8,         /* side by side: a part of a panel of nu = n sin(theta) */
     MS_MCML__AZIMUTHS = 17,    /* at most, in a quarter of the circle: order 31 needs them */
     MS_MCML__SHAPES = 64,      /* different panel lengths of a layer */
     MS_MCML__PANELS_MAX = 160, /* of a layer */
-    MS_MCML__SPAN = 48,        /* steps of GMRES */
+    MS_MCML__GMRES_STEPS = 48, /* steps of GMRES */
     MS_MCML__EVEN_MAX = 9,     /* even moments of the preconditioner */
     MS_MCML__ODD_MAX = 12,
     MS_MCML__SERIES = 17 /* terms of exp(-y), |y| < 1, and of its last moment: 1e-16 */
 };
 
-/* A layer as the flights see it; mu_s, mu_t and sigma without the forward peak. */
-typedef struct ms_mcml__stratum {
+/* A layer as the sweeps see it; mu_s, mu_t and sigma without the forward peak. */
+typedef struct ms_mcml__solver_layer {
     double n, d, mu_a, mu_s, mu_t, kappa; /* d: as far as nodes go; kappa: effective attenuation */
     double mu_s_full, g, sigma[MS_MCML__ORDER_MAX + 1];
     double down, up;                      /* the beam at the top going down, at the bottom going up */
@@ -2259,10 +2251,10 @@ typedef struct ms_mcml__stratum {
     int deep, node, end; /* first node of all; first and last of those within reach, each layer's a multiple of 8 */
     double shape[MS_MCML__SHAPES];
     int shapes, table; /* table: of its first shape */
-} ms_mcml__stratum;
+} ms_mcml__solver_layer;
 
 /* Low-order preconditioner: u even, v odd moments. */
-typedef struct ms_mcml__smoother {
+typedef struct ms_mcml__preconditioner {
     int even, odd, nodes, pairs;
     int even_l[MS_MCML__EVEN_MAX], even_m[MS_MCML__EVEN_MAX], even_term[MS_MCML__EVEN_MAX];
     int odd_l[MS_MCML__ODD_MAX], odd_m[MS_MCML__ODD_MAX], odd_term[MS_MCML__ODD_MAX];
@@ -2270,18 +2262,18 @@ typedef struct ms_mcml__smoother {
     double pair_a[48], pair_x[48]; /* streaming along z and x between them */
     double *block;                 /* [nodes][2][even][even]: inverse of the pivot, coupling to the next */
     double *right;                 /* [nodes][even] */
-} ms_mcml__smoother;
+} ms_mcml__preconditioner;
 
-typedef struct ms_mcml__flights {
+typedef struct ms_mcml__sweeps {
     const ms_mcml__kernels *kernels;
     int layers, order, nodes, panels, shapes, parts;
     double n_above, n_below, specular, unscattered; /* reflected and transmitted without scattering */
-    ms_mcml__stratum layer[MS_MCML__STRATA];
-    double breaks[MS_MCML__STRATA + 2];
+    ms_mcml__solver_layer layer[MS_MCML__LAYERS_MAX];
+    double breaks[MS_MCML__LAYERS_MAX + 2];
     int break_count, clear; /* clear: a layer is */
     int through;            /* what leaves at the bottom matters, which the beam takes farther than slant light */
-    double z[MS_MCML__STRATA * (4 * MS_MCML__PANELS_MAX + 1)]; /* [nodes] from the top of the layer */
-    int panel_shape[MS_MCML__STRATA * MS_MCML__PANELS_MAX];
+    double z[MS_MCML__LAYERS_MAX * (4 * MS_MCML__PANELS_MAX + 1)]; /* [nodes] from the top of the layer */
+    int panel_shape[MS_MCML__LAYERS_MAX * MS_MCML__PANELS_MAX];
     /* at one frequency */
     double k, mu_least;
     int most, blocks, azimuths, azimuths_most, terms,
@@ -2298,13 +2290,13 @@ typedef struct ms_mcml__flights {
     double *edge;  /* [blocks][layers][5][RAYS] at its top: reflectance, what comes in from above; at its bottom:
                       reflectance; what leaves upwards and downwards */
     double *depth, *beam; /* [reach], [2][reach]: down and up */
-    double *q, *source;   /* of a flight: [terms][reach] source moments, [2][m][reach][RAYS] of the rays down and up */
+    double *q, *source;   /* of a sweep: [terms][reach] source moments, [2][m][reach][RAYS] of the rays down and up */
     double *line, *down, *up, *both; /* [reach][4][RAYS], [reach][2][RAYS] twice, [azimuths][reach][4][RAYS] */
     double *moments, *x, *vectors;   /* moments: [terms][nodes] three times; x: [terms][reach] */
-    double *memory;
+    void *memory;
     size_t size;
-    ms_mcml__smoother smoother;
-} ms_mcml__flights;
+    ms_mcml__preconditioner preconditioner;
+} ms_mcml__sweeps;
 
 static int ms_mcml__first_term(int order, int m)
 {
@@ -2354,12 +2346,12 @@ static void ms_mcml__theta(int order, int most, double mu, double *out, int stri
 }
 
 /* The beam in every layer, to and fro, all orders: 2 x 2 per boundary from below. */
-static void ms_mcml__beams(ms_mcml__flights *s)
+static void ms_mcml__beams(ms_mcml__sweeps *s)
 {
-    double ratio[MS_MCML__STRATA], pass[MS_MCML__STRATA], rho = 0;
+    double ratio[MS_MCML__LAYERS_MAX], pass[MS_MCML__LAYERS_MAX], rho = 0;
     int i;
     for (i = s->layers - 1; i >= 0; --i) { /* rho: up over down at the bottom of layer i */
-        const ms_mcml__stratum *l = &s->layer[i];
+        const ms_mcml__solver_layer *l = &s->layer[i];
         double below = i + 1 < s->layers ? s->layer[i + 1].n : s->n_below, r = (l->n - below) / (l->n + below);
         double t = l->mu_t * l->d < 700 && !l->semi ? exp(-l->mu_t * l->d) : 0;
         r *= r;
@@ -2377,7 +2369,7 @@ static void ms_mcml__beams(ms_mcml__flights *s)
         down = (1 - r) / (1 - r * rho);
         s->specular = r + (1 - r) * (1 - r) * rho / (1 - r * rho);
         for (i = 0; i < s->layers; ++i) {
-            ms_mcml__stratum *l = &s->layer[i];
+            ms_mcml__solver_layer *l = &s->layer[i];
             double t = l->mu_t * l->d < 700 && !l->semi ? exp(-l->mu_t * l->d) : 0;
             l->down = down;
             l->up = down * t * ratio[i];
@@ -2433,8 +2425,8 @@ static void ms_mcml__panel_polynomials(double polynomial[4][5][5])
         }
 }
 
-/* Rays, angular functions and weights of all flights at frequency k. */
-static void ms_mcml__rays(ms_mcml__flights *s, double k, int most)
+/* Rays, angular functions and weights of all sweeps at frequency k. */
+static void ms_mcml__rays(ms_mcml__sweeps *s, double k, int most)
 {
     enum { R = MS_MCML__RAYS };
     const double *breaks = s->breaks, mu_least = s->mu_least;
@@ -2503,7 +2495,7 @@ static void ms_mcml__rays(ms_mcml__flights *s, double k, int most)
     }
     for (b = 0; b < s->blocks; ++b)
         for (layer = 0; layer < s->layers; ++layer) {
-            const ms_mcml__stratum *l = &s->layer[layer];
+            const ms_mcml__solver_layer *l = &s->layer[layer];
             for (j = 0; j < R; ++j) {
                 const double nu = s->nu[b * R + j], sine = nu / l->n,
                              mu = nu < l->n ? sqrt((1 - sine) * (1 + sine)) : 0;
@@ -2523,13 +2515,14 @@ static void ms_mcml__rays(ms_mcml__flights *s, double k, int most)
                         h[j] = mu > 0 ? l->shape[i] / mu : 0;
                         wave[j] = k * s->nu[b * R + j] / l->n * s->cosine[(b * s->azimuths + a) * R + j];
                     }
-                    s->kernels->weigh(l->mu_t, h, wave, &polynomial[0][0][0], &series[0][0], t);
+                    s->kernels->panel_weights(l->mu_t, h, wave, &polynomial[0][0][0], &series[0][0], t);
                 }
         }
 }
 
-/* How each ray goes through the layers, which all flights at a frequency share; layers join from below. */
-static void ms_mcml__join(ms_mcml__flights *s)
+/* Transmission of each ray through the layers and reflection at their boundaries, from the bottom up; all sweeps at a
+   frequency share it. */
+static void ms_mcml__boundaries(ms_mcml__sweeps *s)
 {
     enum { R = MS_MCML__RAYS };
     int b, a, j, layer;
@@ -2537,7 +2530,7 @@ static void ms_mcml__join(ms_mcml__flights *s)
         const double *nu = s->nu + b * R;
         double *edges = s->edge + (size_t)(b * s->layers) * 5 * R;
         for (layer = 0; layer < s->layers; ++layer) {
-            const ms_mcml__stratum *y = &s->layer[layer];
+            const ms_mcml__solver_layer *y = &s->layer[layer];
             const int last = layer + 1 == s->layers, open = !y->semi && (y->clear || y->used == y->panels);
             const double above = layer ? y[-1].n : s->n_above, below = last ? s->n_below : y[1].n;
             double *edge = edges + layer * 5 * R;
@@ -2552,7 +2545,7 @@ static void ms_mcml__join(ms_mcml__flights *s)
         }
         for (a = 0; a < s->azimuths; ++a)
             for (layer = s->layers - 1; layer >= 0; --layer) {
-                const ms_mcml__stratum *y = &s->layer[layer];
+                const ms_mcml__solver_layer *y = &s->layer[layer];
                 const double *cosine = s->cosine + (b * s->azimuths + a) * R, *mu = s->mu + (b * s->layers + layer) * R,
                              *edge = edges + layer * 5 * R;
                 double *c = s->chain + (size_t)((b * s->azimuths + a) * s->layers + layer) * 10 * R;
@@ -2614,13 +2607,22 @@ static void ms_mcml__invert(double *a, int n)
 /* Preconditioner: P_N equations up to most_l; even moments by linear finite elements in depth (u / n^2 continuous), odd
    moments eliminated. With A and X the streaming along z and x (moments times i^m),
      A v' + k X v + S_e u = q_e,   A^T u' - k X^T u + S_o v = q_o,   S_l = mu_t - sigma_l. */
-static void ms_mcml__smoother_make(ms_mcml__flights *s, int most_l)
+
+/* Streaming along x between (le, me) and (lo, mo), whose m differ by one. */
+static double ms_mcml__streaming_x(int le, int me, int lo, int mo)
 {
-    ms_mcml__smoother *f = &s->smoother;
-    const double k = s->k;
-    double a[MS_MCML__EVEN_MAX][MS_MCML__ODD_MAX], x[MS_MCML__EVEN_MAX][MS_MCML__ODD_MAX];
-    double theta[21]; /* terms up to l = 5 */
-    int layer, i, j, o, t, node = 0, l, m, ne, last = -1, first = -1;
+    const int m = me < mo ? me : mo;
+    const double lm = me < mo ? le : lo, lh = me < mo ? lo : le, c = me + mo > 1 ? 0.5 : 0.70710678118654752;
+    const double x = lh > lm ? c * sqrt((lm + m + 1) * (lm + m + 2) / ((2 * lm + 1) * (2 * lm + 3)))
+                             : -c * sqrt((lm - m) * (lm - m - 1) / ((2 * lm - 1) * (2 * lm + 1)));
+    return mo > me ? -x : x;
+}
+
+/* The moments, and A and X between them. */
+static void ms_mcml__streaming(const ms_mcml__sweeps *s, int most_l, ms_mcml__preconditioner *f,
+                               double a[][MS_MCML__ODD_MAX], double x[][MS_MCML__ODD_MAX])
+{
+    int i, o, l, m;
     f->even = f->odd = f->nodes = f->pairs = 0;
     for (m = 0; m <= s->most && m <= most_l; ++m)
         for (l = m; l <= most_l; ++l) {
@@ -2628,23 +2630,14 @@ static void ms_mcml__smoother_make(ms_mcml__flights *s, int most_l)
             if (l & 1) f->odd_l[f->odd] = l, f->odd_m[f->odd] = m, f->odd_term[f->odd++] = term;
             else f->even_l[f->even] = l, f->even_m[f->even] = m, f->even_term[f->even++] = term;
         }
-    ne = f->even;
-    for (i = 0; i < ne; ++i)
+    for (i = 0; i < f->even; ++i)
         for (o = 0; o < f->odd; ++o) {
             const int le = f->even_l[i], lo = f->odd_l[o], me = f->even_m[i], mo = f->odd_m[o], low = le < lo ? le : lo;
             a[i][o] = x[i][o] = 0;
             if (le - lo != 1 && lo - le != 1) continue;
             if (me == mo)
                 a[i][o] = sqrt(((low + 1.0) * (low + 1.0) - (double)me * me) / ((2.0 * low + 1) * (2.0 * low + 3)));
-            if (me - mo == 1 || mo - me == 1) { /* from (lm, m) to (lm +- 1, m + 1) */
-                const double lm = me < mo ? le : lo, lh = me < mo ? lo : le,
-                             c = me + mo > 1 ? 0.5 : 0.70710678118654752;
-                double y;
-                m = me < mo ? me : mo;
-                if (lh > lm) y = c * sqrt((lm + m + 1) * (lm + m + 2) / ((2 * lm + 1) * (2 * lm + 3)));
-                else y = -c * sqrt((lm - m) * (lm - m - 1) / ((2 * lm - 1) * (2 * lm + 1)));
-                x[i][o] = mo > me ? -y : y;
-            }
+            if (me - mo == 1 || mo - me == 1) x[i][o] = ms_mcml__streaming_x(le, me, lo, mo);
             if (fabs(a[i][o]) + fabs(x[i][o]) > 1e-9) {
                 f->pair_even[f->pairs] = i;
                 f->pair_odd[f->pairs] = o;
@@ -2652,84 +2645,118 @@ static void ms_mcml__smoother_make(ms_mcml__flights *s, int most_l)
                 f->pair_x[f->pairs++] = x[i][o];
             }
         }
-    for (layer = 0; layer < s->layers; ++layer) {
-        const ms_mcml__stratum *y = &s->layer[layer];
-        if (y->clear || !y->used) continue;
-        f->nodes += 4 * y->used + (f->nodes ? 0 : 1);
-        last = layer;
-        if (first < 0) first = layer;
-    }
-    if (f->nodes == 0) return;
-    memset(f->block, 0, (size_t)f->nodes * 2 * (size_t)(ne * ne) * sizeof(double));
-    for (layer = 0; layer < s->layers; ++layer) {
-        const ms_mcml__stratum *y = &s->layer[layer];
-        const double n4 = y->n * y->n * y->n * y->n;
-        int at;
-        if (y->clear || !y->used) continue;
-        for (at = y->node; at < y->end; ++at, ++node) {
-            const double h = s->depth[at + 1] - s->depth[at];
-            double *p0 = f->block + (size_t)node * 2 * (size_t)(ne * ne), *c0 = p0 + ne * ne, *p1 = c0 + ne * ne;
-            for (i = 0; i < ne; ++i)
-                for (j = 0; j < ne; ++j) {
-                    double p = 0, q = 0, qt = 0, r = 0;
-                    for (o = 0; o < f->odd; ++o) {
-                        const double v = 1 / (y->mu_t - y->sigma[f->odd_l[o]]);
-                        p += a[i][o] * a[j][o] * v;
-                        q += a[i][o] * x[j][o] * v;
-                        qt += x[i][o] * a[j][o] * v;
-                        r += x[i][o] * x[j][o] * v;
-                    }
-                    r = k * k * r + (i == j ? y->mu_t - y->sigma[f->even_l[i]] : 0);
-                    /* w' P u' - k w' Q u - k w Q^T u' + w R u on [0, h] */
-                    p0[i * ne + j] += n4 * (p / h + k * 0.5 * q + k * 0.5 * qt + r * h / 3);
-                    p1[i * ne + j] += n4 * (p / h - k * 0.5 * q - k * 0.5 * qt + r * h / 3);
-                    c0[i * ne + j] += n4 *
-                        (-p / h + k * 0.5 * q - k * 0.5 * qt + r * h / 6); /* row: this node, column: next */
+}
+
+/* The matrices of the elements of a layer, from `node` on: w' P u' - k w' Q u - k w Q^T u' + w R u on [0, h]. */
+static void ms_mcml__elements(const ms_mcml__sweeps *s, const ms_mcml__solver_layer *y, int node,
+                              double a[][MS_MCML__ODD_MAX], double x[][MS_MCML__ODD_MAX])
+{
+    const ms_mcml__preconditioner *f = &s->preconditioner;
+    const double n4 = y->n * y->n * y->n * y->n, k = s->k;
+    const int ne = f->even;
+    int at, i, j, o;
+    for (at = y->node; at < y->end; ++at, ++node) {
+        const double h = s->depth[at + 1] - s->depth[at];
+        double *here = f->block + (size_t)node * 2 * (size_t)(ne * ne), *next = here + 2 * ne * ne;
+        double *coupling = here + ne * ne; /* row: this node, column: next */
+        for (i = 0; i < ne; ++i)
+            for (j = 0; j < ne; ++j) {
+                double p = 0, q = 0, qt = 0, r = 0;
+                for (o = 0; o < f->odd; ++o) {
+                    const double v = 1 / (y->mu_t - y->sigma[f->odd_l[o]]);
+                    p += a[i][o] * a[j][o] * v;
+                    q += a[i][o] * x[j][o] * v;
+                    qt += x[i][o] * a[j][o] * v;
+                    r += x[i][o] * x[j][o] * v;
                 }
-        }
-    }
-    for (i = 0; i < 2; ++i) { /* what leaves: integral of |mu| (1 - r) / (1 + r) Y Y' */
-        const ms_mcml__stratum *y = &s->layer[i ? last : first];
-        const int cut = i && (y->semi || y->used < y->panels);
-        const double outside = cut ? y->n : i ? s->n_below : s->n_above, n4 = y->n * y->n * y->n * y->n;
-        double *p = f->block + (size_t)(i ? f->nodes - 1 : 0) * 2 * (size_t)(ne * ne);
-        for (t = 0; t < 48; ++t) {
-            const double mu = (t + 0.5) / 48, r = ms_mcml__fresnel_nu(y->n, outside, y->n * sqrt(1 - mu * mu));
-            ms_mcml__theta(most_l, s->most < most_l ? s->most : most_l, mu, theta, 1);
-            for (o = 0; o < ne; ++o)
-                for (j = 0; j < ne; ++j)
-                    if (f->even_m[o] == f->even_m[j])
-                        p[o * ne + j] += n4 * 2 * mu / 48 * (1 - r) / (1 + r) *
-                            theta[ms_mcml__first_term(most_l, f->even_m[o]) + f->even_l[o] - f->even_m[o]] *
-                            theta[ms_mcml__first_term(most_l, f->even_m[j]) + f->even_l[j] - f->even_m[j]];
-        }
-    }
-    for (node = 0; node < f->nodes; ++node) { /* pivots: D_i - C^T D^-1 C */
-        double *pivot = f->block + (size_t)node * 2 * (size_t)(ne * ne);
-        ms_mcml__invert(pivot, ne);
-        if (node + 1 < f->nodes) {
-            const double *c = pivot + ne * ne;
-            double *next = pivot + 2 * ne * ne, dc[MS_MCML__EVEN_MAX * MS_MCML__EVEN_MAX];
-            for (i = 0; i < ne; ++i)
-                for (j = 0; j < ne; ++j) {
-                    double sum = 0;
-                    for (o = 0; o < ne; ++o) sum += pivot[i * ne + o] * c[o * ne + j];
-                    dc[i * ne + j] = sum;
-                }
-            for (i = 0; i < ne; ++i)
-                for (j = 0; j < ne; ++j) {
-                    double sum = 0;
-                    for (o = 0; o < ne; ++o) sum += c[o * ne + i] * dc[o * ne + j];
-                    next[i * ne + j] -= sum;
-                }
-        }
+                r = k * k * r + (i == j ? y->mu_t - y->sigma[f->even_l[i]] : 0);
+                here[i * ne + j] += n4 * (p / h + k * 0.5 * q + k * 0.5 * qt + r * h / 3);
+                next[i * ne + j] += n4 * (p / h - k * 0.5 * q - k * 0.5 * qt + r * h / 3);
+                coupling[i * ne + j] += n4 * (-p / h + k * 0.5 * q - k * 0.5 * qt + r * h / 6);
+            }
     }
 }
 
-/* r += the estimate. */
-static void ms_mcml__smooth(const ms_mcml__flights *s, double *r)
+/* Light that leaves at a surface of index `outside`: integral of |mu| (1 - r) / (1 + r) Y Y'. */
+static void ms_mcml__surface(const ms_mcml__sweeps *s, double n, double outside, int most_l, double *block)
 {
-    const ms_mcml__smoother *f = &s->smoother;
+    const ms_mcml__preconditioner *f = &s->preconditioner;
+    const double n4 = n * n * n * n;
+    const int ne = f->even;
+    double theta[21]; /* terms up to l = 5 */
+    int t, i, j;
+    for (t = 0; t < 48; ++t) {
+        const double mu = (t + 0.5) / 48, r = ms_mcml__fresnel_nu(n, outside, n * sqrt(1 - mu * mu));
+        ms_mcml__theta(most_l, s->most < most_l ? s->most : most_l, mu, theta, 1);
+        for (i = 0; i < ne; ++i)
+            for (j = 0; j < ne; ++j)
+                if (f->even_m[i] == f->even_m[j])
+                    block[i * ne + j] += n4 * 2 * mu / 48 * (1 - r) / (1 + r) *
+                        theta[ms_mcml__first_term(most_l, f->even_m[i]) + f->even_l[i] - f->even_m[i]] *
+                        theta[ms_mcml__first_term(most_l, f->even_m[j]) + f->even_l[j] - f->even_m[j]];
+    }
+}
+
+/* Block elimination: each pivot becomes the inverse of D_i - C^T D^-1 C. */
+static void ms_mcml__factor(ms_mcml__preconditioner *f)
+{
+    const int ne = f->even;
+    int node, i, j, o;
+    for (node = 0; node < f->nodes; ++node) {
+        double *pivot = f->block + (size_t)node * 2 * (size_t)(ne * ne), *next = pivot + 2 * ne * ne;
+        const double *c = pivot + ne * ne;
+        double dc[MS_MCML__EVEN_MAX * MS_MCML__EVEN_MAX];
+        ms_mcml__invert(pivot, ne);
+        if (node + 1 == f->nodes) break;
+        for (i = 0; i < ne; ++i)
+            for (j = 0; j < ne; ++j) {
+                double sum = 0;
+                for (o = 0; o < ne; ++o) sum += pivot[i * ne + o] * c[o * ne + j];
+                dc[i * ne + j] = sum;
+            }
+        for (i = 0; i < ne; ++i)
+            for (j = 0; j < ne; ++j) {
+                double sum = 0;
+                for (o = 0; o < ne; ++o) sum += c[o * ne + i] * dc[o * ne + j];
+                next[i * ne + j] -= sum;
+            }
+    }
+}
+
+static void ms_mcml__preconditioner_make(ms_mcml__sweeps *s, int most_l)
+{
+    ms_mcml__preconditioner *f = &s->preconditioner;
+    double a[MS_MCML__EVEN_MAX][MS_MCML__ODD_MAX], x[MS_MCML__EVEN_MAX][MS_MCML__ODD_MAX];
+    const ms_mcml__solver_layer *first = NULL, *last = NULL;
+    int layer, node = 0;
+    size_t block;
+    ms_mcml__streaming(s, most_l, f, a, x);
+    for (layer = 0; layer < s->layers; ++layer) {
+        const ms_mcml__solver_layer *y = &s->layer[layer];
+        if (y->clear || !y->used) continue;
+        f->nodes += 4 * y->used + (f->nodes ? 0 : 1);
+        last = y;
+        if (first == NULL) first = y;
+    }
+    if (first == NULL) return;
+    block = (size_t)(f->even * f->even);
+    memset(f->block, 0, (size_t)f->nodes * 2 * block * sizeof(double));
+    for (layer = 0; layer < s->layers; ++layer) {
+        const ms_mcml__solver_layer *y = &s->layer[layer];
+        if (y->clear || !y->used) continue;
+        ms_mcml__elements(s, y, node, a, x);
+        node += y->end - y->node;
+    }
+    ms_mcml__surface(s, first->n, s->n_above, most_l, f->block);
+    ms_mcml__surface(s, last->n, last->semi || last->used < last->panels ? last->n : s->n_below, most_l,
+                     f->block + (size_t)(f->nodes - 1) * 2 * block);
+    ms_mcml__factor(f);
+}
+
+/* r += the estimate. */
+static void ms_mcml__precondition(const ms_mcml__sweeps *s, double *r)
+{
+    const ms_mcml__preconditioner *f = &s->preconditioner;
     const size_t nz = (size_t)s->reach;
     const double k = s->k;
     const int ne = f->even;
@@ -2737,7 +2764,7 @@ static void ms_mcml__smooth(const ms_mcml__flights *s, double *r)
     if (f->nodes == 0) return;
     memset(f->right, 0, (size_t)(f->nodes * ne) * sizeof(double));
     for (layer = 0; layer < s->layers; ++layer) {
-        const ms_mcml__stratum *y = &s->layer[layer];
+        const ms_mcml__solver_layer *y = &s->layer[layer];
         const double n2 = y->n * y->n;
         if (y->clear || !y->used) continue;
         for (at = y->node; at < y->end; ++at, ++node) {
@@ -2787,7 +2814,7 @@ static void ms_mcml__smooth(const ms_mcml__flights *s, double *r)
             for (j = 0; j < ne; ++j) b[i] -= p[i * ne + j] * y[j];
     }
     for (layer = 0, node = 0; layer < s->layers; ++layer) {
-        const ms_mcml__stratum *y = &s->layer[layer];
+        const ms_mcml__solver_layer *y = &s->layer[layer];
         const double n2 = y->n * y->n;
         if (y->clear || !y->used) continue;
         for (at = y->node; at <= y->end; ++at, ++node) {
@@ -2813,9 +2840,9 @@ static void ms_mcml__smooth(const ms_mcml__flights *s, double *r)
 
 /* d - K d = b by GMRES, preconditioned from the left, from d on. leave: what leaves the top and the bottom. The
    residual, relative to b. */
-static double ms_mcml__settle(ms_mcml__flights *s, double *d, double tolerance, double leave[2])
+static double ms_mcml__gmres(ms_mcml__sweeps *s, double *d, double tolerance, double leave[2])
 {
-    enum { SPAN = MS_MCML__SPAN };
+    enum { SPAN = MS_MCML__GMRES_STEPS };
     const size_t n = (size_t)s->terms * (size_t)s->reach;
     const ms_mcml__kernels *f = s->kernels;
     double *basis = s->vectors, *h = basis + (SPAN + 1) * n, *out = h + (SPAN + 1) * SPAN; /* h[j][i] */
@@ -2823,19 +2850,19 @@ static double ms_mcml__settle(ms_mcml__flights *s, double *d, double tolerance, 
     int turn, step, i, j;
     size_t e;
     for (turn = 0; turn < 4; ++turn) {
-        f->fly(s, d, 1, basis, leave);
+        f->sweep(s, d, 1, basis, leave);
         size = sqrt(f->inner(basis, basis, n));
         for (e = 0; e < n; ++e) basis[e] -= d[e];
-        ms_mcml__smooth(s, basis);
+        ms_mcml__precondition(s, basis);
         g[0] = sqrt(f->inner(basis, basis, n));
         residual = size > 0 ? g[0] / size : 0;
         if (!(residual > tolerance)) return residual;
         for (e = 0; e < n; ++e) basis[e] /= g[0];
         for (step = 0; step < SPAN && residual > tolerance; ++step) {
             double *v = basis + (size_t)step * n, *w = v + n, *column = h + step * (SPAN + 1);
-            f->fly(s, v, 0, w, out + 2 * step);
+            f->sweep(s, v, 0, w, out + 2 * step);
             for (e = 0; e < n; ++e) w[e] = v[e] - w[e];
-            ms_mcml__smooth(s, w);
+            ms_mcml__precondition(s, w);
             for (i = 0; i <= step; ++i) {
                 const double *b = basis + (size_t)i * n;
                 column[i] = x = f->inner(w, b, n);
@@ -2872,14 +2899,14 @@ static double ms_mcml__settle(ms_mcml__flights *s, double *d, double tolerance, 
     return residual;
 }
 
-static double ms_mcml__moment(const ms_mcml__stratum *y, int l)
+static double ms_mcml__moment(const ms_mcml__solver_layer *y, int l)
 {
     return l == 0 ? 1 : fabs(y->g) > 0 ? pow(y->g, l) : 0;
 }
 
 /* Attenuation far from everything: the least root of h_0 - k^2 / (3 h_1 - (2 k)^2 / (5 h_2 - ...)), h_l = mu_t -
    sigma_l, of the equations of spherical harmonics (Case & Zweifel 1967); it cannot exceed mu_t. */
-static double ms_mcml__attenuation(const ms_mcml__stratum *y, int order)
+static double ms_mcml__attenuation(const ms_mcml__solver_layer *y, int order)
 {
     double low = 0, high = sqrt(3 * y->mu_a * (y->mu_t - y->sigma[1]));
     int i, l;
@@ -2896,18 +2923,49 @@ static double ms_mcml__attenuation(const ms_mcml__stratum *y, int order)
     return low;
 }
 
+/* The arrays of s, one block; arena->base NULL: only counts. */
+static void ms_mcml__sweeps_place(ms__arena *arena, ms_mcml__sweeps *s, int most)
+{
+    const size_t ray = MS_MCML__RAYS * sizeof(double), size = sizeof(double), layers = (size_t)s->layers;
+    const size_t azimuths = most > 0 ? (size_t)s->azimuths_most : 1, sheets = (size_t)most + 1;
+    const size_t blocks = (size_t)((s->break_count + 1) * s->parts), even = MS_MCML__EVEN_MAX;
+    const size_t terms = (size_t)ms_mcml__first_term(s->order, most + 1), nz = (size_t)(s->nodes + 7 * s->layers);
+    s->nu = (double *)ms__take(arena, blocks, ray);
+    s->nu_weight = (double *)ms__take(arena, blocks, ray);
+    s->cosine = (double *)ms__take(arena, blocks * azimuths, ray);
+    s->turn = (double *)ms__take(arena, blocks * azimuths, ray);
+    s->around = (double *)ms__take(arena, blocks * azimuths * sheets, ray);
+    s->mu = (double *)ms__take(arena, blocks * layers, ray);
+    s->theta = (double *)ms__take(arena, blocks * layers * terms, ray);
+    s->table = (double *)ms__take(arena, blocks * azimuths * (size_t)s->shapes * 48, ray);
+    s->chain = (double *)ms__take(arena, blocks * layers * azimuths * 10, ray);
+    s->edge = (double *)ms__take(arena, blocks * layers * 5, ray);
+    s->depth = (double *)ms__take(arena, nz, size);
+    s->beam = (double *)ms__take(arena, 2 * nz, size);
+    s->q = (double *)ms__take(arena, terms * nz, size);
+    s->source = (double *)ms__take(arena, 2 * sheets * nz, ray);
+    s->line = (double *)ms__take(arena, 4 * nz, ray);
+    s->down = (double *)ms__take(arena, 2 * nz, ray);
+    s->up = (double *)ms__take(arena, 2 * nz, ray);
+    s->both = (double *)ms__take(arena, azimuths * 4 * nz, ray);
+    s->moments = (double *)ms__take(arena, 3 * terms * (size_t)s->nodes, size);
+    s->x = (double *)ms__take(arena, terms * nz, size);
+    s->preconditioner.block = (double *)ms__take(arena, nz * 2 * even * even, size);
+    s->preconditioner.right = (double *)ms__take(arena, (nz + 1) * even, size);
+    s->vectors = (double *)ms__take(
+        arena, (MS_MCML__GMRES_STEPS + 1) * (terms * nz + MS_MCML__GMRES_STEPS) + 2 * MS_MCML__GMRES_STEPS, size);
+}
+
 /* Layers without their forward peak, panels, and room for frequencies with m up to most. order 1: isotropic scattering
    only. */
-static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tissue *tissue,
-                                       const ms_mcml_layered_options *o, int order, int parts, int most,
-                                       ms_error *error)
+static ms_status ms_mcml__sweeps_make(ms_mcml__sweeps **out, const ms_mcml_tissue *tissue,
+                                      const ms_mcml_layered_options *o, int order, int parts, int most, ms_error *error)
 {
-    enum { R = MS_MCML__RAYS };
     const int around = (2 * most + 5) / 4 > 14 ? (2 * most + 5) / 4 : 14;
-    const size_t az = most > 0 ? (size_t)around : 1, sheets = (size_t)most + 1;
-    size_t blocks, terms, nz, at[21], count = 0; /* doubles of each array */
-    ms_mcml__flights *s = (ms_mcml__flights *)ms__alloc(&o->allocator, sizeof *s);
-    double h[MS_MCML__PANELS_MAX + 8], all[MS_MCML__STRATA + 2], depth = 0, thickest = 0;
+    ms__arena arena = {NULL, 0};
+    size_t terms;
+    ms_mcml__sweeps *s = (ms_mcml__sweeps *)ms__alloc(&o->allocator, sizeof *s);
+    double h[MS_MCML__PANELS_MAX + 8], all[MS_MCML__LAYERS_MAX + 2], depth = 0, thickest = 0;
     int i, j, p, n = 0;
     if (s == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the layers", sizeof *s);
     memset(s, 0, sizeof *s);
@@ -2920,7 +2978,7 @@ static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tis
     s->mu_least = 1e300;
     for (i = 0; i < tissue->layer_count && !(i > 0 && s->layer[i - 1].semi); ++i) {
         const ms_mcml_layer *layer = &tissue->layers[i];
-        ms_mcml__stratum *y = &s->layer[s->layers++];
+        ms_mcml__solver_layer *y = &s->layer[s->layers++];
         double f, scale, z = 0;
         int panels;
         y->n = layer->n;
@@ -2987,52 +3045,26 @@ static ms_status ms_mcml__flights_make(ms_mcml__flights **out, const ms_mcml_tis
             if (s->break_count == 0 || x > s->breaks[s->break_count - 1] * (1 + 1e-9)) s->breaks[s->break_count++] = x;
         }
     }
-    blocks = (size_t)((s->break_count + 1) * parts);
-    terms = (size_t)ms_mcml__first_term(order, most + 1);
-    nz = (size_t)(s->nodes + 7 * s->layers);
-    at[0] = at[1] = blocks * R;
-    at[2] = at[3] = blocks * az * R;
-    at[4] = blocks * az * sheets * R;
-    at[5] = blocks * (size_t)s->layers * R;
-    at[6] = at[5] * terms;
-    at[7] = blocks * az * (size_t)s->shapes * 48 * R;
-    at[8] = at[5] * az * 10;
-    at[9] = at[5] * 5;
-    at[10] = nz;
-    at[11] = 2 * nz;
-    at[12] = at[18] = terms * nz;
-    at[13] = 2 * sheets * nz * R;
-    at[14] = 4 * nz * R;
-    at[15] = 4 * nz * R;
-    at[16] = az * 4 * nz * R;
-    at[17] = 3 * terms * (size_t)s->nodes;
-    at[19] = nz * 2 * MS_MCML__EVEN_MAX * MS_MCML__EVEN_MAX + nz * MS_MCML__EVEN_MAX + MS_MCML__EVEN_MAX;
-    at[20] = (MS_MCML__SPAN + 1) * (terms * nz + MS_MCML__SPAN) + 2 * MS_MCML__SPAN;
-    for (i = 0; i < 21; ++i) count += at[i];
-    s->size = ms__size_mul(count, sizeof(double));
-    s->memory = (double *)ms__alloc(&o->allocator, s->size);
-    if (s->memory == NULL) {
+    ms_mcml__sweeps_place(&arena, s, most);
+    s->size = arena.used;
+    arena.base = (char *)ms__alloc(&o->allocator, s->size);
+    if (arena.base == NULL) {
         const size_t size = s->size;
         ms__release(&o->allocator, s, sizeof *s);
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the layered solver", size);
     }
-    {
-        double **const part[21] = {&s->nu,    &s->nu_weight,      &s->cosine, &s->turn, &s->around, &s->mu,
-                                   &s->theta, &s->table,          &s->chain,  &s->edge, &s->depth,  &s->beam,
-                                   &s->q,     &s->source,         &s->line,   &s->down, &s->both,   &s->moments,
-                                   &s->x,     &s->smoother.block, &s->vectors};
-        double *at_last = s->memory;
-        for (i = 0; i < 21; ++i) *part[i] = at_last, at_last += at[i];
-        s->up = s->down + 2 * nz * R;
-        s->smoother.right = s->smoother.block + nz * 2 * MS_MCML__EVEN_MAX * MS_MCML__EVEN_MAX;
-    }
-    memset(s->moments, 0, (at[17] + at[18]) * sizeof(double));
+    arena.used = 0;
+    ms_mcml__sweeps_place(&arena, s, most);
+    s->memory = arena.base;
+    terms = (size_t)ms_mcml__first_term(order, most + 1);
+    memset(s->moments, 0, 3 * terms * (size_t)s->nodes * sizeof(double));
+    memset(s->x, 0, terms * (size_t)(s->nodes + 7 * s->layers) * sizeof(double));
     ms_mcml__beams(s);
     *out = s;
     return MS_OK;
 }
 
-static void ms_mcml__flights_destroy(ms_mcml__flights *s, const ms_allocator *allocator)
+static void ms_mcml__sweeps_destroy(ms_mcml__sweeps *s, const ms_allocator *allocator)
 {
     if (s == NULL) return;
     ms__release(allocator, s->memory, s->size);
@@ -3040,7 +3072,7 @@ static void ms_mcml__flights_destroy(ms_mcml__flights *s, const ms_allocator *al
 }
 
 /* All that depends on frequency k; how many panels light reaches there and back (to 1e-9). */
-static void ms_mcml__tune(ms_mcml__flights *s, double k)
+static void ms_mcml__set_frequency(ms_mcml__sweeps *s, double k)
 {
     const double ratio = k / s->mu_least, t = ratio / (1 + sqrt(1 + ratio * ratio));
     int most = t > 0 ? (int)ceil(log(1e-5) / log(t)) : 0, layer, p,
@@ -3048,14 +3080,14 @@ static void ms_mcml__tune(ms_mcml__flights *s, double k)
     double reach = 0;
     if (most > s->order) most = s->order;
     for (layer = 0; layer < s->layers; ++layer) {
-        ms_mcml__stratum *y = &s->layer[layer];
+        ms_mcml__solver_layer *y = &s->layer[layer];
         const double slant = sqrt(y->kappa * y->kappa + k * k), kappa = s->through && slant > y->mu_t ? y->mu_t : slant;
         for (p = 0; p < y->panels && reach < 20; ++p) reach += kappa * y->shape[s->panel_shape[y->panel + p]];
         y->used = y->clear ? 0 : p;
     }
     s->reach = 0;
     for (layer = 0; layer < s->layers; ++layer) {
-        ms_mcml__stratum *y = &s->layer[layer];
+        ms_mcml__solver_layer *y = &s->layer[layer];
         if (y->used == 0) continue;
         y->node = s->reach;
         y->end = y->node + 4 * y->used;
@@ -3069,17 +3101,17 @@ static void ms_mcml__tune(ms_mcml__flights *s, double k)
         }
     }
     ms_mcml__rays(s, k, most);
-    ms_mcml__join(s);
+    ms_mcml__boundaries(s);
     memset(s->both, 0, (size_t)s->azimuths * (size_t)s->reach * 4 * MS_MCML__RAYS * sizeof(double));
-    ms_mcml__smoother_make(s, s->order < 3 ? s->order : s->order > 15 ? 5 : 3);
+    ms_mcml__preconditioner_make(s, s->order < 3 ? s->order : s->order > 15 ? 5 : 3);
 }
 
 /* What the beam scatters once in the top layer and what then leaves at once, at the frequency at hand, in the moments'
    phase function. */
-static double ms_mcml__single_spectrum(const ms_mcml__flights *s)
+static double ms_mcml__single_spectrum(const ms_mcml__sweeps *s)
 {
     enum { R = MS_MCML__RAYS };
-    const ms_mcml__stratum *y = &s->layer[0];
+    const ms_mcml__solver_layer *y = &s->layer[0];
     double sum = 0;
     int b, a, j, l;
     if (y->clear) return 0;
@@ -3109,9 +3141,9 @@ static double ms_mcml__single_spectrum(const ms_mcml__flights *s)
 }
 
 /* The same in space, with the whole phase function: energy of each ray beyond r. */
-static void ms_mcml__singles(const ms_mcml__flights *s, ms_mcml_layered *out)
+static void ms_mcml__singles(const ms_mcml__sweeps *s, ms_mcml_layered *out)
 {
-    const ms_mcml__stratum *y = &s->layer[0];
+    const ms_mcml__solver_layer *y = &s->layer[0];
     const double least = y->n > s->n_above ? sqrt(1 - s->n_above * s->n_above / (y->n * y->n)) : 0;
     double x[MS_MCML_LAYERED_SINGLES], w[MS_MCML_LAYERED_SINGLES];
     int j;
@@ -3271,14 +3303,14 @@ typedef struct ms_mcml__spectra {
 } ms_mcml__spectra;
 
 /* Accuracy of the iteration at k, relative to the tolerance. Low frequencies make the far tail and cost little. */
-static double ms_mcml__care(const ms_mcml__spectra *p, double k)
+static double ms_mcml__residual_scale(const ms_mcml__spectra *p, double k)
 {
     const double x = k / p->mu_t, care = x / 0.3;
     return x > 3 ? fmin(x / 3, 10) : x > 0.3 ? 1 : care > 0.03 ? care * care : 1e-3;
 }
 
 /* From the slowest attenuation or the thickness, the longer of the two lengths, to 40 mu_t. */
-static void ms_mcml__frequencies(const ms_mcml__flights *s, double tolerance, ms_mcml__spectra *p, ms_mcml_layered *out)
+static void ms_mcml__frequencies(const ms_mcml__sweeps *s, double tolerance, ms_mcml__spectra *p, ms_mcml_layered *out)
 {
     const int semi = s->layer[s->layers - 1].semi;
     double finest = 0, coarsest = 1e300, deepest = 0, more;
@@ -3286,7 +3318,7 @@ static void ms_mcml__frequencies(const ms_mcml__flights *s, double tolerance, ms
     memset(p, 0, sizeof *p);
     p->low = 1e300;
     for (i = 0; i < s->layers; ++i) {
-        const ms_mcml__stratum *y = &s->layer[i];
+        const ms_mcml__solver_layer *y = &s->layer[i];
         deepest += y->d;
         p->mu_t = fmax(p->mu_t, y->mu_t);
         p->low = fmin(p->low, y->kappa);
@@ -3301,7 +3333,7 @@ static void ms_mcml__frequencies(const ms_mcml__flights *s, double tolerance, ms
         const double k = p->low * sinh(p->step * i);
         if (k > 40 * p->mu_t) break;
         p->k[i] = k;
-        p->noise[i] = tolerance * (0.1 * fmax(ms_mcml__care(p, k), 0.03) + k / p->mu_t * (0.5 + k / p->mu_t));
+        p->noise[i] = tolerance * (0.1 * fmax(ms_mcml__residual_scale(p, k), 0.03) + k / p->mu_t * (0.5 + k / p->mu_t));
         p->count = i + 1;
     }
     out->rate_per_cm[0] = p->low;
@@ -3313,14 +3345,14 @@ static void ms_mcml__frequencies(const ms_mcml__flights *s, double tolerance, ms
 }
 
 /* The next frequency starts from the moments of the last three, extrapolated. */
-static void ms_mcml__extrapolate(ms_mcml__flights *s, int i)
+static void ms_mcml__extrapolate(ms_mcml__sweeps *s, int i)
 {
     const size_t n3 = (size_t)s->nodes, all = (size_t)ms_mcml__first_term(s->order, s->order + 1) * n3;
     double *d = s->moments, *before = d + all, *earlier = before + all;
     int layer, j, node;
     memset(s->x, 0, (size_t)s->terms * (size_t)s->reach * sizeof(double));
     for (layer = 0; layer < s->layers; ++layer) {
-        const ms_mcml__stratum *y = &s->layer[layer];
+        const ms_mcml__solver_layer *y = &s->layer[layer];
         for (j = 0; j < s->terms && y->used; ++j)
             for (node = y->node; node <= y->end; ++node) {
                 const size_t full = (size_t)j * n3 + (size_t)(y->deep + node - y->node);
@@ -3336,23 +3368,23 @@ static void ms_mcml__extrapolate(ms_mcml__flights *s, int i)
 }
 
 /* Solves at every stride-th frequency. */
-static ms_status ms_mcml__spectra_solve(ms_mcml__flights *s, const ms_mcml_layered_options *o, double tolerance,
+static ms_status ms_mcml__spectra_solve(ms_mcml__sweeps *s, const ms_mcml_layered_options *o, double tolerance,
                                         int stride, ms_mcml__spectra *p, ms_mcml_layered *out, ms_error *error)
 {
     const size_t n3 = (size_t)s->nodes;
     int i, j, layer;
     for (i = 0; i < p->count; i += stride) {
-        double leave[2], residual, care = ms_mcml__care(p, p->k[i]);
+        double leave[2], residual, care = ms_mcml__residual_scale(p, p->k[i]);
         if (o->progress.report &&
             o->progress.report(o->progress.user, (stride > 1 ? 0.85 : 0.1) + (stride > 1 ? 0.15 : 0.75) * i / p->count))
             return ms__fail(error, MS_CANCELLED, 0, "stopped by the progress callback");
         s->through = !s->layer[s->layers - 1].semi && p->k[i] < p->most &&
             (i < 3 * stride || p->value[1][i - stride] > 1e-7 * p->value[1][0]);
-        ms_mcml__tune(s, p->k[i]);
+        ms_mcml__set_frequency(s, p->k[i]);
         ms_mcml__extrapolate(s, i / stride);
-        residual = ms_mcml__settle(s, s->x, care * tolerance, leave);
+        residual = ms_mcml__gmres(s, s->x, care * tolerance, leave);
         for (layer = 0; layer < s->layers; ++layer) {
-            const ms_mcml__stratum *y = &s->layer[layer];
+            const ms_mcml__solver_layer *y = &s->layer[layer];
             for (j = 0; j < s->terms && y->used; ++j)
                 memcpy(s->moments + (size_t)j * n3 + y->deep, s->x + (size_t)j * (size_t)s->reach + y->node,
                        (size_t)(4 * y->used + 1) * sizeof(double));
@@ -3367,7 +3399,7 @@ static ms_status ms_mcml__spectra_solve(ms_mcml__flights *s, const ms_mcml_layer
 }
 
 /* A spectrum that is known at every third frequency, at the others by its ratio to a finer one. */
-static void ms_mcml__fill_in(ms_mcml__spectra *p, const ms_mcml__spectra *fine)
+static void ms_mcml__interpolate_spectrum(ms_mcml__spectra *p, const ms_mcml__spectra *fine)
 {
     double ratio[MS_MCML_LAYERED_RATES / 3 + 1] = {1};
     int side, i;
@@ -3422,7 +3454,7 @@ static void ms_mcml__spectra_invert(const ms_mcml__spectra *p, int stride, doubl
 }
 
 /* Absorbed above z of a layer, of the solution at k = 0. */
-static double ms_mcml__absorbed(const ms_mcml__flights *s, const ms_mcml__stratum *y, double z)
+static double ms_mcml__absorbed(const ms_mcml__sweeps *s, const ms_mcml__solver_layer *y, double z)
 {
     static const double gauss[3] = {0.11270166537925831, 0.5, 0.88729833462074169},
                         weight[3] = {5 / 18.0, 8 / 18.0, 5 / 18.0};
@@ -3463,16 +3495,16 @@ static double ms_mcml__limit(const double *v, double *known)
 static ms_status ms_mcml__totals(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *o, int order, int last,
                                  ms_mcml_layered *out, ms_error *error)
 {
-    ms_mcml__flights *s;
+    ms_mcml__sweeps *s;
     double leave[2], residual;
     int i, layer, first;
-    ms_status status = ms_mcml__flights_make(&s, tissue, o, order, order > 15 ? 3 : 2, 0, error);
+    ms_status status = ms_mcml__sweeps_make(&s, tissue, o, order, order > 15 ? 3 : 2, 0, error);
     if (status) return status;
     for (first = 0; first < tissue->layer_count && s->layer[first < s->layers ? first : s->layers - 1].clear; ++first) {
     }
     out->specular = ms_mcml__specular(tissue, first);
-    ms_mcml__tune(s, 0);
-    residual = ms_mcml__settle(s, s->x, 1e-8, leave);
+    ms_mcml__set_frequency(s, 0);
+    residual = ms_mcml__gmres(s, s->x, 1e-8, leave);
     if (residual > out->residual && residual > 1e-6) out->residual = residual;
     out->rd = leave[0] + s->specular - out->specular;
     out->tt = leave[1] + s->unscattered;
@@ -3482,7 +3514,7 @@ static ms_status ms_mcml__totals(const ms_mcml_tissue *tissue, const ms_mcml_lay
         double top = 0;
         for (i = 0; o->a_z && i < o->nz; ++i) o->a_z[i] = 0;
         for (layer = 0; layer < tissue->layer_count; ++layer) {
-            const ms_mcml__stratum *y = &s->layer[layer];
+            const ms_mcml__solver_layer *y = &s->layer[layer];
             const double all = layer < s->layers ? ms_mcml__absorbed(s, y, y->d) : 0,
                          end = tissue->layers[layer].thickness_cm;
             double before = 0;
@@ -3503,7 +3535,7 @@ static ms_status ms_mcml__totals(const ms_mcml_tissue *tissue, const ms_mcml_lay
         out->rd_unscattered = s->specular - out->specular;
         out->tt_unscattered = s->unscattered;
     }
-    ms_mcml__flights_destroy(s, &o->allocator);
+    ms_mcml__sweeps_destroy(s, &o->allocator);
     return MS_OK;
 }
 
@@ -3605,7 +3637,7 @@ static void ms_mcml__layered_errors(const ms_mcml_layered *s, ms_mcml_layered_si
 }
 
 /* Whether a ring from r to 1.5 r that has 1e-3 of the energy is not known to 3% and 1e-4 of the energy. */
-static int ms_mcml__layered_unsure(const ms_mcml_layered *s, int side)
+static int ms_mcml__layered_uncertain(const ms_mcml_layered *s, int side)
 {
     const double total = side ? s->tt : s->rd;
     int i, j;
@@ -3708,14 +3740,14 @@ static ms_status ms_mcml__layered_photons(const ms_mcml_tissue *tissue, const ms
 }
 
 /* What the layers ask of the solver. */
-typedef struct ms_mcml__demand {
+typedef struct ms_mcml__orders {
     int isotropic, order, high;  /* order of rings, highest order of totals */
     double transport, tolerance; /* reduced optical thickness; of the iteration */
-} ms_mcml__demand;
+} ms_mcml__orders;
 
-static ms_mcml__demand ms_mcml__demand_of(const ms_mcml_tissue *tissue)
+static ms_mcml__orders ms_mcml__orders_of(const ms_mcml_tissue *tissue)
 {
-    ms_mcml__demand d = {1, 0, 0, 0, 0};
+    ms_mcml__orders d = {1, 0, 0, 0, 0};
     double forward = 0, backward = 0, sharp;
     int i, l;
     for (i = 0; i < tissue->layer_count; ++i) {
@@ -3739,7 +3771,7 @@ static ms_mcml__demand ms_mcml__demand_of(const ms_mcml_tissue *tissue)
 
 /* Totals: the limit of three orders. */
 static ms_status ms_mcml__layered_totals(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *o,
-                                         const ms_mcml__demand *d, ms_mcml_layered *out, ms_error *error)
+                                         const ms_mcml__orders *d, ms_mcml_layered *out, ms_error *error)
 {
     double total[3][3], known = 0, scale;
     int l, i;
@@ -3771,7 +3803,7 @@ typedef struct ms_mcml__rings_work {
 /* Rings by the solver: the spectra of the order asked for, of half the order at every third frequency, and four
    inversions that give the errors. */
 static ms_status ms_mcml__layered_rings(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *o,
-                                        const ms_mcml__demand *d, ms_mcml_layered *out, ms_error *error)
+                                        const ms_mcml__orders *d, ms_mcml_layered *out, ms_error *error)
 {
     ms_mcml__rings_work *w = (ms_mcml__rings_work *)ms__alloc(&o->allocator, sizeof *w);
     double scattered[2] = {0, 0}, forward[2] = {0, 0}, thin = 0;
@@ -3780,8 +3812,8 @@ static ms_status ms_mcml__layered_rings(const ms_mcml_tissue *tissue, const ms_m
     if (w == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the spectra", sizeof *w);
     for (l = 0; l < orders && status == MS_OK; ++l) {
         const int order = l ? (d->order - 1) / 2 > 1 ? (d->order - 1) / 2 : 1 : d->order;
-        ms_mcml__flights *s;
-        status = ms_mcml__flights_make(&s, tissue, o, order, order > 15 || d->transport < 2.5 ? 2 : 1, order, error);
+        ms_mcml__sweeps *s;
+        status = ms_mcml__sweeps_make(&s, tissue, o, order, order > 15 || d->transport < 2.5 ? 2 : 1, order, error);
         if (status) break;
         if (l == 0) {
             semi = s->layer[s->layers - 1].semi;
@@ -3798,10 +3830,10 @@ static ms_status ms_mcml__layered_rings(const ms_mcml_tissue *tissue, const ms_m
             w->spectra[1] = w->spectra[0];
         }
         status = ms_mcml__spectra_solve(s, o, d->tolerance, l ? 3 : 1, &w->spectra[l], out, error);
-        ms_mcml__flights_destroy(s, &o->allocator);
+        ms_mcml__sweeps_destroy(s, &o->allocator);
     }
     if (status == MS_OK) {
-        if (orders == 2) ms_mcml__fill_in(&w->spectra[1], &w->spectra[0]);
+        if (orders == 2) ms_mcml__interpolate_spectrum(&w->spectra[1], &w->spectra[0]);
         for (v = 0; v < 4; ++v)
             ms_mcml__spectra_invert(&w->spectra[v == 1 && orders == 2], v == 2 ? 2 : 1, v == 3 ? 2 : 0, out, semi, w->a,
                                     w->side[v]);
@@ -3821,7 +3853,7 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
 {
     ms_mcml_layered_options o;
     ms_mcml_layered r;
-    ms_mcml__demand d;
+    ms_mcml__orders d;
     ms_status status;
     int i, clear = 0, mask = 0;
     memset(&o, 0, sizeof o);
@@ -3829,13 +3861,13 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
     if (options) o = *options;
     if (tissue == NULL || out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tissue or out is NULL");
     if ((status = ms_mcml__check_tissue(tissue, error)) != MS_OK) return status;
-    if (tissue->layer_count > MS_MCML__STRATA)
+    if (tissue->layer_count > MS_MCML__LAYERS_MAX)
         return ms__fail(error, MS_UNSUPPORTED, 0, "%d layers, the layered solver takes %d", tissue->layer_count,
-                        MS_MCML__STRATA);
+                        MS_MCML__LAYERS_MAX);
     if (o.a_z && (o.nz < 1 || !ms_mcml__between(o.dz_cm, 1e-30, 1e30)))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nz is %d and dz_cm %g, expected at least 1 and above 0", o.nz,
                         o.dz_cm);
-    d = ms_mcml__demand_of(tissue);
+    d = ms_mcml__orders_of(tissue);
     r.order = d.order;
     for (i = 0; i < tissue->layer_count; ++i) {
         const ms_mcml_layer *layer = &tissue->layers[i];
@@ -3848,7 +3880,7 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
         else if ((status = ms_mcml__layered_rings(tissue, &o, &d, &r, error)) != MS_OK) return status;
         for (i = 0; i < 2; ++i)
             if ((i ? r.tt : r.rd) > 1e-3 && mask != 3 &&
-                (r.residual > 10 * d.tolerance || ms_mcml__layered_unsure(&r, i)))
+                (r.residual > 10 * d.tolerance || ms_mcml__layered_uncertain(&r, i)))
                 mask |= 1 << i;
         if (mask && (status = ms_mcml__layered_photons(tissue, &o, mask, &r, error)) != MS_OK) return status;
     }
@@ -3923,7 +3955,7 @@ MS_API double ms_mcml_layered_ring(const ms_mcml_layered *s, int side, double r0
     return energy * q;
 }
 
-/* ---- colours --------------------------------------------------------------------------------------------------- */
+/* ---- colors ---------------------------------------------------------------------------------------------------- */
 
 enum { MS_MCML__NODES = 28 };
 
@@ -4074,7 +4106,7 @@ static double ms_mcml__half_space_total(double absorbed, double g, double eta, i
 }
 
 /* Part of the light that enters. */
-static double ms_mcml__let_in(double eta) { return 1 - (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1)); }
+static double ms_mcml__transmitted(double eta) { return 1 - (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1)); }
 
 /* Coarse or fine. Below an absorption of 1e-12 the matrices are singular, and what is lost goes as its root. */
 static double ms_mcml__total_of(double absorbed, double g, double eta, int fine)
@@ -4084,7 +4116,7 @@ static double ms_mcml__total_of(double absorbed, double g, double eta, int fine)
                                                    !fine               ? 8
                                                        : fabs(g) < 0.5 ? 14
                                                                        : 17),
-                 most = ms_mcml__let_in(eta);
+                 most = ms_mcml__transmitted(eta);
     return absorbed < least ? most - (most - total) * sqrt(absorbed / least) : total;
 }
 
@@ -4092,7 +4124,7 @@ static double ms_mcml__total_of(double absorbed, double g, double eta, int fine)
    almost along a line: secants inside a bracket, with few nodes first, then with many. */
 static double ms_mcml__absorbed_of(double reflectance, double g, double eta)
 {
-    double s = 1 - reflectance / ms_mcml__let_in(eta), slope = -ms_mcml__let_in(eta), last = s, before = 0;
+    double s = 1 - reflectance / ms_mcml__transmitted(eta), slope = -ms_mcml__transmitted(eta), last = s, before = 0;
     int fine, turn;
     for (fine = 0; fine < 2; ++fine) {
         double low = 0, high = 1;
@@ -4137,7 +4169,7 @@ MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int k
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "length_mm is %g, expected above 0", length_mm);
     if (kind < MS_MCML_MEAN_FREE_PATH || kind > MS_MCML_DIFFUSE_PATH)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kind is %d, expected one of ms_mcml_length", kind);
-    absorbed = !(color > 0) ? 1 : color < 1 ? ms_mcml__absorbed_of(color * ms_mcml__let_in(eta), g, eta) : 0;
+    absorbed = !(color > 0) ? 1 : color < 1 ? ms_mcml__absorbed_of(color * ms_mcml__transmitted(eta), g, eta) : 0;
     mu_t = 1 / ((absorbed + (1 - absorbed) * (1 - g)) * length_mm * ms_mcml__path_of(kind, absorbed, g, color));
     m.mu_a_per_mm = absorbed * mu_t;
     m.mu_s_per_mm = (1 - absorbed) * mu_t;
@@ -4454,8 +4486,8 @@ MS_API void ms_mcml_profile_destroy(ms_mcml_profile *profile)
 
 enum { MS_MCML__BANDS = 13 };
 
-/* Haemoglobin with and without oxygen, molar extinction per cm, every 10 nm from 400 (Prahl's table). */
-static const double ms_mcml__haemoglobin[31][2] = {
+/* Hemoglobin with and without oxygen, molar extinction per cm, every 10 nm from 400 (Prahl's table). */
+static const double ms_mcml__hemoglobin[31][2] = {
     {266232, 223296}, {466840, 303956}, {480360, 407560}, {246072, 528600}, {102580, 413280}, {62816, 103292},
     {44480, 23388.8}, {33209, 16156},   {26629, 14550},   {23684, 16684},   {20933, 20862},   {20035, 25774},
     {24202, 31590},   {39957, 39036},   {53236, 46592},   {43016, 53412},   {32613, 53788},   {44496, 45072},
@@ -4508,7 +4540,7 @@ static ms_status ms_mcml__skin_layers(const ms_mcml_skin *skin, double w, ms_mcm
                             high[i]);
     i = w < 700 ? (int)((w - 400) / 10) : 29;
     {
-        const double *a = ms_mcml__haemoglobin[i], *b = ms_mcml__haemoglobin[i + 1], t = (w - 400) / 10 - i,
+        const double *a = ms_mcml__hemoglobin[i], *b = ms_mcml__hemoglobin[i + 1], t = (w - 400) / 10 - i,
                      to_mu = 2.302585 * 150 / 64500;
         blood = to_mu * (skin->oxygen * (a[0] + t * (b[0] - a[0])) + (1 - skin->oxygen) * (a[1] + t * (b[1] - a[1])));
     }
@@ -4568,7 +4600,7 @@ static void ms_mcml__band_weights(double weight[MS_MCML__BANDS][3])
 }
 
 /* Rows of the bands become rows of R, G, B, in place. */
-static void ms_mcml__skin_mix(double *row, int n, double weight[MS_MCML__BANDS][3])
+static void ms_mcml__skin_rows(double *row, int n, double weight[MS_MCML__BANDS][3])
 {
     int i, band, c;
     for (i = 0; i < n; ++i) {
@@ -4618,12 +4650,12 @@ MS_API ms_status ms_mcml_skin_profile(ms_mcml_profile *profile, const ms_mcml_sk
         color = color > 0 ? color : 0;
         for (i = 0; i < MS_MCML__BANDS; ++i) weight[i][c] *= color / positive;
     }
-    ms_mcml__skin_mix(profile->total, 1, weight);
-    ms_mcml__skin_mix(profile->total_error, 1, weight);
-    ms_mcml__skin_mix(profile->rd_per_mm2, profile->rings, weight);
-    ms_mcml__skin_mix(profile->rd_error_per_mm2, profile->rings,
-                      weight); /* errors of neighbouring wavelengths are alike: they add */
-    ms_mcml__skin_mix(profile->within, profile->rings + 1, weight);
+    ms_mcml__skin_rows(profile->total, 1, weight);
+    ms_mcml__skin_rows(profile->total_error, 1, weight);
+    ms_mcml__skin_rows(profile->rd_per_mm2, profile->rings, weight);
+    ms_mcml__skin_rows(profile->rd_error_per_mm2, profile->rings,
+                       weight); /* errors of neighboring wavelengths are alike: they add */
+    ms_mcml__skin_rows(profile->within, profile->rings + 1, weight);
     profile->channels = 3;
     return status;
 }
@@ -5148,7 +5180,7 @@ static inline MS_MCML__M MS_MCML__FN(fresnel)(ms_mcml__tracer *t, MS_MCML__M up,
 }
 
 /* Traces the photons of t. A turn of the loop is one event of every lane: a flight that ends in a collision or at a
-   boundary. Four words are drawn for each event, so that a photon's path does not depend on its neighbours. Crossing a
+   boundary. Four words are drawn for each event, so that a photon's path does not depend on its neighbors. Crossing a
    boundary and ending go lane by lane. Absorption is added to its bins one turn late, when the units and the cell
    are long known: 25% faster than to wait for them. */
 static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
@@ -5229,7 +5261,8 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
             t->w[i] *= (t->word[i] & 128) ? 2.0f : 0.0f;
             if (!(t->w[i] > 0)) ended |= 1u << i;
         }
-        for (ended &= ~finished, finished |= ended; ended; ended &= ended - 1) ms_mcml__keep(t, ms_mcml__lowest(ended));
+        for (ended &= ~finished, finished |= ended; ended; ended &= ended - 1)
+            ms_mcml__add_absorbed(t, ms_mcml__lowest(ended));
         if (!finished) continue;
         MS_MCML__U_STORE(t->s[0], s0);
         MS_MCML__U_STORE(t->s[1], s1);
@@ -5247,180 +5280,91 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
 #endif
 }
 
-/* Eight doubles, the rays of a flight. */
+/* Eight doubles, the rays of a sweep: 1, 2, 4 or 8 registers of MS_MCML__E. */
 #if MS_MCML__ISA == 4
-#define MS_MCML__D __m512d
-static inline __m512d MS_MCML__FN(d_set)(double a) { return _mm512_set1_pd(a); }
-static inline __m512d MS_MCML__FN(d_load)(const double *p) { return _mm512_loadu_pd(p); }
-static inline void MS_MCML__FN(d_store)(double *p, __m512d a) { _mm512_storeu_pd(p, a); }
-static inline __m512d MS_MCML__FN(d_add)(__m512d a, __m512d b) { return _mm512_add_pd(a, b); }
-static inline __m512d MS_MCML__FN(d_sub)(__m512d a, __m512d b) { return _mm512_sub_pd(a, b); }
-static inline __m512d MS_MCML__FN(d_mul)(__m512d a, __m512d b) { return _mm512_mul_pd(a, b); }
-static inline __m512d MS_MCML__FN(d_madd)(__m512d a, __m512d b, __m512d c) { return _mm512_fmadd_pd(a, b, c); }
-static inline __m512d MS_MCML__FN(d_nmadd)(__m512d a, __m512d b, __m512d c) { return _mm512_fnmadd_pd(a, b, c); }
+#define MS_MCML__E __m512d
+#define MS_MCML__D_ALL(op) op(a, 0)
+#define MS_MCML__E_SET(a) _mm512_set1_pd(a)
+#define MS_MCML__E_LOAD(p) _mm512_loadu_pd(p)
+#define MS_MCML__E_STORE(p, a) _mm512_storeu_pd(p, a)
+#define MS_MCML__E_ADD(a, b) _mm512_add_pd(a, b)
+#define MS_MCML__E_SUB(a, b) _mm512_sub_pd(a, b)
+#define MS_MCML__E_MUL(a, b) _mm512_mul_pd(a, b)
+#define MS_MCML__E_MADD(a, b, c) _mm512_fmadd_pd(a, b, c)
+#define MS_MCML__E_NMADD(a, b, c) _mm512_fnmadd_pd(a, b, c)
 #elif MS_MCML__ISA == 3
-#define MS_MCML__D ms_mcml__four_pairs
-typedef struct ms_mcml__four_pairs {
-    __m256d low, high;
-} ms_mcml__four_pairs;
-#define MS_MCML__D_BOTH(f) \
-    MS_MCML__D r;          \
-    r.low = f(low);        \
-    r.high = f(high);      \
-    return r
-#define MS_MCML__D_ADD(x) _mm256_add_pd(a.x, b.x)
-#define MS_MCML__D_SUB(x) _mm256_sub_pd(a.x, b.x)
-#define MS_MCML__D_MUL(x) _mm256_mul_pd(a.x, b.x)
-#define MS_MCML__D_MADD(x) _mm256_fmadd_pd(a.x, b.x, c.x)
-#define MS_MCML__D_NMADD(x) _mm256_fnmadd_pd(a.x, b.x, c.x)
-static inline MS_MCML__D MS_MCML__FN(d_set)(double a)
-{
-    MS_MCML__D r;
-    r.low = r.high = _mm256_set1_pd(a);
-    return r;
-}
-static inline MS_MCML__D MS_MCML__FN(d_load)(const double *p)
-{
-    MS_MCML__D r;
-    r.low = _mm256_loadu_pd(p);
-    r.high = _mm256_loadu_pd(p + 4);
-    return r;
-}
-static inline void MS_MCML__FN(d_store)(double *p, MS_MCML__D a)
-{
-    _mm256_storeu_pd(p, a.low);
-    _mm256_storeu_pd(p + 4, a.high);
-}
-static inline MS_MCML__D MS_MCML__FN(d_add)(MS_MCML__D a, MS_MCML__D b) { MS_MCML__D_BOTH(MS_MCML__D_ADD); }
-static inline MS_MCML__D MS_MCML__FN(d_sub)(MS_MCML__D a, MS_MCML__D b) { MS_MCML__D_BOTH(MS_MCML__D_SUB); }
-static inline MS_MCML__D MS_MCML__FN(d_mul)(MS_MCML__D a, MS_MCML__D b) { MS_MCML__D_BOTH(MS_MCML__D_MUL); }
-static inline MS_MCML__D MS_MCML__FN(d_madd)(MS_MCML__D a, MS_MCML__D b, MS_MCML__D c)
-{
-    MS_MCML__D_BOTH(MS_MCML__D_MADD);
-}
-static inline MS_MCML__D MS_MCML__FN(d_nmadd)(MS_MCML__D a, MS_MCML__D b, MS_MCML__D c)
-{
-    MS_MCML__D_BOTH(MS_MCML__D_NMADD);
-}
-#undef MS_MCML__D_BOTH
-#undef MS_MCML__D_ADD
-#undef MS_MCML__D_SUB
-#undef MS_MCML__D_MUL
-#undef MS_MCML__D_MADD
-#undef MS_MCML__D_NMADD
+#define MS_MCML__E __m256d
+#define MS_MCML__D_ALL(op) op(a, 0) op(b, 4)
+#define MS_MCML__E_SET(a) _mm256_set1_pd(a)
+#define MS_MCML__E_LOAD(p) _mm256_loadu_pd(p)
+#define MS_MCML__E_STORE(p, a) _mm256_storeu_pd(p, a)
+#define MS_MCML__E_ADD(a, b) _mm256_add_pd(a, b)
+#define MS_MCML__E_SUB(a, b) _mm256_sub_pd(a, b)
+#define MS_MCML__E_MUL(a, b) _mm256_mul_pd(a, b)
+#define MS_MCML__E_MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
+#define MS_MCML__E_NMADD(a, b, c) _mm256_fnmadd_pd(a, b, c)
+#elif MS_MCML__ISA == 2 && defined(MS__X64)
+#define MS_MCML__E __m128d
+#define MS_MCML__D_ALL(op) op(a, 0) op(b, 2) op(c, 4) op(d, 6)
+#define MS_MCML__E_SET(a) _mm_set1_pd(a)
+#define MS_MCML__E_LOAD(p) _mm_loadu_pd(p)
+#define MS_MCML__E_STORE(p, a) _mm_storeu_pd(p, a)
+#define MS_MCML__E_ADD(a, b) _mm_add_pd(a, b)
+#define MS_MCML__E_SUB(a, b) _mm_sub_pd(a, b)
+#define MS_MCML__E_MUL(a, b) _mm_mul_pd(a, b)
+#define MS_MCML__E_MADD(a, b, c) _mm_add_pd(_mm_mul_pd(a, b), c)
+#define MS_MCML__E_NMADD(a, b, c) _mm_sub_pd(c, _mm_mul_pd(a, b))
+#elif MS_MCML__ISA == 2
+#define MS_MCML__E float64x2_t
+#define MS_MCML__D_ALL(op) op(a, 0) op(b, 2) op(c, 4) op(d, 6)
+#define MS_MCML__E_SET(a) vdupq_n_f64(a)
+#define MS_MCML__E_LOAD(p) vld1q_f64(p)
+#define MS_MCML__E_STORE(p, a) vst1q_f64(p, a)
+#define MS_MCML__E_ADD(a, b) vaddq_f64(a, b)
+#define MS_MCML__E_SUB(a, b) vsubq_f64(a, b)
+#define MS_MCML__E_MUL(a, b) vmulq_f64(a, b)
+#define MS_MCML__E_MADD(a, b, c) vfmaq_f64(c, a, b)
+#define MS_MCML__E_NMADD(a, b, c) vfmsq_f64(c, a, b)
 #else
-#if MS_MCML__ISA == 1
-#define MS_MCML__D ms_mcml__eight
-typedef struct ms_mcml__eight {
-    double a, b, c, d, e, f, g, h;
-} ms_mcml__eight;
-#define MS_MCML__D_ALL(op) \
-    do {                   \
-        op(a, 0);          \
-        op(b, 1);          \
-        op(c, 2);          \
-        op(d, 3);          \
-        op(e, 4);          \
-        op(f, 5);          \
-        op(g, 6);          \
-        op(h, 7);          \
-    } while (0)
-#define MS_MCML__D_SET(x, n) r.x = k
-#define MS_MCML__D_LOAD(x, n) r.x = p[n]
-#define MS_MCML__D_STORE(x, n) p[n] = k.x
-#define MS_MCML__D_ADD(x, n) r.x = k.x + l.x
-#define MS_MCML__D_SUB(x, n) r.x = k.x - l.x
-#define MS_MCML__D_MUL(x, n) r.x = k.x * l.x
-#define MS_MCML__D_MADD(x, n) r.x = k.x * l.x + m.x
-#define MS_MCML__D_NMADD(x, n) r.x = m.x - k.x * l.x
-#else
-#define MS_MCML__D ms_mcml__four_twos
-#define MS_MCML__D_ALL(op) \
-    do {                   \
-        op(a, 0);          \
-        op(b, 2);          \
-        op(c, 4);          \
-        op(d, 6);          \
-    } while (0)
-#if defined(MS__X64)
-typedef struct ms_mcml__four_twos {
-    __m128d a, b, c, d;
-} ms_mcml__four_twos;
-#define MS_MCML__D_SET(x, n) r.x = _mm_set1_pd(k)
-#define MS_MCML__D_LOAD(x, n) r.x = _mm_loadu_pd(p + n)
-#define MS_MCML__D_STORE(x, n) _mm_storeu_pd(p + n, k.x)
-#define MS_MCML__D_ADD(x, n) r.x = _mm_add_pd(k.x, l.x)
-#define MS_MCML__D_SUB(x, n) r.x = _mm_sub_pd(k.x, l.x)
-#define MS_MCML__D_MUL(x, n) r.x = _mm_mul_pd(k.x, l.x)
-#define MS_MCML__D_MADD(x, n) r.x = _mm_add_pd(_mm_mul_pd(k.x, l.x), m.x)
-#define MS_MCML__D_NMADD(x, n) r.x = _mm_sub_pd(m.x, _mm_mul_pd(k.x, l.x))
-#else
-typedef struct ms_mcml__four_twos {
-    float64x2_t a, b, c, d;
-} ms_mcml__four_twos;
-#define MS_MCML__D_SET(x, n) r.x = vdupq_n_f64(k)
-#define MS_MCML__D_LOAD(x, n) r.x = vld1q_f64(p + n)
-#define MS_MCML__D_STORE(x, n) vst1q_f64(p + n, k.x)
-#define MS_MCML__D_ADD(x, n) r.x = vaddq_f64(k.x, l.x)
-#define MS_MCML__D_SUB(x, n) r.x = vsubq_f64(k.x, l.x)
-#define MS_MCML__D_MUL(x, n) r.x = vmulq_f64(k.x, l.x)
-#define MS_MCML__D_MADD(x, n) r.x = vfmaq_f64(m.x, k.x, l.x)
-#define MS_MCML__D_NMADD(x, n) r.x = vfmsq_f64(m.x, k.x, l.x)
+#define MS_MCML__E double
+#define MS_MCML__D_ALL(op) op(a, 0) op(b, 1) op(c, 2) op(d, 3) op(e, 4) op(f, 5) op(g, 6) op(h, 7)
+#define MS_MCML__E_SET(a) (a)
+#define MS_MCML__E_LOAD(p) (*(p))
+#define MS_MCML__E_STORE(p, a) (*(p) = (a))
+#define MS_MCML__E_ADD(a, b) ((a) + (b))
+#define MS_MCML__E_SUB(a, b) ((a) - (b))
+#define MS_MCML__E_MUL(a, b) ((a) * (b))
+#define MS_MCML__E_MADD(a, b, c) ((a) * (b) + (c))
+#define MS_MCML__E_NMADD(a, b, c) ((c) - (a) * (b))
 #endif
-#endif
-static inline MS_MCML__D MS_MCML__FN(d_set)(double k)
-{
-    MS_MCML__D r;
-    MS_MCML__D_ALL(MS_MCML__D_SET);
-    return r;
-}
-static inline MS_MCML__D MS_MCML__FN(d_load)(const double *p)
-{
-    MS_MCML__D r;
-    MS_MCML__D_ALL(MS_MCML__D_LOAD);
-    return r;
-}
-static inline void MS_MCML__FN(d_store)(double *p, MS_MCML__D k) { MS_MCML__D_ALL(MS_MCML__D_STORE); }
-static inline MS_MCML__D MS_MCML__FN(d_add)(MS_MCML__D k, MS_MCML__D l)
-{
-    MS_MCML__D r;
-    MS_MCML__D_ALL(MS_MCML__D_ADD);
-    return r;
-}
-static inline MS_MCML__D MS_MCML__FN(d_sub)(MS_MCML__D k, MS_MCML__D l)
-{
-    MS_MCML__D r;
-    MS_MCML__D_ALL(MS_MCML__D_SUB);
-    return r;
-}
-static inline MS_MCML__D MS_MCML__FN(d_mul)(MS_MCML__D k, MS_MCML__D l)
-{
-    MS_MCML__D r;
-    MS_MCML__D_ALL(MS_MCML__D_MUL);
-    return r;
-}
-static inline MS_MCML__D MS_MCML__FN(d_madd)(MS_MCML__D k, MS_MCML__D l, MS_MCML__D m)
-{
-    MS_MCML__D r;
-    MS_MCML__D_ALL(MS_MCML__D_MADD);
-    return r;
-}
-static inline MS_MCML__D MS_MCML__FN(d_nmadd)(MS_MCML__D k, MS_MCML__D l, MS_MCML__D m)
-{
-    MS_MCML__D r;
-    MS_MCML__D_ALL(MS_MCML__D_NMADD);
-    return r;
-}
-#undef MS_MCML__D_ALL
-#undef MS_MCML__D_SET
-#undef MS_MCML__D_LOAD
-#undef MS_MCML__D_STORE
-#undef MS_MCML__D_ADD
-#undef MS_MCML__D_SUB
-#undef MS_MCML__D_MUL
-#undef MS_MCML__D_MADD
-#undef MS_MCML__D_NMADD
-#endif
+#define MS_MCML__D MS_MCML__FN(eight)
+#define MS_MCML__D_FIELD(x, n) MS_MCML__E x;
+#define MS_MCML__D_SET(x, n) r.x = MS_MCML__E_SET(k);
+#define MS_MCML__D_LOAD(x, n) r.x = MS_MCML__E_LOAD(p + n);
+#define MS_MCML__D_STORE(x, n) MS_MCML__E_STORE(p + n, k.x);
+#define MS_MCML__D_ADD(x, n) r.x = MS_MCML__E_ADD(k.x, l.x);
+#define MS_MCML__D_SUB(x, n) r.x = MS_MCML__E_SUB(k.x, l.x);
+#define MS_MCML__D_MUL(x, n) r.x = MS_MCML__E_MUL(k.x, l.x);
+#define MS_MCML__D_MADD(x, n) r.x = MS_MCML__E_MADD(k.x, l.x, m.x);
+#define MS_MCML__D_NMADD(x, n) r.x = MS_MCML__E_NMADD(k.x, l.x, m.x);
+#define MS_MCML__D_FUNCTION(name, arguments, op)         \
+    static inline MS_MCML__D MS_MCML__FN(name) arguments \
+    {                                                    \
+        MS_MCML__D r;                                    \
+        MS_MCML__D_ALL(op)                               \
+        return r;                                        \
+    }
+typedef struct MS_MCML__D {
+    MS_MCML__D_ALL(MS_MCML__D_FIELD)
+} MS_MCML__D;
+MS_MCML__D_FUNCTION(d_set, (double k), MS_MCML__D_SET)
+MS_MCML__D_FUNCTION(d_load, (const double *p), MS_MCML__D_LOAD)
+MS_MCML__D_FUNCTION(d_add, (MS_MCML__D k, MS_MCML__D l), MS_MCML__D_ADD)
+MS_MCML__D_FUNCTION(d_sub, (MS_MCML__D k, MS_MCML__D l), MS_MCML__D_SUB)
+MS_MCML__D_FUNCTION(d_mul, (MS_MCML__D k, MS_MCML__D l), MS_MCML__D_MUL)
+MS_MCML__D_FUNCTION(d_madd, (MS_MCML__D k, MS_MCML__D l, MS_MCML__D m), MS_MCML__D_MADD)
+MS_MCML__D_FUNCTION(d_nmadd, (MS_MCML__D k, MS_MCML__D l, MS_MCML__D m), MS_MCML__D_NMADD)
+static inline void MS_MCML__FN(d_store)(double *p, MS_MCML__D k) { MS_MCML__D_ALL(MS_MCML__D_STORE) }
 
 static inline double MS_MCML__FN(d_sum)(MS_MCML__D a)
 {
@@ -5429,7 +5373,7 @@ static inline double MS_MCML__FN(d_sum)(MS_MCML__D a)
     return ((v[0] + v[4]) + (v[1] + v[5])) + ((v[2] + v[6]) + (v[3] + v[7]));
 }
 
-static inline void MS_MCML__FN(d_turn)(double from[8][8], double to[8][8]) /* rows to columns */
+static inline void MS_MCML__FN(d_transpose)(double from[8][8], double to[8][8]) /* rows to columns */
 {
     int i, j;
 #if MS_MCML__ISA >= 3
@@ -5540,8 +5484,8 @@ static inline void MS_MCML__FN(moments)(MS_MCML__D yr, MS_MCML__D yi, int halvin
 
 /* The weights of five points for the four steps of a panel; h: its length along each ray, wave: radians a length;
    out[4][6][2][R]: what passes a step, then the points. The last two steps are the first two mirrored. */
-static void MS_MCML__FN(weigh)(double mu_t, const double *h, const double *wave, const double *polynomial,
-                               const double *series, double *out)
+static void MS_MCML__FN(panel_weights)(double mu_t, const double *h, const double *wave, const double *polynomial,
+                                       const double *series, double *out)
 {
     enum { R = MS_MCML__RAYS };
     const MS_MCML__D length = MS_MCML__FN(d_load)(h), radians = MS_MCML__FN(d_mul)(length, MS_MCML__FN(d_load)(wave));
@@ -5597,10 +5541,10 @@ static void MS_MCML__FN(add)(double *to, double x, const double *a, size_t n)
 
 /* Of a block of rays in one layer: what scatters into them at each node, [m][node] down and up; moments of l - m even
    are the same for both directions, odd ones opposite. */
-static void MS_MCML__FN(scatter)(const ms_mcml__flights *s, int b, int layer)
+static void MS_MCML__FN(source)(const ms_mcml__sweeps *s, int b, int layer)
 {
     enum { R = MS_MCML__RAYS };
-    const ms_mcml__stratum *y = &s->layer[layer];
+    const ms_mcml__solver_layer *y = &s->layer[layer];
     const size_t nz = (size_t)s->reach, sheets = (size_t)s->most + 1;
     const double *theta = s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R;
     int m, l, node;
@@ -5637,14 +5581,14 @@ static void MS_MCML__FN(scatter)(const ms_mcml__flights *s, int b, int layer)
 }
 
 /* The weights of panel p of a layer, of block and azimuth ba. */
-static inline const double *MS_MCML__FN(panel)(const ms_mcml__flights *s, const ms_mcml__stratum *y, int ba, int p)
+static inline const double *MS_MCML__FN(panel)(const ms_mcml__sweeps *s, const ms_mcml__solver_layer *y, int ba, int p)
 {
     return s->table +
         ((size_t)(ba * s->shapes) + (size_t)(y->table + s->panel_shape[y->panel + p])) * 48 * MS_MCML__RAYS;
 }
 
 /* Flights within a layer that nothing enters, at one azimuth: down, up. */
-static void MS_MCML__FN(within)(const ms_mcml__flights *s, const ms_mcml__stratum *y, int ba)
+static void MS_MCML__FN(within)(const ms_mcml__sweeps *s, const ms_mcml__solver_layer *y, int ba)
 {
     enum { R = MS_MCML__RAYS };
     const size_t plane = (size_t)s->reach * R, sheets = (size_t)s->most + 1;
@@ -5685,9 +5629,9 @@ static void MS_MCML__FN(within)(const ms_mcml__flights *s, const ms_mcml__stratu
     }
 }
 
-/* Adds to both flights within a layer what enters it from above, in, and from below, back; both = their sum and
-   difference, weighed. */
-static void MS_MCML__FN(entering)(const ms_mcml__flights *s, const ms_mcml__stratum *y, int ba, double *both,
+/* Adds the light that enters a layer from above (in) and from below (back) to both directions; both = their weighted
+   sum and difference. */
+static void MS_MCML__FN(entering)(const ms_mcml__sweeps *s, const ms_mcml__solver_layer *y, int ba, double *both,
                                   const MS_MCML__D in[2], const MS_MCML__D back[2])
 {
     enum { R = MS_MCML__RAYS };
@@ -5730,19 +5674,19 @@ static void MS_MCML__FN(entering)(const ms_mcml__flights *s, const ms_mcml__stra
     }
 }
 
-/* All flights of a block of rays at one azimuth, through all layers. */
-static void MS_MCML__FN(flights)(const ms_mcml__flights *s, int b, int a, double leave[2])
+/* A block of rays at one azimuth, through all layers. */
+static void MS_MCML__FN(sweep_rays)(const ms_mcml__sweeps *s, int b, int a, double leave[2])
 {
     enum { R = MS_MCML__RAYS };
     const int ba = b * s->azimuths + a;
     const double *nu = s->nu + b * R, *chain = s->chain + (size_t)(ba * s->layers) * 10 * R,
                  *edge = s->edge + (size_t)(b * s->layers) * 5 * R, *c;
     const MS_MCML__D zero = MS_MCML__FN(d_set)(0), turn = MS_MCML__FN(d_load)(s->turn + ba * R);
-    MS_MCML__D v[MS_MCML__STRATA][2], from_below[MS_MCML__STRATA][2], d[2], w[2], in[2], back[2], sum[2], x;
+    MS_MCML__D v[MS_MCML__LAYERS_MAX][2], from_below[MS_MCML__LAYERS_MAX][2], d[2], w[2], in[2], back[2], sum[2], x;
     int layer;
     in[0] = in[1] = v[0][0] = v[0][1] = sum[0] = sum[1] = zero;
     for (layer = s->layers - 1; layer >= 0; --layer) { /* what comes back from below, boundary by boundary */
-        const ms_mcml__stratum *y = &s->layer[layer];
+        const ms_mcml__solver_layer *y = &s->layer[layer];
         v[layer][0] = v[layer][1] = from_below[layer][0] = from_below[layer][1] = zero;
         if (!(nu[0] < y->n) || (!y->clear && y->used == 0)) continue;
         c = chain + layer * 10 * R;
@@ -5762,7 +5706,7 @@ static void MS_MCML__FN(flights)(const ms_mcml__flights *s, int b, int a, double
         MS_MCML__FN(mul_load)(c, back[0], back[1], &v[layer][0], &v[layer][1]);
     }
     for (layer = 0; layer < s->layers; ++layer) { /* and down again; in: what came out of the layer above */
-        const ms_mcml__stratum *y = &s->layer[layer];
+        const ms_mcml__solver_layer *y = &s->layer[layer];
         const double *e = edge + layer * 5 * R;
         if (!(nu[0] < y->n)) continue;
         if (!y->clear && y->used == 0) break;
@@ -5801,7 +5745,7 @@ static inline void MS_MCML__FN(project)(double x[8][8], const double *theta, dou
     enum { R = MS_MCML__RAYS };
     double turned[8][8];
     MS_MCML__D t0, t1, t2, t3, t4, t5, t6, t7;
-    MS_MCML__FN(d_turn)(x, turned);
+    MS_MCML__FN(d_transpose)(x, turned);
     t0 = MS_MCML__FN(d_load)(turned[0]);
     t1 = MS_MCML__FN(d_load)(turned[1]);
     t2 = MS_MCML__FN(d_load)(turned[2]);
@@ -5824,10 +5768,10 @@ static inline void MS_MCML__FN(project)(double x[8][8], const double *theta, dou
 }
 
 /* From both, over all azimuths, to moments: out += those of a block of rays in one layer. */
-static void MS_MCML__FN(gather)(const ms_mcml__flights *s, int b, int layer, double *out)
+static void MS_MCML__FN(project_moments)(const ms_mcml__sweeps *s, int b, int layer, double *out)
 {
     enum { R = MS_MCML__RAYS };
-    const ms_mcml__stratum *y = &s->layer[layer];
+    const ms_mcml__solver_layer *y = &s->layer[layer];
     const size_t nz = (size_t)s->reach, sheets = (size_t)s->most + 1;
     const double *theta = s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R,
                  *mu = s->mu + (b * s->layers + layer) * R;
@@ -5868,7 +5812,7 @@ static void MS_MCML__FN(gather)(const ms_mcml__flights *s, int b, int layer, dou
         }
 }
 
-static void MS_MCML__FN(fly)(const ms_mcml__flights *s, const double *d, int beam, double *out, double leave[2])
+static void MS_MCML__FN(sweep)(const ms_mcml__sweeps *s, const double *d, int beam, double *out, double leave[2])
 {
     const size_t nz = (size_t)s->reach;
     const double *down = s->beam, *up = down + s->nodes + 7 * s->layers;
@@ -5880,7 +5824,7 @@ static void MS_MCML__FN(fly)(const ms_mcml__flights *s, const double *d, int bea
     for (m = 0; m <= s->most; ++m)
         for (l = m; l <= s->order; ++l, q += nz)
             for (layer = 0; layer < s->layers; ++layer) {
-                const ms_mcml__stratum *y = &s->layer[layer];
+                const ms_mcml__solver_layer *y = &s->layer[layer];
                 const double sigma = y->used ? y->sigma[l] : 0,
                              pole = sqrt((2 * l + 1) * 0.5) * 0.3989422804014327 * sigma, back = l & 1 ? -pole : pole;
                 if (d && y->used) MS_MCML__FN(add)
@@ -5890,18 +5834,38 @@ static void MS_MCML__FN(fly)(const ms_mcml__flights *s, const double *d, int bea
             }
     for (b = 0; b < s->blocks; ++b) {
         for (layer = 0; layer < s->layers; ++layer)
-            if (s->layer[layer].used && s->nu[b * MS_MCML__RAYS] < s->layer[layer].n) MS_MCML__FN(scatter)(s, b, layer);
-        for (a = 0; a < s->azimuths; ++a) MS_MCML__FN(flights)(s, b, a, leave);
+            if (s->layer[layer].used && s->nu[b * MS_MCML__RAYS] < s->layer[layer].n) MS_MCML__FN(source)(s, b, layer);
+        for (a = 0; a < s->azimuths; ++a) MS_MCML__FN(sweep_rays)(s, b, a, leave);
         for (layer = 0; layer < s->layers; ++layer)
             if (s->layer[layer].used && s->nu[b * MS_MCML__RAYS] < s->layer[layer].n)
-                MS_MCML__FN(gather)(s, b, layer, out);
+                MS_MCML__FN(project_moments)(s, b, layer, out);
     }
 }
 
-static const ms_mcml__kernels MS_MCML__FN(kernels) = {MS_MCML__FN(trace), MS_MCML__FN(fly), MS_MCML__FN(weigh),
-                                                      MS_MCML__FN(inner), MS_MCML__FN(add)};
+static const ms_mcml__kernels MS_MCML__FN(kernels) = {MS_MCML__FN(trace), MS_MCML__FN(sweep),
+                                                      MS_MCML__FN(panel_weights), MS_MCML__FN(inner), MS_MCML__FN(add)};
 
 #undef MS_MCML__D
+#undef MS_MCML__D_FUNCTION
+#undef MS_MCML__D_FIELD
+#undef MS_MCML__D_ALL
+#undef MS_MCML__D_SET
+#undef MS_MCML__D_LOAD
+#undef MS_MCML__D_STORE
+#undef MS_MCML__D_ADD
+#undef MS_MCML__D_SUB
+#undef MS_MCML__D_MUL
+#undef MS_MCML__D_MADD
+#undef MS_MCML__D_NMADD
+#undef MS_MCML__E
+#undef MS_MCML__E_SET
+#undef MS_MCML__E_LOAD
+#undef MS_MCML__E_STORE
+#undef MS_MCML__E_ADD
+#undef MS_MCML__E_SUB
+#undef MS_MCML__E_MUL
+#undef MS_MCML__E_MADD
+#undef MS_MCML__E_NMADD
 #undef MS_MCML__DRAW
 #undef MS_MCML__LEVEL
 #undef MS_MCML__ISA

@@ -4,7 +4,8 @@
      SECONDS    of the reference a medium, 2
      MEDIA      "from-to" of 0-299
      VERBOSE    1: every medium, 2: every ring
-   The reference is kept in build/bench/layered_reference.bin and read from there by later runs; delete it for a new
+     SEED       of the media and their reference, 31415926
+   The reference is kept in build/bench/layered_SEED.bin and read from there by later runs; delete it for a new
    one. To build/bench/layered_errors.md. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
@@ -36,7 +37,7 @@ typedef struct reference {
     double photons, edge[2][EDGES], energy[2][EDGES], error[2][EDGES], seconds;
 } reference;
 
-static uint64_t state;
+static uint64_t state, seed = 31415926;
 
 static double uniform(double low, double high) /* splitmix64 */
 {
@@ -70,7 +71,7 @@ static void medium_make(int index, random_medium *m)
     const int family = index / EACH;
     int layers = 1, i, matched = family == 0 || family == 2 || family == 7;
     double n;
-    state = (uint64_t)index * 7919 + 20261122;
+    state = (uint64_t)index * 7919 + seed;
     for (i = 0; i < 8; ++i) uniform(0, 1);
     n = uniform(1.3, 1.5);
     if (family == 2 || family == 3 || family == 6) layers = (int)uniform(2, 5);
@@ -150,7 +151,7 @@ static int reference_make(const random_medium *m, double seconds, reference *out
         if (side == 2) break;
         grid.dr_cm *= 8;
     }
-    options.seed = 815;
+    options.seed = seed + 815;
     start = bench_cpu();
     if (ms_mcml_create(&m->tissue, &grid, &options, &tally, NULL) != MS_OK) return 1;
     while (done == 0 || (bench_cpu() - start < seconds && done < 4000000)) {
@@ -186,7 +187,8 @@ typedef struct family_row {
 
 int main(void)
 {
-    const char *text = getenv("MEDIA"), *path = "build/bench/layered_reference.bin";
+    const char *text = getenv("MEDIA");
+    char path[64];
     const double seconds = getenv("SECONDS") ? atof(getenv("SECONDS")) : 2;
     const int verbose = getenv("VERBOSE") ? atoi(getenv("VERBOSE")) : 0;
     static reference all[FAMILIES * EACH];
@@ -196,6 +198,8 @@ int main(void)
     ms_mcml_layered_options options;
     FILE *file, *md = bench_open("layered_errors.md");
     if (text && sscanf(text, "%d-%d", &from, &to) != 2) return 2;
+    if (getenv("SEED")) seed = strtoull(getenv("SEED"), NULL, 10);
+    snprintf(path, sizeof path, "build/bench/layered_%llu.bin", (unsigned long long)seed);
     if ((file = fopen(path, "rb")) != NULL) {
         if (fread(all, sizeof all, 1, file) != 1) memset(all, 0, sizeof all);
         fclose(file);
