@@ -32,7 +32,7 @@ LDLIBS = -lm
 # Every implementation is compiled once; the examples are told that it is there and link what they use. (Each also
 # compiles alone, as its comment says.)
 TOOLS = build/mcml build/profile build/sss_kernel build/sss_filter build/postprocess build/lightmap \
-	build/recommend build/latent build/nn_info build/nn_run build/nn_quantise build/preview build/match build/materialx build/workflow build/train build/own_shader
+	build/recommend build/latent build/nn_info build/nn_run build/nn_quantize build/preview build/match build/materialx build/workflow build/train build/own_shader
 SMALL = build/ms_mcml build/ms_sss build/ms_gpr build/ms_nn build/ms_pme
 DEMOS = build/demo_sss build/demo_match
 OBJECTS = build/ms_mcml.o build/ms_sss.o build/ms_gpr.o build/ms_nn.o build/ms_pme.o build/image.o
@@ -92,8 +92,8 @@ build/nn_info: examples/tools/nn_info.c build/ms_nn.o
 	$(BUILD) examples/tools/nn_info.c build/ms_nn.o $(LDLIBS)
 build/nn_run: examples/tools/nn_run.c build/ms_nn.o
 	$(BUILD) examples/tools/nn_run.c build/ms_nn.o $(LDLIBS)
-build/nn_quantise: examples/tools/nn_quantise.c examples/tools/files.h build/ms_nn.o
-	$(BUILD) examples/tools/nn_quantise.c build/ms_nn.o $(LDLIBS)
+build/nn_quantize: examples/tools/nn_quantize.c examples/tools/files.h build/ms_nn.o
+	$(BUILD) examples/tools/nn_quantize.c build/ms_nn.o $(LDLIBS)
 build/preview: examples/tools/preview.c examples/tools/neural.h examples/tools/materials.h $(IMAGE) build/ms_nn.o
 	$(BUILD) examples/tools/preview.c build/ms_nn.o build/image.o $(LDLIBS)
 build/materialx: examples/tools/materialx.c examples/tools/materialx.h examples/tools/materials.h examples/tools/files.h

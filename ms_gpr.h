@@ -89,9 +89,9 @@
    ------
    n up to 30000 by memory; time grows with n^3. The kernel is the squared exponential with one length a dimension:
    preferences that jump are smoothed. Values that are not finite or beyond 1e30 are refused with their row, columns and
-   scores that span less than 1e-30 by name. Distances are direct differences of centred inputs, so that near-duplicates
-   and offsets of 1e8 cost no digits. Where K' is not positive definite in double precision, the least jitter that helps
-   is added and reported by ms_gpr_view_of.
+   scores that span less than 1e-30 by name. Distances are direct differences of centered inputs, so that
+   near-duplicates and offsets of 1e8 cost no digits. Where K' is not positive definite in double precision, the least
+   jitter that helps is added and reported by ms_gpr_view_of.
 
    Sources
    -------
@@ -296,7 +296,7 @@ typedef struct ms_gpr_view {
     const int *pairs;    /* [pair_count][2] */
     double mean;         /* prior mean */
     double floor;        /* the least score that can be given; see ms_gpr_fit_options */
-    double floor_value;  /* what scores at the floor are modelled as */
+    double floor_value;  /* what scores at the floor are modeled as */
     double jitter;       /* was added to sn^2, in units of sf^2, to make K' positive definite in double precision: 0
                             nearly always, else a power of ten from 1e-15 to 1e-6 */
     ms_simd level;       /* instruction set in use */
@@ -348,7 +348,7 @@ typedef struct ms_gpr_outlier {
 } ms_gpr_outlier;
 
 typedef struct ms_gpr_fit_report {
-    double likelihood;      /* log p(y | X, theta) of the scores as they were modelled */
+    double likelihood;      /* log p(y | X, theta) of the scores as they were modeled */
     double objective;       /* the same plus the log prior of MAP */
     double jitter;          /* as in ms_gpr_view */
     int evaluations;        /* of the likelihood, all starts and probes */
@@ -521,10 +521,10 @@ typedef struct ms_gpr_latent_report {
     int evaluations;
 } ms_gpr_latent_report;
 
-/* Embeds materials. They are centred; every column has the same kernel variance, so scale parameters to comparable
+/* Embeds materials. They are centered; every column has the same kernel variance, so scale parameters to comparable
    ranges. x       [z][m], z >= 2, 1 <= m
    Length scales are 1, the unit of the latent space: they are redundant with the latents (and a prior on those would
-   shrink both together). Starts from principal components at several scales; sf, sn and all latents are optimised
+   shrink both together). Starts from principal components at several scales; sf, sn and all latents are optimized
    together by L-BFGS, every start for 100 evaluations and the best of them to the end.
    MS_BAD_DATA: a value that is not finite (position: its row, from 1), or all materials equal.
    MS_INVALID_ARGUMENT (a space that contradicts itself, too), MS_OUT_OF_MEMORY, MS_CANCELLED. *out is NULL unless
@@ -611,7 +611,7 @@ typedef struct ms_gpr_variant {
     double confidence; /* as in ms_gpr_map_confidence: where the plane knows nothing there are no variants */
 } ms_gpr_variant;
 
-/* The variants that maximise lambda s(x*, x') + (1 - lambda) u(x') / best over the plane (thesis 3.7), times how much
+/* The variants that maximize lambda s(x*, x') + (1 - lambda) u(x') / best over the plane (thesis 3.7), times how much
    the plane knows there, for several lambda.
    lambda    [count], each in [0, 1]: 1 asks for the most similar material, 0 for the best
    best      the score that counts as 1; 0, or the floor or less: the largest on the grid (1 above the floor where none
@@ -1249,7 +1249,7 @@ static void ms_gpr__release_doubles(const ms_allocator *allocator, void *block, 
     ms__release(allocator, block, (count + MS_GPR__BLOCK) * sizeof(double));
 }
 
-/* ---- minimiser ------------------------------------------------------------------------------------------------- */
+/* ---- minimizer ------------------------------------------------------------------------------------------------- */
 
 /* f(q) and its gradient. 1: defined; 0: not defined here, the search steps back; -1: stop. */
 typedef int (*ms_gpr__objective)(void *context, const double *q, double *value, double *gradient);
@@ -5224,7 +5224,7 @@ MS_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x,
 
 /* --- fit --- */
 
-/* What the minimiser sees: q = [log sf, log sn, points by dimension]; lengths are 1. */
+/* What the minimizer sees: q = [log sf, log sn, points by dimension]; lengths are 1. */
 typedef struct ms_gpr__latent_problem {
     ms_gpr__embedding e;
     double prior;
@@ -5738,7 +5738,7 @@ static ms_gpr_variant ms_gpr__visited_best(const ms_gpr__visited *visited, doubl
     return chosen;
 }
 
-/* Pattern searches from the best so far and from the best elsewhere, inside the grid: the four neighbours at a step,
+/* Pattern searches from the best so far and from the best elsewhere, inside the grid: the four neighbors at a step,
    which is halved where none is better. */
 static ms_status ms_gpr__visited_refine(ms_gpr__visited *visited, const ms_gpr_grid *grid, double lambda,
                                         ms_error *error)

@@ -8,7 +8,7 @@
       #include "ms_sss.h"
 
    A diffusion profile becomes a kernel of a few taps; the kernel blurs the light on a surface. Link with -lm. Here the
-   edge of a shadow on a material that red light enters deepest, in a texture with one pixel a millimetre:
+   edge of a shadow on a material that red light enters deepest, in a texture with one pixel a millimeter:
 
    Example:
       #define MS_SSS_IMPLEMENTATION
@@ -57,15 +57,15 @@
 
      one tap a pixel                  1D passes   vertical step   45 degree step   1/f texture
      R_d sampled along the axis           2            7.80            8.23           22.80
-     SVD rank 1, normalised               2            6.48            6.29           16.62
+     SVD rank 1, normalized               2            6.48            6.29           16.62
      pre-integrated                       2            0.00            3.03            7.33
      image-optimal                        2            1.96            1.22            3.75
      pre-integrated + 1 residual          4            0.00            0.88            1.22
 
      texture error by taps of a pass      24 pixels: 7     11     17     96 pixels: 7     11     17
      pre-integrated, quadratic spacing            4.48   4.45   5.80           11.59   8.58   7.71
-     image-optimal, optimised taps (default)      2.50   1.61   1.41            9.25   5.62   4.16
-     two terms, optimised taps                    1.89   0.67   0.29            8.12   3.74   1.98
+     image-optimal, optimized taps (default)      2.50   1.61   1.41            9.25   5.62   4.16
+     two terms, optimized taps                    1.89   0.67   0.29            8.12   3.74   1.98
 
    For edges along the screen's axes turn `dial` towards 1; for single bright dots use more taps; the default serves
    detail and shadows. Making a kernel takes longer with more taps and terms. The filter takes longer with more pixels,
@@ -82,9 +82,9 @@
    times the area, at most 3 times; not for terms with weights of both signs.
    Elevation: sin(theta) is the tap's depth under the pixel's tangent plane over its distance. No pass multiplies the
    mean by more than reflectance^(-1/2), so reflectance times output never exceeds the brightest input.
-   Weights that fall outside the picture or on masked pixels are renormalised away: a constant stays constant within
+   Weights that fall outside the picture or on masked pixels are renormalized away: a constant stays constant within
    1e-6 on planes, and everywhere with flat 1. If a kernel's terms have weights of both signs, the missing weight goes
-   to the pixel's own colour instead. Half-precision depth is too coarse for slopes: set flat to 1. Half resolution
+   to the pixel's own color instead. Half-precision depth is too coarse for slopes: set flat to 1. Half resolution
    (MS_SSS_METHOD_HALF): a pixel keeps the self weight of its light, so that detail stays; the rest comes from up to
    four larger pixels around it that are near it in depth. On pictures of heads, hair and leaves it differs from full
    resolution by 7 to 13%. Slopes come from its own depth; normals are not read.
@@ -93,7 +93,7 @@
    ------------------------------------------
    Profiles and designers are one block each from the caller's allocator (a designer: 2 MB); building a kernel takes
    another, under 1 MB, measuring one 60 KB, and gives it back. Filters allocate nothing if the caller
-   gives a workspace. No globals. At most 32 KB of stack a call, 64 KB without optimisation.
+   gives a workspace. No globals. At most 32 KB of stack a call, 64 KB without optimization.
    Profiles, designers and kernels are only read once made: calls may overlap. Filters cut the picture into rows for
    ms_parallel; kernels are made on one thread.
    Filters run scalar, SSE2 or NEON, AVX2 or AVX-512 text, chosen once a call, capped by options.simd; on x86-64 with
@@ -269,7 +269,7 @@ typedef struct ms_sss_profile ms_sss_profile;
    The values are copied.
    edge_mm  [count + 1] increasing, edge_mm[0] >= 0 (a hole inside it counts as dark), finite
    value    three arrays of count averages in 1/mm^2, stride elements apart (0: 1), >= 0, finite
-   Within a ring R_d is linear in r^2: it has the ring's energy and the slope of its neighbours where they agree, else
+   Within a ring R_d is linear in r^2: it has the ring's energy and the slope of its neighbors where they agree, else
    slope 0. MS_INVALID_ARGUMENT: counts, edges, values (error->position: the ring). MS_OUT_OF_MEMORY. *profile is then
    NULL. */
 MS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile, int count, const double *edge_mm,
@@ -290,7 +290,7 @@ MS_API ms_status ms_sss_profile_from_gaussians(ms_sss_profile **profile, int cou
                                                const double (*weight)[3], const ms_allocator *allocator,
                                                ms_error *error);
 
-/* Normalised diffusion, R_d(r) = reflectance (exp(-r/d) + exp(-r/(3 d))) / (8 pi d r).
+/* Normalized diffusion, R_d(r) = reflectance (exp(-r/d) + exp(-r/(3 d))) / (8 pi d r).
    Burley 2015, Extending the Disney BRDF to a BSDF with integrated subsurface scattering. */
 MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const double reflectance[3], const double d_mm[3],
                                             const ms_allocator *allocator, ms_error *error);
@@ -312,7 +312,7 @@ MS_API void ms_sss_profile_value(const ms_sss_profile *profile, double r_mm, dou
 MS_API void ms_sss_profile_disc(const ms_sss_profile *profile, double r_mm, double out[3]);
 
 /* The pre-integrated kernel a_p(x) = integral of R_d(sqrt(x^2 + y^2)) over all y, 1/mm (5.4), in closed form: exact
-   chords of the rings, Gaussians, K0 for Burley (infinite at x = 0). Not normalised: its integral is the
+   chords of the rings, Gaussians, K0 for Burley (infinite at x = 0). Not normalized: its integral is the
    reflectance. */
 MS_API void ms_sss_profile_line(const ms_sss_profile *profile, double x_mm, double out[3]);
 
@@ -327,7 +327,7 @@ MS_API void ms_sss_profile_radius(const ms_sss_profile *profile, double fraction
 /* A curved surface returns more light than the plane that the profile was made for, a hollow less. For light that
    enters at q and leaves at p, with outward normals n_q and n_p, the profile on the surface over the profile on the
    plane is close to f = max(0, 1 + K sin(theta) / 4)^4, with sin(theta) = (n_p - n_q).(p - q) / (2 |p - q|); on a
-   sphere of radius a that is |p - q| / (2 a). The factor multiplies the colour and not the normalisation:
+   sphere of radius a that is |p - q| / (2 a). The factor multiplies the color and not the normalization:
    out = reflectance sum(w f E) / sum(w), where reflectance sum(w f) / sum(w) is kept at or below 1.
    Returns K, the elevation of a channel: with q = 1 - reflectance, 0.57 + 2.45 q + 1.8 q^6 at an index of refraction
    of 1, 0.5 + 2.2 q + 2.5 q^12 at 1.4; other indices, 1 to 2, are linear in the coefficients; 0 without light.
@@ -339,21 +339,21 @@ MS_API double ms_sss_elevation(double reflectance, double index);
 
 /* ---- kernels --------------------------------------------------------------------------------------------------- */
 
-#define MS_SSS_TAPS_MAX 257 /* taps of one 1D pass, centre included */
+#define MS_SSS_TAPS_MAX 257 /* taps of one 1D pass, center included */
 #define MS_SSS_TERMS_MAX 6  /* separable terms */
 #define MS_SSS_DENSE (-1)   /* as tap_count: a tap every pixel of the design radius */
 
 /* A separable kernel, ready to be applied: out = delta E + sum_t scale_t (E * w_t along x) * w_t along y.
-   Normalised, but for MS_SSS_SVD: delta + sum_t scale_t (sum_i w_ti)^2 = 1 in every channel. */
+   Normalized, but for MS_SSS_SVD: delta + sum_t scale_t (sum_i w_ti)^2 = 1 in every channel. */
 typedef struct ms_sss_kernel {
-    int tap_count;  /* odd; entry 0 is the centre (offset 0), then pairs -x, +x by growing |x| */
+    int tap_count;  /* odd; entry 0 is the center (offset 0), then pairs -x, +x by growing |x| */
     int term_count; /* 1 except for SVD, sums of Gaussians, residuals */
     float offset_mm[MS_SSS_TAPS_MAX];
     float weight[MS_SSS_TERMS_MAX][MS_SSS_TAPS_MAX][3]; /* of one 1D pass, applied along x, then along y */
     float scale[MS_SSS_TERMS_MAX][3]; /* factor of each term after both passes (sign of a singular value) */
     float delta[3];                   /* weight of the unblurred input */
     float radius_mm;                  /* the outermost |offset| plus half its cell */
-    float reflectance[3];             /* the profile's total; the kernel itself is normalised */
+    float reflectance[3];             /* the profile's total; the kernel itself is normalized */
     float profile_radius_mm;          /* radius of 99% of the light of the widest channel; 0: radius_mm */
     float elevation[3];               /* K of ms_sss_elevation; 0: no elevation */
     float decay[3];                   /* 1/mm, decay of light with depth, see ms_sss_transmittance */
@@ -366,16 +366,16 @@ typedef enum ms_sss_model {
     MS_SSS_PREINTEGRATED = 1,  /* a_p (5.4): exact on signals that are a sum of E1(x) and E2(y) */
     MS_SSS_RESIDUAL = 2,       /* a_p plus term_count - 1 singular vectors of the rest, each exact on those signals */
     MS_SSS_SVD = 3,            /* term_count singular vectors (5.12); loses energy */
-    MS_SSS_SVD_NORMALISED = 4, /* the same, scaled to keep the energy */
+    MS_SSS_SVD_NORMALIZED = 4, /* the same, scaled to keep the energy */
     MS_SSS_GAUSSIANS = 5,      /* best sum of term_count Gaussians (5.9) */
-    MS_SSS_GUIDED = 6,         /* guided optimisation (5.14) with guide_k */
+    MS_SSS_GUIDED = 6,         /* guided optimization (5.14) with guide_k */
     MS_SSS_ARTIST = 7,         /* two Gaussians along the axes (5.6), as given or fitted to a_p */
     MS_SSS_SLICE = 8           /* R_d sampled along the axis, as the released shader does: the figures' peer */
 } ms_sss_model;
 
 /* Where the taps of a pass stand. */
 typedef enum ms_sss_placement {
-    MS_SSS_OPTIMISED = 0, /* positions and weights of least error on 1/f pictures, shared by the channels */
+    MS_SSS_OPTIMIZED = 0, /* positions and weights of least error on 1/f pictures, shared by the channels */
     MS_SSS_QUANTILE = 1,  /* importance-sampled: cells of equal energy of the widest channel */
     MS_SSS_QUADRATIC = 2  /* offsets grow with the square of their index, as in the thesis */
 } ms_sss_placement;       /* in the last two each weight is the integral of the kernel over its cell */
@@ -388,7 +388,7 @@ typedef struct ms_sss_artist {
 
 /* Zero is the default of every field; ms_sss_kernel_defaults() returns that. */
 typedef struct ms_sss_kernel_options {
-    int tap_count;  /* of a pass: odd, 3 to 33 for MS_SSS_OPTIMISED, else to MS_SSS_TAPS_MAX; 0: 7; or MS_SSS_DENSE */
+    int tap_count;  /* of a pass: odd, 3 to 33 for MS_SSS_OPTIMIZED, else to MS_SSS_TAPS_MAX; 0: 7; or MS_SSS_DENSE */
     int term_count; /* 1 to MS_SSS_TERMS_MAX; 0: 1 (residual: 2) */
     ms_sss_model model;
     ms_sss_placement placement;
@@ -417,7 +417,7 @@ MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss
                                         const ms_allocator *allocator, ms_error *error);
 MS_API void ms_sss_designer_destroy(ms_sss_designer *designer);
 
-/* One kernel. options NULL: 7 optimised taps. A channel without light gets the identity. designer is only read.
+/* One kernel. options NULL: 7 optimized taps. A channel without light gets the identity. designer is only read.
    MS_INVALID_ARGUMENT: an option outside its range (the message names it). MS_OUT_OF_MEMORY. kernel untouched then. */
 MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *designer,
                                      const ms_sss_kernel_options *options, ms_error *error);
@@ -455,7 +455,7 @@ MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kerne
 MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_designer *designer,
                                       double tolerance, int tap_budget, ms_error *error);
 
-/* A designer for radius_px, a kernel by options (NULL: 7 optimised taps) and its errors (optional) in one call. */
+/* A designer for radius_px, a kernel by options (NULL: 7 optimized taps) and its errors (optional) in one call. */
 MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile,
                                     double radius_px, const ms_sss_kernel_options *options,
                                     const ms_allocator *allocator, ms_error *error);
@@ -468,7 +468,7 @@ MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors
    field. The last one is the loss in dark media before the light has the shape of that field.
    decay = (1 - R) (0.52 - 0.6 ln(1 - R) + 0.625 R^0.5) / (mean distance between entry and exit). Both were fitted to
    random walks of albedo 0.3 to 0.999 with isotropic scattering: within 7% where R is 0.15 to 0.95 and T above 1e-3; an
-   index of 1.4 inside loses up to 15% more. The profile needs its true reflectance: one that was normalised to 1
+   index of 1.4 inside loses up to 15% more. The profile needs its true reflectance: one that was normalized to 1
    transmits too much. A channel without light transmits none. */
 MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness_mm, double out[3]);
 
@@ -497,7 +497,7 @@ typedef struct ms_sss_image {
     int half;               /* 0: float, 1: binary16 */
 } ms_sss_image;
 
-/* Views: pixels of `channels` interleaved elements of which the first three are colour (3: RGB, 4: RGBA or RGB and
+/* Views: pixels of `channels` interleaved elements of which the first three are color (3: RGB, 4: RGBA or RGB and
    depth); three planes; one value a pixel, every stride elements (depth in RGB + depth: values = pixels + 3, stride 4).
    Rows are tightly packed; set row_stride where they are not. `half` is 0 or 1 as in ms_sss_image. */
 MS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int half);
@@ -556,7 +556,7 @@ typedef struct ms_sss_frame {
 
 /* The weight of a tap whose depth differs from the pixel's by dz. */
 typedef enum ms_sss_depth_mode {
-    MS_SSS_DEPTH_AWARE = 0, /* weighted by dz from the tangent plane, renormalised; see ms_sss_filter */
+    MS_SSS_DEPTH_AWARE = 0, /* weighted by dz from the tangent plane, renormalized; see ms_sss_filter */
     MS_SSS_DEPTH_SCALE = 1  /* depth sets the kernel's size in pixels only; light leaks across silhouettes */
 } ms_sss_depth_mode;
 
@@ -570,12 +570,12 @@ typedef enum ms_sss_albedo_mode {
 /* Zero, as from ms_sss_filter_defaults(), is the default of every field but one of the three that give the size of a
    pixel: set exactly one of pixels_per_mm[0], fov_degrees and ortho_height. */
 typedef struct ms_sss_filter_options {
-    float pixels_per_mm[2]; /* texture space: pixels a millimetre along x and y; [1] 0: as [0] */
+    float pixels_per_mm[2]; /* texture space: pixels a millimeter along x and y; [1] 0: as [0] */
     float fov_degrees;      /* perspective: the picture's full angle along y, in (0, 180) */
     float ortho_height;     /* orthographic: scene units from the picture's top to its bottom */
     float center[2]; /* perspective: where the view axis meets the picture, in pixels from its middle, x to the right, y
                         as rows grow; 0 but for off-center projections: -P02 width / 2, of OpenGL's matrix */
-    float mm_per_unit; /* millimetres in a scene unit, 1000 for metres; 0: 1, refused where kernels then cover half of
+    float mm_per_unit; /* millimeters in a scene unit, 1000 for meters; 0: 1, refused where kernels then cover half of
                           the picture */
     ms_sss_depth_mode depth_mode;
     float depth_sigma_mm; /* of MS_SSS_DEPTH_AWARE: weights are 0 from |dz| = 3.0746 sigma on; 0: that is 1.5 times the
@@ -625,7 +625,7 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
 #define MS_SSS_PYRAMID_SIZES 49  /* kernel radii of 1, 1.25, 1.5, 1.75, 2, 2.5 ... 4096 pixels */
 
 /* The round 2D kernel of a profile as a sum over the levels of a pyramid, for radii from about 16 pixels on: the cost
-   does not depend on the radius. [0][0] is the weight of a pixel's own light, [0][1] of its neighbours', [l][1] of the
+   does not depend on the radius. [0][0] is the weight of a pixel's own light, [0][1] of its neighbors', [l][1] of the
    gather from level l; all are >= 0 and add up to 1. */
 typedef struct ms_sss_pyramid {
     float radius_mm;                                                    /* of 99% of the light of the widest channel */
@@ -782,7 +782,7 @@ typedef struct ms_sss_shader_profile {
     float delta[3];    /* 32: weight of the unblurred input */
     float cut;         /* 44: half resolution: square of the scaled difference of depth at which weights reach 0 */
     float curve[3];    /* 48: elevation_axis / 4, with slopes times 1 - flat */
-    float mixed;       /* 60: sum of 1 red, 2 green, 4 blue: the missing weight goes to the pixel's own colour */
+    float mixed;       /* 60: sum of 1 red, 2 green, 4 blue: the missing weight goes to the pixel's own color */
     float root[3];     /* 64: square root of the reflectance */
     float reach;       /* 76: square of the scaled radius: a larger step in depth is an edge */
 } ms_sss_shader_profile;
@@ -808,7 +808,7 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
 MS_API size_t ms_sss_transmission_text(ms_sss_language language, char *text, size_t capacity);
 
 /* The taps alone, for engines with a shader of their own: RGB weight and offset in mm.
-   out    [tap_count / 2 + 1][4]: the centre, then one of each pair -x, +x by growing offset; float, or with
+   out    [tap_count / 2 + 1][4]: the center, then one of each pair -x, +x by growing offset; float, or with
           binary16 = 1 uint16_t that hold binary16; NULL: checks only
    MS_UNSUPPORTED: taps that are no pairs. out is untouched then. */
 MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int binary16, void *out, ms_error *error);
@@ -824,7 +824,7 @@ MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int
                               sum: sums[l+1], weight: weights[l+1] (l = n - 2: anything)           sums[l], weights[l]
      RESOLVE  0               as GATHER; color: the light, with_strength: ms_sss_strength          the result, alpha 1
 
-   light: colour, -1 / depth (perspective) or depth; surface: area to a pixel's, change of that depth a pixel along x
+   light: color, -1 / depth (perspective) or depth; surface: area to a pixel's, change of that depth a pixel along x
    and y. Names begin with ms_sss_; ms_sss_surface is n = 7 of the list above, coarse 8, coarse_surface 9, weight 10.
    The texts are the same for all levels, the constants are not: ms_sss_shader_pyramid. Several profiles: all steps for
    each, its index in `profile`, RESOLVE's color being what RESOLVE wrote for the one before. tap_count and kernels do
@@ -836,7 +836,7 @@ MS_API int ms_sss_shader_levels(int width, int height);
 
 /* The constants of a step of a level (of SHRINK: that it reads), which the text's first lines list: 7, then weights by
    size of the kernel, as in ms_sss_pyramid.weight, {red, green, blue, 0}: GATHER [MS_SSS_PYRAMID_SIZES] those of level
-   + 1; RESOLVE three such tables: those of level 1, of the pixel's own light, of its neighbours.
+   + 1; RESOLVE three such tables: those of level 1, of the pixel's own light, of its neighbors.
    profile   index that is filtered, with_profile; else 0
    out       [ms_sss_shader_constant_count()][4]: 7 for BASE and SHRINK, 56, 154
    MS_INVALID_ARGUMENT: a NULL, a size, a level out of range. out untouched. At a resize all change. */
@@ -1260,7 +1260,7 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 
 #if defined(__GNUC__) || defined(__clang__)
 #define MS_SSS__NOINLINE __attribute__((noinline))
-#define MS_SSS__COLD __attribute__((cold, noinline)) /* runs at most once a call: optimised for size */
+#define MS_SSS__COLD __attribute__((cold, noinline)) /* runs at most once a call: optimized for size */
 #else
 #define MS_SSS__NOINLINE
 #define MS_SSS__COLD
@@ -1322,7 +1322,7 @@ MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm,
 #define MS_SSS_FILENAME "ms_sss.h" /* this file's name, for the inclusions below */
 #endif
 #if defined(__GNUC__) && !defined(__OPTIMIZE__)
-#define MS_SSS__INLINE inline /* without optimisation, inlined vectors would each take stack */
+#define MS_SSS__INLINE inline /* without optimization, inlined vectors would each take stack */
 #elif defined(__GNUC__)
 #define MS_SSS__INLINE inline __attribute__((always_inline))
 #elif defined(_MSC_VER)
@@ -1400,7 +1400,7 @@ typedef struct ms_sss__pass {
     const float *offset_mm;
     const float (*weight)[3];
     float total[3];
-    int mixed[3]; /* weights of both signs: the missing weight goes to the pixel's own colour */
+    int mixed[3]; /* weights of both signs: the missing weight goes to the pixel's own color */
     float size, size_max, size_min,
         aspect[2]; /* pixels per mm: `size`, or min(size / depth, size_max) in perspective; at or below size_min the
                       kernel is under half a pixel and is skipped */
@@ -1408,7 +1408,7 @@ typedef struct ms_sss__pass {
     /* With slopes: dz is the distance from the tangent plane, and light from below it counts more. */
     float focal[2];    /* slope = focal times the step in depth of a pixel, in perspective relative to the depth of the
                           farther pixel */
-    float reach;       /* dz^2 of the kernel's radius: a larger step in depth between neighbours is an edge */
+    float reach;       /* dz^2 of the kernel's radius: a larger step in depth between neighbors is an edge */
     float slope_scale; /* 1 - flat */
     float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; tangent 0: parallel rays */
     double steepest;          /* 1 + the square of the largest tangent of a ray */
@@ -1442,7 +1442,7 @@ static MS_SSS__INLINE float ms_sss__area_scale(const ms_sss__pass *p, float mm, 
    times. */
 typedef struct ms_sss__sweep {
     float offset[2][MS_SSS__PAIRS][16];                              /* mm times the aspect of the axis */
-    float span[MS_SSS__PAIRS][16], weight[MS_SSS__PAIRS + 1][3][16]; /* |offset|; centre, pairs */
+    float span[MS_SSS__PAIRS][16], weight[MS_SSS__PAIRS + 1][3][16]; /* |offset|; center, pairs */
     float dz_falloff[MS_SSS__PAIRS][16], area_scale[MS_SSS__PAIRS][16],
         elevation[MS_SSS__TILTED_PAIRS][3][2][16]; /* K / (4 span) and 1, times the fourth root of the weight */
     struct ms_sss__job *job;
@@ -1453,7 +1453,7 @@ typedef struct ms_sss__sweep {
     int plan_size;    /* bytes of a group's plan */
     int parts, tasks; /* a task filters a band, consecutive parts of the picture, from the top down in its ring */
     volatile long claimed[MS_SSS__PARTS];
-    int normalised;             /* weights are positive in the centre and add up to 1 */
+    int normalized;             /* weights are positive in the center and add up to 1 */
     int nonnegative, may_clamp; /* with slopes: no weight is negative; sines may reach their bounds */
     float *ring, *own, *window; /* of a task: rows that the first pass reads; own: see ms_sss__line */
     int rows;                   /* rows of a window: 5 with slopes, else 1 */
@@ -1492,7 +1492,7 @@ typedef struct ms_sss__half_params {
     const ms_sss_kernel *kernel;
     int perspective;
     float size, size_max, aspect[2]; /* as in ms_sss__pass, in pixels of the picture */
-    float centre_only_depth; /* up to this depth only the centre tap touches the pixel itself: its self weight is then
+    float center_only_depth; /* up to this depth only the center tap touches the pixel itself: its self weight is then
                                 `self_weight` */
     float self_weight[3];
     float identity_depth; /* depth from which on kernels are under half a pixel, so that the filter is the identity */
@@ -1512,7 +1512,7 @@ typedef struct ms_sss__tap {
 } ms_sss__tap;
 
 /* Parameters of the pyramid's row kernels. Depth enters as d, which is linear on planes: -1 / depth in perspective,
-   else depth; 0 for masked pixels. Rows of a level: colour, d, coverage (area of surface, in pixels of the level), the
+   else depth; 0 for masked pixels. Rows of a level: color, d, coverage (area of surface, in pixels of the level), the
    change of d a pixel along x and y. */
 typedef struct ms_sss__pyramid_params {
     const float (*table)[MS_SSS_PYRAMID_LEVELS][2][3]; /* weight[size][level][blurred][channel] */
@@ -1539,7 +1539,7 @@ typedef struct ms_sss__pyramid_params {
 typedef struct ms_sss__kernels {
     int (*mask_by)(const float *value, float scale, int count, const float *before, float *depth, int span[2]);
     int (*load_masked)(const float *const in[3], const float *const albedo[3], int begin, int end, int count,
-                       const float *before, float *depth, float *const colour[3]);
+                       const float *before, float *depth, float *const color[3]);
     void (*convolve)(const float *in, const ptrdiff_t *at, const float *weight, int taps, int count, float *out);
     void (*convolve_valid)(const ms_sss__fixed *f, const float *const in[3], const ptrdiff_t *at,
                            const float *const *depth, const int *tap, int taps, int count, const float *own_depth,
@@ -1975,9 +1975,9 @@ static void ms_sss__fill_row(const ms_sss__job *job, float *row, float value)
     for (x = -MS_SSS__LEFT; x < job->padded + MS_SSS__RIGHT; ++x) row[x] = value;
 }
 
-/* Loads row y for the first pass: colour (times albedo) and depth of the columns from first to last, which it finds.
-   Pixels outside are masked, and colour is 0 there as far as taps reach. */
-static void ms_sss__load_row(const ms_sss__job *job, int y, int task, ms_sss__row *row, float *const colour[3],
+/* Loads row y for the first pass: color (times albedo) and depth of the columns from first to last, which it finds.
+   Pixels outside are masked, and color is 0 there as far as taps reach. */
+static void ms_sss__load_row(const ms_sss__job *job, int y, int task, ms_sss__row *row, float *const color[3],
                              float *depth)
 {
     const ms_sss_frame *f = &job->frame;
@@ -2033,9 +2033,9 @@ static void ms_sss__load_row(const ms_sss__job *job, int y, int task, ms_sss__ro
     if (job->whole_rows || low < -MS_SSS__LEFT) low = -MS_SSS__LEFT;
     if (job->whole_rows || high > job->padded + MS_SSS__RIGHT) high = job->padded + MS_SSS__RIGHT;
     for (c = 0; c < 3; ++c) {
-        for (x = low; x < first; ++x) colour[c][x] = 0;
-        for (x = last; x < high; ++x) colour[c][x] = 0;
-        to[c] = colour[c] + first;
+        for (x = low; x < first; ++x) color[c][x] = 0;
+        for (x = last; x < high; ++x) color[c][x] = 0;
+        to[c] = color[c] + first;
     }
     if (first < last) {
         ms_sss__load(job->simd, &f->input, 3, width, y, first, last - first, in_buffer, in);
@@ -2175,10 +2175,10 @@ static void ms_sss__find_nearest(ms_sss__job *job)
 
 /* --- the passes: load, first, second, composite --- */
 
-/* Floats of a row in the ring. Two more cache lines keep neighbouring rows off the same cache sets. */
+/* Floats of a row in the ring. Two more cache lines keep neighboring rows off the same cache sets. */
 static ptrdiff_t ms_sss__ring_row(int padded) { return 4 * (ptrdiff_t)padded + 32; }
 
-/* Rows of the ring for rows that no neighbouring band needs. */
+/* Rows of the ring for rows that no neighboring band needs. */
 static int ms_sss__ring_rows(const ms_sss__sweep *s) { return 2 * s->reach + MS_SSS__STEP; }
 
 /* The slot of row y in a band that begins at `begin`. Rows that the band above needs have slots of their own; those
@@ -2593,10 +2593,10 @@ static void ms_sss__both_passes(ms_sss__job *job)
     int i, c;
     memset(s, 0, sizeof *s);
     s->job = job;
-    s->normalised = 1;
+    s->normalized = 1;
     for (c = 0; c < 3; ++c)
         if (job->pass.mixed[c] || ms_sss__differ(job->pass.total[c], 1) || !(job->pass.weight[0][c] > 1e-20f))
-            s->normalised = 0;
+            s->normalized = 0;
     s->lanes = job->simd->lanes;
     s->with_slopes = job->with_slopes && !job->fixed;
     s->rows = s->with_slopes ? 5 : 1;
@@ -2642,12 +2642,12 @@ static void ms_sss__rotated_rows(void *context, int task)
     const int end = begin + job->band < job->end ? begin + job->band : job->end;
     int y, c;
     for (y = begin; y < end; ++y) {
-        float *colour[3];
+        float *color[3];
         for (c = 0; c < 3; ++c) {
-            colour[c] = job->source[c] + y * job->stride;
+            color[c] = job->source[c] + y * job->stride;
             ms_sss__fill_row(job, job->middle[c] + y * job->stride, 0.0f);
         }
-        ms_sss__load_row(job, y, task, &job->row[y], colour, job->depth + y * job->stride);
+        ms_sss__load_row(job, y, task, &job->row[y], color, job->depth + y * job->stride);
     }
 }
 
@@ -2757,7 +2757,7 @@ static MS_SSS__COLD ms_sss__layout ms_sss__plan_workspace(int width, int height,
     return l;
 }
 
-/* Sums of a term's weights. A sum within rounding of 1 becomes 1 if delta is 0, so that pixels without neighbours keep
+/* Sums of a term's weights. A sum within rounding of 1 becomes 1 if delta is 0, so that pixels without neighbors keep
    their bits. */
 static MS_SSS__COLD void ms_sss__totals(const ms_sss_kernel *k, int term, float total[3], int mixed[3])
 {
@@ -3109,7 +3109,7 @@ MS_API float ms_sss_fov_along_y(float fov_degrees_along_x, int width, int height
     return (float)(2 * atan(tan((double)fov_degrees_along_x * degree / 2) * height / width) / degree);
 }
 
-/* Refuses a scene whose units are likely not millimetres: mm_per_unit was not given, and the smallest kernel covers
+/* Refuses a scene whose units are likely not millimeters: mm_per_unit was not given, and the smallest kernel covers
    half of the picture, in the mean over up to 64 x 64 pixels. */
 static MS_SSS__COLD ms_status ms_sss__check_scale(const ms_sss_frame *f, const ms_sss_filter_options *o,
                                                   double radius_mm, ms_error *error)
@@ -3130,7 +3130,7 @@ static MS_SSS__COLD ms_status ms_sss__check_scale(const ms_sss_frame *f, const m
     if (!(sum > 0.5 * side * n)) return MS_OK;
     return MS_SSS__REFUSE(error,
                           "a radius of %g mm covers half of the picture: mm_per_unit is needed, "
-                          "1000 for a scene in metres, 1 if it is in mm",
+                          "1000 for a scene in meters, 1 if it is in mm",
                           radius_mm);
 }
 
@@ -3273,7 +3273,7 @@ typedef struct ms_sss__half {
     float *light[3], *blur[3], *depth, *mask;
     ptrdiff_t stride;
     int copies_input; /* rows are read from the input as they are */
-    int no_masks;     /* and pixels can be masked by their colour or depth alone */
+    int no_masks;     /* and pixels can be masked by their color or depth alone */
 } ms_sss__half;
 
 static MS_SSS__COLD size_t ms_sss__half_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
@@ -3440,7 +3440,7 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
     ms_sss_filter_options inner_options = *options;
     ms_sss_frame inner;
     ms_status status;
-    float *at, *end, apart = 0, size_min; /* apart: size from which on only the centre tap touches the pixel itself */
+    float *at, *end, apart = 0, size_min; /* apart: size from which on only the center tap touches the pixel itself */
     size_t plane, left = workspace_size - (size_t)((char *)(half + 1) - (char *)workspace);
     int i, c, t;
     status = ms_sss__begin(&half->job, frame, kernels, kernel_count, options, half + 1, left, left, MS_SSS__ROW_BUFFERS,
@@ -3476,7 +3476,7 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
         for (c = 0; c < 2; ++c)
             if (!(fabsf(k->offset_mm[i]) * h->aspect[c] * apart >= 1))
                 apart = fabsf(k->offset_mm[i]) > 1e-20f ? 1 / (fabsf(k->offset_mm[i]) * h->aspect[c]) : 3e38f;
-    h->centre_only_depth = !((h->perspective ? h->size_max : h->size) >= apart) ? -1
+    h->center_only_depth = !((h->perspective ? h->size_max : h->size) >= apart) ? -1
         : h->perspective && apart > 0                                           ? h->size / apart
                                                                                 : INFINITY;
     h->identity_depth = !(size_min < (h->perspective ? h->size_max : h->size)) ? -1
@@ -3521,13 +3521,13 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
 
 /* --- the filter --- */
 
-/* Planes of a level: colour, d, coverage, sums of light, sums of weights, changes of d along x and y. */
+/* Planes of a level: color, d, coverage, sums of light, sums of weights, changes of d along x and y. */
 enum { MS_SSS__D = 3, MS_SSS__COVERAGE = 4, MS_SSS__SUMS = 5, MS_SSS__CHANGES = 11, MS_SSS__PYRAMID_PLANES = 13 };
 
 typedef struct ms_sss__level {
     int width, height;
     ptrdiff_t stride;
-    float *plane[MS_SSS__PYRAMID_PLANES]; /* level 0: colour and d alone */
+    float *plane[MS_SSS__PYRAMID_PLANES]; /* level 0: color and d alone */
     ms_sss__row *row;                     /* first and last are multiples of 16 */
 } ms_sss__level;
 
@@ -3545,7 +3545,7 @@ typedef struct ms_sss__pyramid_state {
 /* Row buffers of a task: coverage and changes of d of four rows; or sums, coverage and changes of one row. */
 enum { MS_SSS__PYRAMID_ROWS = 12, MS_SSS__PYRAMID_SERIAL = 3 /* levels from here on run on one thread */ };
 
-/* An odd number of cache lines: neighbouring rows fall on different cache sets. */
+/* An odd number of cache lines: neighboring rows fall on different cache sets. */
 static ptrdiff_t ms_sss__pyramid_stride(int width)
 {
     const int floats = ms_sss__round_up(2 * MS_SSS__LEFT + MS_SSS__RIGHT + ms_sss__round_up(width, 32), 16);
@@ -3711,13 +3711,13 @@ static void ms_sss__pyramid_load(void *context, int task)
     const int behind = state->params.slope_scale > 0
         ? 4
         : 2; /* rows of the picture that a row of level 1 reads below its own two, 2 more for slopes */
-    float *colour[3];
+    float *color[3];
     int y, c, first, last, to, from = begin;
     ms_sss__pyramid_independent_rows(state, begin, end, &first, &last);
     for (y = begin; y < end; ++y) {
         float *depth = ms_sss__buffer(job, task, 17), *d = v->plane[MS_SSS__D] + y * v->stride;
-        for (c = 0; c < 3; ++c) colour[c] = v->plane[c] + y * v->stride;
-        ms_sss__load_row(job, y, task, &job->row[y], colour, depth);
+        for (c = 0; c < 3; ++c) color[c] = v->plane[c] + y * v->stride;
+        ms_sss__load_row(job, y, task, &job->row[y], color, depth);
         job->simd->depth_to_d(&state->params, depth + job->row[y].first, job->row[y].last - job->row[y].first,
                               d + job->row[y].first);
         if ((y + 1) % 16 && y + 1 < end) continue; /* every 16 rows, while they are cached */
@@ -4503,7 +4503,7 @@ static const char *const ms_sss__pyramid_body[] = {
     "// slope 1 (perspective: times d), tangent of a pixel's ray; 2 reach in radii, upright, pixels of the picture in one of the\n"
     "// coarser level, square of the taps' radius; 3 K / 4, norm; 4 1 / reflectance, mean; 5 spread, rounding of the taps, of d,\n"
     "// whether there is a coarser level (1) with sums (2); 6 center, origin; from HEAD on weights by size: of the gather, and of RESOLVE of the\n"
-    "// pixel and its neighbours.\n"
+    "// pixel and its neighbors.\n"
     "// d is linear on planes: -1 / depth in perspective, else depth; 0 where nothing takes part. A level is two textures: light\n"
     "// and d; share of the surface, changes of d a pixel along x and y.\n"
     "// How many pixels of the picture a step of d is deep.\n"
@@ -4713,7 +4713,7 @@ static const char *const ms_sss__pyramid_body[] = {
     "}\n"
     "#endif\n",
     "#if RESOLVE\n"
-    "// The pixel's own light, that of its neighbours as far as they lie near its tangent plane, and the sums.\n"
+    "// The pixel's own light, that of its neighbors as far as they lie near its tangent plane, and the sums.\n"
     "float4 filter_pixel(int2 pixel) {\n"
     "int2 p = pixel - int2(int(constant[HEAD - 1].z), int(constant[HEAD - 1].w));\n"
     "float4 own = fetch_input(p);\n"
@@ -5916,7 +5916,7 @@ enum {
 };
 
 struct ms_sss_designer {
-    int cells; /* from the centre to the edge of the square that holds the kernel */
+    int cells; /* from the center to the edge of the square that holds the kernel */
     double cell_mm;
     double reflectance[3], width[3];  /* 99% radius of each channel, cells */
     double mean_mm[3];                /* distance between entry and exit */
@@ -5940,7 +5940,7 @@ static int ms_sss__orbit(int k1, int k2)
     return n1 * n2 * (k1 == k2 ? 1 : 2);
 }
 
-/* Radii of rings that are thin compared with a cell, near the centre and near a pole at 0; returns their number. */
+/* Radii of rings that are thin compared with a cell, near the center and near a pole at 0; returns their number. */
 static int ms_sss__thin_rings(double outer, double *edge)
 {
     int n = 0;
@@ -6224,8 +6224,8 @@ static double ms_sss__pair_transfer(const ms_sss_designer *d, int k, double x, d
 typedef struct ms_sss__curve {
     int pairs, terms, hats;
     double times[MS_SSS__CELLS_MAX + 1];                       /* factor of an entry in the energy: 1, 2, 2, ... */
-    double offset[MS_SSS__CELLS_MAX + 1];                      /* [0] is the centre */
-    double weight[3][MS_SSS_TERMS_MAX][MS_SSS__CELLS_MAX + 1]; /* of the centre, then of each tap of a pair */
+    double offset[MS_SSS__CELLS_MAX + 1];                      /* [0] is the center */
+    double weight[3][MS_SSS_TERMS_MAX][MS_SSS__CELLS_MAX + 1]; /* of the center, then of each tap of a pair */
     double sign[3][MS_SSS_TERMS_MAX];
     double delta[3], energy[3]; /* energy of delta and all terms: 1, but for SVD */
 } ms_sss__curve;
@@ -6401,7 +6401,7 @@ static double ms_sss__term_sum(const ms_sss__curve *v, int c, int t)
 }
 
 /* Scales the terms so that with delta they hold the curve's energy. */
-static void ms_sss__curve_normalise(ms_sss__curve *v)
+static void ms_sss__curve_normalize(ms_sss__curve *v)
 {
     int c, t, i;
     for (c = 0; c < 3; ++c) {
@@ -6414,7 +6414,7 @@ static void ms_sss__curve_normalise(ms_sss__curve *v)
 }
 
 /* A least-squares fit of taps to a target spectrum under a picture prior:
-     minimise sum over bins of weight (target - delta - sum_t sign_t wave_t(line 1) wave_t(line 2))^2
+     minimize sum over bins of weight (target - delta - sum_t sign_t wave_t(line 1) wave_t(line 2))^2
    where wave(line) = w_0 + sum_i w_i basis_i(line) is one pass. Unknown are the offsets (optional, shared by the
    channels), w_i = q_i^2 >= 0 of the first term, any w_i of the others, and delta = q^2; then all terms are scaled to
    keep the energy. The entries of a curve of hats are no pairs of taps but bumps over many cells. */
@@ -6587,7 +6587,7 @@ static void ms_sss__fit_move(const ms_sss__fit *fit, const ms_sss__curve *from, 
             to->delta[c] = q * q < 0.99 * to->energy[c] ? q * q : 0.99 * to->energy[c];
         }
     }
-    ms_sss__curve_normalise(to);
+    ms_sss__curve_normalize(to);
 }
 
 /* Levenberg-Marquardt from v, which is improved in place; returns the objective. */
@@ -6667,7 +6667,7 @@ static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__c
 }
 
 /* Moves the weights of a dense curve onto few taps: offsets from the placement, each weight the integral over the cell
-   that reaches halfway to the neighbours, the last to infinity. range: outermost offset of the quadratic spacing. */
+   that reaches halfway to the neighbors, the last to infinity. range: outermost offset of the quadratic spacing. */
 static void ms_sss__place(const ms_sss_designer *d, const ms_sss__curve *dense, ms_sss_placement placement,
                           double range, int pairs, ms_sss__curve *v)
 {
@@ -6852,7 +6852,7 @@ static void ms_sss__gaussian_cells(double sigma, int cells, double *g, double *s
 
 /* Gaussians whose sum approximates a channel, each of weight q^2 over the sum of those: x is q of all, then log sigma,
    cells. One in the Frobenius norm, as it is usually done; more by texture error, as that norm sees little but the
-   centre. */
+   center. */
 static double ms_sss__mixture_squares(const ms_sss__squares *p, double *x, double *H, double *g)
 {
     double wave[MS_SSS_TERMS_MAX][MS_SSS__NODES_MAX], slope[MS_SSS_TERMS_MAX][MS_SSS__NODES_MAX],
@@ -6962,10 +6962,10 @@ static void ms_sss__fit_near_far(const ms_sss_designer *d, int c, const double *
     out[2] = far_first ? 1 - x[2] : x[2];
 }
 
-/* Guided optimisation (5.14): least sum over i, j >= 1 of Gamma_ij (K_ij - a_i a_j)^2, x being a_1 and on. Gamma
+/* Guided optimization (5.14): least sum over i, j >= 1 of Gamma_ij (K_ij - a_i a_j)^2, x being a_1 and on. Gamma
    vanishes on the axes, so a_0 enters no term and is what the energy constraint leaves: in the limit of small cells
    a(x) tends to a smooth curve with a point mass at 0. That is the dependence on the grid: the curve converges, the
-   centre's share of the mass within half a cell shrinks towards the point mass. */
+   center's share of the mass within half a cell shrinks towards the point mass. */
 static double ms_sss__guided_squares(const ms_sss__squares *p, double *a, double *H, double *g)
 {
     const int n = p->n;
@@ -7042,7 +7042,7 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
         v->offset[i] = i;
         v->times[i] = i ? 2 : 1;
     }
-    if (o->model == MS_SSS_SVD || o->model == MS_SSS_SVD_NORMALISED || o->model == MS_SSS_GAUSSIANS ||
+    if (o->model == MS_SSS_SVD || o->model == MS_SSS_SVD_NORMALIZED || o->model == MS_SSS_GAUSSIANS ||
         o->model == MS_SSS_RESIDUAL)
         v->terms = o->term_count;
     for (c = 0; c < 3 && status == MS_OK; ++c) {
@@ -7056,7 +7056,7 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
         ms_sss__row_sums(d, c, w);
         if (o->model == MS_SSS_RESIDUAL && v->terms > 1) {
             status = ms_sss__singular_terms(d, c, w, 1, v->terms - 1, v);
-        } else if (o->model == MS_SSS_SVD || o->model == MS_SSS_SVD_NORMALISED) {
+        } else if (o->model == MS_SSS_SVD || o->model == MS_SSS_SVD_NORMALIZED) {
             status = ms_sss__singular_terms(d, c, NULL, 0, v->terms, v);
             for (t = 0, sum = 0; t < v->terms; ++t)
                 sum += v->sign[c][t] * ms_sss__term_sum(v, c, t) * ms_sss__term_sum(v, c, t);
@@ -7082,12 +7082,12 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
             memcpy(w, d->slice[c], sizeof *w * (size_t)(M + 1));
         }
     }
-    if (status == MS_OK) ms_sss__curve_normalise(v);
+    if (status == MS_OK) ms_sss__curve_normalize(v);
     return status;
 }
 
 /* The image-optimal kernel with a weight for every cell; v holds a_p. The curve is given by its values at every cell
-   near the centre and at growing distances farther out, linear between: all cells on their own would fit what lies
+   near the center and at growing distances farther out, linear between: all cells on their own would fit what lies
    between the bins. */
 static ms_status ms_sss__dense_optimum(const ms_sss_designer *d, double dial, int no_delta, ms_sss__curve *hats,
                                        ms_sss__curve *v)
@@ -7105,7 +7105,7 @@ static ms_status ms_sss__dense_optimum(const ms_sss_designer *d, double dial, in
         for (c = 0; c < 3; ++c) hats->weight[c][0][n] = v->weight[c][0][(int)hats->offset[n]];
     }
     for (c = 0; c < 3 && !no_delta; ++c) hats->delta[c] = 0.01;
-    ms_sss__curve_normalise(hats);
+    ms_sss__curve_normalize(hats);
     for (c = 0; c < 3; ++c) { /* with fixed offsets the channels are independent */
         fit = ms_sss__fit_create(d, NULL, dial, hats, c, !no_delta, 0);
         if (fit == NULL) return MS_OUT_OF_MEMORY;
@@ -7163,7 +7163,7 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
     for (n = 0; n < 5; ++n) {
         ms_sss__place(d, dense, n < 4 ? MS_SSS_QUADRATIC : MS_SSS_QUANTILE, n < 4 ? reach[n] * d->cells : 0, pairs, v);
         for (c = 0; c < 3 && !no_delta; ++c) v->delta[c] = 0.03;
-        ms_sss__curve_normalise(v);
+        ms_sss__curve_normalize(v);
         objective = ms_sss__fit_run(fit, v, 8);
         if (objective < least) {
             least = objective;
@@ -7239,7 +7239,7 @@ static MS_SSS__COLD void ms_sss__store_kernel(const ms_sss_designer *d, const ms
 
 static MS_SSS__COLD ms_status ms_sss__check_kernel_options(const ms_sss_kernel_options *o, ms_error *error)
 {
-    const int dense = o->tap_count == MS_SSS_DENSE, most = o->placement == MS_SSS_OPTIMISED ? 33 : MS_SSS_TAPS_MAX;
+    const int dense = o->tap_count == MS_SSS_DENSE, most = o->placement == MS_SSS_OPTIMIZED ? 33 : MS_SSS_TAPS_MAX;
     ms_status status;
     int c;
     {
@@ -7309,7 +7309,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const m
     if (status == MS_OK && o.tap_count == MS_SSS_DENSE) {
         *taps = *dense;
         if (o.model == MS_SSS_IMAGE_OPTIMAL) status = ms_sss__dense_optimum(d, o.dial, o.no_delta, scratch, taps);
-    } else if (status == MS_OK && o.placement == MS_SSS_OPTIMISED) {
+    } else if (status == MS_OK && o.placement == MS_SSS_OPTIMIZED) {
         /* the target: the profile for models that approximate it best, else the model's own dense kernel */
         of_profile = o.model == MS_SSS_IMAGE_OPTIMAL || o.model == MS_SSS_RESIDUAL;
         status = ms_sss__fit_best(d, dense, of_profile ? NULL : dense, o.dial, pairs, o.no_delta, taps);
@@ -7326,7 +7326,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const m
             taps->energy[c] = 1;
         }
     if (status == MS_OK) {
-        ms_sss__curve_normalise(taps);
+        ms_sss__curve_normalize(taps);
         ms_sss__store_kernel(d, taps, o.index, kernel);
     }
     ms__release(&d->allocator, dense, bytes);
@@ -7426,7 +7426,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_e
 
 /* ---- pyramid weights --------------------------------------------------------------------------------------------- */
 
-/* Minimises x'A x / 2 - b'x for x >= 0, n <= 24, rows of A stride apart: active sets (Lawson and Hanson 1974, Solving
+/* Minimizes x'A x / 2 - b'x for x >= 0, n <= 24, rows of A stride apart: active sets (Lawson and Hanson 1974, Solving
    Least Squares Problems, chapter 23). */
 static void ms_sss__fit_positive(const double *A, int stride, const double *b, int n, double *x)
 {
@@ -7486,7 +7486,7 @@ static double ms_sss__gather_wave(double kx, double ky, int wide, int level)
     for (i = 0; i < 64; ++i) {
         const double x = i % 8 - 3.75, y = i / 8 - 3.75, t = 1 - (x * x + y * y) / (double)MS_SSS__GATHER(wide, level);
         if (!(t > 0)) continue;
-        sum += (wide ? t * t * t : t * t) * cos(kx * x) * cos(ky * y); /* the odd parts cancel between neighbours */
+        sum += (wide ? t * t * t : t * t) * cos(kx * x) * cos(ky * y); /* the odd parts cancel between neighbors */
         n += wide ? t * t * t : t * t;
     }
     return sum / n;
@@ -7620,7 +7620,7 @@ MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness
 /* ---- filter kernels -------------------------------------------------------------------------------------------- */
 
 /* Row kernels. Counts are multiples of 16. Rows may be read and written up to that; taps reach MS_SSS__LEFT floats
-   before and MS_SSS__RIGHT behind a row. A masked pixel has depth INFINITY and colour 0. */
+   before and MS_SSS__RIGHT behind a row. A masked pixel has depth INFINITY and color 0. */
 
 #define MS_SSS__JOIN_(name, level) ms_sss__##name##_##level
 #define MS_SSS__JOIN(name, level) MS_SSS__JOIN_(name, level)
@@ -7812,10 +7812,10 @@ static int MS__F(mask_by)(const float *value, float scale, int count, const floa
     return !partial;
 }
 
-/* Loads colour = in (times albedo) and depth = before where before and the colour are finite; else 0 and INFINITY.
+/* Loads color = in (times albedo) and depth = before where before and the color are finite; else 0 and INFINITY.
    before may be depth. Returns whether no pixel of [begin, end) is masked. */
 static int MS__F(load_masked)(const float *const in[3], const float *const albedo[3], int begin, int end, int count,
-                              const float *before, float *depth, float *const colour[3])
+                              const float *before, float *depth, float *const color[3])
 {
     const MS__V zero = MS__SET(0.0f), infinity = MS__SET(INFINITY), most = MS__SET(MS_SSS__LIGHT_MAX);
     const unsigned full = ms_sss__lanes(MS__N, MS__N);
@@ -7839,9 +7839,9 @@ static int MS__F(load_masked)(const float *const in[3], const float *const albed
             b = MS__SELECT(valid, b, zero);
             z = MS__SELECT(valid, z, infinity);
         }
-        MS__STORE(colour[0] + x, r);
-        MS__STORE(colour[1] + x, g);
-        MS__STORE(colour[2] + x, b);
+        MS__STORE(color[0] + x, r);
+        MS__STORE(color[1] + x, g);
+        MS__STORE(color[2] + x, b);
         MS__STORE(depth + x, z);
     }
     return all;
@@ -7873,16 +7873,16 @@ static void MS__F(convolve)(const float *in, const ptrdiff_t *at, const float *w
     }
 }
 
-/* Renormalises a tap sum s whose weights add up to n: to the sum `total`, or, if mixed, by adding own for the missing
+/* Renormalizes a tap sum s whose weights add up to n: to the sum `total`, or, if mixed, by adding own for the missing
    weight. */
-static MS_SSS__INLINE MS__V MS__F(renormalise)(MS__V s, MS__V n, MS__V own, float total, int mixed)
+static MS_SSS__INLINE MS__V MS__F(renormalize)(MS__V s, MS__V n, MS__V own, float total, int mixed)
 {
     if (mixed) return MS__MADD(own, MS__SUB(MS__SET(total), n), s);
     return MS__SELECT(MS__LESS(MS__SET(1e-30f), n), MS__MUL(MS__DIV(s, n), MS__SET(total)),
                       MS__MUL(own, MS__SET(total)));
 }
 
-/* convolve for three channels, with masked pixels left out and the weights renormalised; masked pixels become 0. */
+/* convolve for three channels, with masked pixels left out and the weights renormalized; masked pixels become 0. */
 static void MS__F(convolve_valid)(const ms_sss__fixed *f, const float *const in[3], const ptrdiff_t *at,
                                   const float *const *depth, const int *tap, int taps, int count,
                                   const float *own_depth, float *const out[3])
@@ -7903,9 +7903,9 @@ static void MS__F(convolve_valid)(const ms_sss__fixed *f, const float *const in[
             ng = MS__MADD(wg, v, ng);
             nb = MS__MADD(wb, v, nb);
         }
-        r = MS__F(renormalise)(r, nr, MS__LOAD(in[0] + x), f->total[0], f->mixed[0]);
-        g = MS__F(renormalise)(g, ng, MS__LOAD(in[1] + x), f->total[1], f->mixed[1]);
-        b = MS__F(renormalise)(b, nb, MS__LOAD(in[2] + x), f->total[2], f->mixed[2]);
+        r = MS__F(renormalize)(r, nr, MS__LOAD(in[0] + x), f->total[0], f->mixed[0]);
+        g = MS__F(renormalize)(g, ng, MS__LOAD(in[1] + x), f->total[1], f->mixed[1]);
+        b = MS__F(renormalize)(b, nb, MS__LOAD(in[2] + x), f->total[2], f->mixed[2]);
         MS__STORE(out[0] + x, MS__SELECT(valid, r, zero));
         MS__STORE(out[1] + x, MS__SELECT(valid, g, zero));
         MS__STORE(out[2] + x, MS__SELECT(valid, b, zero));
@@ -8173,7 +8173,7 @@ static void MS__F(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis,
     }
 }
 
-/* Unpacks the colour of RGBA pixels, without reading past the last colour; returns how many. */
+/* Unpacks the color of RGBA pixels, without reading past the last color; returns how many. */
 static int MS__F(unpack)(const void *from, int half, int count, float *const to[3])
 {
     int i = 0;
@@ -8422,7 +8422,7 @@ static MS_SSS__INLINE void MS__F(add_pair)(const ms_sss__sweep *s, const ms_sss_
 static MS_SSS__INLINE void MS__F(taps)(const ms_sss__sweep *s, const ms_sss__pass *p, const int with_slopes,
                                        const ms_sss__line *l, int x, int n, MS__V (*out)[3])
 {
-    const int axis = l->axis, normalised = (!with_slopes || s->nonnegative) && s->normalised,
+    const int axis = l->axis, normalized = (!with_slopes || s->nonnegative) && s->normalized,
               width = MS_SSS__GROUPS * MS__N;
     const ptrdiff_t here = l->step[0];
     const float *first = l->from + x / MS__N * l->group, *light;
@@ -8470,9 +8470,9 @@ static MS_SSS__INLINE void MS__F(taps)(const ms_sss__sweep *s, const ms_sss__pas
             MS__V all = sum[g].weight[c];
             if (with_slopes && (s->nonnegative || !p->mixed[c]))
                 all = MS__MAX(all, MS__MUL(sum[g].elevated[c], MS__SET(p->root[c])));
-            if (normalised) out[g][c] = MS__DIV(sum[g].light[c], all);
+            if (normalized) out[g][c] = MS__DIV(sum[g].light[c], all);
             else
-                out[g][c] = MS__F(renormalise)(sum[g].light[c], all, MS__LOAD(light + c * l->plane), p->total[c],
+                out[g][c] = MS__F(renormalize)(sum[g].light[c], all, MS__LOAD(light + c * l->plane), p->total[c],
                                                p->mixed[c]);
         }
     }
@@ -8612,7 +8612,7 @@ static MS_SSS__NOINLINE void MS__F(general_taps)(const ms_sss__sweep *s, const m
         norm[c] = MS__ADD(norm[c], w);
         elevated[c] = MS__MUL(MS__SET(p->root[c]), MS__ADD(elevated[c], w));
         if (with_slopes && !p->mixed[c]) norm[c] = MS__MAX(norm[c], elevated[c]);
-        out[c] = MS__F(renormalise)(MS__MADD(own, w, sum[c]), norm[c], own, p->total[c], p->mixed[c]);
+        out[c] = MS__F(renormalize)(MS__MADD(own, w, sum[c]), norm[c], own, p->total[c], p->mixed[c]);
     }
 }
 
@@ -8696,7 +8696,7 @@ static void MS__F(fade)(const ms_sss__pass *p, const float *strength, float gain
 
 /* --- half resolution --- */
 
-/* Averages every four pixels of two rows of colour and depth, of those near the nearest one. count: columns of the
+/* Averages every four pixels of two rows of color and depth, of those near the nearest one. count: columns of the
    result; unit: scale of the rows' depths. Returns whether no pixel is masked; if some are, they must have depth
    INFINITY. */
 static int MS__F(downsample)(const ms_sss__half_params *h, const float *const above[4], const float *const below[4],
@@ -8729,7 +8729,7 @@ static int MS__F(downsample)(const ms_sss__half_params *h, const float *const ab
             const MS__V p = MS__LOAD(above[c] + 2 * x), q = MS__LOAD(above[c] + 2 * x + MS__N);
             const MS__V r = MS__LOAD(below[c] + 2 * x), t = MS__LOAD(below[c] + 2 * x + MS__N);
             const MS__V sum = MS__MADD(w1, MS__ODD(p, q), MS__MUL(w0, MS__EVEN(p, q)));
-            /* 0, or NaN if a colour is not finite or beyond the largest light */
+            /* 0, or NaN if a color is not finite or beyond the largest light */
             sums = MS__MADD(MS__MUL(MS__ADD(MS__ADD(MS__ABS(p), MS__ABS(q)), MS__ADD(MS__ABS(r), MS__ABS(t))),
                                     MS__SET(3.4e38f / MS_SSS__LIGHT_MAX)),
                             zero, sums);
@@ -8776,7 +8776,7 @@ static MS_SSS__INLINE void MS__F(self_weights)(const ms_sss__half_params *h, MS_
     int c;
     MS__UNROLL
     for (c = 0; c < 3; ++c) share[c] = MS__SET(h->self_weight[c]);
-    if (!MS__BITS(MS__BOTH(MS__LESS(MS__SET(h->centre_only_depth), z), MS__LESS(z, MS__SET(MS_SSS__MASKED_DEPTH / 2)))))
+    if (!MS__BITS(MS__BOTH(MS__LESS(MS__SET(h->center_only_depth), z), MS__LESS(z, MS__SET(MS_SSS__MASKED_DEPTH / 2)))))
         return;
     MS__STORE(depth, z);
     MS__F(self_weight)(h, depth, to);
@@ -8806,8 +8806,8 @@ static void MS__F(subtract_self)(const ms_sss__half_params *h, const float *cons
     }
 }
 
-/* Upsamples 2 MS__N columns from x on if self weights differ or neighbours are missing. sum: light and weights of the
-   neighbours of even and odd columns. */
+/* Upsamples 2 MS__N columns from x on if self weights differ or neighbors are missing. sum: light and weights of the
+   neighbors of even and odd columns. */
 static MS_SSS__NOINLINE void MS__F(upsample_rest)(const ms_sss__half_params *h, const float *const own[4], float unit,
                                                   float (*sum)[4][MS__N], int x, float *const out[3])
 {
@@ -8836,7 +8836,7 @@ static MS_SSS__NOINLINE void MS__F(upsample_rest)(const ms_sss__half_params *h, 
     }
 }
 
-/* Upsamples a row of the picture from its colour and depth (times unit) and the two coarse rows beside it, whose planes
+/* Upsamples a row of the picture from its color and depth (times unit) and the two coarse rows beside it, whose planes
    lie equally far apart; the first is nearer if odd. 0.8 and 0.2 instead of the bilinear 0.75 and 0.25 compensate part
    of the blur of the downsampling. */
 static void MS__F(upsample)(const ms_sss__half_params *h, const float *const own[4], float unit,
@@ -8845,7 +8845,7 @@ static void MS__F(upsample)(const ms_sss__half_params *h, const float *const own
     static const float root[3] = {0.44721360f, 0.63245553f,
                                   0.89442719f}; /* fourth roots of 0.2 0.2, 0.2 0.8, 0.8 0.8 */
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), falloff_scale = MS__SET(unit * h->falloff_scale);
-    const MS__V even = MS__SET((h->centre_only_depth < h->identity_depth ? h->centre_only_depth : h->identity_depth) /
+    const MS__V even = MS__SET((h->center_only_depth < h->identity_depth ? h->center_only_depth : h->identity_depth) /
                                unit); /* depth up to which all self weights are the same */
     const MS__V share[3] = {MS__SET(h->self_weight[0]), MS__SET(h->self_weight[1]), MS__SET(h->self_weight[2])};
     const unsigned every = ms_sss__lanes(MS__N, MS__N);
@@ -9015,10 +9015,10 @@ static void MS__F(slopes_of_d)(const ms_sss__pyramid_params *s, const float *con
     }
 }
 
-/* Downsamples one row of a level from rows 2j - 1 to 2j + 2 of the finer one, each colour, d, coverage, changes of d.
+/* Downsamples one row of a level from rows 2j - 1 to 2j + 2 of the finer one, each color, d, coverage, changes of d.
    Pixel i averages columns 2i - 1 to 2i + 2 by (1, 3, 3, 1) / 8 both ways, of pixels near the tangent plane of the
    nearest of the middle four that has a quarter of the largest coverage. tilted 0: no changes; the picture has coverage
-   1 (NULL), and colours of levels are premultiplied by coverage. */
+   1 (NULL), and colors of levels are premultiplied by coverage. */
 static MS_SSS__INLINE void MS__F(downsample_level_row)(const ms_sss__pyramid_params *s, const int tilted,
                                                        const int with_coverage, const float *row[4][7], int first,
                                                        int count, float *const out[7])
@@ -9316,7 +9316,7 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
             s5 = MS__MADD(t, MS__LOAD(p + 10 * plane), s5);
         }
     }
-    if (!tilted) { /* colours of levels are premultiplied by coverage */
+    if (!tilted) { /* colors of levels are premultiplied by coverage */
         const MS__V inner = MS__MUL(pixels_per_d, MS__SET(s->inner)), most = MS__MUL(limit2, MS__SET(1 / square));
         const int cut = (MS__BITS(MS__LESS(most, one)) & valid_bits) !=
             0; /* otherwise pixels beyond the limit are too far away to count */
@@ -9437,9 +9437,9 @@ static void MS__F(gather)(const ms_sss__pyramid_params *s, const float *const ow
     else MS__F(gather_row)(s, 0, 1, own, coarse, first, count, y, out);
 }
 
-/* Resolves the picture: a pixel's own light, that of its neighbours by (1, 2, 1) / 4 both ways if they are near its
-   tangent plane, and the sums. row: colour and d, of rows stride floats apart; slope: coverage, then the changes of d;
-   out: colour, and 0 or, for masked pixels, INFINITY. */
+/* Resolves the picture: a pixel's own light, that of its neighbors by (1, 2, 1) / 4 both ways if they are near its
+   tangent plane, and the sums. row: color and d, of rows stride floats apart; slope: coverage, then the changes of d;
+   out: color, and 0 or, for masked pixels, INFINITY. */
 static MS_SSS__INLINE void MS__F(resolve_row)(const ms_sss__pyramid_params *s, const int tilted,
                                               const float *const row[4], ptrdiff_t stride, const float *const slope[3],
                                               const float *const sum[6], int first, int count, float *const out[4])

@@ -40,7 +40,7 @@ is() { # NAME, value, expected
     fi
 }
 
-tools="mcml profile sss_kernel sss_filter postprocess lightmap recommend latent nn_info nn_run nn_quantise preview match materialx workflow train own_shader demo_sss demo_match"
+tools="mcml profile sss_kernel sss_filter postprocess lightmap recommend latent nn_info nn_run nn_quantize preview match materialx workflow train own_shader demo_sss demo_match"
 for tool in $tools; do
     [ -x build/$tool ] || { failed=$((failed + 1)); echo "FAIL build/$tool is not there: make first"; continue; }
     # help where it can be piped, and nothing else; a mistake: one line of usage behind what was wrong, and 2
@@ -67,10 +67,10 @@ if [ -x build/profile ]; then
     ok "profile of layers" build/profile --mci "$out/layers.mci" --csv "$out/layers.csv"
     is "its columns and rings" "$(grep -v '^#' "$out/layers.csv" | head -1), $(grep -vc '^#' "$out/layers.csv")" "r_mm,R_1/mm2,T_1/mm2, 11"
     refuses "layers and coefficients" "mci" build/profile --mci "$out/layers.mci" --eta 1
-    is "a picked colour comes out" "$(build/profile --colour 0.5,0.25,0.125 --mfp 1 --eta 1 | awk -F, '/total_/ { printf "%.6f %.6f %.6f", $2, $3, $4 }')" "0.500000 0.250000 0.125000"
+    is "a picked color comes out" "$(build/profile --color 0.5,0.25,0.125 --mfp 1 --eta 1 | awk -F, '/total_/ { printf "%.6f %.6f %.6f", $2, $3, $4 }')" "0.500000 0.250000 0.125000"
     ok "HDRP's scattering distance" build/profile --color 0.8,0.52,0.39 --distance 0.6,0.2,0.1 --csv "$out/picked.csv"
-    refuses "brighter than white" "color" build/profile --colour 1.2 --mfp 1
-    refuses "a colour without a length" "go together" build/profile --colour 0.5
+    refuses "brighter than white" "color" build/profile --color 1.2 --mfp 1
+    refuses "a color without a length" "go together" build/profile --color 0.5
     ok "skin of melanin and blood" build/profile --skin melanin=0.03,blood=0.02,g=0 --csv "$out/made.csv"
     refuses "skin of something else" "foo=1" build/profile --skin foo=1
     refuses "more melanin than skin" "melanin" build/profile --skin melanin=2
@@ -165,7 +165,7 @@ if [ -x build/sss_filter ]; then
     head -c 3000 "$out/e.pfm" >"$out/cut.pfm"
     rm -f "$out/never.pfm"
     refuses "a truncated picture" "cut.pfm" build/sss_filter "$out/cut.pfm" "$out/d.pfm" "$out/never.pfm" --material skin1
-    refuses "what looks like metres" "mm_per_unit" build/sss_filter "$out/e.pfm" "$out/d.pfm" "$out/never.pfm" --material skin1
+    refuses "what looks like meters" "mm_per_unit" build/sss_filter "$out/e.pfm" "$out/d.pfm" "$out/never.pfm" --material skin1
     refuses "an unknown material" "material" build/sss_filter "$out/e.pfm" "$out/d.pfm" "$out/never.pfm" --material unobtainium
     refuses "an even number of taps or none" "taps" build/sss_filter "$out/e.pfm" "$out/d.pfm" "$out/never.pfm" --material skin1 --taps 0
     is "nothing is written" "$(ls "$out/never.pfm" 2>/dev/null)" ""
@@ -257,17 +257,17 @@ fi
 
 if [ -x build/match ]; then
     net=tests/data/nn/renderer_f16.safetensors # 19 parameters to 8 x 8 pixels
-    grey() { printf "$1"; awk -v n="$2" 'BEGIN {for (i = 0; i < n; i++) printf "%c", 97 + i % 7}'; } # header, bytes
-    grey 'P6\n8 8\n255\n' 192 >"$out/t.ppm"
-    grey 'P5\n4 4\n255\n' 16 >"$out/small.pgm"
-    grey 'P5\n8 8\n255\n' 64 >"$out/mask.pgm"
+    gray() { printf "$1"; awk -v n="$2" 'BEGIN {for (i = 0; i < n; i++) printf "%c", 97 + i % 7}'; } # header, bytes
+    gray 'P6\n8 8\n255\n' 192 >"$out/t.ppm"
+    gray 'P5\n4 4\n255\n' 16 >"$out/small.pgm"
+    gray 'P5\n8 8\n255\n' 64 >"$out/mask.pgm"
     { printf 'P5\n8 8\n255\n'; head -c 64 /dev/zero; } >"$out/none.pgm"
     { printf 'PF\n8 8\n-1.0\n'; head -c 764 /dev/zero; printf '\000\000\300\177'; } >"$out/nan.pfm"
     # a network without training, which draws nothing like these
     nothing_like "a material for a picture" build/match $net "$out/t.ppm" --weights "$out/mask.pgm" --out-params "$out/match.csv" --out-png "$out/match.png"
     is "a row of parameters" "$(awk -F, 'END {print NF}' "$out/match.csv")" 19
     nothing_like "starts from it again" build/match $net "$out/t.ppm" --start "$out/match.csv" --cost 5
-    nothing_like "a target of another size, grey" build/match $net "$out/small.pgm"
+    nothing_like "a target of another size, gray" build/match $net "$out/small.pgm"
     is "is said on stderr" "$(build/match $net "$out/small.pgm" 2>&1 >/dev/null | grep -c "4 x 4 pixels, brought to the renderer's 8 x 8")" 1
     refuses "NaN in the target" "finite" build/match $net "$out/nan.pfm" --out-params "$out/never.csv"
     refuses "no weights" "weight is 0" build/match $net "$out/t.ppm" --weights "$out/none.pgm"
@@ -354,18 +354,18 @@ if [ -c /dev/full ]; then
     printed lightmap build/lightmap "$out/e.pfm" "$out/lightmap.png" --texels-per-mm 4
     printed nn_info build/nn_info $net
     printed nn_run build/nn_run $net "$out/two.csv"
-    printed nn_quantise build/nn_quantise $net "$out/q.safetensors" --type bf16
+    printed nn_quantize build/nn_quantize $net "$out/q.safetensors" --type bf16
     printed preview build/preview $net "$out/two.csv" "$out/sheet.ppm"
     printed match build/match $net "$out/t.ppm" --cost 5
 fi
 
 # A network in narrower types runs, and loses what such rounding loses: 8 bits of 1 part in 254 a row leave over 50 dB, 8 of 20 directions over 35.
-psnr() { build/nn_quantise "$@" | sed -n 's/.*inputs: \([0-9]*\)\..*/\1/p'; }
-is "nn_quantise: i8, then f16 of a lower rank" "$(test "$(psnr $net "$out/q.safetensors" --type i8)" -ge 50 && echo 50) \
+psnr() { build/nn_quantize "$@" | sed -n 's/.*inputs: \([0-9]*\)\..*/\1/p'; }
+is "nn_quantize: i8, then f16 of a lower rank" "$(test "$(psnr $net "$out/q.safetensors" --type i8)" -ge 50 && echo 50) \
 $(test "$(psnr $net "$out/q.safetensors" --type f16 --rank 8 --samples 300)" -ge 35 && echo 35) $(build/nn_info "$out/q.safetensors" | grep -c fc2)" "50 35 2"
 printf '\300\0\0\0\0\0\0\0%-192s\0\270\210G' '{"__metadata__":{"ms_nn_version":"1","ms_nn_input":"[1]","ms_nn_layers":"[{\"type\":\"dense\",\"name\":\"f\",\"bias\":false}]"},"f.weight":{"dtype":"F32","shape":[1,1],"data_offsets":[0,4]}}' >"$out/70000.safetensors"
-refuses "nn_quantise: a weight beyond f16, by name" "'f.weight' has a weight of 70000" build/nn_quantise "$out/70000.safetensors" "$out/q.safetensors" --type f16
-is "nn_quantise: a type that is none" "$(build/nn_quantise $net "$out/q.safetensors" --type f8 2>/dev/null; echo $?)" 2
+refuses "nn_quantize: a weight beyond f16, by name" "'f.weight' has a weight of 70000" build/nn_quantize "$out/70000.safetensors" "$out/q.safetensors" --type f16
+is "nn_quantize: a type that is none" "$(build/nn_quantize $net "$out/q.safetensors" --type f8 2>/dev/null; echo $?)" 2
 
 # Tables as spreadsheets write them: semicolons and decimal commas, a byte order mark; UTF-16 is named.
 { printf '\357\273\277'; sed 's/,/;/g; s/\./,/g' "$out/scores.csv"; } >"$out/comma.csv"

@@ -72,7 +72,7 @@ static TEST_UNUSED ms_status inside_predict_f(const ms_gpr *gp, const float *x, 
     return ms_gpr__predict_run(&b, ms_gpr__predict_task_f, error);
 }
 
-/* A latent space whose latents [z][2] and theta [4] are given; x is modelled as it is, not centered. */
+/* A latent space whose latents [z][2] and theta [4] are given; x is modeled as it is, not centered. */
 static TEST_UNUSED ms_status inside_latent(const double *x, int z, int m, const double *latent, const double *theta,
                                            const ms_gpr_latent_options *options, ms_gpr_latent **out, ms_error *error)
 {

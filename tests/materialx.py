@@ -56,7 +56,7 @@ for x, (name, s) in zip(rows, materials):
     for c in range(3):  # a path through the middle of a ball of radius 1: in, two radii of 4 x18 each, out
         through = x[8 + c] ** 2 * math.exp(-2 * 4 * x[18])
         assert abs(s["transmission_color"][c] - max(through, 1e-4)) < 1e-4, name
-        a = 4 * x[18]  # from wall to wall by Lambert's law, in and out through the colour
+        a = 4 * x[18]  # from wall to wall by Lambert's law, in and out through the color
         beer = sum(math.exp(-2 * a * math.sqrt((i + 0.5) / 100)) / 100 for i in range(100))
         assert abs(s["subsurface_color"][c] - x[13 + c] ** 2 * beer) < 5e-4, name
         low, high = sorted((x[c], x[3 + c]))

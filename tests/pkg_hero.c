@@ -13,7 +13,7 @@ static void test_tastes(void)
     uint64_t state = test_seed;
     int t, k, i;
     memset(ideal, 0, sizeof ideal);
-    for (t = 0; t < 5; ++t) { /* orange where it has a colour */
+    for (t = 0; t < 5; ++t) { /* orange where it has a color */
         float *x = ideal[t];
         for (k = 0; k < 4; ++k) {
             static const int color[4] = {0, 3, 8, 13};

@@ -529,7 +529,7 @@ static void test_extended_bounds(void)
     TEST_NOTE("deepest %.3f radii", deepest);
 }
 
-/* Rays to the centre end where the carved radius says, less what facets of 0.02 miss, and nothing rises above the ball
+/* Rays to the center end where the carved radius says, less what facets of 0.02 miss, and nothing rises above the ball
    without reliefs. */
 static void test_extended_relief(void)
 {

@@ -49,7 +49,7 @@ static void make_picture(void)
         memset(light + 4 * ((50 + c) * WIDTH + 40), 0, 80 * sizeof(float)); /* black, whose bits are few */
 }
 
-/* Terms of 1 (positive weights) to 3 (both signs) and a centre term; pairs equal, so that half kernels can be used. */
+/* Terms of 1 (positive weights) to 3 (both signs) and a center term; pairs equal, so that half kernels can be used. */
 static ms_sss_kernel make_kernel(int taps, int terms, double size)
 {
     ms_sss_kernel k;
@@ -289,7 +289,7 @@ static const char *const texture_name[NAMES] = {
     "ms_sss_normal", "ms_sss_surface", "ms_sss_coarse",   "ms_sss_coarse_surface", "ms_sss_weight",  "ms_sss_half"};
 enum { SURFACE = 7, COARSE, COARSE_SURFACE, WEIGHT, BEFORE_HALF }; /* of the names */
 enum {
-    COLOUR,
+    COLOR,
     DEPTH,
     STRENGTH,
     INPUT,
@@ -365,8 +365,8 @@ static int read_by(const one_case *t, one_step s, int name)
         case COARSE_SURFACE: return next + 1;
         case SUM: return next + 2;
         case WEIGHT: return next + 3;
-        case COLOUR: /* of RESOLVE: what it wrote before */
-            return s.step == MS_SSS_STEP_BASE || s.term == 0 ? COLOUR : s.term % 2 ? RESULT : SUM;
+        case COLOR: /* of RESOLVE: what it wrote before */
+            return s.step == MS_SSS_STEP_BASE || s.term == 0 ? COLOR : s.term % 2 ? RESULT : SUM;
         default: return name;
         }
     }
@@ -452,7 +452,7 @@ static double gl_compare(one_case *t)
     GLuint texture[TEXTURES] = {0};
     int i, n = plan_steps(t, step);
     make_reference(t);
-    texture[COLOUR] = gl_texture(COLOUR, GL_RGBA32F, WIDTH, HEIGHT, input);
+    texture[COLOR] = gl_texture(COLOR, GL_RGBA32F, WIDTH, HEIGHT, input);
     texture[DEPTH] = gl_texture(DEPTH, GL_R32F, WIDTH, HEIGHT, depth);
     texture[STRENGTH] = gl_texture(STRENGTH, GL_R32F, WIDTH, HEIGHT, strength);
     texture[INPUT] = gl_texture(INPUT, GL_RGBA32F, WIDTH, HEIGHT, input);
@@ -577,7 +577,7 @@ static void case_viewport(void)
             memcpy(color + 4 * ((y + BELOW) * WIDE + x + LEFT), input + 4 * (y * WIDTH + x), 4 * sizeof(float));
             deep[(y + BELOW) * WIDE + x + LEFT] = depth[y * WIDTH + x];
         }
-    texture[0] = gl_texture(COLOUR, GL_RGBA32F, WIDE, HIGH, color);
+    texture[0] = gl_texture(COLOR, GL_RGBA32F, WIDE, HIGH, color);
     texture[1] = gl_texture(DEPTH, GL_R32F, WIDE, HIGH, deep);
     texture[2] = gl_texture(MIDDLE, GL_RGBA32F, WIDE, HIGH, NULL);
     texture[3] = gl_texture(RESULT, GL_RGBA32F, WIDE, HIGH, NULL);
@@ -612,12 +612,12 @@ static const char *transmission_shader(ms_sss_language language)
         all, sizeof all,
         "%s%.9000s%s%s(ms_sss_transmission(%s(0.02, 0.6, 1.0), %s(3.0, 0.8, 0.05), 0.07 * x, %s(0.6, 0.0, -0.8), "
         "%s(-0.8 * (y - 20.0) / 20.0, 0.6, 0.8 * (y - 20.0) / 20.0), %s(0.0, 0.6, 0.8), %s(1.0, 2.0, 3.0)), 1.0); }\n",
-        language == MS_SSS_GLSL_330          ? "#version 330\nout vec4 colour;\n"
-            : language == MS_SSS_GLSL_ES_300 ? "#version 300 es\nprecision highp float;\nout vec4 colour;\n"
-            : glsl                           ? "#version 450\nlayout(location = 0) out vec4 colour;\n"
+        language == MS_SSS_GLSL_330          ? "#version 330\nout vec4 color;\n"
+            : language == MS_SSS_GLSL_ES_300 ? "#version 300 es\nprecision highp float;\nout vec4 color;\n"
+            : glsl                           ? "#version 450\nlayout(location = 0) out vec4 color;\n"
                                              : "",
         text,
-        glsl ? "void main() { float x = gl_FragCoord.x - 0.5; float y = gl_FragCoord.y - 0.5; colour = "
+        glsl ? "void main() { float x = gl_FragCoord.x - 0.5; float y = gl_FragCoord.y - 0.5; color = "
             : language == MS_SSS_HLSL
             ? "float4 main(float4 p : SV_Position) : SV_Target { float x = p.x - 0.5; float y = p.y - 0.5; return "
             : "@fragment fn main(@builtin(position) p: vec4<f32>) -> @location(0) vec4<f32> { let x = p.x - 0.5; let y = p.y - 0.5; return ",
@@ -763,7 +763,7 @@ static void browser(ms_sss_language language, const char *path)
 static void case_webgl(void) { browser(MS_SSS_GLSL_ES_300, "build/sss_webgl.html"); }
 static void case_wgsl(void) { browser(MS_SSS_WGSL, "build/sss_wgsl.html"); }
 
-/* Nothing crosses between materials: each is lit in one colour of its own, which must come back unchanged. */
+/* Nothing crosses between materials: each is lit in one color of its own, which must come back unchanged. */
 static void case_bleeding(void)
 {
     one_case t;
@@ -883,7 +883,7 @@ static int count_reads(one_case *t, ms_sss_step which, int *usual)
                           : "#version 330\nout vec4 c; void main() { c = vec4(0.5, 0.5, 0.5, 50.0); }\n");
         gpu_draw(gl_texture(i, GL_RGBA32F, WIDTH, HEIGHT, NULL), 0, WIDTH, HEIGHT, 0);
     }
-    gl_texture(COLOUR, GL_RGBA32F, WIDTH, HEIGHT, input);
+    gl_texture(COLOR, GL_RGBA32F, WIDTH, HEIGHT, input);
     gl_texture(INPUT, GL_RGBA32F, WIDTH, HEIGHT, input);
     gl_texture(DEPTH, GL_R32F, WIDTH, HEIGHT, depth);
     gl_texture(NORMAL, GL_RGBA32F, WIDTH, HEIGHT, normal);
@@ -1096,7 +1096,7 @@ static void case_engine(void)
     CHECK_INT(im.height, 540);
     for (x = 744; !problem && x < 800; ++x) {
         const float *here = im.pixels + 3 * (318 * 960 + x);
-        for (found = 0, k = 0; k < 200 && !found; ++k) { /* the cloth's own colours, from the top of the picture */
+        for (found = 0, k = 0; k < 200 && !found; ++k) { /* the cloth's own colors, from the top of the picture */
             const float *far_away = im.pixels + 3 * (20 * 960 + k);
             for (found = 1, c = 0; c < 3; ++c) found &= fabs((double)here[c] - (double)far_away[c]) < 0.5 / 255;
         }

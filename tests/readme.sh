@@ -40,7 +40,7 @@ check() { # NAME, then a command that must succeed
 check "README has $lines lines" [ "$lines" -le 220 ]
 check "README has a line of more than 110 columns" [ "$(awk '{gsub(/[\200-\277]/, "")} length > 110' README.md | wc -l)" = 0 ]
 for name in $(grep -o '`ms_[a-z]*_[a-z_]*`' README.md | tr -d '`' | sort -u); do
-    check "no header declares $name" grep -q "^MS_API .*[ *]$name(" ms_*.h
+    check "no header declares or lists $name" grep -qE "^MS_API .*[ *]$name\(|^ +[0-9]+  $name " ms_*.h
 done
 work=${TMPDIR:-/tmp}/ms_readme.$$
 mkdir -p "$work"

@@ -4,7 +4,7 @@
 #   sh tests/run.sh test       check, the headers without SIMD and as C++ by another compiler, every way to use them, packages: ten minutes
 #   sh tests/run.sh long       what test leaves out: the long versions at -O3, fused products and sums, GCC's C++, stack of every call
 #   sh tests/run.sh style      warnings as errors: GCC and Clang, C99 and C++11, -O0 and -O3, 32-bit where there is one
-#   sh tests/run.sh sanitize   address and undefined-behaviour sanitizers
+#   sh tests/run.sh sanitize   address and undefined-behavior sanitizers
 #   sh tests/run.sh thread     thread sanitizer;   valgrind, fuzz, soak: as they say
 #   sh tests/run.sh calls      every public call: stack, traps, flushed subnormals, at -O2 and -O0
 #   sh tests/run.sh cross      other machines and C libraries, those whose compiler (and emulator) is installed
@@ -253,7 +253,7 @@ style_jobs() {
     for compiler in gcc clang; do
         have $compiler || { job "style_$compiler" "echo 'no $compiler on this machine'; exit 77"; continue; }
         cxx=$(echo $compiler | sed 's/gcc/g++/; s/clang/clang++/')
-        # Clang warns before it optimises, GCC in part while it does so.
+        # Clang warns before it optimizes, GCC in part while it does so.
         if [ $compiler = clang ]; then only=-fsyntax-only levels=-O2; else only=-c levels="-O0 -O2 -O3"; fi
         for f in tests/test_*.c tests/bench/bench_*.c tests/fuzz/*.c examples/*.c examples/*/*.c; do
             ! grep -q '"egl.h"' "$f" || continue # its headers are not everywhere
@@ -292,7 +292,7 @@ for s in c++11 c++17 c++20; do $cxx -x c++ -std=\$s -I. -Werror $warn $flags -O2
 sanitize_jobs() {
     flags="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer"
     if ! compiles $CC $flags; then
-        job sanitize "echo '$CC has no address and undefined-behaviour sanitizers'; exit 77"
+        job sanitize "echo '$CC has no address and undefined-behavior sanitizers'; exit 77"
         return
     fi
     test_jobs "" "$CC" "-std=c99 $flags" "ASAN_OPTIONS=detect_leaks=1" ""

@@ -110,7 +110,7 @@ static ms_gpr_recommend_options recommend_options(void)
 
 /* --- recommendation --- */
 
-/* One score of 1 at the centre: u = exp(-d^2 / 2) up to a factor, and {u >= tau best} is a ball of radius
+/* One score of 1 at the center: u = exp(-d^2 / 2) up to a factor, and {u >= tau best} is a ball of radius
    r = l sqrt(-2 log tau). The m-th power of distance / r is uniform on [0, 1] for uniform points. */
 static void test_ball(void)
 {
@@ -725,7 +725,7 @@ static void kept_draw(double *x, uint64_t *state)
     x[9] = 0.3;
 }
 
-/* A taste that knows all but parameter 3: near a point for most, metals by their colour. */
+/* A taste that knows all but parameter 3: near a point for most, metals by their color. */
 static ms_gpr *kept_taste(double narrow)
 {
     enum { N = 150 };
@@ -1400,8 +1400,8 @@ static void test_latent_likelihood(void)
     json_free(data);
 }
 
-/* Known structure comes out: the nearest latent of a clusters48 material is of its own cluster; neighbours on the
-   circle stay neighbours. */
+/* Known structure comes out: the nearest latent of a clusters48 material is of its own cluster; neighbors on the
+   circle stay neighbors. */
 static void test_latent_structure(void)
 {
     json *data = json_load("tests/data/gplvm_data.json");

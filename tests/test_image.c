@@ -254,7 +254,7 @@ static void test_code_lengths(void)
 static void test_png_read(void)
 {
     static const struct {
-        int colour, samples, channels, depths[6];
+        int color, samples, channels, depths[6];
     } kinds[] = {{0, 1, 1, {1, 2, 4, 8, 16, 0}},
                  {2, 3, 3, {8, 16, 0}},
                  {3, 1, 3, {1, 2, 4, 8, 0}},
@@ -265,11 +265,11 @@ static void test_png_read(void)
         for (d = 0; kinds[k].depths[d]; ++d)
             for (interlaced = 0; interlaced < 2; ++interlaced, ++files) {
                 int bits = kinds[k].depths[d], most = (1 << bits) - 1,
-                    channels = kinds[k].colour == 3 && interlaced ? 4 : kinds[k].channels;
+                    channels = kinds[k].color == 3 && interlaced ? 4 : kinds[k].channels;
                 char path[80];
                 const char *problem;
                 image im;
-                snprintf(path, sizeof path, "tests/data/png/c%d_b%d_i%d.png", kinds[k].colour, bits, interlaced);
+                snprintf(path, sizeof path, "tests/data/png/c%d_b%d_i%d.png", kinds[k].color, bits, interlaced);
                 problem = image_read(path, &im);
                 if (problem) TEST_FAIL("%s: %s", path, problem);
                 CHECK_INT(im.channels, channels);
@@ -279,8 +279,8 @@ static void test_png_read(void)
                         for (c = 0; c < channels; ++c) {
                             int v = (37 * x + 11 * y) & most;
                             double expected;
-                            if (kinds[k].colour == 3) expected = (c == 3 ? 255 - v : (7 - 2 * c) * v & 255) / 255.0;
-                            else if (kinds[k].colour == 4)
+                            if (kinds[k].color == 3) expected = (c == 3 ? 255 - v : (7 - 2 * c) * v & 255) / 255.0;
+                            else if (kinds[k].color == 4)
                                 expected = ((37 * x + 11 * y + 50 * (c == 3)) & most) / (double)most;
                             else expected = ((37 * x + 11 * y + 50 * c) & most) / (double)most;
                             CHECK_NEAR(im.pixels[(y * 13 + x) * channels + c], expected,
@@ -344,7 +344,7 @@ static void test_png_round_trip(void)
     remove("build/test_image.png");
 }
 
-/* The mean of every channel stays whatever the sizes; whole factors are plain means; alpha weighs colours. */
+/* The mean of every channel stays whatever the sizes; whole factors are plain means; alpha weighs colors. */
 static void test_resize(void)
 {
     static const int sizes[][2] = {{1, 1}, {7, 3}, {64, 64}, {10, 31}, {5, 90}};

@@ -103,36 +103,36 @@ static void test_formats(void)
                 TEST_FAIL("%s: x%d = %g, %g from the PPM", list[k].name, i, x[i], first[i]);
         image_free(&im);
     }
-    { /* grey is the same in three channels, from either format */
-        image grey = picture(1, 1), three = image_new(S, S, 3);
-        for (i = 0; i < 3 * S * S; ++i) three.pixels[i] = grey.pixels[i / 3];
-        image_write(FOLDER "grey.pgm", &grey);
-        image_write(FOLDER "grey.png", &grey);
+    { /* gray is the same in three channels, from either format */
+        image gray = picture(1, 1), three = image_new(S, S, 3);
+        for (i = 0; i < 3 * S * S; ++i) three.pixels[i] = gray.pixels[i / 3];
+        image_write(FOLDER "gray.pgm", &gray);
+        image_write(FOLDER "gray.png", &gray);
         image_write(FOLDER "three.ppm", &three);
         answer(FOLDER "three.ppm", first);
-        answer(FOLDER "grey.pgm", x);
+        answer(FOLDER "gray.pgm", x);
         CHECK(memcmp(x, first, sizeof x) == 0);
-        answer(FOLDER "grey.png", x);
+        answer(FOLDER "gray.png", x);
         CHECK(memcmp(x, first, sizeof x) == 0);
-        image_free(&grey);
+        image_free(&gray);
         image_free(&three);
     }
 }
 
-/* What a mask hides does not matter, whether the mask is grey, in colour, or the picture's own alpha; a mask of a few
+/* What a mask hides does not matter, whether the mask is gray, in color, or the picture's own alpha; a mask of a few
    pixels says what it leaves open. */
 static void test_masks(void)
 {
-    image im = picture(3, 1), rgba = picture(4, 1), grey = image_new(S, S, 1), colour = image_new(S, S, 3),
+    image im = picture(3, 1), rgba = picture(4, 1), gray = image_new(S, S, 1), color = image_new(S, S, 3),
           few = image_new(2 * S, 2 * S, 1);
     double x[N], first[N];
     int i, c;
     if (!have_tool()) SKIP("build/match is not there; make builds it");
     for (i = 0; i < S * S; ++i) {
         int hidden = i % S >= 5;
-        grey.pixels[i] = (float)!hidden;
+        gray.pixels[i] = (float)!hidden;
         for (c = 0; c < 3; ++c) {
-            colour.pixels[3 * i + c] = (float)!hidden;
+            color.pixels[3 * i + c] = (float)!hidden;
             if (hidden) im.pixels[3 * i + c] = rgba.pixels[4 * i + c] = c == 1;
         }
         rgba.pixels[4 * i + 3] = (float)!hidden;
@@ -140,8 +140,8 @@ static void test_masks(void)
     for (i = 0; i < 4; ++i) few.pixels[2 * S * (6 + i / 2) + 8 + i % 2] = 1;
     image_write(FOLDER "seen.ppm", &im);
     image_write(FOLDER "seen.png", &rgba);
-    image_write(FOLDER "mask.pgm", &grey);
-    image_write(FOLDER "mask.png", &colour);
+    image_write(FOLDER "mask.pgm", &gray);
+    image_write(FOLDER "mask.png", &color);
     image_write(FOLDER "few.png", &few);
     answer(FOLDER "seen.ppm --weights " FOLDER "mask.pgm", first);
     answer(FOLDER "seen.ppm --weights " FOLDER "mask.png", x);
@@ -157,8 +157,8 @@ static void test_masks(void)
     CHECK(strstr(said, "hardly determines: 0, 1, 2") != NULL);
     image_free(&im);
     image_free(&rgba);
-    image_free(&grey);
-    image_free(&colour);
+    image_free(&gray);
+    image_free(&color);
     image_free(&few);
 }
 
@@ -248,7 +248,7 @@ static void test_sequences_and_views(void)
     }
 }
 
-/* A brighter picture with a coloured cast: --tint finds both and leaves a closer picture; frozen parameters stay,
+/* A brighter picture with a colored cast: --tint finds both and leaves a closer picture; frozen parameters stay,
    pulled ones hardly move. */
 static void test_edits(void)
 {
@@ -281,7 +281,7 @@ static void test_edits(void)
     CHECK_NEAR(x[0], first[0], 1e-6);
     CHECK_NEAR(x[3], first[3], 1e-6);
     CHECK_NEAR(x[18], first[18], 1e-6);
-    CHECK_INT(run(FOLDER "lit.png --start " FOLDER "last.csv --freeze 0,colour"), 2);
+    CHECK_INT(run(FOLDER "lit.png --start " FOLDER "last.csv --freeze 0,color"), 2);
     CHECK(strstr(said, "names or numbers") != NULL);
     CHECK_INT(run(FOLDER "lit.png --freeze 0"), 2);
     answer(FOLDER "lit.png --start " FOLDER "last.csv --pull 1e6", x);

@@ -290,7 +290,7 @@ static void beams(void)
         CHECK_INT(mci_convolve(k, 0.3, dr, N, 1, value, NULL, r, 40, out, NULL, &e), MS_OK);
         for (i = 0; i < 40; ++i) CHECK_NEAR(out[i], 1, 1e-9);
     }
-    for (i = 0; i < N; ++i) value[i] = i == 7; /* one ring, at the centre of a flat beam: its area over the disc's */
+    for (i = 0; i < N; ++i) value[i] = i == 7; /* one ring, at the center of a flat beam: its area over the disc's */
     r[0] = 0;
     CHECK_INT(mci_convolve(MCI_BEAM_FLAT, 0.3, dr, N, 1, value, NULL, r, 1, out, NULL, &e), MS_OK);
     CHECK_NEAR(out[0], ring_area(7, dr) / (3.141592653589793 * 0.09), 1e-14);

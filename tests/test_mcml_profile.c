@@ -280,7 +280,7 @@ static void profiles_of_the_exact_tables(void)
         for (i = 0; i < t.count; ++i) {
             double energy = t.rd[i] * PI * (t.r1[i] * t.r1[i] - t.r0[i] * t.r0[i]), se = 0;
             double rd = 100 * ms_mcml__halfspace_ring(&s, 10 * t.r0[i], 10 * t.r1[i]);
-            /* The tables' uncertainty is the difference of two discretisations, which changes sign from ring to ring:
+            /* The tables' uncertainty is the difference of two discretizations, which changes sign from ring to ring:
                the largest within six rings is meant. */
             for (j = i - 6; j <= i + 6; ++j)
                 if (j >= 0 && j < t.count && t.se[j] / t.rd[j] > se) se = t.se[j] / t.rd[j];

@@ -1,5 +1,5 @@
 /* The networks that ship in examples/data, through ms_nn.h: the renderers against the stored path-traced pictures,
-   colour channels swapped, the inversion networks through the renderer. tests/pkg_networks.c renders some pictures
+   color channels swapped, the inversion networks through the renderer. tests/pkg_networks.c renders some pictures
    again. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"

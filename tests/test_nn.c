@@ -1887,7 +1887,7 @@ static void test_positions(void)
     static const char *const list[][3] = {
         {"[{\\\"type\\\":\\\"flatten\\\",\\\"name\\\":\\\"\\u00e9\\ud83d\\ude00\\\"},{\\\"type\\\":\\\"gru\\\"}]",
          "layer 1: unknown type 'gru'", "\\\"gru"},
-        {"[{\\\"type\\\":\\\"flatten\\\",\\\"colour\\\":1}]", "layer 0: unknown field 'colour'", "\\\"colour"},
+        {"[{\\\"type\\\":\\\"flatten\\\",\\\"color\\\":1}]", "layer 0: unknown field 'color'", "\\\"color"},
         {"[ {\\\"type\\\":\\\"dense\\\",\\\"name\\\":\\\"f\\\"}]",
          "layer 0, dense 'f': the tensor 'f.weight' is missing", "{\\\"type"},
         {"[{\\\"type\\\":\\\"activation\\\",\\\"activation\\\":\\\"swish\\\"}]",

@@ -786,8 +786,8 @@ static void case_small_radius(void)
 
 static void case_hostile(void)
 {
-    static const int bad_colour[] = {5, 300, 301, 1200, 2400}, bad_depth[] = {77, 78, 640, 1500, 2600, 2700};
-    const float colours[] = {NAN, INFINITY, -INFINITY, NAN, INFINITY},
+    static const int bad_color[] = {5, 300, 301, 1200, 2400}, bad_depth[] = {77, 78, 640, 1500, 2600, 2700};
+    const float colors[] = {NAN, INFINITY, -INFINITY, NAN, INFINITY},
                 depths[] = {NAN, INFINITY, 0.0f, -3.0f, -INFINITY, -0.0f};
     const int n = 67 * 41;
     int kind, variant, i, c, j, level;
@@ -803,8 +803,8 @@ static void case_hostile(void)
                 o.simd = (ms_simd)level;
                 for (j = 0; j < n; ++j) s.strength[j] = 1;
                 for (i = 0; i < 5; ++i) {
-                    s.rgb[i % 3][bad_colour[i]] = colours[i];
-                    s.strength[bad_colour[i]] = 0;
+                    s.rgb[i % 3][bad_color[i]] = colors[i];
+                    s.strength[bad_color[i]] = 0;
                 }
                 for (i = 0; with && i < 6; ++i) {
                     s.depth[bad_depth[i]] = depths[i];
@@ -817,11 +817,11 @@ static void case_hostile(void)
                 f = test_frame(&s, with, out);
                 test_run(&f, &k, 1, &o);
                 for (i = 0; i < 5; ++i)
-                    for (c = 0; c < 3; ++c) CHECK(test_same(&out[c][bad_colour[i]], &s.rgb[c][bad_colour[i]], 1));
+                    for (c = 0; c < 3; ++c) CHECK(test_same(&out[c][bad_color[i]], &s.rgb[c][bad_color[i]], 1));
                 for (i = 0; with && i < 6; ++i)
                     for (c = 0; c < 3; ++c) CHECK(test_same(&out[c][bad_depth[i]], &s.rgb[c][bad_depth[i]], 1));
                 /* They act as if masked out: replaced by ordinary values under strength 0, nothing else changes. */
-                for (i = 0; i < 5; ++i) s.rgb[i % 3][bad_colour[i]] = 7;
+                for (i = 0; i < 5; ++i) s.rgb[i % 3][bad_color[i]] = 7;
                 for (i = 0; i < 6; ++i) s.depth[bad_depth[i]] = 100;
                 f = test_frame(&s, with | WITH_STRENGTH, masked);
                 test_run(&f, &k, 1, &o);
@@ -871,7 +871,7 @@ static void case_energy(void)
             free(out[c]);
         }
     }
-    /* Kernels are normalised within their floats' rounding, a few 6e-8 a pass. */
+    /* Kernels are normalized within their floats' rounding, a few 6e-8 a pass. */
     CHECK_LE(worst, 1e-6);
     TEST_NOTE("largest relative change %.1e", worst);
     test_scene_free(&s);
@@ -1018,7 +1018,7 @@ static void case_addresses(void)
                 }
             }
             if (wrong) TEST_FAIL("level %d, flat %d: %d rows or values beside them differ", level, kind, wrong);
-            /* colour in elements 1 to 3 of four: the last pixel's last element is the memory's */
+            /* color in elements 1 to 3 of four: the last pixel's last element is the memory's */
             for (i = wrong = 0; i < n; ++i)
                 for (c = 0; c < 3; ++c) packed[4 * i + 1 + c] = s.rgb[c][i];
             f = test_frame(&s, WITH_DEPTH, expected);
@@ -1285,7 +1285,7 @@ static void case_half_size(void)
     double worst = 0;
     ms_sss_kernel kernel[2];
     kernel[0] = test_kernel(7, 9.0, 0.05);
-    kernel[1] = test_kernel_terms(9, 4.0); /* taps within a pixel of the centre */
+    kernel[1] = test_kernel_terms(9, 4.0); /* taps within a pixel of the center */
     for (i = 0; i < n; i += 97) s.depth[i] = i % 2 ? NAN : -1;
     for (i = 5; i < n; i += 301) s.rgb[i % 3][i] = NAN;
     for (kind = 0; kind < 3; ++kind) {
@@ -1795,7 +1795,7 @@ static void case_refused(void)
     test_scene_free(&s);
 }
 
-/* The taps alone: the centre, one of each pair, binary16. */
+/* The taps alone: the center, one of each pair, binary16. */
 static void case_upload(void)
 {
     ms_sss_kernel k = test_kernel(7, 5.0, 0.0);

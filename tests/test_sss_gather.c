@@ -31,7 +31,7 @@ static ms_sss_frame frame_of(void)
     return f;
 }
 
-/* A millimetre a pixel unless the field of view is set. */
+/* A millimeter a pixel unless the field of view is set. */
 static ms_sss_filter_options options_of(float fov)
 {
     ms_sss_filter_options o = ms_sss_filter_defaults();

@@ -720,7 +720,7 @@ static void case_heights(void)
             ms_sss_filter_options o = ms_sss_filter_defaults();
             ms_sss_frame f = scene_frame(height == 120 ? first : again, 1, 0);
             f.height = height;
-            o.pixels_per_mm[0] = 1; /* radius 6 pixels: 5 levels of at most 16 pixels and their neighbours */
+            o.pixels_per_mm[0] = 1; /* radius 6 pixels: 5 levels of at most 16 pixels and their neighbors */
             o.flat = tilted ? 0.0f : 1.0f;
             run(&f, &pyramid, &o);
             for (c = 0; c < 3 && height > 120; ++c)

@@ -111,7 +111,7 @@ static void case_depth_refused(void)
     CHECK(depth[0] < -6);
 }
 
-/* The same picture with its first row at the bottom, colours or depth or both, gives the same light. */
+/* The same picture with its first row at the bottom, colors or depth or both, gives the same light. */
 static void case_origins(void)
 {
     static float turned[3 * W * H], turned_depth[W * H], top[3 * W * H];
@@ -151,7 +151,7 @@ static void case_field_of_view(void)
           !(ms_sss_fov_along_y(NAN, 10, 10) > 0) && !(ms_sss_fov_along_y(50, 0, 10) > 0));
 }
 
-/* A head in a room, in metres: refused until mm_per_unit says so. The same in millimetres works without. */
+/* A head in a room, in meters: refused until mm_per_unit says so. The same in millimeters works without. */
 static void case_metres(void)
 {
     ms_sss_filter_options o = ms_sss_filter_defaults();
@@ -185,6 +185,6 @@ static void case_metres(void)
 
 static const test_case cases[] = {
     {"a kernel as data", case_shipped}, {"depth as stored", case_depth},       {"depth refused", case_depth_refused},
-    {"origins", case_origins},          {"field of view", case_field_of_view}, {"metres", case_metres},
+    {"origins", case_origins},          {"field of view", case_field_of_view}, {"meters", case_metres},
 };
 TEST_MAIN(cases)

@@ -90,7 +90,7 @@ static void test_step(void)
     for (x = 0; x < 128; ++x) CHECK_NEAR(b.pixels[3 * x], a.pixels[3 * x], 1e-5); /* the angle has 8 digits */
     image_free(&b);
 
-    /* and by scale: half the units, twice the millimetres */
+    /* and by scale: half the units, twice the millimeters */
     CHECK_INT(run("--taps 17 --ortho 16 --mm-per-unit 2 " IRRADIANCE " --material skin1 " DEPTH " " OUT), 0);
     b = read_out(OUT);
     if (b.pixels == NULL) return;
@@ -291,7 +291,7 @@ static void test_refused(void)
                {IRRADIANCE " " DEPTH " " OUT, 2, "--material"},
                {IRRADIANCE " " DEPTH " " OUT " --material skin1 --profile x.csv", 2, "one of --material and --profile"},
                {IRRADIANCE " " DEPTH " " OUT " --material", 2, "value is expected"},
-               {IRRADIANCE " " DEPTH " " OUT " --material skin1 --colour red", 2, "unknown option"},
+               {IRRADIANCE " " DEPTH " " OUT " --material skin1 --color red", 2, "unknown option"},
                {IRRADIANCE " " DEPTH " " OUT " --material skin1 --taps 8", 2, "--taps"},
                {IRRADIANCE " " DEPTH " " OUT " --material skin1 --taps 1", 2, "--taps"},
                {IRRADIANCE " " DEPTH " " OUT " --material skin1 --taps 7x", 2, "--taps"},

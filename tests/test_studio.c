@@ -582,7 +582,7 @@ static void test_materialx(void)
         if (round % 7 == 0) x[18] *= 0.01; /* nearly clear */
         s = materialx_from(x);
         for (i = 0; i < 200;
-             ++i) { /* cosines of Lambert's law, each with 1/200 of the light; in and out through the colour */
+             ++i) { /* cosines of Lambert's law, each with 1/200 of the light; in and out through the color */
             double cosine = sqrt((i + 0.5) / 200);
             through += exp(-4 * x[18] * 2 * cosine) / 200;
         }
@@ -698,7 +698,7 @@ static void test_words(void)
         for (x = 21; x < 25; ++x) sum += (double)im.pixels[3 * (y * 40 + x)];
     CHECK_NEAR(sum, 16 * 0.375, 1e-5);
     map_legend(&legend, 0, 0, 300, "score", -1, 9.5);
-    for (y = 0, x = 0; x < 280; ++x) { /* the colours rise from violet to yellow, and grey stands at the end */
+    for (y = 0, x = 0; x < 280; ++x) { /* the colors rise from violet to yellow, and gray stands at the end */
         const float *p = legend.pixels + 3 * (10 * 300 + x);
         y += p[0] > 0.7f && p[1] > 0.8f && p[2] < 0.4f;
     }

@@ -199,7 +199,7 @@ static void test_components(void)
 
 enum { SIDE = 16, PARAMETERS = 6, OUTPUTS_ALL = 3 * SIDE * SIDE };
 
-/* A shader of a few lines, linear light: a ball with a diffuse colour (x0, x1, x2), a highlight of width x3, shared by
+/* A shader of a few lines, linear light: a ball with a diffuse color (x0, x1, x2), a highlight of width x3, shared by
    x4 (0 or 1 in half of the materials: no highlight, or nothing else), on a floor whose brightness is x5. */
 static void shade(const float *x, float *rgb)
 {
@@ -423,7 +423,7 @@ static void test_forms(void)
 }
 
 /* Pictures in which three scalars that stand beside each other hardly matter, with noise: they are not taken for a
-   colour's channels (they were, since leaving them out helps a regression), and the base colour still is. */
+   color's channels (they were, since leaving them out helps a regression), and the base color still is. */
 static void test_channels(void)
 {
     enum { N = 300, COLUMNS = 7 };
@@ -640,7 +640,7 @@ static void test_bad_input(void)
     refused("00011.pfm: column 1, row 0 has a value", run(TOY, "bad", "bad", "x", 1, ""));
     im.pixels[5] = 0;
     CHECK(image_write(FOLDER "bad/00011.pfm", &im) == NULL);
-    refused("00011.pfm: of one colour alone", run(TOY, "bad", "bad", "x", 1, ""));
+    refused("00011.pfm: of one color alone", run(TOY, "bad", "bad", "x", 1, ""));
     CHECK(image_save(FOLDER "bad/00011.pfm", "PF\n16 16\n-1\n1234", 16) == NULL);
     refused("00011.pfm", run(TOY, "bad", "bad", "x", 1, ""));
     CHECK(image_write(FOLDER "bad/00011.pfm", &large) == NULL);

@@ -1,6 +1,6 @@
 /* Synthetic users: a true preference u*(x) over materials x in [0,1]^m, and the whole scores 0 to 10 that such a
    user gives. A user likes one or two classes of material; a class is a product of gates ("mostly glass": a mix
-   weight below or above a limit) and of tastes (a favoured value of roughness, of an albedo, ...); every other
+   weight below or above a limit) and of tastes (a favored value of roughness, of an albedo, ...); every other
    dimension means nothing to the user, as in chapter 3 of the thesis, where 81 to 90% of a first gallery scores 0.
 
      user u = user_make(seed, 19, 0.10);      one who scores 10% of uniform materials above 0
@@ -169,7 +169,7 @@ static TEST_UNUSED void user_gallery(const user *u, int n, double *x, double *sc
 }
 
 /* Jensen-Shannon divergence (3.12), in nats, of predicted and true preference over n materials: both clamped at 0
-   and normalised to sum 1. 0: equal; log 2: nothing in common, or nothing predicted at all. */
+   and normalized to sum 1. 0: equal; log 2: nothing in common, or nothing predicted at all. */
 static TEST_UNUSED double user_jsd(const double *predicted, const double *truth, int n)
 {
     double sum_p = 0, sum_q = 0, d = 0;

@@ -499,8 +499,8 @@ def kernels(b):
     moved("marble")
     agree("marble")
     b.click("[data-material='your own']")
-    moved("a colour and mean free paths")
-    for name, to in (("colour", "#40c080"), ("mfp0", 0.8), ("mfp1", 0.6), ("mfp2", 0.4)):
+    moved("a color and mean free paths")
+    for name, to in (("color", "#40c080"), ("mfp0", 0.8), ("mfp1", 0.6), ("mfp2", 0.4)):
         b.slide("#" + name, to)
         moved(name)
     agree("one's own")

@@ -223,14 +223,14 @@ static void show_skins(int height)
 {
     static const double made[6][3] = {{0.004, 0.4, 0.03}, {0.02, 0.7, 0.04}, {0.05, 0.8, 0.035},
                                       {0.1, 0.9, 0.03},   {0.2, 1, 0.04},    {0.4, 1, 0.03}};
-    static const float grey[3] = {0.5f, 0.5f, 0.5f};
+    static const float gray[3] = {0.5f, 0.5f, 0.5f};
     static ms_sss_kernel kernel;
     ms_sss_filter_options options = ms_sss_filter_defaults();
     ms_sss_frame frame;
     scene s;
     image row, filtered, face, albedo;
     int width = height * 16 / 9, shown = height * 5 / 6, k, x, y, c;
-    need(scene_render(&s, SCENE_BUST, width, height, grey), "scene");
+    need(scene_render(&s, SCENE_BUST, width, height, gray), "scene");
     row = image_new(6 * shown, height, 3);
     filtered = image_new(width, height, 3);
     albedo = image_new(width, height, 3);
@@ -277,7 +277,7 @@ static void show_skins(int height)
         free(workspace);
         for (i = 0; i < image_count(&albedo); ++i)
             s.albedo.pixels[i] = albedo.pixels[i] *
-                (s.mask.pixels[i / 3] > 0 ? (float)reflectance[i % 3] / grey[0] : 1);
+                (s.mask.pixels[i / 3] > 0 ? (float)reflectance[i % 3] / gray[0] : 1);
         need(scene_compose(&s, &filtered, &face), "picture");
         for (y = 0; y < height; ++y)
             for (x = 0; x < shown; ++x)
@@ -466,10 +466,10 @@ static const struct {
               {"one Gaussian", MS_SSS_GAUSSIANS, 1, MS_SSS_DENSE, 0},
               {"three Gaussians", MS_SSS_GAUSSIANS, 3, MS_SSS_DENSE, 0},
               {"six Gaussians", MS_SSS_GAUSSIANS, 6, MS_SSS_DENSE, 0},
-              {"SVD, rank 1, normalised", MS_SSS_SVD_NORMALISED, 1, MS_SSS_DENSE, 0},
-              {"SVD, rank 2, normalised", MS_SSS_SVD_NORMALISED, 2, MS_SSS_DENSE, 0},
-              {"SVD, rank 3, normalised", MS_SSS_SVD_NORMALISED, 3, MS_SSS_DENSE, 0},
-              {"SVD, rank 3, not normalised", MS_SSS_SVD, 3, MS_SSS_DENSE, 0},
+              {"SVD, rank 1, normalized", MS_SSS_SVD_NORMALIZED, 1, MS_SSS_DENSE, 0},
+              {"SVD, rank 2, normalized", MS_SSS_SVD_NORMALIZED, 2, MS_SSS_DENSE, 0},
+              {"SVD, rank 3, normalized", MS_SSS_SVD_NORMALIZED, 3, MS_SSS_DENSE, 0},
+              {"SVD, rank 3, not normalized", MS_SSS_SVD, 3, MS_SSS_DENSE, 0},
               {"guided, k = 0", MS_SSS_GUIDED, 1, MS_SSS_DENSE, 0},
               {"guided, k = 2", MS_SSS_GUIDED, 1, MS_SSS_DENSE, 2},
               {"guided, k = 4", MS_SSS_GUIDED, 1, MS_SSS_DENSE, 4},
@@ -509,10 +509,10 @@ static void save_row(const image *rows, const double gain[SIGNALS], const char *
 }
 
 /* The signals convolved with the profile itself: the step in closed form, circles by rings around points at growing
-   distance from their centre. */
+   distance from their center. */
 static void exact_signals(const ms_sss_profile *profile, double mm_per_px, image *rows)
 {
-    static double along[SIGNALS][RADII][3]; /* at pixel distance i from the centre, or from the edge */
+    static double along[SIGNALS][RADII][3]; /* at pixel distance i from the center, or from the edge */
     double reflectance[3], value[3], inner[3], outer[3];
     int k, i, x, y, c;
     ms_sss_profile_reflectance(profile, reflectance);

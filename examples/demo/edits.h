@@ -21,20 +21,20 @@ static inline float edit_ball(const image *im, int x, int y, float grow, float d
 static inline float edit__luma(const float *rgb) { return 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2]; }
 static inline float edit__clip(float v) { return v < 0 ? 0 : v > 1 ? 1 : v; }
 
-/* Towards (amount < 1) or away from grey inside the selection. */
+/* Towards (amount < 1) or away from gray inside the selection. */
 static inline void edit_saturate(image *im, const image *other, float amount)
 {
     int x, y, c;
     (void)other;
     for (y = 0; y < im->height; ++y)
         for (x = 0; x < im->width; ++x) {
-            float *p = im->pixels + 3 * (y * im->width + x), grey = edit__luma(p),
+            float *p = im->pixels + 3 * (y * im->width + x), gray = edit__luma(p),
                   t = edit_ball(im, x, y, 0, 0) * (amount - 1);
-            for (c = 0; c < 3; ++c) p[c] = edit__clip(p[c] + t * (p[c] - grey));
+            for (c = 0; c < 3; ++c) p[c] = edit__clip(p[c] + t * (p[c] - gray));
         }
 }
 
-/* Brightness stays, the hue of `amount` turns replaces the colour; highlights stay white. */
+/* Brightness stays, the hue of `amount` turns replaces the color; highlights stay white. */
 static inline void edit__tint(image *im, float amount, float grow, float drop)
 {
     float tint[3], luma;
@@ -43,10 +43,10 @@ static inline void edit__tint(image *im, float amount, float grow, float drop)
     luma = edit__luma(tint);
     for (y = 0; y < im->height; ++y)
         for (x = 0; x < im->width; ++x) {
-            float *p = im->pixels + 3 * (y * im->width + x), grey = edit__luma(p), t = edit_ball(im, x, y, grow, drop);
+            float *p = im->pixels + 3 * (y * im->width + x), gray = edit__luma(p), t = edit_ball(im, x, y, grow, drop);
             for (c = 0; c < 3; ++c) {
-                float colour = grey < luma ? tint[c] * grey / luma : 1 - (1 - tint[c]) * (1 - grey) / (1 - luma);
-                p[c] += t * (colour - p[c]);
+                float color = gray < luma ? tint[c] * gray / luma : 1 - (1 - tint[c]) * (1 - gray) / (1 - luma);
+                p[c] += t * (color - p[c]);
             }
         }
 }
@@ -150,7 +150,7 @@ static inline void edit_hue_half(image *im, const image *other, float amount)
         }
 }
 
-/* A disc with a bar in it, in two flat colours, of radius `amount` beside the middle of the ball. */
+/* A disc with a bar in it, in two flat colors, of radius `amount` beside the middle of the ball. */
 static inline void edit_logo(image *im, const image *other, float amount)
 {
     int x, y, c;
@@ -224,7 +224,7 @@ static inline void edit__gain(image *im, float red, float green, float blue)
         im->pixels[i] = edit__clip(image_srgb_encode(gain[i % 3] * image_srgb_decode(im->pixels[i])));
 }
 
-static inline void edit_coloured_light(image *im, const image *other, float amount)
+static inline void edit_colored_light(image *im, const image *other, float amount)
 {
     (void)other;
     edit__gain(im, 1 + amount, 1, 1 - amount);
@@ -299,7 +299,7 @@ static inline void edit_posterise(image *im, const image *other, float amount)
     for (i = 0; i < image_count(im); ++i) im->pixels[i] = floorf(im->pixels[i] * amount + 0.5f) / amount;
 }
 
-/* The ball in one flat colour. */
+/* The ball in one flat color. */
 static inline void edit_flat_paint(image *im, const image *other, float amount)
 {
     int x, y, c;
@@ -361,7 +361,7 @@ static const edit edits_further[EDIT_FURTHER_COUNT] = {{"logo", edit_logo, 0.12f
                                                        {"hue of one half", edit_hue_half, 0.5f},
                                                        {"JPEG", edit_jpeg, 8},
                                                        {"noise", edit_noise, 0.1f},
-                                                       {"coloured light", edit_coloured_light, 0.3f},
+                                                       {"colored light", edit_colored_light, 0.3f},
                                                        {"gradient", edit_gradient, 0.4f},
                                                        {"crop", edit_crop, 0.85f},
                                                        {"shift", edit_shift, 0.03f},

@@ -1,4 +1,4 @@
-/* Three lit objects for the examples, modelled, lit and rendered by this file alone: a life-size bust, a knotted tube,
+/* Three lit objects for the examples, modeled, lit and rendered by this file alone: a life-size bust, a knotted tube,
    85 mm wide, and a broken bowl, 66 mm high, with walls of 3 mm. All are distance fields (smooth unions of ellipsoids
    and capsules, grooves as Gaussian bumps), found by sphere tracing; the soft shadows of the round lamps are marched
    through the same field. C99 and C++11, no assets, no dependency but image.h.
@@ -10,7 +10,7 @@
      problem = scene_compose(&s, &s.irradiance, &picture);    albedo * irradiance + specular, outlines, tone map, sRGB
      scene_free(&s);
 
-   Lengths are millimetres, y is up. Under ten seconds on one core at 1080p. */
+   Lengths are millimeters, y is up. Under ten seconds on one core at 1080p. */
 #ifndef EXAMPLES_SCENE_H
 #define EXAMPLES_SCENE_H
 #include "../tools/image.h"
@@ -110,7 +110,7 @@ static inline float scene__capsule(scene_vec p, scene_vec a, scene_vec b, float 
     return scene_length(scene_mad(ab, -t, ap)) - scene__mix(ra, rb, t);
 }
 
-/* The right eye: its centre, its radius, and the almond opening between the lids seen from the front, negative inside
+/* The right eye: its center, its radius, and the almond opening between the lids seen from the front, negative inside
    (x is |x|: the left eye is its mirror image). */
 #define SCENE_EYE_X 31.0f
 #define SCENE_EYE_Z 66.0f
@@ -127,7 +127,7 @@ static inline float scene__eye_opening(float ax, float y)
     return 0.85f * scene__max(v - 4.6f * w, -v - 3.4f * w);
 }
 
-static inline float scene__ear(scene_vec p) /* from the ear's centre; x points outwards, z to the front */
+static inline float scene__ear(scene_vec p) /* from the ear's center; x points outwards, z to the front */
 {
     float x = 0.93f * p.x + 0.37f * p.z, z0 = 0.93f * p.z - 0.37f * p.x, d, k, rim; /* stands off by 22 degrees */
     scene_vec q = scene_v(x, 0.985f * p.y + 0.17f * z0, 0.985f * z0 - 0.17f * p.y); /* and leans back by 10 */
@@ -199,7 +199,7 @@ static inline float scene_bust(scene_vec p)
     return p.z > 35 && p.y < 45 && p.y > -125 ? scene__face(p, q, d) : d;
 }
 
-/* A trefoil tube. Its centre line runs twice around the axis z on a torus (radii 27 and 10.5) and winds 3/2 times a
+/* A trefoil tube. Its center line runs twice around the axis z on a torus (radii 27 and 10.5) and winds 3/2 times a
    turn: C(t) = ((27 + 10.5 cos 1.5t) cos t, (27 + 10.5 cos 1.5t) sin t, 10.5 sin 1.5t). The nearest point of both
    strands is found by Newton's method from the one with the angle of p. */
 static inline float scene_knot(scene_vec p)
@@ -289,7 +289,7 @@ static inline scene_camera scene_camera_of(scene_object object)
     return c;
 }
 
-/* A round lamp; `power` is the irradiance that it gives the object's centre at right angle. */
+/* A round lamp; `power` is the irradiance that it gives the object's center at right angle. */
 typedef struct scene_light {
     scene_vec position;
     float radius, power[3];
@@ -431,7 +431,7 @@ static inline scene_hit scene__trace(const scene_grid *g, scene_vec from, scene_
     return scene__trace_from(g, from, direction, 0);
 }
 
-/* The part of a round lamp that is seen from p, whose normal is n: the nearest pass of the ray to its centre by the
+/* The part of a round lamp that is seen from p, whose normal is n: the nearest pass of the ray to its center by the
    object, in lamp radii, as the area of a disk cut by a straight edge. */
 static inline float scene__visible(const scene_grid *g, scene_vec p, scene_vec n, scene_vec lamp, float radius)
 {
@@ -651,7 +651,7 @@ typedef struct scene {
     image irradiance, albedo, specular; /* RGB; irradiance is divided by pi: times albedo it is radiance */
     image depth;                        /* mm along the viewing direction */
     image mask;                         /* 1 where light scatters below the surface; 0 on eyes, ground and wall */
-    unsigned char *coverage;            /* [height][width][9]: how much of a pixel its 3x3 neighbours show, of 16 */
+    unsigned char *coverage;            /* [height][width][9]: how much of a pixel its 3x3 neighbors show, of 16 */
 } scene;
 
 static inline void scene_free(scene *s)
@@ -713,7 +713,7 @@ static inline void scene__shade(scene *s, const scene_grid *g, const scene_light
     s->mask.pixels[pixel] = m.mask;
 }
 
-/* Outlines: where neighbours differ in depth or in what they show, 16 rays a pixel ask which of the 3x3 pixels shows
+/* Outlines: where neighbors differ in depth or in what they show, 16 rays a pixel ask which of the 3x3 pixels shows
    what they hit. */
 static inline void scene__cover(scene *s, const scene_grid *g)
 {
@@ -727,9 +727,9 @@ static inline void scene__cover(scene *s, const scene_grid *g)
             for (i = 0; i < 9; ++i) {
                 int nx = x + i % 3 - 1, ny = y + i / 3 - 1;
                 int beside = nx < 0 || ny < 0 || nx >= s->width || ny >= s->height;
-                size_t neighbour = beside ? pixel : (size_t)ny * (size_t)s->width + (size_t)nx;
-                depth[i] = beside ? 1e30f : s->depth.pixels[neighbour];
-                mask[i] = s->mask.pixels[neighbour];
+                size_t neighbor = beside ? pixel : (size_t)ny * (size_t)s->width + (size_t)nx;
+                depth[i] = beside ? 1e30f : s->depth.pixels[neighbor];
+                mask[i] = s->mask.pixels[neighbor];
                 if (beside) continue;
                 near_depth = scene__min(near_depth, depth[i]);
                 far_depth = scene__max(far_depth, depth[i]);

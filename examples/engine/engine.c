@@ -68,11 +68,11 @@ static const char *const fetch =
 /* The engine's composition. Light through thin parts by max: near a shadow's border the filter holds it already. */
 static const char *const compose =
     "#version 330\n"
-    "uniform sampler2D filtered, albedo, specular, through; out vec4 colour;\n"
+    "uniform sampler2D filtered, albedo, specular, through; out vec4 color;\n"
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy);\n"
     "    vec3 c = max(texelFetch(filtered, p, 0).rgb, texelFetch(through, p, 0).rgb) * texelFetch(albedo, p, 0).rgb + texelFetch(specular, p, 0).rgb;\n"
-    "    colour = vec4(pow(clamp(c, 0.0, 1.0), vec3(1.0 / 2.2)), 1.0);\n"
+    "    color = vec4(pow(clamp(c, 0.0, 1.0), vec3(1.0 / 2.2)), 1.0);\n"
     "}\n";
 
 static char text[30000], log_text[2000];
@@ -152,7 +152,7 @@ int main(int argc, char **argv)
     /* 2. the passes: texts and constants are made once, and again when the table beside ms_sss_shader_picture says
        so */
     options.fov_degrees = 40;
-    options.mm_per_unit = 10; /* the scene is in centimetres */
+    options.mm_per_unit = 10; /* the scene is in centimeters */
     shader = ms_sss_shader_defaults();
     shader.language = MS_SSS_GLSL_330;
     shader.tap_count = kernel[0].tap_count;

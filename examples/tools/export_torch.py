@@ -308,7 +308,7 @@ class Chain:
             order = {"order": "before" if j < k else "after"} if kind == "concat" else {}
             self.add(me, {"type": kind, "from": names[j], **order})
 
-    def normalise(self, me, layer, weight, foldable):
+    def normalize(self, me, layer, weight, foldable):
         """A BatchNorm, into the weights of the last layer where these are nobody else's."""
         if not foldable or self.last() not in self.weights: return self.add(me, layer, weight)
         owner, *own = self.weights[self.last()]
@@ -385,7 +385,7 @@ def save_torch(path, net, input_shape, dtype="float32", tolerance=None):
         require(not made or output[source] == chain.last(), me,
                 "its input is not the output of the layer before it; only additions and torch.cat read earlier outputs")
         if kind.startswith("BatchNorm"):
-            chain.normalise(me, made[0], weight, source.op == "call_module" and len(source.users) == 1 and
+            chain.normalize(me, made[0], weight, source.op == "call_module" and len(source.users) == 1 and
                             chain.modules[-1:] == [source.target])
         else:
             for layer in made: chain.add(me, layer, weight)

@@ -332,7 +332,7 @@ static void gather__run(const ms_parallel *parallel, int count, void (*task)(voi
 /* frame     depth is needed; no profile; through does nothing; the rest as in ms_sss_filter
    back      NULL: the visible surface alone
    options   the size of a pixel by fov_degrees or ortho_height, mm_per_unit, albedo_mode, fade, flat, parallel count
-   What of the profile meets no point is renormalised away. No more than all light leaves. Bit-equal for any thread
+   What of the profile meets no point is renormalized away. No more than all light leaves. Bit-equal for any thread
    count. MS_INVALID_ARGUMENT, MS_UNSUPPORTED (pixels_per_mm, frame->profile), MS_OUT_OF_MEMORY: output untouched. */
 static ms_status gather_filter(const ms_sss_frame *frame, const gather_back *back, const ms_sss_profile *profile,
                                const ms_sss_filter_options *options, ms_error *error)

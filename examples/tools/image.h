@@ -8,8 +8,8 @@
 
    PFM keeps the floats as they are, in linear light. The other formats hold 8 bits a channel (read with 16 as well):
    floats in [0, 1] that the caller encodes (image_to_srgb) before writing and decodes (image_to_linear) after reading.
-   Every PNG is read: 1 to 16 bits, grey, RGB, palette, with alpha (4 channels then) and interlaced; its chunks about
-   colour spaces are skipped. image_resize brings a picture to another size. Files are read strictly: what is malformed,
+   Every PNG is read: 1 to 16 bits, gray, RGB, palette, with alpha (4 channels then) and interlaced; its chunks about
+   color spaces are skipped. image_resize brings a picture to another size. Files are read strictly: what is malformed,
    cut short or too long is refused. On failure no image is made and no file is left behind.
 
    Programs that link one object with the part that reads and writes files compile it with -DIMAGE_DEF= and themselves
@@ -749,8 +749,8 @@ static inline int image__unfilter(unsigned char *rows, int n, int count, int ste
 
 /* What a PNG's chunks say. */
 typedef struct image__png {
-    int width, height, bits, colour, interlaced, samples; /* samples of a pixel in the file */
-    int colours;                                          /* of the palette */
+    int width, height, bits, color, interlaced, samples; /* samples of a pixel in the file */
+    int colors;                                          /* of the palette */
     unsigned char palette[256][4];
     int has_alpha;
 } image__png;
@@ -765,15 +765,15 @@ static inline int image__png_pixel(const image__png *p, const unsigned char *row
         if (p->bits == 16) v = row[2 * at] << 8 | row[2 * at + 1];
         else if (p->bits == 8) v = row[at];
         else v = row[at * p->bits / 8] >> (8 - p->bits - at * p->bits % 8) & ((1 << p->bits) - 1);
-        if (p->colour == 3) {
+        if (p->color == 3) {
             int c;
-            if (v >= p->colours) return 0;
+            if (v >= p->colors) return 0;
             for (c = 0; c < 4; ++c) value[c] = (float)p->palette[v][c] / 255;
         } else {
             value[p->samples == 2 && k ? 3 : k] = (float)v / most;
         }
     }
-    if (p->samples <= 2 && p->colour != 3) value[1] = value[2] = value[0];
+    if (p->samples <= 2 && p->color != 3) value[1] = value[2] = value[0];
     for (k = 0; k < channels; ++k) out[k] = value[k];
     return 1;
 }
@@ -836,11 +836,11 @@ static inline const char *image__decode_png(const unsigned char *data, size_t si
                 p.width = (int)image__u32(body);
                 p.height = (int)image__u32(body + 4);
                 p.bits = body[8];
-                p.colour = body[9];
+                p.color = body[9];
                 p.interlaced = body[12];
-                p.samples = p.colour < 7 ? samples[p.colour] : 0;
-                k = p.bits == 8 || (p.bits == 16 && p.colour != 3) ||
-                    ((p.bits == 1 || p.bits == 2 || p.bits == 4) && (p.colour == 0 || p.colour == 3));
+                p.samples = p.color < 7 ? samples[p.color] : 0;
+                k = p.bits == 8 || (p.bits == 16 && p.color != 3) ||
+                    ((p.bits == 1 || p.bits == 2 || p.bits == 4) && (p.color == 0 || p.color == 3));
                 if (!k || p.samples == 0 || body[10] || body[11] || p.interlaced > 1)
                     problem = "the PNG's header has values that the format does not know";
                 else if (p.width > (1 << 27) / p.height) problem = "the picture is too large";
@@ -848,9 +848,9 @@ static inline const char *image__decode_png(const unsigned char *data, size_t si
         } else if (memcmp(body - 4, "PLTE", 4) == 0) {
             if (length % 3 || length > 768) problem = "the PNG's palette is malformed";
             for (i = 0; !problem && i < length; ++i) p.palette[i / 3][i % 3] = body[i];
-            p.colours = (int)(length / 3);
-            for (k = 0; k < p.colours; ++k) p.palette[k][3] = 255;
-        } else if (memcmp(body - 4, "tRNS", 4) == 0 && p.colour == 3) {
+            p.colors = (int)(length / 3);
+            for (k = 0; k < p.colors; ++k) p.palette[k][3] = 255;
+        } else if (memcmp(body - 4, "tRNS", 4) == 0 && p.color == 3) {
             for (i = 0; i < length && i < 256; ++i) p.palette[i][3] = body[i];
             p.has_alpha = 1;
         } else if (memcmp(body - 4, "IDAT", 4) == 0) {
@@ -865,10 +865,7 @@ static inline const char *image__decode_png(const unsigned char *data, size_t si
     if (!problem && at != size) problem = "the file goes on behind the PNG's end";
     if (!problem && packed.failed) problem = "out of memory";
     if (!problem) {
-        image im = image_new(p.width, p.height,
-                             p.colour == 4 || p.colour == 6 || p.has_alpha ? 4
-                                 : p.colour == 0                           ? 1
-                                                                           : 3);
+        image im = image_new(p.width, p.height, p.color == 4 || p.color == 6 || p.has_alpha ? 4 : p.color == 0 ? 1 : 3);
         problem = im.pixels == NULL ? "out of memory" : image__png_pixels(&p, &packed, &im);
         if (problem) image_free(&im);
         else *out = im;

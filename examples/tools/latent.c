@@ -1,10 +1,10 @@
-/* A plane of variants: embeds the materials that were scored highest, and colours the plane by what is known about it.
+/* A plane of variants: embeds the materials that were scored highest, and colors the plane by what is known about it.
 
      cc -O2 -I. examples/tools/latent.c -o build/latent -lm
      build/latent SCORES.csv OUT.png [RENDERER.safetensors]
 
    SCORES.csv: columns x0 .. x{m-1}, score; a header line is optional. Three panels: predicted score, similarity to the
-   best material, and their product; grey where the plane knows nothing. White dots: the embedded materials; red: the
+   best material, and their product; gray where the plane knows nothing. White dots: the embedded materials; red: the
    best one; black: automatic variants of it, from most similar to best liked. RENDERER: a network from parameters to a
    picture, such as examples/data/renderer_64.safetensors: then materials lie on the plane as pictures, and similarity
    is between pictures. */
@@ -95,7 +95,7 @@ int main(int argc, char **argv)
 {
     static const char *const title[3] = {"predicted score", "similarity to the best", "score x similarity"};
     static const char dots[] =
-        "white: embedded, red: the best, black: variants of it; grey, ?: not known; line: half known";
+        "white: embedded, red: the best, black: variants of it; gray, ?: not known; line: half known";
     static const char *const unit[3] = {"score", "similar", "product"};
     static double preference[GRID * GRID], confidence[GRID * GRID], product[GRID * GRID], similar[COARSE * COARSE];
     static const float white[3] = {1, 1, 1}, red[3] = {1, 0.15f, 0.1f}, black[3] = {0, 0, 0};

@@ -3,7 +3,7 @@
      map_draw(&im, left, top, side, &grid, value, &confidence_grid, confidence);   a square of side x side pixels
      map_dot(&im, left, top, side, &grid, latent, radius, rgb);                    a dot at a latent point in it
      map_picture(&im, left, top, side, &grid, latent, planes, size, pixels);       a picture there, planes
-     [3][size][size] map_legend(&im, left, top, width, "score", least, most);                      the colours and what
+     [3][size][size] map_legend(&im, left, top, width, "score", least, most);                      the colors and what
      they mean, 22 pixels high */
 #ifndef EXAMPLES_MAPS_H
 #define EXAMPLES_MAPS_H
@@ -35,7 +35,7 @@ static inline void map_range(const ms_gpr_grid *grid, const double *value, const
         }
 }
 
-/* Violet, blue, green and yellow from the least to the largest value that is known to some extent; grey where the
+/* Violet, blue, green and yellow from the least to the largest value that is known to some extent; gray where the
    confidence is 0, and a thin line where it is a half: beyond, the map guesses. */
 static inline void map_draw(image *im, int left, int top, int side, const ms_gpr_grid *grid, const double *value,
                             const ms_gpr_grid *confidence_grid, const double *confidence)
@@ -97,10 +97,10 @@ static inline void map_picture(image *im, int left, int top, int side, const ms_
             }
 }
 
-/* name, the colours from least to most between both numbers, and the grey of what is not known. */
+/* name, the colors from least to most between both numbers, and the gray of what is not known. */
 static inline void map_legend(image *im, int left, int top, int width, const char *name, double least, double most)
 {
-    static const float white[3] = {1, 1, 1}, grey[3] = {0.2f, 0.2f, 0.2f};
+    static const float white[3] = {1, 1, 1}, gray[3] = {0.2f, 0.2f, 0.2f};
     char low[48], high[48];
     int x, y, c, from, to;
     image_text(im, left, top + 4, name, 2, white);
@@ -117,7 +117,7 @@ static inline void map_legend(image *im, int left, int top, int width, const cha
             for (c = 0; c < 3; ++c) im->pixels[3 * ((top + y) * im->width + x) + c] = rgb[c];
         }
         for (x = left + width - 20; x < left + width - 2; ++x)
-            for (c = 0; c < 3; ++c) im->pixels[3 * ((top + y) * im->width + x) + c] = grey[c];
+            for (c = 0; c < 3; ++c) im->pixels[3 * ((top + y) * im->width + x) + c] = gray[c];
     }
     image_text(im, left + width - 16, top + 4, "?", 2, white);
 }

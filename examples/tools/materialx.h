@@ -12,17 +12,17 @@
    so the shares of the four lobes, diffuse d, glossy g, glass t and translucent l, come out exactly with M = g,
    T = t / (1 - g), S = l / (d + l). The rest is a compromise, because one node has one of each:
      base_color         of diffuse and metal: mean weighted by their shares; exact where one of them is 0
-     specular           the reflection of glass alone: weight T, its colour, its index of refraction
+     specular           the reflection of glass alone: weight T, its color, its index of refraction
      specular_roughness of metal and glass: mean weighted by their shares; transmission_extra_roughness restores the
                         glass's own behind the surface. Roughness is sqrt(alpha) here and there, but GGX, not Beckmann
      metal              has a Fresnel edge, the shader's glossy lobe has none; without glass (specular 0, so a black
-                        edge colour) it stays flat up to grazing angles
-     transmission_color what a path through the middle of a ball of radius 1 leaves: the glass colour twice (in and out)
-                        and Beer's law, at transmission_depth 2; the colour thus moves from the surface into the volume.
+                        edge color) it stays flat up to grazing angles
+     transmission_color what a path through the middle of a ball of radius 1 leaves: the glass color twice (in and out)
+                        and Beer's law, at transmission_depth 2; the color thus moves from the surface into the volume.
                         Scale the depth with your object
      subsurface         stands for the translucent lobe (Lambert behind the surface) with a radius of 1: what a ball
-                        lets through, its colour twice and Beer's law, averaged over the chords that Lambert's law takes
-   Colours are linear with Rec. 709 primaries. */
+                        lets through, its color twice and Beer's law, averaged over the chords that Lambert's law takes
+   Colors are linear with Rec. 709 primaries. */
 #ifndef EXAMPLES_MATERIALX_H
 #define EXAMPLES_MATERIALX_H
 #include <math.h>

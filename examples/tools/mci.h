@@ -501,7 +501,7 @@ static inline double mci__bessel_i0_scaled(double x)
     return x < 20 ? sum * exp(-x) : sum / sqrt(6.283185307179586 * x);
 }
 
-/* Area that discs of radii a and b have in common, their centres d apart. */
+/* Area that discs of radii a and b have in common, their centers d apart. */
 static inline double mci__lens(double a, double b, double d)
 {
     const double smaller = a < b ? a : b, square = (a + b - d) * (d + a - b) * (d - a + b) * (d + a + b);

@@ -7,7 +7,7 @@
      image_free(&sheet), neural_free(&n);
 
    The network takes a list of parameters and gives a square RGB picture: first all red, then all green, then all blue
-   values, rows from the top, as displayed (sRGB-encoded, 0 to 1). Such planes are what networks and optimisers work on;
+   values, rows from the top, as displayed (sRGB-encoded, 0 to 1). Such planes are what networks and optimizers work on;
    neural_paste and neural_planes go from them to an image and back. */
 #ifndef EXAMPLES_NEURAL_H
 #define EXAMPLES_NEURAL_H

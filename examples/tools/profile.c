@@ -4,7 +4,7 @@
      build/profile skin1
      build/profile --mua 0.032,0.17,0.48 --mus 0.74,0.88,1.01 --eta 1.3 --photons 10000000 --csv skin1.csv
      build/profile --mci skin.mci                (layers: r_mm, R and T in 1/mm^2 of the file's first run)
-     build/profile --colour 0.8,0.52,0.39 --mfp 1.2,0.42,0.24 --eta 1.4    (linear; of the light let in; mean free path
+     build/profile --color 0.8,0.52,0.39 --mfp 1.2,0.42,0.24 --eta 1.4    (linear; of the light let in; mean free path
                                                   in mm, or --dmfp: Unreal's diffuse one, --distance: HDRP's scattering
                                                   distance, Burley's d)
      build/profile --skin
@@ -24,7 +24,7 @@
 static const char usage_text[] =
     "usage: profile MATERIAL | --mua R,G,B --mus R,G,B --eta N [--photons N] [--csv FILE]\n"
     "  profile --mci FILE.mci [--csv FILE]    layers, in the rings of the file's first run\n"
-    "  profile --colour R,G,B (--mfp|--dmfp|--distance) R,G,B [--eta N] [--csv FILE]    as artists pick them, 0 to 1 and mm\n"
+    "  profile --color R,G,B (--mfp|--dmfp|--distance) R,G,B [--eta N] [--csv FILE]    as artists pick them, 0 to 1 and mm\n"
     "  profile --skin [melanin=..,blood=..,...] [--csv FILE]    skin from what it is made of; --skin default\n"
     "  profile --list    the materials; coefficients are per mm\n";
 
@@ -244,8 +244,8 @@ int main(int argc, char **argv)
         } else if (strcmp(argv[i], "--eta") == 0) {
             if (!parse_numbers(value, &custom.eta, 1)) return usage("--eta needs a number, not", value);
             given |= 4;
-        } else if (strcmp(argv[i], "--colour") == 0 || strcmp(argv[i], "--color") == 0) {
-            if (!parse_numbers(value, color, 3)) return usage("--colour needs one number or three, R,G,B, not", value);
+        } else if (strcmp(argv[i], "--color") == 0 || strcmp(argv[i], "--color") == 0) {
+            if (!parse_numbers(value, color, 3)) return usage("--color needs one number or three, R,G,B, not", value);
             colored |= 1;
         } else if (strcmp(argv[i], "--mfp") == 0 || strcmp(argv[i], "--dmfp") == 0 ||
                    strcmp(argv[i], "--distance") == 0) {
@@ -277,8 +277,8 @@ int main(int argc, char **argv)
     if (skinned && (name || given || photons > 0 || colored)) return usage("--skin goes with --csv only", NULL);
     if (mci) return layers(mci, csv);
     if (colored) {
-        if (name || given & 3) return usage("--colour takes the place of a material", NULL);
-        if (colored != 3) return usage("--colour and --mfp, --dmfp or --distance go together", NULL);
+        if (name || given & 3) return usage("--color takes the place of a material", NULL);
+        if (colored != 3) return usage("--color and --mfp, --dmfp or --distance go together", NULL);
         if (!(given & 4)) custom.eta = 1.4;
         for (i = 0; i < 3; ++i) {
             if (ms_mcml_medium_from_color(color[i], length[i], kind, 0, custom.eta, &medium[i], &error)) {

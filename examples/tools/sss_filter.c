@@ -26,7 +26,7 @@ static const char usage[] =
     "                     auto (auto): gather, in large pictures the pyramid or taps\n"
     "  --model M          of the taps: image, preintegrated, residual, gaussians, guided, artist, slice (image)\n"
     "  --taps N           samples of each of the two passes, odd, 3 to 257 (as many as show no bands)\n"
-    "  --mm-per-unit S    millimetres in a unit of the depth (1; has to be said where that makes the light cover half of\n"
+    "  --mm-per-unit S    millimeters in a unit of the depth (1; has to be said where that makes the light cover half of\n"
     "                     the picture)\n"
     "  --fov DEG          perspective, full vertical angle (45)\n"
     "  --ortho HEIGHT     orthographic, units from top to bottom\n"
@@ -221,7 +221,7 @@ static ms_status make_kernel(const settings *s, const job *j, double radius, ms_
     if (s->taps > 0 || s->model > 0) {
         options.model = models[s->model > 0 ? s->model : 0].model;
         options.tap_count = s->taps > 0 ? (int)s->taps : 17;
-        options.placement = options.tap_count <= 33 ? MS_SSS_OPTIMISED : MS_SSS_QUANTILE;
+        options.placement = options.tap_count <= 33 ? MS_SSS_OPTIMIZED : MS_SSS_QUANTILE;
         return ms_sss_kernel_make(kernel, NULL, j->profile, radius, &options, NULL, error);
     }
     status = ms_sss_designer_create(&designer, j->profile, radius, NULL, error);

@@ -22,14 +22,14 @@
 
 static const char *const model_names[] = {"image",     "preintegrated", "residual", "svd",  "svdn",
                                           "gaussians", "guided",        "artist",   "slice"};
-static const char *const placement_names[] = {"optimised", "quantile", "quadratic"};
+static const char *const placement_names[] = {"optimized", "quantile", "quadratic"};
 
 static const char usage_text[] =
     "usage: sss_kernel MATERIAL|CSV [--radius PIXELS] [--taps N|dense] [--tolerance E] [--model NAME] [more: --help]\n"
     "       [--terms N] [--placement NAME] [--budget N] [--dial D] [--k K] [--no-delta]\n"
     "       --tolerance: the cheapest kernel, at most N taps in all its terms (66); of --model or --taps: its fewest taps\n"
     "       models: image preintegrated residual svd svdn gaussians guided artist slice\n"
-    "       placements: optimised quantile quadratic; materials: deon and those of build/profile --list\n";
+    "       placements: optimized quantile quadratic; materials: deon and those of build/profile --list\n";
 
 static int usage(const char *problem, const char *value)
 {

@@ -11,7 +11,7 @@
        --rank 96         principal components; --bytes N (4M, 200k) chooses the rank for a file of that size
        --width 384       of the hidden layers, and --depth 3, their number
        --epochs N        at most; --rate 0.004: the largest step
-       --channels auto   or none: whether the colour channels share one network
+       --channels auto   or none: whether the color channels share one network
        --hidden auto     or none: whether parameters that a picture does not depend on are drawn again at each step
        --trunk R         no training: the layers of the renderer R but its last, and a new last layer
        --seed 1, --threads 2
@@ -25,7 +25,7 @@
    file's metadata has the names (ms_parameters) and ranges (ms_ranges).
 
    The network: hidden layers of SiLUs that predict the coordinates of a picture in the principal components of the
-   training pictures, and a linear last layer made of these components. Where each colour channel depends on one of
+   training pictures, and a linear last layer made of these components. Where each color channel depends on one of
    three parameters and on others that all channels share, one network is evaluated for each channel, and a picture is
    three examples. Where a parameter has no effect because another is 0 or 1, it is drawn again at each step. Training
    stops early when the error of the held-out pictures has not fallen for a third of the epochs. The result does not
@@ -415,7 +415,7 @@ static int take_picture(const image *im, const char *path, int at, material_set 
         add_picture(picture, side, s->size, image__has_extension(path, ".pfm"),
                     s->value + (size_t)at * 3 * (size_t)s->size * (size_t)s->size);
     drop_all(&mine);
-    return differ ? 1 : wrong("%s: of one colour alone: a render that failed?", path);
+    return differ ? 1 : wrong("%s: of one color alone: a render that failed?", path);
 }
 
 static int read_images(const char *pictures, char **name, int count, const table *t, const char *csv, int size,
@@ -539,7 +539,7 @@ typedef struct form {
 
 enum { PROBE = 384, OUTPUTS = 8 };
 /* A triple's error over that with its place left empty. With noise of 0 to 0.6 on 300 to 1200 pictures it was 0.01 to
-   0.56 for colours, 1.05 to 2.3 for other parameters. */
+   0.56 for colors, 1.05 to 2.3 for other parameters. */
 #define TRIPLE_GAIN 0.98
 
 /* Mean squared error, on every fourth row, of a ridge regression of y [rows][OUTPUTS] on random tanh of x [rows][d]
@@ -557,10 +557,10 @@ static double probe(int rows, int d, const float *x, const float *y, const char 
     for (k = 0; k < features; ++k) {
         float bias = 0;
         for (j = 0; j < d; ++j) {
-            float centre = train_uniform(&seed);
+            float center = train_uniform(&seed);
             w[k * (d + 1) + j] = 1.2f * train_normal(&seed);
             if (drop[j]) w[k * (d + 1) + j] = 0;
-            bias -= centre * w[k * (d + 1) + j];
+            bias -= center * w[k * (d + 1) + j];
         }
         w[k * (d + 1) + d] = bias;
     }
@@ -652,7 +652,7 @@ static void no_sharing(form *f, int parameters)
     for (j = 0; j < parameters; ++j) f->list[0][j] = j;
 }
 
-/* Whether a name ends as the other two of a colour do: "diffuse red", "baseR", "tint.2". */
+/* Whether a name ends as the other two of a color do: "diffuse red", "baseR", "tint.2". */
 static int is_triple(const char *names, const int *t)
 {
     static const char *const ends[] = {"red", "green", "blue", "r", "g", "b", "x", "y", "z",

@@ -79,7 +79,7 @@ static void pictures(const neural *net, const double *x, int count, float *plane
     }
 }
 
-/* An edit as in any picture editor: hues turned by 50 degrees around the grey axis; what has no colour stays as it
+/* An edit as in any picture editor: hues turned by 50 degrees around the gray axis; what has no color stays as it
    is. */
 static void edit(const float *planes, int pixels, float *edited)
 {
@@ -88,8 +88,8 @@ static void edit(const float *planes, int pixels, float *edited)
     for (i = 0; i < pixels; ++i)
         for (k = 0; k < 3; ++k) {
             double own = (double)planes[k * pixels + i], next = (double)planes[(k + 1) % 3 * pixels + i];
-            double last = (double)planes[(k + 2) % 3 * pixels + i], grey = (own + next + last) / 3;
-            edited[k * pixels + i] = (float)fmin(fmax(grey + c * (own - grey) + s * (last - next), 0), 1);
+            double last = (double)planes[(k + 2) % 3 * pixels + i], gray = (own + next + last) / 3;
+            edited[k * pixels + i] = (float)fmin(fmax(gray + c * (own - gray) + s * (last - next), 0), 1);
         }
 }
 

@@ -87,10 +87,10 @@ static ms_status make_profile(int material, const double *own)
     return MS_OK;
 }
 
-/* A kernel (rough: its errors are not measured; taps 0: as few as show no bands): material; -1 and numbers 0 to 5, colour and mean free paths in mm; -2
-   and numbers 0 and 1, melanin and blood of skin; its place on the screen by pixels a millimetre of
-   material. Numbers then: 0 to 6 errors, 7 taps, 8 radius in mm, 9 radius in pixels, 10 to 12 reflectance, 13 to 15
-   decay; from 64 on CURVE rows of r, R_d in three channels, x, a_p in three channels. */
+/* A kernel (rough: its errors are not measured; taps 0: as few as show no bands): material; -1 and numbers 0 to 5,
+   color and mean free paths in mm; -2 and numbers 0 and 1, melanin and blood of skin; its place on the screen by pixels
+   a millimeter of material. Numbers then: 0 to 6 errors, 7 taps, 8 radius in mm, 9 radius in pixels, 10 to 12
+   reflectance, 13 to 15 decay; from 64 on CURVE rows of r, R_d in three channels, x, a_p in three channels. */
 CALL(int, design, (int material, int taps, int model, double pixels_per_mm, int rough))
 {
     ms_sss_kernel_options options = ms_sss_kernel_defaults();
@@ -326,7 +326,7 @@ CALL(unsigned char *, volume, (int object))
 
 /* Rows y0 to y1 - 1 of a picture of an object: surface [rows][width][4], its normal towards the camera (x right, y
    down) and depth in mm; fine [rows][width][4], the normal with pores in the world, and how open it is; tint
-   [rows][width][4], the colour relative to the material's (object) or as it is, and 255: object, 170: eye, 85: what
+   [rows][width][4], the color relative to the material's (object) or as it is, and 255: object, 170: eye, 85: what
    stands behind. */
 CALL(int, layers, (int object, int width, int height, int y0, int y1, float *surface, float *fine, unsigned char *tint))
 {

@@ -116,7 +116,7 @@ void main() {
 const compose = `#version 300 es
 precision highp float;
 uniform sampler2D before, after, shine, behind, tint; uniform vec3 reflectance; uniform float exposure, wipe, side; uniform int mode;
-out vec4 colour;
+out vec4 color;
 vec3 tone(vec3 v) {
     v = clamp(v * (2.51 * v + 0.03) / (v * (2.43 * v + 0.59) + 0.14), 0.0, 1.0); // Narkowicz's fit of ACES
     return mix(12.92 * v, 1.055 * pow(max(v, vec3(1e-5)), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, v));
@@ -140,8 +140,8 @@ vec3 smooth_picture(ivec2 at, bool filtered) { // outlines are averaged over a c
 }
 void main() {
     ivec2 at = ivec2(gl_FragCoord.x, side - gl_FragCoord.y);
-    if (mode == 2) colour = vec4(4.0 * abs(picture(at, true) - picture(at, false)), 1.0);
-    else colour = vec4(smooth_picture(at, mode == 1 || gl_FragCoord.x > wipe * side), 1.0);
+    if (mode == 2) color = vec4(4.0 * abs(picture(at, true) - picture(at, false)), 1.0);
+    else color = vec4(smooth_picture(at, mode == 1 || gl_FragCoord.x > wipe * side), 1.0);
 }`;
 
 function program(text) {
@@ -275,7 +275,7 @@ function redraw() {
 // ---------------------------------------------------------------------------------------------------------------- the design
 let maker, sculptors;
 const own = () => {
-  const c = $('colour').value.match(/\w\w/g).map(h => Math.min(0.97, Math.max(0.02, Math.pow(parseInt(h, 16) / 255, 2.2))));
+  const c = $('color').value.match(/\w\w/g).map(h => Math.min(0.97, Math.max(0.02, Math.pow(parseInt(h, 16) / 255, 2.2))));
   if (designer.material === -2) return [Math.pow(10, value('melanin')), Math.pow(10, value('blood')), 0, 0, 0, 0];
   return [...c, ...[0, 1, 2].map(i => Math.pow(10, value('mfp' + i)))];
 };
@@ -357,7 +357,7 @@ function said() {
   for (const id of ['melanin', 'blood']) text[id] = (100 * Math.pow(10, value(id))).toPrecision(2) + '%';
   for (const id in text) $(id).nextElementSibling.textContent = text[id];
 }
-for (const id of ['taps', 'model', 'scale', 'colour', 'mfp0', 'mfp1', 'mfp2', 'melanin', 'blood']) $(id).addEventListener('input', () => { said(); design(); });
+for (const id of ['taps', 'model', 'scale', 'color', 'mfp0', 'mfp1', 'mfp2', 'melanin', 'blood']) $(id).addEventListener('input', () => { said(); design(); });
 for (const id of ['elevation', 'way']) $(id).addEventListener('input', () => { said(); look(); });
 for (const id of ['through', 'azimuth', 'height', 'power']) $(id).addEventListener('input', () => { said(); redraw(); });
 for (const b of document.querySelectorAll('[data-object]')) b.onclick = () => pick(b, 'data-object', () => { designer.object = Number(b.dataset.object); $('says').hidden = !!objects[designer.object]; design(); });

@@ -281,15 +281,15 @@ CALL(int, paint, (double saturation, double hue, double light, double tint, doub
     for (y = 0; y < SIZE; ++y)
         for (x = 0; x < SIZE; ++x) {
             int i = y * SIZE + x;
-            float inside = ball(x, y), stroke = (float)bytes[4 * i + 3] / 255, p[3], q[3], grey, mean;
+            float inside = ball(x, y), stroke = (float)bytes[4 * i + 3] / 255, p[3], q[3], gray, mean;
             for (k = 0; k < 3; ++k) p[k] = source[k * PIXELS + i];
             mean = (p[0] + p[1] + p[2]) / 3;
             for (k = 0; k < 3; ++k) q[k] = mean + c * (p[k] - mean) + s * (p[(k + 2) % 3] - p[(k + 1) % 3]);
-            grey = 0.2126f * q[0] + 0.7152f * q[1] + 0.0722f * q[2];
+            gray = 0.2126f * q[0] + 0.7152f * q[1] + 0.0722f * q[2];
             for (k = 0; k < 3; ++k) {
-                float v = grey + (float)saturation * (q[k] - grey), t;
-                t = grey < luma ? color[k] * grey / fmaxf(luma, 1e-3f)
-                                : 1 - (1 - color[k]) * (1 - grey) / fmaxf(1 - luma, 1e-3f);
+                float v = gray + (float)saturation * (q[k] - gray), t;
+                t = gray < luma ? color[k] * gray / fmaxf(luma, 1e-3f)
+                                : 1 - (1 - color[k]) * (1 - gray) / fmaxf(1 - luma, 1e-3f);
                 v = gain * (v + amount * (t - v));
                 v = p[k] + inside * (v - p[k]);
                 v += stroke * ((float)bytes[4 * i + k] / 255 - v);

@@ -25,7 +25,7 @@ CALL(char *, text, (void)) { return text; }
 CALL(const char *, message, (void)) { return error.message; }
 
 /* Numbers 0 to 2: diffuse reflectance, 3 to 5: mean free path in mm. Afterwards 0: radius in mm, 1 to 3: reflectance, 4
-   to 6: decay a mm, as ms_sss_transmission takes them. radius_px: what the taps are optimised for. */
+   to 6: decay a mm, as ms_sss_transmission takes them. radius_px: what the taps are optimized for. */
 CALL(int, material, (int index, int taps, double radius_px))
 {
     ms_sss_kernel_options options = ms_sss_kernel_defaults();

@@ -160,9 +160,9 @@ static void starts(const matcher *m, target *t, int index)
 /* --- Table 4.1, and basin hopping --- */
 
 enum {
-    OPTIMISER_50,
-    OPTIMISER_300,
-    OPTIMISER_1500,
+    OPTIMIZER_50,
+    OPTIMIZER_300,
+    OPTIMIZER_1500,
     HYBRID_50,
     HYBRID_300,
     HYBRID_1500,
@@ -216,7 +216,7 @@ static void table_targets(matcher *m, target *targets)
         double *row = rmse[t];
         aim(m, to->planes);
         for (b = 0; b < 3; ++b) {
-            row[OPTIMISER_50 + b] = 255 *
+            row[OPTIMIZER_50 + b] = 255 *
                 refine(m, to->planes, to->random, THESIS_NELDER_MEAD_BARRIER, budget[b], OURS, NULL);
             row[HYBRID_50 + b] = 255 * refine(m, to->planes, to->nn, THESIS_NELDER_MEAD_BARRIER, budget[b], OURS, NULL);
             row[OURS_50 + b] = ours(m, to, budget[b]);
@@ -260,7 +260,7 @@ static void table_targets(matcher *m, target *targets)
             for (b = 0; b < COLUMNS; ++b) mean[b] += rmse[t][b] / 3;
         }
         fprintf(summary, "| %s | %.1f | %.1f | %.2f | %.2f | **%.2f** | %.2f | %.2f |\n", edits[k].name, random, nn,
-                mean[OPTIMISER_1500], mean[HYBRID_1500], mean[OURS_50], mean[OURS_1500], mean[HOPPING]);
+                mean[OPTIMIZER_1500], mean[HYBRID_1500], mean[OURS_50], mean[OURS_1500], mean[HOPPING]);
     }
     plot_begin(&p, "Edited pictures: RMSE, times basin hopping's, geometric means of 30", "pictures by the network", "",
                PLOT_LOG_X | PLOT_LOG_Y);
@@ -773,7 +773,7 @@ static void table_edits(matcher *m)
         {"unedited", "", 0, 0},       {"unedited", "`--robust --align`", MATCHER_ROBUST | MATCHER_ALIGN, 0},
         {"logo", "", 0, 0},           {"logo", "`--robust`", MATCHER_ROBUST, 0},
         {"exposure", "", 0, 0},       {"exposure", "`--exposure`", 0, MS_PME_EXPOSURE},
-        {"coloured light", "", 0, 0}, {"coloured light", "`--tint`", 0, MS_PME_TINT | MS_PME_OFFSET},
+        {"colored light", "", 0, 0},  {"colored light", "`--tint`", 0, MS_PME_TINT | MS_PME_OFFSET},
         {"shift", "", 0, 0},          {"shift", "`--align`", MATCHER_ALIGN, 0},
         {"logo and shift", "", 0, 0}, {"logo and shift", "`--robust --align`", MATCHER_ROBUST | MATCHER_ALIGN, 0}};
     enum { ROWS = 12, MATERIALS = 16 };

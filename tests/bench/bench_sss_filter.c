@@ -64,7 +64,7 @@ static void plain_nearest(void *unused)
     pass(between, out, 0, 1, 1);
 }
 
-/* What one writes to be fast without intrinsics: colour and depth in one vector of four floats, the two pixels beside a
+/* What one writes to be fast without intrinsics: color and depth in one vector of four floats, the two pixels beside a
    tap mixed before one expf, coordinates kept inside; -O3 for a processor with AVX2. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
 __attribute__((optimize("O3"), target("avx2,fma")))
@@ -433,7 +433,7 @@ int main(void)
     fprintf(
         md,
         "%s, %s -O2, 1920 x 1080, one core, medians of %d runs (scalar 1, SSE2 3), `make bench FILTER=sss_filter`. 7 taps of d'Eon's skin, R = 24 pixels.\n"
-        "**The peer**: a loop over packed colour and depth, one expf a tap, gcc -O3 for AVX2: %.0f +- %.0f ms. The same sums as\n"
+        "**The peer**: a loop over packed color and depth, one expf a tap, gcc -O3 for AVX2: %.0f +- %.0f ms. The same sums as\n"
         "here pixel by pixel in planes, -O2: %.0f ms (largest difference %.0e); reading the nearest pixel only: %.0f ms.\n"
         "Copying what two passes read and write: %.2f ms.\n"
         "Half resolution differs from full by %.1f%% of the standard deviation flat, %.1f%% with slope and elevation (sines and a\n"

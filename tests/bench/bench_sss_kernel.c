@@ -17,10 +17,10 @@ typedef struct bench_model {
 static const bench_model models[] = {
     {"R_d sampled along the axis", MS_SSS_SLICE, 1, {7.7, 8.2, 22.2}},
     {"one Gaussian", MS_SSS_GAUSSIANS, 1, {7.2, 8.7, 18.8}},
-    {"SVD rank 1, normalised", MS_SSS_SVD_NORMALISED, 1, {6.5, 6.3, 16.4}},
+    {"SVD rank 1, normalized", MS_SSS_SVD_NORMALIZED, 1, {6.5, 6.3, 16.4}},
     {"pre-integrated", MS_SSS_PREINTEGRATED, 1, {0, 3.0, 7.4}},
     {"image-optimal rank 1", MS_SSS_IMAGE_OPTIMAL, 1, {2.0, 1.2, 3.7}},
-    {"SVD rank 2, normalised", MS_SSS_SVD_NORMALISED, 2, {1.6, 1.2, 2.6}},
+    {"SVD rank 2, normalized", MS_SSS_SVD_NORMALIZED, 2, {1.6, 1.2, 2.6}},
     {"pre-integrated + 1 residual", MS_SSS_RESIDUAL, 2, {0, 0.9, 1.2}},
     {"six Gaussians", MS_SSS_GAUSSIANS, 6, {0.05, 0.06, 0.11}},
 };
@@ -155,8 +155,8 @@ static void table_of_taps(FILE *md, FILE *csv, const ms_sss_profile *p, double r
                           double error[KINDS][COUNTS], double taps[COUNTS])
 {
     static const int count[COUNTS] = {5, 7, 9, 11, 17, 25, 33};
-    static const char *const name[KINDS] = {"a_p, quadratic (thesis)", "a_p, quantiles", "optimised",
-                                            "optimised + delta", "two terms, optimised"};
+    static const char *const name[KINDS] = {"a_p, quadratic (thesis)", "a_p, quantiles", "optimized",
+                                            "optimized + delta", "two terms, optimized"};
     ms_sss_designer *d = designer(p, radius);
     double ms[KINDS];
     int i, n;

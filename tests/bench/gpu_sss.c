@@ -1,5 +1,5 @@
 /* Milliseconds of the shaders of ms_sss.h on this machine's GPU, by timer queries: make bench-gpu. Beside them a shader
-   with the structure of the released one (one filtered read of colour and one of depth a tap, no masks) and a disc of
+   with the structure of the released one (one filtered read of color and one of depth a tap, no masks) and a disc of
    64 samples, both without masks, slopes or elevation. A software driver is timed at 1080p only, once: --full for
    all. */
 #define MS_SSS_IMPLEMENTATION
@@ -8,7 +8,7 @@
 #include "egl.h"
 
 enum {
-    COLOUR,
+    COLOR,
     DEPTH,
     MIDDLE,
     MIDDLE_HALF,
@@ -48,19 +48,19 @@ static const contender contenders[] = {
     {"**ours, pyramid, slopes and elevation**", "68 or more", 1, 1, 0, PYRAMID},
 };
 
-/* One pass: colour and depth filtered at each tap, the tap's colour fades to the pixel's own with the depth between. */
+/* One pass: color and depth filtered at each tap, the tap's color fades to the pixel's own with the depth between. */
 static const char *const released =
     "#version 330\n"
-    "uniform sampler2D colour, depth; uniform vec4 taps[7], frame; out vec4 result;\n"
+    "uniform sampler2D color, depth; uniform vec4 taps[7], frame; out vec4 result;\n"
     "void main() {\n"
     "    vec2 uv = gl_FragCoord.xy / frame.xy;\n"
-    "    vec4 own = texture(colour, uv);\n"
+    "    vec4 own = texture(color, uv);\n"
     "    float z = texture(depth, uv).r;\n"
     "    vec2 axis = (frame.z > 0.5 ? vec2(0.0, 1.0) : vec2(1.0, 0.0)) * frame.w / z / frame.xy;\n"
     "    vec3 sum = own.rgb * taps[0].rgb;\n"
     "    for (int i = 1; i < 7; ++i) {\n"
     "        vec2 at = uv + axis * taps[i].a;\n"
-    "        vec3 c = texture(colour, at).rgb;\n"
+    "        vec3 c = texture(color, at).rgb;\n"
     "        sum += taps[i].rgb * mix(c, own.rgb, clamp(0.3 * abs(z - texture(depth, at).r), 0.0, 1.0));\n"
     "    }\n"
     "    result = vec4(sum, own.a);\n"
@@ -70,7 +70,7 @@ static const char *const released =
    distance. */
 static const char *const disc =
     "#version 330\n"
-    "uniform sampler2D colour, depth; uniform vec4 taps[7], frame; out vec4 result;\n"
+    "uniform sampler2D color, depth; uniform vec4 taps[7], frame; out vec4 result;\n"
     "void main() {\n"
     "    ivec2 p = ivec2(gl_FragCoord.xy);\n"
     "    float z = texelFetch(depth, p, 0).r, scale = frame.w / z;\n"
@@ -80,10 +80,10 @@ static const char *const disc =
     "        ivec2 at = clamp(p + ivec2(r * scale * vec2(cos(angle), sin(angle))), ivec2(0), ivec2(frame.xy) - 1);\n"
     "        float dz = texelFetch(depth, at, 0).r - z, s = sqrt(r * r + dz * dz) + 1e-3;\n"
     "        vec3 w = (exp(-s / d) + exp(-s / (3.0 * d))) / (s * d) * r * exp(r / 3.0);\n"
-    "        sum += w * texelFetch(colour, at, 0).rgb;\n"
+    "        sum += w * texelFetch(color, at, 0).rgb;\n"
     "        weight += w;\n"
     "    }\n"
-    "    result = vec4(sum / weight, texelFetch(colour, p, 0).a);\n"
+    "    result = vec4(sum / weight, texelFetch(color, p, 0).a);\n"
     "}\n";
 
 static char text[40000], log_text[2000];
@@ -162,14 +162,14 @@ static int read_by(const contender *c, const draw *d, int name)
     const int level = TOWER + 4 * d->level, next = d->level + 1 < MS_SSS_PYRAMID_LEVELS ? level + 4 : level;
     const int x = d->step == MS_SSS_STEP_X, y = d->step == MS_SSS_STEP_Y, half = c->other == HALF;
     switch (name) {
-    case 0: return COLOUR;
+    case 0: return COLOR;
     case 3:
         return d->step > MS_SSS_STEP_BASE ? level
             : y                           ? half    ? SMALL_MIDDLE
                                           : c->half ? MIDDLE_HALF
                                                     : MIDDLE
             : x && half                   ? SMALL
-                                          : COLOUR;
+                                          : COLOR;
     case 11: return SMALL;
     case 5: return half ? SMALL_TARGET : next + 2;
     case 7: return level + 1;
@@ -244,7 +244,7 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
         }
         for (k = 0; k < 12; ++k)
             if (name[k][0]) gl_Uniform1i(gl_GetUniformLocation(d[i].program, name[k]), read_by(c, &d[i], k));
-        gl_Uniform1i(gl_GetUniformLocation(d[i].program, "colour"), i ? MIDDLE_HALF : COLOUR);
+        gl_Uniform1i(gl_GetUniformLocation(d[i].program, "color"), i ? MIDDLE_HALF : COLOR);
         gl_Uniform1i(gl_GetUniformLocation(d[i].program, "depth"), DEPTH);
     }
     gl_GenQueries(1, &query);
@@ -297,7 +297,7 @@ int main(int argc, char **argv)
                 memcpy(&p[3], &bits, sizeof bits);
             }
         }
-        texture[COLOUR] = gl_texture(COLOUR, GL_RGBA32F, w, h, pixels);
+        texture[COLOR] = gl_texture(COLOR, GL_RGBA32F, w, h, pixels);
         texture[DEPTH] = gl_texture(DEPTH, GL_R32F, w, h, depth);
         texture[MIDDLE] = gl_texture(MIDDLE, GL_RGBA32F, w, h, NULL);
         texture[MIDDLE_HALF] = gl_texture(MIDDLE_HALF, GL_RGBA16F, w, h, NULL);

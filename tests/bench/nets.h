@@ -89,7 +89,7 @@ static inline void nets_layer(nets_file *f, const char *json, const char *name, 
 static inline int nets_fill(const nets_file *f, int t, unsigned char *to)
 {
     const ms_nn_tensor *tensor = &f->tensors[t];
-    int scales = f->limits[t] < 0, quantised = tensor->dtype == MS_NN_I8, source = scales ? t - 2 : t;
+    int scales = f->limits[t] < 0, quantized = tensor->dtype == MS_NN_I8, source = scales ? t - 2 : t;
     size_t rows = tensor->shape[0], cols = 1, r, c;
     float limit = fabsf(f->limits[t]), *row;
     uint64_t state = 7;
@@ -111,7 +111,7 @@ static inline int nets_fill(const nets_file *f, int t, unsigned char *to)
         else
             for (c = 0; c < cols; ++c) {
                 uint16_t h = tensor->dtype == MS_NN_F16 ? nets_f16(row[c]) : nets_bf16(row[c]);
-                if (quantised) to[r * cols + c] = (unsigned char)(signed char)lrintf(row[c] / scale);
+                if (quantized) to[r * cols + c] = (unsigned char)(signed char)lrintf(row[c] / scale);
                 else memcpy(to + 2 * (r * cols + c), &h, 2);
             }
     }
@@ -245,7 +245,7 @@ static inline int nets_inversion(nets_file *f, int number, int side, size_t m, m
     return nets_end(f);
 }
 
-/* One network for all three colour channels: 11 of the 19 parameters -> 384 -> 384 -> 384 -> features -> side^2. */
+/* One network for all three color channels: 11 of the 19 parameters -> 384 -> 384 -> 384 -> features -> side^2. */
 static inline int nets_shared(nets_file *f, int side, size_t features, ms_nn_dtype dtype)
 {
     const size_t width[5] = {11, 384, 384, 384, features};

@@ -34,12 +34,12 @@ static void targets_tone(image *im, int kind, int on_ball, uint64_t *state)
     for (c = 0; c < 3; ++c) tint[c] = targets_random(state, 0.4f, 1);
     for (y = 0; y < im->height; ++y)
         for (x = 0; x < im->width; ++x) {
-            float *p = im->pixels + 3 * (y * im->width + x), t = on_ball ? edit_ball(im, x, y, 0, 0) : 1, v[3], grey,
+            float *p = im->pixels + 3 * (y * im->width + x), t = on_ball ? edit_ball(im, x, y, 0, 0) : 1, v[3], gray,
                   u = ((float)x + 0.5f) / (float)im->width - 0.5f, w = ((float)y + 0.5f) / (float)im->height - 0.5f;
-            grey = (p[0] + p[1] + p[2]) / 3;
+            gray = (p[0] + p[1] + p[2]) / 3;
             for (c = 0; c < 3; ++c) {
-                if (kind == 0) /* a turn around the grey axis */
-                    v[c] = grey + cosine * (p[c] - grey) + sine * (p[(c + 2) % 3] - p[(c + 1) % 3]);
+                if (kind == 0) /* a turn around the gray axis */
+                    v[c] = gray + cosine * (p[c] - gray) + sine * (p[(c + 2) % 3] - p[(c + 1) % 3]);
                 else if (kind == 1) v[c] = 0.5f + (1 + sign * (0.2f + 0.5f * amount)) * (p[c] - 0.5f);
                 else if (kind == 2) v[c] = p[c] * (1 - (0.6f + 1.4f * amount) * (u * u + w * w));
                 else if (kind == 6) v[c] = powf(p[c], sign < 0 ? 1 / (1.2f + amount) : 1.2f + amount);

@@ -88,7 +88,7 @@ static int use_mcml(void)
 #endif
 
 #ifdef MS_SSS_H
-/* A picture of one colour stays as it is. */
+/* A picture of one color stays as it is. */
 static int use_sss(void)
 {
     static ms_sss_kernel kernel;

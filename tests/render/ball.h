@@ -83,7 +83,7 @@ static inline void ball_walk(ball_shape shape, double curvature, double index, c
             if (curvature == 0 || shape == BALL_SLAB) {
                 if (d[2] > 0) t = -p[2] / d[2];
                 if (d[2] < 0 && shape == BALL_SLAB) t = -(p[2] + size) / d[2], below = 1;
-            } else { /* the centre at z = -size of a body, at +size of a hollow; a cylinder's axis along y */
+            } else { /* the center at z = -size of a body, at +size of a hollow; a cylinder's axis along y */
                 double o[3], a = 0, b = 0, c = -size * size, root;
                 for (i = 0; i < 3; ++i) {
                     o[i] = p[i] + (i == 2 ? side * size : 0);

@@ -6,7 +6,7 @@
      hero develop OUT.png FILE.pfm...                         passes joined, outliers and noise removed, tone-mapped
 
    A big knot in the middle, smaller objects around it by the golden angle (Vogel 1979): the bigger the nearer, no two
-   touch. The colours run around the middle like a colour wheel: objects by angle take materials by hue. */
+   touch. The colors run around the middle like a color wheel: objects by angle take materials by hue. */
 #define MS_SSS_IMPLEMENTATION /* for the random numbers that all headers share */
 #include "ms_sss.h"
 #include "image.h"
@@ -21,7 +21,7 @@ static float most(const float rgb[3]) { return scene__max(rgb[0], scene__max(rgb
 static float clear_color(const float rgb[3])
 {
     return most(rgb) + 1.5f * near_to(most(rgb) - least(rgb), 0.6f);
-} /* neither grey nor garish */
+} /* neither gray nor garish */
 
 static float taste_of(const char *taste, const float x[MATERIAL_PARAMETERS])
 {

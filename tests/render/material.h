@@ -1,6 +1,6 @@
-/* The material-test scene of the thesis (3.5.3, fig. 3.4) as a path tracer: one fixed colourless scene, and a ball in
+/* The material-test scene of the thesis (3.5.3, fig. 3.4) as a path tracer: one fixed colorless scene, and a ball in
    it that wears any of the materials of the 19-parameter shader (tests/render/shader.h). Since nothing else has a
-   colour, every channel of the picture depends on that channel's parameters alone, and swapping two channels of x swaps
+   color, every channel of the picture depends on that channel's parameters alone, and swapping two channels of x swaps
    those of the picture exactly.
 
      material_scene *s = material_scene_create(detail);     detail: 1 for pictures of 128 pixels
@@ -84,9 +84,9 @@ static inline void material_scene_destroy(material_scene *s) { stage_destroy(s);
    or memory failed. */
 static inline material_scene *material_scene_create(float detail)
 {
-    static const float grey[MATERIAL_PARAMETERS] = {0.45f, 0.45f, 0.45f};
+    static const float gray[MATERIAL_PARAMETERS] = {0.45f, 0.45f, 0.45f};
     material_scene *s = stage_create();
-    material ring_wears = material_from(grey);
+    material ring_wears = material_from(gray);
     int ball, ring;
     if (s == NULL) return NULL;
     ball = material_ball(s, (int)(256 * fabsf(detail)), detail < 0, NULL);

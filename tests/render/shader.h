@@ -13,7 +13,7 @@
    x per ball radius, shared by the transmissive ones.
 
    Diffuse: Lambert. Glossy: Beckmann microfacets without Fresnel. Glass: Walter, Marschner, Li, Torrance 2007 with
-   Beckmann's distribution and the exact Fresnel reflectance; colour multiplies both. Translucent: Lambert on the other
+   Beckmann's distribution and the exact Fresnel reflectance; color multiplies both. Translucent: Lambert on the other
    side. One lobe is sampled at a time.
 
    The other 19. A pattern w in [0, 1] over the ball joins two noises, fractal and cellular, and lays a second phase

@@ -232,7 +232,7 @@ typedef struct stage_hit {
     int which;                           /* object or lamp */
     scene_vec position, normal, shading; /* normal outwards (of the ground: up) */
     scene_vec place;                     /* position in the object's own frame */
-    float grey;                          /* albedo of the ground */
+    float gray;                          /* albedo of the ground */
 } stage_hit;
 
 /* A plane, a quarter of a cylinder, a plane. The nearest t, or end. */
@@ -270,7 +270,7 @@ static inline float stage__ground(const stage_ground *g, scene_vec p, scene_vec 
 }
 
 /* The chequer at q with normal n; it runs on around the bend, by arc length. */
-static inline float stage__grey(const stage_ground *g, scene_vec q, scene_vec n)
+static inline float stage__gray(const stage_ground *g, scene_vec q, scene_vec n)
 {
     float along = q.z;
     if (n.y < 1)
@@ -387,7 +387,7 @@ static inline stage_hit stage__nearest(const stage *s, scene_vec p, scene_vec d)
     hit.position = scene_mad(d, hit.t, p);
     if (hit.kind == STAGE_GROUND) {
         hit.shading = hit.normal;
-        hit.grey = stage__grey(&s->ground, hit.position, hit.normal);
+        hit.gray = stage__gray(&s->ground, hit.position, hit.normal);
     }
     if (hit.kind == STAGE_OBJECT) {
         const stage_object *o = &s->object[hit.which];
@@ -430,14 +430,14 @@ static inline void stage_path(const stage *s, const material *asked, trace_sampl
     float through[3] = {1, 1, 1}, density = 0; /* of the last direction; 0: from the camera */
     const stage_object *inside = NULL;
     int depth, c, k;
-    material grey, textured;
-    memset(&grey, 0, sizeof grey);
-    grey.share[MATERIAL_DIFFUSE] = 1;
+    material gray, textured;
+    memset(&gray, 0, sizeof gray);
+    gray.share[MATERIAL_DIFFUSE] = 1;
     out[0] = out[1] = out[2] = 0;
     for (depth = 0; depth < 32; ++depth) {
         stage_hit hit = stage__nearest(s, p, d);
         const stage_object *object = NULL;
-        const material *here = &grey;
+        const material *here = &gray;
         scene_vec n, ng, a, b, o, i;
         float u, v, choice, unused, f[3], eta = 1, pdf;
         if (inside) {
@@ -466,7 +466,7 @@ static inline void stage_path(const stage *s, const material *asked, trace_sampl
             here = material_at(object->dressed ? &object->wears : asked, hit.place, &textured);
             eta = scene_dot(ng, d) > 0 ? 1 / here->ior : here->ior;
         } else {
-            for (c = 0; c < 3; ++c) grey.diffuse[c] = hit.grey * s->ground.color[c];
+            for (c = 0; c < 3; ++c) gray.diffuse[c] = hit.gray * s->ground.color[c];
         }
         if (scene_dot(ng, d) > 0) { /* from inside */
             n = scene_mul(n, -1);

@@ -33,7 +33,7 @@ typedef struct truth {
     const truth_lamp *lit;   /* the one in use */
     ms_sss_profile *profile; /* mm */
     double reflectance[3], radius_mm,
-        radius_px; /* of the flat profile; of 99% of the widest channel, px at the object's centre */
+        radius_px; /* of the flat profile; of 99% of the widest channel, px at the object's center */
 } truth;
 
 static inline void truth_free(truth *t)
@@ -606,7 +606,7 @@ static inline void truth_mesh(const truth *t, int elevation, image *out)
 }
 
 /* The same by the profile itself, pixel by pixel: each pixel gives its share of the ring as wide as itself,
-   renormalised. in_space 1: distances between the points on the surface, pixels as large as the surface they show.
+   renormalized. in_space 1: distances between the points on the surface, pixels as large as the surface they show.
    in_space 0: what a screen-space filter approximates, distances on the screen and its treatment of depth. */
 static inline void truth_filter_2d(const truth *t, int in_space, image *out)
 {
@@ -676,7 +676,7 @@ typedef struct truth_model {
 static const truth_model truth_models[] = {
     {"R_d sampled along the axis", MS_SSS_SLICE, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
     {"one Gaussian", MS_SSS_GAUSSIANS, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
-    {"SVD rank 1, normalised", MS_SSS_SVD_NORMALISED, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
+    {"SVD rank 1, normalized", MS_SSS_SVD_NORMALIZED, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
     {"artist, fitted", MS_SSS_ARTIST, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
     {"guided, k = 0", MS_SSS_GUIDED, 1, MS_SSS_DENSE, 0, TRUTH_SIGMA},
     {"guided, k = 2", MS_SSS_GUIDED, 1, MS_SSS_DENSE, 2, TRUTH_SIGMA},
@@ -687,8 +687,8 @@ static const truth_model truth_models[] = {
     {"image-optimal, 7 taps (default)", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0, TRUTH_SIGMA},
     {"image-optimal, 7 taps, depth sigma 1/3 radius", MS_SSS_IMAGE_OPTIMAL, 1, 7, 0, 0.333},
     {"image-optimal, 17 taps", MS_SSS_IMAGE_OPTIMAL, 1, 17, 0, TRUTH_SIGMA},
-    {"SVD rank 3, normalised", MS_SSS_SVD_NORMALISED, 3, MS_SSS_DENSE, 0, TRUTH_SIGMA},
-    {"SVD rank 3, normalised, depth sigma 1/3 radius", MS_SSS_SVD_NORMALISED, 3, MS_SSS_DENSE, 0, 0.333},
+    {"SVD rank 3, normalized", MS_SSS_SVD_NORMALIZED, 3, MS_SSS_DENSE, 0, TRUTH_SIGMA},
+    {"SVD rank 3, normalized, depth sigma 1/3 radius", MS_SSS_SVD_NORMALIZED, 3, MS_SSS_DENSE, 0, 0.333},
     {"pre-integrated + 1 residual", MS_SSS_RESIDUAL, 2, MS_SSS_DENSE, 0, TRUTH_SIGMA},
     {"six Gaussians", MS_SSS_GAUSSIANS, 6, MS_SSS_DENSE, 0, TRUTH_SIGMA}};
 

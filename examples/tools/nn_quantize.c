@@ -1,6 +1,6 @@
 /* Writes a network with narrower weights, and what that costs: PSNR of its outputs against the file's own, over given
-     or random inputs. cc -O2 -I. examples/tools/nn_quantise.c -o build/nn_quantise -lm
-     build/nn_quantise IN OUT --type f16|bf16|i8|f32 [--rank N] [--inputs X.csv] [--samples 64]
+     or random inputs. cc -O2 -I. examples/tools/nn_quantize.c -o build/nn_quantize -lm
+     build/nn_quantize IN OUT --type f16|bf16|i8|f32 [--rank N] [--inputs X.csv] [--samples 64]
    --type     of the weights of dense and convolution layers, rounded to nearest; i8: one scale a row. Biases stay as
               they are. A weight beyond 65504 is refused as f16.
    --rank     first replaces a linear last layer by two of that rank, at most the number of its features: over the
@@ -15,11 +15,11 @@
 #include <string.h>
 
 static const char usage[] =
-    "usage: nn_quantise IN OUT --type f16|bf16|i8|f32 [--rank N] [--inputs X.csv] [--samples 64]\n";
+    "usage: nn_quantize IN OUT --type f16|bf16|i8|f32 [--rank N] [--inputs X.csv] [--samples 64]\n";
 
 static int fail(const char *what, const char *why)
 {
-    fprintf(stderr, "nn_quantise: %s: %s\n", what, why);
+    fprintf(stderr, "nn_quantize: %s: %s\n", what, why);
     return 1;
 }
 
@@ -106,7 +106,7 @@ static ms_nn_tensor convert(const ms_nn_tensor *t, const ms_nn_tensor *old_scale
         for (k = 0; k < count; ++k, data += bytes) {
             double x = before * element(t, i * count + k);
             if (type == MS_NN_F16 && fabs(x) > 65504 && isfinite(x)) {
-                fprintf(stderr, "nn_quantise: tensor '%s' has a weight of %g: f16 ends at 65504\n", t->name, x);
+                fprintf(stderr, "nn_quantize: tensor '%s' has a weight of %g: f16 ends at 65504\n", t->name, x);
                 exit(1);
             }
             if (type == MS_NN_I8) put(data, (uint32_t)(int32_t)lrint(fmax(-127, fmin(127, x / (double)unit))), 1);
@@ -410,7 +410,7 @@ int main(int argc, char **argv)
     void *between = NULL;
     float *x, *y, *z;
     double low = HUGE_VAL, high = -HUGE_VAL, sum = 0, worst = 0;
-    if (file_help(argc, argv, usage)) return file_end_stdout("nn_quantise");
+    if (file_help(argc, argv, usage)) return file_end_stdout("nn_quantize");
     for (i = 3; i + 1 < argc; i += 2) {
         char *end = NULL;
         if (strcmp(argv[i], "--type") == 0) type = argv[i + 1];
@@ -481,5 +481,5 @@ int main(int argc, char **argv)
     ms_nn_destroy(small);
     ms_nn_destroy(nn);
     free(between);
-    return file_end_stdout("nn_quantise");
+    return file_end_stdout("nn_quantize");
 }
