@@ -1717,7 +1717,13 @@ MS_API ms_mcml_medium ms_mcml_material_medium(const ms_mcml_material *material, 
 
 /* ---- half-space solver ----------------------------------------------------------------------------------------- */
 
-enum { MS_MCML__RATES_MAX = 112, MS_MCML__CONE_MAX = 64 };
+enum {
+    MS_MCML__RATES_MAX = 112,
+    MS_MCML__CONE_MAX = 64,
+    MS_MCML__COLUMNS_MAX = 200, /* candidates for a sum of rates; as many as there are rows are taken at most */
+    MS_MCML__FIT_DOUBLES = (MS_MCML__RATES_MAX * (MS_MCML__COLUMNS_MAX + MS_MCML__RATES_MAX + 4) +
+                            2 * MS_MCML__COLUMNS_MAX)
+};
 
 /* Lengths in mean free paths 1 / mu_t. The lateral Fourier transform q(z; k) of the collision density under a pencil
    beam obeys  q(z) = exp(-z) + a integral_0^inf K(z, z') q(z') dz'  with  K(z, z') = L(|z - z'|) + M(z + z'),
@@ -1899,10 +1905,6 @@ static double ms_mcml__multiple(const ms_mcml__cone *cone, double albedo, double
     return albedo * albedo * sum;
 }
 
-enum {
-    MS_MCML__COLUMNS_MAX = 200 /* candidates for the sum; as many as there are rows are taken at most */
-};
-
 /* Non-negative least squares (Lawson & Hanson 1974, chapter 23): minimizes |A x - target| with x >= 0. Columns have
    unit length. QR by Householder reflections that are appended as columns enter and rebuilt from the place where one
    leaves. */
@@ -2031,11 +2033,6 @@ static void ms_mcml__nnls_solve(ms_mcml__nnls *p)
    lattice sqrt(edge^2 + tau^2) of log spacing `step` in tau. Returns how many; *misfit is relative. total is the
    spectrum at k = 0, which the energies are scaled to. Row i counts as 1 / (1 + noise t[i]): noise = 1 says that the
    relative error of the spectrum grows with t. tolerance: 0 fits to rounding. */
-enum {
-    MS_MCML__FIT_DOUBLES = (MS_MCML__RATES_MAX * (MS_MCML__COLUMNS_MAX + MS_MCML__RATES_MAX + 4) +
-                            2 * MS_MCML__COLUMNS_MAX)
-};
-
 static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows, double noise, double tolerance,
                               double edge, double step, double total, double *rate, double *energy, double *misfit,
                               double *work)

@@ -9,11 +9,11 @@ failed=0
 for f in examples/*/*.c; do
     case $f in examples/web/*) continue ;; esac # by examples/web/build.sh
     ! grep -q '"egl.h"' "$f" || continue      # its headers are not everywhere
-    line=$(sed -n '1,/\*\//s/.*\(cc -O2 -I\. examples\/.*-lm\).*/\1/p' "$f" | head -1)
+    line=$(sed -n '1,/\*\//s/.*\(cc -O2 .*-I\. .*examples\/.*-lm\).*/\1/p' "$f" | head -1)
     n=$(basename "$f" .c)
     case $line in
-    *" $f -o build/$n "*)
-        if (eval "$(echo "$line" | sed "s|^cc -O2|${CC:-cc} -O0 -DMS_NO_SIMD|; s|-o build/|-o $out/|")") >"$out/log" 2>&1; then
+    *" $f -o build/$n "* | *"-shared "*" $f -o lib"*)
+        if (eval "$(echo "$line" | sed "s|^cc -O2|${CC:-cc} -O0 -DMS_NO_SIMD|; s|-o build/|-o $out/|; s|-o lib|-o $out/lib|")") >"$out/log" 2>&1; then
             passed=$((passed + 1))
             continue
         fi ;;

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs a group of tests, two programs at a time, and ends with "N passed, N failed, N skipped".
+# Runs a group of tests, two programs at a time (test: three), and ends with "N passed, N failed, N skipped".
 #   sh tests/run.sh check      what needs a C compiler only: two minutes
 #   sh tests/run.sh test       check, the headers without SIMD and as C++ by another compiler, every way to use them, packages: ten minutes
 #   sh tests/run.sh long       what test leaves out: the long versions at -O3, fused products and sums, GCC's C++, stack of every call
@@ -346,6 +346,7 @@ in_order() {
     else awk -v seed="$SHUFFLE" 'BEGIN {srand(seed)} {print rand() "\t" $0}' | sort | cut -f 2
     fi
 }
+[ "$group" != test ] || JOBS=$((JOBS + 1)) # browsers and disks are waited for
 ls "$out"/*.job 2>/dev/null | in_order | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
 cat "$out"/*.seconds "$out"/objects/*.seconds 2>/dev/null | sort -rn >"$out/seconds"
 [ "$(wc -l <"$out/seconds")" -lt 11 ] || { echo "the ten dearest, in seconds of processor time:"; head -10 "$out/seconds" | awk '{print "  " $1 "  " $3}'; }
