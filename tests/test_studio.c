@@ -457,6 +457,30 @@ static void test_nothing_liked(void)
     studio_close(&s);
 }
 
+/* Somebody who likes nothing, without or with one answer in ten at random: after 60 scores the studio asks for picks.
+   Of somebody who likes a third it does not. */
+static void test_wants_picks(void)
+{
+    studio_renderer renderer = {M, 1, no_picture, NULL};
+    int kind, i;
+    for (kind = 0; kind < 3; ++kind) {
+        studio s;
+        double x[M], score;
+        uint64_t state = test_seed + 5;
+        ms_error error;
+        CHECK_INT(studio_open(&s, &renderer, &error), MS_OK);
+        for (i = 0; i < STUDIO_ANSWERS; ++i) {
+            CHECK_INT(studio_wants_picks(s.gp), 0); /* not before there are so many */
+            random_material(&state, x);
+            score = kind == 2 ? taste(x) : kind == 1 && i % 10 == 0 ? 1 + 9 * test_uniform(&state) : 0;
+            CHECK_INT(studio_score(&s, x, score, &error), MS_OK);
+        }
+        settle(&s);
+        CHECK_INT(studio_wants_picks(s.gp), kind < 2);
+        studio_close(&s);
+    }
+}
+
 static void test_neural(void)
 {
     enum { COUNT = 70 }; /* more than two batches */
@@ -708,10 +732,16 @@ static void test_words(void)
     image_free(&legend);
 }
 
-static const test_case cases[] = {{"saved", test_saved},        {"states", test_states},
-                                  {"words", test_words},        {"space", test_space},
-                                  {"picks", test_picks},        {"session", test_session},
-                                  {"orders", test_orders},      {"nothing liked", test_nothing_liked},
-                                  {"neural", test_neural},      {"materials", test_materials},
+static const test_case cases[] = {{"saved", test_saved},
+                                  {"states", test_states},
+                                  {"words", test_words},
+                                  {"space", test_space},
+                                  {"picks", test_picks},
+                                  {"session", test_session},
+                                  {"orders", test_orders},
+                                  {"nothing liked", test_nothing_liked},
+                                  {"wants picks", test_wants_picks},
+                                  {"neural", test_neural},
+                                  {"materials", test_materials},
                                   {"materialx", test_materialx}};
 TEST_MAIN_WITH_FILES(cases)

@@ -4,6 +4,7 @@
      studio s;
      studio_open(&s, &renderer, &error);         19 parameters, what draws them, and how large a picture is
      studio_gallery(&s, 10, x, planes, &error);  materials to be scored next                         any state
+     if (studio_wants_picks(s.gp)) ...           show nine, ask for the best two: scores alone find nothing
      studio_score(&s, x, 7, &error);             whenever the user has scored a material             any state -> SCORED
      studio_rescore(&s, 3, 2, &error);           thought again about the fourth one
      studio_pick(&s, x, 9, best, 2, &error);     of 9 materials that were shown the two that were clicked     any state
@@ -40,6 +41,7 @@
 enum {
     STUDIO_LIKED = 15 /* materials in the plane besides the chosen one */,
     STUDIO_OTHERS = 20 /* that likes are compared with */,
+    STUDIO_ANSWERS = 60 /* materials after which something should be liked */,
     STUDIO_UNDO = 64
 };
 
@@ -432,6 +434,28 @@ static inline ms_status studio_gallery(studio *s, int count, double *x, float *p
     for (i = 0; i < count && planes && status == MS_OK; ++i)
         studio__draw(s, x + i * s->renderer.parameters, planes + (size_t)i * s->renderer.values);
     return status;
+}
+
+/* Whether a tool should ask for picks (studio_pick: the best two of nine, or none of them) in place of scores. It
+   should where fewer than three of STUDIO_ANSWERS materials or more are liked and confirmed: predicted from the other
+   answers (leave-one-out) halfway from the floor to the best score. A wrong answer alone is not confirmed. */
+static inline int studio_wants_picks(const ms_gpr *gp)
+{
+    const ms_gpr_view view = ms_gpr_view_of(gp);
+    double best = view.floor, noise = exp(2 * view.theta[view.m + 1]), *mean, *variance;
+    int confirmed = 0, i;
+    if (view.n < STUDIO_ANSWERS || (mean = (double *)malloc(2 * (size_t)view.n * sizeof *mean)) == NULL) return 0;
+    variance = mean + view.n;
+    for (i = 0; i < view.n; ++i) best = fmax(best, view.value[i]);
+    if (ms_gpr_predict(gp, view.x, view.n, mean, variance, NULL) != MS_OK) confirmed = view.n;
+    for (i = 0; i < view.n && confirmed < view.n; ++i) {
+        double expected = mean[i];
+        if (view.y[i] > MS_GPR_UNSCORED)
+            expected = view.y[i] - (view.y[i] - mean[i]) / fmax(1 - variance[i] / noise, 1e-6);
+        confirmed += view.value[i] > view.floor && expected > 0.5 * (view.floor + best);
+    }
+    free(mean);
+    return confirmed < 3;
 }
 
 /* x [count][m] and their pictures, planes [count][values] (NULL: none). Other ones at every call. */

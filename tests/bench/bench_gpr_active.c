@@ -1,13 +1,25 @@
 /* ms_gpr.h: what answers are worth: uniform galleries, the thesis's rounds, active galleries of scores, and those after
-   five galleries of "the best 2 of 9", on users of twelve kinds (tests/users.h). Writes build/bench/gpr_active.md: mean
-   true score of 300 recommendations (tau 0.6), Jensen-Shannon divergence, share of the liked classes that are
-   recommended. */
+   five galleries of "the best 2 of 9" or where the studio asks for them, on users of twelve kinds (tests/users.h).
+   Writes build/bench/gpr_active.md: mean true score of 300 recommendations (tau 0.6), Jensen-Shannon divergence, share
+   of the liked classes that are recommended. */
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #include "users.h"
 #include "bench.h"
+#include "../../examples/tools/studio.h"
 
-enum { USERS = 3, MANY = 38, HELD = 1200, COUNT = 300, ROUND = 10, SHOWN = 9, GALLERIES = 5, STEPS = 10, TAUS = 7 };
+enum {
+    USERS = 3,
+    MANY = 38,
+    HELD = 1200,
+    COUNT = 300,
+    ROUND = 10,
+    SHOWN = 9,
+    GALLERIES = 5,
+    ASKED = 20,
+    STEPS = 11,
+    TAUS = 7
+};
 
 typedef struct worth {
     double score, jsd, lobes;
@@ -16,7 +28,7 @@ typedef struct worth {
 static const double taus[TAUS] = {0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.9};
 
 static double x[500 * MANY], y[500], held[HELD * MANY], truth[HELD];
-static int pairs[2 * GALLERIES * 2 * SHOWN], pair_count;
+static int pairs[2 * ASKED * 2 * SHOWN], pair_count;
 
 static ms_gpr *fit(int n, int m)
 {
@@ -84,15 +96,19 @@ static void judge_truth(const user *u, uint64_t state, worth *curve)
     for (t = 0; t < TAUS; ++t) curve[t] = judge_materials(u, r[t], count[t]);
 }
 
-/* The next `count` materials of an active gallery as rows n and on. */
-static void show(const user *u, int n, int count, int seed)
+/* The next materials of an active gallery as rows n and on: `count`, or with `asks` SHOWN of them where the studio asks
+   for picks: 1 then. */
+static int show(const user *u, int n, int count, int asks, int seed)
 {
     ms_gpr_gallery_options g;
     ms_gpr *gp = fit(n, u->m);
+    asks = asks && studio_wants_picks(gp);
+    if (asks) count = SHOWN;
     memset(&g, 0, sizeof g);
     g.seed = (uint64_t)seed;
     if (ms_gpr_gallery(gp, &g, count, x + n * u->m, NULL) != MS_OK) exit(1);
     ms_gpr_destroy(gp);
+    return asks;
 }
 
 /* A click each on at most the best two of those shown that are liked at all, or one on "none of these", which scores
@@ -142,9 +158,11 @@ static worth rounds(const user *u, int first, int more, int seed, uint64_t *stat
 }
 
 /* One user by all ways: uniform 100 and 250; active 60, 80, 100; clicks first, 60, 80, 100 answers; the thesis's rounds
-   to 100 and 250. curve: of 250 uniform, of 100 with clicks first, and of the truth. */
+   to 100 and 250; active 100 with clicks where the studio asks for them. curve: of 250 uniform, of 100 with clicks
+   first, and of the truth. */
 static void try_user(const user *u, int seed, uint64_t state, worth *w, worth curve[3][TAUS])
 {
+    uint64_t first, last = 0;
     int way, g, n, answers, k;
     for (k = 0; k < HELD * u->m; ++k) held[k] = test_uniform(&state);
     for (k = 0; k < HELD; ++k) truth[k] = user_true(u, held + k * u->m);
@@ -152,28 +170,35 @@ static void try_user(const user *u, int seed, uint64_t state, worth *w, worth cu
     user_gallery(u, 250, x, y, &state);
     w[0] = judge(u, 100, NULL);
     w[1] = judge(u, 250, curve[0]);
-    for (way = 0; way < 2; ++way) {
+    for (way = 0, first = state; way < 3; ++way) {
         int next = 60;
         n = answers = pair_count = 0;
+        if (way == 2) last = state, state = first; /* the same answers as of way 0 */
         for (g = 0; g < GALLERIES && way == 1; ++g) {
-            show(u, n, SHOWN, seed);
+            show(u, n, SHOWN, 0, seed);
             answers += click(u, n, &state);
             n += SHOWN;
         }
         for (;;) {
             int count = next - answers < ROUND ? next - answers : ROUND;
-            if (count == 0) {
-                w[2 + 3 * way + (next - 60) / 20] = judge(u, n, way == 1 && next == 100 ? curve[1] : NULL);
+            if (count <= 0) {
+                if (way < 2) w[2 + 3 * way + (next - 60) / 20] = judge(u, n, way == 1 && next == 100 ? curve[1] : NULL);
+                else if (next == 100) w[10] = judge(u, n, NULL);
                 if (next == 100) break;
                 next += 20;
                 continue;
             }
-            show(u, n, count, seed);
+            if (show(u, n, count, way == 2, seed)) {
+                answers += click(u, n, &state);
+                n += SHOWN;
+                continue;
+            }
             for (k = n; k < n + count; ++k) y[k] = user_score(u, x + k * u->m, &state);
             n += count;
             answers += count;
         }
     }
+    state = last;
     w[8] = rounds(u, 50, 25, seed, &state);
     w[9] = rounds(u, 150, 50, seed, &state);
     judge_truth(u, state, curve[2]);
@@ -254,7 +279,8 @@ int main(void)
                                               "80, clicks first",
                                               "100, clicks first",
                                               "100, the thesis's rounds",
-                                              "250, the thesis's rounds"};
+                                              "250, the thesis's rounds",
+                                              "100 active, clicks where asked"};
     static double score[STEPS][USER_KINDS * USERS], jsd[STEPS][USER_KINDS * USERS];
     FILE *md = bench_open("gpr_active.md");
     static const char *const row[3] = {"250 uniform", "100, clicks first", "all that is liked so much"};
@@ -268,7 +294,7 @@ int main(void)
         "clicks on the best two or as many as are liked, or on \"none of these\"; every click is an answer, then come scores. The thesis's rounds: 50 uniform materials, then twice 25 recommendations (150 and 50).\n\n| user |",
         (int)USERS, (int)COUNT, (int)ROUND, (int)SHOWN);
     for (k = 0; k < STEPS; ++k) fprintf(md, " %s |", column[k]);
-    fprintf(md, "\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+    fprintf(md, "\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (m = 19; m <= MANY; m += 19) {
         int users = m == 19 ? USERS : 1, count = 0;
         memset(all, 0, sizeof all);
