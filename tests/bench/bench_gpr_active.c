@@ -23,12 +23,14 @@ enum {
 
 typedef struct worth {
     double score, jsd, lobes;
+    double ms; /* thread time of the session: galleries, the last model, its recommendations */
 } worth;
 
 static const double taus[TAUS] = {0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.9};
 
 static double x[500 * MANY], y[500], held[HELD * MANY], truth[HELD];
 static int pairs[2 * ASKED * 2 * SHOWN], pair_count;
+static double spent; /* seconds of the session's galleries so far */
 
 static ms_gpr *fit(int n, int m)
 {
@@ -45,7 +47,7 @@ static ms_gpr *fit(int n, int m)
 static worth judge_materials(const user *u, const double *r, int count)
 {
     double found[USER_CLASSES] = {0, 0, 0};
-    worth w = {0, 0, 0};
+    worth w = {0, 0, 0, 0};
     int i, c;
     for (i = 0; i < count; ++i) {
         double u_true = user_true(u, r + i * u->m);
@@ -60,14 +62,16 @@ static worth judge_materials(const user *u, const double *r, int count)
 static worth judge(const user *u, int n, worth *curve)
 {
     static double mean[HELD], r[COUNT * MANY];
+    double clock = bench_cpu(), jsd, ms;
     ms_gpr *gp = fit(n, u->m);
-    worth w = {0, 0, 0};
-    double jsd;
-    int t;
+    worth w = {0, 0, 0, 0};
+    int t, some = ms_gpr_recommend(gp, NULL, COUNT, r, NULL, NULL, NULL, NULL) == MS_OK;
+    ms = 1e3 * (spent + bench_cpu() - clock);
     ms_gpr_predict(gp, held, HELD, mean, NULL, NULL);
     jsd = user_jsd(mean, truth, HELD);
-    if (ms_gpr_recommend(gp, NULL, COUNT, r, NULL, NULL, NULL, NULL) == MS_OK) w = judge_materials(u, r, COUNT);
+    if (some) w = judge_materials(u, r, COUNT);
     w.jsd = jsd;
+    w.ms = ms;
     for (t = 0; t < TAUS && curve; ++t) {
         ms_gpr_recommend_options o;
         memset(&o, 0, sizeof o);
@@ -101,6 +105,7 @@ static void judge_truth(const user *u, uint64_t state, worth *curve)
 static int show(const user *u, int n, int count, int asks, int seed)
 {
     ms_gpr_gallery_options g;
+    double clock = bench_cpu();
     ms_gpr *gp = fit(n, u->m);
     asks = asks && studio_wants_picks(gp);
     if (asks) count = SHOWN;
@@ -108,6 +113,7 @@ static int show(const user *u, int n, int count, int asks, int seed)
     g.seed = (uint64_t)seed;
     if (ms_gpr_gallery(gp, &g, count, x + n * u->m, NULL) != MS_OK) exit(1);
     ms_gpr_destroy(gp);
+    spent += bench_cpu() - clock;
     return asks;
 }
 
@@ -142,14 +148,19 @@ static worth rounds(const user *u, int first, int more, int seed, uint64_t *stat
 {
     int n = first, k;
     pair_count = 0;
+    spent = 0;
     user_gallery(u, first, x, y, state);
     while (n < first + 2 * more) {
         ms_gpr_recommend_options o;
+        double clock = bench_cpu();
         ms_gpr *gp = fit(n, u->m);
+        ms_status status;
         memset(&o, 0, sizeof o);
         o.seed = (uint64_t)(seed + n);
         user_gallery(u, more, x + n * u->m, y + n, state); /* stays where nothing is liked yet */
-        if (ms_gpr_recommend(gp, &o, more, x + n * u->m, NULL, NULL, NULL, NULL) == MS_OK)
+        status = ms_gpr_recommend(gp, &o, more, x + n * u->m, NULL, NULL, NULL, NULL);
+        spent += bench_cpu() - clock;
+        if (status == MS_OK)
             for (k = n; k < n + more; ++k) y[k] = user_score(u, x + k * u->m, state);
         ms_gpr_destroy(gp);
         n += more;
@@ -167,12 +178,14 @@ static void try_user(const user *u, int seed, uint64_t state, worth *w, worth cu
     for (k = 0; k < HELD * u->m; ++k) held[k] = test_uniform(&state);
     for (k = 0; k < HELD; ++k) truth[k] = user_true(u, held + k * u->m);
     pair_count = 0;
+    spent = 0;
     user_gallery(u, 250, x, y, &state);
     w[0] = judge(u, 100, NULL);
     w[1] = judge(u, 250, curve[0]);
     for (way = 0, first = state; way < 3; ++way) {
         int next = 60;
         n = answers = pair_count = 0;
+        spent = 0;
         if (way == 2) last = state, state = first; /* the same answers as of way 0 */
         for (g = 0; g < GALLERIES && way == 1; ++g) {
             show(u, n, SHOWN, 0, seed);
@@ -281,7 +294,7 @@ int main(void)
                                               "100, the thesis's rounds",
                                               "250, the thesis's rounds",
                                               "100 active, clicks where asked"};
-    static double score[STEPS][USER_KINDS * USERS], jsd[STEPS][USER_KINDS * USERS];
+    static double score[STEPS][USER_KINDS * USERS], jsd[STEPS][USER_KINDS * USERS], ms[STEPS][USER_KINDS * USERS];
     FILE *md = bench_open("gpr_active.md");
     static const char *const row[3] = {"250 uniform", "100, clicks first", "all that is liked so much"};
     worth all[STEPS], curve[2][3][TAUS];
@@ -291,8 +304,8 @@ int main(void)
         md,
         "Users of twelve kinds, %d each: mean true score of %d recommendations / divergence / share of the liked classes that are\n"
         "recommended, after so many answers; active galleries in batches of %d. Clicks first: of five active galleries of %d the user\n"
-        "clicks on the best two or as many as are liked, or on \"none of these\"; every click is an answer, then come scores. The thesis's rounds: 50 uniform materials, then twice 25 recommendations (150 and 50).\n\n| user |",
-        (int)USERS, (int)COUNT, (int)ROUND, (int)SHOWN);
+        "clicks on the best two or as many as are liked, or on \"none of these\"; every click is an answer, then come scores. The thesis's rounds: 50 uniform materials, then twice 25 recommendations (150 and 50).\nTime: thread time of a session, its galleries, last model and recommendations; median, one core of %s.\n\n| user |",
+        (int)USERS, (int)COUNT, (int)ROUND, (int)SHOWN, bench_processor());
     for (k = 0; k < STEPS; ++k) fprintf(md, " %s |", column[k]);
     fprintf(md, "\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
     for (m = 19; m <= MANY; m += 19) {
@@ -316,6 +329,7 @@ int main(void)
                     sum[k].lobes += w[k].lobes / users;
                     score[k][count] = w[k].score;
                     jsd[k][count] = w[k].jsd;
+                    ms[k][count] = w[k].ms;
                 }
                 ++count;
             }
@@ -338,6 +352,8 @@ int main(void)
             qsort(jsd[k], (size_t)count, sizeof jsd[k][0], ascending);
             fprintf(md, " %.1f or more / %.3f or less |", score[k][count / 5], jsd[k][count - 1 - count / 5]);
         }
+        fprintf(md, "\n| *time, ms, m = %d* |", m);
+        for (k = 0; k < STEPS; ++k) fprintf(md, " %.0f |", bench_median(ms[k], count));
         fprintf(md, "\n");
         fflush(md);
     }
