@@ -96,8 +96,8 @@
    gives a workspace. No globals. At most 32 KB of stack a call, 64 KB without optimization.
    Profiles, designers and kernels are only read once made: calls may overlap. Filters cut the picture into rows for
    ms_parallel; kernels are made on one thread.
-   Filters run scalar, SSE2 or NEON, AVX2 or AVX-512 text, chosen once a call, capped by options.simd; on x86-64 with
-   floating-point exceptions masked, and raise no flags. They give the same bits for any thread count at one level,
+   Filters run SSE2 or NEON, AVX2 or AVX-512 code, else plain C, chosen once a call, capped by options.simd. On x86-64
+   they mask floating-point exceptions and raise no flags. They give the same bits for any thread count at one level,
    kernels the same bits in every call of one build. With -ffast-math nothing holds of bits, NaN and infinity.
    Calls return ms_status and fill an optional ms_error; outputs are then untouched unless the call says otherwise.
 
@@ -105,8 +105,9 @@
    ------------------------------------------------
    MS_DEF           linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_SSS_FILENAME  this file's name, if it is not "ms_sss.h"
-   MS_NO_SIMD       scalar text only
-   MS_SSS_NO_DESIGN run time alone, for programs that carry kernels and pyramids as data: the filter,
+   MS_NO_SIMD       plain C only
+   MS_SSS_WITH_SCALAR plain C beside the SIMD levels, as their reference: MS_SIMD_SCALAR is else the same as
+   MS_SIMD_BASE MS_SSS_NO_DESIGN run time alone, for programs that carry kernels and pyramids as data: the filter,
                     ms_sss_transmission and shaders; nothing that takes a profile
    MS_ASSERT        checks of the header's own invariants (nothing)
 
@@ -1667,9 +1668,12 @@ static MS_SSS__INLINE unsigned ms_sss__bits_neon(uint32x4_t m)
 #endif
 
 #define MS_SSS__PASS 1
+#if defined(MS_SSS_WITH_SCALAR) || !(defined(MS__X64) || defined(MS__NEON))
+#define MS_SSS__SCALAR 1
 #define MS_SSS__LEVEL scalar
 #define MS__N 1
 #include MS_SSS_FILENAME
+#endif
 #if defined(MS__X64) || defined(MS__NEON)
 #define MS_SSS__LEVEL base
 #define MS__N 4
@@ -1712,10 +1716,14 @@ static const ms_sss__kernels *ms_sss__pick(ms_simd cap)
     case MS_SIMD_AVX512: return &ms_sss__kernels_avx512;
     case MS_SIMD_AVX2: return &ms_sss__kernels_avx2;
 #endif
-#if defined(MS__X64) || defined(MS__NEON)
+#if defined(MS_SSS__SCALAR) && (defined(MS__X64) || defined(MS__NEON))
     case MS_SIMD_BASE: return &ms_sss__kernels_base;
 #endif
+#if defined(MS_SSS__SCALAR)
     default: return &ms_sss__kernels_scalar;
+#else
+    default: return &ms_sss__kernels_base;
+#endif
     }
 }
 
@@ -7599,6 +7607,7 @@ MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness
 #endif /* MS_SSS_NO_DESIGN */
 
 #undef MS_SSS__FEATURE_LIST
+#undef MS_SSS__SCALAR
 #undef MS_SSS__REFUSE
 #undef MS_SSS__CLAIM
 #undef MS_SSS__CLAIMED

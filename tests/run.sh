@@ -115,12 +115,12 @@ objects() {
     done
 }
 
-# linked TEST: the flags that leave the headers to the linker, but for those of which (or of whose common block) the test calls private functions or
-# whose C library it replaces.
+# linked TEST: the flags that leave the headers to the linker, but for those of which (or of whose common block) the test calls private functions,
+# whose C library it replaces or which it compiles with an option of its own.
 linked() {
     for h in $headers; do
         upper=$(echo "${h%.h}" | tr a-z A-Z)
-        grep -q -E "(${h%.h}|$upper|\bms)__|include \"io\.h\"" "$1" || printf ' -D%s_IMPLEMENTED' "$upper"
+        grep -q -E "(${h%.h}|$upper|\bms)__|${upper}_WITH_|include \"io\.h\"" "$1" || printf ' -D%s_IMPLEMENTED' "$upper"
     done
 }
 # needed FILE: the headers that it leaves to the linker

@@ -1,5 +1,6 @@
 /* The filter of ms_sss.h against a plain one in double precision, its exact promises, layouts, levels, threads,
    hostile pixels and refused arguments. */
+#define MS_SSS_WITH_SCALAR /* the reference of the other levels */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "test.h"

@@ -1,5 +1,6 @@
 /* The pyramid filter of ms_sss.h: error against the round 2D kernel on 1/f texture by Fourier transform, against a
    plain 2D sum over the surface on a bust-like depth, on tilted planes and in corners, and its promises. */
+#define MS_SSS_WITH_SCALAR /* the reference of the other levels */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "test.h"

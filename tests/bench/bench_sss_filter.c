@@ -1,6 +1,7 @@
 /* The filter of ms_sss.h at 1920 x 1080: 7 taps beside a plain loop and a memory copy of the same run, masks, layouts,
    two threads, the pyramid. Build: see Makefile (make bench).
    peer source: opencv.cpp -lopencv_imgproc -lopencv_core */
+#define MS_SSS_WITH_SCALAR /* the reference of the other levels */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "bench.h"
