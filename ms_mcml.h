@@ -384,22 +384,17 @@ typedef enum ms_mcml_length {
     MS_MCML_DIFFUSE_PATH = 2 /* d (3.5 + 100 (A - 0.33)^4): Unreal's diffuse mean free path */
 } ms_mcml_length;
 
-/* The medium that looks so: of this color and this length. Its reflectance gives the color back to 1e-7.
-   color      0 to 1: reflectance over 1 - specular, the part of the light let in that comes out again: a renderer's
-              albedo beside a specular lobe. One channel, linear, not sRGB
-   length_mm  > 0; kind: an ms_mcml_length
-   About 1 ms; no memory. MS_INVALID_ARGUMENT: out of these ranges; MS_UNSUPPORTED: g < -0.7. *medium is untouched then.
+/* The medium of isotropic scattering (g = 0) that has this color and this length. Its profile is that of the medium,
+   not Burley's curve.
+   color      0 to 1, linear: the part of the entering light that comes out again (a renderer's albedo beside a
+              specular lobe); the medium gives it back to 1e-7
+   length_mm  > 0; kind: an ms_mcml_length; eta: 0.1 to 10
+   MS_INVALID_ARGUMENT: out of these ranges, *medium is untouched. No memory. Example, a skin in Unreal's terms:
 
-   An artist's skin, Unreal's mean free path color (1, 0.35, 0.2) times 0.12 cm, at eta 1.4:
-
-      const double color[3] = {0.80, 0.52, 0.39}, path_mm[3] = {1.2, 0.42, 0.24};
-      for (c = 0; c < 3; ++c)
-          ms_mcml_medium_from_color(color[c], path_mm[c], MS_MCML_DIFFUSE_PATH, 0, 1.4, &medium[c], NULL);
-      ms_mcml_profile_make(&profile, medium, 3, NULL, NULL);
-
-   The profile is that of a medium, not Burley's curve. */
-MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int kind, double g, double eta,
-                                           ms_mcml_medium *medium, ms_error *error);
+      for (c = 0; c < 3; ++c) ms_mcml_medium_from_color(color[c], path_mm[c], MS_MCML_DIFFUSE_PATH, 1.4, &medium[c],
+   NULL); ms_mcml_profile_make(&profile, medium, 3, NULL, NULL); */
+MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int kind, double eta, ms_mcml_medium *medium,
+                                           ms_error *error);
 
 /* ---- layered solver -------------------------------------------------------------------------------------------- */
 
@@ -2102,10 +2097,22 @@ enum {
     MS_MCML__SOLVE_BYTES = (int)((MS_MCML__FIT_DOUBLES + MS_MCML__DEPTH_MAX * MS_MCML__DEPTH_MAX) * sizeof(double))
 };
 
+static const double ms_mcml__slowest = 1e-7; /* decay, per mean free path, that the lattice of frequencies resolves */
+
+/* Part of the entering light that leaves after two collisions and more. single: the part that leaves after one. What is
+   absorbed falls with nu = sqrt(3 (1 - albedo)), to nothing. */
+static double ms_mcml__multiple_total(const ms_mcml__cone *cone, double albedo, double nu, double h, double entering,
+                                      double single, double *work)
+{
+    const double t = nu > ms_mcml__slowest ? nu : ms_mcml__slowest;
+    const double multiple = entering * ms_mcml__multiple(cone, nu < t ? 1 - t * t / 3 : albedo, 0, t, h, work);
+    return nu < t ? entering - single - (entering - single - multiple) * (nu / t) : multiple;
+}
+
 /* A medium that was checked; h and step are the two knobs, work has MS_MCML__SOLVE_BYTES. */
 static void ms_mcml__solve(const ms_mcml_medium *medium, double h, double step, ms_mcml__halfspace *out, double *work)
 {
-    const double slowest = 1e-7, fastest = 200; /* of the lattice of t, per mean free path */
+    const double fastest = 200; /* of the lattice of t, per mean free path */
     ms_mcml__halfspace s;
     ms_mcml__cone cone;
     double t[MS_MCML__RATES_MAX], spectrum[MS_MCML__RATES_MAX];
@@ -2135,11 +2142,9 @@ static void ms_mcml__solve(const ms_mcml_medium *medium, double h, double step, 
     }
     s.singles = cone.count;
     nu = ms_mcml__case_eigenvalue(s.albedo, absorption);
-    multiple = entering * ms_mcml__multiple(&cone, s.albedo, 0, nu > slowest ? nu : slowest, h, work);
-    if (nu < slowest) /* what is absorbed falls with nu, to nothing */
-        multiple = entering - s.total_single - (entering - s.total_single - multiple) * (nu / slowest);
+    multiple = ms_mcml__multiple_total(&cone, s.albedo, nu, h, entering, s.total_single, work);
     s.total = s.total_single + multiple;
-    low = 0.01 * nu > slowest ? 0.01 * nu : slowest;
+    low = 0.01 * nu > ms_mcml__slowest ? 0.01 * nu : ms_mcml__slowest;
     rows = 0;
     for (i = 0; rows < MS_MCML__RATES_MAX && low * exp(step * (i - 1)) < fastest; ++i) {
         t[rows] = low * exp(step * i);
@@ -3629,7 +3634,7 @@ static void ms_mcml__layered_errors(const ms_mcml_layered *s, ms_mcml_layered_si
         error[i] += most[2] * fmin(0.06 + 2 * most[2] / (own > 0 ? own : 1e-300), 0.6);
         if (side) error[i] += 0.25 * exp(-0.5 * wave) * own;
         else if (thin > 0) error[i] += 0.035 * exp(-y[0][side].radius_cm * exp(0.1 * i) / (3 * thin)) * own;
-        if (i == 0) error[i] += 0.3 * forward;
+        if (i == 0) error[i] += forward; /* some of it may leave farther out */
     }
 }
 
@@ -3954,223 +3959,59 @@ MS_API double ms_mcml_layered_ring(const ms_mcml_layered *s, int side, double r0
 
 /* ---- colors ---------------------------------------------------------------------------------------------------- */
 
-enum { MS_MCML__NODES = 28 };
-
-/* Inverse of a symmetric positive matrix in place, rows of NODES apart, by sweeping its lower half; the logarithm of
-   its determinant. */
-static double ms_mcml__inverse(double a[][MS_MCML__NODES], int n)
+/* Part of the entering light that comes back, at g = 0. absorbed: 1 - albedo. */
+static double ms_mcml__reflected(const ms_mcml__cone *cone, double absorbed)
 {
-    double column[MS_MCML__NODES], log_determinant = 0;
-    int i, j, k;
-    for (k = 0; k < n; ++k) {
-        const double p = 1 / a[k][k];
-        log_determinant += log(a[k][k]);
-        for (i = 0; i < n; ++i) column[i] = i < k ? a[k][i] : a[i][k];
-        column[k] = -1;
-        for (i = 0; i < n; ++i) {
-            const double q = p * column[i];
-            if (i == k) continue;
-            for (j = 0; j <= i; ++j) a[i][j] -= q * column[j];
-            if (i > k) a[i][k] = q;
-        }
-        for (j = 0; j < k; ++j) a[k][j] = p * column[j];
-        a[k][k] = -p;
-    }
-    for (i = 0; i < n; ++i)
-        for (j = 0; j <= i; ++j) a[j][i] = a[i][j] = -a[i][j];
-    return log_determinant;
+    double work[MS_MCML__DEPTH_MAX * MS_MCML__DEPTH_MAX], single = 0;
+    const double albedo = 1 - absorbed, nu = ms_mcml__case_eigenvalue(albedo, absorbed);
+    int i;
+    for (i = 0; i < cone->count; ++i) single += albedo * cone->weight[i] * cone->mu[i] / (1 + cone->mu[i]);
+    return single + ms_mcml__multiple_total(cone, albedo, nu, 0.3, 1, single, work);
 }
 
-/* Diffuse reflectance of a half-space of Henyey-Greenstein scattering under a beam at normal incidence. By reciprocity
-   it is the radiance along the normal under even light from outside. Discrete ordinates, Gauss on both sides of the
-   critical angle (Stamnes et al. 1988 for the equations); with S and D the sums and differences of up and down, M the
-     cosines, M S' = -A D,  M D' = -B S,  A, B = 1 - albedo x odd, even moments,
-   the solution that decays is D = Y S, Y A Y = B: symmetric after scaling by sqrt(M), where it is the geometric mean of
-   B and 1 / A, found by Newton's iteration (Denman & Beavers 1976, with Higham's scaling). Single scattering with the
-   whole phase function (Nakajima & Tanaka 1988). nodes: of each of the two panels. */
-static double ms_mcml__half_space_total(double absorbed, double g, double eta, int nodes)
+/* 1 - albedo of a color. The reflectance falls almost linearly with s = sqrt(1 - albedo): secants inside a bracket. */
+static double ms_mcml__absorbed_of(double color, double eta)
 {
-    enum { N = MS_MCML__NODES };
-    double a[N][N], x[N][N], v[N][N], t[N][N], mu[N], w[N], rho[N], root[N], s[N], q[N], y[N], z[N];
-    const double cut = eta > 1 ? sqrt((eta - 1) * (eta + 1)) / eta : 0,
-                 r = (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1));
-    const int most = nodes + nodes / 4, below = eta > 1 ? most / 2 + 1 : 0, n = nodes + below;
-    const double f = g > 0 ? pow(g, most + 1) : 0, left = absorbed + (1 - absorbed) * (1 - f),
-                 albedo = (1 - absorbed) * (1 - f) / left;
-    double(*legendre)[N] = t, out = 0, odd = 0, single = 0, even = 1, more, power;
-    int i, j, l, turn;
-    ms_mcml__legendre_nodes(nodes, mu, w);
-    for (i = 0; i < nodes; ++i) { /* the root at the critical angle becomes smooth */
-        w[i] *= 2 * (1 - cut) * mu[i];
-        mu[i] = cut + (1 - cut) * mu[i] * mu[i];
+    double s = 1 - color, slope = -1, last = s, before = 0, low = 0, high = 1;
+    ms_mcml__cone cone;
+    int i;
+    ms_mcml__cone_make(&cone, eta);
+    for (i = 0; i < 40; ++i) {
+        const double error = ms_mcml__reflected(&cone, s * s) - color;
+        if (i && fabs(s - last) > 1e-9 * s) slope = (error - before) / (s - last);
+        if (error > 0) low = s;
+        else high = s;
+        if (fabs(error) < 1e-10 * color) break;
+        before = error;
+        last = s;
+        s -= error / slope;
+        if (!(s > low && s < high)) s = 0.5 * (low + high);
     }
-    ms_mcml__legendre_nodes(below, mu + nodes, w + nodes);
-    for (i = nodes; i < n; ++i) {
-        mu[i] *= cut;
-        w[i] *= cut;
-    }
-    for (i = 0; i < n; ++i) {
-        double p0 = 1, p1 = mu[i];
-        rho[i] = ms_mcml__fresnel_nu(eta, 1, eta * sqrt((1 - mu[i]) * (1 + mu[i])));
-        root[i] = sqrt(mu[i]);
-        for (l = 0; l <= most; ++l) {
-            legendre[l][i] = p0 * sqrt(w[i]);
-            power = ((2 * l + 3) * mu[i] * p1 - (l + 1) * p0) / (l + 2);
-            p0 = p1;
-            p1 = power;
-        }
-        for (j = 0; j < n; ++j) a[i][j] = x[i][j] = i == j;
-    }
-    for (l = 0, power = 1; l <= most; ++l, power *= g) {
-        const double moment = (2 * l + 1) * albedo * (power - f) / (1 - f);
-        double surplus =
-            0; /* of the quadrature, which would make or lose light: it goes to or comes from straight ahead */
-        for (i = 0; i < n; ++i) {
-            surplus += l > 0 ? legendre[l][i] * sqrt(w[i]) : 0;
-            for (j = 0; j <= i; ++j) (l & 1 ? a : x)[i][j] -= moment * legendre[l][i] * legendre[l][j];
-        }
-        for (i = 0; i < n && !(l & 1); ++i) {
-            const double ahead = moment * surplus * legendre[l][i] / sqrt(w[i]);
-            x[i][i] += ahead;
-            a[i][i] += ahead;
-        }
-        if (!(l & 1)) even += moment / albedo * surplus;
-    }
-    for (i = 0; i < n; ++i)
-        for (j = 0; j <= i; ++j) {
-            x[j][i] = x[i][j] /= root[i] * root[j];
-            v[j][i] = v[i][j] = a[j][i] = a[i][j] /= root[i] * root[j];
-        }
-    memcpy(t, a, sizeof t);
-    more = ms_mcml__inverse(t, n);
-    for (turn = 0; turn < 40;
-         ++turn) { /* x to Z, v to 1 / Z: each to its mean with the other's inverse; 1 / x v stays */
-        double change = 0, scale = 1, size;
-        memcpy(t, x, sizeof t);
-        size = ms_mcml__inverse(t, n);
-        if (turn == 0) more -= size; /* by which the logarithm of v's determinant is above that of x */
-        if (turn < 6) scale = exp(-(size + 0.5 * more) / n);
-        for (i = 0; i < n; ++i)
-            for (j = 0; j < n; ++j) t[i][j] = 0.5 * (scale * v[i][j] + t[i][j] / scale);
-        ms_mcml__inverse(v, n);
-        for (i = 0; i < n; ++i)
-            for (j = 0; j < n; ++j) {
-                const double b = 0.5 * (scale * x[i][j] + v[i][j] / scale);
-                if (i == j && fabs(b - x[i][j]) > change * b) change = fabs(b - x[i][j]) / b;
-                x[i][j] = b;
-            }
-        memcpy(v, t, sizeof t);
-        if (turn > 2 && change < 1e-9) break; /* quadratic: the next would be 1e-18 */
-    }
-    /* at the surface: ((1 + rho) Z (1 + rho) + (1 + rho) (1 - rho)) u = (1 + rho) (1 - Z) s, u: up, s: what comes in */
-    for (i = 0; i < n; ++i) s[i] = (1 - rho[i]) * root[i] * sqrt(w[i]);
-    for (i = 0; i < n; ++i) {
-        q[i] = s[i];
-        for (j = 0; j < n; ++j) {
-            q[i] -= x[i][j] * s[j];
-            t[i][j] = (1 + rho[i]) * x[i][j] * (1 + rho[j]) + (i == j ? (1 + rho[i]) * (1 - rho[i]) : 0);
-        }
-        q[i] *= 1 + rho[i];
-    }
-    ms_mcml__inverse(t, n);
-    for (i = 0; i < n; ++i)
-        for (j = 0; j < n; ++j) s[i] += (1 + rho[i]) * t[i][j] * q[j];
-    /* integrals times exp(-depth): of D (1 / Z + A) z = s, of S z / Z */
-    for (i = 0; i < n; ++i)
-        for (j = 0; j < n; ++j) t[i][j] = v[i][j] + a[i][j];
-    ms_mcml__inverse(t, n);
-    for (i = 0; i < n; ++i)
-        for (z[i] = 0, j = 0; j < n; ++j) z[i] += t[i][j] * s[j];
-    for (i = 0; i < n; ++i)
-        for (y[i] = 0, j = 0; j < n; ++j) y[i] += v[i][j] * z[j];
-    for (i = 0; i < n;
-         ++i) { /* scattered along the normal, and what the peak of the phase function adds to single scattering */
-        const double b = 1 + g * g + 2 * g * mu[i], whole = (1 - absorbed) / left * (1 - g * g) / (b * sqrt(b));
-        double p0 = 1, p1 = -mu[i], phase = 0;
-        for (l = 0, power = 1; l <= most; ++l, power *= g) {
-            const double moment = (2 * l + 1) * albedo * (power - f) / (1 - f),
-                         next = ((2 * l + 3) * -mu[i] * p1 - (l + 1) * p0) / (l + 2);
-            const double here = (l & 1 ? -moment * p0 : moment * p0) * sqrt(w[i]); /* p0: P_l(-mu) */
-            if (l & 1) odd += here * z[i] / root[i];
-            else out += here * y[i] / root[i];
-            phase += moment * p0;
-            p0 = p1;
-            p1 = next;
-        }
-        single += w[i] * mu[i] / (1 + mu[i]) * (whole - phase) * (1 - rho[i]);
-    }
-    return 0.5 * ((out - odd) / even + single) * (1 - r);
+    return s * s;
 }
 
-/* Part of the light that enters. */
-static double ms_mcml__transmitted(double eta) { return 1 - (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1)); }
-
-/* Coarse or fine. Below an absorption of 1e-12 the matrices are singular, and what is lost goes as its root. */
-static double ms_mcml__total_of(double absorbed, double g, double eta, int fine)
-{
-    const double least = 1e-12, at = absorbed > least ? absorbed : least;
-    const double total = ms_mcml__half_space_total(at, g, eta,
-                                                   !fine               ? 8
-                                                       : fabs(g) < 0.5 ? 14
-                                                                       : 17),
-                 most = ms_mcml__transmitted(eta);
-    return absorbed < least ? most - (most - total) * sqrt(absorbed / least) : total;
-}
-
-/* 1 - albedo of a reflectance. In s = sqrt((1 - albedo) / (1 - albedo g)) (van de Hulst 1980) the reflectance falls
-   almost along a line: secants inside a bracket, with few nodes first, then with many. */
-static double ms_mcml__absorbed_of(double reflectance, double g, double eta)
-{
-    double s = 1 - reflectance / ms_mcml__transmitted(eta), slope = -ms_mcml__transmitted(eta), last = s, before = 0;
-    int fine, turn;
-    for (fine = 0; fine < 2; ++fine) {
-        double low = 0, high = 1;
-        for (turn = 0; turn < 40; ++turn) {
-            const double error = ms_mcml__total_of(s * s * (1 - g) / (1 - s * s * g), g, eta, fine) - reflectance;
-            if (turn && fabs(s - last) > 1e-9 * s) slope = (error - before) / (s - last);
-            if (error > 0) low = s;
-            else high = s;
-            if (fabs(error) < (fine ? 1e-7 : 1e-5) * reflectance) break;
-            before = error;
-            last = s;
-            s -= error / slope;
-            if (!(s > low && s < high)) s = 0.5 * (low + high);
-        }
-    }
-    return s * s * (1 - g) / (1 - s * s * g);
-}
-
-/* Reduced path over a length of the kind. */
-static double ms_mcml__path_of(int kind, double absorbed, double g, double color)
+MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int kind, double eta, ms_mcml_medium *medium,
+                                           ms_error *error)
 {
     const double x = fabs(color - 0.8), y = (color - 0.33) * (color - 0.33), d = 1.85 - color + 7 * x * x * x;
-    if (kind == MS_MCML_MEAN_FREE_PATH) return 1 / (absorbed + (1 - absorbed) * (1 - g));
-    return kind == MS_MCML_BURLEY_D ? d : d / (3.5 + 100 * y * y);
-}
-
-MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int kind, double g, double eta,
-                                           ms_mcml_medium *medium, ms_error *error)
-{
-    ms_mcml_medium m;
-    ms_status status;
     double absorbed, mu_t;
     if (medium == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "medium is NULL");
-    m.mu_a_per_mm = m.mu_s_per_mm = 1;
-    m.g = g;
-    m.eta = eta;
-    if ((status = ms_mcml__check_medium(&m, error)) != MS_OK) return status;
-    if (g < -0.7) return ms__fail(error, MS_UNSUPPORTED, 0, "g is %g, expected -0.7 or more", g);
+    if (!ms_mcml__between(eta, 0.1, 10))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "eta is %g, expected 0.1 to 10", eta);
     if (!ms_mcml__between(color, 0, 1))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "color is %g, expected 0 to 1", color);
     if (!ms_mcml__between(length_mm, 1e-30, 1e30))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "length_mm is %g, expected above 0", length_mm);
     if (kind < MS_MCML_MEAN_FREE_PATH || kind > MS_MCML_DIFFUSE_PATH)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kind is %d, expected one of ms_mcml_length", kind);
-    absorbed = !(color > 0) ? 1 : color < 1 ? ms_mcml__absorbed_of(color * ms_mcml__transmitted(eta), g, eta) : 0;
-    mu_t = 1 / ((absorbed + (1 - absorbed) * (1 - g)) * length_mm * ms_mcml__path_of(kind, absorbed, g, color));
-    m.mu_a_per_mm = absorbed * mu_t;
-    m.mu_s_per_mm = (1 - absorbed) * mu_t;
-    *medium = m;
+    absorbed = !(color > 0) ? 1 : color < 1 ? ms_mcml__absorbed_of(color, eta) : 0;
+    mu_t = 1 / length_mm;
+    if (kind == MS_MCML_BURLEY_D) mu_t /= d;
+    if (kind == MS_MCML_DIFFUSE_PATH) mu_t *= (3.5 + 100 * y * y) / d;
+    medium->mu_a_per_mm = absorbed * mu_t;
+    medium->mu_s_per_mm = (1 - absorbed) * mu_t;
+    medium->g = 0;
+    medium->eta = eta;
     return MS_OK;
 }
 

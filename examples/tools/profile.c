@@ -244,7 +244,7 @@ int main(int argc, char **argv)
         } else if (strcmp(argv[i], "--eta") == 0) {
             if (!parse_numbers(value, &custom.eta, 1)) return usage("--eta needs a number, not", value);
             given |= 4;
-        } else if (strcmp(argv[i], "--color") == 0 || strcmp(argv[i], "--color") == 0) {
+        } else if (strcmp(argv[i], "--color") == 0) {
             if (!parse_numbers(value, color, 3)) return usage("--color needs one number or three, R,G,B, not", value);
             colored |= 1;
         } else if (strcmp(argv[i], "--mfp") == 0 || strcmp(argv[i], "--dmfp") == 0 ||
@@ -281,7 +281,7 @@ int main(int argc, char **argv)
         if (colored != 3) return usage("--color and --mfp, --dmfp or --distance go together", NULL);
         if (!(given & 4)) custom.eta = 1.4;
         for (i = 0; i < 3; ++i) {
-            if (ms_mcml_medium_from_color(color[i], length[i], kind, 0, custom.eta, &medium[i], &error)) {
+            if (ms_mcml_medium_from_color(color[i], length[i], kind, custom.eta, &medium[i], &error)) {
                 fprintf(stderr, "profile: %s\n", error.message);
                 return 2;
             }
