@@ -1236,17 +1236,45 @@ static void ms_gpr__backward_vector(const ms_gpr__kernels *f, const double *u, s
     }
 }
 
-/* Memory for doubles that starts on a cache line; `block` is what to release. */
-static double *ms_gpr__doubles(const ms_allocator *allocator, size_t count, void **block)
+/* What stands in front of a block that starts on a cache line. */
+typedef struct ms_gpr__front {
+    void *start;
+    size_t size;
+} ms_gpr__front;
+
+/* The block for what `arena` counted, in which the same calls of ms__take then place it. 0: no memory. */
+static int ms_gpr__place(const ms_allocator *allocator, ms__arena *arena)
 {
-    size_t size = ms__size_mul(ms__size_add(count, MS_GPR__BLOCK), sizeof(double));
-    *block = ms__alloc(allocator, size);
-    return *block ? (double *)(((uintptr_t)*block + 63) & ~(uintptr_t)63) : NULL;
+    const size_t front = sizeof(ms_gpr__front) + 63, size = ms__size_add(arena->used, front);
+    char *start = (char *)ms__alloc(allocator, size);
+    ms_gpr__front *f;
+    if (start == NULL) return 0;
+    arena->base = start + front - ((uintptr_t)(start + front) & 63);
+    arena->used = 0;
+    f = (ms_gpr__front *)(void *)arena->base - 1;
+    f->start = start;
+    f->size = size;
+    return 1;
 }
 
-static void ms_gpr__release_doubles(const ms_allocator *allocator, void *block, size_t count)
+/* NULL is allowed. */
+static void ms_gpr__release(const ms_allocator *allocator, void *base)
 {
-    ms__release(allocator, block, (count + MS_GPR__BLOCK) * sizeof(double));
+    const ms_gpr__front *f = (const ms_gpr__front *)base;
+    if (f != NULL) ms__release(allocator, f[-1].start, f[-1].size);
+}
+
+static double *ms_gpr__take(ms__arena *arena, size_t a, size_t b)
+{
+    return (double *)ms__take(arena, ms__size_mul(a, b), sizeof(double));
+}
+
+/* Scratch, to be released; NULL: no memory. */
+static double *ms_gpr__scratch(const ms_allocator *allocator, size_t doubles)
+{
+    ms__arena arena = {NULL, 0};
+    ms_gpr__take(&arena, doubles, 1);
+    return ms_gpr__place(allocator, &arena) ? (double *)(void *)arena.base : NULL;
 }
 
 /* ---- minimizer ------------------------------------------------------------------------------------------------- */
@@ -1869,54 +1897,44 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
     return 1;
 }
 
-/* observations: 0, or how many there are, of which so many are pairs. */
-static size_t ms_gpr__problem_doubles(int n, int m, int observations, int pairs)
+/* Places or counts what a problem of these sizes needs; observations: 0, or how many there are, with the pairs. Once it
+   is placed, ms_gpr__problem_clear. */
+static void ms_gpr__problem_layout(ms_gpr__problem *p, const ms_gpr__kernels *kernels, int n, int m, int observations,
+                                   int pairs, ms__arena *arena)
 {
-    size_t stride = ms_gpr__stride(n), padded = (size_t)ms_gpr__padded(n);
-    size_t matrices = ms__size_mul(ms__size_mul(observations ? 4 : 3, padded), stride);
-    size_t lists = ms__size_add(ms__size_mul((size_t)m + 3, stride), ms__size_mul((size_t)m, MS_GPR__BLOCK));
-    if (observations)
-        lists = ms__size_add(
-            lists, ms__size_add(ms__size_mul(9, stride), (size_t)observations * 3 + (size_t)pairs * 2 + MS_GPR__BLOCK));
-    return ms__size_add(matrices, lists);
+    const size_t padded = (size_t)ms_gpr__padded(n), rows = (size_t)n, columns = (size_t)m;
+    p->kernels = kernels;
+    p->n = n;
+    p->m = m;
+    p->stride = ms_gpr__stride(n);
+    p->kernel = ms_gpr__take(arena, padded, p->stride);
+    p->upper = ms_gpr__take(arena, padded, p->stride);
+    p->inverse = ms_gpr__take(arena, padded, p->stride);
+    p->points = ms_gpr__take(arena, columns, p->stride);
+    p->target = ms_gpr__take(arena, p->stride, 1);
+    p->alpha = ms_gpr__take(arena, p->stride, 1);
+    p->weight = ms_gpr__take(arena, p->stride, 1);
+    p->slope = ms_gpr__take(arena, columns, MS_GPR__BLOCK);
+    if (observations == 0) return;
+    p->observations = observations;
+    p->pairs = pairs;
+    p->solved = ms_gpr__take(arena, padded, p->stride);
+    p->latent = ms_gpr__take(arena, p->stride, 1);
+    p->list = ms_gpr__take(arena, 6 * p->stride + (size_t)pairs, 1);
+    p->member = (int *)ms__take(arena, rows, sizeof(int));
+    p->position = (int *)ms__take(arena, rows, sizeof(int));
+    p->head = (int *)ms__take(arena, rows, sizeof(int));
+    p->first = (int *)ms__take(arena, rows + 1, sizeof(int));
+    p->next = (int *)ms__take(arena, (size_t)pairs, sizeof(int));
+    p->observation = (ms_gpr__observation *)ms__take(arena, (size_t)observations, sizeof *p->observation);
 }
 
-/* Lays a problem out in ms_gpr__problem_doubles(n, m, observations, pairs) doubles; points, target and alpha are zero.
- */
-static ms_gpr__problem ms_gpr__problem_make(const ms_gpr__kernels *kernels, int n, int m, int observations, int pairs,
-                                            double *memory)
+/* Points, target and alpha are 0 where nothing is written. */
+static void ms_gpr__problem_clear(ms_gpr__problem *p)
 {
-    ms_gpr__problem p;
-    size_t matrix;
-    memset(&p, 0, sizeof p);
-    p.kernels = kernels;
-    p.n = n;
-    p.m = m;
-    p.stride = ms_gpr__stride(n);
-    matrix = (size_t)ms_gpr__padded(n) * p.stride;
-    p.kernel = memory;
-    p.upper = p.kernel + matrix;
-    p.inverse = p.upper + matrix;
-    p.points = p.inverse + matrix;
-    p.target = p.points + (size_t)m * p.stride;
-    p.alpha = p.target + p.stride;
-    p.weight = p.alpha + p.stride;
-    p.slope = p.weight + p.stride;
-    memset(p.points, 0, (size_t)(m + 2) * p.stride * sizeof *p.points);
-    if (observations) {
-        p.observations = observations;
-        p.pairs = pairs;
-        p.solved = p.slope + (size_t)m * MS_GPR__BLOCK;
-        p.latent = p.solved + matrix;
-        p.list = p.latent + p.stride;
-        p.member = (int *)(void *)(p.list + 6 * p.stride + pairs);
-        p.position = p.member + n;
-        p.head = p.position + n;
-        p.first = p.head + n;
-        p.next = p.first + n + 1;
-        p.observation = (ms_gpr__observation *)(void *)(p.list + 8 * p.stride + 2 * pairs + 1);
-    }
-    return p;
+    memset(p->points, 0, (size_t)p->m * p->stride * sizeof *p->points);
+    memset(p->target, 0, p->stride * sizeof *p->target);
+    memset(p->alpha, 0, p->stride * sizeof *p->alpha);
 }
 
 /* ---- model ----------------------------------------------------------------------------------------------------- */
@@ -1940,8 +1958,7 @@ struct ms_gpr {
     const ms_gpr__kernels *kernels;
     ms_allocator allocator;
     ms_parallel parallel;
-    void *block;
-    size_t doubles;
+    void *memory;    /* what follows */
     double *x;       /* [capacity][m] */
     double *y;       /* [capacity] */
     double *value;   /* [capacity] y, or what is predicted for a row without */
@@ -1957,33 +1974,24 @@ struct ms_gpr {
     int *dimension;  /* [active] which column of x */
 };
 
-static size_t ms_gpr__model_doubles(int capacity, int m)
+/* The parts of a block for `capacity` points. */
+static void ms_gpr__layout(ms_gpr *gp, int capacity, ms__arena *arena)
 {
-    size_t stride = ms_gpr__stride(capacity), columns = (size_t)m;
-    size_t rows = ms__size_add(ms__size_mul((size_t)capacity, columns + 2), ms__size_mul(columns, 5));
-    size_t lists = ms__size_mul(stride, ms__size_add(ms__size_mul(2, columns), 4));
-    return ms__size_add(ms__size_add(rows, lists),
-                        ms__size_add(ms__size_mul(stride, (size_t)ms_gpr__padded(capacity)), 4));
-}
-
-/* Points gp at its parts of a block for `capacity` points. */
-static void ms_gpr__lay_out(ms_gpr *gp, int capacity, double *memory)
-{
-    size_t m = (size_t)gp->m;
+    size_t m = (size_t)gp->m, rows = (size_t)capacity;
     gp->stride = ms_gpr__stride(capacity);
-    gp->upper = memory;
-    gp->points = gp->upper + (size_t)ms_gpr__padded(capacity) * gp->stride;
-    gp->alpha = gp->points + m * gp->stride;
-    gp->weight = gp->alpha + gp->stride;
-    gp->points_f = (float *)(void *)(gp->weight + gp->stride);
-    gp->weight_f = gp->points_f + m * gp->stride;
-    gp->x = gp->weight + gp->stride + (m + 1) * gp->stride;
-    gp->y = gp->x + (size_t)capacity * m;
-    gp->value = gp->y + capacity;
-    gp->theta = gp->value + capacity;
-    gp->center = gp->theta + m + 2;
-    gp->scale = gp->center + m;
-    gp->dimension = (int *)(void *)(gp->scale + m);
+    gp->upper = ms_gpr__take(arena, (size_t)ms_gpr__padded(capacity), gp->stride);
+    gp->points = ms_gpr__take(arena, m, gp->stride);
+    gp->alpha = ms_gpr__take(arena, gp->stride, 1);
+    gp->weight = ms_gpr__take(arena, gp->stride, 1);
+    gp->points_f = (float *)ms__take(arena, m * gp->stride, sizeof(float));
+    gp->weight_f = (float *)ms__take(arena, gp->stride, sizeof(float));
+    gp->x = ms_gpr__take(arena, rows, m);
+    gp->y = ms_gpr__take(arena, rows, 1);
+    gp->value = ms_gpr__take(arena, rows, 1);
+    gp->theta = ms_gpr__take(arena, m + 2, 1);
+    gp->center = ms_gpr__take(arena, m, 1);
+    gp->scale = ms_gpr__take(arena, m, 1);
+    gp->dimension = (int *)ms__take(arena, m, sizeof(int));
 }
 
 static double ms_gpr__sf2(const ms_gpr *gp) { return exp(2 * gp->theta[gp->m]); }
@@ -2103,17 +2111,19 @@ static int ms_gpr__observe(const ms_gpr *gp, ms_gpr__observation *observation)
                                gp->pair_count);
 }
 
-/* The problem of this model's data and theta; memory from the model's allocator, to be released as `block`. */
-static ms_status ms_gpr__problem_of(const ms_gpr *gp, ms_gpr__problem *p, void **block, size_t *doubles,
-                                    ms_error *error)
+/* The problem of this model's data and theta; *memory is from the model's allocator, to be released. */
+static ms_status ms_gpr__problem_of(const ms_gpr *gp, ms_gpr__problem *p, void **memory, ms_error *error)
 {
-    double *memory;
-    int observations = gp->soft ? ms_gpr__observe(gp, NULL) : 0, i, k;
+    ms__arena arena = {NULL, 0};
+    int room = gp->soft ? ms_gpr__observe(gp, NULL) + 1 : 0, pass, i, k;
     memset(p, 0, sizeof *p);
-    *doubles = ms_gpr__problem_doubles(gp->n, gp->m, gp->soft ? observations + 1 : 0, gp->pair_count);
-    memory = ms_gpr__doubles(&gp->allocator, *doubles, block);
-    if (memory == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d points", gp->n);
-    *p = ms_gpr__problem_make(gp->kernels, gp->n, gp->active, gp->soft ? observations + 1 : 0, gp->pair_count, memory);
+    for (pass = 0; pass < 2; ++pass) {
+        ms_gpr__problem_layout(p, gp->kernels, gp->n, gp->active, room, gp->pair_count, &arena);
+        if (pass == 0 && !ms_gpr__place(&gp->allocator, &arena))
+            return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d points", gp->n);
+    }
+    *memory = arena.base;
+    ms_gpr__problem_clear(p);
     for (k = 0; k < gp->active; ++k)
         memcpy(p->points + (size_t)k * p->stride, gp->points + (size_t)k * gp->stride, (size_t)gp->n * sizeof(double));
     for (i = 0; i < gp->n; ++i) p->target[i] = ms_gpr__target(gp, i);
@@ -2125,11 +2135,10 @@ static ms_status ms_gpr__problem_of(const ms_gpr *gp, ms_gpr__problem *p, void *
 static ms_status ms_gpr__condition_soft(ms_gpr *gp, ms_error *error)
 {
     ms_gpr__problem p;
-    void *block;
-    size_t doubles;
+    void *memory = NULL;
     int padded = ms_gpr__padded(gp->n), i, found = 0;
     double sf2 = ms_gpr__sf2(gp);
-    ms_status status = ms_gpr__problem_of(gp, &p, &block, &doubles, error);
+    ms_status status = ms_gpr__problem_of(gp, &p, &memory, error);
     if (status != MS_OK) return status;
     for (gp->jitter = 0; gp->jitter < 2e-6 && !found; gp->jitter = found ? gp->jitter
              : gp->jitter > 0                                            ? 10 * gp->jitter
@@ -2145,7 +2154,7 @@ static ms_status ms_gpr__condition_soft(ms_gpr *gp, ms_error *error)
         for (i = 0; i < gp->n; ++i)
             if (!ms_gpr__scored(gp->y[i])) gp->value[i] = gp->mean + p.latent[i];
     }
-    ms_gpr__release_doubles(&gp->allocator, block, doubles);
+    ms_gpr__release(&gp->allocator, memory);
     return found
         ? MS_OK
         : ms__fail(error, MS_NOT_CONVERGED, 0,
@@ -2256,59 +2265,59 @@ static ms_status ms_gpr__check_theta(const double *theta, int m, ms_error *error
     return MS_OK;
 }
 
-/* What a model is made of. */
-typedef struct ms_gpr__data {
-    const double *x, *y, *theta;
-    int n, m, pair_count;
-    const int *pairs;
-    double floor, floor_value, step;
-    const double *alpha; /* [n] where Newton's method starts, or NULL */
-} ms_gpr__data;
-
-/* A model with room for `capacity` points, everything copied, nothing conditioned. */
-static ms_status ms_gpr__copy(const ms_gpr__data *data, int capacity, const ms_gpr_options *options, ms_gpr **out,
-                              ms_error *error)
+/* A model with room for `capacity` points: copies of what `like` says and points at. Nothing is conditioned. Newton's
+   method starts from its alpha, or where that is NULL from 0. */
+static ms_status ms_gpr__copy(const ms_gpr *like, int capacity, ms_gpr **out, ms_error *error)
 {
-    ms_gpr *gp = (ms_gpr *)ms__alloc(&options->allocator, sizeof *gp);
-    size_t n = (size_t)data->n, m = (size_t)data->m, size = 2 * (size_t)data->pair_count * sizeof *data->pairs;
-    double *memory;
+    ms__arena arena = {NULL, 0};
+    ms_gpr *gp = (ms_gpr *)ms__alloc(&like->allocator, sizeof *gp);
+    size_t n = (size_t)like->n, m = (size_t)like->m, size = 2 * (size_t)like->pair_count * sizeof *like->pairs;
     *out = NULL;
     if (gp == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a model");
-    memset(gp, 0, sizeof *gp);
-    gp->n = data->n;
-    gp->m = data->m;
-    gp->mean = options->mean;
-    gp->floor = data->floor;
-    gp->floor_value = data->floor_value;
-    gp->step = data->step;
-    gp->pair_count = gp->pair_room = data->pair_count;
-    gp->level = ms_gpr__simd_pick(options->simd);
+    *gp = *like;
+    gp->pair_room = like->pair_count;
     gp->kernels = ms_gpr__kernels_of(gp->level);
-    gp->allocator = options->allocator;
-    gp->parallel = options->parallel;
-    gp->doubles = ms_gpr__model_doubles(capacity, gp->m);
-    if (size > 0) gp->pairs = (int *)ms__alloc(&gp->allocator, size);
-    memory = size > 0 && gp->pairs == NULL ? NULL : ms_gpr__doubles(&gp->allocator, gp->doubles, &gp->block);
-    if (memory == NULL) {
-        ms__release(&options->allocator, gp->pairs, size);
-        ms__release(&options->allocator, gp, sizeof *gp);
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a model of %d points and %d dimensions", data->n,
-                        data->m);
+    gp->pairs = size > 0 ? (int *)ms__alloc(&gp->allocator, size) : NULL;
+    ms_gpr__layout(gp, capacity, &arena);
+    if ((size > 0 && gp->pairs == NULL) || !ms_gpr__place(&gp->allocator, &arena)) {
+        ms__release(&like->allocator, gp->pairs, size);
+        ms__release(&like->allocator, gp, sizeof *gp);
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a model of %d points and %d dimensions", like->n,
+                        like->m);
     }
-    ms_gpr__lay_out(gp, capacity, memory);
-    if (n > 0) memcpy(gp->x, data->x, n * m * sizeof *gp->x);
-    if (n > 0) memcpy(gp->y, data->y, n * sizeof *gp->y);
-    if (size > 0) memcpy(gp->pairs, data->pairs, size);
-    memcpy(gp->theta, data->theta, (m + 2) * sizeof *gp->theta);
+    gp->memory = arena.base;
+    ms_gpr__layout(gp, capacity, &arena);
+    if (n > 0) memcpy(gp->x, like->x, n * m * sizeof *gp->x);
+    if (n > 0) memcpy(gp->y, like->y, n * sizeof *gp->y);
+    if (size > 0) memcpy(gp->pairs, like->pairs, size);
+    memcpy(gp->theta, like->theta, (m + 2) * sizeof *gp->theta);
     memset(gp->alpha, 0, gp->stride * sizeof *gp->alpha);
-    if (data->alpha) memcpy(gp->alpha, data->alpha, n * sizeof *gp->alpha);
+    if (like->alpha && n > 0) memcpy(gp->alpha, like->alpha, n * sizeof *gp->alpha);
     *out = gp;
     return MS_OK;
 }
 
-static ms_status ms_gpr__make(const ms_gpr__data *data, const ms_gpr_options *options, ms_gpr **out, ms_error *error)
+/* What ms_gpr__copy makes a model of: no comparisons, floor or steps. */
+static ms_gpr ms_gpr__like(const double *x, const double *y, int n, int m, const double *theta, const ms_gpr_options *o)
 {
-    ms_status status = ms_gpr__copy(data, data->n, options, out, error);
+    ms_gpr like;
+    memset(&like, 0, sizeof like);
+    like.x = (double *)(uintptr_t)x;
+    like.y = (double *)(uintptr_t)y;
+    like.theta = (double *)(uintptr_t)theta;
+    like.n = n;
+    like.m = m;
+    like.mean = o->mean;
+    like.floor = MS_GPR__NO_FLOOR;
+    like.level = ms_gpr__simd_pick(o->simd);
+    like.allocator = o->allocator;
+    like.parallel = o->parallel;
+    return like;
+}
+
+static ms_status ms_gpr__make(const ms_gpr *like, ms_gpr **out, ms_error *error)
+{
+    ms_status status = ms_gpr__copy(like, like->n, out, error);
     if (status != MS_OK) return status;
     status = ms_gpr__condition(*out, error);
     if (status == MS_OK) return MS_OK;
@@ -2321,27 +2330,13 @@ static ms_status ms_gpr__make(const ms_gpr__data *data, const ms_gpr_options *op
 static ms_status ms_gpr__edit(const ms_gpr *gp, int more, const int *pairs, int pair_count, ms_gpr **out,
                               ms_error *error)
 {
-    ms_gpr_options options;
-    ms_gpr__data data;
-    options.mean = gp->mean;
-    options.simd = gp->level;
-    options.allocator = gp->allocator;
-    options.parallel = gp->parallel;
-    data.x = gp->x;
-    data.y = gp->y;
-    data.theta = gp->theta;
-    data.n = gp->n;
-    data.m = gp->m;
-    data.pairs = pairs;
-    data.pair_count = pair_count;
-    data.floor = gp->floor;
-    data.floor_value = gp->floor_value;
-    data.step = gp->step;
-    data.alpha = gp->alpha;
-    return ms_gpr__copy(&data, gp->n + more, &options, out, error);
+    ms_gpr like = *gp;
+    like.pairs = (int *)(uintptr_t)pairs;
+    like.pair_count = pair_count;
+    return ms_gpr__copy(&like, gp->n + more, out, error);
 }
 
-/* Conditions the changed copy and puts it in the scaled of gp, which keeps its address; or drops it. */
+/* Conditions the changed copy and puts it in the place of gp, which keeps its address; or drops it. */
 static ms_status ms_gpr__commit(ms_gpr *gp, ms_gpr *edited, ms_error *error)
 {
     ms_status status = ms_gpr__condition(edited, error);
@@ -2357,26 +2352,20 @@ static ms_status ms_gpr__commit(ms_gpr *gp, ms_gpr *edited, ms_error *error)
 MS_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, const double *theta,
                                const ms_gpr_options *options, ms_gpr **out, ms_error *error)
 {
-    ms_gpr_options defaults;
-    ms_gpr__data data;
+    ms_gpr_options o;
+    ms_gpr like;
     ms_status status;
     if (out == NULL) return ms_gpr__null("out", error);
     *out = NULL;
-    memset(&defaults, 0, sizeof defaults);
-    if (options == NULL) options = &defaults;
+    memset(&o, 0, sizeof o);
+    if (options) o = *options;
     status = ms_gpr__check_data(x, y, n, m, error);
     if (status == MS_OK) status = ms_gpr__check_theta(theta, m, error);
-    if (status == MS_OK && !ms__finite(options->mean))
+    if (status == MS_OK && !ms__finite(o.mean))
         status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "the prior mean is not finite");
     if (status != MS_OK) return status;
-    memset(&data, 0, sizeof data);
-    data.x = x;
-    data.y = y;
-    data.n = n;
-    data.m = m;
-    data.theta = theta;
-    data.floor = MS_GPR__NO_FLOOR;
-    return ms_gpr__make(&data, options, out, error);
+    like = ms_gpr__like(x, y, n, m, theta, &o);
+    return ms_gpr__make(&like, out, error);
 }
 
 MS_API void ms_gpr_destroy(ms_gpr *gp)
@@ -2384,31 +2373,19 @@ MS_API void ms_gpr_destroy(ms_gpr *gp)
     ms_allocator allocator;
     if (gp == NULL) return;
     allocator = gp->allocator;
-    ms_gpr__release_doubles(&allocator, gp->block, gp->doubles);
+    ms_gpr__release(&allocator, gp->memory);
     ms__release(&allocator, gp->pairs, 2 * (size_t)gp->pair_room * sizeof *gp->pairs);
     ms__release(&allocator, gp, sizeof *gp);
 }
 
-/* Conditions on `theta`, or goes back to what was: that did condition before. swap [m + 2]: scratch. */
-static ms_status ms_gpr__try_theta(ms_gpr *gp, const double *theta, double *swap, ms_error *error)
+/* Other hyperparameters [m + 2] for the same data; the model is unchanged unless MS_OK. */
+static ms_status ms_gpr__set_theta(ms_gpr *gp, const double *theta, ms_error *error)
 {
-    size_t size = ((size_t)gp->m + 2) * sizeof *theta;
-    ms_status status;
-    if (gp->soft) {
-        ms_gpr *edited;
-        status = ms_gpr__edit(gp, 1, gp->pairs, gp->pair_count, &edited, error);
-        if (status != MS_OK) return status;
-        memcpy(edited->theta, theta, size);
-        return ms_gpr__commit(gp, edited, error);
-    }
-    memcpy(swap, gp->theta, size);
-    memcpy(gp->theta, theta, size);
-    status = ms_gpr__condition(gp, error);
-    if (status != MS_OK) {
-        memcpy(gp->theta, swap, size);
-        ms_gpr__condition(gp, NULL);
-    }
-    return status;
+    ms_gpr *edited;
+    ms_status status = ms_gpr__edit(gp, 0, gp->pairs, gp->pair_count, &edited, error);
+    if (status != MS_OK) return status;
+    memcpy(edited->theta, theta, ((size_t)gp->m + 2) * sizeof *theta);
+    return ms_gpr__commit(gp, edited, error);
 }
 
 MS_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance)
@@ -2434,7 +2411,7 @@ MS_API ms_status ms_gpr_simplify(ms_gpr *gp, double tolerance, int *kept, ms_err
     if (!ms__finite(tolerance) || tolerance < 0)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tolerance is %g: expected at least 0", tolerance);
     columns = (size_t)gp->m;
-    size = (3 * columns + 4) * sizeof(double);
+    size = (2 * columns + 2) * sizeof(double);
     relevance = (double *)ms__alloc(&gp->allocator, size);
     if (relevance == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %d relevances", gp->m);
     theta = relevance + columns;
@@ -2448,7 +2425,7 @@ MS_API ms_status ms_gpr_simplify(ms_gpr *gp, double tolerance, int *kept, ms_err
         dropped += relevance[least];
         theta[least] = MS_GPR__DROPPED;
     }
-    status = ms_gpr__try_theta(gp, theta, theta + columns + 2, error);
+    status = ms_gpr__set_theta(gp, theta, error);
     if (kept && status == MS_OK) *kept = gp->active;
     ms__release(&gp->allocator, relevance, size);
     return status;
@@ -2692,18 +2669,16 @@ static void ms_gpr__predict_task_f(void *context, int task)
 static ms_status ms_gpr__predict_run(ms_gpr__batch *b, void (*task)(void *context, int index), ms_error *error)
 {
     const ms_gpr *gp = b->gp;
-    size_t rows = b->variance ? (size_t)ms_gpr__padded(gp->n) : 0, doubles;
+    size_t rows = b->variance ? (size_t)ms_gpr__padded(gp->n) : 0;
     int chunks = (b->count - 1) / MS_GPR__CHUNK + 1;
-    void *block;
     if (b->count == 0) return MS_OK;
     b->tasks = gp->parallel.run == NULL ? 1 : chunks < 16 ? chunks : 16;
     b->task_doubles = ms__size_mul(MS_GPR__CHUNK,
                                    (size_t)gp->active + (rows > MS_GPR__SLAB ? rows : (size_t)MS_GPR__SLAB));
-    doubles = ms__size_mul((size_t)b->tasks, b->task_doubles);
-    b->scratch = ms_gpr__doubles(&gp->allocator, doubles, &block);
+    b->scratch = ms_gpr__scratch(&gp->allocator, ms__size_mul((size_t)b->tasks, b->task_doubles));
     if (b->scratch == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for predictions");
     ms__run(&gp->parallel, b->tasks, task, b);
-    ms_gpr__release_doubles(&gp->allocator, block, doubles);
+    ms_gpr__release(&gp->allocator, b->scratch);
     return MS_OK;
 }
 
@@ -2726,20 +2701,6 @@ MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, do
 }
 
 /* ---- fit ------------------------------------------------------------------------------------------------------- */
-
-/* Consecutive pieces of one allocation, whole blocks of 8 doubles each. A NULL base adds up the size alone. */
-typedef struct ms_gpr__arena {
-    double *base;
-    size_t used; /* doubles; SIZE_MAX: too many */
-} ms_gpr__arena;
-
-static double *ms_gpr__take(ms_gpr__arena *arena, size_t a, size_t b)
-{
-    double *piece = arena->base ? arena->base + arena->used : NULL;
-    size_t size = ms__size_add(ms__size_mul(a, b), MS_GPR__BLOCK - 1);
-    arena->used = ms__size_add(arena->used, size == SIZE_MAX ? size : size / MS_GPR__BLOCK * MS_GPR__BLOCK);
-    return piece;
-}
 
 typedef struct ms_gpr__ranked {
     double value;
@@ -3189,17 +3150,15 @@ static int ms_gpr__fit_part(const ms_gpr__fit *fit, int n, int m)
     return n / 3 < 400 ? n / 3 : 400;
 }
 
-static void ms_gpr__fit_layout(ms_gpr__fit *fit, int n, int m, int part, ms_gpr__arena *arena)
+static void ms_gpr__fit_layout(ms_gpr__fit *fit, int n, int m, int part, ms__arena *arena)
 {
     const ms_gpr__kernels *f = ms_gpr__kernels_of(ms_gpr__simd_pick(fit->o.simd));
     size_t row = (size_t)m + 2;
-    double *memory = ms_gpr__take(arena, ms_gpr__problem_doubles(n, m, fit->observations, fit->o.pair_count), 1);
-    if (memory) fit->whole.problem = ms_gpr__problem_make(f, n, m, fit->observations, fit->o.pair_count, memory);
+    ms_gpr__problem_layout(&fit->whole.problem, f, n, m, fit->observations, fit->o.pair_count, arena);
     fit->whole.columns = ms_gpr__take(arena, (size_t)m, ms_gpr__stride(n));
     fit->part.columns = NULL;
     if (part < n) {
-        memory = ms_gpr__take(arena, ms_gpr__problem_doubles(part, m, fit->observations ? part : 0, 0), 1);
-        if (memory) fit->part.problem = ms_gpr__problem_make(f, part, m, fit->observations ? part : 0, 0, memory);
+        ms_gpr__problem_layout(&fit->part.problem, f, part, m, fit->observations ? part : 0, 0, arena);
         fit->part.columns = ms_gpr__take(arena, (size_t)m, ms_gpr__stride(part));
     }
     fit->work = ms_gpr__take(arena, ms_gpr__minimize_doubles(m + 2), 1);
@@ -3211,9 +3170,8 @@ static void ms_gpr__fit_layout(ms_gpr__fit *fit, int n, int m, int part, ms_gpr_
     fit->width = ms_gpr__take(arena, row, 1);
     fit->center = ms_gpr__take(arena, row, 1);
     fit->theta = ms_gpr__take(arena, row, 1);
-    fit->column = (int *)(void *)ms_gpr__take(arena, row, 1);
-    fit->order = (ms_gpr__ranked *)(void *)ms_gpr__take(arena, (size_t)n + (size_t)fit->starts,
-                                                        sizeof *fit->order / sizeof(double) + 1);
+    fit->column = (int *)ms__take(arena, row, sizeof(int));
+    fit->order = (ms_gpr__ranked *)ms__take(arena, (size_t)n + (size_t)fit->starts, sizeof *fit->order);
 }
 
 /* Samples, starts, search; then theta from what was found. */
@@ -3223,6 +3181,8 @@ static ms_status ms_gpr__fit_run(ms_gpr__fit *fit, const double *x, const double
     ms_gpr__minimum found;
     ms_status status = ms_gpr__fit_columns(fit, x, n, m, error);
     int differ = ms_gpr__fit_scores(fit, y, n), i, k;
+    ms_gpr__problem_clear(&fit->whole.problem);
+    if (part < n) ms_gpr__problem_clear(&fit->part.problem);
     if (status == MS_OK && differ && fit->unit < 1 / MS_GPR__LARGEST)
         status = ms__fail(error, MS_BAD_DATA, 0, "the scores span about %g: expected more than %g; scale them",
                           fit->unit, 1 / MS_GPR__LARGEST);
@@ -3263,10 +3223,8 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
                             ms_gpr **out, ms_gpr_fit_report *report, ms_error *error)
 {
     ms_gpr__fit fit;
-    ms_gpr__arena arena = {NULL, 0};
+    ms__arena arena = {NULL, 0};
     ms_status status;
-    size_t doubles;
-    void *block;
     int part;
     if (out == NULL) return ms_gpr__null("out", error);
     *out = NULL;
@@ -3283,33 +3241,26 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
     fit.expected = 30 * fit.starts + fit.o.evaluations / 2;
     part = ms_gpr__fit_part(&fit, n, m);
     ms_gpr__fit_layout(&fit, n, m, part, &arena);
-    doubles = arena.used;
-    arena.base = ms_gpr__doubles(&fit.o.allocator, doubles, &block);
-    if (arena.base == NULL)
+    if (!ms_gpr__place(&fit.o.allocator, &arena))
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to fit %d points of %d dimensions", n, m);
-    arena.used = 0;
     ms_gpr__fit_layout(&fit, n, m, part, &arena);
     status = ms_gpr__fit_run(&fit, x, y, n, m, part, error);
     if (status == MS_OK) {
         ms_gpr_options model;
-        ms_gpr__data data;
-        data.x = x;
-        data.y = y;
-        data.theta = fit.theta;
-        data.n = n;
-        data.m = m;
-        data.pairs = fit.o.pairs;
-        data.pair_count = fit.o.pair_count;
-        data.floor = fit.floor;
-        data.floor_value = fit.floor_value;
-        data.step = fit.o.step;
-        data.alpha = fit.observations ? fit.whole.problem.alpha : NULL;
-        for (part = 0; fit.observations && part < n; ++part) fit.whole.problem.alpha[part] /= fit.unit;
+        ms_gpr like;
         model.mean = fit.mean;
         model.simd = fit.o.simd;
         model.allocator = fit.o.allocator;
         model.parallel = fit.o.parallel;
-        status = ms_gpr__make(&data, &model, out, error);
+        like = ms_gpr__like(x, y, n, m, fit.theta, &model);
+        like.pairs = (int *)(uintptr_t)fit.o.pairs;
+        like.pair_count = fit.o.pair_count;
+        like.floor = fit.floor;
+        like.floor_value = fit.floor_value;
+        like.step = fit.o.step;
+        for (part = 0; fit.observations && part < n; ++part) fit.whole.problem.alpha[part] /= fit.unit;
+        if (fit.observations) like.alpha = fit.whole.problem.alpha;
+        status = ms_gpr__make(&like, out, error);
     }
     if (status == MS_OK && report) {
         ms_gpr__fit_outlier_score(&fit, *out);
@@ -3317,7 +3268,7 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
         report->likelihood = (*out)->soft ? (*out)->likelihood : ms_gpr__likelihood_of(*out);
         report->jitter = (*out)->jitter;
     }
-    ms_gpr__release_doubles(&fit.o.allocator, block, doubles);
+    ms_gpr__release(&fit.o.allocator, arena.base);
     return status;
 }
 
@@ -3378,11 +3329,10 @@ typedef struct ms_gpr__space {
     int *owner;                /* [m] which list the column is from, counted from 1, or 0 */
     ms_gpr__group *group;
     ms_allocator allocator;
-    void *block;
-    size_t doubles;
+    void *memory;
 } ms_gpr__space;
 
-static void ms_gpr__space_layout(ms_gpr__space *s, const ms_gpr_space *wish, ms_gpr__arena *arena)
+static void ms_gpr__space_layout(ms_gpr__space *s, const ms_gpr_space *wish, ms__arena *arena)
 {
     size_t m = (size_t)s->m;
     int g;
@@ -3391,13 +3341,12 @@ static void ms_gpr__space_layout(ms_gpr__space *s, const ms_gpr_space *wish, ms_
     s->per = ms_gpr__take(arena, m, 1);
     s->step = ms_gpr__take(arena, m, 1);
     s->cells = ms_gpr__take(arena, m, 1);
-    s->lead = (int *)(void *)ms_gpr__take(arena, m, 1);
-    s->owner = (int *)(void *)ms_gpr__take(arena, m, 1);
-    s->group = (ms_gpr__group *)(void *)ms_gpr__take(arena, (size_t)wish->list_count,
-                                                     sizeof *s->group / sizeof(double) + 1);
+    s->lead = (int *)ms__take(arena, m, sizeof(int));
+    s->owner = (int *)ms__take(arena, m, sizeof(int));
+    s->group = (ms_gpr__group *)ms__take(arena, (size_t)wish->list_count, sizeof *s->group);
     for (g = 0; g < wish->list_count; ++g) {
         size_t width = (size_t)wish->lists[g].width;
-        int *column = (int *)(void *)ms_gpr__take(arena, width, 1);
+        int *column = (int *)ms__take(arena, width, sizeof(int));
         double *rows = ms_gpr__take(arena, ms__size_mul(width, (size_t)wish->lists[g].count), 1);
         if (arena->base == NULL) continue;
         s->group[g].column = column;
@@ -3640,13 +3589,13 @@ static ms_status ms_gpr__space_equal(ms_gpr__space *s, const ms_gpr_space *wish,
     return MS_OK;
 }
 
-static void ms_gpr__space_free(ms_gpr__space *s) { ms_gpr__release_doubles(&s->allocator, s->block, s->doubles); }
+static void ms_gpr__space_free(ms_gpr__space *s) { ms_gpr__release(&s->allocator, s->memory); }
 
 /* x [n][m]: what the box is made of where wish has none. On success to be freed. */
 static ms_status ms_gpr__space_make(const double *x, int n, int m, const ms_gpr_space *wish,
                                     const ms_allocator *allocator, ms_gpr__space *s, ms_error *error)
 {
-    ms_gpr__arena arena = {NULL, 0};
+    ms__arena arena = {NULL, 0};
     ms_status status = MS_OK;
     int k, g, i;
     if (wish->list_count < 0 || wish->list_count > 10000 || wish->equal_count < 0 || wish->equal_count > 10000)
@@ -3677,12 +3626,11 @@ static ms_status ms_gpr__space_make(const double *x, int n, int m, const ms_gpr_
     s->m = m;
     s->allocator = *allocator;
     ms_gpr__space_layout(s, wish, &arena);
-    s->doubles = arena.used;
-    arena.base = ms_gpr__doubles(&s->allocator, s->doubles, &s->block);
-    if (arena.base == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for what %d parameters keep", m);
-    memset(arena.base, 0, s->doubles * sizeof(double));
-    arena.used = 0;
+    if (!ms_gpr__place(&s->allocator, &arena))
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the constraints of %d parameters", m);
+    s->memory = arena.base;
     ms_gpr__space_layout(s, wish, &arena);
+    memset(s->owner, 0, (size_t)m * sizeof *s->owner);
     for (k = 0; k < m && status == MS_OK; ++k) {
         double a, b;
         s->lead[k] = k;
@@ -4433,29 +4381,28 @@ static double ms_gpr__sampler_spread(const ms_gpr__sampler *h, const double *x)
     return count > 1 ? sum / count : 0;
 }
 
-static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms_gpr__arena *arena)
+static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms__arena *arena)
 {
     size_t m = (size_t)h->gp->m, stride = h->gp->stride, candidates = MS_GPR__BATCHES * MS_GPR__BATCH;
     size_t population = MS_GPR__PILOT * MS_GPR__BATCH;
     int i;
     h->unit = ms_gpr__take(arena, m, 1);
-    h->coordinate = (int *)(void *)ms_gpr__take(arena, 2 * m + (size_t)h->s.groups, 1);
-    h->flat = (int *)(void *)ms_gpr__take(arena, m, 1);
+    h->coordinate = (int *)ms__take(arena, 2 * m + (size_t)h->s.groups, sizeof(int));
+    h->flat = (int *)ms__take(arena, m, sizeof(int));
     h->scale = ms_gpr__take(arena, m, 1);
     h->rivals = ms_gpr__take(arena, m, 16);
     h->candidate = ms_gpr__take(arena, candidates, m);
-    h->candidate_f = (float *)(void *)ms_gpr__take(arena, candidates / 2, m);
+    h->candidate_f = (float *)ms__take(arena, ms__size_mul(candidates, m), sizeof(float));
     h->mean = ms_gpr__take(arena, candidates + (size_t)h->gp->n, 1);
-    h->mean_f = (float *)(void *)ms_gpr__take(arena, candidates / 2, 1);
+    h->mean_f = (float *)ms__take(arena, candidates, sizeof(float));
     h->scratch = ms_gpr__take(arena, MS_GPR__BATCHES, h->scratch_size);
-    h->ranked = (ms_gpr__ranked *)(void *)ms_gpr__take(arena, candidates + (size_t)h->gp->n,
-                                                       sizeof *h->ranked / sizeof(double));
+    h->ranked = (ms_gpr__ranked *)ms__take(arena, candidates + (size_t)h->gp->n, sizeof *h->ranked);
     h->mode = ms_gpr__take(arena, MS_GPR__MODES, m);
     h->point = ms_gpr__take(arena, population, m);
     h->next = ms_gpr__take(arena, population, m);
     h->value = ms_gpr__take(arena, population, 1);
     h->next_value = ms_gpr__take(arena, population, 1);
-    h->seed = (int *)(void *)ms_gpr__take(arena, MS_GPR__CROWD, 1);
+    h->seed = (int *)ms__take(arena, MS_GPR__CROWD, sizeof(int));
     if (h->o.skip > 0) h->result = ms_gpr__take(arena, (size_t)h->count, m);
     for (i = 0; i < MS_GPR__TASKS; ++i) {
         ms_gpr__chain *w = &h->chain[i];
@@ -4524,10 +4471,9 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
                                   double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error)
 {
     ms_gpr__sampler sampler, *h = &sampler;
-    ms_gpr__arena arena = {NULL, 0};
+    ms__arena arena = {NULL, 0};
     ms_status status;
-    size_t doubles, m;
-    void *block;
+    size_t m;
     int k, i;
     memset(h, 0, sizeof *h);
     if (report) *report = h->report;
@@ -4549,13 +4495,10 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     status = ms_gpr__space_make(gp->x, gp->n, gp->m, &h->o.space, &gp->allocator, &h->s, error);
     if (status != MS_OK) return status;
     ms_gpr__sampler_layout(h, &arena);
-    doubles = arena.used;
-    arena.base = ms_gpr__doubles(&gp->allocator, doubles, &block);
-    if (arena.base == NULL) {
+    if (!ms_gpr__place(&gp->allocator, &arena)) {
         ms_gpr__space_free(&h->s);
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a search over %d scores", gp->n);
     }
-    arena.used = 0;
     ms_gpr__sampler_layout(h, &arena);
     for (k = 0; k < gp->active; ++k)
         if (h->s.owner[gp->dimension[k]] == 0) {
@@ -4577,7 +4520,7 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     h->report.found = h->taken > h->o.skip ? h->taken - h->o.skip : 0;
     if (h->result != x) memcpy(x, h->result + (size_t)h->o.skip * m, (size_t)h->report.found * m * sizeof *x);
     if (h->report.found > 0) h->report.spread = ms_gpr__sampler_spread(h, x);
-    ms_gpr__release_doubles(&gp->allocator, block, doubles);
+    ms_gpr__release(&gp->allocator, arena.base);
     ms_gpr__space_free(&h->s);
     if (h->report.found > 0 && (mean || sigma)) {
         ms_status predicted = ms_gpr_predict(gp, x, h->report.found, mean, sigma, error);
@@ -4690,7 +4633,7 @@ static void ms_gpr__pool_choose(ms_gpr__pool *p, int q, int j)
     }
 }
 
-static void ms_gpr__pool_layout(ms_gpr__pool *p, ms_gpr__arena *arena)
+static void ms_gpr__pool_layout(ms_gpr__pool *p, ms__arena *arena)
 {
     size_t m = (size_t)p->gp->m, size = (size_t)p->size;
     p->x = ms_gpr__take(arena, size, m);
@@ -4792,10 +4735,8 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
 {
     ms_gpr_gallery_options o;
     ms_gpr__pool pool, *p = &pool;
-    ms_gpr__arena arena = {NULL, 0};
+    ms__arena arena = {NULL, 0};
     ms_status status;
-    size_t doubles;
-    void *block;
     double top;
     int q, drawn;
     memset(p, 0, sizeof *p);
@@ -4820,13 +4761,10 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     status = ms_gpr__space_make(gp->x, gp->n, gp->m, &o.space, &gp->allocator, &p->s, error);
     if (status != MS_OK) return status;
     ms_gpr__pool_layout(p, &arena);
-    doubles = arena.used;
-    arena.base = ms_gpr__doubles(&gp->allocator, doubles, &block);
-    if (arena.base == NULL) {
+    if (!ms_gpr__place(&gp->allocator, &arena)) {
         ms_gpr__space_free(&p->s);
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a pool of %d candidates", p->size);
     }
-    arena.used = 0;
     ms_gpr__pool_layout(p, &arena);
     ms_gpr__pool_fill(p, o.seed, drawn ? count : 0, !drawn);
     if (!drawn) ms__run(&gp->parallel, p->size / MS_GPR__CHUNK, ms_gpr__pool_chunk, p);
@@ -4836,7 +4774,7 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
         p->taken[best] = 1;
         if (!drawn) ms_gpr__pool_choose(p, q, best);
     }
-    ms_gpr__release_doubles(&gp->allocator, block, doubles);
+    ms_gpr__release(&gp->allocator, arena.base);
     ms_gpr__space_free(&p->s);
     return MS_OK;
 }
@@ -4857,8 +4795,7 @@ struct ms_gpr_latent {
     ms_simd level;
     const ms_gpr__kernels *kernels;
     ms_allocator allocator;
-    void *block;
-    size_t doubles;
+    void *memory;
     double jitter;
     int constrained; /* materials keep what is in s */
     ms_gpr__space s;
@@ -4939,34 +4876,25 @@ static int ms_gpr__embedding_evaluate(const ms_gpr__embedding *e, const double *
     return 1;
 }
 
-static size_t ms_gpr__embedding_doubles(int z, int m)
+static void ms_gpr__embedding_layout(ms_gpr__embedding *e, const ms_gpr_latent *plane, ms__arena *arena)
 {
-    size_t padded = (size_t)ms_gpr__padded(z), stride = ms_gpr__stride(z), columns = (size_t)ms_gpr__padded(m);
-    size_t matrices = ms__size_mul(ms__size_mul(3, padded), stride);
-    return ms__size_add(matrices, ms__size_mul(columns, ms__size_add(padded, 2 * stride)));
-}
-
-static ms_gpr__embedding ms_gpr__embedding_make(const ms_gpr_latent *plane, double *memory)
-{
-    size_t padded = (size_t)ms_gpr__padded(plane->z), matrix = padded * plane->stride;
-    ms_gpr__embedding e;
-    e.kernels = plane->kernels;
-    e.z = plane->z;
-    e.m = plane->m;
-    e.stride = plane->stride;
-    e.columns = plane->columns;
-    e.x = plane->x;
-    e.kernel = memory;
-    e.upper = e.kernel + matrix;
-    e.inverse = e.upper + matrix;
-    e.whitened = e.inverse + matrix;
-    e.weight = e.whitened + padded * plane->columns;
-    return e;
+    size_t padded = (size_t)ms_gpr__padded(plane->z);
+    e->kernels = plane->kernels;
+    e->z = plane->z;
+    e->m = plane->m;
+    e->stride = plane->stride;
+    e->columns = plane->columns;
+    e->x = plane->x;
+    e->kernel = ms_gpr__take(arena, padded, e->stride);
+    e->upper = ms_gpr__take(arena, padded, e->stride);
+    e->inverse = ms_gpr__take(arena, padded, e->stride);
+    e->whitened = ms_gpr__take(arena, padded, e->columns);
+    e->weight = ms_gpr__take(arena, ms__size_mul(2, e->columns), e->stride);
 }
 
 /* --- a space from its latents --- */
 
-static void ms_gpr__latent_layout(ms_gpr_latent *p, ms_gpr__arena *arena)
+static void ms_gpr__latent_layout(ms_gpr_latent *p, ms__arena *arena)
 {
     size_t z = (size_t)p->z, l = (size_t)MS_GPR__PLANE, padded = (size_t)ms_gpr__padded(p->z);
     p->latent = ms_gpr__take(arena, z, l);
@@ -4983,8 +4911,9 @@ static void ms_gpr__latent_layout(ms_gpr_latent *p, ms_gpr__arena *arena)
 static ms_status ms_gpr__latent_make(const double *x, int z, int m, const ms_gpr_latent_options *o, ms_gpr_latent **out,
                                      ms_error *error)
 {
-    ms_gpr__arena arena = {NULL, 0};
+    ms__arena arena = {NULL, 0};
     ms_gpr_latent *p;
+    size_t size;
     int i, k;
     ms_status status;
     *out = NULL;
@@ -5005,15 +4934,14 @@ static ms_status ms_gpr__latent_make(const double *x, int z, int m, const ms_gpr
     p->kernels = ms_gpr__kernels_of(p->level);
     p->allocator = o->allocator;
     ms_gpr__latent_layout(p, &arena);
-    p->doubles = arena.used;
-    arena.base = ms_gpr__doubles(&p->allocator, p->doubles, &p->block);
-    if (arena.base == NULL) {
+    size = arena.used;
+    if (!ms_gpr__place(&p->allocator, &arena)) {
         ms__release(&o->allocator, p, sizeof *p);
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a latent space of %d materials", z);
     }
-    arena.used = 0;
+    p->memory = arena.base;
     ms_gpr__latent_layout(p, &arena);
-    memset(arena.base, 0, p->doubles * sizeof(double));
+    memset(arena.base, 0, size);
     for (k = 0; k < m; ++k) {
         double sum = 0;
         for (i = 0; i < z; ++i) sum += x[(size_t)i * (size_t)m + (size_t)k] / z;
@@ -5064,7 +4992,7 @@ MS_API void ms_gpr_latent_destroy(ms_gpr_latent *plane)
     if (plane == NULL) return;
     allocator = plane->allocator;
     if (plane->constrained) ms_gpr__space_free(&plane->s);
-    ms_gpr__release_doubles(&allocator, plane->block, plane->doubles);
+    ms_gpr__release(&allocator, plane->memory);
     ms__release(&allocator, plane, sizeof *plane);
 }
 
@@ -5119,18 +5047,16 @@ static double ms_gpr__latent_variance(const ms_gpr_latent *p, double *kernel)
 MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x,
                                    double *variance, ms_error *error)
 {
-    size_t m, doubles;
+    size_t m;
     double *kernel, *material;
     ms_status status;
-    void *block;
     int i;
     if (plane == NULL || latent == NULL) return ms_gpr__null(plane ? "latent" : "plane", error);
     if (count < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected at least 0", count);
     status = ms_gpr__check_rows(latent, count, MS_GPR__PLANE, MS_GPR__LARGEST, "latent", error);
     if (status != MS_OK) return status;
     m = (size_t)plane->m;
-    doubles = plane->stride + plane->columns;
-    kernel = ms_gpr__doubles(&plane->allocator, doubles, &block);
+    kernel = ms_gpr__scratch(&plane->allocator, plane->stride + plane->columns);
     if (kernel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a material");
     material = kernel + plane->stride;
     for (i = 0; i < count; ++i) {
@@ -5142,7 +5068,7 @@ MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *lat
         }
         if (variance) variance[i] = ms_gpr__latent_variance(plane, kernel);
     }
-    ms_gpr__release_doubles(&plane->allocator, block, doubles);
+    ms_gpr__release(&plane->allocator, kernel);
     return MS_OK;
 }
 
@@ -5182,15 +5108,12 @@ MS_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x,
     ms_gpr__nearest s;
     ms_gpr__search search;
     double *work, *misfit, best = HUGE_VAL, q[3], gradient[3];
-    size_t doubles;
     ms_status status;
-    void *block;
     int start, i, k, nearest;
     if (p == NULL || x == NULL || latent == NULL) return ms_gpr__null(p == NULL ? "plane" : x ? "latent" : "x", error);
     status = ms_gpr__check_rows(x, 1, p->m, MS_GPR__LARGEST, "material", error);
     if (status != MS_OK) return status;
-    doubles = ms_gpr__minimize_doubles(MS_GPR__PLANE) + 2 * p->stride + p->columns;
-    s.kernel = ms_gpr__doubles(&p->allocator, doubles, &block);
+    s.kernel = ms_gpr__scratch(&p->allocator, ms_gpr__minimize_doubles(MS_GPR__PLANE) + 2 * p->stride + p->columns);
     if (s.kernel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a search in the latent space");
     s.material = s.kernel + p->stride;
     misfit = s.material + p->columns;
@@ -5218,7 +5141,7 @@ MS_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x,
     if (distance) *distance = sqrt(2 * best / p->m);
     ms_gpr__latent_kernel(p, latent, s.kernel);
     if (variance) *variance = ms_gpr__latent_variance(p, s.kernel);
-    ms_gpr__release_doubles(&p->allocator, block, doubles);
+    ms_gpr__release(&p->allocator, s.kernel);
     return MS_OK;
 }
 
@@ -5302,11 +5225,10 @@ static double ms_gpr__latent_error(const ms_gpr_latent *p, double *kernel, doubl
 /* Scratch of a fit. */
 typedef struct ms_gpr__latent_scratch {
     double *q, *best, *low, *start, *work;
-    double *memory; /* of the embedding */
 } ms_gpr__latent_scratch;
 
 static void ms_gpr__latent_scratch_layout(const ms_gpr_latent *p, ms_gpr__latent_problem *problem,
-                                          ms_gpr__latent_scratch *s, ms_gpr__arena *arena)
+                                          ms_gpr__latent_scratch *s, ms__arena *arena)
 {
     size_t count = (size_t)MS_GPR__PLANE * (size_t)p->z + 2;
     s->q = ms_gpr__take(arena, count, 1);
@@ -5315,7 +5237,7 @@ static void ms_gpr__latent_scratch_layout(const ms_gpr_latent *p, ms_gpr__latent
     s->start = ms_gpr__take(arena, count, 1);
     s->work = ms_gpr__take(arena,
                            ms__size_add(ms_gpr__minimize_doubles((int)count), ms__size_add(p->stride, p->columns)), 1);
-    s->memory = ms_gpr__take(arena, ms_gpr__embedding_doubles(p->z, p->m), 1);
+    ms_gpr__embedding_layout(&problem->e, p, arena);
     problem->points = ms_gpr__take(arena, p->stride, (size_t)MS_GPR__PLANE);
     problem->slopes = ms_gpr__take(arena, p->stride, (size_t)MS_GPR__PLANE);
 }
@@ -5373,11 +5295,9 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
     ms_gpr_latent *p;
     ms_gpr__latent_problem problem;
     ms_gpr__latent_scratch scratch;
-    ms_gpr__arena arena = {NULL, 0};
+    ms__arena arena = {NULL, 0};
     double spread;
     ms_status status;
-    size_t doubles;
-    void *block;
     if (out == NULL) return ms_gpr__null("out", error);
     *out = NULL;
     if (options) o = *options;
@@ -5393,16 +5313,12 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
     }
     memset(&problem, 0, sizeof problem);
     ms_gpr__latent_scratch_layout(p, &problem, &scratch, &arena);
-    doubles = arena.used;
-    arena.base = ms_gpr__doubles(&o.allocator, doubles, &block);
-    if (arena.base == NULL) {
+    if (!ms_gpr__place(&o.allocator, &arena)) {
         ms_gpr_latent_destroy(p);
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the embedding of %d materials", z);
     }
-    arena.used = 0;
     ms_gpr__latent_scratch_layout(p, &problem, &scratch, &arena);
     memset(problem.points, 0, (size_t)MS_GPR__PLANE * p->stride * sizeof(double));
-    problem.e = ms_gpr__embedding_make(p, scratch.memory);
     problem.prior = o.prior;
     problem.progress = &o.progress;
     problem.limit = MS_GPR__LATENT_LIMIT;
@@ -5413,7 +5329,7 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
         report->error = ms_gpr__latent_error(p, scratch.work, scratch.work + p->stride);
         report->evaluations = problem.evaluations;
     }
-    ms_gpr__release_doubles(&o.allocator, block, doubles);
+    ms_gpr__release(&o.allocator, arena.base);
     if (status != MS_OK) ms_gpr_latent_destroy(p);
     else *out = p;
     return status;
@@ -5528,16 +5444,16 @@ static void ms_gpr__grid_materials(const ms_gpr_latent *p, const ms_gpr_grid *gr
 }
 
 /* Memory for the materials of a grid, and the materials. */
-static ms_status ms_gpr__grid_make(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double **x, void **block,
-                                   size_t *doubles, ms_error *error)
+static ms_status ms_gpr__grid_make(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double **x, ms_error *error)
 {
     ms_status status = ms_gpr__grid_check(plane, grid, error);
     size_t materials, padded;
     if (status != MS_OK) return status;
     padded = (size_t)ms_gpr__padded(plane->z);
     materials = ms__size_mul(ms__size_mul((size_t)grid->columns, (size_t)grid->rows), (size_t)plane->m);
-    *doubles = ms__size_add(ms__size_add(materials, ms__size_mul((size_t)grid->columns + 2, padded)), plane->columns);
-    *x = ms_gpr__doubles(&plane->allocator, *doubles, block);
+    *x = ms_gpr__scratch(
+        &plane->allocator,
+        ms__size_add(ms__size_add(materials, ms__size_mul((size_t)grid->columns + 2, padded)), plane->columns));
     if (*x == NULL)
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the materials of %d x %d points", grid->columns,
                         grid->rows);
@@ -5549,20 +5465,18 @@ MS_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_gpr 
                                        double *mean, double *sigma, ms_error *error)
 {
     double *x;
-    size_t doubles;
     ms_status status;
-    void *block;
     int count, i;
     if (gp == NULL || plane == NULL) return ms_gpr__null(gp ? "plane" : "gp", error);
     if (gp->m != plane->m)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp has %d parameters and plane %d: expected the same", gp->m,
                         plane->m);
-    status = ms_gpr__grid_make(plane, grid, &x, &block, &doubles, error);
+    status = ms_gpr__grid_make(plane, grid, &x, error);
     if (status != MS_OK) return status;
     count = grid->columns * grid->rows;
     status = ms_gpr_predict(gp, x, count, mean, sigma, error);
     for (i = 0; status == MS_OK && sigma && i < count; ++i) sigma[i] = sqrt(sigma[i]);
-    ms_gpr__release_doubles(&plane->allocator, block, doubles);
+    ms_gpr__release(&plane->allocator, x);
     return status;
 }
 
@@ -5571,11 +5485,10 @@ MS_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_
 {
     ms_status status = ms_gpr__grid_check(plane, grid, error);
     double sf2, at[2], *kernel;
-    void *block;
     int row, column;
     if (status == MS_OK && confidence == NULL) status = ms_gpr__null("confidence", error);
     if (status != MS_OK) return status;
-    kernel = ms_gpr__doubles(&plane->allocator, plane->stride, &block);
+    kernel = ms_gpr__scratch(&plane->allocator, plane->stride);
     if (kernel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a row of the covariance matrix");
     sf2 = exp(2 * plane->theta[2]);
     for (row = 0; row < grid->rows; ++row)
@@ -5585,7 +5498,7 @@ MS_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_
             confidence[(size_t)row * (size_t)grid->columns + (size_t)column] = 1 -
                 ms_gpr__latent_variance(plane, kernel) / sf2;
         }
-    ms_gpr__release_doubles(&plane->allocator, block, plane->stride);
+    ms_gpr__release(&plane->allocator, kernel);
     return MS_OK;
 }
 
@@ -5645,12 +5558,10 @@ MS_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_gpr_
 {
     double *x;
     float *pictures;
-    size_t doubles;
-    void *block;
     int count, i;
     ms_status status = ms_gpr__similarity_check(plane, similarity, error);
     if (status == MS_OK && map == NULL) status = ms_gpr__null("map", error);
-    if (status == MS_OK) status = ms_gpr__grid_make(plane, grid, &x, &block, &doubles, error);
+    if (status == MS_OK) status = ms_gpr__grid_make(plane, grid, &x, error);
     if (status != MS_OK) return status;
     status = ms_gpr__pictures(plane, similarity, &pictures, error);
     if (status == MS_OK) {
@@ -5660,7 +5571,7 @@ MS_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_gpr_
                                         error);
         ms_gpr__release_pictures(plane, similarity, pictures);
     }
-    ms_gpr__release_doubles(&plane->allocator, block, doubles);
+    ms_gpr__release(&plane->allocator, x);
     return status;
 }
 

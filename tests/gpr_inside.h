@@ -8,32 +8,23 @@
 static TEST_UNUSED ms_status inside_set_theta(ms_gpr *gp, const double *theta, ms_error *error)
 {
     ms_status status;
-    double *swap;
-    size_t size;
     if (gp == NULL) return ms_gpr__null("gp", error);
     status = ms_gpr__check_theta(theta, gp->m, error);
-    if (status != MS_OK) return status;
-    size = ((size_t)gp->m + 2) * sizeof *theta;
-    swap = (double *)ms__alloc(&gp->allocator, size);
-    if (swap == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a copy of theta");
-    status = ms_gpr__try_theta(gp, theta, swap, error);
-    ms__release(&gp->allocator, swap, size);
-    return status;
+    return status == MS_OK ? ms_gpr__set_theta(gp, theta, error) : status;
 }
 
 /* log p(y | X, theta), and where not NULL its gradient [m + 2] with respect to theta. */
 static TEST_UNUSED ms_status inside_likelihood(const ms_gpr *gp, double *likelihood, double *gradient, ms_error *error)
 {
     ms_gpr__problem p;
-    void *block;
-    size_t doubles;
+    void *memory = NULL;
     double sf2, sn2, value;
     ms_status status;
     int k;
     if (gp == NULL) return ms_gpr__null("gp", error);
     sf2 = ms_gpr__sf2(gp);
     sn2 = ms_gpr__sn2(gp);
-    status = ms_gpr__problem_of(gp, &p, &block, &doubles, error);
+    status = ms_gpr__problem_of(gp, &p, &memory, error);
     if (status != MS_OK) return status;
     if (!ms_gpr__evaluate(&p, sf2, sn2 + gp->jitter * sf2, &value, gradient)) {
         status = ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix is not positive definite");
@@ -47,7 +38,7 @@ static TEST_UNUSED ms_status inside_likelihood(const ms_gpr *gp, double *likelih
                 gradient[k] = p.m > 0 && gp->dimension[p.m - 1] == k ? gradient[--p.m] : 0;
         }
     }
-    ms_gpr__release_doubles(&gp->allocator, block, doubles);
+    ms_gpr__release(&gp->allocator, memory);
     return status;
 }
 
@@ -109,25 +100,25 @@ static TEST_UNUSED ms_status inside_latent_likelihood(const ms_gpr_latent *plane
 {
     const ms_gpr_latent *p = plane;
     double sf2, sn2, noise, value = 0, gradient[5];
-    size_t doubles;
+    ms__arena arena = {NULL, 0};
     ms_gpr__embedding e;
-    double *slopes;
-    void *block;
-    int i, k, wanted = gradient_theta || gradient_latent, defined;
+    double *slopes = NULL;
+    int pass, i, k, wanted = gradient_theta || gradient_latent, defined;
     if (plane == NULL) return ms_gpr__null("plane", error);
     sf2 = exp(2 * p->theta[MS_GPR__PLANE]);
     sn2 = exp(2 * p->theta[MS_GPR__PLANE + 1]);
     noise = sn2 + p->jitter * sf2;
-    doubles = ms__size_add(ms_gpr__embedding_doubles(p->z, p->m), (size_t)MS_GPR__PLANE * p->stride);
-    slopes = ms_gpr__doubles(&p->allocator, doubles, &block);
-    if (slopes == NULL)
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d materials", p->z);
-    e = ms_gpr__embedding_make(p, slopes + (size_t)MS_GPR__PLANE * p->stride);
+    for (pass = 0; pass < 2; ++pass) {
+        slopes = ms_gpr__take(&arena, MS_GPR__PLANE, p->stride);
+        ms_gpr__embedding_layout(&e, p, &arena);
+        if (pass == 0 && !ms_gpr__place(&p->allocator, &arena))
+            return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d materials", p->z);
+    }
     defined = ms_gpr__embedding_evaluate(&e, p->points, sf2, noise, &value, wanted ? gradient : NULL, slopes);
     for (k = 0; defined && gradient_latent && k < MS_GPR__PLANE; ++k)
         for (i = 0; i < p->z; ++i)
             gradient_latent[i * MS_GPR__PLANE + k] = slopes[(size_t)k * p->stride + (size_t)i] * exp(-p->theta[k]);
-    ms_gpr__release_doubles(&p->allocator, block, doubles);
+    ms_gpr__release(&p->allocator, slopes);
     if (!defined) return ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix is not positive definite");
     if (likelihood) *likelihood = value;
     for (k = 0; gradient_theta && k < MS_GPR__PLANE + 2; ++k)

@@ -498,7 +498,7 @@ static void test_fit_gradient(void)
     static double x[N * M], y[N], memory[20000];
     double q[2][M + 2] = {{-0.5, 0.3, 1, 0.2, -1.5}, {-0.5, 0.3, 1, 0.2, 0.5}}, g[M + 2], value, up, down;
     uint64_t state = test_seed;
-    ms_gpr__arena arena;
+    ms__arena arena;
     ms_gpr__fit f;
     int c, k;
     smooth_data(x, y, N, M, 0.1, &state);
@@ -506,10 +506,10 @@ static void test_fit_gradient(void)
     CHECK_INT(ms_gpr__fit_options(NULL, M, &f.o, NULL), MS_OK);
     f.o.simd = MS_SIMD_SCALAR;
     f.o.evaluations = f.starts = 1;
-    arena.base = memory;
+    arena.base = (char *)memory;
     arena.used = 0;
     ms_gpr__fit_layout(&f, N, M, N, &arena);
-    CHECK(arena.used <= 20000);
+    CHECK(arena.used <= sizeof memory);
     CHECK_INT(ms_gpr__fit_run(&f, x, y, N, M, N, NULL), MS_OK); /* everything is in place then */
     for (c = 0; c < 2; ++c) {
         CHECK_INT(ms_gpr__fit_objective(&f, q[c], &value, g), 1);
