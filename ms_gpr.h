@@ -48,34 +48,28 @@
    2. Scores, or "the best 2 of 9", or both: ms_gpr_fit learns the hyperparameters, or ms_gpr_create takes them.
       ms_gpr_append, ms_gpr_rescore and ms_gpr_drop change one score, ms_gpr_compare takes comparisons. Another round:
       concatenate, and fit again.
-   3. What was learned: ms_gpr_predict, ms_gpr_relevance; ms_gpr_simplify leaves out what a scene
-      does not need. To store a model, store materials, scores, pairs and theta, and call ms_gpr_create.
+   3. What was learned: ms_gpr_predict, ms_gpr_relevance; ms_gpr_simplify leaves out what a scene does not need. To
+      store a model, store materials, scores, pairs and theta, and call ms_gpr_create.
    4. New materials: ms_gpr_recommend. Recommendations, galleries and planes satisfy a ms_gpr_space: what is fixed,
       ranges, steps, equal columns, lists of metals.
    5. Variants of a liked material: ms_gpr_latent_fit lays high-scoring materials out in a plane, ms_gpr_latent_map
-      leads from the plane to materials; ms_gpr_map_preference and its sisters color it; ms_gpr_variants finds the
-      best ones.
+      leads from the plane to materials; ms_gpr_map_preference and its sisters color it; ms_gpr_variants finds the best.
 
    What it costs
    -------------
    A likelihood with its gradient takes n^3 / 2 + n^2 m multiply-adds; a fit evaluates it 20 times on all scores and 150
    times on a third of them. A mean takes n m, its variance n^2 / 2 more. 300 recommendations cost 30,000 to 150,000
-   predictions, more for rare classes. 60 answers (2 clicks in each of 5 active galleries, then scores) give better
-   recommendations than 250 uniform scores; active scores alone need 80 to 100. With several separate classes, about one
-   in ten is missed in either case. Figures: tests/bench/RESULTS.md, made by `make bench`.
+   predictions. 60 answers (2 clicks in each of 5 active galleries, then scores) give better recommendations than 250
+   uniform scores; active scores alone need 80 to 100. Figures: tests/bench/RESULTS.md, made by `make bench`.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
-   A model is two blocks from its allocator, n^2 + 3 n m doubles; a fit takes another of 4 n^2 and gives it back. Calls
-   that predict take one block of scratch, those that keep a space two. No globals; 20 KB of stack.
-   A model is only read by const calls: they may overlap. ms_parallel shares out predictions, recommendations and
-   galleries. Kernels are scalar, SSE2 or NEON, or AVX2 text, chosen once a model, capped by options.simd. AVX-512
-   brought too little and was left out.
-   The same bits for any thread count and in every run at one level of one build; levels, and builds that fuse
-   multiply-adds differently, differ by rounding, which a fit may turn into another path to the same optimum.
-   -ffast-math by the user voids all promises.
-   Calls return ms_status and fill an optional ms_error; outputs are untouched on failure, but where the call says
-   otherwise.
+   A model is two blocks from its allocator, n^2 + 3 n m doubles; a fit takes another of 4 n^2 and gives it back. No
+   globals; 20 KB of stack. A model is only read by const calls: they may overlap. ms_parallel shares out predictions,
+   recommendations and galleries. Kernels are scalar, SSE2 or NEON, or AVX2, chosen once a model, capped by
+   options.simd. The same bits for any thread count and in every run at one level of one build; levels, and builds that
+   fuse multiply-adds differently, differ by rounding, which a fit may turn into another path to the same optimum.
+   -ffast-math by the user voids all promises. Outputs are untouched on failure, but where the call says otherwise.
 
    Configuration (define before the implementation)
    ------------------------------------------------
@@ -88,10 +82,9 @@
    Limits
    ------
    n up to 30000 by memory; time grows with n^3. The kernel is the squared exponential with one length a dimension:
-   preferences that jump are smoothed. Values that are not finite or beyond 1e30 are refused with their row, columns and
-   scores that span less than 1e-30 by name. Distances are direct differences of centered inputs, so that
-   near-duplicates and offsets of 1e8 cost no digits. Where K' is not positive definite in double precision, the least
-   jitter that helps is added and reported by ms_gpr_view_of.
+   preferences that jump are smoothed. Values that are not finite or beyond 1e30, and columns and scores that span less
+   than 1e-30, are refused by name. Distances are direct differences of centered inputs, so that near-duplicates and
+   offsets of 1e8 cost no digits.
 
    Sources
    -------
@@ -236,50 +229,38 @@ typedef struct ms_gpr_options {
 #define MS_GPR_UNSCORED (-1e38)
 
 /* A model whose hyperparameters are given.
-   x      [n][m] row-major, any units; copied
-   y      [n] scores, or MS_GPR_UNSCORED; copied
-   n      >= 0; a model of n = 0 predicts the prior
-   m      >= 1
+   x, y   [n][m] inputs, row-major, any units; [n] scores or MS_GPR_UNSCORED; copied
+   n, m   n >= 0 (0 predicts the prior), m >= 1
    theta  [m + 2]: log l_k for every dimension, log sf, log sn; l_k in units of x, sf and sn in units of y
-   MS_BAD_DATA: a value of x or y that is not finite or beyond 1e30 (position: its row, from 1). MS_INVALID_ARGUMENT:
-   theta not finite. MS_NOT_CONVERGED: K' is not positive definite even with the largest jitter (see ms_gpr_view).
-   MS_OUT_OF_MEMORY. *out is NULL unless MS_OK. Cost n^3 / 6 multiply-adds; memory n^2 + n m doubles. */
+   MS_BAD_DATA: a value of x or y that is not finite or beyond 1e30 (position: its row, from 1). MS_INVALID_ARGUMENT.
+   MS_NOT_CONVERGED: K' is not positive definite even with the largest jitter (see ms_gpr_view). MS_OUT_OF_MEMORY.
+   *out is NULL unless MS_OK. n^3 / 6 multiply-adds; n^2 + n m doubles. */
 MS_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, const double *theta,
                                const ms_gpr_options *options, ms_gpr **out, ms_error *error);
 
 MS_API void ms_gpr_destroy(ms_gpr *gp);
 
-/* One more scored point, x [m]; the hyperparameters stay. Conditions anew: n^3 / 6 multiply-adds, 0.3 ms at n = 240.
-   The model is unchanged unless MS_OK, here and in the next two. */
+/* One more scored point, x [m]; another score for point `index`; without point `index` and its comparisons, later
+   points move up by one. Hyperparameters stay. Each conditions anew: n^3 / 6 multiply-adds, 0.3 ms at n = 240. The
+   model is unchanged unless MS_OK. */
 MS_API ms_status ms_gpr_append(ms_gpr *gp, const double *x, double y, ms_error *error);
-
-/* Another score for point `index`. */
 MS_API ms_status ms_gpr_rescore(ms_gpr *gp, int index, double y, ms_error *error);
-
-/* Forgets point `index`: later points move up by one. */
 MS_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error);
 
 /* More materials without a score, and comparisons, "this one rather than that one", in place of those the model has.
-   x           [count][m] rows n to n + count - 1 of the model; NULL with count 0
-   pairs       [pair_count][2] rows of the model, the preferred one first; copied. Ties are left out, contradictions and
-               repetitions count as they come. "The best 2 of 9" are 14 pairs. Likes alone: pairs of each with 20
-               materials of an MS_GPR_GALLERY_SPREAD, which stand for what else there is
-   Each has P = Phi((f_better - f_worse) / (sqrt(2) sn)): the user sees both with the noise of a score. Scores and
-   comparisons make one model; without scores the unit is sf. What is predicted then is Laplace's approximation: the
-   Gaussian around the most probable latent values. Where rows have no score or comparisons, or the scores came in steps
-   (ms_gpr_fit_options), this call, ms_gpr_append, ms_gpr_rescore and ms_gpr_drop take some 2 n^3
-   multiply-adds, and the likelihood is Laplace's. ms_gpr_drop drops the
-   comparisons of its row. MS_BAD_DATA as ms_gpr_create. MS_INVALID_ARGUMENT: a row outside the model or compared with
-   itself (position: the pair, from 1); MS_NOT_CONVERGED, MS_OUT_OF_MEMORY. The model is unchanged unless MS_OK.
-   Chu & Ghahramani 2005, "Preference learning with Gaussian processes"; Brochu and others 2007, "Active preference
-   learning". */
+   x      [count][m] rows n to n + count - 1 of the model; NULL with count 0
+   pairs  [pair_count][2] rows of the model, the preferred one first; copied. "The best 2 of 9" are 14 pairs. Likes
+          alone: pairs of each with 20 materials of an MS_GPR_GALLERY_SPREAD
+   A pair has P = Phi((f_better - f_worse) / (sqrt(2) sn)): both are seen with the noise of a score. Without scores the
+   unit is sf. Such a model, and one of scores in steps, is conditioned by Laplace's approximation: some 2 n^3
+   multiply-adds a change. MS_BAD_DATA as ms_gpr_create. MS_INVALID_ARGUMENT: a row outside the model or compared with
+   itself (position: the pair, from 1). MS_NOT_CONVERGED, MS_OUT_OF_MEMORY. The model is unchanged unless MS_OK.
+   Chu & Ghahramani 2005, "Preference learning with Gaussian processes"; Brochu and others 2007. */
 MS_API ms_status ms_gpr_compare(ms_gpr *gp, const double *x, int count, const int *pairs, int pair_count,
                                 ms_error *error);
 
-/* Drops dimensions that matter little, least first, while the sum of their relevances is at most `tolerance` (such as
-   0.02): "model only what a scene needs". The model of the rest is exact, as if the dropped length scales were
-   infinite; predictions still take all m columns and ignore the dropped ones. kept: how many dimensions are left; NULL
-   is allowed. */
+/* Drops the dimensions of least relevance while the sum of those is at most `tolerance`, such as 0.02. The model of the
+   rest is exact, as if the dropped lengths were infinite; calls still take m columns. kept: out, or NULL. */
 MS_API ms_status ms_gpr_simplify(ms_gpr *gp, double tolerance, int *kept, ms_error *error);
 
 /* How much each dimension matters, [m] out: the mean of ((a_k - b_k) / l_k)^2 over pairs of training inputs. Of a pair
@@ -297,8 +278,7 @@ typedef struct ms_gpr_view {
     double mean;         /* prior mean */
     double floor;        /* the least score that can be given; see ms_gpr_fit_options */
     double floor_value;  /* what scores at the floor are modeled as */
-    double jitter;       /* was added to sn^2, in units of sf^2, to make K' positive definite in double precision: 0
-                            nearly always, else a power of ten from 1e-15 to 1e-6 */
+    double jitter;       /* added to sn^2, in units of sf^2, for a positive definite K': 0 nearly always, to 1e-6 */
     ms_simd level;       /* instruction set in use */
 } ms_gpr_view;
 
@@ -307,34 +287,33 @@ MS_API ms_gpr_view ms_gpr_view_of(const ms_gpr *gp);
 /* ---- fit ------------------------------------------------------------------------------------------------------- */
 
 typedef enum ms_gpr_method {
-    MS_GPR_METHOD_MAP =
-        0, /* L-BFGS to the largest posterior: log-normal priors, three starts, probing of every dimension */
-    MS_GPR_METHOD_ML = 1 /* L-BFGS to the largest likelihood, three starts */
+    MS_GPR_METHOD_MAP = 0, /* largest posterior by L-BFGS: log-normal priors, three starts, probing of all dimensions */
+    MS_GPR_METHOD_ML = 1   /* largest likelihood by L-BFGS, three starts */
 } ms_gpr_method;
 
 /* All zero: the defaults. "Width" is sqrt(12) standard deviations: 1 for a column that is uniform on [0, 1]. */
 typedef struct ms_gpr_fit_options {
-    const double *floor; /* the least score that can be given, such as 1 of 5 stars. NULL: the least that was given, if
-                            two and an eighth of all share it; else there is none */
-    double floor_offset; /* Scores at the floor are taken as so many standard deviations below it, so that dislike has
-                            room below "barely liked". 0: 0.75 for MAP, none for ML. Negative: none */
+    /* The least score that can be given, such as 1 of 5 stars. NULL: the least that was given, if two and an eighth of
+       all share it; else there is none. */
+    const double *floor;
+    /* Scores at the floor are taken as so many standard deviations below it, so that dislike has room below "barely
+       liked". 0: 0.75 for MAP, none for ML. Negative: none. */
+    double floor_offset;
     ms_gpr_method method;
-    const double
-        *start; /* [m + 2] theta where the search starts, alone; NULL: sf = 1 and sn = 0.1 standard deviations, and */
-    double length_start; /* l_k = so many widths, alone; 0: 0.25, 0.5 and 3 sqrt(m) */
+    const double *start; /* [m + 2] theta, the only start. NULL: sf = 1 and sn = 0.1 standard deviations, and */
+    double length_start; /* l_k = so many widths, alone; 0: three starts, of 0.25, 0.5 and 3 sqrt(m) */
     int evaluations;     /* of the likelihood at most, a start; 0: 200 */
     ms_simd simd;
     ms_allocator allocator;
-    ms_parallel parallel; /* kept by the model for what it says in ms_gpr_options; the fit runs on the calling thread */
+    ms_parallel parallel; /* kept by the model, see ms_gpr_options; the fit runs on the calling thread */
     ms_progress progress; /* asked before every evaluation */
-    int probe_first;      /* MAP tries `probes` columns, from this one on, at another length after the search; a tool */
-    int probes;           /* that fits in short calls probes a few at a time. probes 0: all. Negative: none */
+    int probe_first;      /* MAP tries `probes` columns from this one on at another length after the search. */
+    int probes;           /* 0: all. Negative: none. A tool that fits in short calls probes a few at a time */
     const int *pairs;     /* [pair_count][2] comparisons, as in ms_gpr_compare */
     int pair_count;
-    double
-        step; /* scores come in steps of this, such as 1 for stars: those above the floor mean an opinion within half a
-                 step of them, at 3 times the cost. 0: MAP takes 20 scores or more of 2 to 6 evenly spaced values, those
-                 above the least given 3 times or more on average, as such; others are exact. Negative: exact */
+    /* Scores come in steps of this, such as 1 for stars: one above the floor stands for half a step to either side, at
+       3 times the cost. 0: MAP finds 2 to 6 evenly spaced values among 20 to 200 scores. Negative: exact. */
+    double step;
 } ms_gpr_fit_options;
 
 /* The one number among the answers that looks like a slip: a score that all others contradict, or a value far outside
@@ -359,12 +338,10 @@ typedef struct ms_gpr_fit_report {
 } ms_gpr_fit_report;
 
 /* Learns theta, and makes the model with it. The prior mean is the mean of the scores, 0 where there are none.
-   x, y, n, m  as in ms_gpr_create. Columns whose values differ by rounding only (1e-10 of the largest) are left out:
-               the model is that of the rest. Equal scores, or none, give a flat model
-   Several rounds: concatenate materials and scores of all rounds, and fit again (start: the theta of the last round, if
-   speed matters). MS_BAD_DATA as ms_gpr_create, and where scores or a column span less than 1e-30 (position: the
-   column, from 1). MS_CANCELLED; the rest as ms_gpr_create. report: or NULL. Bit-equal at one SIMD level. Memory 4 n^2
-   doubles. */
+   x, y, n, m  as in ms_gpr_create. Columns that differ by rounding only (1e-10 of the largest) are left out; equal
+               scores, or none, give a flat model
+   MS_BAD_DATA as ms_gpr_create, and where scores or a column span less than 1e-30 (position: the column, from 1).
+   MS_CANCELLED; the rest as ms_gpr_create. report: or NULL. Bit-equal at one SIMD level. 4 n^2 doubles. */
 MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options,
                             ms_gpr **out, ms_gpr_fit_report *report, ms_error *error);
 
@@ -375,13 +352,12 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
    mean      [count] out, units of y; NULL: not computed
    variance  [count] out, units of y squared, of the latent function: add sn^2 for that of a score; >= 0.
              NULL: not computed (then O(n m) a point instead of O(n^2))
-   gp is only read: calls may overlap. Bit-equal for any thread count and batch size at one SIMD level; levels differ by
-   rounding. MS_BAD_DATA: an x that is not finite (position: its row, from 1). MS_OUT_OF_MEMORY. Outputs are untouched
-   then. Rasmussen & Williams 2006, algorithm 2.1, lines 4 to 6; thesis (3.4), (3.5). */
+   MS_BAD_DATA: an x that is not finite (position: its row, from 1). MS_OUT_OF_MEMORY. Outputs are untouched then.
+   Rasmussen & Williams 2006, algorithm 2.1, lines 4 to 6; thesis (3.4), (3.5). */
 MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, double *mean, double *variance,
                                 ms_error *error);
 
-/* ---- search space ----------------------------------------------------------------------------------- */
+/* ---- search space ---------------------------------------------------------------------------------------------- */
 
 /* Values that some parameters take together, such as a list of metals. */
 typedef struct ms_gpr_list {
@@ -391,49 +367,42 @@ typedef struct ms_gpr_list {
     int count;
 } ms_gpr_list;
 
-/* Constraints that recommendations, galleries and planes satisfy. All zero: the box that the scores suggest. */
+/* Constraints that recommendations, galleries and planes satisfy. All zero: the box that the scores suggest. They
+   contradict each other, MS_INVALID_ARGUMENT, where low > high, no row of a list is in the box, a parameter is in two
+   lists or in a list and in steps, or equal columns share no range, are in a list, or have different steps. */
 typedef struct ms_gpr_space {
-    const double *
-        low; /* [m] the box of allowed parameters, low = high for a fixed one. NULL: in every column 0 to 1 where all */
-    const double *high; /* [m] scores lie there, else their range, rounded outwards; the one value of a locked column; a
-                           list's range. -INFINITY, INFINITY: so in that column */
-    const double *steps; /* [m] parameters that come in steps from low on, such as 1 for whole numbers; 0: continuous.
-                            NULL: all are */
+    /* [m] the box of allowed parameters, low = high for a fixed one. NULL, or -INFINITY and INFINITY in a column: 0 to
+       1 where all scores lie there, else their range rounded outwards, the value of a locked column, a list's range. */
+    const double *low, *high;
+    const double *steps; /* [m] of parameters that come in steps from low on; 0: continuous. NULL: all are */
     const int *equal;    /* [equal_count][2] columns that always have equal values, on the same scale */
     int equal_count;
     const ms_gpr_list *lists;
     int list_count;
 } ms_gpr_space;
-/* MS_INVALID_ARGUMENT, and a message that says which of them, where they contradict each other: low > high; no row of a
-   list in the box; a parameter in two lists, or in a list and in steps; equal columns whose ranges do not meet, in a
-   list, or in different steps. */
 
 /* ---- recommendation -------------------------------------------------------------------------------------------- */
 
-/* How recommendations are found. */
 typedef enum ms_gpr_search {
-    MS_GPR_SEARCH_AUTO = 0, /* rejection or subset simulation, whichever a first 8192 candidates show to be cheaper */
-    MS_GPR_SEARCH_REJECTION =
-        1, /* uniform candidates that reach the threshold: independent and uniform over the region */
-    MS_GPR_SEARCH_SUBSET =
-        2 /* subset simulation: a threshold that rises in steps, slice steps inside {u >= threshold} */
+    MS_GPR_SEARCH_AUTO = 0,      /* whichever a first 8192 candidates show to be cheaper */
+    MS_GPR_SEARCH_REJECTION = 1, /* uniform candidates that reach the threshold: independent, uniform over the region */
+    MS_GPR_SEARCH_SUBSET = 2     /* subset simulation: a threshold that rises in steps, slice sampling above it */
 } ms_gpr_search;
 
 /* All zero: the defaults. */
 typedef struct ms_gpr_recommend_options {
-    double tau;  /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. The thesis advises 0.4 (variety)
-                    to 0.7 (quality); recommendations score a little above it on average: 0.8 for the best alone.
-                    floor: as in ms_gpr_view */
-    double best; /* the score that tau = 1 means, such as 10; 0: the largest that was given. Where the model predicts
-                    less all over the box, the largest mean takes its place */
+    double tau;       /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. The thesis advises 0.4 (variety)
+                         to 0.7 (quality). floor: as in ms_gpr_view */
+    double best;      /* the score that tau = 1 means, such as 10; 0: the largest that was given. At most the largest
+                         mean in the box */
     double diversity; /* 0: in proportion to the volume of what is liked. Up to 1: every recommendation is the farthest
                          from those before it of 1 + 15 diversity */
-    ms_gpr_space space;  /* constraints */
+    ms_gpr_space space;
     const double *avoid; /* [avoid_count][m] "not like these": nothing nearer than avoid_distance to any of them */
     int avoid_count;
     double avoid_distance; /* root mean square over the dimensions, in widths of the box; uniform pairs are 0.4 apart.
                               0: 0.15 */
-    int skip;              /* leaves out the first `skip` of the sequence that seed stands for: 20 more of the same */
+    int skip;              /* leaves out the first `skip` of the sequence that seed stands for */
     uint64_t seed;
     ms_gpr_search search;
     ms_progress progress; /* asked once every 16384 candidates, step of the threshold or 64 recommendations */
@@ -446,33 +415,24 @@ typedef struct ms_gpr_recommend_report {
     double best;          /* largest mean that was found over the box */
     double acceptance;    /* share of the box whose mean reaches the threshold (subset simulation: estimated) */
     double candidates;    /* means predicted at single points */
-    double slices;        /* means predicted along lines, which cost n instead of n m */
-    double spread; /* mean distance of the first 200 to the nearest other one of them, measured as avoid_distance */
+    double spread;        /* mean distance of the first 200 to the nearest of them, measured as avoid_distance */
 } ms_gpr_recommend_report;
 
 /* Materials whose predicted score reaches a threshold.
-   count   how many, >= 1
-   x       [count][m] out
-   mean    [count] out, or NULL: predicted scores
-   sigma   [count] out, or NULL: their standard deviation
-   report  or NULL
-   The same seed gives the same sequence; skip says where in it to begin. By rejection, the share of each separate mode
-   has the error of independent draws. By subset simulation its root mean square error is 0.05 where one material in 600
-   is above the threshold, 0.08 for one in 100,000 and 0.10 for one in 1e9 (two to four modes).
-   MS_NOT_CONVERGED: no score is predicted above the floor, or the search gave up. MS_CANCELLED. In either case the
-   first report->found rows of x, mean and sigma are valid. MS_INVALID_ARGUMENT: an option out of range, a space that
-   contradicts itself, count < 1. MS_OUT_OF_MEMORY. Memory and threads are the model's. gp is only read: calls may
-   overlap. Bit-equal for any thread count at one SIMD level.
-   Thesis 3.4.1; Au & Beck 2001, "Estimation of small failure probabilities in high dimensions by subset simulation";
-   Neal 2003, "Slice sampling", along axes, along random directions and in hyperrectangles. */
+   count, x  how many, >= 1; [count][m] out
+   mean      [count] out, or NULL: predicted scores
+   sigma     [count] out, or NULL: their standard deviation
+   report    or NULL
+   By rejection, the share of each separate mode has the error of independent draws. By subset simulation its root mean
+   square error is 0.05 where one material in 600 is above the threshold, 0.08 for one in 100,000 and 0.10 for one in
+   1e9 (two to four modes). MS_NOT_CONVERGED: no score is predicted above the floor, or the search gave up; then, and
+   with MS_CANCELLED, the first report->found rows are valid. MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY.
+   Thesis 3.4.1; Au & Beck 2001, subset simulation; Neal 2003, slice sampling. */
 MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
                                   double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error);
 
 /* ---- active learning ------------------------------------------------------------------------------------------- */
 
-/* What a gallery to be scored next is drawn for. The pool of candidates is half uniform, half variants of what was
-   liked: a material drawn in proportion to its score, half of them crossed with a second one, some of the parameters
-   drawn anew. */
 typedef enum ms_gpr_gallery_kind {
     MS_GPR_GALLERY_ACTIVE = 0, /* spread evenly until something is liked; then, in turns, materials near the threshold
                                   of recommendations (largest 1.96 sigma - |mean - threshold of tau = 0.6|) and
@@ -482,34 +442,31 @@ typedef enum ms_gpr_gallery_kind {
 
 /* All zero: the defaults. */
 typedef struct ms_gpr_gallery_options {
-    ms_gpr_space space; /* constraints */
-    uint64_t seed;      /* the number of scores is part of it: every round gives another gallery */
+    ms_gpr_space space;
+    uint64_t seed; /* the number of scores is part of it: every round gives another gallery */
     ms_gpr_gallery_kind kind;
 } ms_gpr_gallery_options;
 
-/* Materials that the user is to score next, best in batches of 5 to 25. Each choice takes those before it as seen:
-   sigma is updated as if they had been scored. A model of n = 0 gives the first gallery.
-   x       [count][m] out
-   Then concatenate materials and scores with those of earlier rounds, and fit again.
-   Cost: pool * (n^2 / 2 + count (n + count / 2)) multiply-adds; memory pool * (n + count + 2 m) doubles.
-   MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Memory and threads are the model's; bit-equal for any thread count at one SIMD
-   level. Thesis 3.7; straddling: Bryan and others 2005, "Active learning for identifying function threshold
-   boundaries". */
+/* Materials x [count][m], out, that the user is to score next, best in batches of 5 to 25. A model of n = 0 gives the
+   first gallery. Half of the candidates are uniform, half variants of what was liked: a material drawn in proportion to
+   its score, half of them crossed with a second one, some parameters drawn anew. Each choice takes those before it as
+   scored. Where 60 answers confirm fewer than three likings, ask for comparisons ("the best 2 of 9") in place of
+   scores. MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Thesis 3.7; straddling: Bryan and others 2005, "Active learning for
+   identifying function threshold boundaries". */
 MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x,
                                 ms_error *error);
 
 #ifndef MS_GPR_NO_PLANE
 /* ---- latent space ---------------------------------------------------------------------------------------------- */
 
-/* A plane (or a line, or a space) of variants: the Gaussian-process latent variable model of thesis 3.4.3. */
+/* A plane of variants: the Gaussian-process latent variable model of thesis 3.4.3 with two latent coordinates. */
 typedef struct ms_gpr_latent ms_gpr_latent;
 
 /* All zero: the defaults. */
 typedef struct ms_gpr_latent_options {
-    double prior; /* precision of a normal prior on every latent coordinate; 0: none */
-    ms_gpr_space
-        space; /* what materials of the plane keep: what the model says is moved to the nearest that does. All zero:
-                  nothing, not even a box; else as in recommendations, for the range of the embedded materials */
+    double prior;       /* precision of a normal prior on every latent coordinate; 0: none */
+    ms_gpr_space space; /* materials of the plane are moved to the nearest that satisfy it. All zero: not even a box;
+                           else as in recommendations, for the range of the embedded materials */
     ms_simd simd;
     ms_allocator allocator;
     ms_progress progress; /* asked every evaluation */
@@ -521,54 +478,45 @@ typedef struct ms_gpr_latent_report {
     int evaluations;
 } ms_gpr_latent_report;
 
-/* Embeds materials. They are centered; every column has the same kernel variance, so scale parameters to comparable
-   ranges. x       [z][m], z >= 2, 1 <= m
-   Length scales are 1, the unit of the latent space: they are redundant with the latents (and a prior on those would
-   shrink both together). Starts from principal components at several scales; sf, sn and all latents are optimized
-   together by L-BFGS, every start for 100 evaluations and the best of them to the end.
-   MS_BAD_DATA: a value that is not finite (position: its row, from 1), or all materials equal.
-   MS_INVALID_ARGUMENT (a space that contradicts itself, too), MS_OUT_OF_MEMORY, MS_CANCELLED. *out is NULL unless
-   MS_OK. Bit-equal at one SIMD level. An evaluation costs
-   z^3 / 2 + 2 z^2 m multiply-adds. Lawrence 2004, "Gaussian process latent variable models"; thesis (3.8), (3.9). */
+/* Embeds materials x [z][m], z >= 2. Every column has the same kernel variance: scale parameters to comparable ranges.
+   Length scales are 1, the unit of the plane. Starts from principal components at three scales; sf, sn and all latents
+   are optimized together by L-BFGS, z^3 / 2 + 2 z^2 m multiply-adds an evaluation.
+   MS_BAD_DATA: a value that is not finite (position: its row, from 1), or all materials equal. MS_INVALID_ARGUMENT,
+   MS_OUT_OF_MEMORY, MS_CANCELLED. *out is NULL unless MS_OK. Bit-equal at one SIMD level.
+   Lawrence 2004, "Gaussian process latent variable models"; thesis (3.8), (3.9). */
 MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_latent_options *options,
                                    ms_gpr_latent **out, ms_gpr_latent_report *report, ms_error *error);
 
 MS_API void ms_gpr_latent_destroy(ms_gpr_latent *plane);
 
-/* Views that live as long as the space: [z][l] latents; [l + 2] theta. */
-MS_API int ms_gpr_latent_count(const ms_gpr_latent *plane); /* z */
+/* z; views that live as long as the plane: [z][2] latents; [4] theta: two log lengths, log sf, log sn. */
+MS_API int ms_gpr_latent_count(const ms_gpr_latent *plane);
 MS_API const double *ms_gpr_latent_points(const ms_gpr_latent *plane);
 MS_API const double *ms_gpr_latent_theta(const ms_gpr_latent *plane);
 
-/* Materials at latent points (3.11).
-   latent    [count][l]
-   x         [count][m] out
-   variance  [count] out, or NULL: of every coordinate of x, without the noise; 0 <= variance <= sf^2 */
+/* Materials x [count][m], out or NULL, at points latent [count][2] (3.11). variance: [count] out, or NULL: of every
+   coordinate of x, without the noise; 0 <= variance <= sf^2. */
 MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x,
                                    double *variance, ms_error *error);
 
-/* The latent point whose material, before options.space, is nearest to a given one: least |x - map(latent)|, by L-BFGS
-   from the four training latents whose materials are nearest.
-   x         [m]
-   latent    [l] out
-   distance  out, or NULL: root mean square over the m dimensions
-   variance  out, or NULL: as in ms_gpr_latent_map */
+/* The latent point [2], out, whose material is nearest to x [m] before options.space, by L-BFGS from the four training
+   latents whose materials are nearest. distance: out, or NULL: root mean square over the m dimensions. variance: out,
+   or NULL: as in ms_gpr_latent_map. */
 MS_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x, double *latent, double *distance,
                                     double *variance, ms_error *error);
 
 /* ---- maps ------------------------------------------------------------------------------------------------------ */
 
-/* A grid of columns x rows points over a rectangle of a two-dimensional latent space, its corners included. Maps are
-   [rows][columns], from low to high latent coordinates. What makes one returns MS_INVALID_ARGUMENT (no plane, other
-   dimensions, a grid that is not as said here), MS_OUT_OF_MEMORY, or what render returned; memory is the plane's,
-   threads are gp's. */
+/* A grid of columns x rows points over a rectangle of the plane, its corners included. Maps are [rows][columns], from
+   low to high coordinates. Calls that make one return MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY, or what render returned;
+   memory is the plane's, threads are gp's. */
 typedef struct ms_gpr_grid {
     double x0, y0, x1, y1;
     int columns, rows; /* 2 to 32768; x0 < x1, y0 < y1 */
 } ms_gpr_grid;
 
 /* resolution x resolution over a square, in length scales, that holds the training latents and one length scale (at
-   most a quarter of their range) around; all zero, which every map refuses, where the space has not 2 dimensions. */
+   most a quarter of their range) around. */
 MS_API ms_gpr_grid ms_gpr_grid_around(const ms_gpr_latent *plane, int resolution);
 
 /* The latent coordinates of a grid point, and bilinear interpolation of a map at a point (clamped to the rectangle). */
@@ -580,7 +528,7 @@ MS_API double ms_gpr_grid_value(const ms_gpr_grid *grid, const double *map, doub
 MS_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_grid *grid,
                                        double *mean, double *sigma, ms_error *error);
 
-/* How much the latent space knows at every grid point: 1 - variance / sf^2, from 0 (nothing) to 1. */
+/* How much the plane knows at every grid point: 1 - variance / sf^2, from 0 (nothing) to 1. */
 MS_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double *confidence,
                                        ms_error *error);
 
@@ -589,8 +537,7 @@ typedef struct ms_gpr_similarity {
     const double *x; /* [m] the material to be fine-tuned */
     double scale;    /* 0: 0.1, so that a PSNR of 20 dB (pictures of range 1) means s = 0.61, and 30 dB 0.95 */
     size_t pixels;   /* floats of a picture; 0: no pictures, d is between the parameters */
-    ms_status (*render)(void *user, const double *x,
-                        float *picture); /* another status than MS_OK ends the call with it */
+    ms_status (*render)(void *user, const double *x, float *picture); /* a failure ends the call with its status */
     void *user;
 } ms_gpr_similarity;
 
@@ -611,16 +558,14 @@ typedef struct ms_gpr_variant {
     double confidence; /* as in ms_gpr_map_confidence: where the plane knows nothing there are no variants */
 } ms_gpr_variant;
 
-/* The variants that maximize lambda s(x*, x') + (1 - lambda) u(x') / best over the plane (thesis 3.7), times how much
-   the plane knows there, for several lambda.
-   lambda    [count], each in [0, 1]: 1 asks for the most similar material, 0 for the best
-   best      the score that counts as 1; 0, or the floor or less: the largest on the grid (1 above the floor where none
-             is)
-   variant   [count] out
-   x         [count][m] out: their materials
-   The grid is searched, then every maximum and the next best elsewhere are refined by pattern searches to 1/64 of a
-   cell; all lambdas share what was looked at, so similarity times confidence never falls and score times confidence
-   never rises as lambda grows. */
+/* The variants of largest value (ms_gpr_variant) over the plane, for several lambda (thesis 3.7).
+   lambda   [count], each in [0, 1]: 1 asks for the most similar material, 0 for the best
+   best     the score that counts as 1; the floor or less: the largest on the grid (1 above the floor where none is)
+   variant  [count] out
+   x        [count][m] out, or NULL: their materials
+   The grid is searched, then its maximum and the next best elsewhere are refined by pattern searches to 1/64 of a cell.
+   All lambdas share what was looked at: similarity times confidence never falls and score times confidence never rises
+   as lambda grows. */
 MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_similarity *similarity,
                                  const ms_gpr_grid *grid, const double *lambda, int count, double best,
                                  ms_gpr_variant *variant, double *x, ms_error *error);
@@ -1944,6 +1889,7 @@ enum {
     MS_GPR__N_MAX = 30000 /* the matrix has 7 GB then */
 };
 static const double MS_GPR__LARGEST = 1e30; /* of a score or an input: squares of sums and single precision hold it */
+static const double MS_GPR__MOST = 2147483647;
 static const double MS_GPR__NO_FLOOR = -1e300;
 
 struct ms_gpr {
@@ -2194,6 +2140,13 @@ static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
                     gp->n);
 }
 
+/* MS_INVALID_ARGUMENT where `value` is not from low to high. */
+static ms_status ms_gpr__check_range(const char *name, double value, double low, double high, ms_error *error)
+{
+    if (ms__finite(value) && value >= low && value <= high) return MS_OK;
+    return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g: expected a number from %g to %g", name, value, low, high);
+}
+
 static ms_status ms_gpr__null(const char *name, ms_error *error)
 {
     return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", name);
@@ -2408,8 +2361,8 @@ MS_API ms_status ms_gpr_simplify(ms_gpr *gp, double tolerance, int *kept, ms_err
     ms_status status;
     int k;
     if (gp == NULL) return ms_gpr__null("gp", error);
-    if (!ms__finite(tolerance) || tolerance < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tolerance is %g: expected at least 0", tolerance);
+    status = ms_gpr__check_range("tolerance", tolerance, 0, 1e300, error);
+    if (status != MS_OK) return status;
     columns = (size_t)gp->m;
     size = (2 * columns + 2) * sizeof(double);
     relevance = (double *)ms__alloc(&gp->allocator, size);
@@ -2733,10 +2686,11 @@ static void ms_gpr__ranked_sort(ms_gpr__ranked *list, int count)
     }
 }
 
-/* Brings the `first` largest to the front, in no order (Hoare's selection, from the middle). */
-static void ms_gpr__ranked_select(ms_gpr__ranked *list, int count, int first)
+/* The values as a list whose front has the `first` largest, in no order (Hoare's selection, from the middle). */
+static void ms_gpr__ranked_select(ms_gpr__ranked *list, const double *values, int count, int first)
 {
-    int low = 0, high = count - 1;
+    int low = 0, high = count - 1, at;
+    for (at = 0; at < count; ++at) list[at].value = values[at], list[at].index = at;
     while (low < high) {
         ms_gpr__ranked pivot = list[low + (high - low) / 2], swap;
         int i = low, j = high;
@@ -3116,22 +3070,18 @@ static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
 
 static ms_status ms_gpr__fit_options(const ms_gpr_fit_options *options, int m, ms_gpr_fit_options *o, ms_error *error)
 {
+    ms_status status;
     memset(o, 0, sizeof *o);
     if (options) *o = *options;
-    if (!ms__finite(o->length_start) || !(o->length_start >= 0 && o->length_start <= MS_GPR__LARGEST))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "length_start is %g: expected a number from 0 to %g",
-                        o->length_start, MS_GPR__LARGEST);
-    if (!ms__finite(o->step) || !(fabs(o->step) <= MS_GPR__LARGEST))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step is %g: expected at most %g", o->step, MS_GPR__LARGEST);
-    if ((int)o->method < 0 || (int)o->method > (int)MS_GPR_METHOD_ML)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "method is %d: expected 0 or 1", (int)o->method);
-    if (!ms__finite(o->floor_offset) || !(fabs(o->floor_offset) <= 100))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "floor_offset is %g: expected at most 100", o->floor_offset);
-    if (o->floor && (!ms__finite(*o->floor) || !(fabs(*o->floor) <= MS_GPR__LARGEST)))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "floor is %g: expected a score", *o->floor);
-    if (o->probe_first < 0 || o->evaluations < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "probe_first is %d and evaluations %d: expected at least 0",
-                        o->probe_first, o->evaluations);
+    status = ms_gpr__check_range("length_start", o->length_start, 0, MS_GPR__LARGEST, error);
+    if (status == MS_OK) status = ms_gpr__check_range("step", o->step, -MS_GPR__LARGEST, MS_GPR__LARGEST, error);
+    if (status == MS_OK) status = ms_gpr__check_range("method", (int)o->method, 0, (int)MS_GPR_METHOD_ML, error);
+    if (status == MS_OK) status = ms_gpr__check_range("floor_offset", o->floor_offset, -100, 100, error);
+    if (status == MS_OK && o->floor)
+        status = ms_gpr__check_range("floor", *o->floor, -MS_GPR__LARGEST, MS_GPR__LARGEST, error);
+    if (status == MS_OK) status = ms_gpr__check_range("probe_first", o->probe_first, 0, MS_GPR__MOST, error);
+    if (status == MS_OK) status = ms_gpr__check_range("evaluations", o->evaluations, 0, MS_GPR__MOST, error);
+    if (status != MS_OK) return status;
     if (o->floor_offset < 0) o->floor_offset = 0;
     else if (!(o->floor_offset > 0)) o->floor_offset = o->method == MS_GPR_METHOD_MAP ? 0.75 : 0;
     if (o->evaluations == 0) o->evaluations = 200;
@@ -3688,9 +3638,8 @@ typedef struct ms_gpr__chain {
     void *d2, *slope;   /* [stride] as in ms_gpr__lines */
     double *kernel;     /* [stride] */
     double curvature;
-    int axis;      /* of those in use, along which it faces; -1: along the direction */
-    double value;  /* the mean there */
-    double slices; /* means predicted along lines so far */
+    int axis;     /* of those in use, along which it faces; -1: along the direction */
+    double value; /* the mean there */
 } ms_gpr__chain;
 
 /* The sampler: what all tasks of one call share. */
@@ -3837,7 +3786,6 @@ static void ms_gpr__chain_ascend(const ms_gpr__sampler *h, ms_gpr__chain *w, int
 static int ms_gpr__chain_try(const ms_gpr__sampler *h, ms_gpr__chain *w, double t)
 {
     double mean = h->gp->mean + h->lines->mean(w->d2, w->slope, t, w->curvature, h->weight, ms_gpr__padded(h->gp->n));
-    w->slices += 1;
     if (!(mean >= h->level)) return 0;
     ms_gpr__chain_step(h, h->lines, w, t);
     w->value = mean;
@@ -4063,24 +4011,21 @@ static void ms_gpr__sampler_draw(void *context, int task)
         at -= floor(at);
         from = (int)(at * h->population);
         memcpy(w->point, h->point + (size_t)from * m, m * sizeof *w->point);
-        {
-            for (d = 0, k = 0; d < m; ++d) { /* dropped dimensions are uniform anyway */
-                if (k < gp->active && (size_t)gp->dimension[k] == d) ++k;
-                else if (h->s.owner[d] == 0 && h->s.lead[d] == (int)d && !ms_gpr__space_leads(&h->s, (int)d))
-                    w->point[d] = ms_gpr__space_uniform_column(&h->s, (int)d, &rng);
-            }
-            for (k = 0; k < h->s.groups; ++k)
-                if (h->s.group[k].idle)
-                    ms_gpr__group_put(&h->s, &h->s.group[k], (int)(ms_gpr__uniform(&rng) * h->s.group[k].count),
-                                      w->point);
-            ms_gpr__chain_distances(h, h->lines, h->points, w);
-            for (k = 0; k < h->coordinates || k < directions; ++k) {
-                if (k < h->coordinates) ms_gpr__chain_coordinate(h, w, k, &rng);
-                if (k < directions) ms_gpr__chain_direction(h, w, &rng);
-                if (k % 4 == 0) ms_gpr__chain_rectangle(h, w, &rng);
-            }
-            ms_gpr__chain_rectangle(h, w, &rng);
+        for (d = 0, k = 0; d < m; ++d) { /* dropped dimensions are uniform anyway */
+            if (k < gp->active && (size_t)gp->dimension[k] == d) ++k;
+            else if (h->s.owner[d] == 0 && h->s.lead[d] == (int)d && !ms_gpr__space_leads(&h->s, (int)d))
+                w->point[d] = ms_gpr__space_uniform_column(&h->s, (int)d, &rng);
         }
+        for (k = 0; k < h->s.groups; ++k)
+            if (h->s.group[k].idle)
+                ms_gpr__group_put(&h->s, &h->s.group[k], (int)(ms_gpr__uniform(&rng) * h->s.group[k].count), w->point);
+        ms_gpr__chain_distances(h, h->lines, h->points, w);
+        for (k = 0; k < h->coordinates || k < directions; ++k) {
+            if (k < h->coordinates) ms_gpr__chain_coordinate(h, w, k, &rng);
+            if (k < directions) ms_gpr__chain_direction(h, w, &rng);
+            if (k % 4 == 0) ms_gpr__chain_rectangle(h, w, &rng);
+        }
+        ms_gpr__chain_rectangle(h, w, &rng);
         ms_gpr__space_material(&h->s, w->point, h->candidate + (size_t)i * m);
     }
 }
@@ -4123,6 +4068,14 @@ static int ms_gpr__sampler_single(ms_gpr__sampler *h, double span)
     return 1;
 }
 
+/* The precision of means along lines. */
+static void ms_gpr__sampler_precision(ms_gpr__sampler *h, int single)
+{
+    h->lines = single ? &h->gp->kernels->lines_f : &h->gp->kernels->lines;
+    h->points = single ? (const void *)h->gp->points_f : (const void *)h->gp->points;
+    h->weight = single ? (const void *)h->gp->weight_f : (const void *)h->gp->weight;
+}
+
 /* The first candidates, the largest mean, and the threshold. */
 static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, ms_error *error)
 {
@@ -4133,21 +4086,13 @@ static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, ms_error *error)
     for (k = 0; k < gp->active; ++k) h->unit[k] = h->s.width[gp->dimension[k]] * gp->scale[gp->dimension[k]];
     for (i = 0; i < gp->n; ++i)
         if (gp->value[i] > top) top = gp->value[i];
-    if (gp->n > 0 && ms_gpr__sampler_single(h, top - least)) {
-        h->lines = &gp->kernels->lines_f;
-        h->points = gp->points_f;
-        h->weight = gp->weight_f;
-    }
+    ms_gpr__sampler_precision(h, gp->n > 0 && ms_gpr__sampler_single(h, top - least));
     ms__run(&gp->parallel, MS_GPR__PILOT, ms_gpr__sampler_batch, h);
     for (i = 0; i < gp->n; ++i) {
         ms_gpr__sampler_point(h, gp->x + (size_t)i * (size_t)gp->m, w->point);
         h->mean[pilot + i] = ms_gpr__chain_mean(h, w);
     }
-    for (i = 0; i < pilot + gp->n; ++i) {
-        h->ranked[i].value = h->mean[i];
-        h->ranked[i].index = i;
-    }
-    ms_gpr__ranked_select(h->ranked, pilot + gp->n, MS_GPR__MODES);
+    ms_gpr__ranked_select(h->ranked, h->mean, pilot + gp->n, MS_GPR__MODES);
     ms_gpr__ranked_sort(h->ranked, MS_GPR__MODES);
     for (i = 0; i < MS_GPR__MODES; ++i) {
         int index = h->ranked[i].index;
@@ -4175,11 +4120,7 @@ static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, ms_error *error)
                         least);
     h->report.threshold = least + h->o.tau * (top - least);
     if (h->report.threshold > best - 1e-6 * (best - least)) h->report.threshold = best - 1e-6 * (best - least);
-    if (h->report.threshold > best - 1e-3 * (best - least)) { /* the last digits count */
-        h->lines = &gp->kernels->lines;
-        h->points = gp->points;
-        h->weight = gp->weight;
-    }
+    if (h->report.threshold > best - 1e-3 * (best - least)) ms_gpr__sampler_precision(h, 0); /* the last digits count */
     h->goal = h->report.threshold + 5e-7 * (best - least);
     return MS_OK;
 }
@@ -4316,11 +4257,7 @@ static ms_status ms_gpr__sampler_levels(ms_gpr__sampler *h)
     h->level = -1e300;
     for (step = 0; step < MS_GPR__LEVELS; ++step) {
         double before = h->level;
-        for (i = 0; i < h->population; ++i) {
-            h->ranked[i].value = h->value[i];
-            h->ranked[i].index = i;
-        }
-        ms_gpr__ranked_select(h->ranked, h->population, h->level_size / MS_GPR__LEVEL_SHARE);
+        ms_gpr__ranked_select(h->ranked, h->value, h->population, h->level_size / MS_GPR__LEVEL_SHARE);
         for (i = 0, h->level = h->goal; i < h->level_size / MS_GPR__LEVEL_SHARE; ++i)
             if (h->ranked[i].value < h->level) h->level = h->ranked[i].value;
         for (i = 0, k = 0; i < h->population; ++i) { /* survivors, in their order */
@@ -4421,29 +4358,20 @@ static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms__arena *arena)
 static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *options, int m, ms_gpr_recommend_options *o,
                                            ms_error *error)
 {
-    static const char *const name[] = {"tau", "diversity", "avoid_distance"};
-    double value[3];
-    int i;
+    ms_status status;
     if (options != NULL) *o = *options;
     else memset(o, 0, sizeof *o);
-    value[0] = o->tau, value[1] = o->diversity, value[2] = o->avoid_distance;
-    for (i = 0; i < 3; ++i) {
-        double most = i < 2 ? 1 : MS_GPR__LARGEST;
-        if (!ms__finite(value[i]) || !(value[i] >= 0 && value[i] <= most))
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g: expected a number from 0 to %g", name[i],
-                            value[i], most);
-    }
-    if (!ms__finite(o->best) || !(fabs(o->best) <= MS_GPR__LARGEST))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "best is %g: expected a score", o->best);
+    status = ms_gpr__check_range("tau", o->tau, 0, 1, error);
+    if (status == MS_OK) status = ms_gpr__check_range("diversity", o->diversity, 0, 1, error);
+    if (status == MS_OK) status = ms_gpr__check_range("avoid_distance", o->avoid_distance, 0, MS_GPR__LARGEST, error);
+    if (status == MS_OK) status = ms_gpr__check_range("best", o->best, -MS_GPR__LARGEST, MS_GPR__LARGEST, error);
+    if (status == MS_OK) status = ms_gpr__check_range("skip", o->skip, 0, MS_GPR__MOST, error);
+    if (status == MS_OK) status = ms_gpr__check_range("avoid_count", o->avoid_count, 0, MS_GPR__MOST, error);
+    if (status == MS_OK) status = ms_gpr__check_range("search", (int)o->search, 0, (int)MS_GPR_SEARCH_SUBSET, error);
+    if (status == MS_OK && o->avoid_count > 0 && o->avoid == NULL) status = ms_gpr__null("avoid", error);
+    if (status != MS_OK) return status;
     if (!(o->tau > 0)) o->tau = 0.6;
     if (!(o->avoid_distance > 0)) o->avoid_distance = 0.15;
-    if (o->skip < 0 || o->avoid_count < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "skip is %d and avoid_count %d: expected at least 0", o->skip,
-                        o->avoid_count);
-    if ((int)o->search < 0 || (int)o->search > (int)MS_GPR_SEARCH_SUBSET)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "search is %d: expected 0 to 2", (int)o->search);
-    if (o->avoid_count > 0 && o->avoid == NULL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "avoid is NULL with avoid_count %d", o->avoid_count);
     return o->avoid_count > 0
         ? ms_gpr__check_rows(o->avoid, o->avoid_count, m, MS_GPR__LARGEST, "material to avoid", error)
         : MS_OK;
@@ -4461,7 +4389,6 @@ static ms_status ms_gpr__sampler_run(ms_gpr__sampler *h, ms_error *error)
     if (h->o.search == MS_GPR_SEARCH_AUTO)
         h->report.search = hits * MS_GPR__RARE >= pilot ? MS_GPR_SEARCH_REJECTION : MS_GPR_SEARCH_SUBSET;
     status = h->report.search == MS_GPR_SEARCH_REJECTION ? ms_gpr__sampler_reject(h) : ms_gpr__sampler_subset(h);
-    for (i = 0; i < MS_GPR__TASKS; ++i) h->report.slices += h->chain[i].slices;
     if (status == MS_OK) return MS_OK;
     return ms__fail(error, status, 0, "%s after %d of %d recommendations",
                     status == MS_CANCELLED ? "cancelled" : "gave up", h->taken, h->count);
@@ -4488,9 +4415,6 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     h->gp = gp;
     h->count = count + h->o.skip;
     h->result = x;
-    h->lines = &gp->kernels->lines;
-    h->points = gp->points;
-    h->weight = gp->weight;
     h->scratch_size = MS_GPR__CHUNK * (m + MS_GPR__SLAB);
     status = ms_gpr__space_make(gp->x, gp->n, gp->m, &h->o.space, &gp->allocator, &h->s, error);
     if (status != MS_OK) return status;
@@ -4743,11 +4667,9 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     if (options != NULL) o = *options;
     else memset(&o, 0, sizeof o);
     if (gp == NULL || x == NULL) return ms_gpr__null(gp ? "x" : "gp", error);
-    if (count < 1 || count > 1000000)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected 1 to 1000000", count);
-    if ((int)o.kind < 0 || (int)o.kind > (int)MS_GPR_GALLERY_SPREAD)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kind is %d: expected 0 to %d", (int)o.kind,
-                        (int)MS_GPR_GALLERY_SPREAD);
+    status = ms_gpr__check_range("count", count, 1, 1e6, error);
+    if (status == MS_OK) status = ms_gpr__check_range("kind", (int)o.kind, 0, (int)MS_GPR_GALLERY_SPREAD, error);
+    if (status != MS_OK) return status;
     p->gp = gp;
     p->count = count;
     p->floor = ms_gpr__floor_of(gp);
@@ -5302,9 +5224,8 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
     *out = NULL;
     if (options) o = *options;
     else memset(&o, 0, sizeof o);
-    if (!ms__finite(o.prior) || o.prior < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "prior is %g: expected at least 0", o.prior);
-    status = ms_gpr__latent_make(x, z, m, &o, &p, error);
+    status = ms_gpr__check_range("prior", o.prior, 0, MS_GPR__LARGEST, error);
+    if (status == MS_OK) status = ms_gpr__latent_make(x, z, m, &o, &p, error);
     if (status != MS_OK) return status;
     spread = sqrt(p->kernels->dot(p->x, p->x, z * (int)p->columns) / ((double)z * m));
     if (!(spread > 1e-150) || !(spread * spread > 1e-26 * p->kernels->dot(p->center, p->center, (int)p->columns) / m)) {
@@ -5406,58 +5327,30 @@ static ms_status ms_gpr__grid_check(const ms_gpr_latent *plane, const ms_gpr_gri
     return MS_OK;
 }
 
-/* Materials of all grid points, [rows][columns][m]. The kernel is a product over the two coordinates: z exponentials a
-   row and a column, not a point. scratch: [columns][padded z] across, [padded z] down and kernel, [padded m]
-   material. */
-static void ms_gpr__grid_materials(const ms_gpr_latent *p, const ms_gpr_grid *grid, double *x, double *scratch)
-{
-    size_t padded = (size_t)ms_gpr__padded(p->z);
-    double *across = scratch, *down = across + (size_t)grid->columns * padded, *kernel = down + padded,
-           *material = kernel + padded;
-    double sf2 = exp(2 * p->theta[2]), at[2];
-    int n = (int)padded, column, row, i;
-    for (column = 0; column < grid->columns; ++column) {
-        double *c = across + (size_t)column * padded;
-        ms_gpr_grid_point(grid, column, 0, at);
-        for (i = 0; i < n; ++i) {
-            double d = (at[0] - p->origin[0]) * exp(-p->theta[0]) - p->points[i];
-            c[i] = d * d;
-        }
-        p->kernels->exponentials(c, n, 1);
-    }
-    for (row = 0; row < grid->rows; ++row) {
-        ms_gpr_grid_point(grid, 0, row, at);
-        for (i = 0; i < n; ++i) {
-            double d = (at[1] - p->origin[1]) * exp(-p->theta[1]) - p->points[p->stride + (size_t)i];
-            down[i] = d * d;
-        }
-        p->kernels->exponentials(down, n, sf2);
-        for (column = 0; column < grid->columns; ++column) {
-            const double *c = across + (size_t)column * padded;
-            for (i = 0; i < n; ++i) kernel[i] = c[i] * down[i];
-            ms_gpr__latent_material(p, kernel, material);
-            memcpy(x, material, (size_t)p->m * sizeof *x);
-            ms_gpr__latent_project(p, x, material);
-            x += p->m;
-        }
-    }
-}
-
-/* Memory for the materials of a grid, and the materials. */
+/* The materials of a grid, [rows][columns][m], to be released. */
 static ms_status ms_gpr__grid_make(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double **x, ms_error *error)
 {
     ms_status status = ms_gpr__grid_check(plane, grid, error);
-    size_t materials, padded;
+    size_t materials;
+    double *kernel, *material, at[2];
+    int row, column;
     if (status != MS_OK) return status;
-    padded = (size_t)ms_gpr__padded(plane->z);
     materials = ms__size_mul(ms__size_mul((size_t)grid->columns, (size_t)grid->rows), (size_t)plane->m);
-    *x = ms_gpr__scratch(
-        &plane->allocator,
-        ms__size_add(ms__size_add(materials, ms__size_mul((size_t)grid->columns + 2, padded)), plane->columns));
+    *x = ms_gpr__scratch(&plane->allocator, ms__size_add(materials, plane->stride + plane->columns));
     if (*x == NULL)
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the materials of %d x %d points", grid->columns,
                         grid->rows);
-    ms_gpr__grid_materials(plane, grid, *x, *x + materials);
+    kernel = *x + materials;
+    material = kernel + plane->stride;
+    for (row = 0; row < grid->rows; ++row)
+        for (column = 0; column < grid->columns; ++column) {
+            double *to = *x + ((size_t)row * (size_t)grid->columns + (size_t)column) * (size_t)plane->m;
+            ms_gpr_grid_point(grid, column, row, at);
+            ms_gpr__latent_kernel(plane, at, kernel);
+            ms_gpr__latent_material(plane, kernel, material);
+            memcpy(to, material, (size_t)plane->m * sizeof *to);
+            ms_gpr__latent_project(plane, to, material);
+        }
     return MS_OK;
 }
 
@@ -5506,12 +5399,12 @@ MS_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_
 
 static ms_status ms_gpr__similarity_check(const ms_gpr_latent *plane, const ms_gpr_similarity *s, ms_error *error)
 {
+    ms_status status;
     if (plane == NULL || s == NULL) return ms_gpr__null(plane ? "similarity" : "plane", error);
     if (s->x == NULL || (s->pixels > 0 && s->render == NULL))
         return ms_gpr__null(s->x ? "similarity->render" : "similarity->x", error);
-    if (!ms__finite(s->scale) || s->scale < 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "similarity->scale is %g: expected at least 0", s->scale);
-    return ms_gpr__check_rows(s->x, 1, plane->m, MS_GPR__LARGEST, "reference", error);
+    status = ms_gpr__check_range("similarity->scale", s->scale, 0, MS_GPR__LARGEST, error);
+    return status == MS_OK ? ms_gpr__check_rows(s->x, 1, plane->m, MS_GPR__LARGEST, "reference", error) : status;
 }
 
 /* Two pictures, the first of them the reference's. */
