@@ -841,6 +841,13 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 
 #include <math.h>
 
+/* The kernels use vectors with the operators of GCC and Clang; cl compiles the scalar text. */
+#if defined(MS__X64) && (defined(__GNUC__) || defined(__clang__))
+#define MS_MCML__X64 1
+#elif defined(MS__NEON) && (defined(__GNUC__) || defined(__clang__))
+#define MS_MCML__NEON 1
+#endif
+
 /* ---- tissue and runs ------------------------------------------------------------------------------------------- */
 
 MS_API ms_mcml_options ms_mcml_defaults(void)
@@ -4518,7 +4525,7 @@ static MS__UNUSED uint32_t ms_mcml__float_bits(float value)
     return bits;
 }
 
-#if defined(MS__NEON)
+#if defined(MS_MCML__NEON)
 static MS__UNUSED unsigned ms_mcml__neon_bits(uint32x4_t mask)
 {
     const uint32_t place[4] = {1, 2, 4, 8};
@@ -4535,13 +4542,13 @@ static MS__UNUSED unsigned ms_mcml__neon_bits(uint32x4_t mask)
 #define MS_MCML__ISA 1
 #include MS_MCML_FILENAME
 
-#if defined(MS__X64) || defined(MS__NEON)
+#if defined(MS_MCML__X64) || defined(MS_MCML__NEON)
 #define MS_MCML__LEVEL base
 #define MS_MCML__ISA 2
 #include MS_MCML_FILENAME
 #endif
 
-#if defined(MS__X64)
+#if defined(MS_MCML__X64)
 #if defined(__clang__)
 #pragma clang attribute push(__attribute__((target("avx2,fma,f16c"))), apply_to = function)
 #elif defined(__GNUC__)
@@ -4571,16 +4578,16 @@ static MS__UNUSED unsigned ms_mcml__neon_bits(uint32x4_t mask)
 #elif defined(__GNUC__)
 #pragma GCC pop_options
 #endif
-#endif /* MS__X64 */
+#endif /* MS_MCML__X64 */
 #undef MS_MCML__PASS
 
 static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 {
-#if defined(MS__X64)
+#if defined(MS_MCML__X64)
     if (level == MS_SIMD_AVX512) return &ms_mcml__kernels_avx512;
     if (level == MS_SIMD_AVX2) return &ms_mcml__kernels_avx2;
 #endif
-#if defined(MS__X64) || defined(MS__NEON)
+#if defined(MS_MCML__X64) || defined(MS_MCML__NEON)
     if (level == MS_SIMD_BASE) return &ms_mcml__kernels_base;
 #endif
     (void)level;
@@ -4590,6 +4597,8 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #undef MS_MCML__FN
 #undef MS_MCML__JOIN
 #undef MS_MCML__JOIN2
+#undef MS_MCML__X64
+#undef MS_MCML__NEON
 #endif /* MS_MCML_IMPLEMENTATION */
 
 #if defined(MS_MCML_IMPLEMENTATION) && defined(MS_MCML__PASS)
@@ -4605,10 +4614,6 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__V_LOAD(p) (*(p))
 #define MS_MCML__V_STORE(p, a) (*(p) = (a))
 #define MS_MCML__V_SET(a) (a)
-#define MS_MCML__V_ADD(a, b) ((a) + (b))
-#define MS_MCML__V_SUB(a, b) ((a) - (b))
-#define MS_MCML__V_MUL(a, b) ((a) * (b))
-#define MS_MCML__V_DIV(a, b) ((a) / (b))
 #define MS_MCML__V_MADD(a, b, c) ((a) * (b) + (c))
 #define MS_MCML__V_SQRT(a) sqrtf(a)
 #define MS_MCML__V_MAX(a, b) ((a) > (b) ? (a) : (b))
@@ -4622,8 +4627,6 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__U_SET(a) (a)
 #define MS_MCML__U_ADD(a, b) ((a) + (b))
 #define MS_MCML__U_SUB(a, b) ((a) - (b))
-#define MS_MCML__U_AND(a, b) ((a) & (b))
-#define MS_MCML__U_XOR(a, b) ((a) ^ (b))
 #define MS_MCML__U_RIGHT(a, n) ((a) >> (n))
 #define MS_MCML__U_LEFT(a, n) ((a) << (n))
 #define MS_MCML__U_IS_ZERO(a) ((a) == 0)
@@ -4637,7 +4640,7 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__U_HIGH(a, b) ((uint32_t)((uint64_t)(a) * (b) >> 32))
 #define MS_MCML__M_BITS(m) ((unsigned)(m))
 
-#elif MS_MCML__ISA == 2 && defined(MS__X64)
+#elif MS_MCML__ISA == 2 && defined(MS_MCML__X64)
 #define MS_MCML__L 4
 #define MS_MCML__V __m128
 #define MS_MCML__U __m128i
@@ -4645,10 +4648,6 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__V_LOAD(p) _mm_loadu_ps(p)
 #define MS_MCML__V_STORE(p, a) _mm_storeu_ps(p, a)
 #define MS_MCML__V_SET(a) _mm_set1_ps(a)
-#define MS_MCML__V_ADD(a, b) _mm_add_ps(a, b)
-#define MS_MCML__V_SUB(a, b) _mm_sub_ps(a, b)
-#define MS_MCML__V_MUL(a, b) _mm_mul_ps(a, b)
-#define MS_MCML__V_DIV(a, b) _mm_div_ps(a, b)
 #define MS_MCML__V_MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
 #define MS_MCML__V_SQRT(a) _mm_sqrt_ps(a)
 #define MS_MCML__V_MAX(a, b) _mm_max_ps(a, b)
@@ -4662,8 +4661,6 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__U_SET(a) _mm_set1_epi32((int)(a))
 #define MS_MCML__U_ADD(a, b) _mm_add_epi32(a, b)
 #define MS_MCML__U_SUB(a, b) _mm_sub_epi32(a, b)
-#define MS_MCML__U_AND(a, b) _mm_and_si128(a, b)
-#define MS_MCML__U_XOR(a, b) _mm_xor_si128(a, b)
 #define MS_MCML__U_RIGHT(a, n) _mm_srli_epi32(a, n)
 #define MS_MCML__U_LEFT(a, n) _mm_slli_epi32(a, n)
 #define MS_MCML__U_IS_ZERO(a) _mm_castsi128_ps(_mm_cmpeq_epi32(a, _mm_setzero_si128()))
@@ -4690,10 +4687,6 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__V_LOAD(p) vld1q_f32(p)
 #define MS_MCML__V_STORE(p, a) vst1q_f32(p, a)
 #define MS_MCML__V_SET(a) vdupq_n_f32(a)
-#define MS_MCML__V_ADD(a, b) vaddq_f32(a, b)
-#define MS_MCML__V_SUB(a, b) vsubq_f32(a, b)
-#define MS_MCML__V_MUL(a, b) vmulq_f32(a, b)
-#define MS_MCML__V_DIV(a, b) vdivq_f32(a, b)
 #define MS_MCML__V_MADD(a, b, c) vfmaq_f32(c, a, b)
 #define MS_MCML__V_SQRT(a) vsqrtq_f32(a)
 #define MS_MCML__V_MAX(a, b) vmaxq_f32(a, b)
@@ -4707,8 +4700,6 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__U_SET(a) vdupq_n_u32(a)
 #define MS_MCML__U_ADD(a, b) vaddq_u32(a, b)
 #define MS_MCML__U_SUB(a, b) vsubq_u32(a, b)
-#define MS_MCML__U_AND(a, b) vandq_u32(a, b)
-#define MS_MCML__U_XOR(a, b) veorq_u32(a, b)
 #define MS_MCML__U_RIGHT(a, n) vshrq_n_u32(a, n)
 #define MS_MCML__U_LEFT(a, n) vshlq_n_u32(a, n)
 #define MS_MCML__U_IS_ZERO(a) vceqq_u32(a, vdupq_n_u32(0))
@@ -4732,10 +4723,6 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__V_LOAD(p) _mm256_loadu_ps(p)
 #define MS_MCML__V_STORE(p, a) _mm256_storeu_ps(p, a)
 #define MS_MCML__V_SET(a) _mm256_set1_ps(a)
-#define MS_MCML__V_ADD(a, b) _mm256_add_ps(a, b)
-#define MS_MCML__V_SUB(a, b) _mm256_sub_ps(a, b)
-#define MS_MCML__V_MUL(a, b) _mm256_mul_ps(a, b)
-#define MS_MCML__V_DIV(a, b) _mm256_div_ps(a, b)
 #define MS_MCML__V_MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
 #define MS_MCML__V_SQRT(a) _mm256_sqrt_ps(a)
 #define MS_MCML__V_MAX(a, b) _mm256_max_ps(a, b)
@@ -4749,8 +4736,6 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__U_SET(a) _mm256_set1_epi32((int)(a))
 #define MS_MCML__U_ADD(a, b) _mm256_add_epi32(a, b)
 #define MS_MCML__U_SUB(a, b) _mm256_sub_epi32(a, b)
-#define MS_MCML__U_AND(a, b) _mm256_and_si256(a, b)
-#define MS_MCML__U_XOR(a, b) _mm256_xor_si256(a, b)
 #define MS_MCML__U_RIGHT(a, n) _mm256_srli_epi32(a, n)
 #define MS_MCML__U_LEFT(a, n) _mm256_slli_epi32(a, n)
 #define MS_MCML__U_IS_ZERO(a) _mm256_castsi256_ps(_mm256_cmpeq_epi32(a, _mm256_setzero_si256()))
@@ -4774,10 +4759,6 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__V_LOAD(p) _mm512_loadu_ps(p)
 #define MS_MCML__V_STORE(p, a) _mm512_storeu_ps(p, a)
 #define MS_MCML__V_SET(a) _mm512_set1_ps(a)
-#define MS_MCML__V_ADD(a, b) _mm512_add_ps(a, b)
-#define MS_MCML__V_SUB(a, b) _mm512_sub_ps(a, b)
-#define MS_MCML__V_MUL(a, b) _mm512_mul_ps(a, b)
-#define MS_MCML__V_DIV(a, b) _mm512_div_ps(a, b)
 #define MS_MCML__V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
 #define MS_MCML__V_SQRT(a) _mm512_maskz_sqrt_ps((__mmask16)-1, a)
 #define MS_MCML__V_MAX(a, b) _mm512_maskz_max_ps((__mmask16)-1, a, b)
@@ -4791,8 +4772,6 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__U_SET(a) _mm512_set1_epi32((int)(a))
 #define MS_MCML__U_ADD(a, b) _mm512_add_epi32(a, b)
 #define MS_MCML__U_SUB(a, b) _mm512_sub_epi32(a, b)
-#define MS_MCML__U_AND(a, b) _mm512_and_si512(a, b)
-#define MS_MCML__U_XOR(a, b) _mm512_xor_si512(a, b)
 #define MS_MCML__U_RIGHT(a, n) _mm512_maskz_srli_epi32((__mmask16)-1, a, n)
 #define MS_MCML__U_LEFT(a, n) _mm512_maskz_slli_epi32((__mmask16)-1, a, n)
 #define MS_MCML__U_IS_ZERO(a) _mm512_testn_epi32_mask(a, a)
@@ -4821,9 +4800,9 @@ static inline MS_MCML__V MS_MCML__FN(exponential)(MS_MCML__U word)
                                          MS_MCML__V_SET(1.0f / 2147483648.0f), MS_MCML__V_SET(1.0f / 4294967296.0f));
     const MS_MCML__U bits = MS_MCML__U_ADD(MS_MCML__U_SUB(MS_MCML__U_BITS(u), MS_MCML__U_SET(0x3f3504f3u)),
                                            MS_MCML__U_SET(64u << 23));
-    const MS_MCML__V t = MS_MCML__V_SUB(
-        MS_MCML__V_BITS(MS_MCML__U_ADD(MS_MCML__U_AND(bits, MS_MCML__U_SET(0x7fffffu)), MS_MCML__U_SET(0x3f3504f3u))),
-        MS_MCML__V_SET(1.0f));
+    const MS_MCML__V t = MS_MCML__V_BITS(
+                             MS_MCML__U_ADD(bits & MS_MCML__U_SET(0x7fffffu), MS_MCML__U_SET(0x3f3504f3u))) -
+        MS_MCML__V_SET(1.0f);
     MS_MCML__V p = MS_MCML__V_MADD(t, MS_MCML__V_SET(-0.0810155815f), MS_MCML__V_SET(0.127123076f));
     p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(-0.12972239f));
     p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(0.142021738f));
@@ -4831,17 +4810,14 @@ static inline MS_MCML__V MS_MCML__FN(exponential)(MS_MCML__U word)
     p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(0.200014686f));
     p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(-0.250002965f));
     p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(0.333333286f));
-    p = MS_MCML__V_MADD(MS_MCML__V_MADD(p, t, MS_MCML__V_SET(-0.5f)), MS_MCML__V_MUL(t, t), t);
-    return MS_MCML__V_SUB(
-        MS_MCML__V_MUL(MS_MCML__V_SUB(MS_MCML__V_SET(64.0f), MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(bits, 23))),
-                       MS_MCML__V_SET(0.693147181f)),
-        p);
+    p = MS_MCML__V_MADD(MS_MCML__V_MADD(p, t, MS_MCML__V_SET(-0.5f)), t * t, t);
+    return (MS_MCML__V_SET(64.0f) - MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(bits, 23))) * MS_MCML__V_SET(0.693147181f) - p;
 }
 
 /* A word as a number in [0, 1) of 24 bits. */
 static inline MS_MCML__V MS_MCML__FN(uniform)(MS_MCML__U word)
 {
-    return MS_MCML__V_MUL(MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(word, 8)), MS_MCML__V_SET(1.0f / 16777216.0f));
+    return MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(word, 8)) * MS_MCML__V_SET(1.0f / 16777216.0f);
 }
 
 /* xoshiro128+ (Blackman, Vigna 2018), a lane a photon. */
@@ -4849,11 +4825,11 @@ static inline MS_MCML__V MS_MCML__FN(uniform)(MS_MCML__U word)
     do {                                                   \
         const MS_MCML__U shifted = MS_MCML__U_LEFT(s1, 9); \
         word = MS_MCML__U_ADD(s0, s3);                     \
-        s2 = MS_MCML__U_XOR(s2, s0);                       \
-        s3 = MS_MCML__U_XOR(s3, s1);                       \
-        s1 = MS_MCML__U_XOR(s1, s2);                       \
-        s0 = MS_MCML__U_XOR(s0, s3);                       \
-        s2 = MS_MCML__U_XOR(s2, shifted);                  \
+        s2 = s2 ^ s0;                                      \
+        s3 = s3 ^ s1;                                      \
+        s1 = s1 ^ s2;                                      \
+        s0 = s0 ^ s3;                                      \
+        s2 = s2 ^ shifted;                                 \
         s3 = MS_MCML__U_ROTATE(s3, 11);                    \
     } while (0)
 
@@ -4875,9 +4851,9 @@ static void MS_MCML__FN(seed)(ms_mcml__tracer *t)
                          low0 = MS_MCML__U_MUL(c0, MS_MCML__U_SET(0xD2511F53u));
         const MS_MCML__U high1 = MS_MCML__U_HIGH(c2, MS_MCML__U_SET(0xCD9E8D57u)),
                          low1 = MS_MCML__U_MUL(c2, MS_MCML__U_SET(0xCD9E8D57u));
-        c0 = MS_MCML__U_XOR(MS_MCML__U_XOR(high1, c1), k0);
+        c0 = (high1 ^ c1) ^ k0;
         c1 = low1;
-        c2 = MS_MCML__U_XOR(MS_MCML__U_XOR(high0, c3), k1);
+        c2 = (high0 ^ c3) ^ k1;
         c3 = low0;
         k0 = MS_MCML__U_ADD(k0, MS_MCML__U_SET(0x9E3779B9u));
         k1 = MS_MCML__U_ADD(k1, MS_MCML__U_SET(0xBB67AE85u));
@@ -4893,7 +4869,7 @@ static void MS_MCML__FN(seed)(ms_mcml__tracer *t)
 static void MS_MCML__FN(launch)(ms_mcml__tracer *t, unsigned lanes)
 {
     const ms_mcml__slab *slab = &t->tally->slab[t->tally->first_layer];
-    const MS_MCML__M stays = MS_MCML__U_IS_ZERO(MS_MCML__U_AND(MS_MCML__U_LOAD(t->bit), MS_MCML__U_SET(lanes)));
+    const MS_MCML__M stays = MS_MCML__U_IS_ZERO(MS_MCML__U_LOAD(t->bit) & MS_MCML__U_SET(lanes));
     const MS_MCML__V zero = MS_MCML__V_SET(0.0f);
     int i;
 #define MS_MCML__START(field, value) \
@@ -4931,23 +4907,21 @@ static inline MS_MCML__V MS_MCML__FN(absorb)(ms_mcml__tracer *t, MS_MCML__M hit,
                                              MS_MCML__V z, MS_MCML__V w, MS_MCML__V u)
 {
     const MS_MCML__V zero = MS_MCML__V_SET(0.0f), one = MS_MCML__V_SET(1.0f);
-    const MS_MCML__V lost = MS_MCML__V_SELECT(hit, zero, MS_MCML__V_MUL(w, MS_MCML__V_LOAD(t->absorbed)));
+    const MS_MCML__V lost = MS_MCML__V_SELECT(hit, zero, w * MS_MCML__V_LOAD(t->absorbed));
     if (t->cells) {
-        const MS_MCML__V r = MS_MCML__V_SQRT(MS_MCML__V_MADD(x, x, MS_MCML__V_MUL(y, y))),
-                         ring = MS_MCML__V_MIN(MS_MCML__V_MUL(r, MS_MCML__V_SET(t->inverse_dr)),
-                                               MS_MCML__V_SET(t->last_r));
-        const MS_MCML__V slab = MS_MCML__V_MUL(MS_MCML__V_ADD(z, MS_MCML__V_LOAD(t->top)),
-                                               MS_MCML__V_SET(t->inverse_dz));
+        const MS_MCML__V r = MS_MCML__V_SQRT(MS_MCML__V_MADD(x, x, y * y)),
+                         ring = MS_MCML__V_MIN(r * MS_MCML__V_SET(t->inverse_dr), MS_MCML__V_SET(t->last_r));
+        const MS_MCML__V slab = (z + MS_MCML__V_LOAD(t->top)) * MS_MCML__V_SET(t->inverse_dz);
         const MS_MCML__U row = MS_MCML__U_MUL(MS_MCML__V_TO_INT(MS_MCML__V_MAX(ring, zero)), MS_MCML__U_SET(t->nz));
         const MS_MCML__V column = MS_MCML__V_MAX(MS_MCML__V_MIN(slab, MS_MCML__V_SET(t->last_z)), zero);
         MS_MCML__U_STORE(t->cell, MS_MCML__U_ADD(row, MS_MCML__V_TO_INT(column)));
         MS_MCML__V_STORE(t->units, MS_MCML__V_MADD(lost, MS_MCML__V_SET(ms_mcml__units), u));
     }
-    w = MS_MCML__V_SUB(w, lost);
-    MS_MCML__V_STORE(t->kept, MS_MCML__V_ADD(lost, MS_MCML__V_LOAD(t->kept)));
+    w = w - lost;
+    MS_MCML__V_STORE(t->kept, lost + MS_MCML__V_LOAD(t->kept));
     return MS_MCML__V_SELECT(MS_MCML__V_LESS(MS_MCML__V_SELECT(hit, one, w), MS_MCML__V_SET(t->low_weight)),
                              MS_MCML__V_SELECT(MS_MCML__V_LESS(u, MS_MCML__V_SET(ms_mcml__chance)),
-                                               MS_MCML__V_MUL(w, MS_MCML__V_SET(1 / ms_mcml__chance)), zero),
+                                               w * MS_MCML__V_SET(1 / ms_mcml__chance), zero),
                              w);
 }
 
@@ -4960,41 +4934,36 @@ static inline void MS_MCML__FN(deflect)(MS_MCML__M hit, MS_MCML__V g, MS_MCML__U
 {
     const MS_MCML__V one = MS_MCML__V_SET(1.0f), two = MS_MCML__V_SET(2.0f), half = MS_MCML__V_SET(0.5f), ux = *x,
                      uy = *y, uz = *z;
-    const MS_MCML__V xi = MS_MCML__FN(uniform)(word_cosine),
-                     gv = MS_MCML__V_MUL(g, MS_MCML__V_MADD(two, xi, MS_MCML__V_SET(-1.0f)));
-    const MS_MCML__V q = MS_MCML__V_DIV(one, MS_MCML__V_ADD(one, gv)), middle = MS_MCML__V_ADD(two, gv);
-    const MS_MCML__V less = MS_MCML__V_MUL(MS_MCML__V_SUB(one, g), q), more = MS_MCML__V_MUL(MS_MCML__V_ADD(one, g), q);
-    const MS_MCML__V below = MS_MCML__V_MUL(MS_MCML__V_MUL(MS_MCML__V_MUL(less, less), MS_MCML__V_SUB(one, xi)),
-                                            MS_MCML__V_ADD(middle, g));
-    const MS_MCML__V above = MS_MCML__V_MUL(MS_MCML__V_MUL(MS_MCML__V_MUL(more, more), xi), MS_MCML__V_SUB(middle, g));
-    const MS_MCML__V cosine = MS_MCML__V_SUB(one, below), sine = MS_MCML__V_SQRT(MS_MCML__V_MUL(below, above));
-    const MS_MCML__V tau = MS_MCML__V_SUB(MS_MCML__FN(uniform)(word_azimuth), half), square = MS_MCML__V_MUL(tau, tau);
+    const MS_MCML__V xi = MS_MCML__FN(uniform)(word_cosine), gv = g * MS_MCML__V_MADD(two, xi, MS_MCML__V_SET(-1.0f));
+    const MS_MCML__V q = one / (one + gv), middle = two + gv;
+    const MS_MCML__V less = (one - g) * q, more = (one + g) * q;
+    const MS_MCML__V below = less * less * (one - xi) * (middle + g);
+    const MS_MCML__V above = more * more * xi * (middle - g);
+    const MS_MCML__V cosine = one - below, sine = MS_MCML__V_SQRT(below * above);
+    const MS_MCML__V tau = MS_MCML__FN(uniform)(word_azimuth) - half, square = tau * tau;
     MS_MCML__V sh = MS_MCML__V_SET(0.0776594074f), ch = MS_MCML__V_SET(0.219696795f), sc, ss, sign, a, b, vx, vy, vz,
                scale;
     sh = MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(-0.598292159f));
     sh = MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(2.55007766f));
     sh = MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(-5.16771009f));
-    sh = MS_MCML__V_MUL(MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(3.14159264f)), tau);
+    sh = MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(3.14159264f)) * tau;
     ch = MS_MCML__V_MADD(ch, square, MS_MCML__V_SET(-1.33188016f));
     ch = MS_MCML__V_MADD(ch, square, MS_MCML__V_SET(4.05841191f));
     ch = MS_MCML__V_MADD(ch, square, MS_MCML__V_SET(-4.93479286f));
     ch = MS_MCML__V_MADD(ch, square, MS_MCML__V_SET(0.999999953f));
-    sc = MS_MCML__V_MUL(sine, MS_MCML__V_NMADD(MS_MCML__V_ADD(sh, sh), sh, one));
-    ss = MS_MCML__V_MUL(sine, MS_MCML__V_MUL(MS_MCML__V_ADD(sh, sh), ch));
+    sc = sine * MS_MCML__V_NMADD(sh + sh, sh, one);
+    ss = sine * ((sh + sh) * ch);
     sign = MS_MCML__V_SIGN(uz);
-    a = MS_MCML__V_DIV(MS_MCML__V_SET(-1.0f), MS_MCML__V_ADD(sign, uz));
-    b = MS_MCML__V_MUL(MS_MCML__V_MUL(ux, uy), a);
-    vx = MS_MCML__V_MADD(sc, MS_MCML__V_MADD(MS_MCML__V_MUL(sign, ux), MS_MCML__V_MUL(ux, a), one),
-                         MS_MCML__V_MADD(ss, b, MS_MCML__V_MUL(cosine, ux)));
-    vy = MS_MCML__V_MADD(
-        sc, MS_MCML__V_MUL(sign, b),
-        MS_MCML__V_MADD(ss, MS_MCML__V_MADD(MS_MCML__V_MUL(uy, uy), a, sign), MS_MCML__V_MUL(cosine, uy)));
-    vz = MS_MCML__V_NMADD(MS_MCML__V_MUL(sc, sign), ux, MS_MCML__V_NMADD(ss, uy, MS_MCML__V_MUL(cosine, uz)));
-    scale = MS_MCML__V_MADD(vx, vx, MS_MCML__V_MADD(vy, vy, MS_MCML__V_MUL(vz, vz)));
+    a = MS_MCML__V_SET(-1.0f) / (sign + uz);
+    b = ux * uy * a;
+    vx = MS_MCML__V_MADD(sc, MS_MCML__V_MADD(sign * ux, ux * a, one), MS_MCML__V_MADD(ss, b, cosine * ux));
+    vy = MS_MCML__V_MADD(sc, sign * b, MS_MCML__V_MADD(ss, MS_MCML__V_MADD(uy * uy, a, sign), cosine * uy));
+    vz = MS_MCML__V_NMADD(sc * sign, ux, MS_MCML__V_NMADD(ss, uy, cosine * uz));
+    scale = MS_MCML__V_MADD(vx, vx, MS_MCML__V_MADD(vy, vy, vz * vz));
     scale = MS_MCML__V_NMADD(half, scale, MS_MCML__V_SET(1.5f));
-    *x = MS_MCML__V_SELECT(hit, ux, MS_MCML__V_MUL(vx, scale));
-    *y = MS_MCML__V_SELECT(hit, uy, MS_MCML__V_MUL(vy, scale));
-    *z = MS_MCML__V_SELECT(hit, uz, MS_MCML__V_MUL(vz, scale));
+    *x = MS_MCML__V_SELECT(hit, ux, vx * scale);
+    *y = MS_MCML__V_SELECT(hit, uy, vy * scale);
+    *z = MS_MCML__V_SELECT(hit, uz, vz * scale);
 }
 
 /* Lanes that a boundary reflects, Fresnel, ratio = n / n beyond; total internal reflection has cos_t = 0 and so R = 1.
@@ -5004,17 +4973,12 @@ static inline MS_MCML__M MS_MCML__FN(fresnel)(ms_mcml__tracer *t, MS_MCML__M up,
     const MS_MCML__V zero = MS_MCML__V_SET(0.0f), one = MS_MCML__V_SET(1.0f);
     const MS_MCML__V ratio = MS_MCML__V_SELECT(up, MS_MCML__V_LOAD(t->ratio_up), MS_MCML__V_LOAD(t->ratio_down));
     const MS_MCML__V sin2_i = MS_MCML__V_MAX(MS_MCML__V_NMADD(steep, steep, one), zero);
-    const MS_MCML__V cos_t = MS_MCML__V_SQRT(
-        MS_MCML__V_MAX(MS_MCML__V_NMADD(MS_MCML__V_MUL(ratio, ratio), sin2_i, one), zero));
-    const MS_MCML__V si = MS_MCML__V_MUL(ratio, steep), pt = MS_MCML__V_MUL(ratio, cos_t);
-    const MS_MCML__V s_sum = MS_MCML__V_ADD(si, cos_t), p_sum = MS_MCML__V_ADD(pt, steep),
-                     both = MS_MCML__V_MUL(s_sum, p_sum);
-    const MS_MCML__V rs = MS_MCML__V_MUL(MS_MCML__V_SUB(si, cos_t), p_sum),
-                     rp = MS_MCML__V_MUL(MS_MCML__V_SUB(pt, steep), s_sum);
+    const MS_MCML__V cos_t = MS_MCML__V_SQRT(MS_MCML__V_MAX(MS_MCML__V_NMADD(ratio * ratio, sin2_i, one), zero));
+    const MS_MCML__V si = ratio * steep, pt = ratio * cos_t;
+    const MS_MCML__V s_sum = si + cos_t, p_sum = pt + steep, both = s_sum * p_sum;
+    const MS_MCML__V rs = (si - cos_t) * p_sum, rp = (pt - steep) * s_sum;
     MS_MCML__V_STORE(t->cos_t, cos_t);
-    return MS_MCML__V_LESS(
-        MS_MCML__V_MUL(u, MS_MCML__V_MUL(both, both)),
-        MS_MCML__V_MUL(MS_MCML__V_SET(0.5f), MS_MCML__V_ADD(MS_MCML__V_MUL(rs, rs), MS_MCML__V_MUL(rp, rp))));
+    return MS_MCML__V_LESS(u * (both * both), MS_MCML__V_SET(0.5f) * (rs * rs + rp * rp));
 }
 
 /* Traces the photons of t. A turn of the loop is one event of every lane: a flight that ends in a collision or at a
@@ -5053,13 +5017,13 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         u = MS_MCML__FN(uniform)(word_chance);
 
         /* to the collision, or to the boundary if that is nearer; at least half the smallest -log u that is not 0 */
-        flight = MS_MCML__V_MUL(MS_MCML__V_MAX(MS_MCML__FN(exponential)(word_flight), MS_MCML__V_SET(3e-8f)), mfp);
+        flight = MS_MCML__V_MAX(MS_MCML__FN(exponential)(word_flight), MS_MCML__V_SET(3e-8f)) * mfp;
         up = MS_MCML__V_LESS(uz, zero);
-        gap = MS_MCML__V_MAX(MS_MCML__V_SELECT(up, z, MS_MCML__V_SUB(depth, z)), zero);
+        gap = MS_MCML__V_MAX(MS_MCML__V_SELECT(up, z, depth - z), zero);
         steep = MS_MCML__V_MAX(MS_MCML__V_ABS(uz), MS_MCML__V_SET(1e-9f));
-        hit = MS_MCML__V_LESS(gap, MS_MCML__V_MUL(flight, steep));
+        hit = MS_MCML__V_LESS(gap, flight * steep);
         boundary = MS_MCML__M_BITS(hit) & t->alive;
-        step = MS_MCML__V_SELECT(hit, MS_MCML__V_DIV(gap, steep), flight);
+        step = MS_MCML__V_SELECT(hit, gap / steep, flight);
         x = MS_MCML__V_MADD(step, ux, x);
         y = MS_MCML__V_MADD(step, uy, y);
         z = MS_MCML__V_SELECT(hit, MS_MCML__V_SELECT(up, zero, depth), MS_MCML__V_MADD(step, uz, z));
@@ -5072,7 +5036,7 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         }
         if (boundary) {
             const MS_MCML__M back = MS_MCML__FN(fresnel)(t, up, steep, u);
-            uz = MS_MCML__V_SELECT(hit, MS_MCML__V_SELECT(back, MS_MCML__V_SUB(zero, uz), uz), uz);
+            uz = MS_MCML__V_SELECT(hit, MS_MCML__V_SELECT(back, zero - uz, uz), uz);
             crossing = boundary & ~MS_MCML__M_BITS(back);
         }
 
@@ -5086,7 +5050,7 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         events = MS_MCML__U_ADD(MS_MCML__U_LOAD(t->events), MS_MCML__U_SET(1u));
         MS_MCML__U_STORE(t->events, events);
         ended = t->alive & ~(t->alive & MS_MCML__M_BITS(MS_MCML__V_LESS(zero, w)));
-        halving = t->alive & MS_MCML__M_BITS(MS_MCML__U_IS_ZERO(MS_MCML__U_XOR(events, MS_MCML__U_LOAD(t->limit))));
+        halving = t->alive & MS_MCML__M_BITS(MS_MCML__U_IS_ZERO(events ^ MS_MCML__U_LOAD(t->limit)));
         if (!(crossing | ended | halving)) continue;
         MS_MCML__U_STORE(t->word, word_chance);
         for (; crossing; crossing &= crossing - 1) {
@@ -5125,9 +5089,6 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
 #define MS_MCML__E_SET(a) _mm512_set1_pd(a)
 #define MS_MCML__E_LOAD(p) _mm512_loadu_pd(p)
 #define MS_MCML__E_STORE(p, a) _mm512_storeu_pd(p, a)
-#define MS_MCML__E_ADD(a, b) _mm512_add_pd(a, b)
-#define MS_MCML__E_SUB(a, b) _mm512_sub_pd(a, b)
-#define MS_MCML__E_MUL(a, b) _mm512_mul_pd(a, b)
 #define MS_MCML__E_MADD(a, b, c) _mm512_fmadd_pd(a, b, c)
 #define MS_MCML__E_NMADD(a, b, c) _mm512_fnmadd_pd(a, b, c)
 #elif MS_MCML__ISA == 3
@@ -5136,20 +5097,14 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
 #define MS_MCML__E_SET(a) _mm256_set1_pd(a)
 #define MS_MCML__E_LOAD(p) _mm256_loadu_pd(p)
 #define MS_MCML__E_STORE(p, a) _mm256_storeu_pd(p, a)
-#define MS_MCML__E_ADD(a, b) _mm256_add_pd(a, b)
-#define MS_MCML__E_SUB(a, b) _mm256_sub_pd(a, b)
-#define MS_MCML__E_MUL(a, b) _mm256_mul_pd(a, b)
 #define MS_MCML__E_MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
 #define MS_MCML__E_NMADD(a, b, c) _mm256_fnmadd_pd(a, b, c)
-#elif MS_MCML__ISA == 2 && defined(MS__X64)
+#elif MS_MCML__ISA == 2 && defined(MS_MCML__X64)
 #define MS_MCML__E __m128d
 #define MS_MCML__D_ALL(op) op(a, 0) op(b, 2) op(c, 4) op(d, 6)
 #define MS_MCML__E_SET(a) _mm_set1_pd(a)
 #define MS_MCML__E_LOAD(p) _mm_loadu_pd(p)
 #define MS_MCML__E_STORE(p, a) _mm_storeu_pd(p, a)
-#define MS_MCML__E_ADD(a, b) _mm_add_pd(a, b)
-#define MS_MCML__E_SUB(a, b) _mm_sub_pd(a, b)
-#define MS_MCML__E_MUL(a, b) _mm_mul_pd(a, b)
 #define MS_MCML__E_MADD(a, b, c) _mm_add_pd(_mm_mul_pd(a, b), c)
 #define MS_MCML__E_NMADD(a, b, c) _mm_sub_pd(c, _mm_mul_pd(a, b))
 #elif MS_MCML__ISA == 2
@@ -5158,9 +5113,6 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
 #define MS_MCML__E_SET(a) vdupq_n_f64(a)
 #define MS_MCML__E_LOAD(p) vld1q_f64(p)
 #define MS_MCML__E_STORE(p, a) vst1q_f64(p, a)
-#define MS_MCML__E_ADD(a, b) vaddq_f64(a, b)
-#define MS_MCML__E_SUB(a, b) vsubq_f64(a, b)
-#define MS_MCML__E_MUL(a, b) vmulq_f64(a, b)
 #define MS_MCML__E_MADD(a, b, c) vfmaq_f64(c, a, b)
 #define MS_MCML__E_NMADD(a, b, c) vfmsq_f64(c, a, b)
 #else
@@ -5169,9 +5121,6 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
 #define MS_MCML__E_SET(a) (a)
 #define MS_MCML__E_LOAD(p) (*(p))
 #define MS_MCML__E_STORE(p, a) (*(p) = (a))
-#define MS_MCML__E_ADD(a, b) ((a) + (b))
-#define MS_MCML__E_SUB(a, b) ((a) - (b))
-#define MS_MCML__E_MUL(a, b) ((a) * (b))
 #define MS_MCML__E_MADD(a, b, c) ((a) * (b) + (c))
 #define MS_MCML__E_NMADD(a, b, c) ((c) - (a) * (b))
 #endif
@@ -5180,9 +5129,9 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
 #define MS_MCML__D_SET(x, n) r.x = MS_MCML__E_SET(k);
 #define MS_MCML__D_LOAD(x, n) r.x = MS_MCML__E_LOAD(p + n);
 #define MS_MCML__D_STORE(x, n) MS_MCML__E_STORE(p + n, k.x);
-#define MS_MCML__D_ADD(x, n) r.x = MS_MCML__E_ADD(k.x, l.x);
-#define MS_MCML__D_SUB(x, n) r.x = MS_MCML__E_SUB(k.x, l.x);
-#define MS_MCML__D_MUL(x, n) r.x = MS_MCML__E_MUL(k.x, l.x);
+#define MS_MCML__D_ADD(x, n) r.x = k.x + l.x;
+#define MS_MCML__D_SUB(x, n) r.x = k.x - l.x;
+#define MS_MCML__D_MUL(x, n) r.x = k.x * l.x;
 #define MS_MCML__D_MADD(x, n) r.x = MS_MCML__E_MADD(k.x, l.x, m.x);
 #define MS_MCML__D_NMADD(x, n) r.x = MS_MCML__E_NMADD(k.x, l.x, m.x);
 #define MS_MCML__D_FUNCTION(name, arguments, op)         \
@@ -5699,9 +5648,6 @@ static const ms_mcml__kernels MS_MCML__FN(kernels) = {MS_MCML__FN(trace), MS_MCM
 #undef MS_MCML__E_SET
 #undef MS_MCML__E_LOAD
 #undef MS_MCML__E_STORE
-#undef MS_MCML__E_ADD
-#undef MS_MCML__E_SUB
-#undef MS_MCML__E_MUL
 #undef MS_MCML__E_MADD
 #undef MS_MCML__E_NMADD
 #undef MS_MCML__DRAW
@@ -5712,7 +5658,6 @@ static const ms_mcml__kernels MS_MCML__FN(kernels) = {MS_MCML__FN(trace), MS_MCM
 #undef MS_MCML__M_BITS
 #undef MS_MCML__U
 #undef MS_MCML__U_ADD
-#undef MS_MCML__U_AND
 #undef MS_MCML__U_BITS
 #undef MS_MCML__U_HIGH
 #undef MS_MCML__U_IS_ZERO
@@ -5724,26 +5669,21 @@ static const ms_mcml__kernels MS_MCML__FN(kernels) = {MS_MCML__FN(trace), MS_MCM
 #undef MS_MCML__U_SET
 #undef MS_MCML__U_STORE
 #undef MS_MCML__U_SUB
-#undef MS_MCML__U_XOR
 #undef MS_MCML__V
 #undef MS_MCML__V_ABS
-#undef MS_MCML__V_ADD
 #undef MS_MCML__V_BITS
-#undef MS_MCML__V_DIV
 #undef MS_MCML__V_FROM_INT
 #undef MS_MCML__V_LESS
 #undef MS_MCML__V_LOAD
 #undef MS_MCML__V_MADD
 #undef MS_MCML__V_MAX
 #undef MS_MCML__V_MIN
-#undef MS_MCML__V_MUL
 #undef MS_MCML__V_NMADD
 #undef MS_MCML__V_SELECT
 #undef MS_MCML__V_SET
 #undef MS_MCML__V_SIGN
 #undef MS_MCML__V_SQRT
 #undef MS_MCML__V_STORE
-#undef MS_MCML__V_SUB
 #undef MS_MCML__V_TO_INT
 #endif /* kernels */
 
