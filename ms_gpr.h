@@ -4458,23 +4458,25 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
 /* ---- active learning ------------------------------------------------------------------------------------------- */
 
 enum {
-    MS_GPR__CANDIDATES = 4000 /* that a gallery is chosen from, at least; 10 for each choice */
+    MS_GPR__CANDIDATES = 4000, /* that a gallery is chosen from, at least; 10 for each choice */
+    MS_GPR__SCREENED = 128     /* scores from which on variances are computed of one candidate in four */
 };
 
 /* A pool of uniform candidates and what is known about them, given the scores and the choices so far. */
 typedef struct ms_gpr__pool {
     const ms_gpr *gp;
     double floor, threshold; /* scores above are liked, and recommended */
-    int size, count;         /* size: a multiple of CHUNK */
-    double *x;               /* [size][m] */
+    int drawn, size, count;  /* candidates, those whose variance is computed (a multiple of CHUNK), choices */
+    double *x;               /* [drawn][m] */
     double *points;          /* [active][size] in length scales, as gp->points */
-    double *mean;            /* [size] */
+    double *mean;            /* [drawn] */
+    ms_gpr__ranked *ranked;  /* [drawn] */
     double *variance;        /* [size] */
     double *columns;         /* [padded n][size] U'^-1 k(training, pool) */
     double *basis;   /* [count][size] posterior covariance with each choice, less what earlier ones explain, over its
                         deviation */
-    double *shuffle; /* [size] logarithm of a uniform number */
-    double *taken;   /* [size] 1: chosen */
+    double *shuffle; /* [drawn] scratch */
+    double *taken;   /* [drawn] 1: chosen */
     ms_gpr__space s;
     double *point;   /* [m] */
     double *scratch; /* [m][4] a choice, four times: a tile of the distance kernel; [4][size] its distances; before, [n]
@@ -4559,13 +4561,14 @@ static void ms_gpr__pool_choose(ms_gpr__pool *p, int q, int j)
 
 static void ms_gpr__pool_layout(ms_gpr__pool *p, ms__arena *arena)
 {
-    size_t m = (size_t)p->gp->m, size = (size_t)p->size;
-    p->x = ms_gpr__take(arena, size, m);
+    size_t m = (size_t)p->gp->m, size = (size_t)p->size, drawn = (size_t)p->drawn;
+    p->x = ms_gpr__take(arena, drawn, m);
     p->points = ms_gpr__take(arena, size, m);
-    p->mean = ms_gpr__take(arena, size, 1);
+    p->mean = ms_gpr__take(arena, drawn, 1);
+    p->ranked = (ms_gpr__ranked *)ms__take(arena, drawn, sizeof *p->ranked);
     p->variance = ms_gpr__take(arena, size, 1);
-    p->shuffle = ms_gpr__take(arena, size, 1);
-    p->taken = ms_gpr__take(arena, size, 1);
+    p->shuffle = ms_gpr__take(arena, drawn, 1);
+    p->taken = ms_gpr__take(arena, drawn, 1);
     p->columns = ms_gpr__take(arena, size, (size_t)ms_gpr__padded(p->gp->n));
     p->basis = ms_gpr__take(arena, size, (size_t)p->count);
     p->point = ms_gpr__take(arena, m, 1);
@@ -4641,17 +4644,36 @@ static void ms_gpr__pool_fill(ms_gpr__pool *p, uint64_t seed, int spread, int va
             else p->x[(size_t)j * m + k] = s->cells[k] > 0 ? floor(u * s->cells[k]) * s->step[k] / s->width[k] : u;
         }
     }
-    for (j = 0; j < p->size; ++j) {
+    for (j = 0; j < p->drawn; ++j) {
         double *x = p->x + (size_t)j * m;
         if (j >= spread) ms_gpr__space_uniform(s, p->point, &rng);
         else memcpy(p->point, x, m * sizeof *x);
         ms_gpr__space_follow(s, p->point);
         if (parents > 0 && j % 2) ms_gpr__pool_mutate(p, p->scratch, parents, &rng);
         ms_gpr__space_material(s, p->point, x);
-        ms_gpr__scale(p->gp, x, p->points + j, (size_t)p->size);
         ms_gpr__uniform(&rng);
         p->taken[j] = 0;
     }
+}
+
+/* Keeps `size` of the candidates, in their order: half of them those whose mean is nearest to the threshold, half those
+   of the largest means among the rest. */
+static ms_status ms_gpr__pool_screen(ms_gpr__pool *p, ms_error *error)
+{
+    const size_t m = (size_t)p->gp->m;
+    int half = p->size / 2, kept = 0, i, j;
+    ms_status status = ms_gpr_predict(p->gp, p->x, p->drawn, p->mean, NULL, error);
+    if (status != MS_OK) return status;
+    for (j = 0; j < p->drawn; ++j) p->shuffle[j] = -fabs(p->mean[j] - p->threshold);
+    ms_gpr__ranked_select(p->ranked, p->shuffle, p->drawn, half);
+    for (i = 0; i < half; ++i) p->taken[p->ranked[i].index] = 1, p->mean[p->ranked[i].index] = -HUGE_VAL;
+    ms_gpr__ranked_select(p->ranked, p->mean, p->drawn, p->size - half);
+    for (i = 0; i < p->size - half; ++i) p->taken[p->ranked[i].index] = 1;
+    for (j = 0; j < p->drawn; ++j) {
+        if (p->taken[j] > 0) memmove(p->x + (size_t)kept++ * m, p->x + (size_t)j * m, m * sizeof *p->x);
+        p->taken[j] = 0;
+    }
+    return MS_OK;
 }
 
 MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x,
@@ -4678,19 +4700,24 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     p->threshold = p->floor + 0.6 * (top - p->floor);
     if (o.kind == MS_GPR_GALLERY_ACTIVE && !(top > p->floor)) o.kind = MS_GPR_GALLERY_SPREAD; /* nothing is liked yet */
     drawn = o.kind == MS_GPR_GALLERY_SPREAD;
-    p->size = drawn ? count : 10 * count > MS_GPR__CANDIDATES ? 10 * count : MS_GPR__CANDIDATES;
-    p->size = (p->size + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
+    p->drawn = drawn ? count : 10 * count > MS_GPR__CANDIDATES ? 10 * count : MS_GPR__CANDIDATES;
+    p->drawn = (p->drawn + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
+    p->size = p->drawn;
+    if (!drawn && gp->n >= MS_GPR__SCREENED)
+        p->size = (p->drawn / 4 + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
     status = ms_gpr__space_make(gp->x, gp->n, gp->m, &o.space, &gp->allocator, &p->s, error);
     if (status != MS_OK) return status;
     ms_gpr__pool_layout(p, &arena);
     if (!ms_gpr__place(&gp->allocator, &arena)) {
         ms_gpr__space_free(&p->s);
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a pool of %d candidates", p->size);
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a pool of %d candidates", p->drawn);
     }
     ms_gpr__pool_layout(p, &arena);
     ms_gpr__pool_fill(p, o.seed, drawn ? count : 0, !drawn);
-    if (!drawn) ms__run(&gp->parallel, p->size / MS_GPR__CHUNK, ms_gpr__pool_chunk, p);
-    for (q = 0; q < count; ++q) {
+    if (p->size < p->drawn) status = ms_gpr__pool_screen(p, error);
+    for (q = 0; q < p->size; ++q) ms_gpr__scale(gp, p->x + (size_t)q * (size_t)gp->m, p->points + q, (size_t)p->size);
+    if (!drawn && status == MS_OK) ms__run(&gp->parallel, p->size / MS_GPR__CHUNK, ms_gpr__pool_chunk, p);
+    for (q = 0; q < count && status == MS_OK; ++q) {
         int best = drawn ? q : ms_gpr__pool_best(p, q);
         memcpy(x + (size_t)q * (size_t)gp->m, p->x + (size_t)best * (size_t)gp->m, (size_t)gp->m * sizeof *x);
         p->taken[best] = 1;
@@ -4698,7 +4725,7 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     }
     ms_gpr__release(&gp->allocator, arena.base);
     ms_gpr__space_free(&p->s);
-    return MS_OK;
+    return status;
 }
 
 #ifndef MS_GPR_NO_PLANE

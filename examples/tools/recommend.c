@@ -21,7 +21,7 @@ static const char usage[] =
     "usage: recommend SCORES.csv [--pairs PAIRS.csv] [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S] [--keep WISH]... [--list LIST.csv]... [--avoid MATERIALS.csv] [--out FILE]\n"
     "  PAIRS.csv: lines of two numbers of materials in SCORES.csv, from 1, the preferred one first;\n"
     "  count: 1 to 1000000; skip: so many of the same seed are left out; tau: above 0, at most 1; diversity: 0 to 1;\n"
-    "  WISH: x3=0.5, x3=0.2:0.4, x3=0:1:0.25 (in steps), x3=x4, 2x3-0.5x4=1; LIST.csv: rows to choose from below a line x3,x4,x5\n";
+    "  WISH: x3=0.5, x3=0.2:0.4, x3=0:1:0.25 (in steps), x3=x4; LIST.csv: rows to choose from below a line x3,x4,x5\n";
 
 /* The value behind an option; ends the program where it is no number from low to high. */
 static double number(const char *text, double low, double high)

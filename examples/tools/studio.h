@@ -68,7 +68,7 @@ typedef struct studio {
     int search;                  /* which start studio_update works on: 0 where it stands, 1 to 3 the fit's own */
     double *theta, reached;      /* [m + 2] how far that start has come, and its objective */
     int probe, switched, probed; /* the next column to be probed, or -1; whether one was switched; all were, once */
-    double cost;                 /* processor seconds an evaluation of the likelihood takes, as measured; 0: not yet */
+    double cost[2];              /* processor seconds that an evaluation takes, and a probe, as measured; 0: not yet */
     ms_gpr_outlier outlier;      /* of the last update; row -1: none */
     double *embedded;            /* [embedded_count][m] materials of the plane */
     int embedded_count;
@@ -354,13 +354,14 @@ static inline ms_status studio_undo(studio *s, ms_error *error)
 
 /* Some steps of the fit: from where the model stands, then from each of the fit's own starts, until it gains no more
    and no other length of a column is better; the best of all is the model. As many evaluations of the likelihood at a
-   time as fit into 10 ms, by what they took before; three at least. */
+   time as fit into 8 ms, by what they took before. */
 static inline ms_status studio_update(studio *s, ms_error *error)
 {
     static const double length[] = {0.25, 0.5, 3}; /* widths, times sqrt(m) */
-    int n = ms_gpr_view_of(s->gp).n, m = s->renderer.parameters, next = 0, count;
+    int n = ms_gpr_view_of(s->gp).n, m = s->renderer.parameters, probing = s->probe >= 0, next = 0, count,
+        least = s->reached > -1e300 ? 3 : 2;
     size_t size = ((size_t)m + 2) * sizeof(double);
-    double evaluations = s->cost > 0 ? 0.010 / s->cost : 3, gain;
+    double cost = probing && !(s->cost[1] > 0) ? 2 * s->cost[0] : s->cost[probing], gain; /* a first probe: a guess */
     ms_gpr_fit_options options = s->learn;
     ms_gpr_fit_report report;
     ms_gpr *found;
@@ -370,16 +371,16 @@ static inline ms_status studio_update(studio *s, ms_error *error)
     if (s->settled) return MS_OK;
     if (s->search == 0 || s->reached > -1e300) options.start = s->theta;
     else options.length_start = length[s->search - 1] * sqrt((double)m);
-    count = evaluations < 3 ? 3 : evaluations > 40 ? 40 : (int)evaluations;
-    options.evaluations = s->probe < 0 ? count : 1;
-    options.probe_first = s->probe < 0 ? 0 : s->probe;
-    options.probes = s->probe < 0 ? -1 : 2 * count; /* without a gradient, which is half of the cost and more */
+    count = cost > 0 ? (int)fmin(0.008 / cost, 40) : 2;
+    options.evaluations = probing ? 1 : count < least ? least : count;
+    options.probe_first = probing ? s->probe : 0;
+    options.probes = !probing ? -1 : count < 3 ? 1 : count - 1; /* the model is conditioned once more, too */
     options.pairs = ms_gpr_view_of(s->gp).pairs;
     options.pair_count = ms_gpr_view_of(s->gp).pair_count;
     clocks = clock();
     status = ms_gpr_fit(ms_gpr_view_of(s->gp).x, ms_gpr_view_of(s->gp).y, n, m, &options, &found, &report, error);
     if (status != MS_OK) return status;
-    if (s->probe < 0) s->cost = (double)(clock() - clocks) / CLOCKS_PER_SEC / (report.evaluations + 1);
+    s->cost[probing] = (double)(clock() - clocks) / CLOCKS_PER_SEC / (report.evaluations + 1);
     memcpy(s->theta, ms_gpr_view_of(found).theta, size);
     gain = report.objective - s->reached;
     s->reached = report.objective;

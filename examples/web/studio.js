@@ -163,7 +163,6 @@ async function fill() { // the queue of pictures not scored yet
 
 function deal() { // cards from the queue, one a piece
   const want = mode === 'pair' ? 2 : deckSize();
-  for (const e of document.querySelectorAll('#deck .waiting')) if (queue.length) e.remove();
   while (studio.deck.length < want && queue.length) {
     const item = queue.shift();
     item.mode = mode;
@@ -181,14 +180,22 @@ function lay(item) {
     Object.assign(card, { tabIndex: 0, role: 'button', ariaLabel: nameOf(item.x, item.picture), onclick: () => prefer(item) });
     card.onkeydown = e => { if (e.key === 'Enter' || e.key === ' ') { e.preventDefault(); prefer(item); } };
   } else card.append(scale(k => answer(item, k), 'score of ' + nameOf(item.x, item.picture)));
-  const slot = mode === item.mode ? slots.shift() : null; // a new one takes the place of one that left
-  if (slot && slot.parentNode) slot.replaceWith(card); else deck.insertBefore(card, deck.querySelector('.pair-bar'));
+  // A new card takes the place of one that left, or of one that waits: no other card moves.
+  const slot = slots.shift() || deck.querySelector('.waiting');
+  if (slot) slot.replaceWith(card); else deck.insertBefore(card, deck.querySelector('.pair-bar'));
+  if (studio.deck.length >= deckSize() && studio.deck.every(o => o.card)) deck.querySelectorAll('.waiting').forEach(e => e.remove());
   if (document.activeElement === deck) attend(card);
 }
 const attend = card => (card.querySelector('.scale') || card).focus({ preventScroll: true });
 const live = () => [...document.querySelectorAll('#deck .card:not(.gone):not(.waiting)')];
 
-const slots = [];
+const slots = []; // cards that left, in whose places the next ones come
+function withdraw(items) { // cards that go back to the queue, the last one first
+  for (const item of items) {
+    if (item.card) { item.card.classList.add('gone'); slots.unshift(item.card); }
+    queue.unshift({ x: item.x, picture: item.picture });
+  }
+}
 function leave(item) {
   const cards = live(), k = cards.indexOf(item.card), next = cards[k + 1] || cards[k - 1];
   studio.deck.splice(studio.deck.indexOf(item), 1);
@@ -264,7 +271,7 @@ async function again(...items) {
     if (s.button) s.button.remove();
     if (!s.picture) [s.picture] = await hand.ask('draw', { x: [s.x] });
   }
-  for (const item of studio.deck.splice(Math.max(studio.deck.length - items.length, 0), items.length)) { if (item.card) item.card.remove(); queue.unshift(item); }
+  withdraw(studio.deck.splice(Math.max(studio.deck.length - items.length, 0), items.length));
   for (const s of items) queue.unshift({ x: s.x, picture: s.picture });
   one($('history'));
   deal();
@@ -416,9 +423,8 @@ $('file').onchange = async () => {
     const { answers, materials } = table(await file.text()), n = await take({ answers, kept: [] });
     if (materials.length) {
       const pictures = await hand.ask('draw', { x: materials });
-      for (const item of studio.deck.splice(0)) { if (item.card) item.card.remove(); queue.unshift({ x: item.x, picture: item.picture }); }
+      withdraw(studio.deck.splice(0));
       queue.unshift(...materials.map((x, k) => ({ x, picture: pictures[k] })));
-      slots.length = 0;
       deal();
     }
     store();
