@@ -47,63 +47,50 @@
 
    Monte Carlo
    -----------
-   Packets of 4, 8 or 16 photons, as in MCML (Wang, Jacques, Zheng 1995): absorption by weight, Henyey-Greenstein
-   scattering, Fresnel boundaries, roulette. Time grows with the collisions of a photon. RESULTS.md compares each level
-   with original MCML (`MCML=path make bench FILTER=mcml` makes the table on your machine).
-
-   Roulette starts at 0.01 times the least albedo, not at MCML's 1e-4: this saves a seventh to a third of the time. A
-   larger roulette_weight saves more, but leaves fewer photons in far rings. Without A_rz (no_absorption) a photon takes
-   0.6 to 0.9 of the time.
-
-   From event 4096 on, and at every fourfold count, half of the photons end and the weight of the others doubles: media
-   without absorption end, too. Clear layers on top are part of the surface: their reflection is specular.
-   Paths are float, relative to their layer; the totals of 17 media agree with adding-doubling within their errors
-   (tests/test_mcml.c).
+   As MCML (Wang, Jacques, Zheng 1995) in packets of 4, 8 or 16 photons: absorption by weight, Henyey-Greenstein
+   scattering, Fresnel boundaries, roulette. Time grows with the collisions of a photon; RESULTS.md has times beside
+   MCML's. Roulette starts at 0.01 times the least albedo, MCML's at 1e-4. From event 4096 on, and at every fourfold
+   count, half of the photons end and the weight of the others doubles, so that media without absorption end, too.
+   Clear layers on top are part of the surface: their reflection is specular.
 
    Layers without noise
    --------------------
    ms_mcml_layered_solve takes up to 16 layers and gives R and T over radius, totals and depth. For each spatial
    frequency it solves for source moments on panels in depth, by exact ray sweeps through all layers (Fresnel at each
    boundary) and GMRES. Single scattering of the top layer is computed in space with the whole phase function. Time
-   grows with the order, which g determines (3 moments at 0.3, 9 at 0.8, 19 at 0.9), and with optical depth. Totals are
+   grows with optical depth and with the order, which g determines: 3 moments at 0.3, 9 at 0.8, 19 at 0.9. Totals are
    the limit of three orders. Each ring has an error, estimated from half the order, twice the frequency step and
-   another end of the spectrum. Where it exceeds 3%, beside clear layers and for g near 1 the rings come from Monte
-   Carlo, with standard errors, and the solution says so. `make bench FILTER=layered` compares 300 random media with
-   Monte Carlo.
+   another end of the spectrum. Where it exceeds 3%, beside clear layers and for g near 1, rings come from Monte Carlo
+   with standard errors, and the solution says so. RESULTS.md compares 300 random media with Monte Carlo.
 
    Diffusion profiles
    ------------------
-   ms_mcml_profile_make turns mu_a, mu_s, g and eta of any number of channels into R_d(r): averages over rings that the
-   caller chooses, and the energy within each edge. At g = 0 the half-space solver computes them: Galerkin's method in
-   depth for each spatial frequency, and the spectrum as a sum of terms with positive energies, so that every number has
-   a closed form. At the default steps totals are good to 5e-13, rings with 1e-5 of the energy to 8e-5; coarser steps
-   take a tenth of the time (`make bench FILTER=profile`). Index ratios of 0.1 to 10 and every albedo are valid, 1
-   included. Media with other g take the layered solver: a tenth of a second to a second a channel. Monte Carlo of 1e6
-   photons leaves about 1% of noise in a profile (relative L2 over rings of a twentieth of a mean free path).
+   ms_mcml_profile_make turns media into R_d(r): averages over rings, and the energy within each edge. At g = 0 the
+   half-space solver computes them by Galerkin's method in depth for each spatial frequency; the spectrum becomes a sum
+   of terms with positive energies, whose rings have closed forms. At the default steps totals are good to 5e-13 and
+   rings with 1e-5 of the energy to 8e-5. Media with other g take the layered solver: 0.1 to 1 s a channel.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
-   Monte Carlo: one block a tally, one a result, see ms_mcml_create. Stack: less than 8 KB. options.parallel cuts every
-   65536 photons into 16 tasks with a tally each. Layered solver: 5 to 100 MB while it runs, on one thread; half-space
-   solver: 0.3 MB a channel that runs. Stack: less than 40 KB. Calls without a common object may overlap.
-   The same bits for any thread count. Monte Carlo: photon i draws from (seed, i) and sums are integers, so that any
-   split gives the same bits at one level of instruction sets; levels round differently and agree far within a standard
-   error. MCML's own generator is biased (ketchup blue by -0.33%): results agree with the exact answer, not with its
-   bits. The half-space solver is plain C at every level. -ffast-math voids what is said of bits, NaN and infinity.
-   Calls return a status and, where asked for, a sentence. On failure outputs are untouched.
+   Monte Carlo: one block a tally, one a result; options.parallel cuts every 65536 photons into 16 tasks with a tally
+   each. Layered solver: 5 to 100 MB while it runs, on one thread; half-space solver: 0.3 MB a channel that runs. Stack:
+   less than 40 KB. Calls without a common object may overlap.
+   Results have the same bits for any thread count. Photon i draws from (seed, i) and sums are integers, so that any
+   split of the photons gives the same bits at one level of instruction sets. -ffast-math voids what is said of bits,
+   NaN and infinity. Calls return a status and, where asked for, a sentence. On failure outputs are untouched.
 
    Configuration (define before the implementation)
    ------------------------------------------------
    MS_DEF            linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_MCML_FILENAME  this file's name, if it is not "ms_mcml.h"
-   MS_NO_SIMD        scalar text only
+   MS_NO_SIMD        scalar text only (as Microsoft's cl compiles it)
    MS_ASSERT         checks of the header's own invariants (nothing)
 
    Limits
    ------
-   Monte Carlo: 2^32 photons a tally; 32767 layers; n 0.01 to 100; mu up to 1e9 per cm; -1 < g <= 1; fewer than 2^31
-   cells. A pencil beam at normal incidence; flat layers; unpolarized light. Layered solver: 16 layers; totals of g
-   above 0.99 or below -0.9 to less than 5e-5.
+   2^32 photons a tally; 32767 layers; n 0.01 to 100; mu up to 1e9 per cm; -1 < g <= 1; fewer than 2^31 cells. A pencil
+   beam at normal incidence; flat layers; unpolarized light. Layered solver: 16 layers; totals of g above 0.99 or below
+   -0.9 to less than 5e-5.
 
    Sources
    -------
@@ -277,10 +264,8 @@ MS_API ms_mcml_options ms_mcml_defaults(void);
 
 /* ---- direct Monte Carlo ---------------------------------------------------------------------------------------- */
 
-/* A tally: what is known of one tissue so far. Photon i of a seed draws its numbers from (seed, i) alone, and sums are
-   whole numbers (2^-30 of a photon, rounded at random so that means are right), so that any split of the photons over
-   calls, threads, processes and machines gives the same bits at one level of instruction sets. Levels round paths
-   differently and agree within their standard errors. */
+/* A tally: the sums of one tissue, whole numbers of 2^-30 photon. Any split of the photons over calls, threads,
+   processes and machines gives the same bits at one level of instruction sets. */
 typedef struct ms_mcml ms_mcml;
 
 /* Checks tissue and grid and makes an empty tally. options may be NULL.
@@ -343,7 +328,7 @@ MS_API ms_status ms_mcml_results(const ms_mcml *tally, ms_mcml_result *result, m
 /* NULL and a zeroed result are fine. */
 MS_API void ms_mcml_result_destroy(ms_mcml_result *result);
 
-/* All of it in one call: options->photons photons from 0 on. *result is untouched unless MS_OK. Statuses as above. */
+/* All of it in one call: photons 0 to options->photons - 1. *result is untouched unless MS_OK. */
 MS_API ms_status ms_mcml_simulate(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid,
                                   const ms_mcml_options *options, ms_mcml_result *result, ms_error *error);
 
@@ -415,11 +400,11 @@ typedef struct ms_mcml_layered_options {
     ms_simd simd; /* a cap; levels round differently, to 1e-12 of the totals */
 } ms_mcml_layered_options;
 
-/* Light that leaves one surface, over radius; read it with ms_mcml_layered_beyond and _ring. */
+/* Light that leaves one surface, over radius; read it with ms_mcml_layered_outside and _ring. */
 typedef struct ms_mcml_layered_side {
     uint64_t photons; /* 0: by the solver; else by so many photons */
-    double radius_cm, last_per_cm, multiple, rest, tail_cm, tail, fall_per_cm;
-    double energy[MS_MCML_LAYERED_RATES], beyond[MS_MCML_LAYERED_RADII], error[MS_MCML_LAYERED_RADII];
+    double radius_cm, last_per_cm, multiple, remainder, tail_cm, tail, decay_per_cm;
+    double energy[MS_MCML_LAYERED_RATES], outside[MS_MCML_LAYERED_RADII], error[MS_MCML_LAYERED_RADII];
 } ms_mcml_layered_side;
 
 /* Reflectance and transmittance of layers under a pencil beam at normal incidence. A plain value: copy it freely.
@@ -428,32 +413,29 @@ typedef struct ms_mcml_layered_side {
    `order` on belong to the solver:
 
      energy beyond r    sum single max(0, exp(-single_rate r) - single_end) + sum energy (rate r) K1(rate r)
-                        + side.beyond[] at side.radius_cm exp(0.1 i) */
+                        + side.outside[] at side.radius_cm exp(0.1 i) */
 typedef struct ms_mcml_layered {
     double specular, rd, rd_error, tt, tt_error, a, rd_unscattered, tt_unscattered;
     ms_mcml_layered_side side[2]; /* top, bottom */
     int order, rates, singles;
-    double residual, peak, mu_t_per_cm, rate_per_cm[MS_MCML_LAYERED_RATES];
+    double residual, forward_fraction, mu_t_per_cm, rate_per_cm[MS_MCML_LAYERED_RATES];
     double single_rate_per_cm[MS_MCML_LAYERED_SINGLES], single_energy[MS_MCML_LAYERED_SINGLES],
         single_end[MS_MCML_LAYERED_SINGLES];
 } ms_mcml_layered;
 
-/* Solves the transport equation for each spatial frequency: source moments on panels in depth, exact ray sweeps between
-   them through all layers and back, GMRES with low-order spherical harmonics as preconditioner. 1 to 16 layers, index
-   0.01 to 100, any absorption and scattering; thickness_cm x effective attenuation above 23 counts as infinite.
-   Rings of a side whose total is above 1e-3 come from Monte Carlo, scaled to the solver's total, beside a clear layer,
-   for g above 0.96, or where the estimated error exceeds 3% in a ring with 1e-3 of the side's energy. side[].photons
-   says so, and the errors are standard errors then. options may be NULL. Memory while it runs: 5 to 100 MB, with order
-   and panels. MS_NOT_CONVERGED: *out is filled, but the totals are known to rd_error and tt_error only, above 5e-5.
-   MS_INVALID_ARGUMENT, MS_UNSUPPORTED (more than 16 layers), MS_OUT_OF_MEMORY, MS_CANCELLED: *out untouched. */
+/* Solves the layers: 1 to 16 of them, any absorption and scattering. thickness_cm x effective attenuation above 23
+   counts as infinite. options may be NULL. Rings of a side whose total is above 1e-3 come from Monte Carlo, scaled to
+   the solver's total, beside a clear layer, for g above 0.96, or where the estimated error exceeds 3% in a ring with
+   1e-3 of the side's energy; side[].photons says so, and the errors are standard errors then.
+   MS_NOT_CONVERGED: *out is filled, but rd_error or tt_error is above 5e-5. MS_INVALID_ARGUMENT, MS_UNSUPPORTED (more
+   than 16 layers), MS_OUT_OF_MEMORY, MS_CANCELLED: *out untouched. */
 MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *options,
                                        ms_mcml_layered *out, ms_error *error);
 
-/* Energy that leaves at the top (side 0) or the bottom (side 1) farther than r_cm >= 0 from the beam; unscattered light
-   leaves at 0. ring: mean over r0_cm <= r < r1_cm in 1/cm^2, not negative; its error goes to *ring_error unless NULL:
-   an estimate from half the order, twice the frequency step and another end of the spectrum, or a standard error. NaN
-   outside these ranges. */
-MS_API double ms_mcml_layered_beyond(const ms_mcml_layered *solution, int side, double r_cm);
+/* outside: energy that leaves at the top (side 0) or the bottom (side 1) farther than r_cm >= 0 from the beam;
+   unscattered light leaves at 0. ring: mean over r0_cm <= r < r1_cm in 1/cm^2, not negative; *ring_error (may be NULL)
+   gets its estimated or standard error. NaN outside these ranges. */
+MS_API double ms_mcml_layered_outside(const ms_mcml_layered *solution, int side, double r_cm);
 MS_API double ms_mcml_layered_ring(const ms_mcml_layered *solution, int side, double r0_cm, double r1_cm,
                                    double *ring_error);
 
@@ -489,13 +471,12 @@ typedef struct ms_mcml_profile {
     ms_allocator allocator;
 } ms_mcml_profile;
 
-/* The profile of media[0 .. channels - 1]. options may be NULL. Without rings in the options: equal width, a twentieth
-   of the shortest mean free path, up to that path; from there each 4% wider than the one before, out to where every
-   channel has 1e-5 of its energy left; for direct Monte Carlo all equal, out to 32 of the longest paths. Release with
-   ms_mcml_profile_destroy. The same bits for any thread count.
-   MS_NOT_CONVERGED: the layered solver says so of a channel; the profile is there, with its errors, and to be released.
-   MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY, MS_CANCELLED, MS_UNSUPPORTED (a method whose conditions above are
-   not met): *profile is zeroed. */
+/* The profile of media[0 .. channels - 1]; release it with ms_mcml_profile_destroy. options may be NULL. Rings that the
+   options do not give are a twentieth of the shortest mean free path wide up to that path, then each 4% wider, out to
+   where every channel has 1e-5 of its energy left; for Monte Carlo all are equal, out to 32 of the longest paths.
+   MS_NOT_CONVERGED: the layered solver says so of a channel; the profile is there, with its errors.
+   MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY, MS_CANCELLED, MS_UNSUPPORTED (Monte Carlo with edge_mm): *profile is zeroed.
+ */
 MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_medium *media, int channels,
                                       const ms_mcml_profile_options *options, ms_error *error);
 
@@ -504,15 +485,13 @@ MS_API void ms_mcml_profile_destroy(ms_mcml_profile *profile);
 
 /* ---- skin ------------------------------------------------------------------------------------------------------ */
 
-/* What skin is made of. Start from ms_mcml_skin_defaults(); a zero is a zero.
-   Laws, per cm at w nm: melanosomes 6.6e11 w^-3.33 of eumelanin (Jacques 1998, "Skin optics") and 2.9e15 w^-4.75 of
-   pheomelanin (Donner, Jensen 2006, "A spectral BSSRDF for shading human skin"); bloodless, pale skin 0.244 + 85.3
-   exp(-(w - 154) / 66.2) (Jacques 1998); reduced scattering 46 (w / 500)^-1.421 (mean of skin in Jacques 2013, "Optical
-   properties of biological tissues"); blood of 150 g/l hemoglobin (Prahl's table of Gratzer's and Kollias's data,
-   omlc.org); fat scatters 1050 w^-0.68 (Bashkatov et al. 2005) and absorbs as dermis with a tenth of the blood. Index
-   1.4. Melanin, blood and scattering fitted to people in NIST's reference data (Cooksey, Allen, Tsai 2017, read off
-   plots) follow their spectra to 0.01 from 500 to 700 nm, with scattering 2 to 4 times the mean: this shows what the
-   model can say, not that it foretells anybody. */
+/* What skin is made of. Start from ms_mcml_skin_defaults(); a zero is a zero. Laws, per cm at w nm: melanosomes 6.6e11
+   w^-3.33 of eumelanin (Jacques 1998, "Skin optics") and 2.9e15 w^-4.75 of pheomelanin (Donner, Jensen 2006, "A
+   spectral BSSRDF for shading human skin"); bloodless, pale skin 0.244 + 85.3 exp(-(w - 154) / 66.2) (Jacques 1998);
+   reduced scattering 46 (w / 500)^-1.421 (mean of skin in Jacques 2013, "Optical properties of biological tissues");
+   blood of 150 g/l hemoglobin (Prahl's table of Gratzer's and Kollias's data, omlc.org); fat scatters 1050 w^-0.68
+   (Bashkatov et al. 2005) and absorbs as dermis with a tenth of the blood. Index 1.4. Three numbers fitted to people in
+   NIST's reference data (Cooksey, Allen, Tsai 2017) follow their spectra to 0.01 from 500 to 700 nm. */
 typedef struct ms_mcml_skin {
     double melanin;      /* melanosomes in the epidermis, by volume: 0.01 very pale to 0.4 very dark */
     double eumelanin;    /* part of the melanin that is black-brown; the rest is red-yellow pheomelanin */
@@ -528,11 +507,10 @@ typedef struct ms_mcml_skin {
    epidermis 0.06 mm, dermis without end, scattering 2.2; g 0.8. */
 MS_API ms_mcml_skin ms_mcml_skin_defaults(void);
 
-/* Its diffusion profile for R, G and B. total is its color under daylight (D65), linear sRGB, a perfect white being 1,
-   from 13 wavelengths; CIE 1931 observer by Wyman, Sloan, Shirley 2013 (JCGT 2:2). The shape of a channel is the mean
-   of the 13 wavelengths' profiles by the positive part of what they give to the channel, so that no ring is negative.
-   options as in ms_mcml_profile_make (edge_mm, rings, ring_mm, frequency_step, parallel, allocator are read), or NULL.
-   Release with ms_mcml_profile_destroy. MS_NOT_CONVERGED: as there. */
+/* Its diffusion profile for R, G and B from 13 wavelengths. total is its color under daylight (D65) in linear sRGB
+   (observer: Wyman, Sloan, Shirley 2013, JCGT 2:2). Rings are means of the wavelengths' profiles, weighted by the
+   positive part of what each gives to the channel. options and statuses as in ms_mcml_profile_make, without photons.
+   Release with ms_mcml_profile_destroy. */
 MS_API ms_status ms_mcml_skin_profile(ms_mcml_profile *profile, const ms_mcml_skin *skin,
                                       const ms_mcml_profile_options *options, ms_error *error);
 
@@ -1712,7 +1690,6 @@ MS_API ms_mcml_medium ms_mcml_material_medium(const ms_mcml_material *material, 
     if (material == NULL || channel < 0 || channel > 2) return medium;
     medium.mu_a_per_mm = material->mu_a_per_mm[channel];
     medium.mu_s_per_mm = material->mu_s_per_mm[channel];
-    medium.g = 0;
     medium.eta = material->eta;
     return medium;
 }
@@ -2207,7 +2184,7 @@ static double ms_mcml__x_bessel_k1(double x)
 }
 
 /* Energy that leaves farther than r from the beam; at 0 the total. */
-static double ms_mcml__halfspace_beyond(const ms_mcml__halfspace *s, double r)
+static double ms_mcml__halfspace_outside(const ms_mcml__halfspace *s, double r)
 {
     double sum = 0;
     int i;
@@ -2280,28 +2257,28 @@ typedef struct ms_mcml__sweeps {
     ms_mcml__solver_layer layer[MS_MCML__LAYERS_MAX];
     double breaks[MS_MCML__LAYERS_MAX + 2];
     int break_count, clear; /* clear: a layer is */
-    int through;            /* what leaves at the bottom matters, which the beam takes farther than slant light */
+    int full_depth;         /* what leaves at the bottom matters, which the beam takes farther than slant light */
     double z[MS_MCML__LAYERS_MAX * (4 * MS_MCML__PANELS_MAX + 1)]; /* [nodes] from the top of the layer */
     int panel_shape[MS_MCML__LAYERS_MAX * MS_MCML__PANELS_MAX];
     /* at one frequency */
     double k, mu_least;
     int most, blocks, azimuths, azimuths_most, terms,
-        reach;              /* m up to most; terms: of l and m; reach: nodes within reach */
-    double *nu, *nu_weight; /* [blocks][RAYS] */
-    double *cosine, *turn;  /* [blocks][azimuths][RAYS] cos(phi), weight */
-    double *around;         /* [blocks][azimuths][most + 1][RAYS] (-1)^(m/2) cos(m phi) / norm */
-    double *mu;             /* [blocks][layers][RAYS], or 0 */
-    double *theta;          /* [blocks][layers][terms][RAYS] */
-    double *table;          /* [blocks][azimuths][shapes][4][6][2][RAYS] */
-    double *chain; /* [blocks][azimuths][layers][5][2][RAYS] of each ray through a layer: what passes; back over down at
-                      its   bottom and at its top; what v of the next layer counts here; 1 / (1 - r times back at its
+        active;                      /* m up to most; terms: of l and m; active: nodes that light reaches */
+    double *nu, *nu_weight;          /* [blocks][RAYS] */
+    double *cosine, *azimuth_weight; /* [blocks][azimuths][RAYS] cos(phi), weight */
+    double *azimuthal;               /* [blocks][azimuths][most + 1][RAYS] (-1)^(m/2) cos(m phi) / norm */
+    double *mu;                      /* [blocks][layers][RAYS], or 0 */
+    double *theta;                   /* [blocks][layers][terms][RAYS] */
+    double *table;                   /* [blocks][azimuths][shapes][4][6][2][RAYS] */
+    double *transfer; /* [blocks][azimuths][layers][5][2][RAYS] of each ray through a layer: what passes; back over down
+                      at its   bottom and at its top; what v of the next layer counts here; 1 / (1 - r times back at its
                       top) */
-    double *edge;  /* [blocks][layers][5][RAYS] at its top: reflectance, what comes in from above; at its bottom:
-                      reflectance; what leaves upwards and downwards */
-    double *depth, *beam; /* [reach], [2][reach]: down and up */
-    double *q, *source;   /* of a sweep: [terms][reach] source moments, [2][m][reach][RAYS] of the rays down and up */
-    double *line, *down, *up, *both; /* [reach][4][RAYS], [reach][2][RAYS] twice, [azimuths][reach][4][RAYS] */
-    double *moments, *x, *vectors;   /* moments: [terms][nodes] three times; x: [terms][reach] */
+    double *edge;     /* [blocks][layers][5][RAYS] at its top: reflectance, what comes in from above; at its bottom:
+                         reflectance; what leaves upwards and downwards */
+    double *depth, *beam; /* [active], [2][active]: down and up */
+    double *q, *source;   /* of a sweep: [terms][active] source moments, [2][m][active][RAYS] of the rays down and up */
+    double *line, *down, *up, *both; /* [active][4][RAYS], [active][2][RAYS] twice, [azimuths][active][4][RAYS] */
+    double *moments, *x, *vectors;   /* moments: [terms][nodes] three times; x: [terms][active] */
     void *memory;
     size_t size;
     ms_mcml__preconditioner preconditioner;
@@ -2314,10 +2291,10 @@ static int ms_mcml__first_term(int order, int m)
 
 static void ms_mcml__legendre_nodes(int n, double *x, double *w) /* Gauss on [0, 1] */
 {
-    int i, k, turn;
+    int i, k, iteration;
     for (i = 0; i < n; ++i) {
         double t = cos(3.14159265358979324 * (i + 0.75) / (n + 0.5)), p = 1, slope = 1;
-        for (turn = 0; turn < 20; ++turn) {
+        for (iteration = 0; iteration < 20; ++iteration) {
             double p1 = 1, p2 = 0;
             for (k = 1; k <= n; ++k) {
                 double p3 = p2;
@@ -2434,14 +2411,97 @@ static void ms_mcml__panel_polynomials(double polynomial[4][5][5])
         }
 }
 
+/* The rays' nu = n sin(theta). The first panel is in two: sinh from the normal, then towards grazing; each of the
+   others clusters at its upper end. */
+static void ms_mcml__ray_angles(ms_mcml__sweeps *s)
+{
+    const double *breaks = s->breaks, mu_least = s->mu_least, k = s->k;
+    const double eps = mu_least / (k > 1e-9 * mu_least ? k : 1e-9 * mu_least) * breaks[0], cut = 0.6 * breaks[0];
+    const double top = log(cut / eps + sqrt(1 + cut / eps * (cut / eps)));
+    const int count = MS_MCML__RAYS * s->parts;
+    double x[64], w[64];
+    int b, j;
+    ms_mcml__legendre_nodes(count, x, w);
+    for (j = 0; j < count; ++j) {
+        const double e = exp(top * x[j]);
+        s->nu[j] = top > 1e-5 ? eps * 0.5 * (e - 1 / e) : cut * x[j];
+        s->nu_weight[j] = top > 1e-5 ? w[j] * top * eps * 0.5 * (e + 1 / e) : cut * w[j];
+    }
+    for (b = 1; b <= s->break_count; ++b) {
+        const double low = b == 1 ? cut : breaks[b - 2], high = breaks[b - 1];
+        for (j = 0; j < count; ++j) {
+            s->nu[b * count + j] = high - (high - low) * x[j] * x[j];
+            s->nu_weight[b * count + j] = (high - low) * 2 * x[j] * w[j];
+        }
+    }
+    s->blocks = (s->break_count + 1) * s->parts;
+}
+
+/* Azimuths of each block of rays, in a quarter of the circle: equal steps if they suffice, else clustered where the
+   wave's phase does not change along the ray. */
+static void ms_mcml__ray_azimuths(ms_mcml__sweeps *s)
+{
+    enum { R = MS_MCML__RAYS };
+    const double right = 1.5707963267948966, ratio = s->k / s->mu_least, t = ratio / (1 + sqrt(1 + ratio * ratio));
+    const double digits = log((t < 0.25 ? 1e-7 : 1e-5) * (s->order > 3 ? 1 : 1e-3));
+    double x[64], w[64];
+    int count = t > 1e-9 ? (int)ceil(digits / (4 * log(t))) : 1, even, b, a, j, m;
+    if (count * 4 < 2 * s->most + 2) count = (2 * s->most + 5) / 4;
+    even = count <= s->azimuths_most;
+    if (!even) count = s->azimuths_most;
+    s->azimuths = count;
+    ms_mcml__legendre_nodes(count, x, w);
+    for (b = 0; b < s->blocks; ++b)
+        for (a = 0; a < count; ++a)
+            for (j = 0; j < R; ++j) {
+                const size_t at = (size_t)(b * count + a) * R + (size_t)j;
+                double psi = right * (a + 0.5) / count, weight = right / count;
+                if (!even) {
+                    const double eps = s->mu_least * s->breaks[0] / (s->k * s->nu[b * R + j]), q = right / eps;
+                    const double top = log(q + sqrt(1 + q * q)), e = exp(top * x[a]);
+                    psi = eps * 0.5 * (e - 1 / e);
+                    weight = w[a] * top * eps * 0.5 * (e + 1 / e);
+                }
+                s->cosine[at] = sin(psi);
+                s->azimuth_weight[at] = weight;
+                for (m = 0; m <= s->most; ++m)
+                    s->azimuthal[((size_t)(b * count + a) * (size_t)(s->most + 1) + (size_t)m) * R + (size_t)j] =
+                        (m & 2 ? -1 : 1) * cos(m * (right - psi)) * (m ? 0.56418958354775629 : 0.3989422804014327);
+            }
+}
+
+/* Cosines, angular functions and panel weights of a block of rays in one layer. */
+static void ms_mcml__ray_layer(ms_mcml__sweeps *s, int b, int layer, double polynomial[4][5][5],
+                               double series[2][MS_MCML__SERIES + 1])
+{
+    enum { R = MS_MCML__RAYS };
+    const ms_mcml__solver_layer *l = &s->layer[layer];
+    double *mus = s->mu + (b * s->layers + layer) * R;
+    int a, i, j;
+    for (j = 0; j < R; ++j) {
+        const double nu = s->nu[b * R + j], sine = nu / l->n, mu = nu < l->n ? sqrt((1 - sine) * (1 + sine)) : 0;
+        mus[j] = mu;
+        if (mu > 0 && !l->clear)
+            ms_mcml__theta(s->order, s->most, mu, s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R + j,
+                           R);
+    }
+    for (a = 0; a < s->azimuths && !l->clear; ++a)
+        for (i = 0; i < l->shapes; ++i) {
+            const size_t at = (size_t)(b * s->azimuths + a) * (size_t)s->shapes + (size_t)(l->table + i);
+            double h[R], wave[R]; /* length along each ray, radians a length */
+            for (j = 0; j < R; ++j) {
+                h[j] = mus[j] > 0 ? l->shape[i] / mus[j] : 0;
+                wave[j] = s->k * s->nu[b * R + j] / l->n * s->cosine[(b * s->azimuths + a) * R + j];
+            }
+            s->kernels->panel_weights(l->mu_t, h, wave, &polynomial[0][0][0], &series[0][0], s->table + at * 48 * R);
+        }
+}
+
 /* Rays, angular functions and weights of all sweeps at frequency k. */
 static void ms_mcml__rays(ms_mcml__sweeps *s, double k, int most)
 {
-    enum { R = MS_MCML__RAYS };
-    const double *breaks = s->breaks, mu_least = s->mu_least;
-    const int parts = s->parts;
-    double x[64], w[64], polynomial[4][5][5], series[2][MS_MCML__SERIES + 1];
-    int b, a, i, j, layer, m;
+    double polynomial[4][5][5], series[2][MS_MCML__SERIES + 1];
+    int b, i, layer;
     s->k = k;
     s->most = most;
     s->terms = ms_mcml__first_term(s->order, most + 1);
@@ -2451,148 +2511,83 @@ static void ms_mcml__rays(ms_mcml__sweeps *s, double k, int most)
         if (i) series[1][i] = series[1][i - 1] / i;
         series[0][i] = series[1][i] / (i + 5);
     }
-    ms_mcml__legendre_nodes(R * parts, x, w);
-    { /* the first panel in two: sinh from the normal, then towards grazing; each of the others clusters at its upper
-         end */
-        const double eps = mu_least / (k > 1e-9 * mu_least ? k : 1e-9 * mu_least) * breaks[0], cut = 0.6 * breaks[0];
-        const double top = log(cut / eps + sqrt(1 + cut / eps * (cut / eps)));
-        const int count = R * parts;
-        for (j = 0; j < count; ++j) {
-            const double e = exp(top * x[j]);
-            s->nu[j] = top > 1e-5 ? eps * 0.5 * (e - 1 / e) : cut * x[j];
-            s->nu_weight[j] = top > 1e-5 ? w[j] * top * eps * 0.5 * (e + 1 / e) : cut * w[j];
-        }
-        for (b = 1; b <= s->break_count; ++b) {
-            const double low = b == 1 ? cut : breaks[b - 2], high = breaks[b - 1];
-            for (j = 0; j < count; ++j) {
-                s->nu[b * count + j] = high - (high - low) * x[j] * x[j];
-                s->nu_weight[b * count + j] = (high - low) * 2 * x[j] * w[j];
-            }
-        }
-        s->blocks = (s->break_count + 1) * parts;
-    }
-    { /* azimuth */
-        const double ratio = k / mu_least, t = ratio / (1 + sqrt(1 + ratio * ratio));
-        int count = t > 1e-9 ? (int)ceil(log((t < 0.25 ? 1e-7 : 1e-5) * (s->order > 3 ? 1 : 1e-3)) / (4 * log(t))) : 1,
-            even;
-        if (count * 4 < 2 * most + 2) count = (2 * most + 5) / 4;
-        even = count <= s->azimuths_most;
-        if (!even) count = s->azimuths_most;
-        s->azimuths = count;
-        ms_mcml__legendre_nodes(count, x, w);
-        for (b = 0; b < s->blocks; ++b)
-            for (a = 0; a < count; ++a)
-                for (j = 0; j < R; ++j) {
-                    const size_t at = (size_t)(b * count + a) * R + (size_t)j;
-                    double psi, weight;
-                    if (even) {
-                        psi = 1.5707963267948966 * (a + 0.5) / count;
-                        weight = 1.5707963267948966 / count;
-                    } else {
-                        const double eps = mu_least * breaks[0] / (k * s->nu[b * R + j]), q = 1.5707963267948966 / eps;
-                        const double top = log(q + sqrt(1 + q * q)), e = exp(top * x[a]);
-                        psi = eps * 0.5 * (e - 1 / e);
-                        weight = w[a] * top * eps * 0.5 * (e + 1 / e);
-                    }
-                    s->cosine[at] = sin(psi);
-                    s->turn[at] = weight;
-                    for (m = 0; m <= most; ++m)
-                        s->around[((size_t)(b * count + a) * (size_t)(most + 1) + (size_t)m) * R + (size_t)j] =
-                            (m & 2 ? -1 : 1) * cos(m * (1.5707963267948966 - psi)) *
-                            (m ? 0.56418958354775629 : 0.3989422804014327);
-                }
-    }
+    ms_mcml__ray_angles(s);
+    ms_mcml__ray_azimuths(s);
     for (b = 0; b < s->blocks; ++b)
-        for (layer = 0; layer < s->layers; ++layer) {
-            const ms_mcml__solver_layer *l = &s->layer[layer];
-            for (j = 0; j < R; ++j) {
-                const double nu = s->nu[b * R + j], sine = nu / l->n,
-                             mu = nu < l->n ? sqrt((1 - sine) * (1 + sine)) : 0;
-                s->mu[(b * s->layers + layer) * R + j] = mu;
-                if (mu > 0 && !l->clear)
-                    ms_mcml__theta(s->order, most, mu,
-                                   s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R + j, R);
-            }
-            if (l->clear) continue;
-            for (a = 0; a < s->azimuths; ++a)
-                for (i = 0; i < l->shapes; ++i) {
-                    double *t = s->table +
-                        (((size_t)(b * s->azimuths + a) * (size_t)s->shapes) + (size_t)(l->table + i)) * 48 * R;
-                    double h[R], wave[R]; /* length along each ray, radians a length */
-                    for (j = 0; j < R; ++j) {
-                        const double mu = s->mu[(b * s->layers + layer) * R + j];
-                        h[j] = mu > 0 ? l->shape[i] / mu : 0;
-                        wave[j] = k * s->nu[b * R + j] / l->n * s->cosine[(b * s->azimuths + a) * R + j];
-                    }
-                    s->kernels->panel_weights(l->mu_t, h, wave, &polynomial[0][0][0], &series[0][0], t);
-                }
-        }
+        for (layer = 0; layer < s->layers; ++layer) ms_mcml__ray_layer(s, b, layer, polynomial, series);
 }
 
-/* Transmission of each ray through the layers and reflection at their boundaries, from the bottom up; all sweeps at a
-   frequency share it. */
-static void ms_mcml__boundaries(ms_mcml__sweeps *s)
+/* Reflection and transmission of a block of rays at both sides of a layer. */
+static void ms_mcml__edges(ms_mcml__sweeps *s, int b, int layer)
 {
     enum { R = MS_MCML__RAYS };
-    int b, a, j, layer;
-    for (b = 0; b < s->blocks; ++b) {
-        const double *nu = s->nu + b * R;
-        double *edges = s->edge + (size_t)(b * s->layers) * 5 * R;
-        for (layer = 0; layer < s->layers; ++layer) {
-            const ms_mcml__solver_layer *y = &s->layer[layer];
-            const int last = layer + 1 == s->layers, open = !y->semi && (y->clear || y->used == y->panels);
-            const double above = layer ? y[-1].n : s->n_above, below = last ? s->n_below : y[1].n;
-            double *edge = edges + layer * 5 * R;
-            for (j = 0; j < R; ++j) {
-                const double out = 4 * s->nu_weight[b * R + j] * nu[j] / (y->n * y->n);
-                edge[j] = ms_mcml__fresnel_nu(y->n, above, nu[j]);
-                edge[R + j] = layer && nu[0] < above ? (1 - edge[j]) * (y->n / above) * (y->n / above) : 0;
-                edge[2 * R + j] = open ? ms_mcml__fresnel_nu(y->n, below, nu[j]) : 0;
-                edge[3 * R + j] = layer ? 0 : out * (1 - edge[j]);
-                edge[4 * R + j] = last && open ? out * (1 - edge[2 * R + j]) : 0;
-            }
+    const ms_mcml__solver_layer *y = &s->layer[layer];
+    const double *nu = s->nu + b * R;
+    const int last = layer + 1 == s->layers, open = !y->semi && (y->clear || y->used == y->panels);
+    const double above = layer ? y[-1].n : s->n_above, below = last ? s->n_below : y[1].n;
+    double *edge = s->edge + (size_t)(b * s->layers + layer) * 5 * R;
+    int j;
+    for (j = 0; j < R; ++j) {
+        const double out = 4 * s->nu_weight[b * R + j] * nu[j] / (y->n * y->n);
+        edge[j] = ms_mcml__fresnel_nu(y->n, above, nu[j]);
+        edge[R + j] = layer && nu[0] < above ? (1 - edge[j]) * (y->n / above) * (y->n / above) : 0;
+        edge[2 * R + j] = open ? ms_mcml__fresnel_nu(y->n, below, nu[j]) : 0;
+        edge[3 * R + j] = layer ? 0 : out * (1 - edge[j]);
+        edge[4 * R + j] = last && open ? out * (1 - edge[2 * R + j]) : 0;
+    }
+}
+
+/* Transfer of a block of rays at one azimuth through a layer, from that of the next layer. */
+static void ms_mcml__transfer(ms_mcml__sweeps *s, int b, int a, int layer)
+{
+    enum { R = MS_MCML__RAYS };
+    const ms_mcml__solver_layer *y = &s->layer[layer];
+    const double *nu = s->nu + b * R, *cosine = s->cosine + (b * s->azimuths + a) * R,
+                 *mu = s->mu + (b * s->layers + layer) * R, *edge = s->edge + (size_t)(b * s->layers + layer) * 5 * R;
+    double *c = s->transfer + (size_t)((b * s->azimuths + a) * s->layers + layer) * 10 * R;
+    const double *next = c + 10 * R;
+    const int open = layer + 1 < s->layers && nu[0] < y[1].n && (y[1].clear || y[1].used) &&
+        (y->clear || y->used == y->panels);
+    int j;
+    memset(c, 0, 10 * R * sizeof(double));
+    if (!(nu[0] < y->n) || (!y->clear && y->used == 0)) return;
+    for (j = 0; j < R; ++j) {
+        const double x = y->mu_t * y->d / mu[j], angle = s->k * nu[j] / y->n * cosine[j] * y->d / mu[j];
+        const double e = x < 700 && !y->semi ? exp(-x) : 0, er = e * cos(e > 0 ? angle : 0),
+                     ei = -e * sin(e > 0 ? angle : 0), r = edge[2 * R + j];
+        double br = r, bi = 0, tr, ti, nr, ni, size;
+        if (open) { /* r + (1 - r)^2 rho / (1 - rho r), rho at the top of the next layer */
+            const double across = (1 - r) * (1 - r), factor = (1 - r) * (y->n / y[1].n) * (y->n / y[1].n);
+            const double pr = next[4 * R + j], pi = next[5 * R + j], qr = next[8 * R + j], qi = next[9 * R + j];
+            br += across * (pr * qr - pi * qi);
+            bi += across * (pr * qi + pi * qr);
+            c[6 * R + j] = factor * qr;
+            c[7 * R + j] = factor * qi;
         }
+        tr = br * er - bi * ei;
+        ti = br * ei + bi * er;
+        c[j] = er;
+        c[R + j] = ei;
+        c[2 * R + j] = br;
+        c[3 * R + j] = bi;
+        c[4 * R + j] = tr * er - ti * ei;
+        c[5 * R + j] = tr * ei + ti * er;
+        nr = 1 - edge[j] * c[4 * R + j];
+        ni = -edge[j] * c[5 * R + j];
+        size = nr * nr + ni * ni;
+        c[8 * R + j] = size > 0 ? nr / size : 0;
+        c[9 * R + j] = size > 0 ? -ni / size : 0;
+    }
+}
+
+/* Boundaries of all rays, which all sweeps at a frequency share: from the bottom up. */
+static void ms_mcml__boundaries(ms_mcml__sweeps *s)
+{
+    int b, a, layer;
+    for (b = 0; b < s->blocks; ++b) {
+        for (layer = 0; layer < s->layers; ++layer) ms_mcml__edges(s, b, layer);
         for (a = 0; a < s->azimuths; ++a)
-            for (layer = s->layers - 1; layer >= 0; --layer) {
-                const ms_mcml__solver_layer *y = &s->layer[layer];
-                const double *cosine = s->cosine + (b * s->azimuths + a) * R, *mu = s->mu + (b * s->layers + layer) * R,
-                             *edge = edges + layer * 5 * R;
-                double *c = s->chain + (size_t)((b * s->azimuths + a) * s->layers + layer) * 10 * R;
-                const double *next = c + 10 * R;
-                const int open = layer + 1 < s->layers && nu[0] < y[1].n && (y[1].clear || y[1].used) &&
-                    (y->clear || y->used == y->panels);
-                memset(c, 0, 10 * R * sizeof(double));
-                if (!(nu[0] < y->n) || (!y->clear && y->used == 0)) continue;
-                for (j = 0; j < R; ++j) {
-                    const double x = y->mu_t * y->d / mu[j], angle = s->k * nu[j] / y->n * cosine[j] * y->d / mu[j],
-                                 r = edge[2 * R + j];
-                    const double e = x < 700 && !y->semi ? exp(-x) : 0, er = e * cos(e > 0 ? angle : 0),
-                                 ei = -e * sin(e > 0 ? angle : 0);
-                    double br = r, bi = 0, tr, ti, nr, ni, size;
-                    if (open) { /* r + (1 - r)^2 rho / (1 - rho r), rho at the top of the next layer */
-                        const double across = (1 - r) * (1 - r), factor = (1 - r) * (y->n / y[1].n) * (y->n / y[1].n);
-                        const double pr = next[4 * R + j], pi = next[5 * R + j], qr = next[8 * R + j],
-                                     qi = next[9 * R + j];
-                        br += across * (pr * qr - pi * qi);
-                        bi += across * (pr * qi + pi * qr);
-                        c[6 * R + j] = factor * qr;
-                        c[7 * R + j] = factor * qi;
-                    }
-                    tr = br * er - bi * ei;
-                    ti = br * ei + bi * er;
-                    c[j] = er;
-                    c[R + j] = ei;
-                    c[2 * R + j] = br;
-                    c[3 * R + j] = bi;
-                    c[4 * R + j] = tr * er - ti * ei;
-                    c[5 * R + j] = tr * ei + ti * er;
-                    nr = 1 - edge[j] * c[4 * R + j];
-                    ni = -edge[j] * c[5 * R + j];
-                    size = nr * nr + ni * ni;
-                    c[8 * R + j] = size > 0 ? nr / size : 0;
-                    c[9 * R + j] = size > 0 ? -ni / size : 0;
-                }
-            }
+            for (layer = s->layers - 1; layer >= 0; --layer) ms_mcml__transfer(s, b, a, layer);
     }
 }
 
@@ -2762,15 +2757,14 @@ static void ms_mcml__preconditioner_make(ms_mcml__sweeps *s, int most_l)
     ms_mcml__factor(f);
 }
 
-/* r += the estimate. */
-static void ms_mcml__precondition(const ms_mcml__sweeps *s, double *r)
+/* The right side of the elements: the residual r, odd moments eliminated. */
+static void ms_mcml__element_sources(const ms_mcml__sweeps *s, const double *r)
 {
     const ms_mcml__preconditioner *f = &s->preconditioner;
-    const size_t nz = (size_t)s->reach;
+    const size_t nz = (size_t)s->active;
     const double k = s->k;
     const int ne = f->even;
     int layer, node = 0, at, i, j, o;
-    if (f->nodes == 0) return;
     memset(f->right, 0, (size_t)(f->nodes * ne) * sizeof(double));
     for (layer = 0; layer < s->layers; ++layer) {
         const ms_mcml__solver_layer *y = &s->layer[layer];
@@ -2798,6 +2792,13 @@ static void ms_mcml__precondition(const ms_mcml__sweeps *s, double *r)
             }
         }
     }
+}
+
+/* Forward and back substitution with the blocks of ms_mcml__factor. */
+static void ms_mcml__substitute(const ms_mcml__preconditioner *f)
+{
+    const int ne = f->even;
+    int node, i, j;
     for (node = 0; node < f->nodes; ++node) {
         const double *p = f->block + (size_t)node * 2 * (size_t)(ne * ne), *c = p + ne * ne;
         double *b = f->right + node * ne, y[MS_MCML__EVEN_MAX];
@@ -2822,6 +2823,19 @@ static void ms_mcml__precondition(const ms_mcml__sweeps *s, double *r)
         for (i = 0; i < ne; ++i)
             for (j = 0; j < ne; ++j) b[i] -= p[i * ne + j] * y[j];
     }
+}
+
+/* r += the preconditioner's solution: even moments from the nodes, odd ones from their equations. */
+static void ms_mcml__precondition(const ms_mcml__sweeps *s, double *r)
+{
+    const ms_mcml__preconditioner *f = &s->preconditioner;
+    const size_t nz = (size_t)s->active;
+    const double k = s->k;
+    const int ne = f->even;
+    int layer, node, at, i, j, o;
+    if (f->nodes == 0) return;
+    ms_mcml__element_sources(s, r);
+    ms_mcml__substitute(f);
     for (layer = 0, node = 0; layer < s->layers; ++layer) {
         const ms_mcml__solver_layer *y = &s->layer[layer];
         const double n2 = y->n * y->n;
@@ -2852,13 +2866,13 @@ static void ms_mcml__precondition(const ms_mcml__sweeps *s, double *r)
 static double ms_mcml__gmres(ms_mcml__sweeps *s, double *d, double tolerance, double leave[2])
 {
     enum { SPAN = MS_MCML__GMRES_STEPS };
-    const size_t n = (size_t)s->terms * (size_t)s->reach;
+    const size_t n = (size_t)s->terms * (size_t)s->active;
     const ms_mcml__kernels *f = s->kernels;
     double *basis = s->vectors, *h = basis + (SPAN + 1) * n, *out = h + (SPAN + 1) * SPAN; /* h[j][i] */
     double cs[SPAN], sn[SPAN], g[SPAN + 1], size, x, residual = 0;
-    int turn, step, i, j;
+    int restart, step, i, j;
     size_t e;
-    for (turn = 0; turn < 4; ++turn) {
+    for (restart = 0; restart < 4; ++restart) {
         f->sweep(s, d, 1, basis, leave);
         size = sqrt(f->inner(basis, basis, n));
         for (e = 0; e < n; ++e) basis[e] -= d[e];
@@ -2942,12 +2956,12 @@ static void ms_mcml__sweeps_place(ms__arena *arena, ms_mcml__sweeps *s, int most
     s->nu = (double *)ms__take(arena, blocks, ray);
     s->nu_weight = (double *)ms__take(arena, blocks, ray);
     s->cosine = (double *)ms__take(arena, blocks * azimuths, ray);
-    s->turn = (double *)ms__take(arena, blocks * azimuths, ray);
-    s->around = (double *)ms__take(arena, blocks * azimuths * sheets, ray);
+    s->azimuth_weight = (double *)ms__take(arena, blocks * azimuths, ray);
+    s->azimuthal = (double *)ms__take(arena, blocks * azimuths * sheets, ray);
     s->mu = (double *)ms__take(arena, blocks * layers, ray);
     s->theta = (double *)ms__take(arena, blocks * layers * terms, ray);
     s->table = (double *)ms__take(arena, blocks * azimuths * (size_t)s->shapes * 48, ray);
-    s->chain = (double *)ms__take(arena, blocks * layers * azimuths * 10, ray);
+    s->transfer = (double *)ms__take(arena, blocks * layers * azimuths * 10, ray);
     s->edge = (double *)ms__take(arena, blocks * layers * 5, ray);
     s->depth = (double *)ms__take(arena, nz, size);
     s->beam = (double *)ms__take(arena, 2 * nz, size);
@@ -2965,95 +2979,103 @@ static void ms_mcml__sweeps_place(ms__arena *arena, ms_mcml__sweeps *s, int most
         arena, (MS_MCML__GMRES_STEPS + 1) * (terms * nz + MS_MCML__GMRES_STEPS) + 2 * MS_MCML__GMRES_STEPS, size);
 }
 
-/* Layers without their forward peak, panels, and room for frequencies with m up to most. order 1: isotropic scattering
-   only. */
+/* Adds a layer without its forward peak, and its panels. depth: optical thickness of the layers above. */
+static void ms_mcml__add_layer(ms_mcml__sweeps *s, const ms_mcml_layer *layer, int most, double depth)
+{
+    ms_mcml__solver_layer *y = &s->layer[s->layers++];
+    double h[MS_MCML__PANELS_MAX + 8], f, scale, z = 0;
+    int j, p;
+    y->n = layer->n;
+    y->d = layer->thickness_cm;
+    y->g = layer->g;
+    y->mu_s_full = layer->g < 1 ? layer->mu_s_per_cm : 0;
+    f = y->mu_s_full > 0 ? ms_mcml__moment(y, s->order + 1) : 0;
+    if (!(f > 0) || ms_mcml__moment(y, 1) < 0) f = 0; /* a peak that is not forward has to be resolved */
+    y->mu_s = y->mu_s_full * (1 - f);
+    y->mu_a = layer->mu_a_per_cm > 1e-12 * y->mu_s ? layer->mu_a_per_cm : 1e-12 * y->mu_s; /* so that depth ends */
+    y->mu_t = y->mu_a + y->mu_s;
+    y->clear = !(y->mu_t > 0);
+    if (y->clear) {
+        s->clear = 1;
+        s->mu_least = fmin(s->mu_least, 1 / y->d);
+        return;
+    }
+    for (j = 0; j <= s->order; ++j) y->sigma[j] = y->mu_s_full * (ms_mcml__moment(y, j) - f);
+    y->kappa = ms_mcml__attenuation(y, s->order);
+    if (y->kappa * y->d > 23) {
+        y->semi = 1;
+        y->d = 23 / y->kappa;
+    }
+    scale = y->mu_t * y->d > 1 ? y->mu_t : 1 / y->d;
+    s->mu_least = fmin(s->mu_least, scale);
+    y->panels = y->used = ms_mcml__mesh(y->mu_t * y->d, y->semi, depth,
+                                        y->kappa < 0.7 * y->mu_t ? 0.7 * y->mu_t / y->kappa : 1,
+                                        most > 0 && s->order > 3 ? 2 : 1, h);
+    y->panel = s->panels;
+    y->deep = s->nodes;
+    y->table = s->shapes;
+    for (p = 0; p < y->panels; ++p) {
+        const double length = h[p] / y->mu_t;
+        for (j = 0; j < y->shapes && fabs(y->shape[j] - length) > 1e-9 * length; ++j) {}
+        if (j == MS_MCML__SHAPES) --j; /* cannot be: lengths repeat or grow */
+        else if (j == y->shapes) y->shape[y->shapes++] = length;
+        s->panel_shape[s->panels++] = j;
+        for (j = 0; j < 4; ++j) s->z[s->nodes++] = z + length * ms_mcml__lobatto[j];
+        z += length;
+    }
+    s->z[s->nodes++] = y->d = z;
+    s->shapes += y->shapes;
+}
+
+/* Where a panel of nu ends: at every index that light can come from or go to, in ascending order. */
+static void ms_mcml__find_breaks(ms_mcml__sweeps *s)
+{
+    double all[MS_MCML__LAYERS_MAX + 2], highest = 0;
+    int i, j, n = 0;
+    all[n++] = s->n_above;
+    if (!s->layer[s->layers - 1].semi) all[n++] = s->n_below;
+    for (i = 0; i < s->layers; ++i) {
+        all[n++] = s->layer[i].n;
+        if (!s->layer[i].clear) highest = fmax(highest, s->layer[i].n);
+    }
+    for (i = 0; i < n; ++i) {
+        double x;
+        for (j = i + 1; j < n; ++j)
+            if (all[j] < all[i]) {
+                x = all[i];
+                all[i] = all[j];
+                all[j] = x;
+            }
+        x = fmin(all[i], highest);
+        if (s->break_count == 0 || x > s->breaks[s->break_count - 1] * (1 + 1e-9)) s->breaks[s->break_count++] = x;
+    }
+}
+
+/* Layers, panels, and room for frequencies with m up to most. order 1: isotropic scattering only. */
 static ms_status ms_mcml__sweeps_make(ms_mcml__sweeps **out, const ms_mcml_tissue *tissue,
                                       const ms_mcml_layered_options *o, int order, int parts, int most, ms_error *error)
 {
-    const int around = (2 * most + 5) / 4 > 14 ? (2 * most + 5) / 4 : 14;
     ms__arena arena = {NULL, 0};
     size_t terms;
     ms_mcml__sweeps *s = (ms_mcml__sweeps *)ms__alloc(&o->allocator, sizeof *s);
-    double h[MS_MCML__PANELS_MAX + 8], all[MS_MCML__LAYERS_MAX + 2], depth = 0, thickest = 0;
-    int i, j, p, n = 0;
+    double depth = 0, thickest = 0;
+    int i;
     if (s == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the layers", sizeof *s);
     memset(s, 0, sizeof *s);
     s->kernels = ms_mcml__kernels_of(ms__simd_pick(o->simd));
     s->order = order;
     s->parts = parts;
-    s->azimuths_most = around;
+    s->azimuths_most = (2 * most + 5) / 4 > 14 ? (2 * most + 5) / 4 : 14;
     s->n_above = tissue->n_above;
     s->n_below = tissue->n_below;
     s->mu_least = 1e300;
     for (i = 0; i < tissue->layer_count && !(i > 0 && s->layer[i - 1].semi); ++i) {
-        const ms_mcml_layer *layer = &tissue->layers[i];
-        ms_mcml__solver_layer *y = &s->layer[s->layers++];
-        double f, scale, z = 0;
-        int panels;
-        y->n = layer->n;
-        y->d = layer->thickness_cm;
-        y->g = layer->g;
-        y->mu_s_full = layer->g < 1 ? layer->mu_s_per_cm : 0;
-        f = y->mu_s_full > 0 ? ms_mcml__moment(y, order + 1) : 0;
-        if (!(f > 0) || ms_mcml__moment(y, 1) < 0) f = 0; /* a peak that is not forward has to be resolved */
-        y->mu_s = y->mu_s_full * (1 - f);
-        y->mu_a = layer->mu_a_per_cm > 1e-12 * y->mu_s ? layer->mu_a_per_cm : 1e-12 * y->mu_s; /* so that depth ends */
-        y->mu_t = y->mu_a + y->mu_s;
-        y->clear = !(y->mu_t > 0);
-        if (y->d > thickest) thickest = y->d;
-        if (y->clear) {
-            s->clear = 1;
-            if (1 / y->d < s->mu_least) s->mu_least = 1 / y->d;
-            continue;
-        }
-        for (j = 0; j <= order; ++j) y->sigma[j] = y->mu_s_full * (ms_mcml__moment(y, j) - f);
-        y->kappa = ms_mcml__attenuation(y, order);
-        if (y->kappa * y->d > 23) {
-            y->semi = 1;
-            y->d = 23 / y->kappa;
-        }
-        scale = y->mu_t * y->d > 1 ? y->mu_t : 1 / y->d;
-        if (scale < s->mu_least) s->mu_least = scale;
-        panels = ms_mcml__mesh(y->mu_t * y->d, y->semi, depth, y->kappa < 0.7 * y->mu_t ? 0.7 * y->mu_t / y->kappa : 1,
-                               most > 0 && order > 3 ? 2 : 1, h);
-        y->panel = s->panels;
-        y->panels = y->used = panels;
-        y->deep = s->nodes;
-        y->table = s->shapes;
-        for (p = 0; p < panels; ++p) {
-            const double length = h[p] / y->mu_t;
-            for (j = 0; j < y->shapes && fabs(y->shape[j] - length) > 1e-9 * length; ++j) {}
-            if (j == MS_MCML__SHAPES) --j; /* cannot be: lengths repeat or grow */
-            else if (j == y->shapes) y->shape[y->shapes++] = length;
-            s->panel_shape[s->panels++] = j;
-            for (j = 0; j < 4; ++j) s->z[s->nodes++] = z + length * ms_mcml__lobatto[j];
-            z += length;
-        }
-        s->z[s->nodes++] = y->d = z;
-        s->shapes += y->shapes;
-        depth += y->mu_t * y->d;
+        ms_mcml__add_layer(s, &tissue->layers[i], most, depth);
+        thickest = fmax(thickest, tissue->layers[i].thickness_cm);
+        depth += s->layer[i].mu_t * s->layer[i].d;
     }
     if (s->mu_least > 1e200) s->mu_least = 1 / thickest;
-    { /* where a panel of nu ends: at every index that light can come from or go to */
-        double highest = 0;
-        all[n++] = s->n_above;
-        if (!s->layer[s->layers - 1].semi) all[n++] = s->n_below;
-        for (i = 0; i < s->layers; ++i) {
-            all[n++] = s->layer[i].n;
-            if (!s->layer[i].clear && s->layer[i].n > highest) highest = s->layer[i].n;
-        }
-        for (i = 0; i < n; ++i)
-            for (j = i + 1; j < n; ++j)
-                if (all[j] < all[i]) {
-                    const double x = all[i];
-                    all[i] = all[j];
-                    all[j] = x;
-                }
-        for (i = 0; i < n; ++i) {
-            const double x = all[i] < highest ? all[i] : highest;
-            if (s->break_count == 0 || x > s->breaks[s->break_count - 1] * (1 + 1e-9)) s->breaks[s->break_count++] = x;
-        }
-    }
+    ms_mcml__find_breaks(s);
     ms_mcml__sweeps_place(&arena, s, most);
     s->size = arena.used;
     arena.base = (char *)ms__alloc(&o->allocator, s->size);
@@ -3086,22 +3108,23 @@ static void ms_mcml__set_frequency(ms_mcml__sweeps *s, double k)
     const double ratio = k / s->mu_least, t = ratio / (1 + sqrt(1 + ratio * ratio));
     int most = t > 0 ? (int)ceil(log(1e-5) / log(t)) : 0, layer, p,
         node; /* what m > 0 gives back to m = 0 falls twice as fast */
-    double reach = 0;
+    double depth = 0;
     if (most > s->order) most = s->order;
     for (layer = 0; layer < s->layers; ++layer) {
         ms_mcml__solver_layer *y = &s->layer[layer];
-        const double slant = sqrt(y->kappa * y->kappa + k * k), kappa = s->through && slant > y->mu_t ? y->mu_t : slant;
-        for (p = 0; p < y->panels && reach < 20; ++p) reach += kappa * y->shape[s->panel_shape[y->panel + p]];
+        const double slant = sqrt(y->kappa * y->kappa + k * k),
+                     kappa = s->full_depth && slant > y->mu_t ? y->mu_t : slant;
+        for (p = 0; p < y->panels && depth < 20; ++p) depth += kappa * y->shape[s->panel_shape[y->panel + p]];
         y->used = y->clear ? 0 : p;
     }
-    s->reach = 0;
+    s->active = 0;
     for (layer = 0; layer < s->layers; ++layer) {
         ms_mcml__solver_layer *y = &s->layer[layer];
         if (y->used == 0) continue;
-        y->node = s->reach;
+        y->node = s->active;
         y->end = y->node + 4 * y->used;
-        s->reach = (y->end + 8) / 8 * 8;
-        for (node = y->node; node < s->reach; ++node) {
+        s->active = (y->end + 8) / 8 * 8;
+        for (node = y->node; node < s->active; ++node) {
             const double z = node <= y->end ? s->z[y->deep + node - y->node] : 0, down = y->mu_t * z,
                          up = y->mu_t * (y->d - z);
             s->depth[node] = z;
@@ -3111,7 +3134,7 @@ static void ms_mcml__set_frequency(ms_mcml__sweeps *s, double k)
     }
     ms_mcml__rays(s, k, most);
     ms_mcml__boundaries(s);
-    memset(s->both, 0, (size_t)s->azimuths * (size_t)s->reach * 4 * MS_MCML__RAYS * sizeof(double));
+    memset(s->both, 0, (size_t)s->azimuths * (size_t)s->active * 4 * MS_MCML__RAYS * sizeof(double));
     ms_mcml__preconditioner_make(s, s->order < 3 ? s->order : s->order > 15 ? 5 : 3);
 }
 
@@ -3141,8 +3164,8 @@ static double ms_mcml__single_spectrum(const ms_mcml__sweeps *s)
                              im = s->k * nu / (y->n * mu) * s->cosine[(b * s->azimuths + a) * R + j];
                 const double e = re * y->d < 700 ? exp(-re * y->d) : 0, top = 1 - e * cos(e > 0 ? im * y->d : 0);
                 const double side = e * sin(e > 0 ? im * y->d : 0);
-                sum += 4 * s->nu_weight[b * R + j] * s->turn[(b * s->azimuths + a) * R + j] * nu / (y->n * y->n) *
-                    (1 - r) * y->down * phase * 0.079577471545947668 / mu * (top * re + side * im) /
+                sum += 4 * s->nu_weight[b * R + j] * s->azimuth_weight[(b * s->azimuths + a) * R + j] * nu /
+                    (y->n * y->n) * (1 - r) * y->down * phase * 0.079577471545947668 / mu * (top * re + side * im) /
                     (re * re + im * im);
             }
         }
@@ -3206,13 +3229,13 @@ static double ms_mcml__between_samples(const double *y, int logarithms, int coun
     int i = (int)t, half, j;
     if (t >= last) {
         const double a = u - last * step, y0 = y[count - 2], y1 = y[count - 1];
-        const double fall = logarithms ? (y0 - y1) / step : y0 * y1 > 0 ? log(y0 / y1) / step : 8;
+        const double decay = logarithms ? (y0 - y1) / step : y0 * y1 > 0 ? log(y0 / y1) / step : 8;
         return a < 2.5 ? (logarithms ? exp(y1) : y1) *
                 exp(-a *
                     (steeper +
-                     (fall < 1       ? 1
-                          : fall > 8 ? 8
-                                     : fall))) *
+                     (decay < 1       ? 1
+                          : decay > 8 ? 8
+                                      : decay))) *
                 (1 - a * a / 6.25)
                        : 0;
     }
@@ -3226,11 +3249,11 @@ static double ms_mcml__between_samples(const double *y, int logarithms, int coun
     return logarithms ? exp(sum / weights) : sum / weights;
 }
 
-/* beyond[i]: energy farther out than r_first exp(0.1 i), the Hankel transform of a spectrum: f(0) - r integral f(k)
+/* outside[i]: energy farther out than r_first exp(0.1 i), the Hankel transform of a spectrum: f(0) - r integral f(k)
    J1(k r) dk, out to 40 / low; where waves are many a window ends them smoothly, which changes nothing as far out. What
    has little fall between its first and last frequency is smoothest in logarithms, what falls like a bell is not. */
 static void ms_mcml__hankel(const double *value, int side, int count, double low, double step, double r_first,
-                            double steeper, double *f, double *beyond)
+                            double steeper, double *f, double *outside)
 {
     static const double gauss[4] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629};
     static const double weight[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
@@ -3240,7 +3263,7 @@ static void ms_mcml__hankel(const double *value, int side, int count, double low
     double y[MS_MCML_LAYERED_RATES]; /* f: room for the same eight times as fine, from -1 on */
     const int most = (int)((count - 1 + 2.5 / step) * 8) + 3;
     int i, q;
-    memset(beyond, 0, MS_MCML_LAYERED_RADII * sizeof *beyond);
+    memset(outside, 0, MS_MCML_LAYERED_RADII * sizeof *outside);
     if (count < 4) return;
     for (i = 0; i < count; ++i) y[i] = logarithms ? log(value[i]) : value[i];
     for (i = 0; i < most; ++i)
@@ -3262,7 +3285,7 @@ static void ms_mcml__hankel(const double *value, int side, int count, double low
             }
             at += size;
         }
-        beyond[i] = value[0] - r * sum;
+        outside[i] = value[0] - r * sum;
     }
 }
 
@@ -3359,17 +3382,17 @@ static void ms_mcml__extrapolate(ms_mcml__sweeps *s, int i)
     const size_t n3 = (size_t)s->nodes, all = (size_t)ms_mcml__first_term(s->order, s->order + 1) * n3;
     double *d = s->moments, *before = d + all, *earlier = before + all;
     int layer, j, node;
-    memset(s->x, 0, (size_t)s->terms * (size_t)s->reach * sizeof(double));
+    memset(s->x, 0, (size_t)s->terms * (size_t)s->active * sizeof(double));
     for (layer = 0; layer < s->layers; ++layer) {
         const ms_mcml__solver_layer *y = &s->layer[layer];
         for (j = 0; j < s->terms && y->used; ++j)
             for (node = y->node; node <= y->end; ++node) {
                 const size_t full = (size_t)j * n3 + (size_t)(y->deep + node - y->node);
                 const double here = d[full], last = before[full];
-                s->x[(size_t)j * (size_t)s->reach + (size_t)node] = i > 2 ? 3 * (here - last) + earlier[full]
-                    : i < 2                                               ? here
-                    : j <= s->order                                       ? 4 * here - 3 * last
-                                                                          : here;
+                s->x[(size_t)j * (size_t)s->active + (size_t)node] = i > 2 ? 3 * (here - last) + earlier[full]
+                    : i < 2                                                ? here
+                    : j <= s->order                                        ? 4 * here - 3 * last
+                                                                           : here;
                 before[full] = here;
                 earlier[full] = last;
             }
@@ -3387,7 +3410,7 @@ static ms_status ms_mcml__spectra_solve(ms_mcml__sweeps *s, const ms_mcml_layere
         if (o->progress.report &&
             o->progress.report(o->progress.user, (stride > 1 ? 0.85 : 0.1) + (stride > 1 ? 0.15 : 0.75) * i / p->count))
             return ms__fail(error, MS_CANCELLED, 0, "stopped by the progress callback");
-        s->through = !s->layer[s->layers - 1].semi && p->k[i] < p->most &&
+        s->full_depth = !s->layer[s->layers - 1].semi && p->k[i] < p->most &&
             (i < 3 * stride || p->value[1][i - stride] > 1e-7 * p->value[1][0]);
         ms_mcml__set_frequency(s, p->k[i]);
         ms_mcml__extrapolate(s, i / stride);
@@ -3395,7 +3418,7 @@ static ms_status ms_mcml__spectra_solve(ms_mcml__sweeps *s, const ms_mcml_layere
         for (layer = 0; layer < s->layers; ++layer) {
             const ms_mcml__solver_layer *y = &s->layer[layer];
             for (j = 0; j < s->terms && y->used; ++j)
-                memcpy(s->moments + (size_t)j * n3 + y->deep, s->x + (size_t)j * (size_t)s->reach + y->node,
+                memcpy(s->moments + (size_t)j * n3 + y->deep, s->x + (size_t)j * (size_t)s->active + y->node,
                        (size_t)(4 * y->used + 1) * sizeof(double));
         }
         out->residual = fmax(out->residual, residual / care);
@@ -3457,8 +3480,8 @@ static void ms_mcml__spectra_invert(const ms_mcml__spectra *p, int stride, doubl
         for (i = side ? 2 : count; i < count && k[i] < p->most && v[i] > 1e-7 * v[0]; ++i) {
         } /* as far as it is known */
         y->last_per_cm = i > 0 ? k[i - 1] : 0;
-        ms_mcml__hankel(v, side, i, p->low, p->step * stride, y->radius_cm, steeper, a, y->beyond);
-        y->rest = v[0];
+        ms_mcml__hankel(v, side, i, p->low, p->step * stride, y->radius_cm, steeper, a, y->outside);
+        y->remainder = v[0];
     }
 }
 
@@ -3491,13 +3514,16 @@ static double ms_mcml__absorbed(const ms_mcml__sweeps *s, const ms_mcml__solver_
     return sum;
 }
 
-/* Limit of three totals of growing order, which close in from both sides in turn, and how well it is known: Shanks. */
-static double ms_mcml__limit(const double *v, double *known)
+/* Limit of three totals of growing order by Shanks; their errors alternate in sign. *error grows to its estimated
+ * error. */
+static double ms_mcml__limit(const double *v, double *error)
 {
-    const double d = v[1] - v[0], e = v[2] - v[1], rest = e * d < 0 && fabs(e) < 1.2 * fabs(d) ? e * e / (e - d) : 0;
+    const double d = v[1] - v[0], e = v[2] - v[1],
+                 remainder = e * d < 0 && fabs(e) < 1.2 * fabs(d) ? e * e / (e - d) : 0;
     if (!(fabs(e) > 1e-9)) return v[2];
-    *known = fmax(*known, 1e-7 + (fabs(rest) > 0 ? (fabs(e) < 0.8 * fabs(d) ? 0.05 : 0.2) * fabs(rest) : fabs(e)));
-    return v[2] - rest;
+    *error = fmax(*error,
+                  1e-7 + (fabs(remainder) > 0 ? (fabs(e) < 0.8 * fabs(d) ? 0.05 : 0.2) * fabs(remainder) : fabs(e)));
+    return v[2] - remainder;
 }
 
 /* Totals by one order, one frequency. */
@@ -3557,16 +3583,16 @@ static double ms_mcml__layered_multiple(const ms_mcml_layered *s, const ms_mcml_
     double sum = 0, t, d0, d1, at[4];
     int i, j;
     if (r > y->tail_cm) {
-        t = y->fall_per_cm * (r - y->tail_cm);
+        t = y->decay_per_cm * (r - y->tail_cm);
         return t < 700 ? y->tail * exp(-t) : 0;
     }
     for (i = 0; i < s->rates && s->rate_per_cm[i] * r < 700; ++i)
         if (y->energy[i] > 0) sum += y->energy[i] * ms_mcml__x_bessel_k1(s->rate_per_cm[i] * r);
-    if (u <= 0) return sum + y->rest - (y->rest - y->beyond[0]) * (r / y->radius_cm) * (r / y->radius_cm);
+    if (u <= 0) return sum + y->remainder - (y->remainder - y->outside[0]) * (r / y->radius_cm) * (r / y->radius_cm);
     if (u >= MS_MCML_LAYERED_RADII - 3) return sum;
     i = (int)u;
     t = u - i;
-    for (j = 0; j < 4; ++j) at[j] = y->beyond[i > 0 || j > 0 ? i + j - 1 : 0];
+    for (j = 0; j < 4; ++j) at[j] = y->outside[i > 0 || j > 0 ? i + j - 1 : 0];
     for (j = 0; j < 4 && logarithms; ++j) at[j] = log(at[j] > 1e-300 ? at[j] : 1e-300);
     d0 = i > 0 ? 0.5 * (at[2] - at[0]) : at[2] - at[1];
     d1 = 0.5 * (at[3] - at[1]);
@@ -3578,13 +3604,13 @@ static double ms_mcml__layered_multiple(const ms_mcml_layered *s, const ms_mcml_
    from there the energy falls exponentially. Near the axis a small rise is the noise of the spectrum, not the tail. */
 static void ms_mcml__layered_finish(const ms_mcml_layered *s, ms_mcml_layered_side *y, int side, double scattered)
 {
-    double sum = y->rest, here, before, low;
+    double sum = y->remainder, here, before, low;
     int i;
     for (i = 0; i < s->rates; ++i) sum += y->energy[i];
     if (scattered > 0 && sum > 0.5 * scattered && sum < 2 * scattered) {
         for (i = 0; i < s->rates; ++i) y->energy[i] *= scattered / sum;
-        for (i = 0; i < MS_MCML_LAYERED_RADII; ++i) y->beyond[i] *= scattered / sum;
-        y->rest *= scattered / sum;
+        for (i = 0; i < MS_MCML_LAYERED_RADII; ++i) y->outside[i] *= scattered / sum;
+        y->remainder *= scattered / sum;
         y->multiple = scattered;
     }
     here = before = y->multiple;
@@ -3596,10 +3622,10 @@ static void ms_mcml__layered_finish(const ms_mcml_layered *s, ms_mcml_layered_si
             const double last = y->radius_cm * exp(0.1 * (i - 1));
             y->tail_cm = last;
             y->tail = here;
-            y->fall_per_cm = fmax(log(fmax(before / here, 1)) / (last * (1 - exp(-0.1))), s->rate_per_cm[0]);
+            y->decay_per_cm = fmax(log(fmax(before / here, 1)) / (last * (1 - exp(-0.1))), s->rate_per_cm[0]);
             if (side && i + 1 < MS_MCML_LAYERED_RADII) { /* its slope there */
-                y->beyond[i] = fmax(next, here * here / before);
-                y->beyond[i + 1] = fmax(y->beyond[i + 1], y->beyond[i] * here / before);
+                y->outside[i] = fmax(next, here * here / before);
+                y->outside[i + 1] = fmax(y->outside[i + 1], y->outside[i] * here / before);
             }
             break;
         }
@@ -3616,12 +3642,11 @@ static double ms_mcml__layered_cell(const ms_mcml_layered *s, const ms_mcml_laye
         ms_mcml__layered_multiple(s, y, side, radius);
 }
 
-/* Errors of the cells from three other inversions, each the largest of the cells nearby, since differences change sign:
-   half the order, twice the frequency step (whose error falls faster than in proportion) and a spectrum that is steeper
-   beyond the last frequency. The parts are those that bound the true errors of the 300 media of RESULTS.md.
-   Transmission near the axis falls as 1 / r after one collision, and is known as far as the last frequency reaches;
-   forward: energy of the forward peak, which the solver leaves on the axis. thin: a first layer of less than
-   a mean free path, in cm, or 0: about the axis reflectance is off by 3%. */
+/* Errors of the cells from three other inversions: half the order, twice the frequency step, and a spectrum that is
+   steeper past the last frequency. Differences change sign, so each is the largest of the cells nearby. The factors
+   bound the true errors of the 300 media of RESULTS.md. Transmission near the axis needs frequencies past the last one.
+   forward: energy of the forward peak, which the solver leaves on the axis. thin: thickness of a first layer of less
+   than a mean free path, in cm, or 0; near the axis its reflectance is off by 3%. */
 static void ms_mcml__layered_errors(const ms_mcml_layered *s, ms_mcml_layered_side (*y)[2], int side, double forward,
                                     double thin, double (*cell)[MS_MCML_LAYERED_RADII])
 {
@@ -3653,7 +3678,7 @@ static int ms_mcml__layered_uncertain(const ms_mcml_layered *s, int side)
     for (i = 0; i + 4 < MS_MCML_LAYERED_RADII; ++i) {
         const double radius = s->side[side].radius_cm * exp(0.1 * (i - 1)), r = i ? radius : 0,
                      next = radius * exp(0.4);
-        const double energy = ms_mcml_layered_beyond(s, side, r) - ms_mcml_layered_beyond(s, side, next);
+        const double energy = ms_mcml_layered_outside(s, side, r) - ms_mcml_layered_outside(s, side, next);
         double error = 0;
         for (j = i; j < i + 4; ++j) error += s->side[side].error[j];
         if (!(error <= 0.03 * fabs(energy) + 1e-4 * total) && (energy > 1e-3 * total || error > 1e-3 * total)) return 1;
@@ -3674,7 +3699,7 @@ static void ms_mcml__layered_tabulate(const ms_mcml_result *p, int side, const m
     double left = scattered, energy = 0, square = 0, start = 0;
     int k, i = 0;
     memset(y, 0, sizeof *y);
-    y->rest = y->multiple = scattered;
+    y->remainder = y->multiple = scattered;
     y->photons = p->photons;
     y->radius_cm = dr;
     for (k = 0; k + 1 < p->grid.nr && i < MS_MCML_LAYERED_RADII;) {
@@ -3691,15 +3716,15 @@ static void ms_mcml__layered_tabulate(const ms_mcml_result *p, int side, const m
             ++k;
             continue;
         }
-        y->beyond[i] = left > 0 ? left : 0;
+        y->outside[i] = left > 0 ? left : 0;
         y->error[i] = sqrt(energy > 0 ? square : 0.1 * scale * scale / (n * n)); /* an empty cell: a part of a photon */
         if (!(traced > 0)) y->error[i] = total;
         energy = square = 0;
         ++i;
     }
     y->tail_cm = i > 3 ? y->radius_cm * exp(0.1 * (i - 1)) : 1e300;
-    y->tail = i > 3 ? y->beyond[i - 1] : 0;
-    y->fall_per_cm = i > 3 ? 3 / y->tail_cm : 0;
+    y->tail = i > 3 ? y->outside[i - 1] : 0;
+    y->decay_per_cm = i > 3 ? 3 / y->tail_cm : 0;
     for (; i < MS_MCML_LAYERED_RADII; ++i) y->error[i] = y->tail + scale / n;
 }
 
@@ -3782,7 +3807,7 @@ static ms_mcml__orders ms_mcml__orders_of(const ms_mcml_tissue *tissue)
 static ms_status ms_mcml__layered_totals(const ms_mcml_tissue *tissue, const ms_mcml_layered_options *o,
                                          const ms_mcml__orders *d, ms_mcml_layered *out, ms_error *error)
 {
-    double total[3][3], known = 0, scale;
+    double total[3][3], absorbed_error = 0, scale;
     int l, i;
     for (l = d->isotropic ? 2 : 0; l < 3; ++l) {
         const ms_status status = ms_mcml__totals(tissue, o, d->isotropic ? d->order : d->high - 8 + 4 * l, l == 2, out,
@@ -3796,7 +3821,7 @@ static ms_status ms_mcml__layered_totals(const ms_mcml_tissue *tissue, const ms_
     if (d->isotropic) return MS_OK;
     out->rd = ms_mcml__limit(total[0], &out->rd_error);
     out->tt = ms_mcml__limit(total[1], &out->tt_error);
-    out->a = ms_mcml__limit(total[2], &known);
+    out->a = ms_mcml__limit(total[2], &absorbed_error);
     scale = total[2][2] > 0 ? out->a / total[2][2] : 1;
     for (i = 0; o->a_z && i < o->nz; ++i) o->a_z[i] *= scale;
     for (i = 0; o->a_l && i < tissue->layer_count; ++i) o->a_l[i] *= scale;
@@ -3881,11 +3906,12 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
     for (i = 0; i < tissue->layer_count; ++i) {
         const ms_mcml_layer *layer = &tissue->layers[i];
         if (tissue->layer_count > 1 && !(layer->mu_a_per_cm + layer->mu_s_per_cm > 0)) clear = 1;
-        if (layer->mu_s_per_cm > 0 && layer->g < 1) r.peak = fmax(r.peak, pow(fabs(layer->g), d.order + 1));
+        if (layer->mu_s_per_cm > 0 && layer->g < 1)
+            r.forward_fraction = fmax(r.forward_fraction, pow(fabs(layer->g), d.order + 1));
     }
     if ((status = ms_mcml__layered_totals(tissue, &o, &d, &r, error)) != MS_OK) return status;
     if (!o.totals_only) {
-        if (clear || r.peak > 0.3) mask = 3; /* rings that the solver does not hold */
+        if (clear || r.forward_fraction > 0.3) mask = 3; /* rings that the solver does not hold */
         else if ((status = ms_mcml__layered_rings(tissue, &o, &d, &r, error)) != MS_OK) return status;
         for (i = 0; i < 2; ++i)
             if ((i ? r.tt : r.rd) > 1e-3 && mask != 3 &&
@@ -3900,7 +3926,7 @@ MS_API ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, const ms_mc
     return MS_OK;
 }
 
-static double ms_mcml__layered_beyond(const ms_mcml_layered *s, int side, double r)
+static double ms_mcml__layered_outside(const ms_mcml_layered *s, int side, double r)
 {
     double sum = ms_mcml__layered_multiple(s, &s->side[side], side && !s->side[side].photons, r);
     int i;
@@ -3911,12 +3937,12 @@ static double ms_mcml__layered_beyond(const ms_mcml_layered *s, int side, double
     return sum;
 }
 
-MS_API double ms_mcml_layered_beyond(const ms_mcml_layered *s, int side, double r_cm)
+MS_API double ms_mcml_layered_outside(const ms_mcml_layered *s, int side, double r_cm)
 {
     double sum;
     if (s == NULL || side < 0 || side > 1 || !ms_mcml__between(r_cm, 0, 1e300)) return ms_mcml__nan();
     if (!(r_cm > 0)) return side ? s->tt : s->rd;
-    sum = ms_mcml__layered_beyond(s, side, r_cm);
+    sum = ms_mcml__layered_outside(s, side, r_cm);
     return sum > 0 ? sum : 0;
 }
 
@@ -3927,7 +3953,7 @@ static double ms_mcml__layered_position(const ms_mcml_layered_side *y, double r)
     return x < 1 ? x * x : fmin(1 + 10 * log(x), MS_MCML_LAYERED_RADII);
 }
 
-/* Errors of parts of cells: they add, those of photons in squares. */
+/* Errors of cells add; those of photons in squares. */
 static double ms_mcml__layered_ring_error(const ms_mcml_layered *s, int side, double r0, double r1)
 {
     const ms_mcml_layered_side *y = &s->side[side];
@@ -3953,7 +3979,7 @@ MS_API double ms_mcml_layered_ring(const ms_mcml_layered *s, int side, double r0
     }
     q = 1 / (3.14159265358979324 * (r1 - r0) * (r1 + r0));
     total = side ? s->tt : s->rd;
-    energy = (r0 > 0 ? ms_mcml__layered_beyond(s, side, r0) : total) - ms_mcml__layered_beyond(s, side, r1);
+    energy = (r0 > 0 ? ms_mcml__layered_outside(s, side, r0) : total) - ms_mcml__layered_outside(s, side, r1);
     energy = energy > 0 ? energy : 0;
     if (ring_error) {
         *ring_error = q * ms_mcml__layered_ring_error(s, side, r0, r1);
@@ -4066,9 +4092,10 @@ static double ms_mcml__channel_mu_t(const ms_mcml__channel *c)
 
 static double ms_mcml__channel_total(const ms_mcml__channel *c) { return c->layered ? c->solution.rd : c->half.total; }
 
-static double ms_mcml__channel_beyond(const ms_mcml__channel *c, double r_mm)
+static double ms_mcml__channel_outside(const ms_mcml__channel *c, double r_mm)
 {
-    return c->layered ? ms_mcml_layered_beyond(&c->solution, 0, 0.1 * r_mm) : ms_mcml__halfspace_beyond(&c->half, r_mm);
+    return c->layered ? ms_mcml_layered_outside(&c->solution, 0, 0.1 * r_mm)
+                      : ms_mcml__halfspace_outside(&c->half, r_mm);
 }
 
 static void ms_mcml__profile_solve(void *context, int index)
@@ -4101,22 +4128,22 @@ static void ms_mcml__profile_fill(void *context, int channel)
     const size_t row = (size_t)channel * (size_t)p->rings;
     const double total = ms_mcml__channel_total(c);
     double *within = p->within + row + channel, *rd = p->rd_per_mm2 + row, *rd_error = p->rd_error_per_mm2 + row;
-    double beyond = ms_mcml__channel_beyond(c, p->edge_mm[0]);
+    double outside = ms_mcml__channel_outside(c, p->edge_mm[0]);
     int i;
-    within[0] = total - beyond;
+    within[0] = total - outside;
     for (i = 0; i < p->rings; ++i) {
-        const double r0 = p->edge_mm[i], r1 = p->edge_mm[i + 1], next = ms_mcml__channel_beyond(c, r1);
+        const double r0 = p->edge_mm[i], r1 = p->edge_mm[i + 1], next = ms_mcml__channel_outside(c, r1);
         within[i + 1] = total - next;
         rd_error[i] = 0;
         if (c->layered) {
             rd[i] = 0.01 * ms_mcml_layered_ring(&c->solution, 0, 0.1 * r0, 0.1 * r1, &rd_error[i]);
             rd_error[i] *= 0.01;
-        } else if (beyond - next > 1e-6 * beyond) {
-            rd[i] = (beyond - next) / (3.14159265358979324 * (r1 - r0) * (r1 + r0));
+        } else if (outside - next > 1e-6 * outside) {
+            rd[i] = (outside - next) / (3.14159265358979324 * (r1 - r0) * (r1 + r0));
         } else {
             rd[i] = ms_mcml__halfspace_ring(&c->half, r0, r1);
         }
-        beyond = next;
+        outside = next;
     }
     p->total[channel] = total;
     p->total_error[channel] = c->layered ? c->solution.rd_error : 0;
@@ -4130,7 +4157,7 @@ static double ms_mcml__profile_radius(const ms_mcml__channel *c)
     high = 1e11 * low;
     for (i = 0; i < 40; ++i) {
         const double middle = sqrt(low * high);
-        if (ms_mcml__channel_beyond(c, middle) > 1e-5 * ms_mcml__channel_total(c)) low = middle;
+        if (ms_mcml__channel_outside(c, middle) > 1e-5 * ms_mcml__channel_total(c)) low = middle;
         else high = middle;
     }
     return high;
@@ -5332,7 +5359,7 @@ static void MS_MCML__FN(source)(const ms_mcml__sweeps *s, int b, int layer)
 {
     enum { R = MS_MCML__RAYS };
     const ms_mcml__solver_layer *y = &s->layer[layer];
-    const size_t nz = (size_t)s->reach, sheets = (size_t)s->most + 1;
+    const size_t nz = (size_t)s->active, sheets = (size_t)s->most + 1;
     const double *theta = s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R;
     int m, l, node;
     for (m = 0; m <= s->most; ++m)
@@ -5378,12 +5405,12 @@ static inline const double *MS_MCML__FN(panel)(const ms_mcml__sweeps *s, const m
 static void MS_MCML__FN(within)(const ms_mcml__sweeps *s, const ms_mcml__solver_layer *y, int ba)
 {
     enum { R = MS_MCML__RAYS };
-    const size_t plane = (size_t)s->reach * R, sheets = (size_t)s->most + 1;
-    const double *around = s->around + (size_t)ba * sheets * R;
+    const size_t plane = (size_t)s->active * R, sheets = (size_t)s->most + 1;
+    const double *azimuthal = s->azimuthal + (size_t)ba * sheets * R;
     const MS_MCML__D zero = MS_MCML__FN(d_set)(0);
     int node, m, p;
     for (node = y->node; node <= y->end; ++node) { /* the sources at this azimuth: even m real, odd m imaginary */
-        const double *down = s->source + (size_t)node * R, *up = down + sheets * plane, *c = around;
+        const double *down = s->source + (size_t)node * R, *up = down + sheets * plane, *c = azimuthal;
         double *q = s->line + (size_t)node * 4 * R;
         MS_MCML__D dr = zero, di = zero, ur = zero, ui = zero, x;
         for (m = 0; m <= s->most; m += 2, c += R, down += plane, up += plane) {
@@ -5422,7 +5449,7 @@ static void MS_MCML__FN(entering)(const ms_mcml__sweeps *s, const ms_mcml__solve
                                   const MS_MCML__D in[2], const MS_MCML__D back[2])
 {
     enum { R = MS_MCML__RAYS };
-    const MS_MCML__D weight = MS_MCML__FN(d_load)(s->turn + ba * R);
+    const MS_MCML__D weight = MS_MCML__FN(d_load)(s->azimuth_weight + ba * R);
     MS_MCML__D xr = in[0], xi = in[1];
     double *x = s->down + y->node * 2 * R;
     const double *u = s->up + y->end * 2 * R;
@@ -5466,9 +5493,9 @@ static void MS_MCML__FN(sweep_rays)(const ms_mcml__sweeps *s, int b, int a, doub
 {
     enum { R = MS_MCML__RAYS };
     const int ba = b * s->azimuths + a;
-    const double *nu = s->nu + b * R, *chain = s->chain + (size_t)(ba * s->layers) * 10 * R,
+    const double *nu = s->nu + b * R, *transfer = s->transfer + (size_t)(ba * s->layers) * 10 * R,
                  *edge = s->edge + (size_t)(b * s->layers) * 5 * R, *c;
-    const MS_MCML__D zero = MS_MCML__FN(d_set)(0), turn = MS_MCML__FN(d_load)(s->turn + ba * R);
+    const MS_MCML__D zero = MS_MCML__FN(d_set)(0), weight = MS_MCML__FN(d_load)(s->azimuth_weight + ba * R);
     MS_MCML__D v[MS_MCML__LAYERS_MAX][2], from_below[MS_MCML__LAYERS_MAX][2], d[2], w[2], in[2], back[2], sum[2], x;
     int layer;
     in[0] = in[1] = v[0][0] = v[0][1] = sum[0] = sum[1] = zero;
@@ -5476,7 +5503,7 @@ static void MS_MCML__FN(sweep_rays)(const ms_mcml__sweeps *s, int b, int a, doub
         const ms_mcml__solver_layer *y = &s->layer[layer];
         v[layer][0] = v[layer][1] = from_below[layer][0] = from_below[layer][1] = zero;
         if (!(nu[0] < y->n) || (!y->clear && y->used == 0)) continue;
-        c = chain + layer * 10 * R;
+        c = transfer + layer * 10 * R;
         d[0] = d[1] = zero;
         if (!y->clear) {
             MS_MCML__FN(within)(s, y, ba);
@@ -5497,7 +5524,7 @@ static void MS_MCML__FN(sweep_rays)(const ms_mcml__sweeps *s, int b, int a, doub
         const double *e = edge + layer * 5 * R;
         if (!(nu[0] < y->n)) continue;
         if (!y->clear && y->used == 0) break;
-        c = chain + layer * 10 * R;
+        c = transfer + layer * 10 * R;
         d[0] = MS_MCML__FN(d_madd)(MS_MCML__FN(d_load)(e), v[layer][0],
                                    MS_MCML__FN(d_mul)(MS_MCML__FN(d_load)(e + R), in[0]));
         d[1] = MS_MCML__FN(d_madd)(MS_MCML__FN(d_load)(e), v[layer][1],
@@ -5518,11 +5545,11 @@ static void MS_MCML__FN(sweep_rays)(const ms_mcml__sweeps *s, int b, int a, doub
         if (layer + 1 == s->layers) sum[1] = MS_MCML__FN(d_mul)(MS_MCML__FN(d_load)(e + 4 * R), in[0]);
         if (!y->clear) {
             MS_MCML__FN(mul_load)(c + 2 * R, in[0], in[1], &from_below[layer][0], &from_below[layer][1]);
-            MS_MCML__FN(entering)(s, y, ba, s->both + (size_t)a * (size_t)s->reach * 4 * R, w, from_below[layer]);
+            MS_MCML__FN(entering)(s, y, ba, s->both + (size_t)a * (size_t)s->active * 4 * R, w, from_below[layer]);
         }
     }
-    leave[0] += MS_MCML__FN(d_sum)(MS_MCML__FN(d_mul)(turn, sum[0]));
-    leave[1] += MS_MCML__FN(d_sum)(MS_MCML__FN(d_mul)(turn, sum[1]));
+    leave[0] += MS_MCML__FN(d_sum)(MS_MCML__FN(d_mul)(weight, sum[0]));
+    leave[1] += MS_MCML__FN(d_sum)(MS_MCML__FN(d_mul)(weight, sum[1]));
 }
 
 /* out += eight nodes' moments of one m: to[8 nodes] += the sum over rays of theta[ray] x[node][ray], each second l from
@@ -5559,7 +5586,7 @@ static void MS_MCML__FN(project_moments)(const ms_mcml__sweeps *s, int b, int la
 {
     enum { R = MS_MCML__RAYS };
     const ms_mcml__solver_layer *y = &s->layer[layer];
-    const size_t nz = (size_t)s->reach, sheets = (size_t)s->most + 1;
+    const size_t nz = (size_t)s->active, sheets = (size_t)s->most + 1;
     const double *theta = s->theta + (size_t)(b * s->layers + layer) * (size_t)s->terms * R,
                  *mu = s->mu + (b * s->layers + layer) * R;
     double weights[R], even[8][8], odd[8][8];
@@ -5572,7 +5599,7 @@ static void MS_MCML__FN(project_moments)(const ms_mcml__sweeps *s, int b, int la
             const size_t term = (size_t)ms_mcml__first_term(s->order, m);
             for (i = 0; i < 8; i += 4) {
                 const double *x = s->both + (size_t)(node + i) * 4 * R + (m & 1) * R,
-                             *c = s->around + ((size_t)(b * s->azimuths) * sheets + (size_t)m) * R;
+                             *c = s->azimuthal + ((size_t)(b * s->azimuths) * sheets + (size_t)m) * R;
                 MS_MCML__D e0 = MS_MCML__FN(d_set)(0), e1 = e0, e2 = e0, e3 = e0, o0 = e0, o1 = e0, o2 = e0, o3 = e0;
                 for (a = 0; a < s->azimuths; ++a, x += nz * 4 * R, c += sheets * R) {
                     const MS_MCML__D t = MS_MCML__FN(d_load)(c);
@@ -5601,7 +5628,7 @@ static void MS_MCML__FN(project_moments)(const ms_mcml__sweeps *s, int b, int la
 
 static void MS_MCML__FN(sweep)(const ms_mcml__sweeps *s, const double *d, int beam, double *out, double leave[2])
 {
-    const size_t nz = (size_t)s->reach;
+    const size_t nz = (size_t)s->active;
     const double *down = s->beam, *up = down + s->nodes + 7 * s->layers;
     double *q = s->q;
     int b, a, layer, m, l, node;

@@ -388,7 +388,7 @@ static void rings_of_isotropic_half_spaces(void)
             }
             for (i = 0; i < 6; ++i) {
                 const double x = 0.1 * pow(2, i);
-                CHECK_NEAR(ms_mcml_layered_beyond(&s, 0, 0.1 * x), ms_mcml__halfspace_beyond(&h, x), 1e-3 * h.total);
+                CHECK_NEAR(ms_mcml_layered_outside(&s, 0, 0.1 * x), ms_mcml__halfspace_outside(&h, x), 1e-3 * h.total);
             }
         }
     TEST_NOTE("12 half-spaces, worst ring beyond a mean free path %.1e", worst);
@@ -467,9 +467,9 @@ static void identities(void)
     CHECK_NEAR(b.tt, a.tt, 1e-6);
     for (i = 1; i < 20; ++i) {
         const double r = 0.01 * i;
-        CHECK_NEAR(ms_mcml_layered_beyond(&b, 0, r), ms_mcml_layered_beyond(&a, 0, r), 3e-4 * a.rd);
+        CHECK_NEAR(ms_mcml_layered_outside(&b, 0, r), ms_mcml_layered_outside(&a, 0, r), 3e-4 * a.rd);
         /* or 5 standard errors of the difference of two shares of 1e6 photons */
-        CHECK_NEAR(ms_mcml_layered_beyond(&b, 1, r), ms_mcml_layered_beyond(&a, 1, r),
+        CHECK_NEAR(ms_mcml_layered_outside(&b, 1, r), ms_mcml_layered_outside(&a, 1, r),
                    a.side[1].photons ? 3.6e-3 : 3e-4 * a.tt);
     }
 }
@@ -525,8 +525,8 @@ static void refusals(void)
     t.layers = many;
     CHECK_INT(ms_mcml_layered_solve(&t, NULL, &s, &error), MS_UNSUPPORTED);
     CHECK(memcmp(&s, &before, sizeof s) == 0);
-    CHECK(ms_mcml_layered_beyond(&s, 0, -1) != ms_mcml_layered_beyond(&s, 0, -1)); /* NaN */
-    CHECK(ms_mcml_layered_beyond(NULL, 0, 1) != ms_mcml_layered_beyond(NULL, 0, 1));
+    CHECK(ms_mcml_layered_outside(&s, 0, -1) != ms_mcml_layered_outside(&s, 0, -1)); /* NaN */
+    CHECK(ms_mcml_layered_outside(NULL, 0, 1) != ms_mcml_layered_outside(NULL, 0, 1));
     CHECK(ms_mcml_layered_ring(&s, 2, 0, 1, NULL) != ms_mcml_layered_ring(&s, 2, 0, 1, NULL));
     CHECK(ms_mcml_layered_ring(&s, 0, 1, 1, NULL) != ms_mcml_layered_ring(&s, 0, 1, 1, NULL));
 }

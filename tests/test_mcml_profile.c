@@ -375,10 +375,10 @@ static void bessel_k1(void)
         double sum = 0.5 * exp(-x), t, h = 0.02;
         for (t = h; x * cosh(t) < 740; t += h) sum += exp(-x * cosh(t)) * cosh(t);
         sum *= x * h;
-        worst = fmax(worst, fabs(ms_mcml__halfspace_beyond(&one, x) / sum - 1));
+        worst = fmax(worst, fabs(ms_mcml__halfspace_outside(&one, x) / sum - 1));
     }
     CHECK_LE(worst, 1e-11); /* 6e-12 of the fit and the rule's rounding */
-    CHECK_NEAR(ms_mcml__halfspace_beyond(&one, 0), 1, 0);
+    CHECK_NEAR(ms_mcml__halfspace_outside(&one, 0), 1, 0);
     TEST_NOTE("relative error %.1e", worst);
 }
 
@@ -412,7 +412,7 @@ static void rings_and_spectrum_agree(void)
         for (q = 0; q < 4; ++q) {
             double r = 0, next, spectrum = 0;
             for (next = 1e-5; next < 500; r = next, next += 0.003 * next < 0.01 ? 0.003 * next : 0.01) {
-                double e = ms_mcml__halfspace_beyond(&s, r) - ms_mcml__halfspace_beyond(&s, next);
+                double e = ms_mcml__halfspace_outside(&s, r) - ms_mcml__halfspace_outside(&s, next);
                 spectrum += e * bessel_j0(at[q] * 0.5 * (r + next));
                 if (e < 1e-13) break;
             }
@@ -420,7 +420,7 @@ static void rings_and_spectrum_agree(void)
             worst_k = fmax(worst_k, fabs(spectrum_at(&s, at[q]) - spectrum));
         }
         CHECK_NEAR(spectrum_at(&s, 0), s.total, 1e-14);
-        CHECK_NEAR(ms_mcml__halfspace_beyond(&s, 0), s.total, 1e-14);
+        CHECK_NEAR(ms_mcml__halfspace_outside(&s, 0), s.total, 1e-14);
     }
     TEST_NOTE("spectrum %.1e", worst_k);
 }
@@ -576,7 +576,7 @@ static void walks_agree_with_the_solver(void)
                 double z = (rd[i] - ms_mcml__halfspace_ring(&s, w.edge[i], w.edge[i + 1])) / se[i];
                 /* at least 150 photons' worth, and not so far out that the few short paths there decide: normal
                    enough */
-                if (!(se[i] < 0.08 * rd[i]) || ms_mcml__halfspace_beyond(&s, w.edge[i]) < 1e-3 * s.total) continue;
+                if (!(se[i] < 0.08 * rd[i]) || ms_mcml__halfspace_outside(&s, w.edge[i]) < 1e-3 * s.total) continue;
                 chi2 += z * z;
                 ++n;
             }
