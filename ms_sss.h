@@ -1880,7 +1880,8 @@ typedef struct ms_sss__job {
     float *planes; /* the first */
     int plane_count;
     float nearest, least[MS_SSS__TASKS]; /* the picture's least depth, 0: not known; the least of each task's rows */
-    float *window;                       /* an ms_sss__sweep and its arrays */
+    ms_sss__sweep *sweep;                /* of both passes */
+    ms__arena sweep_arrays;              /* the rest of the workspace, for its arrays */
 } ms_sss__job;
 
 static int ms_sss__round_up(int x, int step) { return (x + step - 1) / step * step; }
@@ -2594,10 +2595,36 @@ static int ms_sss__rows_reached(ms_sss__job *job)
     return reach < job->frame.height ? (int)reach : job->frame.height;
 }
 
+/* The arrays of a sweep of a job, behind it: for as many pairs and slopes as it has, or more. */
+static void ms_sss__sweep_layout(ms_sss__sweep *s, const ms_sss__job *job, int height, ms__arena *arena)
+{
+    const size_t rows = (size_t)height;
+    s->lanes = job->simd->lanes;
+    s->padded = job->padded;
+    s->plan_size = (s->pairs + 4) / 4 * 4;
+    s->plan_row = (ptrdiff_t)(s->padded / s->lanes) * s->plan_size;
+    s->window_row = s->padded + 2 * MS_SSS__MARGIN;
+    s->window_size = 20 * s->window_row + 5 * s->padded;
+    s->ring = (float *)ms__take(arena, ms__size_mul(rows + 1, (size_t)ms_sss__ring_row(s->padded)), sizeof(float));
+    s->own = (float *)ms__take(arena, ms__size_mul(rows + 1, s->with_slopes ? 3 * (size_t)s->padded : 0),
+                               sizeof(float));
+    s->window = (float *)ms__take(arena, MS_SSS__TASKS * (size_t)s->window_size, sizeof(float));
+    s->row = (ptrdiff_t *)ms__take(arena, rows + 2 * MS_SSS__MARGIN, sizeof(ptrdiff_t));
+    s->column = (ptrdiff_t *)ms__take(arena, 2 * MS_SSS__MARGIN, sizeof(ptrdiff_t));
+    s->slot = (int *)ms__take(arena, rows, sizeof(int));
+    s->done = (int *)ms__take(arena, rows, sizeof(int));
+    s->filled = (int *)ms__take(arena, 2 * (rows + 1), sizeof(int));
+    s->plan = (unsigned char *)ms__take(arena, rows + 1 + MS_SSS__TASKS, (size_t)s->plan_row);
+    if (!arena->base) return;
+    s->row += MS_SSS__MARGIN;
+    s->column += MS_SSS__MARGIN;
+}
+
 static void ms_sss__both_passes(ms_sss__job *job)
 {
     const int height = job->frame.height;
-    ms_sss__sweep *s = (ms_sss__sweep *)(void *)job->window;
+    ms_sss__sweep *s = job->sweep;
+    ms__arena arena = job->sweep_arrays;
     int i, c;
     memset(s, 0, sizeof *s);
     s->job = job;
@@ -2605,27 +2632,13 @@ static void ms_sss__both_passes(ms_sss__job *job)
     for (c = 0; c < 3; ++c)
         if (job->pass.mixed[c] || ms_sss__differ(job->pass.total[c], 1) || !(job->pass.weight[0][c] > 1e-20f))
             s->normalized = 0;
-    s->lanes = job->simd->lanes;
     s->with_slopes = job->with_slopes && !job->fixed;
     s->rows = s->with_slopes ? 5 : 1;
-    s->padded = job->padded;
     if (!job->fixed) s->pairs = ms_sss__set_pairs(s, job);
     s->reach = job->identity ? 0 : ms_sss__rows_reached(job);
     s->parts = job->options.parallel.run ? ms_sss__clamp(height / 16, 1, MS_SSS__PARTS) : 1;
     s->tasks = (s->parts + 1) / 2;
-    s->plan_size = (s->pairs + 4) / 4 * 4;
-    s->plan_row = (ptrdiff_t)(s->padded / s->lanes) * s->plan_size;
-    s->window_row = s->padded + 2 * MS_SSS__MARGIN;
-    s->window_size = 20 * s->window_row + 5 * s->padded;
-    s->ring = job->planes;
-    s->own = s->ring + (height + 1) * ms_sss__ring_row(s->padded);
-    s->window = (float *)(void *)(s + 1);
-    s->row = (ptrdiff_t *)(void *)(s->window + MS_SSS__TASKS * s->window_size) + MS_SSS__MARGIN;
-    s->column = s->row + height + 2 * MS_SSS__MARGIN;
-    s->slot = (int *)(void *)(s->column + MS_SSS__MARGIN);
-    s->done = s->slot + height;
-    s->filled = s->done + height;
-    s->plan = (unsigned char *)(s->filled + 2 * (height + 1));
+    ms_sss__sweep_layout(s, job, height, &arena);
 
     for (i = 0; i < s->padded; i += s->lanes) /* slot 0: rows outside of the picture */
         for (c = 0; c < 4 * s->lanes; ++c) s->ring[4 * i + c] = c >= 3 * s->lanes ? MS_SSS__MASKED_DEPTH : 0.0f;
@@ -2717,12 +2730,6 @@ static void ms_sss__rotated_second(void *context, int task)
 /* Kinds of workspace: planes and rows (pyramid), rows, or the buffers of a kernel's passes. */
 enum { MS_SSS__PLANES, MS_SSS__ROW_BUFFERS, MS_SSS__PASSES };
 
-/* The parts of the workspace, in floats, in their order. */
-typedef struct ms_sss__layout {
-    int padded, block, planes;
-    size_t stride, plane, ring, sweep, total; /* sweep, total: bytes; SIZE_MAX: too many */
-} ms_sss__layout;
-
 static int ms_sss__uses_slopes(const ms_sss_filter_options *o)
 {
     return o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE;
@@ -2730,39 +2737,69 @@ static int ms_sss__uses_slopes(const ms_sss_filter_options *o)
 
 static int ms_sss__rotates(const ms_sss_filter_options *o) { return ms_sss__differ(o->rotation, 0) || o->jitter > 0; }
 
-static MS_SSS__COLD ms_sss__layout ms_sss__plan_workspace(int width, int height, const ms_sss_kernel *kernels,
-                                                          int kernel_count, const ms_sss_filter_options *options,
-                                                          int kind)
+/* Places what a job needs of a workspace, or counts it. */
+static MS_SSS__COLD void ms_sss__layout(ms_sss__job *job, int width, int height, const ms_sss_kernel *kernels,
+                                        int kernel_count, const ms_sss_filter_options *options, int kind,
+                                        ms__arena *arena)
 {
-    const size_t lanes = (size_t)ms_sss__pick(options->simd)->lanes, rows = (size_t)height;
-    ms_sss__layout l;
-    size_t floats;
-    int i, terms = 1, pairs = 0;
+    const int rotated = ms_sss__rotates(options);
+    size_t stride, plane;
+    float *at;
+    int i, terms = 1, pairs = 0, planes;
     for (i = 0; i < kernel_count; ++i) {
         if (kernels[i].term_count > terms) terms = kernels[i].term_count;
         if (kernels[i].tap_count / 2 > pairs && kernels[i].tap_count / 2 <= MS_SSS__PAIRS)
             pairs = kernels[i].tap_count / 2;
     }
-    l.block = width < MS_SSS__BLOCK ? ms_sss__round_up(width, 16) : MS_SSS__BLOCK;
-    l.padded = ms_sss__round_up(width, l.block);
-    l.stride = (size_t)(MS_SSS__LEFT + l.padded + MS_SSS__RIGHT);
-    l.plane = ms__size_mul(l.stride, rows + 2); /* an empty row above and below */
-    l.planes = kind == MS_SSS__PLANES ? 3 : kind == MS_SSS__PASSES && ms_sss__rotates(options) ? 7 : 0;
-    l.ring = l.sweep = 0;
-    if (kind == MS_SSS__PASSES && !ms_sss__rotates(options)) {
-        l.ring = ms__size_mul(
-            rows + 1, (size_t)ms_sss__ring_row(l.padded) + (ms_sss__uses_slopes(options) ? 3 * (size_t)l.padded : 0));
-        l.sweep = ms__size_mul((rows + 1 + MS_SSS__TASKS) * (size_t)((pairs + 4) / 4 * 4), (size_t)l.padded / lanes);
-        l.sweep = ms__size_add(l.sweep,
-                               sizeof(float) * MS_SSS__TASKS * (25 * (size_t)l.padded + 40 * MS_SSS__MARGIN) +
-                                   (rows + 4 * MS_SSS__MARGIN) * sizeof(ptrdiff_t) + (4 * rows + 2) * sizeof(int) +
-                                   2 * sizeof(ms_sss__fixed) + sizeof(ms_sss__sweep));
+    job->simd = ms_sss__pick(options->simd);
+    job->block = width < MS_SSS__BLOCK ? ms_sss__round_up(width, 16) : MS_SSS__BLOCK;
+    job->padded = ms_sss__round_up(width, job->block);
+    job->stride = MS_SSS__LEFT + job->padded + MS_SSS__RIGHT;
+    stride = (size_t)job->stride;
+    plane = ms__size_mul(stride, (size_t)height + 2); /* an empty row above and below */
+    job->plane_count = kind == MS_SSS__PLANES ? 3 : kind == MS_SSS__PASSES && rotated ? 7 : 0;
+    planes = job->plane_count + (kind == MS_SSS__PASSES && terms > 1 ? 3 : 0);
+    if (rotated) job->plane_count = planes;
+    job->planes = at = (float *)ms__take(arena, ms__size_mul(plane, (size_t)planes), sizeof(float));
+    job->unmasked = (float *)ms__take(arena, stride, sizeof(float));
+    job->rows = (float *)ms__take(arena, stride * MS_SSS__TASKS * MS_SSS__ROWS, sizeof(float));
+    job->row = (ms_sss__row *)ms__take(arena, (size_t)height, sizeof(ms_sss__row));
+    if (kind == MS_SSS__PASSES && !rotated) {
+        ms_sss__sweep sweep;
+        job->taps = (ms_sss__fixed *)ms__take(arena, 2, sizeof(ms_sss__fixed));
+        job->sweep = (ms_sss__sweep *)ms__take(arena, 1, sizeof(ms_sss__sweep));
+        job->sweep_arrays = *arena;
+        sweep.pairs = pairs;
+        sweep.with_slopes = ms_sss__uses_slopes(options);
+        ms_sss__sweep_layout(&sweep, job, height, arena);
     }
-    if (kind == MS_SSS__PASSES && terms > 1) l.planes += 3;
-    floats = ms__size_add(l.ring, ms__size_mul(l.plane, (size_t)l.planes));
-    floats = ms__size_add(floats, ms__size_mul(l.stride, (size_t)MS_SSS__TASKS * MS_SSS__ROWS + 1));
-    l.total = ms__size_add(ms__size_mul(ms__size_add(floats, 5 * rows), sizeof(float)), ms__size_add(l.sweep, 256));
-    return l;
+    if (!arena->base) return;
+    job->unmasked += MS_SSS__LEFT;
+    at += stride + MS_SSS__LEFT;
+    for (i = 0; i < planes; ++i, at += plane) {
+        if (i >= planes - 3) job->sum[i - planes + 3] = at;
+        if (i < 3) job->middle[i] = at;
+        else if (i == 3) job->depth = at;
+        else if (i < 7)
+            job->source[6 - i] = at; /* reversed, so that depth is three planes behind red as in the middle planes */
+    }
+}
+
+/* Bytes of a workspace, with those that align it. */
+static MS_SSS__COLD size_t ms_sss__job_size(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
+                                            const ms_sss_filter_options *options, int kind)
+{
+    ms__arena arena = {NULL, 0};
+    ms_sss__job job;
+    ms_sss__layout(&job, width, height, kernels, kernel_count, options, kind, &arena);
+    return ms__size_add(arena.used, 63);
+}
+
+static ms__arena ms_sss__place_in(void *workspace)
+{
+    ms__arena arena = {NULL, 0};
+    if (workspace) arena.base = (char *)workspace + (-(uintptr_t)workspace & 63);
+    return arena;
 }
 
 /* Sums of a term's weights. A sum within rounding of 1 becomes 1 if delta is 0, so that pixels without neighbors keep
@@ -3154,17 +3191,14 @@ static void ms_sss__clear_borders(ms_sss__job *job)
     }
 }
 
-/* Checks all arguments and lays out the workspace; *end: the first float behind it. */
+/* Checks all arguments and takes the job's part of the arena, whose base is NULL if only checks are wanted. */
 static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels,
-                                            int kernel_count, const ms_sss_filter_options *options, void *workspace,
-                                            size_t workspace_size, size_t needed, int kind, float **end,
-                                            ms_error *error)
+                                            int kernel_count, const ms_sss_filter_options *options, int kind,
+                                            ms__arena *arena, ms_error *error)
 {
     const int w = frame->width, h = frame->height;
-    ms_sss__layout layout;
     ms_sss_frame *f = &job->frame;
     ms_status status;
-    float *at;
     int i, c;
     if ((status = ms_sss__check_sides(w, h, error)) != MS_OK) return status;
     if (kernel_count < 1 || kernel_count > 256)
@@ -3178,16 +3212,11 @@ static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame
     for (i = 1, c = 0; i < kernel_count; ++i)
         if (kernels[i].radius_mm < kernels[c].radius_mm) c = i;
     if ((status = ms_sss__check_frame(f, options->fov_degrees > 0, error)) != MS_OK ||
-        (status = ms_sss__check_workspace(workspace, workspace_size, needed, error)) != MS_OK ||
         (status = ms_sss__check_scale(f, options, (double)kernels[c].radius_mm, error)) != MS_OK)
         return status;
 
-    layout = ms_sss__plan_workspace(w, h, kernels, kernel_count, options, kind);
-    job->simd = ms_sss__pick(options->simd);
+    ms_sss__layout(job, w, h, kernels, kernel_count, options, kind, arena);
     job->kernel_count = kernel_count;
-    job->block = layout.block;
-    job->padded = layout.padded;
-    job->stride = (ptrdiff_t)layout.stride;
     job->full_width = w;
     job->full_height = h;
     job->coarse = 1;
@@ -3202,30 +3231,10 @@ static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame
     for (c = 0; c < 3; ++c)
         if (f->input.channel[c] != f->output.channel[c]) job->copy_masked = 1;
 
-    job->planes = at = (float *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
-    at += layout.ring;
-    job->plane_count = layout.ring ? 0 : layout.planes;
-    for (i = 0; i < layout.planes; ++i) {
-        float *plane = at + layout.stride + MS_SSS__LEFT;
-        if (i >= layout.planes - 3) job->sum[i - layout.planes + 3] = plane;
-        if (i < 3) job->middle[i] = plane;
-        else if (i == 3) job->depth = plane;
-        else if (i < 7)
-            job->source[6 - i] = plane; /* reversed, so that depth is three planes behind red as in the middle planes */
-        at += layout.plane;
-    }
+    if (!arena->base) return MS_OK;
     ms_sss__clear_borders(job);
-    job->unmasked = at + MS_SSS__LEFT;
     ms_sss__fill_row(job, job->unmasked, INFINITY);
     for (i = 0; i < w; ++i) job->unmasked[i] = 0.0f;
-    at += layout.stride;
-    job->rows = at;
-    at += layout.stride * MS_SSS__TASKS * MS_SSS__ROWS;
-    job->row = (ms_sss__row *)(void *)at;
-    job->taps = (ms_sss__fixed *)(void *)(job->row + h);
-    job->window = (float *)(((uintptr_t)(kind == MS_SSS__PASSES ? (void *)(job->taps + 2) : (void *)job->taps) + 63) &
-                            ~(uintptr_t)63);
-    *end = job->window;
     for (i = 0; i < 64; ++i) {
         const double angle = (double)options->rotation + (double)options->jitter * (i + 0.5) / 64 * 1.57079632679489662;
         job->direction[i][0] = (float)cos(angle);
@@ -3258,12 +3267,11 @@ static void ms_sss__apply(ms_sss__job *job, const ms_sss_kernel *kernel, int pro
 /* MS_SSS_METHOD_TAPS. job->nearest may be known from the choice of the method. */
 static ms_status ms_sss__taps_filter(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels,
                                      int profile, int kernel_count, const ms_sss_filter_options *options,
-                                     void *workspace, size_t workspace_size, ms_error *error)
+                                     void *workspace, ms_error *error)
 {
     const float nearest = job->nearest;
-    float *end;
-    ms_status status = ms_sss__begin(job, frame, kernels, kernel_count, options, workspace, workspace_size,
-                                     workspace_size, MS_SSS__PASSES, &end, error);
+    ms__arena arena = ms_sss__place_in(workspace);
+    ms_status status = ms_sss__begin(job, frame, kernels, kernel_count, options, MS_SSS__PASSES, &arena, error);
     if (status != MS_OK) return status;
     job->nearest = nearest;
     ms_sss__apply(job, &kernels[profile], profile);
@@ -3271,8 +3279,6 @@ static ms_status ms_sss__taps_filter(ms_sss__job *job, const ms_sss_frame *frame
 }
 
 /* --- half resolution --- */
-
-enum { MS_SSS__HALF_PLANES = 8 }; /* planes of light, result, depth, mask */
 
 typedef struct ms_sss__half {
     ms_sss__job job; /* first: tasks get its address */
@@ -3284,17 +3290,33 @@ typedef struct ms_sss__half {
     int no_masks;     /* and pixels can be masked by their color or depth alone */
 } ms_sss__half;
 
+static ms_sss__half *ms_sss__half_layout(int width, int height, ms__arena *arena)
+{
+    const int w = (width + 1) / 2, h = (height + 1) / 2;
+    const size_t stride = (size_t)ms_sss__round_up(w, 16), plane = ms__size_mul(stride, (size_t)h);
+    ms_sss__half *half = (ms_sss__half *)ms__take(arena, 1, sizeof *half);
+    float *planes = (float *)ms__take(arena, ms__size_mul(plane, 8), sizeof(float));
+    int c;
+    if (!half) return NULL;
+    half->stride = (ptrdiff_t)stride;
+    for (c = 0; c < 3; ++c) {
+        half->light[c] = planes + (size_t)c * plane;
+        half->blur[c] = planes + (size_t)(3 + c) * plane;
+    }
+    half->depth = planes + 6 * plane;
+    half->mask = planes + 7 * plane;
+    return half;
+}
+
 static MS_SSS__COLD size_t ms_sss__half_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                                   const ms_sss_filter_options *options)
 {
-    const int w = (width + 1) / 2, h = (height + 1) / 2;
-    const size_t planes = ms__size_mul((size_t)ms_sss__round_up(w, 16),
-                                       (size_t)h * MS_SSS__HALF_PLANES * sizeof(float));
-    return ms__size_add(
-        ms__size_add(ms_sss__plan_workspace(width, height, kernels, kernel_count, options, MS_SSS__ROW_BUFFERS).total,
-                     planes),
-        ms__size_add(ms_sss__plan_workspace(w, h, kernels, kernel_count, options, MS_SSS__PASSES).total,
-                     sizeof(ms_sss__half) + 192));
+    ms__arena arena = {NULL, 0};
+    ms_sss__job job;
+    ms_sss__half_layout(width, height, &arena);
+    ms_sss__layout(&job, width, height, kernels, kernel_count, options, MS_SSS__ROW_BUFFERS, &arena);
+    ms_sss__layout(&job, (width + 1) / 2, (height + 1) / 2, kernels, kernel_count, options, MS_SSS__PASSES, &arena);
+    return ms__size_add(arena.used, 63);
 }
 
 static void ms_sss__half_read_row(const ms_sss__job *job, int y, int first, int last, float *const buffer[4],
@@ -3440,33 +3462,23 @@ static void ms_sss__half_up(void *context, int task)
 /* MS_SSS_METHOD_HALF: downsample, filter at full resolution the picture of half the size, upsample. */
 static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int profile,
                                      int kernel_count, const ms_sss_filter_options *options, void *workspace,
-                                     size_t workspace_size, ms_error *error)
+                                     ms_error *error)
 {
     const ms_sss_kernel *k = &kernels[profile];
-    ms_sss__half *half = (ms_sss__half *)(((uintptr_t)workspace + 63) & ~(uintptr_t)63);
+    ms__arena arena = ms_sss__place_in(workspace);
+    ms_sss__half *half = ms_sss__half_layout(frame->width, frame->height, &arena);
     ms_sss__half_params *h = &half->params;
     ms_sss_filter_options inner_options = *options;
     ms_sss_frame inner;
     ms_status status;
-    float *at, *end, apart = 0, size_min; /* apart: size from which on only the center tap touches the pixel itself */
-    size_t plane, left = workspace_size - (size_t)((char *)(half + 1) - (char *)workspace);
+    float apart = 0, size_min; /* apart: size from which on only the center tap touches the pixel itself */
     int i, c, t;
-    status = ms_sss__begin(&half->job, frame, kernels, kernel_count, options, half + 1, left, left, MS_SSS__ROW_BUFFERS,
-                           &at, error);
+    status = ms_sss__begin(&half->job, frame, kernels, kernel_count, options, MS_SSS__ROW_BUFFERS, &arena, error);
     if (status != MS_OK) return status;
     memset(&inner, 0, sizeof inner);
     inner.width = (frame->width + 1) / 2;
     inner.height = (frame->height + 1) / 2;
-    half->stride = ms_sss__round_up(inner.width, 16);
-    plane = (size_t)half->stride * (size_t)inner.height;
-    for (c = 0; c < 3; ++c) {
-        half->light[c] = at + (size_t)c * plane;
-        half->blur[c] = at + (size_t)(3 + c) * plane;
-    }
-    half->depth = at + 6 * plane;
-    half->mask = frame->depth.channel[0] ? NULL : at + 7 * plane;
-    at += MS_SSS__HALF_PLANES * plane;
-    left = workspace_size - (size_t)((char *)at - (char *)workspace);
+    if (frame->depth.channel[0]) half->mask = NULL;
 
     ms_sss__set_kernel(&half->job, k, profile);
     size_min = half->job.pass.size_min;
@@ -3511,7 +3523,7 @@ static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_ker
         half->stride;
     inner_options.fade = 0;
     inner_options.albedo_mode = MS_SSS_ALBEDO_POST;
-    status = ms_sss__begin(&half->inner, &inner, k, 1, &inner_options, at, left, left, MS_SSS__PASSES, &end, error);
+    status = ms_sss__begin(&half->inner, &inner, k, 1, &inner_options, MS_SSS__PASSES, &arena, error);
     if (status != MS_OK) return status;
     half->inner.full_width = frame->width;
     half->inner.full_height = frame->height;
@@ -3565,37 +3577,40 @@ static float *ms_sss__pyramid_row(const ms_sss__pyramid_state *state, int task, 
     return state->rows + ((ptrdiff_t)task * MS_SSS__PYRAMID_ROWS + row) * state->stride + MS_SSS__LEFT;
 }
 
-/* Floats of the levels; places them if base is not NULL. */
-static size_t ms_sss__pyramid_levels(ms_sss__pyramid_state *state, int width, int height, float *base)
+/* Places the levels and row buffers, or counts them. The job has level 0. */
+static void ms_sss__pyramid_levels(ms_sss__pyramid_state *state, int width, int height, ms__arena *arena)
 {
-    size_t at = 0;
+    const ptrdiff_t row_stride = ms_sss__pyramid_stride(width);
+    float *rows = (float *)ms__take(arena, (size_t)row_stride * MS_SSS__TASKS * MS_SSS__PYRAMID_ROWS, sizeof(float));
     int l, i;
+    if (state) {
+        state->rows = rows;
+        state->stride = row_stride;
+    }
     for (l = 0; l < MS_SSS_PYRAMID_LEVELS; ++l) {
         const ptrdiff_t stride = MS_SSS__LEFT + ms_sss__round_up(width, width < 32 ? 16 : 32) +
             MS_SSS__RIGHT;            /* as in the job */
         const int beyond = l ? 4 : 1; /* empty rows above and below that a gather may read */
         const size_t plane = ms__size_mul((size_t)stride, (size_t)height + 2 * (size_t)beyond);
-        for (i = l == 0 ? (int)MS_SSS__D : 0; i < (l == 0 ? (int)MS_SSS__D + 1 : (int)MS_SSS__PYRAMID_PLANES); ++i) {
-            if (base) {
-                float *p = state->level[l].plane[i] = base + at + stride * beyond + MS_SSS__LEFT;
-                memset(p - stride * beyond - MS_SSS__LEFT, 0, (size_t)(stride * beyond) * sizeof(float));
-                memset(p + stride * height - MS_SSS__LEFT, 0, (size_t)(stride * beyond) * sizeof(float));
-            }
-            at = ms__size_add(at, plane);
+        const int first = l ? 0 : (int)MS_SSS__D, count = l ? (int)MS_SSS__PYRAMID_PLANES : 1;
+        float *p = (float *)ms__take(arena, ms__size_mul(plane, (size_t)count), sizeof(float));
+        ms_sss__row *row = (ms_sss__row *)ms__take(arena, l ? (size_t)height : 0, sizeof(ms_sss__row));
+        for (i = first; state && i < first + count; ++i, p += plane) {
+            memset(p, 0, (size_t)(stride * beyond) * sizeof(float));
+            memset(p + stride * (height + beyond), 0, (size_t)(stride * beyond) * sizeof(float));
+            state->level[l].plane[i] = p + stride * beyond + MS_SSS__LEFT;
         }
-        if (base) {
+        if (state) {
             state->level[l].width = width;
             state->level[l].height = height;
             state->level[l].stride = stride;
-            state->level[l].row = (ms_sss__row *)(void *)(base + at);
+            state->level[l].row = l ? row : state->job.row;
             state->levels = l + 1;
         }
-        at = ms__size_add(at, 5 * (size_t)height);
         if (width <= 2 && height <= 2) break;
         width = (width + 1) / 2;
         height = (height + 1) / 2;
     }
-    return at;
 }
 
 /* Coverage and changes of d of row y of the picture from column first on. */
@@ -3869,25 +3884,16 @@ static void ms_sss__pyramid_tap_sums(ms_sss__pyramid_params *params, int level)
         (params->step * (float)(1 << (level + 1)));
 }
 
-/* Bytes of the workspace: row buffers and planes (before), then the levels and the state. */
-static MS_SSS__COLD size_t ms_sss__pyramid_layout(int width, int height, size_t *before)
-{
-    ms_sss_filter_options options;
-    size_t floats;
-    memset(&options, 0, sizeof options);
-    options.flat = 1;
-    *before = ms_sss__plan_workspace(width, height, NULL, 0, &options, 0).total;
-    floats = ms__size_mul((size_t)ms_sss__pyramid_stride(width), (size_t)MS_SSS__TASKS * (size_t)MS_SSS__PYRAMID_ROWS);
-    floats = ms__size_add(floats, ms_sss__pyramid_levels(NULL, width, height, NULL));
-    return ms__size_add(ms__size_add(*before, ms__size_mul(floats, sizeof(float))),
-                        sizeof(ms_sss__pyramid_state) + 128);
-}
-
 MS_API size_t ms_sss_pyramid_workspace(int width, int height)
 {
-    size_t before;
+    ms__arena arena = {NULL, 0};
+    ms_sss_filter_options options = ms_sss_filter_defaults();
+    ms_sss__job job;
     if (ms_sss__check_sides(width, height, NULL) != MS_OK) return SIZE_MAX;
-    return ms_sss__pyramid_layout(width, height, &before);
+    ms__take(&arena, 1, sizeof(ms_sss__pyramid_state));
+    ms_sss__layout(&job, width, height, NULL, 0, &options, MS_SSS__PLANES, &arena);
+    ms_sss__pyramid_levels(NULL, width, height, &arena);
+    return ms__size_add(arena.used, 63);
 }
 
 static int ms_sss__pyramid_supports(const ms_sss_filter_options *o)
@@ -3931,34 +3937,24 @@ static ms_status ms_sss__pyramid_apply(const ms_sss_frame *frame, const ms_sss_p
                                        int profiles, const ms_sss_filter_options *options, void *workspace,
                                        ms_error *error)
 {
-    ms_sss__pyramid_state *state;
-    ms_sss__job *job;
-    ms_sss__pyramid_params *params;
+    ms__arena arena = ms_sss__place_in(workspace);
+    ms_sss__pyramid_state *state = (ms_sss__pyramid_state *)ms__take(&arena, 1, sizeof *state);
+    ms_sss__job *job = &state->job;
+    ms_sss__pyramid_params *params = &state->params;
     ms_sss_filter_options flat_options;
     ms_status status;
-    size_t before;
-    float *at, *end;
     int c, l;
-    ms_sss__pyramid_layout(frame->width, frame->height, &before);
-    at = (float *)(((uintptr_t)workspace + before + 63) & ~(uintptr_t)63);
-    state = (ms_sss__pyramid_state *)(void *)at;
-    at = (float *)(((uintptr_t)(state + 1) + 63) & ~(uintptr_t)63);
-    job = &state->job;
-    params = &state->params;
     memset(&state->kernel, 0, sizeof state->kernel);
     state->kernel.tap_count = state->kernel.term_count = 1;
     state->kernel.radius_mm = pyramid->radius_mm;
     for (c = 0; c < 3; ++c) state->kernel.weight[0][0][c] = state->kernel.scale[0][c] = 1;
     flat_options = *options;
     flat_options.flat = 1; /* the pyramid has slopes of its own */
-    status = ms_sss__begin(job, frame, &state->kernel, 1, &flat_options, workspace, before, before, 0, &end, error);
+    status = ms_sss__begin(job, frame, &state->kernel, 1, &flat_options, MS_SSS__PLANES, &arena, error);
     if (status != MS_OK) return status;
     job->kernel_count = profiles;
-    at += ms_sss__pyramid_levels(state, frame->width, frame->height, at);
-    state->level[0].row = job->row;
+    ms_sss__pyramid_levels(state, frame->width, frame->height, &arena);
     for (c = 0; c < 3; ++c) state->level[0].plane[c] = job->middle[c];
-    state->rows = at;
-    state->stride = ms_sss__pyramid_stride(frame->width);
 
     state->at = 0;
     ms_sss__set_kernel(job, &state->kernel, profile);
@@ -4059,7 +4055,7 @@ MS_SSS__COLD MS_API size_t ms_sss_filter_workspace(int width, int height, const 
     size_t size = 0, needed;
     if (ms_sss__check_sides(width, height, NULL) != MS_OK || !kernels || !options) return SIZE_MAX;
     if (ms_sss__may_use(options, MS_SSS_METHOD_TAPS))
-        size = ms_sss__plan_workspace(width, height, kernels, kernel_count, options, MS_SSS__PASSES).total;
+        size = ms_sss__job_size(width, height, kernels, kernel_count, options, MS_SSS__PASSES);
     if (ms_sss__may_use(options, MS_SSS_METHOD_HALF) &&
         size < (needed = ms_sss__half_workspace(width, height, kernels, kernel_count, options)))
         size = needed;
@@ -4075,8 +4071,8 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
     ms_sss__job job;                /* checks everything before anything is written, and gives the kernels' sizes */
     ms_sss_filter_options resolved; /* with mm_per_unit filled in */
     ms_status status;
+    ms__arena arena;
     size_t needed;
-    float *end;
     int i;
     if (!frame || !kernels || !options) return MS_SSS__REFUSE(error, "frame, kernels or options is NULL");
     needed = ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options);
@@ -4087,8 +4083,9 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
         free(workspace);
         return status;
     }
-    status = ms_sss__begin(&job, frame, kernels, kernel_count, options, workspace, workspace_size, needed,
-                           MS_SSS__ROW_BUFFERS, &end, error);
+    arena = ms_sss__place_in(workspace_size >= needed ? workspace : NULL);
+    status = ms_sss__begin(&job, frame, kernels, kernel_count, options, MS_SSS__ROW_BUFFERS, &arena, error);
+    if (status == MS_OK) status = ms_sss__check_workspace(workspace, workspace_size, needed, error);
     if (status != MS_OK) return status;
     if (options->method == MS_SSS_METHOD_PYRAMID && (!options->pyramids || !ms_sss__pyramid_supports(options)))
         return ms__fail(error, MS_UNSUPPORTED, 0,
@@ -4102,8 +4099,8 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
         status = method == MS_SSS_METHOD_PYRAMID
             ? ms_sss__pyramid_apply(frame, &options->pyramids[i], i, kernel_count, &resolved, workspace, error)
             : method == MS_SSS_METHOD_HALF
-            ? ms_sss__half_filter(frame, kernels, i, kernel_count, &resolved, workspace, workspace_size, error)
-            : ms_sss__taps_filter(&job, frame, kernels, i, kernel_count, &resolved, workspace, workspace_size, error);
+            ? ms_sss__half_filter(frame, kernels, i, kernel_count, &resolved, workspace, error)
+            : ms_sss__taps_filter(&job, frame, kernels, i, kernel_count, &resolved, workspace, error);
         if (status != MS_OK) return status;
     }
     return MS_OK;
@@ -5544,29 +5541,37 @@ struct ms_sss_profile {
     ms_allocator allocator;
 };
 
+/* The arrays of a profile behind it. */
+static void ms_sss__profile_layout(ms_sss_profile *p, ms__arena *arena)
+{
+    const size_t rings = p->kind == MS_SSS__RINGS ? (size_t)p->count : 0;
+    int c;
+    ms__take(arena, 1, sizeof *p);
+    p->edge = (double *)ms__take(arena, rings + 1, sizeof(double));
+    for (c = 0; c < 3; ++c) {
+        p->mean[c] = (double *)ms__take(arena, rings, sizeof(double));
+        p->slope[c] = (double *)ms__take(arena, rings, sizeof(double));
+        p->inside[c] = (double *)ms__take(arena, rings + 1, sizeof(double));
+    }
+}
+
 static ms_status ms_sss__profile_alloc(ms_sss_profile **out, ms_sss__profile_kind kind, int count,
                                        const ms_allocator *allocator, ms_error *error)
 {
-    size_t header = (sizeof(ms_sss_profile) + 63) / 64 * 64, rings = kind == MS_SSS__RINGS ? (size_t)count : 0;
-    size_t bytes = ms__size_add(header, ms__size_mul(ms__size_add(ms__size_mul(rings, 10), 4), sizeof(double)));
-    ms_sss_profile *profile = (ms_sss_profile *)ms__alloc(allocator, bytes);
-    double *at;
-    int c;
-    if (profile == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a profile of %z bytes", bytes);
-    memset(profile, 0, sizeof *profile);
-    profile->kind = kind;
-    profile->count = count;
-    profile->bytes = bytes;
-    if (allocator != NULL) profile->allocator = *allocator;
-    at = (double *)(void *)((unsigned char *)profile + header);
-    profile->edge = at;
-    at += rings + 1;
-    for (c = 0; c < 3; ++c, at += 3 * rings + 1) {
-        profile->mean[c] = at;
-        profile->slope[c] = at + rings;
-        profile->inside[c] = at + 2 * rings;
-    }
-    *out = profile;
+    ms__arena arena = {NULL, 0};
+    ms_sss_profile profile;
+    memset(&profile, 0, sizeof profile);
+    profile.kind = kind;
+    profile.count = count;
+    if (allocator != NULL) profile.allocator = *allocator;
+    ms_sss__profile_layout(&profile, &arena);
+    profile.bytes = arena.used;
+    arena.base = (char *)ms__alloc(allocator, arena.used);
+    if (!arena.base) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a profile of %z bytes", profile.bytes);
+    arena.used = 0;
+    ms_sss__profile_layout(&profile, &arena);
+    *out = (ms_sss_profile *)(void *)arena.base;
+    **out = profile;
     return MS_OK;
 }
 
@@ -6147,12 +6152,27 @@ MS_API double ms_sss_elevation(double reflectance, double index)
     return reflectance > 0 ? 0.57 - 0.07 * t + (2.45 - 0.25 * t) * q + (1.8 + 0.7 * t) * pow(q, 6 + 6 * t) : 0;
 }
 
+/* The arrays of a designer behind it; returns the scratch of its spectra. */
+static double *ms_sss__designer_layout(ms_sss_designer *d, ms__arena *arena)
+{
+    const size_t row = (size_t)d->cells + 1;
+    int c, s;
+    ms__take(arena, 1, sizeof *d);
+    for (c = 0; c < 3; ++c) {
+        d->spectrum[c] = (double *)ms__take(arena, MS_SSS__OCTANT, sizeof(double));
+        d->cell[c] = (double *)ms__take(arena, row * row, sizeof(double));
+        d->slice[c] = (double *)ms__take(arena, row, sizeof(double));
+    }
+    for (s = 0; s < MS_SSS__SIGNALS; ++s) d->power[s] = (float *)ms__take(arena, MS_SSS__OCTANT, sizeof(float));
+    return (double *)ms__take(arena, (MS_SSS__HALF + 1) * row, sizeof(double));
+}
+
 MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss_profile *profile, double radius_px,
                                         const ms_allocator *allocator, ms_error *error)
 {
     double radius[3], total[3], widest, *columns;
-    size_t header = (sizeof(ms_sss_designer) + 63) / 64 * 64, doubles, bytes, row;
-    ms_sss_designer *d;
+    ms__arena arena = {NULL, 0};
+    ms_sss_designer layout, *d;
     int c, s, o;
     if (designer == NULL || profile == NULL) return MS_SSS__REFUSE(error, "designer or profile is NULL");
     *designer = NULL;
@@ -6162,31 +6182,24 @@ MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss
     widest = ms_sss__extent(profile, total, radius);
     if (!(widest > 0)) return MS_SSS__REFUSE(error, "the profile holds no light in any channel");
     if (radius_px > (int)MS_SSS__CELLS_MAX) radius_px = (int)MS_SSS__CELLS_MAX;
-    row = (size_t)(radius_px + 0.5) + 1;
-    doubles = 3 * row * (row + 1) + 3 * MS_SSS__OCTANT + (MS_SSS__HALF + 1) * row;
-    bytes = header + doubles * sizeof(double) + MS_SSS__SIGNALS * MS_SSS__OCTANT * sizeof(float);
-    d = (ms_sss_designer *)ms__alloc(allocator, bytes);
-    if (d == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a designer of %z bytes", bytes);
-    memset(d, 0, sizeof *d);
-    d->bytes = bytes;
-    if (allocator != NULL) d->allocator = *allocator;
-    d->cells = (int)row - 1;
-    d->cell_mm = widest / (radius_px + 0.5);
-    columns = (double *)(void *)((unsigned char *)d + header);
+    memset(&layout, 0, sizeof layout);
+    layout.cells = (int)(radius_px + 0.5);
+    layout.cell_mm = widest / (radius_px + 0.5);
+    if (allocator != NULL) layout.allocator = *allocator;
+    ms_sss__designer_layout(&layout, &arena);
+    layout.bytes = arena.used;
+    arena.base = (char *)ms__alloc(allocator, arena.used);
+    if (!arena.base) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a designer of %z bytes", layout.bytes);
+    arena.used = 0;
+    columns = ms_sss__designer_layout(&layout, &arena);
+    d = (ms_sss_designer *)(void *)arena.base;
+    *d = layout;
     for (c = 0; c < 3; ++c) {
-        d->spectrum[c] = columns;
-        columns += MS_SSS__OCTANT;
-        d->cell[c] = columns;
-        columns += row * row;
-        d->slice[c] = columns;
-        columns += row;
         d->reflectance[c] = total[c];
         d->width[c] = radius[c] / d->cell_mm;
         if (radius[c] > radius[d->widest]) d->widest = c;
     }
     ms_sss__mean_distance(profile, total, widest, d->mean_mm);
-    for (s = 0; s < MS_SSS__SIGNALS; ++s)
-        d->power[s] = (float *)(void *)(columns + (MS_SSS__HALF + 1) * row) + s * MS_SSS__OCTANT;
     for (o = 0; o < MS_SSS__SIZE; ++o) d->cosine[o] = cos(2 * MS_SSS__PI * o / (int)MS_SSS__SIZE);
     ms_sss__signal_power(d);
     ms_sss__fill_cells(profile, d->cells, d->cell_mm, d->cell);
