@@ -1899,6 +1899,30 @@ typedef struct ms_mcml__nnls {
     signed char state[MS_MCML__COLUMNS_MAX]; /* 1 active, -1 refused until the next success */
 } ms_mcml__nnls;
 
+/* Its arrays in work, of at most `rows` by `columns`; *target: [rows]. */
+static void ms_mcml__nnls_place(ms_mcml__nnls *p, double *work, int rows, int columns, double **target)
+{
+    p->a = work;
+    p->qr = work + columns * rows;
+    p->diagonal = p->qr + rows * rows;
+    p->rhs = p->diagonal + rows;
+    p->residual = p->rhs + rows;
+    p->target = *target = p->residual + rows;
+    p->x = *target + rows;
+    p->solution = p->x + columns;
+}
+
+/* Scales a column to unit length; returns the factor. */
+static double ms_mcml__nnls_unit(double *column, int rows)
+{
+    double norm = 0;
+    int i;
+    for (i = 0; i < rows; ++i) norm += column[i] * column[i];
+    norm = 1 / sqrt(norm);
+    for (i = 0; i < rows; ++i) column[i] *= norm;
+    return norm;
+}
+
 static double ms_mcml__dot(const double *a, const double *b, int n)
 {
     double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
@@ -2027,24 +2051,13 @@ static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows,
     for (i = (int)floor(-1.2 / step); p.columns < MS_MCML__COLUMNS_MAX && t[0] * exp(step * (i - 1)) < 20 * t[rows - 1];
          ++i)
         tau[p.columns++] = t[0] * exp(step * i);
-    p.a = a;
-    p.qr = a + MS_MCML__COLUMNS_MAX * MS_MCML__RATES_MAX;
-    p.diagonal = p.qr + MS_MCML__RATES_MAX * MS_MCML__RATES_MAX;
-    p.rhs = p.diagonal + MS_MCML__RATES_MAX;
-    p.residual = p.rhs + MS_MCML__RATES_MAX;
-    p.target = target = p.residual + MS_MCML__RATES_MAX;
-    p.x = target + MS_MCML__RATES_MAX;
-    p.solution = p.x + MS_MCML__COLUMNS_MAX;
+    ms_mcml__nnls_place(&p, a, MS_MCML__RATES_MAX, MS_MCML__COLUMNS_MAX, &target);
     for (i = 0; i < rows; ++i) target[i] = 1 / (1 + noise * t[i]);   /* misfits are relative to the spectrum */
     if (spectrum[0] > 0 && spectrum[0] < 1e-100) unit = spectrum[0]; /* the squares below would overflow */
     for (c = 0; c < p.columns; ++c) {
-        for (norm[c] = 0, i = 0; i < rows; ++i) {
-            double v = target[i] / ((t[i] * t[i] + tau[c] * tau[c]) * (spectrum[i] / unit));
-            a[c * rows + i] = v;
-            norm[c] += v * v;
-        }
-        norm[c] = 1 / sqrt(norm[c]);
-        for (i = 0; i < rows; ++i) a[c * rows + i] *= norm[c];
+        for (i = 0; i < rows; ++i)
+            a[c * rows + i] = target[i] / ((t[i] * t[i] + tau[c] * tau[c]) * (spectrum[i] / unit));
+        norm[c] = ms_mcml__nnls_unit(a + c * rows, rows);
     }
     ms_mcml__nnls_solve(&p);
     for (*misfit = 0, i = 0; i < rows; ++i)
@@ -2062,17 +2075,17 @@ static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows,
 
 static ms_status ms_mcml__check_medium(const ms_mcml_medium *medium, ms_error *error)
 {
-    double mu_a = medium->mu_a_per_mm, mu_s = medium->mu_s_per_mm;
-    if (!ms__finite(mu_a) || mu_a < 0)
+    const double mu_a = medium->mu_a_per_mm, mu_s = medium->mu_s_per_mm;
+    if (!ms_mcml__between(mu_a, 0, HUGE_VAL))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "mu_a_per_mm is %g, expected a number >= 0", mu_a);
-    if (!ms__finite(mu_s) || mu_s < 0)
+    if (!ms_mcml__between(mu_s, 0, HUGE_VAL))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "mu_s_per_mm is %g, expected a number >= 0", mu_s);
-    if (!(mu_a + mu_s >= 1e-100 && mu_a + mu_s <= 1e100))
+    if (!ms_mcml__between(mu_a + mu_s, 1e-100, 1e100))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "mu_a_per_mm + mu_s_per_mm is %g, expected 1e-100 to 1e100",
                         mu_a + mu_s);
     if (!ms__finite(medium->g) || !(medium->g > -1 && medium->g < 1))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "g is %g, expected more than -1 and less than 1", medium->g);
-    if (!ms__finite(medium->eta) || !(medium->eta >= 0.1 && medium->eta <= 10))
+    if (!ms_mcml__between(medium->eta, 0.1, 10))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "eta is %g, expected 0.1 to 10", medium->eta);
     return MS_OK;
 }
@@ -2334,35 +2347,27 @@ static void ms_mcml__theta(int order, int most, double mu, double *out, int stri
 /* The beam in every layer, to and fro, all orders: 2 x 2 per boundary from below. */
 static void ms_mcml__beams(ms_mcml__sweeps *s)
 {
-    double ratio[MS_MCML__LAYERS_MAX], pass[MS_MCML__LAYERS_MAX], rho = 0;
+    double ratio[MS_MCML__LAYERS_MAX], pass[MS_MCML__LAYERS_MAX], through[MS_MCML__LAYERS_MAX], rho = 0, top, down;
     int i;
     for (i = s->layers - 1; i >= 0; --i) { /* rho: up over down at the bottom of layer i */
         const ms_mcml__solver_layer *l = &s->layer[i];
         double below = i + 1 < s->layers ? s->layer[i + 1].n : s->n_below, r = (l->n - below) / (l->n + below);
-        double t = l->mu_t * l->d < 700 && !l->semi ? exp(-l->mu_t * l->d) : 0;
+        through[i] = l->mu_t * l->d < 700 && !l->semi ? exp(-l->mu_t * l->d) : 0;
         r *= r;
-        if (l->semi) ratio[i] = 0, pass[i] = 0;
-        else if (i + 1 == s->layers) ratio[i] = r, pass[i] = 1 - r;
-        else {
-            ratio[i] = r + (1 - r) * (1 - r) * rho / (1 - r * rho);
-            pass[i] = (1 - r) / (1 - r * rho);
-        }
-        rho = ratio[i] * t * t; /* up at the top over down at the top */
+        ratio[i] = l->semi ? 0 : r + (1 - r) * (1 - r) * rho / (1 - r * rho);
+        pass[i] = l->semi ? 0 : (1 - r) / (1 - r * rho);
+        rho = ratio[i] * through[i] * through[i]; /* up at the top over down at the top */
     }
-    {
-        double r = (s->n_above - s->layer[0].n) / (s->n_above + s->layer[0].n), down;
-        r *= r;
-        down = (1 - r) / (1 - r * rho);
-        s->specular = r + (1 - r) * (1 - r) * rho / (1 - r * rho);
-        for (i = 0; i < s->layers; ++i) {
-            ms_mcml__solver_layer *l = &s->layer[i];
-            double t = l->mu_t * l->d < 700 && !l->semi ? exp(-l->mu_t * l->d) : 0;
-            l->down = down;
-            l->up = down * t * ratio[i];
-            down *= t * pass[i];
-        }
-        s->unscattered = down;
+    top = (s->n_above - s->layer[0].n) / (s->n_above + s->layer[0].n);
+    top *= top;
+    down = (1 - top) / (1 - top * rho);
+    s->specular = top + (1 - top) * (1 - top) * rho / (1 - top * rho);
+    for (i = 0; i < s->layers; ++i) {
+        s->layer[i].down = down;
+        s->layer[i].up = down * through[i] * ratio[i];
+        down *= through[i] * pass[i];
     }
+    s->unscattered = down;
 }
 
 /* Panels of a layer of optical thickness tau below a depth of others, in mean free paths; their number. Fine at both
@@ -3301,23 +3306,12 @@ static double ms_mcml__positive_fit(const double *k, const double *value, const 
     p.rows = count;
     p.columns = rates;
     p.tolerance = 1e-6;
-    p.a = a;
-    p.qr = a + MOST * MOST;
-    p.diagonal = p.qr + MOST * MOST;
-    p.rhs = p.diagonal + MOST;
-    p.residual = p.rhs + MOST;
-    p.x = p.residual + MOST;
-    p.solution = p.x + MOST;
-    p.target = target = p.solution + MOST;
+    ms_mcml__nnls_place(&p, a, MOST, MOST, &target);
     for (i = 0; i < count; ++i) target[i] = value[i] / (noise[i] * scale[i]);
     for (j = 0; j < rates; ++j) {
-        for (norm[j] = 0, i = 0; i < count; ++i) {
-            const double v = 1 / (noise[i] * scale[i] * (1 + k[i] / rate[j] * (k[i] / rate[j])));
-            a[j * count + i] = v;
-            norm[j] += v * v;
-        }
-        norm[j] = 1 / sqrt(norm[j]);
-        for (i = 0; i < count; ++i) a[j * count + i] *= norm[j];
+        for (i = 0; i < count; ++i)
+            a[j * count + i] = 1 / (noise[i] * scale[i] * (1 + k[i] / rate[j] * (k[i] / rate[j])));
+        norm[j] = ms_mcml__nnls_unit(a + j * count, count);
     }
     ms_mcml__nnls_solve(&p);
     for (i = 0; i < count; ++i)
@@ -3717,7 +3711,9 @@ static void ms_mcml__layered_tabulate(const ms_mcml_result *p, int side, const m
             continue;
         }
         y->outside[i] = left > 0 ? left : 0;
-        y->error[i] = sqrt(energy > 0 ? square : 0.1 * scale * scale / (n * n)); /* an empty cell: a part of a photon */
+        /* four photons of mean weight more than were counted, so that 4 errors cover what so few may miss (Wilson's
+           interval); in an empty cell a part of one */
+        y->error[i] = energy > 0 ? sqrt(square + 4 * (square / energy) * (square / energy)) : sqrt(0.1) * scale / n;
         if (!(traced > 0)) y->error[i] = total;
         energy = square = 0;
         ++i;
@@ -3953,6 +3949,9 @@ static double ms_mcml__layered_position(const ms_mcml_layered_side *y, double r)
     return x < 1 ? x * x : fmin(1 + 10 * log(x), MS_MCML_LAYERED_RADII);
 }
 
+/* Share of the first cell's energy that is uncertain inside radius sqrt(x) of it: its density may be even or 1 / r. */
+static double ms_mcml__layered_inside(double x) { return x < 1 ? sqrt(x) - x : 0; }
+
 /* Errors of cells add; those of photons in squares. */
 static double ms_mcml__layered_ring_error(const ms_mcml_layered *s, int side, double r0, double r1)
 {
@@ -3964,7 +3963,8 @@ static double ms_mcml__layered_ring_error(const ms_mcml_layered *s, int side, do
         const double e = y->error[i] * (fmin(to, i + 1) - fmax(from, i));
         sum += y->photons ? e * e : e;
     }
-    return y->photons ? sqrt(sum) : sum;
+    if (!y->photons) return sum;
+    return sqrt(sum) + (y->multiple - y->outside[0]) * (ms_mcml__layered_inside(from) + ms_mcml__layered_inside(to));
 }
 
 MS_API double ms_mcml_layered_ring(const ms_mcml_layered *s, int side, double r0_cm, double r1_cm, double *ring_error)
@@ -4398,14 +4398,7 @@ static ms_status ms_mcml__skin_layers(const ms_mcml_skin *skin, double w, ms_mcm
     static const double low[] = {0, 0, 0, 0, 1e-3, 0, 0.1, 0}, high[] = {1, 1, 1, 1, 1, 1e3, 10, 0.95};
     double value[8], base, melanin, blood, scatter;
     int i;
-    value[0] = skin->melanin;
-    value[1] = skin->eumelanin;
-    value[2] = skin->blood;
-    value[3] = skin->oxygen;
-    value[4] = skin->epidermis_mm;
-    value[5] = skin->dermis_mm;
-    value[6] = skin->scattering;
-    value[7] = skin->g;
+    memcpy(value, skin, sizeof value); /* the struct's eight numbers, in their order */
     for (i = 0; i < 8; ++i)
         if (!ms_mcml__between(value[i], low[i], high[i]))
             return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g, expected %g to %g", name[i], value[i], low[i],
