@@ -66,10 +66,11 @@
    ------------------------------------------
    A model is two blocks from its allocator, n^2 + 3 n m doubles; a fit takes another of 4 n^2 and gives it back. No
    globals; 20 KB of stack. A model is only read by const calls: they may overlap. ms_parallel shares out predictions,
-   recommendations and galleries. Kernels are scalar, SSE2 or NEON, or AVX2, chosen once a model, capped by
-   options.simd. The same bits for any thread count and in every run at one level of one build; levels, and builds that
-   fuse multiply-adds differently, differ by rounding, which a fit may turn into another path to the same optimum.
-   -ffast-math by the user voids all promises. Outputs are untouched on failure, but where the call says otherwise.
+   recommendations and galleries. Kernels are scalar, or with GCC and Clang SSE2, NEON or AVX2, chosen once a model
+   under the cap options.simd. The same bits for any thread count and in every run at one level of one build; levels,
+   and builds that fuse multiply-adds differently, differ by rounding, which a fit may turn into another path to the
+   same optimum. -ffast-math by the user voids all promises. Outputs are untouched on failure, but where the call says
+   otherwise.
 
    Configuration (define before the implementation)
    ------------------------------------------------
@@ -1025,7 +1026,13 @@ static float ms_gpr__pow2_float(float whole)
 #include MS_GPR_FILENAME
 #undef MS_GPR__PASS
 
-#if defined(MS__X64) || defined(MS__NEON)
+#if (defined(MS__X64) || defined(MS__NEON)) && (defined(__GNUC__) || defined(__clang__))
+#define MS_GPR__VECTORS 1 /* kernels use the compilers' vectors; cl compiles the scalar text */
+#else
+#define MS_GPR__VECTORS 0
+#endif
+
+#if MS_GPR__VECTORS
 #define MS_GPR__PASS 2
 #define MS_GPR__FLOAT 1
 #include MS_GPR_FILENAME
@@ -1034,7 +1041,7 @@ static float ms_gpr__pow2_float(float whole)
 #undef MS_GPR__PASS
 #endif
 
-#if defined(MS__X64)
+#if MS_GPR__VECTORS && defined(MS__X64)
 #if defined(__clang__)
 #pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
 #elif defined(__GNUC__)
@@ -1057,21 +1064,22 @@ static float ms_gpr__pow2_float(float whole)
 /* AVX-512 brought 4 to 8% over AVX2 here, too little for its text: the best level is AVX2. */
 static ms_simd ms_gpr__simd_pick(ms_simd cap)
 {
-    ms_simd level = ms__simd_pick(cap);
+    ms_simd level = ms__simd_pick(MS_GPR__VECTORS ? cap : MS_SIMD_SCALAR);
     return level > MS_SIMD_AVX2 ? MS_SIMD_AVX2 : level;
 }
 
 static const ms_gpr__kernels *ms_gpr__kernels_of(ms_simd level)
 {
-#if defined(MS__X64)
+#if MS_GPR__VECTORS && defined(MS__X64)
     if (level == MS_SIMD_AVX2) return &ms_gpr__table_avx2;
 #endif
-#if defined(MS__X64) || defined(MS__NEON)
+#if MS_GPR__VECTORS
     if (level == MS_SIMD_BASE) return &ms_gpr__table_base;
 #endif
     (void)level;
     return &ms_gpr__table_scalar;
 }
+#undef MS_GPR__VECTORS
 
 /* ---- linear algebra -------------------------------------------------------------------------------------------- */
 
@@ -1227,9 +1235,7 @@ static double *ms_gpr__scratch(const ms_allocator *allocator, size_t doubles)
 /* f(q) and its gradient. 1: defined; 0: not defined here, the search steps back; -1: stop. */
 typedef int (*ms_gpr__objective)(void *context, const double *q, double *value, double *gradient);
 
-enum {
-    MS_GPR__MEMORY = 20 /* pairs that L-BFGS remembers; more gained nothing, 10 cost a fifth more evaluations */
-};
+enum { MS_GPR__MEMORY = 20 }; /* pairs that L-BFGS remembers; more gained nothing, 10 cost a fifth more evaluations */
 
 typedef struct ms_gpr__minimum {
     double value; /* of the last q; HUGE_VAL: not even the start is defined */
@@ -1885,10 +1891,8 @@ static void ms_gpr__problem_clear(ms_gpr__problem *p)
 /* ---- model ----------------------------------------------------------------------------------------------------- */
 
 static const double MS_GPR__DROPPED = 700.0; /* log l_k of a dimension that is dropped: no exp of it overflows */
-enum {
-    MS_GPR__N_MAX = 30000 /* the matrix has 7 GB then */
-};
-static const double MS_GPR__LARGEST = 1e30; /* of a score or an input: squares of sums and single precision hold it */
+enum { MS_GPR__N_MAX = 30000 };              /* the matrix has 7 GB then */
+static const double MS_GPR__LARGEST = 1e30;  /* of a score or an input: squares of sums and single precision hold it */
 static const double MS_GPR__MOST = 2147483647;
 static const double MS_GPR__NO_FLOOR = -1e300;
 
@@ -2002,18 +2006,27 @@ static double ms_gpr__likelihood_of(const ms_gpr *gp)
     return -0.5 * (fit + ms_gpr__log_determinant(gp->upper, gp->stride, gp->n) + gp->n * 1.8378770664093454836);
 }
 
+/* How many of n values are scores, the least of them and the most (OPEN and -OPEN where none is). */
+static int ms_gpr__score_range(const double *y, int n, double *least, double *most)
+{
+    int scored = 0, i;
+    *least = MS_GPR__OPEN, *most = -MS_GPR__OPEN;
+    for (i = 0; i < n; ++i) {
+        if (!ms_gpr__scored(y[i])) continue;
+        *least = fmin(*least, y[i]);
+        *most = fmax(*most, y[i]);
+        ++scored;
+    }
+    return scored;
+}
+
 /* The least score that counts, where `known` is no floor: the least that was given; 0 where all are equal and above, or
    none is. */
 static double ms_gpr__floor(const double *y, int n, double known)
 {
-    double least = MS_GPR__OPEN, most = -MS_GPR__OPEN;
-    int i;
+    double least, most;
     if (known > MS_GPR__NO_FLOOR) return known;
-    for (i = 0; i < n; ++i) {
-        if (!ms_gpr__scored(y[i])) continue;
-        if (y[i] < least) least = y[i];
-        if (y[i] > most) most = y[i];
-    }
+    ms_gpr__score_range(y, n, &least, &most);
     return most > least || least < 0 ? least : 0;
 }
 
@@ -2250,8 +2263,9 @@ static ms_status ms_gpr__copy(const ms_gpr *like, int capacity, ms_gpr **out, ms
     return MS_OK;
 }
 
-/* What ms_gpr__copy makes a model of: no comparisons, floor or steps. */
-static ms_gpr ms_gpr__like(const double *x, const double *y, int n, int m, const double *theta, const ms_gpr_options *o)
+/* What ms_gpr__copy makes a model of: no comparisons, floor or steps; mean 0, one thread. */
+static ms_gpr ms_gpr__like(const double *x, const double *y, int n, int m, const double *theta, ms_simd simd,
+                           const ms_allocator *allocator)
 {
     ms_gpr like;
     memset(&like, 0, sizeof like);
@@ -2260,11 +2274,9 @@ static ms_gpr ms_gpr__like(const double *x, const double *y, int n, int m, const
     like.theta = (double *)(uintptr_t)theta;
     like.n = n;
     like.m = m;
-    like.mean = o->mean;
     like.floor = MS_GPR__NO_FLOOR;
-    like.level = ms_gpr__simd_pick(o->simd);
-    like.allocator = o->allocator;
-    like.parallel = o->parallel;
+    like.level = ms_gpr__simd_pick(simd);
+    like.allocator = *allocator;
     return like;
 }
 
@@ -2317,7 +2329,9 @@ MS_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, c
     if (status == MS_OK && !ms__finite(o.mean))
         status = ms__fail(error, MS_INVALID_ARGUMENT, 0, "the prior mean is not finite");
     if (status != MS_OK) return status;
-    like = ms_gpr__like(x, y, n, m, theta, &o);
+    like = ms_gpr__like(x, y, n, m, theta, o.simd, &o.allocator);
+    like.mean = o.mean;
+    like.parallel = o.parallel;
     return ms_gpr__make(&like, out, error);
 }
 
@@ -2709,10 +2723,8 @@ static void ms_gpr__ranked_select(ms_gpr__ranked *list, const double *values, in
 }
 
 /* Log-normal priors of MAP: of l_k in widths, of sf and of sn in standard deviations of the scores. The prior of the
-   noise is tight: a wide one lets a fit of few scores call all of them noise or none. Its mean is that of answers of
-   people: with 0.2 the 90% intervals of 30 scores hold 75% of new ones, with 0.5 they hold 83%, and the divergence on
-   synthetic users does not grow (tests/bench/RESULTS.md). Above the mean by more than MS_GPR__PRIOR_TAIL spreads the
-   penalty is linear: scores that contradict each other are believed. */
+   noise is tight: a wide one lets a fit of few scores call all of them noise or none. More than MS_GPR__PRIOR_TAIL
+   spreads above its mean the penalty is linear: scores that contradict each other are believed. */
 static const double MS_GPR__PRIOR_LENGTH = 2.1; /* times sqrt(m) */
 static const double MS_GPR__PRIOR_LENGTH_SPREAD = 1.5;
 static const double MS_GPR__PRIOR_SF_SPREAD = 1.0;
@@ -2720,9 +2732,7 @@ static const double MS_GPR__PRIOR_SN = 0.5;
 static const double MS_GPR__PRIOR_SN_STEP = 1.5; /* of scores that come in steps */
 static const double MS_GPR__PRIOR_SN_SPREAD = 0.25;
 static const double MS_GPR__PRIOR_TAIL = 1.0;
-enum {
-    MS_GPR__OUTLIER_ROWS = 8 /* scores at least before one of them is an outlier */
-};
+enum { MS_GPR__OUTLIER_ROWS = 8 }; /* scores at least before one of them is an outlier */
 static const double MS_GPR__OUTLIER_RANGES = 3.0;
 static const double MS_GPR__OUTLIER_DEVIATIONS = 5.0;
 enum {
@@ -2792,14 +2802,8 @@ static int ms_gpr__fit_objective(void *context, const double *q, double *value, 
    equal, and nothing was compared. */
 static int ms_gpr__fit_scores(ms_gpr__fit *fit, const double *y, int n)
 {
-    double least = MS_GPR__OPEN, most = -MS_GPR__OPEN, floor_score = -MS_GPR__OPEN, sum = 0, sum2 = 0;
-    int i, pass, share = 0, scored = 0;
-    for (i = 0; i < n; ++i) {
-        if (!ms_gpr__scored(y[i])) continue;
-        if (y[i] < least) least = y[i];
-        if (y[i] > most) most = y[i];
-        ++scored;
-    }
+    double least, most, floor_score = -MS_GPR__OPEN, sum = 0, sum2 = 0;
+    int i, pass, share = 0, scored = ms_gpr__score_range(y, n, &least, &most);
     if (scored == 0) least = most = 0;
     fit->scored = scored;
     fit->unit = fabs(most) > 0 ? fabs(most) : 1;
@@ -2833,14 +2837,8 @@ static int ms_gpr__fit_scores(ms_gpr__fit *fit, const double *y, int n)
    faster. */
 static double ms_gpr__fit_step(const double *y, int n)
 {
-    double least = MS_GPR__OPEN, most = -MS_GPR__OPEN;
-    int scored = 0, count, i;
-    for (i = 0; i < n; ++i) {
-        if (!ms_gpr__scored(y[i])) continue;
-        if (y[i] < least) least = y[i];
-        if (y[i] > most) most = y[i];
-        ++scored;
-    }
+    double least, most;
+    int scored = ms_gpr__score_range(y, n, &least, &most), count, i;
     if (scored < 20 || scored > 200 || !(most > least)) return 0;
     for (count = 2; count <= 6; ++count) {
         double step = (most - least) / (count - 1);
@@ -3196,13 +3194,9 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
     ms_gpr__fit_layout(&fit, n, m, part, &arena);
     status = ms_gpr__fit_run(&fit, x, y, n, m, part, error);
     if (status == MS_OK) {
-        ms_gpr_options model;
-        ms_gpr like;
-        model.mean = fit.mean;
-        model.simd = fit.o.simd;
-        model.allocator = fit.o.allocator;
-        model.parallel = fit.o.parallel;
-        like = ms_gpr__like(x, y, n, m, fit.theta, &model);
+        ms_gpr like = ms_gpr__like(x, y, n, m, fit.theta, fit.o.simd, &fit.o.allocator);
+        like.mean = fit.mean;
+        like.parallel = fit.o.parallel;
         like.pairs = (int *)(uintptr_t)fit.o.pairs;
         like.pair_count = fit.o.pair_count;
         like.floor = fit.floor;
@@ -3228,7 +3222,7 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
    ten. A locked column, equal in 8 rows or more, keeps its value. */
 static void ms_gpr__natural_range(const double *x, int n, int m, int k, double *low, double *high)
 {
-    static const double unit[][2] = {{-1, 1}, {0, 100}, {0, 255}, {0, 360}, {-180, 180}};
+    static const double unit[][2] = {{0, 1}, {-1, 1}, {0, 100}, {0, 255}, {0, 360}, {-180, 180}};
     double least = 0, most = 1, step;
     int i;
     for (i = 0; i < n; ++i) {
@@ -3239,21 +3233,15 @@ static void ms_gpr__natural_range(const double *x, int n, int m, int k, double *
     *low = least;
     *high = most;
     if (n >= 8 && !(most > least)) return;
-    if (least >= 0 && most <= 1) {
-        *low = 0;
-        *high = 1;
-        return;
-    }
-    if (!(most > least)) return;
-    for (i = 0; i < 5; ++i)
-        if (least >= unit[i][0] && most <= unit[i][1] && most - least > 0.8 * (unit[i][1] - unit[i][0])) {
+    for (i = 0; i < 6; ++i) /* [0, 1] holds any such values; another unit's those that fill most of it */
+        if (least >= unit[i][0] && most <= unit[i][1] && (i == 0 || most - least > 0.8 * (unit[i][1] - unit[i][0]))) {
             *low = unit[i][0];
             *high = unit[i][1];
             return;
         }
+    if (!(most > least)) return;
     step = pow(10, floor(log10((most - least) / 8)));
-    if (5 * step <= (most - least) / 8) step *= 5;
-    else if (2 * step <= (most - least) / 8) step *= 2;
+    step *= 5 * step <= (most - least) / 8 ? 5 : 2 * step <= (most - least) / 8 ? 2 : 1;
     *low = step * floor(least / step);
     *high = step * ceil(most / step);
 }
@@ -3624,9 +3612,7 @@ enum {
 static const double MS_GPR__INFORMATIVE =
     0.3; /* length scales in the box's width from which on the mean depends on a column */
 static const double MS_GPR__GIVE_UP = 1e7; /* predictions by rejection, at most */
-enum {
-    MS_GPR__RARE = 50 /* candidates that cost about as much as one recommendation of subset simulation */
-};
+enum { MS_GPR__RARE = 50 }; /* candidates that cost about as much as one recommendation of subset simulation */
 
 /* A point in the unit box, what the mean there needs, and a step to go. */
 typedef struct ms_gpr__chain {
@@ -3844,12 +3830,11 @@ static int ms_gpr__chain_best_rows(const ms_gpr__sampler *h, ms_gpr__chain *w)
         const ms_gpr__group *g = &h->s.group[i];
         int own = ms_gpr__group_nearest(&h->s, g, w->point), best = own;
         double largest = w->value;
-        for (row = 0; row < g->count; ++row) {
-            double mean;
-            if (row == own) continue;
+        for (row = 0; row < g->count; ++row) { /* its own has the value that it has */
+            double mean = w->value;
             ms_gpr__group_direction(&h->s, g, own, row, w->direction);
             ms_gpr__chain_slopes(h, lines, h->gp->points, w);
-            mean = h->gp->mean + lines->mean(w->d2, w->slope, 1, w->curvature, h->gp->weight, n);
+            if (row != own) mean = h->gp->mean + lines->mean(w->d2, w->slope, 1, w->curvature, h->gp->weight, n);
             if (mean > largest) largest = mean, best = row;
         }
         if (best == own) continue;
@@ -4036,10 +4021,8 @@ static void ms_gpr__sampler_draw(void *context, int task)
 static void ms_gpr__sampler_point(const ms_gpr__sampler *h, const double *x, double *point)
 {
     int k;
-    for (k = 0; k < h->gp->m; ++k) {
-        double p = h->s.width[k] > 0 ? (x[k] - h->s.low[k]) / h->s.width[k] : 0;
-        point[k] = p < 0 ? 0 : p > 1 ? 1 : p;
-    }
+    for (k = 0; k < h->gp->m; ++k)
+        point[k] = h->s.width[k] > 0 ? ms_gpr__clamp((x[k] - h->s.low[k]) / h->s.width[k], 0, 1) : 0;
 }
 
 /* The mean at the chain's point, in double precision. */
@@ -5681,118 +5664,71 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
 #if MS_GPR__FLOAT
 #define MS_GPR__KERNEL(name) MS_GPR__JOIN(ms_gpr__##name##_f_, MS_GPR__LEVEL)
 #define MS_GPR__REAL float
+#define MS_GPR__INT int32_t
 #else
 #define MS_GPR__KERNEL(name) MS_GPR__JOIN(ms_gpr__##name##_, MS_GPR__LEVEL)
 #define MS_GPR__REAL double
+#define MS_GPR__INT int64_t
 #endif
+#define MS_GPR__V MS_GPR__KERNEL(v)
 
-/* Vectors: V, LANES, LOAD, STORE, SET (all lanes), ADD, SUB, MUL, MADD a b + c, NMADD c - a b, ROUND to the nearest
-   whole number, POW2 of a whole number in the normal range, KEEP v where x > limit and 0 elsewhere. */
-#if MS_GPR__PASS == 3 && MS_GPR__FLOAT
-#define MS_GPR__V __m256
-#define MS_GPR__LANES 8
-#define MS_GPR__LOAD(p) _mm256_loadu_ps(p)
-#define MS_GPR__STORE(p, v) _mm256_storeu_ps(p, v)
-#define MS_GPR__SET(x) _mm256_set1_ps(x)
-#define MS_GPR__ADD(a, b) _mm256_add_ps(a, b)
-#define MS_GPR__SUB(a, b) _mm256_sub_ps(a, b)
-#define MS_GPR__MUL(a, b) _mm256_mul_ps(a, b)
-#define MS_GPR__MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
-#define MS_GPR__NMADD(a, b, c) _mm256_fnmadd_ps(a, b, c)
-#define MS_GPR__ROUND(a) _mm256_round_ps(a, 8)
-#define MS_GPR__POW2(a) \
-    _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_castps_si256(_mm256_add_ps(a, _mm256_set1_ps(12582912.0f + 127))), 23))
-#define MS_GPR__KEEP(x, limit, v) _mm256_and_ps(_mm256_cmp_ps(x, limit, _CMP_GT_OQ), v)
-#elif MS_GPR__PASS == 3
-#define MS_GPR__V __m256d
-#define MS_GPR__LANES 4
-#define MS_GPR__LOAD(p) _mm256_loadu_pd(p)
-#define MS_GPR__STORE(p, v) _mm256_storeu_pd(p, v)
-#define MS_GPR__SET(x) _mm256_set1_pd(x)
-#define MS_GPR__ADD(a, b) _mm256_add_pd(a, b)
-#define MS_GPR__SUB(a, b) _mm256_sub_pd(a, b)
-#define MS_GPR__MUL(a, b) _mm256_mul_pd(a, b)
-#define MS_GPR__MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
-#define MS_GPR__NMADD(a, b, c) _mm256_fnmadd_pd(a, b, c)
-#define MS_GPR__ROUND(a) _mm256_round_pd(a, 8)
-#define MS_GPR__POW2(a)  \
-    _mm256_castsi256_pd( \
-        _mm256_slli_epi64(_mm256_castpd_si256(_mm256_add_pd(a, _mm256_set1_pd(6755399441055744.0 + 1023))), 52))
-#define MS_GPR__KEEP(x, limit, v) _mm256_and_pd(_mm256_cmp_pd(x, limit, _CMP_GT_OQ), v)
-#elif MS_GPR__PASS == 2 && defined(MS__X64) && MS_GPR__FLOAT
-#define MS_GPR__V __m128
-#define MS_GPR__LANES 4
-#define MS_GPR__LOAD(p) _mm_loadu_ps(p)
-#define MS_GPR__STORE(p, v) _mm_storeu_ps(p, v)
-#define MS_GPR__SET(x) _mm_set1_ps(x)
-#define MS_GPR__ADD(a, b) _mm_add_ps(a, b)
-#define MS_GPR__SUB(a, b) _mm_sub_ps(a, b)
-#define MS_GPR__MUL(a, b) _mm_mul_ps(a, b)
-#define MS_GPR__MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
-#define MS_GPR__NMADD(a, b, c) _mm_sub_ps(c, _mm_mul_ps(a, b))
-#define MS_GPR__ROUND(a) _mm_cvtepi32_ps(_mm_cvtps_epi32(a))
-#define MS_GPR__POW2(a) \
-    _mm_castsi128_ps(_mm_slli_epi32(_mm_castps_si128(_mm_add_ps(a, _mm_set1_ps(12582912.0f + 127))), 23))
-#define MS_GPR__KEEP(x, limit, v) _mm_and_ps(_mm_cmpgt_ps(x, limit), v)
-#elif MS_GPR__PASS == 2 && defined(MS__X64)
-#define MS_GPR__V __m128d
-#define MS_GPR__LANES 2
-#define MS_GPR__LOAD(p) _mm_loadu_pd(p)
-#define MS_GPR__STORE(p, v) _mm_storeu_pd(p, v)
-#define MS_GPR__SET(x) _mm_set1_pd(x)
-#define MS_GPR__ADD(a, b) _mm_add_pd(a, b)
-#define MS_GPR__SUB(a, b) _mm_sub_pd(a, b)
-#define MS_GPR__MUL(a, b) _mm_mul_pd(a, b)
-#define MS_GPR__MADD(a, b, c) _mm_add_pd(_mm_mul_pd(a, b), c)
-#define MS_GPR__NMADD(a, b, c) _mm_sub_pd(c, _mm_mul_pd(a, b))
-#define MS_GPR__ROUND(a) _mm_cvtepi32_pd(_mm_cvtpd_epi32(a))
-#define MS_GPR__POW2(a) \
-    _mm_castsi128_pd(_mm_slli_epi64(_mm_castpd_si128(_mm_add_pd(a, _mm_set1_pd(6755399441055744.0 + 1023))), 52))
-#define MS_GPR__KEEP(x, limit, v) _mm_and_pd(_mm_cmpgt_pd(x, limit), v)
-#elif MS_GPR__PASS == 2 && MS_GPR__FLOAT
-#define MS_GPR__V float32x4_t
-#define MS_GPR__LANES 4
-#define MS_GPR__LOAD(p) vld1q_f32(p)
-#define MS_GPR__STORE(p, v) vst1q_f32(p, v)
-#define MS_GPR__SET(x) vdupq_n_f32(x)
-#define MS_GPR__ADD(a, b) vaddq_f32(a, b)
-#define MS_GPR__SUB(a, b) vsubq_f32(a, b)
-#define MS_GPR__MUL(a, b) vmulq_f32(a, b)
-#define MS_GPR__MADD(a, b, c) vfmaq_f32(c, a, b)
-#define MS_GPR__NMADD(a, b, c) vfmsq_f32(c, a, b)
-#define MS_GPR__ROUND(a) vrndnq_f32(a)
-#define MS_GPR__POW2(a) \
-    vreinterpretq_f32_s32(vshlq_n_s32(vreinterpretq_s32_f32(vaddq_f32(a, vdupq_n_f32(12582912.0f + 127))), 23))
-#define MS_GPR__KEEP(x, limit, v) vreinterpretq_f32_u32(vandq_u32(vcgtq_f32(x, limit), vreinterpretq_u32_f32(v)))
-#elif MS_GPR__PASS == 2
-#define MS_GPR__V float64x2_t
-#define MS_GPR__LANES 2
-#define MS_GPR__LOAD(p) vld1q_f64(p)
-#define MS_GPR__STORE(p, v) vst1q_f64(p, v)
-#define MS_GPR__SET(x) vdupq_n_f64(x)
-#define MS_GPR__ADD(a, b) vaddq_f64(a, b)
-#define MS_GPR__SUB(a, b) vsubq_f64(a, b)
-#define MS_GPR__MUL(a, b) vmulq_f64(a, b)
-#define MS_GPR__MADD(a, b, c) vfmaq_f64(c, a, b)
-#define MS_GPR__NMADD(a, b, c) vfmsq_f64(c, a, b)
-#define MS_GPR__ROUND(a) vrndnq_f64(a)
-#define MS_GPR__POW2(a) \
-    vreinterpretq_f64_s64(vshlq_n_s64(vreinterpretq_s64_f64(vaddq_f64(a, vdupq_n_f64(6755399441055744.0 + 1023))), 52))
-#define MS_GPR__KEEP(x, limit, v) vreinterpretq_f64_u64(vandq_u64(vcgtq_f64(x, limit), vreinterpretq_u64_f64(v)))
-#else
-#define MS_GPR__V MS_GPR__REAL
+/* Vectors are the compiler's own (GCC, Clang), with the language's operators. MADD a b + c and NMADD c - a b are fused
+   where the level fuses. ROUND goes to the nearest whole number. POW2 is of a whole number in the normal range. KEEP is
+   v where x > limit, else 0. */
+#if MS_GPR__PASS == 1
+typedef MS_GPR__REAL MS_GPR__V;
 #define MS_GPR__LANES 1
 #define MS_GPR__LOAD(p) (*(p))
 #define MS_GPR__STORE(p, v) (*(p) = (v))
 #define MS_GPR__SET(x) (x)
-#define MS_GPR__ADD(a, b) ((a) + (b))
-#define MS_GPR__SUB(a, b) ((a) - (b))
-#define MS_GPR__MUL(a, b) ((a) * (b))
-#define MS_GPR__MADD(a, b, c) ((a) * (b) + (c))
-#define MS_GPR__NMADD(a, b, c) ((c) - (a) * (b))
 #define MS_GPR__ROUND(a) ((MS_GPR__REAL)(int)((a) - (MS_GPR__REAL)0.5)) /* of a <= 0 */
 #define MS_GPR__POW2(a) MS_GPR__JOIN(ms_gpr__pow2_, MS_GPR__REAL)(a)
 #define MS_GPR__KEEP(x, limit, v) ((x) > (limit) ? (v) : 0)
+#else
+#define MS_GPR__BYTES (MS_GPR__PASS == 3 ? 32 : 16)
+#define MS_GPR__LANES (MS_GPR__BYTES / (MS_GPR__FLOAT ? 4 : 8))
+typedef MS_GPR__REAL MS_GPR__V __attribute__((vector_size(MS_GPR__BYTES)));
+typedef MS_GPR__REAL MS_GPR__KERNEL(loose)
+    __attribute__((vector_size(MS_GPR__BYTES), aligned(sizeof(MS_GPR__REAL)), may_alias));
+typedef MS_GPR__INT MS_GPR__KERNEL(bits) __attribute__((vector_size(MS_GPR__BYTES)));
+#define MS_GPR__LOAD(p) ((MS_GPR__V) * (const MS_GPR__KERNEL(loose) *)(p))
+#define MS_GPR__STORE(p, v) (*(MS_GPR__KERNEL(loose) *)(p) = (v))
+#define MS_GPR__SET(x) MS_GPR__KERNEL(set)(x)
+#define MS_GPR__POW2(a)                                                                                               \
+    ((MS_GPR__V)((MS_GPR__KERNEL(bits))(                                                                              \
+                     (a) + MS_GPR__SET((MS_GPR__REAL)(MS_GPR__FLOAT ? 12582912.0 + 127 : 6755399441055744.0 + 1023))) \
+                 << (MS_GPR__FLOAT ? 23 : 52)))
+#define MS_GPR__KEEP(x, limit, v) ((MS_GPR__V)(((x) > (limit)) & (MS_GPR__KERNEL(bits))(v)))
+static inline MS_GPR__V MS_GPR__KERNEL(set)(MS_GPR__REAL x)
+{
+    const MS_GPR__V zero = {0};
+    return x - zero; /* -0 stays -0 */
+}
+#endif
+#if MS_GPR__PASS == 3 && MS_GPR__FLOAT
+#define MS_GPR__MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
+#define MS_GPR__NMADD(a, b, c) _mm256_fnmadd_ps(a, b, c)
+#define MS_GPR__ROUND(a) _mm256_round_ps(a, 8)
+#elif MS_GPR__PASS == 3
+#define MS_GPR__MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
+#define MS_GPR__NMADD(a, b, c) _mm256_fnmadd_pd(a, b, c)
+#define MS_GPR__ROUND(a) _mm256_round_pd(a, 8)
+#elif MS_GPR__PASS == 2 && defined(MS__NEON) && MS_GPR__FLOAT
+#define MS_GPR__MADD(a, b, c) vfmaq_f32(c, a, b)
+#define MS_GPR__NMADD(a, b, c) vfmsq_f32(c, a, b)
+#define MS_GPR__ROUND(a) vrndnq_f32(a)
+#elif MS_GPR__PASS == 2 && defined(MS__NEON)
+#define MS_GPR__MADD(a, b, c) vfmaq_f64(c, a, b)
+#define MS_GPR__NMADD(a, b, c) vfmsq_f64(c, a, b)
+#define MS_GPR__ROUND(a) vrndnq_f64(a)
+#else
+#define MS_GPR__MADD(a, b, c) ((a) * (b) + (c))
+#define MS_GPR__NMADD(a, b, c) ((c) - (a) * (b))
+#if MS_GPR__PASS == 2
+#define MS_GPR__ROUND(a)                                                      \
+    (MS_GPR__FLOAT ? (MS_GPR__V)_mm_cvtepi32_ps(_mm_cvtps_epi32((__m128)(a))) \
+                   : (MS_GPR__V)_mm_cvtepi32_pd(_mm_cvtpd_epi32((__m128d)(a))))
+#endif
 #endif
 
 /* exp(-d2 / 2) = 2^t, t = -d2 / (2 log 2) <= 0, as 2^round(t) times a polynomial in the rest f that interpolates (2^f -
@@ -5800,7 +5736,7 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
    (2^-110) it is 0: products of two such terms would be subnormal and slow. */
 static inline MS_GPR__V MS_GPR__KERNEL(exponential)(MS_GPR__V d2)
 {
-    MS_GPR__V t = MS_GPR__MUL(d2, MS_GPR__SET((MS_GPR__REAL)-0.72134752044448170368));
+    MS_GPR__V t = d2 * MS_GPR__SET((MS_GPR__REAL)-0.72134752044448170368);
 #if MS_GPR__FLOAT
     MS_GPR__V limit = MS_GPR__SET(-110.0f), p = MS_GPR__SET(0.00015453162945120691f), f, whole;
 #else
@@ -5808,7 +5744,7 @@ static inline MS_GPR__V MS_GPR__KERNEL(exponential)(MS_GPR__V d2)
 #endif
     MS_GPR__V inside = MS_GPR__KEEP(t, limit, t);
     whole = MS_GPR__ROUND(inside);
-    f = MS_GPR__SUB(inside, whole);
+    f = inside - whole;
 #if MS_GPR__FLOAT
     p = MS_GPR__MADD(p, f, MS_GPR__SET(0.0013390863364671234f));
     p = MS_GPR__MADD(p, f, MS_GPR__SET(0.0096180825572778524f));
@@ -5828,7 +5764,7 @@ static inline MS_GPR__V MS_GPR__KERNEL(exponential)(MS_GPR__V d2)
     p = MS_GPR__MADD(p, f, MS_GPR__SET(0.69314718055994529));
 #endif
     p = MS_GPR__MADD(p, f, MS_GPR__SET((MS_GPR__REAL)1));
-    p = MS_GPR__MUL(p, MS_GPR__POW2(whole));
+    p = p * MS_GPR__POW2(whole);
     return MS_GPR__KEEP(t, limit, p);
 }
 
@@ -5848,10 +5784,10 @@ static void MS_GPR__KERNEL(distances)(MS_GPR__REAL *c, size_t c_stride, const MS
             MS_GPR__V c00 = MS_GPR__SET(0), c01 = c00, c10 = c00, c11 = c00, c20 = c00, c21 = c00, c30 = c00, c31 = c00;
             for (k = 0; k < depth; ++k, ak += a_stride, bk += b_stride) {
                 MS_GPR__V b0 = MS_GPR__LOAD(bk), b1 = MS_GPR__LOAD(bk + MS_GPR__LANES), x, d;
-#define MS_GPR__STEP(r)                                            \
-    x = MS_GPR__SET(ak[r]);                                        \
-    d = MS_GPR__SUB(x, b0), c##r##0 = MS_GPR__MADD(d, d, c##r##0); \
-    d = MS_GPR__SUB(x, b1), c##r##1 = MS_GPR__MADD(d, d, c##r##1);
+#define MS_GPR__STEP(r)                                \
+    x = MS_GPR__SET(ak[r]);                            \
+    d = x - b0, c##r##0 = MS_GPR__MADD(d, d, c##r##0); \
+    d = x - b1, c##r##1 = MS_GPR__MADD(d, d, c##r##1);
                 MS_GPR__STEP(0) MS_GPR__STEP(1) MS_GPR__STEP(2) MS_GPR__STEP(3)
 #undef MS_GPR__STEP
             }
@@ -5865,8 +5801,8 @@ static void MS_GPR__KERNEL(distances)(MS_GPR__REAL *c, size_t c_stride, const MS
         for (i = 0; i < rows; ++i) {
             MS_GPR__V sum = MS_GPR__SET(0);
             for (k = 0; k < depth; ++k) {
-                MS_GPR__V d = MS_GPR__SUB(MS_GPR__SET(a[(size_t)k * a_stride + (size_t)i]),
-                                          MS_GPR__LOAD(b + (size_t)k * b_stride + j));
+                MS_GPR__V d = MS_GPR__SET(a[(size_t)k * a_stride + (size_t)i]) -
+                    MS_GPR__LOAD(b + (size_t)k * b_stride + j);
                 sum = MS_GPR__MADD(d, d, sum);
             }
             MS_GPR__STORE(c + (size_t)i * c_stride + j, sum);
@@ -5897,10 +5833,10 @@ static void MS_GPR__KERNEL(line_distances)(void *d2, const void *points, size_t 
         MS_GPR__V s0 = MS_GPR__SET(0), s1 = s0, s2 = s0, s3 = s0, at, d;
         for (k = 0, p = (const MS_GPR__REAL *)points + i; k < m; ++k, p += stride) {
             at = MS_GPR__SET((MS_GPR__REAL)point[k]);
-            d = MS_GPR__SUB(at, MS_GPR__LOAD(p)), s0 = MS_GPR__MADD(d, d, s0);
-            d = MS_GPR__SUB(at, MS_GPR__LOAD(p + MS_GPR__LANES)), s1 = MS_GPR__MADD(d, d, s1);
-            d = MS_GPR__SUB(at, MS_GPR__LOAD(p + 2 * MS_GPR__LANES)), s2 = MS_GPR__MADD(d, d, s2);
-            d = MS_GPR__SUB(at, MS_GPR__LOAD(p + 3 * MS_GPR__LANES)), s3 = MS_GPR__MADD(d, d, s3);
+            d = at - MS_GPR__LOAD(p), s0 = MS_GPR__MADD(d, d, s0);
+            d = at - MS_GPR__LOAD(p + MS_GPR__LANES), s1 = MS_GPR__MADD(d, d, s1);
+            d = at - MS_GPR__LOAD(p + 2 * MS_GPR__LANES), s2 = MS_GPR__MADD(d, d, s2);
+            d = at - MS_GPR__LOAD(p + 3 * MS_GPR__LANES), s3 = MS_GPR__MADD(d, d, s3);
         }
         MS_GPR__STORE(out + i, s0), MS_GPR__STORE(out + i + MS_GPR__LANES, s1);
         MS_GPR__STORE(out + i + 2 * MS_GPR__LANES, s2), MS_GPR__STORE(out + i + 3 * MS_GPR__LANES, s3);
@@ -5908,7 +5844,7 @@ static void MS_GPR__KERNEL(line_distances)(void *d2, const void *points, size_t 
     for (; i < n; i += MS_GPR__LANES) {
         MS_GPR__V sum = MS_GPR__SET(0);
         for (k = 0, p = (const MS_GPR__REAL *)points + i; k < m; ++k, p += stride) {
-            MS_GPR__V d = MS_GPR__SUB(MS_GPR__SET((MS_GPR__REAL)point[k]), MS_GPR__LOAD(p));
+            MS_GPR__V d = MS_GPR__SET((MS_GPR__REAL)point[k]) - MS_GPR__LOAD(p);
             sum = MS_GPR__MADD(d, d, sum);
         }
         MS_GPR__STORE(out + i, sum);
@@ -5957,7 +5893,7 @@ static double MS_GPR__KERNEL(line_mean)(const void *d2, const void *slope, doubl
     for (i = 0; i < n; i += MS_GPR__BLOCK)
         for (l = 0; l < MS_GPR__BLOCK / MS_GPR__LANES; ++l) {
             int at = i + l * MS_GPR__LANES;
-            MS_GPR__V d2t = MS_GPR__MADD(ahead, MS_GPR__ADD(MS_GPR__LOAD(s + at), own), MS_GPR__LOAD(d + at));
+            MS_GPR__V d2t = MS_GPR__MADD(ahead, MS_GPR__LOAD(s + at) + own, MS_GPR__LOAD(d + at));
             sum[l] = MS_GPR__MADD(MS_GPR__LOAD(w + at), MS_GPR__KERNEL(exponential)(d2t), sum[l]);
         }
     for (l = 0; l < MS_GPR__BLOCK / MS_GPR__LANES; ++l) MS_GPR__STORE(partial + l * MS_GPR__LANES, sum[l]);
@@ -5972,7 +5908,7 @@ static void MS_GPR__KERNEL(line_advance)(void *d2, const void *slope, double t, 
     MS_GPR__V ahead = MS_GPR__SET((MS_GPR__REAL)t), own = MS_GPR__SET((MS_GPR__REAL)(t * c));
     int i;
     for (i = 0; i < n; i += MS_GPR__LANES)
-        MS_GPR__STORE(d + i, MS_GPR__MADD(ahead, MS_GPR__ADD(MS_GPR__LOAD(s + i), own), MS_GPR__LOAD(d + i)));
+        MS_GPR__STORE(d + i, MS_GPR__MADD(ahead, MS_GPR__LOAD(s + i) + own, MS_GPR__LOAD(d + i)));
 }
 
 #if !MS_GPR__FLOAT
@@ -6069,7 +6005,7 @@ static void MS_GPR__KERNEL(solve)(const double *u, size_t u_stride, double *b, s
             for (k = 0; k < i; ++k)
                 v = MS_GPR__NMADD(MS_GPR__SET(u[(size_t)k * u_stride + (size_t)i]),
                                   MS_GPR__LOAD(b + (size_t)k * b_stride + j), v);
-            MS_GPR__STORE(at, MS_GPR__MUL(v, MS_GPR__SET(inverse[i])));
+            MS_GPR__STORE(at, v * MS_GPR__SET(inverse[i]));
         }
     }
 }
@@ -6078,7 +6014,7 @@ static void MS_GPR__KERNEL(exponentials)(double *c, int columns, double scale)
 {
     int j;
     for (j = 0; j < columns; j += MS_GPR__LANES)
-        MS_GPR__STORE(c + j, MS_GPR__MUL(MS_GPR__SET(scale), MS_GPR__KERNEL(exponential)(MS_GPR__LOAD(c + j))));
+        MS_GPR__STORE(c + j, MS_GPR__SET(scale) * MS_GPR__KERNEL(exponential)(MS_GPR__LOAD(c + j)));
 }
 
 /* The sum of 8 partial sums, in a fixed order: lane l of every vector belongs to partial sum l modulo 8. */
@@ -6095,9 +6031,9 @@ static double MS_GPR__KERNEL(weights)(double *w, const double *g, const double *
     for (j = 0; j < columns; j += MS_GPR__BLOCK) {
         for (l = 0; l < MS_GPR__BLOCK; l += MS_GPR__LANES) {
             MS_GPR__V v = MS_GPR__MADD(MS_GPR__SET(alpha_i), MS_GPR__LOAD(alpha + j + l), MS_GPR__LOAD(g + j + l));
-            v = MS_GPR__MUL(v, MS_GPR__LOAD(k + j + l));
+            v = v * MS_GPR__LOAD(k + j + l);
             MS_GPR__STORE(w + j + l, v);
-            MS_GPR__STORE(partial + l, MS_GPR__ADD(MS_GPR__LOAD(partial + l), v));
+            MS_GPR__STORE(partial + l, MS_GPR__LOAD(partial + l) + v);
         }
     }
     return MS_GPR__KERNEL(sum8)(partial);
@@ -6112,8 +6048,8 @@ static void MS_GPR__KERNEL(slopes)(double *slope, const double *w, const double 
         double *s = slope;
         for (k = 0; k < m; ++k, p += stride, q += stride, s += MS_GPR__BLOCK) {
             for (l = 0; l < MS_GPR__BLOCK; l += MS_GPR__LANES) {
-                MS_GPR__V d = MS_GPR__SUB(MS_GPR__LOAD(p + l), MS_GPR__SET(*q));
-                MS_GPR__STORE(s + l, MS_GPR__MADD(MS_GPR__MUL(MS_GPR__LOAD(w + j + l), d), d, MS_GPR__LOAD(s + l)));
+                MS_GPR__V d = MS_GPR__LOAD(p + l) - MS_GPR__SET(*q);
+                MS_GPR__STORE(s + l, MS_GPR__MADD(MS_GPR__LOAD(w + j + l) * d, d, MS_GPR__LOAD(s + l)));
             }
         }
     }
@@ -6165,13 +6101,12 @@ static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
 #undef MS_GPR__KERNEL
 #undef MS_GPR__REAL
 #undef MS_GPR__V
+#undef MS_GPR__BYTES
+#undef MS_GPR__INT
 #undef MS_GPR__LANES
 #undef MS_GPR__LOAD
 #undef MS_GPR__STORE
 #undef MS_GPR__SET
-#undef MS_GPR__ADD
-#undef MS_GPR__SUB
-#undef MS_GPR__MUL
 #undef MS_GPR__MADD
 #undef MS_GPR__NMADD
 #undef MS_GPR__ROUND
