@@ -1739,7 +1739,7 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
     return 1;
 }
 
-/* What the gradient of Laplace's log p(y) has besides tr((alpha alpha' - (K + W^-1)^-1) dK) / 2 because f implicit with
+/* What the gradient of Laplace's log p(y) has besides tr((alpha alpha' - (K + W^-1)^-1) dK) / 2 because f depends on
    theta (Rasmussen & Williams 2006, 5.5.1): u' dK alpha with u = (I - (K + W^-1)^-1 K) s, s = -1/2 d log |I + K W| /
    df, into u; and by log sf and log sn through the noise. upper is the factor of K + W^-1. */
 static void ms_gpr__laplace_implicit(ms_gpr__problem *p, double sf2, double noise, double **implicit, double *by_sf,
@@ -3654,7 +3654,7 @@ typedef struct ms_gpr__sampler {
     size_t scratch_size;
     ms_gpr__ranked *ranked; /* [BATCHES * BATCH + n] */
     ms_gpr__chain chain[MS_GPR__TASKS];
-    double *mode; /* [SUMMITS][m] */
+    double *mode; /* [MODES][m] */
     double mode_value[MS_GPR__MODES];
     double *point, *next; /* [PILOT * BATCH][m] population in the unit box, and the one of the next level */
     double *value;        /* [PILOT * BATCH] of the population, */
@@ -3908,7 +3908,7 @@ static void ms_gpr__chain_rectangle(const ms_gpr__sampler *h, ms_gpr__chain *w, 
 
 /* --- tasks --- */
 
-/* The mean, less caution, of `count` candidates from `first` on, in the precision of the lines, with the scratch of
+/* The mean of `count` candidates from `first` on, in the precision of the lines, with the scratch of
    that batch. */
 static void ms_gpr__sampler_predict(const ms_gpr__sampler *h, int batch, size_t first, int count)
 {
@@ -4224,9 +4224,9 @@ static int ms_gpr__sampler_separate(ms_gpr__sampler *h)
     return 0;
 }
 
-/* The population of the region: that of the box, whose level rises step by step. Each time one in SURVIVE is above the
-   next level, and chains from those make the new population; so each mode keeps its share. Where a level has no room to
-   rise (the region is narrower than any population sees), the modes of the ascents take its point. */
+/* The population of the region: that of the box, whose level rises step by step. Each time one in MS_GPR__LEVEL_SHARE
+   is above the next level, and chains from those make the new population; so each mode keeps its share. Where a level
+   has no room to rise (the region is narrower than any population sees), the modes of the ascents take its place. */
 static ms_status ms_gpr__sampler_levels(ms_gpr__sampler *h)
 {
     size_t m = (size_t)h->gp->m, row = m * sizeof(double);
@@ -4269,7 +4269,7 @@ static ms_status ms_gpr__sampler_levels(ms_gpr__sampler *h)
     return MS_OK;
 }
 
-/* The population, and walks through the region from it; 40 times as many as are wanted at most. */
+/* The population, and chains through the region from it; 40 times as many as are wanted at most. */
 static ms_status ms_gpr__sampler_subset(ms_gpr__sampler *h)
 {
     ms_status status = ms_gpr__sampler_levels(h);

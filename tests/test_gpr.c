@@ -1174,19 +1174,20 @@ static void test_wrong_answers(void)
 {
     enum { N = 250, M = 19, H = 1000 };
     static double x[N * M], y[N], held[H * M], truth[H], mean[H];
-    double sum[2] = {0, 0};
+    double sum[3] = {0, 0, 0};
     const int users = 24;
     int i, c, k, more = 0;
     TEST_METHOD;
     for (i = 0; i < users; ++i) {
-        double jsd[2], noise[2];
+        double jsd[3], noise[3];
         uint64_t state = test_seed * 1000 + 8000 + (uint64_t)i;
         user u = user_make(state, M, 0.15);
         user_gallery(&u, N, x, y, &state);
         for (k = 0; k < H * M; ++k) held[k] = test_uniform(&state);
         for (k = 0; k < H; ++k) truth[k] = user_true(&u, held + k * M);
-        for (c = 0; c < 2; ++c) { /* right; wrong */
-            ms_gpr *gp = fit(x, y, N, M, NULL, NULL);
+        for (c = 0; c < 3; ++c) { /* right; wrong; wrong, without priors */
+            ms_gpr_fit_options o = fit_options(c < 2 ? MS_GPR_METHOD_MAP : MS_GPR_METHOD_ML);
+            ms_gpr *gp = fit(x, y, N, M, &o, NULL);
             ms_gpr_predict(gp, held, H, mean, NULL, NULL);
             jsd[c] = user_jsd(mean, truth, H);
             sum[c] += jsd[c] / users;
@@ -1197,8 +1198,10 @@ static void test_wrong_answers(void)
         }
         more += noise[1] > noise[0];
     }
-    TEST_NOTE("JSD %.3f, with 10%% wrong %.3f; more noise in %d of %d", sum[0], sum[1], more, users);
+    TEST_NOTE("JSD %.3f, with 10%% wrong %.3f, without priors %.3f; more noise in %d of %d", sum[0], sum[1], sum[2],
+              more, users);
     CHECK_INT(more, users);
+    CHECK_LE(sum[1], 0.8 * sum[2]); /* a fifth at least is what the priors are for; measured: a third */
 }
 
 /* A slip among the answers of users of all kinds but the erratic one: nothing, 100 in place of a score, 1e6 in place of
