@@ -7805,8 +7805,9 @@ static MS_SSS__INLINE MS__V MS__F(inverse)(MS__V a)
 #endif
 }
 
-/* depth[i] = scale * value[i] if before[i] is finite and value[i] > 0, else INFINITY; before may be depth. span: from
-   the first finite one to behind the last. With scale 0, returns whether all of those values are at least 1. */
+/* depth[i] = scale * value[i] if that and before[i] are finite and value[i] > 0, else INFINITY; before may be depth.
+   span: from the first finite one to behind the last. With scale 0, returns whether all of those values are at least 1.
+ */
 static int MS__F(mask_by)(const float *value, float scale, int count, const float *before, float *depth, int span[2])
 {
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), infinity = MS__SET(INFINITY), s = MS__SET(scale);
@@ -7815,7 +7816,8 @@ static int MS__F(mask_by)(const float *value, float scale, int count, const floa
     int x, begin = -1, end = 0;
     for (x = 0; x < count; x += MS__N) {
         const MS__V v = MS__LOAD(value + x), z = MS__MUL(v, s);
-        const MS__MASK valid = MS__BOTH(MS__LESS(zero, v), MS__LESS(MS__LOAD(before + x), infinity));
+        const MS__MASK valid = MS__BOTH(MS__BOTH(MS__LESS(zero, v), MS__LESS(z, infinity)),
+                                        MS__LESS(MS__LOAD(before + x), infinity));
         const unsigned bits = MS__BITS(valid);
         if (!(scale > 0)) partial |= MS__BITS(MS__BOTH(valid, MS__LESS(v, one)));
         if (bits == full) {
