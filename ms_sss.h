@@ -266,13 +266,11 @@ static inline const char *ms_simd_string(ms_simd level)
    mm. */
 typedef struct ms_sss_profile ms_sss_profile;
 
-/* From averages over rings, as Monte Carlo tallies and ms_mcml.h deliver them, noise and empty channels included.
-   The values are copied.
+/* From averages over rings, as Monte Carlo tallies and ms_mcml.h deliver them. The values are copied.
    edge_mm  [count + 1] increasing, edge_mm[0] >= 0 (a hole inside it counts as dark), finite
    value    three arrays of count averages in 1/mm^2, stride elements apart (0: 1), >= 0, finite
-   Within a ring R_d is linear in r^2: it has the ring's energy and the slope of its neighbors where they agree, else
-   slope 0. MS_INVALID_ARGUMENT: counts, edges, values (error->position: the ring). MS_OUT_OF_MEMORY. *profile is then
-   NULL. */
+   Within a ring R_d is linear in r^2, with the ring's energy and the slope of its neighbors where they agree, else 0.
+   MS_INVALID_ARGUMENT: counts, edges, values (error->position: the ring). MS_OUT_OF_MEMORY. *profile is then NULL. */
 MS_API ms_status ms_sss_profile_from_rings(ms_sss_profile **profile, int count, const double *edge_mm,
                                            const double *const value[3], int stride, const ms_allocator *allocator,
                                            ms_error *error);
@@ -325,17 +323,13 @@ MS_API void ms_sss_profile_radius(const ms_sss_profile *profile, double fraction
 
 /* ---- elevation ------------------------------------------------------------------------------------------------- */
 
-/* A curved surface returns more light than the plane that the profile was made for, a hollow less. For light that
-   enters at q and leaves at p, with outward normals n_q and n_p, the profile on the surface over the profile on the
-   plane is close to f = max(0, 1 + K sin(theta) / 4)^4, with sin(theta) = (n_p - n_q).(p - q) / (2 |p - q|); on a
-   sphere of radius a that is |p - q| / (2 a). The factor multiplies the color and not the normalization:
-   out = reflectance sum(w f E) / sum(w), where reflectance sum(w f) / sum(w) is kept at or below 1.
-   Returns K, the elevation of a channel: with q = 1 - reflectance, 0.57 + 2.45 q + 1.8 q^6 at an index of refraction
-   of 1, 0.5 + 2.2 q + 2.5 q^12 at 1.4; other indices, 1 to 2, are linear in the coefficients; 0 without light.
-   The fit is to random walks in spheres and hollows of 2 to 64 mean free paths, albedo 0.3 to 0.999
-   (`make bench FILTER=sss_elevation`). Where the reflectance is above 0.1, balls and cylinders of 8 mean free paths
-   are met within 3% (flat: up to 28% off), of 4 within 10% (43%). Tight hollows in bright media come out too bright,
-   by up to 15% at 4 mean free paths and 40% at an index of 1.4; bodies thinner than one a third too dark. */
+/* A curved surface returns more light than the plane that the profile was made for, a hollow less: the profile between
+   q and p with outward normals n_q and n_p is multiplied by f = max(0, 1 + K sin(theta) / 4)^4, where sin(theta) = (n_p
+   - n_q).(p - q) / (2 |p - q|). The factor multiplies the color and not the normalization: out = reflectance sum(w f E)
+   / sum(w), where reflectance sum(w f) / sum(w) is kept at or below 1. Returns K for a channel; index: of refraction, 1
+   to 2; 0 without light. It is fitted to random walks in spheres and hollows (`make bench FILTER=sss_elevation`): where
+   the reflectance is above 0.1, balls and cylinders of 8 mean free paths are met within 3%, of 4 within 10%. Tight
+   hollows in bright media come out too bright by up to 40%. */
 MS_API double ms_sss_elevation(double reflectance, double index);
 
 /* ---- kernels --------------------------------------------------------------------------------------------------- */
@@ -465,24 +459,19 @@ MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors
 
 /* The fraction of light that a slab of this thickness transmits, for light that enters its far side evenly from all
    directions: T(s) = (1 - R^2) x / (1 - R^2 x^2) (1 - 0.85 (1 - R)^5 (1 - x^0.8)), with x = exp(-decay s) and R the
-   channel's reflectance. The first factor is the two-stream solution (Kubelka and Munk 1931) with the decay of the deep
-   field. The last one is the loss in dark media before the light has the shape of that field.
-   decay = (1 - R) (0.52 - 0.6 ln(1 - R) + 0.625 R^0.5) / (mean distance between entry and exit). Both were fitted to
-   random walks of albedo 0.3 to 0.999 with isotropic scattering: within 7% where R is 0.15 to 0.95 and T above 1e-3; an
-   index of 1.4 inside loses up to 15% more. The profile needs its true reflectance: one that was normalized to 1
-   transmits too much. A channel without light transmits none. */
+   channel's reflectance: the two-stream solution (Kubelka and Munk 1931) with a loss near the surface of dark media. It
+   is within 7% of random walks where R is 0.15 to 0.95 and T above 1e-3; an index of 1.4 inside loses up to 15% more.
+   The profile needs its true reflectance, not one normalized to 1. A channel without light transmits none. */
 MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness_mm, double out[3]);
 
 /* For an engine's light loop: the light of one lamp that reaches a point which faces away from it, through the object.
-   thickness_mm   from the point to where the lamp's light first enters the object, along the light: by the shadow map
+   thickness_mm   from the point to where the lamp's light enters the object, along the light: by the shadow map
    normal, entry_normal, to_light   outward normals at the point and at that entry, direction to the lamp; unit length,
                   any common axes. out is 0 where the point faces the lamp, or the entry does not
    light          the lamp's irradiance at the entry, on a plane at a right angle to the light
-   out            T(thickness) (1 + (1 / R - 1) max(0, -normal.entry_normal)) max(0, entry_normal.to_light) light, with
-                  T as above and R the reflectance. It has the filter's units: reflectance or albedo times out leaves.
-   Combine it with the filtered light by max: near the shadow's border the filter already holds light that came through
-   the body, so a sum would count it twice. Parallel faces transmit T / R, as a slab does. In a wedge and at the edge of
-   a round body part of the light leaves on the way, so the factor falls to 1. */
+   out            T(thickness) (1 + (1 / R - 1) max(0, -normal.entry_normal)) max(0, entry_normal.to_light) light, in
+                  the filter's units: reflectance or albedo times out leaves
+   Combine it with the filtered light by max: a sum would count the light near the shadow's border twice. */
 MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm, const float normal[3],
                                 const float entry_normal[3], const float to_light[3], const float light[3],
                                 float out[3]);
@@ -604,18 +593,15 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
                                       const ms_sss_filter_options *options);
 
 /* Subsurface scattering of a picture or a texture: blur = delta E + sum_t scale_t (E * w_t along x) * w_t along y, then
-   (1 - strength) E + strength blur after both passes. E is the input (times albedo, see albedo_mode). Depth's part is
-   in the head comment. kernels     [kernel_count], 1 to 256; a radius above the picture's larger side is reduced to it
-   options     not NULL: one of the three sizes of a pixel is needed
-   workspace   ms_sss_filter_workspace(...) bytes, any alignment and content; NULL and size 0: from malloc
-   Masked pixels are copied (times albedo, plus specular): those where a channel is NaN or not within 1e30, the depth is
-   not finite or not positive, the strength is 0 or NaN, or the profile has no kernel. No light passes between masked
-   and other pixels, or between profiles. The input is returned bit for bit (without albedo and specular) where the
-   kernel's radius is under half a pixel or the strength is 0. Results are bit-equal for any thread count at one level,
-   across levels within 2e-6 of the largest input near the pixel. Calls may overlap if workspace and output differ.
+   (1 - strength) E + strength blur. E is the input (times albedo, see albedo_mode). Depth's part is in the head
+   comment. kernels     [kernel_count], 1 to 256; a radius above the picture's larger side is reduced to it workspace
+   ms_sss_filter_workspace(...) bytes, any alignment and content; NULL and size 0: from malloc Masked pixels are copied
+   (times albedo, plus specular): a channel is NaN or not within 1e30, the depth is not finite or not positive, the
+   strength is 0 or NaN, or the profile has no kernel. No light passes between masked and other pixels, or between
+   profiles. Where the kernel's radius is under half a pixel or the strength is 0, pixels keep their bits. Results are
+   bit-equal for any thread count at one SIMD level, across levels within 2e-6 of the largest input.
    MS_INVALID_ARGUMENT: a pointer, size, stride or option out of range. MS_UNSUPPORTED: method PYRAMID without one, or
-   with what ms_sss_pyramid_filter does not take. Nothing is written then. Thesis 5.5, 5.8.2, 5.10; Jimenez et al. 2009,
-   Screen-space perceptual rendering of human skin. */
+   with what ms_sss_pyramid_filter does not take. Nothing is written then. Thesis 5.5, 5.8.2, 5.10. */
 MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
                                const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                ms_error *error);
@@ -643,13 +629,11 @@ MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profi
 MS_API size_t ms_sss_pyramid_workspace(int width, int height);
 
 /* ms_sss_filter with the round kernel instead of a separable one. With depth and MS_SSS_DEPTH_AWARE every pixel gathers
-   from 8 to 16 pixels of the next coarser level (options.exact 1: up to 64), weighted by their distance in space and
-   the area of surface that they show, and passes its sums to the finer level. A pixel of a coarser level belongs to the
-   nearest surface that covers it, and light reaches only pixels of the same surface: none crosses a depth edge wider
-   than the radius. A constant stays constant on planes. Gathers widen with slopes up to 48 degrees; steeper planes are
-   blurred too little along the level line and too much down the slope (by 0.04 of a wave's height at 60 degrees, 0.15
-   at 75). Elevation enters by its mean and variance over the gather (exact 1: for each pixel). Masks are as in
-   ms_sss_filter. options.parallel is called six times. Results are bit-equal for any thread count at one level.
+   from 8 to 16 pixels of the next coarser level (options.exact 1: up to 64), weighted by distance and by the area of
+   surface that they show. Light reaches only pixels of the same surface: none crosses a depth edge wider than the
+   radius. A constant stays constant on planes. Planes steeper than 48 degrees are blurred too little along the level
+   line and too much down the slope (by 0.04 of a wave's height at 60 degrees, 0.15 at 75). Masks and determinism are as
+   in ms_sss_filter. options.parallel is called six times.
    options    as ms_sss_filter; MS_UNSUPPORTED: rotation, jitter, pixels_per_mm that differ, frame->profile
    workspace  ms_sss_pyramid_workspace bytes; NULL and size 0: from malloc */
 MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
@@ -714,9 +698,9 @@ typedef enum ms_sss_step {
    nor to masked pixels. Of several profiles a texel of DOWN has that of its nearest pixel; ms_sss_filter halves each by
    itself.
 
-   Texels read a pixel by 7 taps in X and Y: 26 of color, and 13 of depth, profile and strength each; one more of color
-   where light stays (delta, fade, strength below 1). Slopes (depth, flat below 1) read 12 more, a few more at outlines,
-   or 2 with_normal. Rotated axes read twice as many. Half resolution reads 2 and 11 a pixel and a quarter of X and Y.
+   Texels read a pixel by 7 taps in X and Y: 26 of color, and 13 of depth, profile and strength each. Slopes (depth,
+   flat below 1) read 12 more, or 2 with_normal. Rotated axes read twice as many. Half resolution reads 2 and 11 a pixel
+   and a quarter of X and Y.
 
    Dynamic resolution and stereo: width and height are the viewport's, `origin` its corner, options->center the
    projection's. Jitter for temporal antialiasing moves the center by less than a pixel and may be left out.
@@ -829,10 +813,9 @@ MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int
    and y. Names begin with ms_sss_; ms_sss_surface is n = 7 of the list above, coarse 8, coarse_surface 9, weight 10.
    The texts are the same for all levels, the constants are not: ms_sss_shader_pyramid. Several profiles: all steps for
    each, its index in `profile`, RESOLVE's color being what RESOLVE wrote for the one before. tap_count and kernels do
-   not matter. Texels read on what faces the camera (more on slopes): BASE 5 of color and depth each (with_normal 1, and
-   the normal), RESOLVE 35 for each pixel, SHRINK 44 and GATHER 40 for each that they write: 73 a pixel in all,
-   whatever the radius. MS_UNSUPPORTED: as ms_sss_pyramid_filter. Equal to that (exact 0)
-   within 1e-4 of the largest input, but where the last bit of a depth decides which of two slopes is the smaller. */
+   not matter. 73 texels are read a pixel of the picture in all, whatever the radius, and more on slopes.
+   MS_UNSUPPORTED: as ms_sss_pyramid_filter. The result is equal to that (exact 0) within 1e-4 of the largest input,
+   except where the last bit of a depth decides which of two slopes is the smaller. */
 MS_API int ms_sss_shader_levels(int width, int height);
 
 /* The constants of a step of a level (of SHRINK: that it reads), which the text's first lines list: 7, then weights by
