@@ -3222,32 +3222,20 @@ static double ms_mcml__bessel_j1(double x)
 static double ms_mcml__between_samples(const double *y, int logarithms, int count, double step, double u,
                                        double steeper)
 {
-    static const double choose[7][12] = {{1},
-                                         {1, -1},
-                                         {1, -3, 3, -1},
-                                         {1, -5, 10, -10, 5, -1},
-                                         {1, -7, 21, -35, 35, -21, 7, -1},
-                                         {1, -9, 36, -84, 126, -126, 84, -36, 9, -1},
-                                         {1, -11, 55, -165, 330, -462, 462, -330, 165, -55, 11, -1}};
     const double t = u / step, last = count - 1;
-    double sum = 0, weights = 0;
+    double sum = 0, weights = 0, binomial = 1;
     int i = (int)t, half, j;
     if (t >= last) {
         const double a = u - last * step, y0 = y[count - 2], y1 = y[count - 1];
         const double decay = logarithms ? (y0 - y1) / step : y0 * y1 > 0 ? log(y0 / y1) / step : 8;
-        return a < 2.5 ? (logarithms ? exp(y1) : y1) *
-                exp(-a *
-                    (steeper +
-                     (decay < 1       ? 1
-                          : decay > 8 ? 8
-                                      : decay))) *
-                (1 - a * a / 6.25)
-                       : 0;
+        if (!(a < 2.5)) return 0;
+        return (logarithms ? exp(y1) : y1) * exp(-a * (steeper + fmin(fmax(decay, 1), 8))) * (1 - a * a / 6.25);
     }
     half = count - 1 - i < 6 ? count - 1 - i : 6;
     for (j = 0; j < 2 * half; ++j) {
         const int node = i + 1 - half + j;
-        const double d = t - node, w = choose[half][j] / (fabs(d) > 1e-12 ? d : 1e-12);
+        const double d = t - node, w = binomial / (fabs(d) > 1e-12 ? d : 1e-12);
+        binomial = binomial * (j + 1 - 2 * half) / (j + 1); /* exact: (-1)^j of 2 half - 1 over j */
         sum += w * y[node < 0 ? -node : node];
         weights += w;
     }
@@ -4662,12 +4650,10 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 
 #elif MS_MCML__ISA == 2 && defined(MS_MCML__X64)
 #define MS_MCML__L 4
+#define MS_MCML__MM(name) _mm_##name
 #define MS_MCML__V __m128
 #define MS_MCML__U __m128i
 #define MS_MCML__M __m128
-#define MS_MCML__V_LOAD(p) _mm_loadu_ps(p)
-#define MS_MCML__V_STORE(p, a) _mm_storeu_ps(p, a)
-#define MS_MCML__V_SET(a) _mm_set1_ps(a)
 #define MS_MCML__V_MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
 #define MS_MCML__V_SQRT(a) _mm_sqrt_ps(a)
 #define MS_MCML__V_MAX(a, b) _mm_max_ps(a, b)
@@ -4678,9 +4664,6 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__U_BITS(a) _mm_castps_si128(a)
 #define MS_MCML__U_LOAD(p) _mm_loadu_si128((const __m128i *)(const void *)(p))
 #define MS_MCML__U_STORE(p, a) _mm_storeu_si128((__m128i *)(void *)(p), a)
-#define MS_MCML__U_SET(a) _mm_set1_epi32((int)(a))
-#define MS_MCML__U_ADD(a, b) _mm_add_epi32(a, b)
-#define MS_MCML__U_SUB(a, b) _mm_sub_epi32(a, b)
 #define MS_MCML__U_RIGHT(a, n) _mm_srli_epi32(a, n)
 #define MS_MCML__U_LEFT(a, n) _mm_slli_epi32(a, n)
 #define MS_MCML__U_IS_ZERO(a) _mm_castsi128_ps(_mm_cmpeq_epi32(a, _mm_setzero_si128()))
@@ -4737,12 +4720,10 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 
 #elif MS_MCML__ISA == 3
 #define MS_MCML__L 8
+#define MS_MCML__MM(name) _mm256_##name
 #define MS_MCML__V __m256
 #define MS_MCML__U __m256i
 #define MS_MCML__M __m256
-#define MS_MCML__V_LOAD(p) _mm256_loadu_ps(p)
-#define MS_MCML__V_STORE(p, a) _mm256_storeu_ps(p, a)
-#define MS_MCML__V_SET(a) _mm256_set1_ps(a)
 #define MS_MCML__V_MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
 #define MS_MCML__V_SQRT(a) _mm256_sqrt_ps(a)
 #define MS_MCML__V_MAX(a, b) _mm256_max_ps(a, b)
@@ -4753,9 +4734,6 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__U_BITS(a) _mm256_castps_si256(a)
 #define MS_MCML__U_LOAD(p) _mm256_loadu_si256((const __m256i *)(const void *)(p))
 #define MS_MCML__U_STORE(p, a) _mm256_storeu_si256((__m256i *)(void *)(p), a)
-#define MS_MCML__U_SET(a) _mm256_set1_epi32((int)(a))
-#define MS_MCML__U_ADD(a, b) _mm256_add_epi32(a, b)
-#define MS_MCML__U_SUB(a, b) _mm256_sub_epi32(a, b)
 #define MS_MCML__U_RIGHT(a, n) _mm256_srli_epi32(a, n)
 #define MS_MCML__U_LEFT(a, n) _mm256_slli_epi32(a, n)
 #define MS_MCML__U_IS_ZERO(a) _mm256_castsi256_ps(_mm256_cmpeq_epi32(a, _mm256_setzero_si256()))
@@ -4773,12 +4751,10 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 
 #elif MS_MCML__ISA == 4
 #define MS_MCML__L 16
+#define MS_MCML__MM(name) _mm512_##name
 #define MS_MCML__V __m512
 #define MS_MCML__U __m512i
 #define MS_MCML__M __mmask16
-#define MS_MCML__V_LOAD(p) _mm512_loadu_ps(p)
-#define MS_MCML__V_STORE(p, a) _mm512_storeu_ps(p, a)
-#define MS_MCML__V_SET(a) _mm512_set1_ps(a)
 #define MS_MCML__V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
 #define MS_MCML__V_SQRT(a) _mm512_maskz_sqrt_ps((__mmask16)-1, a)
 #define MS_MCML__V_MAX(a, b) _mm512_maskz_max_ps((__mmask16)-1, a, b)
@@ -4789,9 +4765,6 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #define MS_MCML__U_BITS(a) _mm512_castps_si512(a)
 #define MS_MCML__U_LOAD(p) _mm512_loadu_si512((const void *)(p))
 #define MS_MCML__U_STORE(p, a) _mm512_storeu_si512((void *)(p), a)
-#define MS_MCML__U_SET(a) _mm512_set1_epi32((int)(a))
-#define MS_MCML__U_ADD(a, b) _mm512_add_epi32(a, b)
-#define MS_MCML__U_SUB(a, b) _mm512_sub_epi32(a, b)
 #define MS_MCML__U_RIGHT(a, n) _mm512_maskz_srli_epi32((__mmask16)-1, a, n)
 #define MS_MCML__U_LEFT(a, n) _mm512_maskz_slli_epi32((__mmask16)-1, a, n)
 #define MS_MCML__U_IS_ZERO(a) _mm512_testn_epi32_mask(a, a)
@@ -4810,6 +4783,18 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
         _mm512_maskz_mul_epu32(0xff, _mm512_maskz_srli_epi64(0xff, a, 32), _mm512_maskz_srli_epi64(0xff, b, 32)))
 #define MS_MCML__M_BITS(m) ((unsigned)(m))
 
+#endif
+
+#if MS_MCML__ISA > 1 && defined(MS_MCML__X64)
+#define MS_MCML__V_LOAD(p) MS_MCML__MM(loadu_ps)(p)
+#define MS_MCML__V_STORE(p, a) MS_MCML__MM(storeu_ps)(p, a)
+#define MS_MCML__V_SET(a) MS_MCML__MM(set1_ps)(a)
+#define MS_MCML__U_SET(a) MS_MCML__MM(set1_epi32)((int)(a))
+#define MS_MCML__U_ADD(a, b) MS_MCML__MM(add_epi32)(a, b)
+#define MS_MCML__U_SUB(a, b) MS_MCML__MM(sub_epi32)(a, b)
+#define MS_MCML__E_SET(a) MS_MCML__MM(set1_pd)(a)
+#define MS_MCML__E_LOAD(p) MS_MCML__MM(loadu_pd)(p)
+#define MS_MCML__E_STORE(p, a) MS_MCML__MM(storeu_pd)(p, a)
 #endif
 
 /* -log(u), u = (word / 2 + 1/2) 2^-31 > 0. With u = (1 + t) 2^e and 1 + t in [sqrt(1/2), sqrt(2)):
@@ -5106,25 +5091,16 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
 #if MS_MCML__ISA == 4
 #define MS_MCML__E __m512d
 #define MS_MCML__D_ALL(op) op(a, 0)
-#define MS_MCML__E_SET(a) _mm512_set1_pd(a)
-#define MS_MCML__E_LOAD(p) _mm512_loadu_pd(p)
-#define MS_MCML__E_STORE(p, a) _mm512_storeu_pd(p, a)
 #define MS_MCML__E_MADD(a, b, c) _mm512_fmadd_pd(a, b, c)
 #define MS_MCML__E_NMADD(a, b, c) _mm512_fnmadd_pd(a, b, c)
 #elif MS_MCML__ISA == 3
 #define MS_MCML__E __m256d
 #define MS_MCML__D_ALL(op) op(a, 0) op(b, 4)
-#define MS_MCML__E_SET(a) _mm256_set1_pd(a)
-#define MS_MCML__E_LOAD(p) _mm256_loadu_pd(p)
-#define MS_MCML__E_STORE(p, a) _mm256_storeu_pd(p, a)
 #define MS_MCML__E_MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
 #define MS_MCML__E_NMADD(a, b, c) _mm256_fnmadd_pd(a, b, c)
 #elif MS_MCML__ISA == 2 && defined(MS_MCML__X64)
 #define MS_MCML__E __m128d
 #define MS_MCML__D_ALL(op) op(a, 0) op(b, 2) op(c, 4) op(d, 6)
-#define MS_MCML__E_SET(a) _mm_set1_pd(a)
-#define MS_MCML__E_LOAD(p) _mm_loadu_pd(p)
-#define MS_MCML__E_STORE(p, a) _mm_storeu_pd(p, a)
 #define MS_MCML__E_MADD(a, b, c) _mm_add_pd(_mm_mul_pd(a, b), c)
 #define MS_MCML__E_NMADD(a, b, c) _mm_sub_pd(c, _mm_mul_pd(a, b))
 #elif MS_MCML__ISA == 2
@@ -5676,6 +5652,7 @@ static const ms_mcml__kernels MS_MCML__FN(kernels) = {MS_MCML__FN(trace), MS_MCM
 #undef MS_MCML__L
 #undef MS_MCML__M
 #undef MS_MCML__M_BITS
+#undef MS_MCML__MM
 #undef MS_MCML__U
 #undef MS_MCML__U_ADD
 #undef MS_MCML__U_BITS
