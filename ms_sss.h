@@ -106,8 +106,8 @@
    MS_DEF           linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_SSS_FILENAME  this file's name, if it is not "ms_sss.h"
    MS_NO_SIMD       plain C only
-   MS_SSS_WITH_SCALAR plain C beside the SIMD levels, as their reference: MS_SIMD_SCALAR is else the same as
-   MS_SIMD_BASE MS_SSS_NO_DESIGN run time alone, for programs that carry kernels and pyramids as data: the filter,
+   MS_SSS_WITH_SCALAR   plain C beside the SIMD levels, as their reference; otherwise MS_SIMD_SCALAR is MS_SIMD_BASE
+   MS_SSS_NO_DESIGN run time alone, for programs that carry kernels and pyramids as data: the filter,
                     ms_sss_transmission and shaders; nothing that takes a profile
    MS_ASSERT        checks of the header's own invariants (nothing)
 
