@@ -190,8 +190,8 @@ const attend = card => (card.querySelector('.scale') || card).focus({ preventScr
 const live = () => [...document.querySelectorAll('#deck .card:not(.gone):not(.waiting)')];
 
 const slots = []; // cards that left, in whose places the next ones come
-function withdraw(items) { // cards that go back to the queue, the last one first
-  for (const item of items) {
+function withdraw(items) { // cards that go back to the head of the queue, in their order
+  for (const item of items.reverse()) {
     if (item.card) { item.card.classList.add('gone'); slots.unshift(item.card); }
     queue.unshift({ x: item.x, picture: item.picture });
   }
