@@ -47,8 +47,8 @@ all: $(SMALL) $(TOOLS) $(DEMOS)
 
 build/ms_mcml.o: ms_mcml.h
 	$(OBJECT) -DMS_MCML_IMPLEMENTATION -include ms_mcml.h
-build/ms_sss.o: ms_sss.h
-	$(OBJECT) -DMS_SSS_IMPLEMENTATION -include ms_sss.h
+build/ms_sss.o: ms_sss.h # with plain C, which the tests compare the SIMD levels with
+	$(OBJECT) -DMS_SSS_IMPLEMENTATION -DMS_SSS_WITH_SCALAR -include ms_sss.h
 build/ms_gpr.o: ms_gpr.h
 	$(OBJECT) -DMS_GPR_IMPLEMENTATION -include ms_gpr.h
 build/ms_nn.o: ms_nn.h

@@ -110,17 +110,18 @@ objects() {
     shift 3
     for n; do
         n=${n%.h}
-        echo "$build $language -D$(echo $n | tr a-z A-Z)_IMPLEMENTATION -include $n.h -c -o $out/objects/$prefix$n.o /dev/null 2>&1 |
+        upper=$(echo $n | tr a-z A-Z)
+        echo "$build $language -D${upper}_IMPLEMENTATION -D${upper}_WITH_SCALAR -include $n.h -c -o $out/objects/$prefix$n.o /dev/null 2>&1 |
             awk '{print; bad += /warning:|error:/} END {exit bad > 0}'" >"$out/objects/1-$prefix$n.job"
     done
 }
 
-# linked TEST: the flags that leave the headers to the linker, but for those of which (or of whose common block) the test calls private functions,
-# whose C library it replaces or which it compiles with an option of its own.
+# linked TEST: the flags that leave the headers to the linker, but for those of which (or of whose common block) the test calls private functions or
+# whose C library it replaces.
 linked() {
     for h in $headers; do
         upper=$(echo "${h%.h}" | tr a-z A-Z)
-        grep -q -E "(${h%.h}|$upper|\bms)__|${upper}_WITH_|include \"io\.h\"" "$1" || printf ' -D%s_IMPLEMENTED' "$upper"
+        grep -q -E "(${h%.h}|$upper|\bms)__|include \"io\.h\"" "$1" || printf ' -D%s_IMPLEMENTED' "$upper"
     done
 }
 # needed FILE: the headers that it leaves to the linker
@@ -184,6 +185,12 @@ check_jobs() {
 if [ -f /usr/include/embree4/rtcore.h ] || [ -f /usr/local/include/embree4/rtcore.h ]; then embree=-lembree4; else embree=-lembree3; fi
 
 test_group() {
+    # first those that wait for a browser
+    job web "sh tests/web.sh $out/web"
+    job three "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/three.py $out/three"
+    job materialx "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/materialx_open.py $out/materialx"
+    job blender "sh tests/blender.sh $out/blender"
+    job page "sh tests/page.sh $out/page"
     packages=""
     for t in tests/pkg_*.c; do
         n=$(basename "$t" .c)
@@ -204,11 +211,6 @@ test_group() {
         n=$(basename "$t" .py)
         job "$n" "sh tests/python.sh $t"
     done
-    job page "sh tests/page.sh $out/page"
-    job web "sh tests/web.sh $out/web"
-    job three "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/three.py $out/three"
-    job materialx "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/materialx_open.py $out/materialx"
-    job blender "sh tests/blender.sh $out/blender"
     job null "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/null.py $out/null"
     job dropin_together "sh tests/dropin/dropin.sh $out/dropin_together $(echo $headers)"
     for h in $headers; do

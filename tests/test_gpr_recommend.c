@@ -169,6 +169,7 @@ static void test_walk_like_rejection(void)
 {
     enum { N = 400 };
     int seed, i, k, compared = 0;
+    TEST_METHOD;
     for (seed = 1; compared < (test_full ? 6 : 2); ++seed) {
         taste t = taste_make((uint64_t)seed, 250, 19, 0.10, NULL);
         double *walk = (double *)malloc(N * 19 * sizeof *walk), *reject = (double *)malloc(N * 19 * sizeof *reject);
@@ -588,6 +589,7 @@ static void test_many_modes(void)
     double theta[M + 2];
     int seed, step, wide, i, k;
     uint64_t state = 11 + test_seed;
+    TEST_METHOD;
     for (i = 0; i < N; ++i) {
         for (k = 0; k < M; ++k) score_x[i * M + k] = test_uniform(&state);
         score[i] = i < MODES ? 10 - 0.01 * i : 0;
@@ -621,6 +623,7 @@ static void test_rare_shares(void)
     static double x[COUNT * MODES_M];
     double sum = 0, worst = 0, rarest = 1;
     int modes, step, seed;
+    TEST_METHOD;
     for (modes = 2; modes <= MODES_MAX; ++modes) {
         modes_world w = modes_make(modes, 19);
         for (step = 0; step < 3; step += 2)
@@ -650,6 +653,7 @@ static void test_rare_shares(void)
 static void test_every_tau(void)
 {
     int seed, step, i;
+    TEST_METHOD;
     for (seed = 1; seed <= 3; ++seed) {
         taste t = taste_make((uint64_t)seed + 40, 150, 19, 0.10, NULL);
         double x[40 * 19], mean[40], top = 0;

@@ -1125,6 +1125,7 @@ static void case_bands(void)
 {
     static const int size[][2] = {{70, 1}, {70, 17}, {70, 331}, {33, 4320}, {1, 90}}, threads[] = {2, 7, 16};
     int i, kind, t, c;
+    TEST_METHOD;
     for (i = 0; i < 5; ++i) {
         const int w = size[i][0], h = size[i][1], n = w * h;
         test_scene s = test_scene_make(w, h, test_seed);

@@ -424,6 +424,7 @@ static void case_promises(void)
 {
     const ms_sss_pyramid pyramid = skin_pyramid();
     int kind, level, i, c, changed = 0, lifted = 0, crossed = 0, spread = 0, small = 0, threads = 0;
+    TEST_METHOD;
     make_scene();
     for (kind = 0; kind < 3; ++kind) {
         for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
@@ -714,6 +715,7 @@ static void case_heights(void)
     const ms_sss_pyramid pyramid = skin_pyramid();
     static float first[3][N];
     int height, tilted, c, i;
+    TEST_METHOD;
     for (tilted = 0; tilted < 2; ++tilted) {
         double worst = 0;
         make_scene();
