@@ -341,11 +341,12 @@ MS_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *key);
 
 /* Writes a safetensors file into memory: a header padded with spaces to a multiple of 64 bytes, then the largest tensor
    first, equal sizes in the order given.
-   tensors   [count]; data of bytes = product of shape x element size, little-endian; NULL: the caller fills its place
-   in the file (ms_nn_file_open finds it); names unique metadata  [entries]; keys unique; NULL with entries 0 file
-   [capacity] out, any alignment; NULL: only *size is wanted size      out: bytes of the file MS_INVALID_ARGUMENT: a
-   name twice, "__metadata__" as a name, text that is not UTF-8, a wrong size, capacity below *size; nothing is written
-   then. position: index of the tensor or entry. */
+   tensors   [count], names unique; data little-endian, or NULL: the caller fills its place (ms_nn_file_open finds it)
+   metadata  [entries], keys unique; NULL with entries 0
+   file      [capacity] out, any alignment; NULL: only *size is wanted
+   size      out: bytes of the file
+   MS_INVALID_ARGUMENT: a name twice, "__metadata__" as a name, text that is not UTF-8, a wrong size, capacity below
+   *size; nothing is written then. position: index of the tensor or entry. */
 MS_API ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_t count, const ms_nn_entry *metadata,
                                   size_t entries, void *file, size_t capacity, size_t *size, ms_error *error);
 
@@ -474,8 +475,9 @@ MS_API size_t ms_nn_shader_text(const ms_nn *nn, const ms_nn_shader *shader, cha
                                 ms_error *error);
 
 /* The weights' texture: for each dense layer, blocks of 4 outputs x 4 inputs (a texel holds 4 inputs of an output;
-   zeros beyond the ends), inputs fastest; then its biases, 4 a texel. dtype   MS_NN_F16 or MS_NN_F32, in the host's
-   order of bytes; I8 weights are multiplied by their scales out     [weight_rows][MS_NN_SHADER_WIDTH][4] elements
+   zeros beyond the ends), inputs fastest; then its biases, 4 a texel. I8 weights are multiplied by their scales.
+   dtype   MS_NN_F16 or MS_NN_F32, in the host's order of bytes
+   out     [weight_rows][MS_NN_SHADER_WIDTH][4] elements
    MS_UNSUPPORTED as above, and a weight over 65504 in F16. */
 MS_API ms_status ms_nn_shader_weights(const ms_nn *nn, ms_nn_dtype dtype, void *out, ms_error *error);
 
