@@ -44,33 +44,28 @@
 
    In the caller's order
    ---------------------
-   1. Materials to be scored: ms_gpr_gallery, in batches of 5 to 25, from the first (a model of n = 0) to the last.
-   2. Scores, or "the best 2 of 9", or both: ms_gpr_fit learns the hyperparameters, or ms_gpr_create takes them.
-      ms_gpr_append, ms_gpr_rescore and ms_gpr_drop change one score, ms_gpr_compare takes comparisons. Another round:
-      concatenate, and fit again.
-   3. What was learned: ms_gpr_predict, ms_gpr_relevance; ms_gpr_simplify leaves out what a scene does not need. To
-      store a model, store materials, scores, pairs and theta, and call ms_gpr_create.
-   4. New materials: ms_gpr_recommend. Recommendations, galleries and planes satisfy a ms_gpr_space: what is fixed,
-      ranges, steps, equal columns, lists of metals.
-   5. Variants of a liked material: ms_gpr_latent_fit lays high-scoring materials out in a plane, ms_gpr_latent_map
-      leads from the plane to materials; ms_gpr_map_preference and its sisters color it; ms_gpr_variants finds the best.
+   1. ms_gpr_gallery: materials to be scored, in batches of 5 to 25; a model of n = 0 gives the first.
+   2. ms_gpr_fit: learns from scores, from comparisons such as "the best 2 of 9", or from both. ms_gpr_append,
+      ms_gpr_rescore, ms_gpr_drop and ms_gpr_compare change the data under the same hyperparameters.
+   3. ms_gpr_predict, ms_gpr_relevance: what was learned. A model is stored as materials, scores, pairs and theta, which
+      ms_gpr_create takes.
+   4. ms_gpr_recommend: new materials, which satisfy a ms_gpr_space.
+   5. ms_gpr_latent_fit, ms_gpr_latent_map: a plane of variants; ms_gpr_map_preference and its sisters color it;
+      ms_gpr_variants finds the best.
 
    What it costs
    -------------
    A likelihood with its gradient takes n^3 / 2 + n^2 m multiply-adds; a fit evaluates it 20 times on all scores and 150
    times on a third of them. A mean takes n m, its variance n^2 / 2 more. 300 recommendations cost 30,000 to 150,000
-   predictions. 60 answers (2 clicks in each of 5 active galleries, then scores) give better recommendations than 250
-   uniform scores; active scores alone need 80 to 100. Figures: tests/bench/RESULTS.md, made by `make bench`.
+   means. A model has n^2 + 3 n m doubles, a fit 4 n^2 more. Figures: tests/bench/RESULTS.md, made by `make bench`.
 
-   Memory, threads, SIMD, determinism, errors
-   ------------------------------------------
-   A model is two blocks from its allocator, n^2 + 3 n m doubles; a fit takes another of 4 n^2 and gives it back. No
-   globals; 20 KB of stack. A model is only read by const calls: they may overlap. ms_parallel shares out predictions,
-   recommendations and galleries. Kernels are scalar, or with GCC and Clang SSE2, NEON or AVX2, chosen once a model
-   under the cap options.simd. The same bits for any thread count and in every run at one level of one build; levels,
-   and builds that fuse multiply-adds differently, differ by rounding, which a fit may turn into another path to the
-   same optimum. -ffast-math by the user voids all promises. Outputs are untouched on failure, but where the call says
-   otherwise.
+   Threads, SIMD, determinism, errors
+   ----------------------------------
+   No globals; 20 KB of stack. Const calls may overlap. ms_parallel shares out predictions, recommendations and
+   galleries. Kernels are scalar, or with GCC and Clang SSE2, NEON or AVX2, chosen under the cap options.simd. One level
+   of one build gives the same bits for any thread count. Levels and builds differ by rounding, which may lead a fit
+   along another path to the same optimum. -ffast-math by the user voids all promises. Outputs are untouched on failure,
+   but where the call says otherwise.
 
    Configuration (define before the implementation)
    ------------------------------------------------
@@ -83,9 +78,8 @@
    Limits
    ------
    n up to 30000 by memory; time grows with n^3. The kernel is the squared exponential with one length a dimension:
-   preferences that jump are smoothed. Values that are not finite or beyond 1e30, and columns and scores that span less
-   than 1e-30, are refused by name. Distances are direct differences of centered inputs, so that near-duplicates and
-   offsets of 1e8 cost no digits.
+   preferences that jump are smoothed. Values beyond 1e30, and columns and scores that span less than 1e-30, are
+   refused by name.
 
    Sources
    -------
@@ -232,40 +226,33 @@ typedef struct ms_gpr_options {
 /* A model whose hyperparameters are given.
    x, y   [n][m] inputs, row-major, any units; [n] scores or MS_GPR_UNSCORED; copied
    n, m   n >= 0 (0 predicts the prior), m >= 1
-   theta  [m + 2]: log l_k for every dimension, log sf, log sn; l_k in units of x, sf and sn in units of y
-   MS_BAD_DATA: a value of x or y that is not finite or beyond 1e30 (position: its row, from 1). MS_INVALID_ARGUMENT.
-   MS_NOT_CONVERGED: K' is not positive definite even with the largest jitter (see ms_gpr_view). MS_OUT_OF_MEMORY.
-   *out is NULL unless MS_OK. n^3 / 6 multiply-adds; n^2 + n m doubles. */
+   theta  [m + 2]: log l_k for every dimension, 700 to leave it out, log sf, log sn; in units of x and y
+   *out is NULL unless MS_OK. MS_BAD_DATA: a value that is not finite or beyond 1e30 (position: its row, from 1).
+   MS_NOT_CONVERGED: K' is not positive definite even with the largest jitter (see ms_gpr_view). MS_INVALID_ARGUMENT,
+   MS_OUT_OF_MEMORY. n^3 / 6 multiply-adds. */
 MS_API ms_status ms_gpr_create(const double *x, const double *y, int n, int m, const double *theta,
                                const ms_gpr_options *options, ms_gpr **out, ms_error *error);
 
 MS_API void ms_gpr_destroy(ms_gpr *gp);
 
 /* One more scored point, x [m]; another score for point `index`; without point `index` and its comparisons, later
-   points move up by one. Hyperparameters stay. Each conditions anew: n^3 / 6 multiply-adds, 0.3 ms at n = 240. The
-   model is unchanged unless MS_OK. */
+   points move up by one. Each conditions anew. The model is unchanged unless MS_OK. */
 MS_API ms_status ms_gpr_append(ms_gpr *gp, const double *x, double y, ms_error *error);
 MS_API ms_status ms_gpr_rescore(ms_gpr *gp, int index, double y, ms_error *error);
 MS_API ms_status ms_gpr_drop(ms_gpr *gp, int index, ms_error *error);
 
-/* More materials without a score, and comparisons, "this one rather than that one", in place of those the model has.
+/* More materials without a score, and comparisons in place of those the model has.
    x      [count][m] rows n to n + count - 1 of the model; NULL with count 0
-   pairs  [pair_count][2] rows of the model, the preferred one first; copied. "The best 2 of 9" are 14 pairs. Likes
-          alone: pairs of each with 20 materials of an MS_GPR_GALLERY_SPREAD
-   A pair has P = Phi((f_better - f_worse) / (sqrt(2) sn)): both are seen with the noise of a score. Without scores the
-   unit is sf. Such a model, and one of scores in steps, is conditioned by Laplace's approximation: some 2 n^3
-   multiply-adds a change. MS_BAD_DATA as ms_gpr_create. MS_INVALID_ARGUMENT: a row outside the model or compared with
-   itself (position: the pair, from 1). MS_NOT_CONVERGED, MS_OUT_OF_MEMORY. The model is unchanged unless MS_OK.
-   Chu & Ghahramani 2005, "Preference learning with Gaussian processes"; Brochu and others 2007. */
+   pairs  [pair_count][2] rows of the model, the preferred one first; copied. "The best 2 of 9" are 14 pairs
+   A pair has P = Phi((f_better - f_worse) / (sqrt(2) sn)). Without scores the unit is sf. Such a model, and one of
+   scores in steps, is conditioned by Laplace's approximation. MS_INVALID_ARGUMENT: a row outside the model or compared
+   with itself (position: the pair, from 1). MS_BAD_DATA, MS_NOT_CONVERGED, MS_OUT_OF_MEMORY. The model is unchanged
+   unless MS_OK. Chu & Ghahramani 2005, "Preference learning with Gaussian processes". */
 MS_API ms_status ms_gpr_compare(ms_gpr *gp, const double *x, int count, const int *pairs, int pair_count,
                                 ms_error *error);
 
-/* Drops the dimensions of least relevance while the sum of those is at most `tolerance`, such as 0.02. The model of the
-   rest is exact, as if the dropped lengths were infinite; calls still take m columns. kept: out, or NULL. */
-MS_API ms_status ms_gpr_simplify(ms_gpr *gp, double tolerance, int *kept, ms_error *error);
-
-/* How much each dimension matters, [m] out: the mean of ((a_k - b_k) / l_k)^2 over pairs of training inputs. Of a pair
-   that differs in dimension k alone, the scores correlate by about exp(-relevance / 2). 0 for a dropped dimension. */
+/* How much each dimension matters, [m] out: the mean of ((a_k - b_k) / l_k)^2 over pairs of training inputs; 0 for one
+   that is left out. */
 MS_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance);
 
 /* What a model consists of; all zero for NULL. Pointers are valid until the model changes. */
@@ -279,7 +266,7 @@ typedef struct ms_gpr_view {
     double mean;         /* prior mean */
     double floor;        /* the least score that can be given; see ms_gpr_fit_options */
     double floor_value;  /* what scores at the floor are modeled as */
-    double jitter;       /* added to sn^2, in units of sf^2, for a positive definite K': 0 nearly always, to 1e-6 */
+    double jitter;       /* added to sn^2, in units of sf^2: 0 nearly always, to 1e-6 */
     ms_simd level;       /* instruction set in use */
 } ms_gpr_view;
 
@@ -295,11 +282,9 @@ typedef enum ms_gpr_method {
 /* All zero: the defaults. "Width" is sqrt(12) standard deviations: 1 for a column that is uniform on [0, 1]. */
 typedef struct ms_gpr_fit_options {
     /* The least score that can be given, such as 1 of 5 stars. NULL: the least that was given, if two and an eighth of
-       all share it; else there is none. */
+       all share it; else there is none. MAP takes scores at the floor as 0.75 standard deviations below it: dislike
+       has room below "barely liked". */
     const double *floor;
-    /* Scores at the floor are taken as so many standard deviations below it, so that dislike has room below "barely
-       liked". 0: 0.75 for MAP, none for ML. Negative: none. */
-    double floor_offset;
     ms_gpr_method method;
     const double *start; /* [m + 2] theta, the only start. NULL: sf = 1 and sn = 0.1 standard deviations, and */
     double length_start; /* l_k = so many widths, alone; 0: three starts, of 0.25, 0.5 and 3 sqrt(m) */
@@ -317,8 +302,7 @@ typedef struct ms_gpr_fit_options {
     double step;
 } ms_gpr_fit_options;
 
-/* The one number among the answers that looks like a slip: a score that all others contradict, or a value far outside
-   the rest of its column. */
+/* The answer that looks like a slip: a score that all others contradict, or a value far outside its column. */
 typedef struct ms_gpr_outlier {
     int row;          /* of x and y; -1: none */
     int column;       /* of x; -1: the score */
@@ -330,7 +314,6 @@ typedef struct ms_gpr_outlier {
 typedef struct ms_gpr_fit_report {
     double likelihood;      /* log p(y | X, theta) of the scores as they were modeled */
     double objective;       /* the same plus the log prior of MAP */
-    double jitter;          /* as in ms_gpr_view */
     int evaluations;        /* of the likelihood, all starts and probes */
     int start;              /* the start that won, from 0 */
     int probes;             /* dimensions that probing switched on or off */
@@ -338,23 +321,23 @@ typedef struct ms_gpr_fit_report {
     ms_gpr_outlier outlier; /* ask the user about it: one wrong score of 100 can spoil all recommendations */
 } ms_gpr_fit_report;
 
-/* Learns theta, and makes the model with it. The prior mean is the mean of the scores, 0 where there are none.
-   x, y, n, m  as in ms_gpr_create. Columns that differ by rounding only (1e-10 of the largest) are left out; equal
+/* Learns theta, and makes the model with it. The prior mean is the mean of the scores.
+   x, y, n, m  as in ms_gpr_create. Columns that differ by rounding only (1e-10 of the largest) are left out. Equal
                scores, or none, give a flat model
+   report      out, or NULL
    MS_BAD_DATA as ms_gpr_create, and where scores or a column span less than 1e-30 (position: the column, from 1).
-   MS_CANCELLED; the rest as ms_gpr_create. report: or NULL. Bit-equal at one SIMD level. 4 n^2 doubles. */
+   MS_CANCELLED; the rest as ms_gpr_create. */
 MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options,
                             ms_gpr **out, ms_gpr_fit_report *report, ms_error *error);
 
 /* ---- prediction ------------------------------------------------------------------------------------------------ */
 
 /* Posterior mean and variance at `count` points.
-   x         [count][m] row-major, units as in the training set
-   mean      [count] out, units of y; NULL: not computed
-   variance  [count] out, units of y squared, of the latent function: add sn^2 for that of a score; >= 0.
-             NULL: not computed (then O(n m) a point instead of O(n^2))
-   MS_BAD_DATA: an x that is not finite (position: its row, from 1). MS_OUT_OF_MEMORY. Outputs are untouched then.
-   Rasmussen & Williams 2006, algorithm 2.1, lines 4 to 6; thesis (3.4), (3.5). */
+   x         [count][m] row-major
+   mean      [count] out, or NULL: in units of y
+   variance  [count] out, or NULL: in units of y squared, of the latent function: add sn^2 for that of a score
+   MS_BAD_DATA: an x that is not finite (position: its row, from 1). MS_OUT_OF_MEMORY.
+   Rasmussen & Williams 2006, algorithm 2.1; thesis (3.4), (3.5). */
 MS_API ms_status ms_gpr_predict(const ms_gpr *gp, const double *x, int count, double *mean, double *variance,
                                 ms_error *error);
 
@@ -368,9 +351,9 @@ typedef struct ms_gpr_list {
     int count;
 } ms_gpr_list;
 
-/* Constraints that recommendations, galleries and planes satisfy. All zero: the box that the scores suggest. They
-   contradict each other, MS_INVALID_ARGUMENT, where low > high, no row of a list is in the box, a parameter is in two
-   lists or in a list and in steps, or equal columns share no range, are in a list, or have different steps. */
+/* Constraints that recommendations, galleries and planes satisfy. All zero: the box that the scores suggest.
+   MS_INVALID_ARGUMENT where they contradict each other: an empty box, no row of a list in the box, a parameter in two
+   lists or in a list and in steps, equal columns without a common range or in a list. */
 typedef struct ms_gpr_space {
     /* [m] the box of allowed parameters, low = high for a fixed one. NULL, or -INFINITY and INFINITY in a column: 0 to
        1 where all scores lie there, else their range rounded outwards, the value of a locked column, a list's range. */
@@ -392,10 +375,8 @@ typedef enum ms_gpr_search {
 
 /* All zero: the defaults. */
 typedef struct ms_gpr_recommend_options {
-    double tau;       /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. The thesis advises 0.4 (variety)
-                         to 0.7 (quality). floor: as in ms_gpr_view */
-    double best;      /* the score that tau = 1 means, such as 10; 0: the largest that was given. At most the largest
-                         mean in the box */
+    double tau;       /* threshold = floor + tau (best - floor), 0 < tau <= 1; 0: 0.6. floor: as in ms_gpr_view */
+    double best;      /* the score that tau = 1 means; 0: the largest given. At most the largest mean in the box */
     double diversity; /* 0: in proportion to the volume of what is liked. Up to 1: every recommendation is the farthest
                          from those before it of 1 + 15 diversity */
     ms_gpr_space space;
@@ -423,12 +404,12 @@ typedef struct ms_gpr_recommend_report {
    count, x  how many, >= 1; [count][m] out
    mean      [count] out, or NULL: predicted scores
    sigma     [count] out, or NULL: their standard deviation
-   report    or NULL
-   By rejection, the share of each separate mode has the error of independent draws. By subset simulation its root mean
-   square error is 0.05 where one material in 600 is above the threshold, 0.08 for one in 100,000 and 0.10 for one in
-   1e9 (two to four modes). MS_NOT_CONVERGED: no score is predicted above the floor, or the search gave up; then, and
-   with MS_CANCELLED, the first report->found rows are valid. MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY.
-   Thesis 3.4.1; Au & Beck 2001, subset simulation; Neal 2003, slice sampling. */
+   report    out, or NULL
+   Separate modes get shares by their volumes. By rejection these have the error of independent draws; by subset
+   simulation a root mean square error of 0.05 where one material in 600 is liked, of 0.10 for one in 1e9.
+   MS_NOT_CONVERGED: no score is predicted above the floor, or the search gave up; then, and with MS_CANCELLED, the
+   first report->found rows are valid. MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Thesis 3.4.1; Au & Beck 2001, subset
+   simulation; Neal 2003, slice sampling. */
 MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
                                   double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error);
 
@@ -448,12 +429,11 @@ typedef struct ms_gpr_gallery_options {
     ms_gpr_gallery_kind kind;
 } ms_gpr_gallery_options;
 
-/* Materials x [count][m], out, that the user is to score next, best in batches of 5 to 25. A model of n = 0 gives the
-   first gallery. Half of the candidates are uniform, half variants of what was liked: a material drawn in proportion to
-   its score, half of them crossed with a second one, some parameters drawn anew. Each choice takes those before it as
-   scored. Where 60 answers confirm fewer than three likings, ask for comparisons ("the best 2 of 9") in place of
-   scores. MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Thesis 3.7; straddling: Bryan and others 2005, "Active learning for
-   identifying function threshold boundaries". */
+/* Materials x [count][m], out, that the user is to score next. Half of the candidates are uniform, half variants of
+   what was liked: a material drawn in proportion to its score, half of them crossed with a second one, some parameters
+   drawn anew. Each choice takes those before it as scored. Where 60 answers confirm fewer than three likings, ask for
+   comparisons ("the best 2 of 9") in place of scores. MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Thesis 3.7; Bryan and
+   others 2005, "Active learning for identifying function threshold boundaries". */
 MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x,
                                 ms_error *error);
 
@@ -479,12 +459,11 @@ typedef struct ms_gpr_latent_report {
     int evaluations;
 } ms_gpr_latent_report;
 
-/* Embeds materials x [z][m], z >= 2. Every column has the same kernel variance: scale parameters to comparable ranges.
-   Length scales are 1, the unit of the plane. Starts from principal components at three scales; sf, sn and all latents
-   are optimized together by L-BFGS, z^3 / 2 + 2 z^2 m multiply-adds an evaluation.
+/* Embeds materials x [z][m], z >= 2, by L-BFGS from principal components at three scales. Every column has the same
+   kernel variance: scale parameters to comparable ranges. Length scales are 1, the unit of the plane.
+   z^3 / 2 + 2 z^2 m multiply-adds an evaluation. *out is NULL unless MS_OK.
    MS_BAD_DATA: a value that is not finite (position: its row, from 1), or all materials equal. MS_INVALID_ARGUMENT,
-   MS_OUT_OF_MEMORY, MS_CANCELLED. *out is NULL unless MS_OK. Bit-equal at one SIMD level.
-   Lawrence 2004, "Gaussian process latent variable models"; thesis (3.8), (3.9). */
+   MS_OUT_OF_MEMORY, MS_CANCELLED. Lawrence 2004, "Gaussian process latent variable models"; thesis (3.8), (3.9). */
 MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_latent_options *options,
                                    ms_gpr_latent **out, ms_gpr_latent_report *report, ms_error *error);
 
@@ -499,12 +478,6 @@ MS_API const double *ms_gpr_latent_theta(const ms_gpr_latent *plane);
    coordinate of x, without the noise; 0 <= variance <= sf^2. */
 MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x,
                                    double *variance, ms_error *error);
-
-/* The latent point [2], out, whose material is nearest to x [m] before options.space, by L-BFGS from the four training
-   latents whose materials are nearest. distance: out, or NULL: root mean square over the m dimensions. variance: out,
-   or NULL: as in ms_gpr_latent_map. */
-MS_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x, double *latent, double *distance,
-                                    double *variance, ms_error *error);
 
 /* ---- maps ------------------------------------------------------------------------------------------------------ */
 
@@ -546,10 +519,6 @@ typedef struct ms_gpr_similarity {
 MS_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_gpr_similarity *similarity,
                                        const ms_gpr_grid *grid, double *map, ms_error *error);
 
-/* max(preference, 0) * similarity on the preference's grid; the similarity may have a coarser grid of its own. */
-MS_API void ms_gpr_map_product(const ms_gpr_grid *grid, const double *preference, const ms_gpr_grid *similarity_grid,
-                               const double *similarity, double *product);
-
 /* One automatic variant. */
 typedef struct ms_gpr_variant {
     double latent[2];
@@ -561,12 +530,11 @@ typedef struct ms_gpr_variant {
 
 /* The variants of largest value (ms_gpr_variant) over the plane, for several lambda (thesis 3.7).
    lambda   [count], each in [0, 1]: 1 asks for the most similar material, 0 for the best
-   best     the score that counts as 1; the floor or less: the largest on the grid (1 above the floor where none is)
+   best     the score that counts as 1; the floor or less: the largest on the grid
    variant  [count] out
    x        [count][m] out, or NULL: their materials
-   The grid is searched, then its maximum and the next best elsewhere are refined by pattern searches to 1/64 of a cell.
-   All lambdas share what was looked at: similarity times confidence never falls and score times confidence never rises
-   as lambda grows. */
+   Pattern searches from the best points of the grid go to 1/64 of a cell. All lambdas share what was looked at: more
+   lambda never means less similarity times confidence. */
 MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_similarity *similarity,
                                  const ms_gpr_grid *grid, const double *lambda, int count, double best,
                                  ms_gpr_variant *variant, double *x, ms_error *error);
@@ -972,7 +940,7 @@ typedef struct ms_gpr__lines {
 } ms_gpr__lines;
 
 /* The inner loops, one table a level. Matrices are row-major with a stride; a is [depth][rows], b is [depth][columns],
-   c is [rows][columns]; rows is a multiple of 4, columns of 8; pointers need no alignment. */
+   c is [rows][columns]; rows is a multiple of 4, columns of 8 (distances_f: of 64); pointers need no alignment. */
 typedef struct ms_gpr__kernels {
     /* c -= a' b; parts: the sum of flags above, or 0 */
     void (*reduce)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b, size_t b_stride,
@@ -2345,16 +2313,6 @@ MS_API void ms_gpr_destroy(ms_gpr *gp)
     ms__release(&allocator, gp, sizeof *gp);
 }
 
-/* Other hyperparameters [m + 2] for the same data; the model is unchanged unless MS_OK. */
-static ms_status ms_gpr__set_theta(ms_gpr *gp, const double *theta, ms_error *error)
-{
-    ms_gpr *edited;
-    ms_status status = ms_gpr__edit(gp, 0, gp->pairs, gp->pair_count, &edited, error);
-    if (status != MS_OK) return status;
-    memcpy(edited->theta, theta, ((size_t)gp->m + 2) * sizeof *theta);
-    return ms_gpr__commit(gp, edited, error);
-}
-
 MS_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance)
 {
     int i, k;
@@ -2366,36 +2324,6 @@ MS_API void ms_gpr_relevance(const ms_gpr *gp, double *relevance)
         }
         relevance[k] = gp->n > 1 && gp->theta[k] < MS_GPR__DROPPED ? 2 * sum / (gp->n - 1) : 0;
     }
-}
-
-MS_API ms_status ms_gpr_simplify(ms_gpr *gp, double tolerance, int *kept, ms_error *error)
-{
-    size_t columns, size;
-    double *relevance, *theta, dropped = 0;
-    ms_status status;
-    int k;
-    if (gp == NULL) return ms_gpr__null("gp", error);
-    status = ms_gpr__check_range("tolerance", tolerance, 0, 1e300, error);
-    if (status != MS_OK) return status;
-    columns = (size_t)gp->m;
-    size = (2 * columns + 2) * sizeof(double);
-    relevance = (double *)ms__alloc(&gp->allocator, size);
-    if (relevance == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %d relevances", gp->m);
-    theta = relevance + columns;
-    memcpy(theta, gp->theta, (columns + 2) * sizeof *theta);
-    ms_gpr_relevance(gp, relevance);
-    for (;;) {
-        int least = -1;
-        for (k = 0; k < gp->m; ++k)
-            if (theta[k] < MS_GPR__DROPPED && (least < 0 || relevance[k] < relevance[least])) least = k;
-        if (least < 0 || dropped + relevance[least] > tolerance) break;
-        dropped += relevance[least];
-        theta[least] = MS_GPR__DROPPED;
-    }
-    status = ms_gpr__set_theta(gp, theta, error);
-    if (kept && status == MS_OK) *kept = gp->active;
-    ms__release(&gp->allocator, relevance, size);
-    return status;
 }
 
 static double ms_gpr__floor_of(const ms_gpr *gp) { return ms_gpr__floor(gp->y, gp->n, gp->floor); }
@@ -2679,24 +2607,14 @@ static int ms_gpr__ranked_before(const ms_gpr__ranked *a, const ms_gpr__ranked *
     return a->value > b->value || (!(a->value < b->value) && a->index < b->index);
 }
 
-/* Largest value first, then smallest index. Heapsort in place: the qsort of some C libraries calls malloc. */
+/* Largest value first, then smallest index, by insertion. */
 static void ms_gpr__ranked_sort(ms_gpr__ranked *list, int count)
 {
-    int first = count / 2, end = count, parent, child;
-    while (end > 1) {
-        ms_gpr__ranked moved;
-        if (first > 0) {
-            moved = list[--first]; /* makes the heap: whatever comes last in the order is at its top */
-        } else {
-            moved = list[--end]; /* takes the top off it */
-            list[end] = list[0];
-        }
-        for (parent = first; (child = 2 * parent + 1) < end; parent = child) {
-            if (child + 1 < end && ms_gpr__ranked_before(&list[child], &list[child + 1])) ++child;
-            if (!ms_gpr__ranked_before(&moved, &list[child])) break;
-            list[parent] = list[child];
-        }
-        list[parent] = moved;
+    int i, j;
+    for (i = 1; i < count; ++i) {
+        ms_gpr__ranked moved = list[i];
+        for (j = i; j > 0 && ms_gpr__ranked_before(&moved, &list[j - 1]); --j) list[j] = list[j - 1];
+        list[j] = moved;
     }
 }
 
@@ -2732,7 +2650,8 @@ static const double MS_GPR__PRIOR_SN = 0.5;
 static const double MS_GPR__PRIOR_SN_STEP = 1.5; /* of scores that come in steps */
 static const double MS_GPR__PRIOR_SN_SPREAD = 0.25;
 static const double MS_GPR__PRIOR_TAIL = 1.0;
-enum { MS_GPR__OUTLIER_ROWS = 8 }; /* scores at least before one of them is an outlier */
+static const double MS_GPR__FLOOR_OFFSET = 0.75; /* standard deviations that scores at the floor are taken below it */
+enum { MS_GPR__OUTLIER_ROWS = 8 };               /* scores at least before one of them is an outlier */
 static const double MS_GPR__OUTLIER_RANGES = 3.0;
 static const double MS_GPR__OUTLIER_DEVIATIONS = 5.0;
 enum {
@@ -2825,7 +2744,8 @@ static int ms_gpr__fit_scores(ms_gpr__fit *fit, const double *y, int n)
             double d = (y[i] > fit->floor ? y[i] : fit->floor_value) - sum;
             if (ms_gpr__scored(y[i])) sum2 += d * d / scored;
         }
-        if (pass == 0 && fit->floor > MS_GPR__NO_FLOOR) fit->floor_value -= fit->o.floor_offset * sqrt(sum2);
+        if (pass == 0 && fit->floor > MS_GPR__NO_FLOOR && fit->o.method == MS_GPR_METHOD_MAP)
+            fit->floor_value -= MS_GPR__FLOOR_OFFSET * sqrt(sum2);
     }
     fit->mean = sum;
     fit->unit = sqrt(sum2);
@@ -3074,14 +2994,11 @@ static ms_status ms_gpr__fit_options(const ms_gpr_fit_options *options, int m, m
     status = ms_gpr__check_range("length_start", o->length_start, 0, MS_GPR__LARGEST, error);
     if (status == MS_OK) status = ms_gpr__check_range("step", o->step, -MS_GPR__LARGEST, MS_GPR__LARGEST, error);
     if (status == MS_OK) status = ms_gpr__check_range("method", (int)o->method, 0, (int)MS_GPR_METHOD_ML, error);
-    if (status == MS_OK) status = ms_gpr__check_range("floor_offset", o->floor_offset, -100, 100, error);
     if (status == MS_OK && o->floor)
         status = ms_gpr__check_range("floor", *o->floor, -MS_GPR__LARGEST, MS_GPR__LARGEST, error);
     if (status == MS_OK) status = ms_gpr__check_range("probe_first", o->probe_first, 0, MS_GPR__MOST, error);
     if (status == MS_OK) status = ms_gpr__check_range("evaluations", o->evaluations, 0, MS_GPR__MOST, error);
     if (status != MS_OK) return status;
-    if (o->floor_offset < 0) o->floor_offset = 0;
-    else if (!(o->floor_offset > 0)) o->floor_offset = o->method == MS_GPR_METHOD_MAP ? 0.75 : 0;
     if (o->evaluations == 0) o->evaluations = 200;
     return o->start ? ms_gpr__check_theta(o->start, m, error) : MS_OK;
 }
@@ -3210,7 +3127,6 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
         ms_gpr__fit_outlier_score(&fit, *out);
         *report = fit.report;
         report->likelihood = (*out)->soft ? (*out)->likelihood : ms_gpr__likelihood_of(*out);
-        report->jitter = (*out)->jitter;
     }
     ms_gpr__release(&fit.o.allocator, arena.base);
     return status;
@@ -4717,8 +4633,7 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
 enum {
     MS_GPR__PLANE = 2,           /* dimensions of the latent space */
     MS_GPR__LATENT_LIMIT = 2000, /* evaluations of the likelihood of a fit, at most */
-    MS_GPR__LATENT_TRIAL = 100,  /* evaluations of every start of a fit */
-    MS_GPR__LATENT_NEAREST = 4   /* training latents from which the nearest point is searched */
+    MS_GPR__LATENT_TRIAL = 100   /* evaluations of every start of a fit */
 };
 
 struct ms_gpr_latent {
@@ -5004,77 +4919,20 @@ MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *lat
     return MS_OK;
 }
 
-/* The latent point of a material: q sees half the squared distance of its material. */
-typedef struct ms_gpr__nearest {
-    const ms_gpr_latent *plane;
-    const double *x;  /* [m] */
-    double *kernel;   /* [stride] */
-    double *material; /* [columns] */
-} ms_gpr__nearest;
-
-static int ms_gpr__nearest_objective(void *context, const double *q, double *value, double *gradient)
+/* The training latent whose material is nearest to x [m]. */
+static const double *ms_gpr__latent_nearest(const ms_gpr_latent *p, const double *x)
 {
-    const ms_gpr__nearest *s = (const ms_gpr__nearest *)context;
-    const ms_gpr_latent *p = s->plane;
-    int i, k;
-    ms_gpr__latent_kernel(p, q, s->kernel);
-    ms_gpr__latent_material(p, s->kernel, s->material);
-    for (k = 0, *value = 0; k < p->m; ++k) {
-        s->material[k] -= s->x[k];
-        *value += 0.5 * s->material[k] * s->material[k];
+    double least = HUGE_VAL;
+    int best = 0, i, k;
+    for (i = 0; i < p->z; ++i) {
+        double sum = 0;
+        for (k = 0; k < p->m; ++k) {
+            double d = p->center[k] + p->x[(size_t)i * p->columns + (size_t)k] - x[k];
+            sum += d * d;
+        }
+        if (sum < least) least = sum, best = i;
     }
-    for (k = p->m; k < (int)p->columns; ++k) s->material[k] = 0;
-    for (k = 0; k < MS_GPR__PLANE; ++k) gradient[k] = 0;
-    for (i = 0; i < p->z; ++i) { /* dk_i/dq = k_i (l_i - q) / length^2 */
-        double pull = s->kernel[i] * p->kernels->dot(s->material, p->weight + (size_t)i * p->columns, (int)p->columns);
-        for (k = 0; k < MS_GPR__PLANE; ++k)
-            gradient[k] += pull * (p->latent[i * MS_GPR__PLANE + k] - q[k]) * exp(-2 * p->theta[k]);
-    }
-    return 1;
-}
-
-MS_API ms_status ms_gpr_latent_find(const ms_gpr_latent *plane, const double *x, double *latent, double *distance,
-                                    double *variance, ms_error *error)
-{
-    const ms_gpr_latent *p = plane;
-    ms_gpr__nearest s;
-    ms_gpr__search search;
-    double *work, *misfit, best = HUGE_VAL, q[3], gradient[3];
-    ms_status status;
-    int start, i, k, nearest;
-    if (p == NULL || x == NULL || latent == NULL) return ms_gpr__null(p == NULL ? "plane" : x ? "latent" : "x", error);
-    status = ms_gpr__check_rows(x, 1, p->m, MS_GPR__LARGEST, "material", error);
-    if (status != MS_OK) return status;
-    s.kernel = ms_gpr__scratch(&p->allocator, ms_gpr__minimize_doubles(MS_GPR__PLANE) + 2 * p->stride + p->columns);
-    if (s.kernel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a search in the latent space");
-    s.material = s.kernel + p->stride;
-    misfit = s.material + p->columns;
-    work = misfit + p->stride;
-    s.plane = p;
-    s.x = x;
-    memset(&search, 0, sizeof search);
-    search.f = ms_gpr__nearest_objective;
-    search.context = &s;
-    search.count = MS_GPR__PLANE;
-    search.tolerance = 1e-20 * exp(2 * p->theta[MS_GPR__PLANE]);
-    search.evaluations = 200;
-    for (i = 0; i < p->z; ++i) ms_gpr__nearest_objective(&s, p->latent + i * MS_GPR__PLANE, &misfit[i], gradient);
-    for (start = 0; start < MS_GPR__LATENT_NEAREST && start < p->z; ++start) {
-        ms_gpr__minimum found;
-        for (i = 1, nearest = 0; i < p->z; ++i)
-            if (misfit[i] < misfit[nearest]) nearest = i;
-        misfit[nearest] = HUGE_VAL;
-        memcpy(q, p->latent + nearest * MS_GPR__PLANE, (size_t)MS_GPR__PLANE * sizeof *q);
-        found = ms_gpr__minimize(&search, q, work);
-        if (!(found.value < best)) continue;
-        best = found.value;
-        for (k = 0; k < MS_GPR__PLANE; ++k) latent[k] = q[k];
-    }
-    if (distance) *distance = sqrt(2 * best / p->m);
-    ms_gpr__latent_kernel(p, latent, s.kernel);
-    if (variance) *variance = ms_gpr__latent_variance(p, s.kernel);
-    ms_gpr__release(&p->allocator, s.kernel);
-    return MS_OK;
+    return p->latent + best * MS_GPR__PLANE;
 }
 
 /* --- fit --- */
@@ -5478,21 +5336,6 @@ MS_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_gpr_
     return status;
 }
 
-MS_API void ms_gpr_map_product(const ms_gpr_grid *grid, const double *preference, const ms_gpr_grid *similarity_grid,
-                               const double *similarity, double *product)
-{
-    int row, column;
-    if (grid == NULL || preference == NULL || similarity_grid == NULL || similarity == NULL || product == NULL) return;
-    for (row = 0; row < grid->rows; ++row)
-        for (column = 0; column < grid->columns; ++column) {
-            size_t i = (size_t)row * (size_t)grid->columns + (size_t)column;
-            double at[2];
-            ms_gpr_grid_point(grid, column, row, at);
-            product[i] = (preference[i] > 0 ? preference[i] : 0) *
-                ms_gpr_grid_value(similarity_grid, similarity, at[0], at[1]);
-        }
-}
-
 /* --- automatic variants --- */
 
 enum {
@@ -5619,8 +5462,8 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
     status = visited.x && visited.seen ? ms_gpr__pictures(plane, similarity, &visited.pictures, error)
                                        : ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %z points", points);
     if (status == MS_OK) {
-        status = ms_gpr_latent_find(plane, similarity->x, at, NULL, NULL, error);
-        if (status == MS_OK) status = ms_gpr__visit(&visited, at[0], at[1], error);
+        const double *nearest = ms_gpr__latent_nearest(plane, similarity->x);
+        status = ms_gpr__visit(&visited, nearest[0], nearest[1], error);
         for (row = 0; row < grid->rows; ++row)
             for (column = 0; column < grid->columns && status == MS_OK; ++column) {
                 ms_gpr_grid_point(grid, column, row, at);
@@ -5768,7 +5611,7 @@ static inline MS_GPR__V MS_GPR__KERNEL(exponential)(MS_GPR__V d2)
     return MS_GPR__KEEP(t, limit, p);
 }
 
-/* A tile of 4 rows and 2 vectors, then of 1: eight sums and a few operands fit 16 registers. */
+/* A tile of 4 rows and 2 vectors: eight sums and a few operands fit 16 registers. */
 static void MS_GPR__KERNEL(distances)(MS_GPR__REAL *c, size_t c_stride, const MS_GPR__REAL *a, size_t a_stride,
                                       const MS_GPR__REAL *b, size_t b_stride, int rows, int columns, int depth,
                                       int parts)
@@ -5795,17 +5638,6 @@ static void MS_GPR__KERNEL(distances)(MS_GPR__REAL *c, size_t c_stride, const MS
             MS_GPR__STORE(at, c10), MS_GPR__STORE(at + MS_GPR__LANES, c11), at += c_stride;
             MS_GPR__STORE(at, c20), MS_GPR__STORE(at + MS_GPR__LANES, c21), at += c_stride;
             MS_GPR__STORE(at, c30), MS_GPR__STORE(at + MS_GPR__LANES, c31);
-        }
-    }
-    for (; j < columns; j += MS_GPR__LANES) {
-        for (i = 0; i < rows; ++i) {
-            MS_GPR__V sum = MS_GPR__SET(0);
-            for (k = 0; k < depth; ++k) {
-                MS_GPR__V d = MS_GPR__SET(a[(size_t)k * a_stride + (size_t)i]) -
-                    MS_GPR__LOAD(b + (size_t)k * b_stride + j);
-                sum = MS_GPR__MADD(d, d, sum);
-            }
-            MS_GPR__STORE(c + (size_t)i * c_stride + j, sum);
         }
     }
 }

@@ -7,10 +7,33 @@
 /* Other hyperparameters [m + 2] for the same data. The model is unchanged unless MS_OK. */
 static TEST_UNUSED ms_status inside_set_theta(ms_gpr *gp, const double *theta, ms_error *error)
 {
+    ms_gpr *edited;
     ms_status status;
     if (gp == NULL) return ms_gpr__null("gp", error);
     status = ms_gpr__check_theta(theta, gp->m, error);
-    return status == MS_OK ? ms_gpr__set_theta(gp, theta, error) : status;
+    if (status == MS_OK) status = ms_gpr__edit(gp, 0, gp->pairs, gp->pair_count, &edited, error);
+    if (status != MS_OK) return status;
+    memcpy(edited->theta, theta, ((size_t)gp->m + 2) * sizeof *theta);
+    return ms_gpr__commit(gp, edited, error);
+}
+
+/* Drops the dimensions of least relevance while the sum of those is at most `tolerance`. kept: out, or NULL. */
+static TEST_UNUSED ms_status inside_simplify(ms_gpr *gp, double tolerance, int *kept)
+{
+    double relevance[64], theta[66], dropped = 0;
+    memcpy(theta, gp->theta, ((size_t)gp->m + 2) * sizeof *theta);
+    ms_gpr_relevance(gp, relevance);
+    for (;;) {
+        int least = -1, k;
+        for (k = 0; k < gp->m; ++k)
+            if (theta[k] < 700 && (least < 0 || relevance[k] < relevance[least])) least = k;
+        if (least < 0 || dropped + relevance[least] > tolerance) break;
+        dropped += relevance[least];
+        theta[least] = 700;
+    }
+    if (inside_set_theta(gp, theta, NULL) != MS_OK) return MS_NOT_CONVERGED;
+    if (kept) *kept = gp->active;
+    return MS_OK;
 }
 
 /* log p(y | X, theta), and where not NULL its gradient [m + 2] with respect to theta. */

@@ -787,11 +787,6 @@ typedef union options_of {
 } options_of;
 
 static void set_tint(options_of *o) { o->match.nuisance = MS_PME_TINT; }
-static void set_floor(options_of *o)
-{
-    static const double least = 0;
-    o->fit.floor = &least;
-}
 static void set_fast(options_of *o) { o->mcml.photons = 20000; }
 static void set_gaussians(options_of *o) { o->kernel.model = MS_SSS_GAUSSIANS; }
 static void set_residual(options_of *o) { o->kernel.model = MS_SSS_RESIDUAL; }
@@ -815,7 +810,6 @@ static const struct {
     {run_pme, NULL, FIELD(ms_pme_options, tolerance, 'd'), 1e-10, 1e-2},
     {run_match, NULL, FIELD(ms_pme_match_options, refine.max_cost, 'd'), 50, 9},
     {run_match, set_tint, FIELD(ms_pme_match_options, channels, 'i'), 1, 2},
-    {run_fit, set_floor, FIELD(ms_gpr_fit_options, floor_offset, 'd'), 0.75, 0.5},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, evaluations, 'i'), 200, 3},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, tau, 'd'), 0.6, 0.4},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, avoid_distance, 'd'), 0.15, 0.3},
@@ -873,7 +867,6 @@ static const struct {
     {run_match, NULL, FIELD(ms_pme_match_options, channels, 'i'), 5, 0, 3, 7},
     {run_match, NULL, FIELD(ms_pme_match_options, nuisance, 'i'), -1, 0, 7, 8},
     {run_match, NULL, FIELD(ms_pme_match_options, random_count, 'i'), -1, 0, 5, NONE},
-    {run_fit, NULL, FIELD(ms_gpr_fit_options, floor_offset, 'd'), -101, -100, 100, 100.1},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, evaluations, 'i'), -1, 0, 5, NONE},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, method, 'i'), -1, 0, 1, 2},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, tau, 'd'), -0.001, 0, 0.9, 1.001},

@@ -609,7 +609,7 @@ static void test_floor_offset(void)
         for (i = 0; i < 3; ++i) CHECK_NEAR((mu[i] - shift[c]) / scale[c], mean[i], 5e-3);
         ms_gpr_destroy(gp);
     }
-    o.floor_offset = -1;
+    o.method = MS_GPR_METHOD_ML; /* has none */
     gp = fit(x, y, N, M, &o, NULL);
     CHECK_NEAR(ms_gpr_view_of(gp).floor_value, 0, 0);
     ms_gpr_destroy(gp);
@@ -618,7 +618,7 @@ static void test_floor_offset(void)
     CHECK_NEAR(ms_gpr_view_of(gp).floor, -1e-3, 0);
     CHECK_NEAR(ms_gpr_view_of(gp).floor_value, -1e-3, 0);
     ms_gpr_destroy(gp);
-    o.floor_offset = 0;
+    o.method = MS_GPR_METHOD_MAP;
     o.floor = &one; /* unless it is said: what is scored below counts as the floor */
     gp = fit(x, y, N, M, &o, NULL);
     CHECK_NEAR(ms_gpr_view_of(gp).floor, 1, 0);
@@ -725,7 +725,7 @@ static void test_simplify(void)
     ms_gpr_predict(gp, u.x + 750 * 19, 200, mean, NULL, NULL);
     ms_gpr_predict(gp, u.x + 750 * 19, 750, all, NULL, NULL);
     jsd = user_jsd(all, u.truth + 750, 750);
-    CHECK(ms_gpr_simplify(gp, 0.02, &kept, NULL) == MS_OK);
+    CHECK(inside_simplify(gp, 0.02, &kept) == MS_OK);
     CHECK(kept >= 4 &&
           kept <= 9); /* four dimensions have relevances above 1, three 0.02 to 0.06, the rest below 0.001 */
     ms_gpr_relevance(gp, relevance);
@@ -744,7 +744,7 @@ static void test_simplify(void)
     CHECK_LE(largest_difference(mean, less, 200), 1e-8);
     { /* dropped columns may hold anything finite; the gradient there is 0 */
         double x[19], a, b, g[21], value;
-        ms_gpr_simplify(gp, 1e-9, NULL, NULL);
+        inside_simplify(gp, 1e-9, NULL);
         memcpy(x, u.x, sizeof x);
         ms_gpr_predict(gp, x, 1, &a, NULL, NULL);
         for (k = 0; k < 19; ++k)
@@ -933,7 +933,6 @@ static void test_refusals(void)
     CHECK(ms_gpr_create(x, y, 3, 2, NULL, NULL, &gp, &error) == MS_INVALID_ARGUMENT);
     CHECK(ms_gpr_predict(good, x, -1, &mean, NULL, &error) == MS_INVALID_ARGUMENT);
     CHECK(ms_gpr_drop(good, 3, &error) == MS_INVALID_ARGUMENT && strstr(error.message, "0 to 2"));
-    CHECK(ms_gpr_simplify(good, (double)NAN, NULL, &error) == MS_INVALID_ARGUMENT);
     /* Two scores of sigma 1e6 at one place, noise 1e-130: no jitter up to 1e-6 sf^2 is missing here, but theta may be
        absurd. */
     theta[2] = 301;
@@ -964,7 +963,6 @@ static void test_null(void)
     REFUSES(ms_gpr_append(gp, NULL, 1, &error), "x");
     REFUSES(ms_gpr_rescore(NULL, 0, 1, &error), "gp");
     REFUSES(ms_gpr_drop(NULL, 0, &error), "gp");
-    REFUSES(ms_gpr_simplify(NULL, 0, NULL, &error), "gp");
     REFUSES(inside_likelihood(NULL, out, NULL, &error), "gp");
     REFUSES(ms_gpr_predict(NULL, x, 1, out, NULL, &error), "gp");
     REFUSES(ms_gpr_predict(gp, NULL, 1, out, NULL, &error), "x");
@@ -1002,7 +1000,6 @@ static void test_allocations(void)
         if (status == MS_OK) status = ms_gpr_predict(gp, x, 3, mean, mean, NULL);
         if (status == MS_OK) status = inside_predict_f(gp, xf, 1, &mf, NULL);
         if (status == MS_OK) status = inside_likelihood(gp, mean, NULL, NULL);
-        if (status == MS_OK) status = ms_gpr_simplify(gp, 0.1, NULL, NULL);
         if (status == MS_OK) status = inside_set_theta(gp, ms_gpr_view_of(gp).theta, NULL);
         ms_gpr_destroy(gp);
     });

@@ -294,9 +294,9 @@ static void test_box(void)
     enum { N = 300 };
     taste t = taste_make(2, 200, 10, 0.2, NULL);
     double low[10], high[10], x[N * 10], even[N], a[N];
-    int search, i, k, kept;
+    int search, i, k, kept = 10;
     ms_error error;
-    CHECK_INT(ms_gpr_simplify(t.gp, 0.2, &kept, NULL), MS_OK);
+    CHECK_INT(inside_simplify(t.gp, 0.2, &kept), MS_OK);
     CHECK(kept < 10);
     for (k = 0; k < 10; ++k) {
         low[k] = 0.1;
@@ -1182,7 +1182,6 @@ static void test_memory_content(void)
             CHECK_INT(ms_gpr_map_preference(plane, t.gp, &grid, out + 1300, out + 1400, NULL), MS_OK);
             CHECK_INT(ms_gpr_map_confidence(plane, &grid, out + 1500, NULL), MS_OK);
             CHECK_INT(inside_latent_likelihood(plane, out + 1600, out + 1601, out + 1610, NULL), MS_OK);
-            CHECK_INT(ms_gpr_latent_find(plane, t.x, out + 1700, out + 1703, out + 1704, NULL), MS_OK);
         }
         ms_gpr_latent_destroy(plane);
         taste_free(&t);
@@ -1441,50 +1440,6 @@ static void test_latent_structure(void)
     json_free(data);
 }
 
-/* There and back: the nearest latent of a material of the plane gives that material again; off the plane nothing on a
-   fine grid is nearer. With variance. */
-static void test_latent_find(void)
-{
-    json *data = json_load("tests/data/gplvm_data.json");
-    double *x = numbers(json_get(data, "clusters48"), "X", NULL), worst = 0, at[2], back[2], material[19], again[19],
-           distance, variance, v;
-    uint64_t state = test_seed;
-    ms_gpr_latent *plane;
-    ms_gpr_grid grid;
-    int i, k, column, row;
-    CHECK_INT(ms_gpr_latent_fit(x, 48, 19, NULL, &plane, NULL, NULL), MS_OK);
-    for (i = 0; i < 100; ++i) {
-        const double *a = ms_gpr_latent_points(plane) + 2 * (i % 48);
-        for (k = 0; k < 2; ++k) at[k] = a[k] + 0.3 * test_normal(&state); /* 0.3 length scales */
-        CHECK_INT(ms_gpr_latent_map(plane, at, 1, material, NULL, NULL), MS_OK);
-        CHECK_INT(ms_gpr_latent_find(plane, material, back, &distance, &variance, NULL), MS_OK);
-        CHECK_INT(ms_gpr_latent_map(plane, back, 1, again, &v, NULL), MS_OK);
-        CHECK_NEAR(variance, v, 0);
-        CHECK_LE(largest_difference(material, again, 19), 20 * distance + 1e-300); /* distance is what it says */
-        if (distance > worst) worst = distance;
-    }
-    TEST_NOTE("farthest %.1e", worst);
-    CHECK_LE(worst, 1e-5); /* materials span 1; the search ends at 1e-10 sf times a root of the condition of the map */
-    grid = ms_gpr_grid_around(plane, 60);
-    for (i = 0; i < 10; ++i) {
-        double least = 1e300;
-        for (k = 0; k < 19; ++k) material[k] = x[i * 4 * 19 + k] + 0.05 * test_normal(&state);
-        CHECK_INT(ms_gpr_latent_find(plane, material, back, &distance, NULL, NULL), MS_OK);
-        for (row = 0; row < 60; ++row)
-            for (column = 0; column < 60; ++column) {
-                double d2 = 0;
-                ms_gpr_grid_point(&grid, column, row, at);
-                ms_gpr_latent_map(plane, at, 1, again, NULL, NULL);
-                for (k = 0; k < 19; ++k) d2 += (again[k] - material[k]) * (again[k] - material[k]) / 19;
-                if (sqrt(d2) < least) least = sqrt(d2);
-            }
-        CHECK_LE(distance, least);
-    }
-    ms_gpr_latent_destroy(plane);
-    free(x);
-    json_free(data);
-}
-
 /* With a prior, the optimum balances it: dlogp/dL = prior L. And the latents draw together. */
 static void test_latent_prior(void)
 {
@@ -1530,7 +1485,7 @@ static void test_latent_hard(void)
     for (problem = 0; problem < 9; ++problem) {
         uint64_t state = (uint64_t)problem + 5;
         int z = problem == 0 ? 2 : problem == 1 ? 3 : 30, m = problem == 4 ? 1 : problem == 5 ? 200 : 12;
-        double scale = problem == 7 ? 1e4 : problem == 8 ? 1e-6 : 1, offset = problem == 6 ? 1e8 : 0, back, norm = 0;
+        double scale = problem == 7 ? 1e4 : problem == 8 ? 1e-6 : 1, offset = problem == 6 ? 1e8 : 0, norm = 0;
         memset(&o, 0, sizeof o);
         for (i = 0; i < z; ++i) {
             double a = test_uniform(&state), b = test_uniform(&state);
@@ -1551,8 +1506,6 @@ static void test_latent_hard(void)
             const double *l = ms_gpr_latent_points(plane);
             for (i = 0; i + 1 < z; i += 3) CHECK_LE(hypot(l[2 * i] - l[2 * i + 2], l[2 * i + 1] - l[2 * i + 3]), 0.05);
         }
-        CHECK_INT(ms_gpr_latent_find(plane, x, latent, &back, NULL, NULL), MS_OK);
-        CHECK(back <= 0.5 * norm);
         ms_gpr_latent_destroy(plane);
     }
     /* equal latents without noise: jitter is reported, and results are finite */
@@ -1602,7 +1555,6 @@ static void test_latent_memory(void)
         if (status == MS_OK) status = ms_gpr_create(x, x, 8, 4, theta, &options, &gp, NULL);
         if (status == MS_OK) status = inside_latent_likelihood(plane, at, NULL, NULL, NULL);
         if (status == MS_OK) status = ms_gpr_latent_map(plane, at, 1, material, NULL, NULL);
-        if (status == MS_OK) status = ms_gpr_latent_find(plane, x, at, NULL, NULL, NULL);
         if (status == MS_OK) {
             ms_gpr_grid grid = ms_gpr_grid_around(plane, 3);
             ms_gpr_similarity s;
@@ -1670,7 +1622,7 @@ static void test_maps(void)
 {
     enum { R = 21 };
     plane_of_taste p = plane_make(R);
-    double mean[R * R], sigma[R * R], confidence[R * R], similarity[R * R], product[R * R], coarse[7 * 7], sf2;
+    double mean[R * R], sigma[R * R], confidence[R * R], similarity[R * R], coarse[7 * 7], sf2;
     ms_gpr_grid small = p.grid;
     ms_gpr_similarity s;
     int calls = 0, row, column, i, k;
@@ -1687,7 +1639,6 @@ static void test_maps(void)
     CHECK_INT(ms_gpr_map_similarity(p.plane, &s, &p.grid, similarity, NULL), MS_OK);
     CHECK_INT(calls, R * R + 1);
     CHECK_INT(ms_gpr_map_similarity(p.plane, &s, &small, coarse, NULL), MS_OK);
-    ms_gpr_map_product(&p.grid, mean, &small, coarse, product);
     for (row = 0; row < R; ++row)
         for (column = 0; column < R; ++column) {
             double at[2], x[12], v, u, u2, d2 = 0;
@@ -1703,7 +1654,6 @@ static void test_maps(void)
             draw(&calls, x, b);
             for (k = 0; k < 64; ++k) d2 += ((double)a[k] - (double)b[k]) * ((double)a[k] - (double)b[k]) / 64;
             CHECK_NEAR(similarity[i], exp(-d2 / (2 * 0.04)), 1e-6); /* float pictures */
-            CHECK_NEAR(product[i], (u > 0 ? u : 0) * ms_gpr_grid_value(&small, coarse, at[0], at[1]), 1e-8);
         }
     /* training latents are well known, far corners are not */
     for (i = 0; i < p.z; ++i) {
@@ -1773,9 +1723,6 @@ static void test_null(void)
     REFUSES(inside_latent_likelihood(NULL, map, NULL, NULL, &error), "plane");
     REFUSES(ms_gpr_latent_map(NULL, at, 1, x, NULL, &error), "plane");
     REFUSES(ms_gpr_latent_map(p.plane, NULL, 1, x, NULL, &error), "latent");
-    REFUSES(ms_gpr_latent_find(NULL, x, at, NULL, NULL, &error), "plane");
-    REFUSES(ms_gpr_latent_find(p.plane, NULL, at, NULL, NULL, &error), "x");
-    REFUSES(ms_gpr_latent_find(p.plane, p.liked, NULL, NULL, NULL, &error), "latent");
     REFUSES(ms_gpr_map_preference(NULL, p.t.gp, &p.grid, map, NULL, &error), "plane");
     REFUSES(ms_gpr_map_preference(p.plane, NULL, &p.grid, map, NULL, &error), "gp");
     REFUSES(ms_gpr_map_preference(p.plane, p.t.gp, NULL, map, NULL, &error), "grid");
@@ -1791,7 +1738,6 @@ static void test_null(void)
     CHECK_NEAR(ms_gpr_grid_value(NULL, map, 0, 0) + ms_gpr_grid_value(&p.grid, NULL, 0, 0), 0, 0);
     CHECK_INT(ms_gpr_grid_around(NULL, 5).columns, 0);
     ms_gpr_grid_point(NULL, 0, 0, at);
-    ms_gpr_map_product(&p.grid, NULL, &p.grid, map, map);
     ms_gpr_latent_destroy(NULL);
     plane_free(&p);
 }
@@ -1922,7 +1868,6 @@ static const test_case cases[] = {
     {"latent reference", test_latent_reference},
     {"latent likelihood", test_latent_likelihood},
     {"latent structure", test_latent_structure},
-    {"latent find", test_latent_find},
     {"latent prior", test_latent_prior},
     {"latent hard cases", test_latent_hard},
     {"latent memory", test_latent_memory},

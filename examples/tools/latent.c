@@ -155,7 +155,7 @@ int main(int argc, char **argv)
     if (status == MS_OK)
         status = ms_gpr_variants(plane, gp, &similarity, &grid, lambda, VARIANTS, 0, variant, NULL, &error);
     if (status != MS_OK) return fail(error.message);
-    ms_gpr_map_product(&grid, preference, &coarse, similar, product);
+    map_product(&grid, preference, &coarse, similar, product);
 
     for (k = 0; k < 3; ++k) {
         const double *map = k == 0 ? preference : k == 1 ? similar : product;

@@ -61,6 +61,20 @@ static inline void map_draw(image *im, int left, int top, int side, const ms_gpr
         }
 }
 
+/* max(preference, 0) * similarity on the preference's grid; the similarity has a grid of its own. */
+static inline void map_product(const ms_gpr_grid *grid, const double *preference, const ms_gpr_grid *similarity_grid,
+                               const double *similarity, double *product)
+{
+    int row, column;
+    for (row = 0; row < grid->rows; ++row)
+        for (column = 0; column < grid->columns; ++column) {
+            size_t i = (size_t)row * (size_t)grid->columns + (size_t)column;
+            double at[2];
+            ms_gpr_grid_point(grid, column, row, at);
+            product[i] = fmax(preference[i], 0) * ms_gpr_grid_value(similarity_grid, similarity, at[0], at[1]);
+        }
+}
+
 static inline void map_dot(image *im, int left, int top, int side, const ms_gpr_grid *grid, const double *latent,
                            double radius, const float *rgb)
 {

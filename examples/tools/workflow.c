@@ -167,7 +167,7 @@ static ms_status map_similarity(flow *f)
 {
     ms_gpr_similarity similarity = to_the_chosen(f);
     ms_status status = ms_gpr_map_similarity(f->plane, &similarity, &f->coarse, f->similar, &f->error);
-    if (status == MS_OK) ms_gpr_map_product(&f->fine, f->preference, &f->coarse, f->similar, f->product);
+    if (status == MS_OK) map_product(&f->fine, f->preference, &f->coarse, f->similar, f->product);
     return status;
 }
 

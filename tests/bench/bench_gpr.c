@@ -216,7 +216,7 @@ static void bench_predictions(void)
                 ms_gpr_destroy(gp);
                 continue;
             }
-            if (variant) ms_gpr_simplify(gp, 0.02, &kept, NULL);
+            if (variant) inside_simplify(gp, 0.02, &kept);
             p.gp = gp, p.x = x, p.mean = mean, p.variance = variance, p.x_f = x_f, p.mean_f = mean_f,
             p.count = CANDIDATES;
             t[0] = bench_run(run_mean, &p, 9);
@@ -297,26 +297,26 @@ static void bench_table_3_2(void)
 typedef struct contender {
     const char *name;
     int method; /* of ms_gpr_method; 2 and 3: RProp and SCG of the thesis */
-    double floor_offset;
+    int no_floor;
     int classes; /* how many classes of material its users like; the thesis's like one */
     int exact;   /* learns from the true preference, which goes on below 0, in place of scores */
 } contender;
 
 static const contender contenders[] = {{"default (MAP)", MS_GPR_METHOD_MAP, 0, 1, 0},
-                                       {"MAP, no floor", MS_GPR_METHOD_MAP, -1, 1, 0},
+                                       {"MAP, no floor", MS_GPR_METHOD_MAP, 1, 1, 0},
                                        {"L-BFGS, ML", MS_GPR_METHOD_ML, 0, 1, 0},
                                        {"RProp (thesis)", 2, 0, 1, 0},
                                        {"SCG", 3, 0, 1, 0},
                                        {"two classes liked: default", MS_GPR_METHOD_MAP, 0, 2, 0},
                                        {"two classes liked: RProp", 2, 0, 2, 0},
-                                       {"two classes liked: exact scores", MS_GPR_METHOD_MAP, -1, 2, 1}};
+                                       {"two classes liked: exact scores", MS_GPR_METHOD_MAP, 1, 2, 1}};
 #define CONTENDERS 8
 #define SIZES 6
 
 static void bench_taste(void)
 {
     enum { M = 19, USERS = 10, HELD = 1500 };
-    static const double size[SIZES] = {50, 100, 150, 250, 350, 500};
+    static const double no_floor = -1e30, size[SIZES] = {50, 100, 150, 250, 350, 500};
     static double jsd[CONTENDERS][SIZES], seconds[CONTENDERS][SIZES], x[500 * M], y[500], held[HELD * M], truth[HELD],
         mean[HELD], exact[500];
     static plot p;
@@ -337,7 +337,7 @@ static void bench_taste(void)
                 ms_gpr *gp;
                 if (contenders[c].classes != u.classes) continue;
                 memset(&o, 0, sizeof o);
-                o.floor_offset = contenders[c].floor_offset;
+                if (contenders[c].no_floor) o.floor = &no_floor;
                 if (contenders[c].method >= 2)
                     gp = thesis_fit(x, y, (int)size[s], M, contenders[c].method - 2, 1, NULL);
                 else {

@@ -277,13 +277,6 @@ static void run_map(void *context)
     for (i = 0; i < 1000; ++i) ms_gpr_latent_map(r->plane, ms_gpr_latent_points(r->plane), 1, x, NULL, NULL);
 }
 
-static void run_find(void *context)
-{
-    latent_run *r = (latent_run *)context;
-    double latent[2];
-    ms_gpr_latent_find(r->plane, r->x, latent, NULL, NULL, NULL);
-}
-
 static void run_preference(void *context)
 {
     latent_run *r = (latent_run *)context;
@@ -312,7 +305,6 @@ static void table_of_planes(void)
         void (*run)(void *);
         double unit;
     } task[] = {{"material of a latent point", run_map, 1e3},
-                {"latent point of a material", run_find, 1e6},
                 {"preference map 50 x 50 (thesis: 2.75 s)", run_preference, 1e6},
                 {"preference and sigma 50 x 50", run_sigma, 1e6},
                 {"confidence map 50 x 50", run_confidence, 1e6}};
