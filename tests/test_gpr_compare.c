@@ -599,6 +599,54 @@ static void test_learning(void)
     TEST_NOTE("in the right order after 15, 60, 240 pairs: %.3f %.3f %.3f", right[0], right[1], right[2]);
 }
 
+/* Fifty comparisons of a person whose signal is three times their noise do not make a model that is sure: log loss of
+   pairs to come, and the ratio of sf and sn. */
+static void test_confidence(void)
+{
+    enum { N = 100, M = 6, PAIRS = 50, PERSONS = 10, HELD = 2000 };
+    static double x[N * M], y[N], f[N], mean[N];
+    double loss = 0, most = 0;
+    int pairs[2 * PAIRS], person, i;
+    for (person = 0; person < PERSONS; ++person) {
+        uint64_t state = test_seed + 500 + (uint64_t)person;
+        double sum = 0, sum2 = 0, ratio, sn;
+        ms_gpr_fit_options o;
+        ms_gpr *gp;
+        for (i = 0; i < N * M; ++i) x[i] = test_uniform(&state);
+        for (i = 0; i < N; ++i) {
+            y[i] = MS_GPR_UNSCORED;
+            f[i] = sin(4 * x[i * M]) + x[i * M + 3];
+            sum += f[i] / (int)N, sum2 += f[i] * f[i] / (int)N;
+        }
+        for (i = 0; i < N; ++i) f[i] = (f[i] - sum) / sqrt(sum2 - sum * sum);
+        for (i = 0; i < PAIRS; ++i) {
+            int a = (int)((int)N * test_uniform(&state)), b = (a + 1 + (int)((N - 1) * test_uniform(&state))) % N;
+            int first = f[a] + 0.35 * test_normal(&state) > f[b] + 0.35 * test_normal(&state);
+            pairs[2 * i] = first ? a : b;
+            pairs[2 * i + 1] = first ? b : a;
+        }
+        memset(&o, 0, sizeof o);
+        o.pairs = pairs;
+        o.pair_count = PAIRS;
+        CHECK_INT(ms_gpr_fit(x, y, N, M, &o, &gp, NULL, NULL), MS_OK);
+        CHECK_INT(ms_gpr_predict(gp, x, N, mean, NULL, NULL), MS_OK);
+        sn = exp(ms_gpr_view_of(gp).theta[M + 1]);
+        ratio = exp(ms_gpr_view_of(gp).theta[M]) / sn;
+        most = fmax(most, ratio);
+        for (i = 0; i < HELD; ++i) {
+            int a = (int)((int)N * test_uniform(&state)), b = (a + 1 + (int)((N - 1) * test_uniform(&state))) % N;
+            double truth = normal_cdf((f[a] - f[b]) / (0.35 * sqrt(2.0)));
+            double p = normal_cdf((mean[a] - mean[b]) / (sn * sqrt(2.0)));
+            p = fmin(fmax(p, 1e-9), 1 - 1e-9);
+            loss -= (truth * log(p) + (1 - truth) * log(1 - p)) / ((int)HELD * (int)PERSONS);
+        }
+        ms_gpr_destroy(gp);
+    }
+    TEST_NOTE("log loss %.3f, signal at most %.1f times the noise", loss, most);
+    CHECK_LE(most, 5.7); /* twice the truth */
+    CHECK_LE(loss, 0.35); /* the person: 0.25; a coin: 0.693 */
+}
+
 /* Likes alone: four materials, each with 20 spread ones that it is preferred to. The recommended are like them where
    they agree. */
 static void test_likes(void)
@@ -652,6 +700,7 @@ int main(int argc, char **argv)
         {"edits", test_edits},
         {"refusals", test_refusals},
         {"learning", test_learning},
+        {"confidence", test_confidence},
         {"likes", test_likes},
     };
     return test_main(argc, argv, cases, (int)(sizeof cases / sizeof *cases));

@@ -247,6 +247,10 @@ def session(b):
     check("a score that looks like a slip is asked about", b.value("!document.getElementById('doubt').hidden && /a 6; about 1 was expected/.test(document.getElementById('doubt').textContent)"))
     b.click("#doubt-keep")
     check("and not again", b.value("heard({ learned: studio.answers, settled: 1, state: 1, problem: '', doubt: { id: studio.scored[39].id, expected: 1 } }), document.getElementById('doubt').hidden"))
+    heard = "heard({ learned: studio.answers, settled: 1, state: 1, problem: '', picks: 1 }), document.getElementById('picks').hidden"
+    check("comparisons are offered where scores found little", b.value(heard) is False)
+    b.click("#picks-no")
+    check("and not again", b.value(heard) is True)
     check("predictions within the scale", b.value("[...document.querySelectorAll('.pick')].map(p => Number(p.title.match(/about ([-\\d.]+)/)[1])).every(v => v >= 0 && v <= 10)"))
     before = answers(b)
 

@@ -443,10 +443,11 @@ static inline ms_status studio_gallery(studio *s, int count, double *x, float *p
 static inline int studio_wants_picks(const ms_gpr *gp)
 {
     const ms_gpr_view view = ms_gpr_view_of(gp);
-    double best = view.floor, noise = exp(2 * view.theta[view.m + 1]), *mean, *variance;
+    double best = view.floor, noise, *mean, *variance;
     int confirmed = 0, i;
     if (view.n < STUDIO_ANSWERS || (mean = (double *)malloc(2 * (size_t)view.n * sizeof *mean)) == NULL) return 0;
     variance = mean + view.n;
+    noise = exp(2 * view.theta[view.m + 1]);
     for (i = 0; i < view.n; ++i) best = fmax(best, view.value[i]);
     if (ms_gpr_predict(gp, view.x, view.n, mean, variance, NULL) != MS_OK) confirmed = view.n;
     for (i = 0; i < view.n && confirmed < view.n; ++i) {

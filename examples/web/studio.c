@@ -145,6 +145,7 @@ CALL(int, neither, (int count)) { return (int)studio_pick(&session, material, co
 CALL(int, like, (int count)) { return (int)studio_like(&session, material, count, &error); }
 CALL(int, avoid, (void)) { return (int)studio_avoid(&session, material, &error); }
 CALL(int, undo, (void)) { return (int)studio_undo(&session, &error); }
+CALL(int, wants_picks, (void)) { return studio_wants_picks(session.gp); }
 CALL(int, update, (void)) { return (int)studio_update(&session, &error); }
 
 /* The row of a score that the others contradict, with what it is and what was expected in numbers [2]; -1: none. */

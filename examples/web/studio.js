@@ -462,13 +462,18 @@ function table(text) {
 
 // --------------------------------------------------------------------------------------------------------- recommendations
 let restock;
-function heard({ learned, settled, state, problem, doubt }) {
+function heard({ learned, settled, state, problem, doubt, picks }) {
   if (problem) return fail(problem);
   if (learned !== studio.answers && settled) return; // more is under way
-  if (settled) ask(doubt);
+  if (settled) { ask(doubt); offer(picks); }
   if (state >= 2) restock(settled);
   if (settled && !(state >= 2)) studio.settled = true;
 }
+// Comparisons in place of scores, where those found little that is liked.
+let declined = false; // the offer of comparisons; once a session
+function offer(picks) { $('picks').hidden = !picks || declined || mode === 'pair'; }
+$('picks-yes').onclick = () => answerBy('pair');
+$('picks-no').onclick = () => { declined = true; offer(false); };
 // Once for each score: was that a slip of the finger? The answer is to score it anew, or to say nothing.
 const asked = new Set();
 function ask(doubt) {
@@ -787,6 +792,7 @@ const neither = timed(() => {
 function answerBy(next) {
   if (next === mode) return;
   mode = next;
+  offer(false);
   for (const [id, m] of [['by-score', 'score'], ['by-pair', 'pair']]) $(id).ariaPressed = String(m === mode);
   queue = [...studio.deck.map(({ x, picture }) => ({ x, picture })), ...queue];
   studio.deck.length = slots.length = 0;
