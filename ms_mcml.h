@@ -39,7 +39,8 @@
    ----------
      a diffusion profile for rendering (half-space)          ms_mcml_profile_make: no noise, milliseconds at g = 0
      a picked color and a path length to a medium            ms_mcml_medium_from_color
-     skin of melanin and blood to profiles and colors        ms_mcml_skin_profile
+     a diffusion profile of layers                           ms_mcml_profile_layers
+     skin of melanin and blood to profiles and colors        examples/tools/skin.h
      layers, g: totals, rings, depth without noise           ms_mcml_layered_solve
      layers, g, glass, absorption, angles                    ms_mcml_simulate, or for jobs that are split:
                                                              ms_mcml_create, _run, _save, _load, _merge, _results
@@ -442,8 +443,6 @@ MS_API double ms_mcml_layered_ring(const ms_mcml_layered *solution, int side, do
 /* ---- diffusion profiles ---------------------------------------------------------------------------------------- */
 
 typedef struct ms_mcml_profile_options {
-    uint64_t photons; /* 0: solvers, without noise; else Monte Carlo of each channel, at most 2^32 */
-    uint64_t seed;
     const double *edge_mm; /* [rings + 1] increasing, from >= 0; NULL: rings of equal width ring_mm from 0 */
     int rings;             /* 0 (with edge_mm NULL, ring_mm 0): rings that suit the media, see ms_mcml_profile */
     double ring_mm;
@@ -451,7 +450,6 @@ typedef struct ms_mcml_profile_options {
     double frequency_step; /* log spacing of the spatial frequencies, 0.2 to 1; 0: 0.25; see RESULTS.md */
     ms_simd simd;
     ms_parallel parallel;
-    ms_progress progress;
     ms_allocator allocator;
 } ms_mcml_profile_options;
 
@@ -471,48 +469,18 @@ typedef struct ms_mcml_profile {
     ms_allocator allocator;
 } ms_mcml_profile;
 
-/* The profile of media[0 .. channels - 1]; release it with ms_mcml_profile_destroy. options may be NULL. Rings that the
-   options do not give are a twentieth of the shortest mean free path wide up to that path, then each 4% wider, out to
-   where every channel has 1e-5 of its energy left; for Monte Carlo all are equal, out to 32 of the longest paths.
+/* The profile of media[0 .. channels - 1], or of the layers tissues[0 .. channels - 1]; release it with
+   ms_mcml_profile_destroy. options may be NULL. Rings that the options do not give are a twentieth of the shortest mean
+   free path wide up to that path, then each 4% wider, out to where every channel has 1e-5 of its energy left.
    MS_NOT_CONVERGED: the layered solver says so of a channel; the profile is there, with its errors.
-   MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY, MS_CANCELLED, MS_UNSUPPORTED (Monte Carlo with edge_mm): *profile is zeroed.
- */
+   MS_INVALID_ARGUMENT, MS_UNSUPPORTED (more than 16 layers), MS_OUT_OF_MEMORY: *profile is zeroed. */
 MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_medium *media, int channels,
                                       const ms_mcml_profile_options *options, ms_error *error);
+MS_API ms_status ms_mcml_profile_layers(ms_mcml_profile *profile, const ms_mcml_tissue *tissues, int channels,
+                                        const ms_mcml_profile_options *options, ms_error *error);
 
 /* NULL and a zeroed profile are fine. */
 MS_API void ms_mcml_profile_destroy(ms_mcml_profile *profile);
-
-/* ---- skin ------------------------------------------------------------------------------------------------------ */
-
-/* What skin is made of. Start from ms_mcml_skin_defaults(); a zero is a zero. Laws, per cm at w nm: melanosomes 6.6e11
-   w^-3.33 of eumelanin (Jacques 1998, "Skin optics") and 2.9e15 w^-4.75 of pheomelanin (Donner, Jensen 2006, "A
-   spectral BSSRDF for shading human skin"); bloodless, pale skin 0.244 + 85.3 exp(-(w - 154) / 66.2) (Jacques 1998);
-   reduced scattering 46 (w / 500)^-1.421 (mean of skin in Jacques 2013, "Optical properties of biological tissues");
-   blood of 150 g/l hemoglobin (Prahl's table of Gratzer's and Kollias's data, omlc.org); fat scatters 1050 w^-0.68
-   (Bashkatov et al. 2005) and absorbs as dermis with a tenth of the blood. Index 1.4. Three numbers fitted to people in
-   NIST's reference data (Cooksey, Allen, Tsai 2017) follow their spectra to 0.01 from 500 to 700 nm. */
-typedef struct ms_mcml_skin {
-    double melanin;      /* melanosomes in the epidermis, by volume: 0.01 very pale to 0.4 very dark */
-    double eumelanin;    /* part of the melanin that is black-brown; the rest is red-yellow pheomelanin */
-    double blood;        /* in the dermis, by volume: 0.002 to 0.07 */
-    double oxygen;       /* saturation of the blood, 0 to 1 */
-    double epidermis_mm; /* 0.001 to 1 */
-    double dermis_mm;    /* above fat; 0: without end, two layers */
-    double scattering;   /* times the law's, 0.1 to 10 */
-    double g;            /* mean cosine, 0 to 0.95; 0: reduced scattering, several times faster */
-} ms_mcml_skin;
-
-/* The median of NIST's 100 people, inside of the forearm: melanin 0.016, all of it eumelanin, blood 0.037, oxygen 0.75,
-   epidermis 0.06 mm, dermis without end, scattering 2.2; g 0.8. */
-MS_API ms_mcml_skin ms_mcml_skin_defaults(void);
-
-/* Its diffusion profile for R, G and B from 13 wavelengths. total is its color under daylight (D65) in linear sRGB
-   (observer: Wyman, Sloan, Shirley 2013, JCGT 2:2). Rings are means of the wavelengths' profiles, weighted by the
-   positive part of what each gives to the channel. options and statuses as in ms_mcml_profile_make, without photons.
-   Release with ms_mcml_profile_destroy. */
-MS_API ms_status ms_mcml_skin_profile(ms_mcml_profile *profile, const ms_mcml_skin *skin,
-                                      const ms_mcml_profile_options *options, ms_error *error);
 
 #ifdef __cplusplus
 }
@@ -4051,8 +4019,6 @@ static ms_status ms_mcml__check_rings(const ms_mcml_profile_options *o, ms_error
                             "ring edge %d is %g, expected increasing numbers from 0 to 1e100", i, edge[i]);
     if (edge == NULL && !(o->ring_mm > 0 && ms_mcml__between(o->ring_mm, 0, 1e100)))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "ring_mm is %g, expected a positive number", o->ring_mm);
-    if (edge && o->photons)
-        return ms__fail(error, MS_UNSUPPORTED, 0, "Monte Carlo takes rings of equal width: edge_mm must be NULL");
     return MS_OK;
 }
 
@@ -4170,77 +4136,6 @@ static int ms_mcml__profile_rings(const ms_mcml__channel *channel, int channels,
     return n;
 }
 
-/* Section 5.9: a twentieth of the shortest mean free path, out to 32 of the longest. */
-static void ms_mcml__profile_equal_rings(const ms_mcml__channel *channel, int channels, ms_mcml_profile_options *o)
-{
-    double shortest = 1e300, longest = 0, rings;
-    int c;
-    for (c = 0; c < channels; ++c) {
-        const ms_mcml_medium *m = channel[c].medium;
-        const double path = 1 / (m->mu_a_per_mm + m->mu_s_per_mm * (1 - m->g));
-        shortest = fmin(shortest, path);
-        longest = fmax(longest, path);
-    }
-    rings = ceil(32 * longest / (shortest / 20));
-    o->rings = rings < 65535 ? (int)rings : 65535;
-    o->ring_mm = rings < 65535 ? shortest / 20 : 32 * longest / 65535;
-}
-
-/* Progress of one channel as progress of all. */
-typedef struct ms_mcml__profile_progress {
-    const ms_progress *whole;
-    int channel, channels;
-} ms_mcml__profile_progress;
-
-static int ms_mcml__profile_report(void *user, double fraction)
-{
-    const ms_mcml__profile_progress *p = (const ms_mcml__profile_progress *)user;
-    return p->whole->report(p->whole->user, (p->channel + fraction) / p->channels);
-}
-
-static ms_status ms_mcml__profile_direct(const ms_mcml__profile_job *job, ms_error *error)
-{
-    const ms_mcml_profile_options *o = job->options;
-    ms_mcml_profile *p = job->profile;
-    ms_mcml__profile_progress progress;
-    ms_mcml_options options = ms_mcml_defaults();
-    ms_mcml_grid grid;
-    int i;
-    grid.dr_cm = 0.1 * o->ring_mm;
-    grid.dz_cm = grid.nz = grid.na = 1;
-    grid.nr = p->rings + 1; /* the last collects what lies beyond */
-    options.photons = o->photons;
-    options.seed = o->seed;
-    options.no_absorption = 1;
-    options.simd = o->simd;
-    options.parallel = o->parallel;
-    options.allocator = o->allocator;
-    if (o->progress.report) {
-        options.progress.user = &progress;
-        options.progress.report = ms_mcml__profile_report;
-    }
-    progress.whole = &o->progress;
-    progress.channels = p->channels;
-    for (progress.channel = 0; progress.channel < p->channels; ++progress.channel) {
-        const size_t row = (size_t)progress.channel * (size_t)p->rings;
-        double *within = p->within + row + progress.channel;
-        ms_mcml_result result;
-        const ms_status status = ms_mcml_simulate(&job->channel[progress.channel].tissue, &grid, &options, &result,
-                                                  error);
-        if (status) return status;
-        within[0] = 0;
-        for (i = 0; i < p->rings; ++i) {
-            p->rd_per_mm2[row + (size_t)i] = 0.01 * result.rd_r[i];
-            p->rd_error_per_mm2[row + (size_t)i] = 0.01 * result.rd_r_error[i];
-            within[i + 1] = within[i] + result.rd_r[i] * ms_mcml__ring_area(i, grid.dr_cm);
-        }
-        p->total[progress.channel] = result.rd;
-        p->total_error[progress.channel] = result.rd_error;
-        ms_mcml_result_destroy(&result);
-    }
-    return MS_OK;
-}
-
 /* The arrays of a profile, one block; arena->base NULL: only counts. */
 static void ms_mcml__profile_place(ms__arena *arena, ms_mcml_profile *p)
 {
@@ -4268,9 +4163,8 @@ static ms_status ms_mcml__profile_of(ms_mcml_profile *profile, ms_mcml__channel 
     job.channel = channel;
     job.options = &o;
     job.profile = &p;
-    if (o.photons && o.rings == 0) ms_mcml__profile_equal_rings(channel, channels, &o);
-    if (!o.photons) ms__run(&o.parallel, channels, ms_mcml__profile_solve, &job);
-    for (i = 0; i < channels && !o.photons; ++i) {
+    ms__run(&o.parallel, channels, ms_mcml__profile_solve, &job);
+    for (i = 0; i < channels; ++i) {
         const ms_status here = channel[i].failure.status;
         if (here == MS_NOT_CONVERGED) status = here;
         if (here != MS_OK && error) *error = channel[i].failure;
@@ -4289,15 +4183,15 @@ static ms_status ms_mcml__profile_of(ms_mcml_profile *profile, ms_mcml__channel 
     ms_mcml__profile_place(&arena, &p);
     for (i = 0; i <= p.rings && o.rings; ++i) p.edge_mm[i] = o.edge_mm ? o.edge_mm[i] : i * o.ring_mm;
     if (o.rings == 0) ms_mcml__profile_rings(channel, channels, p.edge_mm);
-    if (o.photons) status = ms_mcml__profile_direct(&job, error);
-    else ms__run(&o.parallel, channels, ms_mcml__profile_fill, &job);
-    if (status == MS_OK || status == MS_NOT_CONVERGED) *profile = p;
-    else ms_mcml_profile_destroy(&p);
+    ms__run(&o.parallel, channels, ms_mcml__profile_fill, &job);
+    *profile = p;
     return status;
 }
 
-MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_medium *media, int channels,
-                                      const ms_mcml_profile_options *options, ms_error *error)
+/* Of media, or of layers where media is NULL. */
+static ms_status ms_mcml__profile_start(ms_mcml_profile *profile, const ms_mcml_medium *media,
+                                        const ms_mcml_tissue *tissues, int channels,
+                                        const ms_mcml_profile_options *options, ms_error *error)
 {
     ms_mcml_profile_options o;
     ms_mcml__channel *channel;
@@ -4305,20 +4199,24 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     size_t size;
     int i;
     if (profile) memset(profile, 0, sizeof *profile);
-    if (profile == NULL || media == NULL || channels < 1 || channels > 65536)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d channels, expected 1 to 65536; profile and media not NULL",
-                        channels);
+    if (profile == NULL || (media == NULL && tissues == NULL) || channels < 1 || channels > 65536)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                        "%d channels, expected 1 to 65536; profile and what it is of not NULL", channels);
     memset(&o, 0, sizeof o);
     if (options) o = *options;
-    for (i = 0; i < channels; ++i)
+    for (i = 0; media && i < channels; ++i)
         if ((status = ms_mcml__check_medium(&media[i], error)) != MS_OK) return status;
     size = ms__size_mul((size_t)channels, sizeof *channel);
     channel = (ms_mcml__channel *)ms__alloc(&o.allocator, size);
     if (channel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the channels", size);
     for (i = 0; i < channels; ++i) {
         ms_mcml__channel *c = &channel[i];
-        const ms_mcml_medium *m = c->medium = &media[i];
-        c->layered = m->g < 0 || m->g > 0;
+        const ms_mcml_medium *m = c->medium = media ? &media[i] : NULL;
+        c->layered = m == NULL || m->g < 0 || m->g > 0;
+        if (m == NULL) {
+            c->tissue = tissues[i];
+            continue;
+        }
         c->layer.n = m->eta;
         c->layer.mu_a_per_cm = 10 * m->mu_a_per_mm;
         c->layer.mu_s_per_cm = 10 * m->mu_s_per_mm;
@@ -4333,6 +4231,18 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     return status;
 }
 
+MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_medium *media, int channels,
+                                      const ms_mcml_profile_options *options, ms_error *error)
+{
+    return ms_mcml__profile_start(profile, media, NULL, channels, options, error);
+}
+
+MS_API ms_status ms_mcml_profile_layers(ms_mcml_profile *profile, const ms_mcml_tissue *tissues, int channels,
+                                        const ms_mcml_profile_options *options, ms_error *error)
+{
+    return ms_mcml__profile_start(profile, NULL, tissues, channels, options, error);
+}
+
 MS_API void ms_mcml_profile_destroy(ms_mcml_profile *profile)
 {
     ms_allocator allocator;
@@ -4340,177 +4250,6 @@ MS_API void ms_mcml_profile_destroy(ms_mcml_profile *profile)
     allocator = profile->allocator;
     ms__release(&allocator, profile->memory, profile->memory_size);
     memset(profile, 0, sizeof *profile);
-}
-
-/* ---- skin ------------------------------------------------------------------------------------------------------ */
-
-enum { MS_MCML__BANDS = 13 };
-
-/* Hemoglobin with and without oxygen, molar extinction per cm, every 10 nm from 400 (Prahl's table). */
-static const double ms_mcml__hemoglobin[31][2] = {
-    {266232, 223296}, {466840, 303956}, {480360, 407560}, {246072, 528600}, {102580, 413280}, {62816, 103292},
-    {44480, 23388.8}, {33209, 16156},   {26629, 14550},   {23684, 16684},   {20933, 20862},   {20035, 25774},
-    {24202, 31590},   {39957, 39036},   {53236, 46592},   {43016, 53412},   {32613, 53788},   {44496, 45072},
-    {50104, 37020},   {14401, 28324},   {3200, 14677},    {1506, 9443.6},   {942, 6509.6},    {610, 5148.8},
-    {442, 4345.2},    {368, 3750.1},    {319.6, 3226.6},  {294, 2795.1},    {277.6, 2407.9},  {276, 2052},
-    {290, 1794.3}};
-
-/* CIE standard illuminant D65, every 10 nm from 400. */
-static const double ms_mcml__daylight[31] = {82.75,  91.49,  93.43,  86.68,  104.86, 117.01, 117.81, 114.86,
-                                             115.92, 108.81, 109.35, 107.80, 104.79, 107.69, 104.41, 104.05,
-                                             100,    96.33,  95.79,  88.69,  90.01,  89.60,  87.70,  83.29,
-                                             83.70,  80.03,  80.21,  82.28,  78.28,  69.72,  71.61};
-
-static const double ms_mcml__bands[MS_MCML__BANDS] = {400, 425, 445, 465, 500, 535, 560, 578, 590, 603, 625, 655, 700};
-
-MS_API ms_mcml_skin ms_mcml_skin_defaults(void)
-{
-    ms_mcml_skin skin;
-    skin.melanin = 0.016;
-    skin.eumelanin = 1;
-    skin.blood = 0.037;
-    skin.oxygen = 0.75;
-    skin.epidermis_mm = 0.06;
-    skin.dermis_mm = 0;
-    skin.scattering = 2.2;
-    skin.g = 0.8;
-    return skin;
-}
-
-/* Its layers for light of 400 to 700 nm: 2 or 3, *count. */
-static ms_status ms_mcml__skin_layers(const ms_mcml_skin *skin, double w, ms_mcml_layer layers[3], int *count,
-                                      ms_error *error)
-{
-    static const char *const name[] = {"melanin",      "eumelanin", "blood",      "oxygen",
-                                       "epidermis_mm", "dermis_mm", "scattering", "g"};
-    static const double low[] = {0, 0, 0, 0, 1e-3, 0, 0.1, 0}, high[] = {1, 1, 1, 1, 1, 1e3, 10, 0.95};
-    double value[8], base, melanin, blood, scatter;
-    int i;
-    memcpy(value, skin, sizeof value); /* the struct's eight numbers, in their order */
-    for (i = 0; i < 8; ++i)
-        if (!ms_mcml__between(value[i], low[i], high[i]))
-            return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is %g, expected %g to %g", name[i], value[i], low[i],
-                            high[i]);
-    i = w < 700 ? (int)((w - 400) / 10) : 29;
-    {
-        const double *a = ms_mcml__hemoglobin[i], *b = ms_mcml__hemoglobin[i + 1], t = (w - 400) / 10 - i,
-                     to_mu = 2.302585 * 150 / 64500;
-        blood = to_mu * (skin->oxygen * (a[0] + t * (b[0] - a[0])) + (1 - skin->oxygen) * (a[1] + t * (b[1] - a[1])));
-    }
-    base = 0.244 + 85.3 * exp((154 - w) / 66.2);
-    melanin = skin->eumelanin * 6.6e11 * pow(w, -3.33) + (1 - skin->eumelanin) * 2.9e15 * pow(w, -4.75);
-    scatter = skin->scattering * 46 * pow(w / 500, -1.421) / (1 - skin->g);
-    for (i = 0; i < 3; ++i) {
-        layers[i].n = 1.4;
-        layers[i].g = skin->g;
-        layers[i].mu_s_per_cm = scatter;
-    }
-    layers[2].mu_s_per_cm = skin->scattering * 1050 * pow(w, -0.68) / (1 - skin->g);
-    layers[0].mu_a_per_cm = skin->melanin * melanin + (1 - skin->melanin) * base;
-    layers[1].mu_a_per_cm = skin->blood * blood + (1 - skin->blood) * base;
-    layers[2].mu_a_per_cm = 0.1 * skin->blood * blood + (1 - 0.1 * skin->blood) * base;
-    layers[0].thickness_cm = 0.1 * skin->epidermis_mm;
-    layers[1].thickness_cm = skin->dermis_mm > 0 ? 0.1 * skin->dermis_mm : 1e8;
-    layers[2].thickness_cm = 1e8;
-    *count = skin->dermis_mm > 0 ? 3 : 2;
-    return MS_OK;
-}
-
-/* exp(-((w - at) / width)^2 / 2), a width on either side */
-static double ms_mcml__lobe(double w, double at, double below, double above)
-{
-    const double t = (w - at) / (w < at ? below : above);
-    return exp(-0.5 * t * t);
-}
-
-/* What each band gives to linear sRGB under daylight: the bands' reflectances are joined by lines. A white sums to
-   1. */
-static void ms_mcml__band_weights(double weight[MS_MCML__BANDS][3])
-{
-    static const double rgb[3][3] = {
-        {3.2404542, -1.5371385, -0.4985314}, {-0.9692660, 1.8760108, 0.0415560}, {0.0556434, -0.2040259, 1.0572252}};
-    double sum[3] = {0, 0, 0};
-    int i, c, w, band = 0;
-    memset(weight, 0, MS_MCML__BANDS * sizeof weight[0]);
-    for (w = 400; w <= 700; w += 5) {
-        const double light = w % 10 ? 0.5 * (ms_mcml__daylight[(w - 400) / 10] + ms_mcml__daylight[(w - 390) / 10])
-                                    : ms_mcml__daylight[(w - 400) / 10];
-        const double x = 1.056 * ms_mcml__lobe(w, 599.8, 37.9, 31.0) + 0.362 * ms_mcml__lobe(w, 442.0, 16.0, 26.7) -
-            0.065 * ms_mcml__lobe(w, 501.1, 20.4, 26.2);
-        const double y = 0.821 * ms_mcml__lobe(w, 568.8, 46.9, 40.5) + 0.286 * ms_mcml__lobe(w, 530.9, 16.3, 31.1);
-        const double z = 1.217 * ms_mcml__lobe(w, 437.0, 11.8, 36.0) + 0.681 * ms_mcml__lobe(w, 459.0, 26.0, 13.8);
-        while (band + 2 < MS_MCML__BANDS && w > ms_mcml__bands[band + 1]) ++band;
-        for (c = 0; c < 3; ++c) {
-            const double t = (w - ms_mcml__bands[band]) / (ms_mcml__bands[band + 1] - ms_mcml__bands[band]);
-            const double v = light * (rgb[c][0] * x + rgb[c][1] * y + rgb[c][2] * z);
-            weight[band][c] += (1 - t) * v;
-            weight[band + 1][c] += t * v;
-            sum[c] += v;
-        }
-    }
-    for (i = 0; i < MS_MCML__BANDS; ++i)
-        for (c = 0; c < 3; ++c) weight[i][c] /= sum[c];
-}
-
-/* Rows of the bands become rows of R, G, B, in place. */
-static void ms_mcml__skin_rows(double *row, int n, double weight[MS_MCML__BANDS][3])
-{
-    int i, band, c;
-    for (i = 0; i < n; ++i) {
-        double sum[3] = {0, 0, 0};
-        for (band = 0; band < MS_MCML__BANDS; ++band)
-            for (c = 0; c < 3; ++c) sum[c] += weight[band][c] * row[(size_t)band * (size_t)n + (size_t)i];
-        for (c = 0; c < 3; ++c) row[(size_t)c * (size_t)n + (size_t)i] = sum[c];
-    }
-}
-
-MS_API ms_status ms_mcml_skin_profile(ms_mcml_profile *profile, const ms_mcml_skin *skin,
-                                      const ms_mcml_profile_options *options, ms_error *error)
-{
-    ms_mcml_profile_options o;
-    ms_mcml_layer layers[MS_MCML__BANDS][3];
-    ms_mcml__channel *channel;
-    double weight[MS_MCML__BANDS][3];
-    ms_status status = MS_OK;
-    int i, c;
-    if (profile) memset(profile, 0, sizeof *profile);
-    if (profile == NULL || skin == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "profile or skin is NULL");
-    memset(&o, 0, sizeof o);
-    if (options) o = *options;
-    if (o.photons) return ms__fail(error, MS_UNSUPPORTED, 0, "photons is not 0: skin is for the layered solver");
-    channel = (ms_mcml__channel *)ms__alloc(&o.allocator, MS_MCML__BANDS * sizeof *channel);
-    if (channel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the wavelengths");
-    for (i = 0; i < MS_MCML__BANDS && status == MS_OK; ++i) {
-        ms_mcml_tissue *tissue = &channel[i].tissue;
-        channel[i].medium = NULL;
-        channel[i].layered = 1;
-        tissue->n_above = 1;
-        tissue->n_below = 1.4;
-        tissue->layers = layers[i];
-        status = ms_mcml__skin_layers(skin, ms_mcml__bands[i], layers[i], &tissue->layer_count, error);
-    }
-    if (status == MS_OK) status = ms_mcml__profile_of(profile, channel, MS_MCML__BANDS, o, error);
-    ms__release(&o.allocator, channel, MS_MCML__BANDS * sizeof *channel);
-    if (status && status != MS_NOT_CONVERGED) return status;
-    ms_mcml__band_weights(weight);
-    for (c = 0; c < 3; ++c) {
-        double color = 0, positive = 0;
-        for (i = 0; i < MS_MCML__BANDS; ++i) {
-            color += weight[i][c] * profile->total[i];
-            if (weight[i][c] < 0) weight[i][c] = 0;
-            positive += weight[i][c] * profile->total[i];
-        }
-        color = color > 0 ? color : 0;
-        for (i = 0; i < MS_MCML__BANDS; ++i) weight[i][c] *= color / positive;
-    }
-    ms_mcml__skin_rows(profile->total, 1, weight);
-    ms_mcml__skin_rows(profile->total_error, 1, weight);
-    ms_mcml__skin_rows(profile->rd_per_mm2, profile->rings, weight);
-    ms_mcml__skin_rows(profile->rd_error_per_mm2, profile->rings,
-                       weight); /* errors of neighboring wavelengths are alike: they add */
-    ms_mcml__skin_rows(profile->within, profile->rings + 1, weight);
-    profile->channels = 3;
-    return status;
 }
 
 /* ---- kernels, one set a level ---------------------------------------------------------------------------------- */

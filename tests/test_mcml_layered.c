@@ -5,6 +5,7 @@
 #include "ms_mcml.h"
 
 #include "mci.h"
+#include "skin.h"
 
 #include "test.h"
 
@@ -718,7 +719,7 @@ static const double cie[31][4] = {
     {0.0874, 0.0320, 0, 82.28},       {0.0468, 0.0170, 0, 78.28},       {0.0227, 0.0082, 0, 69.72},
     {0.0114, 0.0041, 0, 71.61}};
 
-static double skin_total(const ms_mcml_skin *skin, double nm, int specular)
+static double skin_total(const skin_parameters *skin, double nm, int specular)
 {
     ms_mcml_layer layers[3];
     ms_mcml_tissue tissue;
@@ -730,7 +731,7 @@ static double skin_total(const ms_mcml_skin *skin, double nm, int specular)
     tissue.n_above = 1;
     tissue.n_below = 1.4;
     tissue.layers = layers;
-    CHECK_INT(ms_mcml__skin_layers(skin, nm, layers, &tissue.layer_count, NULL), MS_OK);
+    CHECK_INT(skin_layers(skin, nm, layers, &tissue.layer_count, NULL), MS_OK);
     CHECK_INT(ms_mcml_layered_solve(&tissue, &o, &y, NULL), MS_OK);
     return y.rd + specular * y.specular;
 }
@@ -738,24 +739,24 @@ static double skin_total(const ms_mcml_skin *skin, double nm, int specular)
 /* Layers as the cited laws say, worked out by hand at 500, 540 and 700 nm. */
 static void skin_is_made_of_its_laws(void)
 {
-    ms_mcml_skin skin = ms_mcml_skin_defaults();
+    skin_parameters skin = skin_defaults();
     ms_mcml_layer l[3];
     int count = 0;
     skin.melanin = skin.eumelanin = 1;
     skin.blood = skin.oxygen = 1;
     skin.scattering = 1;
     skin.g = 0.5;
-    CHECK_INT(ms_mcml__skin_layers(&skin, 500, l, &count, NULL), MS_OK);
+    CHECK_INT(skin_layers(&skin, 500, l, &count, NULL), MS_OK);
     CHECK_INT(count, 2);
     CHECK_NEAR(l[0].mu_a_per_cm, 679, 1);     /* 6.6e11 500^-3.33 */
     CHECK_NEAR(l[1].mu_a_per_cm, 112.1, 0.1); /* 2.303 x 20932.8 x 150 / 64500 */
     CHECK_NEAR(l[0].mu_s_per_cm, 92, 1e-9);   /* 46 / (1 - g) */
     CHECK_NEAR(l[0].thickness_cm, 0.006, 1e-15);
     CHECK(l[0].g == 0.5 && l[1].thickness_cm == 1e8 && l[0].n == 1.4);
-    CHECK_INT(ms_mcml__skin_layers(&skin, 540, l, &count, NULL), MS_OK);
+    CHECK_INT(skin_layers(&skin, 540, l, &count, NULL), MS_OK);
     CHECK_NEAR(l[1].mu_a_per_cm, 285.1, 0.1);
     skin.melanin = skin.blood = 0;
-    CHECK_INT(ms_mcml__skin_layers(&skin, 500, l, &count, NULL), MS_OK);
+    CHECK_INT(skin_layers(&skin, 500, l, &count, NULL), MS_OK);
     CHECK_NEAR(l[0].mu_a_per_cm, 0.244 + 85.3 * 0.005372, 1e-4); /* exp(-346 / 66.2) */
     CHECK_NEAR(l[1].mu_a_per_cm, l[0].mu_a_per_cm, 0);
     skin.melanin = 1;
@@ -763,7 +764,7 @@ static void skin_is_made_of_its_laws(void)
     skin.dermis_mm = 1.5;
     skin.blood = 1;
     skin.oxygen = 0;
-    CHECK_INT(ms_mcml__skin_layers(&skin, 700, l, &count, NULL), MS_OK);
+    CHECK_INT(skin_layers(&skin, 700, l, &count, NULL), MS_OK);
     CHECK_INT(count, 3);
     CHECK_NEAR(l[0].mu_a_per_cm, 88.8, 0.5);  /* 2.9e15 700^-4.75 */
     CHECK_NEAR(l[1].mu_a_per_cm, 9.61, 0.01); /* 1794.3 */
@@ -785,7 +786,7 @@ static void skin_of_people(void)
     static const double made[3][3] = {{0.119, 0.134, 2.29}, {0.0144, 0.0237, 3.92}, {0.016, 0.037, 2.2}};
     int i, p;
     for (p = 0; p < 3; ++p) {
-        ms_mcml_skin skin = ms_mcml_skin_defaults();
+        skin_parameters skin = skin_defaults();
         double sum = 0, worst = 0;
         int n = 0;
         skin.melanin = made[p][0];
@@ -810,14 +811,14 @@ static void skin_of_people(void)
 }
 
 /* Linear sRGB of the 13 wavelengths' totals. */
-static void skin_color(const ms_mcml_skin *skin, double rgb[3])
+static void skin_color(const skin_parameters *skin, double rgb[3])
 {
-    double weight[MS_MCML__BANDS][3];
+    double weight[SKIN_BANDS][3];
     int i, c;
-    ms_mcml__band_weights(weight);
+    skin_band_weights(weight);
     rgb[0] = rgb[1] = rgb[2] = 0;
-    for (i = 0; i < MS_MCML__BANDS; ++i) {
-        const double total = skin_total(skin, ms_mcml__bands[i], 0);
+    for (i = 0; i < SKIN_BANDS; ++i) {
+        const double total = skin_total(skin, skin_bands[i], 0);
         for (c = 0; c < 3; ++c) rgb[c] += weight[i][c] * total;
     }
 }
@@ -830,7 +831,7 @@ static void skin_color_of_the_observer(void)
         {3.2406, -1.5372, -0.4986}, {-0.9689, 1.8758, 0.0415}, {0.0557, -0.2040, 1.0570}}; /* IEC 61966-2-1 */
     static const double melanin[] = {0.005, 0.03, 0.1, 0.3};
     double worst = 0, before[3] = {1, 1, 1}, rgb[3], more[3];
-    ms_mcml_skin skin = ms_mcml_skin_defaults();
+    skin_parameters skin = skin_defaults();
     int i, c, k;
     skin.g = 0;
     for (k = 0; k < 4; ++k) {
@@ -868,7 +869,7 @@ static void skin_color_of_the_observer(void)
    the color much. */
 static void skin_profile_of_a_color(void)
 {
-    ms_mcml_skin skin = ms_mcml_skin_defaults();
+    skin_parameters skin = skin_defaults();
     ms_mcml_profile p;
     double rgb[3];
     int c, i;
@@ -876,7 +877,7 @@ static void skin_profile_of_a_color(void)
     skin.dermis_mm = 2;
     skin.g = 0;
     skin_color(&skin, rgb);
-    CHECK_INT(ms_mcml_skin_profile(&p, &skin, NULL, NULL), MS_OK);
+    CHECK_INT(skin_profile(&p, &skin, NULL, NULL), MS_OK);
     CHECK_INT(p.channels, 3);
     for (c = 0; c < 3; ++c) {
         const double *rd = p.rd_per_mm2 + c * p.rings, *within = p.within + c * (p.rings + 1);
@@ -900,7 +901,7 @@ static void skin_profile_of_a_color(void)
         o.edge_mm = edge;
         o.rings = 120;
         skin.g = 0.8;
-        CHECK_INT(ms_mcml_skin_profile(&p, &skin, &o, NULL), MS_OK);
+        CHECK_INT(skin_profile(&p, &skin, &o, NULL), MS_OK);
         for (c = 0; c < 3; ++c)
             for (i = 1; i < 120; ++i) {
                 const double *rd = p.rd_per_mm2 + c * 120 + i;
@@ -913,19 +914,16 @@ static void skin_profile_of_a_color(void)
 
 static void skin_refused(void)
 {
-    ms_mcml_skin skin = ms_mcml_skin_defaults();
+    skin_parameters skin = skin_defaults();
     ms_mcml_profile p;
     ms_mcml_profile_options o;
     ms_error error;
     int i;
     memset(&o, 0, sizeof o);
-    o.photons = 1;
-    CHECK_INT(ms_mcml_skin_profile(&p, &skin, &o, &error), MS_UNSUPPORTED);
-    CHECK_INT(ms_mcml_skin_profile(&p, NULL, NULL, &error), MS_INVALID_ARGUMENT);
     for (i = 0; i < 8; ++i) {
         static const char *const name[8] = {"melanin",      "eumelanin", "blood",      "oxygen",
                                             "epidermis_mm", "dermis_mm", "scattering", "g is"};
-        ms_mcml_skin bad = skin;
+        skin_parameters bad = skin;
         *(i == 0       ? &bad.melanin
               : i == 1 ? &bad.eumelanin
               : i == 2 ? &bad.blood
@@ -934,10 +932,10 @@ static void skin_refused(void)
               : i == 5 ? &bad.dermis_mm
               : i == 6 ? &bad.scattering
                        : &bad.g) = -0.1;
-        CHECK_INT(ms_mcml_skin_profile(&p, &bad, NULL, &error), MS_INVALID_ARGUMENT);
+        CHECK_INT(skin_profile(&p, &bad, NULL, &error), MS_INVALID_ARGUMENT);
         CHECK(strstr(error.message, name[i]) != NULL && p.memory == NULL);
     }
-    CHECK_INT(ms_mcml_skin_profile(NULL, &skin, NULL, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_profile_layers(&p, NULL, 1, NULL, &error), MS_INVALID_ARGUMENT);
     skin.g = 0;
     for (i = 1; i <= 4; ++i) {
         /* The profile's own memory and the first wavelength's: each solve's is swept in memory_runs_out. */
@@ -950,7 +948,7 @@ static void skin_refused(void)
         o.allocator.release = test_memory_release;
         o.rings = 2;
         o.ring_mm = 1;
-        CHECK_INT(ms_mcml_skin_profile(&p, &skin, &o, NULL), MS_OUT_OF_MEMORY);
+        CHECK_INT(skin_profile(&p, &skin, &o, NULL), MS_OUT_OF_MEMORY);
         CHECK(memory.blocks == 0 && memory.errors == 0 && p.memory == NULL);
     }
 }

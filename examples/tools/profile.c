@@ -16,6 +16,8 @@
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 #include "mci.h"
+#include "photon_profile.h"
+#include "skin.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -63,14 +65,14 @@ static void list_materials(void)
 typedef struct subject {
     const char *name;
     const ms_mcml_material *material; /* NULL: skin */
-    ms_mcml_skin skin;
+    skin_parameters skin;
     double photons;
 } subject;
 
 static void print_head(FILE *f, const subject *what, const ms_mcml_profile *p)
 {
     const ms_mcml_material *m = what->material;
-    const ms_mcml_skin *k = &what->skin;
+    const skin_parameters *k = &what->skin;
     const double photons = what->photons;
     if (m) {
         const double *a = m->mu_a_per_mm, *s = m->mu_s_per_mm;
@@ -178,7 +180,7 @@ static int finish(const subject *what, ms_mcml_profile *p, const char *csv)
 }
 
 /* "melanin=0.03,blood=0.02": what is not named stays as it is. NULL, or what is wrong. */
-static const char *parse_skin(const char *text, ms_mcml_skin *skin)
+static const char *parse_skin(const char *text, skin_parameters *skin)
 {
     static const char *const name[] = {"melanin",      "eumelanin", "blood",      "oxygen",
                                        "epidermis_mm", "dermis_mm", "scattering", "g"};
@@ -214,13 +216,14 @@ int main(int argc, char **argv)
     ms_mcml_profile_options options;
     ms_mcml_profile profile;
     ms_error error;
+    ms_status status;
     double photons = 0, shortest = 0, longest = 0, rings, color[3], length[3];
     int i, given = 0, kind = 0, colored = 0, skinned = 0;
     subject what;
     memset(&custom, 0, sizeof custom);
     memset(&options, 0, sizeof options);
     memset(&what, 0, sizeof what);
-    what.skin = ms_mcml_skin_defaults();
+    what.skin = skin_defaults();
     if (file_help(argc, argv, usage_text)) return file_end_stdout("profile");
     for (i = 1; i < argc; ++i) {
         const char *value = i + 1 < argc ? argv[i + 1] : "";
@@ -292,10 +295,9 @@ int main(int argc, char **argv)
     }
     what.photons = photons;
     if (skinned) {
-        ms_status status;
         options.rings = 800;
         options.ring_mm = 0.05;
-        status = ms_mcml_skin_profile(&profile, &what.skin, &options, &error);
+        status = skin_profile(&profile, &what.skin, &options, &error);
         if (status) fprintf(stderr, "profile: %s\n", error.message);
         if (status && status != MS_NOT_CONVERGED) return status == MS_INVALID_ARGUMENT ? 2 : 1;
         return finish(&what, &profile, csv) || status != MS_OK;
@@ -316,8 +318,14 @@ int main(int argc, char **argv)
     rings = ceil(32 * longest / (shortest / 20));
     options.rings = rings >= 1 && rings <= 20000 ? (int)rings : 20000;
     options.ring_mm = rings <= 20000 ? shortest / 20 : 32 * longest / 20000;
-    options.photons = (uint64_t)photons;
-    if (ms_mcml_profile_make(&profile, medium, 3, &options, &error)) {
+    if (photons > 0) {
+        ms_mcml_options direct = ms_mcml_defaults();
+        direct.photons = (uint64_t)photons;
+        status = photon_profile(&profile, medium, 3, options.rings, options.ring_mm, &direct, &error);
+    } else {
+        status = ms_mcml_profile_make(&profile, medium, 3, &options, &error);
+    }
+    if (status) {
         fprintf(stderr, "profile: %s\n", error.message);
         return 1;
     }

@@ -7,6 +7,7 @@
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "../demo/scene.h"
+#include "../tools/skin.h"
 
 #define CALL(type, name, arguments) \
     type web_##name arguments;      \
@@ -57,11 +58,11 @@ static ms_status make_profile(int material, const double *own)
     ms_mcml_profile_options options;
     ms_sss_profile *made;
     if (material == -2) {
-        ms_mcml_skin skin = ms_mcml_skin_defaults();
+        skin_parameters skin = skin_defaults();
         skin.melanin = own[0];
         skin.blood = own[1];
         skin.g = 0; /* reduced scattering, several times faster */
-        status = ms_mcml_skin_profile(&rings, &skin, NULL, &error);
+        status = skin_profile(&rings, &skin, NULL, &error);
         if (status != MS_OK) return status;
         for (c = 0; c < 3; ++c) rd[c] = rings.rd_per_mm2 + c * rings.rings;
         status = ms_sss_profile_from_rings(&made, rings.rings, rings.edge_mm, rd, 1, NULL, &error);

@@ -4,6 +4,7 @@
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 #include "bench.h"
+#include "photon_profile.h"
 #include "plot.h"
 
 #define PI 3.14159265358979324
@@ -157,7 +158,13 @@ static void run_once(void *context)
         for (c = 0; c < 3; ++c) plain_monte_carlo(&r->s->medium[c], r->photons, r->o.ring_mm, n, r->rd + c * n);
     } else {
         ms_mcml_profile p;
-        make(&p, r->s->medium, 3, &r->o);
+        if (r->way == SOLVER) {
+            make(&p, r->s->medium, 3, &r->o);
+        } else {
+            ms_mcml_options direct = ms_mcml_defaults();
+            direct.photons = (uint64_t)r->photons;
+            if (photon_profile(&p, r->s->medium, 3, r->o.rings, r->o.ring_mm, &direct, NULL)) exit(1);
+        }
         memcpy(r->rd, p.rd_per_mm2, (size_t)(3 * n) * sizeof *r->rd);
         ms_mcml_profile_destroy(&p);
     }
@@ -264,7 +271,6 @@ int main(void)
                 r.way = way;
                 r.photons = way == PLAIN ? plain_photons[k] : photons[k];
                 r.o = s[m].rings;
-                r.o.photons = way == SOLVER ? 0 : (uint64_t)r.photons;
                 if (way == SOLVER) {
                     r.o.depth_step = knob[k][0];
                     r.o.frequency_step = knob[k][1];
