@@ -3355,12 +3355,6 @@ static void ms_gpr__space_project(const ms_gpr__space *s, double *point)
         ms_gpr__group_put(s, &s->group[g], ms_gpr__group_nearest(s, &s->group[g], point), point);
 }
 
-static void ms_gpr__space_scale(const ms_gpr__space *s, const double *x, double *point)
-{
-    int k;
-    for (k = 0; k < s->m; ++k) point[k] = (x[k] - s->low[k]) * s->per[k];
-}
-
 /* wish[k], where it is given and not infinite. */
 static double ms_gpr__given(const double *wish, int k, double sign, double otherwise)
 {
@@ -4881,8 +4875,9 @@ static void ms_gpr__latent_material(const ms_gpr_latent *p, const double *kernel
 /* Moved to where it keeps what the plane keeps: x [m]; scaled: [m] */
 static void ms_gpr__latent_project(const ms_gpr_latent *p, double *x, double *scaled)
 {
+    int k;
     if (!p->constrained) return;
-    ms_gpr__space_scale(&p->s, x, scaled);
+    for (k = 0; k < p->s.m; ++k) scaled[k] = (x[k] - p->s.low[k]) * p->s.per[k];
     ms_gpr__space_project(&p->s, scaled);
     ms_gpr__space_material(&p->s, scaled, x);
 }

@@ -3927,6 +3927,7 @@ static ms_status ms_sss__pyramid_apply(const ms_sss_frame *frame, const ms_sss_p
     ms_sss_filter_options flat_options;
     ms_status status;
     int c, l;
+    if (state == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "workspace is NULL");
     memset(&state->kernel, 0, sizeof state->kernel);
     state->kernel.tap_count = state->kernel.term_count = 1;
     state->kernel.radius_mm = pyramid->radius_mm;

@@ -96,7 +96,7 @@ static TEST_UNUSED ms_status inside_latent(const double *x, int z, int m, const 
     int l, i, k;
     if (out == NULL) return ms_gpr__null("out", error);
     *out = NULL;
-    if (latent == NULL) return ms_gpr__null("latent", error);
+    if (latent == NULL || theta == NULL) return ms_gpr__null(latent ? "theta" : "latent", error);
     if (options) o = *options;
     else memset(&o, 0, sizeof o);
     l = MS_GPR__PLANE;

@@ -445,6 +445,7 @@ static void test_fit_methods(void)
     /* RProp and SCG end where ML does; MAP gives up a little likelihood for its prior. */
     for (method = 0; method < 2; ++method) {
         thesis_report r;
+        memset(&r, 0, sizeof r);
         ms_gpr_destroy(thesis_fit(x, y, N, M, method, 1, &r));
         likelihood[2 + method] = r.likelihood;
         CHECK_NEAR(r.likelihood, likelihood[MS_GPR_METHOD_ML], method == THESIS_RPROP ? 0.5 : 1);
@@ -1216,7 +1217,7 @@ static void test_outliers(void)
                 user u = user_of_kind(kind, (uint64_t)i + 50 + 100 * test_seed, M);
                 ms_gpr_fit_report r;
                 user_gallery(&u, N, x, y, &state);
-                at = (int)(N * test_uniform(&state));
+                at = (int)((double)N * test_uniform(&state));
                 if (slip == 1) y[at] = 100;
                 if (slip == 2) x[at * M + 3] = 1e6;
                 for (k = 0; k < N && slip == 3; ++k) {

@@ -66,6 +66,7 @@ static void write_all(const char *to)
     snprintf(path, sizeof path, FOLDER "%s.svg", to);
     CHECK(plot_write(&p, path));
     options.photons = 200;
+    memset(&file, 0, sizeof file);
     CHECK_INT(mci_read(mci, sizeof mci - 1, &file, &error), MS_OK);
     CHECK_NEAR(file.runs[0].tissue.layers[0].n, 1.4, 0);
     CHECK_INT(ms_mcml_simulate(&file.runs[0].tissue, &file.runs[0].grid, &options, &result, &error), MS_OK);

@@ -596,6 +596,7 @@ static void rings_of_photons(void)
         t.layer_count = k ? 1 : 3;
         t.layers = k ? sharp : glass;
         error.status = MS_OK;
+        memset(&r, 0, sizeof r);
         CHECK_INT(mci_layered(&t, &grid, 100000, NULL, &r, &error), MS_OK);
         CHECK(error.status == MS_OK && r.photons == 100000 && r.rd_error < 2e-5 && r.tt_error < 2e-5);
         o.photons = 200000;
@@ -626,6 +627,7 @@ static void rings_of_photons(void)
         t.n_above = t.n_below = 1;
         t.layer_count = 3;
         t.layers = thick;
+        memset(&r, 0, sizeof r);
         CHECK_INT(mci_layered(&t, &grid, 2000, NULL, &r, NULL), MS_OK);
         CHECK(r.tt > 0 && r.tt < 1e-8 && r.tt_r_error[0] * ring_area(0, grid.dr_cm) >= r.tt &&
               r.rd_r_error[0] < r.rd_r[0]);

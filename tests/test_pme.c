@@ -1678,8 +1678,9 @@ static void test_control(void)
         CHECK(deviation[j] > 0 && deviation[j] <= 1 / sqrt(12.0));
         sum += (x[j] - truth[j]) * (x[j] - truth[j]) / (deviation[j] * deviation[j]);
     }
-    CHECK(sum / N > 0.05 && sum / N < 5); /* chi-square of 6: beyond these once in some thousand seeds */
-    TEST_NOTE("errors over deviations: %.2f", sqrt(sum / N));
+    sum /= (double)N;
+    CHECK(sum > 0.05 && sum < 5); /* chi-square of 6: beyond these once in some thousand seeds */
+    TEST_NOTE("errors over deviations: %.2f", sqrt(sum));
     { /* frozen where it is: the others are known no worse than before */
         double y[N], known[N], at_low[N], at_high[N];
         for (j = 0; j < N; ++j) {
@@ -1778,7 +1779,7 @@ static void test_defaults(void)
                     o.max_cost = 1000;
                     o.tolerance = 1e-10;
                     f.jacobian_cost = 1 + 4 / 4.0;
-                    r.jacobian_cost = 1 + N / 4.0;
+                    r.jacobian_cost = 1 + (double)N / 4;
                     r.lower = zero;
                     r.upper = one;
                     options.refine.max_cost = 50;

@@ -349,24 +349,24 @@ static void test_nothing_left(void)
 static void test_reweigh(void)
 {
     enum { PIXELS = 101, COUNT = 3 * PIXELS };
-    float image[COUNT], target[COUNT], weight[COUNT], out[COUNT];
+    float drawn[COUNT], target[COUNT], weight[COUNT], out[COUNT];
     int i, c;
     for (i = 0; i < PIXELS; ++i)
         for (c = 0; c < 3; ++c) {
-            image[c * PIXELS + i] = i % 2 ? 0.01f * (float)i : 0.0001f * (float)i;
+            drawn[c * PIXELS + i] = i % 2 ? 0.01f * (float)i : 0.0001f * (float)i;
             target[c * PIXELS + i] = 0;
             weight[c * PIXELS + i] = i == 7 && c == 1 ? 0.25f : 1;
         }
     weight[7] = 0; /* two channels count; of pixel 100 none: 50 errors below 0.01, 50 from 0.01 on */
     for (c = 0; c < 3; ++c) weight[c * PIXELS + 100] = 0;
-    matcher_reweigh(PIXELS, image, target, weight, out);
+    matcher_reweigh(PIXELS, drawn, target, weight, out);
     for (i = 0; i < COUNT; ++i) {
-        double e = (double)image[i], t = e / (4.685 * 1.4826 * 0.01);
+        double e = (double)drawn[i], t = e / (4.685 * 1.4826 * 0.01);
         double expected = t < 1 ? (1 - t * t) * (1 - t * t) : 0;
         CHECK_NEAR(out[i], (double)weight[i] * expected, 1e-5);
     }
-    memset(image, 0, sizeof image); /* no errors: the weights stay */
-    matcher_reweigh(PIXELS, image, target, weight, out);
+    memset(drawn, 0, sizeof drawn); /* no errors: the weights stay */
+    matcher_reweigh(PIXELS, drawn, target, weight, out);
     for (i = 0; i < COUNT; ++i) CHECK_NEAR(out[i], weight[i], 0);
 }
 

@@ -137,7 +137,7 @@ static void test_plate(void)
 /* A ball or a hollow of the given radius in the picture's middle, seen in perspective from 400 mm. */
 static void ball(double radius, int hollow, float fov)
 {
-    double slope = 2 * tan((double)fov * PI / 360) / H;
+    double slope = 2 * tan((double)fov * PI / 360) / (double)H;
     int x, y, c;
     for (y = 0; y < H; ++y)
         for (x = 0; x < W; ++x) {

@@ -57,19 +57,19 @@ int main(int argc, char **argv)
         size_t rows = t->rank == 2 ? t->shape[0] : 0, columns = t->rank == 2 ? t->shape[1] : 0;
         out[count] = *t;
         if (rows * columns > 4096 && (t->dtype == MS_NN_F32 || t->dtype == MS_NN_F16)) {
-            float *f = floats(t, rows * columns), *scale = (float *)malloc(rows * sizeof *scale);
-            signed char *bytes = (signed char *)malloc(rows * columns);
-            if (!f || !scale || !bytes) return fail(argv[1], "out of memory");
+            float *weight = floats(t, rows * columns), *scale = (float *)malloc(rows * sizeof *scale);
+            signed char *integer = (signed char *)malloc(rows * columns);
+            if (!weight || !scale || !integer) return fail(argv[1], "out of memory");
             for (k = 0; k < rows; ++k) {
                 float most = 1e-30f;
-                for (j = 0; j < columns; ++j) most = fmaxf(most, fabsf(f[k * columns + j]));
+                for (j = 0; j < columns; ++j) most = fmaxf(most, fabsf(weight[k * columns + j]));
                 scale[k] = most / 127;
                 for (j = 0; j < columns; ++j)
-                    bytes[k * columns + j] = (signed char)lrintf(f[k * columns + j] / scale[k]);
+                    integer[k * columns + j] = (signed char)lrintf(weight[k * columns + j] / scale[k]);
             }
-            free(f);
+            free(weight);
             out[count].dtype = MS_NN_I8;
-            out[count].data = bytes;
+            out[count].data = integer;
             out[count++].bytes = rows * columns;
             snprintf(scale_name[i], sizeof scale_name[i], "%s_scale", t->name);
             scale_shape[i] = rows;

@@ -92,14 +92,14 @@ static ms_status widen(const char *path)
     for (e = 0; e < ms_nn_file_entry_count(file) && e < MOST; ++e) entries[e] = *ms_nn_file_entry(file, e);
     status = ms_nn_file_write(out, count, entries, e, NULL, 0, &size, &error);
     if (status == MS_OK) {
-        void *bytes = malloc(size);
+        void *saved = malloc(size);
         FILE *f = fopen(path, "wb");
-        if (bytes == NULL || f == NULL) status = studio__refuse(&error, MS_OUT_OF_MEMORY, "no memory for a network");
-        else status = ms_nn_file_write(out, count, entries, e, bytes, size, &size, &error);
-        if (status == MS_OK && fwrite(bytes, 1, size, f) != size)
+        if (saved == NULL || f == NULL) status = studio__refuse(&error, MS_OUT_OF_MEMORY, "no memory for a network");
+        else status = ms_nn_file_write(out, count, entries, e, saved, size, &size, &error);
+        if (status == MS_OK && fwrite(saved, 1, size, f) != size)
             status = studio__refuse(&error, MS_IO, "a network cannot be written");
         if (f) fclose(f);
-        free(bytes);
+        free(saved);
     }
     for (i = 0; i < count; ++i)
         if (out[i].data != NULL && out[i].dtype == MS_NN_F32 && ms_nn_file_find(file, out[i].name)->dtype == MS_NN_I8)

@@ -11,7 +11,7 @@
 #include "bench.h"
 #include "plot.h"
 #include "users.h"
-#include "thesis.h"
+#include "thesis.h" /* calls ms_gpr__ functions */
 
 /* peer libraries: -lopenblas */
 #ifdef HAVE_OPENBLAS

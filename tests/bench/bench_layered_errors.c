@@ -44,7 +44,7 @@ static double uniform(double low, double high) /* splitmix64 */
     uint64_t z = state += 0x9E3779B97F4A7C15u;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    return low + (high - low) * (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+    return low + (high - low) * (double)((z ^ (z >> 31)) >> 11) / 9007199254740992;
 }
 
 static double log_uniform(double low, double high) { return exp(uniform(log(low), log(high))); }
@@ -118,15 +118,13 @@ static int reference_make(const random_medium *m, double seconds, reference *out
     ms_mcml_grid grid;
     ms_mcml_result r;
     ms_mcml *tally;
-    double finest = 0, depth = 0, start;
+    double finest = 0, start;
     uint64_t done = 0;
     int i, k, e, side, at[2][EDGES];
     memset(&grid, 0, sizeof grid);
     memset(out, 0, sizeof *out);
-    for (i = 0; i < m->tissue.layer_count; ++i) {
+    for (i = 0; i < m->tissue.layer_count; ++i)
         finest = fmax(finest, m->layer[i].mu_a_per_cm + m->layer[i].mu_s_per_cm);
-        if (m->layer[i].thickness_cm < 1e7) depth += m->layer[i].thickness_cm;
-    }
     grid.dr_cm = 0.02 / finest;
     grid.nr = 100000;
     grid.dz_cm = 1;

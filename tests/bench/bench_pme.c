@@ -97,7 +97,7 @@ static ms_status plain_residual(void *user, const double *x, double *r, double *
 static double refine(const matcher *m, const float *planes, const double *start, int method, double cost, how h,
                      double *out)
 {
-    static const double zero[N], one[N] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    static const double zero[N] = {0}, one[N] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
     ms_pme_renderer renderer = m->renderer;
     ms_pme_match_options options = ms_pme_match_defaults();
     ms_pme_match_result result;
@@ -199,7 +199,7 @@ static double ours(const matcher *m, const target *t, double cost)
 /* The collapsed objective in the box of the parameters. */
 static ms_pme_function boxed(const matcher *m)
 {
-    static const double zero[N], one[N] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    static const double zero[N] = {0}, one[N] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
     ms_pme_function f = m->reduced;
     f.lower = zero;
     f.upper = one;
@@ -604,7 +604,7 @@ static void time_full_size(FILE *f)
 {
     static const char *const path = "build/bench/renderer_410.safetensors";
     static matcher m;
-    static const double zero[N], one[N] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    static const double zero[N] = {0}, one[N] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
     double truth[N], x[N], times[RUNS], aims[RUNS], from;
     ms_pme_options options =
         ms_pme_defaults(); /* what a match does, but without its check of the collapse, whose R is made up */
@@ -680,7 +680,8 @@ static void sensitivity(const ms_pme_function *function, const double *x, double
 {
     size_t m = function->residual_count, i;
     double *r = (double *)malloc(m * (N + 1) * sizeof(double)), *a = r + m, v[N][N];
-    int j, k, l, sweep, changed = 1;
+    size_t j, k, l;
+    int sweep, changed = 1;
     ms_error error;
     if (r == NULL) check_picture("out of memory");
     error.message[0] = 0;
@@ -688,7 +689,7 @@ static void sensitivity(const ms_pme_function *function, const double *x, double
     for (j = 0; j < N; ++j)
         for (k = 0; k < N; ++k) v[j][k] = j == k;
     for (sweep = 0; changed && sweep < 60; ++sweep)
-        for (j = changed = 0; j < N; ++j)
+        for (changed = 0, j = 0; j < N; ++j)
             for (k = j + 1; k < N; ++k) {
                 double jj = 0, kk = 0, jk = 0, zeta, t, c, s;
                 for (i = 0; i < m; ++i) {

@@ -219,7 +219,7 @@ extern
              float *out, int width, int height, float size, float k);
 
 typedef struct run {
-    const picture *picture;
+    const picture *shown;
     ms_sss_frame frame;
     ms_sss_filter_options options;
     float *between, *out, weight[MS_SSS_TAPS_MAX][4], offset[MS_SSS_TAPS_MAX], size, k;
@@ -241,8 +241,8 @@ static void filter(void *context)
 static void peer(void *context)
 {
     const run *r = (const run *)context;
-    sss_peer(r->polynomial, kernel.tap_count, r->offset, (const float(*)[4])r->weight, r->picture->texels, r->between,
-             r->out, r->picture->width, r->picture->height, r->size, r->k);
+    sss_peer(r->polynomial, kernel.tap_count, r->offset, (const float(*)[4])r->weight, r->shown->texels, r->between,
+             r->out, r->shown->width, r->shown->height, r->size, r->k);
 }
 #endif
 
@@ -265,7 +265,7 @@ static run prepare(const picture *p, int *count)
     run r;
     int i, c, middle = 0;
     memset(&r, 0, sizeof r);
-    r.picture = p;
+    r.shown = p;
     r.out = texels_new(p->width, p->height);
     r.between = texels_new(p->width, p->height);
     r.frame.width = p->width;
