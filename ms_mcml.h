@@ -2206,6 +2206,7 @@ enum {
     MS_MCML__GMRES_STEPS = 48, /* steps of GMRES */
     MS_MCML__EVEN_MAX = 9,     /* even moments of the preconditioner */
     MS_MCML__ODD_MAX = 12,
+    MS_MCML__WAVES = 440,
     MS_MCML__SERIES = 17 /* terms of exp(-y), |y| < 1, and of its last moment: 1e-16 */
 };
 
@@ -2853,7 +2854,7 @@ static double ms_mcml__gmres(ms_mcml__sweeps *s, double *d, double tolerance, do
         g[0] = sqrt(f->inner(basis, basis, n));
         residual = size > 0 ? g[0] / size : 0;
         if (!(residual > tolerance)) return residual;
-        for (e = 0; e < n; ++e) basis[e] /= g[0];
+        for (e = 0; e < n; ++e) basis[e] *= 1 / g[0];
         for (step = 0; step < SPAN && residual > tolerance; ++step) {
             double *v = basis + (size_t)step * n, *w = v + n, *column = h + step * (SPAN + 1);
             f->sweep(s, v, 0, w, out + 2 * step);
@@ -2865,8 +2866,7 @@ static double ms_mcml__gmres(ms_mcml__sweeps *s, double *d, double tolerance, do
                 f->add(w, -x, b, n);
             }
             column[step + 1] = x = sqrt(f->inner(w, w, n));
-            if (x > 0)
-                for (e = 0; e < n; ++e) w[e] /= x;
+            for (e = 0; e < n && x > 0; ++e) w[e] *= 1 / x;
             for (i = 0; i < step; ++i) {
                 const double a = column[i], b = column[i + 1];
                 column[i] = cs[i] * a + sn[i] * b;
@@ -3210,43 +3210,86 @@ static double ms_mcml__between_samples(const double *y, int logarithms, int coun
     return logarithms ? exp(sum / weights) : sum / weights;
 }
 
+/* J1 at Gauss nodes x = k r of panels that grow by a quarter and are at most 1.2 long: the same for every radius. */
+typedef struct ms_mcml__waves {
+    int panels;
+    double edge[MS_MCML__WAVES + 1], x[MS_MCML__WAVES][4], logarithm[MS_MCML__WAVES][4];
+    double j1[MS_MCML__WAVES][4], faded[MS_MCML__WAVES][4]; /* times weight and length; ended smoothly at 400 */
+} ms_mcml__waves;
+
+static const double ms_mcml__gauss[4] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
+                                         0.93056815579702629};
+static const double ms_mcml__gauss_weight[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                                                0.17392742256872693};
+
+/* From x = first to 400. */
+static void ms_mcml__waves_make(ms_mcml__waves *w, double first)
+{
+    int p, q;
+    w->edge[0] = first;
+    for (p = 0; p < MS_MCML__WAVES && w->edge[p] < 400; ++p) {
+        const double from = w->edge[p], size = fmin(fmin(0.25 * from, 1.2), 400 - from);
+        for (q = 0; q < 4; ++q) {
+            const double x = from + size * ms_mcml__gauss[q], fade = x / 160;
+            w->x[p][q] = x;
+            w->logarithm[p][q] = log(2 * x);
+            w->j1[p][q] = size * ms_mcml__gauss_weight[q] * ms_mcml__bessel_j1(x);
+            w->faded[p][q] = w->j1[p][q] * exp(-fade * fade * fade * fade);
+        }
+        w->edge[p + 1] = 400 - from > size ? from + size : 400;
+    }
+    w->panels = p;
+}
+
+/* A table of f at whole numbers from -1 on, at t >= 0: a cubic through four values. */
+static double ms_mcml__cubic(const double *f, int most, double t)
+{
+    const double *y = f + ((int)t < most - 4 ? (int)t : most - 4);
+    t -= (double)(y - f);
+    return t * (t - 1) / 6 * ((t + 1) * y[3] - (t - 2) * y[0]) + (t + 1) * (t - 2) / 2 * ((t - 1) * y[1] - t * y[2]);
+}
+
 /* outside[i]: energy farther out than r_first exp(0.1 i), the Hankel transform of a spectrum: f(0) - r integral f(k)
    J1(k r) dk, out to 40 / low; where waves are many a window ends them smoothly, which changes nothing as far out. What
    has little fall between its first and last frequency is smoothest in logarithms, what falls like a bell is not. */
 static void ms_mcml__hankel(const double *value, int side, int count, double low, double step, double r_first,
-                            double steeper, double *f, double *outside)
+                            double steeper, const ms_mcml__waves *w, double *f, double *outside)
 {
-    static const double gauss[4] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629};
-    static const double weight[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
-                                     0.17392742256872693};
     const double last = low * sinh(step * (count - 1) + 2.5);
     const int logarithms = side && count > 0 && value[count - 1] > 1e-3 * value[0];
     double y[MS_MCML_LAYERED_RATES]; /* f: room for the same eight times as fine, from -1 on */
     const int most = (int)((count - 1 + 2.5 / step) * 8) + 3;
-    int i, q;
+    int i, q, p, first = 0;
     memset(outside, 0, MS_MCML_LAYERED_RADII * sizeof *outside);
     if (count < 4) return;
     for (i = 0; i < count; ++i) y[i] = logarithms ? log(value[i]) : value[i];
     for (i = 0; i < most; ++i)
         f[i] = ms_mcml__between_samples(y, logarithms, count, step, fabs(0.125 * step * (i - 1)), steeper);
     for (i = 0; i < MS_MCML_LAYERED_RADII; ++i) {
-        const double r = r_first * exp(0.1 * i), end = last * r < 400 ? last : 400 / r;
-        double sum = 0, at = 0;
-        if (r * low > 40) break;
-        while (at < end) { /* Gauss on steps that follow both the spectrum and the wave */
-            const double size = 0.25 * (at + low) < 1.2 / r ? 0.25 * (at + low) : 1.2 / r;
+        const double r = r_first * exp(0.1 * i), unit = r * low, shift = log(unit), end = fmin(last * r, 400);
+        double sum = 0, ends[2][2];
+        if (unit > 40) break;
+        while (first < w->panels && w->edge[first + 1] <= fmin(0.25 * unit, end)) ++first;
+        for (p = first; p < w->panels && w->edge[p + 1] <= end; ++p) {
+            const double *j1 = last * r < 400 ? w->j1[p] : w->faded[p];
             for (q = 0; q < 4; ++q) {
-                const double k = at + size * gauss[q], x = k / low, w = k * r / 160,
-                             u = 8 / step * log(x + sqrt(1 + x * x));
-                const double *at_u = f + ((int)u < most - 4 ? (int)u : most - 4), t = u - (double)(at_u - f),
-                             cubic = t * (t - 1) / 6 * ((t + 1) * at_u[3] - (t - 2) * at_u[0]) +
-                    (t + 1) * (t - 2) / 2 * ((t - 1) * at_u[1] - t * at_u[2]);
-                sum += size * weight[q] * cubic * ms_mcml__bessel_j1(k * r) *
-                    (last * r < 400 ? 1 : exp(-w * w * w * w));
+                const double x = w->x[p][q] / unit;
+                const double u = x > 20 ? w->logarithm[p][q] - shift + (0.25 - 0.09375 / (x * x)) / (x * x)
+                                        : log(x + sqrt(1 + x * x));
+                sum += j1[q] * ms_mcml__cubic(f, most, 8 / step * u);
             }
-            at += size;
         }
-        outside[i] = value[0] - r * sum;
+        ends[0][0] = 0; /* before the first panel and after the last whole one */
+        ends[0][1] = fmin(w->edge[first], end);
+        ends[1][0] = w->edge[p];
+        ends[1][1] = end;
+        for (p = 0; p < 2; ++p)
+            for (q = 0; q < 4 && ends[p][1] > ends[p][0]; ++q) {
+                const double size = ends[p][1] - ends[p][0], x = (ends[p][0] + size * ms_mcml__gauss[q]) / unit;
+                sum += size * ms_mcml__gauss_weight[q] * ms_mcml__bessel_j1(x * unit) *
+                    ms_mcml__cubic(f, most, 8 / step * log(x + sqrt(1 + x * x)));
+            }
+        outside[i] = value[0] - sum;
     }
 }
 
@@ -3402,7 +3445,7 @@ static void ms_mcml__interpolate_spectrum(ms_mcml__spectra *p, const ms_mcml__sp
 /* Inverts the spectra to `out`, [2]: positive terms as far as they fit, and a table of the rest. stride: of the
    frequencies; steeper: the power by which spectra fall faster beyond the last frequency. a: workspace. */
 static void ms_mcml__spectra_invert(const ms_mcml__spectra *p, int stride, double steeper, const ms_mcml_layered *s,
-                                    int semi, double *a, ms_mcml_layered_side out[2])
+                                    int semi, const ms_mcml__waves *waves, double *a, ms_mcml_layered_side out[2])
 {
     enum { MOST = MS_MCML_LAYERED_RATES };
     double k[MOST], scale[MOST], noise[MOST], v[MOST];
@@ -3430,7 +3473,7 @@ static void ms_mcml__spectra_invert(const ms_mcml__spectra *p, int stride, doubl
         for (i = side ? 2 : count; i < count && k[i] < p->most && v[i] > 1e-7 * v[0]; ++i) {
         } /* as far as it is known */
         y->last_per_cm = i > 0 ? k[i - 1] : 0;
-        ms_mcml__hankel(v, side, i, p->low, p->step * stride, y->radius_cm, steeper, a, y->outside);
+        ms_mcml__hankel(v, side, i, p->low, p->step * stride, y->radius_cm, steeper, waves, a, y->outside);
         y->remainder = v[0];
     }
 }
@@ -3782,6 +3825,7 @@ static ms_status ms_mcml__layered_totals(const ms_mcml_tissue *tissue, const ms_
 
 typedef struct ms_mcml__rings_work {
     ms_mcml__spectra spectra[2];
+    ms_mcml__waves waves;
     ms_mcml_layered_side side[4][2];
     double a[2 * MS_MCML_LAYERED_RATES * (MS_MCML_LAYERED_RATES + 4)], cell[4][MS_MCML_LAYERED_RADII];
 } ms_mcml__rings_work;
@@ -3820,9 +3864,10 @@ static ms_status ms_mcml__layered_rings(const ms_mcml_tissue *tissue, const ms_m
     }
     if (status == MS_OK) {
         if (orders == 2) ms_mcml__interpolate_spectrum(&w->spectra[1], &w->spectra[0]);
+        ms_mcml__waves_make(&w->waves, 0.25 * 0.02 / w->spectra[0].mu_t * w->spectra[0].low);
         for (v = 0; v < 4; ++v)
-            ms_mcml__spectra_invert(&w->spectra[v == 1 && orders == 2], v == 2 ? 2 : 1, v == 3 ? 2 : 0, out, semi, w->a,
-                                    w->side[v]);
+            ms_mcml__spectra_invert(&w->spectra[v == 1 && orders == 2], v == 2 ? 2 : 1, v == 3 ? 2 : 0, out, semi,
+                                    &w->waves, w->a, w->side[v]);
         for (i = 0; i < out->singles; ++i) scattered[0] -= out->single_energy[i] * (1 - out->single_end[i]);
         for (v = 0; v < 8; ++v) ms_mcml__layered_finish(out, &w->side[v / 2][v % 2], v % 2, scattered[v % 2]);
         for (i = 0; i < 2; ++i) {
