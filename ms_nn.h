@@ -456,8 +456,8 @@ typedef struct ms_nn_shader {
    r x rows + c is channel c of picture r. With them it is a sheet of pictures: the outputs are one to four planes of
    width x height, gray, two channels, RGB or RGBA. The step then has the constants
      ms_nn  {pictures in a row of the sheet, pictures, flip, 0}; flip 0: row 0 of the sheet is row 0 of the target,
-   which OpenGL shows at the bottom; the height of the target: it is the last row Values agree with ms_nn_forward within
-   some 1e-6 of the largest; 16-bit weights are rounded by up to 2^-12. */
+   which OpenGL shows at the bottom; the height of the target: it is the last row.
+   Values agree with ms_nn_forward within some 1e-6 of the largest; 16-bit weights are rounded by up to 2^-12. */
 typedef struct ms_nn_shader_sizes {
     int steps, rows, input_width, target_width, weight_rows;
 } ms_nn_shader_sizes;

@@ -2392,6 +2392,56 @@ static void test_queries(void)
     ms_nn_destroy(nn);
 }
 
+/* The weights' texture as its comment lays it out: a weight, a bias or a zero in every place. */
+static void test_shader_weights(void)
+{
+    ms_nn *nn = NULL;
+    ms_nn_shader shader;
+    ms_nn_shader_sizes sizes;
+    ms_nn_tensor one;
+    float *texture;
+    size_t r, c, floats, at = 0, wrong = 0;
+    int i;
+    CHECK_INT(ms_nn_load_file("examples/data/renderer_64.safetensors", NULL, &nn, NULL), MS_OK);
+    memset(&shader, 0, sizeof shader);
+    CHECK_INT(ms_nn_shader_layout(nn, &shader, &sizes, NULL), MS_OK);
+    floats = (size_t)sizes.weight_rows * MS_NN_SHADER_WIDTH * 4;
+    texture = (float *)malloc(floats * sizeof *texture);
+    CHECK_INT(ms_nn_shader_weights(nn, MS_NN_F32, texture, NULL), MS_OK);
+    for (i = 0; i < ms_nn_layer_count(nn); ++i) {
+        const ms_nn_layer l = ms_nn_layer_at(nn, i);
+        const ms_nn_tensor *w, *b;
+        char name[64];
+        size_t rows, cols;
+        if (strcmp(l.type, "dense") != 0) continue;
+        snprintf(name, sizeof name, "%s.weight", l.name);
+        w = ms_nn_file_find(ms_nn_tensors(nn), name);
+        snprintf(name, sizeof name, "%s.bias", l.name);
+        b = ms_nn_file_find(ms_nn_tensors(nn), name);
+        one = *w;
+        rows = (one.shape[0] + 3) / 4 * 4;
+        cols = (one.shape[1] + 3) / 4 * 4;
+        for (r = 0; r < rows; ++r)
+            for (c = 0; c < cols; ++c) {
+                const float got = texture[at + r / 4 * 4 * cols + c / 4 * 16 + r % 4 * 4 + c % 4];
+                float v = 0;
+                if (r < one.shape[0] && c < one.shape[1])
+                    v = (float)ms_nn__element(one.data, one.dtype, r * one.shape[1] + c);
+                wrong += memcmp(&got, &v, sizeof v) != 0 && (got > 0 || got < 0 || v > 0 || v < 0);
+            }
+        at += rows * cols;
+        for (r = 0; r < rows; ++r, ++at) {
+            const float v = b && r < one.shape[0] ? (float)ms_nn__element(b->data, b->dtype, r) : 0;
+            wrong += texture[at] > v || texture[at] < v;
+        }
+    }
+    CHECK_INT(wrong, 0);
+    for (; at < floats; ++at) wrong += texture[at] > 0 || texture[at] < 0;
+    CHECK_INT(wrong, 0);
+    free(texture);
+    ms_nn_destroy(nn);
+}
+
 static const test_case cases[] = {{"reference networks", test_reference},
                                   {"random networks", test_random},
                                   {"same bits", test_same_bits},
@@ -2418,5 +2468,6 @@ static const test_case cases[] = {{"reference networks", test_reference},
                                   {"collapse", test_collapse},
                                   {"collapse of one layer", test_collapse_alone},
                                   {"collapse factor", test_collapse_factor},
-                                  {"queries", test_queries}};
+                                  {"queries", test_queries},
+                                  {"weights of a shader", test_shader_weights}};
 TEST_MAIN_WITH_FILES(cases)
