@@ -1931,16 +1931,6 @@ static void ms_gpr__scale(const ms_gpr *gp, const double *x, double *scaled, siz
     }
 }
 
-static void ms_gpr__scale_training(ms_gpr *gp, int i)
-{
-    int k;
-    ms_gpr__scale(gp, gp->x + (size_t)i * (size_t)gp->m, gp->points + i, gp->stride);
-    for (k = 0; k < gp->active; ++k) {
-        size_t at = (size_t)k * gp->stride + (size_t)i;
-        gp->points_f[at] = (float)gp->points[at];
-    }
-}
-
 static int ms_gpr__scored(double y) { return y > 0.5 * MS_GPR_UNSCORED; }
 
 /* What follows from alpha. */
@@ -2092,7 +2082,7 @@ static ms_status ms_gpr__condition_soft(ms_gpr *gp, ms_error *error)
    that does. */
 static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
 {
-    size_t lists = (size_t)gp->m * gp->stride;
+    size_t lists = (size_t)gp->m * gp->stride, at;
     double sf2 = ms_gpr__sf2(gp), sn2 = ms_gpr__sn2(gp);
     int i, k;
     gp->active = 0;
@@ -2105,7 +2095,8 @@ static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
     }
     memset(gp->points, 0, lists * sizeof *gp->points);
     memset(gp->points_f, 0, lists * sizeof *gp->points_f);
-    for (i = 0; i < gp->n; ++i) ms_gpr__scale_training(gp, i);
+    for (i = 0; i < gp->n; ++i) ms_gpr__scale(gp, gp->x + (size_t)i * (size_t)gp->m, gp->points + i, gp->stride);
+    for (at = 0; at < (size_t)gp->active * gp->stride; ++at) gp->points_f[at] = (float)gp->points[at];
     gp->soft = gp->step > 0 || gp->pair_count > 0;
     for (i = 0; i < gp->n; ++i) gp->soft |= !ms_gpr__scored(gp->y[i]);
     if (gp->soft) return ms_gpr__condition_soft(gp, error);
@@ -5196,31 +5187,25 @@ static ms_status ms_gpr__grid_check(const ms_gpr_latent *plane, const ms_gpr_gri
     return MS_OK;
 }
 
-/* The materials of a grid, [rows][columns][m], to be released. */
-static ms_status ms_gpr__grid_make(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double **x, ms_error *error)
+/* The materials of a grid, [rows][columns][m], to be released; variance [rows][columns], or NULL. */
+static ms_status ms_gpr__grid_make(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double **x, double *variance,
+                                   ms_error *error)
 {
     ms_status status = ms_gpr__grid_check(plane, grid, error);
-    size_t materials;
-    double *kernel, *material, at[2];
-    int row, column;
+    size_t count, materials, i;
     if (status != MS_OK) return status;
-    materials = ms__size_mul(ms__size_mul((size_t)grid->columns, (size_t)grid->rows), (size_t)plane->m);
-    *x = ms_gpr__scratch(&plane->allocator, ms__size_add(materials, plane->stride + plane->columns));
+    count = (size_t)grid->columns * (size_t)grid->rows;
+    materials = ms__size_mul(count, (size_t)plane->m);
+    *x = ms_gpr__scratch(&plane->allocator, ms__size_add(materials, 2 * count));
     if (*x == NULL)
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the materials of %d x %d points", grid->columns,
                         grid->rows);
-    kernel = *x + materials;
-    material = kernel + plane->stride;
-    for (row = 0; row < grid->rows; ++row)
-        for (column = 0; column < grid->columns; ++column) {
-            double *to = *x + ((size_t)row * (size_t)grid->columns + (size_t)column) * (size_t)plane->m;
-            ms_gpr_grid_point(grid, column, row, at);
-            ms_gpr__latent_kernel(plane, at, kernel);
-            ms_gpr__latent_material(plane, kernel, material);
-            memcpy(to, material, (size_t)plane->m * sizeof *to);
-            ms_gpr__latent_project(plane, to, material);
-        }
-    return MS_OK;
+    for (i = 0; i < count; ++i)
+        ms_gpr_grid_point(grid, (int)(i % (size_t)grid->columns), (int)(i / (size_t)grid->columns),
+                          *x + materials + 2 * i);
+    status = ms_gpr_latent_map(plane, *x + materials, (int)count, *x, variance, error);
+    if (status != MS_OK) ms_gpr__release(&plane->allocator, *x);
+    return status;
 }
 
 MS_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_gpr *gp, const ms_gpr_grid *grid,
@@ -5233,7 +5218,7 @@ MS_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_gpr 
     if (gp->m != plane->m)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "gp has %d parameters and plane %d: expected the same", gp->m,
                         plane->m);
-    status = ms_gpr__grid_make(plane, grid, &x, error);
+    status = ms_gpr__grid_make(plane, grid, &x, NULL, error);
     if (status != MS_OK) return status;
     count = grid->columns * grid->rows;
     status = ms_gpr_predict(gp, x, count, mean, sigma, error);
@@ -5245,22 +5230,14 @@ MS_API ms_status ms_gpr_map_preference(const ms_gpr_latent *plane, const ms_gpr 
 MS_API ms_status ms_gpr_map_confidence(const ms_gpr_latent *plane, const ms_gpr_grid *grid, double *confidence,
                                        ms_error *error)
 {
+    double *x;
+    int i;
     ms_status status = ms_gpr__grid_check(plane, grid, error);
-    double sf2, at[2], *kernel;
-    int row, column;
     if (status == MS_OK && confidence == NULL) status = ms_gpr__null("confidence", error);
+    if (status == MS_OK) status = ms_gpr__grid_make(plane, grid, &x, confidence, error);
     if (status != MS_OK) return status;
-    kernel = ms_gpr__scratch(&plane->allocator, plane->stride);
-    if (kernel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a row of the covariance matrix");
-    sf2 = exp(2 * plane->theta[2]);
-    for (row = 0; row < grid->rows; ++row)
-        for (column = 0; column < grid->columns; ++column) {
-            ms_gpr_grid_point(grid, column, row, at);
-            ms_gpr__latent_kernel(plane, at, kernel);
-            confidence[(size_t)row * (size_t)grid->columns + (size_t)column] = 1 -
-                ms_gpr__latent_variance(plane, kernel) / sf2;
-        }
-    ms_gpr__release(&plane->allocator, kernel);
+    for (i = 0; i < grid->columns * grid->rows; ++i) confidence[i] = 1 - confidence[i] / exp(2 * plane->theta[2]);
+    ms_gpr__release(&plane->allocator, x);
     return MS_OK;
 }
 
@@ -5323,7 +5300,7 @@ MS_API ms_status ms_gpr_map_similarity(const ms_gpr_latent *plane, const ms_gpr_
     int count, i;
     ms_status status = ms_gpr__similarity_check(plane, similarity, error);
     if (status == MS_OK && map == NULL) status = ms_gpr__null("map", error);
-    if (status == MS_OK) status = ms_gpr__grid_make(plane, grid, &x, error);
+    if (status == MS_OK) status = ms_gpr__grid_make(plane, grid, &x, NULL, error);
     if (status != MS_OK) return status;
     status = ms_gpr__pictures(plane, similarity, &pictures, error);
     if (status == MS_OK) {
