@@ -594,12 +594,14 @@ MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel
 
 /* Subsurface scattering of a picture or a texture: blur = delta E + sum_t scale_t (E * w_t along x) * w_t along y, then
    (1 - strength) E + strength blur. E is the input (times albedo, see albedo_mode). Depth's part is in the head
-   comment. kernels     [kernel_count], 1 to 256; a radius above the picture's larger side is reduced to it workspace
-   ms_sss_filter_workspace(...) bytes, any alignment and content; NULL and size 0: from malloc Masked pixels are copied
-   (times albedo, plus specular): a channel is NaN or not within 1e30, the depth is not finite or not positive, the
-   strength is 0 or NaN, or the profile has no kernel. No light passes between masked and other pixels, or between
-   profiles. Where the kernel's radius is under half a pixel or the strength is 0, pixels keep their bits. Results are
-   bit-equal for any thread count at one SIMD level, across levels within 2e-6 of the largest input.
+   comment.
+   kernels    [kernel_count], 1 to 256; a radius above the picture's larger side is reduced to it
+   workspace  ms_sss_filter_workspace(...) bytes, any alignment and content; NULL and size 0: from malloc
+   Masked pixels are copied (times albedo, plus specular): a channel is NaN or not within 1e30, the depth is not
+   finite or not positive, the strength is 0 or NaN, or the profile has no kernel. No light passes between masked and
+   other pixels, or between profiles. Where the kernel's radius is under half a pixel or the strength is 0, pixels
+   keep their bits. Results are bit-equal for any thread count at one SIMD level, across levels within 2e-6 of the
+   largest input.
    MS_INVALID_ARGUMENT: a pointer, size, stride or option out of range. MS_UNSUPPORTED: method PYRAMID without one, or
    with what ms_sss_pyramid_filter does not take. Nothing is written then. Thesis 5.5, 5.8.2, 5.10. */
 MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
@@ -684,7 +686,8 @@ typedef enum ms_sss_step {
    / d), octahedral or world-space normals, a stencil index, an array layer, one sample of a multisampled target. NULL:
    they read the textures below. Color may have 16 bits a channel; depth needs 32, because steps of 16 bits are seen as
    slopes. Vulkan and WGSL bind textures at 1 + n, HLSL at t(n), GLSL 330 and ES 300 by name. OpenGL needs GL_NEAREST
-   for both filters of each: with its defaults a float texture is incomplete and reads as black. n  name holds read by
+   for both filters of each: with its defaults a float texture is incomplete and reads as black.
+      n  name             holds                            read by
       0  ms_sss_color     RGB                              the first step, UP, RESOLVE; Y at full resolution
       1  ms_sss_depth     R                                the first step, UP
       2  ms_sss_strength  R                                the same, RESOLVE; Y at full resolution

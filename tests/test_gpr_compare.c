@@ -643,7 +643,7 @@ static void test_confidence(void)
         ms_gpr_destroy(gp);
     }
     TEST_NOTE("log loss %.3f, signal at most %.1f times the noise", loss, most);
-    CHECK_LE(most, 5.7); /* twice the truth */
+    CHECK_LE(most, 5.7);  /* twice the truth */
     CHECK_LE(loss, 0.35); /* the person: 0.25; a coin: 0.693 */
 }
 

@@ -1,4 +1,4 @@
-// sources 742439468
+// sources 1509646098
 // Separable subsurface scattering for three.js, by ms_sss.h: `make web` writes this file with the header in WebAssembly.
 //
 //   import { Subsurface } from './sss_three.js';
