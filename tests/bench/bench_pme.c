@@ -849,7 +849,7 @@ static void table_edits(matcher *m)
             apart[i] = 255 * sqrt(apart[i] / (double)m->renderer.image_size);
             for (j = 0, all[i] = known[i] = 0; j < N; ++j) {
                 double d = x[j] - (double)truth[j];
-                all[i] += d * d / N;
+                all[i] += d * d / (double)N;
                 if (deviation[j] / 255 < 0.05) known[i] += d * d, ++count;
             }
             all[i] = sqrt(all[i]);
