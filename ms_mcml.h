@@ -576,64 +576,38 @@ static MS__UNUSED int ms__finite_f(float x)
 /* x as text with 6 significant digits and '.' in every locale; at least 24 bytes in out. Its length. */
 static MS__UNUSED int ms__format_number(char *out, double x)
 {
-    char digit[8];
-    int n = 0, exponent = 0, i, last;
+    char digit[6];
+    int n = 0, exponent = 5, i, last = 5, point, fixed;
     int64_t mantissa;
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
+    if (bits >> 63) out[n++] = '-';
     if (!ms__finite(x)) {
-        const char *name = (bits & 0xfffffffffffffu) ? "nan" : (bits >> 63) ? "-inf" : "inf";
-        for (; name[n]; ++n) out[n] = name[n];
-        out[n] = 0;
-        return n;
+        const int nan = (bits & 0xfffffffffffffu) != 0;
+        memcpy(out + (nan ? 0 : n), nan ? "nan" : "inf", 4);
+        return nan ? 3 : n + 3;
     }
-    if (bits >> 63) {
-        out[n++] = '-';
-        x = -x;
-    }
-    if (!(x > 0)) {
-        out[n++] = '0';
-        out[n] = 0;
-        return n;
-    }
-    while (x >= 1e6) {
-        x /= 10;
-        ++exponent;
-    }
-    while (x < 1e5) {
-        x *= 10;
-        --exponent;
-    }
+    if (bits >> 63) x = -x;
+    for (; x >= 1e6; ++exponent) x /= 10;
+    for (; x > 0 && x < 1e5; --exponent) x *= 10;
     mantissa = (int64_t)(x + 0.5);
-    if (mantissa >= 1000000) {
-        mantissa /= 10;
+    if (mantissa == 1000000) {
+        mantissa = 100000;
         ++exponent;
     }
-    exponent += 5;
-    for (i = 5; i >= 0; --i) {
-        digit[i] = (char)('0' + (int)(mantissa % 10));
-        mantissa /= 10;
+    if (mantissa == 0) exponent = 0;
+    for (i = 5; i >= 0; --i, mantissa /= 10) digit[i] = (char)('0' + (int)(mantissa % 10));
+    while (last > 0 && digit[last] == '0') --last;
+    fixed = exponent >= -4 && exponent < 7;
+    point = fixed ? exponent : 0; /* the digit that it follows */
+    for (i = point < 0 ? point : 0; i <= last || i <= point; ++i) {
+        out[n++] = i < 0 || i > 5 ? '0' : digit[i];
+        if (i == point && i < last) out[n++] = '.';
     }
-    for (last = 5; last > 0 && digit[last] == '0';) --last;
-    if (exponent >= -4 && exponent < 7) {
-        if (exponent < 0) {
-            out[n++] = '0';
-            out[n++] = '.';
-            for (i = -1; i > exponent; --i) out[n++] = '0';
-            for (i = 0; i <= last; ++i) out[n++] = digit[i];
-        } else {
-            for (i = 0; i <= last || i <= exponent; ++i) {
-                if (i == exponent + 1) out[n++] = '.';
-                out[n++] = i < 6 ? digit[i] : '0';
-            }
-        }
-    } else {
-        out[n++] = digit[0];
-        if (last > 0) out[n++] = '.';
-        for (i = 1; i <= last; ++i) out[n++] = digit[i];
+    if (!fixed) {
         out[n++] = 'e';
         out[n++] = exponent < 0 ? '-' : '+';
-        if (exponent < 0) exponent = -exponent;
+        exponent = exponent < 0 ? -exponent : exponent;
         if (exponent >= 100) out[n++] = (char)('0' + exponent / 100);
         out[n++] = (char)('0' + exponent / 10 % 10);
         out[n++] = (char)('0' + exponent % 10);
@@ -660,26 +634,15 @@ static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t p
         number[1] = 0;
         if (*format == '%' && format[1]) {
             ++format;
-            if (*format == 's') {
-                piece = va_arg(list, const char *);
-            } else if (*format == 'g') {
-                ms__format_number(number, va_arg(list, double));
-            } else if (*format == 'd' || *format == 'z') {
-                char reversed[24];
-                size_t k = 0, m = 0, value;
-                if (*format == 'd') {
-                    int64_t v = va_arg(list, int);
-                    if (v < 0) number[m++] = '-';
-                    value = (size_t)(v < 0 ? -v : v);
-                } else {
-                    value = va_arg(list, size_t);
-                }
-                do {
-                    reversed[k++] = (char)('0' + (int)(value % 10));
-                    value /= 10;
-                } while (value);
-                while (k) number[m++] = reversed[--k];
-                number[m] = 0;
+            if (*format == 's') piece = va_arg(list, const char *);
+            if (*format == 'g') ms__format_number(number, va_arg(list, double));
+            if (*format == 'd' || *format == 'z') {
+                const int v = *format == 'd' ? va_arg(list, int) : 0;
+                size_t value = *format == 'z' ? va_arg(list, size_t) : v < 0 ? 0 - (size_t)v : (size_t)v;
+                char *at = number + sizeof number - 1;
+                for (*at = 0; value || !*at; value /= 10) *--at = (char)('0' + (int)(value % 10));
+                if (v < 0) *--at = '-';
+                piece = at;
             }
         }
         for (i = 0; piece[i] && n < room; ++i)
@@ -4396,202 +4359,140 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #if defined(MS_MCML_IMPLEMENTATION) && defined(MS_MCML__PASS)
 /* --- kernels --------------------------------------------------------------------------------------------------
 
-   Read once a level. V is a vector of L floats, U of L 32-bit words, M a comparison's result. */
+   Read once a level. Vectors of L floats (V), words (U) and comparisons' results (M), and as long ones of doubles (E)
+   and of 64-bit words (W). Their operators are the compiler's. */
 
+#define MS_MCML__V MS_MCML__FN(v)
+#define MS_MCML__U MS_MCML__FN(u)
+#define MS_MCML__E MS_MCML__FN(e)
+#define MS_MCML__W MS_MCML__FN(w)
 #if MS_MCML__ISA == 1
 #define MS_MCML__L 1
-#define MS_MCML__V float
-#define MS_MCML__U uint32_t
-#define MS_MCML__M int
-#define MS_MCML__V_LOAD(p) (*(p))
-#define MS_MCML__V_STORE(p, a) (*(p) = (a))
-#define MS_MCML__V_SET(a) (a)
-#define MS_MCML__V_MADD(a, b, c) ((a) * (b) + (c))
-#define MS_MCML__V_SQRT(a) sqrtf(a)
-#define MS_MCML__V_MAX(a, b) ((a) > (b) ? (a) : (b))
-#define MS_MCML__V_LESS(a, b) ((a) < (b))
-#define MS_MCML__V_SELECT(m, a, b) ((m) ? (a) : (b))
-#define MS_MCML__V_FROM_INT(a) ((float)(int32_t)(a))
+#define MS_MCML__VECTOR(type, x)                      \
+    typedef type MS_MCML__FN(x), MS_MCML__FN(x##_at); \
+    static inline type MS_MCML__FN(x##_set)(type a) { return a; }
+#else
+#define MS_MCML__L (1 << MS_MCML__ISA)
+#define MS_MCML__VECTOR(type, x)                                                                                     \
+    typedef type MS_MCML__FN(x) __attribute__((vector_size(4 * MS_MCML__L)));                                        \
+    typedef type MS_MCML__FN(x##_at) __attribute__((vector_size(4 * MS_MCML__L), aligned(sizeof(type)), may_alias)); \
+    static inline MS_MCML__FN(x) MS_MCML__FN(x##_set)(type a)                                                        \
+    {                                                                                                                \
+        const MS_MCML__FN(x) zero = {0};                                                                             \
+        return a - zero; /* -0 stays -0 */                                                                           \
+    }
+#endif
+MS_MCML__VECTOR(float, v)
+MS_MCML__VECTOR(uint32_t, u)
+MS_MCML__VECTOR(double, e)
+MS_MCML__VECTOR(uint64_t, w)
+#define MS_MCML__V_SET(a) MS_MCML__FN(v_set)(a)
+#define MS_MCML__V_LOAD(p) ((MS_MCML__V) * (const MS_MCML__FN(v_at) *)(p))
+#define MS_MCML__V_STORE(p, a) (*(MS_MCML__FN(v_at) *)(p) = (a))
+#define MS_MCML__U_LOAD(p) ((MS_MCML__U) * (const MS_MCML__FN(u_at) *)(p))
+#define MS_MCML__U_STORE(p, a) (*(MS_MCML__FN(u_at) *)(p) = (a))
+
+#if MS_MCML__ISA == 4
+#define MS_MCML__M __mmask16
+#define MS_MCML__V_LESS(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ)
+#define MS_MCML__U_IS_ZERO(a) _mm512_testn_epi32_mask((__m512i)(a), (__m512i)(a))
+#else
+MS_MCML__VECTOR(int32_t, m)
+#define MS_MCML__M MS_MCML__FN(m)
+#define MS_MCML__V_LESS(a, b) ((MS_MCML__M)((a) < (b)))
+#define MS_MCML__U_IS_ZERO(a) ((MS_MCML__M)((a) == 0))
+#endif
+#if MS_MCML__ISA == 1
 #define MS_MCML__V_BITS(a) ms_mcml__bits_float(a)
 #define MS_MCML__U_BITS(a) ms_mcml__float_bits(a)
-#define MS_MCML__U_LOAD(p) (*(p))
-#define MS_MCML__U_STORE(p, a) (*(p) = (a))
-#define MS_MCML__U_SET(a) (a)
-#define MS_MCML__U_ADD(a, b) ((a) + (b))
-#define MS_MCML__U_SUB(a, b) ((a) - (b))
-#define MS_MCML__U_RIGHT(a, n) ((a) >> (n))
-#define MS_MCML__U_LEFT(a, n) ((a) << (n))
-#define MS_MCML__U_IS_ZERO(a) ((a) == 0)
-#define MS_MCML__V_NMADD(a, b, c) ((c) - (a) * (b))
+#else
+#define MS_MCML__V_BITS(a) ((MS_MCML__V)(a))
+#define MS_MCML__U_BITS(a) ((MS_MCML__U)(a))
+#endif
+
+/* What operators do not say. HIGH: the upper half of a b, where all lanes of b are equal. */
+#if MS_MCML__ISA == 1
+#define MS_MCML__V_SQRT(a) sqrtf(a)
+#define MS_MCML__V_MAX(a, b) ((a) > (b) ? (a) : (b))
 #define MS_MCML__V_MIN(a, b) ((a) < (b) ? (a) : (b))
-#define MS_MCML__V_ABS(a) fabsf(a)
-#define MS_MCML__V_SIGN(a) (ms_mcml__float_bits(a) >> 31 ? -1.0f : 1.0f)
+#define MS_MCML__V_SELECT(m, a, b) ((m) ? (a) : (b))
+#define MS_MCML__V_FROM_INT(a) ((float)(int32_t)(a))
 #define MS_MCML__V_TO_INT(a) ((uint32_t)(int32_t)(a))
-#define MS_MCML__U_ROTATE(a, n) (((a) << (n)) | ((a) >> (32 - (n))))
-#define MS_MCML__U_MUL(a, b) ((a) * (b))
-#define MS_MCML__U_HIGH(a, b) ((uint32_t)((uint64_t)(a) * (b) >> 32))
 #define MS_MCML__M_BITS(m) ((unsigned)(m))
-
-#elif MS_MCML__ISA == 2 && defined(MS_MCML__X64)
-#define MS_MCML__L 4
-#define MS_MCML__MM(name) _mm_##name
-#define MS_MCML__V __m128
-#define MS_MCML__U __m128i
-#define MS_MCML__M __m128
-#define MS_MCML__V_MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
-#define MS_MCML__V_SQRT(a) _mm_sqrt_ps(a)
-#define MS_MCML__V_MAX(a, b) _mm_max_ps(a, b)
-#define MS_MCML__V_LESS(a, b) _mm_cmplt_ps(a, b)
-#define MS_MCML__V_SELECT(m, a, b) _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b))
-#define MS_MCML__V_FROM_INT(a) _mm_cvtepi32_ps(a)
-#define MS_MCML__V_BITS(a) _mm_castsi128_ps(a)
-#define MS_MCML__U_BITS(a) _mm_castps_si128(a)
-#define MS_MCML__U_LOAD(p) _mm_loadu_si128((const __m128i *)(const void *)(p))
-#define MS_MCML__U_STORE(p, a) _mm_storeu_si128((__m128i *)(void *)(p), a)
-#define MS_MCML__U_RIGHT(a, n) _mm_srli_epi32(a, n)
-#define MS_MCML__U_LEFT(a, n) _mm_slli_epi32(a, n)
-#define MS_MCML__U_IS_ZERO(a) _mm_castsi128_ps(_mm_cmpeq_epi32(a, _mm_setzero_si128()))
-#define MS_MCML__V_NMADD(a, b, c) _mm_sub_ps(c, _mm_mul_ps(a, b))
-#define MS_MCML__V_MIN(a, b) _mm_min_ps(a, b)
-#define MS_MCML__V_ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
-#define MS_MCML__V_SIGN(a) _mm_or_ps(_mm_and_ps(a, _mm_set1_ps(-0.0f)), _mm_set1_ps(1.0f))
-#define MS_MCML__V_TO_INT(a) _mm_cvttps_epi32(a)
-#define MS_MCML__U_ROTATE(a, n) _mm_or_si128(_mm_slli_epi32(a, n), _mm_srli_epi32(a, 32 - (n)))
-#define MS_MCML__U_MUL(a, b)                                         \
-    _mm_unpacklo_epi32(_mm_shuffle_epi32(_mm_mul_epu32(a, b), 0x08), \
-                       _mm_shuffle_epi32(_mm_mul_epu32(_mm_srli_epi64(a, 32), _mm_srli_epi64(b, 32)), 0x08))
-#define MS_MCML__U_HIGH(a, b)                                                               \
-    _mm_or_si128(_mm_srli_epi64(_mm_mul_epu32(a, b), 32),                                   \
-                 _mm_and_si128(_mm_mul_epu32(_mm_srli_epi64(a, 32), _mm_srli_epi64(b, 32)), \
-                               _mm_set1_epi64x((long long)0xffffffff00000000u)))
-#define MS_MCML__M_BITS(m) ((unsigned)_mm_movemask_ps(m))
-
-#elif MS_MCML__ISA == 2
-#define MS_MCML__L 4
-#define MS_MCML__V float32x4_t
-#define MS_MCML__U uint32x4_t
-#define MS_MCML__M uint32x4_t
-#define MS_MCML__V_LOAD(p) vld1q_f32(p)
-#define MS_MCML__V_STORE(p, a) vst1q_f32(p, a)
-#define MS_MCML__V_SET(a) vdupq_n_f32(a)
-#define MS_MCML__V_MADD(a, b, c) vfmaq_f32(c, a, b)
+#define MS_MCML__U_HIGH(a, b) ((uint32_t)((uint64_t)(a) * (b) >> 32))
+#define MS_MCML__D_ALL(op) op(a, 0) op(b, 1) op(c, 2) op(d, 3) op(e, 4) op(f, 5) op(g, 6) op(h, 7)
+#elif MS_MCML__ISA == 2 && defined(MS_MCML__NEON)
 #define MS_MCML__V_SQRT(a) vsqrtq_f32(a)
 #define MS_MCML__V_MAX(a, b) vmaxq_f32(a, b)
-#define MS_MCML__V_LESS(a, b) vcltq_f32(a, b)
-#define MS_MCML__V_SELECT(m, a, b) vbslq_f32(m, a, b)
-#define MS_MCML__V_FROM_INT(a) vcvtq_f32_s32(vreinterpretq_s32_u32(a))
-#define MS_MCML__V_BITS(a) vreinterpretq_f32_u32(a)
-#define MS_MCML__U_BITS(a) vreinterpretq_u32_f32(a)
-#define MS_MCML__U_LOAD(p) vld1q_u32(p)
-#define MS_MCML__U_STORE(p, a) vst1q_u32(p, a)
-#define MS_MCML__U_SET(a) vdupq_n_u32(a)
-#define MS_MCML__U_ADD(a, b) vaddq_u32(a, b)
-#define MS_MCML__U_SUB(a, b) vsubq_u32(a, b)
-#define MS_MCML__U_RIGHT(a, n) vshrq_n_u32(a, n)
-#define MS_MCML__U_LEFT(a, n) vshlq_n_u32(a, n)
-#define MS_MCML__U_IS_ZERO(a) vceqq_u32(a, vdupq_n_u32(0))
-#define MS_MCML__V_NMADD(a, b, c) vfmsq_f32(c, a, b)
 #define MS_MCML__V_MIN(a, b) vminq_f32(a, b)
-#define MS_MCML__V_ABS(a) vabsq_f32(a)
-#define MS_MCML__V_SIGN(a) vbslq_f32(vdupq_n_u32(0x80000000u), a, vdupq_n_f32(1.0f))
-#define MS_MCML__V_TO_INT(a) vreinterpretq_u32_s32(vcvtq_s32_f32(a))
-#define MS_MCML__U_ROTATE(a, n) vorrq_u32(vshlq_n_u32(a, n), vshrq_n_u32(a, 32 - (n)))
-#define MS_MCML__U_MUL(a, b) vmulq_u32(a, b)
+#define MS_MCML__V_SELECT(m, a, b) vbslq_f32((MS_MCML__U)(m), a, b)
+#define MS_MCML__V_FROM_INT(a) vcvtq_f32_s32((MS_MCML__M)(a))
+#define MS_MCML__V_TO_INT(a) ((MS_MCML__U)vcvtq_s32_f32(a))
+#define MS_MCML__M_BITS(m) ms_mcml__neon_bits((MS_MCML__U)(m))
 #define MS_MCML__U_HIGH(a, b)                                                      \
     vuzp2q_u32(vreinterpretq_u32_u64(vmull_u32(vget_low_u32(a), vget_low_u32(b))), \
                vreinterpretq_u32_u64(vmull_high_u32(a, b)))
-#define MS_MCML__M_BITS(m) ms_mcml__neon_bits(m)
-
+#define MS_MCML__D_ALL(op) op(a, 0) op(b, 2) op(c, 4) op(d, 6)
+#elif MS_MCML__ISA == 2
+#define MS_MCML__MM(name, mask, ...) _mm_##name(__VA_ARGS__)
+#define MS_MCML__MM_INT __m128i
+#define MS_MCML__V_SELECT(m, a, b) ((MS_MCML__V)(((m) & (MS_MCML__M)(a)) | (~(m) & (MS_MCML__M)(b))))
+#define MS_MCML__M_BITS(m) ((unsigned)_mm_movemask_ps((__m128)(m)))
+#define MS_MCML__D_ALL(op) op(a, 0) op(b, 2) op(c, 4) op(d, 6)
 #elif MS_MCML__ISA == 3
-#define MS_MCML__L 8
-#define MS_MCML__MM(name) _mm256_##name
-#define MS_MCML__V __m256
-#define MS_MCML__U __m256i
-#define MS_MCML__M __m256
-#define MS_MCML__V_MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
-#define MS_MCML__V_SQRT(a) _mm256_sqrt_ps(a)
-#define MS_MCML__V_MAX(a, b) _mm256_max_ps(a, b)
-#define MS_MCML__V_LESS(a, b) _mm256_cmp_ps(a, b, _CMP_LT_OQ)
-#define MS_MCML__V_SELECT(m, a, b) _mm256_blendv_ps(b, a, m)
-#define MS_MCML__V_FROM_INT(a) _mm256_cvtepi32_ps(a)
-#define MS_MCML__V_BITS(a) _mm256_castsi256_ps(a)
-#define MS_MCML__U_BITS(a) _mm256_castps_si256(a)
-#define MS_MCML__U_LOAD(p) _mm256_loadu_si256((const __m256i *)(const void *)(p))
-#define MS_MCML__U_STORE(p, a) _mm256_storeu_si256((__m256i *)(void *)(p), a)
-#define MS_MCML__U_RIGHT(a, n) _mm256_srli_epi32(a, n)
-#define MS_MCML__U_LEFT(a, n) _mm256_slli_epi32(a, n)
-#define MS_MCML__U_IS_ZERO(a) _mm256_castsi256_ps(_mm256_cmpeq_epi32(a, _mm256_setzero_si256()))
-#define MS_MCML__V_NMADD(a, b, c) _mm256_fnmadd_ps(a, b, c)
-#define MS_MCML__V_MIN(a, b) _mm256_min_ps(a, b)
-#define MS_MCML__V_ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
-#define MS_MCML__V_SIGN(a) _mm256_or_ps(_mm256_and_ps(a, _mm256_set1_ps(-0.0f)), _mm256_set1_ps(1.0f))
-#define MS_MCML__V_TO_INT(a) _mm256_cvttps_epi32(a)
-#define MS_MCML__U_ROTATE(a, n) _mm256_or_si256(_mm256_slli_epi32(a, n), _mm256_srli_epi32(a, 32 - (n)))
-#define MS_MCML__U_MUL(a, b) _mm256_mullo_epi32(a, b)
-#define MS_MCML__U_HIGH(a, b)                                         \
-    _mm256_blend_epi32(_mm256_srli_epi64(_mm256_mul_epu32(a, b), 32), \
-                       _mm256_mul_epu32(_mm256_srli_epi64(a, 32), _mm256_srli_epi64(b, 32)), 0xaa)
-#define MS_MCML__M_BITS(m) ((unsigned)_mm256_movemask_ps(m))
-
-#elif MS_MCML__ISA == 4
-#define MS_MCML__L 16
-#define MS_MCML__MM(name) _mm512_##name
-#define MS_MCML__V __m512
-#define MS_MCML__U __m512i
-#define MS_MCML__M __mmask16
-#define MS_MCML__V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
-#define MS_MCML__V_SQRT(a) _mm512_maskz_sqrt_ps((__mmask16)-1, a)
-#define MS_MCML__V_MAX(a, b) _mm512_maskz_max_ps((__mmask16)-1, a, b)
-#define MS_MCML__V_LESS(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ)
+#define MS_MCML__MM(name, mask, ...) _mm256_##name(__VA_ARGS__)
+#define MS_MCML__MM_INT __m256i
+#define MS_MCML__V_SELECT(m, a, b) _mm256_blendv_ps(b, a, (__m256)(m))
+#define MS_MCML__M_BITS(m) ((unsigned)_mm256_movemask_ps((__m256)(m)))
+#define MS_MCML__D_ALL(op) op(a, 0) op(b, 4)
+#else /* without maskz GCC's header warns */
+#define MS_MCML__MM(name, mask, ...) _mm512_maskz_##name(mask, __VA_ARGS__)
+#define MS_MCML__MM_INT __m512i
 #define MS_MCML__V_SELECT(m, a, b) _mm512_mask_blend_ps(m, b, a)
-#define MS_MCML__V_FROM_INT(a) _mm512_maskz_cvtepi32_ps((__mmask16)-1, a)
-#define MS_MCML__V_BITS(a) _mm512_castsi512_ps(a)
-#define MS_MCML__U_BITS(a) _mm512_castps_si512(a)
-#define MS_MCML__U_LOAD(p) _mm512_loadu_si512((const void *)(p))
-#define MS_MCML__U_STORE(p, a) _mm512_storeu_si512((void *)(p), a)
-#define MS_MCML__U_RIGHT(a, n) _mm512_maskz_srli_epi32((__mmask16)-1, a, n)
-#define MS_MCML__U_LEFT(a, n) _mm512_maskz_slli_epi32((__mmask16)-1, a, n)
-#define MS_MCML__U_IS_ZERO(a) _mm512_testn_epi32_mask(a, a)
-#define MS_MCML__V_NMADD(a, b, c) _mm512_fnmadd_ps(a, b, c)
-#define MS_MCML__V_MIN(a, b) _mm512_maskz_min_ps((__mmask16)-1, a, b)
-#define MS_MCML__V_ABS(a) _mm512_castsi512_ps(_mm512_and_si512(_mm512_castps_si512(a), _mm512_set1_epi32(0x7fffffff)))
-#define MS_MCML__V_SIGN(a)                                                                                     \
-    _mm512_castsi512_ps(_mm512_ternarylogic_epi32(_mm512_castps_si512(a), _mm512_set1_epi32((int)0x80000000u), \
-                                                  _mm512_set1_epi32(0x3f800000), 0xEA))
-#define MS_MCML__V_TO_INT(a) _mm512_maskz_cvttps_epi32((__mmask16)-1, a)
-#define MS_MCML__U_ROTATE(a, n) _mm512_maskz_rol_epi32((__mmask16)-1, a, n)
-#define MS_MCML__U_MUL(a, b) _mm512_mullo_epi32(a, b)
-#define MS_MCML__U_HIGH(a, b)                                                          \
-    _mm512_mask_blend_epi32(                                                           \
-        0xaaaa, _mm512_maskz_srli_epi64(0xff, _mm512_maskz_mul_epu32(0xff, a, b), 32), \
-        _mm512_maskz_mul_epu32(0xff, _mm512_maskz_srli_epi64(0xff, a, 32), _mm512_maskz_srli_epi64(0xff, b, 32)))
 #define MS_MCML__M_BITS(m) ((unsigned)(m))
-
+#define MS_MCML__D_ALL(op) op(a, 0)
 #endif
-
-#if MS_MCML__ISA > 1 && defined(MS_MCML__X64)
-#define MS_MCML__V_LOAD(p) MS_MCML__MM(loadu_ps)(p)
-#define MS_MCML__V_STORE(p, a) MS_MCML__MM(storeu_ps)(p, a)
-#define MS_MCML__V_SET(a) MS_MCML__MM(set1_ps)(a)
-#define MS_MCML__U_SET(a) MS_MCML__MM(set1_epi32)((int)(a))
-#define MS_MCML__U_ADD(a, b) MS_MCML__MM(add_epi32)(a, b)
-#define MS_MCML__U_SUB(a, b) MS_MCML__MM(sub_epi32)(a, b)
-#define MS_MCML__E_SET(a) MS_MCML__MM(set1_pd)(a)
-#define MS_MCML__E_LOAD(p) MS_MCML__MM(loadu_pd)(p)
-#define MS_MCML__E_STORE(p, a) MS_MCML__MM(storeu_pd)(p, a)
+#if defined(MS_MCML__MM_INT)
+#define MS_MCML__V_SQRT(a) MS_MCML__MM(sqrt_ps, 0xffff, a)
+#define MS_MCML__V_MAX(a, b) MS_MCML__MM(max_ps, 0xffff, a, b)
+#define MS_MCML__V_MIN(a, b) MS_MCML__MM(min_ps, 0xffff, a, b)
+#define MS_MCML__V_FROM_INT(a) MS_MCML__MM(cvtepi32_ps, 0xffff, (MS_MCML__MM_INT)(a))
+#define MS_MCML__V_TO_INT(a) ((MS_MCML__U)MS_MCML__MM(cvttps_epi32, 0xffff, a))
+#define MS_MCML__EVEN(a, b) ((MS_MCML__W)MS_MCML__MM(mul_epu32, 0xff, (MS_MCML__MM_INT)(a), (MS_MCML__MM_INT)(b)))
+#define MS_MCML__U_HIGH(a, b)                 \
+    ((MS_MCML__U)(MS_MCML__EVEN(a, b) >> 32 | \
+                  (MS_MCML__EVEN((MS_MCML__W)(a) >> 32, b) & ((uint64_t)0xffffffffu << 32))))
+#endif
+#if MS_MCML__ISA == 4
+#define MS_MCML__FMA(a, b, c, sign, ps) _mm512_f##sign##madd_##ps(a, b, c)
+#elif MS_MCML__ISA == 3
+#define MS_MCML__FMA(a, b, c, sign, ps) _mm256_f##sign##madd_##ps(a, b, c)
+#endif
+#if MS_MCML__ISA >= 3
+#define MS_MCML__V_MADD(a, b, c) MS_MCML__FMA(a, b, c, , ps)
+#define MS_MCML__V_NMADD(a, b, c) MS_MCML__FMA(a, b, c, n, ps)
+#define MS_MCML__E_MADD(a, b, c) MS_MCML__FMA(a, b, c, , pd)
+#define MS_MCML__E_NMADD(a, b, c) MS_MCML__FMA(a, b, c, n, pd)
+#elif MS_MCML__ISA == 2 && defined(MS_MCML__NEON)
+#define MS_MCML__V_MADD(a, b, c) vfmaq_f32(c, a, b)
+#define MS_MCML__V_NMADD(a, b, c) vfmsq_f32(c, a, b)
+#define MS_MCML__E_MADD(a, b, c) vfmaq_f64(c, a, b)
+#define MS_MCML__E_NMADD(a, b, c) vfmsq_f64(c, a, b)
+#else
+#define MS_MCML__V_MADD(a, b, c) ((a) * (b) + (c))
+#define MS_MCML__V_NMADD(a, b, c) ((c) - (a) * (b))
+#define MS_MCML__E_MADD(a, b, c) ((a) * (b) + (c))
+#define MS_MCML__E_NMADD(a, b, c) ((c) - (a) * (b))
 #endif
 
 /* -log(u), u = (word / 2 + 1/2) 2^-31 > 0. With u = (1 + t) 2^e and 1 + t in [sqrt(1/2), sqrt(2)):
    log(1 + t) = t - t^2 / 2 + t^3 P(t), error 1e-8. */
 static inline MS_MCML__V MS_MCML__FN(exponential)(MS_MCML__U word)
 {
-    const MS_MCML__V u = MS_MCML__V_MADD(MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(word, 1)),
-                                         MS_MCML__V_SET(1.0f / 2147483648.0f), MS_MCML__V_SET(1.0f / 4294967296.0f));
-    const MS_MCML__U bits = MS_MCML__U_ADD(MS_MCML__U_SUB(MS_MCML__U_BITS(u), MS_MCML__U_SET(0x3f3504f3u)),
-                                           MS_MCML__U_SET(64u << 23));
-    const MS_MCML__V t = MS_MCML__V_BITS(
-                             MS_MCML__U_ADD(bits & MS_MCML__U_SET(0x7fffffu), MS_MCML__U_SET(0x3f3504f3u))) -
-        MS_MCML__V_SET(1.0f);
+    const MS_MCML__V u = MS_MCML__V_MADD(MS_MCML__V_FROM_INT(word >> 1), MS_MCML__V_SET(1.0f / 2147483648.0f),
+                                         MS_MCML__V_SET(1.0f / 4294967296.0f));
+    const MS_MCML__U bits = MS_MCML__U_BITS(u) - 0x3f3504f3u + (64u << 23);
+    const MS_MCML__V t = MS_MCML__V_BITS((bits & 0x7fffffu) + 0x3f3504f3u) - 1.0f;
     MS_MCML__V p = MS_MCML__V_MADD(t, MS_MCML__V_SET(-0.0810155815f), MS_MCML__V_SET(0.127123076f));
     p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(-0.12972239f));
     p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(0.142021738f));
@@ -4600,52 +4501,47 @@ static inline MS_MCML__V MS_MCML__FN(exponential)(MS_MCML__U word)
     p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(-0.250002965f));
     p = MS_MCML__V_MADD(p, t, MS_MCML__V_SET(0.333333286f));
     p = MS_MCML__V_MADD(MS_MCML__V_MADD(p, t, MS_MCML__V_SET(-0.5f)), t * t, t);
-    return (MS_MCML__V_SET(64.0f) - MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(bits, 23))) * MS_MCML__V_SET(0.693147181f) - p;
+    return (64.0f - MS_MCML__V_FROM_INT(bits >> 23)) * 0.693147181f - p;
 }
 
 /* A word as a number in [0, 1) of 24 bits. */
 static inline MS_MCML__V MS_MCML__FN(uniform)(MS_MCML__U word)
 {
-    return MS_MCML__V_FROM_INT(MS_MCML__U_RIGHT(word, 8)) * MS_MCML__V_SET(1.0f / 16777216.0f);
+    return MS_MCML__V_FROM_INT(word >> 8) * (1.0f / 16777216.0f);
 }
 
 /* xoshiro128+ (Blackman, Vigna 2018), a lane a photon. */
-#define MS_MCML__DRAW(word)                                \
-    do {                                                   \
-        const MS_MCML__U shifted = MS_MCML__U_LEFT(s1, 9); \
-        word = MS_MCML__U_ADD(s0, s3);                     \
-        s2 = s2 ^ s0;                                      \
-        s3 = s3 ^ s1;                                      \
-        s1 = s1 ^ s2;                                      \
-        s0 = s0 ^ s3;                                      \
-        s2 = s2 ^ shifted;                                 \
-        s3 = MS_MCML__U_ROTATE(s3, 11);                    \
+#define MS_MCML__DRAW(word)                 \
+    do {                                    \
+        const MS_MCML__U shifted = s1 << 9; \
+        word = s0 + s3;                     \
+        s2 = s2 ^ s0;                       \
+        s3 = s3 ^ s1;                       \
+        s1 = s1 ^ s2;                       \
+        s0 = s0 ^ s3;                       \
+        s2 = s2 ^ shifted;                  \
+        s3 = (s3 << 11) | (s3 >> 21);       \
     } while (0)
 
 /* States of the next L photons, by Philox as ms__philox has it. */
 static void MS_MCML__FN(seed)(ms_mcml__tracer *t)
 {
     const uint64_t seed = t->tally->options.seed;
+    const MS_MCML__U m0 = MS_MCML__FN(u_set)(0xD2511F53u), m1 = MS_MCML__FN(u_set)(0xCD9E8D57u);
+    MS_MCML__U c0, c1, c2 = MS_MCML__FN(u_set)(0x4D434D4Cu), c3 = m0 - m0; /* c2: apart from other uses of the seed */
     uint32_t low[MS_MCML__L], high[MS_MCML__L];
-    MS_MCML__U c0, c1, c2 = MS_MCML__U_SET(0x4D434D4Cu),
-                       c3 = MS_MCML__U_SET(0u); /* c2: apart from streams of other uses of the same seed */
-    MS_MCML__U k0 = MS_MCML__U_SET((uint32_t)seed), k1 = MS_MCML__U_SET((uint32_t)(seed >> 32));
+    MS_MCML__U k0 = MS_MCML__FN(u_set)((uint32_t)seed), k1 = MS_MCML__FN(u_set)((uint32_t)(seed >> 32));
     int i;
     for (i = 0; i < MS_MCML__L; ++i)
         low[i] = (uint32_t)(t->next + (uint64_t)i), high[i] = (uint32_t)((t->next + (uint64_t)i) >> 32);
     c0 = MS_MCML__U_LOAD(low);
     c1 = MS_MCML__U_LOAD(high);
-    for (i = 0; i < 10; ++i) {
-        const MS_MCML__U high0 = MS_MCML__U_HIGH(c0, MS_MCML__U_SET(0xD2511F53u)),
-                         low0 = MS_MCML__U_MUL(c0, MS_MCML__U_SET(0xD2511F53u));
-        const MS_MCML__U high1 = MS_MCML__U_HIGH(c2, MS_MCML__U_SET(0xCD9E8D57u)),
-                         low1 = MS_MCML__U_MUL(c2, MS_MCML__U_SET(0xCD9E8D57u));
-        c0 = (high1 ^ c1) ^ k0;
-        c1 = low1;
-        c2 = (high0 ^ c3) ^ k1;
+    for (i = 0; i < 10; ++i, k0 += 0x9E3779B9u, k1 += 0xBB67AE85u) {
+        const MS_MCML__U low0 = c0 * m0, high0 = MS_MCML__U_HIGH(c0, m0), high1 = MS_MCML__U_HIGH(c2, m1);
+        c0 = high1 ^ c1 ^ k0;
+        c1 = c2 * m1;
+        c2 = high0 ^ c3 ^ k1;
         c3 = low0;
-        k0 = MS_MCML__U_ADD(k0, MS_MCML__U_SET(0x9E3779B9u));
-        k1 = MS_MCML__U_ADD(k1, MS_MCML__U_SET(0xBB67AE85u));
     }
     MS_MCML__U_STORE(t->fresh[0], c0);
     MS_MCML__U_STORE(t->fresh[1], c1);
@@ -4658,7 +4554,7 @@ static void MS_MCML__FN(seed)(ms_mcml__tracer *t)
 static void MS_MCML__FN(launch)(ms_mcml__tracer *t, unsigned lanes)
 {
     const ms_mcml__slab *slab = &t->tally->slab[t->tally->first_layer];
-    const MS_MCML__M stays = MS_MCML__U_IS_ZERO(MS_MCML__U_LOAD(t->bit) & MS_MCML__U_SET(lanes));
+    const MS_MCML__M stays = MS_MCML__U_IS_ZERO(MS_MCML__U_LOAD(t->bit) & lanes);
     const MS_MCML__V zero = MS_MCML__V_SET(0.0f);
     int i;
 #define MS_MCML__START(field, value) \
@@ -4698,20 +4594,18 @@ static inline MS_MCML__V MS_MCML__FN(absorb)(ms_mcml__tracer *t, MS_MCML__M hit,
     const MS_MCML__V zero = MS_MCML__V_SET(0.0f), one = MS_MCML__V_SET(1.0f);
     const MS_MCML__V lost = MS_MCML__V_SELECT(hit, zero, w * MS_MCML__V_LOAD(t->absorbed));
     if (t->cells) {
-        const MS_MCML__V r = MS_MCML__V_SQRT(MS_MCML__V_MADD(x, x, y * y)),
-                         ring = MS_MCML__V_MIN(r * MS_MCML__V_SET(t->inverse_dr), MS_MCML__V_SET(t->last_r));
-        const MS_MCML__V slab = (z + MS_MCML__V_LOAD(t->top)) * MS_MCML__V_SET(t->inverse_dz);
-        const MS_MCML__U row = MS_MCML__U_MUL(MS_MCML__V_TO_INT(MS_MCML__V_MAX(ring, zero)), MS_MCML__U_SET(t->nz));
-        const MS_MCML__V column = MS_MCML__V_MAX(MS_MCML__V_MIN(slab, MS_MCML__V_SET(t->last_z)), zero);
-        MS_MCML__U_STORE(t->cell, MS_MCML__U_ADD(row, MS_MCML__V_TO_INT(column)));
+        const MS_MCML__V r = MS_MCML__V_SQRT(MS_MCML__V_MADD(x, x, y * y)), slab = z + MS_MCML__V_LOAD(t->top);
+        const MS_MCML__V ring = MS_MCML__V_MIN(r * t->inverse_dr, MS_MCML__V_SET(t->last_r));
+        const MS_MCML__V column = MS_MCML__V_MIN(slab * t->inverse_dz, MS_MCML__V_SET(t->last_z));
+        const MS_MCML__U row = MS_MCML__V_TO_INT(MS_MCML__V_MAX(ring, zero)) * t->nz;
+        MS_MCML__U_STORE(t->cell, row + MS_MCML__V_TO_INT(MS_MCML__V_MAX(column, zero)));
         MS_MCML__V_STORE(t->units, MS_MCML__V_MADD(lost, MS_MCML__V_SET(ms_mcml__units), u));
     }
     w = w - lost;
     MS_MCML__V_STORE(t->kept, lost + MS_MCML__V_LOAD(t->kept));
-    return MS_MCML__V_SELECT(MS_MCML__V_LESS(MS_MCML__V_SELECT(hit, one, w), MS_MCML__V_SET(t->low_weight)),
-                             MS_MCML__V_SELECT(MS_MCML__V_LESS(u, MS_MCML__V_SET(ms_mcml__chance)),
-                                               w * MS_MCML__V_SET(1 / ms_mcml__chance), zero),
-                             w);
+    return MS_MCML__V_SELECT(
+        MS_MCML__V_LESS(MS_MCML__V_SELECT(hit, one, w), MS_MCML__V_SET(t->low_weight)),
+        MS_MCML__V_SELECT(MS_MCML__V_LESS(u, MS_MCML__V_SET(ms_mcml__chance)), w * (1 / ms_mcml__chance), zero), w);
 }
 
 /* A new direction where nothing was hit: Henyey-Greenstein, v = 2 xi - 1,
@@ -4721,15 +4615,14 @@ static inline MS_MCML__V MS_MCML__FN(absorb)(ms_mcml__tracer *t, MS_MCML__M hit,
 static inline void MS_MCML__FN(deflect)(MS_MCML__M hit, MS_MCML__V g, MS_MCML__U word_cosine, MS_MCML__U word_azimuth,
                                         MS_MCML__V *x, MS_MCML__V *y, MS_MCML__V *z)
 {
-    const MS_MCML__V one = MS_MCML__V_SET(1.0f), two = MS_MCML__V_SET(2.0f), half = MS_MCML__V_SET(0.5f), ux = *x,
-                     uy = *y, uz = *z;
-    const MS_MCML__V xi = MS_MCML__FN(uniform)(word_cosine), gv = g * MS_MCML__V_MADD(two, xi, MS_MCML__V_SET(-1.0f));
-    const MS_MCML__V q = one / (one + gv), middle = two + gv;
-    const MS_MCML__V less = (one - g) * q, more = (one + g) * q;
-    const MS_MCML__V below = less * less * (one - xi) * (middle + g);
+    const MS_MCML__V one = MS_MCML__V_SET(1.0f), ux = *x, uy = *y, uz = *z, xi = MS_MCML__FN(uniform)(word_cosine);
+    const MS_MCML__V gv = g * MS_MCML__V_MADD(MS_MCML__V_SET(2.0f), xi, MS_MCML__V_SET(-1.0f));
+    const MS_MCML__V q = 1.0f / (1.0f + gv), middle = 2.0f + gv;
+    const MS_MCML__V less = (1.0f - g) * q, more = (1.0f + g) * q;
+    const MS_MCML__V below = less * less * (1.0f - xi) * (middle + g);
     const MS_MCML__V above = more * more * xi * (middle - g);
-    const MS_MCML__V cosine = one - below, sine = MS_MCML__V_SQRT(below * above);
-    const MS_MCML__V tau = MS_MCML__FN(uniform)(word_azimuth) - half, square = tau * tau;
+    const MS_MCML__V cosine = 1.0f - below, sine = MS_MCML__V_SQRT(below * above);
+    const MS_MCML__V tau = MS_MCML__FN(uniform)(word_azimuth) - 0.5f, square = tau * tau;
     MS_MCML__V sh = MS_MCML__V_SET(0.0776594074f), ch = MS_MCML__V_SET(0.219696795f), sc, ss, sign, a, b, vx, vy, vz,
                scale;
     sh = MS_MCML__V_MADD(sh, square, MS_MCML__V_SET(-0.598292159f));
@@ -4742,14 +4635,14 @@ static inline void MS_MCML__FN(deflect)(MS_MCML__M hit, MS_MCML__V g, MS_MCML__U
     ch = MS_MCML__V_MADD(ch, square, MS_MCML__V_SET(0.999999953f));
     sc = sine * MS_MCML__V_NMADD(sh + sh, sh, one);
     ss = sine * ((sh + sh) * ch);
-    sign = MS_MCML__V_SIGN(uz);
-    a = MS_MCML__V_SET(-1.0f) / (sign + uz);
+    sign = MS_MCML__V_BITS((MS_MCML__U_BITS(uz) & 0x80000000u) | 0x3f800000u); /* 1 or -1 */
+    a = -1.0f / (sign + uz);
     b = ux * uy * a;
     vx = MS_MCML__V_MADD(sc, MS_MCML__V_MADD(sign * ux, ux * a, one), MS_MCML__V_MADD(ss, b, cosine * ux));
     vy = MS_MCML__V_MADD(sc, sign * b, MS_MCML__V_MADD(ss, MS_MCML__V_MADD(uy * uy, a, sign), cosine * uy));
     vz = MS_MCML__V_NMADD(sc * sign, ux, MS_MCML__V_NMADD(ss, uy, cosine * uz));
     scale = MS_MCML__V_MADD(vx, vx, MS_MCML__V_MADD(vy, vy, vz * vz));
-    scale = MS_MCML__V_NMADD(half, scale, MS_MCML__V_SET(1.5f));
+    scale = MS_MCML__V_NMADD(MS_MCML__V_SET(0.5f), scale, MS_MCML__V_SET(1.5f));
     *x = MS_MCML__V_SELECT(hit, ux, vx * scale);
     *y = MS_MCML__V_SELECT(hit, uy, vy * scale);
     *z = MS_MCML__V_SELECT(hit, uz, vz * scale);
@@ -4767,7 +4660,7 @@ static inline MS_MCML__M MS_MCML__FN(fresnel)(ms_mcml__tracer *t, MS_MCML__M up,
     const MS_MCML__V s_sum = si + cos_t, p_sum = pt + steep, both = s_sum * p_sum;
     const MS_MCML__V rs = (si - cos_t) * p_sum, rp = (pt - steep) * s_sum;
     MS_MCML__V_STORE(t->cos_t, cos_t);
-    return MS_MCML__V_LESS(u * (both * both), MS_MCML__V_SET(0.5f) * (rs * rs + rp * rp));
+    return MS_MCML__V_LESS(u * (both * both), 0.5f * (rs * rs + rp * rp));
 }
 
 /* Traces the photons of t. A turn of the loop is one event of every lane: a flight that ends in a collision or at a
@@ -4809,7 +4702,7 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         flight = MS_MCML__V_MAX(MS_MCML__FN(exponential)(word_flight), MS_MCML__V_SET(3e-8f)) * mfp;
         up = MS_MCML__V_LESS(uz, zero);
         gap = MS_MCML__V_MAX(MS_MCML__V_SELECT(up, z, depth - z), zero);
-        steep = MS_MCML__V_MAX(MS_MCML__V_ABS(uz), MS_MCML__V_SET(1e-9f));
+        steep = MS_MCML__V_MAX(MS_MCML__V_BITS(MS_MCML__U_BITS(uz) & 0x7fffffffu), MS_MCML__V_SET(1e-9f));
         hit = MS_MCML__V_LESS(gap, flight * steep);
         boundary = MS_MCML__M_BITS(hit) & t->alive;
         step = MS_MCML__V_SELECT(hit, gap / steep, flight);
@@ -4836,7 +4729,7 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         MS_MCML__V_STORE(t->uy, uy);
         MS_MCML__V_STORE(t->uz, uz);
         MS_MCML__V_STORE(t->w, w);
-        events = MS_MCML__U_ADD(MS_MCML__U_LOAD(t->events), MS_MCML__U_SET(1u));
+        events = MS_MCML__U_LOAD(t->events) + 1u;
         MS_MCML__U_STORE(t->events, events);
         ended = t->alive & ~(t->alive & MS_MCML__M_BITS(MS_MCML__V_LESS(zero, w)));
         halving = t->alive & MS_MCML__M_BITS(MS_MCML__U_IS_ZERO(events ^ MS_MCML__U_LOAD(t->limit)));
@@ -4872,43 +4765,11 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
 }
 
 /* Eight doubles, the rays of a sweep: 1, 2, 4 or 8 registers of MS_MCML__E. */
-#if MS_MCML__ISA == 4
-#define MS_MCML__E __m512d
-#define MS_MCML__D_ALL(op) op(a, 0)
-#define MS_MCML__E_MADD(a, b, c) _mm512_fmadd_pd(a, b, c)
-#define MS_MCML__E_NMADD(a, b, c) _mm512_fnmadd_pd(a, b, c)
-#elif MS_MCML__ISA == 3
-#define MS_MCML__E __m256d
-#define MS_MCML__D_ALL(op) op(a, 0) op(b, 4)
-#define MS_MCML__E_MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
-#define MS_MCML__E_NMADD(a, b, c) _mm256_fnmadd_pd(a, b, c)
-#elif MS_MCML__ISA == 2 && defined(MS_MCML__X64)
-#define MS_MCML__E __m128d
-#define MS_MCML__D_ALL(op) op(a, 0) op(b, 2) op(c, 4) op(d, 6)
-#define MS_MCML__E_MADD(a, b, c) _mm_add_pd(_mm_mul_pd(a, b), c)
-#define MS_MCML__E_NMADD(a, b, c) _mm_sub_pd(c, _mm_mul_pd(a, b))
-#elif MS_MCML__ISA == 2
-#define MS_MCML__E float64x2_t
-#define MS_MCML__D_ALL(op) op(a, 0) op(b, 2) op(c, 4) op(d, 6)
-#define MS_MCML__E_SET(a) vdupq_n_f64(a)
-#define MS_MCML__E_LOAD(p) vld1q_f64(p)
-#define MS_MCML__E_STORE(p, a) vst1q_f64(p, a)
-#define MS_MCML__E_MADD(a, b, c) vfmaq_f64(c, a, b)
-#define MS_MCML__E_NMADD(a, b, c) vfmsq_f64(c, a, b)
-#else
-#define MS_MCML__E double
-#define MS_MCML__D_ALL(op) op(a, 0) op(b, 1) op(c, 2) op(d, 3) op(e, 4) op(f, 5) op(g, 6) op(h, 7)
-#define MS_MCML__E_SET(a) (a)
-#define MS_MCML__E_LOAD(p) (*(p))
-#define MS_MCML__E_STORE(p, a) (*(p) = (a))
-#define MS_MCML__E_MADD(a, b, c) ((a) * (b) + (c))
-#define MS_MCML__E_NMADD(a, b, c) ((c) - (a) * (b))
-#endif
 #define MS_MCML__D MS_MCML__FN(eight)
 #define MS_MCML__D_FIELD(x, n) MS_MCML__E x;
-#define MS_MCML__D_SET(x, n) r.x = MS_MCML__E_SET(k);
-#define MS_MCML__D_LOAD(x, n) r.x = MS_MCML__E_LOAD(p + n);
-#define MS_MCML__D_STORE(x, n) MS_MCML__E_STORE(p + n, k.x);
+#define MS_MCML__D_SET(x, n) r.x = MS_MCML__FN(e_set)(k);
+#define MS_MCML__D_LOAD(x, n) r.x = *(const MS_MCML__FN(e_at) *)(p + n);
+#define MS_MCML__D_STORE(x, n) *(MS_MCML__FN(e_at) *)(p + n) = k.x;
 #define MS_MCML__D_ADD(x, n) r.x = k.x + l.x;
 #define MS_MCML__D_SUB(x, n) r.x = k.x - l.x;
 #define MS_MCML__D_MUL(x, n) r.x = k.x * l.x;
@@ -5413,45 +5274,38 @@ static const ms_mcml__kernels MS_MCML__FN(kernels) = {MS_MCML__FN(trace), MS_MCM
                                                       MS_MCML__FN(panel_weights), MS_MCML__FN(inner), MS_MCML__FN(add)};
 
 #undef MS_MCML__D
-#undef MS_MCML__D_FUNCTION
-#undef MS_MCML__D_FIELD
-#undef MS_MCML__D_ALL
-#undef MS_MCML__D_SET
-#undef MS_MCML__D_LOAD
-#undef MS_MCML__D_STORE
+#undef MS_MCML__DRAW
 #undef MS_MCML__D_ADD
-#undef MS_MCML__D_SUB
-#undef MS_MCML__D_MUL
+#undef MS_MCML__D_ALL
+#undef MS_MCML__D_FIELD
+#undef MS_MCML__D_FUNCTION
+#undef MS_MCML__D_LOAD
 #undef MS_MCML__D_MADD
+#undef MS_MCML__D_MUL
 #undef MS_MCML__D_NMADD
+#undef MS_MCML__D_SET
+#undef MS_MCML__D_STORE
+#undef MS_MCML__D_SUB
 #undef MS_MCML__E
-#undef MS_MCML__E_SET
-#undef MS_MCML__E_LOAD
-#undef MS_MCML__E_STORE
+#undef MS_MCML__EVEN
 #undef MS_MCML__E_MADD
 #undef MS_MCML__E_NMADD
-#undef MS_MCML__DRAW
-#undef MS_MCML__LEVEL
+#undef MS_MCML__FMA
 #undef MS_MCML__ISA
 #undef MS_MCML__L
+#undef MS_MCML__LEVEL
 #undef MS_MCML__M
-#undef MS_MCML__M_BITS
 #undef MS_MCML__MM
+#undef MS_MCML__MM_INT
+#undef MS_MCML__M_BITS
 #undef MS_MCML__U
-#undef MS_MCML__U_ADD
 #undef MS_MCML__U_BITS
 #undef MS_MCML__U_HIGH
 #undef MS_MCML__U_IS_ZERO
-#undef MS_MCML__U_LEFT
 #undef MS_MCML__U_LOAD
-#undef MS_MCML__U_MUL
-#undef MS_MCML__U_RIGHT
-#undef MS_MCML__U_ROTATE
-#undef MS_MCML__U_SET
 #undef MS_MCML__U_STORE
-#undef MS_MCML__U_SUB
 #undef MS_MCML__V
-#undef MS_MCML__V_ABS
+#undef MS_MCML__VECTOR
 #undef MS_MCML__V_BITS
 #undef MS_MCML__V_FROM_INT
 #undef MS_MCML__V_LESS
@@ -5462,10 +5316,10 @@ static const ms_mcml__kernels MS_MCML__FN(kernels) = {MS_MCML__FN(trace), MS_MCM
 #undef MS_MCML__V_NMADD
 #undef MS_MCML__V_SELECT
 #undef MS_MCML__V_SET
-#undef MS_MCML__V_SIGN
 #undef MS_MCML__V_SQRT
 #undef MS_MCML__V_STORE
 #undef MS_MCML__V_TO_INT
+#undef MS_MCML__W
 #endif /* kernels */
 
 /*

@@ -276,7 +276,7 @@ static void survives(const char *name, const ms_mcml_layer *layers, int count, d
     ms_mcml_tissue tissue = tissue_of(layers, count, above, below);
     ms_mcml_grid grid = grid_of(0.01, 50, 0.01, 50, 10);
     int level;
-    for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+    for (level = MS_SIMD_SCALAR; level <= test_simd_best(); ++level) {
         ms_mcml_options o = options_of(photons);
         ms_mcml_result r;
         double sum;
@@ -533,7 +533,7 @@ static void levels_agree(void)
     l[2] = layer(1.2, 2, 10, 0.7, 0.2);
     o.simd = MS_SIMD_SCALAR;
     a = run(&t, &g, &o);
-    for (level = MS_SIMD_BASE; level <= MS_SIMD_AVX512; ++level) {
+    for (level = MS_SIMD_BASE; level <= test_simd_best(); ++level) {
         o.simd = (ms_simd)level;
         b = run(&t, &g, &o);
         /* the same photons, rounded differently: far closer than independent runs, which differ by 1.4 errors */

@@ -1,6 +1,6 @@
 /* The layered solver of ms_mcml.h: totals against adding-doubling (written here, nothing shared with the header),
-   published numbers and identities; rings against the half-space solver where g = 0 and against direct Monte Carlo
-   where it is not. */
+   published numbers and identities; rings against direct Monte Carlo (where g = 0 against the half-space solver:
+   test_mcml_profile.c). */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 
@@ -342,57 +342,6 @@ static void published(void)
     if (ms_mcml_layered_solve(&t, NULL, &s, &error)) TEST_FAIL("%s", error.message);
     CHECK_NEAR(s.rd, 0.09739, 5e-6 + 1e-6); /* the last digit printed */
     CHECK_NEAR(s.tt, 0.66096, 5e-6 + 1e-6);
-}
-
-/* Where g = 0 the half-space solver, whose rings are good to 1e-4, says the same. */
-static void rings_of_isotropic_half_spaces(void)
-{
-    static const double albedo[] = {0.5, 0.9, 0.99, 0.999}, index[] = {1, 1.3, 1.5};
-    double worst = 0;
-    int a, n, i;
-    for (a = 0; a < 4; ++a)
-        for (n = 0; n < 3; ++n) {
-            ms_mcml_medium m;
-            static double work[MS_MCML__SOLVE_BYTES / sizeof(double)];
-            ms_mcml__halfspace h;
-            ms_mcml_layer layer;
-            ms_mcml_tissue t;
-            ms_mcml_layered s;
-            double r = 0, next;
-            m.mu_a_per_mm = 1 - albedo[a];
-            m.mu_s_per_mm = albedo[a];
-            m.g = 0;
-            m.eta = index[n];
-            ms_mcml__solve(&m, 0.3, 0.25, &h, work);
-            layer.n = index[n];
-            layer.mu_a_per_cm = 10 * m.mu_a_per_mm;
-            layer.mu_s_per_cm = 10 * m.mu_s_per_mm;
-            layer.g = 0;
-            layer.thickness_cm = 1e8;
-            t.n_above = t.n_below = 1;
-            t.layer_count = 1;
-            t.layers = &layer;
-            CHECK_INT(ms_mcml_layered_solve(&t, NULL, &s, NULL), MS_OK);
-            CHECK_NEAR(s.rd, h.total, 3e-6);
-            for (i = 0; i < 40; ++i, r = next) { /* mm; from a hundredth of a mean free path */
-                const double want = ms_mcml__halfspace_ring(&h, r, next = r > 0 ? r * 1.3 : 0.01);
-                double error, got = 0.01 * ms_mcml_layered_ring(&s, 0, 0.1 * r, 0.1 * next, &error);
-                if (want * 3.14159265 * (next * next - r * r) < 1e-5 * h.total) continue;
-                if (want * 3.14159265 * (next * next - r * r) > 1e-3 * h.total)
-                    CHECK_NEAR(got / want, 1, next < 1 ? 0.01 : 0.003); /* the promise */
-                CHECK(fabs(got - want) < 2.5 * 0.01 * error +
-                          1e-4 *
-                              want); /* its own error, as large as standard errors go, and that of the other solver */
-                if (next >= 1 && want * 3.14159265 * (next * next - r * r) > 1e-3 * h.total &&
-                    fabs(got / want - 1) > worst)
-                    worst = fabs(got / want - 1);
-            }
-            for (i = 0; i < 6; ++i) {
-                const double x = 0.1 * pow(2, i);
-                CHECK_NEAR(ms_mcml_layered_outside(&s, 0, 0.1 * x), ms_mcml__halfspace_outside(&h, x), 1e-3 * h.total);
-            }
-        }
-    TEST_NOTE("12 half-spaces, worst ring beyond a mean free path %.1e", worst);
 }
 
 /* Rings of all else against Monte Carlo, wide ones, so that its noise is small. */
@@ -958,7 +907,6 @@ static void skin_refused(void)
 static const test_case cases[] = {
     {"totals", totals},
     {"published", published},
-    {"rings_of_isotropic_half_spaces", rings_of_isotropic_half_spaces},
     {"rings_of_layers", rings_of_layers},
     {"identities", identities},
     {"refusals", refusals},
