@@ -891,7 +891,7 @@ static void test_saturation(void)
     double spacing = 1.4e-45, worst = 0;
     int act, simd, i;
     for (act = 2; act <= 8; ++act)
-        for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+        for (simd = MS_SIMD_SCALAR; simd <= test_simd_best(); ++simd) {
             ref_net file;
             ms_nn *nn = net_activation(&file, acts[act], 0.75, N, (ms_simd)simd);
             for (i = 0; i < N; ++i) {
@@ -946,7 +946,7 @@ static void test_reference(void)
         j = json_load(path);
         examples = json_get(j, "examples");
         snprintf(path, sizeof path, "tests/data/nn/%s.safetensors", names[i]);
-        for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+        for (simd = MS_SIMD_SCALAR; simd <= test_simd_best(); ++simd) {
             ms_nn_options o = ms_nn_defaults();
             ms_nn *nn = NULL;
             ms_error error;
@@ -1009,7 +1009,7 @@ static void test_random(void)
             for (i = 0; i < m; ++i) g_y[i] = (double)(fg[i] = (float)test_normal(&state));
             ref_forward(&net, x, &run);
             ref_backward(&net, &run, g_y, g_x);
-            for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+            for (simd = MS_SIMD_SCALAR; simd <= test_simd_best(); ++simd) {
                 ms_nn *nn = net_load(&net, (ms_simd)simd);
                 double a, b = 0, forth = 0, back = 0, scale = 0;
                 if (nn == NULL) continue;
@@ -1049,7 +1049,7 @@ static void test_same_bits(void)
     int which, batch, threads, i, simd;
     long compared = 0;
     for (which = 0; which < NETS; ++which)
-        for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+        for (simd = MS_SIMD_SCALAR; simd <= test_simd_best(); ++simd) {
             ref_net net;
             ms_nn *one;
             size_t n, m, slopes;
@@ -1220,7 +1220,7 @@ static void test_dense_shapes(void)
             net_dense(&net, (int)rows, 0);
             net_end(&net, &state);
             for (i = 0; i < COUNT * cols; ++i) x[i] = (float)test_normal(&state);
-            for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+            for (level = MS_SIMD_SCALAR; level <= test_simd_best(); ++level) {
                 ms_nn *nn = net_load(&net, (ms_simd)level);
                 float *alone = (float *)malloc(COUNT * rows * sizeof(float));
                 if (ms_nn_simd(nn) == (ms_simd)level)
@@ -1314,7 +1314,7 @@ static void test_flush_to_zero(void)
     net_end(&net, &seed);
     for (i = 0; i + 1 < 1400; i += 2) net.file[net.size - 28 - 1400 + (size_t)i + 1] &= 0x83; /* exponents 0 */
     for (i = 0; i < 100; ++i) x[i] = 1000 * (float)test_normal(&seed);
-    for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+    for (simd = MS_SIMD_SCALAR; simd <= test_simd_best(); ++simd) {
         ms_nn *nn = net_load(&net, (ms_simd)simd);
         for (flush = 0; flush < 2 && nn; ++flush) {
             if (flush) _mm_setcsr(state | 0x8040);
@@ -1375,7 +1375,7 @@ static void test_stack_use(void)
             ref_net net;
             net_make(&net, which, (ms_nn_dtype)type, &state);
             job.net = &net;
-            for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+            for (simd = test_full ? MS_SIMD_SCALAR : test_simd_best(); simd <= test_simd_best(); ++simd) {
                 job.simd = (ms_simd)simd;
                 used = test_stack(every_product, &job);
                 if (used > most) most = used;
@@ -1590,7 +1590,7 @@ static void test_activations(void)
     int act, simd, i;
     double worst = 0;
     for (act = 0; act < 7; ++act)
-        for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+        for (simd = MS_SIMD_SCALAR; simd <= test_simd_best(); ++simd) {
             enum { N = 4003 };
             static float x[N], y[N], g[N];
             ref_net file;
@@ -1659,6 +1659,9 @@ static void test_shared(void)
     CHECK_INT(ms_nn_input_size(nn), 7);
     CHECK_INT(ms_nn_output_size(nn), 120);
     CHECK_INT(ms_nn_output_shape(nn).rank, 2);
+    CHECK_INT(ms_nn_output_shape(nn).size[0], 3);
+    CHECK_INT(ms_nn_output_shape(nn).size[1], 40);
+    CHECK_INT(ms_nn_output_shape(nn).rank, 2);
     for (i = 0; i < 7; ++i) x[i] = swapped[i] = (float)test_uniform(&state);
     swapped[0] = x[1];
     swapped[1] = x[0];
@@ -1695,7 +1698,7 @@ static void test_unaligned(void)
     int type, offset, simd;
     for (type = (int)MS_NN_F64; type <= (int)MS_NN_I8; ++type)
         for (offset = 1; offset < 8; offset += 2)
-            for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+            for (simd = MS_SIMD_SCALAR; simd <= test_simd_best(); ++simd) {
                 ref_net net;
                 unsigned char *b;
                 ms_nn *nn, *moved = NULL;
@@ -1731,7 +1734,7 @@ static void test_not_finite(void)
     uint64_t state = test_seed;
     int type, simd;
     for (type = 0; type < 3; ++type)
-        for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512; ++simd) {
+        for (simd = MS_SIMD_SCALAR; simd <= test_simd_best(); ++simd) {
             ref_net net;
             ms_nn *nn;
             ms_error error;
@@ -1762,7 +1765,7 @@ static void test_not_finite(void)
             net_free(&net);
         }
     /* an input that is not finite, before I8 weights and in pools */
-    for (simd = MS_SIMD_SCALAR; simd <= MS_SIMD_AVX512 && !test_unmasked(); ++simd) {
+    for (simd = MS_SIMD_SCALAR; simd <= test_simd_best() && !test_unmasked(); ++simd) {
         ref_net net;
         ms_nn *nn;
         float x[5 * 15 * 37], y[7];
@@ -1879,6 +1882,34 @@ static void test_refused(void)
     }
     ms_nn_file_close(f);
     TEST_NOTE("%d layer lists", (int)i);
+}
+
+/* JSON's white space (RFC 8259: space, tab, line feed, carriage return) may stand around each word of both entries. */
+static void test_white_space(void)
+{
+    static const char *const list[3][2] = {
+        {"[5]", "[{\"type\":\"activation\",\"activation\":\"tanh\"}]"},
+        {" \t\r\n[ \t\r\n5 \t\r\n] \t\r\n",
+         "\n[\r{\t\"type\" : \"activation\"\n,\r\"activation\"\t: \"tanh\"\n}\r]\t "},
+        {"[5]\n", "[{\"type\":\"activation\",\"activation\":\"tanh\"}]\n"}};
+    static const float x[5] = {-2, -0.5f, 0, 0.25f, 3};
+    int i, k;
+    for (i = 0; i < 3; ++i) {
+        ms_nn_entry e[3] = {{"ms_nn_version", "1"}, {"ms_nn_input", NULL}, {"ms_nn_layers", NULL}};
+        unsigned char file[1000];
+        float y[5];
+        size_t size;
+        ms_nn *nn = NULL;
+        ms_error error;
+        e[1].value = list[i][0];
+        e[2].value = list[i][1];
+        CHECK_INT(ms_nn_file_write(NULL, 0, e, 3, file, sizeof file, &size, &error), MS_OK);
+        if (ms_nn_load(file, size, NULL, &nn, &error) != MS_OK) TEST_FAIL("%d: %s", i, error.message);
+        CHECK_INT(ms_nn_input_size(nn), 5);
+        CHECK_INT(ms_nn_forward(nn, 1, x, y, NULL), MS_OK);
+        for (k = 0; k < 5; ++k) CHECK_NEAR(y[k], tanh((double)x[k]), 1e-6); /* a float32 tanh */
+        ms_nn_destroy(nn);
+    }
 }
 
 /* The byte of an error is one of the file, where the word that is not known stands, whatever is escaped before it. */
@@ -2460,6 +2491,7 @@ static const test_case cases[] = {{"reference networks", test_reference},
                                   {"unaligned", test_unaligned},
                                   {"not finite", test_not_finite},
                                   {"refused", test_refused},
+                                  {"white space", test_white_space},
                                   {"positions of errors", test_positions},
                                   {"words of a header", test_header_words},
                                   {"numbers", test_numbers},
