@@ -943,6 +943,109 @@ static void test_restarts(void)
     CHECK_NEAR(x, 0.5, 0);
 }
 
+/* Rosenbrock's valley (1960) over [-2, 2]^2. */
+static ms_status valley(void *user, const double *x, float *image)
+{
+    const double u = 4 * x[0] - 2, v = 4 * x[1] - 2;
+    (void)user;
+    image[0] = (float)(10 * (v - u * u));
+    image[1] = (float)(1 - u);
+    return MS_OK;
+}
+
+/* A budget that is not enough for two starts goes to the best one: the way is that without restarts. */
+static void test_short_budget(void)
+{
+    static const double candidates[6] = {0.1, 0.9, 0.2, 0.75, 0.3, 0.9};
+    static const float target[2] = {0, 0};
+    ms_pme_renderer r = ms_pme_renderer_defaults();
+    ms_pme_match_options options = ms_pme_match_defaults();
+    ms_pme_match_result result[2];
+    double x[2][2];
+    int budget, k;
+    r.parameter_count = 2;
+    r.image_size = 2;
+    r.render = valley;
+    options.candidates = candidates;
+    options.candidate_count = 3;
+    options.initial_only = 1; /* the second is the nearest: u = -1.2, v = 1 */
+    CHECK_INT(ms_pme_match(&r, target, NULL, &options, x[0], NULL, &result[0], NULL), MS_OK);
+    CHECK_INT(result[0].best_candidate, 1);
+    CHECK_NEAR(result[0].rmse_initial, sqrt((4.4 * 4.4 + 2.2 * 2.2) / 2), 1e-5); /* a picture of floats */
+    CHECK_NEAR(result[0].rmse, result[0].rmse_initial, 1e-5);
+    options.initial_only = 0;
+    for (budget = 12; budget < 30; budget += 2) { /* ten steps of a value and two differences */
+        options.refine.max_cost = budget;
+        for (k = 0; k < 2; ++k) {
+            options.refine.restarts = 2 * k;
+            CHECK_INT(ms_pme_match(&r, target, NULL, &options, x[k], NULL, &result[k], NULL), MS_OK);
+            CHECK_INT(result[k].refine.stop, MS_PME_STOP_COST);
+        }
+        CHECK_NEAR(result[1].rmse, result[0].rmse, 0);
+        CHECK_NEAR(x[1][0], x[0][0], 0);
+        CHECK_NEAR(x[1][1], x[0][1], 0);
+    }
+}
+
+static double walked[300][2];
+static int walked_count;
+static ms_status walking(void *user, const double *x, float *image)
+{
+    if (walked_count < 300) memcpy(walked[walked_count++], x, sizeof walked[0]);
+    return valley(user, x, image);
+}
+
+/* Without a Jacobian several starts take turns: differences follow a value at their own point, whoever stepped before.
+ */
+static void test_turns(void)
+{
+    static const double candidates[8] = {0.1, 0.9, 0.2, 0.7, 0.3, 0.85, 0.9, 0.2};
+    static const float target[2] = {0, 0};
+    ms_pme_renderer r = ms_pme_renderer_defaults();
+    ms_pme_match_options options = ms_pme_match_defaults();
+    double x[2];
+    int k, found = 0;
+    r.parameter_count = 2;
+    r.image_size = 2;
+    r.render = walking;
+    options.candidates = candidates;
+    options.candidate_count = 4;
+    options.refine.max_cost = 200;
+    options.refine.restarts = 3;
+    walked_count = 0;
+    CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, NULL, NULL), MS_OK);
+    for (k = 1; k + 1 < walked_count; ++k) {
+        const double base[2] = {walked[k + 1][0], walked[k][1]}; /* of two differences, by a thousandth of the range */
+        if (fabs(fabs(walked[k][0] - base[0]) - 1e-3) > 1e-9 || fabs(fabs(walked[k + 1][1] - base[1]) - 1e-3) > 1e-9)
+            continue;
+        ++found;
+        CHECK(!memcmp(walked[k - 1], base, sizeof base));
+    }
+    CHECK(found > 20);
+}
+
+/* A parameter without effect, between the others: the same steps as without it, and it stays where it was. */
+static void idle_middle(const problem *p, const double *x, double *r)
+{
+    const double y[3] = {x[0], x[2], x[3]};
+    helical_valley(p, y, r);
+}
+static void test_no_effect(void)
+{
+    problem p[2];
+    ms_pme_function with = function_of(&p[0], 4, 3, idle_middle), without = function_of(&p[1], 3, 3, helical_valley);
+    ms_pme_result a, b;
+    double x[4] = {-1, 0.25, 0, 0}, y[3] = {-1, 0, 0};
+    CHECK_INT(ms_pme_minimize(&with, NULL, x, &a, NULL), MS_OK);
+    CHECK_INT(ms_pme_minimize(&without, NULL, y, &b, NULL), MS_OK);
+    CHECK_INT(a.evaluations, b.evaluations);
+    CHECK_INT(a.jacobians, b.jacobians);
+    CHECK_NEAR(x[1], 0.25, 0);
+    CHECK_NEAR(x[0], y[0], 1e-12); /* rounding of the steps */
+    CHECK_NEAR(x[2], y[1], 1e-12);
+    CHECK_NEAR(x[3], y[2], 1e-12);
+}
+
 /* The budget is the caller's, 50 unless said; the second of two candidates behind predictions is taken where it is
    best. */
 static void test_match_budget(void)
@@ -1009,6 +1112,8 @@ static void test_match_arguments(void)
     bad = r;
     bad.render = NULL;
     CHECK_INT(ms_pme_match(&bad, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_pme_match(NULL, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_pme_match(&r, NULL, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
     bad = r;
     bad.prediction_count = 1;
     CHECK_INT(ms_pme_match(&bad, target, NULL, NULL, x, NULL, &result, &error), MS_INVALID_ARGUMENT);
@@ -1899,6 +2004,9 @@ static const test_case cases[] = {{"published minima", test_published},
                                   {"arguments", test_arguments},
                                   {"match", test_match},
                                   {"match, restarts", test_restarts},
+                                  {"match, short budget", test_short_budget},
+                                  {"match, starts in turn", test_turns},
+                                  {"a parameter without effect", test_no_effect},
                                   {"match, budget", test_match_budget},
                                   {"match, arguments", test_match_arguments},
                                   {"reduced objective", test_reduced},
