@@ -84,7 +84,7 @@ build/lightmap: examples/engine/lightmap.c $(IMAGE) build/ms_sss.o
 	$(BUILD) examples/engine/lightmap.c build/ms_sss.o build/image.o $(LDLIBS)
 build/demo_sss: examples/demo/demo_sss.c examples/demo/scene.h examples/tools/skin.h $(IMAGE) $(PLOT) build/ms_sss.o build/ms_mcml.o
 	$(BUILD) examples/demo/demo_sss.c build/ms_sss.o build/ms_mcml.o build/image.o $(LDLIBS)
-build/recommend: examples/tools/recommend.c examples/tools/keep.h examples/tools/scores.h build/ms_gpr.o
+build/recommend: examples/tools/recommend.c examples/tools/explain.h examples/tools/keep.h examples/tools/scores.h build/ms_gpr.o
 	$(BUILD) examples/tools/recommend.c build/ms_gpr.o $(LDLIBS)
 build/latent: examples/tools/latent.c examples/tools/scores.h examples/tools/maps.h examples/tools/text.h examples/tools/neural.h $(IMAGE) build/ms_gpr.o build/ms_nn.o
 	$(BUILD) examples/tools/latent.c build/ms_gpr.o build/ms_nn.o build/image.o $(LDLIBS)

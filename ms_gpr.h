@@ -317,7 +317,7 @@ typedef struct ms_gpr_fit_report {
     int evaluations;        /* of the likelihood, all starts and probes */
     int start;              /* the start that won, from 0 */
     int probes;             /* dimensions that probing switched on or off */
-    int columns;            /* that differ from row to row; the others are left out, as by ms_gpr_simplify */
+    int columns;            /* that differ from row to row; the others are left out */
     ms_gpr_outlier outlier; /* ask the user about it: one wrong score of 100 can spoil all recommendations */
 } ms_gpr_fit_report;
 
@@ -634,64 +634,38 @@ static MS__UNUSED int ms__finite_f(float x)
 /* x as text with 6 significant digits and '.' in every locale; at least 24 bytes in out. Its length. */
 static MS__UNUSED int ms__format_number(char *out, double x)
 {
-    char digit[8];
-    int n = 0, exponent = 0, i, last;
+    char digit[6];
+    int n = 0, exponent = 5, i, last = 5, point, fixed;
     int64_t mantissa;
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
+    if (bits >> 63) out[n++] = '-';
     if (!ms__finite(x)) {
-        const char *name = (bits & 0xfffffffffffffu) ? "nan" : (bits >> 63) ? "-inf" : "inf";
-        for (; name[n]; ++n) out[n] = name[n];
-        out[n] = 0;
-        return n;
+        const int nan = (bits & 0xfffffffffffffu) != 0;
+        memcpy(out + (nan ? 0 : n), nan ? "nan" : "inf", 4);
+        return nan ? 3 : n + 3;
     }
-    if (bits >> 63) {
-        out[n++] = '-';
-        x = -x;
-    }
-    if (!(x > 0)) {
-        out[n++] = '0';
-        out[n] = 0;
-        return n;
-    }
-    while (x >= 1e6) {
-        x /= 10;
-        ++exponent;
-    }
-    while (x < 1e5) {
-        x *= 10;
-        --exponent;
-    }
+    if (bits >> 63) x = -x;
+    for (; x >= 1e6; ++exponent) x /= 10;
+    for (; x > 0 && x < 1e5; --exponent) x *= 10;
     mantissa = (int64_t)(x + 0.5);
-    if (mantissa >= 1000000) {
-        mantissa /= 10;
+    if (mantissa == 1000000) {
+        mantissa = 100000;
         ++exponent;
     }
-    exponent += 5;
-    for (i = 5; i >= 0; --i) {
-        digit[i] = (char)('0' + (int)(mantissa % 10));
-        mantissa /= 10;
+    if (mantissa == 0) exponent = 0;
+    for (i = 5; i >= 0; --i, mantissa /= 10) digit[i] = (char)('0' + (int)(mantissa % 10));
+    while (last > 0 && digit[last] == '0') --last;
+    fixed = exponent >= -4 && exponent < 7;
+    point = fixed ? exponent : 0; /* the digit that it follows */
+    for (i = point < 0 ? point : 0; i <= last || i <= point; ++i) {
+        out[n++] = i < 0 || i > 5 ? '0' : digit[i];
+        if (i == point && i < last) out[n++] = '.';
     }
-    for (last = 5; last > 0 && digit[last] == '0';) --last;
-    if (exponent >= -4 && exponent < 7) {
-        if (exponent < 0) {
-            out[n++] = '0';
-            out[n++] = '.';
-            for (i = -1; i > exponent; --i) out[n++] = '0';
-            for (i = 0; i <= last; ++i) out[n++] = digit[i];
-        } else {
-            for (i = 0; i <= last || i <= exponent; ++i) {
-                if (i == exponent + 1) out[n++] = '.';
-                out[n++] = i < 6 ? digit[i] : '0';
-            }
-        }
-    } else {
-        out[n++] = digit[0];
-        if (last > 0) out[n++] = '.';
-        for (i = 1; i <= last; ++i) out[n++] = digit[i];
+    if (!fixed) {
         out[n++] = 'e';
         out[n++] = exponent < 0 ? '-' : '+';
-        if (exponent < 0) exponent = -exponent;
+        exponent = exponent < 0 ? -exponent : exponent;
         if (exponent >= 100) out[n++] = (char)('0' + exponent / 100);
         out[n++] = (char)('0' + exponent / 10 % 10);
         out[n++] = (char)('0' + exponent % 10);
@@ -718,26 +692,15 @@ static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t p
         number[1] = 0;
         if (*format == '%' && format[1]) {
             ++format;
-            if (*format == 's') {
-                piece = va_arg(list, const char *);
-            } else if (*format == 'g') {
-                ms__format_number(number, va_arg(list, double));
-            } else if (*format == 'd' || *format == 'z') {
-                char reversed[24];
-                size_t k = 0, m = 0, value;
-                if (*format == 'd') {
-                    int64_t v = va_arg(list, int);
-                    if (v < 0) number[m++] = '-';
-                    value = (size_t)(v < 0 ? -v : v);
-                } else {
-                    value = va_arg(list, size_t);
-                }
-                do {
-                    reversed[k++] = (char)('0' + (int)(value % 10));
-                    value /= 10;
-                } while (value);
-                while (k) number[m++] = reversed[--k];
-                number[m] = 0;
+            if (*format == 's') piece = va_arg(list, const char *);
+            if (*format == 'g') ms__format_number(number, va_arg(list, double));
+            if (*format == 'd' || *format == 'z') {
+                const int v = *format == 'd' ? va_arg(list, int) : 0;
+                size_t value = *format == 'z' ? va_arg(list, size_t) : v < 0 ? 0 - (size_t)v : (size_t)v;
+                char *at = number + sizeof number - 1;
+                for (*at = 0; value || !*at; value /= 10) *--at = (char)('0' + (int)(value % 10));
+                if (v < 0) *--at = '-';
+                piece = at;
             }
         }
         for (i = 0; piece[i] && n < room; ++i)
@@ -4349,7 +4312,7 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
 
 enum {
     MS_GPR__CANDIDATES = 4000, /* that a gallery is chosen from, at least; 10 for each choice */
-    MS_GPR__SCREENED = 128     /* scores from which on variances are computed of one candidate in four */
+    MS_GPR__SCREENED = 128     /* scores from which on variances are computed of one candidate in four to eight */
 };
 
 /* A pool of uniform candidates and what is known about them, given the scores and the choices so far. */
@@ -4593,8 +4556,10 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     p->drawn = drawn ? count : 10 * count > MS_GPR__CANDIDATES ? 10 * count : MS_GPR__CANDIDATES;
     p->drawn = (p->drawn + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
     p->size = p->drawn;
-    if (!drawn && gp->n >= MS_GPR__SCREENED)
-        p->size = (p->drawn / 4 + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
+    if (!drawn && gp->n >= MS_GPR__SCREENED) {
+        const int part = gp->n < 300 ? 4 : gp->n < 480 ? gp->n / 60 : 8;
+        p->size = (p->drawn / part + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
+    }
     status = ms_gpr__space_make(gp->x, gp->n, gp->m, &o.space, &gp->allocator, &p->s, error);
     if (status != MS_OK) return status;
     ms_gpr__pool_layout(p, &arena);

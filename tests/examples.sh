@@ -182,6 +182,7 @@ if [ -x build/recommend ]; then
     awk 'BEGIN {srand(1); for (i = 0; i < 60; i++) {s = 0; for (j = 0; j < 4; j++) {x = rand(); printf "%.6f,", x; s += (x - 0.5) * (x - 0.5)} printf "%.3f\n", s < 0.4 ? 10 * (1 - s / 0.4) : 0}}' >"$out/scores.csv"
     ok "recommendations" build/recommend "$out/scores.csv" --count 20 --tau 0.5 --seed 3 --out "$out/r.csv"
     is "as many as asked for" "$(grep -v '^#' "$out/r.csv" | grep -c '^[0-9]')" 20
+    is "it says what is liked" "$(build/recommend "$out/scores.csv" --tau 0.8 2>&1 >/dev/null | grep -c '^liked for: x[0-3] 0\.[0-9]* to 0\.')" 1
     # what is kept: a range in steps, two equal columns, a list of metals of which one is not in the range; then 20 more, and others than those
     printf 'x2,x3\n0.4,0.5\n0.6,0.45\n0.9,0.5\n' >"$out/metals.csv"
     set -- "$out/scores.csv" --tau 0.5 --seed 3 --keep x0=0.1:0.9:0.2 --keep x1=x0 --keep x2=0:0.8 --list "$out/metals.csv"

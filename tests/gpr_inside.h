@@ -1,11 +1,39 @@
 /* Inner calls of ms_gpr.h that tests and benches look at: the likelihood and its gradient, other hyperparameters for a
-   model, means in single precision, a latent space from given latents. The implementation comes first. */
+   model, means in single precision, a latent space from given latents. Static behind the implementation; in an object
+   of their own where the build compiles the header once (tests/run.sh). */
 #ifndef TEST_GPR_INSIDE_H
 #define TEST_GPR_INSIDE_H
+#include "ms_gpr.h"
+#ifdef TEST_INSIDE /* an object of the header and these functions */
+#define TEST_INSIDE_BODY
+#elif MS_GPR_IMPLEMENTED + 0 /* 1 by the build, which links such an object; the header defines it as nothing */
+#define TEST_INSIDE
+#else
 #include "test.h"
+#define TEST_INSIDE static TEST_UNUSED
+#define TEST_INSIDE_BODY
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+TEST_INSIDE ms_status inside_set_theta(ms_gpr *gp, const double *theta, ms_error *error);
+TEST_INSIDE ms_status inside_simplify(ms_gpr *gp, double tolerance, int *kept);
+TEST_INSIDE ms_status inside_likelihood(const ms_gpr *gp, double *likelihood, double *gradient, ms_error *error);
+TEST_INSIDE ms_status inside_predict_f(const ms_gpr *gp, const float *x, int count, float *mean, ms_error *error);
+TEST_INSIDE ms_status inside_latent(const double *x, int z, int m, const double *latent, const double *theta,
+                                    const ms_gpr_latent_options *options, ms_gpr_latent **out, ms_error *error);
+TEST_INSIDE ms_status inside_latent_likelihood(const ms_gpr_latent *plane, double *likelihood, double *gradient_theta,
+                                               double *gradient_latent, ms_error *error);
+TEST_INSIDE double inside_latent_jitter(const ms_gpr_latent *plane);
+
+#ifdef TEST_INSIDE_BODY
+/* What was added to the diagonal, in units of sf^2. */
+TEST_INSIDE double inside_latent_jitter(const ms_gpr_latent *plane) { return plane->jitter; }
 
 /* Other hyperparameters [m + 2] for the same data. The model is unchanged unless MS_OK. */
-static TEST_UNUSED ms_status inside_set_theta(ms_gpr *gp, const double *theta, ms_error *error)
+TEST_INSIDE ms_status inside_set_theta(ms_gpr *gp, const double *theta, ms_error *error)
 {
     ms_gpr *edited;
     ms_status status;
@@ -18,7 +46,7 @@ static TEST_UNUSED ms_status inside_set_theta(ms_gpr *gp, const double *theta, m
 }
 
 /* Drops the dimensions of least relevance while the sum of those is at most `tolerance`. kept: out, or NULL. */
-static TEST_UNUSED ms_status inside_simplify(ms_gpr *gp, double tolerance, int *kept)
+TEST_INSIDE ms_status inside_simplify(ms_gpr *gp, double tolerance, int *kept)
 {
     double relevance[64], theta[66], dropped = 0;
     memcpy(theta, gp->theta, ((size_t)gp->m + 2) * sizeof *theta);
@@ -37,7 +65,7 @@ static TEST_UNUSED ms_status inside_simplify(ms_gpr *gp, double tolerance, int *
 }
 
 /* log p(y | X, theta), and where not NULL its gradient [m + 2] with respect to theta. */
-static TEST_UNUSED ms_status inside_likelihood(const ms_gpr *gp, double *likelihood, double *gradient, ms_error *error)
+TEST_INSIDE ms_status inside_likelihood(const ms_gpr *gp, double *likelihood, double *gradient, ms_error *error)
 {
     ms_gpr__problem p;
     void *memory = NULL;
@@ -66,7 +94,7 @@ static TEST_UNUSED ms_status inside_likelihood(const ms_gpr *gp, double *likelih
 }
 
 /* The mean alone, in single precision. */
-static TEST_UNUSED ms_status inside_predict_f(const ms_gpr *gp, const float *x, int count, float *mean, ms_error *error)
+TEST_INSIDE ms_status inside_predict_f(const ms_gpr *gp, const float *x, int count, float *mean, ms_error *error)
 {
     ms_gpr__batch b;
     size_t i, values;
@@ -87,8 +115,8 @@ static TEST_UNUSED ms_status inside_predict_f(const ms_gpr *gp, const float *x, 
 }
 
 /* A latent space whose latents [z][2] and theta [4] are given; x is modeled as it is, not centered. */
-static TEST_UNUSED ms_status inside_latent(const double *x, int z, int m, const double *latent, const double *theta,
-                                           const ms_gpr_latent_options *options, ms_gpr_latent **out, ms_error *error)
+TEST_INSIDE ms_status inside_latent(const double *x, int z, int m, const double *latent, const double *theta,
+                                    const ms_gpr_latent_options *options, ms_gpr_latent **out, ms_error *error)
 {
     ms_gpr_latent_options o;
     ms_gpr_latent *p;
@@ -118,8 +146,8 @@ static TEST_UNUSED ms_status inside_latent(const double *x, int z, int m, const 
 }
 
 /* log p(X | L, theta) and where not NULL its gradients by theta [4] and by the latents [z][2]. */
-static TEST_UNUSED ms_status inside_latent_likelihood(const ms_gpr_latent *plane, double *likelihood,
-                                                      double *gradient_theta, double *gradient_latent, ms_error *error)
+TEST_INSIDE ms_status inside_latent_likelihood(const ms_gpr_latent *plane, double *likelihood, double *gradient_theta,
+                                               double *gradient_latent, ms_error *error)
 {
     const ms_gpr_latent *p = plane;
     double sf2, sn2, noise, value = 0, gradient[5];
@@ -149,4 +177,8 @@ static TEST_UNUSED ms_status inside_latent_likelihood(const ms_gpr_latent *plane
     return MS_OK;
 }
 
+#endif
+#ifdef __cplusplus
+}
+#endif
 #endif

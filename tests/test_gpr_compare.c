@@ -3,7 +3,8 @@
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #include "users.h"
-#include "gpr_inside.h" /* calls ms_gpr__ functions */
+#include "gpr_inside.h"
+#include "test.h"
 
 static double normal_pdf(double z) { return exp(-0.5 * z * z) / sqrt(2 * acos(-1.0)); }
 

@@ -5,7 +5,7 @@
 #include "json.h"
 #include "users.h"
 #include "modes.h"
-#include "gpr_inside.h" /* calls ms_gpr__ functions */
+#include "gpr_inside.h"
 
 /* --- help --- */
 
@@ -174,6 +174,7 @@ static void test_walk_like_rejection(void)
         taste t = taste_make((uint64_t)seed, 250, 19, 0.10, NULL);
         double *walk = (double *)malloc(N * 19 * sizeof *walk), *reject = (double *)malloc(N * 19 * sizeof *reject);
         double mean_walk[N], mean_reject[N], a[N], b[N], worst = 0, d;
+        int repeated = 0, j;
         ms_gpr_recommend_options o = recommend_options();
         ms_gpr_recommend_report report;
         o.tau = 0.5;
@@ -185,6 +186,15 @@ static void test_walk_like_rejection(void)
             CHECK(mean_walk[i] >= report.threshold);
             CHECK(mean_reject[i] >= report.threshold);
         }
+        /* chains that start from one seed move along every parameter, also those that the mean hardly depends on: no
+           value is found twice, but where all transitions of a chain were refused (one in a hundred is allowed to be)
+         */
+        for (k = 0; k < 19; ++k)
+            for (i = 0; i < N; ++i) {
+                for (j = 0; j < i && fabs(walk[i * 19 + k] - walk[j * 19 + k]) > 0; ++j) {}
+                repeated += j < i;
+            }
+        CHECK_LE(repeated, 19 * N / 100);
         if (t.u.classes == 1 && ++compared) { /* the walk does not promise the shares of separate classes */
             for (k = 0; k < 19; ++k) {
                 for (i = 0; i < N; ++i) {
@@ -210,7 +220,7 @@ static void test_searches(void)
 {
     int level, search, i;
     double top;
-    for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+    for (level = MS_SIMD_SCALAR; level <= test_simd_best(); ++level) {
         ms_gpr_options options;
         taste t;
         memset(&options, 0, sizeof options);
@@ -879,6 +889,16 @@ static void test_kept_everywhere(void)
     }
     CHECK_LE(jump, 1e-12); /* a mean and a clip, but for rounding */
     grid = ms_gpr_grid_around(plane, 9);
+    for (i = 0; i < 12; ++i) { /* corners that are no numbers, or in the wrong order */
+        ms_gpr_grid bad = grid;
+        double *side[4];
+        side[0] = &bad.x0;
+        side[1] = &bad.x1;
+        side[2] = &bad.y0;
+        side[3] = &bad.y1;
+        *side[i % 4] = i < 4 ? (double)NAN : i < 8 ? (i % 2 ? HUGE_VAL : -HUGE_VAL) : (i % 2 ? -1e9 : 1e9);
+        CHECK_INT(ms_gpr_map_preference(plane, gp, &bad, map, NULL, NULL), MS_INVALID_ARGUMENT);
+    }
     memset(&like, 0, sizeof like);
     like.x = x[0];
     like.scale = 0.3;
@@ -1325,7 +1345,7 @@ static void test_latent_reference(void)
         double *mean = numbers(p, "mean", NULL), *variance = numbers(p, "var", NULL);
         double ll = json_number(json_get(p, "ll"));
         count /= 2;
-        for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+        for (level = MS_SIMD_SCALAR; level <= test_simd_best(); ++level) {
             ms_gpr_latent_options o;
             ms_gpr_latent *plane;
             double value, g[4], *s = (double *)malloc((size_t)n * sizeof *s), got[10 * 19], v[10], tolerance, e;
@@ -1350,7 +1370,7 @@ static void test_latent_reference(void)
             CHECK_LE(e, tolerance > 1e-12 ? tolerance : 1e-12);
             if (e > worst) worst = e;
             for (k = 0; k < count; ++k) CHECK(v[k] >= 0);
-            CHECK(plane->jitter <= 0);
+            CHECK(inside_latent_jitter(plane) <= 0);
             CHECK_INT(ms_gpr_latent_count(plane), z);
             ms_gpr_latent_destroy(plane);
             free(s);
@@ -1381,7 +1401,7 @@ static void test_latent_likelihood(void)
         free(x);
     }
     for (i = 0; i < 3; ++i) {
-        for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+        for (level = MS_SIMD_SCALAR; level <= test_simd_best(); ++level) {
             int z = i == 0 ? 16 : i == 1 ? 60 : 48;
             double *x = i == 0 ? numbers(&problems->child[0], "X", NULL) : numbers(json_get(data, name[i]), "X", NULL),
                    value;
@@ -1513,7 +1533,7 @@ static void test_latent_hard(void)
     /* equal latents without noise: jitter is reported, and results are finite */
     for (i = 0; i < 60; ++i) latent[i] = i % 4;
     CHECK_INT(inside_latent(x, 30, 12, latent, theta, NULL, &plane, NULL), MS_OK);
-    CHECK(plane->jitter > 0 && plane->jitter <= 1e-6);
+    CHECK(inside_latent_jitter(plane) > 0 && inside_latent_jitter(plane) <= 1e-6);
     CHECK_INT(inside_latent_likelihood(plane, &report.likelihood, NULL, latent, NULL), MS_OK);
     CHECK(isfinite(report.likelihood));
     ms_gpr_latent_destroy(plane);
@@ -1782,6 +1802,48 @@ static void test_map_refusals(void)
     plane_free(&p);
 }
 
+/* A list whose columns no score depends on: all its rows, equally often, by both searches. */
+static void test_idle_list(void)
+{
+    enum { N = 30, COUNT = 400 };
+    static const double rows[4][2] = {{0.5, 0.5}, {0.1, 0.9}, {0.9, 0.9}, {0.3, 0}};
+    static const int columns[2] = {1, 2};
+    static const double low[3] = {0, 0, 0}, high[3] = {1, 1, 1};
+    static double x[COUNT * 3];
+    double data[N * 3], y[N];
+    uint64_t state = test_seed + 31;
+    ms_gpr_recommend_options o;
+    ms_gpr_list list;
+    ms_gpr *gp;
+    int i, k, search;
+    for (i = 0; i < N; ++i) {
+        data[3 * i] = test_uniform(&state);
+        data[3 * i + 1] = data[3 * i + 2] = 0.5;
+        y[i] = 10 * data[3 * i];
+    }
+    memset(&o, 0, sizeof o);
+    memset(&list, 0, sizeof list);
+    list.columns = columns;
+    list.width = 2;
+    list.rows = rows[0];
+    list.count = 4;
+    o.space.low = low;
+    o.space.high = high;
+    o.space.lists = &list;
+    o.space.list_count = 1;
+    CHECK_INT(ms_gpr_fit(data, y, N, 3, NULL, &gp, NULL, NULL), MS_OK);
+    for (search = MS_GPR_SEARCH_REJECTION; search <= (int)MS_GPR_SEARCH_SUBSET; ++search) {
+        int times[4] = {0, 0, 0, 0};
+        o.search = (ms_gpr_search)search;
+        CHECK_INT(ms_gpr_recommend(gp, &o, COUNT, x, NULL, NULL, NULL, NULL), MS_OK);
+        for (i = 0; i < COUNT; ++i)
+            for (k = 0; k < 4; ++k) times[k] += memcmp(x + 3 * i + 1, rows[k], sizeof rows[k]) == 0;
+        CHECK_INT(times[0] + times[1] + times[2] + times[3], COUNT);
+        for (k = 0; k < 4; ++k) CHECK_NEAR(times[k], COUNT / 4, 44); /* five standard deviations of a draw of 400 */
+    }
+    ms_gpr_destroy(gp);
+}
+
 /* Variants: the largest value of their lambda over a fine grid; similarity grows and the score falls with lambda. */
 static void test_variants(void)
 {
@@ -1835,6 +1897,20 @@ static void test_variants(void)
     best = v[0].score;
     CHECK_INT(ms_gpr_variants(p.plane, p.t.gp, &s, &p.grid, lambda, 1, 0, v, NULL, NULL), MS_OK);
     CHECK_NEAR(v[0].score, best, 1e-9); /* lambda 0 does not depend on the unit of scores */
+    for (k = 0; k < 20; ++k) { /* on any grid, no variant is less like its reference than the latent of the reference */
+        const double *own = ms_gpr_latent_points(p.plane) + 2 * k, most = 1;
+        double near[4], sure[4];
+        ms_gpr_grid coarse = p.grid, here = p.grid;
+        coarse.columns = coarse.rows = 2;
+        here.columns = here.rows = 2;
+        here.x0 = own[0], here.y0 = own[1];
+        here.x1 = own[0] + 1, here.y1 = own[1] + 1;
+        s.x = p.liked + k * 12;
+        CHECK_INT(ms_gpr_map_similarity(p.plane, &s, &here, near, NULL), MS_OK);
+        CHECK_INT(ms_gpr_map_confidence(p.plane, &here, sure, NULL), MS_OK);
+        CHECK_INT(ms_gpr_variants(p.plane, p.t.gp, &s, &coarse, &most, 1, 0, v, NULL, NULL), MS_OK);
+        CHECK(v[0].value >= near[0] * sure[0] - 1e-9);
+    }
     free(score);
     free(similar);
     free(known);
@@ -1877,6 +1953,7 @@ static const test_case cases[] = {
     {"maps bilinear", test_grid_value},
     {"maps refusals", test_map_refusals},
     {"null", test_null},
+    {"a list without effect", test_idle_list},
     {"variants", test_variants},
 };
 

@@ -8,6 +8,7 @@
 #include "neural.h"
 #include "materials.h"
 #include "studio.h"
+#include "explain.h"
 #include "materialx.h"
 #include "maps.h"
 
@@ -481,6 +482,46 @@ static void test_wants_picks(void)
     }
 }
 
+/* Two of 19 parameters decide: both are named, and nothing else; a wish for a range is no reason; of two kinds that are
+   liked the parameter that tells them apart has no range. */
+static void test_explanation(void)
+{
+    enum { N = 120, COUNT = 100 };
+    static double x[N * M], y[N], found[COUNT * M];
+    static double low[M], high[M];
+    int kind, i, k;
+    for (kind = 0; kind < 3; ++kind) {
+        uint64_t state = test_seed + 9;
+        ms_gpr_recommend_options o;
+        ms_gpr_recommend_report report;
+        ms_gpr *gp;
+        char text[200], small[24];
+        memset(&o, 0, sizeof o);
+        for (i = 0; i < N; ++i) {
+            double *v = x + i * M, far;
+            random_material(&state, v);
+            far = kind < 2 ? v[4] : fmin(v[4], 1 - v[4]);
+            y[i] = 10 * fmax(0, 1 - 1.5 * far - 1.5 * (1 - v[2]));
+        }
+        for (k = 0; k < M; ++k) low[k] = -INFINITY, high[k] = INFINITY;
+        low[11] = 0.3, high[11] = 0.5;
+        if (kind == 1) o.space.low = low, o.space.high = high;
+        CHECK_INT(ms_gpr_fit(x, y, N, M, NULL, &gp, NULL, NULL), MS_OK);
+        CHECK_INT(ms_gpr_recommend(gp, &o, COUNT, found, NULL, NULL, &report, NULL), MS_OK);
+        CHECK_INT(explain(gp, found, report.found, &o.space, NULL, 4, text, sizeof text), kind < 2 ? 2 : 1);
+        TEST_NOTE("%s", text);
+        CHECK(strncmp(text, "liked for: ", 11) == 0 && strstr(text, "x2 above 0.") != NULL &&
+              strstr(text, "x11") == NULL);
+        CHECK((strstr(text, "x4 below 0.") != NULL) == (kind < 2));
+        CHECK_INT(explain(gp, found, report.found, NULL, NULL, 1, text, sizeof text), 1);
+        CHECK(strchr(text, ',') == NULL);
+        explain(gp, found, report.found, NULL, NULL, 4, small, sizeof small); /* cut, not overrun */
+        CHECK(strlen(small) < sizeof small);
+        CHECK_INT(explain(gp, found, 0, NULL, NULL, 4, text, sizeof text), 0);
+        ms_gpr_destroy(gp);
+    }
+}
+
 static void test_neural(void)
 {
     enum { COUNT = 70 }; /* more than two batches */
@@ -741,6 +782,7 @@ static const test_case cases[] = {{"saved", test_saved},
                                   {"orders", test_orders},
                                   {"nothing liked", test_nothing_liked},
                                   {"wants picks", test_wants_picks},
+                                  {"explanation", test_explanation},
                                   {"neural", test_neural},
                                   {"materials", test_materials},
                                   {"materialx", test_materialx}};

@@ -16,6 +16,7 @@
 #include "ms_gpr.h"
 #include "scores.h"
 #include "keep.h"
+#include "explain.h"
 
 static const char usage[] =
     "usage: recommend SCORES.csv [--pairs PAIRS.csv] [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S] [--keep WISH]... [--list LIST.csv]... [--avoid MATERIALS.csv] [--out FILE]\n"
@@ -97,6 +98,7 @@ int main(int argc, char **argv)
     static const char *const search[] = {"", "rejection", "subset simulation"};
     const char *in = NULL, *out = NULL, *compared = NULL, *avoided = NULL, *problem;
     double count = 300, *x, *mean, *sigma, *avoid = NULL;
+    char why[400];
     ms_gpr_fit_options learn;
     ms_gpr_recommend_options options;
     ms_gpr_recommend_report report;
@@ -178,6 +180,7 @@ int main(int argc, char **argv)
             "one uniform material in %.0f would do; mean distance to the nearest other %.3f\n",
             scored, s.m, report.best, report.found, report.threshold, search[report.search],
             report.acceptance > 0 ? 1 / report.acceptance : (double)INFINITY, report.spread);
+    if (explain(gp, x, report.found, &options.space, NULL, 4, why, sizeof why)) fprintf(stderr, "%s\n", why);
     ms_gpr_destroy(gp);
     scores_free(&s);
     keep_close(&kept);
