@@ -646,17 +646,42 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
 
 #define MS_SSS_SHADER_PROFILES_MAX 16 /* kernels of one pass */
 
-/* The language of a shader text. Metal: make SPIR-V of the Vulkan text and translate it, with the tools of the Vulkan
-   SDK: glslangValidator -V -S frag -o pass.spv pass.glsl && spirv-cross --msl --output pass.metal pass.spv */
+/* Textures bind at 1 + n of the list below, OpenGL's by name. Metal: translate the Vulkan text, with
+   glslangValidator -V -S frag -o pass.spv pass.glsl && spirv-cross --msl --output pass.metal pass.spv */
 typedef enum ms_sss_language {
     MS_SSS_GLSL_330 = 0,    /* desktop OpenGL 3.3; constants: uniform vec4 ms_sss[] */
     MS_SSS_GLSL_ES_300 = 1, /* OpenGL ES 3.0, WebGL 2; the same */
-    MS_SSS_GLSL_VULKAN = 2, /* GLSL 450 for SPIR-V; set 0; constants: uniform block, binding 0 */
-    MS_SSS_HLSL = 3,        /* shader model 4 and later; constants: cbuffer b0 */
-    MS_SSS_WGSL = 4         /* WebGPU; group 0; constants: uniform buffer, binding 0 */
+    MS_SSS_GLSL_VULKAN = 2, /* GLSL 450 for SPIR-V, set 0; constants: uniform block, binding 0 */
+    MS_SSS_HLSL = 3,        /* shader model 4 and later, registers t; constants: cbuffer b0 */
+    MS_SSS_WGSL = 4         /* WebGPU, group 0; constants: uniform buffer, binding 0 */
 } ms_sss_language;
 
-/* The steps of the filter: see ms_sss_shader; from BASE on of a pyramid: see ms_sss_shader_levels. */
+/* A step is a fragment shader for a full-screen triangle, with entry point main.
+     full              X, Y of each term: along x (or the rotated axis), then along y
+     half resolution   DOWN, X, Y of each term, UP; half_resolution 1, constants of the full picture
+     pyramid           of each profile: BASE; SHRINK of levels 0 to n - 2; GATHER of levels n - 2 to 1; RESOLVE
+     texture space     the same over a light map, with options.pixels_per_mm
+   Terms after the first are blended additively over the first. n is ms_sss_shader_levels; level l has
+   ceil(width / 2^l) x ceil(height / 2^l) pixels, DOWN's target and those of X and Y before UP as many as level 1.
+
+     step      reads by name ms_sss_...                                         writes RGBA of 32-bit floats
+     X         color, depth, strength, profile, normal; at half resolution      RGB; alpha: depth or 1, 0: masked; last
+               input: DOWN's target                                             4 bits of blue: profile
+     Y         input: X's target; color, strength, normal; at half              the result, alpha 1
+               resolution input and half: DOWN's target
+     DOWN      color, depth, strength, profile                                  as X
+     UP        as DOWN; half: DOWN's target; sum: Y's                           the result, alpha 1
+     BASE      color, depth, strength, profile, normal                          light[0], surface[0]
+     SHRINK    input: light[l], surface: surface[l]                             light[l + 1], surface[l + 1]
+     GATHER    as SHRINK, and of level l + 1 coarse: light, coarse_surface:     sums[l], weights[l]
+               surface, sum: sums, weight: weights (l = n - 2: anything)
+     RESOLVE   as GATHER of level 0; color: light, or what RESOLVE wrote for    the result, alpha 1
+               the profile before; strength
+   light: color, -1 / depth (perspective) or depth; surface: area to a pixel's, change of that depth a pixel along x and
+   y. A pyramid takes 43 bytes a pixel of the picture, and 11 for the sums.
+   Light crosses neither between profiles nor to masked pixels. A texel of DOWN has the profile of its nearest pixel;
+   ms_sss_filter halves each profile by itself. A pyramid is equal to ms_sss_pyramid_filter (exact 0) within 1e-4 of the
+   largest input, except where the last bit of a depth decides which of two slopes is the smaller. */
 typedef enum ms_sss_step {
     MS_SSS_STEP_X = 0,
     MS_SSS_STEP_Y = 1,
@@ -668,126 +693,69 @@ typedef enum ms_sss_step {
     MS_SSS_STEP_RESOLVE = 7
 } ms_sss_step;
 
-/* One step, as a fragment shader for a full-screen triangle. Three ways to filter:
-     full               X, then Y: along x (or the rotated axis), then along y, once a term
-     half resolution    half_resolution 1: DOWN, X, Y, UP. The targets of the first three have (width + 1) / 2 x
-                        (height + 1) / 2 texels; the constants stay those of the full picture
-     pyramid            see ms_sss_shader_levels
-   In texture space (pixels_per_mm) the same steps filter a light map.
+/* Textures, and the functions by which they are read; p is a texel, the pixel plus `origin`:
+      n  name              function                               holds
+      0  ms_sss_color      float3 ms_sss_fetch_color(int2 p)      light before the albedo; masked if not within 1e30
+      1  ms_sss_depth      float ms_sss_fetch_depth(int2 p)       R, 32 bits: as ms_sss_frame.depth
+      2  ms_sss_strength   float ms_sss_fetch_strength(int2 p)    R: as ms_sss_frame.strength
+      4  ms_sss_profile    int ms_sss_fetch_profile(int2 p)       R, 8-bit UNORM: index of the kernel; no kernel: masked
+      6  ms_sss_normal     float3 ms_sss_fetch_normal(int2 p)     RGB: as ms_sss_frame.normal; not at half resolution
+      3  input   5  sum   7  surface   8  coarse   9  coarse_surface   10  weight   11  half: targets, see above
+   Color may have 16 bits a channel; steps of depths of 16 bits are seen as slopes. OpenGL needs GL_NEAREST for both
+   filters of each: with its defaults a float texture is incomplete and reads as black.
+   `fetch` holds the engine's own text of the functions, in the shader's language (ivec2 and vec3 in GLSL, vec2<i32> and
+   vec3<f32> in WGSL): over a raw depth buffer (near far / (far - d (far - near)); reversed Z without a far plane:
+   near / d), octahedral or world-space normals, a stencil index, an array layer, one sample of a multisampled target.
 
-   The engine's pixels are read by five functions; p is a texel of its textures, the pixel plus `origin`:
-     float3 ms_sss_fetch_color(int2 p)      light before the albedo; masked if not within 1e30
-     float ms_sss_fetch_depth(int2 p)       with_depth: as ms_sss_frame.depth
-     int ms_sss_fetch_profile(int2 p)       with_profile: index of the kernel; outside [0, profile_count): masked
-     float ms_sss_fetch_strength(int2 p)    with_strength: as ms_sss_frame.strength
-     float3 ms_sss_fetch_normal(int2 p)     with_normal: as ms_sss_frame.normal
-   `fetch` holds the engine's own text of them, in the shader's language (ivec2 and vec3 in GLSL, vec2<i32> and
-   vec3<f32> in WGSL): over a raw depth buffer (near far / (far - d (far - near)); reversed Z without a far plane: near
-   / d), octahedral or world-space normals, a stencil index, an array layer, one sample of a multisampled target. NULL:
-   they read the textures below. Color may have 16 bits a channel; depth needs 32, because steps of 16 bits are seen as
-   slopes. Vulkan and WGSL bind textures at 1 + n, HLSL at t(n), GLSL 330 and ES 300 by name. OpenGL needs GL_NEAREST
-   for both filters of each: with its defaults a float texture is incomplete and reads as black.
-      n  name             holds                            read by
-      0  ms_sss_color     RGB                              the first step, UP, RESOLVE; Y at full resolution
-      1  ms_sss_depth     R                                the first step, UP
-      2  ms_sss_strength  R                                the same, RESOLVE; Y at full resolution
-      3  ms_sss_input     the target of the step before    Y; X at half resolution; a pyramid's steps but BASE
-      4  ms_sss_profile   R: index / 255 (8-bit UNORM)     the first step, UP
-      5  ms_sss_sum       Y's target, all terms added      UP
-      6  ms_sss_normal    RGB                              BASE; X and Y at full resolution, where slopes count
-     11  ms_sss_half      DOWN's target                    UP; Y at half resolution
-   Targets are RGBA of 32-bit floats. X writes RGB and, in alpha, depth or profile + 1 (0: masked), with both the
-   profile in the last 4 bits of blue. Y and UP write the result with alpha 1. Light crosses neither between profiles
-   nor to masked pixels. Of several profiles a texel of DOWN has that of its nearest pixel; ms_sss_filter halves each by
-   itself.
-
-   Texels read a pixel by 7 taps in X and Y: 26 of color, and 13 of depth, profile and strength each. Slopes (depth,
-   flat below 1) read 12 more, or 2 with_normal. Rotated axes read twice as many. Half resolution reads 2 and 11 a pixel
-   and a quarter of X and Y.
-
-   Dynamic resolution and stereo: width and height are the viewport's, `origin` its corner, options->center the
+   Texels read a pixel by 7 taps in X and Y: 26 of color, and 13 of depth, profile and strength each; for slopes (depth,
+   flat below 1) 12 more, or 2 with_normal; rotated axes: twice as many. Half resolution: 2 and 11, and a quarter of X
+   and Y. A pyramid: 73 in all, more on slopes.
+   Dynamic resolution, stereo: width and height are the viewport's, `origin` its corner, options.center the
    projection's. Jitter for temporal antialiasing moves the center by less than a pixel and may be left out.
    Multisampled pictures are resolved first, or one sample is fetched. */
 typedef struct ms_sss_shader {
     ms_sss_language language;
     ms_sss_step step;
-    int half_resolution; /* 1: X and Y work between DOWN and UP */
-    int tap_count;       /* the most of any of the kernels */
+    int half_resolution; /* 1: X and Y lie between DOWN and UP */
+    int level;           /* of a pyramid; SHRINK: that it reads */
+    int tap_count;       /* the most of any of the kernels; a pyramid: any */
     int term_count;      /* UP: the most of any of the kernels; 0: 1 */
-    int profile_count;   /* kernels, 1 to MS_SSS_SHADER_PROFILES_MAX; 0: 1; more than one need with_profile */
+    int profile_count;   /* kernels that profiles choose, to MS_SSS_SHADER_PROFILES_MAX; 0: one, no profiles are read */
     int with_depth;      /* perspective needs it */
-    int with_profile, with_strength;
-    int with_normal; /* 0: slopes from depth */
-    int origin[2];   /* the viewport's corner in the engine's textures and in the targets of X, Y, UP and RESOLVE */
-    float nearest;   /* > 0: the scene's least depth; ms_sss_shader_constants refuses kernels that show stairs there */
-    const char *fetch; /* the engine's fetch functions, borrowed; NULL: those of the list above */
+    int with_strength;
+    int with_normal;   /* 0: slopes from depth */
+    int origin[2];     /* the viewport's corner in the engine's textures and in targets of the picture's size */
+    float nearest;     /* > 0: the scene's least depth, for ms_sss_shader_constants */
+    const char *fetch; /* the engine's functions, borrowed; NULL: those that read the textures */
 } ms_sss_shader;
 
-/* All zero but depth and 7 taps: the first pass at full resolution in GLSL 330. */
+/* All zero but with_depth and 7 taps: the first pass at full resolution in GLSL 330. */
 MS_API ms_sss_shader ms_sss_shader_defaults(void);
 
-/* The text of a pass for these options, with entry point main.
+/* The text of a step; another language, step, count, with_, fetch, rotation or jitter to or from 0, flat to or from 1,
+   depth_mode or camera to or from a perspective ask for another text.
    text    at least the returned length + 1 chars, or NULL with capacity 0 to ask; untouched where it does not fit
    Returns the length; 0 with error filled: MS_INVALID_ARGUMENT or MS_UNSUPPORTED, the message names the field. */
 MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text,
                                  size_t capacity, ms_error *error);
 
-/* The constants, for callers that fill them without this header; the same for both passes. All float, offsets in bytes:
-   one ms_sss_shader_picture at 0, then for profile i at 64 + i * (80 + 16 taps), taps being
-   tap_count / 2 + 1, one ms_sss_shader_profile and its taps {red, green, blue, offset in mm}
-   (ms_sss_kernel_upload). UP of term_count terms: the profiles of term 0, then those of term 1 and so on; other steps
-   read those of one term.
-
-     when                 what changes
-     a pass is drawn      nothing: both passes of a term share the constants
-     another term         first, and scale, total, mixed and taps of each profile
-     resize               width, height, center; pixels and focal in proportion to height; all targets
-     camera, zoom         center, focal; pixels: height / (2 tan(fov / 2) mm_per_unit), orthographic height /
-                          (ortho_height mm_per_unit)
-     viewport             origin, and as for a resize
-     frame                rotation, where the kernel is made for it; nothing else
-     option, kernel       all: ms_sss_shader_constants; another language, source, depth mode, tap count,
-                          rotation or jitter to or from 0, flat to or from 1: the texts */
-typedef struct ms_sss_shader_picture {
-    float width, height; /*  0,  4: pixels */
-    float pixels;        /*  8: a mm; in perspective at depth 1 */
-    float gain;          /* 12: 1 - fade */
-    float aspect[2];     /* 16: steps along x and y, 1 but with pixels that are not square */
-    float rotation;      /* 24: radians */
-    float jitter;        /* 28 */
-    float first;         /* 32: 1 for the first term, else 0 */
-    float focal[2];      /* 36: pixels along x and y times mm_per_unit */
-    float slope_scale;   /* 44: 1 - flat */
-    float center[2];     /* 48: of the projection, in pixels from the picture's first corner */
-    float origin[2];     /* 56: of the viewport */
-} ms_sss_shader_picture;
-
-typedef struct ms_sss_shader_profile {
-    float total[3];    /*  0: sum of the weights of a pass */
-    float radius_mm;   /* 12 */
-    float scale[3];    /* 16: factor of the term */
-    float depth_scale; /* 28: mm_per_unit over the difference of depth in mm at which weights reach 0 */
-    float delta[3];    /* 32: weight of the unblurred input */
-    float cut;         /* 44: half resolution: square of the scaled difference of depth at which weights reach 0 */
-    float curve[3];    /* 48: elevation_axis / 4, with slopes times 1 - flat */
-    float mixed;       /* 60: sum of 1 red, 2 green, 4 blue: the missing weight goes to the pixel's own color */
-    float root[3];     /* 64: square root of the reflectance */
-    float reach;       /* 76: square of the scaled radius: a larger step in depth is an edge */
-} ms_sss_shader_profile;
-
-/* Float4 constants that a shader reads: 4, and for each profile (UP: of each term) 5 and its taps. OpenGL ES 3.0
-   promises 224. 0: a field is out of range. */
+/* Float4 constants that a step reads. OpenGL ES 3.0 promises 224. 0: a field is out of range. */
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader);
 
-/* Their values for term `term` (UP: all terms) of kernels[profile_count]. Terms after the first are drawn with additive
-   blending over the first; a kernel with fewer terms adds nothing.
-   out    [ms_sss_shader_constant_count()][4]
+/* Their values; the text's first comment lists them. Made again when picture, camera, kernels, options or `origin`
+   change, not every frame.
+   kernels   [profile_count, at least 1]; a kernel with fewer terms than another adds nothing; a pyramid: NULL
+   index     of the term, the same for X and Y; UP: 0, all are read; a pyramid: of the profile, in options->pyramids
+   out       [ms_sss_shader_constant_count()][4]; untouched where the call fails
    MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: taps that are no pairs; with shader->nearest, a kernel that is
-   too wide there for its taps: stairs are seen from about 8 pixels on with 7, 16 with 11, 47 with 17, 150 with 25 taps.
-   out untouched. */
-MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term, const ms_sss_filter_options *options,
+   too wide there for its taps: stairs are seen from about 8 pixels on with 7, 16 with 11, 47 with 17, 150 with 25 taps;
+   a pyramid: as ms_sss_pyramid_filter. */
+MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int index, const ms_sss_filter_options *options,
                                          int width, int height, const ms_sss_shader *shader, float (*out)[4],
                                          ms_error *error);
+
+/* Levels of a pyramid of a picture. */
+MS_API int ms_sss_shader_levels(int width, int height);
 
 /* ms_sss_transmission as a function for the light loop of an engine's shader:
    float3 ms_sss_transmission(float3 reflectance, float3 decay, float thickness_mm, float3 normal, float3 entry_normal,
@@ -800,36 +768,6 @@ MS_API size_t ms_sss_transmission_text(ms_sss_language language, char *text, siz
           binary16 = 1 uint16_t that hold binary16; NULL: checks only
    MS_UNSUPPORTED: taps that are no pairs. out is untouched then. */
 MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int binary16, void *out, ms_error *error);
-
-/* ms_sss_pyramid_filter as fragment shaders: with n = ms_sss_shader_levels(width, height) levels, of which level l has
-   ceil(width / 2^l) x ceil(height / 2^l) pixels, draw a full-screen triangle for each line, into two targets but for
-   RESOLVE. All targets are RGBA of 32-bit floats: 43 bytes a pixel of the picture, and 11 for the sums.
-
-     step     of level        reads (name: image)                                                  writes
-     BASE     0               the first step's of X; with_normal: ms_sss_normal                    light[0], surface[0]
-     SHRINK   0, 1 to n - 2   input: light[l], surface: surface[l]                        light[l+1], surface[l+1]
-     GATHER   n - 2 to 1      as SHRINK; coarse: light[l+1], coarse_surface: surface[l+1],
-                              sum: sums[l+1], weight: weights[l+1] (l = n - 2: anything)           sums[l], weights[l]
-     RESOLVE  0               as GATHER; color: the light, with_strength: ms_sss_strength          the result, alpha 1
-
-   light: color, -1 / depth (perspective) or depth; surface: area to a pixel's, change of that depth a pixel along x
-   and y. Names begin with ms_sss_; ms_sss_surface is n = 7 of the list above, coarse 8, coarse_surface 9, weight 10.
-   The texts are the same for all levels, the constants are not: ms_sss_shader_pyramid. Several profiles: all steps for
-   each, its index in `profile`, RESOLVE's color being what RESOLVE wrote for the one before. tap_count and kernels do
-   not matter. 73 texels are read a pixel of the picture in all, whatever the radius, and more on slopes.
-   MS_UNSUPPORTED: as ms_sss_pyramid_filter. The result is equal to that (exact 0) within 1e-4 of the largest input,
-   except where the last bit of a depth decides which of two slopes is the smaller. */
-MS_API int ms_sss_shader_levels(int width, int height);
-
-/* The constants of a step of a level (of SHRINK: that it reads), which the text's first lines list: 7, then weights by
-   size of the kernel, as in ms_sss_pyramid.weight, {red, green, blue, 0}: GATHER [MS_SSS_PYRAMID_SIZES] those of level
-   + 1; RESOLVE three such tables: those of level 1, of the pixel's own light, of its neighbors.
-   profile   index that is filtered, with_profile; else 0
-   out       [ms_sss_shader_constant_count()][4]: 7 for BASE and SHRINK, 56, 154
-   MS_INVALID_ARGUMENT: a NULL, a size, a level out of range. out untouched. At a resize all change. */
-MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_sss_filter_options *options, int width,
-                                       int height, const ms_sss_shader *shader, int level, int profile, float (*out)[4],
-                                       ms_error *error);
 
 #ifdef __cplusplus
 }
@@ -925,64 +863,38 @@ static MS__UNUSED int ms__finite_f(float x)
 /* x as text with 6 significant digits and '.' in every locale; at least 24 bytes in out. Its length. */
 static MS__UNUSED int ms__format_number(char *out, double x)
 {
-    char digit[8];
-    int n = 0, exponent = 0, i, last;
+    char digit[6];
+    int n = 0, exponent = 5, i, last = 5, point, fixed;
     int64_t mantissa;
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
+    if (bits >> 63) out[n++] = '-';
     if (!ms__finite(x)) {
-        const char *name = (bits & 0xfffffffffffffu) ? "nan" : (bits >> 63) ? "-inf" : "inf";
-        for (; name[n]; ++n) out[n] = name[n];
-        out[n] = 0;
-        return n;
+        const int nan = (bits & 0xfffffffffffffu) != 0;
+        memcpy(out + (nan ? 0 : n), nan ? "nan" : "inf", 4);
+        return nan ? 3 : n + 3;
     }
-    if (bits >> 63) {
-        out[n++] = '-';
-        x = -x;
-    }
-    if (!(x > 0)) {
-        out[n++] = '0';
-        out[n] = 0;
-        return n;
-    }
-    while (x >= 1e6) {
-        x /= 10;
-        ++exponent;
-    }
-    while (x < 1e5) {
-        x *= 10;
-        --exponent;
-    }
+    if (bits >> 63) x = -x;
+    for (; x >= 1e6; ++exponent) x /= 10;
+    for (; x > 0 && x < 1e5; --exponent) x *= 10;
     mantissa = (int64_t)(x + 0.5);
-    if (mantissa >= 1000000) {
-        mantissa /= 10;
+    if (mantissa == 1000000) {
+        mantissa = 100000;
         ++exponent;
     }
-    exponent += 5;
-    for (i = 5; i >= 0; --i) {
-        digit[i] = (char)('0' + (int)(mantissa % 10));
-        mantissa /= 10;
+    if (mantissa == 0) exponent = 0;
+    for (i = 5; i >= 0; --i, mantissa /= 10) digit[i] = (char)('0' + (int)(mantissa % 10));
+    while (last > 0 && digit[last] == '0') --last;
+    fixed = exponent >= -4 && exponent < 7;
+    point = fixed ? exponent : 0; /* the digit that it follows */
+    for (i = point < 0 ? point : 0; i <= last || i <= point; ++i) {
+        out[n++] = i < 0 || i > 5 ? '0' : digit[i];
+        if (i == point && i < last) out[n++] = '.';
     }
-    for (last = 5; last > 0 && digit[last] == '0';) --last;
-    if (exponent >= -4 && exponent < 7) {
-        if (exponent < 0) {
-            out[n++] = '0';
-            out[n++] = '.';
-            for (i = -1; i > exponent; --i) out[n++] = '0';
-            for (i = 0; i <= last; ++i) out[n++] = digit[i];
-        } else {
-            for (i = 0; i <= last || i <= exponent; ++i) {
-                if (i == exponent + 1) out[n++] = '.';
-                out[n++] = i < 6 ? digit[i] : '0';
-            }
-        }
-    } else {
-        out[n++] = digit[0];
-        if (last > 0) out[n++] = '.';
-        for (i = 1; i <= last; ++i) out[n++] = digit[i];
+    if (!fixed) {
         out[n++] = 'e';
         out[n++] = exponent < 0 ? '-' : '+';
-        if (exponent < 0) exponent = -exponent;
+        exponent = exponent < 0 ? -exponent : exponent;
         if (exponent >= 100) out[n++] = (char)('0' + exponent / 100);
         out[n++] = (char)('0' + exponent / 10 % 10);
         out[n++] = (char)('0' + exponent % 10);
@@ -1009,26 +921,15 @@ static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t p
         number[1] = 0;
         if (*format == '%' && format[1]) {
             ++format;
-            if (*format == 's') {
-                piece = va_arg(list, const char *);
-            } else if (*format == 'g') {
-                ms__format_number(number, va_arg(list, double));
-            } else if (*format == 'd' || *format == 'z') {
-                char reversed[24];
-                size_t k = 0, m = 0, value;
-                if (*format == 'd') {
-                    int64_t v = va_arg(list, int);
-                    if (v < 0) number[m++] = '-';
-                    value = (size_t)(v < 0 ? -v : v);
-                } else {
-                    value = va_arg(list, size_t);
-                }
-                do {
-                    reversed[k++] = (char)('0' + (int)(value % 10));
-                    value /= 10;
-                } while (value);
-                while (k) number[m++] = reversed[--k];
-                number[m] = 0;
+            if (*format == 's') piece = va_arg(list, const char *);
+            if (*format == 'g') ms__format_number(number, va_arg(list, double));
+            if (*format == 'd' || *format == 'z') {
+                const int v = *format == 'd' ? va_arg(list, int) : 0;
+                size_t value = *format == 'z' ? va_arg(list, size_t) : v < 0 ? 0 - (size_t)v : (size_t)v;
+                char *at = number + sizeof number - 1;
+                for (*at = 0; value || !*at; value /= 10) *--at = (char)('0' + (int)(value % 10));
+                if (v < 0) *--at = '-';
+                piece = at;
             }
         }
         for (i = 0; piece[i] && n < room; ++i)
@@ -1350,7 +1251,6 @@ enum {
     MS_SSS__PLAN_SOME_LANES = 2,
     MS_SSS__PLAN_ALL_LANES = 3,
     MS_SSS__PLAN_ONE_OFFSET = 4,
-    MS_SSS__OFF_BY_ONE = 128, /* added to a pair's integer offset: lanes have it or one more */
     MS_SSS__SIDE_MAX = 65536,
     MS_SSS__FIXED_MAX = 2 * MS_SSS_TAPS_MAX
 };
@@ -1504,7 +1404,6 @@ typedef struct ms_sss__tap {
 typedef struct ms_sss__pyramid_params {
     const float (*table)[MS_SSS_PYRAMID_LEVELS][2][3]; /* weight[size][level][blurred][channel] */
     int perspective, depth_aware, wide, level;         /* wide: options.exact; level: of the rows that gather writes */
-    float weight[2][3];                                /* of the level, if all pixels have one size */
     float size, size_max;                              /* the kernel's radius in pixels: min(size d, size_max) */
     float step;                                        /* change of d a pixel at slope 1; in perspective times d */
     float slope_scale;                                 /* 1 - flat; 0: depth sets the size alone */
@@ -1766,31 +1665,29 @@ static void ms_sss__load(const ms_sss__kernels *simd, const ms_sss_image *image,
 static void ms_sss__store_unmasked(const ms_sss__kernels *simd, const ms_sss_image *image, int width, int y, int x,
                                    int begin, int end, const float *const in[3], const float *depth)
 {
-    const ptrdiff_t step = image->pixel_stride;
+    const ptrdiff_t step = image->pixel_stride, at = y * image->row_stride + x * step;
+    const int half = image->half;
+    float *to[3];
+    uint16_t *to_half[3], narrow[3][32];
     int c, i, j;
     if (end > width - x) end = width - x;
-    if (begin >= end) return;
     for (c = 0; c < 3; ++c) {
-        const ptrdiff_t at = y * image->row_stride + x * step;
-        const float *from = in[c];
-        if (image->half) {
-            uint16_t *to = (uint16_t *)image->channel[c] + at, narrow[32];
-            for (i = begin; i < end; i += 32) {
-                const int some = end - i < 32 ? end - i : 32;
-                simd->narrow(from + i, some, narrow);
-                for (j = 0; j < some; ++j)
-                    if (!depth || depth[i + j] < INFINITY) to[(i + j) * step] = narrow[j];
-            }
-        } else {
-            float *to = (float *)image->channel[c] + at;
-            if (depth) {
-                for (i = begin; i < end; ++i)
-                    if (depth[i] < INFINITY) to[i * step] = from[i];
-            } else if (step == 1) {
-                simd->stream(from + begin, end - begin, to + begin);
-            } else {
-                for (i = begin; i < end; ++i) to[i * step] = from[i];
-            }
+        to[c] = half ? NULL : (float *)image->channel[c] + at;
+        to_half[c] = half ? (uint16_t *)image->channel[c] + at : NULL;
+        if (!half && !depth && step == 1 && begin < end) simd->stream(in[c] + begin, end - begin, to[c] + begin);
+    }
+    if (!half && !depth && step == 1) return;
+    for (i = begin; i < end; i += 32) {
+        const int last = end - i < 32 ? end : i + 32;
+        for (c = 0; half && c < 3; ++c) simd->narrow(in[c] + i, last - i, narrow[c]);
+        for (j = i; j < last; ++j) {
+            const ptrdiff_t out = j * step;
+            if (depth && !(depth[j] < INFINITY)) continue;
+            for (c = 0; half && c < 3; ++c) to_half[c][out] = narrow[c][j - i];
+            if (half) continue;
+            to[0][out] = in[0][j];
+            to[1][out] = in[1][j];
+            to[2][out] = in[2][j];
         }
     }
 }
@@ -1898,28 +1795,36 @@ static const float *const *ms_sss__albedo(const ms_sss__job *job, int side, int 
 static void ms_sss__copy_masked(const ms_sss__job *job, int y, int begin, int end, const float *depth)
 {
     const ms_sss_frame *f = &job->frame;
-    const size_t size = f->input.half ? sizeof(uint16_t) : sizeof(float);
+    const int half = f->input.half, bits = job->copy_bits && !f->profile;
+    const ptrdiff_t size = half ? (ptrdiff_t)sizeof(uint16_t) : (ptrdiff_t)sizeof(float);
+    const ptrdiff_t from_step = f->input.pixel_stride * size, to_step = f->output.pixel_stride * size;
+    const int runs = bits && !depth && from_step == size && to_step == size;
+    const char *from[3];
+    char *to[3];
     int x, c;
-    if (!job->copy_masked) return;
+    if (!job->copy_masked || begin >= end) return;
     for (c = 0; c < 3; ++c) {
-        const char *from = (const char *)f->input.channel[c] + y * f->input.row_stride * (ptrdiff_t)size;
-        char *to = (char *)f->output.channel[c] + y * f->output.row_stride * (ptrdiff_t)size;
-        const ptrdiff_t from_step = f->input.pixel_stride * (ptrdiff_t)size,
-                        to_step = f->output.pixel_stride * (ptrdiff_t)size;
-        if (job->copy_bits && !depth && !f->profile && f->input.pixel_stride == 1 && f->output.pixel_stride == 1) {
-            if (begin < end) memcpy(to + begin * to_step, from + begin * from_step, (size_t)(end - begin) * size);
+        from[c] = (const char *)f->input.channel[c] + y * f->input.row_stride * size;
+        to[c] = (char *)f->output.channel[c] + y * f->output.row_stride * size;
+        if (runs) memcpy(to[c] + begin * size, from[c] + begin * size, (size_t)((end - begin) * size));
+    }
+    for (x = begin; x < end && !runs; ++x) {
+        const ptrdiff_t in = x * from_step, out = x * to_step;
+        if (depth && depth[x] < INFINITY) continue;
+        if (bits && !half) {
+            memcpy(to[0] + out, from[0] + in, sizeof(float));
+            memcpy(to[1] + out, from[1] + in, sizeof(float));
+            memcpy(to[2] + out, from[2] + in, sizeof(float));
             continue;
         }
-        for (x = begin; x < end; ++x) {
+        if (f->profile) { /* copies each pixel once: for its own profile, or for the first if that has no kernel */
+            int profile = f->profile[(size_t)y * (size_t)f->width + (size_t)x];
+            if (profile != job->profile && (profile < job->kernel_count || job->profile > 0)) continue;
+        }
+        for (c = 0; c < 3; ++c) {
             float value;
-            if (depth && depth[x] < INFINITY) continue;
-            if (f->profile) { /* copies each pixel once: for its own profile, or for the first if that has no kernel */
-                int profile = f->profile[(size_t)y * (size_t)f->width + (size_t)x];
-                if (profile != job->profile && (profile < job->kernel_count || job->profile > 0)) continue;
-            }
             if (job->copy_bits) {
-                if (f->input.half) memcpy(to + x * to_step, from + x * from_step, sizeof(uint16_t));
-                else memcpy(to + x * to_step, from + x * from_step, sizeof(float));
+                memcpy(to[c] + out, from[c] + in, half ? sizeof(uint16_t) : sizeof(float));
                 continue;
             }
             value = ms_sss__get(&f->input, c, x, y);
@@ -2587,7 +2492,7 @@ static void ms_sss__sweep_layout(ms_sss__sweep *s, const ms_sss__job *job, int h
     const size_t rows = (size_t)height;
     s->lanes = job->simd->lanes;
     s->padded = job->padded;
-    s->plan_size = (s->pairs + 4) / 4 * 4;
+    s->plan_size = (2 * s->pairs + 4) / 4 * 4;
     s->plan_row = (ptrdiff_t)(s->padded / s->lanes) * s->plan_size;
     s->window_row = s->padded + 2 * MS_SSS__MARGIN;
     s->window_size = 20 * s->window_row + 5 * s->padded;
@@ -4095,115 +4000,163 @@ MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *k
 
 /* ---- GPU code -------------------------------------------------------------------------------------------------- */
 
-/* The passes in a notation of their own: HLSL's types and operators as far as GLSL and WGSL have them too, one variable
-   a declaration, braces everywhere, no ?: and no assignment to components. ms_sss__emit_line turns a line into a
-   language; #if NAME, #if !NAME, #else and #endif choose lines by ms_sss__feature, #NAME and #!NAME their own. The
-   comments of FILTER KERNELS hold for these lines too. */
-static const char *const ms_sss__fetch_body[] = {
-    "#COLOR float3 ms_sss_fetch_color(int2 p) { return fetch_color(p).rgb; }\n"
+/* The shaders are written once, in HLSL's types and operators as far as GLSL and WGSL have them too: one variable a
+   declaration, no ?: and no assignment to several components. ms_sss__emit_token turns words and declarations into a
+   language; the name of a feature stands for its value, $ for a texture's name, ~ for its binding. #if NAME, #if !NAME,
+   #else and #endif choose lines by a feature, #NAME and #!NAME their own. No string literal is longer than C99
+   guarantees. The comments of FILTER KERNELS and PYRAMID KERNELS hold for these lines too. */
+static const char *const ms_sss__head_text[] = {
+    "#GL #version 330\n"
+    "#VULKAN #version 450\n"
+    "#ES #version 300 es\n"
+    "#ES precision highp float;\n"
+    "#ES precision highp int;\n"
+    "#ES precision highp sampler2D;\n"
+    "#!WGSL #define pick(b, a, c) ((c) ? (a) : (b))\n"
+    "#GL uniform vec4 ms_sss[COUNT];\n"
+    "#ES uniform vec4 ms_sss[COUNT];\n"
+    "#VULKAN layout(set = 0, binding = 0) uniform ms_sss_block { vec4 ms_sss[COUNT]; };\n"
+    "#HLSL cbuffer ms_sss_block : register(b0) { float4 ms_sss[COUNT]; };\n"
+    "#WGSL struct ms_sss_block { v: array<vec4<f32>, COUNT> };\n"
+    "#WGSL @group(0) @binding(0) var<uniform> ms_sss: ms_sss_block;\n"
+    "#PYRAMID #GLSL vec4 ms_sss_other;\n"
+    "#PYRAMID #HLSL static float4 ms_sss_other;\n"
+    "#PYRAMID #WGSL var<private> ms_sss_other: vec4<f32>;\n",
+    NULL};
+
+static const char *const ms_sss__texture_text[] = {
+    "#GL uniform sampler2D ms_sss_$;\n"
+    "#ES uniform sampler2D ms_sss_$;\n"
+    "#VULKAN layout(set = 0, binding = ~) uniform sampler2D ms_sss_$;\n"
+    "#GLSL vec4 fetch_$(ivec2 p) { return texelFetch(ms_sss_$, p, 0); }\n"
+    "#HLSL Texture2D<float4> ms_sss_$ : register(t~);\n"
+    "#HLSL float4 fetch_$(int2 p) { return ms_sss_$.Load(int3(p, 0)); }\n"
+    "#WGSL @group(0) @binding(~) var ms_sss_$: texture_2d<f32>;\n"
+    "#WGSL fn fetch_$(p: vec2<i32>) -> vec4<f32> { return textureLoad(ms_sss_$, p, 0); }\n",
+    NULL};
+
+static const char *const ms_sss__fetch_text[] = {
+    "#READS_COLOR float3 ms_sss_fetch_color(int2 p) { return fetch_color(p).rgb; }\n"
     "#READS_DEPTH float ms_sss_fetch_depth(int2 p) { return fetch_depth(p).r; }\n"
     "#READS_STRENGTH float ms_sss_fetch_strength(int2 p) { return fetch_strength(p).r; }\n"
-    "#WITH_NORMAL float3 ms_sss_fetch_normal(int2 p) { return fetch_normal(p).rgb; }\n"
+    "#READS_NORMAL float3 ms_sss_fetch_normal(int2 p) { return fetch_normal(p).rgb; }\n"
     "#if READS_PROFILE\n"
     "int ms_sss_fetch_profile(int2 p) {\n"
     "float value = fetch_profile(p).r;\n"
     "return pick(255, int(floor(value * 255.0 + 0.5)), value > -1.0 && value < 9.0);\n"
     "}\n"
-    "#endif\n"};
-
-static const char *const ms_sss__source_body[] = {
-    "// Below 1e30, by bits: compilers may take it that no number is NaN.\n"
-    "bool finite(float x) { return (bits_of(x) & 0x7fffffffu) < 0x7149f2cau; }\n",
-    "#if BOTH\n"
-    "// Alpha holds the depth, the last 4 bits of blue the profile; of black they would be lost.\n"
-    "float code_of(float blue, float profile) {\n"
-    "float x = pick(blue, 1e-30, abs(blue) < 1e-30);\n"
-    "return float_of(((bits_of(x) + 8u) & 0xfffffff0u) | uint(profile));\n"
-    "}\n",
-    "float profile_of(float4 c) { return float(bits_of(c.b) & 15u); }\n"
     "#endif\n",
-    "#PROFILE_ALONE float profile_of(float4 c) { return c.a - 1.0; }\n",
-    "// A texel of the engine's textures.\n"
-    "int2 texel_of(int2 p) { return p + int2(int(constant[HEAD - 1].z), int(constant[HEAD - 1].w)); }\n",
-    "// Color and depth, 1 without depth (plus the profile), 0: takes no part.\n"
+    NULL};
+
+static const char *const ms_sss__main_text[] = {
+    "#if GLSL\n"
+    "layout(location = 0) out vec4 ms_sss_out;\n"
+    "#TWO layout(location = 1) out vec4 ms_sss_out_other;\n"
+    "void main() {\n"
+    "ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy));\n"
+    "#TWO ms_sss_out_other = ms_sss_other;\n"
+    "}\n"
+    "#else\n"
+    "struct ms_sss_targets {\n"
+    "#HLSL float4 first : SV_Target0;\n"
+    "#HLSL #TWO float4 other : SV_Target1;\n"
+    "#WGSL @location(0) first: vec4<f32>,\n"
+    "#WGSL #TWO @location(1) other: vec4<f32>,\n"
+    "};\n"
+    "#HLSL ms_sss_targets main(float4 position : SV_Position) {\n"
+    "#HLSL ms_sss_targets to;\n"
+    "#WGSL @fragment\n"
+    "#WGSL fn main(@builtin(position) position: vec4<f32>) -> ms_sss_targets {\n"
+    "#WGSL var to: ms_sss_targets;\n"
+    "to.first = filter_pixel(int2(position.xy));\n"
+    "#TWO to.other = ms_sss_other;\n"
+    "return to;\n"
+    "}\n"
+    "#endif\n",
+    NULL};
+
+/* What the steps share: a pixel's light and depth, and the slopes there. */
+static const char *const ms_sss__source_text[] = {
+    "// Pixels of the picture in one of this image, along a side.\n"
+    "#PYRAMID float side() { return 0.5 * constant[2].z; }\n"
+    "#!PYRAMID float side() { return float(SIDE); }\n"
+    "// The viewport's corner in the engine's textures and the targets of the picture's size.\n"
+    "int2 origin() { return int2(int(constant[HEAD - 1].z), int(constant[HEAD - 1].w)) * (2 - SIDE); }\n"
+    "bool inside(int2 p) {\n"
+    "int step = int(side());\n"
+    "return p.x >= 0 && p.y >= 0 && step * p.x < int(constant[0].x) && step * p.y < int(constant[0].y);\n"
+    "}\n"
+    "// What steps of depth are divided by.\n"
+    "#PERSPECTIVE float relative(float depth) { return depth; }\n"
+    "#!PERSPECTIVE float relative(float depth) { return 1.0; }\n"
+    "// (x, y) / z of a pixel's ray.\n"
+    "float2 ray_of(int2 p) {\n"
+    "float2 middle = float2(float(p.x) + 0.5, float(p.y) + 0.5) * side();\n"
+    "#PYRAMID return (middle - constant[HEAD - 1].xy) * constant[1].w;\n"
+    "#!PYRAMID return (middle - constant[HEAD - 1].xy) * float(PERSPECTIVE) / constant[2].y;\n"
+    "}\n"
+    "// How much larger a surface is than its picture.\n"
+    "float area_of(float2 slope, float2 ray) {\n"
+    "float towards = dot(slope, ray) + 1.0;\n"
+    "return sqrt(dot(slope, slope) + towards * towards);\n"
+    "}\n",
+    "#if !LEVEL\n"
+    "// Below 1e30, by bits: compilers may take it that no number is NaN.\n"
+    "bool finite(float x) { return (bits_of(x) & 0x7fffffffu) < 0x7149f2cau; }\n"
+    "#if PACKED\n"
+    "// The last 4 bits of blue hold the profile; those of black would be lost.\n"
+    "float pack(float blue, int profile) {\n"
+    "return float_of(((bits_of(pick(blue, 1e-30, abs(blue) < 1e-30)) + 8u) & 0xfffffff0u) | uint(profile));\n"
+    "}\n"
+    "int profile_of(float4 c) { return int(bits_of(c.b) & 15u); }\n"
+    "#else\n"
+    "float pack(float blue, int profile) { return blue; }\n"
+    "int profile_of(float4 c) { return 0; }\n"
+    "#endif\n"
+    "// Light and depth, 1 without depth; alpha 0: takes no part.\n"
     "float4 source(int2 p) {\n"
-    "float4 none = float4(0.0, 0.0, 0.0, 0.0);\n"
     "#if RAW\n"
-    "int2 at = texel_of(p);\n"
+    "int2 at = p + origin();\n"
     "float3 c = ms_sss_fetch_color(at);\n"
     "float depth = 1.0;\n"
-    "bool part = finite(c.r) && finite(c.g) && finite(c.b);\n"
+    "int profile = 0;\n"
     "#DEPTH depth = ms_sss_fetch_depth(at);\n"
-    "part = part && depth > 0.0 && finite(depth);\n"
-    "#WITH_STRENGTH float strength = ms_sss_fetch_strength(at);\n"
-    "#WITH_STRENGTH part = part && strength > 0.0 && (bits_of(strength) & 0x7fffffffu) <= 0x7f800000u;\n"
-    "#if PROFILE\n"
-    "int profile = ms_sss_fetch_profile(at);\n"
-    "#if TOWER\n"
-    "part = part && abs(float(profile) - constant[0].w) < 0.5;\n"
+    "bool part = finite(c.r) && finite(c.g) && finite(c.b) && depth > 0.0 && finite(depth);\n"
+    "#STRENGTH float strength = ms_sss_fetch_strength(at);\n"
+    "#STRENGTH part = part && strength > 0.0 && (bits_of(strength) & 0x7fffffffu) <= 0x7f800000u;\n"
+    "#PROFILE profile = ms_sss_fetch_profile(at);\n"
+    "#PACKED part = part && profile >= 0 && profile < PROFILES;\n"
+    "#PROFILE #PYRAMID part = part && profile == int(constant[0].w);\n"
+    "if (!part) { return zero4; }\n"
+    "return float4(c.rg, pack(c.b, profile), depth);\n"
     "#else\n"
-    "part = part && profile >= 0 && profile < PROFILES;\n"
-    "#BOTH c = float3(c.rg, code_of(c.b, float(profile)));\n"
-    "#!BOTH depth = float(profile) + 1.0;\n"
+    "float4 c = fetch_input(p + origin());\n"
+    "return pick(zero4, c, c.a > 0.0);\n"
     "#endif\n"
-    "#endif\n"
-    "return pick(none, float4(c, depth), part);\n"
-    "#else\n"
-    "#HALVED float4 c = fetch_input(p);\n"
-    "#!HALVED float4 c = fetch_input(texel_of(p));\n"
-    "return pick(none, c, c.a > 0.0);\n"
-    "#endif\n"
-    "}\n",
-    "bool inside(int2 p) {\n"
-    "#HALVED return p.x >= 0 && p.y >= 0 && 2 * p.x < int(constant[0].x) && 2 * p.y < int(constant[0].y);\n"
-    "#!HALVED return p.x >= 0 && p.y >= 0 && p.x < int(constant[0].x) && p.y < int(constant[0].y);\n"
-    "}\n",
+    "}\n"
     "float4 texel(int2 p) {\n"
-    "float4 c = float4(0.0, 0.0, 0.0, 0.0);\n"
-    "if (inside(p)) { c = source(p); }\n"
-    "return c;\n"
-    "}\n",
+    "if (!inside(p)) { return zero4; }\n"
+    "return source(p);\n"
+    "}\n"
     "// Both take part and have one profile.\n"
-    "bool same(float4 there, float4 own) {\n"
-    "#if BOTH\n"
-    "return there.a > 0.0 && ((bits_of(there.b) ^ bits_of(own.b)) & 15u) == 0u;\n"
-    "#else\n"
-    "#PROFILE_ALONE return there.a > 0.0 && abs(there.a - own.a) < 0.5;\n"
-    "#!PROFILE_ALONE return there.a > 0.0;\n"
-    "#endif\n"
-    "}\n",
+    "bool same(float4 there, float4 own) { return there.a > 0.0 && profile_of(there) == profile_of(own); }\n"
+    "#endif\n",
     "#if SLOPES\n"
-    "float2 ray_of(int2 p) {\n"
-    "float2 ray = float2(0.0, 0.0);\n"
-    "#if PERSPECTIVE\n"
-    "ray = float2(float(p.x) + 0.5, float(p.y) + 0.5);\n"
-    "#HALVED ray = 2.0 * ray;\n"
-    "ray = ray - constant[HEAD - 1].xy;\n"
-    "#TOWER ray = ray * constant[1].w;\n"
-    "#!TOWER ray = ray / constant[2].y;\n"
-    "#endif\n"
-    "return ray;\n"
-    "}\n",
-    "#if !WITH_NORMAL\n"
-    "// The slope from the depths before and after, of one surface where steps are under reach (TOWER: slopes): "
-    "their mean where it\n"
-    "// turns little, else the smaller one, steeper by what its step exceeds the next: near outlines depth goes "
-    "as a root.\n"
+    "#if !READS_NORMAL\n"
+    "// The slope from the depths before and after, of one surface where steps (PYRAMID: slopes) are under reach:\n"
+    "// their mean where it turns little, else the smaller one, steeper by what its step exceeds the next: near\n"
+    "// outlines depth goes as a root.\n"
     "float slope_of(int2 p, int2 way, float4 own, float focal, float reach) {\n"
     "float4 before = texel(p - way);\n"
     "float4 after = texel(p + way);\n"
     "float a = own.a - before.a;\n"
     "float b = after.a - own.a;\n"
-    "bool on_a = same(before, own);\n"
-    "bool on_b = same(after, own);\n"
-    "#!TOWER on_a = on_a && abs(a) < reach;\n"
-    "#!TOWER on_b = on_b && abs(b) < reach;\n"
-    "#PERSPECTIVE if (on_a) { a = a / before.a; }\n"
-    "#PERSPECTIVE if (on_b) { b = b / after.a; }\n"
-    "a = focal * a;\n"
-    "b = focal * b;\n"
-    "#TOWER on_a = on_a && abs(a) < reach;\n"
-    "#TOWER on_b = on_b && abs(b) < reach;\n"
+    "#!PYRAMID bool on_a = same(before, own) && abs(a) < reach;\n"
+    "#!PYRAMID bool on_b = same(after, own) && abs(b) < reach;\n"
+    "a = focal * a / relative(before.a);\n"
+    "b = focal * b / relative(after.a);\n"
+    "#PYRAMID bool on_a = same(before, own) && abs(a) < reach;\n"
+    "#PYRAMID bool on_b = same(after, own) && abs(b) < reach;\n"
     "a = pick(pick(0.0, b, on_b), a, on_a);\n"
     "b = pick(a, b, on_b);\n"
     "float slope = 0.5 * (a + b);\n"
@@ -4213,13 +4166,10 @@ static const char *const ms_sss__source_body[] = {
     "if (abs(b) < abs(a)) { slope = b; }\n"
     "float next = pick(after.a, before.a, back);\n"
     "float4 beyond = texel(p + way * pick(2, -2, back));\n"
-    "float step = own.a - next;\n"
-    "float inner = next - beyond.a;\n"
-    "#TOWER float least = own.a * 2.0 * constant[5].z;\n"
-    "#!TOWER float least = own.a * 4.7683716e-7;\n"
-    "#PERSPECTIVE step = step * beyond.a;\n"
-    "#PERSPECTIVE inner = inner * own.a;\n"
-    "#PERSPECTIVE least = least * own.a;\n"
+    "float step = (own.a - next) * relative(beyond.a);\n"
+    "float inner = (next - beyond.a) * relative(own.a);\n"
+    "#PYRAMID float least = 2.0 * constant[5].z * own.a * relative(own.a);\n"
+    "#!PYRAMID float least = 4.7683716e-7 * own.a * relative(own.a);\n"
     "float more = min(abs(step) - abs(inner), abs(inner)) - least;\n"
     "if (same(beyond, own) && step * inner > 0.0 && more > 0.0) {\n"
     "more = min(more / abs(inner), 0.85);\n"
@@ -4228,77 +4178,59 @@ static const char *const ms_sss__source_body[] = {
     "}\n"
     "return clamp(slope, -8.0, 8.0);\n"
     "}\n"
-    "#endif\n",
-    "// Slopes along x and y.\n"
-    "float2 slopes_of(int2 p, float4 own, float2 ray, float2 focal, float reach) {\n"
-    "float2 slope = float2(0.0, 0.0);\n"
-    "#if WITH_NORMAL\n"
-    "float3 normal = ms_sss_fetch_normal(texel_of(p));\n"
-    "float eighth = max(abs(normal.x), abs(normal.y)) * 0.125;\n"
-    "float facing = max(normal.z - (ray.x * normal.x + ray.y * normal.y), eighth);\n"
-    "if (facing > 0.0 && finite(normal.x) && finite(normal.y) && finite(normal.z)) { slope = normal.xy / facing; }\n"
-    "#else\n"
-    "slope = float2(slope_of(p, int2(1, 0), own, focal.x, reach), slope_of(p, int2(0, 1), own, focal.y, reach));\n"
     "#endif\n"
-    "return slope;\n"
+    "// Slopes along x and y.\n"
+    "float2 slopes_of(int2 p, float4 own, float2 focal, float reach) {\n"
+    "#if READS_NORMAL\n"
+    "float3 normal = ms_sss_fetch_normal(p + origin());\n"
+    "float least = max(abs(normal.x), abs(normal.y)) * 0.125;\n"
+    "float facing = max(normal.z - dot(ray_of(p), normal.xy), least);\n"
+    "bool valid = finite(normal.x) && finite(normal.y) && finite(normal.z);\n"
+    "return pick(zero2, normal.xy / facing, facing > 0.0 && valid);\n"
+    "#else\n"
+    "return float2(slope_of(p, int2(1, 0), own, focal.x, reach), slope_of(p, int2(0, 1), own, focal.y, reach));\n"
+    "#endif\n"
     "}\n"
-    "#endif\n"};
+    "#endif\n",
+    NULL};
 
-static const char *const ms_sss__shader_body[] = {
+static const char *const ms_sss__pass_text[] = {
     "// constant: 0 width, height, pixels a mm (perspective: times depth), gain; 1 aspect, rotation, jitter;\n"
-    "// 2 first, focal, upright; 3 center, origin; at HEAD + STRIDE * profile: 0 total, radius; 1 scale, depth "
-    "scale; 2 delta, cut;\n"
-    "// 3 curve, mixed; 4 root, reach; from 5 on taps: weight, offset\n"
-    "#if NEARNESS\n"
+    "// 2 first, focal, upright; 3 center, origin; at HEAD + STRIDE * profile: 0 total, radius; 1 scale, depth scale;\n"
+    "// 2 delta, cut; 3 curve, mixed; 4 root, reach; from 5 on taps: weight, offset\n"
+    "float pixels_at(float depth) { return constant[0].z / relative(depth); }\n"
+    "int profile_at(float4 own) { return HEAD + STRIDE * profile_of(own); }\n"
     "// Of a pixel near another, of the same surface; at: its profile's constants.\n"
     "float nearness(float4 there, float4 own, int at) {\n"
-    "float f = 1.0;\n"
-    "#DEPTH float dz = (there.a - own.a) * constant[at + 1].w;\n"
-    "#DEPTH f = max(1.0 - dz * dz / constant[at + 2].w, 0.0);\n"
-    "#DEPTH f = f * f * f * f;\n"
-    "return pick(0.0, f, same(there, own));\n"
-    "}\n"
-    "#endif\n",
-    "#if DOWN\n"
-    "float4 nearer(float4 a, float4 b) {\n"
-    "#DEPTH return pick(a, b, b.a > 0.0 && (!(a.a > 0.0) || b.a < a.a));\n"
-    "#!DEPTH return pick(b, a, a.a > 0.0);\n"
+    "float dz = (there.a - own.a) * constant[at + 1].w;\n"
+    "float f = max(1.0 - dz * dz / max(constant[at + 2].w, 1e-30), 0.0);\n"
+    "return pick(0.0, f * f * f * f, same(there, own));\n"
     "}\n",
+    "#if DOWN\n"
+    "float4 nearer(float4 a, float4 b) { return pick(a, b, b.a > 0.0 && (!(a.a > 0.0) || b.a < a.a)); }\n"
     "// The mean of those of four pixels that lie near the nearest.\n"
     "float4 filter_pixel(int2 p) {\n"
-    "int2 first = p * 2;\n"
-    "float4 a = texel(first);\n"
-    "float4 b = texel(first + int2(1, 0));\n"
-    "float4 c = texel(first + int2(0, 1));\n"
-    "float4 d = texel(first + int2(1, 1));\n"
+    "float4 a = texel(2 * p);\n"
+    "float4 b = texel(2 * p + int2(1, 0));\n"
+    "float4 c = texel(2 * p + int2(0, 1));\n"
+    "float4 d = texel(2 * p + int2(1, 1));\n"
     "float4 own = nearer(nearer(a, b), nearer(c, d));\n"
-    "int at = HEAD;\n"
+    "int at = profile_at(own);\n"
+    "float4 f = float4(nearness(a, own, at), nearness(b, own, at), nearness(c, own, at), nearness(d, own, at));\n"
     "if (!(own.a > 0.0)) { return own; }\n"
-    "#PROFILE at = HEAD + STRIDE * int(profile_of(own));\n"
-    "float fa = nearness(a, own, at);\n"
-    "float fb = nearness(b, own, at);\n"
-    "float fc = nearness(c, own, at);\n"
-    "float fd = nearness(d, own, at);\n"
-    "float4 mean = (fa * a + fb * b + fc * c + fd * d) / (fa + fb + fc + fd);\n"
-    "#BOTH mean = float4(mean.rg, code_of(mean.b, profile_of(own)), mean.a);\n"
-    "return mean;\n"
+    "float4 mean = (f.x * a + f.y * b + f.z * c + f.w * d) / (f.x + f.y + f.z + f.w);\n"
+    "return float4(mean.rg, pack(mean.b, profile_of(own)), mean.a);\n"
     "}\n"
     "#endif\n",
     "#if UP\n"
-    "// Pixels a mm there, before the limit of the picture's larger side.\n"
-    "float pixels_at(float depth) {\n"
-    "float pixels = constant[0].z;\n"
-    "#PERSPECTIVE pixels = pixels / depth;\n"
-    "return pixels;\n"
-    "}\n",
     "// How much of the filtered light is the pixel's own: each tap's bilinear share of it.\n"
     "float3 share_at(float depth, int at) {\n"
     "float pixels = min(pixels_at(depth), max(constant[0].x, constant[0].y) / constant[at].w);\n"
     "float3 share = constant[at + 2].rgb;\n"
     "for (int t = 0; t < TERMS; t++) {\n"
     "int block = at + t * PROFILES * STRIDE;\n"
-    "float3 across = float3(0.0, 0.0, 0.0);\n"
-    "float3 down = float3(0.0, 0.0, 0.0);\n"
+    "float3 across = zero3;\n"
+    "float3 down = zero3;\n"
     "for (int k = 0; k < TAPS; k++) {\n"
     "float4 tap = constant[block + 5 + (k + 1) / 2];\n"
     "float away = pixels * abs(tap.w);\n"
@@ -4307,19 +4239,17 @@ static const char *const ms_sss__shader_body[] = {
     "}\n"
     "share = share + constant[block + 1].rgb * across * down;\n"
     "}\n"
-    "return clamp(share, float3(0.0, 0.0, 0.0), float3(0.999, 0.999, 0.999));\n"
-    "}\n",
-    "// A pixel keeps its share of its own light; the rest is what became of the light of the four larger "
-    "pixels around.\n"
+    "return clamp(share, zero3, 0.999 * one3);\n"
+    "}\n"
+    "// A pixel keeps its share of its own light; the rest is what became of that of the four larger pixels around.\n"
     "float4 filter_pixel(int2 pixel) {\n"
-    "int2 p = pixel - texel_of(int2(0, 0));\n"
+    "int2 p = pixel - origin();\n"
     "float4 own = source(p);\n"
     "float3 light = ms_sss_fetch_color(pixel);\n"
-    "int at = HEAD;\n"
     "if (!(own.a > 0.0)) { return float4(light, 1.0); }\n"
-    "#PROFILE at = HEAD + STRIDE * int(profile_of(own));\n"
+    "int at = profile_at(own);\n"
     "float3 share = share_at(own.a, at);\n"
-    "float3 soft = float3(0.0, 0.0, 0.0);\n"
+    "float3 soft = zero3;\n"
     "float weight = 0.0;\n"
     "for (int i = 0; i < 4; i++) {\n"
     "int2 q = int2((p.x + 1) / 2 - 1 + i % 2, (p.y + 1) / 2 - 1 + i / 2);\n"
@@ -4327,124 +4257,99 @@ static const char *const ms_sss__shader_body[] = {
     "float4 there = fetch_half(q);\n"
     "float f = nearness(there, own, at) * pick(0.2, 0.8, q.x == p.x / 2) * pick(0.2, 0.8, q.y == p.y / 2);\n"
     "if (!(f > 0.0)) { continue; }\n"
-    "float3 kept = share;\n"
-    "#PERSPECTIVE kept = share_at(there.a, at);\n"
     "float3 after = fetch_sum(q).rgb;\n"
-    "float3 least = min(min(there.rgb, after), float3(0.0, 0.0, 0.0));\n"
-    "soft = soft + f * max(there.rgb + (after - there.rgb) / (float3(1.0, 1.0, 1.0) - kept), least);\n"
+    "float3 least = min(min(there.rgb, after), zero3);\n"
+    "soft = soft + f * max(there.rgb + (after - there.rgb) / (one3 - share_at(there.a, at)), least);\n"
     "weight = weight + f;\n"
     "}\n"
     "float strength = constant[0].w;\n"
-    "#WITH_STRENGTH strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);\n"
-    "if (!(pixels_at(own.a) * constant[at].w * max(constant[1].x, constant[1].y) > 0.5) || !(weight > 1e-6)) {\n"
-    "strength = 0.0;\n"
-    "}\n"
-    "if (strength > 0.0) { light = light + strength * (float3(1.0, 1.0, 1.0) - share) * (soft / weight - light); }\n"
+    "#STRENGTH strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);\n"
+    "bool large = pixels_at(own.a) * constant[at].w * max(constant[1].x, constant[1].y) > 0.5;\n"
+    "if (large && weight > 1e-6) { light = light + strength * (one3 - share) * (soft / weight - light); }\n"
     "return float4(light, 1.0);\n"
     "}\n"
     "#endif\n",
     "#if PASS\n"
-    "float restore(float sum, float weight, float own, float total, bool mixed) {\n"
-    "if (mixed) { return sum + own * (total - weight); }\n"
-    "if (weight > 1e-30) { return sum / weight * total; }\n"
-    "return own * total;\n"
-    "}\n",
     "#if SECOND\n"
-    "// Only the first term's pass leaves light where it was.\n"
+    "// The light before the filter; only the first term's pass adds it.\n"
     "float3 unblurred(int2 p) {\n"
-    "float3 light = float3(0.0, 0.0, 0.0);\n"
-    "#HALVED if (constant[2].x > 0.5) { light = fetch_half(p).rgb; }\n"
-    "#!HALVED if (constant[2].x > 0.5) { light = ms_sss_fetch_color(texel_of(p)); }\n"
-    "return light;\n"
+    "if (constant[2].x < 0.5) { return zero3; }\n"
+    "#HALVED return fetch_half(p).rgb;\n"
+    "#!HALVED return ms_sss_fetch_color(p + origin());\n"
     "}\n"
-    "#endif\n",
+    "#endif\n"
+    "float restore(float sum, float weight, float lifted, float own, float total, bool mixed) {\n"
+    "if (mixed) { return sum + own * (total - weight); }\n"
+    "return pick(own, sum / lifted, lifted > 1e-30) * total;\n"
+    "}\n"
     "float4 filter_pixel(int2 pixel) {\n"
-    "#HALVED int2 p = pixel;\n"
-    "#!HALVED int2 p = pixel - texel_of(int2(0, 0));\n"
+    "int2 p = pixel - origin();\n"
     "float4 own = texel(p);\n"
-    "float4 black = float4(0.0, 0.0, 0.0, 0.0);\n"
-    "if (!(own.a > 0.0)) {\n"
-    "#SECOND return float4(unblurred(p), 1.0);\n"
-    "#!SECOND return black;\n"
-    "}\n"
-    "int at = HEAD;\n"
-    "#PROFILE at = HEAD + STRIDE * int(profile_of(own));\n"
+    "#SECOND if (!(own.a > 0.0)) { return float4(unblurred(p), 1.0); }\n"
+    "if (!(own.a > 0.0)) { return own; }\n"
+    "int at = profile_at(own);\n"
     "float4 total = constant[at];\n"
     "float2 aspect = constant[1].xy;\n"
-    "float pixels = constant[0].z;\n"
-    "float most = max(constant[0].x, constant[0].y) / total.w;\n"
-    "#PERSPECTIVE pixels = pixels / own.a;\n"
-    "#HALVED pixels = 0.5 * pixels;\n"
-    "#HALVED most = 0.5 * most;\n"
+    "float pixels = pixels_at(own.a) / side();\n"
     "bool large = pixels * total.w * max(aspect.x, aspect.y) > 0.5;\n"
-    "pixels = min(pixels, most);\n"
+    "pixels = min(pixels, max(constant[0].x, constant[0].y) / (total.w * side()));\n"
     "float2 axis = float2(1.0 - float(SECOND), float(SECOND));\n"
-    "#TURNED float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;\n"
-    "#TURNED float angle = constant[1].z + constant[1].w * turn * (1.57079632679 / 64.0);\n"
-    "#TURNED axis = axis.x * float2(cos(angle), sin(angle)) + axis.y * float2(-sin(angle), cos(angle));\n"
+    "#if TURNED\n"
+    "float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;\n"
+    "float angle = constant[1].z + constant[1].w * turn * (1.57079632679 / 64.0);\n"
+    "axis = axis.x * float2(cos(angle), sin(angle)) + axis.y * float2(-sin(angle), cos(angle));\n"
+    "#endif\n"
     "#if SHAPE\n"
-    "// Of the tangent plane: depth a column and a row, in perspective relative; mm of scaled depth, times the "
-    "cosine to the ray.\n"
+    "// Of the tangent plane: depth a column and a row, in perspective relative; mm of scaled depth, times the cosine\n"
+    "// to the ray.\n"
     "float2 ray = ray_of(p);\n"
-    "float2 focal = constant[2].yz;\n"
-    "#HALVED focal = 0.5 * focal;\n"
-    "float2 slopes = constant[2].w * slopes_of(p, own, ray, focal, sqrt(constant[at + 4].w) / constant[at + 1].w);\n"
+    "float2 focal = constant[2].yz / side();\n"
+    "float2 slopes = constant[2].w * slopes_of(p, own, focal, sqrt(constant[at + 4].w) / constant[at + 1].w);\n"
     "float slope = dot(axis, slopes);\n"
     "pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);\n"
     "float2 plane = slopes / focal;\n"
-    "float towards = dot(ray, slopes) + 1.0;\n"
     "float deep = constant[2].y / (constant[0].z * constant[at + 1].w);\n"
-    "float facing = deep / sqrt(dot(slopes, slopes) + towards * towards);\n"
+    "float facing = deep / area_of(slopes, ray);\n"
     "float3 curve = constant[at + 3].rgb;\n"
     "float least = -1.0 / max(1.0, max(curve.r, max(curve.g, curve.b)));\n"
     "// Of the taps before on both sides: how far below the plane, and how far away.\n"
-    "float2 height = float2(0.0, 0.0);\n"
-    "float2 inner = height;\n"
+    "float2 height = zero2;\n"
+    "float2 inner = zero2;\n"
     "#endif\n"
     "axis = axis * aspect * pixels;\n"
     "float3 result = own.rgb * constant[at + 5].rgb;\n"
     "float3 weight = constant[at + 5].rgb;\n"
     "float3 lifted = weight;\n"
-    "if (large) {\n",
-    "for (int k = 1; k < TAPS; k++) {\n"
+    "for (int k = 1; k < pick(1, TAPS, large); k++) {\n"
     "float4 tap = constant[at + 5 + (k + 1) / 2];\n"
     "float offset = pick(tap.w, -tap.w, k % 2 == 0);\n"
     "float2 whole = floor(axis * offset);\n"
     "float2 part = axis * offset - whole;\n"
-    "float4 sum = black;\n"
+    "float4 sum = zero4;\n"
     "#SHAPE float below = 0.0;\n"
     "#SHAPE float remote = min(constant[2].w * deep * deep / max(offset * offset, 1e-30), 1e6);\n"
     "for (int i = 0; i < CORNERS; i++) {\n"
     "#TURNED int2 corner = int2(i % 2, i / 2);\n"
-    "#TURNED float share = abs(1.0 - float(corner.x) - part.x) * abs(1.0 - float(corner.y) - part.y);\n"
     "#!TURNED int2 corner = int2(i - i * SECOND, i * SECOND);\n"
-    "#!TURNED float share = abs(1.0 - float(i) - part.x - part.y);\n"
+    "float2 away = abs(float2(1.0 - float(corner.x), 1.0 - float(corner.y)) - part);\n"
+    "float share = away.x * away.y;\n"
     "if (!(share > 0.0)) { continue; }\n"
     "int2 beside = int2(int(whole.x), int(whole.y)) + corner;\n"
     "float4 c = texel(p + beside);\n"
-    "if (!same(c, own)) { continue; }\n"
-    "float f = share;\n"
-    "#if DEPTH\n"
     "float dz = c.a - own.a;\n"
-    "#if SHAPE\n"
-    "float gain = dot(plane, float2(float(beside.x), float(beside.y)));\n"
-    "#PERSPECTIVE gain = gain * c.a;\n"
-    "dz = dz - gain;\n"
-    "#endif\n"
+    "#SHAPE dz = dz - dot(plane, float2(float(beside.x), float(beside.y))) * relative(c.a);\n"
     "dz = dz * constant[at + 1].w;\n"
-    "if (!(dz * dz < 1.0)) { continue; }\n"
-    "#SHAPE f = share * (1.0 - dz * dz) / (remote * dz * dz + 1.0);\n"
-    "#!SHAPE f = (1.0 - dz * dz) * (1.0 - dz * dz);\n"
-    "#!SHAPE f = share * f * f;\n"
+    "if (!(same(c, own) && dz * dz < 1.0)) { continue; }\n"
+    "float f = share * (1.0 - dz * dz);\n"
+    "#SHAPE f = f / (remote * dz * dz + 1.0);\n"
+    "#!SHAPE f = f * (1.0 - dz * dz) * (1.0 - dz * dz) * (1.0 - dz * dz);\n"
     "#SHAPE below = below + f * dz;\n"
-    "#endif\n"
     "sum = sum + float4(c.rgb * f, f);\n"
-    "}\n"
+    "}\n",
     "#if SHAPE\n"
     "float grain = own.a * constant[at + 1].w * 2.3841858e-7 * (2.0 + (abs(axis.x) + abs(axis.y)) * abs(offset));\n"
-    "float sine = 0.0;\n"
     "below = facing * (below - clamp(below, -grain, grain));\n"
-    "if (abs(offset) > 1e-20) { sine = clamp(below / abs(offset), least, 1.0); }\n"
+    "float sine = clamp(below / max(abs(offset), 1e-20), least, 1.0);\n"
     "// The more the surface bends away between the tap before and this one, the more of it there is.\n"
     "bool back = offset < 0.0;\n"
     "float before = pick(height.x, height.y, back);\n"
@@ -4457,132 +4362,78 @@ static const char *const ms_sss__shader_body[] = {
     "inner = pick(float2(abs(offset), inner.y), float2(inner.x, abs(offset)), back);\n"
     "#endif\n"
     "weight = weight + tap.rgb * sum.a;\n"
-    "#SHAPE float3 lift = float3(1.0, 1.0, 1.0) + curve * sine;\n"
-    "#SHAPE lift = lift * lift;\n"
-    "#SHAPE tap = float4(tap.rgb * lift * lift, tap.w);\n"
-    "#SHAPE lifted = lifted + tap.rgb * sum.a;\n"
+    "#SHAPE float3 lift = one3 + curve * sine;\n"
+    "#SHAPE tap = float4(tap.rgb * lift * lift * lift * lift, tap.w);\n"
+    "lifted = lifted + tap.rgb * sum.a;\n"
     "result = result + tap.rgb * sum.rgb;\n"
     "}\n"
     "int mixed = int(constant[at + 3].w);\n"
     "#SHAPE lifted = max(weight, lifted * constant[at + 4].rgb);\n"
-    "#SHAPE weight = float3(pick(lifted.r, weight.r, (mixed & 1) != 0), pick(lifted.g, weight.g, (mixed & 2) != 0),\n"
-    "#SHAPE     pick(lifted.b, weight.b, (mixed & 4) != 0));\n"
-    "result = float3(restore(result.r, weight.r, own.r, total.r, (mixed & 1) != 0),\n"
-    "    restore(result.g, weight.g, own.g, total.g, (mixed & 2) != 0),\n"
-    "    restore(result.b, weight.b, own.b, total.b, (mixed & 4) != 0));\n"
-    "} else {\n"
-    "result = own.rgb * total.rgb;\n"
-    "}\n"
+    "result = float3(restore(result.r, weight.r, lifted.r, own.r, total.r, (mixed & 1) != 0),\n"
+    "    restore(result.g, weight.g, lifted.g, own.g, total.g, (mixed & 2) != 0),\n"
+    "    restore(result.b, weight.b, lifted.b, own.b, total.b, (mixed & 4) != 0));\n"
     "#if SECOND\n"
-    "float strength = 1.0;\n"
-    "#if !HALVED\n"
-    "strength = constant[0].w;\n"
-    "#WITH_STRENGTH strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);\n"
-    "#endif\n"
+    "float strength = pick(0.0, pick(constant[0].w, 1.0, SIDE > 1), large);\n"
+    "#STRENGTH #!HALVED strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);\n"
     "float3 delta = constant[at + 2].rgb;\n"
-    "result = constant[at + 1].rgb * result;\n"
-    "if (!large || strength < 1.0 || dot(abs(delta), float3(1.0, 1.0, 1.0)) > 0.0) {\n"
-    "float3 light = unblurred(p);\n"
-    "result = result + delta * light;\n"
-    "result = pick(light, strength * result + (1.0 - strength) * light, large);\n"
+    "result = strength * constant[at + 1].rgb * result;\n"
+    "if (strength < 1.0 || dot(abs(delta), one3) > 0.0) {\n"
+    "result = result + (strength * delta + (1.0 - strength) * one3) * unblurred(p);\n"
     "}\n"
     "return float4(result, 1.0);\n"
     "#else\n"
-    "#BOTH result = float3(result.rg, code_of(result.b, profile_of(own)));\n"
-    "return float4(result, own.a);\n"
+    "return float4(result.rg, pack(result.b, profile_of(own)), own.a);\n"
     "#endif\n"
     "}\n"
-    "#endif\n"};
+    "#endif\n",
+    NULL};
 
-/* The steps of the pyramid; the comments of PYRAMID KERNELS hold for these lines too. */
-static const char *const ms_sss__pyramid_body[] = {
-    "// constant: 0 width, height, gain, profile; 1 radius in pixels (perspective: times depth), its limit, "
-    "step of d a pixel at\n"
-    "// slope 1 (perspective: times d), tangent of a pixel's ray; 2 reach in radii, upright, pixels of the "
-    "picture in one of the\n"
-    "// coarser level, square of the taps' radius; 3 K / 4, norm; 4 1 / reflectance, mean; 5 spread, rounding "
-    "of the taps, of d,\n"
-    "// whether there is a coarser level (1) with sums (2); 6 center, origin; from HEAD on weights by size: of "
-    "the gather, and of RESOLVE of the\n"
-    "// pixel and its neighbors.\n"
-    "// d is linear on planes: -1 / depth in perspective, else depth; 0 where nothing takes part. A level is "
-    "two textures: light\n"
-    "// and d; share of the surface, changes of d a pixel along x and y.\n"
+static const char *const ms_sss__pyramid_text[] = {
+    "// constant: 0 width, height, gain, profile; 1 radius in pixels (perspective: times depth), its limit, step of d\n"
+    "// a pixel at slope 1 (perspective: times d), tangent of a pixel's ray; 2 reach in radii, upright, pixels of the\n"
+    "// picture in one of the coarser level, square of the taps' radius; 3 K / 4, norm; 4 1 / reflectance, mean;\n"
+    "// 5 spread, rounding of the taps, of d, whether there is a coarser level (1) with sums (2); 6 center, origin;\n"
+    "// from HEAD on weights by size: of the gather, and of RESOLVE of the pixel and its neighbors.\n"
+    "// d is linear on planes: -1 / depth in perspective, else depth; 0 where nothing takes part. A level is two\n"
+    "// textures: light and d; share of the surface, changes of d a pixel along x and y.\n"
     "// How many pixels of the picture a step of d is deep.\n"
-    "float deep_of(float d) {\n"
-    "#if SHAPE\n"
-    "#PERSPECTIVE return -1.0 / (constant[1].z * d);\n"
-    "#!PERSPECTIVE return 1.0 / constant[1].z;\n"
-    "#else\n"
-    "return 0.0;\n"
-    "#endif\n"
-    "}\n",
+    "#SHAPE float deep_of(float d) { return 1.0 / (constant[1].z * relative(-d)); }\n"
+    "#!SHAPE float deep_of(float d) { return 0.0; }\n"
     "// The kernel's radius in pixels of the picture.\n"
-    "float radius_of(float d) {\n"
-    "#PERSPECTIVE return min(-constant[1].x * d, constant[1].y);\n"
-    "#!PERSPECTIVE return min(constant[1].x, constant[1].y);\n"
-    "}\n",
-    "#if !BASE\n"
-    "bool inside(int2 p) {\n"
-    "float2 first = float2(float(p.x), float(p.y)) * (0.5 * constant[2].z);\n"
-    "return p.x >= 0 && p.y >= 0 && first.x < constant[0].x && first.y < constant[0].y;\n"
-    "}\n",
+    "float radius_of(float d) { return min(constant[1].x * relative(-d), constant[1].y); }\n"
     "float beside(float away) {\n"
     "float f = max(1.0 - away * away, 0.0);\n"
     "return f * f * f * f;\n"
-    "}\n"
-    "#endif\n",
-    "#if !SHRINK\n"
-    "// How much larger the surface is than its picture; middle: the pixel's place in the picture.\n"
-    "float area_of(float2 slope, float2 middle) {\n"
-    "float towards = dot(slope, (middle - constant[HEAD - 1].xy) * constant[1].w) + 1.0;\n"
-    "return sqrt(dot(slope, slope) + towards * towards);\n"
-    "}\n"
-    "#endif\n",
-    "#if BASE\n"
-    "float d_of(float depth) {\n"
-    "float d = 0.0;\n"
-    "if (depth > 0.0) {\n"
-    "#if PERSPECTIVE\n"
-    "d = -1.0 / depth;\n"
-    "#else\n"
-    "#SHAPE d = depth;\n"
-    "#!SHAPE d = 1.0;\n"
-    "#endif\n"
-    "}\n"
-    "return d;\n"
     "}\n",
+    "#if BASE\n"
     "// Level 0.\n"
     "float4 filter_pixel(int2 p) {\n"
     "float4 own = source(p);\n"
-    "float d = d_of(own.a);\n"
-    "float2 slope = float2(0.0, 0.0);\n"
-    "float2 middle = float2(float(p.x) + 0.5, float(p.y) + 0.5);\n"
-    "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
-    "if (!(abs(d) > 0.0)) { return ms_sss_other; }\n"
-    "#TILTED slope = constant[2].y * slopes_of(p, own, ray_of(p), float2(1.0 / constant[1].z, 1.0 / "
-    "constant[1].z), radius_of(d));\n"
-    "float step = constant[1].z;\n"
-    "#PERSPECTIVE step = -step * d;\n"
-    "ms_sss_other = float4(min(area_of(slope, middle), 10.0), slope.x * step, slope.y * step, 0.0);\n"
+    "float d = pick(1.0, own.a, SHAPE > 0);\n"
+    "float2 slope = zero2;\n"
+    "#PERSPECTIVE d = -1.0 / own.a;\n"
+    "ms_sss_other = zero4;\n"
+    "if (!(own.a > 0.0)) { return zero4; }\n"
+    "#SLOPES slope = constant[2].y * slopes_of(p, own, float2(1.0, 1.0) / constant[1].z, radius_of(d));\n"
+    "float step = constant[1].z * relative(-d);\n"
+    "ms_sss_other = float4(min(area_of(slope, ray_of(p)), 10.0), slope.x * step, slope.y * step, 0.0);\n"
     "return float4(own.rgb, d);\n"
     "}\n"
     "#endif\n",
     "#if SHRINK\n"
-    "// A pixel of the next level from 4 x 4: what lies near the tangent plane of the nearest of the middle "
-    "four that has a\n"
-    "// quarter of the largest share.\n"
+    "// A pixel of the next level from 4 x 4: what lies near the tangent plane of the nearest of the middle four that\n"
+    "// has a quarter of the largest share.\n"
     "float4 filter_pixel(int2 p) {\n"
     "float most = 0.0;\n"
     "for (int i = 0; i < 4; i++) {\n"
     "int2 q = p * 2 + int2(i % 2, i / 2);\n"
     "if (inside(q)) { most = max(most, fetch_surface(q).r); }\n"
     "}\n"
-    "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
-    "if (!(most > 0.0)) { return ms_sss_other; }\n"
+    "ms_sss_other = zero4;\n"
+    "if (!(most > 0.0)) { return zero4; }\n"
     "float nearest = 3e38;\n"
-    "float2 change = float2(0.0, 0.0);\n"
-    "float2 at = change;\n"
+    "float2 change = zero2;\n"
+    "float2 at = zero2;\n"
     "for (int i = 0; i < 4; i++) {\n"
     "int2 q = p * 2 + int2(i % 2, i / 2);\n"
     "if (!inside(q)) { continue; }\n"
@@ -4598,8 +4449,8 @@ static const char *const ms_sss__pyramid_body[] = {
     "float middle = nearest - dot(at, change);\n"
     "float least = nearest;\n"
     "float greatest = nearest;\n"
-    "float4 light = float4(0.0, 0.0, 0.0, 0.0);\n"
-    "float3 surfaces = float3(0.0, 0.0, 0.0);\n"
+    "float4 light = zero4;\n"
+    "float3 surfaces = zero3;\n"
     "float seen = 0.0;\n"
     "for (int i = 0; i < 16; i++) {\n"
     "int2 q = p * 2 + int2(i % 4 - 1, i / 4 - 1);\n"
@@ -4610,7 +4461,7 @@ static const char *const ms_sss__pyramid_body[] = {
     "float rise = dot(away, change);\n"
     "float f = beside((there.a - rise - middle) * scale / constant[2].x) * surface.r;\n"
     "f = f * pick(0.125, 0.375, abs(away.x) < 1.0) * pick(0.125, 0.375, abs(away.y) < 1.0);\n"
-    "if (f > 0.0 && abs((there.a - nearest) * scale) < 1.0) {\n"
+    "if (!(f > 0.0 && abs((there.a - nearest) * scale) < 1.0)) { continue; }\n"
     "least = min(least, there.a);\n"
     "greatest = max(greatest, there.a);\n"
     "light = light + f * float4(there.rgb, there.a - rise);\n"
@@ -4618,8 +4469,7 @@ static const char *const ms_sss__pyramid_body[] = {
     "surfaces = surfaces + float3(f, part * surface.g, part * surface.b);\n"
     "seen = seen + part;\n"
     "}\n"
-    "}\n"
-    "if (!(surfaces.r > 1e-20)) { return ms_sss_other; }\n"
+    "if (!(surfaces.r > 1e-20)) { return zero4; }\n"
     "light = light / surfaces.r;\n"
     "change = 2.0 * surfaces.gb / seen;\n"
     "ms_sss_other = float4(surfaces.r, change.x, change.y, 0.0);\n"
@@ -4629,15 +4479,14 @@ static const char *const ms_sss__pyramid_body[] = {
     "#if GATHERS\n"
     "// Weights of kernels of this radius in pixels, linear between the sizes of the table.\n"
     "float3 weight_at(float size, int table) {\n"
-    "int i = clamp((int(bits_of(size)) - 0x3f800000) >> 21u, 0, LAST_SIZE);\n"
+    "int i = clamp((int(bits_of(size)) - 0x3f800000) >> 21u, 0, SIZES - 2);\n"
     "float low = float_of(uint(0x3f800000 + (i << 21u)));\n"
     "float high = float_of(uint(0x3f800000 + ((i + 1) << 21u)));\n"
     "float t = clamp((size - low) / (high - low), 0.0, 1.0);\n"
     "return constant[table + i].rgb + t * (constant[table + i + 1].rgb - constant[table + i].rgb);\n"
-    "}\n",
-    "// light times the mean of (1 + K sin(theta) / 4)^4, by mean (moment / light) and mean square of "
-    "sin(theta), of which grain may\n"
-    "// be rounding.\n"
+    "}\n"
+    "// light times the mean of (1 + K sin(theta) / 4)^4, by mean (moment / light) and mean square of sin(theta), of\n"
+    "// which grain may be rounding.\n"
     "float raise(float light, float moment, float square, float grain, float quarter, float most) {\n"
     "float mean = 0.0;\n"
     "if (abs(light) > 0.0) { mean = moment / light; }\n"
@@ -4646,29 +4495,27 @@ static const char *const ms_sss__pyramid_body[] = {
     "float spread = max(square - (grain * grain + mean * mean), 0.0);\n"
     "return light * min(u * u * (6.0 * spread * quarter * quarter + u * u), most);\n"
     "}\n",
-    "// The light of the next coarser level from up to 6 x 6 pixels around, counted by its distance in space "
-    "and lifted by how far\n"
-    "// it lies below the tangent plane, and the sums of that level; sums of weights to ms_sss_other.\n"
+    "// The light of the next coarser level from up to 6 x 6 pixels around, counted by its distance in space and\n"
+    "// lifted by how far it lies below the tangent plane, and that level's sums; sums of weights to ms_sss_other.\n"
     "float3 gather(int2 p, float d, float2 change) {\n"
     "float cells = constant[2].z;\n"
     "float deep = deep_of(d) / cells;\n"
     "float radius = radius_of(d);\n"
     "float2 slope = change * (2.0 * deep);\n"
-    "float area = area_of(slope, float2(float(p.x) + 0.5, float(p.y) + 0.5) * (0.5 * cells));\n"
+    "float area = area_of(slope, ray_of(p));\n"
     "float cap = min(area, 1.5);\n"
     "float limit = radius / cells;\n"
     "float near_plane = 1.0 / (limit * constant[2].x);\n"
     "float wide = cap * cap * constant[2].w;\n"
     "float weight = 0.0;\n"
     "float square = 0.0;\n"
-    "float3 light = float3(0.0, 0.0, 0.0);\n"
-    "float3 moment = light;\n"
-    "float3 sums = light;\n"
-    "float3 weights = light;\n"
-    "for (int j = 0; j < 6; j++) {\n"
-    "for (int k = 0; k < 6; k++) {\n"
-    "int2 q = int2(p.x / 2 + k - 3 + p.x % 2, p.y / 2 + j - 3 + p.y % 2);\n"
-    "float2 away = float2(float(k) - 2.75 + 0.5 * float(p.x % 2), float(j) - 2.75 + 0.5 * float(p.y % 2));\n"
+    "float3 light = zero3;\n"
+    "float3 moment = zero3;\n"
+    "float3 sums = zero3;\n"
+    "float3 weights = zero3;\n"
+    "for (int i = 0; i < 36; i++) {\n"
+    "int2 q = int2(p.x / 2 + i % 6 - 3 + p.x % 2, p.y / 2 + i / 6 - 3 + p.y % 2);\n"
+    "float2 away = float2(float(i % 6) - 2.75 + 0.5 * float(p.x % 2), float(i / 6) - 2.75 + 0.5 * float(p.y % 2));\n"
     "if (dot(away, away) > wide || !inside(q * 2)) { continue; }\n"
     "float4 there = fetch_coarse(q);\n"
     "float dz = (there.a - d) * deep;\n"
@@ -4686,7 +4533,6 @@ static const char *const ms_sss__pyramid_body[] = {
     "weights = weights + t * fetch_weight(q).rgb;\n"
     "}\n"
     "}\n"
-    "}\n"
     "#if TILTED\n"
     "float facing = 1.0 / (cap * area);\n"
     "float turn = facing * constant[4].w;\n"
@@ -4695,176 +4541,142 @@ static const char *const ms_sss__pyramid_body[] = {
     "// Too steep for a tangent plane on this level.\n"
     "if (!((abs(slope.x) + abs(slope.y)) * 0.5 * cells < radius)) {\n"
     "square = 0.0;\n"
-    "moment = float3(0.0, 0.0, 0.0);\n"
+    "moment = zero3;\n"
     "}\n"
-    "if (weight > 0.0) { square = square / weight; }\n"
-    "square = square * facing * facing * constant[5].x;\n"
+    "square = square * facing * facing * constant[5].x / max(weight, 1e-30);\n"
     "light = float3(raise(light.r, moment.r * turn, square, grain, constant[3].r, constant[4].r),\n"
     "    raise(light.g, moment.g * turn, square, grain, constant[3].g, constant[4].g),\n"
     "    raise(light.b, moment.b * turn, square, grain, constant[3].b, constant[4].b));\n"
     "#endif\n"
     "float3 share = weight_at(radius / cap, HEAD) * (constant[3].w / (cap * cap));\n"
-    "weights = weights + share * weight;\n"
-    "ms_sss_other = float4(weights.r, weights.g, weights.b, 0.0);\n"
+    "ms_sss_other = float4(weights + share * weight, 0.0);\n"
     "return sums + share * light;\n"
     "}\n"
     "#endif\n",
     "#if GATHER\n"
     "float4 filter_pixel(int2 p) {\n"
     "float d = fetch_input(p).a;\n"
-    "float3 sum = float3(0.0, 0.0, 0.0);\n"
-    "ms_sss_other = float4(0.0, 0.0, 0.0, 0.0);\n"
-    "if (abs(d) > 0.0) { sum = gather(p, d, fetch_surface(p).gb); }\n"
-    "return float4(sum, 0.0);\n"
+    "ms_sss_other = zero4;\n"
+    "if (!(abs(d) > 0.0)) { return zero4; }\n"
+    "return float4(gather(p, d, fetch_surface(p).gb), 0.0);\n"
     "}\n"
     "#endif\n",
     "#if RESOLVE\n"
     "// The pixel's own light, that of its neighbors as far as they lie near its tangent plane, and the sums.\n"
     "float4 filter_pixel(int2 pixel) {\n"
-    "int2 p = pixel - int2(int(constant[HEAD - 1].z), int(constant[HEAD - 1].w));\n"
+    "int2 p = pixel - origin();\n"
     "float4 own = fetch_input(p);\n"
     "if (!(abs(own.a) > 0.0)) { return float4(ms_sss_fetch_color(pixel), 1.0); }\n"
     "float4 surface = fetch_surface(p);\n"
     "float deep = deep_of(own.a);\n"
     "float radius = radius_of(own.a);\n"
     "float size = radius / clamp(surface.r, 1.0, 1.5);\n"
-    "float3 keep = weight_at(size, HEAD + SIZES);\n"
+    "float3 weight = weight_at(size, HEAD + SIZES);\n"
     "float3 pass_on = weight_at(size, HEAD + 2 * SIZES);\n"
-    "float3 sum = keep * own.rgb;\n"
-    "float3 weight = keep;\n"
+    "float3 sum = weight * own.rgb;\n"
     "for (int i = 0; i < 9; i++) {\n"
-    "int2 q = p + int2(i % 3 - 1, i / 3 - 1);\n"
-    "if (!inside(q)) { continue; }\n"
-    "float4 there = fetch_input(q);\n"
-    "float rise = float(i % 3 - 1) * surface.g + float(i / 3 - 1) * surface.b;\n"
+    "int2 beside = int2(i % 3 - 1, i / 3 - 1);\n"
+    "if (!inside(p + beside)) { continue; }\n"
+    "float4 there = fetch_input(p + beside);\n"
+    "float rise = dot(float2(float(beside.x), float(beside.y)), surface.gb);\n"
     "float away = (there.a - own.a - rise) * deep;\n"
     "float f = max(1.0 - 0.25 * away * away, 0.0);\n"
-    "f = f * f * pick(0.25, 0.5, i % 3 == 1) * pick(0.25, 0.5, i / 3 == 1);\n"
-    "if (abs(there.a) > 0.0) {\n"
+    "f = f * f * pick(0.25, 0.5, beside.x == 0) * pick(0.25, 0.5, beside.y == 0);\n"
+    "if (!(abs(there.a) > 0.0)) { continue; }\n"
     "sum = sum + f * pass_on * there.rgb;\n"
     "weight = weight + f * pass_on;\n"
-    "}\n"
     "}\n"
     "if (constant[5].w > 0.5) {\n"
     "sum = sum + gather(p, own.a, surface.gb);\n"
     "weight = weight + ms_sss_other.rgb;\n"
     "}\n"
-    "float strength = constant[0].z;\n"
-    "#WITH_STRENGTH strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);\n"
-    "if (!(radius > 0.5)) { strength = 0.0; }\n"
-    "float3 light = float3(pick(own.r, sum.r / weight.r, weight.r > 1e-30), pick(own.g, sum.g / weight.g, "
-    "weight.g > 1e-30),\n"
-    "    pick(own.b, sum.b / weight.b, weight.b > 1e-30));\n"
+    "float strength = pick(0.0, constant[0].z, radius > 0.5);\n"
+    "#STRENGTH strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);\n"
+    "float3 light = float3(pick(own.r, sum.r / weight.r, weight.r > 1e-30),\n"
+    "    pick(own.g, sum.g / weight.g, weight.g > 1e-30), pick(own.b, sum.b / weight.b, weight.b > 1e-30));\n"
     "return float4(own.rgb + strength * (light - own.rgb), 1.0);\n"
     "}\n"
-    "#endif\n"};
+    "#endif\n",
+    NULL};
 
-static const char *const ms_sss__transmission_body[] = {
+static const char *const ms_sss__transmission_lines[] = {
     "float ms_sss_through(float reflectance, float decay, float thickness, float parallel) {\n"
     "float dark = max(1.0 - reflectance, 1e-4);\n"
     "float R = 1.0 - dark;\n"
     "float y = decay * max(thickness, 0.0);\n"
     "float x = exp(-y);\n"
+    "// Of thin slabs the difference would lose digits.\n"
     "float gone = 1.0 - x;\n"
+    "if (y < 0.02) { gone = y * (1.0 - 0.5 * y * (1.0 - y / 3.0)); }\n"
     "float slab = 1.0 - 0.85 * dark * dark * dark * dark * dark * (1.0 - exp(-0.8 * y));\n"
-    "if (!(reflectance > 0.0)) { return 0.0; }\n"
-    "if (y < 0.02) {\n" /* where the difference would lose digits */
-    "gone = y * (1.0 - 0.5 * y * (1.0 - y / 3.0));\n"
-    "}\n"
     "slab = slab * dark * (1.0 + R) * x / ((dark + R * gone) * (1.0 + R * x));\n"
+    "if (!(reflectance > 0.0)) { return 0.0; }\n"
     "return slab * (1.0 + dark / R * max(parallel, 0.0));\n"
     "}\n",
-    "float3 ms_sss_transmission(float3 reflectance, float3 decay, float thickness_mm, float3 normal, float3 "
-    "entry_normal, "
-    "float3 to_light, float3 light) {\n"
+    "float3 ms_sss_transmission(float3 reflectance, float3 decay, float thickness_mm, float3 normal, "
+    "float3 entry_normal, float3 to_light, float3 light) {\n"
     "float entry = dot(entry_normal, to_light);\n"
     "float parallel = -dot(normal, entry_normal);\n"
-    "if (!(dot(normal, to_light) < 0.0 && entry > 0.0)) { return float3(0.0, 0.0, 0.0); }\n"
+    "if (!(dot(normal, to_light) < 0.0 && entry > 0.0)) { return zero3; }\n"
     "return entry * light * float3(ms_sss_through(reflectance.r, decay.r, thickness_mm, parallel),\n"
-    "    ms_sss_through(reflectance.g, decay.g, thickness_mm, parallel), ms_sss_through(reflectance.b, decay.b, "
-    "thickness_mm, parallel));\n"
-    "}\n"};
-
-/* The names that choose lines, and the numbers that stand in them; ms_sss__emit_shader sets the values. */
-/* clang-format off */
-#define MS_SSS__FEATURE_LIST(X) \
-    X(PASS, pass) X(SECOND, second) X(HALVED, halved) X(DOWN, down) X(UP, up) X(NEARNESS, up || down) \
-    X(TOWER, tower) X(BASE, base) X(SHRINK, s->step == MS_SSS_STEP_SHRINK) X(GATHER, gather) X(RESOLVE, resolve) \
-    X(GATHERS, gather || resolve) X(SIZES, MS_SSS_PYRAMID_SIZES) X(LAST_SIZE, MS_SSS_PYRAMID_SIZES - 2) \
-    X(TAPS, s->tap_count) X(STRIDE, ms_sss__shader_stride(s)) X(PROFILES, ms_sss__shader_profiles(s)) \
-    X(HEAD, tower ? MS_SSS__LEVEL_HEAD : MS_SSS__PICTURE_HEAD) \
-    X(TERMS, ms_sss__shader_terms(s)) X(CORNERS, turned ? 4 : 2) X(TURNED, turned) X(RAW, raw) X(COLOR, color) \
-    X(WITH_STRENGTH, s->with_strength) X(READS_STRENGTH, strength) X(WITH_NORMAL, normal) X(DEPTH, s->with_depth) \
-    X(READS_DEPTH, s->with_depth && raw) X(PROFILE, s->with_profile) X(READS_PROFILE, s->with_profile && raw) \
-    X(PROFILE_ALONE, s->with_profile && !s->with_depth && !tower) X(BOTH, s->with_depth && s->with_profile && !tower) \
-    X(PERSPECTIVE, o->fov_degrees > 0) \
-    X(SHAPE, tower ? s->with_depth && o->depth_mode == MS_SSS_DEPTH_AWARE : shape && pass) \
-    X(TILTED, shape) X(SLOPES, shape && (pass || base))
-/* clang-format on */
-
-enum {
-#define MS_SSS__FEATURE_ENUM(name, value) MS_SSS__HAS_##name,
-    MS_SSS__FEATURE_LIST(MS_SSS__FEATURE_ENUM)
-#undef MS_SSS__FEATURE_ENUM
-        MS_SSS__FEATURES
-};
-
-static const char *const ms_sss__feature[] = {
-#define MS_SSS__FEATURE_NAME(name, value) #name,
-    MS_SSS__FEATURE_LIST(MS_SSS__FEATURE_NAME)
-#undef MS_SSS__FEATURE_NAME
-};
+    "    ms_sss_through(reflectance.g, decay.g, thickness_mm, parallel),\n"
+    "    ms_sss_through(reflectance.b, decay.b, thickness_mm, parallel));\n"
+    "}\n",
+    NULL};
 
 /* Words that differ: here, GLSL, HLSL, WGSL; the types first. */
-enum { MS_SSS__TYPES = 9, MS_SSS__WORDS = 13 };
+enum { MS_SSS__TYPES = 8, MS_SSS__WORDS = 16, MS_SSS__IN_WGSL = 3 };
 
-static const char *const ms_sss__word[MS_SSS__WORDS][4] = {{"void", "void", "void", ""},
-                                                           {"bool", "bool", "bool", "bool"},
-                                                           {"int", "int", "int", "i32"},
-                                                           {"uint", "uint", "uint", "u32"},
-                                                           {"float", "float", "float", "f32"},
-                                                           {"int2", "ivec2", "int2", "vec2<i32>"},
-                                                           {"float2", "vec2", "float2", "vec2<f32>"},
-                                                           {"float3", "vec3", "float3", "vec3<f32>"},
-                                                           {"float4", "vec4", "float4", "vec4<f32>"},
-                                                           {"constant", "ms_sss", "ms_sss", "ms_sss.v"},
-                                                           {"bits_of", "floatBitsToUint", "asuint", "bitcast<u32>"},
-                                                           {"float_of", "uintBitsToFloat", "asfloat", "bitcast<f32>"},
-                                                           {"pick", "pick", "pick", "select"}};
+/* clang-format off */
+static const char *const ms_sss__word[MS_SSS__WORDS][4] = {
+    {"bool", "bool", "bool", "bool"},
+    {"int", "int", "int", "i32"},
+    {"uint", "uint", "uint", "u32"},
+    {"float", "float", "float", "f32"},
+    {"int2", "ivec2", "int2", "vec2<i32>"},
+    {"float2", "vec2", "float2", "vec2<f32>"},
+    {"float3", "vec3", "float3", "vec3<f32>"},
+    {"float4", "vec4", "float4", "vec4<f32>"},
+    {"zero2", "vec2(0.0)", "float2(0.0, 0.0)", "vec2<f32>()"},
+    {"zero3", "vec3(0.0)", "float3(0.0, 0.0, 0.0)", "vec3<f32>()"},
+    {"zero4", "vec4(0.0)", "float4(0.0, 0.0, 0.0, 0.0)", "vec4<f32>()"},
+    {"one3", "vec3(1.0)", "float3(1.0, 1.0, 1.0)", "vec3<f32>(1.0)"},
+    {"constant", "ms_sss", "ms_sss", "ms_sss.v"},
+    {"bits_of", "floatBitsToUint", "asuint", "bitcast<u32>"},
+    {"float_of", "uintBitsToFloat", "asfloat", "bitcast<f32>"},
+    {"pick", "pick", "pick", "select"}};
+/* clang-format on */
+
+typedef struct ms_sss__feature {
+    const char *name;
+    int value;
+} ms_sss__feature;
 
 /* A text: measured first, then written. */
 typedef struct ms_sss__text {
     char *out; /* NULL: measure */
     size_t length;
-    int column; /* of ms_sss__word */
-    int feature[MS_SSS__FEATURES];
+    int column;                     /* of ms_sss__word */
+    const ms_sss__feature *feature; /* the last has no name */
+    const char *texture;
+    int binding;
+    int braces;         /* that are open */
+    const char *result; /* WGSL: the type that the arrow before a body has to name, or NULL */
 } ms_sss__text;
 
-/* Whether to emit a text again, into the caller's memory, after it was measured. */
-static int ms_sss__emit_measured(ms_sss__text *text, char *out, size_t capacity)
-{
-    if (text->out || !out || capacity <= text->length) {
-        if (text->out) text->out[text->length] = 0;
-        return 0;
-    }
-    text->out = out;
-    text->length = 0;
-    return 1;
-}
-
-static void ms_sss__emit_part(ms_sss__text *text, const char *s, size_t n)
+static void ms_sss__emit(ms_sss__text *text, const char *s, size_t n)
 {
     if (text->out) memcpy(text->out + text->length, s, n);
     text->length += n;
 }
 
-static void ms_sss__emit(ms_sss__text *text, const char *s) { ms_sss__emit_part(text, s, strlen(s)); }
+static void ms_sss__emit_string(ms_sss__text *text, const char *s) { ms_sss__emit(text, s, strlen(s)); }
 
 static void ms_sss__emit_number(ms_sss__text *text, int number)
 {
     char digits[32];
     ms__format_number(digits, number);
-    ms_sss__emit(text, digits);
+    ms_sss__emit_string(text, digits);
 }
 
 static size_t ms_sss__name_length(const char *s)
@@ -4876,123 +4688,87 @@ static size_t ms_sss__name_length(const char *s)
     return n;
 }
 
-/* Index of the n characters at s among names, which are step apart; -1: none. */
-static int ms_sss__find(const char *s, size_t n, const char *const *name, int step, int count)
-{
-    int i;
-    for (i = 0; i < count; ++i)
-        if (strlen(name[i * step]) == n && strncmp(s, name[i * step], n) == 0) return i;
-    return -1;
-}
-
-static int ms_sss__find_feature(const char *s, size_t n)
-{
-    return ms_sss__find(s, n, ms_sss__feature, 1, MS_SSS__FEATURES);
-}
-
-static int ms_sss__find_word(const char *s, size_t n) { return ms_sss__find(s, n, ms_sss__word[0], 4, MS_SSS__WORDS); }
-
-/* Emits one word of a line, or one character outside of words. Returns the characters read. */
-static MS_SSS__COLD size_t ms_sss__emit_word(ms_sss__text *text, const char *s)
+static const ms_sss__feature *ms_sss__find_feature(const ms_sss__text *text, const char *s)
 {
     const size_t n = ms_sss__name_length(s);
-    const int word = ms_sss__find_word(s, n), feature = ms_sss__find_feature(s, n);
-    if (n == 0) {
-        ms_sss__emit_part(text, s, 1);
-        return 1;
-    }
-    if (word >= 0) ms_sss__emit(text, ms_sss__word[word][text->column]);
-    else if (feature >= 0) ms_sss__emit_number(text, text->feature[feature]);
-    else ms_sss__emit_part(text, s, n);
-    return n;
+    const ms_sss__feature *f = text->feature;
+    while (f->name && (strlen(f->name) != n || strncmp(f->name, s, n) != 0)) ++f;
+    return f->name ? f : NULL;
 }
 
-/* Emits a declaration "TYPE name" at s in WGSL's order: "var name: TYPE", or of a function "fn name(a: TYPE) -> TYPE".
-   Returns the characters read, 0 if there is none. */
-static MS_SSS__COLD size_t ms_sss__emit_declaration(ms_sss__text *text, const char *s, int outside)
+/* Emits the word, number or character at s; in WGSL's order the declarations "TYPE name" of variables and parameters
+   and "TYPE name(" of functions. Returns the characters read. */
+static MS_SSS__COLD size_t ms_sss__emit_token(ms_sss__text *text, const char *s)
 {
     const size_t n = ms_sss__name_length(s), m = n && s[n] == ' ' ? ms_sss__name_length(s + n + 1) : 0;
-    const int type = ms_sss__find_word(s, n);
-    size_t at = n + 1 + m;
-    if (text->column != 3 || type < 0 || type >= MS_SSS__TYPES || m == 0) return 0;
-    ms_sss__emit(text, outside ? "fn " : "var ");
-    ms_sss__emit_part(text, s + n + 1, m);
-    if (!outside) {
-        ms_sss__emit(text, ": ");
-        ms_sss__emit(text, ms_sss__word[type][3]);
-        return at;
+    const ms_sss__feature *feature = ms_sss__find_feature(text, s);
+    int word = 0;
+    while (word < MS_SSS__WORDS && (strlen(ms_sss__word[word][0]) != n || strncmp(ms_sss__word[word][0], s, n) != 0))
+        ++word;
+    if (text->column == MS_SSS__IN_WGSL && word < MS_SSS__TYPES && m) {
+        const int function = !text->braces && s[n + 1 + m] == '(';
+        ms_sss__emit_string(text, function ? "fn " : text->braces ? "var " : "");
+        ms_sss__emit(text, s + n + 1, m);
+        if (function) text->result = ms_sss__word[word][MS_SSS__IN_WGSL];
+        if (!function) ms_sss__emit_string(text, ": ");
+        if (!function) ms_sss__emit_string(text, ms_sss__word[word][MS_SSS__IN_WGSL]);
+        return n + 1 + m;
     }
-    while (s[at] != ')') { /* "(" or ", ", then TYPE name */
-        const size_t before = s[at] == '(' ? 1 : 2, of = ms_sss__name_length(s + at + before);
-        const size_t name = ms_sss__name_length(s + at + before + of + 1);
-        ms_sss__emit_part(text, s + at, before);
-        ms_sss__emit_part(text, s + at + before + of + 1, name);
-        ms_sss__emit(text, ": ");
-        ms_sss__emit_word(text, s + at + before);
-        at += before + of + 1 + name;
+    if (word < MS_SSS__WORDS) ms_sss__emit_string(text, ms_sss__word[word][text->column]);
+    else if (n && feature) ms_sss__emit_number(text, feature->value);
+    else if (*s == '$') ms_sss__emit_string(text, text->texture);
+    else if (*s == '~') ms_sss__emit_number(text, text->binding);
+    else ms_sss__emit(text, s, n ? n : 1);
+    text->braces += (*s == '{') - (*s == '}');
+    if (*s == ')' && text->result) {
+        ms_sss__emit_string(text, " -> ");
+        ms_sss__emit_string(text, text->result);
+        text->result = NULL;
     }
-    ms_sss__emit(text, type ? ") -> " : ")");
-    ms_sss__emit(text, ms_sss__word[type][3]);
-    return at + 1;
+    return n ? n : 1;
 }
 
-static MS_SSS__COLD void ms_sss__emit_line(ms_sss__text *text, const char *s, const char *end, int outside)
+/* Whether "NAME" or "!NAME" at s holds; -1: it is no feature's. */
+static int ms_sss__holds(const ms_sss__text *text, const char *s)
 {
-    if (s[0] != '/') {
-        if (strncmp(s, "for (", 5) == 0) {
-            ms_sss__emit(text, "for (");
-            s += 5;
-        }
-        s += ms_sss__emit_declaration(text, s, outside);
-        while (s < end) s += ms_sss__emit_word(text, s);
-    }
-    ms_sss__emit_part(text, s, (size_t)(end - s) + 1);
+    const ms_sss__feature *feature = ms_sss__find_feature(text, s + (*s == '!'));
+    return feature ? (feature->value != 0) != (*s == '!') : -1;
 }
 
-/* Emits lines, indented by their braces, with an empty line between functions. No string literal is longer than C99
-   guarantees. */
-static MS_SSS__COLD void ms_sss__emit_body(ms_sss__text *text, const char *const *part, size_t parts)
+/* Emits the lines of parts up to NULL, indented by their braces, with an empty line between functions. */
+static MS_SSS__COLD void ms_sss__emit_lines(ms_sss__text *text, const char *const *part)
 {
-    int skipped = 0, depth = 0, braces = 0; /* skipped: depth of the #if that is not taken, 0: none */
-    int ended = text->length > 0, i;        /* a function */
-    const char *s, *end, *c;
-    for (; parts > 0; ++part, --parts) {
+    int skipped = 0, taken, i; /* skipped: #if that are open, from the first on that is not taken */
+    const char *s, *end;
+    for (; *part; ++part) {
         for (s = *part; *s; s = end + 1) {
             end = strchr(s, '\n');
-            if (s[0] == '#') {
-                const int open = strncmp(s, "#if ", 4) == 0, not_it = s[open ? 4 : 1] == '!';
-                const char *name = s + (open ? 4 : 1) + not_it;
-                const size_t n = ms_sss__name_length(name);
-                const int feature = ms_sss__find_feature(name, n);
-                const int taken = feature >= 0 && (text->feature[feature] != 0) != not_it;
-                depth += open;
-                if (open) {
-                    if (!skipped && !taken) skipped = depth;
-                } else if (feature < 0) { /* #else, #endif */
-                    if (skipped == depth) skipped = 0;
-                    else if (!skipped && s[2] == 'l') skipped = depth;
-                    depth -= s[2] == 'n';
+            if (strncmp(s, "#if ", 4) == 0) skipped += skipped || !ms_sss__holds(text, s + 4);
+            else if (strncmp(s, "#else", 5) == 0) skipped = skipped > 1 ? skipped : !skipped;
+            else if (strncmp(s, "#endif", 6) == 0) skipped -= skipped > 0;
+            else if (!skipped) {
+                for (taken = 1; *s == '#' && taken == 1;) {
+                    taken = ms_sss__holds(text, s + 1);
+                    if (taken >= 0) s = strchr(s, ' ') + 1;
                 }
-                if (open || !taken) continue;
-                s = name + n + 1;
+                if (taken == 0) continue;
+                for (i = *s == '}'; i < text->braces; ++i) ms_sss__emit_string(text, "    ");
+                if (*s == '/') ms_sss__emit(text, s, (size_t)(end - s));
+                else
+                    while (s < end) s += ms_sss__emit_token(text, s);
+                ms_sss__emit_string(text, end[-1] == '}' && !text->braces ? "\n\n" : "\n");
             }
-            if (skipped) continue;
-            if (ended) ms_sss__emit(text, "\n");
-            for (i = *s == '}'; i < braces; ++i) ms_sss__emit(text, "    ");
-            ms_sss__emit_line(text, s, end, braces == 0);
-            for (c = s; c < end; ++c) braces += (*c == '{') - (*c == '}');
-            ended = braces == 0 && end[-1] == '}';
         }
     }
 }
 
-enum { MS_SSS__PICTURE_HEAD = 4, MS_SSS__PROFILE_HEAD = 5, MS_SSS__LEVEL_HEAD = 7 }; /* float4 of the structs */
+enum { MS_SSS__PICTURE_HEAD = 4, MS_SSS__PROFILE_HEAD = 5, MS_SSS__LEVEL_HEAD = 7 }; /* float4 before what repeats */
 
 static int ms_sss__shader_stride(const ms_sss_shader *s) { return MS_SSS__PROFILE_HEAD + s->tap_count / 2 + 1; }
 
 static int ms_sss__shader_profiles(const ms_sss_shader *s) { return s->profile_count > 0 ? s->profile_count : 1; }
 
-static int ms_sss__shader_pyramid_job(const ms_sss_shader *s) { return (int)s->step >= (int)MS_SSS_STEP_BASE; }
+static int ms_sss__is_pyramid_step(const ms_sss_shader *s) { return (int)s->step >= (int)MS_SSS_STEP_BASE; }
 
 /* The number of terms whose constants a step reads. */
 static int ms_sss__shader_terms(const ms_sss_shader *s)
@@ -5000,77 +4776,48 @@ static int ms_sss__shader_terms(const ms_sss_shader *s)
     return s->step == MS_SSS_STEP_UP && s->term_count > 1 ? s->term_count : 1;
 }
 
+static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, ms_error *error)
+{
+    const int pyramid = s && ms_sss__is_pyramid_step(s);
+    if (!s) return MS_SSS__REFUSE(error, "shader is NULL");
+    {
+        const ms_sss__range ranges[] = {{"language", (double)s->language, 0, (double)MS_SSS_WGSL},
+                                        {"step", (double)s->step, 0, (double)MS_SSS_STEP_RESOLVE},
+                                        {"nearest", (double)s->nearest, 0, 3e38},
+                                        {"origin[0]", (double)s->origin[0], 0, 65536},
+                                        {"origin[1]", (double)s->origin[1], 0, 65536},
+                                        {"profile_count", (double)s->profile_count, 0, MS_SSS_SHADER_PROFILES_MAX},
+                                        {"term_count", (double)s->term_count, 0, MS_SSS_TERMS_MAX},
+                                        {"tap_count", (double)s->tap_count, pyramid ? -1e9 : 1, MS_SSS_TAPS_MAX}};
+        const ms_status status = ms_sss__check_ranges(ranges, sizeof ranges / sizeof ranges[0], error);
+        if (status != MS_OK) return status;
+    }
+    if (!pyramid && s->tap_count % 2 == 0)
+        return MS_SSS__REFUSE(error, "tap_count %d: an odd number expected", s->tap_count);
+    return MS_OK;
+}
+
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
 {
-    if (shader == NULL) return 0;
-    if (!ms_sss__shader_pyramid_job(shader) && (shader->tap_count < 1 || shader->tap_count > MS_SSS_TAPS_MAX)) return 0;
-    if (shader->profile_count > MS_SSS_SHADER_PROFILES_MAX || shader->term_count > MS_SSS_TERMS_MAX) return 0;
+    if (ms_sss__check_shader(shader, NULL) != MS_OK) return 0;
     if (shader->step == MS_SSS_STEP_RESOLVE) return MS_SSS__LEVEL_HEAD + 3 * MS_SSS_PYRAMID_SIZES;
-    if (ms_sss__shader_pyramid_job(shader))
+    if (ms_sss__is_pyramid_step(shader))
         return MS_SSS__LEVEL_HEAD + (shader->step == MS_SSS_STEP_GATHER ? MS_SSS_PYRAMID_SIZES : 0);
     return MS_SSS__PICTURE_HEAD +
         ms_sss__shader_terms(shader) * ms_sss__shader_profiles(shader) * ms_sss__shader_stride(shader);
 }
 
-/* Texts that differ between languages: $n constants, $s a texture's name, $b its binding, $t its register. */
-typedef struct ms_sss__dialect {
-    int column; /* of ms_sss__word */
-    const char *version, *constants, *texture, *fragment;
-    const char *other, *fragments; /* a variable; to two targets */
-} ms_sss__dialect;
-
-#define MS_SSS__PICK "#define pick(b, a, c) ((c) ? (a) : (b))\n"
-#define MS_SSS__GLSL_TEXTURE \
-    "uniform sampler2D ms_sss_$s;\nvec4 fetch_$s(ivec2 p) { return texelFetch(ms_sss_$s, p, 0); }\n"
-#define MS_SSS__GLSL_OTHER "vec4 ms_sss_other = vec4(0.0);\n"
-#define MS_SSS__GLSL_MAINS                                                                                 \
-    "layout(location = 0) out vec4 ms_sss_out;\nlayout(location = 1) out vec4 ms_sss_out_other;\n"         \
-    "vec4 filter_pixel(ivec2 p);\nvoid main() {\n    ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy));\n" \
-    "    ms_sss_out_other = ms_sss_other;\n}\n"
-#define MS_SSS__GLSL_MAIN \
-    "ms_sss_out;\nvec4 filter_pixel(ivec2 p);\nvoid main() { ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy)); }\n"
-
-static const ms_sss__dialect ms_sss__dialects[5] = {
-    {1, "#version 330\n" MS_SSS__PICK, "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE,
-     "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER, MS_SSS__GLSL_MAINS},
-    {1, "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n" MS_SSS__PICK,
-     "uniform vec4 ms_sss[$n];\n", MS_SSS__GLSL_TEXTURE, "out vec4 " MS_SSS__GLSL_MAIN, MS_SSS__GLSL_OTHER,
-     MS_SSS__GLSL_MAINS},
-    {1, "#version 450\n" MS_SSS__PICK, "layout(set = 0, binding = 0) uniform ms_sss_block { vec4 ms_sss[$n]; };\n",
-     "layout(set = 0, binding = $b) " MS_SSS__GLSL_TEXTURE, "layout(location = 0) out vec4 " MS_SSS__GLSL_MAIN,
-     MS_SSS__GLSL_OTHER, MS_SSS__GLSL_MAINS},
-    {2, MS_SSS__PICK, "cbuffer ms_sss_block : register(b0) { float4 ms_sss[$n]; };\n",
-     "Texture2D<float4> ms_sss_$s : register(t$t);\nfloat4 fetch_$s(int2 p) { return ms_sss_$s.Load(int3(p, 0)); }\n",
-     "float4 filter_pixel(int2 p);\nfloat4 main(float4 position : SV_Position) : SV_Target "
-     "{ return filter_pixel(int2(position.xy)); }\n",
-     "static float4 ms_sss_other;\n",
-     "struct ms_sss_targets { float4 out_first : SV_Target0; float4 out_other : SV_Target1; };\n"
-     "float4 filter_pixel(int2 p);\nms_sss_targets main(float4 position : SV_Position) {\n    ms_sss_targets to;\n"
-     "    to.out_first = filter_pixel(int2(position.xy));\n    to.out_other = ms_sss_other;\n    return to;\n}\n"},
-    {3, "",
-     "struct ms_sss_block { v: array<vec4<f32>, $n> };\n@group(0) @binding(0) var<uniform> ms_sss: ms_sss_block;\n",
-     "@group(0) @binding($b) var ms_sss_$s: texture_2d<f32>;\n"
-     "fn fetch_$s(p: vec2<i32>) -> vec4<f32> { return textureLoad(ms_sss_$s, p, 0); }\n",
-     "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {\n"
-     "    return filter_pixel(vec2<i32>(position.xy));\n}\n",
-     "var<private> ms_sss_other: vec4<f32>;\n",
-     "struct ms_sss_targets { @location(0) out_first: vec4<f32>, @location(1) out_other: vec4<f32> };\n"
-     "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> ms_sss_targets {\n"
-     "    let first = filter_pixel(vec2<i32>(position.xy));\n    return ms_sss_targets(first, ms_sss_other);\n}\n"}};
-
-#undef MS_SSS__GLSL_MAIN
-#undef MS_SSS__GLSL_MAINS
-#undef MS_SSS__GLSL_OTHER
-#undef MS_SSS__GLSL_TEXTURE
-
-static MS_SSS__COLD void ms_sss__emit_dialect(ms_sss__text *text, const char *s, int constants, const char *name,
-                                              int index)
+static MS_SSS__COLD ms_status ms_sss__check_job(const ms_sss_shader *s, const ms_sss_filter_options *o, ms_error *error)
 {
-    for (; *s; ++s) {
-        if (*s != '$') ms_sss__emit_part(text, s, 1);
-        else if (*++s == 's') ms_sss__emit(text, name);
-        else ms_sss__emit_number(text, *s == 't' ? index : *s == 'b' ? index + 1 : constants);
-    }
+    ms_status status = ms_sss__check_shader(s, error);
+    if (status != MS_OK) return status;
+    if (!o) return MS_SSS__REFUSE(error, "options is NULL");
+    if ((status = ms_sss__check_options(o, error)) != MS_OK) return status;
+    if (ms_sss__is_pyramid_step(s) && !ms_sss__pyramid_supports(o))
+        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round, without rotation or jitter");
+    if (o->fov_degrees > 0 && !s->with_depth)
+        return MS_SSS__REFUSE(error, "fov_degrees %g needs with_depth", (double)o->fov_degrees);
+    return MS_OK;
 }
 
 /* Whether a shader has slopes, as in ms_sss_filter. */
@@ -5079,84 +4826,97 @@ static int ms_sss__shader_slopes(const ms_sss_shader *s, const ms_sss_filter_opt
     return s->with_depth && o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE;
 }
 
+static int ms_sss__column_of(ms_sss_language language)
+{
+    return language == MS_SSS_WGSL ? MS_SSS__IN_WGSL : language == MS_SSS_HLSL ? 2 : 1;
+}
+
 static MS_SSS__COLD void ms_sss__emit_shader(ms_sss__text *text, const ms_sss_shader *s, const ms_sss_filter_options *o)
 {
     enum { NAMES = 12 };
     static const char *const name[NAMES] = {"color",  "depth",   "strength", "input",          "profile", "sum",
                                             "normal", "surface", "coarse",   "coarse_surface", "weight",  "half"};
-    const ms_sss__dialect *d = &ms_sss__dialects[s->language];
-    const int constants = ms_sss_shader_constant_count(s);
-    const int tower = ms_sss__shader_pyramid_job(s), base = s->step == MS_SSS_STEP_BASE,
-              gather = s->step == MS_SSS_STEP_GATHER, resolve = s->step == MS_SSS_STEP_RESOLVE;
+    const int pyramid = ms_sss__is_pyramid_step(s), base = s->step == MS_SSS_STEP_BASE;
+    const int resolve = s->step == MS_SSS_STEP_RESOLVE, gathers = resolve || s->step == MS_SSS_STEP_GATHER;
     const int up = s->step == MS_SSS_STEP_UP, down = s->step == MS_SSS_STEP_DOWN, second = s->step == MS_SSS_STEP_Y;
     const int pass = second || s->step == MS_SSS_STEP_X, halved = pass && s->half_resolution;
-    const int raw = tower ? base : !pass || (!second && !halved);
-    const int color = raw || resolve || (second && !halved), strength = s->with_strength && color;
-    const int shape = ms_sss__shader_slopes(s, o), turned = ms_sss__differ(o->rotation, 0) || o->jitter > 0;
-    const int normal = s->with_normal && shape && !s->half_resolution && (pass || base), ours = s->fetch == NULL;
-    const int used[NAMES] = {color && ours,
-                             s->with_depth && raw && ours,
-                             strength && ours,
-                             !raw,
-                             s->with_profile && raw && ours,
-                             up || gather || resolve,
-                             normal && ours,
-                             tower && !base,
-                             gather || resolve,
-                             gather || resolve,
-                             gather || resolve,
-                             up || (second && halved)};
-    const int value[MS_SSS__FEATURES] = {
-#define MS_SSS__FEATURE_VALUE(name, value) value,
-        MS_SSS__FEATURE_LIST(MS_SSS__FEATURE_VALUE)
-#undef MS_SSS__FEATURE_VALUE
-    };
+    const int raw = pyramid ? base : !pass || (!second && !halved);
+    const int color = raw || resolve || (second && !halved), turned = ms_sss__differ(o->rotation, 0) || o->jitter > 0;
+    const int tilted = ms_sss__shader_slopes(s, o), slopes = tilted && (pass || base), own = !s->fetch;
+    const int depth = s->with_depth && raw, strength = s->with_strength && color, profile = s->profile_count && raw;
+    const int normal = s->with_normal && slopes && !s->half_resolution;
+    const int used[NAMES] = {own && color,   own && depth,  own && strength, !raw,
+                             own && profile, up || gathers, own && normal,   pyramid && !base,
+                             gathers,        gathers,       gathers,         up || (second && halved)};
+    const ms_sss__feature features[] = {
+        {"GL", s->language == MS_SSS_GLSL_330},
+        {"ES", s->language == MS_SSS_GLSL_ES_300},
+        {"VULKAN", s->language == MS_SSS_GLSL_VULKAN},
+        {"GLSL", s->language <= MS_SSS_GLSL_VULKAN},
+        {"HLSL", s->language == MS_SSS_HLSL},
+        {"WGSL", s->language == MS_SSS_WGSL},
+        {"COUNT", ms_sss_shader_constant_count(s)},
+        {"HEAD", pyramid ? MS_SSS__LEVEL_HEAD : MS_SSS__PICTURE_HEAD},
+        {"STRIDE", ms_sss__shader_stride(s)},
+        {"PROFILES", ms_sss__shader_profiles(s)},
+        {"TERMS", ms_sss__shader_terms(s)},
+        {"TAPS", s->tap_count},
+        {"SIZES", MS_SSS_PYRAMID_SIZES},
+        {"SIDE", halved ? 2 : 1},
+        {"CORNERS", turned ? 4 : 2},
+        {"READS_COLOR", color},
+        {"READS_DEPTH", depth},
+        {"READS_STRENGTH", strength},
+        {"READS_PROFILE", profile},
+        {"READS_NORMAL", normal},
+        {"DEPTH", s->with_depth},
+        {"STRENGTH", s->with_strength},
+        {"PROFILE", s->profile_count},
+        {"PACKED", s->profile_count && !pyramid},
+        {"RAW", raw},
+        {"PERSPECTIVE", o->fov_degrees > 0},
+        {"TURNED", turned},
+        {"TILTED", tilted},
+        {"SLOPES", slopes},
+        {"SHAPE", pyramid ? s->with_depth && o->depth_mode == MS_SSS_DEPTH_AWARE : slopes},
+        {"PASS", pass},
+        {"SECOND", second},
+        {"HALVED", halved},
+        {"DOWN", down},
+        {"UP", up},
+        {"PYRAMID", pyramid},
+        {"LEVEL", pyramid && !base},
+        {"BASE", base},
+        {"SHRINK", s->step == MS_SSS_STEP_SHRINK},
+        {"GATHERS", gathers},
+        {"GATHER", gathers && !resolve},
+        {"RESOLVE", resolve},
+        {"TWO", pyramid && !resolve},
+        {NULL, 0}};
     int i;
-    memcpy(text->feature, value, sizeof value);
-    text->column = d->column;
-    ms_sss__emit(text, d->version);
-    ms_sss__emit_dialect(text, d->constants, constants, "", 0);
-    for (i = 0; i < NAMES; ++i)
-        if (used[i]) ms_sss__emit_dialect(text, d->texture, constants, name[i], i);
-    if (ours) ms_sss__emit_body(text, ms_sss__fetch_body, sizeof ms_sss__fetch_body / sizeof ms_sss__fetch_body[0]);
-    else ms_sss__emit(text, s->fetch);
-    if (tower) ms_sss__emit(text, d->other);
-    ms_sss__emit(text, tower && !resolve ? d->fragments : d->fragment);
-    if (!tower || base)
-        ms_sss__emit_body(text, ms_sss__source_body, sizeof ms_sss__source_body / sizeof ms_sss__source_body[0]);
-    if (tower)
-        ms_sss__emit_body(text, ms_sss__pyramid_body, sizeof ms_sss__pyramid_body / sizeof ms_sss__pyramid_body[0]);
-    else ms_sss__emit_body(text, ms_sss__shader_body, sizeof ms_sss__shader_body / sizeof ms_sss__shader_body[0]);
+    text->column = ms_sss__column_of(s->language);
+    text->feature = features;
+    ms_sss__emit_lines(text, ms_sss__head_text);
+    for (i = 0; i < NAMES; ++i) {
+        text->texture = name[i];
+        text->binding = i + 1;
+        if (used[i]) ms_sss__emit_lines(text, ms_sss__texture_text);
+    }
+    if (own) ms_sss__emit_lines(text, ms_sss__fetch_text);
+    else ms_sss__emit_string(text, s->fetch);
+    ms_sss__emit_lines(text, ms_sss__source_text);
+    ms_sss__emit_lines(text, pyramid ? ms_sss__pyramid_text : ms_sss__pass_text);
+    ms_sss__emit_lines(text, ms_sss__main_text);
 }
 
-static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, const ms_sss_filter_options *o,
-                                                   ms_error *error)
+/* Whether to emit a text again, into the caller's memory, after it was measured. */
+static int ms_sss__emit_again(ms_sss__text *text, char *out, size_t capacity)
 {
-    ms_status status;
-    if (!s || !o) return MS_SSS__REFUSE(error, "shader or options is NULL");
-    if ((status = ms_sss__check_options(o, error)) != MS_OK) return status;
-    {
-        const ms_sss__range ranges[] = {{"language", (double)s->language, 0, (double)MS_SSS_WGSL},
-                                        {"step", (double)s->step, 0, (double)MS_SSS_STEP_RESOLVE},
-                                        {"nearest", (double)s->nearest, 0, 3e38},
-                                        {"origin[0]", (double)s->origin[0], 0, 65536},
-                                        {"origin[1]", (double)s->origin[1], 0, 65536},
-                                        {"profile_count", (double)s->profile_count, 0, MS_SSS_SHADER_PROFILES_MAX},
-                                        {"term_count", (double)s->term_count, 0, MS_SSS_TERMS_MAX}};
-        if ((status = ms_sss__check_ranges(ranges, sizeof ranges / sizeof ranges[0], error)) != MS_OK) return status;
-    }
-    if (ms_sss__shader_pyramid_job(s) && !ms_sss__pyramid_supports(o))
-        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round, without rotation or jitter");
-    if (!ms_sss__shader_pyramid_job(s) && (s->tap_count < 1 || s->tap_count > MS_SSS_TAPS_MAX || s->tap_count % 2 == 0))
-        return MS_SSS__REFUSE(error, "tap_count %d: expected an odd number from 1 to %d", s->tap_count,
-                              MS_SSS_TAPS_MAX);
-    if (s->profile_count > 1 && !s->with_profile)
-        return MS_SSS__REFUSE(error, "profile_count %d needs with_profile", s->profile_count);
-    if (o->fov_degrees > 0 && !s->with_depth)
-        return MS_SSS__REFUSE(error, "fov_degrees %g needs with_depth", (double)o->fov_degrees);
-    if (!s->half_resolution && (s->step == MS_SSS_STEP_DOWN || s->step == MS_SSS_STEP_UP))
-        return MS_SSS__REFUSE(error, "step %d is one of half_resolution", (int)s->step);
-    return MS_OK;
+    if (text->out) text->out[text->length] = 0;
+    if (text->out || !out || capacity <= text->length) return 0;
+    text->out = out;
+    text->length = 0;
+    return 1;
 }
 
 MS_API ms_sss_shader ms_sss_shader_defaults(void)
@@ -5173,21 +4933,22 @@ MS_SSS__COLD MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const
 {
     ms_sss__text t;
     memset(&t, 0, sizeof t);
-    if (ms_sss__check_shader(shader, options, error) != MS_OK) return 0;
+    if (ms_sss__check_job(shader, options, error) != MS_OK) return 0;
     do ms_sss__emit_shader(&t, shader, options);
-    while (ms_sss__emit_measured(&t, text, capacity));
+    while (ms_sss__emit_again(&t, text, capacity));
     return t.length;
 }
 
 MS_SSS__COLD MS_API size_t ms_sss_transmission_text(ms_sss_language language, char *text, size_t capacity)
 {
-    const size_t lines = sizeof ms_sss__transmission_body / sizeof ms_sss__transmission_body[0];
+    static const ms_sss__feature none = {NULL, 0};
     ms_sss__text t;
     memset(&t, 0, sizeof t);
     if ((int)language < 0 || (int)language > (int)MS_SSS_WGSL) return 0;
-    t.column = ms_sss__dialects[language].column;
-    do ms_sss__emit_body(&t, ms_sss__transmission_body, lines);
-    while (ms_sss__emit_measured(&t, text, capacity));
+    t.column = ms_sss__column_of(language);
+    t.feature = &none;
+    do ms_sss__emit_lines(&t, ms_sss__transmission_lines);
+    while (ms_sss__emit_again(&t, text, capacity));
     return t.length;
 }
 
@@ -5231,18 +4992,13 @@ static MS_SSS__COLD void ms_sss__shader_job(ms_sss__job *job, const ms_sss_kerne
     ms_sss__set_kernel(job, k, 0);
 }
 
-/* The largest radius in pixels at which so many pairs of taps keep bands within MS_SSS_BANDS_SEEN: the least of seven
-   profiles, of skin1, marble, ketchup and four of Burley's, at radii from 6 to 188 pixels. */
-static int ms_sss__smooth_radius(int pairs)
-{
-    static const unsigned char most[13] = {0, 1, 4, 8, 12, 16, 23, 29, 47, 65, 90, 115, 150};
-    return pairs <= 12 ? most[pairs] : pairs * pairs;
-}
-
-/* Whether a kernel shows stairs at shader->nearest. */
+/* Refuses a kernel that shows stairs at shader->nearest: so many pairs of taps keep bands within MS_SSS_BANDS_SEEN up
+   to a radius of so many pixels, the least of seven profiles, of skin1, marble, ketchup and four of Burley's, at radii
+   from 6 to 188 pixels. */
 static MS_SSS__COLD ms_status ms_sss__check_stairs(const ms_sss_kernel *k, const ms_sss_filter_options *o, int width,
                                                    int height, const ms_sss_shader *s, ms_error *error)
 {
+    static const unsigned char most[13] = {0, 1, 4, 8, 12, 16, 23, 29, 47, 65, 90, 115, 150};
     const int side = width > height ? width : height;
     double pixels = (double)k->radius_mm * ms_sss__pixels(o, height);
     int pairs = k->tap_count / 2;
@@ -5250,88 +5006,11 @@ static MS_SSS__COLD ms_status ms_sss__check_stairs(const ms_sss_kernel *k, const
     if (o->fov_degrees > 0) pixels /= (double)s->nearest;
     if (pixels > side) pixels = side;
     if (s->half_resolution) pixels /= 2;
-    if (pixels <= ms_sss__smooth_radius(pairs)) return MS_OK;
-    while (pixels > ms_sss__smooth_radius(pairs)) ++pairs;
+    while (pixels > (pairs <= 12 ? most[pairs] : pairs * pairs)) ++pairs;
+    if (pairs == k->tap_count / 2) return MS_OK;
     return ms__fail(error, MS_UNSUPPORTED, 0,
                     "%d pixels with %d taps show bands: half resolution, %d taps or the pyramid", (int)pixels,
                     k->tap_count, 2 * pairs + 1);
-}
-
-MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int term,
-                                                      const ms_sss_filter_options *options, int width, int height,
-                                                      const ms_sss_shader *shader, float (*out)[4], ms_error *error)
-{
-    const int up = shader && shader->step == MS_SSS_STEP_UP;
-    ms_sss__job job;
-    ms_status status;
-    int count, stride, terms = 0, blocks, i, c;
-    double focal;
-    if (!kernels || !out) return MS_SSS__REFUSE(error, "kernels or out is NULL");
-    if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
-    if (ms_sss__shader_pyramid_job(shader))
-        return MS_SSS__REFUSE(error, "step %d: ms_sss_shader_pyramid has its constants", (int)shader->step);
-    if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
-    count = ms_sss__shader_profiles(shader);
-    stride = ms_sss__shader_stride(shader);
-    for (i = 0; i < count; ++i) { /* all are checked before anything is written */
-        if (kernels[i].tap_count > shader->tap_count)
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
-                            "kernel %d has %d taps, more than the shader's tap_count %d", i, kernels[i].tap_count,
-                            shader->tap_count);
-        for (c = up ? 0 : term; c < kernels[i].term_count && (c == term || up); ++c) {
-            status = ms_sss_kernel_upload(&kernels[i], c, 0, NULL, error);
-            if (status != MS_OK) return status;
-        }
-        if ((status = ms_sss__check_stairs(&kernels[i], options, width, height, shader, error)) != MS_OK) return status;
-        if (kernels[i].term_count > terms) terms = kernels[i].term_count;
-    }
-    if (term < 0 || term >= terms) return MS_SSS__REFUSE(error, "term %d is not within the kernels' %d", term, terms);
-    memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
-    ms_sss__shader_job(&job, kernels, options, width, height, 0);
-    focal = ms_sss__pixels(options, height) * (options->mm_per_unit > 0 ? (double)options->mm_per_unit : 1);
-    {
-        const ms_sss_shader_picture picture = {(float)width,
-                                               (float)height,
-                                               (float)ms_sss__pixels(options, height),
-                                               1.0f - options->fade,
-                                               {job.pass.aspect[0], job.pass.aspect[1]},
-                                               options->rotation,
-                                               options->jitter,
-                                               term == 0 ? 1.0f : 0.0f,
-                                               {(float)focal, (float)(focal * (double)job.pass.aspect[1])},
-                                               1.0f - options->flat,
-                                               {job.pass.middle[0], job.pass.middle[1]},
-                                               {(float)shader->origin[0], (float)shader->origin[1]}};
-        memcpy(out, &picture, sizeof picture);
-    }
-    blocks = up ? ms_sss__shader_terms(shader) * count : count;
-    if (up) term = 0;
-    for (i = 0; i < blocks; ++i) {
-        const ms_sss_kernel *k = &kernels[i % count];
-        const int t = term + i / count;
-        float(*at)[4] = out + MS_SSS__PICTURE_HEAD + i * stride;
-        ms_sss_shader_profile profile;
-        memset(&profile, 0, sizeof profile);
-        ms_sss__shader_job(&job, k, options, width, height, ms_sss__shader_slopes(shader, options));
-        profile.radius_mm = k->radius_mm;
-        profile.depth_scale = job.depth_scale;
-        profile.cut = job.pass.split_dz * job.pass.split_dz;
-        profile.reach = job.pass.reach;
-        memcpy(profile.curve, job.pass.elevation_4, sizeof profile.curve);
-        memcpy(profile.root, job.pass.root, sizeof profile.root);
-        if (t < k->term_count) {
-            ms_sss__totals(k, t, job.pass.total, job.pass.mixed);
-            ms_sss_kernel_upload(k, t, 0, at + MS_SSS__PROFILE_HEAD, NULL);
-            for (c = 0; c < 3; ++c) {
-                profile.total[c] = job.pass.total[c];
-                profile.scale[c] = k->scale[t][c];
-                profile.delta[c] = k->delta[c];
-                profile.mixed += (float)(job.pass.mixed[c] << c);
-            }
-        }
-        memcpy(at, &profile, sizeof profile);
-    }
-    return MS_OK;
 }
 
 MS_API int ms_sss_shader_levels(int width, int height)
@@ -5345,57 +5024,119 @@ MS_API int ms_sss_shader_levels(int width, int height)
     return levels;
 }
 
-MS_SSS__COLD MS_API ms_status ms_sss_shader_pyramid(const ms_sss_pyramid *pyramid, const ms_sss_filter_options *options,
-                                                    int width, int height, const ms_sss_shader *shader, int level,
-                                                    int profile, float (*out)[4], ms_error *error)
+static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_sss_filter_options *options, int width,
+                                                        int height, const ms_sss_shader *shader, float (*out)[4],
+                                                        ms_error *error)
 {
+    const int levels = ms_sss_shader_levels(width, height), level = shader->level;
+    const ms_sss_pyramid *pyramid = options->pyramids;
     ms_sss_kernel kernel;
-    ms_sss_filter_options round;
+    ms_sss_filter_options round = *options;
     ms_sss__job job;
     ms_sss__pyramid_params g;
-    ms_status status;
     float unit;
-    int levels, i, c;
-    if (!pyramid || !out) return MS_SSS__REFUSE(error, "pyramid or out is NULL");
-    if ((status = ms_sss__check_shader(shader, options, error)) != MS_OK) return status;
-    if (!ms_sss__shader_pyramid_job(shader))
-        return MS_SSS__REFUSE(error, "step %d: ms_sss_shader_constants has its constants", (int)shader->step);
-    if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
-    levels = ms_sss_shader_levels(width, height);
+    int i, c;
+    if (!pyramid) return MS_SSS__REFUSE(error, "options->pyramids is NULL");
+    if (profile < 0 || profile >= ms_sss__shader_profiles(shader))
+        return MS_SSS__REFUSE(error, "profile %d is not within the shader's %d", profile,
+                              ms_sss__shader_profiles(shader));
     if (level < 0 || level >= levels)
         return MS_SSS__REFUSE(error, "level %d is not within the picture's %d", level, levels);
+    pyramid += profile;
     memset(&kernel, 0, sizeof kernel);
     kernel.tap_count = kernel.term_count = 1;
     kernel.radius_mm = pyramid->radius_mm;
-    round = *options;
     round.flat = 1;
     round.exact = 0;
     ms_sss__shader_job(&job, &kernel, &round, width, height, 0);
     ms_sss__pyramid_set_params(&g, &job, pyramid, shader->with_depth, options->flat);
     ms_sss__pyramid_tap_sums(&g, level);
-    unit = g.perspective ? 1 : job.depth_scale;
+    unit = g.perspective ? 1 : job.depth_scale; /* depth as it is given */
     {
         const float head[MS_SSS__LEVEL_HEAD][4] = {
             {(float)width, (float)height, 1.0f - options->fade, (float)profile},
-            {g.perspective ? g.size / job.depth_scale : g.size, g.size_max, g.step / unit,
-             g.tangent}, /* depth as it is given */
+            {g.perspective ? g.size / job.depth_scale : g.size, g.size_max, g.step / unit, g.tangent},
             {shader->step == MS_SSS_STEP_SHRINK ? g.merge_reach : g.reach, g.slope_scale, (float)(1 << (level + 1)),
              MS_SSS__GATHER(0, level)},
             {g.elevation_4[0], g.elevation_4[1], g.elevation_4[2], g.norm},
             {g.max_factor[0], g.max_factor[1], g.max_factor[2], g.mean},
-            {g.spread, g.plane_rounding * unit, g.rounding,
-             level + 2 < levels       ? 2.0f
-                 : level + 1 < levels ? 1.0f
-                                      : 0.0f},
+            {g.spread, g.plane_rounding * unit, g.rounding, (float)((level + 1 < levels) + (level + 2 < levels))},
             {g.middle[0], g.middle[1], (float)shader->origin[0], (float)shader->origin[1]}};
-        memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
         memcpy(out, head, sizeof head);
     }
     for (i = 0; i < MS_SSS_PYRAMID_SIZES && ms_sss_shader_constant_count(shader) > MS_SSS__LEVEL_HEAD; ++i) {
         float(*to)[4] = out + MS_SSS__LEVEL_HEAD + i;
+        memset(to, 0, sizeof *to);
         if (level + 1 < MS_SSS_PYRAMID_LEVELS) memcpy(to, pyramid->weight[0][i][level + 1][1], 3 * sizeof(float));
-        for (c = 0; c < 2 && shader->step == MS_SSS_STEP_RESOLVE; ++c)
+        for (c = 0; c < 2 && shader->step == MS_SSS_STEP_RESOLVE; ++c) {
+            memset(to + (c + 1) * MS_SSS_PYRAMID_SIZES, 0, sizeof *to);
             memcpy(to + (c + 1) * MS_SSS_PYRAMID_SIZES, pyramid->weight[0][i][0][c], 3 * sizeof(float));
+        }
+    }
+    return MS_OK;
+}
+
+MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int index,
+                                                      const ms_sss_filter_options *options, int width, int height,
+                                                      const ms_sss_shader *shader, float (*out)[4], ms_error *error)
+{
+    const int up = shader && shader->step == MS_SSS_STEP_UP;
+    ms_sss__job job;
+    ms_status status;
+    int count, terms = 0, i, c;
+    double focal;
+    if ((status = ms_sss__check_job(shader, options, error)) != MS_OK) return status;
+    if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
+    if (!out) return MS_SSS__REFUSE(error, "out is NULL");
+    if (ms_sss__is_pyramid_step(shader))
+        return ms_sss__pyramid_constants(index, options, width, height, shader, out, error);
+    if (!kernels) return MS_SSS__REFUSE(error, "kernels is NULL");
+    count = ms_sss__shader_profiles(shader);
+    for (i = 0; i < count; ++i) { /* all are checked before anything is written */
+        if (kernels[i].tap_count > shader->tap_count)
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
+                            "kernel %d has %d taps, more than the shader's tap_count %d", i, kernels[i].tap_count,
+                            shader->tap_count);
+        for (c = 0; c == 0 || c < kernels[i].term_count; ++c)
+            if ((status = ms_sss_kernel_upload(&kernels[i], c, 0, NULL, error)) != MS_OK) return status;
+        if ((status = ms_sss__check_stairs(&kernels[i], options, width, height, shader, error)) != MS_OK) return status;
+        if (kernels[i].term_count > terms) terms = kernels[i].term_count;
+    }
+    if (index < 0 || index >= terms)
+        return MS_SSS__REFUSE(error, "term %d is not within the kernels' %d", index, terms);
+    memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
+    ms_sss__shader_job(&job, kernels, options, width, height, 0);
+    focal = ms_sss__pixels(options, height) * (options->mm_per_unit > 0 ? (double)options->mm_per_unit : 1);
+    {
+        const ms_sss__pass *p = &job.pass;
+        const float head[MS_SSS__PICTURE_HEAD][4] = {
+            {(float)width, (float)height, (float)ms_sss__pixels(options, height), 1.0f - options->fade},
+            {p->aspect[0], p->aspect[1], options->rotation, options->jitter},
+            {index == 0 ? 1.0f : 0.0f, (float)focal, (float)(focal * (double)p->aspect[1]), 1.0f - options->flat},
+            {p->middle[0], p->middle[1], (float)shader->origin[0], (float)shader->origin[1]}};
+        memcpy(out, head, sizeof head);
+    }
+    for (i = 0; i < count * ms_sss__shader_terms(shader); ++i) {
+        const ms_sss_kernel *k = &kernels[i % count];
+        const int wanted = up ? i / count : index, term = wanted < k->term_count ? wanted : 0;
+        const float on = wanted < k->term_count ? 1.0f : 0.0f; /* else it adds nothing */
+        float(*at)[4] = out + MS_SSS__PICTURE_HEAD + i * ms_sss__shader_stride(shader);
+        const ms_sss__pass *p = &job.pass;
+        ms_sss__shader_job(&job, k, options, width, height, ms_sss__shader_slopes(shader, options));
+        ms_sss__totals(k, term, job.pass.total, job.pass.mixed);
+        for (c = 0; c < 3; ++c) {
+            at[0][c] = p->total[c];
+            at[1][c] = on * k->scale[term][c];
+            at[2][c] = on * k->delta[c];
+            at[3][c] = p->elevation_4[c];
+            at[4][c] = p->root[c];
+        }
+        at[0][3] = k->radius_mm;
+        at[1][3] = job.depth_scale;
+        at[2][3] = p->split_dz * p->split_dz;
+        at[3][3] = (float)(p->mixed[0] + 2 * p->mixed[1] + 4 * p->mixed[2]);
+        at[4][3] = p->reach;
+        ms_sss_kernel_upload(k, term, 0, at + MS_SSS__PROFILE_HEAD, NULL);
     }
     return MS_OK;
 }
@@ -7623,12 +7364,10 @@ MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness
 #undef MS_SSS__PI
 #endif /* MS_SSS_NO_DESIGN */
 
-#undef MS_SSS__FEATURE_LIST
 #undef MS_SSS__SCALAR
 #undef MS_SSS__REFUSE
 #undef MS_SSS__CLAIM
 #undef MS_SSS__CLAIMED
-#undef MS_SSS__PICK
 #undef MS_SSS__INLINE
 #undef MS_SSS__NOINLINE
 #undef MS_SSS__ALIGNED
@@ -7977,19 +7716,16 @@ static MS_SSS__INLINE MS__V MS__F(facing)(const ms_sss__pass *p, MS__V sx, MS__V
     return MS__MUL(MS__SET(p->unit), MS__F(inverse_root)(MS__MADD(sx, sx, MS__MADD(sy, sy, MS__MUL(axis, axis)))));
 }
 
-/* The slope along an axis from five depths, z in the middle. A one-sided slope is valid if its step in depth is within
+/* The slope along an axis from those on both sides, a and b, valid where on_a and on_b: their steps in depth are within
    the kernel's radius. Where the surface bends little the result is the mean of both, else the smaller one, so that no
    slope is taken across an edge or a crease. Near an outline depth goes as the root of the distance to it, so the
-   smaller slope is made steeper by what its step exceeds the next one inwards, if that is more than rounding. Planes
-   are unchanged. */
-static MS_SSS__INLINE MS__V MS__F(slope)(const ms_sss__pass *p, float focal, const MS__V at[5])
+   smaller slope is made steeper by what its step exceeds the next one inwards, if that is more than rounding, relative
+   to the depth. Planes are unchanged. at: five values, the own in the middle, which are linear on planes as they are or
+   (inverse) their inverses are. */
+static MS_SSS__INLINE MS__V MS__F(slope)(MS__V a, MS__V b, MS__MASK on_a, MS__MASK on_b, const MS__V at[5],
+                                         const int inverse, float rounding)
 {
-    const MS__V zero = MS__SET(0.0f), half = MS__SET(0.5f), reach = MS__SET(p->reach), f = MS__SET(focal),
-                limit = MS__SET(8.0f);
-    const MS__V one = MS__SET(1.0f), z = at[2], da = MS__SUB(z, at[1]), db = MS__SUB(at[3], z);
-    const MS__MASK on_a = MS__LESS(MS__MUL(da, da), reach), on_b = MS__LESS(MS__MUL(db, db), reach);
-    MS__V a = MS__MUL(f, p->perspective ? MS__DIV(da, at[1]) : da),
-          b = MS__MUL(f, p->perspective ? MS__DIV(db, at[3]) : db);
+    const MS__V zero = MS__SET(0.0f), half = MS__SET(0.5f), one = MS__SET(1.0f), limit = MS__SET(8.0f);
     MS__V s;
     MS__MASK even;
     a = MS__SELECT(on_a, a, MS__SELECT(on_b, b, zero));
@@ -8002,59 +7738,65 @@ static MS_SSS__INLINE MS__V MS__F(slope)(const ms_sss__pass *p, float focal, con
         const MS__V is_a = MS__SELECT(on_b, MS__SELECT(first_a, one, zero), one),
                     less = MS__SELECT(first_a, a, MS__SELECT(first_b, b, s));
         const MS__MASK before = MS__LESS(half, is_a);
-        const MS__V next = MS__SELECT(before, at[1], at[3]), after_next = MS__SELECT(before, at[0], at[4]);
-        MS__V step = MS__SUB(z, next), inner = MS__SUB(next, after_next), least = MS__MUL(z, MS__SET(2 * p->rounding)),
-              more, excess;
-        if (p->perspective) { /* differences of 1 / depth, which is linear on planes */
+        const MS__V own = at[2], next = MS__SELECT(before, at[1], at[3]), after_next = MS__SELECT(before, at[0], at[4]);
+        MS__V step = MS__SUB(own, next), inner = MS__SUB(next, after_next),
+              least = MS__MUL(MS__ABS(own), MS__SET(2 * rounding)), more, excess;
+        if (inverse) { /* differences of the inverses, times all three */
             step = MS__MUL(step, after_next);
-            inner = MS__MUL(inner, z);
-            least = MS__MUL(least, z);
+            inner = MS__MUL(inner, own);
+            least = MS__MUL(least, own);
         }
         excess = MS__SUB(MS__MIN(MS__ABS(inner), MS__SUB(MS__ABS(step), MS__ABS(inner))), least); /* NaN stays */
         more = MS__MIN(MS__DIV(excess, MS__ABS(inner)), MS__SET(0.85f));
-        more = MS__SELECT(MS__BOTH(MS__LESS(zero, excess), MS__LESS(zero, MS__MUL(step, inner))), more, zero);
+        more = MS__SELECT(MS__BOTH(MS__LESS(zero, excess), MS__LESS(MS__ABS(MS__SUB(step, inner)), MS__ABS(step))),
+                          more, zero); /* the same direction */
         more = MS__MUL(more, MS__MADD(more, MS__MADD(MS__MUL(more, more), MS__SET(0.7f), half), half));
         s = MS__SELECT(even, s, MS__MADD(less, more, less));
     }
     return MS__MIN(MS__MAX(s, MS__SUB(zero, limit)), limit);
 }
 
+/* Slopes from the normals at column x, of at most 8, those that face away too; 0 where they are not finite or 0. */
+static MS_SSS__INLINE void MS__F(slopes_of_normals)(const float *const normal[3], int x, MS__V rx, MS__V ry, MS__V *sx,
+                                                    MS__V *sy)
+{
+    const MS__V zero = MS__SET(0.0f), a = MS__LOAD(normal[0] + x), b = MS__LOAD(normal[1] + x),
+                c = MS__LOAD(normal[2] + x), eighth = MS__MUL(MS__MAX(MS__ABS(a), MS__ABS(b)), MS__SET(0.125f));
+    const MS__V facing = MS__MAX(MS__SUB(c, MS__MADD(rx, a, MS__MUL(ry, b))), eighth);
+    const MS__MASK sound = MS__BOTH(MS__LESS(zero, facing),
+                                    MS__LESS(MS__ABS(MS__ADD(a, MS__ADD(b, c))), MS__SET(INFINITY)));
+    *sx = MS__SELECT(sound, MS__DIV(a, facing), zero);
+    *sy = MS__SELECT(sound, MS__DIV(b, facing), zero);
+}
+
 /* Slopes of row y, columns [begin, end), from the depths of rows y - 2 to y + 2, or from normals. */
 static void MS__F(slopes)(const ms_sss__pass *p, const float *const depth[5], const float *const normal[3], int y,
                           int begin, int end, float *const slope[2])
 {
-    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), infinity = MS__SET(INFINITY);
-    const MS__V ry = MS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
-    int x;
+    const MS__V zero = MS__SET(0.0f), infinity = MS__SET(INFINITY), reach = MS__SET(p->reach),
+                scale = MS__SET(p->slope_scale), ry = MS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
+    int x, i, axis;
     for (x = begin; x < end; x += MS__N) {
-        const MS__V z = MS__LOAD(depth[2] + x), rx = MS__F(ray)(p, x);
+        const MS__V z = MS__LOAD(depth[2] + x);
         const MS__MASK valid = MS__LESS(z, infinity);
-        MS__V sx, sy, k;
-        if (normal) {
-            const MS__V c = MS__LOAD(normal[2] + x),
-                        any = MS__ADD(MS__LOAD(normal[0] + x), MS__ADD(MS__LOAD(normal[1] + x), c));
-            const MS__MASK finite = MS__LESS(MS__ABS(any), infinity);
-            const MS__V a = MS__SELECT(finite, MS__LOAD(normal[0] + x), zero),
-                        b = MS__SELECT(finite, MS__LOAD(normal[1] + x), zero);
-            const MS__V facing = MS__SUB(c, MS__MADD(rx, a, MS__MUL(ry, b)));
-            const MS__V most = MS__MAX(MS__ABS(a), MS__ABS(b)), eighth = MS__MUL(most, MS__SET(0.125f));
-            k = MS__DIV(one, MS__SELECT(MS__LESS(eighth, facing), facing, eighth)); /* at most 8 */
-            sx = MS__MUL(k, a);
-            sy = MS__MUL(k, b);
-        } else {
-            MS__V across[5], down[5];
-            int i;
-            for (i = 0; i < 5; ++i) {
-                across[i] = MS__LOAD(depth[2] + x + i - 2);
-                down[i] = MS__LOAD(depth[i] + x);
-            }
-            sx = MS__F(slope)(p, p->focal[0], across);
-            sy = MS__F(slope)(p, p->focal[1], down);
+        MS__V s[2];
+        if (normal) MS__F(slopes_of_normals)(normal, x, MS__F(ray)(p, x), ry, &s[0], &s[1]);
+        for (axis = 0; axis < 2 && !normal; ++axis) {
+            const MS__V f = MS__SET(p->focal[axis]);
+            MS__V at[5], a, b;
+            MS__MASK on_a, on_b;
+            for (i = 0; i < 5; ++i) at[i] = MS__LOAD(axis ? depth[i] + x : depth[2] + x + i - 2);
+            a = MS__SUB(z, at[1]);
+            b = MS__SUB(at[3], z);
+            on_a = MS__LESS(MS__MUL(a, a), reach);
+            on_b = MS__LESS(MS__MUL(b, b), reach);
+            a = MS__MUL(f, p->perspective ? MS__DIV(a, at[1]) : a);
+            b = MS__MUL(f, p->perspective ? MS__DIV(b, at[3]) : b);
+            s[axis] = MS__F(slope)(a, b, on_a, on_b, at, p->perspective, p->rounding);
         }
-        sx = MS__SELECT(MS__BOTH(valid, MS__LESS(MS__ABS(sx), infinity)), MS__MUL(sx, MS__SET(p->slope_scale)), zero);
-        sy = MS__SELECT(MS__BOTH(valid, MS__LESS(MS__ABS(sy), infinity)), MS__MUL(sy, MS__SET(p->slope_scale)), zero);
-        MS__STORE(slope[0] + x, sx);
-        MS__STORE(slope[1] + x, sy);
+        for (axis = 0; axis < 2; ++axis)
+            MS__STORE(slope[axis] + x,
+                      MS__SELECT(MS__BOTH(valid, MS__LESS(MS__ABS(s[axis]), infinity)), MS__MUL(s[axis], scale), zero));
     }
 }
 
@@ -8143,10 +7885,10 @@ static MS_SSS__INLINE void MS__F(bounds)(MS__V a, float *least, float *most)
 #endif
 }
 
-/* Plans a row along an axis: for each group and pair the integer tap offset, if all lanes that have kernels share it or
-   differ by at most one (OFF_BY_ONE added). Offsets grow with the kernel's size, so the smallest and the largest size
-   decide. A group within the sizes of the last plan with one offset copies it, with bounds on the safe side of
-   rounding. size NULL: from depth. */
+/* Plans a row along an axis: for each group and pair the least integer tap offset of the lanes that have kernels, and
+   by how much the largest exceeds it. Offsets grow with the kernel's size, so the smallest and the largest size decide.
+   A group within the sizes of the last plan with one offset copies it, with bounds on the safe side of rounding. size
+   NULL: from depth. */
 static void MS__F(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, const float *depth, const float *size,
                         int first, int last, unsigned char *plan)
 {
@@ -8163,7 +7905,7 @@ static void MS__F(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis,
         const unsigned bits = MS__BITS(need);
         MS__V own = size ? MS__LOAD(size + x) : pixels;
         float at[MS__N], least, most;
-        int kind, off_by_one = 0;
+        int kind, spread = 0;
         if (bits == all &&
             MS__BITS(MS__BOTH(MS__LESS(MS__SET(least_size), own), MS__LESS(own, MS__SET(most_size)))) == all) {
             for (k = 0; k < plan_size; k += 4) memcpy(plan + k, last_plan + k, 4);
@@ -8182,19 +7924,19 @@ static void MS__F(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis,
             if (!(most * offset[k][0] < (float)MS_SSS__PAIR_REACH)) break; /* NaN, too */
             low = (int)(least * offset[k][0]);
             high = (int)(most * offset[k][0]);
-            if (high > low + 1) break;
-            off_by_one |= high - low;
-            plan[k + 1] = (unsigned char)(low + (high > low ? MS_SSS__OFF_BY_ONE : 0));
+            spread |= high - low;
+            plan[2 * k + 1] = (unsigned char)low;
+            plan[2 * k + 2] = (unsigned char)(high - low);
         }
         if (k < pairs) continue;
-        plan[0] = (unsigned char)(kind == MS_SSS__PLAN_ALL_LANES && !off_by_one ? MS_SSS__PLAN_ONE_OFFSET : kind);
+        plan[0] = (unsigned char)(kind == MS_SSS__PLAN_ALL_LANES && !spread ? MS_SSS__PLAN_ONE_OFFSET : kind);
         if (plan[0] != MS_SSS__PLAN_ONE_OFFSET) continue;
         last_plan = plan;
         least_size = 0;
         most_size = INFINITY;
         for (k = 0; k < pairs; ++k) {
-            const float low = (float)plan[k + 1] / offset[k][0] * 1.000001f,
-                        high = (float)(plan[k + 1] + 1) / offset[k][0] * 0.999999f;
+            const float low = (float)plan[2 * k + 1] / offset[k][0] * 1.000001f,
+                        high = (float)(plan[2 * k + 1] + 1) / offset[k][0] * 0.999999f;
             least_size = low > least_size ? low : least_size;
             most_size = high < most_size ? high : most_size;
         }
@@ -8318,17 +8060,20 @@ typedef struct MS__F(weights) {
     MS__V pixel[4], below[2];
 } MS__F(weights);
 
-/* Places pair k of n groups. If i differs between groups or lanes, the pixels are first copied to contiguous memory. */
+/* Places pair k of n groups. If i differs between groups or lanes, the pixels are first copied to contiguous memory,
+   for each i that a lane has. */
 static MS_SSS__INLINE void MS__F(find_pair)(const ms_sss__sweep *s, const ms_sss__line *l, int x, int n, int k,
                                             const MS__V *size, float (*copy)[4][4][MS__N], MS__F(pair) * pair)
 {
     const ptrdiff_t *step = l->step;
     const float *first = l->from + x / MS__N * l->group;
     const unsigned char *plan = l->plan + x / MS__N * s->plan_size;
-    const int place = plan[0] < MS_SSS__PLAN_SOME_LANES ? 0 : plan[k + 1], i = place & (MS_SSS__OFF_BY_ONE - 1);
-    int g, side, c, differ = place & MS_SSS__OFF_BY_ONE;
-    for (g = 0; g < n; ++g)
-        differ |= plan[g * s->plan_size] < MS_SSS__PLAN_SOME_LANES || plan[g * s->plan_size + k + 1] != place;
+    const int i = plan[0] < MS_SSS__PLAN_SOME_LANES ? 0 : plan[2 * k + 1];
+    int g, side, c, j, differ = 0;
+    for (g = 0; g < n; ++g) {
+        const unsigned char *mine = plan + g * s->plan_size;
+        differ |= mine[0] < MS_SSS__PLAN_SOME_LANES || mine[2 * k + 1] != i || mine[2 * k + 2] > 0;
+    }
     if (!differ) {
         for (g = 0; g < MS_SSS__GROUPS; ++g) pair->offset[g] = MS__SET(ms_sss__iota[i]);
         for (side = 0; side < 4; ++side) pair->at[side] = step[side < 2 ? i + side : 2 - i - side];
@@ -8338,16 +8083,21 @@ static MS_SSS__INLINE void MS__F(find_pair)(const ms_sss__sweep *s, const ms_sss
         return;
     }
     for (g = 0; g < n; ++g, first += l->group, plan += s->plan_size) {
-        const int mine = plan[0] < MS_SSS__PLAN_SOME_LANES ? 0 : plan[k + 1], j = mine & (MS_SSS__OFF_BY_ONE - 1),
-                  more = mine > j;
-        const MS__V low = MS__SET(ms_sss__iota[j]), high = MS__SET(ms_sss__iota[j + more]);
-        const MS__MASK is_low = MS__LESS(MS__MUL(size[g], MS__LOAD(s->offset[l->axis][k])), high);
-        pair->offset[g] = MS__SELECT(is_low, low, high);
-        for (side = 0; side < 4; ++side) {
-            const float *a = first + step[side < 2 ? j + side : 2 - j - side];
-            const float *b = first + step[side < 2 ? j + side + more : 2 - j - side - more];
-            for (c = 0; c < 4; ++c, a += l->plane, b += l->plane)
-                MS__STORE(copy[g][side][c], MS__SELECT(is_low, MS__LOAD(a), MS__LOAD(b)));
+        const int some = plan[0] >= MS_SSS__PLAN_SOME_LANES, least = some ? plan[2 * k + 1] : 0,
+                  most = some ? least + plan[2 * k + 2] : 0;
+        const MS__V t = MS__MUL(size[g], MS__LOAD(s->offset[l->axis][k]));
+        for (j = least; j <= most; ++j) {
+            const MS__V own = MS__SET(ms_sss__iota[j]);
+            const MS__MASK below = MS__LESS(t, own);
+            if (j > least && MS__BITS(below) == MS__BITS(MS__LESS(t, MS__SET(ms_sss__iota[j + 1])))) continue;
+            pair->offset[g] = j > least ? MS__SELECT(below, pair->offset[g], own) : own;
+            for (side = 0; side < 4; ++side) {
+                const float *from = first + step[side < 2 ? j + side : 2 - j - side];
+                for (c = 0; c < 4; ++c, from += l->plane)
+                    MS__STORE(copy[g][side][c],
+                              j > least ? MS__SELECT(below, MS__LOAD(copy[g][side][c]), MS__LOAD(from))
+                                        : MS__LOAD(from));
+            }
         }
     }
     for (side = 0; side < 4; ++side) pair->at[side] = side * 4 * MS__N;
@@ -8476,7 +8226,7 @@ static MS_SSS__INLINE void MS__F(taps)(const ms_sss__sweep *s, const ms_sss__pas
         for (i = 0; i < width; i += 16) MS_SSS__PREFETCH((const char *)(l->own[c] + x + width + i));
     for (k = 0; k < s->pairs; ++k) {
         const MS__V offset = MS__LOAD(s->offset[axis][k]);
-        const int whole = plan[0] < MS_SSS__PLAN_SOME_LANES ? 0 : plan[k + 1] & (MS_SSS__OFF_BY_ONE - 1);
+        const int whole = plan[0] < MS_SSS__PLAN_SOME_LANES ? 0 : plan[2 * k + 1];
         MS__F(find_pair)(s, l, x, n, k, size, copy, &pair);
         for (g = 0, light = pair.light; g < n; ++g, light += pair.group) {
             MS__F(weigh_pair)
@@ -8961,85 +8711,43 @@ static MS_SSS__INLINE MS__V MS__F(area)(MS__V sx, MS__V sy, MS__V rx, MS__V ry)
     return MS__SQRT(MS__MADD(sx, sx, MS__MADD(sy, sy, MS__MUL(n, n))));
 }
 
-/* As slope above, from d; a step is valid if it is within the radius. */
-static MS_SSS__INLINE MS__V MS__F(slope_of_d)(const ms_sss__pyramid_params *s, const MS__V at[5], MS__V pixels_per_d,
-                                              MS__V radius)
-{
-    const MS__V zero = MS__SET(0.0f), half = MS__SET(0.5f), one = MS__SET(1.0f);
-    const MS__V a = MS__MUL(MS__SUB(at[2], at[1]), pixels_per_d), b = MS__MUL(MS__SUB(at[3], at[2]), pixels_per_d);
-    const MS__MASK near_a = MS__LESS(MS__ABS(a), radius), near_b = MS__LESS(MS__ABS(b), radius),
-                   both = MS__LESS(zero, MS__MUL(at[1], at[3]));
-    const MS__MASK even = MS__BOTH(
-        MS__BOTH(near_a, near_b),
-        MS__BOTH(both, MS__LESS(MS__ABS(MS__SUB(a, b)), MS__MADD(MS__MUL(a, b), half, half))));
-    MS__V slope = MS__MUL(half, MS__ADD(a, b));
-    if (MS__BITS(even) != ms_sss__lanes(MS__N, MS__N)) {
-        const MS__MASK is_a = MS__BOTH(MS__LESS(zero, MS__ABS(at[1])), near_a),
-                       is_b = MS__BOTH(MS__LESS(zero, MS__ABS(at[3])), near_b);
-        const MS__V sum = MS__ADD(MS__SELECT(is_a, a, zero), MS__SELECT(is_b, b, zero));
-        const MS__MASK first_a = MS__LESS(MS__ABS(a), MS__ABS(b)), first_b = MS__LESS(MS__ABS(b), MS__ABS(a));
-        const MS__V less = MS__SELECT(MS__BOTH(is_a, is_b), MS__SELECT(first_a, a, MS__SELECT(first_b, b, slope)), sum);
-        const MS__MASK before = MS__LESS(half,
-                                         MS__SELECT(is_b, MS__SELECT(is_a, MS__SELECT(first_a, one, zero), zero), one));
-        const MS__V next = MS__SELECT(before, at[1], at[3]), after_next = MS__SELECT(before, at[0], at[4]);
-        const MS__V step = MS__SUB(at[2], next), inner = MS__SUB(next, after_next), least = MS__ABS(inner);
-        const MS__V excess = MS__NMADD(MS__ABS(at[2]), MS__SET(2 * s->rounding),
-                                       MS__MIN(MS__SUB(MS__ABS(step), least), least));
-        MS__V more = MS__MIN(MS__DIV(excess, least), MS__SET(0.85f));
-        more = MS__SELECT(MS__BOTH(MS__LESS(zero, excess),
-                                   MS__LESS(zero, MS__MUL(MS__MUL(step, pixels_per_d), MS__MUL(inner, pixels_per_d)))),
-                          more, zero);
-        more = MS__MUL(more, MS__MADD(more, MS__MADD(MS__MUL(more, more), MS__SET(0.7f), half), half));
-        slope = MS__SELECT(even, slope, MS__MADD(less, more, less));
-    }
-    return slope;
-}
-
 /* Coverage and changes of d of row y of the picture; d: rows y - 2 to y + 2; normal: the caller's or NULL. */
 static void MS__F(slopes_of_d)(const ms_sss__pyramid_params *s, const float *const d[5], const float *const normal[3],
                                int y, int first, int count, float *const out[3])
 {
-    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), most = MS__SET(8.0f), infinity = MS__SET(INFINITY);
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), scale = MS__SET(s->slope_scale);
     const MS__V ry = MS__SET(((float)y + 0.5f - s->middle[1]) * s->tangent);
-    int i;
+    int i, k, axis;
     for (i = first; i < count; i += MS__N) {
         const MS__V own = MS__LOAD(d[2] + i);
         const MS__MASK valid = MS__LESS(zero, MS__ABS(own));
         const MS__V safe = MS__SELECT(valid, own, MS__SET(-1.0f));
         const MS__V pixels_per_d = MS__F(pixels_per_d)(s, safe, 0), radius = MS__F(radius)(s, safe);
-        MS__V sx, sy, rx, step;
+        const MS__V rx = MS__MADD(MS__LOAD(ms_sss__iota), MS__SET(s->tangent),
+                                  MS__SET(((float)i + 0.5f - s->middle[0]) * s->tangent));
+        MS__V slope[2], step;
         if (!(s->slope_scale > 0) || !MS__BITS(valid)) {
             MS__STORE(out[0] + i, MS__SELECT(valid, one, zero));
             MS__STORE(out[1] + i, zero);
             MS__STORE(out[2] + i, zero);
             continue;
         }
-        rx = MS__MADD(MS__LOAD(ms_sss__iota), MS__SET(s->tangent),
-                      MS__SET(((float)i + 0.5f - s->middle[0]) * s->tangent));
-        if (normal) { /* slopes above 8, and normals that face away, keep their direction */
-            const MS__V a = MS__LOAD(normal[0] + i), b = MS__LOAD(normal[1] + i), c = MS__LOAD(normal[2] + i);
-            const MS__V least = MS__MUL(MS__MAX(MS__ABS(a), MS__ABS(b)), MS__SET(0.125f));
-            const MS__V n = MS__MAX(MS__SUB(c, MS__MADD(rx, a, MS__MUL(ry, b))), least);
-            MS__MASK sound = MS__BOTH(MS__LESS(zero, n), MS__LESS(MS__ABS(a), infinity));
-            sound = MS__BOTH(sound, MS__BOTH(MS__LESS(MS__ABS(b), infinity), MS__LESS(MS__ABS(c), infinity)));
-            sx = MS__SELECT(sound, MS__DIV(a, n), zero);
-            sy = MS__SELECT(sound, MS__DIV(b, n), zero);
-        } else {
-            MS__V across[5], down[5];
-            int k;
-            for (k = 0; k < 5; ++k) {
-                across[k] = MS__LOAD(d[2] + i + k - 2);
-                down[k] = MS__LOAD(d[k] + i);
-            }
-            sx = MS__F(slope_of_d)(s, across, pixels_per_d, radius);
-            sy = MS__F(slope_of_d)(s, down, pixels_per_d, radius);
+        if (normal) MS__F(slopes_of_normals)(normal, i, rx, ry, &slope[0], &slope[1]);
+        for (axis = 0; axis < 2 && !normal; ++axis) {
+            MS__V at[5], a, b;
+            for (k = 0; k < 5; ++k) at[k] = MS__LOAD(axis ? d[k] + i : d[2] + i + k - 2);
+            a = MS__MUL(MS__SUB(own, at[1]), pixels_per_d);
+            b = MS__MUL(MS__SUB(at[3], own), pixels_per_d);
+            slope[axis] = MS__F(slope)(a, b, MS__BOTH(MS__LESS(MS__ABS(a), radius), MS__LESS(zero, MS__ABS(at[1]))),
+                                       MS__BOTH(MS__LESS(MS__ABS(b), radius), MS__LESS(zero, MS__ABS(at[3]))), at, 0,
+                                       s->rounding);
         }
-        sx = MS__MUL(MS__MIN(MS__MAX(sx, MS__SUB(zero, most)), most), MS__SET(s->slope_scale));
-        sy = MS__MUL(MS__MIN(MS__MAX(sy, MS__SUB(zero, most)), most), MS__SET(s->slope_scale));
+        for (axis = 0; axis < 2; ++axis) slope[axis] = MS__MUL(slope[axis], scale);
         step = s->perspective ? MS__MUL(safe, MS__SET(-s->step)) : MS__SET(s->step);
-        MS__STORE(out[0] + i, MS__SELECT(valid, MS__MIN(MS__F(area)(sx, sy, rx, ry), MS__SET(10.0f)), zero));
-        MS__STORE(out[1] + i, MS__SELECT(valid, MS__MUL(sx, step), zero));
-        MS__STORE(out[2] + i, MS__SELECT(valid, MS__MUL(sy, step), zero));
+        MS__STORE(out[0] + i,
+                  MS__SELECT(valid, MS__MIN(MS__F(area)(slope[0], slope[1], rx, ry), MS__SET(10.0f)), zero));
+        MS__STORE(out[1] + i, MS__SELECT(valid, MS__MUL(slope[0], step), zero));
+        MS__STORE(out[2] + i, MS__SELECT(valid, MS__MUL(slope[1], step), zero));
     }
 }
 
@@ -9181,55 +8889,33 @@ static void MS__F(downsample_level)(const ms_sss__pyramid_params *s, const float
     else MS__F(downsample_level_row)(s, 0, row[1][4] != NULL, row, first, count, out);
 }
 
-/* Weights of a level between two sizes of the table, by lane: the blurred ones, or (both) own and blurred. */
-typedef struct MS__F(scale) {
-    MS__V low, high, unit, from[6], more[6];
-} MS__F(scale);
-
-static MS_SSS__NOINLINE void MS__F(look_up_weights)(const ms_sss__pyramid_params *s, int level, int both, MS__V size,
-                                                    unsigned valid, MS__F(scale) * w)
-{
-    float sizes[MS__N], value[15][MS__N];
-    int c, k;
-    MS__STORE(sizes, size);
-    for (k = 0; k < MS__N; ++k) {
-        const float at = sizes[valid >> k & 1 ? k : ms_sss__lowest(valid)];
-        const int i = ms_sss__size_index(at);
-        const float low = ms_sss__index_size(i), high = ms_sss__index_size(i + 1);
-        const float *w0 = s->table[i + (at > high)][level][!both],
-                    *w1 = s->table[i + !(at < low)][level][!both]; /* equal outside of the table */
-        value[0][k] = low;
-        value[1][k] = high;
-        value[2][k] = 1 / (high - low);
-        for (c = 0; c < (both ? 6 : 3); ++c) {
-            value[3 + c][k] = w0[c];
-            value[9 + c][k] = w1[c] - w0[c];
-        }
-    }
-    w->low = MS__LOAD(value[0]);
-    w->high = MS__LOAD(value[1]);
-    w->unit = MS__LOAD(value[2]);
-    for (c = 0; c < (both ? 6 : 3); ++c) {
-        w->from[c] = MS__LOAD(value[3 + c]);
-        w->more[c] = MS__LOAD(value[9 + c]);
-    }
-}
-
-/* Level weights for kernels of these radii in pixels. valid: lanes that count; w: of the group before in the row,
-   initially with low above high. */
+/* Weights of a level for kernels of these radii in pixels, linear between sizes of the table: the blurred ones, or
+   (both) own and blurred. index: the size below the last group's lanes, to begin with. */
 static MS_SSS__INLINE void MS__F(level_weights)(const ms_sss__pyramid_params *s, int level, const int both, MS__V size,
-                                                unsigned valid, MS__F(scale) * w, MS__V out[])
+                                                MS__MASK valid, int *index, MS__V out[])
 {
-    MS__V t;
-    int c;
-    if ((MS__BITS(MS__LESS(size, w->low)) | MS__BITS(MS__LESS(w->high, size))) & valid)
-        MS__F(look_up_weights)(s, level, both, size, valid, w);
-    t = MS__MUL(MS__SUB(size, w->low), w->unit);
-    MS__UNROLL
-    for (c = 0; c < 3; ++c) {
-        out[c] = MS__MADD(t, w->more[c], w->from[c]);
-        if (both) out[c + 3] = MS__MADD(t, w->more[c + 3], w->from[c + 3]);
+    const MS__V at = MS__MIN(MS__MAX(size, MS__SET(1.0f)), MS__SET(ms_sss__index_size(MS_SSS_PYRAMID_SIZES - 1)));
+    int i = *index, first = i, c;
+    if (MS__BITS(valid) &
+        (MS__BITS(MS__LESS(at, MS__SET(ms_sss__index_size(i)))) |
+         MS__BITS(MS__LESS(MS__SET(ms_sss__index_size(i + 1)), at)))) {
+        float lane[MS__N], least, most;
+        MS__STORE(lane, at);
+        MS__F(bounds)(MS__SELECT(valid, at, MS__SET(lane[ms_sss__lowest(MS__BITS(valid))])), &least, &most);
+        i = first = ms_sss__size_index(least);
+        *index = ms_sss__size_index(most);
     }
+    do {
+        const float low = ms_sss__index_size(i), high = ms_sss__index_size(i + 1);
+        const float *from = s->table[i][level][!both], *to = s->table[i + 1][level][!both];
+        const MS__V t = MS__MUL(MS__SUB(at, MS__SET(low)), MS__SET(1 / (high - low)));
+        const MS__MASK above = MS__LESS(MS__SET(low), at);
+        if (i > first && MS__BITS(above) == MS__BITS(MS__LESS(MS__SET(high), at))) continue; /* no lane between */
+        for (c = 0; c < (both ? 6 : 3); ++c) {
+            const MS__V weight = MS__MADD(t, MS__SET(to[c] - from[c]), MS__SET(from[c]));
+            out[c] = i > first ? MS__SELECT(above, weight, out[c]) : weight;
+        }
+    } while (++i <= *index);
 }
 
 /* light times the mean of (1 + K sin(theta) / 4)^4, from the mean (moment / light) and mean square v of sin(theta),
@@ -9255,17 +8941,6 @@ static MS_SSS__INLINE MS__V MS__F(elevate_weight)(const ms_sss__pyramid_params *
     return MS__MUL(w, MS__MUL(u, u));
 }
 
-/* 1 / sqrt(a): relative error 2e-7. */
-static MS_SSS__INLINE MS__V MS__F(fast_inverse_root)(MS__V a)
-{
-#if defined(MS__RSQRT)
-    const MS__V r = MS__RSQRT(a);
-    return MS__MUL(r, MS__NMADD(MS__MUL(a, MS__SET(0.5f)), MS__MUL(r, r), MS__SET(1.5f)));
-#else
-    return MS__DIV(MS__SET(1.0f), MS__SQRT(a));
-#endif
-}
-
 /* The scale that bounds the mean factor, elevated / n, by `most`. */
 static MS_SSS__INLINE MS__V MS__F(bounded)(MS__V n, MS__V elevated, float most)
 {
@@ -9276,7 +8951,7 @@ static MS_SSS__INLINE MS__V MS__F(bounded)(MS__V n, MS__V elevated, float most)
 /* gather for the even or the odd columns of MS__N pairs with these d and changes of d. */
 static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, const int wide, const int tilted,
                                               MS__V d, MS__V dx, MS__V dy, const float *coarse, const ms_sss__tap *tap,
-                                              MS__V rx, MS__V ry, MS__F(scale) * scale, MS__V result[6])
+                                              MS__V rx, MS__V ry, int *index, MS__V result[6])
 {
     static const float nearness[4] = {0.86602540f, 0.65803701f, 0.65803701f,
                                       0.5f}; /* fourth roots of 9, 3, 3, 1 over 16 */
@@ -9373,7 +9048,7 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
         n = MS__ADD(n, w);
         if (wide) {
             const MS__V sine = MS__MUL(MS__MUL(MS__F(residual)(off, plane_rounding), rise),
-                                       MS__F(fast_inverse_root)(MS__ADD(away, MS__SET(s->blur))));
+                                       MS__F(inverse_root)(MS__ADD(away, MS__SET(s->blur))));
             MS__V f = MS__F(elevate_weight)(s, 0, sine, w);
             mr = MS__ADD(mr, f);
             r = MS__MADD(f, MS__LOAD(p), r);
@@ -9408,7 +9083,7 @@ static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, c
         g = MS__F(elevate_mean)(s, 1, g, MS__MUL(mg, turn), v, rounding);
         b = MS__F(elevate_mean)(s, 2, b, MS__MUL(mb, turn), v, rounding);
     }
-    MS__F(level_weights)(s, s->level + 1, 0, size, valid_bits, scale, weight);
+    MS__F(level_weights)(s, s->level + 1, 0, size, valid, index, weight);
     n = MS__MUL(n, norm);
     result[0] = MS__SELECT(valid, MS__MADD(MS__MUL(weight[0], norm), r, s0), zero);
     result[1] = MS__SELECT(valid, MS__MADD(MS__MUL(weight[1], norm), g, s1), zero);
@@ -9428,10 +9103,7 @@ static MS_SSS__INLINE void MS__F(gather_row)(const ms_sss__pyramid_params *s, co
 {
     const float cells = (float)(1 << (s->level + 1));
     const MS__V ry = MS__SET((((float)y + 0.5f) * 0.5f * cells - s->middle[1]) * s->tangent);
-    MS__F(scale) scale;
-    int i, c, odd;
-    scale.low = MS__SET(1.0f);
-    scale.high = MS__SET(0.0f);
+    int i, c, odd, index = 0;
     for (i = first; i < count; i += MS__N) {
         MS__V result[2][6];
         const MS__V d0 = MS__LOAD(own[0] + 2 * i), d1 = MS__LOAD(own[0] + 2 * i + MS__N);
@@ -9448,7 +9120,7 @@ static MS_SSS__INLINE void MS__F(gather_row)(const ms_sss__pyramid_params *s, co
                 MS__SET((((float)(2 * i + odd) + 0.5f) * 0.5f * cells - s->middle[0]) * s->tangent));
             MS__F(gather_side)
             (s, wide, tilted, odd ? MS__ODD(d0, d1) : MS__EVEN(d0, d1), odd ? MS__ODD(x0, x1) : MS__EVEN(x0, x1),
-             odd ? MS__ODD(y0, y1) : MS__EVEN(y0, y1), coarse + i, s->tap[y & 1][odd], rx, ry, &scale, result[odd]);
+             odd ? MS__ODD(y0, y1) : MS__EVEN(y0, y1), coarse + i, s->tap[y & 1][odd], rx, ry, &index, result[odd]);
         }
         for (c = 0; c < 6; ++c) {
             MS__STORE(out[c] + 2 * i, MS__ZIP_LOW(result[0][c], result[1][c]));
@@ -9476,10 +9148,7 @@ static MS_SSS__INLINE void MS__F(resolve_row)(const ms_sss__pyramid_params *s, c
     const int check = !s->perspective || !s->depth_aware ||
         s->step > 0.4f; /* otherwise masked pixels are too deep to count */
     const float *const red = row[0], *const green = row[1], *const blue = row[2], *const from = row[3];
-    MS__F(scale) scale;
-    int i, j, k, c;
-    scale.low = one;
-    scale.high = zero;
+    int i, j, k, c, index = 0;
     for (i = first; i < count; i += MS__N) {
         const MS__V d = MS__LOAD(from + i);
         const MS__MASK valid = MS__LESS(zero, MS__ABS(d));
@@ -9494,7 +9163,7 @@ static MS_SSS__INLINE void MS__F(resolve_row)(const ms_sss__pyramid_params *s, c
             dx = MS__LOAD(slope[1] + i);
             dy = MS__LOAD(slope[2] + i);
         }
-        MS__F(level_weights)(s, 0, 1, size, valid_bits, &scale, share);
+        MS__F(level_weights)(s, 0, 1, size, valid, &index, share);
         if (MS__BITS(MS__LESS(zero, MS__MAX(share[3], MS__MAX(share[4], share[5])))) & valid_bits) {
             const MS__V corner = MS__MUL(pixels_per_d, quarter),
                         edge = MS__MUL(pixels_per_d, MS__SET(0.29730178f)); /* roots / 2 */

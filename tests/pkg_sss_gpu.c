@@ -117,10 +117,9 @@ static void make_case(one_case *t, int i, ms_sss_language language, int max_term
     t->shader.language = language;
     t->shader.tap_count = taps;
     t->shader.with_depth = i % 3 > 0;
-    t->shader.with_profile = i / 3 % 3 > 0;
     if (i % 3 == 2 && language <= MS_SSS_GLSL_ES_300) t->shader.fetch = own_fetch;
     t->shader.with_strength = i / 2 % 2;
-    t->shader.profile_count = t->shader.with_profile ? i % 5 == 4 ? 1 : PROFILES : 0;
+    t->shader.profile_count = i / 3 % 3 == 0 ? 0 : i % 5 == 4 ? 1 : PROFILES;
     for (k = 0; k < PROFILES; ++k) t->kernel[k] = make_kernel(k == 2 ? 5 : taps, k == 1 ? 1 : t->terms, 1 - 0.3 * k);
     if (t->shader.with_depth && i % 4 < 2) {
         t->options.fov_degrees = 30;
@@ -220,7 +219,7 @@ static void find_jumps(const one_case *t, const ms_sss_frame *frame, int count, 
 static void make_reference(const one_case *t)
 {
     static float packed[PIXELS];
-    const int count = t->shader.with_profile ? t->shader.profile_count : 1;
+    const int count = t->shader.profile_count > 0 ? t->shader.profile_count : 1;
     const size_t size = ms_sss_filter_workspace(WIDTH, HEIGHT, t->kernel, count, &t->options);
     void *workspace = malloc(size);
     ms_sss_frame f;
@@ -238,7 +237,7 @@ static void make_reference(const one_case *t)
     f.output = ms_sss_interleaved(output, 4, 0);
     if (t->shader.with_depth) f.depth = ms_sss_map(t->shader.fetch ? packed : depth, 1, 0);
     if (t->shader.with_strength) f.strength = ms_sss_map(strength, 1, 0);
-    if (t->shader.with_profile) f.profile = profile;
+    if (t->shader.profile_count > 0) f.profile = profile;
     if (t->shader.with_normal && shaped(t)) f.normal = ms_sss_interleaved(normal, 4, 0);
     if (ms_sss_filter(&f, t->kernel, count, &t->options, workspace, size, &error) != MS_OK)
         TEST_FAIL("%s", error.message);
@@ -274,8 +273,7 @@ static double tolerance_of(const one_case *t)
 {
     if (t->shader.half_resolution && t->shader.with_depth)
         return WIDER_TOLERANCE; /* divided by 1 - share of the one, times that of the other */
-    return shaped(t) || t->options.jitter > 0 || t->options.rotation > 0 ||
-            (t->shader.with_depth && t->shader.with_profile)
+    return shaped(t) || t->options.jitter > 0 || t->options.rotation > 0 || t->shader.profile_count > 0
         ? WIDER_TOLERANCE
         : GPU_TOLERANCE;
 }
@@ -329,7 +327,7 @@ static int plan_steps(const one_case *t, one_step step[STEPS])
     const int half = t->shader.half_resolution;
     int n = 0, term, i;
     memset(step, 0, STEPS * sizeof *step);
-    for (term = 0; t->options.pyramids && term < (t->shader.with_profile ? t->shader.profile_count : 1); ++term) {
+    for (term = 0; t->options.pyramids && term < (t->shader.profile_count > 0 ? t->shader.profile_count : 1); ++term) {
         for (i = 0; i < 2 * LEVELS - 1; ++i, ++n) {
             step[n].term = term;
             step[n].step = i == 0    ? MS_SSS_STEP_BASE
@@ -411,12 +409,8 @@ static void set_step(one_case *t, one_step s)
 {
     ms_error error;
     t->shader.step = s.step;
-    if (s.step >= MS_SSS_STEP_BASE) {
-        if (ms_sss_shader_pyramid(&t->options.pyramids[s.term], &t->options, WIDTH, HEIGHT, &t->shader, s.level, s.term,
-                                  constants, &error) != MS_OK)
-            TEST_FAIL("%s", error.message);
-    } else if (ms_sss_shader_constants(t->kernel, s.term, &t->options, WIDTH, HEIGHT, &t->shader, constants, &error) !=
-               MS_OK)
+    t->shader.level = s.level;
+    if (ms_sss_shader_constants(t->kernel, s.term, &t->options, WIDTH, HEIGHT, &t->shader, constants, &error) != MS_OK)
         TEST_FAIL("%s", error.message);
 }
 
@@ -501,7 +495,7 @@ static void compare_all(gl_api which, ms_sss_language language, int method, int 
         w = tolerance_of(&t) > GPU_TOLERANCE ? &worst_wider : &worst;
         if (!(e <= tolerance_of(&t)))
             TEST_FAIL("case %d (depth %d, profile %d, depth mode %d, flat %g, normal %d, turned %d): %g", i,
-                      t.shader.with_depth, t.shader.with_profile, (int)t.options.depth_mode, (double)t.options.flat,
+                      t.shader.with_depth, t.shader.profile_count, (int)t.options.depth_mode, (double)t.options.flat,
                       t.shader.with_normal, t.options.rotation > 0 || t.options.jitter > 0, e);
         if (e > *w) *w = e;
     }
@@ -563,8 +557,7 @@ static void case_viewport(void)
     t.options.fov_degrees = 30;
     t.options.center[0] = -20;
     t.options.center[1] = 15;
-    t.shader.with_profile = t.shader.with_strength = t.shader.with_normal = 0;
-    t.shader.profile_count = 0;
+    t.shader.profile_count = t.shader.with_strength = t.shader.with_normal = 0;
     t.shader.origin[0] = LEFT;
     t.shader.origin[1] = BELOW;
     make_reference(&t);
@@ -638,7 +631,6 @@ static void case_sixteen(void)
         double e;
         make_picture();
         make_case(&t, i, MS_SSS_GLSL_ES_300, 1);
-        t.shader.with_profile = 1;
         t.shader.profile_count = MS_SSS_SHADER_PROFILES_MAX;
         for (k = 0; k < MS_SSS_SHADER_PROFILES_MAX; ++k)
             t.kernel[k] = make_kernel(t.shader.tap_count - (k % 3 ? 2 : 0), 1, 1.5 - 0.08 * k);
@@ -661,12 +653,11 @@ static int variant(int i, ms_sss_language language)
     ms_sss_shader s;
     ms_error error;
     const int bits = i / 81;
-    if (i % (test_full ? 197 : 7919)) return 0; /* primes: every choice meets every other */
+    if (i % (test_full ? 197 : 15803)) return 0; /* primes: every choice meets every other */
     memset(&s, 0, sizeof s);
     s.tap_count = 7;
     s.language = language;
     s.with_depth = i % 3 > 0;
-    s.with_profile = i / 3 % 3 > 0;
     if (i % 3 == 2 && language <= MS_SSS_GLSL_ES_300) s.fetch = own_fetch;
     o.depth_mode = (ms_sss_depth_mode)(i / 9 % 3 == 1);
     s.step = i / 27 % 3 == 1 ? MS_SSS_STEP_Y : MS_SSS_STEP_X;
@@ -674,7 +665,7 @@ static int variant(int i, ms_sss_language language)
     if (bits >> 2 & 1) o.fov_degrees = 40;
     else o.ortho_height = 100;
     o.rotation = (float)(bits >> 3 & 1);
-    s.profile_count = s.with_profile ? 1 + (bits >> 5 & 1) * 15 : 0;
+    s.profile_count = i / 3 % 3 > 0 ? 1 + (bits >> 5 & 1) * 15 : 0;
     o.flat = (float)(bits >> 6 & 1);
     s.with_normal = bits >> 7 & 1;
     if (bits >> 10 & 1) { /* half resolution */
@@ -774,7 +765,6 @@ static void case_bleeding(void)
     make_case(&t, 4, MS_SSS_GLSL_330, 1);
     t.shader.with_depth = 0;
     t.shader.fetch = NULL;
-    t.shader.with_profile = 1;
     t.shader.profile_count = PROFILES;
     t.options = ms_sss_filter_defaults();
     t.options.pixels_per_mm[0] = 4;
@@ -810,8 +800,8 @@ static void case_refused(void)
     ms_sss_kernel k = make_kernel(7, 1, 1);
     ms_sss_filter_options o = ms_sss_filter_defaults(), p;
     ms_sss_shader good, s;
+    static ms_sss_pyramid pyramid;
     char small[100] = "before";
-    int i;
     memset(&good, 0, sizeof good);
     good.tap_count = 7;
     o.pixels_per_mm[0] = 4;
@@ -822,8 +812,6 @@ static void case_refused(void)
     refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "tap_count 8");
     s = good, s.profile_count = 17;
     refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "profile_count 17");
-    s = good, s.profile_count = 2;
-    refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "with_profile");
     s = good, s.language = (ms_sss_language)5;
     refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "language 5");
     s = good, s.step = (ms_sss_step)8;
@@ -831,9 +819,11 @@ static void case_refused(void)
     s = good, s.step = MS_SSS_STEP_RESOLVE, p = o, p.jitter = 1;
     refuses(&s, &p, NULL, 0, MS_UNSUPPORTED, "jitter");
     s = good, s.step = MS_SSS_STEP_GATHER;
-    refuses(&s, &o, &k, 0, MS_INVALID_ARGUMENT, "ms_sss_shader_pyramid");
-    s = good, s.step = MS_SSS_STEP_UP;
-    refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "half_resolution");
+    refuses(&s, &o, &k, 0, MS_INVALID_ARGUMENT, "pyramids is NULL");
+    p = o, p.pyramids = &pyramid;
+    refuses(&s, &p, &k, 1, MS_INVALID_ARGUMENT, "profile 1");
+    s.level = 6;
+    refuses(&s, &p, &k, 0, MS_INVALID_ARGUMENT, "level 6");
     s = good, s.term_count = MS_SSS_TERMS_MAX + 1;
     refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "term_count");
     s = good, s.origin[1] = -1;
@@ -850,17 +840,6 @@ static void case_refused(void)
     s = good, s.tap_count = 5;
     refuses(&s, &o, &k, 0, MS_INVALID_ARGUMENT, "7 taps");
     refuses(&good, &o, &k, 1, MS_INVALID_ARGUMENT, "term 1");
-    for (i = 0; i < 3; ++i) { /* constants of a pyramid */
-        static ms_sss_pyramid pyramid;
-        float out[1][4] = {{7, 7, 7, 7}};
-        ms_error error;
-        s = good, s.step = i == 1 ? MS_SSS_STEP_X : MS_SSS_STEP_SHRINK;
-        CHECK_INT(ms_sss_shader_pyramid(i == 2 ? NULL : &pyramid, &o, 64, 48, &s, i == 0 ? 6 : 0, 0, out, &error),
-                  MS_INVALID_ARGUMENT);
-        if (!strstr(error.message, i == 0 ? "level 6" : i == 1 ? "ms_sss_shader_constants" : "NULL"))
-            TEST_FAIL("'%s'", error.message);
-        CHECK((double)out[0][0] == 7);
-    }
     k.weight[0][3][1] *= 1.5f;
     s = good;
     refuses(&s, &o, &k, 0, MS_UNSUPPORTED, "taps 3 and 4");
@@ -959,8 +938,9 @@ static void case_reads(void)
             pyramid.radius_mm = 10;
             t.shader.half_resolution = 0;
             t.shader.step = (ms_sss_step)((int)MS_SSS_STEP_BASE + k);
-            if (ms_sss_shader_pyramid(&pyramid, &t.options, WIDTH, HEIGHT, &t.shader, k == 2, 0, constants, NULL) !=
-                MS_OK)
+            t.shader.level = k == 2;
+            t.options.pyramids = &pyramid;
+            if (ms_sss_shader_constants(NULL, 0, &t.options, WIDTH, HEIGHT, &t.shader, constants, NULL) != MS_OK)
                 TEST_FAIL("constants");
             count_reads(&t, t.shader.step, &usual[0]);
             CHECK_INT(usual[0], reads[k]);
@@ -971,71 +951,54 @@ static void case_reads(void)
 /* The constants lie where the structs say, and change at a resize as the table says. */
 static void case_constants(void)
 {
-    static float from_struct[200][4];
-    ms_sss_shader_picture picture;
-    ms_sss_shader_profile first;
-    static ms_sss_pyramid pyramid;
+    static float wanted[200][4];
+    static ms_sss_pyramid pyramids[3], *const pyramid = pyramids + 2;
     const double reflectance[3] = {0.5, 0.4, 0.3}, d_mm[3] = {1, 0.5, 0.2};
     ms_sss_profile *profile;
     one_case t;
     ms_error error;
     int i;
-    CHECK_INT(sizeof picture, 64);
-    CHECK_INT(sizeof first, 80);
-    CHECK_INT(offsetof(ms_sss_shader_picture, aspect), 16);
-    CHECK_INT(offsetof(ms_sss_shader_picture, first), 32);
-    CHECK_INT(offsetof(ms_sss_shader_profile, radius_mm), 12);
-    CHECK_INT(offsetof(ms_sss_shader_profile, depth_scale), 28);
-    CHECK_INT(offsetof(ms_sss_shader_profile, cut), 44);
-    CHECK_INT(offsetof(ms_sss_shader_picture, focal), 36);
-    CHECK_INT(offsetof(ms_sss_shader_picture, slope_scale), 44);
-    CHECK_INT(offsetof(ms_sss_shader_picture, center), 48);
-    CHECK_INT(offsetof(ms_sss_shader_picture, origin), 56);
-    CHECK_INT(offsetof(ms_sss_shader_profile, curve), 48);
-    CHECK_INT(offsetof(ms_sss_shader_profile, mixed), 60);
-    CHECK_INT(offsetof(ms_sss_shader_profile, reach), 76);
     CHECK_INT(ms_sss_shader_levels(97, 75), LEVELS);
     CHECK_INT(ms_sss_shader_levels(1, 2), 1);
     CHECK_INT(ms_sss_shader_levels(65536, 65536), MS_SSS_PYRAMID_LEVELS);
     make_case(&t, 4, MS_SSS_GLSL_330, 1);
     t.shader.profile_count = PROFILES;
-    t.shader.with_profile = t.shader.with_depth = 1;
+    t.shader.with_depth = 1;
     t.options = ms_sss_filter_defaults();
     t.options.fov_degrees = 40;
     t.options.mm_per_unit = 10;
     if (ms_sss_shader_constants(t.kernel, 0, &t.options, 640, 360, &t.shader, constants, &error) != MS_OK)
         TEST_FAIL("%s", error.message);
-    /* a resize changes what the table of the header names, as it says */
-    memcpy(from_struct, constants, sizeof(float[4]) * (size_t)ms_sss_shader_constant_count(&t.shader));
-    memcpy(&picture, from_struct, sizeof picture);
-    CHECK_NEAR((double)picture.pixels, 360 / (2 * tan(20 * 3.14159265358979 / 180) * 10), 1e-4);
-    picture.pixels *= 720.0f / 360.0f;
-    picture.focal[0] *= 720.0f / 360.0f;
-    picture.focal[1] *= 720.0f / 360.0f;
-    picture.center[0] = 640;
-    picture.center[1] = 360;
-    picture.width = 1280;
-    picture.height = 720;
-    memcpy(from_struct, &picture, sizeof picture);
+    /* a resize changes size, center, and pixels and focal in proportion to the height */
+    memcpy(wanted, constants, sizeof wanted);
+    CHECK_NEAR((double)wanted[0][2], 360 / (2 * tan(20 * 3.14159265358979 / 180) * 10), 1e-4);
+    wanted[0][0] = 1280;
+    wanted[0][1] = 720;
+    wanted[0][2] *= 2;
+    wanted[2][1] *= 2;
+    wanted[2][2] *= 2;
+    wanted[3][0] = 640;
+    wanted[3][1] = 360;
     if (ms_sss_shader_constants(t.kernel, 0, &t.options, 1280, 720, &t.shader, constants, &error) != MS_OK)
         TEST_FAIL("%s", error.message);
     for (i = 0; i < 4 * ms_sss_shader_constant_count(&t.shader); ++i)
-        CHECK_NEAR((double)(&from_struct[0][0])[i], (double)(&constants[0][0])[i],
+        CHECK_NEAR((double)(&wanted[0][0])[i], (double)(&constants[0][0])[i],
                    1e-6 * fabs((double)(&constants[0][0])[i]));
-    memcpy(&first, constants[4], sizeof first);
-    CHECK_NEAR((double)first.radius_mm, (double)t.kernel[0].radius_mm, 0);
+    CHECK_NEAR((double)constants[4][3], (double)t.kernel[0].radius_mm, 0);
     /* those of a pyramid lie where the text's first lines say */
     if (ms_sss_profile_from_burley(&profile, reflectance, d_mm, NULL, &error) != MS_OK ||
-        ms_sss_pyramid_make(&pyramid, profile, &error) != MS_OK)
+        ms_sss_pyramid_make(pyramid, profile, &error) != MS_OK)
         TEST_FAIL("%s", error.message);
     ms_sss_profile_destroy(profile);
     t.shader.step = MS_SSS_STEP_SHRINK;
     t.shader.half_resolution = 0;
     t.options.fade = 0.25f;
+    t.options.pyramids = pyramids;
     for (i = 0; i < 3; ++i) {
-        if (ms_sss_shader_pyramid(&pyramid, &t.options, 640, 360, &t.shader, i, 5, constants, &error) != MS_OK)
+        t.shader.level = i;
+        if (ms_sss_shader_constants(NULL, 2, &t.options, 640, 360, &t.shader, constants, &error) != MS_OK)
             TEST_FAIL("%s", error.message);
-        CHECK(constants[0][0] == 640 && constants[0][1] == 360 && constants[0][2] == 0.75f && constants[0][3] == 5);
+        CHECK(constants[0][0] == 640 && constants[0][1] == 360 && constants[0][2] == 0.75f && constants[0][3] == 2);
         CHECK_NEAR((double)constants[1][3], tan(20 * 3.14159265358979 / 180) / 180, 1e-9); /* of a pixel's ray */
         CHECK(constants[2][1] == 1 && constants[2][2] == (float)(2 << i));
         CHECK_NEAR((double)constants[3][0], ms_sss_elevation(0.5, 1) / 4, 1e-6);

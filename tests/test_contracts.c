@@ -824,7 +824,6 @@ static const struct {
     {run_radius, NULL, FIELD(radius_of, radius_px, 'd'), 24, 30},
     {run_filter, set_texture, FIELD(ms_sss_filter_options, pixels_per_mm[1], 'f'), 2, 3},
     {run_filter, set_camera, FIELD(ms_sss_filter_options, mm_per_unit, 'f'), 1, 1.5},
-    {run_shader, set_taps, FIELD(ms_sss_shader, profile_count, 'i'), 1, 2},
     {run_shader, set_up, FIELD(ms_sss_shader, term_count, 'i'), 1, 2},
     {run_nn_shader, NULL, FIELD(ms_nn_shader, steps, 'i'), 2, 1},
 };
@@ -899,7 +898,7 @@ static const struct {
     {run_filter, set_texture, FIELD(ms_sss_filter_options, albedo_mode, 'i'), -1, 0, 2, 3},
     {run_filter, set_texture, FIELD(ms_sss_filter_options, depth_mode, 'i'), -1, 0, 1, 2},
     {run_shader, set_taps, FIELD(ms_sss_shader, tap_count, 'i'), 0, 1, 257, 259},
-    {run_shader, set_taps, FIELD(ms_sss_shader, profile_count, 'i'), -1, 0, NONE, 17},
+    {run_shader, set_taps, FIELD(ms_sss_shader, profile_count, 'i'), -1, 0, 16, 17},
     {run_shader, set_taps, FIELD(ms_sss_shader, language, 'i'), -1, 0, 4, 5},
     {run_nn_shader, NULL, FIELD(ms_nn_shader, step, 'i'), -1, 0, 1, 2},
     {run_nn_shader, NULL, FIELD(ms_nn_shader, steps, 'i'), -1, 0, 2, 3},

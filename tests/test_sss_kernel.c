@@ -889,6 +889,7 @@ static void radii(void)
     static ms_sss_kernel k;
     ms_sss_profile *skin = skin_profile();
     size_t n;
+    int model;
     for (n = 0; n < sizeof radius / sizeof radius[0]; ++n) {
         ms_sss_kernel_options o = ms_sss_kernel_defaults();
         ms_sss_errors e;
@@ -899,6 +900,12 @@ static void radii(void)
         o.tap_count = MS_SSS_DENSE;
         built(&k, d, &o);
         check_kernel(&k, MS_SSS_IMAGE_OPTIMAL, "dense radius");
+        for (model = MS_SSS_PREINTEGRATED; model <= (int)MS_SSS_SLICE && radius[n] > 1e8; ++model) { /* full arrays */
+            o.model = (ms_sss_model)model;
+            o.term_count = model >= (int)MS_SSS_RESIDUAL && model <= (int)MS_SSS_GAUSSIANS ? 2 : 1;
+            built(&k, d, &o);
+            check_kernel(&k, o.model, "the most cells");
+        }
         ms_sss_designer_destroy(d);
     }
     ms_sss_profile_destroy(skin);

@@ -427,7 +427,7 @@ static void case_promises(void)
     TEST_METHOD;
     make_scene();
     for (kind = 0; kind < 3; ++kind) {
-        for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+        for (level = MS_SIMD_SCALAR; level <= test_simd_best(); ++level) {
             ms_sss_filter_options o = ms_sss_filter_defaults();
             ms_sss_frame f = scene_frame(out, kind > 0, 1);
             test_pool pool;
@@ -657,7 +657,7 @@ static void case_levels(void)
     int level, kind, c, i;
     make_scene();
     for (kind = 0; kind < 2; ++kind) {
-        for (level = MS_SIMD_SCALAR; level <= MS_SIMD_AVX512; ++level) {
+        for (level = MS_SIMD_SCALAR; level <= test_simd_best(); ++level) {
             ms_sss_filter_options o = ms_sss_filter_defaults();
             ms_sss_frame f = scene_frame(level == MS_SIMD_SCALAR ? out : again, 1, kind);
             o.simd = (ms_simd)level;

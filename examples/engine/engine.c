@@ -149,15 +149,14 @@ int main(int argc, char **argv)
     gl_Uniform4fv(gl_GetUniformLocation(program, "decay"), KERNELS, &factor[1][0][0]);
     draw(IRRADIANCE, 4);
 
-    /* 2. the passes: texts and constants are made once, and again when the table beside ms_sss_shader_picture says
-       so */
+    /* 2. the passes: texts and constants are made once, and again when what ms_sss.h names beside them
+       changes */
     options.fov_degrees = 40;
     options.mm_per_unit = 10; /* the scene is in centimeters */
     shader = ms_sss_shader_defaults();
     shader.language = MS_SSS_GLSL_330;
     shader.tap_count = kernel[0].tap_count;
     shader.profile_count = KERNELS;
-    shader.with_profile = 1;
     shader.nearest = 9.4f; /* of the wax ball: too wide a kernel for its taps is refused */
     shader.fetch = fetch;
     if (ms_sss_shader_constant_count(&shader) > 64) return fail("constants", "more than 64");

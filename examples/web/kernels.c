@@ -214,12 +214,8 @@ CALL(int, fill, (int width, int height, int way, int step, int level, double mm_
 {
     ms_sss_shader shader = pass_of(MS_SSS_GLSL_ES_300, way, step, flat);
     int count = ms_sss_shader_constant_count(&shader);
+    shader.level = level;
     see(mm_per_unit, flat, way);
-    if (way == 2)
-        return count <= CONSTANTS &&
-                ms_sss_shader_pyramid(&pyramid, &view, width, height, &shader, level, 0, constant, &error) == MS_OK
-            ? count
-            : 0;
     return count <= CONSTANTS &&
             ms_sss_shader_constants(&kernel, 0, &view, width, height, &shader, constant, &error) == MS_OK
         ? count

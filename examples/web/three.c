@@ -67,7 +67,6 @@ static ms_sss_shader pass_of(int step, int taps, int materials)
     shader.step = step ? MS_SSS_STEP_Y : MS_SSS_STEP_X;
     shader.tap_count = taps;
     shader.profile_count = materials;
-    shader.with_profile = 1;
     shader.fetch = "uniform sampler2D light;\n"
                    "vec3 ms_sss_fetch_color(ivec2 p) { return texelFetch(light, p, 0).rgb; }\n"
                    "float ms_sss_fetch_depth(ivec2 p) { return texelFetch(light, p, 0).a; }\n"

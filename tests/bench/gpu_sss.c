@@ -213,16 +213,15 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
     o.fov_degrees = 40;
     o.flat = c->slopes ? 0.0f : 1.0f;
     s = ms_sss_shader_defaults();
-    s.profile_count = c->profiles;
-    s.with_profile = c->profiles > 1;
+    s.profile_count = c->profiles > 1 ? c->profiles : 0;
+    o.pyramids = &pyramid;
     s.fetch = in_alpha;
     s.half_resolution = c->other == HALF;
     for (i = 0; i < n; ++i) {
         float frame[4] = {(float)width, (float)height, (float)i, 0};
         s.step = d[i].step;
-        status = c->other == PYRAMID
-            ? ms_sss_shader_pyramid(&pyramid, &o, width, height, &s, d[i].level, 0, constants, &error)
-            : ms_sss_shader_constants(kernel, 0, &o, width, height, &s, constants, &error);
+        s.level = d[i].level;
+        status = ms_sss_shader_constants(kernel, 0, &o, width, height, &s, constants, &error);
         if (status != MS_OK || !ms_sss_shader_text(&s, &o, text, sizeof text, &error)) stop(c->name, error.message);
         frame[3] = constants[0][2];
         d[i].program = gl_program(gl_corner[0],

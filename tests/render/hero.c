@@ -7,8 +7,8 @@
 
    A big knot in the middle, smaller objects around it by the golden angle (Vogel 1979): the bigger the nearer, no two
    touch. The colors run around the middle like a color wheel: objects by angle take materials by hue. */
-#define MS_SSS_IMPLEMENTATION /* for the random numbers that all headers share */
-#include "ms_sss.h"
+#define MS_PME_IMPLEMENTATION /* the smallest header, for the random numbers that headers share */
+#include "ms_pme.h"
 #include "image.h"
 #include "scores.h"
 #include "render/material.h"
