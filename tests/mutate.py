@@ -3,14 +3,14 @@
                             [--scalar] [--address] [--jobs 1] [--again] [--keep]
 
 Changes one place of the header's implementation at a time - a constant by 1 % or by one, a comparison, an operator, a dropped
-statement, an intrinsic or a vector macro by its opposite - and runs the header's tests (those that include it), the fastest
-first, until one fails. A change that leaves the compiled object as it was is no change and is thrown away. Lines that this
-machine does not compile are left out; --scalar takes the build without SIMD. --lines: of the header, as an editor counts them.
+statement, an intrinsic or a vector macro by its opposite - and runs the header's tests (those that include it, with
+pkg_*_gpu where EGL is), the fastest first, until one fails. A change that leaves the compiled object as it was is no change and
+is thrown away. Lines that this machine does not compile are left out; --scalar takes the build without SIMD. --lines: of the header, as an editor counts them.
 --again runs the survivors of earlier runs once more, after tests were added; with --address under Clang's address sanitizer.
 The header is compiled once a mutant, and again in tests that call its private functions. Each result is a line of
 build/mutate/HEADER.tsv; the survivors are printed: some are equivalent (they change no result that is promised), the others
 ask for a test. Exit 0. Needs GCC; one mutant costs a compilation and a run of each test that does not notice."""
-import argparse, hashlib, os, random, re, signal, subprocess, sys, time
+import argparse, hashlib, json, os, random, re, signal, subprocess, sys, time
 from concurrent.futures import ThreadPoolExecutor
 
 p = argparse.ArgumentParser()
@@ -34,6 +34,8 @@ tsv = '%s/%s.tsv' % (out, name)
 flags = '-std=c99 -O1 -w -D_POSIX_C_SOURCE=200809L -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench'.split() + (['-DMS_NO_SIMD'] if o.scalar else [])
 cc = ['clang', '-fsanitize=address'] if o.address else ['gcc']
 nice = ['nice', '-n', '10']
+inside = ['-DTEST_INSIDE=', '-include', name[3:] + '_inside.h'] if os.path.exists('tests/%s_inside.h' % name[3:]) else []
+egl = subprocess.run(cc + ['-x', 'c', '-', '-o', out + '/probe', '-lEGL'], input=b'int main(void) { return 0; }', capture_output=True).returncode == 0
 headers = sorted(f[:-2] for f in os.listdir('.') if re.match(r'ms_\w+\.h$', f))
 
 
@@ -63,7 +65,8 @@ def run(command, seconds):
 
 
 def tests_of_header():
-    names = o.tests.split(',') if o.tests else sorted(f[:-2] for f in os.listdir('tests') if re.match(r'test_\w+\.c$', f))
+    kind = r'(test_\w+|pkg_\w+_gpu)\.c$' if egl else r'test_\w+\.c$' # shaders where OpenGL is
+    names = o.tests.split(',') if o.tests else sorted(f[:-2] for f in os.listdir('tests') if re.match(kind, f))
     return [n for n in names if re.search(r'include "%s\.h"' % name, open('tests/%s.c' % n).read()) and not n.endswith('_big_endian') and n != 'test_memory']
 
 
@@ -80,7 +83,7 @@ def digest(path):
 def header(folder):
     """The digest of the header's object, or None where it does not compile."""
     to = '%s/%s.o' % (folder, name)
-    if run(cc + ['-I' + folder, '-I.'] + flags + ['-D%s_IMPLEMENTATION' % upper, '-include', '%s/%s.h' % (folder, name), '-c', '-x', 'c', '/dev/null', '-o', to], 300)[0] != 0:
+    if run(cc + ['-I' + folder, '-I.'] + flags + ['-O2', '-D%s_IMPLEMENTATION' % upper, '-D%s_WITH_SCALAR' % upper, '-include', '%s/%s.h' % (folder, name)] + inside + ['-c', '-x', 'c', '/dev/null', '-o', to], 300)[0] != 0:
         return None
     return digest(to)
 
@@ -98,7 +101,7 @@ def link(folder, test):
     base = '%s/%s' % (folder, test)
     program = ('%s/base/%s.o' % (out, test)) if name in linked(test) else base + '.o'
     objects = ['%s/%s.o' % (folder, h) if h == name else 'build/%s.o' % h for h in linked(test)]
-    return run(cc + [program] + objects + ['-o', base, '-lm', '-lpthread'], 60)[0] == 0
+    return run(cc + [program] + objects + ['-o', base, '-lm', '-lpthread'] + (['-lEGL'] if test.startswith('pkg_') else []), 60)[0] == 0
 
 
 # --- places ---------------------------------------------------------------------------------------------------------------
@@ -222,20 +225,28 @@ subprocess.run(['cp', name + '.h', out + '/base/'])
 
 
 def baseline(t):
-    start = time.time()
     base[t] = build(out + '/base', t)
+    text = '%s %s' % (base[t], base[name])
+    if known.get(t, [''])[0] == text: # the last run had the same text
+        spent[t] = known[t][1]
+        return
+    start = time.time()
     if base[t] is None or not link(out + '/base', t):
         sys.exit(t + ' does not compile')
     rc, said = run([out + '/base/' + t], 900)
     if rc != 0:
         sys.exit('%s fails unchanged: %s' % (t, said[-300:]))
     spent[t] = time.time() - start
+    known[t] = [text, spent[t]]
 
 
+kept = '%s/%s.json' % (out, name)
+known = json.load(open(kept)) if os.path.exists(kept) else {}
 subprocess.run(['make', '-s'] + ['build/%s.o' % h for h in headers], check=True)
 base[name] = header(out + '/base')
 with ThreadPoolExecutor(o.jobs) as pool:
     list(pool.map(baseline, tests))
+json.dump(known, open(kept, 'w'))
 tests.sort(key=lambda t: spent[t])
 print('%s: %s' % (name, ', '.join('%s %.0f s' % (t, spent[t]) for t in tests)), flush=True)
 

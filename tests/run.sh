@@ -98,20 +98,29 @@ compiles() {
 
 # Long to run for what they add: check and test leave them out.
 long="test_nn_big_endian test_memory"
+# What make test leaves to test-long: without SIMD, what reaches no text for it (kernels of ms_sss.h, all of ms_pme.h); in other builds, the
+# trainer, which is compiled once for all and takes forward and backward passes that test_nn compares there.
+not_scalar="test_sss_kernel test_pme test_pme_match test_pool test_train"
+not_clang="test_train"
 
 # objects PREFIX COMPILER LANGUAGE-FLAGS HEADER...: these compiled once for all that is linked with OUT/PREFIXms.a; a warning fails
-# the job, not the programs. Check and test take the objects of the examples for the archive without a prefix.
+# the job, not the programs. Check and test take the objects of the examples for the archive without a prefix, but for headers whose inner
+# calls a test wants (tests/X_inside.h): these are compiled with that file.
+inside=""
 objects() {
     mkdir -p "$out/objects"
-    case "$group:$1" in check: | test: | long:) return ;; esac
-    [ -f "$out/objects/$1ms.a" ] || ar rcs "$out/objects/$1ms.a" # it may stay empty
+    case "$group:$1" in check: | test: | long:) examples=1 ;; *) examples="" ;; esac
+    [ -n "$examples" ] || [ -f "$out/objects/$1ms.a" ] || ar rcs "$out/objects/$1ms.a" # it may stay empty
     case $3 in -x*) language="$warn" ;; *) language="-x c $warn_c" ;; esac
     prefix=$1 build="$2 $posix -I. $3"
     shift 3
     for n; do
         n=${n%.h}
         upper=$(echo $n | tr a-z A-Z)
-        echo "$build $language -D${upper}_IMPLEMENTATION -D${upper}_WITH_SCALAR -include $n.h -c -o $out/objects/$prefix$n.o /dev/null 2>&1 |
+        more=""
+        case " $inside " in *" ${n#ms_}_inside.h "*) more="$paths -DTEST_INSIDE= -include ${n#ms_}_inside.h" ;; esac
+        [ -z "$examples" ] || [ -n "$more" ] || continue
+        echo "$build $language -D${upper}_IMPLEMENTATION -D${upper}_WITH_SCALAR -include $n.h $more -c -o $out/objects/$prefix$n.o /dev/null 2>&1 |
             awk '{print; bad += /warning:|error:/} END {exit bad > 0}'" >"$out/objects/1-$prefix$n.job"
     done
 }
@@ -135,6 +144,8 @@ test_jobs() {
     for t in tests/test_*.c; do
         n=$(basename "$t" .c)
         case "$group:$1: $long " in check:*" $n "* | test:*" $n "* | long:[!f]*" $n "* | long:fma_:*" $n "*) continue ;; esac
+        case "$group:$1: $not_scalar " in test:scalar_:*" $n "*) continue ;; esac
+        case "$group:$1: $not_clang " in test:c*_:*" $n "*) continue ;; esac
         case $group in sanitize | long) since $(used "$t") || continue ;; esac
         # what uses no header is the same in every build
         case $1 in "" | full_) ;; *) [ -n "$(reached "$t")" ] || continue ;; esac
@@ -150,6 +161,7 @@ test_jobs() {
             job "$1$n" "$2 $posix $paths $3 $level$with $t $([ "${3#-x}" = "$3" ] || echo -x none) $out/objects/$1ms.a -o $out/$1$n -lm -lpthread && $4 $out/$1$n $5" || continue ;;
         esac
         some="$some $(needed "$t")"
+        inside="$inside $(sed -n 's/#include "\([a-z]*_inside\.h\)".*/\1/p' "$t")"
     done
     [ -z "$some" ] || objects "$1" "$2" "$3" $some
 }
@@ -200,19 +212,15 @@ test_group() {
         objects "" "$CC" "-std=c99 $CFLAGS"
         echo "$CXX -std=c++17 -Itests -O1 -c tests/oiio.cpp -o $out/objects/oiio.o" >"$out/objects/1-oiio.job"
     fi
-    test_jobs "scalar_" "$CC" "-std=c99 $CFLAGS -DMS_NO_SIMD" "" "--build --no-simd"
-    # The other language by the other compiler.
-    if have clang++; then test_jobs "clang_" clang++ "-x c++ -std=c++11 $CFLAGS" "" "--build"
-    else test_jobs "cxx_" "$CXX" "-x c++ -std=c++11 $CFLAGS -O1" "" "--build"
-    fi
-    check_jobs
+    # long ones, so that none of them is the last
+    job dropin_together "sh tests/dropin/dropin.sh $out/dropin_together $(echo $headers)"
+    job alone "sh tests/alone.sh $out/alone"
     for t in tests/test_*.py; do
         [ -f "$t" ] || continue
         n=$(basename "$t" .py)
         job "$n" "sh tests/python.sh $t"
     done
     job null "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/null.py $out/null"
-    job dropin_together "sh tests/dropin/dropin.sh $out/dropin_together $(echo $headers)"
     for h in $headers; do
         n=${h%.h}
         job "dropin_$n" "sh tests/dropin/dropin.sh $out/dropin_$n $h"
@@ -220,7 +228,12 @@ test_group() {
     done
     job dropin_msvc "sh tests/dropin/msvc.sh $out/dropin_msvc $(echo $headers)"
     job dropin_meson "sh tests/dropin/meson.sh $out/dropin_meson"
-    job alone "sh tests/alone.sh $out/alone"
+    test_jobs "scalar_" "$CC" "-std=c99 $CFLAGS -DMS_NO_SIMD" "" "--build --no-simd"
+    # The other language by the other compiler.
+    if have clang++; then test_jobs "clang_" clang++ "-x c++ -std=c++11 $CFLAGS" "" "--build"
+    else test_jobs "cxx_" "$CXX" "-x c++ -std=c++11 $CFLAGS -O1" "" "--build"
+    fi
+    check_jobs
 }
 
 long_group() {
@@ -348,8 +361,13 @@ in_order() {
     else awk -v seed="$SHUFFLE" 'BEGIN {srand(seed)} {print rand() "\t" $0}' | sort | cut -f 2
     fi
 }
-[ "$group" != test ] || JOBS=$((JOBS + 1)) # browsers and disks are waited for
-ls "$out"/*.job 2>/dev/null | in_order | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
+# Those that wait for a browser most of the time run one after another beside the rest, of which one more runs than there are processors:
+# disks are waited for, too.
+browser='-(web|three|materialx|page)\.job$'
+[ "$group" != test ] || JOBS=$((JOBS + 1))
+ls "$out"/*.job 2>/dev/null | grep -E -e "$browser" | in_order | xargs -n 1 sh tests/run.sh --one &
+ls "$out"/*.job 2>/dev/null | grep -v -E -e "$browser" | in_order | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
+wait
 cat "$out"/*.seconds "$out"/objects/*.seconds 2>/dev/null | sort -rn >"$out/seconds"
 [ "$(wc -l <"$out/seconds")" -lt 11 ] || { echo "the ten dearest, in seconds of processor time:"; head -10 "$out/seconds" | awk '{print "  " $1 "  " $3}'; }
 awk '{s += $1} END {printf "%.0f s of processor time\n", s}' "$out/seconds"

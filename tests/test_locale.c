@@ -5,6 +5,7 @@
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "test.h"
+#include <limits.h>
 #include "files.h"
 #include "mci.h"
 #include "materials.h"
@@ -174,5 +175,62 @@ static void case_numbers(void)
     setlocale(LC_ALL, "C");
 }
 
-static const test_case cases[] = {{"written", case_written}, {"read", case_read}, {"numbers", case_numbers}};
+/* Numbers in messages: six digits of what the C library reads back, written as its %g, but with up to seven places
+ * before the point. */
+static void case_messages(void)
+{
+    static const double special[] = {1.5,     999999.4, 999999.6,    9999994,   9999996,    1e5,     1.2e6,
+                                     1e7,     -1,       -0.00012345, -9.9e-5,   5e-324,     1.7e308, -1e100,
+                                     1000000, 123457.5, HUGE_VAL,    -HUGE_VAL, (double)NAN};
+    const int specials = (int)(sizeof special / sizeof special[0]);
+    ms_sss_frame frame;
+    ms_sss_filter_options filter = ms_sss_filter_defaults();
+    ms_sss_kernel kernel;
+    ms_mcml_options options = ms_mcml_defaults();
+    const ms_mcml_layer layer = {1.4, 2, 180, 0.85, 0.1};
+    const ms_mcml_tissue tissue = {1, 1, 1, &layer};
+    const ms_mcml_grid grid = {0.01, 0.01, 10, 10, 3};
+    ms_mcml_result result;
+    ms_error error;
+    float pixel[3] = {0, 0, 0};
+    uint64_t state = test_seed;
+    char expected[200];
+    int i;
+    for (i = 0; i < 2000 + specials; ++i) {
+        const double x = i < specials ? special[i] : (i % 2 ? -1 : 1) * pow(10, 30 * test_uniform(&state) - 15);
+        if (x >= 0 && x <= 1) continue; /* in range */
+        options.roulette_weight = x;
+        setlocale(LC_ALL, "C");
+        snprintf(expected, sizeof expected, "roulette_weight is %.6g, expected 0 to 1", x);
+        if (fabs(x) >= 999999.5 && fabs(x) < 9999995)
+            snprintf(expected, sizeof expected, "roulette_weight is %.0f0, expected 0 to 1", x / 10);
+        if (x != x) snprintf(expected, sizeof expected, "roulette_weight is nan, expected 0 to 1");
+        enter(); /* with a decimal comma where there is one */
+        CHECK_INT(ms_mcml_simulate(&tissue, &grid, &options, &result, &error), MS_INVALID_ARGUMENT);
+        if (strcmp(error.message, expected) != 0) TEST_FAIL("'%s', expected '%s'", error.message, expected);
+    }
+    setlocale(LC_ALL, "C");
+    memset(&frame, 0, sizeof frame);
+    memset(&kernel, 0, sizeof kernel);
+    frame.width = frame.height = 1;
+    frame.input = frame.output = ms_sss_planar(pixel, pixel + 1, pixel + 2, 0);
+    filter.ortho_height = filter.mm_per_unit = 1;
+    kernel.tap_count = kernel.term_count = 1;
+    kernel.radius_mm = 1;
+    for (i = -3; i < 4; ++i) {
+        frame.input.half = i == -3 ? INT_MIN : i == 3 ? INT_MAX : i;
+        if (i == 0 || i == 1) continue;
+        snprintf(expected, sizeof expected, "input: half is %d, not 0 or 1", frame.input.half);
+        CHECK_INT(ms_sss_filter(&frame, &kernel, 1, &filter, NULL, 0, &error), MS_INVALID_ARGUMENT);
+        if (strcmp(error.message, expected) != 0) TEST_FAIL("'%s', expected '%s'", error.message, expected);
+    }
+    frame.input.half = 0;
+    snprintf(expected, sizeof expected, "a workspace of %zu bytes: expected %zu", (size_t)10,
+             ms_sss_filter_workspace(1, 1, &kernel, 1, &filter));
+    CHECK_INT(ms_sss_filter(&frame, &kernel, 1, &filter, expected, 10, &error), MS_INVALID_ARGUMENT);
+    if (strcmp(error.message, expected) != 0) TEST_FAIL("'%s', expected '%s'", error.message, expected);
+}
+
+static const test_case cases[] = {
+    {"messages", case_messages}, {"written", case_written}, {"read", case_read}, {"numbers", case_numbers}};
 TEST_MAIN_WITH_FILES(cases)
