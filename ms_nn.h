@@ -2712,7 +2712,7 @@ static MS_NN__COLD ms_status ms_nn__build_flatten(ms_nn__build *b, int i, ms_err
     return MS_OK;
 }
 
-static MS_NN__COLD ms_status ms_nn__build_join(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__build_merge(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
 {
     const ms_nn__spec *s = &b->list->spec[i];
     const char *verb = b->list->kind[i] == MS_NN__ADD ? "adds" : "takes";
@@ -2770,7 +2770,7 @@ static MS_NN__COLD ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error
     case MS_NN__GLOBAL: status = ms_nn__build_resize(b, i, error); break;
     case MS_NN__FLATTEN: status = ms_nn__build_flatten(b, i, error); break;
     case MS_NN__ADD:
-    case MS_NN__CONCAT: status = ms_nn__build_join(b, i, info, error); break;
+    case MS_NN__CONCAT: status = ms_nn__build_merge(b, i, info, error); break;
     case MS_NN__ACTIVATE:
         status = ms_nn__activation_read(s, ms_nn__op_add(b, MS_NN__DO_ACTIVATE, i, b->low), info, error);
         break;
@@ -4072,7 +4072,7 @@ struct ms_nn_collapse {
 enum {
     MS_NN__QR_ROWS = 128,     /* of a block that is folded into R */
     MS_NN__QR_PANEL = 16,     /* columns that are reflected together */
-    MS_NN__QR_PARTS = 8,      /* of the rows; joined in order */
+    MS_NN__QR_PARTS = 8,      /* of the rows; merged in order */
     MS_NN__GRAM_ROWS = 248,   /* of W together */
     MS_NN__GRAM_STRIDE = 264, /* doubles from column to column: a power of two would use one set of the cache */
     MS_NN__PASS_ROWS = 8,     /* of W in double together */

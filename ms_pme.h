@@ -311,8 +311,8 @@ typedef struct ms_pme_match_options {
     const double *source; /* [n] center of the pulls */
     const double *pull;   /* [n] >= 0: pull (x_j - source_j)^2 is added to RMSE^2; NULL: none */
     double *deviation;    /* [n] out, or NULL: standard deviations of x for independent errors of the size of the RMSE;
-                             0 where bounds are equal, about 0.29 of the range (uniform) if the picture does not determine
-                             x_j */
+                             0 where bounds are equal, about 0.29 of the range (uniform) if the picture does not
+                             determine x_j */
 } ms_pme_match_options;
 
 typedef struct ms_pme_match_result {

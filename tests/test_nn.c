@@ -1661,7 +1661,6 @@ static void test_shared(void)
     CHECK_INT(ms_nn_output_shape(nn).rank, 2);
     CHECK_INT(ms_nn_output_shape(nn).size[0], 3);
     CHECK_INT(ms_nn_output_shape(nn).size[1], 40);
-    CHECK_INT(ms_nn_output_shape(nn).rank, 2);
     for (i = 0; i < 7; ++i) x[i] = swapped[i] = (float)test_uniform(&state);
     swapped[0] = x[1];
     swapped[1] = x[0];

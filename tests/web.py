@@ -62,10 +62,19 @@ def layout(b, page):
 
 
 CARD = "document.querySelector('#deck .card:not(.gone):not(.waiting)')"
+CARDS = "[...document.querySelectorAll('#deck .card:not(.gone):not(.waiting)')]"
+
+
+def cards(b, count=1):
+    """The materials of the cards, when there are that many and they stand still."""
+    b.until("%s.length >= %d && %s" % (CARDS, count, STILL), WAIT)
+    return [[float(v) for v in x.split(",")] for x in b.value(CARDS + ".map(c => c.dataset.x)")]
 
 
 def give(b, score, card=CARD):
     """A score by the mouse: a click on one of the eleven steps of a card's slider."""
+    if card == CARD:
+        cards(b)
     x, y, w, _ = b.place("(%s).querySelector('.scale')" % card)
     x += w * ((score + 0.5) / 11 - 0.5)
     b.mouse("Moved", x, y)
@@ -86,8 +95,7 @@ def studio(b):
 
     first, shelves = [], []
     for n in range(1, 61):
-        b.until("document.querySelector('#deck .card:not(.gone):not(.waiting)')", WAIT)
-        x = [float(v) for v in b.value("document.querySelector('#deck .card:not(.gone)').dataset.x").split(",")]
+        x = cards(b)[0]
         if n <= 16:
             first.append(taste(x))
         give(b, round(taste(x)))
@@ -218,9 +226,7 @@ def session(b):
     check("tab stops before the plane", stops <= 21, stops)
     b.value("document.activeElement.blur()")
     for n in range(1, 41):
-        b.until(CARD, WAIT)
-        b.until(STILL, WAIT)
-        x = [float(v) for v in b.value(CARD + ".dataset.x").split(",")]
+        x = cards(b)[0]
         if n <= 10:  # of the focused card
             b.value("document.activeElement.closest('.card') || %s.querySelector('.scale').focus()" % CARD)
             x = [float(v) for v in b.value("document.activeElement.closest('.card').dataset.x").split(",")]
@@ -241,10 +247,12 @@ def session(b):
     b.value("(i => { i.value = 'my glass'; i.onchange(); })(document.querySelector('.kept input'))")
     b.click("#history .was")
     b.until("document.querySelector('dialog[open]')", WAIT)
-    b.key("6")
-    b.until("studio.scored[39].score === 6 && studio.idle()", WAIT)
+    was = b.value("studio.scored[39].score")
+    new = 6 if was != 6 else 5
+    b.key(str(new))
+    b.until("studio.scored[39].score === %d && studio.idle()" % new, WAIT)
     b.value("heard({ learned: studio.answers, settled: 1, state: 1, problem: '', doubt: { id: studio.scored[39].id, expected: 1 } })")
-    check("a score that looks like a slip is asked about", b.value("!document.getElementById('doubt').hidden && /a 6; about 1 was expected/.test(document.getElementById('doubt').textContent)"))
+    check("a score that looks like a slip is asked about", b.value("!document.getElementById('doubt').hidden && /a %d; about 1 was expected/.test(document.getElementById('doubt').textContent)" % new))
     b.click("#doubt-keep")
     check("and not again", b.value("heard({ learned: studio.answers, settled: 1, state: 1, problem: '', doubt: { id: studio.scored[39].id, expected: 1 } }), document.getElementById('doubt').hidden"))
     heard = "heard({ learned: studio.answers, settled: 1, state: 1, problem: '', picks: 1 }), document.getElementById('picks').hidden"
@@ -270,8 +278,7 @@ def session(b):
     check("to the taste", liked > 3, liked)
     check("no warning where all is stored", b.dialogs == [], b.dialogs)
     b.click("#undo")  # the changed score of before
-    b.until("studio.scored[39].score !== 6 && studio.idle()", WAIT)
-    b.until(CARD, WAIT)
+    b.until("studio.scored[39].score === %d && studio.idle()" % was, WAIT)
     give(b, 5)
     b.until("studio.scored.length === 41 && studio.idle()", WAIT)
 
@@ -338,7 +345,7 @@ def session(b):
     changed = rows[1].rsplit(",", 1)[0] + (",1" if not rows[1].endswith(",1") else ",2")
     said = open_file("changed.csv", "\n".join([rows[0], changed, ",".join(["0.25"] * 19) + ","]))
     check("another score of a material changes it", len(answers(b)[0]) == len(before[0]) and answers(b) != before and "1 new answer, 1 material without a score" in said, said)
-    check("what has no score is shown next", b.value(CARD + ".dataset.x").startswith("0.25000,0.25000"))
+    check("what has no score is shown next", cards(b)[0][:2] == [0.25, 0.25])
     before = answers(b)
     for text, words in (("x0,x1\n1,2\n", "line 2: 2 columns"), (rows[0] + "\n" + rows[1].rsplit(",", 1)[0] + ",11\n", "line 2: the score"),
                         (rows[0] + "\n7" + rows[1] + "\n", "line 2: a parameter"), ("# better,0.5\n", "line 1: not an answer"), ("", "no materials")):
@@ -363,6 +370,7 @@ def session(b):
 
     # touch: one slider that is tall enough, a drag along it, and a scroll that scores nothing
     b.call("Emulation.setTouchEmulationEnabled", enabled=True)
+    cards(b)
     x, y, w, h = b.place(CARD + ".querySelector('.scale')")
     check("a slider of 24 pixels", h >= 24, h)
     touch = lambda kind, *points: b.call("Input.dispatchTouchEvent", type="touch" + kind, touchPoints=[dict(zip("xy", p)) for p in points])
@@ -382,7 +390,7 @@ def session(b):
     again(b)
     check("a warning where nothing can be stored", b.dialogs == ["beforeunload"], b.dialogs)
     for n in range(3, 21):
-        give(b, round(taste([float(v) for v in b.value(CARD + ".dataset.x").split(",")])))
+        give(b, round(taste(cards(b)[0])))
         b.until("studio.scored.length === %d" % n, WAIT)
     b.until("studio.idle() && document.querySelector('#shelf .pick')", WAIT)
     b.click("#shelf .pick")
@@ -402,13 +410,12 @@ def pairs(b):
     b.click("#by-pair")
     shown = []
     for n in range(1, 31):
-        b.until("document.querySelectorAll('#deck .card:not(.gone):not(.waiting)').length === 2", WAIT)
-        likes = [taste([float(v) for v in x.split(",")]) for x in b.value("[...document.querySelectorAll('#deck .card:not(.gone)')].map(c => c.dataset.x)")]
+        likes = [taste(x) for x in cards(b, 2)]
         shown += likes if n <= 8 else []
         if max(likes) < 1:
             b.click("#neither")
         else:
-            b.click_on("document.querySelectorAll('#deck .card:not(.gone)')[%d]" % (likes[1] > likes[0]))
+            b.click_on("%s[%d]" % (CARDS, likes[1] > likes[0]))
         b.until("studio.answers === %d" % n, WAIT)
     b.until("studio.idle()", WAIT)
     b.picture(out + "/pairs.png", True)
@@ -568,9 +575,7 @@ def frames(b):
     print("| the studio's page | tasks | longest but 1%, ms | longest, ms | over 16 ms |\n|---|---:|---:|---:|---:|")
     b.trace()
     for n in range(1, 31):
-        b.until("document.querySelector('#deck .card:not(.gone):not(.waiting)')", WAIT)
-        x = [float(v) for v in b.value("document.querySelector('#deck .card:not(.gone)').dataset.x").split(",")]
-        give(b, round(taste(x)))
+        give(b, round(taste(cards(b)[0])))
         b.until("studio.scored.length === %d" % n, WAIT)
     b.until("studio.idle()", WAIT)
     row("30 scores, recommendations with each")
@@ -595,8 +600,7 @@ def pictures(b):
     b.open("examples/web/studio.html", 1240, 860)
     b.until("window.studio && studio.idle()", WAIT)
     for n in range(1, 61):
-        b.until(CARD, WAIT)
-        give(b, round(taste([float(v) for v in b.value(CARD + ".dataset.x").split(",")])))
+        give(b, round(taste(cards(b)[0])))
         b.until("studio.scored.length === %d" % n, WAIT)
     b.until("studio.idle()", WAIT)
     b.click("#shelf .pick")
