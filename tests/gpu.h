@@ -153,10 +153,10 @@ static void gpu_run(FILE *f, const char *path)
     /* until the page has logged its result: --dump-dom does not wait for the GPU */
     snprintf(
         command, sizeof command,
-        "{ timeout 100 chromium --headless=new --no-sandbox --user-data-dir=build/" GPU_FILE "_chromium "
+        "{ timeout 300 chromium --headless=new --no-sandbox --user-data-dir=build/" GPU_FILE "_chromium "
         "--enable-unsafe-webgpu --use-webgpu-adapter=swiftshader --use-angle=swiftshader --enable-unsafe-swiftshader "
         "--enable-logging=stderr \"file://$PWD/%s\" >" GPU_LOG " 2>&1 & i=0; "
-        "while [ $i -lt 400 ] && ! grep -q 'gpu worst.*gpu' " GPU_LOG
+        "while [ $i -lt 1200 ] && ! grep -q 'gpu worst.*gpu' " GPU_LOG
         "; do sleep 0.25; i=$((i + 1)); done; kill $!; wait; }",
         path);
     if (system(command) < 0) TEST_FAIL("no shell");
