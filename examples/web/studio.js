@@ -149,7 +149,7 @@ studio.draw = async x => (await hand.ask('draw', { x })).map(p => Array.from(p))
 async function fill() { // the queue of pictures not scored yet
   if (filling || queue.length > 6) return filling;
   filling = (async () => {
-    const x = await mind.ask('gallery', { count: studio.scored.length ? 8 : 16 });
+    const x = await mind.ask('gallery', { count: studio.answers ? 8 : 16 });
     for (let i = 0; i < x.length; i += 4) {
       const part = x.slice(i, i + 4), pictures = await hand.ask('draw', { x: part });
       part.forEach((one, k) => queue.push({ x: one, picture: pictures[k] }));
