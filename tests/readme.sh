@@ -39,6 +39,7 @@ check() { # NAME, then a command that must succeed
 }
 check "README has $lines lines" [ "$lines" -le 220 ]
 check "README has a line of more than 110 columns" [ "$(awk '{gsub(/[\200-\277]/, "")} length > 110' README.md | wc -l)" = 0 ]
+for build in cmake meson; do check "README has no lines for $build" grep -q "^\`\`\`$build\$" README.md; done # tests/dropin/builds.sh runs them
 for name in $(grep -o '`ms_[a-z]*_[a-z_]*`' README.md | tr -d '`' | sort -u); do
     check "no header declares or lists $name" grep -qE "^MS_API .*[ *]$name\(|^ +[0-9]+  $name " ms_*.h
 done

@@ -227,7 +227,7 @@ test_group() {
         job "symbols_$n" "sh tests/dropin/symbols.sh $h $out/symbols_$n"
     done
     job dropin_msvc "sh tests/dropin/msvc.sh $out/dropin_msvc $(echo $headers)"
-    job dropin_meson "sh tests/dropin/meson.sh $out/dropin_meson"
+    job dropin_builds "sh tests/dropin/builds.sh $out/dropin_builds"
     test_jobs "scalar_" "$CC" "-std=c99 $CFLAGS -DMS_NO_SIMD" "" "--build --no-simd"
     # The other language by the other compiler.
     if have clang++; then test_jobs "clang_" clang++ "-x c++ -std=c++11 $CFLAGS" "" "--build"
