@@ -503,7 +503,7 @@ static void test_explanation(void)
             far = kind < 2 ? v[4] : fmin(v[4], 1 - v[4]);
             y[i] = 10 * fmax(0, 1 - 1.5 * far - 1.5 * (1 - v[2]));
         }
-        for (k = 0; k < M; ++k) low[k] = -INFINITY, high[k] = INFINITY;
+        for (k = 0; k < M; ++k) low[k] = -HUGE_VAL, high[k] = HUGE_VAL;
         low[11] = 0.3, high[11] = 0.5;
         if (kind == 1) o.space.low = low, o.space.high = high;
         CHECK_INT(ms_gpr_fit(x, y, N, M, NULL, &gp, NULL, NULL), MS_OK);
