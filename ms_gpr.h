@@ -1386,6 +1386,9 @@ static int ms_gpr__factor(const ms_gpr__kernels *f, const double *kernel, size_t
     return ms_gpr__cholesky(f, upper, stride, padded, n * 2.220446049250313e-16 * (sf2 + noise));
 }
 
+/* The next part of sf^2 to add to the diagonal of a matrix that has no factor, up to 1e-6. */
+static double ms_gpr__next_jitter(double jitter) { return jitter > 0 ? 10 * jitter : 1e-15; }
+
 static double ms_gpr__log_determinant(const double *upper, size_t stride, int n)
 {
     double sum = 0;
@@ -2020,11 +2023,10 @@ static ms_status ms_gpr__condition_soft(ms_gpr *gp, ms_error *error)
     double sf2 = ms_gpr__sf2(gp);
     ms_status status = ms_gpr__problem_of(gp, &p, &memory, error);
     if (status != MS_OK) return status;
-    for (gp->jitter = 0; gp->jitter < 2e-6 && !found; gp->jitter = found ? gp->jitter
-             : gp->jitter > 0                                            ? 10 * gp->jitter
-                                                                         : 1e-15) {
+    for (gp->jitter = 0; gp->jitter < 2e-6; gp->jitter = ms_gpr__next_jitter(gp->jitter)) {
         memcpy(p.alpha, gp->alpha, (size_t)padded * sizeof *p.alpha);
         found = ms_gpr__evaluate(&p, sf2, ms_gpr__sn2(gp) + gp->jitter * sf2, &gp->likelihood, NULL);
+        if (found) break;
     }
     if (found) {
         for (i = 0; i < padded; ++i)
@@ -2063,7 +2065,7 @@ static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
     gp->soft = gp->step > 0 || gp->pair_count > 0;
     for (i = 0; i < gp->n; ++i) gp->soft |= !ms_gpr__scored(gp->y[i]);
     if (gp->soft) return ms_gpr__condition_soft(gp, error);
-    for (gp->jitter = 0; gp->jitter<2e-6; gp->jitter = gp->jitter> 0 ? 10 * gp->jitter : 1e-15) {
+    for (gp->jitter = 0; gp->jitter < 2e-6; gp->jitter = ms_gpr__next_jitter(gp->jitter)) {
         ms_gpr__covariance(gp->kernels, gp->points, gp->stride, gp->n, gp->active, sf2, gp->upper);
         if (ms_gpr__factor(gp->kernels, gp->upper, gp->stride, gp->n, sf2, sn2 + gp->jitter * sf2, gp->upper)) {
             ms_gpr__solve_alpha(gp);
@@ -4772,7 +4774,7 @@ static ms_status ms_gpr__latent_condition(ms_gpr_latent *p, ms_error *error)
         for (i = 0; i < p->z; ++i)
             p->points[(size_t)k * p->stride + (size_t)i] = (p->latent[i * MS_GPR__PLANE + k] - sum) * scale;
     }
-    for (p->jitter = 0; p->jitter<2e-6; p->jitter = p->jitter> 0 ? 10 * p->jitter : 1e-15) {
+    for (p->jitter = 0; p->jitter < 2e-6; p->jitter = ms_gpr__next_jitter(p->jitter)) {
         ms_gpr__covariance(p->kernels, p->points, p->stride, p->z, MS_GPR__PLANE, sf2, p->upper);
         if (!ms_gpr__factor(p->kernels, p->upper, p->stride, p->z, sf2, sn2 + p->jitter * sf2, p->upper)) continue;
         memcpy(p->weight, p->x, (size_t)padded * p->columns * sizeof(double));

@@ -1754,10 +1754,13 @@ static double ms_mcml__flight_transform(double b, double k2, double *derivative)
     return y * s;
 }
 
-enum { MS_MCML__DEPTH_MAX = 64 };
+/* A triangle of that many rows, one behind the other. */
+enum { MS_MCML__DEPTH_MAX = 64, MS_MCML__TRIANGLE = MS_MCML__DEPTH_MAX * (MS_MCML__DEPTH_MAX + 1) / 2 };
+
+static double *ms_mcml__triangle_row(double *matrix, int i) { return matrix + i * (i + 1) / 2; }
 
 /* R(k) of multiple scattering without the factor 1 - R_sp. t = sqrt(k^2 + nu_0^2) is the slowest decay in depth.
-   matrix: MS_MCML__DEPTH_MAX^2 doubles of workspace. */
+   matrix: MS_MCML__TRIANGLE doubles of workspace. */
 static double ms_mcml__multiple(const ms_mcml__cone *cone, double albedo, double k2, double t, double h, double *matrix)
 {
     double b[MS_MCML__DEPTH_MAX], scale[MS_MCML__DEPTH_MAX], g[MS_MCML__DEPTH_MAX], dg[MS_MCML__DEPTH_MAX];
@@ -1788,7 +1791,7 @@ static double ms_mcml__multiple(const ms_mcml__cone *cone, double albedo, double
         dm[i] = dg[i] - df;
     }
     for (i = 0; i < n; ++i) { /* scaled <b_i, (1 - a K) b_j> */
-        double *row = matrix + i * MS_MCML__DEPTH_MAX;
+        double *row = ms_mcml__triangle_row(matrix, i);
         for (j = 0; j <= i; ++j) {
             double image = i == j ? -dm[i] : (m[j] - m[i]) / (b[i] - b[j]);
             row[j] = scale[i] * scale[j] * ((1 - albedo * (g[i] + g[j])) / (b[i] + b[j]) - albedo * image);
@@ -1797,9 +1800,9 @@ static double ms_mcml__multiple(const ms_mcml__cone *cone, double albedo, double
         u[i] = scale[i] * ((g[i] + g[one]) / (b[i] + b[one]) + sum); /* <b_i, K exp(-z)> */
     }
     for (i = 0; i < n; ++i) { /* Cholesky, and the forward solution */
-        double *row = matrix + i * MS_MCML__DEPTH_MAX;
+        double *row = ms_mcml__triangle_row(matrix, i);
         for (j = 0; j <= i; ++j) {
-            const double *other = matrix + j * MS_MCML__DEPTH_MAX;
+            const double *other = ms_mcml__triangle_row(matrix, j);
             for (sum = row[j], c = 0; c < j; ++c) sum -= row[c] * other[c];
             if (j < i) row[j] = sum * other[j];
         }
@@ -1808,8 +1811,9 @@ static double ms_mcml__multiple(const ms_mcml__cone *cone, double albedo, double
         u[i] *= row[i];
     }
     for (i = n - 1; i >= 0; --i) {
-        u[i] *= matrix[i * MS_MCML__DEPTH_MAX + i];
-        for (c = 0; c < i; ++c) u[c] -= matrix[i * MS_MCML__DEPTH_MAX + c] * u[i];
+        const double *row = ms_mcml__triangle_row(matrix, i);
+        u[i] *= row[i];
+        for (c = 0; c < i; ++c) u[c] -= row[c] * u[i];
     }
     for (sum = 0, i = 0; i < n; ++i) sum += scale[i] * escape[i] * u[i];
     return albedo * albedo * sum;
@@ -2021,9 +2025,7 @@ static ms_status ms_mcml__check_medium(const ms_mcml_medium *medium, ms_error *e
     return MS_OK;
 }
 
-enum {
-    MS_MCML__SOLVE_BYTES = (int)((MS_MCML__FIT_DOUBLES + MS_MCML__DEPTH_MAX * MS_MCML__DEPTH_MAX) * sizeof(double))
-};
+enum { MS_MCML__SOLVE_BYTES = (int)((MS_MCML__FIT_DOUBLES + MS_MCML__TRIANGLE) * sizeof(double)) };
 
 static const double ms_mcml__slowest = 1e-7; /* decay, per mean free path, that the lattice of frequencies resolves */
 
@@ -3959,7 +3961,7 @@ MS_API double ms_mcml_layered_ring(const ms_mcml_layered *s, int side, double r0
 /* Part of the entering light that comes back, at g = 0. absorbed: 1 - albedo. */
 static double ms_mcml__reflected(const ms_mcml__cone *cone, double absorbed)
 {
-    double work[MS_MCML__DEPTH_MAX * MS_MCML__DEPTH_MAX], single = 0;
+    double work[MS_MCML__TRIANGLE], single = 0;
     const double albedo = 1 - absorbed, nu = ms_mcml__case_eigenvalue(albedo, absorbed);
     int i;
     for (i = 0; i < cone->count; ++i) single += albedo * cone->weight[i] * cone->mu[i] / (1 + cone->mu[i]);

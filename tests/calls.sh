@@ -46,11 +46,13 @@ for t in tests/test_*.c; do
     grep -q "include \"$header\"" "$t" || continue
     n=$(basename "$t" .c)
     case $n in *_big_endian | test_memory) continue ;; esac
-    if grep -q -E "(${name}|$upper|\bms)__|include \"io\.h\"" "$t"; then assembler "$t" "$out/$n.s" "" || exit 1; part=
+    if grep -q -E "(${name}|$upper|\bms)__|include \"(io|[a-z]*_inside)\.h\"" "$t"; then assembler "$t" "$out/$n.s" "" || exit 1; part=
     else assembler "$t" "$out/$n.s" "-D${upper}_IMPLEMENTED" || exit 1; part=$out/names.o
     fi
     gcc -no-pie "$out/$n.s" $part "$out/enter.o" "$out/calls.o" -o "$out/$n" -lm -lpthread -Wl,--unresolved-symbols=ignore-all || exit 1
-    for mode in $modes; do
+    its=$modes # what a renderer by ms_nn.h takes of the stack is not that of ms_pme_match
+    [ "$n" != test_pme_match ] || its=$(echo "$modes" | sed 's/stack,*//')
+    for mode in $its; do
         if ! CALLS=$mode CALLS_REPORT="$out/report.$n" "$out/$n" ${CASES:-} >"$out/$n.log" 2>&1; then
             failed=$((failed + 1))
             echo "FAIL $n with $mode:"

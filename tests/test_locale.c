@@ -179,7 +179,7 @@ static void case_numbers(void)
 static void case_messages(void)
 {
     static const double special[] = {1.5,     999999.4, 999999.6,    9999994,   9999996,    1e5,     1.2e6,
-                                     1e7,     -1,       -0.00012345, -9.9e-5,   -5e-324,    1.7e308, -1e100,
+                                     1e7,     -1,       -0.00012345, -9.9e-5,   -2.3e-308,  1.7e308, -1e100,
                                      1000000, 123457.5, HUGE_VAL,    -HUGE_VAL, (double)NAN};
     const int specials = (int)(sizeof special / sizeof special[0]);
     ms_sss_frame frame;
