@@ -2033,22 +2033,24 @@ static void ms_sss__add_term(const ms_sss__job *job, int task, int y, int x, int
     ms_sss__composite(job, task, y, x, count, blur, need_own ? in : NULL, depth);
 }
 
+/* The least depth of row y; MS_SSS__MASKED_DEPTH where there is none. */
+static float ms_sss__least_of_row(const ms_sss__job *job, int task, int y)
+{
+    const int width = job->frame.width;
+    float *buffer[1];
+    const float *depth;
+    buffer[0] = ms_sss__buffer(job, task, 0);
+    ms_sss__load(job->simd, &job->frame.depth, 1, width, y, 0, width, buffer, &depth);
+    return job->simd->least_depth(depth, width);
+}
+
 static void ms_sss__least_band(void *context, int task)
 {
     ms_sss__job *job = (ms_sss__job *)context;
-    const int begin = job->begin + task * job->band, width = job->frame.width;
+    const int begin = job->begin + task * job->band;
     const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    float *buffer[1], least = MS_SSS__MASKED_DEPTH;
-    const float *depth;
     int y;
-    buffer[0] = ms_sss__buffer(job, task, 0);
-    for (y = begin; y < end; ++y) {
-        float row;
-        ms_sss__load(job->simd, &job->frame.depth, 1, width, y, 0, width, buffer, &depth);
-        row = job->simd->least_depth(depth, width);
-        if (row < least) least = row;
-    }
-    job->least[task] = least;
+    for (y = begin; y < end; ++y) job->least[task] = fminf(job->least[task], ms_sss__least_of_row(job, task, y));
 }
 
 /* Runs a pass over rows [begin, end), cut into bands that depend on the picture alone. */
@@ -2058,7 +2060,7 @@ static void ms_sss__run(ms_sss__job *job, int begin, int end, void (*pass)(void 
     if (begin >= end) return;
     job->begin = begin;
     job->end = end;
-    job->band = rows < 8 ? 8 : rows;
+    job->band = rows < 12 ? 12 : rows;
     ms_sss__run_parallel(&job->options.parallel, (end - begin + job->band - 1) / job->band, pass, job);
 }
 
@@ -3524,25 +3526,21 @@ static void ms_sss__pyramid_slopes(const ms_sss__pyramid_state *state, int task,
 }
 
 /* Clears the margins of rows [from, to) of a level, beside their filled columns, as far as the rows up to `beyond` away
-   reach. If some of those rows are not within [begin, end), the margins are cleared whole. */
-static void ms_sss__pyramid_clear_outside(const ms_sss__level *v, int begin, int end, int from, int to, int beyond,
-                                          int planes)
+   reach. */
+static void ms_sss__pyramid_clear_outside(const ms_sss__level *v, int from, int to, int beyond, int planes)
 {
     int y, i, c;
     for (y = from; y < to; ++y) {
-        const int whole = (begin > 0 && y - beyond < begin) || (end < v->height && y + beyond >= end);
-        const int right = (int)v->stride - MS_SSS__LEFT, first = v->row[y].first < v->row[y].last ? v->row[y].first : 0,
-                  last = v->row[y].first < v->row[y].last ? v->row[y].last : 0;
+        const int right = (int)v->stride - MS_SSS__LEFT, filled = v->row[y].first < v->row[y].last,
+                  first = filled ? v->row[y].first : 0, last = filled ? v->row[y].last : 0;
         int low = right, high = -MS_SSS__LEFT;
-        for (i = whole ? y : y - beyond < 0 ? 0 : y - beyond; i <= (whole ? y : y + beyond) && i < v->height; ++i) {
-            if (!whole && v->row[i].first >= v->row[i].last) continue;
-            low = whole || v->row[i].first - 48 < -MS_SSS__LEFT ? -MS_SSS__LEFT
-                : v->row[i].first - 48 < low                    ? v->row[i].first - 48
-                                                                : low;
-            high = whole || v->row[i].last + 48 > right ? right
-                : v->row[i].last + 48 > high            ? v->row[i].last + 48
-                                                        : high;
+        for (i = y > beyond ? y - beyond : 0; i <= y + beyond && i < v->height; ++i) {
+            if (v->row[i].first >= v->row[i].last) continue;
+            if (v->row[i].first - 48 < low) low = v->row[i].first - 48;
+            if (v->row[i].last + 48 > high) high = v->row[i].last + 48;
         }
+        if (low < -MS_SSS__LEFT) low = -MS_SSS__LEFT;
+        if (high > right) high = right;
         for (c = 0; c < planes && low < high; ++c) {
             float *row = v->plane[c] + y * v->stride;
             if (low < first) memset(row + low, 0, (size_t)((high < first ? high : first) - low) * sizeof(float));
@@ -3597,21 +3595,14 @@ static void ms_sss__pyramid_downsample(const ms_sss__pyramid_state *state, int t
     }
 }
 
-/* Clears the margins of rows [begin, end) of level at + 1: a gather reads 4 rows up and down. */
-static void ms_sss__pyramid_clear_margins(const ms_sss__pyramid_state *state, int begin, int end)
-{
-    const int planes = state->params.slope_scale > 0 ? MS_SSS__PYRAMID_PLANES : MS_SSS__CHANGES;
-    ms_sss__pyramid_clear_outside(&state->level[state->at + 1], begin, end, begin, end, 4, planes);
-}
-
-/* The rows of level 1 that depend on one band of the picture alone. */
+/* The rows of level 1 that depend on one band of the picture alone: each reads 4 rows, their slopes 2 more on each
+   side, and the margins of those depend on 2 more. */
 static void ms_sss__pyramid_independent_rows(const ms_sss__pyramid_state *state, int begin, int end, int *first,
                                              int *last)
 {
     const int height = state->levels > 1 ? state->level[1].height : 0;
-    *first = begin > 0 ? ms_sss__clamp((begin + 4) / 2, 0, height)
-                       : 0; /* each reads 4 rows, and their slopes 2 more on each side */
-    *last = end < state->level[0].height ? ms_sss__clamp((end - 3) / 2, *first, height) : height;
+    *first = begin > 0 ? ms_sss__clamp((begin + 6) / 2, 0, height) : 0;
+    *last = end < state->level[0].height ? ms_sss__clamp((end - 5) / 2, *first, height) : height;
 }
 
 /* Loads a band of the picture and downsamples the rows of level 1 that depend on it alone. */
@@ -3626,7 +3617,7 @@ static void ms_sss__pyramid_load(void *context, int task)
         ? 4
         : 2; /* rows of the picture that a row of level 1 reads below its own two, 2 more for slopes */
     float *color[3];
-    int y, c, first, last, to, from = begin;
+    int y, c, first, last, to, from = begin > 0 ? begin + 2 : 0;
     ms_sss__pyramid_independent_rows(state, begin, end, &first, &last);
     for (y = begin; y < end; ++y) {
         float *depth = ms_sss__buffer(job, task, 17), *d = v->plane[MS_SSS__D] + y * v->stride;
@@ -3635,19 +3626,18 @@ static void ms_sss__pyramid_load(void *context, int task)
         job->simd->depth_to_d(&state->params, depth + job->row[y].first, job->row[y].last - job->row[y].first,
                               d + job->row[y].first);
         if ((y + 1) % 16 && y + 1 < end) continue; /* every 16 rows, while they are cached */
-        to = y + 1 < end ? y - 1 : end;
-        ms_sss__pyramid_clear_outside(v, begin, end, from, to, 2, MS_SSS__D + 1);
-        from = to;
+        to = y + 1 < v->height ? y - 1 : v->height;
+        ms_sss__pyramid_clear_outside(v, from, to, 2, MS_SSS__D + 1);
+        if (to > from) from = to;
         if (state->levels < 2 || job->identity) continue;
         to = y + 1 < end ? ms_sss__clamp((to - 1 - behind) / 2 + 1, first, last) : last;
         ms_sss__pyramid_downsample(state, task, first, to);
         first = to;
     }
-    ms_sss__pyramid_independent_rows(state, begin, end, &first, &last);
-    if (state->levels > 1 && !job->identity) ms_sss__pyramid_clear_margins(state, first, last);
 }
 
-/* Downsamples the rows of level 1 between bands. */
+/* Clears the margins between bands of the picture, and downsamples the rows of level 1 there. Bands have 12 rows at
+   least: it reads 9 of each. */
 static void ms_sss__pyramid_borders(void *context, int task)
 {
     const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
@@ -3657,8 +3647,8 @@ static void ms_sss__pyramid_borders(void *context, int task)
     if (end >= job->end) return;
     ms_sss__pyramid_independent_rows(state, begin, end, &first[0], &last[0]);
     ms_sss__pyramid_independent_rows(state, end, after < job->end ? after : job->end, &first[1], &last[1]);
-    ms_sss__pyramid_downsample(state, task, last[0], first[1]);
-    ms_sss__pyramid_clear_margins(state, last[0], first[1]);
+    ms_sss__pyramid_clear_outside(&state->level[0], end - 2, end + 2 < job->end ? end + 2 : job->end, 2, MS_SSS__D + 1);
+    if (state->levels > 1) ms_sss__pyramid_downsample(state, task, last[0], first[1]);
 }
 
 static void ms_sss__pyramid_down(void *context, int task)
@@ -3667,7 +3657,16 @@ static void ms_sss__pyramid_down(void *context, int task)
     const int begin = state->job.begin + task * state->job.band;
     const int end = begin + state->job.band < state->job.end ? begin + state->job.band : state->job.end;
     ms_sss__pyramid_downsample(state, task, begin, end);
-    ms_sss__pyramid_clear_margins(state, begin, end);
+}
+
+/* The margins of a band of level at: a gather reads 4 rows up and down. */
+static void ms_sss__pyramid_clear(void *context, int task)
+{
+    const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
+    const int begin = state->job.begin + task * state->job.band;
+    const int end = begin + state->job.band < state->job.end ? begin + state->job.band : state->job.end;
+    ms_sss__pyramid_clear_outside(&state->level[state->at], begin, end, 4,
+                                  state->params.slope_scale > 0 ? (int)MS_SSS__PYRAMID_PLANES : (int)MS_SSS__CHANGES);
 }
 
 /* Gathers the sums of a band of level at from level at + 1; level 0 is resolved and composited. */
@@ -3719,6 +3718,19 @@ static void ms_sss__pyramid_upsample(void *context, int task)
             else ms_sss__add_term(job, task, y, low, high - low, blur, blur[3]);
         }
     }
+}
+
+/* A pass over the rows of level l. */
+static void ms_sss__pyramid_run(ms_sss__pyramid_state *state, int l, void (*pass)(void *context, int task))
+{
+    ms_sss__job *job = &state->job;
+    if (l < MS_SSS__PYRAMID_SERIAL) {
+        ms_sss__run(job, 0, state->level[l].height, pass);
+        return;
+    }
+    job->begin = 0;
+    job->end = job->band = state->level[l].height;
+    ms_sss__run_parallel(&job->options.parallel, 1, pass, state);
 }
 
 /* The taps by odd and even rows and columns, nearest first; stride: of the next level. */
@@ -3856,16 +3868,12 @@ static ms_status ms_sss__pyramid_apply(const ms_sss_frame *frame, const ms_sss_p
     ms_sss__pyramid_set_params(params, job, pyramid, frame->depth.channel[0] != NULL, options->flat);
     ms_sss__run(job, 0, frame->height, ms_sss__pyramid_load);
     if (job->identity) return MS_OK;
-    if (state->levels > 1) ms_sss__run(job, 0, frame->height, ms_sss__pyramid_borders);
-    for (l = 1; l + 1 < state->levels; ++l) {
+    ms_sss__run(job, 0, frame->height, ms_sss__pyramid_borders);
+    for (l = 1; l < state->levels; ++l) {
+        state->at = l - 1;
+        if (l > 1) ms_sss__pyramid_run(state, l, ms_sss__pyramid_down);
         state->at = l;
-        if (l + 1 < MS_SSS__PYRAMID_SERIAL) {
-            ms_sss__run(job, 0, state->level[l + 1].height, ms_sss__pyramid_down);
-        } else {
-            job->begin = 0;
-            job->end = job->band = state->level[l + 1].height;
-            ms_sss__run_parallel(&job->options.parallel, 1, ms_sss__pyramid_down, state);
-        }
+        ms_sss__pyramid_run(state, l, ms_sss__pyramid_clear);
     }
     for (l = state->levels - 1; l >= 0; --l) {
         state->at = l;
@@ -3875,13 +3883,7 @@ static ms_status ms_sss__pyramid_apply(const ms_sss_frame *frame, const ms_sss_p
             params->plane = state->level[l + 1].plane[1] - state->level[l + 1].plane[0];
             ms_sss__pyramid_sort_taps(params, state->tap, state->level[l + 1].stride);
         }
-        if (l < MS_SSS__PYRAMID_SERIAL) {
-            ms_sss__run(job, 0, state->level[l].height, ms_sss__pyramid_upsample);
-        } else {
-            job->begin = 0;
-            job->end = job->band = state->level[l].height;
-            ms_sss__run_parallel(&job->options.parallel, 1, ms_sss__pyramid_upsample, state);
-        }
+        ms_sss__pyramid_run(state, l, ms_sss__pyramid_upsample);
     }
     return MS_OK;
 }
@@ -3929,16 +3931,22 @@ static int ms_sss__may_use(const ms_sss_filter_options *o, ms_sss_method method)
 static ms_sss_method ms_sss__choose_method(ms_sss__job *job, const ms_sss_kernel *k, int profile)
 {
     const ms_sss_filter_options *o = &job->options;
-    double radius = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : (double)k->radius_mm;
+    double radius = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : (double)k->radius_mm, nearest = 1;
+    int y;
     if (o->method != MS_SSS_METHOD_AUTO) return o->method;
     if (!ms_sss__may_use(o, MS_SSS_METHOD_PYRAMID)) return MS_SSS_METHOD_TAPS;
     ms_sss__set_kernel(job, k, profile);
     radius *= (double)job->pass.size;
-    if (job->pass.perspective) {
-        ms_sss__find_nearest(job);
-        radius /= (double)(job->nearest * job->depth_scale);
+    if (job->pass.perspective) { /* one near pixel is enough: in every 16th row, else in all */
+        nearest = (double)MS_SSS__MASKED_DEPTH;
+        for (y = 0; y < job->frame.height && !(radius > 16 * nearest); y += 16)
+            nearest = (double)(ms_sss__least_of_row(job, 0, y) * job->depth_scale);
+        if (!(radius > 16 * nearest)) {
+            ms_sss__find_nearest(job);
+            nearest = (double)(job->nearest * job->depth_scale);
+        }
     }
-    return radius > 16 ? MS_SSS_METHOD_PYRAMID : MS_SSS_METHOD_TAPS;
+    return radius > 16 * nearest ? MS_SSS_METHOD_PYRAMID : MS_SSS_METHOD_TAPS;
 }
 
 MS_SSS__COLD MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels,
