@@ -2037,10 +2037,9 @@ static void ms_sss__add_term(const ms_sss__job *job, int task, int y, int x, int
 static float ms_sss__least_of_row(const ms_sss__job *job, int task, int y)
 {
     const int width = job->frame.width;
-    float *buffer[1];
+    float *buffer = ms_sss__buffer(job, task, 0);
     const float *depth;
-    buffer[0] = ms_sss__buffer(job, task, 0);
-    ms_sss__load(job->simd, &job->frame.depth, 1, width, y, 0, width, buffer, &depth);
+    ms_sss__load(job->simd, &job->frame.depth, 1, width, y, 0, width, &buffer, &depth);
     return job->simd->least_depth(depth, width);
 }
 
@@ -3517,9 +3516,7 @@ static void ms_sss__pyramid_slopes(const ms_sss__pyramid_state *state, int task,
     const int given = job->frame.normal.channel[0] && state->params.slope_scale > 0;
     int i;
     for (i = 0; i < 5; ++i) d[i] = v->plane[MS_SSS__D] + ms_sss__clamp(y + i - 2, -1, v->height) * v->stride;
-    for (i = 0; i < 3; ++i) {
-        buffer[i] = ms_sss__buffer(job, task, i);
-    }
+    for (i = 0; i < 3; ++i) buffer[i] = ms_sss__buffer(job, task, i);
     if (given) ms_sss__load(job->simd, &job->frame.normal, 3, v->width, y, first, last - first, buffer, normal);
     for (i = 0; i < 3 && given; ++i) normal[i] -= first;
     job->simd->slopes_of_d(&state->params, d, given ? normal : NULL, y, first, last, out);
@@ -3529,23 +3526,22 @@ static void ms_sss__pyramid_slopes(const ms_sss__pyramid_state *state, int task,
    reach. */
 static void ms_sss__pyramid_clear_outside(const ms_sss__level *v, int from, int to, int beyond, int planes)
 {
+    const int right = (int)v->stride - MS_SSS__LEFT;
     int y, i, c;
     for (y = from; y < to; ++y) {
-        const int right = (int)v->stride - MS_SSS__LEFT, filled = v->row[y].first < v->row[y].last,
-                  first = filled ? v->row[y].first : 0, last = filled ? v->row[y].last : 0;
-        int low = right, high = -MS_SSS__LEFT;
+        int low = right, high = -MS_SSS__LEFT, first = v->row[y].first, last = v->row[y].last;
         for (i = y > beyond ? y - beyond : 0; i <= y + beyond && i < v->height; ++i) {
             if (v->row[i].first >= v->row[i].last) continue;
             if (v->row[i].first - 48 < low) low = v->row[i].first - 48;
             if (v->row[i].last + 48 > high) high = v->row[i].last + 48;
         }
-        if (low < -MS_SSS__LEFT) low = -MS_SSS__LEFT;
-        if (high > right) high = right;
-        for (c = 0; c < planes && low < high; ++c) {
+        low = ms_sss__clamp(low, -MS_SSS__LEFT, right);
+        high = ms_sss__clamp(high, low, right);
+        if (first >= last) first = last = low; /* nothing is filled */
+        for (c = 0; c < planes; ++c) {
             float *row = v->plane[c] + y * v->stride;
-            if (low < first) memset(row + low, 0, (size_t)((high < first ? high : first) - low) * sizeof(float));
-            if (last < high)
-                memset(row + (low > last ? low : last), 0, (size_t)(high - (low > last ? low : last)) * sizeof(float));
+            memset(row + low, 0, (size_t)(first - low) * sizeof(float));
+            memset(row + last, 0, (size_t)(high - last) * sizeof(float));
         }
     }
 }
@@ -3613,9 +3609,7 @@ static void ms_sss__pyramid_load(void *context, int task)
     const ms_sss__level *v = &state->level[0];
     const int begin = job->begin + task * job->band;
     const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    const int behind = state->params.slope_scale > 0
-        ? 4
-        : 2; /* rows of the picture that a row of level 1 reads below its own two, 2 more for slopes */
+    const int behind = state->params.slope_scale > 0 ? 4 : 2; /* rows that a row of level 1 reads below its upper one */
     float *color[3];
     int y, c, first, last, to, from = begin > 0 ? begin + 2 : 0;
     ms_sss__pyramid_independent_rows(state, begin, end, &first, &last);
