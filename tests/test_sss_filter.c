@@ -1589,6 +1589,21 @@ static void case_methods(void)
             CHECK_INT(taken[0], which ? MS_SSS_METHOD_PYRAMID : MS_SSS_METHOD_TAPS);
         }
     }
+    { /* one near pixel decides, in whatever row it lies */
+        static const int row[] = {-1, 0, 5, 16, 17, 31, H - 1};
+        float *depth = test_floats(W * H);
+        o.mm_per_unit = (float)(size * (double)H / (2 * tan(20 * 3.14159265358979 / 180) * 10 * 100));
+        for (which = 0; which < 7; ++which) {
+            for (i = 0; i < W * H; ++i) depth[i] = 100; /* 10 pixels there, 20 at 50 */
+            if (row[which] >= 0) depth[row[which] * W + 7 * which] = 50;
+            f = test_frame(&s, WITH_DEPTH, out);
+            f.depth = ms_sss_map(depth, 1, 0);
+            f.taken = taken;
+            test_run(&f, kernel, 1, &o);
+            CHECK_INT(taken[0], row[which] < 0 ? MS_SSS_METHOD_TAPS : MS_SSS_METHOD_PYRAMID);
+        }
+        free(depth);
+    }
     /* forced, for two profiles: each region as the pyramid filters it alone */
     o.flat = 0;
     o.method = MS_SSS_METHOD_PYRAMID;
