@@ -1,4 +1,4 @@
-// sources 3081834588
+// sources 1079666640
 // Separable subsurface scattering for three.js, by ms_sss.h: `make web` writes this file with the header in WebAssembly.
 //
 //   import { Subsurface } from './sss_three.js';
