@@ -2025,7 +2025,7 @@ static ms_status ms_mcml__check_medium(const ms_mcml_medium *medium, ms_error *e
     return MS_OK;
 }
 
-enum { MS_MCML__SOLVE_BYTES = (int)((MS_MCML__FIT_DOUBLES + MS_MCML__TRIANGLE) * sizeof(double)) };
+enum { MS_MCML__SOLVE_BYTES = ((int)MS_MCML__FIT_DOUBLES + (int)MS_MCML__TRIANGLE) * (int)sizeof(double) };
 
 static const double ms_mcml__slowest = 1e-7; /* decay, per mean free path, that the lattice of frequencies resolves */
 
