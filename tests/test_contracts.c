@@ -555,7 +555,7 @@ static runs run_match(const void *options)
     ms_pme_match_result result;
     ms_error error;
     float target[12];
-    double x[2] = {0.3, 0.6}, out[14];
+    double x[2] = {0.3, 0.6}, out[6];
     int i;
     ms_status status;
     picture(NULL, x, target);
@@ -567,7 +567,6 @@ static runs run_match(const void *options)
     status = ms_pme_match(&renderer, target, NULL, (const ms_pme_match_options *)options, x, NULL, &result, &error);
     out[0] = x[0], out[1] = x[1], out[2] = result.rmse, out[3] = result.cost, out[4] = result.refine.cost;
     out[5] = (double)result.refine.stop;
-    for (i = 0; i < 4; ++i) out[6 + i] = result.gain[i], out[10 + i] = result.offset[i];
     return ended(status, &error, out, sizeof out);
 }
 
@@ -786,7 +785,6 @@ typedef union options_of {
     char bytes[512];
 } options_of;
 
-static void set_tint(options_of *o) { o->match.nuisance = MS_PME_TINT; }
 static void set_fast(options_of *o) { o->mcml.photons = 20000; }
 static void set_gaussians(options_of *o) { o->kernel.model = MS_SSS_GAUSSIANS; }
 static void set_residual(options_of *o) { o->kernel.model = MS_SSS_RESIDUAL; }
@@ -809,7 +807,7 @@ static const struct {
     {run_pme, NULL, FIELD(ms_pme_options, max_cost, 'd'), 1000, 12},
     {run_pme, NULL, FIELD(ms_pme_options, tolerance, 'd'), 1e-10, 1e-2},
     {run_match, NULL, FIELD(ms_pme_match_options, refine.max_cost, 'd'), 50, 9},
-    {run_match, set_tint, FIELD(ms_pme_match_options, channels, 'i'), 1, 2},
+    {run_match, NULL, FIELD(ms_pme_match_options, refine.difference_step, 'd'), 1e-3, 0.05},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, evaluations, 'i'), 200, 3},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, tau, 'd'), 0.6, 0.4},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, avoid_distance, 'd'), 0.15, 0.3},
@@ -860,11 +858,7 @@ static const struct {
 } limits[] = {
     {run_pme, NULL, FIELD(ms_pme_options, max_cost, 'd'), -1, 0, 1e9, NONE},
     {run_pme, NULL, FIELD(ms_pme_options, tolerance, 'd'), -1e-9, 0, 1e-3, HUGE_VAL},
-    {run_pme, NULL, FIELD(ms_pme_options, method, 'i'), -1, 0, 1, 2},
     {run_pme, NULL, FIELD(ms_pme_options, restarts, 'i'), -1, 0, 3, NONE},
-    {run_match, set_tint, FIELD(ms_pme_match_options, channels, 'i'), -1, 0, MS_PME_CHANNELS_MAX, 6},
-    {run_match, NULL, FIELD(ms_pme_match_options, channels, 'i'), 5, 0, 3, 7},
-    {run_match, NULL, FIELD(ms_pme_match_options, nuisance, 'i'), -1, 0, 7, 8},
     {run_match, NULL, FIELD(ms_pme_match_options, random_count, 'i'), -1, 0, 5, NONE},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, evaluations, 'i'), -1, 0, 5, NONE},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, method, 'i'), -1, 0, 1, 2},

@@ -791,14 +791,13 @@ static void table_edits(matcher *m)
 {
     static const struct {
         const char *edit, *option;
-        int flags, nuisance;
-    } row[] = {
-        {"unedited", "", 0, 0},       {"unedited", "`--robust --align`", MATCHER_ROBUST | MATCHER_ALIGN, 0},
-        {"logo", "", 0, 0},           {"logo", "`--robust`", MATCHER_ROBUST, 0},
-        {"exposure", "", 0, 0},       {"exposure", "`--exposure`", 0, MS_PME_EXPOSURE},
-        {"colored light", "", 0, 0},  {"colored light", "`--tint`", 0, MS_PME_TINT | MS_PME_OFFSET},
-        {"shift", "", 0, 0},          {"shift", "`--align`", MATCHER_ALIGN, 0},
-        {"logo and shift", "", 0, 0}, {"logo and shift", "`--robust --align`", MATCHER_ROBUST | MATCHER_ALIGN, 0}};
+        int flags;
+    } row[] = {{"unedited", "", 0},       {"unedited", "`--robust --align`", MATCHER_ROBUST | MATCHER_ALIGN},
+               {"logo", "", 0},           {"logo", "`--robust`", MATCHER_ROBUST},
+               {"exposure", "", 0},       {"exposure", "`--exposure`", MATCHER_EXPOSURE},
+               {"colored light", "", 0},  {"colored light", "`--tint`", MATCHER_TINT},
+               {"shift", "", 0},          {"shift", "`--align`", MATCHER_ALIGN},
+               {"logo and shift", "", 0}, {"logo and shift", "`--robust --align`", MATCHER_ROBUST | MATCHER_ALIGN}};
     enum { ROWS = 12, MATERIALS = 16 };
     FILE *f = bench_open("pme_edits.md");
     float *picture = (float *)malloc(m->renderer.image_size * sizeof(float));
@@ -838,8 +837,6 @@ static void table_edits(matcher *m)
             sensitivity(&m->reduced, x, singular_value, deviation);
             options.refine.max_cost = 300;
             options.refine.restarts = 1000;
-            options.channels = 3;
-            options.nuisance = row[k].nuisance;
             from = bench_cpu();
             check(matcher_match(m, planes, NULL, &options, row[k].flags, x, picture, &result, NULL, &error), &error);
             ms[i] = 1e3 * (bench_cpu() - from);
