@@ -90,7 +90,8 @@ if [ -x build/ms_mcml ]; then
     is "a picture of 128 x 128" "$(wc -c <"$out/ball.ppm" | tr -d ' ')" $((15 + 128 * 128 * 3))
     is "of more than one color" "$([ "$(tail -c 49152 "$out/ball.ppm" | od -An -tu1 -v -w3 | sort -u | wc -l)" -gt 1000 ] && echo yes)" yes
     ok "ms_pme.c" build/ms_pme
-    is "the edit's parameters" "$(build/ms_pme | awk '{gsub("[,:]", ""); print ($2 - 0.6) ^ 2 < 1e-6 && ($4 - 0.45) ^ 2 < 1e-6}')" 1
+    is "the edit's parameters" "$(build/ms_pme | awk 'NR == 1 {gsub("[,:]", ""); print ($2 - 0.6) ^ 2 < 1e-6 && ($4 - 0.45) ^ 2 < 1e-6}')" 1
+    is "the curve's parameters" "$(build/ms_pme | awk 'NR == 2 {print ($2 - 0.98) ^ 2 < 1e-4 && ($5 - 2.12) ^ 2 < 1e-4}')" 1
 fi
 for f in examples/ms_*.c; do is "$f is short" "$([ "$(wc -l <"$f")" -lt 60 ] && echo yes)" yes; done
 
