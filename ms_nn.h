@@ -924,6 +924,13 @@ static int ms_nn__bits(ms_nn_dtype dtype)
     return bits[(int)dtype];
 }
 
+/* Bytes of elements of a type; SIZE_MAX: overflow, or the last byte is not filled. */
+static size_t ms_nn__bytes_for(size_t elements, ms_nn_dtype dtype)
+{
+    const size_t bits = (size_t)ms_nn__bits(dtype), rest = elements % 8 * bits;
+    return elements == SIZE_MAX || rest % 8 ? SIZE_MAX : ms__size_add(ms__size_mul(elements / 8, bits), rest / 8);
+}
+
 static const char *ms_nn__dtype_name(int dtype)
 {
     static const char *const name[] = {
@@ -1195,7 +1202,7 @@ static MS_NN__COLD ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header 
                                                   size_t position)
 {
     int seen = 0, more = 1, rank = 0, dtype = 0;
-    size_t elements = 1, nonzero = 1, offset[2] = {0, 0}, bits;
+    size_t elements = 1, nonzero = 1, offset[2] = {0, 0}, bytes;
     size_t *shape = h->file ? h->file->shape + h->dimensions : NULL;
     ms_nn__string s;
     char *none = NULL;
@@ -1243,13 +1250,13 @@ static MS_NN__COLD ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header 
         if ((status = ms_nn__json_more(j, '}', &more)) != MS_OK) return status;
     }
     if (seen != 7) return ms_nn__refuse(j, "a tensor lacks dtype, shape or data_offsets");
-    bits = ms__size_mul(elements, (size_t)ms_nn__bits((ms_nn_dtype)dtype));
-    if (ms__size_mul(nonzero, (size_t)ms_nn__bits((ms_nn_dtype)dtype)) == SIZE_MAX || bits == SIZE_MAX)
+    if (ms__size_mul(nonzero / 8, (size_t)ms_nn__bits((ms_nn_dtype)dtype)) == SIZE_MAX || nonzero == SIZE_MAX)
         return ms_nn__refuse(j, "the product of the dimensions overflows");
-    if (bits % 8) return ms_nn__refuse(j, "a tensor must fill whole bytes");
+    bytes = ms_nn__bytes_for(elements, (ms_nn_dtype)dtype);
+    if (bytes == SIZE_MAX) return ms_nn__refuse(j, "a tensor must fill whole bytes");
     if (offset[0] > offset[1] || offset[1] > h->data_size)
         return ms_nn__refuse(j, "data_offsets must rise and lie within the file");
-    if (offset[1] - offset[0] != bits / 8)
+    if (offset[1] - offset[0] != bytes)
         return ms_nn__refuse(j, "data_offsets do not span what dtype and shape need");
     if (h->file) {
         ms_nn__record *r = &h->file->record[h->tensors];
@@ -1258,7 +1265,7 @@ static MS_NN__COLD ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header 
         r->tensor.rank = rank;
         r->tensor.shape = shape;
         r->tensor.data = h->data + offset[0];
-        r->tensor.bytes = bits / 8;
+        r->tensor.bytes = bytes;
         r->begin = offset[0];
         r->end = offset[1];
         r->position = position;
@@ -1594,14 +1601,14 @@ static MS_NN__COLD ms_status ms_nn__write_check(const ms_nn_tensor *tensors, siz
     *data = 0;
     for (i = 0; i < count; ++i) {
         const ms_nn_tensor *t = &tensors[i];
-        size_t bits = (int)t->dtype >= 0 && t->dtype < MS_NN_DTYPE_COUNT ? (size_t)ms_nn__bits(t->dtype) : SIZE_MAX;
+        size_t elements = (int)t->dtype >= 0 && t->dtype < MS_NN_DTYPE_COUNT ? 1 : SIZE_MAX;
         int d;
         if (!ms_nn__valid_text(t->name) || strcmp(t->name, "__metadata__") == 0)
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "the name of tensor %z is not allowed or not UTF-8", i);
         if (t->rank < 0 || t->rank > MS_NN_MAX_RANK || (t->rank > 0 && t->shape == NULL))
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "the rank of tensor '%s' must be 0 to 32", t->name);
-        for (d = 0; d < t->rank; ++d) bits = ms__size_mul(bits, t->shape[d]);
-        if (bits == SIZE_MAX || bits % 8 || bits / 8 != t->bytes)
+        for (d = 0; d < t->rank; ++d) elements = ms__size_mul(elements, t->shape[d]);
+        if (t->bytes == SIZE_MAX || elements == SIZE_MAX || ms_nn__bytes_for(elements, t->dtype) != t->bytes)
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "tensor '%s': dtype and shape do not make %z bytes", t->name,
                             t->bytes);
         for (k = 0; k < i; ++k)
@@ -2000,7 +2007,7 @@ static MS_NN__COLD ms_status ms_nn__list_read(ms_nn__list *l, const char *text, 
     int more = 1;
     ms_status status;
     if (!ms_nn__take(&j, '[')) return ms_nn__refuse(&j, "ms_nn_layers must be a list");
-    if (ms_nn__take(&j, ']')) more = 0;
+    if (ms_nn__take(&j, ']')) return ms_nn__refuse(&j, "the layer list is empty");
     while (more) {
         if ((status = ms_nn__list_layer(&j, l)) != MS_OK) {
             ms__fail(&layer, MS_OK, 0, "layer %d", l->layers);
@@ -2040,6 +2047,11 @@ typedef struct ms_nn__dims {
 } ms_nn__dims;
 
 static size_t ms_nn__count(ms_nn__dims d) { return d.c * d.h * d.w; }
+
+static size_t ms_nn__at_least_1(size_t n) { return n ? n : 1; }
+
+/* More values than leave room for 64 bytes each: no size of a value can wrap. */
+static int ms_nn__too_large(ms_nn__dims d) { return ms__size_mul(ms__size_mul(d.c, d.h), d.w) > SIZE_MAX / 64; }
 
 /* A dense layer's matrix where it lies. Rows are cols elements long without padding. One that a cache may hold is there
    once more, in panels of four vectors of rows: [panel][column][row of the panel], zeros after the last row. */
@@ -2373,12 +2385,13 @@ static MS_NN__COLD int ms_nn__conv_geometry(ms_nn *nn, ms_nn__conv *v)
     size_t high = (v->kernel[0] - 1) * v->dilation[0] + 1;
     size_t *offset = (size_t *)ms_nn__allocate(nn, ms__size_mul(rows, v->kernel[1]), sizeof(size_t));
     v->pitch = v->out.w == 0 ? 0 : (w + s - 1) / s * s; /* 0: a phase without outputs */
-    fit = MS_NN__STRIP_FLOATS / (v->in.c * v->pitch + 1);
+    fit = MS_NN__STRIP_FLOATS / ms_nn__at_least_1(ms__size_mul(v->in.c, v->pitch));
     v->strip = v->winograd ? fit / 4 * 2 : fit > high ? (fit - high) / v->stride[0] + 1 : 1;
     if (v->winograd && v->strip < 2) v->strip = 2;
     if (v->strip > v->out.h) v->strip = v->winograd ? (v->out.h + 1) / 2 * 2 : v->out.h;
     v->rows = v->winograd ? 2 * v->strip : (v->strip - 1) * v->stride[0] + high;
-    v->plane = v->rows * v->pitch;
+    v->plane = ms__size_mul(v->rows, v->pitch);
+    if (ms__size_add(ms__size_mul(v->in.c, v->plane), MS_NN__OVERRUN) > SIZE_MAX / sizeof(float)) return 0;
     v->taps = rows * v->kernel[1];
     v->offset = offset;
     for (y = 0; offset && y < rows; ++y)
@@ -2393,7 +2406,7 @@ static const float *ms_nn__pack(ms_nn *nn, const ms_nn__taps *t, size_t outs, si
 {
     const size_t blocks = (outs + block - 1) / block, taps = (winograd ? 1 : t->height) * t->taps_w,
                  parts = winograd ? 4 : 1, part = ins * taps * block;
-    float *packed = (float *)ms_nn__allocate(nn, ms__size_mul(blocks * parts, part), sizeof(float));
+    float *packed = (float *)ms_nn__allocate(nn, ms__size_mul(ms__size_mul(blocks * parts * block, ins), taps), sizeof(float));
     size_t b, c, k, o;
     for (b = 0; packed && b < blocks; ++b)
         for (c = 0; c < ins; ++c)
@@ -2618,7 +2631,8 @@ static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_lay
                 return ms__fail(error, MS_BAD_DATA, 0, "its output is empty or too large");
             extent[d] = n - 2 * pad[d];
         } else {
-            n = same ? extent[d] - 1 : extent[d] + 2 * pad[d];
+            n = same ? extent[d] - 1 : ms__size_add(extent[d], ms__size_mul(2, pad[d]));
+            if (n > INT_MAX) return ms__fail(error, MS_BAD_DATA, 0, "its padded input is too large");
             if (!same && n < reach)
                 return ms__fail(error, MS_BAD_DATA, 0, "its kernel has %z, its input only %z", reach, n);
             extent[d] = (same ? n : n - reach) / stride[d] + 1;
@@ -2626,7 +2640,7 @@ static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_lay
     }
     out.h = extent[0];
     out.w = extent[1];
-    if (ms__size_mul(ms__size_mul(out.c, out.h), out.w) > SIZE_MAX / 64)
+    if (ms_nn__too_large(out))
         return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
     in = b->low;
     op = ms_nn__op_add(b, MS_NN__DO_CONV, i, out);
@@ -2668,7 +2682,7 @@ static MS_NN__COLD ms_status ms_nn__build_resize(ms_nn__build *b, int i, ms_erro
     }
     out.h = extent[0];
     out.w = extent[1];
-    if (ms__size_mul(ms__size_mul(out.c, out.h), out.w) > SIZE_MAX / 64)
+    if (ms_nn__too_large(out))
         return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
     b->now = out;
     if (up && s->mode && strcmp(s->mode, "nearest")) {
@@ -2733,7 +2747,7 @@ static MS_NN__COLD ms_status ms_nn__build_merge(ms_nn__build *b, int i, ms_nn_la
     if (!add && s->order && !before && strcmp(s->order, "after"))
         return ms__fail(error, MS_BAD_DATA, 0, "order must be after or before, not '%s'", s->order);
     if (!add) out.c = ms__size_add(out.c, other.c);
-    if (ms__size_mul(ms__size_mul(out.c, out.h), out.w) > SIZE_MAX / 64)
+    if (ms_nn__too_large(out))
         return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
     op = ms_nn__op_add(b, add ? MS_NN__DO_ADD : MS_NN__DO_CONCAT, i, out);
     op->skip = from;
@@ -2899,6 +2913,8 @@ static MS_NN__COLD ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_
                                        layer.message, nn->layer[i].name);
         }
     if (nn->ops == 0) ms_nn__op_add(&b, MS_NN__DO_ACTIVATE, 0, b.low); /* nothing to do is a copy */
+    if (ms__size_mul(nn->channels, ms_nn__count(b.now)) > SIZE_MAX / 64)
+        return ms__fail(error, MS_BAD_DATA, 0, "the outputs of all channels are too large");
     nn->output = ms_nn__shape(b.now, b.rank);
     if (nn->channels > 1 || nn->channel_input) {
         nn->output.rank = 2;
@@ -2975,7 +2991,7 @@ static MS_NN__COLD int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m)
     m->packed = NULL;
     m->packed_dtype = dtype;
     if (m->cols > 16384 || m->rows > 2000000 / m->cols || nn->packed + m->rows * m->cols > 8000000) return 1;
-    m->packed = w = (unsigned char *)ms_nn__allocate(nn, rows * size, m->cols);
+    m->packed = w = (unsigned char *)ms_nn__allocate(nn, ms__size_mul(rows, size), m->cols);
     m->packed_scale = scale = (float *)ms_nn__allocate(nn, rows, 2 * sizeof(float));
     m->packed_bias = scale + rows;
     if (w == NULL || scale == NULL) return 0;
@@ -3045,7 +3061,7 @@ static MS_NN__COLD void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, i
     job.streams = nn->streams;
     job.chunk_rows = MS_NN__TASK_BYTES / (m->cols * (size_t)(ms_nn__bits(m->dtype) / 8)) + 1;
     if (batch > 1 || m->packed) { /* whole tiles of rows, and of a large batch so few that several threads find some */
-        size_t most = MS_NN__TASK_PRODUCTS / (m->cols * (size_t)batch) + 1, tile = m->packed ? nn->kernels->panel : 16;
+        size_t most = MS_NN__TASK_PRODUCTS / m->cols / (size_t)batch + 1, tile = m->packed ? nn->kernels->panel : 16;
         job.chunk_rows = (ms_nn__min(job.chunk_rows, most) + tile - 1) / tile * tile;
     }
     ms_nn__chunks(nn, m->rows, &job.chunk_rows, ms_nn__dense_task, &job);
@@ -3387,7 +3403,7 @@ static MS_NN__COLD size_t ms_nn__batch_size(const ms_nn *nn)
         if (nn->op[k].step == MS_NN__DO_DENSE) dense += nn->op[k].matrix.rows * nn->op[k].matrix.cols;
         else convolutions += nn->op[k].step == MS_NN__DO_CONV;
     }
-    n = (convolutions ? 131072u : 4194304u) / (ms__size_mul(nn->slots, nn->channels) + 1) / 12 * 12;
+    n = (convolutions ? 131072u : 4194304u) / ms_nn__at_least_1(ms__size_mul(nn->slots, nn->channels)) / 12 * 12;
     n = ms_nn__min(n, nn->channels > 1 ? 12 : MS_NN__BATCH);
     return n > 0 ? n : convolutions && dense < 2000000 ? 1 : 12; /* large weights are better read for several */
 }
@@ -3417,6 +3433,8 @@ static MS_NN__COLD ms_nn__layout ms_nn__layout_of(const ms_nn *nn, ms_nn_product
     l.dx = (float *)ms__take(&a, vectors, in * sizeof(float));
     l.slots = (float *)ms__take(&a, vectors, ms__size_mul(nn->slots, sizeof(float)));
     l.scratch = ms__take(&a, ms_nn__scratch_size(nn), 1);
+    if (!forward && ms__size_mul(ms__size_mul(ms_nn_output_size(nn), ms_nn_input_size(nn)), sizeof(double)) == SIZE_MAX)
+        a.used = SIZE_MAX;
     l.total = l.points > INT_MAX || vectors > INT_MAX ? SIZE_MAX : ms__size_add(a.used, 63); /* to align the first */
     return l;
 }

@@ -1810,7 +1810,8 @@ static void test_refused(void)
         {"[5]", "[{\"type\":\"shared_channels\"}]", "belong together"},
         {"[5]", "[{\"type\":\"upsample1d\",\"factor\":2},]", "object"},
         {"[5]", "{}", "list"},
-        {"[5]", "[] []", "follows"},
+        {"[5]", "[{\"type\":\"dropout\"}] []", "follows"},
+        {"[5]", "[]", "empty"},
         {"[0]", "[]", "is 0"},
         {"[4294967295,4294967295,9]", "[]", "too large"},
         {"[1,2,3,4]", "[]", "three"},
@@ -1881,6 +1882,118 @@ static void test_refused(void)
     }
     ms_nn_file_close(f);
     TEST_NOTE("%d layer lists", (int)i);
+}
+
+/* At most 16 MB a block: a file may ask for any size. */
+static void *at_most_16_mb(void *user, size_t size)
+{
+    (void)user;
+    return size <= (size_t)1 << 24 ? malloc(size) : NULL;
+}
+
+static void give_back(void *user, void *pointer, size_t size)
+{
+    (void)user;
+    (void)size;
+    free(pointer);
+}
+
+/* A size of the whole range that the grammar allows, more often a small one, one beside a power of two, or one whose
+   multiple by 3 to 7 is beside 2^32. */
+static uint32_t any_size(uint64_t *state)
+{
+    const uint32_t power = (uint32_t)1 << (int)(31 * test_uniform(state));
+    if (test_uniform(state) < 0.5) return 1 + (uint32_t)(4 * test_uniform(state));
+    if (test_uniform(state) < 0.3)
+        return 0xffffffffu / (3 + (uint32_t)(5 * test_uniform(state))) + (uint32_t)(3 * test_uniform(state));
+    return test_uniform(state) < 0.7 ? (power > 1 ? power - 1 : 1) + (uint32_t)(3 * test_uniform(state))
+                                     : 1 + (uint32_t)(2147483646 * test_uniform(state));
+}
+
+/* Layers of any sizes are refused, or run inside of their workspace: nothing behind it and behind the outputs is
+   written. On 32 bits the products of these sizes wrap. */
+static void test_any_sizes(void)
+{
+    static const float weight[16] = {1, 2, 3, 4}, bias[2] = {0};
+    static const size_t square[4] = {1, 1, 3, 2}, line[3] = {1, 1, 3}, one[1] = {1}, matrix[2] = {2, 4}, two[1] = {2};
+    const ms_nn_tensor tensors[6] = {
+        {"c.weight", MS_NN_F32, 4, square, weight, 24}, {"c.bias", MS_NN_F32, 1, one, bias, 4},
+        {"s.weight", MS_NN_F32, 3, line, weight, 12},   {"s.bias", MS_NN_F32, 1, one, bias, 4},
+        {"d.weight", MS_NN_F32, 2, matrix, weight, 32}, {"d.bias", MS_NN_F32, 1, two, bias, 8}};
+    ms_nn_options o = ms_nn_defaults();
+    ms_nn_entry e[3] = {{"ms_nn_version", "1"}, {"ms_nn_input", NULL}, {"ms_nn_layers", NULL}};
+    uint64_t state = test_seed + 60;
+    int k, ran = 0, loaded = 0, total = test_full ? 200000 : 20000;
+    o.allocator.alloc = at_most_16_mb;
+    o.allocator.release = give_back;
+    o.simd = MS_SIMD_SCALAR;
+    for (k = 0; k < total; ++k) {
+        char input[80], layers[1000] = "[";
+        int rank = 1 + (int)(3 * test_uniform(&state)), count = 1 + (int)(3 * test_uniform(&state)), i;
+        unsigned char file[2048], *workspace;
+        size_t size, need, in, out, at = 1;
+        ms_nn *nn = NULL;
+        ms_error error;
+        float *x;
+        if (rank == 1) snprintf(input, sizeof input, "[%lu]", (unsigned long)any_size(&state));
+        if (rank == 2) snprintf(input, sizeof input, "[1,%lu]", (unsigned long)any_size(&state));
+        if (rank == 3)
+            snprintf(input, sizeof input, "[1,%lu,%lu]", (unsigned long)any_size(&state),
+                     (unsigned long)any_size(&state));
+        if (rank == 1 && test_uniform(&state) < 0.3) /* as many channels as the list names */
+            at += (size_t)snprintf(layers + at, sizeof layers - at,
+                                   "{\"type\":\"shared_channels\",\"inputs\":[[0,0,0,0],[0,0,0,0]]},");
+        for (i = 0; i < count; ++i) {
+            const unsigned long a = any_size(&state), b = any_size(&state), c = any_size(&state), d = any_size(&state);
+            const int which = (int)(6 * test_uniform(&state));
+            at += (size_t)snprintf(layers + at, sizeof layers - at, i ? "," : "");
+            if (which == 0)
+                at += (size_t)snprintf(layers + at, sizeof layers - at,
+                                       "{\"type\":\"dense\",\"name\":\"d\",\"activation\":\"silu\"}");
+            else if (which == 1 && rank == 2)
+                at += (size_t)snprintf(layers + at, sizeof layers - at,
+                                       "{\"type\":\"conv1d\",\"name\":\"s\",\"stride\":%lu,\"zeros\":%lu}", a, b - 1);
+            else if (which == 1)
+                at += (size_t)snprintf(layers + at, sizeof layers - at,
+                                       "{\"type\":\"conv2d\",\"name\":\"c\",\"stride\":[%lu,%lu],\"zeros\":[%lu,%lu]}",
+                                       a, b, c - 1, d - 1);
+            else if (which == 2)
+                at += (size_t)snprintf(layers + at, sizeof layers - at,
+                                       rank == 2 ? "{\"type\":\"upsample1d\",\"factor\":%lu}"
+                                                 : "{\"type\":\"upsample2d\",\"factor\":[%lu,%lu]}",
+                                       a, b);
+            else if (which == 3)
+                at += (size_t)snprintf(layers + at, sizeof layers - at,
+                                       rank == 2 ? "{\"type\":\"maxpool1d\",\"size\":%lu,\"stride\":%lu}"
+                                                 : "{\"type\":\"avgpool2d\",\"size\":[%lu,%lu],\"stride\":[%lu,%lu]}",
+                                       a, b, c, d);
+            else if (which == 4) at += (size_t)snprintf(layers + at, sizeof layers - at, "{\"type\":\"flatten\"}");
+            else at += (size_t)snprintf(layers + at, sizeof layers - at, "{\"type\":\"dropout\"}");
+        }
+        snprintf(layers + at, sizeof layers - at, "]");
+        e[1].value = input;
+        e[2].value = layers;
+        CHECK_INT(ms_nn_file_write(tensors, 6, e, 3, file, sizeof file, &size, &error), MS_OK);
+        if (ms_nn_load(file, size, &o, &nn, &error) != MS_OK) continue;
+        ++loaded;
+        in = ms_nn_input_size(nn);
+        out = ms_nn_output_size(nn);
+        need = ms_nn_workspace_size(nn, MS_NN_FORWARD, 1);
+        if (need <= (size_t)1 << 22 && in <= (size_t)1 << 20 && out <= (size_t)1 << 20) {
+            workspace = (unsigned char *)malloc(need + 64);
+            x = (float *)calloc(in + out + 64, sizeof(float));
+            for (i = 0; i < 64; ++i) x[in + out + (size_t)i] = 7;
+            memset(workspace + need, 0x5a, 64);
+            CHECK_INT(ms_nn_forward(nn, 1, x, x + in, workspace), MS_OK);
+            for (i = 0; i < 64; ++i) CHECK(workspace[need + (size_t)i] == 0x5a && (int)x[in + out + (size_t)i] == 7);
+            free(workspace);
+            free(x);
+            ++ran;
+        }
+        ms_nn_destroy(nn);
+    }
+    CHECK(ran > total / 50);
+    TEST_NOTE("%d layer lists: %d loaded, %d run", total, loaded, ran);
 }
 
 /* JSON's white space (RFC 8259: space, tab, line feed, carriage return) may stand around each word of both entries. */
@@ -2490,6 +2603,7 @@ static const test_case cases[] = {{"reference networks", test_reference},
                                   {"unaligned", test_unaligned},
                                   {"not finite", test_not_finite},
                                   {"refused", test_refused},
+                                  {"any sizes", test_any_sizes},
                                   {"white space", test_white_space},
                                   {"positions of errors", test_positions},
                                   {"words of a header", test_header_words},
