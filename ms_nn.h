@@ -1256,8 +1256,7 @@ static MS_NN__COLD ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header 
     if (bytes == SIZE_MAX) return ms_nn__refuse(j, "a tensor must fill whole bytes");
     if (offset[0] > offset[1] || offset[1] > h->data_size)
         return ms_nn__refuse(j, "data_offsets must rise and lie within the file");
-    if (offset[1] - offset[0] != bytes)
-        return ms_nn__refuse(j, "data_offsets do not span what dtype and shape need");
+    if (offset[1] - offset[0] != bytes) return ms_nn__refuse(j, "data_offsets do not span what dtype and shape need");
     if (h->file) {
         ms_nn__record *r = &h->file->record[h->tensors];
         r->tensor.name = name->text;
@@ -2406,7 +2405,8 @@ static const float *ms_nn__pack(ms_nn *nn, const ms_nn__taps *t, size_t outs, si
 {
     const size_t blocks = (outs + block - 1) / block, taps = (winograd ? 1 : t->height) * t->taps_w,
                  parts = winograd ? 4 : 1, part = ins * taps * block;
-    float *packed = (float *)ms_nn__allocate(nn, ms__size_mul(ms__size_mul(blocks * parts * block, ins), taps), sizeof(float));
+    float *packed = (float *)ms_nn__allocate(nn, ms__size_mul(ms__size_mul(blocks * parts * block, ins), taps),
+                                             sizeof(float));
     size_t b, c, k, o;
     for (b = 0; packed && b < blocks; ++b)
         for (c = 0; c < ins; ++c)
@@ -2640,8 +2640,7 @@ static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_lay
     }
     out.h = extent[0];
     out.w = extent[1];
-    if (ms_nn__too_large(out))
-        return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
+    if (ms_nn__too_large(out)) return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
     in = b->low;
     op = ms_nn__op_add(b, MS_NN__DO_CONV, i, out);
     op->groups = groups;
@@ -2682,8 +2681,7 @@ static MS_NN__COLD ms_status ms_nn__build_resize(ms_nn__build *b, int i, ms_erro
     }
     out.h = extent[0];
     out.w = extent[1];
-    if (ms_nn__too_large(out))
-        return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
+    if (ms_nn__too_large(out)) return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
     b->now = out;
     if (up && s->mode && strcmp(s->mode, "nearest")) {
         if (strcmp(s->mode, "linear"))
@@ -2747,8 +2745,7 @@ static MS_NN__COLD ms_status ms_nn__build_merge(ms_nn__build *b, int i, ms_nn_la
     if (!add && s->order && !before && strcmp(s->order, "after"))
         return ms__fail(error, MS_BAD_DATA, 0, "order must be after or before, not '%s'", s->order);
     if (!add) out.c = ms__size_add(out.c, other.c);
-    if (ms_nn__too_large(out))
-        return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
+    if (ms_nn__too_large(out)) return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
     op = ms_nn__op_add(b, add ? MS_NN__DO_ADD : MS_NN__DO_CONCAT, i, out);
     op->skip = from;
     op->flag = before;

@@ -45,13 +45,13 @@ static size_t number_at(const uint8_t *data, size_t size)
     return at;
 }
 
-/* Changes the length that a file may begin with (8 bytes, the least first) as text grows or shrinks after it. */
-static void length_adjust(uint8_t *data, size_t size, long change)
+/* Changes the length of the text that a file may begin with (8 bytes, the least first) as the text changes at `at`. */
+static void length_adjust(uint8_t *data, size_t size, size_t at, long change)
 {
     uint64_t length = 0;
     int i;
     for (i = 8; i-- > 0 && size >= 8;) length = length << 8 | data[i];
-    if (size < 8 || length > size || below(8) == 0) return;
+    if (size < 8 || at < 8 || at > 8 + length || length > size || below(8) == 0) return;
     length += (uint64_t)(int64_t)change;
     for (i = 0; i < 8; ++i) data[i] = (uint8_t)(length >> (8 * i));
 }
@@ -62,37 +62,37 @@ static size_t splice(uint8_t *data, size_t size, size_t at, size_t old, const ui
     if (at + old > size) old = size - at;
     memmove(data + at + count, data + at + old, size - at - old);
     if (count > 0) memcpy(data + at, with, count);
-    if (at >= 8) length_adjust(data, size - old + count, (long)count - (long)old);
+    length_adjust(data, size - old + count, at, (long)count - (long)old);
     return size - old + count;
 }
 
 /* One mutation of a file whose memory has room for GROWTH bytes more. */
 static size_t mutate(uint8_t *data, size_t size)
 {
-    static const char *const sizes[] = {"0",     "1",     "2",          "3",          "255",        "65535",
-                                        "65536", "32767", "2147483647", "4294967295", "4294967296", "1431655766",
-                                        "17",    "1e30",  "-1"};
+    static const char *const sizes[] = {"0",          "1",          "2",     "3",          "255",
+                                        "65535",      "65536",      "32767", "2147483647", "4294967295",
+                                        "4294967296", "1431655766", "17",    "1e30",       "-1"};
     static const char marks[] = "[]{},:\"\\ 0123456789eE.-";
     const char *text;
     uint8_t byte;
     size_t at, other, count;
     if (size == 0) return 0;
-    switch (below(6)) {
+    switch (below(9)) {
     case 0: data[below(size)] ^= (uint8_t)(1u << below(8)); return size;
     case 1: data[below(size)] = (uint8_t)marks[below(sizeof marks - 1)]; return size;
-    case 2: /* another number */
-        at = number_at(data, size);
-        for (count = 0; at + count < size && data[at + count] >= '0' && data[at + count] <= '9';) ++count;
-        text = sizes[below(sizeof sizes / sizeof sizes[0])];
-        return at < size ? splice(data, size, at, count, (const uint8_t *)text, strlen(text)) : size;
-    case 3: return splice(data, size, below(size), 1 + below(8), NULL, 0);
-    case 4: byte = (uint8_t)marks[below(sizeof marks - 1)]; return splice(data, size, below(size), 0, &byte, 1);
-    default: /* bytes of another file */
+    case 2: /* bytes of another file */
         for (other = below(FILES_MAX); file_data[other] == NULL; other = below(FILES_MAX)) {}
         count = 1 + below(GROWTH / 4);
         if (file_size[other] < count) return size;
         return splice(data, size, below(size), below(2) ? count : 0,
                       file_data[other] + below(file_size[other] - count + 1), count);
+    case 3: byte = (uint8_t)marks[below(sizeof marks - 1)]; return splice(data, size, below(size), 0, &byte, 1);
+    case 4: return splice(data, size, below(size), 1 + below(8), NULL, 0);
+    default: /* another number */
+        at = number_at(data, size);
+        for (count = 0; at + count < size && data[at + count] >= '0' && data[at + count] <= '9' && count < 20;) ++count;
+        text = sizes[below(sizeof sizes / sizeof sizes[0])];
+        return at < size ? splice(data, size, at, count, (const uint8_t *)text, strlen(text)) : size;
     }
 }
 
@@ -131,8 +131,9 @@ int main(int argc, char **argv)
     closedir(folder);
     state = 88172645463325252u + (argc > 3 ? (uint64_t)atol(argv[3]) * 0x9E3779B97F4A7C15u : 0);
     for (k = 0; k < count && files > 0; ++k) {
-        const size_t which = below((size_t)files);
-        size_t size = file_size[which], changes = 1 + below(4);
+        const size_t one = below((size_t)files), two = below((size_t)files); /* the larger file holds more to change */
+        const size_t which = file_size[one] > file_size[two] ? one : two;
+        size_t size = file_size[which], changes = below(2) ? 1 : 1 + below(4);
         uint8_t *data = (uint8_t *)malloc(size + 4 * GROWTH);
         if (data == NULL) return 2;
         if (size > 0) memcpy(data, file_data[which], size);
