@@ -1,8 +1,9 @@
 /* Any bytes as a safetensors file and as a network: refused or run, never a crash, a hang or a large allocation.
-     clang -g -O1 -fsanitize=fuzzer,address,undefined -I. tests/fuzz/fuzz_safetensors.c -o build/fuzz_safetensors -lm
-     build/fuzz_safetensors -max_len=4096 tests/fuzz/corpus_safetensors */
+     clang -g -O1 -fsanitize=fuzzer,address,undefined -I. -Iexamples/engine tests/fuzz/fuzz_safetensors.c -o
+   build/fuzz_safetensors -lm build/fuzz_safetensors -max_len=4096 tests/fuzz/corpus_safetensors */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
+#include "nn_shader.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,7 +31,7 @@ static void fuzz_file(const ms_nn_file *file)
     if (sum == 1u && written == 1) abort(); /* keeps the reads */
 }
 
-/* The network as an objective, with R from the file if it has one. */
+/* The network as an objective. */
 static void fuzz_collapse(const ms_nn *nn, const float *x, const float *target)
 {
     ms_nn_collapse *c;
@@ -48,23 +49,23 @@ static void fuzz_collapse(const ms_nn *nn, const float *x, const float *target)
 /* As shaders: refused, or as long as it says. */
 static void fuzz_shader(const ms_nn *nn, size_t size)
 {
-    ms_nn_shader s;
-    ms_nn_shader_sizes z;
+    nn_shader s;
+    nn_shader_sizes z;
     ms_error error;
     memset(&s, 0, sizeof s);
     s.steps = (int)(size / 4 % 4);
-    s.language = (ms_nn_language)(size % 5);
+    s.language = (nn_language)(size % 5);
     if (size / 16 % 2) s.width = s.height = 2;
-    for (z.steps = 1; s.step < z.steps && ms_nn_shader_layout(nn, &s, &z, &error) == MS_OK; ++s.step) {
-        size_t length = ms_nn_shader_text(nn, &s, NULL, 0, &error);
+    for (z.steps = 1; s.step < z.steps && nn_shader_layout(nn, &s, &z, &error) == MS_OK; ++s.step) {
+        size_t length = nn_shader_text(nn, &s, NULL, 0, &error);
         char *text = (char *)malloc(length + 1);
-        if (text && (ms_nn_shader_text(nn, &s, text, length + 1, &error) != length || strlen(text) != length)) abort();
+        if (text && (nn_shader_text(nn, &s, text, length + 1, &error) != length || strlen(text) != length)) abort();
         free(text);
     }
     s.step = 0;
-    if (ms_nn_shader_layout(nn, &s, &z, &error) == MS_OK && z.weight_rows < 16) {
-        void *weights = malloc((size_t)z.weight_rows * MS_NN_SHADER_WIDTH * 16);
-        if (weights) ms_nn_shader_weights(nn, size % 2 ? MS_NN_F16 : MS_NN_F32, weights, &error);
+    if (nn_shader_layout(nn, &s, &z, &error) == MS_OK && z.weight_rows < 16) {
+        void *weights = malloc((size_t)z.weight_rows * NN_SHADER_WIDTH * 16);
+        if (weights) nn_shader_weights(nn, size % 2 ? MS_NN_F16 : MS_NN_F32, weights, &error);
         free(weights);
     }
 }
