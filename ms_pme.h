@@ -95,7 +95,7 @@ extern "C" {
 
 /* ms-common begin (the same text in every ms_*.h: see tests/common.sh) */
 #ifndef MS_COMMON
-#define MS_COMMON 3 /* raised whenever the text between the marks changes after a release */
+#define MS_COMMON 4 /* raised whenever the text between the marks changes after a release */
 
 /* Linkage of every public function of every header: nothing, static, __declspec(dllexport), or
    __attribute__((visibility("default"))). Define it before the #include. */
@@ -103,31 +103,26 @@ extern "C" {
 #define MS_DEF
 #endif
 #if defined(__GNUC__) || defined(__clang__)
-#define MS_API MS_DEF __attribute__((unused)) /* static copies that call only a part do not warn */
+#define MS__UNUSED __attribute__((unused)) /* static copies that call only a part do not warn */
 #else
-#define MS_API MS_DEF
+#define MS__UNUSED
 #endif
+#define MS_API MS_DEF MS__UNUSED
 
 /* NULL, in every header: where an argument's comment does not say what NULL means, it may not be NULL. A call that
    returns a status then answers MS_INVALID_ARGUMENT and names the argument; any other does nothing and returns 0 or
    NULL. destroy and free do nothing with NULL. */
 
-/* What went wrong; each code asks for another remedy. code, value, sentence */
-#define MS_STATUS_LIST(X)                                                  \
-    X(MS_OK, 0, "success")                                                 \
-    X(MS_INVALID_ARGUMENT, 1, "an argument is outside its stated range")   \
-    X(MS_OUT_OF_MEMORY, 2, "the allocator returned NULL")                  \
-    X(MS_BAD_DATA, 3, "the file or the data set is malformed")             \
-    X(MS_UNSUPPORTED, 4, "valid, but not handled by this build or call")   \
-    X(MS_NOT_CONVERGED, 5, "the iteration stopped short of its tolerance") \
-    X(MS_CANCELLED, 6, "the progress callback asked to stop")              \
-    X(MS_IO, 7, "the operating system could not read or write")
-
+/* What went wrong; each code asks for another remedy. ms_status_string has a sentence for each. */
 typedef enum ms_status {
-#define MS_STATUS_ENUM(code, value, sentence) code = value,
-    MS_STATUS_LIST(MS_STATUS_ENUM)
-#undef MS_STATUS_ENUM
-        MS_STATUS_COUNT /* how many codes there are */
+    MS_OK = 0,
+    MS_INVALID_ARGUMENT = 1,
+    MS_OUT_OF_MEMORY = 2,
+    MS_BAD_DATA = 3,
+    MS_UNSUPPORTED = 4,
+    MS_NOT_CONVERGED = 5,
+    MS_CANCELLED = 6,
+    MS_IO = 7
 } ms_status;
 
 /* Details of a failure. Every call that takes one accepts NULL; it is written on failure only. */
@@ -145,23 +140,23 @@ typedef struct ms_allocator {
     void (*release)(void *user, void *pointer, size_t size);
 } ms_allocator;
 
-/* Threads. All zero: everything runs on the calling thread. run calls task(context, i) once for every
-   i in [0, count), in any order, on any threads, and returns when all are done. The work is cut into
-   tasks by the problem alone, so results do not depend on how many threads there are. */
+/* Threads. All zero: everything runs on the calling thread. run calls task(context, i) once for every i in [0, count),
+   in any order, on any threads, and returns when all are done. The work is cut into tasks by the problem alone, so
+   results do not depend on how many threads there are. */
 typedef struct ms_parallel {
     void *user;
     void (*run)(void *user, int count, void (*task)(void *context, int index), void *context);
 } ms_parallel;
 
-/* Progress of a long call. All zero: none. report gets the fraction done, 0 to 1, from the thread that
-   made the call; it returns non-zero to stop, and the call then returns MS_CANCELLED. */
+/* Progress of a long call. All zero: none. report gets the fraction done, 0 to 1, from the thread that made the call;
+   it returns non-zero to stop, and the call then returns MS_CANCELLED. */
 typedef struct ms_progress {
     void *user;
     int (*report)(void *user, double fraction);
 } ms_progress;
 
-/* Instruction sets, in the order of their speed. Options take one as a cap: a level that the processor
-   or the build lacks falls back to the next lower one. */
+/* Instruction sets, in the order of their speed. Options take one as a cap: a level that the processor or the build
+   lacks falls back to the next lower one. */
 typedef enum ms_simd {
     MS_SIMD_AUTO = 0,   /* the best that the processor has */
     MS_SIMD_SCALAR = 1, /* plain C: the reference for all the others */
@@ -170,29 +165,29 @@ typedef enum ms_simd {
     MS_SIMD_AVX512 = 4  /* AVX-512 F, BW, DQ, VL */
 } ms_simd;
 
-/* The sentence of MS_STATUS_LIST; "unknown status" outside it. */
+/* "unknown status" outside the codes. */
 static inline const char *ms_status_string(ms_status status)
 {
-    static const char *const sentence[] = {
-#define MS_STATUS_TEXT(code, value, text) text,
-        MS_STATUS_LIST(MS_STATUS_TEXT)
-#undef MS_STATUS_TEXT
-    };
-    int i = (int)status;
-    return i >= 0 && i < (int)MS_STATUS_COUNT ? sentence[i] : "unknown status";
+    static const char *const sentence[] = {"success",
+                                           "an argument is outside its stated range",
+                                           "the allocator returned NULL",
+                                           "the file or the data set is malformed",
+                                           "valid, but not handled by this build or call",
+                                           "the iteration stopped short of its tolerance",
+                                           "the progress callback asked to stop",
+                                           "the operating system could not read or write"};
+    return (int)status >= 0 && status <= MS_IO ? sentence[status] : "unknown status";
 }
 
 /* "auto", "scalar", "base", "avx2", "avx512"; "unknown" outside the list. */
 static inline const char *ms_simd_string(ms_simd level)
 {
     static const char *const name[] = {"auto", "scalar", "base", "avx2", "avx512"};
-    int i = (int)level;
-    return i >= 0 && i <= (int)MS_SIMD_AVX512 ? name[i] : "unknown";
+    return (int)level >= 0 && level <= MS_SIMD_AVX512 ? name[level] : "unknown";
 }
 #endif /* MS_COMMON */
 
-/* Outside the guard: catches two vendored releases in one file. */
-#if MS_COMMON != 3
+#if MS_COMMON != 4 /* outside the guard: an earlier #include may have defined another */
 #error "ms_*.h headers of different releases in one translation unit"
 #endif
 /* ms-common end */
@@ -353,17 +348,7 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef MS_ASSERT /* checks of the library's own invariants, never of the caller's data */
-#define MS_ASSERT(condition) ((void)0)
-#endif
-
-#if defined(__GNUC__) || defined(__clang__)
-#define MS__UNUSED __attribute__((unused))
-#else
-#define MS__UNUSED
-#endif
-
-/* Returns a * b or a + b; SIZE_MAX stands for overflow and stays so through further calls. */
+/* a * b and a + b; SIZE_MAX stands for overflow and stays so through further calls. */
 static MS__UNUSED size_t ms__size_mul(size_t a, size_t b)
 {
     if (a == SIZE_MAX || b == SIZE_MAX) return SIZE_MAX;
@@ -397,22 +382,17 @@ static MS__UNUSED void *ms__alloc(const ms_allocator *allocator, size_t size)
 static MS__UNUSED void ms__release(const ms_allocator *allocator, void *pointer, size_t size)
 {
     if (pointer == NULL) return;
-    if (allocator != NULL && allocator->alloc != NULL) {
-        if (allocator->release != NULL) allocator->release(allocator->user, pointer, size ? size : 1);
-    } else {
-        free(pointer);
-    }
+    if (allocator == NULL || allocator->alloc == NULL) free(pointer);
+    else if (allocator->release != NULL) allocator->release(allocator->user, pointer, size ? size : 1);
 }
 
 static MS__UNUSED void ms__run(const ms_parallel *parallel, int count, void (*task)(void *context, int index),
                                void *context)
 {
     int i;
-    if (parallel != NULL && parallel->run != NULL && count > 1) {
-        parallel->run(parallel->user, count, task, context);
-    } else {
+    if (parallel != NULL && parallel->run != NULL && count > 1) parallel->run(parallel->user, count, task, context);
+    else
         for (i = 0; i < count; ++i) task(context, i);
-    }
 }
 
 /* By its bits: isfinite() is removed by -ffast-math. */
@@ -423,87 +403,72 @@ static MS__UNUSED int ms__finite(double x)
     return (bits & 0x7ff0000000000000u) != 0x7ff0000000000000u;
 }
 
-static MS__UNUSED int ms__finite_f(float x)
+static MS__UNUSED int ms__finite_f(float x) { return ms__finite((double)x); }
+
+/* The decimal digits of value before `end`, where a NUL is written. Returns the first. */
+static MS__UNUSED char *ms__format_integer(char *end, size_t value)
 {
-    uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return (bits & 0x7f800000u) != 0x7f800000u;
+    for (*end = 0; value || !*end; value /= 10) *--end = (char)('0' + (int)(value % 10));
+    return end;
 }
 
-/* x as text with 6 significant digits and '.' in every locale; at least 24 bytes in out. Its length. */
-static MS__UNUSED int ms__format_number(char *out, double x)
+/* x with 6 significant digits and '.' in every locale, into 24 bytes. */
+static MS__UNUSED void ms__format_number(char *out, double x)
 {
-    char digit[6];
-    int n = 0, exponent = 5, i, last = 5, point, fixed;
-    int64_t mantissa;
+    char text[8], *digit;
+    int n = 0, exponent = 5, count = 6, point, i;
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
-    if (bits >> 63) out[n++] = '-';
     if (!ms__finite(x)) {
-        const int nan = (bits & 0xfffffffffffffu) != 0;
-        memcpy(out + (nan ? 0 : n), nan ? "nan" : "inf", 4);
-        return nan ? 3 : n + 3;
+        memcpy(out, bits << 12 ? "nan\0" : bits >> 63 ? "-inf" : "inf\0", 5);
+        return;
     }
-    if (bits >> 63) x = -x;
-    for (; x >= 1e6; ++exponent) x /= 10;
-    for (; x > 0 && x < 1e5; --exponent) x *= 10;
-    mantissa = (int64_t)(x + 0.5);
-    if (mantissa == 1000000) {
-        mantissa = 100000;
-        ++exponent;
+    if (bits >> 63) out[n++] = '-';
+    x = x < 0 ? -x : x;
+    if (!(x > 0)) exponent = 0, count = 1;
+    for (; x >= 999999.5; ++exponent) x /= 10; /* to six digits before the point */
+    for (; x > 0 && x < 99999.95; --exponent) x *= 10;
+    digit = ms__format_integer(text + 7, (size_t)(x + 0.5));
+    while (count > 1 && digit[count - 1] == '0') --count;
+    point = exponent >= -4 && exponent < 7 ? exponent : 0; /* the digit that it follows */
+    for (i = point < 0 ? point : 0; i < count || i <= point; ++i) {
+        out[n++] = i < 0 || i >= count ? '0' : digit[i];
+        if (i == point && i + 1 < count) out[n++] = '.';
     }
-    if (mantissa == 0) exponent = 0;
-    for (i = 5; i >= 0; --i, mantissa /= 10) digit[i] = (char)('0' + (int)(mantissa % 10));
-    while (last > 0 && digit[last] == '0') --last;
-    fixed = exponent >= -4 && exponent < 7;
-    point = fixed ? exponent : 0; /* the digit that it follows */
-    for (i = point < 0 ? point : 0; i <= last || i <= point; ++i) {
-        out[n++] = i < 0 || i > 5 ? '0' : digit[i];
-        if (i == point && i < last) out[n++] = '.';
-    }
-    if (!fixed) {
+    if (point != exponent) {
         out[n++] = 'e';
         out[n++] = exponent < 0 ? '-' : '+';
         exponent = exponent < 0 ? -exponent : exponent;
-        if (exponent >= 100) out[n++] = (char)('0' + exponent / 100);
-        out[n++] = (char)('0' + exponent / 10 % 10);
-        out[n++] = (char)('0' + exponent % 10);
+        if (exponent < 10) out[n++] = '0';
+        for (digit = ms__format_integer(text + 7, (size_t)exponent); *digit;) out[n++] = *digit++;
     }
     out[n] = 0;
-    return n;
 }
 
-/* Fills error (may be NULL) and returns status. The format knows %s (char pointer), %d (int), %z (size_t),
-   %g (double) and %%; a text that is too long is cut, a control character becomes '?'. */
+/* Fills error (may be NULL) and returns status. The format knows %s (char pointer), %d (int), %z (size_t), %g (double)
+   and %%; a text that is too long is cut, a control character becomes '?'. */
 static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t position, const char *format, ...)
 {
-    char number[32];
-    size_t n = 0, room, i;
+    char number[32], *end = number + sizeof number - 1;
+    size_t n = 0;
     va_list list;
     if (error == NULL) return status;
     error->status = status;
     error->position = position;
-    room = sizeof error->message - 1;
     va_start(list, format);
     for (; *format; ++format) {
         const char *piece = number;
+        const char kind = *format == '%' ? *++format : 0;
+        const int value = kind == 'd' ? va_arg(list, int) : 0;
         number[0] = *format;
         number[1] = 0;
-        if (*format == '%' && format[1]) {
-            ++format;
-            if (*format == 's') piece = va_arg(list, const char *);
-            if (*format == 'g') ms__format_number(number, va_arg(list, double));
-            if (*format == 'd' || *format == 'z') {
-                const int v = *format == 'd' ? va_arg(list, int) : 0;
-                size_t value = *format == 'z' ? va_arg(list, size_t) : v < 0 ? 0 - (size_t)v : (size_t)v;
-                char *at = number + sizeof number - 1;
-                for (*at = 0; value || !*at; value /= 10) *--at = (char)('0' + (int)(value % 10));
-                if (v < 0) *--at = '-';
-                piece = at;
-            }
-        }
-        for (i = 0; piece[i] && n < room; ++i)
-            error->message[n++] = (unsigned char)piece[i] < 32 || piece[i] == 127 ? '?' : piece[i];
+        if (kind == 's') piece = va_arg(list, const char *);
+        if (kind == 'g') ms__format_number(number, va_arg(list, double));
+        if (kind == 'z') piece = ms__format_integer(end, va_arg(list, size_t));
+        if (kind == 'd') piece = ms__format_integer(end, value < 0 ? 0 - (size_t)value : (size_t)value);
+        if (value < 0 && n < sizeof error->message - 1) error->message[n++] = '-';
+        for (; *piece && n < sizeof error->message - 1; ++piece)
+            error->message[n++] = (unsigned char)*piece < 32 || *piece == 127 ? '?' : *piece;
     }
     va_end(list);
     error->message[n] = 0;
@@ -512,68 +477,38 @@ static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t p
 #endif /* MS_COMMON_PRIVATE */
 /* ms-common-private end */
 
-/* ms-common-random begin (the same text wherever it stands: see tests/common.sh) */
-#ifndef MS_COMMON_RANDOM
-#define MS_COMMON_RANDOM
+/* ms-common-splitmix begin (the same text wherever it stands: see tests/common.sh) */
+#ifndef MS_COMMON_SPLITMIX
+#define MS_COMMON_SPLITMIX
 
-/* Philox 4x32-10 (Salmon, Moraes, Dror, Shaw 2011, "Parallel random numbers: as easy as 1, 2, 3"): four words
-   from a 128-bit counter and a 64-bit key, integers only, so the same on any thread, level and machine. */
-static MS__UNUSED void ms__philox(const uint32_t counter[4], const uint32_t key[2], uint32_t out[4])
+/* Random numbers by splitmix64 (Steele, Lea, Flood 2014): integers only, so each is the same on any thread, level and
+   machine. Streams of a seed whose numbers differ by less than 2^20 have no state in common within 2^40 draws. */
+typedef struct ms__random {
+    uint64_t state;
+} ms__random;
+
+static MS__UNUSED uint64_t ms__random_u64(ms__random *random)
 {
-    uint32_t c0 = counter[0], c1 = counter[1], c2 = counter[2], c3 = counter[3], k0 = key[0], k1 = key[1];
-    int round;
-    for (round = 0; round < 10; ++round) {
-        uint64_t p0 = (uint64_t)0xD2511F53u * c0, p1 = (uint64_t)0xCD9E8D57u * c2;
-        c0 = (uint32_t)(p1 >> 32) ^ c1 ^ k0;
-        c1 = (uint32_t)p1;
-        c2 = (uint32_t)(p0 >> 32) ^ c3 ^ k1;
-        c3 = (uint32_t)p0;
-        k0 += 0x9E3779B9u;
-        k1 += 0xBB67AE85u;
-    }
-    out[0] = c0;
-    out[1] = c1;
-    out[2] = c2;
-    out[3] = c3;
+    uint64_t z = random->state += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
 }
 
-/* A stream of random numbers: f(seed, stream, how many were drawn). */
-typedef struct ms__rng {
-    uint32_t counter[4], key[2], word[4];
-    int used; /* words of this block already given out */
-} ms__rng;
-
-static MS__UNUSED ms__rng ms__rng_make(uint64_t seed, uint64_t stream)
+static MS__UNUSED ms__random ms__random_start(uint64_t seed, uint64_t stream)
 {
-    ms__rng rng;
-    memset(&rng, 0, sizeof rng);
-    rng.key[0] = (uint32_t)seed;
-    rng.key[1] = (uint32_t)(seed >> 32);
-    rng.counter[2] = (uint32_t)stream;
-    rng.counter[3] = (uint32_t)(stream >> 32);
-    rng.used = 4;
-    return rng;
+    ms__random random = {seed};
+    random.state = ms__random_u64(&random) ^ stream;
+    return random;
 }
 
-static MS__UNUSED uint32_t ms__rng_u32(ms__rng *rng)
+/* Uniform in the open interval (0, 1), 52 bits: never 0, never 1. */
+static MS__UNUSED double ms__random_uniform(ms__random *random)
 {
-    if (rng->used == 4) {
-        ms__philox(rng->counter, rng->key, rng->word);
-        if (++rng->counter[0] == 0) ++rng->counter[1];
-        rng->used = 0;
-    }
-    return rng->word[rng->used++];
+    return ((double)(ms__random_u64(random) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
 }
-
-/* Uniform in the open interval (0, 1), 53 bits: never 0, never 1. */
-static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
-{
-    uint64_t a = ms__rng_u32(rng), b = ms__rng_u32(rng);
-    return ((double)(((a << 32) | b) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
-}
-
-#endif /* MS_COMMON_RANDOM */
-/* ms-common-random end */
+#endif /* MS_COMMON_SPLITMIX */
+/* ms-common-splitmix end */
 
 /* Sections: small maths | the run: budget and evaluations | bounded least squares | Levenberg-Marquardt | multistart |
    Nelder-Mead | public: minimize | match: objective | match: stages | public: match */
@@ -691,7 +626,7 @@ typedef struct ms_pme__run {
     int uncharged; /* evaluations for the standard deviations: outside the budget */
     ms_status status;
     int bad; /* the parameter by which a derivative is not finite; -1: none */
-    ms__rng rng;
+    ms__random random;
 } ms_pme__run;
 
 static int ms_pme__stop(ms_pme__run *run, ms_pme_stop why)
@@ -1102,7 +1037,7 @@ static void ms_pme__random_point(ms_pme__run *run, const double *center, double 
 {
     int j;
     for (j = 0; j < run->n; ++j) {
-        double reach = ms_pme__max(fabs(center[j]), 1), u = ms__rng_uniform(&run->rng);
+        double reach = ms_pme__max(fabs(center[j]), 1), u = ms__random_uniform(&run->random);
         double low = ms__finite(run->lower[j]) ? run->lower[j] : center[j] - reach;
         double high = ms__finite(run->upper[j]) ? run->upper[j] : center[j] + reach;
         x[j] = ms_pme__clip(low + u * (high - low), run->lower[j], run->upper[j]);
@@ -1136,7 +1071,7 @@ static void ms_pme__multistart(ms_pme__run *run, const double *starts, int count
         if (i >= given) {
             if (i % 2 != 0 || !run->boxed) ms_pme__random_point(run, run->best, x);
             for (j = 0; j < n && i % 2 == 0 && run->boxed; ++j)
-                x[j] = ms_pme__clip(run->best[j] + (ms__rng_uniform(&run->rng) - 0.5) * (run->upper[j] - run->lower[j]),
+                x[j] = ms_pme__clip(run->best[j] + (ms__random_uniform(&run->random) - 0.5) * (run->upper[j] - run->lower[j]),
                                     run->lower[j], run->upper[j]);
             ms_pme__solver_init(next, next->x, x, n);
         }
@@ -1329,7 +1264,7 @@ static void *ms_pme__begin(ms_pme__run *run, const ms_pme_function *function, co
     run->bad = -1;
     run->jacobian_cost = function->jacobian_cost > 0 ? function->jacobian_cost : 1 + 0.25 * run->n;
     run->best_value = MS_PME__INF;
-    run->rng = ms__rng_make(options->seed, 0x706d65);
+    run->random = ms__random_start(options->seed, 0x706d65);
     run->start_time = options->max_seconds > 0 ? options->clock(options->clock_user) : 0;
     for (pass = 0; pass < 2; ++pass) {
         ms_pme__layout(run, &arena);
