@@ -109,7 +109,6 @@
    MS_NO_SIMD        plain C only
    MS_DEF            linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_NN_FILENAME    "ms_nn.h"; set it if the file is renamed (it includes itself once a SIMD level)
-   MS_ASSERT(x)      nothing; checks of the library's own invariants
 
    Limits
    ------
@@ -2110,7 +2109,6 @@ enum { MS_NN__NAME_SIZE = 256 }; /* of a tensor that a layer names, with its NUL
 static MS_NN__COLD const ms_nn_tensor *ms_nn__part(const ms_nn *nn, const char *layer, const char *part, char *name)
 {
     const size_t n = strlen(layer);
-    MS_ASSERT(n + strlen(part) + 2 <= MS_NN__NAME_SIZE);
     memcpy(name, layer, n);
     name[n] = '.';
     memcpy(name + n + 1, part, strlen(part) + 1);
@@ -3294,10 +3292,7 @@ struct ms_nn_collapse {
     int has_target;
 };
 
-enum {
-    MS_NN__COLLAPSE_ROWS = 32, /* of W in double together: 24 kB of 96 features */
-    MS_NN__PARTS = 8           /* of the rows of W; their sums are added in order, whatever the threads */
-};
+enum { MS_NN__COLLAPSE_ROWS = 32 }; /* of W in double together: 24 kB of 96 features */
 
 /* A pass over W in double. Gram: sum of m_i w_i w_i'. Else with the residuals res of h0: sum of w_i m_i res_i of each
    channel, then of m_i res_i^2. */
@@ -3305,11 +3300,11 @@ typedef struct ms_nn__pass {
     const ms_nn_collapse *c;
     const float *weight; /* Gram: [rows] */
     const float *target; /* [channels][rows]; NULL: Gram */
-    double *sum;         /* [parts][length] */
-    double *w;           /* [parts][MS_NN__COLLAPSE_ROWS][wide] rows of W */
+    double *sum;         /* [length] */
+    double *w;           /* [MS_NN__COLLAPSE_ROWS][wide] rows of W */
     double *h0;          /* [wide][across] transposed; across: channels rounded up */
-    double *residual;    /* [parts][MS_NN__COLLAPSE_ROWS][across] */
-    size_t length, across, parts;
+    double *residual;    /* [MS_NN__COLLAPSE_ROWS][across] */
+    size_t length, across;
 } ms_nn__pass;
 
 /* Rows row[0..n) of W as doubles. */
@@ -3330,21 +3325,21 @@ static MS_NN__COLD void ms_nn__collapse_rows(const ms_nn_collapse *c, const size
 }
 
 /* Adds n rows of W to W'MW: the upper triangle, from each tile's first column on. */
-static MS_NN__COLD void ms_nn__gram_rows(const ms_nn__pass *p, const size_t *row, size_t n, double *w, double *sum)
+static MS_NN__COLD void ms_nn__gram_rows(const ms_nn__pass *p, const size_t *row, size_t n)
 {
     const ms_nn_collapse *c = p->c;
     ms_nn__product_job job;
     size_t i, k;
     for (i = 0; i < n; ++i) {
         const double root = sqrt((double)p->weight[row[i]]);
-        for (k = 0; k < c->h; ++k) w[i * c->wide + k] *= root;
+        for (k = 0; k < c->h; ++k) p->w[i * c->wide + k] *= root;
     }
     job.a_row = 1;
     job.a_column = job.b_row = job.out_row = c->wide;
     job.count = n;
     for (i = 0; i < c->h; i += MS_NN__DOUBLES) {
-        job.a = job.b = w + i;
-        job.out = sum + i * c->wide + i;
+        job.a = job.b = p->w + i;
+        job.out = p->sum + i * c->wide + i;
         job.rows = ms_nn__min(MS_NN__DOUBLES, c->h - i);
         job.cols = c->wide - i;
         c->nn->kernels->product(&job);
@@ -3352,19 +3347,18 @@ static MS_NN__COLD void ms_nn__gram_rows(const ms_nn__pass *p, const size_t *row
 }
 
 /* Adds what n rows have in the sums of the target. */
-static MS_NN__COLD void ms_nn__target_rows(const ms_nn__pass *p, const size_t *row, size_t n, const double *w,
-                                           double *residual, double *sum)
+static MS_NN__COLD void ms_nn__target_rows(const ms_nn__pass *p, const size_t *row, size_t n)
 {
     const ms_nn_collapse *c = p->c;
     ms_nn__product_job job;
     size_t i, ch;
-    memset(residual, 0, n * p->across * sizeof(double));
-    job.a = w; /* W h0 */
+    memset(p->residual, 0, n * p->across * sizeof(double));
+    job.a = p->w; /* W h0 */
     job.a_row = c->wide;
     job.a_column = 1;
     job.b = p->h0;
     job.b_row = job.out_row = job.cols = p->across;
-    job.out = residual;
+    job.out = p->residual;
     job.count = c->h;
     job.rows = n;
     c->nn->kernels->product(&job);
@@ -3372,16 +3366,16 @@ static MS_NN__COLD void ms_nn__target_rows(const ms_nn__pass *p, const size_t *r
         for (ch = 0; ch < c->channels; ++ch) {
             const size_t output = ch * c->m->rows + row[i];
             const double bias = c->m->bias ? (double)ms_nn__float_at(c->m->bias, row[i]) : 0.0;
-            const double res = (double)p->target[output] - bias - residual[i * p->across + ch];
-            residual[i * p->across + ch] = (double)c->weight[output] * res;
-            sum[c->channels * c->wide] += (double)c->weight[output] * res * res;
+            const double res = (double)p->target[output] - bias - p->residual[i * p->across + ch];
+            p->residual[i * p->across + ch] = (double)c->weight[output] * res;
+            p->sum[c->channels * c->wide] += (double)c->weight[output] * res * res;
         }
-    job.a = residual; /* W' (M res) */
+    job.a = p->residual; /* W' (M res) */
     job.a_row = 1;
     job.a_column = p->across;
-    job.b = w;
+    job.b = p->w;
     job.b_row = job.out_row = job.cols = c->wide;
-    job.out = sum;
+    job.out = p->sum;
     job.count = n;
     job.rows = c->channels;
     c->nn->kernels->product(&job);
@@ -3397,20 +3391,16 @@ static int ms_nn__pass_sees(const ms_nn__pass *p, size_t i)
     return 0;
 }
 
-static MS_NN__COLD void ms_nn__pass_task(void *context, int index)
+static MS_NN__COLD void ms_nn__pass_run(const ms_nn__pass *p)
 {
-    const ms_nn__pass *p = (const ms_nn__pass *)context;
-    const size_t part = (size_t)index, rows = p->c->m->rows, wide = p->c->wide, end = rows * (part + 1) / p->parts;
-    double *sum = p->sum + part * p->length, *w = p->w + part * MS_NN__COLLAPSE_ROWS * wide;
     size_t row[MS_NN__COLLAPSE_ROWS], i, n = 0;
-    memset(sum, 0, p->length * sizeof(double));
-    memset(w, 0, MS_NN__COLLAPSE_ROWS * wide * sizeof(double));
-    for (i = rows * part / p->parts; i < end; ++i) {
+    memset(p->sum, 0, p->length * sizeof(double));
+    for (i = 0; i < p->c->m->rows; ++i) {
         if (ms_nn__pass_sees(p, i)) row[n++] = i;
-        if (n < MS_NN__COLLAPSE_ROWS && i + 1 < end) continue;
-        ms_nn__collapse_rows(p->c, row, n, w);
-        if (p->target == NULL) ms_nn__gram_rows(p, row, n, w, sum);
-        else ms_nn__target_rows(p, row, n, w, p->residual + part * MS_NN__COLLAPSE_ROWS * p->across, sum);
+        if (n < MS_NN__COLLAPSE_ROWS && i + 1 < p->c->m->rows) continue;
+        ms_nn__collapse_rows(p->c, row, n, p->w);
+        if (p->target == NULL) ms_nn__gram_rows(p, row, n);
+        else ms_nn__target_rows(p, row, n);
         n = 0;
     }
 }
@@ -3423,27 +3413,20 @@ static MS_NN__COLD int ms_nn__pass_make(ms_nn__pass *p, const ms_nn_collapse *c,
     p->c = c;
     p->length = length;
     p->across = ms_nn__round_up(c->channels, MS_NN__DOUBLES);
-    p->parts = ms_nn__min(MS_NN__PARTS, c->m->rows / 1024 + 1);
     for (a.base = NULL;;) {
         a.used = 0;
-        p->sum = (double *)ms__take(&a, p->parts, ms__size_mul(length, sizeof(double)));
-        p->w = (double *)ms__take(&a, p->parts * MS_NN__COLLAPSE_ROWS, ms__size_mul(c->wide, sizeof(double)));
-        p->residual = (double *)ms__take(&a, p->parts * MS_NN__COLLAPSE_ROWS, ms__size_mul(p->across, sizeof(double)));
+        p->sum = (double *)ms__take(&a, length, sizeof(double));
+        p->w = (double *)ms__take(&a, MS_NN__COLLAPSE_ROWS, ms__size_mul(c->wide, sizeof(double)));
+        p->residual = (double *)ms__take(&a, MS_NN__COLLAPSE_ROWS, ms__size_mul(p->across, sizeof(double)));
         p->h0 = (double *)ms__take(&a, c->wide, ms__size_mul(p->across, sizeof(double)));
         *bytes = a.used;
-        if (a.base != NULL) return 1;
+        if (a.base != NULL) break;
         a.base = (char *)ms__alloc(&c->nn->options.allocator, a.used);
         if (a.base == NULL) return 0;
     }
-}
-
-/* Runs it; the sums are in the first part's. */
-static MS_NN__COLD void ms_nn__pass_run(ms_nn__pass *p)
-{
-    size_t part, i;
-    ms__run(&p->c->nn->options.parallel, (int)p->parts, ms_nn__pass_task, p);
-    for (part = 1; part < p->parts; ++part)
-        for (i = 0; i < p->length; ++i) p->sum[i] += p->sum[part * p->length + i];
+    memset(p->w, 0, MS_NN__COLLAPSE_ROWS * c->wide * sizeof(double));
+    memset(p->h0, 0, c->wide * p->across * sizeof(double));
+    return 1;
 }
 
 /* R of W'MW = R'R in place, upper triangles with rows `wide` apart. A pivot below 1e-14 of its column's square is
@@ -3594,7 +3577,6 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
     if (!ms_nn__pass_make(&p, c, ms__size_add(features, 1), &bytes))
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a target");
     p.target = target;
-    memset(p.h0, 0, c->wide * p.across * sizeof(double));
     ms_nn__pass_run(&p); /* W'M (t - b) = R'R h0 */
     memcpy(c->h0, p.sum, features * sizeof(double));
     for (ch = 0; ch < c->channels; ++ch) {
@@ -3894,7 +3876,6 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
 #define MS_NN__V_POW2(i) _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_add_epi32(i, _mm256_set1_epi32(127)), 23))
 #define MS_NN__W_HALF(p) _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(p)))
 #define MS_NN__W_INT8(p) _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)(p))))
-#define MS_NN__V_FOLD(v) _mm_add_ps(_mm256_castps256_ps128(v), _mm256_extractf128_ps(v, 1))
 #else /* maskz_ forms: the plain ones of GCC 12 warn in C++ */
 #define MS_NN__V_LANES 16
 #define MS_NN__V_BLOCK 8
@@ -3918,14 +3899,6 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
 #define MS_NN__W_INT8(p)             \
     _mm512_maskz_cvtepi32_ps(0xFFFF, \
                              _mm512_maskz_cvtepi8_epi32(0xFFFF, _mm_loadu_si128((const __m128i *)(const void *)(p))))
-#define MS_NN__V_FOLD(v) MS_NN__FN(fold)(v)
-MS_NN__INLINE __m128 MS_NN__FN(fold)(MS_NN__V_FLOATS v)
-{
-    __m512d w = _mm512_castps_pd(v);
-    __m256 b = _mm256_add_ps(_mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xF, w, 0)),
-                             _mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xF, w, 1)));
-    return _mm_add_ps(_mm256_castps256_ps128(b), _mm256_extractf128_ps(b, 1));
-}
 #endif
 
 /* A vector that is used several times is loaded once: GCC would read it anew for each use, and 64-byte loads are what
@@ -3962,73 +3935,44 @@ MS_NN__KERNEL MS_NN__NOINLINE MS_NN__V_FLOATS MS_NN__FN(weight_part)(const unsig
 #define MS_NN__W_PREFETCH(p, ahead) ((void)0)
 #endif
 
-/* Four sums of lanes, each as (l0 + l2) + (l1 + l3) of the sums of its quarters, times a scale, plus a bias. */
-MS_NN__INLINE void MS_NN__FN(sum4)(const MS_NN__V_FLOATS *v, const float *scale, const float *bias, float *out)
-{
-#if defined(MS_NN__X86) && MS_NN__ISA > 1
-    __m128 a = MS_NN__V_FOLD(v[0]), b = MS_NN__V_FOLD(v[1]), c = MS_NN__V_FOLD(v[2]), d = MS_NN__V_FOLD(v[3]);
-    __m128 ab = _mm_add_ps(_mm_unpacklo_ps(a, b), _mm_unpackhi_ps(a, b)),
-           cd = _mm_add_ps(_mm_unpacklo_ps(c, d), _mm_unpackhi_ps(c, d));
-    ab = _mm_add_ps(_mm_movelh_ps(ab, cd), _mm_movehl_ps(cd, ab));
-    _mm_storeu_ps(out, _mm_add_ps(_mm_mul_ps(ab, _mm_loadu_ps(scale)), _mm_loadu_ps(bias)));
-#else
-    int i;
-    for (i = 0; i < 4; ++i) {
-#if MS_NN__ISA > 1
-        out[i] = vaddvq_f32(v[i]) * scale[i] + bias[i];
-#else
-        out[i] = v[i] * scale[i] + bias[i];
-#endif
-    }
-#endif
-}
-
-/* Dot products of rows x samples. Sum c runs over the columns MS_NN__V_LANES c + (0..MS_NN__V_LANES-1) modulo
-   MS_NN__V_LANES MS_NN__W_CHAINS; the chains are added in pairs, then comes what is left of the columns, then the sum
-   of the lanes. The order depends on nothing but cols, so that tiles of any shape agree. This is the end of all of
-   them. */
+/* The end of dot products of rows x samples: what is left of the columns, then the lanes, scale and bias. */
 MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(finish)(const ms_nn__dense *job, size_t row, size_t sample, int rows,
-                                                     int batch, MS_NN__V_FLOATS *total)
+                                                     int batch, const MS_NN__V_FLOATS *total)
 {
     const ms_nn__matrix *m = job->m;
-    MS_NN__V_FLOATS v[3], u;
-    size_t cols = m->cols, size = ms_nn__bytes_of(m->dtype), at = cols - cols % (MS_NN__V_LANES * MS_NN__W_CHAINS), n;
-    int r, b, i, k;
-    for (; at < cols; at += n) {
-        n = ms_nn__min(cols - at, MS_NN__V_LANES);
-        for (b = 0; b < batch; ++b)
-            v[b] = MS_NN__FN(weight_part)((const unsigned char *)(job->x + (sample + (size_t)b) * cols + at), MS_NN_F32,
-                                          n);
-        for (r = 0; r < rows; ++r) {
-            u = MS_NN__FN(weight_part)(m->w + ((row + (size_t)r) * cols + at) * size, m->dtype, n);
-            for (b = 0; b < batch; ++b) total[b * rows + r] = MS_NN__V_MADD(u, v[b], total[b * rows + r]);
+    const size_t cols = m->cols, size = ms_nn__bytes_of(m->dtype),
+                 done = cols - cols % (MS_NN__V_LANES * MS_NN__W_CHAINS);
+    size_t k, n;
+    int i, c;
+    for (i = 0; i < rows * batch; ++i) {
+        const size_t r = row + (size_t)(i / batch), b = sample + (size_t)(i % batch);
+        const unsigned char *x = (const unsigned char *)(job->x + b * cols), *w = m->w + r * cols * size;
+        MS_NN__V_FLOATS sum = total[i], u, v;
+        float lane[MS_NN__V_LANES], y = 0;
+        for (k = done; k < cols; k += n) {
+            n = ms_nn__min(cols - k, MS_NN__V_LANES);
+            u = MS_NN__FN(weight_part)(w + k * size, m->dtype, n);
+            v = MS_NN__FN(weight_part)(x + k * sizeof(float), MS_NN_F32, n);
+            sum = MS_NN__V_MADD(u, v, sum);
         }
-    }
-    for (i = 0; i < rows * batch; i += 4) {
-        MS_NN__V_FLOATS four[4];
-        float out[4], scale[4], bias[4];
-        for (k = 0; k < 4; ++k) {
-            const int j = i + k < rows * batch ? i + k : i;
-            at = row + (size_t)(j % rows);
-            four[k] = total[j];
-            scale[k] = m->scale ? ms_nn__float_at(m->scale, at) : 1.0f;
-            bias[k] = m->bias && !job->linear ? ms_nn__float_at(m->bias, at) : 0.0f;
-        }
-        MS_NN__FN(sum4)(four, scale, bias, out);
-        for (k = 0; k < 4 && i + k < rows * batch; ++k)
-            job->y[(sample + (size_t)((i + k) / rows)) * m->rows + row + (size_t)((i + k) % rows)] = out[k];
+        MS_NN__V_STORE(lane, sum);
+        for (c = 0; c < MS_NN__V_LANES; ++c) y += lane[c];
+        y *= m->scale ? ms_nn__float_at(m->scale, r) : 1.0f;
+        job->y[b * m->rows + r] = y + (m->bias && !job->linear ? ms_nn__float_at(m->bias, r) : 0.0f);
     }
 }
 
-/* `rows` rows of a type times `batch` samples, without what is left of the columns. dtype, rows and batch are
-   constants. */
-MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows,
-                                   int batch, MS_NN__V_FLOATS *total)
+/* Dot products of `rows` rows x `batch` samples. Sum c runs over the columns MS_NN__V_LANES c + (0..MS_NN__V_LANES-1)
+   modulo MS_NN__V_LANES MS_NN__W_CHAINS. The order of additions depends on nothing but cols, so that tiles of any shape
+   agree. dtype, rows and batch are constants. */
+MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows,
+                                   int batch)
 {
-    const size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), whole = MS_NN__V_LANES * MS_NN__W_CHAINS;
-    const unsigned char *w = job->m->w + row * cols * size;
+    const ms_nn__matrix *m = job->m;
+    const size_t cols = m->cols, size = ms_nn__bytes_of(dtype), whole = MS_NN__V_LANES * MS_NN__W_CHAINS;
+    const unsigned char *w = m->w + row * cols * size;
     const float *x = job->x + sample * cols;
-    MS_NN__V_FLOATS s[MS_NN__W_ROWS][3][MS_NN__W_CHAINS];
+    MS_NN__V_FLOATS s[MS_NN__W_ROWS][3][MS_NN__W_CHAINS], total[3 * MS_NN__W_ROWS], v[3], u;
     size_t k;
     int r, b, c;
     MS_NN__UNROLL
@@ -4043,7 +3987,6 @@ MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t s
         MS_NN__UNROLL
         for (c = 0; c < MS_NN__W_CHAINS; ++c) {
             const size_t at = k + (size_t)c * MS_NN__V_LANES;
-            MS_NN__V_FLOATS v[3];
             MS_NN__UNROLL
             for (b = 0; b < batch; ++b) {
                 v[b] = MS_NN__V_LOAD(x + (size_t)b * cols + at);
@@ -4052,7 +3995,7 @@ MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t s
             MS_NN__UNROLL
             for (r = 0; r < rows; ++r) {
                 const unsigned char *p = w + ((size_t)r * cols + at) * size;
-                MS_NN__V_FLOATS u = MS_NN__FN(weight)(p, dtype);
+                u = MS_NN__FN(weight)(p, dtype);
                 /* across the ends of pages, where the processor's own prefetching stops */
                 if (batch == 1 && c == 0 && size < 4) MS_NN__W_PREFETCH(p, 8192);
                 if (batch > 1) MS_NN__V_KEEP(u);
@@ -4065,36 +4008,30 @@ MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t s
     for (r = 0; r < rows; ++r) {
         MS_NN__UNROLL
         for (b = 0; b < batch; ++b) {
-            MS_NN__V_FLOATS sum = s[r][b][0] + s[r][b][1];
-#if MS_NN__W_CHAINS == 4
-            sum = sum + (s[r][b][2] + s[r][b][3]);
-#endif
-            total[b * rows + r] = sum;
+            total[r * batch + b] = s[r][b][0];
+            MS_NN__UNROLL
+            for (c = 1; c < MS_NN__W_CHAINS; ++c) total[r * batch + b] = total[r * batch + b] + s[r][b][c];
         }
     }
-}
-
-/* The same with its ends. */
-MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t sample, int rows, int batch)
-{
-    MS_NN__V_FLOATS total[3 * MS_NN__W_ROWS];
-    ms_nn_dtype dtype = job->m->dtype;
-    if (dtype == MS_NN_F32) MS_NN__FN(sums)(job, row, sample, MS_NN_F32, rows, batch, total);
-    else if (dtype == MS_NN_F16) MS_NN__FN(sums)(job, row, sample, MS_NN_F16, rows, batch, total);
-    else MS_NN__FN(sums)(job, row, sample, MS_NN_I8, rows, batch, total);
     MS_NN__FN(finish)(job, row, sample, rows, batch, total);
 }
 
 /* MS_NN__W_ROWS rows times three samples. */
 MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(tile)(const ms_nn__dense *job, size_t row, size_t sample)
 {
-    MS_NN__FN(dots)(job, row, sample, MS_NN__W_ROWS, 3);
+    if (job->m->dtype == MS_NN_F32) MS_NN__FN(dots)(job, row, sample, MS_NN_F32, MS_NN__W_ROWS, 3);
+    else if (job->m->dtype == MS_NN_F16) MS_NN__FN(dots)(job, row, sample, MS_NN_F16, MS_NN__W_ROWS, 3);
+    else MS_NN__FN(dots)(job, row, sample, MS_NN_I8, MS_NN__W_ROWS, 3);
 }
 
 /* Rows times one sample, one after the other. */
 MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(rows)(const ms_nn__dense *job, size_t row, size_t row1, size_t sample)
 {
-    for (; row < row1; ++row) MS_NN__FN(dots)(job, row, sample, 1, 1);
+    for (; row < row1; ++row) {
+        if (job->m->dtype == MS_NN_F32) MS_NN__FN(dots)(job, row, sample, MS_NN_F32, 1, 1);
+        else if (job->m->dtype == MS_NN_F16) MS_NN__FN(dots)(job, row, sample, MS_NN_F16, 1, 1);
+        else MS_NN__FN(dots)(job, row, sample, MS_NN_I8, 1, 1);
+    }
 }
 
 /* Batches go by blocks of samples that stay in the first cache, three samples at a time; what is left over runs as if
@@ -4563,7 +4500,6 @@ static const ms_nn__kernels MS_NN__FN(table) = {
 #undef MS_NN__V_MAX
 #undef MS_NN__V_MIN
 #undef MS_NN__V_IF_GREATER
-#undef MS_NN__V_FOLD
 #undef MS_NN__V_INT
 #undef MS_NN__V_ROUND
 #undef MS_NN__V_FROM_INT
