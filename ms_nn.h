@@ -4077,36 +4077,6 @@ MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(widen)(const unsigned char *p, size
 
 /* Packed weights. An output is the sum over the first half of the columns plus the sum over the second, each from the
    left, whatever the batch. */
-#if MS_NN__ISA == 1
-#define MS_NN__P_ROWS 4
-MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_t row1)
-{
-    const ms_nn__matrix *m = job->m;
-    size_t row, b, half = (m->cols + 1) / 2, k, at;
-    for (row = row0; row < row1; row += 4)
-        for (b = 0; b < (size_t)job->batch; ++b) {
-            const float *w = (const float *)(const void *)m->packed + row * m->cols, *x = job->x + b * m->cols;
-            float total[4] = {0, 0, 0, 0};
-            for (at = 0; at < m->cols; at = k) {
-                float s0 = 0, s1 = 0, s2 = 0, s3 = 0;
-                for (k = at; k < ms_nn__min(at + half, m->cols); ++k, w += 4) {
-                    s0 += w[0] * x[k];
-                    s1 += w[1] * x[k];
-                    s2 += w[2] * x[k];
-                    s3 += w[3] * x[k];
-                }
-                total[0] += s0;
-                total[1] += s1;
-                total[2] += s2;
-                total[3] += s3;
-            }
-            for (k = 0; k < ms_nn__min(4, m->rows - row); ++k)
-                job->y[b * m->rows + row + k] = total[k] * m->packed_scale[row + k] +
-                    (job->linear ? 0.0f : m->packed_bias[row + k]);
-        }
-}
-
-#else
 #define MS_NN__P_ROWS (4 * MS_NN__V_LANES)
 #if MS_NN__ISA == 4 || defined(MS_NN__ARM)
 #define MS_NN__P_SAMPLES 6 /* of a tile: as many sums of 4 vectors as there are registers */
@@ -4197,7 +4167,7 @@ MS_NN__INLINE void MS_NN__FN(packed_tile)(const ms_nn__dense *job, size_t row, s
     for (b = 0; b < batch; ++b) MS_NN__FN(packed_end)(job, row, sample + (size_t)b, sum[0] + 4 * b, sum[1] + 4 * b);
 }
 
-/* The same for 1 to MS_NN__P_SAMPLES samples. dtype is a constant. */
+/* The same for 1, 2, 3 or MS_NN__P_SAMPLES samples. dtype is a constant. */
 MS_NN__INLINE void MS_NN__FN(packed_samples)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype,
                                              size_t batch)
 {
@@ -4205,8 +4175,6 @@ MS_NN__INLINE void MS_NN__FN(packed_samples)(const ms_nn__dense *job, size_t row
     else if (batch == 2) MS_NN__FN(packed_tile)(job, row, sample, dtype, 2);
     else if (batch == 3) MS_NN__FN(packed_tile)(job, row, sample, dtype, 3);
 #if MS_NN__P_SAMPLES > 3
-    else if (batch == 4) MS_NN__FN(packed_tile)(job, row, sample, dtype, 4);
-    else if (batch == 5) MS_NN__FN(packed_tile)(job, row, sample, dtype, 5);
     else MS_NN__FN(packed_tile)(job, row, sample, dtype, 6);
 #endif
 }
@@ -4220,13 +4188,12 @@ MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_
             left = (size_t)job->batch - b;
             tiles = (left + MS_NN__P_SAMPLES - 1) / MS_NN__P_SAMPLES;
             n = (left + tiles - 1) / tiles;
+            if (n > 3 && n < MS_NN__P_SAMPLES) n = (n + 1) / 2;
             if (job->m->packed_dtype == MS_NN_F32) MS_NN__FN(packed_samples)(job, row, b, MS_NN_F32, n);
             else MS_NN__FN(packed_samples)(job, row, b, MS_NN_F16, n);
         }
     }
 }
-#endif
-
 /* MS_NN__V_BLOCK outputs x tile vectors of positions of one row: y(o, x) = bias(o) + sum_c sum_t w(o, c, t) in(c, x +
    t). */
 MS_NN__INLINE void MS_NN__FN(conv_tile_of)(const ms_nn__conv *v, const float *in, const float *w, const float *bias,
