@@ -1,4 +1,5 @@
-// Separable subsurface scattering for three.js, by ms_sss.h: `make web` writes this file with the header in WebAssembly.
+// Separable subsurface scattering for three.js, by ms_sss.h: `make web` writes this file with examples/engine/shader/ms_sss.glsl
+// (SHADER) and the header in WebAssembly (BINARY), which makes kernels and constants.
 //
 //   import { Subsurface } from './sss_three.js';
 //   const sss = await Subsurface.create(renderer, [
@@ -15,7 +16,20 @@
 // post-processing are three's. Call it again after a resize, for every eye of a headset and every view that is rendered.
 import * as THREE from 'three';
 
-const patch = [ // of the fragment shader: where, and what stands there
+// What stands before SHADER in a pass: where it is in the light's texture what the pass reads.
+const head = (step, taps, materials) => `precision highp float;
+precision highp int;
+precision highp sampler2D;
+#define MS_SSS_STEP ${step}
+#define MS_SSS_TAPS ${taps}
+#define MS_SSS_PROFILES ${materials}
+uniform sampler2D light;
+vec3 ms_sss_fetch_color(ivec2 p) { return texelFetch(light, p, 0).rgb; }
+float ms_sss_fetch_depth(ivec2 p) { return texelFetch(light, p, 0).a; }
+int ms_sss_fetch_profile(ivec2 p) { return floatBitsToInt(texelFetch(light, p, 0).a) & 15; }
+`;
+
+const patch = () => [ // of the fragment shader: where, and what stands there
   ['void main() {', `
 uniform int sss_mode; // 0: scattered light, 1: write light and depth, 2: as without this
 uniform int sss_index;
@@ -24,7 +38,8 @@ uniform mat4 sss_lamp_matrix; // from this camera's view to the lamp's clip spac
 uniform vec4 sss_lamp_range; // near, far, mm a unit, 1: there is a lamp
 uniform vec3 sss_lamp_direction, sss_lamp_light, sss_reflectance, sss_decay;
 uniform mat3 sss_lamp_normal; // from the lamp's view to this camera's
-TRANSMISSION
+#define MS_SSS_STEP 8
+${SHADER}
 // From the lamp's map: what entered where the lamp sees this object before it sees the position.
 vec3 sss_behind(vec3 position, vec3 normal) {
   vec4 q = sss_lamp_matrix * vec4(position, 1.0);
@@ -77,8 +92,6 @@ export class Subsurface {
       const [radiusMm, ...rest] = numbers();
       return { radiusMm, reflectance: rest.slice(0, 3), decay: rest.slice(3, 6) };
     });
-    this.check(wasm.transmission());
-    this.transmission = this.words(wasm.text());
     const target = () => new THREE.WebGLRenderTarget(1, 1, { type: THREE.FloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter, depthBuffer: false });
     this.light = target();
     this.light.depthBuffer = true;
@@ -92,12 +105,11 @@ export class Subsurface {
       sss_lamp_light: { value: new THREE.Vector3() }, sss_lamp_normal: { value: new THREE.Matrix3() } };
     this.constants = { value: new Float32Array(4) };
     this.passes = [0, 1].map(step => {
-      this.check(wasm.pass(step, taps, this.count));
       const uniforms = { ms_sss: this.constants, light: { value: this.light.texture }, ms_sss_input: { value: this.between.texture } };
       return new THREE.RawShaderMaterial({
         glslVersion: THREE.GLSL3, uniforms, depthTest: false, depthWrite: false, blending: THREE.NoBlending,
         vertexShader: 'in vec3 position; void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }',
-        fragmentShader: this.words(wasm.text()).replace(/^#version.*\n/, '') });
+        fragmentShader: head(step, taps, this.count) + SHADER });
     });
     const triangle = new THREE.BufferGeometry().setAttribute('position', new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3));
     this.triangle = new THREE.Mesh(triangle, this.passes[0]);
@@ -130,9 +142,9 @@ export class Subsurface {
     material.userData.subsurface = this;
     material.onBeforeCompile = s => {
       Object.assign(s.uniforms, this.uniforms, { sss_index: { value: index }, sss_reflectance: { value: reflectance }, sss_decay: { value: decay } });
-      for (const [where, text] of patch) {
+      for (const [where, text] of patch()) {
         if (!s.fragmentShader.includes(where)) throw new Error('Subsurface: this version of three.js has no "' + where + '"');
-        s.fragmentShader = s.fragmentShader.replace(where, () => text.replace('TRANSMISSION', () => this.transmission));
+        s.fragmentShader = s.fragmentShader.replace(where, () => text);
       }
     };
     material.customProgramCacheKey = () => 'sss';
