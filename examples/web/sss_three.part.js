@@ -5,7 +5,7 @@
 //   const sss = await Subsurface.create(renderer, [
 //     { reflectance: [0.44, 0.22, 0.13], path: [1.2, 0.5, 0.3] },     a material's diffuse reflectance and mean free
 //     { reflectance: [0.83, 0.79, 0.75], path: [2.2, 2.6, 3.1] }],    path in mm, red, green, blue; at most 16
-//     { mmPerUnit: 10, taps: 11 });
+//     { mmPerUnit: 10, radius: 40 });                               the widest kernel on the screen, in pixels
 //   sss.apply(head.material, 0);                    MeshStandardMaterial or MeshPhysicalMaterial, and which of them it is
 //   sss.lamp = directionalLight;                    optional: light of this lamp passes through thin parts
 //   sss.enabled = false;                            the materials are drawn as three.js alone draws them
@@ -40,17 +40,21 @@ uniform vec3 sss_lamp_direction, sss_lamp_light, sss_reflectance, sss_decay;
 uniform mat3 sss_lamp_normal; // from the lamp's view to this camera's
 #define MS_SSS_STEP 8
 ${SHADER}
-// From the lamp's map: what entered where the lamp sees this object before it sees the position.
+// From the lamp's map: what entered where the lamp sees this object before it sees the position; the mean of 4 x 4 texels by a tent
+// that is two texels wide on each side, for a texel is as large as a pixel and its corners would be seen.
 vec3 sss_behind(vec3 position, vec3 normal) {
   vec4 q = sss_lamp_matrix * vec4(position, 1.0);
   vec3 at = 0.5 * q.xyz + 0.5, sum = vec3(0.0);
-  ivec2 size = textureSize(sss_lamp_map, 0), p = ivec2(at.xy * vec2(size) - 0.5);
+  ivec2 size = textureSize(sss_lamp_map, 0);
+  vec2 middle = at.xy * vec2(size) - 0.5, part = fract(middle);
   float own = mix(sss_lamp_range.x, sss_lamp_range.y, at.z);
-  if (sss_lamp_range.w < 0.5 || min(at.x, at.y) < 0.0 || max(at.x, at.y) > 1.0) return sum;
-  for (int i = 0; i < 4; ++i) {
-    vec4 entry = texelFetch(sss_lamp_map, clamp(p + ivec2(i & 1, i >> 1), ivec2(0), size - 1), 0);
-    if (entry.a > 0.0 && entry.a < own) sum += 0.25 * ms_sss_transmission(sss_reflectance, sss_decay, (own - entry.a) * sss_lamp_range.z, normal,
-      sss_lamp_normal * entry.xyz, sss_lamp_direction, sss_lamp_light);
+  if (sss_lamp_range.w < 0.5 || min(at.x, at.y) < 0.0 || max(at.x, at.y) > 1.0 || dot(normal, sss_lamp_direction) >= 0.0) return sum;
+  for (int i = 0; i < 16; ++i) {
+    ivec2 o = ivec2(i & 3, i >> 2) - 1;
+    vec2 tent = (2.0 - abs(vec2(o) - part)) * 0.25;
+    vec4 entry = texelFetch(sss_lamp_map, clamp(ivec2(floor(middle)) + o, ivec2(0), size - 1), 0);
+    if (entry.a > 0.0 && entry.a < own) sum += tent.x * tent.y * ms_sss_transmission(sss_reflectance, sss_decay, (own - entry.a) * sss_lamp_range.z,
+      normal, sss_lamp_normal * entry.xyz, sss_lamp_direction, sss_lamp_light);
   }
   return sum;
 }
@@ -63,17 +67,23 @@ void main() {`],
   if (sss_mode == 1) {
     gl_FragColor = vec4(totalDiffuse, intBitsToFloat(((floatBitsToInt(vViewPosition.z) + 8) & ~15) | sss_index));
     return;
-  } else if (sss_mode == 0) { // where this fragment is what the pixel showed to sss.render
-    ivec2 p = ivec2(gl_FragCoord.xy);
-    float z = texelFetch(sss_light, p, 0).a;
-    if (abs(z - vViewPosition.z) < 0.02 * z)
-      totalDiffuse = sss_albedo * max(texelFetch(sss_scattered, p, 0).rgb, sss_behind(-vViewPosition, normal));
+  } else if (sss_mode == 0) { // where this fragment is what the pixel showed to sss.render, or at an antialiased edge one beside it
+    ivec2 p = ivec2(gl_FragCoord.xy), best = p;
+    float least = abs(texelFetch(sss_light, p, 0).a - vViewPosition.z), near = 0.02 * vViewPosition.z;
+    for (int i = 0; i < 9 && least > near; ++i) {
+      ivec2 beside = p + ivec2(i % 3 - 1, i / 3 - 1);
+      float z = texelFetch(sss_light, beside, 0).a;
+      if (abs(z - vViewPosition.z) < near && (floatBitsToInt(z) & 15) == sss_index) { best = beside; least = 0.0; }
+    }
+    if (least <= near) totalDiffuse = sss_albedo * max(texelFetch(sss_scattered, best, 0).rgb, sss_behind(-vViewPosition, normal));
   }
   vec3 outgoingLight =`]];
 
 export class Subsurface {
-  // materials: [{reflectance, path}]; options: mmPerUnit (1000: meters), taps (3 to 63), radius (pixels that the taps are made for)
-  static async create(renderer, materials, { mmPerUnit = 1000, taps = 11, radius = 48 } = {}) {
+  // materials: [{reflectance, path}]; options: mmPerUnit (1000: meters), radius (pixels that the taps are made for), taps (3 to 63; 0: as few
+  // as show no bands at that radius, by the table of ms_sss_shader_constants)
+  static async create(renderer, materials, { mmPerUnit = 1000, radius = 40, taps = 0 } = {}) {
+    taps ||= 2 * [1, 4, 8, 12, 16, 23, 29, 47, 65, 90, 115, 150].findIndex(most => Math.min(radius, 150) <= most) + 3;
     const packed = Uint8Array.from(atob(BINARY), c => c.charCodeAt(0));
     const binary = await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
     const nothing = new Proxy({}, { get: () => () => 52 }); // the header asks for no file
