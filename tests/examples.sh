@@ -40,7 +40,7 @@ is() { # NAME, value, expected
     fi
 }
 
-tools="mcml profile sss_kernel sss_filter postprocess lightmap recommend latent nn_info nn_run nn_quantize preview match materialx workflow train own_shader demo_sss demo_match"
+tools="mcml profile sss_kernel sss_filter postprocess lightmap recommend latent nn_info nn_run nn_quantize preview match materialx workflow train own_shader sss_wgsl demo_sss demo_match"
 for tool in $tools; do
     [ -x build/$tool ] || { failed=$((failed + 1)); echo "FAIL build/$tool is not there: make first"; continue; }
     # help where it can be piped, and nothing else; a mistake: one line of usage behind what was wrong, and 2
