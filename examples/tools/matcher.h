@@ -359,14 +359,13 @@ static inline ms_status matcher_add_inversions(matcher *m, const char *folder, m
 /* The biases of the last layer where all three channels share them, as floats [size][size]; NULL: they do not. */
 static inline const float *matcher__bias(const matcher *m)
 {
-    const ms_nn_file *file = ms_nn_tensors(m->network.nn);
-    const char *layers = ms_nn_file_metadata(file, "ms_nn_layers"), *at, *last = NULL;
+    const ms_nn *nn = m->network.nn;
     const ms_nn_tensor *bias;
-    char name[200];
-    for (at = layers; at != NULL && (at = strstr(at, "\"name\"")) != NULL;) last = at += 6;
-    if (last == NULL || sscanf(last, " : \"%190[^\"]", name) != 1) return NULL;
-    strcat(name, ".bias");
-    bias = ms_nn_file_find(file, name);
+    char name[MS_NN_MAX_NAME + 8];
+    int l = ms_nn_layer_count(nn) - 1;
+    while (l > 0 && ms_nn_layer_at(nn, l).dtype == MS_NN_DTYPE_COUNT) --l;
+    snprintf(name, sizeof name, "%s.bias", ms_nn_layer_at(nn, l).name);
+    bias = ms_nn_file_find(ms_nn_tensors(nn), name);
     if (bias == NULL || bias->dtype != MS_NN_F32 || 3 * bias->bytes != m->renderer.image_size * sizeof(float))
         return NULL;
     return (const float *)bias->data;
