@@ -15,6 +15,7 @@
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #include "scores.h"
+#include "space.h"
 #include "keep.h"
 #include "explain.h"
 
@@ -95,7 +96,7 @@ static int failed(const char *where, const char *problem, int line)
 int main(int argc, char **argv)
 {
     static keep kept;
-    static const char *const search[] = {"", "rejection", "subset simulation"};
+    static const char *const search[] = {"", "a threshold", "variants of what was liked"};
     const char *in = NULL, *out = NULL, *compared = NULL, *avoided = NULL, *problem;
     double count = 300, *x, *mean, *sigma, *avoid = NULL;
     char why[400];
@@ -130,9 +131,9 @@ int main(int argc, char **argv)
     if (in == NULL || count > floor(count)) return file_usage(usage);
     problem = compared ? scores_read_some(in, &s) : scores_read(in, &s);
     if (problem) return failed(in, problem, s.line);
-    if (compared && (learn.pair_count = read_pairs(compared, s.n, &pairs, &problem, &line)) < 0)
+    if (compared && (learn.choices.count = read_pairs(compared, s.n, &pairs, &problem, &line)) < 0)
         return failed(compared, problem, line);
-    if ((problem = keep_open(&kept, s.m)) != NULL) return failed(in, problem, 0);
+    if ((problem = keep_open(&kept, s.m, NULL)) != NULL) return failed(in, problem, 0);
     for (i = 1; i + 1 < argc; ++i) {
         if (argv[i][0] != '-') continue;
         line = 0;
@@ -141,11 +142,11 @@ int main(int argc, char **argv)
         if (problem) return failed(argv[i + 1], problem, line);
         ++i;
     }
-    options.space = keep_space(&kept);
+    if ((problem = keep_space(&kept, &options.space)) != NULL) return failed("--keep", problem, 0);
     if (avoided && (problem = read_materials(avoided, s.m, &avoid, &options.avoid_count, &line)) != NULL)
         return failed(avoided, problem, line);
     options.avoid = avoid;
-    learn.pairs = pairs;
+    learn.choices.rows = pairs;
     for (i = 0; i < s.n; ++i) scored += s.y[i] > SCORES_NONE;
     n = (int)count;
     x = (double *)malloc((size_t)n * (size_t)s.m * sizeof *x);
@@ -168,13 +169,10 @@ int main(int argc, char **argv)
         return 1;
     }
     if (!out && file_end_stdout("recommend")) return 1;
-    if (fitted.outlier.row >= 0 && fitted.outlier.column < 0)
+    if (fitted.outlier.row >= 0)
         fprintf(stderr, "is that a slip? score %d is %.6g, about %.2g was expected from the others\n",
                 fitted.outlier.row + 1, fitted.outlier.value, fitted.outlier.expected);
-    else if (fitted.outlier.row >= 0)
-        fprintf(stderr, "is that a slip? x%d of material %d is %.6g, the nearest of the others is %.6g\n",
-                fitted.outlier.column, fitted.outlier.row + 1, fitted.outlier.value, fitted.outlier.expected);
-    if (compared) fprintf(stderr, "%d comparisons; ", learn.pair_count);
+    if (compared) fprintf(stderr, "%d comparisons; ", learn.choices.count);
     fprintf(stderr,
             "%d scores of %d parameters; best predicted score %.3g; %d recommendations of at least %.3g by %s;\n"
             "one uniform material in %.0f would do; mean distance to the nearest other %.3f\n",
