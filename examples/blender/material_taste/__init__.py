@@ -458,7 +458,7 @@ class TASTE_OT_walk(bpy.types.Operator):
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         self.dragging = False
-        self.overlay = overlay.Overlay(context.area, picture)
+        self.overlay = overlay.Overlay(context.area, picture, tuple(context.scene.taste.walk))
         context.window_manager.modal_handler_add(self)
         return {"RUNNING_MODAL"}
 
@@ -518,7 +518,7 @@ def draw_text(layout, text, icon, width):
     """A sentence in as many lines as it needs: 7 pixels a letter."""
     column = layout.column(align=True)
     column.scale_y = 0.8
-    for k, line in enumerate(textwrap.wrap(text, max(12, int((width - 50) / 6.5)))):
+    for k, line in enumerate(textwrap.wrap(text, max(12, int((width - 60) / 7)))):
         column.label(text=line, icon=icon if k == 0 else "BLANK1")
 
 

@@ -9,18 +9,20 @@ NEW = bpy.app.version >= (4, 0, 0)  # names of the shaders
 
 
 class Overlay:
-    """picture [side][side][3], rows from the top, as displayed. remove() takes it away."""
+    """picture [side][side][3], rows from the top, as displayed; mark from 0 to 1, from the bottom left. remove() takes
+    it away."""
 
-    def __init__(self, area, picture):
+    def __init__(self, area, picture, mark):
         self.area = area
         self.region = next(r for r in area.regions if r.type == "WINDOW")
         tools = next((r.width for r in area.regions if r.type == "TOOLS"), 0)
         scale = bpy.context.preferences.system.ui_scale
         self.left, self.bottom = tools + 20 * scale, 40 * scale
         self.side = min(448 * scale, 0.6 * self.region.height, 0.6 * self.region.width)
-        self.mark = (0.5, 0.5)
+        self.mark = mark
         pixels = np.ones((*picture.shape[:2], 4), np.float32)
-        pixels[:, :, :3] = picture[::-1]
+        shown = picture[::-1]  # the viewport's buffer is in linear light
+        pixels[:, :, :3] = np.where(shown < 0.04045, shown / 12.92, ((shown + 0.055) / 1.055)**2.4)
         height, width = picture.shape[:2]
         self.texture = gpu.types.GPUTexture((width, height), format="RGBA16F",
                                             data=gpu.types.Buffer("FLOAT", pixels.size, pixels.ravel()))

@@ -42,11 +42,12 @@ def describe(x):
     """A material's name: "Polished orange metal"."""
     shown = [12.92 * v if v < 0.0031308 else 1.055 * v**(1 / 2.4) - 0.055 for v in x[:3]]
     hue, saturation, brightness = colorsys.rgb_to_hsv(*shown)
-    if saturation < 0.15:
+    if saturation < 0.2 or brightness < 0.2:
         color = "black" if brightness < 0.25 else "gray" if brightness < 0.85 else "white"
     else:
         color = next(name for name, end in HUES if 360 * hue < end)
-        color = ("dark " if brightness < 0.45 else "") + color
+        if brightness < 0.6:
+            color = "brown" if color == "orange" else "dark " + color
     kind = "metal" if x[3] > 0.5 else "glass" if x[5] > 0.5 else "plastic"
     finish = "polished" if x[4] < 0.2 else "satin" if x[4] < 0.5 else "rough"
     return ("clear" if finish == "polished" and kind == "glass" else finish).capitalize() + " %s %s" % (color, kind)
