@@ -1,6 +1,7 @@
-"""Pictures of random materials by Cycles, for build/train:
+r"""Pictures of random materials by Cycles, for build/train:
 
-    blender -b --factory-startup -t 1 --python examples/blender/dataset.py -- FOLDER COUNT SAMPLES SEED NOISE GLASS [SIZE]
+    blender -b --factory-startup -t 1 --python examples/blender/dataset.py -- \
+        FOLDER COUNT SAMPLES SEED NOISE GLASS [SIZE]
 
 writes FOLDER/00000.pfm ... (linear light) and FOLDER.csv (parameters from 0 to 1, as in preview.py). The materials
 follow from SEED, their noise from NOISE, so that two runs of one SEED are the same materials with other noise. What is
@@ -57,6 +58,13 @@ def main():
     exr = "%s.part%d.exr" % (folder, part)
     scene.render.filepath = exr
     rows = [draw(random.Random(seed * 1000003 + k), glass) for k in range(count)]
+    with open(folder + ".csv.part%d" % part, "w") as f:
+        f.write(",".join(preview.NAMES) + "\n")
+        for x in rows:
+            f.write(",".join("%.6g" % v for v in x) + "\n")
+    os.replace(folder + ".csv.part%d" % part, folder + ".csv")
+    with open(folder + ".version", "w") as f:
+        f.write(bpy.app.version_string)
     for k, x in enumerate(rows):
         path = os.path.join(folder, "%05d.pfm" % k)
         if k % parts != part or os.path.exists(path):
@@ -74,13 +82,6 @@ def main():
         os.rename(path + ".new", path)
         if k % 100 == part:
             print("%s: %d of %d" % (folder, k, count), flush=True)
-    with open(folder + ".csv.part%d" % part, "w") as f:
-        f.write(",".join(preview.NAMES) + "\n")
-        for x in rows:
-            f.write(",".join("%.6g" % v for v in x) + "\n")
-    os.replace(folder + ".csv.part%d" % part, folder + ".csv")
-    with open(folder + ".version", "w") as f:
-        f.write(bpy.app.version_string)
     if os.path.exists(exr):
         os.remove(exr)
 

@@ -69,7 +69,8 @@ class Taste(_Owner):
     def recommend(self, count, quality=0.6, diversity=0.0, seed=1, low=None, high=None):
         """Materials whose predicted scores reach `quality` of the best, and these scores."""
         x, mean = np.empty((count, self.m)), np.empty(count)
-        _call("recommend", self.handle, count, float(quality), float(diversity), seed, *_box(self.m, low, high), x, mean)
+        box = _box(self.m, low, high)
+        _call("recommend", self.handle, count, float(quality), float(diversity), seed, *box, x, mean)
         return x, mean
 
 
@@ -139,8 +140,11 @@ def variants(taste, renderer, material, count, quality=0.7, low=None, high=None,
     width = random.choice((0.03, 0.06, 0.12, 0.25), (480, 1)) * (random.random((480, renderer.m)) < 0.5)
     tried = [material + width * random.standard_normal(width.shape)]
     if taste is not None:
-        liked = taste.recommend(40, quality, 0, 1, low, high)[0]
-        tried += [material + part * (liked - material) for part in np.linspace(0.125, 1, 8)]
+        try:
+            liked = taste.recommend(40, quality, 0, 1, low, high)[0]
+            tried += [material + part * (liked - material) for part in np.linspace(0.125, 1, 8)]
+        except RuntimeError:  # nothing in the box is liked: chance alone
+            pass
     tried = np.clip(np.vstack(tried), low, high)
     pictures = renderer.pictures(np.vstack([material, tried])).reshape(1 + len(tried), -1)
     far = np.sqrt(((pictures[1:] - pictures[0])**2).mean(1))
