@@ -160,7 +160,7 @@ bench: all sizes
 # Of OpenGL through EGL; not among the examples that need a C compiler only.
 build/engine: examples/engine/engine.c examples/engine/egl.h $(IMAGE) ms_sss.h
 	@mkdir -p build && $(COMPILE) -Iexamples/tools -Iexamples/demo -Iexamples/engine -o $@ examples/engine/engine.c -lEGL $(LDLIBS)
-build/previews: examples/engine/previews.c examples/engine/egl.h examples/tools/neural.h $(IMAGE) ms_nn.h
+build/previews: examples/engine/previews.c examples/engine/nn_shader.h examples/engine/egl.h examples/tools/neural.h $(IMAGE) ms_nn.h
 	@mkdir -p build && $(COMPILE) -Iexamples/tools -Iexamples/demo -Iexamples/engine -o $@ examples/engine/previews.c -lEGL $(LDLIBS)
 build/bench_gpu: tests/bench/gpu_sss.c examples/engine/egl.h tests/bench/bench.h ms_sss.h
 	@mkdir -p build && $(COMPILE) -D_POSIX_C_SOURCE=200809L -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench -o $@ tests/bench/gpu_sss.c -lEGL $(LDLIBS)
