@@ -165,7 +165,7 @@ build/ms_sss.glsl.inc: examples/engine/shader/ms_sss.glsl
 	@mkdir -p build && od -An -v -tu1 examples/engine/shader/ms_sss.glsl | tr -s ' \n' ',,' | sed 's/^,//; s/,$$//' >$@ && echo >>$@
 build/engine: examples/engine/engine.c examples/engine/egl.h build/ms_sss.glsl.inc $(IMAGE) ms_sss.h
 	@mkdir -p build && $(COMPILE) -Ibuild -Iexamples/tools -Iexamples/demo -Iexamples/engine -o $@ examples/engine/engine.c -lEGL $(LDLIBS)
-build/previews: examples/engine/previews.c examples/engine/egl.h examples/tools/neural.h $(IMAGE) ms_nn.h
+build/previews: examples/engine/previews.c examples/engine/nn_shader.h examples/engine/egl.h examples/tools/neural.h $(IMAGE) ms_nn.h
 	@mkdir -p build && $(COMPILE) -Iexamples/tools -Iexamples/demo -Iexamples/engine -o $@ examples/engine/previews.c -lEGL $(LDLIBS)
 build/bench_gpu: tests/bench/gpu_sss.c tests/sss_shader.h examples/tools/wgsl.h examples/engine/egl.h tests/bench/bench.h ms_sss.h
 	@mkdir -p build && $(COMPILE) -D_POSIX_C_SOURCE=200809L -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench -o $@ tests/bench/gpu_sss.c -lEGL $(LDLIBS)

@@ -355,7 +355,7 @@ if [ -c /dev/full ]; then
     printed lightmap build/lightmap "$out/e.pfm" "$out/lightmap.png" --texels-per-mm 4
     printed nn_info build/nn_info $net
     printed nn_run build/nn_run $net "$out/two.csv"
-    printed nn_quantize build/nn_quantize $net "$out/q.safetensors" --type bf16
+    printed nn_quantize build/nn_quantize $net "$out/q.safetensors" --type i8
     printed preview build/preview $net "$out/two.csv" "$out/sheet.ppm"
     printed match build/match $net "$out/t.ppm" --cost 5
 fi
