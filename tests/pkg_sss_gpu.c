@@ -1403,6 +1403,64 @@ static void case_transmission(void)
     TEST_NOTE("largest difference %.1e", worst);
 }
 
+/* Depth of 16 bits: its steps are seen as elevation, with slopes from depth or from normals; flat 1 does not see them.
+ */
+static void case_half_depth(void)
+{
+    static float exact[PIXELS], coarse[PIXELS];
+    double rough[2][3]; /* [16 bits][kind]: RMS of the Laplacian of what constant light becomes on a ball */
+    int bits, kind, i, x, y;
+    if (!gl_open(GL_API_33)) SKIP("no OpenGL 3.3 context without a window");
+    for (i = 0; i < PIXELS; ++i) {
+        const double u = 2.2 * (i % WIDTH) / WIDTH - 1.1, v = 2.2 * (i / WIDTH) / HEIGHT - 1.1;
+        exact[i] = (float)(60 - 10 * sqrt(2.5 - u * u - v * v > 0 ? 2.5 - u * u - v * v : 0));
+        coarse[i] = test_half_value(test_half_of(exact[i]));
+        normal[4 * i] = (float)u, normal[4 * i + 1] = (float)v;
+        normal[4 * i + 2] = (float)sqrt(fmax(2.5 - u * u - v * v, 0));
+        input[4 * i] = input[4 * i + 1] = input[4 * i + 2] = 1;
+    }
+    for (bits = 0; bits < 2; ++bits)
+        for (kind = 0; kind < 3; ++kind) {
+            one_case t;
+            GLuint texture[4];
+            double sum = 0;
+            memset(&t, 0, sizeof t);
+            t.kernel[0] = make_kernel(7, 1, 1);
+            t.options = ms_sss_filter_defaults();
+            t.options.ortho_height = 40;
+            t.options.flat = kind == 2;
+            t.shader.tap_count = 7;
+            t.text.normal = kind == 1;
+            t.terms = 1;
+            texture[0] = gl_texture(COLOR, GL_RGBA32F, WIDTH, HEIGHT, input);
+            texture[1] = gl_texture(DEPTH, GL_R32F, WIDTH, HEIGHT, bits ? coarse : exact);
+            texture[2] = gl_texture(NORMAL, GL_RGBA32F, WIDTH, HEIGHT, normal);
+            texture[3] = gl_texture(MIDDLE, GL_RGBA32F, WIDTH, HEIGHT, NULL);
+            for (i = 0; i < 2; ++i) {
+                const one_step step = {i ? MS_SSS_STEP_Y : MS_SSS_STEP_X, 0, 0};
+                const GLuint to = i ? gl_texture(RESULT, GL_RGBA32F, WIDTH, HEIGHT, NULL) : texture[3];
+                set_step(&t, step);
+                gl_step(&t, step);
+                gpu_draw(to, 0, WIDTH, HEIGHT, 0);
+            }
+            gl_ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_FLOAT, drawn);
+            gl_DeleteTextures(4, texture);
+            for (y = HEIGHT / 4; y < 3 * HEIGHT / 4; ++y)
+                for (x = WIDTH / 4; x < 3 * WIDTH / 4; ++x) {
+                    const float *p = drawn + 4 * (y * WIDTH + x);
+                    const double lap = 4 * (double)p[0] - (double)p[-4] - (double)p[4] - (double)p[-4 * WIDTH] -
+                        (double)p[4 * WIDTH];
+                    sum += lap * lap;
+                }
+            rough[bits][kind] = sqrt(4 * sum / PIXELS);
+        }
+    CHECK_LE(20 * rough[0][0], rough[1][0]); /* steps of depth of 0.03 mm over pixels of 0.5 mm */
+    CHECK_LE(20 * rough[0][1], rough[1][1]);
+    CHECK_LE(rough[1][2], 1e-6); /* a constant stays one */
+    TEST_NOTE("32 bits %.1e, normals %.1e, flat %.1e; 16 bits %.1e, %.1e, %.1e", rough[0][0], rough[0][1], rough[0][2],
+              rough[1][0], rough[1][1], rough[1][2]);
+}
+
 /* --- the disc against random walks: the demo's pictures of a bust of skin and a knot of marble --- */
 
 enum { WALK_PIXELS = 320 * 180 };
@@ -1595,6 +1653,7 @@ static const test_case cases[] = {
     {"texels read by 7 taps", case_reads},
     {"layout of the constants", case_constants},
     {"transmission in a light loop", case_transmission},
+    {"depth of 16 bits", case_half_depth},
     {"disc against random walks", case_disc},
     {"examples/engine/engine.c", case_engine},
     {"GLSL 330 is valid", case_glsl},

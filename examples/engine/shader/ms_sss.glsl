@@ -29,12 +29,14 @@
 // The engine defines those of these functions that a step reads; p is the pixel plus the viewport's corner:
 //
 //     float3 ms_sss_fetch_color(int2 p)     light before the albedo; not below 1e30: masked     X, Y, DOWN, UP
-//     float ms_sss_fetch_depth(int2 p)      along the view axis, of 32 bits; not > 0: masked    X, DOWN, UP
+//     float ms_sss_fetch_depth(int2 p)      along the view axis; not > 0: masked                X, DOWN, UP
 //     int ms_sss_fetch_profile(int2 p)      index of the kernel; without one: masked            X, DOWN, UP
 //     float ms_sss_fetch_strength(int2 p)   0 to 1; 0: masked                                   X, Y, DOWN, UP
 //     float3 ms_sss_fetch_normal(int2 p)    in view space: x right, y down, z to the camera     X, Y
 //
-// At half resolution X and Y read DOWN's target in their place. Without depth the second returns 1.0, with MS_SSS_FLAT 1.
+// BASE and the disc read what X reads, RESOLVE color and strength. At half resolution X and Y read DOWN's target in their
+// place. Without depth the second returns 1.0, with MS_SSS_FLAT 1. Depth of 16-bit floats also wants MS_SSS_FLAT 1: its
+// steps are seen as elevation, even where slopes are from normals.
 // Targets are textures of 32-bit floats (OpenGL: GL_NEAREST), at these bindings:
 //
 //     X     writes light, and depth (0: masked) in alpha; the profile in the last 4 bits of blue
@@ -170,7 +172,7 @@ uniform vec4 ms_sss[COUNT];
 #define FOCAL CONSTANT[2].yz // pixels a unit of depth; perspective: at depth 1
 #define SLOPE_SCALE CONSTANT[2].w // 1 - flat
 // of a profile's kernel, which begins at HEAD + STRIDE * profile
-#define TOTAL(at) CONSTANT[at].rgb // sums of the weights
+#define TOTAL(at) CONSTANT[at] // sums of the weights; radius
 #define RADIUS_MM(at) CONSTANT[at].w
 #define SCALE(at) CONSTANT[at + 1].rgb // of the term
 #define DEPTH_SCALE(at) CONSTANT[at + 1].w // to units of depth in which weights vanish at a difference of 1
@@ -462,7 +464,7 @@ float4 filter_pixel(int2 pixel) {
     if (!(own.a > 0.0)) { return own; }
 #endif
     int at = profile_at(own);
-    float4 total = CONSTANT[at];
+    float4 total = TOTAL(at);
     float2 aspect = ASPECT;
 
     // A kernel below half a pixel changes nothing; one wider than the picture is reduced to it.
