@@ -3988,19 +3988,6 @@ static MS_SSS__COLD void ms_sss__shader_job(ms_sss__job *job, const ms_sss_kerne
     ms_sss__set_kernel(job, k, 0);
 }
 
-/* The difference of depth that DOWN and UP do not cross, relative to that at which the weights of X and Y vanish. With
-   slopes these measure from the tangent plane, and reach farther. */
-static MS_SSS__COLD double ms_sss__shader_split(const ms_sss_kernel *k, const ms_sss_filter_options *o, int slopes)
-{
-    const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : (double)k->radius_mm;
-    const double slope_scale = slopes ? 1 - (double)o->flat : 0;
-    const double sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : (0.12 + 0.13 * slope_scale) * extent;
-    double apart = MS_SSS__FALLOFF_END * sigma, end;
-    if (!slopes && (double)k->radius_mm < apart) apart = (double)k->radius_mm;
-    end = slopes && !(o->depth_sigma_mm > 0) ? (0.37 + 1.13 * slope_scale) * extent : apart;
-    return o->depth_mode == MS_SSS_DEPTH_AWARE ? apart * (1 / end) : 1;
-}
-
 static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_sss_filter_options *options, int width,
                                                         int height, const ms_sss_shader *shader, float (*out)[4],
                                                         ms_error *error)
@@ -4059,8 +4046,7 @@ static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_ss
 
 /* The constants of a kernel's term: total and radius, scale and depth scale, delta and split, elevation and mixed, root
    and reach, the center and one tap of each pair. A kernel without that term adds nothing. */
-static MS_SSS__COLD void ms_sss__kernel_constants(const ms_sss_kernel *k, int wanted, ms_sss__job *job, float split,
-                                                  float (*at)[4])
+static MS_SSS__COLD void ms_sss__kernel_constants(const ms_sss_kernel *k, int wanted, ms_sss__job *job, float (*at)[4])
 {
     const ms_sss__pass *p = &job->pass;
     const int has = wanted < k->term_count, term = has ? wanted : 0;
@@ -4076,7 +4062,7 @@ static MS_SSS__COLD void ms_sss__kernel_constants(const ms_sss_kernel *k, int wa
     }
     at[0][3] = k->radius_mm;
     at[1][3] = job->depth_scale;
-    at[2][3] = split * split;
+    at[2][3] = p->split_dz * p->split_dz;
     at[3][3] = (float)(p->mixed[0] + 2 * p->mixed[1] + 4 * p->mixed[2]);
     at[4][3] = p->reach;
     for (i = 0; i < k->tap_count; i += 2) at[MS_SSS__PROFILE_HEAD + i / 2][3] = k->offset_mm[i];
@@ -4112,10 +4098,8 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
     for (i = 0; i < count * ms_sss__shader_terms(shader); ++i) {
         const ms_sss_kernel *k = &kernels[i % count];
         const int term = shader->step == MS_SSS_STEP_UP ? i / count : index;
-        const int slopes = ms_sss__uses_slopes(options);
-        ms_sss__shader_job(&job, k, options, width, height, slopes);
-        ms_sss__kernel_constants(k, term, &job, (float)ms_sss__shader_split(k, options, slopes),
-                                 out + MS_SSS__PICTURE_HEAD + i * ms_sss__shader_stride(shader));
+        ms_sss__shader_job(&job, k, options, width, height, ms_sss__uses_slopes(options));
+        ms_sss__kernel_constants(k, term, &job, out + MS_SSS__PICTURE_HEAD + i * ms_sss__shader_stride(shader));
     }
     {
         const ms_sss__pass *p = &job.pass;
