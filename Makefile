@@ -167,7 +167,7 @@ build/engine: examples/engine/engine.c examples/engine/egl.h build/ms_sss.glsl.i
 	@mkdir -p build && $(COMPILE) -Ibuild -Iexamples/tools -Iexamples/demo -Iexamples/engine -o $@ examples/engine/engine.c -lEGL $(LDLIBS)
 build/previews: examples/engine/previews.c examples/engine/nn_shader.h examples/engine/egl.h examples/tools/neural.h $(IMAGE) ms_nn.h
 	@mkdir -p build && $(COMPILE) -Iexamples/tools -Iexamples/demo -Iexamples/engine -o $@ examples/engine/previews.c -lEGL $(LDLIBS)
-build/bench_gpu: tests/bench/gpu_sss.c tests/sss_shader.h examples/tools/wgsl.h examples/engine/egl.h tests/bench/bench.h ms_sss.h
+build/bench_gpu: tests/bench/gpu_sss.c tests/sss_shader.h examples/engine/disc.h examples/tools/wgsl.h examples/engine/egl.h tests/bench/bench.h ms_sss.h
 	@mkdir -p build && $(COMPILE) -D_POSIX_C_SOURCE=200809L -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench -o $@ tests/bench/gpu_sss.c -lEGL $(LDLIBS)
 bench-gpu: build/bench_gpu
 	@build/bench_gpu
