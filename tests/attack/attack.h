@@ -468,11 +468,12 @@ static void attack_shrink(const attack_family *families, int count, uint64_t see
     const char *family = families[attack->family].name;
     char kind[160], now[160];
     int chunk, i, tries = 0, halve = 0;
-    const time_t end = time(NULL) + 30;
+    const time_t end = time(NULL) + 10;
     attack_kind_of(attack->message, family, kind);
     best = *attack;
-    for (chunk = best.draws; chunk >= 0 && tries < 400 && time(NULL) < end; chunk = chunk > 1 ? chunk / 2 : chunk - 1) {
-        for (i = 0; i < best.draws && tries < 400 && time(NULL) < end;) {
+    if (strstr(kind, " time") != NULL) return;
+    for (chunk = best.draws; chunk >= 0 && tries < 300 && time(NULL) < end; chunk = chunk > 1 ? chunk / 2 : chunk - 1) {
+        for (i = 0; i < best.draws && tries < 300 && time(NULL) < end;) {
             int k, given = best.draws, changed = 0;
             memcpy(attack->draw, best.draw, sizeof best.draw);
             if (chunk == 0) { /* each by itself: 0, else half */
