@@ -276,7 +276,7 @@ static ATTACK_UNUSED void attack_check_error(ms_status status, const ms_error *e
 {
     size_t i, length = 0;
     while (length < sizeof error->message && error->message[length] != 0) ++length;
-    ATTACK_CHECK(status > MS_OK && status < MS_STATUS_COUNT, "status out of its list: %d", (int)status);
+    ATTACK_CHECK(status > MS_OK && status <= MS_IO, "status out of its list: %d", (int)status);
     ATTACK_CHECK(error->status == status, "error has another status: %d for %d", (int)error->status, (int)status);
     ATTACK_CHECK(length > 8 && length < sizeof error->message, "error without a sentence: %d characters", (int)length);
     for (i = 0; i < length && i < sizeof error->message; ++i)
