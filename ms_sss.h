@@ -669,8 +669,10 @@ typedef struct ms_sss_shader {
     ms_sss_step step;       /* MS_SSS_STEP */
     int level;              /* of a pyramid; SHRINK: that it reads */
     int origin[2];          /* the viewport's corner in the engine's textures and in targets of the picture's size */
+    float fade;             /* 0: full effect, 1: none; the strength is 1 - fade times the strength texture */
     float rotation, jitter; /* MS_SSS_ROTATED: the axes turn by rotation radians and, a pixel, 0 to jitter quarters */
     float nearest;          /* > 0: the scene's least depth; a kernel too wide there for its taps is refused */
+    const ms_sss_pyramid *pyramids; /* of a pyramid: [profile_count, at least 1], borrowed */
 } ms_sss_shader;
 
 /* All zero but 7 taps: X at full resolution. */
@@ -685,8 +687,8 @@ MS_API int ms_sss_shader_levels(int width, int height);
 /* The values of the constants; made again when picture, camera, kernels, options or `origin` change, not every frame.
    kernels         [profile_count, at least 1], taps in pairs -x, +x; one with fewer terms than another adds nothing;
                    a pyramid: NULL
-   index           of the term, the same for X and Y; UP: 0, all are read; a pyramid: profile of options->pyramids
-   options         as of ms_sss_filter; without depth flat must be 1
+   index           of the term, the same for X and Y; UP: 0, all are read; a pyramid: of the profile
+   options         camera, units and depth, as of ms_sss_filter; without depth flat must be 1
    width, height   of the viewport; options->center is that of its projection
    out             [ms_sss_shader_constant_count()][4]; untouched where the call fails
    MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: taps that are no pairs; a pyramid with rotation or unequal
@@ -3890,6 +3892,7 @@ static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, ms_er
     {
         const ms_sss__range ranges[] = {{"step", (double)s->step, 0, (double)MS_SSS_STEP_RESOLVE},
                                         {"nearest", (double)s->nearest, 0, 3e38},
+                                        {"fade", (double)s->fade, 0, 1},
                                         {"rotation", (double)s->rotation, -1e30, 1e30},
                                         {"jitter", (double)s->jitter, 0, 1},
                                         {"origin[0]", (double)s->origin[0], 0, 65536},
@@ -3993,7 +3996,7 @@ static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_ss
                                                         ms_error *error)
 {
     const int levels = ms_sss_shader_levels(width, height), level = shader->level;
-    const ms_sss_pyramid *pyramid = options->pyramids;
+    const ms_sss_pyramid *pyramid = shader->pyramids;
     const float *a = options->pixels_per_mm;
     ms_sss_kernel kernel;
     ms_sss_filter_options round = *options;
@@ -4003,7 +4006,7 @@ static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_ss
     int i, c;
     if (ms_sss__differ(shader->rotation, 0) || shader->jitter > 0 || (a[1] > 0 && ms_sss__differ(a[0], a[1])))
         return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round, without rotation or jitter");
-    if (!pyramid) return MS_SSS__REFUSE(error, "options->pyramids is NULL");
+    if (!pyramid) return MS_SSS__REFUSE(error, "shader->pyramids is NULL");
     if (profile < 0 || profile >= ms_sss__shader_profiles(shader))
         return MS_SSS__REFUSE(error, "profile %d is not within the shader's %d", profile,
                               ms_sss__shader_profiles(shader));
@@ -4021,7 +4024,7 @@ static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_ss
     unit = g.perspective ? 1 : job.depth_scale; /* depth as it is given */
     {
         const float head[MS_SSS__LEVEL_HEAD][4] = {
-            {(float)width, (float)height, 1.0f - options->fade, (float)profile},
+            {(float)width, (float)height, 1.0f - shader->fade, (float)profile},
             {g.perspective ? g.size / job.depth_scale : g.size, g.size_max, g.depth_aware ? g.step / unit : 1e30f,
              g.tangent}, /* 1e30: nothing is deep, where depth only scales the kernel */
             {shader->step == MS_SSS_STEP_SHRINK ? g.merge_reach : g.reach, g.slope_scale, (float)(1 << (level + 1)),
@@ -4104,7 +4107,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
     {
         const ms_sss__pass *p = &job.pass;
         const float head[MS_SSS__PICTURE_HEAD][4] = {
-            {(float)width, (float)height, (float)pixels, 1.0f - options->fade},
+            {(float)width, (float)height, (float)pixels, 1.0f - shader->fade},
             {p->aspect[0], p->aspect[1], shader->rotation, shader->jitter},
             {index == 0 ? 1.0f : 0.0f, (float)focal, (float)(focal * (double)p->aspect[1]), 1.0f - options->flat},
             {p->middle[0], p->middle[1], (float)shader->origin[0], (float)shader->origin[1]}};

@@ -90,8 +90,8 @@ static ms_sss_kernel make_kernel(int taps, int terms, double size)
 
 typedef struct one_case {
     ms_sss_kernel kernel[MS_SSS_SHADER_PROFILES_MAX];
-    ms_sss_filter_options options; /* pyramids: a pyramid in place of kernels */
-    ms_sss_shader shader;
+    ms_sss_filter_options options;
+    ms_sss_shader shader; /* pyramids: a pyramid in place of kernels */
     sss_text text;
     int terms;
 } one_case;
@@ -140,7 +140,7 @@ static void make_case(one_case *t, int i, int language, int max_terms)
     else t->options.pixels_per_mm[0] = 1.7f;
     if (i % 6 == 1) t->options.pixels_per_mm[1] = t->options.pixels_per_mm[0] > 0 ? 2.1f : 0;
     t->options.depth_mode = i % 8 == 6 ? MS_SSS_DEPTH_SCALE : MS_SSS_DEPTH_AWARE;
-    t->options.fade = i % 4 == 1 ? 0.3f : 0.0f;
+    t->options.fade = t->shader.fade = i % 4 == 1 ? 0.3f : 0.0f;
     if (i % 7 == 3) t->shader.rotation = 0.4f;
     if (i % 8 == 5) t->shader.jitter = 1;
     t->options.flat = i % 7 < 2 || t->text.without_depth ? 1 : i % 7 == 2 ? 0.4f : 0;
@@ -182,7 +182,7 @@ static void make_tower_case(one_case *t, int i, int language)
     make_case(t, i, language, 1);
     t->shader.tap_count = 0;
     t->options.method = MS_SSS_METHOD_PYRAMID;
-    t->options.pyramids = pyramid;
+    t->options.pyramids = t->shader.pyramids = pyramid;
     t->shader.rotation = t->shader.jitter = 0;
     t->options.pixels_per_mm[1] = 0;
     if (i % 11 == 5) t->options.mm_per_unit = 4; /* smaller kernels */
@@ -596,7 +596,7 @@ static void make_reference(one_case *t)
     else if (ms_sss_filter(&f, t->kernel, count, &t->options, workspace, size, &error) != MS_OK)
         TEST_FAIL("%s", error.message);
     memset(jumps, 0, sizeof jumps);
-    if ((t->shader.half_resolution || t->options.pyramids) && shaped(t))
+    if ((t->shader.half_resolution || t->shader.pyramids) && shaped(t))
         find_jumps(t, &f, t->text.fetch ? packed : depth, count, workspace, size);
     free(workspace);
 }
@@ -680,7 +680,7 @@ static int plan_steps(const one_case *t, one_step step[STEPS])
     const int half = t->shader.half_resolution;
     int n = 0, term, i;
     memset(step, 0, STEPS * sizeof *step);
-    for (term = 0; t->options.pyramids && term < (t->shader.profile_count > 0 ? t->shader.profile_count : 1); ++term) {
+    for (term = 0; t->shader.pyramids && term < (t->shader.profile_count > 0 ? t->shader.profile_count : 1); ++term) {
         for (i = 0; i < 2 * LEVELS - 1; ++i, ++n) {
             step[n].term = term;
             step[n].step = i == 0    ? MS_SSS_STEP_BASE
@@ -815,7 +815,7 @@ static double gl_compare(one_case *t)
     texture[PROFILE] = gl_texture(PROFILE, GL_R32F, WIDTH, HEIGHT, index_of);
     texture[NORMAL] = gl_texture(NORMAL, GL_RGBA32F, WIDTH, HEIGHT, normal);
     for (i = 0; i < TEXTURES; ++i)
-        if (i == SUM || (i >= MIDDLE && i < TOWER) || (i >= TOWER && t->options.pyramids))
+        if (i == SUM || (i >= MIDDLE && i < TOWER) || (i >= TOWER && t->shader.pyramids))
             texture[i] = gl_texture(i, GL_RGBA32F, width_of(i), height_of(i), NULL);
     for (i = 0; i < n; ++i) {
         const int to = written_by(t, step[i]);
@@ -918,6 +918,7 @@ static void case_viewport(void)
     t.options.fov_degrees = 30;
     t.options.center[0] = -20;
     t.options.center[1] = 15;
+    t.shader.fade = 0;
     t.shader.profile_count = t.text.strength = t.text.normal = 0;
     t.shader.origin[0] = LEFT;
     t.shader.origin[1] = BELOW;
@@ -1180,10 +1181,10 @@ static void case_refused(void)
     refuses(&s, &o, &k, 0, MS_INVALID_ARGUMENT, "rotation");
     s = good, s.step = MS_SSS_STEP_GATHER;
     refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "pyramids is NULL");
-    p = o, p.pyramids = &pyramid;
-    refuses(&s, &p, NULL, 1, MS_INVALID_ARGUMENT, "profile 1");
+    s.pyramids = &pyramid;
+    refuses(&s, &o, NULL, 1, MS_INVALID_ARGUMENT, "profile 1");
     s.level = 6;
-    refuses(&s, &p, NULL, 0, MS_INVALID_ARGUMENT, "level 6");
+    refuses(&s, &o, NULL, 0, MS_INVALID_ARGUMENT, "level 6");
     s = good, s.term_count = MS_SSS_TERMS_MAX + 1;
     refuses(&s, &o, &k, 0, MS_INVALID_ARGUMENT, "term_count");
     s = good, s.origin[1] = -1;
@@ -1193,8 +1194,8 @@ static void case_refused(void)
     refuses(&s, &p, &k, 0, MS_UNSUPPORTED, "pixels with 7 taps show bands");
     p = o, p.center[0] = NAN;
     refuses(&good, &p, &k, 0, MS_INVALID_ARGUMENT, "center[0]");
-    p = o, p.fade = 2;
-    refuses(&good, &p, &k, 0, MS_INVALID_ARGUMENT, "fade 2");
+    s = good, s.fade = 2;
+    refuses(&s, &o, &k, 0, MS_INVALID_ARGUMENT, "fade 2");
     refuses(&good, &o, NULL, 0, MS_INVALID_ARGUMENT, "kernels is NULL");
     refuses(&good, NULL, &k, 0, MS_INVALID_ARGUMENT, "options is NULL");
     s = good, s.tap_count = 5;
@@ -1301,7 +1302,7 @@ static void case_reads(void)
             t.shader.half_resolution = 0;
             t.shader.step = (ms_sss_step)((int)MS_SSS_STEP_BASE + k);
             t.shader.level = k == 2;
-            t.options.pyramids = &pyramid;
+            t.shader.pyramids = &pyramid;
             if (ms_sss_shader_constants(NULL, 0, &t.options, WIDTH, HEIGHT, &t.shader, constants, NULL) != MS_OK)
                 TEST_FAIL("constants");
             count_reads(&t, t.shader.step, &usual[0]);
@@ -1354,8 +1355,8 @@ static void case_constants(void)
     ms_sss_profile_destroy(profile);
     t.shader.step = MS_SSS_STEP_SHRINK;
     t.shader.half_resolution = 0;
-    t.options.fade = 0.25f;
-    t.options.pyramids = pyramids;
+    t.shader.fade = 0.25f;
+    t.shader.pyramids = pyramids;
     for (i = 0; i < 3; ++i) {
         t.shader.level = i;
         if (ms_sss_shader_constants(NULL, 2, &t.options, 640, 360, &t.shader, constants, &error) != MS_OK)

@@ -289,7 +289,7 @@ static void memory_texts(void)
         unsigned char *out;
         size_t size;
         o.pixels_per_mm[0] = 4;
-        o.pyramids = sss_pyramid();
+        s.pyramids = sss_pyramid();
         s.step = (ms_sss_step)step;
         s.tap_count = 11;
         size = (size_t)ms_sss_shader_constant_count(&s) * 4 * sizeof(float);

@@ -193,6 +193,7 @@ CALL(int, fill, (int width, int height, int way, int step, int level, double mm_
     shader.tap_count = kernel.tap_count;
     shader.half_resolution = way == 1;
     shader.level = level;
+    shader.pyramids = &pyramid;
     count = ms_sss_shader_constant_count(&shader);
     see(mm_per_unit, flat, way);
     return count <= CONSTANTS &&

@@ -219,7 +219,7 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
     o.flat = c->slopes ? 0.0f : 1.0f;
     s = ms_sss_shader_defaults();
     s.profile_count = c->profiles > 1 ? c->profiles : 0;
-    o.pyramids = &pyramid;
+    s.pyramids = &pyramid;
     memset(&about, 0, sizeof about);
     about.language = SSS_GLSL_330;
     about.perspective = 1;
