@@ -8,6 +8,7 @@
 #   make bench      speed against error: tables and plots in build/bench/, peers where they are installed
 #   make bench-gpu  milliseconds of the shaders on this machine's GPU (EGL)
 #   make format     the layout of all C files by clang-format 14 (make check-style checks it)
+#   make attack     random valid calls of every header with a fresh seed, under sanitizers (SECONDS of processor time: 600)
 #   make sanitize, check-style, thread, valgrind, fuzz, soak     other ways to run the tests
 #   make mutate    do the tests notice when a line changes? (HEADER, COUNT, SEED)
 #   make coverage  lines and branches that the tests of each header reach (gcov)
@@ -147,6 +148,9 @@ fuzz:
 	@$(RUN) fuzz
 soak:
 	@$(RUN) soak
+SECONDS = 600
+attack:
+	@ATTACK_SECONDS=$(SECONDS) $(RUN) attack
 test-cross:
 	@$(RUN) cross
 mutate:
@@ -200,4 +204,4 @@ wgsl: build/sss_wgsl
 clean:
 	rm -rf build
 
-.PHONY: all demo deps examples check test test-long check-style format sanitize thread valgrind fuzz soak test-cross mutate coverage calls sizes bench bench-gpu web studio dataset hero train blender blender-dataset blender-train common wgsl clean
+.PHONY: all demo deps examples check test test-long check-style format sanitize thread valgrind fuzz soak attack test-cross mutate coverage calls sizes bench bench-gpu web studio dataset hero train blender blender-dataset blender-train common wgsl clean

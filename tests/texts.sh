@@ -46,7 +46,7 @@ for page in studio kernels three; do
     [ -f "$part" ] || continue
     scripts=$(ls examples/web/$page.js examples/web/$page.page.js 2>/dev/null)
     for id in $(cat $scripts | grep -oE "(getElementById\(|[^a-zA-Z]\\$\()'[a-zA-Z][a-zA-Z0-9_-]*'\)" | sed "s/.*'\([^']*\)'.*/\1/" | sort -u); do
-        check "$page: no element '$id'" grep -q "id=\"\{0,1\}$id[\" >]" "$part" $scripts
+        check "$page: no element '$id'" grep -q "id=\"\{0,1\}$id[\" >]" "$part" $scripts examples/web/build.sh
     done
 done
 if [ -f examples/web/sss_three.part.js ]; then
