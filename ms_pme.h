@@ -235,8 +235,8 @@ typedef struct ms_pme_result {
     double cost;        /* spent, in evaluations */
     size_t evaluations; /* calls without derivatives */
     size_t jacobians;   /* calls with them */
-    size_t steps;       /* that decreased f at the start each belongs to; 0: x is the start: the budget was too small,
-                           or the start is a minimum (see stop) */
+    size_t steps;       /* accepted ones, of all starts; 0: the budget was too small for one, or the start is a minimum
+                           (stop says which) */
     ms_pme_stop stop;
 } ms_pme_result;
 
@@ -264,7 +264,7 @@ typedef struct ms_pme_renderer {
     const double *lower, *upper; /* [n]; NULL: all 0, all 1 */
     /* phi(x) -> image [p] */
     ms_status (*render)(void *user, const double *x, float *image);
-    /* Optional: image and d image_i / d x_j as [p][n]. */
+    /* Optional: image and d image_i / d x_j as [p][n]. Floats: for ranges of 1e-30 to 1e30. */
     ms_status (*jacobian)(void *user, const double *x, float *image, float *jacobian);
     double jacobian_cost; /* in renders; 0: 1 + n / 4 */
     /* Optional: inversion network i of prediction_count, target [p] -> x [n]; values outside the box are clipped. */
@@ -293,12 +293,13 @@ typedef struct ms_pme_match_options {
 } ms_pme_match_options;
 
 typedef struct ms_pme_match_result {
-    double rmse;          /* weighted, in the image's unit, from one real render of x */
-    double rmse_initial;  /* of the best candidate */
-    int best_candidate;   /* predictions come first, then `candidates`, then random ones (or the middle) */
-    ms_pme_result refine; /* without the candidates; its value is RMSE^2 and the pulls; steps is 0 if the answer is the
-                             best candidate; stop says why the whole match ended */
-    double cost;          /* in renders: candidates, refinement, the last render; not predictions and deviations */
+    double rmse;         /* weighted, in the image's unit, from one real render of x */
+    double rmse_initial; /* of the best candidate */
+    int best_candidate;  /* predictions come first, then `candidates`, then random ones (or the middle) */
+    ms_pme_result
+        refine;  /* without the candidates; its value is RMSE^2 and the pulls; steps 0: no step was made from any
+                             of them; stop says why the whole match ended */
+    double cost; /* in renders: candidates, refinement, the last render; not predictions and deviations */
 } ms_pme_match_result;
 
 MS_API ms_pme_match_options ms_pme_match_defaults(void); /* all zero */
