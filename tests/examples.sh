@@ -40,7 +40,7 @@ is() { # NAME, value, expected
     fi
 }
 
-tools="mcml profile sss_kernel sss_filter postprocess lightmap recommend latent nn_info nn_run nn_quantize preview match materialx workflow train own_shader demo_sss demo_match"
+tools="mcml profile sss_kernel sss_filter postprocess lightmap recommend latent nn_info nn_run nn_quantize preview match materialx workflow train own_shader sss_wgsl demo_sss demo_match"
 for tool in $tools; do
     [ -x build/$tool ] || { failed=$((failed + 1)); echo "FAIL build/$tool is not there: make first"; continue; }
     # help where it can be piped, and nothing else; a mistake: one line of usage behind what was wrong, and 2
@@ -90,7 +90,8 @@ if [ -x build/ms_mcml ]; then
     is "a picture of 128 x 128" "$(wc -c <"$out/ball.ppm" | tr -d ' ')" $((15 + 128 * 128 * 3))
     is "of more than one color" "$([ "$(tail -c 49152 "$out/ball.ppm" | od -An -tu1 -v -w3 | sort -u | wc -l)" -gt 1000 ] && echo yes)" yes
     ok "ms_pme.c" build/ms_pme
-    is "the edit's parameters" "$(build/ms_pme | awk '{gsub("[,:]", ""); print ($2 - 0.6) ^ 2 < 1e-6 && ($4 - 0.45) ^ 2 < 1e-6}')" 1
+    is "the edit's parameters" "$(build/ms_pme | awk 'NR == 1 {gsub("[,:]", ""); print ($2 - 0.6) ^ 2 < 1e-6 && ($4 - 0.45) ^ 2 < 1e-6}')" 1
+    is "the curve's parameters" "$(build/ms_pme | awk 'NR == 2 {print ($2 - 0.98) ^ 2 < 1e-4 && ($5 - 2.12) ^ 2 < 1e-4}')" 1
 fi
 for f in examples/ms_*.c; do is "$f is short" "$([ "$(wc -l <"$f")" -lt 60 ] && echo yes)" yes; done
 
@@ -363,7 +364,7 @@ if [ -c /dev/full ]; then
     printed lightmap build/lightmap "$out/e.pfm" "$out/lightmap.png" --texels-per-mm 4
     printed nn_info build/nn_info $net
     printed nn_run build/nn_run $net "$out/two.csv"
-    printed nn_quantize build/nn_quantize $net "$out/q.safetensors" --type bf16
+    printed nn_quantize build/nn_quantize $net "$out/q.safetensors" --type i8
     printed preview build/preview $net "$out/two.csv" "$out/sheet.ppm"
     printed match build/match $net "$out/t.ppm" --cost 5
 fi
