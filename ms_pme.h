@@ -47,15 +47,10 @@
    Levenberg-Marquardt; each step is a linear least-squares problem inside the box, solved exactly by an active-set
    method. It reaches the minima of all 14 problems of tests/data/pme_problems.json within 1e-7, and four digits of
    NIST's certified values from all 54 starts. With restarts it is a multistart by successive halving, then from random
-   points. Give a Jacobian if you have one: it costs a network a few evaluations, differences cost n. Units do not
-   matter: a parameter may have a range of 1e-200 or of 1e200, and residuals any size.
-
-   Edits that no material explains
-   -------------------------------
-   A parameter is frozen by equal bounds and pulled towards a source by options.pull. Bounds around the last frame's
-   answer limit the change from frame to frame. What is done to a picture after it was rendered (exposure, tint) can be
-   found with the material: wrap the renderer, so that gains and offsets are further parameters (matcher_light of
-   examples/tools/matcher.h). There outliers such as a logo lose their weight, too (matcher_match).
+   points. A Jacobian costs a network a few evaluations, differences cost n. Units do not matter: a range may be 1e-200
+   or 1e200, and residuals any size. A parameter is frozen by equal bounds and pulled towards a source by options.pull.
+   What was done to a picture after it was rendered (exposure, tint) is found by further parameters of a wrapped
+   renderer: matcher_light of examples/tools/matcher.h.
 
    Memory, threads, determinism, errors
    ------------------------------------
@@ -633,6 +628,8 @@ typedef struct ms_pme__run {
     ms_status status;
     int bad; /* the parameter by which a derivative is not finite; -1: none */
     ms__random random;
+    void *block; /* the memory of the arrays, and its size */
+    size_t block_size;
 } ms_pme__run;
 
 static int ms_pme__stop(ms_pme__run *run, ms_pme_stop why)
@@ -1156,6 +1153,7 @@ static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_opt
     const double value[5] = {options->max_cost, options->max_seconds, options->tolerance, options->difference_step,
                              function->jacobian_cost};
     int j;
+    if (ms_pme__check_count(function->parameter_count, error) != MS_OK) return MS_INVALID_ARGUMENT;
     if (function->residuals == NULL) return ms_pme__null("function->residuals", error);
     if (function->residual_count < 1)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "residual_count is 0, expected 1 or more");
@@ -1184,13 +1182,25 @@ static double *ms_pme__doubles(ms__arena *arena, size_t count)
     return (double *)ms__take(arena, count, sizeof(double));
 }
 
-typedef struct ms_pme__objective ms_pme__objective;
-static void ms_pme__objective_layout(ms_pme__objective *o, ms__arena *arena, int differences);
+/* What a match has beside the run. f is RMSE^2, from the picture or the reduced function, and the pulls: one residual
+   each. */
+typedef struct ms_pme__objective {
+    const ms_pme_renderer *renderer;
+    const ms_pme_match_options *options;
+    const float *target, *weight;
+    double weight_sum, size;        /* size: root mean square of the target */
+    size_t m, compared;             /* residuals without pulls; values with a weight */
+    int n, pool_size, given, total; /* parameters; candidates: kept, given, with the random ones */
+    double low[MS_PME_PARAMETERS_MAX], high[MS_PME_PARAMETERS_MAX];
+    float *image, *jacobian;  /* [p], [p][n] */
+    double *pool, *pool_norm; /* [pool_size + 1][n] the best candidates in order, then workspace; |r| of each */
+    double *deviation;        /* [n] */
+} ms_pme__objective;
 
-/* The run's arrays; called to count with arena->base NULL, then to place. */
-static void ms_pme__layout(ms_pme__run *run, ms__arena *arena)
+/* The arrays of a run, and of a match (o, or NULL); called to count with arena->base NULL, then to place. */
+static void ms_pme__layout(ms_pme__run *run, ms_pme__objective *o, ms__arena *arena)
 {
-    size_t n = (size_t)run->n, m = run->m;
+    size_t n = (size_t)run->n, m = run->m, p, pictures;
     run->jacobian = ms_pme__doubles(arena, ms__size_mul(m, n));
     run->residual = ms_pme__doubles(arena, m);
     run->trial_residual = ms_pme__doubles(arena, m);
@@ -1205,6 +1215,14 @@ static void ms_pme__layout(ms_pme__run *run, ms__arena *arena)
     run->gradient = ms_pme__doubles(arena, n);
     run->point = ms_pme__doubles(arena, 2 * n * MS_PME__SOLVERS);
     run->work = ms_pme__doubles(arena, (n + 1) * (n + 8)); /* a step: n (n + 8) + 1 */
+    if (o == NULL) return;
+    p = o->renderer->image_size;
+    pictures = o->renderer->reduced || run->function->residuals_only ? 0 : ms__size_mul(p, n);
+    o->pool = ms_pme__doubles(arena, ((size_t)o->pool_size + 1) * n);
+    o->pool_norm = ms_pme__doubles(arena, (size_t)o->pool_size + 1);
+    o->deviation = ms_pme__doubles(arena, n);
+    o->image = (float *)ms__take(arena, p, sizeof(float));
+    o->jacobian = (float *)ms__take(arena, pictures, sizeof(float));
 }
 
 /* The size of each parameter at x: its range, without one |x_j|, or 1 where that is 0. */
@@ -1217,14 +1235,15 @@ static void ms_pme__set_typical(ms_pme__run *run, const double *x)
     }
 }
 
-/* Sets up a run and its one block of memory of *size bytes; the match's objective may be NULL.
-   NULL: no memory. */
-static void *ms_pme__begin(ms_pme__run *run, const ms_pme_function *function, const ms_pme_options *options,
-                           ms_pme__objective *o, size_t *size)
+/* Checks and sets up a run and its one block of memory; ms_pme__end releases it. x: the start, or NULL. o: the match,
+   or NULL. */
+static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function, const ms_pme_options *options,
+                               const double *x, ms_pme__objective *o, ms_error *error)
 {
     ms__arena arena = {NULL, 0};
-    void *block = NULL;
-    int j, pass;
+    int j;
+    ms_status status = ms_pme__check(function, options, x, error);
+    if (status != MS_OK) return status;
     memset(run, 0, sizeof *run);
     run->function = function;
     run->options = options;
@@ -1233,32 +1252,30 @@ static void *ms_pme__begin(ms_pme__run *run, const ms_pme_function *function, co
     run->tolerance = options->tolerance > 0 ? options->tolerance : 1e-10;
     run->bad = -1;
     run->jacobian_cost = function->jacobian_cost > 0 ? function->jacobian_cost : 1 + 0.25 * run->n;
-    run->max_cost = options->max_cost > 0 ? options->max_cost
-        : o != NULL                       ? ms_pme__max(50, 8 * ms_pme__step_cost(run))
-                                          : ms_pme__max(1000, 20 * ms_pme__step_cost(run));
+    run->max_cost = o != NULL ? ms_pme__max(50, 8 * ms_pme__step_cost(run))
+                              : ms_pme__max(1000, 20 * ms_pme__step_cost(run));
+    if (options->max_cost > 0) run->max_cost = options->max_cost;
     run->best_norm = MS_PME__INF;
     run->random = ms__random_start(options->seed, 0x706d65);
     run->start_time = options->max_seconds > 0 ? options->clock(options->clock_user) : 0;
-    for (pass = 0; pass < 2; ++pass) {
-        ms_pme__layout(run, &arena);
-        if (o != NULL) ms_pme__objective_layout(o, &arena, function->residuals_only);
-        if (pass > 0) break;
-        block = ms__alloc(&options->allocator, *size = ms__size_add(arena.used, 63));
-        if (block == NULL) return NULL;
-        arena.base = (char *)block + (64 - (uintptr_t)block % 64) % 64;
-        arena.used = 0;
-    }
+    ms_pme__layout(run, o, &arena);
+    run->block_size = ms__size_add(arena.used, 63);
+    run->block = ms__alloc(&options->allocator, run->block_size);
+    if (run->block == NULL)
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %z residuals times %d parameters", run->m, run->n);
+    arena.base = (char *)run->block + (64 - (uintptr_t)run->block % 64) % 64;
+    arena.used = 0;
+    ms_pme__layout(run, o, &arena);
     for (j = 0; j < run->n; ++j) {
         run->lower[j] = function->lower ? function->lower[j] : -MS_PME__INF;
         run->upper[j] = function->upper ? function->upper[j] : MS_PME__INF;
+        run->best[j] = x == NULL ? 0 : ms_pme__clip(x[j], run->lower[j], run->upper[j]);
     }
-    return block;
+    ms_pme__set_typical(run, run->best);
+    return MS_OK;
 }
 
-static ms_status ms_pme__no_memory(const ms_pme__run *run, ms_error *error)
-{
-    return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %z residuals times %d parameters", run->m, run->n);
-}
+static void ms_pme__end(ms_pme__run *run) { ms__release(&run->options->allocator, run->block, run->block_size); }
 
 /* The sentence of a run that failed; its status. */
 static ms_status ms_pme__failure(const ms_pme__run *run, ms_error *error)
@@ -1279,20 +1296,13 @@ MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_o
 {
     ms_pme_options defaults = ms_pme_defaults();
     ms_pme__run run;
-    void *block;
-    size_t size;
-    int j;
     ms_status status;
     if (options == NULL) options = &defaults;
     if (function == NULL) return ms_pme__null("function", error);
     if (x == NULL) return ms_pme__null("x", error);
-    status = ms_pme__check_count(function->parameter_count, error);
-    if (status == MS_OK) status = ms_pme__check(function, options, x, error);
+    status = ms_pme__begin(&run, function, options, x, NULL, error);
     if (status != MS_OK) return status;
-    block = ms_pme__begin(&run, function, options, NULL, &size);
-    if (block == NULL) return ms_pme__no_memory(&run, error);
-    for (j = 0; j < run.n; ++j) run.moved[j] = ms_pme__clip(x[j], run.lower[j], run.upper[j]);
-    ms_pme__set_typical(&run, run.moved);
+    ms_pme__copy(run.moved, run.best, run.n);
     ms_pme__multistart(&run, run.moved, 1);
     if (run.status != MS_OK || !ms__finite(run.best_norm)) {
         status = ms_pme__failure(&run, error);
@@ -1300,25 +1310,11 @@ MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_o
         ms_pme__copy(x, run.best, run.n);
         if (result != NULL) *result = run.result;
     }
-    ms__release(&options->allocator, block, size);
+    ms_pme__end(&run);
     return status;
 }
 
 /* ---- match: objective ------------------------------------------------------------------------------------------ */
-
-/* f is RMSE^2, from the picture or the reduced function, and the pulls: one residual each. */
-struct ms_pme__objective {
-    const ms_pme_renderer *renderer;
-    const ms_pme_match_options *options;
-    const float *target, *weight;
-    double weight_sum, size;        /* size: root mean square of the target */
-    size_t m, compared;             /* residuals without pulls; values with a weight */
-    int n, pool_size, given, total; /* parameters; candidates: kept, given, with the random ones */
-    double low[MS_PME_PARAMETERS_MAX], high[MS_PME_PARAMETERS_MAX];
-    float *image, *jacobian;  /* [p], [p][n] */
-    double *pool, *pool_norm; /* [pool_size + 1][n] the best candidates in order, then workspace; |r| of each */
-    double *deviation;        /* [n] */
-};
 
 static double ms_pme__weight(const ms_pme__objective *o, size_t i) { return o->weight ? (double)o->weight[i] : 1; }
 
@@ -1368,7 +1364,7 @@ static ms_status ms_pme__objective_residuals(void *user, const double *x, double
 /* RMSE at x, whose |r| is norm: f without the pulls. */
 static double ms_pme__rmse(const ms_pme__objective *o, const double *x, double norm)
 {
-    double square = norm * norm;
+    double square = ms_pme__square(norm);
     int j;
     for (j = 0; j < o->n; ++j)
         if (ms_pme__pull(o, j) > 0) square -= ms_pme__pull(o, j) * ms_pme__square(x[j] - o->options->source[j]);
@@ -1457,16 +1453,6 @@ static void ms_pme__objective_init(ms_pme__objective *o, ms_pme_function *functi
     function->jacobian_cost = reduced ? reduced->jacobian_cost : renderer->jacobian_cost;
     function->lower = o->low;
     function->upper = o->high;
-}
-
-static void ms_pme__objective_layout(ms_pme__objective *o, ms__arena *arena, int differences)
-{
-    size_t n = (size_t)o->n, p = o->renderer->image_size, pool = (size_t)o->pool_size + 1;
-    o->pool = ms_pme__doubles(arena, pool * n);
-    o->pool_norm = ms_pme__doubles(arena, pool);
-    o->deviation = ms_pme__doubles(arena, n);
-    o->image = (float *)ms__take(arena, p, sizeof(float));
-    o->jacobian = (float *)ms__take(arena, o->renderer->reduced || differences ? 0 : ms__size_mul(p, n), sizeof(float));
 }
 
 /* ---- match: stages --------------------------------------------------------------------------------------------- */
@@ -1598,8 +1584,6 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     ms_pme_function function;
     ms_pme__objective o;
     ms_pme__run run;
-    void *block;
-    size_t size;
     int kept, j;
     double max_cost;
     ms_status status;
@@ -1617,18 +1601,14 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     ms_pme__objective_init(&o, &function);
     refine = options->refine;
     if (!(refine.difference_step > 0) && !(refine.difference_step < 0)) refine.difference_step = 1e-3; /* of floats */
-    status = ms_pme__check(&function, &refine, NULL, error);
+    status = ms_pme__begin(&run, &function, &refine, NULL, &o, error);
     if (status != MS_OK) return status;
-    block = ms_pme__begin(&run, &function, &refine, &o, &size);
-    if (block == NULL) return ms_pme__no_memory(&run, error);
     run.reserve = 1 + (options->deviation ? ms_pme__step_cost(&run) - 1 : 0); /* the last render, the deviations */
     for (j = 0, run.boxed = 1; j < run.n; ++j) run.boxed &= ms__finite(run.upper[j] - run.lower[j]);
 
     /* candidates, without a limit of cost */
     max_cost = run.max_cost;
     run.max_cost = MS_PME__INF;
-    memset(run.best, 0, (size_t)run.n * sizeof *run.best);
-    ms_pme__set_typical(&run, run.best);
     kept = ms_pme__candidates(&run, &o, &answer);
 
     /* refinement with a budget of its own */
@@ -1660,7 +1640,7 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
         }
         if (result != NULL) *result = answer;
     }
-    ms__release(&refine.allocator, block, size);
+    ms_pme__end(&run);
     return status;
 }
 

@@ -283,28 +283,20 @@ static void memory_sss(void)
 static void memory_texts(void)
 {
     int language, step;
-    for (language = 0; language <= (int)MS_SSS_WGSL; ++language)
-        for (step = 0; step <= (int)MS_SSS_STEP_RESOLVE; ++step) {
-            ms_sss_filter_options o = ms_sss_filter_defaults();
-            ms_sss_shader s = ms_sss_shader_defaults();
-            ms_error error;
-            size_t size;
-            unsigned char *text;
-            o.pixels_per_mm[0] = 4;
-            s.language = (ms_sss_language)language;
-            s.step = (ms_sss_step)step;
-            s.half_resolution = step == MS_SSS_STEP_DOWN || step == MS_SSS_STEP_UP;
-            size = ms_sss_shader_text(&s, &o, NULL, 0, &error);
-            if (size == 0) {
-                TEST_FAIL("language %d, step %d: %s", language, step, error.message);
-                continue;
-            }
-            text = test_guarded(size + 1, 0, 0xCD);
-            CHECK(ms_sss_shader_text(&s, &o, (char *)text, size, &error) == size && text[0] == 0xCD);
-            CHECK(ms_sss_shader_text(&s, &o, (char *)text, size + 1, &error) == size && text[size] == 0);
-            CHECK_INT(strlen((const char *)text), size);
-            CHECK(test_unguard(text, size + 1, 0));
-        }
+    for (step = 0; step <= (int)MS_SSS_STEP_RESOLVE; ++step) {
+        ms_sss_filter_options o = ms_sss_filter_defaults();
+        ms_sss_shader s = ms_sss_shader_defaults();
+        unsigned char *out;
+        size_t size;
+        o.pixels_per_mm[0] = 4;
+        s.pyramids = sss_pyramid();
+        s.step = (ms_sss_step)step;
+        s.tap_count = 11;
+        size = (size_t)ms_sss_shader_constant_count(&s) * 4 * sizeof(float);
+        out = test_guarded(size, 0, 0xCD);
+        CHECK_INT(ms_sss_shader_constants(sss_kernel(1), 0, &o, 640, 480, &s, (float(*)[4])(void *)out, NULL), MS_OK);
+        CHECK(test_unguard(out, size, 0));
+    }
     {
         unsigned char *file;
         ms_nn *nn = net_of(NET_DENSE, MS_NN_F32, &file);
@@ -354,9 +346,13 @@ static void user_make(void)
 static ms_gpr *user_model(void)
 {
     static const double theta[USER_M + 2] = {-1, 0, 0.3, 0.2, 1, -2};
+    ms_gpr_view parts;
     ms_gpr *gp = NULL;
     user_make();
-    CHECK_INT(ms_gpr_create(user_x, user_y, USER_N, USER_M, theta, NULL, &gp, NULL), MS_OK);
+    memset(&parts, 0, sizeof parts);
+    parts.n = USER_N, parts.m = USER_M;
+    parts.x = user_x, parts.y = user_y, parts.theta = theta;
+    CHECK_INT(ms_gpr_create(&parts, NULL, &gp, NULL), MS_OK);
     return gp;
 }
 
@@ -729,18 +725,21 @@ static runs run_filter(const void *options)
 
 static runs run_shader(const void *shader)
 {
-    static char text[60004];
+    static float out[600][4];
+    static ms_sss_kernel kernel[MS_SSS_SHADER_PROFILES_MAX];
     const ms_sss_shader *s = (const ms_sss_shader *)shader;
-    const int constants = ms_sss_shader_constant_count(s);
     ms_sss_filter_options o = ms_sss_filter_defaults();
     ms_error error;
-    size_t size;
+    ms_status status;
+    int i;
     o.pixels_per_mm[0] = 4;
-    memset(text, 0, sizeof text);
+    for (i = 0; i < MS_SSS_SHADER_PROFILES_MAX; ++i) kernel[i] = *sss_kernel(1);
+    memset(out, 0, sizeof out);
     error.status = MS_OK;
-    size = ms_sss_shader_text(s, &o, text, 60000, &error);
-    memcpy(text + 60000, &constants, 4);
-    return ended(size ? MS_OK : error.status, &error, text, sizeof text);
+    if (ms_sss_shader_constant_count(s) > 600) return ended(MS_UNSUPPORTED, &error, out, sizeof out);
+    status = ms_sss_shader_constants(kernel, 0, &o, 640, 480, s, out, &error);
+    CHECK((ms_sss_shader_constant_count(s) > 0) == (status == MS_OK));
+    return ended(status, &error, out, sizeof out);
 }
 
 /* --- ms_nn.h --- */
@@ -792,7 +791,7 @@ static void set_up(options_of *o)
 {
     o->shader.tap_count = 7, o->shader.step = MS_SSS_STEP_UP, o->shader.half_resolution = 1;
 }
-static void set_rejection(options_of *o) { o->recommend.search = MS_GPR_SEARCH_REJECTION; }
+static void set_threshold(options_of *o) { o->recommend.search = MS_GPR_SEARCH_THRESHOLD; }
 
 static const struct {
     runs (*run)(const void *options);
@@ -857,11 +856,10 @@ static const struct {
     {run_pme, NULL, FIELD(ms_pme_options, restarts, 'i'), -1, 0, 3, NONE},
     {run_match, NULL, FIELD(ms_pme_match_options, random_count, 'i'), -1, 0, 5, NONE},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, evaluations, 'i'), -1, 0, 5, NONE},
-    {run_fit, NULL, FIELD(ms_gpr_fit_options, method, 'i'), -1, 0, 1, 2},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, tau, 'd'), -0.001, 0, 0.9, 1.001},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, diversity, 'd'), -0.001, 0, 1, 1.001},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, skip, 'i'), -1, 0, 2, NONE},
-    {run_recommend, set_rejection, FIELD(ms_gpr_recommend_options, search, 'i'), -1, 0, 2, 3},
+    {run_recommend, set_threshold, FIELD(ms_gpr_recommend_options, search, 'i'), -1, 0, 2, 3},
     {run_gallery, NULL, FIELD(ms_gpr_gallery_options, kind, 'i'), -1, 0, 1, 2},
     {run_simulate, set_fast, FIELD(ms_mcml_options, roulette_weight, 'd'), -1e-9, 0, 1, 1.0001},
     {run_simulate, NULL, FIELD(ms_mcml_options, photons, 'u'), NONE, 1, 2, 4294967297.0},
@@ -887,9 +885,9 @@ static const struct {
     {run_filter, set_texture, FIELD(ms_sss_filter_options, method, 'i'), -1, 0, 2, 4},
     {run_filter, set_texture, FIELD(ms_sss_filter_options, albedo_mode, 'i'), -1, 0, 2, 3},
     {run_filter, set_texture, FIELD(ms_sss_filter_options, depth_mode, 'i'), -1, 0, 1, 2},
-    {run_shader, set_taps, FIELD(ms_sss_shader, tap_count, 'i'), 0, 1, 257, 259},
+    {run_shader, set_taps, FIELD(ms_sss_shader, tap_count, 'i'), 6, 7, 257, 259},
     {run_shader, set_taps, FIELD(ms_sss_shader, profile_count, 'i'), -1, 0, 16, 17},
-    {run_shader, set_taps, FIELD(ms_sss_shader, language, 'i'), -1, 0, 4, 5},
+    {run_shader, set_taps, FIELD(ms_sss_shader, jitter, 'f'), -0.1, 0, 1, 1.1},
     {run_nn_shader, NULL, FIELD(nn_shader, step, 'i'), -1, 0, 1, 2},
     {run_nn_shader, NULL, FIELD(nn_shader, steps, 'i'), -1, 0, 2, 3},
     {run_nn_shader, NULL, FIELD(nn_shader, language, 'i'), -1, 0, 4, 5},
