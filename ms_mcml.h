@@ -89,7 +89,8 @@
 
    Limits
    ------
-   2^32 photons a tally; 32767 layers; n 0.01 to 100; mu up to 1e9 per cm; -1 < g <= 1; fewer than 2^31 cells. A pencil
+   2^32 photons a tally; 32767 layers; n 0.01 to 100; mu up to 1e9 per cm; -1 < g <= 1; nr and nz up to 2^24, nr nz
+   below 2^31. A pencil
    beam at normal incidence; flat layers; unpolarized light. Layered solver: 16 layers; totals of g above 0.99 or below
    -0.9 to less than 5e-5.
 
@@ -243,7 +244,7 @@ typedef struct ms_mcml_tissue {
    ring and slab collect everything beyond. */
 typedef struct ms_mcml_grid {
     double dr_cm, dz_cm; /* > 0 */
-    int nr, nz, na;      /* >= 1 */
+    int nr, nz, na;      /* >= 1; nr and nz at most 2^24, nr nz below 2^31 */
 } ms_mcml_grid;
 
 /* All zero: the defaults. */
@@ -256,7 +257,8 @@ typedef struct ms_mcml_options {
     size_t memory_limit;    /* bytes that tallies may take; 0: 4 GiB */
     ms_simd simd;           /* a cap */
     ms_parallel parallel;   /* at most 16 tasks, each with its own tally */
-    ms_progress progress;   /* called after every 65536 photons */
+    ms_progress
+        progress; /* called with 0, then every few ms (with parallel, 16 times that over the threads), and with 1 */
     ms_allocator allocator;
 } ms_mcml_options;
 
@@ -271,7 +273,8 @@ typedef struct ms_mcml ms_mcml;
 
 /* Checks tissue and grid and makes an empty tally. options may be NULL.
    MS_INVALID_ARGUMENT (position: layer, from 1), MS_OUT_OF_MEMORY, MS_UNSUPPORTED (above memory_limit): *out is NULL.
-   Memory: 16 bytes for each of 2 nr na bins, 8 for each of nr nz bins; times 17 with options->parallel. */
+   Memory: 16 bytes for each of 2 nr na bins, 8 for each of nr nz bins; times 2 with
+   options->progress, times 17 with options->parallel. */
 MS_API ms_status ms_mcml_create(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, const ms_mcml_options *options,
                                 ms_mcml **out, ms_error *error);
 
@@ -279,8 +282,7 @@ MS_API ms_status ms_mcml_create(const ms_mcml_tissue *tissue, const ms_mcml_grid
 MS_API void ms_mcml_destroy(ms_mcml *tally);
 
 /* Adds the photons first to first + count - 1 of the seed. Never run a photon twice.
-   MS_INVALID_ARGUMENT: more than 2^32 photons in the tally. MS_CANCELLED: the photons up to some multiple of 65536
-   after first are in it, see ms_mcml_photons. MS_OUT_OF_MEMORY: nothing was added. */
+   MS_INVALID_ARGUMENT: more than 2^32 photons in the tally. MS_CANCELLED, MS_OUT_OF_MEMORY. Nothing was added then. */
 MS_API ms_status ms_mcml_run(ms_mcml *tally, uint64_t first, uint64_t count, ms_error *error);
 
 /* Adds the photons of other, which has the same tissue, grid, seed and options. MS_INVALID_ARGUMENT if it differs. */
@@ -784,6 +786,8 @@ static ms_status ms_mcml__check_layer(const ms_mcml_layer *l, size_t position, m
         return ms__fail(error, MS_INVALID_ARGUMENT, position, "mu_a is %g, expected 0 to 1e9 per cm", l->mu_a_per_cm);
     if (!ms_mcml__between(l->mu_s_per_cm, 0, 1e9))
         return ms__fail(error, MS_INVALID_ARGUMENT, position, "mu_s is %g, expected 0 to 1e9 per cm", l->mu_s_per_cm);
+    if (ms__finite(l->g) && l->g > 1 && l->g < 1.001) /* six digits would print it as 1 */
+        return ms__fail(error, MS_INVALID_ARGUMENT, position, "g is 1 + %g, expected above -1 and at most 1", l->g - 1);
     if (!ms_mcml__between(l->g, -1, 1) || (l->g <= -1 && l->mu_s_per_cm > 0))
         return ms__fail(error, MS_INVALID_ARGUMENT, position, "g is %g, expected above -1 and at most 1", l->g);
     if (!ms__finite(l->thickness_cm) || !(l->thickness_cm > 0))
@@ -791,13 +795,17 @@ static ms_status ms_mcml__check_layer(const ms_mcml_layer *l, size_t position, m
     return MS_OK;
 }
 
+/* The kernel finds a bin in floats, whose whole numbers end at 2^24. */
+enum { MS_MCML__BINS_MAX = 1 << 24 };
+
 static ms_status ms_mcml__check_grid(const ms_mcml_grid *grid, ms_error *error)
 {
     if (!ms_mcml__between(grid->dr_cm, 1e-30, 1e30) || !ms_mcml__between(grid->dz_cm, 1e-30, 1e30))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "dz and dr are %g and %g cm, expected above 0", grid->dz_cm,
-                        grid->dr_cm);
-    if (grid->nz < 1 || grid->nr < 1 || grid->na < 1)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nz, nr, na are %d, %d, %d, expected 1 or more", grid->nz,
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "dz and dr are %g and %g cm, expected 1e-30 to 1e30",
+                        grid->dz_cm, grid->dr_cm);
+    if (grid->nz < 1 || grid->nr < 1 || grid->na < 1 || grid->nz > MS_MCML__BINS_MAX || grid->nr > MS_MCML__BINS_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0,
+                        "nz, nr, na are %d, %d, %d, expected 1 or more, and at most 2^24 for nz and nr", grid->nz,
                         grid->nr, grid->na);
     return MS_OK;
 }
@@ -827,7 +835,7 @@ enum {
     MS_MCML__HALVING_EVENTS = 4096, /* then every fourfold: half of the photons end and the others count double */
     MS_MCML__GROUPS = 64,           /* for errors by spread: photon i is in group i / BLOCK mod GROUPS */
     MS_MCML__BLOCK = 1024,
-    MS_MCML__STRETCH = 65536, /* photons between two calls of the progress callback */
+    MS_MCML__TURNS = 65536, /* of the kernel between two calls of the progress callback: 1 to 7 ms */
     MS_MCML__TASKS = 16,
     MS_MCML__LANES_MAX = 16,
     MS_MCML__TALLY_WORDS = 11, /* of the head of a saved tally */
@@ -981,7 +989,8 @@ static int ms_mcml__cross(ms_mcml__tracer *t, int i)
 /* The functions that are compiled for each level. */
 struct ms_mcml__sweeps;
 typedef struct ms_mcml__kernels {
-    void (*trace)(ms_mcml__tracer *t);
+    /* At most `turns` events of every lane; called again, it goes on. */
+    void (*trace)(ms_mcml__tracer *t, int turns);
     /* One sweep of all rays: out = the moments of the light that the sources d (NULL: none) and, if beam, the first
        scattering of the beam send out; leave: the parts that leave at the top and the bottom. */
     void (*sweep)(const struct ms_mcml__sweeps *s, const double *d, int beam, double *out, double leave[2]);
@@ -992,37 +1001,44 @@ typedef struct ms_mcml__kernels {
 } ms_mcml__kernels;
 static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level); /* after the kernels */
 
-/* The photons first to end - 1 into sum. */
-static void ms_mcml__trace(const ms_mcml *m, int64_t *sum, uint64_t first, uint64_t end)
+/* A tracer of the photons first to end - 1, whose sums go to `sum`. */
+static void ms_mcml__tracer_make(ms_mcml__tracer *t, const ms_mcml *m, int64_t *sum, uint64_t first, uint64_t end)
 {
-    ms_mcml__tracer t;
+    memset(t, 0, sizeof *t);
+    t->tally = m;
+    t->low_weight = (float)m->options.roulette_weight;
+    t->inverse_dr = (float)(1 / m->grid.dr_cm);
+    t->inverse_dz = (float)(1 / m->grid.dz_cm);
+    t->last_r = (float)(m->grid.nr - 1);
+    t->last_z = (float)(m->grid.nz - 1);
+    t->nz = (uint32_t)m->grid.nz;
+    t->sum = sum;
+    t->cells = m->options.no_absorption ? NULL : sum + m->at.a;
+    t->next = first;
+    t->end = end;
+}
+
+/* Whether photons are left to trace. */
+static int ms_mcml__tracer_busy(const ms_mcml__tracer *t) { return t->alive != 0 || t->next < t->end; }
+
+/* Counts the photons first to end - 1 in their groups. In a clear tissue all that enters leaves at the bottom at r = 0,
+   and is added here. */
+static void ms_mcml__count(ms_mcml *m, uint64_t first, uint64_t end)
+{
     uint64_t i, next;
-    for (i = first; i < end; i = next) { /* photons of each group */
+    for (i = first; i < end; i = next) {
         next = (i / MS_MCML__BLOCK + 1) * MS_MCML__BLOCK;
         if (next > end) next = end;
-        sum[m->at.photons + (size_t)(i / MS_MCML__BLOCK % MS_MCML__GROUPS)] += (int64_t)(next - i);
+        m->sum[m->at.photons + (size_t)(i / MS_MCML__BLOCK % MS_MCML__GROUPS)] += (int64_t)(next - i);
     }
-    if (m->first_layer == m->tissue.layer_count) { /* clear: all that enters leaves at the bottom, at r = 0 */
+    m->photons += end - first;
+    if (m->first_layer == m->tissue.layer_count) {
         const int64_t all = (int64_t)((end - first) << 30);
-        int64_t *bin = sum + m->at.leave + 2 * (size_t)m->grid.nr * (size_t)m->grid.na;
+        int64_t *bin = m->sum + m->at.leave + 2 * (size_t)m->grid.nr * (size_t)m->grid.na;
         bin[0] += all;
         bin[1] += all;
-        sum[m->at.unscattered + 1] += all;
-        return;
+        m->sum[m->at.unscattered + 1] += all;
     }
-    memset(&t, 0, sizeof t);
-    t.tally = m;
-    t.low_weight = (float)m->options.roulette_weight;
-    t.inverse_dr = (float)(1 / m->grid.dr_cm);
-    t.inverse_dz = (float)(1 / m->grid.dz_cm);
-    t.last_r = (float)(m->grid.nr - 1);
-    t.last_z = (float)(m->grid.nz - 1);
-    t.nz = (uint32_t)m->grid.nz;
-    t.sum = sum;
-    t.cells = m->options.no_absorption ? NULL : sum + m->at.a;
-    t.next = first;
-    t.end = end;
-    ms_mcml__kernels_of(m->simd)->trace(&t);
 }
 
 /* Fresnel reflectance from n1 to n2 for nu = n sin(theta); 1 for total reflection. */
@@ -1139,7 +1155,7 @@ MS_API ms_status ms_mcml_create(const ms_mcml_tissue *tissue, const ms_mcml_grid
 
     sums = ms_mcml__layout_make(&at, grid, tissue->layer_count, !o.no_absorption);
     ms_mcml__place(NULL, sums, tissue->layer_count, &size);
-    all = o.parallel.run ? ms__size_mul(size, MS_MCML__TASKS + 1) : size;
+    all = ms__size_mul(size, o.parallel.run ? MS_MCML__TASKS + 1 : o.progress.report ? 2 : 1);
     if (all > limit)
         return ms__fail(error, MS_UNSUPPORTED, 0, "the tallies take %z bytes, more than memory_limit, %z", all, limit);
     m = ms_mcml__place(ms__alloc(&o.allocator, size), sums, tissue->layer_count, &size);
@@ -1175,57 +1191,78 @@ static void ms_mcml__add(int64_t *sum, const int64_t *other, size_t count)
     for (i = 0; i < count; ++i) sum[i] = (int64_t)((uint64_t)sum[i] + (uint64_t)other[i]);
 }
 
-typedef struct ms_mcml__trace_job {
-    const ms_mcml *tally;
-    int64_t *sums; /* [TASKS][count] */
-    uint64_t first, count;
-} ms_mcml__trace_job;
-
 static void ms_mcml__trace_task(void *context, int index)
 {
-    const ms_mcml__trace_job *wave = (const ms_mcml__trace_job *)context;
-    const uint64_t i = (uint64_t)index;
-    ms_mcml__trace(wave->tally, wave->sums + (size_t)index * wave->tally->at.count,
-                   wave->first + wave->count * i / MS_MCML__TASKS,
-                   wave->first + wave->count * (i + 1) / MS_MCML__TASKS);
+    ms_mcml__tracer *t = (ms_mcml__tracer *)context + index;
+    if (ms_mcml__tracer_busy(t)) ms_mcml__kernels_of(t->tally->simd)->trace(t, MS_MCML__TURNS);
+}
+
+/* All photons of the tracers, a slice of turns at a time. Between slices the callback hears what part of `count`
+   photons is done; it may stop. */
+static ms_status ms_mcml__trace_all(const ms_mcml *m, ms_mcml__tracer *t, int tasks, uint64_t count, ms_error *error)
+{
+    const ms_progress *progress = &m->options.progress;
+    double fraction = 0;
+    int busy = 1, i;
+    for (;;) {
+        uint64_t left = 0;
+        if (progress->report && progress->report(progress->user, fraction))
+            return ms__fail(error, MS_CANCELLED, 0, "stopped by the progress callback");
+        if (!busy) return MS_OK;
+        ms__run(&m->options.parallel, tasks, ms_mcml__trace_task, t);
+        for (busy = 0, i = 0; i < tasks; ++i) {
+            unsigned lanes = t[i].alive;
+            for (left += t[i].end - t[i].next; lanes; lanes &= lanes - 1) ++left;
+            busy |= ms_mcml__tracer_busy(&t[i]);
+        }
+        fraction = (double)(count - left) / (double)count;
+    }
 }
 
 MS_API ms_status ms_mcml_run(ms_mcml *m, uint64_t first, uint64_t count, ms_error *error)
 {
     const int parallel = m && m->options.parallel.run != NULL;
-    const size_t size = parallel ? ms__size_mul(m->at.count, MS_MCML__TASKS * sizeof(int64_t)) : 0;
+    const int apart = m &&
+        (parallel || m->options.progress.report != NULL); /* sums apart, so that a stop adds nothing */
+    const int tasks = parallel ? MS_MCML__TASKS : 1;
     const uint64_t end = first + count;
-    const ms_progress *progress;
+    ms__arena arena = {NULL, 0};
+    ms_mcml__tracer *tracer;
+    int64_t *sums;
     ms_status status = MS_OK;
-    ms_mcml__trace_job wave;
+    void *block;
+    size_t size;
     int i;
     if (m == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tally is NULL");
     if (count > ms_mcml__photons_max || m->photons > ms_mcml__photons_max - count)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "more than 2^32 photons in one tally");
     if (end < first) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the last photon's index is above 2^64");
-    progress = &m->options.progress;
-    wave.tally = m;
-    wave.sums = NULL;
-    if (parallel) {
-        wave.sums = (int64_t *)ms__alloc(&m->options.allocator, size);
-        if (wave.sums == NULL)
-            return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the tallies of the tasks", size);
-        memset(wave.sums, 0, size);
+    if (count == 0) return MS_OK;
+
+    /* One block: the tracers, and their sums. */
+    ms__take(&arena, (size_t)tasks, sizeof *tracer);
+    ms__take(&arena, apart ? (size_t)tasks * m->at.count : 0, sizeof *sums);
+    size = arena.used;
+    block = ms__alloc(&m->options.allocator, size);
+    if (block == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the tasks", size);
+    arena.base = (char *)block;
+    arena.used = 0;
+    tracer = (ms_mcml__tracer *)ms__take(&arena, (size_t)tasks, sizeof *tracer);
+    sums = (int64_t *)ms__take(&arena, apart ? (size_t)tasks * m->at.count : 0, sizeof *sums);
+    if (apart) memset(sums, 0, (size_t)tasks * m->at.count * sizeof *sums);
+
+    for (i = 0; i < tasks; ++i)
+        ms_mcml__tracer_make(&tracer[i], m, apart ? sums + (size_t)i * m->at.count : m->sum,
+                             first + count * (uint64_t)i / (uint64_t)tasks,
+                             m->first_layer < m->tissue.layer_count
+                                 ? first + count * ((uint64_t)i + 1) / (uint64_t)tasks
+                                 : first + count * (uint64_t)i / (uint64_t)tasks);
+    status = ms_mcml__trace_all(m, tracer, tasks, count, error);
+    if (status == MS_OK) {
+        for (i = 0; apart && i < tasks; ++i) ms_mcml__add(m->sum, sums + (size_t)i * m->at.count, m->at.count);
+        ms_mcml__count(m, first, end);
     }
-    for (wave.first = first; wave.first < end; wave.first += wave.count) {
-        wave.count = MS_MCML__STRETCH - wave.first % MS_MCML__STRETCH;
-        if (wave.count > end - wave.first) wave.count = end - wave.first;
-        if (progress->report && progress->report(progress->user, (double)(wave.first - first) / (double)count)) {
-            status = ms__fail(error, MS_CANCELLED, 0, "stopped by the progress callback");
-            break;
-        }
-        if (parallel) ms__run(&m->options.parallel, MS_MCML__TASKS, ms_mcml__trace_task, &wave);
-        else ms_mcml__trace(m, m->sum, wave.first, wave.first + wave.count);
-        m->photons += wave.count;
-    }
-    for (i = 0; parallel && i < MS_MCML__TASKS; ++i)
-        ms_mcml__add(m->sum, wave.sums + (size_t)i * m->at.count, m->at.count);
-    ms__release(&m->options.allocator, wave.sums, size);
+    ms__release(&m->options.allocator, block, size);
     return status;
 }
 
@@ -3968,32 +4005,41 @@ static double ms_mcml__reflected(const ms_mcml__cone *cone, double absorbed)
     return single + ms_mcml__multiple_total(cone, albedo, nu, 0.3, 1, single, work);
 }
 
-/* 1 - albedo of a color. The reflectance falls almost linearly with s = sqrt(1 - albedo): secants inside a bracket. */
-static double ms_mcml__absorbed_of(double color, double eta)
+/* The albedo of a color and, as it may round to 1, 1 - albedo. The reflectance falls almost linearly with
+   s = sqrt(1 - albedo): secants inside a bracket. Below a color of 1e-7 light is scattered once, and the reflectance is
+   proportional to the albedo. */
+static double ms_mcml__albedo_of(double color, double eta, double *absorbed)
 {
     double s = 1 - color, slope = -1, last = s, before = 0, low = 0, high = 1;
     ms_mcml__cone cone;
     int i;
     ms_mcml__cone_make(&cone, eta);
-    for (i = 0; i < 40; ++i) {
+    if (color < 1e-7) {
+        double single = 0;
+        for (i = 0; i < cone.count; ++i) single += cone.weight[i] * cone.mu[i] / (1 + cone.mu[i]);
+        *absorbed = 1 - color / single;
+        return color / single;
+    }
+    for (i = 0; i < 60 && high - low > 1e-15; ++i) {
         const double error = ms_mcml__reflected(&cone, s * s) - color;
-        if (i && fabs(s - last) > 1e-9 * s) slope = (error - before) / (s - last);
+        if (fabs(s - last) > 1e-9 * s) slope = (error - before) / (s - last);
         if (error > 0) low = s;
         else high = s;
         if (fabs(error) < 1e-10 * color) break;
         before = error;
         last = s;
-        s -= error / slope;
+        s = slope < 0 ? s - error / slope : low;
         if (!(s > low && s < high)) s = 0.5 * (low + high);
     }
-    return s * s;
+    *absorbed = s * s;
+    return (1 - s) * (1 + s);
 }
 
 MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int kind, double eta, ms_mcml_medium *medium,
                                            ms_error *error)
 {
     const double x = fabs(color - 0.8), y = (color - 0.33) * (color - 0.33), d = 1.85 - color + 7 * x * x * x;
-    double absorbed, mu_t;
+    double absorbed = color > 0 ? 0 : 1, albedo = 1 - absorbed, mu_t;
     if (medium == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "medium is NULL");
     if (!ms_mcml__between(eta, 0.1, 10))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "eta is %g, expected 0.1 to 10", eta);
@@ -4003,12 +4049,12 @@ MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int k
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "length_mm is %g, expected above 0", length_mm);
     if (kind < MS_MCML_MEAN_FREE_PATH || kind > MS_MCML_DIFFUSE_PATH)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kind is %d, expected one of ms_mcml_length", kind);
-    absorbed = !(color > 0) ? 1 : color < 1 ? ms_mcml__absorbed_of(color, eta) : 0;
+    if (color > 0 && color < 1) albedo = ms_mcml__albedo_of(color, eta, &absorbed);
     mu_t = 1 / length_mm;
     if (kind == MS_MCML_BURLEY_D) mu_t /= d;
     if (kind == MS_MCML_DIFFUSE_PATH) mu_t *= (3.5 + 100 * y * y) / d;
     medium->mu_a_per_mm = absorbed * mu_t;
-    medium->mu_s_per_mm = (1 - absorbed) * mu_t;
+    medium->mu_s_per_mm = albedo * mu_t;
     medium->g = 0;
     medium->eta = eta;
     return MS_OK;
@@ -4669,22 +4715,24 @@ static inline MS_MCML__M MS_MCML__FN(fresnel)(ms_mcml__tracer *t, MS_MCML__M up,
    boundary. Four words are drawn for each event, so that a photon's path does not depend on its neighbors. Crossing a
    boundary and ending go lane by lane. Absorption is added to its bins one turn late, when the units and the cell
    are long known: 25% faster than to wait for them. */
-static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
+static void MS_MCML__FN(trace)(ms_mcml__tracer *t, int turns)
 {
     const MS_MCML__V zero = MS_MCML__V_SET(0.0f);
     const unsigned all = (2u << (MS_MCML__L - 1)) - 1;
     MS_MCML__U s0, s1, s2, s3;
     int i;
 
-    for (i = 0; i < MS_MCML__L; ++i) t->bit[i] = 1u << i;
-    t->alive = all;
-    t->fresh_at = MS_MCML__L;
-    MS_MCML__FN(launch)(t, all);
+    if (!t->alive) { /* the first call */
+        for (i = 0; i < MS_MCML__L; ++i) t->bit[i] = 1u << i;
+        t->alive = all;
+        t->fresh_at = MS_MCML__L;
+        MS_MCML__FN(launch)(t, all);
+    }
     s0 = MS_MCML__U_LOAD(t->s[0]);
     s1 = MS_MCML__U_LOAD(t->s[1]);
     s2 = MS_MCML__U_LOAD(t->s[2]);
     s3 = MS_MCML__U_LOAD(t->s[3]);
-    while (t->alive) {
+    for (; t->alive && turns > 0; --turns) {
         MS_MCML__U word_flight, word_cosine, word_azimuth, word_chance, events;
         MS_MCML__V x = MS_MCML__V_LOAD(t->x), y = MS_MCML__V_LOAD(t->y), z = MS_MCML__V_LOAD(t->z);
         MS_MCML__V ux = MS_MCML__V_LOAD(t->ux), uy = MS_MCML__V_LOAD(t->uy), uz = MS_MCML__V_LOAD(t->uz);
@@ -4760,7 +4808,11 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t)
         s2 = MS_MCML__U_LOAD(t->s[2]);
         s3 = MS_MCML__U_LOAD(t->s[3]);
     }
-    for (i = 0; t->cells && i < MS_MCML__L; ++i) t->cells[t->cell[i]] += (int64_t)t->units[i];
+    MS_MCML__U_STORE(t->s[0], s0);
+    MS_MCML__U_STORE(t->s[1], s1);
+    MS_MCML__U_STORE(t->s[2], s2);
+    MS_MCML__U_STORE(t->s[3], s3);
+    for (i = 0; t->cells && !t->alive && i < MS_MCML__L; ++i) t->cells[t->cell[i]] += (int64_t)t->units[i];
 #if MS_MCML__ISA >= 3
     _mm256_zeroupper(); /* GCC leaves it out here, and code of other levels then takes twice its time */
 #endif

@@ -533,6 +533,28 @@ static void medium_from_a_color(void)
     TEST_NOTE("color %.1e, length %.1e", worst, worst_length);
 }
 
+/* Random colors of every size and index: given back to 1e-7, as stated, and to 1e-4 of themselves, however dark. */
+static void random_colors(void)
+{
+    uint64_t state = test_seed + 71;
+    double worst = 0, relative = 0;
+    int i;
+    for (i = 0; i < (test_full ? 3000 : 300); ++i) {
+        const double u = test_uniform(&state), eta = 0.1 * pow(100, test_uniform(&state));
+        const double color = i % 3 == 0 ? pow(10, -20 * u) : i % 3 == 1 ? 1 - pow(10, -12 * u) : u;
+        const double specular = (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1));
+        double back;
+        ms_mcml_medium m;
+        CHECK_INT(ms_mcml_medium_from_color(color, 1, MS_MCML_MEAN_FREE_PATH, eta, &m, NULL), MS_OK);
+        back = solve_by(m, 0.3, 1).total / (1 - specular);
+        if (!(fabs(back - color) <= 1e-7 && fabs(back - color) <= 1e-4 * color))
+            TEST_FAIL("eta %.17g, color %.17g gives back %.17g", eta, color, back);
+        worst = fmax(worst, fabs(back - color));
+        relative = fmax(relative, color > 0 ? fabs(back / color - 1) : 0);
+    }
+    TEST_NOTE("%d colors, worst %.1e, %.1e of the color", i, worst, relative);
+}
+
 static void colors_refused(void)
 {
     static const double wrong[][4] = {{-0.1, 1, 0, 1.3}, {1.1, 1, 0, 1.3},  {0.5, 0, 0, 1.3}, {0.5, -1, 0, 1.3},
@@ -989,6 +1011,7 @@ static const test_case cases[] = {
     {"narrow_and_wide_rings", narrow_and_wide_rings},
     {"reflectance_without_a_profile", reflectance_without_a_profile},
     {"medium_from_a_color", medium_from_a_color},
+    {"random_colors", random_colors},
     {"colors_refused", colors_refused},
     {"walks_agree_with_the_solver", walks_agree_with_the_solver},
     {"profile_of_all_channels_at_once", profile_of_all_channels_at_once},
