@@ -37,11 +37,10 @@
 
    Which call
    ----------
-     a diffusion profile for rendering (half-space)          ms_mcml_profile_make: no noise, milliseconds at g = 0
+     a diffusion profile for rendering (half-space)          ms_mcml_profile_make: no noise, milliseconds a channel
      a picked color and a path length to a medium            ms_mcml_medium_from_color
-     a diffusion profile of layers                           ms_mcml_profile_layers
+     isotropic layers: totals, rings, depth without noise    examples/tools/layered.h
      skin of melanin and blood to profiles and colors        examples/tools/skin.h
-     layers, g: totals, rings, depth without noise           ms_mcml_layered_solve
      layers, g, glass, absorption, angles                    ms_mcml_simulate, or for jobs that are split:
                                                              ms_mcml_create, _run, _save, _load, _merge, _results
      .mci and .mco files of MCML 1.2, finite beams           examples/tools/mci.h
@@ -49,36 +48,28 @@
    Monte Carlo
    -----------
    As MCML (Wang, Jacques, Zheng 1995) in packets of 4, 8 or 16 photons: absorption by weight, Henyey-Greenstein
-   scattering, Fresnel boundaries, roulette. Time grows with the collisions of a photon; RESULTS.md has times beside
-   MCML's. Roulette starts at 0.01 times the least albedo, MCML's at 1e-4. From event 4096 on, and at every fourfold
-   count, half of the photons end and the weight of the others doubles, so that media without absorption end, too.
-   Clear layers on top are part of the surface: their reflection is specular.
-
-   Layers without noise
-   --------------------
-   ms_mcml_layered_solve takes up to 16 layers and gives R and T over radius, totals and depth. For each spatial
-   frequency it solves for source moments on panels in depth, by exact ray sweeps through all layers (Fresnel at each
-   boundary) and GMRES. Single scattering of the top layer is computed in space with the whole phase function. Time
-   grows with optical depth and with the order, which g determines: 3 moments at 0.3, 9 at 0.8, 19 at 0.9. Totals are
-   the limit of three orders. Each ring has an error, estimated from half the order, twice the frequency step and
-   another end of the spectrum. Where it exceeds 3%, beside clear layers and for g near 1, rings come from Monte Carlo
-   with standard errors, and the solution says so. RESULTS.md compares 300 random media with Monte Carlo.
+   scattering, Fresnel boundaries, roulette. Time grows with the collisions of a photon; tests/bench/RESULTS.md of the
+   repository has times beside MCML's. Roulette starts at 0.01 times the least albedo, MCML's at 1e-4. At its 4096th,
+   16384th, 65536th ... event a photon ends with probability 1/2, else its weight doubles: so photons end in media
+   without absorption, too. Clear layers on top are part of the surface: their reflection is specular.
 
    Diffusion profiles
    ------------------
    ms_mcml_profile_make turns media into R_d(r): averages over rings, and the energy within each edge. At g = 0 the
    half-space solver computes them by Galerkin's method in depth for each spatial frequency; the spectrum becomes a sum
    of terms with positive energies, whose rings have closed forms. At the default steps totals are good to 5e-13 and
-   rings with 1e-5 of the energy to 8e-5. Media with other g take the layered solver: 0.1 to 1 s a channel.
+   rings with 1e-5 of the energy to 8e-5. Media of other g are replaced by mu_s (1 - g) and g = 0, with errors that
+   bound what this does.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
-   Monte Carlo: one block a tally, one a result; options.parallel cuts every 65536 photons into 16 tasks with a tally
-   each. Layered solver: 5 to 100 MB while it runs, on one thread; half-space solver: 0.3 MB a channel that runs. Stack:
-   less than 40 KB. Calls without a common object may overlap.
+   Monte Carlo: one block a tally, one a result; one while it runs, with sums apart where progress or parallel is given,
+   so that a stop adds nothing. options.parallel cuts the photons into 16 tasks with a tally each. Half-space solver:
+   0.3 MB a channel. Stack: less than 40 KB. Calls without a common object may overlap.
    Results have the same bits for any thread count. Photon i draws from (seed, i) and sums are integers, so that any
    split of the photons gives the same bits at one level of instruction sets. -ffast-math voids what is said of bits,
-   NaN and infinity. Calls return a status and, where asked for, a sentence. On failure outputs are untouched.
+   NaN and infinity. Calls return a status and, where asked for, a sentence. On failure results and
+   numbers are untouched; a handle or profile that was to be made is NULL or zeroed: release an old one first.
 
    Configuration (define before the implementation)
    ------------------------------------------------
@@ -91,8 +82,7 @@
    ------
    2^32 photons a tally; 32767 layers; n 0.01 to 100; mu up to 1e9 per cm; -1 < g <= 1; nr and nz up to 2^24, nr nz
    below 2^31. A pencil
-   beam at normal incidence; flat layers; unpolarized light. Layered solver: 16 layers; totals of g above 0.99 or below
-   -0.9 to less than 5e-5.
+   beam at normal incidence; flat layers; unpolarized light.
 
    Sources
    -------
@@ -294,7 +284,7 @@ MS_API uint64_t ms_mcml_photons(const ms_mcml *tally);
 /* A tally as bytes, for other processes and machines: tissue, grid, options and sums, little-endian.
    ms_mcml_save writes ms_mcml_save_size bytes. ms_mcml_load makes a tally that equals the one saved, with memory and
    threads of `options` (NULL: the defaults; only allocator, parallel, progress, simd and memory_limit are read).
-   MS_BAD_DATA: not such bytes (position: offset). */
+   MS_BAD_DATA: not such bytes (position: 0, the index of the sum, or the layer from 1). */
 MS_API size_t ms_mcml_save_size(const ms_mcml *tally);
 MS_API void ms_mcml_save(const ms_mcml *tally, void *bytes);
 MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_options *options, ms_mcml **out,
@@ -367,8 +357,8 @@ MS_API ms_mcml_medium ms_mcml_material_medium(const ms_mcml_material *material, 
    efficient subsurface scattering, equations 6 and 8) give the last two. */
 typedef enum ms_mcml_length {
     MS_MCML_MEAN_FREE_PATH = 0, /* 1 / (mu_a + mu_s) */
-    MS_MCML_BURLEY_D =
-        1, /* reduced path / (1.85 - A + 7 |A - 0.8|^3): d of ms_sss_profile_from_burley, HDRP's distance */
+    /* reduced path / (1.85 - A + 7 |A - 0.8|^3): d of ms_sss_profile_from_burley, HDRP's distance */
+    MS_MCML_BURLEY_D = 1,
     MS_MCML_DIFFUSE_PATH = 2 /* d (3.5 + 100 (A - 0.33)^4): Unreal's diffuse mean free path */
 } ms_mcml_length;
 
@@ -379,8 +369,10 @@ typedef enum ms_mcml_length {
    length_mm  > 0; kind: an ms_mcml_length; eta: 0.1 to 10
    MS_INVALID_ARGUMENT: out of these ranges, *medium is untouched. No memory. Example, a skin in Unreal's terms:
 
-      for (c = 0; c < 3; ++c) ms_mcml_medium_from_color(color[c], path_mm[c], MS_MCML_DIFFUSE_PATH, 1.4, &medium[c],
-   NULL); ms_mcml_profile_make(&profile, medium, 3, NULL, NULL); */
+      for (c = 0; c < 3; ++c)
+          ms_mcml_medium_from_color(color[c], path_mm[c], MS_MCML_DIFFUSE_PATH, 1.4, &medium[c], NULL);
+
+      ms_mcml_profile_make(&profile, medium, 3, NULL, NULL); */
 MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int kind, double eta, ms_mcml_medium *medium,
                                            ms_error *error);
 
@@ -1628,7 +1620,7 @@ enum {
      energy beyond radius r    sum single_energy exp(-single_rate r) + sum energy (rate r) K1(rate r)
      spectrum at k             sum single_energy / sqrt(1 + (k / single_rate)^2) + sum energy / (1 + (k / rate)^2) */
 typedef struct ms_mcml__halfspace {
-    double mu_t_per_mm; /* mu_a + (1 - g) mu_s: similarity to isotropic scattering where g is not 0 */
+    double mu_t_per_mm; /* mu_a + (1 - g) mu_s: similarity to isotropic scattering */
     double albedo;      /* (1 - g) mu_s / mu_t */
     double specular;    /* reflected at entry: ((eta - 1) / (eta + 1))^2; not part of any number below */
     double total;       /* diffuse reflectance: single + multiple scattering */
@@ -2650,7 +2642,7 @@ static inline MS_MCML__V MS_MCML__FN(uniform)(MS_MCML__U word)
         s3 = (s3 << 11) | (s3 >> 21);       \
     } while (0)
 
-/* States of the next L photons, by Philox as ms__philox has it. */
+/* States of the next L photons, by Philox 4x32-10 of the seed and the photon's index. */
 static void MS_MCML__FN(seed)(ms_mcml__tracer *t)
 {
     const uint64_t seed = t->tally->options.seed;
