@@ -72,9 +72,9 @@ build/ms_nn: examples/ms_nn.c build/ms_nn.o
 build/ms_pme: examples/ms_pme.c build/ms_pme.o
 	$(BUILD) examples/ms_pme.c build/ms_pme.o $(LDLIBS)
 
-build/mcml: examples/tools/mcml.c examples/tools/mci.h examples/tools/files.h build/ms_mcml.o
+build/mcml: examples/tools/mcml.c examples/tools/mci.h examples/tools/layered.h examples/tools/files.h build/ms_mcml.o
 	$(BUILD) examples/tools/mcml.c build/ms_mcml.o $(LDLIBS)
-build/profile: examples/tools/profile.c examples/tools/mci.h examples/tools/skin.h examples/tools/photon_profile.h examples/tools/files.h build/ms_mcml.o
+build/profile: examples/tools/profile.c examples/tools/mci.h examples/tools/layered.h examples/tools/skin.h examples/tools/photon_profile.h examples/tools/files.h build/ms_mcml.o
 	$(BUILD) examples/tools/profile.c build/ms_mcml.o $(LDLIBS)
 build/sss_kernel: examples/tools/sss_kernel.c build/ms_sss.o build/ms_mcml.o
 	$(BUILD) examples/tools/sss_kernel.c build/ms_sss.o build/ms_mcml.o $(LDLIBS)
@@ -86,7 +86,7 @@ build/lightmap: examples/engine/lightmap.c $(IMAGE) build/ms_sss.o
 	$(BUILD) examples/engine/lightmap.c build/ms_sss.o build/image.o $(LDLIBS)
 build/sss_wgsl: examples/tools/sss_wgsl.c examples/tools/wgsl.h examples/tools/files.h
 	$(BUILD) examples/tools/sss_wgsl.c $(LDLIBS)
-build/demo_sss: examples/demo/demo_sss.c examples/demo/scene.h examples/tools/skin.h $(IMAGE) $(PLOT) build/ms_sss.o build/ms_mcml.o
+build/demo_sss: examples/demo/demo_sss.c examples/demo/scene.h examples/tools/layered.h examples/tools/skin.h $(IMAGE) $(PLOT) build/ms_sss.o build/ms_mcml.o
 	$(BUILD) examples/demo/demo_sss.c build/ms_sss.o build/ms_mcml.o build/image.o $(LDLIBS)
 build/recommend: examples/tools/recommend.c examples/tools/explain.h examples/tools/keep.h examples/tools/space.h examples/tools/scores.h build/ms_gpr.o
 	$(BUILD) examples/tools/recommend.c build/ms_gpr.o $(LDLIBS)

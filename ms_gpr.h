@@ -55,9 +55,9 @@
    What it costs
    -------------
    n materials, m parameters. A likelihood with its gradient takes n^3 / 2 + n^2 m multiply-adds. A fit evaluates it 100
-   to 150 times. From 200 scores on nearly all of these use a third of the scores. A mean takes n m, its variance n^2 /
-   2 more. 300 recommendations take 20,000 to 150,000 means. A model has n^2 + 2 n m doubles. A fit has 4 n^2 of them at
-   its peak, with choices 10 n^2. Figures: tests/bench/RESULTS.md, made by `make bench`.
+   to 150 times. From 200 scores on nearly all of these use a third of the scores. A mean takes n m, its variance n^2 / 2
+   more. A model has n^2 + 2 n m doubles. A fit has 4 n^2 of them at its peak, with choices 9 n^2. Figures:
+   tests/bench/RESULTS.md, made by `make bench`.
 
    Threads, SIMD, determinism, errors
    ----------------------------------
@@ -368,7 +368,7 @@ typedef struct ms_gpr_recommend_report {
     double threshold;     /* in units of the score; of variants: the least of their means */
     double best;          /* largest mean that was found over the box */
     double acceptance;    /* share of the first 8192 candidates whose mean reaches the threshold */
-    double candidates;    /* means predicted at single points */
+    double candidates;    /* whose means were predicted, but for those along chains */
     double spread;        /* mean distance of the first 200 to the nearest of them, measured as avoid_distance */
 } ms_gpr_recommend_report;
 
