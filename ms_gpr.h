@@ -55,9 +55,9 @@
    What it costs
    -------------
    n materials, m parameters. A likelihood with its gradient takes n^3 / 2 + n^2 m multiply-adds. A fit evaluates it 100
-   to 150 times. From 200 scores on nearly all of these use a third of the scores. A mean takes n m, its variance n^2 /
-   2 more. 300 recommendations take 20,000 to 150,000 means. A model has n^2 + 2 n m doubles. A fit has 4 n^2 of them at
-   its peak, with choices 10 n^2. Figures: tests/bench/RESULTS.md, made by `make bench`.
+   to 150 times. From 200 scores on nearly all of these use a third of the scores. A mean takes n m, its variance n^2 / 2
+   more. A model has n^2 + 2 n m doubles. A fit has 4 n^2 of them at its peak, with choices 9 n^2. Figures:
+   tests/bench/RESULTS.md, made by `make bench`.
 
    Threads, SIMD, determinism, errors
    ----------------------------------
@@ -368,7 +368,7 @@ typedef struct ms_gpr_recommend_report {
     double threshold;     /* in units of the score; of variants: the least of their means */
     double best;          /* largest mean that was found over the box */
     double acceptance;    /* share of the first 8192 candidates whose mean reaches the threshold */
-    double candidates;    /* means predicted at single points */
+    double candidates;    /* whose means were predicted, but for those along chains */
     double spread;        /* mean distance of the first 200 to the nearest of them, measured as avoid_distance */
 } ms_gpr_recommend_report;
 
@@ -739,8 +739,9 @@ static double ms_gpr__pow2(double whole)
 }
 
 #ifndef MS_GPR_FILENAME
-#define MS_GPR_FILENAME "ms_gpr.h" /* the header includes its kernels, once a level; define it if the file is renamed \
-                                    */
+#define MS_GPR_FILENAME                                                                           \
+    "ms_gpr.h" /* the header includes its kernels, once a level; define it if the file is renamed \
+                */
 #endif
 
 #define MS_GPR__PASS 1
@@ -2458,23 +2459,25 @@ static void ms_gpr__chunk_mean(const ms_gpr *gp, const double *scaled, double *t
     }
 }
 
-/* k(training, candidates), [padded n][CHUNK] */
-static void ms_gpr__chunk_kernel(const ms_gpr *gp, const double *scaled, double *columns)
+/* k(training, candidates), [padded n] rows of CHUNK; rows of scaled and columns are `stride` apart. */
+static void ms_gpr__chunk_kernel(const ms_gpr *gp, const double *scaled, double *columns, size_t stride)
 {
-    int n = ms_gpr__padded(gp->n);
-    gp->kernels->distances(columns, MS_GPR__CHUNK, gp->points, gp->stride, scaled, MS_GPR__CHUNK, n, MS_GPR__CHUNK,
-                           gp->active, 0);
-    gp->kernels->exponentials(columns, gp->n * MS_GPR__CHUNK, ms_gpr__sf2(gp));
-    memset(columns + (size_t)gp->n * MS_GPR__CHUNK, 0, (size_t)(n - gp->n) * MS_GPR__CHUNK * sizeof *columns);
+    double sf2 = ms_gpr__sf2(gp);
+    int n = ms_gpr__padded(gp->n), i;
+    gp->kernels->distances(columns, stride, gp->points, gp->stride, scaled, stride, n, MS_GPR__CHUNK, gp->active, 0);
+    for (i = 0; i < n; ++i) {
+        if (i < gp->n) gp->kernels->exponentials(columns + (size_t)i * stride, MS_GPR__CHUNK, sf2);
+        else memset(columns + (size_t)i * stride, 0, MS_GPR__CHUNK * sizeof *columns);
+    }
 }
 
-/* variance -= |v|^2, v = U'^-1 columns */
-static void ms_gpr__chunk_explain(const ms_gpr *gp, double *columns, double *variance)
+/* columns = v = U'^-1 columns, variance -= |v|^2 */
+static void ms_gpr__chunk_explain(const ms_gpr *gp, double *columns, size_t stride, double *variance)
 {
     int i, j;
-    ms_gpr__forward(gp->kernels, gp->upper, gp->stride, ms_gpr__padded(gp->n), columns, MS_GPR__CHUNK, MS_GPR__CHUNK);
+    ms_gpr__forward(gp->kernels, gp->upper, gp->stride, ms_gpr__padded(gp->n), columns, stride, MS_GPR__CHUNK);
     for (i = 0; i < gp->n; ++i) {
-        const double *v = columns + (size_t)i * MS_GPR__CHUNK;
+        const double *v = columns + (size_t)i * stride;
         for (j = 0; j < MS_GPR__CHUNK; ++j) variance[j] -= v[j] * v[j];
     }
 }
@@ -2494,8 +2497,8 @@ static void ms_gpr__predict_task(void *context, int task)
         }
         if (b->variance) {
             for (j = 0; j < MS_GPR__CHUNK; ++j) result[j] = sf2;
-            ms_gpr__chunk_kernel(b->gp, scaled, tile);
-            ms_gpr__chunk_explain(b->gp, tile, result);
+            ms_gpr__chunk_kernel(b->gp, scaled, tile, MS_GPR__CHUNK);
+            ms_gpr__chunk_explain(b->gp, tile, MS_GPR__CHUNK, result);
             for (j = 0; j < filled; ++j) b->variance[start + j] = result[j] > 0 ? result[j] : 0;
         }
     }
@@ -2523,12 +2526,12 @@ static void ms_gpr__difference_task(void *context, int task)
             mean[j] = 0;
             variance[j] = 2 * ms_gpr__sf2(gp) * -expm1(-0.5 * d2);
         }
-        ms_gpr__chunk_kernel(gp, scaled, columns);
-        ms_gpr__chunk_kernel(gp, other, subtracted);
+        ms_gpr__chunk_kernel(gp, scaled, columns, MS_GPR__CHUNK);
+        ms_gpr__chunk_kernel(gp, other, subtracted, MS_GPR__CHUNK);
         gp->kernels->axpy(columns, -1, subtracted, (int)size);
         for (i = 0; i < gp->n; ++i)
             gp->kernels->axpy(mean, gp->alpha[i], columns + (size_t)i * MS_GPR__CHUNK, MS_GPR__CHUNK);
-        ms_gpr__chunk_explain(gp, columns, variance);
+        ms_gpr__chunk_explain(gp, columns, MS_GPR__CHUNK, variance);
         for (j = 0; j < filled; ++j) {
             b->mean[start + j] = mean[j];
             b->variance[start + j] = variance[j] > 0 ? variance[j] : 0;
@@ -3712,7 +3715,7 @@ static ms_status ms_gpr__sampler_chains(ms_gpr__sampler *h, ms_error *error)
             double sum = 0;
             ms_status status = ms_gpr_predict(h->gp, h->candidate, MS_GPR__WAVE, NULL, h->mean, error);
             if (status != MS_OK) return status;
-            for (i = 0; i < MS_GPR__WAVE; ++i) sum += sqrt(h->mean[i]) / MS_GPR__WAVE;
+            for (i = 0; i < MS_GPR__WAVE; ++i) sum += sqrt(h->mean[i]) / (int)MS_GPR__WAVE;
             h->doubt = sum / (h->top - h->floor);
             if (h->doubt > MS_GPR__DOUBT) return MS_OK;
         }
@@ -3961,25 +3964,12 @@ static void ms_gpr__pool_chunk(void *context, int chunk)
     ms_gpr__pool *p = (ms_gpr__pool *)context;
     const ms_gpr *gp = p->gp;
     size_t size = (size_t)p->size, first = (size_t)chunk * MS_GPR__CHUNK;
-    double *columns = p->columns + first, sf2 = ms_gpr__sf2(gp);
-    int n = ms_gpr__padded(gp->n), i, j;
-    gp->kernels->distances(columns, size, gp->points, gp->stride, p->points + first, size, n, MS_GPR__CHUNK, gp->active,
-                           0);
-    for (i = 0; i < n; ++i) {
-        double *row = columns + (size_t)i * size;
-        if (i < gp->n) gp->kernels->exponentials(row, MS_GPR__CHUNK, sf2);
-        else memset(row, 0, MS_GPR__CHUNK * sizeof *row);
-    }
-    for (j = 0; j < MS_GPR__CHUNK; ++j) p->mean[first + (size_t)j] = gp->mean;
-    for (i = 0; i < gp->n; ++i)
-        gp->kernels->axpy(p->mean + first, gp->alpha[i], columns + (size_t)i * size, MS_GPR__CHUNK);
-    ms_gpr__forward(gp->kernels, gp->upper, gp->stride, n, columns, size, MS_GPR__CHUNK);
-    for (j = 0; j < MS_GPR__CHUNK; ++j) p->variance[first + (size_t)j] = sf2;
-    for (i = 0; i < gp->n; ++i)
-        for (j = 0; j < MS_GPR__CHUNK; ++j) {
-            double v = columns[(size_t)i * size + (size_t)j];
-            p->variance[first + (size_t)j] -= v * v;
-        }
+    double *columns = p->columns + first, *mean = p->mean + first, *variance = p->variance + first;
+    int i, j;
+    for (j = 0; j < MS_GPR__CHUNK; ++j) mean[j] = gp->mean, variance[j] = ms_gpr__sf2(gp);
+    ms_gpr__chunk_kernel(gp, p->points + first, columns, size);
+    for (i = 0; i < gp->n; ++i) gp->kernels->axpy(mean, gp->alpha[i], columns + (size_t)i * size, MS_GPR__CHUNK);
+    ms_gpr__chunk_explain(gp, columns, size, variance);
 }
 
 /* The candidate of the largest 1.96 sigma - |mean - threshold| ("straddle"); -1: all are taken. */
@@ -4456,7 +4446,8 @@ static int ms_gpr__latent_objective(void *context, const double *q, double *valu
     ms_gpr__embedding *e = (ms_gpr__embedding *)context;
     int z = e->plane->z, i, k;
     double noise = exp(2 * q[1]), scale = -1 / ((double)z * e->plane->m), likelihood, theta[2];
-    if (e->progress->report && e->progress->report(e->progress->user, (double)e->evaluations / MS_GPR__LATENT_LIMIT))
+    if (e->progress->report &&
+        e->progress->report(e->progress->user, (double)e->evaluations / (int)MS_GPR__LATENT_LIMIT))
         return -1;
     if (e->evaluations < MS_GPR__LATENT_LIMIT) ++e->evaluations;
     for (k = 0; k < 2; ++k) memcpy(e->points + (size_t)k * e->plane->stride, q + 2 + k * z, (size_t)z * sizeof *q);

@@ -87,7 +87,7 @@
 
    Memory
    ------
-   A file costs one allocation, a network two dozen and a few for each layer with weights. Convolutions are packed, and
+   A file costs one allocation, a network a dozen and at most five for each layer with weights. Convolutions are packed, and
    dense layers of at most two million weights or of fewer than 512 inputs, together at most 64 MB; the others are read
    in place. With a workspace of ms_nn_workspace_size bytes the calls allocate nothing; it stops growing at 48 samples,
    since more run in groups. Stack: below 32 kB, 64 kB when compiled without optimization.
@@ -984,7 +984,7 @@ static MS_NN__COLD ms_status ms_nn__json_string(ms_nn__json *j, char **pool, ms_
             static const char from[] = "\"\\/bfnrt", to[] = "\"\\/\b\f\n\r\t";
             const char *simple;
             unsigned char c = (unsigned char)(j->end - j->p > 1 ? j->p[1] : 0);
-            uint32_t code = 0, low = 0;
+            uint32_t code = 0, other = 0;
             simple = c ? strchr(from, c) : NULL;
             if (simple != NULL) {
                 code = (uint32_t)(unsigned char)to[simple - from];
@@ -994,9 +994,9 @@ static MS_NN__COLD ms_status ms_nn__json_string(ms_nn__json *j, char **pool, ms_
                     return ms_nn__refuse(j, "unknown escape in a string");
                 if (code >= 0xD800 && code < 0xE000) {
                     if (code >= 0xDC00 || j->end - j->p < 12 || j->p[6] != '\\' || j->p[7] != 'u' ||
-                        !ms_nn__hex4(j->p + 8, j->end, &low) || low < 0xDC00 || low >= 0xE000)
+                        !ms_nn__hex4(j->p + 8, j->end, &other) || other < 0xDC00 || other >= 0xE000)
                         return ms_nn__refuse(j, "a surrogate escape without its other half");
-                    code = 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00);
+                    code = 0x10000 + ((code - 0xD800) << 10) + (other - 0xDC00);
                     j->p += 6;
                 }
                 if (code == 0) return ms_nn__refuse(j, "a NUL character in a string");
@@ -1991,10 +1991,10 @@ typedef struct ms_nn__dense {
 /* One convolution of one sample. */
 typedef struct ms_nn__conv_job {
     const ms_nn__conv *conv;
-    const float *x;     /* [in.c][in.h][in.w] */
-    float *y;           /* [out.c][out.h][out.w] */
-    float *padded;      /* [strips][in.c][plane], each strip with room for loads beyond its end */
-    size_t padded_step; /* floats from one strip's to the next; 0 where strips follow each other and share one */
+    const float *x;      /* [in.c][in.h][in.w] */
+    float *y;            /* [out.c][out.h][out.w] */
+    float *padded;       /* [strips][in.c][plane], each strip with room for loads beyond its end */
+    size_t padded_pitch; /* floats from one strip's to the next; 0 where strips follow each other and share one */
     int linear;
     ms_nn__activation activation;
     float alpha;
@@ -2740,7 +2740,7 @@ static void ms_nn__pad(const ms_nn__conv_job *job, size_t strip, float *padded)
 static void ms_nn__conv_task(void *context, int index)
 {
     const ms_nn__conv_job *job = (const ms_nn__conv_job *)context;
-    float *padded = job->padded + (size_t)index * job->padded_step;
+    float *padded = job->padded + (size_t)index * job->padded_pitch;
     ms_nn__pad(job, (size_t)index, padded);
     job->kernels->conv(job, (size_t)index, padded);
 }
@@ -2759,7 +2759,7 @@ static MS_NN__COLD void ms_nn__run_conv(const ms_nn *nn, const ms_nn__op *op, co
     job.x = x;
     job.y = y;
     job.padded = (float *)scratch;
-    job.padded_step = nn->options.parallel.run ? ms_nn__conv_padded(job.conv) : 0;
+    job.padded_pitch = nn->options.parallel.run ? ms_nn__conv_padded(job.conv) : 0;
     job.linear = linear;
     job.activation = op->activation;
     job.alpha = op->alpha;
@@ -3242,20 +3242,20 @@ MS_API MS_NN__COLD ms_status ms_nn_file_read(const char *path, const ms_nn_optio
 {
     ms_nn_options o = options ? *options : ms_nn_defaults();
     const void *mapped = NULL;
-    void *block = NULL;
+    void *read = NULL;
     size_t size = 0, used;
     ms_status status;
     if (path == NULL || file == NULL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", path == NULL ? "path" : "file");
     if (!o.copy) mapped = ms_nn__map(path, &size);
     used = size;
-    if (mapped == NULL && (status = ms_nn__read_whole(path, &o, &block, &size, &used, error)) != MS_OK) return status;
-    status = ms_nn_file_open(mapped ? mapped : block, used, &o, file, error);
+    if (mapped == NULL && (status = ms_nn__read_whole(path, &o, &read, &size, &used, error)) != MS_OK) return status;
+    status = ms_nn_file_open(mapped ? mapped : read, used, &o, file, error);
     if (status != MS_OK) {
-        ms_nn__release_content(&o.allocator, mapped ? mapped : block, size, mapped != NULL);
+        ms_nn__release_content(&o.allocator, mapped ? mapped : read, size, mapped != NULL);
         return status;
     }
-    (*file)->content = mapped ? mapped : block;
+    (*file)->content = mapped ? mapped : read;
     (*file)->content_bytes = size;
     (*file)->content_is_mapped = mapped != NULL;
     return MS_OK;
@@ -4029,7 +4029,7 @@ MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(rows)(const ms_nn__dense *job, size
     }
 }
 
-/* Batches go by blocks of samples that stay in the first cache, three samples at a time; what is left over runs as if
+/* Batches go by groups of samples that stay in the first cache, three samples at a time; what is left over runs as if
    alone. */
 MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t row1)
 {

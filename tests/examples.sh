@@ -63,7 +63,7 @@ if [ -x build/profile ]; then
     refuses "NaN scattering" "mu" build/profile --mua 1,0,0 --mus nan,1,1 --eta 1.4
     refuses "no arguments" "usage" build/profile
     ok "one number for all channels" build/profile --mua 0.1 --mus 1 --eta 1.3
-    printf '1.0\n1\na.mco A\n1000\n0.01 0.01\n10 10 1\n2\n1\n1.4 3 100 0.8 0.01\n1.37 1 50 0.7 1e8\n1\n' >"$out/layers.mci"
+    printf '1.0\n1\na.mco A\n1000\n0.01 0.01\n10 10 1\n2\n1\n1.4 3 20 0 0.02\n1.37 1 15 0 1e8\n1\n' >"$out/layers.mci"
     ok "profile of layers" build/profile --mci "$out/layers.mci" --csv "$out/layers.csv"
     is "its columns and rings" "$(grep -v '^#' "$out/layers.csv" | head -1), $(grep -vc '^#' "$out/layers.csv")" "r_mm,R_1/mm2,T_1/mm2, 11"
     refuses "layers and coefficients" "mci" build/profile --mci "$out/layers.mci" --eta 1
@@ -129,7 +129,7 @@ MCI
     is "and writes nothing" "$(ls "$out"/mcml/*.mco 2>/dev/null | wc -l | tr -d ' ')" 0
     refuses "mcml without the file" "missing.mci" build/mcml "$out/missing.mci"
     rm -f "$out"/mcml/*.mco
-    sed '/^b.mco/,$s/^1.4 1 90 0.5 0.1/1.4 1 90 -0.99 0.1/' "$out/mcml/two.mci" >"$out/mcml/sharp.mci"
+    sed '1,/^b.mco/s/^1.4 1 90 0.5 0.1/1.4 1 90 0 0.1/' "$out/mcml/two.mci" >"$out/mcml/sharp.mci"
     refuses "without noise, a run that is beyond the solver is named" "run 2, b.mco" sh -c "cd '$out/mcml' && '$root/build/mcml' --exact sharp.mci"
     is "and it alone is not written" "$(cd "$out/mcml" && ls *.mco)" "a.mco"
     is "what is not computed is nan" "$(grep -c '^ *nan' "$out/mcml/a.mco")" 180

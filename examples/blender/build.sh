@@ -1,6 +1,6 @@
 #!/bin/sh
 # make blender: the add-on with its library, build/material_taste.zip (CC: also x86_64-w64-mingw32-gcc).
-# make blender-dataset: pictures by Cycles in build/blender, half an hour of two cores; what is there is kept.
+# make blender-dataset: pictures by Cycles in build/blender, half an hour of a core; what is there is kept.
 #   COUNT (4000), SAMPLES (32), JOBS (2), HELD_OUT (2, the seed of the 100 materials to measure with).
 # make blender-train: the network from them, or from the first of them, build/blender/renderer.safetensors.
 set -eu

@@ -7,6 +7,7 @@
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "../demo/scene.h"
+#include "../tools/layered.h"
 #include "../tools/skin.h"
 #include "../tools/wgsl.h"
 
@@ -62,7 +63,6 @@ static ms_status make_profile(int material, const double *own)
         skin_parameters skin = skin_defaults();
         skin.melanin = own[0];
         skin.blood = own[1];
-        skin.g = 0; /* reduced scattering, several times faster */
         status = skin_profile(&rings, &skin, NULL, &error);
         if (status != MS_OK) return status;
         for (c = 0; c < 3; ++c) rd[c] = rings.rd_per_mm2 + c * rings.rings;

@@ -1,13 +1,14 @@
 /* Attacks: random valid calls of a header, and what must hold for each without a reference. A program has families;
    each draws cases from its own generator and checks them.
 
-     attack_X [--seconds 10] [--seed N] [--case K] [--draws 1,2,3] [--limit 20] [FAMILY]
+     attack_X [--seconds 10] [--seed N] [--case K] [--draws 1,2,3] [--cases FILE] [--limit 30] [FAMILY]
 
    Each run takes a fresh seed (of time and process) and prints it. --seed N --case K runs one case again and tells what
    it drew; --draws runs a list of draws. On POSIX systems cases run in a child process, so that a crash, a report of a
    sanitizer or an endless loop (--limit, seconds of processor time a case) is a failure like any other. A failure is
    shrunk: draws are left out or made smaller as long as the same failure is seen. Each kind of failure is told once,
-   with the processor time after which it was first seen. The last line is "N passed, N failed": families.
+   with the processor time after which it was first seen. Lines "X FAMILY DRAWS" of FILE run before: failures of earlier
+   runs. The last line is "N passed, N failed": families.
 
    A draw is 32 bits. All calls below make the simplest value of a draw of 0, and of the draws that a shortened list
    lacks. */
@@ -519,9 +520,38 @@ static void attack_shrink(const attack_family *families, int count, uint64_t see
 }
 #endif
 
+#if ATTACK_FORK
+/* The lines of a file of earlier failures that are this program's. */
+static void attack_earlier(const attack_family *families, int count, const char *path, const char *program,
+                           const char *log)
+{
+    static char line[60000];
+    const char *name = strstr(program, "attack_");
+    FILE *f = fopen(path, "r");
+    while (name != NULL && strstr(name + 1, "attack_") != NULL) name = strstr(name + 1, "attack_");
+    while (f != NULL && name != NULL && fgets(line, sizeof line, f) != NULL) {
+        char header[40], family[40];
+        int at = 0, i, given = 0;
+        char *draws = line;
+        if (sscanf(line, "%39s %39s %n", header, family, &at) < 2 || line[0] == '#' || at == 0) continue;
+        if (strncmp(name + 7, header, strlen(header)) != 0) continue;
+        for (i = 0; i < count && strcmp(families[i].name, family) != 0;) ++i;
+        if (i == count) continue;
+        for (draws += at; *draws >= '0' && *draws <= '9' && given < ATTACK_DRAWS; draws += *draws == ',')
+            attack->draw[given++] = (uint32_t)strtoul(draws, (char **)(void *)&draws, 10);
+        attack->family = i;
+        attack->number = attack->count[i]++;
+        attack->failed = 0;
+        if (attack_child(families, count, NULL, 0, 0, given, log) && !attack_known(families))
+            attack_tell(&families[i], 0, program, "FAIL (of an earlier run)");
+    }
+    if (f != NULL) fclose(f);
+}
+#endif
+
 static int attack_main(int argc, char **argv, const attack_family *families, int count)
 {
-    const char *filter = NULL, *draws = NULL;
+    const char *filter = NULL, *draws = NULL, *cases = NULL;
     double seconds = 10;
     uint64_t seed = (uint64_t)time(NULL) * 1000003u, number = 0;
     int i, one = 0, passed = 0, failed = 0;
@@ -543,6 +573,7 @@ static int attack_main(int argc, char **argv, const attack_family *families, int
         else if (strcmp(argv[i], "--seed") == 0 && i + 1 < argc) seed = strtoull(argv[++i], NULL, 10);
         else if (strcmp(argv[i], "--case") == 0 && i + 1 < argc) number = strtoull(argv[++i], NULL, 10), one = 1;
         else if (strcmp(argv[i], "--draws") == 0 && i + 1 < argc) draws = argv[++i], one = 1;
+        else if (strcmp(argv[i], "--cases") == 0 && i + 1 < argc) cases = argv[++i];
         else if (strcmp(argv[i], "--limit") == 0 && i + 1 < argc) attack_limit = atof(argv[++i]);
         else filter = argv[i];
     }
@@ -561,11 +592,13 @@ static int attack_main(int argc, char **argv, const attack_family *families, int
         return attack->failed;
     }
     printf("seed %llu, %g s\n", (unsigned long long)seed, seconds);
+    (void)cases;
 #if ATTACK_FORK
     {
         double shrinking = 0;
         char log[64];
         snprintf(log, sizeof log, "/tmp/attack.%ld.log", (long)getpid());
+        if (cases != NULL) attack_earlier(families, count, cases, argv[0], log);
         for (;;) {
             const double start = attack_children();
             double first;

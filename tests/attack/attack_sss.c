@@ -610,11 +610,7 @@ static void family_damaged(void)
         ms_sss_profile_destroy(p);
     }
     if (designer && attack_one_in(4)) {
-#ifdef ATTACK_OLD
         ms_sss_kernel_measure(&e, &k, designer);
-#else
-        ms_sss_kernel_measure(&e, &k, designer, &error);
-#endif
     }
 }
 

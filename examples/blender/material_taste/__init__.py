@@ -453,6 +453,8 @@ class TASTE_OT_walk(bpy.types.Operator):
 
     def invoke(self, context, event):
         try:
+            if not library.takers(context):
+                raise RuntimeError("Select an object that takes a material")
             picture = plane_picture(context.scene.taste)
         except (RuntimeError, OSError) as error:
             self.report({"ERROR"}, str(error))
@@ -463,20 +465,24 @@ class TASTE_OT_walk(bpy.types.Operator):
         return {"RUNNING_MODAL"}
 
     def modal(self, context, event):
-        t = context.scene.taste
+        t, mouse = context.scene.taste, event.type == "LEFTMOUSE"
+        if self.overlay.area not in context.screen.areas[:]:  # another workspace
+            self.overlay.remove()
+            return {"FINISHED", "PASS_THROUGH"}
         where = self.overlay.place(event.mouse_x, event.mouse_y)
         inside = 0 <= where[0] <= 1 and 0 <= where[1] <= 1
-        if event.type in ("ESC", "RET", "RIGHTMOUSE") or event.type == "LEFTMOUSE" and not inside and not self.dragging:
+        if event.value == "PRESS" and (event.type in ("ESC", "RET", "RIGHTMOUSE") or mouse and not inside):
             self.overlay.remove()
-            return {"FINISHED" if event.type != "LEFTMOUSE" else "CANCELLED", "PASS_THROUGH"}
-        if event.type == "LEFTMOUSE":
-            self.dragging = event.value == "PRESS"
-            if not self.dragging:
-                bpy.ops.ed.undo_push(message="Walk in the plane")
-        if self.dragging and event.type in ("LEFTMOUSE", "MOUSEMOVE"):
+            return {"FINISHED", "PASS_THROUGH"} if mouse else {"FINISHED"}
+        if mouse and event.value == "PRESS":
+            self.dragging = True
+        if self.dragging and (mouse or event.type == "MOUSEMOVE"):
             t.walk = np.clip(where, 0, 1)
+        if mouse and self.dragging and event.value == "RELEASE":
+            self.dragging = False
+            bpy.ops.ed.undo_push(message="Walk in the plane")
         self.overlay.show(tuple(t.walk))
-        return {"RUNNING_MODAL" if self.dragging or event.type == "LEFTMOUSE" else "PASS_THROUGH"}
+        return {"RUNNING_MODAL"} if self.dragging or mouse else {"PASS_THROUGH"}
 
 
 class TASTE_OT_large(bpy.types.Operator):
@@ -645,7 +651,7 @@ class TASTE_PT_file(Panel, bpy.types.Panel):
     def draw(self, context):
         layout = self.layout
         layout.operator("taste.variants", text="Variants of the active material", icon="PARTICLES").index = -1
-        layout.operator("taste.unused", icon="BRUSH_DATA")
+        layout.operator("taste.unused", icon="ORPHAN_DATA")
         layout.operator("taste.forget", icon="TRASH")
 
 
