@@ -548,7 +548,7 @@ static void family_damaged(void)
     static ms_sss_designer *designer; /* one a process: it costs more than the rest */
     ms_sss_errors e;
     ms_error error;
-    float light[16 * 9 * 3], out[16 * 9 * 3], depth[16 * 9], upload[4 * (MS_SSS_TAPS_MAX / 2 + 1)];
+    float light[16 * 9 * 3], out[16 * 9 * 3], depth[16 * 9];
     ms_sss_frame f;
     ms_sss_filter_options o = ms_sss_filter_defaults();
     const int which = attack_index(POOL), field = attack_index(13);
@@ -597,7 +597,12 @@ static void family_damaged(void)
                 break;
             }
     ms_sss_filter_workspace(16, 9, &k, 1, &o);
-    if (k.tap_count <= MS_SSS_TAPS_MAX && attack_one_in(2)) ms_sss_kernel_upload(&k, attack_index(3), 0, upload, &error);
+    if (attack_one_in(2)) {
+        static float constants[4 + 6 + MS_SSS_TAPS_MAX / 2][4];
+        ms_sss_shader s = ms_sss_shader_defaults();
+        s.tap_count = MS_SSS_TAPS_MAX;
+        ms_sss_shader_constants(&k, attack_index(3), &o, 16, 9, &s, constants, &error);
+    }
     if (designer == NULL) {
         static const double r[3] = {0.44, 0.22, 0.13}, d[3] = {1.2, 0.5, 0.3};
         ms_sss_profile *p = NULL;
