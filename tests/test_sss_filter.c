@@ -1812,27 +1812,6 @@ static void case_refused(void)
     test_scene_free(&s);
 }
 
-/* The taps alone: the center, one of each pair, binary16. */
-static void case_upload(void)
-{
-    ms_sss_kernel k = test_kernel(7, 5.0, 0.0);
-    float taps[4][4];
-    uint16_t packed[4][4];
-    ms_error error;
-    int i, c;
-    CHECK_INT(ms_sss_kernel_upload(&k, 0, 0, taps, &error), MS_OK);
-    CHECK_INT(ms_sss_kernel_upload(&k, 0, 1, packed, &error), MS_OK);
-    for (i = 0; i < 4; ++i) {
-        CHECK_NEAR(taps[i][3], k.offset_mm[2 * i], 0);
-        for (c = 0; c < 3; ++c) CHECK_NEAR(taps[i][c], k.weight[0][2 * i][c], 0);
-        for (c = 0; c < 4; ++c) CHECK_NEAR(test_half_value(packed[i][c]), taps[i][c], fabsf(taps[i][c]) / 2048);
-    }
-    k.weight[0][2][1] *= 1.5f;
-    CHECK_INT(ms_sss_kernel_upload(&k, 0, 0, taps, &error), MS_UNSUPPORTED);
-    CHECK(strstr(error.message, "differ") != NULL);
-    CHECK_INT(ms_sss_kernel_upload(&k, 1, 0, taps, &error), MS_INVALID_ARGUMENT);
-}
-
 /* --- slope and elevation --- */
 
 enum { SHAPE_W = 160, SHAPE_H = 120, SHAPE_N = SHAPE_W * SHAPE_H };
@@ -2292,7 +2271,6 @@ static const test_case cases[] = {
     {"methods", case_methods},
     {"range of light", case_range},
     {"refused", case_refused},
-    {"upload of taps", case_upload},
     {"planes", case_planes},
     {"curved surfaces", case_curved},
     {"bounded", case_bounded},
