@@ -39,8 +39,8 @@ const pose = () => {
   camera.lookAt(0, -0.1, 0);
 };
 const sss = await Subsurface.create(renderer, [
-  { reflectance: [0.44, 0.22, 0.13], path: [3.6, 1.4, 0.7] },
-  { reflectance: [0.83, 0.79, 0.75], path: [5, 6, 7] }], { mmPerUnit: 40, taps: 17 });
+  { reflectance: [0.44, 0.22, 0.13], path: [1.8, 1.2, 0.73] },
+  { reflectance: [0.83, 0.79, 0.75], path: [0.41, 0.66, 1.03] }], { mmPerUnit: 40, taps: 17 });
 sss.apply(skin, 0);
 sss.apply(marble, 1);
 view.sss = sss;
