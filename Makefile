@@ -21,6 +21,7 @@
 #   make studio     examples/web/studio.html: the whole workflow live in a browser (the same)
 #   make blender    build/material_taste: an add-on for Blender that learns a taste (examples/blender)
 #   make blender-dataset, blender-train   its network again, from pictures by Blender's Cycles (COUNT, SAMPLES, JOBS)
+#   make wgsl       examples/engine/shader/*.wgsl from ms_sss.glsl
 #   make common     copies the blocks that headers share from the first that has them into the rest
 .POSIX:
 
@@ -32,7 +33,7 @@ LDLIBS = -lm
 # Every implementation is compiled once; the examples are told that it is there and link what they use. (Each also
 # compiles alone, as its comment says.)
 TOOLS = build/mcml build/profile build/sss_kernel build/sss_filter build/postprocess build/lightmap \
-	build/recommend build/latent build/nn_info build/nn_run build/nn_quantize build/preview build/match build/materialx build/workflow build/train build/own_shader
+	build/recommend build/latent build/nn_info build/nn_run build/nn_quantize build/preview build/match build/materialx build/workflow build/train build/own_shader build/sss_wgsl
 SMALL = build/ms_mcml build/ms_sss build/ms_gpr build/ms_nn build/ms_pme
 DEMOS = build/demo_sss build/demo_match
 OBJECTS = build/ms_mcml.o build/ms_sss.o build/ms_gpr.o build/ms_nn.o build/ms_pme.o build/image.o
@@ -82,6 +83,8 @@ build/postprocess: examples/engine/postprocess.c $(IMAGE) build/ms_sss.o
 	$(BUILD) examples/engine/postprocess.c build/ms_sss.o build/image.o $(LDLIBS)
 build/lightmap: examples/engine/lightmap.c $(IMAGE) build/ms_sss.o
 	$(BUILD) examples/engine/lightmap.c build/ms_sss.o build/image.o $(LDLIBS)
+build/sss_wgsl: examples/tools/sss_wgsl.c examples/tools/wgsl.h examples/tools/files.h
+	$(BUILD) examples/tools/sss_wgsl.c $(LDLIBS)
 build/demo_sss: examples/demo/demo_sss.c examples/demo/scene.h examples/tools/skin.h $(IMAGE) $(PLOT) build/ms_sss.o build/ms_mcml.o
 	$(BUILD) examples/demo/demo_sss.c build/ms_sss.o build/ms_mcml.o build/image.o $(LDLIBS)
 build/recommend: examples/tools/recommend.c examples/tools/explain.h examples/tools/keep.h examples/tools/scores.h build/ms_gpr.o
@@ -157,13 +160,15 @@ sizes:
 bench: all sizes
 	@CC="$(CC)" CFLAGS="$(CFLAGS)" sh tests/bench/run.sh
 
-# Of OpenGL through EGL; not among the examples that need a C compiler only.
-build/engine: examples/engine/engine.c examples/engine/egl.h $(IMAGE) ms_sss.h
-	@mkdir -p build && $(COMPILE) -Iexamples/tools -Iexamples/demo -Iexamples/engine -o $@ examples/engine/engine.c -lEGL $(LDLIBS)
-build/previews: examples/engine/previews.c examples/engine/egl.h examples/tools/neural.h $(IMAGE) ms_nn.h
+# Of OpenGL through EGL; not among the examples that need a C compiler only. The shader file as a list of bytes, as xxd -i prints it.
+build/ms_sss.glsl.inc: examples/engine/shader/ms_sss.glsl
+	@mkdir -p build && od -An -v -tu1 examples/engine/shader/ms_sss.glsl | tr -s ' \n' ',,' | sed 's/^,//; s/,$$//' >$@ && echo >>$@
+build/engine: examples/engine/engine.c examples/engine/egl.h build/ms_sss.glsl.inc $(IMAGE) ms_sss.h
+	@mkdir -p build && $(COMPILE) -Ibuild -Iexamples/tools -Iexamples/demo -Iexamples/engine -o $@ examples/engine/engine.c -lEGL $(LDLIBS)
+build/previews: examples/engine/previews.c examples/engine/nn_shader.h examples/engine/egl.h examples/tools/neural.h $(IMAGE) ms_nn.h
 	@mkdir -p build && $(COMPILE) -Iexamples/tools -Iexamples/demo -Iexamples/engine -o $@ examples/engine/previews.c -lEGL $(LDLIBS)
-build/bench_gpu: tests/bench/gpu_sss.c examples/engine/egl.h tests/bench/bench.h ms_sss.h
-	@mkdir -p build && $(COMPILE) -D_POSIX_C_SOURCE=200809L -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench -o $@ tests/bench/gpu_sss.c -lEGL $(LDLIBS)
+build/bench_gpu: tests/bench/gpu_sss.c tests/sss_shader.h examples/tools/wgsl.h examples/engine/egl.h tests/bench/bench.h ms_sss.h
+	@mkdir -p build && $(COMPILE) -D_POSIX_C_SOURCE=200809L -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench -o $@ tests/bench/gpu_sss.c -lEGL $(LDLIBS)
 bench-gpu: build/bench_gpu
 	@build/bench_gpu
 
@@ -189,8 +194,10 @@ blender-train: build/train
 
 common:
 	@sh tests/common.sh copy
+wgsl: build/sss_wgsl
+	@build/sss_wgsl examples/engine/shader
 
 clean:
 	rm -rf build
 
-.PHONY: all demo deps examples check test test-long check-style format sanitize thread valgrind fuzz soak test-cross mutate coverage calls sizes bench bench-gpu web studio dataset hero train blender blender-dataset blender-train common clean
+.PHONY: all demo deps examples check test test-long check-style format sanitize thread valgrind fuzz soak test-cross mutate coverage calls sizes bench bench-gpu web studio dataset hero train blender blender-dataset blender-train common wgsl clean

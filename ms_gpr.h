@@ -104,7 +104,7 @@ extern "C" {
 
 /* ms-common begin (the same text in every ms_*.h: see tests/common.sh) */
 #ifndef MS_COMMON
-#define MS_COMMON 3 /* raised whenever the text between the marks changes after a release */
+#define MS_COMMON 4 /* raised whenever the text between the marks changes after a release */
 
 /* Linkage of every public function of every header: nothing, static, __declspec(dllexport), or
    __attribute__((visibility("default"))). Define it before the #include. */
@@ -112,31 +112,26 @@ extern "C" {
 #define MS_DEF
 #endif
 #if defined(__GNUC__) || defined(__clang__)
-#define MS_API MS_DEF __attribute__((unused)) /* static copies that call only a part do not warn */
+#define MS__UNUSED __attribute__((unused)) /* static copies that call only a part do not warn */
 #else
-#define MS_API MS_DEF
+#define MS__UNUSED
 #endif
+#define MS_API MS_DEF MS__UNUSED
 
 /* NULL, in every header: where an argument's comment does not say what NULL means, it may not be NULL. A call that
    returns a status then answers MS_INVALID_ARGUMENT and names the argument; any other does nothing and returns 0 or
    NULL. destroy and free do nothing with NULL. */
 
-/* What went wrong; each code asks for another remedy. code, value, sentence */
-#define MS_STATUS_LIST(X)                                                  \
-    X(MS_OK, 0, "success")                                                 \
-    X(MS_INVALID_ARGUMENT, 1, "an argument is outside its stated range")   \
-    X(MS_OUT_OF_MEMORY, 2, "the allocator returned NULL")                  \
-    X(MS_BAD_DATA, 3, "the file or the data set is malformed")             \
-    X(MS_UNSUPPORTED, 4, "valid, but not handled by this build or call")   \
-    X(MS_NOT_CONVERGED, 5, "the iteration stopped short of its tolerance") \
-    X(MS_CANCELLED, 6, "the progress callback asked to stop")              \
-    X(MS_IO, 7, "the operating system could not read or write")
-
+/* What went wrong; each code asks for another remedy. ms_status_string has a sentence for each. */
 typedef enum ms_status {
-#define MS_STATUS_ENUM(code, value, sentence) code = value,
-    MS_STATUS_LIST(MS_STATUS_ENUM)
-#undef MS_STATUS_ENUM
-        MS_STATUS_COUNT /* how many codes there are */
+    MS_OK = 0,
+    MS_INVALID_ARGUMENT = 1,
+    MS_OUT_OF_MEMORY = 2,
+    MS_BAD_DATA = 3,
+    MS_UNSUPPORTED = 4,
+    MS_NOT_CONVERGED = 5,
+    MS_CANCELLED = 6,
+    MS_IO = 7
 } ms_status;
 
 /* Details of a failure. Every call that takes one accepts NULL; it is written on failure only. */
@@ -154,23 +149,23 @@ typedef struct ms_allocator {
     void (*release)(void *user, void *pointer, size_t size);
 } ms_allocator;
 
-/* Threads. All zero: everything runs on the calling thread. run calls task(context, i) once for every
-   i in [0, count), in any order, on any threads, and returns when all are done. The work is cut into
-   tasks by the problem alone, so results do not depend on how many threads there are. */
+/* Threads. All zero: everything runs on the calling thread. run calls task(context, i) once for every i in [0, count),
+   in any order, on any threads, and returns when all are done. The work is cut into tasks by the problem alone, so
+   results do not depend on how many threads there are. */
 typedef struct ms_parallel {
     void *user;
     void (*run)(void *user, int count, void (*task)(void *context, int index), void *context);
 } ms_parallel;
 
-/* Progress of a long call. All zero: none. report gets the fraction done, 0 to 1, from the thread that
-   made the call; it returns non-zero to stop, and the call then returns MS_CANCELLED. */
+/* Progress of a long call. All zero: none. report gets the fraction done, 0 to 1, from the thread that made the call;
+   it returns non-zero to stop, and the call then returns MS_CANCELLED. */
 typedef struct ms_progress {
     void *user;
     int (*report)(void *user, double fraction);
 } ms_progress;
 
-/* Instruction sets, in the order of their speed. Options take one as a cap: a level that the processor
-   or the build lacks falls back to the next lower one. */
+/* Instruction sets, in the order of their speed. Options take one as a cap: a level that the processor or the build
+   lacks falls back to the next lower one. */
 typedef enum ms_simd {
     MS_SIMD_AUTO = 0,   /* the best that the processor has */
     MS_SIMD_SCALAR = 1, /* plain C: the reference for all the others */
@@ -179,29 +174,29 @@ typedef enum ms_simd {
     MS_SIMD_AVX512 = 4  /* AVX-512 F, BW, DQ, VL */
 } ms_simd;
 
-/* The sentence of MS_STATUS_LIST; "unknown status" outside it. */
+/* "unknown status" outside the codes. */
 static inline const char *ms_status_string(ms_status status)
 {
-    static const char *const sentence[] = {
-#define MS_STATUS_TEXT(code, value, text) text,
-        MS_STATUS_LIST(MS_STATUS_TEXT)
-#undef MS_STATUS_TEXT
-    };
-    int i = (int)status;
-    return i >= 0 && i < (int)MS_STATUS_COUNT ? sentence[i] : "unknown status";
+    static const char *const sentence[] = {"success",
+                                           "an argument is outside its stated range",
+                                           "the allocator returned NULL",
+                                           "the file or the data set is malformed",
+                                           "valid, but not handled by this build or call",
+                                           "the iteration stopped short of its tolerance",
+                                           "the progress callback asked to stop",
+                                           "the operating system could not read or write"};
+    return (int)status >= 0 && status <= MS_IO ? sentence[status] : "unknown status";
 }
 
 /* "auto", "scalar", "base", "avx2", "avx512"; "unknown" outside the list. */
 static inline const char *ms_simd_string(ms_simd level)
 {
     static const char *const name[] = {"auto", "scalar", "base", "avx2", "avx512"};
-    int i = (int)level;
-    return i >= 0 && i <= (int)MS_SIMD_AVX512 ? name[i] : "unknown";
+    return (int)level >= 0 && level <= MS_SIMD_AVX512 ? name[level] : "unknown";
 }
 #endif /* MS_COMMON */
 
-/* Outside the guard: catches two vendored releases in one file. */
-#if MS_COMMON != 3
+#if MS_COMMON != 4 /* outside the guard: an earlier #include may have defined another */
 #error "ms_*.h headers of different releases in one translation unit"
 #endif
 /* ms-common end */
@@ -554,17 +549,7 @@ MS_API ms_status ms_gpr_variants(const ms_gpr_latent *plane, const ms_gpr *gp, c
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef MS_ASSERT /* checks of the library's own invariants, never of the caller's data */
-#define MS_ASSERT(condition) ((void)0)
-#endif
-
-#if defined(__GNUC__) || defined(__clang__)
-#define MS__UNUSED __attribute__((unused))
-#else
-#define MS__UNUSED
-#endif
-
-/* Returns a * b or a + b; SIZE_MAX stands for overflow and stays so through further calls. */
+/* a * b and a + b; SIZE_MAX stands for overflow and stays so through further calls. */
 static MS__UNUSED size_t ms__size_mul(size_t a, size_t b)
 {
     if (a == SIZE_MAX || b == SIZE_MAX) return SIZE_MAX;
@@ -598,22 +583,17 @@ static MS__UNUSED void *ms__alloc(const ms_allocator *allocator, size_t size)
 static MS__UNUSED void ms__release(const ms_allocator *allocator, void *pointer, size_t size)
 {
     if (pointer == NULL) return;
-    if (allocator != NULL && allocator->alloc != NULL) {
-        if (allocator->release != NULL) allocator->release(allocator->user, pointer, size ? size : 1);
-    } else {
-        free(pointer);
-    }
+    if (allocator == NULL || allocator->alloc == NULL) free(pointer);
+    else if (allocator->release != NULL) allocator->release(allocator->user, pointer, size ? size : 1);
 }
 
 static MS__UNUSED void ms__run(const ms_parallel *parallel, int count, void (*task)(void *context, int index),
                                void *context)
 {
     int i;
-    if (parallel != NULL && parallel->run != NULL && count > 1) {
-        parallel->run(parallel->user, count, task, context);
-    } else {
+    if (parallel != NULL && parallel->run != NULL && count > 1) parallel->run(parallel->user, count, task, context);
+    else
         for (i = 0; i < count; ++i) task(context, i);
-    }
 }
 
 /* By its bits: isfinite() is removed by -ffast-math. */
@@ -624,87 +604,72 @@ static MS__UNUSED int ms__finite(double x)
     return (bits & 0x7ff0000000000000u) != 0x7ff0000000000000u;
 }
 
-static MS__UNUSED int ms__finite_f(float x)
+static MS__UNUSED int ms__finite_f(float x) { return ms__finite((double)x); }
+
+/* The decimal digits of value before `end`, where a NUL is written. Returns the first. */
+static MS__UNUSED char *ms__format_integer(char *end, size_t value)
 {
-    uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return (bits & 0x7f800000u) != 0x7f800000u;
+    for (*end = 0; value || !*end; value /= 10) *--end = (char)('0' + (int)(value % 10));
+    return end;
 }
 
-/* x as text with 6 significant digits and '.' in every locale; at least 24 bytes in out. Its length. */
-static MS__UNUSED int ms__format_number(char *out, double x)
+/* x with 6 significant digits and '.' in every locale, into 24 bytes. */
+static MS__UNUSED void ms__format_number(char *out, double x)
 {
-    char digit[6];
-    int n = 0, exponent = 5, i, last = 5, point, fixed;
-    int64_t mantissa;
+    char text[8], *digit;
+    int n = 0, exponent = 5, count = 6, point, i;
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
-    if (bits >> 63) out[n++] = '-';
     if (!ms__finite(x)) {
-        const int nan = (bits & 0xfffffffffffffu) != 0;
-        memcpy(out + (nan ? 0 : n), nan ? "nan" : "inf", 4);
-        return nan ? 3 : n + 3;
+        memcpy(out, bits << 12 ? "nan\0" : bits >> 63 ? "-inf" : "inf\0", 5);
+        return;
     }
-    if (bits >> 63) x = -x;
-    for (; x >= 1e6; ++exponent) x /= 10;
-    for (; x > 0 && x < 1e5; --exponent) x *= 10;
-    mantissa = (int64_t)(x + 0.5);
-    if (mantissa == 1000000) {
-        mantissa = 100000;
-        ++exponent;
+    if (bits >> 63) out[n++] = '-';
+    x = x < 0 ? -x : x;
+    if (!(x > 0)) exponent = 0, count = 1;
+    for (; x >= 999999.5; ++exponent) x /= 10; /* to six digits before the point */
+    for (; x > 0 && x < 99999.95; --exponent) x *= 10;
+    digit = ms__format_integer(text + 7, (size_t)(x + 0.5));
+    while (count > 1 && digit[count - 1] == '0') --count;
+    point = exponent >= -4 && exponent < 7 ? exponent : 0; /* the digit that it follows */
+    for (i = point < 0 ? point : 0; i < count || i <= point; ++i) {
+        out[n++] = i < 0 || i >= count ? '0' : digit[i];
+        if (i == point && i + 1 < count) out[n++] = '.';
     }
-    if (mantissa == 0) exponent = 0;
-    for (i = 5; i >= 0; --i, mantissa /= 10) digit[i] = (char)('0' + (int)(mantissa % 10));
-    while (last > 0 && digit[last] == '0') --last;
-    fixed = exponent >= -4 && exponent < 7;
-    point = fixed ? exponent : 0; /* the digit that it follows */
-    for (i = point < 0 ? point : 0; i <= last || i <= point; ++i) {
-        out[n++] = i < 0 || i > 5 ? '0' : digit[i];
-        if (i == point && i < last) out[n++] = '.';
-    }
-    if (!fixed) {
+    if (point != exponent) {
         out[n++] = 'e';
         out[n++] = exponent < 0 ? '-' : '+';
         exponent = exponent < 0 ? -exponent : exponent;
-        if (exponent >= 100) out[n++] = (char)('0' + exponent / 100);
-        out[n++] = (char)('0' + exponent / 10 % 10);
-        out[n++] = (char)('0' + exponent % 10);
+        if (exponent < 10) out[n++] = '0';
+        for (digit = ms__format_integer(text + 7, (size_t)exponent); *digit;) out[n++] = *digit++;
     }
     out[n] = 0;
-    return n;
 }
 
-/* Fills error (may be NULL) and returns status. The format knows %s (char pointer), %d (int), %z (size_t),
-   %g (double) and %%; a text that is too long is cut, a control character becomes '?'. */
+/* Fills error (may be NULL) and returns status. The format knows %s (char pointer), %d (int), %z (size_t), %g (double)
+   and %%; a text that is too long is cut, a control character becomes '?'. */
 static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t position, const char *format, ...)
 {
-    char number[32];
-    size_t n = 0, room, i;
+    char number[32], *end = number + sizeof number - 1;
+    size_t n = 0;
     va_list list;
     if (error == NULL) return status;
     error->status = status;
     error->position = position;
-    room = sizeof error->message - 1;
     va_start(list, format);
     for (; *format; ++format) {
         const char *piece = number;
+        const char kind = *format == '%' ? *++format : 0;
+        const int value = kind == 'd' ? va_arg(list, int) : 0;
         number[0] = *format;
         number[1] = 0;
-        if (*format == '%' && format[1]) {
-            ++format;
-            if (*format == 's') piece = va_arg(list, const char *);
-            if (*format == 'g') ms__format_number(number, va_arg(list, double));
-            if (*format == 'd' || *format == 'z') {
-                const int v = *format == 'd' ? va_arg(list, int) : 0;
-                size_t value = *format == 'z' ? va_arg(list, size_t) : v < 0 ? 0 - (size_t)v : (size_t)v;
-                char *at = number + sizeof number - 1;
-                for (*at = 0; value || !*at; value /= 10) *--at = (char)('0' + (int)(value % 10));
-                if (v < 0) *--at = '-';
-                piece = at;
-            }
-        }
-        for (i = 0; piece[i] && n < room; ++i)
-            error->message[n++] = (unsigned char)piece[i] < 32 || piece[i] == 127 ? '?' : piece[i];
+        if (kind == 's') piece = va_arg(list, const char *);
+        if (kind == 'g') ms__format_number(number, va_arg(list, double));
+        if (kind == 'z') piece = ms__format_integer(end, va_arg(list, size_t));
+        if (kind == 'd') piece = ms__format_integer(end, value < 0 ? 0 - (size_t)value : (size_t)value);
+        if (value < 0 && n < sizeof error->message - 1) error->message[n++] = '-';
+        for (; *piece && n < sizeof error->message - 1; ++piece)
+            error->message[n++] = (unsigned char)*piece < 32 || *piece == 127 ? '?' : *piece;
     }
     va_end(list);
     error->message[n] = 0;
@@ -776,6 +741,39 @@ static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
 #endif /* MS_COMMON_RANDOM */
 /* ms-common-random end */
 
+/* ms-common-splitmix begin (the same text wherever it stands: see tests/common.sh) */
+#ifndef MS_COMMON_SPLITMIX
+#define MS_COMMON_SPLITMIX
+
+/* Random numbers by splitmix64 (Steele, Lea, Flood 2014): integers only, so each is the same on any thread, level and
+   machine. Streams of a seed whose numbers differ by less than 2^20 have no state in common within 2^40 draws. */
+typedef struct ms__random {
+    uint64_t state;
+} ms__random;
+
+static MS__UNUSED uint64_t ms__random_u64(ms__random *random)
+{
+    uint64_t z = random->state += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+static MS__UNUSED ms__random ms__random_start(uint64_t seed, uint64_t stream)
+{
+    ms__random random = {seed};
+    random.state = ms__random_u64(&random) ^ stream;
+    return random;
+}
+
+/* Uniform in the open interval (0, 1), 52 bits: never 0, never 1. */
+static MS__UNUSED double ms__random_uniform(ms__random *random)
+{
+    return ((double)(ms__random_u64(random) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
+}
+#endif /* MS_COMMON_SPLITMIX */
+/* ms-common-splitmix end */
+
 /* ms-common-simd begin (the same text wherever it stands: see tests/common.sh) */
 #ifndef MS_COMMON_SIMD
 #define MS_COMMON_SIMD
@@ -783,28 +781,20 @@ static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
 #if !defined(MS_NO_SIMD) && (defined(__x86_64__) || (defined(_M_X64) && !defined(_M_ARM64EC)))
 #define MS__X64 1
 #include <immintrin.h>
-#if defined(_MSC_VER) && !defined(__clang__)
+#if !defined(_MSC_VER)
+#include <cpuid.h>
+#elif !defined(__clang__)
 #include <intrin.h>
 #else
 #include <cpuid.h>
-#endif
-#if defined(_MSC_VER) && defined(__clang__) /* its immintrin.h leaves out what the command line's target lacks */
-#include <pmmintrin.h>
-#include <tmmintrin.h>
-#include <smmintrin.h>
-#include <popcntintrin.h>
+#include <smmintrin.h> /* here immintrin.h leaves out what the command line's target lacks */
 #include <avxintrin.h>
 #include <avx2intrin.h>
 #include <f16cintrin.h>
 #include <fmaintrin.h>
 #include <avx512fintrin.h>
-#include <avx512vlintrin.h>
 #include <avx512bwintrin.h>
 #include <avx512dqintrin.h>
-#include <avx512vlbwintrin.h>
-#include <avx512vldqintrin.h>
-#include <avx512vnniintrin.h>
-#include <avx512vlvnniintrin.h>
 #endif
 #elif !defined(MS_NO_SIMD) && (defined(__aarch64__) || defined(_M_ARM64))
 #define MS__NEON 1
@@ -815,56 +805,43 @@ static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
 static MS__UNUSED void ms__cpuid(uint32_t leaf, uint32_t subleaf, uint32_t r[4])
 {
 #if defined(_MSC_VER) && !defined(__clang__)
-    int v[4];
-    __cpuidex(v, (int)leaf, (int)subleaf);
-    r[0] = (uint32_t)v[0];
-    r[1] = (uint32_t)v[1];
-    r[2] = (uint32_t)v[2];
-    r[3] = (uint32_t)v[3];
+    __cpuidex((int *)r, (int)leaf, (int)subleaf);
 #else
     __cpuid_count(leaf, subleaf, r[0], r[1], r[2], r[3]);
 #endif
 }
 
-/* What both the processor and the operating system (OSXSAVE, XCR0) support. */
-static MS__UNUSED int ms__simd_detect(void)
+/* What both the processor and the operating system (XCR0) support. */
+static MS__UNUSED ms_simd ms__simd_detect(void)
 {
-    uint32_t r[4], xcr0, leaf1;
+    uint32_t r[4], xcr0;
     ms__cpuid(0, 0, r);
     if (r[0] < 7) return MS_SIMD_BASE;
     ms__cpuid(1, 0, r);
-    leaf1 = r[2];
-    if (!(leaf1 & (1u << 27))) return MS_SIMD_BASE; /* OSXSAVE */
+    if ((r[2] & 0x28001000u) != 0x28001000u) return MS_SIMD_BASE; /* OSXSAVE (XCR0 can be read), F16C, FMA */
 #if defined(_MSC_VER) && !defined(__clang__)
     xcr0 = (uint32_t)_xgetbv(0);
 #else
-    {
-        uint32_t high;
-        __asm__ volatile("xgetbv" : "=a"(xcr0), "=d"(high) : "c"(0));
-        (void)high;
-    }
+    __asm__ volatile("xgetbv" : "=a"(xcr0), "=d"(r[3]) : "c"(0));
 #endif
     ms__cpuid(7, 0, r);
-    if ((xcr0 & 0x6u) != 0x6u || !(leaf1 & (1u << 12)) || !(leaf1 & (1u << 29)) || !(r[1] & (1u << 5)))
-        return MS_SIMD_BASE; /* YMM state, FMA, F16C, AVX2 */
-    if ((xcr0 & 0xe6u) != 0xe6u || (r[1] & 0xC0030000u) != 0xC0030000u)
-        return MS_SIMD_AVX2; /* ZMM state, AVX-512 F, DQ, BW, VL */
+    if ((xcr0 & 0x6u) != 0x6u || !(r[1] & 0x20u)) return MS_SIMD_BASE;                       /* YMM state, AVX2 */
+    if ((xcr0 & 0xe6u) != 0xe6u || (r[1] & 0xC0030000u) != 0xC0030000u) return MS_SIMD_AVX2; /* ZMM; F, DQ, BW, VL */
     return MS_SIMD_AVX512;
 }
 #endif
 
-/* The level to use under a cap. cpuid takes microseconds under a hypervisor: ask once when an object is made
-   or at the start of a long call, never in a loop. Nothing is kept in a global. */
+/* The level to use under a cap. cpuid takes microseconds under a hypervisor: ask once when an object is made or at the
+   start of a long call, never in a loop. Nothing is kept in a global. */
 static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 {
-    int best = MS_SIMD_SCALAR;
-    if (cap == MS_SIMD_SCALAR) return cap;
+    ms_simd best = MS_SIMD_SCALAR;
 #if defined(MS__X64)
-    best = cap == MS_SIMD_BASE ? MS_SIMD_BASE : ms__simd_detect();
+    best = cap == MS_SIMD_SCALAR || cap == MS_SIMD_BASE ? cap : ms__simd_detect();
 #elif defined(MS__NEON)
     best = MS_SIMD_BASE;
 #endif
-    return (ms_simd)(cap != MS_SIMD_AUTO && (int)cap < best ? (int)cap : best);
+    return cap != MS_SIMD_AUTO && cap < best ? cap : best;
 }
 #endif /* MS_COMMON_SIMD */
 /* ms-common-simd end */

@@ -7,10 +7,9 @@
       #define MS_NN_IMPLEMENTATION
       #include "ms_nn.h"
 
-   Runs small trained networks from safetensors files at the speed at which memory delivers the weights: a neural
-   renderer (parameters to picture), inversion networks (picture to parameters). It computes values, Jacobians and
-   least-squares objectives, and writes dense networks as GLSL, HLSL or WGSL. It reads safetensors strictly, writes it
-   into memory, and never trains. Link with -lm. This program writes a network of one layer and runs it:
+   Runs small trained networks from safetensors files: a neural renderer (parameters to picture), inversion networks
+   (picture to parameters). It computes values, Jacobians and least-squares objectives. It reads safetensors strictly,
+   writes it into memory, and never trains. Link with -lm. This program writes a network of one layer and runs it:
 
    Example:
       #define MS_NN_IMPLEMENTATION
@@ -55,15 +54,12 @@
    other field is refused. Sizes that are left out are read from the tensors. * is a number or a pair [height, width].
 
       dense            name, units, activation, alpha, bias        <name>.weight [units][inputs]; the input must be flat
-      conv1d           name, filters, kernel, stride, padding,     <name>.weight [filters][channels / groups][kernel]
-                       zeros (0: on both sides), dilation (1),
-                       groups (1), activation, alpha, bias
-      conv2d           as conv1d, with *                           ... [filters][channels / groups][height][width]
-      conv1d_transpose as conv1d without padding, and extra (0)    ... [channels][filters / groups][kernel]
-      conv2d_transpose as conv1d_transpose, with *                 ... [channels][filters / groups][height][width]
-      upsample1d       factor (2), mode (nearest or linear),       align_corners as PyTorch has it
-                       align_corners (false)
-      upsample2d       the same, factor*
+      conv1d           name, filters, kernel, stride (1), padding, <name>.weight [filters][channels][kernel]
+                       zeros (0: on both sides), activation,
+                       alpha, bias
+      conv2d           as conv1d; kernel*, stride*, zeros*         <name>.weight [filters][channels][height][width]
+      upsample1d       factor (2)                                  repeats each element
+      upsample2d       factor* (2)
       maxpool1d        size (2), stride (size)                     what does not fill a window is dropped
       maxpool2d        size* (2), stride* (size)
       avgpool1d, avgpool2d: as maxpool1d, maxpool2d                means
@@ -71,39 +67,41 @@
       flatten          order: channels_first (default, PyTorch) or channels_last (Keras)
       activation       activation, alpha                           alone
       dropout          rate                                        does nothing
-      add              from, activation, alpha                     adds the output of the layer `from`, or "input"
-      concat           from, order: after (default) or before      puts that output's channels after, or before
-      shared_channels  inputs: [[0,3,6],[1,4,6],[2,5,6]]           first layer only, see below
+      add              from, activation, alpha                     adds the output of the layer `from`, or "input",
+   which has the same shape shared_channels  inputs: [[0,3,6],[1,4,6],[2,5,6]]           first layer only, see below
 
-   <name>.bias [outputs] belongs to every dense and convolution layer without "bias":false. Weights are F64, F32, F16,
-   BF16, or I8 with <name>.weight_scale (F32, [first dimension of the weights]): weight = scale x integer. Convolutions
+   <name>.bias [outputs] belongs to every dense and convolution layer without "bias":false. Weights are F32, F16, or I8
+   with <name>.weight_scale (F32, [outputs]): weight = scale x integer; biases and scales are F32 or F16. Convolutions
    are correlations. "padding": "valid" (default) or "same": (kernel - 1) / 2 zeros before, rounded down, and as many
-   after as make ceil(size / stride) outputs. "extra" is PyTorch's output_padding. "activation": linear (default), relu,
-   leaky_relu (slope alpha, 0.01), elu (alpha, 1), tanh, sigmoid, softplus, silu, gelu (by erf). shared_channels
-   evaluates the rest of the list once for each of its lists of input indices and concatenates the outputs: one small
-   network for red, green and blue. examples/tools/export_torch.py saves PyTorch and Keras networks in this form.
+   after as make ceil(size / stride) outputs. "activation": linear (default), relu, leaky_relu (slope alpha, 0.01), elu
+   (alpha, 1), tanh, sigmoid, softplus, silu, gelu (by erf). shared_channels evaluates the rest of the list once for
+   each of its lists of input indices and concatenates the outputs: one small network for red, green and blue.
+   examples/tools/export_torch.py saves PyTorch and Keras networks in this form.
 
-   What it costs
-   -------------
-   A dense layer costs what reading its weights costs. Large layers run at the memory's bandwidth: F16 and BF16 take
-   half and I8 a quarter to a third of the time of F32, at about 86, 68 and 65 dB against F32. Large pages under the
-   weights (on Linux madvise(MADV_HUGEPAGE) on the memory that ms_nn_load is given) save a sixth to a third.
-   tests/bench/RESULTS.md has the tables; `make bench FILTER=nn` makes them.
+   Costs
+   -----
+   A small network costs its multiply-adds, a large dense layer what reading its weights costs: F16 takes half and I8 a
+   quarter to a third of the time of F32, at about 86 and 65 dB against F32. Large pages under the weights (on Linux
+   madvise(MADV_HUGEPAGE) on the memory that ms_nn_load is given) save a sixth to a third. tests/bench/RESULTS.md of the
+   repository has the tables.
 
-   Memory, threads, SIMD, determinism, errors
-   ------------------------------------------
-   A file costs one small allocation, a network some dozens at load: packed copies of the convolutions' weights and of
-   dense layers of up to two million weights (eight million of a network), float copies of F64 and of folded weights.
-   Larger layers are read in place. With a workspace of ms_nn_workspace_size bytes the calls allocate nothing; it stops
-   growing at 48 samples, since more run in blocks. Stack: below 32 kB, 64 kB when compiled without optimization.
+   Memory
+   ------
+   A file costs one allocation, a network two dozen and a few for each layer with weights. Convolutions are packed, and
+   dense layers of at most two million weights or of fewer than 512 inputs, together at most 64 MB; the others are read
+   in place. With a workspace of ms_nn_workspace_size bytes the calls allocate nothing; it stops growing at 48 samples,
+   since more run in groups. Stack: below 32 kB, 64 kB when compiled without optimization.
+
+   Threads, SIMD, determinism, errors
+   ----------------------------------
    No globals. A loaded network is only read: calls on it may overlap if their workspaces differ. options.parallel takes
-   a thread pool; the work is cut by the problem alone.
-   AVX2, AVX-512 and NEON are chosen at load, capped by options.simd; other processors and MS_NO_SIMD run plain C.
-   At one level the bits are the same for any number of threads, and for a sample alone or in a batch. Arithmetic is in
-   floats: about 1e-6 of the largest output against double precision, at most 1e-5 in the tests; the collapse is in
-   double. Every call that can fail returns a status; loaders also fill an ms_error with a byte offset and a sentence.
-   On failure outputs are untouched. NaN and infinity pass through (ms_nn_check_weights finds them in weights). With
-   -ffast-math nothing holds that is said of bits, NaN and infinity.
+   a thread pool; the work is cut by the problem alone. AVX2, AVX-512 and NEON are chosen at load, capped by
+   options.simd; other processors and MS_NO_SIMD run plain C. At one level the bits are the same for any number of
+   threads, and for a sample alone or in a batch. Arithmetic is in floats: about 1e-6 of the largest output against
+   double precision, at most 1e-5 in the tests; the collapse is in double. Every call that can fail returns a status;
+   loaders also fill an ms_error with a byte offset and a sentence. On failure outputs are untouched. NaN and infinity
+   pass through (ms_nn_check_weights finds them in weights). -ffast-math voids the promises about bits, NaN and
+   infinity.
 
    Configuration (define before the implementation)
    ------------------------------------------------
@@ -111,21 +109,21 @@
    MS_NO_SIMD        plain C only
    MS_DEF            linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_NN_FILENAME    "ms_nn.h"; set it if the file is renamed (it includes itself once a SIMD level)
-   MS_ASSERT(x)      nothing; checks of the library's own invariants
 
    Limits
    ------
    MS_BAD_DATA: whatever the strict format forbids (duplicate names, holes, overlaps, trailing bytes, NUL in names, null
-   metadata, a header over 100,000,000 bytes, rank over 32), layers that do not fit their tensors, over 4096 layers.
-   MS_UNSUPPORTED: weights of other element types. Files of 2^31 bytes and more need a 64-bit machine. A mapped file
-   must not shrink while it is used; options.copy reads it instead. Networks are chains with added or concatenated
-   skips: no recurrence, attention, or normalization at run time (BatchNorm goes into the weights).
+   metadata, a header over 100,000,000 bytes, rank over 32), layers that do not fit their tensors, over 4096 layers,
+   layer names over 240 bytes, padded sizes of 2^31 and more. MS_UNSUPPORTED: weights of other element types. Files of
+   2^31 bytes and more need a 64-bit machine. A mapped file must not shrink while it is used; options.copy reads it
+   instead. Networks are chains with added skips: no recurrence, attention, or normalization at run time (BatchNorm goes
+   into the weights), no groups, dilation or transposed convolutions.
 
    Sources
    -------
    safetensors: its format description and reference implementation. Networks: Zsolnai-Feher, PhD thesis, sections 3.4.2
-   and 4.3.1. Convolutions: Winograd's F(2, 3), Lavin & Gray 2016. Collapse: Golub & Van Loan, Matrix Computations,
-   chapter 5; Schreiber & Van Loan 1989; Bjoerck 1987.
+   and 4.3.1. Collapse: Bjoerck 1987, corrected semi-normal equations; Golub & Van Loan, Matrix Computations, chapters 4
+   and 5.
 */
 #ifndef MS_NN_H
 #define MS_NN_H
@@ -144,7 +142,7 @@ extern "C" {
 
 /* ms-common begin (the same text in every ms_*.h: see tests/common.sh) */
 #ifndef MS_COMMON
-#define MS_COMMON 3 /* raised whenever the text between the marks changes after a release */
+#define MS_COMMON 4 /* raised whenever the text between the marks changes after a release */
 
 /* Linkage of every public function of every header: nothing, static, __declspec(dllexport), or
    __attribute__((visibility("default"))). Define it before the #include. */
@@ -152,31 +150,26 @@ extern "C" {
 #define MS_DEF
 #endif
 #if defined(__GNUC__) || defined(__clang__)
-#define MS_API MS_DEF __attribute__((unused)) /* static copies that call only a part do not warn */
+#define MS__UNUSED __attribute__((unused)) /* static copies that call only a part do not warn */
 #else
-#define MS_API MS_DEF
+#define MS__UNUSED
 #endif
+#define MS_API MS_DEF MS__UNUSED
 
 /* NULL, in every header: where an argument's comment does not say what NULL means, it may not be NULL. A call that
    returns a status then answers MS_INVALID_ARGUMENT and names the argument; any other does nothing and returns 0 or
    NULL. destroy and free do nothing with NULL. */
 
-/* What went wrong; each code asks for another remedy. code, value, sentence */
-#define MS_STATUS_LIST(X)                                                  \
-    X(MS_OK, 0, "success")                                                 \
-    X(MS_INVALID_ARGUMENT, 1, "an argument is outside its stated range")   \
-    X(MS_OUT_OF_MEMORY, 2, "the allocator returned NULL")                  \
-    X(MS_BAD_DATA, 3, "the file or the data set is malformed")             \
-    X(MS_UNSUPPORTED, 4, "valid, but not handled by this build or call")   \
-    X(MS_NOT_CONVERGED, 5, "the iteration stopped short of its tolerance") \
-    X(MS_CANCELLED, 6, "the progress callback asked to stop")              \
-    X(MS_IO, 7, "the operating system could not read or write")
-
+/* What went wrong; each code asks for another remedy. ms_status_string has a sentence for each. */
 typedef enum ms_status {
-#define MS_STATUS_ENUM(code, value, sentence) code = value,
-    MS_STATUS_LIST(MS_STATUS_ENUM)
-#undef MS_STATUS_ENUM
-        MS_STATUS_COUNT /* how many codes there are */
+    MS_OK = 0,
+    MS_INVALID_ARGUMENT = 1,
+    MS_OUT_OF_MEMORY = 2,
+    MS_BAD_DATA = 3,
+    MS_UNSUPPORTED = 4,
+    MS_NOT_CONVERGED = 5,
+    MS_CANCELLED = 6,
+    MS_IO = 7
 } ms_status;
 
 /* Details of a failure. Every call that takes one accepts NULL; it is written on failure only. */
@@ -194,23 +187,23 @@ typedef struct ms_allocator {
     void (*release)(void *user, void *pointer, size_t size);
 } ms_allocator;
 
-/* Threads. All zero: everything runs on the calling thread. run calls task(context, i) once for every
-   i in [0, count), in any order, on any threads, and returns when all are done. The work is cut into
-   tasks by the problem alone, so results do not depend on how many threads there are. */
+/* Threads. All zero: everything runs on the calling thread. run calls task(context, i) once for every i in [0, count),
+   in any order, on any threads, and returns when all are done. The work is cut into tasks by the problem alone, so
+   results do not depend on how many threads there are. */
 typedef struct ms_parallel {
     void *user;
     void (*run)(void *user, int count, void (*task)(void *context, int index), void *context);
 } ms_parallel;
 
-/* Progress of a long call. All zero: none. report gets the fraction done, 0 to 1, from the thread that
-   made the call; it returns non-zero to stop, and the call then returns MS_CANCELLED. */
+/* Progress of a long call. All zero: none. report gets the fraction done, 0 to 1, from the thread that made the call;
+   it returns non-zero to stop, and the call then returns MS_CANCELLED. */
 typedef struct ms_progress {
     void *user;
     int (*report)(void *user, double fraction);
 } ms_progress;
 
-/* Instruction sets, in the order of their speed. Options take one as a cap: a level that the processor
-   or the build lacks falls back to the next lower one. */
+/* Instruction sets, in the order of their speed. Options take one as a cap: a level that the processor or the build
+   lacks falls back to the next lower one. */
 typedef enum ms_simd {
     MS_SIMD_AUTO = 0,   /* the best that the processor has */
     MS_SIMD_SCALAR = 1, /* plain C: the reference for all the others */
@@ -219,43 +212,43 @@ typedef enum ms_simd {
     MS_SIMD_AVX512 = 4  /* AVX-512 F, BW, DQ, VL */
 } ms_simd;
 
-/* The sentence of MS_STATUS_LIST; "unknown status" outside it. */
+/* "unknown status" outside the codes. */
 static inline const char *ms_status_string(ms_status status)
 {
-    static const char *const sentence[] = {
-#define MS_STATUS_TEXT(code, value, text) text,
-        MS_STATUS_LIST(MS_STATUS_TEXT)
-#undef MS_STATUS_TEXT
-    };
-    int i = (int)status;
-    return i >= 0 && i < (int)MS_STATUS_COUNT ? sentence[i] : "unknown status";
+    static const char *const sentence[] = {"success",
+                                           "an argument is outside its stated range",
+                                           "the allocator returned NULL",
+                                           "the file or the data set is malformed",
+                                           "valid, but not handled by this build or call",
+                                           "the iteration stopped short of its tolerance",
+                                           "the progress callback asked to stop",
+                                           "the operating system could not read or write"};
+    return (int)status >= 0 && status <= MS_IO ? sentence[status] : "unknown status";
 }
 
 /* "auto", "scalar", "base", "avx2", "avx512"; "unknown" outside the list. */
 static inline const char *ms_simd_string(ms_simd level)
 {
     static const char *const name[] = {"auto", "scalar", "base", "avx2", "avx512"};
-    int i = (int)level;
-    return i >= 0 && i <= (int)MS_SIMD_AVX512 ? name[i] : "unknown";
+    return (int)level >= 0 && level <= MS_SIMD_AVX512 ? name[level] : "unknown";
 }
 #endif /* MS_COMMON */
 
-/* Outside the guard: catches two vendored releases in one file. */
-#if MS_COMMON != 3
+#if MS_COMMON != 4 /* outside the guard: an earlier #include may have defined another */
 #error "ms_*.h headers of different releases in one translation unit"
 #endif
 /* ms-common end */
 
 /* ---- safetensors: what is in a file ---------------------------------------------------------------------------- */
 
-/* Every element type of the format: code, name in the file, bits. Networks use the first five. */
+/* Every element type of the format: code, name in the file, bits. Networks use the first three. */
 /* clang-format off */
 #define MS_NN_DTYPE_LIST(X)                \
-    X(MS_NN_F64, "F64", 64)                \
     X(MS_NN_F32, "F32", 32)                \
     X(MS_NN_F16, "F16", 16)                \
-    X(MS_NN_BF16, "BF16", 16)              \
     X(MS_NN_I8, "I8", 8)                   \
+    X(MS_NN_F64, "F64", 64)                \
+    X(MS_NN_BF16, "BF16", 16)              \
     X(MS_NN_I16, "I16", 16)                \
     X(MS_NN_I32, "I32", 32)                \
     X(MS_NN_I64, "I64", 64)                \
@@ -285,6 +278,7 @@ typedef enum ms_nn_dtype {
 #define MS_NN_MAX_HEADER 100000000 /* bytes of JSON that a file may have; the format's own limit */
 #define MS_NN_MAX_RANK 32
 #define MS_NN_MAX_LAYERS 4096
+#define MS_NN_MAX_NAME 240 /* bytes of a layer's name */
 
 /* One tensor. name and shape belong to the file object, data to the memory that the file was opened on:
    little-endian, row-major, any alignment (copy elements out, do not cast). Rank 0 is one element. */
@@ -339,6 +333,10 @@ MS_API const ms_nn_entry *ms_nn_file_entry(const ms_nn_file *file, size_t i);
 MS_API const ms_nn_tensor *ms_nn_file_find(const ms_nn_file *file, const char *name);
 MS_API const char *ms_nn_file_metadata(const ms_nn_file *file, const char *key);
 
+/* Elements [first, first + count) of a tensor of F32, F16 or I8 as floats; the scales of I8 weights are not applied.
+   MS_UNSUPPORTED: another type. MS_INVALID_ARGUMENT: beyond the tensor's end. */
+MS_API ms_status ms_nn_tensor_read(const ms_nn_tensor *tensor, size_t first, size_t count, float *out);
+
 /* Writes a safetensors file into memory: a header padded with spaces to a multiple of 64 bytes, then the largest tensor
    first, equal sizes in the order given.
    tensors   [count], names unique; data little-endian, or NULL: the caller fills its place (ms_nn_file_open finds it)
@@ -363,18 +361,19 @@ typedef struct ms_nn_shape {
 /* A layer as the file lists it. Strings live as long as the network. */
 typedef struct ms_nn_layer {
     const char *type, *name, *activation; /* "" where there is none */
+    const char *from;                     /* of add: the other layer's name, or "input"; else "" */
+    float alpha;                          /* of the activation */
     ms_nn_dtype dtype;                    /* of the weights; MS_NN_DTYPE_COUNT: the layer has none */
-    ms_nn_shape output;                   /* of one sample */
-    size_t parameters, bytes;             /* weights, biases and scales */
-    size_t multiply_adds;                 /* of one sample as written, before folds */
-    int folded;                           /* non-zero: an upsampling before it went into its weights */
+    ms_nn_shape output;                   /* of one channel with shared_channels, else of one sample */
+    size_t parameters;                    /* weights and biases */
+    size_t bytes;                         /* of weights, biases and scales in the file */
+    size_t multiply_adds;                 /* for one output as above */
 } ms_nn_layer;
 
 /* Makes a network of a safetensors file with a layer list (grammar in the head comment).
    bytes    [size] must outlive *nn, unchanged: large dense layers are used where they lie
    *nn      out; ms_nn_destroy releases it; untouched on failure
    error    NULL or filled on failure; position: byte in the file, or 0
-   upsample1d before conv1d, and upsample1d or upsample2d before flatten and dense of F32 or F64, go into the weights.
    MS_BAD_DATA: file or layer list malformed, shapes that do not fit. MS_UNSUPPORTED: an element type or version that
    this release does not run. MS_OUT_OF_MEMORY. */
 MS_API ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options *options, ms_nn **nn, ms_error *error);
@@ -396,14 +395,19 @@ MS_API ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i); /* i in [0, ms_nn_lay
 MS_API const ms_nn_file *ms_nn_tensors(const ms_nn *nn);   /* its file; belongs to nn */
 MS_API ms_simd ms_nn_simd(const ms_nn *nn);                /* the level in use */
 
-/* Reads every weight. MS_BAD_DATA and the name and index of the first NaN or infinity; MS_OK: there is none. */
+/* The inputs that each channel of shared_channels sees: indices [*channels][*count]. Without shared_channels NULL, 1
+   and the input size. */
+MS_API const size_t *ms_nn_channel_inputs(const ms_nn *nn, size_t *channels, size_t *count);
+
+/* Reads every weight, bias and scale of the layers; other tensors of the file are not looked at. MS_BAD_DATA with the
+   tensor's name and the element's index (position): the first NaN or infinity. MS_OK: there is none. */
 MS_API ms_status ms_nn_check_weights(const ms_nn *nn, ms_error *error);
 
 /* What a workspace is for. */
 typedef enum ms_nn_product { MS_NN_FORWARD, MS_NN_JACOBIAN } ms_nn_product;
 
-/* Bytes of the workspace that a call needs for count samples (the Jacobian: 1); SIZE_MAX: count < 1 or more than memory
-   can address. */
+/* Bytes of the workspace that a call needs for count samples (the Jacobian: 1). SIZE_MAX: count < 1, or this or the
+   Jacobian is more than memory can address. */
 MS_API size_t ms_nn_workspace_size(const ms_nn *nn, ms_nn_product product, int count);
 
 /* y = f(x) for count samples at once; the weights are read once for all of them.
@@ -423,69 +427,6 @@ MS_API ms_status ms_nn_forward(const ms_nn *nn, int count, const float *x, float
    Statuses, threads, bits and workspace (MS_NN_JACOBIAN, count 1) as for ms_nn_forward. */
 MS_API ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, float *jacobian, void *workspace);
 
-/* ---- GPU text: a network as fragment shaders ------------------------------------------------------------------- */
-
-#define MS_NN_SHADER_WIDTH 2048     /* texels of a row of the weights' texture */
-#define MS_NN_SHADER_ROWS_MAX 16384 /* rows that it may have: 134 million weights */
-
-/* Metal: translate the Vulkan text (glslangValidator -V, spirv-cross --msl). */
-typedef enum ms_nn_language {
-    MS_NN_GLSL_330 = 0,    /* desktop OpenGL 3.3; constants: uniform vec4 ms_nn */
-    MS_NN_GLSL_ES_300 = 1, /* OpenGL ES 3.0, WebGL 2; the same. Targets of floats need EXT_color_buffer_float */
-    MS_NN_GLSL_VULKAN = 2, /* GLSL 450 for SPIR-V; set 0; constants: uniform block, binding 0 */
-    MS_NN_HLSL = 3,        /* shader model 4 and later; constants: cbuffer b0 */
-    MS_NN_WGSL = 4         /* WebGPU; group 0; constants: uniform buffer, binding 0 */
-} ms_nn_language;
-
-/* One draw of a full-screen triangle. The network may have dense layers, activations, added skips and shared_channels.
-   Its dense layers are cut into steps: the last `steps` - 1 are steps of their own, those before are the first step,
-   which keeps their values in registers. A gallery is two draws: features of all pictures, then all pixels. Wide layers
-   run faster in a step each. All zero but step: steps 2, GLSL 330, values out. */
-typedef struct ms_nn_shader {
-    int step;          /* 0 to steps - 1 */
-    int steps;         /* 1 to the number of dense layers; 0: 2, or 1 where there is one layer only */
-    int width, height; /* of a picture, if the last step draws pictures; 0: it writes values as the others do */
-    ms_nn_language language;
-} ms_nn_shader;
-
-/* Sizes of the textures, all RGBA and read by texel (OpenGL: GL_NEAREST for both filters):
-     ms_nn_weights  HLSL t0, Vulkan and WGSL binding 1: MS_NN_SHADER_WIDTH x weight_rows, 16 or 32 bits
-     ms_nn_values   HLSL t1, Vulkan and WGSL binding 2: input_width x rows a picture, 32-bit floats: the output of
-                    ms_nn_shader_inputs for the first step, the target of the step before for the others
-   Without width and height the target is target_width x rows a picture, 32-bit floats: four values a texel, row
-   r x rows + c is channel c of picture r. With them it is a sheet of pictures: the outputs are one to four planes of
-   width x height, gray, two channels, RGB or RGBA. The step then has the constants
-     ms_nn  {pictures in a row of the sheet, pictures, flip, 0}; flip 0: row 0 of the sheet is row 0 of the target,
-   which OpenGL shows at the bottom; the height of the target: it is the last row.
-   Values agree with ms_nn_forward within some 1e-6 of the largest; 16-bit weights are rounded by up to 2^-12. */
-typedef struct ms_nn_shader_sizes {
-    int steps, rows, input_width, target_width, weight_rows;
-} ms_nn_shader_sizes;
-
-/* MS_UNSUPPORTED, naming the layer: convolutions, resizing, pooling, concatenation; an addition whose other value an
-   earlier step made; a network without dense layers, or too large. MS_INVALID_ARGUMENT: step, steps, language; width x
-   height does not divide the outputs into one to four planes. */
-MS_API ms_status ms_nn_shader_layout(const ms_nn *nn, const ms_nn_shader *shader, ms_nn_shader_sizes *sizes,
-                                     ms_error *error);
-
-/* The text of a step, with entry point main.
-   text    at least the returned length + 1 chars, or NULL with capacity 0 to ask; untouched where it does not fit
-   Returns the length; 0 with error filled as by ms_nn_shader_layout. */
-MS_API size_t ms_nn_shader_text(const ms_nn *nn, const ms_nn_shader *shader, char *text, size_t capacity,
-                                ms_error *error);
-
-/* The weights' texture: for each dense layer, blocks of 4 outputs x 4 inputs (a texel holds 4 inputs of an output;
-   zeros beyond the ends), inputs fastest; then its biases, 4 a texel. I8 weights are multiplied by their scales.
-   dtype   MS_NN_F16 or MS_NN_F32, in the host's order of bytes
-   out     [weight_rows][MS_NN_SHADER_WIDTH][4] elements
-   MS_UNSUPPORTED as above, and a weight over 65504 in F16. */
-MS_API ms_status ms_nn_shader_weights(const ms_nn *nn, ms_nn_dtype dtype, void *out, ms_error *error);
-
-/* The first step's input, the only one that changes with the materials.
-   x       [count][input size]
-   out     [count][rows][input_width][4] */
-MS_API ms_status ms_nn_shader_inputs(const ms_nn *nn, int count, const float *x, float *out);
-
 /* ---- collapse: a network with a linear last layer as an objective ---------------------------------------------- */
 
 /* With y = W h(x) + b, target t and a weight for each output in the diagonal of M,
@@ -494,23 +435,18 @@ MS_API ms_status ms_nn_shader_inputs(const ms_nn *nn, int count, const float *x,
    shared_channels each channel has its features and its part of M and t; channels with equal weights share one R. */
 typedef struct ms_nn_collapse ms_nn_collapse;
 
-/* Makes R in double precision, by a blocked Householder QR of sqrt(M) W; with weights by the Cholesky factor of W' M W,
-   some times as fast, unless a column of sqrt(M) W lies within 1e-4 of the others' span.
+/* Makes R in double precision: the Cholesky factor of W' M W. A direction of features that changes the outputs by less
+   than 1e-7 of what its column does is left out.
    nn      its last layer must be dense and linear (MS_UNSUPPORTED); must outlive *c
-   weight  [output size] >= 0, diagonal of M; NULL: all 1. Then R is read from the file's tensor
-           "ms_nn.collapse" (F64, [h (h + 1) / 2], h = inputs of the last layer) if it is there
+   weight  [output size] >= 0, diagonal of M; NULL: all 1
    *c      out; ms_nn_collapse_destroy releases it
-   About 2 h^2 multiply-adds for each output, once for each different set of weights.
+   About h^2 / 2 multiply-adds for each output with a weight above 0, once for each different set of weights.
    MS_INVALID_ARGUMENT: a negative or non-finite weight (position: its index). MS_OUT_OF_MEMORY. */
 MS_API ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, ms_nn_collapse **c, ms_error *error);
 MS_API void ms_nn_collapse_destroy(ms_nn_collapse *c); /* NULL is allowed */
 
 /* Inputs of the last layer, those of all channels together. */
 MS_API size_t ms_nn_collapse_features(const ms_nn_collapse *c);
-
-/* R of the first channel, rows of the upper triangle one after the other. Stored as F64 tensor "ms_nn.collapse", that
-   of a collapse without weights spares the next ms_nn_collapse_create the QR. */
-MS_API const double *ms_nn_collapse_r(const ms_nn_collapse *c);
 
 /* Sets t. Two passes over W in double: semi-normal equations with a correction (Bjoerck 1987).
    target  [output size], finite */
@@ -540,17 +476,7 @@ MS_API size_t ms_nn_collapse_workspace_size(const ms_nn_collapse *c, int with_ja
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef MS_ASSERT /* checks of the library's own invariants, never of the caller's data */
-#define MS_ASSERT(condition) ((void)0)
-#endif
-
-#if defined(__GNUC__) || defined(__clang__)
-#define MS__UNUSED __attribute__((unused))
-#else
-#define MS__UNUSED
-#endif
-
-/* Returns a * b or a + b; SIZE_MAX stands for overflow and stays so through further calls. */
+/* a * b and a + b; SIZE_MAX stands for overflow and stays so through further calls. */
 static MS__UNUSED size_t ms__size_mul(size_t a, size_t b)
 {
     if (a == SIZE_MAX || b == SIZE_MAX) return SIZE_MAX;
@@ -584,22 +510,17 @@ static MS__UNUSED void *ms__alloc(const ms_allocator *allocator, size_t size)
 static MS__UNUSED void ms__release(const ms_allocator *allocator, void *pointer, size_t size)
 {
     if (pointer == NULL) return;
-    if (allocator != NULL && allocator->alloc != NULL) {
-        if (allocator->release != NULL) allocator->release(allocator->user, pointer, size ? size : 1);
-    } else {
-        free(pointer);
-    }
+    if (allocator == NULL || allocator->alloc == NULL) free(pointer);
+    else if (allocator->release != NULL) allocator->release(allocator->user, pointer, size ? size : 1);
 }
 
 static MS__UNUSED void ms__run(const ms_parallel *parallel, int count, void (*task)(void *context, int index),
                                void *context)
 {
     int i;
-    if (parallel != NULL && parallel->run != NULL && count > 1) {
-        parallel->run(parallel->user, count, task, context);
-    } else {
+    if (parallel != NULL && parallel->run != NULL && count > 1) parallel->run(parallel->user, count, task, context);
+    else
         for (i = 0; i < count; ++i) task(context, i);
-    }
 }
 
 /* By its bits: isfinite() is removed by -ffast-math. */
@@ -610,87 +531,72 @@ static MS__UNUSED int ms__finite(double x)
     return (bits & 0x7ff0000000000000u) != 0x7ff0000000000000u;
 }
 
-static MS__UNUSED int ms__finite_f(float x)
+static MS__UNUSED int ms__finite_f(float x) { return ms__finite((double)x); }
+
+/* The decimal digits of value before `end`, where a NUL is written. Returns the first. */
+static MS__UNUSED char *ms__format_integer(char *end, size_t value)
 {
-    uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return (bits & 0x7f800000u) != 0x7f800000u;
+    for (*end = 0; value || !*end; value /= 10) *--end = (char)('0' + (int)(value % 10));
+    return end;
 }
 
-/* x as text with 6 significant digits and '.' in every locale; at least 24 bytes in out. Its length. */
-static MS__UNUSED int ms__format_number(char *out, double x)
+/* x with 6 significant digits and '.' in every locale, into 24 bytes. */
+static MS__UNUSED void ms__format_number(char *out, double x)
 {
-    char digit[6];
-    int n = 0, exponent = 5, i, last = 5, point, fixed;
-    int64_t mantissa;
+    char text[8], *digit;
+    int n = 0, exponent = 5, count = 6, point, i;
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
-    if (bits >> 63) out[n++] = '-';
     if (!ms__finite(x)) {
-        const int nan = (bits & 0xfffffffffffffu) != 0;
-        memcpy(out + (nan ? 0 : n), nan ? "nan" : "inf", 4);
-        return nan ? 3 : n + 3;
+        memcpy(out, bits << 12 ? "nan\0" : bits >> 63 ? "-inf" : "inf\0", 5);
+        return;
     }
-    if (bits >> 63) x = -x;
-    for (; x >= 1e6; ++exponent) x /= 10;
-    for (; x > 0 && x < 1e5; --exponent) x *= 10;
-    mantissa = (int64_t)(x + 0.5);
-    if (mantissa == 1000000) {
-        mantissa = 100000;
-        ++exponent;
+    if (bits >> 63) out[n++] = '-';
+    x = x < 0 ? -x : x;
+    if (!(x > 0)) exponent = 0, count = 1;
+    for (; x >= 999999.5; ++exponent) x /= 10; /* to six digits before the point */
+    for (; x > 0 && x < 99999.95; --exponent) x *= 10;
+    digit = ms__format_integer(text + 7, (size_t)(x + 0.5));
+    while (count > 1 && digit[count - 1] == '0') --count;
+    point = exponent >= -4 && exponent < 7 ? exponent : 0; /* the digit that it follows */
+    for (i = point < 0 ? point : 0; i < count || i <= point; ++i) {
+        out[n++] = i < 0 || i >= count ? '0' : digit[i];
+        if (i == point && i + 1 < count) out[n++] = '.';
     }
-    if (mantissa == 0) exponent = 0;
-    for (i = 5; i >= 0; --i, mantissa /= 10) digit[i] = (char)('0' + (int)(mantissa % 10));
-    while (last > 0 && digit[last] == '0') --last;
-    fixed = exponent >= -4 && exponent < 7;
-    point = fixed ? exponent : 0; /* the digit that it follows */
-    for (i = point < 0 ? point : 0; i <= last || i <= point; ++i) {
-        out[n++] = i < 0 || i > 5 ? '0' : digit[i];
-        if (i == point && i < last) out[n++] = '.';
-    }
-    if (!fixed) {
+    if (point != exponent) {
         out[n++] = 'e';
         out[n++] = exponent < 0 ? '-' : '+';
         exponent = exponent < 0 ? -exponent : exponent;
-        if (exponent >= 100) out[n++] = (char)('0' + exponent / 100);
-        out[n++] = (char)('0' + exponent / 10 % 10);
-        out[n++] = (char)('0' + exponent % 10);
+        if (exponent < 10) out[n++] = '0';
+        for (digit = ms__format_integer(text + 7, (size_t)exponent); *digit;) out[n++] = *digit++;
     }
     out[n] = 0;
-    return n;
 }
 
-/* Fills error (may be NULL) and returns status. The format knows %s (char pointer), %d (int), %z (size_t),
-   %g (double) and %%; a text that is too long is cut, a control character becomes '?'. */
+/* Fills error (may be NULL) and returns status. The format knows %s (char pointer), %d (int), %z (size_t), %g (double)
+   and %%; a text that is too long is cut, a control character becomes '?'. */
 static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t position, const char *format, ...)
 {
-    char number[32];
-    size_t n = 0, room, i;
+    char number[32], *end = number + sizeof number - 1;
+    size_t n = 0;
     va_list list;
     if (error == NULL) return status;
     error->status = status;
     error->position = position;
-    room = sizeof error->message - 1;
     va_start(list, format);
     for (; *format; ++format) {
         const char *piece = number;
+        const char kind = *format == '%' ? *++format : 0;
+        const int value = kind == 'd' ? va_arg(list, int) : 0;
         number[0] = *format;
         number[1] = 0;
-        if (*format == '%' && format[1]) {
-            ++format;
-            if (*format == 's') piece = va_arg(list, const char *);
-            if (*format == 'g') ms__format_number(number, va_arg(list, double));
-            if (*format == 'd' || *format == 'z') {
-                const int v = *format == 'd' ? va_arg(list, int) : 0;
-                size_t value = *format == 'z' ? va_arg(list, size_t) : v < 0 ? 0 - (size_t)v : (size_t)v;
-                char *at = number + sizeof number - 1;
-                for (*at = 0; value || !*at; value /= 10) *--at = (char)('0' + (int)(value % 10));
-                if (v < 0) *--at = '-';
-                piece = at;
-            }
-        }
-        for (i = 0; piece[i] && n < room; ++i)
-            error->message[n++] = (unsigned char)piece[i] < 32 || piece[i] == 127 ? '?' : piece[i];
+        if (kind == 's') piece = va_arg(list, const char *);
+        if (kind == 'g') ms__format_number(number, va_arg(list, double));
+        if (kind == 'z') piece = ms__format_integer(end, va_arg(list, size_t));
+        if (kind == 'd') piece = ms__format_integer(end, value < 0 ? 0 - (size_t)value : (size_t)value);
+        if (value < 0 && n < sizeof error->message - 1) error->message[n++] = '-';
+        for (; *piece && n < sizeof error->message - 1; ++piece)
+            error->message[n++] = (unsigned char)*piece < 32 || *piece == 127 ? '?' : *piece;
     }
     va_end(list);
     error->message[n] = 0;
@@ -702,22 +608,14 @@ static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t p
 /* ms-common-half begin (the same text wherever it stands: see tests/common.sh) */
 #ifndef MS_COMMON_HALF
 #define MS_COMMON_HALF
-
-/* IEEE binary16 by integers alone: subnormals, infinities and NaN, whatever the host's rounding and flushing of
-   subnormals. */
+/* IEEE binary16 with subnormals, infinities and NaN, whatever the host's rounding and flushing of subnormals. */
 static MS__UNUSED float ms__half_to_float(uint16_t h)
 {
-    uint32_t bits = (uint32_t)(h & 0x8000u) << 16, exponent = (h >> 10) & 31u, mantissa = h & 1023u;
-    float value;
-    if (exponent == 31u) {
-        bits |= 0x7f800000u | mantissa << 13;
-    } else if (exponent != 0 || mantissa != 0) {
-        if (exponent == 0) /* a subnormal half is a normal float */
-            for (exponent = 1; !(mantissa & 1024u); mantissa <<= 1) --exponent;
-        bits |= ((exponent + 112u) << 23) + ((mantissa & 1023u) << 13);
-    }
-    memcpy(&value, &bits, sizeof value);
-    return value;
+    const uint32_t exponent = (h >> 10) & 31u, mantissa = h & 1023u;
+    const uint32_t bits = (exponent == 31u ? 255u : exponent + 112u) << 23 | mantissa << 13;
+    float value = (float)mantissa / 16777216.0f; /* a subnormal half is a normal float */
+    if (exponent != 0) memcpy(&value, &bits, sizeof value);
+    return h & 0x8000u ? -value : value;
 }
 
 /* Rounded to nearest even; a finite value stays finite: at most 65504. */
@@ -739,7 +637,6 @@ static MS__UNUSED uint16_t ms__half_from_float(float value)
     a += (1u << (shift - 1u)) - 1u + ((a >> shift) & 1u);
     return (uint16_t)(sign | (a >> shift));
 }
-
 #endif /* MS_COMMON_HALF */
 /* ms-common-half end */
 
@@ -750,28 +647,20 @@ static MS__UNUSED uint16_t ms__half_from_float(float value)
 #if !defined(MS_NO_SIMD) && (defined(__x86_64__) || (defined(_M_X64) && !defined(_M_ARM64EC)))
 #define MS__X64 1
 #include <immintrin.h>
-#if defined(_MSC_VER) && !defined(__clang__)
+#if !defined(_MSC_VER)
+#include <cpuid.h>
+#elif !defined(__clang__)
 #include <intrin.h>
 #else
 #include <cpuid.h>
-#endif
-#if defined(_MSC_VER) && defined(__clang__) /* its immintrin.h leaves out what the command line's target lacks */
-#include <pmmintrin.h>
-#include <tmmintrin.h>
-#include <smmintrin.h>
-#include <popcntintrin.h>
+#include <smmintrin.h> /* here immintrin.h leaves out what the command line's target lacks */
 #include <avxintrin.h>
 #include <avx2intrin.h>
 #include <f16cintrin.h>
 #include <fmaintrin.h>
 #include <avx512fintrin.h>
-#include <avx512vlintrin.h>
 #include <avx512bwintrin.h>
 #include <avx512dqintrin.h>
-#include <avx512vlbwintrin.h>
-#include <avx512vldqintrin.h>
-#include <avx512vnniintrin.h>
-#include <avx512vlvnniintrin.h>
 #endif
 #elif !defined(MS_NO_SIMD) && (defined(__aarch64__) || defined(_M_ARM64))
 #define MS__NEON 1
@@ -782,56 +671,43 @@ static MS__UNUSED uint16_t ms__half_from_float(float value)
 static MS__UNUSED void ms__cpuid(uint32_t leaf, uint32_t subleaf, uint32_t r[4])
 {
 #if defined(_MSC_VER) && !defined(__clang__)
-    int v[4];
-    __cpuidex(v, (int)leaf, (int)subleaf);
-    r[0] = (uint32_t)v[0];
-    r[1] = (uint32_t)v[1];
-    r[2] = (uint32_t)v[2];
-    r[3] = (uint32_t)v[3];
+    __cpuidex((int *)r, (int)leaf, (int)subleaf);
 #else
     __cpuid_count(leaf, subleaf, r[0], r[1], r[2], r[3]);
 #endif
 }
 
-/* What both the processor and the operating system (OSXSAVE, XCR0) support. */
-static MS__UNUSED int ms__simd_detect(void)
+/* What both the processor and the operating system (XCR0) support. */
+static MS__UNUSED ms_simd ms__simd_detect(void)
 {
-    uint32_t r[4], xcr0, leaf1;
+    uint32_t r[4], xcr0;
     ms__cpuid(0, 0, r);
     if (r[0] < 7) return MS_SIMD_BASE;
     ms__cpuid(1, 0, r);
-    leaf1 = r[2];
-    if (!(leaf1 & (1u << 27))) return MS_SIMD_BASE; /* OSXSAVE */
+    if ((r[2] & 0x28001000u) != 0x28001000u) return MS_SIMD_BASE; /* OSXSAVE (XCR0 can be read), F16C, FMA */
 #if defined(_MSC_VER) && !defined(__clang__)
     xcr0 = (uint32_t)_xgetbv(0);
 #else
-    {
-        uint32_t high;
-        __asm__ volatile("xgetbv" : "=a"(xcr0), "=d"(high) : "c"(0));
-        (void)high;
-    }
+    __asm__ volatile("xgetbv" : "=a"(xcr0), "=d"(r[3]) : "c"(0));
 #endif
     ms__cpuid(7, 0, r);
-    if ((xcr0 & 0x6u) != 0x6u || !(leaf1 & (1u << 12)) || !(leaf1 & (1u << 29)) || !(r[1] & (1u << 5)))
-        return MS_SIMD_BASE; /* YMM state, FMA, F16C, AVX2 */
-    if ((xcr0 & 0xe6u) != 0xe6u || (r[1] & 0xC0030000u) != 0xC0030000u)
-        return MS_SIMD_AVX2; /* ZMM state, AVX-512 F, DQ, BW, VL */
+    if ((xcr0 & 0x6u) != 0x6u || !(r[1] & 0x20u)) return MS_SIMD_BASE;                       /* YMM state, AVX2 */
+    if ((xcr0 & 0xe6u) != 0xe6u || (r[1] & 0xC0030000u) != 0xC0030000u) return MS_SIMD_AVX2; /* ZMM; F, DQ, BW, VL */
     return MS_SIMD_AVX512;
 }
 #endif
 
-/* The level to use under a cap. cpuid takes microseconds under a hypervisor: ask once when an object is made
-   or at the start of a long call, never in a loop. Nothing is kept in a global. */
+/* The level to use under a cap. cpuid takes microseconds under a hypervisor: ask once when an object is made or at the
+   start of a long call, never in a loop. Nothing is kept in a global. */
 static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 {
-    int best = MS_SIMD_SCALAR;
-    if (cap == MS_SIMD_SCALAR) return cap;
+    ms_simd best = MS_SIMD_SCALAR;
 #if defined(MS__X64)
-    best = cap == MS_SIMD_BASE ? MS_SIMD_BASE : ms__simd_detect();
+    best = cap == MS_SIMD_SCALAR || cap == MS_SIMD_BASE ? cap : ms__simd_detect();
 #elif defined(MS__NEON)
     best = MS_SIMD_BASE;
 #endif
-    return (ms_simd)(cap != MS_SIMD_AUTO && (int)cap < best ? (int)cap : best);
+    return cap != MS_SIMD_AUTO && cap < best ? cap : best;
 }
 #endif /* MS_COMMON_SIMD */
 /* ms-common-simd end */
@@ -853,9 +729,21 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #define MS_NN_FILENAME "ms_nn.h"
 #endif
 
-/* The implementation, in the order of the data:
-   bytes, sorting, json, file, writer, layer list, plan, run, products, queries, GPU text, stdio, collapse, levels,
-   kernels */
+/* Contents, in the order of the data:
+     bytes       numbers of a file, element types
+     sorting     names
+     json        a cursor over JSON text
+     file        a safetensors file, checked and listed
+     writer      the same, written
+     layer list  the layers as the file lists them
+     plan        their tensors and shapes, packed weights, where values live
+     run         one operation on one sample or a batch
+     products    all operations: values, Jacobians
+     queries     what a network is
+     stdio       files by name
+     collapse    the last layer as an objective
+     levels      the kernels, read once a SIMD level
+     kernels     the loops over weights */
 
 /* Reading, writing and planning are compiled for size. */
 #if defined(__GNUC__) || defined(__clang__)
@@ -924,6 +812,13 @@ static int ms_nn__bits(ms_nn_dtype dtype)
     return bits[(int)dtype];
 }
 
+/* Bytes of elements of a type; SIZE_MAX: overflow, or the last byte is not filled. */
+static size_t ms_nn__bytes_for(size_t elements, ms_nn_dtype dtype)
+{
+    const size_t bits = (size_t)ms_nn__bits(dtype), rest = elements % 8 * bits;
+    return elements == SIZE_MAX || rest % 8 ? SIZE_MAX : ms__size_add(ms__size_mul(elements / 8, bits), rest / 8);
+}
+
 static const char *ms_nn__dtype_name(int dtype)
 {
     static const char *const name[] = {
@@ -934,30 +829,16 @@ static const char *ms_nn__dtype_name(int dtype)
     return name[dtype >= 0 && dtype < (int)MS_NN_DTYPE_COUNT ? dtype : (int)MS_NN_DTYPE_COUNT];
 }
 
-/* Element i of a tensor of one of the five types that networks use. */
-static double ms_nn__element(const void *data, ms_nn_dtype dtype, size_t i)
-{
-    const unsigned char *p = (const unsigned char *)data + i * (size_t)(ms_nn__bits(dtype) / 8);
-    if (dtype == MS_NN_F64) {
-        uint64_t bits = ms_nn__u64(p);
-        double x;
-        memcpy(&x, &bits, sizeof x);
-        return x;
-    }
-    if (dtype == MS_NN_F32) return (double)ms_nn__float_of(ms_nn__u32(p));
-    if (dtype == MS_NN_F16) return (double)ms__half_to_float((uint16_t)ms_nn__u16(p));
-    if (dtype == MS_NN_BF16) return (double)ms_nn__float_of(ms_nn__u16(p) << 16);
-    return *p < 128 ? (double)*p : (double)*p - 256.0; /* I8 */
-}
+/* Bytes of an element of a network's types. */
+static size_t ms_nn__bytes_of(ms_nn_dtype dtype) { return dtype == MS_NN_F32 ? 4 : dtype == MS_NN_F16 ? 2 : 1; }
 
-/* x as a float, without an exception where it is too large for one (FLT_MAX and half an ulp: infinite) or a signalling
-   NaN. */
-static float ms_nn__to_float(double x)
+/* Element i of a tensor of one of these. */
+static float ms_nn__element(const void *data, ms_nn_dtype dtype, size_t i)
 {
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    if (ms__finite(x) && fabs(x) < 3.4028235677973366e38) return (float)x;
-    return ms_nn__float_of((uint32_t)(bits >> 63) << 31 | (!ms__finite(x) && bits << 12 ? 0x7fc00000u : 0x7f800000u));
+    const unsigned char *p = (const unsigned char *)data + i * ms_nn__bytes_of(dtype);
+    if (dtype == MS_NN_F32) return ms_nn__float_of(ms_nn__u32(p));
+    if (dtype == MS_NN_F16) return ms__half_to_float((uint16_t)ms_nn__u16(p));
+    return (float)(*p < 128 ? (int)*p : (int)*p - 256);
 }
 
 /* ---- sorting --------------------------------------------------------------------------------------------------- */
@@ -1012,14 +893,18 @@ static MS_NN__COLD ms_status ms_nn__refuse_word(const ms_nn__json *j, const unsi
     return ms__fail(j->error, MS_BAD_DATA, j->base + (size_t)(at - j->start), format, word);
 }
 
-/* Puts what an error speaks of in front of its sentence: `kind`, then a name in quotes. Returns status. */
-static MS_NN__COLD ms_status ms_nn__prefix_error(ms_error *error, ms_status status, size_t position, const char *kind,
-                                                 const char *name)
+/* Appends to an error what it speaks of: the reason comes first, since a name may be longer than the message. layer -1:
+   a tensor. type and name may be NULL. Returns status. */
+static MS_NN__COLD ms_status ms_nn__name_place(ms_error *error, ms_status status, size_t position, int layer,
+                                               const char *type, const char *name)
 {
     ms_error inner;
     if (error == NULL) return status;
     inner = *error;
-    return ms__fail(error, status, position, *name ? "%s '%s': %s" : "%s%s: %s", kind, name, inner.message);
+    if (layer < 0) return ms__fail(error, status, position, "%s (tensor '%s')", inner.message, name);
+    if (type == NULL) return ms__fail(error, status, position, "%s (layer %d)", inner.message, layer);
+    if (name == NULL) return ms__fail(error, status, position, "%s (layer %d, %s)", inner.message, layer, type);
+    return ms__fail(error, status, position, "%s (layer %d, %s '%s')", inner.message, layer, type, name);
 }
 
 static MS_NN__COLD void ms_nn__space(ms_nn__json *j)
@@ -1195,7 +1080,7 @@ static MS_NN__COLD ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header 
                                                   size_t position)
 {
     int seen = 0, more = 1, rank = 0, dtype = 0;
-    size_t elements = 1, nonzero = 1, offset[2] = {0, 0}, bits;
+    size_t elements = 1, nonzero = 1, offset[2] = {0, 0}, bytes;
     size_t *shape = h->file ? h->file->shape + h->dimensions : NULL;
     ms_nn__string s;
     char *none = NULL;
@@ -1243,14 +1128,13 @@ static MS_NN__COLD ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header 
         if ((status = ms_nn__json_more(j, '}', &more)) != MS_OK) return status;
     }
     if (seen != 7) return ms_nn__refuse(j, "a tensor lacks dtype, shape or data_offsets");
-    bits = ms__size_mul(elements, (size_t)ms_nn__bits((ms_nn_dtype)dtype));
-    if (ms__size_mul(nonzero, (size_t)ms_nn__bits((ms_nn_dtype)dtype)) == SIZE_MAX || bits == SIZE_MAX)
+    if (ms__size_mul(nonzero / 8, (size_t)ms_nn__bits((ms_nn_dtype)dtype)) == SIZE_MAX || nonzero == SIZE_MAX)
         return ms_nn__refuse(j, "the product of the dimensions overflows");
-    if (bits % 8) return ms_nn__refuse(j, "a tensor must fill whole bytes");
+    bytes = ms_nn__bytes_for(elements, (ms_nn_dtype)dtype);
+    if (bytes == SIZE_MAX) return ms_nn__refuse(j, "a tensor must fill whole bytes");
     if (offset[0] > offset[1] || offset[1] > h->data_size)
         return ms_nn__refuse(j, "data_offsets must rise and lie within the file");
-    if (offset[1] - offset[0] != bits / 8)
-        return ms_nn__refuse(j, "data_offsets do not span what dtype and shape need");
+    if (offset[1] - offset[0] != bytes) return ms_nn__refuse(j, "data_offsets do not span what dtype and shape need");
     if (h->file) {
         ms_nn__record *r = &h->file->record[h->tensors];
         r->tensor.name = name->text;
@@ -1258,7 +1142,7 @@ static MS_NN__COLD ms_status ms_nn__header_tensor(ms_nn__json *j, ms_nn__header 
         r->tensor.rank = rank;
         r->tensor.shape = shape;
         r->tensor.data = h->data + offset[0];
-        r->tensor.bytes = bits / 8;
+        r->tensor.bytes = bytes;
         r->begin = offset[0];
         r->end = offset[1];
         r->position = position;
@@ -1313,7 +1197,7 @@ static MS_NN__COLD ms_status ms_nn__header_object(ms_nn__json *j, ms_nn__header 
         } else {
             status = ms_nn__header_tensor(j, h, &name, position);
             if (status != MS_OK)
-                return ms_nn__prefix_error(j->error, status, j->error ? j->error->position : 0, "tensor", name.head);
+                return ms_nn__name_place(j->error, status, j->error ? j->error->position : 0, -1, NULL, name.head);
         }
         if (status != MS_OK) return status;
         if ((status = ms_nn__json_more(j, '}', &more)) != MS_OK) return status;
@@ -1354,17 +1238,18 @@ static MS_NN__COLD ms_status ms_nn__file_check(ms_nn_file *f, size_t data_start,
     ms_nn__sort(f->by_key, f->entries, ms_nn__compare_key, f->entry);
     for (i = 1; i < f->tensors; ++i)
         if (ms_nn__compare_name(f->record, f->by_name[i - 1], f->by_name[i]) == 0)
-            return ms__fail(error, MS_BAD_DATA, f->record[f->by_name[i]].position, "the tensor name '%s' appears twice",
+            return ms__fail(error, MS_BAD_DATA, f->record[f->by_name[i]].position, "two tensors have the name '%s'",
                             f->record[f->by_name[i]].tensor.name);
     for (i = 1; i < f->entries; ++i)
         if (ms_nn__compare_key(f->entry, f->by_key[i - 1], f->by_key[i]) == 0)
-            return ms__fail(error, MS_BAD_DATA, 8, "the metadata key '%s' appears twice", f->entry[f->by_key[i]].key);
+            return ms__fail(error, MS_BAD_DATA, 8, "two metadata entries have the key '%s'",
+                            f->entry[f->by_key[i]].key);
     for (i = 0; i < f->tensors; ++i) {
         const ms_nn__record *r = &f->record[f->by_data[i]];
         if (r->begin != end)
             return ms__fail(error, MS_BAD_DATA, r->position,
-                            r->begin > end ? "a hole of %z bytes before tensor '%s'"
-                                           : "%z bytes of tensor '%s' overlap another one",
+                            r->begin > end ? "a hole of %z bytes before the tensor '%s'"
+                                           : "an overlap of %z bytes with the tensor '%s'",
                             r->begin > end ? r->begin - end : end - r->begin, r->tensor.name);
         end = r->end;
     }
@@ -1399,6 +1284,8 @@ MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, con
     if (size > SIZE_MAX / 2)
         return ms__fail(error, MS_UNSUPPORTED, 0, "a file of %z bytes needs a 64-bit machine", size);
     length = ms_nn__u64(b);
+    if (size < 9 || (b[8] != '{' && length > size - 8))
+        return ms__fail(error, MS_BAD_DATA, 8, "not a safetensors file: no '{' after the length of its header");
     if (length > MS_NN_MAX_HEADER)
         return ms__fail(error, MS_BAD_DATA, 0, "the header length is over the limit of %d bytes", MS_NN_MAX_HEADER);
     if (length > size - 8)
@@ -1482,16 +1369,27 @@ MS_API const ms_nn_entry *ms_nn_file_entry(const ms_nn_file *file, size_t i)
     return file && i < file->entries ? &file->entry[i] : NULL;
 }
 
+MS_API ms_status ms_nn_tensor_read(const ms_nn_tensor *tensor, size_t first, size_t count, float *out)
+{
+    size_t elements, i;
+    if (tensor == NULL || (out == NULL && count > 0)) return MS_INVALID_ARGUMENT;
+    if (tensor->dtype > MS_NN_I8) return MS_UNSUPPORTED;
+    elements = tensor->bytes / ms_nn__bytes_of(tensor->dtype);
+    if (first > elements || count > elements - first) return MS_INVALID_ARGUMENT;
+    for (i = 0; i < count; ++i) out[i] = ms_nn__element(tensor->data, tensor->dtype, first + i);
+    return MS_OK;
+}
+
 MS_API const ms_nn_tensor *ms_nn_file_find(const ms_nn_file *file, const char *name)
 {
-    size_t low = 0, high = file && name ? file->tensors : 0;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
+    size_t first = 0, end = file && name ? file->tensors : 0;
+    while (first < end) {
+        size_t middle = first + (end - first) / 2;
         const ms_nn_tensor *t = &file->record[file->by_name[middle]].tensor;
-        int order = strcmp(name, t->name);
-        if (order == 0) return t;
-        if (order < 0) high = middle;
-        else low = middle + 1;
+        int compared = strcmp(name, t->name);
+        if (compared == 0) return t;
+        if (compared < 0) end = middle;
+        else first = middle + 1;
     }
     return NULL;
 }
@@ -1533,7 +1431,6 @@ static MS_NN__COLD size_t ms_nn__byte_of(const ms_nn_file *file, const char *key
 typedef struct ms_nn__writer {
     char *out; /* NULL while counting */
     size_t length;
-    ms_nn_language language; /* of a shader */
 } ms_nn__writer;
 
 static MS_NN__COLD void ms_nn__put(ms_nn__writer *w, const char *text, size_t n)
@@ -1594,19 +1491,19 @@ static MS_NN__COLD ms_status ms_nn__write_check(const ms_nn_tensor *tensors, siz
     *data = 0;
     for (i = 0; i < count; ++i) {
         const ms_nn_tensor *t = &tensors[i];
-        size_t bits = (int)t->dtype >= 0 && t->dtype < MS_NN_DTYPE_COUNT ? (size_t)ms_nn__bits(t->dtype) : SIZE_MAX;
+        size_t elements = (int)t->dtype >= 0 && t->dtype < MS_NN_DTYPE_COUNT ? 1 : SIZE_MAX;
         int d;
         if (!ms_nn__valid_text(t->name) || strcmp(t->name, "__metadata__") == 0)
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "the name of tensor %z is not allowed or not UTF-8", i);
         if (t->rank < 0 || t->rank > MS_NN_MAX_RANK || (t->rank > 0 && t->shape == NULL))
-            return ms__fail(error, MS_INVALID_ARGUMENT, i, "the rank of tensor '%s' must be 0 to 32", t->name);
-        for (d = 0; d < t->rank; ++d) bits = ms__size_mul(bits, t->shape[d]);
-        if (bits == SIZE_MAX || bits % 8 || bits / 8 != t->bytes)
-            return ms__fail(error, MS_INVALID_ARGUMENT, i, "tensor '%s': dtype and shape do not make %z bytes", t->name,
-                            t->bytes);
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "the rank must be 0 to 32: the tensor '%s'", t->name);
+        for (d = 0; d < t->rank; ++d) elements = ms__size_mul(elements, t->shape[d]);
+        if (t->bytes == SIZE_MAX || elements == SIZE_MAX || ms_nn__bytes_for(elements, t->dtype) != t->bytes)
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "dtype and shape do not make %z bytes: the tensor '%s'",
+                            t->bytes, t->name);
         for (k = 0; k < i; ++k)
             if (strcmp(tensors[k].name, t->name) == 0)
-                return ms__fail(error, MS_INVALID_ARGUMENT, i, "the tensor name '%s' appears twice", t->name);
+                return ms__fail(error, MS_INVALID_ARGUMENT, i, "two tensors have the name '%s'", t->name);
         *data = ms__size_add(*data, t->bytes);
     }
     if (*data == SIZE_MAX) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the tensors' sizes overflow");
@@ -1615,7 +1512,8 @@ static MS_NN__COLD ms_status ms_nn__write_check(const ms_nn_tensor *tensors, siz
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "metadata entry %z is not UTF-8", i);
         for (k = 0; k < i; ++k)
             if (strcmp(metadata[k].key, metadata[i].key) == 0)
-                return ms__fail(error, MS_INVALID_ARGUMENT, i, "the metadata key '%s' appears twice", metadata[i].key);
+                return ms__fail(error, MS_INVALID_ARGUMENT, i, "two metadata entries have the key '%s'",
+                                metadata[i].key);
     }
     return MS_OK;
 }
@@ -1702,26 +1600,22 @@ MS_API MS_NN__COLD ms_status ms_nn_file_write(const ms_nn_tensor *tensors, size_
 
 /* ---- layer list ------------------------------------------------------------------------------------------------ */
 
-/* What a layer does, after reading. */
 typedef enum ms_nn__kind {
     MS_NN__DENSE,
     MS_NN__CONV1D,
     MS_NN__CONV2D,
     MS_NN__UPSAMPLE1D,
     MS_NN__UPSAMPLE2D,
-    MS_NN__POOL1D,
-    MS_NN__POOL2D,
+    MS_NN__MAXPOOL1D,
+    MS_NN__MAXPOOL2D,
+    MS_NN__AVGPOOL1D,
+    MS_NN__AVGPOOL2D,
+    MS_NN__GLOBALPOOL,
     MS_NN__FLATTEN,
     MS_NN__ACTIVATE,
     MS_NN__DROPOUT,
     MS_NN__ADD,
     MS_NN__SHARED,
-    MS_NN__TRANSPOSED1D,
-    MS_NN__TRANSPOSED2D,
-    MS_NN__AVERAGE1D,
-    MS_NN__AVERAGE2D,
-    MS_NN__GLOBAL,
-    MS_NN__CONCAT,
     MS_NN__KINDS
 } ms_nn__kind;
 
@@ -1738,69 +1632,84 @@ typedef enum ms_nn__activation {
     MS_NN__ACTIVATIONS
 } ms_nn__activation;
 
+static const char *const ms_nn__kind_name[] = {"dense",     "conv1d",     "conv2d",    "upsample1d", "upsample2d",
+                                               "maxpool1d", "maxpool2d",  "avgpool1d", "avgpool2d",  "globalpool",
+                                               "flatten",   "activation", "dropout",   "add",        "shared_channels"};
+static const char *const ms_nn__activation_name[] = {"linear",  "relu",     "leaky_relu", "elu", "tanh",
+                                                     "sigmoid", "softplus", "silu",       "gelu"};
+
 /* The fields of a layer in the file; 0 or NULL where the file is silent. */
 typedef struct ms_nn__spec {
-    const char *type, *name, *activation, *padding, *order, *from, *mode;
-    size_t units[2], filters[2], kernel[2], stride[2], size[2], factor[2], dilation[2], groups[2], zeros[2], extra[2];
+    ms_nn__kind kind;
+    const char *type, *name, *activation, *padding, *order, *from;
+    size_t units, filters;
+    size_t kernel[2], stride[2], zeros[2], size[2], factor[2]; /* height, width; of 1-D layers the first one */
     double alpha, rate;
-    int bias, align_corners; /* 0: not said, 1: true, 2: false */
-    size_t at;               /* where it begins in the list's text */
+    int bias;       /* 0: not given, 1: true, 2: false */
+    unsigned given; /* bit f: the f-th field of ms_nn__fields is given */
+    unsigned pairs; /* bit f: as two numbers */
+    size_t at;      /* the layer's first character in the list */
 } ms_nn__spec;
 
 typedef enum ms_nn__field_kind {
     MS_NN__TEXT,
-    MS_NN__COUNTS,
-    MS_NN__SIZES,
-    MS_NN__REAL,
-    MS_NN__FLAG
-} ms_nn__field_kind; /* SIZES may be 0 */
+    MS_NN__COUNT,   /* a number from 1 on */
+    MS_NN__EXTENTS, /* the same, of 2-D layers one number or two */
+    MS_NN__WIDTHS,  /* the same from 0 on */
+    MS_NN__REAL,    /* 0 to 1e30 */
+    MS_NN__FLAG,
+    MS_NN__INDICES /* of shared_channels */
+} ms_nn__field_kind;
 
 typedef struct ms_nn__field {
     const char *key;
     ms_nn__field_kind kind;
-    size_t offset;
-    unsigned layers; /* bit k: kind k takes it */
+    size_t offset;   /* in ms_nn__spec */
+    unsigned layers; /* bit k: layers of kind k have it */
 } ms_nn__field;
 
 #define MS_NN__BIT(kind) (1u << (int)(kind))
-#define MS_NN__TRANSPOSED (MS_NN__BIT(MS_NN__TRANSPOSED1D) | MS_NN__BIT(MS_NN__TRANSPOSED2D))
-#define MS_NN__CONVS (MS_NN__BIT(MS_NN__CONV1D) | MS_NN__BIT(MS_NN__CONV2D) | MS_NN__TRANSPOSED)
+#define MS_NN__CONVS (MS_NN__BIT(MS_NN__CONV1D) | MS_NN__BIT(MS_NN__CONV2D))
 #define MS_NN__WEIGHTED (MS_NN__BIT(MS_NN__DENSE) | MS_NN__CONVS)
-#define MS_NN__POOLS                                                                        \
-    (MS_NN__BIT(MS_NN__POOL1D) | MS_NN__BIT(MS_NN__POOL2D) | MS_NN__BIT(MS_NN__AVERAGE1D) | \
-     MS_NN__BIT(MS_NN__AVERAGE2D))
+#define MS_NN__POOLS                                                                              \
+    (MS_NN__BIT(MS_NN__MAXPOOL1D) | MS_NN__BIT(MS_NN__MAXPOOL2D) | MS_NN__BIT(MS_NN__AVGPOOL1D) | \
+     MS_NN__BIT(MS_NN__AVGPOOL2D))
 #define MS_NN__UPSAMPLES (MS_NN__BIT(MS_NN__UPSAMPLE1D) | MS_NN__BIT(MS_NN__UPSAMPLE2D))
 #define MS_NN__ACTIVATED (MS_NN__WEIGHTED | MS_NN__BIT(MS_NN__ACTIVATE) | MS_NN__BIT(MS_NN__ADD))
+#define MS_NN__TWO_D                                                                            \
+    (MS_NN__BIT(MS_NN__CONV2D) | MS_NN__BIT(MS_NN__UPSAMPLE2D) | MS_NN__BIT(MS_NN__MAXPOOL2D) | \
+     MS_NN__BIT(MS_NN__AVGPOOL2D))
 
-static const char *const ms_nn__kind_name[] = {
-    "dense",     "conv1d",     "conv2d",     "upsample1d", "upsample2d",      "maxpool1d",        "maxpool2d",
-    "flatten",   "activation", "dropout",    "add",        "shared_channels", "conv1d_transpose", "conv2d_transpose",
-    "avgpool1d", "avgpool2d",  "globalpool", "concat"};
-static const char *const ms_nn__activation_name[] = {"linear",  "relu",     "leaky_relu", "elu", "tanh",
-                                                     "sigmoid", "softplus", "silu",       "gelu"};
-
-static const ms_nn__field ms_nn__field_list[] = {
+static const ms_nn__field ms_nn__fields[] = {
     {"type", MS_NN__TEXT, offsetof(ms_nn__spec, type), ~0u},
     {"name", MS_NN__TEXT, offsetof(ms_nn__spec, name), ~0u},
     {"activation", MS_NN__TEXT, offsetof(ms_nn__spec, activation), MS_NN__ACTIVATED},
     {"alpha", MS_NN__REAL, offsetof(ms_nn__spec, alpha), MS_NN__ACTIVATED},
     {"bias", MS_NN__FLAG, offsetof(ms_nn__spec, bias), MS_NN__WEIGHTED},
-    {"units", MS_NN__COUNTS, offsetof(ms_nn__spec, units), MS_NN__BIT(MS_NN__DENSE)},
-    {"filters", MS_NN__COUNTS, offsetof(ms_nn__spec, filters), MS_NN__CONVS},
-    {"kernel", MS_NN__COUNTS, offsetof(ms_nn__spec, kernel), MS_NN__CONVS},
-    {"padding", MS_NN__TEXT, offsetof(ms_nn__spec, padding), MS_NN__BIT(MS_NN__CONV1D) | MS_NN__BIT(MS_NN__CONV2D)},
-    {"zeros", MS_NN__SIZES, offsetof(ms_nn__spec, zeros), MS_NN__CONVS},
-    {"extra", MS_NN__SIZES, offsetof(ms_nn__spec, extra), MS_NN__TRANSPOSED},
-    {"dilation", MS_NN__COUNTS, offsetof(ms_nn__spec, dilation), MS_NN__CONVS},
-    {"groups", MS_NN__COUNTS, offsetof(ms_nn__spec, groups), MS_NN__CONVS},
-    {"mode", MS_NN__TEXT, offsetof(ms_nn__spec, mode), MS_NN__UPSAMPLES},
-    {"align_corners", MS_NN__FLAG, offsetof(ms_nn__spec, align_corners), MS_NN__UPSAMPLES},
-    {"stride", MS_NN__COUNTS, offsetof(ms_nn__spec, stride), MS_NN__CONVS | MS_NN__POOLS},
-    {"size", MS_NN__COUNTS, offsetof(ms_nn__spec, size), MS_NN__POOLS},
-    {"factor", MS_NN__COUNTS, offsetof(ms_nn__spec, factor), MS_NN__UPSAMPLES},
-    {"order", MS_NN__TEXT, offsetof(ms_nn__spec, order), MS_NN__BIT(MS_NN__FLATTEN) | MS_NN__BIT(MS_NN__CONCAT)},
+    {"units", MS_NN__COUNT, offsetof(ms_nn__spec, units), MS_NN__BIT(MS_NN__DENSE)},
+    {"filters", MS_NN__COUNT, offsetof(ms_nn__spec, filters), MS_NN__CONVS},
+    {"kernel", MS_NN__EXTENTS, offsetof(ms_nn__spec, kernel), MS_NN__CONVS},
+    {"padding", MS_NN__TEXT, offsetof(ms_nn__spec, padding), MS_NN__CONVS},
+    {"zeros", MS_NN__WIDTHS, offsetof(ms_nn__spec, zeros), MS_NN__CONVS},
+    {"stride", MS_NN__EXTENTS, offsetof(ms_nn__spec, stride), MS_NN__CONVS | MS_NN__POOLS},
+    {"size", MS_NN__EXTENTS, offsetof(ms_nn__spec, size), MS_NN__POOLS},
+    {"factor", MS_NN__EXTENTS, offsetof(ms_nn__spec, factor), MS_NN__UPSAMPLES},
+    {"order", MS_NN__TEXT, offsetof(ms_nn__spec, order), MS_NN__BIT(MS_NN__FLATTEN)},
     {"rate", MS_NN__REAL, offsetof(ms_nn__spec, rate), MS_NN__BIT(MS_NN__DROPOUT)},
-    {"from", MS_NN__TEXT, offsetof(ms_nn__spec, from), MS_NN__BIT(MS_NN__ADD) | MS_NN__BIT(MS_NN__CONCAT)}};
+    {"from", MS_NN__TEXT, offsetof(ms_nn__spec, from), MS_NN__BIT(MS_NN__ADD)},
+    {"inputs", MS_NN__INDICES, 0, MS_NN__BIT(MS_NN__SHARED)}};
+enum { MS_NN__FIELDS = (int)(sizeof ms_nn__fields / sizeof ms_nn__fields[0]) };
+
+/* What the whole layer list becomes. A first pass counts (text, layers, indices), a second one stores. */
+typedef struct ms_nn__list {
+    char *pool; /* of all strings; NULL while counting */
+    size_t text;
+    int layers;
+    ms_nn__spec *spec;     /* [layers], NULL while counting */
+    size_t channels;       /* of shared_channels; 0 without */
+    size_t channel_inputs; /* indices a channel */
+    size_t *channel_input; /* [channels][channel_inputs], NULL while counting */
+} ms_nn__list;
 
 /* A JSON number as a double, within some units of its last place: enough for slopes and rates. */
 static MS_NN__COLD ms_status ms_nn__json_real(ms_nn__json *j, double *value)
@@ -1832,39 +1741,43 @@ static MS_NN__COLD ms_status ms_nn__json_real(ms_nn__json *j, double *value)
         if (minus) exponent = -exponent;
     }
     if (v > 0 && log10(v) + exponent + shift > 308.2547)
-        v = (double)ms_nn__float_of(0x7f800000u); /* without an exception */
+        v = (double)ms_nn__float_of(0x7f800000u); /* infinity, without an exception */
     else if (v > 0) v *= pow(10.0, (double)exponent + (double)shift);
     *value = negative ? -v : v;
     return MS_OK;
 }
 
-/* n or [n] or [n, m] into out[2]; one number stands for both. */
-static MS_NN__COLD ms_status ms_nn__json_counts(ms_nn__json *j, size_t out[2])
+static MS_NN__COLD ms_status ms_nn__json_flag(ms_nn__json *j, int *flag)
+{
+    static const char *const word[] = {"true", "false"};
+    int i;
+    ms_nn__space(j);
+    for (i = 0; i < 2; ++i) {
+        const size_t n = strlen(word[i]);
+        if ((size_t)(j->end - j->p) < n || memcmp(j->p, word[i], n) != 0) continue;
+        j->p += n;
+        *flag = i + 1;
+        return MS_OK;
+    }
+    return ms_nn__refuse(j, "expected true or false");
+}
+
+/* n or [n] or [n, m] into out[2]; one number stands for both. *pair: there were two. */
+static MS_NN__COLD ms_status ms_nn__json_extents(ms_nn__json *j, size_t out[2], int *pair)
 {
     ms_status status;
-    int list = ms_nn__take(j, '['), more = 0;
+    int list = ms_nn__take(j, '[');
+    *pair = 0;
     if ((status = ms_nn__json_size(j, &out[0])) != MS_OK) return status;
     out[1] = out[0];
     if (!list) return MS_OK;
-    if ((status = ms_nn__json_more(j, ']', &more)) != MS_OK || !more) return status;
+    if ((status = ms_nn__json_more(j, ']', pair)) != MS_OK || !*pair) return status;
     if ((status = ms_nn__json_size(j, &out[1])) != MS_OK) return status;
     return ms_nn__take(j, ']') ? MS_OK : ms_nn__refuse(j, "expected at most two numbers");
 }
 
-/* What the whole layer list becomes. A first pass counts (text, layers, indices), a second one stores. */
-typedef struct ms_nn__list {
-    char *pool; /* of all strings; NULL while counting */
-    size_t text;
-    int layers;
-    ms_nn__spec *spec;     /* [layers], NULL while counting */
-    ms_nn__kind *kind;     /* [layers] */
-    size_t channels;       /* of shared_channels; 1 without */
-    size_t channel_inputs; /* indices a channel */
-    size_t *channel_input; /* [channels][channel_inputs], NULL while counting */
-} ms_nn__list;
-
-/* "inputs":[[0,3],[1,3],[2,3]]: lists of equal length, one a channel. */
-static MS_NN__COLD ms_status ms_nn__list_channels(ms_nn__json *j, ms_nn__list *l)
+/* [[0,3],[1,3],[2,3]]: lists of equal length, one a channel. */
+static MS_NN__COLD ms_status ms_nn__json_indices(ms_nn__json *j, ms_nn__list *l)
 {
     size_t channel, total = 0;
     int more = 1, inner;
@@ -1887,98 +1800,90 @@ static MS_NN__COLD ms_status ms_nn__list_channels(ms_nn__json *j, ms_nn__list *l
     return MS_OK;
 }
 
-/* One layer: the type decides which fields are known, so that fields are kept until it is. */
+/* The value of field f into *spec; key: where the field's name stands. */
+static MS_NN__COLD ms_status ms_nn__list_field(ms_nn__json *j, ms_nn__list *l, ms_nn__spec *spec, int f,
+                                               const unsigned char *key)
+{
+    const ms_nn__field *field = &ms_nn__fields[f];
+    char *out = (char *)spec + field->offset;
+    ms_status status;
+    if (field->kind == MS_NN__TEXT) {
+        ms_nn__string text;
+        status = ms_nn__json_string(j, &l->pool, &text);
+        l->text += text.length + 1;
+        memcpy(out, &text.text, sizeof text.text);
+        if (status != MS_OK || f != 0) return status;
+        for (spec->kind = MS_NN__DENSE; spec->kind < MS_NN__KINDS; spec->kind = (ms_nn__kind)(spec->kind + 1))
+            if (ms_nn__is(&text, ms_nn__kind_name[spec->kind])) return MS_OK;
+        return ms_nn__refuse_word(j, key, "unknown type '%s'", text.head);
+    }
+    if (field->kind == MS_NN__REAL) {
+        double real = 0;
+        if ((status = ms_nn__json_real(j, &real)) != MS_OK) return status;
+        if (!(real >= 0 && real <= 1e30))
+            return ms_nn__refuse_word(j, key, "'%s' must not be negative or above 1e30", field->key);
+        memcpy(out, &real, sizeof real);
+    } else if (field->kind == MS_NN__FLAG) {
+        return ms_nn__json_flag(j, &spec->bias);
+    } else if (field->kind == MS_NN__INDICES) {
+        if (l->layers > 0) return ms_nn__refuse(j, "shared_channels must be the first layer");
+        return ms_nn__json_indices(j, l);
+    } else {
+        size_t extents[2];
+        int pair;
+        if ((status = ms_nn__json_extents(j, extents, &pair)) != MS_OK) return status;
+        if (extents[0] > INT_MAX || extents[1] > INT_MAX)
+            return ms_nn__refuse_word(j, key, "the size '%s' is too large", field->key);
+        if (field->kind != MS_NN__WIDTHS && (extents[0] == 0 || extents[1] == 0))
+            return ms_nn__refuse_word(j, key, "the size '%s' must not be 0", field->key);
+        memcpy(out, extents, (field->kind == MS_NN__COUNT ? 1 : 2) * sizeof extents[0]);
+        if (pair) spec->pairs |= 1u << f;
+    }
+    return MS_OK;
+}
+
+/* One layer. Its type may come last, so what it may have is checked at its end. */
 static MS_NN__COLD ms_status ms_nn__list_layer(ms_nn__json *j, ms_nn__list *l)
 {
-    enum { FIELDS = (int)(sizeof ms_nn__field_list / sizeof ms_nn__field_list[0]) };
-    unsigned seen = 0;
-    int more = 1, f, kind = -1, inputs = 0;
+    int more = 1, f;
     ms_nn__spec spec;
     ms_status status;
     memset(&spec, 0, sizeof spec);
-    spec.alpha = -1; /* not said */
+    spec.alpha = -1; /* not given */
     ms_nn__space(j);
     spec.at = (size_t)(j->p - j->start);
     if (!ms_nn__take(j, '{')) return ms_nn__refuse(j, "a layer must be an object");
     if (ms_nn__take(j, '}')) more = 0;
     while (more) {
-        ms_nn__string key, text;
-        char *none = NULL, *at;
+        ms_nn__string key;
+        char *none = NULL;
         const unsigned char *key_at;
         ms_nn__space(j);
         key_at = j->p;
         if ((status = ms_nn__json_string(j, &none, &key)) != MS_OK) return status;
         if (!ms_nn__take(j, ':')) return ms_nn__refuse(j, "expected ':'");
-        for (f = 0; f < FIELDS; ++f)
-            if (ms_nn__is(&key, ms_nn__field_list[f].key)) break;
-        if (f == FIELDS && ms_nn__is(&key, "inputs") && !inputs) {
-            inputs = 1;
-            if (l->layers > 0) return ms_nn__refuse(j, "shared_channels must be the first layer");
-            status = ms_nn__list_channels(j, l);
-        } else {
-            if (f == FIELDS) return ms_nn__refuse_word(j, key_at, "unknown field '%s'", key.head);
-            if (seen & 1u << f) return ms_nn__refuse_word(j, key_at, "the field '%s' appears twice", key.head);
-            seen |= 1u << f;
-            at = (char *)&spec + ms_nn__field_list[f].offset;
-            switch (ms_nn__field_list[f].kind) {
-            case MS_NN__TEXT:
-                ms_nn__space(j);
-                key_at = j->p;
-                status = ms_nn__json_string(j, &l->pool, &text);
-                l->text += text.length + 1;
-                memcpy(at, &text.text, sizeof text.text);
-                if (f == 0)
-                    for (kind = 0; kind < (int)MS_NN__KINDS; ++kind)
-                        if (ms_nn__is(&text, ms_nn__kind_name[kind])) break;
-                if (status == MS_OK && kind == (int)MS_NN__KINDS)
-                    return ms_nn__refuse_word(j, key_at, "unknown type '%s'", text.head);
-                break;
-            case MS_NN__COUNTS:
-            case MS_NN__SIZES: {
-                size_t counts[2] = {0, 0};
-                status = ms_nn__json_counts(j, counts);
-                if (status == MS_OK && (counts[0] > INT_MAX || counts[1] > INT_MAX))
-                    return ms_nn__refuse_word(j, key_at, "the size '%s' is too large", key.head);
-                if (status == MS_OK && ms_nn__field_list[f].kind == MS_NN__COUNTS && (counts[0] == 0 || counts[1] == 0))
-                    return ms_nn__refuse_word(j, key_at, "the size '%s' must not be 0", key.head);
-                memcpy(at, counts, sizeof counts);
-                break;
-            }
-            case MS_NN__REAL: {
-                double real = 0;
-                status = ms_nn__json_real(j, &real);
-                if (status == MS_OK && !(real >= 0 && real <= 1e30))
-                    return ms_nn__refuse_word(j, key_at, "'%s' must not be negative or above 1e30", key.head);
-                memcpy(at, &real, sizeof real);
-                break;
-            }
-            default: {
-                int yes, flag;
-                ms_nn__space(j);
-                yes = j->end - j->p >= 4 && memcmp(j->p, "true", 4) == 0;
-                flag = yes ? 1 : 2;
-                if (!yes && !(j->end - j->p >= 5 && memcmp(j->p, "false", 5) == 0))
-                    return ms_nn__refuse(j, "expected true or false");
-                j->p += yes ? 4 : 5;
-                memcpy(at, &flag, sizeof flag);
-            }
-            }
-        }
-        if (status != MS_OK) return status;
+        for (f = 0; f < MS_NN__FIELDS && !ms_nn__is(&key, ms_nn__fields[f].key);) ++f;
+        if (f == MS_NN__FIELDS) return ms_nn__refuse_word(j, key_at, "unknown field '%s'", key.head);
+        if (spec.given & 1u << f) return ms_nn__refuse_word(j, key_at, "the field '%s' appears twice", key.head);
+        spec.given |= 1u << f;
+        ms_nn__space(j);
+        if (f == 0) key_at = j->p; /* an error speaks of the type itself */
+        if ((status = ms_nn__list_field(j, l, &spec, f, key_at)) != MS_OK) return status;
         if ((status = ms_nn__json_more(j, '}', &more)) != MS_OK) return status;
     }
-    if (kind < 0) return ms_nn__refuse(j, "the layer has no type");
-    for (f = 0; f < FIELDS; ++f)
-        if ((seen & 1u << f) && !(ms_nn__field_list[f].layers & 1u << kind))
-            return ms__fail(j->error, MS_BAD_DATA, j->base + spec.at,
-                            "the field '%s' does not belong to a layer of type %s", ms_nn__field_list[f].key,
-                            ms_nn__kind_name[kind]);
-    if (inputs != (kind == (int)MS_NN__SHARED)) return ms_nn__refuse(j, "inputs and shared_channels belong together");
-    if (l->layers == MS_NN_MAX_LAYERS) return ms_nn__refuse(j, "more than 4096 layers");
-    if (l->spec) {
-        l->spec[l->layers] = spec;
-        l->kind[l->layers] = (ms_nn__kind)kind;
+    if (!(spec.given & 1u)) return ms_nn__refuse(j, "the layer has no type");
+    for (f = 0; f < MS_NN__FIELDS; ++f) {
+        const ms_nn__field *field = &ms_nn__fields[f];
+        if ((spec.given & 1u << f) && !(field->layers & MS_NN__BIT(spec.kind)))
+            return ms__fail(j->error, MS_BAD_DATA, j->base + spec.at, "the field '%s' does not belong to the type %s",
+                            field->key, ms_nn__kind_name[spec.kind]);
+        if ((spec.pairs & 1u << f) && (field->kind == MS_NN__COUNT || !(MS_NN__TWO_D & MS_NN__BIT(spec.kind))))
+            return ms__fail(j->error, MS_BAD_DATA, j->base + spec.at, "the field '%s' of the type %s is one number",
+                            field->key, ms_nn__kind_name[spec.kind]);
     }
+    if (spec.kind == MS_NN__SHARED && l->channels == 0) return ms_nn__refuse(j, "shared_channels has no inputs");
+    if (l->layers == MS_NN_MAX_LAYERS) return ms_nn__refuse(j, "more than 4096 layers");
+    if (l->spec) l->spec[l->layers] = spec;
     l->layers++;
     return MS_OK;
 }
@@ -1996,16 +1901,13 @@ static MS_NN__COLD ms_nn__json ms_nn__json_of(const char *text, ms_error *error)
 static MS_NN__COLD ms_status ms_nn__list_read(ms_nn__list *l, const char *text, ms_error *error)
 {
     ms_nn__json j = ms_nn__json_of(text, error);
-    ms_error layer;
     int more = 1;
     ms_status status;
     if (!ms_nn__take(&j, '[')) return ms_nn__refuse(&j, "ms_nn_layers must be a list");
-    if (ms_nn__take(&j, ']')) more = 0;
+    if (ms_nn__take(&j, ']')) return ms_nn__refuse(&j, "the layer list is empty");
     while (more) {
-        if ((status = ms_nn__list_layer(&j, l)) != MS_OK) {
-            ms__fail(&layer, MS_OK, 0, "layer %d", l->layers);
-            return ms_nn__prefix_error(error, status, error ? error->position : 0, layer.message, "");
-        }
+        if ((status = ms_nn__list_layer(&j, l)) != MS_OK)
+            return ms_nn__name_place(error, status, error ? error->position : 0, l->layers, NULL, NULL);
         if ((status = ms_nn__json_more(&j, ']', &more)) != MS_OK) return status;
     }
     ms_nn__space(&j);
@@ -2041,33 +1943,34 @@ typedef struct ms_nn__dims {
 
 static size_t ms_nn__count(ms_nn__dims d) { return d.c * d.h * d.w; }
 
-/* A dense layer's matrix where it lies. Rows are cols elements long without padding. One that a cache may hold is there
-   once more, in panels of four vectors of rows: [panel][column][row of the panel], zeros after the last row. */
+/* More values than leave room for 64 bytes each: no size of a value can wrap. */
+static int ms_nn__too_large(ms_nn__dims d) { return ms__size_mul(ms__size_mul(d.c, d.h), d.w) > SIZE_MAX / 64; }
+
+static size_t ms_nn__at_least_1(size_t n) { return n ? n : 1; }
+static size_t ms_nn__min(size_t a, size_t b) { return a < b ? a : b; }
+static size_t ms_nn__round_up(size_t n, size_t unit) { return (n + unit - 1) / unit * unit; }
+
+/* A dense layer's matrix where it lies, rows of cols elements without padding; most have a packed copy, too: in panels
+   of kernels->panel rows, [panel][column][row of the panel], zeros after the last row. */
 typedef struct ms_nn__matrix {
     const unsigned char *w, *scale, *bias; /* scale, bias: [rows] native floats, any alignment, or NULL */
-    ms_nn_dtype dtype;                     /* F32, F16, BF16, I8 */
+    ms_nn_dtype dtype;                     /* F32, F16, I8 */
     size_t rows, cols;
     const unsigned char *packed;             /* 64-byte aligned; NULL: not packed */
     const float *packed_scale, *packed_bias; /* of every row of the panels: 1 and 0 where there is none */
-    ms_nn_dtype packed_dtype;
+    ms_nn_dtype packed_dtype;                /* F32, F16 */
 } ms_nn__matrix;
 
-/* A correlation with its weights packed for the level in use: [block of outputs][in channel][tap][output of the block].
-   Three rows high over many channels, it makes two rows at a time by Winograd's F(2, 3) (Lavin and Gray 2016) along the
-   columns: the input holds four combined rows for each pair of output rows, the weights are [block][combination][in
-   channel][tap of a row][output], and 4 instead of 6 multiplications are left. */
+/* A correlation. It runs in strips of output rows; a strip's input is copied with its zeros around it, "padded". */
 typedef struct ms_nn__conv {
     ms_nn__dims in, out;
-    size_t kernel[2], stride[2],
-        input_dilation[2]; /* input_dilation: the input's elements stand so far apart, zeros between */
-    size_t dilation[2];    /* the taps stand so far apart */
-    ptrdiff_t pad[2];      /* zeros above and left of the input; negative: rows and columns that are skipped */
-    const float *packed;
+    size_t kernel[2], stride[2];
+    size_t pad[2];        /* zeros above and left of the input */
+    const float *packed;  /* [block][in channel][tap][output of the block], blocks of kernels->block outputs */
     const float *bias;    /* [out.c rounded up to blocks], zeros where there is none */
-    int winograd;         /* two rows at a time */
-    size_t taps;          /* that a tile sums over */
-    const size_t *offset; /* [taps] from an output's first padded element to the element that tap sees */
-    size_t strip;         /* output rows of a task, whose input is padded together */
+    size_t taps;          /* of a channel */
+    const size_t *offset; /* [taps] from an output's first padded element to the element that the tap sees */
+    size_t strip;         /* output rows of a strip */
     size_t rows;          /* padded input rows of a strip */
     size_t pitch, plane;  /* floats of a padded row and channel; with stride s, columns 0, s, 2s... come first */
 } ms_nn__conv;
@@ -2082,19 +1985,16 @@ typedef struct ms_nn__dense {
     ms_nn__activation activation;
     float alpha;
     size_t chunk_rows; /* of a task */
-    int streams;       /* one sample: MS_NN__W_ROWS rows together, far apart */
     const struct ms_nn__kernels *kernels;
 } ms_nn__dense;
 
 /* One convolution of one sample. */
 typedef struct ms_nn__conv_job {
     const ms_nn__conv *conv;
-    const float *x; /* [in.c] planes of x_plane floats, rows of x_row */
-    size_t x_plane, x_row;
+    const float *x;     /* [in.c][in.h][in.w] */
+    float *y;           /* [out.c][out.h][out.w] */
     float *padded;      /* [strips][in.c][plane], each strip with room for loads beyond its end */
     size_t padded_step; /* floats from one strip's to the next; 0 where strips follow each other and share one */
-    float *y;           /* [out.c] planes */
-    size_t y_plane, y_row, y_step;
     int linear;
     ms_nn__activation activation;
     float alpha;
@@ -2102,6 +2002,19 @@ typedef struct ms_nn__conv_job {
 } ms_nn__conv_job;
 
 enum { MS_NN__OVERRUN = 64 }; /* floats that a tile may load beyond the end of the padded input */
+
+/* out_ik += sum_r a_ir b_rk in double for r < count, i < rows and k < cols, a multiple of MS_NN__DOUBLES. */
+typedef struct ms_nn__product_job {
+    const double *a; /* a_ir at a[i * a_row + r * a_column] */
+    size_t a_row, a_column;
+    const double *b; /* b_rk at b[r * b_row + k] */
+    size_t b_row;
+    double *out; /* out_ik at out[i * out_row + k] */
+    size_t out_row;
+    size_t count, rows, cols;
+} ms_nn__product_job;
+
+enum { MS_NN__DOUBLES = 16 }; /* two vectors of the widest level */
 
 /* The loops that differ by level; the kernel section at the end of this file makes one table a level. */
 typedef struct ms_nn__kernels {
@@ -2111,61 +2024,52 @@ typedef struct ms_nn__kernels {
     void (*packed)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*dense)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*conv)(const ms_nn__conv_job *job, size_t strip, const float *padded);
-    void (*combine)(float *rows, size_t n);
     void (*activate)(float *y, size_t n, ms_nn__activation activation, float alpha);
     void (*derive)(const float *y, float *g, size_t n, ms_nn__activation activation, float alpha);
-    void (*gram)(const double *a, size_t na, const double *b, size_t nb, size_t stride, size_t n, double *out);
-    void (*add)(double *y, size_t ny, const double *a, size_t na, size_t stride, size_t n, const double *s);
-    void (*row)(const ms_nn__matrix *m, size_t row, double factor, double *out);
+    void (*widen)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype);
+    void (*product)(const ms_nn__product_job *job);
 } ms_nn__kernels;
 
-typedef enum ms_nn__step {
+typedef enum ms_nn__op_kind {
     MS_NN__DO_DENSE,
     MS_NN__DO_CONV,
     MS_NN__DO_UPSAMPLE,
-    MS_NN__DO_LINEAR,
-    MS_NN__DO_POOL,
-    MS_NN__DO_AVERAGE,
+    MS_NN__DO_MAXPOOL,
+    MS_NN__DO_AVGPOOL,
     MS_NN__DO_TRANSPOSE,
     MS_NN__DO_ACTIVATE,
-    MS_NN__DO_ADD,
-    MS_NN__DO_CONCAT
-} ms_nn__step;
+    MS_NN__DO_ADD
+} ms_nn__op_kind;
 
 /* One operation. Operation k reads value k and makes value k + 1; value 0 is the input. */
 typedef struct ms_nn__op {
-    ms_nn__step step;
+    ms_nn__op_kind kind;
     ms_nn__activation activation;
     float alpha;
     ms_nn__dims in, out;
-    int layer;                 /* in the file's list */
-    int skip;                  /* ADD, CONCAT: the other value */
-    int flag;                  /* CONCAT: the other one's channels come first; LINEAR: align_corners are aligned */
-    size_t size[2], stride[2]; /* POOL; UPSAMPLE: size is the factor */
+    int skip;                  /* ADD: the other value */
+    size_t size[2], stride[2]; /* of pools; UPSAMPLE: size is the factor */
     ms_nn__matrix matrix;
-    int phases;        /* CONV: 1, or the factor of an upsampling in front of it */
-    size_t groups;     /* CONV: each from its own channels to its own */
-    ms_nn__conv *conv; /* [groups][phases]: phase p makes the outputs p, p + phases, ... of each row */
+    ms_nn__conv conv;
 } ms_nn__op;
 
 /* Memory that belongs to a network: a list, released with it. */
-typedef struct ms_nn__block {
-    struct ms_nn__block *next;
+typedef struct ms_nn__memory {
+    struct ms_nn__memory *next;
     size_t bytes;
-} ms_nn__block;
+} ms_nn__memory;
 
 struct ms_nn {
     ms_nn_options options;
     ms_nn_file *file;
-    ms_nn__block *blocks;
+    ms_nn__memory *memory;
     const ms_nn__kernels *kernels;
     ms_simd level;
-    int streams;               /* large matrices are read as several streams */
-    size_t packed;             /* weights that are packed */
+    size_t packed;             /* bytes of packed dense weights */
     ms_nn_shape input, output; /* as the caller sees them */
     size_t channels, channel_inputs;
     const size_t *channel_input; /* [channels][channel_inputs]; channels 1 and NULL without shared_channels */
-    ms_nn__dims inner;           /* what value 0 is */
+    ms_nn__dims inner;           /* of value 0 */
     int layers, ops;
     ms_nn_layer *layer;  /* [layers] */
     ms_nn__op *op;       /* [ops] */
@@ -2178,14 +2082,14 @@ struct ms_nn {
 /* Memory held until the network goes; 64-byte aligned for the kernels' sake; NULL: none left. */
 static void *ms_nn__allocate(ms_nn *nn, size_t count, size_t size)
 {
-    size_t bytes = ms__size_add(ms__size_mul(count, size), sizeof(ms_nn__block) + 64);
-    ms_nn__block *b = (ms_nn__block *)ms__alloc(&nn->options.allocator, bytes);
+    size_t bytes = ms__size_add(ms__size_mul(count, size), sizeof(ms_nn__memory) + 64);
+    ms_nn__memory *m = (ms_nn__memory *)ms__alloc(&nn->options.allocator, bytes);
     uintptr_t at;
-    if (b == NULL) return NULL;
-    b->next = nn->blocks;
-    b->bytes = bytes;
-    nn->blocks = b;
-    at = ((uintptr_t)(b + 1) + 63) & ~(uintptr_t)63;
+    if (m == NULL) return NULL;
+    m->next = nn->memory;
+    m->bytes = bytes;
+    nn->memory = m;
+    at = ((uintptr_t)(m + 1) + 63) & ~(uintptr_t)63;
     return (void *)at;
 }
 
@@ -2199,277 +2103,184 @@ static MS_NN__COLD ms_nn_shape ms_nn__shape(ms_nn__dims d, int rank)
     return s;
 }
 
-/* Tensor <layer>.<part> with the expected shape (0: any size but 0); *tensor NULL if it is absent and may be. */
+enum { MS_NN__NAME_SIZE = 256 }; /* of a tensor that a layer names, with its NUL */
+
+/* Tensor <layer>.<part>; NULL: there is none. name: its name, room for MS_NN__NAME_SIZE. */
+static MS_NN__COLD const ms_nn_tensor *ms_nn__part(const ms_nn *nn, const char *layer, const char *part, char *name)
+{
+    const size_t n = strlen(layer);
+    memcpy(name, layer, n);
+    name[n] = '.';
+    memcpy(name + n + 1, part, strlen(part) + 1);
+    return ms_nn_file_find(nn->file, name);
+}
+
+/* The same, with the expected shape (0: any size but 0); *tensor NULL if it is absent and may be. */
 static MS_NN__COLD ms_status ms_nn__tensor(const ms_nn *nn, const char *layer, const char *part, int rank,
                                            const size_t *shape, int required, const ms_nn_tensor **tensor,
                                            ms_error *error)
 {
-    char name[256];
-    size_t n = strlen(layer), m = strlen(part);
+    char name[MS_NN__NAME_SIZE];
+    const ms_nn_tensor *t = *tensor = ms_nn__part(nn, layer, part, name);
     int d;
-    *tensor = NULL;
-    if (n + m + 2 > sizeof name) return ms__fail(error, MS_BAD_DATA, 0, "the name of layer '%s' is too long", layer);
-    memcpy(name, layer, n);
-    name[n] = '.';
-    memcpy(name + n + 1, part, m + 1);
-    *tensor = ms_nn_file_find(nn->file, name);
-    if (*tensor == NULL) return required ? ms__fail(error, MS_BAD_DATA, 0, "the tensor '%s' is missing", name) : MS_OK;
-    if ((*tensor)->rank != rank)
-        return ms__fail(error, MS_BAD_DATA, 0, "the tensor '%s' must have %d dimensions", name, rank);
+    if (t == NULL) return required ? ms__fail(error, MS_BAD_DATA, 0, "there is no tensor '%s'", name) : MS_OK;
+    if (t->rank != rank) return ms__fail(error, MS_BAD_DATA, 0, "not of %d dimensions: the tensor '%s'", rank, name);
     for (d = 0; d < rank; ++d)
-        if ((*tensor)->shape[d] == 0 || (shape[d] != 0 && (*tensor)->shape[d] != shape[d]))
-            return ms__fail(error, MS_BAD_DATA, 0, "dimension %d of '%s' is %z, the layer list makes it %z", d, name,
-                            (*tensor)->shape[d], shape[d]);
+        if (t->shape[d] == 0 || (shape[d] != 0 && t->shape[d] != shape[d]))
+            return ms__fail(error, MS_BAD_DATA, 0, "the layer list makes dimension %d %z, it is %z: the tensor '%s'", d,
+                            shape[d], t->shape[d], name);
     return MS_OK;
 }
 
-/* A tensor as native floats: where it lies if it is that already, else a copy. */
+/* A tensor of F32 or F16 as native floats: where it lies if it is that already, else a copy. */
 static const unsigned char *ms_nn__floats(ms_nn *nn, const ms_nn_tensor *t)
 {
-    size_t count = t->bytes / (size_t)(ms_nn__bits(t->dtype) / 8), i;
+    size_t count = t->bytes / ms_nn__bytes_of(t->dtype), i;
     float *copy;
     if (t->dtype == MS_NN_F32 && !MS_NN__BIG_ENDIAN) return (const unsigned char *)t->data;
     copy = (float *)ms_nn__allocate(nn, count, sizeof(float));
-    for (i = 0; copy && i < count; ++i) copy[i] = ms_nn__to_float(ms_nn__element(t->data, t->dtype, i));
+    for (i = 0; copy && i < count; ++i) copy[i] = ms_nn__element(t->data, t->dtype, i);
     return (const unsigned char *)copy;
 }
 
-/* The weights of a layer; sizes that the layer list leaves open (0 in shape) are read from the tensor. turned: groups
-   of a transposed convolution, whose outputs are the second dimension; 0: the first. */
+/* The tensors of a layer. */
 typedef struct ms_nn__weights {
     const ms_nn_tensor *weight, *bias, *scale;
 } ms_nn__weights;
 
+/* Finds them; sizes that the layer list leaves open (0 in shape) are read from the weights. */
 static MS_NN__COLD ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *spec, int rank, size_t *shape,
-                                                 size_t turned, ms_nn_layer *info, ms_nn__weights *w, ms_error *error)
+                                                 ms_nn_layer *info, ms_nn__weights *w, ms_error *error)
 {
     const ms_nn_tensor *part[3];
     ms_status status;
     int i;
-    size_t macs = 1, outs;
     if (spec->name == NULL) return ms__fail(error, MS_BAD_DATA, 0, "it has no name");
     if ((status = ms_nn__tensor(nn, spec->name, "weight", rank, shape, 1, &w->weight, error)) != MS_OK) return status;
     for (i = 0; i < rank; ++i) shape[i] = w->weight->shape[i];
-    outs = turned ? ms__size_mul(shape[1], turned) : shape[0];
-    if ((status = ms_nn__tensor(nn, spec->name, "bias", 1, &outs, spec->bias != 2, &w->bias, error)) != MS_OK)
+    if ((status = ms_nn__tensor(nn, spec->name, "bias", 1, shape, spec->bias != 2, &w->bias, error)) != MS_OK)
         return status;
     if ((status = ms_nn__tensor(nn, spec->name, "weight_scale", 1, shape, w->weight->dtype == MS_NN_I8, &w->scale,
                                 error)) != MS_OK)
         return status;
-    if (spec->bias == 2 && w->bias)
-        return ms__fail(error, MS_BAD_DATA, 0, "layer '%s' says bias false but has one", spec->name);
+    if (spec->bias == 2 && w->bias) return ms__fail(error, MS_BAD_DATA, 0, "it says bias false but has a bias");
     if (w->scale && w->weight->dtype != MS_NN_I8)
-        return ms__fail(error, MS_BAD_DATA, 0, "'%s.weight_scale' belongs to I8 weights only", spec->name);
+        return ms__fail(error, MS_BAD_DATA, 0, "it has a weight_scale, which belongs to I8 weights only");
     part[0] = w->weight;
     part[1] = w->bias;
     part[2] = w->scale;
     for (i = 0; i < 3; ++i) {
         if (part[i] == NULL) continue;
-        if ((int)part[i]->dtype > (i == 0 ? (int)MS_NN_I8 : (int)MS_NN_BF16))
-            return ms__fail(error, MS_UNSUPPORTED, 0, "the tensor '%s' has element type %s", part[i]->name,
-                            ms_nn__dtype_name((int)part[i]->dtype));
+        if ((int)part[i]->dtype > (i == 0 ? (int)MS_NN_I8 : (int)MS_NN_F16))
+            return ms__fail(error, MS_UNSUPPORTED, 0, "networks have no %s of type %s: the tensor '%s'",
+                            i == 0       ? "weights"
+                                : i == 1 ? "biases"
+                                         : "scales",
+                            ms_nn__dtype_name((int)part[i]->dtype), part[i]->name);
         info->bytes += part[i]->bytes;
-        if (i < 2) info->parameters += part[i]->bytes / (size_t)(ms_nn__bits(part[i]->dtype) / 8);
+        if (i < 2) info->parameters += part[i]->bytes / ms_nn__bytes_of(part[i]->dtype);
     }
-    for (i = 0; i < rank; ++i) macs = ms__size_mul(macs, shape[i]);
-    info->multiply_adds = macs;
+    info->multiply_adds = w->weight->bytes / ms_nn__bytes_of(w->weight->dtype);
     info->dtype = w->weight->dtype;
     return MS_OK;
 }
 
-/* Element (row-major index i, in output row) of a weight, its scale applied. */
-static double ms_nn__weight_at(const ms_nn__weights *w, size_t row, size_t i)
-{
-    double x = ms_nn__element(w->weight->data, w->weight->dtype, i);
-    return w->scale ? x * ms_nn__element(w->scale->data, w->scale->dtype, row) : x;
-}
+enum {
+    MS_NN__PACK_COLS = 512,        /* rows so short are packed whatever their number: read in place they are slow */
+    MS_NN__PACK_WEIGHTS = 2000000, /* of a matrix of longer rows: F16 of 4 MB, which a cache may hold */
+    MS_NN__PACK_COLS_MOST = 16384, /* longer rows are read in place as fast */
+    MS_NN__PACK_BYTES = 64 << 20   /* of a network */
+};
 
-static int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m);
-
-/* Dense weights where they lie, small ones packed too; F64 as a float copy; on big-endian hosts F32 as a copy in native
-   order (the scalar kernels, which are all that those have, read the other types byte by byte). With fold > 1 the
-   columns of the fold_h x fold_w positions that one low-resolution element was copied to are added up (in double,
-   rounded once): W u(x) = (W U) x. low: the shape before the upsampling; last: channels run fastest. */
-static MS_NN__COLD ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights *w, const size_t fold[2],
-                                               ms_nn__dims low, int last)
+/* Packs a matrix. Nothing here depends on the batch, so that bits do not. 0: no memory. */
+static MS_NN__COLD int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m)
 {
-    ms_nn__matrix *m = &op->matrix;
-    size_t rows = w->weight->shape[0], cols = w->weight->shape[1], folds = fold[0] * fold[1], r, c, y, x, i;
-    m->rows = rows;
-    m->cols = cols / folds;
-    m->dtype = w->weight->dtype;
-    m->w = (const unsigned char *)w->weight->data;
-    m->scale = m->bias = NULL;
-    if (folds > 1 || m->dtype == MS_NN_F64) {
-        float *copy = (float *)ms_nn__allocate(nn, ms__size_mul(rows, m->cols), sizeof(float));
-        if (copy == NULL) return MS_OUT_OF_MEMORY;
-        m->w = (const unsigned char *)copy;
-        m->dtype = MS_NN_F32;
-        for (r = 0; r < rows; ++r) {
-            const unsigned char *row = (const unsigned char *)w->weight->data +
-                r * cols * (size_t)(ms_nn__bits(w->weight->dtype) / 8);
-            for (i = 0; i < low.h * low.w; ++i) {
-                size_t at = i / low.w * fold[0] * low.w * fold[1] + i % low.w * fold[1]; /* its first copy */
-                for (c = 0; c < low.c; ++c) {
-                    double sum = 0;
-                    for (y = 0; y < fold[0]; ++y)
-                        for (x = 0; x < fold[1]; ++x) {
-                            size_t pixel = at + y * low.w * fold[1] + x;
-                            size_t col = last ? pixel * low.c + c : c * low.h * low.w * folds + pixel;
-                            sum += w->weight->dtype == MS_NN_F32 ? (double)ms_nn__float_of(ms_nn__u32(row + 4 * col))
-                                                                 : ms_nn__element(row, MS_NN_F64, col);
-                        }
-                    copy[last ? i * low.c + c : c * low.h * low.w + i] = ms_nn__to_float(sum);
-                }
-            }
-            copy += m->cols;
+    const ms_nn_dtype dtype = nn->kernels->level == 1 || m->dtype == MS_NN_F32 ? MS_NN_F32 : MS_NN_F16;
+    const size_t panel = nn->kernels->panel, size = ms_nn__bytes_of(dtype), own = ms_nn__bytes_of(m->dtype),
+                 rows = ms_nn__round_up(m->rows, panel), bytes = ms__size_mul(ms__size_mul(rows, size), m->cols);
+    unsigned char *w;
+    float *scale;
+    size_t row, k;
+    m->packed = NULL;
+    m->packed_dtype = dtype;
+    if (ms__size_add(bytes, nn->packed) > MS_NN__PACK_BYTES) return 1;
+    if (m->cols >= MS_NN__PACK_COLS && (m->cols > MS_NN__PACK_COLS_MOST || m->rows > MS_NN__PACK_WEIGHTS / m->cols))
+        return 1;
+    m->packed = w = (unsigned char *)ms_nn__allocate(nn, bytes, 1);
+    m->packed_scale = scale = (float *)ms_nn__allocate(nn, rows, 2 * sizeof(float));
+    m->packed_bias = scale + rows;
+    if (w == NULL || scale == NULL) return 0;
+    nn->packed += bytes;
+    for (row = 0; row < rows; ++row) {
+        const unsigned char *from = m->w + (row < m->rows ? row * m->cols * own : 0);
+        unsigned char *to = w + (row / panel * panel * m->cols + row % panel) * size;
+        scale[row] = row < m->rows && m->scale ? ms_nn__float_at(m->scale, row) : 1;
+        scale[rows + row] = row < m->rows && m->bias ? ms_nn__float_at(m->bias, row) : 0;
+        for (k = 0; k < m->cols; ++k, from += own, to += panel * size) {
+            const float value = row >= m->rows ? 0
+                : m->dtype == MS_NN_F32        ? ms_nn__float_at(from, 0)
+                                               : ms_nn__element(from, m->dtype, 0);
+            if (dtype == MS_NN_F32) memcpy(to, &value, 4);
+            else if (m->dtype == MS_NN_F16 && row < m->rows) memcpy(to, from, 2);
+            else ms_nn__put_u16(to, ms__half_from_float(value));
         }
-    } else if (m->dtype == MS_NN_F32 && (m->w = ms_nn__floats(nn, w->weight)) == NULL) {
-        return MS_OUT_OF_MEMORY;
     }
-    if (w->bias && (m->bias = ms_nn__floats(nn, w->bias)) == NULL) return MS_OUT_OF_MEMORY;
-    if (w->scale && (m->scale = ms_nn__floats(nn, w->scale)) == NULL) return MS_OUT_OF_MEMORY;
-    return ms_nn__pack_dense(nn, m) ? MS_OK : MS_OUT_OF_MEMORY;
+    return 1;
 }
 
-/* ceil(a / b) and floor(a / b) for b > 0. */
-static ptrdiff_t ms_nn__floor_div(ptrdiff_t a, ptrdiff_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
-
-/* Packs weight(o, c, t) into blocks; block is the level's. at() gives the weight. */
-typedef struct ms_nn__taps {
-    const ms_nn__weights *w;
-    size_t outs, ins, height, width; /* of the tensor */
-    size_t factor, phase;            /* of the upsampling before it; 1, 0 without */
-    ptrdiff_t pad;                   /* left, in upsampled columns */
-    ptrdiff_t first;                 /* first input column, relative to the output column, that this phase sees */
-    int turned;                      /* a transposed convolution: outputs and inputs exchanged, taps reversed */
-    size_t taps_w;                   /* width of the folded kernel */
-    size_t group;                    /* outs and ins are those of a group */
-} ms_nn__taps;
-
-/* Folded weight: output column f i + p of a correlation with kernel w over an f-fold upsampled row sees the input
-   columns i + floor((p + k - pad) / f); taps that see the same column are added. */
-static double ms_nn__tap(const ms_nn__taps *t, size_t o, size_t c, size_t y, size_t x)
+/* Dense weights where they lie, and packed; on big-endian hosts F32 as a copy in native order (the scalar kernels,
+   which are all that those have, read the other types byte by byte). */
+static MS_NN__COLD ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__matrix *m, const ms_nn__weights *w)
 {
-    size_t oo = t->turned ? c : o, cc = t->turned ? o : c, yy = t->turned ? t->height - 1 - y : y;
-    size_t xx = t->turned ? t->taps_w - 1 - x : x, k;
-    double sum = 0;
-    oo += t->group * t->outs;
-    if (t->factor == 1) return ms_nn__weight_at(t->w, oo, ((oo * t->ins + cc) * t->height + yy) * t->width + xx);
-    for (k = 0; k < t->width; ++k)
-        if (ms_nn__floor_div((ptrdiff_t)t->phase + (ptrdiff_t)k - t->pad, (ptrdiff_t)t->factor) - t->first ==
-            (ptrdiff_t)xx)
-            sum += ms_nn__weight_at(t->w, oo, ((oo * t->ins + cc) * t->height + yy) * t->width + k);
-    return sum;
+    m->rows = w->weight->shape[0];
+    m->cols = w->weight->shape[1];
+    m->dtype = w->weight->dtype;
+    m->w = m->dtype == MS_NN_F32 ? ms_nn__floats(nn, w->weight) : (const unsigned char *)w->weight->data;
+    m->bias = w->bias ? ms_nn__floats(nn, w->bias) : NULL;
+    m->scale = w->scale ? ms_nn__floats(nn, w->scale) : NULL;
+    if (m->w == NULL || (w->bias && m->bias == NULL) || (w->scale && m->scale == NULL)) return MS_OUT_OF_MEMORY;
+    return ms_nn__pack_dense(nn, m) ? MS_OK : MS_OUT_OF_MEMORY;
 }
 
 enum { MS_NN__STRIP_FLOATS = 65536 }; /* of padded input, which a strip should not exceed, to stay in a cache */
 
-/* Geometry of the padded input of a strip: as many rows and columns as its outputs see. */
+/* Geometry of the padded input of a strip: as many rows and columns as its outputs see. 0: no memory. */
 static MS_NN__COLD int ms_nn__conv_geometry(ms_nn *nn, ms_nn__conv *v)
 {
-    size_t s = v->stride[1], w = (v->out.w - 1) * s + (v->kernel[1] - 1) * v->dilation[1] + 1,
-           rows = v->winograd ? 1 : v->kernel[0], fit, y, x;
-    size_t high = (v->kernel[0] - 1) * v->dilation[0] + 1;
-    size_t *offset = (size_t *)ms_nn__allocate(nn, ms__size_mul(rows, v->kernel[1]), sizeof(size_t));
-    v->pitch = v->out.w == 0 ? 0 : (w + s - 1) / s * s; /* 0: a phase without outputs */
-    fit = MS_NN__STRIP_FLOATS / (v->in.c * v->pitch + 1);
-    v->strip = v->winograd ? fit / 4 * 2 : fit > high ? (fit - high) / v->stride[0] + 1 : 1;
-    if (v->winograd && v->strip < 2) v->strip = 2;
-    if (v->strip > v->out.h) v->strip = v->winograd ? (v->out.h + 1) / 2 * 2 : v->out.h;
-    v->rows = v->winograd ? 2 * v->strip : (v->strip - 1) * v->stride[0] + high;
-    v->plane = v->rows * v->pitch;
-    v->taps = rows * v->kernel[1];
+    const size_t s = v->stride[1], wide = (v->out.w - 1) * s + v->kernel[1], taps = v->kernel[0] * v->kernel[1];
+    size_t *offset = (size_t *)ms_nn__allocate(nn, taps, sizeof(size_t)), fit, y, x;
+    v->pitch = ms_nn__round_up(wide, s);
+    fit = MS_NN__STRIP_FLOATS / ms_nn__at_least_1(ms__size_mul(v->in.c, v->pitch));
+    v->strip = fit > v->kernel[0] ? (fit - v->kernel[0]) / v->stride[0] + 1 : 1;
+    v->strip = ms_nn__min(v->strip, v->out.h);
+    v->rows = (v->strip - 1) * v->stride[0] + v->kernel[0];
+    v->plane = ms__size_mul(v->rows, v->pitch);
+    v->taps = taps;
     v->offset = offset;
-    for (y = 0; offset && y < rows; ++y)
-        for (x = 0; x < v->kernel[1]; ++x)
-            *offset++ = y * v->dilation[0] * v->pitch + x * v->dilation[1] % s * (v->pitch / s) +
-                x * v->dilation[1] / s;
-    return offset != NULL;
+    if (offset == NULL || ms__size_add(ms__size_mul(v->in.c, v->plane), MS_NN__OVERRUN) > SIZE_MAX / sizeof(float))
+        return 0;
+    for (y = 0; y < v->kernel[0]; ++y)
+        for (x = 0; x < v->kernel[1]; ++x) *offset++ = y * v->pitch + x % s * (v->pitch / s) + x / s;
+    return 1;
 }
 
-/* Winograd's weights are g0, (g0 + g1 + g2) / 2, (g0 - g1 + g2) / 2, g2 of each column of three. */
-static const float *ms_nn__pack(ms_nn *nn, const ms_nn__taps *t, size_t outs, size_t ins, size_t block, int winograd)
+/* Weights and biases by blocks of outputs. */
+static MS_NN__COLD ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__conv *v, const ms_nn__weights *w)
 {
-    const size_t blocks = (outs + block - 1) / block, taps = (winograd ? 1 : t->height) * t->taps_w,
-                 parts = winograd ? 4 : 1, part = ins * taps * block;
-    float *packed = (float *)ms_nn__allocate(nn, ms__size_mul(blocks * parts, part), sizeof(float));
-    size_t b, c, k, o;
-    for (b = 0; packed && b < blocks; ++b)
-        for (c = 0; c < ins; ++c)
-            for (k = 0; k < taps; ++k)
-                for (o = 0; o < block; ++o) {
-                    float *p = packed + b * parts * part + (c * taps + k) * block + o;
-                    const size_t out = b * block + o;
-                    double g[3] = {0, 0, 0};
-                    size_t y;
-                    for (y = 0; y < (winograd ? 3u : 1u) && out < outs; ++y)
-                        g[y] = ms_nn__tap(t, out, c, winograd ? y : k / t->taps_w, k % t->taps_w);
-                    p[0] = (float)g[0];
-                    if (!winograd) continue;
-                    p[part] = (float)((g[0] + g[1] + g[2]) / 2);
-                    p[2 * part] = (float)((g[0] - g[1] + g[2]) / 2);
-                    p[3 * part] = (float)g[2];
-                }
-    return packed;
-}
-
-/* The convolutions of an operation, one a group and phase. op->in is the shape before the upsampling by factor that is
-   folded in (1: none). turned: a transposed convolution, which is the gradient of the convolution from its outputs to
-   its inputs: the correlation of its inputs, zeros between them where the stride is over 1, with the mirrored kernel.
- */
-static MS_NN__COLD ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms_nn__weights *w, const size_t kernel[2],
-                                              const size_t stride[2], const size_t pad[2], const size_t dilation[2],
-                                              size_t factor, int turned, size_t block)
-{
-    size_t g, o, n, d, outs = op->out.c / op->groups, ins = op->in.c / op->groups,
-                       blocks = (outs + block - 1) / block * block;
-    float *bias = (float *)ms_nn__allocate(nn, ms__size_mul(op->groups, blocks), sizeof(float));
-    op->phases = (int)factor;
-    op->conv = (ms_nn__conv *)ms_nn__allocate(nn, ms__size_mul(op->groups, factor), sizeof(ms_nn__conv));
-    if (!bias || !op->conv) return MS_OUT_OF_MEMORY;
-    for (g = 0; g < op->groups; ++g)
-        for (o = 0; o < blocks; ++o)
-            bias[g * blocks + o] = w->bias && o < outs
-                ? ms_nn__to_float(ms_nn__element(w->bias->data, w->bias->dtype, g * outs + o))
-                : 0.0f;
-    for (n = 0; n < op->groups * factor; ++n) {
-        ms_nn__conv *v = &op->conv[n];
-        ms_nn__taps t;
-        t.w = w;
-        t.outs = turned ? ins : outs;
-        t.ins = turned ? outs : ins;
-        t.group = n / factor;
-        t.height = kernel[0];
-        t.width = kernel[1];
-        t.factor = factor;
-        t.phase = n % factor;
-        t.pad = (ptrdiff_t)pad[1];
-        t.first = ms_nn__floor_div((ptrdiff_t)t.phase - t.pad, (ptrdiff_t)factor);
-        t.taps_w = (size_t)(ms_nn__floor_div((ptrdiff_t)(t.phase + kernel[1] - 1) - t.pad, (ptrdiff_t)factor) -
-                            t.first + 1);
-        t.turned = turned;
-        memset(v, 0, sizeof *v);
-        v->in = op->in;
-        v->in.c = ins;
-        v->out = op->out;
-        v->out.c = outs;
-        v->out.w = (op->out.w + factor - 1 - t.phase) / factor;
-        v->kernel[0] = kernel[0];
-        v->kernel[1] = t.taps_w;
-        v->pad[0] = (ptrdiff_t)pad[0];
-        v->pad[1] = -t.first;
-        for (d = 0; d < 2; ++d) {
-            v->dilation[d] = dilation[d];
-            v->stride[d] = turned ? 1 : stride[d];
-            v->input_dilation[d] = turned ? stride[d] : 1;
-            if (turned) v->pad[d] = (ptrdiff_t)((v->kernel[d] - 1) * dilation[d]) - v->pad[d];
-        }
-        v->bias = bias + n / factor * blocks;
-        v->winograd = v->kernel[0] == 3 && v->stride[0] == 1 && v->input_dilation[0] == 1 && v->dilation[0] == 1 &&
-            ins >= 8 && v->out.h >= 2;
-        v->packed = ms_nn__pack(nn, &t, outs, ins, block, v->winograd);
-        if (!v->packed || !ms_nn__conv_geometry(nn, v)) return MS_OUT_OF_MEMORY;
+    const size_t block = nn->kernels->block, outs = v->out.c, padded_outs = ms_nn__round_up(outs, block),
+                 terms = v->in.c * v->kernel[0] * v->kernel[1]; /* of an output */
+    float *packed = (float *)ms_nn__allocate(nn, ms__size_mul(padded_outs, terms), sizeof(float));
+    float *bias = (float *)ms_nn__allocate(nn, padded_outs, sizeof(float));
+    size_t o, i;
+    if (!packed || !bias || !ms_nn__conv_geometry(nn, v)) return MS_OUT_OF_MEMORY;
+    v->packed = packed;
+    v->bias = bias;
+    for (o = 0; o < padded_outs; ++o) {
+        const float scale = w->scale && o < outs ? ms_nn__element(w->scale->data, w->scale->dtype, o) : 1.0f;
+        float *to = packed + o / block * block * terms + o % block;
+        bias[o] = w->bias && o < outs ? ms_nn__element(w->bias->data, w->bias->dtype, o) : 0.0f;
+        for (i = 0; i < terms; ++i)
+            to[i * block] = o < outs ? scale * ms_nn__element(w->weight->data, w->weight->dtype, o * terms + i) : 0.0f;
     }
     return MS_OK;
 }
@@ -2478,23 +2289,18 @@ static MS_NN__COLD ms_status ms_nn__conv_make(ms_nn *nn, ms_nn__op *op, const ms
 typedef struct ms_nn__build {
     ms_nn *nn;
     const ms_nn__list *list;
-    int *value;      /* [layers] value that holds a layer's output */
-    ms_nn__dims now; /* of the current layer's output, */
+    int *value;          /* [layers] value that holds a layer's output */
+    ms_nn__dims current; /* of the current layer's output */
     int rank;
-    ms_nn__dims low; /* of the last value, which an upsampling that is being folded has not blown up */
-    size_t fold[2];  /* its factors; 1, 1: nothing is being folded */
-    int last;        /* after a flatten: channels run fastest */
-    size_t block;    /* outputs of a convolution's block, by level */
 } ms_nn__build;
 
-static MS_NN__COLD ms_nn__op *ms_nn__op_add(ms_nn__build *b, ms_nn__step step, int layer, ms_nn__dims out)
+static MS_NN__COLD ms_nn__op *ms_nn__op_add(ms_nn__build *b, ms_nn__op_kind kind, ms_nn__dims out)
 {
     ms_nn__op *op = &b->nn->op[b->nn->ops++];
     memset(op, 0, sizeof *op);
-    op->step = step;
-    op->layer = layer;
-    op->in = b->low;
-    op->out = b->low = out;
+    op->kind = kind;
+    op->in = b->current;
+    op->out = b->current = out;
     return op;
 }
 
@@ -2506,240 +2312,150 @@ static MS_NN__COLD ms_status ms_nn__activation_read(const ms_nn__spec *spec, ms_
     if (a == (int)MS_NN__ACTIVATIONS)
         return ms__fail(error, MS_BAD_DATA, 0, "unknown activation '%s'", spec->activation);
     op->activation = (ms_nn__activation)a;
-    op->alpha = (float)(spec->alpha >= 0 ? spec->alpha : a == (int)MS_NN__LEAKY ? 0.01 : 1.0);
+    op->alpha = info->alpha = (float)(spec->alpha >= 0 ? spec->alpha : a == (int)MS_NN__LEAKY ? 0.01 : 1.0);
     info->activation = ms_nn__activation_name[a];
     return MS_OK;
 }
 
-/* The next layer that does something, or the end. */
-static MS_NN__COLD int ms_nn__next(const ms_nn__list *l, int i)
+static MS_NN__COLD ms_status ms_nn__build_dense(ms_nn__build *b, const ms_nn__spec *s, ms_nn_layer *info,
+                                                ms_error *error)
 {
-    for (++i; i < l->layers && l->kind[i] == MS_NN__DROPOUT;) ++i;
-    return i;
-}
-
-/* Can the upsampling at layer i go into the weights after it? */
-static MS_NN__COLD int ms_nn__foldable(const ms_nn__build *b, int i)
-{
-    const ms_nn__list *l = b->list;
-    const ms_nn__spec *s = l->spec;
-    int next = ms_nn__next(l, i), k;
-    if (s[i].mode && strcmp(s[i].mode, "nearest")) return 0;
-    if (s[i].factor[0] * s[i].factor[1] > 16 || next == l->layers) return 0;
-    for (k = i; k < l->layers; ++k)
-        if ((l->kind[k] == MS_NN__ADD || l->kind[k] == MS_NN__CONCAT) && s[k].from && s[i].name &&
-            strcmp(s[k].from, s[i].name) == 0)
-            return 0;
-    if (l->kind[next] == MS_NN__CONV1D)
-        return s[next].stride[0] <= 1 && s[next].dilation[0] <= 1 && s[next].groups[0] <= 1 &&
-            l->kind[i] == MS_NN__UPSAMPLE1D;
-    if (l->kind[next] != MS_NN__FLATTEN) return 0;
-    for (k = i + 1; k < next; ++k)
-        if (s[k].name) return 0;
-    k = ms_nn__next(l, next);
-    if (s[next].name || k == l->layers || l->kind[k] != MS_NN__DENSE || s[k].name == NULL) return 0;
-    {
-        const ms_nn_tensor *t;
-        ms_nn__tensor(b->nn, s[k].name, "weight", -1, NULL, 0, &t, NULL);
-        return t == NULL || t->dtype <= MS_NN_F32;
-    }
-}
-
-static MS_NN__COLD ms_status ms_nn__build_dense(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
-{
-    const ms_nn__spec *s = &b->list->spec[i];
     ms_nn__weights w;
-    ms_nn__dims low = b->low, out;
+    ms_nn__dims out = {0, 1, 1};
     ms_nn__op *op;
     size_t shape[2];
     ms_status status;
     if (b->rank != 1) return ms__fail(error, MS_BAD_DATA, 0, "it needs a vector: put a flatten before it");
-    shape[0] = s->units[0];
-    shape[1] = b->now.c;
-    if ((status = ms_nn__weights_find(b->nn, s, 2, shape, 0, info, &w, error)) != MS_OK) return status;
+    shape[0] = s->units;
+    shape[1] = b->current.c;
+    if ((status = ms_nn__weights_find(b->nn, s, 2, shape, info, &w, error)) != MS_OK) return status;
     out.c = shape[0];
-    out.h = out.w = 1;
-    op = ms_nn__op_add(b, MS_NN__DO_DENSE, i, out);
+    op = ms_nn__op_add(b, MS_NN__DO_DENSE, out);
     if ((status = ms_nn__activation_read(s, op, info, error)) != MS_OK) return status;
-    status = ms_nn__dense_make(b->nn, op, &w, b->fold, low, b->last);
-    info->folded = b->fold[0] * b->fold[1] > 1;
-    b->fold[0] = b->fold[1] = 1;
-    b->now = out;
-    return status;
+    return ms_nn__dense_make(b->nn, &op->matrix, &w);
 }
 
-/* Convolutions and transposed ones, whose weights are [inputs][outputs / groups][height][width]. */
-static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__build_conv(ms_nn__build *b, const ms_nn__spec *s, ms_nn_layer *info,
+                                               ms_error *error)
 {
-    const ms_nn__spec *s = &b->list->spec[i];
-    ms_nn__kind kind = b->list->kind[i];
-    int two = kind == MS_NN__CONV2D || kind == MS_NN__TRANSPOSED2D,
-        turned = kind == MS_NN__TRANSPOSED1D || kind == MS_NN__TRANSPOSED2D, same, d;
-    size_t shape[4], kernel[2], stride[2], pad[2], dilation[2], extent[2], reach,
-        groups = s->groups[0] ? s->groups[0] : 1, n;
+    const int two = s->kind == MS_NN__CONV2D, same = s->padding && strcmp(s->padding, "same") == 0;
+    const size_t extent[2] = {b->current.h, b->current.w};
+    size_t shape[4], out[2];
+    ms_nn__conv v;
     ms_nn__weights w;
-    ms_nn__dims out, in;
+    ms_nn__dims dims;
     ms_nn__op *op;
     ms_status status;
+    int d;
     if (b->rank != (two ? 3 : 2))
         return ms__fail(error, MS_BAD_DATA, 0, two ? "it needs channels, height, width" : "it needs channels, length");
-    if (s->padding && strcmp(s->padding, "same") && strcmp(s->padding, "valid"))
+    if (s->padding && !same && strcmp(s->padding, "valid"))
         return ms__fail(error, MS_BAD_DATA, 0, "padding must be same or valid, not '%s'", s->padding);
-    same = s->padding && s->padding[0] == 's';
     if (same && (s->zeros[0] || s->zeros[1]))
         return ms__fail(error, MS_BAD_DATA, 0, "padding same and zeros exclude each other");
-    if (b->now.c % groups || s->filters[0] % groups)
-        return ms__fail(error, MS_BAD_DATA, 0, "its channels do not divide into %z groups", groups);
-    shape[0] = turned ? b->now.c : s->filters[0];
-    shape[1] = turned ? s->filters[0] / groups : b->now.c / groups;
+    shape[0] = s->filters;
+    shape[1] = b->current.c;
     shape[2] = s->kernel[0];
     shape[3] = s->kernel[1];
-    if ((status = ms_nn__weights_find(b->nn, s, two ? 4 : 3, shape, turned ? groups : 0, info, &w, error)) != MS_OK)
-        return status;
-    out.c = turned ? ms__size_mul(shape[1], groups) : shape[0];
-    if (out.c % groups) return ms__fail(error, MS_BAD_DATA, 0, "its channels do not divide into %z groups", groups);
-    extent[0] = b->now.h;
-    extent[1] = b->now.w;
-    for (d = 0; d < 2; ++d) {
-        int on = two || d == 1, at = two ? d : 0;
-        kernel[d] = on ? shape[two ? 2 + d : 2] : 1;
-        stride[d] = on && s->stride[at] ? s->stride[at] : 1;
-        dilation[d] = on && s->dilation[at] ? s->dilation[at] : 1;
-        reach = ms__size_add(ms__size_mul(kernel[d] - 1, dilation[d]), 1);
-        pad[d] = !on ? 0 : same ? (reach - 1) / 2 : s->zeros[at];
-        if (reach > INT_MAX || extent[d] > INT_MAX)
-            return ms__fail(error, MS_BAD_DATA, 0, "its kernel or input is too large");
-        if (turned) {
-            n = ms__size_add(ms__size_mul(extent[d] - 1, stride[d]), reach);
-            if (on && s->extra[at] >= stride[d] && s->extra[at] >= dilation[d])
-                return ms__fail(error, MS_BAD_DATA, 0, "extra must be smaller than the stride or the dilation");
-            if (on) n = ms__size_add(n, s->extra[at]);
-            if (n <= 2 * pad[d] || n > INT_MAX)
-                return ms__fail(error, MS_BAD_DATA, 0, "its output is empty or too large");
-            extent[d] = n - 2 * pad[d];
-        } else {
-            n = same ? extent[d] - 1 : extent[d] + 2 * pad[d];
-            if (!same && n < reach)
-                return ms__fail(error, MS_BAD_DATA, 0, "its kernel has %z, its input only %z", reach, n);
-            extent[d] = (same ? n : n - reach) / stride[d] + 1;
-        }
+    if ((status = ms_nn__weights_find(b->nn, s, two ? 4 : 3, shape, info, &w, error)) != MS_OK) return status;
+    memset(&v, 0, sizeof v);
+    for (d = 0; d < 2; ++d) { /* height, then width; a signal's height is 1 */
+        const int given = two || d == 1, at = two ? d : 0;
+        const size_t kernel = given ? shape[two ? 2 + d : 2] : 1, zeros = given ? s->zeros[at] : 0;
+        size_t padded = ms__size_add(extent[d], ms__size_mul(2, zeros));
+        v.kernel[d] = kernel;
+        v.stride[d] = given && s->stride[at] ? s->stride[at] : 1;
+        v.pad[d] = same ? (kernel - 1) / 2 : zeros;
+        if (same) padded = ms__size_add(extent[d], kernel - 1);
+        if (padded > INT_MAX) return ms__fail(error, MS_BAD_DATA, 0, "its padded input is too large");
+        if (padded < kernel)
+            return ms__fail(error, MS_BAD_DATA, 0, "its kernel has %z, its input only %z", kernel, padded);
+        out[d] = (padded - kernel) / v.stride[d] + 1;
     }
-    out.h = extent[0];
-    out.w = extent[1];
-    if (ms__size_mul(ms__size_mul(out.c, out.h), out.w) > SIZE_MAX / 64)
-        return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
-    in = b->low;
-    op = ms_nn__op_add(b, MS_NN__DO_CONV, i, out);
-    op->groups = groups;
+    dims.c = shape[0];
+    dims.h = out[0];
+    dims.w = out[1];
+    if (ms_nn__too_large(dims)) return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
+    v.in = b->current;
+    v.out = dims;
+    info->multiply_adds = ms__size_mul(info->multiply_adds, dims.h * dims.w);
+    op = ms_nn__op_add(b, MS_NN__DO_CONV, dims);
     if ((status = ms_nn__activation_read(s, op, info, error)) != MS_OK) return status;
-    status = ms_nn__conv_make(b->nn, op, &w, kernel, stride, pad, dilation, b->fold[1], turned, b->block);
-    n = turned ? in.h * in.w : out.h * out.w;
-    info->multiply_adds = ms__size_mul(info->multiply_adds, n);
-    info->folded = b->fold[1] > 1;
-    b->fold[0] = b->fold[1] = 1;
-    b->now = out;
-    return status;
+    op->conv = v;
+    return ms_nn__conv_make(b->nn, &op->conv, &w);
 }
 
-static MS_NN__COLD ms_status ms_nn__build_resize(ms_nn__build *b, int i, ms_error *error)
+/* Upsampling and pools. */
+static MS_NN__COLD ms_status ms_nn__build_resize(ms_nn__build *b, const ms_nn__spec *s, ms_nn__op_kind kind,
+                                                 ms_error *error)
 {
-    const ms_nn__spec *s = &b->list->spec[i];
-    ms_nn__kind kind = b->list->kind[i];
-    int two = kind == MS_NN__UPSAMPLE2D || kind == MS_NN__POOL2D || kind == MS_NN__AVERAGE2D, smooth = 0,
-        up = kind == MS_NN__UPSAMPLE1D || kind == MS_NN__UPSAMPLE2D, global = kind == MS_NN__GLOBAL, d;
-    const size_t *given = up ? s->factor : s->size;
+    const int two = (MS_NN__TWO_D & MS_NN__BIT(s->kind)) != 0, global = s->kind == MS_NN__GLOBALPOOL;
+    const size_t *given = kind == MS_NN__DO_UPSAMPLE ? s->factor : s->size;
     size_t size[2], stride[2], extent[2];
-    ms_nn__dims out = b->now;
+    ms_nn__dims out = b->current;
     ms_nn__op *op;
+    int d;
     if (global ? b->rank < 2 : b->rank != (two ? 3 : 2))
         return ms__fail(error, MS_BAD_DATA, 0,
                         global    ? "it needs channels"
                             : two ? "it needs channels, height, width"
                                   : "it needs channels, length");
+    extent[0] = out.h;
+    extent[1] = out.w;
     for (d = 0; d < 2; ++d) {
-        int on = two || d == 1;
-        extent[d] = d == 0 ? b->now.h : b->now.w;
-        size[d] = global ? extent[d] : !on ? 1 : given[two ? d : 0] ? given[two ? d : 0] : 2;
-        stride[d] = on && s->stride[two ? d : 0] ? s->stride[two ? d : 0] : size[d];
-        if (up) extent[d] = ms__size_mul(extent[d], size[d]);
+        const int own = two || d == 1, at = two ? d : 0;
+        size[d] = global ? extent[d] : !own ? 1 : given[at] ? given[at] : 2;
+        stride[d] = own && s->stride[at] ? s->stride[at] : size[d];
+        if (kind == MS_NN__DO_UPSAMPLE) extent[d] = ms__size_mul(extent[d], size[d]);
         else if (extent[d] < size[d])
             return ms__fail(error, MS_BAD_DATA, 0, "it takes %z, its input has only %z", size[d], extent[d]);
         else extent[d] = (extent[d] - size[d]) / stride[d] + 1;
     }
     out.h = extent[0];
     out.w = extent[1];
-    if (ms__size_mul(ms__size_mul(out.c, out.h), out.w) > SIZE_MAX / 64)
-        return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
-    b->now = out;
-    if (up && s->mode && strcmp(s->mode, "nearest")) {
-        if (strcmp(s->mode, "linear"))
-            return ms__fail(error, MS_BAD_DATA, 0, "mode must be nearest or linear, not '%s'", s->mode);
-        smooth = 1;
-    } else if (up && s->align_corners == 1) {
-        return ms__fail(error, MS_BAD_DATA, 0, "align_corners belongs to mode linear");
-    }
-    if (up && ms_nn__foldable(b, i)) {
-        b->fold[0] = size[0];
-        b->fold[1] = size[1];
-        return MS_OK;
-    }
-    op = ms_nn__op_add(b,
-                       smooth                                               ? MS_NN__DO_LINEAR
-                           : up                                             ? MS_NN__DO_UPSAMPLE
-                           : kind == MS_NN__POOL1D || kind == MS_NN__POOL2D ? MS_NN__DO_POOL
-                                                                            : MS_NN__DO_AVERAGE,
-                       i, out);
-    op->flag = s->align_corners == 1;
-    op->size[0] = size[0];
-    op->size[1] = size[1];
-    op->stride[0] = stride[0];
-    op->stride[1] = stride[1];
+    if (ms_nn__too_large(out)) return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
+    op = ms_nn__op_add(b, kind, out);
+    memcpy(op->size, size, sizeof size);
+    memcpy(op->stride, stride, sizeof stride);
     return MS_OK;
 }
 
-static MS_NN__COLD ms_status ms_nn__build_flatten(ms_nn__build *b, int i, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__build_flatten(ms_nn__build *b, const ms_nn__spec *s, ms_error *error)
 {
-    const char *order = b->list->spec[i].order;
-    int last = order != NULL && strcmp(order, "channels_last") == 0;
-    if (order != NULL && !last && strcmp(order, "channels_first"))
+    const int last = s->order != NULL && strcmp(s->order, "channels_last") == 0;
+    if (s->order != NULL && !last && strcmp(s->order, "channels_first"))
         return ms__fail(error, MS_BAD_DATA, 0, "flatten order must be channels_first or channels_last, not '%s'",
-                        order);
-    if (last && b->low.c > 1 && b->low.h * b->low.w > 1) ms_nn__op_add(b, MS_NN__DO_TRANSPOSE, i, b->low);
-    b->last = last;
-    b->now.c = ms_nn__count(b->now);
-    b->now.h = b->now.w = 1;
+                        s->order);
+    if (last && b->current.c > 1 && b->current.h * b->current.w > 1) ms_nn__op_add(b, MS_NN__DO_TRANSPOSE, b->current);
+    b->current.c = ms_nn__count(b->current);
+    b->current.h = b->current.w = 1;
     b->rank = 1;
     return MS_OK;
 }
 
-static MS_NN__COLD ms_status ms_nn__build_merge(ms_nn__build *b, int i, ms_nn_layer *info, ms_error *error)
+static MS_NN__COLD ms_status ms_nn__build_add(ms_nn__build *b, const ms_nn__spec *s, int i, ms_nn_layer *info,
+                                              ms_error *error)
 {
-    const ms_nn__spec *s = &b->list->spec[i];
-    const char *verb = b->list->kind[i] == MS_NN__ADD ? "adds" : "takes";
-    int add = b->list->kind[i] == MS_NN__ADD, k, from = -1, before = s->order && strcmp(s->order, "before") == 0;
+    ms_nn_shape shape = ms_nn__shape(b->current, b->rank), other = shape;
     ms_nn__op *op;
-    ms_nn__dims out, other;
-    if (s->from && strcmp(s->from, "input") == 0) from = 0;
+    int k, from = -1;
+    if (s->from && strcmp(s->from, "input") == 0) {
+        from = 0;
+        other = ms_nn__shape(b->nn->inner, b->nn->channel_input ? 1 : b->nn->input.rank);
+    }
     for (k = 0; k < i; ++k)
-        if (s->from && b->list->spec[k].name && strcmp(s->from, b->list->spec[k].name) == 0) from = b->value[k];
+        if (s->from && strcmp(s->from, b->nn->layer[k].name) == 0) {
+            from = b->value[k];
+            other = b->nn->layer[k].output;
+        }
     if (from < 0)
-        return ms__fail(error, MS_BAD_DATA, 0, "it %s '%s', which no layer before it is named", verb,
-                        s->from ? s->from : "");
-    other = from == 0 ? b->nn->inner : b->nn->op[from - 1].out;
-    out = b->now;
-    if (add ? ms_nn__count(other) != ms_nn__count(out) || (b->rank > 1 && (other.c != out.c || other.h != out.h))
-            : other.h * other.w != out.h * out.w || (b->rank > 1 && other.h != out.h))
-        return ms__fail(error, MS_BAD_DATA, 0, "it %s '%s', which has another shape", verb, s->from);
-    if (!add && s->order && !before && strcmp(s->order, "after"))
-        return ms__fail(error, MS_BAD_DATA, 0, "order must be after or before, not '%s'", s->order);
-    if (!add) out.c = ms__size_add(out.c, other.c);
-    if (ms__size_mul(ms__size_mul(out.c, out.h), out.w) > SIZE_MAX / 64)
-        return ms__fail(error, MS_BAD_DATA, 0, "its output is too large");
-    op = ms_nn__op_add(b, add ? MS_NN__DO_ADD : MS_NN__DO_CONCAT, i, out);
+        return ms__fail(error, MS_BAD_DATA, 0, "no layer before it has the name '%s'", s->from ? s->from : "");
+    if (shape.rank != other.rank || memcmp(shape.size, other.size, sizeof shape.size) != 0)
+        return ms__fail(error, MS_BAD_DATA, 0, "it adds what has another shape: '%s'", s->from);
+    info->from = s->from;
+    op = ms_nn__op_add(b, MS_NN__DO_ADD, b->current);
     op->skip = from;
-    op->flag = before;
-    b->now = out;
-    return add ? ms_nn__activation_read(s, op, info, error) : MS_OK;
+    return ms_nn__activation_read(s, op, info, error);
 }
 
 static MS_NN__COLD ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error *error)
@@ -2748,31 +2464,27 @@ static MS_NN__COLD ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error
     ms_nn_layer *info = &b->nn->layer[i];
     ms_status status = MS_OK;
     memset(info, 0, sizeof *info);
-    info->type = ms_nn__kind_name[(int)b->list->kind[i]];
+    info->type = ms_nn__kind_name[(int)s->kind];
     info->name = s->name ? s->name : "";
-    info->activation = "";
+    info->activation = info->from = "";
     info->dtype = MS_NN_DTYPE_COUNT;
-    switch (b->list->kind[i]) {
-    case MS_NN__DENSE: status = ms_nn__build_dense(b, i, info, error); break;
+    if (strlen(info->name) > MS_NN_MAX_NAME)
+        return ms__fail(error, MS_BAD_DATA, 0, "its name has over %d bytes", MS_NN_MAX_NAME);
+    switch (s->kind) {
+    case MS_NN__DENSE: status = ms_nn__build_dense(b, s, info, error); break;
     case MS_NN__CONV1D:
-    case MS_NN__CONV2D:
-    case MS_NN__TRANSPOSED1D:
-    case MS_NN__TRANSPOSED2D: status = ms_nn__build_conv(b, i, info, error); break;
+    case MS_NN__CONV2D: status = ms_nn__build_conv(b, s, info, error); break;
     case MS_NN__UPSAMPLE1D:
-    case MS_NN__UPSAMPLE2D:
-        status = ms_nn__build_resize(b, i, error);
-        info->folded = b->fold[0] * b->fold[1] > 1;
-        break;
-    case MS_NN__POOL1D:
-    case MS_NN__POOL2D:
-    case MS_NN__AVERAGE1D:
-    case MS_NN__AVERAGE2D:
-    case MS_NN__GLOBAL: status = ms_nn__build_resize(b, i, error); break;
-    case MS_NN__FLATTEN: status = ms_nn__build_flatten(b, i, error); break;
-    case MS_NN__ADD:
-    case MS_NN__CONCAT: status = ms_nn__build_merge(b, i, info, error); break;
+    case MS_NN__UPSAMPLE2D: status = ms_nn__build_resize(b, s, MS_NN__DO_UPSAMPLE, error); break;
+    case MS_NN__MAXPOOL1D:
+    case MS_NN__MAXPOOL2D: status = ms_nn__build_resize(b, s, MS_NN__DO_MAXPOOL, error); break;
+    case MS_NN__AVGPOOL1D:
+    case MS_NN__AVGPOOL2D:
+    case MS_NN__GLOBALPOOL: status = ms_nn__build_resize(b, s, MS_NN__DO_AVGPOOL, error); break;
+    case MS_NN__FLATTEN: status = ms_nn__build_flatten(b, s, error); break;
+    case MS_NN__ADD: status = ms_nn__build_add(b, s, i, info, error); break;
     case MS_NN__ACTIVATE:
-        status = ms_nn__activation_read(s, ms_nn__op_add(b, MS_NN__DO_ACTIVATE, i, b->low), info, error);
+        status = ms_nn__activation_read(s, ms_nn__op_add(b, MS_NN__DO_ACTIVATE, b->current), info, error);
         break;
     case MS_NN__DROPOUT:
         if (s->rate >= 1) status = ms__fail(error, MS_BAD_DATA, 0, "its rate must be below 1");
@@ -2780,12 +2492,10 @@ static MS_NN__COLD ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error
     default: break; /* shared_channels: done before the first layer */
     }
     if (status == MS_OUT_OF_MEMORY) ms__fail(error, status, 0, "no memory for its weights");
-    info->output = ms_nn__shape(b->now, b->rank);
+    info->output = ms_nn__shape(b->current, b->rank);
     b->value[i] = b->nn->ops;
     return status;
 }
-
-static int ms_nn__has_skip(const ms_nn__op *op) { return op->step == MS_NN__DO_ADD || op->step == MS_NN__DO_CONCAT; }
 
 /* Where values live. Shared memory: a value may take a slot whose last reader has run. */
 static MS_NN__COLD ms_status ms_nn__plan(ms_nn *nn, ms_error *error)
@@ -2795,18 +2505,18 @@ static MS_NN__COLD ms_status ms_nn__plan(ms_nn *nn, ms_error *error)
     nn->slot = (size_t *)ms_nn__allocate(nn, 3 * n, sizeof(size_t));
     if (size == NULL || nn->slot == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the plan");
     owner = size + n;
-    last = owner + n;
+    last = owner + n; /* the operation that is the last to read a value */
     nn->tape = nn->slot + n;
     nn->before = nn->tape + n;
     for (v = 0; v < n; ++v) last[v] = v;
     for (v = 0; v + 1 < n; ++v)
-        if (ms_nn__has_skip(&nn->op[v])) last[nn->op[v].skip] = v;
+        if (nn->op[v].kind == MS_NN__DO_ADD) last[nn->op[v].skip] = v;
     for (v = 0; v < n; ++v) {
         size_t floats = ms_nn__count(v ? nn->op[v - 1].out : nn->inner);
         nn->tape[v] = nn->tapes;
         nn->tapes = ms__size_add(nn->tapes, floats);
         nn->before[v] = SIZE_MAX;
-        if (v > 0 && nn->op[v - 1].step != MS_NN__DO_ACTIVATE && nn->op[v - 1].activation > MS_NN__LEAKY) {
+        if (v > 0 && nn->op[v - 1].kind != MS_NN__DO_ACTIVATE && nn->op[v - 1].activation > MS_NN__LEAKY) {
             nn->before[v] = nn->tapes;
             nn->tapes = ms__size_add(nn->tapes, floats);
         }
@@ -2829,7 +2539,6 @@ static MS_NN__COLD ms_status ms_nn__plan(ms_nn *nn, ms_error *error)
 }
 
 static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level);
-static int ms_nn__streams(void);
 
 /* The input of one evaluation: a channel's share with shared_channels, else the whole. */
 static MS_NN__COLD ms_status ms_nn__build_input(ms_nn__build *b, ms_error *error)
@@ -2837,24 +2546,23 @@ static MS_NN__COLD ms_status ms_nn__build_input(ms_nn__build *b, ms_error *error
     ms_nn *nn = b->nn;
     size_t i;
     b->rank = nn->input.rank;
-    b->now.c = nn->input.size[0];
-    b->now.h = b->rank == 3 ? nn->input.size[1] : 1;
-    b->now.w = b->rank == 1 ? 1 : nn->input.size[b->rank - 1];
+    b->current.c = nn->input.size[0];
+    b->current.h = b->rank == 3 ? nn->input.size[1] : 1;
+    b->current.w = b->rank == 1 ? 1 : nn->input.size[b->rank - 1];
     nn->channels = 1;
     if (b->list->channels > 0) {
         nn->channels = b->list->channels;
         nn->channel_inputs = b->list->channel_inputs;
         nn->channel_input = b->list->channel_input;
         for (i = 0; i < nn->channels * nn->channel_inputs; ++i)
-            if (nn->channel_input[i] >= ms_nn__count(b->now))
-                return ms__fail(error, MS_BAD_DATA, 0, "shared_channels names input %z of %z", nn->channel_input[i],
-                                ms_nn__count(b->now));
+            if (nn->channel_input[i] >= ms_nn__count(b->current))
+                return ms__fail(error, MS_BAD_DATA, 0, "it names input %z of %z", nn->channel_input[i],
+                                ms_nn__count(b->current));
         b->rank = 1;
-        b->now.c = nn->channel_inputs;
-        b->now.h = b->now.w = 1;
+        b->current.c = nn->channel_inputs;
+        b->current.h = b->current.w = 1;
     }
-    b->low = nn->inner = b->now;
-    b->fold[0] = b->fold[1] = 1;
+    nn->inner = b->current;
     return MS_OK;
 }
 
@@ -2873,13 +2581,12 @@ static MS_NN__COLD ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_
     }
     n = (size_t)l.layers;
     l.spec = (ms_nn__spec *)ms_nn__allocate(nn, n, sizeof *l.spec);
-    l.kind = (ms_nn__kind *)ms_nn__allocate(nn, n, sizeof *l.kind);
     l.channel_input = (size_t *)ms_nn__allocate(nn, ms__size_mul(l.channels, l.channel_inputs), sizeof(size_t));
     l.pool = (char *)ms_nn__allocate(nn, l.text + 1, 1);
     b.value = (int *)ms_nn__allocate(nn, n, sizeof(int));
     nn->layer = (ms_nn_layer *)ms_nn__allocate(nn, n, sizeof *nn->layer);
     nn->op = (ms_nn__op *)ms_nn__allocate(nn, n + 1, sizeof *nn->op);
-    if (!l.spec || !l.kind || !l.channel_input || !l.pool || !b.value || !nn->layer || !nn->op)
+    if (!l.spec || !l.channel_input || !l.pool || !b.value || !nn->layer || !nn->op)
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %z layers", n);
     l.layers = 0;
     l.channels = l.channel_inputs = 0;
@@ -2887,22 +2594,20 @@ static MS_NN__COLD ms_status ms_nn__build_all(ms_nn *nn, const char *layers, ms_
     nn->layers = l.layers;
     b.nn = nn;
     b.list = &l;
-    b.block = nn->kernels->block;
-    if ((status = ms_nn__build_input(&b, error)) != MS_OK)
-        return ms_nn__prefix_error(error, status, ms_nn__byte_of(nn->file, "ms_nn_layers", l.spec[0].at),
-                                   "layer 0, shared_channels", "");
-    for (i = 0; i < l.layers; ++i)
-        if ((status = ms_nn__build_layer(&b, i, error)) != MS_OK) {
-            ms_error layer;
-            ms__fail(&layer, MS_OK, 0, "layer %d, %s", i, nn->layer[i].type);
-            return ms_nn__prefix_error(error, status, ms_nn__byte_of(nn->file, "ms_nn_layers", l.spec[i].at),
-                                       layer.message, nn->layer[i].name);
-        }
-    if (nn->ops == 0) ms_nn__op_add(&b, MS_NN__DO_ACTIVATE, 0, b.low); /* nothing to do is a copy */
-    nn->output = ms_nn__shape(b.now, b.rank);
-    if (nn->channels > 1 || nn->channel_input) {
+    status = ms_nn__build_input(&b, error);
+    for (i = 0; i < l.layers; ++i) {
+        if (status == MS_OK) status = ms_nn__build_layer(&b, i, error);
+        if (status != MS_OK)
+            return ms_nn__name_place(error, status, ms_nn__byte_of(nn->file, "ms_nn_layers", l.spec[i].at), i,
+                                     ms_nn__kind_name[l.spec[i].kind], l.spec[i].name);
+    }
+    if (nn->ops == 0) ms_nn__op_add(&b, MS_NN__DO_ACTIVATE, b.current); /* nothing to do is a copy */
+    if (ms__size_mul(nn->channels, ms_nn__count(b.current)) > SIZE_MAX / 64)
+        return ms__fail(error, MS_BAD_DATA, 0, "the outputs of all channels are too large");
+    nn->output = ms_nn__shape(b.current, b.rank);
+    if (nn->channel_input) {
         nn->output.rank = 2;
-        nn->output.size[1] = ms_nn__count(b.now);
+        nn->output.size[1] = ms_nn__count(b.current);
         nn->output.size[0] = nn->channels;
     }
     return ms_nn__plan(nn, error);
@@ -2924,7 +2629,6 @@ static MS_NN__COLD ms_status ms_nn__make(ms_nn_file *file, const ms_nn_options *
     made->level = ms__simd_pick(o->simd);
     made->kernels = ms_nn__kernels_for(made->level);
     if (made->kernels->level == 1) made->level = MS_SIMD_SCALAR; /* there are no kernels for SSE2 alone */
-    made->streams = ms_nn__streams();
     format = ms_nn_file_metadata(file, "format");
     version = ms_nn_file_metadata(file, "ms_nn_version");
     input = ms_nn_file_metadata(file, "ms_nn_input");
@@ -2960,47 +2664,8 @@ MS_API MS_NN__COLD ms_status ms_nn_load(const void *bytes, size_t size, const ms
 
 /* ---- run ------------------------------------------------------------------------------------------------------- */
 
-static size_t ms_nn__bytes_of(ms_nn_dtype dtype) { return dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2; }
-
-/* Packs a matrix that a cache may hold: at most two million weights, rows of at most 16384, and eight million weights
-   of a network. Others are read in place. Nothing here depends on the batch, so that bits do not. 0: no memory. */
-static MS_NN__COLD int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m)
-{
-    const ms_nn_dtype dtype = nn->kernels->level == 1 ? MS_NN_F32 : m->dtype == MS_NN_I8 ? MS_NN_F16 : m->dtype;
-    const size_t panel = nn->kernels->panel, size = ms_nn__bytes_of(dtype), own = ms_nn__bytes_of(m->dtype),
-                 rows = (m->rows + panel - 1) / panel * panel;
-    unsigned char *w;
-    float *scale;
-    size_t row, k;
-    m->packed = NULL;
-    m->packed_dtype = dtype;
-    if (m->cols > 16384 || m->rows > 2000000 / m->cols || nn->packed + m->rows * m->cols > 8000000) return 1;
-    m->packed = w = (unsigned char *)ms_nn__allocate(nn, rows * size, m->cols);
-    m->packed_scale = scale = (float *)ms_nn__allocate(nn, rows, 2 * sizeof(float));
-    m->packed_bias = scale + rows;
-    if (w == NULL || scale == NULL) return 0;
-    nn->packed += m->rows * m->cols;
-    for (row = 0; row < rows; ++row) {
-        const unsigned char *from = m->w + (row < m->rows ? row * m->cols * own : 0);
-        unsigned char *to = w + (row / panel * panel * m->cols + row % panel) * size;
-        scale[row] = row < m->rows && m->scale ? ms_nn__float_at(m->scale, row) : 1;
-        scale[rows + row] = row < m->rows && m->bias ? ms_nn__float_at(m->bias, row) : 0;
-        for (k = 0; k < m->cols; ++k, from += own, to += panel * size) {
-            const float value = row >= m->rows ? 0
-                : m->dtype == MS_NN_F32        ? ms_nn__float_at(from, 0)
-                                               : (float)ms_nn__element(from, m->dtype, 0);
-            if (dtype == MS_NN_F32) memcpy(to, &value, 4);
-            else if (m->dtype != MS_NN_I8 && row < m->rows) memcpy(to, from, 2);
-            else ms_nn__put_u16(to, ms__half_from_float(value));
-        }
-    }
-    return 1;
-}
-
 /* Samples of a batch that are taken together against each row of weights: 24 kB of them, a multiple of three. */
 static size_t ms_nn__samples(size_t cols) { return cols > 512 ? 12 : 6144 / cols / 3 * 3; }
-
-static size_t ms_nn__min(size_t a, size_t b) { return a < b ? a : b; }
 
 /* How large a task is: enough to hide the cost of handing it out. The sizes depend on the problem alone. */
 enum {
@@ -3042,53 +2707,32 @@ static MS_NN__COLD void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, i
     job.activation = op->activation;
     job.alpha = op->alpha;
     job.kernels = nn->kernels;
-    job.streams = nn->streams;
-    job.chunk_rows = MS_NN__TASK_BYTES / (m->cols * (size_t)(ms_nn__bits(m->dtype) / 8)) + 1;
+    job.chunk_rows = MS_NN__TASK_BYTES / m->cols / ms_nn__bytes_of(m->dtype) + 1;
     if (batch > 1 || m->packed) { /* whole tiles of rows, and of a large batch so few that several threads find some */
-        size_t most = MS_NN__TASK_PRODUCTS / (m->cols * (size_t)batch) + 1, tile = m->packed ? nn->kernels->panel : 16;
-        job.chunk_rows = (ms_nn__min(job.chunk_rows, most) + tile - 1) / tile * tile;
+        size_t most = MS_NN__TASK_PRODUCTS / m->cols / (size_t)batch + 1, tile = m->packed ? nn->kernels->panel : 16;
+        job.chunk_rows = ms_nn__round_up(ms_nn__min(job.chunk_rows, most), tile);
     }
     ms_nn__chunks(nn, m->rows, &job.chunk_rows, ms_nn__dense_task, &job);
 }
 
-/* Copies what a strip sees of the input: zeros around, zeros between dilated elements, columns sorted by their
-   remainder modulo the stride. For Winograd's form four rows for each pair of output rows, combined. */
+/* Copies what a strip sees of the input: zeros around, columns sorted by their remainder modulo the stride. */
 static void ms_nn__pad(const ms_nn__conv_job *job, size_t strip, float *padded)
 {
     const ms_nn__conv *v = job->conv;
-    size_t s = v->stride[1], wide = v->pitch / s, c, y, x;
-    for (c = 0; c < v->in.c; ++c) {
-        for (y = 0; y < v->rows; ++y) {
-            float *to = padded + c * v->plane + y * v->pitch;
-            ptrdiff_t from_y = (ptrdiff_t)(strip * v->strip * v->stride[0] + (v->winograd ? y / 4 * 2 + y % 4 : y)) -
-                v->pad[0];
+    const size_t s = v->stride[1], wide = v->pitch / s, top = strip * v->strip * v->stride[0], left = v->pad[1];
+    const size_t seen = left < v->pitch ? ms_nn__min(v->in.w, v->pitch - left) : 0; /* columns of the input */
+    size_t c, y, x;
+    for (c = 0; c < v->in.c; ++c)
+        for (y = top; y < top + v->rows; ++y) {
+            float *to = padded + c * v->plane + (y - top) * v->pitch;
             const float *from;
-            size_t left, count;
-            if (from_y < 0 || (size_t)from_y % v->input_dilation[0] ||
-                (size_t)from_y / v->input_dilation[0] >= v->in.h) {
-                memset(to, 0, v->pitch * sizeof(float));
-                continue;
-            }
-            from = job->x + c * job->x_plane + (size_t)from_y / v->input_dilation[0] * job->x_row;
-            if (s == 1 && v->input_dilation[1] == 1) {
-                left = v->pad[1] > 0 ? ms_nn__min((size_t)v->pad[1], v->pitch) : 0;
-                if (v->pad[1] < 0) from += -v->pad[1];
-                count = v->in.w - (v->pad[1] < 0 ? ms_nn__min((size_t)-v->pad[1], v->in.w) : 0);
-                count = ms_nn__min(count, v->pitch - left);
-                for (x = 0; x < left; ++x) to[x] = 0;
-                memcpy(to + left, from, count * sizeof(float));
-                for (x = left + count; x < v->pitch; ++x) to[x] = 0;
-                continue;
-            }
             memset(to, 0, v->pitch * sizeof(float));
-            for (x = 0; x < v->in.w; ++x) {
-                ptrdiff_t at = (ptrdiff_t)(x * v->input_dilation[1]) + v->pad[1];
-                if (at >= 0 && (size_t)at < v->pitch) to[(size_t)at % s * wide + (size_t)at / s] = from[x];
-            }
+            if (y < v->pad[0] || y - v->pad[0] >= v->in.h) continue;
+            from = job->x + (c * v->in.h + y - v->pad[0]) * v->in.w;
+            if (s == 1) memcpy(to + ms_nn__min(left, v->pitch), from, seen * sizeof(float));
+            else
+                for (x = left; x < left + seen; ++x) to[x % s * wide + x / s] = from[x - left];
         }
-        for (y = 0; v->winograd && y < v->rows; y += 4)
-            job->kernels->combine(padded + c * v->plane + y * v->pitch, v->pitch);
-    }
     memset(padded + v->in.c * v->plane, 0, MS_NN__OVERRUN * sizeof(float));
 }
 
@@ -3102,58 +2746,45 @@ static void ms_nn__conv_task(void *context, int index)
 
 static size_t ms_nn__conv_strips(const ms_nn__conv *v) { return (v->out.h + v->strip - 1) / v->strip; }
 
-/* Floats of the padded input of a convolution: all strips where they may run at once. */
-static size_t ms_nn__conv_scratch(const ms_nn *nn, const ms_nn__conv *v)
-{
-    size_t one = ms__size_add(ms__size_mul(v->in.c, v->plane), MS_NN__OVERRUN);
-    return nn->options.parallel.run ? ms__size_mul(one, ms_nn__conv_strips(v)) : one;
-}
+/* Floats of the padded input of a strip. */
+static size_t ms_nn__conv_padded(const ms_nn__conv *v) { return v->in.c * v->plane + MS_NN__OVERRUN; }
 
-static void ms_nn__run_conv(const ms_nn *nn, ms_nn__conv_job *job)
-{
-    job->kernels = nn->kernels;
-    job->padded_step = nn->options.parallel.run ? job->conv->in.c * job->conv->plane + MS_NN__OVERRUN : 0;
-    ms__run(&nn->options.parallel, (int)ms_nn__conv_strips(job->conv), ms_nn__conv_task, job);
-}
-
-/* All groups and phases of a sample. */
-static MS_NN__COLD void ms_nn__conv_all(const ms_nn *nn, const ms_nn__op *op, const float *x, float *y, int linear,
+static MS_NN__COLD void ms_nn__run_conv(const ms_nn *nn, const ms_nn__op *op, const float *x, float *y, int linear,
                                         void *scratch)
 {
-    size_t in = op->in.h * op->in.w, out = op->out.h * op->out.w, phases = (size_t)op->phases, n;
-    for (n = 0; n < phases * op->groups; ++n) {
-        size_t group = n / phases;
-        ms_nn__conv_job job;
-        if (op->conv[n].out.w == 0) continue;
-        memset(&job, 0, sizeof job);
-        job.conv = &op->conv[n];
-        job.x = x + group * (op->in.c / op->groups) * in;
-        job.x_plane = in;
-        job.x_row = op->in.w;
-        job.padded = (float *)scratch;
-        job.y = y + group * (op->out.c / op->groups) * out + n % phases;
-        job.y_plane = out;
-        job.y_row = op->out.w;
-        job.y_step = phases;
-        job.linear = linear;
-        job.activation = phases == 1 ? op->activation : MS_NN__LINEAR;
-        job.alpha = op->alpha;
-        ms_nn__run_conv(nn, &job);
-    }
-    if (phases > 1 && !linear) nn->kernels->activate(y, ms_nn__count(op->out), op->activation, op->alpha);
+    ms_nn__conv_job job;
+    memset(&job, 0, sizeof job);
+    job.conv = &op->conv;
+    job.x = x;
+    job.y = y;
+    job.padded = (float *)scratch;
+    job.padded_step = nn->options.parallel.run ? ms_nn__conv_padded(job.conv) : 0;
+    job.linear = linear;
+    job.activation = op->activation;
+    job.alpha = op->alpha;
+    job.kernels = nn->kernels;
+    ms__run(&nn->options.parallel, (int)ms_nn__conv_strips(job.conv), ms_nn__conv_task, &job);
 }
 
-/* The first maximum of a window, or its first NaN. */
-static size_t ms_nn__pool_at(const ms_nn__op *op, const float *x, size_t c, size_t y, size_t z)
+/* The first maximum of a window that begins at x[at], or its first NaN. */
+static size_t ms_nn__window_max(const ms_nn__op *op, const float *x, size_t at)
 {
-    size_t best = 0, i, j;
+    size_t best = at, i, j, k;
     for (i = 0; i < op->size[0]; ++i)
         for (j = 0; j < op->size[1]; ++j) {
-            size_t at = (c * op->in.h + y * op->stride[0] + i) * op->in.w + z * op->stride[1] + j;
-            if (i + j == 0) best = at;
-            else if (x[at] > x[best] || (x[at] != x[at] && x[best] == x[best])) best = at;
+            k = at + i * op->in.w + j;
+            if (x[k] > x[best] || (x[k] != x[k] && x[best] == x[best])) best = k;
         }
     return best;
+}
+
+static float ms_nn__window_mean(const ms_nn__op *op, const float *x, size_t at)
+{
+    double sum = 0, share = 1.0 / ((double)op->size[0] * (double)op->size[1]);
+    size_t i, j;
+    for (i = 0; i < op->size[0]; ++i)
+        for (j = 0; j < op->size[1]; ++j) sum += (double)x[at + i * op->in.w + j];
+    return (float)(share * sum);
 }
 
 /* point: the values that the maxima are taken of; x: what is picked, the same or a direction. */
@@ -3172,7 +2803,11 @@ static void ms_nn__pool_task(void *context, int index)
     float *y = job->y + c * op->out.h * op->out.w;
     for (; c < c1; ++c)
         for (i = 0; i < op->out.h; ++i)
-            for (j = 0; j < op->out.w; ++j) *y++ = job->x[ms_nn__pool_at(op, job->point, c, i, j)];
+            for (j = 0; j < op->out.w; ++j) {
+                const size_t at = (c * op->in.h + i * op->stride[0]) * op->in.w + j * op->stride[1];
+                *y++ = op->kind == MS_NN__DO_AVGPOOL ? ms_nn__window_mean(op, job->x, at)
+                                                     : job->x[ms_nn__window_max(op, job->point, at)];
+            }
 }
 
 static void ms_nn__run_pool(const ms_nn *nn, const ms_nn__op *op, const float *point, const float *x, float *y)
@@ -3194,64 +2829,14 @@ static void ms_nn__run_upsample(const ms_nn__op *op, const float *x, float *y)
             for (j = 0; j < op->out.w; ++j) *y++ = x[(c * op->in.h + i / op->size[0]) * op->in.w + j / op->size[1]];
 }
 
-/* Linear interpolation along one axis: output i stands between inputs at and at + 1 (the last repeats), at the share of
-   the second. PyTorch's two rules: centers of elements, or align_corners, in line. */
-static MS_NN__COLD float ms_nn__interpolate(size_t i, size_t in, size_t out, int align_corners, size_t *at)
-{
-    double x = align_corners ? (out > 1 ? (double)i * (double)(in - 1) / (double)(out - 1) : 0.0)
-                             : ((double)i + 0.5) * (double)in / (double)out - 0.5;
-    if (x < 0) x = 0;
-    *at = (size_t)x;
-    if (*at + 1 >= in) {
-        *at = in - 1;
-        return 0;
-    }
-    return (float)(x - (double)*at);
-}
-
-/* Linear upsampling. */
-static MS_NN__COLD void ms_nn__run_linear(const ms_nn__op *op, const float *x, float *y)
-{
-    size_t c, i, j, top, left;
-    for (i = 0; i < op->out.h; ++i) {
-        float down = ms_nn__interpolate(i, op->in.h, op->out.h, op->flag, &top);
-        for (j = 0; j < op->out.w; ++j) {
-            float right = ms_nn__interpolate(j, op->in.w, op->out.w, op->flag, &left);
-            size_t below = top + 1 < op->in.h ? op->in.w : 0, next = left + 1 < op->in.w ? 1 : 0;
-            float a = (1 - down) * (1 - right), b = (1 - down) * right, d = down * (1 - right), e = down * right;
-            for (c = 0; c < op->out.c; ++c) {
-                const float *from = x + (c * op->in.h + top) * op->in.w + left;
-                y[(c * op->out.h + i) * op->out.w + j] = a * from[0] + b * from[next] +
-                    (d * from[below] + e * from[below + next]);
-            }
-        }
-    }
-}
-
-/* Means of windows. */
-static MS_NN__COLD void ms_nn__run_average(const ms_nn__op *op, const float *x, float *y)
-{
-    size_t c, i, j, p, q;
-    double share = 1.0 / ((double)op->size[0] * (double)op->size[1]);
-    for (c = 0; c < op->out.c; ++c)
-        for (i = 0; i < op->out.h; ++i)
-            for (j = 0; j < op->out.w; ++j) {
-                const float *from = x + (c * op->in.h + i * op->stride[0]) * op->in.w + j * op->stride[1];
-                double sum = 0;
-                for (p = 0; p < op->size[0]; ++p)
-                    for (q = 0; q < op->size[1]; ++q) sum += (double)from[p * op->in.w + q];
-                *y++ = (float)(share * sum);
-            }
-}
-
-/* [rows][cols] to [cols][rows], whose rows are `stride` apart. */
-static void ms_nn__transpose(const float *x, size_t rows, size_t cols, float *y, size_t stride)
+/* [rows][cols] to [cols][rows], whose rows are `pitch` apart. */
+static void ms_nn__transpose(const float *x, size_t rows, size_t cols, float *y, size_t pitch)
 {
     size_t i, j, i0, j0;
     for (i0 = 0; i0 < rows; i0 += 32)
         for (j0 = 0; j0 < cols; j0 += 32)
             for (j = j0; j < ms_nn__min(j0 + 32, cols); ++j)
-                for (i = i0; i < ms_nn__min(i0 + 32, rows); ++i) y[j * stride + i] = x[i * cols + j];
+                for (i = i0; i < ms_nn__min(i0 + 32, rows); ++i) y[j * pitch + i] = x[i * cols + j];
 }
 
 /* ---- products -------------------------------------------------------------------------------------------------- */
@@ -3269,52 +2854,44 @@ typedef struct ms_nn__run {
 
 static size_t ms_nn__value_size(const ms_nn *nn, int v) { return ms_nn__count(v ? nn->op[v - 1].out : nn->inner); }
 
+/* Value v > 0 of all points. */
 static float *ms_nn__value(const ms_nn__run *r, int v)
 {
     if (v == r->nn->ops && r->y != NULL) return r->y;
     return r->values + r->place[v] * r->points;
 }
 
-/* What the slope of operation v's activation depends on: its argument where that is kept, else its value (relu,
-   leaky_relu). */
+static const float *ms_nn__input_value(const ms_nn__run *r, int v) { return v == 0 ? r->x : ms_nn__value(r, v); }
+
+/* What the slope of the activation that made value v depends on: its argument where that is kept, else its value
+   (relu, leaky_relu). */
 static const float *ms_nn__argument(const ms_nn__run *r, int v)
 {
-    if (r->place == r->nn->slot) return NULL;
-    if (r->nn->op[v - 1].step == MS_NN__DO_ACTIVATE) return v == 1 ? r->x : ms_nn__value(r, v - 1);
+    if (r->nn->op[v - 1].kind == MS_NN__DO_ACTIVATE) return ms_nn__input_value(r, v - 1);
     return r->nn->before[v] == SIZE_MAX ? ms_nn__value(r, v) : r->values + r->nn->before[v] * r->points;
 }
 
-static const float *ms_nn__input_value(const ms_nn__run *r, int v) { return v == 0 ? r->x : ms_nn__value(r, v); }
-
 /* Applies operation k to `count` vectors: samples if point is NULL, else tangent vectors, `each` per sample; point and
-   argument then hold the operation's input and what its activation is applied to there. each 0: samples, without the
-   activation. */
+   argument then hold the operation's input and what its activation is applied to there. activate 0: samples, without
+   the activation. */
 static MS_NN__COLD void ms_nn__apply(const ms_nn *nn, int k, size_t count, const float *x, const float *skip, float *y,
-                                     const float *point, const float *argument, size_t each, void *scratch)
+                                     const float *point, const float *argument, size_t each, int activate,
+                                     void *scratch)
 {
-    const ms_nn__op *op = &nn->op[k];
+    const int linear = point != NULL;
+    ms_nn__op own = nn->op[k];
+    const ms_nn__op *op = &own;
     size_t in = ms_nn__count(op->in), out = ms_nn__count(op->out), b, i;
-    int linear = point != NULL;
-    ms_nn__op plain;
-    if (each == 0) { /* points whose activation is left to the caller */
-        plain = *op;
-        plain.activation = MS_NN__LINEAR;
-        op = &plain;
-    }
-    if (op->step == MS_NN__DO_DENSE) ms_nn__run_dense(nn, op, (int)count, x, y, linear);
+    if (!activate) own.activation = MS_NN__LINEAR;
+    if (op->kind == MS_NN__DO_DENSE) ms_nn__run_dense(nn, op, (int)count, x, y, linear);
     for (b = 0; b < count; ++b) {
         const float *xb = x + b * in;
         float *yb = y + b * out;
-        switch (op->step) {
-        case MS_NN__DO_CONV: ms_nn__conv_all(nn, op, xb, yb, linear, scratch); break;
+        switch (op->kind) {
+        case MS_NN__DO_CONV: ms_nn__run_conv(nn, op, xb, yb, linear, scratch); break;
         case MS_NN__DO_UPSAMPLE: ms_nn__run_upsample(op, xb, yb); break;
-        case MS_NN__DO_LINEAR: ms_nn__run_linear(op, xb, yb); break;
-        case MS_NN__DO_AVERAGE: ms_nn__run_average(op, xb, yb); break;
-        case MS_NN__DO_CONCAT:
-            memcpy(yb + (op->flag ? out - in : 0), xb, in * sizeof(float));
-            memcpy(yb + (op->flag ? 0 : in), skip + b * (out - in), (out - in) * sizeof(float));
-            break;
-        case MS_NN__DO_POOL: ms_nn__run_pool(nn, op, linear ? point + b / each * in : xb, xb, yb); break;
+        case MS_NN__DO_MAXPOOL:
+        case MS_NN__DO_AVGPOOL: ms_nn__run_pool(nn, op, linear ? point + b / each * in : xb, xb, yb); break;
         case MS_NN__DO_TRANSPOSE: ms_nn__transpose(xb, op->in.c, op->in.h * op->in.w, yb, op->in.c); break;
         case MS_NN__DO_ADD:
             for (i = 0; i < out; ++i) yb[i] = xb[i] + skip[b * out + i];
@@ -3334,11 +2911,11 @@ static MS_NN__COLD void ms_nn__run_forward(const ms_nn__run *r)
 {
     int k;
     for (k = 0; k < r->nn->ops; ++k) {
-        ms_nn__op *op = &r->nn->op[k];
+        const ms_nn__op *op = &r->nn->op[k];
         float *y = ms_nn__value(r, k + 1);
         size_t kept = r->place == r->nn->tape ? r->nn->before[k + 1] : SIZE_MAX;
         float *to = kept == SIZE_MAX ? y : r->values + kept * r->points;
-        ms_nn__apply(r->nn, k, r->points, ms_nn__input_value(r, k), ms_nn__input_value(r, op->skip), to, NULL, NULL,
+        ms_nn__apply(r->nn, k, r->points, ms_nn__input_value(r, k), ms_nn__input_value(r, op->skip), to, NULL, NULL, 1,
                      kept == SIZE_MAX, r->scratch);
         if (to == y) continue;
         memcpy(y, to, r->points * ms_nn__count(op->out) * sizeof(float));
@@ -3359,21 +2936,22 @@ static MS_NN__COLD const float *ms_nn__run_directions(const ms_nn__run *r, size_
     d.place = nn->slot;
     for (k = 0; k < nn->ops; ++k)
         ms_nn__apply(nn, k, d.points, ms_nn__input_value(&d, k), ms_nn__input_value(&d, nn->op[k].skip),
-                     ms_nn__value(&d, k + 1), ms_nn__input_value(r, k), ms_nn__argument(r, k + 1), each, r->scratch);
+                     ms_nn__value(&d, k + 1), ms_nn__input_value(r, k), ms_nn__argument(r, k + 1), each, 1, r->scratch);
     return ms_nn__value(&d, nn->ops);
 }
 
-/* Bytes of the padded inputs of the convolutions. */
+/* Bytes of the padded inputs of the convolutions: of all strips where they may run at once. */
 static MS_NN__COLD size_t ms_nn__scratch_size(const ms_nn *nn)
 {
-    size_t most = 0, need;
-    int k, p;
-    for (k = 0; k < nn->ops; ++k)
-        for (p = 0; nn->op[k].step == MS_NN__DO_CONV && p < nn->op[k].phases * (int)nn->op[k].groups; ++p) {
-            need = ms__size_mul(ms_nn__conv_scratch(nn, &nn->op[k].conv[p]), sizeof(float));
-            if (need > most) most = need;
-        }
-    return most;
+    size_t most = 0, floats;
+    int k;
+    for (k = 0; k < nn->ops; ++k) {
+        if (nn->op[k].kind != MS_NN__DO_CONV) continue;
+        floats = ms_nn__conv_padded(&nn->op[k].conv);
+        if (nn->options.parallel.run) floats = ms__size_mul(floats, ms_nn__conv_strips(&nn->op[k].conv));
+        most = floats > most ? floats : most;
+    }
+    return ms__size_mul(most, sizeof(float));
 }
 
 enum { MS_NN__BATCH = 48 }; /* samples or directions that run together at most */
@@ -3384,11 +2962,12 @@ static MS_NN__COLD size_t ms_nn__batch_size(const ms_nn *nn)
     size_t dense = 0, n;
     int k, convolutions = 0;
     for (k = 0; k < nn->ops; ++k) {
-        if (nn->op[k].step == MS_NN__DO_DENSE) dense += nn->op[k].matrix.rows * nn->op[k].matrix.cols;
-        else convolutions += nn->op[k].step == MS_NN__DO_CONV;
+        if (nn->op[k].kind == MS_NN__DO_DENSE) dense += nn->op[k].matrix.rows * nn->op[k].matrix.cols;
+        else convolutions += nn->op[k].kind == MS_NN__DO_CONV;
     }
-    n = (convolutions ? 131072u : 4194304u) / (ms__size_mul(nn->slots, nn->channels) + 1) / 12 * 12;
-    n = ms_nn__min(n, nn->channels > 1 ? 12 : MS_NN__BATCH);
+    n = (convolutions ? 131072u : 4194304u) / ms_nn__at_least_1(ms__size_mul(nn->slots, nn->channels)) / 12 * 12;
+    if (nn->channel_input) return nn->channels < 12 ? 12 / nn->channels : 1; /* large pictures: more are slower */
+    n = ms_nn__min(n, MS_NN__BATCH);
     return n > 0 ? n : convolutions && dense < 2000000 ? 1 : 12; /* large weights are better read for several */
 }
 
@@ -3417,6 +2996,8 @@ static MS_NN__COLD ms_nn__layout ms_nn__layout_of(const ms_nn *nn, ms_nn_product
     l.dx = (float *)ms__take(&a, vectors, in * sizeof(float));
     l.slots = (float *)ms__take(&a, vectors, ms__size_mul(nn->slots, sizeof(float)));
     l.scratch = ms__take(&a, ms_nn__scratch_size(nn), 1);
+    if (!forward && ms__size_mul(ms__size_mul(ms_nn_output_size(nn), ms_nn_input_size(nn)), sizeof(double)) == SIZE_MAX)
+        a.used = SIZE_MAX;
     l.total = l.points > INT_MAX || vectors > INT_MAX ? SIZE_MAX : ms__size_add(a.used, 63); /* to align the first */
     return l;
 }
@@ -3549,7 +3130,7 @@ MS_API MS_NN__COLD ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i)
     ms_nn_layer none;
     if (nn != NULL && i >= 0 && i < nn->layers) return nn->layer[i];
     memset(&none, 0, sizeof none);
-    none.type = none.name = none.activation = "";
+    none.type = none.name = none.activation = none.from = "";
     none.dtype = MS_NN_DTYPE_COUNT;
     return none;
 }
@@ -3557,404 +3138,45 @@ MS_API MS_NN__COLD ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i)
 MS_API const ms_nn_file *ms_nn_tensors(const ms_nn *nn) { return nn ? nn->file : NULL; }
 MS_API ms_simd ms_nn_simd(const ms_nn *nn) { return nn ? nn->level : MS_SIMD_AUTO; }
 
+MS_API const size_t *ms_nn_channel_inputs(const ms_nn *nn, size_t *channels, size_t *count)
+{
+    if (nn == NULL || channels == NULL || count == NULL) return NULL;
+    *channels = nn->channels;
+    *count = ms_nn__count(nn->inner);
+    return nn->channel_input;
+}
+
 MS_API MS_NN__COLD ms_status ms_nn_check_weights(const ms_nn *nn, ms_error *error)
 {
-    size_t t, i;
+    static const char *const part[] = {"weight", "bias", "weight_scale"};
+    char name[MS_NN__NAME_SIZE];
+    int l, p;
+    size_t i;
     if (nn == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nn is NULL");
-    for (t = 0; t < ms_nn_file_tensor_count(nn->file); ++t) {
-        const ms_nn_tensor *tensor = ms_nn_file_tensor(nn->file, t);
-        size_t width = (size_t)(ms_nn__bits(tensor->dtype) / 8);
-        if (tensor->dtype > MS_NN_BF16) continue; /* integers are finite */
-        for (i = 0; i * width < tensor->bytes; ++i)
-            if (!ms__finite(ms_nn__element(tensor->data, tensor->dtype, i)))
-                return ms__fail(error, MS_BAD_DATA, i, "element %z of '%s' is %g", i, tensor->name,
-                                ms_nn__element(tensor->data, tensor->dtype, i));
-    }
+    for (l = 0; l < nn->layers; ++l)
+        for (p = 0; p < 3 && nn->layer[l].dtype != MS_NN_DTYPE_COUNT; ++p) {
+            const ms_nn_tensor *t = ms_nn__part(nn, nn->layer[l].name, part[p], name);
+            for (i = 0; t && i < t->bytes / ms_nn__bytes_of(t->dtype); ++i) {
+                const float value = ms_nn__element(t->data, t->dtype, i);
+                if (!ms__finite_f(value))
+                    return ms__fail(error, MS_BAD_DATA, i, "element %z is %g: the tensor '%s'", i, (double)value, name);
+            }
+        }
     return MS_OK;
 }
 
 MS_API MS_NN__COLD void ms_nn_destroy(ms_nn *nn)
 {
-    ms_nn__block *b, *next;
+    ms_nn__memory *m, *next;
     ms_allocator allocator;
     if (nn == NULL) return;
     allocator = nn->options.allocator;
-    for (b = nn->blocks; b; b = next) {
-        next = b->next;
-        ms__release(&allocator, b, b->bytes);
+    for (m = nn->memory; m; m = next) {
+        next = m->next;
+        ms__release(&allocator, m, m->bytes);
     }
     ms_nn_file_close(nn->file);
     ms__release(&allocator, nn, sizeof *nn);
-}
-
-/* ---- GPU text -------------------------------------------------------------------------------------------------- */
-
-/* Appends format: $v and $i begin a declaration of four floats or an integer, $4 makes four floats, $I an integer, $L
-   is what HLSL wants before a loop, $d the next number of n. */
-static MS_NN__COLD void ms_nn__emit(ms_nn__writer *t, const char *format, const size_t *n)
-{
-    static const char key[] = "vi4IL",
-                      word[3][5][11] = {{"vec4 ", "int ", "vec4", "int", ""},
-                                        {"float4 ", "int ", "float4", "int", "[loop] "},
-                                        {"var ", "var ", "vec4<f32>", "i32", ""}};
-    for (; *format; ++format) {
-        if (*format != '$') ms_nn__put(t, format, 1);
-        else if (*++format == 'd') ms_nn__put_size(t, *n++);
-        else ms_nn__put_text(t, word[t->language < MS_NN_HLSL ? 0 : (int)t->language - 2][strchr(key, *format) - key]);
-    }
-}
-
-static MS_NN__COLD int ms_nn__plain(const ms_nn__op *op)
-{
-    return op->step == MS_NN__DO_ACTIVATE || op->step == MS_NN__DO_ADD;
-}
-
-/* Four values, and their rows: what a dense layer has of texels. */
-static MS_NN__COLD size_t ms_nn__vec4_count(size_t n) { return n / 4 + (n % 4 != 0); }
-static MS_NN__COLD size_t ms_nn__texels(const ms_nn__matrix *m)
-{
-    return ms__size_mul(ms_nn__vec4_count(m->rows), ms__size_add(4 * ms_nn__vec4_count(m->cols), 1));
-}
-
-/* The operations [first, end) of a step, sizes, and where its weights begin; NULL as shader: of the whole network. */
-typedef struct ms_nn__shader_step {
-    ms_nn_shader_sizes sizes;
-    int first, end, planes; /* planes: a picture's of one row; 0: values */
-    size_t base;
-} ms_nn__shader_step;
-
-static MS_NN__COLD ms_status ms_nn__shader_plan(const ms_nn *nn, const ms_nn_shader *s, ms_nn__shader_step *p,
-                                                ms_error *error)
-{
-    int i, k, dense = 0, seen = 0, last;
-    size_t texels = 0, pixels, outputs;
-    if (nn == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "nn is NULL");
-    memset(p, 0, sizeof *p);
-    for (i = 0; i < nn->ops; ++i) {
-        const ms_nn__op *op = &nn->op[i];
-        const ms_nn_layer *layer = &nn->layer[op->layer];
-        if (op->step == MS_NN__DO_DENSE) {
-            ++dense;
-            texels = ms__size_add(texels, ms_nn__texels(&op->matrix));
-        } else if (!ms_nn__plain(op) || dense == 0 || op->in.h * op->in.w > 1 || !(op->alpha < 1000.0f)) {
-            return ms__fail(
-                error, MS_UNSUPPORTED, 0,
-                "layer %d, %s '%s', has no shader: only dense layers and, after them, activations and additions have",
-                op->layer, layer->type, layer->name);
-        }
-    }
-    p->sizes.weight_rows =
-        (int)(ms_nn__min(texels, (size_t)MS_NN_SHADER_WIDTH * MS_NN_SHADER_ROWS_MAX + 1) / MS_NN_SHADER_WIDTH + 1);
-    if (dense == 0 || p->sizes.weight_rows > MS_NN_SHADER_ROWS_MAX || nn->channels > MS_NN_SHADER_ROWS_MAX ||
-        ms_nn__value_size(nn, 0) > INT_MAX / 4)
-        return ms__fail(error, MS_UNSUPPORTED, 0,
-                        dense ? "the network is too large for a texture" : "the network has no dense layer");
-    p->sizes.rows = (int)nn->channels;
-    p->sizes.input_width = (int)ms_nn__vec4_count(ms_nn__value_size(nn, 0));
-    p->sizes.steps = s && s->steps ? s->steps : dense > 1 ? 2 : 1;
-    if (s == NULL) return MS_OK;
-    if ((int)s->language < 0 || (int)s->language > (int)MS_NN_WGSL)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "language %d is unknown", (int)s->language);
-    if (p->sizes.steps < 1 || p->sizes.steps > dense || s->step < 0 || s->step >= p->sizes.steps)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "step %d of %d: the network has %d dense layers", s->step,
-                        p->sizes.steps, dense);
-    last = dense - p->sizes.steps + s->step; /* the dense layer that the step ends with */
-    for (i = 0; i < nn->ops && seen <= last + 1; ++i) {
-        seen += nn->op[i].step == MS_NN__DO_DENSE;
-        if (s->step > 0 && seen <= last) p->first = i + 1;
-        if (s->step > 0 && seen <= last && nn->op[i].step == MS_NN__DO_DENSE)
-            p->base += ms_nn__texels(&nn->op[i].matrix);
-        if (seen <= last + 1) p->end = i + 1;
-    }
-    for (k = p->first; k < p->end; ++k)
-        if (nn->op[k].step == MS_NN__DO_ADD && nn->op[k].skip < p->first)
-            return ms__fail(error, MS_UNSUPPORTED, 0,
-                            "layer %d adds what a step before this one made: %d steps are too many", nn->op[k].layer,
-                            p->sizes.steps);
-    p->sizes.input_width = (int)ms_nn__vec4_count(ms_nn__value_size(nn, p->first));
-    outputs = ms_nn__value_size(nn, p->end);
-    p->sizes.target_width = (int)ms_nn__vec4_count(outputs);
-    if (s->step < p->sizes.steps - 1 || (s->width == 0 && s->height == 0)) return MS_OK;
-    pixels = s->width > 0 && s->height > 0 ? ms__size_mul((size_t)s->width, (size_t)s->height) : 0;
-    if (pixels == 0 || outputs % pixels || outputs / pixels * nn->channels > 4)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%d x %d pixels: %z outputs are not one to four such planes",
-                        s->width, s->height, outputs * nn->channels);
-    if (p->sizes.steps == 1 && dense > 1)
-        return ms__fail(error, MS_UNSUPPORTED, 0, "pictures of %d dense layers need two steps", dense);
-    for (k = p->first; k < p->end; ++k)
-        if (nn->op[k].step == MS_NN__DO_ADD)
-            return ms__fail(error, MS_UNSUPPORTED, 0,
-                            "layer %d, an addition, stands after the last dense layer: pictures have none",
-                            nn->op[k].layer);
-    p->planes = (int)(outputs / pixels);
-    p->sizes.target_width = s->width;
-    return MS_OK;
-}
-
-/* What stands before main: a language's first lines and its names for what is read; then for GLSL, HLSL and WGSL
-   how. */
-static const char *const ms_nn__shader_names[5][2] = {
-    {"#version 330\nuniform sampler2D ms_nn_weights, ms_nn_values;\n", "uniform vec4 ms_nn;\n"},
-    {"#version 300 es\nprecision highp float;\nprecision highp int;\n"
-     "uniform highp sampler2D ms_nn_weights, ms_nn_values;\n",
-     "uniform vec4 ms_nn;\n"},
-    {"#version 450\nlayout(set = 0, binding = 1) uniform sampler2D ms_nn_weights;\n"
-     "layout(set = 0, binding = 2) uniform sampler2D ms_nn_values;\n",
-     "layout(set = 0, binding = 0) uniform ms_nn_block { vec4 ms_nn; };\n"},
-    {"Texture2D<float4> ms_nn_weights : register(t0), ms_nn_values : register(t1);\n",
-     "cbuffer ms_nn_block : register(b0) { float4 ms_nn; };\n"},
-    {"@group(0) @binding(1) var ms_nn_weights: texture_2d<f32>;\n"
-     "@group(0) @binding(2) var ms_nn_values: texture_2d<f32>;\n",
-     "@group(0) @binding(0) var<uniform> ms_nn: vec4<f32>;\n"}};
-static const char *const ms_nn__shader_main[3] = {
-    "vec4 weight(int i) { return texelFetch(ms_nn_weights, ivec2(i & 2047, i >> 11), 0); }\n"
-    "vec4 value(int i, int row) { return texelFetch(ms_nn_values, ivec2(i, row), 0); }\n"
-    "layout(location = 0) out vec4 ms_nn_target;\nvec4 shade(vec4 position);\n"
-    "void main() { ms_nn_target = shade(gl_FragCoord); }\nvec4 shade(vec4 position)\n{\n",
-    "float4 weight(int i) { return ms_nn_weights.Load(int3(i & 2047, i >> 11, 0)); }\n"
-    "float4 value(int i, int row) { return ms_nn_values.Load(int3(i, row, 0)); }\n"
-    "float4 main(float4 position : SV_Position) : SV_Target\n{\n",
-    "fn weight(i: i32) -> vec4<f32> { return textureLoad(ms_nn_weights, vec2<i32>(i & 2047, i >> 11u), 0); }\n"
-    "fn value(i: i32, row: i32) -> vec4<f32> { return textureLoad(ms_nn_values, vec2<i32>(i, row), 0); }\n"
-    "@fragment\nfn main(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32>\n{\n"};
-
-/* x becomes its activation; z is |x|, so that (x + z) / 2 is its positive part in every language. $d.$d: alpha, in
-   millionths. The normal distribution: Abramowitz and Stegun 7.1.26, within 1.5e-7. */
-static const char *const ms_nn__shader_activation[] = {
-    "",
-    "0.5 * (x + z)",
-    "0.5 * (x + z) + $d.$d$d$d$d$d$d * 0.5 * (x - z)",
-    "0.5 * (x + z) + $d.$d$d$d$d$d$d * (exp(0.5 * (x - z)) - 1.0)",
-    "sign(x) * (1.0 - exp(-2.0 * z)) / (1.0 + exp(-2.0 * z))",
-    "0.5 + 0.5 * sign(x) * (1.0 - exp(-z)) / (1.0 + exp(-z))",
-    "0.5 * (x + z) + log(1.0 + exp(-z))",
-    "x * (0.5 + 0.5 * sign(x) * (1.0 - exp(-z)) / (1.0 + exp(-z)))",
-    ("0.5 * (x + z) - z * exp(-0.5 * z * z) * t * "
-     "(0.127414796 + t * (-0.142248368 + t * (0.7107068705 + t * (-0.7265760135 + t * 0.5307027145))))")};
-
-static MS_NN__COLD void ms_nn__emit_activation(ms_nn__writer *t, const ms_nn__op *op)
-{
-    size_t n[7], millionths = (size_t)((double)op->alpha * 1e6 + 0.5), i;
-    for (i = 6; i > 0; --i, millionths /= 10) n[i] = millionths % 10;
-    n[0] = millionths;
-    ms_nn__emit(t,
-                op->activation == MS_NN__GELU ? "{ $v z = abs(x); $v t = 1.0 / (1.0 + 0.2316418882 * z); x = "
-                                              : "{ $v z = abs(x); x = ",
-                n);
-    ms_nn__emit(t, ms_nn__shader_activation[op->activation], n);
-    ms_nn__emit(t, "; }\n", n);
-}
-
-/* Operations [k, end): a dense layer and what follows it, of the four outputs u. The layer reads the step's first value
-   (k == first) or value k. inner: the values are kept for all u. */
-static MS_NN__COLD void ms_nn__emit_dense(ms_nn__writer *t, const ms_nn *nn, int first, int k, int end, size_t base,
-                                          int inner)
-{
-    const ms_nn__matrix *m = &nn->op[k].matrix;
-    size_t n[3], cols = ms_nn__vec4_count(m->cols), rows = ms_nn__vec4_count(m->rows);
-    int start = k;
-    n[0] = (size_t)k;
-    n[1] = base + 4 * rows * cols;
-    n[2] = cols;
-    ms_nn__emit(t, "$v x = weight(u + ", n);
-    ms_nn__emit(t, "$d);\n$Lfor ($i j = 0; j < $d; j++) {\n", n + 1);
-    ms_nn__emit(t, k == first ? "$v a = value(j, row);\n" : "$v a = v$d[j];\n", n);
-    n[0] = cols;
-    n[1] = base;
-    ms_nn__emit(
-        t,
-        "$i i = (u * $d + j) * 4 + $d;\n"
-        "x = x + $4(dot(weight(i), a), dot(weight(i + 1), a), dot(weight(i + 2), a), dot(weight(i + 3), a));\n}\n",
-        n);
-    for (; k < end; ++k) {
-        const ms_nn__op *op = &nn->op[k];
-        n[0] = (size_t)op->skip;
-        if (op->step == MS_NN__DO_ADD)
-            ms_nn__emit(t,
-                        op->skip == first                ? "x = x + value(u, row);\n"
-                            : inner || op->skip <= start ? "x = x + v$d[u];\n"
-                                                         : "x = x + v$d;\n",
-                        n);
-        if (op->activation != MS_NN__LINEAR) ms_nn__emit_activation(t, op);
-        n[0] = (size_t)k + 1;
-        ms_nn__emit(t, inner ? "v$d[u] = x;\n" : "$v v$d = x;\n", n);
-    }
-}
-
-/* The channels of a pixel. row: of the first; at: the pixel in its plane. */
-static MS_NN__COLD void ms_nn__emit_pixel(ms_nn__writer *t, const ms_nn *nn, const ms_nn__shader_step *p,
-                                          const ms_nn_shader *s)
-{
-    const ms_nn__matrix *m = &nn->op[p->first].matrix;
-    size_t n[6], cols = ms_nn__vec4_count(m->cols), q, c, planes = (size_t)p->planes, outs = planes * nn->channels;
-    int k;
-    n[0] = n[4] = n[5] = (size_t)s->width;
-    n[1] = n[3] = (size_t)s->height;
-    n[2] = nn->channels;
-    ms_nn__emit(
-        t,
-        "$i left = $I(position.x);\n$i top = $I(position.y);\nif (ms_nn.z > 0.0) { top = $I(ms_nn.z) - 1 - top; }\n"
-        "$i column = left / $d;\n$i across = top / $d;\n$i picture = across * $I(ms_nn.x) + column;\n"
-        "if (column >= $I(ms_nn.x) || picture >= $I(ms_nn.y)) { return $4(0.0, 0.0, 0.0, 0.0); }\n"
-        "$i row = picture * $d;\n$i pixel = (top - across * $d) * $d + left - column * $d;\n"
-        "$v x = $4(0.0, 0.0, 0.0, 0.0);\n",
-        n);
-    for (q = 0; q < planes; ++q) {
-        n[0] = n[1] = n[3] = n[5] = q;
-        n[2] = q * (size_t)s->width * (size_t)s->height;
-        ms_nn__emit(t, "$i u$d = pixel + ", n);
-        ms_nn__emit(t, "$d;\n", n + 2);
-        n[2] = p->base + 4 * ms_nn__vec4_count(m->rows) * cols;
-        n[1] = q;
-        ms_nn__emit(t, "$v b$d = weight((u$d >> 2) + ", n);
-        n[0] = n[2];
-        ms_nn__emit(t, "$d);\n", n);
-        for (c = 0; c < nn->channels; ++c) {
-            n[0] = c * planes + q;
-            n[1] = n[2] = q;
-            ms_nn__emit(t, "x[$d] = b$d[u$d & 3];\n", n);
-        }
-    }
-    n[0] = cols;
-    ms_nn__emit(t, "$Lfor ($i j = 0; j < $d; j++) {\n", n);
-    for (c = 0; c < nn->channels; ++c) {
-        n[0] = n[1] = c;
-        ms_nn__emit(t, "$v a$d = value(j, row + $d);\n", n);
-    }
-    for (q = 0; q < planes; ++q) {
-        n[0] = n[1] = n[3] = q;
-        n[2] = cols;
-        n[4] = p->base;
-        ms_nn__emit(t, "$v w$d = weight(((u$d >> 2) * $d + j) * 4 + (u$d & 3) + $d);\n", n);
-        for (c = 0; c < nn->channels; ++c) {
-            n[0] = n[1] = c * planes + q;
-            n[2] = q;
-            n[3] = c;
-            ms_nn__emit(t, "x[$d] = x[$d] + dot(w$d, a$d);\n", n);
-        }
-    }
-    ms_nn__emit(t, "}\n", n);
-    for (k = p->first; k < p->end; ++k)
-        if (nn->op[k].activation != MS_NN__LINEAR) ms_nn__emit_activation(t, &nn->op[k]);
-    ms_nn__emit(t, outs == 1 ? "x[1] = x[0];\nx[2] = x[0];\n" : outs == 2 ? "x[2] = 0.0;\n" : "", n);
-    ms_nn__emit(t, outs < 4 ? "x[3] = 1.0;\nreturn x;\n}\n" : "return x;\n}\n", n);
-}
-
-static MS_NN__COLD void ms_nn__emit_shader(ms_nn__writer *t, const ms_nn *nn, const ms_nn__shader_step *p,
-                                           const ms_nn_shader *s)
-{
-    int k, end;
-    size_t base = p->base, n[2];
-    ms_nn__emit(t, ms_nn__shader_names[s->language][0], NULL);
-    if (p->planes) ms_nn__emit(t, ms_nn__shader_names[s->language][1], NULL);
-    ms_nn__emit(t, ms_nn__shader_main[s->language < MS_NN_HLSL ? 0 : (int)s->language - 2], NULL);
-    if (p->planes) {
-        ms_nn__emit_pixel(t, nn, p, s);
-        return;
-    }
-    ms_nn__emit(t, "$i row = $I(position.y);\n", NULL);
-    for (k = p->first; k < p->end; k = end) {
-        for (end = k + 1; end < p->end && nn->op[end].step != MS_NN__DO_DENSE;) ++end;
-        if (end < p->end) {
-            int v;
-            for (v = k + 1; v <= end; ++v) {
-                n[0] = (size_t)v;
-                n[1] = ms_nn__vec4_count(ms_nn__value_size(nn, v));
-                if (t->language == MS_NN_WGSL) ms_nn__emit(t, "var v$d: array<vec4<f32>, $d>;\n", n);
-                else ms_nn__emit(t, "$4 v$d[$d];\n", n);
-            }
-            n[0] = ms_nn__vec4_count(nn->op[k].matrix.rows);
-            ms_nn__emit(t, "$Lfor ($i u = 0; u < $d; u++) {\n", n);
-        } else {
-            ms_nn__emit(t, "$i u = $I(position.x);\n", NULL);
-        }
-        ms_nn__emit_dense(t, nn, p->first, k, end, base, end < p->end);
-        ms_nn__emit(t, end < p->end ? "}\n" : "return x;\n}\n", NULL);
-        base += ms_nn__texels(&nn->op[k].matrix);
-    }
-}
-
-MS_API MS_NN__COLD ms_status ms_nn_shader_layout(const ms_nn *nn, const ms_nn_shader *shader, ms_nn_shader_sizes *sizes,
-                                                 ms_error *error)
-{
-    ms_nn__shader_step p;
-    ms_status status;
-    if (shader == NULL || sizes == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "shader or sizes is NULL");
-    if ((status = ms_nn__shader_plan(nn, shader, &p, error)) == MS_OK) *sizes = p.sizes;
-    return status;
-}
-
-MS_API MS_NN__COLD size_t ms_nn_shader_text(const ms_nn *nn, const ms_nn_shader *shader, char *text, size_t capacity,
-                                            ms_error *error)
-{
-    ms_nn__shader_step p;
-    ms_nn__writer t;
-    if (shader == NULL) ms__fail(error, MS_INVALID_ARGUMENT, 0, "shader is NULL");
-    if (shader == NULL || ms_nn__shader_plan(nn, shader, &p, error) != MS_OK) return 0;
-    memset(&t, 0, sizeof t);
-    t.language = shader->language;
-    ms_nn__emit_shader(&t, nn, &p, shader);
-    if (text && capacity > t.length) {
-        t.out = text;
-        t.length = 0;
-        ms_nn__emit_shader(&t, nn, &p, shader);
-        text[t.length] = 0;
-    }
-    return t.length;
-}
-
-MS_API MS_NN__COLD ms_status ms_nn_shader_weights(const ms_nn *nn, ms_nn_dtype dtype, void *out, ms_error *error)
-{
-    ms_nn__shader_step p;
-    ms_status status = ms_nn__shader_plan(nn, NULL, &p, error);
-    unsigned char *to = (unsigned char *)out;
-    size_t size = dtype == MS_NN_F16 ? 2 : 4, r, c;
-    int k, pass;
-    if (status != MS_OK) return status;
-    if (out == NULL || (dtype != MS_NN_F16 && dtype != MS_NN_F32))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL, or dtype is neither F16 nor F32");
-    for (pass = 0; pass < 2; ++pass) { /* checks, then writes */
-        if (pass) memset(out, 0, (size_t)p.sizes.weight_rows * MS_NN_SHADER_WIDTH * 4 * size);
-        for (k = 0; k < nn->ops; ++k) {
-            const ms_nn__matrix *m = &nn->op[k].matrix;
-            size_t cols = ms_nn__vec4_count(m->cols), q;
-            if (nn->op[k].step != MS_NN__DO_DENSE) continue;
-            for (r = 0; r < m->rows; ++r)
-                for (c = 0; c <= m->cols; ++c) { /* after the last column the bias */
-                    size_t at = r * m->cols + c;
-                    float v = c == m->cols      ? m->bias ? ms_nn__float_at(m->bias, r) : 0.0f
-                        : m->dtype == MS_NN_F32 ? ms_nn__float_at(m->w, at)
-                                                : (float)ms_nn__element(m->w, m->dtype, at);
-                    uint16_t half;
-                    if (c < m->cols && m->scale) v *= ms_nn__float_at(m->scale, r);
-                    if (size == 2 && fabsf(v) > 65504.0f)
-                        return ms__fail(error, MS_UNSUPPORTED, 0, "a weight of '%s' is %g, more than F16 holds",
-                                        nn->layer[nn->op[k].layer].name, (double)v);
-                    if (!pass) continue;
-                    q = c < m->cols ? (r / 4 * cols + c / 4) * 16 + r % 4 * 4 + c % 4
-                                    : ms_nn__vec4_count(m->rows) * cols * 16 + r;
-                    half = ms__half_from_float(v);
-                    if (size == 2) memcpy(to + 2 * q, &half, 2);
-                    else memcpy(to + 4 * q, &v, 4);
-                }
-            if (pass) to += ms_nn__texels(m) * 4 * size;
-        }
-    }
-    return MS_OK;
-}
-
-MS_API MS_NN__COLD ms_status ms_nn_shader_inputs(const ms_nn *nn, int count, const float *x, float *out)
-{
-    size_t inputs = ms_nn_input_size(nn), one, width, r, i;
-    if (nn == NULL || count < 1 || x == NULL || out == NULL) return MS_INVALID_ARGUMENT;
-    one = ms_nn__value_size(nn, 0);
-    width = 4 * ms_nn__vec4_count(one);
-    for (r = 0; r < (size_t)count * nn->channels; ++r, out += width)
-        for (i = 0; i < width; ++i)
-            out[i] = i < one ? x[r / nn->channels * inputs +
-                                 (nn->channel_input ? nn->channel_input[r % nn->channels * nn->channel_inputs + i] : i)]
-                             : 0.0f;
-    return MS_OK;
 }
 
 /* ---- stdio ----------------------------------------------------------------------------------------------------- */
@@ -4059,269 +3281,229 @@ struct ms_nn_collapse {
     const ms_nn *nn;
     const ms_nn__matrix *m; /* W, b */
     size_t channels, h;     /* features of a channel */
+    size_t wide;            /* h rounded up to MS_NN__DOUBLES: the pitch of all rows of features, zeros at their ends */
     size_t bytes;
-    float *weight;  /* [channels][rows] diagonal of M */
-    size_t *owner;  /* [channels] the first channel with the same weights, which holds R for them */
-    double *r;      /* [channels][h][h] upper triangles, full rows */
-    double *packed; /* [h (h + 1) / 2] the first without its zeros */
-    double *h0, *e; /* [channels][h] of the target */
+    float *weight; /* [channels][rows] diagonal of M */
+    size_t *owner; /* [channels] the first channel with the same weights, which holds R for them */
+    double *r;     /* [channels][h][wide] upper triangles */
+    double *h0;    /* [channels][wide] of the target */
+    double *e;     /* [channels][wide] */
     double rest;
-    int has_target, weighted;
+    int has_target;
 };
 
-enum {
-    MS_NN__QR_ROWS = 128,     /* of a block that is folded into R */
-    MS_NN__QR_PANEL = 16,     /* columns that are reflected together */
-    MS_NN__QR_PARTS = 8,      /* of the rows; merged in order */
-    MS_NN__GRAM_ROWS = 248,   /* of W together */
-    MS_NN__GRAM_STRIDE = 264, /* doubles from column to column: a power of two would use one set of the cache */
-    MS_NN__PASS_ROWS = 8,     /* of W in double together */
-    MS_NN__COLUMNS = 32       /* of the Jacobian, multiplied by R together */
-};
+enum { MS_NN__COLLAPSE_ROWS = 32 }; /* of W in double together: 24 kB of 96 features */
 
-/* Folds the rows of B into R: Householder QR of [R; B] in panels, I - V T V' with V = [I; B] (compact WY: Schreiber and
-   Van Loan 1989).
-   r  [h][h], b  [h][rows], column by column, destroyed */
-static MS_NN__COLD void ms_nn__qr_fold(const ms_nn__kernels *kernels, double *r, size_t h, double *b, size_t rows)
+/* A pass over W in double. Gram: sum of m_i w_i w_i'. Else with the residuals res of h0: sum of w_i m_i res_i of each
+   channel, then of m_i res_i^2. */
+typedef struct ms_nn__pass {
+    const ms_nn_collapse *c;
+    const float *weight; /* Gram: [rows] */
+    const float *target; /* [channels][rows]; NULL: Gram */
+    double *sum;         /* [length] */
+    double *w;           /* [MS_NN__COLLAPSE_ROWS][wide] rows of W */
+    double *h0;          /* [wide][across] transposed; across: channels rounded up */
+    double *residual;    /* [MS_NN__COLLAPSE_ROWS][across] */
+    size_t length, across;
+} ms_nn__pass;
+
+/* Rows row[0..n) of W as doubles. */
+static MS_NN__COLD void ms_nn__collapse_rows(const ms_nn_collapse *c, const size_t *row, size_t n, double *w)
 {
-    double t[MS_NN__QR_PANEL][MS_NN__QR_PANEL], z[MS_NN__QR_PANEL * 2], y[MS_NN__QR_PANEL], tau, dot;
-    size_t j0, j, i, k, n, q;
-    for (j0 = 0; j0 < h; j0 += n) {
-        n = ms_nn__min(MS_NN__QR_PANEL, h - j0);
-        memset(t, 0, sizeof t);
-        for (j = 0; j < n; ++j) {
-            double *bj = b + (j0 + j) * rows, *rj = r + (j0 + j) * h, alpha = rj[j0 + j], norm, beta;
-            kernels->gram(bj, 1, bj, 1, rows, rows, &norm);
-            if (!(norm > 0)) continue; /* nothing to eliminate: tau = 0 */
-            beta = sqrt(alpha * alpha + norm);
-            if (alpha > 0) beta = -beta;
-            tau = (beta - alpha) / beta;
-            for (i = 0; i < rows; ++i) bj[i] /= alpha - beta;
-            rj[j0 + j] = beta;
-            for (k = j + 1; k < n; ++k) {
-                double *bk = b + (j0 + k) * rows;
-                kernels->gram(bj, 1, bk, 1, rows, rows, &dot);
-                dot = -tau * (rj[j0 + k] + dot);
-                rj[j0 + k] += dot;
-                kernels->add(bk, 1, bj, 1, rows, rows, &dot);
-            }
-            /* T(0..j, j) = -tau T V' v_j, the identity parts of V being orthogonal */
-            kernels->gram(b + j0 * rows, j, bj, 1, rows, rows, y);
-            for (i = 0; i < j; ++i)
-                for (k = i; k < j; ++k) t[i][j] -= tau * t[i][k] * y[k];
-            t[j][j] = tau;
-        }
-        for (k = j0 + n; k < h; k += q) {
-            q = ms_nn__min(2, h - k);
-            kernels->gram(b + j0 * rows, n, b + k * rows, q, rows, rows, z);
-            for (i = 0; i < n; ++i)
-                for (j = 0; j < q; ++j) z[i * q + j] += r[(j0 + i) * h + k + j];
-            for (j = 0; j < q; ++j) {
-                for (i = n; i-- > 0;) { /* z = -T' z, in place from below */
-                    size_t l;
-                    double sum = 0;
-                    for (l = 0; l <= i; ++l) sum += t[l][i] * z[l * q + j];
-                    z[i * q + j] = -sum;
-                    r[(j0 + i) * h + k + j] += z[i * q + j];
-                }
-            }
-            kernels->add(b + k * rows, q, b + j0 * rows, n, rows, rows, z);
+    const ms_nn__matrix *m = c->m;
+    const size_t size = ms_nn__bytes_of(m->dtype);
+    float part[256];
+    size_t i, k, at, count;
+    for (i = 0; i < n; ++i, w += c->wide) {
+        const double scale = m->scale ? (double)ms_nn__float_at(m->scale, row[i]) : 1.0;
+        for (at = 0; at < c->h; at += count) {
+            count = ms_nn__min(256, c->h - at);
+            c->nn->kernels->widen(m->w + (row[i] * m->cols + at) * size, count, part, m->dtype);
+            for (k = 0; k < count; ++k) w[at + k] = scale * (double)part[k];
         }
     }
 }
 
-typedef struct ms_nn__qr_job {
-    const ms_nn__matrix *m;
-    const ms_nn__kernels *kernels;
-    const float *weight; /* [rows] */
-    double *r;           /* [parts][h][h] */
-    double *b;           /* [parts][h][stride] */
-    double *row;         /* [parts][3 h] */
-    size_t parts;
-} ms_nn__qr_job;
-
-/* The job and its memory, of *bytes at job->r; 0: none left. */
-static MS_NN__COLD int ms_nn__qr_allocate(const ms_nn_collapse *c, const float *weight, size_t parts, size_t stride,
-                                          ms_nn__qr_job *job, size_t *bytes)
+/* Adds n rows of W to W'MW: the upper triangle, from each tile's first column on. */
+static MS_NN__COLD void ms_nn__gram_rows(const ms_nn__pass *p, const size_t *row, size_t n)
 {
-    size_t h = c->h;
+    const ms_nn_collapse *c = p->c;
+    ms_nn__product_job job;
+    size_t i, k;
+    for (i = 0; i < n; ++i) {
+        const double root = sqrt((double)p->weight[row[i]]);
+        for (k = 0; k < c->h; ++k) p->w[i * c->wide + k] *= root;
+    }
+    job.a_row = 1;
+    job.a_column = job.b_row = job.out_row = c->wide;
+    job.count = n;
+    for (i = 0; i < c->h; i += MS_NN__DOUBLES) {
+        job.a = job.b = p->w + i;
+        job.out = p->sum + i * c->wide + i;
+        job.rows = ms_nn__min(MS_NN__DOUBLES, c->h - i);
+        job.cols = c->wide - i;
+        c->nn->kernels->product(&job);
+    }
+}
+
+/* Adds what n rows have in the sums of the target. */
+static MS_NN__COLD void ms_nn__target_rows(const ms_nn__pass *p, const size_t *row, size_t n)
+{
+    const ms_nn_collapse *c = p->c;
+    ms_nn__product_job job;
+    size_t i, ch;
+    memset(p->residual, 0, n * p->across * sizeof(double));
+    job.a = p->w; /* W h0 */
+    job.a_row = c->wide;
+    job.a_column = 1;
+    job.b = p->h0;
+    job.b_row = job.out_row = job.cols = p->across;
+    job.out = p->residual;
+    job.count = c->h;
+    job.rows = n;
+    c->nn->kernels->product(&job);
+    for (i = 0; i < n; ++i)
+        for (ch = 0; ch < c->channels; ++ch) {
+            const size_t output = ch * c->m->rows + row[i];
+            const double bias = c->m->bias ? (double)ms_nn__float_at(c->m->bias, row[i]) : 0.0;
+            const double res = (double)p->target[output] - bias - p->residual[i * p->across + ch];
+            p->residual[i * p->across + ch] = (double)c->weight[output] * res;
+            p->sum[c->channels * c->wide] += (double)c->weight[output] * res * res;
+        }
+    job.a = p->residual; /* W' (M res) */
+    job.a_row = 1;
+    job.a_column = p->across;
+    job.b = p->w;
+    job.b_row = job.out_row = job.cols = c->wide;
+    job.out = p->sum;
+    job.count = n;
+    job.rows = c->channels;
+    c->nn->kernels->product(&job);
+}
+
+/* Has row i of W a weight in the sum? */
+static int ms_nn__pass_sees(const ms_nn__pass *p, size_t i)
+{
+    size_t ch;
+    if (p->target == NULL) return p->weight[i] > 0;
+    for (ch = 0; ch < p->c->channels; ++ch)
+        if (p->c->weight[ch * p->c->m->rows + i] > 0) return 1;
+    return 0;
+}
+
+static MS_NN__COLD void ms_nn__pass_run(const ms_nn__pass *p)
+{
+    size_t row[MS_NN__COLLAPSE_ROWS], i, n = 0;
+    memset(p->sum, 0, p->length * sizeof(double));
+    for (i = 0; i < p->c->m->rows; ++i) {
+        if (ms_nn__pass_sees(p, i)) row[n++] = i;
+        if (n < MS_NN__COLLAPSE_ROWS && i + 1 < p->c->m->rows) continue;
+        ms_nn__collapse_rows(p->c, row, n, p->w);
+        if (p->target == NULL) ms_nn__gram_rows(p, row, n);
+        else ms_nn__target_rows(p, row, n);
+        n = 0;
+    }
+}
+
+/* The pass and its memory of *bytes, which is released at p->sum; 0: none left. */
+static MS_NN__COLD int ms_nn__pass_make(ms_nn__pass *p, const ms_nn_collapse *c, size_t length, size_t *bytes)
+{
     ms__arena a;
-    job->m = c->m;
-    job->kernels = c->nn->kernels;
-    job->weight = weight;
-    job->parts = parts;
+    memset(p, 0, sizeof *p);
+    p->c = c;
+    p->length = length;
+    p->across = ms_nn__round_up(c->channels, MS_NN__DOUBLES);
     for (a.base = NULL;;) {
         a.used = 0;
-        job->r = (double *)ms__take(&a, parts, ms__size_mul(h, h * sizeof(double)));
-        job->b = (double *)ms__take(&a, parts, ms__size_mul(h, stride * sizeof(double)));
-        job->row = (double *)ms__take(&a, parts, 3 * h * sizeof(double));
+        p->sum = (double *)ms__take(&a, length, sizeof(double));
+        p->w = (double *)ms__take(&a, MS_NN__COLLAPSE_ROWS, ms__size_mul(c->wide, sizeof(double)));
+        p->residual = (double *)ms__take(&a, MS_NN__COLLAPSE_ROWS, ms__size_mul(p->across, sizeof(double)));
+        p->h0 = (double *)ms__take(&a, c->wide, ms__size_mul(p->across, sizeof(double)));
         *bytes = a.used;
-        if (a.base != NULL) return 1;
+        if (a.base != NULL) break;
         a.base = (char *)ms__alloc(&c->nn->options.allocator, a.used);
         if (a.base == NULL) return 0;
     }
+    memset(p->w, 0, MS_NN__COLLAPSE_ROWS * c->wide * sizeof(double));
+    memset(p->h0, 0, c->wide * p->across * sizeof(double));
+    return 1;
 }
 
-/* sqrt(m_i) w_i as column k of a block of `rows` columns. */
-static void ms_nn__qr_row(const ms_nn__matrix *m, const ms_nn__kernels *kernels, size_t i, double weight, double *row,
-                          double *b, size_t rows)
+/* R of W'MW = R'R in place, upper triangles with rows `wide` apart. A pivot below 1e-14 of its column's square is
+   rounding: a direction that no output sees, whose row of R is 0. */
+static MS_NN__COLD void ms_nn__cholesky(double *g, size_t h, size_t wide, double *diagonal)
 {
-    size_t k;
-    kernels->row(m, i, sqrt(weight), row);
-    for (k = 0; k < m->cols; ++k) b[k * rows] = row[k];
-}
-
-static void ms_nn__qr_task(void *context, int index)
-{
-    const ms_nn__qr_job *job = (const ms_nn__qr_job *)context;
-    size_t part = (size_t)index, h = job->m->cols, i = job->m->rows * part / job->parts,
-           end = job->m->rows * (part + 1) / job->parts, n, k;
-    double *r = job->r + part * h * h, *b = job->b + part * h * MS_NN__QR_ROWS;
-    memset(r, 0, h * h * sizeof(double));
-    while (i < end) {
-        n = ms_nn__min(MS_NN__QR_ROWS, end - i);
-        for (k = 0; k < n; ++k)
-            ms_nn__qr_row(job->m, job->kernels, i + k, (double)job->weight[i + k], job->row + part * 3 * h, b + k, n);
-        ms_nn__qr_fold(job->kernels, r, h, b, n);
-        i += n;
+    size_t i, j, k;
+    for (i = 0; i < h; ++i) diagonal[i] = g[i * wide + i];
+    for (k = 0; k < h; ++k) {
+        double *row = g + k * wide;
+        const double pivot = row[k];
+        const int seen = pivot > 1e-14 * diagonal[k];
+        for (j = 0; j < k; ++j) row[j] = 0.0;
+        for (j = k; j < h; ++j) row[j] = seen ? row[j] / sqrt(pivot) : 0.0;
+        for (i = k + 1; i < h && seen; ++i)
+            for (j = i; j < h; ++j) g[i * wide + j] -= row[i] * row[j];
     }
 }
 
-/* A part's W' M W: upper triangle, rows i of columns k >= i. */
-static MS_NN__COLD void ms_nn__gram_task(void *context, int index)
+/* R of a channel whose weights no channel before has. */
+static MS_NN__COLD ms_status ms_nn__collapse_factor(ms_nn_collapse *c, size_t channel, ms_error *error)
 {
-    const ms_nn__qr_job *job = (const ms_nn__qr_job *)context;
-    size_t part = (size_t)index, h = job->m->cols, i = job->m->rows * part / job->parts,
-           end = job->m->rows * (part + 1) / job->parts, n = 0, j, k, l, q;
-    double *r = job->r + part * h * h, *b = job->b + part * h * MS_NN__GRAM_STRIDE, *row = job->row + part * 3 * h,
-           *dots = row + h; /* dots: [h][2] */
-    memset(r, 0, h * h * sizeof(double));
-    for (; i <= end; ++i) {
-        if (n == MS_NN__GRAM_ROWS || (i == end && n > 0)) {
-            for (k = 0; k < h; k += q) {
-                q = ms_nn__min(2, h - k);
-                job->kernels->gram(b, k + q, b + k * MS_NN__GRAM_STRIDE, q, MS_NN__GRAM_STRIDE, n, dots);
-                for (j = 0; j < k + q; ++j)
-                    for (l = 0; l < q; ++l) r[j * h + k + l] += dots[j * q + l];
-            }
-            n = 0;
-        }
-        if (i < end && job->weight[i] > 0)
-            ms_nn__qr_row(job->m, job->kernels, i, (double)job->weight[i], row, b + n++, MS_NN__GRAM_STRIDE);
-    }
-}
-
-/* R of sqrt(M) W by the Cholesky factor of W' M W: some times as fast as a QR, but good to 1e-16 over the square of how
-   much of a column the others leave. 0 where that is under 1e-8: the columns then want a QR. */
-static MS_NN__COLD int ms_nn__collapse_gram(const ms_nn_collapse *c, const float *weight, double *r)
-{
-    const ms_nn_options *o = &c->nn->options;
-    size_t h = c->h, parts = ms_nn__min(MS_NN__QR_PARTS, c->m->rows / 1024 + 1), bytes, p, i, k;
-    int good = 1;
-    ms_nn__qr_job job;
-    if (!ms_nn__qr_allocate(c, weight, parts, MS_NN__GRAM_STRIDE, &job, &bytes)) return 0;
-    ms__run(&o->parallel, (int)parts, ms_nn__gram_task, &job);
-    for (p = 1; p < parts; ++p)
-        for (i = 0; i < h * h; ++i) job.r[i] += job.r[p * h * h + i];
-    for (i = 0; i < h; ++i) job.row[i] = job.r[i * h + i];
-    for (k = 0; k < h && good; ++k) {
-        double *column = job.r + k * h, pivot = column[k], minus;
-        good = pivot > 1e-8 * job.row[k];
-        for (i = k; i < h && good; ++i) column[i] /= sqrt(pivot);
-        for (i = k + 1; i < h && good; ++i) {
-            minus = -column[i];
-            c->nn->kernels->add(job.r + i * h + i, 1, column + i, 1, h, h - i, &minus);
-        }
-    }
-    for (i = 0; i < h && good; ++i)
-        for (k = 0; k < h; ++k) r[i * h + k] = k < i ? 0.0 : job.r[i * h + k];
-    ms__release(&o->allocator, job.r, bytes);
-    return good;
-}
-
-/* R of sqrt(M) W into r for the weights of a channel. */
-static MS_NN__COLD ms_status ms_nn__collapse_factor(const ms_nn_collapse *c, const float *weight, double *r,
-                                                    ms_error *error)
-{
-    const ms_nn_options *o = &c->nn->options;
-    size_t h = c->h, parts = ms_nn__min(MS_NN__QR_PARTS, c->m->rows / (4 * h) + 1), bytes, p, i, k, n;
-    ms_nn__qr_job job;
-    if (c->weighted && ms_nn__collapse_gram(c, weight, r)) return MS_OK;
-    if (!ms_nn__qr_allocate(c, weight, parts, MS_NN__QR_ROWS, &job, &bytes))
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a QR of %z features", h);
-    ms__run(&o->parallel, (int)parts, ms_nn__qr_task, &job);
-    for (p = 1; p < parts; ++p) /* the rows of each further R, a block at a time */
-        for (i = 0; i < h; i += n) {
-            n = ms_nn__min(MS_NN__QR_ROWS, h - i);
-            for (k = 0; k < h * n; ++k) job.b[k] = job.r[p * h * h + (i + k % n) * h + k / n];
-            ms_nn__qr_fold(job.kernels, job.r, h, job.b, n);
-        }
-    memcpy(r, job.r, h * h * sizeof(double));
-    ms__release(&o->allocator, job.r, bytes);
+    ms_nn__pass p;
+    size_t bytes;
+    if (!ms_nn__pass_make(&p, c, ms__size_mul(c->h, c->wide), &bytes))
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a collapse of %z features", c->h);
+    p.weight = c->weight + channel * c->m->rows;
+    ms_nn__pass_run(&p);
+    memcpy(c->r + channel * p.length, p.sum, p.length * sizeof(double));
+    ms_nn__cholesky(c->r + channel * p.length, c->h, c->wide, p.w);
+    ms__release(&c->nn->options.allocator, p.sum, bytes);
     return MS_OK;
-}
-
-/* The first channel whose weights are those of channel ch. */
-static size_t ms_nn__collapse_owner(const float *weight, size_t rows, size_t ch)
-{
-    size_t first = 0;
-    while (memcmp(weight + first * rows, weight + ch * rows, rows * sizeof(float)) != 0) ++first;
-    return first;
-}
-
-static void ms_nn__collapse_pack(ms_nn_collapse *c)
-{
-    double *to = c->packed;
-    size_t i, k;
-    for (i = 0; i < c->h; ++i)
-        for (k = i; k < c->h; ++k) *to++ = c->r[i * c->h + k];
 }
 
 /* The network up to its last layer's input, as a view. */
 static MS_NN__COLD ms_nn ms_nn__body_of(const ms_nn *nn)
 {
-    ms_nn t = *nn;
+    ms_nn body = *nn;
     int v;
-    t.ops--;
-    t.tapes = nn->tape[nn->ops];
-    t.slots = 0;
-    for (v = 0; v <= t.ops; ++v)
-        if (nn->slot[v] + ms_nn__value_size(nn, v) > t.slots) t.slots = nn->slot[v] + ms_nn__value_size(nn, v);
-    return t;
+    body.ops--;
+    body.tapes = nn->tape[nn->ops];
+    body.slots = 0;
+    for (v = 0; v <= body.ops; ++v)
+        if (nn->slot[v] + ms_nn__value_size(nn, v) > body.slots) body.slots = nn->slot[v] + ms_nn__value_size(nn, v);
+    return body;
 }
 
 MS_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, ms_nn_collapse **c,
                                                    ms_error *error)
 {
     const ms_nn__op *last;
-    const ms_nn_tensor *stored;
     ms_nn_collapse *made;
-    size_t i, k, h, rows, channels, square, triangle;
+    size_t i, k, h, wide, rows, channels;
     ms__arena a;
     ms_status status = MS_OK;
     if (nn == NULL || c == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", nn == NULL ? "nn" : "c");
     last = &nn->op[nn->ops - 1];
-    if (last->step != MS_NN__DO_DENSE || last->activation != MS_NN__LINEAR)
+    if (last->kind != MS_NN__DO_DENSE || last->activation != MS_NN__LINEAR)
         return ms__fail(error, MS_UNSUPPORTED, 0, "only a network whose last layer is dense and linear collapses");
     channels = nn->channels;
     h = last->matrix.cols;
+    wide = ms_nn__round_up(h, MS_NN__DOUBLES);
     rows = last->matrix.rows;
     for (i = 0; weight && i < channels * rows; ++i)
         if (!ms__finite_f(weight[i]) || weight[i] < 0)
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "weight %z is %g; it must be finite and not negative", i,
                             (double)weight[i]);
-    square = ms__size_mul(h, h);
-    triangle = ms__size_mul(h, h + 1) / 2;
-    for (a.base = NULL;;) {
+    for (a.base = NULL;;) { /* counted first, then placed */
         ms_nn_collapse t;
+        memset(&t, 0, sizeof t);
         a.used = 0;
         made = (ms_nn_collapse *)ms__take(&a, 1, sizeof *made);
-        t.r = (double *)ms__take(&a, channels, ms__size_mul(square, sizeof(double)));
-        t.packed = (double *)ms__take(&a, triangle, sizeof(double));
-        t.h0 = (double *)ms__take(&a, channels, h * sizeof(double));
-        t.e = (double *)ms__take(&a, channels, h * sizeof(double));
+        t.r = (double *)ms__take(&a, channels, ms__size_mul(ms__size_mul(h, wide), sizeof(double)));
+        t.h0 = (double *)ms__take(&a, channels, ms__size_mul(wide, sizeof(double)));
+        t.e = (double *)ms__take(&a, channels, ms__size_mul(wide, sizeof(double)));
         t.owner = (size_t *)ms__take(&a, channels, sizeof(size_t));
-        t.weight = (float *)ms__take(&a, channels, rows * sizeof(float));
+        t.weight = (float *)ms__take(&a, channels, ms__size_mul(rows, sizeof(float)));
         if (made != NULL) {
             *made = t;
             break;
@@ -4333,26 +3515,15 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float 
     made->m = &last->matrix;
     made->channels = channels;
     made->h = h;
+    made->wide = wide;
     made->bytes = a.used;
     made->body = ms_nn__body_of(nn);
-    made->rest = 0;
-    made->has_target = 0;
-    made->weighted = weight != NULL;
     for (i = 0; i < channels * rows; ++i) made->weight[i] = weight ? weight[i] : 1.0f;
-    stored = weight ? NULL : ms_nn_file_find(nn->file, "ms_nn.collapse");
-    if (stored && (stored->dtype != MS_NN_F64 || stored->bytes / 8 != triangle)) stored = NULL;
     for (i = 0; status == MS_OK && i < channels; ++i) {
-        made->owner[i] = ms_nn__collapse_owner(made->weight, rows, i);
-        if (made->owner[i] == i && stored == NULL)
-            status = ms_nn__collapse_factor(made, made->weight + i * rows, made->r + i * square, error);
+        for (k = 0; memcmp(made->weight + k * rows, made->weight + i * rows, rows * sizeof(float)) != 0;) ++k;
+        made->owner[i] = k;
+        if (k == i) status = ms_nn__collapse_factor(made, i, error);
     }
-    if (stored) {
-        size_t at = 0;
-        memset(made->r, 0, square * sizeof(double));
-        for (i = 0; i < h; ++i)
-            for (k = i; k < h; ++k) made->r[i * h + k] = ms_nn__element(stored->data, MS_NN_F64, at++);
-    }
-    ms_nn__collapse_pack(made);
     if (status != MS_OK) ms_nn_collapse_destroy(made);
     else *c = made;
     return status;
@@ -4364,165 +3535,90 @@ MS_API void ms_nn_collapse_destroy(ms_nn_collapse *c)
 }
 
 MS_API size_t ms_nn_collapse_features(const ms_nn_collapse *c) { return c ? c->channels * c->h : 0; }
-MS_API const double *ms_nn_collapse_r(const ms_nn_collapse *c) { return c ? c->packed : NULL; }
 
-/* One pass over W: residuals res of h0 and sum_i w_i m_i res_i, rows cut into parts that are added in order. */
-typedef struct ms_nn__pass_job {
-    const ms_nn_collapse *c;
-    const float *target; /* [channels][rows] */
-    double *sum;         /* [parts][channels h + 1]: the vectors, then sum_i m_i res_i^2 */
-    double *wide;        /* [parts][PASS_ROWS][h] */
-    double *residual;    /* [parts][PASS_ROWS][channels] */
-    size_t parts;
-} ms_nn__pass_job;
-
-/* The part that `n` rows of W in `wide` have in the sums. */
-static void ms_nn__pass_block(const ms_nn__pass_job *job, const size_t *row, size_t n, const double *wide,
-                              double *residual, double *sum)
+/* R' y = x, in place; 0 where R has no pivot. */
+static MS_NN__COLD void ms_nn__solve_transposed(const double *r, size_t h, size_t wide, double *x)
 {
-    const ms_nn_collapse *c = job->c;
-    const ms_nn__kernels *kernels = c->nn->kernels;
-    size_t h = c->h, channels = c->channels, i, ch;
-    kernels->gram(wide, n, c->h0, channels, h, h, residual);
-    for (i = 0; i < n; ++i)
-        for (ch = 0; ch < channels; ++ch) {
-            double bias = c->m->bias ? (double)ms_nn__float_at(c->m->bias, row[i]) : 0.0,
-                   weight = (double)c->weight[ch * c->m->rows + row[i]];
-            double res = (double)job->target[ch * c->m->rows + row[i]] - bias - residual[i * channels + ch];
-            residual[i * channels + ch] = weight * res;
-            sum[channels * h] += weight * res * res;
-        }
-    kernels->add(sum, channels, wide, n, h, h, residual);
-}
-
-static MS_NN__COLD void ms_nn__pass_task(void *context, int index)
-{
-    const ms_nn__pass_job *job = (const ms_nn__pass_job *)context;
-    const ms_nn_collapse *c = job->c;
-    size_t part = (size_t)index, h = c->h, rows = c->m->rows, i = rows * part / job->parts,
-           end = rows * (part + 1) / job->parts, n = 0, ch;
-    size_t row[MS_NN__PASS_ROWS];
-    double *sum = job->sum + part * (c->channels * h + 1), *wide = job->wide + part * MS_NN__PASS_ROWS * h;
-    double *residual = job->residual + part * MS_NN__PASS_ROWS * c->channels;
-    memset(sum, 0, (c->channels * h + 1) * sizeof(double));
-    for (; i < end; ++i) {
-        for (ch = 0; ch < c->channels && !(c->weight[ch * rows + i] > 0);) ++ch;
-        if (ch == c->channels) continue; /* weight 0 in all channels */
-        c->nn->kernels->row(c->m, i, 1.0, wide + n * h);
-        row[n++] = i;
-        if (n == MS_NN__PASS_ROWS) {
-            ms_nn__pass_block(job, row, n, wide, residual, sum);
-            n = 0;
-        }
-    }
-    if (n > 0) ms_nn__pass_block(job, row, n, wide, residual, sum);
-}
-
-static MS_NN__COLD void ms_nn__pass(const ms_nn__pass_job *job)
-{
-    size_t n = job->c->channels * job->c->h + 1, p, i;
-    ms__run(&job->c->nn->options.parallel, (int)job->parts, ms_nn__pass_task, (void *)(uintptr_t)job);
-    for (p = 1; p < job->parts; ++p)
-        for (i = 0; i < n; ++i) job->sum[i] += job->sum[p * n + i];
-}
-
-/* The least pivot of R that is no rounding: below it lies a direction that no output sees. */
-static double ms_nn__least_pivot(const double *r, size_t h)
-{
-    double largest = 0;
-    size_t j;
-    for (j = 0; j < h; ++j)
-        if (fabs(r[j * h + j]) > largest) largest = fabs(r[j * h + j]);
-    return 1e-13 * largest;
-}
-
-/* R' y = x, in place. */
-static void ms_nn__solve_transposed(const ms_nn__kernels *kernels, const double *r, size_t h, double *x)
-{
-    double least = ms_nn__least_pivot(r, h), minus;
-    size_t j;
-    for (j = 0; j < h; ++j) {
-        const double *row = r + j * h;
-        x[j] = fabs(row[j]) > least ? x[j] / row[j] : 0.0;
-        minus = -x[j];
-        kernels->add(x + j + 1, 1, row + j + 1, 1, h, h - j - 1, &minus);
+    size_t i, j;
+    for (j = 0; j < h; ++j, r += wide) {
+        x[j] = r[j] > 0 ? x[j] / r[j] : 0.0;
+        for (i = j + 1; i < h; ++i) x[i] -= r[i] * x[j];
     }
 }
 
-/* R z = y, in place. */
-static void ms_nn__solve(const ms_nn__kernels *kernels, const double *r, size_t h, double *x)
+/* R z = y, in place; 0 where R has no pivot. */
+static MS_NN__COLD void ms_nn__solve(const double *r, size_t h, size_t wide, double *x)
 {
-    double least = ms_nn__least_pivot(r, h), dot;
-    size_t j;
+    size_t i, j;
     for (j = h; j-- > 0;) {
-        const double *row = r + j * h;
-        kernels->gram(row + j + 1, 1, x + j + 1, 1, h, h - j - 1, &dot);
-        x[j] = fabs(row[j]) > least ? (x[j] - dot) / row[j] : 0.0;
+        const double *row = r + j * wide;
+        for (i = j + 1; i < h; ++i) x[j] -= row[i] * x[i];
+        x[j] = row[j] > 0 ? x[j] / row[j] : 0.0;
     }
+}
+
+/* R of a channel. */
+static const double *ms_nn__collapse_r(const ms_nn_collapse *c, size_t channel)
+{
+    return c->r + c->owner[channel] * c->h * c->wide;
 }
 
 MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target, ms_error *error)
 {
-    ms_nn__pass_job job;
-    ms__arena a;
-    size_t h, n, i, ch, outputs;
+    ms_nn__pass p;
+    size_t bytes, features, i, ch;
     double norm = 0;
     if (c == NULL || target == NULL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", c == NULL ? "c" : "target");
-    h = c->h;
-    n = c->channels * h;
-    outputs = c->channels * c->m->rows;
-    for (i = 0; i < outputs; ++i)
+    features = c->channels * c->wide;
+    for (i = 0; i < c->channels * c->m->rows; ++i)
         if (!ms__finite_f(target[i]))
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "target value %z is not finite", i);
-    job.c = c;
-    job.target = target;
-    job.parts = ms_nn__min(16, c->m->rows / 1024 + 1);
-    for (a.base = NULL;;) {
-        a.used = 0;
-        job.sum = (double *)ms__take(&a, job.parts, (n + 1) * sizeof(double));
-        job.wide = (double *)ms__take(&a, job.parts, MS_NN__PASS_ROWS * h * sizeof(double));
-        job.residual = (double *)ms__take(&a, job.parts, MS_NN__PASS_ROWS * c->channels * sizeof(double));
-        if (a.base != NULL) break;
-        a.base = (char *)ms__alloc(&c->nn->options.allocator, a.used);
-        if (a.base == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a target");
-    }
-    memset(c->h0, 0, n * sizeof(double));
-    ms_nn__pass(&job); /* W'M (t - b) */
-    memcpy(c->h0, job.sum, n * sizeof(double));
+    if (!ms_nn__pass_make(&p, c, ms__size_add(features, 1), &bytes))
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a target");
+    p.target = target;
+    ms_nn__pass_run(&p); /* W'M (t - b) = R'R h0 */
+    memcpy(c->h0, p.sum, features * sizeof(double));
     for (ch = 0; ch < c->channels; ++ch) {
-        ms_nn__solve_transposed(c->nn->kernels, c->r + c->owner[ch] * h * h, h, c->h0 + ch * h);
-        ms_nn__solve(c->nn->kernels, c->r + c->owner[ch] * h * h, h, c->h0 + ch * h);
+        double *h0 = c->h0 + ch * c->wide;
+        ms_nn__solve_transposed(ms_nn__collapse_r(c, ch), c->h, c->wide, h0);
+        ms_nn__solve(ms_nn__collapse_r(c, ch), c->h, c->wide, h0);
+        for (i = 0; i < c->h; ++i) p.h0[i * p.across + ch] = h0[i];
     }
-    ms_nn__pass(&job); /* W'M res and |res|_M^2 of h0 */
-    memcpy(c->e, job.sum, n * sizeof(double));
+    ms_nn__pass_run(&p); /* W'M res = R'e and |res|_M^2 of h0 */
+    memcpy(c->e, p.sum, features * sizeof(double));
     for (ch = 0; ch < c->channels; ++ch)
-        ms_nn__solve_transposed(c->nn->kernels, c->r + c->owner[ch] * h * h, h, c->e + ch * h);
-    for (i = 0; i < n; ++i) norm += c->e[i] * c->e[i];
-    c->rest = job.sum[n] > norm ? job.sum[n] - norm : 0.0;
+        ms_nn__solve_transposed(ms_nn__collapse_r(c, ch), c->h, c->wide, c->e + ch * c->wide);
+    for (i = 0; i < features; ++i) norm += c->e[i] * c->e[i];
+    c->rest = p.sum[features] > norm ? p.sum[features] - norm : 0.0;
     c->has_target = 1;
-    ms__release(&c->nn->options.allocator, job.sum, a.used);
+    ms__release(&c->nn->options.allocator, p.sum, bytes);
     return MS_OK;
 }
 
 /* The workspace of an evaluation, or with base NULL its size. */
 typedef struct ms_nn__collapse_layout {
-    double *columns; /* [MS_NN__COLUMNS][h] */
-    float *features; /* [channels][h] */
+    size_t across;    /* the value and the inputs of a channel, rounded up to MS_NN__DOUBLES */
+    double *columns;  /* [channels][h][across] h - h0, then the Jacobian of h */
+    double *products; /* [h][across] R times those of a channel */
+    float *features;  /* [channels][h] */
     void *body;
     size_t total; /* bytes */
 } ms_nn__collapse_layout;
 
-static ms_nn__collapse_layout ms_nn__collapse_layout_of(const ms_nn_collapse *c, int with_jacobian, void *base)
+static MS_NN__COLD ms_nn__collapse_layout ms_nn__collapse_layout_of(const ms_nn_collapse *c, int with_jacobian,
+                                                                    void *base)
 {
+    const ms_nn_product product = with_jacobian ? MS_NN_JACOBIAN : MS_NN_FORWARD;
+    const size_t body = c->body.ops == 0 ? 0 : ms_nn_workspace_size(&c->body, product, 1);
     ms_nn__collapse_layout l;
     ms__arena a;
-    size_t body = c->body.ops == 0 ? 0
-                                   : ms_nn_workspace_size(&c->body, with_jacobian ? MS_NN_JACOBIAN : MS_NN_FORWARD, 1);
     a.base = base != NULL ? (char *)(((uintptr_t)base + 63) & ~(uintptr_t)63) : NULL;
     a.used = 0;
-    l.columns = (double *)ms__take(&a, MS_NN__COLUMNS, c->h * sizeof(double));
-    l.features = (float *)ms__take(&a, c->channels, c->h * sizeof(float));
+    l.across = ms_nn__round_up(1 + (with_jacobian ? ms_nn__count(c->nn->inner) : 0), MS_NN__DOUBLES);
+    l.columns = (double *)ms__take(&a, c->channels, ms__size_mul(c->h, ms__size_mul(l.across, sizeof(double))));
+    l.products = (double *)ms__take(&a, c->h, ms__size_mul(l.across, sizeof(double)));
+    l.features = (float *)ms__take(&a, c->channels, ms__size_mul(c->h, sizeof(float)));
     l.body = ms__take(&a, body, 1);
     l.total = ms__size_add(a.used, 63);
     return l;
@@ -4533,18 +3629,23 @@ MS_API size_t ms_nn_collapse_workspace_size(const ms_nn_collapse *c, int with_ja
     return c != NULL ? ms_nn__collapse_layout_of(c, with_jacobian, NULL).total : 0;
 }
 
-/* out_ik += sum_j R_ij column_k,j for n columns: rows in fours, each four from its diagonal on. column_at: where column
-   k goes; NULL: to k. */
-static void ms_nn__collapse_product(const ms_nn_collapse *c, const double *r, const double *columns, size_t n,
-                                    double *out, size_t row_step, const size_t *column_at)
+/* products = R columns, sixteen rows at a time, each from its diagonal on. */
+static MS_NN__COLD void ms_nn__collapse_multiply(const ms_nn_collapse *c, size_t channel,
+                                                 const ms_nn__collapse_layout *l)
 {
-    double tile[4 * MS_NN__COLUMNS];
-    size_t h = c->h, i, j, k, m;
-    for (i = 0; i < h; i += 4) {
-        m = ms_nn__min(4, h - i);
-        c->nn->kernels->gram(r + i * h + i, m, columns + i, n, h, h - i, tile);
-        for (j = 0; j < m; ++j)
-            for (k = 0; k < n; ++k) out[(i + j) * row_step + (column_at ? column_at[k] : k)] += tile[j * n + k];
+    ms_nn__product_job job;
+    size_t i;
+    memset(l->products, 0, c->h * l->across * sizeof(double));
+    job.a_row = c->wide;
+    job.a_column = 1;
+    job.b_row = job.out_row = job.cols = l->across;
+    for (i = 0; i < c->h; i += MS_NN__DOUBLES) {
+        job.a = ms_nn__collapse_r(c, channel) + i * c->wide + i;
+        job.b = l->columns + (channel * c->h + i) * l->across;
+        job.out = l->products + i * l->across;
+        job.count = c->h - i;
+        job.rows = ms_nn__min(MS_NN__DOUBLES, c->h - i);
+        c->nn->kernels->product(&job);
     }
 }
 
@@ -4569,36 +3670,40 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_residual(const ms_nn_collapse *c, co
         ms_nn__begin(&call, &c->body, jacobian ? MS_NN_JACOBIAN : MS_NN_FORWARD, 1, x, l.features, l.body);
     else if (nn->channel_input) ms_nn__gather_inputs(nn, 1, x, l.features);
     else memcpy(l.features, x, h * sizeof(float));
-    for (ch = 0; ch < c->channels; ++ch) {
-        for (i = 0; i < h; ++i) {
-            l.columns[i] = (double)l.features[ch * h + i] - c->h0[ch * h + i];
-            residual[ch * h + i] = -c->e[ch * h + i];
-        }
-        ms_nn__collapse_product(c, c->r + c->owner[ch] * h * h, l.columns, 1, residual + ch * h, 1, NULL);
-    }
-    residual[c->channels * h] = sqrt(c->rest);
-    if (jacobian) memset(jacobian, 0, (c->channels * h + 1) * inputs * sizeof(double));
+    memset(l.columns, 0, c->channels * h * l.across * sizeof(double));
+    for (i = 0; i < c->channels * h; ++i)
+        l.columns[i * l.across] = (double)l.features[i] - c->h0[i / h * c->wide + i % h];
     for (first = 0; jacobian && first < in; first += n) {
-        const float *slopes; /* of h(x): [channels][n][h] */
-        n = ms_nn__min(MS_NN__COLUMNS, in - first);
-        slopes = c->body.ops > 0 ? ms_nn__columns(&call, first, n) : NULL;
-        for (ch = 0; ch < c->channels; ++ch) {
-            double *out = jacobian + ch * h * inputs + (nn->channel_input ? 0 : first);
+        const float *slopes = NULL; /* of h(x): [channels][n][h] */
+        n = c->body.ops > 0 ? ms_nn__min(in - first, call.layout.each) : in;
+        if (c->body.ops > 0) slopes = ms_nn__columns(&call, first, n);
+        for (ch = 0; ch < c->channels; ++ch)
             for (k = 0; k < n; ++k)
                 for (i = 0; i < h; ++i)
-                    l.columns[k * h + i] = slopes ? (double)slopes[(ch * n + k) * h + i] : i == first + k ? 1.0 : 0.0;
-            ms_nn__collapse_product(c, c->r + c->owner[ch] * h * h, l.columns, n, out, inputs,
-                                    nn->channel_input ? nn->channel_input + ch * in + first : NULL);
+                    l.columns[(ch * h + i) * l.across + 1 + first + k] = slopes ? (double)*slopes++
+                        : i == k                                                ? 1.0
+                                                                                : 0.0;
+    }
+    if (jacobian) memset(jacobian, 0, (c->channels * h + 1) * inputs * sizeof(double));
+    for (ch = 0; ch < c->channels; ++ch) {
+        ms_nn__collapse_multiply(c, ch, &l);
+        for (i = 0; i < h; ++i) {
+            const double *product = l.products + i * l.across;
+            residual[ch * h + i] = product[0] - c->e[ch * c->wide + i];
+            for (k = 0; jacobian && k < in; ++k)
+                jacobian[(ch * h + i) * inputs + (nn->channel_input ? nn->channel_input[ch * in + k] : k)] +=
+                    product[1 + k];
         }
     }
+    residual[c->channels * h] = sqrt(c->rest);
     ms__release(&nn->options.allocator, allocated, size);
     return MS_OK;
 }
 
 /* ---- levels ---------------------------------------------------------------------------------------------------- */
 
-/* Full unrolling of the short loops over register tiles, also at -O2, and inlining of what has constant arguments.
-   Clang's sanitizers would take minutes for that; without optimization it would only add up the stack of all forms. */
+/* Full unrolling of the short loops over register tiles, also at -O2, and inlining of what has constant arguments. Not
+   with clang's sanitizers, where it takes minutes to compile, and not at -O0, where every form's stack would count. */
 #define MS_NN__UNROLL
 #define MS_NN__INLINE static inline MS_NN__TARGET
 #if defined(__OPTIMIZE__)
@@ -4666,20 +3771,6 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
     return &ms_nn__table_scalar;
 }
 
-/* Does this processor read a large matrix faster as several streams, rows a quarter of a task apart, than row by row?
-   Intel's do (Sapphire Rapids, 504,300 x 1024, AVX-512: F16 1.7 times as fast, F32 1.3 times), AMD's Zen 4 does not.
-   The bits are the same. */
-static int ms_nn__streams(void)
-{
-#ifdef MS_NN__X86
-    uint32_t r[4];
-    ms__cpuid(0, 0, r);
-    return r[1] == 0x756e6547u; /* "Genu", of GenuineIntel */
-#else
-    return 0;
-#endif
-}
-
 #undef MS_NN__BIG_ENDIAN
 #undef MS_NN__MMAP
 #undef MS_NN__X86
@@ -4687,7 +3778,7 @@ static int ms_nn__streams(void)
 #undef MS_NN__BIT
 #undef MS_NN__WEIGHTED
 #undef MS_NN__CONVS
-#undef MS_NN__TRANSPOSED
+#undef MS_NN__TWO_D
 #undef MS_NN__POOLS
 #undef MS_NN__UPSAMPLES
 #undef MS_NN__ACTIVATED
@@ -4738,7 +3829,6 @@ static int ms_nn__streams(void)
 #define MS_NN__V_FROM_INT(i) ((float)(i))
 #define MS_NN__V_POW2(i) ms_nn__float_of((uint32_t)((i) + 127) << 23)
 #define MS_NN__W_HALF(p) ms__half_to_float((uint16_t)ms_nn__u16(p))
-#define MS_NN__W_BRAIN(p) ms_nn__float_of(ms_nn__u16(p) << 16)
 #define MS_NN__W_INT8(p) ((float)(*(p) < 128 ? *(p) : *(p)-256))
 #elif MS_NN__ISA == 2
 #define MS_NN__V_LANES 4
@@ -4759,7 +3849,6 @@ static int ms_nn__streams(void)
 #define MS_NN__V_FROM_INT(i) vcvtq_f32_s32(i)
 #define MS_NN__V_POW2(i) vreinterpretq_f32_s32(vshlq_n_s32(vaddq_s32(i, vdupq_n_s32(127)), 23))
 #define MS_NN__W_HALF(p) vcvt_f32_f16(vreinterpret_f16_u8(vld1_u8(p)))
-#define MS_NN__W_BRAIN(p) vreinterpretq_f32_u32(vshll_n_u16(vreinterpret_u16_u8(vld1_u8(p)), 16))
 #define MS_NN__W_INT8(p) MS_NN__FN(int8)(p)
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
 {
@@ -4786,11 +3875,7 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
 #define MS_NN__V_FROM_INT(i) _mm256_cvtepi32_ps(i)
 #define MS_NN__V_POW2(i) _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_add_epi32(i, _mm256_set1_epi32(127)), 23))
 #define MS_NN__W_HALF(p) _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(p)))
-#define MS_NN__W_BRAIN(p) \
-    _mm256_castsi256_ps(  \
-        _mm256_slli_epi32(_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)(p))), 16))
 #define MS_NN__W_INT8(p) _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)(p))))
-#define MS_NN__V_FOLD(v) _mm_add_ps(_mm256_castps256_ps128(v), _mm256_extractf128_ps(v, 1))
 #else /* maskz_ forms: the plain ones of GCC 12 warn in C++ */
 #define MS_NN__V_LANES 16
 #define MS_NN__V_BLOCK 8
@@ -4811,20 +3896,9 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
 #define MS_NN__V_POW2(i) \
     _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_add_epi32(i, _mm512_set1_epi32(127)), 23))
 #define MS_NN__W_HALF(p) _mm512_maskz_cvtph_ps(0xFFFF, _mm256_loadu_si256((const __m256i *)(const void *)(p)))
-#define MS_NN__W_BRAIN(p)                        \
-    _mm512_castsi512_ps(_mm512_maskz_slli_epi32( \
-        0xFFFF, _mm512_maskz_cvtepu16_epi32(0xFFFF, _mm256_loadu_si256((const __m256i *)(const void *)(p))), 16))
 #define MS_NN__W_INT8(p)             \
     _mm512_maskz_cvtepi32_ps(0xFFFF, \
                              _mm512_maskz_cvtepi8_epi32(0xFFFF, _mm_loadu_si128((const __m128i *)(const void *)(p))))
-#define MS_NN__V_FOLD(v) MS_NN__FN(fold)(v)
-MS_NN__INLINE __m128 MS_NN__FN(fold)(MS_NN__V_FLOATS v)
-{
-    __m512d w = _mm512_castps_pd(v);
-    __m256 b = _mm256_add_ps(_mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xF, w, 0)),
-                             _mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xF, w, 1)));
-    return _mm_add_ps(_mm256_castps256_ps128(b), _mm256_extractf128_ps(b, 1));
-}
 #endif
 
 /* A vector that is used several times is loaded once: GCC would read it anew for each use, and 64-byte loads are what
@@ -4840,7 +3914,6 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(weight)(const unsigned char *p, ms_nn_dt
 {
     if (dtype == MS_NN_F32) return MS_NN__V_LOAD(p);
     if (dtype == MS_NN_F16) return MS_NN__W_HALF(p);
-    if (dtype == MS_NN_BF16) return MS_NN__W_BRAIN(p);
     return MS_NN__W_INT8(p);
 }
 
@@ -4862,130 +3935,69 @@ MS_NN__KERNEL MS_NN__NOINLINE MS_NN__V_FLOATS MS_NN__FN(weight_part)(const unsig
 #define MS_NN__W_PREFETCH(p, ahead) ((void)0)
 #endif
 
-/* Four sums of lanes, each as (l0 + l2) + (l1 + l3) of the sums of its quarters, times a scale, plus a bias. */
-MS_NN__INLINE void MS_NN__FN(sum4)(const MS_NN__V_FLOATS *v, const float *scale, const float *bias, float *out)
-{
-#if defined(MS_NN__X86) && MS_NN__ISA > 1
-    __m128 a = MS_NN__V_FOLD(v[0]), b = MS_NN__V_FOLD(v[1]), c = MS_NN__V_FOLD(v[2]), d = MS_NN__V_FOLD(v[3]);
-    __m128 ab = _mm_add_ps(_mm_unpacklo_ps(a, b), _mm_unpackhi_ps(a, b)),
-           cd = _mm_add_ps(_mm_unpacklo_ps(c, d), _mm_unpackhi_ps(c, d));
-    ab = _mm_add_ps(_mm_movelh_ps(ab, cd), _mm_movehl_ps(cd, ab));
-    _mm_storeu_ps(out, _mm_add_ps(_mm_mul_ps(ab, _mm_loadu_ps(scale)), _mm_loadu_ps(bias)));
-#else
-    int i;
-    for (i = 0; i < 4; ++i) {
-#if MS_NN__ISA > 1
-        out[i] = vaddvq_f32(v[i]) * scale[i] + bias[i];
-#else
-        out[i] = v[i] * scale[i] + bias[i];
-#endif
-    }
-#endif
-}
-
-/* Dot products of rows x samples. Sum c runs over the columns MS_NN__V_LANES c + (0..MS_NN__V_LANES-1) modulo
-   MS_NN__V_LANES MS_NN__W_CHAINS; the chains are added in pairs, then comes what is left of the columns, then the sum
-   of the lanes. The order depends on nothing but cols, so that tiles of any shape agree. This is the end of all of
-   them. */
-MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(finish)(const ms_nn__dense *job, size_t row, size_t step, size_t sample,
-                                                     int rows, int batch, MS_NN__V_FLOATS *total)
+/* The end of dot products of rows x samples: what is left of the columns, then the lanes, scale and bias. */
+MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(finish)(const ms_nn__dense *job, size_t row, size_t sample, int rows,
+                                                     int batch, const MS_NN__V_FLOATS *total)
 {
     const ms_nn__matrix *m = job->m;
-    MS_NN__V_FLOATS v[3], u;
-    size_t cols = m->cols, size = ms_nn__bytes_of(m->dtype), at = cols - cols % (MS_NN__V_LANES * MS_NN__W_CHAINS), n;
-    int r, b, i, k;
-    for (; at < cols; at += n) {
-        n = ms_nn__min(cols - at, MS_NN__V_LANES);
-        for (b = 0; b < batch; ++b)
-            v[b] = MS_NN__FN(weight_part)((const unsigned char *)(job->x + (sample + (size_t)b) * cols + at), MS_NN_F32,
-                                          n);
-        for (r = 0; r < rows; ++r) {
-            u = MS_NN__FN(weight_part)(m->w + ((row + (size_t)r * step) * cols + at) * size, m->dtype, n);
-            for (b = 0; b < batch; ++b) total[b * rows + r] = MS_NN__V_MADD(u, v[b], total[b * rows + r]);
+    const size_t cols = m->cols, size = ms_nn__bytes_of(m->dtype),
+                 done = cols - cols % (MS_NN__V_LANES * MS_NN__W_CHAINS);
+    size_t k, n;
+    int i, c;
+    for (i = 0; i < rows * batch; ++i) {
+        const size_t r = row + (size_t)(i / batch), b = sample + (size_t)(i % batch);
+        const unsigned char *x = (const unsigned char *)(job->x + b * cols), *w = m->w + r * cols * size;
+        MS_NN__V_FLOATS sum = total[i], u, v;
+        float lane[MS_NN__V_LANES], y = 0;
+        for (k = done; k < cols; k += n) {
+            n = ms_nn__min(cols - k, MS_NN__V_LANES);
+            u = MS_NN__FN(weight_part)(w + k * size, m->dtype, n);
+            v = MS_NN__FN(weight_part)(x + k * sizeof(float), MS_NN_F32, n);
+            sum = MS_NN__V_MADD(u, v, sum);
         }
-    }
-    for (i = 0; i < rows * batch; i += 4) {
-        MS_NN__V_FLOATS four[4];
-        float out[4], scale[4], bias[4];
-        for (k = 0; k < 4; ++k) {
-            const int j = i + k < rows * batch ? i + k : i;
-            at = row + (size_t)(j % rows) * step;
-            four[k] = total[j];
-            scale[k] = m->scale ? ms_nn__float_at(m->scale, at) : 1.0f;
-            bias[k] = m->bias && !job->linear ? ms_nn__float_at(m->bias, at) : 0.0f;
-        }
-        MS_NN__FN(sum4)(four, scale, bias, out);
-        for (k = 0; k < 4 && i + k < rows * batch; ++k)
-            job->y[(sample + (size_t)((i + k) / rows)) * m->rows + row + (size_t)((i + k) % rows) * step] = out[k];
+        MS_NN__V_STORE(lane, sum);
+        for (c = 0; c < MS_NN__V_LANES; ++c) y += lane[c];
+        y *= m->scale ? ms_nn__float_at(m->scale, r) : 1.0f;
+        job->y[b * m->rows + r] = y + (m->bias && !job->linear ? ms_nn__float_at(m->bias, r) : 0.0f);
     }
 }
 
-/* `rows` rows of a type, `step` apart, times `batch` samples, without what is left of the columns. dtype, rows and
-   batch are constants. */
-MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t step, size_t sample, ms_nn_dtype dtype,
-                                   int rows, int batch, MS_NN__V_FLOATS *total)
+/* Dot products of `rows` rows x `batch` samples. Sum c runs over the columns MS_NN__V_LANES c + (0..MS_NN__V_LANES-1)
+   modulo MS_NN__V_LANES MS_NN__W_CHAINS. The order of additions depends on nothing but cols, so that tiles of any shape
+   agree. dtype, rows and batch are constants. */
+MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows,
+                                   int batch)
 {
-    size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), k = 0;
-    const unsigned char *w[MS_NN__W_ROWS];
-    const float *x[3];
-    MS_NN__V_FLOATS s[MS_NN__W_ROWS][3][MS_NN__W_CHAINS];
+    const ms_nn__matrix *m = job->m;
+    const size_t cols = m->cols, size = ms_nn__bytes_of(dtype), whole = MS_NN__V_LANES * MS_NN__W_CHAINS;
+    const unsigned char *w = m->w + row * cols * size;
+    const float *x = job->x + sample * cols;
+    MS_NN__V_FLOATS s[MS_NN__W_ROWS][3][MS_NN__W_CHAINS], total[3 * MS_NN__W_ROWS], v[3], u;
+    size_t k;
     int r, b, c;
     MS_NN__UNROLL
     for (r = 0; r < rows; ++r) {
-        w[r] = job->m->w + (row + (size_t)r * step) * cols * size;
         MS_NN__UNROLL
         for (b = 0; b < batch; ++b) {
             MS_NN__UNROLL
             for (c = 0; c < MS_NN__W_CHAINS; ++c) s[r][b][c] = MS_NN__V_SET(0.0f);
         }
     }
-    MS_NN__UNROLL
-    for (b = 0; b < batch; ++b) x[b] = job->x + (sample + (size_t)b) * cols;
-#if MS_NN__ISA == 4
-    if (rows == 1) {
-        /* By halves of vectors: 32 bytes at a time come from memory up to 1.15 times as fast as 64 on Zen 4 with small
-           pages; asked for 8 kB ahead, across the ends of pages, where the processor's own prefetching stops, up
-           to 1.35 times. Lanes and order are the same. */
-        __m256 half[2 * MS_NN__W_CHAINS], u;
-        MS_NN__UNROLL
-        for (c = 0; c < 2 * MS_NN__W_CHAINS; ++c) half[c] = _mm256_setzero_ps();
-        for (; k + MS_NN__V_LANES * MS_NN__W_CHAINS <= cols; k += MS_NN__V_LANES * MS_NN__W_CHAINS) {
-            MS_NN__UNROLL
-            for (c = 0; c < 2 * MS_NN__W_CHAINS; ++c) {
-                const unsigned char *p = w[0] + (k + 8 * (size_t)c) * size;
-                if (c == 0 && size < 4) MS_NN__W_PREFETCH(p, 8192);
-                if (dtype == MS_NN_I8)
-                    u = _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)p)));
-                else if (dtype == MS_NN_F32) u = _mm256_loadu_ps((const float *)(const void *)p);
-                else if (dtype == MS_NN_F16) u = _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)p));
-                else
-                    u = _mm256_castsi256_ps(_mm256_slli_epi32(
-                        _mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(const void *)p)), 16));
-                half[c] = _mm256_fmadd_ps(u, _mm256_loadu_ps(x[0] + k + 8 * (size_t)c), half[c]);
-            }
-        }
-        MS_NN__UNROLL
-        for (c = 0; c < MS_NN__W_CHAINS; ++c)
-            s[0][0][c] = _mm512_castpd_ps(_mm512_maskz_insertf64x4(
-                0xFF, _mm512_castps_pd(_mm512_castps256_ps512(half[2 * c])), _mm256_castps_pd(half[2 * c + 1]), 1));
-    }
-#endif
-    for (; k + MS_NN__V_LANES * MS_NN__W_CHAINS <= cols; k += MS_NN__V_LANES * MS_NN__W_CHAINS) {
+    for (k = 0; k + whole <= cols; k += whole) {
         MS_NN__UNROLL
         for (c = 0; c < MS_NN__W_CHAINS; ++c) {
-            size_t at = k + (size_t)c * MS_NN__V_LANES;
-            MS_NN__V_FLOATS v[3];
+            const size_t at = k + (size_t)c * MS_NN__V_LANES;
             MS_NN__UNROLL
             for (b = 0; b < batch; ++b) {
-                v[b] = MS_NN__V_LOAD(x[b] + at);
+                v[b] = MS_NN__V_LOAD(x + (size_t)b * cols + at);
                 if (batch > 1 && MS_NN__ISA == 3) MS_NN__V_KEEP(v[b]);
             }
             MS_NN__UNROLL
             for (r = 0; r < rows; ++r) {
-                MS_NN__V_FLOATS u = MS_NN__FN(weight)(w[r] + at * size, dtype);
-                if (batch == 1 && rows > 1 && (c == 0 || MS_NN__V_LANES * size >= 64)) /* once a line of 64 bytes */
-                    MS_NN__W_PREFETCH(w[r] + at * size, 2048);
-                if (batch == 1 && rows == 1 && c == 0 && size < 4) MS_NN__W_PREFETCH(w[r] + at * size, 8192);
+                const unsigned char *p = w + ((size_t)r * cols + at) * size;
+                u = MS_NN__FN(weight)(p, dtype);
+                /* across the ends of pages, where the processor's own prefetching stops */
+                if (batch == 1 && c == 0 && size < 4) MS_NN__W_PREFETCH(p, 8192);
                 if (batch > 1) MS_NN__V_KEEP(u);
                 MS_NN__UNROLL
                 for (b = 0; b < batch; ++b) s[r][b][c] = MS_NN__V_MADD(u, v[b], s[r][b][c]);
@@ -4996,53 +4008,39 @@ MS_NN__INLINE void MS_NN__FN(sums)(const ms_nn__dense *job, size_t row, size_t s
     for (r = 0; r < rows; ++r) {
         MS_NN__UNROLL
         for (b = 0; b < batch; ++b) {
-            MS_NN__V_FLOATS sum = s[r][b][0] + s[r][b][1];
-#if MS_NN__W_CHAINS == 4
-            sum = sum + (s[r][b][2] + s[r][b][3]);
-#endif
-            total[b * rows + r] = sum;
+            total[r * batch + b] = s[r][b][0];
+            MS_NN__UNROLL
+            for (c = 1; c < MS_NN__W_CHAINS; ++c) total[r * batch + b] = total[r * batch + b] + s[r][b][c];
         }
     }
-}
-
-/* The same with its ends. */
-MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t step, size_t sample, int rows, int batch)
-{
-    MS_NN__V_FLOATS total[3 * MS_NN__W_ROWS];
-    ms_nn_dtype dtype = job->m->dtype;
-    if (dtype == MS_NN_F32) MS_NN__FN(sums)(job, row, step, sample, MS_NN_F32, rows, batch, total);
-    else if (dtype == MS_NN_F16) MS_NN__FN(sums)(job, row, step, sample, MS_NN_F16, rows, batch, total);
-    else if (dtype == MS_NN_BF16) MS_NN__FN(sums)(job, row, step, sample, MS_NN_BF16, rows, batch, total);
-    else MS_NN__FN(sums)(job, row, step, sample, MS_NN_I8, rows, batch, total);
-    MS_NN__FN(finish)(job, row, step, sample, rows, batch, total);
+    MS_NN__FN(finish)(job, row, sample, rows, batch, total);
 }
 
 /* MS_NN__W_ROWS rows times three samples. */
 MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(tile)(const ms_nn__dense *job, size_t row, size_t sample)
 {
-    MS_NN__FN(dots)(job, row, 1, sample, MS_NN__W_ROWS, 3);
+    if (job->m->dtype == MS_NN_F32) MS_NN__FN(dots)(job, row, sample, MS_NN_F32, MS_NN__W_ROWS, 3);
+    else if (job->m->dtype == MS_NN_F16) MS_NN__FN(dots)(job, row, sample, MS_NN_F16, MS_NN__W_ROWS, 3);
+    else MS_NN__FN(dots)(job, row, sample, MS_NN_I8, MS_NN__W_ROWS, 3);
 }
 
-/* Rows times one sample: each alone, or MS_NN__W_ROWS streams. */
+/* Rows times one sample, one after the other. */
 MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(rows)(const ms_nn__dense *job, size_t row, size_t row1, size_t sample)
 {
-#if MS_NN__W_ROWS > 1
-    if (job->streams) {
-        const size_t step = (row1 - row) / MS_NN__W_ROWS, end = row + step;
-        for (; row < end; ++row) MS_NN__FN(dots)(job, row, step, sample, MS_NN__W_ROWS, 1);
-        row += (MS_NN__W_ROWS - 1) * step;
+    for (; row < row1; ++row) {
+        if (job->m->dtype == MS_NN_F32) MS_NN__FN(dots)(job, row, sample, MS_NN_F32, 1, 1);
+        else if (job->m->dtype == MS_NN_F16) MS_NN__FN(dots)(job, row, sample, MS_NN_F16, 1, 1);
+        else MS_NN__FN(dots)(job, row, sample, MS_NN_I8, 1, 1);
     }
-#endif
-    for (; row < row1; ++row) MS_NN__FN(dots)(job, row, 0, sample, 1, 1);
 }
 
 /* Batches go by blocks of samples that stay in the first cache, three samples at a time; what is left over runs as if
    alone. */
 MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
-    size_t batch = (size_t)job->batch, step = ms_nn__samples(job->m->cols), row, next, b0, b1, b;
+    size_t batch = (size_t)job->batch, most = ms_nn__samples(job->m->cols), row, next, b0, b1, b;
     for (b0 = 0; b0 < batch; b0 = b1) {
-        b1 = ms_nn__min(b0 + step, batch);
+        b1 = ms_nn__min(b0 + most, batch);
         if (b1 - b0 < 3) {
             for (b = b0; b < b1; ++b) MS_NN__FN(rows)(job, row0, row1, b);
             continue;
@@ -5072,46 +4070,14 @@ MS_NN__INLINE void MS_NN__FN(widen_typed)(const unsigned char *p, size_t n, floa
 
 MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(widen)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype)
 {
-    if (dtype == MS_NN_F16) MS_NN__FN(widen_typed)(p, n, out, MS_NN_F16);
-    else if (dtype == MS_NN_BF16) MS_NN__FN(widen_typed)(p, n, out, MS_NN_BF16);
+    if (dtype == MS_NN_F32) memcpy(out, p, n * sizeof(float));
+    else if (dtype == MS_NN_F16) MS_NN__FN(widen_typed)(p, n, out, MS_NN_F16);
     else MS_NN__FN(widen_typed)(p, n, out, MS_NN_I8);
 }
 
 /* Packed weights. An output is the sum over the first half of the columns plus the sum over the second, each from the
    left, whatever the batch. */
-#if MS_NN__ISA == 1
-#define MS_NN__P_ROWS 4
-MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_t row1)
-{
-    const ms_nn__matrix *m = job->m;
-    size_t row, b, half = (m->cols + 1) / 2, k, at;
-    for (row = row0; row < row1; row += 4)
-        for (b = 0; b < (size_t)job->batch; ++b) {
-            const float *w = (const float *)(const void *)m->packed + row * m->cols, *x = job->x + b * m->cols;
-            float total[4] = {0, 0, 0, 0};
-            for (at = 0; at < m->cols; at = k) {
-                float s0 = 0, s1 = 0, s2 = 0, s3 = 0;
-                for (k = at; k < ms_nn__min(at + half, m->cols); ++k, w += 4) {
-                    s0 += w[0] * x[k];
-                    s1 += w[1] * x[k];
-                    s2 += w[2] * x[k];
-                    s3 += w[3] * x[k];
-                }
-                total[0] += s0;
-                total[1] += s1;
-                total[2] += s2;
-                total[3] += s3;
-            }
-            for (k = 0; k < ms_nn__min(4, m->rows - row); ++k)
-                job->y[b * m->rows + row + k] = total[k] * m->packed_scale[row + k] +
-                    (job->linear ? 0.0f : m->packed_bias[row + k]);
-        }
-}
-
-#else
 #define MS_NN__P_ROWS (4 * MS_NN__V_LANES)
-#define MS_NN__P_BATCH 24   /* samples whose sums are kept together */
-#define MS_NN__P_COLUMNS 32 /* of narrow weights, widened once for all of them */
 #if MS_NN__ISA == 4 || defined(MS_NN__ARM)
 #define MS_NN__P_SAMPLES 6 /* of a tile: as many sums of 4 vectors as there are registers */
 #else
@@ -5164,102 +4130,70 @@ MS_NN__INLINE void MS_NN__FN(packed_one)(const ms_nn__dense *job, size_t row, si
     MS_NN__FN(packed_end)(job, row, sample, s, t);
 }
 
-/* sum [batch][4] += n columns of the panel w times x [batch], whose samples are `cols` apart. dtype and batch are
-   constants. */
-MS_NN__INLINE void MS_NN__FN(packed_tile)(const unsigned char *w, ms_nn_dtype dtype, const float *x, size_t cols,
-                                          size_t n, MS_NN__V_FLOATS *sum, int batch)
+/* A panel times `batch` samples. dtype and batch are constants. */
+MS_NN__INLINE void MS_NN__FN(packed_tile)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype,
+                                          int batch)
 {
-    const size_t size = ms_nn__bytes_of(dtype);
-    MS_NN__V_FLOATS s[4][MS_NN__P_SAMPLES], value[MS_NN__P_SAMPLES], u;
-    size_t k;
-    int v, b;
-    MS_NN__UNROLL
-    for (v = 0; v < 4; ++v) {
+    const size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), half = (cols + 1) / 2;
+    const unsigned char *w = job->m->packed + row * cols * size;
+    const float *x = job->x + sample * cols;
+    MS_NN__V_FLOATS sum[2][4 * MS_NN__P_SAMPLES], s[4][MS_NN__P_SAMPLES], value[MS_NN__P_SAMPLES], u;
+    size_t k = 0, end;
+    int h, v, b;
+    for (h = 0; h < 2; ++h) {
         MS_NN__UNROLL
-        for (b = 0; b < batch; ++b) s[v][b] = sum[4 * b + v];
-    }
-    for (k = 0; k < n; ++k) {
-        MS_NN__UNROLL
-        for (b = 0; b < batch; ++b) value[b] = MS_NN__V_SET(x[(size_t)b * cols + k]);
-        MS_NN__UNROLL
-        for (v = 0; v < 4; ++v, w += MS_NN__V_LANES * size) {
-            u = MS_NN__FN(weight)(w, dtype);
-            MS_NN__V_KEEP(u);
-            MS_NN__W_PREFETCH(w, 2048);
+        for (v = 0; v < 4; ++v) {
             MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) s[v][b] = MS_NN__V_MADD(u, value[b], s[v][b]);
+            for (b = 0; b < batch; ++b) s[v][b] = MS_NN__V_SET(0.0f);
         }
-    }
-    MS_NN__UNROLL
-    for (v = 0; v < 4; ++v) {
+        for (end = h ? cols : half; k < end; ++k) {
+            MS_NN__UNROLL
+            for (b = 0; b < batch; ++b) value[b] = MS_NN__V_SET(x[(size_t)b * cols + k]);
+            MS_NN__UNROLL
+            for (v = 0; v < 4; ++v, w += MS_NN__V_LANES * size) {
+                u = MS_NN__FN(weight)(w, dtype);
+                MS_NN__V_KEEP(u);
+                MS_NN__W_PREFETCH(w, 2048);
+                MS_NN__UNROLL
+                for (b = 0; b < batch; ++b) s[v][b] = MS_NN__V_MADD(u, value[b], s[v][b]);
+            }
+        }
         MS_NN__UNROLL
-        for (b = 0; b < batch; ++b) sum[4 * b + v] = s[v][b];
-    }
-}
-
-/* The same for up to MS_NN__P_BATCH samples: of floats in tiles as equal as possible, of narrow weights one tile of 3
-   or MS_NN__P_SAMPLES. */
-MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(packed_tiles)(const unsigned char *w, ms_nn_dtype dtype, const float *x,
-                                                           size_t cols, size_t n, MS_NN__V_FLOATS *sum, size_t batch)
-{
-    size_t tiles = (batch + MS_NN__P_SAMPLES - 1) / MS_NN__P_SAMPLES, m;
-    for (; batch > 0; batch -= m, --tiles, x += m * cols, sum += 4 * m) {
-        m = (batch + tiles - 1) / tiles;
-        if (dtype == MS_NN_F32 && m == 2) MS_NN__FN(packed_tile)(w, MS_NN_F32, x, cols, n, sum, 2);
-        else if (dtype == MS_NN_F32 && m == 3) MS_NN__FN(packed_tile)(w, MS_NN_F32, x, cols, n, sum, 3);
-        else if (m == 3 && dtype == MS_NN_F16) MS_NN__FN(packed_tile)(w, MS_NN_F16, x, cols, n, sum, 3);
-        else if (m == 3) MS_NN__FN(packed_tile)(w, MS_NN_BF16, x, cols, n, sum, 3);
-#if MS_NN__P_SAMPLES > 3
-        else if (dtype == MS_NN_F16) MS_NN__FN(packed_tile)(w, MS_NN_F16, x, cols, n, sum, 6);
-        else if (dtype == MS_NN_BF16) MS_NN__FN(packed_tile)(w, MS_NN_BF16, x, cols, n, sum, 6);
-        else if (m == 4) MS_NN__FN(packed_tile)(w, MS_NN_F32, x, cols, n, sum, 4);
-        else if (m == 5) MS_NN__FN(packed_tile)(w, MS_NN_F32, x, cols, n, sum, 5);
-        else MS_NN__FN(packed_tile)(w, MS_NN_F32, x, cols, n, sum, 6);
-#endif
-    }
-}
-
-/* A panel times 2 to MS_NN__P_BATCH samples. Narrow weights that several tiles read are widened first. */
-MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(packed_batch)(const ms_nn__dense *job, size_t row, size_t sample,
-                                                           size_t batch)
-{
-    const ms_nn__matrix *m = job->m;
-    const size_t cols = m->cols, size = ms_nn__bytes_of(m->packed_dtype);
-    const int direct = m->packed_dtype == MS_NN_F32 || batch == 3 || batch == MS_NN__P_SAMPLES;
-    MS_NN__V_FLOATS sum[2][4 * MS_NN__P_BATCH];
-    float wide[MS_NN__P_ROWS * MS_NN__P_COLUMNS];
-    size_t k, end, n, b, h;
-    for (h = 0, k = 0; h < 2; ++h) {
-        for (b = 0; b < 4 * batch; ++b) sum[h][b] = MS_NN__V_SET(0.0f);
-        for (end = h ? cols : (cols + 1) / 2; k < end; k += n) {
-            const unsigned char *w = m->packed + (row * cols + k * MS_NN__P_ROWS) * size;
-            n = direct ? end - k : ms_nn__min(end - k, MS_NN__P_COLUMNS);
-            if (!direct) MS_NN__FN(widen)(w, n * MS_NN__P_ROWS, wide, m->packed_dtype);
-            MS_NN__FN(packed_tiles)
-            (direct ? w : (const unsigned char *)wide, direct ? m->packed_dtype : MS_NN_F32, job->x + sample * cols + k,
-             cols, n, sum[h], batch);
+        for (v = 0; v < 4; ++v) {
+            MS_NN__UNROLL
+            for (b = 0; b < batch; ++b) sum[h][4 * b + v] = s[v][b];
         }
     }
-    for (b = 0; b < batch; ++b) MS_NN__FN(packed_end)(job, row, sample + b, sum[0] + 4 * b, sum[1] + 4 * b);
+    for (b = 0; b < batch; ++b) MS_NN__FN(packed_end)(job, row, sample + (size_t)b, sum[0] + 4 * b, sum[1] + 4 * b);
 }
 
+/* The same for 1, 2, 3 or MS_NN__P_SAMPLES samples. dtype is a constant. */
+MS_NN__INLINE void MS_NN__FN(packed_samples)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype,
+                                             size_t batch)
+{
+    if (batch == 1) MS_NN__FN(packed_one)(job, row, sample, dtype);
+    else if (batch == 2) MS_NN__FN(packed_tile)(job, row, sample, dtype, 2);
+    else if (batch == 3) MS_NN__FN(packed_tile)(job, row, sample, dtype, 3);
+#if MS_NN__P_SAMPLES > 3
+    else MS_NN__FN(packed_tile)(job, row, sample, dtype, 6);
+#endif
+}
+
+/* Tiles of samples as equal as possible. */
 MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
-    const ms_nn_dtype dtype = job->m->packed_dtype;
-    size_t row, b, batch, left, parts;
-    for (row = row0; row < row1; row += MS_NN__P_ROWS)
-        for (b = 0; b < (size_t)job->batch; b += batch) {
+    size_t row, b, left, tiles, n;
+    for (row = row0; row < row1; row += MS_NN__P_ROWS) {
+        for (b = 0; b < (size_t)job->batch; b += n) {
             left = (size_t)job->batch - b;
-            parts = (left + MS_NN__P_BATCH - 1) / MS_NN__P_BATCH;
-            batch = (left + parts - 1) / parts;
-            if (batch > 1) MS_NN__FN(packed_batch)(job, row, b, batch);
-            else if (dtype == MS_NN_F16) MS_NN__FN(packed_one)(job, row, b, MS_NN_F16);
-            else if (dtype == MS_NN_BF16) MS_NN__FN(packed_one)(job, row, b, MS_NN_BF16);
-            else MS_NN__FN(packed_one)(job, row, b, MS_NN_F32);
+            tiles = (left + MS_NN__P_SAMPLES - 1) / MS_NN__P_SAMPLES;
+            n = (left + tiles - 1) / tiles;
+            if (n > 3 && n < MS_NN__P_SAMPLES) n = (n + 1) / 2;
+            if (job->m->packed_dtype == MS_NN_F32) MS_NN__FN(packed_samples)(job, row, b, MS_NN_F32, n);
+            else MS_NN__FN(packed_samples)(job, row, b, MS_NN_F16, n);
         }
+    }
 }
-#endif
-
 /* MS_NN__V_BLOCK outputs x tile vectors of positions of one row: y(o, x) = bias(o) + sum_c sum_t w(o, c, t) in(c, x +
    t). */
 MS_NN__INLINE void MS_NN__FN(conv_tile_of)(const ms_nn__conv *v, const float *in, const float *w, const float *bias,
@@ -5306,101 +4240,40 @@ MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(conv_tile)(const ms_nn__conv *v, co
 
 MS_NN__KERNEL void MS_NN__FN(activate)(float *y, size_t n, ms_nn__activation activation, float alpha);
 
-/* Four rows of n floats in place: d0 - d2, d1 + d2, d2 - d1, d1 - d3. */
-MS_NN__KERNEL void MS_NN__FN(combine)(float *rows, size_t n)
-{
-    float *d0 = rows, *d1 = rows + n, *d2 = d1 + n, *d3 = d2 + n;
-    size_t i = 0;
-    for (; i + MS_NN__V_LANES <= n; i += MS_NN__V_LANES) {
-        MS_NN__V_FLOATS a = MS_NN__V_LOAD(d0 + i), b = MS_NN__V_LOAD(d1 + i), c = MS_NN__V_LOAD(d2 + i),
-                        d = MS_NN__V_LOAD(d3 + i);
-        MS_NN__V_STORE(d0 + i, a - c);
-        MS_NN__V_STORE(d1 + i, b + c);
-        MS_NN__V_STORE(d2 + i, c - b);
-        MS_NN__V_STORE(d3 + i, b - d);
-    }
-    for (; i < n; ++i) {
-        float a = d0[i], b = d1[i], c = d2[i], d = d3[i];
-        d0[i] = a - c;
-        d1[i] = b + c;
-        d2[i] = c - b;
-        d3[i] = b - d;
-    }
-}
-
-/* Two rows of a block: m_j = sum over channels and columns of combination j; y0 = m0 + m1 + m2, y1 = m1 - m2 - m3. */
-MS_NN__KERNEL void MS_NN__FN(conv_winograd)(const ms_nn__conv_job *job, const float *in, size_t row, size_t block)
-{
-    const ms_nn__conv *v = job->conv;
-    size_t o = block * MS_NN__V_BLOCK, outs = ms_nn__min(MS_NN__V_BLOCK, v->out.c - o),
-           part = v->in.c * v->taps * MS_NN__V_BLOCK, x, i, j;
-    size_t rows = ms_nn__min(2, v->out.h - row);
-    const float *w = v->packed + block * 4 * part;
-    float zero[MS_NN__V_BLOCK], m[4][MS_NN__V_BLOCK * MS_NN__V_TILE * MS_NN__V_LANES],
-        *out = job->y + o * job->y_plane + row * job->y_row;
-    for (i = 0; i < MS_NN__V_BLOCK; ++i) zero[i] = 0;
-    for (x = 0; x < v->out.w;) {
-        size_t left = v->out.w - x, tile = left > (MS_NN__V_TILE - 1) * MS_NN__V_LANES ? MS_NN__V_TILE : 1,
-               width = ms_nn__min(left, tile * MS_NN__V_LANES);
-        for (j = 0; j < 4; ++j) MS_NN__FN(conv_tile)
-        (v, in + j * v->pitch + x, w + j * part, zero, m[j], MS_NN__V_TILE * MS_NN__V_LANES, MS_NN__V_BLOCK, tile);
-        for (i = 0; i < outs; ++i) {
-            float *m0 = m[0] + i * MS_NN__V_TILE * MS_NN__V_LANES, *m1 = m[1] + i * MS_NN__V_TILE * MS_NN__V_LANES,
-                  *to = out + i * job->y_plane + x;
-            MS_NN__V_FLOATS bias = MS_NN__V_SET(job->linear ? 0.0f : v->bias[o + i]);
-            for (j = 0; j < tile; ++j) {
-                MS_NN__V_FLOATS a = MS_NN__V_LOAD(m1 + j * MS_NN__V_LANES),
-                                b = MS_NN__V_LOAD(m[2] + i * MS_NN__V_TILE * MS_NN__V_LANES + j * MS_NN__V_LANES);
-                MS_NN__V_STORE(m1 + j * MS_NN__V_LANES,
-                               (bias + (a - b)) -
-                                   MS_NN__V_LOAD(m[3] + i * MS_NN__V_TILE * MS_NN__V_LANES + j * MS_NN__V_LANES));
-                MS_NN__V_STORE(m0 + j * MS_NN__V_LANES, (bias + (a + b)) + MS_NN__V_LOAD(m0 + j * MS_NN__V_LANES));
-            }
-            memcpy(to, m0, width * sizeof(float));
-            if (rows == 2) memcpy(to + job->y_row, m1, width * sizeof(float));
-        }
-        x += width;
-    }
-    for (i = 0; job->activation != MS_NN__LINEAR && !job->linear && i < outs; ++i)
-        for (j = 0; j < rows; ++j)
-            MS_NN__FN(activate)(out + i * job->y_plane + j * job->y_row, v->out.w, job->activation, job->alpha);
-}
-
-/* One row of a block. Tiles that stand over the row's end, or whose outputs lie apart, go through a buffer. */
+/* One row of a block. A tile that stands over the row's end goes through a buffer. */
 MS_NN__KERNEL void MS_NN__FN(conv_row)(const ms_nn__conv_job *job, const float *in, size_t row, size_t block)
 {
+    enum { WIDE = MS_NN__V_TILE * MS_NN__V_LANES };
     const ms_nn__conv *v = job->conv;
-    size_t o = block * MS_NN__V_BLOCK, outs = ms_nn__min(MS_NN__V_BLOCK, v->out.c - o), x, i, j;
-    const float *w = v->packed + block * v->in.c * v->taps * MS_NN__V_BLOCK;
-    float bias[MS_NN__V_BLOCK], buffer[MS_NN__V_BLOCK * MS_NN__V_TILE * MS_NN__V_LANES],
-        *out = job->y + o * job->y_plane + row * job->y_row;
+    const size_t o = block * MS_NN__V_BLOCK, outs = ms_nn__min(MS_NN__V_BLOCK, v->out.c - o),
+                 plane = v->out.h * v->out.w;
+    const float *w = v->packed + o * v->in.c * v->taps;
+    float bias[MS_NN__V_BLOCK], buffer[MS_NN__V_BLOCK * WIDE], *out = job->y + o * plane + row * v->out.w;
+    size_t x, width, i;
     for (i = 0; i < MS_NN__V_BLOCK; ++i) bias[i] = job->linear ? 0.0f : v->bias[o + i];
-    for (x = 0; x < v->out.w;) {
-        size_t left = v->out.w - x, tile = left > (MS_NN__V_TILE - 1) * MS_NN__V_LANES ? MS_NN__V_TILE : 1,
-               width = ms_nn__min(left, tile * MS_NN__V_LANES);
-        int direct = width == tile * MS_NN__V_LANES && job->y_step == 1;
-        float *to = direct ? out + x : buffer;
-        size_t plane = direct ? job->y_plane : MS_NN__V_TILE * MS_NN__V_LANES;
-        MS_NN__FN(conv_tile)(v, in + x, w, bias, to, plane, outs, tile);
-        for (i = 0; !direct && i < outs; ++i)
-            for (j = 0; j < width; ++j)
-                out[i * job->y_plane + (x + j) * job->y_step] = buffer[i * MS_NN__V_TILE * MS_NN__V_LANES + j];
-        x += width;
+    for (x = 0; x < v->out.w; x += width) {
+        const size_t left = v->out.w - x, tile = left > (MS_NN__V_TILE - 1) * MS_NN__V_LANES ? MS_NN__V_TILE : 1;
+        width = ms_nn__min(left, tile * MS_NN__V_LANES);
+        if (width == tile * MS_NN__V_LANES) {
+            MS_NN__FN(conv_tile)(v, in + x, w, bias, out + x, plane, outs, tile);
+            continue;
+        }
+        MS_NN__FN(conv_tile)(v, in + x, w, bias, buffer, WIDE, outs, tile);
+        for (i = 0; i < outs; ++i) memcpy(out + i * plane + x, buffer + i * WIDE, width * sizeof(float));
     }
     for (i = 0; job->activation != MS_NN__LINEAR && !job->linear && i < outs; ++i)
-        MS_NN__FN(activate)(out + i * job->y_plane, v->out.w, job->activation, job->alpha);
+        MS_NN__FN(activate)(out + i * plane, v->out.w, job->activation, job->alpha);
 }
 
 MS_NN__KERNEL void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t strip, const float *padded)
 {
     const ms_nn__conv *v = job->conv;
-    size_t blocks = (v->out.c + MS_NN__V_BLOCK - 1) / MS_NN__V_BLOCK, row0 = strip * v->strip,
-           row1 = ms_nn__min(row0 + v->strip, v->out.h), row, block;
-    for (row = row0; row < row1; row += v->winograd ? 2 : 1)
-        for (block = 0; block < blocks; ++block) {
-            if (v->winograd) MS_NN__FN(conv_winograd)(job, padded + (row - row0) * 2 * v->pitch, row, block);
-            else MS_NN__FN(conv_row)(job, padded + (row - row0) * v->stride[0] * v->pitch, row, block);
-        }
+    const size_t blocks = (v->out.c + MS_NN__V_BLOCK - 1) / MS_NN__V_BLOCK, row0 = strip * v->strip,
+                 row1 = ms_nn__min(row0 + v->strip, v->out.h);
+    size_t row, block;
+    for (row = row0; row < row1; ++row)
+        for (block = 0; block < blocks; ++block)
+            MS_NN__FN(conv_row)(job, padded + (row - row0) * v->stride[0] * v->pitch, row, block);
 }
 
 /* e^x - c, c = 0 or 1, for x <= 88, subnormal results included: x = n ln 2 + r, 2^n (e^r - 1) + (2^n - c), 2^n in two
@@ -5528,179 +4401,51 @@ MS_NN__KERNEL void MS_NN__FN(derive)(const float *x, float *g, size_t n, ms_nn__
     memcpy(g + whole, last[1], (n - whole) * sizeof(float));
 }
 
-/* AVX-512 takes AVX2's, which are as fast on Zen 4. */
-#if MS_NN__ISA != 4
-/* --- double precision, for the collapse: vectors of MS_NN__D_LANES --- */
-
+/* Two vectors of doubles are MS_NN__DOUBLES at the widest level and a part of them at the others. */
 #if MS_NN__ISA == 1
 #define MS_NN__D_LANES 1
-#define MS_NN__D_DOUBLES double
-#define MS_NN__D_LOAD(p) (*(p))
-#define MS_NN__D_STORE(p, v) (*(p) = (v))
-#define MS_NN__D_SET(x) (x)
-#define MS_NN__D_WIDEN(p) ((double)*(p))
-#define MS_NN__D_MADD(a, b, c) ((a) * (b) + (c))
-#elif MS_NN__ISA == 2
-#define MS_NN__D_LANES 2
-#define MS_NN__D_DOUBLES float64x2_t
-#define MS_NN__D_LOAD(p) vld1q_f64(p)
-#define MS_NN__D_STORE(p, v) vst1q_f64(p, v)
-#define MS_NN__D_SET(x) vdupq_n_f64(x)
-#define MS_NN__D_WIDEN(p) vcvt_f64_f32(vld1_f32(p))
-#define MS_NN__D_MADD(a, b, c) vfmaq_f64(c, a, b)
-#elif MS_NN__ISA == 3
-#define MS_NN__D_LANES 4
-#define MS_NN__D_DOUBLES __m256d
-#define MS_NN__D_LOAD(p) _mm256_loadu_pd(p)
-#define MS_NN__D_STORE(p, v) _mm256_storeu_pd(p, v)
-#define MS_NN__D_SET(x) _mm256_set1_pd(x)
-#define MS_NN__D_WIDEN(p) _mm256_cvtps_pd(_mm_loadu_ps(p))
-#define MS_NN__D_MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
+typedef double MS_NN__FN(doubles);
+#else
+#define MS_NN__D_LANES (MS_NN__V_LANES / 2)
+typedef double MS_NN__FN(doubles) __attribute__((vector_size(4 * MS_NN__V_LANES)));
 #endif
 
-/* out[i][k] = a_i . b_k for na x nb columns (at most 4 x 2) of n elements, `stride` apart. */
-MS_NN__INLINE void MS_NN__FN(gram_tile)(const double *a, const double *b, size_t stride, size_t n, double *out,
-                                        size_t out_stride, int na, int nb)
+/* Up to four rows of the product times two vectors of columns. rows is a constant. */
+MS_NN__INLINE void MS_NN__FN(product_tile)(const ms_nn__product_job *job, size_t row, size_t col, int rows)
 {
-    MS_NN__D_DOUBLES s[4][2];
-    double lane[4][2][MS_NN__D_LANES];
-    size_t j = 0, rest;
-    int i, k, l;
-    MS_NN__UNROLL
-    for (i = 0; i < na; ++i) {
-        MS_NN__UNROLL
-        for (k = 0; k < nb; ++k) s[i][k] = MS_NN__D_SET(0.0);
-    }
-    for (; j + MS_NN__D_LANES <= n; j += MS_NN__D_LANES) {
-        MS_NN__D_DOUBLES v[2];
-        MS_NN__UNROLL
-        for (k = 0; k < nb; ++k) v[k] = MS_NN__D_LOAD(b + (size_t)k * stride + j);
-        MS_NN__UNROLL
-        for (i = 0; i < na; ++i) {
-            MS_NN__D_DOUBLES u = MS_NN__D_LOAD(a + (size_t)i * stride + j);
-            MS_NN__UNROLL
-            for (k = 0; k < nb; ++k) s[i][k] = MS_NN__D_MADD(u, v[k], s[i][k]);
-        }
-    }
-    MS_NN__UNROLL
-    for (i = 0; i < na; ++i) {
-        MS_NN__UNROLL
-        for (k = 0; k < nb; ++k) MS_NN__D_STORE(lane[i][k], s[i][k]);
-    }
-    for (i = 0; i < na; ++i)
-        for (k = 0; k < nb; ++k) {
-            double sum = 0;
-            for (l = 0; l < MS_NN__D_LANES; ++l) sum += lane[i][k][l];
-            for (rest = j; rest < n; ++rest) sum += a[(size_t)i * stride + rest] * b[(size_t)k * stride + rest];
-            out[(size_t)i * out_stride + (size_t)k] = sum;
-        }
-}
-
-MS_NN__KERNEL void MS_NN__FN(gram)(const double *a, size_t na, const double *b, size_t nb, size_t stride, size_t n,
-                                   double *out)
-{
-    size_t i, k;
-    for (k = 0; k < nb; k += 2)
-        for (i = 0; i < na; i += 4) {
-            const double *ai = a + i * stride, *bk = b + k * stride;
-            size_t p, q;
-            if (i + 4 <= na && k + 2 <= nb) MS_NN__FN(gram_tile)(ai, bk, stride, n, out + i * nb + k, nb, 4, 2);
-            else if (i + 4 <= na) MS_NN__FN(gram_tile)(ai, bk, stride, n, out + i * nb + k, nb, 4, 1);
-            else
-                for (p = i; p < na; ++p)
-                    for (q = k; q < ms_nn__min(k + 2, nb); ++q)
-                        MS_NN__FN(gram_tile)(a + p * stride, b + q * stride, stride, n, out + p * nb + q, nb, 1, 1);
-        }
-}
-
-/* y_k += sum_i s_ik a_i for ny x na vectors (at most 2 x 4) of n elements, `stride` apart. */
-MS_NN__INLINE void MS_NN__FN(add_tile)(double *y, const double *a, size_t stride, size_t n, const double *s,
-                                       size_t s_stride, int ny, int na)
-{
-    MS_NN__D_DOUBLES f[4][2];
-    size_t j = 0;
+    const double *a = job->a + row * job->a_row, *b = job->b + col;
+    double *out = job->out + row * job->out_row + col;
+    MS_NN__FN(doubles) sum[4][2], v[2];
+    size_t r;
     int i, k;
     MS_NN__UNROLL
-    for (i = 0; i < na; ++i) {
+    for (i = 0; i < rows; ++i) memcpy(sum[i], out + (size_t)i * job->out_row, sizeof sum[i]);
+    for (r = 0; r < job->count; ++r, a += job->a_column, b += job->b_row) {
+        memcpy(v, b, sizeof v);
         MS_NN__UNROLL
-        for (k = 0; k < ny; ++k) f[i][k] = MS_NN__D_SET(s[(size_t)i * s_stride + (size_t)k]);
-    }
-    for (; j + MS_NN__D_LANES <= n; j += MS_NN__D_LANES) {
-        MS_NN__D_DOUBLES sum[2];
-        MS_NN__UNROLL
-        for (k = 0; k < ny; ++k) sum[k] = MS_NN__D_LOAD(y + (size_t)k * stride + j);
-        MS_NN__UNROLL
-        for (i = 0; i < na; ++i) {
-            MS_NN__D_DOUBLES v = MS_NN__D_LOAD(a + (size_t)i * stride + j);
+        for (i = 0; i < rows; ++i) {
             MS_NN__UNROLL
-            for (k = 0; k < ny; ++k) sum[k] = MS_NN__D_MADD(f[i][k], v, sum[k]);
+            for (k = 0; k < 2; ++k) sum[i][k] += v[k] * a[(size_t)i * job->a_row];
         }
-        MS_NN__UNROLL
-        for (k = 0; k < ny; ++k) MS_NN__D_STORE(y + (size_t)k * stride + j, sum[k]);
     }
-    for (; j < n; ++j)
-        for (k = 0; k < ny; ++k)
-            for (i = 0; i < na; ++i)
-                y[(size_t)k * stride + j] += s[(size_t)i * s_stride + (size_t)k] * a[(size_t)i * stride + j];
+    MS_NN__UNROLL
+    for (i = 0; i < rows; ++i) memcpy(out + (size_t)i * job->out_row, sum[i], sizeof sum[i]);
 }
 
-/* The same for any ny and na; s [na][ny]. */
-MS_NN__KERNEL void MS_NN__FN(add)(double *y, size_t ny, const double *a, size_t na, size_t stride, size_t n,
-                                  const double *s)
+MS_NN__KERNEL void MS_NN__FN(product)(const ms_nn__product_job *job)
 {
-    size_t i, k;
-    for (k = 0; k < ny; k += 2)
-        for (i = 0; i < na; i += 4) {
-            double *yk = y + k * stride;
-            const double *ai = a + i * stride, *sik = s + i * ny + k;
-            size_t p, q;
-            if (i + 4 <= na && k + 2 <= ny) MS_NN__FN(add_tile)(yk, ai, stride, n, sik, ny, 2, 4);
-            else if (i + 4 <= na) MS_NN__FN(add_tile)(yk, ai, stride, n, sik, ny, 1, 4);
-            else
-                for (p = i; p < na; ++p)
-                    for (q = k; q < ms_nn__min(k + 2, ny); ++q)
-                        MS_NN__FN(add_tile)(y + q * stride, a + p * stride, stride, n, s + p * ny + q, ny, 1, 1);
+    size_t row, col;
+    for (row = 0; row < job->rows; row += row + 4 <= job->rows ? 4 : 1)
+        for (col = 0; col < job->cols; col += 2 * MS_NN__D_LANES) {
+            if (row + 4 <= job->rows) MS_NN__FN(product_tile)(job, row, col, 4);
+            else MS_NN__FN(product_tile)(job, row, col, 1);
         }
 }
 
-/* One row of a matrix in double, times a factor and the scale of I8. */
-MS_NN__KERNEL void MS_NN__FN(row)(const ms_nn__matrix *m, size_t row, double factor, double *out)
-{
-    size_t size = ms_nn__bytes_of(m->dtype), at, n, k;
-    const unsigned char *w = m->w + row * m->cols * size;
-    float part[256];
-    if (m->dtype == MS_NN_I8) factor *= (double)ms_nn__float_at(m->scale, row);
-    for (at = 0; at < m->cols; at += n, out += n) {
-        n = ms_nn__min(256, m->cols - at);
-        if (m->dtype == MS_NN_F32) memcpy(part, w + 4 * at, 4 * n);
-        else MS_NN__FN(widen)(w + at * size, n, part, m->dtype);
-        for (k = 0; k + MS_NN__D_LANES <= n; k += MS_NN__D_LANES)
-            MS_NN__D_STORE(out + k, MS_NN__D_SET(factor) * MS_NN__D_WIDEN(part + k));
-        for (; k < n; ++k) out[k] = factor * (double)part[k];
-    }
-}
+static const ms_nn__kernels MS_NN__FN(table) = {
+    MS_NN__V_BLOCK,  MS_NN__P_ROWS,       MS_NN__ISA,        MS_NN__FN(packed), MS_NN__FN(dense),
+    MS_NN__FN(conv), MS_NN__FN(activate), MS_NN__FN(derive), MS_NN__FN(widen),  MS_NN__FN(product)};
 
-#endif
-
-#if MS_NN__ISA == 4
-#define MS_NN__OTHER avx2
-#else
-#define MS_NN__OTHER MS_NN__LEVEL
-#endif
-static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,
-                                                MS_NN__P_ROWS,
-                                                MS_NN__ISA,
-                                                MS_NN__FN(packed),
-                                                MS_NN__FN(dense),
-                                                MS_NN__FN(conv),
-                                                MS_NN__FN(combine),
-                                                MS_NN__FN(activate),
-                                                MS_NN__FN(derive),
-                                                MS_NN__JOIN(ms_nn__gram_, MS_NN__OTHER),
-                                                MS_NN__JOIN(ms_nn__add_, MS_NN__OTHER),
-                                                MS_NN__JOIN(ms_nn__row_, MS_NN__OTHER)};
-
-#undef MS_NN__OTHER
 #undef MS_NN__V_KEEP
 #undef MS_NN__TARGET
 #undef MS_NN__KERNEL
@@ -5711,8 +4456,6 @@ static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,
 #undef MS_NN__V_TILE
 #undef MS_NN__W_ROWS
 #undef MS_NN__W_CHAINS
-#undef MS_NN__P_BATCH
-#undef MS_NN__P_COLUMNS
 #undef MS_NN__P_ROWS
 #undef MS_NN__P_SAMPLES
 #undef MS_NN__W_PREFETCH
@@ -5724,21 +4467,13 @@ static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,
 #undef MS_NN__V_MAX
 #undef MS_NN__V_MIN
 #undef MS_NN__V_IF_GREATER
-#undef MS_NN__V_FOLD
 #undef MS_NN__V_INT
 #undef MS_NN__V_ROUND
 #undef MS_NN__V_FROM_INT
 #undef MS_NN__V_POW2
 #undef MS_NN__W_HALF
-#undef MS_NN__W_BRAIN
 #undef MS_NN__W_INT8
 #undef MS_NN__D_LANES
-#undef MS_NN__D_DOUBLES
-#undef MS_NN__D_LOAD
-#undef MS_NN__D_STORE
-#undef MS_NN__D_SET
-#undef MS_NN__D_WIDEN
-#undef MS_NN__D_MADD
 #endif /* kernels */
 
 /*

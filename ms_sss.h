@@ -156,7 +156,7 @@ extern "C" {
 
 /* ms-common begin (the same text in every ms_*.h: see tests/common.sh) */
 #ifndef MS_COMMON
-#define MS_COMMON 3 /* raised whenever the text between the marks changes after a release */
+#define MS_COMMON 4 /* raised whenever the text between the marks changes after a release */
 
 /* Linkage of every public function of every header: nothing, static, __declspec(dllexport), or
    __attribute__((visibility("default"))). Define it before the #include. */
@@ -164,31 +164,26 @@ extern "C" {
 #define MS_DEF
 #endif
 #if defined(__GNUC__) || defined(__clang__)
-#define MS_API MS_DEF __attribute__((unused)) /* static copies that call only a part do not warn */
+#define MS__UNUSED __attribute__((unused)) /* static copies that call only a part do not warn */
 #else
-#define MS_API MS_DEF
+#define MS__UNUSED
 #endif
+#define MS_API MS_DEF MS__UNUSED
 
 /* NULL, in every header: where an argument's comment does not say what NULL means, it may not be NULL. A call that
    returns a status then answers MS_INVALID_ARGUMENT and names the argument; any other does nothing and returns 0 or
    NULL. destroy and free do nothing with NULL. */
 
-/* What went wrong; each code asks for another remedy. code, value, sentence */
-#define MS_STATUS_LIST(X)                                                  \
-    X(MS_OK, 0, "success")                                                 \
-    X(MS_INVALID_ARGUMENT, 1, "an argument is outside its stated range")   \
-    X(MS_OUT_OF_MEMORY, 2, "the allocator returned NULL")                  \
-    X(MS_BAD_DATA, 3, "the file or the data set is malformed")             \
-    X(MS_UNSUPPORTED, 4, "valid, but not handled by this build or call")   \
-    X(MS_NOT_CONVERGED, 5, "the iteration stopped short of its tolerance") \
-    X(MS_CANCELLED, 6, "the progress callback asked to stop")              \
-    X(MS_IO, 7, "the operating system could not read or write")
-
+/* What went wrong; each code asks for another remedy. ms_status_string has a sentence for each. */
 typedef enum ms_status {
-#define MS_STATUS_ENUM(code, value, sentence) code = value,
-    MS_STATUS_LIST(MS_STATUS_ENUM)
-#undef MS_STATUS_ENUM
-        MS_STATUS_COUNT /* how many codes there are */
+    MS_OK = 0,
+    MS_INVALID_ARGUMENT = 1,
+    MS_OUT_OF_MEMORY = 2,
+    MS_BAD_DATA = 3,
+    MS_UNSUPPORTED = 4,
+    MS_NOT_CONVERGED = 5,
+    MS_CANCELLED = 6,
+    MS_IO = 7
 } ms_status;
 
 /* Details of a failure. Every call that takes one accepts NULL; it is written on failure only. */
@@ -206,23 +201,23 @@ typedef struct ms_allocator {
     void (*release)(void *user, void *pointer, size_t size);
 } ms_allocator;
 
-/* Threads. All zero: everything runs on the calling thread. run calls task(context, i) once for every
-   i in [0, count), in any order, on any threads, and returns when all are done. The work is cut into
-   tasks by the problem alone, so results do not depend on how many threads there are. */
+/* Threads. All zero: everything runs on the calling thread. run calls task(context, i) once for every i in [0, count),
+   in any order, on any threads, and returns when all are done. The work is cut into tasks by the problem alone, so
+   results do not depend on how many threads there are. */
 typedef struct ms_parallel {
     void *user;
     void (*run)(void *user, int count, void (*task)(void *context, int index), void *context);
 } ms_parallel;
 
-/* Progress of a long call. All zero: none. report gets the fraction done, 0 to 1, from the thread that
-   made the call; it returns non-zero to stop, and the call then returns MS_CANCELLED. */
+/* Progress of a long call. All zero: none. report gets the fraction done, 0 to 1, from the thread that made the call;
+   it returns non-zero to stop, and the call then returns MS_CANCELLED. */
 typedef struct ms_progress {
     void *user;
     int (*report)(void *user, double fraction);
 } ms_progress;
 
-/* Instruction sets, in the order of their speed. Options take one as a cap: a level that the processor
-   or the build lacks falls back to the next lower one. */
+/* Instruction sets, in the order of their speed. Options take one as a cap: a level that the processor or the build
+   lacks falls back to the next lower one. */
 typedef enum ms_simd {
     MS_SIMD_AUTO = 0,   /* the best that the processor has */
     MS_SIMD_SCALAR = 1, /* plain C: the reference for all the others */
@@ -231,29 +226,29 @@ typedef enum ms_simd {
     MS_SIMD_AVX512 = 4  /* AVX-512 F, BW, DQ, VL */
 } ms_simd;
 
-/* The sentence of MS_STATUS_LIST; "unknown status" outside it. */
+/* "unknown status" outside the codes. */
 static inline const char *ms_status_string(ms_status status)
 {
-    static const char *const sentence[] = {
-#define MS_STATUS_TEXT(code, value, text) text,
-        MS_STATUS_LIST(MS_STATUS_TEXT)
-#undef MS_STATUS_TEXT
-    };
-    int i = (int)status;
-    return i >= 0 && i < (int)MS_STATUS_COUNT ? sentence[i] : "unknown status";
+    static const char *const sentence[] = {"success",
+                                           "an argument is outside its stated range",
+                                           "the allocator returned NULL",
+                                           "the file or the data set is malformed",
+                                           "valid, but not handled by this build or call",
+                                           "the iteration stopped short of its tolerance",
+                                           "the progress callback asked to stop",
+                                           "the operating system could not read or write"};
+    return (int)status >= 0 && status <= MS_IO ? sentence[status] : "unknown status";
 }
 
 /* "auto", "scalar", "base", "avx2", "avx512"; "unknown" outside the list. */
 static inline const char *ms_simd_string(ms_simd level)
 {
     static const char *const name[] = {"auto", "scalar", "base", "avx2", "avx512"};
-    int i = (int)level;
-    return i >= 0 && i <= (int)MS_SIMD_AVX512 ? name[i] : "unknown";
+    return (int)level >= 0 && level <= MS_SIMD_AVX512 ? name[level] : "unknown";
 }
 #endif /* MS_COMMON */
 
-/* Outside the guard: catches two vendored releases in one file. */
-#if MS_COMMON != 3
+#if MS_COMMON != 4 /* outside the guard: an earlier #include may have defined another */
 #error "ms_*.h headers of different releases in one translation unit"
 #endif
 /* ms-common end */
@@ -591,46 +586,19 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
                                        const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                        ms_error *error);
 
-/* ---- GPU text -------------------------------------------------------------------------------------------------- */
+/* ---- GPU ------------------------------------------------------------------------------------------------------- */
 
 #define MS_SSS_SHADER_PROFILES_MAX 16 /* kernels of one pass */
 
-/* Textures bind at 1 + n of the list below, OpenGL's by name. Metal: translate the Vulkan text, with
-   glslangValidator -V -S frag -o pass.spv pass.glsl && spirv-cross --msl --output pass.metal pass.spv */
-typedef enum ms_sss_language {
-    MS_SSS_GLSL_330 = 0,    /* desktop OpenGL 3.3; constants: uniform vec4 ms_sss[] */
-    MS_SSS_GLSL_ES_300 = 1, /* OpenGL ES 3.0, WebGL 2; the same */
-    MS_SSS_GLSL_VULKAN = 2, /* GLSL 450 for SPIR-V, set 0; constants: uniform block, binding 0 */
-    MS_SSS_HLSL = 3,        /* shader model 4 and later, registers t; constants: cbuffer b0 */
-    MS_SSS_WGSL = 4         /* WebGPU, group 0; constants: uniform buffer, binding 0 */
-} ms_sss_language;
-
-/* A step is a fragment shader for a full-screen triangle, with entry point main.
-     full              X, Y of each term: along x (or the rotated axis), then along y
-     half resolution   DOWN, X, Y of each term, UP; half_resolution 1, constants of the full picture
+/* The shaders are the files ms_sss.glsl and ms_sss_pyramid.glsl of examples/engine/shader, in GLSL, HLSL and WGSL.
+   Their first comments list the #defines and what a step reads and writes. This header makes their constants.
+     full resolution   X, Y of each term
+     half resolution   DOWN, X, Y of each term, UP; all with the constants of the full picture
      pyramid           of each profile: BASE; SHRINK of levels 0 to n - 2; GATHER of levels n - 2 to 1; RESOLVE
      texture space     the same over a light map, with options.pixels_per_mm
-   Terms after the first are blended additively over the first. n is ms_sss_shader_levels; level l has
-   ceil(width / 2^l) x ceil(height / 2^l) pixels, DOWN's target and those of X and Y before UP as many as level 1.
-
-     step      reads by name ms_sss_...                                         writes RGBA of 32-bit floats
-     X         color, depth, strength, profile, normal; at half resolution      RGB; alpha: depth or 1, 0: masked; last
-               input: DOWN's target                                             4 bits of blue: profile
-     Y         input: X's target; color, strength, normal; at half              the result, alpha 1
-               resolution input and half: DOWN's target
-     DOWN      color, depth, strength, profile                                  as X
-     UP        as DOWN; half: DOWN's target; sum: Y's                           the result, alpha 1
-     BASE      color, depth, strength, profile, normal                          light[0], surface[0]
-     SHRINK    input: light[l], surface: surface[l]                             light[l + 1], surface[l + 1]
-     GATHER    as SHRINK, and of level l + 1 coarse: light, coarse_surface:     sums[l], weights[l]
-               surface, sum: sums, weight: weights (l = n - 2: anything)
-     RESOLVE   as GATHER of level 0; color: light, or what RESOLVE wrote for    the result, alpha 1
-               the profile before; strength
-   light: color, -1 / depth (perspective) or depth; surface: area to a pixel's, change of that depth a pixel along x and
-   y. A pyramid takes 43 bytes a pixel of the picture, and 11 for the sums.
-   Light crosses neither between profiles nor to masked pixels. A texel of DOWN has the profile of its nearest pixel;
-   ms_sss_filter halves each profile by itself. A pyramid is equal to ms_sss_pyramid_filter (exact 0) within 1e-4 of the
-   largest input, except where the last bit of a depth decides which of two slopes is the smaller. */
+   n is ms_sss_shader_levels. Texels that a pixel reads with 7 taps in X and Y: 26 of color, and 13 of depth, profile
+   and strength each; for slopes 12 more of depth, or 2 of normals; rotated axes: twice as many. Half resolution: 2 and
+   11, and a quarter of X and Y. A pyramid: 73 in all, more on slopes. */
 typedef enum ms_sss_step {
     MS_SSS_STEP_X = 0,
     MS_SSS_STEP_Y = 1,
@@ -642,85 +610,42 @@ typedef enum ms_sss_step {
     MS_SSS_STEP_RESOLVE = 7
 } ms_sss_step;
 
-/* Textures, and the functions by which they are read; p is a texel, the pixel plus `origin`:
-      n  name              function                               holds
-      0  ms_sss_color      float3 ms_sss_fetch_color(int2 p)      light before the albedo; masked if not within 1e30
-      1  ms_sss_depth      float ms_sss_fetch_depth(int2 p)       R, 32 bits: as ms_sss_frame.depth
-      2  ms_sss_strength   float ms_sss_fetch_strength(int2 p)    R: as ms_sss_frame.strength
-      4  ms_sss_profile    int ms_sss_fetch_profile(int2 p)       R, 8-bit UNORM: index of the kernel; no kernel: masked
-      6  ms_sss_normal     float3 ms_sss_fetch_normal(int2 p)     RGB: as ms_sss_frame.normal; not at half resolution
-      3  input   5  sum   7  surface   8  coarse   9  coarse_surface   10  weight   11  half: targets, see above
-   Color may have 16 bits a channel; steps of depths of 16 bits are seen as slopes. OpenGL needs GL_NEAREST for both
-   filters of each: with its defaults a float texture is incomplete and reads as black.
-   `fetch` holds the engine's own text of the functions, in the shader's language (ivec2 and vec3 in GLSL, vec2<i32> and
-   vec3<f32> in WGSL): over a raw depth buffer (near far / (far - d (far - near)); reversed Z without a far plane:
-   near / d), octahedral or world-space normals, a stencil index, an array layer, one sample of a multisampled target.
-
-   Texels read a pixel by 7 taps in X and Y: 26 of color, and 13 of depth, profile and strength each; for slopes (depth,
-   flat below 1) 12 more, or 2 with_normal; rotated axes: twice as many. Half resolution: 2 and 11, and a quarter of X
-   and Y. A pyramid: 73 in all, more on slopes.
-   Dynamic resolution, stereo: width and height are the viewport's, `origin` its corner, options.center the
-   projection's. Jitter for temporal antialiasing moves the center by less than a pixel and may be left out.
-   Multisampled pictures are resolved first, or one sample is fetched. */
 typedef struct ms_sss_shader {
-    ms_sss_language language;
-    ms_sss_step step;
-    int half_resolution; /* 1: X and Y lie between DOWN and UP */
-    int level;           /* of a pyramid; SHRINK: that it reads */
-    int tap_count;       /* the most of any of the kernels; a pyramid: any */
-    int term_count;      /* UP: the most of any of the kernels; 0: 1 */
-    int profile_count;   /* kernels that profiles choose, to MS_SSS_SHADER_PROFILES_MAX; 0: one, no profiles are read */
-    int with_depth;      /* perspective needs it */
-    int with_strength;
-    int with_normal; /* 0: slopes from depth */
-    int origin[2];   /* the viewport's corner in the engine's textures and in targets of the picture's size */
-    float nearest;   /* > 0: the scene's least depth, for ms_sss_shader_constants */
-    float fade;      /* 0: full effect, 1: none; the strength is 1 - fade times the strength texture */
-    float rotation;  /* radians from +x towards +y of the axes of both passes */
-    float jitter;    /* 0 to 1: rotates each pixel's axes by up to this part of 90 degrees */
-    const ms_sss_pyramid *pyramids; /* [profile_count], borrowed: for the steps of a pyramid */
-    const char *fetch;              /* the engine's functions, borrowed; NULL: those that read the textures */
+    int tap_count;          /* MS_SSS_TAPS: the most of any of the kernels; a pyramid: any */
+    int profile_count;      /* MS_SSS_PROFILES: 0 to MS_SSS_SHADER_PROFILES_MAX kernels; 0: one, no profiles are read */
+    int term_count;         /* MS_SSS_TERMS of UP: the most of any of the kernels; 0: 1 */
+    int half_resolution;    /* MS_SSS_HALF */
+    ms_sss_step step;       /* MS_SSS_STEP */
+    int level;              /* of a pyramid; SHRINK: that it reads */
+    int origin[2];          /* the viewport's corner in the engine's textures and in targets of the picture's size */
+    float rotation, jitter; /* MS_SSS_ROTATED: the axes turn by rotation radians and, a pixel, 0 to jitter quarters */
+    float nearest;          /* > 0: the scene's least depth; a kernel too wide there for its taps is refused */
+    float fade;             /* 0: full effect, 1: none */
+    const ms_sss_pyramid *pyramids; /* [profile_count, at least 1], borrowed: of a pyramid's steps */
 } ms_sss_shader;
 
-/* All zero but with_depth and 7 taps: the first pass at full resolution in GLSL 330. */
+/* All zero but 7 taps: X at full resolution. */
 MS_API ms_sss_shader ms_sss_shader_defaults(void);
-
-/* The text of a step; another language, step, count, with_, fetch, rotation or jitter to or from 0, flat to or from 1,
-   depth_mode or camera to or from a perspective ask for another text.
-   text    at least the returned length + 1 chars, or NULL with capacity 0 to ask; untouched where it does not fit
-   Returns the length; 0 with error filled: MS_INVALID_ARGUMENT or MS_UNSUPPORTED, the message names the field. */
-MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options, char *text,
-                                 size_t capacity, ms_error *error);
 
 /* Float4 constants that a step reads. OpenGL ES 3.0 promises 224. 0: a field is out of range. */
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader);
 
-/* Their values; the text's first comment lists them. Made again when picture, camera, kernels, options or `origin`
-   change, not every frame.
-   kernels   [profile_count, at least 1]; a kernel with fewer terms than another adds nothing; a pyramid: NULL
-   index     of the term, the same for X and Y; UP: 0, all are read; a pyramid: of the profile, in shader->pyramids
-   out       [ms_sss_shader_constant_count()][4]; untouched where the call fails
-   MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: taps that are no pairs; with shader->nearest, a kernel that is
-   too wide there for its taps: stairs are seen from about 8 pixels on with 7, 16 with 11, 47 with 17, 150 with 25 taps;
-   a pyramid: as ms_sss_pyramid_filter. */
-MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int index, const ms_sss_filter_options *options,
-                                         int width, int height, const ms_sss_shader *shader, float (*out)[4],
-                                         ms_error *error);
-
 /* Levels of a pyramid of a picture. */
 MS_API int ms_sss_shader_levels(int width, int height);
 
-/* ms_sss_transmission as a function for the light loop of an engine's shader:
-   float3 ms_sss_transmission(float3 reflectance, float3 decay, float thickness_mm, float3 normal, float3 entry_normal,
-                              float3 to_light, float3 light), reflectance and decay as in the kernel.
-   text, capacity and result as in ms_sss_shader_text; 0: an unknown language. */
-MS_API size_t ms_sss_transmission_text(ms_sss_language language, char *text, size_t capacity);
-
-/* The taps alone, for engines with a shader of their own: RGB weight and offset in mm.
-   out    [tap_count / 2 + 1][4]: the center, then one of each pair -x, +x by growing offset; float, or with
-          binary16 = 1 uint16_t that hold binary16; NULL: checks only
-   MS_UNSUPPORTED: taps that are no pairs. out is untouched then. */
-MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int binary16, void *out, ms_error *error);
+/* The values of the constants; made again when picture, camera, kernels, options or `origin` change, not every frame.
+   kernels         [profile_count, at least 1], taps in pairs -x, +x; one with fewer terms than another adds nothing;
+                   a pyramid: NULL
+   index           of the term, the same for X and Y; UP: 0, all are read; a pyramid: profile of shader->pyramids
+   options         as of ms_sss_filter; without depth flat must be 1
+   width, height   of the viewport; options->center is that of its projection
+   out             [ms_sss_shader_constant_count()][4]; untouched where the call fails
+   MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: taps that are no pairs; a pyramid with rotation or unequal
+   pixels_per_mm; with `nearest` a kernel that shows stairs there, from 8 pixels on with 7 taps, 16 with 11, 47 with 17,
+   150 with 25. */
+MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int index, const ms_sss_filter_options *options,
+                                         int width, int height, const ms_sss_shader *shader, float (*out)[4],
+                                         ms_error *error);
 
 #ifdef __cplusplus
 }
@@ -737,17 +662,7 @@ MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef MS_ASSERT /* checks of the library's own invariants, never of the caller's data */
-#define MS_ASSERT(condition) ((void)0)
-#endif
-
-#if defined(__GNUC__) || defined(__clang__)
-#define MS__UNUSED __attribute__((unused))
-#else
-#define MS__UNUSED
-#endif
-
-/* Returns a * b or a + b; SIZE_MAX stands for overflow and stays so through further calls. */
+/* a * b and a + b; SIZE_MAX stands for overflow and stays so through further calls. */
 static MS__UNUSED size_t ms__size_mul(size_t a, size_t b)
 {
     if (a == SIZE_MAX || b == SIZE_MAX) return SIZE_MAX;
@@ -781,22 +696,17 @@ static MS__UNUSED void *ms__alloc(const ms_allocator *allocator, size_t size)
 static MS__UNUSED void ms__release(const ms_allocator *allocator, void *pointer, size_t size)
 {
     if (pointer == NULL) return;
-    if (allocator != NULL && allocator->alloc != NULL) {
-        if (allocator->release != NULL) allocator->release(allocator->user, pointer, size ? size : 1);
-    } else {
-        free(pointer);
-    }
+    if (allocator == NULL || allocator->alloc == NULL) free(pointer);
+    else if (allocator->release != NULL) allocator->release(allocator->user, pointer, size ? size : 1);
 }
 
 static MS__UNUSED void ms__run(const ms_parallel *parallel, int count, void (*task)(void *context, int index),
                                void *context)
 {
     int i;
-    if (parallel != NULL && parallel->run != NULL && count > 1) {
-        parallel->run(parallel->user, count, task, context);
-    } else {
+    if (parallel != NULL && parallel->run != NULL && count > 1) parallel->run(parallel->user, count, task, context);
+    else
         for (i = 0; i < count; ++i) task(context, i);
-    }
 }
 
 /* By its bits: isfinite() is removed by -ffast-math. */
@@ -807,87 +717,72 @@ static MS__UNUSED int ms__finite(double x)
     return (bits & 0x7ff0000000000000u) != 0x7ff0000000000000u;
 }
 
-static MS__UNUSED int ms__finite_f(float x)
+static MS__UNUSED int ms__finite_f(float x) { return ms__finite((double)x); }
+
+/* The decimal digits of value before `end`, where a NUL is written. Returns the first. */
+static MS__UNUSED char *ms__format_integer(char *end, size_t value)
 {
-    uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return (bits & 0x7f800000u) != 0x7f800000u;
+    for (*end = 0; value || !*end; value /= 10) *--end = (char)('0' + (int)(value % 10));
+    return end;
 }
 
-/* x as text with 6 significant digits and '.' in every locale; at least 24 bytes in out. Its length. */
-static MS__UNUSED int ms__format_number(char *out, double x)
+/* x with 6 significant digits and '.' in every locale, into 24 bytes. */
+static MS__UNUSED void ms__format_number(char *out, double x)
 {
-    char digit[6];
-    int n = 0, exponent = 5, i, last = 5, point, fixed;
-    int64_t mantissa;
+    char text[8], *digit;
+    int n = 0, exponent = 5, count = 6, point, i;
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
-    if (bits >> 63) out[n++] = '-';
     if (!ms__finite(x)) {
-        const int nan = (bits & 0xfffffffffffffu) != 0;
-        memcpy(out + (nan ? 0 : n), nan ? "nan" : "inf", 4);
-        return nan ? 3 : n + 3;
+        memcpy(out, bits << 12 ? "nan\0" : bits >> 63 ? "-inf" : "inf\0", 5);
+        return;
     }
-    if (bits >> 63) x = -x;
-    for (; x >= 1e6; ++exponent) x /= 10;
-    for (; x > 0 && x < 1e5; --exponent) x *= 10;
-    mantissa = (int64_t)(x + 0.5);
-    if (mantissa == 1000000) {
-        mantissa = 100000;
-        ++exponent;
+    if (bits >> 63) out[n++] = '-';
+    x = x < 0 ? -x : x;
+    if (!(x > 0)) exponent = 0, count = 1;
+    for (; x >= 999999.5; ++exponent) x /= 10; /* to six digits before the point */
+    for (; x > 0 && x < 99999.95; --exponent) x *= 10;
+    digit = ms__format_integer(text + 7, (size_t)(x + 0.5));
+    while (count > 1 && digit[count - 1] == '0') --count;
+    point = exponent >= -4 && exponent < 7 ? exponent : 0; /* the digit that it follows */
+    for (i = point < 0 ? point : 0; i < count || i <= point; ++i) {
+        out[n++] = i < 0 || i >= count ? '0' : digit[i];
+        if (i == point && i + 1 < count) out[n++] = '.';
     }
-    if (mantissa == 0) exponent = 0;
-    for (i = 5; i >= 0; --i, mantissa /= 10) digit[i] = (char)('0' + (int)(mantissa % 10));
-    while (last > 0 && digit[last] == '0') --last;
-    fixed = exponent >= -4 && exponent < 7;
-    point = fixed ? exponent : 0; /* the digit that it follows */
-    for (i = point < 0 ? point : 0; i <= last || i <= point; ++i) {
-        out[n++] = i < 0 || i > 5 ? '0' : digit[i];
-        if (i == point && i < last) out[n++] = '.';
-    }
-    if (!fixed) {
+    if (point != exponent) {
         out[n++] = 'e';
         out[n++] = exponent < 0 ? '-' : '+';
         exponent = exponent < 0 ? -exponent : exponent;
-        if (exponent >= 100) out[n++] = (char)('0' + exponent / 100);
-        out[n++] = (char)('0' + exponent / 10 % 10);
-        out[n++] = (char)('0' + exponent % 10);
+        if (exponent < 10) out[n++] = '0';
+        for (digit = ms__format_integer(text + 7, (size_t)exponent); *digit;) out[n++] = *digit++;
     }
     out[n] = 0;
-    return n;
 }
 
-/* Fills error (may be NULL) and returns status. The format knows %s (char pointer), %d (int), %z (size_t),
-   %g (double) and %%; a text that is too long is cut, a control character becomes '?'. */
+/* Fills error (may be NULL) and returns status. The format knows %s (char pointer), %d (int), %z (size_t), %g (double)
+   and %%; a text that is too long is cut, a control character becomes '?'. */
 static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t position, const char *format, ...)
 {
-    char number[32];
-    size_t n = 0, room, i;
+    char number[32], *end = number + sizeof number - 1;
+    size_t n = 0;
     va_list list;
     if (error == NULL) return status;
     error->status = status;
     error->position = position;
-    room = sizeof error->message - 1;
     va_start(list, format);
     for (; *format; ++format) {
         const char *piece = number;
+        const char kind = *format == '%' ? *++format : 0;
+        const int value = kind == 'd' ? va_arg(list, int) : 0;
         number[0] = *format;
         number[1] = 0;
-        if (*format == '%' && format[1]) {
-            ++format;
-            if (*format == 's') piece = va_arg(list, const char *);
-            if (*format == 'g') ms__format_number(number, va_arg(list, double));
-            if (*format == 'd' || *format == 'z') {
-                const int v = *format == 'd' ? va_arg(list, int) : 0;
-                size_t value = *format == 'z' ? va_arg(list, size_t) : v < 0 ? 0 - (size_t)v : (size_t)v;
-                char *at = number + sizeof number - 1;
-                for (*at = 0; value || !*at; value /= 10) *--at = (char)('0' + (int)(value % 10));
-                if (v < 0) *--at = '-';
-                piece = at;
-            }
-        }
-        for (i = 0; piece[i] && n < room; ++i)
-            error->message[n++] = (unsigned char)piece[i] < 32 || piece[i] == 127 ? '?' : piece[i];
+        if (kind == 's') piece = va_arg(list, const char *);
+        if (kind == 'g') ms__format_number(number, va_arg(list, double));
+        if (kind == 'z') piece = ms__format_integer(end, va_arg(list, size_t));
+        if (kind == 'd') piece = ms__format_integer(end, value < 0 ? 0 - (size_t)value : (size_t)value);
+        if (value < 0 && n < sizeof error->message - 1) error->message[n++] = '-';
+        for (; *piece && n < sizeof error->message - 1; ++piece)
+            error->message[n++] = (unsigned char)*piece < 32 || *piece == 127 ? '?' : *piece;
     }
     va_end(list);
     error->message[n] = 0;
@@ -959,50 +854,6 @@ static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
 #endif /* MS_COMMON_RANDOM */
 /* ms-common-random end */
 
-/* ms-common-half begin (the same text wherever it stands: see tests/common.sh) */
-#ifndef MS_COMMON_HALF
-#define MS_COMMON_HALF
-
-/* IEEE binary16 by integers alone: subnormals, infinities and NaN, whatever the host's rounding and flushing of
-   subnormals. */
-static MS__UNUSED float ms__half_to_float(uint16_t h)
-{
-    uint32_t bits = (uint32_t)(h & 0x8000u) << 16, exponent = (h >> 10) & 31u, mantissa = h & 1023u;
-    float value;
-    if (exponent == 31u) {
-        bits |= 0x7f800000u | mantissa << 13;
-    } else if (exponent != 0 || mantissa != 0) {
-        if (exponent == 0) /* a subnormal half is a normal float */
-            for (exponent = 1; !(mantissa & 1024u); mantissa <<= 1) --exponent;
-        bits |= ((exponent + 112u) << 23) + ((mantissa & 1023u) << 13);
-    }
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-/* Rounded to nearest even; a finite value stays finite: at most 65504. */
-static MS__UNUSED uint16_t ms__half_from_float(float value)
-{
-    uint32_t bits, sign, a, shift = 13;
-    memcpy(&bits, &value, sizeof bits);
-    sign = (bits >> 16) & 0x8000u;
-    a = bits & 0x7fffffffu;
-    if (a >= 0x7f800000u) return (uint16_t)(sign | 0x7c00u | (a > 0x7f800000u ? 0x200u : 0u));
-    if (a >= 0x477fe000u) return (uint16_t)(sign | 0x7bffu);
-    if (a < 0x33000000u) return (uint16_t)sign; /* under 2^-25 */
-    if (a < 0x38800000u) {                      /* under 2^-14: whole steps of 2^-24 */
-        shift = 126u - (a >> 23);
-        a = (a & 0x7fffffu) | 0x800000u;
-    } else {
-        a -= 0x38000000u;
-    }
-    a += (1u << (shift - 1u)) - 1u + ((a >> shift) & 1u);
-    return (uint16_t)(sign | (a >> shift));
-}
-
-#endif /* MS_COMMON_HALF */
-/* ms-common-half end */
-
 /* ms-common-simd begin (the same text wherever it stands: see tests/common.sh) */
 #ifndef MS_COMMON_SIMD
 #define MS_COMMON_SIMD
@@ -1010,28 +861,20 @@ static MS__UNUSED uint16_t ms__half_from_float(float value)
 #if !defined(MS_NO_SIMD) && (defined(__x86_64__) || (defined(_M_X64) && !defined(_M_ARM64EC)))
 #define MS__X64 1
 #include <immintrin.h>
-#if defined(_MSC_VER) && !defined(__clang__)
+#if !defined(_MSC_VER)
+#include <cpuid.h>
+#elif !defined(__clang__)
 #include <intrin.h>
 #else
 #include <cpuid.h>
-#endif
-#if defined(_MSC_VER) && defined(__clang__) /* its immintrin.h leaves out what the command line's target lacks */
-#include <pmmintrin.h>
-#include <tmmintrin.h>
-#include <smmintrin.h>
-#include <popcntintrin.h>
+#include <smmintrin.h> /* here immintrin.h leaves out what the command line's target lacks */
 #include <avxintrin.h>
 #include <avx2intrin.h>
 #include <f16cintrin.h>
 #include <fmaintrin.h>
 #include <avx512fintrin.h>
-#include <avx512vlintrin.h>
 #include <avx512bwintrin.h>
 #include <avx512dqintrin.h>
-#include <avx512vlbwintrin.h>
-#include <avx512vldqintrin.h>
-#include <avx512vnniintrin.h>
-#include <avx512vlvnniintrin.h>
 #endif
 #elif !defined(MS_NO_SIMD) && (defined(__aarch64__) || defined(_M_ARM64))
 #define MS__NEON 1
@@ -1042,56 +885,43 @@ static MS__UNUSED uint16_t ms__half_from_float(float value)
 static MS__UNUSED void ms__cpuid(uint32_t leaf, uint32_t subleaf, uint32_t r[4])
 {
 #if defined(_MSC_VER) && !defined(__clang__)
-    int v[4];
-    __cpuidex(v, (int)leaf, (int)subleaf);
-    r[0] = (uint32_t)v[0];
-    r[1] = (uint32_t)v[1];
-    r[2] = (uint32_t)v[2];
-    r[3] = (uint32_t)v[3];
+    __cpuidex((int *)r, (int)leaf, (int)subleaf);
 #else
     __cpuid_count(leaf, subleaf, r[0], r[1], r[2], r[3]);
 #endif
 }
 
-/* What both the processor and the operating system (OSXSAVE, XCR0) support. */
-static MS__UNUSED int ms__simd_detect(void)
+/* What both the processor and the operating system (XCR0) support. */
+static MS__UNUSED ms_simd ms__simd_detect(void)
 {
-    uint32_t r[4], xcr0, leaf1;
+    uint32_t r[4], xcr0;
     ms__cpuid(0, 0, r);
     if (r[0] < 7) return MS_SIMD_BASE;
     ms__cpuid(1, 0, r);
-    leaf1 = r[2];
-    if (!(leaf1 & (1u << 27))) return MS_SIMD_BASE; /* OSXSAVE */
+    if ((r[2] & 0x28001000u) != 0x28001000u) return MS_SIMD_BASE; /* OSXSAVE (XCR0 can be read), F16C, FMA */
 #if defined(_MSC_VER) && !defined(__clang__)
     xcr0 = (uint32_t)_xgetbv(0);
 #else
-    {
-        uint32_t high;
-        __asm__ volatile("xgetbv" : "=a"(xcr0), "=d"(high) : "c"(0));
-        (void)high;
-    }
+    __asm__ volatile("xgetbv" : "=a"(xcr0), "=d"(r[3]) : "c"(0));
 #endif
     ms__cpuid(7, 0, r);
-    if ((xcr0 & 0x6u) != 0x6u || !(leaf1 & (1u << 12)) || !(leaf1 & (1u << 29)) || !(r[1] & (1u << 5)))
-        return MS_SIMD_BASE; /* YMM state, FMA, F16C, AVX2 */
-    if ((xcr0 & 0xe6u) != 0xe6u || (r[1] & 0xC0030000u) != 0xC0030000u)
-        return MS_SIMD_AVX2; /* ZMM state, AVX-512 F, DQ, BW, VL */
+    if ((xcr0 & 0x6u) != 0x6u || !(r[1] & 0x20u)) return MS_SIMD_BASE;                       /* YMM state, AVX2 */
+    if ((xcr0 & 0xe6u) != 0xe6u || (r[1] & 0xC0030000u) != 0xC0030000u) return MS_SIMD_AVX2; /* ZMM; F, DQ, BW, VL */
     return MS_SIMD_AVX512;
 }
 #endif
 
-/* The level to use under a cap. cpuid takes microseconds under a hypervisor: ask once when an object is made
-   or at the start of a long call, never in a loop. Nothing is kept in a global. */
+/* The level to use under a cap. cpuid takes microseconds under a hypervisor: ask once when an object is made or at the
+   start of a long call, never in a loop. Nothing is kept in a global. */
 static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 {
-    int best = MS_SIMD_SCALAR;
-    if (cap == MS_SIMD_SCALAR) return cap;
+    ms_simd best = MS_SIMD_SCALAR;
 #if defined(MS__X64)
-    best = cap == MS_SIMD_BASE ? MS_SIMD_BASE : ms__simd_detect();
+    best = cap == MS_SIMD_SCALAR || cap == MS_SIMD_BASE ? cap : ms__simd_detect();
 #elif defined(MS__NEON)
     best = MS_SIMD_BASE;
 #endif
-    return (ms_simd)(cap != MS_SIMD_AUTO && (int)cap < best ? (int)cap : best);
+    return cap != MS_SIMD_AUTO && cap < best ? cap : best;
 }
 #endif /* MS_COMMON_SIMD */
 /* ms-common-simd end */
@@ -4146,768 +3976,6 @@ MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_p
 
 /* ---- GPU code -------------------------------------------------------------------------------------------------- */
 
-/* The shaders are written once, in HLSL's types and operators as far as GLSL and WGSL have them too: one variable a
-   declaration, no ?: and no assignment to several components. ms_sss__emit_token turns words and declarations into a
-   language; the name of a feature stands for its value, $ for a texture's name, ~ for its binding. #if NAME, #if !NAME,
-   #else and #endif choose lines by a feature, #NAME and #!NAME their own. No string literal is longer than C99
-   guarantees. The comments of FILTER KERNELS and PYRAMID KERNELS hold for these lines too. */
-static const char *const ms_sss__head_text[] = {
-    "#GL #version 330\n"
-    "#VULKAN #version 450\n"
-    "#ES #version 300 es\n"
-    "#ES precision highp float;\n"
-    "#ES precision highp int;\n"
-    "#ES precision highp sampler2D;\n"
-    "#!WGSL #define pick(b, a, c) ((c) ? (a) : (b))\n"
-    "#GL uniform vec4 ms_sss[COUNT];\n"
-    "#ES uniform vec4 ms_sss[COUNT];\n"
-    "#VULKAN layout(set = 0, binding = 0) uniform ms_sss_block { vec4 ms_sss[COUNT]; };\n"
-    "#HLSL cbuffer ms_sss_block : register(b0) { float4 ms_sss[COUNT]; };\n"
-    "#WGSL struct ms_sss_block { v: array<vec4<f32>, COUNT> };\n"
-    "#WGSL @group(0) @binding(0) var<uniform> ms_sss: ms_sss_block;\n"
-    "#PYRAMID #GLSL vec4 ms_sss_other;\n"
-    "#PYRAMID #HLSL static float4 ms_sss_other;\n"
-    "#PYRAMID #WGSL var<private> ms_sss_other: vec4<f32>;\n",
-    NULL};
-
-static const char *const ms_sss__texture_text[] = {
-    "#GL uniform sampler2D ms_sss_$;\n"
-    "#ES uniform sampler2D ms_sss_$;\n"
-    "#VULKAN layout(set = 0, binding = ~) uniform sampler2D ms_sss_$;\n"
-    "#GLSL vec4 fetch_$(ivec2 p) { return texelFetch(ms_sss_$, p, 0); }\n"
-    "#HLSL Texture2D<float4> ms_sss_$ : register(t~);\n"
-    "#HLSL float4 fetch_$(int2 p) { return ms_sss_$.Load(int3(p, 0)); }\n"
-    "#WGSL @group(0) @binding(~) var ms_sss_$: texture_2d<f32>;\n"
-    "#WGSL fn fetch_$(p: vec2<i32>) -> vec4<f32> { return textureLoad(ms_sss_$, p, 0); }\n",
-    NULL};
-
-static const char *const ms_sss__fetch_text[] = {
-    "#READS_COLOR float3 ms_sss_fetch_color(int2 p) { return fetch_color(p).rgb; }\n"
-    "#READS_DEPTH float ms_sss_fetch_depth(int2 p) { return fetch_depth(p).r; }\n"
-    "#READS_STRENGTH float ms_sss_fetch_strength(int2 p) { return fetch_strength(p).r; }\n"
-    "#READS_NORMAL float3 ms_sss_fetch_normal(int2 p) { return fetch_normal(p).rgb; }\n"
-    "#if READS_PROFILE\n"
-    "int ms_sss_fetch_profile(int2 p) {\n"
-    "float value = fetch_profile(p).r;\n"
-    "return pick(255, int(floor(value * 255.0 + 0.5)), value > -1.0 && value < 9.0);\n"
-    "}\n"
-    "#endif\n",
-    NULL};
-
-static const char *const ms_sss__main_text[] = {
-    "#if GLSL\n"
-    "layout(location = 0) out vec4 ms_sss_out;\n"
-    "#TWO layout(location = 1) out vec4 ms_sss_out_other;\n"
-    "void main() {\n"
-    "ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy));\n"
-    "#TWO ms_sss_out_other = ms_sss_other;\n"
-    "}\n"
-    "#else\n"
-    "struct ms_sss_targets {\n"
-    "#HLSL float4 first : SV_Target0;\n"
-    "#HLSL #TWO float4 other : SV_Target1;\n"
-    "#WGSL @location(0) first: vec4<f32>,\n"
-    "#WGSL #TWO @location(1) other: vec4<f32>,\n"
-    "};\n"
-    "#HLSL ms_sss_targets main(float4 position : SV_Position) {\n"
-    "#HLSL ms_sss_targets to;\n"
-    "#WGSL @fragment\n"
-    "#WGSL fn main(@builtin(position) position: vec4<f32>) -> ms_sss_targets {\n"
-    "#WGSL var to: ms_sss_targets;\n"
-    "to.first = filter_pixel(int2(position.xy));\n"
-    "#TWO to.other = ms_sss_other;\n"
-    "return to;\n"
-    "}\n"
-    "#endif\n",
-    NULL};
-
-/* What the steps share: a pixel's light and depth, and the slopes there. */
-static const char *const ms_sss__source_text[] = {
-    "// Pixels of the picture in one of this image, along a side.\n"
-    "#PYRAMID float side() { return 0.5 * constant[2].z; }\n"
-    "#!PYRAMID float side() { return float(SIDE); }\n"
-    "// The viewport's corner in the engine's textures and the targets of the picture's size.\n"
-    "int2 origin() { return int2(int(constant[HEAD - 1].z), int(constant[HEAD - 1].w)) * (2 - SIDE); }\n"
-    "bool inside(int2 p) {\n"
-    "int step = int(side());\n"
-    "return p.x >= 0 && p.y >= 0 && step * p.x < int(constant[0].x) && step * p.y < int(constant[0].y);\n"
-    "}\n"
-    "// What steps of depth are divided by.\n"
-    "#PERSPECTIVE float relative(float depth) { return depth; }\n"
-    "#!PERSPECTIVE float relative(float depth) { return 1.0; }\n"
-    "// (x, y) / z of a pixel's ray.\n"
-    "float2 ray_of(int2 p) {\n"
-    "float2 middle = float2(float(p.x) + 0.5, float(p.y) + 0.5) * side();\n"
-    "#PYRAMID return (middle - constant[HEAD - 1].xy) * constant[1].w;\n"
-    "#!PYRAMID return (middle - constant[HEAD - 1].xy) * float(PERSPECTIVE) / constant[2].y;\n"
-    "}\n"
-    "// How much larger a surface is than its picture.\n"
-    "float area_of(float2 slope, float2 ray) {\n"
-    "float towards = dot(slope, ray) + 1.0;\n"
-    "return sqrt(dot(slope, slope) + towards * towards);\n"
-    "}\n",
-    "#if !LEVEL\n"
-    "// Below 1e30, by bits: compilers may take it that no number is NaN.\n"
-    "bool finite(float x) { return (bits_of(x) & 0x7fffffffu) < 0x7149f2cau; }\n"
-    "#if PACKED\n"
-    "// The last 4 bits of blue hold the profile; those of black would be lost.\n"
-    "float pack(float blue, int profile) {\n"
-    "return float_of(((bits_of(pick(blue, 1e-30, abs(blue) < 1e-30)) + 8u) & 0xfffffff0u) | uint(profile));\n"
-    "}\n"
-    "int profile_of(float4 c) { return int(bits_of(c.b) & 15u); }\n"
-    "#else\n"
-    "float pack(float blue, int profile) { return blue; }\n"
-    "int profile_of(float4 c) { return 0; }\n"
-    "#endif\n"
-    "// Light and depth, 1 without depth; alpha 0: takes no part.\n"
-    "float4 source(int2 p) {\n"
-    "#if RAW\n"
-    "int2 at = p + origin();\n"
-    "float3 c = ms_sss_fetch_color(at);\n"
-    "float depth = 1.0;\n"
-    "int profile = 0;\n"
-    "#DEPTH depth = ms_sss_fetch_depth(at);\n"
-    "bool part = finite(c.r) && finite(c.g) && finite(c.b) && depth > 0.0 && finite(depth);\n"
-    "#STRENGTH float strength = ms_sss_fetch_strength(at);\n"
-    "#STRENGTH part = part && strength > 0.0 && (bits_of(strength) & 0x7fffffffu) <= 0x7f800000u;\n"
-    "#PROFILE profile = ms_sss_fetch_profile(at);\n"
-    "#PACKED part = part && profile >= 0 && profile < PROFILES;\n"
-    "#PROFILE #PYRAMID part = part && profile == int(constant[0].w);\n"
-    "if (!part) { return zero4; }\n"
-    "return float4(c.rg, pack(c.b, profile), depth);\n"
-    "#else\n"
-    "float4 c = fetch_input(p + origin());\n"
-    "return pick(zero4, c, c.a > 0.0);\n"
-    "#endif\n"
-    "}\n"
-    "float4 texel(int2 p) {\n"
-    "if (!inside(p)) { return zero4; }\n"
-    "return source(p);\n"
-    "}\n"
-    "// Both take part and have one profile.\n"
-    "bool same(float4 there, float4 own) { return there.a > 0.0 && profile_of(there) == profile_of(own); }\n"
-    "#endif\n",
-    "#if SLOPES\n"
-    "#if !READS_NORMAL\n"
-    "// The slope from the depths before and after, of one surface where steps (PYRAMID: slopes) are under reach:\n"
-    "// their mean where it turns little, else the smaller one, steeper by what its step exceeds the next: near\n"
-    "// outlines depth goes as a root.\n"
-    "float slope_of(int2 p, int2 way, float4 own, float focal, float reach) {\n"
-    "float4 before = texel(p - way);\n"
-    "float4 after = texel(p + way);\n"
-    "float a = own.a - before.a;\n"
-    "float b = after.a - own.a;\n"
-    "#!PYRAMID bool on_a = same(before, own) && abs(a) < reach;\n"
-    "#!PYRAMID bool on_b = same(after, own) && abs(b) < reach;\n"
-    "a = focal * a / relative(before.a);\n"
-    "b = focal * b / relative(after.a);\n"
-    "#PYRAMID bool on_a = same(before, own) && abs(a) < reach;\n"
-    "#PYRAMID bool on_b = same(after, own) && abs(b) < reach;\n"
-    "a = pick(pick(0.0, b, on_b), a, on_a);\n"
-    "b = pick(a, b, on_b);\n"
-    "float slope = 0.5 * (a + b);\n"
-    "if ((on_a || on_b) && !(on_a && on_b && abs(a - b) < 0.5 * (a * b + 1.0))) {\n"
-    "bool back = on_a && (!on_b || abs(a) < abs(b));\n"
-    "if (abs(a) < abs(b)) { slope = a; }\n"
-    "if (abs(b) < abs(a)) { slope = b; }\n"
-    "float next = pick(after.a, before.a, back);\n"
-    "float4 beyond = texel(p + way * pick(2, -2, back));\n"
-    "float step = (own.a - next) * relative(beyond.a);\n"
-    "float inner = (next - beyond.a) * relative(own.a);\n"
-    "#PYRAMID float least = 2.0 * constant[5].z * own.a * relative(own.a);\n"
-    "#!PYRAMID float least = 4.7683716e-7 * own.a * relative(own.a);\n"
-    "float more = min(abs(step) - abs(inner), abs(inner)) - least;\n"
-    "if (same(beyond, own) && step * inner > 0.0 && more > 0.0) {\n"
-    "more = min(more / abs(inner), 0.85);\n"
-    "slope = slope + slope * more * (0.5 + more * (0.5 + 0.7 * more * more));\n"
-    "}\n"
-    "}\n"
-    "return clamp(slope, -8.0, 8.0);\n"
-    "}\n"
-    "#endif\n"
-    "// Slopes along x and y.\n"
-    "float2 slopes_of(int2 p, float4 own, float2 focal, float reach) {\n"
-    "#if READS_NORMAL\n"
-    "float3 normal = ms_sss_fetch_normal(p + origin());\n"
-    "float least = max(abs(normal.x), abs(normal.y)) * 0.125;\n"
-    "float facing = max(normal.z - dot(ray_of(p), normal.xy), least);\n"
-    "bool valid = finite(normal.x) && finite(normal.y) && finite(normal.z);\n"
-    "return pick(zero2, normal.xy / facing, facing > 0.0 && valid);\n"
-    "#else\n"
-    "return float2(slope_of(p, int2(1, 0), own, focal.x, reach), slope_of(p, int2(0, 1), own, focal.y, reach));\n"
-    "#endif\n"
-    "}\n"
-    "#endif\n",
-    NULL};
-
-static const char *const ms_sss__pass_text[] = {
-    "// constant: 0 width, height, pixels a mm (perspective: times depth), gain; 1 aspect, rotation, jitter;\n"
-    "// 2 first, focal, upright; 3 center, origin; at HEAD + STRIDE * profile: 0 total, radius; 1 scale, depth scale;\n"
-    "// 2 delta, cut; 3 curve, mixed; 4 root, reach; from 5 on taps: weight, offset\n"
-    "float pixels_at(float depth) { return constant[0].z / relative(depth); }\n"
-    "int profile_at(float4 own) { return HEAD + STRIDE * profile_of(own); }\n"
-    "// Of a pixel near another, of the same surface; at: its profile's constants.\n"
-    "float nearness(float4 there, float4 own, int at) {\n"
-    "float dz = (there.a - own.a) * constant[at + 1].w;\n"
-    "float f = max(1.0 - dz * dz / max(constant[at + 2].w, 1e-30), 0.0);\n"
-    "return pick(0.0, f * f * f * f, same(there, own));\n"
-    "}\n",
-    "#if DOWN\n"
-    "float4 nearer(float4 a, float4 b) { return pick(a, b, b.a > 0.0 && (!(a.a > 0.0) || b.a < a.a)); }\n"
-    "// The mean of those of four pixels that lie near the nearest.\n"
-    "float4 filter_pixel(int2 p) {\n"
-    "float4 a = texel(2 * p);\n"
-    "float4 b = texel(2 * p + int2(1, 0));\n"
-    "float4 c = texel(2 * p + int2(0, 1));\n"
-    "float4 d = texel(2 * p + int2(1, 1));\n"
-    "float4 own = nearer(nearer(a, b), nearer(c, d));\n"
-    "int at = profile_at(own);\n"
-    "float4 f = float4(nearness(a, own, at), nearness(b, own, at), nearness(c, own, at), nearness(d, own, at));\n"
-    "if (!(own.a > 0.0)) { return own; }\n"
-    "float4 mean = (f.x * a + f.y * b + f.z * c + f.w * d) / (f.x + f.y + f.z + f.w);\n"
-    "return float4(mean.rg, pack(mean.b, profile_of(own)), mean.a);\n"
-    "}\n"
-    "#endif\n",
-    "#if UP\n"
-    "// How much of the filtered light is the pixel's own: each tap's bilinear share of it.\n"
-    "float3 share_at(float depth, int at) {\n"
-    "float pixels = min(pixels_at(depth), max(constant[0].x, constant[0].y) / constant[at].w);\n"
-    "float3 share = constant[at + 2].rgb;\n"
-    "for (int t = 0; t < TERMS; t++) {\n"
-    "int block = at + t * PROFILES * STRIDE;\n"
-    "float3 across = zero3;\n"
-    "float3 down = zero3;\n"
-    "for (int k = 0; k < TAPS; k++) {\n"
-    "float4 tap = constant[block + 5 + (k + 1) / 2];\n"
-    "float away = pixels * abs(tap.w);\n"
-    "across = across + tap.rgb * max(1.0 - away * constant[1].x, 0.0);\n"
-    "down = down + tap.rgb * max(1.0 - away * constant[1].y, 0.0);\n"
-    "}\n"
-    "share = share + constant[block + 1].rgb * across * down;\n"
-    "}\n"
-    "return clamp(share, zero3, 0.999 * one3);\n"
-    "}\n"
-    "// A pixel keeps its share of its own light; the rest is what became of that of the four larger pixels around.\n"
-    "float4 filter_pixel(int2 pixel) {\n"
-    "int2 p = pixel - origin();\n"
-    "float4 own = source(p);\n"
-    "float3 light = ms_sss_fetch_color(pixel);\n"
-    "if (!(own.a > 0.0)) { return float4(light, 1.0); }\n"
-    "int at = profile_at(own);\n"
-    "float3 share = share_at(own.a, at);\n"
-    "float3 soft = zero3;\n"
-    "float weight = 0.0;\n"
-    "for (int i = 0; i < 4; i++) {\n"
-    "int2 q = int2((p.x + 1) / 2 - 1 + i % 2, (p.y + 1) / 2 - 1 + i / 2);\n"
-    "if (!inside(q * 2)) { continue; }\n"
-    "float4 there = fetch_half(q);\n"
-    "float f = nearness(there, own, at) * pick(0.2, 0.8, q.x == p.x / 2) * pick(0.2, 0.8, q.y == p.y / 2);\n"
-    "if (!(f > 0.0)) { continue; }\n"
-    "float3 after = fetch_sum(q).rgb;\n"
-    "float3 least = min(min(there.rgb, after), zero3);\n"
-    "soft = soft + f * max(there.rgb + (after - there.rgb) / (one3 - share_at(there.a, at)), least);\n"
-    "weight = weight + f;\n"
-    "}\n"
-    "float strength = constant[0].w;\n"
-    "#STRENGTH strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);\n"
-    "bool large = pixels_at(own.a) * constant[at].w * max(constant[1].x, constant[1].y) > 0.5;\n"
-    "if (large && weight > 1e-6) { light = light + strength * (one3 - share) * (soft / weight - light); }\n"
-    "return float4(light, 1.0);\n"
-    "}\n"
-    "#endif\n",
-    "#if PASS\n"
-    "#if SECOND\n"
-    "// The light before the filter; only the first term's pass adds it.\n"
-    "float3 unblurred(int2 p) {\n"
-    "if (constant[2].x < 0.5) { return zero3; }\n"
-    "#HALVED return fetch_half(p).rgb;\n"
-    "#!HALVED return ms_sss_fetch_color(p + origin());\n"
-    "}\n"
-    "#endif\n"
-    "float restore(float sum, float weight, float lifted, float own, float total, bool mixed) {\n"
-    "if (mixed) { return sum + own * (total - weight); }\n"
-    "return pick(own, sum / lifted, lifted > 1e-30) * total;\n"
-    "}\n"
-    "float4 filter_pixel(int2 pixel) {\n"
-    "int2 p = pixel - origin();\n"
-    "float4 own = texel(p);\n"
-    "#SECOND if (!(own.a > 0.0)) { return float4(unblurred(p), 1.0); }\n"
-    "if (!(own.a > 0.0)) { return own; }\n"
-    "int at = profile_at(own);\n"
-    "float4 total = constant[at];\n"
-    "float2 aspect = constant[1].xy;\n"
-    "float pixels = pixels_at(own.a) / side();\n"
-    "bool large = pixels * total.w * max(aspect.x, aspect.y) > 0.5;\n"
-    "pixels = min(pixels, max(constant[0].x, constant[0].y) / (total.w * side()));\n"
-    "float2 axis = float2(1.0 - float(SECOND), float(SECOND));\n"
-    "#if TURNED\n"
-    "float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;\n"
-    "float angle = constant[1].z + constant[1].w * turn * (1.57079632679 / 64.0);\n"
-    "axis = axis.x * float2(cos(angle), sin(angle)) + axis.y * float2(-sin(angle), cos(angle));\n"
-    "#endif\n"
-    "#if SHAPE\n"
-    "// Of the tangent plane: depth a column and a row, in perspective relative; mm of scaled depth, times the cosine\n"
-    "// to the ray.\n"
-    "float2 ray = ray_of(p);\n"
-    "float2 focal = constant[2].yz / side();\n"
-    "float2 slopes = constant[2].w * slopes_of(p, own, focal, sqrt(constant[at + 4].w) / constant[at + 1].w);\n"
-    "float slope = dot(axis, slopes);\n"
-    "pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);\n"
-    "float2 plane = slopes / focal;\n"
-    "float deep = constant[2].y / (constant[0].z * constant[at + 1].w);\n"
-    "float facing = deep / area_of(slopes, ray);\n"
-    "float3 curve = constant[at + 3].rgb;\n"
-    "float least = -1.0 / max(1.0, max(curve.r, max(curve.g, curve.b)));\n"
-    "// Of the taps before on both sides: how far below the plane, and how far away.\n"
-    "float2 height = zero2;\n"
-    "float2 inner = zero2;\n"
-    "#endif\n"
-    "axis = axis * aspect * pixels;\n"
-    "float3 result = own.rgb * constant[at + 5].rgb;\n"
-    "float3 weight = constant[at + 5].rgb;\n"
-    "float3 lifted = weight;\n"
-    "for (int k = 1; k < pick(1, TAPS, large); k++) {\n"
-    "float4 tap = constant[at + 5 + (k + 1) / 2];\n"
-    "float offset = pick(tap.w, -tap.w, k % 2 == 0);\n"
-    "float2 whole = floor(axis * offset);\n"
-    "float2 part = axis * offset - whole;\n"
-    "float4 sum = zero4;\n"
-    "#SHAPE float below = 0.0;\n"
-    "#SHAPE float remote = min(constant[2].w * deep * deep / max(offset * offset, 1e-30), 1e6);\n"
-    "for (int i = 0; i < CORNERS; i++) {\n"
-    "#TURNED int2 corner = int2(i % 2, i / 2);\n"
-    "#!TURNED int2 corner = int2(i - i * SECOND, i * SECOND);\n"
-    "float2 away = abs(float2(1.0 - float(corner.x), 1.0 - float(corner.y)) - part);\n"
-    "float share = away.x * away.y;\n"
-    "if (!(share > 0.0)) { continue; }\n"
-    "int2 beside = int2(int(whole.x), int(whole.y)) + corner;\n"
-    "float4 c = texel(p + beside);\n"
-    "float dz = c.a - own.a;\n"
-    "#SHAPE dz = dz - dot(plane, float2(float(beside.x), float(beside.y))) * relative(c.a);\n"
-    "dz = dz * constant[at + 1].w;\n"
-    "if (!(same(c, own) && dz * dz < 1.0)) { continue; }\n"
-    "float f = share * (1.0 - dz * dz);\n"
-    "#SHAPE f = f / (remote * dz * dz + 1.0);\n"
-    "#!SHAPE f = f * (1.0 - dz * dz) * (1.0 - dz * dz) * (1.0 - dz * dz);\n"
-    "#SHAPE below = below + f * dz;\n"
-    "sum = sum + float4(c.rgb * f, f);\n"
-    "}\n",
-    "#if SHAPE\n"
-    "float grain = own.a * constant[at + 1].w * 2.3841858e-7 * (2.0 + (abs(axis.x) + abs(axis.y)) * abs(offset));\n"
-    "below = facing * (below - clamp(below, -grain, grain));\n"
-    "float sine = clamp(below / max(abs(offset), 1e-20), least, 1.0);\n"
-    "// The more the surface bends away between the tap before and this one, the more of it there is.\n"
-    "bool back = offset < 0.0;\n"
-    "float before = pick(height.x, height.y, back);\n"
-    "float gap = abs(offset) - pick(inner.x, inner.y, back);\n"
-    "float lower = (below + 0.001 * before) / (sum.a + 0.001);\n"
-    "float bend = 0.0;\n"
-    "if (gap > 1e-20 && constant[at + 3].w < 0.5) { bend = (lower - before) / gap; }\n"
-    "sum = sum * min(0.5 * constant[2].w * bend * bend + 1.0, 3.0);\n"
-    "height = pick(float2(lower, height.y), float2(height.x, lower), back);\n"
-    "inner = pick(float2(abs(offset), inner.y), float2(inner.x, abs(offset)), back);\n"
-    "#endif\n"
-    "weight = weight + tap.rgb * sum.a;\n"
-    "#SHAPE float3 lift = one3 + curve * sine;\n"
-    "#SHAPE tap = float4(tap.rgb * lift * lift * lift * lift, tap.w);\n"
-    "lifted = lifted + tap.rgb * sum.a;\n"
-    "result = result + tap.rgb * sum.rgb;\n"
-    "}\n"
-    "int mixed = int(constant[at + 3].w);\n"
-    "#SHAPE lifted = max(weight, lifted * constant[at + 4].rgb);\n"
-    "result = float3(restore(result.r, weight.r, lifted.r, own.r, total.r, (mixed & 1) != 0),\n"
-    "    restore(result.g, weight.g, lifted.g, own.g, total.g, (mixed & 2) != 0),\n"
-    "    restore(result.b, weight.b, lifted.b, own.b, total.b, (mixed & 4) != 0));\n"
-    "#if SECOND\n"
-    "float strength = pick(0.0, pick(constant[0].w, 1.0, SIDE > 1), large);\n"
-    "#STRENGTH #!HALVED strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);\n"
-    "float3 delta = constant[at + 2].rgb;\n"
-    "result = strength * constant[at + 1].rgb * result;\n"
-    "if (strength < 1.0 || dot(abs(delta), one3) > 0.0) {\n"
-    "result = result + (strength * delta + (1.0 - strength) * one3) * unblurred(p);\n"
-    "}\n"
-    "return float4(result, 1.0);\n"
-    "#else\n"
-    "return float4(result.rg, pack(result.b, profile_of(own)), own.a);\n"
-    "#endif\n"
-    "}\n"
-    "#endif\n",
-    NULL};
-
-static const char *const ms_sss__pyramid_text[] = {
-    "// constant: 0 width, height, gain, profile; 1 radius in pixels (perspective: times depth), its limit, step of d\n"
-    "// a pixel at slope 1 (perspective: times d), tangent of a pixel's ray; 2 reach in radii, upright, pixels of the\n"
-    "// picture in one of the coarser level, square of the taps' radius; 3 K / 4, norm; 4 1 / reflectance, mean;\n"
-    "// 5 spread, rounding of the taps, of d, whether there is a coarser level (1) with sums (2); 6 center, origin;\n"
-    "// from HEAD on weights by size: of the gather, and of RESOLVE of the pixel and its neighbors.\n"
-    "// d is linear on planes: -1 / depth in perspective, else depth; 0 where nothing takes part. A level is two\n"
-    "// textures: light and d; share of the surface, changes of d a pixel along x and y.\n"
-    "// How many pixels of the picture a step of d is deep.\n"
-    "#SHAPE float deep_of(float d) { return 1.0 / (constant[1].z * relative(-d)); }\n"
-    "#!SHAPE float deep_of(float d) { return 0.0; }\n"
-    "// The kernel's radius in pixels of the picture.\n"
-    "float radius_of(float d) { return min(constant[1].x * relative(-d), constant[1].y); }\n"
-    "float beside(float away) {\n"
-    "float f = max(1.0 - away * away, 0.0);\n"
-    "return f * f * f * f;\n"
-    "}\n",
-    "#if BASE\n"
-    "// Level 0.\n"
-    "float4 filter_pixel(int2 p) {\n"
-    "float4 own = source(p);\n"
-    "float d = pick(1.0, own.a, SHAPE > 0);\n"
-    "float2 slope = zero2;\n"
-    "#PERSPECTIVE d = -1.0 / own.a;\n"
-    "ms_sss_other = zero4;\n"
-    "if (!(own.a > 0.0)) { return zero4; }\n"
-    "#SLOPES slope = constant[2].y * slopes_of(p, own, float2(1.0, 1.0) / constant[1].z, radius_of(d));\n"
-    "float step = constant[1].z * relative(-d);\n"
-    "ms_sss_other = float4(min(area_of(slope, ray_of(p)), 10.0), slope.x * step, slope.y * step, 0.0);\n"
-    "return float4(own.rgb, d);\n"
-    "}\n"
-    "#endif\n",
-    "#if SHRINK\n"
-    "// A pixel of the next level from 4 x 4: what lies near the tangent plane of the nearest of the middle four that\n"
-    "// has a quarter of the largest share.\n"
-    "float4 filter_pixel(int2 p) {\n"
-    "float most = 0.0;\n"
-    "for (int i = 0; i < 4; i++) {\n"
-    "int2 q = p * 2 + int2(i % 2, i / 2);\n"
-    "if (inside(q)) { most = max(most, fetch_surface(q).r); }\n"
-    "}\n"
-    "ms_sss_other = zero4;\n"
-    "if (!(most > 0.0)) { return zero4; }\n"
-    "float nearest = 3e38;\n"
-    "float2 change = zero2;\n"
-    "float2 at = zero2;\n"
-    "for (int i = 0; i < 4; i++) {\n"
-    "int2 q = p * 2 + int2(i % 2, i / 2);\n"
-    "if (!inside(q)) { continue; }\n"
-    "float4 surface = fetch_surface(q);\n"
-    "float d = fetch_input(q).a;\n"
-    "if (surface.r > 0.25 * most && d < nearest) {\n"
-    "nearest = d;\n"
-    "change = surface.gb;\n"
-    "at = float2(float(i % 2) - 0.5, float(i / 2) - 0.5);\n"
-    "}\n"
-    "}\n"
-    "float scale = deep_of(nearest) / radius_of(nearest);\n"
-    "float middle = nearest - dot(at, change);\n"
-    "float least = nearest;\n"
-    "float greatest = nearest;\n"
-    "float4 light = zero4;\n"
-    "float3 surfaces = zero3;\n"
-    "float seen = 0.0;\n"
-    "for (int i = 0; i < 16; i++) {\n"
-    "int2 q = p * 2 + int2(i % 4 - 1, i / 4 - 1);\n"
-    "if (!inside(q)) { continue; }\n"
-    "float4 there = fetch_input(q);\n"
-    "float4 surface = fetch_surface(q);\n"
-    "float2 away = float2(float(i % 4) - 1.5, float(i / 4) - 1.5);\n"
-    "float rise = dot(away, change);\n"
-    "float f = beside((there.a - rise - middle) * scale / constant[2].x) * surface.r;\n"
-    "f = f * pick(0.125, 0.375, abs(away.x) < 1.0) * pick(0.125, 0.375, abs(away.y) < 1.0);\n"
-    "if (!(f > 0.0 && abs((there.a - nearest) * scale) < 1.0)) { continue; }\n"
-    "least = min(least, there.a);\n"
-    "greatest = max(greatest, there.a);\n"
-    "light = light + f * float4(there.rgb, there.a - rise);\n"
-    "float part = f / max(surface.r, 1.0);\n"
-    "surfaces = surfaces + float3(f, part * surface.g, part * surface.b);\n"
-    "seen = seen + part;\n"
-    "}\n"
-    "if (!(surfaces.r > 1e-20)) { return zero4; }\n"
-    "light = light / surfaces.r;\n"
-    "change = 2.0 * surfaces.gb / seen;\n"
-    "ms_sss_other = float4(surfaces.r, change.x, change.y, 0.0);\n"
-    "return float4(light.rgb, clamp(light.a, least, greatest));\n"
-    "}\n"
-    "#endif\n",
-    "#if GATHERS\n"
-    "// Weights of kernels of this radius in pixels, linear between the sizes of the table.\n"
-    "float3 weight_at(float size, int table) {\n"
-    "int i = clamp((int(bits_of(size)) - 0x3f800000) >> 21u, 0, SIZES - 2);\n"
-    "float low = float_of(uint(0x3f800000 + (i << 21u)));\n"
-    "float high = float_of(uint(0x3f800000 + ((i + 1) << 21u)));\n"
-    "float t = clamp((size - low) / (high - low), 0.0, 1.0);\n"
-    "return constant[table + i].rgb + t * (constant[table + i + 1].rgb - constant[table + i].rgb);\n"
-    "}\n"
-    "// light times the mean of (1 + K sin(theta) / 4)^4, by mean (moment / light) and mean square of sin(theta), of\n"
-    "// which grain may be rounding.\n"
-    "float raise(float light, float moment, float square, float grain, float quarter, float most) {\n"
-    "float mean = 0.0;\n"
-    "if (abs(light) > 0.0) { mean = moment / light; }\n"
-    "mean = clamp(mean - clamp(mean, -grain, grain), -1.0, 1.0);\n"
-    "float u = max(quarter * mean + 1.0, 0.0);\n"
-    "float spread = max(square - (grain * grain + mean * mean), 0.0);\n"
-    "return light * min(u * u * (6.0 * spread * quarter * quarter + u * u), most);\n"
-    "}\n",
-    "// The light of the next coarser level from up to 6 x 6 pixels around, counted by its distance in space and\n"
-    "// lifted by how far it lies below the tangent plane, and that level's sums; sums of weights to ms_sss_other.\n"
-    "float3 gather(int2 p, float d, float2 change) {\n"
-    "float cells = constant[2].z;\n"
-    "float deep = deep_of(d) / cells;\n"
-    "float radius = radius_of(d);\n"
-    "float2 slope = change * (2.0 * deep);\n"
-    "float area = area_of(slope, ray_of(p));\n"
-    "float cap = min(area, 1.5);\n"
-    "float limit = radius / cells;\n"
-    "float near_plane = 1.0 / (limit * constant[2].x);\n"
-    "float wide = cap * cap * constant[2].w;\n"
-    "float weight = 0.0;\n"
-    "float square = 0.0;\n"
-    "float3 light = zero3;\n"
-    "float3 moment = zero3;\n"
-    "float3 sums = zero3;\n"
-    "float3 weights = zero3;\n"
-    "for (int i = 0; i < 36; i++) {\n"
-    "int2 q = int2(p.x / 2 + i % 6 - 3 + p.x % 2, p.y / 2 + i / 6 - 3 + p.y % 2);\n"
-    "float2 away = float2(float(i % 6) - 2.75 + 0.5 * float(p.x % 2), float(i / 6) - 2.75 + 0.5 * float(p.y % 2));\n"
-    "if (dot(away, away) > wide || !inside(q * 2)) { continue; }\n"
-    "float4 there = fetch_coarse(q);\n"
-    "float dz = (there.a - d) * deep;\n"
-    "if (!(abs(there.a) > 0.0 && dz * dz < limit * limit)) { continue; }\n"
-    "float below = dz - dot(away, slope);\n"
-    "float t = max(1.0 - (dz * dz + dot(away, away)) / wide, 0.0);\n"
-    "float w = t * t * fetch_coarse_surface(q).r;\n"
-    "weight = weight + w;\n"
-    "light = light + w * there.rgb;\n"
-    "moment = moment + w * below * there.rgb;\n"
-    "square = square + w * below * below;\n"
-    "if (abs(away.x) < 1.0 && abs(away.y) < 1.0 && constant[5].w > 1.5) {\n"
-    "t = beside(below * near_plane) * pick(0.25, 0.75, abs(away.x) < 0.5) * pick(0.25, 0.75, abs(away.y) < 0.5);\n"
-    "sums = sums + t * fetch_sum(q).rgb;\n"
-    "weights = weights + t * fetch_weight(q).rgb;\n"
-    "}\n"
-    "}\n"
-    "#if TILTED\n"
-    "float facing = 1.0 / (cap * area);\n"
-    "float turn = facing * constant[4].w;\n"
-    "float grain = turn * constant[5].y;\n"
-    "#!PERSPECTIVE grain = grain * d;\n"
-    "// Too steep for a tangent plane on this level.\n"
-    "if (!((abs(slope.x) + abs(slope.y)) * 0.5 * cells < radius)) {\n"
-    "square = 0.0;\n"
-    "moment = zero3;\n"
-    "}\n"
-    "square = square * facing * facing * constant[5].x / max(weight, 1e-30);\n"
-    "light = float3(raise(light.r, moment.r * turn, square, grain, constant[3].r, constant[4].r),\n"
-    "    raise(light.g, moment.g * turn, square, grain, constant[3].g, constant[4].g),\n"
-    "    raise(light.b, moment.b * turn, square, grain, constant[3].b, constant[4].b));\n"
-    "#endif\n"
-    "float3 share = weight_at(radius / cap, HEAD) * (constant[3].w / (cap * cap));\n"
-    "ms_sss_other = float4(weights + share * weight, 0.0);\n"
-    "return sums + share * light;\n"
-    "}\n"
-    "#endif\n",
-    "#if GATHER\n"
-    "float4 filter_pixel(int2 p) {\n"
-    "float d = fetch_input(p).a;\n"
-    "ms_sss_other = zero4;\n"
-    "if (!(abs(d) > 0.0)) { return zero4; }\n"
-    "return float4(gather(p, d, fetch_surface(p).gb), 0.0);\n"
-    "}\n"
-    "#endif\n",
-    "#if RESOLVE\n"
-    "// The pixel's own light, that of its neighbors as far as they lie near its tangent plane, and the sums.\n"
-    "float4 filter_pixel(int2 pixel) {\n"
-    "int2 p = pixel - origin();\n"
-    "float4 own = fetch_input(p);\n"
-    "if (!(abs(own.a) > 0.0)) { return float4(ms_sss_fetch_color(pixel), 1.0); }\n"
-    "float4 surface = fetch_surface(p);\n"
-    "float deep = deep_of(own.a);\n"
-    "float radius = radius_of(own.a);\n"
-    "float size = radius / clamp(surface.r, 1.0, 1.5);\n"
-    "float3 weight = weight_at(size, HEAD + SIZES);\n"
-    "float3 pass_on = weight_at(size, HEAD + 2 * SIZES);\n"
-    "float3 sum = weight * own.rgb;\n"
-    "for (int i = 0; i < 9; i++) {\n"
-    "int2 beside = int2(i % 3 - 1, i / 3 - 1);\n"
-    "if (!inside(p + beside)) { continue; }\n"
-    "float4 there = fetch_input(p + beside);\n"
-    "float rise = dot(float2(float(beside.x), float(beside.y)), surface.gb);\n"
-    "float away = (there.a - own.a - rise) * deep;\n"
-    "float f = max(1.0 - 0.25 * away * away, 0.0);\n"
-    "f = f * f * pick(0.25, 0.5, beside.x == 0) * pick(0.25, 0.5, beside.y == 0);\n"
-    "if (!(abs(there.a) > 0.0)) { continue; }\n"
-    "sum = sum + f * pass_on * there.rgb;\n"
-    "weight = weight + f * pass_on;\n"
-    "}\n"
-    "if (constant[5].w > 0.5) {\n"
-    "sum = sum + gather(p, own.a, surface.gb);\n"
-    "weight = weight + ms_sss_other.rgb;\n"
-    "}\n"
-    "float strength = pick(0.0, constant[0].z, radius > 0.5);\n"
-    "#STRENGTH strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);\n"
-    "float3 light = float3(pick(own.r, sum.r / weight.r, weight.r > 1e-30),\n"
-    "    pick(own.g, sum.g / weight.g, weight.g > 1e-30), pick(own.b, sum.b / weight.b, weight.b > 1e-30));\n"
-    "return float4(own.rgb + strength * (light - own.rgb), 1.0);\n"
-    "}\n"
-    "#endif\n",
-    NULL};
-
-static const char *const ms_sss__transmission_lines[] = {
-    "float ms_sss_through(float reflectance, float decay, float thickness, float parallel) {\n"
-    "float dark = max(1.0 - reflectance, 1e-4);\n"
-    "float R = 1.0 - dark;\n"
-    "float y = decay * max(thickness, 0.0);\n"
-    "float x = exp(-y);\n"
-    "// Of thin slabs the difference would lose digits.\n"
-    "float gone = 1.0 - x;\n"
-    "if (y < 0.02) { gone = y * (1.0 - 0.5 * y * (1.0 - y / 3.0)); }\n"
-    "float slab = 1.0 - 0.85 * dark * dark * dark * dark * dark * (1.0 - exp(-0.8 * y));\n"
-    "slab = slab * dark * (1.0 + R) * x / ((dark + R * gone) * (1.0 + R * x));\n"
-    "if (!(reflectance > 0.0)) { return 0.0; }\n"
-    "return slab * (1.0 + dark / R * max(parallel, 0.0));\n"
-    "}\n",
-    "float3 ms_sss_transmission(float3 reflectance, float3 decay, float thickness_mm, float3 normal, "
-    "float3 entry_normal, float3 to_light, float3 light) {\n"
-    "float entry = dot(entry_normal, to_light);\n"
-    "float parallel = -dot(normal, entry_normal);\n"
-    "if (!(dot(normal, to_light) < 0.0 && entry > 0.0)) { return zero3; }\n"
-    "return entry * light * float3(ms_sss_through(reflectance.r, decay.r, thickness_mm, parallel),\n"
-    "    ms_sss_through(reflectance.g, decay.g, thickness_mm, parallel),\n"
-    "    ms_sss_through(reflectance.b, decay.b, thickness_mm, parallel));\n"
-    "}\n",
-    NULL};
-
-/* Words that differ: here, GLSL, HLSL, WGSL; the types first. */
-enum { MS_SSS__TYPES = 8, MS_SSS__WORDS = 16, MS_SSS__IN_WGSL = 3 };
-
-/* clang-format off */
-static const char *const ms_sss__word[MS_SSS__WORDS][4] = {
-    {"bool", "bool", "bool", "bool"},
-    {"int", "int", "int", "i32"},
-    {"uint", "uint", "uint", "u32"},
-    {"float", "float", "float", "f32"},
-    {"int2", "ivec2", "int2", "vec2<i32>"},
-    {"float2", "vec2", "float2", "vec2<f32>"},
-    {"float3", "vec3", "float3", "vec3<f32>"},
-    {"float4", "vec4", "float4", "vec4<f32>"},
-    {"zero2", "vec2(0.0)", "float2(0.0, 0.0)", "vec2<f32>()"},
-    {"zero3", "vec3(0.0)", "float3(0.0, 0.0, 0.0)", "vec3<f32>()"},
-    {"zero4", "vec4(0.0)", "float4(0.0, 0.0, 0.0, 0.0)", "vec4<f32>()"},
-    {"one3", "vec3(1.0)", "float3(1.0, 1.0, 1.0)", "vec3<f32>(1.0)"},
-    {"constant", "ms_sss", "ms_sss", "ms_sss.v"},
-    {"bits_of", "floatBitsToUint", "asuint", "bitcast<u32>"},
-    {"float_of", "uintBitsToFloat", "asfloat", "bitcast<f32>"},
-    {"pick", "pick", "pick", "select"}};
-/* clang-format on */
-
-typedef struct ms_sss__feature {
-    const char *name;
-    int value;
-} ms_sss__feature;
-
-/* A text: measured first, then written. */
-typedef struct ms_sss__text {
-    char *out; /* NULL: measure */
-    size_t length;
-    int column;                     /* of ms_sss__word */
-    const ms_sss__feature *feature; /* the last has no name */
-    const char *texture;
-    int binding;
-    int braces;         /* that are open */
-    const char *result; /* WGSL: the type that the arrow before a body has to name, or NULL */
-} ms_sss__text;
-
-static void ms_sss__emit(ms_sss__text *text, const char *s, size_t n)
-{
-    if (text->out) memcpy(text->out + text->length, s, n);
-    text->length += n;
-}
-
-static void ms_sss__emit_string(ms_sss__text *text, const char *s) { ms_sss__emit(text, s, strlen(s)); }
-
-static void ms_sss__emit_number(ms_sss__text *text, int number)
-{
-    char digits[32];
-    ms__format_number(digits, number);
-    ms_sss__emit_string(text, digits);
-}
-
-static size_t ms_sss__name_length(const char *s)
-{
-    size_t n = 0;
-    while (s[n] == '_' || (s[n] >= 'a' && s[n] <= 'z') || (s[n] >= 'A' && s[n] <= 'Z') ||
-           (n && s[n] >= '0' && s[n] <= '9'))
-        ++n;
-    return n;
-}
-
-static const ms_sss__feature *ms_sss__find_feature(const ms_sss__text *text, const char *s)
-{
-    const size_t n = ms_sss__name_length(s);
-    const ms_sss__feature *f = text->feature;
-    while (f->name && (strlen(f->name) != n || strncmp(f->name, s, n) != 0)) ++f;
-    return f->name ? f : NULL;
-}
-
-/* Emits the word, number or character at s; in WGSL's order the declarations "TYPE name" of variables and parameters
-   and "TYPE name(" of functions. Returns the characters read. */
-static MS_SSS__COLD size_t ms_sss__emit_token(ms_sss__text *text, const char *s)
-{
-    const size_t n = ms_sss__name_length(s), m = n && s[n] == ' ' ? ms_sss__name_length(s + n + 1) : 0;
-    const ms_sss__feature *feature = ms_sss__find_feature(text, s);
-    int word = 0;
-    while (word < MS_SSS__WORDS && (strlen(ms_sss__word[word][0]) != n || strncmp(ms_sss__word[word][0], s, n) != 0))
-        ++word;
-    if (text->column == MS_SSS__IN_WGSL && word < MS_SSS__TYPES && m) {
-        const int function = !text->braces && s[n + 1 + m] == '(';
-        ms_sss__emit_string(text, function ? "fn " : text->braces ? "var " : "");
-        ms_sss__emit(text, s + n + 1, m);
-        if (function) text->result = ms_sss__word[word][MS_SSS__IN_WGSL];
-        if (!function) ms_sss__emit_string(text, ": ");
-        if (!function) ms_sss__emit_string(text, ms_sss__word[word][MS_SSS__IN_WGSL]);
-        return n + 1 + m;
-    }
-    if (word < MS_SSS__WORDS) ms_sss__emit_string(text, ms_sss__word[word][text->column]);
-    else if (n && feature) ms_sss__emit_number(text, feature->value);
-    else if (*s == '$') ms_sss__emit_string(text, text->texture);
-    else if (*s == '~') ms_sss__emit_number(text, text->binding);
-    else ms_sss__emit(text, s, n ? n : 1);
-    text->braces += (*s == '{') - (*s == '}');
-    if (*s == ')' && text->result) {
-        ms_sss__emit_string(text, " -> ");
-        ms_sss__emit_string(text, text->result);
-        text->result = NULL;
-    }
-    return n ? n : 1;
-}
-
-/* Whether "NAME" or "!NAME" at s holds; -1: it is no feature's. */
-static int ms_sss__holds(const ms_sss__text *text, const char *s)
-{
-    const ms_sss__feature *feature = ms_sss__find_feature(text, s + (*s == '!'));
-    return feature ? (feature->value != 0) != (*s == '!') : -1;
-}
-
-/* Emits the lines of parts up to NULL, indented by their braces, with an empty line between functions. */
-static MS_SSS__COLD void ms_sss__emit_lines(ms_sss__text *text, const char *const *part)
-{
-    int skipped = 0, taken, i; /* skipped: #if that are open, from the first on that is not taken */
-    const char *s, *end;
-    for (; *part; ++part) {
-        for (s = *part; *s; s = end + 1) {
-            end = strchr(s, '\n');
-            if (strncmp(s, "#if ", 4) == 0) skipped += skipped || !ms_sss__holds(text, s + 4);
-            else if (strncmp(s, "#else", 5) == 0) skipped = skipped > 1 ? skipped : !skipped;
-            else if (strncmp(s, "#endif", 6) == 0) skipped -= skipped > 0;
-            else if (!skipped) {
-                for (taken = 1; *s == '#' && taken == 1;) {
-                    taken = ms_sss__holds(text, s + 1);
-                    if (taken >= 0) s = strchr(s, ' ') + 1;
-                }
-                if (taken == 0) continue;
-                for (i = *s == '}'; i < text->braces; ++i) ms_sss__emit_string(text, "    ");
-                if (*s == '/') ms_sss__emit(text, s, (size_t)(end - s));
-                else
-                    while (s < end) s += ms_sss__emit_token(text, s);
-                ms_sss__emit_string(text, end[-1] == '}' && !text->braces ? "\n\n" : "\n");
-            }
-        }
-    }
-}
-
 enum { MS_SSS__PICTURE_HEAD = 4, MS_SSS__PROFILE_HEAD = 5, MS_SSS__LEVEL_HEAD = 7 }; /* float4 before what repeats */
 
 static int ms_sss__shader_stride(const ms_sss_shader *s) { return MS_SSS__PROFILE_HEAD + s->tap_count / 2 + 1; }
@@ -4927,9 +3995,11 @@ static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, ms_er
     const int pyramid = s && ms_sss__is_pyramid_step(s);
     if (!s) return MS_SSS__REFUSE(error, "shader is NULL");
     {
-        const ms_sss__range ranges[] = {{"language", (double)s->language, 0, (double)MS_SSS_WGSL},
-                                        {"step", (double)s->step, 0, (double)MS_SSS_STEP_RESOLVE},
+        const ms_sss__range ranges[] = {{"step", (double)s->step, 0, (double)MS_SSS_STEP_RESOLVE},
                                         {"nearest", (double)s->nearest, 0, 3e38},
+                                        {"rotation", (double)s->rotation, -1e30, 1e30},
+                                        {"jitter", (double)s->jitter, 0, 1},
+                                        {"fade", (double)s->fade, 0, 1},
                                         {"origin[0]", (double)s->origin[0], 0, 65536},
                                         {"origin[1]", (double)s->origin[1], 0, 65536},
                                         {"profile_count", (double)s->profile_count, 0, MS_SSS_SHADER_PROFILES_MAX},
@@ -4943,6 +4013,14 @@ static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, ms_er
     return MS_OK;
 }
 
+MS_API ms_sss_shader ms_sss_shader_defaults(void)
+{
+    ms_sss_shader s;
+    memset(&s, 0, sizeof s);
+    s.tap_count = 7;
+    return s;
+}
+
 MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
 {
     if (ms_sss__check_shader(shader, NULL) != MS_OK) return 0;
@@ -4953,177 +4031,15 @@ MS_API int ms_sss_shader_constant_count(const ms_sss_shader *shader)
         ms_sss__shader_terms(shader) * ms_sss__shader_profiles(shader) * ms_sss__shader_stride(shader);
 }
 
-static MS_SSS__COLD ms_status ms_sss__check_job(const ms_sss_shader *s, const ms_sss_filter_options *o, ms_error *error)
+MS_API int ms_sss_shader_levels(int width, int height)
 {
-    ms_status status = ms_sss__check_shader(s, error);
-    if (status != MS_OK) return status;
-    if (!o) return MS_SSS__REFUSE(error, "options is NULL");
-    if ((status = ms_sss__check_options(o, error)) != MS_OK) return status;
-    if (ms_sss__is_pyramid_step(s) &&
-        (ms_sss__differ(s->rotation, 0) || s->jitter > 0 ||
-         (o->pixels_per_mm[1] > 0 && ms_sss__differ(o->pixels_per_mm[0], o->pixels_per_mm[1]))))
-        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round, without rotation or jitter");
-    if (o->fov_degrees > 0 && !s->with_depth)
-        return MS_SSS__REFUSE(error, "fov_degrees %g needs with_depth", (double)o->fov_degrees);
-    return MS_OK;
-}
-
-/* Whether a shader has slopes, as in ms_sss_filter. */
-static int ms_sss__shader_slopes(const ms_sss_shader *s, const ms_sss_filter_options *o)
-{
-    return s->with_depth && o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE;
-}
-
-static int ms_sss__column_of(ms_sss_language language)
-{
-    return language == MS_SSS_WGSL ? MS_SSS__IN_WGSL : language == MS_SSS_HLSL ? 2 : 1;
-}
-
-static MS_SSS__COLD void ms_sss__emit_shader(ms_sss__text *text, const ms_sss_shader *s, const ms_sss_filter_options *o)
-{
-    enum { NAMES = 12 };
-    static const char *const name[NAMES] = {"color",  "depth",   "strength", "input",          "profile", "sum",
-                                            "normal", "surface", "coarse",   "coarse_surface", "weight",  "half"};
-    const int pyramid = ms_sss__is_pyramid_step(s), base = s->step == MS_SSS_STEP_BASE;
-    const int resolve = s->step == MS_SSS_STEP_RESOLVE, gathers = resolve || s->step == MS_SSS_STEP_GATHER;
-    const int up = s->step == MS_SSS_STEP_UP, down = s->step == MS_SSS_STEP_DOWN, second = s->step == MS_SSS_STEP_Y;
-    const int pass = second || s->step == MS_SSS_STEP_X, halved = pass && s->half_resolution;
-    const int raw = pyramid ? base : !pass || (!second && !halved);
-    const int color = raw || resolve || (second && !halved), turned = ms_sss__differ(s->rotation, 0) || s->jitter > 0;
-    const int tilted = ms_sss__shader_slopes(s, o), slopes = tilted && (pass || base), own = !s->fetch;
-    const int depth = s->with_depth && raw, strength = s->with_strength && color, profile = s->profile_count && raw;
-    const int normal = s->with_normal && slopes && !s->half_resolution;
-    const int used[NAMES] = {own && color,   own && depth,  own && strength, !raw,
-                             own && profile, up || gathers, own && normal,   pyramid && !base,
-                             gathers,        gathers,       gathers,         up || (second && halved)};
-    const ms_sss__feature features[] = {
-        {"GL", s->language == MS_SSS_GLSL_330},
-        {"ES", s->language == MS_SSS_GLSL_ES_300},
-        {"VULKAN", s->language == MS_SSS_GLSL_VULKAN},
-        {"GLSL", s->language <= MS_SSS_GLSL_VULKAN},
-        {"HLSL", s->language == MS_SSS_HLSL},
-        {"WGSL", s->language == MS_SSS_WGSL},
-        {"COUNT", ms_sss_shader_constant_count(s)},
-        {"HEAD", pyramid ? MS_SSS__LEVEL_HEAD : MS_SSS__PICTURE_HEAD},
-        {"STRIDE", ms_sss__shader_stride(s)},
-        {"PROFILES", ms_sss__shader_profiles(s)},
-        {"TERMS", ms_sss__shader_terms(s)},
-        {"TAPS", s->tap_count},
-        {"SIZES", MS_SSS_PYRAMID_SIZES},
-        {"SIDE", halved ? 2 : 1},
-        {"CORNERS", turned ? 4 : 2},
-        {"READS_COLOR", color},
-        {"READS_DEPTH", depth},
-        {"READS_STRENGTH", strength},
-        {"READS_PROFILE", profile},
-        {"READS_NORMAL", normal},
-        {"DEPTH", s->with_depth},
-        {"STRENGTH", s->with_strength},
-        {"PROFILE", s->profile_count},
-        {"PACKED", s->profile_count && !pyramid},
-        {"RAW", raw},
-        {"PERSPECTIVE", o->fov_degrees > 0},
-        {"TURNED", turned},
-        {"TILTED", tilted},
-        {"SLOPES", slopes},
-        {"SHAPE", pyramid ? s->with_depth && o->depth_mode == MS_SSS_DEPTH_AWARE : slopes},
-        {"PASS", pass},
-        {"SECOND", second},
-        {"HALVED", halved},
-        {"DOWN", down},
-        {"UP", up},
-        {"PYRAMID", pyramid},
-        {"LEVEL", pyramid && !base},
-        {"BASE", base},
-        {"SHRINK", s->step == MS_SSS_STEP_SHRINK},
-        {"GATHERS", gathers},
-        {"GATHER", gathers && !resolve},
-        {"RESOLVE", resolve},
-        {"TWO", pyramid && !resolve},
-        {NULL, 0}};
-    int i;
-    text->column = ms_sss__column_of(s->language);
-    text->feature = features;
-    ms_sss__emit_lines(text, ms_sss__head_text);
-    for (i = 0; i < NAMES; ++i) {
-        text->texture = name[i];
-        text->binding = i + 1;
-        if (used[i]) ms_sss__emit_lines(text, ms_sss__texture_text);
+    int levels = 1;
+    while (levels < MS_SSS_PYRAMID_LEVELS && (width > 2 || height > 2)) {
+        width = (width + 1) / 2;
+        height = (height + 1) / 2;
+        ++levels;
     }
-    if (own) ms_sss__emit_lines(text, ms_sss__fetch_text);
-    else ms_sss__emit_string(text, s->fetch);
-    ms_sss__emit_lines(text, ms_sss__source_text);
-    ms_sss__emit_lines(text, pyramid ? ms_sss__pyramid_text : ms_sss__pass_text);
-    ms_sss__emit_lines(text, ms_sss__main_text);
-}
-
-/* Whether to emit a text again, into the caller's memory, after it was measured. */
-static int ms_sss__emit_again(ms_sss__text *text, char *out, size_t capacity)
-{
-    if (text->out) text->out[text->length] = 0;
-    if (text->out || !out || capacity <= text->length) return 0;
-    text->out = out;
-    text->length = 0;
-    return 1;
-}
-
-MS_API ms_sss_shader ms_sss_shader_defaults(void)
-{
-    ms_sss_shader s;
-    memset(&s, 0, sizeof s);
-    s.tap_count = 7;
-    s.with_depth = 1;
-    return s;
-}
-
-MS_SSS__COLD MS_API size_t ms_sss_shader_text(const ms_sss_shader *shader, const ms_sss_filter_options *options,
-                                              char *text, size_t capacity, ms_error *error)
-{
-    ms_sss__text t;
-    memset(&t, 0, sizeof t);
-    if (ms_sss__check_job(shader, options, error) != MS_OK) return 0;
-    do ms_sss__emit_shader(&t, shader, options);
-    while (ms_sss__emit_again(&t, text, capacity));
-    return t.length;
-}
-
-MS_SSS__COLD MS_API size_t ms_sss_transmission_text(ms_sss_language language, char *text, size_t capacity)
-{
-    static const ms_sss__feature none = {NULL, 0};
-    ms_sss__text t;
-    memset(&t, 0, sizeof t);
-    if ((int)language < 0 || (int)language > (int)MS_SSS_WGSL) return 0;
-    t.column = ms_sss__column_of(language);
-    t.feature = &none;
-    do ms_sss__emit_lines(&t, ms_sss__transmission_lines);
-    while (ms_sss__emit_again(&t, text, capacity));
-    return t.length;
-}
-
-MS_SSS__COLD MS_API ms_status ms_sss_kernel_upload(const ms_sss_kernel *kernel, int term, int binary16, void *out,
-                                                   ms_error *error)
-{
-    ms_status status;
-    int i, c;
-    if (!kernel) return MS_SSS__REFUSE(error, "kernel is NULL");
-    if ((status = ms_sss__check_kernel(kernel, 0, error)) != MS_OK) return status;
-    if (term < 0 || term >= kernel->term_count)
-        return MS_SSS__REFUSE(error, "term %d is not within the kernel's %d", term, kernel->term_count);
-    for (i = 1; i < kernel->tap_count; i += 2) {
-        int same = !ms_sss__differ(kernel->offset_mm[i], -kernel->offset_mm[i + 1]);
-        for (c = 0; c < 3; ++c)
-            if (ms_sss__differ(kernel->weight[term][i][c], kernel->weight[term][i + 1][c])) same = 0;
-        if (!same)
-            return ms__fail(error, MS_UNSUPPORTED, 0, "taps %d and %d differ: half a kernel cannot hold both", i,
-                            i + 1);
-    }
-    for (i = 0; out && i < kernel->tap_count; i += 2)
-        for (c = 0; c < 4; ++c) {
-            const float value = c < 3 ? kernel->weight[term][i][c] : kernel->offset_mm[i];
-            if (binary16) ((uint16_t *)out)[2 * i + c] = ms__half_from_float(value);
-            else ((float *)out)[2 * i + c] = value;
-        }
-    return MS_OK;
+    return levels;
 }
 
 /* Refuses a kernel that shows stairs at shader->nearest: so many pairs of taps keep bands within MS_SSS_BANDS_SEEN up
@@ -5147,23 +4063,13 @@ static MS_SSS__COLD ms_status ms_sss__check_stairs(const ms_sss_kernel *k, const
                     k->tap_count, 2 * pairs + 1);
 }
 
-MS_API int ms_sss_shader_levels(int width, int height)
-{
-    int levels = 1;
-    while (levels < MS_SSS_PYRAMID_LEVELS && (width > 2 || height > 2)) {
-        width = (width + 1) / 2;
-        height = (height + 1) / 2;
-        ++levels;
-    }
-    return levels;
-}
-
 static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_sss_filter_options *options, int width,
                                                         int height, const ms_sss_shader *shader, float (*out)[4],
                                                         ms_error *error)
 {
     const int levels = ms_sss_shader_levels(width, height), level = shader->level;
     const ms_sss_pyramid *pyramid = shader->pyramids;
+    const float *a = options->pixels_per_mm;
     ms_sss_kernel kernel;
     ms_sss_filter_options round = *options;
     const ms_sss__view view = ms_sss__make_view(options, width, height);
@@ -5171,6 +4077,8 @@ static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_ss
     ms_sss__pyramid_params g;
     float unit;
     int i, c;
+    if (ms_sss__differ(shader->rotation, 0) || shader->jitter > 0 || (a[1] > 0 && ms_sss__differ(a[0], a[1])))
+        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round, without rotation or jitter");
     if (!pyramid) return MS_SSS__REFUSE(error, "shader->pyramids is NULL");
     if (profile < 0 || profile >= ms_sss__shader_profiles(shader))
         return MS_SSS__REFUSE(error, "profile %d is not within the shader's %d", profile,
@@ -5180,16 +4088,18 @@ static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_ss
     pyramid += profile;
     ms_sss__pyramid_kernel(pyramid, &kernel);
     round.flat = 1;
-    ms_sss__set_kernel(&pass, &view, &kernel, &round, shader->with_depth);
+    ms_sss__set_kernel(&pass, &view, &kernel, &round, 1);
     round.flat = options->flat;
     round.exact = 0;
-    ms_sss__pyramid_set_params(&g, &pass, pyramid, &round, shader->with_depth);
+    ms_sss__pyramid_set_params(&g, &pass, pyramid, &round, 1);
     ms_sss__pyramid_tap_sums(&g, level);
     unit = g.perspective ? 1 : pass.depth_scale; /* depth as it is given */
     {
         const float head[MS_SSS__LEVEL_HEAD][4] = {
             {(float)width, (float)height, 1.0f - shader->fade, (float)profile},
-            {g.perspective ? g.radius_px / pass.depth_scale : g.radius_px, g.radius_px_most, g.step / unit, g.tangent},
+            {g.perspective ? g.radius_px / pass.depth_scale : g.radius_px, g.radius_px_most,
+             g.depth_aware ? g.step / unit : 1e30f,
+             g.tangent}, /* 1e30: nothing is deep, where depth only scales the kernel */
             {shader->step == MS_SSS_STEP_SHRINK ? g.merge_reach : g.reach, g.slope_scale, (float)(1 << (level + 1)),
              MS_SSS__GATHER(0, level)},
             {g.elevation_4[0], g.elevation_4[1], g.elevation_4[2], g.norm},
@@ -5210,17 +4120,41 @@ static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_ss
     return MS_OK;
 }
 
+/* The constants of a kernel's term: total and radius, scale and depth scale, delta and split, elevation and mixed, root
+   and reach, the center and one tap of each pair. A kernel without that term adds nothing. */
+static MS_SSS__COLD void ms_sss__kernel_constants(const ms_sss_kernel *k, int wanted, ms_sss__pass *p, float (*at)[4])
+{
+    const int has = wanted < k->term_count, term = has ? wanted : 0;
+    int i, c;
+    ms_sss__totals(k, term, p->total, p->mixed);
+    for (c = 0; c < 3; ++c) {
+        at[0][c] = p->total[c];
+        at[1][c] = has ? k->scale[term][c] : 0;
+        at[2][c] = has ? k->delta[c] : 0;
+        at[3][c] = p->elevation_4[c];
+        at[4][c] = p->root_r[c];
+        for (i = 0; i < k->tap_count; i += 2) at[MS_SSS__PROFILE_HEAD + i / 2][c] = k->weight[term][i][c];
+    }
+    at[0][3] = k->radius_mm;
+    at[1][3] = p->depth_scale;
+    at[2][3] = p->average_dz * p->average_dz;
+    at[3][3] = (float)(p->mixed[0] + 2 * p->mixed[1] + 4 * p->mixed[2]);
+    at[4][3] = p->edge_dz2;
+    for (i = 0; i < k->tap_count; i += 2) at[MS_SSS__PROFILE_HEAD + i / 2][3] = k->offset_mm[i];
+}
+
 MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int index,
                                                       const ms_sss_filter_options *options, int width, int height,
                                                       const ms_sss_shader *shader, float (*out)[4], ms_error *error)
 {
-    const int up = shader && shader->step == MS_SSS_STEP_UP;
     ms_sss__view view;
     ms_sss__pass pass;
     ms_status status;
-    int count, terms = 0, i, c;
+    int count, terms = 0, i;
     double focal;
-    if ((status = ms_sss__check_job(shader, options, error)) != MS_OK) return status;
+    if ((status = ms_sss__check_shader(shader, error)) != MS_OK) return status;
+    if (!options) return MS_SSS__REFUSE(error, "options is NULL");
+    if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
     if ((status = ms_sss__check_sides(width, height, error)) != MS_OK) return status;
     if (!out) return MS_SSS__REFUSE(error, "out is NULL");
     if (ms_sss__is_pyramid_step(shader))
@@ -5228,12 +4162,11 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
     if (!kernels) return MS_SSS__REFUSE(error, "kernels is NULL");
     count = ms_sss__shader_profiles(shader);
     for (i = 0; i < count; ++i) { /* all are checked before anything is written */
+        if ((status = ms_sss__check_kernel(&kernels[i], i, error)) != MS_OK) return status;
         if (kernels[i].tap_count > shader->tap_count)
             return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
                             "kernel %d has %d taps, more than the shader's tap_count %d", i, kernels[i].tap_count,
                             shader->tap_count);
-        for (c = 0; c == 0 || c < kernels[i].term_count; ++c)
-            if ((status = ms_sss_kernel_upload(&kernels[i], c, 0, NULL, error)) != MS_OK) return status;
         if ((status = ms_sss__check_stairs(&kernels[i], options, width, height, shader, error)) != MS_OK) return status;
         if (kernels[i].term_count > terms) terms = kernels[i].term_count;
     }
@@ -5242,6 +4175,12 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
     memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
     view = ms_sss__make_view(options, width, height);
     focal = view.pixels_per_mm * view.mm_per_unit;
+    for (i = 0; i < count * ms_sss__shader_terms(shader); ++i) {
+        const ms_sss_kernel *k = &kernels[i % count];
+        const int term = shader->step == MS_SSS_STEP_UP ? i / count : index;
+        ms_sss__set_kernel(&pass, &view, k, options, 1);
+        ms_sss__kernel_constants(k, term, &pass, out + MS_SSS__PICTURE_HEAD + i * ms_sss__shader_stride(shader));
+    }
     {
         const float head[MS_SSS__PICTURE_HEAD][4] = {
             {(float)width, (float)height, (float)view.pixels_per_mm, 1.0f - shader->fade},
@@ -5249,28 +4188,6 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
             {index == 0 ? 1.0f : 0.0f, (float)focal, (float)(focal * (double)view.aspect[1]), 1.0f - options->flat},
             {view.middle[0], view.middle[1], (float)shader->origin[0], (float)shader->origin[1]}};
         memcpy(out, head, sizeof head);
-    }
-    for (i = 0; i < count * ms_sss__shader_terms(shader); ++i) {
-        const ms_sss_kernel *k = &kernels[i % count];
-        const int wanted = up ? i / count : index, term = wanted < k->term_count ? wanted : 0;
-        const float on = wanted < k->term_count ? 1.0f : 0.0f; /* else it adds nothing */
-        float(*at)[4] = out + MS_SSS__PICTURE_HEAD + i * ms_sss__shader_stride(shader);
-        const ms_sss__pass *p = &pass;
-        ms_sss__set_kernel(&pass, &view, k, options, shader->with_depth);
-        ms_sss__totals(k, term, pass.total, pass.mixed);
-        for (c = 0; c < 3; ++c) {
-            at[0][c] = p->total[c];
-            at[1][c] = on * k->scale[term][c];
-            at[2][c] = on * k->delta[c];
-            at[3][c] = p->elevation_4[c];
-            at[4][c] = p->root_r[c];
-        }
-        at[0][3] = k->radius_mm;
-        at[1][3] = p->depth_scale;
-        at[2][3] = p->average_dz * p->average_dz;
-        at[3][3] = (float)(p->mixed[0] + 2 * p->mixed[1] + 4 * p->mixed[2]);
-        at[4][3] = p->edge_dz2;
-        ms_sss_kernel_upload(k, term, 0, at + MS_SSS__PROFILE_HEAD, NULL);
     }
     return MS_OK;
 }

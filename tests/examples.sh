@@ -40,7 +40,7 @@ is() { # NAME, value, expected
     fi
 }
 
-tools="mcml profile sss_kernel sss_filter postprocess lightmap recommend latent nn_info nn_run nn_quantize preview match materialx workflow train own_shader demo_sss demo_match"
+tools="mcml profile sss_kernel sss_filter postprocess lightmap recommend latent nn_info nn_run nn_quantize preview match materialx workflow train own_shader sss_wgsl demo_sss demo_match"
 for tool in $tools; do
     [ -x build/$tool ] || { failed=$((failed + 1)); echo "FAIL build/$tool is not there: make first"; continue; }
     # help where it can be piped, and nothing else; a mistake: one line of usage behind what was wrong, and 2
@@ -355,7 +355,7 @@ if [ -c /dev/full ]; then
     printed lightmap build/lightmap "$out/e.pfm" "$out/lightmap.png" --texels-per-mm 4
     printed nn_info build/nn_info $net
     printed nn_run build/nn_run $net "$out/two.csv"
-    printed nn_quantize build/nn_quantize $net "$out/q.safetensors" --type bf16
+    printed nn_quantize build/nn_quantize $net "$out/q.safetensors" --type i8
     printed preview build/preview $net "$out/two.csv" "$out/sheet.ppm"
     printed match build/match $net "$out/t.ppm" --cost 5
 fi

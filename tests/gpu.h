@@ -8,7 +8,7 @@
 enum { GPU_GLSL_330, GPU_GLSL_ES_300, GPU_VULKAN, GPU_HLSL, GPU_WGSL }; /* languages, as the headers number them */
 #define GPU_LOG "build/" GPU_FILE "_log.txt"
 
-static char text[40000];
+static char text[100000];
 
 static int gpu_can_translate(void)
 {

@@ -171,10 +171,18 @@ test_jobs() {
 # replay_jobs FLAGS: every fuzz target over its corpus, linked with the archive that has no prefix
 replay_jobs() {
     some=""
+    # sizes of 32 bits, as in WebAssembly: products of a file's sizes wrap there
+    if compiles $CC -m32; then
+        narrow="$CC $posix $paths -std=c99 -m32 -msse2 -mfpmath=sse -O1 $1"
+        job replay_32bit "$narrow tests/fuzz/fuzz_safetensors.c tests/fuzz/replay.c -o $out/fuzz_32bit -lm && $out/fuzz_32bit tests/fuzz/corpus_safetensors 2000"
+        job test_nn_32bit "$narrow tests/test_nn.c -o $out/test_nn_32bit -lm -lpthread && $out/test_nn_32bit sizes"
+    else
+        job replay_32bit "echo '$CC cannot build for 32 bits here'; exit 77"
+    fi
     for f in tests/fuzz/fuzz_*.c; do
         n=$(basename "$f" .c)
         since $(used "$f") || continue
-        job "replay_$n" "$CC $posix $paths -std=c99 $1$(linked "$f") $f tests/fuzz/replay.c $out/objects/ms.a -o $out/$n -lm && $out/$n tests/fuzz/corpus_${n#fuzz_}" &&
+        job "replay_$n" "$CC $posix $paths -std=c99 $1$(linked "$f") $f tests/fuzz/replay.c $out/objects/ms.a -o $out/$n -lm && $out/$n tests/fuzz/corpus_${n#fuzz_} 2000" &&
             some="$some $(needed "$f")"
     done
     [ -z "$some" ] || objects "" "$CC" "-std=c99 $1" $some

@@ -15,6 +15,7 @@
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 
+#include "nn_shader.h"
 #include "test.h"
 #include <limits.h>
 #include <stddef.h>
@@ -35,13 +36,9 @@ static void net_fill(unsigned char *to, ms_nn_dtype type, size_t n, uint64_t *st
         const float f = (float)v;
         const uint16_t half = test_half_of(f);
         uint32_t bits;
-        uint64_t wide;
         memcpy(&bits, &f, 4);
-        memcpy(&wide, &v, 8);
-        for (k = 0; type == MS_NN_F64 && k < 8; ++k) to[8 * i + k] = (unsigned char)(wide >> (8 * k));
         for (k = 0; type == MS_NN_F32 && k < 4; ++k) to[4 * i + k] = (unsigned char)(bits >> (8 * k));
         for (k = 0; type == MS_NN_F16 && k < 2; ++k) to[2 * i + k] = (unsigned char)(half >> (8 * k));
-        for (k = 0; type == MS_NN_BF16 && k < 2; ++k) to[2 * i + k] = (unsigned char)(bits >> (8 * k + 16));
         if (type == MS_NN_I8) to[i] = (unsigned char)(signed char)(v * 200);
     }
 }
@@ -83,10 +80,9 @@ static ms_nn *net_of(int kind, ms_nn_dtype type, unsigned char **file)
             t[n].bytes = shape[0] *
                 (i > 0 ? 4
                        : shape[1] * shape[2] *
-                         (type == MS_NN_F64       ? 8u
-                              : type == MS_NN_F32 ? 4u
-                              : type == MS_NN_I8  ? 1u
-                                                  : 2u));
+                         (type == MS_NN_F32      ? 4u
+                              : type == MS_NN_I8 ? 1u
+                                                 : 2u));
             net_fill(data[n], t[n].dtype, i > 0 ? shape[0] : shape[0] * shape[1] * shape[2], &state);
         }
     CHECK_INT(ms_nn_file_write(t, n, entries, 3, NULL, 0, &size, &error), MS_OK);
@@ -126,13 +122,13 @@ static uint64_t net_call(const ms_nn *nn, const ms_nn_collapse *c, int call, int
 
 static void memory_nn(void)
 {
-    static const ms_nn_dtype types[] = {MS_NN_F64, MS_NN_F32, MS_NN_F16, MS_NN_BF16, MS_NN_I8};
+    static const ms_nn_dtype types[] = {MS_NN_F32, MS_NN_F16, MS_NN_I8};
     static float x[300 * 18];
     uint64_t state = test_seed;
     int kind, type, i, call, fill;
     for (i = 0; i < 300 * 18; ++i) x[i] = (float)(test_uniform(&state) - 0.5);
     for (kind = 0; kind < NETS; ++kind)
-        for (type = 0; type < 5; ++type) {
+        for (type = 0; type < 3; ++type) {
             unsigned char *file;
             ms_nn *nn = net_of(kind, types[type], &file);
             ms_nn_collapse *c = NULL;
@@ -271,52 +267,44 @@ static void memory_sss(void)
 static void memory_texts(void)
 {
     int language, step;
-    for (language = 0; language <= (int)MS_SSS_WGSL; ++language)
-        for (step = 0; step <= (int)MS_SSS_STEP_RESOLVE; ++step) {
-            ms_sss_filter_options o = ms_sss_filter_defaults();
-            ms_sss_shader s = ms_sss_shader_defaults();
-            ms_error error;
-            size_t size;
-            unsigned char *text;
-            o.pixels_per_mm[0] = 4;
-            s.language = (ms_sss_language)language;
-            s.step = (ms_sss_step)step;
-            s.half_resolution = step == MS_SSS_STEP_DOWN || step == MS_SSS_STEP_UP;
-            size = ms_sss_shader_text(&s, &o, NULL, 0, &error);
-            if (size == 0) {
-                TEST_FAIL("language %d, step %d: %s", language, step, error.message);
-                continue;
-            }
-            text = test_guarded(size + 1, 0, 0xCD);
-            CHECK(ms_sss_shader_text(&s, &o, (char *)text, size, &error) == size && text[0] == 0xCD);
-            CHECK(ms_sss_shader_text(&s, &o, (char *)text, size + 1, &error) == size && text[size] == 0);
-            CHECK_INT(strlen((const char *)text), size);
-            CHECK(test_unguard(text, size + 1, 0));
-        }
+    for (step = 0; step <= (int)MS_SSS_STEP_RESOLVE; ++step) {
+        ms_sss_filter_options o = ms_sss_filter_defaults();
+        ms_sss_shader s = ms_sss_shader_defaults();
+        unsigned char *out;
+        size_t size;
+        o.pixels_per_mm[0] = 4;
+        s.pyramids = sss_pyramid();
+        s.step = (ms_sss_step)step;
+        s.tap_count = 11;
+        size = (size_t)ms_sss_shader_constant_count(&s) * 4 * sizeof(float);
+        out = test_guarded(size, 0, 0xCD);
+        CHECK_INT(ms_sss_shader_constants(sss_kernel(1), 0, &o, 640, 480, &s, (float(*)[4])(void *)out, NULL), MS_OK);
+        CHECK(test_unguard(out, size, 0));
+    }
     {
         unsigned char *file;
         ms_nn *nn = net_of(NET_DENSE, MS_NN_F32, &file);
-        ms_nn_shader s;
-        ms_nn_shader_sizes sizes;
+        nn_shader s;
+        nn_shader_sizes sizes;
         size_t size, rows;
         unsigned char *text, *out;
         float x[15] = {0.1f};
         memset(&s, 0, sizeof s);
-        CHECK_INT(ms_nn_shader_layout(nn, &s, &sizes, NULL), MS_OK);
-        size = ms_nn_shader_text(nn, &s, NULL, 0, NULL);
+        CHECK_INT(nn_shader_layout(nn, &s, &sizes, NULL), MS_OK);
+        size = nn_shader_text(nn, &s, NULL, 0, NULL);
         text = test_guarded(size + 1, 0, 0xCD);
-        CHECK(ms_nn_shader_text(nn, &s, (char *)text, size, NULL) == size && text[0] == 0xCD);
-        CHECK(ms_nn_shader_text(nn, &s, (char *)text, size + 1, NULL) == size && text[size] == 0);
+        CHECK(nn_shader_text(nn, &s, (char *)text, size, NULL) == size && text[0] == 0xCD);
+        CHECK(nn_shader_text(nn, &s, (char *)text, size + 1, NULL) == size && text[size] == 0);
         CHECK(test_unguard(text, size + 1, 0));
         for (language = 2; language <= 4; language += 2) { /* bytes of an element */
-            rows = (size_t)sizes.weight_rows * MS_NN_SHADER_WIDTH * 4 * (size_t)language;
+            rows = (size_t)sizes.weight_rows * NN_SHADER_WIDTH * 4 * (size_t)language;
             out = test_guarded(rows, 0, 0xCD);
-            CHECK_INT(ms_nn_shader_weights(nn, language == 2 ? MS_NN_F16 : MS_NN_F32, out, NULL), MS_OK);
+            CHECK_INT(nn_shader_weights(nn, language == 2 ? MS_NN_F16 : MS_NN_F32, out, NULL), MS_OK);
             CHECK(test_unguard(out, rows, 0));
         }
         rows = 3 * (size_t)sizes.rows * (size_t)sizes.input_width * 4 * sizeof(float);
         out = test_guarded(rows, 0, 0xCD);
-        CHECK_INT(ms_nn_shader_inputs(nn, 3, x, (float *)(void *)out), MS_OK);
+        CHECK_INT(nn_shader_inputs(nn, 3, x, (float *)(void *)out), MS_OK);
         CHECK(test_unguard(out, rows, 0));
         ms_nn_destroy(nn);
         free(file);
@@ -539,7 +527,7 @@ static runs run_match(const void *options)
     ms_pme_match_result result;
     ms_error error;
     float target[12];
-    double x[2] = {0.3, 0.6}, out[14];
+    double x[2] = {0.3, 0.6}, out[6];
     int i;
     ms_status status;
     picture(NULL, x, target);
@@ -551,7 +539,6 @@ static runs run_match(const void *options)
     status = ms_pme_match(&renderer, target, NULL, (const ms_pme_match_options *)options, x, NULL, &result, &error);
     out[0] = x[0], out[1] = x[1], out[2] = result.rmse, out[3] = result.cost, out[4] = result.refine.cost;
     out[5] = (double)result.refine.stop;
-    for (i = 0; i < 4; ++i) out[6 + i] = result.gain[i], out[10 + i] = result.offset[i];
     return ended(status, &error, out, sizeof out);
 }
 
@@ -718,18 +705,21 @@ static runs run_filter(const void *options)
 
 static runs run_shader(const void *shader)
 {
-    static char text[60004];
+    static float out[600][4];
+    static ms_sss_kernel kernel[MS_SSS_SHADER_PROFILES_MAX];
     const ms_sss_shader *s = (const ms_sss_shader *)shader;
-    const int constants = ms_sss_shader_constant_count(s);
     ms_sss_filter_options o = ms_sss_filter_defaults();
     ms_error error;
-    size_t size;
+    ms_status status;
+    int i;
     o.pixels_per_mm[0] = 4;
-    memset(text, 0, sizeof text);
+    for (i = 0; i < MS_SSS_SHADER_PROFILES_MAX; ++i) kernel[i] = *sss_kernel(1);
+    memset(out, 0, sizeof out);
     error.status = MS_OK;
-    size = ms_sss_shader_text(s, &o, text, 60000, &error);
-    memcpy(text + 60000, &constants, 4);
-    return ended(size ? MS_OK : error.status, &error, text, sizeof text);
+    if (ms_sss_shader_constant_count(s) > 600) return ended(MS_UNSUPPORTED, &error, out, sizeof out);
+    status = ms_sss_shader_constants(kernel, 0, &o, 640, 480, s, out, &error);
+    CHECK((ms_sss_shader_constant_count(s) > 0) == (status == MS_OK));
+    return ended(status, &error, out, sizeof out);
 }
 
 /* --- ms_nn.h --- */
@@ -743,7 +733,7 @@ static runs run_nn_shader(const void *shader)
     size_t size;
     memset(text, 0, sizeof text);
     error.status = MS_OK;
-    size = ms_nn_shader_text(nn, (const ms_nn_shader *)shader, text, sizeof text, &error);
+    size = nn_shader_text(nn, (const nn_shader *)shader, text, sizeof text, &error);
     ms_nn_destroy(nn);
     free(file);
     return ended(size ? MS_OK : error.status, &error, text, sizeof text);
@@ -766,11 +756,10 @@ typedef union options_of {
     radius_of radius;
     ms_sss_filter_options filter;
     ms_sss_shader shader;
-    ms_nn_shader nn_shader;
+    nn_shader nn_shader;
     char bytes[512];
 } options_of;
 
-static void set_tint(options_of *o) { o->match.nuisance = MS_PME_TINT; }
 static void set_fast(options_of *o) { o->mcml.photons = 20000; }
 static void set_gaussians(options_of *o) { o->kernel.model = MS_SSS_GAUSSIANS; }
 static void set_residual(options_of *o) { o->kernel.model = MS_SSS_RESIDUAL; }
@@ -793,7 +782,7 @@ static const struct {
     {run_pme, NULL, FIELD(ms_pme_options, max_cost, 'd'), 1000, 12},
     {run_pme, NULL, FIELD(ms_pme_options, tolerance, 'd'), 1e-10, 1e-2},
     {run_match, NULL, FIELD(ms_pme_match_options, refine.max_cost, 'd'), 50, 9},
-    {run_match, set_tint, FIELD(ms_pme_match_options, channels, 'i'), 1, 2},
+    {run_match, NULL, FIELD(ms_pme_match_options, refine.difference_step, 'd'), 1e-3, 0.05},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, evaluations, 'i'), 200, 3},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, tau, 'd'), 0.6, 0.4},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, avoid_distance, 'd'), 0.15, 0.3},
@@ -809,7 +798,7 @@ static const struct {
     {run_filter, set_texture, FIELD(ms_sss_filter_options, pixels_per_mm[1], 'f'), 2, 3},
     {run_filter, set_camera, FIELD(ms_sss_filter_options, mm_per_unit, 'f'), 1, 1.5},
     {run_shader, set_up, FIELD(ms_sss_shader, term_count, 'i'), 1, 2},
-    {run_nn_shader, NULL, FIELD(ms_nn_shader, steps, 'i'), 2, 1},
+    {run_nn_shader, NULL, FIELD(nn_shader, steps, 'i'), 2, 1},
 };
 
 static void zero_is_the_default(void)
@@ -844,11 +833,7 @@ static const struct {
 } limits[] = {
     {run_pme, NULL, FIELD(ms_pme_options, max_cost, 'd'), -1, 0, 1e9, NONE},
     {run_pme, NULL, FIELD(ms_pme_options, tolerance, 'd'), -1e-9, 0, 1e-3, HUGE_VAL},
-    {run_pme, NULL, FIELD(ms_pme_options, method, 'i'), -1, 0, 1, 2},
     {run_pme, NULL, FIELD(ms_pme_options, restarts, 'i'), -1, 0, 3, NONE},
-    {run_match, set_tint, FIELD(ms_pme_match_options, channels, 'i'), -1, 0, MS_PME_CHANNELS_MAX, 6},
-    {run_match, NULL, FIELD(ms_pme_match_options, channels, 'i'), 5, 0, 3, 7},
-    {run_match, NULL, FIELD(ms_pme_match_options, nuisance, 'i'), -1, 0, 7, 8},
     {run_match, NULL, FIELD(ms_pme_match_options, random_count, 'i'), -1, 0, 5, NONE},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, evaluations, 'i'), -1, 0, 5, NONE},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, method, 'i'), -1, 0, 1, 2},
@@ -878,12 +863,12 @@ static const struct {
     {run_filter, NULL, FIELD(ms_sss_filter_options, fov_degrees, 'f'), -1, 20, 120, 180},
     {run_filter, set_texture, FIELD(ms_sss_filter_options, exact, 'i'), -1, 0, 1, 2},
     {run_filter, set_texture, FIELD(ms_sss_filter_options, depth_mode, 'i'), -1, 0, 1, 2},
-    {run_shader, set_taps, FIELD(ms_sss_shader, tap_count, 'i'), 0, 1, 257, 259},
+    {run_shader, set_taps, FIELD(ms_sss_shader, tap_count, 'i'), 6, 7, 257, 259},
     {run_shader, set_taps, FIELD(ms_sss_shader, profile_count, 'i'), -1, 0, 16, 17},
-    {run_shader, set_taps, FIELD(ms_sss_shader, language, 'i'), -1, 0, 4, 5},
-    {run_nn_shader, NULL, FIELD(ms_nn_shader, step, 'i'), -1, 0, 1, 2},
-    {run_nn_shader, NULL, FIELD(ms_nn_shader, steps, 'i'), -1, 0, 2, 3},
-    {run_nn_shader, NULL, FIELD(ms_nn_shader, language, 'i'), -1, 0, 4, 5},
+    {run_shader, set_taps, FIELD(ms_sss_shader, jitter, 'f'), -0.1, 0, 1, 1.1},
+    {run_nn_shader, NULL, FIELD(nn_shader, step, 'i'), -1, 0, 1, 2},
+    {run_nn_shader, NULL, FIELD(nn_shader, steps, 'i'), -1, 0, 2, 3},
+    {run_nn_shader, NULL, FIELD(nn_shader, language, 'i'), -1, 0, 4, 5},
 };
 
 static void limits_are_those_stated(void)

@@ -134,12 +134,12 @@ same = nn.Conv2d(2, 2, 3, padding=1)
 MODULES = [ # module, shape, words of the refusal
     (nn.Linear(5, 4), V, None), (nn.Linear(5, 4, bias=False), V, None), (nn.Linear(12, 4), Q, ("'0'", "Linear", "flatten")), (Named(5, 4), V, None),
     (Scaled(5, 4), V, ("Scaled", "linear")), (nn.Bilinear(5, 5, 3), V, ("Bilinear",)), (nn.Identity(), V, ("no layers",)),
-    (nn.Conv1d(2, 4, 3, stride=2, dilation=2, padding=1, groups=2), Q, None), (nn.Conv1d(2, 3, 4, padding="same"), Q, None),
-    (nn.Conv2d(2, 4, (3, 2), stride=(2, 1), dilation=(1, 2), padding=(1, 0), groups=2), P, None),
-    (nn.Conv2d(2, 4, 3, padding="same", dilation=2), P, None),
+    (nn.Conv1d(2, 4, 3, stride=2, padding=1), Q, None), (nn.Conv1d(2, 4, 3, groups=2), Q, ("Conv1d", "groups")), (nn.Conv1d(2, 3, 4, padding="same"), Q, None),
+    (nn.Conv2d(2, 4, (3, 2), stride=(2, 1), padding=(1, 0)), P, None),
+    (nn.Conv2d(2, 4, 3, padding="same"), P, None), (nn.Conv2d(2, 4, 3, dilation=2), P, ("Conv2d", "dilates")),
     (nn.Conv2d(2, 4, 3, padding=1, padding_mode="reflect"), P, ("'0'", "Conv2d", "reflect")), (nn.Conv3d(2, 4, 3), (2, 4, 4, 4), ("Conv3d",)),
-    (Wrong(2, 4, 3), P, ("differ",)), (nn.ConvTranspose1d(2, 4, 3, stride=2, padding=1, output_padding=1, groups=2), Q, None),
-    (nn.ConvTranspose2d(2, 4, (3, 4), stride=(2, 3), padding=(1, 0), output_padding=(1, 0)), P, None),
+    (Wrong(2, 4, 3), P, ("differ",)), (nn.ConvTranspose1d(2, 4, 3, stride=2), Q, ("ConvTranspose1d",)),
+    (nn.ConvTranspose2d(2, 4, 3), P, ("ConvTranspose2d",)),
     (nn.ConvTranspose3d(2, 4, 3), (2, 4, 4, 4), ("ConvTranspose3d",)), (nn.MaxPool1d(3, 2), Q, None), (nn.MaxPool2d((2, 3), stride=(2, 1)), P, None),
     (nn.MaxPool2d(3, padding=1), P, ("MaxPool2d", "pads")), (nn.MaxPool2d(3, ceil_mode=True), P, ("rounds up",)),
     (nn.MaxPool2d(2, dilation=2), P, ("dilates",)), (nn.MaxPool2d(2, return_indices=True), P, ("MaxPool2d",)), (nn.AvgPool1d(3), Q, None),
@@ -148,10 +148,10 @@ MODULES = [ # module, shape, words of the refusal
     (nn.FractionalMaxPool2d(2, output_size=2), P, ("FractionalMaxPool2d",)), (nn.AdaptiveAvgPool1d(1), Q, None),
     (nn.AdaptiveAvgPool2d((4, 2)), P, None), (nn.AdaptiveAvgPool2d((3, 2)), P, ("AdaptiveAvgPool2d", "divide")),
     (nn.AdaptiveMaxPool2d((2, 3)), P, None), (nn.AdaptiveMaxPool1d(5), Q, ("AdaptiveMaxPool1d",)), (nn.Upsample(scale_factor=2), Q, None),
-    (nn.Upsample(size=(16, 18)), P, None), (nn.Upsample(scale_factor=(2, 3), mode="bilinear"), P, None),
-    (nn.Upsample(scale_factor=2, mode="linear", align_corners=True), Q, None),
+    (nn.Upsample(size=(16, 18)), P, None), (nn.Upsample(scale_factor=(2, 3), mode="bilinear"), P, ("Upsample", "bilinear")),
+    (nn.Upsample(scale_factor=2, mode="linear", align_corners=True), Q, ("Upsample", "linear")),
     (nn.Upsample(scale_factor=2, mode="bicubic"), P, ("Upsample", "bicubic")), (nn.Upsample(scale_factor=1.5), P, ("Upsample", "whole")),
-    (nn.UpsamplingNearest2d(scale_factor=2), P, None), (nn.UpsamplingBilinear2d(scale_factor=3), P, None), (nn.BatchNorm1d(5), V, None),
+    (nn.UpsamplingNearest2d(scale_factor=2), P, None), (nn.UpsamplingBilinear2d(scale_factor=3), P, ("UpsamplingBilinear2d", "bilinear")), (nn.BatchNorm1d(5), V, None),
     (nn.BatchNorm1d(2), Q, None), (nn.BatchNorm2d(2, affine=False), P, None),
     (nn.BatchNorm2d(2, track_running_stats=False), P, ("BatchNorm2d", "running")), (nn.BatchNorm3d(2), (2, 4, 4, 4), ("BatchNorm3d",)),
     (nn.InstanceNorm2d(2), P, ("InstanceNorm2d",)), (nn.GroupNorm(1, 2), P, ("GroupNorm",)), (nn.LayerNorm(5), V, ("LayerNorm",)),
@@ -185,7 +185,7 @@ FUNCTIONS = [ # forward(x), shape, words of the refusal
     ("F.max_pool2d(padding)", lambda s, x: F.max_pool2d(x, 3, 2, 1), P, ("pads",)), ("F.avg_pool2d", lambda s, x: F.avg_pool2d(x, (2, 3)), P, None),
     ("F.avg_pool1d", lambda s, x: F.avg_pool1d(x, 4), Q, None), ("F.adaptive_avg_pool2d", lambda s, x: F.adaptive_avg_pool2d(x, 1), P, None),
     ("F.interpolate", lambda s, x: F.interpolate(x, scale_factor=2), P, None),
-    ("F.interpolate(linear)", lambda s, x: F.interpolate(x, size=24, mode="linear", align_corners=False), Q, None),
+    ("F.interpolate(linear)", lambda s, x: F.interpolate(x, size=24, mode="linear", align_corners=False), Q, ("linear",)),
     ("F.interpolate(1.5)", lambda s, x: F.interpolate(x, scale_factor=1.5), P, ("whole",)),
     ("F.interpolate(antialias)", lambda s, x: F.interpolate(x, scale_factor=2, mode="bilinear", antialias=True), P, ("arguments",)),
     ("torch.flatten", lambda s, x: torch.flatten(x, 1), P, None), ("x.view", lambda s, x: x.view(x.size(0), -1), P, None),
@@ -204,9 +204,7 @@ FUNCTIONS = [ # forward(x), shape, words of the refusal
     ("torch.matmul", lambda s, x: torch.matmul(x, torch.ones(5, 5)), V, ("double precision",)),
     ("x.clamp", lambda s, x: x.clamp(0, 1), V, ("clamp",)), ("x[:, 1:]", lambda s, x: x[:, 1:], V, ("getitem",)),
     ("torch.exp", lambda s, x: torch.exp(x), V, ("exp",)), ("x.detach().numpy()", lambda s, x: torch.from_numpy(x.detach().numpy()), V, ("trace",)),
-    ("torch.cat([x, x])", lambda s, x: torch.cat([x, x], 1), P, None),
-    ("torch.cat of vectors", lambda s, x: torch.cat((x, x.relu(), x), -1), V, None),
-    ("torch.cat of rows", lambda s, x: torch.cat([x, x], 2), P, ("dimension 2",)),
+    ("torch.cat([x, x])", lambda s, x: torch.cat([x, x], 1), P, ("cat",)),
 ]
 for name, function, shape, words in FUNCTIONS: check(name, Net(function), shape, words)
 
@@ -224,11 +222,10 @@ NETWORKS = [
     ("BatchNorm behind Identity", nn.Sequential(nn.Identity(), nn.BatchNorm2d(2), nn.Conv2d(2, 3, 3), nn.Identity(), nn.BatchNorm2d(3)), P, None),
     ("F.relu by keyword", Net(lambda s, x: F.relu(input=x)), V, None),
     ("BatchNorm behind an activation", nn.Sequential(nn.Conv2d(2, 3, 3), nn.ReLU(), nn.BatchNorm2d(3), nn.Flatten(), nn.Linear(3 * 6 * 4, 5), nn.Sigmoid(), nn.BatchNorm1d(5)), P, None),
-    ("BatchNorm behind a transposed convolution", nn.Sequential(nn.ConvTranspose2d(2, 4, 3, stride=2, groups=2, bias=False), nn.BatchNorm2d(4), nn.GELU()), P, None),
+    ("BatchNorm behind a convolution without bias", nn.Sequential(nn.Conv2d(2, 4, 3, stride=2, bias=False), nn.BatchNorm2d(4), nn.GELU()), P, None),
     ("BatchNorm whose input is read again", Net(lambda s, x: (lambda y: s.b(y) + y)(s.a(x)), a=c2, b=nn.BatchNorm2d(4)), P, None),
     ("residual blocks", Net(lambda s, x: (lambda y: torch.relu(s.c(torch.relu(s.b(s.a(y)))) + y))(F.relu(s.f(x))), f=c2, a=nn.Conv2d(4, 4, 3, padding=1), b=nn.BatchNorm2d(4), c=nn.Conv2d(4, 4, 1)), P, None),
-    ("skips as in a U-net", Net(lambda s, x: (lambda y: s.c(torch.cat([F.interpolate(s.b(F.max_pool2d(y, 2)), scale_factor=2), y, x], 1)))(F.elu(s.a(x))), a=c2, b=nn.Conv2d(4, 3, 3, padding=1), c=nn.Conv2d(9, 2, 1)), P, None),
-    ("torch.cat with the last output in the middle", Net(lambda s, x: (lambda y: s.c(torch.cat([x, y, s.a(y), y, x], dim=1)))(s.b(x)), a=nn.Conv2d(4, 4, 1), b=c2, c=nn.Conv2d(16, 2, 1)), P, None),
+    ("a skip around pooling and upsampling", Net(lambda s, x: (lambda y: s.c(F.interpolate(s.b(F.max_pool2d(y, 2)), scale_factor=2) + y))(F.elu(s.a(x))), a=c2, b=nn.Conv2d(4, 4, 3, padding=1), c=nn.Conv2d(4, 2, 1)), P, None),
     ("a projected shortcut", Net(lambda s, x: s.a(x) + s.b(x), a=c2, b=nn.Conv2d(2, 4, 1)), P, ("'b'", "Conv2d", "only additions")),
     ("an input that is read late", Net(lambda s, x: s.a(x) * 0 + s.b(x), a=shared, b=nn.Linear(5, 5)), V, ("'the network'",)),
     ("activations in place, read again", Net(lambda s, x: (lambda y: s.r(y) + y)(s.a(x)), a=shared, r=nn.ReLU(inplace=True)), V, ("'r'", "in place")),
@@ -251,7 +248,7 @@ global_hook("hooks on all modules")
 
 renderer = nn.Sequential(nn.Conv1d(1, 8, 3, padding=1), nn.ELU(), nn.Upsample(scale_factor=2), nn.Conv1d(8, 6, 4, padding="same"), nn.ELU(0.5),
                          nn.Upsample(scale_factor=2), nn.Flatten(), nn.Dropout(0.5), nn.Linear(6 * 76, 30), nn.Tanh(), nn.Linear(30, 48, bias=False))
-inversion = nn.Sequential(nn.Conv2d(3, 8, (5, 3), padding=(2, 1)), nn.ReLU(), nn.MaxPool2d(2), nn.Conv2d(8, 5, 3, stride=2), nn.LeakyReLU(0.2), nn.ConvTranspose2d(5, 5, 3, padding=1),
+inversion = nn.Sequential(nn.Conv2d(3, 8, (5, 3), padding=(2, 1)), nn.ReLU(), nn.MaxPool2d(2), nn.Conv2d(8, 5, 3, stride=2), nn.LeakyReLU(0.2), nn.Conv2d(5, 5, 3, padding=1),
                           nn.MaxPool2d(3, stride=1), nn.Softplus(), nn.Upsample(scale_factor=(2, 3)), nn.Flatten(), nn.Linear(5 * 4 * 12, 19), nn.Sigmoid())
 for name, net, shape in (("renderer", renderer, (1, 19)), ("inversion", inversion, (3, 21, 26))):
     # half a unit in the last of 11 bits of each weight, or of 7; a few layers

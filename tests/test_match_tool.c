@@ -219,7 +219,7 @@ static void test_sequences_and_views(void)
     CHECK(answer(FOLDER "a.ppm --cost 400 --view " NET " " FOLDER "a.ppm", x) > 0);
     CHECK(fabs(strtod(strstr(said, "match: RMSE ") + 12, NULL)) > 0);
     for (i = 0; i < N; ++i) CHECK_NEAR(x[i], alone[i], 1e-3);
-    for (i = 0; i < 3 * S * S; ++i) im.pixels[i] = 1 - im.pixels[i];
+    for (i = 0; i < 3 * S * S; ++i) im.pixels[i] *= 0.2f; /* a dark one */
     image_write(FOLDER "other.ppm", &im);
     answer(FOLDER "a.ppm --cost 400 --view " NET " " FOLDER "other.ppm", x);
     for (i = k = 0; i < N; ++i) k += fabs(x[i] - alone[i]) > 0.01;
@@ -335,7 +335,7 @@ static void test_verdict(void)
                    {"BM12", "BMP", 4},
                    {"GIF89a", "GIF", 6},
                    {"\x76\x2f\x31\x01", "OpenEXR", 4}};
-    image sheet, clean, mask;
+    image sheet, clean, mask, other;
     uint64_t state = 5;
     size_t k;
     int i, code;
@@ -360,6 +360,19 @@ static void test_verdict(void)
     image_write(FOLDER "half.png", &clean);
     code = run(FOLDER "half.png --inversion examples/data");
     TEST_NOTE("half a negative: exit %d", code);
+    for (k = 0; k <= 10; ++k) { /* one color: whatever is drawn, the color alone is nearer */
+        for (i = 0; i < 3 * 64 * 64; ++i) clean.pixels[i] = 0.1f * (float)k;
+        image_write(FOLDER "flat.png", &clean);
+        CHECK_INT(run(FOLDER "flat.png --inversion examples/data"), 3);
+        CHECK(strstr(said, "one color is as near") != NULL || strstr(said, "nothing like this picture") != NULL);
+    }
+    CHECK(edit_tile(&sheet, 20, 64, &other) == NULL); /* a budget without a step */
+    image_write(FOLDER "clean.png", &other);
+    image_free(&other);
+    CHECK_INT(run(FOLDER "clean.png --inversion examples/data --cost 1"), 0);
+    CHECK(strstr(said, "this is the first guess: cost spent before the first step") != NULL);
+    CHECK_INT(run(FOLDER "clean.png --inversion examples/data --cost 20"), 0);
+    CHECK(strstr(said, "this is the first guess") == NULL && strstr(said, "% of what varies") != NULL);
     for (i = 0; i < 3 * 64 * 64; ++i) clean.pixels[i] = (float)(test_uniform(&state) < 0.5);
     image_write(FOLDER "noise.png", &clean);
     CHECK_INT(run(FOLDER "noise.png --inversion examples/data --out-params " CSV), 3);

@@ -237,7 +237,6 @@ static ms_status matching(const ms_allocator *allocator)
     ms_pme_function function;
     double x[2], valley[2] = {-1.2, 1};
     ms_status status;
-    int method;
     renderer.parameter_count = 2;
     renderer.image_size = 3;
     renderer.render = render;
@@ -248,10 +247,7 @@ static ms_status matching(const ms_allocator *allocator)
     function.residuals = residuals;
     options.max_cost = 20;
     status = ms_pme_match(&renderer, target, NULL, &how, x, NULL, NULL, NULL);
-    for (method = 0; method <= (int)MS_PME_NELDER_MEAD; ++method) {
-        options.method = method;
-        STEP(ms_pme_minimize(&function, &options, valley, NULL, NULL));
-    }
+    STEP(ms_pme_minimize(&function, &options, valley, NULL, NULL));
     return status;
 }
 

@@ -8,33 +8,14 @@
 
 /* --- the reference: layers as plain loops in double --- */
 
-enum {
-    DENSE,
-    CONV1D,
-    CONV2D,
-    UP1D,
-    UP2D,
-    POOL1D,
-    POOL2D,
-    FLATTEN,
-    ACTIVATION,
-    ADD,
-    DROPOUT,
-    TURN1D,
-    TURN2D,
-    MEAN1D,
-    MEAN2D,
-    GLOBAL,
-    CONCAT
-};
+enum { DENSE, CONV1D, CONV2D, UP1D, UP2D, POOL1D, POOL2D, FLATTEN, ACTIVATION, ADD, DROPOUT, MEAN1D, MEAN2D, GLOBAL };
 
 typedef struct ref_layer {
     int kind, act, same, last; /* last: channels_last flatten */
     int out, kernel[2], stride[2], factor[2];
     double alpha;
-    int from;                                    /* ADD, CONCAT: value index, 0 is the input */
-    int groups, dilation[2], zeros[2], extra[2]; /* of convolutions */
-    int smooth, corners, before;                 /* UP: linear, corners aligned; CONCAT: the other one first */
+    int from;     /* ADD: value index, 0 is the input */
+    int zeros[2]; /* of convolutions */
     int dims[3], in[3];
     double *w, *b; /* as stored, after rounding to the file's type */
 } ref_layer;
@@ -103,43 +84,23 @@ static void ref_linear(const ref_layer *l, const double *x, double *y, const dou
         }
         return;
     }
-    if (l->kind == TURN1D || l->kind == TURN2D) { /* each input spreads its kernel over the outputs */
-        int own = l->out / l->groups;
-        for (i = 0; y && i < l->out * oh * ow; ++i) y[i] = l->b[i / (oh * ow)];
-        for (k = 0; k < n; ++k)
-            for (c = 0; c < own; ++c)
-                for (i = 0; i < h * w; ++i)
-                    for (u = 0; u < l->kernel[0]; ++u)
-                        for (v = 0; v < l->kernel[1]; ++v) {
-                            int yy = i / w * l->stride[0] + u * l->dilation[0] - l->zeros[0],
-                                xx = i % w * l->stride[1] + v * l->dilation[1] - l->zeros[1];
-                            int to = ((k / (n / l->groups) * own + c) * oh + yy) * ow + xx;
-                            double f = l->w[((k * own + c) * l->kernel[0] + u) * l->kernel[1] + v];
-                            if (yy < 0 || yy >= oh || xx < 0 || xx >= ow) continue;
-                            if (y) y[to] += f * x[k * h * w + i];
-                            else g_x[k * h * w + i] += f * g_y[to];
-                        }
-        return;
-    }
     for (c = 0; c < l->dims[0]; ++c)
         for (i = 0; i < oh; ++i)
             for (j = 0; j < ow; ++j) {
                 int at = (c * oh + i) * ow + j, best = -1;
                 double sum = 0;
                 if (l->kind == CONV1D || l->kind == CONV2D) {
-                    int py = l->same ? (l->kernel[0] - 1) * l->dilation[0] / 2 : l->zeros[0],
-                        px = l->same ? (l->kernel[1] - 1) * l->dilation[1] / 2 : l->zeros[1];
-                    int own = n / l->groups, first = c / (l->out / l->groups) * own;
+                    int py = l->same ? (l->kernel[0] - 1) / 2 : l->zeros[0],
+                        px = l->same ? (l->kernel[1] - 1) / 2 : l->zeros[1];
                     sum = l->b[c];
-                    for (k = 0; k < own; ++k)
+                    for (k = 0; k < n; ++k)
                         for (u = 0; u < l->kernel[0]; ++u)
                             for (v = 0; v < l->kernel[1]; ++v) {
-                                int yy = i * l->stride[0] + u * l->dilation[0] - py,
-                                    xx = j * l->stride[1] + v * l->dilation[1] - px;
-                                double f = l->w[((c * own + k) * l->kernel[0] + u) * l->kernel[1] + v];
+                                int yy = i * l->stride[0] + u - py, xx = j * l->stride[1] + v - px;
+                                double f = l->w[((c * n + k) * l->kernel[0] + u) * l->kernel[1] + v];
                                 if (yy < 0 || yy >= h || xx < 0 || xx >= w) continue;
-                                if (y) sum += f * x[((first + k) * h + yy) * w + xx];
-                                else g_x[((first + k) * h + yy) * w + xx] += f * g_y[at];
+                                if (y) sum += f * x[(k * h + yy) * w + xx];
+                                else g_x[(k * h + yy) * w + xx] += f * g_y[at];
                             }
                     if (y) y[at] = sum;
                     continue;
@@ -151,21 +112,6 @@ static void ref_linear(const ref_layer *l, const double *x, double *y, const dou
                             int q = (c * h + i * l->stride[0] + u) * w + j * l->stride[1] + v;
                             if (y) sum += share * x[q];
                             else g_x[q] += share * g_y[at];
-                        }
-                    if (y) y[at] = sum;
-                    continue;
-                }
-                if (l->smooth) { /* tents around the inputs' places; beyond the first and the last their value goes on
-                                  */
-                    for (u = 0; u < h; ++u)
-                        for (v = 0; v < w; ++v) {
-                            double py = l->corners ? (oh > 1 ? i * (h - 1.0) / (oh - 1.0) : 0)
-                                                   : fmin(fmax((i + 0.5) * h / oh - 0.5, 0), h - 1.0);
-                            double px = l->corners ? (ow > 1 ? j * (w - 1.0) / (ow - 1.0) : 0)
-                                                   : fmin(fmax((j + 0.5) * w / ow - 0.5, 0), w - 1.0);
-                            double f = fmax(0, 1 - fabs(py - u)) * fmax(0, 1 - fabs(px - v));
-                            if (y) sum += f * x[(c * h + u) * w + v];
-                            else g_x[(c * h + u) * w + v] += f * g_y[at];
                         }
                     if (y) y[at] = sum;
                     continue;
@@ -197,12 +143,6 @@ static void ref_forward(const ref_net *net, const double *x, ref_run *r)
             int c, p, pixels = l->in[1] * l->in[2];
             for (c = 0; c < l->in[0]; ++c)
                 for (p = 0; p < pixels; ++p) pre[l->last ? p * l->in[0] + c : c * pixels + p] = in[c * pixels + p];
-        } else if (l->kind == CONCAT) {
-            int own = count_of(l->in);
-            for (i = 0; i < n; ++i) {
-                int at = l->before ? i - (n - own) : i;
-                pre[i] = at >= 0 && at < own ? in[at] : r->value[l->from][l->before ? i : i - own];
-            }
         } else if (l->kind == ACTIVATION || l->kind == DROPOUT || l->kind == ADD) {
             for (i = 0; i < n; ++i) pre[i] = in[i] + (l->kind == ADD ? r->value[l->from][i] : 0);
         } else {
@@ -228,13 +168,6 @@ static void ref_backward(const ref_net *net, const ref_run *r, const double *g_y
             int c, p, pixels = l->in[1] * l->in[2];
             for (c = 0; c < l->in[0]; ++c)
                 for (p = 0; p < pixels; ++p) g[k][c * pixels + p] += gy[l->last ? p * l->in[0] + c : c * pixels + p];
-        } else if (l->kind == CONCAT) {
-            int own = count_of(l->in);
-            for (i = 0; i < m; ++i) {
-                int at = l->before ? i - (m - own) : i;
-                if (at >= 0 && at < own) g[k][at] += gy[i];
-                else g[l->from][l->before ? i : i - own] += gy[i];
-            }
         } else if (l->kind == ACTIVATION || l->kind == DROPOUT || l->kind == ADD) {
             for (i = 0; i < m; ++i) g[k][i] += gy[i];
             for (i = 0; l->kind == ADD && i < m; ++i) g[l->from][i] += gy[i];
@@ -273,11 +206,9 @@ static void net_write(ref_net *n, const ms_nn_tensor *t, int tensors, const ms_n
 /* x as a number of the type; its bits at out. Rounding is the test's own: to nearest, ties to even. */
 static double store(ms_nn_dtype dtype, double x, unsigned char *out, double scale)
 {
-    int i, bytes = dtype == MS_NN_F64 ? 8 : dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2;
+    int i, bytes = dtype == MS_NN_F32 ? 4 : dtype == MS_NN_I8 ? 1 : 2;
     uint64_t bits = 0;
-    if (dtype == MS_NN_F64) {
-        memcpy(&bits, &x, 8);
-    } else if (dtype == MS_NN_I8) {
+    if (dtype == MS_NN_I8) {
         int q = (int)rint(x / scale);
         bits = (uint64_t)(uint8_t)(q < -127 ? -127 : q > 127 ? 127 : q);
         x = (double)(int8_t)bits * scale;
@@ -291,14 +222,8 @@ static double store(ms_nn_dtype dtype, double x, unsigned char *out, double scal
             unit = ldexp(1, e - 11 < -24 ? -24 : e - 11);
             f = (float)(rint(x / unit) * unit);
         }
-        if (dtype == MS_NN_BF16) {
-            int e;
-            frexp(x, &e);
-            f = (float)(rint(ldexp(x, 8 - e)) * ldexp(1, e - 8));
-        }
         memcpy(&u, &f, 4);
         bits = u;
-        if (dtype == MS_NN_BF16) bits = u >> 16;
         if (dtype == MS_NN_F16) {
             double a = fabs((double)f);
             int e;
@@ -322,8 +247,7 @@ static ref_layer *net_layer(ref_net *n, int kind)
     memcpy(l->dims, l->in, sizeof l->dims);
     l->kind = kind;
     l->alpha = 1;
-    l->stride[0] = l->stride[1] = l->kernel[0] = l->kernel[1] = l->factor[0] = l->factor[1] = l->groups =
-        l->dilation[0] = l->dilation[1] = 1;
+    l->stride[0] = l->stride[1] = l->kernel[0] = l->kernel[1] = l->factor[0] = l->factor[1] = 1;
     n->layers++;
     return l;
 }
@@ -367,25 +291,18 @@ static void net_conv(ref_net *n, int kind, int filters, int kh, int kw, int sh, 
     if (act == 2) l->alpha = 0.125;
 }
 
-/* Of height 1 where kh is 0. */
-static void net_wide(ref_net *n, int turned, int filters, int kh, int kw, int stride, int dilation, int groups,
-                     int zeros, int extra, int act)
+/* With zeros around; of height 1 where kh is 0. */
+static void net_zeros(ref_net *n, int filters, int kh, int kw, int stride, int zeros, int act)
 {
-    ref_layer *l = net_layer(n, kh ? (turned ? TURN2D : CONV2D) : (turned ? TURN1D : CONV1D));
+    ref_layer *l = net_layer(n, kh ? CONV2D : CONV1D);
     int d;
     l->out = l->dims[0] = filters;
-    l->groups = groups;
     l->act = act;
     for (d = kh ? 0 : 1; d < 2; ++d) {
-        int reach;
         l->kernel[d] = d ? kw : kh;
         l->stride[d] = d ? stride : 1 + stride / 2;
-        l->dilation[d] = dilation;
         l->zeros[d] = d ? zeros : zeros / 2;
-        l->extra[d] = d ? extra : 0;
-        reach = (l->kernel[d] - 1) * dilation + 1;
-        l->dims[d + 1] = turned ? (l->in[d + 1] - 1) * l->stride[d] + reach + l->extra[d] - 2 * l->zeros[d]
-                                : (l->in[d + 1] + 2 * l->zeros[d] - reach) / l->stride[d] + 1;
+        l->dims[d + 1] = (l->in[d + 1] + 2 * l->zeros[d] - l->kernel[d]) / l->stride[d] + 1;
     }
 }
 
@@ -398,14 +315,6 @@ static void net_mean(ref_net *n, int kind, int kh, int kw, int sh, int sw)
     l->stride[1] = sw;
     l->dims[1] = kind == GLOBAL ? 1 : (l->in[1] - kh) / sh + 1;
     l->dims[2] = kind == GLOBAL ? 1 : (l->in[2] - kw) / sw + 1;
-}
-
-static void net_concat(ref_net *n, int from, int before)
-{
-    ref_layer *l = net_layer(n, CONCAT);
-    l->from = from;
-    l->before = before;
-    l->dims[0] += from ? n->layer[from - 1].dims[0] : n->input[0];
 }
 
 static void net_up(ref_net *n, int kind, int fh, int fw)
@@ -439,10 +348,9 @@ static void net_flatten(ref_net *n, int last)
 /* Writes the file with random weights of variance 1 / fan-in. */
 static void net_end(ref_net *n, uint64_t *state)
 {
-    static const char *const kinds[] = {
-        "dense",     "conv1d",     "conv2d", "upsample1d", "upsample2d",       "maxpool1d",        "maxpool2d",
-        "flatten",   "activation", "add",    "dropout",    "conv1d_transpose", "conv2d_transpose", "avgpool1d",
-        "avgpool2d", "globalpool", "concat"};
+    static const char *const kinds[] = {"dense",     "conv1d",    "conv2d",    "upsample1d", "upsample2d",
+                                        "maxpool1d", "maxpool2d", "flatten",   "activation", "add",
+                                        "dropout",   "avgpool1d", "avgpool2d", "globalpool"};
     static const char *const acts[] = {"linear",  "relu",     "leaky_relu", "elu", "tanh",
                                        "sigmoid", "softplus", "silu",       "gelu"};
     char layers[6000] = "[", input[60], names[72][32];
@@ -454,14 +362,9 @@ static void net_end(ref_net *n, uint64_t *state)
     if (n->shared) snprintf(layers, sizeof layers, "[{\"type\":\"shared_channels\",\"inputs\":%s},", n->shared);
     for (k = 0; k < n->layers; ++k) {
         ref_layer *l = &n->layer[k];
-        int turned = l->kind == TURN1D || l->kind == TURN2D, conv = turned || l->kind == CONV1D || l->kind == CONV2D,
-            two = l->kind == CONV2D || l->kind == TURN2D;
-        int rows = turned ? l->in[0] : l->out; /* of the weights */
+        int conv = l->kind == CONV1D || l->kind == CONV2D, two = l->kind == CONV2D, rows = l->out;
         size_t at = strlen(layers),
-               fan = (size_t)(l->kind == DENSE
-                                  ? count_of(l->in)
-                                  : (turned ? l->out : l->in[0]) / l->groups * l->kernel[0] * l->kernel[1]),
-               j;
+               fan = (size_t)(l->kind == DENSE ? count_of(l->in) : l->in[0] * l->kernel[0] * l->kernel[1]), j;
         at += (size_t)snprintf(layers + at, sizeof layers - at, "%s{\"type\":\"%s\",\"name\":\"l%d\"", k ? "," : "",
                                kinds[l->kind], k);
         if (l->kind == DENSE) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"units\":%d", l->out);
@@ -472,31 +375,18 @@ static void net_end(ref_net *n, uint64_t *state)
         if (conv && !two)
             at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"filters\":%d,\"kernel\":%d,\"stride\":%d",
                                    l->out, l->kernel[1], l->stride[1]);
-        if (conv && l->groups > 1) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"groups\":%d", l->groups);
-        if (conv && l->dilation[1] > 1)
-            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"dilation\":%d", l->dilation[1]);
         if (conv && l->zeros[1] && two)
             at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"zeros\":[%d,%d]", l->zeros[0], l->zeros[1]);
         if (conv && l->zeros[1] && !two)
             at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"zeros\":%d", l->zeros[1]);
-        if (turned && l->extra[1] && two)
-            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"extra\":[%d,%d]", l->extra[0], l->extra[1]);
-        if (turned && l->extra[1] && !two)
-            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"extra\":%d", l->extra[1]);
-        if (conv && !turned && (l->same || !l->zeros[1]))
+        if (conv && (l->same || !l->zeros[1]))
             at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"padding\":\"%s\"", l->same ? "same" : "valid");
-        if (l->smooth)
-            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"mode\":\"linear\",\"align_corners\":%s",
-                                   l->corners ? "true" : "false");
         if (l->kind == MEAN1D)
             at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"size\":%d,\"stride\":%d", l->kernel[1],
                                    l->stride[1]);
         if (l->kind == MEAN2D)
             at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"size\":[%d,%d],\"stride\":[%d,%d]",
                                    l->kernel[0], l->kernel[1], l->stride[0], l->stride[1]);
-        if (l->kind == CONCAT)
-            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"order\":\"%s\"",
-                                   l->before ? "before" : "after");
         if (l->kind == UP1D) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"factor\":%d", l->factor[1]);
         if (l->kind == UP2D)
             at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"factor\":[%d,%d]", l->factor[0], l->factor[1]);
@@ -510,10 +400,9 @@ static void net_end(ref_net *n, uint64_t *state)
             at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"order\":\"%s\"",
                                    l->last ? "channels_last" : "channels_first");
         if (l->kind == DROPOUT) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"rate\":0.5");
-        if ((l->kind == ADD || l->kind == CONCAT) && l->from)
+        if (l->kind == ADD && l->from)
             at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"from\":\"l%d\"", l->from - 1);
-        if ((l->kind == ADD || l->kind == CONCAT) && !l->from)
-            at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"from\":\"input\"");
+        if (l->kind == ADD && !l->from) at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"from\":\"input\"");
         if (l->kind == DENSE || conv || l->kind == ACTIVATION || l->kind == ADD)
             at += (size_t)snprintf(layers + at, sizeof layers - at, ",\"activation\":\"%s\",\"alpha\":%.6f",
                                    acts[l->act], l->alpha);
@@ -521,23 +410,18 @@ static void net_end(ref_net *n, uint64_t *state)
         if (l->kind == DENSE || conv) {
             size_t count = (size_t)rows * fan;
             double limit = sqrt(3.0 / (double)fan);
-            int width = n->dtype == MS_NN_F64 ? 8 : n->dtype == MS_NN_F32 ? 4 : n->dtype == MS_NN_I8 ? 1 : 2;
-            unsigned char *w = (unsigned char *)malloc(count * 8), *b = (unsigned char *)malloc((size_t)l->out * 8),
+            int width = n->dtype == MS_NN_F32 ? 4 : n->dtype == MS_NN_I8 ? 1 : 2;
+            unsigned char *w = (unsigned char *)malloc(count * 4), *b = (unsigned char *)malloc((size_t)l->out * 4),
                           *s = (unsigned char *)malloc((size_t)rows * 4);
             l->w = (double *)malloc(count * sizeof(double));
             l->b = (double *)malloc((size_t)l->out * sizeof(double));
             for (i = 0; i < rows; ++i) {
                 double scale = store(MS_NN_F32, limit / 127 * (0.5 + test_uniform(state)), s + 4 * i, 1);
-                if (i < l->out)
-                    l->b[i] = store(n->dtype == MS_NN_F64 ? MS_NN_F64 : MS_NN_F32, 0.2 * test_uniform(state) - 0.1,
-                                    b + (n->dtype == MS_NN_F64 ? 8 : 4) * i, 1);
+                l->b[i] = store(MS_NN_F32, 0.2 * test_uniform(state) - 0.1, b + 4 * i, 1);
                 for (j = 0; j < fan; ++j)
                     l->w[(size_t)i * fan + j] = store(n->dtype, limit * (2 * test_uniform(state) - 1),
                                                       w + (size_t)width * ((size_t)i * fan + j), scale);
             }
-            for (i = rows; i < l->out; ++i)
-                l->b[i] = store(n->dtype == MS_NN_F64 ? MS_NN_F64 : MS_NN_F32, 0.2 * test_uniform(state) - 0.1,
-                                b + (n->dtype == MS_NN_F64 ? 8 : 4) * i, 1);
             for (i = 0; i < 3; ++i) {
                 if (i == 2 && n->dtype != MS_NN_I8) {
                     free(s);
@@ -547,18 +431,16 @@ static void net_end(ref_net *n, uint64_t *state)
                          i == 0       ? "weight"
                              : i == 1 ? "bias"
                                       : "weight_scale");
-                shapes[tensors][0] = (size_t)(i == 1 ? l->out : rows);
-                shapes[tensors][1] = (size_t)(l->kind == DENSE ? count_of(l->in)
-                                                               : (turned ? l->out : l->in[0]) / l->groups);
+                shapes[tensors][0] = (size_t)rows;
+                shapes[tensors][1] = (size_t)(l->kind == DENSE ? count_of(l->in) : l->in[0]);
                 shapes[tensors][2] = (size_t)(two ? l->kernel[0] : l->kernel[1]);
                 shapes[tensors][3] = (size_t)l->kernel[1];
                 t[tensors].name = names[tensors];
-                t[tensors].dtype = i == 0 ? n->dtype : i == 1 && n->dtype == MS_NN_F64 ? MS_NN_F64 : MS_NN_F32;
+                t[tensors].dtype = i == 0 ? n->dtype : MS_NN_F32;
                 t[tensors].rank = i ? 1 : l->kind == DENSE ? 2 : two ? 4 : 3;
                 t[tensors].shape = shapes[tensors];
                 t[tensors].data = hold[tensors] = i == 0 ? w : i == 1 ? b : s;
-                t[tensors].bytes = i == 0 ? count * (size_t)width
-                                          : shapes[tensors][0] * (t[tensors].dtype == MS_NN_F64 ? 8 : 4);
+                t[tensors].bytes = i == 0 ? count * (size_t)width : shapes[tensors][0] * 4;
                 ++tensors;
             }
         }
@@ -598,7 +480,7 @@ static ms_nn *net_load(const ref_net *n, ms_simd simd)
 }
 
 /* The networks of the tests, each with another trait. */
-enum { NETS = 22 };
+enum { NETS = 21 };
 static const char *net_make(ref_net *n, int which, ms_nn_dtype dtype, uint64_t *state)
 {
     const char *name = "";
@@ -657,7 +539,7 @@ static const char *net_make(ref_net *n, int which, ms_nn_dtype dtype, uint64_t *
         net_dense(n, 150, 0);
         break;
     case 8:
-        name = "folds: factor 3, kernel 4, valid";
+        name = "upsampling: factor 3, kernel 4, valid";
         net_begin(n, dtype, 2, 3, 1, 11);
         net_up(n, UP1D, 1, 3);
         net_conv(n, CONV1D, 6, 1, 4, 1, 1, 0, 4);
@@ -720,7 +602,7 @@ static const char *net_make(ref_net *n, int which, ms_nn_dtype dtype, uint64_t *
         net_flatten(n, 1);
         break;
     case 15:
-        name = "conv2d in pairs of rows";
+        name = "conv2d of many channels";
         net_begin(n, dtype, 3, 16, 13, 53);
         net_conv(n, CONV2D, 20, 3, 3, 1, 1, 1, 3);
         net_conv(n, CONV2D, 9, 3, 5, 1, 2, 0, 4);
@@ -728,55 +610,37 @@ static const char *net_make(ref_net *n, int which, ms_nn_dtype dtype, uint64_t *
         net_conv(n, CONV2D, 3, 3, 3, 1, 1, 1, 1);
         break;
     case 17:
-        name = "groups, dilation, zeros";
+        name = "zeros around, strides";
         net_begin(n, dtype, 3, 6, 17, 23);
-        net_wide(n, 0, 12, 3, 3, 1, 2, 3, 3, 0, 7);
-        net_wide(n, 0, 12, 3, 5, 2, 1, 12, 4, 0, 8);
-        net_wide(n, 0, 5, 1, 1, 1, 1, 1, 0, 0, 0);
+        net_zeros(n, 12, 3, 3, 1, 3, 7);
+        net_zeros(n, 12, 3, 5, 3, 4, 8);
+        net_zeros(n, 5, 1, 1, 1, 0, 0);
         break;
     case 18:
-        name = "transposed";
-        net_begin(n, dtype, 3, 6, 5, 7);
-        net_wide(n, 1, 4, 3, 3, 2, 1, 2, 2, 1, 3);
-        net_wide(n, 1, 9, 2, 4, 3, 2, 1, 0, 0, 7);
-        net_wide(n, 1, 9, 3, 3, 1, 1, 9, 5, 0, 0);
-        break;
-    case 19:
-        name = "a U with skips";
+        name = "means and a skip";
         net_begin(n, dtype, 3, 3, 12, 17);
         net_conv(n, CONV2D, 9, 3, 3, 1, 1, 1, 8);
         net_mean(n, MEAN2D, 2, 3, 2, 2);
-        net_conv(n, CONV2D, 10, 3, 3, 1, 1, 1, 7);
+        net_conv(n, CONV2D, 9, 3, 3, 1, 1, 1, 7);
         net_up(n, UP2D, 2, 1);
-        n->layer[3].smooth = 1;
         net_mean(n, MEAN2D, 1, 2, 1, 1);
-        net_up(n, UP2D, 1, 3);
-        n->layer[5].smooth = n->layer[5].corners = 1;
-        net_mean(n, MEAN2D, 1, 2, 1, 1);
-        net_mean(n, MEAN2D, 1, 4, 1, 1);
-        net_conv(n, CONV2D, 4, 1, 1, 1, 1, 0, 0);
-        net_concat(n, 1, 1);
-        net_concat(n, 0, 0);
-        net_conv(n, CONV2D, 6, 3, 3, 1, 1, 1, 1);
+        net_conv(n, CONV2D, 9, 3, 3, 1, 1, 1, 0);
+        net_layer(n, ADD)->from = 5;
         net_mean(n, GLOBAL, 0, 0, 1, 1);
         net_flatten(n, 0);
         net_dense(n, 5, 0);
-        net_concat(n, 13, 0);
         net_dense(n, 4, 5);
         break;
-    case 20:
+    case 19:
         name = "signals";
         net_begin(n, dtype, 2, 4, 1, 21);
-        net_wide(n, 0, 6, 0, 3, 2, 2, 2, 2, 0, 8);
-        net_wide(n, 1, 6, 0, 4, 2, 1, 3, 1, 1, 4);
+        net_zeros(n, 6, 0, 3, 2, 2, 8);
         net_mean(n, MEAN1D, 1, 2, 1, 2);
         net_up(n, UP1D, 1, 4);
-        n->layer[3].smooth = 1;
-        net_concat(n, 4, 1);
-        net_wide(n, 0, 3, 0, 1, 1, 1, 1, 0, 0, 6);
+        net_zeros(n, 3, 0, 1, 1, 0, 6);
         net_mean(n, GLOBAL, 0, 0, 1, 1);
         break;
-    case 21:
+    case 20:
         name = "smooth activations alone";
         net_begin(n, dtype, 1, 50, 1, 1);
         net_layer(n, ACTIVATION)->act = 8;
@@ -991,12 +855,12 @@ static void test_reference(void)
 /* Random networks of every kind and element type, at every level, against the loops in double. */
 static void test_random(void)
 {
-    static const ms_nn_dtype types[5] = {MS_NN_F64, MS_NN_F32, MS_NN_F16, MS_NN_BF16, MS_NN_I8};
+    static const ms_nn_dtype types[3] = {MS_NN_F32, MS_NN_F16, MS_NN_I8};
     uint64_t state = test_seed;
     double worst = 0;
     int which, type, simd, i;
     for (which = 0; which < NETS; ++which)
-        for (type = 0; type < 5; ++type) {
+        for (type = 0; type < 3; ++type) {
             ref_net net;
             ref_run run;
             const char *name = net_make(&net, which, types[type], &state);
@@ -1038,7 +902,7 @@ static void test_random(void)
             free(f);
             net_free(&net);
         }
-    TEST_NOTE("%d networks x 5 types x 4 levels; largest error %.1e", NETS, worst);
+    TEST_NOTE("%d networks x 3 types x 4 levels; largest error %.1e", NETS, worst);
 }
 
 /* A sample alone and in batches of any size, with any number of threads: the same bits, and of the Jacobian. */
@@ -1097,13 +961,13 @@ static void test_same_bits(void)
    NaN, at any alignment, for every element type and many counts. Dense layers too large to be packed are among them. */
 static void test_workspaces(void)
 {
-    static const int counts[] = {1, 3, 64, 300}, nets[] = {0, 8, 10, 11, 17, 18, 19, 20, 21, NETS, NETS + 1};
+    static const int counts[] = {1, 3, 64, 300}, nets[] = {0, 8, 10, 11, 17, 18, 19, 20, NETS, NETS + 1};
     uint64_t state = test_seed + 51;
     size_t k, c, i;
     int type, threads, fill;
     for (k = 0; k < sizeof nets / sizeof nets[0]; ++k)
-        for (type = 0; type < 5; ++type)
-            for (threads = 1; threads <= (type == 1 ? 3 : 1); threads += 2) {
+        for (type = 0; type < 3; ++type)
+            for (threads = 1; threads <= (type == 0 ? 3 : 1); threads += 2) {
                 ref_net net;
                 ms_nn *nn = NULL;
                 ms_nn_options o = ms_nn_defaults();
@@ -1155,11 +1019,11 @@ static void test_workspaces(void)
 static void test_batches(void)
 {
     enum { MOST = 101 };
-    static const int counts[] = {2, 5, 13, 48, 49, MOST}, nets[] = {0, 2, 6, 8, 12, 14, 21};
+    static const int counts[] = {2, 5, 13, 48, 49, MOST}, nets[] = {0, 2, 6, 8, 12, 14, 20};
     uint64_t state = test_seed + 21;
     size_t k, c, t;
     for (k = 0; k < sizeof nets / sizeof nets[0]; ++k)
-        for (t = 0; t < 5; ++t) {
+        for (t = 0; t < 3; ++t) {
             ref_net net;
             ms_nn *nn;
             size_t n, m, i;
@@ -1212,7 +1076,7 @@ static void test_dense_shapes(void)
     size_t k, c;
     int t, level;
     for (k = 0; k < sizeof shapes / sizeof shapes[0]; ++k)
-        for (t = 0; t < 5; ++t) {
+        for (t = 0; t < 3; ++t) {
             size_t rows = (size_t)shapes[k][0], cols = (size_t)shapes[k][1], i, j, b;
             float *x = (float *)malloc(COUNT * cols * sizeof(float));
             ref_net net;
@@ -1239,7 +1103,7 @@ static void test_dense_shapes(void)
                 if (ms_nn_simd(nn) == (ms_simd)level && rows * cols < 20000) {
                     float *jacobian = (float *)malloc(rows * cols * sizeof(float));
                     CHECK_INT(ms_nn_jacobian(nn, x, NULL, jacobian, NULL), MS_OK);
-                    for (i = 0; i < rows * cols; ++i) /* F64 and scales round once */
+                    for (i = 0; i < rows * cols; ++i) /* scales round once */
                         CHECK_NEAR(jacobian[i], net.layer[0].w[i], 1.2e-7 * fabs(net.layer[0].w[i]));
                     free(jacobian);
                 }
@@ -1401,7 +1265,7 @@ static void test_null(void)
           ms_nn_output_shape(NULL).rank == 0);
     CHECK(ms_nn_layer_count(NULL) == 0 && ms_nn_layer_at(NULL, 0).type[0] == 0 && ms_nn_tensors(NULL) == NULL &&
           ms_nn_workspace_size(NULL, MS_NN_JACOBIAN, 1) == 0);
-    CHECK(ms_nn_simd(NULL) == MS_SIMD_AUTO && ms_nn_collapse_features(NULL) == 0 && ms_nn_collapse_r(NULL) == NULL &&
+    CHECK(ms_nn_simd(NULL) == MS_SIMD_AUTO && ms_nn_collapse_features(NULL) == 0 &&
           ms_nn_collapse_workspace_size(NULL, 1) == 0);
     CHECK_INT(ms_nn_check_weights(NULL, &error), MS_INVALID_ARGUMENT);
     CHECK(strcmp(error.message, "nn is NULL") == 0);
@@ -1431,8 +1295,7 @@ static double collapse_value(const ms_nn_collapse *c, const float *x)
     return sum;
 }
 
-/* Weights of a mask: the Cholesky factor, and where the columns are nearly dependent the QR: R'R = W'MW either way, to
-   what is promised of each. */
+/* Weights of a mask, also where the columns are nearly dependent: R'R = W'MW, to what is promised of each. */
 static void test_collapse_weighted(void)
 {
     uint64_t state = test_seed + 40;
@@ -1695,7 +1558,7 @@ static void test_unaligned(void)
 {
     uint64_t state = test_seed;
     int type, offset, simd;
-    for (type = (int)MS_NN_F64; type <= (int)MS_NN_I8; ++type)
+    for (type = (int)MS_NN_F32; type <= (int)MS_NN_I8; ++type)
         for (offset = 1; offset < 8; offset += 2)
             for (simd = MS_SIMD_SCALAR; simd <= test_simd_best(); ++simd) {
                 ref_net net;
@@ -1729,10 +1592,10 @@ static void test_unaligned(void)
 /* Non-finite weights: reported on request, run otherwise, and kept to their own output. */
 static void test_not_finite(void)
 {
-    static const ms_nn_dtype types[3] = {MS_NN_F32, MS_NN_F16, MS_NN_BF16};
+    static const ms_nn_dtype types[2] = {MS_NN_F32, MS_NN_F16};
     uint64_t state = test_seed;
     int type, simd;
-    for (type = 0; type < 3; ++type)
+    for (type = 0; type < 2; ++type)
         for (simd = MS_SIMD_SCALAR; simd <= test_simd_best(); ++simd) {
             ref_net net;
             ms_nn *nn;
@@ -1749,7 +1612,7 @@ static void test_not_finite(void)
             w = ms_nn_file_find(ms_nn_tensors(nn), "l0.weight");
             p = (unsigned char *)(uintptr_t)w->data;
             if (type == 0) memcpy(p + 4 * (5 * 37 + 2), "\0\0\xc0\x7f", 4); /* NaN in row 5 */
-            else memcpy(p + 2 * (5 * 37 + 2), type == 1 ? "\0\x7e" : "\xc0\x7f", 2);
+            else memcpy(p + 2 * (5 * 37 + 2), "\0\x7e", 2);
             ms_nn_destroy(nn); /* big-endian hosts copy weights when they load */
             nn = net_load(&net, (ms_simd)simd);
             CHECK_INT(ms_nn_check_weights(nn, &error), MS_BAD_DATA);
@@ -1784,7 +1647,7 @@ static void test_not_finite(void)
 static void test_refused(void)
 {
     static const char *const list[][3] = {
-        {"[5]", "[{\"type\":\"dense\",\"name\":\"x\",\"units\":3}]", "missing"},
+        {"[5]", "[{\"type\":\"dense\",\"name\":\"x\",\"units\":3}]", "there is no tensor"},
         {"[5]", "[{\"type\":\"dense\",\"name\":\"f\",\"units\":8}]", "dimension 0"},
         {"[4]", "[{\"type\":\"dense\",\"name\":\"f\",\"units\":7}]", "dimension 1"},
         {"[5]", "[{\"type\":\"dense\",\"units\":7}]", "no name"},
@@ -1804,13 +1667,14 @@ static void test_refused(void)
         {"[3,5]", "[{\"type\":\"flatten\",\"order\":\"rows\"}]", "channels_first"},
         {"[5]", "[{\"type\":\"add\",\"from\":\"nobody\"}]", "nobody"},
         {"[5]", "[{\"type\":\"dense\",\"name\":\"f\"},{\"type\":\"add\",\"from\":\"input\"}]", "another shape"},
-        {"[5]", "[{\"type\":\"shared_channels\",\"inputs\":[[0],[5]]}]", "names input"},
+        {"[5]", "[{\"type\":\"shared_channels\",\"inputs\":[[0],[5]]}]", "it names input"},
         {"[5]", "[{\"type\":\"shared_channels\",\"inputs\":[[0],[1,2]]}]", "equally many"},
         {"[5]", "[{\"type\":\"dropout\"},{\"type\":\"shared_channels\",\"inputs\":[[0]]}]", "first layer"},
-        {"[5]", "[{\"type\":\"shared_channels\"}]", "belong together"},
+        {"[5]", "[{\"type\":\"shared_channels\"}]", "no inputs"},
         {"[5]", "[{\"type\":\"upsample1d\",\"factor\":2},]", "object"},
         {"[5]", "{}", "list"},
-        {"[5]", "[] []", "follows"},
+        {"[5]", "[{\"type\":\"dropout\"}] []", "follows"},
+        {"[5]", "[]", "empty"},
         {"[0]", "[]", "is 0"},
         {"[4294967295,4294967295,9]", "[]", "too large"},
         {"[1,2,3,4]", "[]", "three"},
@@ -1819,21 +1683,23 @@ static void test_refused(void)
         {"[2,3]", "[{\"type\":\"upsample1d\",\"factor\":9223372036854775807}]", "too large"},
         {"[5]", "[{\"type\":\"dropout\",\"rate\":1e99999}]", "negative"},
         {"[5]", "[{\"type\":\"globalpool\"}]", "channels"},
-        {"[5]", "[{\"type\":\"concat\",\"from\":\"nobody\"}]", "nobody"},
-        {"[5]", "[{\"type\":\"concat\",\"from\":\"input\",\"order\":\"first\"}]", "after or before"},
-        {"[2,5]", "[{\"type\":\"maxpool1d\",\"size\":2},{\"type\":\"concat\",\"from\":\"input\"}]", "another shape"},
-        {"[2,5]", "[{\"type\":\"upsample1d\",\"mode\":\"cubic\"}]", "nearest or linear"},
-        {"[2,5]", "[{\"type\":\"upsample1d\",\"align_corners\":true}]", "mode linear"},
-        {"[2,5]", "[{\"type\":\"conv1d\",\"name\":\"f\",\"groups\":3}]", "3 groups"},
         {"[2,5]", "[{\"type\":\"conv1d\",\"name\":\"f\",\"padding\":\"same\",\"zeros\":1}]", "exclude"},
         {"[2,5]", "[{\"type\":\"conv1d\",\"name\":\"f\",\"zeros\":3000000000}]", "too large"},
-        {"[2,5]", "[{\"type\":\"conv1d_transpose\",\"name\":\"f\",\"padding\":\"same\"}]", "does not belong"},
-        {"[7,5]", "[{\"type\":\"conv1d_transpose\",\"name\":\"c\",\"stride\":2,\"extra\":2}]",
-         "smaller than the stride"},
-        {"[7,5]", "[{\"type\":\"conv1d_transpose\",\"name\":\"c\",\"zeros\":9}]", "empty"},
-        {"[7,5]", "[{\"type\":\"conv1d_transpose\",\"name\":\"c\",\"dilation\":2147483647,\"stride\":2147483647}]",
-         "too large"},
-        {"[2,5]", "[{\"type\":\"conv1d\",\"name\":\"d\",\"groups\":2,\"zeros\":0}]", "groups"},
+        {"[2,5]", "[{\"type\":\"conv1d\",\"name\":\"d\",\"groups\":2}]", "unknown field"},
+        {"[2,5]", "[{\"type\":\"conv1d_transpose\",\"name\":\"d\"}]", "unknown type"},
+        {"[2,5]", "[{\"type\":\"maxpool1d\",\"size\":[2,3]}]", "one number"},
+        {"[2,5]", "[{\"stride\":[2,3],\"type\":\"maxpool1d\"}]", "one number"},
+        {"[2,5]", "[{\"type\":\"upsample1d\",\"factor\":[2,2]}]", "one number"},
+        {"[2,5]", "[{\"type\":\"conv1d\",\"name\":\"f\",\"kernel\":[3,1]}]", "one number"},
+        {"[2,5]", "[{\"type\":\"conv1d\",\"name\":\"f\",\"zeros\":[0,1]}]", "one number"},
+        {"[2,5,5]", "[{\"type\":\"conv2d\",\"name\":\"f\",\"filters\":[2,2]}]", "one number"},
+        {"[5]", "[{\"type\":\"dense\",\"name\":\"f\",\"units\":[7,7]}]", "one number"},
+        {"[2,2,2]", "[{\"type\":\"flatten\",\"order\":\"channels_last\"},{\"type\":\"add\",\"from\":\"input\"}]",
+         "another shape"},
+        {"[1,4]",
+         "[{\"type\":\"upsample1d\"},{\"type\":\"dropout\",\"name\":\"d\"},{\"type\":\"maxpool1d\"},{\"type\":\"add\",\"from\":\"d\"}]",
+         "another shape"},
+        {"[5]", "[{\"type\":\"shared_channels\",\"inputs\":[[0]],\"inputs\":[[0]]}]", "twice"},
         {"[5]", "[{\"type\":\"dropout\",\"rate\":\"x\"}]", "number"}};
     static const float taps[14] = {0};
     static const size_t taps_shape[3] = {7, 1, 2}, one[1] = {1}, seven[1] = {7};
@@ -1867,7 +1733,8 @@ static void test_refused(void)
         if (status != MS_BAD_DATA || nn != NULL || strstr(error.message, list[i][2]) == NULL)
             TEST_FAIL("%s %s: status %d: %s", list[i][0], list[i][1], (int)status, error.message);
         if (list[i][0][0] == '[' && list[i][0][1] == '5' && list[i][1][0] == '[' && list[i][1][1] == '{' &&
-            strncmp(error.message, "layer ", 6) != 0)
+            strstr(error.message, "(layer ") == NULL && strstr(list[i][2], "empty") == NULL &&
+            strstr(list[i][2], "follows") == NULL)
             TEST_FAIL("no layer is named: %s", error.message);
         ms_nn_destroy(nn);
         if (i < 2) { /* versions and formats of others */
@@ -1881,6 +1748,215 @@ static void test_refused(void)
     }
     ms_nn_file_close(f);
     TEST_NOTE("%d layer lists", (int)i);
+}
+
+/* At most 16 MB a block: a file may ask for any size. */
+static void *at_most_16_mb(void *user, size_t size)
+{
+    (void)user;
+    return size <= (size_t)1 << 24 ? malloc(size) : NULL;
+}
+
+static void give_back(void *user, void *pointer, size_t size)
+{
+    (void)user;
+    (void)size;
+    free(pointer);
+}
+
+/* A size of the whole range that the grammar allows, more often a small one, one beside a power of two, or one whose
+   multiple by 3 to 7 is beside 2^32. */
+static uint32_t any_size(uint64_t *state)
+{
+    const uint32_t power = (uint32_t)1 << (int)(31 * test_uniform(state));
+    if (test_uniform(state) < 0.5) return 1 + (uint32_t)(4 * test_uniform(state));
+    if (test_uniform(state) < 0.3)
+        return 0xffffffffu / (3 + (uint32_t)(5 * test_uniform(state))) + (uint32_t)(3 * test_uniform(state));
+    return test_uniform(state) < 0.7 ? (power > 1 ? power - 1 : 1) + (uint32_t)(3 * test_uniform(state))
+                                     : 1 + (uint32_t)(2147483646 * test_uniform(state));
+}
+
+/* Layers of any sizes are refused, or run inside of their workspace: nothing behind it and behind the outputs is
+   written. On 32 bits the products of these sizes wrap. */
+static void test_any_sizes(void)
+{
+    static const float weight[16] = {1, 2, 3, 4}, bias[2] = {0};
+    static const size_t square[4] = {1, 1, 3, 2}, line[3] = {1, 1, 3}, one[1] = {1}, matrix[2] = {2, 4}, two[1] = {2};
+    const ms_nn_tensor tensors[6] = {
+        {"c.weight", MS_NN_F32, 4, square, weight, 24}, {"c.bias", MS_NN_F32, 1, one, bias, 4},
+        {"s.weight", MS_NN_F32, 3, line, weight, 12},   {"s.bias", MS_NN_F32, 1, one, bias, 4},
+        {"d.weight", MS_NN_F32, 2, matrix, weight, 32}, {"d.bias", MS_NN_F32, 1, two, bias, 8}};
+    ms_nn_options o = ms_nn_defaults();
+    ms_nn_entry e[3] = {{"ms_nn_version", "1"}, {"ms_nn_input", NULL}, {"ms_nn_layers", NULL}};
+    uint64_t state = test_seed + 60;
+    int k, ran = 0, loaded = 0, total = test_full ? 200000 : 20000;
+    o.allocator.alloc = at_most_16_mb;
+    o.allocator.release = give_back;
+    o.simd = MS_SIMD_SCALAR;
+    for (k = 0; k < total; ++k) {
+        char input[80], layers[1000] = "[";
+        int rank = 1 + (int)(3 * test_uniform(&state)), count = 1 + (int)(3 * test_uniform(&state)), i;
+        unsigned char file[2048], *workspace;
+        size_t size, need, in, out, at = 1;
+        ms_nn *nn = NULL;
+        ms_error error;
+        float *x;
+        if (rank == 1) snprintf(input, sizeof input, "[%lu]", (unsigned long)any_size(&state));
+        if (rank == 2) snprintf(input, sizeof input, "[1,%lu]", (unsigned long)any_size(&state));
+        if (rank == 3)
+            snprintf(input, sizeof input, "[1,%lu,%lu]", (unsigned long)any_size(&state),
+                     (unsigned long)any_size(&state));
+        if (rank == 1 && test_uniform(&state) < 0.3) /* as many channels as the list names */
+            at += (size_t)snprintf(layers + at, sizeof layers - at,
+                                   "{\"type\":\"shared_channels\",\"inputs\":[[0,0,0,0],[0,0,0,0]]},");
+        for (i = 0; i < count; ++i) {
+            const unsigned long a = any_size(&state), b = any_size(&state), c = any_size(&state), d = any_size(&state);
+            const int which = (int)(6 * test_uniform(&state));
+            at += (size_t)snprintf(layers + at, sizeof layers - at, i ? "," : "");
+            if (which == 0)
+                at += (size_t)snprintf(layers + at, sizeof layers - at,
+                                       "{\"type\":\"dense\",\"name\":\"d\",\"activation\":\"silu\"}");
+            else if (which == 1 && rank == 2)
+                at += (size_t)snprintf(layers + at, sizeof layers - at,
+                                       "{\"type\":\"conv1d\",\"name\":\"s\",\"stride\":%lu,\"zeros\":%lu}", a, b - 1);
+            else if (which == 1)
+                at += (size_t)snprintf(layers + at, sizeof layers - at,
+                                       "{\"type\":\"conv2d\",\"name\":\"c\",\"stride\":[%lu,%lu],\"zeros\":[%lu,%lu]}",
+                                       a, b, c - 1, d - 1);
+            else if (which == 2)
+                at += (size_t)snprintf(layers + at, sizeof layers - at,
+                                       rank == 2 ? "{\"type\":\"upsample1d\",\"factor\":%lu}"
+                                                 : "{\"type\":\"upsample2d\",\"factor\":[%lu,%lu]}",
+                                       a, b);
+            else if (which == 3)
+                at += (size_t)snprintf(layers + at, sizeof layers - at,
+                                       rank == 2 ? "{\"type\":\"maxpool1d\",\"size\":%lu,\"stride\":%lu}"
+                                                 : "{\"type\":\"avgpool2d\",\"size\":[%lu,%lu],\"stride\":[%lu,%lu]}",
+                                       a, b, c, d);
+            else if (which == 4) at += (size_t)snprintf(layers + at, sizeof layers - at, "{\"type\":\"flatten\"}");
+            else at += (size_t)snprintf(layers + at, sizeof layers - at, "{\"type\":\"dropout\"}");
+        }
+        snprintf(layers + at, sizeof layers - at, "]");
+        e[1].value = input;
+        e[2].value = layers;
+        CHECK_INT(ms_nn_file_write(tensors, 6, e, 3, file, sizeof file, &size, &error), MS_OK);
+        if (ms_nn_load(file, size, &o, &nn, &error) != MS_OK) continue;
+        ++loaded;
+        in = ms_nn_input_size(nn);
+        out = ms_nn_output_size(nn);
+        need = ms_nn_workspace_size(nn, MS_NN_FORWARD, 1);
+        if (need <= (size_t)1 << 22 && in <= (size_t)1 << 20 && out <= (size_t)1 << 20) {
+            workspace = (unsigned char *)malloc(need + 64);
+            x = (float *)calloc(in + out + 64, sizeof(float));
+            for (i = 0; i < 64; ++i) x[in + out + (size_t)i] = 7;
+            memset(workspace + need, 0x5a, 64);
+            CHECK_INT(ms_nn_forward(nn, 1, x, x + in, workspace), MS_OK);
+            for (i = 0; i < 64; ++i) CHECK(workspace[need + (size_t)i] == 0x5a && (int)x[in + out + (size_t)i] == 7);
+            free(workspace);
+            free(x);
+            ++ran;
+        }
+        ms_nn_destroy(nn);
+    }
+    CHECK(ran > total / 50);
+    TEST_NOTE("%d layer lists: %d loaded, %d run", total, loaded, ran);
+}
+
+/* A network of one dense layer of that name whose bias has a wrong shape; the error of its load. */
+static ms_error error_of_name(const char *name, ms_status expected)
+{
+    static const float weight[6] = {1, 2, 3, 4, 5, 6};
+    static const size_t shape[2] = {2, 3}, wrong[1] = {3};
+    static char layers[900], names[2][600];
+    static unsigned char file[4096];
+    ms_nn_tensor t[2] = {{names[0], MS_NN_F32, 2, shape, weight, 24}, {names[1], MS_NN_F32, 1, wrong, weight, 12}};
+    ms_nn_entry e[3] = {{"ms_nn_version", "1"}, {"ms_nn_input", "[3]"}, {"ms_nn_layers", layers}};
+    ms_nn *nn = NULL;
+    size_t size;
+    ms_error error;
+    snprintf(names[0], sizeof names[0], "%s.weight", name);
+    snprintf(names[1], sizeof names[1], "%s.bias", name);
+    snprintf(layers, sizeof layers, "[{\"type\":\"dense\",\"name\":\"%s\"}]", name);
+    memset(&error, 0, sizeof error);
+    CHECK_INT(ms_nn_file_write(t, 2, e, 3, file, sizeof file, &size, &error), MS_OK);
+    CHECK_INT(ms_nn_load(file, size, NULL, &nn, &error), expected);
+    return error;
+}
+
+/* Whatever the length of a name, an error begins with its reason. */
+static void test_long_names(void)
+{
+    char name[400];
+    int n;
+    for (n = 1; n < 400; n += n < 20 ? 1 : 7) {
+        ms_error error;
+        memset(name, 'a', sizeof name);
+        name[n] = 0;
+        error = error_of_name(name, MS_BAD_DATA);
+        if (strncmp(error.message,
+                    n <= MS_NN_MAX_NAME ? "the layer list makes dimension 0 2, it is 3" : "its name has over 240", 20))
+            TEST_FAIL("a name of %d bytes: %s", n, error.message);
+    }
+}
+
+/* ms_nn_check_weights sees every value of the layers that can be infinite, and says nothing of other tensors. */
+static void test_check_weights(void)
+{
+    static const char *const part[3] = {"weight", "bias", "weight_scale"};
+    static const size_t shape[2] = {2, 3}, two[1] = {2};
+    static const float infinite[2] = {1, (float)INFINITY}, fine[6] = {1, 2, 3, 4, 5, 6};
+    static const unsigned char nan8[4] = {0xff, 0x7f, 0x7f, 0xff}, integer[6] = {1, 2, 3, 4, 5, 6};
+    int bad;
+    for (bad = 0; bad < 4; ++bad) { /* which tensor is infinite; 3: one that no layer has */
+        const ms_nn_tensor t[4] = {{"f.weight", MS_NN_I8, 2, shape, integer, 6},
+                                   {"f.bias", MS_NN_F32, 1, two, bad == 1 ? infinite : fine, 8},
+                                   {"f.weight_scale", MS_NN_F32, 1, two, bad == 2 ? infinite : fine, 8},
+                                   {"other", MS_NN_F8_E5M2, 2, shape + 1, nan8, 0}};
+        ms_nn_entry e[3] = {
+            {"ms_nn_version", "1"}, {"ms_nn_input", "[3]"}, {"ms_nn_layers", "[{\"type\":\"dense\",\"name\":\"f\"}]"}};
+        unsigned char file[1024];
+        ms_nn *nn = NULL;
+        size_t size;
+        ms_error error;
+        ms_nn_tensor all[4];
+        static const size_t four[1] = {4};
+        memcpy(all, t, sizeof all);
+        all[3].rank = 1;
+        all[3].shape = four;
+        all[3].bytes = 4;
+        if (bad == 0) { /* weights of F32 */
+            static const float wrong[6] = {1, 2, 3, 4, (float)NAN, 6};
+            all[0].dtype = MS_NN_F32;
+            all[0].data = wrong;
+            all[0].bytes = 24;
+            all[2] = all[3];
+        }
+        CHECK_INT(ms_nn_file_write(all, bad == 0 ? 3 : 4, e, 3, file, sizeof file, &size, &error), MS_OK);
+        CHECK_INT(ms_nn_load(file, size, NULL, &nn, &error), MS_OK);
+        CHECK_INT(ms_nn_check_weights(nn, &error), bad == 3 ? MS_OK : MS_BAD_DATA);
+        if (bad < 3) {
+            CHECK_INT(error.position, bad == 0 ? 4 : 1);
+            CHECK(strstr(error.message, part[bad]) != NULL);
+        }
+        ms_nn_destroy(nn);
+    }
+}
+
+/* What is no safetensors file is told so: texts, pictures, archives. */
+static void test_other_files(void)
+{
+    static const char first[][24] = {"hello, this is a text\n", "\x89PNG\r\n\x1a\n\0\0\0\rIHDR",
+                                     "PK\x03\x04\x14\0\0\0\x08\0\xff\xff", "{\"json\": [1, 2, 3]}",
+                                     "\x93NUMPY\x01\0v\0{'descr"};
+    size_t i;
+    for (i = 0; i < sizeof first / sizeof first[0]; ++i) {
+        char file[64] = {0};
+        ms_nn_file *f = NULL;
+        ms_error error;
+        memcpy(file, first[i], 20);
+        CHECK_INT(ms_nn_file_open(file, sizeof file, NULL, &f, &error), MS_BAD_DATA);
+        if (strncmp(error.message, "not a safetensors file", 22)) TEST_FAIL("%d: %s", (int)i, error.message);
+    }
 }
 
 /* JSON's white space (RFC 8259: space, tab, line feed, carriage return) may stand around each word of both entries. */
@@ -1916,12 +1992,12 @@ static void test_positions(void)
 {
     static const char *const list[][3] = {
         {"[{\\\"type\\\":\\\"flatten\\\",\\\"name\\\":\\\"\\u00e9\\ud83d\\ude00\\\"},{\\\"type\\\":\\\"gru\\\"}]",
-         "layer 1: unknown type 'gru'", "\\\"gru"},
-        {"[{\\\"type\\\":\\\"flatten\\\",\\\"color\\\":1}]", "layer 0: unknown field 'color'", "\\\"color"},
-        {"[ {\\\"type\\\":\\\"dense\\\",\\\"name\\\":\\\"f\\\"}]",
-         "layer 0, dense 'f': the tensor 'f.weight' is missing", "{\\\"type"},
+         "unknown type 'gru' (layer 1)", "\\\"gru"},
+        {"[{\\\"type\\\":\\\"flatten\\\",\\\"color\\\":1}]", "unknown field 'color' (layer 0)", "\\\"color"},
+        {"[ {\\\"type\\\":\\\"dense\\\",\\\"name\\\":\\\"f\\\"}]", "there is no tensor 'f.weight' (layer 0, dense 'f')",
+         "{\\\"type"},
         {"[{\\\"type\\\":\\\"activation\\\",\\\"activation\\\":\\\"swish\\\"}]",
-         "layer 0, activation: unknown activation 'swish'", "{\\\"type"}};
+         "unknown activation 'swish' (layer 0, activation)", "{\\\"type"}};
     size_t k, i;
     for (k = 0; k < sizeof list / sizeof list[0]; ++k) {
         char file[600];
@@ -1943,9 +2019,9 @@ static void test_header_words(void)
 {
     static const char *const list[][2] = {
         {"{\"hidden1.weight\":{\"dtype\":\"F12\",\"shape\":[0],\"data_offsets\":[0,0]}}",
-         "tensor 'hidden1.weight': unknown dtype 'F12'"},
+         "unknown dtype 'F12' (tensor 'hidden1.weight')"},
         {"{\"a\":{\"dtype\":\"F32\",\"size\":[0],\"data_offsets\":[0,0]}}",
-         "tensor 'a': unknown field 'size'; known are dtype, shape, data_offsets"}};
+         "unknown field 'size'; known are dtype, shape, data_offsets (tensor 'a')"}};
     size_t k;
     for (k = 0; k < 2; ++k) {
         char file[300];
@@ -2027,7 +2103,7 @@ static void test_large(void)
         ms_nn_tensor t[2];
         ms_nn_entry e[3];
         size_t i, size = 0;
-        double row[1100];
+        float row[1100];
         memset(t, 0, sizeof t);
         f = (unsigned char *)calloc(count + 4 * shape[0] + 4096,
                                     1); /* zero pages are not there before they are touched */
@@ -2059,8 +2135,8 @@ static void test_large(void)
         if (ms_nn_load(f, size, NULL, &nn, &error) != MS_OK) TEST_FAIL("%s", error.message);
         CHECK(ms_nn_layer_at(nn, 0).parameters == count);
         CHECK(ms_nn_layer_at(nn, 0).multiply_adds == count);
-        nn->kernels->row(&nn->op[0].matrix, shape[0] - 1, 1.0, row);
-        for (i = 0; i < shape[1]; ++i) CHECK_NEAR(row[i], 0.5 * (double)(i % 100), 0);
+        nn->kernels->widen(nn->op[0].matrix.w + last, shape[1], row, MS_NN_I8);
+        for (i = 0; i < shape[1]; ++i) CHECK_NEAR(row[i], 1.0 * (double)(i % 100), 0);
         if (test_full) {
             float *x = (float *)malloc(shape[1] * sizeof(float)), *y = (float *)malloc(shape[0] * sizeof(float));
             double sum = 0;
@@ -2222,7 +2298,10 @@ static double collapse_case(ms_nn_dtype dtype, int way, uint64_t *state)
         for (i = 0; i < m; ++i) spread += (double)t[i] * (double)t[i];
         /* float residuals of 1e-6 have 1e-7 / 1e-6 of noise in both alike; the collapse adds 1e-16 |t|^2 by theory,
            with a factor of 1e3 for 900 x 40 sums and their condition */
-        CHECK_NEAR(value, direct, 1e-9 * direct + 1e-13 * spread * relative);
+        /* where features outnumber outputs, W'MW's own rounding meets distances of 1 that no output sees: 1e-16 of
+           |t|^2 for each of 10 units of squared distance */
+        CHECK_NEAR(value, direct,
+                   1e-9 * direct + 1e-13 * spread * relative + (way == FEW_OUTPUTS ? 1e-15 * spread : 0));
         if (fabs(value - direct) / direct > worst) worst = fabs(value - direct) / direct;
         CHECK_INT(ms_nn_collapse_residual(c, x, residual, jacobian, NULL), MS_OK);
         for (i = 0; i <= features; ++i) sum += residual[i] * residual[i];
@@ -2264,9 +2343,8 @@ static void test_collapse_alone(void)
     ms_nn_collapse *c = NULL;
     float x[IN], t[2 * ROWS];
     double value, direct = 0, residual[7], jacobian[7 * IN];
-    const double *r;
-    int i, k, j, at = 0;
-    net_begin(&net, MS_NN_BF16, 1, 3, 1, 1);
+    int i, k, j;
+    net_begin(&net, MS_NN_F16, 1, 3, 1, 1);
     net.shared = "[[0,1,3],[3,2,1]]";
     net.outer = IN;
     net_dense(&net, ROWS, 0);
@@ -2285,26 +2363,25 @@ static void test_collapse_alone(void)
         direct += y * y;
     }
     CHECK_NEAR(value, direct, 1e-13 * direct); /* sums of 100 doubles */
-    r = ms_nn_collapse_r(c);
     for (i = 0; i < 3; ++i)
-        for (j = i; j < 3; ++j, ++at) {
+        for (j = i; j < 3; ++j) {
+            const double r = c->r[(size_t)i * c->wide + (size_t)j];
             static const int first[3] = {0, 1, 3}, second[3] = {3, 2, 1};
-            CHECK_NEAR(jacobian[i * IN + first[j]], r[at], 1e-15);
-            CHECK_NEAR(jacobian[(3 + i) * IN + second[j]], r[at], 1e-15);
+            CHECK_NEAR(jacobian[i * IN + first[j]], r, 1e-15);
+            CHECK_NEAR(jacobian[(3 + i) * IN + second[j]], r, 1e-15);
         }
     ms_nn_collapse_destroy(c);
     ms_nn_destroy(nn);
     net_free(&net);
 }
 
-/* R'R = W'W, the same bits for any number of threads, kept in a file. */
+/* R'R = W'W, the same bits for any number of threads. */
 static void test_collapse_factor(void)
 {
     uint64_t state = test_seed + 8;
-    ref_net net, stored;
+    ref_net net;
     ms_nn *nn;
     ms_nn_collapse *c = NULL, *d = NULL;
-    const double *r;
     int m = 1500, h = 50, i, j, k;
     double worst = 0, size = 0, full[50][50];
     net_begin(&net, MS_NN_F32, 1, h, 1, 1);
@@ -2312,10 +2389,9 @@ static void test_collapse_factor(void)
     net_end(&net, &state);
     nn = net_load(&net, MS_SIMD_AUTO);
     CHECK_INT(ms_nn_collapse_create(nn, NULL, &c, NULL), MS_OK);
-    r = ms_nn_collapse_r(c);
     memset(full, 0, sizeof full);
     for (i = 0; i < h; ++i)
-        for (k = i; k < h; ++k) full[i][k] = *r++;
+        for (k = i; k < h; ++k) full[i][k] = c->r[(size_t)i * c->wide + (size_t)k];
     for (i = 0; i < h; ++i)
         for (j = 0; j < h; ++j) {
             double a = 0, b = 0;
@@ -2332,38 +2408,9 @@ static void test_collapse_factor(void)
         o.parallel = test_parallel(&pool, 3);
         CHECK_INT(ms_nn_load(net.file, net.size, &o, &two, NULL), MS_OK);
         CHECK_INT(ms_nn_collapse_create(two, NULL, &d, NULL), MS_OK);
-        CHECK_INT(memcmp(ms_nn_collapse_r(c), ms_nn_collapse_r(d), (size_t)h * (size_t)(h + 1) / 2 * sizeof(double)),
-                  0);
+        CHECK_INT(memcmp(c->r, d->r, (size_t)h * c->wide * sizeof(double)), 0);
         ms_nn_collapse_destroy(d);
         ms_nn_destroy(two);
-    }
-    {
-        ms_nn_file *f = NULL;
-        ms_nn_tensor t[3];
-        ms_nn_entry e[3];
-        ms_nn *kept = NULL;
-        size_t shape = (size_t)h * (size_t)(h + 1) / 2;
-        unsigned char *bytes = (unsigned char *)malloc(shape * 8);
-        CHECK_INT(ms_nn_file_open(net.file, net.size, NULL, &f, NULL), MS_OK);
-        for (i = 0; i < 2; ++i) t[i] = *ms_nn_file_tensor(f, (size_t)i);
-        for (i = 0; i < 3; ++i) e[i] = *ms_nn_file_entry(f, (size_t)i);
-        for (i = 0; i < (int)shape; ++i) store(MS_NN_F64, ms_nn_collapse_r(c)[i], bytes + 8 * i, 1);
-        t[2].name = "ms_nn.collapse";
-        t[2].dtype = MS_NN_F64;
-        t[2].rank = 1;
-        t[2].shape = &shape;
-        t[2].data = bytes;
-        t[2].bytes = shape * 8;
-        memset(&stored, 0, sizeof stored);
-        net_write(&stored, t, 3, e, 3);
-        kept = net_load(&stored, MS_SIMD_AUTO);
-        CHECK_INT(ms_nn_collapse_create(kept, NULL, &d, NULL), MS_OK);
-        CHECK_INT(memcmp(ms_nn_collapse_r(c), ms_nn_collapse_r(d), shape * sizeof(double)), 0);
-        ms_nn_collapse_destroy(d);
-        ms_nn_destroy(kept);
-        ms_nn_file_close(f);
-        free(bytes);
-        free(stored.file);
     }
     {
         float weight[1500], target[1500];
@@ -2407,9 +2454,9 @@ static void test_queries(void)
     CHECK_INT(ms_nn_layer_count(nn), 4);
     l = ms_nn_layer_at(nn, 0);
     CHECK(strcmp(l.type, "conv2d") == 0 && strcmp(l.name, "c") == 0 && strcmp(l.activation, "relu") == 0 &&
-          l.dtype == MS_NN_F64);
+          l.dtype == MS_NN_F32);
     CHECK_INT(l.parameters, 4 * 27 + 4);
-    CHECK_INT(l.bytes, 8 * (4 * 27 + 4));
+    CHECK_INT(l.bytes, 4 * (4 * 27 + 4));
     CHECK_INT(l.multiply_adds, 4 * 27 * 8 * 10);
     CHECK_INT(l.output.rank, 3);
     CHECK(l.output.size[0] == 4 && l.output.size[1] == 8 && l.output.size[2] == 10);
@@ -2419,56 +2466,6 @@ static void test_queries(void)
     CHECK_INT(ms_nn_output_shape(nn).rank, 1);
     CHECK(strcmp(ms_nn_dtype_string(MS_NN_BF16), "BF16") == 0 &&
           strcmp(ms_nn_dtype_string(MS_NN_DTYPE_COUNT), "unknown") == 0);
-    ms_nn_destroy(nn);
-}
-
-/* The weights' texture as its comment lays it out: a weight, a bias or a zero in every place. */
-static void test_shader_weights(void)
-{
-    ms_nn *nn = NULL;
-    ms_nn_shader shader;
-    ms_nn_shader_sizes sizes;
-    ms_nn_tensor one;
-    float *texture;
-    size_t r, c, floats, at = 0, wrong = 0;
-    int i;
-    CHECK_INT(ms_nn_load_file("examples/data/renderer_64.safetensors", NULL, &nn, NULL), MS_OK);
-    memset(&shader, 0, sizeof shader);
-    CHECK_INT(ms_nn_shader_layout(nn, &shader, &sizes, NULL), MS_OK);
-    floats = (size_t)sizes.weight_rows * MS_NN_SHADER_WIDTH * 4;
-    texture = (float *)malloc(floats * sizeof *texture);
-    CHECK_INT(ms_nn_shader_weights(nn, MS_NN_F32, texture, NULL), MS_OK);
-    for (i = 0; i < ms_nn_layer_count(nn); ++i) {
-        const ms_nn_layer l = ms_nn_layer_at(nn, i);
-        const ms_nn_tensor *w, *b;
-        char name[64];
-        size_t rows, cols;
-        if (strcmp(l.type, "dense") != 0) continue;
-        snprintf(name, sizeof name, "%s.weight", l.name);
-        w = ms_nn_file_find(ms_nn_tensors(nn), name);
-        snprintf(name, sizeof name, "%s.bias", l.name);
-        b = ms_nn_file_find(ms_nn_tensors(nn), name);
-        one = *w;
-        rows = (one.shape[0] + 3) / 4 * 4;
-        cols = (one.shape[1] + 3) / 4 * 4;
-        for (r = 0; r < rows; ++r)
-            for (c = 0; c < cols; ++c) {
-                const float got = texture[at + r / 4 * 4 * cols + c / 4 * 16 + r % 4 * 4 + c % 4];
-                float v = 0;
-                if (r < one.shape[0] && c < one.shape[1])
-                    v = (float)ms_nn__element(one.data, one.dtype, r * one.shape[1] + c);
-                wrong += memcmp(&got, &v, sizeof v) != 0 && (got > 0 || got < 0 || v > 0 || v < 0);
-            }
-        at += rows * cols;
-        for (r = 0; r < rows; ++r, ++at) {
-            const float v = b && r < one.shape[0] ? (float)ms_nn__element(b->data, b->dtype, r) : 0;
-            wrong += texture[at] > v || texture[at] < v;
-        }
-    }
-    CHECK_INT(wrong, 0);
-    for (; at < floats; ++at) wrong += texture[at] > 0 || texture[at] < 0;
-    CHECK_INT(wrong, 0);
-    free(texture);
     ms_nn_destroy(nn);
 }
 
@@ -2490,6 +2487,10 @@ static const test_case cases[] = {{"reference networks", test_reference},
                                   {"unaligned", test_unaligned},
                                   {"not finite", test_not_finite},
                                   {"refused", test_refused},
+                                  {"any sizes", test_any_sizes},
+                                  {"long names", test_long_names},
+                                  {"weights checked", test_check_weights},
+                                  {"other files", test_other_files},
                                   {"white space", test_white_space},
                                   {"positions of errors", test_positions},
                                   {"words of a header", test_header_words},
@@ -2499,6 +2500,5 @@ static const test_case cases[] = {{"reference networks", test_reference},
                                   {"collapse", test_collapse},
                                   {"collapse of one layer", test_collapse_alone},
                                   {"collapse factor", test_collapse_factor},
-                                  {"queries", test_queries},
-                                  {"weights of a shader", test_shader_weights}};
+                                  {"queries", test_queries}};
 TEST_MAIN_WITH_FILES(cases)

@@ -180,15 +180,17 @@ static void same_minimum(const char *path, int collapses)
 }
 
 /* The collapsed residuals with a gain and an offset for each channel: their squares are the pixels' own at any material
-   and light, their Jacobian is that of their differences, and a match ends where the pictures' own match ends. */
+   and light, their Jacobian and the pixels' are those of their differences, and a match ends where the pictures' own
+   match ends. */
 static void test_light(void)
 {
-    static const int kinds[] = {MS_PME_EXPOSURE, MS_PME_TINT, MS_PME_OFFSET, MS_PME_TINT | MS_PME_OFFSET, 7};
+    static const int kinds[] = {MATCHER_EXPOSURE, MATCHER_TINT};
+    static const int wide[] = {8, 13};
     static matcher m;
-    static float target[3 * 16 * 16], weight[3 * 16 * 16], picture[3 * 16 * 16];
+    static float target[3 * 16 * 16], weight[3 * 16 * 16], picture[2][3 * 16 * 16], slopes[3 * 16 * 16 * 13];
     static double r[2][100], jacobian[100 * 13];
     uint64_t state = 21;
-    double x[13], moved[13], y[2][7], worst = 0;
+    double z[13], moved[13], y[2][7], worst = 0;
     ms_error error;
     int weighted, k, j, round, direct;
     size_t i, p, count;
@@ -196,81 +198,129 @@ static void test_light(void)
     p = m.renderer.image_size;
     make_target(&m, 0.05f, target);
     for (i = 0; i < p; ++i) target[i] = (1.1f + 0.1f * (float)(3 * i / p)) * target[i] - 0.03f;
-    m.light = 1;
-    for (weighted = 0; weighted < 3;
-         ++weighted) { /* none; each pixel's; each value's, so that channels share nothing */
-        for (i = 0; i < p; ++i) {
-            size_t pixel = weighted == 1 ? i % (p / 3) : i;
-            weight[i] = pixel % 5 == 0 ? 0 : 0.5f + (float)(pixel % 3);
-        }
-        CHECK_INT(matcher_aim(&m, target, weighted ? weight : NULL, &error), MS_OK);
-        CHECK(m.renderer.reduced != NULL);
-        count = m.reduced.residual_count;
-        CHECK(count <= 100 && m.reduced.parameter_count == 13);
-        for (round = 0; round < 5; ++round) {
-            double exact = 0, collapsed = 0;
-            for (j = 0; j < 13; ++j)
-                x[j] = j < 7 ? uniform(&state) : j < 10 ? 0.5 + uniform(&state) : uniform(&state) - 0.5;
-            CHECK_INT(m.renderer.render(&m, x, picture), MS_OK);
+    for (weighted = 0; weighted < 3; ++weighted) /* none; each pixel's; each value's, so that channels share nothing */
+        for (k = 0; k < 2; ++k) {
+            const int n = wide[k];
             for (i = 0; i < p; ++i) {
-                double e = x[7 + 3 * i / p] * (double)picture[i] + x[10 + 3 * i / p] - (double)target[i];
-                exact += (weighted ? (double)weight[i] : 1) * e * e;
+                size_t pixel = weighted == 1 ? i % (p / 3) : i;
+                weight[i] = pixel % 5 == 0 ? 0 : 0.5f + (float)(pixel % 3);
             }
-            CHECK_INT(m.reduced.residuals(&m, x, r[0], jacobian), MS_OK);
-            for (i = 0; i < count; ++i) collapsed += r[0][i] * r[0][i];
-            CHECK_NEAR(collapsed, exact, 1e-6 * exact); /* pictures in float32 */
-            for (j = 7; j < 13; ++j) {                  /* linear in the light: differences of any step are exact */
-                memcpy(moved, x, sizeof x);
-                moved[j] += 0.25;
-                CHECK_INT(m.reduced.residuals(&m, moved, r[1], NULL), MS_OK);
-                for (i = 0; i < count; ++i)
-                    CHECK_NEAR(r[1][i] - r[0][i], 0.25 * jacobian[i * 13 + (size_t)j], 1e-9 * sqrt(exact));
-            }
-            for (j = 0; j < 7; ++j) {
-                double most = 0, off = 0;
-                memcpy(moved, x, sizeof x);
-                moved[j] += 1e-3;
-                CHECK_INT(m.reduced.residuals(&m, moved, r[1], NULL), MS_OK);
-                for (i = 0; i < count; ++i) {
-                    most = fmax(most, fabs(jacobian[i * 13 + (size_t)j]));
-                    off = fmax(off, fabs((r[1][i] - r[0][i]) / 1e-3 - jacobian[i * 13 + (size_t)j]));
+            matcher_light(&m, kinds[k]);
+            CHECK_INT(matcher_aim(&m, target, weighted ? weight : NULL, &error), MS_OK);
+            CHECK(m.lit.reduced != NULL && m.renderer.reduced == NULL);
+            count = m.reduced.residual_count;
+            CHECK(count <= 100 && m.reduced.parameter_count == n && m.lit.parameter_count == n);
+            for (round = 0; round < 5; ++round) {
+                double exact = 0, collapsed = 0;
+                for (j = 0; j < n; ++j) z[j] = j < 7 ? uniform(&state) : uniform(&state) - 0.5;
+                CHECK_INT(m.lit.render(&m, z, picture[0]), MS_OK);
+                CHECK_INT(m.renderer.render(&m, z, picture[1]), MS_OK);
+                for (i = 0; i < p; ++i) {
+                    double e = (double)picture[0][i] - (double)target[i];
+                    exact += (weighted ? (double)weight[i] : 1) * e * e;
+                    e = exp(z[k ? 7 + 3 * i / p : 7]) * (double)picture[1][i] + (k ? z[10 + 3 * i / p] : 0);
+                    CHECK_NEAR((double)picture[0][i], e, 1e-6); /* floats of size 1 */
                 }
-                CHECK_LE(off, 0.02 * most); /* a forward difference of 1e-3 against curvatures of some units */
+                CHECK_INT(m.reduced.residuals(&m, z, r[0], jacobian), MS_OK);
+                for (i = 0; i < count; ++i) collapsed += r[0][i] * r[0][i];
+                CHECK_NEAR(collapsed, exact, 2e-6 * exact); /* pictures in float32 */
+                CHECK_INT(matcher__room(&m.workspace, ms_nn_workspace_size(m.network.nn, MS_NN_JACOBIAN, 1)), MS_OK);
+                CHECK_INT(m.lit.jacobian(&m, z, picture[0], slopes), MS_OK);
+                for (j = 0; j < n; ++j) {
+                    double most = 0, off = 0, most_drawn = 0, off_drawn = 0;
+                    memcpy(moved, z, sizeof z);
+                    moved[j] += 1e-3;
+                    CHECK_INT(m.reduced.residuals(&m, moved, r[1], NULL), MS_OK);
+                    for (i = 0; i < count; ++i) {
+                        most = fmax(most, fabs(jacobian[i * (size_t)n + (size_t)j]));
+                        off = fmax(off, fabs((r[1][i] - r[0][i]) / 1e-3 - jacobian[i * (size_t)n + (size_t)j]));
+                    }
+                    CHECK_INT(m.lit.render(&m, moved, picture[1]), MS_OK);
+                    for (i = 0; i < p; ++i) {
+                        double d = ((double)picture[1][i] - (double)picture[0][i]) / 1e-3,
+                               s = (double)slopes[i * (size_t)n + (size_t)j];
+                        most_drawn = fmax(most_drawn, fabs(s));
+                        off_drawn = fmax(off_drawn, fabs(d - s));
+                    }
+                    CHECK_LE(off, 0.02 * most); /* a forward difference of 1e-3 against curvatures of some units */
+                    CHECK_LE(off_drawn, 0.02 * most_drawn);
+                }
             }
-        }
-        for (k = 0; k < 5; ++k) {
-            ms_pme_match_result result[2];
-            ms_pme_match_options options = ms_pme_match_defaults();
-            options.refine.max_cost = 3000;
-            options.channels = 3;
-            options.nuisance = kinds[k];
-            for (direct = 0; direct < 2; ++direct) {
-                ms_pme_renderer renderer = m.renderer;
-                if (direct) {
-                    renderer.reduced = NULL;
-                    CHECK_INT(matcher__room(&m.workspace, ms_nn_workspace_size(m.network.nn, MS_NN_JACOBIAN, 1)),
+            { /* from the collapsed objective, and from pictures */
+                ms_pme_match_result result[2];
+                ms_pme_match_options options = ms_pme_match_defaults();
+                matcher_found found[2];
+                options.refine.max_cost = 3000;
+                for (direct = 0; direct < 2; ++direct) {
+                    ms_pme_renderer renderer = m.lit;
+                    if (direct) renderer.reduced = NULL;
+                    if (direct)
+                        CHECK_INT(matcher__room(&m.workspace, ms_nn_workspace_size(m.network.nn, MS_NN_JACOBIAN, 1)),
+                                  MS_OK);
+                    CHECK_INT(matcher__match(&m, &renderer, target, weighted ? weight : NULL, &options, y[direct],
+                                             picture[direct], &result[direct], &found[direct], &error),
                               MS_OK);
                 }
-                CHECK_INT(ms_pme_match(&renderer, target, weighted ? weight : NULL, &options, y[direct], NULL,
-                                       &result[direct], &error),
-                          MS_OK);
+                CHECK_NEAR(result[0].rmse, result[1].rmse, 1e-5 * result[1].rmse);
+                CHECK_NEAR(found[0].gain[1], found[1].gain[1], 1e-3);
+                CHECK_NEAR(found[0].offset[2], found[1].offset[2], 1e-3);
+                for (j = 0; j < 7; ++j) worst = fmax(worst, fabs(y[0][j] - y[1][j]));
+                if (k == 0) CHECK_NEAR(found[0].gain[0], found[0].gain[2], 0);
+                if (k == 0) CHECK_NEAR(found[0].offset[0], 0, 0);
             }
-            CHECK_NEAR(result[0].rmse, result[1].rmse, 1e-5 * result[1].rmse);
-            CHECK_NEAR(result[0].gain[1], result[1].gain[1], 1e-3);
-            CHECK_NEAR(result[0].offset[2], result[1].offset[2], 1e-3);
-            for (j = 0; j < 7; ++j) worst = fmax(worst, fabs(y[0][j] - y[1][j]));
-            if (kinds[k] == MS_PME_EXPOSURE) CHECK_NEAR(result[0].gain[0], result[0].gain[2], 0);
-            if (!(kinds[k] & MS_PME_OFFSET)) CHECK_NEAR(result[0].offset[0], 0, 0);
         }
-    }
     CHECK_LE(worst, 1e-2);
     TEST_NOTE("largest difference of a parameter %.1e", worst);
     matcher_close(&m);
     CHECK_INT(matcher_open(&m, renderer(9, 16, 20, "linear"), &error), MS_OK); /* channels share their features */
-    m.light = 1;
+    matcher_light(&m, MATCHER_TINT);
     make_target(&m, 0.05f, target);
     CHECK_INT(matcher_aim(&m, target, NULL, &error), MS_OK);
-    CHECK(m.renderer.reduced == NULL);
+    CHECK(m.lit.reduced == NULL && m.renderer.reduced == NULL);
+    matcher_close(&m);
+}
+
+/* A picture that the renderer made, then brighter, tinted and offset: the material is found, and what was done to its
+   picture; the picture that comes out has it. Of an unchanged picture gain and offset stay near 1 and 0. */
+static void test_light_found(void)
+{
+    static const double gain[3] = {1.5, 1.2, 0.8}, offset[3] = {0, 0.1, 0.2};
+    static matcher m;
+    static float target[3 * 16 * 16], picture[3 * 16 * 16];
+    double truth[7], x[7], deviation[7];
+    ms_pme_match_options options = ms_pme_match_defaults();
+    ms_pme_match_result result;
+    matcher_found found;
+    ms_error error;
+    size_t i, p;
+    int kind, j, c;
+    CHECK_INT(matcher_open(&m, shared_renderer(16), &error), MS_OK);
+    p = m.renderer.image_size;
+    for (j = 0; j < 7; ++j) truth[j] = 0.3 + 0.07 * j;
+    options.refine.max_cost = 1000;
+    options.refine.restarts = 20;
+    options.deviation = deviation;
+    for (kind = 0; kind < 3; ++kind) { /* nothing; one gain; all of it */
+        CHECK_INT(m.renderer.render(&m, truth, target), MS_OK);
+        for (i = 0; i < p; ++i) {
+            c = (int)(3 * i / p);
+            target[i] = (float)((kind == 2  ? gain[c]
+                                     : kind ? 1.7
+                                            : 1) *
+                                    (double)target[i] +
+                                (kind == 2 ? offset[c] : 0));
+        }
+        CHECK_INT(matcher_match(&m, target, NULL, &options, kind == 1 ? MATCHER_EXPOSURE : MATCHER_TINT, x, picture,
+                                &result, &found, &error),
+                  MS_OK);
+        CHECK_LE(result.rmse, 1e-3); /* the pull of 1e-4 moves gains and offsets a little */
+        for (c = 0; c < 3; ++c) {
+            CHECK_NEAR(found.gain[c], kind == 2 ? gain[c] : kind ? 1.7 : 1, 0.03);
+            CHECK_NEAR(found.offset[c], kind == 2 ? offset[c] : 0, 0.03);
+        }
+        for (i = 0; i < p; ++i) CHECK_NEAR((double)picture[i], (double)target[i], 1e-2);
+        for (j = 0; j < 7; ++j) CHECK(deviation[j] > 0 && deviation[j] < 0.3);
+    }
     matcher_close(&m);
 }
 
@@ -302,12 +352,8 @@ static void test_mask_off(void)
 static void test_nothing_left(void)
 {
     static const struct {
-        int flags, nuisance, masked;
-    } calls[] = {{0, MS_PME_TINT | MS_PME_OFFSET, 0},
-                 {0, MS_PME_EXPOSURE, 1},
-                 {MATCHER_ROBUST | MATCHER_ALIGN, 0, 1},
-                 {0, 0, 1},
-                 {0, 0, 0}};
+        int flags, masked;
+    } calls[] = {{MATCHER_TINT, 0}, {MATCHER_EXPOSURE, 1}, {MATCHER_ROBUST | MATCHER_ALIGN, 1}, {0, 1}, {0, 0}};
     enum { CALLS = 5 };
     static matcher used, fresh;
     static float target[3 * 16 * 16], weight[3 * 16 * 16], picture[2][3 * 16 * 16];
@@ -323,22 +369,21 @@ static void test_nothing_left(void)
             const float *mask = calls[k].masked ? weight : NULL;
             ms_pme_match_options options = ms_pme_match_defaults();
             ms_pme_match_result result[2];
+            matcher_found found[2];
             double x[2][MS_PME_PARAMETERS_MAX];
-            options.channels = 3;
-            options.nuisance = calls[k].nuisance;
             options.refine.restarts = 3;
             CHECK_INT(matcher_open(&fresh, path, &error), MS_OK);
             memset(result, 0, sizeof result);
-            CHECK_INT(matcher_match(&used, target, mask, &options, calls[k].flags, x[0], picture[0], &result[0], NULL,
-                                    &error),
+            CHECK_INT(matcher_match(&used, target, mask, &options, calls[k].flags, x[0], picture[0], &result[0],
+                                    &found[0], &error),
                       MS_OK);
-            CHECK_INT(matcher_match(&fresh, target, mask, &options, calls[k].flags, x[1], picture[1], &result[1], NULL,
-                                    &error),
+            CHECK_INT(matcher_match(&fresh, target, mask, &options, calls[k].flags, x[1], picture[1], &result[1],
+                                    &found[1], &error),
                       MS_OK);
             CHECK(memcmp(x[0], x[1], (size_t)used.renderer.parameter_count * sizeof(double)) == 0);
             CHECK(memcmp(picture[0], picture[1], used.renderer.image_size * sizeof(float)) == 0);
             CHECK(memcmp(&result[0].rmse, &result[1].rmse, sizeof(double)) == 0);
-            CHECK(memcmp(result[0].gain, result[1].gain, sizeof result[0].gain) == 0);
+            CHECK(memcmp(&found[0], &found[1], sizeof found[0]) == 0);
             CHECK_NEAR(result[0].cost, result[1].cost, 0);
             matcher_close(&fresh);
         }
@@ -664,7 +709,8 @@ static void test_slipped_and_stamped(void)
         ms_pme_match_options options = ms_pme_match_defaults();
         ms_pme_match_result result;
         image im = image_new(64, 64, 3);
-        double truth[19], x[19], plain[19], shift[2], before, after;
+        double truth[19], x[19], plain[19], before, after;
+        matcher_found found;
         int flags = (k < 4 ? MATCHER_ALIGN : 0) | (k == 0 || k == 4 ? MATCHER_ROBUST : 0);
         for (j = 0; j < 19; ++j) truth[j] = (double)held_out.x[19 * (5 * k + 2) + j];
         CHECK_INT(m.renderer.render(&m, truth, picture), MS_OK);
@@ -678,7 +724,7 @@ static void test_slipped_and_stamped(void)
         CHECK_INT(matcher_match(&m, target, NULL, &options, 0, plain, picture, &result, NULL, &error), MS_OK);
         before = distance(picture, drawn, 3 * 64 * 64);
         error.message[0] = 0;
-        if (matcher_match(&m, target, NULL, &options, flags, x, picture, &result, shift, &error) != MS_OK)
+        if (matcher_match(&m, target, NULL, &options, flags, x, picture, &result, &found, &error) != MS_OK)
             TEST_FAIL("case %d: %s", k, error.message);
         after = distance(picture, drawn, 3 * 64 * 64);
         /* fractions of a pixel blur the picture when it slips, and the material follows that: half of what a slip of
@@ -690,8 +736,8 @@ static void test_slipped_and_stamped(void)
                      0.5 * apart(plain, truth, 19)); /* what the border hid moves what hardly shows */
         worst = fmax(worst, after / before);
         for (j = 0; j < 2 && k < 4; ++j) {
-            CHECK_NEAR(shift[j], slips[k][j], 0.1);
-            furthest = fmax(furthest, fabs(shift[j] - slips[k][j]));
+            CHECK_NEAR(found.shift[j], slips[k][j], 0.1);
+            furthest = fmax(furthest, fabs(found.shift[j] - slips[k][j]));
         }
         image_free(&im);
     }
@@ -757,6 +803,7 @@ static const test_case cases[] = {{"collapsed or not: the same minimum", test_sa
                                   {"a last layer that is not linear", test_not_linear},
                                   {"more features than pixels", test_more_features},
                                   {"gain and offset", test_light},
+                                  {"a light that is found", test_light_found},
                                   {"a mask taken off", test_mask_off},
                                   {"matches after others", test_nothing_left},
                                   {"weights against outliers", test_reweigh},

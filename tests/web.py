@@ -480,10 +480,12 @@ def kernels(b):
     for way, name in ((1, "half resolution"), (2, "a pyramid")):
         b.slide("#way", str(way))
         moved(name, 2e-5)
-        agree(name)
+        if way == 2:  # half resolution is the GPU's alone
+            agree(name)
         b.slide("#elevation", 0)
         moved(name + ", without elevation", 2e-5)
-        agree(name + ", without elevation")
+        if way == 2:
+            agree(name + ", without elevation")
         b.slide("#elevation", 1)
         moved(name + ", with it", 2e-5)
         b.value("designer.copied = ''")
@@ -551,7 +553,8 @@ def kernels(b):
         check("the same in " + language, numbers[:28] == flat and numbers[28:31] == kernel["delta"], text)
     for k, word in enumerate(("#version 330", "#version 300 es", "#version 450", "SV_Target", "@fragment")):
         text = copied("[data-shader='%d']" % k)
-        check("passes, " + word, text.count(word) == 2 and "ms_sss" in text, text[:200])
+        count = sum(word in line and not line.startswith("//") for line in text.split("\n"))
+        check("passes, " + word, count == 2 and "ms_sss" in text, text[:200])
 
     errors = b.value("designer.kernel.errors")
     b.slide("#taps", 33)

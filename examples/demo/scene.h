@@ -759,18 +759,19 @@ static inline void scene__cover(scene *s, const scene_grid *g)
         }
 }
 
-/* Renders the layers. color: diffuse reflectance of the object, RGB. */
-static inline const char *scene_render(scene *s, scene_object object, int width, int height, const float color[3])
+/* Renders the layers as `camera` sees them under three lamps. color: diffuse reflectance of the object, RGB. */
+static inline const char *scene_render_lit(scene *s, scene_object object, const scene_camera *camera,
+                                           const scene_light light[SCENE_LIGHTS], int width, int height,
+                                           const float color[3])
 {
     scene_grid grid;
-    scene_light light[SCENE_LIGHTS];
     size_t count;
     int x, y;
     memset(s, 0, sizeof *s);
     s->object = object;
     s->width = width;
     s->height = height;
-    s->camera = scene_camera_of(object);
+    s->camera = *camera;
     s->irradiance = image_new(width, height, 3);
     s->albedo = image_new(width, height, 3);
     s->specular = image_new(width, height, 3);
@@ -783,7 +784,6 @@ static inline const char *scene_render(scene *s, scene_object object, int width,
         scene_free(s);
         return "out of memory";
     }
-    scene_lights(object, light);
     for (y = 0; y < height; ++y)
         for (x = 0; x < width; ++x) {
             size_t pixel = (size_t)y * (size_t)width + (size_t)x;
@@ -795,6 +795,15 @@ static inline const char *scene_render(scene *s, scene_object object, int width,
     scene__cover(s, &grid);
     free(grid.distance);
     return NULL;
+}
+
+/* The same by the object's own camera and lamps. */
+static inline const char *scene_render(scene *s, scene_object object, int width, int height, const float color[3])
+{
+    scene_camera camera = scene_camera_of(object);
+    scene_light light[SCENE_LIGHTS];
+    scene_lights(object, light);
+    return scene_render_lit(s, object, &camera, light, width, height, color);
 }
 
 /* --- from layers to a picture --- */

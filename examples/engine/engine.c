@@ -1,23 +1,30 @@
 /* Subsurface scattering in an engine's frame, in plain OpenGL 3.3 core: G-buffer, two passes, composition. A ball of
    skin and one of wax before cloth, which must not glow; a lamp shines through the rims from behind.
 
-     cc -O2 -I. examples/engine/engine.c -o build/engine -lEGL -lm && build/engine OUT.png
+     make build/engine && build/engine OUT.png, or
+     xxd -i <examples/engine/shader/ms_sss.glsl >build/ms_sss.glsl.inc
+     cc -O2 -I. -Ibuild examples/engine/engine.c -o build/engine -lEGL -lm
 
-   To port it: the texts come in HLSL, Vulkan GLSL and WGSL as well (shader.language); what stands here as a uniform
-   array is one constant buffer there, filled with the same bytes; "texture unit n" is a descriptor in the slot that
-   ms_sss.h names beside ms_sss_shader; between two draws, where the target of one is read by the next, Vulkan and D3D12
-   want a barrier from render target to shader resource. Nothing else depends on the API. */
+   To port it: ms_sss.glsl is HLSL and Vulkan's GLSL as well, by a #define, and x.wgsl and y.wgsl beside it are WGSL;
+   what stands here as a uniform array is one constant buffer there, filled with the same bytes; "texture unit n" is a
+   descriptor at the binding that the file names; between two draws, where the target of one is read by the next, Vulkan
+   and D3D12 want a barrier from render target to shader resource. Nothing else depends on the API. */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "egl.h"
 #include "../tools/image.h"
+
+/* The shader file in this program; by a compiler of C23: #embed "shader/ms_sss.glsl". */
+static const char sss_file[] = {
+#include "ms_sss.glsl.inc"
+    , 0};
 
 enum { WIDTH = 960, HEIGHT = 540, SKIN = 0, WAX = 1, KERNELS = 2 };
 enum { IRRADIANCE, ALBEDO, SPECULAR, THROUGH, MIDDLE, FILTERED, PICTURE, TARGETS };
 
 /* What stands for the engine's mesh pass. It writes what every engine has: light that arrives, before the albedo and
    without the specular part, with depth (along the view axis) and the material's index in alpha. Materials that do not
-   scatter write 0 there. Its light loop calls ms_sss_transmission, whose text goes before this one. */
+   scatter write 0 there. Its light loop calls ms_sss_transmission, with which ms_sss.glsl goes before this text. */
 static const char *const scene =
     "uniform vec4 reflectance[2], decay[2];\n"
     "layout(location = 0) out vec4 irradiance; layout(location = 1) out vec4 albedo;\n"
@@ -57,9 +64,13 @@ static const char *const scene =
     "    through = vec4(behind, 1.0);\n"
     "}\n";
 
-/* How the passes read the G-buffer: the same functions over a raw depth buffer, a stencil index or an array layer do.
- */
-static const char *const fetch =
+/* What goes before ms_sss.glsl in a pass: how it reads the G-buffer. The same functions over a raw depth buffer, a
+   stencil index or an array layer do. */
+static const char *const pass_head =
+    "#version 330\n"
+    "#define MS_SSS_STEP %d\n"
+    "#define MS_SSS_TAPS %d\n"
+    "#define MS_SSS_PROFILES %d\n"
     "uniform sampler2D irradiance;\n"
     "vec3 ms_sss_fetch_color(ivec2 p) { return texelFetch(irradiance, p, 0).rgb; }\n"
     "float ms_sss_fetch_depth(ivec2 p) { return texelFetch(irradiance, p, 0).a; }\n"
@@ -75,7 +86,7 @@ static const char *const compose =
     "    color = vec4(pow(clamp(c, 0.0, 1.0), vec3(1.0 / 2.2)), 1.0);\n"
     "}\n";
 
-static char text[30000], log_text[2000];
+static char text[60000], log_text[2000];
 static GLuint texture[TARGETS]; /* of which texture unit n holds number n */
 
 static int fail(const char *what, const char *why)
@@ -115,7 +126,6 @@ int main(int argc, char **argv)
     ms_sss_shader shader;
     ms_error error;
     GLuint program;
-    size_t n;
     int i, c, step;
     const char *problem;
     if (argc != 2) return fail("usage", "engine OUT.png");
@@ -141,30 +151,25 @@ int main(int argc, char **argv)
     gl_Viewport(0, 0, WIDTH, HEIGHT);
 
     /* Every frame: 1. the G-buffer */
-    n = (size_t)snprintf(text, sizeof text, "#version 330\n");
-    n += ms_sss_transmission_text(MS_SSS_GLSL_330, text + n, sizeof text - n);
-    snprintf(text + n, sizeof text - n, "%s", scene);
+    snprintf(text, sizeof text, "#version 330\n#define MS_SSS_STEP 8\n%s%s", sss_file, scene);
     if (!(program = gl_program(gl_corner[0], text, log_text, sizeof log_text))) return fail("scene", log_text);
     gl_Uniform4fv(gl_GetUniformLocation(program, "reflectance"), KERNELS, &factor[0][0][0]);
     gl_Uniform4fv(gl_GetUniformLocation(program, "decay"), KERNELS, &factor[1][0][0]);
     draw(IRRADIANCE, 4);
 
-    /* 2. the passes: texts and constants are made once, and again when what ms_sss.h names beside them
-       changes */
+    /* 2. the passes: programs are made once, constants again when what ms_sss.h names beside them changes */
     options.fov_degrees = 40;
     options.mm_per_unit = 10; /* the scene is in centimeters */
     shader = ms_sss_shader_defaults();
-    shader.language = MS_SSS_GLSL_330;
     shader.tap_count = kernel[0].tap_count;
     shader.profile_count = KERNELS;
     shader.nearest = 9.4f; /* of the wax ball: too wide a kernel for its taps is refused */
-    shader.fetch = fetch;
     if (ms_sss_shader_constant_count(&shader) > 64) return fail("constants", "more than 64");
     if (ms_sss_shader_constants(kernel, 0, &options, WIDTH, HEIGHT, &shader, constants, &error) != MS_OK)
         return fail("constants", error.message);
     for (step = 0; step < 2; ++step) {
-        shader.step = step ? MS_SSS_STEP_Y : MS_SSS_STEP_X;
-        if (!ms_sss_shader_text(&shader, &options, text, sizeof text, &error)) return fail("text", error.message);
+        const int n = snprintf(text, sizeof text, pass_head, step, shader.tap_count, shader.profile_count);
+        snprintf(text + n, sizeof text - (size_t)n, "%s", sss_file);
         if (!(program = gl_program(gl_corner[0], text, log_text, sizeof log_text))) return fail("pass", log_text);
         gl_Uniform4fv(gl_GetUniformLocation(program, "ms_sss"), ms_sss_shader_constant_count(&shader), constants[0]);
         read_by(program, "irradiance", IRRADIANCE);

@@ -11,6 +11,7 @@
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #include "egl.h"
+#include "nn_shader.h"
 #include "../tools/neural.h"
 #include <time.h>
 
@@ -31,7 +32,7 @@ static double now(void)
 
 /* The steps of a network: programs, the textures that they read and write, and sizes. */
 typedef struct gallery {
-    ms_nn_shader_sizes size[STEPS_MAX];
+    nn_shader_sizes size[STEPS_MAX];
     int steps, width, height;
     GLuint program[STEPS_MAX], weights, values[STEPS_MAX + 1]; /* values[0]: inputs; the last: the sheet */
     float *inputs;
@@ -48,29 +49,29 @@ static const char *gallery_make(gallery *g, const neural *n, int steps, ms_error
     static char text[60000], log[2000];
     const float constants[4] = {ACROSS, COUNT, 0,
                                 0}; /* row 0 of the sheet is row 0 of the target: as image_write wants it */
-    ms_nn_shader s;
+    nn_shader s;
     void *weights;
     memset(g, 0, sizeof *g);
     memset(&s, 0, sizeof s);
     s.steps = steps;
     s.width = s.height = n->size;
-    if (ms_nn_shader_layout(n->nn, &s, &g->size[0], error) != MS_OK) return error->message;
+    if (nn_shader_layout(n->nn, &s, &g->size[0], error) != MS_OK) return error->message;
     g->steps = g->size[0].steps;
     if (g->steps > STEPS_MAX) return "more steps than this program holds";
-    weights = malloc((size_t)g->size[0].weight_rows * MS_NN_SHADER_WIDTH * 4 * 2);
+    weights = malloc((size_t)g->size[0].weight_rows * NN_SHADER_WIDTH * 4 * 2);
     g->inputs = (float *)malloc((size_t)(COUNT * g->size[0].rows * g->size[0].input_width) * 16);
     if (weights == NULL || g->inputs == NULL) return "out of memory";
-    if (ms_nn_shader_weights(n->nn, MS_NN_F16, weights, error) != MS_OK) return error->message;
+    if (nn_shader_weights(n->nn, MS_NN_F16, weights, error) != MS_OK) return error->message;
     g->weights = values_texture(GL_RGBA32F, 1, 1);
-    gl_TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, MS_NN_SHADER_WIDTH, g->size[0].weight_rows, 0, GL_RGBA, GL_HALF_FLOAT,
+    gl_TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, NN_SHADER_WIDTH, g->size[0].weight_rows, 0, GL_RGBA, GL_HALF_FLOAT,
                   weights);
     free(weights);
     g->values[0] = values_texture(GL_RGBA32F, g->size[0].input_width, COUNT * g->size[0].rows);
     for (s.step = 0; s.step < g->steps; ++s.step) {
-        ms_nn_shader_sizes *z = &g->size[s.step];
+        nn_shader_sizes *z = &g->size[s.step];
         int last = s.step == g->steps - 1;
-        ms_nn_shader_layout(n->nn, &s, z, NULL);
-        if (ms_nn_shader_text(n->nn, &s, text, sizeof text, error) == 0) return error->message;
+        nn_shader_layout(n->nn, &s, z, NULL);
+        if (nn_shader_text(n->nn, &s, text, sizeof text, error) == 0) return error->message;
         g->program[s.step] = gl_program(gl_corner[0], text, log, sizeof log);
         if (!g->program[s.step]) return log;
         gl_Uniform1i(gl_GetUniformLocation(g->program[s.step], "ms_nn_weights"), 0);
@@ -87,7 +88,7 @@ static const char *gallery_make(gallery *g, const neural *n, int steps, ms_error
 static void gallery_draw(gallery *g, const neural *n, const float *x)
 {
     int k;
-    ms_nn_shader_inputs(n->nn, COUNT, x, g->inputs);
+    nn_shader_inputs(n->nn, COUNT, x, g->inputs);
     gl_ActiveTexture(GL_TEXTURE1);
     gl_BindTexture(GL_TEXTURE_2D, g->values[0]);
     gl_TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, g->size[0].input_width, COUNT * g->size[0].rows, 0, GL_RGBA, GL_FLOAT,

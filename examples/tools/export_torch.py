@@ -6,8 +6,7 @@
     error = ms.save_keras("net.safetensors", net)  # channels last: inputs and kernels are transposed
 
 PyTorch: torch.fx traces the network as it is in eval(). Any Module is saved whose forward() is a chain of layers that
-ms_nn.h has, as modules or as functions (F.relu, x.tanh(), torch.flatten), with additions and torch.cat of earlier
-outputs. A layer that is used twice is stored twice. BatchNorm is folded into the linear or convolution layer before it,
+ms_nn.h has, as modules or as functions (F.relu, x.tanh(), torch.flatten), with additions of earlier outputs. A layer that is used twice is stored twice. BatchNorm is folded into the linear or convolution layer before it,
 or becomes a layer of its own. Keras: Sequential.
 
 Every file is checked before it is kept: build/nn_run runs it (a C compiler builds that from examples/tools/nn_run.c
@@ -226,12 +225,11 @@ def torch_layer(m, kind, me, x, y):
     if kind == "Linear":
         require(rank == 1, me, "its input has the shape %s; flatten it first" % (x,))
         return [{"type": "dense"}], (array(m.weight), array(m.bias))
-    if kind in ("Conv1d", "Conv2d", "ConvTranspose1d", "ConvTranspose2d"):
-        transposed = "Transpose" in kind
+    if kind in ("Conv1d", "Conv2d"):
         require(m.padding_mode == "zeros", me, "padding_mode is %s" % m.padding_mode)
-        layer.update(type="conv" + kind[-2:] + "_transpose" * transposed, kernel=numbers(m.kernel_size),
-                     stride=numbers(m.stride), dilation=numbers(m.dilation), groups=int(m.groups))
-        if transposed: layer.update(filters=int(m.out_channels), extra=numbers(m.output_padding))
+        require(m.groups == 1, me, "it has groups")
+        require(np.all(np.equal(m.dilation, 1)), me, "it dilates")
+        layer.update(type="conv" + kind[-2:], kernel=numbers(m.kernel_size), stride=numbers(m.stride))
         if isinstance(m.padding, str): layer["padding"] = m.padding
         else: layer["zeros"] = numbers(m.padding)
         return [layer], (array(m.weight), array(m.bias))
@@ -240,8 +238,7 @@ def torch_layer(m, kind, me, x, y):
         gain = 1 / np.sqrt(array(m.running_var) + m.eps) * (1 if m.weight is None else array(m.weight))
         shift = (0 if m.bias is None else array(m.bias)) - gain * array(m.running_mean)
         if rank == 1: return [{"type": "dense"}], (np.diag(gain), shift)
-        weight = gain.reshape((-1, 1) + (1,) * (rank - 1))
-        return [{"type": "conv%dd" % (rank - 1), "groups": len(gain)}], (weight, shift)
+        return [{"type": "conv%dd" % (rank - 1)}], (np.diag(gain).reshape((len(gain), -1) + (1,) * (rank - 1)), shift)
     if kind in ("MaxPool1d", "MaxPool2d", "AvgPool1d", "AvgPool2d"):
         require(not np.any(m.padding) and not m.ceil_mode, me, "it pads or rounds up")
         require(np.all(np.equal(getattr(m, "dilation", 1), 1)), me, "it dilates")
@@ -253,13 +250,11 @@ def torch_layer(m, kind, me, x, y):
         size = numbers(np.floor_divide(x[1:], y[1:])) if rank == 3 else x[1] // y[1]
         return [dict(type=kind[8:11].lower() + "pool" + kind[-2:], size=size, stride=size)], None
     if kind in ("Upsample", "UpsamplingNearest2d", "UpsamplingBilinear2d"):
-        known = ("nearest", "linear", "bilinear")
-        require(m.mode in known, me, "mode is %s; nearest, linear and bilinear are known" % m.mode)
+        require(m.mode == "nearest", me, "mode is %s; only nearest is known" % m.mode)
         whole = np.all(np.mod(y[1:], x[1:]) == 0) and not np.any(np.mod(m.scale_factor or 1, 1))
         require(rank in (2, 3) and whole, me, "it scales %s to %s; only whole factors are known" % (x[1:], y[1:]))
         factor = numbers(np.floor_divide(y[1:], x[1:]))
         layer.update(type="upsample%dd" % (rank - 1), factor=factor if rank == 3 else factor[0])
-        if m.mode != "nearest": layer.update(mode="linear", align_corners=bool(m.align_corners))
         return [layer], None
     if kind == "mean":
         axes = sorted(int(a) % (rank + 1) for a in np.atleast_1d(m.get("dim", ())))
@@ -268,17 +263,13 @@ def torch_layer(m, kind, me, x, y):
     require(False, me, "ms_nn.h has no such layer")
 
 
-def fold(layer, weight, bias, gain, shift):
+def fold(weight, bias, gain, shift):
     """Weights of a layer with an affine map of each output behind it."""
-    if "transpose" in layer["type"]:  # [inputs][outputs of a group]...
-        gain_of = np.repeat(gain.reshape(layer["groups"], -1), len(weight) // layer["groups"], 0)
-    else: gain_of = gain.reshape(-1, 1)
-    gain_of = gain_of.reshape(gain_of.shape[:2] + (1,) * (weight.ndim - 2))
-    return weight * gain_of, shift + (0 if bias is None else gain * bias)
+    return weight * gain.reshape((-1,) + (1,) * (weight.ndim - 1)), shift + (0 if bias is None else gain * bias)
 
 
 class Chain:
-    """The layers of a file: each runs on the output of the one before it; additions and concatenations read others too."""
+    """The layers of a file: each runs on the output of the one before it; additions read others too."""
     def __init__(self): self.layers, self.weights, self.modules = [], {}, []
 
     def last(self): return len(self.layers) - 1
@@ -300,19 +291,18 @@ class Chain:
             self.weights[self.last()] = (me, *weight)
             self.name(self.last())
 
-    def join(self, me, kind, sources):
-        """The sum or concatenation of outputs, of which one is that of the last layer."""
+    def join(self, me, sources):
+        """The sum of outputs, of which one is that of the last layer."""
         require(self.last() in sources, me, "none of its inputs is the output of the layer before it")
         k, names = sources.index(self.last()), [self.name(i) for i in sources]
         for j in [*range(k - 1, -1, -1), *range(k + 1, len(names))]:
-            order = {"order": "before" if j < k else "after"} if kind == "concat" else {}
-            self.add(me, {"type": kind, "from": names[j], **order})
+            self.add(me, {"type": "add", "from": names[j]})
 
     def normalize(self, me, layer, weight, foldable):
         """A BatchNorm, into the weights of the last layer where these are nobody else's."""
         if not foldable or self.last() not in self.weights: return self.add(me, layer, weight)
         owner, *own = self.weights[self.last()]
-        self.weights[self.last()] = (owner, *fold(self.layers[-1], *own, weight[0].sum(1).reshape(-1), weight[1]))
+        self.weights[self.last()] = (owner, *fold(*own, weight[0].sum(1).reshape(-1), weight[1]))
         self.layers[-1]["bias"] = True
 
 
@@ -354,17 +344,12 @@ def save_torch(path, net, input_shape, dtype="float32", tolerance=None):
         if node.op == "call_function":
             package = (getattr(node.target, "__module__", None) or "torch").split(".")[0]
             require(package in ("torch", "_operator"), me, "it is no function of PyTorch")
-        if called and name in ("add", "add_", "iadd", "cat", "concat"):
-            adds = "add" in name
-            parts = node.args[:2] if adds else node.args[0] if node.args else node.kwargs["tensors"]
-            require(isinstance(parts, (list, tuple)) and all(map(tensor, parts)), me, "it takes what is no tensor")
-            if adds:
-                same = len(parts) == 2 and not node.kwargs and shape(parts[0]) == shape(parts[1])
-                require(same, me, "only two tensors of one shape are added")
-            else:
-                dim = value(node.kwargs.get("dim", node.args[1] if len(node.args) > 1 else 0))
-                require(dim in (1, -len(shape(node))), me, "it joins along dimension %d; only channels (1) are known" % dim)
-            chain.join(me, "add" if adds else "concat", [output[a] for a in parts])
+        if called and name in ("add", "add_", "iadd"):
+            parts = node.args[:2]
+            require(all(map(tensor, parts)), me, "it takes what is no tensor")
+            same = len(parts) == 2 and not node.kwargs and shape(parts[0]) == shape(parts[1])
+            require(same, me, "only two tensors of one shape are added")
+            chain.join(me, [output[a] for a in parts])
             output[node] = chain.last()
             continue
         require(len(inputs) == 1 and node.args and node.args[0] is inputs[0], me, "it has more than one input")
@@ -383,7 +368,7 @@ def save_torch(path, net, input_shape, dtype="float32", tolerance=None):
             kind = own[0] if own else type(m).__name__
         made, weight = torch_layer(m, kind, me, shape(source), shape(node))
         require(not made or output[source] == chain.last(), me,
-                "its input is not the output of the layer before it; only additions and torch.cat read earlier outputs")
+                "its input is not the output of the layer before it; only additions read earlier outputs")
         if kind.startswith("BatchNorm"):
             chain.normalize(me, made[0], weight, source.op == "call_module" and len(source.users) == 1 and
                             chain.modules[-1:] == [source.target])

@@ -19,8 +19,8 @@
    another picture of the same material, by a renderer of its own (another view, light or size), up to seven; all count
    in one objective, without --weights, --robust, --align, --exposure and --tint. The parameters go to CSV as a line of
    names and a row: the names of the renderer's metadata "ms_parameters" (separated by commas), else those of X.csv. The
-   PNG has gain and offset applied. The exit code is 3, with all files written, where the renderer can draw nothing like
-   the picture. */
+   PNG has gain and offset applied. The last line but two says how good the match is; the exit code is 3, with all files
+   written, where the renderer can draw nothing like the picture, or nothing nearer than one color. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #define MS_PME_IMPLEMENTATION
@@ -196,26 +196,28 @@ int main(int argc, char **argv)
     static char header[32768], text[40000];
     const char *renderer = NULL, *target_path = NULL, *inversions = NULL, *mask_path = NULL, *start = NULL, *csv = NULL,
                *png = NULL;
-    const char *problem, *names, *sentence, *frozen = NULL, *view[2 * matcher_views_max];
+    char sentence[240];
+    const char *problem, *names, *frozen = NULL, *view[2 * matcher_views_max];
     matcher *all[matcher_views_max];
     double low[MS_PME_PARAMETERS_MAX], high[MS_PME_PARAMETERS_MAX], pulls[MS_PME_PARAMETERS_MAX],
-        pull = 0, change = 1, shift[2] = {0, 0}, deviation[MS_PME_PARAMETERS_MAX], x[MS_PME_PARAMETERS_MAX],
-        source[MS_PME_PARAMETERS_MAX], cost = 50, limit = 0, seconds;
+        pull = 0, change = 1, deviation[MS_PME_PARAMETERS_MAX], x[MS_PME_PARAMETERS_MAX], source[MS_PME_PARAMETERS_MAX],
+        cost = 50, limit = 0, seconds;
     ms_pme_match_options options = ms_pme_match_defaults();
     ms_pme_match_result result;
+    matcher_found found;
     image answer;
     materials guess;
     float *target, *weight, *alpha, *picture;
     ms_error error;
     ms_status status;
     size_t used = 0, total;
-    int i, k, n, pixels, has_alpha = 0, flags = 0, count = 1, verdict;
+    int i, k, n, pixels, has_alpha = 0, flags = 0, light, count = 1, verdict;
     for (i = 1; i < argc; ++i) {
         if (strcmp(argv[i], "--help") == 0) return puts(usage_text) < 0 || file_end_stdout("match");
         if (strcmp(argv[i], "--robust") == 0) flags |= MATCHER_ROBUST;
         else if (strcmp(argv[i], "--align") == 0) flags |= MATCHER_ALIGN;
-        else if (strcmp(argv[i], "--exposure") == 0) options.nuisance |= MS_PME_EXPOSURE;
-        else if (strcmp(argv[i], "--tint") == 0) options.nuisance |= MS_PME_TINT | MS_PME_OFFSET;
+        else if (strcmp(argv[i], "--exposure") == 0) flags |= MATCHER_EXPOSURE;
+        else if (strcmp(argv[i], "--tint") == 0) flags |= MATCHER_TINT;
         else if (argv[i][0] != '-' && renderer == NULL) renderer = argv[i];
         else if (argv[i][0] != '-' && target_path == NULL) target_path = argv[i];
         else if (argv[i][0] != '-' || i + 1 == argc) break;
@@ -239,10 +241,11 @@ int main(int argc, char **argv)
                 return fail(argv[i], "--seconds takes a number from 0 (no limit) to 1e9") + 1;
         } else break;
     }
-    if (i < argc || target_path == NULL || (count > 1 && (flags || options.nuisance || mask_path))) {
+    if (i < argc || target_path == NULL || (count > 1 && (flags || mask_path))) {
         fprintf(stderr, "%s\n", usage_text);
         return 2;
     }
+    light = flags & (MATCHER_EXPOSURE | MATCHER_TINT);
 
     /* networks, target, weights, first guess */
     status = matcher_open(&m, renderer, &error);
@@ -302,7 +305,6 @@ int main(int argc, char **argv)
     seconds = matcher_clock(NULL);
     m.renderer.lower = low;
     m.renderer.upper = high;
-    options.channels = 3;
     if (pull > 0) {
         options.source = source;
         options.pull = pulls;
@@ -310,7 +312,7 @@ int main(int argc, char **argv)
     options.refine.max_cost = cost;
     options.refine.max_seconds = limit;
     options.refine.clock = matcher_clock;
-    if (options.nuisance && matcher_hides_surroundings(weight, m.network.size))
+    if (light && matcher_hides_surroundings(weight, m.network.size))
         fprintf(stderr,
                 "match: the weights hide the surroundings: the picture cannot tell the color of the light from the "
                 "material's; leave some of them, or drop --exposure and --tint\n");
@@ -319,9 +321,8 @@ int main(int argc, char **argv)
     options.candidate_count = start != NULL;
     options.deviation = deviation;
     if (count == 1) {
-        status = matcher_match(&m, target, weight, &options, flags, x, picture, &result, shift, &error);
+        status = matcher_match(&m, target, weight, &options, flags, x, picture, &result, &found, &error);
     } else {
-        options.channels = 0; /* views have channels of their own */
         status = matcher_views_aim(&views, all, count, target, NULL, &error);
         if (limit > 0) options.refine.max_seconds = fmax(limit - (matcher_clock(NULL) - seconds), 1e-6);
         if (status == MS_OK)
@@ -338,7 +339,9 @@ int main(int argc, char **argv)
            result.rmse_initial, 255 * result.rmse_initial);
     printf("match: RMSE %.5f (%.2f of 255) after %.0f renders, %.1f ms, %s\n", result.rmse, 255 * result.rmse,
            result.cost, 1e3 * seconds, stop[result.refine.stop]);
-    verdict = matcher_verdict(result.rmse, &sentence);
+    if (result.refine.steps == 0 && result.refine.stop != MS_PME_STOP_CONVERGED)
+        printf("this is the first guess: %s before the first step\n", stop[result.refine.stop]);
+    verdict = matcher_judge(target, weight, total, result.rmse, sentence, sizeof sentence);
     printf("verdict: %s\n", sentence);
     for (i = 0; i < n; ++i) {
         char name[64];
@@ -347,10 +350,10 @@ int main(int argc, char **argv)
         else printf("%s%.4f", i ? " " : "x: ", x[i]);
     }
     printf("\n");
-    if (options.nuisance)
-        printf("gain %.3f %.3f %.3f, offset %.3f %.3f %.3f, applied to the PNG\n", result.gain[0], result.gain[1],
-               result.gain[2], result.offset[0], result.offset[1], result.offset[2]);
-    if (flags & MATCHER_ALIGN) printf("the target lies %.2f pixels right, %.2f down\n", shift[0], shift[1]);
+    if (light)
+        printf("gain %.3f %.3f %.3f, offset %.3f %.3f %.3f, applied to the PNG\n", found.gain[0], found.gain[1],
+               found.gain[2], found.offset[0], found.offset[1], found.offset[2]);
+    if (flags & MATCHER_ALIGN) printf("the target lies %.2f pixels right, %.2f down\n", found.shift[0], found.shift[1]);
     print_open(deviation, n, names);
     for (i = 0; i < n && names; ++i) {
         char name[64];

@@ -39,11 +39,19 @@ typedef struct matcher {
     ms_nn *inversion[matcher_inversions_max];
     char name[matcher_inversions_max][64];         /* of their files, without folder and extension */
     matcher_objective plain, weighted, *objective; /* without weights: kept; with the last weights; the present one */
-    int light;                                     /* set before matcher_aim for a match with options.nuisance */
     ms_pme_function reduced;                       /* the collapsed residuals */
     ms_pme_renderer renderer;
+    int gains, offsets;  /* of the light: 0, 1 or 3, and 0 or 3; matcher_light sets them */
+    ms_pme_renderer lit; /* made by matcher_aim: takes x, the logarithms of the gains, and the offsets */
+    double lit_low[MS_PME_PARAMETERS_MAX + 6], lit_high[MS_PME_PARAMETERS_MAX + 6];
     matcher_block x, small, workspace, slopes; /* parameters as floats, the picture that an inversion network takes */
 } matcher;
+
+/* What is found with a material: pixels right and down that the target had slipped; gain phi(x) + offset of each
+   channel. */
+typedef struct matcher_found {
+    double shift[2], gain[3], offset[3];
+} matcher_found;
 
 /* What went wrong with a file; returns status. */
 static inline ms_status matcher__fail(ms_error *error, ms_status status, const char *path, const char *sentence)
@@ -96,35 +104,88 @@ static inline ms_status matcher__residuals(void *user, const double *x, double *
     return ms_nn_collapse_residual(m->objective->collapse, matcher__floats(m, x), r, jacobian, m->workspace.data);
 }
 
+/* --- light: gain phi(x) + offset, found with the material --- */
+
+enum { MATCHER_ROBUST = 1, MATCHER_ALIGN = 2, MATCHER_EXPOSURE = 4, MATCHER_TINT = 8 };
+
+/* Before matcher_aim. MATCHER_EXPOSURE: one gain, 1/8 to 8. MATCHER_TINT: a gain and an offset, -1 to 1, for each
+   channel. Else: none. */
+static inline void matcher_light(matcher *m, int flags)
+{
+    m->gains = flags & MATCHER_TINT ? 3 : flags & MATCHER_EXPOSURE ? 1 : 0;
+    m->offsets = flags & MATCHER_TINT ? 3 : 0;
+}
+
+/* z [n + gains + offsets] */
+static inline void matcher__light_at(const matcher *m, const double *z, double *gain, double *offset)
+{
+    const double *logs = z + m->renderer.parameter_count;
+    int c;
+    for (c = 0; c < 3; ++c) {
+        gain[c] = m->gains ? exp(logs[m->gains > 1 ? c : 0]) : 1;
+        offset[c] = m->offsets ? logs[m->gains + c] : 0;
+    }
+}
+
+/* Derivatives of a value of channel c by gain and offset, into its row of derivatives by z. */
+static inline int matcher__light_column(const matcher *m, int c)
+{
+    return m->renderer.parameter_count + (m->gains > 1 ? c : 0);
+}
+
+static inline ms_status matcher__lit_jacobian(void *user, const double *z, float *picture, float *jacobian)
+{
+    matcher *m = (matcher *)user;
+    const size_t p = m->renderer.image_size, n = (size_t)m->renderer.parameter_count,
+                 wide = (size_t)m->lit.parameter_count;
+    double gain[3], offset[3];
+    float *slopes = jacobian ? jacobian + p * (wide - n) : NULL; /* rows of n, at the end of the rows of z */
+    size_t i, j;
+    ms_status status = jacobian ? matcher__jacobian(m, z, picture, slopes) : matcher__render(m, z, picture);
+    matcher__light_at(m, z, gain, offset);
+    for (i = 0; i < p && status == MS_OK; ++i) {
+        const int c = (int)(3 * i / p);
+        float *row = jacobian + (jacobian ? i * wide : 0);
+        for (j = 0; j < n && jacobian; ++j) row[j] = (float)gain[c] * slopes[i * n + j];
+        for (j = n; j < wide && jacobian; ++j) row[j] = 0;
+        if (jacobian) row[matcher__light_column(m, c)] = (float)gain[c] * picture[i];
+        if (jacobian && m->offsets) row[n + (size_t)(m->gains + c)] = 1;
+        picture[i] = (float)(gain[c] * (double)picture[i] + offset[c]);
+    }
+    return status;
+}
+
+static inline ms_status matcher__lit_render(void *user, const double *z, float *picture)
+{
+    return matcher__lit_jacobian(user, z, picture, NULL);
+}
+
 /* The residuals of gain phi(x) + offset - target, collapsed: with Q an orthonormal basis of the features of a channel,
      Q' (...) = gain r + (gain - 1) Q't + offset Q'1,   r = Q' (phi - t) from ms_nn_collapse_residual,
-   and what is outside of Q depends on the light alone: three residuals a channel. x [n + 6]. */
-static inline ms_status matcher__light_residuals(void *user, const double *x, double *r, double *jacobian)
+   and what is outside of Q depends on the light alone: three residuals a channel. */
+static inline ms_status matcher__light_residuals(void *user, const double *z, double *r, double *jacobian)
 {
     const matcher *m = (const matcher *)user;
     const matcher_objective *o = m->objective;
-    size_t count = ms_nn_collapse_features(o->collapse), n = (size_t)m->renderer.parameter_count, wide = n + 6, i, j, c;
-    const double *gain = x + n, *offset = gain + 3, *white = o->light + 2 * count, *target = white + count;
-    double *plain = (double *)m->slopes.data, *slopes = jacobian ? plain + count + 1 : NULL;
-    ms_status status = matcher__residuals(user, x, plain, slopes);
+    size_t count = ms_nn_collapse_features(o->collapse), n = (size_t)m->renderer.parameter_count,
+           wide = (size_t)m->lit.parameter_count, i, j;
+    const double *white = o->light + 2 * count, *target = white + count;
+    double *plain = (double *)m->slopes.data, *slopes = jacobian ? plain + count + 1 : NULL, gain[3], offset[3];
+    ms_status status = matcher__residuals(user, z, plain, slopes);
     if (status != MS_OK) return status;
+    matcher__light_at(m, z, gain, offset);
     if (jacobian) memset(jacobian, 0, (count + 9) * wide * sizeof(double));
-    for (i = 0; i < count; ++i) {
-        double *row = jacobian + (jacobian ? i * wide : 0);
-        c = i / (count / 3);
-        r[i] = gain[c] * plain[i] + (gain[c] - 1) * target[i] + offset[c] * white[i];
+    for (i = 0; i < count + 9; ++i) {
+        const int outside = i >= count, c = (int)(outside ? (i - count) / 3 : i / (count / 3));
+        const double *rest = o->rest[c][(i - (outside ? count : 0)) % 3];
+        double *row = jacobian + (jacobian ? i * wide : 0), by_gain = outside ? rest[1] : plain[i] + target[i],
+               by_offset = outside ? rest[2] : white[i];
+        r[i] = outside ? rest[1] * (gain[c] - 1) + rest[2] * offset[c] - rest[0]
+                       : gain[c] * plain[i] + (gain[c] - 1) * target[i] + offset[c] * white[i];
         if (jacobian == NULL) continue;
-        for (j = 0; j < n; ++j) row[j] = gain[c] * slopes[i * n + j];
-        row[n + c] = plain[i] + target[i];
-        row[n + 3 + c] = white[i];
-    }
-    for (i = 0; i < 9; ++i) {
-        const double *rest = o->rest[i / 3][i % 3];
-        c = i / 3;
-        r[count + i] = rest[1] * (gain[c] - 1) + rest[2] * offset[c] - rest[0];
-        if (jacobian == NULL) continue;
-        jacobian[(count + i) * wide + n + c] = rest[1];
-        jacobian[(count + i) * wide + n + 3 + c] = rest[2];
+        for (j = 0; j < n && !outside; ++j) row[j] = gain[c] * slopes[i * n + j];
+        row[matcher__light_column(m, c)] = gain[c] * by_gain;
+        if (m->offsets) row[n + (size_t)(m->gains + c)] = by_offset;
     }
     return MS_OK;
 }
@@ -160,6 +221,32 @@ static inline ms_status matcher__predict(void *user, int i, const float *target,
     status = ms_nn_forward(m->inversion[i], 1, small, answer, m->workspace.data);
     for (j = 0; j < m->renderer.parameter_count; ++j) x[j] = (double)answer[j];
     return status;
+}
+
+static inline ms_status matcher__lit_predict(void *user, int i, const float *target, double *z)
+{
+    const matcher *m = (const matcher *)user;
+    int j;
+    for (j = m->renderer.parameter_count; j < m->lit.parameter_count; ++j) z[j] = 0;
+    return matcher__predict(user, i, target, z);
+}
+
+/* The renderer with its light as further parameters. */
+static inline void matcher__make_lit(matcher *m)
+{
+    const int n = m->renderer.parameter_count;
+    int j;
+    m->lit = m->renderer;
+    m->lit.parameter_count = n + m->gains + m->offsets;
+    m->lit.render = matcher__lit_render;
+    m->lit.jacobian = matcher__lit_jacobian;
+    m->lit.predict = matcher__lit_predict;
+    m->lit.lower = m->lit_low;
+    m->lit.upper = m->lit_high;
+    for (j = 0; j < m->lit.parameter_count; ++j) {
+        m->lit_high[j] = j >= n + m->gains ? 1 : j >= n ? log(8.0) : m->renderer.upper ? m->renderer.upper[j] : 1;
+        m->lit_low[j] = j >= n ? -m->lit_high[j] : m->renderer.lower ? m->renderer.lower[j] : 0;
+    }
 }
 
 /* --- making one --- */
@@ -272,14 +359,13 @@ static inline ms_status matcher_add_inversions(matcher *m, const char *folder, m
 /* The biases of the last layer where all three channels share them, as floats [size][size]; NULL: they do not. */
 static inline const float *matcher__bias(const matcher *m)
 {
-    const ms_nn_file *file = ms_nn_tensors(m->network.nn);
-    const char *layers = ms_nn_file_metadata(file, "ms_nn_layers"), *at, *last = NULL;
+    const ms_nn *nn = m->network.nn;
     const ms_nn_tensor *bias;
-    char name[200];
-    for (at = layers; at != NULL && (at = strstr(at, "\"name\"")) != NULL;) last = at += 6;
-    if (last == NULL || sscanf(last, " : \"%190[^\"]", name) != 1) return NULL;
-    strcat(name, ".bias");
-    bias = ms_nn_file_find(file, name);
+    char name[MS_NN_MAX_NAME + 8];
+    int l = ms_nn_layer_count(nn) - 1;
+    while (l > 0 && ms_nn_layer_at(nn, l).dtype == MS_NN_DTYPE_COUNT) --l;
+    snprintf(name, sizeof name, "%s.bias", ms_nn_layer_at(nn, l).name);
+    bias = ms_nn_file_find(ms_nn_tensors(nn), name);
     if (bias == NULL || bias->dtype != MS_NN_F32 || 3 * bias->bytes != m->renderer.image_size * sizeof(float))
         return NULL;
     return (const float *)bias->data;
@@ -353,7 +439,9 @@ static inline ms_status matcher_aim(matcher *m, const float *target, const float
 {
     matcher_objective *o = m->objective = weight != NULL ? &m->weighted : &m->plain;
     ms_status status = MS_OK;
+    const int light = m->gains > 0;
     m->renderer.reduced = NULL;
+    matcher__make_lit(m);
     if (weight != NULL || o->collapse == NULL) {
         ms_nn_collapse_destroy(o->collapse);
         free(o->light);
@@ -361,25 +449,23 @@ static inline ms_status matcher_aim(matcher *m, const float *target, const float
         status = ms_nn_collapse_create(m->network.nn, weight, &o->collapse, error);
     }
     m->reduced.user = m;
-    m->reduced.parameter_count = m->renderer.parameter_count;
+    m->reduced.parameter_count = m->lit.parameter_count;
     m->reduced.residual_count = 0;
     if (status == MS_UNSUPPORTED) return MS_OK; /* the last layer is not linear */
     if (status == MS_OK) status = matcher__room(&m->workspace, ms_nn_collapse_workspace_size(o->collapse, 1));
-    if (status == MS_OK && m->light) status = matcher__light(m, target, weight, error);
-    if (status == MS_OK && !m->light) status = ms_nn_collapse_target(o->collapse, target, error);
+    if (status == MS_OK && light) status = matcher__light(m, target, weight, error);
+    if (status == MS_OK && !light) status = ms_nn_collapse_target(o->collapse, target, error);
     if (status == MS_OUT_OF_MEMORY) return matcher__fail(error, status, "objective", ms_status_string(status));
-    if (status != MS_OK || (m->light && o->light == NULL)) return status;
-    m->reduced.residuals = m->light ? matcher__light_residuals : matcher__residuals;
-    m->reduced.residual_count = ms_nn_collapse_features(o->collapse) + (m->light ? 9 : 1);
-    m->reduced.parameter_count += m->light ? 6 : 0;
+    if (status != MS_OK || (light && o->light == NULL)) return status;
+    m->reduced.residuals = light ? matcher__light_residuals : matcher__residuals;
+    m->reduced.residual_count = ms_nn_collapse_features(o->collapse) + (light ? 9 : 1);
     m->reduced.jacobian_cost = 5; /* pictures: with a value 6, as measured at 64 x 64 (`make bench FILTER=pme`) */
-    m->renderer.reduced = &m->reduced;
+    if (light) m->lit.reduced = &m->reduced;
+    else m->renderer.reduced = &m->reduced;
     return MS_OK;
 }
 
 /* --- edits that are not of the material --- */
-
-enum { MATCHER_ROBUST = 1, MATCHER_ALIGN = 2 };
 
 /* How good a match is, 0 to 2, and a sentence, from its RMSE at the defaults by the shipped networks: 60 held-out
    materials end within 4.4 levels of 255 (renderer_64) and 8.8 (renderer_128), 57 of 60 within 7; 22 edits of 20
@@ -393,6 +479,46 @@ static inline int matcher_verdict(double rmse, const char **sentence)
     int verdict = rmse <= 7.0 / 255 ? 0 : rmse <= 45.0 / 255 ? 1 : 2;
     *sentence = text[verdict];
     return verdict;
+}
+
+/* The share of the target's variance around its mean color that the match explains: 1 - RMSE^2 / variance; 0 or less:
+   a picture of one color is as near. p values, in three planes; weight may be NULL. */
+static inline double matcher_explained(const float *target, const float *weight, size_t p, double rmse)
+{
+    double square = 0, total = 0;
+    size_t c, i;
+    for (c = 0; c < 3; ++c) {
+        double sum = 0, sum_square = 0, all = 0;
+        for (i = c * p / 3; i < (c + 1) * p / 3; ++i) {
+            double w = weight ? (double)weight[i] : 1, v = w > 0 ? (double)target[i] : 0;
+            sum += w * v;
+            sum_square += w * v * v;
+            all += w;
+        }
+        if (all > 0) square += sum_square - sum * sum / all;
+        total += all;
+    }
+    square = fmax(square / total, 1e-12); /* float rounding of a flat picture */
+    return 1 - rmse * rmse / square;
+}
+
+/* How good a match is, 0 to 2, as matcher_verdict has it, but 2 where a picture of one color is as near; one sentence
+   with its numbers. */
+static inline int matcher_judge(const float *target, const float *weight, size_t p, double rmse, char *sentence,
+                                size_t size)
+{
+    const double share = matcher_explained(target, weight, p, rmse);
+    const char *text;
+    const int verdict = matcher_verdict(rmse, &text);
+    if (share > 0 || verdict == 0)
+        snprintf(sentence, size, "%s (RMSE %.2f of 255; %.1f%% of what varies in the picture)", text, 255 * rmse,
+                 100 * fmax(share, 0));
+    else
+        snprintf(sentence, size,
+                 "the renderer can draw nothing like this picture: one color is as near; the parameters mean nothing "
+                 "(RMSE %.2f of 255)",
+                 255 * rmse);
+    return share > 0 || verdict == 0 ? verdict : 2;
 }
 
 /* Do the weights hide the border of a picture? Of a material alone nobody can tell the color of its light. */
@@ -585,32 +711,81 @@ static inline void matcher_reweigh(size_t pixels, const float *picture, const fl
     }
 }
 
+/* Each log(gain) and offset is pulled to 0 by this times its square, added to RMSE^2: it stays near 0 if the picture
+   does not determine it. */
+#define MATCHER__LIGHT_PULL 1e-4
+
+/* ms_pme_match after matcher_aim, without the light's parameters in x and options. */
+static inline ms_status matcher__match(const matcher *m, const ms_pme_renderer *renderer, const float *target,
+                                       const float *weight, const ms_pme_match_options *options, double *x,
+                                       float *picture, ms_pme_match_result *result, matcher_found *found,
+                                       ms_error *error)
+{
+    const size_t n = (size_t)m->renderer.parameter_count, wide = (size_t)m->lit.parameter_count,
+                 count = (size_t)options->candidate_count;
+    ms_pme_match_options lit = *options;
+    double *z, *source, *pull, *deviation, *candidates;
+    size_t i, j;
+    ms_status status;
+    for (i = 0; i < 3; ++i) found->gain[i] = 1, found->offset[i] = 0;
+    if (m->gains == 0) return ms_pme_match(renderer, target, weight, options, x, picture, result, error);
+    z = (double *)calloc((count + 4) * wide, sizeof(double));
+    if (z == NULL) return matcher__fail(error, MS_OUT_OF_MEMORY, "match", ms_status_string(MS_OUT_OF_MEMORY));
+    source = z + wide;
+    pull = source + wide;
+    deviation = pull + wide;
+    candidates = deviation + wide;
+    for (j = 0; j < n && options->pull; ++j) source[j] = options->source[j], pull[j] = options->pull[j];
+    for (j = n; j < wide; ++j) pull[j] = MATCHER__LIGHT_PULL;
+    for (i = 0; i < count; ++i) memcpy(candidates + i * wide, options->candidates + i * n, n * sizeof *z);
+    lit.source = source;
+    lit.pull = pull;
+    lit.deviation = options->deviation ? deviation : NULL;
+    lit.candidates = candidates;
+    status = ms_pme_match(renderer, target, weight, &lit, z, picture, result, error);
+    if (status == MS_OK) {
+        memcpy(x, z, n * sizeof *x);
+        if (options->deviation) memcpy(options->deviation, deviation, n * sizeof *x);
+        matcher__light_at(m, z, found->gain, found->offset);
+    }
+    free(z);
+    return status;
+}
+
 /* Aims and matches: with MATCHER_ROBUST what fits badly loses its weight (Tukey), with MATCHER_ALIGN the target is
-   moved to where the renderer's pictures lie, in some rounds, each from the last one's answer. refine.max_seconds
-   counts from the call by the wall's clock, for all rounds; the objective and the first candidate are always made.
-   picture may not be NULL. shift [2] out: pixels right and down that the target had slipped; may be NULL. The result's
-   RMSE is of what counts in the end. */
+   moved to where the renderer's pictures lie, in some rounds, each from the last one's answer; with MATCHER_EXPOSURE
+   and MATCHER_TINT the light is found. refine.max_seconds counts from the call by the wall's clock, for all rounds; the
+   objective and the first candidate are always made. picture may not be NULL; found may. The result's RMSE is of what
+   counts in the end. */
 static inline ms_status matcher_match(matcher *m, const float *target, const float *weight,
                                       const ms_pme_match_options *options, int flags, double *x, float *picture,
-                                      ms_pme_match_result *result, double *shift, ms_error *error)
+                                      ms_pme_match_result *result, matcher_found *found, ms_error *error)
 {
-    size_t p = m->renderer.image_size, count = (size_t)m->renderer.parameter_count, i;
+    const int rounds = flags & (MATCHER_ROBUST | MATCHER_ALIGN) ? 6 : 0;
+    size_t p = m->renderer.image_size, count = (size_t)m->renderer.parameter_count;
     ms_pme_match_options again = *options;
-    ms_pme_renderer alone;
-    float *moved = flags ? (float *)malloc(3 * p * sizeof(float)) : NULL, *known = moved ? moved + p : NULL,
+    ms_pme_renderer renderer;
+    matcher_found answer;
+    float *moved = rounds ? (float *)malloc(3 * p * sizeof(float)) : NULL, *known = moved ? moved + p : NULL,
           *counted = known;
     double at[2] = {0, 0}, last[2], cost, limit = options->refine.max_seconds,
            end = limit > 0 ? matcher_clock(NULL) + limit : 0;
     int round, n = options->candidate_count;
     ms_status status;
+
+    /* the picture as it is */
     again.refine.clock = matcher_clock;
-    m->light = options->nuisance != 0;
+    matcher_light(m, flags);
     status = matcher_aim(m, target, weight, error);
+    renderer = m->gains ? m->lit : m->renderer;
     if (limit > 0) again.refine.max_seconds = fmax(end - matcher_clock(NULL), 1e-6);
-    if (status == MS_OK) status = ms_pme_match(&m->renderer, target, weight, &again, x, picture, result, error);
-    if (flags && moved == NULL && status == MS_OK)
+    if (status == MS_OK)
+        status = matcher__match(m, &renderer, target, weight, &again, x, picture, result, &answer, error);
+    if (rounds && moved == NULL && status == MS_OK)
         status = matcher__fail(error, MS_OUT_OF_MEMORY, "match", ms_status_string(MS_OUT_OF_MEMORY));
-    for (round = 0; round < 6 && flags && status == MS_OK && !(limit > 0 && matcher_clock(NULL) >= end); ++round) {
+
+    /* moved, and without what fits badly, from the last answer */
+    for (round = 0; round < rounds && status == MS_OK && !(limit > 0 && matcher_clock(NULL) >= end); ++round) {
         double *guesses = (double *)malloc((size_t)(n + 1) * count * sizeof(double));
         int slipped;
         memcpy(last, at, sizeof at);
@@ -623,19 +798,18 @@ static inline ms_status matcher_match(matcher *m, const float *target, const flo
         matcher__shift(target, weight, m->network.size, at, moved, known);
         if (flags & MATCHER_ROBUST) matcher_reweigh(p / 3, picture, moved, known, counted = known + p);
         status = matcher_aim(m, moved, counted, error);
-        memcpy(guesses, x,
-               count * sizeof(double)); /* where it slipped far, the other first guesses have another chance */
+        memcpy(guesses, x, count * sizeof(double)); /* where it slipped far, the other first guesses come again */
         if (n > 0) memcpy(guesses + count, options->candidates, (size_t)n * count * sizeof(double));
         again.candidates = guesses;
         again.candidate_count = slipped ? n + 1 : 1;
         again.refine.restarts = slipped ? options->refine.restarts : 0;
-        alone = m->renderer;
-        if (!slipped) alone.prediction_count = 0;
+        renderer = m->gains ? m->lit : m->renderer;
+        if (!slipped) renderer.prediction_count = 0;
         if (limit > 0) again.refine.max_seconds = fmax(end - matcher_clock(NULL), 1e-6);
         cost = result->cost;
         if (status == MS_OK) {
             ms_pme_match_result better;
-            status = ms_pme_match(&alone, moved, counted, &again, x, picture, &better, error);
+            status = matcher__match(m, &renderer, moved, counted, &again, x, picture, &better, &answer, error);
             if (status == MS_OK) {
                 better.rmse_initial = result->rmse_initial;
                 better.best_candidate = result->best_candidate;
@@ -645,8 +819,9 @@ static inline ms_status matcher_match(matcher *m, const float *target, const flo
         }
         free(guesses);
     }
-    m->light = 0; /* of this call alone */
-    for (i = 0; i < 2 && shift; ++i) shift[i] = at[i];
+    matcher_light(m, 0); /* of this call alone */
+    memcpy(answer.shift, at, sizeof at);
+    if (found && status == MS_OK) *found = answer;
     free(moved);
     return status;
 }
@@ -712,7 +887,7 @@ static inline ms_status matcher_views_aim(matcher_views *v, matcher *const *view
         if (view[i]->renderer.parameter_count != view[0]->renderer.parameter_count)
             return matcher__fail(error, MS_INVALID_ARGUMENT, "views", "renderers of other parameters");
         v->view[i] = view[i];
-        view[i]->light = 0;
+        matcher_light(view[i], 0);
         status = matcher_aim(view[i], target + at, weight ? weight + at : NULL, error);
         collapsed = collapsed && view[i]->renderer.reduced != NULL;
         v->reduced.residual_count += view[i]->reduced.residual_count;

@@ -47,8 +47,8 @@ static void print_network(const ms_nn *nn)
         printf("%-16s %-14s %-11s %-5s", l.type, l.name, l.activation,
                l.dtype == MS_NN_DTYPE_COUNT ? "" : ms_nn_dtype_string(l.dtype));
         print_shape(&l.output);
-        printf(" %12lu %14lu %14lu%s\n", (unsigned long)l.parameters, (unsigned long)l.bytes,
-               (unsigned long)l.multiply_adds, l.folded ? "  folded" : "");
+        printf(" %12lu %14lu %14lu\n", (unsigned long)l.parameters, (unsigned long)l.bytes,
+               (unsigned long)l.multiply_adds);
         parameters += (unsigned long)l.parameters;
         bytes += (unsigned long)l.bytes;
         multiply_adds += (unsigned long)l.multiply_adds;

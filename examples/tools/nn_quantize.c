@@ -1,6 +1,6 @@
 /* Writes a network with narrower weights, and what that costs: PSNR of its outputs against the file's own, over given
      or random inputs. cc -O2 -I. examples/tools/nn_quantize.c -o build/nn_quantize -lm
-     build/nn_quantize IN OUT --type f16|bf16|i8|f32 [--rank N] [--inputs X.csv] [--samples 64]
+     build/nn_quantize IN OUT --type f16|i8|f32 [--rank N] [--inputs X.csv] [--samples 64]
    --type     of the weights of dense and convolution layers, rounded to nearest; i8: one scale a row. Biases stay as
               they are. A weight beyond 65504 is refused as f16.
    --rank     first replaces a linear last layer by two of that rank, at most the number of its features: over the
@@ -14,8 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char usage[] =
-    "usage: nn_quantize IN OUT --type f16|bf16|i8|f32 [--rank N] [--inputs X.csv] [--samples 64]\n";
+static const char usage[] = "usage: nn_quantize IN OUT --type f16|i8|f32 [--rank N] [--inputs X.csv] [--samples 64]\n";
 
 static int fail(const char *what, const char *why)
 {
@@ -48,35 +47,12 @@ static uint16_t half_of(float x)
     return (uint16_t)(sign | q);
 }
 
-static uint16_t brain_of(float x)
-{
-    uint32_t u = bits_of(x);
-    return (uint16_t)((u & 0x7fffffffu) > 0x7f800000u ? 0x7fc0u : (u + 0x7fffu + (u >> 16 & 1u)) >> 16);
-}
-
-/* Element i of a tensor of weights, which lie with the least byte first. */
+/* Element i of a tensor of weights. */
 static double element(const ms_nn_tensor *t, size_t i)
 {
-    int bytes = t->dtype == MS_NN_F64 ? 8 : t->dtype == MS_NN_F32 ? 4 : t->dtype == MS_NN_I8 ? 1 : 2, k;
-    const unsigned char *p = (const unsigned char *)t->data + i * (size_t)bytes;
-    uint64_t u = 0;
-    uint32_t low;
-    double x;
-    float f;
-    for (k = 0; k < bytes; ++k) u |= (uint64_t)p[k] << (8 * k);
-    if (t->dtype == MS_NN_I8) return u < 128 ? (double)u : (double)u - 256;
-    if (t->dtype == MS_NN_F16) {
-        int e = (int)(u >> 10 & 31), m = (int)(u & 1023);
-        x = e == 31 ? (m ? (double)NAN : (double)INFINITY) : e ? ldexp(1024 + m, e - 25) : ldexp(m, -24);
-        return u >> 15 ? -x : x;
-    }
-    if (t->dtype == MS_NN_F64) {
-        memcpy(&x, &u, 8);
-        return x;
-    }
-    low = (uint32_t)(t->dtype == MS_NN_BF16 ? u << 16 : u);
-    memcpy(&f, &low, 4);
-    return (double)f;
+    float x = 0;
+    ms_nn_tensor_read(t, i, 1, &x);
+    return (double)x;
 }
 
 static void put(unsigned char *to, uint32_t bits, int bytes)
@@ -110,12 +86,7 @@ static ms_nn_tensor convert(const ms_nn_tensor *t, const ms_nn_tensor *old_scale
                 exit(1);
             }
             if (type == MS_NN_I8) put(data, (uint32_t)(int32_t)lrint(fmax(-127, fmin(127, x / (double)unit))), 1);
-            else
-                put(data,
-                    type == MS_NN_F32       ? bits_of((float)x)
-                        : type == MS_NN_F16 ? half_of((float)x)
-                                            : brain_of((float)x),
-                    bytes);
+            else put(data, type == MS_NN_F32 ? bits_of((float)x) : half_of((float)x), bytes);
         }
     }
     return out;
@@ -235,21 +206,16 @@ static void *low_rank(const ms_nn *nn, const char *path, size_t rank, const floa
     ms_nn_tensor *t = (ms_nn_tensor *)take(count + 3, sizeof *t);
     ms_nn_entry *entry = (ms_nn_entry *)take(entries, sizeof *entry), *list = NULL;
     const ms_nn_tensor *weight, *bias, *scale;
-    const double *packed;
     double *r, *g, *l, *mean, *a, *u, *row;
     float *features;
     unsigned char *low, *high, *shift;
     char *layers, *names;
     void *bytes;
-    ms_nn_collapse *c;
     ms_nn *trunk;
     ms_error error;
     int depth = 0;
-    if (ms_nn_collapse_create(nn, NULL, &c, &error) != MS_OK) exit(fail(path, error.message));
-    h = ms_nn_collapse_features(c) / channels;
-    p = ms_nn_output_size(nn) / channels;
-    if (rank > h) exit(fail("--rank", "it is above the number of features of the last layer"));
-    if (strcmp(last.type, "dense") != 0) exit(fail(path, "the last entry of its layer list is not the dense layer"));
+    if (strcmp(last.type, "dense") != 0 || strcmp(last.activation, "linear") != 0)
+        exit(fail(path, "the last entry of its layer list is not a dense and linear layer"));
     length = strlen(last.name);
     if (length > 200 || strpbrk(last.name, "\"\\") != NULL)
         exit(fail(path, "the last layer's name is too long or odd"));
@@ -261,9 +227,12 @@ static void *low_rank(const ms_nn *nn, const char *path, size_t rank, const floa
     weight = ms_nn_file_find(file, names + 256);
     bias = ms_nn_file_find(file, names + 512);
     scale = ms_nn_file_find(file, names + 768);
+    p = weight->shape[0];
+    h = weight->shape[1];
+    if (rank > h) exit(fail("--rank", "it is above the number of features of the last layer"));
     for (i = 0; i < count; ++i) {
         const ms_nn_tensor *old = ms_nn_file_tensor(file, i);
-        if (old != weight && old != bias && old != scale && strcmp(old->name, "ms_nn.collapse") != 0) t[n++] = *old;
+        if (old != weight && old != bias && old != scale) t[n++] = *old;
     }
     for (i = 0; i < entries; ++i) {
         entry[i] = *ms_nn_file_entry(file, i);
@@ -274,7 +243,7 @@ static void *low_rank(const ms_nn *nn, const char *path, size_t rank, const floa
     strcpy(layers, list->value);
     for (i = strlen(layers); i > 0 && !(layers[--i] == '{' && --depth == 0);) depth += layers[i] == '}';
     for (; i > 0 && strchr(" ,\t\r\n", layers[i - 1]);) --i;
-    strcpy(layers + i, "]");
+    strcpy(layers + i, layers[i - 1] == '[' ? "{\"type\":\"dropout\"}]" : "]"); /* the list must not be empty */
     list->value = layers;
     bytes = written(t, n, entry, entries, size);
     features = (float *)take(samples * channels, h * sizeof(float));
@@ -288,8 +257,13 @@ static void *low_rank(const ms_nn *nn, const char *path, size_t rank, const floa
     l = (double *)take(h, h * sizeof(double)), mean = (double *)take(h, sizeof(double));
     a = (double *)take(rank, h * sizeof(double)), u = (double *)take(rank, h * sizeof(double));
     row = (double *)take(h, 2 * sizeof(double));
-    for (packed = ms_nn_collapse_r(c), i = 0; i < h; ++i)
-        for (k = i; k < h; ++k) r[i * h + k] = *packed++;
+    for (i = 0; i < p; ++i) { /* the upper triangle of W'W, whose factor has R as its rows */
+        const double factor = scale ? element(scale, i) : 1;
+        for (k = 0; k < h; ++k) row[k] = factor * element(weight, i * h + k);
+        for (j = 0; j < h; ++j)
+            for (k = j; k < h; ++k) r[j * h + k] += row[j] * row[k];
+    }
+    cholesky(r, h);
     for (i = 0; i < samples * channels; ++i)
         for (k = 0; k < h; ++k) mean[k] += (double)features[i * h + k] / (double)(samples * channels);
     for (i = 0; i < samples * channels; ++i)
@@ -348,7 +322,6 @@ static void *low_rank(const ms_nn *nn, const char *path, size_t rank, const floa
                 layers[i - 1] == '[' ? "" : ",", last.name, last.name);
         bytes = written(t, n, entry, entries, size);
     }
-    ms_nn_collapse_destroy(c);
     free(t), free(entry), free(names), free(layers), free(features), free(r), free(g), free(l), free(mean), free(a);
     free(u), free(row), free(low), free(high), free(shift);
     return bytes;
@@ -369,7 +342,6 @@ static int save(const ms_nn *nn, ms_nn_dtype type, const char *path)
         const ms_nn_tensor *from = ms_nn_file_tensor(file, i), *scale;
         size_t length = strlen(from->name);
         char *name = (char *)take(length + 32, 1);
-        if (strcmp(from->name, "ms_nn.collapse") == 0) continue; /* of the old weights */
         for (l = 0; l < ms_nn_layer_count(nn); ++l) {
             ms_nn_layer layer = ms_nn_layer_at(nn, l);
             size_t own = strlen(layer.name);
@@ -399,8 +371,8 @@ static int save(const ms_nn *nn, ms_nn_dtype type, const char *path)
 
 int main(int argc, char **argv)
 {
-    static const char *const type_name[] = {"f32", "f16", "bf16", "i8"};
-    static const ms_nn_dtype types[] = {MS_NN_F32, MS_NN_F16, MS_NN_BF16, MS_NN_I8};
+    static const char *const type_name[] = {"f32", "f16", "i8"};
+    static const ms_nn_dtype types[] = {MS_NN_F32, MS_NN_F16, MS_NN_I8};
     const char *inputs = NULL, *type = NULL;
     long rank = 0, samples = 64;
     int i, k;
@@ -420,8 +392,8 @@ int main(int argc, char **argv)
         else return file_usage(usage);
         if (end && (*end || rank < 0 || samples < 1 || samples > 1000000)) return file_usage(usage);
     }
-    for (k = 0; k < 4 && (type == NULL || strcmp(type, type_name[k])); ++k) {}
-    if (argc < 3 || i != argc || k == 4) return file_usage(usage);
+    for (k = 0; k < 3 && (type == NULL || strcmp(type, type_name[k])); ++k) {}
+    if (argc < 3 || i != argc || k == 3) return file_usage(usage);
     if (ms_nn_load_file(argv[1], NULL, &nn, &error) != MS_OK) return fail(argv[1], error.message);
     in = ms_nn_input_size(nn);
     out = ms_nn_output_size(nn);

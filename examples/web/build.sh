@@ -10,9 +10,9 @@ sources() { # what page $1 is made of
     studio) echo ms_gpr.h ms_nn.h ms_pme.h examples/tools/studio.h examples/tools/neural.h examples/tools/matcher.h examples/tools/maps.h examples/tools/materialx.h \
         examples/tools/files.h examples/tools/image.h $web/studio.c $web/wasi.js $web/studio.worker.js $web/studio.js $web/page.css $web/studio.css \
         $web/studio.part.html $web/pack.c $web/build.sh examples/data/renderer_128.safetensors examples/data/inversion_6.safetensors ;;
-    kernels) echo ms_mcml.h ms_sss.h examples/demo/scene.h examples/tools/image.h examples/tools/files.h examples/tools/skin.h $web/kernels.c $web/wasi.js $web/kernels.worker.js \
+    kernels) echo ms_mcml.h ms_sss.h examples/engine/shader/ms_sss.glsl examples/engine/shader/ms_sss_pyramid.glsl examples/tools/wgsl.h examples/demo/scene.h examples/tools/image.h examples/tools/files.h examples/tools/skin.h $web/kernels.c $web/wasi.js $web/kernels.worker.js \
         $web/kernels.js $web/page.css $web/kernels.css $web/kernels.part.html $web/build.sh ;;
-    three) echo ms_sss.h $web/three.c $web/sss_three.part.js $web/three.page.js $web/three.part.html $web/build.sh ;;
+    three) echo ms_sss.h examples/engine/shader/ms_sss.glsl $web/three.c $web/sss_three.part.js $web/three.page.js $web/three.part.html $web/build.sh ;;
     *) echo "no page of that name: $1" >&2; exit 2 ;;
     esac
 }
@@ -50,6 +50,9 @@ if [ "$page" = three ]; then # a module, and a page that holds a copy of it, bec
     {
         echo "// sources $(hash three)"
         cat $web/sss_three.part.js
+        echo 'const SHADER = `'
+        cat examples/engine/shader/ms_sss.glsl # without a backquote or a backslash
+        echo '`;'
         echo "const BINARY = '$(gzip -9nc "$made/three.wasm" | base64 | tr -d '\n')';"
     } >"$made/sss_three.js"
     {
@@ -94,6 +97,13 @@ HTML
         for network in renderer_128 inversion_6; do
             "$made/pack" examples/data/$network.safetensors "$made/$network.safetensors"
             binary "data-network=\"${network%_*}\"" "$made/$network.safetensors"
+        done
+    fi
+    if [ "$page" = kernels ]; then
+        for part in ms_sss ms_sss_pyramid; do
+            echo "<script type=\"text/plain\" id=\"$part\">"
+            cat examples/engine/shader/$part.glsl
+            echo '</script>'
         done
     fi
     echo '<script type="text/plain" id="worker">'

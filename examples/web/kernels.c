@@ -1,5 +1,5 @@
-/* The kernel designer's side of WebAssembly: profiles, kernels, shader texts, the CPU's filter and the layers of the
-   objects of scene.h, behind calls of numbers, for kernels.worker.js.
+/* The kernel designer's side of WebAssembly: profiles, kernels, the shaders' constants and their WGSL, the CPU's filter
+   and the layers of the objects of scene.h, behind calls of numbers, for kernels.worker.js.
      clang --target=wasm32-wasi -mexec-model=reactor -O3 -msimd128 -I. examples/web/kernels.c -o kernels.wasm
    Calls return 0, or a status, and then message() says why. */
 #define MS_MCML_IMPLEMENTATION
@@ -8,6 +8,7 @@
 #include "ms_sss.h"
 #include "../demo/scene.h"
 #include "../tools/skin.h"
+#include "../tools/wgsl.h"
 
 #define CALL(type, name, arguments) \
     type web_##name arguments;      \
@@ -152,7 +153,8 @@ CALL(int, taps, (void))
     return kernel.tap_count;
 }
 
-/* ------------------------------------------------------------------------------------------------------------ texts */
+/* ------------------------------------------------------------------------------------------------------- the shaders
+ */
 
 /* The camera. Ways to filter: 0 taps, 1 taps at half resolution, 2 a pyramid. */
 static void see(double mm_per_unit, double flat)
@@ -161,28 +163,6 @@ static void see(double mm_per_unit, double flat)
     view.fov_degrees = 24;
     view.mm_per_unit = (float)mm_per_unit;
     view.flat = (float)flat;
-}
-
-/* Light with depth in alpha, and normals: what this page draws. The texts in other languages read the header's
- * textures. */
-static const char *const fetch[5] = {NULL,
-                                     "uniform sampler2D light, normals;\n"
-                                     "vec3 ms_sss_fetch_color(ivec2 p) { return texelFetch(light, p, 0).rgb; }\n"
-                                     "float ms_sss_fetch_depth(ivec2 p) { return texelFetch(light, p, 0).a; }\n"
-                                     "vec3 ms_sss_fetch_normal(ivec2 p) { return texelFetch(normals, p, 0).rgb; }\n",
-                                     NULL, NULL, NULL};
-
-static ms_sss_shader pass_of(int language, int way, int step, double flat)
-{
-    ms_sss_shader shader = ms_sss_shader_defaults();
-    shader.language = (ms_sss_language)language;
-    shader.step = (ms_sss_step)step;
-    shader.tap_count = kernel.tap_count;
-    shader.with_normal = flat < 1;
-    shader.fetch = fetch[language];
-    shader.half_resolution = way == 1;
-    shader.pyramids = &pyramid;
-    return shader;
 }
 
 /* The pyramid of the profile, once. */
@@ -195,25 +175,24 @@ CALL(int, grow, (void))
 
 CALL(int, levels, (int size)) { return ms_sss_shader_levels(size, size); }
 
-/* A step of a way to filter (ms_sss_step), depth in alpha, normals in a texture, into text. */
-CALL(int, pass, (int language, int way, int step, double mm_per_unit, double flat))
+/* WGSL of a shader file behind its #defines, into text. */
+CALL(int, wgsl, (const char *source))
 {
-    ms_sss_shader shader = pass_of(language, way, step, flat);
-    see(mm_per_unit, flat);
-    return ms_sss_shader_text(&shader, &view, text, sizeof text, &error) ? 0 : (int)error.status;
-}
-
-CALL(int, through, (int language))
-{
-    return ms_sss_transmission_text((ms_sss_language)language, text, sizeof text) ? 0 : (int)MS_INVALID_ARGUMENT;
+    const char *problem = wgsl_make("", source, NULL, text, sizeof text);
+    return problem ? (int)ms__fail(&error, MS_BAD_DATA, 0, "WGSL: %s", problem) : 0;
 }
 
 /* How many float4 there are in constants(), 0: message() says why not. */
 CALL(int, fill, (int width, int height, int way, int step, int level, double mm_per_unit, double flat))
 {
-    ms_sss_shader shader = pass_of(MS_SSS_GLSL_ES_300, way, step, flat);
-    int count = ms_sss_shader_constant_count(&shader);
+    ms_sss_shader shader = ms_sss_shader_defaults();
+    int count;
+    shader.step = (ms_sss_step)step;
+    shader.tap_count = kernel.tap_count;
+    shader.half_resolution = way == 1;
+    shader.pyramids = &pyramid;
     shader.level = level;
+    count = ms_sss_shader_constant_count(&shader);
     see(mm_per_unit, flat);
     return count <= CONSTANTS &&
             ms_sss_shader_constants(&kernel, 0, &view, width, height, &shader, constant, &error) == MS_OK

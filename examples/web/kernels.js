@@ -1,4 +1,4 @@
-// The kernel designer: an object is lit in WebGL 2 and filtered by the text that ms_sss_shader_text writes; kernels are made in a worker.
+// The kernel designer: an object is lit in WebGL 2 and filtered by the shader files of ms_sss.h; kernels are made in a worker.
 const $ = id => document.getElementById(id);
 const make = (tag, props = {}, ...inside) => { const e = Object.assign(document.createElement(tag), props); e.append(...inside); return e; };
 const fail = e => { console.error(String(e && e.message || e)); $('says').hidden = false; $('says').textContent = 'Oh dear: ' + (e && e.message || e); };
@@ -13,7 +13,7 @@ function worker() {
   w.onerror = fail;
   w.ask = (call, args, moved = []) => new Promise((yes, no) => { waiting.set(++id, { yes, no }); w.postMessage({ id, call, args }, moved); });
   w.busy = () => waiting.size > 0;
-  w.ready = w.ask('start', { binary: $('binary').textContent });
+  w.ready = w.ask('start', { binary: $('binary').textContent, files: [$('ms_sss').textContent, $('ms_sss_pyramid').textContent] });
   return w;
 }
 function latest(run) { // only the newest call runs; those that came while one did are dropped but the last
@@ -247,7 +247,7 @@ function draw() {
   set(p, 'plane', size);
   gl.uniform1i(p.at('object'), designer.object);
   triangle();
-  for (const { step, level, text, constants } of k.steps) { // ms_sss.h's own text
+  for (const { step, level, text, constants } of k.steps) { // of ms_sss.glsl
     const pass = programs.steps.get(text), [read, ...to] = wiring(k.way, step, level, o.surface);
     onto(...to);
     use(pass, read);
@@ -428,7 +428,8 @@ designer.picture = () => {
   return Array.from(out.filter((_, i) => i % 4 < 3));
 };
 
-// The picture on the screen against ms_sss_filter: the largest difference over the largest value.
+// The picture on the screen against ms_sss_filter: the largest difference over the largest value. At half resolution, which is the GPU's
+// alone, against the filter at full resolution.
 designer.check = async () => {
   draw();
   const read = t => { const out = new Float32Array(4 * size * size); onto(t); gl.readPixels(0, 0, size, size, gl.RGBA, gl.FLOAT, out); return out; };

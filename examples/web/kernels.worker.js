@@ -1,5 +1,5 @@
-// The designer's workers: one makes kernels, texts and the CPU's pictures, one an object each makes the layers that are lit.
-let wasm;
+// The designer's workers: one makes kernels, shaders and the CPU's pictures, one an object each makes the layers that are lit.
+let wasm, files; // files: the texts of ms_sss.glsl and ms_sss_pyramid.glsl
 const numbers = (at, n) => Array.from(new Float64Array(wasm.memory.buffer, wasm.numbers(), at + n).subarray(at));
 const words = at => {
   const b = new Uint8Array(wasm.memory.buffer, at);
@@ -11,8 +11,53 @@ async function unpack(base64) {
   for (let i = 0; i < text.length; ++i) packed[i] = text.charCodeAt(i);
   return new Uint8Array(await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
 }
+// What goes before the shader files: the language, the #defines of a step, and how it reads the engine's textures. This page has light with
+// depth in alpha, and normals; other languages are shown with a texture of each.
+const heads = ['#version 330\n', '#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n', '#version 450\n#define MS_SSS_VULKAN\n', '#define MS_SSS_HLSL\n', ''];
+const fetches = [
+  `uniform sampler2D light, depth, normals;
+vec3 ms_sss_fetch_color(ivec2 p) { return texelFetch(light, p, 0).rgb; }
+float ms_sss_fetch_depth(ivec2 p) { return texelFetch(depth, p, 0).r; }
+vec3 ms_sss_fetch_normal(ivec2 p) { return texelFetch(normals, p, 0).rgb; }
+`,
+  `uniform sampler2D light, normals;
+vec3 ms_sss_fetch_color(ivec2 p) { return texelFetch(light, p, 0).rgb; }
+float ms_sss_fetch_depth(ivec2 p) { return texelFetch(light, p, 0).a; }
+vec3 ms_sss_fetch_normal(ivec2 p) { return texelFetch(normals, p, 0).rgb; }
+`,
+  `layout(set = 0, binding = 1) uniform sampler2D light;
+layout(set = 0, binding = 2) uniform sampler2D depth;
+layout(set = 0, binding = 7) uniform sampler2D normals;
+vec3 ms_sss_fetch_color(ivec2 p) { return texelFetch(light, p, 0).rgb; }
+float ms_sss_fetch_depth(ivec2 p) { return texelFetch(depth, p, 0).r; }
+vec3 ms_sss_fetch_normal(ivec2 p) { return texelFetch(normals, p, 0).rgb; }
+`,
+  `Texture2D<float4> light : register(t1), depth : register(t2), normals : register(t7);
+float3 ms_sss_fetch_color(int2 p) { return light.Load(int3(p, 0)).rgb; }
+float ms_sss_fetch_depth(int2 p) { return depth.Load(int3(p, 0)).r; }
+float3 ms_sss_fetch_normal(int2 p) { return normals.Load(int3(p, 0)).rgb; }
+`,
+  `@group(0) @binding(1) var light: texture_2d<f32>;
+@group(0) @binding(2) var depth: texture_2d<f32>;
+@group(0) @binding(7) var normals: texture_2d<f32>;
+fn ms_sss_fetch_color(p: vec2<i32>) -> vec3<f32> { return textureLoad(light, p, 0).rgb; }
+fn ms_sss_fetch_depth(p: vec2<i32>) -> f32 { return textureLoad(depth, p, 0).r; }
+fn ms_sss_fetch_normal(p: vec2<i32>) -> vec3<f32> { return textureLoad(normals, p, 0).rgb; }
+`];
+function text({ language, way, step, flat }) {
+  const all = '#define MS_SSS_STEP ' + step + '\n#define MS_SSS_TAPS ' + wasm.taps() + '\n#define MS_SSS_FLAT ' + (flat < 1 ? 0 : 1) + '\n#define MS_SSS_NORMAL ' + (flat < 1 ? 1 : 0) +
+    '\n#define MS_SSS_HALF ' + (way === 1 ? 1 : 0) + '\n', file = files[0] + (step > 3 ? files[1] : '');
+  if (language < 4) return heads[language] + all + fetches[language] + file;
+  const bytes = new TextEncoder().encode(all + file + '\0'), at = wasm.room(bytes.length);
+  new Uint8Array(wasm.memory.buffer).set(bytes, at);
+  const status = wasm.wgsl(at);
+  wasm.leave(at);
+  check(status);
+  return words(wasm.text()) + fetches[4];
+}
 const calls = {
-  async start({ binary }) {
+  async start({ binary, files: given }) {
+    files = given;
     wasm = await wasi({}).start(await unpack(binary));
     wasm.materials();
     return words(wasm.text()).trim().split('\n');
@@ -39,17 +84,15 @@ const calls = {
   look({ size, way, mm, flat }) {
     if (way === 2) check(wasm.grow());
     const steps = calls.plan({ way, size }).map(([step, level]) => {
-      check(wasm.pass(1, way, step, mm, flat));
-      const text = words(wasm.text()), count = wasm.fill(size, size, way, step, level, mm, flat);
-      if (!count) check(1);
-      return { step, level, text, constants: new Float32Array(wasm.memory.buffer, wasm.constants(), 4 * count).slice() };
+      const count = wasm.fill(size, size, way, step, level, mm, flat);
+      if (!count) throw new Error(words(wasm.message()));
+      return { step, level, text: text({ language: 1, way, step, flat }), constants: new Float32Array(wasm.memory.buffer, wasm.constants(), 4 * count).slice() };
     });
-    check(wasm.through(1));
-    return { way, steps, through: words(wasm.text()) };
+    return { way, steps, through: '#define MS_SSS_STEP 8\n' + files[0] };
   },
   code({ kind }) { check(wasm.code(kind)); return words(wasm.text()); },
-  shader({ language, way, mm, flat }) { // each text once: it serves all levels
-    return [...new Set(calls.plan({ way, size: 8 }).map(s => s[0]))].map(step => { check(wasm.pass(language, way, step, mm, flat)); return words(wasm.text()); }).join('\n');
+  shader({ language, way, flat }) { // each text once: it serves all levels
+    return [...new Set(calls.plan({ way, size: 8 }).map(s => s[0]))].map(step => text({ language, way, step, flat })).join('\n');
   },
   filter({ light, normals, size, way, mm, flat }) {
     if (way === 2) check(wasm.grow());

@@ -1,10 +1,11 @@
-// Separable subsurface scattering for three.js, by ms_sss.h: `make web` writes this file with the header in WebAssembly.
+// Separable subsurface scattering for three.js, by ms_sss.h: `make web` writes this file with examples/engine/shader/ms_sss.glsl
+// (SHADER) and the header in WebAssembly (BINARY), which makes kernels and constants.
 //
 //   import { Subsurface } from './sss_three.js';
 //   const sss = await Subsurface.create(renderer, [
 //     { reflectance: [0.44, 0.22, 0.13], path: [1.3, 0.95, 0.67] },    a material's diffuse reflectance and mean free
 //     { reflectance: [0.83, 0.79, 0.75], path: [0.46, 0.38, 0.33] }], path in mm, red, green, blue; at most 16
-//     { mmPerUnit: 10, taps: 11 });
+//     { mmPerUnit: 10, radius: 40 });                               the widest kernel on the screen, in pixels
 //   sss.apply(head.material, 0);                    MeshStandardMaterial or MeshPhysicalMaterial, and which of them it is
 //   sss.lamp = directionalLight;                    optional: light of this lamp passes through thin parts
 //   sss.enabled = false;                            the materials are drawn as three.js alone draws them
@@ -15,7 +16,20 @@
 // post-processing are three's. Call it again after a resize, for every eye of a headset and every view that is rendered.
 import * as THREE from 'three';
 
-const patch = [ // of the fragment shader: where, and what stands there
+// What stands before SHADER in a pass: where it is in the light's texture what the pass reads.
+const head = (step, taps, materials) => `precision highp float;
+precision highp int;
+precision highp sampler2D;
+#define MS_SSS_STEP ${step}
+#define MS_SSS_TAPS ${taps}
+#define MS_SSS_PROFILES ${materials}
+uniform sampler2D light;
+vec3 ms_sss_fetch_color(ivec2 p) { return texelFetch(light, p, 0).rgb; }
+float ms_sss_fetch_depth(ivec2 p) { return texelFetch(light, p, 0).a; }
+int ms_sss_fetch_profile(ivec2 p) { return floatBitsToInt(texelFetch(light, p, 0).a) & 15; }
+`;
+
+const patch = () => [ // of the fragment shader: where, and what stands there
   ['void main() {', `
 uniform int sss_mode; // 0: scattered light, 1: write light and depth, 2: as without this
 uniform int sss_index;
@@ -24,18 +38,23 @@ uniform mat4 sss_lamp_matrix; // from this camera's view to the lamp's clip spac
 uniform vec4 sss_lamp_range; // near, far, mm a unit, 1: there is a lamp
 uniform vec3 sss_lamp_direction, sss_lamp_light, sss_reflectance, sss_decay;
 uniform mat3 sss_lamp_normal; // from the lamp's view to this camera's
-TRANSMISSION
-// From the lamp's map: what entered where the lamp sees this object before it sees the position.
+#define MS_SSS_STEP 8
+${SHADER}
+// From the lamp's map: what entered where the lamp sees this object before it sees the position; the mean of 4 x 4 texels by a tent
+// that is two texels wide on each side, for a texel is as large as a pixel and its corners would be seen.
 vec3 sss_behind(vec3 position, vec3 normal) {
   vec4 q = sss_lamp_matrix * vec4(position, 1.0);
   vec3 at = 0.5 * q.xyz + 0.5, sum = vec3(0.0);
-  ivec2 size = textureSize(sss_lamp_map, 0), p = ivec2(at.xy * vec2(size) - 0.5);
+  ivec2 size = textureSize(sss_lamp_map, 0);
+  vec2 middle = at.xy * vec2(size) - 0.5, part = fract(middle);
   float own = mix(sss_lamp_range.x, sss_lamp_range.y, at.z);
-  if (sss_lamp_range.w < 0.5 || min(at.x, at.y) < 0.0 || max(at.x, at.y) > 1.0) return sum;
-  for (int i = 0; i < 4; ++i) {
-    vec4 entry = texelFetch(sss_lamp_map, clamp(p + ivec2(i & 1, i >> 1), ivec2(0), size - 1), 0);
-    if (entry.a > 0.0 && entry.a < own) sum += 0.25 * ms_sss_transmission(sss_reflectance, sss_decay, (own - entry.a) * sss_lamp_range.z, normal,
-      sss_lamp_normal * entry.xyz, sss_lamp_direction, sss_lamp_light);
+  if (sss_lamp_range.w < 0.5 || min(at.x, at.y) < 0.0 || max(at.x, at.y) > 1.0 || dot(normal, sss_lamp_direction) >= 0.0) return sum;
+  for (int i = 0; i < 16; ++i) {
+    ivec2 o = ivec2(i & 3, i >> 2) - 1;
+    vec2 tent = (2.0 - abs(vec2(o) - part)) * 0.25;
+    vec4 entry = texelFetch(sss_lamp_map, clamp(ivec2(floor(middle)) + o, ivec2(0), size - 1), 0);
+    if (entry.a > 0.0 && entry.a < own) sum += tent.x * tent.y * ms_sss_transmission(sss_reflectance, sss_decay, (own - entry.a) * sss_lamp_range.z,
+      normal, sss_lamp_normal * entry.xyz, sss_lamp_direction, sss_lamp_light);
   }
   return sum;
 }
@@ -48,17 +67,23 @@ void main() {`],
   if (sss_mode == 1) {
     gl_FragColor = vec4(totalDiffuse, intBitsToFloat(((floatBitsToInt(vViewPosition.z) + 8) & ~15) | sss_index));
     return;
-  } else if (sss_mode == 0) { // where this fragment is what the pixel showed to sss.render
-    ivec2 p = ivec2(gl_FragCoord.xy);
-    float z = texelFetch(sss_light, p, 0).a;
-    if (abs(z - vViewPosition.z) < 0.02 * z)
-      totalDiffuse = sss_albedo * max(texelFetch(sss_scattered, p, 0).rgb, sss_behind(-vViewPosition, normal));
+  } else if (sss_mode == 0) { // where this fragment is what the pixel showed to sss.render, or at an antialiased edge one beside it
+    ivec2 p = ivec2(gl_FragCoord.xy), best = p;
+    float least = abs(texelFetch(sss_light, p, 0).a - vViewPosition.z), near = 0.02 * vViewPosition.z;
+    for (int i = 0; i < 9 && least > near; ++i) {
+      ivec2 beside = p + ivec2(i % 3 - 1, i / 3 - 1);
+      float z = texelFetch(sss_light, beside, 0).a;
+      if (abs(z - vViewPosition.z) < near && (floatBitsToInt(z) & 15) == sss_index) { best = beside; least = 0.0; }
+    }
+    if (least <= near) totalDiffuse = sss_albedo * max(texelFetch(sss_scattered, best, 0).rgb, sss_behind(-vViewPosition, normal));
   }
   vec3 outgoingLight =`]];
 
 export class Subsurface {
-  // materials: [{reflectance, path}]; options: mmPerUnit (1000: meters), taps (3 to 63), radius (pixels that the taps are made for)
-  static async create(renderer, materials, { mmPerUnit = 1000, taps = 11, radius = 48 } = {}) {
+  // materials: [{reflectance, path}]; options: mmPerUnit (1000: meters), radius (pixels that the taps are made for), taps (3 to 63; 0: as few
+  // as show no bands at that radius, by the table of ms_sss_shader_constants)
+  static async create(renderer, materials, { mmPerUnit = 1000, radius = 40, taps = 0 } = {}) {
+    taps ||= 2 * [1, 4, 8, 12, 16, 23, 29, 47, 65, 90, 115, 150].findIndex(most => Math.min(radius, 150) <= most) + 3;
     const packed = Uint8Array.from(atob(BINARY), c => c.charCodeAt(0));
     const binary = await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
     const nothing = new Proxy({}, { get: () => () => 52 }); // the header asks for no file
@@ -77,8 +102,6 @@ export class Subsurface {
       const [radiusMm, ...rest] = numbers();
       return { radiusMm, reflectance: rest.slice(0, 3), decay: rest.slice(3, 6) };
     });
-    this.check(wasm.transmission());
-    this.transmission = this.words(wasm.text());
     const target = () => new THREE.WebGLRenderTarget(1, 1, { type: THREE.FloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter, depthBuffer: false });
     this.light = target();
     this.light.depthBuffer = true;
@@ -92,12 +115,11 @@ export class Subsurface {
       sss_lamp_light: { value: new THREE.Vector3() }, sss_lamp_normal: { value: new THREE.Matrix3() } };
     this.constants = { value: new Float32Array(4) };
     this.passes = [0, 1].map(step => {
-      this.check(wasm.pass(step, taps, this.count));
       const uniforms = { ms_sss: this.constants, light: { value: this.light.texture }, ms_sss_input: { value: this.between.texture } };
       return new THREE.RawShaderMaterial({
         glslVersion: THREE.GLSL3, uniforms, depthTest: false, depthWrite: false, blending: THREE.NoBlending,
         vertexShader: 'in vec3 position; void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }',
-        fragmentShader: this.words(wasm.text()).replace(/^#version.*\n/, '') });
+        fragmentShader: head(step, taps, this.count) + SHADER });
     });
     const triangle = new THREE.BufferGeometry().setAttribute('position', new THREE.Float32BufferAttribute([-1, -1, 0, 3, -1, 0, -1, 3, 0], 3));
     this.triangle = new THREE.Mesh(triangle, this.passes[0]);
@@ -130,9 +152,9 @@ export class Subsurface {
     material.userData.subsurface = this;
     material.onBeforeCompile = s => {
       Object.assign(s.uniforms, this.uniforms, { sss_index: { value: index }, sss_reflectance: { value: reflectance }, sss_decay: { value: decay } });
-      for (const [where, text] of patch) {
+      for (const [where, text] of patch()) {
         if (!s.fragmentShader.includes(where)) throw new Error('Subsurface: this version of three.js has no "' + where + '"');
-        s.fragmentShader = s.fragmentShader.replace(where, () => text.replace('TRANSMISSION', () => this.transmission));
+        s.fragmentShader = s.fragmentShader.replace(where, () => text);
       }
     };
     material.customProgramCacheKey = () => 'sss';

@@ -1,4 +1,4 @@
-/* What sss_three.js asks of ms_sss.h, in WebAssembly: kernels of materials, the texts of both passes, their constants.
+/* What sss_three.js asks of ms_sss.h, in WebAssembly: kernels of materials and the constants of both passes.
      clang --target=wasm32-wasi -mexec-model=reactor -Os -I. examples/web/three.c -o three.wasm
    Calls return 0, or a status, and then message() says why. */
 #define MS_NO_SIMD
@@ -17,11 +17,9 @@ static ms_error error;
 static ms_sss_kernel kernel[MATERIALS];
 static double number[16];
 static float constant[CONSTANTS][4];
-static char text[1 << 16];
 
 CALL(double *, numbers, (void)) { return number; }
 CALL(float *, constants, (void)) { return constant[0]; }
-CALL(char *, text, (void)) { return text; }
 CALL(const char *, message, (void)) { return error.message; }
 
 /* Numbers 0 to 2: diffuse reflectance, 3 to 5: mean free path in mm. Afterwards 0: radius in mm, 1 to 3: reflectance, 4
@@ -50,49 +48,21 @@ CALL(int, material, (int index, int taps, double radius_px))
     return 0;
 }
 
-static ms_sss_filter_options view_of(double fov_degrees, double mm_per_unit, double center_x, double center_y)
-{
-    ms_sss_filter_options view = ms_sss_filter_defaults();
-    view.fov_degrees = (float)fov_degrees;
-    view.mm_per_unit = (float)mm_per_unit;
-    view.center[0] = (float)center_x;
-    view.center[1] = (float)center_y;
-    return view;
-}
-
-static ms_sss_shader pass_of(int step, int taps, int materials)
-{
-    ms_sss_shader shader = ms_sss_shader_defaults();
-    shader.language = MS_SSS_GLSL_ES_300;
-    shader.step = step ? MS_SSS_STEP_Y : MS_SSS_STEP_X;
-    shader.tap_count = taps;
-    shader.profile_count = materials;
-    shader.fetch = "uniform sampler2D light;\n"
-                   "vec3 ms_sss_fetch_color(ivec2 p) { return texelFetch(light, p, 0).rgb; }\n"
-                   "float ms_sss_fetch_depth(ivec2 p) { return texelFetch(light, p, 0).a; }\n"
-                   "int ms_sss_fetch_profile(ivec2 p) { return floatBitsToInt(texelFetch(light, p, 0).a) & 15; }\n";
-    return shader;
-}
-
-/* A pass for `materials` materials of so many taps, into text. */
-CALL(int, pass, (int step, int taps, int materials))
-{
-    const ms_sss_shader shader = pass_of(step, taps, materials);
-    const ms_sss_filter_options view = view_of(35, 1, 0, 0);
-    return ms_sss_shader_text(&shader, &view, text, sizeof text, &error) ? 0 : (int)error.status;
-}
-
-/* The light loop's ms_sss_transmission, into text. */
-CALL(int, transmission, (void)) { return ms_sss_transmission_text(MS_SSS_GLSL_ES_300, text, sizeof text) ? 0 : 1; }
-
 /* How many vec4 there are in constants(), the same for both passes; 0: message() says why not. */
 CALL(int, fill,
      (int taps, int materials, int width, int height, double fov_degrees, double mm_per_unit, double center_x,
       double center_y))
 {
-    const ms_sss_shader shader = pass_of(0, taps, materials);
-    const ms_sss_filter_options view = view_of(fov_degrees, mm_per_unit, center_x, center_y);
-    const int count = ms_sss_shader_constant_count(&shader);
+    ms_sss_shader shader = ms_sss_shader_defaults();
+    ms_sss_filter_options view = ms_sss_filter_defaults();
+    int count;
+    shader.tap_count = taps;
+    shader.profile_count = materials;
+    view.fov_degrees = (float)fov_degrees;
+    view.mm_per_unit = (float)mm_per_unit;
+    view.center[0] = (float)center_x;
+    view.center[1] = (float)center_y;
+    count = ms_sss_shader_constant_count(&shader);
     return count <= CONSTANTS &&
             ms_sss_shader_constants(kernel, 0, &view, width, height, &shader, constant, &error) == MS_OK
         ? count

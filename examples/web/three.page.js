@@ -21,7 +21,7 @@ const add = (geometry, material, x, y, z) => {
   scene.add(mesh);
   return mesh;
 };
-const face = new THREE.SphereGeometry(1, 192, 128), p = face.attributes.position; // a ball with folds
+const face = new THREE.SphereGeometry(1, 384, 256), p = face.attributes.position; // a ball with folds
 for (let i = 0; i < p.count; ++i) {
   const [x, y, z] = [p.getX(i), p.getY(i), p.getZ(i)], s = 1 + 0.05 * Math.sin(9 * x + 2 * y) * Math.sin(8 * y) + 0.03 * Math.sin(17 * z);
   p.setXYZ(i, s * x, s * y, s * z);
@@ -29,7 +29,8 @@ for (let i = 0; i < p.count; ++i) {
 face.computeVertexNormals();
 add(face, skin, -2.1, 0, 0);
 add(new THREE.TorusKnotGeometry(0.75, 0.25, 256, 48), marble, 0.2, 0.05, 0);
-add(new THREE.LatheGeometry([[0.02, -1], [0.6, -0.85], [0.95, -0.3], [1, 0.6], [0.95, 0.6], [0.9, -0.28], [0.55, -0.78], [0.02, -0.93]].map(q => new THREE.Vector2(...q)), 128), marble, 2.4, 0, 0);
+for (const part of [[[0.02, -1], [0.6, -0.85], [0.95, -0.3], [1, 0.6]], [[1, 0.6], [0.95, 0.6]], [[0.95, 0.6], [0.9, -0.28], [0.55, -0.78], [0.02, -0.93]]])
+  add(new THREE.LatheGeometry(part.map(q => new THREE.Vector2(...q)), 128), marble, 2.4, 0, 0); // a cup: outside, rim, inside, whose normals differ at the edges
 add(new THREE.PlaneGeometry(30, 30), floor, 0, -1.1, 0).rotation.x = -Math.PI / 2;
 const view = window.view = { THREE, scene, camera, azimuth: 0.3, height: 0.25, ready: false };
 const pose = () => {
@@ -38,9 +39,10 @@ const pose = () => {
   camera.position.set(9 * Math.sin(view.azimuth) * Math.cos(view.height), 9 * Math.sin(view.height), 9 * Math.cos(view.azimuth) * Math.cos(view.height));
   camera.lookAt(0, -0.1, 0);
 };
+const widest = 12 / 40 / (2 * 9 * Math.tan(15 * Math.PI / 180)) * innerHeight * devicePixelRatio; // 12 mm of 40 mm a unit, 9 units away
 const sss = await Subsurface.create(renderer, [
   { reflectance: [0.44, 0.22, 0.13], path: [1.8, 1.2, 0.73] },
-  { reflectance: [0.83, 0.79, 0.75], path: [0.41, 0.66, 1.03] }], { mmPerUnit: 40, taps: 17 });
+  { reflectance: [0.83, 0.79, 0.75], path: [0.41, 0.66, 1.03] }], { mmPerUnit: 40, radius: Math.min(widest, 150) });
 sss.apply(skin, 0);
 sss.apply(marble, 1);
 view.sss = sss;

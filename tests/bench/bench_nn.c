@@ -444,7 +444,7 @@ static void renderer_peers(runner *r, torch_peer *torch)
 
 static void bench_renderer(void)
 {
-    static const ms_nn_dtype types[4] = {MS_NN_F32, MS_NN_BF16, MS_NN_F16, MS_NN_I8};
+    static const ms_nn_dtype types[3] = {MS_NN_F32, MS_NN_F16, MS_NN_I8};
     size_t outputs = (size_t)(3 * side * side);
     float *reference = (float *)malloc(outputs * sizeof(float));
     torch_peer torch = torch_start(0);
@@ -458,7 +458,7 @@ static void bench_renderer(void)
         md,
         "\n| renderer %d x %d, one picture | ms | x F32 | PSNR against F32, dB | file, MB | GB/s | of reading alone | one and two threads by the wall, ms |\n|---|---:|---:|---:|---:|---:|---:|---:|\n",
         side, side);
-    for (k = 0; k < 4; ++k) {
+    for (k = 0; k < 3; ++k) {
         nets_file *f = (nets_file *)malloc(sizeof *f);
         if (nets_renderer(f, side, 64, 1000, types[k])) exit(1);
         for (huge = 0; huge < 2; ++huge) {
@@ -655,13 +655,13 @@ static void bench_inversion(void)
 
 static void bench_shared(void)
 {
-    static const ms_nn_dtype types[4] = {MS_NN_F32, MS_NN_BF16, MS_NN_F16, MS_NN_I8};
+    static const ms_nn_dtype types[3] = {MS_NN_F32, MS_NN_F16, MS_NN_I8};
     int k, level;
     begin_table("nn_shared.md");
     fprintf(
         more,
         "\n| shared-channel renderer, 64 x 64, three channels | file, MB | scalar, ms | base | avx2 | avx512 |\n|---|---:|---:|---:|---:|---:|\n");
-    for (k = 0; k < 4; ++k) {
+    for (k = 0; k < 3; ++k) {
         nets_file *f = (nets_file *)malloc(sizeof *f);
         if (nets_shared(f, 64, 160, types[k])) exit(1);
         fprintf(more, "| %s | %.1f |", ms_nn_dtype_string(types[k]), (double)f->size * 1e-6);

@@ -199,11 +199,11 @@ static double previews(const char *path, ms_simd level, int threads)
 
 int main(int argc, char **argv)
 {
-    static const ms_nn_dtype types[4] = {MS_NN_F32, MS_NN_F16, MS_NN_BF16, MS_NN_I8};
+    static const ms_nn_dtype types[3] = {MS_NN_F32, MS_NN_F16, MS_NN_I8};
     static const char *const names[] = {"4 x 512", "shared, 64 x 64", "Conv1D, 32 x 32", "Conv2D from 64 x 64",
                                         "1000 to 12288, memory"};
     const char *only = argc > 1 ? argv[1] : "", *type = argc > 2 ? argv[2] : "";
-    ms_simd level = argc > 3 ? (ms_simd)atoi(argv[3]) : MS_SIMD_AVX512;
+    ms_simd level = argc > 3 ? ms__simd_pick((ms_simd)atoi(argv[3])) : ms__simd_pick(MS_SIMD_AUTO);
     nets_file *f = (nets_file *)malloc(sizeof *f);
     static const char *const shipped[2] = {"examples/data/preview_64.safetensors",
                                            "examples/data/renderer_64.safetensors"};
@@ -231,7 +231,7 @@ int main(int argc, char **argv)
         printf("300 previews by %s: %.1f ms, two threads (wall) %.1f\n", shipped[k], 1e3 * one[k], 1e3 * two[k]);
     }
     for (k = 0; k < 5; ++k)
-        for (t = 0; t < 4; ++t) {
+        for (t = 0; t < 3; ++t) {
             if (!strstr(names[k], only) || !strstr(ms_nn_dtype_string(types[t]), type)) continue;
             if (k < 2) bad = k == 0 ? square(f, types[t]) : nets_shared(f, 64, 96, types[t]);
             else

@@ -1,6 +1,6 @@
 /* ms_pme.h on edited pictures, with the networks and held-out materials of examples/data: the tables of the thesis's
-   chapter 4, times, and what pictures tell about parameters. About two minutes. bench_pme --full gives basin hopping a
-   minute for every target instead of 0.3 s and factors the full-size network (40 minutes); --times, --minima, --edits,
+   chapter 4, times, and what pictures tell about parameters. About three minutes. bench_pme --full gives basin hopping
+   a minute for every target instead of 0.3 s (40 minutes); --times, --minima, --edits,
    --sequence, --recovery, --targets and --optimizers make one table alone, --known searches the least RMSE of the
    targets of targets.h (half an hour, into build/bench/pme_targets.csv). Writes pme.md, pme_minima.md, pme_targets.md,
    pme_optimizers.md, pme_sequence.md, pme_time.md, pme_recovery.md, pme_edits.md, pme.csv and pme.svg. RMSE in levels
@@ -559,44 +559,15 @@ static void time_matches(FILE *f, matcher *m, target *targets, int masked)
            1e3 * bench_median(aims, TARGETS), 1e3 * bench_median(first, TARGETS));
 }
 
-/* The thesis's renderer with random weights in int8, as a file. Factoring its 504300 rows takes a minute; without
-   --full the file brings the R that such a last layer has on average, W'W = rows / features. */
+/* The thesis's renderer with random weights in int8, as a file. */
 static int write_full_size(const char *path)
 {
-    enum { FEATURES = 1000, OUTPUTS = 3 * 410 * 410, TRIANGLE = FEATURES * (FEATURES + 1) / 2 };
     static nets_file net;
-    static const size_t shape[1] = {TRIANGLE};
-    ms_nn_tensor tensor[NETS_MAX + 1];
-    ms_nn_entry entry[8];
-    ms_nn_file *file;
-    ms_error error;
-    size_t i, at = 0, tensors, entries, size;
-    void *bytes;
     FILE *out;
-    double *r = (double *)calloc(TRIANGLE, sizeof(double));
-    if (r == NULL || nets_renderer(&net, 410, 64, FEATURES, MS_NN_I8)) return 0;
-    for (i = 0; i < FEATURES; at += FEATURES - i++) r[at] = sqrt((double)OUTPUTS / (int)FEATURES);
-    check(ms_nn_file_open(net.bytes, net.size, NULL, &file, &error), &error);
-    tensors = ms_nn_file_tensor_count(file);
-    entries = ms_nn_file_entry_count(file);
-    for (i = 0; i < tensors; ++i) tensor[i] = *ms_nn_file_tensor(file, i);
-    for (i = 0; i < entries && i < 8; ++i) entry[i] = *ms_nn_file_entry(file, i);
-    tensor[tensors].name = "ms_nn.collapse";
-    tensor[tensors].dtype = MS_NN_F64;
-    tensor[tensors].rank = 1;
-    tensor[tensors].shape = shape;
-    tensor[tensors].data = r;
-    tensor[tensors].bytes = TRIANGLE * sizeof(double);
-    check(ms_nn_file_write(tensor, tensors + !full, entry, entries, NULL, 0, &size, &error), &error);
-    bytes = malloc(size);
-    if (bytes == NULL) return 0;
-    check(ms_nn_file_write(tensor, tensors + !full, entry, entries, bytes, size, &size, &error), &error);
+    if (nets_renderer(&net, 410, 64, 1000, MS_NN_I8)) return 0;
     out = fopen(path, "wb");
-    if (out == NULL || fwrite(bytes, 1, size, out) != size || fclose(out) != 0) return 0;
-    free(bytes);
-    ms_nn_file_close(file);
+    if (out == NULL || fwrite(net.bytes, 1, net.size, out) != net.size || fclose(out) != 0) return 0;
     free(net.bytes);
-    free(r);
     return 1;
 }
 
@@ -606,8 +577,7 @@ static void time_full_size(FILE *f)
     static matcher m;
     static const double zero[N] = {0}, one[N] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
     double truth[N], x[N], times[RUNS], aims[RUNS], from;
-    ms_pme_options options =
-        ms_pme_defaults(); /* what a match does, but without its check of the collapse, whose R is made up */
+    ms_pme_options options = ms_pme_defaults(); /* what a match does, but without its check of the collapse */
     ms_pme_function function;
     ms_error error;
     float *planes;
@@ -623,7 +593,7 @@ static void time_full_size(FILE *f)
             x[j] = (double)held_out.x[(k + RUNS) * N + j];
         }
         check(m.renderer.render(&m, truth, planes), &error);
-        if (k == 0) aim(&m, planes); /* R comes with the first target */
+        if (k == 0) aim(&m, planes); /* R comes with the first target: a minute */
         from = bench_cpu();
         aim(&m, planes);
         aims[k] = bench_cpu() - from;
@@ -791,14 +761,13 @@ static void table_edits(matcher *m)
 {
     static const struct {
         const char *edit, *option;
-        int flags, nuisance;
-    } row[] = {
-        {"unedited", "", 0, 0},       {"unedited", "`--robust --align`", MATCHER_ROBUST | MATCHER_ALIGN, 0},
-        {"logo", "", 0, 0},           {"logo", "`--robust`", MATCHER_ROBUST, 0},
-        {"exposure", "", 0, 0},       {"exposure", "`--exposure`", 0, MS_PME_EXPOSURE},
-        {"colored light", "", 0, 0},  {"colored light", "`--tint`", 0, MS_PME_TINT | MS_PME_OFFSET},
-        {"shift", "", 0, 0},          {"shift", "`--align`", MATCHER_ALIGN, 0},
-        {"logo and shift", "", 0, 0}, {"logo and shift", "`--robust --align`", MATCHER_ROBUST | MATCHER_ALIGN, 0}};
+        int flags;
+    } row[] = {{"unedited", "", 0},       {"unedited", "`--robust --align`", MATCHER_ROBUST | MATCHER_ALIGN},
+               {"logo", "", 0},           {"logo", "`--robust`", MATCHER_ROBUST},
+               {"exposure", "", 0},       {"exposure", "`--exposure`", MATCHER_EXPOSURE},
+               {"colored light", "", 0},  {"colored light", "`--tint`", MATCHER_TINT},
+               {"shift", "", 0},          {"shift", "`--align`", MATCHER_ALIGN},
+               {"logo and shift", "", 0}, {"logo and shift", "`--robust --align`", MATCHER_ROBUST | MATCHER_ALIGN}};
     enum { ROWS = 12, MATERIALS = 16 };
     FILE *f = bench_open("pme_edits.md");
     float *picture = (float *)malloc(m->renderer.image_size * sizeof(float));
@@ -838,8 +807,6 @@ static void table_edits(matcher *m)
             sensitivity(&m->reduced, x, singular_value, deviation);
             options.refine.max_cost = 300;
             options.refine.restarts = 1000;
-            options.channels = 3;
-            options.nuisance = row[k].nuisance;
             from = bench_cpu();
             check(matcher_match(m, planes, NULL, &options, row[k].flags, x, picture, &result, NULL, &error), &error);
             ms[i] = 1e3 * (bench_cpu() - from);

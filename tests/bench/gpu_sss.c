@@ -6,6 +6,7 @@
 #include "ms_sss.h"
 #include "bench.h"
 #include "egl.h"
+#include "sss_shader.h"
 
 enum {
     COLOR,
@@ -86,7 +87,7 @@ static const char *const disc =
     "    result = vec4(sum / weight, texelFetch(color, p, 0).a);\n"
     "}\n";
 
-static char text[40000], log_text[2000];
+static char text[100000], log_text[2000];
 static float constants[400][4];
 static ms_sss_kernel kernel[MS_SSS_SHADER_PROFILES_MAX];
 static ms_sss_pyramid pyramid;
@@ -204,6 +205,7 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
                 uint64_t *) = (void (*)(GLuint, GLenum, uint64_t *))eglGetProcAddress("glGetQueryObjectui64v");
     ms_sss_filter_options o = ms_sss_filter_defaults();
     ms_sss_shader s;
+    sss_text about;
     ms_error error;
     ms_status status;
     draw d[DRAWS];
@@ -214,15 +216,20 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
     o.flat = c->slopes ? 0.0f : 1.0f;
     s = ms_sss_shader_defaults();
     s.profile_count = c->profiles > 1 ? c->profiles : 0;
-    o.pyramids = &pyramid;
-    s.fetch = in_alpha;
+    s.pyramids = &pyramid;
+    memset(&about, 0, sizeof about);
+    about.language = SSS_GLSL_330;
+    about.perspective = 1;
+    about.flat = !c->slopes;
+    about.fetch = in_alpha;
     s.half_resolution = c->other == HALF;
     for (i = 0; i < n; ++i) {
         float frame[4] = {(float)width, (float)height, (float)i, 0};
         s.step = d[i].step;
         s.level = d[i].level;
         status = ms_sss_shader_constants(kernel, 0, &o, width, height, &s, constants, &error);
-        if (status != MS_OK || !ms_sss_shader_text(&s, &o, text, sizeof text, &error)) stop(c->name, error.message);
+        if (status != MS_OK) stop(c->name, error.message);
+        if (!sss_shader_text(&s, &about, text, sizeof text)) stop(c->name, "no shader file");
         frame[3] = constants[0][2];
         d[i].program = gl_program(gl_corner[0],
                                   c->other == RELEASED   ? released
@@ -233,11 +240,10 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
         gl_Uniform4fv(gl_GetUniformLocation(d[i].program, "ms_sss"), ms_sss_shader_constant_count(&s), constants[0]);
         gl_Uniform4fv(gl_GetUniformLocation(d[i].program, "frame"), 1, frame);
         if (c->other == RELEASED) {
-            static float half[4][4], taps[7][4];
-            ms_sss_kernel_upload(kernel, 0, 0, half, NULL);
+            static float taps[7][4];
             for (k = 0; k < 7; ++k) {
-                memcpy(taps[k], half[(k + 1) / 2], sizeof taps[k]);
-                if (k % 2) taps[k][3] = -taps[k][3];
+                memcpy(taps[k], kernel->weight[0][k], 3 * sizeof(float));
+                taps[k][3] = kernel->offset_mm[k];
             }
             gl_Uniform4fv(gl_GetUniformLocation(d[i].program, "taps"), 7, taps[0]);
         }

@@ -1,8 +1,9 @@
 /* Any bytes as a safetensors file and as a network: refused or run, never a crash, a hang or a large allocation.
-     clang -g -O1 -fsanitize=fuzzer,address,undefined -I. tests/fuzz/fuzz_safetensors.c -o build/fuzz_safetensors -lm
-     build/fuzz_safetensors -max_len=4096 tests/fuzz/corpus_safetensors */
+     clang -g -O1 -fsanitize=fuzzer,address,undefined -I. -Iexamples/engine tests/fuzz/fuzz_safetensors.c -o
+   build/fuzz_safetensors -lm build/fuzz_safetensors -max_len=4096 tests/fuzz/corpus_safetensors */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
+#include "nn_shader.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,6 +16,7 @@ extern "C"
 /* What is listed can be read to its last byte, found by name, and written again. */
 static void fuzz_file(const ms_nn_file *file)
 {
+    ms_error error;
     size_t n = ms_nn_file_tensor_count(file), i, k, written = 0;
     unsigned sum = 0;
     ms_nn_tensor copy[16];
@@ -25,20 +27,21 @@ static void fuzz_file(const ms_nn_file *file)
         if (i < 16) copy[i] = *t;
     }
     if (n == 0) memset(copy, 0, sizeof copy);
-    if (n <= 16 && ms_nn_file_write(copy, n, NULL, 0, NULL, 0, &written, NULL) != MS_OK) abort();
+    if (n <= 16 && ms_nn_file_write(copy, n, NULL, 0, NULL, 0, &written, &error) != MS_OK) abort();
     if (sum == 1u && written == 1) abort(); /* keeps the reads */
 }
 
-/* The network as an objective, with R from the file if it has one. */
+/* The network as an objective. */
 static void fuzz_collapse(const ms_nn *nn, const float *x, const float *target)
 {
     ms_nn_collapse *c;
+    ms_error error;
     double *residual;
     size_t n;
-    if (ms_nn_collapse_create(nn, NULL, &c, NULL) != MS_OK) return;
+    if (ms_nn_collapse_create(nn, NULL, &c, &error) != MS_OK) return;
     n = ms_nn_collapse_features(c) + 1;
     residual = (double *)malloc(n * (ms_nn_input_size(nn) + 1) * sizeof(double));
-    if (ms_nn_collapse_target(c, target, NULL) == MS_OK) ms_nn_collapse_residual(c, x, residual, residual + n, NULL);
+    if (ms_nn_collapse_target(c, target, &error) == MS_OK) ms_nn_collapse_residual(c, x, residual, residual + n, NULL);
     free(residual);
     ms_nn_collapse_destroy(c);
 }
@@ -46,22 +49,23 @@ static void fuzz_collapse(const ms_nn *nn, const float *x, const float *target)
 /* As shaders: refused, or as long as it says. */
 static void fuzz_shader(const ms_nn *nn, size_t size)
 {
-    ms_nn_shader s;
-    ms_nn_shader_sizes z;
+    nn_shader s;
+    nn_shader_sizes z;
+    ms_error error;
     memset(&s, 0, sizeof s);
     s.steps = (int)(size / 4 % 4);
-    s.language = (ms_nn_language)(size % 5);
+    s.language = (nn_language)(size % 5);
     if (size / 16 % 2) s.width = s.height = 2;
-    for (z.steps = 1; s.step < z.steps && ms_nn_shader_layout(nn, &s, &z, NULL) == MS_OK; ++s.step) {
-        size_t length = ms_nn_shader_text(nn, &s, NULL, 0, NULL);
+    for (z.steps = 1; s.step < z.steps && nn_shader_layout(nn, &s, &z, &error) == MS_OK; ++s.step) {
+        size_t length = nn_shader_text(nn, &s, NULL, 0, &error);
         char *text = (char *)malloc(length + 1);
-        if (text && (ms_nn_shader_text(nn, &s, text, length + 1, NULL) != length || strlen(text) != length)) abort();
+        if (text && (nn_shader_text(nn, &s, text, length + 1, &error) != length || strlen(text) != length)) abort();
         free(text);
     }
     s.step = 0;
-    if (ms_nn_shader_layout(nn, &s, &z, NULL) == MS_OK && z.weight_rows < 16) {
-        void *weights = malloc((size_t)z.weight_rows * MS_NN_SHADER_WIDTH * 16);
-        if (weights) ms_nn_shader_weights(nn, size % 2 ? MS_NN_F16 : MS_NN_F32, weights, NULL);
+    if (nn_shader_layout(nn, &s, &z, &error) == MS_OK && z.weight_rows < 16) {
+        void *weights = malloc((size_t)z.weight_rows * NN_SHADER_WIDTH * 16);
+        if (weights) nn_shader_weights(nn, size % 2 ? MS_NN_F16 : MS_NN_F32, weights, &error);
         free(weights);
     }
 }
@@ -109,6 +113,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             free(x);
         }
     }
+    ms_nn_check_weights(nn, &error);
     ms_nn_destroy(nn);
     return 0;
 }

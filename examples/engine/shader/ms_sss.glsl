@@ -1,0 +1,619 @@
+// Subsurface scattering in screen space: the passes X and Y, half resolution, and light through thin parts.
+//
+// One text for GLSL 330, GLSL ES 300 (WebGL 2), GLSL for Vulkan and HLSL; examples/tools/sss_wgsl.c makes WGSL of it.
+// A fragment shader is a line of #version, #defines, the engine's functions that read its textures, and this file:
+//
+//     #version 330
+//     #define MS_SSS_STEP 0
+//     uniform sampler2D light, depth;
+//     vec3 ms_sss_fetch_color(ivec2 p) { return texelFetch(light, p, 0).rgb; }
+//     float ms_sss_fetch_depth(ivec2 p) { return texelFetch(depth, p, 0).r; }
+//
+// A triangle over the target runs it. ms_sss_shader_constants of ms_sss.h fills the array ms_sss: an array of
+// uniforms, or the constant buffer at binding 0.
+//
+//     #define             default
+//     MS_SSS_STEP                  0 X, 1 Y, 2 DOWN, 3 UP; 8 ms_sss_transmission alone, for the engine's light loop;
+//                                  4 to 7: those of ms_sss_pyramid.glsl, which follows this file
+//     MS_SSS_TAPS         7        ms_sss_shader.tap_count
+//     MS_SSS_PROFILES     0        kernels that ms_sss_fetch_profile selects from, up to 16; 0: one, no profiles
+//     MS_SSS_TERMS        1        of UP: the most terms of any of the kernels
+//     MS_SSS_PERSPECTIVE  1        0: orthographic, or a light map
+//     MS_SSS_FLAT         0        1: without slopes and elevation, where options.flat is 1
+//     MS_SSS_NORMAL       0        1: slopes from normals; 0: from depth
+//     MS_SSS_STRENGTH     0        1: with strength
+//     MS_SSS_ROTATED      0        1: rotation or jitter of ms_sss_shader
+//     MS_SSS_HALF         0        1: X and Y lie between DOWN and UP
+//     MS_SSS_HLSL, MS_SSS_VULKAN   defined: the language, where it is not the GLSL of OpenGL
+//
+// The engine defines those of these functions that a step reads; p is the pixel plus the viewport's corner:
+//
+//     float3 ms_sss_fetch_color(int2 p)     light before the albedo; not below 1e30: masked     X, Y, DOWN, UP
+//     float ms_sss_fetch_depth(int2 p)      along the view axis, of 32 bits; not > 0: masked    X, DOWN, UP
+//     int ms_sss_fetch_profile(int2 p)      index of the kernel; without one: masked            X, DOWN, UP
+//     float ms_sss_fetch_strength(int2 p)   0 to 1; 0: masked                                   X, Y, DOWN, UP
+//     float3 ms_sss_fetch_normal(int2 p)    in view space: x right, y down, z to the camera     X, Y
+//
+// At half resolution X and Y read DOWN's target in their place. Without depth the second returns 1.0, with MS_SSS_FLAT 1.
+// Targets are textures of 32-bit floats (OpenGL: GL_NEAREST), at these bindings:
+//
+//     X     writes light, and depth (0: masked) in alpha; the profile in the last 4 bits of blue
+//     Y     the result; reads ms_sss_input (4): X's target. The Y of further terms are added to it by blending
+//     DOWN  writes as X. Then X reads ms_sss_input: DOWN's target, and Y also ms_sss_half (12): DOWN's target
+//     UP    the result; reads ms_sss_half (12): DOWN's target, and ms_sss_sum (6): Y's target
+
+#ifndef MS_SSS_TAPS
+#define MS_SSS_TAPS 7
+#endif
+#ifndef MS_SSS_PROFILES
+#define MS_SSS_PROFILES 0
+#endif
+#ifndef MS_SSS_TERMS
+#define MS_SSS_TERMS 1
+#endif
+#ifndef MS_SSS_PERSPECTIVE
+#define MS_SSS_PERSPECTIVE 1
+#endif
+#ifndef MS_SSS_FLAT
+#define MS_SSS_FLAT 0
+#endif
+#ifndef MS_SSS_NORMAL
+#define MS_SSS_NORMAL 0
+#endif
+#ifndef MS_SSS_STRENGTH
+#define MS_SSS_STRENGTH 0
+#endif
+#ifndef MS_SSS_ROTATED
+#define MS_SSS_ROTATED 0
+#endif
+#ifndef MS_SSS_HALF
+#define MS_SSS_HALF 0
+#endif
+
+// ---- languages -------------------------------------------------------------------------------------------------------
+
+#if defined(MS_SSS_HLSL)
+#define bits_of asuint
+#define float_of asfloat
+#define TEXTURE(name, fetch, slot, at) Texture2D<float4> name : register(at); float4 fetch(int2 p) { return name.Load(int3(p, 0)); }
+#elif !defined(MS_SSS_WGSL) // whose macros the tool has
+#define int2 ivec2
+#define float2 vec2
+#define float3 vec3
+#define float4 vec4
+#define bits_of floatBitsToUint
+#define float_of uintBitsToFloat
+#ifdef MS_SSS_VULKAN
+#define TEXTURE(name, fetch, slot, at) layout(set = 0, binding = slot) uniform sampler2D name; vec4 fetch(ivec2 p) { return texelFetch(name, p, 0); }
+#else
+#define TEXTURE(name, fetch, slot, at) uniform sampler2D name; vec4 fetch(ivec2 p) { return texelFetch(name, p, 0); }
+#endif
+#endif
+#ifndef MS_SSS_WGSL
+#define CONSTANT ms_sss
+#define pick(if_not, if_so, condition) ((condition) ? (if_so) : (if_not))
+#endif
+#define zero2 float2(0.0, 0.0)
+#define zero3 float3(0.0, 0.0, 0.0)
+#define zero4 float4(0.0, 0.0, 0.0, 0.0)
+#define one3 float3(1.0, 1.0, 1.0)
+
+#if MS_SSS_STEP < 8
+// ---- what the step is ------------------------------------------------------------------------------------------------
+
+#define PASS (MS_SSS_STEP < 2)
+#define SECOND (MS_SSS_STEP == 1)
+#define DOWN (MS_SSS_STEP == 2)
+#define UP (MS_SSS_STEP == 3)
+#define PYRAMID (MS_SSS_STEP > 3 && MS_SSS_STEP < 8)
+#define BASE (MS_SSS_STEP == 4)
+#define GATHER (MS_SSS_STEP == 6)
+#define RESOLVE (MS_SSS_STEP == 7)
+#define HALVED (PASS && MS_SSS_HALF > 0)
+// RAW: it reads the engine's textures and masks their pixels, where others read the target of a step.
+#define RAW (BASE || DOWN || UP || (MS_SSS_STEP == 0 && !HALVED))
+#define SLOPES (MS_SSS_FLAT == 0 && (PASS || BASE))
+#define NORMALS (MS_SSS_NORMAL > 0 && SLOPES && !HALVED)
+#define PACKED (MS_SSS_PROFILES > 0 && !PYRAMID)
+
+// Float4 of the constants: before the profiles (HEAD), of a profile (STRIDE), and in all.
+#define STRIDE (6 + MS_SSS_TAPS / 2)
+#if MS_SSS_PROFILES > 0
+#define KERNELS MS_SSS_PROFILES
+#else
+#define KERNELS 1
+#endif
+#define SIZES 49 // of a pyramid's table
+#if RESOLVE
+#define HEAD 7
+#define COUNT (HEAD + 3 * SIZES)
+#elif GATHER
+#define HEAD 7
+#define COUNT (HEAD + SIZES)
+#elif PYRAMID
+#define HEAD 7
+#define COUNT HEAD
+#elif UP
+#define HEAD 4
+#define COUNT (HEAD + MS_SSS_TERMS * KERNELS * STRIDE)
+#else
+#define HEAD 4
+#define COUNT (HEAD + KERNELS * STRIDE)
+#endif
+
+// ---- constants and textures ------------------------------------------------------------------------------------------
+
+#if defined(MS_SSS_HLSL)
+cbuffer ms_sss_block : register(b0) { float4 ms_sss[COUNT]; };
+#elif defined(MS_SSS_VULKAN)
+layout(set = 0, binding = 0) uniform ms_sss_block { vec4 ms_sss[COUNT]; };
+#elif !defined(MS_SSS_WGSL)
+#ifdef GL_ES
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+#endif
+uniform vec4 ms_sss[COUNT];
+#endif
+
+#define PICTURE_SIZE CONSTANT[0].xy // in pixels, of the picture at full resolution
+#define CENTER CONSTANT[HEAD - 1].xy // of the projection, in pixels
+#define ORIGIN CONSTANT[HEAD - 1].zw // the viewport's corner
+// of X, Y, DOWN and UP
+#define PIXELS_PER_MM CONSTANT[0].z // perspective: at depth 1
+#define GAIN CONSTANT[0].w // 1 - fade
+#define ASPECT CONSTANT[1].xy // pixels a mm along x and y, relative to PIXELS_PER_MM
+#define ROTATION CONSTANT[1].z // radians
+#define JITTER CONSTANT[1].w
+#define FIRST_TERM CONSTANT[2].x // 1: the term that adds the light itself
+#define FOCAL CONSTANT[2].yz // pixels a unit of depth; perspective: at depth 1
+#define SLOPE_SCALE CONSTANT[2].w // 1 - flat
+// of a profile's kernel, which begins at HEAD + STRIDE * profile
+#define TOTAL(at) CONSTANT[at].rgb // sums of the weights
+#define RADIUS_MM(at) CONSTANT[at].w
+#define SCALE(at) CONSTANT[at + 1].rgb // of the term
+#define DEPTH_SCALE(at) CONSTANT[at + 1].w // to units of depth in which weights vanish at a difference of 1
+#define DELTA(at) CONSTANT[at + 2].rgb // the part of the light that the filter leaves where it is
+#define SPLIT(at) CONSTANT[at + 2].w // square of the difference of depth that DOWN and UP do not cross
+#define ELEVATION(at) CONSTANT[at + 3].rgb // K / 4
+#define MIXED(at) CONSTANT[at + 3].w // bits: channels with weights of both signs
+#define ROOT(at) CONSTANT[at + 4].rgb // of the reflectance
+#define REACH(at) CONSTANT[at + 4].w // square of the kernel's radius in units of depth
+#define TAP(at, i) CONSTANT[at + 5 + i] // weight; offset in mm. 0: the center; then one of each pair
+
+#if !RAW
+TEXTURE(ms_sss_input, fetch_input, 4, t4)
+#endif
+#if UP || GATHER || RESOLVE
+TEXTURE(ms_sss_sum, fetch_sum, 6, t6)
+#endif
+#if UP || (SECOND && HALVED)
+TEXTURE(ms_sss_half, fetch_half, 12, t12)
+#endif
+
+// ---- a pixel: its light, depth, profile, and the slopes of its surface ------------------------------------------------
+
+// Pixels of the picture along the side of one of this step's.
+float side() { return pick(pick(1.0, 2.0, HALVED), 0.5 * CONSTANT[2].z, PYRAMID); }
+
+// The corner of the viewport; targets of half the size have none.
+int2 origin() { return int2(int(ORIGIN.x), int(ORIGIN.y)) * pick(1, 0, HALVED); }
+
+bool inside(int2 p) {
+    int step = int(side());
+    return p.x >= 0 && p.y >= 0 && step * p.x < int(PICTURE_SIZE.x) && step * p.y < int(PICTURE_SIZE.y);
+}
+
+// In perspective a pixel shows a width in proportion to its depth.
+float relative(float depth) { return pick(1.0, depth, MS_SSS_PERSPECTIVE > 0); }
+
+// (x, y) / z of a pixel's ray.
+float2 ray_of(int2 p) {
+    float2 middle = float2(float(p.x) + 0.5, float(p.y) + 0.5) * side();
+#if PYRAMID
+    return (middle - CENTER) * CONSTANT[1].w; // its tangent
+#else
+    return (middle - CENTER) * float(MS_SSS_PERSPECTIVE) / FOCAL.x;
+#endif
+}
+
+// The area of a surface over that of a surface that faces the ray, at the same depth: |(slope, 1 + slope . ray)|.
+float area_of(float2 slope, float2 ray) {
+    float towards = dot(slope, ray) + 1.0;
+    return sqrt(dot(slope, slope) + towards * towards);
+}
+
+#if PASS || DOWN || UP || BASE
+// Below 1e30, by its bits: compilers may assume that no number is NaN.
+bool finite(float x) { return (bits_of(x) & 0x7fffffffu) < 0x7149f2cau; }
+
+#if PACKED
+// The last 4 bits of blue hold the profile. Those of 0 would be flushed, so 0 becomes 1e-30.
+float pack(float blue, int profile) {
+    return float_of(((bits_of(pick(blue, 1e-30, abs(blue) < 1e-30)) + 8u) & 0xfffffff0u) | uint(profile));
+}
+int profile_of(float4 c) { return int(bits_of(c.b) & 15u); }
+#else
+float pack(float blue, int profile) { return blue; }
+int profile_of(float4 c) { return 0; }
+#endif
+
+// Light and depth of a pixel; alpha 0: masked.
+float4 source(int2 p) {
+#if RAW
+    int2 at = p + origin();
+    float3 c = ms_sss_fetch_color(at);
+    float depth = ms_sss_fetch_depth(at);
+    int profile = 0;
+    bool valid = finite(c.r) && finite(c.g) && finite(c.b) && depth > 0.0 && finite(depth);
+#if MS_SSS_STRENGTH
+    float strength = ms_sss_fetch_strength(at);
+    valid = valid && strength > 0.0 && (bits_of(strength) & 0x7fffffffu) <= 0x7f800000u;
+#endif
+#if MS_SSS_PROFILES > 0
+    profile = ms_sss_fetch_profile(at);
+#if PYRAMID
+    valid = valid && profile == int(CONSTANT[0].w);
+#else
+    valid = valid && profile >= 0 && profile < MS_SSS_PROFILES;
+#endif
+#endif
+    if (!valid) { return zero4; }
+    return float4(c.rg, pack(c.b, profile), depth);
+#else
+    float4 c = fetch_input(p + origin());
+    return pick(zero4, c, c.a > 0.0);
+#endif
+}
+
+float4 texel(int2 p) {
+    if (!inside(p)) { return zero4; }
+    return source(p);
+}
+
+// Neither is masked, and both have one profile.
+bool same(float4 a, float4 b) { return a.a > 0.0 && profile_of(a) == profile_of(b); }
+#endif
+
+#if SLOPES && !NORMALS
+// The slope along a step of one pixel, from differences of depth to the pixels before and after. A difference above
+// most is an edge. Where the slopes on both sides agree, their mean. Else the smaller one: near a silhouette depth
+// falls as the root of the distance to it, a difference of one pixel underestimates the slope, and the ratio of the last
+// two differences tells by how much, if it is more than rounding.
+float slope_along(int2 p, int2 step, float4 own, float focal, float most) {
+    float4 before = texel(p - step);
+    float4 after = texel(p + step);
+    float a = own.a - before.a;
+    float b = after.a - own.a;
+#if !PYRAMID
+    bool on_a = same(before, own) && abs(a) < most;
+    bool on_b = same(after, own) && abs(b) < most;
+#endif
+    a = focal * a / relative(before.a);
+    b = focal * b / relative(after.a);
+#if PYRAMID // there most is of slopes
+    bool on_a = same(before, own) && abs(a) < most;
+    bool on_b = same(after, own) && abs(b) < most;
+#endif
+    a = pick(pick(0.0, b, on_b), a, on_a);
+    b = pick(a, b, on_b);
+    float slope = 0.5 * (a + b);
+    if ((on_a || on_b) && !(on_a && on_b && abs(a - b) < 0.5 * (a * b + 1.0))) {
+        bool back = on_a && (!on_b || abs(a) < abs(b));
+        if (abs(a) < abs(b)) { slope = a; }
+        if (abs(b) < abs(a)) { slope = b; }
+        float next = pick(after.a, before.a, back);
+        float4 beyond = texel(p + step * pick(2, -2, back));
+        float outer_step = (own.a - next) * relative(beyond.a);
+        float inner_step = (next - beyond.a) * relative(own.a);
+#if PYRAMID
+        float rounding = 2.0 * CONSTANT[5].z * own.a * relative(own.a);
+#else
+        float rounding = 4.7683716e-7 * own.a * relative(own.a);
+#endif
+        float more = min(abs(outer_step) - abs(inner_step), abs(inner_step)) - rounding;
+        if (same(beyond, own) && outer_step * inner_step > 0.0 && more > 0.0) {
+            more = min(more / abs(inner_step), 0.85);
+            slope = slope + slope * more * (0.5 + more * (0.5 + 0.7 * more * more));
+        }
+    }
+    return clamp(slope, -8.0, 8.0);
+}
+#endif
+
+#if SLOPES
+// Change of depth along x and y over the width of surface that a pixel shows.
+float2 slopes_of(int2 p, float4 own, float2 focal, float most) {
+#if NORMALS
+    float3 normal = ms_sss_fetch_normal(p + origin());
+    float least = max(abs(normal.x), abs(normal.y)) * 0.125;
+    float facing = max(normal.z - dot(ray_of(p), normal.xy), least);
+    bool valid = finite(normal.x) && finite(normal.y) && finite(normal.z);
+    return pick(zero2, normal.xy / facing, facing > 0.0 && valid);
+#else
+    return float2(slope_along(p, int2(1, 0), own, focal.x, most), slope_along(p, int2(0, 1), own, focal.y, most));
+#endif
+}
+#endif
+
+#if PASS || DOWN || UP
+float pixels_at(float depth) { return PIXELS_PER_MM / relative(depth); }
+int profile_at(float4 own) { return HEAD + STRIDE * profile_of(own); }
+
+#if DOWN || UP
+// ---- half resolution -------------------------------------------------------------------------------------------------
+
+// Weight of a pixel near another in depth: (1 - dz^2 / split^2)^4.
+float nearness(float4 there, float4 own, int at) {
+    float dz = (there.a - own.a) * DEPTH_SCALE(at);
+    float f = max(1.0 - dz * dz / max(SPLIT(at), 1e-30), 0.0);
+    return pick(0.0, f * f * f * f, same(there, own));
+}
+#endif
+
+#if DOWN
+float4 nearer(float4 a, float4 b) { return pick(a, b, b.a > 0.0 && (!(a.a > 0.0) || b.a < a.a)); }
+
+// Four pixels to one: the mean of those that lie near the nearest of them.
+float4 filter_pixel(int2 p) {
+    float4 a = texel(2 * p);
+    float4 b = texel(2 * p + int2(1, 0));
+    float4 c = texel(2 * p + int2(0, 1));
+    float4 d = texel(2 * p + int2(1, 1));
+    float4 own = nearer(nearer(a, b), nearer(c, d));
+    int at = profile_at(own);
+    float4 f = float4(nearness(a, own, at), nearness(b, own, at), nearness(c, own, at), nearness(d, own, at));
+    if (!(own.a > 0.0)) { return own; }
+    float4 mean = (f.x * a + f.y * b + f.z * c + f.w * d) / (f.x + f.y + f.z + f.w);
+    return float4(mean.rg, pack(mean.b, profile_of(own)), mean.a);
+}
+#endif
+
+#if UP
+// The weight of a pixel's own light in its result: DELTA, and of each term the product of what the taps along x and
+// along y take from the pixel itself by linear interpolation.
+float3 self_weight(float depth, int at) {
+    float pixels = min(pixels_at(depth), max(PICTURE_SIZE.x, PICTURE_SIZE.y) / RADIUS_MM(at));
+    float3 share = DELTA(at);
+    for (int t = 0; t < MS_SSS_TERMS; t++) {
+        int block = at + t * KERNELS * STRIDE;
+        float3 across = zero3;
+        float3 down = zero3;
+        for (int k = 0; k < MS_SSS_TAPS; k++) {
+            float4 tap = TAP(block, (k + 1) / 2);
+            float away = pixels * abs(tap.w);
+            across = across + tap.rgb * max(1.0 - away * ASPECT.x, 0.0);
+            down = down + tap.rgb * max(1.0 - away * ASPECT.y, 0.0);
+        }
+        share = share + SCALE(block) * across * down;
+    }
+    return clamp(share, zero3, 0.999 * one3);
+}
+
+// out = s own + (1 - s) rest, s the self weight at full resolution. The rest is that of the four larger pixels around,
+// each solved from after = s' before + (1 - s') rest with its own s', interpolated (3/4, 1/4) where depths are near.
+float4 filter_pixel(int2 pixel) {
+    int2 p = pixel - origin();
+    float4 own = source(p);
+    float3 light = ms_sss_fetch_color(pixel);
+    if (!(own.a > 0.0)) { return float4(light, 1.0); }
+    int at = profile_at(own);
+    float3 share = self_weight(own.a, at);
+    float3 rest = zero3;
+    float weight = 0.0;
+    for (int i = 0; i < 4; i++) {
+        int2 q = int2((p.x + 1) / 2 - 1 + i % 2, (p.y + 1) / 2 - 1 + i / 2);
+        if (!inside(q * 2)) { continue; }
+        float4 there = fetch_half(q);
+        float f = nearness(there, own, at) * pick(0.2, 0.8, q.x == p.x / 2) * pick(0.2, 0.8, q.y == p.y / 2);
+        if (!(f > 0.0)) { continue; }
+        float3 after = fetch_sum(q).rgb;
+        float3 least = min(min(there.rgb, after), zero3);
+        rest = rest + f * max(there.rgb + (after - there.rgb) / (one3 - self_weight(there.a, at)), least);
+        weight = weight + f;
+    }
+    float strength = GAIN;
+#if MS_SSS_STRENGTH
+    strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);
+#endif
+    bool wide = pixels_at(own.a) * RADIUS_MM(at) * max(ASPECT.x, ASPECT.y) > 0.5;
+    if (wide && weight > 1e-6) { light = light + strength * (one3 - share) * (rest / weight - light); }
+    return float4(light, 1.0);
+}
+#endif
+
+#if PASS
+// ---- X and Y ---------------------------------------------------------------------------------------------------------
+
+#if SECOND
+// The light before the filter; only the pass of the first term adds it.
+float3 unfiltered(int2 p) {
+    if (FIRST_TERM < 0.5) { return zero3; }
+#if HALVED
+    return fetch_half(p).rgb;
+#else
+    return ms_sss_fetch_color(p + origin());
+#endif
+}
+#endif
+
+// A weighted sum becomes a mean, of the same total weight. Where weights have both signs, what is missing is replaced by
+// the pixel's own light, for a sum of weights near 0 is no divisor.
+float normalize_sum(float sum, float weight, float lifted, float own, float total, bool mixed) {
+    if (mixed) { return sum + own * (total - weight); }
+    return pick(own, sum / lifted, lifted > 1e-30) * total;
+}
+
+// One pass: taps on the tangent plane along one axis of the picture. A tap at the distance s on the surface reads two
+// texels, which count
+//     f = share of linear interpolation * (1 - dz^2) / (1 + (1 - flat) h^2 / s^2)
+// with h the height of the texel over the tangent plane in mm, dz the same in units in which weights vanish at 1. Light
+// that enters above the plane, at an elevation theta, reaches the pixel by a factor (1 + K / 4 sin theta)^4; where the
+// surface bends away from the plane there is more of it, by a factor 1 + (1 - flat) (dh/ds)^2 / 2. The sum is divided by
+// the larger of its weights and its factors' weights times the root of the reflectance: no mean exceeds 1 / reflectance
+// after two passes.
+float4 filter_pixel(int2 pixel) {
+    int2 p = pixel - origin();
+    float4 own = texel(p);
+#if SECOND
+    if (!(own.a > 0.0)) { return float4(unfiltered(p), 1.0); }
+#else
+    if (!(own.a > 0.0)) { return own; }
+#endif
+    int at = profile_at(own);
+    float4 total = CONSTANT[at];
+    float2 aspect = ASPECT;
+
+    // The effect fades from kernels of a pixel to those of half a pixel; one wider than the picture is reduced to it.
+    float pixels = pixels_at(own.a) / side();
+    float radius = pixels * total.w * max(aspect.x, aspect.y);
+    bool wide = radius > 0.5;
+    pixels = min(pixels, max(PICTURE_SIZE.x, PICTURE_SIZE.y) / (total.w * side()));
+    float2 axis = pick(float2(1.0, 0.0), float2(0.0, 1.0), SECOND);
+#if MS_SSS_ROTATED
+    // One of 64 angles a pixel, of a linear congruence in which neighbors differ widely.
+    float turn = float(((uint(p.x) * 49472u + uint(p.y) * 37345u) & 65535u) >> 10u) + 0.5;
+    float angle = ROTATION + JITTER * turn * (1.57079632679 / 64.0);
+    axis = axis.x * float2(cos(angle), sin(angle)) + axis.y * float2(-sin(angle), cos(angle));
+#endif
+#if SLOPES
+    // A mm along the tangent plane has the picture of 1 / |(axis + slope ray, slope)| mm that face the camera.
+    float2 ray = ray_of(p);
+    float2 focal = FOCAL / side();
+    float2 slopes = SLOPE_SCALE * slopes_of(p, own, focal, sqrt(REACH(at)) / DEPTH_SCALE(at));
+    float slope = dot(axis, slopes);
+    pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);
+    // The plane's depth a column and a row; in perspective relative to the depth of the texel that is compared with it.
+    float2 plane = slopes / focal;
+    float mm = FOCAL.x / (PIXELS_PER_MM * DEPTH_SCALE(at)); // of a unit of dz
+    float facing = mm / area_of(slopes, ray);
+    float3 elevation = ELEVATION(at);
+    float least_sine = -1.0 / max(1.0, max(elevation.r, max(elevation.g, elevation.b)));
+    // Of the taps before, on both sides: their height below the plane and their distance.
+    float2 last_below = zero2;
+    float2 last_offset = zero2;
+#endif
+    axis = axis * aspect * pixels;
+
+    float3 result = own.rgb * TAP(at, 0).rgb;
+    float3 weight = TAP(at, 0).rgb;
+    float3 lifted = weight; // the weight with the factors of elevation
+    for (int k = 1; k < pick(1, MS_SSS_TAPS, wide); k++) {
+        float4 tap = TAP(at, (k + 1) / 2);
+        float offset = pick(tap.w, -tap.w, k % 2 == 0);
+        float2 whole = floor(axis * offset);
+        float2 part = axis * offset - whole;
+        float4 sum = zero4;
+#if SLOPES
+        float below = 0.0;
+        float elongation = min(SLOPE_SCALE * mm * mm / max(offset * offset, 1e-30), 1e6);
+#endif
+        for (int i = 0; i < 2 + 2 * MS_SSS_ROTATED; i++) {
+            int2 corner = pick(pick(int2(i, 0), int2(0, i), SECOND), int2(i % 2, i / 2), MS_SSS_ROTATED > 0);
+            float2 away = abs(float2(1.0 - float(corner.x), 1.0 - float(corner.y)) - part);
+            float share = away.x * away.y;
+            if (!(share > 0.0)) { continue; }
+            int2 beside = int2(int(whole.x), int(whole.y)) + corner;
+            float4 there = texel(p + beside);
+            float dz = there.a - own.a;
+#if SLOPES
+            dz = dz - dot(plane, float2(float(beside.x), float(beside.y))) * relative(there.a);
+#endif
+            dz = dz * DEPTH_SCALE(at);
+            if (!(same(there, own) && dz * dz < 1.0)) { continue; }
+            float f = share * (1.0 - dz * dz);
+#if SLOPES
+            f = f / (elongation * dz * dz + 1.0);
+            below = below + f * dz;
+#else
+            f = f * (1.0 - dz * dz) * (1.0 - dz * dz) * (1.0 - dz * dz);
+#endif
+            sum = sum + float4(there.rgb * f, f);
+        }
+#if SLOPES
+        // The sine of the elevation, without what may be rounding of depths.
+        float rounding = own.a * DEPTH_SCALE(at) * 2.3841858e-7 * (2.0 + (abs(axis.x) + abs(axis.y)) * abs(offset));
+        below = facing * (below - clamp(below, -rounding, rounding));
+        float sine = clamp(below / max(abs(offset), 1e-20), least_sine, 1.0);
+        // The area: by the slope between the tap before and this one.
+        bool back = offset < 0.0;
+        float before = pick(last_below.x, last_below.y, back);
+        float gap = abs(offset) - pick(last_offset.x, last_offset.y, back);
+        float lower = (below + 0.001 * before) / (sum.a + 0.001);
+        float bend = 0.0;
+        if (gap > 1e-20 && MIXED(at) < 0.5) { bend = (lower - before) / gap; }
+        sum = sum * min(0.5 * SLOPE_SCALE * bend * bend + 1.0, 3.0);
+        last_below = pick(float2(lower, last_below.y), float2(last_below.x, lower), back);
+        last_offset = pick(float2(abs(offset), last_offset.y), float2(last_offset.x, abs(offset)), back);
+#endif
+        weight = weight + tap.rgb * sum.a;
+#if SLOPES
+        float3 lift = one3 + elevation * sine;
+        tap = float4(tap.rgb * lift * lift * lift * lift, tap.w);
+#endif
+        lifted = lifted + tap.rgb * sum.a;
+        result = result + tap.rgb * sum.rgb;
+    }
+
+    int mixed = int(MIXED(at));
+#if SLOPES
+    lifted = max(weight, lifted * ROOT(at));
+#endif
+    result = float3(normalize_sum(result.r, weight.r, lifted.r, own.r, total.r, (mixed & 1) != 0),
+        normalize_sum(result.g, weight.g, lifted.g, own.g, total.g, (mixed & 2) != 0),
+        normalize_sum(result.b, weight.b, lifted.b, own.b, total.b, (mixed & 4) != 0));
+#if SECOND
+    float strength = pick(0.0, pick(GAIN * min(2.0 * radius - 1.0, 1.0), 1.0, HALVED), wide);
+#if MS_SSS_STRENGTH && !HALVED
+    strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);
+#endif
+    float3 delta = DELTA(at);
+    result = strength * SCALE(at) * result;
+    if (strength < 1.0 || dot(abs(delta), one3) > 0.0) {
+        result = result + (strength * delta + (1.0 - strength) * one3) * unfiltered(p);
+    }
+    return float4(result, 1.0);
+#else
+    return float4(result.rg, pack(result.b, profile_of(own)), own.a);
+#endif
+}
+#endif
+
+#if defined(MS_SSS_HLSL)
+float4 main(float4 position : SV_Position) : SV_Target0 { return filter_pixel(int2(position.xy)); }
+#elif !defined(MS_SSS_WGSL)
+layout(location = 0) out vec4 ms_sss_out;
+void main() { ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy)); }
+#endif
+#endif
+#endif
+
+#if MS_SSS_STEP == 8
+// ---- light through thin parts ----------------------------------------------------------------------------------------
+
+// What part of diffuse light that enters a slab on one side leaves it on the other, parallel: the cosine between
+// the two sides.
+float ms_sss_through(float reflectance, float decay, float thickness, float parallel) {
+    float dark = max(1.0 - reflectance, 1e-4);
+    float R = 1.0 - dark;
+    float y = decay * max(thickness, 0.0);
+    float x = exp(-y);
+    float gone = 1.0 - x;
+    if (y < 0.02) { gone = y * (1.0 - 0.5 * y * (1.0 - y / 3.0)); } // the difference would lose digits
+    float slab = 1.0 - 0.85 * dark * dark * dark * dark * dark * (1.0 - exp(-0.8 * y));
+    slab = slab * dark * (1.0 + R) * x / ((dark + R * gone) * (1.0 + R * x));
+    if (!(reflectance > 0.0)) { return 0.0; }
+    return slab * (1.0 + dark / R * max(parallel, 0.0));
+}
+
+// ms_sss_transmission of ms_sss.h, with reflectance and decay of the kernel: light of a lamp behind the pixel's surface.
+// Unit vectors; entry_normal: where the light enters, as a shadow map with normals holds it. Before the albedo.
+float3 ms_sss_transmission(float3 reflectance, float3 decay, float thickness_mm, float3 normal, float3 entry_normal, float3 to_light, float3 light) {
+    float entry = dot(entry_normal, to_light);
+    float parallel = -dot(normal, entry_normal);
+    if (!(dot(normal, to_light) < 0.0 && entry > 0.0)) { return zero3; }
+    return entry * light * float3(ms_sss_through(reflectance.r, decay.r, thickness_mm, parallel),
+        ms_sss_through(reflectance.g, decay.g, thickness_mm, parallel),
+        ms_sss_through(reflectance.b, decay.b, thickness_mm, parallel));
+}
+#endif

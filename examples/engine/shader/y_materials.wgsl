@@ -1,0 +1,196 @@
+// Of ms_sss.glsl by examples/tools/sss_wgsl.c, with
+//     #define MS_SSS_STEP 1
+//     #define MS_SSS_PROFILES 16
+//     #define MS_SSS_NORMAL 1
+//     #define MS_SSS_STRENGTH 1
+// and the defaults. The module adds the functions ms_sss_fetch_... that it calls.
+
+@group(0) @binding(4) var ms_sss_input: texture_2d<f32>; fn fetch_input(p: vec2<i32>) -> vec4<f32> { return textureLoad(ms_sss_input, p, 0); }
+
+// ---- a pixel: its light, depth, profile, and the slopes of its surface ------------------------------------------------
+
+// Pixels of the picture along the side of one of this step's.
+fn side() -> f32 { return select(select(1.0, 2.0, false), 0.5 * ms_sss.v[2].z, false); }
+
+// The corner of the viewport; targets of half the size have none.
+fn origin() -> vec2<i32> { return vec2<i32>(i32(ms_sss.v[4 - 1].zw.x), i32(ms_sss.v[4 - 1].zw.y)) * select(1, 0, false); }
+
+fn inside(p: vec2<i32>) -> bool {
+    var step: i32 = i32(side());
+    return p.x >= 0 && p.y >= 0 && step * p.x < i32(ms_sss.v[0].xy.x) && step * p.y < i32(ms_sss.v[0].xy.y);
+}
+
+// In perspective a pixel shows a width in proportion to its depth.
+fn relative(depth: f32) -> f32 { return select(1.0, depth, 1 > 0); }
+
+// (x, y) / z of a pixel's ray.
+fn ray_of(p: vec2<i32>) -> vec2<f32> {
+    var middle: vec2<f32> = vec2<f32>(f32(p.x) + 0.5, f32(p.y) + 0.5) * side();
+    return (middle - ms_sss.v[4 - 1].xy) * f32(1) / ms_sss.v[2].yz.x;
+}
+
+// The area of a surface over that of a surface that faces the ray, at the same depth: |(slope, 1 + slope . ray)|.
+fn area_of(slope: vec2<f32>, ray: vec2<f32>) -> f32 {
+    var towards: f32 = dot(slope, ray) + 1.0;
+    return sqrt(dot(slope, slope) + towards * towards);
+}
+
+// Below 1e30, by its bits: compilers may assume that no number is NaN.
+fn finite(x: f32) -> bool { return (bitcast<u32>(x) & 0x7fffffffu) < 0x7149f2cau; }
+
+// The last 4 bits of blue hold the profile. Those of 0 would be flushed, so 0 becomes 1e-30.
+fn pack(blue: f32, profile: i32) -> f32 {
+    return bitcast<f32>(((bitcast<u32>(select(blue, 1e-30, abs(blue) < 1e-30)) + 8u) & 0xfffffff0u) | u32(profile));
+}
+fn profile_of(c: vec4<f32>) -> i32 { return i32(bitcast<u32>(c.b) & 15u); }
+
+// Light and depth of a pixel; alpha 0: masked.
+fn source(p: vec2<i32>) -> vec4<f32> {
+    var c: vec4<f32> = fetch_input(p + origin());
+    return select(vec4<f32>(0.0, 0.0, 0.0, 0.0), c, c.a > 0.0);
+}
+
+fn texel(p: vec2<i32>) -> vec4<f32> {
+    if (!inside(p)) { return vec4<f32>(0.0, 0.0, 0.0, 0.0); }
+    return source(p);
+}
+
+// Neither is masked, and both have one profile.
+fn same(a: vec4<f32>, b: vec4<f32>) -> bool { return a.a > 0.0 && profile_of(a) == profile_of(b); }
+
+// Change of depth along x and y over the width of surface that a pixel shows.
+fn slopes_of(p: vec2<i32>, own: vec4<f32>, focal: vec2<f32>, most: f32) -> vec2<f32> {
+    var normal: vec3<f32> = ms_sss_fetch_normal(p + origin());
+    var least: f32 = max(abs(normal.x), abs(normal.y)) * 0.125;
+    var facing: f32 = max(normal.z - dot(ray_of(p), normal.xy), least);
+    var valid: bool = finite(normal.x) && finite(normal.y) && finite(normal.z);
+    return select(vec2<f32>(0.0, 0.0), normal.xy / facing, facing > 0.0 && valid);
+}
+
+fn pixels_at(depth: f32) -> f32 { return ms_sss.v[0].z / relative(depth); }
+fn profile_at(own: vec4<f32>) -> i32 { return 4 + 9 * profile_of(own); }
+
+// ---- X and Y ---------------------------------------------------------------------------------------------------------
+
+// The light before the filter; only the pass of the first term adds it.
+fn unfiltered(p: vec2<i32>) -> vec3<f32> {
+    if (ms_sss.v[2].x < 0.5) { return vec3<f32>(0.0, 0.0, 0.0); }
+    return ms_sss_fetch_color(p + origin());
+}
+
+// A weighted sum becomes a mean, of the same total weight. Where weights have both signs, what is missing is replaced by
+// the pixel's own light, for a sum of weights near 0 is no divisor.
+fn normalize_sum(sum: f32, weight: f32, lifted: f32, own: f32, total: f32, mixed: bool) -> f32 {
+    if (mixed) { return sum + own * (total - weight); }
+    return select(own, sum / lifted, lifted > 1e-30) * total;
+}
+
+// One pass: taps on the tangent plane along one axis of the picture. A tap at the distance s on the surface reads two
+// texels, which count
+//     f = share of linear interpolation * (1 - dz^2) / (1 + (1 - flat) h^2 / s^2)
+// with h the height of the texel over the tangent plane in mm, dz the same in units in which weights vanish at 1. Light
+// that enters above the plane, at an elevation theta, reaches the pixel by a factor (1 + K / 4 sin theta)^4; where the
+// surface bends away from the plane there is more of it, by a factor 1 + (1 - flat) (dh/ds)^2 / 2. The sum is divided by
+// the larger of its weights and its factors' weights times the root of the reflectance: no mean exceeds 1 / reflectance
+// after two passes.
+fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
+    var p: vec2<i32> = pixel - origin();
+    var own: vec4<f32> = texel(p);
+    if (!(own.a > 0.0)) { return vec4<f32>(unfiltered(p), 1.0); }
+    var at: i32 = profile_at(own);
+    var total: vec4<f32> = ms_sss.v[at];
+    var aspect: vec2<f32> = ms_sss.v[1].xy;
+
+    // The effect fades from kernels of a pixel to those of half a pixel; one wider than the picture is reduced to it.
+    var pixels: f32 = pixels_at(own.a) / side();
+    var radius: f32 = pixels * total.w * max(aspect.x, aspect.y);
+    var wide: bool = radius > 0.5;
+    pixels = min(pixels, max(ms_sss.v[0].xy.x, ms_sss.v[0].xy.y) / (total.w * side()));
+    var axis: vec2<f32> = select(vec2<f32>(1.0, 0.0), vec2<f32>(0.0, 1.0), true);
+    // A mm along the tangent plane has the picture of 1 / |(axis + slope ray, slope)| mm that face the camera.
+    var ray: vec2<f32> = ray_of(p);
+    var focal: vec2<f32> = ms_sss.v[2].yz / side();
+    var slopes: vec2<f32> = ms_sss.v[2].w * slopes_of(p, own, focal, sqrt(ms_sss.v[at + 4].w) / ms_sss.v[at + 1].w);
+    var slope: f32 = dot(axis, slopes);
+    pixels = pixels / sqrt(slope * (slope * (dot(ray, ray) + 1.0) + 2.0 * dot(axis, ray)) + 1.0);
+    // The plane's depth a column and a row; in perspective relative to the depth of the texel that is compared with it.
+    var plane: vec2<f32> = slopes / focal;
+    var mm: f32 = ms_sss.v[2].yz.x / (ms_sss.v[0].z * ms_sss.v[at + 1].w); // of a unit of dz
+    var facing: f32 = mm / area_of(slopes, ray);
+    var elevation: vec3<f32> = ms_sss.v[at + 3].rgb;
+    var least_sine: f32 = -1.0 / max(1.0, max(elevation.r, max(elevation.g, elevation.b)));
+    // Of the taps before, on both sides: their height below the plane and their distance.
+    var last_below: vec2<f32> = vec2<f32>(0.0, 0.0);
+    var last_offset: vec2<f32> = vec2<f32>(0.0, 0.0);
+    axis = axis * aspect * pixels;
+
+    var result: vec3<f32> = own.rgb * ms_sss.v[at + 5 + 0].rgb;
+    var weight: vec3<f32> = ms_sss.v[at + 5 + 0].rgb;
+    var lifted: vec3<f32> = weight; // the weight with the factors of elevation
+    for (var k: i32 = 1; k < select(1, 7, wide); k++) {
+        var tap: vec4<f32> = ms_sss.v[at + 5 + (k + 1) / 2];
+        var offset: f32 = select(tap.w, -tap.w, k % 2 == 0);
+        var whole: vec2<f32> = floor(axis * offset);
+        var part: vec2<f32> = axis * offset - whole;
+        var sum: vec4<f32> = vec4<f32>(0.0, 0.0, 0.0, 0.0);
+        var below: f32 = 0.0;
+        var elongation: f32 = min(ms_sss.v[2].w * mm * mm / max(offset * offset, 1e-30), 1e6);
+        for (var i: i32 = 0; i < 2 + 2 * 0; i++) {
+            var corner: vec2<i32> = select(select(vec2<i32>(i, 0), vec2<i32>(0, i), true), vec2<i32>(i % 2, i / 2), 0 > 0);
+            var away: vec2<f32> = abs(vec2<f32>(1.0 - f32(corner.x), 1.0 - f32(corner.y)) - part);
+            var share: f32 = away.x * away.y;
+            if (!(share > 0.0)) { continue; }
+            var beside: vec2<i32> = vec2<i32>(i32(whole.x), i32(whole.y)) + corner;
+            var there: vec4<f32> = texel(p + beside);
+            var dz: f32 = there.a - own.a;
+            dz = dz - dot(plane, vec2<f32>(f32(beside.x), f32(beside.y))) * relative(there.a);
+            dz = dz * ms_sss.v[at + 1].w;
+            if (!(same(there, own) && dz * dz < 1.0)) { continue; }
+            var f: f32 = share * (1.0 - dz * dz);
+            f = f / (elongation * dz * dz + 1.0);
+            below = below + f * dz;
+            sum = sum + vec4<f32>(there.rgb * f, f);
+        }
+        // The sine of the elevation, without what may be rounding of depths.
+        var rounding: f32 = own.a * ms_sss.v[at + 1].w * 2.3841858e-7 * (2.0 + (abs(axis.x) + abs(axis.y)) * abs(offset));
+        below = facing * (below - clamp(below, -rounding, rounding));
+        var sine: f32 = clamp(below / max(abs(offset), 1e-20), least_sine, 1.0);
+        // The area: by the slope between the tap before and this one.
+        var back: bool = offset < 0.0;
+        var before: f32 = select(last_below.x, last_below.y, back);
+        var gap: f32 = abs(offset) - select(last_offset.x, last_offset.y, back);
+        var lower: f32 = (below + 0.001 * before) / (sum.a + 0.001);
+        var bend: f32 = 0.0;
+        if (gap > 1e-20 && ms_sss.v[at + 3].w < 0.5) { bend = (lower - before) / gap; }
+        sum = sum * min(0.5 * ms_sss.v[2].w * bend * bend + 1.0, 3.0);
+        last_below = select(vec2<f32>(lower, last_below.y), vec2<f32>(last_below.x, lower), back);
+        last_offset = select(vec2<f32>(abs(offset), last_offset.y), vec2<f32>(last_offset.x, abs(offset)), back);
+        weight = weight + tap.rgb * sum.a;
+        var lift: vec3<f32> = vec3<f32>(1.0, 1.0, 1.0) + elevation * sine;
+        tap = vec4<f32>(tap.rgb * lift * lift * lift * lift, tap.w);
+        lifted = lifted + tap.rgb * sum.a;
+        result = result + tap.rgb * sum.rgb;
+    }
+
+    var mixed: i32 = i32(ms_sss.v[at + 3].w);
+    lifted = max(weight, lifted * ms_sss.v[at + 4].rgb);
+    result = vec3<f32>(normalize_sum(result.r, weight.r, lifted.r, own.r, total.r, (mixed & 1) != 0),
+        normalize_sum(result.g, weight.g, lifted.g, own.g, total.g, (mixed & 2) != 0),
+        normalize_sum(result.b, weight.b, lifted.b, own.b, total.b, (mixed & 4) != 0));
+    var strength: f32 = select(0.0, select(ms_sss.v[0].w * min(2.0 * radius - 1.0, 1.0), 1.0, false), wide);
+    strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);
+    var delta: vec3<f32> = ms_sss.v[at + 2].rgb;
+    result = strength * ms_sss.v[at + 1].rgb * result;
+    if (strength < 1.0 || dot(abs(delta), vec3<f32>(1.0, 1.0, 1.0)) > 0.0) {
+        result = result + (strength * delta + (1.0 - strength) * vec3<f32>(1.0, 1.0, 1.0)) * unfiltered(p);
+    }
+    return vec4<f32>(result, 1.0);
+}
+
+struct ms_sss_block { v: array<vec4<f32>, 148> };
+@group(0) @binding(0) var<uniform> ms_sss: ms_sss_block;
+
+@fragment
+fn main(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
+    return filter_pixel(vec2<i32>(position.xy));
+}
