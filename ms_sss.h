@@ -74,7 +74,7 @@
 
    Depth
    -----
-   A tap interpolates the two pixels beside its position (four with rotation or jitter), each weighted by its own depth.
+   A tap interpolates the two pixels beside its position, each weighted by its own depth.
    Slope: taps are spaced on the surface's tangent plane, so a plane is filtered alike at any tilt up to 83 degrees;
    diagonal tilts shear the kernel. Slopes come from normals, or from depth, one-sided at edges.
    Distance: a pixel dz off the tangent plane, for a tap x mm away, has the weight (1 - dz^2 / D^2) / (1 + dz^2 / x^2),
@@ -85,15 +85,12 @@
    mean by more than reflectance^(-1/2), so reflectance times output never exceeds the brightest input.
    Weights that fall outside the picture or on masked pixels are renormalized away: a constant stays constant within
    1e-6 on planes, and everywhere with flat 1. If a kernel's terms have weights of both signs, the missing weight goes
-   to the pixel's own color instead. Half-precision depth is too coarse for slopes: set flat to 1. Half resolution
-   (MS_SSS_METHOD_HALF): a pixel keeps the self weight of its light, so that detail stays; the rest comes from up to
-   four larger pixels around it that are near it in depth. On pictures of heads, hair and leaves it differs from full
-   resolution by 7 to 13%. Slopes come from its own depth; normals are not read.
+   to the pixel's own color instead. Half-precision depth is too coarse for slopes: set flat to 1.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
    Profiles and designers are one block each from the caller's allocator (a designer: 2 MB); building a kernel takes
-   another, under 1 MB, measuring one 60 KB, and gives it back. Filters allocate nothing if the caller
+   another, up to 1.6 MB, measuring one 60 KB, and gives it back. Filters allocate nothing if the caller
    gives a workspace. No globals. At most 32 KB of stack a call, 64 KB without optimization.
    Profiles, designers and kernels are only read once made: calls may overlap. Filters cut the picture into rows for
    ms_parallel; kernels are made on one thread.
@@ -109,16 +106,14 @@
    MS_NO_SIMD       plain C only
    MS_SSS_WITH_SCALAR   plain C beside the SIMD levels, as their reference; otherwise MS_SIMD_SCALAR is MS_SIMD_BASE
    MS_SSS_NO_DESIGN run time alone, for programs that carry kernels and pyramids as data: the filter,
-                    ms_sss_transmission and shaders; nothing that takes a profile
-   MS_ASSERT        checks of the header's own invariants (nothing)
+                    ms_sss_transmission and constants of shaders; nothing that takes a profile
 
    Limits
    ------
    A separable kernel only approximates a profile: the step and disk errors above do not fall with more taps, only with
    more terms. Against random walks through three objects (`make bench FILTER=sss_truth`) the remaining error lies at
    shadow borders (the pyramid and examples/tools/gather.h do better there), and on parts that let light through
-   (ms_sss_transmission, or the gather with a back layer): there, lit from behind, the filter alone is
-   no better than none. Bodies thinner than a mean free path stay too dark.
+   (ms_sss_transmission, or the gather with a back layer): there, lit from behind, the filter alone is hardly better than none. Bodies thinner than a mean free path stay too dark.
    Guided kernels send more light far away than the profile does; where it then crosses to other parts of an object
    (depth sigma a third of the radius, a knot of marble) their picture is worse than an unfiltered one.
    Designs go up to a radius of 128 pixels; larger ones scale from there. Light that a profile sends beyond the 99%
@@ -134,10 +129,8 @@
 
    Sections (search for "---- name")
    ---------------------------------
-   Declarations: profiles, elevation, kernels, errors, translucency, filter, pyramid, GPU text. Run time: checks,
-   translucency tables, filter code, pyramid code, GPU code. Design, which MS_SSS_NO_DESIGN leaves out: small maths,
-   profile tables, pre-integration, cells and spectra, kernel errors, taps, kernel models, pyramid weights. Compiled
-   once for each level of instructions (MS_SSS__PASS): filter kernels, pyramid kernels.
+   Declarations: profiles, elevation, kernels, errors, translucency, filter, pyramid, GPU. The contents of the
+   implementation stand at its head.
 */
 #ifndef MS_SSS_H
 #define MS_SSS_H
@@ -925,6 +918,20 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 }
 #endif /* MS_COMMON_SIMD */
 /* ms-common-simd end */
+
+/* Contents (search for "---- name")
+     checks                  ranges, kernels
+     translucency code       ms_sss_transmission
+     filter structures       views, passes, parameters; the inclusions of this file, one for each level of instructions
+     filter kernels          compiled once a level: vector words, rows, the surface, taps
+     pyramid kernels         compiled once a level: down, up, the picture's own level
+     filter code             kernels in a view; memory, threads, the caller's pixels, rows; the two passes
+     pyramid code            levels, runs over them, parameters
+     filter calls            checks of a call, ms_sss_filter, ms_sss_pyramid_filter
+     GPU code                constants of the shader files
+   Design, which MS_SSS_NO_DESIGN leaves out:
+     small maths, profile tables, pre-integration, cells and spectra, kernel errors, taps, kernel models,
+     pyramid weights */
 
 /* ---- checks ---------------------------------------------------------------------------------------------------- */
 #include <float.h>
