@@ -47,8 +47,8 @@
       _burley.
    2. A kernel, when assets are built: ms_sss_kernel_make with a radius in pixels; or a designer, which builds and
       measures many; or a pyramid, ms_sss_pyramid_make.
-   3. Every frame: ms_sss_filter (taps) or ms_sss_pyramid_filter on the CPU, or the shaders of ms_sss_shader_text on the
-   GPU.
+   3. Every frame: ms_sss_filter (taps) or ms_sss_pyramid_filter on the CPU, or the shader files of
+      examples/engine/shader on the GPU.
    4. Thin parts (ears, leaves): ms_sss_transmission in the light loop, from a shadow map.
 
    What it costs
