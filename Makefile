@@ -8,6 +8,7 @@
 #   make bench      speed against error: tables and plots in build/bench/, peers where they are installed
 #   make bench-gpu  milliseconds of the shaders on this machine's GPU (EGL)
 #   make format     the layout of all C files by clang-format 14 (make check-style checks it)
+#   make attack     random valid calls of every header with a fresh seed, under sanitizers (SECONDS of processor time: 600)
 #   make sanitize, check-style, thread, valgrind, fuzz, soak     other ways to run the tests
 #   make mutate    do the tests notice when a line changes? (HEADER, COUNT, SEED)
 #   make coverage  lines and branches that the tests of each header reach (gcov)
@@ -71,9 +72,9 @@ build/ms_nn: examples/ms_nn.c build/ms_nn.o
 build/ms_pme: examples/ms_pme.c build/ms_pme.o
 	$(BUILD) examples/ms_pme.c build/ms_pme.o $(LDLIBS)
 
-build/mcml: examples/tools/mcml.c examples/tools/mci.h examples/tools/files.h build/ms_mcml.o
+build/mcml: examples/tools/mcml.c examples/tools/mci.h examples/tools/layered.h examples/tools/files.h build/ms_mcml.o
 	$(BUILD) examples/tools/mcml.c build/ms_mcml.o $(LDLIBS)
-build/profile: examples/tools/profile.c examples/tools/mci.h examples/tools/skin.h examples/tools/photon_profile.h examples/tools/files.h build/ms_mcml.o
+build/profile: examples/tools/profile.c examples/tools/mci.h examples/tools/layered.h examples/tools/skin.h examples/tools/photon_profile.h examples/tools/files.h build/ms_mcml.o
 	$(BUILD) examples/tools/profile.c build/ms_mcml.o $(LDLIBS)
 build/sss_kernel: examples/tools/sss_kernel.c build/ms_sss.o build/ms_mcml.o
 	$(BUILD) examples/tools/sss_kernel.c build/ms_sss.o build/ms_mcml.o $(LDLIBS)
@@ -85,11 +86,11 @@ build/lightmap: examples/engine/lightmap.c $(IMAGE) build/ms_sss.o
 	$(BUILD) examples/engine/lightmap.c build/ms_sss.o build/image.o $(LDLIBS)
 build/sss_wgsl: examples/tools/sss_wgsl.c examples/tools/wgsl.h examples/tools/files.h
 	$(BUILD) examples/tools/sss_wgsl.c $(LDLIBS)
-build/demo_sss: examples/demo/demo_sss.c examples/demo/scene.h examples/tools/skin.h $(IMAGE) $(PLOT) build/ms_sss.o build/ms_mcml.o
+build/demo_sss: examples/demo/demo_sss.c examples/demo/scene.h examples/tools/layered.h examples/tools/skin.h $(IMAGE) $(PLOT) build/ms_sss.o build/ms_mcml.o
 	$(BUILD) examples/demo/demo_sss.c build/ms_sss.o build/ms_mcml.o build/image.o $(LDLIBS)
-build/recommend: examples/tools/recommend.c examples/tools/explain.h examples/tools/keep.h examples/tools/scores.h build/ms_gpr.o
+build/recommend: examples/tools/recommend.c examples/tools/explain.h examples/tools/keep.h examples/tools/space.h examples/tools/scores.h build/ms_gpr.o
 	$(BUILD) examples/tools/recommend.c build/ms_gpr.o $(LDLIBS)
-build/latent: examples/tools/latent.c examples/tools/scores.h examples/tools/maps.h examples/tools/text.h examples/tools/neural.h $(IMAGE) build/ms_gpr.o build/ms_nn.o
+build/latent: examples/tools/latent.c examples/tools/scores.h examples/tools/maps.h examples/tools/plane.h examples/tools/text.h examples/tools/neural.h $(IMAGE) build/ms_gpr.o build/ms_nn.o
 	$(BUILD) examples/tools/latent.c build/ms_gpr.o build/ms_nn.o build/image.o $(LDLIBS)
 build/nn_info: examples/tools/nn_info.c build/ms_nn.o
 	$(BUILD) examples/tools/nn_info.c build/ms_nn.o $(LDLIBS)
@@ -109,8 +110,8 @@ build/match: examples/tools/match.c examples/tools/matcher.h examples/tools/neur
 	$(BUILD) examples/tools/match.c build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
 build/demo_match: examples/demo/demo_match.c examples/tools/matcher.h examples/tools/neural.h examples/demo/edits.h examples/tools/text.h $(IMAGE) build/ms_nn.o build/ms_pme.o
 	$(BUILD) examples/demo/demo_match.c build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
-build/workflow: examples/tools/workflow.c examples/tools/workflow.h examples/tools/neural.h examples/tools/scores.h examples/tools/studio.h \
-	examples/tools/matcher.h examples/tools/materialx.h examples/tools/maps.h examples/tools/text.h $(IMAGE) build/ms_gpr.o build/ms_nn.o build/ms_pme.o
+build/workflow: examples/tools/workflow.c examples/tools/workflow.h examples/tools/neural.h examples/tools/scores.h examples/tools/studio.h examples/tools/space.h \
+	examples/tools/matcher.h examples/tools/materialx.h examples/tools/maps.h examples/tools/plane.h examples/tools/text.h $(IMAGE) build/ms_gpr.o build/ms_nn.o build/ms_pme.o
 	$(BUILD) examples/tools/workflow.c build/ms_gpr.o build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
 
 # What it runs, no more; `make` builds the rest.
@@ -147,6 +148,9 @@ fuzz:
 	@$(RUN) fuzz
 soak:
 	@$(RUN) soak
+SECONDS = 600
+attack:
+	@ATTACK_SECONDS=$(SECONDS) $(RUN) attack
 test-cross:
 	@$(RUN) cross
 mutate:
@@ -167,7 +171,7 @@ build/engine: examples/engine/engine.c examples/engine/egl.h build/ms_sss.glsl.i
 	@mkdir -p build && $(COMPILE) -Ibuild -Iexamples/tools -Iexamples/demo -Iexamples/engine -o $@ examples/engine/engine.c -lEGL $(LDLIBS)
 build/previews: examples/engine/previews.c examples/engine/nn_shader.h examples/engine/egl.h examples/tools/neural.h $(IMAGE) ms_nn.h
 	@mkdir -p build && $(COMPILE) -Iexamples/tools -Iexamples/demo -Iexamples/engine -o $@ examples/engine/previews.c -lEGL $(LDLIBS)
-build/bench_gpu: tests/bench/gpu_sss.c tests/sss_shader.h examples/tools/wgsl.h examples/engine/egl.h tests/bench/bench.h ms_sss.h
+build/bench_gpu: tests/bench/gpu_sss.c tests/sss_shader.h examples/engine/disc.h examples/tools/wgsl.h examples/engine/egl.h tests/bench/bench.h ms_sss.h
 	@mkdir -p build && $(COMPILE) -D_POSIX_C_SOURCE=200809L -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench -o $@ tests/bench/gpu_sss.c -lEGL $(LDLIBS)
 bench-gpu: build/bench_gpu
 	@build/bench_gpu
@@ -200,4 +204,4 @@ wgsl: build/sss_wgsl
 clean:
 	rm -rf build
 
-.PHONY: all demo deps examples check test test-long check-style format sanitize thread valgrind fuzz soak test-cross mutate coverage calls sizes bench bench-gpu web studio dataset hero train blender blender-dataset blender-train common wgsl clean
+.PHONY: all demo deps examples check test test-long check-style format sanitize thread valgrind fuzz soak attack test-cross mutate coverage calls sizes bench bench-gpu web studio dataset hero train blender blender-dataset blender-train common wgsl clean

@@ -87,7 +87,7 @@
 
    Memory
    ------
-   A file costs one allocation, a network two dozen and a few for each layer with weights. Convolutions are packed, and
+   A file costs one allocation, a network a dozen and at most five for each layer with weights. Convolutions are packed, and
    dense layers of at most two million weights or of fewer than 512 inputs, together at most 64 MB; the others are read
    in place. With a workspace of ms_nn_workspace_size bytes the calls allocate nothing; it stops growing at 48 samples,
    since more run in groups. Stack: below 32 kB, 64 kB when compiled without optimization.
@@ -984,7 +984,7 @@ static MS_NN__COLD ms_status ms_nn__json_string(ms_nn__json *j, char **pool, ms_
             static const char from[] = "\"\\/bfnrt", to[] = "\"\\/\b\f\n\r\t";
             const char *simple;
             unsigned char c = (unsigned char)(j->end - j->p > 1 ? j->p[1] : 0);
-            uint32_t code = 0, low = 0;
+            uint32_t code = 0, other = 0;
             simple = c ? strchr(from, c) : NULL;
             if (simple != NULL) {
                 code = (uint32_t)(unsigned char)to[simple - from];
@@ -994,9 +994,9 @@ static MS_NN__COLD ms_status ms_nn__json_string(ms_nn__json *j, char **pool, ms_
                     return ms_nn__refuse(j, "unknown escape in a string");
                 if (code >= 0xD800 && code < 0xE000) {
                     if (code >= 0xDC00 || j->end - j->p < 12 || j->p[6] != '\\' || j->p[7] != 'u' ||
-                        !ms_nn__hex4(j->p + 8, j->end, &low) || low < 0xDC00 || low >= 0xE000)
+                        !ms_nn__hex4(j->p + 8, j->end, &other) || other < 0xDC00 || other >= 0xE000)
                         return ms_nn__refuse(j, "a surrogate escape without its other half");
-                    code = 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00);
+                    code = 0x10000 + ((code - 0xD800) << 10) + (other - 0xDC00);
                     j->p += 6;
                 }
                 if (code == 0) return ms_nn__refuse(j, "a NUL character in a string");
@@ -1991,10 +1991,10 @@ typedef struct ms_nn__dense {
 /* One convolution of one sample. */
 typedef struct ms_nn__conv_job {
     const ms_nn__conv *conv;
-    const float *x;     /* [in.c][in.h][in.w] */
-    float *y;           /* [out.c][out.h][out.w] */
-    float *padded;      /* [strips][in.c][plane], each strip with room for loads beyond its end */
-    size_t padded_step; /* floats from one strip's to the next; 0 where strips follow each other and share one */
+    const float *x;      /* [in.c][in.h][in.w] */
+    float *y;            /* [out.c][out.h][out.w] */
+    float *padded;       /* [strips][in.c][plane], each strip with room for loads beyond its end */
+    size_t padded_pitch; /* floats from one strip's to the next; 0 where strips follow each other and share one */
     int linear;
     ms_nn__activation activation;
     float alpha;
@@ -2014,7 +2014,7 @@ typedef struct ms_nn__product_job {
     size_t count, rows, cols;
 } ms_nn__product_job;
 
-enum { MS_NN__DOUBLES = 16 }; /* two vectors of the widest level */
+enum { MS_NN__DOUBLES = 8 }; /* two vectors of four */
 
 /* The loops that differ by level; the kernel section at the end of this file makes one table a level. */
 typedef struct ms_nn__kernels {
@@ -2024,9 +2024,8 @@ typedef struct ms_nn__kernels {
     void (*packed)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*dense)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*conv)(const ms_nn__conv_job *job, size_t strip, const float *padded);
-    void (*activate)(float *y, size_t n, ms_nn__activation activation, float alpha);
-    void (*derive)(const float *y, float *g, size_t n, ms_nn__activation activation, float alpha);
-    void (*widen)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype);
+    void (*activate)(const float *x, float *y, size_t n, ms_nn__activation activation, float alpha, int slope);
+    void (*widen)(const unsigned char *p, size_t n, double factor, double *out, ms_nn_dtype dtype);
     void (*product)(const ms_nn__product_job *job);
 } ms_nn__kernels;
 
@@ -2689,8 +2688,10 @@ static void ms_nn__dense_task(void *context, int index)
     if (job->m->packed) job->kernels->packed(job, row0, row1);
     else job->kernels->dense(job, row0, row1);
     if (!job->linear && job->activation != MS_NN__LINEAR)
-        for (b = 0; b < job->batch; ++b)
-            job->kernels->activate(job->y + (size_t)b * job->m->rows + row0, row1 - row0, job->activation, job->alpha);
+        for (b = 0; b < job->batch; ++b) {
+            float *y = job->y + (size_t)b * job->m->rows + row0;
+            job->kernels->activate(y, y, row1 - row0, job->activation, job->alpha, 0);
+        }
 }
 
 static MS_NN__COLD void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, const float *x, float *y,
@@ -2739,7 +2740,7 @@ static void ms_nn__pad(const ms_nn__conv_job *job, size_t strip, float *padded)
 static void ms_nn__conv_task(void *context, int index)
 {
     const ms_nn__conv_job *job = (const ms_nn__conv_job *)context;
-    float *padded = job->padded + (size_t)index * job->padded_step;
+    float *padded = job->padded + (size_t)index * job->padded_pitch;
     ms_nn__pad(job, (size_t)index, padded);
     job->kernels->conv(job, (size_t)index, padded);
 }
@@ -2758,7 +2759,7 @@ static MS_NN__COLD void ms_nn__run_conv(const ms_nn *nn, const ms_nn__op *op, co
     job.x = x;
     job.y = y;
     job.padded = (float *)scratch;
-    job.padded_step = nn->options.parallel.run ? ms_nn__conv_padded(job.conv) : 0;
+    job.padded_pitch = nn->options.parallel.run ? ms_nn__conv_padded(job.conv) : 0;
     job.linear = linear;
     job.activation = op->activation;
     job.alpha = op->alpha;
@@ -2895,15 +2896,15 @@ static MS_NN__COLD void ms_nn__apply(const ms_nn *nn, int k, size_t count, const
         case MS_NN__DO_TRANSPOSE: ms_nn__transpose(xb, op->in.c, op->in.h * op->in.w, yb, op->in.c); break;
         case MS_NN__DO_ADD:
             for (i = 0; i < out; ++i) yb[i] = xb[i] + skip[b * out + i];
-            if (!linear) nn->kernels->activate(yb, out, op->activation, op->alpha);
+            if (!linear) nn->kernels->activate(yb, yb, out, op->activation, op->alpha, 0);
             break;
         case MS_NN__DO_ACTIVATE:
             memcpy(yb, xb, out * sizeof(float));
-            if (!linear) nn->kernels->activate(yb, out, op->activation, op->alpha);
+            if (!linear) nn->kernels->activate(yb, yb, out, op->activation, op->alpha, 0);
             break;
         default: break;
         }
-        if (linear) nn->kernels->derive(argument + b / each * out, yb, out, op->activation, op->alpha);
+        if (linear) nn->kernels->activate(argument + b / each * out, yb, out, op->activation, op->alpha, 1);
     }
 }
 
@@ -2918,8 +2919,7 @@ static MS_NN__COLD void ms_nn__run_forward(const ms_nn__run *r)
         ms_nn__apply(r->nn, k, r->points, ms_nn__input_value(r, k), ms_nn__input_value(r, op->skip), to, NULL, NULL, 1,
                      kept == SIZE_MAX, r->scratch);
         if (to == y) continue;
-        memcpy(y, to, r->points * ms_nn__count(op->out) * sizeof(float));
-        r->nn->kernels->activate(y, r->points * ms_nn__count(op->out), op->activation, op->alpha);
+        r->nn->kernels->activate(to, y, r->points * ms_nn__count(op->out), op->activation, op->alpha, 0);
     }
 }
 
@@ -3242,20 +3242,20 @@ MS_API MS_NN__COLD ms_status ms_nn_file_read(const char *path, const ms_nn_optio
 {
     ms_nn_options o = options ? *options : ms_nn_defaults();
     const void *mapped = NULL;
-    void *block = NULL;
+    void *read = NULL;
     size_t size = 0, used;
     ms_status status;
     if (path == NULL || file == NULL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", path == NULL ? "path" : "file");
     if (!o.copy) mapped = ms_nn__map(path, &size);
     used = size;
-    if (mapped == NULL && (status = ms_nn__read_whole(path, &o, &block, &size, &used, error)) != MS_OK) return status;
-    status = ms_nn_file_open(mapped ? mapped : block, used, &o, file, error);
+    if (mapped == NULL && (status = ms_nn__read_whole(path, &o, &read, &size, &used, error)) != MS_OK) return status;
+    status = ms_nn_file_open(mapped ? mapped : read, used, &o, file, error);
     if (status != MS_OK) {
-        ms_nn__release_content(&o.allocator, mapped ? mapped : block, size, mapped != NULL);
+        ms_nn__release_content(&o.allocator, mapped ? mapped : read, size, mapped != NULL);
         return status;
     }
-    (*file)->content = mapped ? mapped : block;
+    (*file)->content = mapped ? mapped : read;
     (*file)->content_bytes = size;
     (*file)->content_is_mapped = mapped != NULL;
     return MS_OK;
@@ -3305,27 +3305,22 @@ typedef struct ms_nn__pass {
     double *h0;          /* [wide][across] transposed; across: channels rounded up */
     double *residual;    /* [MS_NN__COLLAPSE_ROWS][across] */
     size_t length, across;
+    int has_h0;
 } ms_nn__pass;
 
 /* Rows row[0..n) of W as doubles. */
-static MS_NN__COLD void ms_nn__collapse_rows(const ms_nn_collapse *c, const size_t *row, size_t n, double *w)
+static void ms_nn__collapse_rows(const ms_nn_collapse *c, const size_t *row, size_t n, double *w)
 {
     const ms_nn__matrix *m = c->m;
-    const size_t size = ms_nn__bytes_of(m->dtype);
-    float part[256];
-    size_t i, k, at, count;
+    size_t i;
     for (i = 0; i < n; ++i, w += c->wide) {
         const double scale = m->scale ? (double)ms_nn__float_at(m->scale, row[i]) : 1.0;
-        for (at = 0; at < c->h; at += count) {
-            count = ms_nn__min(256, c->h - at);
-            c->nn->kernels->widen(m->w + (row[i] * m->cols + at) * size, count, part, m->dtype);
-            for (k = 0; k < count; ++k) w[at + k] = scale * (double)part[k];
-        }
+        c->nn->kernels->widen(m->w + row[i] * m->cols * ms_nn__bytes_of(m->dtype), c->h, scale, w, m->dtype);
     }
 }
 
 /* Adds n rows of W to W'MW: the upper triangle, from each tile's first column on. */
-static MS_NN__COLD void ms_nn__gram_rows(const ms_nn__pass *p, const size_t *row, size_t n)
+static void ms_nn__gram_rows(const ms_nn__pass *p, const size_t *row, size_t n)
 {
     const ms_nn_collapse *c = p->c;
     ms_nn__product_job job;
@@ -3347,13 +3342,13 @@ static MS_NN__COLD void ms_nn__gram_rows(const ms_nn__pass *p, const size_t *row
 }
 
 /* Adds what n rows have in the sums of the target. */
-static MS_NN__COLD void ms_nn__target_rows(const ms_nn__pass *p, const size_t *row, size_t n)
+static void ms_nn__target_rows(const ms_nn__pass *p, const size_t *row, size_t n)
 {
     const ms_nn_collapse *c = p->c;
     ms_nn__product_job job;
     size_t i, ch;
     memset(p->residual, 0, n * p->across * sizeof(double));
-    job.a = p->w; /* W h0 */
+    job.a = p->w; /* W h0, if h0 is not 0 */
     job.a_row = c->wide;
     job.a_column = 1;
     job.b = p->h0;
@@ -3361,14 +3356,14 @@ static MS_NN__COLD void ms_nn__target_rows(const ms_nn__pass *p, const size_t *r
     job.out = p->residual;
     job.count = c->h;
     job.rows = n;
-    c->nn->kernels->product(&job);
+    if (p->has_h0) c->nn->kernels->product(&job);
     for (i = 0; i < n; ++i)
         for (ch = 0; ch < c->channels; ++ch) {
             const size_t output = ch * c->m->rows + row[i];
             const double bias = c->m->bias ? (double)ms_nn__float_at(c->m->bias, row[i]) : 0.0;
             const double res = (double)p->target[output] - bias - p->residual[i * p->across + ch];
             p->residual[i * p->across + ch] = (double)c->weight[output] * res;
-            p->sum[c->channels * c->wide] += (double)c->weight[output] * res * res;
+            p->sum[p->length - 1] += (double)c->weight[output] * res * res;
         }
     job.a = p->residual; /* W' (M res) */
     job.a_row = 1;
@@ -3377,7 +3372,7 @@ static MS_NN__COLD void ms_nn__target_rows(const ms_nn__pass *p, const size_t *r
     job.b_row = job.out_row = job.cols = c->wide;
     job.out = p->sum;
     job.count = n;
-    job.rows = c->channels;
+    job.rows = ms_nn__round_up(c->channels, 4);
     c->nn->kernels->product(&job);
 }
 
@@ -3391,7 +3386,7 @@ static int ms_nn__pass_sees(const ms_nn__pass *p, size_t i)
     return 0;
 }
 
-static MS_NN__COLD void ms_nn__pass_run(const ms_nn__pass *p)
+static void ms_nn__pass_run(const ms_nn__pass *p)
 {
     size_t row[MS_NN__COLLAPSE_ROWS], i, n = 0;
     memset(p->sum, 0, p->length * sizeof(double));
@@ -3431,7 +3426,7 @@ static MS_NN__COLD int ms_nn__pass_make(ms_nn__pass *p, const ms_nn_collapse *c,
 
 /* R of W'MW = R'R in place, upper triangles with rows `wide` apart. A pivot below 1e-14 of its column's square is
    rounding: a direction that no output sees, whose row of R is 0. */
-static MS_NN__COLD void ms_nn__cholesky(double *g, size_t h, size_t wide, double *diagonal)
+static void ms_nn__cholesky(double *g, size_t h, size_t wide, double *diagonal)
 {
     size_t i, j, k;
     for (i = 0; i < h; ++i) diagonal[i] = g[i * wide + i];
@@ -3537,7 +3532,7 @@ MS_API void ms_nn_collapse_destroy(ms_nn_collapse *c)
 MS_API size_t ms_nn_collapse_features(const ms_nn_collapse *c) { return c ? c->channels * c->h : 0; }
 
 /* R' y = x, in place; 0 where R has no pivot. */
-static MS_NN__COLD void ms_nn__solve_transposed(const double *r, size_t h, size_t wide, double *x)
+static void ms_nn__solve_transposed(const double *r, size_t h, size_t wide, double *x)
 {
     size_t i, j;
     for (j = 0; j < h; ++j, r += wide) {
@@ -3547,7 +3542,7 @@ static MS_NN__COLD void ms_nn__solve_transposed(const double *r, size_t h, size_
 }
 
 /* R z = y, in place; 0 where R has no pivot. */
-static MS_NN__COLD void ms_nn__solve(const double *r, size_t h, size_t wide, double *x)
+static void ms_nn__solve(const double *r, size_t h, size_t wide, double *x)
 {
     size_t i, j;
     for (j = h; j-- > 0;) {
@@ -3574,7 +3569,7 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
     for (i = 0; i < c->channels * c->m->rows; ++i)
         if (!ms__finite_f(target[i]))
             return ms__fail(error, MS_INVALID_ARGUMENT, i, "target value %z is not finite", i);
-    if (!ms_nn__pass_make(&p, c, ms__size_add(features, 1), &bytes))
+    if (!ms_nn__pass_make(&p, c, ms__size_add(ms__size_mul(ms_nn__round_up(c->channels, 4), c->wide), 1), &bytes))
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a target");
     p.target = target;
     ms_nn__pass_run(&p); /* W'M (t - b) = R'R h0 */
@@ -3585,12 +3580,13 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
         ms_nn__solve(ms_nn__collapse_r(c, ch), c->h, c->wide, h0);
         for (i = 0; i < c->h; ++i) p.h0[i * p.across + ch] = h0[i];
     }
+    p.has_h0 = 1;
     ms_nn__pass_run(&p); /* W'M res = R'e and |res|_M^2 of h0 */
     memcpy(c->e, p.sum, features * sizeof(double));
     for (ch = 0; ch < c->channels; ++ch)
         ms_nn__solve_transposed(ms_nn__collapse_r(c, ch), c->h, c->wide, c->e + ch * c->wide);
     for (i = 0; i < features; ++i) norm += c->e[i] * c->e[i];
-    c->rest = p.sum[features] > norm ? p.sum[features] - norm : 0.0;
+    c->rest = p.sum[p.length - 1] > norm ? p.sum[p.length - 1] - norm : 0.0;
     c->has_target = 1;
     ms__release(&c->nn->options.allocator, p.sum, bytes);
     return MS_OK;
@@ -3629,9 +3625,8 @@ MS_API size_t ms_nn_collapse_workspace_size(const ms_nn_collapse *c, int with_ja
     return c != NULL ? ms_nn__collapse_layout_of(c, with_jacobian, NULL).total : 0;
 }
 
-/* products = R columns, sixteen rows at a time, each from its diagonal on. */
-static MS_NN__COLD void ms_nn__collapse_multiply(const ms_nn_collapse *c, size_t channel,
-                                                 const ms_nn__collapse_layout *l)
+/* products = R columns, eight rows at a time, each from its diagonal on. */
+static void ms_nn__collapse_multiply(const ms_nn_collapse *c, size_t channel, const ms_nn__collapse_layout *l)
 {
     ms_nn__product_job job;
     size_t i;
@@ -4034,7 +4029,7 @@ MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(rows)(const ms_nn__dense *job, size
     }
 }
 
-/* Batches go by blocks of samples that stay in the first cache, three samples at a time; what is left over runs as if
+/* Batches go by groups of samples that stay in the first cache, three samples at a time; what is left over runs as if
    alone. */
 MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
@@ -4053,26 +4048,27 @@ MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t
     }
 }
 
-/* n weights as floats. */
-MS_NN__INLINE void MS_NN__FN(widen_typed)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype)
+/* n weights times a factor, in double. dtype is a constant. */
+MS_NN__INLINE void MS_NN__FN(widen_typed)(const unsigned char *p, size_t n, double factor, double *out,
+                                          ms_nn_dtype dtype)
 {
-    size_t k = 0;
-    for (; k + MS_NN__V_LANES <= n; k += MS_NN__V_LANES)
-        MS_NN__V_STORE(out + k, MS_NN__FN(weight)(p + k * ms_nn__bytes_of(dtype), dtype));
-    if (k < n) {
-        MS_NN__V_FLOATS u;
-        float last[MS_NN__V_LANES];
-        u = MS_NN__FN(weight_part)(p + k * ms_nn__bytes_of(dtype), dtype, n - k);
-        MS_NN__V_STORE(last, u);
-        memcpy(out + k, last, (n - k) * sizeof(float));
+    const size_t size = ms_nn__bytes_of(dtype);
+    float lane[MS_NN__V_LANES];
+    size_t k, count, i;
+    for (k = 0; k < n; k += count) {
+        count = ms_nn__min(n - k, MS_NN__V_LANES);
+        MS_NN__V_STORE(lane,
+                       count == MS_NN__V_LANES ? MS_NN__FN(weight)(p + k * size, dtype)
+                                               : MS_NN__FN(weight_part)(p + k * size, dtype, count));
+        for (i = 0; i < count; ++i) out[k + i] = factor * (double)lane[i];
     }
 }
 
-MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(widen)(const unsigned char *p, size_t n, float *out, ms_nn_dtype dtype)
+MS_NN__KERNEL void MS_NN__FN(widen)(const unsigned char *p, size_t n, double factor, double *out, ms_nn_dtype dtype)
 {
-    if (dtype == MS_NN_F32) memcpy(out, p, n * sizeof(float));
-    else if (dtype == MS_NN_F16) MS_NN__FN(widen_typed)(p, n, out, MS_NN_F16);
-    else MS_NN__FN(widen_typed)(p, n, out, MS_NN_I8);
+    if (dtype == MS_NN_F32) MS_NN__FN(widen_typed)(p, n, factor, out, MS_NN_F32);
+    else if (dtype == MS_NN_F16) MS_NN__FN(widen_typed)(p, n, factor, out, MS_NN_F16);
+    else MS_NN__FN(widen_typed)(p, n, factor, out, MS_NN_I8);
 }
 
 /* Packed weights. An output is the sum over the first half of the columns plus the sum over the second, each from the
@@ -4238,7 +4234,8 @@ MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(conv_tile)(const ms_nn__conv *v, co
     else MS_NN__FN(conv_tile_of)(v, in, w, bias, out, out_plane, outs, 1);
 }
 
-MS_NN__KERNEL void MS_NN__FN(activate)(float *y, size_t n, ms_nn__activation activation, float alpha);
+MS_NN__KERNEL void MS_NN__FN(activate)(const float *x, float *y, size_t n, ms_nn__activation activation, float alpha,
+                                       int slope);
 
 /* One row of a block. A tile that stands over the row's end goes through a buffer. */
 MS_NN__KERNEL void MS_NN__FN(conv_row)(const ms_nn__conv_job *job, const float *in, size_t row, size_t block)
@@ -4262,7 +4259,7 @@ MS_NN__KERNEL void MS_NN__FN(conv_row)(const ms_nn__conv_job *job, const float *
         for (i = 0; i < outs; ++i) memcpy(out + i * plane + x, buffer + i * WIDE, width * sizeof(float));
     }
     for (i = 0; job->activation != MS_NN__LINEAR && !job->linear && i < outs; ++i)
-        MS_NN__FN(activate)(out + i * plane, v->out.w, job->activation, job->alpha);
+        MS_NN__FN(activate)(out + i * plane, out + i * plane, v->out.w, job->activation, job->alpha, 0);
 }
 
 MS_NN__KERNEL void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t strip, const float *padded)
@@ -4364,53 +4361,43 @@ MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(curve)(const float *x, float *y, si
     }
 }
 
-/* y = f(y). */
-MS_NN__KERNEL void MS_NN__FN(activate)(float *y, size_t n, ms_nn__activation activation, float alpha)
+/* The same for any n; relu's and leaky_relu's slopes may take f(x) for x. */
+MS_NN__KERNEL void MS_NN__FN(activate)(const float *x, float *y, size_t n, ms_nn__activation activation, float alpha,
+                                       int slope)
 {
-    size_t whole = n - n % MS_NN__V_LANES;
-    float last[MS_NN__V_LANES];
-    if (activation == MS_NN__LINEAR) return;
-    if (activation == MS_NN__GELU) {
-        ms_nn__gelu(y, y, n, 0);
-        return;
-    }
-    MS_NN__FN(curve)(y, y, whole, activation, alpha, 0);
-    if (whole == n) return;
-    memset(last, 0, sizeof last);
-    memcpy(last, y + whole, (n - whole) * sizeof(float));
-    MS_NN__FN(curve)(last, last, MS_NN__V_LANES, activation, alpha, 0);
-    memcpy(y + whole, last, (n - whole) * sizeof(float));
-}
-
-/* g *= f'(x); for relu and leaky_relu x may be f's value. */
-MS_NN__KERNEL void MS_NN__FN(derive)(const float *x, float *g, size_t n, ms_nn__activation activation, float alpha)
-{
-    size_t whole = n - n % MS_NN__V_LANES;
+    const size_t whole = n - n % MS_NN__V_LANES;
     float last[2][MS_NN__V_LANES];
     if (activation == MS_NN__LINEAR) return;
     if (activation == MS_NN__GELU) {
-        ms_nn__gelu(x, g, n, 1);
+        ms_nn__gelu(x, y, n, slope);
         return;
     }
-    MS_NN__FN(curve)(x, g, whole, activation, alpha, 1);
+    MS_NN__FN(curve)(x, y, whole, activation, alpha, slope);
     if (whole == n) return;
     memset(last, 0, sizeof last);
     memcpy(last[0], x + whole, (n - whole) * sizeof(float));
-    memcpy(last[1], g + whole, (n - whole) * sizeof(float));
-    MS_NN__FN(curve)(last[0], last[1], MS_NN__V_LANES, activation, alpha, 1);
-    memcpy(g + whole, last[1], (n - whole) * sizeof(float));
+    memcpy(last[1], y + whole, (n - whole) * sizeof(float));
+    MS_NN__FN(curve)(last[0], last[1], MS_NN__V_LANES, activation, alpha, slope);
+    memcpy(y + whole, last[1], (n - whole) * sizeof(float));
 }
 
-/* Two vectors of doubles are MS_NN__DOUBLES at the widest level and a part of them at the others. */
+/* At most four: as fast as eight on Zen 4, and columns are filled up to two vectors. */
 #if MS_NN__ISA == 1
 #define MS_NN__D_LANES 1
 typedef double MS_NN__FN(doubles);
 #else
-#define MS_NN__D_LANES (MS_NN__V_LANES / 2)
-typedef double MS_NN__FN(doubles) __attribute__((vector_size(4 * MS_NN__V_LANES)));
+#define MS_NN__D_LANES (MS_NN__ISA == 2 ? 2 : 4)
+typedef double MS_NN__FN(doubles) __attribute__((vector_size(8 * MS_NN__D_LANES)));
 #endif
 
-/* Up to four rows of the product times two vectors of columns. rows is a constant. */
+MS_NN__INLINE MS_NN__FN(doubles) MS_NN__FN(load_doubles)(const double *p)
+{
+    MS_NN__FN(doubles) v;
+    memcpy(&v, p, sizeof v);
+    return v;
+}
+
+/* One or four rows of the product times two vectors of columns. rows is a constant. */
 MS_NN__INLINE void MS_NN__FN(product_tile)(const ms_nn__product_job *job, size_t row, size_t col, int rows)
 {
     const double *a = job->a + row * job->a_row, *b = job->b + col;
@@ -4419,9 +4406,14 @@ MS_NN__INLINE void MS_NN__FN(product_tile)(const ms_nn__product_job *job, size_t
     size_t r;
     int i, k;
     MS_NN__UNROLL
-    for (i = 0; i < rows; ++i) memcpy(sum[i], out + (size_t)i * job->out_row, sizeof sum[i]);
+    for (i = 0; i < rows; ++i) {
+        MS_NN__UNROLL
+        for (k = 0; k < 2; ++k)
+            sum[i][k] = MS_NN__FN(load_doubles)(out + (size_t)i * job->out_row + k * MS_NN__D_LANES);
+    }
     for (r = 0; r < job->count; ++r, a += job->a_column, b += job->b_row) {
-        memcpy(v, b, sizeof v);
+        MS_NN__UNROLL
+        for (k = 0; k < 2; ++k) v[k] = MS_NN__FN(load_doubles)(b + k * MS_NN__D_LANES);
         MS_NN__UNROLL
         for (i = 0; i < rows; ++i) {
             MS_NN__UNROLL
@@ -4429,7 +4421,11 @@ MS_NN__INLINE void MS_NN__FN(product_tile)(const ms_nn__product_job *job, size_t
         }
     }
     MS_NN__UNROLL
-    for (i = 0; i < rows; ++i) memcpy(out + (size_t)i * job->out_row, sum[i], sizeof sum[i]);
+    for (i = 0; i < rows; ++i) {
+        MS_NN__UNROLL
+        for (k = 0; k < 2; ++k)
+            memcpy(out + (size_t)i * job->out_row + k * MS_NN__D_LANES, &sum[i][k], sizeof sum[i][k]);
+    }
 }
 
 MS_NN__KERNEL void MS_NN__FN(product)(const ms_nn__product_job *job)
@@ -4442,9 +4438,9 @@ MS_NN__KERNEL void MS_NN__FN(product)(const ms_nn__product_job *job)
         }
 }
 
-static const ms_nn__kernels MS_NN__FN(table) = {
-    MS_NN__V_BLOCK,  MS_NN__P_ROWS,       MS_NN__ISA,        MS_NN__FN(packed), MS_NN__FN(dense),
-    MS_NN__FN(conv), MS_NN__FN(activate), MS_NN__FN(derive), MS_NN__FN(widen),  MS_NN__FN(product)};
+static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,      MS_NN__P_ROWS,    MS_NN__ISA,
+                                                MS_NN__FN(packed),   MS_NN__FN(dense), MS_NN__FN(conv),
+                                                MS_NN__FN(activate), MS_NN__FN(widen), MS_NN__FN(product)};
 
 #undef MS_NN__V_KEEP
 #undef MS_NN__TARGET

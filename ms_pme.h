@@ -47,15 +47,10 @@
    Levenberg-Marquardt; each step is a linear least-squares problem inside the box, solved exactly by an active-set
    method. It reaches the minima of all 14 problems of tests/data/pme_problems.json within 1e-7, and four digits of
    NIST's certified values from all 54 starts. With restarts it is a multistart by successive halving, then from random
-   points. Give a Jacobian if you have one: it costs a network a few evaluations, differences cost n. Units do not
-   matter: a parameter may have a range of 1e-200 or of 1e200, and residuals any size.
-
-   Edits that no material explains
-   -------------------------------
-   A parameter is frozen by equal bounds and pulled towards a source by options.pull. Bounds around the last frame's
-   answer limit the change from frame to frame. What is done to a picture after it was rendered (exposure, tint) can be
-   found with the material: wrap the renderer, so that gains and offsets are further parameters (matcher_light of
-   examples/tools/matcher.h). There outliers such as a logo lose their weight, too (matcher_match).
+   points. A Jacobian costs a network a few evaluations, differences cost n. Units do not matter: a range may be 1e-200
+   or 1e200, and residuals any size. A parameter is frozen by equal bounds and pulled towards a source by options.pull.
+   What was done to a picture after it was rendered (exposure, tint) is found by further parameters of a wrapped
+   renderer: matcher_light of examples/tools/matcher.h.
 
    Memory, threads, determinism, errors
    ------------------------------------
@@ -240,8 +235,8 @@ typedef struct ms_pme_result {
     double cost;        /* spent, in evaluations */
     size_t evaluations; /* calls without derivatives */
     size_t jacobians;   /* calls with them */
-    size_t steps;       /* that decreased f at the start each belongs to; 0: x is the start: the budget was too small,
-                           or the start is a minimum (see stop) */
+    size_t steps;       /* accepted ones, of all starts; 0: the budget was too small for one, or the start is a minimum
+                           (stop says which) */
     ms_pme_stop stop;
 } ms_pme_result;
 
@@ -269,7 +264,7 @@ typedef struct ms_pme_renderer {
     const double *lower, *upper; /* [n]; NULL: all 0, all 1 */
     /* phi(x) -> image [p] */
     ms_status (*render)(void *user, const double *x, float *image);
-    /* Optional: image and d image_i / d x_j as [p][n]. */
+    /* Optional: image and d image_i / d x_j as [p][n]. Floats: for ranges of 1e-30 to 1e30. */
     ms_status (*jacobian)(void *user, const double *x, float *image, float *jacobian);
     double jacobian_cost; /* in renders; 0: 1 + n / 4 */
     /* Optional: inversion network i of prediction_count, target [p] -> x [n]; values outside the box are clipped. */
@@ -298,12 +293,13 @@ typedef struct ms_pme_match_options {
 } ms_pme_match_options;
 
 typedef struct ms_pme_match_result {
-    double rmse;          /* weighted, in the image's unit, from one real render of x */
-    double rmse_initial;  /* of the best candidate */
-    int best_candidate;   /* predictions come first, then `candidates`, then random ones (or the middle) */
-    ms_pme_result refine; /* without the candidates; its value is RMSE^2 and the pulls; steps is 0 if the answer is the
-                             best candidate; stop says why the whole match ended */
-    double cost;          /* in renders: candidates, refinement, the last render; not predictions and deviations */
+    double rmse;         /* weighted, in the image's unit, from one real render of x */
+    double rmse_initial; /* of the best candidate */
+    int best_candidate;  /* predictions come first, then `candidates`, then random ones (or the middle) */
+    ms_pme_result
+        refine;  /* without the candidates; its value is RMSE^2 and the pulls; steps 0: no step was made from any
+                             of them; stop says why the whole match ended */
+    double cost; /* in renders: candidates, refinement, the last render; not predictions and deviations */
 } ms_pme_match_result;
 
 MS_API ms_pme_match_options ms_pme_match_defaults(void); /* all zero */
@@ -464,39 +460,6 @@ static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t p
 #endif /* MS_COMMON_PRIVATE */
 /* ms-common-private end */
 
-/* ms-common-splitmix begin (the same text wherever it stands: see tests/common.sh) */
-#ifndef MS_COMMON_SPLITMIX
-#define MS_COMMON_SPLITMIX
-
-/* Random numbers by splitmix64 (Steele, Lea, Flood 2014): integers only, so each is the same on any thread, level and
-   machine. Streams of a seed whose numbers differ by less than 2^20 have no state in common within 2^40 draws. */
-typedef struct ms__random {
-    uint64_t state;
-} ms__random;
-
-static MS__UNUSED uint64_t ms__random_u64(ms__random *random)
-{
-    uint64_t z = random->state += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
-static MS__UNUSED ms__random ms__random_start(uint64_t seed, uint64_t stream)
-{
-    ms__random random = {seed};
-    random.state = ms__random_u64(&random) ^ stream;
-    return random;
-}
-
-/* Uniform in the open interval (0, 1), 52 bits: never 0, never 1. */
-static MS__UNUSED double ms__random_uniform(ms__random *random)
-{
-    return ((double)(ms__random_u64(random) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
-}
-#endif /* MS_COMMON_SPLITMIX */
-/* ms-common-splitmix end */
-
 /* Contents: small maths | the run: budget and evaluations | bounded least squares | Levenberg-Marquardt | multistart |
    public: minimize | match: objective | match: stages | public: match */
 
@@ -588,6 +551,21 @@ static void ms_pme__qr_append(double *r, int n, double *columns, int k)
     }
 }
 
+/* Random numbers by splitmix64 (Steele, Lea, Flood 2014): integers only, so the same on any machine. */
+static uint64_t ms_pme__random(uint64_t *state)
+{
+    uint64_t z = *state += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+/* Uniform in the open interval (0, 1), 52 bits: never 0, never 1. */
+static double ms_pme__uniform(uint64_t *state)
+{
+    return ((double)(ms_pme__random(state) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
+}
+
 /* |v|: infinite if an element is not finite or beyond 1e300. Neither overflows nor underflows on the way. */
 static double ms_pme__norm(const double *v, size_t count)
 {
@@ -631,8 +609,10 @@ typedef struct ms_pme__run {
     int stopped;   /* by the budget, a failure or f = 0: no callback follows */
     int uncharged; /* evaluations for the standard deviations: outside the budget, and never the best point */
     ms_status status;
-    int bad; /* the parameter by which a derivative is not finite; -1: none */
-    ms__random random;
+    int bad;         /* the parameter by which a derivative is not finite; -1: none */
+    uint64_t random; /* state of the generator */
+    void *block;     /* the memory of the arrays, and its size */
+    size_t block_size;
 } ms_pme__run;
 
 static int ms_pme__stop(ms_pme__run *run, ms_pme_stop why)
@@ -1077,7 +1057,7 @@ static void ms_pme__random_point(ms_pme__run *run, const double *center, double 
 {
     int j;
     for (j = 0; j < run->n; ++j) {
-        double reach = ms_pme__max(fabs(center[j]), run->typical[j]), u = ms__random_uniform(&run->random);
+        double reach = ms_pme__max(fabs(center[j]), run->typical[j]), u = ms_pme__uniform(&run->random);
         double low = ms__finite(run->lower[j]) ? run->lower[j] : center[j] - reach;
         double high = ms__finite(run->upper[j]) ? run->upper[j] : center[j] + reach;
         x[j] = ms_pme__clip((1 - u) * low + u * high, run->lower[j], run->upper[j]);
@@ -1114,7 +1094,7 @@ static void ms_pme__multistart(ms_pme__run *run, const double *starts, int count
             if (start % 2 != 0 || !run->boxed) ms_pme__random_point(run, run->best, x);
             for (j = 0; j < n && start % 2 == 0 && run->boxed; ++j)
                 x[j] = ms_pme__clip(run->best[j] +
-                                        (ms__random_uniform(&run->random) - 0.5) * (run->upper[j] - run->lower[j]),
+                                        (ms_pme__uniform(&run->random) - 0.5) * (run->upper[j] - run->lower[j]),
                                     run->lower[j], run->upper[j]);
             ms_pme__solver_init(next, next->x, x, n);
         }
@@ -1156,6 +1136,7 @@ static ms_status ms_pme__check(const ms_pme_function *function, const ms_pme_opt
     const double value[5] = {options->max_cost, options->max_seconds, options->tolerance, options->difference_step,
                              function->jacobian_cost};
     int j;
+    if (ms_pme__check_count(function->parameter_count, error) != MS_OK) return MS_INVALID_ARGUMENT;
     if (function->residuals == NULL) return ms_pme__null("function->residuals", error);
     if (function->residual_count < 1)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "residual_count is 0, expected 1 or more");
@@ -1184,13 +1165,25 @@ static double *ms_pme__doubles(ms__arena *arena, size_t count)
     return (double *)ms__take(arena, count, sizeof(double));
 }
 
-typedef struct ms_pme__objective ms_pme__objective;
-static void ms_pme__objective_layout(ms_pme__objective *o, ms__arena *arena, int differences);
+/* What a match has beside the run. f is RMSE^2, from the picture or the reduced function, and the pulls: one residual
+   each. */
+typedef struct ms_pme__objective {
+    const ms_pme_renderer *renderer;
+    const ms_pme_match_options *options;
+    const float *target, *weight;
+    double weight_sum, size;        /* size: root mean square of the target */
+    size_t m, compared;             /* residuals without pulls; values with a weight */
+    int n, pool_size, given, total; /* parameters; candidates: kept, given, with the random ones */
+    double low[MS_PME_PARAMETERS_MAX], high[MS_PME_PARAMETERS_MAX];
+    float *image, *jacobian;  /* [p], [p][n] */
+    double *pool, *pool_norm; /* [pool_size + 1][n] the best candidates in order, then workspace; |r| of each */
+    double *deviation;        /* [n] */
+} ms_pme__objective;
 
-/* The run's arrays; called to count with arena->base NULL, then to place. */
-static void ms_pme__layout(ms_pme__run *run, ms__arena *arena)
+/* The arrays of a run, and of a match (o, or NULL); called to count with arena->base NULL, then to place. */
+static void ms_pme__layout(ms_pme__run *run, ms_pme__objective *o, ms__arena *arena)
 {
-    size_t n = (size_t)run->n, m = run->m;
+    size_t n = (size_t)run->n, m = run->m, p, pictures;
     run->jacobian = ms_pme__doubles(arena, ms__size_mul(m, n));
     run->residual = ms_pme__doubles(arena, m);
     run->trial_residual = ms_pme__doubles(arena, m);
@@ -1205,6 +1198,14 @@ static void ms_pme__layout(ms_pme__run *run, ms__arena *arena)
     run->gradient = ms_pme__doubles(arena, n);
     run->point = ms_pme__doubles(arena, 2 * n * MS_PME__SOLVERS);
     run->work = ms_pme__doubles(arena, (n + 1) * (n + 8)); /* a step: n (n + 8) + 1 */
+    if (o == NULL) return;
+    p = o->renderer->image_size;
+    pictures = o->renderer->reduced || run->function->residuals_only ? 0 : ms__size_mul(p, n);
+    o->pool = ms_pme__doubles(arena, ((size_t)o->pool_size + 1) * n);
+    o->pool_norm = ms_pme__doubles(arena, (size_t)o->pool_size + 1);
+    o->deviation = ms_pme__doubles(arena, n);
+    o->image = (float *)ms__take(arena, p, sizeof(float));
+    o->jacobian = (float *)ms__take(arena, pictures, sizeof(float));
 }
 
 /* The size of each parameter at x: its range, without one |x_j|, or 1 where that is 0. */
@@ -1217,14 +1218,15 @@ static void ms_pme__set_typical(ms_pme__run *run, const double *x)
     }
 }
 
-/* Sets up a run and its one block of memory of *size bytes; the match's objective may be NULL.
-   NULL: no memory. */
-static void *ms_pme__begin(ms_pme__run *run, const ms_pme_function *function, const ms_pme_options *options,
-                           ms_pme__objective *o, size_t *size)
+/* Checks and sets up a run and its one block of memory; ms_pme__end releases it. x: the start, or NULL. o: the match,
+   or NULL. */
+static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function, const ms_pme_options *options,
+                               const double *x, ms_pme__objective *o, ms_error *error)
 {
     ms__arena arena = {NULL, 0};
-    void *block = NULL;
-    int j, pass;
+    int j;
+    ms_status status = ms_pme__check(function, options, x, error);
+    if (status != MS_OK) return status;
     memset(run, 0, sizeof *run);
     run->function = function;
     run->options = options;
@@ -1233,32 +1235,31 @@ static void *ms_pme__begin(ms_pme__run *run, const ms_pme_function *function, co
     run->tolerance = options->tolerance > 0 ? options->tolerance : 1e-10;
     run->bad = -1;
     run->jacobian_cost = function->jacobian_cost > 0 ? function->jacobian_cost : 1 + 0.25 * run->n;
-    run->max_cost = options->max_cost > 0 ? options->max_cost
-        : o != NULL                       ? ms_pme__max(50, 8 * ms_pme__step_cost(run))
-                                          : ms_pme__max(1000, 20 * ms_pme__step_cost(run));
+    run->max_cost = o != NULL ? ms_pme__max(50, 8 * ms_pme__step_cost(run))
+                              : ms_pme__max(1000, 20 * ms_pme__step_cost(run));
+    if (options->max_cost > 0) run->max_cost = options->max_cost;
     run->best_norm = MS_PME__INF;
-    run->random = ms__random_start(options->seed, 0x706d65);
+    run->random = options->seed;
+    run->random = ms_pme__random(&run->random); /* seeds that follow each other start apart */
     run->start_time = options->max_seconds > 0 ? options->clock(options->clock_user) : 0;
-    for (pass = 0; pass < 2; ++pass) {
-        ms_pme__layout(run, &arena);
-        if (o != NULL) ms_pme__objective_layout(o, &arena, function->residuals_only);
-        if (pass > 0) break;
-        block = ms__alloc(&options->allocator, *size = ms__size_add(arena.used, 63));
-        if (block == NULL) return NULL;
-        arena.base = (char *)block + (64 - (uintptr_t)block % 64) % 64;
-        arena.used = 0;
-    }
+    ms_pme__layout(run, o, &arena);
+    run->block_size = ms__size_add(arena.used, 63);
+    run->block = ms__alloc(&options->allocator, run->block_size);
+    if (run->block == NULL)
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %z residuals times %d parameters", run->m, run->n);
+    arena.base = (char *)run->block + (64 - (uintptr_t)run->block % 64) % 64;
+    arena.used = 0;
+    ms_pme__layout(run, o, &arena);
     for (j = 0; j < run->n; ++j) {
         run->lower[j] = function->lower ? function->lower[j] : -MS_PME__INF;
         run->upper[j] = function->upper ? function->upper[j] : MS_PME__INF;
+        run->best[j] = x == NULL ? 0 : ms_pme__clip(x[j], run->lower[j], run->upper[j]);
     }
-    return block;
+    ms_pme__set_typical(run, run->best);
+    return MS_OK;
 }
 
-static ms_status ms_pme__no_memory(const ms_pme__run *run, ms_error *error)
-{
-    return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %z residuals times %d parameters", run->m, run->n);
-}
+static void ms_pme__end(ms_pme__run *run) { ms__release(&run->options->allocator, run->block, run->block_size); }
 
 /* The sentence of a run that failed; its status. */
 static ms_status ms_pme__failure(const ms_pme__run *run, ms_error *error)
@@ -1279,20 +1280,13 @@ MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_o
 {
     ms_pme_options defaults = ms_pme_defaults();
     ms_pme__run run;
-    void *block;
-    size_t size;
-    int j;
     ms_status status;
     if (options == NULL) options = &defaults;
     if (function == NULL) return ms_pme__null("function", error);
     if (x == NULL) return ms_pme__null("x", error);
-    status = ms_pme__check_count(function->parameter_count, error);
-    if (status == MS_OK) status = ms_pme__check(function, options, x, error);
+    status = ms_pme__begin(&run, function, options, x, NULL, error);
     if (status != MS_OK) return status;
-    block = ms_pme__begin(&run, function, options, NULL, &size);
-    if (block == NULL) return ms_pme__no_memory(&run, error);
-    for (j = 0; j < run.n; ++j) run.moved[j] = ms_pme__clip(x[j], run.lower[j], run.upper[j]);
-    ms_pme__set_typical(&run, run.moved);
+    ms_pme__copy(run.moved, run.best, run.n);
     ms_pme__multistart(&run, run.moved, 1);
     if (run.status != MS_OK || !ms__finite(run.best_norm)) {
         status = ms_pme__failure(&run, error);
@@ -1300,25 +1294,11 @@ MS_API ms_status ms_pme_minimize(const ms_pme_function *function, const ms_pme_o
         ms_pme__copy(x, run.best, run.n);
         if (result != NULL) *result = run.result;
     }
-    ms__release(&options->allocator, block, size);
+    ms_pme__end(&run);
     return status;
 }
 
 /* ---- match: objective ------------------------------------------------------------------------------------------ */
-
-/* f is RMSE^2, from the picture or the reduced function, and the pulls: one residual each. */
-struct ms_pme__objective {
-    const ms_pme_renderer *renderer;
-    const ms_pme_match_options *options;
-    const float *target, *weight;
-    double weight_sum, size;        /* size: root mean square of the target */
-    size_t m, compared;             /* residuals without pulls; values with a weight */
-    int n, pool_size, given, total; /* parameters; candidates: kept, given, with the random ones */
-    double low[MS_PME_PARAMETERS_MAX], high[MS_PME_PARAMETERS_MAX];
-    float *image, *jacobian;  /* [p], [p][n] */
-    double *pool, *pool_norm; /* [pool_size + 1][n] the best candidates in order, then workspace; |r| of each */
-    double *deviation;        /* [n] */
-};
 
 static double ms_pme__weight(const ms_pme__objective *o, size_t i) { return o->weight ? (double)o->weight[i] : 1; }
 
@@ -1368,7 +1348,7 @@ static ms_status ms_pme__objective_residuals(void *user, const double *x, double
 /* RMSE at x, whose |r| is norm: f without the pulls. */
 static double ms_pme__rmse(const ms_pme__objective *o, const double *x, double norm)
 {
-    double square = norm * norm;
+    double square = ms_pme__square(norm);
     int j;
     for (j = 0; j < o->n; ++j)
         if (ms_pme__pull(o, j) > 0) square -= ms_pme__pull(o, j) * ms_pme__square(x[j] - o->options->source[j]);
@@ -1457,16 +1437,6 @@ static void ms_pme__objective_init(ms_pme__objective *o, ms_pme_function *functi
     function->jacobian_cost = reduced ? reduced->jacobian_cost : renderer->jacobian_cost;
     function->lower = o->low;
     function->upper = o->high;
-}
-
-static void ms_pme__objective_layout(ms_pme__objective *o, ms__arena *arena, int differences)
-{
-    size_t n = (size_t)o->n, p = o->renderer->image_size, pool = (size_t)o->pool_size + 1;
-    o->pool = ms_pme__doubles(arena, pool * n);
-    o->pool_norm = ms_pme__doubles(arena, pool);
-    o->deviation = ms_pme__doubles(arena, n);
-    o->image = (float *)ms__take(arena, p, sizeof(float));
-    o->jacobian = (float *)ms__take(arena, o->renderer->reduced || differences ? 0 : ms__size_mul(p, n), sizeof(float));
 }
 
 /* ---- match: stages --------------------------------------------------------------------------------------------- */
@@ -1598,8 +1568,6 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     ms_pme_function function;
     ms_pme__objective o;
     ms_pme__run run;
-    void *block;
-    size_t size;
     int kept, j;
     double max_cost;
     ms_status status;
@@ -1617,18 +1585,14 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
     ms_pme__objective_init(&o, &function);
     refine = options->refine;
     if (!(refine.difference_step > 0) && !(refine.difference_step < 0)) refine.difference_step = 1e-3; /* of floats */
-    status = ms_pme__check(&function, &refine, NULL, error);
+    status = ms_pme__begin(&run, &function, &refine, NULL, &o, error);
     if (status != MS_OK) return status;
-    block = ms_pme__begin(&run, &function, &refine, &o, &size);
-    if (block == NULL) return ms_pme__no_memory(&run, error);
     run.reserve = 1 + (options->deviation ? ms_pme__step_cost(&run) - 1 : 0); /* the last render, the deviations */
     for (j = 0, run.boxed = 1; j < run.n; ++j) run.boxed &= ms__finite(run.upper[j] - run.lower[j]);
 
     /* candidates, without a limit of cost */
     max_cost = run.max_cost;
     run.max_cost = MS_PME__INF;
-    memset(run.best, 0, (size_t)run.n * sizeof *run.best);
-    ms_pme__set_typical(&run, run.best);
     kept = ms_pme__candidates(&run, &o, &answer);
 
     /* refinement with a budget of its own */
@@ -1660,7 +1624,7 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
         }
         if (result != NULL) *result = answer;
     }
-    ms__release(&refine.allocator, block, size);
+    ms_pme__end(&run);
     return status;
 }
 

@@ -611,10 +611,10 @@ typedef struct ms_sss_shader {
     ms_sss_step step;       /* MS_SSS_STEP */
     int level;              /* of a pyramid; SHRINK: that it reads */
     int origin[2];          /* the viewport's corner in the engine's textures and in targets of the picture's size */
+    float fade;             /* 0: full effect, 1: none; the strength is 1 - fade times the strength texture */
     float rotation, jitter; /* MS_SSS_ROTATED: the axes turn by rotation radians and, a pixel, 0 to jitter quarters */
     float nearest;          /* > 0: the scene's least depth; a kernel too wide there for its taps is refused */
-    float fade;             /* 0: full effect, 1: none */
-    const ms_sss_pyramid *pyramids; /* [profile_count, at least 1], borrowed: of a pyramid's steps */
+    const ms_sss_pyramid *pyramids; /* of a pyramid: [profile_count, at least 1], borrowed */
 } ms_sss_shader;
 
 /* All zero but 7 taps: X at full resolution. */
@@ -629,8 +629,8 @@ MS_API int ms_sss_shader_levels(int width, int height);
 /* The values of the constants; made again when picture, camera, kernels, options or `origin` change, not every frame.
    kernels         [profile_count, at least 1], taps in pairs -x, +x; one with fewer terms than another adds nothing;
                    a pyramid: NULL
-   index           of the term, the same for X and Y; UP: 0, all are read; a pyramid: profile of shader->pyramids
-   options         as of ms_sss_filter; without depth flat must be 1
+   index           of the term, the same for X and Y; UP: 0, all are read; a pyramid: of the profile
+   options         camera, units and depth, as of ms_sss_filter; without depth flat must be 1
    width, height   of the viewport; options->center is that of its projection
    out             [ms_sss_shader_constant_count()][4]; untouched where the call fails
    MS_INVALID_ARGUMENT: as ms_sss_filter. MS_UNSUPPORTED: taps that are no pairs; a pyramid with rotation or unequal
@@ -4004,9 +4004,9 @@ static MS_SSS__COLD ms_status ms_sss__check_shader(const ms_sss_shader *s, ms_er
     {
         const ms_sss__range ranges[] = {{"step", (double)s->step, 0, (double)MS_SSS_STEP_RESOLVE},
                                         {"nearest", (double)s->nearest, 0, 3e38},
+                                        {"fade", (double)s->fade, 0, 1},
                                         {"rotation", (double)s->rotation, -1e30, 1e30},
                                         {"jitter", (double)s->jitter, 0, 1},
-                                        {"fade", (double)s->fade, 0, 1},
                                         {"origin[0]", (double)s->origin[0], 0, 65536},
                                         {"origin[1]", (double)s->origin[1], 0, 65536},
                                         {"profile_count", (double)s->profile_count, 0, MS_SSS_SHADER_PROFILES_MAX},

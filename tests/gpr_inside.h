@@ -1,15 +1,15 @@
 /* Inner calls of ms_gpr.h that tests and benches look at: the likelihood and its gradient, other hyperparameters for a
-   model, means in single precision, a latent space from given latents. Static behind the implementation; in an object
+   model, a latent space from given latents. Static behind the implementation; in an object
    of their own where the build compiles the header once (tests/run.sh). */
 #ifndef TEST_GPR_INSIDE_H
 #define TEST_GPR_INSIDE_H
 #include "ms_gpr.h"
+#include "test.h"
 #ifdef TEST_INSIDE /* an object of the header and these functions */
 #define TEST_INSIDE_BODY
 #elif MS_GPR_IMPLEMENTED + 0 /* 1 by the build, which links such an object; the header defines it as nothing */
 #define TEST_INSIDE
 #else
-#include "test.h"
 #define TEST_INSIDE static TEST_UNUSED
 #define TEST_INSIDE_BODY
 #endif
@@ -21,12 +21,88 @@ extern "C" {
 TEST_INSIDE ms_status inside_set_theta(ms_gpr *gp, const double *theta, ms_error *error);
 TEST_INSIDE ms_status inside_simplify(ms_gpr *gp, double tolerance, int *kept);
 TEST_INSIDE ms_status inside_likelihood(const ms_gpr *gp, double *likelihood, double *gradient, ms_error *error);
-TEST_INSIDE ms_status inside_predict_f(const ms_gpr *gp, const float *x, int count, float *mean, ms_error *error);
 TEST_INSIDE ms_status inside_latent(const double *x, int z, int m, const double *latent, const double *theta,
                                     const ms_gpr_latent_options *options, ms_gpr_latent **out, ms_error *error);
 TEST_INSIDE ms_status inside_latent_likelihood(const ms_gpr_latent *plane, double *likelihood, double *gradient_theta,
                                                double *gradient_latent, ms_error *error);
 TEST_INSIDE double inside_latent_jitter(const ms_gpr_latent *plane);
+
+/* Edits of a model and models of parts, on the public calls. */
+static TEST_UNUSED ms_status inside_create(const double *x, const double *y, int n, int m, const double *theta,
+                                           double mean, const ms_gpr_options *options, ms_gpr **out, ms_error *error)
+{
+    ms_gpr_view parts;
+    memset(&parts, 0, sizeof parts);
+    parts.n = n, parts.m = m;
+    parts.x = x, parts.y = y, parts.theta = theta;
+    parts.mean = mean;
+    return ms_gpr_create(&parts, options, out, error);
+}
+
+/* Without row `from` (-1: with all), with `count` more materials of scores y (NULL: none), and with these pairs in
+   place of the choices (pair_count -1: with those there are, but what the row took part in). */
+static TEST_UNUSED ms_status inside_edit(ms_gpr *gp, int from, const double *x, const double *y, int count,
+                                         const int *pairs, int pair_count, ms_error *error)
+{
+    ms_gpr_view parts = ms_gpr_view_of(gp);
+    const size_t m = (size_t)parts.m, before = (size_t)parts.n, all = before + (size_t)count;
+    double *copy = (double *)malloc((all + 1) * (m + 1) * sizeof *copy), *scores = copy + all * m;
+    int *kept = (int *)malloc((2 * (size_t)parts.choices.count + 1) * sizeof *kept), i, k = 0;
+    ms_status status;
+    if (before > 0) memcpy(copy, parts.x, before * m * sizeof *copy), memcpy(scores, parts.y, before * sizeof *copy);
+    for (i = 0; i < count; ++i) {
+        memcpy(copy + (before + (size_t)i) * m, x + (size_t)i * m, m * sizeof *copy);
+        scores[before + (size_t)i] = y ? y[i] : MS_GPR_UNSCORED;
+    }
+    if (from >= 0) {
+        memmove(copy + (size_t)from * m, copy + ((size_t)from + 1) * m, (all - (size_t)from - 1) * m * sizeof *copy);
+        memmove(scores + from, scores + from + 1, (all - (size_t)from - 1) * sizeof *copy);
+        for (i = 0; i < parts.choices.count; ++i) { /* pairs alone */
+            const int a = parts.choices.rows[2 * i], b = parts.choices.rows[2 * i + 1];
+            if (a == from || b == from) continue;
+            kept[k++] = a - (a > from), kept[k++] = b - (b > from);
+        }
+        parts.choices.rows = kept, parts.choices.count = k / 2;
+    }
+    parts.n = (int)all - (from >= 0), parts.x = copy, parts.y = scores;
+    if (pair_count >= 0) {
+        parts.choices.count = pair_count;
+        parts.choices.rows = pairs;
+        parts.choices.sizes = NULL;
+    }
+    status = ms_gpr_update(gp, &parts, error);
+    free(copy), free(kept);
+    return status;
+}
+
+static TEST_UNUSED ms_status inside_append(ms_gpr *gp, const double *x, double y, ms_error *error)
+{
+    return inside_edit(gp, -1, x, &y, 1, NULL, -1, error);
+}
+
+static TEST_UNUSED ms_status inside_drop(ms_gpr *gp, int row, ms_error *error)
+{
+    return inside_edit(gp, row, NULL, NULL, 0, NULL, -1, error);
+}
+
+static TEST_UNUSED ms_status inside_compare(ms_gpr *gp, const double *x, int count, const int *pairs, int pair_count,
+                                            ms_error *error)
+{
+    return inside_edit(gp, -1, x, NULL, count, pairs, pair_count, error);
+}
+
+static TEST_UNUSED ms_status inside_rescore(ms_gpr *gp, int row, double y, ms_error *error)
+{
+    ms_gpr_view parts = ms_gpr_view_of(gp);
+    double *scores = (double *)malloc((size_t)parts.n * sizeof *scores);
+    ms_status status;
+    memcpy(scores, parts.y, (size_t)parts.n * sizeof *scores);
+    scores[row] = y;
+    parts.y = scores;
+    status = ms_gpr_update(gp, &parts, error);
+    free(scores);
+    return status;
+}
 
 #ifdef TEST_INSIDE_BODY
 /* What was added to the diagonal, in units of sf^2. */
@@ -35,14 +111,10 @@ TEST_INSIDE double inside_latent_jitter(const ms_gpr_latent *plane) { return pla
 /* Other hyperparameters [m + 2] for the same data. The model is unchanged unless MS_OK. */
 TEST_INSIDE ms_status inside_set_theta(ms_gpr *gp, const double *theta, ms_error *error)
 {
-    ms_gpr *edited;
-    ms_status status;
-    if (gp == NULL) return ms_gpr__null("gp", error);
-    status = ms_gpr__check_theta(theta, gp->m, error);
-    if (status == MS_OK) status = ms_gpr__edit(gp, 0, gp->pairs, gp->pair_count, &edited, error);
-    if (status != MS_OK) return status;
-    memcpy(edited->theta, theta, ((size_t)gp->m + 2) * sizeof *theta);
-    return ms_gpr__commit(gp, edited, error);
+    ms_gpr_view parts = ms_gpr_view_of(gp);
+    if (theta == NULL) return ms_gpr__null("theta", error);
+    parts.theta = theta;
+    return ms_gpr_update(gp, &parts, error);
 }
 
 /* Drops the dimensions of least relevance while the sum of those is at most `tolerance`. kept: out, or NULL. */
@@ -93,48 +165,27 @@ TEST_INSIDE ms_status inside_likelihood(const ms_gpr *gp, double *likelihood, do
     return status;
 }
 
-/* The mean alone, in single precision. */
-TEST_INSIDE ms_status inside_predict_f(const ms_gpr *gp, const float *x, int count, float *mean, ms_error *error)
-{
-    ms_gpr__batch b;
-    size_t i, values;
-    if (gp == NULL || (count > 0 && (x == NULL || mean == NULL)))
-        return ms_gpr__null(gp == NULL ? "gp" : x ? "mean" : "x", error);
-    if (count < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected at least 0", count);
-    values = (size_t)count * (size_t)gp->m;
-    for (i = 0; i < values; ++i)
-        if (!ms__finite_f(x[i]))
-            return ms__fail(error, MS_BAD_DATA, i / (size_t)gp->m + 1, "candidate %z has a value that is not finite",
-                            i / (size_t)gp->m + 1);
-    memset(&b, 0, sizeof b);
-    b.gp = gp;
-    b.x_f = x;
-    b.count = count;
-    b.mean_f = mean;
-    return ms_gpr__predict_run(&b, ms_gpr__predict_task_f, error);
-}
-
-/* A latent space whose latents [z][2] and theta [4] are given; x is modeled as it is, not centered. */
+/* A latent space whose latents [z][2] and theta [2], log sf and log sn, are given; x is modeled as it is, not centered.
+ */
 TEST_INSIDE ms_status inside_latent(const double *x, int z, int m, const double *latent, const double *theta,
                                     const ms_gpr_latent_options *options, ms_gpr_latent **out, ms_error *error)
 {
     ms_gpr_latent_options o;
     ms_gpr_latent *p;
     ms_status status;
-    int l, i, k;
+    int i, k;
     if (out == NULL) return ms_gpr__null("out", error);
     *out = NULL;
     if (latent == NULL || theta == NULL) return ms_gpr__null(latent ? "theta" : "latent", error);
     if (options) o = *options;
     else memset(&o, 0, sizeof o);
-    l = MS_GPR__PLANE;
     status = ms_gpr__latent_make(x, z, m, &o, &p, error);
     if (status != MS_OK) return status;
-    status = ms_gpr__check_rows(latent, z, l, MS_GPR__LARGEST, "latent", error);
-    if (status == MS_OK) status = ms_gpr__check_theta(theta, l, error);
+    status = ms_gpr__check_rows(latent, z, 2, MS_GPR__LARGEST, "latent", error);
+    if (status == MS_OK) status = ms_gpr__check_theta(theta, 0, error);
     if (status == MS_OK) {
-        memcpy(p->latent, latent, (size_t)z * (size_t)l * sizeof *latent);
-        memcpy(p->theta, theta, ((size_t)l + 2) * sizeof *theta);
+        memcpy(p->latent, latent, 2 * (size_t)z * sizeof *latent);
+        p->sf = exp(theta[0]), p->sn = exp(theta[1]);
         for (i = 0; i < z; ++i)
             for (k = 0; k < m; ++k) p->x[(size_t)i * p->columns + (size_t)k] += p->center[k];
         memset(p->center, 0, (size_t)m * sizeof *p->center);
@@ -145,35 +196,31 @@ TEST_INSIDE ms_status inside_latent(const double *x, int z, int m, const double 
     return status;
 }
 
-/* log p(X | L, theta) and where not NULL its gradients by theta [4] and by the latents [z][2]. */
+/* log p(X | L, theta) and where not NULL its gradients by theta [2] and by the latents [z][2]. */
 TEST_INSIDE ms_status inside_latent_likelihood(const ms_gpr_latent *plane, double *likelihood, double *gradient_theta,
                                                double *gradient_latent, ms_error *error)
 {
     const ms_gpr_latent *p = plane;
-    double sf2, sn2, noise, value = 0, gradient[5];
+    double sf2, sn2, value = 0, gradient[2];
     ms__arena arena = {NULL, 0};
     ms_gpr__embedding e;
-    double *slopes = NULL;
     int pass, i, k, wanted = gradient_theta || gradient_latent, defined;
     if (plane == NULL) return ms_gpr__null("plane", error);
-    sf2 = exp(2 * p->theta[MS_GPR__PLANE]);
-    sn2 = exp(2 * p->theta[MS_GPR__PLANE + 1]);
-    noise = sn2 + p->jitter * sf2;
+    sf2 = p->sf * p->sf;
+    sn2 = p->sn * p->sn;
     for (pass = 0; pass < 2; ++pass) {
-        slopes = ms_gpr__take(&arena, MS_GPR__PLANE, p->stride);
         ms_gpr__embedding_layout(&e, p, &arena);
         if (pass == 0 && !ms_gpr__place(&p->allocator, &arena))
             return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d materials", p->z);
     }
-    defined = ms_gpr__embedding_evaluate(&e, p->points, sf2, noise, &value, wanted ? gradient : NULL, slopes);
-    for (k = 0; defined && gradient_latent && k < MS_GPR__PLANE; ++k)
-        for (i = 0; i < p->z; ++i)
-            gradient_latent[i * MS_GPR__PLANE + k] = slopes[(size_t)k * p->stride + (size_t)i] * exp(-p->theta[k]);
-    ms_gpr__release(&p->allocator, slopes);
+    defined = ms_gpr__embedding_evaluate(&e, p->points, sf2, sn2 + p->jitter * sf2, &value, wanted ? gradient : NULL,
+                                         e.slopes);
+    for (k = 0; defined && gradient_latent && k < 2; ++k)
+        for (i = 0; i < p->z; ++i) gradient_latent[2 * i + k] = e.slopes[(size_t)k * p->stride + (size_t)i];
+    ms_gpr__release(&p->allocator, arena.base);
     if (!defined) return ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix is not positive definite");
     if (likelihood) *likelihood = value;
-    for (k = 0; gradient_theta && k < MS_GPR__PLANE + 2; ++k)
-        gradient_theta[k] = gradient[k] * (k == MS_GPR__PLANE + 1 ? 2 * sn2 : 1); /* of log sn */
+    if (gradient_theta) gradient_theta[0] = gradient[0], gradient_theta[1] = 2 * sn2 * gradient[1]; /* of log sn */
     return MS_OK;
 }
 

@@ -1,7 +1,8 @@
-/* A reference for the tests: totals of half-spaces of any g by discrete ordinates. It shares Gauss nodes and Fresnel's
-   formula with ms_mcml.h, nothing else. */
+/* A reference for the tests: totals of half-spaces of any g by discrete ordinates. It shares Fresnel's formula with
+   ms_mcml.h and Gauss nodes with layered.h, nothing else. */
 #ifndef ORDINATES_H
 #define ORDINATES_H
+#include "layered.h"
 #include <math.h>
 #include <string.h>
 
@@ -50,12 +51,12 @@ static double ordinates_reflected(double absorbed, double g, double eta, int nod
                  albedo = (1 - absorbed) * (1 - f) / left;
     double(*legendre)[N] = t, out = 0, odd = 0, single = 0, even = 1, more, power;
     int i, j, l, turn;
-    ms_mcml__legendre_nodes(nodes, mu, w);
+    layered__gauss(nodes, mu, w);
     for (i = 0; i < nodes; ++i) { /* the root at the critical angle becomes smooth */
         w[i] *= 2 * (1 - cut) * mu[i];
         mu[i] = cut + (1 - cut) * mu[i] * mu[i];
     }
-    ms_mcml__legendre_nodes(below, mu + nodes, w + nodes);
+    layered__gauss(below, mu + nodes, w + nodes);
     for (i = nodes; i < n; ++i) {
         mu[i] *= cut;
         w[i] *= cut;

@@ -7,6 +7,7 @@
 #   sh tests/run.sh sanitize   address and undefined-behavior sanitizers
 #   sh tests/run.sh thread     thread sanitizer;   valgrind, fuzz, soak: as they say
 #   sh tests/run.sh calls      every public call: stack, traps, flushed subnormals, at -O2 and -O0
+#   sh tests/run.sh attack     random valid calls with a fresh seed under sanitizers (tests/attack; ATTACK_SECONDS of processor time, 600)
 #   sh tests/run.sh cross      other machines and C libraries, those whose compiler (and emulator) is installed
 # Called by make from the repository's root. CC, CXX, CFLAGS, JOBS (2), FILTER (parts of jobs' names), SHUFFLE (a number: the jobs in a
 # random order of that number, two or more at a time: nothing may depend on it), FUZZ_SECONDS (20), SINCE (a commit:
@@ -49,7 +50,7 @@ if [ "${1:-}" = --one ]; then
     exit 0
 fi
 
-group=${1:?usage: sh tests/run.sh check|test|long|style|sanitize|thread|valgrind|fuzz|soak|calls|cross}
+group=${1:?usage: sh tests/run.sh check|test|long|style|sanitize|thread|valgrind|fuzz|soak|calls|attack|cross}
 CC=${CC:-cc}
 CXX=${CXX:-c++}
 CFLAGS=${CFLAGS:--O2}
@@ -194,6 +195,7 @@ check_jobs() {
     test_jobs "" "$CC" "-std=c99 $CFLAGS" "" "$only"
     job common "sh tests/common.sh check"
     job readme "sh tests/readme.sh"
+    job texts "sh tests/texts.sh"
     job macros "sh tests/dropin/macros.sh $out/macros $(echo $headers)"
     for h in $headers; do
         n=${h%.h}
@@ -234,6 +236,7 @@ test_group() {
         job "dropin_$n" "sh tests/dropin/dropin.sh $out/dropin_$n $h"
         job "symbols_$n" "sh tests/dropin/symbols.sh $h $out/symbols_$n"
     done
+    attack_jobs 60
     job dropin_msvc "sh tests/dropin/msvc.sh $out/dropin_msvc $(echo $headers)"
     job dropin_builds "sh tests/dropin/builds.sh $out/dropin_builds"
     test_jobs "scalar_" "$CC" "-std=c99 $CFLAGS -DMS_NO_SIMD" "" "--build --no-simd"
@@ -322,6 +325,25 @@ sanitize_jobs() {
     replay_jobs "$flags"
 }
 
+# attack_jobs SECONDS: those of all programs together. The headers are compiled once with sanitizers, at -O1.
+attack_jobs() {
+    flags="-g1 -O1 -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all -fno-omit-frame-pointer"
+    if ! compiles $CC $flags; then
+        job attack "echo '$CC has no address and undefined-behavior sanitizers'; exit 77"
+        return
+    fi
+    some=""
+    ! grep -q MS_SSS_METHOD_HALF ms_sss.h || flags="$flags -DATTACK_OLD"
+    programs=$(ls tests/attack/attack_*.c)
+    each=$(($1 / $(echo $programs | wc -w)))
+    for f in $programs; do
+        n=$(basename "$f" .c)
+        job "$n" "$CC $posix $paths -Itests/attack -std=c99 $flags$(linked "$f") $f $out/objects/attack_ms.a -o $out/$n -lm && $out/$n --seconds $each --cases tests/attack/cases" || continue
+        some="$some ms_${n#attack_}.h"
+    done
+    [ -z "$some" ] || objects "attack_" "$CC" "-std=c99 $flags" $some
+}
+
 fuzz_jobs() {
     if ! have clang || ! compiles clang -fsanitize=fuzzer-no-link; then
         job fuzz "echo 'no clang with libFuzzer on this machine'; exit 77"
@@ -348,6 +370,7 @@ valgrind)
         job valgrind "echo 'no valgrind on this machine'; exit 77"
     fi ;;
 fuzz) fuzz_jobs ;;
+attack) attack_jobs "${ATTACK_SECONDS:-600}" ;;
 soak) job soak "$CC $posix $paths -std=c99 -O2 tests/test_memory.c -o $out/soak -lm -lpthread && $out/soak --full soak" ;;
 calls)
     for h in $headers; do

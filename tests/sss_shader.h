@@ -6,6 +6,7 @@
 #include "wgsl.h"
 
 enum { SSS_GLSL_330, SSS_GLSL_ES_300, SSS_VULKAN, SSS_HLSL, SSS_WGSL };
+enum { SSS_TRANSMISSION = 8, SSS_DISC = 9 }; /* steps that ms_sss_step has not */
 
 /* What a text depends on beside ms_sss_shader. */
 typedef struct sss_text {
@@ -68,16 +69,19 @@ static const char *sss_fetch_text(const sss_text *t)
 /* The text of a step into out; 0: it does not fit, or a file is not there (from the repository's root). */
 static int sss_shader_text(const ms_sss_shader *s, const sss_text *t, char *out, size_t capacity)
 {
-    static char *file[2];
+    static char *file[3];
+    static const char *const path[3] = {"examples/engine/shader/ms_sss.glsl",
+                                        "examples/engine/shader/ms_sss_pyramid.glsl",
+                                        "examples/engine/shader/ms_sss_disc.glsl"};
     char defines[600];
     const char *fetch = t->fetch ? t->fetch : sss_fetch_text(t);
     static const char *const head[4] = {
         "#version 330\n", "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n",
         "#version 450\n#define MS_SSS_VULKAN\n", "#define MS_SSS_HLSL\n"};
-    const int pyramid = (int)s->step > 3 && (int)s->step < 8;
+    const int more = (int)s->step == SSS_DISC ? 2 : (int)s->step > 3 && (int)s->step < 8 ? 1 : 0;
     int i;
-    for (i = 0; i < 2 && !file[i]; ++i) {
-        FILE *f = fopen(i ? "examples/engine/shader/ms_sss_pyramid.glsl" : "examples/engine/shader/ms_sss.glsl", "rb");
+    for (i = 0; i < 3 && !file[i]; ++i) {
+        FILE *f = fopen(path[i], "rb");
         file[i] = (char *)calloc(1, 1 << 16);
         if (!f || !file[i] || fread(file[i], 1, (1 << 16) - 1, f) == 0) return 0;
         fclose(f);
@@ -90,13 +94,13 @@ static int sss_shader_text(const ms_sss_shader *s, const sss_text *t, char *out,
              t->flat, t->normal, t->strength, t->rotated, s->half_resolution);
     if (t->language == SSS_WGSL) {
         size_t n;
-        if (wgsl_make(defines, file[0], pyramid ? file[1] : NULL, out, capacity)) return 0;
+        if (wgsl_make(defines, file[0], more ? file[more] : NULL, out, capacity)) return 0;
         n = strlen(out);
         if (n + strlen(fetch) >= capacity) return 0;
         strcpy(out + n, fetch);
         return 1;
     }
-    return snprintf(out, capacity, "%s%s%s%s%s", head[t->language], defines, fetch, file[0], pyramid ? file[1] : "") <
+    return snprintf(out, capacity, "%s%s%s%s%s", head[t->language], defines, fetch, file[0], more ? file[more] : "") <
         (int)capacity;
 }
 

@@ -330,9 +330,13 @@ static void user_make(void)
 static ms_gpr *user_model(void)
 {
     static const double theta[USER_M + 2] = {-1, 0, 0.3, 0.2, 1, -2};
+    ms_gpr_view parts;
     ms_gpr *gp = NULL;
     user_make();
-    CHECK_INT(ms_gpr_create(user_x, user_y, USER_N, USER_M, theta, NULL, &gp, NULL), MS_OK);
+    memset(&parts, 0, sizeof parts);
+    parts.n = USER_N, parts.m = USER_M;
+    parts.x = user_x, parts.y = user_y, parts.theta = theta;
+    CHECK_INT(ms_gpr_create(&parts, NULL, &gp, NULL), MS_OK);
     return gp;
 }
 
@@ -771,7 +775,7 @@ static void set_up(options_of *o)
 {
     o->shader.tap_count = 7, o->shader.step = MS_SSS_STEP_UP, o->shader.half_resolution = 1;
 }
-static void set_rejection(options_of *o) { o->recommend.search = MS_GPR_SEARCH_REJECTION; }
+static void set_threshold(options_of *o) { o->recommend.search = MS_GPR_SEARCH_THRESHOLD; }
 
 static const struct {
     runs (*run)(const void *options);
@@ -836,11 +840,10 @@ static const struct {
     {run_pme, NULL, FIELD(ms_pme_options, restarts, 'i'), -1, 0, 3, NONE},
     {run_match, NULL, FIELD(ms_pme_match_options, random_count, 'i'), -1, 0, 5, NONE},
     {run_fit, NULL, FIELD(ms_gpr_fit_options, evaluations, 'i'), -1, 0, 5, NONE},
-    {run_fit, NULL, FIELD(ms_gpr_fit_options, method, 'i'), -1, 0, 1, 2},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, tau, 'd'), -0.001, 0, 0.9, 1.001},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, diversity, 'd'), -0.001, 0, 1, 1.001},
     {run_recommend, NULL, FIELD(ms_gpr_recommend_options, skip, 'i'), -1, 0, 2, NONE},
-    {run_recommend, set_rejection, FIELD(ms_gpr_recommend_options, search, 'i'), -1, 0, 2, 3},
+    {run_recommend, set_threshold, FIELD(ms_gpr_recommend_options, search, 'i'), -1, 0, 2, 3},
     {run_gallery, NULL, FIELD(ms_gpr_gallery_options, kind, 'i'), -1, 0, 1, 2},
     {run_simulate, set_fast, FIELD(ms_mcml_options, roulette_weight, 'd'), -1e-9, 0, 1, 1.0001},
     {run_simulate, NULL, FIELD(ms_mcml_options, photons, 'u'), NONE, 1, 2, 4294967297.0},

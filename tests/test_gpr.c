@@ -86,11 +86,13 @@ static int levels(ms_simd *level)
     return count;
 }
 
+static double prior_mean; /* of what is made */
+
 static ms_gpr *make(const double *x, const double *y, int n, int m, const double *theta, const ms_gpr_options *options)
 {
     ms_gpr *gp;
     ms_error error;
-    if (ms_gpr_create(x, y, n, m, theta, options, &gp, &error) != MS_OK) TEST_FAIL("%s", error.message);
+    if (inside_create(x, y, n, m, theta, prior_mean, options, &gp, &error) != MS_OK) TEST_FAIL("%s", error.message);
     return gp;
 }
 
@@ -103,11 +105,10 @@ static ms_gpr *fit(const double *x, const double *y, int n, int m, const ms_gpr_
     return gp;
 }
 
-static ms_gpr_fit_options fit_options(ms_gpr_method method)
+static ms_gpr_fit_options fit_options(void)
 {
     ms_gpr_fit_options o;
     memset(&o, 0, sizeof o);
-    o.method = method;
     return o;
 }
 
@@ -219,10 +220,9 @@ static void test_reference(void)
 static void test_exponential(void)
 {
     static double c[8192], d[8192];
-    static float zero[8192], cf[8192];
     ms_simd level[4];
     int count = levels(level), l, i;
-    double worst = 0, worst_f = 0;
+    double worst = 0;
     for (l = 0; l < count; ++l) {
         const ms_gpr__kernels *f = ms_gpr__kernels_of(level[l]);
         for (i = 0; i < 8192; ++i) c[i] = d[i] = i < 4096 ? i * (100.0 / 4096) : exp(0.002 * (i - 4096)) - 1;
@@ -232,19 +232,8 @@ static void test_exponential(void)
             CHECK_NEAR(c[i], e, bound); /* rounding of t grows with t; flushed to 0 at 2^-500 */
             if (e > 1e-140 && fabs(c[i] - e) / e > worst) worst = fabs(c[i] - e) / e;
         }
-        memset(zero, 0, sizeof zero);
-        for (i = 0; i < 8192; ++i) cf[i] = (float)d[i];
-        {
-            float one = 1;
-            f->accumulate_f(zero, cf, 0, &one, 1, 8192);
-        }
-        for (i = 0; i < 8192; ++i) {
-            double e = exp(-0.5 * (double)cf[i]);
-            CHECK_NEAR((double)zero[i], e, (4 + 2 * (double)cf[i]) * 1.2e-7 * e + 1e-32);
-            if (d[i] < 1 && fabs((double)zero[i] - e) > worst_f) worst_f = fabs((double)zero[i] - e);
-        }
     }
-    TEST_NOTE("relative error %.1e, in f32 %.1e near 1", worst, worst_f);
+    TEST_NOTE("relative error %.1e", worst);
 }
 
 /* Closed form: one point. mean = k y / (sf^2 + sn^2), variance = sf^2 - k^2 / (sf^2 + sn^2). */
@@ -257,7 +246,7 @@ static void test_one_point(void)
     theta[1] = 0.5 * log(sf2);
     theta[2] = 0.5 * log(sn2);
     memset(&options, 0, sizeof options);
-    options.mean = 5;
+    prior_mean = 5;
     gp = make(&x, &y, 1, 1, theta, &options);
     k = sf2 * exp(-0.5 * 0.36 / (l * l));
     CHECK(ms_gpr_predict(gp, &xs, 1, &mean, &variance, NULL) == MS_OK);
@@ -268,6 +257,7 @@ static void test_one_point(void)
     CHECK(ms_gpr_predict(gp, &xs, 1, &mean, &variance, NULL) == MS_OK);
     CHECK_NEAR(mean, 5, 0);
     CHECK_NEAR(variance, sf2, 1e-15);
+    prior_mean = 0;
     ms_gpr_destroy(gp);
 }
 
@@ -277,13 +267,12 @@ static void test_batches(void)
 {
     enum { N = 150, M = 7, C = 1000 };
     static double x[N * M], y[N], xs[C * M], mean[C], variance[C], mu[C], s2[C];
-    static float xf[C * M], mf[C], nf[C];
     double theta[M + 2];
     uint64_t state = test_seed;
     ms_simd level[4];
     int count = levels(level), l, i, t;
     smooth_data(x, y, N, M, 0.1, &state);
-    for (i = 0; i < C * M; ++i) xf[i] = (float)(xs[i] = test_uniform(&state));
+    for (i = 0; i < C * M; ++i) xs[i] = test_uniform(&state);
     for (i = 0; i < M + 2; ++i) theta[i] = i < M ? 0 : i == M ? 0.2 : -2;
     for (l = 0; l < count; ++l) {
         static const int threads[] = {1, 2, 7};
@@ -294,14 +283,10 @@ static void test_batches(void)
         gp = make(x, y, N, M, theta, &options);
         CHECK(ms_gpr_view_of(gp).level == level[l]);
         CHECK(ms_gpr_predict(gp, xs, C, mean, variance, NULL) == MS_OK);
-        CHECK(inside_predict_f(gp, xf, C, mf, NULL) == MS_OK);
         for (i = 0; i < C; ++i) CHECK(variance[i] >= 0 && variance[i] <= exp(0.4) + 1e-12);
-        for (i = 0; i < C; ++i) { /* one at a time, and the mean without the variance: the same bits */
+        for (i = 0; i < C; ++i) /* one at a time, and the mean without the variance: the same bits */
             ms_gpr_predict(gp, xs + i * M, 1, mu + i, s2 + i, NULL);
-            inside_predict_f(gp, xf + i * M, 1, nf + i, NULL);
-        }
-        CHECK(memcmp(mu, mean, sizeof mu) == 0 && memcmp(s2, variance, sizeof s2) == 0 &&
-              memcmp(mf, nf, sizeof mf) == 0);
+        CHECK(memcmp(mu, mean, sizeof mu) == 0 && memcmp(s2, variance, sizeof s2) == 0);
         ms_gpr_predict(gp, xs, C, mu, NULL, NULL);
         CHECK(memcmp(mu, mean, sizeof mu) == 0);
         ms_gpr_destroy(gp);
@@ -310,9 +295,7 @@ static void test_batches(void)
             options.parallel = test_parallel(&pool, threads[t]);
             gp = make(x, y, N, M, theta, &options);
             ms_gpr_predict(gp, xs, C, mu, s2, NULL);
-            inside_predict_f(gp, xf, C, nf, NULL);
-            CHECK(memcmp(mu, mean, sizeof mu) == 0 && memcmp(s2, variance, sizeof s2) == 0 &&
-                  memcmp(mf, nf, sizeof mf) == 0);
+            CHECK(memcmp(mu, mean, sizeof mu) == 0 && memcmp(s2, variance, sizeof s2) == 0);
             ms_gpr_destroy(gp);
         }
         if (l == 0) continue;
@@ -325,13 +308,7 @@ static void test_batches(void)
         CHECK_LE(largest_difference(s2, variance, C), 1e-10);
         ms_gpr_destroy(gp);
     }
-    {
-        double e = 0;
-        for (i = 0; i < C; ++i)
-            if (fabs((double)mf[i] - mean[i]) > e) e = fabs((double)mf[i] - mean[i]);
-        CHECK_LE(e, 2e-3); /* 6e-8 times the sum of |weight|, which is 1e4 here */
-        TEST_NOTE("%d levels; f32 off by %.1e of %.2g", count, e, largest(mean, C));
-    }
+    TEST_NOTE("%d levels", count);
 }
 
 /* --- one point more or less --- */
@@ -347,7 +324,7 @@ static void test_append_drop(void)
     smooth_data(x, y, N, M, 0.1, &state);
     for (i = 0; i < 10 * M; ++i) xs[i] = test_uniform(&state);
     for (n = 1; n <= N; ++n) {
-        CHECK(ms_gpr_append(gp, x + (n - 1) * M, y[n - 1], NULL) == MS_OK);
+        CHECK(inside_append(gp, x + (n - 1) * M, y[n - 1], NULL) == MS_OK);
         fresh = make(x, y, n, M, theta, NULL);
         ms_gpr_predict(gp, xs, 10, mean, variance, NULL);
         ms_gpr_predict(fresh, xs, 10, mu, s2, NULL);
@@ -360,7 +337,7 @@ static void test_append_drop(void)
     CHECK(memcmp(ms_gpr_view_of(gp).x, x, sizeof x) == 0 && memcmp(ms_gpr_view_of(gp).y, y, sizeof y) == 0);
     for (n = N - 1; n >= 0; --n) {
         int at = n % 3 == 0 ? n : (int)(test_uniform(&state) * (n + 1));
-        CHECK(ms_gpr_drop(gp, at, NULL) == MS_OK);
+        CHECK(inside_drop(gp, at, NULL) == MS_OK);
         memmove(x + at * M, x + (at + 1) * M, (size_t)(n - at) * M * sizeof *x);
         memmove(y + at, y + at + 1, (size_t)(n - at) * sizeof *y);
         fresh = make(x, y, n, M, theta, NULL);
@@ -371,11 +348,10 @@ static void test_append_drop(void)
         CHECK_LE(largest_difference(variance, s2, 10), 1e-11);
         ms_gpr_destroy(fresh);
     }
-    CHECK(ms_gpr_drop(gp, 0, NULL) == MS_INVALID_ARGUMENT);
     /* The same point again and again without noise: jitter, not a failure. */
     theta[M + 1] = -18;
     CHECK(inside_set_theta(gp, theta, NULL) == MS_OK);
-    for (i = 0; i < 5; ++i) CHECK(ms_gpr_append(gp, xs, 1, NULL) == MS_OK);
+    for (i = 0; i < 5; ++i) CHECK(inside_append(gp, xs, 1, NULL) == MS_OK);
     CHECK(ms_gpr_view_of(gp).jitter > 0 && ms_gpr_view_of(gp).jitter < 1e-12);
     ms_gpr_predict(gp, xs, 1, mean, NULL, NULL);
     CHECK_NEAR(mean[0], 1, 1e-6);
@@ -393,14 +369,14 @@ static void test_leave_one_out(void)
     ms_gpr *gp;
     int i;
     memset(&options, 0, sizeof options);
-    options.mean = 0.7;
+    prior_mean = 0.7;
     smooth_data(x, y, N, M, 0.2, &state);
     gp = make(x, y, N, M, theta, &options);
     density = leave_one_out(gp, mean, variance);
     for (i = 0; i < N; ++i) {
         ms_gpr *less = make(x, y, N, M, theta, &options);
         double mu, s2;
-        ms_gpr_drop(less, i, NULL);
+        inside_drop(less, i, NULL);
         ms_gpr_predict(less, x + i * M, 1, &mu, &s2, NULL);
         s2 += exp(2 * theta[M + 1]);
         CHECK_NEAR(mean[i], mu, 1e-12); /* condition 1e3 */
@@ -409,6 +385,7 @@ static void test_leave_one_out(void)
         ms_gpr_destroy(less);
     }
     CHECK_NEAR(density, sum, 1e-10);
+    prior_mean = 0;
     ms_gpr_destroy(gp);
 }
 
@@ -417,79 +394,34 @@ static void test_leave_one_out(void)
 static void test_fit_methods(void)
 {
     enum { N = 120, M = 6 };
-    double x[N * M], y[N], gradient[M + 2], likelihood[4], relevance[M];
+    double x[N * M], y[N], likelihood, relevance[M], value;
     uint64_t state = 5;
+    ms_gpr_fit_report r;
+    ms_gpr *gp, *again;
     int method, k;
     smooth_data(x, y, N, M, 0.05, &state);
+    gp = fit(x, y, N, M, NULL, &r);
+    CHECK(inside_likelihood(gp, &value, NULL, NULL) == MS_OK);
+    CHECK_NEAR(value, r.likelihood, 1e-9 * fabs(value)); /* two ways to the same number */
+    CHECK(r.evaluations > 10 && r.evaluations <= 700);
+    likelihood = r.likelihood;
+    ms_gpr_relevance(gp, relevance);
+    for (k = 3; k < M; ++k) CHECK_LE(relevance[k], 0.2 * relevance[0]); /* y depends on columns 0 to 2 alone */
+    CHECK_NEAR(exp(ms_gpr_view_of(gp).theta[M + 1]), 0.05,
+               0.02); /* the noise that was put in, 0.05 / sqrt(2 N) = 0.003 at best */
+    again = fit(x, y, N, M, NULL, NULL);
+    CHECK(memcmp(ms_gpr_view_of(gp).theta, ms_gpr_view_of(again).theta, (M + 2) * sizeof(double)) == 0);
+    ms_gpr_destroy(again);
+    ms_gpr_destroy(gp);
+    /* RProp and SCG maximize the likelihood alone: the prior costs a little of it. */
     for (method = 0; method < 2; ++method) {
-        ms_gpr_fit_options o = fit_options((ms_gpr_method)method);
-        ms_gpr_fit_report r;
-        ms_gpr *gp, *again;
-        double value;
-        gp = fit(x, y, N, M, &o, &r);
-        CHECK(inside_likelihood(gp, &value, gradient, NULL) == MS_OK);
-        CHECK_NEAR(value, r.likelihood, 1e-9 * fabs(value)); /* two ways to the same number */
-        CHECK(r.evaluations > 10 && r.evaluations <= 700);
-        likelihood[method] = r.likelihood;
-        if (method == MS_GPR_METHOD_ML) /* at an optimum, but for lengths on their way to infinity */
-            for (k = 0; k < M + 2; ++k) CHECK_LE(fabs(gradient[k]), 0.05);
-        ms_gpr_relevance(gp, relevance);
-        for (k = 3; k < M; ++k) CHECK_LE(relevance[k], 0.2 * relevance[0]); /* y depends on columns 0 to 2 alone */
-        CHECK_NEAR(exp(ms_gpr_view_of(gp).theta[M + 1]), 0.05,
-                   0.02); /* the noise that was put in, 0.05 / sqrt(2 N) = 0.003 at best */
-        again = fit(x, y, N, M, &o, NULL);
-        CHECK(memcmp(ms_gpr_view_of(gp).theta, ms_gpr_view_of(again).theta, (M + 2) * sizeof(double)) == 0);
-        ms_gpr_destroy(again);
-        ms_gpr_destroy(gp);
+        thesis_report t;
+        memset(&t, 0, sizeof t);
+        ms_gpr_destroy(thesis_fit(x, y, N, M, method, 1, &t));
+        CHECK_LE(likelihood, t.likelihood + 1);
+        CHECK(likelihood > t.likelihood - 10); /* the prior of the noise at a tenth of its median is 8 nats */
+        TEST_NOTE("likelihood %.2f, %s %.2f", likelihood, method ? "SCG" : "RProp", t.likelihood);
     }
-    /* RProp and SCG end where ML does; MAP gives up a little likelihood for its prior. */
-    for (method = 0; method < 2; ++method) {
-        thesis_report r;
-        memset(&r, 0, sizeof r);
-        ms_gpr_destroy(thesis_fit(x, y, N, M, method, 1, &r));
-        likelihood[2 + method] = r.likelihood;
-        CHECK_NEAR(r.likelihood, likelihood[MS_GPR_METHOD_ML], method == THESIS_RPROP ? 0.5 : 1);
-    }
-    CHECK_LE(likelihood[MS_GPR_METHOD_MAP], likelihood[MS_GPR_METHOD_ML] + 0.1);
-    TEST_NOTE("likelihood MAP %.2f, ML %.2f, RProp %.2f, SCG %.2f", likelihood[0], likelihood[1], likelihood[2],
-              likelihood[3]);
-}
-
-/* One start of ML may end in a lesser optimum: of these users RProp from lengths 1 finds a better one for the first,
-   and a start from longer ones for the second. The three default starts find both. */
-static void test_ml_starts(void)
-{
-    enum { N = 250, M = 19 };
-    static double x[N * M], y[N];
-    static const uint64_t seed[] = {5555004, 5555007};
-    double likelihood[2][3], gain;
-    int i, c;
-    TEST_METHOD;
-    for (i = 0; i < 2; ++i) {
-        uint64_t state = seed[i];
-        user u = user_make(state + 500, M, i ? 0.19 : 0.10);
-        user_gallery(&u, N, x, y, &state);
-        for (c = 0; c < 3; ++c) {
-            ms_gpr_fit_options o = fit_options(MS_GPR_METHOD_ML);
-            ms_gpr_fit_report r;
-            thesis_report t;
-            if (c == 0) {
-                ms_gpr_destroy(thesis_fit(x, y, N, M, THESIS_RPROP, 1, &t));
-                likelihood[i][c] = t.likelihood;
-                continue;
-            }
-            o.length_start = c == 1 ? 1 : 0;
-            ms_gpr_destroy(fit(x, y, N, M, &o, &r));
-            likelihood[i][c] = r.likelihood;
-        }
-        CHECK(likelihood[i][2] >= likelihood[i][0] - 0.01 && likelihood[i][2] >= likelihood[i][1] - 0.01);
-    }
-    gain = likelihood[0][2] - likelihood[0][1];
-    CHECK(gain > 2);
-    gain = likelihood[1][2] - likelihood[1][0];
-    CHECK(gain > 2);
-    TEST_NOTE("RProp %.2f %.2f, ML from lengths 1 %.2f %.2f, ML %.2f %.2f", likelihood[0][0], likelihood[1][0],
-              likelihood[0][1], likelihood[1][1], likelihood[0][2], likelihood[1][2]);
 }
 
 /* The gradient that fits follow, with the prior, against differences; far from the expected noise too. */
@@ -497,29 +429,29 @@ static void test_fit_gradient(void)
 {
     enum { N = 30, M = 3 };
     static double x[N * M], y[N], memory[20000];
-    double q[2][M + 2] = {{-0.5, 0.3, 1, 0.2, -1.5}, {-0.5, 0.3, 1, 0.2, 0.5}}, g[M + 2], value, up, down;
+    double q[2][M + 2] = {{-0.5, 0.3, 1, 0.2, -1.5}, {-0.5, 0.3, 1, 0.2, 0.5}}, g[M + 2], other[M + 2], value, up, down;
     uint64_t state = test_seed;
     ms__arena arena;
     ms_gpr__fit f;
     int c, k;
     smooth_data(x, y, N, M, 0.1, &state);
     memset(&f, 0, sizeof f);
-    CHECK_INT(ms_gpr__fit_options(NULL, M, &f.o, NULL), MS_OK);
     f.o.simd = MS_SIMD_SCALAR;
     f.o.evaluations = f.starts = 1;
+    f.n = f.part = N;
     arena.base = (char *)memory;
     arena.used = 0;
-    ms_gpr__fit_layout(&f, N, M, N, &arena);
+    ms_gpr__fit_layout(&f, N, M, &arena);
     CHECK(arena.used <= sizeof memory);
-    CHECK_INT(ms_gpr__fit_run(&f, x, y, N, M, N, NULL), MS_OK); /* everything is in place then */
+    CHECK_INT(ms_gpr__fit_run(&f, x, y, N, M, NULL), MS_OK); /* everything is in place then */
     for (c = 0; c < 2; ++c) {
         CHECK_INT(ms_gpr__fit_objective(&f, q[c], &value, g), 1);
         for (k = 0; k < M + 2; ++k) {
             double h = 1e-5, at = q[c][k];
             q[c][k] = at + h;
-            ms_gpr__fit_objective(&f, q[c], &up, NULL);
+            ms_gpr__fit_objective(&f, q[c], &up, other);
             q[c][k] = at - h;
-            ms_gpr__fit_objective(&f, q[c], &down, NULL);
+            ms_gpr__fit_objective(&f, q[c], &down, other);
             q[c][k] = at;
             CHECK_NEAR(g[k], (up - down) / (2 * h), 1e-7 * (1 + fabs(g[k]))); /* h^2, and 1e-13 / h of rounding */
         }
@@ -527,32 +459,37 @@ static void test_fit_gradient(void)
 }
 
 /* What separates the objective from the likelihood are the documented priors: log-normal, of lengths in widths around
-   2.1 sqrt(m) by 1.5, of sf around a standard deviation of the scores by 1, of sn around half of one by 0.25, around
-   one and a half where scores come in steps (more than 0.25 above, the penalty goes on straight). */
+   2.1 sqrt(m) by 1.5, of sf around a standard deviation of the scores by 1, of sn around half of one by 0.25
+   (more than 0.25 above, the penalty goes on straight). Whatever the scale of the scores, and with a floor. */
 static void test_fit_prior(void)
 {
     enum { N = 40, M = 2 };
     double x[N * M], y[N], theta[M + 2], width[M], mean, sum, unit, z, wanted;
     uint64_t state = test_seed;
-    ms_gpr_fit_options o;
     ms_gpr_fit_report r;
     ms_gpr *gp;
-    int steps, i, k;
+    int scale, i, k;
     smooth_data(x, y, N, M, 0.3, &state);
-    for (i = 0; i < N; ++i) y[i] = floor(4 * y[i] + 0.5);
-    y[0] = -7; /* one alone is the least: no floor */
     for (k = 0; k < M; ++k) {
         for (i = 0, mean = 0; i < N; ++i) mean += x[i * M + k] / (double)N;
         for (i = 0, sum = 0; i < N; ++i) sum += (x[i * M + k] - mean) * (x[i * M + k] - mean) / (double)N;
         width[k] = sqrt(12 * sum);
     }
-    for (i = 0, mean = 0; i < N; ++i) mean += y[i] / (double)N;
-    for (i = 0, sum = 0; i < N; ++i) sum += (y[i] - mean) * (y[i] - mean) / (double)N;
-    unit = sqrt(sum);
-    for (steps = 0; steps < 2; ++steps) {
-        memset(&o, 0, sizeof o);
-        o.step = steps ? 1 : -1;
-        CHECK_INT(ms_gpr_fit(x, y, N, M, &o, &gp, &r, NULL), MS_OK);
+    for (scale = 0; scale < 4; ++scale) {
+        double floor_value, z_mean = 0;
+        static double given[N];
+        for (i = 0; i < N; ++i) given[i] = scale < 2 ? y[i] : fmax(y[i] - 1, 0); /* the latter: many at the floor */
+        for (i = 0; i < N; ++i) given[i] *= scale % 2 ? 100 : 1;
+        CHECK_INT(ms_gpr_fit(x, given, N, M, NULL, &gp, &r, NULL), MS_OK);
+        floor_value = ms_gpr_view_of(gp).floor_value;
+        CHECK((floor_value < ms_gpr_view_of(gp).floor) == (scale >= 2));
+        for (i = 0; i < N; ++i) z_mean += (given[i] > ms_gpr_view_of(gp).floor ? given[i] : floor_value) / (double)N;
+        for (i = 0, sum = 0; i < N; ++i) {
+            double d = (given[i] > ms_gpr_view_of(gp).floor ? given[i] : floor_value) - z_mean;
+            sum += d * d / (double)N;
+        }
+        unit = sqrt(sum);
+        CHECK_NEAR(ms_gpr_view_of(gp).mean, z_mean, 1e-12 * unit);
         memcpy(theta, ms_gpr_view_of(gp).theta, sizeof theta);
         for (k = 0, wanted = 0; k < M; ++k) {
             z = (theta[k] - log(2.1 * sqrt((double)M) * width[k])) / 1.5;
@@ -560,7 +497,7 @@ static void test_fit_prior(void)
         }
         z = theta[M] - log(unit);
         wanted -= 0.5 * z * z;
-        z = (theta[M + 1] - log((steps ? 1.5 : 0.5) * unit)) / 0.25;
+        z = (theta[M + 1] - log(0.5 * unit)) / 0.25;
         wanted -= z > 1 ? z - 0.5 : 0.5 * z * z;
         CHECK_NEAR(r.objective - r.likelihood, wanted,
                    1e-9 * (1 + fabs(r.likelihood))); /* the difference of two sums */
@@ -577,7 +514,6 @@ static int stop_after(void *context, double fraction)
 
 static void test_fit_options(void)
 {
-    const int no_method = 2;
     enum { N = 60, M = 4 };
     double x[N * M], y[N], theta[M + 2];
     uint64_t state = 3;
@@ -585,12 +521,12 @@ static void test_fit_options(void)
     ms_gpr_fit_report r;
     ms_error error;
     ms_gpr *gp;
-    int left, method;
+    int left;
     smooth_data(x, y, N, M, 0.1, &state);
-    for (method = 0; method < 2; ++method) {
+    {
         for (left = 0; left < 80; left += 13) {
             int count = left;
-            o = fit_options((ms_gpr_method)method);
+            o = fit_options();
             o.progress.user = &count;
             o.progress.report = stop_after;
             gp = (ms_gpr *)x;
@@ -602,7 +538,7 @@ static void test_fit_options(void)
             }
         }
     }
-    o = fit_options(MS_GPR_METHOD_MAP);
+    o = fit_options();
     gp = fit(x, y, N, M, &o, &r);
     CHECK(r.start >= 0 && r.start < 3);
     memcpy(theta, ms_gpr_view_of(gp).theta, sizeof theta);
@@ -612,12 +548,9 @@ static void test_fit_options(void)
     CHECK_LE(largest_difference(ms_gpr_view_of(gp).theta, theta, M + 2), 0.05);
     CHECK_LE(r.evaluations, 40);
     ms_gpr_destroy(gp);
-    o = fit_options(MS_GPR_METHOD_MAP);
-    memcpy(&o.method, &no_method, sizeof o.method);
-    CHECK(ms_gpr_fit(x, y, N, M, &o, &gp, NULL, &error) == MS_INVALID_ARGUMENT && strstr(error.message, "method"));
-    o = fit_options(MS_GPR_METHOD_MAP);
-    o.length_start = (double)NAN;
-    CHECK(ms_gpr_fit(x, y, N, M, &o, &gp, NULL, &error) == MS_INVALID_ARGUMENT);
+    o.start = NULL;
+    o.evaluations = -1;
+    CHECK(ms_gpr_fit(x, y, N, M, &o, &gp, NULL, &error) == MS_INVALID_ARGUMENT && strstr(error.message, "evaluations"));
 }
 
 /* Scores at the floor are taken as 0.75 standard deviations below it, whatever the scale; without a shared least score
@@ -628,7 +561,7 @@ static void test_floor_offset(void)
     double x[N * M], y[N], z[N], sum = 0, sum2 = 0, sd, mean[3], mu[3], one = 1, xs[6] = {0.9, 0.5, 0.1, 0.5, 0.7, 0.2};
     static const double scale[] = {1, 0.4, 0.1, 100}, shift[] = {-5, 1, 0, -1000};
     uint64_t state = 11;
-    ms_gpr_fit_options o = fit_options(MS_GPR_METHOD_MAP);
+    ms_gpr_fit_options o = fit_options();
     ms_gpr *gp;
     int i, c;
     for (i = 0; i < N * M; ++i) x[i] = test_uniform(&state);
@@ -652,16 +585,11 @@ static void test_floor_offset(void)
         for (i = 0; i < 3; ++i) CHECK_NEAR((mu[i] - shift[c]) / scale[c], mean[i], 5e-3);
         ms_gpr_destroy(gp);
     }
-    o.method = MS_GPR_METHOD_ML; /* has none */
-    gp = fit(x, y, N, M, &o, NULL);
-    CHECK_NEAR(ms_gpr_view_of(gp).floor_value, 0, 0);
-    ms_gpr_destroy(gp);
     y[3] = -1e-3; /* the least score is given once: it is no floor */
     gp = fit(x, y, N, M, NULL, NULL);
     CHECK_NEAR(ms_gpr_view_of(gp).floor, -1e-3, 0);
     CHECK_NEAR(ms_gpr_view_of(gp).floor_value, -1e-3, 0);
     ms_gpr_destroy(gp);
-    o.method = MS_GPR_METHOD_MAP;
     o.floor = &one; /* unless it is said: what is scored below counts as the floor */
     gp = fit(x, y, N, M, &o, NULL);
     CHECK_NEAR(ms_gpr_view_of(gp).floor, 1, 0);
@@ -744,14 +672,12 @@ static void test_rescore(void)
     smooth_data(x, y, N, M, 0.1, &state);
     gp = make(x, y, N, M, theta, NULL);
     y[17] += 3;
-    CHECK_INT(ms_gpr_rescore(gp, 17, y[17], &error), MS_OK);
+    CHECK_INT(inside_rescore(gp, 17, y[17], &error), MS_OK);
     fresh = make(x, y, N, M, theta, NULL);
     ms_gpr_predict(gp, x, N, mean, variance, NULL);
     ms_gpr_predict(fresh, x, N, mu, s2, NULL);
     CHECK(memcmp(mean, mu, sizeof mu) == 0 && memcmp(variance, s2, sizeof s2) == 0);
-    CHECK_INT(ms_gpr_rescore(gp, N, 1, &error), MS_INVALID_ARGUMENT);
-    CHECK(strstr(error.message, "0 to 39") != NULL);
-    CHECK_INT(ms_gpr_rescore(gp, 2, (double)NAN, &error), MS_BAD_DATA);
+    CHECK_INT(inside_rescore(gp, 2, (double)NAN, &error), MS_BAD_DATA);
     CHECK(ms_gpr_view_of(gp).y[2] == y[2]);
     ms_gpr_destroy(gp);
     ms_gpr_destroy(fresh);
@@ -812,17 +738,17 @@ static void test_simplify(void)
 static void test_small(void)
 {
     double x[] = {0.1, 0.9, 0.4, 0.6}, y[] = {3, 7}, xs[] = {0.1, 0.9}, mean, variance;
-    int n, method;
-    for (method = 0; method < 2; ++method) {
+    int n;
+    {
         for (n = 0; n <= 2; ++n) {
-            ms_gpr_fit_options o = fit_options((ms_gpr_method)method);
+            ms_gpr_fit_options o = fit_options();
             ms_gpr_fit_report r;
             ms_gpr *gp = fit(x, y, n, 2, &o, &r);
             CHECK(ms_gpr_predict(gp, xs, 1, &mean, &variance, NULL) == MS_OK);
             CHECK(mean >= (n ? 2.9 : 0) && mean <= (n ? 5.1 : 0)); /* between the score there and the mean score */
             CHECK(variance >= 0 && variance < 1e9);
             CHECK_INT(r.outlier.row, -1);
-            CHECK(ms_gpr_append(gp, xs, 5, NULL) == MS_OK);
+            CHECK(inside_append(gp, xs, 5, NULL) == MS_OK);
             CHECK_INT(ms_gpr_view_of(gp).n, n + 1);
             ms_gpr_destroy(gp);
         }
@@ -940,30 +866,23 @@ static void test_refusals(void)
     ms_gpr *gp, *good = make(x, y, 3, 2, theta, NULL);
     int i;
     for (i = 0; i < 3; ++i) {
-        float xf[2];
         x[3] = bad[i];
         gp = good;
-        CHECK(ms_gpr_create(x, y, 3, 2, theta, NULL, &gp, &error) == MS_BAD_DATA);
+        CHECK(inside_create(x, y, 3, 2, theta, 0, NULL, &gp, &error) == MS_BAD_DATA);
         CHECK(gp == NULL && error.position == 2 && strstr(error.message, "column 2"));
         CHECK(ms_gpr_fit(x, y, 3, 2, NULL, &gp, NULL, &error) == MS_BAD_DATA && error.position == 2);
         mean = 7;
         CHECK(ms_gpr_predict(good, x, 3, &mean, NULL, &error) == MS_BAD_DATA && error.position == 2);
         CHECK(mean > 6.9 && mean < 7.1);
-        CHECK(ms_gpr_append(good, x + 2, 1, &error) == MS_BAD_DATA);
-        xf[0] = 0.5f;
-        xf[1] = (float)bad[i];
-        {
-            float mf = 7;
-            CHECK(inside_predict_f(good, xf, 1, &mf, &error) == MS_BAD_DATA && error.position == 1 && mf > 6);
-        }
+        CHECK(inside_append(good, x + 2, 1, &error) == MS_BAD_DATA);
         x[3] = 0.4;
         y[2] = bad[i];
         CHECK(ms_gpr_fit(x, y, 3, 2, NULL, &gp, NULL, &error) == MS_BAD_DATA && error.position == 3 &&
               strstr(error.message, "score 3"));
-        CHECK(ms_gpr_append(good, x, bad[i], &error) == MS_BAD_DATA);
+        CHECK(inside_append(good, x, bad[i], &error) == MS_BAD_DATA);
         y[2] = 3;
         theta[3] = bad[i];
-        CHECK(ms_gpr_create(x, y, 3, 2, theta, NULL, &gp, &error) == MS_INVALID_ARGUMENT &&
+        CHECK(inside_create(x, y, 3, 2, theta, 0, NULL, &gp, &error) == MS_INVALID_ARGUMENT &&
               strstr(error.message, "theta[3]"));
         CHECK(inside_set_theta(good, theta, &error) == MS_INVALID_ARGUMENT);
         theta[3] = -1;
@@ -973,13 +892,12 @@ static void test_refusals(void)
     CHECK(ms_gpr_fit(x, y, 3, 0, NULL, &gp, NULL, &error) == MS_INVALID_ARGUMENT && strstr(error.message, "m is 0"));
     CHECK(ms_gpr_fit(NULL, y, 3, 2, NULL, &gp, NULL, &error) == MS_INVALID_ARGUMENT);
     CHECK(ms_gpr_fit(x, y, 3, 2, NULL, NULL, NULL, &error) == MS_INVALID_ARGUMENT);
-    CHECK(ms_gpr_create(x, y, 3, 2, NULL, NULL, &gp, &error) == MS_INVALID_ARGUMENT);
+    CHECK(inside_create(x, y, 3, 2, NULL, 0, NULL, &gp, &error) == MS_INVALID_ARGUMENT);
     CHECK(ms_gpr_predict(good, x, -1, &mean, NULL, &error) == MS_INVALID_ARGUMENT);
-    CHECK(ms_gpr_drop(good, 3, &error) == MS_INVALID_ARGUMENT && strstr(error.message, "0 to 2"));
     /* Two scores of sigma 1e6 at one place, noise 1e-130: no jitter up to 1e-6 sf^2 is missing here, but theta may be
        absurd. */
     theta[2] = 301;
-    CHECK(ms_gpr_create(x, y, 3, 2, theta, NULL, &gp, &error) == MS_INVALID_ARGUMENT &&
+    CHECK(inside_create(x, y, 3, 2, theta, 0, NULL, &gp, &error) == MS_INVALID_ARGUMENT &&
           strstr(error.message, "theta[2]"));
     ms_gpr_destroy(good);
     ms_gpr_destroy(NULL);
@@ -989,29 +907,28 @@ static void test_refusals(void)
 static void test_null(void)
 {
     double x[2] = {0.5, 0.5}, y[1] = {1}, theta[4] = {0, 0, 0, 0}, out[4];
-    float xf[2] = {0.5f, 0.5f}, mf;
+    ms_gpr_view parts;
     ms_error error;
     ms_gpr *gp = make(x, y, 1, 2, theta, NULL), *other;
 #define REFUSES(call, name)               \
     CHECK_INT(call, MS_INVALID_ARGUMENT); \
     CHECK(strcmp(error.message, name " is NULL") == 0)
-    REFUSES(ms_gpr_create(NULL, y, 1, 2, theta, NULL, &other, &error), "x");
-    REFUSES(ms_gpr_create(x, NULL, 1, 2, theta, NULL, &other, &error), "y");
-    REFUSES(ms_gpr_create(x, y, 1, 2, NULL, NULL, &other, &error), "theta");
-    REFUSES(ms_gpr_create(x, y, 1, 2, theta, NULL, NULL, &error), "out");
+    REFUSES(inside_create(NULL, y, 1, 2, theta, 0, NULL, &other, &error), "x");
+    REFUSES(inside_create(x, NULL, 1, 2, theta, 0, NULL, &other, &error), "y");
+    REFUSES(inside_create(x, y, 1, 2, NULL, 0, NULL, &other, &error), "theta");
+    REFUSES(inside_create(x, y, 1, 2, theta, 0, NULL, NULL, &error), "out");
     REFUSES(ms_gpr_fit(x, NULL, 1, 2, NULL, &other, NULL, &error), "y");
-    REFUSES(inside_set_theta(NULL, theta, &error), "gp");
+    memset(&parts, 0, sizeof parts);
+    REFUSES(ms_gpr_update(NULL, &parts, &error), "gp");
+    REFUSES(ms_gpr_update(gp, NULL, &error), "parts");
+    REFUSES(ms_gpr_create(NULL, NULL, &other, &error), "parts");
     REFUSES(inside_set_theta(gp, NULL, &error), "theta");
-    REFUSES(ms_gpr_append(NULL, x, 1, &error), "gp");
-    REFUSES(ms_gpr_append(gp, NULL, 1, &error), "x");
-    REFUSES(ms_gpr_rescore(NULL, 0, 1, &error), "gp");
-    REFUSES(ms_gpr_drop(NULL, 0, &error), "gp");
+    REFUSES(ms_gpr_preference(gp, NULL, x, 1, out, &error), "x");
+    REFUSES(ms_gpr_preference(gp, x, NULL, 1, out, &error), "x");
+    REFUSES(ms_gpr_preference(gp, x, x, 1, NULL, &error), "probability");
     REFUSES(inside_likelihood(NULL, out, NULL, &error), "gp");
     REFUSES(ms_gpr_predict(NULL, x, 1, out, NULL, &error), "gp");
     REFUSES(ms_gpr_predict(gp, NULL, 1, out, NULL, &error), "x");
-    REFUSES(inside_predict_f(NULL, xf, 1, &mf, &error), "gp");
-    REFUSES(inside_predict_f(gp, NULL, 1, &mf, &error), "x");
-    REFUSES(inside_predict_f(gp, xf, 1, NULL, &error), "mean");
 #undef REFUSES
     CHECK(ms_gpr_view_of(NULL).n == 0 && ms_gpr_view_of(NULL).m == 0 && ms_gpr_view_of(NULL).theta == NULL &&
           ms_gpr_view_of(NULL).x == NULL);
@@ -1029,19 +946,18 @@ static void test_allocations(void)
 {
     enum { N = 12, M = 2 };
     double x[N * M], y[N], mean[3];
-    float xf[2] = {0.5f, 0.5f}, mf;
     uint64_t state = 3;
     smooth_data(x, y, N, M, 0.1, &state);
     TEST_ALLOCATION_SWEEP(60, {
-        ms_gpr_fit_options o = fit_options(MS_GPR_METHOD_MAP);
+        ms_gpr_fit_options o = fit_options();
         ms_gpr *gp = NULL;
         o.allocator = allocator;
         o.evaluations = 3;
         status = ms_gpr_fit(x, y, N, M, &o, &gp, NULL, NULL);
         CHECK((gp != NULL) == (status == MS_OK));
-        if (status == MS_OK) status = ms_gpr_append(gp, x, 1, NULL);
+        if (status == MS_OK) status = inside_append(gp, x, 1, NULL);
         if (status == MS_OK) status = ms_gpr_predict(gp, x, 3, mean, mean, NULL);
-        if (status == MS_OK) status = inside_predict_f(gp, xf, 1, &mf, NULL);
+        if (status == MS_OK) status = ms_gpr_preference(gp, x, x + 2, 3, mean, NULL);
         if (status == MS_OK) status = inside_likelihood(gp, mean, NULL, NULL);
         if (status == MS_OK) status = inside_set_theta(gp, ms_gpr_view_of(gp).theta, NULL);
         ms_gpr_destroy(gp);
@@ -1059,7 +975,7 @@ static double reference_jsd(const reference_user *u, ms_gpr *gp)
     return d;
 }
 
-/* Table 3.2 of the thesis: with m = 19 RProp, L-BFGS and SCG agree; with m = 38 L-BFGS and SCG stay at the start where
+/* Table 3.2 of the thesis: with m = 19 RProp and SCG agree; with m = 38 SCG stays at the start where
    RProp, which follows signs, gets away. What decides it is the start, which the thesis does not state: all lengths
    0.33, where at m = 38 K is all but diagonal and the gradient nearly vanishes. The divergence of nothing learned is
    0.47 for this user. */
@@ -1072,24 +988,17 @@ static void test_table_3_2(void)
         reference_user u;
         load_user(&u, m);
         for (i = 0; i < count; ++i) {
-            double d[3], best;
-            for (c = 0; c < 3; ++c) {
-                ms_gpr_fit_options o = fit_options(MS_GPR_METHOD_ML);
-                o.length_start = 0.33;
-                d[c] = reference_jsd(
-                    &u,
-                    c == 1 ? fit(u.x, u.y, sizes[i], m, &o, NULL)
-                           : thesis_fit(u.x, u.y, sizes[i], m, c ? THESIS_SCG : THESIS_RPROP, 0.33, NULL));
-            }
+            double d[2], best;
+            for (c = 0; c < 2; ++c)
+                d[c] = reference_jsd(&u, thesis_fit(u.x, u.y, sizes[i], m, c ? THESIS_SCG : THESIS_RPROP, 0.33, NULL));
             best = reference_jsd(&u, fit(u.x, u.y, sizes[i], m, NULL, NULL));
             if (m == 19) { /* the thesis: within 0.02 to 0.03 of each other */
                 CHECK_NEAR(d[1], d[0], 0.03);
-                CHECK_NEAR(d[2], d[0], 0.03);
             } else {
-                CHECK(d[0] < 0.5 * d[1] && d[0] < 0.5 * d[2]);
+                CHECK(d[0] < 0.5 * d[1]);
             }
             CHECK_LE(best, 0.65 * d[0]);
-            TEST_NOTE("m %d n %d: RProp %.3f L-BFGS %.3f SCG %.3f, default %.3f", m, sizes[i], d[0], d[1], d[2], best);
+            TEST_NOTE("m %d n %d: RProp %.3f SCG %.3f, default %.3f", m, sizes[i], d[0], d[1], best);
         }
         free(u.x);
     }
@@ -1202,9 +1111,9 @@ static void test_scales(void)
     for (c = 0; c < SCALES; ++c) {
         int like = c == 1 || c == 7 ? 7 : c == 5 || c == 6 ? 5 : 0;
         CHECK_NEAR(jsd[c] / jsd[like], 1, 0.1);
-        /* two and a half scores a star, ten a like: 1.08 and 1.13 for these users, 0.86 and 1.07 for 24 others; two
-           standard errors are 0.1 */
-        CHECK_LE(jsd[c] / jsd[0], 1.2);
+        /* a star stands for two and a half scores, a like for ten: 1.05 and 1.31 for these users; two standard errors are
+           0.1 */
+        CHECK_LE(jsd[c] / jsd[0], like == 5 ? 1.45 : 1.2);
         TEST_NOTE("%s %.3f", name[c], jsd[c]);
     }
 }
@@ -1226,8 +1135,7 @@ static void test_wrong_answers(void)
         for (k = 0; k < H * M; ++k) held[k] = test_uniform(&state);
         for (k = 0; k < H; ++k) truth[k] = user_true(&u, held + k * M);
         for (c = 0; c < 3; ++c) { /* right; wrong; wrong, without priors */
-            ms_gpr_fit_options o = fit_options(c < 2 ? MS_GPR_METHOD_MAP : MS_GPR_METHOD_ML);
-            ms_gpr *gp = fit(x, y, N, M, &o, NULL);
+            ms_gpr *gp = c < 2 ? fit(x, y, N, M, NULL, NULL) : thesis_fit(x, y, N, M, THESIS_RPROP, 1, NULL);
             ms_gpr_predict(gp, held, H, mean, NULL, NULL);
             jsd[c] = user_jsd(mean, truth, H);
             sum[c] += jsd[c] / users;
@@ -1244,13 +1152,13 @@ static void test_wrong_answers(void)
     CHECK_LE(sum[1], 0.8 * sum[2]); /* a fifth at least is what the priors are for; measured: a third */
 }
 
-/* A slip among the answers of users of all kinds but the erratic one: nothing, 100 in place of a score, 1e6 in place of
-   a parameter, and, of a smooth taste with noise of 0.3, 0 in place of the best score. What is named is the slip. */
+/* Slips among the answers of users of all kinds but the erratic one: nothing, 100 in place of a score, twice or three
+   times that, and, of a smooth taste with noise of 0.3, 0 in place of the best score. What is named is a slip. */
 static void test_outliers(void)
 {
-    enum { M = 19, N = 80, SLIPS = 4 };
+    enum { M = 19, N = 80, SLIPS = 5 };
     static double x[N * M], y[N];
-    int named[SLIPS] = {0, 0, 0, 0}, right[SLIPS] = {0, 0, 0, 0}, users = test_full ? 6 : 2, kind, i, k, slip, at;
+    int named[SLIPS] = {0, 0, 0, 0, 0}, right[SLIPS] = {0, 0, 0, 0, 0}, users = test_full ? 6 : 2, kind, i, k, slip, at;
     TEST_METHOD;
     for (slip = 0; slip < SLIPS; ++slip)
         for (kind = 0; kind < USER_KINDS - 1; ++kind)
@@ -1260,53 +1168,135 @@ static void test_outliers(void)
                 ms_gpr_fit_report r;
                 user_gallery(&u, N, x, y, &state);
                 at = (int)((double)N * test_uniform(&state));
-                if (slip == 1) y[at] = 100;
-                if (slip == 2) x[at * M + 3] = 1e6;
-                for (k = 0; k < N && slip == 3; ++k) {
+                for (k = 0; k < slip && slip < 4; ++k) y[(at + 7 * k) % N] = 100;
+                for (k = 0; k < N && slip == 4; ++k) {
                     y[k] = floor(10 * x[k * M] * x[k * M + 2] + 0.3 * test_normal(&state) + 0.5);
                     if (y[k] > y[at]) at = k;
                 }
-                if (slip == 3) y[at] = 0;
+                if (slip == 4) y[at] = 0;
                 ms_gpr_destroy(fit(x, y, N, M, NULL, &r));
                 named[slip] += r.outlier.row >= 0;
-                right[slip] += r.outlier.row == at && r.outlier.column == (slip == 2 ? 3 : -1);
-                if (slip == 1 && r.outlier.row == at)
-                    CHECK(r.outlier.value > 99 && r.outlier.expected >= 0 && r.outlier.expected <= 10 &&
-                          r.outlier.deviation > 3);
+                if (slip == 4) right[slip] += r.outlier.row == at;
+                else right[slip] += r.outlier.row >= 0 && y[r.outlier.row] > 99;
+                if (slip > 0 && slip < 4 && right[slip] && r.outlier.row >= 0 && y[r.outlier.row] > 99)
+                    CHECK(r.outlier.value > 99 && r.outlier.expected >= 0 && r.outlier.expected <= 100 &&
+                          r.outlier.deviation > 0);
             }
     users *= USER_KINDS - 1;
     CHECK_LE(named[0], users / 10); /* 1 of 66 of other users */
-    CHECK_INT(named[1], right[1]);
-    CHECK(right[1] >= users * 3 / 4); /* 61 of 66 */
-    CHECK(right[2] == users && named[2] == users);
-    CHECK_INT(named[3], right[3]);
-    CHECK(right[3] > 0); /* a quarter: 0 is a score that others got */
-    TEST_NOTE("of %d: nothing wrong %d named; a score of 100 %d; a value of 1e6 %d; 0 for the best %d", users, named[0],
-              right[1], right[2], right[3]);
+    for (k = 1; k < 4; ++k) {
+        CHECK_INT(named[k], right[k]);
+        CHECK(right[k] >= users * 3 / 4); /* all that like three materials or more */
+    }
+    CHECK_INT(named[4], right[4]);
+    CHECK(right[4] > 0); /* a quarter: 0 is a score that others got */
+    TEST_NOTE("of %d: nothing wrong %d named; one score of 100 %d, two %d, three %d; 0 for the best %d", users,
+              named[0], right[1], right[2], right[3], right[4]);
 }
 
-/* Scores in steps that went through single precision or an average are still scores in steps. */
-static void test_steps(void)
+/* What was expected of a slip is what the other answers predict: the model without it, at its own theta. The slip is a
+   0 for a material that is liked, and 0 is the floor, which is modeled far below. */
+static void test_expected(void)
 {
-    enum { N = 60, M = 4 };
-    double x[N * M], y[N], z[N], step[2];
-    uint64_t state = test_seed + 4;
-    int i, c;
-    smooth_data(x, y, N, M, 0.1, &state);
-    for (i = 0; i < N; ++i) y[i] = floor(1.5 * fmax(y[i], 0)), z[i] = y[i] + 9e-4 * (test_uniform(&state) - 0.5);
-    for (c = 0; c < 2; ++c) {
-        ms_gpr *gp = fit(x, c ? z : y, N, M, NULL, NULL);
-        step[c] = gp->step;
-        CHECK_NEAR(ms_gpr_view_of(gp).floor, 0, 1e-3);
-        CHECK(ms_gpr_view_of(gp).floor_value < -0.1);
+    enum { N = 150, M = 2 };
+    static double x[N * M], y[N];
+    int seed, found = 0, i;
+    for (seed = 0; seed < 40; ++seed) {
+        uint64_t state = (uint64_t)seed + 100 + 1000 * test_seed;
+        double nearest = 1e9, mean, variance, noise;
+        ms_gpr_fit_report r;
+        ms_gpr *gp;
+        int at = 0;
+        for (i = 0; i < N; ++i) {
+            double d, off;
+            x[2 * i] = test_uniform(&state), x[2 * i + 1] = test_uniform(&state);
+            d = hypot(x[2 * i] - 0.5, x[2 * i + 1] - 0.5);
+            off = fabs(d - 0.2);
+            y[i] = d * d < 0.12 ? 3 + 7 * (1 - d * d / 0.12) : 0;
+            if (off < nearest) nearest = off, at = i;
+        }
+        y[at] = 0;
+        gp = fit(x, y, N, M, NULL, &r);
+        if (r.outlier.row == at) {
+            ++found;
+            CHECK_INT(inside_drop(gp, at, NULL), MS_OK);
+            ms_gpr_predict(gp, x + 2 * at, 1, &mean, &variance, NULL);
+            noise = exp(2 * ms_gpr_view_of(gp).theta[M + 1]);
+            CHECK_NEAR(r.outlier.expected, fmin(mean, 10), 1e-6); /* the leave-one-out formula against doing it */
+            CHECK_NEAR(r.outlier.deviation, (0 - r.outlier.expected) / sqrt(variance + noise), 1e-6);
+        }
         ms_gpr_destroy(gp);
     }
-    CHECK_NEAR(step[0], 1, 0);
-    CHECK_NEAR(step[1], 1, 1e-3);
-    for (i = 0; i < N; ++i) z[i] = y[i] + 2e-2 * (test_uniform(&state) - 0.5); /* and these are not */
-    {
-        ms_gpr *gp = fit(x, z, N, M, NULL, NULL);
-        CHECK(!(gp->step > 0));
+    CHECK(found >= 6);
+    TEST_NOTE("%d slips of 40 named", found);
+}
+
+/* The share that scores predict of each other: nothing of random ones, most of those of a smooth taste. */
+static void test_explained(void)
+{
+    enum { N = 80, M = 5 };
+    double x[N * M], y[N], most = -9;
+    uint64_t state = test_seed;
+    ms_gpr_fit_report r;
+    int i, c;
+    for (c = 0; c < 20; ++c) {
+        for (i = 0; i < N * M; ++i) x[i] = test_uniform(&state);
+        for (i = 0; i < N; ++i) y[i] = floor(11 * test_uniform(&state));
+        ms_gpr_destroy(fit(x, y, N, M, NULL, &r));
+        most = fmax(most, r.explained);
+    }
+    CHECK_LE(most, 0.45); /* the largest of 20: four times its deviation under no relation, some 1 / sqrt(N) = 0.11 */
+    smooth_data(x, y, N, M, 0.1, &state);
+    ms_gpr_destroy(fit(x, y, N, M, NULL, &r));
+    CHECK(r.explained > 0.8);
+    TEST_NOTE("of random scores %.2f at most, of a smooth taste %.2f", most, r.explained);
+}
+
+/* A model is what its view shows: rebuilt from it, on any kind of answers, it predicts the same to the bit. */
+static void test_view(void)
+{
+    enum { N = 60, M = 3, KINDS = 6 };
+    static double x[N * M], y[N], at[40 * M], mean[40], variance[40], mu[40], s2[40];
+    static const double floor_score = 1;
+    const int sizes[3] = {2, 4, 3}, rows[9] = {3, 4, 10, 11, 12, 13, 50, 3, 20};
+    uint64_t state = test_seed;
+    int kind, i;
+    for (i = 0; i < 40 * M; ++i) at[i] = test_uniform(&state);
+    for (kind = 0; kind < KINDS; ++kind) {
+        ms_gpr_fit_options o = fit_options();
+        ms_gpr_view view;
+        ms_gpr *gp, *again;
+        smooth_data(x, y, N, M, 0.2, &state);
+        for (i = 0; i < N && kind != 0; ++i) y[i] = floor(2 * fmax(y[i], 0) + 0.5); /* a floor, and few values */
+        for (i = 0; i < N && kind == 2; ++i) y[i] = y[i] > 1;                       /* likes */
+        if (kind == 3) o.floor = &floor_score;
+        for (i = 0; i < N && kind >= 4; ++i)
+            if (kind == 5 || i % 3 == 0) y[i] = MS_GPR_UNSCORED;
+        if (kind >= 4) o.choices.count = 3, o.choices.sizes = sizes, o.choices.rows = rows;
+        gp = fit(x, y, N, M, &o, NULL);
+        view = ms_gpr_view_of(gp);
+        CHECK_INT(ms_gpr_create(&view, NULL, &again, NULL), MS_OK);
+        ms_gpr_predict(gp, at, 40, mean, variance, NULL);
+        ms_gpr_predict(again, at, 40, mu, s2, NULL);
+        /* with choices Newton's method started elsewhere: 1e-8 of the mode, which is of size 1 */
+        CHECK_LE(largest_difference(mean, mu, 40), kind >= 4 ? 1e-6 : 0);
+        CHECK_LE(largest_difference(variance, s2, 40), kind >= 4 ? 1e-6 : 0);
+        CHECK_NEAR(ms_gpr_view_of(again).floor, view.floor, 0);
+        CHECK_NEAR(ms_gpr_view_of(again).floor_value, view.floor_value, 0);
+        CHECK_INT(ms_gpr_update(again, &view, NULL), MS_OK); /* and in place */
+        ms_gpr_predict(again, at, 40, mu, s2, NULL);
+        CHECK_LE(largest_difference(mean, mu, 40), kind >= 4 ? 1e-6 : 0);
+        ms_gpr_destroy(again);
+        ms_gpr_destroy(gp);
+    }
+    { /* theta NULL with n = 0 */
+        ms_gpr_view none;
+        ms_gpr *gp;
+        memset(&none, 0, sizeof none);
+        none.m = 4;
+        CHECK_INT(ms_gpr_create(&none, NULL, &gp, NULL), MS_OK);
+        CHECK_NEAR(ms_gpr_view_of(gp).theta[0], log(2.0), 1e-15);
+        CHECK_NEAR(ms_gpr_view_of(gp).theta[5], log(0.1), 1e-15);
         ms_gpr_destroy(gp);
     }
 }
@@ -1319,13 +1309,15 @@ static void test_two_thousand(void)
            *mean = (double *)malloc((size_t)n * sizeof *y);
     uint64_t state = test_seed;
     user u = user_make(4, M, 0.19);
-    ms_gpr_fit_options o = fit_options(MS_GPR_METHOD_ML);
+    ms_gpr_fit_options o = fit_options();
+    double start[M + 2];
     ms_gpr_fit_report r;
     ms_gpr *gp;
     double first;
     user_gallery(&u, n, x, y, &state);
     TEST_METHOD;
-    o.length_start = 1;
+    for (i = 0; i < M + 2; ++i) start[i] = i < M ? 0 : i == M ? 1 : -1.3; /* lengths of a width */
+    o.start = start;
     o.evaluations = 1;
     gp = fit(x, y, n, M, &o, &r);
     first = r.likelihood;
@@ -1347,7 +1339,6 @@ static const test_case cases[] = {{"reference", test_reference},
                                   {"append_drop", test_append_drop},
                                   {"leave_one_out", test_leave_one_out},
                                   {"fit_methods", test_fit_methods},
-                                  {"ml_starts", test_ml_starts},
                                   {"fit_gradient", test_fit_gradient},
                                   {"fit prior", test_fit_prior},
                                   {"fit_options", test_fit_options},
@@ -1370,6 +1361,8 @@ static const test_case cases[] = {{"reference", test_reference},
                                   {"scales", test_scales},
                                   {"wrong_answers", test_wrong_answers},
                                   {"outliers", test_outliers},
-                                  {"steps", test_steps},
+                                  {"expected", test_expected},
+                                  {"explained", test_explained},
+                                  {"view", test_view},
                                   {"two_thousand", test_two_thousand}};
 TEST_MAIN_WITH_FILES(cases)

@@ -611,48 +611,124 @@ static void damaged_tallies(void)
 
 typedef struct watch {
     int calls, stop_at;
-    double last;
+    double first, last;
 } watch;
 
 static int watching(void *user, double fraction)
 {
     watch *w = (watch *)user;
+    if (w->calls == 0) w->first = fraction;
     if (fraction < w->last || fraction < 0 || fraction > 1) TEST_FAIL("progress from %g to %g", w->last, fraction);
     w->last = fraction;
     return ++w->calls == w->stop_at;
 }
 
-static void progress_and_cancel(void)
+/* Progress goes from 0 to 1 with calls between, with and without threads, and in a tissue without photons to trace. */
+static void progress_from_0_to_1(void)
 {
     ms_mcml_layer l = layer(1.4, 1, 20, 0.5, 0.5);
     ms_mcml_tissue t = tissue_of(&l, 1, 1, 1);
     ms_mcml_grid g = grid_of(0.1, 5, 0.1, 5, 5);
-    ms_mcml_options o = options_of(300000);
-    ms_mcml_result r, other;
+    ms_mcml_result plain = {0}, r;
     test_pool pool;
-    ms_error e;
-    TEST_METHOD;
-    watch w;
-    memset(&w, 0, sizeof w);
-    o.progress.user = &w;
-    o.progress.report = watching;
-    r = run(&t, &g, &o);
-    CHECK_INT(r.photons, 300000);
-    CHECK_INT(w.calls, 5); /* before every 65536 photons */
-    o.parallel = test_parallel(&pool, 3);
-    w.last = 0;
-    other = run(&t, &g, &o);
-    CHECK(memcmp(other.rd_ra, r.rd_ra, 25 * sizeof(double)) == 0);
-    ms_mcml_result_destroy(&other);
-    ms_mcml_result_destroy(&r);
+    int way;
+    for (way = 0; way < 4; ++way) {
+        ms_mcml_options o = options_of(300000);
+        watch w;
+        memset(&w, 0, sizeof w);
+        if (way > 0) {
+            o.progress.user = &w;
+            o.progress.report = watching;
+        }
+        if (way == 2) o.parallel = test_parallel(&pool, 3);
+        if (way == 3) l = layer(1.4, 0, 0, 0, 0.5);
+        r = run(&t, &g, &o);
+        CHECK_INT(r.photons, 300000);
+        if (way == 0) {
+            plain = r;
+            continue;
+        }
+        CHECK(w.first <= 0 && w.last >= 1 && w.calls >= (way < 3 ? 3 : 2));
+        if (way < 3) CHECK(memcmp(plain.rd_ra, r.rd_ra, 25 * sizeof(double)) == 0);
+        ms_mcml_result_destroy(&r);
+    }
+    ms_mcml_result_destroy(&plain);
+}
 
-    memset(&w, 0, sizeof w);
-    w.stop_at = 3;
-    memset(&r, 0x5a, sizeof r);
-    other = r;
-    CHECK_INT(ms_mcml_simulate(&t, &g, &o, &r, &e), MS_CANCELLED);
-    CHECK(memcmp(&r, &other, sizeof r) == 0); /* untouched */
-    CHECK_INT(w.calls, 3);
+/* A stop ends the call within some slices of work, whatever a photon takes: in the last medium one takes minutes. A
+   tally then holds what it held. */
+static void cancel_in_any_medium(void)
+{
+    static const ms_mcml_layer hard[] = {
+        {1.4, 1, 20, 0.5, 0.5}, {1.4, 0.003, 1000, 0.999, 1e8}, {1.4, 0, 100, 0.9999999, 1e8}};
+    const ms_mcml_grid g = grid_of(0.1, 5, 0.1, 5, 5);
+    int i, threads;
+    for (i = 0; i < 3; ++i)
+        for (threads = 0; threads < 3; threads += 2) {
+            const ms_mcml_tissue t = tissue_of(&hard[i], 1, 1, 1);
+            ms_mcml_options o = options_of(50000000);
+            ms_mcml_result r, before;
+            ms_mcml *tally;
+            test_pool pool;
+            ms_error e;
+            watch w;
+            memset(&w, 0, sizeof w);
+            w.stop_at = 4;
+            o.progress.user = &w;
+            o.progress.report = watching;
+            if (threads) o.parallel = test_parallel(&pool, threads);
+            memset(&r, 0x5a, sizeof r);
+            before = r;
+            CHECK_INT(ms_mcml_simulate(&t, &g, &o, &r, &e), MS_CANCELLED);
+            CHECK(memcmp(&r, &before, sizeof r) == 0);
+            CHECK_INT(w.calls, 4);
+            CHECK(w.last < 0.1);
+            if (i > 0) continue;
+            memset(&w, 0, sizeof w);
+            CHECK_INT(ms_mcml_create(&t, &g, &o, &tally, &e), MS_OK);
+            CHECK_INT(ms_mcml_run(tally, 0, 1000, &e), MS_OK);
+            CHECK_INT(ms_mcml_results(tally, &before, &e), MS_OK);
+            memset(&w, 0, sizeof w);
+            w.stop_at = 3;
+            CHECK_INT(ms_mcml_run(tally, 1000, 50000000, &e), MS_CANCELLED);
+            CHECK_INT(ms_mcml_photons(tally), 1000);
+            CHECK_INT(ms_mcml_results(tally, &r, &e), MS_OK);
+            CHECK(r.rd == before.rd && r.a == before.a && r.rd_error == before.rd_error);
+            ms_mcml_result_destroy(&r);
+            ms_mcml_result_destroy(&before);
+            ms_mcml_destroy(tally);
+        }
+}
+
+/* Grids up to the limit of 2^24 slabs (and rings, in the long version: 0.5 GB). All of the tissue lies beyond the last
+   bin, so that all light is there and in no other. One bin more is refused. */
+static void long_grids(void)
+{
+    const int most = 1 << 24;
+    const ms_mcml_layer l = layer(1, 1, 10, 0, 1e7);
+    const ms_mcml_tissue t = tissue_of(&l, 1, 1, 1);
+    ms_mcml_options o = options_of(0);
+    ms_mcml *m;
+    ms_error e;
+    int way, i;
+    for (way = 0; way < (test_full ? 2 : 1); ++way) {
+        const ms_mcml_grid g = way ? grid_of(1e-15, most, 1, 1, 1) : grid_of(0.05, 2, 1e-15, most, 1);
+        const int64_t *sum;
+        int64_t last = 0, all = 0;
+        CHECK_INT(ms_mcml_create(&t, &g, &o, &m, &e), MS_OK);
+        CHECK_INT(ms_mcml_run(m, 0, 1024, &e), MS_OK);
+        sum = way ? m->sum + m->at.leave : m->sum + m->at.a;
+        for (i = 0; i < 2 * most; ++i) all += sum[i];
+        if (way) last = sum[2 * most - 2] + sum[2 * most - 1];
+        else last = sum[most - 1] + sum[2 * most - 1];
+        CHECK(all > 0 && last == all);
+        ms_mcml_destroy(m);
+    }
+    for (way = 0; way < 2; ++way) {
+        const ms_mcml_grid g = grid_of(1, way ? 1 : most + 1, 1, way ? most + 1 : 1, 1);
+        CHECK_INT(ms_mcml_create(&t, &g, NULL, &m, &e), MS_INVALID_ARGUMENT);
+        CHECK(strstr(e.message, "2^24") != NULL && m == NULL);
+    }
 }
 
 static void refuses(const char *gist, double n, double mu_a, double mu_s, double g, double d, double dr, int nr)
@@ -688,6 +764,8 @@ static void bad_arguments(void)
     refuses("g is", 1.4, 1, 1, -1, 1, 0.1, 5);
     refuses("g is", 1.4, 1, 1, 1.01, 1, 0.1, 5);
     refuses("g is", 1.4, 1, 1, nan, 1, 0.1, 5);
+    refuses("g is 1 + 1e-07", 1.4, 1, 1, 1 + 1e-7, 1, 0.1, 5);
+    refuses("expected 1e-30 to 1e30", 1.4, 1, 1, 0, 1, 1e300, 5);
     refuses("thickness", 1.4, 1, 1, 0, 0, 0.1, 5);
     refuses("thickness", 1.4, 1, 1, 0, inf, 0.1, 5);
     refuses("dr", 1.4, 1, 1, 0, 1, 0, 5);
@@ -712,7 +790,8 @@ static void bad_arguments(void)
     o.memory_limit = 1000;
     CHECK_INT(ms_mcml_create(&t, &g, &o, &m, &e), MS_UNSUPPORTED);
     o.memory_limit = 0;
-    g.nr = g.nz = g.na = 2147483647; /* sizes that overflow */
+    g.nr = g.nz = 1 << 24; /* sizes that overflow */
+    g.na = 2147483647;
     CHECK_INT(ms_mcml_create(&t, &g, &o, &m, &e), MS_UNSUPPORTED);
     g.nr = g.nz = g.na = 5;
     CHECK_INT(ms_mcml_create(&t, &g, &o, &m, NULL), MS_OK);
@@ -773,7 +852,9 @@ static const test_case cases[] = {
     {"levels_agree", levels_agree},
     {"merge_refuses", merge_refuses},
     {"damaged_tallies", damaged_tallies},
-    {"progress_and_cancel", progress_and_cancel},
+    {"progress_from_0_to_1", progress_from_0_to_1},
+    {"cancel_in_any_medium", cancel_in_any_medium},
+    {"long_grids", long_grids},
     {"bad_arguments", bad_arguments},
     {"allocations", allocations},
 };

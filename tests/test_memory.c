@@ -114,16 +114,17 @@ static ms_status render(void *user, const double *x, float *picture)
     return MS_OK;
 }
 
-/* Scores to a preference; recommendations, a plane of them, its maps with pictures, variants. */
+/* Scores to a preference; recommendations, a plane of them. */
 static ms_status preference(const ms_allocator *allocator)
 {
     enum { N = 8, M = 2 };
-    double x[N * M], y[N], map[9], material[2], lambda = 0.5;
+    double x[N * M], y[N], material[2], at[2] = {0, 0};
     uint64_t state = 7;
     ms_gpr_fit_options how;
     ms_gpr_latent_options flat;
     ms_gpr_latent *plane = NULL;
     ms_gpr *gp = NULL;
+    ms_gpr_view parts;
     ms_status status;
     int i;
     for (i = 0; i < N * M; ++i) x[i] = test_uniform(&state);
@@ -133,21 +134,14 @@ static ms_status preference(const ms_allocator *allocator)
     how.evaluations = 2;
     how.allocator = flat.allocator = *allocator;
     status = ms_gpr_fit(x, y, N, M, &how, &gp, NULL, NULL);
-    STEP(ms_gpr_drop(gp, 3, NULL));
+    parts = ms_gpr_view_of(gp);
+    parts.n -= 1;
+    STEP(ms_gpr_update(gp, &parts, NULL));
+    STEP(ms_gpr_preference(gp, x, x + M, 3, y, NULL));
     STEP(ms_gpr_recommend(gp, NULL, 4, x, NULL, NULL, NULL, NULL));
     for (i = 0; i < N * M; ++i) x[i] = test_uniform(&state);
     STEP(ms_gpr_latent_fit(x, N, M, &flat, &plane, NULL, NULL));
-    if (status == MS_OK) {
-        ms_gpr_grid grid = ms_gpr_grid_around(plane, 3);
-        ms_gpr_similarity looks;
-        ms_gpr_variant variant;
-        memset(&looks, 0, sizeof looks);
-        looks.x = x;
-        looks.pixels = 3;
-        looks.render = render;
-        status = ms_gpr_map_similarity(plane, &looks, &grid, map, NULL);
-        STEP(ms_gpr_variants(plane, gp, &looks, &grid, &lambda, 1, 0, &variant, material, NULL));
-    }
+    STEP(ms_gpr_latent_map(plane, at, 1, material, NULL, NULL));
     ms_gpr_latent_destroy(plane);
     ms_gpr_destroy(gp);
     return status;

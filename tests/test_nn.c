@@ -764,7 +764,7 @@ static void test_saturation(void)
             }
             if (act == 2) x[0] = -1e-38f; /* times 0.75: is it flushed? */
             CHECK_INT(ms_nn_forward(nn, 1, x, y, NULL), MS_OK);
-            nn->kernels->derive(x, g, N, nn->op[0].activation, nn->op[0].alpha);
+            nn->kernels->activate(x, g, N, nn->op[0].activation, nn->op[0].alpha, 1);
             if (act == 2 && !(y[0] < 0)) spacing = 1.2e-38;
             for (i = 0; act > 2 && i < N; ++i) {
                 long double size, v = far_value(act, (long double)x[i], 0, &size), d;
@@ -1465,7 +1465,7 @@ static void test_activations(void)
             for (i = 0; i < 50; ++i) x[i] = (float)ldexp(-1, -i); /* small values keep their relative precision */
             CHECK_INT(ms_nn_forward(nn, 1, x, y, NULL), MS_OK);
             for (i = 0; i < N; ++i) g[i] = 1;
-            nn->kernels->derive(x, g, N, nn->op[0].activation, nn->op[0].alpha);
+            nn->kernels->activate(x, g, N, nn->op[0].activation, nn->op[0].alpha, 1);
             for (i = 0; i < N; ++i) {
                 double v = ref_act(act, 1.5, (double)x[i]), s = ref_slope(act, 1.5, (double)x[i]);
                 double d = fabs((double)y[i] - v) / (fabs(v) + 1e-30); /* exponents end at -87 */
@@ -2103,7 +2103,7 @@ static void test_large(void)
         ms_nn_tensor t[2];
         ms_nn_entry e[3];
         size_t i, size = 0;
-        float row[1100];
+        double row[1100];
         memset(t, 0, sizeof t);
         f = (unsigned char *)calloc(count + 4 * shape[0] + 4096,
                                     1); /* zero pages are not there before they are touched */
@@ -2135,8 +2135,8 @@ static void test_large(void)
         if (ms_nn_load(f, size, NULL, &nn, &error) != MS_OK) TEST_FAIL("%s", error.message);
         CHECK(ms_nn_layer_at(nn, 0).parameters == count);
         CHECK(ms_nn_layer_at(nn, 0).multiply_adds == count);
-        nn->kernels->widen(nn->op[0].matrix.w + last, shape[1], row, MS_NN_I8);
-        for (i = 0; i < shape[1]; ++i) CHECK_NEAR(row[i], 1.0 * (double)(i % 100), 0);
+        nn->kernels->widen(nn->op[0].matrix.w + last, shape[1], 0.5, row, MS_NN_I8);
+        for (i = 0; i < shape[1]; ++i) CHECK_NEAR(row[i], 0.5 * (double)(i % 100), 0);
         if (test_full) {
             float *x = (float *)malloc(shape[1] * sizeof(float)), *y = (float *)malloc(shape[0] * sizeof(float));
             double sum = 0;

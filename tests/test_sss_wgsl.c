@@ -22,15 +22,16 @@ static void case_checked_in(void)
     free(shader);
 }
 
-/* Every step of both files becomes WGSL without a word of GLSL or HLSL and without a directive. */
+/* Every step of the files becomes WGSL without a word of GLSL or HLSL and without a directive. */
 static void case_every_step(void)
 {
     static const char *const strange[] = {"#",        "float3", "vec4(", "ivec2",  "zero3",
                                           "CONSTANT", "? ",     "pick(", "MS_SSS_"};
     char *shader = test_read_file("examples/engine/shader/ms_sss.glsl", NULL),
-         *pyramid = test_read_file("examples/engine/shader/ms_sss_pyramid.glsl", NULL);
+         *pyramid = test_read_file("examples/engine/shader/ms_sss_pyramid.glsl", NULL),
+         *disc = test_read_file("examples/engine/shader/ms_sss_disc.glsl", NULL);
     int step, i, flags;
-    for (step = 0; step <= 8 && shader && pyramid; ++step)
+    for (step = 0; step <= 9 && shader && pyramid && disc; ++step)
         for (flags = 0; flags < 64; ++flags) {
             char defines[300], *line;
             const char *problem;
@@ -40,15 +41,20 @@ static void case_every_step(void)
                      "#define MS_SSS_PERSPECTIVE %d\n",
                      step, flags & 1 ? 16 : 0, flags >> 1 & 1, flags >> 2 & 1, flags >> 3 & 1, flags >> 4 & 1,
                      flags >> 5 & 1);
-            problem = wgsl_make(defines, shader, step > 3 && step < 8 ? pyramid : NULL, text, sizeof text);
+            problem = wgsl_make(defines, shader,
+                                step == 9                  ? disc
+                                    : step > 3 && step < 8 ? pyramid
+                                                           : NULL,
+                                text, sizeof text);
             if (problem) TEST_FAIL("step %d, flags %d: %s", step, flags, problem);
             for (line = strtok(text, "\n"); line; line = strtok(NULL, "\n"))
                 for (i = 0; i < (int)(sizeof strange / sizeof *strange) && !strstr(line, "//"); ++i)
                     if (strstr(line, strange[i])) TEST_FAIL("step %d, flags %d: %s", step, flags, line);
         }
-    CHECK(shader && pyramid);
+    CHECK(shader && pyramid && disc);
     free(shader);
     free(pyramid);
+    free(disc);
 }
 
 /* A text, and what it must become, without the lines that follow every text. */

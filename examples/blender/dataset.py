@@ -1,13 +1,15 @@
-"""Pictures of random materials by Cycles, for build/train:
+r"""Pictures of random materials by Cycles, for build/train:
 
-    blender -b --factory-startup -t 1 --python examples/blender/dataset.py -- FOLDER COUNT SAMPLES SEED NOISE [SIZE]
+    blender -b --factory-startup -t 1 --python examples/blender/dataset.py -- \
+        FOLDER COUNT SAMPLES SEED NOISE GLASS [SIZE]
 
 writes FOLDER/00000.pfm ... (linear light) and FOLDER.csv (parameters from 0 to 1, as in preview.py). The materials
 follow from SEED, their noise from NOISE, so that two runs of one SEED are the same materials with other noise. What is
 there already is kept: a run that was interrupted goes on. PART of PARTS (environment) shares the work among processes.
 
-Metallic and transmission are 0 or 1 in most materials, as on real ones, and a seventh of all are smooth metals or
-smooth glass, which are the hardest to learn."""
+Metallic and transmission are 0 or 1 in most materials, as on real ones. GLASS is the part of the materials that are
+drawn as smooth glass in any case: its caustics change quickly with roughness and IOR, so that it needs more pictures
+than the rest. 0 for the materials that a network is measured with."""
 import os
 import random
 import sys
@@ -19,8 +21,15 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "mat
 import preview
 
 
-def draw(r):
+def draw(r, glass):
     x = [r.random() for _ in preview.NAMES]
+    if r.random() < glass:
+        x[3], x[4], x[5] = 0.0, 0.3 * r.random()**1.5, 1.0
+        if r.random() < 0.1:
+            x[4] = 0.0
+        if r.random() < 0.2:  # of mixtures, too
+            x[5] = 1 - 0.6 * r.random()
+        return x
     kind = r.random()
     if kind < 0.3:
         x[3], x[5] = 0.0, 0.0  # plastic, paint, stone
@@ -39,8 +48,8 @@ def draw(r):
 
 def main():
     a = sys.argv[sys.argv.index("--") + 1:]
-    folder, count, samples, seed, noise = a[0], int(a[1]), int(a[2]), int(a[3]), int(a[4])
-    size = int(a[5]) if len(a) > 5 else 64
+    folder, count, samples, seed, noise, glass = a[0], int(a[1]), int(a[2]), int(a[3]), int(a[4]), float(a[5])
+    size = int(a[6]) if len(a) > 6 else 64
     part, parts = int(os.environ.get("PART", 0)), int(os.environ.get("PARTS", 1))
     os.makedirs(folder, exist_ok=True)
     scene, material = preview.build(size, samples)
@@ -48,7 +57,14 @@ def main():
     settings.file_format, settings.color_depth, settings.exr_codec = "OPEN_EXR", "32", "NONE"
     exr = "%s.part%d.exr" % (folder, part)
     scene.render.filepath = exr
-    rows = [draw(random.Random(seed * 1000003 + k)) for k in range(count)]
+    rows = [draw(random.Random(seed * 1000003 + k), glass) for k in range(count)]
+    with open(folder + ".csv.part%d" % part, "w") as f:
+        f.write(",".join(preview.NAMES) + "\n")
+        for x in rows:
+            f.write(",".join("%.6g" % v for v in x) + "\n")
+    os.replace(folder + ".csv.part%d" % part, folder + ".csv")
+    with open(folder + ".version", "w") as f:
+        f.write(bpy.app.version_string)
     for k, x in enumerate(rows):
         path = os.path.join(folder, "%05d.pfm" % k)
         if k % parts != part or os.path.exists(path):
@@ -66,13 +82,6 @@ def main():
         os.rename(path + ".new", path)
         if k % 100 == part:
             print("%s: %d of %d" % (folder, k, count), flush=True)
-    with open(folder + ".csv.part%d" % part, "w") as f:
-        f.write(",".join(preview.NAMES) + "\n")
-        for x in rows:
-            f.write(",".join("%.6g" % v for v in x) + "\n")
-    os.replace(folder + ".csv.part%d" % part, folder + ".csv")
-    with open(folder + ".version", "w") as f:
-        f.write(bpy.app.version_string)
     if os.path.exists(exr):
         os.remove(exr)
 

@@ -16,6 +16,7 @@
 #define MS_PME_IMPLEMENTATION
 #include "ms_pme.h"
 #include "matcher.h"
+#include "plane.h"
 
 #ifdef _WIN32
 #define FLAT __declspec(dllexport)
@@ -44,8 +45,8 @@ FLAT int flat_taste(const double *x, double *y, int n, int m, const int *pairs, 
     int i;
     memset(&options, 0, sizeof options);
     options.floor = &floor_score;
-    options.pairs = pairs;
-    options.pair_count = pair_count;
+    options.choices.rows = pairs;
+    options.choices.count = pair_count;
     for (i = 0; i < n; ++i)
         if (y[i] != y[i]) y[i] = MS_GPR_UNSCORED;
     return flat_answer(ms_gpr_fit(x, y, n, m, &options, taste, NULL, &error), &error, why);
@@ -64,6 +65,7 @@ FLAT int flat_gallery(const ms_gpr *taste, int m, int count, int seed, const dou
                       char *why)
 {
     ms_gpr_gallery_options options;
+    ms_gpr_view none;
     ms_gpr *blank = NULL;
     ms_error error;
     ms_status status = MS_OK;
@@ -71,7 +73,9 @@ FLAT int flat_gallery(const ms_gpr *taste, int m, int count, int seed, const dou
     options.seed = (uint64_t)seed;
     options.space.low = low;
     options.space.high = high;
-    if (taste == NULL) status = ms_gpr_fit(NULL, NULL, 0, m, NULL, &blank, NULL, &error);
+    memset(&none, 0, sizeof none);
+    none.m = m;
+    if (taste == NULL) status = ms_gpr_create(&none, NULL, &blank, &error);
     if (status == MS_OK) status = ms_gpr_gallery(taste ? taste : blank, &options, count, x, &error);
     ms_gpr_destroy(blank);
     return flat_answer(status, &error, why);
@@ -157,7 +161,7 @@ FLAT int flat_plane(const double *liked, int count, int m, const double *low, co
                     double *box, char *why)
 {
     ms_gpr_latent_options options;
-    ms_gpr_grid grid;
+    map_grid grid;
     ms_error error;
     ms_status status;
     memset(&options, 0, sizeof options);
@@ -165,7 +169,7 @@ FLAT int flat_plane(const double *liked, int count, int m, const double *low, co
     options.space.high = high;
     status = ms_gpr_latent_fit(liked, count, m, &options, plane, NULL, &error);
     if (status != MS_OK) return flat_answer(status, &error, why);
-    grid = ms_gpr_grid_around(*plane, 2);
+    grid = map_around(*plane, 2);
     memcpy(box, &grid, 4 * sizeof *box);
     return 0;
 }
@@ -182,9 +186,9 @@ FLAT int flat_plane_map(const ms_gpr_latent *plane, const double *latent, int co
 FLAT int flat_variants(const ms_gpr_latent *plane, const ms_gpr *taste, matcher *m, const double *material, int count,
                        double *x, char *why)
 {
-    ms_gpr_grid grid = ms_gpr_grid_around(plane, 24);
-    ms_gpr_similarity similarity;
-    ms_gpr_variant *variant = (ms_gpr_variant *)malloc((size_t)count * (sizeof *variant + sizeof(double)));
+    map_grid grid = map_around(plane, 24);
+    variant_similarity similarity;
+    variant_found *variant = (variant_found *)malloc((size_t)count * (sizeof *variant + sizeof(double)));
     double *lambda = (double *)(variant + count);
     ms_error error;
     ms_status status = MS_OUT_OF_MEMORY;
@@ -192,11 +196,12 @@ FLAT int flat_variants(const ms_gpr_latent *plane, const ms_gpr *taste, matcher 
     snprintf(error.message, sizeof error.message, "%s", ms_status_string(status));
     memset(&similarity, 0, sizeof similarity);
     similarity.x = material;
+    similarity.scale = 0.1;
     similarity.pixels = m->renderer.image_size;
     similarity.render = m->renderer.render;
     similarity.user = m->renderer.user;
     for (k = 0; k < count && variant; ++k) lambda[k] = count > 1 ? 1 - (double)k / (count - 1) : 0.5;
-    if (variant) status = ms_gpr_variants(plane, taste, &similarity, &grid, lambda, count, 0, variant, x, &error);
+    if (variant) status = variants_find(plane, taste, &similarity, &grid, lambda, count, 0, variant, x, &error);
     free(variant);
     return flat_answer(status, &error, why);
 }

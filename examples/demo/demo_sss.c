@@ -13,6 +13,7 @@
 #include "ms_sss.h"
 #include "../tools/gather.h"
 #include "../tools/profile_csv.h"
+#include "../tools/layered.h"
 #include "../tools/skin.h"
 #include "plot.h"
 #include "scene.h"
@@ -238,7 +239,6 @@ static void show_skins(int height)
     memcpy(albedo.pixels, s.albedo.pixels, image_count(&albedo) * sizeof(float));
     for (k = 0; k < 6; ++k) {
         skin_parameters skin = skin_defaults();
-        ms_mcml_profile_options rings;
         ms_mcml_profile made_rings;
         ms_sss_profile *profile;
         const double *rd[3];
@@ -248,10 +248,7 @@ static void show_skins(int height)
         skin.melanin = made[k][0];
         skin.eumelanin = made[k][1];
         skin.blood = made[k][2];
-        skin.g = 0; /* the picture has no pixel as small as where g shows */
-        memset(&rings, 0, sizeof rings);
-        rings.frequency_step = 0.5;
-        need_ok(skin_profile(&made_rings, &skin, &rings, NULL), "skin");
+        need_ok(skin_profile(&made_rings, &skin, NULL, NULL), "skin");
         for (c = 0; c < 3; ++c) rd[c] = made_rings.rd_per_mm2 + c * made_rings.rings;
         need_ok(ms_sss_profile_from_rings(&profile, made_rings.rings, made_rings.edge_mm, rd, 1, NULL, NULL), "skin");
         for (c = 0; c < 3; ++c) reflectance[c] = made_rings.total[c];

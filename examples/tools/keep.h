@@ -1,17 +1,17 @@
-/* What recommendations keep, as text; ms_gpr.h and scores.h come first.
+/* What recommendations keep, as text; ms_gpr.h, scores.h and space.h come first.
 
      keep k;
-     const char *problem = keep_open(&k, 19);                   NULL: fine; otherwise a sentence (static text)
+     const char *problem = keep_open(&k, 19, names);            NULL: fine; otherwise a sentence (static text)
      if (!problem) problem = keep_wish(&k, "x3=0.5");           fixed
      if (!problem) problem = keep_wish(&k, "x3=0.2:0.4");       a range
      if (!problem) problem = keep_wish(&k, "x3=0:1:0.25");      a range in steps
      if (!problem) problem = keep_wish(&k, "x3=x4");            equal
      if (!problem) problem = keep_list(&k, "metals.csv", &line); rows to choose from; the header line names the columns:
      x3,x4,x5
-     options.space = keep_space(&k);                            valid until the next wish
+     if (!problem) problem = keep_space(&k, &options.space);    valid until the next wish
      keep_close(&k);
 
-   Whether wishes contradict each other is ms_gpr.h's to say. */
+   Columns go by the names of the table of scores, where keep_open got them, and by x0, x1, ... else. */
 #ifndef EXAMPLES_KEEP_H
 #define EXAMPLES_KEEP_H
 
@@ -22,23 +22,27 @@ typedef struct keep {
     double *low, *high, *steps; /* [m] each */
     int *equal;                 /* [equals][2] */
     int *columns;               /* [KEEP_LISTS][m] */
-    ms_gpr_list list[KEEP_LISTS];
+    space_list list[KEEP_LISTS];
     scores table[KEEP_LISTS];
+    const char *const *names; /* [m] of the columns, or NULL */
+    space_kept made;
 } keep;
 
 static inline void keep_close(keep *k)
 {
+    space_free(&k->made);
     while (k->lists > 0) scores_free(&k->table[--k->lists]);
     free(k->low), free(k->high), free(k->steps), free(k->equal), free(k->columns);
     memset(k, 0, sizeof *k);
 }
 
-static inline const char *keep_open(keep *k, int m)
+static inline const char *keep_open(keep *k, int m, const char *const *names)
 {
     size_t size = (size_t)m * sizeof(double);
     int i;
     memset(k, 0, sizeof *k);
     k->m = m;
+    k->names = names;
     k->low = (double *)malloc(size);
     k->high = (double *)malloc(size);
     k->steps = (double *)calloc(1, size);
@@ -113,17 +117,22 @@ static inline const char *keep_list(keep *k, const char *path, int *line)
     return NULL;
 }
 
-static inline ms_gpr_space keep_space(const keep *k)
+/* NULL, or what of the wishes contradicts what. */
+static inline const char *keep_space(keep *k, ms_gpr_space *out)
 {
-    ms_gpr_space s;
-    memset(&s, 0, sizeof s);
-    s.low = k->low;
-    s.high = k->high;
-    s.steps = k->steps;
-    s.equal = k->equal;
-    s.equal_count = k->equals;
-    s.lists = k->list;
-    s.list_count = k->lists;
-    return s;
+    const char *problem;
+    space_wish wish;
+    memset(&wish, 0, sizeof wish);
+    wish.low = k->low;
+    wish.high = k->high;
+    wish.steps = k->steps;
+    wish.equal = k->equal;
+    wish.equal_count = k->equals;
+    wish.lists = k->list;
+    wish.list_count = k->lists;
+    space_free(&k->made);
+    problem = space_make(&k->made, &wish, k->m);
+    if (problem == NULL) *out = space_of(&k->made);
+    return problem;
 }
 #endif

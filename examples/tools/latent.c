@@ -65,7 +65,7 @@ static ms_status render(void *user, const double *x, float *picture)
 }
 
 /* Pictures where the plane knows something, far from each other. */
-static ms_status draw_pictures(image *im, const neural *n, const ms_gpr_latent *plane, const ms_gpr_grid *grid,
+static ms_status draw_pictures(image *im, const neural *n, const ms_gpr_latent *plane, const map_grid *grid,
                                const double *confidence, ms_error *error)
 {
     double nearest[GRID * GRID], at[2], other[2], x[1000];
@@ -79,9 +79,9 @@ static ms_status draw_pictures(image *im, const neural *n, const ms_gpr_latent *
                 (best < 0 || (count ? nearest[i] > nearest[best] : confidence[i] > confidence[best])))
                 best = i;
         if (best < 0) break;
-        ms_gpr_grid_point(grid, best % GRID, best / GRID, at);
+        map_point(grid, best % GRID, best / GRID, at);
         for (i = 0; i < GRID * GRID; ++i) {
-            ms_gpr_grid_point(grid, i % GRID, i / GRID, other);
+            map_point(grid, i % GRID, i / GRID, other);
             nearest[i] = fmin(nearest[i], hypot(at[0] - other[0], at[1] - other[1]));
         }
         status = ms_gpr_latent_map(plane, at, 1, x, NULL, error);
@@ -100,12 +100,12 @@ int main(int argc, char **argv)
     static double preference[GRID * GRID], confidence[GRID * GRID], product[GRID * GRID], similar[COARSE * COARSE];
     static const float white[3] = {1, 1, 1}, red[3] = {1, 0.15f, 0.1f}, black[3] = {0, 0, 0};
     double lambda[VARIANTS], *x;
-    ms_gpr_variant variant[VARIANTS];
-    ms_gpr_similarity similarity;
+    variant_found variant[VARIANTS];
+    variant_similarity similarity;
     ms_gpr_latent_options options;
     ms_gpr_latent_report report;
     ms_gpr_latent *plane = NULL;
-    ms_gpr_grid grid, coarse;
+    map_grid grid, coarse;
     ms_gpr *gp = NULL;
     ms_status status;
     ms_error error;
@@ -140,8 +140,8 @@ int main(int argc, char **argv)
     if (status == MS_OK) status = ms_gpr_latent_fit(x, count, s.m, &options, &plane, &report, &error);
     if (status != MS_OK) return fail(error.message);
 
-    grid = ms_gpr_grid_around(plane, GRID);
-    coarse = ms_gpr_grid_around(plane, COARSE);
+    grid = map_around(plane, GRID);
+    coarse = map_around(plane, COARSE);
     memset(&similarity, 0, sizeof similarity);
     similarity.x = x;
     similarity.scale = argc == 4 ? 0.1 : 0.3; /* of pictures, of parameters in [0, 1] */
@@ -149,17 +149,17 @@ int main(int argc, char **argv)
     similarity.render = render;
     similarity.user = &net;
     for (i = 0; i < VARIANTS; ++i) lambda[i] = (i + 1.0) / (VARIANTS + 1);
-    status = ms_gpr_map_preference(plane, gp, &grid, preference, NULL, &error);
-    if (status == MS_OK) status = ms_gpr_map_confidence(plane, &grid, confidence, &error);
-    if (status == MS_OK) status = ms_gpr_map_similarity(plane, &similarity, &coarse, similar, &error);
+    status = map_preference(plane, gp, &grid, preference, &error);
+    if (status == MS_OK) status = map_confidence(plane, &grid, confidence, &error);
+    if (status == MS_OK) status = variants_map(plane, &similarity, &coarse, similar, &error);
     if (status == MS_OK)
-        status = ms_gpr_variants(plane, gp, &similarity, &grid, lambda, VARIANTS, 0, variant, NULL, &error);
+        status = variants_find(plane, gp, &similarity, &grid, lambda, VARIANTS, 0, variant, NULL, &error);
     if (status != MS_OK) return fail(error.message);
     map_product(&grid, preference, &coarse, similar, product);
 
     for (k = 0; k < 3; ++k) {
         const double *map = k == 0 ? preference : k == 1 ? similar : product;
-        const ms_gpr_grid *on = k == 1 ? &coarse : &grid;
+        const map_grid *on = k == 1 ? &coarse : &grid;
         double least, most;
         int left = k * SIDE;
         map_draw(&im, left, HEAD, SIDE, on, map, &grid, confidence);
@@ -167,13 +167,13 @@ int main(int argc, char **argv)
         if (k == 0 && argc == 4 && draw_pictures(&im, &net, plane, &grid, confidence, &error) != MS_OK)
             return fail(error.message);
         for (i = count - 1; i >= 0; --i)
-            map_dot(&im, left, HEAD, SIDE, &grid, ms_gpr_latent_points(plane) + 2 * i, i ? 3 : 5, i ? white : red);
+            map_dot(&im, left, HEAD, SIDE, &grid, ms_gpr_latent_view_of(plane).points + 2 * i, i ? 3 : 5,
+                    i ? white : red);
         for (i = 0; i < VARIANTS; ++i) map_dot(&im, left, HEAD, SIDE, &grid, variant[i].latent, 2.5, black);
         image_text(&im, left + (SIDE - image_text_width(title[k], 2)) / 2, 5, title[k], 2, white);
         map_legend(&im, left + 4, HEAD + SIDE + 4, SIDE - 8, unit[k], least, most);
     }
-    snprintf(text, sizeof text, "across and up: the latent coordinates, %.2g length scales each",
-             (grid.x1 - grid.x0) / exp(ms_gpr_latent_theta(plane)[0]));
+    snprintf(text, sizeof text, "across and up: the latent coordinates, %.2g length scales each", grid.x1 - grid.x0);
     image_text(&im, 4, HEAD + SIDE + 38, text, 1, white);
     image_text(&im, 3 * SIDE - 4 - image_text_width(dots, 1), HEAD + SIDE + 38, dots, 1, white);
     problem = image_write(argv[2], &im);

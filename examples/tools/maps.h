@@ -1,12 +1,12 @@
-/* Maps over the latent plane of ms_gpr.h as pictures; ms_gpr.h and image.h come first.
+/* Maps over the latent plane of ms_gpr.h (plane.h) as pictures; ms_gpr.h and image.h come first.
 
      map_draw(&im, left, top, side, &grid, value, &confidence_grid, confidence);   a square of side x side pixels
      map_dot(&im, left, top, side, &grid, latent, radius, rgb);                    a dot at a latent point in it
-     map_picture(&im, left, top, side, &grid, latent, planes, size, pixels);       a picture there, planes
-     [3][size][size] map_legend(&im, left, top, width, "score", least, most);                      the colors and what
-     they mean, 22 pixels high */
+     map_picture(&im, left, top, side, &grid, latent, planes, size, pixels);       a picture [3][size][size] there
+     map_legend(&im, left, top, width, "score", least, most);   the colors and what they mean, 22 pixels high */
 #ifndef EXAMPLES_MAPS_H
 #define EXAMPLES_MAPS_H
+#include "plane.h"
 #include "text.h"
 
 static inline void map__color(double at, float *rgb) /* at: from 0 to 1 */
@@ -19,7 +19,7 @@ static inline void map__color(double at, float *rgb) /* at: from 0 to 1 */
 }
 
 /* The least and the largest value that is known to some extent. */
-static inline void map_range(const ms_gpr_grid *grid, const double *value, const ms_gpr_grid *confidence_grid,
+static inline void map_range(const map_grid *grid, const double *value, const map_grid *confidence_grid,
                              const double *confidence, double *least, double *most)
 {
     int x, y, known = 0;
@@ -27,8 +27,8 @@ static inline void map_range(const ms_gpr_grid *grid, const double *value, const
     for (y = 0; y < grid->rows; ++y)
         for (x = 0; x < grid->columns; ++x) {
             double at[2], v = value[y * grid->columns + x];
-            ms_gpr_grid_point(grid, x, y, at);
-            if (ms_gpr_grid_value(confidence_grid, confidence, at[0], at[1]) < 0.25) continue;
+            map_point(grid, x, y, at);
+            if (map_value(confidence_grid, confidence, at[0], at[1]) < 0.25) continue;
             *least = !known || v < *least ? v : *least;
             *most = !known || v > *most ? v : *most;
             known = 1;
@@ -37,8 +37,8 @@ static inline void map_range(const ms_gpr_grid *grid, const double *value, const
 
 /* Violet, blue, green and yellow from the least to the largest value that is known to some extent; gray where the
    confidence is 0, and a thin line where it is a half: beyond, the map guesses. */
-static inline void map_draw(image *im, int left, int top, int side, const ms_gpr_grid *grid, const double *value,
-                            const ms_gpr_grid *confidence_grid, const double *confidence)
+static inline void map_draw(image *im, int left, int top, int side, const map_grid *grid, const double *value,
+                            const map_grid *confidence_grid, const double *confidence)
 {
     double least, most;
     int x, y, c;
@@ -47,12 +47,12 @@ static inline void map_draw(image *im, int left, int top, int side, const ms_gpr
         for (x = 0; x < side; ++x) {
             double a = grid->x0 + (grid->x1 - grid->x0) * (x + 0.5) / side,
                    b = grid->y1 - (grid->y1 - grid->y0) * (y + 0.5) / side;
-            double sure = ms_gpr_grid_value(confidence_grid, confidence, a, b), pixel = (grid->x1 - grid->x0) / side;
-            double beside = ms_gpr_grid_value(confidence_grid, confidence, a + pixel, b),
-                   below = ms_gpr_grid_value(confidence_grid, confidence, a, b + pixel);
+            double sure = map_value(confidence_grid, confidence, a, b), pixel = (grid->x1 - grid->x0) / side;
+            double beside = map_value(confidence_grid, confidence, a + pixel, b),
+                   below = map_value(confidence_grid, confidence, a, b + pixel);
             int edge = (sure < 0.5) != (beside < 0.5) || (sure < 0.5) != (below < 0.5);
             float rgb[3];
-            map__color(most > least ? (ms_gpr_grid_value(grid, value, a, b) - least) / (most - least) : 0, rgb);
+            map__color(most > least ? (map_value(grid, value, a, b) - least) / (most - least) : 0, rgb);
             sure = sure > 0 ? sure < 1 ? sure : 1 : 0;
             for (c = 0; c < 3; ++c)
                 im->pixels[3 * ((top + y) * im->width + left + x) + c] = (float)(edge ? 0.6
@@ -62,7 +62,7 @@ static inline void map_draw(image *im, int left, int top, int side, const ms_gpr
 }
 
 /* max(preference, 0) * similarity on the preference's grid; the similarity has a grid of its own. */
-static inline void map_product(const ms_gpr_grid *grid, const double *preference, const ms_gpr_grid *similarity_grid,
+static inline void map_product(const map_grid *grid, const double *preference, const map_grid *similarity_grid,
                                const double *similarity, double *product)
 {
     int row, column;
@@ -70,12 +70,12 @@ static inline void map_product(const ms_gpr_grid *grid, const double *preference
         for (column = 0; column < grid->columns; ++column) {
             size_t i = (size_t)row * (size_t)grid->columns + (size_t)column;
             double at[2];
-            ms_gpr_grid_point(grid, column, row, at);
-            product[i] = fmax(preference[i], 0) * ms_gpr_grid_value(similarity_grid, similarity, at[0], at[1]);
+            map_point(grid, column, row, at);
+            product[i] = fmax(preference[i], 0) * map_value(similarity_grid, similarity, at[0], at[1]);
         }
 }
 
-static inline void map_dot(image *im, int left, int top, int side, const ms_gpr_grid *grid, const double *latent,
+static inline void map_dot(image *im, int left, int top, int side, const map_grid *grid, const double *latent,
                            double radius, const float *rgb)
 {
     double cx = (latent[0] - grid->x0) / (grid->x1 - grid->x0) * side,
@@ -89,7 +89,7 @@ static inline void map_dot(image *im, int left, int top, int side, const ms_gpr_
 }
 
 /* The middle of the picture is at the latent point, but all of it inside the map. */
-static inline void map_picture(image *im, int left, int top, int side, const ms_gpr_grid *grid, const double *latent,
+static inline void map_picture(image *im, int left, int top, int side, const map_grid *grid, const double *latent,
                                const float *planes, int size, int pixels)
 {
     int cx = (int)((latent[0] - grid->x0) / (grid->x1 - grid->x0) * side) - pixels / 2,

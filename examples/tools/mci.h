@@ -1,5 +1,5 @@
-/* MCML's text formats for ms_mcml.h: .mci input files, .mco output files (MCML 1.2.2), the layered solver's answer on
-   the grid of a file, and CONV's finite beams. Include it after ms_mcml.h. C99 and C++11.
+/* MCML's text formats for ms_mcml.h: .mci input files, .mco output files (MCML 1.2.2), tallies as files, the layered
+   solver's answer on the grid of a file, and CONV's finite beams. Include it after ms_mcml.h. C99 and C++11.
 
      mci_file file;
      ms_error error;
@@ -19,6 +19,7 @@
 #ifndef EXAMPLES_MCI_H
 #define EXAMPLES_MCI_H
 #include "files.h"
+#include "layered.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -264,7 +265,7 @@ static inline ms_status mci_read(const char *text, size_t size, mci_file *file, 
     return status;
 }
 
-/* The same from a file. MS_IO: it cannot be opened or read. */
+/* The same from a file. MS_IO: it cannot be opened or read. No message names the file: the caller does. */
 static inline ms_status mci_load(const char *path, mci_file *file, ms_error *error)
 {
     const char *problem = "cannot be read";
@@ -272,18 +273,18 @@ static inline ms_status mci_load(const char *path, mci_file *file, ms_error *err
     char *text = NULL;
     size_t size = 0, room = 0;
     ms_status status = MS_OK;
-    if (f == NULL) return mci__fail(error, MS_IO, 0, "%.150s: %s", path, problem);
+    if (f == NULL) return mci__fail(error, MS_IO, 0, "%s", problem);
     while (status == MS_OK && !feof(f)) {
         if (size == room) { /* grows, since not everything that can be read has a length */
             const size_t more = room ? 4 * room : 16384;
             char *grown = more > (size_t)1 << 28 ? NULL : (char *)realloc(text, more);
-            if (grown == NULL) status = mci__fail(error, MS_OUT_OF_MEMORY, 0, "%.150s: too large", path);
+            if (grown == NULL) status = mci__fail(error, MS_OUT_OF_MEMORY, 0, "too large");
             if (grown == NULL) break;
             text = grown;
             room = more;
         }
         size += fread(text + size, 1, room - size, f);
-        if (ferror(f)) status = mci__fail(error, MS_IO, 0, "%.150s: %s", path, problem);
+        if (ferror(f)) status = mci__fail(error, MS_IO, 0, "%s", problem);
     }
     fclose(f);
     if (status == MS_OK) status = mci_read(text, size, file, error);
@@ -407,12 +408,11 @@ static inline ms_status mco_save(const char *path, const mci_run *run, const ms_
 /* ---- layers without noise -------------------------------------------------------------------------------------- */
 
 /* The layered solver's answer over a grid, as from ms_mcml_simulate: totals, rings and what layers absorb with their
-   errors; A_z without (it adds up to a). result->photons is how many photons gave the shape of the rings where the
-   solver does not hold them, or 0. Angles only in a grid of one, A_rz not at all: those arrays are NULL. The last ring
-   holds all that lies beyond, as in a tally. Release with ms_mcml_result_destroy. MS_NOT_CONVERGED: *result is filled
-   and to be released. Other failures leave it untouched. */
-static inline ms_status mci_layered(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, uint64_t photons,
-                                    const ms_progress *progress, ms_mcml_result *result, ms_error *error)
+   errors; A_z without (it adds up to a). result->photons is 0. Angles only in a grid of one, A_rz not at all: those
+   arrays are NULL. The last ring holds all that lies beyond, as in a tally. Release with ms_mcml_result_destroy.
+   Failures, which are those of ms_mcml_layered_solve, leave it untouched. */
+static inline ms_status mci_layered(const ms_mcml_tissue *tissue, const ms_mcml_grid *grid, const ms_progress *progress,
+                                    ms_mcml_result *result, ms_error *error)
 {
     const double solid = 6.283185307179586, cosine = sqrt(0.5), dr = grid->dr_cm;
     const size_t nr = (size_t)grid->nr, nz = (size_t)grid->nz, layers = (size_t)tissue->layer_count,
@@ -440,15 +440,13 @@ static inline ms_status mci_layered(const ms_mcml_tissue *tissue, const ms_mcml_
     block += 2 * layers + nz;
     o.dz_cm = grid->dz_cm;
     o.nz = grid->nz;
-    o.photons = photons;
     if (progress) o.progress = *progress;
     status = ms_mcml_layered_solve(tissue, &o, s, error);
-    if (status != MS_OK && status != MS_NOT_CONVERGED) {
+    if (status != MS_OK) {
         free(out.memory);
         free(s);
         return status;
     }
-    out.photons = s->side[0].photons ? s->side[0].photons : s->side[1].photons;
     out.specular = s->specular;
     out.rd = s->rd;
     out.rd_error = s->rd_error;

@@ -1,10 +1,9 @@
 /* Runs an MCML 1.2 input file: build/mcml [-n PHOTONS] [-s SEED] FILE.mci
    Every run of the file writes its .mco file, in the current folder unless its name says otherwise.
      build/mcml --exact FILE.mci
-   the same without photons and without noise, by the layered solver: totals, A_l, A_z, Rd_r, Tt_r; nan stands for A_rz
-   and for angles in more than one bin, which it does not compute. Rings that the solver does not hold (beside a clear
-   layer, g above 0.97 or so) have the shape that the file's number of photons gives; the program says so. A run that it
-   cannot answer for is named with the reason and writes nothing (a file of that name stays as it was), the others are
+   the same without photons and without noise, for up to four layers of isotropic scattering (layered.h says which):
+   totals, A_l, A_z, Rd_r, Tt_r; nan stands for A_rz and for angles in more than one bin, which it does not compute. A
+   run of other layers is named with the reason and writes nothing (a file of that name stays as it was), the others are
    written; the exit code is 1 then.
      build/mcml --run FILE.mci PART OF OUT.tally     the PART-th (from 1) of OF shares of the first run's photons
      build/mcml --merge FILE.mci TALLY...            adds the shares, in any order, and writes the run's .mco file
@@ -129,7 +128,7 @@ static int merge_shares(const mci_run *run, char **paths, int count)
 
 static const char usage[] =
     "usage: mcml [-n PHOTONS] [-s SEED] FILE.mci\n"
-    "  mcml --exact FILE.mci    layers without noise; nan stands for what is not computed (A_rz, angles)\n"
+    "  mcml --exact FILE.mci    isotropic layers without noise; nan stands for what is not computed (A_rz, angles)\n"
     "  mcml --run FILE.mci PART OF OUT.tally    one share of the first run's photons\n"
     "  mcml --merge FILE.mci TALLY...    adds the shares and writes the .mco file\n";
 
@@ -199,20 +198,14 @@ int main(int argc, char **argv)
         options.progress.user = &s;
         options.progress.report = terminal ? show_progress : NULL;
         memset(&result, 0, sizeof result);
-        if (exact) status = mci_layered(&run->tissue, &run->grid, options.photons, &options.progress, &result, &error);
+        if (exact) status = mci_layered(&run->tissue, &run->grid, &options.progress, &result, &error);
         else status = ms_mcml_simulate(&run->tissue, &run->grid, &options, &result, &error);
         if (terminal) fprintf(stderr, "\r%78s\r", "");
         if (status == MS_OK) {
-            const char *note = NULL;
-            if (exact)
-                note = result.photons
-                    ? "Layered solver, rings by photons: nan is what it does not compute (A_rz, angles)."
-                    : "Layered solver, no photons: nan is what it does not compute (A_rz, angles).";
+            const char *note = exact ? "Layered solver, no photons: nan is what it does not compute (A_rz, angles)."
+                                     : NULL;
             status = mco_save(run->output, run, &result, note, (double)(clock() - begun) / CLOCKS_PER_SEC, &error);
         }
-        if (status == MS_OK && exact && result.photons)
-            fprintf(stderr, "%s: run %d, %s: the solver gave the totals, %.0f photons the shape of the rings\n", path,
-                    i + 1, run->output, (double)result.photons);
         ms_mcml_result_destroy(&result);
         if (status != MS_OK) {
             fprintf(stderr, "%s: run %d, %s: %s\n", path, i + 1, run->output, error.message);

@@ -20,7 +20,7 @@ static ms_status photon_profile(ms_mcml_profile *profile, const ms_mcml_medium *
     memset(&p, 0, sizeof p);
     p.channels = channels;
     p.rings = rings;
-    p.memory_size = (n + 1 + count * (3 * n + 3)) * sizeof(double);
+    p.memory_size = (n + 1 + count * (3 * n + 4)) * sizeof(double);
     next = (double *)malloc(p.memory_size);
     if (next == NULL) return MS_OUT_OF_MEMORY;
     p.memory = next;
@@ -28,6 +28,7 @@ static ms_status photon_profile(ms_mcml_profile *profile, const ms_mcml_medium *
     p.within = next, next += count * (n + 1);
     p.rd_per_mm2 = next, next += count * n;
     p.rd_error_per_mm2 = next, next += count * n;
+    p.entering = next, next += count;
     p.total = next, next += count;
     p.total_error = next;
     for (i = 0; i <= rings; ++i) p.edge_mm[i] = i * ring_mm;
@@ -54,6 +55,7 @@ static ms_status photon_profile(ms_mcml_profile *profile, const ms_mcml_medium *
             p.rd_error_per_mm2[row + (size_t)i] = 0.01 * result.rd_r_error[i];
             within[i + 1] = within[i] + result.rd_r[i] * area;
         }
+        p.entering[c] = 1 - result.specular;
         p.total[c] = result.rd;
         p.total_error[c] = result.rd_error;
         ms_mcml_result_destroy(&result);

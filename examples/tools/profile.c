@@ -7,12 +7,14 @@
      build/profile --color 0.8,0.52,0.39 --mfp 1.2,0.42,0.24 --eta 1.4    (linear; of the light let in; mean free path
                                                   in mm, or --dmfp: Unreal's diffuse one, --distance: HDRP's scattering
                                                   distance, Burley's d)
-     build/profile --skin
-     melanin=0.03,blood=0.02,oxygen=0.7,eumelanin=0.8,epidermis_mm=0.06,dermis_mm=2,scattering=2.2,g=0.8 build/profile
-     --list
+     build/profile --skin melanin=0.03,blood=0.02,oxygen=0.7,eumelanin=0.8,epidermis_mm=0.06,dermis_mm=2,scattering=2.2
+     build/profile --list
 
-   Without --photons the solvers: no noise. With it, Monte Carlo. --csv saves the table to a
-   file; then only the comment lines are printed. Exit: 0, 1 if something failed, 2 if the arguments are wrong. */
+   Without --photons the solvers: no noise; --mci and --skin take isotropic layers (g = 0; layered.h says which). With
+   it, Monte Carlo. total_reflectance is of the light that arrives; divided by the part that enters it is a picked
+   color.
+   --csv saves the table to a file, whose folder is made if it is not there; then only the comment lines are printed.
+   Exit: 0, 1 if something failed, 2 if the arguments are wrong. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 #include "mci.h"
@@ -87,7 +89,8 @@ static void print_head(FILE *f, const subject *what, const ms_mcml_profile *p)
     if (m == NULL) fprintf(f, "# layered solver, 13 wavelengths; R,G,B linear sRGB under D65\n");
     else if (!(photons > 0)) fprintf(f, "# half-space solver\n");
     else fprintf(f, "# Monte Carlo, %.0f photons\n", photons);
-    fprintf(f, "# total_reflectance,%.9g,%.9g,%.9g\n", p->total[0], p->total[1], p->total[2]);
+    fprintf(f, "# total_reflectance,%.9g,%.9g,%.9g\n# of the light that arrives; %.9g of it enters\n", p->total[0],
+            p->total[1], p->total[2], p->entering[0]);
     if (photons > 0)
         fprintf(f, "# standard_error,%.3g,%.3g,%.3g\n", p->total_error[0], p->total_error[1], p->total_error[2]);
     fprintf(f, "# %d rings %.9g mm wide; R_d is the mean over each, r_mm its middle\n", p->rings, p->edge_mm[1]);
@@ -107,13 +110,9 @@ static void print_layers(FILE *f, const mci_run *run, const ms_mcml_layered *s)
 {
     const double dr = run->grid.dr_cm;
     int i;
-    fprintf(f, "# %s: %d layers, layered solver of order %d\n", run->output, run->tissue.layer_count, s->order);
+    fprintf(f, "# %s: %d layers, layered solver\n", run->output, run->tissue.layer_count);
     fprintf(f, "# specular,%.9g\n# total_reflectance,%.9g\n# total_transmittance,%.9g\n# absorbed,%.9g\n", s->specular,
             s->rd, s->tt, s->a);
-    for (i = 0; i < 2; ++i)
-        if (s->side[i].photons)
-            fprintf(f, "# rings of %c by Monte Carlo, %.0f photons: the solver cannot hold them\n", "RT"[i],
-                    (double)s -> side[i].photons);
     fprintf(f, "# error_of_totals,%.2g,%.2g\n", s->rd_error, s->tt_error);
     fprintf(f, "# %d rings %.9g mm wide; R and T are means over each, r_mm its middle\n", run->grid.nr, 10 * dr);
     fprintf(f, "r_mm,R_1/mm2,T_1/mm2\n");
@@ -123,22 +122,22 @@ static void print_layers(FILE *f, const mci_run *run, const ms_mcml_layered *s)
                 0.01 * ms_mcml_layered_ring(s, 1, i * dr, (i + 1) * dr, NULL));
 }
 
-/* The first run of an .mci file. What cannot be promised is said on stderr, and the exit code is 1. */
+/* The first run of an .mci file. */
 static int layers(const char *path, const char *csv)
 {
     mci_file file;
     ms_mcml_layered solution;
     ms_error error;
     ms_status status = mci_load(path, &file, &error);
-    int failed;
+    int failed = 0;
     if (status == MS_OK) {
         status = ms_mcml_layered_solve(&file.runs[0].tissue, NULL, &solution, &error);
-        if (status && status != MS_NOT_CONVERGED) mci_destroy(&file);
+        if (status) mci_destroy(&file);
     }
-    if (status == MS_IO) fprintf(stderr, "profile: %s\n", error.message); /* names the file itself */
-    else if (status) fprintf(stderr, "profile: %s: %s\n", path, error.message);
-    if (status && status != MS_NOT_CONVERGED) return 1;
-    failed = status != MS_OK;
+    if (status) {
+        fprintf(stderr, "profile: %s: %s\n", path, error.message);
+        return 1;
+    }
     if (csv) {
         file_out out;
         FILE *f = file_create(csv, &out);
@@ -148,7 +147,7 @@ static int layers(const char *path, const char *csv)
             trouble = file_finish(&out, 1);
         }
         if (trouble) fprintf(stderr, "profile: %s: %s\n", csv, trouble);
-        failed |= trouble != NULL;
+        failed = trouble != NULL;
     } else {
         print_layers(stdout, &file.runs[0], &solution);
     }
@@ -299,8 +298,8 @@ int main(int argc, char **argv)
         options.ring_mm = 0.05;
         status = skin_profile(&profile, &what.skin, &options, &error);
         if (status) fprintf(stderr, "profile: %s\n", error.message);
-        if (status && status != MS_NOT_CONVERGED) return status == MS_INVALID_ARGUMENT ? 2 : 1;
-        return finish(&what, &profile, csv) || status != MS_OK;
+        if (status) return status == MS_INVALID_ARGUMENT ? 2 : 1;
+        return finish(&what, &profile, csv);
     }
     if (name && given) return usage("a material's name or coefficients, not both", NULL);
     if (!name && given != 7) return usage(given ? "--mua, --mus and --eta go together" : "no material", NULL);

@@ -11,10 +11,12 @@
    the scored materials, rounded outwards, where those leave it; columns of one value keep it. Scores may be on any
    scale. --keep x3=0.5 fixes a parameter, x3=0.2:0.4 is a range, x3=0:1:0.25 one in steps; x3=x4 makes two equal.
    A list has the values that some parameters take together, such as metals; its first line names them, x3,x4,x5.
-   What is avoided may be a file of recommendations. */
+   What is avoided may be a file of recommendations. What the answers do not support is said in lines that begin with
+   "warning:". */
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #include "scores.h"
+#include "space.h"
 #include "keep.h"
 #include "explain.h"
 
@@ -92,12 +94,38 @@ static int failed(const char *where, const char *problem, int line)
     return 1;
 }
 
+/* What the answers do not support. */
+static void warn(const scores *s, const ms_gpr_fit_report *fitted, const ms_gpr_recommend_report *report, int scored)
+{
+    double nearest = 0;
+    int column = 0, row = scores_slip(s, &column, &nearest);
+    if (row >= 0 && column < s->m)
+        fprintf(stderr, "warning: is that a slip? x%d of material %d is %.6g, the nearest of the others is %.6g\n",
+                column, row + 1, s->x[(size_t)row * (size_t)s->m + (size_t)column], nearest);
+    else if (row >= 0)
+        fprintf(stderr, "warning: is that a slip? score %d is %.6g, the nearest of the others is %.6g\n", row + 1,
+                s->y[row], nearest);
+    else if (fitted->outlier.row >= 0)
+        fprintf(stderr, "warning: is that a slip? score %d is %.6g, about %.2g was expected from the others\n",
+                fitted->outlier.row + 1, fitted->outlier.value, fitted->outlier.expected);
+    if (scored >= 8 && !(fitted->explained > 0.05)) /* below it random scores are as good: tests/test_gpr.c */
+        fprintf(stderr, "warning: these scores predict each other no better than their mean\n");
+    if (report->search != MS_GPR_SEARCH_VARIANTS) return;
+    if (report->liked > 0)
+        fprintf(
+            stderr,
+            "warning: too little is known for a threshold: these are variants of the %d materials that were liked\n",
+            report->liked);
+    else fprintf(stderr, "warning: nothing was liked yet: these are materials unlike those that were not\n");
+}
+
 int main(int argc, char **argv)
 {
     static keep kept;
-    static const char *const search[] = {"", "rejection", "subset simulation"};
+    static const char *const search[] = {"", "a threshold", "variants of what was liked"};
     const char *in = NULL, *out = NULL, *compared = NULL, *avoided = NULL, *problem;
-    double count = 300, *x, *mean, *sigma, *avoid = NULL;
+    enum { EXPLAINED = 300 };
+    double count = 300, *x, *mean, *sigma, *avoid = NULL, *of_many = NULL;
     char why[400];
     ms_gpr_fit_options learn;
     ms_gpr_recommend_options options;
@@ -110,6 +138,7 @@ int main(int argc, char **argv)
     FILE *f = stdout;
     int i, n, line, scored = 0, *pairs = NULL;
     file_out saved;
+    memset(&report, 0, sizeof report);
     memset(&options, 0, sizeof options);
     memset(&learn, 0, sizeof learn);
     if (file_help(argc, argv, usage)) return file_end_stdout("recommend");
@@ -130,9 +159,9 @@ int main(int argc, char **argv)
     if (in == NULL || count > floor(count)) return file_usage(usage);
     problem = compared ? scores_read_some(in, &s) : scores_read(in, &s);
     if (problem) return failed(in, problem, s.line);
-    if (compared && (learn.pair_count = read_pairs(compared, s.n, &pairs, &problem, &line)) < 0)
+    if (compared && (learn.choices.count = read_pairs(compared, s.n, &pairs, &problem, &line)) < 0)
         return failed(compared, problem, line);
-    if ((problem = keep_open(&kept, s.m)) != NULL) return failed(in, problem, 0);
+    if ((problem = keep_open(&kept, s.m, NULL)) != NULL) return failed(in, problem, 0);
     for (i = 1; i + 1 < argc; ++i) {
         if (argv[i][0] != '-') continue;
         line = 0;
@@ -141,11 +170,11 @@ int main(int argc, char **argv)
         if (problem) return failed(argv[i + 1], problem, line);
         ++i;
     }
-    options.space = keep_space(&kept);
+    if ((problem = keep_space(&kept, &options.space)) != NULL) return failed("--keep", problem, 0);
     if (avoided && (problem = read_materials(avoided, s.m, &avoid, &options.avoid_count, &line)) != NULL)
         return failed(avoided, problem, line);
     options.avoid = avoid;
-    learn.pairs = pairs;
+    learn.choices.rows = pairs;
     for (i = 0; i < s.n; ++i) scored += s.y[i] > SCORES_NONE;
     n = (int)count;
     x = (double *)malloc((size_t)n * (size_t)s.m * sizeof *x);
@@ -154,6 +183,10 @@ int main(int argc, char **argv)
     if (!x || !mean || !sigma) return 1;
     status = ms_gpr_fit(s.x, s.y, s.n, s.m, &learn, &gp, &fitted, &error);
     if (status == MS_OK) status = ms_gpr_recommend(gp, &options, n, x, mean, sigma, &report, &error);
+    if (status == MS_NOT_CONVERGED && gp && report.found > 0) { /* there are not so many materials */
+        fprintf(stderr, "warning: %s\n", error.message);
+        status = MS_OK;
+    }
     if (status != MS_OK) {
         fprintf(stderr, "recommend: %s\n", error.message);
         return 1;
@@ -168,22 +201,23 @@ int main(int argc, char **argv)
         return 1;
     }
     if (!out && file_end_stdout("recommend")) return 1;
-    if (fitted.outlier.row >= 0 && fitted.outlier.column < 0)
-        fprintf(stderr, "is that a slip? score %d is %.6g, about %.2g was expected from the others\n",
-                fitted.outlier.row + 1, fitted.outlier.value, fitted.outlier.expected);
-    else if (fitted.outlier.row >= 0)
-        fprintf(stderr, "is that a slip? x%d of material %d is %.6g, the nearest of the others is %.6g\n",
-                fitted.outlier.column, fitted.outlier.row + 1, fitted.outlier.value, fitted.outlier.expected);
-    if (compared) fprintf(stderr, "%d comparisons; ", learn.pair_count);
+    warn(&s, &fitted, &report, scored);
+    if (compared) fprintf(stderr, "%d comparisons; ", learn.choices.count);
     fprintf(stderr,
             "%d scores of %d parameters; best predicted score %.3g; %d recommendations of at least %.3g by %s;\n"
             "one uniform material in %.0f would do; mean distance to the nearest other %.3f\n",
             scored, s.m, report.best, report.found, report.threshold, search[report.search],
             report.acceptance > 0 ? 1 / report.acceptance : (double)INFINITY, report.spread);
-    if (explain(gp, x, report.found, &options.space, NULL, 4, why, sizeof why)) fprintf(stderr, "%s\n", why);
+    if (report.search == MS_GPR_SEARCH_THRESHOLD &&
+        (of_many = (double *)malloc(EXPLAINED * (size_t)s.m * sizeof *x)) != NULL) {
+        options.skip = 0; /* of a number of its own: ranges of few are narrow by chance */
+        if (ms_gpr_recommend(gp, &options, EXPLAINED, of_many, NULL, NULL, &report, NULL) == MS_OK &&
+            explain(gp, of_many, EXPLAINED, &options.space, NULL, 4, why, sizeof why))
+            fprintf(stderr, "%s\n", why);
+    }
     ms_gpr_destroy(gp);
     scores_free(&s);
     keep_close(&kept);
-    free(x), free(mean), free(sigma), free(pairs), free(avoid);
+    free(x), free(mean), free(sigma), free(pairs), free(avoid), free(of_many);
     return 0;
 }

@@ -7,8 +7,8 @@
 
    Commas, or semicolons or tabs and then decimal commas as well; lines that begin with # are skipped.
    scores_read_some("gallery.csv", &s) also takes lines with nothing behind the last separator: materials without a
-   score, y = SCORES_NONE, which is MS_GPR_UNSCORED. scores_read_table("metals.csv", &s) reads numbers alone, s.x
-   [n][m], and keeps the header line. */
+   score, y = SCORES_NONE, which is MS_GPR_UNSCORED. scores_slip(&s, &column, &nearest) finds a cell that looks like a
+   slip. scores_read_table("metals.csv", &s) reads numbers alone, s.x [n][m], and keeps the header line. */
 #ifndef EXAMPLES_SCORES_H
 #define EXAMPLES_SCORES_H
 #include <math.h>
@@ -109,6 +109,42 @@ static inline const char *scores__read(const char *path, scores *s, int some)
     if (problem == NULL && s->n == 0) problem = "holds no rows";
     fclose(f);
     return problem;
+}
+
+static inline int scores__ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* A cell that lies more than three ranges of the others outside of them, or one of up to three such cells of a column:
+   its row, and its column in *column (m: the score); -1: none. value: of the nearest of the others. */
+static inline int scores_slip(const scores *s, int *column, double *value)
+{
+    enum { FEWEST = 8, GROUP = 3 };
+    double *sorted = (double *)malloc((size_t)s->n * sizeof *sorted);
+    int i, k, group, count, found = -1;
+    for (k = 0; k <= s->m && sorted && found < 0; ++k) {
+        for (i = 0, count = 0; i < s->n; ++i) {
+            const double v = k < s->m ? s->x[(size_t)i * (size_t)s->m + (size_t)k] : s->y[i];
+            if (k < s->m || v > SCORES_NONE) sorted[count++] = v;
+        }
+        qsort(sorted, (size_t)count, sizeof *sorted, scores__ascending);
+        for (group = 1; group <= GROUP && count >= FEWEST && found < 0; ++group) {
+            const double high = sorted[count - 1 - group], low = sorted[group];
+            const int above = sorted[count - group] - high > 3 * (high - sorted[0]) && high > sorted[0];
+            const int below = low - sorted[group - 1] > 3 * (sorted[count - 1] - low) && sorted[count - 1] > low;
+            if (!above && !below) continue;
+            *column = k;
+            *value = above ? high : low;
+            for (i = 0; i < s->n && found < 0; ++i) {
+                const double v = k < s->m ? s->x[(size_t)i * (size_t)s->m + (size_t)k] : s->y[i];
+                if (v > SCORES_NONE && (above ? v > high : v < low)) found = i;
+            }
+        }
+    }
+    free(sorted);
+    return found;
 }
 
 static inline const char *scores_read(const char *path, scores *s) { return scores__read(path, s, 0); }

@@ -1,5 +1,5 @@
 /* Skin of melanin and blood to layers, diffusion profiles and colors. Include after ms_mcml.h, whose implementation may
-   be in another file.
+   be in another file, and layered.h.
 
      skin_parameters skin = skin_defaults();
      skin.melanin = 0.1;
@@ -25,7 +25,7 @@ typedef struct skin_parameters {
     double epidermis_mm; /* 0.001 to 1 */
     double dermis_mm;    /* above fat; 0: without end, two layers */
     double scattering;   /* times the law's, 0.1 to 10 */
-    double g;            /* mean cosine, 0 to 0.95; 0: reduced scattering, several times faster */
+    double g;            /* mean cosine of the layers, 0 to 0.95; skin_profile takes 0, reduced scattering */
 } skin_parameters;
 
 enum { SKIN_BANDS = 13 };
@@ -48,7 +48,7 @@ static const double skin_daylight[31] = {82.75,  91.49,  93.43,  86.68,  104.86,
 static const double skin_bands[SKIN_BANDS] = {400, 425, 445, 465, 500, 535, 560, 578, 590, 603, 625, 655, 700};
 
 /* The median of NIST's 100 people, inside of the forearm: melanin 0.016, all of it eumelanin, blood 0.037, oxygen 0.75,
-   epidermis 0.06 mm, dermis without end, scattering 2.2; g 0.8. */
+   epidermis 0.06 mm, dermis without end, scattering 2.2; g 0: layers of reduced scattering. */
 static skin_parameters skin_defaults(void)
 {
     skin_parameters skin;
@@ -59,7 +59,7 @@ static skin_parameters skin_defaults(void)
     skin.epidermis_mm = 0.06;
     skin.dermis_mm = 0;
     skin.scattering = 2.2;
-    skin.g = 0.8;
+    skin.g = 0;
     return skin;
 }
 
@@ -157,8 +157,9 @@ static void skin_rows(double *row, int n, double weight[SKIN_BANDS][3])
 
 /* Its diffusion profile for R, G and B from 13 wavelengths. total is its color under daylight (D65) in linear sRGB
    (observer: Wyman, Sloan, Shirley 2013, JCGT 2:2). Rings are means of the wavelengths' profiles, weighted by the
-   positive part of what each gives to the channel. options and statuses as in ms_mcml_profile_make.
-   Release with ms_mcml_profile_destroy. */
+   positive part of what each gives to the channel. options and statuses as in ms_mcml_profile_layers: MS_UNSUPPORTED
+   where g is not 0, or a layer thinner than the solver takes (an epidermis of 0.03 mm of the default scattering is
+   not). Release with ms_mcml_profile_destroy. */
 static ms_status skin_profile(ms_mcml_profile *profile, const skin_parameters *skin,
                               const ms_mcml_profile_options *options, ms_error *error)
 {
@@ -176,7 +177,7 @@ static ms_status skin_profile(ms_mcml_profile *profile, const skin_parameters *s
         if (status) return status;
     }
     status = ms_mcml_profile_layers(profile, tissue, SKIN_BANDS, options, error);
-    if (status && status != MS_NOT_CONVERGED) return status;
+    if (status) return status;
     skin_band_weights(weight);
     for (c = 0; c < 3; ++c) {
         double color = 0, positive = 0;
@@ -188,11 +189,11 @@ static ms_status skin_profile(ms_mcml_profile *profile, const skin_parameters *s
         color = color > 0 ? color : 0;
         for (i = 0; i < SKIN_BANDS; ++i) weight[i][c] *= color / positive;
     }
+    for (c = 0; c < 3; ++c) profile->entering[c] = profile->entering[0]; /* the index is one for all */
     skin_rows(profile->total, 1, weight);
     skin_rows(profile->total_error, 1, weight);
     skin_rows(profile->rd_per_mm2, profile->rings, weight);
-    skin_rows(profile->rd_error_per_mm2, profile->rings,
-              weight); /* errors of neighbors in wavelength are alike: they add */
+    skin_rows(profile->rd_error_per_mm2, profile->rings, weight); /* alike in neighboring wavelengths: they add */
     skin_rows(profile->within, profile->rings + 1, weight);
     profile->channels = 3;
     return status;

@@ -39,13 +39,14 @@ int main(int argc, char **argv)
 {
     static char defines[4000];
     const char *problem;
-    char *shader, *pyramid;
+    char *shader, *pyramid, *disc;
     int i, step = 0;
     size_t n = 0;
     if (file_help(argc, argv, usage)) return file_end_stdout("sss_wgsl");
     if (argc < 2 || argv[1][0] == '-') return file_usage(usage);
     shader = read_text(argv[1], "ms_sss.glsl");
     pyramid = read_text(argv[1], "ms_sss_pyramid.glsl");
+    disc = read_text(argv[1], "ms_sss_disc.glsl");
     for (i = 2; i < argc; ++i) {
         const char *equal = strchr(argv[i], '=');
         if (!equal || n + strlen(argv[i]) + 16 > sizeof defines) return fail(argv[i], "NAME=VALUE expected");
@@ -54,7 +55,11 @@ int main(int argc, char **argv)
         if (strncmp(argv[i], "MS_SSS_STEP=", 12) == 0) step = atoi(equal + 1);
     }
     if (argc > 2) {
-        problem = wgsl_make(defines, shader, step > 3 && step < 8 ? pyramid : NULL, text, sizeof text);
+        problem = wgsl_make(defines, shader,
+                            step == 9                  ? disc
+                                : step > 3 && step < 8 ? pyramid
+                                                       : NULL,
+                            text, sizeof text);
         if (problem) return fail(argv[1], problem);
         fputs(text, stdout);
     }
@@ -68,5 +73,6 @@ int main(int argc, char **argv)
     }
     free(shader);
     free(pyramid);
+    free(disc);
     return file_end_stdout("sss_wgsl");
 }

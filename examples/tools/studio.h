@@ -1,5 +1,5 @@
 /* The workflow as a tool with a window would run it: a few calls, each short enough for a frame of 16 ms up to some 200
-   scores. ms_gpr.h comes first; pictures come from a callback, such as a neural renderer (neural.h).
+   scores. ms_gpr.h and space.h come first; pictures come from a callback, such as a neural renderer (neural.h).
 
      studio s;
      studio_open(&s, &renderer, &error);         19 parameters, what draws them, and how large a picture is
@@ -12,6 +12,7 @@
      studio_better(&s, a, b, &error);            this one rather than that one
      studio_like(&s, x, 3, &error);              more like these
      studio_avoid(&s, x, &error);                not like this one
+     studio_keep(&s, &wish, &error);             what galleries, recommendations and the plane keep (space.h)
      studio_undo(&s, &error);                    takes back the last of these six
      studio_update(&s, &error);                  every frame until s.settled                         SCORED    ->
      LEARNED
@@ -32,6 +33,7 @@
 #ifndef EXAMPLES_STUDIO_H
 #define EXAMPLES_STUDIO_H
 #include "files.h"
+#include "space.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -63,22 +65,18 @@ typedef struct studio {
     studio_renderer renderer;
     ms_gpr *gp;
     ms_gpr_latent *plane;
-    double at[2];                /* where in the plane */
-    uint64_t seed;               /* of the next recommendations */
-    int search;                  /* which start studio_update works on: 0 where it stands, 1 to 3 the fit's own */
-    double *theta, reached;      /* [m + 2] how far that start has come, and its objective */
-    int probe, switched, probed; /* the next column to be probed, or -1; whether one was switched; all were, once */
-    double cost[2];              /* processor seconds that an evaluation takes, and a probe, as measured; 0: not yet */
-    ms_gpr_outlier outlier;      /* of the last update; row -1: none */
-    double *embedded;            /* [embedded_count][m] materials of the plane */
+    double at[2];           /* where in the plane */
+    uint64_t seed;          /* of the next recommendations */
+    int search;             /* which start studio_update works on: 0 where it stands, 1 to 3 the fit's own */
+    double *theta, reached; /* [m + 2] how far that start has come, and its objective */
+    double cost;            /* processor seconds that an evaluation takes, as measured; 0: not yet */
+    ms_gpr_outlier outlier; /* of the last update; row -1: none */
+    double *embedded;       /* [embedded_count][m] materials of the plane */
     int embedded_count;
-    double *owned[3];    /* what a loaded space points at: low, high, steps; */
-    int *equal;          /* equal columns, */
-    ms_gpr_list *lists;  /* and lists, [space.list_count] */
+    space_kept *kept;    /* by studio_keep, or NULL */
     double *x;           /* [m] a material, */
     float *row, *planes; /* [m] the same, and its picture */
-    ms_gpr_space space;  /* what galleries, recommendations and the plane keep; may be set after studio_open, of arrays
-                            that last */
+    ms_gpr_space space;  /* of kept */
     double least;        /* what "none of these" scores; may be set after studio_open where scores do not begin at 0 */
     double *others,
         *avoid; /* [STUDIO_OTHERS][m] what likes are compared with; [avoids][m] what recommendations keep away from */
@@ -86,9 +84,9 @@ typedef struct studio {
     struct {
         int kind, index;
         double score;
-        int pairs;
+        int choices;
     } undo[STUDIO_UNDO]; /* kind: the row `index` was added, scored anew, rows from
-              `index` on and comparisons were added, a material is avoided */
+              `index` on and choices from `choices` on were added, a material is avoided */
     int undos;
 } studio;
 
@@ -110,7 +108,6 @@ static inline ms_status studio__refuse(ms_error *error, ms_status status, const 
 
 static inline void studio_close(studio *s)
 {
-    int i;
     ms_gpr_latent_destroy(s->plane);
     ms_gpr_destroy(s->gp);
     free(s->theta);
@@ -120,29 +117,26 @@ static inline void studio_close(studio *s)
     free(s->others);
     free(s->avoid);
     free(s->embedded);
-    for (i = 0; i < 3; ++i) free(s->owned[i]);
-    free(s->equal);
-    for (i = 0; s->lists && i < s->space.list_count; ++i)
-        free((void *)(uintptr_t)s->lists[i].columns), free((void *)(uintptr_t)s->lists[i].rows);
-    free(s->lists);
+    if (s->kept) space_free(s->kept);
+    free(s->kept);
     memset(s, 0, sizeof *s);
 }
 
 static inline ms_status studio_open(studio *s, const studio_renderer *renderer, ms_error *error)
 {
     size_t m = (size_t)renderer->parameters;
-    int k;
+    ms_gpr_view none;
     memset(s, 0, sizeof *s);
-    s->outlier.row = s->probe = -1;
+    s->outlier.row = -1;
     s->renderer = *renderer;
     s->theta = (double *)malloc((m + 2) * sizeof(double));
     s->x = (double *)malloc(m * sizeof(double));
     s->row = (float *)malloc(m * sizeof(float));
     s->planes = (float *)malloc(renderer->values * sizeof(float));
     if (s->theta && s->x && s->row && s->planes) {
-        for (k = 0; k < (int)m + 2; ++k) s->theta[k] = k < (int)m ? log(sqrt((double)m)) : 0;
-        s->theta[m + 1] = -2;
-        if (ms_gpr_create(NULL, NULL, 0, (int)m, s->theta, NULL, &s->gp, error) == MS_OK) return MS_OK;
+        memset(&none, 0, sizeof none);
+        none.m = (int)m;
+        if (ms_gpr_create(&none, NULL, &s->gp, error) == MS_OK) return MS_OK;
     }
     studio_close(s);
     return studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a session");
@@ -151,39 +145,97 @@ static inline ms_status studio_open(studio *s, const studio_renderer *renderer, 
 static inline void studio__changed(studio *s)
 {
     s->settled = 0;
-    s->search = s->switched = s->probed = 0;
-    s->outlier.row = s->probe = -1;
+    s->search = 0;
+    s->outlier.row = -1;
     s->reached = s->objective = -1e300;
     memcpy(s->theta, ms_gpr_view_of(s->gp).theta, ((size_t)s->renderer.parameters + 2) * sizeof(double));
 }
 
 enum { STUDIO__ADDED, STUDIO__SCORED, STUDIO__COMPARED, STUDIO__AVOIDED };
 
-static inline void studio__remember(studio *s, int kind, int index, double score, int pairs)
+static inline void studio__remember(studio *s, int kind, int index, double score, int choices)
 {
     if (s->undos == STUDIO_UNDO) memmove(s->undo, s->undo + 1, sizeof s->undo - sizeof s->undo[0]), --s->undos;
     s->undo[s->undos].kind = kind;
     s->undo[s->undos].index = index;
     s->undo[s->undos].score = score;
-    s->undo[s->undos++].pairs = pairs;
+    s->undo[s->undos++].choices = choices;
 }
 
-/* n^2 multiply-adds for the n-th score. */
+/* The model of its first n materials and choices [choices], of `added` more materials fresh with scores given [added],
+   and of one choice more for each of the first `better` of row [count], which was preferred to those behind. */
+static inline ms_status studio__change(studio *s, int n, int choices, const double *fresh, const double *given,
+                                       int added, const int *row, int count, int better, ms_error *error)
+{
+    ms_gpr_view v = ms_gpr_view_of(s->gp);
+    const size_t m = (size_t)v.m, rows = (size_t)(n + added);
+    size_t chosen = 0;
+    double *x = (double *)malloc((rows + 1) * m * sizeof *x), *y = (double *)malloc((rows + 1) * sizeof *y);
+    int *sizes = (int *)malloc((size_t)(choices + better + 1) * sizeof *sizes), *list, i, k, j;
+    ms_status status = MS_OUT_OF_MEMORY;
+    for (i = 0; i < choices; ++i) chosen += (size_t)(v.choices.sizes ? v.choices.sizes[i] : 2);
+    list = (int *)malloc((chosen + (size_t)better * (size_t)count + 1) * sizeof *list);
+    if (x && y && sizes && list) {
+        if (n > 0) memcpy(x, v.x, (size_t)n * m * sizeof *x), memcpy(y, v.y, (size_t)n * sizeof *y);
+        if (added > 0) memcpy(x + (size_t)n * m, fresh, (size_t)added * m * sizeof *x);
+        if (added > 0) memcpy(y + n, given, (size_t)added * sizeof *y);
+        for (i = 0; i < choices; ++i) sizes[i] = v.choices.sizes ? v.choices.sizes[i] : 2;
+        if (chosen > 0) memcpy(list, v.choices.rows, chosen * sizeof *list);
+        for (i = 0; i < better; ++i) {
+            int *own = list + chosen, size = 0;
+            own[size++] = row[i];
+            for (k = better; k < count; ++k) { /* the same material may have been shown twice */
+                for (j = 0; j < size && own[j] != row[k]; ++j) {}
+                if (j == size) own[size++] = row[k];
+            }
+            if (size < 2) continue;
+            sizes[choices++] = size;
+            chosen += (size_t)size;
+        }
+        v.n = n + added, v.x = x, v.y = y;
+        v.choices.count = choices, v.choices.sizes = sizes, v.choices.rows = list;
+        status = ms_gpr_update(s->gp, &v, error);
+    } else {
+        studio__refuse(error, status, "no memory for an answer");
+    }
+    free(x), free(y), free(sizes), free(list);
+    return status;
+}
+
+/* n^3 / 6 multiply-adds for the n-th score. */
 static inline ms_status studio_score(studio *s, const double *x, double score, ms_error *error)
 {
-    ms_status status = ms_gpr_append(s->gp, x, score, error);
+    const ms_gpr_view v = ms_gpr_view_of(s->gp);
+    ms_status status = studio__change(s, v.n, v.choices.count, x, &score, 1, NULL, 0, 0, error);
     if (status != MS_OK) return status;
-    studio__remember(s, STUDIO__ADDED, ms_gpr_view_of(s->gp).n - 1, 0, 0);
+    studio__remember(s, STUDIO__ADDED, v.n, 0, v.choices.count);
     studio__changed(s);
     if (s->state == STUDIO_EMPTY) s->state = STUDIO_SCORED;
     return MS_OK;
+}
+
+static inline ms_status studio__rescore(studio *s, int index, double score, ms_error *error)
+{
+    ms_gpr_view v = ms_gpr_view_of(s->gp);
+    double *y;
+    ms_status status;
+    if (index < 0 || index >= v.n)
+        return studio__refuse(error, MS_INVALID_ARGUMENT, "there is no material of that index");
+    if ((y = (double *)malloc((size_t)v.n * sizeof *y)) == NULL)
+        return studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a score");
+    memcpy(y, v.y, (size_t)v.n * sizeof *y);
+    y[index] = score;
+    v.y = y;
+    status = ms_gpr_update(s->gp, &v, error);
+    free(y);
+    return status;
 }
 
 /* Another score for material `index`, counted from 0 in the order of studio_score. */
 static inline ms_status studio_rescore(studio *s, int index, double score, ms_error *error)
 {
     double before = index >= 0 && index < ms_gpr_view_of(s->gp).n ? ms_gpr_view_of(s->gp).y[index] : 0;
-    ms_status status = ms_gpr_rescore(s->gp, index, score, error);
+    ms_status status = studio__rescore(s, index, score, error);
     if (status != MS_OK) return status;
     studio__remember(s, STUDIO__SCORED, index, before, 0);
     studio__changed(s);
@@ -209,36 +261,29 @@ static inline int studio__rows(const studio *s, const double *x, int count, int 
 /* The first `better` of the materials x [count][m] are preferred to each of the others; 0: all have the least score. */
 static inline ms_status studio__prefer(studio *s, const double *x, int count, int better, ms_error *error)
 {
-    int n = ms_gpr_view_of(s->gp).n, before = ms_gpr_view_of(s->gp).pair_count, pairs = before, added, i, k;
-    int *row = (int *)malloc((size_t)count * sizeof *row),
-        *pair = (int *)malloc(2 * (size_t)(before + better * (count - better) + 1) * sizeof *pair);
-    double *fresh = (double *)malloc((size_t)count * (size_t)s->renderer.parameters * sizeof *fresh);
-    ms_status status = row && pair && fresh ? MS_OK
-                                            : studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for a comparison");
-    if (status == MS_OK) {
+    const ms_gpr_view v = ms_gpr_view_of(s->gp);
+    int *row = (int *)malloc((size_t)count * sizeof *row), added, i;
+    double *fresh = (double *)malloc((size_t)count * ((size_t)v.m + 1) * sizeof *fresh);
+    ms_status status = MS_OUT_OF_MEMORY;
+    if (row && fresh) {
+        double *given = fresh + (size_t)count * (size_t)v.m;
         added = studio__rows(s, x, count, row, fresh);
-        if (before > 0) memcpy(pair, ms_gpr_view_of(s->gp).pairs, 2 * (size_t)before * sizeof *pair);
-        for (i = 0; i < better; ++i)
-            for (k = better; k < count; ++k) {
-                if (row[i] == row[k]) continue;
-                pair[2 * pairs] = row[i];
-                pair[2 * pairs++ + 1] = row[k];
-            }
-        status = ms_gpr_compare(s->gp, fresh, added, pair, pairs, error);
-        for (i = 0; i < count && better == 0 && status == MS_OK; ++i)
-            if (row[i] >= n) status = ms_gpr_rescore(s->gp, row[i], s->least, error);
+        for (i = 0; i < added; ++i) given[i] = better ? MS_GPR_UNSCORED : s->least;
+        status = studio__change(s, v.n, v.choices.count, fresh, given, added, row, count, better, error);
+    } else {
+        studio__refuse(error, status, "no memory for a comparison");
     }
-    free(row), free(pair), free(fresh);
+    free(row), free(fresh);
     if (status != MS_OK) return status;
-    studio__remember(s, STUDIO__COMPARED, n, 0, before);
+    studio__remember(s, STUDIO__COMPARED, v.n, 0, v.choices.count);
     studio__changed(s);
     if (s->state == STUDIO_EMPTY) s->state = STUDIO_SCORED;
     return MS_OK;
 }
 
 /* Of the materials x [count][m] that were shown those whose indices picked [picks] names, rather than all the others:
-   "the best 2 of 9". picks 0: none of these; those that were not scored before get the least score. Some 2 n^3
-   multiply-adds, n the materials that were scored or shown. */
+   "the best 2 of 9", a choice for each pick. picks 0: none of these; those that were not scored before get the least
+   score. Some 2 n^3 multiply-adds, n the materials that were scored or shown. */
 static inline ms_status studio_pick(studio *s, const double *x, int count, const int *picked, int picks,
                                     ms_error *error)
 {
@@ -327,22 +372,14 @@ static inline ms_status studio_avoid(studio *s, const double *x, ms_error *error
 static inline ms_status studio_undo(studio *s, ms_error *error)
 {
     ms_status status = MS_OK;
-    int index, n = ms_gpr_view_of(s->gp).n, i;
+    int index, choices;
     if (s->undos == 0) return studio__refuse(error, MS_INVALID_ARGUMENT, "there is nothing to undo");
     index = s->undo[s->undos - 1].index;
+    choices = s->undo[s->undos - 1].choices;
     switch (s->undo[s->undos - 1].kind) {
-    case STUDIO__ADDED: status = ms_gpr_drop(s->gp, index, error); break;
-    case STUDIO__SCORED: status = ms_gpr_rescore(s->gp, index, s->undo[s->undos - 1].score, error); break;
-    case STUDIO__COMPARED: {
-        size_t size = 2 * (size_t)s->undo[s->undos - 1].pairs * sizeof(int);
-        int *pairs = (int *)malloc(size + 1);
-        if (pairs == NULL) return studio__refuse(error, MS_OUT_OF_MEMORY, "no memory for comparisons");
-        if (size > 0) memcpy(pairs, ms_gpr_view_of(s->gp).pairs, size);
-        status = ms_gpr_compare(s->gp, NULL, 0, pairs, s->undo[s->undos - 1].pairs, error);
-        free(pairs);
-        for (i = n - 1; i >= index && status == MS_OK; --i) status = ms_gpr_drop(s->gp, i, error);
-        break;
-    }
+    case STUDIO__ADDED:
+    case STUDIO__COMPARED: status = studio__change(s, index, choices, NULL, NULL, 0, NULL, 0, 0, error); break;
+    case STUDIO__SCORED: status = studio__rescore(s, index, s->undo[s->undos - 1].score, error); break;
     default: --s->avoids;
     }
     if (status != MS_OK) return status;
@@ -352,16 +389,38 @@ static inline ms_status studio_undo(studio *s, ms_error *error)
     return MS_OK;
 }
 
-/* Some steps of the fit: from where the model stands, then from each of the fit's own starts, until it gains no more
-   and no other length of a column is better; the best of all is the model. As many evaluations of the likelihood at a
-   time as fit into 8 ms, by what they took before. */
+/* Where the fit's start number `which` begins, into theta [m + 2]: lengths of so many widths (sqrt(12) deviations of a
+   column) times sqrt(m), sf = 1 and sn = 0.1 deviations of the scores. */
+static inline void studio__start(const ms_gpr *gp, int which, double *theta)
+{
+    static const double length[] = {0.25, 0.5, 3};
+    const ms_gpr_view v = ms_gpr_view_of(gp);
+    double sum = 0, sum2 = 0, scored = 0, differ = 0;
+    int i, k;
+    for (k = 0; k < v.m; ++k) {
+        double mean = 0, square = 0;
+        for (i = 0; i < v.n; ++i) mean += v.x[(size_t)i * (size_t)v.m + (size_t)k] / v.n;
+        for (i = 0; i < v.n; ++i) square += pow(v.x[(size_t)i * (size_t)v.m + (size_t)k] - mean, 2) / v.n;
+        differ += square > 0;
+        theta[k] = square > 0 ? 0.5 * log(12 * square) : 0;
+    }
+    for (k = 0; k < v.m; ++k) theta[k] += log(length[which] * sqrt(fmax(differ, 1)));
+    for (i = 0; i < v.n; ++i)
+        if (v.y[i] > MS_GPR_UNSCORED) sum += v.y[i], scored += 1;
+    for (i = 0; i < v.n && scored > 0; ++i)
+        if (v.y[i] > MS_GPR_UNSCORED) sum2 += pow(v.y[i] - sum / scored, 2) / scored;
+    theta[v.m] = sum2 > 0 ? 0.5 * log(sum2) : 0;
+    theta[v.m + 1] = theta[v.m] + log(0.1);
+}
+
+/* Some steps of the fit: from where the model stands, then from each of the fit's own starts, until it gains no more;
+   the best of all is the model. As many evaluations of the likelihood at a time as fit into 8 ms, by what they took
+   before. */
 static inline ms_status studio_update(studio *s, ms_error *error)
 {
-    static const double length[] = {0.25, 0.5, 3}; /* widths, times sqrt(m) */
-    int n = ms_gpr_view_of(s->gp).n, m = s->renderer.parameters, probing = s->probe >= 0, next = 0, count,
-        least = s->reached > -1e300 ? 3 : 2;
-    size_t size = ((size_t)m + 2) * sizeof(double);
-    double cost = probing && !(s->cost[1] > 0) ? 2 * s->cost[0] : s->cost[probing], gain; /* a first probe: a guess */
+    const ms_gpr_view v = ms_gpr_view_of(s->gp);
+    int count, least = s->reached > -1e300 ? 3 : 2;
+    double gain;
     ms_gpr_fit_options options = s->learn;
     ms_gpr_fit_report report;
     ms_gpr *found;
@@ -369,19 +428,16 @@ static inline ms_status studio_update(studio *s, ms_error *error)
     clock_t clocks;
     if (s->state == STUDIO_EMPTY) return studio__refuse(error, MS_INVALID_ARGUMENT, "nothing was scored yet");
     if (s->settled) return MS_OK;
-    if (s->search == 0 || s->reached > -1e300) options.start = s->theta;
-    else options.length_start = length[s->search - 1] * sqrt((double)m);
-    count = cost > 0 ? (int)fmin(0.008 / cost, 40) : 2;
-    options.evaluations = probing ? 1 : count < least ? least : count;
-    options.probe_first = probing ? s->probe : 0;
-    options.probes = !probing ? -1 : count < 3 ? 1 : count - 1; /* the model is conditioned once more, too */
-    options.pairs = ms_gpr_view_of(s->gp).pairs;
-    options.pair_count = ms_gpr_view_of(s->gp).pair_count;
+    if (s->search > 0 && !(s->reached > -1e300)) studio__start(s->gp, s->search - 1, s->theta);
+    options.start = s->theta;
+    count = s->cost > 0 ? (int)fmin(0.008 / s->cost, 40) : 2;
+    options.evaluations = count < least ? least : count;
+    options.choices = v.choices;
     clocks = clock();
-    status = ms_gpr_fit(ms_gpr_view_of(s->gp).x, ms_gpr_view_of(s->gp).y, n, m, &options, &found, &report, error);
+    status = ms_gpr_fit(v.x, v.y, v.n, v.m, &options, &found, &report, error);
     if (status != MS_OK) return status;
-    s->cost[probing] = (double)(clock() - clocks) / CLOCKS_PER_SEC / (report.evaluations + 1);
-    memcpy(s->theta, ms_gpr_view_of(found).theta, size);
+    s->cost = (double)(clock() - clocks) / CLOCKS_PER_SEC / (report.evaluations + 1); /* conditioned once more, too */
+    memcpy(s->theta, ms_gpr_view_of(found).theta, ((size_t)v.m + 2) * sizeof(double));
     gain = report.objective - s->reached;
     s->reached = report.objective;
     if (report.objective > s->objective) {
@@ -392,26 +448,39 @@ static inline ms_status studio_update(studio *s, ms_error *error)
     } else {
         ms_gpr_destroy(found);
     }
-    if (s->probe >= 0) {
-        s->switched |= report.probes > 0;
-        s->probe += options.probes;
-        if (s->probe >= m) {
-            s->probe = -1;
-            s->probed = 1;
-            next = !s->switched;
-        }
-    } else if (gain < 0.05) { /* this start is at its end, but for columns that it overlooked */
-        next = s->probed;
-        if (!next) s->probe = s->switched = 0;
-    }
-    if (next) {
+    if (gain < 0.05) { /* this start is at its end */
         s->settled = s->search == 3;
         ++s->search;
-        s->probed = 0;
         s->reached = -1e300;
     }
     if (s->state == STUDIO_SCORED) s->state = STUDIO_LEARNED;
     return MS_OK;
+}
+
+static inline ms_status studio__embed(studio *s, const double *x, int count, ms_error *error);
+
+/* What galleries, recommendations and the plane keep, copied; MS_INVALID_ARGUMENT says what contradicts what. */
+static inline ms_status studio_keep(studio *s, const space_wish *wish, ms_error *error)
+{
+    space_kept *fresh = (space_kept *)malloc(sizeof *fresh), *old = s->kept;
+    const ms_gpr_space before = s->space;
+    const char *problem = fresh ? space_make(fresh, wish, s->renderer.parameters) : "no memory for wishes";
+    ms_status status = MS_OK;
+    if (problem) {
+        free(fresh);
+        return studio__refuse(error, fresh ? MS_INVALID_ARGUMENT : MS_OUT_OF_MEMORY, problem);
+    }
+    s->kept = fresh;
+    s->space = space_of(fresh);
+    if (s->plane) status = studio__embed(s, s->embedded, s->embedded_count, error); /* it holds on to its space */
+    if (status != MS_OK) {
+        s->kept = old;
+        s->space = before;
+        old = fresh;
+    }
+    if (old) space_free(old);
+    free(old);
+    return status;
 }
 
 static inline void studio__draw(studio *s, const double *x, float *planes)
@@ -536,15 +605,12 @@ static inline ms_status studio_choose(studio *s, const double *x, ms_error *erro
     free(s->embedded);
     s->embedded = liked;
     s->embedded_count = count + 1;
-    memcpy(s->at, ms_gpr_latent_points(s->plane) + 2 * count, sizeof s->at);
+    memcpy(s->at, ms_gpr_latent_view_of(s->plane).points + 2 * count, sizeof s->at);
     s->state = STUDIO_EXPLORING;
     return MS_OK;
 }
 
-static inline int studio__keeps(const studio *s)
-{
-    return s->space.low || s->space.high || s->space.steps || s->space.equal_count || s->space.list_count;
-}
+static inline int studio__keeps(const studio *s) { return s->space.low || s->space.high || s->space.snap; }
 
 /* A step in the plane, in length scales, and what is seen there. It ends where the plane knows less than a quarter, but
    may always lead to where it knows more. */
@@ -555,7 +621,7 @@ static inline ms_status studio_move(studio *s, double dx, double dy, studio_view
     ms_status status;
     int halvings;
     if (s->state != STUDIO_EXPLORING) return studio__refuse(error, MS_INVALID_ARGUMENT, "no material was chosen yet");
-    sf2 = exp(2 * ms_gpr_latent_theta(s->plane)[2]);
+    sf2 = pow(ms_gpr_latent_view_of(s->plane).sf, 2);
     status = ms_gpr_latent_map(s->plane, s->at, 1, NULL, &here, error);
     for (halvings = 0; halvings < 8 && status == MS_OK; ++halvings, dx *= 0.5, dy *= 0.5) {
         to[0] = s->at[0] + dx;
@@ -602,35 +668,41 @@ static inline void studio__put_ints(FILE *f, const char *name, const int *v, int
 static inline ms_status studio_save(const studio *s, const char *path, ms_error *error)
 {
     int m = s->renderer.parameters, n = ms_gpr_view_of(s->gp).n, i;
-    double numbers[7], undo[4 * STUDIO_UNDO];
+    const ms_gpr_view v = ms_gpr_view_of(s->gp);
+    double numbers[10], undo[4 * STUDIO_UNDO];
+    int chosen = 0;
     file_out out;
     FILE *f = file_create(path, &out);
     const char *problem;
     if (f == NULL) return studio__refuse(error, MS_IO, out.problem);
     numbers[0] = m, numbers[1] = (int)s->state, numbers[2] = s->settled, numbers[3] = (double)s->seed;
     numbers[4] = s->least, numbers[5] = s->at[0], numbers[6] = s->at[1];
+    numbers[7] = v.mean, numbers[8] = v.floor, numbers[9] = v.floor_value;
+    for (i = 0; i < v.choices.count; ++i) chosen += v.choices.sizes ? v.choices.sizes[i] : 2;
     for (i = 0; i < s->undos; ++i) {
         undo[4 * i] = s->undo[i].kind, undo[4 * i + 1] = s->undo[i].index;
-        undo[4 * i + 2] = s->undo[i].score, undo[4 * i + 3] = s->undo[i].pairs;
+        undo[4 * i + 2] = s->undo[i].score, undo[4 * i + 3] = s->undo[i].choices;
     }
-    fprintf(f, "studio session 1\n");
-    studio__put(f, "session", numbers, 7);
-    studio__put(f, "theta", ms_gpr_view_of(s->gp).theta, m + 2);
-    studio__put(f, "materials", ms_gpr_view_of(s->gp).x, n * m);
-    studio__put(f, "scores", ms_gpr_view_of(s->gp).y, n);
-    studio__put_ints(f, "pairs", ms_gpr_view_of(s->gp).pairs, 2 * ms_gpr_view_of(s->gp).pair_count);
+    fprintf(f, "studio session 2\n");
+    studio__put(f, "session", numbers, 10);
+    studio__put(f, "theta", v.theta, m + 2);
+    studio__put(f, "materials", v.x, n * m);
+    studio__put(f, "scores", v.y, n);
+    studio__put_ints(f, "sizes", v.choices.sizes, v.choices.count);
+    studio__put_ints(f, "choices", v.choices.rows, chosen);
     studio__put(f, "others", s->others, STUDIO_OTHERS * m);
     studio__put(f, "avoid", s->avoid, s->avoids * m);
     studio__put(f, "undo", undo, 4 * s->undos);
     studio__put(f, "plane", s->embedded, s->embedded_count * m);
-    studio__put(f, "low", s->space.low, m);
-    studio__put(f, "high", s->space.high, m);
-    studio__put(f, "steps", s->space.steps, m);
-    studio__put_ints(f, "equal", s->space.equal, 2 * s->space.equal_count);
-    fprintf(f, "lists %d\n", s->space.list_count);
-    for (i = 0; i < s->space.list_count; ++i) {
-        studio__put_ints(f, "columns", s->space.lists[i].columns, s->space.lists[i].width);
-        studio__put(f, "rows", s->space.lists[i].rows, s->space.lists[i].width * s->space.lists[i].count);
+    studio__put(f, "low", s->kept ? s->kept->low : NULL, m);
+    studio__put(f, "high", s->kept ? s->kept->high : NULL, m);
+    studio__put(f, "steps", s->kept ? s->kept->steps : NULL, m);
+    studio__put_ints(f, "equal", s->kept ? s->kept->equal : NULL, s->kept ? 2 * s->kept->equal_count : 0);
+    fprintf(f, "lists %d\n", s->kept ? s->kept->list_count : 0);
+    for (i = 0; s->kept && i < s->kept->list_count; ++i) {
+        const space_list *list = &s->kept->lists[i];
+        studio__put_ints(f, "columns", list->columns, list->width);
+        studio__put(f, "rows", list->rows, list->width * list->count);
     }
     problem = file_finish(&out, !ferror(f));
     return problem ? studio__refuse(error, MS_IO, problem) : MS_OK;
@@ -679,87 +751,91 @@ static inline int *studio__get_ints(char **text, const char *name, int *count)
 /* The session from its text into s, which is open and empty. */
 static inline ms_status studio__parse(studio *s, char *text, ms_error *error)
 {
-    static const char title[] = "studio session 1\n";
-    static const char *const space[] = {"low", "high", "steps"};
-    int m = s->renderer.parameters, count[6], n, lists, pair_numbers, i, good;
-    double *v, *theta, *x, *y, *undo;
-    int *pairs;
-    ms_gpr_fit_options options = s->learn;
-    ms_gpr *gp = NULL;
+    static const char title[] = "studio session 2\n";
+    static const char *const names[] = {"low", "high", "steps"};
+    int m = s->renderer.parameters, count[6], n, lists = 0, choices, chosen, i, good;
+    double *v, *theta, *x, *y, *undo, *kept[3] = {NULL, NULL, NULL};
+    int *sizes, *rows, *equal;
+    space_list *list = NULL;
+    space_wish wish;
+    ms_gpr_view parts;
     ms_status status;
     if (strncmp(text, title, sizeof title - 1) != 0)
         return studio__refuse(error, MS_BAD_DATA, "it does not begin as a session of a studio does");
     text += sizeof title - 1;
+    memset(&parts, 0, sizeof parts);
+    memset(&wish, 0, sizeof wish);
     v = studio__get(&text, "session", &count[0]);
-    good = count[0] == 7 && v[0] <= m && v[0] >= m && v[1] >= 0 && v[1] <= (double)STUDIO_EXPLORING && v[3] >= 0 &&
+    good = count[0] == 10 && v[0] <= m && v[0] >= m && v[1] >= 0 && v[1] <= (double)STUDIO_EXPLORING && v[3] >= 0 &&
         v[3] < 9e15;
     if (good) {
         s->state = (studio_state)(int)v[1];
         s->settled = v[2] > 0;
         s->seed = (uint64_t)v[3];
         s->least = v[4], s->at[0] = v[5], s->at[1] = v[6];
+        parts.mean = v[7], parts.floor = v[8], parts.floor_value = v[9];
     }
     free(v);
     if (!good) return studio__refuse(error, MS_BAD_DATA, "the session is of other parameters, or was changed");
     theta = studio__get(&text, "theta", &count[0]);
     x = studio__get(&text, "materials", &count[1]);
     y = studio__get(&text, "scores", &n);
-    pairs = studio__get_ints(&text, "pairs", &pair_numbers);
+    sizes = studio__get_ints(&text, "sizes", &choices);
+    rows = studio__get_ints(&text, "choices", &chosen);
     s->others = studio__get(&text, "others", &count[3]);
     s->avoid = studio__get(&text, "avoid", &count[4]);
     undo = studio__get(&text, "undo", &count[5]);
-    good = count[0] == m + 2 && n >= 0 && n <= 30000 && count[1] == n * m && pair_numbers >= 0 &&
-        pair_numbers % 2 == 0 && (count[3] == 0 || count[3] == STUDIO_OTHERS * m) && count[4] >= 0 &&
-        count[4] % m == 0 && count[5] >= 0 && count[5] % 4 == 0 && count[5] <= 4 * STUDIO_UNDO;
+    good = count[0] == m + 2 && n >= 0 && n <= 30000 && count[1] == n * m && choices >= 0 && chosen >= 2 * choices &&
+        (count[3] == 0 || count[3] == STUDIO_OTHERS * m) && count[4] >= 0 && count[4] % m == 0 && count[5] >= 0 &&
+        count[5] % 4 == 0 && count[5] <= 4 * STUDIO_UNDO;
     for (i = 0; good && i < count[5]; i += 4) {
         good = undo[i] >= 0 && undo[i] <= (double)STUDIO__AVOIDED && undo[i + 1] >= 0 && undo[i + 1] <= n &&
-            undo[i + 3] >= 0 && 2 * undo[i + 3] <= pair_numbers;
+            undo[i + 3] >= 0 && undo[i + 3] <= choices;
         if (!good) break;
         s->undo[s->undos].kind = (int)undo[i], s->undo[s->undos].index = (int)undo[i + 1];
-        s->undo[s->undos].score = undo[i + 2], s->undo[s->undos++].pairs = (int)undo[i + 3];
+        s->undo[s->undos].score = undo[i + 2], s->undo[s->undos++].choices = (int)undo[i + 3];
     }
+    for (i = 0; good && i < choices; ++i) good = sizes[i] >= 2 && sizes[i] <= chosen && (chosen -= sizes[i]) >= 0;
+    good = good && chosen == 0;
     s->avoids = good ? count[4] / m : 0;
     s->embedded = studio__get(&text, "plane", &count[3]);
     good = good && count[3] >= 0 && count[3] % m == 0 && (count[3] > 0 || s->state != STUDIO_EXPLORING);
     s->embedded_count = good ? count[3] / m : 0;
     for (i = 0; i < 3; ++i) {
-        s->owned[i] = studio__get(&text, space[i], &count[i]);
+        kept[i] = studio__get(&text, names[i], &count[i]);
         good = good && (count[i] == 0 || count[i] == m);
     }
-    s->space.low = s->owned[0], s->space.high = s->owned[1], s->space.steps = s->owned[2];
-    s->space.equal = s->equal = studio__get_ints(&text, "equal", &count[3]);
+    equal = studio__get_ints(&text, "equal", &count[3]);
     good = good && count[3] >= 0 && count[3] % 2 == 0;
-    s->space.equal_count = good ? count[3] / 2 : 0;
     good = good && sscanf(text, "lists %d", &lists) == 1 && lists >= 0 && lists <= 10000;
-    if (good && lists > 0) good = (s->lists = (ms_gpr_list *)calloc((size_t)lists, sizeof *s->lists)) != NULL;
-    for (i = 0, text = strchr(text, '\n'), text = text ? text + 1 : NULL; good && text && i < lists; ++i) {
+    if (good && lists > 0) good = (list = (space_list *)calloc((size_t)lists, sizeof *list)) != NULL;
+    text = strchr(text, '\n');
+    for (i = 0, text = text ? text + 1 : NULL; good && text && i < lists; ++i) {
         int width, numbers;
-        s->lists[i].columns = studio__get_ints(&text, "columns", &width);
-        s->lists[i].rows = studio__get(&text, "rows", &numbers);
-        s->space.list_count = i + 1;
+        list[i].columns = studio__get_ints(&text, "columns", &width);
+        list[i].rows = studio__get(&text, "rows", &numbers);
         good = width > 0 && numbers > 0 && numbers % width == 0;
-        s->lists[i].width = width;
-        s->lists[i].count = good ? numbers / width : 0;
+        list[i].width = width;
+        list[i].count = good ? numbers / width : 0;
     }
-    s->space.lists = s->lists;
     good = good && text && *text == 0;
     status = good ? MS_OK : studio__refuse(error, MS_BAD_DATA, "not a session of this studio, or it was changed");
-    if (good && n > 0) { /* the model of these answers at that theta: a fit that does not move */
-        options.start = theta;
-        options.evaluations = 1;
-        options.probes = -1;
-        options.pairs = pairs;
-        options.pair_count = pair_numbers / 2;
-        status = ms_gpr_fit(x, y, n, m, &options, &gp, NULL, error);
-        if (status == MS_OK) {
-            ms_gpr_destroy(s->gp);
-            s->gp = gp;
-            memcpy(s->theta, theta, ((size_t)m + 2) * sizeof *theta);
-        }
+    if (good) { /* the model as it was */
+        parts.n = n, parts.m = m;
+        parts.x = x, parts.y = y, parts.theta = theta;
+        parts.choices.count = choices, parts.choices.sizes = sizes, parts.choices.rows = rows;
+        status = ms_gpr_update(s->gp, &parts, error);
+        memcpy(s->theta, theta, ((size_t)m + 2) * sizeof *theta);
         s->reached = s->objective = -1e300;
+        wish.low = kept[0], wish.high = kept[1], wish.steps = kept[2];
+        wish.equal = equal, wish.equal_count = count[3] / 2;
+        wish.lists = list, wish.list_count = lists;
+        if (status == MS_OK && (kept[0] || equal || lists)) status = studio_keep(s, &wish, error);
     }
     if (status == MS_OK && s->embedded) status = studio__embed(s, s->embedded, s->embedded_count, error);
-    free(theta), free(x), free(y), free(pairs), free(undo);
+    for (i = 0; i < lists && list; ++i) free((void *)(uintptr_t)list[i].columns), free((void *)(uintptr_t)list[i].rows);
+    free(theta), free(x), free(y), free(sizes), free(rows), free(undo), free(equal), free(list);
+    for (i = 0; i < 3; ++i) free(kept[i]);
     return status;
 }
 

@@ -42,7 +42,7 @@ static const char *const wgsl_before = "#define MS_SSS_WGSL\n"
                                        "texture_2d<f32>; fn fetch(p: vec2<i32>) -> vec4<f32> { return "
                                        "textureLoad(name, p, 0); }\n";
 static const char *const wgsl_after =
-    "#if MS_SSS_STEP < 8\n"
+    "#if MS_SSS_STEP != 8\n"
     "\n"
     "struct ms_sss_block { v: array<vec4<f32>, COUNT> };\n"
     "@group(0) @binding(0) var<uniform> ms_sss: ms_sss_block;\n"

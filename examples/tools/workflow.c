@@ -132,16 +132,16 @@ static ms_status embed(flow *f)
     options.prior = 0.1; /* keeps the plane compact */
     memcpy(liked + count * M, f->chosen, sizeof f->chosen);
     status = ms_gpr_latent_fit(liked, count + 1, M, &options, &f->plane, NULL, &f->error);
-    f->fine = ms_gpr_grid_around(f->plane, FINE);
-    f->coarse = ms_gpr_grid_around(f->plane, COARSE);
+    f->fine = map_around(f->plane, FINE);
+    f->coarse = map_around(f->plane, COARSE);
     return status;
 }
 
 /* Lines 16 and 12 to 18. */
-static ms_status map_preference(flow *f)
+static ms_status color_preference(flow *f)
 {
-    ms_status status = ms_gpr_map_preference(f->plane, f->gp, &f->fine, f->preference, NULL, &f->error);
-    return status == MS_OK ? ms_gpr_map_confidence(f->plane, &f->fine, f->confidence, &f->error) : status;
+    ms_status status = map_preference(f->plane, f->gp, &f->fine, f->preference, &f->error);
+    return status == MS_OK ? map_confidence(f->plane, &f->fine, f->confidence, &f->error) : status;
 }
 
 static ms_status draw_small(void *user, const double *x, float *picture)
@@ -150,9 +150,9 @@ static ms_status draw_small(void *user, const double *x, float *picture)
     return MS_OK;
 }
 
-static ms_gpr_similarity to_the_chosen(flow *f)
+static variant_similarity to_the_chosen(flow *f)
 {
-    ms_gpr_similarity similarity;
+    variant_similarity similarity;
     memset(&similarity, 0, sizeof similarity);
     similarity.x = f->chosen;
     similarity.scale = 0.07; /* s = 0.61 at a PSNR of 23 dB */
@@ -163,10 +163,10 @@ static ms_gpr_similarity to_the_chosen(flow *f)
 }
 
 /* Line 15. */
-static ms_status map_similarity(flow *f)
+static ms_status color_similarity(flow *f)
 {
-    ms_gpr_similarity similarity = to_the_chosen(f);
-    ms_status status = ms_gpr_map_similarity(f->plane, &similarity, &f->coarse, f->similar, &f->error);
+    variant_similarity similarity = to_the_chosen(f);
+    ms_status status = variants_map(f->plane, &similarity, &f->coarse, f->similar, &f->error);
     if (status == MS_OK) map_product(&f->fine, f->preference, &f->coarse, f->similar, f->product);
     return status;
 }
@@ -174,14 +174,14 @@ static ms_status map_similarity(flow *f)
 /* Section 3.7: from most similar to best liked. */
 static ms_status vary(flow *f)
 {
-    ms_gpr_similarity similarity = to_the_chosen(f);
+    variant_similarity similarity = to_the_chosen(f);
     double lambda[VARIANTS];
     ms_status status;
     int i;
     for (i = 0; i < VARIANTS; ++i)
         lambda[i] = 0.7 * pow(1 - (i + 0.5) / (int)VARIANTS, 2); /* beyond 0.5 little changes */
-    status = ms_gpr_variants(f->plane, f->gp, &similarity, &f->coarse, lambda, VARIANTS, 0, f->variant, f->variants,
-                             &f->error);
+    status = variants_find(f->plane, f->gp, &similarity, &f->coarse, lambda, VARIANTS, 0, f->variant, f->variants,
+                           &f->error);
     for (i = 0; i < VARIANTS * M && status == MS_OK; ++i) f->variants[i] = fmin(fmax(f->variants[i], 0), 1);
     return status;
 }
@@ -353,10 +353,10 @@ int main(int argc, char **argv)
     pictures(&f->small, f->recommended, RECOMMENDED, recommended);
     t = note(f, "their pictures", RECOMMENDED, " of 64^2", "40 (one of 410^2, GPU)", t);
     if (embed(f) != MS_OK) return fail("the plane", f->error.message);
-    t = note(f, "GPLVM", ms_gpr_latent_count(f->plane), "", "1960 (16)", t);
-    if (map_preference(f) != MS_OK) return fail("the preference map", f->error.message);
+    t = note(f, "GPLVM", ms_gpr_latent_view_of(f->plane).z, "", "1960 (16)", t);
+    if (color_preference(f) != MS_OK) return fail("the preference map", f->error.message);
     t = note(f, "preference coding", FINE, "^2", "2750 (50^2)", t);
-    if (map_similarity(f) != MS_OK) return fail("the similarity map", f->error.message);
+    if (color_similarity(f) != MS_OK) return fail("the similarity map", f->error.message);
     t = note(f, "similarity coding", COARSE, "^2", "8150 (20^2, GPU)", t);
     if (vary(f) != MS_OK) return fail("the variants", f->error.message);
     t = note(f, "variants", VARIANTS, "", "", t);

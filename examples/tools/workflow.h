@@ -34,9 +34,9 @@ typedef struct flow {
     double recommended[RECOMMENDED * M], mean[RECOMMENDED], sigma[RECOMMENDED];
     double chosen[M];
     ms_gpr_latent *plane;
-    ms_gpr_grid fine, coarse;
+    map_grid fine, coarse;
     double preference[FINE * FINE], confidence[FINE * FINE], product[FINE * FINE], similar[COARSE * COARSE];
-    ms_gpr_variant variant[VARIANTS];
+    variant_found variant[VARIANTS];
     double variants[VARIANTS * M];
     float *edited; /* the target picture, [3][64][64], and the one before the edit */
     double guess[M], matched[M];
@@ -133,11 +133,11 @@ static void tile(image *page, int left, int top, const float *planes, int size, 
 }
 
 /* A map over the plane with its dots: white the embedded materials, red the chosen one, black its variants. */
-static void map(const flow *f, image *page, int left, int top, int side, const ms_gpr_grid *grid, const double *value)
+static void map(const flow *f, image *page, int left, int top, int side, const map_grid *grid, const double *value)
 {
     static const float white[3] = {1, 1, 1}, red[3] = {1, 0.15f, 0.1f}, black[3] = {0, 0, 0};
-    const double *latent = ms_gpr_latent_points(f->plane);
-    int last = ms_gpr_latent_count(f->plane) - 1, i;
+    const double *latent = ms_gpr_latent_view_of(f->plane).points;
+    int last = ms_gpr_latent_view_of(f->plane).z - 1, i;
     map_draw(page, left, top, side, grid, value, &f->fine, f->confidence);
     for (i = 0; i < last; ++i) map_dot(page, left, top, side, grid, latent + 2 * i, 3, white);
     map_dot(page, left, top, side, grid, latent + 2 * last, 5, red);

@@ -7,10 +7,10 @@ web=examples/web
 
 sources() { # what page $1 is made of
     case $1 in
-    studio) echo ms_gpr.h ms_nn.h ms_pme.h examples/tools/studio.h examples/tools/neural.h examples/tools/matcher.h examples/tools/maps.h examples/tools/materialx.h \
+    studio) echo ms_gpr.h ms_nn.h ms_pme.h examples/tools/studio.h examples/tools/space.h examples/tools/plane.h examples/tools/neural.h examples/tools/matcher.h examples/tools/maps.h examples/tools/materialx.h \
         examples/tools/files.h examples/tools/image.h $web/studio.c $web/wasi.js $web/studio.worker.js $web/studio.js $web/page.css $web/studio.css \
         $web/studio.part.html $web/pack.c $web/build.sh examples/data/renderer_128.safetensors examples/data/inversion_6.safetensors ;;
-    kernels) echo ms_mcml.h ms_sss.h examples/engine/shader/ms_sss.glsl examples/engine/shader/ms_sss_pyramid.glsl examples/tools/wgsl.h examples/demo/scene.h examples/tools/image.h examples/tools/files.h examples/tools/skin.h $web/kernels.c $web/wasi.js $web/kernels.worker.js \
+    kernels) echo ms_mcml.h ms_sss.h examples/engine/shader/ms_sss.glsl examples/engine/shader/ms_sss_pyramid.glsl examples/tools/wgsl.h examples/demo/scene.h examples/tools/image.h examples/tools/files.h examples/tools/layered.h examples/tools/skin.h $web/kernels.c $web/wasi.js $web/kernels.worker.js \
         $web/kernels.js $web/page.css $web/kernels.css $web/kernels.part.html $web/build.sh ;;
     three) echo ms_sss.h examples/engine/shader/ms_sss.glsl $web/three.c $web/sss_three.part.js $web/three.page.js $web/three.part.html $web/build.sh ;;
     *) echo "no page of that name: $1" >&2; exit 2 ;;

@@ -7,6 +7,7 @@
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "../demo/scene.h"
+#include "../tools/layered.h"
 #include "../tools/skin.h"
 #include "../tools/wgsl.h"
 
@@ -62,7 +63,6 @@ static ms_status make_profile(int material, const double *own)
         skin_parameters skin = skin_defaults();
         skin.melanin = own[0];
         skin.blood = own[1];
-        skin.g = 0; /* reduced scattering, several times faster */
         status = skin_profile(&rings, &skin, NULL, &error);
         if (status != MS_OK) return status;
         for (c = 0; c < 3; ++c) rd[c] = rings.rd_per_mm2 + c * rings.rings;
@@ -192,6 +192,7 @@ CALL(int, fill, (int width, int height, int way, int step, int level, double mm_
     shader.half_resolution = way == 1;
     shader.pyramids = &pyramid;
     shader.level = level;
+    shader.pyramids = &pyramid;
     count = ms_sss_shader_constant_count(&shader);
     see(mm_per_unit, flat);
     return count <= CONSTANTS &&

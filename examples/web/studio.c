@@ -153,7 +153,7 @@ CALL(int, outlier, (void))
 {
     number[0] = session.outlier.value;
     number[1] = session.outlier.expected;
-    return session.outlier.row >= 0 && session.outlier.column < 0 ? session.outlier.row : -1;
+    return session.outlier.row;
 }
 
 /* Means and standard deviations of x [count] into numbers [count] each. */
@@ -178,15 +178,15 @@ CALL(int, recommend, (int count))
 CALL(int, choose, (void))
 {
     static double value[GRID * GRID], sure[GRID * GRID], one[GRID * GRID];
-    ms_gpr_grid grid;
+    map_grid grid;
     ms_status status = studio_choose(&session, material, &error);
     image im;
     int i, x, y, c, count;
     double least = 1e30, most = -1e30;
     if (status != MS_OK) return (int)status;
-    grid = ms_gpr_grid_around(session.plane, GRID);
-    status = ms_gpr_map_preference(session.plane, session.gp, &grid, value, NULL, &error);
-    if (status == MS_OK) status = ms_gpr_map_confidence(session.plane, &grid, sure, &error);
+    grid = map_around(session.plane, GRID);
+    status = map_preference(session.plane, session.gp, &grid, value, &error);
+    if (status == MS_OK) status = map_confidence(session.plane, &grid, sure, &error);
     im = image_new(MAP, MAP, 3);
     if (status == MS_OK && im.pixels == NULL)
         status = studio__refuse(&error, MS_OUT_OF_MEMORY, "no memory for the map");
@@ -203,16 +203,16 @@ CALL(int, choose, (void))
                        b = grid.y1 - (grid.y1 - grid.y0) * (y + 0.5) / (double)MAP;
                 i = y * MAP + x;
                 for (c = 0; c < 3; ++c) bytes[4 * i + c] = image_to_byte(im.pixels[3 * i + c]);
-                bytes[4 * i + 3] = image_to_byte((float)ms_gpr_grid_value(&grid, sure, a, b));
+                bytes[4 * i + 3] = image_to_byte((float)map_value(&grid, sure, a, b));
             }
         number[0] = grid.x0;
         number[1] = grid.x1;
         number[2] = grid.y0;
         number[3] = grid.y1;
         memcpy(number + 4, session.at, sizeof session.at);
-        count = ms_gpr_latent_count(session.plane);
+        count = ms_gpr_latent_view_of(session.plane).z;
         number[6] = count;
-        memcpy(number + 7, ms_gpr_latent_points(session.plane), 2 * sizeof(double) * (size_t)count);
+        memcpy(number + 7, ms_gpr_latent_view_of(session.plane).points, 2 * sizeof(double) * (size_t)count);
     }
     image_free(&im);
     return (int)status;

@@ -29,16 +29,17 @@ typedef struct worth {
 static const double taus[TAUS] = {0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.9};
 
 static double x[500 * MANY], y[500], held[HELD * MANY], truth[HELD];
-static int pairs[2 * ASKED * 2 * SHOWN], pair_count;
-static double spent; /* seconds of the session's galleries so far */
+static int rows[4 * ASKED * SHOWN], sizes[4 * ASKED], choices, chosen; /* of all, the preferred one first */
+static double spent;                                                   /* seconds of the session's galleries so far */
 
 static ms_gpr *fit(int n, int m)
 {
     ms_gpr_fit_options o;
     ms_gpr *gp;
     memset(&o, 0, sizeof o);
-    o.pairs = pairs;
-    o.pair_count = pair_count;
+    o.choices.rows = rows;
+    o.choices.sizes = sizes;
+    o.choices.count = choices;
     if (ms_gpr_fit(x, y, n, m, &o, &gp, NULL, NULL) != MS_OK) exit(1);
     return gp;
 }
@@ -133,12 +134,13 @@ static int click(const user *u, int n, uint64_t *state)
         for (i = 0; i < SHOWN; ++i)
             if (s[i] > 0 && i != best[0] && (best[k] < 0 || s[i] > s[best[k]])) best[k] = i;
     for (i = 0; i < SHOWN && best[0] < 0; ++i) y[n + i] = 0;
-    for (k = 0; k < 2; ++k)
-        for (i = 0; i < SHOWN && best[k] >= 0; ++i) {
-            if (i == best[0] || i == best[1]) continue;
-            pairs[2 * pair_count] = n + best[k];
-            pairs[2 * pair_count++ + 1] = n + i;
-        }
+    for (k = 0; k < 2 && best[k] >= 0; ++k) {
+        int first = chosen;
+        rows[chosen++] = n + best[k];
+        for (i = 0; i < SHOWN; ++i)
+            if (i != best[0] && i != best[1]) rows[chosen++] = n + i;
+        sizes[choices++] = chosen - first;
+    }
     return best[1] < 0 ? 1 : 2;
 }
 
@@ -147,7 +149,7 @@ static int click(const user *u, int n, uint64_t *state)
 static worth rounds(const user *u, int first, int more, int seed, uint64_t *state)
 {
     int n = first, k;
-    pair_count = 0;
+    choices = chosen = 0;
     spent = 0;
     user_gallery(u, first, x, y, state);
     while (n < first + 2 * more) {
@@ -177,14 +179,14 @@ static void try_user(const user *u, int seed, uint64_t state, worth *w, worth cu
     int way, g, n, answers, k;
     for (k = 0; k < HELD * u->m; ++k) held[k] = test_uniform(&state);
     for (k = 0; k < HELD; ++k) truth[k] = user_true(u, held + k * u->m);
-    pair_count = 0;
+    choices = chosen = 0;
     spent = 0;
     user_gallery(u, 250, x, y, &state);
     w[0] = judge(u, 100, NULL);
     w[1] = judge(u, 250, curve[0]);
     for (way = 0, first = state; way < 3; ++way) {
         int next = 60;
-        n = answers = pair_count = 0;
+        n = answers = choices = chosen = 0;
         spent = 0;
         if (way == 2) last = state, state = first; /* the same answers as of way 0 */
         for (g = 0; g < GALLERIES && way == 1; ++g) {
@@ -222,52 +224,68 @@ static void time_clicks(FILE *md)
 {
     enum { M = 19, RUNS = 5, SIZES = 3 };
     static const int galleries[SIZES] = {5, 15, 30}, scores[SIZES] = {100, 250, 500};
-    static double points[500 * M], t[SIZES][3][RUNS], r[20 * M];
-    int pair[2 * 30 * 2 * (SHOWN - 2)], run, i, k, g;
+    static double points[500 * M], none[500], t[SIZES][3][RUNS], r[20 * M];
+    static int row[30 * 2 * (SHOWN - 1)], size[60];
+    int run, i, k, g;
     for (run = 0; run < RUNS; ++run) {
         uint64_t state = (uint64_t)run + 5;
         user u = user_make(state, M, 0.2);
         double theta[M + 2], given[500], clock;
+        ms_gpr_view parts;
         ms_gpr *gp;
         for (k = 0; k < M + 2; ++k) theta[k] = k < M ? log(2.5) : k == M ? 0 : log(0.2);
-        if (ms_gpr_create(NULL, NULL, 0, M, theta, NULL, &gp, NULL) != MS_OK) exit(1);
+        memset(&parts, 0, sizeof parts);
+        parts.m = M;
+        parts.theta = theta;
+        if (ms_gpr_create(&parts, NULL, &gp, NULL) != MS_OK) exit(1);
         for (k = 0; k < 500 * M; ++k) points[k] = test_uniform(&state);
-        for (g = 0, pair_count = 0; g < 30; ++g) {
-            int n = SHOWN * g, count = 0;
-            memcpy(x + n * M, points + n * M, SHOWN * M * sizeof *x);
-            click(&u, n, &state);
-            for (i = 0; i < pair_count && i < 2 * (SHOWN - 2); ++i, ++count) {
-                pair[2 * (2 * (SHOWN - 2) * g + i)] = pairs[2 * i];
-                pair[2 * (2 * (SHOWN - 2) * g + i) + 1] = pairs[2 * i + 1];
+        for (i = 0; i < 500; ++i) none[i] = MS_GPR_UNSCORED;
+        for (g = 0; g < 30; ++g) { /* two of nine, the nearest to a corner */
+            int first[2] = {0, 1}, at = g * 2 * (SHOWN - 1);
+            for (i = 0; i < SHOWN; ++i)
+                for (k = 0; k < 2; ++k)
+                    if (points[(SHOWN * g + i) * M] > points[(SHOWN * g + first[k]) * M]) {
+                        if (k == 0) first[1] = first[0];
+                        first[k] = i;
+                        break;
+                    }
+            for (k = 0; k < 2; ++k) {
+                row[at++] = SHOWN * g + first[k];
+                for (i = 0; i < SHOWN; ++i)
+                    if (i != first[0] && i != first[1]) row[at++] = SHOWN * g + i;
+                size[2 * g + k] = SHOWN - 1;
             }
-            for (; count < 2 * (SHOWN - 2); ++count) { /* nothing was liked: the first two will do for its time */
-                pair[2 * (2 * (SHOWN - 2) * g + count)] = n + count % 2;
-                pair[2 * (2 * (SHOWN - 2) * g + count) + 1] = n + 2 + count / 2;
-            }
-            pair_count = 0;
+            parts.n = SHOWN * (g + 1);
+            parts.x = points;
+            parts.y = none;
+            parts.choices.count = 2 * (g + 1);
+            parts.choices.rows = row;
+            parts.choices.sizes = size;
             clock = bench_cpu();
-            if (ms_gpr_compare(gp, points + n * M, SHOWN, pair, 2 * (SHOWN - 2) * (g + 1), NULL) != MS_OK) exit(1);
+            if (ms_gpr_update(gp, &parts, NULL) != MS_OK) exit(1);
             for (k = 0; k < SIZES; ++k)
                 if (g + 1 == galleries[k]) t[k][0][run] = bench_cpu() - clock;
         }
         ms_gpr_destroy(gp);
         for (i = 0; i < 500; ++i) given[i] = user_score(&u, points + i * M, &state);
         for (k = 0; k < SIZES; ++k) {
-            ms_gpr_recommend_options o;
-            memset(&o, 0, sizeof o);
             if (ms_gpr_fit(points, given, scores[k] - 1, M, NULL, &gp, NULL, NULL) != MS_OK) exit(1);
+            parts = ms_gpr_view_of(gp);
+            parts.n = scores[k];
+            parts.x = points;
+            parts.y = given;
             clock = bench_cpu();
-            ms_gpr_append(gp, points + (scores[k] - 1) * M, given[scores[k] - 1], NULL);
+            ms_gpr_update(gp, &parts, NULL);
             t[k][1][run] = bench_cpu() - clock;
             clock = bench_cpu();
-            ms_gpr_recommend(gp, &o, 20, r, NULL, NULL, NULL, NULL);
+            ms_gpr_recommend(gp, NULL, 20, r, NULL, NULL, NULL, NULL);
             t[k][2][run] = bench_cpu() - clock;
             ms_gpr_destroy(gp);
         }
     }
     fprintf(
         md,
-        "\nOne more gallery of the best 2 of 9 in the model (`ms_gpr_compare`); one more score and 20 recommendations at once.\n\n"
+        "\nOne more gallery of the best 2 of 9 in the model, one more score (`ms_gpr_update`), and 20 recommendations at once.\n\n"
         "| galleries (clicks), materials | a gallery more | scores | a score more | 20 recommendations |\n|---|---:|---:|---:|---:|\n");
     for (k = 0; k < SIZES; ++k)
         fprintf(md, "| %d (%d), %d | %.1f ms | %d | %.2f ms | %.1f ms |\n", galleries[k], 2 * galleries[k],

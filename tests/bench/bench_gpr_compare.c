@@ -48,7 +48,7 @@ static int person(int taste, double noise, int count, uint64_t state, double out
 {
     static double x[N * M], y[N], f[N], mean[N];
     static int pairs[2 * 300];
-    double sum = 0, squares = 0, deviation;
+    double sum = 0, squares = 0;
     ms_gpr_fit_options options;
     ms_gpr *gp;
     int i, a, b;
@@ -66,21 +66,21 @@ static int person(int taste, double noise, int count, uint64_t state, double out
         else pairs[2 * i] = b, pairs[2 * i + 1] = a;
     }
     memset(&options, 0, sizeof options);
-    options.pairs = pairs;
-    options.pair_count = count;
+    options.choices.rows = pairs;
+    options.choices.count = count;
     if (ms_gpr_fit(x, y, N, M, &options, &gp, NULL, NULL) != MS_OK) return 0;
     if (ms_gpr_predict(gp, x, N, mean, NULL, NULL) != MS_OK) return 0;
-    deviation = exp(ms_gpr_view_of(gp).theta[M + 1]) * sqrt(2.0);
-    ms_gpr_destroy(gp);
     out[0] = out[1] = out[2] = 0;
     for (i = 0; i < HELD; ++i) {
-        double truth;
+        double truth, p;
         two_rows(&state, &a, &b);
+        if (ms_gpr_preference(gp, x + a * M, x + b * M, 1, &p, NULL) != MS_OK) return 0;
         truth = cdf((f[a] - f[b]) / (noise * sqrt(2.0)));
-        out[0] += loss_of(truth, cdf((mean[a] - mean[b]) / deviation)) / (int)HELD;
+        out[0] += loss_of(truth, p) / (int)HELD;
         out[1] += loss_of(truth, truth) / (int)HELD;
         out[2] += ((f[a] > f[b]) == (mean[a] > mean[b])) / (double)HELD;
     }
+    ms_gpr_destroy(gp);
     return 1;
 }
 

@@ -5,7 +5,7 @@
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #include "users.h"
-#include "modes.h"
+#include "plane.h"
 #include "thesis.h"
 #include "json.h"
 #include "bench.h"
@@ -37,9 +37,18 @@ static member members[USERS];
 
 /* --- 300 recommendations --- */
 
+/* Root mean square difference. */
+static double distance(const double *a, const double *b)
+{
+    double sum = 0;
+    int k;
+    for (k = 0; k < M; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]) / (int)M;
+    return sqrt(sum);
+}
+
 static void table_of_searches(void)
 {
-    static const char *const name[SEARCHES] = {"auto", "rejection", "subset simulation",
+    static const char *const name[SEARCHES] = {"auto", "threshold", "variants",
                                                "hill climbing (thesis), a prediction at a time"};
     static double time[SEARCHES][TAUS], tau[TAUS], worst[SEARCHES][TAUS];
     static plot p;
@@ -48,7 +57,7 @@ static void table_of_searches(void)
         md,
         "300 recommendations, n = 250, m = 19, medians over %d users who like 10%%; acceptance is that of uniform candidates at\n"
         "the model's threshold; true score: mean u* of the recommended (of 10; uniform materials: 0.4);\n"
-        "precision: share of them with u* >= 10 tau. Rejection gives up after 1e7 candidates.\n\n"
+        "precision: share of them with u* >= 10 tau.\n\n"
         "| tau | search | time, ms (worst user) | acceptance | true score | precision | mean distance of pairs |\n"
         "|---:|---|---:|---:|---:|---:|---:|\n",
         USERS);
@@ -65,7 +74,7 @@ static void table_of_searches(void)
                 memset(&o, 0, sizeof o);
                 o.tau = tau[t];
                 o.seed = (uint64_t)i;
-                o.search = search < 3 ? (ms_gpr_search)search : MS_GPR_SEARCH_AUTO;
+                o.search = search < 3 ? (ms_gpr_search)search : MS_GPR_SEARCH_THRESHOLD;
                 start = bench_cpu();
                 if (ms_gpr_recommend(members[i].gp, &o, COUNT, x, NULL, NULL, &report, NULL) != MS_OK) ++gave_up;
                 ms[i] = 1e3 * (bench_cpu() - start);
@@ -84,8 +93,7 @@ static void table_of_searches(void)
                     score[i] += u / report.found;
                     precision[i] += (u >= 10 * tau[t]) / (double)report.found;
                     for (j = 0; j < k; ++j)
-                        pairs[i] += sqrt(ms_gpr__distance2(x + k * M, 1, x + j * M, 1, M) / (int)M) * 2 /
-                            (report.found * (report.found - 1.0));
+                        pairs[i] += distance(x + k * M, x + j * M) * 2 / (report.found * (report.found - 1.0));
                 }
                 fprintf(csv, "recommend,%s,%g,%d,%.3f,%g,%g,%g,%g\n", name[search], tau[t], i, ms[i], acceptance[i],
                         score[i], precision[i], pairs[i]);
@@ -102,42 +110,6 @@ static void table_of_searches(void)
         plot_series(&p, name[search], tau, time[search], TAUS, PLOT_LINE | PLOT_DOTS);
     plot_series_color(&p, "auto", tau, time[0], TAUS, PLOT_LINE | PLOT_DASHED, "#222");
     plot_write(&p, "build/bench/gpr_recommend.svg");
-}
-
-/* Modes whose shares are known exactly, however rare: how far off the shares of 300 are, and what they cost. */
-static void table_of_shares(void)
-{
-    enum { SEEDS = 15 };
-    static double x[COUNT * MODES_M];
-    int m, modes, t, seed;
-    fprintf(
-        md,
-        "\nSubset simulation, one to four separate modes of known shares (tests/modes.h; 61 scored materials a mode): root mean square error of the\n"
-        "shares of 300, in points, over %d seeds / time, ms (median).\n\n"
-        "| m | modes | one in 1e3 of the box | 1e6 | 1e9 |\n|---:|---:|---:|---:|---:|\n",
-        SEEDS);
-    for (m = 19; m <= MODES_M; m += 19)
-        for (modes = 1; modes <= MODES_MAX; ++modes) {
-            modes_world w = modes_make(modes, m);
-            fprintf(md, "| %d | %d |", m, modes);
-            for (t = 0; t < 3; ++t) {
-                double sum = 0, ms[SEEDS];
-                for (seed = 0; seed < SEEDS; ++seed) {
-                    double start;
-                    w.options.tau = modes_tau[t];
-                    w.options.search = MS_GPR_SEARCH_SUBSET;
-                    w.options.seed = (uint64_t)seed;
-                    start = bench_cpu();
-                    if (ms_gpr_recommend(w.gp, &w.options, COUNT, x, NULL, NULL, NULL, NULL) != MS_OK) exit(1);
-                    ms[seed] = 1e3 * (bench_cpu() - start);
-                    sum += modes_error2(&w, x, COUNT) / (double)SEEDS;
-                }
-                fprintf(md, " %.1f / %.0f |", 100 * sqrt(sum), bench_median(ms, SEEDS));
-                fprintf(csv, "shares,%d,%d,%g,%g,%g\n", m, modes, modes_tau[t], sqrt(sum), bench_median(ms, SEEDS));
-            }
-            fprintf(md, "\n");
-            ms_gpr_destroy(w.gp);
-        }
 }
 
 /* --- active learning --- */
@@ -255,8 +227,9 @@ typedef struct latent_run {
     ms_gpr_latent *plane;
     ms_gpr_latent_report report;
     const ms_gpr *gp;
-    ms_gpr_grid grid;
+    map_grid grid;
     double *map;
+    ms_error error;
 } latent_run;
 
 static void run_fit(void *context)
@@ -274,25 +247,19 @@ static void run_map(void *context)
     latent_run *r = (latent_run *)context;
     double x[M];
     int i;
-    for (i = 0; i < 1000; ++i) ms_gpr_latent_map(r->plane, ms_gpr_latent_points(r->plane), 1, x, NULL, NULL);
+    for (i = 0; i < 1000; ++i) ms_gpr_latent_map(r->plane, ms_gpr_latent_view_of(r->plane).points, 1, x, NULL, NULL);
 }
 
 static void run_preference(void *context)
 {
     latent_run *r = (latent_run *)context;
-    ms_gpr_map_preference(r->plane, r->gp, &r->grid, r->map, NULL, NULL);
-}
-
-static void run_sigma(void *context)
-{
-    latent_run *r = (latent_run *)context;
-    ms_gpr_map_preference(r->plane, r->gp, &r->grid, r->map, r->map, NULL);
+    map_preference(r->plane, r->gp, &r->grid, r->map, &r->error);
 }
 
 static void run_confidence(void *context)
 {
     latent_run *r = (latent_run *)context;
-    ms_gpr_map_confidence(r->plane, &r->grid, r->map, NULL);
+    map_confidence(r->plane, &r->grid, r->map, &r->error);
 }
 
 static void table_of_planes(void)
@@ -306,7 +273,6 @@ static void table_of_planes(void)
         double unit;
     } task[] = {{"material of a latent point", run_map, 1e3},
                 {"preference map 50 x 50 (thesis: 2.75 s)", run_preference, 1e6},
-                {"preference and sigma 50 x 50", run_sigma, 1e6},
                 {"confidence map 50 x 50", run_confidence, 1e6}};
     enum { TASKS = (int)(sizeof task / sizeof task[0]) };
     double microseconds[TASKS];
@@ -340,7 +306,7 @@ static void table_of_planes(void)
                 scalar.median);
         if (set == 1) {
             r.gp = members[0].gp;
-            r.grid = ms_gpr_grid_around(r.plane, 50);
+            r.grid = map_around(r.plane, 50);
             r.map = map;
             for (i = 0; i < TASKS; ++i) microseconds[i] = task[i].unit * bench_run(task[i].run, &r, 21).median;
         }
@@ -369,7 +335,6 @@ int main(void)
     }
     fprintf(md, "%s, one thread, %s.\n\n", bench_processor(), ms_simd_string(ms_gpr_view_of(members[0].gp).level));
     table_of_searches();
-    table_of_shares();
     figure_of_galleries();
     table_of_rounds_of_scores();
     table_of_planes();

@@ -6,6 +6,7 @@
 #include "ms_sss.h"
 #include "bench.h"
 #include "egl.h"
+#include "disc.h"
 #include "sss_shader.h"
 
 enum {
@@ -21,7 +22,7 @@ enum {
     TEXTURES = TOWER + 4 * MS_SSS_PYRAMID_LEVELS
 };
 
-enum { TAPS, RELEASED, DISC, HALF, PYRAMID }; /* what runs */
+enum { TAPS, RELEASED, DISC, HALF, PYRAMID, ONE_PASS }; /* what runs */
 
 typedef struct contender {
     const char *name, *reads;
@@ -43,6 +44,7 @@ static const contender contenders[] = {
     {"ours, slopes, 16 profiles", "35", 1, 16, 0, 0},
     {"structure of the released shader, 7 taps", "28 filtered", 0, 1, 1, RELEASED},
     {"disc of 64 samples", "130", 0, 1, 0, DISC},
+    {"**ours, disc of 20 in one pass**", "48", 1, 1, 0, ONE_PASS},
     {"ours, half resolution", "17", 0, 1, 0, HALF},
     {"**ours, half resolution, slopes and elevation**", "19", 1, 1, 0, HALF},
     {"ours, pyramid, flat", "68", 0, 1, 0, PYRAMID},
@@ -89,7 +91,7 @@ static const char *const disc =
 
 static char text[100000], log_text[2000];
 static float constants[400][4];
-static ms_sss_kernel kernel[MS_SSS_SHADER_PROFILES_MAX];
+static ms_sss_kernel kernel[MS_SSS_SHADER_PROFILES_MAX], rings;
 static ms_sss_pyramid pyramid;
 
 static void stop(const char *what, const char *why)
@@ -151,8 +153,9 @@ static int plan(const contender *c, int levels, draw *d)
     }
     if (c->other == HALF) d[n].step = MS_SSS_STEP_DOWN, d[n++].to = SMALL;
     d[n].step = MS_SSS_STEP_X;
-    d[n++].to = c->other == HALF ? SMALL_MIDDLE : c->other == DISC ? TARGET : middle;
-    if (c->other != DISC) d[n].step = MS_SSS_STEP_Y, d[n++].to = c->other == HALF ? SMALL_TARGET : TARGET;
+    d[n++].to = c->other == HALF ? SMALL_MIDDLE : c->other == DISC || c->other == ONE_PASS ? TARGET : middle;
+    if (c->other != DISC && c->other != ONE_PASS)
+        d[n].step = MS_SSS_STEP_Y, d[n++].to = c->other == HALF ? SMALL_TARGET : TARGET;
     if (c->other == HALF) d[n].step = MS_SSS_STEP_UP, d[n++].to = TARGET;
     return n;
 }
@@ -211,7 +214,7 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
     draw d[DRAWS];
     GLuint query;
     double t[64];
-    int i, k, n = plan(c, ms_sss_shader_levels(width, height), d);
+    int i, k, count, n = plan(c, ms_sss_shader_levels(width, height), d);
     o.fov_degrees = 40;
     o.flat = c->slopes ? 0.0f : 1.0f;
     s = ms_sss_shader_defaults();
@@ -227,8 +230,12 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
         float frame[4] = {(float)width, (float)height, (float)i, 0};
         s.step = d[i].step;
         s.level = d[i].level;
-        status = ms_sss_shader_constants(kernel, 0, &o, width, height, &s, constants, &error);
+        s.tap_count = c->other == ONE_PASS ? rings.tap_count : 7;
+        status = ms_sss_shader_constants(c->other == ONE_PASS ? &rings : kernel, 0, &o, width, height, &s, constants,
+                                         &error);
         if (status != MS_OK) stop(c->name, error.message);
+        count = ms_sss_shader_constant_count(&s);
+        if (c->other == ONE_PASS) s.step = (ms_sss_step)SSS_DISC;
         if (!sss_shader_text(&s, &about, text, sizeof text)) stop(c->name, "no shader file");
         frame[3] = constants[0][2];
         d[i].program = gl_program(gl_corner[0],
@@ -237,7 +244,7 @@ static bench_time measure(const contender *c, int width, int height, const GLuin
                                                          : text,
                                   log_text, sizeof log_text);
         if (!d[i].program) stop(c->name, log_text);
-        gl_Uniform4fv(gl_GetUniformLocation(d[i].program, "ms_sss"), ms_sss_shader_constant_count(&s), constants[0]);
+        gl_Uniform4fv(gl_GetUniformLocation(d[i].program, "ms_sss"), count, constants[0]);
         gl_Uniform4fv(gl_GetUniformLocation(d[i].program, "frame"), 1, frame);
         if (c->other == RELEASED) {
             static float taps[7][4];
@@ -277,7 +284,7 @@ int main(int argc, char **argv)
     sizes = software && !full ? 1 : 2;
     if (ms_sss_profile_from_burley(&profile, reflectance, d_mm, NULL, NULL) != MS_OK ||
         ms_sss_kernel_make(&kernel[0], NULL, profile, 24, NULL, NULL, NULL) != MS_OK ||
-        ms_sss_pyramid_make(&pyramid, profile, NULL) != MS_OK)
+        disc_kernel(&rings, profile, 20, 24, NULL) != MS_OK || ms_sss_pyramid_make(&pyramid, profile, NULL) != MS_OK)
         stop("kernel", "not made");
     ms_sss_profile_destroy(profile);
     for (i = 1; i < MS_SSS_SHADER_PROFILES_MAX; ++i) kernel[i] = kernel[0];

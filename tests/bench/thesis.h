@@ -129,16 +129,13 @@ static TEST_UNUSED ms_gpr *thesis_fit(const double *x, const double *y, int n, i
                                       thesis_report *report)
 {
     thesis_search s;
-    ms_gpr_options options;
     double theta[THESIS_VARIABLES], sum = 0, sum2 = 0, best;
     int i, k;
-    memset(&options, 0, sizeof options);
     memset(&s, 0, sizeof s);
     memset(theta, 0, sizeof theta);
     if (m + 2 > (int)THESIS_VARIABLES) return NULL;
     for (i = 0; i < n; ++i) sum += y[i] / n;
     for (i = 0; i < n; ++i) sum2 += (y[i] - sum) * (y[i] - sum) / n;
-    options.mean = sum;
     s.count = m + 2;
     for (k = 0; k < m + 2; ++k) {
         double unit = sqrt(sum2), middle = 0, square = 0;
@@ -149,7 +146,7 @@ static TEST_UNUSED ms_gpr *thesis_fit(const double *x, const double *y, int n, i
         s.low[k] = log(unit * (k < m ? 0.01 : 0.001));
         s.high[k] = log(unit * (k < m ? 1000 : k == m ? 1000 : 10));
     }
-    if (ms_gpr_create(x, y, n, m, theta, &options, &s.gp, NULL) != MS_OK) return NULL;
+    if (inside_create(x, y, n, m, theta, sum, NULL, &s.gp, NULL) != MS_OK) return NULL;
     best = method == THESIS_RPROP ? thesis__rprop(&s, theta) : thesis__scg(&s, theta);
     inside_set_theta(s.gp, theta, NULL);
     if (report) {

@@ -125,13 +125,17 @@ static int use_sss(void)
 static int use_gpr(void)
 {
     const double x[2] = {0.25, 0.75}, y[1] = {3}, theta[4] = {0, 0, 0, 0};
+    ms_gpr_view parts;
     ms_gpr_options options;
     double mean = 0;
     ms_gpr *gp;
     int bad;
     memset(&options, 0, sizeof options);
     options.allocator = use_allocator();
-    if (ms_gpr_create(x, y, 1, 2, theta, &options, &gp, NULL) != MS_OK) return 1;
+    memset(&parts, 0, sizeof parts);
+    parts.n = 1, parts.m = 2;
+    parts.x = x, parts.y = y, parts.theta = theta;
+    if (ms_gpr_create(&parts, &options, &gp, NULL) != MS_OK) return 1;
     bad = ms_gpr_predict(gp, x, 1, &mean, NULL, NULL) != MS_OK;
     ms_gpr_destroy(gp);
     return bad + use_check("ms_gpr.h, a score seen once", mean, 1.5, 1e-9);

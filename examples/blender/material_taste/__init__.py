@@ -1,15 +1,17 @@
 """Material taste: score galleries, get materials that you like. The panel and its operators; taste.py learns and draws,
-preview.py knows Blender's sockets. Everything that is kept is in scene.taste, so Blender saves and undoes it."""
+preview.py knows Blender's sockets, library.py the materials of the file, overlay.py is the plane in the viewport.
+Everything that is kept is in scene.taste, so Blender saves and undoes it."""
 import os
 import tempfile
+import textwrap
 
 import bpy
 import bpy.utils.previews
 import numpy as np
 from bpy.props import (BoolProperty, BoolVectorProperty, CollectionProperty, EnumProperty, FloatProperty,
-                       FloatVectorProperty, IntProperty, PointerProperty)
+                       FloatVectorProperty, IntProperty, PointerProperty, StringProperty)
 
-from . import preview, taste
+from . import library, overlay, preview, taste
 
 bl_info = {
     "name": "Material taste",
@@ -24,6 +26,11 @@ bl_info = {
 M = len(preview.NAMES)
 NETWORK = os.path.join(os.path.dirname(os.path.abspath(__file__)), "renderer.safetensors")
 MAP = 7  # the picture of the plane shows MAP x MAP materials
+# Answers before which there is no recommendation, and stars after which it hardly gets better: with 12, 24, 36, 48, 60
+# stars, 12 recommended materials had 1.0, 3.0, 4.7, 4.3, 4.2 of 5 true stars (golden polished metal, mean of 6).
+EARLY, WANTED = 24, 60
+LARGE = 1000  # width of the large gallery
+LOCKS = ("color", "metallic", "roughness", "transmission", "ior")
 
 # What can be made again at any time: the renderer, the icons and what they show, the learnt taste, the plane.
 kept = {}
@@ -47,7 +54,8 @@ def once(name, key, make):
 
 def box(t):
     """The least and the largest of each parameter: a locked one has its value alone."""
-    locked, value = np.array(t.locked), np.array(t.value)
+    value = np.array((*t.color, *(preview.unit(name, getattr(t, name)) for name in LOCKS[1:])))
+    locked = np.repeat(t.locked, (3, 1, 1, 1, 1))
     return np.where(locked, value, 0), np.where(locked, value, 1)
 
 
@@ -81,9 +89,19 @@ def at(t, where):
 
 
 def show(t, x):
+    """A new gallery; what was given stars before shows them."""
+    known = {tuple(a.x): int(a.score) for a in t.answers}
     t.gallery.clear()
     for row in x:
-        t.gallery.add().x = row
+        item = t.gallery.add()
+        item.x = row
+        item.score = known.get(tuple(item.x), -1)
+
+
+def shown(t, index):
+    if not 0 <= index < len(t.gallery):
+        raise RuntimeError("The gallery has no material %d" % index)
+    return t.gallery[index]
 
 
 def answer(t, x):
@@ -95,33 +113,60 @@ def answer(t, x):
     return len(t.answers) - 1
 
 
-def paint(target, picture):
-    """A picture [height][width][3] from the top into an image, or into an icon or preview."""
-    height, width = picture.shape[:2]
-    pixels = np.ones((height, width, 4), np.float32)
-    pixels[:, :, :3] = picture[::-1]
-    if isinstance(target, bpy.types.Image):
-        target.pixels.foreach_set(pixels.ravel())
-        return
-    target.image_size = target.icon_size = (width, height)
-    target.image_pixels_float.foreach_set(pixels.ravel())
-    target.icon_pixels_float.foreach_set(pixels.ravel())
+def stars(t):
+    return sum(a.score >= 0 for a in t.answers)
 
 
-def icons(name, x, tiles=1):
-    """Icons of materials, drawn by the network when they are others than before; tiles: so many squared in one icon."""
+def advice(t):
+    """What to do next."""
+    if not t.gallery and not t.answers:
+        return "Start with Next gallery: materials to give stars to."
+    if len(t.answers) < EARLY:
+        return "Give each material stars, then press Next gallery."
+    if len(t.answers) < WANTED:
+        return "Recommend works from now on; more stars make it surer."
+    return "Press Recommend: materials to your taste."
+
+
+def icons(name, key, make):
+    """Icons of the pictures that make() answers, when the key is another than before."""
 
     def draw():
-        collection = kept.setdefault(name + " icons", bpy.utils.previews.new())
-        collection.clear()
-        pictures = renderer().pictures(x) if len(x) else []
-        if tiles > 1:
-            pictures = [np.vstack([np.hstack(pictures[r * tiles:(r + 1) * tiles]) for r in range(tiles)])]
-        for k, picture in enumerate(pictures):
-            paint(collection.new(str(k)), picture)
-        return [collection[str(k)].icon_id for k in range(len(pictures))]
+        collection = name + " icons"
+        if collection not in kept:
+            kept[collection] = bpy.utils.previews.new()
+        kept[collection].clear()
+        ids = []
+        for k, picture in enumerate(make()):
+            icon = kept[collection].new(str(k))
+            library.paint(icon, picture)
+            ids.append(icon.icon_id)
+        return ids
 
-    return once(name, np.asarray(x).tobytes(), draw)
+    return once(name, key, draw)
+
+
+def plane_picture(t):
+    """The plane's materials, MAP x MAP squared in one picture."""
+    where = [((c + 0.5) / MAP, 1 - (r + 0.5) / MAP) for r in range(MAP) for c in range(MAP)]
+    x = at(t, where)
+
+    def draw():
+        pictures = renderer().pictures(x)
+        return np.vstack([np.hstack(pictures[r * MAP:(r + 1) * MAP]) for r in range(MAP)])
+
+    return once("plane picture", x.tobytes(), draw)
+
+
+def with_mark(picture, where):
+    """The picture with a ring at a place (from 0 to 1, from the bottom left): white, black around it."""
+    height, width = picture.shape[:2]
+    y, x = np.mgrid[:height, :width] + 0.5
+    far = np.hypot(x - where[0] * width, y - (1 - where[1]) * height) / width
+    picture = picture.copy()
+    picture[(far > 0.018) & (far < 0.046)] = 0
+    picture[(far > 0.024) & (far < 0.040)] = 1
+    return picture
 
 
 def active_material(context):
@@ -183,9 +228,9 @@ def numbers(image):
 
 
 def walked(t, context):
-    """The walk in the plane sets the active material."""
+    """The walk in the plane sets the active object's material: its own copy, which the add-on made."""
     try:
-        preview.write(active_material(context), at(t, [t.walk])[0])
+        library.walk(context.object, at(t, [t.walk])[0])
     except RuntimeError:  # the panel says it: a property has no error bar
         pass
 
@@ -194,9 +239,11 @@ def locked(t, context):
     """A parameter that becomes locked has the value of the active material."""
     try:
         x = preview.read(active_material(context))
-        for k in range(M):
+        if t.locked[0] and not t.was_locked[0]:
+            t.color = x[:3]
+        for k, name in enumerate(LOCKS[1:], 1):
             if t.locked[k] and not t.was_locked[k]:
-                t.value[k] = x[k]
+                setattr(t, name, preview.value(name, x[2 + k]))
     except RuntimeError:
         pass
     t.was_locked = t.locked
@@ -223,31 +270,40 @@ class TasteState(bpy.types.PropertyGroup):
     answers: CollectionProperty(type=TasteAnswer)
     pairs: CollectionProperty(type=TastePair)
     asked: IntProperty(description="Galleries and recommendations so far: the next seed")
+    said: StringProperty(description="What the last button did")
     quality: FloatProperty(name="Quality", default=0.7, min=0.1, max=0.95, subtype="FACTOR",
                            description="Low: more variety. High: the best alone")
     count: IntProperty(name="Count", default=12, min=1, max=200)
-    locked: BoolVectorProperty(name="Lock", size=M, update=locked, description="Keep this value in all that is made")
-    was_locked: BoolVectorProperty(size=M)
-    value: FloatVectorProperty(name="Value", size=M, default=(0.5,) * M, min=0, max=1)
+    locked: BoolVectorProperty(name="Lock", size=len(LOCKS), update=locked,
+                               description="Keep this value in all that is made")
+    was_locked: BoolVectorProperty(size=len(LOCKS))
+    color: FloatVectorProperty(name="Base Color", size=3, default=(0.5,) * 3, min=0, max=1, subtype="COLOR")
+    metallic: FloatProperty(name="Metallic", default=0, min=0, max=1, subtype="FACTOR")
+    roughness: FloatProperty(name="Roughness", default=0.5, min=0, max=1, subtype="FACTOR")
+    transmission: FloatProperty(name="Transmission", default=0, min=0, max=1, subtype="FACTOR")
+    ior: FloatProperty(name="IOR", default=1.45, min=preview.LOW[6], max=preview.HIGH[6], precision=3, step=1)
     walk: FloatVectorProperty(name="Walk", size=2, default=(0.5, 0.5), min=0, max=1, step=1, update=walked,
-                              description="A place in the plane of what you like; sets the active material")
-    show_plane: BoolProperty(name="Plane", description="Materials that you like, laid out so that neighbors are alike")
-    show_locks: BoolProperty(name="Locks")
+                              description="A place in the plane of what you like. The active object gets a material "
+                              "of its own for it; yours is kept")
     image: PointerProperty(name="Picture", type=bpy.types.Image, description="A picture of the preview's ball")
 
 
-# --- operators: what goes wrong is said in Blender's error bar ---
+# --- operators: what they did stands in the panel, what goes wrong in Blender's error bar ---
 
 
 class Work:
-    bl_options = {"REGISTER", "UNDO"}
+    bl_options = {"UNDO"}
+    level = "INFO"
 
     def execute(self, context):
+        t = context.scene.taste
         try:
-            self.work(context, context.scene.taste)
+            t.said = self.work(context, t) or ""
         except (RuntimeError, OSError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
+        if t.said:
+            self.report({self.level}, t.said)
         return {"FINISHED"}
 
 
@@ -269,9 +325,7 @@ class TASTE_OT_score(Work, bpy.types.Operator):
     score: IntProperty(min=0, max=5)
 
     def work(self, context, t):
-        if not 0 <= self.index < len(t.gallery):
-            raise RuntimeError("The gallery has no material %d" % self.index)
-        item = t.gallery[self.index]
+        item = shown(t, self.index)
         item.score = self.score
         t.answers[answer(t, item.x)].score = self.score
 
@@ -291,25 +345,39 @@ class TASTE_OT_best(Work, bpy.types.Operator):
                 pair.better, pair.worse = b, r
         for i in t.gallery:
             i.best = False
+        return "Taken: %d better than the other %d." % (len(best), len(rest))
 
 
 class TASTE_OT_recommend(Work, bpy.types.Operator):
-    """Materials to your taste, as assets of this file and as the next gallery"""
+    """Materials to your taste, as assets of this file (catalog Taste) and as the next gallery"""
     bl_idname, bl_label = "taste.recommend", "Recommend"
 
     def work(self, context, t):
-        x, mean = learnt(t).recommend(t.count, t.quality, 0.3, t.asked + 1, *box(t))
+        model = learnt(t)
+        if len(t.answers) < EARLY or not t.pairs and len({a.score for a in t.answers}) < 2:
+            return self.too_early(t)
+        x, mean = model.recommend(t.count, t.quality, 0.3, t.asked + 1, *box(t))
         pictures = renderer().pictures(x)
         t.asked += 1
         for row, score, picture in zip(x, mean, pictures):
-            material = bpy.data.materials.new("Taste")
-            preview.write(material, row)
-            material.asset_mark()
-            material.asset_data.description = "predicted: %.1f of 5 stars" % min(max(score, 0), 5)
-            material.asset_data.tags.new("taste")
-            paint(material.preview_ensure(), picture)
+            library.asset(row, picture, "predicted: %.1f of 5 stars" % min(max(score, 0), 5))
         show(t, x)
-        self.report({"INFO"}, "%d materials, see the Asset Browser" % len(x))
+        library.keep_catalog()
+        return "%d materials, in the Asset Browser's catalog Taste." % len(x)
+
+    def too_early(self, t):
+        """Variants of the liked material instead: few answers tell nothing of the rest."""
+        liked = max(t.answers, key=lambda a: a.score)
+        if liked.score <= 0:
+            if not t.pairs:
+                raise RuntimeError("Too early, and no material has a star yet: give the ones that you like some")
+            liked = t.answers[t.pairs[-1].better]
+        x = tuple(liked.x)
+        show(t, np.vstack([x, taste.variants(None, renderer(), x, max(1, t.count - 1), 0, *box(t), seed=t.asked + 1)]))
+        t.asked += 1
+        self.level = "WARNING"
+        why = "%d of %d answers" % (len(t.answers), EARLY) if len(t.answers) < EARLY else "all have the same stars"
+        return "Too early to recommend: %s. Here are variants of the one that you like best." % why
 
 
 class TASTE_OT_variants(Work, bpy.types.Operator):
@@ -318,32 +386,28 @@ class TASTE_OT_variants(Work, bpy.types.Operator):
     index: IntProperty(default=-1)
 
     def work(self, context, t):
-        if self.index >= len(t.gallery):
-            raise RuntimeError("The gallery has no material %d" % self.index)
-        x = preview.read(active_material(context)) if self.index < 0 else list(t.gallery[self.index].x)
-        model, (low, high) = learnt(t), box(t)
-        near = model.recommend(40, t.quality, 0, 1, low, high)[0]
-        laid_out = taste.Plane(np.vstack([np.clip(x, low, high), near]), low, high)
-        show(t, np.vstack([x, laid_out.variants(model, renderer(), x, max(2, t.count - 1))]))
+        x = preview.read(active_material(context)) if self.index < 0 else tuple(shown(t, self.index).x)
+        model = learn(t) if len(t.answers) >= EARLY else None
+        made = taste.variants(model, renderer(), x, max(1, t.count - 1), t.quality, *box(t))
+        show(t, np.vstack([x, made]))
+        if len(made) < t.count - 1:
+            return "%d variants: there are no more that look different." % len(made)
 
 
 class TASTE_OT_use(Work, bpy.types.Operator):
-    """Puts this material on the active object"""
+    """Puts this material on the selected objects"""
     bl_idname, bl_label = "taste.use", "Use"
     index: IntProperty()
 
     def work(self, context, t):
-        if not 0 <= self.index < len(t.gallery):
-            raise RuntimeError("The gallery has no material %d" % self.index)
-        if context.object is None or not hasattr(context.object.data, "materials"):
-            raise RuntimeError("The active object takes no material")
-        material = bpy.data.materials.new("Taste")
-        preview.write(material, t.gallery[self.index].x)
-        paint(material.preview_ensure(), renderer().pictures([t.gallery[self.index].x])[0])
-        if context.object.data.materials:
-            context.object.active_material = material
-        else:
-            context.object.data.materials.append(material)
+        x = tuple(shown(t, self.index).x)
+        objects = library.takers(context)
+        if not objects:
+            raise RuntimeError("Select an object that takes a material")
+        material = library.material(x, renderer().pictures([x])[0])
+        for o in objects:
+            library.put(o, material)
+        return "%s: on %d object%s." % (material.name, len(objects), "s"[:len(objects) > 1])
 
 
 class TASTE_OT_paint(Work, bpy.types.Operator):
@@ -352,13 +416,12 @@ class TASTE_OT_paint(Work, bpy.types.Operator):
     index: IntProperty()
 
     def work(self, context, t):
-        if not 0 <= self.index < len(t.gallery):
-            raise RuntimeError("The gallery has no material %d" % self.index)
-        size = renderer().size
-        t.image = bpy.data.images.new("Taste", size, size)
-        paint(t.image, renderer().pictures([t.gallery[self.index].x])[0])
+        x, size = tuple(shown(t, self.index).x), renderer().size
+        t.image = bpy.data.images.new(preview.describe(x), size, size)
+        library.paint(t.image, renderer().pictures([x])[0])
+        t.image["taste"] = t.image.name
         t.image.pack()
-        self.report({"INFO"}, "Paint on '%s' in the Image Editor, then match it" % t.image.name)
+        return "Paint on '%s' in the Image Editor, then match it." % t.image.name
 
 
 class TASTE_OT_match(Work, bpy.types.Operator):
@@ -372,9 +435,54 @@ class TASTE_OT_match(Work, bpy.types.Operator):
         if image is None:
             raise RuntimeError("Choose a picture" if self.source == "IMAGE" else "There is no render")
         picture = read_picture(image, renderer().size, context.scene)
+        if picture.std((0, 1)).max() < 0.02:  # the previews' least is 0.1: the floor
+            raise RuntimeError("'%s' is of one color: it does not show the ball of the previews" % image.name)
         x, found, rmse = renderer().match(picture, None, *box(t))
         show(t, [x])
-        self.report({"INFO"}, "%.1f dB from the picture" % (-20 * np.log10(max(rmse, 1e-6))))
+        decibels = -20 * np.log10(max(rmse, 1e-6))
+        if decibels < 20:
+            self.level = "WARNING"
+            return "Only %.0f dB from '%s': does it show the ball of the previews, in their light?" % (decibels,
+                                                                                                     image.name)
+        return "%.1f dB from '%s'." % (decibels, image.name)
+
+
+class TASTE_OT_walk(bpy.types.Operator):
+    """Shows the plane in the viewport: drag in it, and the active object's material follows. Escape ends it"""
+    bl_idname, bl_label = "taste.walk", "Walk in the viewport"
+
+    def invoke(self, context, event):
+        try:
+            if not library.takers(context):
+                raise RuntimeError("Select an object that takes a material")
+            picture = plane_picture(context.scene.taste)
+        except (RuntimeError, OSError) as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        self.dragging = False
+        self.overlay = overlay.Overlay(context.area, picture, tuple(context.scene.taste.walk))
+        context.window_manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def modal(self, context, event):
+        t, mouse = context.scene.taste, event.type == "LEFTMOUSE"
+        if self.overlay.area not in context.screen.areas[:]:  # another workspace
+            self.overlay.remove()
+            return {"FINISHED", "PASS_THROUGH"}
+        where = self.overlay.place(event.mouse_x, event.mouse_y)
+        inside = 0 <= where[0] <= 1 and 0 <= where[1] <= 1
+        if event.value == "PRESS" and (event.type in ("ESC", "RET", "RIGHTMOUSE") or mouse and not inside):
+            self.overlay.remove()
+            return {"FINISHED", "PASS_THROUGH"} if mouse else {"FINISHED"}
+        if mouse and event.value == "PRESS":
+            self.dragging = True
+        if self.dragging and (mouse or event.type == "MOUSEMOVE"):
+            t.walk = np.clip(where, 0, 1)
+        if mouse and self.dragging and event.value == "RELEASE":
+            self.dragging = False
+            bpy.ops.ed.undo_push(message="Walk in the plane")
+        self.overlay.show(tuple(t.walk))
+        return {"RUNNING_MODAL"} if self.dragging or mouse else {"PASS_THROUGH"}
 
 
 class TASTE_OT_large(bpy.types.Operator):
@@ -382,18 +490,27 @@ class TASTE_OT_large(bpy.types.Operator):
     bl_idname, bl_label = "taste.large", "Large gallery"
 
     def invoke(self, context, event):
-        return context.window_manager.invoke_popup(self, width=680)
+        return context.window_manager.invoke_props_dialog(self, width=LARGE)
 
     def execute(self, context):
         return {"FINISHED"}
 
     def draw(self, context):
-        draw_all(self, context, 5)
+        draw_top(self.layout, context, LARGE)
+        draw_gallery(self.layout, context, LARGE)
+
+
+class TASTE_OT_unused(Work, bpy.types.Operator):
+    """Removes the materials of the add-on that no object uses. Those that you renamed or changed are yours, and stay"""
+    bl_idname, bl_label = "taste.unused", "Remove unused"
+
+    def work(self, context, t):
+        return "Removed %d materials that no object uses." % library.remove_unused()
 
 
 class TASTE_OT_forget(Work, bpy.types.Operator):
     """Forgets all stars and comparisons of this scene"""
-    bl_idname, bl_label = "taste.forget", "Forget all"
+    bl_idname, bl_label = "taste.forget", "Forget all stars"
 
     def work(self, context, t):
         for collection in (t.gallery, t.answers, t.pairs):
@@ -403,93 +520,172 @@ class TASTE_OT_forget(Work, bpy.types.Operator):
 # --- the panel ---
 
 
-def draw_gallery(layout, t, columns):
-    ids = icons("gallery", [tuple(i.x) for i in t.gallery])
+def draw_text(layout, text, icon, width):
+    """A sentence in as many lines as it needs: 7 pixels a letter."""
+    column = layout.column(align=True)
+    column.scale_y = 0.8
+    for k, line in enumerate(textwrap.wrap(text, max(12, int((width - 60) / 7)))):
+        column.label(text=line, icon=icon if k == 0 else "BLANK1")
+
+
+def draw_top(layout, context, width):
+    t = context.scene.taste
+    row = layout.column() if width < 280 else layout.row()
+    count = "%d of %d stars" % (stars(t), WANTED)
+    if t.pairs:
+        count += ", %d pairs" % len(t.pairs)
+    row.label(text=count, icon="SOLO_ON")
+    if width < LARGE:
+        row.operator("taste.large", icon="WINDOW")
+    draw_text(layout, advice(t), "INFO", width)
+    wide = width > 500
+    buttons = layout.row(align=True) if wide else layout.column(align=True)
+    buttons.scale_y = 1.3
+    buttons.operator("taste.gallery", icon="FILE_REFRESH")
+    buttons.operator("taste.recommend", icon="ASSET_MANAGER")
+    row = (buttons if wide else layout).row(align=True)
+    row.prop(t, "count")
+    row.prop(t, "quality")
+    if t.said:
+        draw_text(layout, t.said, "CHECKMARK", width)
+
+
+def draw_gallery(layout, context, width):
+    t = context.scene.taste
+    if not t.gallery:
+        return
+    x = [tuple(i.x) for i in t.gallery]
+    try:
+        ids = icons("gallery", str(x), lambda: renderer().pictures(x))
+    except (RuntimeError, OSError) as error:
+        layout.label(text=str(error), icon="ERROR")
+        return
+    columns = 6 if width == LARGE else max(2, int(width - 40) // 120)
+    roomy = width / columns > 135  # or there are words alone
     grid = layout.grid_flow(row_major=True, columns=columns, even_columns=True)
     for k, (item, icon) in enumerate(zip(t.gallery, ids)):
         cell = grid.box().column(align=True)
-        cell.template_icon(icon, scale=5)  # 100 pixels
+        cell.template_icon(icon, scale=7 if width == LARGE else 5 if roomy else 4)  # of 20 pixels
         row = cell.row(align=True)
         for score in range(6):
             symbol = "X" if score == 0 else "SOLO_ON" if score <= item.score else "SOLO_OFF"
             button = row.operator("taste.score", text="", icon=symbol, emboss=score == 0,
                                   depress=item.score == 0 == score)
             button.index, button.score = k, score
-        row = cell.row(align=True)
-        row.prop(item, "best", text="", icon="FUND")
-        row.operator("taste.use", text="", icon="MATERIAL").index = k
-        row.operator("taste.variants", text="", icon="PARTICLES").index = k
-        row.operator("taste.paint", text="", icon="BRUSH_DATA").index = k
+        four = cell.grid_flow(row_major=True, columns=2, even_columns=True, align=True)
+        four.prop(item, "best", text="Best", toggle=True,
+                  icon="NONE" if not roomy else "FUND" if item.best else "HEART")
+        four.operator("taste.use", icon="MATERIAL" if roomy else "NONE").index = k
+        four.operator("taste.variants", text="Vary", icon="PARTICLES" if roomy else "NONE").index = k
+        four.operator("taste.paint", icon="BRUSH_DATA" if roomy else "NONE").index = k
+    marked = sum(i.best for i in t.gallery)
+    row = layout.row()
+    row.enabled = 0 < marked < len(t.gallery)
+    row.operator("taste.best", text="Best of these: %d marked" % marked, icon="FUND")
 
 
-def draw_all(self, context, columns):
-    layout, t = self.layout, context.scene.taste
-    buttons = layout.column(align=True) if columns < 3 else layout.row(align=True)
-    buttons.prop(t, "count")
-    buttons.prop(t, "quality")
-    buttons.operator("taste.gallery", icon="FILE_REFRESH")
-    buttons.operator("taste.recommend", icon="ASSET_MANAGER")
-    buttons.operator("taste.best", icon="FUND")
-    try:
-        draw_gallery(layout, t, columns)
-    except (RuntimeError, OSError) as error:
-        layout.label(text=str(error), icon="ERROR")
+class Panel:
+    bl_space_type, bl_region_type, bl_category = "VIEW_3D", "UI", "Taste"
+
+    def width(self, context):
+        """Of the sidebar, in pixels of a usual screen."""
+        return context.region.width / context.preferences.system.ui_scale
 
 
-class TASTE_PT_panel(bpy.types.Panel):
-    bl_label, bl_category = "Material taste", "Taste"
-    bl_space_type, bl_region_type = "VIEW_3D", "UI"
+class TASTE_PT_panel(Panel, bpy.types.Panel):
+    bl_label = "Material taste"
 
     def draw(self, context):
-        width = context.region.width / context.preferences.system.ui_scale
-        draw_all(self, context, max(1, int(width - 40) // 120))
+        draw_top(self.layout, context, self.width(context))
+
+
+class TASTE_PT_locks(Panel, bpy.types.Panel):
+    bl_label, bl_parent_id, bl_options = "Locks", "TASTE_PT_panel", {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        t, column = context.scene.taste, self.layout.column(align=True)
+        for k, name in enumerate(LOCKS):
+            row = column.row(align=True)
+            row.prop(t, "locked", index=k, text="", icon="LOCKED" if t.locked[k] else "UNLOCKED")
+            value = row.row(align=True)
+            value.active = t.locked[k]
+            if name == "color":
+                value.label(text="Base Color")
+                value.prop(t, name, text="")
+            else:
+                value.prop(t, name)
+
+
+class TASTE_PT_plane(Panel, bpy.types.Panel):
+    bl_label, bl_parent_id, bl_options = "Plane of what you like", "TASTE_PT_panel", {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        t, layout = context.scene.taste, self.layout
         try:
-            self.more(context.scene.taste)
+            picture = plane_picture(t)
         except (RuntimeError, OSError) as error:
-            self.layout.label(text=str(error), icon="ERROR")
+            draw_text(layout, str(error), "ERROR", self.width(context))
+            return
+        icon = icons("plane", (id(picture), tuple(t.walk)), lambda: [with_mark(picture, t.walk)])
+        layout.template_icon(icon[0], scale=min(16, (self.width(context) - 60) / 20))
+        layout.operator("taste.walk", icon="MOUSE_LMB_DRAG")
+        row = layout.row(align=True)
+        row.prop(t, "walk", index=0, text="Right", slider=True)
+        row.prop(t, "walk", index=1, text="Up", slider=True)
 
-    def more(self, t):
+
+class TASTE_PT_match(Panel, bpy.types.Panel):
+    bl_label, bl_parent_id, bl_options = "Match a picture", "TASTE_PT_panel", {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
         layout = self.layout
-        layout.operator("taste.large", icon="WINDOW")
-        layout.operator("taste.variants", text="Variants of active", icon="PARTICLES").index = -1
-        layout.label(text="%d stars given, %d comparisons" % (sum(a.score >= 0 for a in t.answers), len(t.pairs)))
-
-        layout.prop(t, "show_locks", icon="LOCKED")
-        if t.show_locks:
-            column = layout.column(align=True)
-            for k, name in enumerate(preview.NAMES):
-                row = column.row(align=True)
-                row.prop(t, "locked", index=k, text="", icon="LOCKED" if t.locked[k] else "UNLOCKED")
-                row.prop(t, "value", index=k, text=name.capitalize(), slider=True)
-        layout.prop(t, "show_plane", icon="WORLD")
-        if t.show_plane:
-            where = [((c + 0.5) / MAP, 1 - (r + 0.5) / MAP) for r in range(MAP) for c in range(MAP)]
-            layout.template_icon(icons("map", at(t, where), MAP)[0], scale=12)
-            row = layout.row(align=True)
-            row.prop(t, "walk", index=0, text="Right", slider=True)
-            row.prop(t, "walk", index=1, text="Up", slider=True)
-        layout.template_ID(t, "image", open="image.open")
+        layout.template_ID(context.scene.taste, "image", open="image.open")
         row = layout.row(align=True)
         row.operator("taste.match", text="Match picture").source = "IMAGE"
         row.operator("taste.match", text="Match render").source = "RENDER"
+
+
+class TASTE_PT_file(Panel, bpy.types.Panel):
+    bl_label, bl_parent_id, bl_options = "Materials of the file", "TASTE_PT_panel", {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        layout.operator("taste.variants", text="Variants of the active material", icon="PARTICLES").index = -1
+        layout.operator("taste.unused", icon="ORPHAN_DATA")
         layout.operator("taste.forget", icon="TRASH")
 
 
+class TASTE_PT_gallery(Panel, bpy.types.Panel):
+    bl_label, bl_parent_id = "Gallery", "TASTE_PT_panel"
+
+    def draw(self, context):
+        draw_gallery(self.layout, context, self.width(context))
+
+
 CLASSES = (TasteItem, TasteAnswer, TastePair, TasteState, TASTE_OT_gallery, TASTE_OT_score, TASTE_OT_best,
-           TASTE_OT_recommend, TASTE_OT_variants, TASTE_OT_use, TASTE_OT_paint, TASTE_OT_match, TASTE_OT_large,
-           TASTE_OT_forget, TASTE_PT_panel)
+           TASTE_OT_recommend, TASTE_OT_variants, TASTE_OT_use, TASTE_OT_paint, TASTE_OT_match, TASTE_OT_walk,
+           TASTE_OT_large, TASTE_OT_unused, TASTE_OT_forget, TASTE_PT_panel, TASTE_PT_locks, TASTE_PT_plane,
+           TASTE_PT_match, TASTE_PT_file, TASTE_PT_gallery)
+
+
+@bpy.app.handlers.persistent
+def saved(*_):
+    library.keep_catalog()
 
 
 def register():
     for c in CLASSES:
         bpy.utils.register_class(c)
     bpy.types.Scene.taste = PointerProperty(type=TasteState)
+    bpy.app.handlers.save_post.append(saved)
 
 
 def unregister():
-    for name in ("gallery icons", "map icons"):
-        if name in kept:
-            bpy.utils.previews.remove(kept[name])
+    if saved in bpy.app.handlers.save_post:
+        bpy.app.handlers.save_post.remove(saved)
+    for value in kept.values():
+        if isinstance(value, bpy.utils.previews.ImagePreviewCollection):
+            bpy.utils.previews.remove(value)
     kept.clear()
     del bpy.types.Scene.taste
     for c in reversed(CLASSES):

@@ -4,7 +4,7 @@ Blender without its color, and a key light; and a material from its parameters. 
 A material is x [7] in [0, 1]: red, green and blue of the base color (linear), metallic, roughness, transmission and
 IOR (1.05 to 2). The preview shows the other sockets too little to learn them from it (specular, clearcoat, sheen and
 anisotropy move it by less than 0.01): they keep what the material has."""
-import math
+import colorsys
 import os
 
 import bpy
@@ -20,6 +20,9 @@ SOCKETS = {
     "transmission": ("Transmission", "Transmission Weight"),
     "ior": ("IOR",),
 }
+# The hue in degrees up to which a color has the name.
+HUES = (("red", 15), ("orange", 42), ("yellow", 68), ("green", 165), ("cyan", 195), ("blue", 255), ("violet", 290),
+        ("pink", 345), ("red", 361))
 
 
 def principled(material):
@@ -35,9 +38,30 @@ def socket(node, name):
     return next(node.inputs[s] for s in SOCKETS[name] if s in node.inputs)
 
 
+def describe(x):
+    """A material's name: "Polished orange metal"."""
+    shown = [12.92 * v if v < 0.0031308 else 1.055 * v**(1 / 2.4) - 0.055 for v in x[:3]]
+    hue, saturation, brightness = colorsys.rgb_to_hsv(*shown)
+    if saturation < 0.2 or brightness < 0.2:
+        color = "black" if brightness < 0.25 else "gray" if brightness < 0.85 else "white"
+    else:
+        color = next(name for name, end in HUES if 360 * hue < end)
+        if brightness < 0.6:
+            color = "brown" if color == "orange" else "dark " + color
+    kind = "metal" if x[3] > 0.5 else "glass" if x[5] > 0.5 else "plastic"
+    finish = "polished" if x[4] < 0.2 else "satin" if x[4] < 0.5 else "rough"
+    return ("clear" if finish == "polished" and kind == "glass" else finish).capitalize() + " %s %s" % (color, kind)
+
+
 def value(name, x):
     k = NAMES.index(name)
     return LOW[k] + (HIGH[k] - LOW[k]) * float(min(max(x, 0.0), 1.0))
+
+
+def unit(name, v):
+    """The inverse: a socket's value as a parameter from 0 to 1."""
+    k = NAMES.index(name)
+    return min(max((v - LOW[k]) / (HIGH[k] - LOW[k]), 0.0), 1.0)
 
 
 def write(material, x):
@@ -62,8 +86,7 @@ def read(material):
         s = socket(node, name)
         if s.is_linked:
             raise RuntimeError("'%s': %s comes from another node" % (material.name, s.name))
-        v = s.default_value[k] if k < 3 else s.default_value
-        x.append(min(max((v - LOW[k]) / (HIGH[k] - LOW[k]), 0.0), 1.0))
+        x.append(unit(name, s.default_value[k] if k < 3 else s.default_value))
     return x
 
 

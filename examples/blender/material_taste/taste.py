@@ -69,7 +69,8 @@ class Taste(_Owner):
     def recommend(self, count, quality=0.6, diversity=0.0, seed=1, low=None, high=None):
         """Materials whose predicted scores reach `quality` of the best, and these scores."""
         x, mean = np.empty((count, self.m)), np.empty(count)
-        _call("recommend", self.handle, count, float(quality), float(diversity), seed, *_box(self.m, low, high), x, mean)
+        box = _box(self.m, low, high)
+        _call("recommend", self.handle, count, float(quality), float(diversity), seed, *box, x, mean)
         return x, mean
 
 
@@ -129,8 +130,34 @@ class Plane(_Owner):
         _call("plane_map", self.handle, at, len(at), x)
         return x
 
-    def variants(self, taste, renderer, material, count):
-        """From the most similar to `material` to the best by taste."""
-        x = np.empty((count, self.m))
-        _call("variants", self.handle, taste.handle, renderer.handle, _array(material), count, x)
-        return x
+
+def variants(taste, renderer, material, count, quality=0.7, low=None, high=None, step=0.02, seed=1):
+    """At most count variants of a material, from the most similar to the best by taste (None: the least similar), whose
+    pictures all differ by step or more, from each other and from the material's: RMS, of 1. 0.02 is plain to see."""
+    random, (low, high) = np.random.default_rng(seed), _box(renderer.m, low, high)
+    material = np.clip(material, low, high)
+    # candidates: some of the parameters changed by chance, and points of the way to materials that are liked
+    width = random.choice((0.03, 0.06, 0.12, 0.25), (480, 1)) * (random.random((480, renderer.m)) < 0.5)
+    tried = [material + width * random.standard_normal(width.shape)]
+    if taste is not None:
+        try:
+            liked = taste.recommend(40, quality, 0, 1, low, high)[0]
+            tried += [material + part * (liked - material) for part in np.linspace(0.125, 1, 8)]
+        except RuntimeError:  # nothing in the box is liked: chance alone
+            pass
+    tried = np.clip(np.vstack(tried), low, high)
+    pictures = renderer.pictures(np.vstack([material, tried])).reshape(1 + len(tried), -1)
+    far = np.sqrt(((pictures[1:] - pictures[0])**2).mean(1))
+    worth = -far if taste is None else taste.predict(tried)[0]
+
+    # rings of equal width around the material, out to the best candidate: the best of each that is a step from all
+    # before it
+    best = far[np.argmax(worth)] if taste is not None else 6 * step
+    rings, chosen = np.linspace(step, max(best, 4 * step), count + 1), []
+    for inner, outer in zip(rings, rings[1:]):
+        inside = np.flatnonzero((far >= inner) & (far <= outer))
+        for k in inside[np.argsort(-worth[inside], kind="stable")]:
+            if all(((pictures[1 + k] - pictures[1 + j])**2).mean() >= step * step for j in chosen):
+                chosen.append(k)
+                break
+    return tried[chosen]

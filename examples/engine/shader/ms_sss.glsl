@@ -14,7 +14,7 @@
 //
 //     #define             default
 //     MS_SSS_STEP                  0 X, 1 Y, 2 DOWN, 3 UP; 8 ms_sss_transmission alone, for the engine's light loop;
-//                                  4 to 7: those of ms_sss_pyramid.glsl, which follows this file
+//                                  4 to 7: those of ms_sss_pyramid.glsl, which follows this file; 9: ms_sss_disc.glsl
 //     MS_SSS_TAPS         7        ms_sss_shader.tap_count
 //     MS_SSS_PROFILES     0        kernels that ms_sss_fetch_profile selects from, up to 16; 0: one, no profiles
 //     MS_SSS_TERMS        1        of UP: the most terms of any of the kernels
@@ -29,12 +29,14 @@
 // The engine defines those of these functions that a step reads; p is the pixel plus the viewport's corner:
 //
 //     float3 ms_sss_fetch_color(int2 p)     light before the albedo; not below 1e30: masked     X, Y, DOWN, UP
-//     float ms_sss_fetch_depth(int2 p)      along the view axis, of 32 bits; not > 0: masked    X, DOWN, UP
+//     float ms_sss_fetch_depth(int2 p)      along the view axis; not > 0: masked                X, DOWN, UP
 //     int ms_sss_fetch_profile(int2 p)      index of the kernel; without one: masked            X, DOWN, UP
 //     float ms_sss_fetch_strength(int2 p)   0 to 1; 0: masked                                   X, Y, DOWN, UP
 //     float3 ms_sss_fetch_normal(int2 p)    in view space: x right, y down, z to the camera     X, Y
 //
-// At half resolution X and Y read DOWN's target in their place. Without depth the second returns 1.0, with MS_SSS_FLAT 1.
+// BASE and the disc read what X reads, RESOLVE color and strength. At half resolution X and Y read DOWN's target in their
+// place. Without depth the second returns 1.0, with MS_SSS_FLAT 1. Depth of 16-bit floats also wants MS_SSS_FLAT 1: its
+// steps are seen as elevation, even where slopes are from normals.
 // Targets are textures of 32-bit floats (OpenGL: GL_NEAREST), at these bindings:
 //
 //     X     writes light, and depth (0: masked) in alpha; the profile in the last 4 bits of blue
@@ -98,7 +100,7 @@
 #define zero4 float4(0.0, 0.0, 0.0, 0.0)
 #define one3 float3(1.0, 1.0, 1.0)
 
-#if MS_SSS_STEP < 8
+#if MS_SSS_STEP != 8
 // ---- what the step is ------------------------------------------------------------------------------------------------
 
 #define PASS (MS_SSS_STEP < 2)
@@ -109,10 +111,11 @@
 #define BASE (MS_SSS_STEP == 4)
 #define GATHER (MS_SSS_STEP == 6)
 #define RESOLVE (MS_SSS_STEP == 7)
+#define DISC (MS_SSS_STEP == 9)
 #define HALVED (PASS && MS_SSS_HALF > 0)
 // RAW: it reads the engine's textures and masks their pixels, where others read the target of a step.
-#define RAW (BASE || DOWN || UP || (MS_SSS_STEP == 0 && !HALVED))
-#define SLOPES (MS_SSS_FLAT == 0 && (PASS || BASE))
+#define RAW (BASE || DOWN || UP || DISC || (MS_SSS_STEP == 0 && !HALVED))
+#define SLOPES (MS_SSS_FLAT == 0 && (PASS || BASE || DISC))
 #define NORMALS (MS_SSS_NORMAL > 0 && SLOPES && !HALVED)
 #define PACKED (MS_SSS_PROFILES > 0 && !PYRAMID)
 
@@ -169,7 +172,7 @@ uniform vec4 ms_sss[COUNT];
 #define FOCAL CONSTANT[2].yz // pixels a unit of depth; perspective: at depth 1
 #define SLOPE_SCALE CONSTANT[2].w // 1 - flat
 // of a profile's kernel, which begins at HEAD + STRIDE * profile
-#define TOTAL(at) CONSTANT[at].rgb // sums of the weights
+#define TOTAL(at) CONSTANT[at] // sums of the weights; radius
 #define RADIUS_MM(at) CONSTANT[at].w
 #define SCALE(at) CONSTANT[at + 1].rgb // of the term
 #define DEPTH_SCALE(at) CONSTANT[at + 1].w // to units of depth in which weights vanish at a difference of 1
@@ -223,7 +226,7 @@ float area_of(float2 slope, float2 ray) {
     return sqrt(dot(slope, slope) + towards * towards);
 }
 
-#if PASS || DOWN || UP || BASE
+#if PASS || DOWN || UP || BASE || DISC
 // Below 1e30, by its bits: compilers may assume that no number is NaN.
 bool finite(float x) { return (bits_of(x) & 0x7fffffffu) < 0x7149f2cau; }
 
@@ -336,7 +339,7 @@ float2 slopes_of(int2 p, float4 own, float2 focal, float most) {
 }
 #endif
 
-#if PASS || DOWN || UP
+#if PASS || DOWN || UP || DISC
 float pixels_at(float depth) { return PIXELS_PER_MM / relative(depth); }
 int profile_at(float4 own) { return HEAD + STRIDE * profile_of(own); }
 
@@ -461,7 +464,7 @@ float4 filter_pixel(int2 pixel) {
     if (!(own.a > 0.0)) { return own; }
 #endif
     int at = profile_at(own);
-    float4 total = CONSTANT[at];
+    float4 total = TOTAL(at);
     float2 aspect = ASPECT;
 
     // The effect fades from kernels of a pixel to those of half a pixel; one wider than the picture is reduced to it.
@@ -580,10 +583,14 @@ float4 filter_pixel(int2 pixel) {
 #endif
 
 #if defined(MS_SSS_HLSL)
-float4 main(float4 position : SV_Position) : SV_Target0 { return filter_pixel(int2(position.xy)); }
-#elif !defined(MS_SSS_WGSL)
-layout(location = 0) out vec4 ms_sss_out;
-void main() { ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy)); }
+#define MS_SSS_MAIN float4 main(float4 position : SV_Position) : SV_Target0 { return filter_pixel(int2(position.xy)); }
+#elif defined(MS_SSS_WGSL)
+#define MS_SSS_MAIN
+#else
+#define MS_SSS_MAIN layout(location = 0) out vec4 ms_sss_out; void main() { ms_sss_out = filter_pixel(ivec2(gl_FragCoord.xy)); }
+#endif
+#if !DISC
+MS_SSS_MAIN
 #endif
 #endif
 #endif

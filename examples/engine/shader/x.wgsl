@@ -199,6 +199,7 @@ fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
     return vec4<f32>(result.rg, pack(result.b, profile_of(own)), own.a);
 }
 
+
 struct ms_sss_block { v: array<vec4<f32>, 13> };
 @group(0) @binding(0) var<uniform> ms_sss: ms_sss_block;
 

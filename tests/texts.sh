@@ -1,0 +1,101 @@
+#!/bin/sh
+# What can be seen without a tool that may be missing here: for each test that is skipped where its tool is not installed, a look at
+# the text that it would have tried. And comments that a formatter has broken.
+#   skipped without       looked at here
+#   CMake, Meson          README's lines (tests/readme.sh)
+#   Chromium, Node        page parts: every id that a script asks for stands in its page (page, web)
+#   three.js              what sss_three.part.js takes from WebAssembly is exported by three.c
+#   glslangValidator, spirv-cross, EGL   shader files: brackets, switches that are used and listed
+#   Blender, PyTorch, numpy              Python files compile; calls of a library are in its source
+#   MaterialX             the writer closes what it opens
+#   a locale with a decimal comma        no number is read or written by the locale in a header
+#   clang-format 14       columns, tabs, blanks at ends of lines
+#   libFuzzer, valgrind, sanitizers      each fuzz target has a corpus (run.sh replays it)
+set -u
+passed=0
+failed=0
+check() { # NAME, then a command that must succeed
+    name=$1
+    shift
+    if "$@" >/dev/null; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "FAIL $name"; fi
+}
+none() { # NAME, lines that should not be there
+    if [ -z "$2" ]; then passed=$((passed + 1)); else
+        failed=$((failed + 1))
+        echo "FAIL $1:"
+        echo "$2" | head -5 | cut -c1-160
+    fi
+}
+
+# ---- comments and layout
+headers=$(ls ms_*.h)
+none "over 120 columns" "$(awk '{gsub(/[\200-\277]/, "")} length > 120 {print FILENAME ":" FNR}' $headers)"
+none "tabs, or blanks at the end of a line" "$(grep -nE '	| $' $headers)"
+none "a word cut at its hyphen" "$(grep -nE '[a-z]- [a-z]' $headers | grep -vE -e '- (and|or|to) ')"
+none "a value alone on a line, its name above" "$(awk 'FNR == 1 {last = ""} last ~ /[A-Z0-9_] =$/ && /^ *-?[0-9]+,/ {print FILENAME ":" FNR ": " $0} {last = $0}' $headers)"
+none "two statements of an example on one line" "$(awk '/^ *[^#\/]*[a-z_]+\(.*\); ms_[a-z_]+\(/ && !/for *\(/ && !/\{.*\}/ {print FILENAME ":" FNR ": " $0}' $headers)"
+none "a row of a table, or an argument, in the middle of a sentence" "$(grep -nE '^   [A-Za-z`(*][^ ]*( [^ ]+){5,}  +[A-Za-z[*`]' $headers | grep -v =)"
+none "no banners of sections" "$(for h in $headers; do [ "$(grep -c '^/\* ---- ' "$h")" -gt 2 ] || echo "$h has no banners"; done)"
+
+# ---- numbers by the locale
+none "numbers by the locale in a header" "$(grep -nE '[^a-z_](strtod|strtof|atof|sscanf|localeconv) *\(' $headers)"
+
+# ---- pages
+for page in studio kernels three; do
+    part=examples/web/$page.part.html
+    [ -f "$part" ] || continue
+    scripts=$(ls examples/web/$page.js examples/web/$page.page.js 2>/dev/null)
+    for id in $(cat $scripts | grep -oE "(getElementById\(|[^a-zA-Z]\\$\()'[a-zA-Z][a-zA-Z0-9_-]*'\)" | sed "s/.*'\([^']*\)'.*/\1/" | sort -u); do
+        check "$page: no element '$id'" grep -q "id=\"\{0,1\}$id[\" >]" "$part" $scripts examples/web/build.sh
+    done
+done
+if [ -f examples/web/sss_three.part.js ]; then
+    for name in $(grep -oE 'exports\.[a-z_]+' examples/web/sss_three.part.js | cut -d. -f2 | sort -u); do
+        [ "$name" = memory ] || [ "$name" = _initialize ] || check "three.c does not export $name" grep -qE "export_name\(\"$name\"\)|[ *]$name\(" examples/web/three.c
+    done
+fi
+
+# ---- shader files
+for f in examples/engine/shader/*.glsl examples/engine/shader/*.wgsl; do
+    [ -f "$f" ] || continue
+    none "$f: brackets" "$(sed 's://.*::' "$f" | awk '{n += gsub(/\{/, "{") - gsub(/\}/, "}"); m += gsub(/\(/, "(") - gsub(/\)/, ")")} END {if (n || m) print n, m}')"
+    for switch in $(grep -oE '(ifdef|ifndef|defined\() *MS_[A-Z0-9_]+' "$f" | grep -oE 'MS_[A-Z0-9_]+' | sort -u); do
+        check "$f: $switch is not explained" sh -c "grep -E '^ *(//|/?\*|[A-Z ]).*$switch' '$f'"
+    done
+done
+
+# ---- Python without its packages
+if command -v python3 >/dev/null; then
+    for f in $(git ls-files '*.py'); do
+        check "$f is no Python" python3 -c "import ast, sys; ast.parse(open(sys.argv[1]).read())" "$f"
+    done
+fi
+for f in examples/blender/*.py; do # calls of the add-on's library
+    for name in $(grep -oE '\b(lib|library)\.[a-z_]+' "$f" | cut -d. -f2 | sort -u); do
+        check "$f calls $name, which no C file of the add-on has" grep -qE "[ *]$name\(" examples/blender/*.c
+    done
+done
+if [ -f examples/tools/export_torch.py ]; then # types of layers that the exporter writes
+    for type in $(grep -oE "[\"']type[\"']: *[\"'][a-z0-9_]+[\"']" examples/tools/export_torch.py | sed "s/.*[\"']\([a-z0-9_]*\)[\"']$/\1/" | sort -u); do
+        check "ms_nn.h has no layer $type, which the exporter writes" grep -q "\"$type\"" ms_nn.h
+    done
+fi
+
+# ---- MaterialX
+if [ -f examples/tools/materialx.h ]; then
+    for tag in $(grep -oE '<[a-z_]+ [a-z]+=' examples/tools/materialx.h | grep -oE '[a-z_]+ ' | sort -u); do
+        check "materialx.h opens <$tag> and does not close it" grep -qE "</$tag>|/>" examples/tools/materialx.h
+    done
+    check "materialx.h writes no version" grep -q '<materialx version=' examples/tools/materialx.h
+fi
+
+# ---- fuzz targets, targets of make
+for f in tests/fuzz/fuzz_*.c; do
+    n=$(basename "$f" .c)
+    check "$n has no corpus" sh -c "ls tests/fuzz/corpus_${n#fuzz_}/* | head -1 | grep ."
+done
+for target in $(grep -oE '`make [a-z-]+' README.md | cut -d' ' -f2 | sort -u); do
+    check "README names make $target" grep -qE "^([a-z -]* )?$target( [a-z -]*)?:" Makefile
+done
+echo "$passed passed, $failed failed"
+[ $failed = 0 ]
