@@ -145,8 +145,8 @@ static void family_kernels(void)
     for (i = 0; i < 8 * 8 * 3; ++i) light[i] = 1;
     f.width = f.height = 8;
 #ifdef ATTACK_OLD
-    f.input = ms_sss_interleaved(light, 3, 0);
-    f.output = ms_sss_interleaved(out, 3, 0);
+    f.input = ms_sss_interleaved(light, 3);
+    f.output = ms_sss_interleaved(out, 3);
 #else
     f.input = ms_sss_interleaved(light, 3);
     f.output = ms_sss_interleaved(out, 3);
@@ -579,9 +579,9 @@ static void family_damaged(void)
     f.width = 16;
     f.height = 9;
 #ifdef ATTACK_OLD
-    f.input = ms_sss_interleaved(light, 3, 0);
-    f.output = ms_sss_interleaved(out, 3, 0);
-    f.depth = ms_sss_map(depth, 1, 0);
+    f.input = ms_sss_interleaved(light, 3);
+    f.output = ms_sss_interleaved(out, 3);
+    f.depth = ms_sss_map(depth, 1);
 #else
     f.input = ms_sss_interleaved(light, 3);
     f.output = ms_sss_interleaved(out, 3);
