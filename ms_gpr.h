@@ -745,7 +745,7 @@ static double ms_gpr__pow2(double whole)
 }
 
 #ifndef MS_GPR_FILENAME
-#define MS_GPR_FILENAME                                                                           \
+#define MS_GPR_FILENAME \
     "ms_gpr.h" /* the header includes its kernels, once a level; define it if the file is renamed \
                 */
 #endif
