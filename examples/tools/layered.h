@@ -70,6 +70,7 @@ typedef struct ms_mcml_layered_side {
     double cotangent[LAYERED_SINGLES];
     double rate_per_cm[2][LAYERED_SINGLES], beam[2]; /* of the beam that enters and of the one that is reflected */
     double depth_cm;                                 /* of the layer at this surface; above 1e200: without end */
+    double falling[LAYERED_RADII];                   /* energy beyond each radius of the table, made to fall */
     double tail_cm, tail, tail_rate;                 /* beyond tail_cm: tail exp(-tail_rate (r - tail_cm)) */
     double error[LAYERED_RADII]; /* of the energy between the radii radius_cm exp(0.25 (i - 1)) and 0.25 i; 0: from 0 */
 } ms_mcml_layered_side;
@@ -979,7 +980,7 @@ static inline ms_status layered__solve_spectra(layered__solver *s, const ms_prog
         out->rate_per_cm[i] = low * sqrt(1 + shift * shift);
     }
     out->side[0].rates = out->side[1].rates = i;
-    out->radius_cm = 0.02 / most;
+    out->radius_cm = 5e-4 / most;
     return MS_OK;
 }
 
@@ -1156,6 +1157,29 @@ static inline void layered__end(ms_mcml_layered *s, int side, double scattered)
     }
 }
 
+/* The energies beyond the radii of the table, each at most the one before. */
+static inline void layered__tabulate(ms_mcml_layered *s, int side, double scattered)
+{
+    double least = fmax(scattered, 0);
+    int i;
+    for (i = 0; i < LAYERED_RADII; ++i) {
+        least = fmin(least, fmax(layered__outside(s, &s->side[side], s->radius_cm * exp(0.25 * i)), 0));
+        s->side[side].falling[i] = least;
+    }
+}
+
+/* Scattered light that leaves beyond r, between what leaves beyond the table's radii around it. */
+static inline double layered__falling(const ms_mcml_layered *s, int side, double r)
+{
+    const double place = r > 0 ? 4 * log(r / s->radius_cm) : -1;
+    const double all = side ? s->tt - s->tt_unscattered : s->rd - s->rd_unscattered;
+    const int i = place < 0 ? -1 : place < LAYERED_RADII - 1 ? (int)place : LAYERED_RADII - 1;
+    const double high = i < 0 ? all : s->side[side].falling[i];
+    const double low = i + 1 < LAYERED_RADII ? s->side[side].falling[i + 1] : 0;
+    if (i < 0) return high - (high - low) * r / s->radius_cm; /* single scattering: a density of 1 / r */
+    return fmax(fmin(layered__outside(s, &s->side[side], r), high), low);
+}
+
 /* ---- calls ----------------------------------------------------------------------------------------------------- */
 
 /* Solves the layers. options may be NULL. progress is called at every frequency, with 0 first and 1 last.
@@ -1194,6 +1218,7 @@ static inline ms_status ms_mcml_layered_solve(const ms_mcml_tissue *tissue, cons
         for (i = 0; i < 2 && p; ++i) {
             layered__rings(s, p, i, most, &r);
             layered__end(&r, i, i ? r.tt - r.tt_unscattered : r.rd - r.rd_unscattered);
+            layered__tabulate(&r, i, i ? r.tt - r.tt_unscattered : r.rd - r.rd_unscattered);
         }
         *out = r;
         if (o.progress.report) o.progress.report(o.progress.user, 1);
@@ -1209,7 +1234,7 @@ static inline double ms_mcml_layered_outside(const ms_mcml_layered *s, int side,
 {
     if (s == NULL || side < 0 || side > 1 || !layered__between(r_cm, 0, 1e300)) return (double)NAN;
     if (!(r_cm > 0)) return side ? s->tt : s->rd;
-    return s->totals_only ? (double)NAN : fmax(layered__outside(s, &s->side[side], r_cm), 0);
+    return s->totals_only ? (double)NAN : fmax(layered__falling(s, side, r_cm), 0);
 }
 
 /* Where r is among the cells of the table of errors: 0 to 1 within the first radius. */
@@ -1237,7 +1262,7 @@ static inline double ms_mcml_layered_ring(const ms_mcml_layered *s, int side, do
     }
     per_area = 1 / (3.14159265358979324 * (r1 - r0) * (r1 + r0));
     total = side ? s->tt : s->rd;
-    energy = (r0 > 0 ? layered__outside(s, &s->side[side], r0) : total) - layered__outside(s, &s->side[side], r1);
+    energy = (r0 > 0 ? layered__falling(s, side, r0) : total) - layered__falling(s, side, r1);
     energy = fmax(energy, 0);
     from = layered__position(s, r0);
     to = layered__position(s, r1);
@@ -1251,7 +1276,7 @@ static inline double ms_mcml_layered_ring(const ms_mcml_layered *s, int side, do
 /* Radius beyond which 1e-5 of the reflectance is left, in mm. */
 static inline double layered__far_mm(const ms_mcml_layered *s)
 {
-    double low = 0.1 * s->radius_cm, high = 1e9 * low;
+    double low = 0.1 * s->radius_cm, high = 1e12 * low;
     int i;
     for (i = 0; i < 40; ++i) {
         const double middle = sqrt(low * high);
@@ -1297,7 +1322,7 @@ static inline ms_status ms_mcml_profile_layers(ms_mcml_profile *profile, const m
             if (error) error->position = (size_t)(c + 1);
             break;
         }
-        shortest = fmin(shortest, 50 * 10 * solution[c].radius_cm); /* the densest mean free path, in mm */
+        shortest = fmin(shortest, 2000 * 10 * solution[c].radius_cm); /* the densest mean free path, in mm */
         longest = fmax(longest, layered__far_mm(&solution[c]));
     }
     for (i = 0, r = 0; o.rings == 0 && (r < longest || i < 20); ++i) r = i < 20 ? (i + 1) * 0.05 * shortest : r * 1.04;

@@ -413,9 +413,6 @@ static void family_profiles(void)
     }
     if (attack_one_in(4)) o.depth_step = attack_linear(0.28, 1);
     if (attack_one_in(4)) o.frequency_step = attack_linear(0.2, 1);
-#ifdef MS_MCML_LAYERED_RATES
-    o.simd = (ms_simd)attack_index(5);
-#endif
     if (attack_one_in(2)) o.parallel = attack_parallel();
     o.allocator = attack_allocator((size_t)1 << 30);
     memset(&p, 0, sizeof p);
