@@ -103,6 +103,7 @@ static ms_status photons_of(const ms_mcml_tissue *t, const ms_mcml_grid *g, cons
     int i;
     for (i = 0; i < parts && status == MS_OK; ++i) {
         const uint64_t end = o->photons * (uint64_t)(i + 1) / (uint64_t)parts;
+        last_fraction = 0;
         if (end > at) status = ms_mcml_run(tally, at, end - at, error);
         at = end;
     }

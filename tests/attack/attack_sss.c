@@ -1,5 +1,5 @@
 /* Attacks on ms_sss.h: pictures of any size, aspect, camera and depth through both filters, kernels and profiles over
-   their whole ranges, kernels with damaged fields. ATTACK_OLD: the release before the filter lost its methods. */
+   their whole ranges, kernels with damaged fields. */
 #define MS_SSS_IMPLEMENTATION
 #define MS_SSS_WITH_SCALAR
 #include "ms_sss.h"
@@ -144,13 +144,8 @@ static void family_kernels(void)
     memset(&f, 0, sizeof f);
     for (i = 0; i < 8 * 8 * 3; ++i) light[i] = 1;
     f.width = f.height = 8;
-#ifdef ATTACK_OLD
     f.input = ms_sss_interleaved(light, 3);
     f.output = ms_sss_interleaved(out, 3);
-#else
-    f.input = ms_sss_interleaved(light, 3);
-    f.output = ms_sss_interleaved(out, 3);
-#endif
     fo.pixels_per_mm[0] = (float)(2 / base);
     status = ms_sss_filter(&f, &k, 1, &fo, NULL, 0, &error);
     if (status != MS_OK) attack_fail("a kernel that was made is refused: %s", error.message);
@@ -285,14 +280,9 @@ static ms_status run(const call *c, const ms_sss_frame *f, const ms_sss_filter_o
         work = (unsigned char *)attack_alloc(&attack_heap, bytes + 3);
         if (work == NULL) return MS_OUT_OF_MEMORY;
     }
-#ifdef ATTACK_OLD
-    if (c->by_pyramid) status = ms_sss_pyramid_filter(f, c->pyramid, o, work ? work + 3 : NULL, bytes, error);
-    else status = ms_sss_filter(f, c->kernel, c->kernels, o, work ? work + 3 : NULL, bytes, error);
-#else
     if (c->by_pyramid)
         status = ms_sss_pyramid_filter(f, c->pyramid, c->kernels, o, work ? work + 3 : NULL, bytes, error);
     else status = ms_sss_filter(f, c->kernel, c->kernels, o, work ? work + 3 : NULL, bytes, error);
-#endif
     if (work) attack_release(&attack_heap, work, bytes + 3);
     return status;
 }
@@ -355,9 +345,6 @@ static void filter(int by_pyramid)
         flat_depth = 0;
     }
     if (attack_one_in(4)
-#ifdef ATTACK_OLD
-        && !by_pyramid
-#endif
     ) {
         profile = (uint8_t *)malloc((size_t)w * (size_t)h);
         k.kernels = 1 + attack_index(3);
@@ -393,10 +380,6 @@ static void filter(int by_pyramid)
     o.depth_mode = attack_one_in(5) ? MS_SSS_DEPTH_SCALE : MS_SSS_DEPTH_AWARE;
     o.exact = attack_one_in(3);
     o.simd = (ms_simd)attack_index(5);
-#ifdef ATTACK_OLD
-    if (!by_pyramid) o.method = attack_one_in(4) ? MS_SSS_METHOD_HALF : MS_SSS_METHOD_TAPS;
-    attack_say("method %d; ", (int)o.method);
-#endif
     attack_say("ppm %.5g %.5g, fov %.4g, ortho %.4g, center %.4g %.4g, mm %.4g, sigma %.4g, flat %.3g, mode %d, exact "
                "%d, simd %d, strength %d, normals %d, profiles %d, level %.3g, constant %d",
                (double)o.pixels_per_mm[0], (double)o.pixels_per_mm[1], (double)o.fov_degrees, (double)o.ortho_height,
@@ -496,9 +479,6 @@ static void filter(int by_pyramid)
         }
         /* turned by 180 degrees, without depth: turned */
         mirror = !with_depth && !profile && !dirty && !by_pyramid;
-#ifdef ATTACK_OLD
-        mirror &= o.method == MS_SSS_METHOD_TAPS;
-#endif
         if (mirror && !k.frame.strength.channel[0] && !attack->failed) {
             ms_sss_frame f = k.frame;
             for (y = 0; y < h; ++y)
@@ -578,15 +558,9 @@ static void family_damaged(void)
     memset(&f, 0, sizeof f);
     f.width = 16;
     f.height = 9;
-#ifdef ATTACK_OLD
     f.input = ms_sss_interleaved(light, 3);
     f.output = ms_sss_interleaved(out, 3);
     f.depth = ms_sss_map(depth, 1);
-#else
-    f.input = ms_sss_interleaved(light, 3);
-    f.output = ms_sss_interleaved(out, 3);
-    f.depth = ms_sss_map(depth, 1);
-#endif
     o.pixels_per_mm[0] = 2;
     o.flat = attack_one_in(2) ? 1 : 0;
     o.simd = (ms_simd)attack_index(5);
