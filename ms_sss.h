@@ -2498,16 +2498,20 @@ static void MS__F(gather)(const ms_sss__pyramid_params *s, const float *const ow
 /* --- the picture's own level --- */
 
 /* A pixel's neighbors: light and weights by (1, 2, 1) / 4 both ways, of those near its tangent plane, and with slopes
-   elevated as by gather. check: masked pixels are left out by name. */
+   elevated as by gather. radius: of the kernel in pixels. Elevation counts in full up to 10 pixels and not from 20 on:
+   against random walks it takes 14.0 to 12.8% at 5.5 pixels and 10.5 to 10.0 at 11 (bust of skin), but adds 0.2 at 27
+   (knot of marble). check: masked pixels are left out by name. */
 static MS_SSS__INLINE void MS__F(gather_neighbors)(const ms_sss__pyramid_params *s, const int tilted, const int check,
                                                    const float *const row[4], ptrdiff_t stride, int i, MS__V d,
-                                                   MS__V dx, MS__V dy, MS__V coverage, MS__F(gathered) * sum)
+                                                   MS__V dx, MS__V dy, MS__V coverage, MS__V radius,
+                                                   MS__F(gathered) * sum)
 {
     /* Fourth roots of the weights 1, 2 over 16 are the tops of root - (off root' )^2, which is 0 from 2 pixels on. */
     const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), quarter = MS__SET(0.25f);
     const MS__V pixels_per_d = MS__F(pixels_per_d)(s, MS__SELECT(MS__LESS(zero, MS__ABS(d)), d, MS__SET(-1.0f)), 1);
     const MS__V corner = MS__MUL(pixels_per_d, quarter), edge = MS__MUL(pixels_per_d, MS__SET(0.29730178f));
-    const MS__V cosine = MS__F(inverse)(MS__MAX(coverage, one)),
+    const MS__V fade = MS__F(bound)(MS__NMADD(radius, MS__SET(0.1f), MS__SET(2.0f)), zero, one),
+                cosine = MS__MUL(fade, MS__F(inverse)(MS__MAX(coverage, one))),
                 rounding = MS__MUL(s->perspective ? one : d, MS__SET(2 * s->plane_rounding));
     int j, k, c;
     sum->n = quarter;
@@ -2570,7 +2574,7 @@ static MS_SSS__INLINE void MS__F(resolve_row)(const ms_sss__pyramid_params *s, c
         MS__F(level_weights)(s, 0, 1, size, valid, &index, share);
         near_by.n = near_by.light[0] = near_by.light[1] = near_by.light[2] = zero;
         if (MS__BITS(MS__LESS(zero, MS__MAX(share[3], MS__MAX(share[4], share[5])))) & MS__BITS(valid))
-            MS__F(gather_neighbors)(s, tilted, check, row, stride, i, d, dx, dy, coverage, &near_by);
+            MS__F(gather_neighbors)(s, tilted, check, row, stride, i, d, dx, dy, coverage, radius, &near_by);
         for (c = 0; c < 3; ++c) {
             const MS__V e = MS__LOAD(row[c] + i);
             const MS__V own = MS__MADD(share[c], e, MS__MUL(share[c + 3], near_by.light[c]));
