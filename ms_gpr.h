@@ -55,9 +55,9 @@
    What it costs
    -------------
    n materials, m parameters. A likelihood with its gradient takes n^3 / 2 + n^2 m multiply-adds. A fit evaluates it 100
-   to 150 times. From 200 scores on nearly all of these use a third of the scores. A mean takes n m, its variance n^2 /
-   2 more. 300 recommendations take 20,000 to 150,000 means. A model has n^2 + 2 n m doubles. A fit has 4 n^2 of them at
-   its peak, with choices 10 n^2. Figures: tests/bench/RESULTS.md, made by `make bench`.
+   to 150 times. From 200 scores on nearly all of these use a third of the scores. A mean takes n m, its variance n^2 / 2
+   more. A model has n^2 + 2 n m doubles. A fit has 4 n^2 of them at its peak, with choices 9 n^2. Figures:
+   tests/bench/RESULTS.md, made by `make bench`.
 
    Threads, SIMD, determinism, errors
    ----------------------------------
@@ -303,9 +303,12 @@ typedef struct ms_gpr_fit_report {
 } ms_gpr_fit_report;
 
 /* Learns theta by maximizing its posterior, and makes the model with it. The prior mean is the mean of the scores as
-   they are modeled. x, y, n, m  as in ms_gpr_view. Columns that differ by rounding only (1e-10 of the largest) are left
-   out. Equal scores, or none, give a flat model report      out, or NULL MS_BAD_DATA as ms_gpr_create, and where scores
-   or a column span less than 1e-30 (position: the column, from 1). MS_CANCELLED; the rest as ms_gpr_create. */
+   they are modeled.
+   x, y, n, m  as in ms_gpr_view. Columns that differ by rounding only (1e-10 of the largest) are left out. Equal
+               scores, or none, give a flat model
+   report      out, or NULL
+   MS_BAD_DATA as ms_gpr_create, and where scores or a column span less than 1e-30 (position: the column, from 1).
+   MS_CANCELLED; the rest as ms_gpr_create. */
 MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, const ms_gpr_fit_options *options,
                             ms_gpr **out, ms_gpr_fit_report *report, ms_error *error);
 
@@ -368,19 +371,22 @@ typedef struct ms_gpr_recommend_report {
     double threshold;     /* in units of the score; of variants: the least of their means */
     double best;          /* largest mean that was found over the box */
     double acceptance;    /* share of the first 8192 candidates whose mean reaches the threshold */
-    double candidates;    /* means predicted at single points */
+    double candidates;    /* whose means were predicted, but for those along chains */
     double spread;        /* mean distance of the first 200 to the nearest of them, measured as avoid_distance */
 } ms_gpr_recommend_report;
 
 /* Materials whose predicted score reaches a threshold. Where nothing is predicted to, or the predictions are uncertain
    (a mean sigma above a tenth of best - floor), they are variants of what was liked, and report->search says so: a
    material drawn in proportion to its score, up to 0.3 of its parameters drawn anew; of 10 such the one with the
-   largest mean. Where nothing was liked yet, the 10 are uniform. All are different. count, x  how many, >= 1;
-   [count][m] out mean      [count] out, or NULL: predicted scores sigma     [count] out, or NULL: their standard
-   deviation report    out, or NULL Separate regions that are liked get recommendations in proportion to their volume,
-   as far as 8192 candidates tell it; regions that none of these hits are found by 16 ascents. MS_NOT_CONVERGED: there
-   are not so many different materials, or all others are to be avoided; then, and with MS_CANCELLED, the first
-   report->found rows are valid. MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Thesis 3.4.1; Neal 2003, slice sampling. */
+   largest mean. Where nothing was liked yet, the 10 are uniform. All are different.
+   count, x  how many, >= 1; [count][m] out
+   mean      [count] out, or NULL: predicted scores
+   sigma     [count] out, or NULL: their standard deviation
+   report    out, or NULL
+   Separate regions that are liked get recommendations in proportion to their volume, as far as 8192 candidates tell it;
+   regions that none of these hits are found by 16 ascents. MS_NOT_CONVERGED: there are not so many different materials,
+   or all others are to be avoided; then, and with MS_CANCELLED, the first report->found rows are valid.
+   MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Thesis 3.4.1; Neal 2003, slice sampling. */
 MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
                                   double *mean, double *sigma, ms_gpr_recommend_report *report, ms_error *error);
 
@@ -1105,7 +1111,6 @@ static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
 #undef MS_GPR__JOIN_
 #undef MS_GPR__JOIN
 #undef MS_GPR__KERNEL
-#undef double
 #undef MS_GPR__V
 #undef MS_GPR__BYTES
 #undef MS_GPR__LANES
@@ -2960,9 +2965,9 @@ static int ms_gpr__fit_outside(const ms_gpr__ranked *sorted, int count, double s
     int group;
     for (group = 1; group <= MS_GPR__OUTLIER_GROUP && group < count - 1; ++group) {
         double edge = sign * sorted[sign > 0 ? group : count - 1 - group].value;
-        double far = sign * sorted[sign > 0 ? group - 1 : count - group].value;
+        double extreme = sign * sorted[sign > 0 ? group - 1 : count - group].value;
         double other = sign * sorted[sign > 0 ? count - 1 : 0].value;
-        if (far - edge > MS_GPR__OUTLIER_RANGES * (edge - other)) return 1;
+        if (extreme - edge > MS_GPR__OUTLIER_RANGES * (edge - other)) return 1;
     }
     return 0;
 }

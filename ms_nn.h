@@ -67,8 +67,9 @@
       flatten          order: channels_first (default, PyTorch) or channels_last (Keras)
       activation       activation, alpha                           alone
       dropout          rate                                        does nothing
-      add              from, activation, alpha                     adds the output of the layer `from`, or "input",
-   which has the same shape shared_channels  inputs: [[0,3,6],[1,4,6],[2,5,6]]           first layer only, see below
+      add              from, activation, alpha                     adds the output of layer `from`, or "input", of
+                                                                   the same shape
+      shared_channels  inputs: [[0,3,6],[1,4,6],[2,5,6]]           first layer only, see below
 
    <name>.bias [outputs] belongs to every dense and convolution layer without "bias":false. Weights are F32, F16, or I8
    with <name>.weight_scale (F32, [outputs]): weight = scale x integer; biases and scales are F32 or F16. Convolutions

@@ -235,8 +235,8 @@ typedef struct ms_pme_result {
     double cost;        /* spent, in evaluations */
     size_t evaluations; /* calls without derivatives */
     size_t jacobians;   /* calls with them */
-    size_t steps;       /* that decreased f at the start each belongs to; 0: x is the start: the budget was too small,
-                           or the start is a minimum (see stop) */
+    size_t steps;       /* accepted ones, of all starts; 0: the budget was too small for one, or the start is a minimum
+                           (stop says which) */
     ms_pme_stop stop;
 } ms_pme_result;
 
@@ -264,7 +264,7 @@ typedef struct ms_pme_renderer {
     const double *lower, *upper; /* [n]; NULL: all 0, all 1 */
     /* phi(x) -> image [p] */
     ms_status (*render)(void *user, const double *x, float *image);
-    /* Optional: image and d image_i / d x_j as [p][n]. */
+    /* Optional: image and d image_i / d x_j as [p][n]. Floats: for ranges of 1e-30 to 1e30. */
     ms_status (*jacobian)(void *user, const double *x, float *image, float *jacobian);
     double jacobian_cost; /* in renders; 0: 1 + n / 4 */
     /* Optional: inversion network i of prediction_count, target [p] -> x [n]; values outside the box are clipped. */
@@ -293,12 +293,13 @@ typedef struct ms_pme_match_options {
 } ms_pme_match_options;
 
 typedef struct ms_pme_match_result {
-    double rmse;          /* weighted, in the image's unit, from one real render of x */
-    double rmse_initial;  /* of the best candidate */
-    int best_candidate;   /* predictions come first, then `candidates`, then random ones (or the middle) */
-    ms_pme_result refine; /* without the candidates; its value is RMSE^2 and the pulls; steps is 0 if the answer is the
-                             best candidate; stop says why the whole match ended */
-    double cost;          /* in renders: candidates, refinement, the last render; not predictions and deviations */
+    double rmse;         /* weighted, in the image's unit, from one real render of x */
+    double rmse_initial; /* of the best candidate */
+    int best_candidate;  /* predictions come first, then `candidates`, then random ones (or the middle) */
+    ms_pme_result
+        refine;  /* without the candidates; its value is RMSE^2 and the pulls; steps 0: no step was made from any
+                             of them; stop says why the whole match ended */
+    double cost; /* in renders: candidates, refinement, the last render; not predictions and deviations */
 } ms_pme_match_result;
 
 MS_API ms_pme_match_options ms_pme_match_defaults(void); /* all zero */
@@ -459,39 +460,6 @@ static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t p
 #endif /* MS_COMMON_PRIVATE */
 /* ms-common-private end */
 
-/* ms-common-splitmix begin (the same text wherever it stands: see tests/common.sh) */
-#ifndef MS_COMMON_SPLITMIX
-#define MS_COMMON_SPLITMIX
-
-/* Random numbers by splitmix64 (Steele, Lea, Flood 2014): integers only, so each is the same on any thread, level and
-   machine. Streams of a seed whose numbers differ by less than 2^20 have no state in common within 2^40 draws. */
-typedef struct ms__random {
-    uint64_t state;
-} ms__random;
-
-static MS__UNUSED uint64_t ms__random_u64(ms__random *random)
-{
-    uint64_t z = random->state += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
-static MS__UNUSED ms__random ms__random_start(uint64_t seed, uint64_t stream)
-{
-    ms__random random = {seed};
-    random.state = ms__random_u64(&random) ^ stream;
-    return random;
-}
-
-/* Uniform in the open interval (0, 1), 52 bits: never 0, never 1. */
-static MS__UNUSED double ms__random_uniform(ms__random *random)
-{
-    return ((double)(ms__random_u64(random) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
-}
-#endif /* MS_COMMON_SPLITMIX */
-/* ms-common-splitmix end */
-
 /* Contents: small maths | the run: budget and evaluations | bounded least squares | Levenberg-Marquardt | multistart |
    public: minimize | match: objective | match: stages | public: match */
 
@@ -583,6 +551,21 @@ static void ms_pme__qr_append(double *r, int n, double *columns, int k)
     }
 }
 
+/* Random numbers by splitmix64 (Steele, Lea, Flood 2014): integers only, so the same on any machine. */
+static uint64_t ms_pme__random(uint64_t *state)
+{
+    uint64_t z = *state += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+/* Uniform in the open interval (0, 1), 52 bits: never 0, never 1. */
+static double ms_pme__uniform(uint64_t *state)
+{
+    return ((double)(ms_pme__random(state) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
+}
+
 /* |v|: infinite if an element is not finite or beyond 1e300. Neither overflows nor underflows on the way. */
 static double ms_pme__norm(const double *v, size_t count)
 {
@@ -626,9 +609,9 @@ typedef struct ms_pme__run {
     int stopped;   /* by the budget, a failure or f = 0: no callback follows */
     int uncharged; /* evaluations for the standard deviations: outside the budget, and never the best point */
     ms_status status;
-    int bad; /* the parameter by which a derivative is not finite; -1: none */
-    ms__random random;
-    void *block; /* the memory of the arrays, and its size */
+    int bad;         /* the parameter by which a derivative is not finite; -1: none */
+    uint64_t random; /* state of the generator */
+    void *block;     /* the memory of the arrays, and its size */
     size_t block_size;
 } ms_pme__run;
 
@@ -1074,7 +1057,7 @@ static void ms_pme__random_point(ms_pme__run *run, const double *center, double 
 {
     int j;
     for (j = 0; j < run->n; ++j) {
-        double reach = ms_pme__max(fabs(center[j]), run->typical[j]), u = ms__random_uniform(&run->random);
+        double reach = ms_pme__max(fabs(center[j]), run->typical[j]), u = ms_pme__uniform(&run->random);
         double low = ms__finite(run->lower[j]) ? run->lower[j] : center[j] - reach;
         double high = ms__finite(run->upper[j]) ? run->upper[j] : center[j] + reach;
         x[j] = ms_pme__clip((1 - u) * low + u * high, run->lower[j], run->upper[j]);
@@ -1111,7 +1094,7 @@ static void ms_pme__multistart(ms_pme__run *run, const double *starts, int count
             if (start % 2 != 0 || !run->boxed) ms_pme__random_point(run, run->best, x);
             for (j = 0; j < n && start % 2 == 0 && run->boxed; ++j)
                 x[j] = ms_pme__clip(run->best[j] +
-                                        (ms__random_uniform(&run->random) - 0.5) * (run->upper[j] - run->lower[j]),
+                                        (ms_pme__uniform(&run->random) - 0.5) * (run->upper[j] - run->lower[j]),
                                     run->lower[j], run->upper[j]);
             ms_pme__solver_init(next, next->x, x, n);
         }
@@ -1256,7 +1239,8 @@ static ms_status ms_pme__begin(ms_pme__run *run, const ms_pme_function *function
                               : ms_pme__max(1000, 20 * ms_pme__step_cost(run));
     if (options->max_cost > 0) run->max_cost = options->max_cost;
     run->best_norm = MS_PME__INF;
-    run->random = ms__random_start(options->seed, 0x706d65);
+    run->random = options->seed;
+    run->random = ms_pme__random(&run->random); /* seeds that follow each other start apart */
     run->start_time = options->max_seconds > 0 ? options->clock(options->clock_user) : 0;
     ms_pme__layout(run, o, &arena);
     run->block_size = ms__size_add(arena.used, 63);

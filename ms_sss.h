@@ -32,8 +32,8 @@
           printf("%d taps, error on textures %.1f%%\n", kernel.tap_count, 100 * errors.texture);
           memset(&frame, 0, sizeof frame);
           frame.width = frame.height = 64;
-          frame.input = ms_sss_interleaved(light, 3, 0);
-          frame.output = ms_sss_interleaved(glow, 3, 0);
+          frame.input = ms_sss_interleaved(light, 3);
+          frame.output = ms_sss_interleaved(glow, 3);
           options.pixels_per_mm[0] = 1;
           if (ms_sss_filter(&frame, &kernel, 1, &options, NULL, 0, NULL) != MS_OK) return 1;
           printf("behind the edge: red %.3f, blue %.3f\n", (double)glow[3 * 2083], (double)glow[3 * 2083 + 2]);
@@ -46,8 +46,9 @@
    1. A profile: ms_sss_profile_from_rings (what ms_mcml.h computes from optical coefficients), _samples, _gaussians,
       _burley.
    2. A kernel, when assets are built: ms_sss_kernel_make with a radius in pixels; or a designer, which builds and
-      measures many; or ms_sss_kernel_choose, which takes the error that you can live with and returns the cheapest.
-   3. Every frame: ms_sss_filter on the CPU, or the shaders of ms_sss_shader_text on the GPU.
+      measures many; or a pyramid, ms_sss_pyramid_make.
+   3. Every frame: ms_sss_filter (taps) or ms_sss_pyramid_filter on the CPU, or the shader files of
+      examples/engine/shader on the GPU.
    4. Thin parts (ears, leaves): ms_sss_transmission in the light loop, from a shadow map.
 
    What it costs
@@ -73,7 +74,7 @@
 
    Depth
    -----
-   A tap interpolates the two pixels beside its position (four with rotation or jitter), each weighted by its own depth.
+   A tap interpolates the two pixels beside its position, each weighted by its own depth.
    Slope: taps are spaced on the surface's tangent plane, so a plane is filtered alike at any tilt up to 83 degrees;
    diagonal tilts shear the kernel. Slopes come from normals, or from depth, one-sided at edges.
    Distance: a pixel dz off the tangent plane, for a tap x mm away, has the weight (1 - dz^2 / D^2) / (1 + dz^2 / x^2),
@@ -84,15 +85,12 @@
    mean by more than reflectance^(-1/2), so reflectance times output never exceeds the brightest input.
    Weights that fall outside the picture or on masked pixels are renormalized away: a constant stays constant within
    1e-6 on planes, and everywhere with flat 1. If a kernel's terms have weights of both signs, the missing weight goes
-   to the pixel's own color instead. Half-precision depth is too coarse for slopes: set flat to 1. Half resolution
-   (MS_SSS_METHOD_HALF): a pixel keeps the self weight of its light, so that detail stays; the rest comes from up to
-   four larger pixels around it that are near it in depth. On pictures of heads, hair and leaves it differs from full
-   resolution by 7 to 13%. Slopes come from its own depth; normals are not read.
+   to the pixel's own color instead. Half-precision depth is too coarse for slopes: set flat to 1.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
    Profiles and designers are one block each from the caller's allocator (a designer: 2 MB); building a kernel takes
-   another, under 1 MB, measuring one 60 KB, and gives it back. Filters allocate nothing if the caller
+   another, up to 1.6 MB, measuring one 60 KB, and gives it back. Filters allocate nothing if the caller
    gives a workspace. No globals. At most 32 KB of stack a call, 64 KB without optimization.
    Profiles, designers and kernels are only read once made: calls may overlap. Filters cut the picture into rows for
    ms_parallel; kernels are made on one thread.
@@ -108,16 +106,14 @@
    MS_NO_SIMD       plain C only
    MS_SSS_WITH_SCALAR   plain C beside the SIMD levels, as their reference; otherwise MS_SIMD_SCALAR is MS_SIMD_BASE
    MS_SSS_NO_DESIGN run time alone, for programs that carry kernels and pyramids as data: the filter,
-                    ms_sss_transmission and shaders; nothing that takes a profile
-   MS_ASSERT        checks of the header's own invariants (nothing)
+                    ms_sss_transmission and constants of shaders; nothing that takes a profile
 
    Limits
    ------
    A separable kernel only approximates a profile: the step and disk errors above do not fall with more taps, only with
    more terms. Against random walks through three objects (`make bench FILTER=sss_truth`) the remaining error lies at
    shadow borders (the pyramid and examples/tools/gather.h do better there), and on parts that let light through
-   (ms_sss_transmission, or the gather with a back layer): there, lit from behind, the filter alone is
-   no better than none. Bodies thinner than a mean free path stay too dark.
+   (ms_sss_transmission, or the gather with a back layer): there, lit from behind, the filter alone is hardly better than none. Bodies thinner than a mean free path stay too dark.
    Guided kernels send more light far away than the profile does; where it then crosses to other parts of an object
    (depth sigma a third of the radius, a knot of marble) their picture is worse than an unfiltered one.
    Designs go up to a radius of 128 pixels; larger ones scale from there. Light that a profile sends beyond the 99%
@@ -133,10 +129,8 @@
 
    Sections (search for "---- name")
    ---------------------------------
-   Declarations: profiles, elevation, kernels, errors, translucency, filter, pyramid, GPU text. Run time: checks,
-   translucency tables, filter code, pyramid code, GPU code. Design, which MS_SSS_NO_DESIGN leaves out: small maths,
-   profile tables, pre-integration, cells and spectra, kernel errors, taps, kernel models, pyramid weights. Compiled
-   once for each level of instructions (MS_SSS__PASS): filter kernels, pyramid kernels.
+   Declarations: profiles, elevation, kernels, errors, translucency, filter, pyramid, GPU. The contents of the
+   implementation stand at its head.
 */
 #ifndef MS_SSS_H
 #define MS_SSS_H
@@ -289,8 +283,12 @@ MS_API ms_status ms_sss_profile_from_gaussians(ms_sss_profile **profile, int cou
 MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const double reflectance[3], const double d_mm[3],
                                             const ms_allocator *allocator, ms_error *error);
 
-/* Burley's d for a diffuse surface albedo in [0, 1] and a mean free path: Christensen and Burley 2015, Approximate
-   reflectance profiles for efficient subsurface scattering, equation 6 (searchlight configuration). */
+/* Burley's d for a diffuse surface albedo A in [0, 1] and a mean free path, 1 / (mu_s (1 - g) + mu_a), the length that
+   ms_mcml.h and `build/profile --mfp` take: d = path / (1.85 - A + 7 |A - 0.8|^3 - 1.25 max(0, A - 0.65)). Without the
+   last term this is equation 5 (searchlight configuration) of Christensen and Burley 2015, Approximate reflectance
+   profiles for efficient subsurface scattering, whose mean distance is 11% short of a half-space at A = 0.75 and 35% at
+   0.91. With it the mean distance is within 9% from A = 0.1 to 0.95. An engine that stores a *diffuse* mean free path
+   (Unreal) takes the paper's other form: d = path / (3.5 + 100 (A - 0.33)^4). */
 MS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm);
 
 /* NULL is fine. */
@@ -391,10 +389,6 @@ typedef struct ms_sss_kernel_options {
 
 MS_API ms_sss_kernel_options ms_sss_kernel_defaults(void);
 
-/* Table 5.2 (mm): the fit to d'Eon's skin, and the look that an artist chose. */
-MS_API ms_sss_artist ms_sss_artist_close_fit(void);
-MS_API ms_sss_artist ms_sss_artist_production(void);
-
 /* A designer builds and measures many kernels for one profile at one size on the screen. It holds the profile's cells
    and spectrum, and the spectra of the standard signals. */
 typedef struct ms_sss_designer ms_sss_designer;
@@ -434,16 +428,10 @@ typedef struct ms_sss_errors {
 #define MS_SSS_BANDS_SEEN 24 /* bands above which stairs are seen */
 
 /* Taps between pixels are read with linear interpolation, as the filter and GPUs do. Takes 60 KB from the designer's
-   allocator and gives them back. MS_INVALID_ARGUMENT: a NULL. MS_OUT_OF_MEMORY. errors untouched then. */
+   allocator and gives them back. MS_INVALID_ARGUMENT: a NULL, a kernel that ms_sss_filter refuses, an offset beyond 1e6
+   cells of the designer. MS_UNSUPPORTED: taps that are no pairs. MS_OUT_OF_MEMORY. errors untouched then. */
 MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const ms_sss_kernel *kernel,
                                        const ms_sss_designer *designer);
-
-/* The cheapest image-optimal or residual kernel whose texture error is at most `tolerance` and whose bands are not
-   seen, at most tap_budget taps in all its terms together (each is read once in x and once in y). errors: out, optional
-   MS_NOT_CONVERGED: none within the budget; kernel and errors then hold the one that came nearest to both.
-   MS_INVALID_ARGUMENT: tolerance not above 0, tap_budget < 3. MS_OUT_OF_MEMORY. kernel untouched by these. */
-MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_designer *designer,
-                                      double tolerance, int tap_budget, ms_error *error);
 
 /* A designer for radius_px, a kernel by options (NULL: 7 optimized taps) and its errors (optional) in one call. */
 MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors, const ms_sss_profile *profile,
@@ -456,17 +444,19 @@ MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors
    directions: T(s) = (1 - R^2) x / (1 - R^2 x^2) (1 - 0.85 (1 - R)^5 (1 - x^0.8)), with x = exp(-decay s) and R the
    channel's reflectance: the two-stream solution (Kubelka and Munk 1931) with a loss near the surface of dark media. It
    is within 7% of random walks where R is 0.15 to 0.95 and T above 1e-3; an index of 1.4 inside loses up to 15% more.
-   The profile needs its true reflectance, not one normalized to 1. A channel without light transmits none. */
+   The profile needs its true reflectance, not one normalized to 1. A channel without light transmits none; nor does a
+   thickness that is NaN. */
 MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness_mm, double out[3]);
 
 /* For an engine's light loop: the light of one lamp that reaches a point which faces away from it, through the object.
-   thickness_mm   from the point to where the lamp's light enters the object, along the light: by the shadow map
+   thickness_mm   from the point to where the lamp's light enters the object, along the light: by the shadow map;
+                  below 0: 0
    normal, entry_normal, to_light   outward normals at the point and at that entry, direction to the lamp; unit length,
-                  any common axes. out is 0 where the point faces the lamp, or the entry does not
-   light          the lamp's irradiance at the entry, on a plane at a right angle to the light
-   out            T(thickness) (1 + (1 / R - 1) max(0, -normal.entry_normal)) max(0, entry_normal.to_light) light, in
-                  the filter's units: reflectance or albedo times out leaves
-   Combine it with the filtered light by max: a sum would count the light near the shadow's border twice. */
+                  any common axes. out is 0 where the point faces the lamp, or the entry does not, or the thickness is
+   NaN light          the lamp's irradiance at the entry, on a plane at a right angle to the light out T(thickness) (1 +
+   (1 / R - 1) max(0, -normal.entry_normal)) max(0, entry_normal.to_light) light, in the filter's units: reflectance or
+   albedo times out leaves Combine it with the filtered light by max: a sum would count the light near the shadow's
+   border twice. */
 MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm, const float normal[3],
                                 const float entry_normal[3], const float to_light[3], const float light[3],
                                 float out[3]);
@@ -474,83 +464,40 @@ MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm,
 /* ---- filter ---------------------------------------------------------------------------------------------------- */
 
 /* Pixels in the caller's memory: three channels, or one value a pixel (depth, strength) in channel[0]. All zero: no
-   picture. Elements need the alignment of their type, no more. The filter writes to its output alone. */
+   picture. The filter writes to its output alone. */
 typedef struct ms_sss_image {
-    void *channel[3];       /* red, green and blue of the first pixel: float, or uint16_t that hold IEEE binary16 */
-    ptrdiff_t pixel_stride; /* elements from a pixel to the next: planar 1, RGB 3, RGBA and RGB + depth 4; 0: 1 */
-    ptrdiff_t row_stride;   /* elements from a row to the next, negative for bottom-up; 0: width * pixel_stride */
-    int half;               /* 0: float, 1: binary16 */
+    float *channel[3];      /* red, green and blue of the first pixel */
+    ptrdiff_t pixel_stride; /* floats from a pixel to the next: planar 1, RGB 3, RGBA and RGB + depth 4; 0: 1 */
+    ptrdiff_t row_stride;   /* floats from a row to the next, negative for bottom-up; 0: width * pixel_stride */
 } ms_sss_image;
 
-/* Views: pixels of `channels` interleaved elements of which the first three are color (3: RGB, 4: RGBA or RGB and
-   depth); three planes; one value a pixel, every stride elements (depth in RGB + depth: values = pixels + 3, stride 4).
-   Rows are tightly packed; set row_stride where they are not. `half` is 0 or 1 as in ms_sss_image. */
-MS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int half);
-MS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void *blue, int half);
-MS_API ms_sss_image ms_sss_map(const void *values, int stride, int half);
-
-/* How a picture is filtered. AUTO: the pyramid, if there is one for the kernel and its 99% radius at the nearest depth
-   is above 16 pixels; else taps. */
-typedef enum ms_sss_method {
-    MS_SSS_METHOD_AUTO = 0,
-    MS_SSS_METHOD_TAPS = 1,   /* two passes a term at full resolution */
-    MS_SSS_METHOD_HALF = 2,   /* taps at half resolution, then upsampled along surfaces */
-    MS_SSS_METHOD_PYRAMID = 3 /* ms_sss_pyramid_filter */
-} ms_sss_method;
-
-struct ms_sss_pyramid;
-
-/* The same pixels with rows in the opposite order. All pictures of a frame begin at the same side, top or bottom; a
-   normal's y points to later rows. */
-MS_API ms_sss_image ms_sss_flipped(ms_sss_image image, int width, int height);
-
-/* The projection by which an engine writes depth: the same for D3D, Vulkan, Metal and the depth textures of OpenGL. */
-typedef struct ms_sss_depth_buffer {
-    float near_plane, far_plane; /* scene units, 0 < near < far; far 0 or infinite: infinitely far */
-    int reversed;                /* 0: 0 near to 1 far; 1: 1 near to 0 far */
-    int orthographic;            /* 1: depth goes linearly from near to far */
-} ms_sss_depth_buffer;
-
-/* Converts a depth buffer into distances along the view axis, out[height][width], for ms_sss_frame.depth. out may be
-   the buffer's memory if that is float and packed. Where nothing was drawn (at the far plane or beyond), and for NaN,
-   the distance is infinite: those pixels are masked. MS_INVALID_ARGUMENT: a plane out of range, a stride, a NULL; out
-   is untouched then. */
-MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int height, const ms_sss_depth_buffer *how,
-                                     float *out, ms_error *error);
-
-/* The angle along y, as options.fov_degrees wants it, of a camera with this angle along x; pixels are square. */
-MS_API float ms_sss_fov_along_y(float fov_degrees_along_x, int width, int height);
+/* Views: pixels of `channels` interleaved floats of which the first three are color (3: RGB, 4: RGBA or RGB and depth);
+   three planes; one value a pixel, every stride floats (depth in RGB + depth: values = pixels + 3, stride 4). Rows are
+   tightly packed; set row_stride where they are not. */
+MS_API ms_sss_image ms_sss_interleaved(const float *pixels, int channels);
+MS_API ms_sss_image ms_sss_planar(const float *red, const float *green, const float *blue);
+MS_API ms_sss_image ms_sss_map(const float *values, int stride);
 
 /* The pictures of a call. The input is linear light that entered the surface, before the albedo unless the albedo is
-   baked in. It must not hold specular reflection, which never went below the surface. */
+   baked in. It must not hold specular reflection, which never went below the surface. Composition is the caller's:
+   albedo times the larger of the output and the transmitted light, plus specular light (examples/engine/compose.h). All
+   pictures begin at the same side, top or bottom. */
 typedef struct ms_sss_frame {
     int width, height;      /* 1 to 65536 each */
     ms_sss_image input;     /* linear RGB */
     ms_sss_image output;    /* every pixel is written; may be the input, but must not overlap it otherwise */
     ms_sss_image depth;     /* optional with pixels_per_mm: distance along the view axis (not the ray), scene units */
     ms_sss_image strength;  /* optional, 0 to 1: fraction of the effect; 0 and NaN: masked */
-    ms_sss_image albedo;    /* optional RGB >= 0: the output is then multiplied by it, as albedo_mode says */
-    ms_sss_image specular;  /* optional RGB: added to the output, never filtered */
     const uint8_t *profile; /* optional [height][width]: kernel of each pixel; from kernel_count on: masked */
-    ms_sss_image normal;  /* optional: normals of the surface, without bump maps, of any length, in view space: x to the
-                             right, y as rows grow, z towards the camera; none: slopes from depth, see `flat` */
-    ms_sss_image through; /* optional RGB: transmitted light (ms_sss_transmission, summed over the lamps); the output is
-                             the larger of both, before albedo and specular */
-    ms_sss_method *taken; /* optional [kernel_count], written: the method that each kernel in use was filtered by */
+    ms_sss_image normal;    /* optional: normals of the surface, without bump maps, of any length, in view space: x to
+                               the right, y to later rows, z towards the camera; none: slopes from depth, see `flat` */
 } ms_sss_frame;
 
 /* The weight of a tap whose depth differs from the pixel's by dz. */
 typedef enum ms_sss_depth_mode {
-    MS_SSS_DEPTH_AWARE = 0, /* weighted by dz from the tangent plane, renormalized; see ms_sss_filter */
+    MS_SSS_DEPTH_AWARE = 0, /* weighted by dz from the tangent plane, renormalized; see the head comment */
     MS_SSS_DEPTH_SCALE = 1  /* depth sets the kernel's size in pixels only; light leaks across silhouettes */
 } ms_sss_depth_mode;
-
-/* Where the albedo multiplies the light: as it leaves, as it enters, or half and half. */
-typedef enum ms_sss_albedo_mode {
-    MS_SSS_ALBEDO_POST = 0, /* albedo * filter(input): keeps texture sharp */
-    MS_SSS_ALBEDO_PRE = 1,  /* filter(albedo * input): blurs texture as well */
-    MS_SSS_ALBEDO_BOTH = 2  /* sqrt(albedo) * filter(sqrt(albedo) * input) */
-} ms_sss_albedo_mode;
 
 /* Zero, as from ms_sss_filter_defaults(), is the default of every field but one of the three that give the size of a
    pixel: set exactly one of pixels_per_mm[0], fov_degrees and ortho_height. */
@@ -558,47 +505,39 @@ typedef struct ms_sss_filter_options {
     float pixels_per_mm[2]; /* texture space: pixels a millimeter along x and y; [1] 0: as [0] */
     float fov_degrees;      /* perspective: the picture's full angle along y, in (0, 180) */
     float ortho_height;     /* orthographic: scene units from the picture's top to its bottom */
-    float center[2]; /* perspective: where the view axis meets the picture, in pixels from its middle, x to the right, y
-                        as rows grow; 0 but for off-center projections: -P02 width / 2, of OpenGL's matrix */
+    float center[2];   /* perspective: where the view axis meets the picture, in pixels from its middle, x to the right,
+                          y as rows grow; 0 but for off-center projections: -P02 width / 2, of OpenGL's matrix */
     float mm_per_unit; /* millimeters in a scene unit, 1000 for meters; 0: 1, refused where kernels then cover half of
                           the picture */
     ms_sss_depth_mode depth_mode;
-    float depth_sigma_mm; /* of MS_SSS_DEPTH_AWARE: weights are 0 from |dz| = 3.0746 sigma on; 0: that is 1.5 times the
-                             profile's 99% radius (flat 1: 0.37 times, linear between) */
-    ms_sss_albedo_mode albedo_mode;
-    float fade;     /* 0: full effect, 1: none; the strength is 1 - fade times the strength map */
-    float rotation; /* radians from +x towards +y of the axes of both passes */
-    float jitter; /* 0 to 1: rotates each pixel's axes by up to this part of 90 degrees (interleaved noise); noise hides
-                     structure, the error gets no lower */
-    ms_simd simd; /* cap of the instruction set */
-    ms_parallel parallel; /* the program's threads: up to 16 tasks a call; zero: the calling thread alone */
+    float depth_sigma_mm; /* of MS_SSS_DEPTH_AWARE: weights are 0 from |dz| = 3.0746 sigma on, with flat 1 from
+                             radius_mm on if that is less; 0: from 1.5 times the profile's 99% radius on (flat 1: 0.37
+                             times, linear between) */
     float flat; /* 0: the surface's slope and curvature count in full if there is depth (MS_SSS_DEPTH_AWARE); 1: not at
                    all; between: slopes are scaled by 1 - flat */
     int exact;  /* pyramid: 1 gathers from more pixels, for less error and more time */
-    ms_sss_method method;
-    const struct ms_sss_pyramid *pyramids; /* [kernel_count], of the kernels' profiles; NULL: none */
+    ms_simd simd;         /* cap of the instruction set */
+    ms_parallel parallel; /* the program's threads: up to 16 tasks a call; zero: the calling thread alone */
 } ms_sss_filter_options;
 
 MS_API ms_sss_filter_options ms_sss_filter_defaults(void);
 
-/* Bytes that ms_sss_filter needs for frames of this size: about 35 a pixel (flat 1: 25; half resolution: 25; rotation:
-   31), 12 more with kernels of several terms; with pyramids at least 39. SIZE_MAX: more than this machine can
-   address. */
+/* Bytes that ms_sss_filter needs for frames of this size: about 30 a pixel of a large picture (flat 1: 18), 12 more
+   with kernels of several terms. SIZE_MAX: an argument out of range, or more than this machine can address. */
 MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
                                       const ms_sss_filter_options *options);
 
-/* Subsurface scattering of a picture or a texture: blur = delta E + sum_t scale_t (E * w_t along x) * w_t along y, then
-   (1 - strength) E + strength blur. E is the input (times albedo, see albedo_mode). Depth's part is in the head
-   comment.
-   kernels    [kernel_count], 1 to 256; a radius above the picture's larger side is reduced to it
+/* Subsurface scattering of a picture or a texture by two passes a term: blur = delta E + sum_t scale_t (E * w_t along
+   x) * w_t along y, then (1 - strength) E + strength blur. E is the input. Depth's part is in the head comment.
+   kernels    [kernel_count], 1 to 256; a radius above the picture's larger side is reduced to it along x
    workspace  ms_sss_filter_workspace(...) bytes, any alignment and content; NULL and size 0: from malloc
-   Masked pixels are copied (times albedo, plus specular): a channel is NaN or not within 1e30, the depth is not
-   finite or not positive, the strength is 0 or NaN, or the profile has no kernel. No light passes between masked and
-   other pixels, or between profiles. Where the kernel's radius is under half a pixel or the strength is 0, pixels
-   keep their bits. Results are bit-equal for any thread count at one SIMD level, across levels within 2e-6 of the
-   largest input.
-   MS_INVALID_ARGUMENT: a pointer, size, stride or option out of range. MS_UNSUPPORTED: method PYRAMID without one, or
-   with what ms_sss_pyramid_filter does not take. Nothing is written then. Thesis 5.5, 5.8.2, 5.10. */
+   Masked pixels keep their bits: a channel is NaN or not within 1e30, the depth is not finite or not positive, the
+   strength is 0 or NaN, or the profile has no kernel. No light passes between masked and other pixels, or between
+   profiles. The effect fades from kernels with a radius of a pixel to those of half a pixel, from where on pixels keep
+   their bits. Results are bit-equal for any thread count at one SIMD level, across levels within 2e-6 of the largest
+   input.
+   MS_INVALID_ARGUMENT: a pointer, size, stride or option out of range. MS_UNSUPPORTED: taps that are no pairs.
+   MS_OUT_OF_MEMORY: only without a workspace. Nothing is written then. Thesis 5.5, 5.10. */
 MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
                                const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                ms_error *error);
@@ -625,15 +564,18 @@ MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const ms_sss_profi
 /* Bytes that ms_sss_pyramid_filter needs: about 40 a pixel of a large picture. SIZE_MAX: sides out of range. */
 MS_API size_t ms_sss_pyramid_workspace(int width, int height);
 
-/* ms_sss_filter with the round kernel instead of a separable one. With depth and MS_SSS_DEPTH_AWARE every pixel gathers
-   from 8 to 16 pixels of the next coarser level (options.exact 1: up to 64), weighted by distance and by the area of
-   surface that they show. Light reaches only pixels of the same surface: none crosses a depth edge wider than the
-   radius. A constant stays constant on planes. Planes steeper than 48 degrees are blurred too little along the level
-   line and too much down the slope (by 0.04 of a wave's height at 60 degrees, 0.15 at 75). Masks and determinism are as
-   in ms_sss_filter. options.parallel is called six times.
-   options    as ms_sss_filter; MS_UNSUPPORTED: rotation, jitter, pixels_per_mm that differ, frame->profile
-   workspace  ms_sss_pyramid_workspace bytes; NULL and size 0: from malloc */
-MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
+/* ms_sss_filter with round kernels instead of separable ones: less error above a radius of some 10 pixels, at a cost
+   that does not depend on the radius. With depth and MS_SSS_DEPTH_AWARE every pixel gathers from 8 or 15 pixels of the
+   next coarser level, more (up to 33) where the surface is tilted (options.exact 1: 15 to 64), weighted by distance and
+   by the area of surface that they show. Light reaches only pixels of the same surface: none crosses a depth edge wider
+   than the radius. A constant stays constant on planes. Planes steeper than 48 degrees are blurred too little along the
+   level line and too much down the slope (by 0.04 of a wave's height at 60 degrees, 0.15 at 75). Masks, fading and
+   determinism are as in ms_sss_filter.
+   pyramids   [pyramid_count], 1 to 256: of each of frame->profile
+   workspace  ms_sss_pyramid_workspace bytes; NULL and size 0: from malloc
+   MS_INVALID_ARGUMENT: as ms_sss_filter; a pyramid that was never made. MS_UNSUPPORTED: pixels_per_mm that differ.
+   MS_OUT_OF_MEMORY: only without a workspace. Nothing is written then. */
+MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramids, int pyramid_count,
                                        const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                        ms_error *error);
 
@@ -705,6 +647,7 @@ MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kernels, int index
 
 #if defined(MS_SSS_IMPLEMENTATION) && !defined(MS_SSS__PASS) && !defined(MS_SSS_IMPLEMENTED)
 #define MS_SSS_IMPLEMENTED /* included again, it is declarations only */
+#define MS_SSS__BODY 1     /* the implementation goes on behind the kernels */
 /* ms-common-private begin (the same text in every ms_*.h: see tests/common.sh) */
 #ifndef MS_COMMON_PRIVATE
 #define MS_COMMON_PRIVATE
@@ -904,41 +847,6 @@ static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
 #endif /* MS_COMMON_RANDOM */
 /* ms-common-random end */
 
-/* ms-common-half begin (the same text wherever it stands: see tests/common.sh) */
-#ifndef MS_COMMON_HALF
-#define MS_COMMON_HALF
-/* IEEE binary16 with subnormals, infinities and NaN, whatever the host's rounding and flushing of subnormals. */
-static MS__UNUSED float ms__half_to_float(uint16_t h)
-{
-    const uint32_t exponent = (h >> 10) & 31u, mantissa = h & 1023u;
-    const uint32_t bits = (exponent == 31u ? 255u : exponent + 112u) << 23 | mantissa << 13;
-    float value = (float)mantissa / 16777216.0f; /* a subnormal half is a normal float */
-    if (exponent != 0) memcpy(&value, &bits, sizeof value);
-    return h & 0x8000u ? -value : value;
-}
-
-/* Rounded to nearest even; a finite value stays finite: at most 65504. */
-static MS__UNUSED uint16_t ms__half_from_float(float value)
-{
-    uint32_t bits, sign, a, shift = 13;
-    memcpy(&bits, &value, sizeof bits);
-    sign = (bits >> 16) & 0x8000u;
-    a = bits & 0x7fffffffu;
-    if (a >= 0x7f800000u) return (uint16_t)(sign | 0x7c00u | (a > 0x7f800000u ? 0x200u : 0u));
-    if (a >= 0x477fe000u) return (uint16_t)(sign | 0x7bffu);
-    if (a < 0x33000000u) return (uint16_t)sign; /* under 2^-25 */
-    if (a < 0x38800000u) {                      /* under 2^-14: whole steps of 2^-24 */
-        shift = 126u - (a >> 23);
-        a = (a & 0x7fffffu) | 0x800000u;
-    } else {
-        a -= 0x38000000u;
-    }
-    a += (1u << (shift - 1u)) - 1u + ((a >> shift) & 1u);
-    return (uint16_t)(sign | (a >> shift));
-}
-#endif /* MS_COMMON_HALF */
-/* ms-common-half end */
-
 /* ms-common-simd begin (the same text wherever it stands: see tests/common.sh) */
 #ifndef MS_COMMON_SIMD
 #define MS_COMMON_SIMD
@@ -1011,6 +919,20 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 #endif /* MS_COMMON_SIMD */
 /* ms-common-simd end */
 
+/* Contents (search for "---- name")
+     checks                  ranges, kernels
+     translucency code       ms_sss_transmission
+     filter structures       views, passes, parameters; the inclusions of this file, one for each level of instructions
+     filter kernels          compiled once a level: vector words, rows, the surface, taps
+     pyramid kernels         compiled once a level: down, up, the picture's own level
+     filter code             kernels in a view; memory, threads, the caller's pixels, rows; the two passes
+     pyramid code            levels, runs over them, parameters
+     filter calls            checks of a call, ms_sss_filter, ms_sss_pyramid_filter
+     GPU code                constants of the shader files
+   Design, which MS_SSS_NO_DESIGN leaves out:
+     small maths, profile tables, pre-integration, cells and spectra, kernel errors, taps, kernel models,
+     pyramid weights */
+
 /* ---- checks ---------------------------------------------------------------------------------------------------- */
 #include <float.h>
 #include <math.h>
@@ -1040,12 +962,61 @@ static MS_SSS__COLD ms_status ms_sss__check_ranges(const ms_sss__range *range, s
     return MS_OK;
 }
 
-/* ---- translucency tables --------------------------------------------------------------------------------------- */
+/* NaN differs from everything. == raises no floating-point flag for a quiet NaN. */
+static int ms_sss__differ(float a, float b) { return !(a == b); }
+
+static int ms_sss__positive(float x) { return ms__finite_f(x) && x > 0; }
+
+/* Taps must come in pairs at -x and +x with equal weights. */
+static MS_SSS__COLD ms_status ms_sss__check_pairs(const ms_sss_kernel *k, int index, ms_error *error)
+{
+    int i, c, t;
+    for (i = 1; i < k->tap_count; i += 2) {
+        int paired = !ms_sss__differ(k->offset_mm[i], -k->offset_mm[i + 1]);
+        for (t = 0; t < k->term_count; ++t)
+            for (c = 0; c < 3; ++c)
+                if (ms_sss__differ(k->weight[t][i][c], k->weight[t][i + 1][c])) paired = 0;
+        if (!paired)
+            return ms__fail(error, MS_UNSUPPORTED, (size_t)index,
+                            "kernel %d: taps %d and %d are no pair; offsets -x and x and equal weights expected", index,
+                            i, i + 1);
+    }
+    return MS_OK;
+}
+
+static MS_SSS__COLD ms_status ms_sss__check_kernel(const ms_sss_kernel *k, int index, ms_error *error)
+{
+    int i, c, t;
+    if (k->tap_count < 1 || k->tap_count > MS_SSS_TAPS_MAX || k->tap_count % 2 == 0)
+        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
+                        "kernel %d: tap_count %d is not an odd number from 1 to %d", index, k->tap_count,
+                        MS_SSS_TAPS_MAX);
+    if (k->term_count < 1 || k->term_count > MS_SSS_TERMS_MAX)
+        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: term_count %d is not within 1 to %d",
+                        index, k->term_count, MS_SSS_TERMS_MAX);
+    if (!ms_sss__positive(k->radius_mm))
+        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: radius_mm %g is not positive", index,
+                        (double)k->radius_mm);
+    for (i = 0; i < k->tap_count; ++i) {
+        if (!ms__finite_f(k->offset_mm[i]) || (i == 0 && ms_sss__differ(k->offset_mm[0], 0)))
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
+                            "kernel %d: offset_mm[%d] is %g; entry 0 must be 0, all finite", index, i,
+                            (double)k->offset_mm[i]);
+        for (t = 0; t < k->term_count; ++t)
+            for (c = 0; c < 3; ++c)
+                if (!ms__finite_f(k->weight[t][i][c]) || !ms__finite_f(k->scale[t][c]) || !ms__finite_f(k->delta[c]))
+                    return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
+                                    "kernel %d: term %d, tap %d, channel %d is not finite", index, t, i, c);
+    }
+    return ms_sss__check_pairs(k, index, error);
+}
+
+/* ---- translucency code ------------------------------------------------------------------------------------------ */
 
 static double ms_sss__slab(double R, double decay, double s)
 {
-    double x = exp(-decay * s), dark = 1 - R;
-    if (!(R > 0)) return 0;
+    double x = exp(-decay * (s > 0 ? s : 0)), dark = 1 - R;
+    if (!(R > 0) || s != s) return 0; /* an unknown thickness is dark */
     return (1 - R * R) * x / (1 - R * R * x * x) * (1 - 0.85 * dark * dark * dark * dark * dark * (1 - pow(x, 0.8)));
 }
 
@@ -1067,13 +1038,13 @@ MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm,
         out[c] = 0;
         if (!(facing < 0 && entry > 0 && R > 0)) continue;
         R = R < 0.9999 ? R : 0.9999;
-        out[c] = (float)(ms_sss__slab(R, (double)kernel->decay[c], thickness_mm > 0 ? (double)thickness_mm : 0) *
+        out[c] = (float)(ms_sss__slab(R, (double)kernel->decay[c], (double)thickness_mm) *
                          (1 + (1 / R - 1) * (parallel > 0 ? (double)parallel : 0))) *
             entry * light[c];
     }
 }
 
-/* ---- filter code ----------------------------------------------------------------------------------------------- */
+/* ---- filter structures ----------------------------------------------------------------------------------------- */
 
 #ifndef MS_SSS_FILENAME
 #define MS_SSS_FILENAME "ms_sss.h" /* this file's name, for the inclusions below */
@@ -1088,235 +1059,146 @@ MS_API void ms_sss_transmission(const ms_sss_kernel *kernel, float thickness_mm,
 #define MS_SSS__INLINE inline
 #endif
 
-#if defined(MS__X64)
-#define MS_SSS__PREFETCH(p) _mm_prefetch((p), _MM_HINT_T0)
-#elif defined(__GNUC__)
-#define MS_SSS__PREFETCH(p) __builtin_prefetch(p)
-#else
-#define MS_SSS__PREFETCH(p) ((void)(p))
-#endif
-#if defined(__GNUC__)
-#define MS_SSS__ALIGNED __attribute__((aligned(64))) /* no vector straddles two cache lines */
-#else
-#define MS_SSS__ALIGNED
-#endif
-
 enum {
-    MS_SSS__LEFT = 16,        /* floats before a row's first pixel: one vector of any level */
-    MS_SSS__RIGHT = 32,       /* floats behind a row's last block */
-    MS_SSS__BLOCK = 32,       /* columns that are skipped together where all pixels are masked */
-    MS_SSS__TASKS = 16,       /* of a call to options.parallel at most */
-    MS_SSS__PARTS = 32,       /* two a task */
-    MS_SSS__ROWS = 42,        /* row buffers of a task */
-    MS_SSS__PAIRS = 16,       /* pairs of taps at most */
-    MS_SSS__TILTED_PAIRS = 8, /* the same with slopes */
-    MS_SSS__PAIR_REACH = 120, /* pixels: the largest offset of a pair */
-    MS_SSS__MARGIN = 144,  /* rows and columns around the picture: PAIR_REACH, a group, and the pixels beside a tap */
-    MS_SSS__STEP = 8,      /* rows that the second pass takes together */
-    MS_SSS__PLAN_NONE = 0, /* plan of a group, where a lane has a kernel if it is not masked and its kernel is not under
-                              half a pixel: no lane has one; lane by lane; pairs, some lanes have one; pairs, all have
-                              one; the same with one offset a pair */
-    MS_SSS__PLAN_BY_LANE = 1,
-    MS_SSS__PLAN_SOME_LANES = 2,
-    MS_SSS__PLAN_ALL_LANES = 3,
-    MS_SSS__PLAN_ONE_OFFSET = 4,
+    MS_SSS__LEFT = 16,   /* floats before a row's first pixel: one vector of any level */
+    MS_SSS__RIGHT = 32,  /* floats behind a row's last block: a vector, and the pixels beside it */
+    MS_SSS__BLOCK = 32,  /* columns that are skipped together where all pixels are masked */
+    MS_SSS__TASKS = 16,  /* of a call to options.parallel at most */
+    MS_SSS__STRIP = 256, /* columns that the second pass takes down the rows: those of a kernel stay in the L2 cache */
     MS_SSS__SIDE_MAX = 65536,
-    MS_SSS__FIXED_MAX = 2 * MS_SSS_TAPS_MAX
+    MS_SSS__FAR = 4 * MS_SSS__SIDE_MAX /* pixels: taps from here on lie outside of any picture */
 };
 
-#if defined(__GNUC__) || defined(__clang__)
-#define MS_SSS__CLAIMED(flag) __atomic_load_n((flag), __ATOMIC_RELAXED)
-#define MS_SSS__CLAIM(flag) \
-    __atomic_exchange_n((flag), 1, __ATOMIC_RELAXED) /* returns whether the flag was set before */
-#elif defined(_MSC_VER)
-#include <intrin.h>
-#define MS_SSS__CLAIMED(flag) (*(flag))
-#define MS_SSS__CLAIM(flag) _InterlockedExchange((flag), 1)
-#endif
+#define MS_SSS__MASKED_DEPTH 1e15f /* scaled depth of masked pixels: finite, and too far away to count */
+#define MS_SSS__FALLOFF_END 3.0746 /* (1 - (dz / (3.0746 sigma))^2)^4 is within 0.013 of exp(-dz^2 / (2 sigma^2)) */
+#define MS_SSS__SPARSE 1e-3f       /* weight below which a tap takes the height of the tap before it */
+#define MS_SSS__LIGHT_MAX 1e30f    /* pixels from here on are masked: their sums would be infinite */
+#define MS_SSS__AREA_MAX 3.0f      /* bound on the area that one tap represents */
 
-#define MS_SSS__MASKED_DEPTH 1e15f /* finite depth of masked pixels in a sweep */
-
-/* (1 - (dz / (3.0746 sigma))^2)^4 approximates exp(-dz^2 / (2 sigma^2)) within 0.013. */
-#define MS_SSS__FALLOFF_END 3.0746
-#define MS_SSS__SPARSE 1e-3f    /* weight below which a tap takes the height of the one before it */
-#define MS_SSS__LIGHT_MAX 1e30f /* pixels from here on are masked: their sums would be infinite */
-#define MS_SSS__AREA_MAX 3.0f   /* bound on the area that one tap represents */
-
-/* Taps of one pass at whole-pixel offsets, for kernels of one size everywhere. */
-typedef struct ms_sss__fixed {
-    int count, offset[MS_SSS__FIXED_MAX], lowest, highest;
-    float weight[3][MS_SSS__FIXED_MAX], total[3];
-    int mixed[3];
-} ms_sss__fixed;
-
-/* Taps of one pass at positions that depend on each pixel's size. Depths are scaled so that the weight is (1 - dz^2)^4,
-   with slopes (1 - dz^2) / (1 + dz_falloff dz^2). */
-typedef struct ms_sss__pass {
-    int tap_count;
-    const float *offset_mm;
-    const float (*weight)[3];
-    float total[3];
-    int mixed[3]; /* weights of both signs: the missing weight goes to the pixel's own color */
-    float size, size_max, size_min,
-        aspect[2]; /* pixels per mm: `size`, or min(size / depth, size_max) in perspective; at or below size_min the
-                      kernel is under half a pixel and is skipped */
+/* The camera, or the scale of a texture. Rays are parallel unless `perspective`. */
+typedef struct ms_sss__view {
+    int width, height; /* pixels */
     int perspective;
-    /* With slopes: dz is the distance from the tangent plane, and light from below it counts more. */
-    float focal[2];    /* slope = focal times the step in depth of a pixel, in perspective relative to the depth of the
-                          farther pixel */
-    float reach;       /* dz^2 of the kernel's radius: a larger step in depth between neighbors is an edge */
-    float slope_scale; /* 1 - flat */
-    float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; tangent 0: parallel rays */
-    double steepest;          /* 1 + the square of the largest tangent of a ray */
-    float unit;               /* mm of dz 1 */
-    float rounding; /* bound on rounding: depths carry a relative error of rounding / 2, so a fitted plane is off by at
-                       most rounding (2 + i) depth at a distance of i pixels */
-    float elevation_4[3], root[3], least; /* K / 4; square root of the reflectance; least sin(theta) */
-    float dz_falloff, area_scale;         /* (mm of dz 1)^2 times slope_scale; square root of slope_scale / 2 */
-    float split_dz;                       /* half resolution: dz from which on four pixels are not averaged */
+    double mm_per_unit;   /* mm of a scene unit */
+    double pixels_per_mm; /* along x; in perspective at a depth of 1 scene unit */
+    float aspect[2];      /* pixels per mm along x and y, over pixels_per_mm */
+    float middle[2];      /* where the view axis meets the picture, pixels from its corner */
+} ms_sss__view;
+
+/* Two taps at -x and +x. */
+typedef struct ms_sss__pair {
+    float offset[2];  /* x in mm, times the view's aspect of each axis */
+    float per_mm;     /* 1 / x */
+    float dz_falloff; /* see ms_sss__dz_falloff */
+    float area_scale; /* see ms_sss__pair_area_scale */
+    float weight[3];  /* of each of the two taps */
+} ms_sss__pair;
+
+/* One term of a kernel in a view. "Scaled depth" is in units of the step at which weights vanish: mm / mm_per_depth. */
+typedef struct ms_sss__pass {
+    int pair_count;
+    ms_sss__pair pair[MS_SSS_TAPS_MAX / 2];
+    float center[3];          /* weight of the center tap */
+    float total[3];           /* sum of the term's weights */
+    int mixed[3];             /* 1: weights of both signs; missing weight then goes to the pixel's own light */
+    float scale[3], delta[3]; /* result = delta E + sum over terms of scale term(E) */
+
+    int perspective;
+    float pixels_per_mm;      /* in perspective at scaled depth 1 */
+    float pixels_per_mm_most; /* bound in perspective: the kernel's radius covers the picture */
+    float pixels_per_mm_half; /* the kernel's radius is half a pixel: the identity; the full effect is at twice that */
+    float depth_scale;        /* scaled depth of a scene unit */
+    float mm_per_depth;       /* mm of scaled depth 1 */
+    float average_dz;         /* scaled depth within which the shader's half resolution averages four pixels */
+    float middle[2];          /* pixels, as in the view */
+    float tangent; /* of the angle between the view axis and the ray a pixel away from it; 0: parallel rays */
+
+    /* slopes */
+    float focal[2];       /* slope = focal times the change of depth a pixel; in perspective relative to the depth */
+    float edge_dz2;       /* square of a scaled depth: a larger step between two neighbors is an edge */
+    float slope_scale;    /* 1 - flat */
+    float rounding;       /* twice the relative error of a depth: a fitted plane is off by at most rounding (2 + i)
+                             depth at a distance of i pixels */
+    float elevation_4[3]; /* K / 4 of one pass */
+    float root_r[3];      /* square root of the reflectance */
+    float least_sine;     /* bound on sin(theta): 1 + K sin(theta) / 4 is 0 there, or -1 */
+    float dz_falloff;     /* square of mm_per_depth, times slope_scale */
+    float area_scale;     /* square root of slope_scale / 2; 0: weights of both signs */
+    int reach_px[2];      /* parallel rays: pixels that taps reach along x and y */
 } ms_sss__pass;
 
-/* The light of a tap falls about as 1 / x^2 with its distance x = mm, so a pixel dz off the plane has the weight 1 / (1
-   + dz_falloff dz^2). The bound keeps products of three finite. */
-static MS_SSS__INLINE float ms_sss__dz_falloff(const ms_sss__pass *p, float mm)
-{
-    const float most = 1e6f, square = mm * mm;
-    return p->dz_falloff < most * square ? p->dz_falloff / square : p->dz_falloff > 0 ? most : 0;
-}
-
-/* A tap represents more surface where it bends away between the tap before, at inner mm, and this one: 1 + (area_scale
-   times the change of height in mm)^2, which is sec^2 of that angle to second order for both axes. */
-static MS_SSS__INLINE float ms_sss__area_scale(const ms_sss__pass *p, float mm, float *inner)
-{
-    const float gap = fabsf(mm) - *inner;
-    *inner = fabsf(mm);
-    return gap > 1e-20f ? p->area_scale / gap : 0;
-}
-
-/* The state of both passes of a term: the second follows the first in slabs of rows, which lie in a ring, in groups of
-   one vector each of red, green, blue and depth (fixed taps: in planes). Numbers that all lanes share are stored 16
-   times. */
-typedef struct ms_sss__sweep {
-    float offset[2][MS_SSS__PAIRS][16];                              /* mm times the aspect of the axis */
-    float span[MS_SSS__PAIRS][16], weight[MS_SSS__PAIRS + 1][3][16]; /* |offset|; center, pairs */
-    float dz_falloff[MS_SSS__PAIRS][16], area_scale[MS_SSS__PAIRS][16],
-        elevation[MS_SSS__TILTED_PAIRS][3][2][16]; /* K / (4 span) and 1, times the fourth root of the weight */
-    struct ms_sss__job *job;
-    int pairs; /* pairs of equal weights; 0: general taps */
-    int with_slopes;
-    int reach; /* rows that the second pass reads on each side */
-    int padded, lanes;
-    int plan_size;    /* bytes of a group's plan */
-    int parts, tasks; /* a task filters a band, consecutive parts of the picture, from the top down in its ring */
-    volatile long claimed[MS_SSS__PARTS];
-    int normalized;             /* weights are positive in the center and add up to 1 */
-    int nonnegative, may_clamp; /* with slopes: no weight is negative; sines may reach their bounds */
-    float *ring, *own, *window; /* of a task: rows that the first pass reads; own: see ms_sss__line */
-    int rows;                   /* rows of a window: 5 with slopes, else 1 */
-    ptrdiff_t plan_row, window_row, window_size;
-    unsigned char *plan;
-    int *slot, *done, *filled; /* of each row: its place in the ring, 0: all masked; whether it is finished; of each
-                                  slot: the columns that are filled */
-    ptrdiff_t *row, *column;   /* offsets in floats, from MARGIN rows above the picture and from column -MARGIN on */
-} MS_SSS__ALIGNED ms_sss__sweep;
-
-/* Rotated axes of each pixel. The picture lies in planes with an empty row above and below. */
-typedef struct ms_sss__rotation {
-    const float (*direction)[2];
-    int second, height;
-    ptrdiff_t stride;
-} ms_sss__rotation;
-
-/* One row of a pass. The group i steps along the axis starts at from + group + step[i] with red; green, blue and depth
-   follow `plane` floats apart. */
+/* One row of a pass. Masked pixels have color 0 and MASKED_DEPTH. */
 typedef struct ms_sss__line {
-    const float *from;
-    const ptrdiff_t *step;
-    ptrdiff_t group, plane;           /* floats from a group to the next, from red to green */
-    const ms_sss__rotation *rotation; /* NULL: unrotated */
-    const float *own[3]; /* with slopes: rotated: the slopes along x and y; else pixels per mm of the tangent plane, its
-                            gain of depth a pixel (relative in perspective), cosine of the normal to the ray */
-    const unsigned char *plan;
-    int axis, at, count; /* 0: x, count columns; 1: y, row at of count; 2: rotated, row at, count columns */
-    int first, last;     /* columns to filter */
+    const float *from[4];  /* red, green, blue, scaled depth of column 0 */
+    ptrdiff_t stride;      /* floats from a row to the next: taps lie along y; 0: along x */
+    int at, count;         /* along x: count columns; along y: row `at` of count rows */
+    const float *plane[3]; /* with slopes, of the tangent plane: pixels per mm, gain of depth a pixel (relative in
+                              perspective), cosine of the normal to the ray times mm_per_depth */
+    int first, last;       /* columns to filter */
     float *to[3];
-    ptrdiff_t to_group;
 } ms_sss__line;
 
-/* Half resolution: the self weight of a pixel, and the depths that its surface spans. */
-typedef struct ms_sss__half_params {
-    const ms_sss_kernel *kernel;
-    int perspective;
-    float size, size_max, aspect[2]; /* as in ms_sss__pass, in pixels of the picture */
-    float center_only_depth; /* up to this depth only the center tap touches the pixel itself: its self weight is then
-                                `self_weight` */
-    float self_weight[3];
-    float identity_depth; /* depth from which on kernels are under half a pixel, so that the filter is the identity */
-    float falloff_scale;  /* 1 / the dz at which weights reach 0 */
-    float scale;          /* dz per scene unit */
-} ms_sss__half_params;
+/* Which taps of a line are weighted by what. */
+typedef enum ms_sss__weights {
+    MS_SSS__BY_INTERPOLATION, /* no tap is masked or outside of the picture, and depth does not count */
+    MS_SSS__BY_DEPTH,         /* by the difference of depth alone, which masks too */
+    MS_SSS__BY_SURFACE        /* by distance from the tangent plane, area and elevation */
+} ms_sss__weights;
 
 /* Square of the radius of a level's gather, in pixels of the next level. Wider gathers measure the shape from nearer
    by, narrower ones cost less: 1.75 and 2.2 of six pixels, wide 2.24 and 3.74 of eight. A wide level 0 of 2.5 or 2.8 is
    nearer to random walks, but its error on textures is 1.2% or 1.6% higher. */
 #define MS_SSS__GATHER(wide, level) ((wide) ? ((level) > 0 ? 14.0f : 5.0f) : (level) > 0 ? 4.84f : 3.0625f)
 
-/* A tap of the gather: offset in floats from the middle of its four nearest, position, squared distance. */
-typedef struct ms_sss__tap {
-    ptrdiff_t at;
-    float x, y, square, rest; /* rest: 1 - square / the squared radius of the gather */
-} ms_sss__tap;
+/* A pixel of the next coarser level that a gather reads. */
+typedef struct ms_sss__gather_tap {
+    ptrdiff_t at;       /* floats from the middle of its four nearest */
+    float x, y, square; /* position in pixels of that level, squared distance */
+    float rest;         /* 1 - square / the squared radius of the gather */
+} ms_sss__gather_tap;
 
 /* Parameters of the pyramid's row kernels. Depth enters as d, which is linear on planes: -1 / depth in perspective,
    else depth; 0 for masked pixels. Rows of a level: color, d, coverage (area of surface, in pixels of the level), the
    change of d a pixel along x and y. */
 typedef struct ms_sss__pyramid_params {
     const float (*table)[MS_SSS_PYRAMID_LEVELS][2][3]; /* weight[size][level][blurred][channel] */
-    int perspective, depth_aware, wide, level;         /* wide: options.exact; level: of the rows that gather writes */
-    float size, size_max;                              /* the kernel's radius in pixels: min(size d, size_max) */
-    float step;                                        /* change of d a pixel at slope 1; in perspective times d */
-    float slope_scale;                                 /* 1 - flat; 0: depth sets the size alone */
-    float reach, merge_reach; /* distance from a tangent plane at which weights reach 0, in radii: of sums on the way
-                          up, of pixels that are averaged */
-    float middle[2], tangent; /* (column + 1/2 - middle) tangent is the tangent of the ray; 0: parallel rays */
+    int perspective, depth_aware;
+    int wide;                            /* options.exact */
+    int level;                           /* of the rows that gather writes */
+    float radius_px, radius_px_most;     /* the kernel's radius: min(radius_px d, radius_px_most) */
+    float step;                          /* change of d a pixel at slope 1; in perspective times d */
+    float slope_scale;                   /* 1 - flat; 0: depth sets the size alone */
+    float reach, merge_reach;            /* distance from a tangent plane at which weights reach 0, in radii: of sums on
+                                            the way up, of pixels that are averaged on the way down */
+    float middle[2], tangent;            /* as in ms_sss__pass */
     float elevation_4[3], max_factor[3]; /* K / 4; 1 / reflectance */
-    const ms_sss__tap (*tap)[2][64]; /* [odd row][odd column], the nearest first: the first four surround the pixel */
-    int taps, core, sums; /* core: taps of surfaces that face the camera; sums: whether the coarser level has sums */
-    ptrdiff_t plane;      /* of the coarser level */
-    float inner;          /* 1 / radius of the gather */
-    float norm, mean, spread; /* of the gather's taps: 1 / sum, E r / E r^2, E r^2 / E r^4 */
-    float blur;               /* variance of a position within a pixel of the next level */
-    float rounding;           /* twice the relative error of d */
-    float plane_rounding; /* on planes the gather's taps are less than this off the tangent plane, in pixels of their
-                             level (orthographic: times d) */
+    const ms_sss__gather_tap (*tap)[2][64]; /* [odd row][odd column], the nearest first: four surround the pixel */
+    int taps;                               /* of each of the four lists */
+    int core;                               /* taps that surfaces facing the camera need */
+    int sums;                               /* whether the coarser level has sums */
+    ptrdiff_t plane;                        /* floats from a plane of the coarser level to the next */
+    float inner;                            /* 1 / radius of the gather */
+    float norm, mean, spread;               /* of the gather's taps: 1 / sum, E r / E r^2, E r^2 / E r^4 */
+    float blur;                             /* variance of a position within a pixel of the next level */
+    float rounding;                         /* twice the relative error of d */
+    float plane_rounding;                   /* on planes the gather's taps are less than this off the tangent plane, in
+                                               pixels of their level (orthographic: times d) */
 } ms_sss__pyramid_params;
 
-typedef struct ms_sss__kernels {
-    int (*mask_by)(const float *value, float scale, int count, const float *before, float *depth, int span[2]);
-    int (*load_masked)(const float *const in[3], const float *const albedo[3], int begin, int end, int count,
-                       const float *before, float *depth, float *const color[3]);
-    void (*convolve)(const float *in, const ptrdiff_t *at, const float *weight, int taps, int count, float *out);
-    void (*convolve_valid)(const ms_sss__fixed *f, const float *const in[3], const ptrdiff_t *at,
-                           const float *const *depth, const int *tap, int taps, int count, const float *own_depth,
-                           float *const out[3]);
+/* The kernels of one level of instructions; they stand below. */
+typedef struct ms_sss__simd {
+    int (*unpack)(const float *from, int count, float *const to[3]);
+    void (*mask_by)(const float *value, float scale, int count, float *depth, int span[2]);
+    int (*load_masked)(const float *const in[3], int begin, int end, int count, float *depth, float *const color[3]);
     void (*slopes)(const ms_sss__pass *p, const float *const depth[5], const float *const normal[3], int y, int begin,
                    int end, float *const slope[2]);
     void (*tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin, int end,
                      float *const out[6]);
-    void (*limit_depth)(float *depth, int count);
-    void (*plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, const float *depth, const float *size,
-                 int first, int last, unsigned char *plan);
-    void (*sweep[2])(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines, int first,
-                     int last); /* [with slopes] */
-    float (*least_depth)(const float *depth, int count);
-    int (*unpack)(const void *from, int half, int count, float *const to[3]);
-    void (*widen)(const uint16_t *from, int count, float *to);
-    void (*narrow)(const float *from, int count, uint16_t *to);
-    void (*stream)(const float *from, int count, float *to);
-    int lanes;
+    void (*taps)(const ms_sss__pass *p, ms_sss__weights by, const ms_sss__line *line);
     void (*combine)(float a, const float *x, float b, const float *y, int count, float *out);
-    void (*fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
-                 int count, float *blur);
+    void (*finish)(const ms_sss__pass *p, const float *strength, const float *depth, const float *const light[3],
+                   const float *const *sum, int count, float *const blur[3]);
+    void (*depth_to_d)(const ms_sss__pyramid_params *s, const float *depth, int count, float *d);
     void (*slopes_of_d)(const ms_sss__pyramid_params *s, const float *const d[5], const float *const normal[3], int y,
                         int first, int count, float *const out[3]);
     void (*downsample_level)(const ms_sss__pyramid_params *s, const float *row[4][7], int first, int count,
@@ -1325,30 +1207,9 @@ typedef struct ms_sss__kernels {
                    int count, int y, float *const out[6]);
     void (*resolve)(const ms_sss__pyramid_params *s, const float *const row[4], ptrdiff_t stride,
                     const float *const slope[3], const float *const sum[6], int first, int count, float *const out[4]);
-    void (*depth_to_d)(const ms_sss__pyramid_params *s, const float *depth, int count, float *d);
-    int (*downsample)(const ms_sss__half_params *h, const float *const above[4], const float *const below[4],
-                      float unit, int count, float *const out[4]);
-    void (*subtract_self)(const ms_sss__half_params *h, const float *const light[3], const float *const blur[3],
-                          const float *depth, int count, float *const out[4]);
-    void (*upsample)(const ms_sss__half_params *h, const float *const own[4], float unit,
-                     const float *const coarse[2][4], int odd, int count, float *const out[3]);
-} ms_sss__kernels;
+} ms_sss__simd;
 
 static MS_SSS__INLINE int ms_sss__clamp(int x, int low, int high) { return x < low ? low : x > high ? high : x; }
-
-/* Offset in floats to the pixels i rows away; rows outside of the picture are clamped to the empty ones. */
-static MS_SSS__INLINE ptrdiff_t ms_sss__row_step(const ms_sss__line *l, int i, int height)
-{
-    if (l->axis == 0) return 0;
-    i = ms_sss__clamp(i, -1 - l->at, height - l->at);
-    return l->rotation ? i * l->rotation->stride : l->step[i];
-}
-
-/* The direction of a pixel, of 64: the R2 sequence (Roberts 2018) in 16-bit fixed point, the same on any machine. */
-static MS_SSS__INLINE int ms_sss__direction_of(int x, int y)
-{
-    return (int)((((uint32_t)x * 49472u + (uint32_t)y * 37345u) & 65535u) >> 10);
-}
 
 static MS_SSS__INLINE int ms_sss__lowest(unsigned bits)
 {
@@ -1378,12 +1239,6 @@ static MS_SSS__INLINE unsigned ms_sss__lanes(int n, int lanes)
     return n <= 0 ? 0u : (1u << (n < lanes ? n : lanes)) - 1u;
 }
 
-static MS_SSS__INLINE float ms_sss__floor(float x)
-{
-    float whole = (float)(int)x;
-    return whole > x ? whole - 1.0f : whole;
-}
-
 /* Sizes of a pyramid's table are 2^e (1 + m / 4), so their index is the float's top bits. */
 static MS_SSS__INLINE int ms_sss__size_index(float size)
 {
@@ -1400,20 +1255,9 @@ static MS_SSS__INLINE float ms_sss__index_size(int index)
     return size;
 }
 
-/* 0 to PAIR_REACH */
-#define MS_SSS__TEN(n) n, n + 1, n + 2, n + 3, n + 4, n + 5, n + 6, n + 7, n + 8, n + 9
-#define MS_SSS__FORTY(n) MS_SSS__TEN(n), MS_SSS__TEN(n + 10), MS_SSS__TEN(n + 20), MS_SSS__TEN(n + 30)
-static const float ms_sss__iota[MS_SSS__PAIR_REACH + 1] = {MS_SSS__FORTY(0), MS_SSS__FORTY(40), MS_SSS__FORTY(80), 120};
-#undef MS_SSS__FORTY
-#undef MS_SSS__TEN
+static const float ms_sss__iota[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
-#if defined(MS__X64)
-static MS_SSS__INLINE __m128 ms_sss__floor_sse2(__m128 x)
-{
-    __m128 whole = _mm_cvtepi32_ps(_mm_cvttps_epi32(x));
-    return _mm_sub_ps(whole, _mm_and_ps(_mm_cmplt_ps(x, whole), _mm_set1_ps(1.0f)));
-}
-#elif defined(MS__NEON)
+#if defined(MS__NEON)
 static MS_SSS__INLINE unsigned ms_sss__bits_neon(uint32x4_t m)
 {
     static const uint32_t bit[4] = {1, 2, 4, 8};
@@ -1421,7 +1265,7 @@ static MS_SSS__INLINE unsigned ms_sss__bits_neon(uint32x4_t m)
 }
 #endif
 
-#define MS_SSS__PASS 1
+#define MS_SSS__PASS 1 /* from here on an inclusion means: the kernels below, for one level */
 #if defined(MS_SSS_WITH_SCALAR) || !(defined(MS__X64) || defined(MS__NEON))
 #define MS_SSS__SCALAR 1
 #define MS_SSS__LEVEL scalar
@@ -1435,22 +1279,22 @@ static MS_SSS__INLINE unsigned ms_sss__bits_neon(uint32x4_t m)
 #endif
 #if defined(MS__X64)
 #if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2,fma,f16c"))), apply_to = function)
+#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
 #elif defined(__GNUC__)
 #pragma GCC push_options
-#pragma GCC target("avx2,fma,f16c")
+#pragma GCC target("avx2,fma")
 #endif
 #define MS_SSS__LEVEL avx2
 #define MS__N 8
 #include MS_SSS_FILENAME
 #if defined(__clang__)
 #pragma clang attribute pop
-#pragma clang attribute push(__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c"))), \
+#pragma clang attribute push(__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma"))), \
                              apply_to = function)
 #elif defined(__GNUC__)
 #pragma GCC pop_options
 #pragma GCC push_options
-#pragma GCC target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c")
+#pragma GCC target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma")
 #endif
 #define MS_SSS__LEVEL avx512
 #define MS__N 16
@@ -1462,109 +1306,1613 @@ static MS_SSS__INLINE unsigned ms_sss__bits_neon(uint32x4_t m)
 #endif
 #endif
 #undef MS_SSS__PASS
+#endif /* MS_SSS_IMPLEMENTATION */
 
-static const ms_sss__kernels *ms_sss__pick(ms_simd cap)
+#ifdef MS_SSS__PASS /* included once a level by the section above */
+/* ---- filter kernels -------------------------------------------------------------------------------------------- */
+
+/* Row kernels. Counts are multiples of 16. Rows may be read and written up to that; they are padded by MS_SSS__LEFT
+   floats before and MS_SSS__RIGHT behind. A masked pixel has depth MS_SSS__MASKED_DEPTH and color 0. */
+
+/* --- the vector words --- */
+
+#define MS_SSS__JOIN_(name, level) ms_sss__##name##_##level
+#define MS_SSS__JOIN(name, level) MS_SSS__JOIN_(name, level)
+#define MS__F(name) MS_SSS__JOIN(name, MS_SSS__LEVEL)
+#if defined(__GNUC__) && !defined(__clang__)
+#define MS__UNROLL _Pragma("GCC unroll 8")
+#else
+#define MS__UNROLL
+#endif
+
+#if MS__N == 16
+#define MS__V __m512
+#define MS__X(name) _mm512_##name
+#define MS__Z(name, ...) _mm512_maskz_##name(0xffff, __VA_ARGS__) /* GCC 12 warns about the plain ones in C++ */
+#define MS__MASK __mmask16
+#define MS__MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
+#define MS__NMADD(a, b, c) _mm512_fnmadd_ps(a, b, c) /* c - a b */
+#define MS__RSQRT(a) _mm512_maskz_rsqrt14_ps(0xffff, a)
+#define MS__ABS(a) _mm512_abs_ps(a)
+#define MS__RCP(a) _mm512_maskz_rcp14_ps(0xffff, a)
+#define MS__LESS(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ)
+#define MS__SAME(a, b) _mm512_cmp_ps_mask(a, b, _CMP_EQ_OQ)
+#define MS__BOTH(m, n) ((__mmask16)((m) & (n)))
+#define MS__SELECT(m, a, b) _mm512_mask_blend_ps(m, b, a)
+#define MS__BITS(m) ((unsigned)(m))
+#define MS__ZIP_LOW(a, b) \
+    _mm512_permutex2var_ps(a, _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23), b)
+#define MS__ZIP_HIGH(a, b) \
+    _mm512_permutex2var_ps(a, _mm512_setr_epi32(8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31), b)
+#define MS__ORDER(a) \
+    _mm512_castpd_ps(_mm512_maskz_permutexvar_pd(0xff, _mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7), _mm512_castps_pd(a)))
+#elif MS__N == 8
+#define MS__V __m256
+#define MS__X(name) _mm256_##name
+#define MS__Z(name, ...) _mm256_##name(__VA_ARGS__)
+#define MS__MASK __m256
+#define MS__MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
+#define MS__NMADD(a, b, c) _mm256_fnmadd_ps(a, b, c)
+#define MS__RSQRT(a) _mm256_rsqrt_ps(a)
+#define MS__RCP(a) _mm256_rcp_ps(a)
+#define MS__ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
+#define MS__LESS(a, b) _mm256_cmp_ps(a, b, _CMP_LT_OQ)
+#define MS__SAME(a, b) _mm256_cmp_ps(a, b, _CMP_EQ_OQ)
+#define MS__BOTH(m, n) _mm256_and_ps(m, n)
+#define MS__SELECT(m, a, b) _mm256_blendv_ps(b, a, m)
+#define MS__BITS(m) ((unsigned)_mm256_movemask_ps(m))
+#define MS__ZIP_LOW(a, b) _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x20)
+#define MS__ZIP_HIGH(a, b) _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x31)
+#define MS__ORDER(a) _mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(a), 0xd8))
+#elif MS__N == 4 && defined(MS__X64)
+#define MS__V __m128
+#define MS__X(name) _mm_##name
+#define MS__Z(name, ...) _mm_##name(__VA_ARGS__)
+#define MS__MASK __m128
+#define MS__MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
+#define MS__NMADD(a, b, c) _mm_sub_ps(c, _mm_mul_ps(a, b))
+#define MS__RSQRT(a) _mm_rsqrt_ps(a)
+#define MS__RCP(a) _mm_rcp_ps(a)
+#define MS__ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
+#define MS__LESS(a, b) _mm_cmplt_ps(a, b)
+#define MS__SAME(a, b) _mm_cmpeq_ps(a, b)
+#define MS__BOTH(m, n) _mm_and_ps(m, n)
+#define MS__SELECT(m, a, b) _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b))
+#define MS__BITS(m) ((unsigned)_mm_movemask_ps(m))
+#define MS__ZIP_LOW(a, b) _mm_unpacklo_ps(a, b)
+#define MS__ZIP_HIGH(a, b) _mm_unpackhi_ps(a, b)
+#define MS__ORDER(a) (a)
+#elif MS__N == 4
+#define MS__V float32x4_t
+#define MS__MASK uint32x4_t
+#define MS__LOAD(p) vld1q_f32(p)
+#define MS__STORE(p, a) vst1q_f32(p, a)
+#define MS__SET(s) vdupq_n_f32(s)
+#define MS__ADD(a, b) vaddq_f32(a, b)
+#define MS__SUB(a, b) vsubq_f32(a, b)
+#define MS__MUL(a, b) vmulq_f32(a, b)
+#define MS__DIV(a, b) vdivq_f32(a, b)
+#define MS__MADD(a, b, c) vfmaq_f32(c, a, b)
+#define MS__NMADD(a, b, c) vfmsq_f32(c, a, b)
+#define MS__MIN(a, b) vminq_f32(a, b)
+#define MS__MAX(a, b) vmaxq_f32(a, b)
+#define MS__SQRT(a) vsqrtq_f32(a)
+#define MS__ABS(a) vabsq_f32(a)
+#define MS__LESS(a, b) vcltq_f32(a, b)
+#define MS__SAME(a, b) vceqq_f32(a, b)
+#define MS__BOTH(m, n) vandq_u32(m, n)
+#define MS__SELECT(m, a, b) vbslq_f32(m, a, b)
+#define MS__BITS(m) ms_sss__bits_neon(m)
+#define MS__ZIP_LOW(a, b) vzip1q_f32(a, b)
+#define MS__ZIP_HIGH(a, b) vzip2q_f32(a, b)
+#define MS__EVENS(a, b) vuzp1q_f32(a, b)
+#define MS__ODDS(a, b) vuzp2q_f32(a, b)
+#define MS__ORDER(a) (a)
+#else
+#define MS__V float
+#define MS__MASK int
+#define MS__LOAD(p) (*(p))
+#define MS__STORE(p, a) (*(p) = (a))
+#define MS__SET(s) (s)
+#define MS__ADD(a, b) ((a) + (b))
+#define MS__SUB(a, b) ((a) - (b))
+#define MS__MUL(a, b) ((a) * (b))
+#define MS__DIV(a, b) ((a) / (b))
+#define MS__MADD(a, b, c) ((a) * (b) + (c))
+#define MS__NMADD(a, b, c) ((c) - (a) * (b))
+#define MS__MIN(a, b) ((a) < (b) ? (a) : (b))
+#define MS__MAX(a, b) ((a) > (b) ? (a) : (b))
+#define MS__SQRT(a) sqrtf(a)
+#define MS__ABS(a) fabsf(a)
+#define MS__LESS(a, b) ((a) < (b))
+#define MS__SAME(a, b) ((a) >= (b) && (a) <= (b))
+#define MS__BOTH(m, n) ((m) & (n))
+#define MS__SELECT(m, a, b) ((m) ? (a) : (b))
+#define MS__BITS(m) ((unsigned)(m))
+#define MS__ZIP_LOW(a, b) (a)
+#define MS__ZIP_HIGH(a, b) (b)
+#define MS__EVENS(a, b) (a)
+#define MS__ODDS(a, b) (b)
+#define MS__ORDER(a) (a)
+#endif
+#ifdef MS__X
+#define MS__LOAD(p) MS__X(loadu_ps)(p)
+#define MS__STORE(p, a) MS__X(storeu_ps)(p, a)
+#define MS__SET(s) MS__X(set1_ps)(s)
+#define MS__ADD(a, b) MS__X(add_ps)(a, b)
+#define MS__SUB(a, b) MS__X(sub_ps)(a, b)
+#define MS__MUL(a, b) MS__X(mul_ps)(a, b)
+#define MS__DIV(a, b) MS__X(div_ps)(a, b)
+#define MS__MIN(a, b) MS__Z(min_ps, a, b)
+#define MS__MAX(a, b) MS__Z(max_ps, a, b)
+#define MS__SQRT(a) MS__Z(sqrt_ps, a)
+#define MS__EVENS(a, b) MS__Z(shuffle_ps, a, b, 0x88) /* columns 0, 2 ... of a and b; ORDER sorts them */
+#define MS__ODDS(a, b) MS__Z(shuffle_ps, a, b, 0xdd)
+#endif
+#define MS__EVEN(a, b) MS__ORDER(MS__EVENS(a, b))
+#define MS__ODD(a, b) MS__ORDER(MS__ODDS(a, b))
+
+/* 1 / a, relative error 2e-7, for a from 1e-30 to 1e30 */
+static MS_SSS__INLINE MS__V MS__F(inverse)(MS__V a)
+{
+#ifdef MS__RCP
+    const MS__V r = MS__RCP(a);
+    return MS__MUL(r, MS__NMADD(a, r, MS__SET(2.0f)));
+#else
+    return MS__DIV(MS__SET(1.0f), a);
+#endif
+}
+
+/* 1 / sqrt(a): relative error 3e-7. */
+static MS_SSS__INLINE MS__V MS__F(inverse_root)(MS__V a)
+{
+#ifdef MS__RSQRT
+    const MS__V y = MS__RSQRT(a);
+    return MS__MUL(y, MS__NMADD(MS__MUL(MS__MUL(a, MS__SET(0.5f)), y), y, MS__SET(1.5f)));
+#else
+    return MS__DIV(MS__SET(1.0f), MS__SQRT(a));
+#endif
+}
+
+static MS_SSS__INLINE MS__V MS__F(bound)(MS__V a, MS__V low, MS__V high) { return MS__MIN(MS__MAX(a, low), high); }
+
+static MS_SSS__INLINE MS__MASK MS__F(unmasked)(MS__V depth)
+{
+    return MS__LESS(depth, MS__SET(MS_SSS__MASKED_DEPTH / 2));
+}
+
+/* The least and the largest of all lanes. */
+static MS_SSS__INLINE void MS__F(extremes)(MS__V a, float *least, float *most)
+{
+#if MS__N == 1
+    *least = *most = a;
+#elif defined(MS__X64)
+#if MS__N == 16
+    const __m256 low = _mm512_maskz_extractf32x8_ps(0xff, a, 0), high = _mm512_maskz_extractf32x8_ps(0xff, a, 1);
+    const __m256 l = _mm256_min_ps(low, high), m = _mm256_max_ps(low, high);
+    __m128 u = _mm_min_ps(_mm256_castps256_ps128(l), _mm256_extractf128_ps(l, 1)),
+           v = _mm_max_ps(_mm256_castps256_ps128(m), _mm256_extractf128_ps(m, 1));
+#elif MS__N == 8
+    const __m128 low = _mm256_castps256_ps128(a), high = _mm256_extractf128_ps(a, 1);
+    __m128 u = _mm_min_ps(low, high), v = _mm_max_ps(low, high);
+#else
+    __m128 u = a, v = a;
+#endif
+    u = _mm_min_ps(u, _mm_movehl_ps(u, u));
+    v = _mm_max_ps(v, _mm_movehl_ps(v, v));
+    *least = _mm_cvtss_f32(_mm_min_ss(u, _mm_shuffle_ps(u, u, 1)));
+    *most = _mm_cvtss_f32(_mm_max_ss(v, _mm_shuffle_ps(v, v, 1)));
+#else
+    *least = vminvq_f32(a);
+    *most = vmaxvq_f32(a);
+#endif
+}
+
+/* --- rows: masks, sums, the result --- */
+
+/* Unpacks the color of RGBA pixels, without reading behind the last color; returns how many. */
+static int MS__F(unpack)(const float *from, int count, float *const to[3])
+{
+    int i = 0;
+#if MS__N > 1
+    for (; i + MS__N < count; i += MS__N, from += 4 * MS__N) {
+        const MS__V a = MS__LOAD(from), b = MS__LOAD(from + MS__N), c = MS__LOAD(from + 2 * MS__N),
+                    d = MS__LOAD(from + 3 * MS__N);
+        const MS__V red_blue[2] = {MS__EVEN(a, b), MS__EVEN(c, d)}, green[2] = {MS__ODD(a, b), MS__ODD(c, d)};
+        MS__STORE(to[0] + i, MS__EVEN(red_blue[0], red_blue[1]));
+        MS__STORE(to[1] + i, MS__EVEN(green[0], green[1]));
+        MS__STORE(to[2] + i, MS__ODD(red_blue[0], red_blue[1]));
+    }
+#else
+    (void)from, (void)count, (void)to;
+#endif
+    return i;
+}
+
+/* depth[i] = scale value[i] where depth[i] is unmasked so far, value[i] > 0 and the product is finite; else masked.
+   span: from the first unmasked column to behind the last. */
+static void MS__F(mask_by)(const float *value, float scale, int count, float *depth, int span[2])
+{
+    const MS__V zero = MS__SET(0.0f), masked = MS__SET(MS_SSS__MASKED_DEPTH), s = MS__SET(scale);
+    int x, begin = -1, end = 0;
+    for (x = 0; x < count; x += MS__N) {
+        const MS__V v = MS__LOAD(value + x), z = MS__MUL(v, s);
+        const MS__MASK sound = MS__BOTH(MS__LESS(zero, v), MS__F(unmasked)(z)); /* false for NaN */
+        const MS__MASK valid = MS__BOTH(sound, MS__F(unmasked)(MS__LOAD(depth + x)));
+        const unsigned bits = MS__BITS(valid);
+        MS__STORE(depth + x, MS__SELECT(valid, z, masked));
+        if (!bits) continue;
+        if (begin < 0) begin = x + ms_sss__lowest(bits);
+        end = x + ms_sss__highest(bits) + 1;
+    }
+    span[0] = begin < 0 ? 0 : begin;
+    span[1] = end;
+}
+
+/* Loads color = in where depth is unmasked and the color is within LIGHT_MAX; else 0, and masks. Returns whether no
+   pixel of [begin, end) is masked. */
+static int MS__F(load_masked)(const float *const in[3], int begin, int end, int count, float *depth,
+                              float *const color[3])
+{
+    const MS__V zero = MS__SET(0.0f), masked = MS__SET(MS_SSS__MASKED_DEPTH), most = MS__SET(MS_SSS__LIGHT_MAX);
+    const unsigned full = ms_sss__lanes(MS__N, MS__N);
+    int x, c, all = 1;
+    for (x = 0; x < count; x += MS__N) {
+        const MS__V z = MS__LOAD(depth + x);
+        MS__V e[3];
+        MS__MASK valid = MS__F(unmasked)(z);
+        unsigned inside;
+        MS__UNROLL
+        for (c = 0; c < 3; ++c) {
+            e[c] = MS__LOAD(in[c] + x);
+            valid = MS__BOTH(valid, MS__LESS(MS__ABS(e[c]), most));
+        }
+        MS__UNROLL
+        for (c = 0; c < 3; ++c) MS__STORE(color[c] + x, MS__SELECT(valid, e[c], zero));
+        if (MS__BITS(valid) == full) continue;
+        MS__STORE(depth + x, MS__SELECT(valid, z, masked));
+        inside = ms_sss__lanes(end - x, MS__N) & ~ms_sss__lanes(begin - x, MS__N);
+        if ((MS__BITS(valid) & inside) != inside) all = 0;
+    }
+    return all;
+}
+
+/* out = a x + b y */
+static void MS__F(combine)(float a, const float *x, float b, const float *y, int count, float *out)
+{
+    int i;
+    for (i = 0; i < count; i += MS__N)
+        MS__STORE(out + i, MS__MADD(MS__SET(a), MS__LOAD(x + i), MS__MUL(MS__SET(b), MS__LOAD(y + i))));
+}
+
+/* The result: s (scale blur + delta light + sum) + (1 - s) light with s = min(strength, 1) fade, where fade goes from 0
+   for kernels of half a pixel to 1 for those of a pixel. strength NULL: 1. sum NULL: one term. */
+static void MS__F(finish)(const ms_sss__pass *p, const float *strength, const float *depth, const float *const light[3],
+                          const float *const *sum, int count, float *const blur[3])
+{
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), per_half = MS__SET(1 / p->pixels_per_mm_half);
+    int x, c;
+    for (x = 0; x < count; x += MS__N) {
+        MS__V size = MS__SET(p->pixels_per_mm), s;
+        if (p->perspective) size = MS__DIV(size, MS__LOAD(depth + x));
+        s = MS__F(bound)(MS__SUB(MS__MUL(size, per_half), one), zero, one);
+        if (strength) s = MS__MUL(s, MS__MIN(MS__LOAD(strength + x), one));
+        MS__UNROLL
+        for (c = 0; c < 3; ++c) {
+            const MS__V e = MS__LOAD(light[c] + x);
+            MS__V f = MS__MADD(MS__SET(p->scale[c]), MS__LOAD(blur[c] + x), MS__MUL(MS__SET(p->delta[c]), e));
+            if (sum) f = MS__ADD(f, MS__LOAD(sum[c] + x));
+            f = MS__MADD(s, f, MS__MUL(MS__SUB(one, s), e));
+            MS__STORE(blur[c] + x, MS__SELECT(MS__LESS(zero, s), f, e));
+        }
+    }
+}
+
+/* --- the surface: slopes, tangent planes --- */
+
+/* Pixels per mm at depth z on a surface that faces the camera. */
+static MS_SSS__INLINE MS__V MS__F(pixels_per_mm)(const ms_sss__pass *p, MS__V z)
+{
+    return p->perspective ? MS__MIN(MS__DIV(MS__SET(p->pixels_per_mm), z), MS__SET(p->pixels_per_mm_most))
+                          : MS__SET(p->pixels_per_mm);
+}
+
+/* Tangents along x of the rays through the pixels from column x on. */
+static MS_SSS__INLINE MS__V MS__F(ray)(const ms_sss__pass *p, int x)
+{
+    return MS__MUL(MS__ADD(MS__LOAD(ms_sss__iota), MS__SET((float)x + 0.5f - p->middle[0])), MS__SET(p->tangent));
+}
+
+/* Pixels per mm of the tangent plane along an axis with this slope and ray; square: of the ray's length. */
+static MS_SSS__INLINE MS__V MS__F(foreshorten)(MS__V size, MS__V along, MS__V ray, MS__V square)
+{
+    return MS__MUL(size,
+                   MS__F(inverse_root)(MS__MADD(along, MS__MADD(along, square, MS__ADD(ray, ray)), MS__SET(1.0f))));
+}
+
+/* Cosine of the normal to the ray, for slopes sx and sy, times mm_per_depth. */
+static MS_SSS__INLINE MS__V MS__F(facing)(const ms_sss__pass *p, MS__V sx, MS__V sy, MS__V rx, MS__V ry)
+{
+    const MS__V axis = MS__MADD(rx, sx, MS__MADD(ry, sy, MS__SET(1.0f)));
+    return MS__MUL(MS__SET(p->mm_per_depth),
+                   MS__F(inverse_root)(MS__MADD(sx, sx, MS__MADD(sy, sy, MS__MUL(axis, axis)))));
+}
+
+/* The slope along an axis from those on both sides, a and b, which count where on_a and on_b (their steps in depth are
+   within the kernel's radius). Where the surface bends little it is the mean of both, else the smaller one, so that no
+   slope is taken across an edge or a crease. Near a silhouette depth falls like sqrt(distance), so that a one-sided
+   difference underestimates the slope: it is extrapolated by the ratio of the last two steps (at most 1.85 times) where
+   their difference is more than rounding. Planes are unchanged.
+   at: depths of the pixel and of two neighbors on each side. inverse: their reciprocals are linear on planes. */
+static MS_SSS__INLINE MS__V MS__F(slope)(MS__V a, MS__V b, MS__MASK on_a, MS__MASK on_b, const MS__V at[5],
+                                         const int inverse, float rounding)
+{
+    const MS__V zero = MS__SET(0.0f), half = MS__SET(0.5f), one = MS__SET(1.0f), limit = MS__SET(8.0f);
+    MS__V s;
+    MS__MASK even;
+    a = MS__SELECT(on_a, a, MS__SELECT(on_b, b, zero));
+    b = MS__SELECT(on_b, b, a);
+    s = MS__MUL(half, MS__ADD(a, b));
+    even = MS__LESS(MS__ABS(MS__SUB(a, b)), MS__MUL(half, MS__MADD(a, b, one)));
+    even = MS__BOTH(even, MS__BOTH(on_a, on_b));
+    if (MS__BITS(even) != ms_sss__lanes(MS__N, MS__N)) {
+        const MS__MASK first_a = MS__LESS(MS__ABS(a), MS__ABS(b)), first_b = MS__LESS(MS__ABS(b), MS__ABS(a));
+        const MS__V is_a = MS__SELECT(on_b, MS__SELECT(first_a, one, zero), one),
+                    less = MS__SELECT(first_a, a, MS__SELECT(first_b, b, s));
+        const MS__MASK before = MS__LESS(half, is_a);
+        const MS__V own = at[2], next = MS__SELECT(before, at[1], at[3]), after_next = MS__SELECT(before, at[0], at[4]);
+        MS__V step = MS__SUB(own, next), inner = MS__SUB(next, after_next),
+              least = MS__MUL(MS__ABS(own), MS__SET(2 * rounding)), more, excess;
+        if (inverse) { /* differences of the inverses, times all three */
+            step = MS__MUL(step, after_next);
+            inner = MS__MUL(inner, own);
+            least = MS__MUL(least, own);
+        }
+        excess = MS__SUB(MS__MIN(MS__ABS(inner), MS__SUB(MS__ABS(step), MS__ABS(inner))), least); /* NaN stays */
+        more = MS__MIN(MS__DIV(excess, MS__ABS(inner)), MS__SET(0.85f));
+        more = MS__SELECT(MS__BOTH(MS__LESS(zero, excess), MS__LESS(MS__ABS(MS__SUB(step, inner)), MS__ABS(step))),
+                          more, zero); /* the same direction */
+        more = MS__MUL(more, MS__MADD(more, MS__MADD(MS__MUL(more, more), MS__SET(0.7f), half), half));
+        s = MS__SELECT(even, s, MS__MADD(less, more, less));
+    }
+    return MS__MIN(MS__MAX(s, MS__SUB(zero, limit)), limit);
+}
+
+/* Slopes from the normals at column x, of at most 8, those that face away too; 0 where they are not finite or 0. */
+static MS_SSS__INLINE void MS__F(slopes_of_normals)(const float *const normal[3], int x, MS__V rx, MS__V ry, MS__V *sx,
+                                                    MS__V *sy)
+{
+    const MS__V zero = MS__SET(0.0f), a = MS__LOAD(normal[0] + x), b = MS__LOAD(normal[1] + x),
+                c = MS__LOAD(normal[2] + x), eighth = MS__MUL(MS__MAX(MS__ABS(a), MS__ABS(b)), MS__SET(0.125f));
+    const MS__V facing = MS__MAX(MS__SUB(c, MS__MADD(rx, a, MS__MUL(ry, b))), eighth);
+    const MS__MASK sound = MS__BOTH(MS__LESS(zero, facing),
+                                    MS__LESS(MS__ABS(MS__ADD(a, MS__ADD(b, c))), MS__SET(INFINITY)));
+    *sx = MS__SELECT(sound, MS__DIV(a, facing), zero);
+    *sy = MS__SELECT(sound, MS__DIV(b, facing), zero);
+}
+
+/* Slopes of row y, columns [begin, end), from the depths of rows y - 2 to y + 2, or from normals. */
+static void MS__F(slopes)(const ms_sss__pass *p, const float *const depth[5], const float *const normal[3], int y,
+                          int begin, int end, float *const slope[2])
+{
+    const MS__V zero = MS__SET(0.0f), edge = MS__SET(p->edge_dz2), scale = MS__SET(p->slope_scale),
+                ry = MS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
+    int x, i, axis;
+    for (x = begin; x < end; x += MS__N) {
+        const MS__V z = MS__LOAD(depth[2] + x);
+        const MS__MASK valid = MS__F(unmasked)(z);
+        MS__V s[2];
+        if (normal) MS__F(slopes_of_normals)(normal, x, MS__F(ray)(p, x), ry, &s[0], &s[1]);
+        for (axis = 0; axis < 2 && !normal; ++axis) {
+            const MS__V f = MS__SET(p->focal[axis]);
+            MS__V at[5], a, b;
+            MS__MASK on_a, on_b;
+            for (i = 0; i < 5; ++i) at[i] = MS__LOAD(axis ? depth[i] + x : depth[2] + x + i - 2);
+            a = MS__SUB(z, at[1]);
+            b = MS__SUB(at[3], z);
+            on_a = MS__LESS(MS__MUL(a, a), edge);
+            on_b = MS__LESS(MS__MUL(b, b), edge);
+            a = MS__MUL(f, p->perspective ? MS__DIV(a, at[1]) : a);
+            b = MS__MUL(f, p->perspective ? MS__DIV(b, at[3]) : b);
+            s[axis] = MS__F(slope)(a, b, on_a, on_b, at, p->perspective, p->rounding);
+        }
+        for (axis = 0; axis < 2; ++axis)
+            MS__STORE(slope[axis] + x,
+                      MS__SELECT(MS__BOTH(valid, MS__LESS(MS__ABS(s[axis]), MS__SET(INFINITY))),
+                                 MS__MUL(s[axis], scale), zero));
+    }
+}
+
+/* The tangent planes of row y, see ms_sss__line.plane: out[0 to 2] along x, out[3 to 5] along y. */
+static void MS__F(tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin,
+                            int end, float *const out[6])
+{
+    const MS__V one = MS__SET(1.0f), ry = MS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
+    int x;
+    for (x = begin; x < end; x += MS__N) {
+        const MS__V size = MS__F(pixels_per_mm)(p, MS__LOAD(depth + x)), sx = MS__LOAD(slope[0] + x),
+                    sy = MS__LOAD(slope[1] + x);
+        const MS__V rx = MS__F(ray)(p, x), square = MS__MADD(rx, rx, MS__MADD(ry, ry, one)),
+                    facing = MS__F(facing)(p, sx, sy, rx, ry);
+        MS__STORE(out[0] + x, MS__F(foreshorten)(size, sx, rx, square));
+        MS__STORE(out[1] + x, MS__MUL(sx, MS__SET(1 / p->focal[0])));
+        MS__STORE(out[2] + x, facing);
+        MS__STORE(out[3] + x, MS__F(foreshorten)(size, sy, ry, square));
+        MS__STORE(out[4] + x, MS__MUL(sy, MS__SET(1 / p->focal[1])));
+        MS__STORE(out[5] + x, facing);
+    }
+}
+
+/* --- taps --- */
+
+/* Renormalizes a tap sum s whose weights add up to n: to the sum `total`, or, if mixed, by adding light for the missing
+   weight. */
+static MS_SSS__INLINE MS__V MS__F(renormalize)(MS__V s, MS__V n, MS__V light, float total, int mixed)
+{
+    if (mixed) return MS__MADD(light, MS__SUB(MS__SET(total), n), s);
+    return MS__MUL(MS__SELECT(MS__LESS(MS__SET(1e-30f), n), MS__DIV(s, n), light), MS__SET(total));
+}
+
+/* (1 - dz^2)^4 for |dz| < 1, else 0 */
+static MS_SSS__INLINE MS__V MS__F(falloff)(MS__V dz)
+{
+    MS__V f = MS__MAX(MS__NMADD(dz, dz, MS__SET(1.0f)), MS__SET(0.0f));
+    f = MS__MUL(f, f);
+    return MS__MUL(f, f);
+}
+
+/* (1 - dz^2) / (1 + dz_falloff dz^2) for a pixel dz off the tangent plane, else 0 */
+static MS_SSS__INLINE MS__V MS__F(plane_falloff)(MS__V dz, MS__V dz_falloff)
+{
+    const MS__V one = MS__SET(1.0f), q = MS__MUL(dz, dz), f = MS__MAX(MS__SUB(one, q), MS__SET(0.0f));
+    return MS__MUL(f, MS__F(inverse)(MS__MADD(dz_falloff, q, one)));
+}
+
+/* depth less the bound on its rounding, towards 0. */
+static MS_SSS__INLINE MS__V MS__F(residual)(MS__V depth, MS__V rounding)
+{
+    return MS__SUB(depth, MS__F(bound)(depth, MS__SUB(MS__SET(0.0f), rounding), rounding));
+}
+
+/* (1 + K sin(theta) / 4)^4 */
+static MS_SSS__INLINE MS__V MS__F(elevate)(float elevation_4, MS__V sine)
+{
+    MS__V u = MS__MADD(MS__SET(elevation_4), sine, MS__SET(1.0f));
+    u = MS__MUL(u, u);
+    return MS__MUL(u, u);
+}
+
+/* The area that a tap represents: 1 + (area_scale times the change of height since the tap before)^2.
+   sum: the tap's weight; below: weight times height under the tangent plane; height: of the tap before, then its own */
+static MS_SSS__INLINE MS__V MS__F(surface_ratio)(MS__V sum, MS__V below, MS__V area_scale, MS__V *height)
+{
+    MS__V bend = MS__MUL(MS__NMADD(sum, *height, below), MS__F(inverse)(MS__ADD(sum, MS__SET(MS_SSS__SPARSE))));
+    *height = MS__ADD(*height, bend);
+    bend = MS__MUL(bend, area_scale);
+    return MS__MIN(MS__MADD(bend, bend, MS__SET(1.0f)), MS__SET(MS_SSS__AREA_MAX));
+}
+
+/* A group of lanes of a pass, with sums over its taps of light, weights, and weights times elevation. */
+typedef struct MS__F(group) {
+    MS__V light[3], weight[3], elevated[3];
+    MS__V height[2];   /* by surface: mm under the tangent plane of the pair before, on both sides */
+    float least, most; /* pixels per mm of the active lanes */
+    int active;        /* whether a lane is unmasked and has a kernel of more than half a pixel */
+} MS__F(group);
+
+/* What a pair of taps finds: weights, weights times depth under the tangent plane, light; of both sides or, by depth
+   alone, of both together in [0]. */
+typedef struct MS__F(found) {
+    MS__V weight[2], below[2], light[2][3];
+} MS__F(found);
+
+static MS_SSS__INLINE MS__MASK MS__F(active)(const ms_sss__pass *p, MS__V z)
+{
+    return MS__BOTH(MS__F(unmasked)(z), MS__LESS(MS__SET(p->pixels_per_mm_half), MS__F(pixels_per_mm)(p, z)));
+}
+
+/* Pixels per mm along the line's axis. */
+static MS_SSS__INLINE MS__V MS__F(size)(const ms_sss__pass *p, const ms_sss__weights by, const ms_sss__line *l, int x)
+{
+    return by == MS_SSS__BY_SURFACE ? MS__LOAD(l->plane[0] + x) : MS__F(pixels_per_mm)(p, MS__LOAD(l->from[3] + x));
+}
+
+static MS_SSS__INLINE void MS__F(begin_group)(const ms_sss__pass *p, const ms_sss__weights by, const ms_sss__line *l,
+                                              int x, MS__F(group) * g)
+{
+    const MS__V size = MS__F(size)(p, by, l, x);
+    const MS__MASK active = MS__F(active)(p, MS__LOAD(l->from[3] + x));
+    float unused;
+    int c;
+    g->active = MS__BITS(active) != 0;
+    g->least = g->most = p->pixels_per_mm;
+    if (p->perspective || by == MS_SSS__BY_SURFACE) {
+        MS__F(extremes)(MS__SELECT(active, size, MS__SET(INFINITY)), &g->least, &unused);
+        MS__F(extremes)(MS__SELECT(active, size, MS__SET(0.0f)), &unused, &g->most);
+    }
+    g->height[0] = g->height[1] = MS__SET(0.0f);
+    MS__UNROLL
+    for (c = 0; c < 3; ++c) {
+        g->weight[c] = g->elevated[c] = g->light[c] = MS__SET(0.0f);
+    }
+}
+
+/* Interpolates a pair of taps for all lanes at once: of a tap t pixels away, a pixel j steps away has the share max(0,
+   1
+   - |t - j|), for j from the least to the largest t of the lanes. */
+static MS_SSS__INLINE void MS__F(read_pair)(const ms_sss__pass *p, const ms_sss__weights by, const ms_sss__line *l,
+                                            const ms_sss__pair *pair, const MS__F(group) * g, int x,
+                                            MS__F(found) * found)
+{
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), z = MS__LOAD(l->from[3] + x);
+    const float offset = pair->offset[l->stride != 0], least = g->least * offset, most = g->most * offset;
+    const int low = least < (float)MS_SSS__FAR ? (int)least : (int)MS_SSS__FAR,
+              high = most < (float)MS_SSS__FAR ? (int)most + 1 : (int)MS_SSS__FAR;
+    const MS__V t = MS__MUL(MS__F(size)(p, by, l, x), MS__SET(offset));
+    /* beyond the picture lie an empty row, or columns */
+    const int before = l->stride ? l->at + 1 : x + MS__N, behind = l->stride ? l->count - l->at : l->count - x;
+    const ptrdiff_t step = l->stride ? l->stride : 1;
+    int j, side, c;
+    MS__UNROLL
+    for (side = 0; side < 2; ++side) {
+        found->weight[side] = found->below[side] = zero;
+        for (c = 0; c < 3; ++c) found->light[side][c] = zero;
+    }
+    for (j = low; j <= high; ++j) {
+        const MS__V steps = MS__SET((float)j), share = MS__MAX(MS__SUB(one, MS__ABS(MS__SUB(t, steps))), zero);
+        if (high > low + 2 && !MS__BITS(MS__LESS(zero, share))) continue; /* between the lanes' positions */
+        MS__UNROLL
+        for (side = 0; side < 2; ++side) {
+            const int to = by == MS_SSS__BY_SURFACE ? side : 0;
+            const ptrdiff_t at = side ? x + (j < behind ? j : behind) * step : x - (j < before ? j : before) * step;
+            MS__V f = share;
+            if (by == MS_SSS__BY_DEPTH) f = MS__MUL(f, MS__F(falloff)(MS__SUB(MS__LOAD(l->from[3] + at), z)));
+            if (by == MS_SSS__BY_SURFACE) { /* dz from the tangent plane, which rises on one side */
+                const MS__V there = MS__LOAD(l->from[3] + at), up = MS__MUL(MS__LOAD(l->plane[1] + x), steps),
+                            scale = p->perspective ? there : one;
+                MS__V dz = MS__SUB(there, z);
+                dz = side ? MS__NMADD(up, scale, dz) : MS__MADD(up, scale, dz);
+                f = MS__MUL(f, MS__F(plane_falloff)(dz, MS__SET(pair->dz_falloff)));
+                found->below[side] = MS__MADD(f, dz, found->below[side]);
+            }
+            found->weight[to] = MS__ADD(found->weight[to], f);
+            MS__UNROLL
+            for (c = 0; c < 3; ++c) found->light[to][c] = MS__MADD(f, MS__LOAD(l->from[c] + at), found->light[to][c]);
+        }
+    }
+}
+
+/* Adds a pair by surface: weights count the area that they stand for where the surface bends away from the tangent
+   plane, light is multiplied by the elevation of what lies below it. */
+static MS_SSS__INLINE void MS__F(add_on_surface)(const ms_sss__pass *p, const ms_sss__line *l, const ms_sss__pair *pair,
+                                                 const MS__F(found) * found, int x, MS__F(group) * g)
+{
+    const MS__V t = MS__MUL(MS__LOAD(l->plane[0] + x), MS__SET(pair->offset[l->stride != 0])),
+                facing = MS__LOAD(l->plane[2] + x),
+                rounding = MS__MUL(MS__MUL(MS__LOAD(l->from[3] + x), MS__SET(p->rounding)), MS__ADD(t, MS__SET(2.0f)));
+    int side, c;
+    MS__UNROLL
+    for (side = 0; side < 2; ++side) {
+        const MS__V below = MS__MUL(facing, MS__F(residual)(found->below[side], rounding)), /* mm */
+            sine = MS__F(bound)(MS__MUL(below, MS__SET(pair->per_mm)), MS__SET(p->least_sine), MS__SET(1.0f)),
+                    area = MS__F(surface_ratio)(found->weight[side], below, MS__SET(pair->area_scale),
+                                                &g->height[side]),
+                    weight = MS__MUL(found->weight[side], area);
+        MS__UNROLL
+        for (c = 0; c < 3; ++c) {
+            const MS__V w = MS__SET(pair->weight[c]), lifted = MS__MUL(w, MS__F(elevate)(p->elevation_4[c], sine));
+            g->weight[c] = MS__MADD(w, weight, g->weight[c]);
+            g->elevated[c] = MS__MADD(lifted, weight, g->elevated[c]);
+            g->light[c] = MS__MADD(MS__MUL(lifted, area), found->light[side][c], g->light[c]);
+        }
+    }
+}
+
+static MS_SSS__INLINE void MS__F(add_pair)(const ms_sss__pair *pair, const MS__F(found) * found, MS__F(group) * g)
+{
+    int c;
+    MS__UNROLL
+    for (c = 0; c < 3; ++c) {
+        const MS__V w = MS__SET(pair->weight[c]);
+        g->weight[c] = MS__MADD(w, found->weight[0], g->weight[c]);
+        g->light[c] = MS__MADD(w, found->light[0][c], g->light[c]);
+    }
+}
+
+static MS_SSS__INLINE void MS__F(end_group)(const ms_sss__pass *p, const ms_sss__weights by, const ms_sss__line *l,
+                                            int x, const MS__F(group) * g)
+{
+    const MS__MASK active = MS__F(active)(p, MS__LOAD(l->from[3] + x));
+    int c;
+    MS__UNROLL
+    for (c = 0; c < 3; ++c) {
+        const MS__V light = MS__LOAD(l->from[c] + x);
+        const MS__V center = MS__SET(p->center[c]), sum = MS__MADD(light, center, g->light[c]);
+        MS__V norm = MS__ADD(g->weight[c], center), result;
+        if (by == MS_SSS__BY_SURFACE && !p->mixed[c]) /* a pass multiplies the mean by reflectance^(-1/2) at most */
+            norm = MS__MAX(norm, MS__MUL(MS__ADD(g->elevated[c], center), MS__SET(p->root_r[c])));
+        result = MS__F(renormalize)(sum, norm, light, p->total[c], p->mixed[c]);
+        MS__STORE(l->to[c] + x, MS__SELECT(active, result, MS__MUL(light, MS__SET(p->total[c]))));
+    }
+}
+
+/* One pass of a row. */
+static MS_SSS__INLINE void MS__F(taps_row)(const ms_sss__pass *p, const ms_sss__weights by, const ms_sss__line *l)
+{
+    int x, k;
+    for (x = l->first; x < l->last; x += MS__N) {
+        MS__F(group) group;
+        MS__F(begin_group)(p, by, l, x, &group);
+        for (k = 0; k < p->pair_count && group.active; ++k) {
+            /* heights follow from the center outwards; else the smallest weights come first */
+            const ms_sss__pair *pair = &p->pair[by == MS_SSS__BY_SURFACE ? k : p->pair_count - 1 - k];
+            MS__F(found) found;
+            MS__F(read_pair)(p, by, l, pair, &group, x, &found);
+            if (by == MS_SSS__BY_SURFACE) MS__F(add_on_surface)(p, l, pair, &found, x, &group);
+            else MS__F(add_pair)(pair, &found, &group);
+        }
+        MS__F(end_group)(p, by, l, x, &group);
+    }
+}
+
+static void MS__F(taps)(const ms_sss__pass *p, ms_sss__weights by, const ms_sss__line *l)
+{
+    if (by == MS_SSS__BY_SURFACE) MS__F(taps_row)(p, MS_SSS__BY_SURFACE, l);
+    else if (by == MS_SSS__BY_DEPTH) MS__F(taps_row)(p, MS_SSS__BY_DEPTH, l);
+    else MS__F(taps_row)(p, MS_SSS__BY_INTERPOLATION, l);
+}
+
+/* ---- pyramid kernels ------------------------------------------------------------------------------------------- */
+
+/* d from depth; 0 for masked pixels. */
+static void MS__F(depth_to_d)(const ms_sss__pyramid_params *s, const float *depth, int count, float *d)
+{
+    const MS__V zero = MS__SET(0.0f);
+    int i;
+    for (i = 0; i < count; i += MS__N) {
+        const MS__V z = MS__LOAD(depth + i);
+        const MS__V value = s->perspective ? MS__DIV(MS__SET(-1.0f), z) : s->depth_aware ? z : MS__SET(1.0f);
+        MS__STORE(d + i, MS__SELECT(MS__F(unmasked)(z), value, zero));
+    }
+}
+
+/* Depth in pixels of a step of d. quick: relative error 2e-7, where no two results are compared. */
+static MS_SSS__INLINE MS__V MS__F(pixels_per_d)(const ms_sss__pyramid_params *s, MS__V d, const int quick)
+{
+    const MS__V scale = MS__SET((s->perspective ? -1.0f : 1.0f) / s->step);
+    if (!s->depth_aware) return MS__SET(0.0f);
+    if (quick) return s->perspective ? MS__MUL(scale, MS__F(inverse)(d)) : scale;
+    return s->perspective ? MS__DIV(scale, d) : scale;
+}
+
+/* Radius of the kernel in pixels on a surface that faces the camera. */
+static MS_SSS__INLINE MS__V MS__F(radius)(const ms_sss__pyramid_params *s, MS__V d)
+{
+    return MS__MIN(s->perspective ? MS__MUL(MS__SET(-s->radius_px), d) : MS__SET(s->radius_px),
+                   MS__SET(s->radius_px_most));
+}
+
+/* The area of the surface over that of its picture: the length of (slope, 1 + slope . ray). */
+static MS_SSS__INLINE MS__V MS__F(area)(MS__V sx, MS__V sy, MS__V rx, MS__V ry)
+{
+    const MS__V n = MS__MADD(sx, rx, MS__MADD(sy, ry, MS__SET(1.0f)));
+    return MS__SQRT(MS__MADD(sx, sx, MS__MADD(sy, sy, MS__MUL(n, n))));
+}
+
+/* Coverage and changes of d of row y of the picture; d: rows y - 2 to y + 2; normal: the caller's or NULL. */
+static void MS__F(slopes_of_d)(const ms_sss__pyramid_params *s, const float *const d[5], const float *const normal[3],
+                               int y, int first, int count, float *const out[3])
+{
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), scale = MS__SET(s->slope_scale);
+    const MS__V ry = MS__SET(((float)y + 0.5f - s->middle[1]) * s->tangent);
+    int i, k, axis;
+    for (i = first; i < count; i += MS__N) {
+        const MS__V own = MS__LOAD(d[2] + i);
+        const MS__MASK valid = MS__LESS(zero, MS__ABS(own));
+        const MS__V safe = MS__SELECT(valid, own, MS__SET(-1.0f));
+        const MS__V pixels_per_d = MS__F(pixels_per_d)(s, safe, 0), radius = MS__F(radius)(s, safe);
+        const MS__V rx = MS__MADD(MS__LOAD(ms_sss__iota), MS__SET(s->tangent),
+                                  MS__SET(((float)i + 0.5f - s->middle[0]) * s->tangent));
+        MS__V slope[2], step;
+        if (!(s->slope_scale > 0) || !MS__BITS(valid)) {
+            MS__STORE(out[0] + i, MS__SELECT(valid, one, zero));
+            MS__STORE(out[1] + i, zero);
+            MS__STORE(out[2] + i, zero);
+            continue;
+        }
+        if (normal) MS__F(slopes_of_normals)(normal, i, rx, ry, &slope[0], &slope[1]);
+        for (axis = 0; axis < 2 && !normal; ++axis) {
+            MS__V at[5], a, b;
+            for (k = 0; k < 5; ++k) at[k] = MS__LOAD(axis ? d[k] + i : d[2] + i + k - 2);
+            a = MS__MUL(MS__SUB(own, at[1]), pixels_per_d);
+            b = MS__MUL(MS__SUB(at[3], own), pixels_per_d);
+            slope[axis] = MS__F(slope)(a, b, MS__BOTH(MS__LESS(MS__ABS(a), radius), MS__LESS(zero, MS__ABS(at[1]))),
+                                       MS__BOTH(MS__LESS(MS__ABS(b), radius), MS__LESS(zero, MS__ABS(at[3]))), at, 0,
+                                       s->rounding);
+        }
+        for (axis = 0; axis < 2; ++axis) slope[axis] = MS__MUL(slope[axis], scale);
+        step = s->perspective ? MS__MUL(safe, MS__SET(-s->step)) : MS__SET(s->step);
+        MS__STORE(out[0] + i,
+                  MS__SELECT(valid, MS__MIN(MS__F(area)(slope[0], slope[1], rx, ry), MS__SET(10.0f)), zero));
+        MS__STORE(out[1] + i, MS__SELECT(valid, MS__MUL(slope[0], step), zero));
+        MS__STORE(out[2] + i, MS__SELECT(valid, MS__MUL(slope[1], step), zero));
+    }
+}
+
+/* --- down: four pixels to one --- */
+
+/* Where a pixel of the coarser level lies on its surface: that of the nearest of its middle four pixels. */
+typedef struct MS__F(anchor) {
+    MS__V d, dx, dy;  /* d at the middle of the four, its changes a pixel */
+    MS__V nearest;    /* d of the nearest pixel */
+    MS__V per_radius; /* 1 / the kernel's radius, in d */
+    MS__MASK some;    /* lanes that have a pixel at all */
+} MS__F(anchor);
+
+/* The nearest of the middle four that has a quarter of the largest coverage. row: as in downsample_row. */
+static MS_SSS__INLINE MS__F(anchor) MS__F(find_anchor)(const ms_sss__pyramid_params *s, const int tilted,
+                                                       const int with_coverage, const float *row[4][7], int i)
+{
+    const MS__V zero = MS__SET(0.0f);
+    MS__V most = zero, bx = zero, by = zero, middle[2][2], coverage[2][2];
+    MS__F(anchor) a;
+    int x, y, c;
+    MS__UNROLL
+    for (y = 0; y < 2; ++y) {
+        const float *z = row[y + 1][3] + 2 * i, *w = with_coverage ? row[y + 1][4] + 2 * i : z;
+        const MS__V z0 = MS__LOAD(z), z1 = MS__LOAD(z + MS__N), w0 = MS__LOAD(w), w1 = MS__LOAD(w + MS__N);
+        middle[y][0] = MS__EVENS(z0, z1);
+        middle[y][1] = MS__ODDS(z0, z1);
+        coverage[y][0] = MS__ABS(MS__EVENS(w0, w1));
+        coverage[y][1] = MS__ABS(MS__ODDS(w0, w1));
+        most = MS__MAX(most, MS__MAX(coverage[y][0], coverage[y][1]));
+    }
+    a.some = MS__LESS(zero, most);
+    a.d = MS__SET(INFINITY);
+    a.dx = a.dy = zero;
+    most = with_coverage ? MS__MUL(most, MS__SET(0.25f)) : zero;
+    for (y = 0; y < 2; ++y)
+        for (x = 0; x < 2; ++x) {
+            const MS__MASK better = MS__BOTH(MS__LESS(most, coverage[y][x]), MS__LESS(middle[y][x], a.d));
+            a.d = MS__SELECT(better, middle[y][x], a.d);
+            for (c = 5; c < 7 && tilted; ++c) {
+                const MS__V u = MS__LOAD(row[y + 1][c] + 2 * i), v = MS__LOAD(row[y + 1][c] + 2 * i + MS__N),
+                            there = x ? MS__ODDS(u, v) : MS__EVENS(u, v);
+                if (c == 5) a.dx = MS__SELECT(better, there, a.dx);
+                else a.dy = MS__SELECT(better, there, a.dy);
+            }
+            bx = MS__SELECT(better, MS__SET((float)x - 0.5f), bx);
+            by = MS__SELECT(better, MS__SET((float)y - 0.5f), by);
+        }
+    a.d = a.nearest = MS__SELECT(a.some, a.d, MS__SET(-1.0f));
+    a.per_radius = MS__DIV(MS__F(pixels_per_d)(s, a.d, 0), MS__F(radius)(s, a.d));
+    if (tilted) a.d = MS__SUB(a.d, MS__MADD(bx, a.dx, MS__MUL(by, a.dy)));
+    return a;
+}
+
+/* Sums of a pixel of the coarser level over the pixels that belong to it. */
+typedef struct MS__F(merged) {
+    MS__V color[3], d, n;  /* weighted sums, sum of the weights */
+    MS__V dx, dy, seen;    /* sums by picture area, its sum */
+    MS__V least, greatest; /* d of the pixels */
+} MS__F(merged);
+
+/* Adds columns 2i - 1 + 2 half and the next of row y (0 to 3). Weights are (1, 3, 3, 1) / 8 both ways for pixels near
+   the tangent plane of the anchor: fourth powers of root[] (1 - (off / merge_reach radii)^2), by the number of near
+   sides. check: whether masked pixels have to be left out by name. */
+static MS_SSS__INLINE void MS__F(merge_columns)(const ms_sss__pyramid_params *s, const int tilted,
+                                                const int with_coverage, const int check, const MS__F(anchor) * a,
+                                                const MS__V narrow[3], const float *row[7], int y, int half, int i,
+                                                MS__F(merged) * sum)
+{
+    static const float root[3] = {0.353553391f, 0.465302426f, 0.612372436f}; /* fourth roots of 1, 3, 9 over 64 */
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f);
+    const ptrdiff_t at = 2 * i - 1 + 2 * half;
+    const MS__V z0 = MS__LOAD(row[3] + at), z1 = MS__LOAD(row[3] + at + MS__N);
+    MS__V f[2], g[2];
+    int x, c;
+    MS__UNROLL
+    for (x = 0; x < 2; ++x) {
+        const int near_sides = (half != x) + (y == 1 || y == 2);
+        const MS__V there = x ? MS__ODDS(z0, z1) : MS__EVENS(z0, z1), away = MS__SUB(there, a->nearest);
+        MS__V level = there, off = away, w = one; /* level: d moved to the middle along the plane */
+        if (tilted) {
+            const MS__V along = MS__SET((float)(2 * half + x) - 1.5f), down = MS__SET((float)y - 1.5f);
+            level = MS__SUB(there, MS__MADD(along, a->dx, MS__MUL(down, a->dy)));
+            off = MS__SUB(level, a->d);
+        }
+        off = MS__MUL(off, narrow[near_sides]);
+        f[x] = MS__MAX(MS__NMADD(off, off, MS__SET(root[near_sides])), zero);
+        f[x] = MS__MUL(f[x], f[x]);
+        f[x] = MS__MUL(f[x], f[x]);
+        if (with_coverage) {
+            const MS__V w0 = MS__LOAD(row[4] + at), w1 = MS__LOAD(row[4] + at + MS__N);
+            w = x ? MS__ODDS(w0, w1) : MS__EVENS(w0, w1);
+            if (tilted) f[x] = MS__MUL(f[x], w);
+        } else if (check) {
+            f[x] = MS__SELECT(MS__LESS(zero, MS__ABS(there)), f[x], zero);
+        }
+        if (tilted || s->merge_reach > 1)
+            f[x] = MS__SELECT(MS__LESS(MS__ABS(MS__MUL(away, a->per_radius)), one), f[x], zero);
+        off = with_coverage && !tilted ? MS__MUL(f[x], w) : f[x];
+        sum->n = MS__ADD(sum->n, off);
+        sum->d = MS__MADD(off, level, sum->d);
+        if (tilted) {
+            const MS__MASK counts = MS__LESS(zero, f[x]);
+            sum->least = MS__MIN(sum->least, MS__SELECT(counts, there, a->nearest));
+            sum->greatest = MS__MAX(sum->greatest, MS__SELECT(counts, there, a->nearest));
+            g[x] = MS__DIV(f[x], MS__MAX(w, one));
+            sum->seen = MS__ADD(sum->seen, g[x]);
+        }
+    }
+    MS__UNROLL
+    for (c = 0; c < 3; ++c) {
+        const MS__V u = MS__LOAD(row[c] + at), v = MS__LOAD(row[c] + at + MS__N);
+        sum->color[c] = MS__MADD(f[1], MS__ODDS(u, v), MS__MADD(f[0], MS__EVENS(u, v), sum->color[c]));
+    }
+    for (c = 5; c < 7 && tilted; ++c) {
+        const MS__V u = MS__LOAD(row[c] + at), v = MS__LOAD(row[c] + at + MS__N);
+        MS__V *to = c == 5 ? &sum->dx : &sum->dy;
+        *to = MS__MADD(g[1], MS__ODDS(u, v), MS__MADD(g[0], MS__EVENS(u, v), *to));
+    }
+}
+
+/* Downsamples one row of a level from rows 2j - 1 to 2j + 2 of the finer one, each color, d, coverage, changes of d.
+   tilted 0: no changes; the picture has coverage 1 (NULL), and colors of levels are premultiplied by coverage. */
+static MS_SSS__INLINE void MS__F(downsample_row)(const ms_sss__pyramid_params *s, const int tilted,
+                                                 const int with_coverage, const float *row[4][7], int first, int count,
+                                                 float *const out[7])
+{
+    static const float half_root[3] = {0.594603558f, 0.682130799f, 0.782542290f}; /* square roots of root[] above */
+    const MS__V zero = MS__SET(0.0f);
+    int i, y, half, c;
+    for (i = first; i < count; i += MS__N) {
+        MS__F(anchor) a = MS__F(find_anchor)(s, tilted, with_coverage, row, i);
+        MS__V narrow[3], per_n;
+        MS__F(merged) sum;
+        int check;
+        if (!MS__BITS(a.some)) {
+            for (c = 0; c < (tilted ? 7 : 5); ++c) MS__STORE(out[c] + i, zero);
+            continue;
+        }
+        for (c = 0; c < 3; ++c) narrow[c] = MS__MUL(a.per_radius, MS__SET(half_root[c] / s->merge_reach));
+        /* else masked pixels, of d 0, are too deep to count */
+        check = !with_coverage && MS__BITS(MS__LESS(MS__MUL(MS__ABS(a.nearest), narrow[0]), MS__SET(half_root[0])));
+        sum.color[0] = sum.color[1] = sum.color[2] = sum.d = sum.n = sum.dx = sum.dy = sum.seen = zero;
+        sum.least = sum.greatest = a.nearest;
+        for (y = 0; y < 4; ++y)
+            for (half = 0; half < 2; ++half)
+                MS__F(merge_columns)(s, tilted, with_coverage, check, &a, narrow, row[y], y, half, i, &sum);
+        a.some = MS__BOTH(MS__LESS(MS__SET(1e-20f), sum.n), a.some);
+        per_n = MS__F(inverse)(sum.n);
+        for (c = 0; c < 3; ++c) {
+            const MS__V color = tilted ? MS__MUL(sum.color[c], per_n) : sum.color[c];
+            MS__STORE(out[c] + i, MS__ORDER(MS__SELECT(a.some, color, zero)));
+        }
+        sum.d = MS__DIV(sum.d, sum.n);
+        if (tilted) sum.d = MS__F(bound)(sum.d, sum.least, sum.greatest); /* planes are extrapolated within bounds */
+        MS__STORE(out[3] + i, MS__ORDER(MS__SELECT(a.some, sum.d, zero)));
+        MS__STORE(out[4] + i, MS__ORDER(MS__SELECT(a.some, sum.n, zero)));
+        if (!tilted) continue;
+        MS__STORE(out[5] + i, MS__ORDER(MS__SELECT(a.some, MS__DIV(MS__ADD(sum.dx, sum.dx), sum.seen), zero)));
+        MS__STORE(out[6] + i, MS__ORDER(MS__SELECT(a.some, MS__DIV(MS__ADD(sum.dy, sum.dy), sum.seen), zero)));
+    }
+}
+
+static void MS__F(downsample_level)(const ms_sss__pyramid_params *s, const float *row[4][7], int first, int count,
+                                    float *const out[7])
+{
+    if (s->slope_scale > 0) MS__F(downsample_row)(s, 1, 1, row, first, count, out);
+    else MS__F(downsample_row)(s, 0, row[1][4] != NULL, row, first, count, out);
+}
+
+/* --- up: gather from the coarser level --- */
+
+/* Weights of a level for kernels of these radii in pixels, linear between sizes of the table: the blurred ones, or
+   (both) own and blurred. index: the size below the last group's lanes, to begin with. */
+static MS_SSS__INLINE void MS__F(level_weights)(const ms_sss__pyramid_params *s, int level, const int both, MS__V size,
+                                                MS__MASK valid, int *index, MS__V out[])
+{
+    const MS__V at = MS__MIN(MS__MAX(size, MS__SET(1.0f)), MS__SET(ms_sss__index_size(MS_SSS_PYRAMID_SIZES - 1)));
+    int i = *index, first = i, c;
+    if (MS__BITS(valid) &
+        (MS__BITS(MS__LESS(at, MS__SET(ms_sss__index_size(i)))) |
+         MS__BITS(MS__LESS(MS__SET(ms_sss__index_size(i + 1)), at)))) {
+        float lane[MS__N], least, most;
+        MS__STORE(lane, at);
+        MS__F(extremes)(MS__SELECT(valid, at, MS__SET(lane[ms_sss__lowest(MS__BITS(valid))])), &least, &most);
+        i = first = ms_sss__size_index(least);
+        *index = ms_sss__size_index(most);
+    }
+    do {
+        const float low = ms_sss__index_size(i), high = ms_sss__index_size(i + 1);
+        const float *from = s->table[i][level][!both], *to = s->table[i + 1][level][!both];
+        const MS__V t = MS__MUL(MS__SUB(at, MS__SET(low)), MS__SET(1 / (high - low)));
+        const MS__MASK above = MS__LESS(MS__SET(low), at);
+        if (i > first && MS__BITS(above) == MS__BITS(MS__LESS(MS__SET(high), at))) continue; /* no lane between */
+        for (c = 0; c < (both ? 6 : 3); ++c) {
+            const MS__V weight = MS__MADD(t, MS__SET(to[c] - from[c]), MS__SET(from[c]));
+            out[c] = i > first ? MS__SELECT(above, weight, out[c]) : weight;
+        }
+    } while (++i <= *index);
+}
+
+/* light times the mean of (1 + K sin(theta) / 4)^4, from the mean (moment / light) and mean square v of sin(theta),
+   with this bound on rounding. */
+static MS_SSS__INLINE MS__V MS__F(elevate_mean)(const ms_sss__pyramid_params *s, int channel, MS__V light, MS__V moment,
+                                                MS__V v, MS__V rounding)
+{
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), quarter = MS__SET(s->elevation_4[channel]);
+    MS__V m = MS__DIV(moment, MS__SELECT(MS__SAME(light, zero), one, light)), u;
+    m = MS__F(bound)(MS__F(residual)(m, rounding), MS__SET(-1.0f), one);
+    u = MS__MAX(MS__MADD(quarter, m, one), zero);
+    u = MS__MUL(u, u);
+    m = MS__MAX(MS__SUB(v, MS__MADD(rounding, rounding, MS__MUL(m, m))), zero);
+    m = MS__MADD(MS__MUL(m, MS__MUL(quarter, quarter)), MS__SET(6.0f), u);
+    return MS__MUL(light, MS__MIN(MS__MUL(u, m), MS__SET(s->max_factor[channel])));
+}
+
+/* w max(0, 1 + K sin(theta) / 4)^4 */
+static MS_SSS__INLINE MS__V MS__F(elevate_weight)(const ms_sss__pyramid_params *s, int channel, MS__V sine, MS__V w)
+{
+    MS__V u = MS__MAX(MS__MADD(MS__SET(s->elevation_4[channel]), sine, MS__SET(1.0f)), MS__SET(0.0f));
+    u = MS__MUL(u, u);
+    return MS__MUL(w, MS__MUL(u, u));
+}
+
+/* The scale that bounds the mean factor, elevated / n, by `most`. */
+static MS_SSS__INLINE MS__V MS__F(bounded)(MS__V n, MS__V elevated, float most)
+{
+    const MS__V limit = MS__MUL(n, MS__SET(most));
+    return MS__SELECT(MS__LESS(limit, elevated), MS__DIV(limit, MS__MAX(elevated, MS__SET(1e-30f))), MS__SET(1.0f));
+}
+
+/* The surface at the pixels that gather. Lengths are in pixels of the coarser level. */
+typedef struct MS__F(site) {
+    MS__V d, pixels_per_d;
+    MS__V limit, limit2; /* the kernel's radius, its square: pixels deeper by more do not count */
+    MS__V sx, sy;        /* slopes of the tangent plane in depth */
+    MS__V cosine;        /* of the normal to the ray, 0 where there is no tangent plane on this level */
+    MS__V shrink;        /* 1 / the surface's area over that of its picture, at least 1 / 1.5 */
+    MS__V rounding;      /* bound on the distance of planes from their tangent plane by rounding */
+    unsigned valid_bits;
+} MS__F(site);
+
+/* Sums of a gather: weights; light; moments of sin(theta), or with `wide` weights times the factor of elevation. */
+typedef struct MS__F(gathered) {
+    MS__V n, light[3], moment[3], square;
+} MS__F(gathered);
+
+/* The sums of the coarser level, bilinear (9, 3, 3, 1) / 16, of pixels near the tangent plane: fourth powers of
+   nearness (1 - (off / reach radii)^2). */
+static MS_SSS__INLINE void MS__F(gather_sums)(const ms_sss__pyramid_params *s, const int tilted,
+                                              const MS__F(site) * site, const float *coarse,
+                                              const ms_sss__gather_tap *tap, MS__V sum[6])
+{
+    static const float nearness[4] = {0.86602540f, 0.65803701f, 0.65803701f, 0.5f}; /* fourth roots */
+    static const float half_nearness[3] = {0.93060486f, 0.81119480f, 0.70710678f};  /* their square roots */
+    const MS__V zero = MS__SET(0.0f), per_reach = MS__MUL(MS__SET(1 / s->reach), MS__F(inverse)(site->limit));
+    const int cut = tilted || s->reach > 1; /* else pixels beyond the limit are too far from the plane to count */
+    MS__V close[3];
+    int k, c;
+    for (k = 0; k < 3; ++k)
+        close[k] = MS__MUL(tilted ? per_reach : MS__MUL(site->pixels_per_d, per_reach), MS__SET(half_nearness[k]));
+    for (k = 0; k < 4; ++k) {
+        const float *p = coarse + tap[k].at;
+        const MS__V away = MS__SUB(MS__LOAD(p + 3 * s->plane), site->d), depth = MS__MUL(away, site->pixels_per_d);
+        MS__V off = away, t;
+        if (tilted) off = MS__NMADD(MS__SET(tap[k].x), site->sx, MS__NMADD(MS__SET(tap[k].y), site->sy, depth));
+        off = MS__MUL(off, close[(k + 1) / 2]);
+        t = MS__MAX(MS__NMADD(off, off, MS__SET(nearness[k])), zero);
+        t = MS__MUL(t, t);
+        t = MS__MUL(t, t);
+        if (cut) t = MS__SELECT(MS__LESS(MS__ABS(depth), site->limit), t, zero);
+        MS__UNROLL
+        for (c = 0; c < 6; ++c) sum[c] = MS__MADD(t, MS__LOAD(p + (5 + c) * s->plane), sum[c]);
+    }
+}
+
+/* Light of the coarser level by (1 - r^2 / radius^2)^2 (wide: ^3), without slopes: colors are premultiplied by
+   coverage. */
+static MS_SSS__INLINE void MS__F(gather_flat)(const ms_sss__pyramid_params *s, const int wide, const MS__F(site) * site,
+                                              const float *coarse, const ms_sss__gather_tap *tap, MS__F(gathered) * sum)
+{
+    const float square = MS_SSS__GATHER(wide, s->level);
+    const MS__V zero = MS__SET(0.0f), inner = MS__MUL(site->pixels_per_d, MS__SET(s->inner)),
+                most = MS__MUL(site->limit2, MS__SET(1 / square));
+    /* else pixels beyond the limit are too far away to count */
+    const int cut = (MS__BITS(MS__LESS(most, MS__SET(1.0f))) & site->valid_bits) != 0;
+    int k, c;
+    for (k = 0; k < s->core; ++k) {
+        const float *p = coarse + tap[k].at;
+        const MS__V dz = MS__MUL(MS__SUB(MS__LOAD(p + 3 * s->plane), site->d), inner),
+                    t = MS__MAX(MS__NMADD(dz, dz, MS__SET(tap[k].rest)), zero);
+        MS__V w = MS__MUL(t, t);
+        if (wide) w = MS__MUL(w, t);
+        if (cut) w = MS__SELECT(MS__LESS(MS__MUL(dz, dz), most), w, zero);
+        sum->n = MS__MADD(w, MS__LOAD(p + 4 * s->plane), sum->n);
+        MS__UNROLL
+        for (c = 0; c < 3; ++c) sum->light[c] = MS__MADD(w, MS__LOAD(p + c * s->plane), sum->light[c]);
+    }
+}
+
+/* The same by distance on the surface and by the area that each pixel shows. Elevation: wide, of every pixel; else of
+   the mean and mean square of sin(theta). */
+static MS_SSS__INLINE void MS__F(gather_tilted)(const ms_sss__pyramid_params *s, const int wide,
+                                                const MS__F(site) * site, MS__V fall, const float *coarse,
+                                                const ms_sss__gather_tap *tap, int count, MS__F(gathered) * sum)
+{
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f);
+    int k, c;
+    for (k = 0; k < count; ++k) {
+        const float *p = coarse + tap[k].at;
+        const MS__V dz = MS__MUL(MS__SUB(MS__LOAD(p + 3 * s->plane), site->d), site->pixels_per_d), q = MS__MUL(dz, dz),
+                    away = MS__ADD(q, MS__SET(tap[k].square)); /* squared distance */
+        const MS__V off = MS__NMADD(MS__SET(tap[k].x), site->sx, MS__NMADD(MS__SET(tap[k].y), site->sy, dz));
+        const MS__V t = MS__MAX(MS__MADD(away, fall, one), zero);
+        MS__V w = MS__MUL(t, t), sine = off;
+        if (wide) w = MS__MUL(w, t);
+        w = MS__SELECT(MS__LESS(q, site->limit2), MS__MUL(w, MS__LOAD(p + 4 * s->plane)), zero);
+        sum->n = MS__ADD(sum->n, w);
+        if (wide)
+            sine = MS__MUL(MS__MUL(MS__F(residual)(off, site->rounding), site->cosine),
+                           MS__F(inverse_root)(MS__ADD(away, MS__SET(s->blur))));
+        else sum->square = MS__MADD(MS__MUL(w, off), off, sum->square);
+        MS__UNROLL
+        for (c = 0; c < 3; ++c) {
+            const MS__V e = MS__LOAD(p + c * s->plane);
+            if (wide) {
+                const MS__V f = MS__F(elevate_weight)(s, c, sine, w);
+                sum->moment[c] = MS__ADD(sum->moment[c], f);
+                sum->light[c] = MS__MADD(f, e, sum->light[c]);
+            } else {
+                sum->light[c] = MS__MADD(w, e, sum->light[c]);
+                sum->moment[c] = MS__MADD(MS__MUL(w, off), e, sum->moment[c]);
+            }
+        }
+    }
+}
+
+/* Multiplies gathered light by its elevation. */
+static MS_SSS__INLINE void MS__F(elevate_gathered)(const ms_sss__pyramid_params *s, const int wide,
+                                                   const MS__F(site) * site, MS__F(gathered) * sum)
+{
+    const MS__V zero = MS__SET(0.0f), facing = MS__MUL(site->shrink, site->cosine),
+                turn = MS__MUL(facing, MS__SET(s->mean)), rounding = MS__MUL(turn, site->rounding);
+    const MS__V per_n = MS__DIV(MS__SET(1.0f), MS__SELECT(MS__LESS(zero, sum->n), sum->n, MS__SET(1.0f)));
+    const MS__V v = MS__MUL(MS__MUL(sum->square, per_n), MS__MUL(MS__MUL(facing, facing), MS__SET(s->spread)));
+    int c;
+    for (c = 0; c < 3; ++c) {
+        if (wide) /* bounded: constant light is not amplified above 1 / reflectance */
+            sum->light[c] = MS__MUL(sum->light[c], MS__F(bounded)(sum->n, sum->moment[c], s->max_factor[c]));
+        else sum->light[c] = MS__F(elevate_mean)(s, c, sum->light[c], MS__MUL(sum->moment[c], turn), v, rounding);
+    }
+}
+
+/* gather for the even or the odd columns of MS__N pairs with these d and changes of d. result: three sums of light,
+   three of weights. */
+static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, const int wide, const int tilted,
+                                              MS__V d, MS__V dx, MS__V dy, const float *coarse,
+                                              const ms_sss__gather_tap *tap, MS__V rx, MS__V ry, int *index,
+                                              MS__V result[6])
+{
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f);
+    const float cells = (float)(1 << (s->level + 1)); /* pixels of the picture along one of the coarser level */
+    const float square = MS_SSS__GATHER(wide, s->level);
+    const MS__MASK valid = MS__LESS(zero, MS__ABS(d));
+    const MS__V safe = MS__SELECT(valid, d, MS__SET(-1.0f)), radius = MS__F(radius)(s, safe);
+    MS__V size = radius, norm = MS__SET(s->norm), sum[6], weight[3];
+    MS__F(gathered) light;
+    MS__F(site) site;
+    int k, c;
+    site.valid_bits = MS__BITS(valid);
+    for (k = 0; k < 6; ++k) sum[k] = result[k] = zero;
+    if (!site.valid_bits) return;
+    site.d = d;
+    site.pixels_per_d = MS__MUL(MS__F(pixels_per_d)(s, safe, 1), MS__SET(1 / cells));
+    site.limit = MS__MUL(radius, MS__SET(1 / cells));
+    site.limit2 = MS__MUL(site.limit, site.limit);
+    site.sx = site.sy = site.rounding = zero;
+    site.cosine = site.shrink = one;
+    light.n = light.square = zero;
+    for (c = 0; c < 3; ++c) light.light[c] = light.moment[c] = zero;
+    if (tilted) {
+        MS__V area, cap, reach;
+        MS__MASK sound; /* planes so steep that four pixels span a radius in depth have no tangent plane here */
+        int count = 4;
+        site.sx = MS__MUL(MS__MUL(dx, site.pixels_per_d), MS__SET(2.0f));
+        site.sy = MS__MUL(MS__MUL(dy, site.pixels_per_d), MS__SET(2.0f));
+        sound = MS__LESS(MS__MUL(MS__ADD(MS__ABS(site.sx), MS__ABS(site.sy)), MS__SET(0.5f * cells)), radius);
+        area = MS__SELECT(valid, MS__F(area)(site.sx, site.sy, rx, ry), one);
+        cap = MS__MIN(area, MS__SET(1.5f));
+        site.shrink = MS__DIV(one, cap);
+        site.cosine = MS__SELECT(sound, MS__DIV(one, area), zero);
+        site.rounding = MS__SET(s->plane_rounding);
+        if (!s->perspective) site.rounding = MS__MUL(d, site.rounding);
+        size = MS__MUL(radius, site.shrink);
+        norm = MS__MUL(MS__MUL(site.shrink, site.shrink), norm);
+        reach = MS__MUL(MS__MUL(cap, cap), MS__SET(square)); /* tilted surfaces take a wider circle */
+        while (count < s->taps && MS__BITS(MS__LESS(MS__SET(tap[count].square), reach))) ++count;
+        if (s->sums) MS__F(gather_sums)(s, 1, &site, coarse, tap, sum);
+        MS__F(gather_tilted)
+        (s, wide, &site, MS__MUL(MS__MUL(site.shrink, site.shrink), MS__SET(-1 / square)), coarse, tap, count, &light);
+        MS__F(elevate_gathered)(s, wide, &site, &light);
+    } else {
+        if (s->sums) MS__F(gather_sums)(s, 0, &site, coarse, tap, sum);
+        MS__F(gather_flat)(s, wide, &site, coarse, tap, &light);
+    }
+    MS__F(level_weights)(s, s->level + 1, 0, size, valid, index, weight);
+    for (c = 0; c < 3; ++c) {
+        result[c] = MS__SELECT(valid, MS__MADD(MS__MUL(weight[c], norm), light.light[c], sum[c]), zero);
+        result[c + 3] = MS__SELECT(valid, MS__MADD(weight[c], MS__MUL(light.n, norm), sum[c + 3]), zero);
+    }
+}
+
+/* Gathers row y of a level: sums of the next coarser level's light, weighted by distance in space and elevation, plus
+   that level's own sums, bilinear. own: d and its changes; coarse: row y / 2, followed by planes of green, blue, d,
+   coverage, three sums of light, three of weights; first, count: columns / 2; out: three sums of light, three of
+   weights. */
+static MS_SSS__INLINE void MS__F(gather_row)(const ms_sss__pyramid_params *s, const int wide, const int tilted,
+                                             const float *const own[3], const float *coarse, int first, int count,
+                                             int y, float *const out[6])
+{
+    const float cells = (float)(1 << (s->level + 1));
+    const MS__V ry = MS__SET((((float)y + 0.5f) * 0.5f * cells - s->middle[1]) * s->tangent);
+    int i, c, odd, index = 0;
+    for (i = first; i < count; i += MS__N) {
+        MS__V result[2][6];
+        const MS__V d0 = MS__LOAD(own[0] + 2 * i), d1 = MS__LOAD(own[0] + 2 * i + MS__N);
+        MS__V x0 = d0, x1 = d0, y0 = d0, y1 = d0;
+        if (tilted) {
+            x0 = MS__LOAD(own[1] + 2 * i);
+            x1 = MS__LOAD(own[1] + 2 * i + MS__N);
+            y0 = MS__LOAD(own[2] + 2 * i);
+            y1 = MS__LOAD(own[2] + 2 * i + MS__N);
+        }
+        for (odd = 0; odd < 2; ++odd) {
+            const MS__V rx = MS__MADD(
+                MS__LOAD(ms_sss__iota), MS__SET(cells * s->tangent),
+                MS__SET((((float)(2 * i + odd) + 0.5f) * 0.5f * cells - s->middle[0]) * s->tangent));
+            MS__F(gather_side)
+            (s, wide, tilted, odd ? MS__ODD(d0, d1) : MS__EVEN(d0, d1), odd ? MS__ODD(x0, x1) : MS__EVEN(x0, x1),
+             odd ? MS__ODD(y0, y1) : MS__EVEN(y0, y1), coarse + i, s->tap[y & 1][odd], rx, ry, &index, result[odd]);
+        }
+        for (c = 0; c < 6; ++c) {
+            MS__STORE(out[c] + 2 * i, MS__ZIP_LOW(result[0][c], result[1][c]));
+            MS__STORE(out[c] + 2 * i + MS__N, MS__ZIP_HIGH(result[0][c], result[1][c]));
+        }
+    }
+}
+
+static void MS__F(gather)(const ms_sss__pyramid_params *s, const float *const own[3], const float *coarse, int first,
+                          int count, int y, float *const out[6])
+{
+    if (!(s->slope_scale > 0)) MS__F(gather_row)(s, s->wide, 0, own, coarse, first, count, y, out);
+    else if (s->wide) MS__F(gather_row)(s, 1, 1, own, coarse, first, count, y, out);
+    else MS__F(gather_row)(s, 0, 1, own, coarse, first, count, y, out);
+}
+
+/* --- the picture's own level --- */
+
+/* A pixel's neighbors: light and weights by (1, 2, 1) / 4 both ways, of those near its tangent plane, and with slopes
+   elevated as by gather. check: masked pixels are left out by name. */
+static MS_SSS__INLINE void MS__F(gather_neighbors)(const ms_sss__pyramid_params *s, const int tilted, const int check,
+                                                   const float *const row[4], ptrdiff_t stride, int i, MS__V d,
+                                                   MS__V dx, MS__V dy, MS__V coverage, MS__F(gathered) * sum)
+{
+    /* Fourth roots of the weights 1, 2 over 16 are the tops of root - (off root' )^2, which is 0 from 2 pixels on. */
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), quarter = MS__SET(0.25f);
+    const MS__V pixels_per_d = MS__F(pixels_per_d)(s, MS__SELECT(MS__LESS(zero, MS__ABS(d)), d, MS__SET(-1.0f)), 1);
+    const MS__V corner = MS__MUL(pixels_per_d, quarter), edge = MS__MUL(pixels_per_d, MS__SET(0.29730178f));
+    const MS__V cosine = MS__F(inverse)(MS__MAX(coverage, one)),
+                rounding = MS__MUL(s->perspective ? one : d, MS__SET(2 * s->plane_rounding));
+    int j, k, c;
+    sum->n = quarter;
+    MS__UNROLL
+    for (c = 0; c < 3; ++c) {
+        sum->light[c] = MS__MUL(quarter, MS__LOAD(row[c] + i));
+        sum->moment[c] = quarter;
+    }
+    for (j = -1; j < 2; ++j)
+        for (k = -1; k < 2; ++k) {
+            const int diagonal = j && k;
+            const ptrdiff_t at = i + k + j * stride;
+            const MS__V there = MS__LOAD(row[3] + at);
+            MS__V off = MS__SUB(there, d), f, sine = zero;
+            if (!j && !k) continue;
+            if (tilted) off = MS__NMADD(MS__SET((float)k), dx, MS__NMADD(MS__SET((float)j), dy, off));
+            f = MS__MUL(off, diagonal ? corner : edge);
+            f = MS__MAX(MS__NMADD(f, f, diagonal ? quarter : MS__SET(0.35355339f)), zero);
+            f = MS__MUL(f, f);
+            if (check) f = MS__SELECT(MS__LESS(zero, MS__ABS(there)), f, zero);
+            sum->n = MS__ADD(sum->n, f);
+            if (tilted) { /* sin(theta) over the distance of 1 or sqrt(2) pixels */
+                sine = MS__MUL(MS__F(residual)(MS__MUL(off, pixels_per_d), rounding), cosine);
+                sine = MS__F(bound)(MS__MUL(sine, MS__SET(diagonal ? 0.70710678f : 1.0f)), MS__SET(-1.0f), one);
+            }
+            MS__UNROLL
+            for (c = 0; c < 3; ++c) {
+                const MS__V w = tilted ? MS__F(elevate_weight)(s, c, sine, f) : f;
+                if (tilted) sum->moment[c] = MS__ADD(sum->moment[c], w);
+                sum->light[c] = MS__MADD(w, MS__LOAD(row[c] + at), sum->light[c]);
+            }
+        }
+    for (c = 0; c < 3 && tilted; ++c)
+        sum->light[c] = MS__MUL(sum->light[c], MS__F(bounded)(sum->n, sum->moment[c], s->max_factor[c]));
+}
+
+/* Resolves the picture: a pixel's own light, that of its neighbors, and the sums. row: color and d, of rows stride
+   floats apart; slope: coverage, then the changes of d; out: color, and depth (parallel rays: 0) or MASKED_DEPTH. */
+static MS_SSS__INLINE void MS__F(resolve_row)(const ms_sss__pyramid_params *s, const int tilted,
+                                              const float *const row[4], ptrdiff_t stride, const float *const slope[3],
+                                              const float *const sum[6], int first, int count, float *const out[4])
+{
+    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), masked = MS__SET(MS_SSS__MASKED_DEPTH);
+    const int check = !s->perspective || !s->depth_aware || s->step > 0.4f; /* else masked pixels are too deep */
+    int i, c, index = 0;
+    for (i = first; i < count; i += MS__N) {
+        const MS__V d = MS__LOAD(row[3] + i);
+        const MS__MASK valid = MS__LESS(zero, MS__ABS(d));
+        const MS__V safe = MS__SELECT(valid, d, MS__SET(-1.0f)), radius = MS__F(radius)(s, safe);
+        MS__V share[6], size = radius, coverage = one, dx = zero, dy = zero;
+        MS__F(gathered) near_by;
+        MS__STORE(out[3] + i, MS__SELECT(valid, s->perspective ? MS__DIV(MS__SET(-1.0f), safe) : zero, masked));
+        if (!MS__BITS(valid)) continue;
+        if (tilted) {
+            coverage = MS__LOAD(slope[0] + i);
+            dx = MS__LOAD(slope[1] + i);
+            dy = MS__LOAD(slope[2] + i);
+            size = MS__DIV(radius, MS__F(bound)(coverage, one, MS__SET(1.5f)));
+        }
+        MS__F(level_weights)(s, 0, 1, size, valid, &index, share);
+        near_by.n = near_by.light[0] = near_by.light[1] = near_by.light[2] = zero;
+        if (MS__BITS(MS__LESS(zero, MS__MAX(share[3], MS__MAX(share[4], share[5])))) & MS__BITS(valid))
+            MS__F(gather_neighbors)(s, tilted, check, row, stride, i, d, dx, dy, coverage, &near_by);
+        for (c = 0; c < 3; ++c) {
+            const MS__V e = MS__LOAD(row[c] + i);
+            const MS__V own = MS__MADD(share[c], e, MS__MUL(share[c + 3], near_by.light[c]));
+            const MS__V light = MS__ADD(own, MS__LOAD(sum[c] + i)),
+                        all = MS__ADD(MS__MADD(share[c + 3], near_by.n, share[c]), MS__LOAD(sum[c + 3] + i));
+            const MS__MASK sound = MS__LESS(MS__SET(1e-30f), all);
+            MS__STORE(out[c] + i, MS__SELECT(sound, MS__MUL(light, MS__F(inverse)(all)), e));
+        }
+    }
+}
+
+static void MS__F(resolve)(const ms_sss__pyramid_params *s, const float *const row[4], ptrdiff_t stride,
+                           const float *const slope[3], const float *const sum[6], int first, int count,
+                           float *const out[4])
+{
+    if (s->slope_scale > 0) MS__F(resolve_row)(s, 1, row, stride, slope, sum, first, count, out);
+    else MS__F(resolve_row)(s, 0, row, stride, slope, sum, first, count, out);
+}
+
+static const ms_sss__simd MS__F(simd) = {MS__F(unpack),     MS__F(mask_by),     MS__F(load_masked),      MS__F(slopes),
+                                         MS__F(tangents),   MS__F(taps),        MS__F(combine),          MS__F(finish),
+                                         MS__F(depth_to_d), MS__F(slopes_of_d), MS__F(downsample_level), MS__F(gather),
+                                         MS__F(resolve)};
+
+#undef MS_SSS__JOIN_
+#undef MS_SSS__JOIN
+#undef MS__F
+#undef MS__UNROLL
+#undef MS__V
+#undef MS__X
+#undef MS__Z
+#undef MS__MASK
+#undef MS__LOAD
+#undef MS__STORE
+#undef MS__SET
+#undef MS__ADD
+#undef MS__SUB
+#undef MS__MUL
+#undef MS__DIV
+#undef MS__MADD
+#undef MS__NMADD
+#undef MS__MIN
+#undef MS__MAX
+#undef MS__SQRT
+#undef MS__RSQRT
+#undef MS__RCP
+#undef MS__ABS
+#undef MS__LESS
+#undef MS__SAME
+#undef MS__BOTH
+#undef MS__SELECT
+#undef MS__BITS
+#undef MS__ZIP_LOW
+#undef MS__ZIP_HIGH
+#undef MS__EVEN
+#undef MS__ODD
+#undef MS__EVENS
+#undef MS__ODDS
+#undef MS__ORDER
+#undef MS_SSS__LEVEL
+#undef MS__N
+#endif /* MS_SSS__PASS */
+
+#if defined(MS_SSS__BODY) && !defined(MS_SSS__PASS) /* what calls the kernels */
+static const ms_sss__simd *ms_sss__pick(ms_simd cap)
 {
     switch (ms__simd_pick(cap)) {
 #if defined(MS__X64)
-    case MS_SIMD_AVX512: return &ms_sss__kernels_avx512;
-    case MS_SIMD_AVX2: return &ms_sss__kernels_avx2;
+    case MS_SIMD_AVX512: return &ms_sss__simd_avx512;
+    case MS_SIMD_AVX2: return &ms_sss__simd_avx2;
 #endif
 #if defined(MS_SSS__SCALAR) && (defined(MS__X64) || defined(MS__NEON))
-    case MS_SIMD_BASE: return &ms_sss__kernels_base;
+    case MS_SIMD_BASE: return &ms_sss__simd_base;
 #endif
 #if defined(MS_SSS__SCALAR)
-    default: return &ms_sss__kernels_scalar;
+    default: return &ms_sss__simd_scalar;
 #else
-    default: return &ms_sss__kernels_base;
+    default: return &ms_sss__simd_base;
 #endif
     }
 }
 
-/* --- the caller's pixels --- */
+/* ---- filter code ----------------------------------------------------------------------------------------------- */
 
-static float ms_sss__get(const ms_sss_image *image, int c, int x, int y)
-{
-    ptrdiff_t at = y * image->row_stride + x * image->pixel_stride;
-    return image->half ? ms__half_to_float(((const uint16_t *)image->channel[c])[at])
-                       : ((const float *)image->channel[c])[at];
-}
+/* --- views and kernels in them --- */
 
-static void ms_sss__put(const ms_sss_image *image, int c, int x, int y, float value)
+static ms_sss__view ms_sss__make_view(const ms_sss_filter_options *o, int width, int height)
 {
-    ptrdiff_t at = y * image->row_stride + x * image->pixel_stride;
-    if (image->half) ((uint16_t *)image->channel[c])[at] = ms__half_from_float(value);
-    else ((float *)image->channel[c])[at] = value;
-}
-
-/* Sets out[c] to the values of pixels [x, x + count) of row y: in the image if they are contiguous, else copied to
-   buffer[c], with 0 from column width on. */
-static void ms_sss__load(const ms_sss__kernels *simd, const ms_sss_image *image, int channels, int width, int y, int x,
-                         int count, float *const *buffer, const float **out)
-{
-    const ptrdiff_t at = y * image->row_stride + x * image->pixel_stride, step = image->pixel_stride;
-    const ptrdiff_t size = image->half ? (ptrdiff_t)sizeof(uint16_t) : (ptrdiff_t)sizeof(float);
-    const char *const red = (const char *)image->channel[0] + at * size;
-    const int n = width - x < count ? width - x : count;
-    int c, i, done = 0;
-    if (channels == 3 && step == 4 && (const char *)image->channel[1] == (const char *)image->channel[0] + size &&
-        (const char *)image->channel[2] == (const char *)image->channel[1] + size)
-        done = simd->unpack(red, image->half, n, buffer);
-    for (c = 0; c < channels; ++c) {
-        float *to = buffer[c];
-        out[c] = to;
-        if (image->half) {
-            const uint16_t *from = (const uint16_t *)image->channel[c] + at;
-            if (step == 1) simd->widen(from, n, to);
-            else
-                for (i = done; i < n; ++i) to[i] = ms__half_to_float(from[i * step]);
-        } else {
-            const float *from = (const float *)image->channel[c] + at;
-            if (step == 1 && n == count) {
-                out[c] = from;
-                continue;
-            }
-            for (i = done; i < n; ++i) to[i] = from[i * step];
-        }
-        for (i = n; i < count; ++i) to[i] = 0;
+    const double degree = 3.14159265358979323846 / 180;
+    ms_sss__view v;
+    v.width = width;
+    v.height = height;
+    v.perspective = o->fov_degrees > 0;
+    v.mm_per_unit = o->mm_per_unit > 0 ? (double)o->mm_per_unit : 1;
+    v.aspect[0] = v.aspect[1] = 1;
+    if (v.perspective) {
+        v.pixels_per_mm = height / (2 * tan((double)o->fov_degrees * degree / 2) * v.mm_per_unit);
+    } else if (o->ortho_height > 0) {
+        v.pixels_per_mm = height / ((double)o->ortho_height * v.mm_per_unit);
+    } else {
+        v.pixels_per_mm = (double)o->pixels_per_mm[0];
+        if (o->pixels_per_mm[1] > 0) v.aspect[1] = o->pixels_per_mm[1] / o->pixels_per_mm[0];
     }
+    v.middle[0] = 0.5f * (float)width + o->center[0];
+    v.middle[1] = 0.5f * (float)height + o->center[1];
+    return v;
 }
 
-/* Writes values [begin, end) of a row that starts at pixel (x, y), where depth is finite or depth is NULL. */
-static void ms_sss__store_unmasked(const ms_sss__kernels *simd, const ms_sss_image *image, int width, int y, int x,
-                                   int begin, int end, const float *const in[3], const float *depth)
+static int ms_sss__longer_side(const ms_sss__view *v) { return v->width > v->height ? v->width : v->height; }
+
+/* Which of the surface's properties weigh light: none, depth alone, or depth and slopes. */
+static int ms_sss__uses_depth(const ms_sss_filter_options *o, int with_depth)
 {
-    const ptrdiff_t step = image->pixel_stride, at = y * image->row_stride + x * step;
-    const int half = image->half;
-    float *to[3];
-    uint16_t *to_half[3], narrow[3][32];
-    int c, i, j;
-    if (end > width - x) end = width - x;
+    return with_depth && o->depth_mode == MS_SSS_DEPTH_AWARE;
+}
+
+static int ms_sss__uses_slopes(const ms_sss_filter_options *o, int with_depth)
+{
+    return ms_sss__uses_depth(o, with_depth) && o->flat < 1;
+}
+
+/* The scale of depth. Weights reach 0 at a step of `end` mm: 3.0746 sigma; with slopes and no sigma given 1.5 radii,
+   from where on surfaces do not exchange light. */
+static void ms_sss__set_depth(ms_sss__pass *p, const ms_sss__view *v, const ms_sss_kernel *k,
+                              const ms_sss_filter_options *o, int with_depth)
+{
+    const int slopes = ms_sss__uses_slopes(o, with_depth);
+    const double radius = (double)k->radius_mm,
+                 extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : radius,
+                 slope_scale = slopes ? 1 - (double)o->flat : 0,
+                 sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : (0.12 + 0.13 * slope_scale) * extent;
+    double end = MS_SSS__FALLOFF_END * sigma;
+    int c;
+    if (!slopes && radius < end) end = radius;
+    if (slopes && !(o->depth_sigma_mm > 0)) end = (0.37 + 1.13 * slope_scale) * extent;
+    p->average_dz = 1;
+    if (slopes && !(o->depth_sigma_mm > 0)) p->average_dz = (float)(MS_SSS__FALLOFF_END * sigma / end);
+    p->mm_per_depth = (float)end;
+    p->depth_scale = (float)(v->mm_per_unit / end);
+    if (!ms_sss__uses_depth(o, with_depth)) /* depth sets the size alone: its differences become negligible, or 0 */
+        p->depth_scale = v->perspective ? 1e-9f : 0;
+    p->slope_scale = (float)slope_scale;
+    p->edge_dz2 = (float)(radius / end * (radius / end));
+    p->dz_falloff = (float)(slope_scale * end * end);
+    p->rounding = 2.3841858e-7f; /* depths are rounded to 2^-24 when given and when scaled */
+    p->least_sine = -1;
     for (c = 0; c < 3; ++c) {
-        to[c] = half ? NULL : (float *)image->channel[c] + at;
-        to_half[c] = half ? (uint16_t *)image->channel[c] + at : NULL;
-        if (!half && !depth && step == 1 && begin < end) simd->stream(in[c] + begin, end - begin, to[c] + begin);
+        p->elevation_4[c] = k->elevation_axis[c] / 4 * p->slope_scale;
+        p->root_r[c] = k->reflectance[c] > 0 ? sqrtf(k->reflectance[c]) : 0;
+        if (p->elevation_4[c] * p->least_sine < -1) p->least_sine = -1 / p->elevation_4[c];
     }
-    if (!half && !depth && step == 1) return;
-    for (i = begin; i < end; i += 32) {
-        const int last = end - i < 32 ? end : i + 32;
-        for (c = 0; half && c < 3; ++c) simd->narrow(in[c] + i, last - i, narrow[c]);
-        for (j = i; j < last; ++j) {
-            const ptrdiff_t out = j * step;
-            if (depth && !(depth[j] < INFINITY)) continue;
-            for (c = 0; half && c < 3; ++c) to_half[c][out] = narrow[c][j - i];
-            if (half) continue;
-            to[0][out] = in[0][j];
-            to[1][out] = in[1][j];
-            to[2][out] = in[2][j];
+}
+
+/* Everything of a kernel in a view but the taps of its terms. */
+static void ms_sss__set_kernel(ms_sss__pass *p, const ms_sss__view *v, const ms_sss_kernel *k,
+                               const ms_sss_filter_options *o, int with_depth)
+{
+    const double radius = (double)k->radius_mm,
+                 finer = (double)(v->aspect[0] > v->aspect[1] ? v->aspect[0] : v->aspect[1]),
+                 half = 0.5 / (radius * finer), most = ms_sss__longer_side(v) / radius;
+    double pixels_per_mm = v->pixels_per_mm, focal;
+    int c;
+    memset(p, 0, sizeof *p);
+    ms_sss__set_depth(p, v, k, o, with_depth);
+    p->perspective = v->perspective;
+    focal = pixels_per_mm * v->mm_per_unit;
+    p->tangent = v->perspective ? (float)(1 / focal) : 0;
+    for (c = 0; c < 2; ++c) {
+        p->middle[c] = v->middle[c];
+        p->focal[c] = (float)focal * v->aspect[c];
+        if (!v->perspective && p->depth_scale > 0) p->focal[c] /= p->depth_scale;
+    }
+    if (v->perspective) pixels_per_mm *= (double)p->depth_scale;
+    else if (pixels_per_mm > most) pixels_per_mm = most;
+    p->pixels_per_mm = (float)pixels_per_mm;
+    p->pixels_per_mm_most = (float)most;
+    p->pixels_per_mm_half = (float)(half > 1e-30 ? half : 1e-30);
+}
+
+/* The light of a tap falls about as 1 / x^2 with its distance x = mm, so a pixel dz off the tangent plane has the
+   weight 1 / (1 + dz_falloff dz^2) of one on it. The bound keeps products of three finite. */
+static float ms_sss__dz_falloff(const ms_sss__pass *p, float mm)
+{
+    const float most = 1e6f, square = mm * mm;
+    return p->dz_falloff < most * square ? p->dz_falloff / square : p->dz_falloff > 0 ? most : 0;
+}
+
+/* A tap represents more surface where it bends away between the tap before, at inner mm, and this one: 1 + (area_scale
+   times the change of height in mm)^2, which is sec^2 of that angle to second order for both axes. */
+static float ms_sss__pair_area_scale(const ms_sss__pass *p, float mm, float *inner)
+{
+    const float gap = mm - *inner;
+    *inner = mm;
+    return gap > 1e-20f ? p->area_scale / gap : 0;
+}
+
+/* Sums of a term's weights. A sum within rounding of 1 becomes 1 if delta is 0, so that pixels without neighbors keep
+   their bits. */
+static void ms_sss__totals(const ms_sss_kernel *k, int term, float total[3], int mixed[3])
+{
+    int c, i;
+    for (c = 0; c < 3; ++c) {
+        double sum = 0;
+        mixed[c] = 0;
+        for (i = 0; i < k->tap_count; ++i) {
+            sum += (double)k->weight[term][i][c];
+            if (k->weight[term][i][c] < 0) mixed[c] = 1;
+        }
+        total[c] = fabs(sum - 1) < 1e-5 && !ms_sss__differ(k->delta[c], 0) ? 1.0f : (float)sum;
+    }
+}
+
+/* The taps of a term. set_kernel comes before. */
+static void ms_sss__set_term(ms_sss__pass *p, const ms_sss__view *v, const ms_sss_kernel *k, int term)
+{
+    float inner = 0;
+    int i, c;
+    ms_sss__totals(k, term, p->total, p->mixed);
+    p->area_scale = p->mixed[0] || p->mixed[1] || p->mixed[2] ? 0 : sqrtf(0.5f * p->slope_scale);
+    p->pair_count = k->tap_count / 2;
+    p->reach_px[0] = p->reach_px[1] = 0;
+    for (c = 0; c < 3; ++c) {
+        p->center[c] = k->weight[term][0][c];
+        p->scale[c] = k->scale[term][c];
+        p->delta[c] = term + 1 == k->term_count ? k->delta[c] : 0;
+    }
+    for (i = 0; i < p->pair_count; ++i) {
+        const float mm = fabsf(k->offset_mm[2 * i + 1]);
+        ms_sss__pair *pair = &p->pair[i];
+        pair->per_mm = mm > 1e-20f ? 1 / mm : 0;
+        pair->dz_falloff = ms_sss__dz_falloff(p, mm);
+        pair->area_scale = ms_sss__pair_area_scale(p, mm, &inner);
+        for (c = 0; c < 3; ++c) pair->weight[c] = k->weight[term][2 * i + 1][c];
+        for (c = 0; c < 2; ++c) {
+            const float reach = p->pixels_per_mm * (pair->offset[c] = mm * v->aspect[c]);
+            const int pixels = reach < (float)MS_SSS__FAR ? (int)reach + 2 : (int)MS_SSS__FAR;
+            if (pixels > p->reach_px[c]) p->reach_px[c] = pixels;
         }
     }
 }
 
-/* --- the passes --- */
+/* --- a call: pictures, memory, runs over rows --- */
 
-/* NaN differs from everything. == raises no floating-point flag for a quiet NaN. */
-static int ms_sss__differ(float a, float b) { return !(a == b); }
+/* Row buffers of a task. */
+enum {
+    MS_SSS__ROW_LIGHT = 0,    /* three: the caller's pixels or normals */
+    MS_SSS__ROW_MAP = 3,      /* strength or depth of the caller */
+    MS_SSS__ROW_DEPTH = 4,    /* scaled depth */
+    MS_SSS__ROW_SLOPE = 5,    /* two */
+    MS_SSS__ROW_COPY = 7,     /* three: a row that the first pass overwrites */
+    MS_SSS__ROW_TANGENT = 10, /* three: its tangent planes along x */
+    MS_SSS__ROW_OUT = 13,     /* three: a pass's result */
+    MS_SSS__ROWS = 16
+};
+
+/* The unmasked columns of a row. */
+typedef struct ms_sss__row {
+    int first, last;             /* whole blocks; every pixel outside is masked */
+    int valid_first, valid_last; /* a run without masked pixels; up to `padded` if it reaches the width */
+} ms_sss__row;
+
+/* The workspace of a call. Planes have an empty row above and below, and MS_SSS__LEFT floats before each row. */
+typedef struct ms_sss__memory {
+    int block, padded; /* columns; padded: the width in whole blocks */
+    ptrdiff_t stride;  /* floats from a row to the next */
+    float *color[3];   /* light, then the first pass's result */
+    float *depth;      /* scaled depth; NULL: a pyramid, which has d */
+    float *plane[3];   /* tangent planes along y; NULL: no slopes */
+    float *sum[3];     /* sums over terms; NULL: all kernels have one */
+    float *rows;       /* [TASKS][ROWS] row buffers */
+    ms_sss__row *row;  /* [height] */
+} ms_sss__memory;
+
+typedef struct ms_sss__job {
+    /* the call */
+    ms_sss_frame frame; /* strides filled in */
+    ms_sss_filter_options options;
+    const ms_sss__simd *simd;
+    ms_sss__view view;
+    ms_sss__memory memory;
+    int in_place; /* the output is the input */
+    /* the kernel at hand */
+    int profile; /* its number */
+    int term, terms;
+    int identity; /* the kernel is under half a pixel everywhere */
+    ms_sss__weights by;
+    ms_sss__pass pass;
+    /* the run over rows at hand */
+    int begin, end, band; /* rows; rows of a task */
+} ms_sss__job;
+
+static int ms_sss__round_up(int x, int step) { return (x + step - 1) / step * step; }
+
+static int ms_sss__padded(int width) { return ms_sss__round_up(width, width < MS_SSS__BLOCK ? 16 : MS_SSS__BLOCK); }
+
+/* Floats of a row: an odd number of cache lines, so that neighboring rows fall on different cache sets. */
+static ptrdiff_t ms_sss__stride(int width)
+{
+    const int floats = MS_SSS__LEFT + ms_sss__padded(width) + MS_SSS__RIGHT;
+    return floats / 16 % 2 ? floats : floats + 16;
+}
+
+/* Takes a plane of floats; returns its first row's first pixel. */
+static float *ms_sss__take_plane(ms__arena *arena, ptrdiff_t stride, int height)
+{
+    float *p = (float *)ms__take(arena, ms__size_mul((size_t)stride, (size_t)height + 2), sizeof(float));
+    return p ? p + stride + MS_SSS__LEFT : NULL;
+}
+
+/* Takes what a call needs, or counts it. planes: of tangent planes and sums. */
+static void ms_sss__take_memory(ms_sss__memory *m, int width, int height, int with_depth_plane, int with_slopes,
+                                int with_sums, ms__arena *arena)
+{
+    int c;
+    memset(m, 0, sizeof *m);
+    m->padded = ms_sss__padded(width);
+    m->block = m->padded < MS_SSS__BLOCK ? m->padded : MS_SSS__BLOCK;
+    m->stride = ms_sss__stride(width);
+    for (c = 0; c < 3; ++c) {
+        m->color[c] = ms_sss__take_plane(arena, m->stride, height);
+        if (with_slopes) m->plane[c] = ms_sss__take_plane(arena, m->stride, height);
+        if (with_sums) m->sum[c] = ms_sss__take_plane(arena, m->stride, height);
+    }
+    if (with_depth_plane) m->depth = ms_sss__take_plane(arena, m->stride, height);
+    m->rows = (float *)ms__take(arena, (size_t)m->stride * MS_SSS__TASKS * MS_SSS__ROWS, sizeof(float));
+    m->row = (ms_sss__row *)ms__take(arena, (size_t)height, sizeof(ms_sss__row));
+}
+
+static ms__arena ms_sss__place_in(void *workspace)
+{
+    ms__arena arena = {NULL, 0};
+    if (workspace) arena.base = (char *)workspace + (-(uintptr_t)workspace & 63);
+    return arena;
+}
+
+static float *ms_sss__buffer(const ms_sss__job *job, int task, int row)
+{
+    return job->memory.rows + ((ptrdiff_t)task * MS_SSS__ROWS + row) * job->memory.stride + MS_SSS__LEFT;
+}
+
+static void ms_sss__fill(float *row, int begin, int end, float value)
+{
+    int x;
+    for (x = begin; x < end; ++x) row[x] = value;
+}
 
 #if defined(MS__X64)
 typedef struct ms_sss__task {
@@ -1578,7 +2926,6 @@ static void ms_sss__mask_exceptions(void *context, int index)
     const unsigned host = _mm_getcsr();
     _mm_setcsr((host & ~0x3fu) | 0x1f80u);
     task->run(task->context, index);
-    _mm_sfence(); /* streamed stores must be visible before the task counts as done */
     _mm_setcsr(host);
 }
 #endif
@@ -1597,1713 +2944,359 @@ static void ms_sss__run_parallel(const ms_parallel *parallel, int count, void (*
 #endif
 }
 
-/* The unmasked columns of a row. */
-typedef struct ms_sss__row {
-    int first, last;             /* whole blocks; every pixel outside is masked */
-    int valid_first, valid_last; /* a run without masked pixels; extends to job->padded if it reaches the width */
-    int full_strength;           /* no strength of an unmasked pixel is below 1 */
-} ms_sss__row;
-
-typedef struct ms_sss__job {
-    ms_sss_frame frame; /* strides filled in */
-    ms_sss_filter_options options;
-    const ms_sss__kernels *simd;
-    const ms_sss_kernel *kernel; /* of the profile at hand */
-    int profile, kernel_count, term;
-    int block, padded;           /* padded: width in whole blocks */
-    int full_width, full_height; /* of the picture at full resolution, whose pixels are `coarse` times smaller; coarse
-                                    1: this is it */
-    float coarse;
-    int half_depth;                            /* depth was given as binary16 */
-    int begin, end, band;                      /* rows of the current run, rows a task */
-    int fixed, rotated, with_slopes, identity; /* identity: the kernel is under half a pixel */
-    int whole_rows;                            /* load_row clears masked columns of the whole row */
-    ptrdiff_t stride;
-    float depth_scale, gain;
-    int copy_masked; /* masked pixels still have to be copied to the output */
-    int copy_bits;   /* and copied bit for bit */
-    float *middle[3], *source[3], *depth, *sum[3], *rows;
-    float *unmasked; /* a row of depths: 0 in every column, INFINITY beside them */
-    ms_sss__row *row;
-    int writes_output;   /* the second pass writes to the output itself where no pixel is masked */
-    ms_sss__fixed *taps; /* two */
-    ms_sss__pass pass;
-    float direction[64][2];
-    float *planes; /* the first */
-    int plane_count;
-    float nearest, least[MS_SSS__TASKS]; /* the picture's least depth, 0: not known; the least of each task's rows */
-    ms_sss__sweep *sweep;                /* of both passes */
-    ms__arena sweep_arrays;              /* the rest of the workspace, for its arrays */
-} ms_sss__job;
-
-static int ms_sss__round_up(int x, int step) { return (x + step - 1) / step * step; }
-
-static float *ms_sss__buffer(const ms_sss__job *job, int task, int row)
+/* Runs a pass over rows [0, height), cut into bands that depend on the height alone. */
+static void ms_sss__run_rows(ms_sss__job *job, int height, void (*pass)(void *context, int task))
 {
-    return job->rows + ((ptrdiff_t)task * MS_SSS__ROWS + row) * job->stride + MS_SSS__LEFT;
+    const int rows = (height + MS_SSS__TASKS - 1) / MS_SSS__TASKS;
+    job->begin = 0;
+    job->end = height;
+    job->band = rows < 12 ? 12 : rows;
+    ms_sss__run_parallel(&job->options.parallel, (height + job->band - 1) / job->band, pass, job);
 }
 
-/* The albedo's factor before (side 0) or after (side 1) the filter; NULL: 1. */
-static const float *const *ms_sss__albedo(const ms_sss__job *job, int side, int y, int x, int count,
-                                          float *const *buffer, const float **out)
+/* The rows of a task. */
+static int ms_sss__band_begin(const ms_sss__job *job, int task) { return job->begin + task * job->band; }
+
+static int ms_sss__band_end(const ms_sss__job *job, int task)
 {
-    const ms_sss_albedo_mode mode = job->options.albedo_mode;
-    int c, i;
-    if (!job->frame.albedo.channel[0] || mode == (side ? MS_SSS_ALBEDO_PRE : MS_SSS_ALBEDO_POST)) return NULL;
-    ms_sss__load(job->simd, &job->frame.albedo, 3, job->frame.width, y, x, count, buffer, out);
-    if (mode == MS_SSS_ALBEDO_BOTH) {
-        for (c = 0; c < 3; ++c) {
-            for (i = 0; i < count; ++i) buffer[c][i] = sqrtf(out[c][i]);
-            out[c] = buffer[c];
-        }
+    const int end = job->begin + (task + 1) * job->band;
+    return end < job->end ? end : job->end;
+}
+
+/* --- the caller's pixels --- */
+
+static float *ms_sss__pixel(const ms_sss_image *image, int c, int x, int y)
+{
+    return image->channel[c] + y * image->row_stride + x * image->pixel_stride;
+}
+
+/* Sets out[c] to the values of pixels [x, x + count) of row y: in the image if they are contiguous, else copied to
+   buffer[c], with 0 from column `width` on. */
+static void ms_sss__load(const ms_sss__simd *simd, const ms_sss_image *image, int channels, int width, int y, int x,
+                         int count, float *const *buffer, const float **out)
+{
+    const ptrdiff_t step = image->pixel_stride;
+    const int n = width - x < count ? width - x : count;
+    int c, i, done = 0;
+    if (channels == 3 && step == 4 && image->channel[1] == image->channel[0] + 1 &&
+        image->channel[2] == image->channel[0] + 2)
+        done = simd->unpack(ms_sss__pixel(image, 0, x, y), n, buffer);
+    for (c = 0; c < channels; ++c) {
+        const float *from = ms_sss__pixel(image, c, x, y);
+        float *to = buffer[c];
+        out[c] = from;
+        if (step == 1 && n == count) continue;
+        out[c] = to;
+        for (i = done; i < n; ++i) to[i] = from[i * step];
+        for (i = n; i < count; ++i) to[i] = 0;
     }
-    return out;
 }
 
-/* Copies masked pixels of [begin, end) of row y: those with depth INFINITY, or all if depth is NULL. */
+/* Writes the unmasked ones of `count` pixels from (x, y) on. */
+static void ms_sss__store(const ms_sss_image *image, int width, int y, int x, int count, const float *const in[3],
+                          const float *depth)
+{
+    const ptrdiff_t step = image->pixel_stride;
+    float *red = ms_sss__pixel(image, 0, x, y), *green = ms_sss__pixel(image, 1, x, y),
+          *blue = ms_sss__pixel(image, 2, x, y);
+    int i;
+    if (count > width - x) count = width - x;
+    for (i = 0; i < count; ++i, red += step, green += step, blue += step) {
+        if (!(depth[i] < MS_SSS__MASKED_DEPTH)) continue;
+        *red = in[0][i];
+        *green = in[1][i];
+        *blue = in[2][i];
+    }
+}
+
+/* Copies the masked ones of pixels [begin, end) of row y to the output, bit for bit. */
 static void ms_sss__copy_masked(const ms_sss__job *job, int y, int begin, int end, const float *depth)
 {
-    const ms_sss_frame *f = &job->frame;
-    const int half = f->input.half, bits = job->copy_bits && !f->profile;
-    const ptrdiff_t size = half ? (ptrdiff_t)sizeof(uint16_t) : (ptrdiff_t)sizeof(float);
-    const ptrdiff_t from_step = f->input.pixel_stride * size, to_step = f->output.pixel_stride * size;
-    const int runs = bits && !depth && from_step == size && to_step == size;
-    const char *from[3];
-    char *to[3];
+    const ms_sss_image *from = &job->frame.input, *to = &job->frame.output;
     int x, c;
-    if (!job->copy_masked || begin >= end) return;
-    for (c = 0; c < 3; ++c) {
-        from[c] = (const char *)f->input.channel[c] + y * f->input.row_stride * size;
-        to[c] = (char *)f->output.channel[c] + y * f->output.row_stride * size;
-        if (runs) memcpy(to[c] + begin * size, from[c] + begin * size, (size_t)((end - begin) * size));
-    }
-    for (x = begin; x < end && !runs; ++x) {
-        const ptrdiff_t in = x * from_step, out = x * to_step;
-        if (depth && depth[x] < INFINITY) continue;
-        if (bits && !half) {
-            memcpy(to[0] + out, from[0] + in, sizeof(float));
-            memcpy(to[1] + out, from[1] + in, sizeof(float));
-            memcpy(to[2] + out, from[2] + in, sizeof(float));
-            continue;
-        }
-        if (f->profile) { /* copies each pixel once: for its own profile, or for the first if that has no kernel */
-            int profile = f->profile[(size_t)y * (size_t)f->width + (size_t)x];
-            if (profile != job->profile && (profile < job->kernel_count || job->profile > 0)) continue;
-        }
-        for (c = 0; c < 3; ++c) {
-            float value;
-            if (job->copy_bits) {
-                memcpy(to[c] + out, from[c] + in, half ? sizeof(uint16_t) : sizeof(float));
-                continue;
-            }
-            value = ms_sss__get(&f->input, c, x, y);
-            if (ms__finite_f(value)) {
-                if (f->albedo.channel[0]) value *= ms_sss__get(&f->albedo, c, x, y);
-                if (f->specular.channel[0]) value += ms_sss__get(&f->specular, c, x, y);
-            }
-            ms_sss__put(&f->output, c, x, y, value);
-        }
+    for (x = begin; x < end; ++x) {
+        if (depth[x] < MS_SSS__MASKED_DEPTH) continue;
+        for (c = 0; c < 3; ++c) memcpy(ms_sss__pixel(to, c, x, y), ms_sss__pixel(from, c, x, y), sizeof(float));
     }
 }
+
+/* --- rows --- */
 
 static int ms_sss__all_valid(const ms_sss__job *job, int y, int begin, int end)
 {
-    return job->row[y].valid_first <= begin && end <= job->row[y].valid_last;
+    return job->memory.row[y].valid_first <= begin && end <= job->memory.row[y].valid_last;
 }
 
+/* The longest run of unmasked pixels of a row. */
 static void ms_sss__find_valid_run(const ms_sss__job *job, ms_sss__row *row, const float *depth)
 {
     int x, run = row->first;
     row->valid_first = row->valid_last = 0;
     for (x = row->first; x <= row->last; ++x) {
-        if (x < row->last && depth[x] < INFINITY) continue;
+        if (x < row->last && depth[x] < MS_SSS__MASKED_DEPTH) continue;
         if (x - run > row->valid_last - row->valid_first) {
             row->valid_first = run;
             row->valid_last = x;
         }
         run = x + 1;
     }
-    if (row->valid_last == job->frame.width) row->valid_last = job->padded;
+    if (row->valid_last == job->frame.width) row->valid_last = job->memory.padded;
 }
 
-static void ms_sss__copy_masked_row(const ms_sss__job *job, int y, const ms_sss__row *row, const float *depth)
+/* Narrows the blocks [*first, *last) to those of the unmasked columns `span`. */
+static void ms_sss__narrow(const ms_sss__job *job, const int span[2], int *first, int *last)
 {
-    const int width = job->frame.width, first = row->first, last = row->last,
-              solid = row->valid_first < row->valid_last;
-    const int inside = last < width ? last : width;
-    if (job->term > 0) return;
-    ms_sss__copy_masked(job, y, 0, first, NULL);
-    ms_sss__copy_masked(job, y, first, solid ? row->valid_first : inside, depth);
-    if (solid) ms_sss__copy_masked(job, y, row->valid_last, inside, depth);
-    ms_sss__copy_masked(job, y, last, width, NULL);
+    *first = span[0] - span[0] % job->memory.block;
+    *last = ms_sss__round_up(span[1], job->memory.block);
 }
 
-static void ms_sss__fill_row(const ms_sss__job *job, float *row, float value)
-{
-    int x;
-    for (x = -MS_SSS__LEFT; x < job->padded + MS_SSS__RIGHT; ++x) row[x] = value;
-}
-
-/* Loads row y for the first pass: color (times albedo) and depth of the columns from first to last, which it finds.
-   Pixels outside are masked, and color is 0 there as far as taps reach. */
-static void ms_sss__load_row(const ms_sss__job *job, int y, int task, ms_sss__row *row, float *const color[3],
-                             float *depth)
+/* The scaled depth of row y, by profile, strength and depth; span: its unmasked columns. */
+static void ms_sss__load_depth(const ms_sss__job *job, int y, int task, float *depth, int span[2])
 {
     const ms_sss_frame *f = &job->frame;
-    const int width = f->width;
-    float *in_buffer[3], *albedo_buffer[3], *to[3];
-    const float *in[3], *albedo[3], *map, *const *factor, *before = job->unmasked;
-    int c, x, span[2], first = 0, last = job->padded, low, high;
-    int begin = 0, end = width; /* [begin, end): unmasked columns; first, last: the same in whole blocks */
-    for (c = 0; c < 3; ++c) {
-        in_buffer[c] = ms_sss__buffer(job, task, 4 + c);
-        albedo_buffer[c] = ms_sss__buffer(job, task, 7 + c);
-    }
-    memcpy(depth - MS_SSS__LEFT, before - MS_SSS__LEFT, (size_t)MS_SSS__LEFT * sizeof(float));
-    memcpy(depth + job->padded, before + job->padded, (size_t)MS_SSS__RIGHT * sizeof(float));
-    if (job->identity) {
-        for (x = 0; x < job->padded; ++x) depth[x] = INFINITY;
-        last = 0;
-    } else if (f->profile) {
+    const int width = f->width, padded = job->memory.padded;
+    float *buffer = ms_sss__buffer(job, task, MS_SSS__ROW_MAP);
+    const float *map;
+    int x, part[2], first = 0, last = padded;
+    ms_sss__fill(depth, -MS_SSS__LEFT, (int)job->memory.stride - MS_SSS__LEFT, MS_SSS__MASKED_DEPTH);
+    span[0] = 0;
+    span[1] = job->identity ? 0 : width;
+    if (job->identity) return;
+    if (f->profile) {
         const uint8_t *profile = f->profile + (size_t)y * (size_t)width;
-        memcpy(depth, before, (size_t)job->padded * sizeof(float));
         for (x = 0; x < width; ++x)
-            if (profile[x] != job->profile) depth[x] = INFINITY;
-        before = depth;
+            if (profile[x] == job->profile) depth[x] = 0;
+    } else {
+        ms_sss__fill(depth, 0, width, 0);
     }
-    row->full_strength = 1;
-    if (f->strength.channel[0] && last > 0) {
-        ms_sss__load(job->simd, &f->strength, 1, width, y, 0, last, in_buffer, &map);
-        row->full_strength = job->simd->mask_by(map, 0.0f, last, before, depth, span);
-        before = depth;
-        begin = span[0];
-        end = span[1];
-        first = begin - begin % job->block;
-        last = ms_sss__round_up(end, job->block);
+    if (f->strength.channel[0]) {
+        ms_sss__load(job->simd, &f->strength, 1, width, y, 0, padded, &buffer, &map);
+        job->simd->mask_by(map, 0, padded, depth, span);
+        ms_sss__narrow(job, span, &first, &last);
     }
     if (f->depth.channel[0] && first < last) {
-        ms_sss__load(job->simd, &f->depth, 1, width, y, first, last - first, in_buffer, &map);
-        job->simd->mask_by(map, job->depth_scale, last - first, before + first, depth + first, span);
-        before = depth;
-        begin = first + span[0];
-        end = first + span[1];
-        first = begin - begin % job->block;
-        last = ms_sss__round_up(end, job->block);
+        ms_sss__load(job->simd, &f->depth, 1, width, y, first, last - first, &buffer, &map);
+        job->simd->mask_by(map, job->pass.depth_scale, last - first, depth + first, part);
+        span[0] = first + part[0];
+        span[1] = first + part[1];
     }
-    row->first = first;
-    row->last = last;
+}
+
+/* Loads row y: color, and depth where it is unmasked. clear: color is 0 in all other columns; else in those of the
+   row's blocks. Masked pixels are copied to the output. */
+static void ms_sss__load_row(const ms_sss__job *job, int y, int task, int clear, float *const color[3], float *depth)
+{
+    ms_sss__row *row = &job->memory.row[y];
+    const int width = job->frame.width, right = (int)job->memory.stride - MS_SSS__LEFT;
+    float *buffer[3], *to[3];
+    const float *in[3];
+    int c, span[2];
+    ms_sss__load_depth(job, y, task, depth, span);
+    ms_sss__narrow(job, span, &row->first, &row->last);
     row->valid_first = row->valid_last = 0;
-    low = first;
-    high = last;
-    if (job->fixed) {
-        low = first + job->taps[0].lowest;
-        high = last + job->taps[0].highest + 16;
-    }
-    if (job->whole_rows || low < -MS_SSS__LEFT) low = -MS_SSS__LEFT;
-    if (job->whole_rows || high > job->padded + MS_SSS__RIGHT) high = job->padded + MS_SSS__RIGHT;
     for (c = 0; c < 3; ++c) {
-        for (x = low; x < first; ++x) color[c][x] = 0;
-        for (x = last; x < high; ++x) color[c][x] = 0;
-        to[c] = color[c] + first;
+        buffer[c] = ms_sss__buffer(job, task, MS_SSS__ROW_LIGHT + c);
+        to[c] = color[c] + row->first;
+        if (!clear) continue;
+        ms_sss__fill(color[c], -MS_SSS__LEFT, row->first, 0);
+        ms_sss__fill(color[c], row->last, right, 0);
     }
-    if (first < last) {
-        ms_sss__load(job->simd, &f->input, 3, width, y, first, last - first, in_buffer, in);
-        factor = ms_sss__albedo(job, 0, y, first, last - first, albedo_buffer, albedo);
-        if (job->simd->load_masked(in, factor, begin - first, end - first, last - first, before + first, depth + first,
-                                   to)) {
-            row->valid_first = begin;
-            row->valid_last = end < width ? end : job->padded;
+    if (row->first < row->last) {
+        const int first = row->first, count = row->last - row->first;
+        ms_sss__load(job->simd, &job->frame.input, 3, width, y, first, count, buffer, in);
+        if (job->simd->load_masked(in, span[0] - first, span[1] - first, count, depth + first, to)) {
+            row->valid_first = span[0];
+            row->valid_last = span[1] < width ? span[1] : job->memory.padded;
         } else {
             ms_sss__find_valid_run(job, row, depth);
         }
     }
-    ms_sss__copy_masked_row(job, y, row, depth);
+    /* the first kernel copies what it masks: later ones write over what is theirs */
+    if (!job->in_place && job->profile == 0 && job->term == 0 && !ms_sss__all_valid(job, y, 0, width))
+        ms_sss__copy_masked(job, y, 0, width, depth);
 }
 
-/* Composites columns [x, x + count) of row y, of which blur is the filtered light: fades to own (NULL: no fade), takes
-   the larger of it and the transmitted light, multiplies by the albedo, adds the specular light and writes the unmasked
-   pixels. depth NULL: all in the row's longest run are unmasked. */
-static void ms_sss__composite(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3],
-                              const float *const *own, const float *depth)
-{
-    const ms_sss_frame *f = &job->frame;
-    float *albedo_buffer[3], *specular_buffer[3], *strength_buffer[1];
-    const float *albedo[3], *specular[3], *strength = NULL, *const * factor, *result[3];
-    int c, i;
-    int valid_first = job->row[y].valid_first > x ? job->row[y].valid_first - x : 0;
-    int valid_last = job->row[y].valid_last < x + count ? job->row[y].valid_last - x : count;
-    for (c = 0; c < 3; ++c) {
-        result[c] = blur[c];
-        albedo_buffer[c] = ms_sss__buffer(job, task, 9 + c);
-        specular_buffer[c] = ms_sss__buffer(job, task, 13 + c);
-    }
-    if (own && !job->row[y].full_strength) {
-        strength_buffer[0] = ms_sss__buffer(job, task, 12);
-        ms_sss__load(job->simd, &f->strength, 1, f->width, y, x, count, strength_buffer, &strength);
-    }
-    for (c = 0; c < 3 && own; ++c)
-        job->simd->fade(&job->pass, strength, job->gain, depth ? depth : job->unmasked + x, own[c], count, blur[c]);
-    if (f->through.channel[0]) {
-        ms_sss__load(job->simd, &f->through, 3, f->width, y, x, count, specular_buffer, specular);
-        for (c = 0; c < 3; ++c)
-            for (i = 0; i < count; ++i)
-                if (specular[c][i] > blur[c][i]) blur[c][i] = specular[c][i];
-    }
-    factor = ms_sss__albedo(job, 1, y, x, count, albedo_buffer, albedo);
-    for (c = 0; factor && c < 3; ++c)
-        for (i = 0; i < count; ++i) blur[c][i] *= factor[c][i];
-    if (f->specular.channel[0]) {
-        ms_sss__load(job->simd, &f->specular, 3, f->width, y, x, count, specular_buffer, specular);
-        for (c = 0; c < 3; ++c) job->simd->combine(1.0f, blur[c], 1.0f, specular[c], count, blur[c]);
-    }
-    if (valid_first >= valid_last) valid_first = valid_last = count;
-    if (depth) ms_sss__store_unmasked(job->simd, &f->output, f->width, y, x, 0, valid_first, result, depth);
-    ms_sss__store_unmasked(job->simd, &f->output, f->width, y, x, valid_first, valid_last, result, NULL);
-    if (depth) ms_sss__store_unmasked(job->simd, &f->output, f->width, y, x, valid_last, count, result, depth);
-}
-
-/* Adds up the terms and delta E for columns [x, x + count) of row y, of which blur is the term's second pass, and
-   composites after the last term. */
+/* Adds up the terms of columns [x, x + count) of row y, of which blur is the term's second pass; after the last term
+   writes the result. */
 static void ms_sss__add_term(const ms_sss__job *job, int task, int y, int x, int count, float *const blur[3],
                              const float *depth)
 {
     const ms_sss_frame *f = &job->frame;
-    const ms_sss_kernel *k = job->kernel;
-    float *in_buffer[3], *own_buffer[3], *albedo_buffer[3];
-    const float *in[3], *albedo[3], *const *factor;
-    const int last_term = job->term + 1 == k->term_count;
-    int c, i, need_own = job->gain < 1.0f || !job->row[y].full_strength;
-    for (c = 0; c < 3; ++c) {
-        const float scale = k->scale[job->term][c];
-        float *sum = k->term_count > 1 ? job->sum[c] + (ptrdiff_t)y * job->stride + x : blur[c];
-        in_buffer[c] = ms_sss__buffer(job, task, 3 + c);
-        own_buffer[c] = ms_sss__buffer(job, task, 6 + c);
-        albedo_buffer[c] = ms_sss__buffer(job, task, 9 + c);
-        if (job->term > 0) job->simd->combine(scale, blur[c], 1.0f, sum, count, last_term ? blur[c] : sum);
-        else if (!last_term || ms_sss__differ(scale, 1.0f))
-            job->simd->combine(scale, blur[c], 0.0f, blur[c], count, sum);
-        if (ms_sss__differ(k->delta[c], 0.0f) || ms_sss__differ(scale, 1.0f) ||
-            ms_sss__differ(job->pass.total[c], 1.0f))
-            need_own = 1;
-    }
-    if (!last_term) return;
-    if (need_own) {
-        ms_sss__load(job->simd, &f->input, 3, f->width, y, x, count, in_buffer, in);
-        factor = ms_sss__albedo(job, 0, y, x, count, albedo_buffer, albedo);
-        for (c = 0; c < 3; ++c) {
-            if (factor) {
-                for (i = 0; i < count; ++i) own_buffer[c][i] = in[c][i] * factor[c][i];
-                in[c] = own_buffer[c];
-            }
-            if (ms_sss__differ(k->delta[c], 0.0f))
-                job->simd->combine(k->delta[c], in[c], 1.0f, blur[c], count, blur[c]);
-        }
-    }
-    ms_sss__composite(job, task, y, x, count, blur, need_own ? in : NULL, depth);
-}
-
-/* The least depth of row y; MS_SSS__MASKED_DEPTH where there is none. */
-static float ms_sss__least_of_row(const ms_sss__job *job, int task, int y)
-{
-    const int width = job->frame.width;
-    float *buffer = ms_sss__buffer(job, task, 0);
-    const float *depth;
-    ms_sss__load(job->simd, &job->frame.depth, 1, width, y, 0, width, &buffer, &depth);
-    return job->simd->least_depth(depth, width);
-}
-
-static void ms_sss__least_band(void *context, int task)
-{
-    ms_sss__job *job = (ms_sss__job *)context;
-    const int begin = job->begin + task * job->band;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    int y;
-    for (y = begin; y < end; ++y) job->least[task] = fminf(job->least[task], ms_sss__least_of_row(job, task, y));
-}
-
-/* Runs a pass over rows [begin, end), cut into bands that depend on the picture alone. */
-static void ms_sss__run(ms_sss__job *job, int begin, int end, void (*pass)(void *context, int task))
-{
-    const int rows = (end - begin + MS_SSS__TASKS - 1) / MS_SSS__TASKS;
-    if (begin >= end) return;
-    job->begin = begin;
-    job->end = end;
-    job->band = rows < 12 ? 12 : rows;
-    ms_sss__run_parallel(&job->options.parallel, (end - begin + job->band - 1) / job->band, pass, job);
-}
-
-static void ms_sss__find_nearest(ms_sss__job *job)
-{
-    int i;
-    if (job->nearest > 0) return;
-    for (i = 0; i < (int)MS_SSS__TASKS; ++i) job->least[i] = MS_SSS__MASKED_DEPTH;
-    ms_sss__run(job, 0, job->frame.height, ms_sss__least_band);
-    job->nearest = MS_SSS__MASKED_DEPTH;
-    for (i = 0; i < (int)MS_SSS__TASKS; ++i)
-        if (job->least[i] < job->nearest) job->nearest = job->least[i];
-}
-
-/* --- the passes: load, first, second, composite --- */
-
-/* Floats of a row in the ring. Two more cache lines keep neighboring rows off the same cache sets. */
-static ptrdiff_t ms_sss__ring_row(int padded) { return 4 * (ptrdiff_t)padded + 32; }
-
-/* Rows of the ring for rows that no neighboring band needs. */
-static int ms_sss__ring_rows(const ms_sss__sweep *s) { return 2 * s->reach + MS_SSS__STEP; }
-
-/* The slot of row y in a band that begins at `begin`. Rows that the band above needs have slots of their own; those
-   that the band below needs are the last in the ring. */
-static int ms_sss__slot(const ms_sss__sweep *s, int begin, int y)
-{
-    const int low = begin ? begin + 2 * s->reach : 0;
-    return 1 + (y < low ? y : low + (y - low) % ms_sss__ring_rows(s));
-}
-
-static int ms_sss__part_begin(const ms_sss__sweep *s, int part)
-{
-    return (int)((ptrdiff_t)part * s->job->frame.height / s->parts);
-}
-
-/* Claims the part at which a task begins a band: the middle of the longest run of unclaimed parts, to balance the load;
-   -1: none is left. The order of claims changes no result, only where rows are stored. */
-static int ms_sss__begin_band(ms_sss__sweep *s, int task)
-{
-#ifdef MS_SSS__CLAIM
-    (void)task;
-    for (;;) {
-        int i, run = 0, most = 0, part = -1;
-        for (i = 0; i <= s->parts; ++i, ++run) {
-            if (i < s->parts && !MS_SSS__CLAIMED(&s->claimed[i])) continue;
-            if (run > most) {
-                most = run;
-                part = i > run ? i - (run + 1) / 2 : 0;
-            }
-            run = -1;
-        }
-        if (part < 0 || !MS_SSS__CLAIM(&s->claimed[part])) return part;
-    }
-#else
-    return s->claimed[task]++ ? -1 : 2 * task;
-#endif
-}
-
-/* Claims the next part for a band; 0: another band has it. */
-static int ms_sss__extend_band(ms_sss__sweep *s, int part)
-{
-#ifdef MS_SSS__CLAIM
-    return part < s->parts && !MS_SSS__CLAIM(&s->claimed[part]);
-#else
-    return part < s->parts && part % 2;
-#endif
-}
-
-/* Fixed taps along x for columns [begin, end) of a prepared row that have masked or missing taps. */
-static void ms_sss__fixed_x(const ms_sss__job *job, float *const in[4], int begin, int end, float *const out[3])
-{
-    const ms_sss__fixed *f = &job->taps[0];
-    ptrdiff_t at[MS_SSS__FIXED_MAX];
-    const float *from[MS_SSS__FIXED_MAX], *own[3];
-    float *to[3];
-    int tap[MS_SSS__FIXED_MAX], c, j, taps = 0;
-    for (j = 0; j < f->count; ++j) {
-        if (end + f->offset[j] <= 0 || begin + f->offset[j] >= job->frame.width) continue;
-        at[taps] = f->offset[j];
-        from[taps] = in[3] + begin + f->offset[j];
-        tap[taps++] = j;
-    }
-    for (c = 0; c < 3; ++c) {
-        own[c] = in[c] + begin;
-        to[c] = out[c] + begin;
-    }
-    job->simd->convolve_valid(f, own, at, from, tap, taps, end - begin, in[3] + begin, to);
-}
-
-/* The first pass of row y by fixed taps: one convolution where no tap is masked. The ring's rows are planes. */
-static MS_SSS__NOINLINE void ms_sss__fixed_first(const ms_sss__sweep *s, int y, float *const in[4])
-{
-    const ms_sss__job *job = s->job;
-    const ms_sss__fixed *f = &job->taps[0];
-    const int first = job->row[y].first, last = job->row[y].last;
-    float *out[4];
-    int x, c, j, a, b; /* [a, b): all taps are inside and unmasked */
-    for (c = 0; c < 4; ++c) out[c] = s->ring + s->row[y] + c * s->padded;
-    if (!ms_sss__all_valid(job, y, first, last))
-        memcpy(out[3] + first, in[3] + first, (size_t)(last - first) * sizeof(float));
-    a = ms_sss__round_up(job->row[y].valid_first - f->lowest, 16);
-    b = ((job->row[y].valid_last < job->frame.width ? job->row[y].valid_last : job->frame.width) - f->highest) / 16 *
-        16;
-    if (a >= b) a = b = last;
-    for (x = first; x < a; x += 16) ms_sss__fixed_x(job, in, x, x + 16, out);
-    if (a < b) {
-        ptrdiff_t at[MS_SSS__FIXED_MAX];
-        for (j = 0; j < f->count; ++j) at[j] = f->offset[j];
-        for (c = 0; c < 3; ++c) job->simd->convolve(in[c] + a, at, f->weight[c], f->count, b - a, out[c] + a);
-    }
-    for (x = b; x < last; x += 16) ms_sss__fixed_x(job, in, x, x + 16, out);
-}
-
-/* Fixed taps along y for columns [x, x + count) of row y that have masked or missing taps. */
-static void ms_sss__fixed_y(const ms_sss__sweep *s, int y, int x, int count, float *const out[3])
-{
-    const ms_sss__job *job = s->job;
-    const ms_sss__fixed *f = &job->taps[1];
-    const float *own_row = s->ring + s->row[y] + x;
-    ptrdiff_t at[MS_SSS__FIXED_MAX];
-    const float *from[MS_SSS__FIXED_MAX], *own[3], *own_depth = own_row + 3 * s->padded;
-    int tap[MS_SSS__FIXED_MAX], c, j, taps = 0;
-    if (ms_sss__all_valid(job, y, x, x + count)) own_depth = job->unmasked;
-    for (j = 0; j < f->count; ++j) {
-        const int row = y + f->offset[j];
-        if (row < 0 || row >= job->frame.height || x < job->row[row].first || x >= job->row[row].last) continue;
-        at[taps] = s->row[row] - s->row[y];
-        from[taps] = ms_sss__all_valid(job, row, x, x + count) ? job->unmasked
-                                                               : s->ring + s->row[row] + 3 * s->padded + x;
-        tap[taps++] = j;
-    }
-    for (c = 0; c < 3; ++c) own[c] = own_row + c * s->padded;
-    job->simd->convolve_valid(f, own, at, from, tap, taps, count, own_depth, out);
-}
-
-/* The second pass of row y by fixed taps: one convolution where no tap is masked, else by blocks. */
-static MS_SSS__NOINLINE void ms_sss__fixed_second(const ms_sss__sweep *s, int y, float *const out[3])
-{
-    const ms_sss__job *job = s->job;
-    const ms_sss__fixed *f = &job->taps[1];
-    int a = job->row[y].first, b = job->row[y].last, j, c, x; /* [a, b): all taps are inside and unmasked */
-    if (y + f->lowest < 0 || y + f->highest >= job->frame.height) b = a;
-    for (j = 0; j < f->count && a < b; ++j) {
-        const int row = y + f->offset[j];
-        if (job->row[row].valid_first > a) a = job->row[row].valid_first;
-        if (job->row[row].valid_last < b) b = job->row[row].valid_last;
-    }
-    a = ms_sss__round_up(a, 16);
-    b -= b % 16;
-    if (a >= b) a = b = job->row[y].last;
-    for (x = job->row[y].first; x < job->row[y].last;) {
-        float *to[3];
-        int end = (x / job->block + 1) * job->block;
-        if (x == a) {
-            x = b;
-            continue;
-        }
-        if (x < a && end > a) end = a;
-        for (c = 0; c < 3; ++c) to[c] = out[c] + x;
-        ms_sss__fixed_y(s, y, x, end - x, to);
-        x = end;
-    }
-    if (a < b) {
-        ptrdiff_t at[MS_SSS__FIXED_MAX];
-        const float *from = s->ring + s->row[y] + a;
-        for (j = 0; j < f->count; ++j) at[j] = s->row[y + f->offset[j]] - s->row[y];
-        for (c = 0; c < 3; ++c)
-            job->simd->convolve(from + c * s->padded, at, f->weight[c], f->count, b - a, out[c] + a);
-    }
-}
-
-/* Second pass, compositing and output of rows [begin, end), at most STEP. */
-static void ms_sss__second_pass(const ms_sss__sweep *s, int task, int begin, int end)
-{
-    const ms_sss__job *job = s->job;
-    const ms_sss_image *image = &job->frame.output;
-    ms_sss__line line[MS_SSS__STEP];
-    int writes_output[MS_SSS__STEP], y, c, x, i, from = job->padded, to = 0;
-    memset(line, 0, sizeof line);
-    for (y = begin; y < end; ++y) {
-        const int first = job->row[y].first, last = job->row[y].last;
-        ms_sss__line *l = &line[y - begin];
-        if (first == last) continue;
-        l->axis = 1;
-        l->at = y;
-        l->count = job->frame.height;
-        l->first = first;
-        l->last = last;
-        l->from = s->ring;
-        l->step = s->row + y;
-        l->group = 4 * s->lanes;
-        l->plane = l->to_group = s->lanes;
-        l->plan = s->plan + s->slot[y] * s->plan_row;
-        writes_output[y - begin] = job->writes_output && job->row[y].full_strength && last <= job->frame.width &&
-            ms_sss__all_valid(job, y, first, last);
-        for (c = 0; c < 3; ++c) {
-            l->own[c] = s->own + ((ptrdiff_t)s->slot[y] * 3 + c) * s->padded;
-            l->to[c] = ms_sss__buffer(job, task, 17 + 3 * (y - begin) + c);
-        }
-        from = first < from ? first : from;
-        to = last > to ? last : to;
-        if (job->fixed) ms_sss__fixed_second(s, y, l->to);
-    }
-    if (!job->fixed) job->simd->sweep[s->with_slopes](s, &job->pass, line, end - begin, from, to);
-    for (y = begin; y < end; ++y) {
-        const int first = job->row[y].first, last = job->row[y].last;
-        const float *own = s->ring + s->row[y];
-        float *blur[3], *depth = ms_sss__buffer(job, task, 41);
-        const ms_sss__line *l = &line[y - begin];
-        if (first < last && !writes_output[y - begin]) {
-            for (x = first; x < last && !job->fixed; x += s->lanes)
-                for (i = 0; i < s->lanes; ++i) {
-                    const float z = own[4 * x + 3 * s->lanes + i];
-                    depth[x + i] = z < MS_SSS__MASKED_DEPTH / 2 ? z : INFINITY;
-                }
-            if (job->fixed) memcpy(depth + first, own + 3 * s->padded + first, (size_t)(last - first) * sizeof(float));
-            for (c = 0; c < 3; ++c) blur[c] = l->to[c] + first;
-            ms_sss__add_term(job, task, y, first, last - first, blur, depth + first);
-        }
-        if (first < last && writes_output[y - begin])
-            for (c = 0; c < 3; ++c)
-                job->simd->stream(l->to[c] + first, last - first,
-                                  (float *)image->channel[c] + y * image->row_stride + first);
-        ms_sss__copy_masked_row(job, y, &job->row[y], depth);
-    }
-}
-
-/* Loads row y into the window. Rows of other bands are read for their depths only. */
-static void ms_sss__window_row(const ms_sss__sweep *s, int task, int y, int foreign, float *const plane[4])
-{
-    ms_sss__job other = *s->job;
-    ms_sss__row elsewhere, *row;
-    int x;
-    if (y < 0 || y >= other.frame.height) {
-        for (x = 0; x < s->padded; ++x) plane[3][x] = MS_SSS__MASKED_DEPTH;
-        return;
-    }
-    other.copy_masked = 0;
-    row = foreign ? &elsewhere : &other.row[y];
-    ms_sss__load_row(&other, y, task, row, plane, plane[3]);
-    if (other.fixed) return;
-    x = row->valid_first <= 0 && s->padded <= row->valid_last ? other.frame.width / 16 * 16
-                                                              : 0; /* the columns before have finite depths */
-    other.simd->limit_depth(plane[3] - MS_SSS__LEFT, MS_SSS__LEFT);
-    other.simd->limit_depth(plane[3] + x, s->padded - x + MS_SSS__RIGHT);
-}
-
-static void ms_sss__slopes(const ms_sss__job *job, int task, int y, const float *const depth[5], float *const slope[2])
-{
-    const int first = job->row[y].first, last = job->row[y].last;
-    const float *normal[3];
-    float *buffer[3];
+    const float *light[3], *sum[3], *result[3], *strength = NULL;
+    float *buffer[3], *map = ms_sss__buffer(job, task, MS_SSS__ROW_MAP);
     int c;
-    if (job->frame.normal.channel[0]) {
-        for (c = 0; c < 3; ++c) buffer[c] = ms_sss__buffer(job, task, c);
-        ms_sss__load(job->simd, &job->frame.normal, 3, job->frame.width, y, first, last - first, buffer, normal);
+    for (c = 0; c < 3; ++c) {
+        result[c] = blur[c];
+        buffer[c] = ms_sss__buffer(job, task, MS_SSS__ROW_LIGHT + c);
+        if (job->terms == 1) continue;
+        {
+            float *to = job->memory.sum[c] + y * job->memory.stride + x;
+            sum[c] = to;
+            if (job->term + 1 < job->terms)
+                job->simd->combine(job->pass.scale[c], blur[c], job->term ? 1.0f : 0.0f, job->term ? to : blur[c],
+                                   count, to);
+        }
+    }
+    if (job->term + 1 < job->terms) return;
+    ms_sss__load(job->simd, &f->input, 3, f->width, y, x, count, buffer, light);
+    if (f->strength.channel[0]) ms_sss__load(job->simd, &f->strength, 1, f->width, y, x, count, &map, &strength);
+    job->simd->finish(&job->pass, strength, depth, light, job->terms > 1 ? sum : NULL, count, blur);
+    ms_sss__store(&f->output, f->width, y, x, count, result, depth);
+}
+
+/* --- taps: two passes over the rows --- */
+
+/* Slopes and tangent planes of row y: along x to `along`, along y to the planes of the second pass. */
+static void ms_sss__tangent_row(const ms_sss__job *job, int task, int y, float *const along[3])
+{
+    const ms_sss__memory *m = &job->memory;
+    const ms_sss_image *normals = &job->frame.normal;
+    const int first = m->row[y].first, last = m->row[y].last;
+    const float *depth[5], *normal[3];
+    float *buffer[3], *slope[2], *out[6];
+    int c;
+    for (c = 0; c < 5; ++c) depth[c] = m->depth + ms_sss__clamp(y + c - 2, -1, job->frame.height) * m->stride;
+    for (c = 0; c < 3; ++c) {
+        buffer[c] = ms_sss__buffer(job, task, MS_SSS__ROW_LIGHT + c);
+        out[c] = along[c];
+        out[3 + c] = m->plane[c] + y * m->stride;
+    }
+    for (c = 0; c < 2; ++c) slope[c] = ms_sss__buffer(job, task, MS_SSS__ROW_SLOPE + c);
+    if (normals->channel[0]) {
+        ms_sss__load(job->simd, normals, 3, job->frame.width, y, first, last - first, buffer, normal);
         for (c = 0; c < 3; ++c) normal[c] -= first;
     }
-    job->simd->slopes(&job->pass, depth, job->frame.normal.channel[0] ? normal : NULL, y, first, last, slope);
+    job->simd->slopes(&job->pass, depth, normals->channel[0] ? normal : NULL, y, first, last, slope);
+    job->simd->tangents(&job->pass, depth[2], (const float *const *)slope, y, first, last, out);
 }
 
-static void ms_sss__first_pass(const ms_sss__sweep *s, int task, int y, float *const plane[5][4], float *const temp[5])
-{
-    const ms_sss__job *job = s->job;
-    const ms_sss__pass *p = &job->pass;
-    const int first = job->row[y].first, last = job->row[y].last, slot = s->slot[y];
-    float *const *mine = plane[y % s->rows], *row = s->ring + s->row[y], *own[3];
-    int *filled = s->filled + 2 * slot, c, x;
-    unsigned char *plan = s->plan + slot * s->plan_row;
-    ms_sss__line l;
-    if (job->fixed) {
-        ms_sss__fixed_first(s, y, mine);
-        return;
-    }
-    memset(&l, 0, sizeof l);
-    for (x = filled[0]; x < filled[1]; x += s->lanes) /* clears the columns of the slot's former row */
-        if (x < first || x >= last)
-            for (c = 0; c < 4 * s->lanes; ++c) row[4 * x + c] = c < 3 * s->lanes ? 0.0f : MS_SSS__MASKED_DEPTH;
-    filled[0] = first;
-    filled[1] = last;
-    if (s->with_slopes) {
-        const float *depth[5];
-        float *tangent[6];
-        for (c = 0; c < 5; ++c) depth[c] = plane[(y + 3 + c) % 5][3];
-        for (c = 0; c < 3; ++c) own[c] = s->own + ((ptrdiff_t)slot * 3 + c) * s->padded;
-        ms_sss__slopes(job, task, y, depth, temp);
-        for (c = 0; c < 3; ++c) {
-            tangent[c] = temp[2 + c];
-            tangent[3 + c] = own[c];
-        }
-        job->simd->tangents(p, mine[3], (const float *const *)temp, y, first, last, tangent);
-    }
-    job->simd->plan(s, p, 1, mine[3], s->with_slopes ? own[0] : NULL, first, last, plan);
-    if (s->with_slopes || ms_sss__differ(p->aspect[0], p->aspect[1])) {
-        plan = s->plan + (job->frame.height + 1 + task) * s->plan_row;
-        job->simd->plan(s, p, 0, mine[3], s->with_slopes ? temp[2] : NULL, first, last, plan);
-    }
-    l.count = s->padded;
-    l.first = first;
-    l.last = last;
-    l.from = mine[0];
-    l.step = s->column;
-    l.group = s->lanes;
-    l.plane = mine[1] - mine[0];
-    l.to_group = 4 * s->lanes;
-    l.plan = plan;
-    for (c = 0; c < 3; ++c) {
-        l.own[c] = temp[2 + c];
-        l.to[c] = row + c * s->lanes;
-    }
-    job->simd->sweep[s->with_slopes](s, p, &l, 1, first, last);
-}
-
-/* Both passes of the bands that this task claims. The second pass skips rows that need another band's rows. */
-static void ms_sss__sweep_band(void *context, int task)
-{
-    ms_sss__sweep *s = (ms_sss__sweep *)context;
-    const ms_sss__job *job = s->job;
-    const int height = job->frame.height, ahead = s->rows / 2;
-    float *plane[5][4], *temp[5];
-    int y, r, c, x, part;
-    while ((part = ms_sss__begin_band(s, task)) >= 0) {
-        const int begin = ms_sss__part_begin(s, part);
-        int end = ms_sss__part_begin(s, part + 1), done = part ? begin + s->reach : 0, loaded = begin - ahead;
-        float *at = s->window + task * s->window_size;
-        for (r = 0; r < s->rows; ++r)
-            for (c = 0; c < 4; ++c, at += s->window_row) {
-                for (x = 0; x < s->window_row; ++x) at[x] = c < 3 ? 0.0f : job->fixed ? INFINITY : MS_SSS__MASKED_DEPTH;
-                plane[r][c] = at + MS_SSS__MARGIN;
-            }
-        for (r = 0; r < 5; ++r, at += s->padded) temp[r] = at;
-        for (y = begin; y < end; ++y) {
-            int last;
-            if (y + 1 + ahead == end && ms_sss__extend_band(s, part + 1)) end = ms_sss__part_begin(s, ++part + 1);
-            for (; loaded <= y + ahead; ++loaded)
-                ms_sss__window_row(s, task, loaded, loaded < begin || loaded >= end,
-                                   plane[(loaded + s->rows) % s->rows]);
-            s->slot[y] = job->row[y].first < job->row[y].last ? ms_sss__slot(s, begin, y) : 0;
-            s->row[y] = (ptrdiff_t)s->slot[y] * ms_sss__ring_row(s->padded);
-            if (s->slot[y]) ms_sss__first_pass(s, task, y, (float *const(*)[4])plane, temp);
-            last = end < height ? end - s->reach : height;
-            while (done < last && (y + 1 == end || y + 1 >= done + MS_SSS__STEP + s->reach)) {
-                const int stop = done + MS_SSS__STEP < last ? done + MS_SSS__STEP : last;
-                ms_sss__second_pass(s, task, done, stop);
-                while (done < stop) s->done[done++] = 1;
-            }
-        }
-    }
-}
-
-/* The second pass of the rows next to other bands, STEP at a time; tasks take turns. */
-static void ms_sss__sweep_borders(void *context, int task)
-{
-    const ms_sss__sweep *s = (const ms_sss__sweep *)context;
-    int y, stop, turn = 0;
-    for (y = 0; y < s->job->frame.height; y = stop) {
-        for (stop = y; stop < s->job->frame.height && stop < y + MS_SSS__STEP && !s->done[stop]; ++stop) {}
-        if (stop == y) ++stop;
-        else if (turn++ % s->tasks == task) ms_sss__second_pass(s, task, y, stop);
-    }
-}
-
-static void ms_sss__broadcast(float to[16], double value)
+/* Whether taps of columns [first, last) of row y, `reach` rows up and down, need no weights but their own: parallel
+   rays, depth does not count, nothing is masked or outside. */
+static int ms_sss__plain(const ms_sss__job *job, int y, int reach, int first, int last)
 {
     int i;
-    for (i = 0; i < 16; ++i) to[i] = (float)value;
-}
-
-/* The number of pairs, if all taps are pairs of equal weights; else 0. */
-static int ms_sss__set_pairs(ms_sss__sweep *s, const ms_sss__job *job)
-{
-    const ms_sss_kernel *k = job->kernel;
-    const ms_sss__pass *p = &job->pass;
-    const int pairs = k->tap_count / 2;
-    float inner = 0;
-    int i, c;
-    if (pairs > (s->with_slopes ? MS_SSS__TILTED_PAIRS : MS_SSS__PAIRS)) return 0;
-    s->nonnegative = !(p->mixed[0] || p->mixed[1] || p->mixed[2]);
-    /* dz / (1 + dz_falloff dz^2) is at most 1 / (2 sqrt(dz_falloff)), half of the offset over sqrt(slope_scale). The
-       rays add a factor of at most 1 + the square of their largest tangent. */
-    s->may_clamp = !(0.25 * p->steepest < 0.999 * (double)p->slope_scale * (double)(p->least * p->least));
-    for (c = 0; c < 3; ++c) ms_sss__broadcast(s->weight[0][c], (double)p->weight[0][c]);
-    for (i = 0; i < pairs; ++i) {
-        const double x = (double)k->offset_mm[2 * i + 2];
-        if (!(fabs(x) > 1e-20) || ms_sss__differ(k->offset_mm[2 * i + 1], -k->offset_mm[2 * i + 2])) return 0;
-        for (c = 0; c < 3; ++c) {
-            if (ms_sss__differ(p->weight[2 * i + 1][c], p->weight[2 * i + 2][c])) return 0;
-            ms_sss__broadcast(s->weight[i + 1][c], (double)p->weight[2 * i + 1][c]);
-        }
-        for (c = 0; c < 2; ++c) ms_sss__broadcast(s->offset[c][i], fabs(x) * (double)p->aspect[c]);
-        ms_sss__broadcast(s->span[i], fabs(x));
-        ms_sss__broadcast(s->dz_falloff[i], (double)ms_sss__dz_falloff(p, (float)x));
-        if (s->dz_falloff[i][0] * (float)(x * x) < 0.999f * p->dz_falloff) s->may_clamp = 1;
-        ms_sss__broadcast(s->area_scale[i], (double)ms_sss__area_scale(p, (float)x, &inner));
-        for (c = 0; c < 3 && s->with_slopes; ++c) {
-            const double w = (double)s->weight[i + 1][c][0], root = sqrt(sqrt(fabs(w)));
-            if (!(w >= 0)) s->nonnegative = 0;
-            ms_sss__broadcast(s->elevation[i][c][0], root * (double)p->elevation_4[c] / fabs(x));
-            ms_sss__broadcast(s->elevation[i][c][1], root);
-        }
-    }
-    return pairs;
-}
-
-/* Rows that the second pass reads on each side, at most the height. */
-static int ms_sss__rows_reached(ms_sss__job *job)
-{
-    const ms_sss__pass *p = &job->pass;
-    double size = (double)p->size, farthest = 0, reach;
-    int i;
-    if (job->fixed) {
-        reach = -job->taps[1].lowest > job->taps[1].highest ? -job->taps[1].lowest : job->taps[1].highest;
-    } else {
-        for (i = 0; i < p->tap_count; ++i)
-            farthest = fabs((double)p->offset_mm[i]) > farthest ? fabs((double)p->offset_mm[i]) : farthest;
-        if (p->perspective) {
-            ms_sss__find_nearest(job);
-            size /= (double)(job->nearest * job->depth_scale);
-            if (size > (double)p->size_max) size = (double)p->size_max;
-        }
-        if (job->with_slopes) /* a plane tilted towards the ray is seen enlarged */
-            size *= sqrt(p->steepest);
-        reach = size * farthest * (double)p->aspect[1] + 3;
-    }
-    return reach < job->frame.height ? (int)reach : job->frame.height;
-}
-
-/* The arrays of a sweep of a job, behind it: for as many pairs and slopes as it has, or more. */
-static void ms_sss__sweep_layout(ms_sss__sweep *s, const ms_sss__job *job, int height, ms__arena *arena)
-{
-    const size_t rows = (size_t)height;
-    s->lanes = job->simd->lanes;
-    s->padded = job->padded;
-    s->plan_size = (2 * s->pairs + 4) / 4 * 4;
-    s->plan_row = (ptrdiff_t)(s->padded / s->lanes) * s->plan_size;
-    s->window_row = s->padded + 2 * MS_SSS__MARGIN;
-    s->window_size = 20 * s->window_row + 5 * s->padded;
-    s->ring = (float *)ms__take(arena, ms__size_mul(rows + 1, (size_t)ms_sss__ring_row(s->padded)), sizeof(float));
-    s->own = (float *)ms__take(arena, ms__size_mul(rows + 1, s->with_slopes ? 3 * (size_t)s->padded : 0),
-                               sizeof(float));
-    s->window = (float *)ms__take(arena, MS_SSS__TASKS * (size_t)s->window_size, sizeof(float));
-    s->row = (ptrdiff_t *)ms__take(arena, rows + 2 * MS_SSS__MARGIN, sizeof(ptrdiff_t));
-    s->column = (ptrdiff_t *)ms__take(arena, 2 * MS_SSS__MARGIN, sizeof(ptrdiff_t));
-    s->slot = (int *)ms__take(arena, rows, sizeof(int));
-    s->done = (int *)ms__take(arena, rows, sizeof(int));
-    s->filled = (int *)ms__take(arena, 2 * (rows + 1), sizeof(int));
-    s->plan = (unsigned char *)ms__take(arena, rows + 1 + MS_SSS__TASKS, (size_t)s->plan_row);
-    if (!arena->base) return;
-    s->row += MS_SSS__MARGIN;
-    s->column += MS_SSS__MARGIN;
-}
-
-static void ms_sss__both_passes(ms_sss__job *job)
-{
-    const int height = job->frame.height;
-    ms_sss__sweep *s = job->sweep;
-    ms__arena arena = job->sweep_arrays;
-    int i, c;
-    memset(s, 0, sizeof *s);
-    s->job = job;
-    s->normalized = 1;
-    for (c = 0; c < 3; ++c)
-        if (job->pass.mixed[c] || ms_sss__differ(job->pass.total[c], 1) || !(job->pass.weight[0][c] > 1e-20f))
-            s->normalized = 0;
-    s->with_slopes = job->with_slopes && !job->fixed;
-    s->rows = s->with_slopes ? 5 : 1;
-    if (!job->fixed) s->pairs = ms_sss__set_pairs(s, job);
-    s->reach = job->identity ? 0 : ms_sss__rows_reached(job);
-    s->parts = job->options.parallel.run ? ms_sss__clamp(height / 16, 1, MS_SSS__PARTS) : 1;
-    s->tasks = (s->parts + 1) / 2;
-    ms_sss__sweep_layout(s, job, height, &arena);
-
-    for (i = 0; i < s->padded; i += s->lanes) /* slot 0: rows outside of the picture */
-        for (c = 0; c < 4 * s->lanes; ++c) s->ring[4 * i + c] = c >= 3 * s->lanes ? MS_SSS__MASKED_DEPTH : 0.0f;
-    for (i = -MS_SSS__MARGIN; i < height + MS_SSS__MARGIN; ++i) s->row[i] = 0;
-    for (i = -MS_SSS__MARGIN; i < MS_SSS__MARGIN; ++i) s->column[i] = i;
-    memset(s->done, 0, (size_t)height * sizeof(int));
-    for (i = 0; i <= height; ++i) {
-        s->filled[2 * i] = 0;
-        s->filled[2 * i + 1] = s->padded;
-    }
-    ms_sss__run_parallel(&job->options.parallel, s->tasks, ms_sss__sweep_band, s);
-    if (s->tasks > 1) ms_sss__run_parallel(&job->options.parallel, s->tasks, ms_sss__sweep_borders, s);
-}
-
-/* --- rotated axes --- */
-
-/* Rotated passes read rows above and below, so all rows are prepared first and each pass runs over the picture. */
-static void ms_sss__rotated_rows(void *context, int task)
-{
-    const ms_sss__job *job = (const ms_sss__job *)context;
-    const int begin = job->begin + task * job->band;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    int y, c;
-    for (y = begin; y < end; ++y) {
-        float *color[3];
-        for (c = 0; c < 3; ++c) {
-            color[c] = job->source[c] + y * job->stride;
-            ms_sss__fill_row(job, job->middle[c] + y * job->stride, 0.0f);
-        }
-        ms_sss__load_row(job, y, task, &job->row[y], color, job->depth + y * job->stride);
-    }
-}
-
-/* One pass of a band of rows along each pixel's own axis. */
-static void ms_sss__rotated_pass(const ms_sss__job *job, int task, int second)
-{
-    const int begin = job->begin + task * job->band;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    const unsigned char plan = MS_SSS__PLAN_BY_LANE;
-    const ptrdiff_t still = 0;
-    ms_sss__rotation rotation;
-    ms_sss__sweep s;
-    ms_sss__line l;
-    int y, c;
-    memset(&s, 0, sizeof s);
-    s.with_slopes = job->with_slopes;
-    rotation.direction = job->direction;
-    rotation.second = second;
-    rotation.height = job->frame.height;
-    rotation.stride = job->stride;
-    memset(&l, 0, sizeof l);
-    l.rotation = &rotation;
-    l.plan = &plan;
-    l.step = &still;
-    l.axis = 2;
-    l.count = job->frame.width;
-    l.group = l.to_group = job->simd->lanes;
-    l.plane = second ? job->middle[1] - job->middle[0] : job->source[1] - job->source[0];
-    for (y = begin; y < end; ++y) {
-        const int first = job->row[y].first, last = job->row[y].last;
-        const float *depth[5];
-        float *slope[2];
-        if (first == last) continue;
-        l.at = y;
-        l.first = first;
-        l.last = last;
-        l.from = (second ? job->middle[0] : job->source[0]) + y * job->stride;
-        for (c = 0; c < 5; ++c) depth[c] = job->depth + ms_sss__clamp(y + c - 2, -1, job->frame.height) * job->stride;
-        for (c = 0; c < 2; ++c) l.own[c] = slope[c] = ms_sss__buffer(job, task, 18 + c);
-        for (c = 0; c < 3; ++c) l.to[c] = second ? ms_sss__buffer(job, task, 21 + c) : job->middle[c] + y * job->stride;
-        if (job->with_slopes) ms_sss__slopes(job, task, y, depth, slope);
-        job->simd->sweep[0](&s, &job->pass, &l, 1, first, last);
-        for (c = 0; c < 3; ++c) l.to[c] += first;
-        if (second) ms_sss__add_term(job, task, y, first, last - first, l.to, job->depth + y * job->stride + first);
-    }
-}
-
-static void ms_sss__rotated_first(void *context, int task)
-{
-    ms_sss__rotated_pass((const ms_sss__job *)context, task, 0);
-}
-static void ms_sss__rotated_second(void *context, int task)
-{
-    ms_sss__rotated_pass((const ms_sss__job *)context, task, 1);
-}
-
-/* --- one call --- */
-
-/* Kinds of workspace: planes and rows (pyramid), rows, or the buffers of a kernel's passes. */
-enum { MS_SSS__PLANES, MS_SSS__ROW_BUFFERS, MS_SSS__PASSES };
-
-static int ms_sss__uses_slopes(const ms_sss_filter_options *o)
-{
-    return o->flat < 1 && o->depth_mode == MS_SSS_DEPTH_AWARE;
-}
-
-static int ms_sss__rotates(const ms_sss_filter_options *o) { return ms_sss__differ(o->rotation, 0) || o->jitter > 0; }
-
-/* Places what a job needs of a workspace, or counts it. */
-static MS_SSS__COLD void ms_sss__layout(ms_sss__job *job, int width, int height, const ms_sss_kernel *kernels,
-                                        int kernel_count, const ms_sss_filter_options *options, int kind,
-                                        ms__arena *arena)
-{
-    const int rotated = ms_sss__rotates(options);
-    size_t stride, plane;
-    float *at;
-    int i, terms = 1, pairs = 0, planes;
-    for (i = 0; i < kernel_count; ++i) {
-        if (kernels[i].term_count > terms) terms = kernels[i].term_count;
-        if (kernels[i].tap_count / 2 > pairs && kernels[i].tap_count / 2 <= MS_SSS__PAIRS)
-            pairs = kernels[i].tap_count / 2;
-    }
-    job->simd = ms_sss__pick(options->simd);
-    job->block = width < MS_SSS__BLOCK ? ms_sss__round_up(width, 16) : MS_SSS__BLOCK;
-    job->padded = ms_sss__round_up(width, job->block);
-    job->stride = MS_SSS__LEFT + job->padded + MS_SSS__RIGHT;
-    stride = (size_t)job->stride;
-    plane = ms__size_mul(stride, (size_t)height + 2); /* an empty row above and below */
-    job->plane_count = kind == MS_SSS__PLANES ? 3 : kind == MS_SSS__PASSES && rotated ? 7 : 0;
-    planes = job->plane_count + (kind == MS_SSS__PASSES && terms > 1 ? 3 : 0);
-    if (rotated) job->plane_count = planes;
-    job->planes = at = (float *)ms__take(arena, ms__size_mul(plane, (size_t)planes), sizeof(float));
-    job->unmasked = (float *)ms__take(arena, stride, sizeof(float));
-    job->rows = (float *)ms__take(arena, stride * MS_SSS__TASKS * MS_SSS__ROWS, sizeof(float));
-    job->row = (ms_sss__row *)ms__take(arena, (size_t)height, sizeof(ms_sss__row));
-    if (kind == MS_SSS__PASSES && !rotated) {
-        ms_sss__sweep sweep;
-        job->taps = (ms_sss__fixed *)ms__take(arena, 2, sizeof(ms_sss__fixed));
-        job->sweep = (ms_sss__sweep *)ms__take(arena, 1, sizeof(ms_sss__sweep));
-        job->sweep_arrays = *arena;
-        sweep.pairs = pairs;
-        sweep.with_slopes = ms_sss__uses_slopes(options);
-        ms_sss__sweep_layout(&sweep, job, height, arena);
-    }
-    if (!arena->base) return;
-    job->unmasked += MS_SSS__LEFT;
-    at += stride + MS_SSS__LEFT;
-    for (i = 0; i < planes; ++i, at += plane) {
-        if (i >= planes - 3) job->sum[i - planes + 3] = at;
-        if (i < 3) job->middle[i] = at;
-        else if (i == 3) job->depth = at;
-        else if (i < 7)
-            job->source[6 - i] = at; /* reversed, so that depth is three planes behind red as in the middle planes */
-    }
-}
-
-/* Bytes of a workspace, with those that align it. */
-static MS_SSS__COLD size_t ms_sss__job_size(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
-                                            const ms_sss_filter_options *options, int kind)
-{
-    ms__arena arena = {NULL, 0};
-    ms_sss__job job;
-    ms_sss__layout(&job, width, height, kernels, kernel_count, options, kind, &arena);
-    return ms__size_add(arena.used, 63);
-}
-
-static ms__arena ms_sss__place_in(void *workspace)
-{
-    ms__arena arena = {NULL, 0};
-    if (workspace) arena.base = (char *)workspace + (-(uintptr_t)workspace & 63);
-    return arena;
-}
-
-/* Sums of a term's weights. A sum within rounding of 1 becomes 1 if delta is 0, so that pixels without neighbors keep
-   their bits. */
-static MS_SSS__COLD void ms_sss__totals(const ms_sss_kernel *k, int term, float total[3], int mixed[3])
-{
-    int c, i;
-    for (c = 0; c < 3; ++c) {
-        double sum = 0;
-        mixed[c] = 0;
-        for (i = 0; i < k->tap_count; ++i) {
-            sum += (double)k->weight[term][i][c];
-            if (k->weight[term][i][c] < 0) mixed[c] = 1;
-        }
-        total[c] = fabs(sum - 1) < 1e-5 && !ms_sss__differ(k->delta[c], 0) ? 1.0f : (float)sum;
-    }
-}
-
-/* Fixed taps at `pixels` pixels per mm, each split between the two nearest integer offsets. */
-static void ms_sss__make_fixed(ms_sss__fixed *f, const ms_sss_kernel *k, int term, double pixels, int side)
-{
-    int i, j, c, half;
-    f->count = f->lowest = f->highest = 0;
-    ms_sss__totals(k, term, f->total, f->mixed);
-    for (i = k->tap_count - 1; i >= 0; --i) {
-        const double exact = (double)k->offset_mm[i] * pixels, nearest = floor(exact + 0.5);
-        const double t = fabs(exact - nearest) < 1e-4 ? nearest : exact, whole = floor(t);
-        for (half = 0; half < 2; ++half) {
-            const double share = half ? t - whole : 1 - (t - whole);
-            int offset;
-            if (share <= 0 || fabs(whole) > side) continue;
-            offset = (int)whole + half;
-            for (j = 0; j < f->count && f->offset[j] != offset; ++j) {}
-            if (j == f->count) {
-                f->offset[f->count++] = offset;
-                for (c = 0; c < 3; ++c) f->weight[c][j] = 0;
-                if (offset < f->lowest) f->lowest = offset;
-                if (offset > f->highest) f->highest = offset;
-            }
-            for (c = 0; c < 3; ++c) f->weight[c][j] += (float)(share * (double)k->weight[term][i][c]);
-        }
-    }
-}
-
-static int ms_sss__positive(float x) { return ms__finite_f(x) && x > 0; }
-
-static MS_SSS__COLD ms_status ms_sss__check_kernel(const ms_sss_kernel *k, int index, ms_error *error)
-{
-    int i, c, t;
-    if (k->tap_count < 1 || k->tap_count > MS_SSS_TAPS_MAX || k->tap_count % 2 == 0)
-        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                        "kernel %d: tap_count %d is not an odd number from 1 to %d", index, k->tap_count,
-                        MS_SSS_TAPS_MAX);
-    if (k->term_count < 1 || k->term_count > MS_SSS_TERMS_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: term_count %d is not within 1 to %d",
-                        index, k->term_count, MS_SSS_TERMS_MAX);
-    if (!ms_sss__positive(k->radius_mm))
-        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "kernel %d: radius_mm %g is not positive", index,
-                        (double)k->radius_mm);
-    for (i = 0; i < k->tap_count; ++i) {
-        if (!ms__finite_f(k->offset_mm[i]) || (i == 0 && ms_sss__differ(k->offset_mm[0], 0)))
-            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                            "kernel %d: offset_mm[%d] is %g; entry 0 must be 0, all finite", index, i,
-                            (double)k->offset_mm[i]);
-        for (t = 0; t < k->term_count; ++t)
-            for (c = 0; c < 3; ++c)
-                if (!ms__finite_f(k->weight[t][i][c]) || !ms__finite_f(k->scale[t][c]) || !ms__finite_f(k->delta[c]))
-                    return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                                    "kernel %d: term %d, tap %d, channel %d is not finite", index, t, i, c);
-    }
-    return MS_OK;
-}
-
-/* Fills in the strides. */
-static MS_SSS__COLD ms_status ms_sss__check_image(ms_sss_image *image, const char *name, int channels, int needed,
-                                                  int width, int height, ms_error *error)
-{
-    const ptrdiff_t limit = PTRDIFF_MAX / 8;
-    int c;
-    if (!image->channel[0]) {
-        if (!needed) return MS_OK;
-        return MS_SSS__REFUSE(error, "%s: no pixels were given", name);
-    }
-    for (c = 1; c < channels; ++c)
-        if (!image->channel[c]) return MS_SSS__REFUSE(error, "%s: channel %d has no pixels", name, c);
-    if (image->half != 0 && image->half != 1)
-        return MS_SSS__REFUSE(error, "%s: half is %d, not 0 or 1", name, image->half);
-    if (image->pixel_stride == 0) image->pixel_stride = 1;
-    if (image->pixel_stride > limit / width || image->pixel_stride < -(limit / width))
-        return MS_SSS__REFUSE(error, "%s: pixel_stride is too large", name);
-    if (image->row_stride == 0) image->row_stride = image->pixel_stride * width;
-    if (image->row_stride > limit / height || image->row_stride < -(limit / height))
-        return MS_SSS__REFUSE(error, "%s: row_stride is too large", name);
-    return MS_OK;
-}
-
-static MS_SSS__COLD ms_status ms_sss__check_sides(int width, int height, ms_error *error)
-{
-    if (width >= 1 && height >= 1 && width <= MS_SSS__SIDE_MAX && height <= MS_SSS__SIDE_MAX) return MS_OK;
-    return MS_SSS__REFUSE(error, "width, height %d, %d: expected 1 to %d each", width, height, (int)MS_SSS__SIDE_MAX);
-}
-
-static MS_SSS__COLD ms_status ms_sss__check_workspace(const void *workspace, size_t size, size_t needed,
-                                                      ms_error *error)
-{
-    if (workspace && size >= needed) return MS_OK;
-    return MS_SSS__REFUSE(error, "a workspace of %z bytes: expected %z", workspace ? size : 0, needed);
-}
-
-/* Fills in the strides. */
-static MS_SSS__COLD ms_status ms_sss__check_frame(ms_sss_frame *f, int needs_depth, ms_error *error)
-{
-    const struct {
-        ms_sss_image *image;
-        const char *name;
-        int channels, needed;
-    } pictures[] = {{&f->input, "input", 3, 1},           {&f->output, "output", 3, 1},
-                    {&f->depth, "depth", 1, needs_depth}, {&f->strength, "strength", 1, 0},
-                    {&f->albedo, "albedo", 3, 0},         {&f->specular, "specular", 3, 0},
-                    {&f->normal, "normal", 3, 0},         {&f->through, "through", 3, 0}};
-    ms_status status = MS_OK;
-    size_t i;
-    for (i = 0; i < sizeof pictures / sizeof pictures[0] && status == MS_OK; ++i)
-        status = ms_sss__check_image(pictures[i].image, pictures[i].name, pictures[i].channels, pictures[i].needed,
-                                     f->width, f->height, error);
-    return status;
-}
-
-static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options *o, ms_error *error)
-{
-    static const char *const name[] = {"ortho_height", "mm_per_unit", "depth_sigma_mm"};
-    const float length[] = {o->ortho_height, o->mm_per_unit, o->depth_sigma_mm}, *a = o->pixels_per_mm;
-    const int sizes = ms_sss__differ(a[0], 0) + ms_sss__differ(o->fov_degrees, 0) + ms_sss__differ(o->ortho_height, 0);
-    int i;
-    if (sizes != 1)
-        return MS_SSS__REFUSE(error, "%d of pixels_per_mm, fov_degrees and ortho_height are set; exactly one is needed",
-                              sizes);
-    if (ms_sss__differ(a[0], 0) && !(ms_sss__positive(a[0]) && a[1] >= 0 && ms__finite_f(a[1])))
-        return MS_SSS__REFUSE(error, "pixels_per_mm %g, %g: expected positive numbers", (double)a[0], (double)a[1]);
-    if (ms_sss__differ(o->fov_degrees, 0) && !(o->fov_degrees > 0 && o->fov_degrees < 180))
-        return MS_SSS__REFUSE(error, "fov_degrees %g is not within (0, 180)", (double)o->fov_degrees);
-    for (i = 0; i < 3; ++i)
-        if (ms_sss__differ(length[i], 0) && !ms_sss__positive(length[i]))
-            return MS_SSS__REFUSE(error, "%s %g is not positive", name[i], (double)length[i]);
-    {
-        const ms_sss__range ranges[] = {{"fade", (double)o->fade, 0, 1},
-                                        {"flat", (double)o->flat, 0, 1},
-                                        {"jitter", (double)o->jitter, 0, 1},
-                                        {"rotation", (double)o->rotation, -1e30, 1e30},
-                                        {"center[0]", (double)o->center[0], -1e6, 1e6},
-                                        {"center[1]", (double)o->center[1], -1e6, 1e6},
-                                        {"exact", (double)o->exact, 0, 1},
-                                        {"method", (double)o->method, 0, (double)MS_SSS_METHOD_PYRAMID},
-                                        {"depth_mode", (double)o->depth_mode, 0, (double)MS_SSS_DEPTH_SCALE},
-                                        {"albedo_mode", (double)o->albedo_mode, 0, (double)MS_SSS_ALBEDO_BOTH}};
-        return ms_sss__check_ranges(ranges, sizeof ranges / sizeof ranges[0], error);
-    }
-}
-
-/* Pixels per mm; in perspective at a depth of 1. */
-static double ms_sss__pixels(const ms_sss_filter_options *o, int height)
-{
-    const double mm = o->mm_per_unit > 0 ? (double)o->mm_per_unit : 1;
-    if (o->fov_degrees > 0) return height / (2 * tan((double)o->fov_degrees * (3.14159265358979323846 / 360)) * mm);
-    return o->ortho_height > 0 ? height / ((double)o->ortho_height * mm) : (double)o->pixels_per_mm[0];
-}
-
-static MS_SSS__COLD void ms_sss__set_kernel(ms_sss__job *job, const ms_sss_kernel *k, int profile)
-{
-    const ms_sss_filter_options *o = &job->options;
-    const int width = job->full_width, height = job->full_height;
-    const double side = (double)(width > height ? width : height) / (double)job->coarse, radius = (double)k->radius_mm;
-    const double mm = o->mm_per_unit > 0 ? (double)o->mm_per_unit : 1;
-    double size = ms_sss__pixels(o, height) / (double)job->coarse, widest;
-    double kappa = 1e-9; /* MS_SSS_DEPTH_SCALE: makes differences of depth negligible */
-    double corner = 0;
-    ms_sss__pass *p = &job->pass;
-    int c;
-    job->kernel = k;
-    job->profile = profile;
-    p->aspect[0] = 1.0f;
-    p->aspect[1] = o->pixels_per_mm[0] > 0 && o->pixels_per_mm[1] > 0 ? o->pixels_per_mm[1] / o->pixels_per_mm[0]
-                                                                      : 1.0f;
-    p->perspective = o->fov_degrees > 0;
-    p->split_dz = 1.0f;
-    if (o->depth_mode == MS_SSS_DEPTH_AWARE) {
-        const double extent = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : radius;
-        const double slope_scale = job->with_slopes ? 1 - (double)o->flat : 0;
-        const double sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : (0.12 + 0.13 * slope_scale) * extent;
-        double end = MS_SSS__FALLOFF_END * sigma, unit, apart;
-        if (!job->with_slopes && radius < end) end = radius;
-        apart = end;
-        if (job->with_slopes && !(o->depth_sigma_mm > 0)) end = (0.37 + 1.13 * slope_scale) * extent;
-        unit = 1 / end;
-        kappa = mm * unit;
-        p->reach = (float)(radius * unit * radius * unit);
-        p->unit = (float)(1 / unit);
-        p->split_dz = (float)(apart * unit);
-        p->dz_falloff = (float)(slope_scale / (unit * unit));
-    }
-    job->depth_scale = (float)kappa;
-    widest = (double)(p->aspect[0] > p->aspect[1] ? p->aspect[0] : p->aspect[1]);
-    p->size_min = (float)(0.5 / (radius * widest));
-    p->size_max = (float)(side / radius);
-    job->identity = !p->perspective && size <= (double)p->size_min;
-    p->slope_scale = 1 - o->flat;
-    p->focal[0] = (float)(p->perspective ? size * mm : size * mm / kappa);
-    p->focal[1] = p->focal[0] * (o->pixels_per_mm[0] > 0 ? p->aspect[1] : 1.0f);
-    p->tangent = p->perspective ? 1 / p->focal[0] : 0;
-    for (c = 0; c < 2; ++c) {
-        const float half = 0.5f * (float)(c ? height : width);
-        p->middle[c] = (half + o->center[c]) / job->coarse;
-        corner += pow((double)((half + fabsf(o->center[c])) / job->coarse), 2);
-    }
-    p->steepest = 1 + (double)(p->tangent * p->tangent) * corner;
-    p->least = -1;
-    p->rounding = job->half_depth
-        ? 9.7668e-4f
-        : 2.3841858e-7f; /* depths are rounded to 2^-11 or 2^-24 when given and to 2^-24 when scaled */
-    for (c = 0; c < 3; ++c) {
-        p->elevation_4[c] = k->elevation_axis[c] / 4 * p->slope_scale;
-        p->root[c] = k->reflectance[c] > 0 ? sqrtf(k->reflectance[c]) : 0;
-        if (p->elevation_4[c] * p->least < -1) p->least = -1 / p->elevation_4[c]; /* 1 + K sin(theta) / 4 is 0 there */
-    }
-    if (p->perspective) size *= kappa;
-    else if (size > (double)p->size_max) size = (double)p->size_max;
-    p->size = (float)size;
-    p->offset_mm = k->offset_mm;
-    p->tap_count = k->tap_count;
-}
-
-/* Whether the output is planar float and equals the filtered light: no albedo, specular, transmitted light or fade. */
-static int ms_sss__no_compositing(const ms_sss__job *job)
-{
-    const ms_sss_frame *f = &job->frame;
-    return !f->albedo.channel[0] && !f->specular.channel[0] && !f->through.channel[0] && !(job->gain < 1) &&
-        !f->output.half && f->output.pixel_stride == 1;
-}
-
-/* Whether the second pass gives the output: no compositing, one term and weights that add up to 1. */
-static int ms_sss__writes_output(const ms_sss__job *job)
-{
-    const ms_sss_kernel *k = job->kernel;
-    float total[3];
-    int mixed[3], c;
-    if (k->term_count > 1 || !ms_sss__no_compositing(job)) return 0;
-    ms_sss__totals(k, 0, total, mixed);
-    for (c = 0; c < 3; ++c)
-        if (ms_sss__differ(k->delta[c], 0) || ms_sss__differ(k->scale[0][c], 1) || ms_sss__differ(total[c], 1))
-            return 0;
+    if (job->by != MS_SSS__BY_INTERPOLATION || y < reach || y + reach >= job->frame.height) return 0;
+    for (i = y - reach; i <= y + reach; ++i)
+        if (!ms_sss__all_valid(job, i, first, last)) return 0;
     return 1;
 }
 
-static void ms_sss__set_term(ms_sss__job *job, int term)
+static void ms_sss__filter_columns(const ms_sss__job *job, ms_sss__line *l, int first, int last, int plain)
 {
-    ms_sss__pass *p = &job->pass;
-    const int side = job->frame.width > job->frame.height ? job->frame.width : job->frame.height;
-    job->term = term;
-    p->weight = job->kernel->weight[term];
-    ms_sss__totals(job->kernel, term, p->total, p->mixed);
-    p->area_scale = job->with_slopes && !p->mixed[0] && !p->mixed[1] && !p->mixed[2] ? sqrtf(0.5f * p->slope_scale) : 0;
-    if (job->fixed) {
-        ms_sss__make_fixed(&job->taps[0], job->kernel, term, (double)p->size * (double)p->aspect[0], side);
-        ms_sss__make_fixed(&job->taps[1], job->kernel, term, (double)p->size * (double)p->aspect[1], side);
+    l->first = first;
+    l->last = last;
+    if (first < last)
+        job->simd->taps(&job->pass, !plain && job->by == MS_SSS__BY_INTERPOLATION ? MS_SSS__BY_DEPTH : job->by, l);
+}
+
+/* Filters row y along x, in place: taps read a copy. */
+static void ms_sss__first_row(const ms_sss__job *job, int task, int y)
+{
+    const ms_sss__memory *m = &job->memory;
+    const int reach = job->pass.reach_px[0], width = job->frame.width;
+    ms_sss__row *row = &m->row[y];
+    float *along[3];
+    ms_sss__line l;
+    int c, a, b; /* [a, b): no tap is masked or outside */
+    if (row->first == row->last) return;
+    memset(&l, 0, sizeof l);
+    l.count = m->padded;
+    l.from[3] = m->depth + y * m->stride;
+    for (c = 0; c < 3; ++c) {
+        float *copy = ms_sss__buffer(job, task, MS_SSS__ROW_COPY + c);
+        l.to[c] = m->color[c] + y * m->stride;
+        memcpy(copy - MS_SSS__LEFT, l.to[c] - MS_SSS__LEFT, (size_t)m->stride * sizeof(float));
+        l.from[c] = copy;
+        l.plane[c] = along[c] = ms_sss__buffer(job, task, MS_SSS__ROW_TANGENT + c);
+    }
+    if (job->by == MS_SSS__BY_SURFACE) ms_sss__tangent_row(job, task, y, along);
+    a = ms_sss__round_up(row->valid_first + reach, 16);
+    b = ((row->valid_last < width ? row->valid_last : width) - reach) / 16 * 16;
+    if (a >= b || !ms_sss__plain(job, y, 0, a, b)) a = b = row->last;
+    ms_sss__filter_columns(job, &l, row->first, a, 0);
+    ms_sss__filter_columns(job, &l, a, b, 1);
+    ms_sss__filter_columns(job, &l, b, row->last, 0);
+}
+
+/* Loads a band of rows. Slopes need the rows around: without them the first pass follows at once. */
+static void ms_sss__load_band(void *context, int task)
+{
+    const ms_sss__job *job = (const ms_sss__job *)context;
+    const ms_sss__memory *m = &job->memory;
+    int y, c;
+    for (y = ms_sss__band_begin(job, task); y < ms_sss__band_end(job, task); ++y) {
+        float *color[3];
+        for (c = 0; c < 3; ++c) color[c] = m->color[c] + y * m->stride;
+        ms_sss__load_row(job, y, task, 1, color, m->depth + y * m->stride);
+        if (job->by != MS_SSS__BY_SURFACE) ms_sss__first_row(job, task, y);
     }
 }
 
-MS_API ms_sss_filter_options ms_sss_filter_defaults(void)
+static void ms_sss__first_pass(void *context, int task)
 {
-    ms_sss_filter_options o;
-    memset(&o, 0, sizeof o);
-    return o;
+    const ms_sss__job *job = (const ms_sss__job *)context;
+    int y;
+    for (y = ms_sss__band_begin(job, task); y < ms_sss__band_end(job, task); ++y) ms_sss__first_row(job, task, y);
 }
 
-static ms_sss_image ms_sss__make_image(const void *red, const void *green, const void *blue, int pixel_stride, int half)
+/* Filters a band of rows along y, strip by strip, and writes the result. */
+static void ms_sss__second_pass(void *context, int task)
 {
-    ms_sss_image image;
-    memset(&image, 0, sizeof image);
-    image.channel[0] = (void *)(uintptr_t)red;
-    image.channel[1] = (void *)(uintptr_t)green;
-    image.channel[2] = (void *)(uintptr_t)blue;
-    image.pixel_stride = pixel_stride;
-    image.half = half;
-    return image;
-}
-
-MS_API ms_sss_image ms_sss_interleaved(const void *pixels, int channels, int half)
-{
-    const char *p = (const char *)pixels;
-    const size_t size = half ? sizeof(uint16_t) : sizeof(float);
-    return ms_sss__make_image(p, p ? p + size : NULL, p ? p + 2 * size : NULL, channels, half);
-}
-
-MS_API ms_sss_image ms_sss_planar(const void *red, const void *green, const void *blue, int half)
-{
-    return ms_sss__make_image(red, green, blue, 0, half);
-}
-
-MS_API ms_sss_image ms_sss_map(const void *values, int step, int half)
-{
-    return ms_sss__make_image(values, NULL, NULL, step, half);
-}
-
-MS_API ms_sss_image ms_sss_flipped(ms_sss_image image, int width, int height)
-{
-    const ptrdiff_t row = image.row_stride ? image.row_stride : (image.pixel_stride ? image.pixel_stride : 1) * width;
-    const ptrdiff_t to_last = row * (height - 1) * (ptrdiff_t)(image.half ? sizeof(uint16_t) : sizeof(float));
-    int c;
-    for (c = 0; c < 3; ++c)
-        if (image.channel[c]) image.channel[c] = (char *)image.channel[c] + to_last;
-    image.row_stride = -row;
-    return image;
-}
-
-MS_API ms_status ms_sss_linear_depth(const ms_sss_image *buffer, int width, int height, const ms_sss_depth_buffer *how,
-                                     float *out, ms_error *error)
-{
-    ms_sss_image from;
-    ms_status status;
-    double near_plane, far_plane;
-    int x, y, endless;
-    if (!buffer || !how || !out) return MS_SSS__REFUSE(error, "buffer, how or out is NULL");
-    from = *buffer;
-    if ((status = ms_sss__check_sides(width, height, error)) != MS_OK ||
-        (status = ms_sss__check_image(&from, "buffer", 1, 1, width, height, error)) != MS_OK)
-        return status;
-    near_plane = (double)how->near_plane;
-    far_plane = (double)how->far_plane;
-    endless = !(far_plane > 0) || !ms__finite_f(how->far_plane);
-    if (!ms_sss__positive(how->near_plane) ||
-        (endless ? how->orthographic || far_plane < 0 || far_plane != far_plane : far_plane <= near_plane))
-        return MS_SSS__REFUSE(error, "near_plane %g, far_plane %g: expected 0 < near < far, or far 0 in perspective",
-                              near_plane, far_plane);
-    for (y = 0; y < height; ++y)
-        for (x = 0; x < width; ++x) {
-            const double d = (double)ms_sss__get(&from, 0, x, y),
-                         away = how->reversed ? d : 1 - d; /* 1 at the near plane, 0 at the far one */
-            double z = (double)INFINITY;
-            if (away > 0 && away <= 1)
-                z = how->orthographic ? far_plane - away * (far_plane - near_plane)
-                    : endless         ? near_plane / away
-                                      : near_plane * far_plane / (near_plane + away * (far_plane - near_plane));
-            out[(ptrdiff_t)y * width + x] = (float)z;
+    const ms_sss__job *job = (const ms_sss__job *)context;
+    const ms_sss__memory *m = &job->memory;
+    int x, y, c;
+    for (x = 0; x < m->padded; x += MS_SSS__STRIP)
+        for (y = ms_sss__band_begin(job, task); y < ms_sss__band_end(job, task); ++y) {
+            const int first = m->row[y].first > x ? m->row[y].first : x,
+                      last = m->row[y].last < x + MS_SSS__STRIP ? m->row[y].last : x + MS_SSS__STRIP;
+            float *blur[3];
+            ms_sss__line l;
+            if (first >= last) continue;
+            l.stride = m->stride;
+            l.at = y;
+            l.count = job->frame.height;
+            l.from[3] = m->depth + y * m->stride;
+            for (c = 0; c < 3; ++c) {
+                l.from[c] = m->color[c] + y * m->stride;
+                l.plane[c] = job->by == MS_SSS__BY_SURFACE ? m->plane[c] + y * m->stride : NULL;
+                l.to[c] = ms_sss__buffer(job, task, MS_SSS__ROW_OUT + c);
+                blur[c] = l.to[c] + first;
+            }
+            ms_sss__filter_columns(job, &l, first, last, ms_sss__plain(job, y, job->pass.reach_px[1], first, last));
+            ms_sss__add_term(job, task, y, first, last - first, blur, l.from[3] + first);
         }
-    return MS_OK;
-}
-
-MS_API float ms_sss_fov_along_y(float fov_degrees_along_x, int width, int height)
-{
-    const double degree = 3.14159265358979323846 / 180;
-    if (width < 1 || height < 1 || !(fov_degrees_along_x > 0 && fov_degrees_along_x < 180)) return 0;
-    return (float)(2 * atan(tan((double)fov_degrees_along_x * degree / 2) * height / width) / degree);
-}
-
-/* Refuses a scene whose units are likely not millimeters: mm_per_unit was not given, and the smallest kernel covers
-   half of the picture, in the mean over up to 64 x 64 pixels. */
-static MS_SSS__COLD ms_status ms_sss__check_scale(const ms_sss_frame *f, const ms_sss_filter_options *o,
-                                                  double radius_mm, ms_error *error)
-{
-    const int side = f->width > f->height ? f->width : f->height, step_x = (f->width + 63) / 64,
-              step_y = (f->height + 63) / 64;
-    const double size = radius_mm * ms_sss__pixels(o, f->height);
-    double sum = o->fov_degrees > 0 ? 0 : size;
-    int x, y, n = !(o->fov_degrees > 0);
-    if (o->mm_per_unit > 0 || o->pixels_per_mm[0] > 0) return MS_OK;
-    for (y = step_y / 2; y < f->height && o->fov_degrees > 0; y += step_y)
-        for (x = step_x / 2; x < f->width; x += step_x) {
-            const float z = ms_sss__get(&f->depth, 0, x, y);
-            if (!ms_sss__positive(z)) continue;
-            sum += size / (double)z < side ? size / (double)z : side;
-            ++n;
-        }
-    if (!(sum > 0.5 * side * n)) return MS_OK;
-    return MS_SSS__REFUSE(error,
-                          "a radius of %g mm covers half of the picture: mm_per_unit is needed, "
-                          "1000 for a scene in meters, 1 if it is in mm",
-                          radius_mm);
-}
-
-/* Clears the empty rows above and below the planes, of which the fourth is depth. */
-static void ms_sss__clear_borders(ms_sss__job *job)
-{
-    const ptrdiff_t plane = job->stride * (job->frame.height + 2);
-    int i;
-    for (i = 0; i < job->plane_count; ++i) {
-        float *top = job->planes + MS_SSS__LEFT + i * plane;
-        ms_sss__fill_row(job, top, i == 3 ? INFINITY : 0.0f);
-        ms_sss__fill_row(job, top + plane - job->stride, i == 3 ? INFINITY : 0.0f);
-    }
-}
-
-/* Checks all arguments and takes the job's part of the arena, whose base is NULL if only checks are wanted. */
-static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels,
-                                            int kernel_count, const ms_sss_filter_options *options, int kind,
-                                            ms__arena *arena, ms_error *error)
-{
-    const int w = frame->width, h = frame->height;
-    ms_sss_frame *f = &job->frame;
-    ms_status status;
-    int i, c;
-    if ((status = ms_sss__check_sides(w, h, error)) != MS_OK) return status;
-    if (kernel_count < 1 || kernel_count > 256)
-        return MS_SSS__REFUSE(error, "kernel_count %d is not within 1 to 256", kernel_count);
-    for (i = 0; i < kernel_count; ++i)
-        if ((status = ms_sss__check_kernel(&kernels[i], i, error)) != MS_OK) return status;
-    if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
-    memset(job, 0, sizeof *job);
-    *f = *frame;
-    job->options = *options;
-    for (i = 1, c = 0; i < kernel_count; ++i)
-        if (kernels[i].radius_mm < kernels[c].radius_mm) c = i;
-    if ((status = ms_sss__check_frame(f, options->fov_degrees > 0, error)) != MS_OK ||
-        (status = ms_sss__check_scale(f, options, (double)kernels[c].radius_mm, error)) != MS_OK)
-        return status;
-
-    ms_sss__layout(job, w, h, kernels, kernel_count, options, kind, arena);
-    job->kernel_count = kernel_count;
-    job->full_width = w;
-    job->full_height = h;
-    job->coarse = 1;
-    job->half_depth = f->depth.half;
-    job->gain = 1.0f - options->fade;
-    job->rotated = ms_sss__rotates(options);
-    job->with_slopes = f->depth.channel[0] != NULL && ms_sss__uses_slopes(options);
-    job->whole_rows = job->rotated;
-    job->copy_bits = !f->albedo.channel[0] && !f->specular.channel[0] && f->input.half == f->output.half;
-    job->copy_masked = !job->copy_bits || f->input.pixel_stride != f->output.pixel_stride ||
-        f->input.row_stride != f->output.row_stride;
-    for (c = 0; c < 3; ++c)
-        if (f->input.channel[c] != f->output.channel[c]) job->copy_masked = 1;
-
-    if (!arena->base) return MS_OK;
-    ms_sss__clear_borders(job);
-    ms_sss__fill_row(job, job->unmasked, INFINITY);
-    for (i = 0; i < w; ++i) job->unmasked[i] = 0.0f;
-    for (i = 0; i < 64; ++i) {
-        const double angle = (double)options->rotation + (double)options->jitter * (i + 0.5) / 64 * 1.57079632679489662;
-        job->direction[i][0] = (float)cos(angle);
-        job->direction[i][1] = (float)sin(angle);
-    }
-    return MS_OK;
 }
 
 /* Filters the pixels of a profile by all terms of its kernel. */
 static void ms_sss__apply(ms_sss__job *job, const ms_sss_kernel *kernel, int profile)
 {
-    int term;
-    ms_sss__set_kernel(job, kernel, profile);
-    job->fixed = !job->rotated && !job->pass.perspective &&
-        (!job->frame.depth.channel[0] || job->options.depth_mode == MS_SSS_DEPTH_SCALE);
-    job->writes_output = ms_sss__writes_output(job);
-    if (!(job->gain > 0)) job->identity = 1;
-    for (term = 0; term < (job->identity ? 1 : kernel->term_count); ++term) {
-        ms_sss__set_term(job, term);
-        if (!job->rotated) {
-            ms_sss__both_passes(job);
-            continue;
-        }
-        if (term == 0) ms_sss__run(job, 0, job->frame.height, ms_sss__rotated_rows);
-        if (!job->identity) ms_sss__run(job, 0, job->frame.height, ms_sss__rotated_first);
-        if (!job->identity) ms_sss__run(job, 0, job->frame.height, ms_sss__rotated_second);
+    const int with_depth = job->frame.depth.channel[0] != NULL;
+    ms_sss__set_kernel(&job->pass, &job->view, kernel, &job->options, with_depth);
+    job->profile = profile;
+    job->terms = kernel->term_count;
+    job->identity = !job->view.perspective && job->pass.pixels_per_mm <= job->pass.pixels_per_mm_half;
+    job->by = ms_sss__uses_slopes(&job->options, with_depth)                     ? MS_SSS__BY_SURFACE
+        : job->view.perspective || ms_sss__uses_depth(&job->options, with_depth) ? MS_SSS__BY_DEPTH
+                                                                                 : MS_SSS__BY_INTERPOLATION;
+    for (job->term = 0; job->term < job->terms; ++job->term) {
+        ms_sss__set_term(&job->pass, &job->view, kernel, job->term);
+        ms_sss__run_rows(job, job->frame.height, ms_sss__load_band);
+        if (job->identity) return;
+        if (job->by == MS_SSS__BY_SURFACE) ms_sss__run_rows(job, job->frame.height, ms_sss__first_pass);
+        ms_sss__run_rows(job, job->frame.height, ms_sss__second_pass);
     }
-}
-
-/* MS_SSS_METHOD_TAPS. job->nearest may be known from the choice of the method. */
-static ms_status ms_sss__taps_filter(ms_sss__job *job, const ms_sss_frame *frame, const ms_sss_kernel *kernels,
-                                     int profile, int kernel_count, const ms_sss_filter_options *options,
-                                     void *workspace, ms_error *error)
-{
-    const float nearest = job->nearest;
-    ms__arena arena = ms_sss__place_in(workspace);
-    ms_status status = ms_sss__begin(job, frame, kernels, kernel_count, options, MS_SSS__PASSES, &arena, error);
-    if (status != MS_OK) return status;
-    job->nearest = nearest;
-    ms_sss__apply(job, &kernels[profile], profile);
-    return MS_OK;
-}
-
-/* --- half resolution --- */
-
-typedef struct ms_sss__half {
-    ms_sss__job job; /* first: tasks get its address */
-    ms_sss__job inner;
-    ms_sss__half_params params;
-    float *light[3], *blur[3], *depth, *mask;
-    ptrdiff_t stride;
-    int copies_input; /* rows are read from the input as they are */
-    int no_masks;     /* and pixels can be masked by their color or depth alone */
-} ms_sss__half;
-
-static ms_sss__half *ms_sss__half_layout(int width, int height, ms__arena *arena)
-{
-    const int w = (width + 1) / 2, h = (height + 1) / 2;
-    const size_t stride = (size_t)ms_sss__round_up(w, 16), plane = ms__size_mul(stride, (size_t)h);
-    ms_sss__half *half = (ms_sss__half *)ms__take(arena, 1, sizeof *half);
-    float *planes = (float *)ms__take(arena, ms__size_mul(plane, 8), sizeof(float));
-    int c;
-    if (!half) return NULL;
-    half->stride = (ptrdiff_t)stride;
-    for (c = 0; c < 3; ++c) {
-        half->light[c] = planes + (size_t)c * plane;
-        half->blur[c] = planes + (size_t)(3 + c) * plane;
-    }
-    half->depth = planes + 6 * plane;
-    half->mask = planes + 7 * plane;
-    return half;
-}
-
-static MS_SSS__COLD size_t ms_sss__half_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
-                                                  const ms_sss_filter_options *options)
-{
-    ms__arena arena = {NULL, 0};
-    ms_sss__job job;
-    ms_sss__half_layout(width, height, &arena);
-    ms_sss__layout(&job, width, height, kernels, kernel_count, options, MS_SSS__ROW_BUFFERS, &arena);
-    ms_sss__layout(&job, (width + 1) / 2, (height + 1) / 2, kernels, kernel_count, options, MS_SSS__PASSES, &arena);
-    return ms__size_add(arena.used, 63);
-}
-
-static void ms_sss__half_read_row(const ms_sss__job *job, int y, int first, int last, float *const buffer[4],
-                                  const float *row[4])
-{
-    ms_sss__load(job->simd, &job->frame.input, 3, job->frame.width, y, first, last - first, buffer, row);
-    if (job->frame.depth.channel[0])
-        ms_sss__load(job->simd, &job->frame.depth, 1, job->frame.width, y, first, last - first, buffer + 3, row + 3);
-    else row[3] = job->unmasked;
-}
-
-/* Whether all unmasked pixels of a row are in its longest run; if not, the run is emptied. */
-static int ms_sss__keep_single_run(const ms_sss__job *job, int y, const float *depth)
-{
-    int x, others = 0;
-    for (x = job->row[y].first; x < job->row[y].valid_first; ++x) others |= depth[x] < INFINITY;
-    for (x = job->row[y].valid_last; x < job->row[y].last; ++x) others |= depth[x] < INFINITY;
-    if (others) job->row[y].valid_first = job->row[y].valid_last = 0;
-    return !others;
-}
-
-/* Downsamples the picture to half its size and copies masked pixels. */
-static void ms_sss__half_down(void *context, int task)
-{
-    const ms_sss__half *half = (const ms_sss__half *)context;
-    const ms_sss__job *job = &half->job;
-    const int begin = job->begin + task * job->band, width = job->frame.width, stride = (int)half->stride;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    float *row[2][4], *to[4];
-    const float *in[2][4];
-    int x, y, r, c;
-    for (r = 0; r < 8; ++r) {
-        row[r / 4][r % 4] = ms_sss__buffer(job, task, 10 + r);
-        ms_sss__fill_row(job, row[r / 4][r % 4], 0.0f);
-    }
-    for (y = begin; y < end; ++y) {
-        int all = half->no_masks && 2 * y + 1 < job->frame.height, first = stride,
-            last = 0; /* unmasked columns of the half */
-        for (c = 0; c < 4; ++c) to[c] = (c < 3 ? half->light[c] : half->depth) + y * half->stride;
-        if (all) { /* tries without masks */
-            for (r = 0; r < 2; ++r) ms_sss__half_read_row(job, 2 * y + r, 0, width, row[r], in[r]);
-            all = job->simd->downsample(&half->params, in[0], in[1], job->depth_scale, stride, to);
-        }
-        for (r = 0; r < 2; ++r) {
-            const int at = 2 * y + r;
-            if (all) {
-                job->row[at].first = job->row[at].valid_first = first = 0;
-                job->row[at].last = job->row[at].valid_last = width;
-                job->row[at].full_strength = 1;
-                last = stride;
-            } else if (at < job->frame.height) {
-                ms_sss__load_row(job, at, task, &job->row[at], row[r], row[r][3]);
-                ms_sss__keep_single_run(job, at, row[r][3]);
-                if (job->row[at].first == job->row[at].last) continue;
-                if (job->row[at].first / 2 < first) first = job->row[at].first / 2;
-                if (ms_sss__round_up(job->row[at].last / 2, 16) > last)
-                    last = ms_sss__round_up(job->row[at].last / 2, 16);
-            } else {
-                ms_sss__fill_row(job, row[r][3], INFINITY);
-            }
-        }
-        if (job->identity) continue;
-        if (first > last) first = last;
-        for (x = 0; x < first; ++x) to[3][x] = INFINITY;
-        for (x = last; x < stride; ++x) to[3][x] = INFINITY;
-        if (!all) {
-            for (r = 0; r < 2; ++r)
-                for (c = 0; c < 4; ++c) in[r][c] = row[r][c] + 2 * first;
-            for (c = 0; c < 4; ++c) to[c] += first;
-            job->simd->downsample(&half->params, in[0], in[1], 1, last - first, to);
-        }
-        if (half->mask)
-            for (x = 0; x < stride; ++x)
-                half->mask[y * half->stride + x] = half->depth[y * half->stride + x] < INFINITY ? 1.0f : 0.0f;
-    }
-}
-
-/* Upsamples the filtered half and composites. */
-static void ms_sss__half_up(void *context, int task)
-{
-    const ms_sss__half *half = (const ms_sss__half *)context;
-    ms_sss__job again = half->job; /* masked pixels are written already */
-    const ms_sss__job *inner = &half->inner;
-    const ms_sss_image *image = &again.frame.output;
-    const int begin = again.begin + task * again.band, fade = again.gain < 1;
-    const int end = begin + again.band < again.end ? begin + again.band : again.end;
-    float *own[4], *softened[2][4];
-    int have[2] = {-1, -1}, filled[2][2] = {{0, 0}, {0, 0}}, y, r, c, x;
-    again.copy_masked = 0;
-    for (c = 0; c < 4; ++c) {
-        own[c] = ms_sss__buffer(&again, task, 17 + c);
-        for (r = 0; r < 2; ++r) {
-            softened[r][c] = ms_sss__buffer(&again, task, 21 + 4 * r + c);
-            ms_sss__fill_row(&again, softened[r][c], c == 3 ? MS_SSS__MASKED_DEPTH : 0.0f);
-        }
-    }
-    for (y = begin; y < end; ++y) {
-        const float *beside[2][4], *coarse[2][4], *mine[4];
-        float *blur[3], *to[4];
-        const int first = again.row[y].first, last = again.row[y].last,
-                  run = half->copies_input && again.row[y].valid_first < again.row[y].valid_last;
-        const int writes_output = again.writes_output && run && again.row[y].full_strength &&
-            last <= again.frame.width && ms_sss__all_valid(&again, y, first, last);
-        if (first == last) continue;
-        if (run) {
-            ms_sss__half_read_row(&again, y, first, last, own, mine);
-        } else {
-            ms_sss__load_row(&again, y, task, &again.row[y], own, own[3]);
-            for (c = 0; c < 4; ++c) mine[c] = own[c] + first;
-        }
-        for (r = 0; r < 2; ++r) {
-            const int at = ms_sss__clamp((y + 1) / 2 - 1 + r, 0, inner->frame.height - 1), slot = at % 2;
-            const int from = inner->identity ? 0 : inner->row[at].first,
-                      until = inner->identity || inner->row[at].last > (int)half->stride ? (int)half->stride
-                                                                                         : inner->row[at].last;
-            for (c = 0; c < 4; ++c) coarse[r][c] = softened[slot][c] + first / 2;
-            if (have[slot] == at) continue;
-            have[slot] = at;
-            for (x = filled[slot][0]; x < filled[slot][1] && x < from; ++x)
-                softened[slot][3][x] = MS_SSS__MASKED_DEPTH; /* the slot's former row */
-            for (x = until > filled[slot][0] ? until : filled[slot][0]; x < filled[slot][1]; ++x)
-                softened[slot][3][x] = MS_SSS__MASKED_DEPTH;
-            filled[slot][0] = from;
-            filled[slot][1] = until;
-            for (c = 0; c < 4; ++c) {
-                to[c] = softened[slot][c] + from;
-                beside[0][c] = (c < 3 ? half->light[c] : half->depth) + at * half->stride + from;
-                beside[1][c] = c < 3 ? half->blur[c] + at * half->stride + from : NULL;
-            }
-            again.simd->subtract_self(&half->params, beside[0], beside[1], beside[0][3], until - from, to);
-        }
-        for (c = 0; c < 3; ++c) blur[c] = ms_sss__buffer(&again, task, 29 + c);
-        again.simd->upsample(&half->params, mine, run ? again.depth_scale : 1, (const float *const(*)[4])coarse, y % 2,
-                             last - first, blur);
-        for (c = 0; c < 3 && writes_output; ++c)
-            again.simd->stream(blur[c], last - first, (float *)image->channel[c] + y * image->row_stride + first);
-        if (!writes_output)
-            ms_sss__composite(&again, task, y, first, last - first, blur,
-                              fade || !again.row[y].full_strength ? mine : NULL, run ? NULL : own[3] + first);
-    }
-}
-
-/* MS_SSS_METHOD_HALF: downsample, filter at full resolution the picture of half the size, upsample. */
-static ms_status ms_sss__half_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int profile,
-                                     int kernel_count, const ms_sss_filter_options *options, void *workspace,
-                                     ms_error *error)
-{
-    const ms_sss_kernel *k = &kernels[profile];
-    ms__arena arena = ms_sss__place_in(workspace);
-    ms_sss__half *half = ms_sss__half_layout(frame->width, frame->height, &arena);
-    ms_sss__half_params *h = &half->params;
-    ms_sss_filter_options inner_options = *options;
-    ms_sss_frame inner;
-    ms_status status;
-    float apart = 0, size_min; /* apart: size from which on only the center tap touches the pixel itself */
-    int i, c, t;
-    status = ms_sss__begin(&half->job, frame, kernels, kernel_count, options, MS_SSS__ROW_BUFFERS, &arena, error);
-    if (status != MS_OK) return status;
-    memset(&inner, 0, sizeof inner);
-    inner.width = (frame->width + 1) / 2;
-    inner.height = (frame->height + 1) / 2;
-    if (frame->depth.channel[0]) half->mask = NULL;
-
-    ms_sss__set_kernel(&half->job, k, profile);
-    size_min = half->job.pass.size_min;
-    half->job.writes_output = ms_sss__no_compositing(&half->job);
-    if (!(half->job.gain > 0)) half->job.identity = 1;
-    memset(h, 0, sizeof *h);
-    h->kernel = k;
-    h->perspective = half->job.pass.perspective;
-    h->size = half->job.pass.size;
-    h->size_max = half->job.pass.size_max;
-    h->falloff_scale = 1 / half->job.pass.split_dz;
-    h->scale = half->job.depth_scale;
-    for (c = 0; c < 2; ++c) h->aspect[c] = half->job.pass.aspect[c];
-    for (i = 1; i < k->tap_count; ++i)
-        for (c = 0; c < 2; ++c)
-            if (!(fabsf(k->offset_mm[i]) * h->aspect[c] * apart >= 1))
-                apart = fabsf(k->offset_mm[i]) > 1e-20f ? 1 / (fabsf(k->offset_mm[i]) * h->aspect[c]) : 3e38f;
-    h->center_only_depth = !((h->perspective ? h->size_max : h->size) >= apart) ? -1
-        : h->perspective && apart > 0                                           ? h->size / apart
-                                                                                : INFINITY;
-    h->identity_depth = !(size_min < (h->perspective ? h->size_max : h->size)) ? -1
-        : h->perspective                                                       ? h->size / size_min
-                                                                               : INFINITY;
-    for (c = 0; c < 3; ++c) {
-        double share = (double)k->delta[c];
-        for (t = 0; t < k->term_count; ++t)
-            share += (double)k->scale[t][c] * (double)k->weight[t][0][c] * (double)k->weight[t][0][c];
-        h->self_weight[c] = (float)(share < 0 ? 0 : share > 0.999 ? 0.999 : share);
-    }
-    half->copies_input = half->job.block == MS_SSS__BLOCK &&
-        (!frame->albedo.channel[0] || options->albedo_mode == MS_SSS_ALBEDO_POST);
-    half->no_masks = half->copies_input && !half->job.identity && frame->depth.channel[0] &&
-        !frame->strength.channel[0] && !frame->profile && half->job.padded == frame->width;
-    ms_sss__run(&half->job, 0, inner.height, ms_sss__half_down);
-    if (half->job.identity) return MS_OK;
-
-    inner.input = ms_sss_planar(half->light[0], half->light[1], half->light[2], 0);
-    inner.output = ms_sss_planar(half->blur[0], half->blur[1], half->blur[2], 0);
-    if (half->mask) inner.strength = ms_sss_map(half->mask, 1, 0);
-    else inner.depth = ms_sss_map(half->depth, 1, 0);
-    inner.input.row_stride = inner.output.row_stride = inner.strength.row_stride = inner.depth.row_stride =
-        half->stride;
-    inner_options.fade = 0;
-    inner_options.albedo_mode = MS_SSS_ALBEDO_POST;
-    status = ms_sss__begin(&half->inner, &inner, k, 1, &inner_options, MS_SSS__PASSES, &arena, error);
-    if (status != MS_OK) return status;
-    half->inner.full_width = frame->width;
-    half->inner.full_height = frame->height;
-    half->inner.coarse = 2;
-    half->inner.half_depth = frame->depth.half;
-    half->inner.copy_masked = 0;
-    ms_sss__apply(&half->inner, k, 0);
-    for (c = 0; c < 3 && half->inner.identity; ++c)
-        half->blur[c] = half->light[c]; /* kernels under half of a larger pixel */
-    ms_sss__run(&half->job, 0, frame->height, ms_sss__half_up);
-    return MS_OK;
 }
 
 /* ---- pyramid code ---------------------------------------------------------------------------------------------- */
 
-/* --- the filter --- */
-
 /* Planes of a level: color, d, coverage, sums of light, sums of weights, changes of d along x and y. */
 enum { MS_SSS__D = 3, MS_SSS__COVERAGE = 4, MS_SSS__SUMS = 5, MS_SSS__CHANGES = 11, MS_SSS__PYRAMID_PLANES = 13 };
+
+enum {
+    MS_SSS__PYRAMID_ROWS = 12,  /* of a task: coverage and changes of d of four rows; or sums and those of one row */
+    MS_SSS__PYRAMID_SERIAL = 3, /* levels from here on run on one thread */
+    MS_SSS__PYRAMID_MARGIN = 4  /* rows above and below a level that a gather may read */
+};
 
 typedef struct ms_sss__level {
     int width, height;
@@ -3314,58 +3307,43 @@ typedef struct ms_sss__level {
 
 typedef struct ms_sss__pyramid_state {
     ms_sss__job job;      /* first: tasks get its address */
-    ms_sss_kernel kernel; /* the identity, which gives the job its sizes and its compositing */
+    ms_sss_kernel kernel; /* see ms_sss__pyramid_kernel */
     ms_sss__level level[MS_SSS_PYRAMID_LEVELS];
-    int levels, at; /* at: level of the current run */
+    int levels, at; /* at: level of the run at hand */
     ms_sss__pyramid_params params;
-    ms_sss__tap tap[2][2][64];
-    float *rows;      /* row buffers of the tasks */
-    ptrdiff_t stride; /* floats of one */
+    ms_sss__gather_tap tap[2][2][64];
+    float *rows; /* [TASKS][PYRAMID_ROWS] row buffers */
 } ms_sss__pyramid_state;
-
-/* Row buffers of a task: coverage and changes of d of four rows; or sums, coverage and changes of one row. */
-enum { MS_SSS__PYRAMID_ROWS = 12, MS_SSS__PYRAMID_SERIAL = 3 /* levels from here on run on one thread */ };
-
-/* An odd number of cache lines: neighboring rows fall on different cache sets. */
-static ptrdiff_t ms_sss__pyramid_stride(int width)
-{
-    const int floats = ms_sss__round_up(2 * MS_SSS__LEFT + MS_SSS__RIGHT + ms_sss__round_up(width, 32), 16);
-    return floats / 16 % 2 ? floats : floats + 16;
-}
 
 static float *ms_sss__pyramid_row(const ms_sss__pyramid_state *state, int task, int row)
 {
-    return state->rows + ((ptrdiff_t)task * MS_SSS__PYRAMID_ROWS + row) * state->stride + MS_SSS__LEFT;
+    return state->rows + ((ptrdiff_t)task * MS_SSS__PYRAMID_ROWS + row) * state->level[0].stride + MS_SSS__LEFT;
 }
 
-/* Places the levels and row buffers, or counts them. The job has level 0. */
+/* Places the levels and row buffers behind the job's memory, or counts them (arena->base NULL). */
 static void ms_sss__pyramid_levels(ms_sss__pyramid_state *state, int width, int height, ms__arena *arena)
 {
-    const ptrdiff_t row_stride = ms_sss__pyramid_stride(width);
-    float *rows = (float *)ms__take(arena, (size_t)row_stride * MS_SSS__TASKS * MS_SSS__PYRAMID_ROWS, sizeof(float));
+    const size_t rows = (size_t)ms_sss__stride(width) * MS_SSS__TASKS * MS_SSS__PYRAMID_ROWS;
+    float *buffers = (float *)ms__take(arena, rows, sizeof(float));
     int l, i;
-    if (state) {
-        state->rows = rows;
-        state->stride = row_stride;
-    }
+    if (arena->base) state->rows = buffers;
     for (l = 0; l < MS_SSS_PYRAMID_LEVELS; ++l) {
-        const ptrdiff_t stride = MS_SSS__LEFT + ms_sss__round_up(width, width < 32 ? 16 : 32) +
-            MS_SSS__RIGHT;            /* as in the job */
-        const int beyond = l ? 4 : 1; /* empty rows above and below that a gather may read */
-        const size_t plane = ms__size_mul((size_t)stride, (size_t)height + 2 * (size_t)beyond);
+        const ptrdiff_t stride = ms_sss__stride(width), margin = stride * MS_SSS__PYRAMID_MARGIN;
+        const size_t plane = ms__size_mul((size_t)stride, (size_t)height + 2 * (size_t)MS_SSS__PYRAMID_MARGIN);
         const int first = l ? 0 : (int)MS_SSS__D, count = l ? (int)MS_SSS__PYRAMID_PLANES : 1;
         float *p = (float *)ms__take(arena, ms__size_mul(plane, (size_t)count), sizeof(float));
         ms_sss__row *row = (ms_sss__row *)ms__take(arena, l ? (size_t)height : 0, sizeof(ms_sss__row));
-        for (i = first; state && i < first + count; ++i, p += plane) {
-            memset(p, 0, (size_t)(stride * beyond) * sizeof(float));
-            memset(p + stride * (height + beyond), 0, (size_t)(stride * beyond) * sizeof(float));
-            state->level[l].plane[i] = p + stride * beyond + MS_SSS__LEFT;
-        }
-        if (state) {
-            state->level[l].width = width;
-            state->level[l].height = height;
-            state->level[l].stride = stride;
-            state->level[l].row = l ? row : state->job.row;
+        if (arena->base) {
+            ms_sss__level *v = &state->level[l];
+            for (i = first; i < first + count; ++i, p += plane) {
+                memset(p, 0, (size_t)margin * sizeof(float));
+                memset(p + margin + stride * height, 0, (size_t)margin * sizeof(float));
+                v->plane[i] = p + margin + MS_SSS__LEFT;
+            }
+            v->width = width;
+            v->height = height;
+            v->stride = stride;
+            v->row = l ? row : state->job.memory.row;
             state->levels = l + 1;
         }
         if (width <= 2 && height <= 2) break;
@@ -3374,32 +3352,55 @@ static void ms_sss__pyramid_levels(ms_sss__pyramid_state *state, int width, int 
     }
 }
 
-/* Coverage and changes of d of row y of the picture from column first on. */
+/* Coverage and changes of d of row y of the picture, columns [first, last). */
 static void ms_sss__pyramid_slopes(const ms_sss__pyramid_state *state, int task, int y, int first, int last,
                                    float *const out[3])
 {
     const ms_sss__job *job = &state->job;
     const ms_sss__level *v = &state->level[0];
+    const int given = job->frame.normal.channel[0] && state->params.slope_scale > 0;
     const float *d[5], *normal[3];
     float *buffer[3];
-    const int given = job->frame.normal.channel[0] && state->params.slope_scale > 0;
     int i;
     for (i = 0; i < 5; ++i) d[i] = v->plane[MS_SSS__D] + ms_sss__clamp(y + i - 2, -1, v->height) * v->stride;
-    for (i = 0; i < 3; ++i) buffer[i] = ms_sss__buffer(job, task, i);
+    for (i = 0; i < 3; ++i) buffer[i] = ms_sss__buffer(job, task, MS_SSS__ROW_LIGHT + i);
     if (given) ms_sss__load(job->simd, &job->frame.normal, 3, v->width, y, first, last - first, buffer, normal);
     for (i = 0; i < 3 && given; ++i) normal[i] -= first;
     job->simd->slopes_of_d(&state->params, d, given ? normal : NULL, y, first, last, out);
 }
 
-/* Clears the margins of rows [from, to) of a level, beside their filled columns, as far as the rows up to `beyond` away
-   reach. */
-static void ms_sss__pyramid_clear_outside(const ms_sss__level *v, int from, int to, int beyond, int planes)
+/* Loads a band of the picture into level 0. */
+static void ms_sss__pyramid_load(void *context, int task)
 {
-    const int right = (int)v->stride - MS_SSS__LEFT;
+    const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
+    const ms_sss__job *job = &state->job;
+    const ms_sss__level *v = &state->level[0];
+    float *depth = ms_sss__buffer(job, task, MS_SSS__ROW_DEPTH), *color[3];
+    int y, c;
+    for (y = ms_sss__band_begin(job, task); y < ms_sss__band_end(job, task); ++y) {
+        int first, last;
+        for (c = 0; c < 3; ++c) color[c] = v->plane[c] + y * v->stride;
+        ms_sss__load_row(job, y, task, 0, color, depth);
+        first = v->row[y].first;
+        last = v->row[y].last;
+        job->simd->depth_to_d(&state->params, depth + first, last - first, v->plane[MS_SSS__D] + y * v->stride + first);
+    }
+}
+
+/* Clears the margins of a band of level `at`: beside the filled columns of each row, as far as rows up to
+   PYRAMID_MARGIN away reach. */
+static void ms_sss__pyramid_clear(void *context, int task)
+{
+    const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
+    const ms_sss__level *v = &state->level[state->at];
+    const int right = (int)v->stride - MS_SSS__LEFT, margin = MS_SSS__PYRAMID_MARGIN;
+    const int planes = state->at == 0   ? (int)MS_SSS__D + 1
+        : state->params.slope_scale > 0 ? (int)MS_SSS__PYRAMID_PLANES
+                                        : (int)MS_SSS__CHANGES;
     int y, i, c;
-    for (y = from; y < to; ++y) {
+    for (y = ms_sss__band_begin(&state->job, task); y < ms_sss__band_end(&state->job, task); ++y) {
         int low = right, high = -MS_SSS__LEFT, first = v->row[y].first, last = v->row[y].last;
-        for (i = y > beyond ? y - beyond : 0; i <= y + beyond && i < v->height; ++i) {
+        for (i = y > margin ? y - margin : 0; i <= y + margin && i < v->height; ++i) {
             if (v->row[i].first >= v->row[i].last) continue;
             if (v->row[i].first - 48 < low) low = v->row[i].first - 48;
             if (v->row[i].last + 48 > high) high = v->row[i].last + 48;
@@ -3415,15 +3416,40 @@ static void ms_sss__pyramid_clear_outside(const ms_sss__level *v, int from, int 
     }
 }
 
-static void ms_sss__pyramid_downsample(const ms_sss__pyramid_state *state, int task, int begin, int end)
+/* The rows of level `at` that row y of the next level reads, each color, d, coverage, changes of d. Those of the
+   picture are made here, in a ring of four rows; fresh: all, else the lower two. */
+static void ms_sss__pyramid_four_rows(const ms_sss__pyramid_state *state, int task, int y, int fresh,
+                                      const float *row[4][7])
 {
+    const ms_sss__level *fine = &state->level[state->at];
+    int i, c;
+    for (i = 0; i < 4; ++i) {
+        const int at = ms_sss__clamp(2 * y - 1 + i, -1, fine->height);
+        float *slope[3];
+        for (c = 0; c < 7; ++c)
+            row[i][c] = state->at > 0 || c < 4
+                ? fine->plane[c < 5 ? c : (int)MS_SSS__CHANGES + c - 5] + at * fine->stride
+                : NULL;
+        if (state->at > 0 || !(state->params.slope_scale > 0)) continue;
+        for (c = 0; c < 3; ++c) row[i][4 + c] = slope[c] = ms_sss__pyramid_row(state, task, 3 * (at & 3) + c);
+        if (!fresh && i < 2) continue;
+        for (c = 0; c < 3; ++c) memset(slope[c] - MS_SSS__LEFT, 0, (size_t)fine->stride * sizeof(float));
+        if (at >= 0 && at < fine->height && fine->row[at].first < fine->row[at].last)
+            ms_sss__pyramid_slopes(state, task, at, fine->row[at].first, fine->row[at].last, slope);
+    }
+}
+
+/* Downsamples level `at` to a band of the next. */
+static void ms_sss__pyramid_down(void *context, int task)
+{
+    const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
     const ms_sss__level *fine = &state->level[state->at], *v = fine + 1;
-    const int tilted = state->params.slope_scale > 0;
+    const int begin = ms_sss__band_begin(&state->job, task), end = ms_sss__band_end(&state->job, task);
     ms_sss__pyramid_params params = state->params;
     int y, i, c;
     params.step *= (float)(1 << state->at);
-    params.size /= (float)(1 << state->at);
-    params.size_max /= (float)(1 << state->at);
+    params.radius_px /= (float)(1 << state->at);
+    params.radius_px_most /= (float)(1 << state->at);
     for (y = begin; y < end; ++y) {
         int first = v->width, last = 0;
         const float *row[4][7];
@@ -3437,21 +3463,7 @@ static void ms_sss__pyramid_downsample(const ms_sss__pyramid_state *state, int t
         last = ms_sss__round_up(last, 16);
         v->row[y].first = first;
         v->row[y].last = last;
-        for (i = 0; i < 4; ++i) {
-            const int at = ms_sss__clamp(2 * y - 1 + i, -1, fine->height);
-            for (c = 0; c < 7; ++c)
-                row[i][c] = state->at > 0 || c < 4
-                    ? fine->plane[c < 5 ? c : (int)MS_SSS__CHANGES + c - 5] + at * fine->stride
-                    : NULL;
-            if (state->at == 0 && tilted) { /* in a ring */
-                float *slope[3];
-                for (c = 0; c < 3; ++c) row[i][4 + c] = slope[c] = ms_sss__pyramid_row(state, task, 3 * (at & 3) + c);
-                if (y > begin && i < 2) continue;
-                for (c = 0; c < 3; ++c) memset(slope[c] - MS_SSS__LEFT, 0, (size_t)state->stride * sizeof(float));
-                if (at >= 0 && at < fine->height && fine->row[at].first < fine->row[at].last)
-                    ms_sss__pyramid_slopes(state, task, at, fine->row[at].first, fine->row[at].last, slope);
-            }
-        }
+        ms_sss__pyramid_four_rows(state, task, y, y == begin, row);
         if (first >= last) continue;
         for (i = 0; i < 7; ++i) out[i] = v->plane[i < 5 ? i : (int)MS_SSS__CHANGES + i - 5] + y * v->stride;
         state->job.simd->downsample_level(&params, row, first, last, out);
@@ -3460,88 +3472,35 @@ static void ms_sss__pyramid_downsample(const ms_sss__pyramid_state *state, int t
     }
 }
 
-/* The rows of level 1 that depend on one band of the picture alone: each reads 4 rows, their slopes 2 more on each
-   side, and the margins of those depend on 2 more. */
-static void ms_sss__pyramid_independent_rows(const ms_sss__pyramid_state *state, int begin, int end, int *first,
-                                             int *last)
+/* Resolves row y of the picture from its sums and writes it. */
+static void ms_sss__pyramid_resolve(const ms_sss__pyramid_state *state, int task, int y, float *const slope[3],
+                                    float *const sum[6])
 {
-    const int height = state->levels > 1 ? state->level[1].height : 0;
-    *first = begin > 0 ? ms_sss__clamp((begin + 6) / 2, 0, height) : 0;
-    *last = end < state->level[0].height ? ms_sss__clamp((end - 5) / 2, *first, height) : height;
-}
-
-/* Loads a band of the picture and downsamples the rows of level 1 that depend on it alone. */
-static void ms_sss__pyramid_load(void *context, int task)
-{
-    const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
     const ms_sss__job *job = &state->job;
     const ms_sss__level *v = &state->level[0];
-    const int begin = job->begin + task * job->band;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    const int behind = state->params.slope_scale > 0 ? 4 : 2; /* rows that a row of level 1 reads below its upper one */
-    float *color[3];
-    int y, c, first, last, to, from = begin > 0 ? begin + 2 : 0;
-    ms_sss__pyramid_independent_rows(state, begin, end, &first, &last);
-    for (y = begin; y < end; ++y) {
-        float *depth = ms_sss__buffer(job, task, 17), *d = v->plane[MS_SSS__D] + y * v->stride;
-        for (c = 0; c < 3; ++c) color[c] = v->plane[c] + y * v->stride;
-        ms_sss__load_row(job, y, task, &job->row[y], color, depth);
-        job->simd->depth_to_d(&state->params, depth + job->row[y].first, job->row[y].last - job->row[y].first,
-                              d + job->row[y].first);
-        if ((y + 1) % 16 && y + 1 < end) continue; /* every 16 rows, while they are cached */
-        to = y + 1 < v->height ? y - 1 : v->height;
-        ms_sss__pyramid_clear_outside(v, from, to, 2, MS_SSS__D + 1);
-        if (to > from) from = to;
-        if (state->levels < 2 || job->identity) continue;
-        to = y + 1 < end ? ms_sss__clamp((to - 1 - behind) / 2 + 1, first, last) : last;
-        ms_sss__pyramid_downsample(state, task, first, to);
-        first = to;
+    const int first = v->row[y].first, last = v->row[y].last;
+    const float *row[4];
+    float *blur[4];
+    int c;
+    for (c = 0; c < 4; ++c) {
+        row[c] = v->plane[c] + y * v->stride;
+        blur[c] = ms_sss__buffer(job, task, c < 3 ? MS_SSS__ROW_OUT + c : (int)MS_SSS__ROW_DEPTH);
     }
+    job->simd->resolve(&state->params, row, v->stride, (const float *const *)slope, (const float *const *)sum, first,
+                       last, blur);
+    for (c = 0; c < 4; ++c) blur[c] += first;
+    ms_sss__add_term(job, task, y, first, last - first, blur, blur[3]);
 }
 
-/* Clears the margins between bands of the picture, and downsamples the rows of level 1 there. Bands have 12 rows at
-   least: it reads 9 of each. */
-static void ms_sss__pyramid_borders(void *context, int task)
-{
-    const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
-    const ms_sss__job *job = &state->job;
-    const int begin = job->begin + task * job->band, end = begin + job->band, after = end + job->band;
-    int first[2], last[2];
-    if (end >= job->end) return;
-    ms_sss__pyramid_independent_rows(state, begin, end, &first[0], &last[0]);
-    ms_sss__pyramid_independent_rows(state, end, after < job->end ? after : job->end, &first[1], &last[1]);
-    ms_sss__pyramid_clear_outside(&state->level[0], end - 2, end + 2 < job->end ? end + 2 : job->end, 2, MS_SSS__D + 1);
-    if (state->levels > 1) ms_sss__pyramid_downsample(state, task, last[0], first[1]);
-}
-
-static void ms_sss__pyramid_down(void *context, int task)
-{
-    const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
-    const int begin = state->job.begin + task * state->job.band;
-    const int end = begin + state->job.band < state->job.end ? begin + state->job.band : state->job.end;
-    ms_sss__pyramid_downsample(state, task, begin, end);
-}
-
-/* The margins of a band of level at: a gather reads 4 rows up and down. */
-static void ms_sss__pyramid_clear(void *context, int task)
-{
-    const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
-    const int begin = state->job.begin + task * state->job.band;
-    const int end = begin + state->job.band < state->job.end ? begin + state->job.band : state->job.end;
-    ms_sss__pyramid_clear_outside(&state->level[state->at], begin, end, 4,
-                                  state->params.slope_scale > 0 ? (int)MS_SSS__PYRAMID_PLANES : (int)MS_SSS__CHANGES);
-}
-
-/* Gathers the sums of a band of level at from level at + 1; level 0 is resolved and composited. */
-static void ms_sss__pyramid_upsample(void *context, int task)
+/* Gathers the sums of a band of level `at` from the next level; level 0 is resolved. */
+static void ms_sss__pyramid_up(void *context, int task)
 {
     const ms_sss__pyramid_state *state = (const ms_sss__pyramid_state *)context;
     const ms_sss__job *job = &state->job;
     const ms_sss__level *v = &state->level[state->at], *coarse = v + 1;
-    const int begin = job->begin + task * job->band, tilted = state->params.slope_scale > 0;
-    const int end = begin + job->band < job->end ? begin + job->band : job->end;
-    int y, i, c;
-    for (y = begin; y < end; ++y) {
+    const int tilted = state->params.slope_scale > 0;
+    int y, i;
+    for (y = ms_sss__band_begin(job, task); y < ms_sss__band_end(job, task); ++y) {
         const int low = v->row[y].first, high = v->row[y].last;
         const int first = low / 32 * 32, last = ms_sss__round_up(high, 32); /* the gather steps by 2 vectors */
         const float *own[3];
@@ -3555,31 +3514,16 @@ static void ms_sss__pyramid_upsample(void *context, int task)
         if (state->at == 0 && tilted) {
             ms_sss__pyramid_slopes(state, task, y, low, high, slope);
             for (i = 0; i < 3; ++i) {
-                for (c = first; c < low; ++c) slope[i][c] = 0;
-                for (c = high; c < last; ++c) slope[i][c] = 0;
+                ms_sss__fill(slope[i], first, low, 0);
+                ms_sss__fill(slope[i], high, last, 0);
             }
         }
-        if (state->at + 1 == state->levels) {
-            for (i = 0; i < 6; ++i) memset(sum[i] + first, 0, (size_t)(last - first) * sizeof(float));
-        } else {
+        if (state->at + 1 == state->levels)
+            for (i = 0; i < 6; ++i) ms_sss__fill(sum[i], first, last, 0);
+        else
             job->simd->gather(&state->params, own, coarse->plane[0] + y / 2 * coarse->stride, first / 2, last / 2, y,
                               sum);
-        }
-        if (state->at == 0) {
-            const ms_sss_image *image = &job->frame.output;
-            const float *row[4];
-            float *blur[4];
-            for (c = 0; c < 4; ++c) row[c] = v->plane[c] + y * v->stride;
-            for (c = 0; c < 4; ++c) blur[c] = ms_sss__buffer(job, task, c < 3 ? c : 17);
-            job->simd->resolve(&state->params, row, v->stride, (const float *const *)slope, (const float *const *)sum,
-                               low, high, blur);
-            for (c = 0; c < 4; ++c) blur[c] += low;
-            if (job->writes_output && job->row[y].full_strength && high <= v->width &&
-                ms_sss__all_valid(job, y, low, high))
-                for (c = 0; c < 3; ++c)
-                    job->simd->stream(blur[c], high - low, (float *)image->channel[c] + y * image->row_stride + low);
-            else ms_sss__add_term(job, task, y, low, high - low, blur, blur[3]);
-        }
+        if (state->at == 0) ms_sss__pyramid_resolve(state, task, y, slope, sum);
     }
 }
 
@@ -3588,22 +3532,23 @@ static void ms_sss__pyramid_run(ms_sss__pyramid_state *state, int l, void (*pass
 {
     ms_sss__job *job = &state->job;
     if (l < MS_SSS__PYRAMID_SERIAL) {
-        ms_sss__run(job, 0, state->level[l].height, pass);
+        ms_sss__run_rows(job, state->level[l].height, pass);
         return;
     }
     job->begin = 0;
     job->end = job->band = state->level[l].height;
-    ms_sss__run_parallel(&job->options.parallel, 1, pass, state);
+    ms_sss__run_parallel(NULL, 1, pass, state);
 }
 
 /* The taps by odd and even rows and columns, nearest first; stride: of the next level. */
-static void ms_sss__pyramid_sort_taps(ms_sss__pyramid_params *params, ms_sss__tap tap[2][2][64], ptrdiff_t stride)
+static void ms_sss__pyramid_sort_taps(ms_sss__pyramid_params *params, ms_sss__gather_tap tap[2][2][64],
+                                      ptrdiff_t stride)
 {
     int y, x, i, j, n = 0;
-    for (y = 0; y < 2; ++y) {
-        for (x = 0; x < 2; ++x) {
+    for (y = 0; y < 2; ++y)
+        for (x = 0; x < 2; ++x)
             for (n = 0, i = 0; i < 64; ++i) {
-                ms_sss__tap t;
+                ms_sss__gather_tap t;
                 t.at = (i / 8 - 4 + y) * stride + i % 8 - 4 + x;
                 t.x = (x ? -3.25f : -3.75f) + (float)(i % 8);
                 t.y = (y ? -3.25f : -3.75f) + (float)(i / 8);
@@ -3613,9 +3558,7 @@ static void ms_sss__pyramid_sort_taps(ms_sss__pyramid_params *params, ms_sss__ta
                 for (j = n++; j > 0 && tap[y][x][j - 1].square > t.square; --j) tap[y][x][j] = tap[y][x][j - 1];
                 tap[y][x][j] = t;
             }
-        }
-    }
-    params->tap = (const ms_sss__tap(*)[2][64])tap;
+    params->tap = (const ms_sss__gather_tap(*)[2][64])tap;
     params->taps = n;
 }
 
@@ -3650,222 +3593,391 @@ static void ms_sss__pyramid_tap_sums(ms_sss__pyramid_params *params, int level)
         (params->step * (float)(1 << (level + 1)));
 }
 
-MS_API size_t ms_sss_pyramid_workspace(int width, int height)
+/* A kernel of one tap that has the pyramid's radius: it gives the job its sizes. */
+static void ms_sss__pyramid_kernel(const ms_sss_pyramid *pyramid, ms_sss_kernel *k)
 {
-    ms__arena arena = {NULL, 0};
-    ms_sss_filter_options options = ms_sss_filter_defaults();
-    ms_sss__job job;
-    if (ms_sss__check_sides(width, height, NULL) != MS_OK) return SIZE_MAX;
-    ms__take(&arena, 1, sizeof(ms_sss__pyramid_state));
-    ms_sss__layout(&job, width, height, NULL, 0, &options, MS_SSS__PLANES, &arena);
-    ms_sss__pyramid_levels(NULL, width, height, &arena);
-    return ms__size_add(arena.used, 63);
+    int c;
+    memset(k, 0, sizeof *k);
+    k->tap_count = k->term_count = 1;
+    k->radius_mm = pyramid->radius_mm;
+    for (c = 0; c < 3; ++c) k->weight[0][0][c] = k->scale[0][c] = 1;
 }
 
-static int ms_sss__pyramid_supports(const ms_sss_filter_options *o)
+/* Sets the parameters that all levels share. pass: of the pyramid's kernel, without slopes. */
+static void ms_sss__pyramid_set_params(ms_sss__pyramid_params *params, const ms_sss__pass *pass,
+                                       const ms_sss_pyramid *pyramid, const ms_sss_filter_options *o, int with_depth)
 {
-    return !ms_sss__differ(o->rotation, 0) && !(o->jitter > 0) &&
-        !(o->pixels_per_mm[1] > 0 && ms_sss__differ(o->pixels_per_mm[0], o->pixels_per_mm[1]));
-}
-
-/* Sets the parameters that all levels share. The kernel of the job is set. */
-static MS_SSS__COLD void ms_sss__pyramid_set_params(ms_sss__pyramid_params *params, const ms_sss__job *job,
-                                                    const ms_sss_pyramid *pyramid, int with_depth, float flat)
-{
-    const ms_sss_filter_options *o = &job->options;
+    const double radius = (double)pyramid->radius_mm;
     double sigma;
     int c;
     memset(params, 0, sizeof *params);
     params->table = pyramid->weight[o->exact];
     params->wide = o->exact;
-    params->perspective = job->pass.perspective;
-    params->depth_aware = with_depth && o->depth_mode == MS_SSS_DEPTH_AWARE;
-    params->slope_scale = params->depth_aware ? 1 - flat : 0;
-    params->size = job->pass.size * pyramid->radius_mm;
-    params->size_max = job->pass.size_max * pyramid->radius_mm;
-    params->step = 1 / job->pass.focal[0];
-    params->rounding = job->pass.rounding + (params->perspective ? 1.2e-7f : 0); /* the division rounds again */
-    for (c = 0; c < 2; ++c) params->middle[c] = job->pass.middle[c];
+    params->perspective = pass->perspective;
+    params->depth_aware = ms_sss__uses_depth(o, with_depth);
+    params->slope_scale = params->depth_aware ? 1 - o->flat : 0;
+    params->radius_px = pass->pixels_per_mm * pyramid->radius_mm;
+    params->radius_px_most = pass->pixels_per_mm_most * pyramid->radius_mm;
+    params->step = 1 / pass->focal[0];
+    params->rounding = pass->rounding + (params->perspective ? 1.2e-7f : 0); /* the division rounds again */
+    for (c = 0; c < 2; ++c) params->middle[c] = pass->middle[c];
     params->tangent = params->perspective ? params->step : 0;
-    sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm
-                                  : (0.12 + 0.13 * (1 - (double)flat)) * (double)pyramid->radius_mm;
-    params->reach = (float)(3.0746 * sigma / (double)pyramid->radius_mm); /* there (1 - q)^4 has the Gaussian's width */
+    sigma = o->depth_sigma_mm > 0 ? (double)o->depth_sigma_mm : (0.12 + 0.13 * (1 - (double)o->flat)) * radius;
+    params->reach = (float)(MS_SSS__FALLOFF_END * sigma / radius); /* there (1 - q)^4 has the Gaussian's width */
     params->merge_reach = o->depth_sigma_mm > 0
         ? params->reach
-        : params->reach + (1.5f - 0.7686f) * (1 - flat); /* the reach of a gather */
+        : params->reach + (1.5f - 0.7686f) * (1 - o->flat); /* the reach of a gather */
     for (c = 0; c < 3; ++c) {
         params->elevation_4[c] = pyramid->elevation[c] * (params->slope_scale / 4);
         params->max_factor[c] = pyramid->reflectance[c] > 0 ? 1 / pyramid->reflectance[c] : 1;
     }
 }
 
-static ms_status ms_sss__pyramid_apply(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid, int profile,
-                                       int profiles, const ms_sss_filter_options *options, void *workspace,
-                                       ms_error *error)
+/* Filters the pixels of a profile by its pyramid: load, down, up. */
+static void ms_sss__pyramid_apply(ms_sss__pyramid_state *state, const ms_sss_pyramid *pyramid, int profile)
 {
-    ms__arena arena = ms_sss__place_in(workspace);
-    ms_sss__pyramid_state *state = (ms_sss__pyramid_state *)ms__take(&arena, 1, sizeof *state);
     ms_sss__job *job = &state->job;
-    ms_sss__pyramid_params *params = &state->params;
-    ms_sss_filter_options flat_options;
-    ms_status status;
-    int c, l;
-    if (state == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "workspace is NULL");
-    memset(&state->kernel, 0, sizeof state->kernel);
-    state->kernel.tap_count = state->kernel.term_count = 1;
-    state->kernel.radius_mm = pyramid->radius_mm;
-    for (c = 0; c < 3; ++c) state->kernel.weight[0][0][c] = state->kernel.scale[0][c] = 1;
-    flat_options = *options;
-    flat_options.flat = 1; /* the pyramid has slopes of its own */
-    status = ms_sss__begin(job, frame, &state->kernel, 1, &flat_options, MS_SSS__PLANES, &arena, error);
-    if (status != MS_OK) return status;
-    job->kernel_count = profiles;
-    ms_sss__pyramid_levels(state, frame->width, frame->height, &arena);
-    for (c = 0; c < 3; ++c) state->level[0].plane[c] = job->middle[c];
-
+    const int with_depth = job->frame.depth.channel[0] != NULL;
+    ms_sss_filter_options flat = job->options; /* the pyramid has slopes of its own */
+    ms_sss_kernel *kernel = &state->kernel;
+    int l;
+    flat.flat = 1;
+    ms_sss__pyramid_kernel(pyramid, kernel);
+    ms_sss__set_kernel(&job->pass, &job->view, kernel, &flat, with_depth);
+    ms_sss__set_term(&job->pass, &job->view, kernel, 0);
+    job->profile = profile;
+    job->terms = 1;
+    job->term = 0;
+    job->identity = !job->view.perspective && job->pass.pixels_per_mm <= job->pass.pixels_per_mm_half;
+    ms_sss__pyramid_set_params(&state->params, &job->pass, pyramid, &job->options, with_depth);
     state->at = 0;
-    ms_sss__set_kernel(job, &state->kernel, profile);
-    ms_sss__set_term(job, 0);
-    job->writes_output = ms_sss__no_compositing(job);
-    if (!(job->gain > 0)) job->identity = 1;
-    ms_sss__pyramid_set_params(params, job, pyramid, frame->depth.channel[0] != NULL, options->flat);
-    ms_sss__run(job, 0, frame->height, ms_sss__pyramid_load);
-    if (job->identity) return MS_OK;
-    ms_sss__run(job, 0, frame->height, ms_sss__pyramid_borders);
+    ms_sss__pyramid_run(state, 0, ms_sss__pyramid_load);
+    if (job->identity) return;
+    ms_sss__pyramid_run(state, 0, ms_sss__pyramid_clear);
     for (l = 1; l < state->levels; ++l) {
         state->at = l - 1;
-        if (l > 1) ms_sss__pyramid_run(state, l, ms_sss__pyramid_down);
+        ms_sss__pyramid_run(state, l, ms_sss__pyramid_down);
         state->at = l;
         ms_sss__pyramid_run(state, l, ms_sss__pyramid_clear);
     }
     for (l = state->levels - 1; l >= 0; --l) {
         state->at = l;
-        ms_sss__pyramid_tap_sums(params, l);
-        params->sums = l + 2 < state->levels;
+        ms_sss__pyramid_tap_sums(&state->params, l);
+        state->params.sums = l + 2 < state->levels;
         if (l + 1 < state->levels) {
-            params->plane = state->level[l + 1].plane[1] - state->level[l + 1].plane[0];
-            ms_sss__pyramid_sort_taps(params, state->tap, state->level[l + 1].stride);
+            state->params.plane = state->level[l + 1].plane[1] - state->level[l + 1].plane[0];
+            ms_sss__pyramid_sort_taps(&state->params, state->tap, state->level[l + 1].stride);
         }
-        ms_sss__pyramid_run(state, l, ms_sss__pyramid_upsample);
+        ms_sss__pyramid_run(state, l, ms_sss__pyramid_up);
     }
+}
+
+/* ---- filter calls ---------------------------------------------------------------------------------------------- */
+
+/* Fills in the strides. */
+static MS_SSS__COLD ms_status ms_sss__check_image(ms_sss_image *image, const char *name, int channels, int needed,
+                                                  int width, int height, ms_error *error)
+{
+    const ptrdiff_t limit = PTRDIFF_MAX / 8;
+    int c;
+    if (!image->channel[0]) {
+        if (!needed) return MS_OK;
+        return MS_SSS__REFUSE(error, "%s: no pixels were given", name);
+    }
+    for (c = 1; c < channels; ++c)
+        if (!image->channel[c]) return MS_SSS__REFUSE(error, "%s: channel %d has no pixels", name, c);
+    if (image->pixel_stride == 0) image->pixel_stride = 1;
+    if (image->pixel_stride > limit / width || image->pixel_stride < -(limit / width))
+        return MS_SSS__REFUSE(error, "%s: pixel_stride is too large", name);
+    if (image->row_stride == 0) image->row_stride = image->pixel_stride * width;
+    if (image->row_stride > limit / height || image->row_stride < -(limit / height))
+        return MS_SSS__REFUSE(error, "%s: row_stride is too large", name);
     return MS_OK;
 }
 
-static MS_SSS__COLD void *ms_sss__allocate_workspace(size_t size, ms_error *error)
+static MS_SSS__COLD ms_status ms_sss__check_sides(int width, int height, ms_error *error)
 {
-    void *workspace = size < SIZE_MAX ? malloc(size) : NULL;
-    if (!workspace) ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a workspace of %z bytes", size);
-    return workspace;
+    if (width >= 1 && height >= 1 && width <= MS_SSS__SIDE_MAX && height <= MS_SSS__SIDE_MAX) return MS_OK;
+    return MS_SSS__REFUSE(error, "width, height %d, %d: expected 1 to %d each", width, height, (int)MS_SSS__SIDE_MAX);
 }
 
-MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramid,
-                                       const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
-                                       ms_error *error)
+/* Fills in the strides. */
+static MS_SSS__COLD ms_status ms_sss__check_frame(ms_sss_frame *f, int needs_depth, ms_error *error)
 {
-    ms_status status;
-    if (!frame || !pyramid || !options) return MS_SSS__REFUSE(error, "frame, pyramid or options is NULL");
-    status = ms_sss__check_sides(frame->width, frame->height, error);
-    if (status == MS_OK && !workspace && !workspace_size) {
-        workspace_size = ms_sss_pyramid_workspace(frame->width, frame->height);
-        if (!(workspace = ms_sss__allocate_workspace(workspace_size, error))) return MS_OUT_OF_MEMORY;
-        status = ms_sss_pyramid_filter(frame, pyramid, options, workspace, workspace_size, error);
-        free(workspace);
-        return status;
+    const struct {
+        ms_sss_image *image;
+        const char *name;
+        int channels, needed;
+    } pictures[] = {{&f->input, "input", 3, 1},
+                    {&f->output, "output", 3, 1},
+                    {&f->depth, "depth", 1, needs_depth},
+                    {&f->strength, "strength", 1, 0},
+                    {&f->normal, "normal", 3, 0}};
+    ms_status status = MS_OK;
+    size_t i;
+    for (i = 0; i < sizeof pictures / sizeof pictures[0] && status == MS_OK; ++i)
+        status = ms_sss__check_image(pictures[i].image, pictures[i].name, pictures[i].channels, pictures[i].needed,
+                                     f->width, f->height, error);
+    return status;
+}
+
+static MS_SSS__COLD ms_status ms_sss__check_options(const ms_sss_filter_options *o, ms_error *error)
+{
+    static const char *const name[] = {"ortho_height", "mm_per_unit", "depth_sigma_mm"};
+    const float length[] = {o->ortho_height, o->mm_per_unit, o->depth_sigma_mm}, *a = o->pixels_per_mm;
+    const int sizes = ms_sss__differ(a[0], 0) + ms_sss__differ(o->fov_degrees, 0) + ms_sss__differ(o->ortho_height, 0);
+    int i;
+    if (sizes != 1)
+        return MS_SSS__REFUSE(error, "%d of pixels_per_mm, fov_degrees and ortho_height are set; exactly one is needed",
+                              sizes);
+    if (ms_sss__differ(a[0], 0) && !(ms_sss__positive(a[0]) && a[1] >= 0 && ms__finite_f(a[1])))
+        return MS_SSS__REFUSE(error, "pixels_per_mm %g, %g: expected positive numbers", (double)a[0], (double)a[1]);
+    if (ms_sss__differ(o->fov_degrees, 0) && !(o->fov_degrees > 0 && o->fov_degrees < 180))
+        return MS_SSS__REFUSE(error, "fov_degrees %g is not within (0, 180)", (double)o->fov_degrees);
+    for (i = 0; i < 3; ++i)
+        if (ms_sss__differ(length[i], 0) && !ms_sss__positive(length[i]))
+            return MS_SSS__REFUSE(error, "%s %g is not positive", name[i], (double)length[i]);
+    {
+        const ms_sss__range ranges[] = {{"flat", (double)o->flat, 0, 1},
+                                        {"center[0]", (double)o->center[0], -1e6, 1e6},
+                                        {"center[1]", (double)o->center[1], -1e6, 1e6},
+                                        {"exact", (double)o->exact, 0, 1},
+                                        {"depth_mode", (double)o->depth_mode, 0, (double)MS_SSS_DEPTH_SCALE}};
+        return ms_sss__check_ranges(ranges, sizeof ranges / sizeof ranges[0], error);
     }
-    if (status == MS_OK)
-        status = ms_sss__check_workspace(workspace, workspace_size,
-                                         ms_sss_pyramid_workspace(frame->width, frame->height), error);
-    if (status == MS_OK) status = ms_sss__check_options(options, error);
-    if (status != MS_OK) return status;
-    if (frame->profile || !ms_sss__pyramid_supports(options))
-        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid has one kernel, round, without rotation or jitter");
-    return ms_sss__pyramid_apply(frame, pyramid, 0, 1, options, workspace, error);
 }
 
-/* --- the entry: which method, and its workspace --- */
-
-static int ms_sss__may_use(const ms_sss_filter_options *o, ms_sss_method method)
+static MS_SSS__COLD ms_status ms_sss__check_pyramid(const ms_sss_pyramid *p, int index, ms_error *error)
 {
-    if (o->method != MS_SSS_METHOD_AUTO) return o->method == method;
-    return method == MS_SSS_METHOD_TAPS ||
-        (method == MS_SSS_METHOD_PYRAMID && o->pyramids && ms_sss__pyramid_supports(o));
+    const float *weight = &p->weight[0][0][0][0][0];
+    size_t i;
+    if (!ms_sss__positive(p->radius_mm))
+        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
+                        "pyramid %d: radius_mm %g is not positive; ms_sss_pyramid_make fills a pyramid", index,
+                        (double)p->radius_mm);
+    for (i = 0; i < sizeof p->weight / sizeof(float); ++i)
+        if (!(weight[i] >= 0 && weight[i] <= 2))
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index, "pyramid %d: weight %d is %g; 0 to 1 expected",
+                            index, (int)i, (double)weight[i]);
+    return MS_OK;
 }
 
-static ms_sss_method ms_sss__choose_method(ms_sss__job *job, const ms_sss_kernel *k, int profile)
+/* Refuses a scene whose units are likely not millimeters: mm_per_unit was not given, and the smallest kernel covers
+   half of the picture, in the mean over up to 64 x 64 pixels. */
+static MS_SSS__COLD ms_status ms_sss__check_scale(const ms_sss_frame *f, const ms_sss_filter_options *o,
+                                                  double radius_mm, ms_error *error)
 {
-    const ms_sss_filter_options *o = &job->options;
-    double radius = k->profile_radius_mm > 0 ? (double)k->profile_radius_mm : (double)k->radius_mm, nearest = 1;
-    int y;
-    if (o->method != MS_SSS_METHOD_AUTO) return o->method;
-    if (!ms_sss__may_use(o, MS_SSS_METHOD_PYRAMID)) return MS_SSS_METHOD_TAPS;
-    ms_sss__set_kernel(job, k, profile);
-    radius *= (double)job->pass.size;
-    if (job->pass.perspective) { /* one near pixel is enough: in every 16th row, else in all */
-        nearest = (double)MS_SSS__MASKED_DEPTH;
-        for (y = 0; y < job->frame.height && !(radius > 16 * nearest); y += 16)
-            nearest = (double)(ms_sss__least_of_row(job, 0, y) * job->depth_scale);
-        if (!(radius > 16 * nearest)) {
-            ms_sss__find_nearest(job);
-            nearest = (double)(job->nearest * job->depth_scale);
+    const ms_sss__view v = ms_sss__make_view(o, f->width, f->height);
+    const int side = ms_sss__longer_side(&v), step_x = (f->width + 63) / 64, step_y = (f->height + 63) / 64;
+    const double size = radius_mm * v.pixels_per_mm;
+    double sum = v.perspective ? 0 : size;
+    int x, y, n = !v.perspective;
+    if (o->mm_per_unit > 0 || o->pixels_per_mm[0] > 0) return MS_OK;
+    for (y = step_y / 2; y < f->height && v.perspective; y += step_y)
+        for (x = step_x / 2; x < f->width; x += step_x) {
+            const float z = *ms_sss__pixel(&f->depth, 0, x, y);
+            if (!ms_sss__positive(z)) continue;
+            sum += size / (double)z < side ? size / (double)z : side;
+            ++n;
         }
-    }
-    return radius > 16 * nearest ? MS_SSS_METHOD_PYRAMID : MS_SSS_METHOD_TAPS;
+    if (!(sum > 0.5 * side * n)) return MS_OK;
+    return MS_SSS__REFUSE(error,
+                          "a radius of %g mm covers half of the picture: mm_per_unit is needed, "
+                          "1000 for a scene in meters, 1 if it is in mm",
+                          radius_mm);
 }
 
-MS_SSS__COLD MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels,
-                                                   int kernel_count, const ms_sss_filter_options *options)
+/* Checks what both filters share and begins the job; its memory is taken afterwards. least_mm: the smallest radius. */
+static MS_SSS__COLD ms_status ms_sss__begin(ms_sss__job *job, const ms_sss_frame *frame,
+                                            const ms_sss_filter_options *options, double least_mm, ms_error *error)
 {
-    size_t size = 0, needed;
-    if (ms_sss__check_sides(width, height, NULL) != MS_OK || !kernels || !options) return SIZE_MAX;
-    if (ms_sss__may_use(options, MS_SSS_METHOD_TAPS))
-        size = ms_sss__job_size(width, height, kernels, kernel_count, options, MS_SSS__PASSES);
-    if (ms_sss__may_use(options, MS_SSS_METHOD_HALF) &&
-        size < (needed = ms_sss__half_workspace(width, height, kernels, kernel_count, options)))
-        size = needed;
-    if (ms_sss__may_use(options, MS_SSS_METHOD_PYRAMID) && size < (needed = ms_sss_pyramid_workspace(width, height)))
-        size = needed;
-    return size ? size : SIZE_MAX;
+    const ms_sss_image *from = &job->frame.input, *to = &job->frame.output;
+    ms_status status;
+    memset(job, 0, sizeof *job);
+    job->frame = *frame;
+    job->options = *options;
+    if ((status = ms_sss__check_options(options, error)) != MS_OK ||
+        (status = ms_sss__check_frame(&job->frame, options->fov_degrees > 0, error)) != MS_OK ||
+        (status = ms_sss__check_scale(&job->frame, options, least_mm, error)) != MS_OK)
+        return status;
+    job->view = ms_sss__make_view(options, frame->width, frame->height);
+    job->simd = ms_sss__pick(options->simd);
+    job->in_place = from->pixel_stride == to->pixel_stride && from->row_stride == to->row_stride &&
+        from->channel[0] == to->channel[0] && from->channel[1] == to->channel[1] && from->channel[2] == to->channel[2];
+    return MS_OK;
+}
+
+/* The memory of a call: the caller's, or *owned, which the caller of this frees. */
+static MS_SSS__COLD ms_status ms_sss__get_workspace(void *workspace, size_t size, size_t needed, ms__arena *arena,
+                                                    void **owned, ms_error *error)
+{
+    *owned = NULL;
+    if (!workspace && !size) {
+        workspace = *owned = needed < SIZE_MAX ? malloc(needed) : NULL;
+        if (!workspace) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a workspace of %z bytes", needed);
+    } else if (!workspace || size < needed) {
+        return MS_SSS__REFUSE(error, "a workspace of %z bytes: expected %z", workspace ? size : 0, needed);
+    }
+    *arena = ms_sss__place_in(workspace);
+    return MS_OK;
+}
+
+MS_API ms_sss_filter_options ms_sss_filter_defaults(void)
+{
+    ms_sss_filter_options o;
+    memset(&o, 0, sizeof o);
+    return o;
+}
+
+static ms_sss_image ms_sss__make_image(const float *red, const float *green, const float *blue, int pixel_stride)
+{
+    ms_sss_image image;
+    image.channel[0] = (float *)(uintptr_t)red;
+    image.channel[1] = (float *)(uintptr_t)green;
+    image.channel[2] = (float *)(uintptr_t)blue;
+    image.pixel_stride = pixel_stride;
+    image.row_stride = 0;
+    return image;
+}
+
+MS_API ms_sss_image ms_sss_interleaved(const float *pixels, int channels)
+{
+    return ms_sss__make_image(pixels, pixels ? pixels + 1 : NULL, pixels ? pixels + 2 : NULL, channels);
+}
+
+MS_API ms_sss_image ms_sss_planar(const float *red, const float *green, const float *blue)
+{
+    return ms_sss__make_image(red, green, blue, 0);
+}
+
+MS_API ms_sss_image ms_sss_map(const float *values, int stride)
+{
+    return ms_sss__make_image(values, NULL, NULL, stride);
+}
+
+static void ms_sss__filter_memory(ms_sss__memory *m, int width, int height, const ms_sss_kernel *kernels,
+                                  int kernel_count, const ms_sss_filter_options *options, ms__arena *arena)
+{
+    int i, terms = 1;
+    for (i = 0; i < kernel_count; ++i)
+        if (kernels[i].term_count > terms) terms = kernels[i].term_count;
+    ms_sss__take_memory(m, width, height, 1, ms_sss__uses_slopes(options, 1), terms > 1, arena);
+}
+
+MS_API size_t ms_sss_filter_workspace(int width, int height, const ms_sss_kernel *kernels, int kernel_count,
+                                      const ms_sss_filter_options *options)
+{
+    ms__arena arena = {NULL, 0};
+    ms_sss__memory memory;
+    if (ms_sss__check_sides(width, height, NULL) != MS_OK || !kernels || !options || kernel_count < 1 ||
+        kernel_count > 256)
+        return SIZE_MAX;
+    ms_sss__filter_memory(&memory, width, height, kernels, kernel_count, options, &arena);
+    return ms__size_add(arena.used, 63);
+}
+
+/* Clears the empty rows above and below the planes of light and depth. */
+static void ms_sss__clear_borders(const ms_sss__memory *m, int height)
+{
+    const int right = (int)m->stride - MS_SSS__LEFT;
+    int c, side;
+    for (side = 0; side < 2; ++side) {
+        const ptrdiff_t at = (side ? height : -1) * m->stride;
+        for (c = 0; c < 3; ++c) ms_sss__fill(m->color[c] + at, -MS_SSS__LEFT, right, 0);
+        if (m->depth) ms_sss__fill(m->depth + at, -MS_SSS__LEFT, right, MS_SSS__MASKED_DEPTH);
+    }
 }
 
 MS_API ms_status ms_sss_filter(const ms_sss_frame *frame, const ms_sss_kernel *kernels, int kernel_count,
                                const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
                                ms_error *error)
 {
-    ms_sss__job job;                /* checks everything before anything is written, and gives the kernels' sizes */
-    ms_sss_filter_options resolved; /* with mm_per_unit filled in */
-    ms_status status;
+    ms_sss__job job;
     ms__arena arena;
-    size_t needed;
-    int i;
-    if (!frame || !kernels || !options) return MS_SSS__REFUSE(error, "frame, kernels or options is NULL");
-    needed = ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options);
-    if (!workspace && !workspace_size && needed < SIZE_MAX) { /* SIZE_MAX: something is refused below, by name */
-        workspace_size = needed;
-        if (!(workspace = ms_sss__allocate_workspace(workspace_size, error))) return MS_OUT_OF_MEMORY;
-        status = ms_sss_filter(frame, kernels, kernel_count, options, workspace, workspace_size, error);
-        free(workspace);
-        return status;
+    ms_status status;
+    void *owned;
+    int i, least = 0;
+    if (!frame) return MS_SSS__REFUSE(error, "frame is NULL");
+    if (!kernels) return MS_SSS__REFUSE(error, "kernels is NULL");
+    if (!options) return MS_SSS__REFUSE(error, "options is NULL");
+    if ((status = ms_sss__check_sides(frame->width, frame->height, error)) != MS_OK) return status;
+    if (kernel_count < 1 || kernel_count > 256)
+        return MS_SSS__REFUSE(error, "kernel_count %d is not within 1 to 256", kernel_count);
+    for (i = 0; i < kernel_count; ++i) {
+        if ((status = ms_sss__check_kernel(&kernels[i], i, error)) != MS_OK) return status;
+        if (kernels[i].radius_mm < kernels[least].radius_mm) least = i;
     }
-    arena = ms_sss__place_in(workspace_size >= needed ? workspace : NULL);
-    status = ms_sss__begin(&job, frame, kernels, kernel_count, options, MS_SSS__ROW_BUFFERS, &arena, error);
-    if (status == MS_OK) status = ms_sss__check_workspace(workspace, workspace_size, needed, error);
+    status = ms_sss__begin(&job, frame, options, (double)kernels[least].radius_mm, error);
+    if (status == MS_OK)
+        status = ms_sss__get_workspace(
+            workspace, workspace_size,
+            ms_sss_filter_workspace(frame->width, frame->height, kernels, kernel_count, options), &arena, &owned,
+            error);
     if (status != MS_OK) return status;
-    if (options->method == MS_SSS_METHOD_PYRAMID && (!options->pyramids || !ms_sss__pyramid_supports(options)))
-        return ms__fail(error, MS_UNSUPPORTED, 0,
-                        options->pyramids ? "a pyramid is round, without rotation or jitter"
-                                          : "method is MS_SSS_METHOD_PYRAMID, but options.pyramids is NULL");
-    resolved = *options;
-    if (!(resolved.mm_per_unit > 0)) resolved.mm_per_unit = 1;
-    for (i = 0; i < kernel_count && (i == 0 || frame->profile); ++i) {
-        const ms_sss_method method = ms_sss__choose_method(&job, &kernels[i], i);
-        if (frame->taken) frame->taken[i] = method;
-        status = method == MS_SSS_METHOD_PYRAMID
-            ? ms_sss__pyramid_apply(frame, &options->pyramids[i], i, kernel_count, &resolved, workspace, error)
-            : method == MS_SSS_METHOD_HALF
-            ? ms_sss__half_filter(frame, kernels, i, kernel_count, &resolved, workspace, error)
-            : ms_sss__taps_filter(&job, frame, kernels, i, kernel_count, &resolved, workspace, error);
-        if (status != MS_OK) return status;
+    ms_sss__filter_memory(&job.memory, frame->width, frame->height, kernels, kernel_count, options, &arena);
+    ms_sss__clear_borders(&job.memory, frame->height);
+    for (i = 0; i < kernel_count && (i == 0 || frame->profile); ++i) ms_sss__apply(&job, &kernels[i], i);
+    free(owned);
+    return MS_OK;
+}
+
+/* The state is in the workspace, too: it does not fit the stack. */
+static ms_sss__pyramid_state *ms_sss__pyramid_memory(const ms_sss__job *job, int width, int height, ms__arena *arena)
+{
+    ms_sss__pyramid_state *state = (ms_sss__pyramid_state *)ms__take(arena, 1, sizeof *state);
+    ms_sss__memory memory;
+    int c;
+    ms_sss__take_memory(&memory, width, height, 0, 0, 0, arena);
+    if (state) {
+        memset(state, 0, sizeof *state);
+        state->job = *job;
+        state->job.memory = memory;
+        for (c = 0; c < 3; ++c) state->level[0].plane[c] = memory.color[c];
     }
+    ms_sss__pyramid_levels(state, width, height, arena);
+    return state;
+}
+
+MS_API size_t ms_sss_pyramid_workspace(int width, int height)
+{
+    ms__arena arena = {NULL, 0};
+    if (ms_sss__check_sides(width, height, NULL) != MS_OK) return SIZE_MAX;
+    ms_sss__pyramid_memory(NULL, width, height, &arena);
+    return ms__size_add(arena.used, 63);
+}
+
+MS_API ms_status ms_sss_pyramid_filter(const ms_sss_frame *frame, const ms_sss_pyramid *pyramids, int pyramid_count,
+                                       const ms_sss_filter_options *options, void *workspace, size_t workspace_size,
+                                       ms_error *error)
+{
+    ms_sss__pyramid_state *state;
+    ms_sss__job job;
+    ms__arena arena;
+    ms_status status;
+    void *owned;
+    int i, least = 0;
+    if (!frame) return MS_SSS__REFUSE(error, "frame is NULL");
+    if (!pyramids) return MS_SSS__REFUSE(error, "pyramids is NULL");
+    if (!options) return MS_SSS__REFUSE(error, "options is NULL");
+    if ((status = ms_sss__check_sides(frame->width, frame->height, error)) != MS_OK) return status;
+    if (pyramid_count < 1 || pyramid_count > 256)
+        return MS_SSS__REFUSE(error, "pyramid_count %d is not within 1 to 256", pyramid_count);
+    for (i = 0; i < pyramid_count; ++i) {
+        if ((status = ms_sss__check_pyramid(&pyramids[i], i, error)) != MS_OK) return status;
+        if (pyramids[i].radius_mm < pyramids[least].radius_mm) least = i;
+    }
+    if ((status = ms_sss__begin(&job, frame, options, (double)pyramids[least].radius_mm, error)) != MS_OK)
+        return status;
+    if (job.view.aspect[1] < 1 || job.view.aspect[1] > 1)
+        return ms__fail(error, MS_UNSUPPORTED, 0, "a pyramid is round: pixels_per_mm %g and %g differ",
+                        (double)options->pixels_per_mm[0], (double)options->pixels_per_mm[1]);
+    status = ms_sss__get_workspace(workspace, workspace_size, ms_sss_pyramid_workspace(frame->width, frame->height),
+                                   &arena, &owned, error);
+    if (status != MS_OK) return status;
+    state = ms_sss__pyramid_memory(&job, frame->width, frame->height, &arena);
+    ms_sss__clear_borders(&state->job.memory, frame->height);
+    for (i = 0; i < pyramid_count && (i == 0 || frame->profile); ++i) ms_sss__pyramid_apply(state, &pyramids[i], i);
+    free(owned);
     return MS_OK;
 }
 
@@ -3937,26 +4049,6 @@ MS_API int ms_sss_shader_levels(int width, int height)
     return levels;
 }
 
-/* A kernel that a shader can hold: its taps are pairs, no more than the shader's. */
-static MS_SSS__COLD ms_status ms_sss__check_pairs(const ms_sss_kernel *k, int index, int tap_count, ms_error *error)
-{
-    const ms_status status = ms_sss__check_kernel(k, index, error);
-    int i, c, t;
-    if (status != MS_OK) return status;
-    if (k->tap_count > tap_count)
-        return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
-                        "kernel %d has %d taps, more than the shader's tap_count %d", index, k->tap_count, tap_count);
-    for (i = 1; i < k->tap_count; i += 2) {
-        int same = !ms_sss__differ(k->offset_mm[i], -k->offset_mm[i + 1]);
-        for (t = 0; t < k->term_count; ++t)
-            for (c = 0; c < 3; ++c) same = same && !ms_sss__differ(k->weight[t][i][c], k->weight[t][i + 1][c]);
-        if (!same)
-            return ms__fail(error, MS_UNSUPPORTED, (size_t)index,
-                            "kernel %d: taps %d and %d differ, but a shader has one weight of both", index, i, i + 1);
-    }
-    return MS_OK;
-}
-
 /* Refuses a kernel that shows stairs at shader->nearest: so many pairs of taps keep bands within MS_SSS_BANDS_SEEN up
    to a radius of so many pixels, the least of seven profiles, of skin1, marble, ketchup and four of Burley's, at radii
    from 6 to 188 pixels. */
@@ -3965,7 +4057,7 @@ static MS_SSS__COLD ms_status ms_sss__check_stairs(const ms_sss_kernel *k, const
 {
     static const unsigned char most[13] = {0, 1, 4, 8, 12, 16, 23, 29, 47, 65, 90, 115, 150};
     const int side = width > height ? width : height;
-    double pixels = (double)k->radius_mm * ms_sss__pixels(o, height);
+    double pixels = (double)k->radius_mm * ms_sss__make_view(o, width, height).pixels_per_mm;
     int pairs = k->tap_count / 2;
     if (!(s->nearest > 0)) return MS_OK;
     if (o->fov_degrees > 0) pixels /= (double)s->nearest;
@@ -3978,19 +4070,6 @@ static MS_SSS__COLD ms_status ms_sss__check_stairs(const ms_sss_kernel *k, const
                     k->tap_count, 2 * pairs + 1);
 }
 
-/* The units of ms_sss_filter for a kernel. */
-static MS_SSS__COLD void ms_sss__shader_job(ms_sss__job *job, const ms_sss_kernel *k,
-                                            const ms_sss_filter_options *options, int width, int height, int slopes)
-{
-    memset(job, 0, sizeof *job);
-    job->full_width = width;
-    job->full_height = height;
-    job->coarse = 1;
-    job->options = *options;
-    job->with_slopes = slopes;
-    ms_sss__set_kernel(job, k, 0);
-}
-
 static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_sss_filter_options *options, int width,
                                                         int height, const ms_sss_shader *shader, float (*out)[4],
                                                         ms_error *error)
@@ -4000,7 +4079,8 @@ static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_ss
     const float *a = options->pixels_per_mm;
     ms_sss_kernel kernel;
     ms_sss_filter_options round = *options;
-    ms_sss__job job;
+    const ms_sss__view view = ms_sss__make_view(options, width, height);
+    ms_sss__pass pass;
     ms_sss__pyramid_params g;
     float unit;
     int i, c;
@@ -4013,19 +4093,19 @@ static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_ss
     if (level < 0 || level >= levels)
         return MS_SSS__REFUSE(error, "level %d is not within the picture's %d", level, levels);
     pyramid += profile;
-    memset(&kernel, 0, sizeof kernel);
-    kernel.tap_count = kernel.term_count = 1;
-    kernel.radius_mm = pyramid->radius_mm;
+    ms_sss__pyramid_kernel(pyramid, &kernel);
     round.flat = 1;
+    ms_sss__set_kernel(&pass, &view, &kernel, &round, 1);
+    round.flat = options->flat;
     round.exact = 0;
-    ms_sss__shader_job(&job, &kernel, &round, width, height, 0);
-    ms_sss__pyramid_set_params(&g, &job, pyramid, 1, options->flat);
+    ms_sss__pyramid_set_params(&g, &pass, pyramid, &round, 1);
     ms_sss__pyramid_tap_sums(&g, level);
-    unit = g.perspective ? 1 : job.depth_scale; /* depth as it is given */
+    unit = g.perspective ? 1 : pass.depth_scale; /* depth as it is given */
     {
         const float head[MS_SSS__LEVEL_HEAD][4] = {
             {(float)width, (float)height, 1.0f - shader->fade, (float)profile},
-            {g.perspective ? g.size / job.depth_scale : g.size, g.size_max, g.depth_aware ? g.step / unit : 1e30f,
+            {g.perspective ? g.radius_px / pass.depth_scale : g.radius_px, g.radius_px_most,
+             g.depth_aware ? g.step / unit : 1e30f,
              g.tangent}, /* 1e30: nothing is deep, where depth only scales the kernel */
             {shader->step == MS_SSS_STEP_SHRINK ? g.merge_reach : g.reach, g.slope_scale, (float)(1 << (level + 1)),
              MS_SSS__GATHER(0, level)},
@@ -4049,25 +4129,24 @@ static MS_SSS__COLD ms_status ms_sss__pyramid_constants(int profile, const ms_ss
 
 /* The constants of a kernel's term: total and radius, scale and depth scale, delta and split, elevation and mixed, root
    and reach, the center and one tap of each pair. A kernel without that term adds nothing. */
-static MS_SSS__COLD void ms_sss__kernel_constants(const ms_sss_kernel *k, int wanted, ms_sss__job *job, float (*at)[4])
+static MS_SSS__COLD void ms_sss__kernel_constants(const ms_sss_kernel *k, int wanted, ms_sss__pass *p, float (*at)[4])
 {
-    const ms_sss__pass *p = &job->pass;
     const int has = wanted < k->term_count, term = has ? wanted : 0;
     int i, c;
-    ms_sss__totals(k, term, job->pass.total, job->pass.mixed);
+    ms_sss__totals(k, term, p->total, p->mixed);
     for (c = 0; c < 3; ++c) {
         at[0][c] = p->total[c];
         at[1][c] = has ? k->scale[term][c] : 0;
         at[2][c] = has ? k->delta[c] : 0;
         at[3][c] = p->elevation_4[c];
-        at[4][c] = p->root[c];
+        at[4][c] = p->root_r[c];
         for (i = 0; i < k->tap_count; i += 2) at[MS_SSS__PROFILE_HEAD + i / 2][c] = k->weight[term][i][c];
     }
     at[0][3] = k->radius_mm;
-    at[1][3] = job->depth_scale;
-    at[2][3] = p->split_dz * p->split_dz;
+    at[1][3] = p->depth_scale;
+    at[2][3] = p->average_dz * p->average_dz;
     at[3][3] = (float)(p->mixed[0] + 2 * p->mixed[1] + 4 * p->mixed[2]);
-    at[4][3] = p->reach;
+    at[4][3] = p->edge_dz2;
     for (i = 0; i < k->tap_count; i += 2) at[MS_SSS__PROFILE_HEAD + i / 2][3] = k->offset_mm[i];
 }
 
@@ -4075,10 +4154,11 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
                                                       const ms_sss_filter_options *options, int width, int height,
                                                       const ms_sss_shader *shader, float (*out)[4], ms_error *error)
 {
-    ms_sss__job job;
+    ms_sss__view view;
+    ms_sss__pass pass;
     ms_status status;
     int count, terms = 0, i;
-    double pixels, focal;
+    double focal;
     if ((status = ms_sss__check_shader(shader, error)) != MS_OK) return status;
     if (!options) return MS_SSS__REFUSE(error, "options is NULL");
     if ((status = ms_sss__check_options(options, error)) != MS_OK) return status;
@@ -4089,28 +4169,31 @@ MS_SSS__COLD MS_API ms_status ms_sss_shader_constants(const ms_sss_kernel *kerne
     if (!kernels) return MS_SSS__REFUSE(error, "kernels is NULL");
     count = ms_sss__shader_profiles(shader);
     for (i = 0; i < count; ++i) { /* all are checked before anything is written */
-        if ((status = ms_sss__check_pairs(&kernels[i], i, shader->tap_count, error)) != MS_OK) return status;
+        if ((status = ms_sss__check_kernel(&kernels[i], i, error)) != MS_OK) return status;
+        if (kernels[i].tap_count > shader->tap_count)
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
+                            "kernel %d has %d taps, more than the shader's tap_count %d", i, kernels[i].tap_count,
+                            shader->tap_count);
         if ((status = ms_sss__check_stairs(&kernels[i], options, width, height, shader, error)) != MS_OK) return status;
         if (kernels[i].term_count > terms) terms = kernels[i].term_count;
     }
     if (index < 0 || index >= terms)
         return MS_SSS__REFUSE(error, "term %d is not within the kernels' %d", index, terms);
     memset(out, 0, (size_t)ms_sss_shader_constant_count(shader) * sizeof out[0]);
-    pixels = ms_sss__pixels(options, height);
-    focal = pixels * (options->mm_per_unit > 0 ? (double)options->mm_per_unit : 1);
+    view = ms_sss__make_view(options, width, height);
+    focal = view.pixels_per_mm * view.mm_per_unit;
     for (i = 0; i < count * ms_sss__shader_terms(shader); ++i) {
         const ms_sss_kernel *k = &kernels[i % count];
         const int term = shader->step == MS_SSS_STEP_UP ? i / count : index;
-        ms_sss__shader_job(&job, k, options, width, height, ms_sss__uses_slopes(options));
-        ms_sss__kernel_constants(k, term, &job, out + MS_SSS__PICTURE_HEAD + i * ms_sss__shader_stride(shader));
+        ms_sss__set_kernel(&pass, &view, k, options, 1);
+        ms_sss__kernel_constants(k, term, &pass, out + MS_SSS__PICTURE_HEAD + i * ms_sss__shader_stride(shader));
     }
     {
-        const ms_sss__pass *p = &job.pass;
         const float head[MS_SSS__PICTURE_HEAD][4] = {
-            {(float)width, (float)height, (float)pixels, 1.0f - shader->fade},
-            {p->aspect[0], p->aspect[1], shader->rotation, shader->jitter},
-            {index == 0 ? 1.0f : 0.0f, (float)focal, (float)(focal * (double)p->aspect[1]), 1.0f - options->flat},
-            {p->middle[0], p->middle[1], (float)shader->origin[0], (float)shader->origin[1]}};
+            {(float)width, (float)height, (float)view.pixels_per_mm, 1.0f - shader->fade},
+            {view.aspect[0], view.aspect[1], shader->rotation, shader->jitter},
+            {index == 0 ? 1.0f : 0.0f, (float)focal, (float)(focal * (double)view.aspect[1]), 1.0f - options->flat},
+            {view.middle[0], view.middle[1], (float)shader->origin[0], (float)shader->origin[1]}};
         memcpy(out, head, sizeof head);
     }
     return MS_OK;
@@ -4316,8 +4399,11 @@ static MS_SSS__COLD ms_status ms_sss__check_table(int count, int least, const do
                                                   const double *const value[3], int stride, ms_error *error)
 {
     int i, c;
-    if (count < least || radius == NULL || value == NULL || value[0] == NULL || value[1] == NULL || value[2] == NULL)
-        return MS_SSS__REFUSE(error, "%d rows of a profile; at least %d and no NULL expected", count, least);
+    if (radius == NULL) return MS_SSS__REFUSE(error, "%s is NULL", least == 1 ? "edge_mm" : "r_mm");
+    if (value == NULL) return MS_SSS__REFUSE(error, "value is NULL");
+    for (c = 0; c < 3; ++c)
+        if (value[c] == NULL) return MS_SSS__REFUSE(error, "value[%d] is NULL", c);
+    if (count < least) return MS_SSS__REFUSE(error, "count is %d; at least %d expected", count, least);
     if (stride < 1) return MS_SSS__REFUSE(error, "stride is %d; 0 or more expected", stride);
     for (i = 0; i < radii; ++i)
         if (!ms__finite(radius[i]) || radius[i] < 0 || radius[i] > 1e9 || (i > 0 && radius[i] - radius[i - 1] < 1e-9))
@@ -4407,14 +4493,20 @@ static MS_SSS__COLD ms_status ms_sss__from_lengths(ms_sss_profile **profile, ms_
     int i, c;
     if (profile == NULL) return MS_SSS__REFUSE(error, "profile is NULL");
     *profile = NULL;
-    if (count < 1 || count > MS_SSS_GAUSSIANS_MAX || length_mm == NULL || weight == NULL)
-        return MS_SSS__REFUSE(error, "%d Gaussians; 1 to %d and no NULL expected", count, MS_SSS_GAUSSIANS_MAX);
+    if (length_mm == NULL) return MS_SSS__REFUSE(error, "%s is NULL", kind == MS_SSS__BURLEY ? "d_mm" : "sigma_mm");
+    if (weight == NULL) return MS_SSS__REFUSE(error, "%s is NULL", kind == MS_SSS__BURLEY ? "reflectance" : "weight");
+    if (count < 1 || count > MS_SSS_GAUSSIANS_MAX)
+        return MS_SSS__REFUSE(error, "count is %d; 1 to %d expected", count, MS_SSS_GAUSSIANS_MAX);
     for (i = 0; i < count; ++i)
         for (c = 0; c < 3; ++c)
             if (!(length_mm[i][c] >= 1e-9 && length_mm[i][c] <= 1e9 && weight[i][c] >= 0 && weight[i][c] <= 1e9))
-                return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)(kind == MS_SSS__BURLEY ? c : i),
-                                "%s %d, channel %d: %g mm, weight %g; 1e-9 to 1e9 and 0 to 1e9 expected",
-                                kind == MS_SSS__BURLEY ? "part" : "Gaussian", i, c, length_mm[i][c], weight[i][c]);
+                return kind == MS_SSS__BURLEY
+                    ? ms__fail(error, MS_INVALID_ARGUMENT, (size_t)c,
+                               "channel %d: d_mm %g, reflectance %g; 1e-9 to 1e9 and 0 to 1e9 expected", c,
+                               length_mm[i][c], weight[i][c])
+                    : ms__fail(error, MS_INVALID_ARGUMENT, (size_t)i,
+                               "Gaussian %d, channel %d: sigma_mm %g, weight %g; 1e-9 to 1e9 and 0 to 1e9 expected", i,
+                               c, length_mm[i][c], weight[i][c]);
     status = ms_sss__profile_alloc(profile, kind, count, allocator, error);
     if (status != MS_OK) return status;
     memcpy((*profile)->length, length_mm, sizeof *length_mm * (size_t)count);
@@ -4438,8 +4530,8 @@ MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const doub
 
 MS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm)
 {
-    double t = (albedo - 0.33) * (albedo - 0.33);
-    return mean_free_path_mm / (3.5 + 100 * t * t);
+    const double off = fabs(albedo - 0.8), bright = albedo > 0.65 ? albedo - 0.65 : 0;
+    return mean_free_path_mm / (1.85 - albedo + 7 * off * off * off - 1.25 * bright);
 }
 
 MS_API void ms_sss_profile_destroy(ms_sss_profile *profile)
@@ -4903,7 +4995,7 @@ MS_API ms_status ms_sss_designer_create(ms_sss_designer **designer, const ms_sss
     if (!(widest > 0)) return MS_SSS__REFUSE(error, "the profile holds no light in any channel");
     if (radius_px > (int)MS_SSS__CELLS_MAX) radius_px = (int)MS_SSS__CELLS_MAX;
     memset(&layout, 0, sizeof layout);
-    layout.cells = (int)(radius_px + 0.5);
+    layout.cells = radius_px > 1 ? (int)(radius_px + 0.5) : 1;
     layout.cell_mm = widest / (radius_px + 0.5);
     if (allocator != NULL) layout.allocator = *allocator;
     ms_sss__designer_layout(&layout, &arena);
@@ -5106,7 +5198,12 @@ MS_SSS__COLD MS_API ms_status ms_sss_kernel_measure(ms_sss_errors *errors, const
                                                     const ms_sss_designer *designer)
 {
     ms_sss__measurement *m;
+    ms_status status;
+    int i;
     if (errors == NULL || kernel == NULL || designer == NULL) return MS_INVALID_ARGUMENT;
+    if ((status = ms_sss__check_kernel(kernel, 0, NULL)) != MS_OK) return status;
+    for (i = 0; i < kernel->tap_count; ++i)
+        if (fabs((double)kernel->offset_mm[i]) > 1e6 * designer->cell_mm) return MS_INVALID_ARGUMENT;
     m = (ms_sss__measurement *)ms__alloc(&designer->allocator, sizeof *m);
     if (m == NULL) return MS_OUT_OF_MEMORY;
     ms_sss__measure(errors, kernel, designer, m);
@@ -5975,7 +6072,8 @@ static MS_SSS__COLD void ms_sss__store_kernel(const ms_sss_designer *d, const ms
     }
     kernel->profile_radius_mm = (float)(d->width[d->widest] * d->cell_mm);
     n = v->pairs;
-    kernel->radius_mm = (float)(d->cell_mm * (1.5 * v->offset[order[n]] - 0.5 * (n ? v->offset[order[n - 1]] : 0)));
+    if (n > 0) kernel->radius_mm = (float)(d->cell_mm * (1.5 * v->offset[order[n]] - 0.5 * v->offset[order[n - 1]]));
+    else kernel->radius_mm = (float)(d->cell_mm * 0.5);
 }
 
 static MS_SSS__COLD ms_status ms_sss__check_kernel_options(const ms_sss_kernel_options *o, ms_error *error)
@@ -6013,18 +6111,6 @@ MS_API ms_sss_kernel_options ms_sss_kernel_defaults(void)
     ms_sss_kernel_options options;
     memset(&options, 0, sizeof options);
     return options;
-}
-
-MS_API ms_sss_artist ms_sss_artist_close_fit(void)
-{
-    static const ms_sss_artist close_fit = {{0.034, 0.029, 0.016}, {1, 0.48, 0.2}, {0.37, 0.37, 0.37}};
-    return close_fit;
-}
-
-MS_API ms_sss_artist ms_sss_artist_production(void)
-{
-    static const ms_sss_artist production = {{0.25, 0.08, 0.02}, {1, 0.3, 0.05}, {0.6, 0.6, 0.6}};
-    return production;
 }
 
 MS_SSS__COLD MS_API ms_status ms_sss_kernel_build(ms_sss_kernel *kernel, const ms_sss_designer *d,
@@ -6088,63 +6174,6 @@ MS_API ms_status ms_sss_fit_artist(const ms_sss_designer *d, ms_sss_artist *arti
         artist->near_weight[c] = fit[2];
     }
     return MS_OK;
-}
-
-MS_SSS__COLD MS_API ms_status ms_sss_kernel_choose(ms_sss_kernel *kernel, ms_sss_errors *errors,
-                                                   const ms_sss_designer *d, double tolerance, int tap_budget,
-                                                   ms_error *error)
-{
-    static const signed char candidate[][2] = {/* terms, taps; by their product */
-                                               {1, 3},  {1, 5},  {1, 7},  {1, 9},  {2, 5},  {1, 11}, {1, 13},
-                                               {2, 7},  {1, 17}, {2, 9},  {1, 21}, {2, 11}, {1, 25}, {2, 13},
-                                               {3, 9},  {1, 33}, {3, 11}, {2, 17}, {3, 13}, {2, 21}, {3, 17},
-                                               {3, 21}, {3, 25}, {4, 21}, {3, 33}, {4, 33}};
-    ms_sss_kernel_options options = ms_sss_kernel_defaults();
-    ms_sss_errors found, best;
-    ms_sss__measurement *m;
-    ms_sss_kernel *trial;
-    ms_status status;
-    double least = HUGE_VAL, miss;
-    size_t n;
-    int one_term;
-    if (kernel == NULL || d == NULL) return MS_SSS__REFUSE(error, "%s is NULL", kernel ? "designer" : "kernel");
-    if (!(tolerance > 0) || tap_budget < 3)
-        return MS_SSS__REFUSE(error, "tolerance is %g, tap_budget %d; above 0 and at least 3 expected", tolerance,
-                              tap_budget);
-    options.tap_count =
-        MS_SSS_DENSE; /* the best that any number of taps can do with one term, at the cost of a few taps */
-    m = (ms_sss__measurement *)ms__alloc(&d->allocator, sizeof *m + 2 * sizeof *trial);
-    if (m == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory to choose a kernel");
-    trial = (ms_sss_kernel *)(void *)(m + 1);
-    status = ms_sss_kernel_build(trial, d, &options, error);
-    if (status == MS_OK) ms_sss__measure(&found, trial, d, m);
-    memset(&best, 0, sizeof best);
-    one_term = status == MS_OK && (found.texture <= tolerance || tap_budget < 10);
-    for (n = 0; n < sizeof candidate / sizeof candidate[0] && least > 1 && status == MS_OK; ++n) {
-        if (candidate[n][0] == 1 && !one_term) continue;
-        options.term_count = candidate[n][0];
-        options.tap_count = candidate[n][1];
-        options.model = options.term_count > 1 ? MS_SSS_RESIDUAL : MS_SSS_IMAGE_OPTIMAL;
-        if (options.term_count * options.tap_count > tap_budget) break;
-        status = ms_sss_kernel_build(trial, d, &options, error);
-        if (status != MS_OK) break;
-        ms_sss__measure(&found, trial, d, m);
-        miss = fmax(found.texture / tolerance, found.bands / MS_SSS_BANDS_SEEN);
-        if (miss >= least) continue;
-        least = miss;
-        best = found;
-        trial[1] = trial[0];
-    }
-    if (status == MS_OK) {
-        *kernel = trial[1];
-        if (errors != NULL) *errors = best;
-    }
-    ms__release(&d->allocator, m, sizeof *m + 2 * sizeof *trial);
-    if (status != MS_OK) return status;
-    return least <= 1
-        ? MS_OK
-        : ms__fail(error, MS_NOT_CONVERGED, 0, "%d taps reach an error of %g and bands of %g; %g and %d are asked for",
-                   tap_budget, best.texture, best.bands, tolerance, MS_SSS_BANDS_SEEN);
 }
 
 MS_SSS__COLD MS_API ms_status ms_sss_kernel_make(ms_sss_kernel *kernel, ms_sss_errors *errors,
@@ -6333,1914 +6362,25 @@ MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness
     int c;
     if (profile == NULL || out == NULL) return;
     ms_sss__decay(profile, total, decay);
-    for (c = 0; c < 3; ++c) out[c] = ms_sss__slab(total[c], decay[c], thickness_mm > 0 ? thickness_mm : 0);
+    for (c = 0; c < 3; ++c) out[c] = ms_sss__slab(total[c], decay[c], thickness_mm);
 }
 
 #undef MS_SSS__PI
 #endif /* MS_SSS_NO_DESIGN */
 
+#undef MS_SSS__BODY
 #undef MS_SSS__SCALAR
 #undef MS_SSS__REFUSE
-#undef MS_SSS__CLAIM
-#undef MS_SSS__CLAIMED
 #undef MS_SSS__INLINE
 #undef MS_SSS__NOINLINE
-#undef MS_SSS__ALIGNED
 #undef MS_SSS__COLD
-#undef MS_SSS__PREFETCH
 #undef MS_SSS__MASKED_DEPTH
 #undef MS_SSS__SPARSE
 #undef MS_SSS__AREA_MAX
 #undef MS_SSS__LIGHT_MAX
 #undef MS_SSS__FALLOFF_END
 #undef MS_SSS__GATHER
-#endif /* MS_SSS_IMPLEMENTATION */
-
-#ifdef MS_SSS__PASS /* one inclusion a level, from FILTER CODE above */
-/* ---- filter kernels -------------------------------------------------------------------------------------------- */
-
-/* Row kernels. Counts are multiples of 16. Rows may be read and written up to that; taps reach MS_SSS__LEFT floats
-   before and MS_SSS__RIGHT behind a row. A masked pixel has depth INFINITY and color 0. */
-
-#define MS_SSS__JOIN_(name, level) ms_sss__##name##_##level
-#define MS_SSS__JOIN(name, level) MS_SSS__JOIN_(name, level)
-#define MS__F(name) MS_SSS__JOIN(name, MS_SSS__LEVEL)
-#define MS_SSS__GROUPS (MS__N == 16 ? 2 : MS__N == 1 ? 16 : 4) /* groups in flight */
-#if defined(__GNUC__) && !defined(__clang__)
-#define MS__UNROLL _Pragma("GCC unroll 8")
-#else
-#define MS__UNROLL
-#endif
-
-#if MS__N == 16
-#define MS__V __m512
-#define MS__X(name) _mm512_##name
-#define MS__Z(name, ...) _mm512_maskz_##name(0xffff, __VA_ARGS__) /* GCC 12 warns about the plain ones in C++ */
-#define MS__MASK __mmask16
-#define MS__MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
-#define MS__NMADD(a, b, c) _mm512_fnmadd_ps(a, b, c) /* c - a b */
-#define MS__WIDEN(p) _mm512_maskz_cvtph_ps(0xffff, _mm256_loadu_si256((const __m256i *)(const void *)(p)))
-#define MS__NARROW(p, a) \
-    _mm256_storeu_si256((__m256i *)(void *)(p), _mm512_maskz_cvtps_ph(0xffff, a, _MM_FROUND_TO_NEAREST_INT))
-#define MS__RSQRT(a) _mm512_maskz_rsqrt14_ps(0xffff, a)
-#define MS__ABS(a) _mm512_abs_ps(a)
-#define MS__RCP(a) _mm512_maskz_rcp14_ps(0xffff, a)
-#define MS__FLOOR(a) _mm512_floor_ps(a)
-#define MS__LESS(a, b) _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ)
-#define MS__SAME(a, b) _mm512_cmp_ps_mask(a, b, _CMP_EQ_OQ)
-#define MS__BOTH(m, n) ((__mmask16)((m) & (n)))
-#define MS__SELECT(m, a, b) _mm512_mask_blend_ps(m, b, a)
-#define MS__BITS(m) ((unsigned)(m))
-#define MS__ZIP_LOW(a, b) \
-    _mm512_permutex2var_ps(a, _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23), b)
-#define MS__ZIP_HIGH(a, b) \
-    _mm512_permutex2var_ps(a, _mm512_setr_epi32(8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31), b)
-#define MS__ORDER(a) \
-    _mm512_castpd_ps(_mm512_maskz_permutexvar_pd(0xff, _mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7), _mm512_castps_pd(a)))
-#elif MS__N == 8
-#define MS__V __m256
-#define MS__X(name) _mm256_##name
-#define MS__Z(name, ...) _mm256_##name(__VA_ARGS__)
-#define MS__MASK __m256
-#define MS__MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
-#define MS__NMADD(a, b, c) _mm256_fnmadd_ps(a, b, c)
-#define MS__WIDEN(p) _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(p)))
-#define MS__NARROW(p, a) _mm_storeu_si128((__m128i *)(void *)(p), _mm256_cvtps_ph(a, _MM_FROUND_TO_NEAREST_INT))
-#define MS__RSQRT(a) _mm256_rsqrt_ps(a)
-#define MS__RCP(a) _mm256_rcp_ps(a)
-#define MS__ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
-#define MS__FLOOR(a) _mm256_floor_ps(a)
-#define MS__LESS(a, b) _mm256_cmp_ps(a, b, _CMP_LT_OQ)
-#define MS__SAME(a, b) _mm256_cmp_ps(a, b, _CMP_EQ_OQ)
-#define MS__BOTH(m, n) _mm256_and_ps(m, n)
-#define MS__SELECT(m, a, b) _mm256_blendv_ps(b, a, m)
-#define MS__BITS(m) ((unsigned)_mm256_movemask_ps(m))
-#define MS__ZIP_LOW(a, b) _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x20)
-#define MS__ZIP_HIGH(a, b) _mm256_permute2f128_ps(_mm256_unpacklo_ps(a, b), _mm256_unpackhi_ps(a, b), 0x31)
-#define MS__ORDER(a) _mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(a), 0xd8))
-#elif MS__N == 4 && defined(MS__X64)
-#define MS__V __m128
-#define MS__X(name) _mm_##name
-#define MS__Z(name, ...) _mm_##name(__VA_ARGS__)
-#define MS__MASK __m128
-#define MS__MADD(a, b, c) _mm_add_ps(_mm_mul_ps(a, b), c)
-#define MS__NMADD(a, b, c) _mm_sub_ps(c, _mm_mul_ps(a, b))
-#define MS__RSQRT(a) _mm_rsqrt_ps(a)
-#define MS__RCP(a) _mm_rcp_ps(a)
-#define MS__ABS(a) _mm_andnot_ps(_mm_set1_ps(-0.0f), a)
-#define MS__FLOOR(a) ms_sss__floor_sse2(a)
-#define MS__LESS(a, b) _mm_cmplt_ps(a, b)
-#define MS__SAME(a, b) _mm_cmpeq_ps(a, b)
-#define MS__BOTH(m, n) _mm_and_ps(m, n)
-#define MS__SELECT(m, a, b) _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b))
-#define MS__BITS(m) ((unsigned)_mm_movemask_ps(m))
-#define MS__ZIP_LOW(a, b) _mm_unpacklo_ps(a, b)
-#define MS__ZIP_HIGH(a, b) _mm_unpackhi_ps(a, b)
-#define MS__ORDER(a) (a)
-#elif MS__N == 4
-#define MS__V float32x4_t
-#define MS__MASK uint32x4_t
-#define MS__LOAD(p) vld1q_f32(p)
-#define MS__STORE(p, a) vst1q_f32(p, a)
-#define MS__SET(s) vdupq_n_f32(s)
-#define MS__ADD(a, b) vaddq_f32(a, b)
-#define MS__SUB(a, b) vsubq_f32(a, b)
-#define MS__MUL(a, b) vmulq_f32(a, b)
-#define MS__DIV(a, b) vdivq_f32(a, b)
-#define MS__MADD(a, b, c) vfmaq_f32(c, a, b)
-#define MS__NMADD(a, b, c) vfmsq_f32(c, a, b)
-#define MS__STREAM(p, a) vst1q_f32(p, a)
-#define MS__MIN(a, b) vminq_f32(a, b)
-#define MS__MAX(a, b) vmaxq_f32(a, b)
-#define MS__SQRT(a) vsqrtq_f32(a)
-#define MS__ABS(a) vabsq_f32(a)
-#define MS__FLOOR(a) vrndmq_f32(a)
-#define MS__LESS(a, b) vcltq_f32(a, b)
-#define MS__SAME(a, b) vceqq_f32(a, b)
-#define MS__BOTH(m, n) vandq_u32(m, n)
-#define MS__SELECT(m, a, b) vbslq_f32(m, a, b)
-#define MS__BITS(m) ms_sss__bits_neon(m)
-#define MS__ZIP_LOW(a, b) vzip1q_f32(a, b)
-#define MS__ZIP_HIGH(a, b) vzip2q_f32(a, b)
-#define MS__EVENS(a, b) vuzp1q_f32(a, b)
-#define MS__ODDS(a, b) vuzp2q_f32(a, b)
-#define MS__ORDER(a) (a)
-#else
-#define MS__V float
-#define MS__MASK int
-#define MS__LOAD(p) (*(p))
-#define MS__STORE(p, a) (*(p) = (a))
-#define MS__SET(s) (s)
-#define MS__ADD(a, b) ((a) + (b))
-#define MS__SUB(a, b) ((a) - (b))
-#define MS__MUL(a, b) ((a) * (b))
-#define MS__DIV(a, b) ((a) / (b))
-#define MS__MADD(a, b, c) ((a) * (b) + (c))
-#define MS__NMADD(a, b, c) ((c) - (a) * (b))
-#define MS__STREAM(p, a) (*(p) = (a))
-#define MS__MIN(a, b) ((a) < (b) ? (a) : (b))
-#define MS__MAX(a, b) ((a) > (b) ? (a) : (b))
-#define MS__SQRT(a) sqrtf(a)
-#define MS__ABS(a) fabsf(a)
-#define MS__FLOOR(a) ms_sss__floor(a)
-#define MS__LESS(a, b) ((a) < (b))
-#define MS__SAME(a, b) ((a) >= (b) && (a) <= (b))
-#define MS__BOTH(m, n) ((m) & (n))
-#define MS__SELECT(m, a, b) ((m) ? (a) : (b))
-#define MS__BITS(m) ((unsigned)(m))
-#define MS__ZIP_LOW(a, b) (a)
-#define MS__ZIP_HIGH(a, b) (b)
-#define MS__EVENS(a, b) (a)
-#define MS__ODDS(a, b) (b)
-#define MS__ORDER(a) (a)
-#endif
-#ifdef MS__X
-#define MS__LOAD(p) MS__X(loadu_ps)(p)
-#define MS__STORE(p, a) MS__X(storeu_ps)(p, a)
-#define MS__STREAM(p, a) MS__X(stream_ps)(p, a)
-#define MS__SET(s) MS__X(set1_ps)(s)
-#define MS__ADD(a, b) MS__X(add_ps)(a, b)
-#define MS__SUB(a, b) MS__X(sub_ps)(a, b)
-#define MS__MUL(a, b) MS__X(mul_ps)(a, b)
-#define MS__DIV(a, b) MS__X(div_ps)(a, b)
-#define MS__MIN(a, b) MS__Z(min_ps, a, b)
-#define MS__MAX(a, b) MS__Z(max_ps, a, b)
-#define MS__SQRT(a) MS__Z(sqrt_ps, a)
-#define MS__EVENS(a, b) MS__Z(shuffle_ps, a, b, 0x88) /* columns 0, 2 ... of a and b; ORDER sorts them */
-#define MS__ODDS(a, b) MS__Z(shuffle_ps, a, b, 0xdd)
-#endif
-#define MS__EVEN(a, b) MS__ORDER(MS__EVENS(a, b))
-#define MS__ODD(a, b) MS__ORDER(MS__ODDS(a, b))
-
-/* 1 / a, relative error 2e-7, for a from 1e-30 to 1e30 */
-static MS_SSS__INLINE MS__V MS__F(inverse)(MS__V a)
-{
-#ifdef MS__RCP
-    const MS__V r = MS__RCP(a);
-    return MS__MUL(r, MS__NMADD(a, r, MS__SET(2.0f)));
-#else
-    return MS__DIV(MS__SET(1.0f), a);
-#endif
-}
-
-/* depth[i] = scale * value[i] if that and before[i] are finite and value[i] > 0, else INFINITY; before may be depth.
-   span: from the first finite one to behind the last. With scale 0, returns whether all of those values are at least 1.
- */
-static int MS__F(mask_by)(const float *value, float scale, int count, const float *before, float *depth, int span[2])
-{
-    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), infinity = MS__SET(INFINITY), s = MS__SET(scale);
-    const unsigned full = ms_sss__lanes(MS__N, MS__N);
-    unsigned partial = 0;
-    int x, begin = -1, end = 0;
-    for (x = 0; x < count; x += MS__N) {
-        const MS__V v = MS__LOAD(value + x), z = MS__MUL(v, s);
-        const MS__MASK valid = MS__BOTH(MS__BOTH(MS__LESS(zero, v), MS__LESS(z, infinity)),
-                                        MS__LESS(MS__LOAD(before + x), infinity));
-        const unsigned bits = MS__BITS(valid);
-        if (!(scale > 0)) partial |= MS__BITS(MS__BOTH(valid, MS__LESS(v, one)));
-        if (bits == full) {
-            MS__STORE(depth + x, z);
-            if (begin < 0) begin = x;
-            end = x + MS__N;
-            continue;
-        }
-        MS__STORE(depth + x, MS__SELECT(valid, z, infinity));
-        if (!bits) continue;
-        if (begin < 0) begin = x + ms_sss__lowest(bits);
-        end = x + ms_sss__highest(bits) + 1;
-    }
-    span[0] = begin < 0 ? 0 : begin;
-    span[1] = end;
-    return !partial;
-}
-
-/* Loads color = in (times albedo) and depth = before where before and the color are finite; else 0 and INFINITY.
-   before may be depth. Returns whether no pixel of [begin, end) is masked. */
-static int MS__F(load_masked)(const float *const in[3], const float *const albedo[3], int begin, int end, int count,
-                              const float *before, float *depth, float *const color[3])
-{
-    const MS__V zero = MS__SET(0.0f), infinity = MS__SET(INFINITY), most = MS__SET(MS_SSS__LIGHT_MAX);
-    const unsigned full = ms_sss__lanes(MS__N, MS__N);
-    int x, all = 1;
-    for (x = 0; x < count; x += MS__N) {
-        MS__V r = MS__LOAD(in[0] + x), g = MS__LOAD(in[1] + x), b = MS__LOAD(in[2] + x), z = MS__LOAD(before + x);
-        MS__MASK valid = MS__LESS(z, infinity);
-        if (albedo) {
-            r = MS__MUL(r, MS__LOAD(albedo[0] + x));
-            g = MS__MUL(g, MS__LOAD(albedo[1] + x));
-            b = MS__MUL(b, MS__LOAD(albedo[2] + x));
-        }
-        valid = MS__BOTH(valid, MS__LESS(MS__ABS(r), most));
-        valid = MS__BOTH(valid, MS__LESS(MS__ABS(g), most));
-        valid = MS__BOTH(valid, MS__LESS(MS__ABS(b), most));
-        if (MS__BITS(valid) != full) {
-            const unsigned inside = ms_sss__lanes(end - x, MS__N) & ~ms_sss__lanes(begin - x, MS__N);
-            if ((MS__BITS(valid) & inside) != inside) all = 0;
-            r = MS__SELECT(valid, r, zero);
-            g = MS__SELECT(valid, g, zero);
-            b = MS__SELECT(valid, b, zero);
-            z = MS__SELECT(valid, z, infinity);
-        }
-        MS__STORE(color[0] + x, r);
-        MS__STORE(color[1] + x, g);
-        MS__STORE(color[2] + x, b);
-        MS__STORE(depth + x, z);
-    }
-    return all;
-}
-
-/* out[x] = sum_j weight[j] in[at[j] + x] */
-static void MS__F(convolve)(const float *in, const ptrdiff_t *at, const float *weight, int taps, int count, float *out)
-{
-    int x = 0, j;
-    for (; x + 4 * MS__N <= count; x += 4 * MS__N) {
-        MS__V s0 = MS__SET(0.0f), s1 = s0, s2 = s0, s3 = s0;
-        for (j = 0; j < taps; ++j) {
-            const float *p = in + at[j] + x;
-            MS__V w = MS__SET(weight[j]);
-            s0 = MS__MADD(w, MS__LOAD(p), s0);
-            s1 = MS__MADD(w, MS__LOAD(p + MS__N), s1);
-            s2 = MS__MADD(w, MS__LOAD(p + 2 * MS__N), s2);
-            s3 = MS__MADD(w, MS__LOAD(p + 3 * MS__N), s3);
-        }
-        MS__STORE(out + x, s0);
-        MS__STORE(out + x + MS__N, s1);
-        MS__STORE(out + x + 2 * MS__N, s2);
-        MS__STORE(out + x + 3 * MS__N, s3);
-    }
-    for (; x < count; x += MS__N) {
-        MS__V s = MS__SET(0.0f);
-        for (j = 0; j < taps; ++j) s = MS__MADD(MS__SET(weight[j]), MS__LOAD(in + at[j] + x), s);
-        MS__STORE(out + x, s);
-    }
-}
-
-/* Renormalizes a tap sum s whose weights add up to n: to the sum `total`, or, if mixed, by adding own for the missing
-   weight. */
-static MS_SSS__INLINE MS__V MS__F(renormalize)(MS__V s, MS__V n, MS__V own, float total, int mixed)
-{
-    if (mixed) return MS__MADD(own, MS__SUB(MS__SET(total), n), s);
-    return MS__SELECT(MS__LESS(MS__SET(1e-30f), n), MS__MUL(MS__DIV(s, n), MS__SET(total)),
-                      MS__MUL(own, MS__SET(total)));
-}
-
-/* convolve for three channels, with masked pixels left out and the weights renormalized; masked pixels become 0. */
-static void MS__F(convolve_valid)(const ms_sss__fixed *f, const float *const in[3], const ptrdiff_t *at,
-                                  const float *const *depth, const int *tap, int taps, int count,
-                                  const float *own_depth, float *const out[3])
-{
-    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), infinity = MS__SET(INFINITY);
-    int x, j;
-    for (x = 0; x < count; x += MS__N) {
-        const MS__MASK valid = MS__LESS(MS__LOAD(own_depth + x), infinity);
-        MS__V r = zero, g = zero, b = zero, nr = zero, ng = zero, nb = zero;
-        for (j = 0; j < taps && MS__BITS(valid); ++j) {
-            MS__V v = MS__SELECT(MS__LESS(MS__LOAD(depth[j] + x), infinity), one, zero);
-            MS__V wr = MS__SET(f->weight[0][tap[j]]), wg = MS__SET(f->weight[1][tap[j]]),
-                  wb = MS__SET(f->weight[2][tap[j]]);
-            r = MS__MADD(wr, MS__LOAD(in[0] + at[j] + x), r);
-            g = MS__MADD(wg, MS__LOAD(in[1] + at[j] + x), g);
-            b = MS__MADD(wb, MS__LOAD(in[2] + at[j] + x), b);
-            nr = MS__MADD(wr, v, nr);
-            ng = MS__MADD(wg, v, ng);
-            nb = MS__MADD(wb, v, nb);
-        }
-        r = MS__F(renormalize)(r, nr, MS__LOAD(in[0] + x), f->total[0], f->mixed[0]);
-        g = MS__F(renormalize)(g, ng, MS__LOAD(in[1] + x), f->total[1], f->mixed[1]);
-        b = MS__F(renormalize)(b, nb, MS__LOAD(in[2] + x), f->total[2], f->mixed[2]);
-        MS__STORE(out[0] + x, MS__SELECT(valid, r, zero));
-        MS__STORE(out[1] + x, MS__SELECT(valid, g, zero));
-        MS__STORE(out[2] + x, MS__SELECT(valid, b, zero));
-    }
-}
-
-/* Pixels per mm at depth z on a surface that faces the camera. */
-static MS_SSS__INLINE MS__V MS__F(size)(const ms_sss__pass *p, MS__V z)
-{
-    return p->perspective ? MS__MIN(MS__DIV(MS__SET(p->size), z), MS__SET(p->size_max)) : MS__SET(p->size);
-}
-
-/* Tangents along x of the rays through the pixels from column x on. */
-static MS_SSS__INLINE MS__V MS__F(ray)(const ms_sss__pass *p, int x)
-{
-    return MS__MUL(MS__ADD(MS__LOAD(ms_sss__iota), MS__SET((float)x + 0.5f - p->middle[0])), MS__SET(p->tangent));
-}
-
-/* 1 / sqrt(a): relative error 3e-7. */
-static MS_SSS__INLINE MS__V MS__F(inverse_root)(MS__V a)
-{
-#ifdef MS__RSQRT
-    const MS__V y = MS__RSQRT(a);
-    return MS__MUL(y, MS__NMADD(MS__MUL(MS__MUL(a, MS__SET(0.5f)), y), y, MS__SET(1.5f)));
-#else
-    return MS__DIV(MS__SET(1.0f), MS__SQRT(a));
-#endif
-}
-
-/* Pixels per mm of the tangent plane along an axis with this slope and ray; square: of the ray's length. */
-static MS_SSS__INLINE MS__V MS__F(foreshorten)(MS__V size, MS__V along, MS__V ray, MS__V square)
-{
-    return MS__MUL(size,
-                   MS__F(inverse_root)(MS__MADD(along, MS__MADD(along, square, MS__ADD(ray, ray)), MS__SET(1.0f))));
-}
-
-/* Cosine of the normal to the ray, for slopes sx and sy, times the mm of dz 1. */
-static MS_SSS__INLINE MS__V MS__F(facing)(const ms_sss__pass *p, MS__V sx, MS__V sy, MS__V rx, MS__V ry)
-{
-    const MS__V axis = MS__MADD(rx, sx, MS__MADD(ry, sy, MS__SET(1.0f)));
-    return MS__MUL(MS__SET(p->unit), MS__F(inverse_root)(MS__MADD(sx, sx, MS__MADD(sy, sy, MS__MUL(axis, axis)))));
-}
-
-/* The slope along an axis from those on both sides, a and b, valid where on_a and on_b: their steps in depth are within
-   the kernel's radius. Where the surface bends little the result is the mean of both, else the smaller one, so that no
-   slope is taken across an edge or a crease. Near an outline depth goes as the root of the distance to it, so the
-   smaller slope is made steeper by what its step exceeds the next one inwards, if that is more than rounding, relative
-   to the depth. Planes are unchanged. at: five values, the own in the middle, which are linear on planes as they are or
-   (inverse) their inverses are. */
-static MS_SSS__INLINE MS__V MS__F(slope)(MS__V a, MS__V b, MS__MASK on_a, MS__MASK on_b, const MS__V at[5],
-                                         const int inverse, float rounding)
-{
-    const MS__V zero = MS__SET(0.0f), half = MS__SET(0.5f), one = MS__SET(1.0f), limit = MS__SET(8.0f);
-    MS__V s;
-    MS__MASK even;
-    a = MS__SELECT(on_a, a, MS__SELECT(on_b, b, zero));
-    b = MS__SELECT(on_b, b, a);
-    s = MS__MUL(half, MS__ADD(a, b));
-    even = MS__LESS(MS__ABS(MS__SUB(a, b)), MS__MUL(half, MS__MADD(a, b, one)));
-    even = MS__BOTH(even, MS__BOTH(on_a, on_b));
-    if (MS__BITS(even) != ms_sss__lanes(MS__N, MS__N)) {
-        const MS__MASK first_a = MS__LESS(MS__ABS(a), MS__ABS(b)), first_b = MS__LESS(MS__ABS(b), MS__ABS(a));
-        const MS__V is_a = MS__SELECT(on_b, MS__SELECT(first_a, one, zero), one),
-                    less = MS__SELECT(first_a, a, MS__SELECT(first_b, b, s));
-        const MS__MASK before = MS__LESS(half, is_a);
-        const MS__V own = at[2], next = MS__SELECT(before, at[1], at[3]), after_next = MS__SELECT(before, at[0], at[4]);
-        MS__V step = MS__SUB(own, next), inner = MS__SUB(next, after_next),
-              least = MS__MUL(MS__ABS(own), MS__SET(2 * rounding)), more, excess;
-        if (inverse) { /* differences of the inverses, times all three */
-            step = MS__MUL(step, after_next);
-            inner = MS__MUL(inner, own);
-            least = MS__MUL(least, own);
-        }
-        excess = MS__SUB(MS__MIN(MS__ABS(inner), MS__SUB(MS__ABS(step), MS__ABS(inner))), least); /* NaN stays */
-        more = MS__MIN(MS__DIV(excess, MS__ABS(inner)), MS__SET(0.85f));
-        more = MS__SELECT(MS__BOTH(MS__LESS(zero, excess), MS__LESS(MS__ABS(MS__SUB(step, inner)), MS__ABS(step))),
-                          more, zero); /* the same direction */
-        more = MS__MUL(more, MS__MADD(more, MS__MADD(MS__MUL(more, more), MS__SET(0.7f), half), half));
-        s = MS__SELECT(even, s, MS__MADD(less, more, less));
-    }
-    return MS__MIN(MS__MAX(s, MS__SUB(zero, limit)), limit);
-}
-
-/* Slopes from the normals at column x, of at most 8, those that face away too; 0 where they are not finite or 0. */
-static MS_SSS__INLINE void MS__F(slopes_of_normals)(const float *const normal[3], int x, MS__V rx, MS__V ry, MS__V *sx,
-                                                    MS__V *sy)
-{
-    const MS__V zero = MS__SET(0.0f), a = MS__LOAD(normal[0] + x), b = MS__LOAD(normal[1] + x),
-                c = MS__LOAD(normal[2] + x), eighth = MS__MUL(MS__MAX(MS__ABS(a), MS__ABS(b)), MS__SET(0.125f));
-    const MS__V facing = MS__MAX(MS__SUB(c, MS__MADD(rx, a, MS__MUL(ry, b))), eighth);
-    const MS__MASK sound = MS__BOTH(MS__LESS(zero, facing),
-                                    MS__LESS(MS__ABS(MS__ADD(a, MS__ADD(b, c))), MS__SET(INFINITY)));
-    *sx = MS__SELECT(sound, MS__DIV(a, facing), zero);
-    *sy = MS__SELECT(sound, MS__DIV(b, facing), zero);
-}
-
-/* Slopes of row y, columns [begin, end), from the depths of rows y - 2 to y + 2, or from normals. */
-static void MS__F(slopes)(const ms_sss__pass *p, const float *const depth[5], const float *const normal[3], int y,
-                          int begin, int end, float *const slope[2])
-{
-    const MS__V zero = MS__SET(0.0f), infinity = MS__SET(INFINITY), reach = MS__SET(p->reach),
-                scale = MS__SET(p->slope_scale), ry = MS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
-    int x, i, axis;
-    for (x = begin; x < end; x += MS__N) {
-        const MS__V z = MS__LOAD(depth[2] + x);
-        const MS__MASK valid = MS__LESS(z, infinity);
-        MS__V s[2];
-        if (normal) MS__F(slopes_of_normals)(normal, x, MS__F(ray)(p, x), ry, &s[0], &s[1]);
-        for (axis = 0; axis < 2 && !normal; ++axis) {
-            const MS__V f = MS__SET(p->focal[axis]);
-            MS__V at[5], a, b;
-            MS__MASK on_a, on_b;
-            for (i = 0; i < 5; ++i) at[i] = MS__LOAD(axis ? depth[i] + x : depth[2] + x + i - 2);
-            a = MS__SUB(z, at[1]);
-            b = MS__SUB(at[3], z);
-            on_a = MS__LESS(MS__MUL(a, a), reach);
-            on_b = MS__LESS(MS__MUL(b, b), reach);
-            a = MS__MUL(f, p->perspective ? MS__DIV(a, at[1]) : a);
-            b = MS__MUL(f, p->perspective ? MS__DIV(b, at[3]) : b);
-            s[axis] = MS__F(slope)(a, b, on_a, on_b, at, p->perspective, p->rounding);
-        }
-        for (axis = 0; axis < 2; ++axis)
-            MS__STORE(slope[axis] + x,
-                      MS__SELECT(MS__BOTH(valid, MS__LESS(MS__ABS(s[axis]), infinity)), MS__MUL(s[axis], scale), zero));
-    }
-}
-
-/* The tangent planes of row y, see ms_sss__line: out[0 to 2] along x, out[3 to 5] along y. */
-static void MS__F(tangents)(const ms_sss__pass *p, const float *depth, const float *const slope[2], int y, int begin,
-                            int end, float *const out[6])
-{
-    const MS__V one = MS__SET(1.0f), ry = MS__SET(((float)y + 0.5f - p->middle[1]) * p->tangent);
-    int x;
-    for (x = begin; x < end; x += MS__N) {
-        const MS__V size = MS__F(size)(p, MS__LOAD(depth + x)), sx = MS__LOAD(slope[0] + x),
-                    sy = MS__LOAD(slope[1] + x);
-        const MS__V rx = MS__F(ray)(p, x), square = MS__MADD(rx, rx, MS__MADD(ry, ry, one)),
-                    facing = MS__F(facing)(p, sx, sy, rx, ry);
-        MS__STORE(out[0] + x, MS__F(foreshorten)(size, sx, rx, square));
-        MS__STORE(out[1] + x, MS__MUL(sx, MS__SET(1 / p->focal[0])));
-        MS__STORE(out[2] + x, facing);
-        MS__STORE(out[3] + x, MS__F(foreshorten)(size, sy, ry, square));
-        MS__STORE(out[4] + x, MS__MUL(sy, MS__SET(1 / p->focal[1])));
-        MS__STORE(out[5] + x, facing);
-    }
-}
-
-/* --- the taps --- */
-
-/* (1 - d^2)^4 for |d| < 1, else 0 */
-static MS_SSS__INLINE MS__V MS__F(falloff)(MS__V d)
-{
-    MS__V f = MS__MAX(MS__NMADD(d, d, MS__SET(1.0f)), MS__SET(0.0f));
-    f = MS__MUL(f, f);
-    return MS__MUL(f, f);
-}
-
-/* depth less the bound on its rounding, towards 0. */
-static MS_SSS__INLINE MS__V MS__F(residual)(MS__V depth, MS__V rounding)
-{
-    return MS__SUB(depth, MS__MAX(MS__MIN(depth, rounding), MS__SUB(MS__SET(0.0f), rounding)));
-}
-
-/* (1 + K sin(theta) / 4)^4 */
-static MS_SSS__INLINE MS__V MS__F(elevate)(const ms_sss__pass *p, int channel, MS__V sine)
-{
-    MS__V u = MS__MADD(MS__SET(p->elevation_4[channel]), sine, MS__SET(1.0f));
-    u = MS__MUL(u, u);
-    return MS__MUL(u, u);
-}
-
-/* Lanes that are not masked and have kernels of half a pixel or more. */
-static MS_SSS__INLINE MS__MASK MS__F(active)(const ms_sss__pass *p, MS__V z)
-{
-    return MS__BOTH(MS__LESS(z, MS__SET(MS_SSS__MASKED_DEPTH / 2)), MS__LESS(MS__SET(p->size_min), MS__F(size)(p, z)));
-}
-
-/* Makes the depths of masked pixels finite. */
-static void MS__F(limit_depth)(float *depth, int count)
-{
-    int x;
-    for (x = 0; x < count; x += MS__N)
-        MS__STORE(depth + x, MS__MIN(MS__LOAD(depth + x), MS__SET(MS_SSS__MASKED_DEPTH)));
-}
-
-/* The least and the largest of all lanes. */
-static MS_SSS__INLINE void MS__F(bounds)(MS__V a, float *least, float *most)
-{
-#if MS__N == 1
-    *least = *most = a;
-#elif defined(MS__X64)
-#if MS__N == 16
-    const __m256 low = _mm512_maskz_extractf32x8_ps(0xff, a, 0), high = _mm512_maskz_extractf32x8_ps(0xff, a, 1);
-    const __m256 l = _mm256_min_ps(low, high), m = _mm256_max_ps(low, high);
-    __m128 u = _mm_min_ps(_mm256_castps256_ps128(l), _mm256_extractf128_ps(l, 1)),
-           v = _mm_max_ps(_mm256_castps256_ps128(m), _mm256_extractf128_ps(m, 1));
-#elif MS__N == 8
-    const __m128 low = _mm256_castps256_ps128(a), high = _mm256_extractf128_ps(a, 1);
-    __m128 u = _mm_min_ps(low, high), v = _mm_max_ps(low, high);
-#else
-    __m128 u = a, v = a;
-#endif
-    u = _mm_min_ps(u, _mm_movehl_ps(u, u));
-    v = _mm_max_ps(v, _mm_movehl_ps(v, v));
-    *least = _mm_cvtss_f32(_mm_min_ss(u, _mm_shuffle_ps(u, u, 1)));
-    *most = _mm_cvtss_f32(_mm_max_ss(v, _mm_shuffle_ps(v, v, 1)));
-#else
-    *least = vminvq_f32(a);
-    *most = vmaxvq_f32(a);
-#endif
-}
-
-/* Plans a row along an axis: for each group and pair the least integer tap offset of the lanes that have kernels, and
-   by how much the largest exceeds it. Offsets grow with the kernel's size, so the smallest and the largest size decide.
-   A group within the sizes of the last plan with one offset copies it, with bounds on the safe side of rounding. size
-   NULL: from depth. */
-static void MS__F(plan)(const ms_sss__sweep *s, const ms_sss__pass *p, int axis, const float *depth, const float *size,
-                        int first, int last, unsigned char *plan)
-{
-    const unsigned all = ms_sss__lanes(MS__N, MS__N);
-    const int pairs = s->pairs, plan_size = s->plan_size;
-    const float(*offset)[16] = s->offset[axis];
-    const unsigned char *last_plan = plan;
-    float least_size = INFINITY, most_size = 0;
-    int x, k;
-    for (x = first, plan += first / MS__N * plan_size; x < last; x += MS__N, plan += plan_size) {
-        const MS__V z = MS__LOAD(depth + x), pixels = MS__F(size)(p, z);
-        const MS__MASK need = MS__BOTH(MS__LESS(z, MS__SET(MS_SSS__MASKED_DEPTH / 2)),
-                                       MS__LESS(MS__SET(p->size_min), pixels));
-        const unsigned bits = MS__BITS(need);
-        MS__V own = size ? MS__LOAD(size + x) : pixels;
-        float at[MS__N], least, most;
-        int kind, spread = 0;
-        if (bits == all &&
-            MS__BITS(MS__BOTH(MS__LESS(MS__SET(least_size), own), MS__LESS(own, MS__SET(most_size)))) == all) {
-            for (k = 0; k < plan_size; k += 4) memcpy(plan + k, last_plan + k, 4);
-            continue;
-        }
-        plan[0] = bits ? MS_SSS__PLAN_BY_LANE : MS_SSS__PLAN_NONE;
-        if (!bits || !pairs) continue;
-        if (bits != all) {
-            MS__STORE(at, own);
-            own = MS__SELECT(need, own, MS__SET(at[ms_sss__lowest(bits)]));
-        }
-        kind = bits == all ? MS_SSS__PLAN_ALL_LANES : MS_SSS__PLAN_SOME_LANES;
-        MS__F(bounds)(own, &least, &most);
-        for (k = 0; k < pairs; ++k) {
-            int low, high;
-            if (!(most * offset[k][0] < (float)MS_SSS__PAIR_REACH)) break; /* NaN, too */
-            low = (int)(least * offset[k][0]);
-            high = (int)(most * offset[k][0]);
-            spread |= high - low;
-            plan[2 * k + 1] = (unsigned char)low;
-            plan[2 * k + 2] = (unsigned char)(high - low);
-        }
-        if (k < pairs) continue;
-        plan[0] = (unsigned char)(kind == MS_SSS__PLAN_ALL_LANES && !spread ? MS_SSS__PLAN_ONE_OFFSET : kind);
-        if (plan[0] != MS_SSS__PLAN_ONE_OFFSET) continue;
-        last_plan = plan;
-        least_size = 0;
-        most_size = INFINITY;
-        for (k = 0; k < pairs; ++k) {
-            const float low = (float)plan[2 * k + 1] / offset[k][0] * 1.000001f,
-                        high = (float)(plan[2 * k + 1] + 1) / offset[k][0] * 0.999999f;
-            least_size = low > least_size ? low : least_size;
-            most_size = high < most_size ? high : most_size;
-        }
-    }
-}
-
-/* Unpacks the color of RGBA pixels, without reading past the last color; returns how many. */
-static int MS__F(unpack)(const void *from, int half, int count, float *const to[3])
-{
-    int i = 0;
-#if MS__N > 1
-    for (; i + MS__N < count; i += MS__N) {
-        MS__V v[4], even[2], odd[2];
-        int k;
-        if (half) {
-#ifdef MS__WIDEN
-            for (k = 0; k < 4; ++k) v[k] = MS__WIDEN((const uint16_t *)from + 4 * i + k * MS__N);
-#else
-            break;
-#endif
-        } else {
-            for (k = 0; k < 4; ++k) v[k] = MS__LOAD((const float *)from + 4 * i + k * MS__N);
-        }
-        for (k = 0; k < 2; ++k) {
-            even[k] = MS__EVEN(v[2 * k], v[2 * k + 1]);
-            odd[k] = MS__ODD(v[2 * k], v[2 * k + 1]);
-        }
-        MS__STORE(to[0] + i, MS__EVEN(even[0], even[1]));
-        MS__STORE(to[1] + i, MS__EVEN(odd[0], odd[1]));
-        MS__STORE(to[2] + i, MS__ODD(even[0], even[1]));
-    }
-#else
-    (void)from;
-    (void)half;
-    (void)count;
-    (void)to;
-#endif
-    return i;
-}
-
-/* Halves to floats; narrow rounds as ms__half_from_float: finite values stay finite. */
-static void MS__F(widen)(const uint16_t *from, int count, float *to)
-{
-    int i = 0;
-#ifdef MS__WIDEN
-    for (; i + MS__N <= count; i += MS__N) MS__STORE(to + i, MS__WIDEN(from + i));
-#endif
-    for (; i < count; ++i) to[i] = ms__half_to_float(from[i]);
-}
-
-static void MS__F(narrow)(const float *from, int count, uint16_t *to)
-{
-    int i = 0;
-#ifdef MS__NARROW
-    const MS__V infinity = MS__SET(INFINITY), most = MS__SET(65504.0f), least = MS__SET(-65504.0f);
-    for (; i + MS__N <= count; i += MS__N) {
-        const MS__V v = MS__LOAD(from + i);
-        MS__NARROW(to + i, MS__SELECT(MS__LESS(MS__ABS(v), infinity), MS__MAX(MS__MIN(v, most), least), v));
-    }
-#endif
-    for (; i < count; ++i) to[i] = ms__half_from_float(from[i]);
-}
-
-/* Copies a row to the caller's memory by streaming stores. */
-static void MS__F(stream)(const float *from, int count, float *to)
-{
-    int i = 0;
-    if (MS__N > 1 && (uintptr_t)to % sizeof(float) == 0) {
-        const int head = (int)((64 - (uintptr_t)to % 64) % 64 / sizeof(float));
-        for (; i < head && i < count; ++i) to[i] = from[i];
-        for (; i + MS__N <= count; i += MS__N) MS__STREAM(to + i, MS__LOAD(from + i));
-    }
-    if (i < count) memcpy(to + i, from + i, (size_t)(count - i) * sizeof(float));
-}
-
-/* The least positive depth, or MASKED_DEPTH. */
-static float MS__F(least_depth)(const float *depth, int count)
-{
-    const MS__V zero = MS__SET(0.0f), away = MS__SET(MS_SSS__MASKED_DEPTH);
-    MS__V least = away;
-    float lane[MS__N];
-    int x;
-    for (x = 0; x + MS__N <= count; x += MS__N) {
-        const MS__V z = MS__LOAD(depth + x);
-        least = MS__MIN(least, MS__SELECT(MS__LESS(zero, z), z, away));
-    }
-    MS__STORE(lane, least);
-    for (; x < count; ++x)
-        if (depth[x] > 0 && depth[x] < lane[0]) lane[0] = depth[x];
-    for (x = 1; x < MS__N; ++x)
-        if (lane[x] < lane[0]) lane[0] = lane[x];
-    return lane[0];
-}
-
-/* With slopes: the weight of a pixel dz off the tangent plane that has this share of a tap. */
-static MS_SSS__INLINE MS__V MS__F(tilted_weight)(MS__V dz, MS__V share, MS__V dz_falloff)
-{
-    const MS__V one = MS__SET(1.0f), q = MS__MUL(dz, dz), f = MS__MAX(MS__SUB(one, q), MS__SET(0.0f));
-    return MS__MUL(share, MS__DIV(f, MS__MADD(dz_falloff, q, one)));
-}
-
-/* The area that the tap of one side represents. sum: its weight; below: weight times depth under the tangent plane;
-   away: depth of the pair before, then of this one. */
-static MS_SSS__INLINE MS__V MS__F(surface_ratio)(MS__V sum, MS__V below, MS__V area_scale, MS__V *away)
-{
-    MS__V more = MS__DIV(MS__NMADD(sum, *away, below), MS__ADD(sum, MS__SET(MS_SSS__SPARSE)));
-    *away = MS__ADD(*away, more);
-    more = MS__MUL(more, area_scale);
-    return MS__MIN(MS__MADD(more, more, MS__SET(1.0f)), MS__SET(MS_SSS__AREA_MAX));
-}
-
-/* A pair of taps at -x and +x, of up to GROUPS groups. Each interpolates two pixels, i and i + 1 steps away. */
-typedef struct MS__F(pair) {
-    const float *light;            /* red of the first group's own pixels */
-    ptrdiff_t at[4], plane, group; /* floats to i, i + 1, -i, -i - 1; to the next channel; to the next group */
-    MS__V offset[MS_SSS__GROUPS];  /* i */
-} MS__F(pair);
-
-/* The weights of the four pixels, and on each side the weighted depth under the tangent plane in mm. */
-typedef struct MS__F(weights) {
-    MS__V pixel[4], below[2];
-} MS__F(weights);
-
-/* Places pair k of n groups. If i differs between groups or lanes, the pixels are first copied to contiguous memory,
-   for each i that a lane has. */
-static MS_SSS__INLINE void MS__F(find_pair)(const ms_sss__sweep *s, const ms_sss__line *l, int x, int n, int k,
-                                            const MS__V *size, float (*copy)[4][4][MS__N], MS__F(pair) * pair)
-{
-    const ptrdiff_t *step = l->step;
-    const float *first = l->from + x / MS__N * l->group;
-    const unsigned char *plan = l->plan + x / MS__N * s->plan_size;
-    const int i = plan[0] < MS_SSS__PLAN_SOME_LANES ? 0 : plan[2 * k + 1];
-    int g, side, c, j, differ = 0;
-    for (g = 0; g < n; ++g) {
-        const unsigned char *mine = plan + g * s->plan_size;
-        differ |= mine[0] < MS_SSS__PLAN_SOME_LANES || mine[2 * k + 1] != i || mine[2 * k + 2] > 0;
-    }
-    if (!differ) {
-        for (g = 0; g < MS_SSS__GROUPS; ++g) pair->offset[g] = MS__SET(ms_sss__iota[i]);
-        for (side = 0; side < 4; ++side) pair->at[side] = step[side < 2 ? i + side : 2 - i - side];
-        pair->light = first;
-        pair->plane = l->plane;
-        pair->group = l->group;
-        return;
-    }
-    for (g = 0; g < n; ++g, first += l->group, plan += s->plan_size) {
-        const int some = plan[0] >= MS_SSS__PLAN_SOME_LANES, least = some ? plan[2 * k + 1] : 0,
-                  most = some ? least + plan[2 * k + 2] : 0;
-        const MS__V t = MS__MUL(size[g], MS__LOAD(s->offset[l->axis][k]));
-        for (j = least; j <= most; ++j) {
-            const MS__V own = MS__SET(ms_sss__iota[j]);
-            const MS__MASK below = MS__LESS(t, own);
-            if (j > least && MS__BITS(below) == MS__BITS(MS__LESS(t, MS__SET(ms_sss__iota[j + 1])))) continue;
-            pair->offset[g] = j > least ? MS__SELECT(below, pair->offset[g], own) : own;
-            for (side = 0; side < 4; ++side) {
-                const float *from = first + step[side < 2 ? j + side : 2 - j - side];
-                for (c = 0; c < 4; ++c, from += l->plane)
-                    MS__STORE(copy[g][side][c],
-                              j > least ? MS__SELECT(below, MS__LOAD(copy[g][side][c]), MS__LOAD(from))
-                                        : MS__LOAD(from));
-            }
-        }
-    }
-    for (side = 0; side < 4; ++side) pair->at[side] = side * 4 * MS__N;
-    pair->light = copy[0][0][0];
-    pair->plane = MS__N;
-    pair->group = 16 * MS__N;
-}
-
-/* Weighs the pixels of pair k for the group at column x with depth z; t: the taps' distance in pixels. */
-static MS_SSS__INLINE void MS__F(weigh_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const int with_slopes,
-                                             const ms_sss__line *l, int x, int k, const float *depth,
-                                             const ptrdiff_t *at, MS__V whole, MS__V z, MS__V t, MS__F(weights) * w)
-{
-    const MS__V one = MS__SET(1.0f), outer = MS__SUB(t, whole), share[2] = {MS__SUB(one, outer), outer};
-    const MS__V there[4] = {MS__LOAD(depth + at[0]), MS__LOAD(depth + at[1]), MS__LOAD(depth + at[2]),
-                            MS__LOAD(depth + at[3])};
-    MS__V dz[4];
-    int i;
-    MS__UNROLL
-    for (i = 0; i < 4; ++i) dz[i] = MS__SUB(there[i], z);
-    if (!with_slopes) {
-        MS__UNROLL
-        for (i = 0; i < 4; ++i) w->pixel[i] = MS__MUL(share[i % 2], MS__F(falloff)(dz[i]));
-        return;
-    }
-    {
-        const MS__V slope = MS__LOAD(l->own[1] + x), facing = MS__LOAD(l->own[2] + x),
-                    dz_falloff = MS__LOAD(s->dz_falloff[k]);
-        const MS__V inner_rise = MS__MUL(slope, whole), rise[2] = {inner_rise, MS__ADD(inner_rise, slope)};
-        const MS__V rounding = MS__MUL(z, MS__SET(p->rounding)),
-                    least = MS__MADD(rounding, t, MS__ADD(rounding, rounding));
-        MS__UNROLL
-        for (i = 0; i < 4; ++i) { /* distance from the tangent plane, which rises on one side and falls on the other */
-            const MS__V scale = p->perspective ? there[i] : one;
-            dz[i] = i < 2 ? MS__NMADD(rise[i % 2], scale, dz[i]) : MS__MADD(rise[i % 2], scale, dz[i]);
-            w->pixel[i] = MS__F(tilted_weight)(dz[i], share[i % 2], dz_falloff);
-        }
-        MS__UNROLL
-        for (i = 0; i < 2; ++i)
-            w->below[i] = MS__MUL(
-                facing,
-                MS__F(residual)(MS__MADD(w->pixel[2 * i + 1], dz[2 * i + 1], MS__MUL(w->pixel[2 * i], dz[2 * i])),
-                                least));
-    }
-}
-
-/* Sums of a group over its taps: light, weights, weights times the elevation factor. */
-typedef struct MS__F(sums) {
-    MS__V light[3], weight[3], elevated[3], before[2]; /* before: depth of the pair before under the plane */
-} MS__F(sums);
-
-static MS_SSS__INLINE void MS__F(add_pair)(const ms_sss__sweep *s, const ms_sss__pass *p, const int with_slopes, int k,
-                                           const float *light, ptrdiff_t plane, const ptrdiff_t *at, MS__F(weights) * w,
-                                           MS__F(sums) * sum)
-{
-    MS__V all, side[2], height[2];
-    int i, c;
-    if (with_slopes) {
-        MS__UNROLL
-        for (i = 0; i < 2; ++i) { /* area where the surface bends away; elevation where it lies below */
-            const MS__V area = MS__F(surface_ratio)(MS__ADD(w->pixel[2 * i], w->pixel[2 * i + 1]), w->below[i],
-                                                    MS__LOAD(s->area_scale[k]), &sum->before[i]);
-            w->pixel[2 * i] = MS__MUL(w->pixel[2 * i], area);
-            w->pixel[2 * i + 1] = MS__MUL(w->pixel[2 * i + 1], area);
-            height[i] = w->below[i];
-            if (s->may_clamp)
-                height[i] = MS__MAX(MS__MIN(height[i], MS__LOAD(s->span[k])),
-                                    MS__MUL(MS__LOAD(s->span[k]), MS__SET(p->least)));
-        }
-    }
-    MS__UNROLL
-    for (i = 0; i < 2; ++i) side[i] = MS__ADD(w->pixel[2 * i], w->pixel[2 * i + 1]);
-    all = MS__ADD(side[0], side[1]);
-    MS__UNROLL
-    for (c = 0; c < 3; ++c, light += plane) {
-        const MS__V tap = MS__LOAD(s->weight[k + 1][c]);
-        MS__V e[2], factor[2];
-        MS__UNROLL
-        for (i = 0; i < 2; ++i)
-            e[i] = MS__MADD(w->pixel[2 * i + 1], MS__LOAD(light + at[2 * i + 1]),
-                            MS__MUL(w->pixel[2 * i], MS__LOAD(light + at[2 * i])));
-        sum->weight[c] = MS__MADD(all, tap, sum->weight[c]);
-        if (!with_slopes) {
-            sum->light[c] = MS__MADD(tap, MS__ADD(e[0], e[1]), sum->light[c]);
-            continue;
-        }
-        MS__UNROLL
-        for (i = 0; i < 2; ++i) { /* tap (1 + K sin(theta) / 4)^4 */
-            factor[i] = MS__MADD(height[i], MS__LOAD(s->elevation[k][c][0]), MS__LOAD(s->elevation[k][c][1]));
-            factor[i] = MS__MUL(factor[i], factor[i]);
-            factor[i] = MS__MUL(factor[i], factor[i]);
-            if (!s->nonnegative && s->weight[k + 1][c][0] < 0) factor[i] = MS__SUB(MS__SET(0.0f), factor[i]);
-        }
-        sum->elevated[c] = MS__MADD(factor[1], side[1], MS__MADD(factor[0], side[0], sum->elevated[c]));
-        sum->light[c] = MS__MADD(factor[1], e[1], MS__MADD(factor[0], e[0], sum->light[c]));
-    }
-}
-
-/* Filters n groups from column x on by pairs of taps. Weights of all groups come first: one alone waits for latency. */
-static MS_SSS__INLINE void MS__F(taps)(const ms_sss__sweep *s, const ms_sss__pass *p, const int with_slopes,
-                                       const ms_sss__line *l, int x, int n, MS__V (*out)[3])
-{
-    const int axis = l->axis, normalized = (!with_slopes || s->nonnegative) && s->normalized,
-              width = MS_SSS__GROUPS * MS__N;
-    const ptrdiff_t here = l->step[0];
-    const float *first = l->from + x / MS__N * l->group, *light;
-    const unsigned char *plan = l->plan + x / MS__N * s->plan_size;
-    float copy[MS_SSS__GROUPS][4][4][MS__N];
-    MS__V size[MS_SSS__GROUPS];
-    MS__F(pair) pair;
-    MS__F(weights) weights[MS_SSS__GROUPS];
-    MS__F(sums) sum[MS_SSS__GROUPS];
-    int g, k, c, i, some = 0;
-    for (g = 0, light = first + here; g < n; ++g, light += l->group) {
-        some |= plan[g * s->plan_size] >= MS_SSS__PLAN_SOME_LANES;
-        size[g] = with_slopes ? MS__LOAD(l->own[0] + x + g * MS__N) : MS__F(size)(p, MS__LOAD(light + 3 * l->plane));
-        sum[g].before[0] = sum[g].before[1] = MS__SET(0.0f);
-        MS__UNROLL
-        for (c = 0; c < 3; ++c) {
-            sum[g].weight[c] = sum[g].elevated[c] = MS__LOAD(s->weight[0][c]);
-            sum[g].light[c] = MS__MUL(sum[g].weight[c], MS__LOAD(light + c * l->plane));
-        }
-    }
-    if (!some) return;
-    for (c = 0; c < 3 && axis && with_slopes; ++c) /* prefetches the next groups, as below */
-        for (i = 0; i < width; i += 16) MS_SSS__PREFETCH((const char *)(l->own[c] + x + width + i));
-    for (k = 0; k < s->pairs; ++k) {
-        const MS__V offset = MS__LOAD(s->offset[axis][k]);
-        const int whole = plan[0] < MS_SSS__PLAN_SOME_LANES ? 0 : plan[2 * k + 1];
-        MS__F(find_pair)(s, l, x, n, k, size, copy, &pair);
-        for (g = 0, light = pair.light; g < n; ++g, light += pair.group) {
-            MS__F(weigh_pair)
-            (s, p, with_slopes, l, x + g * MS__N, k, light + 3 * pair.plane, pair.at, pair.offset[g],
-             MS__LOAD(first + g * l->group + here + 3 * l->plane), MS__MUL(size[g], offset), &weights[g]);
-            for (c = 0; c < 4 && axis;
-                 c += 16 / MS__N) { /* rows are far apart: prefetches the outer pixels of the next groups */
-                const float *ahead = first + (g + MS_SSS__GROUPS) * l->group + c * MS__N;
-                MS_SSS__PREFETCH((const char *)(ahead + l->step[whole + 1]));
-                MS_SSS__PREFETCH((const char *)(ahead + l->step[-whole]));
-            }
-        }
-        for (g = 0, light = pair.light; g < n; ++g, light += pair.group)
-            MS__F(add_pair)(s, p, with_slopes, k, light, pair.plane, pair.at, &weights[g], &sum[g]);
-    }
-    for (g = 0, light = first + here; g < n; ++g, light += l->group) {
-        MS__UNROLL
-        for (c = 0; c < 3; ++c) {
-            MS__V all = sum[g].weight[c];
-            if (with_slopes && (s->nonnegative || !p->mixed[c]))
-                all = MS__MAX(all, MS__MUL(sum[g].elevated[c], MS__SET(p->root[c])));
-            if (normalized) out[g][c] = MS__DIV(sum[g].light[c], all);
-            else
-                out[g][c] = MS__F(renormalize)(sum[g].light[c], all, MS__LOAD(light + c * l->plane), p->total[c],
-                                               p->mixed[c]);
-        }
-    }
-}
-
-/* Filters the group at column x by general taps, along an axis or along each pixel's own. Pixels are loaded in place if
-   all lanes use the same offset, otherwise gathered offset by offset. */
-static MS_SSS__NOINLINE void MS__F(general_taps)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l,
-                                                 int x, MS__V out[3])
-{
-    const ms_sss__rotation *rotation = l->rotation;
-    const int rows = l->axis == 0 ? 1 : 2, columns = l->axis == 1 ? 1 : 2, with_slopes = s->with_slopes;
-    const int height = rotation ? rotation->height : l->count, width = l->axis == 1 ? x + MS__N : l->count;
-    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f);
-    const float *here = l->from + x / MS__N * l->group, *at = here + l->step[0];
-    const MS__V z = MS__LOAD(at + 3 * l->plane), rounding = MS__MUL(z, MS__SET(p->rounding));
-    const unsigned pending = MS__BITS(MS__F(active)(p, z));
-    MS__V size = MS__F(size)(p, z), facing = zero, rise[2] = {zero, zero}, d[2] = {zero, zero}, away[2] = {zero, zero};
-    MS__V sum[3] = {zero, zero, zero}, norm[3] = {zero, zero, zero}, elevated[3] = {zero, zero, zero};
-    float inner[2] = {0, 0}, lane[2][MS__N], gathered[2][8 * MS__N];
-    MS__MASK same;
-    unsigned left;
-    int order, k, c, i, j;
-    if (!pending) return;
-    if (rotation) {
-        const float sign = rotation->second ? -1.0f : 1.0f;
-        for (i = 0; i < MS__N; ++i) {
-            const float *to = rotation->direction[ms_sss__direction_of(x + i, l->at)];
-            lane[0][i] = sign * to[rotation->second];
-            lane[1][i] = to[!rotation->second];
-        }
-        d[0] = MS__LOAD(lane[0]);
-        d[1] = MS__LOAD(lane[1]);
-        if (with_slopes) {
-            const MS__V sx = MS__LOAD(l->own[0] + x), sy = MS__LOAD(l->own[1] + x);
-            const MS__V rx = MS__F(ray)(p, x), ry = MS__SET(((float)l->at + 0.5f - p->middle[1]) * p->tangent);
-            const MS__V ray = MS__MADD(d[0], rx, MS__MUL(d[1], ry));
-            const MS__V along = MS__MADD(d[0], sx, MS__MUL(d[1], sy));
-            size = MS__F(foreshorten)(size, along, ray, MS__MADD(rx, rx, MS__MADD(ry, ry, one)));
-            facing = MS__F(facing)(p, sx, sy, rx, ry);
-            rise[0] = MS__MUL(sx, MS__SET(1 / p->focal[0]));
-            rise[1] = MS__MUL(sy, MS__SET(1 / p->focal[1]));
-        }
-    } else {
-        d[l->axis] = one;
-        if (with_slopes) {
-            size = MS__LOAD(l->own[0] + x);
-            rise[l->axis] = MS__LOAD(l->own[1] + x);
-            facing = MS__LOAD(l->own[2] + x);
-        }
-    }
-    for (i = 0; i < 2; ++i) d[i] = MS__MUL(d[i], MS__MUL(size, MS__SET(p->aspect[i])));
-    for (order = 1; order < p->tap_count; ++order) { /* with slopes: outwards */
-        const float mm = p->offset_mm[k = with_slopes ? order : p->tap_count - order];
-        const MS__V t = MS__MUL(MS__SET(mm), d[0]), t_y = MS__MUL(MS__SET(mm), d[1]);
-        const MS__V whole = MS__FLOOR(t), whole_y = MS__FLOOR(t_y);
-        const MS__V dz_falloff = MS__SET(with_slopes ? ms_sss__dz_falloff(p, mm) : 0);
-        MS__V share[2][2], tap[3] = {zero, zero, zero}, n = zero, below = zero, sine = zero;
-        const float *row[2] = {gathered[0], gathered[1]};
-        ptrdiff_t plane = l->plane, next = 1;
-        int together = 0;
-        share[0][1] = MS__SUB(t, whole);
-        share[0][0] = MS__SUB(one, share[0][1]);
-        share[1][1] = MS__SUB(t_y, whole_y);
-        share[1][0] = MS__SUB(one, share[1][1]);
-        MS__STORE(lane[0], whole);
-        MS__STORE(lane[1], whole_y);
-        for (left = pending; left; left &= ~MS__BITS(same)) {
-            const int lead = ms_sss__lowest(left), first = (int)lane[0][lead];
-            same = MS__SAME(whole, MS__SET(lane[0][lead]));
-            same = MS__BOTH(same, MS__SAME(whole_y, MS__SET(lane[1][lead])));
-            together = !(pending & ~MS__BITS(same)) && x + first >= -MS__N && x + first < width;
-            for (j = 0; j < rows; ++j) {
-                const float *from = here + ms_sss__row_step(l, (int)lane[1][lead] + j, height);
-                if (together) row[j] = from + first;
-                for (i = 0; i < columns && !together; ++i) {
-                    const float *at_i = from + ms_sss__clamp(first + i, -MS__N - x, width - x);
-                    float *to = gathered[j] + 4 * i * MS__N;
-                    MS__UNROLL
-                    for (c = 0; c < 4; ++c, at_i += plane, to += MS__N)
-                        MS__STORE(to,
-                                  left == pending ? MS__LOAD(at_i) : MS__SELECT(same, MS__LOAD(at_i), MS__LOAD(to)));
-                }
-            }
-        }
-        if (!together) {
-            plane = MS__N;
-            next = 4 * MS__N;
-        }
-        for (j = 0; j < rows; ++j)
-            for (i = 0; i < columns; ++i) {
-                const float *from = row[j] + i * next;
-                MS__V there = MS__LOAD(from + 3 * plane), dz = MS__SUB(there, z);
-                MS__V f = MS__MUL(share[0][i], share[1][j]);
-                if (!with_slopes) {
-                    f = MS__MUL(f, MS__F(falloff)(dz));
-                } else {
-                    MS__V gain = MS__MADD(rise[0], whole, MS__MUL(rise[1], whole_y)), q;
-                    if (i) gain = MS__ADD(gain, rise[0]);
-                    if (j) gain = MS__ADD(gain, rise[1]);
-                    there = MS__MIN(there, MS__SET(MS_SSS__MASKED_DEPTH)); /* rotated passes have infinite depths */
-                    dz = MS__NMADD(gain, p->perspective ? there : one, MS__SUB(there, z));
-                    q = MS__MIN(MS__MUL(dz, dz), one);
-                    f = MS__MUL(MS__NMADD(f, q, f), MS__F(inverse)(MS__MADD(dz_falloff, q, one)));
-                    below = MS__MADD(f, dz, below);
-                }
-                MS__UNROLL
-                for (c = 0; c < 3; ++c) tap[c] = MS__MADD(f, MS__LOAD(from + c * plane), tap[c]);
-                n = MS__ADD(n, f);
-            }
-        if (with_slopes) {
-            MS__V area;
-            area = MS__MADD(rounding, MS__ADD(MS__ABS(t), MS__ABS(t_y)), MS__ADD(rounding, rounding));
-            below = MS__MUL(facing, MS__F(residual)(below, area));
-            sine = MS__MUL(below, MS__SET(fabsf(mm) > 1e-20f ? 1 / fabsf(mm) : 0.0f));
-            sine = MS__MAX(MS__MIN(sine, one), MS__SET(p->least));
-            area = MS__SET(ms_sss__area_scale(p, mm, &inner[mm < 0]));
-            area = MS__F(surface_ratio)(n, below, area, &away[mm < 0]);
-            n = MS__MUL(n, area);
-            MS__UNROLL
-            for (c = 0; c < 3; ++c) tap[c] = MS__MUL(tap[c], area);
-        }
-        MS__UNROLL
-        for (c = 0; c < 3; ++c) {
-            MS__V w = MS__SET(p->weight[k][c]);
-            norm[c] = MS__MADD(w, n, norm[c]);
-            if (with_slopes) {
-                w = MS__MUL(w, MS__F(elevate)(p, c, sine));
-                elevated[c] = MS__MADD(w, n, elevated[c]);
-            }
-            sum[c] = MS__MADD(w, tap[c], sum[c]);
-        }
-    }
-    MS__UNROLL
-    for (c = 0; c < 3; ++c) {
-        const MS__V own = MS__LOAD(at + c * l->plane), w = MS__SET(p->weight[0][c]);
-        norm[c] = MS__ADD(norm[c], w);
-        elevated[c] = MS__MUL(MS__SET(p->root[c]), MS__ADD(elevated[c], w));
-        if (with_slopes && !p->mixed[c]) norm[c] = MS__MAX(norm[c], elevated[c]);
-        out[c] = MS__F(renormalize)(MS__MADD(own, w, sum[c]), norm[c], own, p->total[c], p->mixed[c]);
-    }
-}
-
-/* The lanes of the group at column x that pairs did not filter. */
-static MS_SSS__NOINLINE void MS__F(general_lanes)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *l,
-                                                  int x, int kind, MS__V out[3])
-{
-    const float *here = l->from + x / MS__N * l->group + l->step[0];
-    const MS__MASK need = MS__F(active)(p, MS__LOAD(here + 3 * l->plane));
-    MS__V own[3];
-    int c;
-    for (c = 0; c < 3; ++c) {
-        own[c] = MS__MUL(MS__LOAD(here + c * l->plane), MS__SET(p->total[c]));
-        if (kind < MS_SSS__PLAN_SOME_LANES) out[c] = own[c];
-    }
-    if (kind == MS_SSS__PLAN_BY_LANE) MS__F(general_taps)(s, p, l, x, out);
-    for (c = 0; c < 3 && kind != MS_SSS__PLAN_NONE; ++c) out[c] = MS__SELECT(need, out[c], own[c]);
-}
-
-/* One pass of several rows between columns first and last, chunk by chunk, so that shared rows stay cached. */
-static MS_SSS__INLINE void MS__F(sweep)(const ms_sss__sweep *s, const ms_sss__pass *p, const int with_slopes,
-                                        const ms_sss__line *line, int lines, int first, int last)
-{
-    int x, y, g, c;
-    for (x = first; x < last; x += MS_SSS__GROUPS * MS__N)
-        for (y = 0; y < lines; ++y) {
-            const ms_sss__line *l = &line[y];
-            const int groups = (l->last - x) / MS__N, n = groups < MS_SSS__GROUPS ? groups : MS_SSS__GROUPS;
-            const float *depth;
-            MS__V out[MS_SSS__GROUPS][3];
-            if (x < l->first || x >= l->last) continue;
-            depth = l->from + x / MS__N * l->group + l->step[0] + 3 * l->plane;
-            if (s->pairs) MS__F(taps)(s, p, with_slopes, l, x, n, out);
-            for (g = 0; g < n; ++g) {
-                const int kind = l->plan[(x / MS__N + g) * s->plan_size];
-                const ptrdiff_t at = (x / MS__N + g) * l->to_group;
-                if (kind < MS_SSS__PLAN_ALL_LANES) MS__F(general_lanes)(s, p, l, x + g * MS__N, kind, out[g]);
-                MS__UNROLL
-                for (c = 0; c < 3; ++c) MS__STORE(l->to[c] + at, out[g][c]);
-                if (l->axis == 0) MS__STORE(l->to[2] + at + MS__N, MS__LOAD(depth + g * l->group));
-            }
-        }
-}
-
-static void MS__F(sweep_flat)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines,
-                              int first, int last)
-{
-    MS__F(sweep)(s, p, 0, line, lines, first, last);
-}
-
-static void MS__F(sweep_with_slopes)(const ms_sss__sweep *s, const ms_sss__pass *p, const ms_sss__line *line, int lines,
-                                     int first, int last)
-{
-    MS__F(sweep)(s, p, 1, line, lines, first, last);
-}
-
-/* out = a x + b y */
-static void MS__F(combine)(float a, const float *x, float b, const float *y, int count, float *out)
-{
-    int i;
-    for (i = 0; i < count; i += MS__N)
-        MS__STORE(out + i, MS__MADD(MS__SET(a), MS__LOAD(x + i), MS__MUL(MS__SET(b), MS__LOAD(y + i))));
-}
-
-/* blur = (1 - s) own + s blur with s = min(strength, 1) gain; own where the kernel is under half a pixel. */
-static void MS__F(fade)(const ms_sss__pass *p, const float *strength, float gain, const float *depth, const float *own,
-                        int count, float *blur)
-{
-    int x;
-    for (x = 0; x < count; x += MS__N) {
-        MS__V e = MS__LOAD(own + x), s = MS__SET(gain), out;
-        if (strength) s = MS__MUL(s, MS__MIN(MS__LOAD(strength + x), MS__SET(1.0f)));
-        out = MS__MADD(s, MS__LOAD(blur + x), MS__MUL(MS__SUB(MS__SET(1.0f), s), e));
-        if (p->perspective) {
-            MS__V size = MS__DIV(MS__SET(p->size), MS__LOAD(depth + x));
-            out = MS__SELECT(MS__LESS(MS__SET(p->size_min), size), out, e);
-        }
-        MS__STORE(blur + x, out);
-    }
-}
-
-/* --- half resolution --- */
-
-/* Averages every four pixels of two rows of color and depth, of those near the nearest one. count: columns of the
-   result; unit: scale of the rows' depths. Returns whether no pixel is masked; if some are, they must have depth
-   INFINITY. */
-static int MS__F(downsample)(const ms_sss__half_params *h, const float *const above[4], const float *const below[4],
-                             float unit, int count, float *const out[4])
-{
-    const MS__V away = MS__SET(MS_SSS__MASKED_DEPTH), scale = MS__SET(h->falloff_scale), copy_bits = MS__SET(unit),
-                zero = MS__SET(0.0f);
-    const unsigned every = ms_sss__lanes(MS__N, MS__N);
-    unsigned all_part = every;
-    int x, c;
-    for (x = 0; x < count; x += MS__N) {
-        const MS__V a = MS__MIN(MS__MUL(MS__LOAD(above[3] + 2 * x), copy_bits), away),
-                    b = MS__MIN(MS__MUL(MS__LOAD(above[3] + 2 * x + MS__N), copy_bits), away);
-        const MS__V d = MS__MIN(MS__MUL(MS__LOAD(below[3] + 2 * x), copy_bits), away),
-                    e = MS__MIN(MS__MUL(MS__LOAD(below[3] + 2 * x + MS__N), copy_bits), away);
-        const MS__V z0 = MS__EVEN(a, b), z1 = MS__ODD(a, b), z2 = MS__EVEN(d, e), z3 = MS__ODD(d, e);
-        const MS__V least = MS__MIN(MS__MIN(z0, z1), MS__MIN(z2, z3));
-        MS__V w0 = MS__F(falloff)(MS__MUL(MS__SUB(z0, least), scale)),
-              w1 = MS__F(falloff)(MS__MUL(MS__SUB(z1, least), scale));
-        MS__V w2 = MS__F(falloff)(MS__MUL(MS__SUB(z2, least), scale)),
-              w3 = MS__F(falloff)(MS__MUL(MS__SUB(z3, least), scale)), z;
-        const MS__V all = MS__DIV(MS__SET(1.0f), MS__ADD(MS__ADD(w0, w1), MS__ADD(w2, w3)));
-        MS__V most = MS__MAX(MS__MAX(z0, z1), MS__MAX(z2, z3)), sums = zero;
-        w0 = MS__MUL(w0, all);
-        w1 = MS__MUL(w1, all);
-        w2 = MS__MUL(w2, all);
-        w3 = MS__MUL(w3, all);
-        MS__UNROLL
-        for (c = 0; c < 3; ++c) {
-            const MS__V p = MS__LOAD(above[c] + 2 * x), q = MS__LOAD(above[c] + 2 * x + MS__N);
-            const MS__V r = MS__LOAD(below[c] + 2 * x), t = MS__LOAD(below[c] + 2 * x + MS__N);
-            const MS__V sum = MS__MADD(w1, MS__ODD(p, q), MS__MUL(w0, MS__EVEN(p, q)));
-            /* 0, or NaN if a color is not finite or beyond the largest light */
-            sums = MS__MADD(MS__MUL(MS__ADD(MS__ADD(MS__ABS(p), MS__ABS(q)), MS__ADD(MS__ABS(r), MS__ABS(t))),
-                                    MS__SET(3.4e38f / MS_SSS__LIGHT_MAX)),
-                            zero, sums);
-            MS__STORE(out[c] + x, MS__ADD(sum, MS__MADD(w3, MS__ODD(r, t), MS__MUL(w2, MS__EVEN(r, t)))));
-        }
-        z = MS__ADD(MS__MADD(w1, z1, MS__MUL(w0, z0)), MS__MADD(w3, z3, MS__MUL(w2, z2)));
-        z = MS__SELECT(MS__LESS(least, MS__SET(MS_SSS__MASKED_DEPTH / 2)), MS__MUL(z, MS__SET(1 / h->scale)),
-                       MS__SET(INFINITY));
-        MS__STORE(out[3] + x, z);
-        most = MS__SELECT(MS__LESS(zero, least), most, away);
-        all_part &= MS__BITS(MS__BOTH(MS__SAME(sums, zero), MS__LESS(most, MS__SET(MS_SSS__MASKED_DEPTH / 2))));
-    }
-    return all_part == every;
-}
-
-/* The self weight of MS__N pixels where several taps touch the pixel itself: the bilinear part of each tap. */
-static MS_SSS__NOINLINE void MS__F(self_weight)(const ms_sss__half_params *h, const float *depth, float *share)
-{
-    const ms_sss_kernel *k = h->kernel;
-    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f);
-    MS__V pixels = MS__SET(h->size);
-    int t, i, c, axis;
-    if (h->perspective) pixels = MS__MIN(MS__DIV(pixels, MS__LOAD(depth)), MS__SET(h->size_max));
-    for (c = 0; c < 3; ++c) {
-        MS__V all = MS__SET(k->delta[c]);
-        for (t = 0; t < k->term_count; ++t) {
-            MS__V sum[2];
-            for (axis = 0; axis < 2; ++axis)
-                for (sum[axis] = zero, i = 0; i < k->tap_count; ++i)
-                    sum[axis] = MS__MADD(
-                        MS__SET(k->weight[t][i][c]),
-                        MS__MAX(MS__NMADD(pixels, MS__SET(fabsf(k->offset_mm[i]) * h->aspect[axis]), one), zero),
-                        sum[axis]);
-            all = MS__MADD(MS__MUL(sum[0], sum[1]), MS__SET(k->scale[t][c]), all);
-        }
-        MS__STORE(share + c * MS__N, MS__MIN(MS__MAX(all, zero), MS__SET(0.999f)));
-    }
-}
-
-/* The self weight of pixels at depth z; any for masked pixels. */
-static MS_SSS__INLINE void MS__F(self_weights)(const ms_sss__half_params *h, MS__V z, MS__V share[3])
-{
-    float depth[MS__N], to[3 * MS__N];
-    int c;
-    MS__UNROLL
-    for (c = 0; c < 3; ++c) share[c] = MS__SET(h->self_weight[c]);
-    if (!MS__BITS(MS__BOTH(MS__LESS(MS__SET(h->center_only_depth), z), MS__LESS(z, MS__SET(MS_SSS__MASKED_DEPTH / 2)))))
-        return;
-    MS__STORE(depth, z);
-    MS__F(self_weight)(h, depth, to);
-    MS__UNROLL
-    for (c = 0; c < 3; ++c) share[c] = MS__LOAD(to + c * MS__N);
-}
-
-/* Subtracts the self weight from a filtered coarse row, and scales its depth for the falloff. */
-static void MS__F(subtract_self)(const ms_sss__half_params *h, const float *const light[3], const float *const blur[3],
-                                 const float *depth, int count, float *const out[4])
-{
-    int x, c;
-    for (x = 0; x < count; x += MS__N) {
-        const MS__V z = MS__MIN(MS__MUL(MS__LOAD(depth + x), MS__SET(h->scale)), MS__SET(MS_SSS__MASKED_DEPTH));
-        const MS__MASK valid = MS__LESS(z, MS__SET(MS_SSS__MASKED_DEPTH / 2));
-        MS__V share[3];
-        MS__F(self_weights)(h, z, share);
-        MS__UNROLL
-        for (c = 0; c < 3; ++c) {
-            const MS__V e = MS__LOAD(light[c] + x), change = MS__SUB(MS__LOAD(blur[c] + x), e);
-            const MS__V least = MS__MIN(MS__MIN(e, MS__LOAD(blur[c] + x)), MS__SET(0.0f));
-            /* non-negative light stays so, also where the pixel's true self weight is larger */
-            const MS__V soft = MS__MAX(MS__MADD(change, MS__F(inverse)(MS__SUB(MS__SET(1.0f), share[c])), e), least);
-            MS__STORE(out[c] + x, MS__SELECT(valid, soft, MS__SET(0.0f)));
-        }
-        MS__STORE(out[3] + x, MS__MUL(z, MS__SET(h->falloff_scale)));
-    }
-}
-
-/* Upsamples 2 MS__N columns from x on if self weights differ or neighbors are missing. sum: light and weights of the
-   neighbors of even and odd columns. */
-static MS_SSS__NOINLINE void MS__F(upsample_rest)(const ms_sss__half_params *h, const float *const own[4], float unit,
-                                                  float (*sum)[4][MS__N], int x, float *const out[3])
-{
-    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), tiny = MS__SET(1e-6f);
-    MS__V change[2][3], stay[2][3];
-    int side, c;
-    for (side = 0; side < 2; ++side) {
-        const MS__V a = MS__LOAD(own[3] + 2 * x), b = MS__LOAD(own[3] + 2 * x + MS__N), n = MS__LOAD(sum[side][3]);
-        const MS__V z = MS__MIN(MS__MUL(side ? MS__ODD(a, b) : MS__EVEN(a, b), MS__SET(unit)),
-                                MS__SET(MS_SSS__MASKED_DEPTH));
-        const MS__MASK some = MS__BOTH(MS__LESS(tiny, n), MS__LESS(z, MS__SET(h->identity_depth)));
-        MS__V share[3];
-        MS__F(self_weights)(h, z, share);
-        for (c = 0; c < 3; ++c) {
-            const MS__V mean = MS__MUL(MS__LOAD(sum[side][c]), MS__F(inverse)(MS__MAX(n, tiny)));
-            change[side][c] = MS__SELECT(some, MS__MUL(MS__SUB(one, share[c]), mean), zero);
-            stay[side][c] = MS__SELECT(some, share[c], one);
-        }
-    }
-    for (c = 0; c < 3; ++c) {
-        const MS__V a = MS__LOAD(own[c] + 2 * x), b = MS__LOAD(own[c] + 2 * x + MS__N);
-        MS__STORE(out[c] + 2 * x,
-                  MS__MADD(MS__ZIP_LOW(stay[0][c], stay[1][c]), a, MS__ZIP_LOW(change[0][c], change[1][c])));
-        MS__STORE(out[c] + 2 * x + MS__N,
-                  MS__MADD(MS__ZIP_HIGH(stay[0][c], stay[1][c]), b, MS__ZIP_HIGH(change[0][c], change[1][c])));
-    }
-}
-
-/* Upsamples a row of the picture from its color and depth (times unit) and the two coarse rows beside it, whose planes
-   lie equally far apart; the first is nearer if odd. 0.8 and 0.2 instead of the bilinear 0.75 and 0.25 compensate part
-   of the blur of the downsampling. */
-static void MS__F(upsample)(const ms_sss__half_params *h, const float *const own[4], float unit,
-                            const float *const coarse[2][4], int odd, int count, float *const out[3])
-{
-    static const float root[3] = {0.44721360f, 0.63245553f,
-                                  0.89442719f}; /* fourth roots of 0.2 0.2, 0.2 0.8, 0.8 0.8 */
-    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), falloff_scale = MS__SET(unit * h->falloff_scale);
-    const MS__V even = MS__SET((h->center_only_depth < h->identity_depth ? h->center_only_depth : h->identity_depth) /
-                               unit); /* depth up to which all self weights are the same */
-    const MS__V share[3] = {MS__SET(h->self_weight[0]), MS__SET(h->self_weight[1]), MS__SET(h->self_weight[2])};
-    const unsigned every = ms_sss__lanes(MS__N, MS__N);
-    const ptrdiff_t plane = coarse[0][1] - coarse[0][0];
-    int x, side, i, j, c;
-    for (x = 0; 2 * x < count; x += MS__N) {
-        const MS__V a = MS__LOAD(own[3] + 2 * x), b = MS__LOAD(own[3] + 2 * x + MS__N);
-        const unsigned uneven = MS__BITS(MS__LESS(even, MS__MAX(a, b)));
-        MS__V sum[2][4];
-        MS__UNROLL
-        for (side = 0; side < 2; ++side) {
-            const MS__V z = MS__MUL(side ? MS__ODD(a, b) : MS__EVEN(a, b), falloff_scale);
-            MS__V *of = sum[side];
-            of[0] = of[1] = of[2] = of[3] = zero;
-            MS__UNROLL
-            for (j = 0; j < 2; ++j) {
-                MS__UNROLL
-                for (i = 0; i < 2; ++i) {
-                    const float *from = coarse[j][0] + x + i - 1 + side;
-                    const MS__V weight = MS__SET(root[(i != side) + ((j == 0) == odd)]),
-                                d = MS__SUB(MS__LOAD(from + 3 * plane), z);
-                    MS__V f = MS__MAX(MS__NMADD(MS__MUL(d, d), weight, weight), zero);
-                    f = MS__MUL(f, f);
-                    f = MS__MUL(f, f);
-                    of[3] = MS__ADD(of[3], f);
-                    MS__UNROLL
-                    for (c = 0; c < 3; ++c) of[c] = MS__MADD(f, MS__LOAD(from + c * plane), of[c]);
-                }
-            }
-        }
-        if (uneven || MS__BITS(MS__LESS(MS__SET(1e-6f), MS__MIN(sum[0][3], sum[1][3]))) != every) {
-            float kept[2][4][MS__N];
-            for (side = 0; side < 2; ++side)
-                for (c = 0; c < 4; ++c) MS__STORE(kept[side][c], sum[side][c]);
-            MS__F(upsample_rest)(h, own, unit, kept, x, out);
-            continue;
-        }
-        sum[0][3] = MS__F(inverse)(sum[0][3]);
-        sum[1][3] = MS__F(inverse)(sum[1][3]);
-        MS__UNROLL
-        for (c = 0; c < 3; ++c) {
-            const MS__V change = MS__SUB(one, share[c]), p = MS__MUL(sum[0][c], MS__MUL(sum[0][3], change)),
-                        q = MS__MUL(sum[1][c], MS__MUL(sum[1][3], change));
-            const MS__V low = MS__MADD(share[c], MS__LOAD(own[c] + 2 * x), MS__ZIP_LOW(p, q));
-            const MS__V high = MS__MADD(share[c], MS__LOAD(own[c] + 2 * x + MS__N), MS__ZIP_HIGH(p, q));
-            MS__STORE(out[c] + 2 * x, low);
-            MS__STORE(out[c] + 2 * x + MS__N, high);
-        }
-    }
-}
-
-/* ---- pyramid kernels ------------------------------------------------------------------------------------------- */
-
-/* d from depth; 0 for masked pixels. */
-static void MS__F(depth_to_d)(const ms_sss__pyramid_params *s, const float *depth, int count, float *d)
-{
-    const MS__V zero = MS__SET(0.0f), infinity = MS__SET(INFINITY);
-    int i;
-    for (i = 0; i < count; i += MS__N) {
-        const MS__V z = MS__LOAD(depth + i);
-        const MS__V value = s->perspective ? MS__DIV(MS__SET(-1.0f), z) : s->depth_aware ? z : MS__SET(1.0f);
-        MS__STORE(d + i, MS__SELECT(MS__LESS(z, infinity), value, zero));
-    }
-}
-
-/* Depth in pixels of a step of d. quick: relative error 2e-7, where no two results are compared. */
-static MS_SSS__INLINE MS__V MS__F(pixels_per_d)(const ms_sss__pyramid_params *s, MS__V d, const int quick)
-{
-    const MS__V scale = MS__SET((s->perspective ? -1.0f : 1.0f) / s->step);
-    if (!s->depth_aware) return MS__SET(0.0f);
-    if (quick) return s->perspective ? MS__MUL(scale, MS__F(inverse)(d)) : scale;
-    return s->perspective ? MS__DIV(scale, d) : scale;
-}
-
-/* Radius of the kernel in pixels on a surface that faces the camera. */
-static MS_SSS__INLINE MS__V MS__F(radius)(const ms_sss__pyramid_params *s, MS__V d)
-{
-    return MS__MIN(s->perspective ? MS__MUL(MS__SET(-s->size), d) : MS__SET(s->size), MS__SET(s->size_max));
-}
-
-/* The area of the surface over that of its picture: the length of (slope, 1 + slope . ray). */
-static MS_SSS__INLINE MS__V MS__F(area)(MS__V sx, MS__V sy, MS__V rx, MS__V ry)
-{
-    const MS__V n = MS__MADD(sx, rx, MS__MADD(sy, ry, MS__SET(1.0f)));
-    return MS__SQRT(MS__MADD(sx, sx, MS__MADD(sy, sy, MS__MUL(n, n))));
-}
-
-/* Coverage and changes of d of row y of the picture; d: rows y - 2 to y + 2; normal: the caller's or NULL. */
-static void MS__F(slopes_of_d)(const ms_sss__pyramid_params *s, const float *const d[5], const float *const normal[3],
-                               int y, int first, int count, float *const out[3])
-{
-    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), scale = MS__SET(s->slope_scale);
-    const MS__V ry = MS__SET(((float)y + 0.5f - s->middle[1]) * s->tangent);
-    int i, k, axis;
-    for (i = first; i < count; i += MS__N) {
-        const MS__V own = MS__LOAD(d[2] + i);
-        const MS__MASK valid = MS__LESS(zero, MS__ABS(own));
-        const MS__V safe = MS__SELECT(valid, own, MS__SET(-1.0f));
-        const MS__V pixels_per_d = MS__F(pixels_per_d)(s, safe, 0), radius = MS__F(radius)(s, safe);
-        const MS__V rx = MS__MADD(MS__LOAD(ms_sss__iota), MS__SET(s->tangent),
-                                  MS__SET(((float)i + 0.5f - s->middle[0]) * s->tangent));
-        MS__V slope[2], step;
-        if (!(s->slope_scale > 0) || !MS__BITS(valid)) {
-            MS__STORE(out[0] + i, MS__SELECT(valid, one, zero));
-            MS__STORE(out[1] + i, zero);
-            MS__STORE(out[2] + i, zero);
-            continue;
-        }
-        if (normal) MS__F(slopes_of_normals)(normal, i, rx, ry, &slope[0], &slope[1]);
-        for (axis = 0; axis < 2 && !normal; ++axis) {
-            MS__V at[5], a, b;
-            for (k = 0; k < 5; ++k) at[k] = MS__LOAD(axis ? d[k] + i : d[2] + i + k - 2);
-            a = MS__MUL(MS__SUB(own, at[1]), pixels_per_d);
-            b = MS__MUL(MS__SUB(at[3], own), pixels_per_d);
-            slope[axis] = MS__F(slope)(a, b, MS__BOTH(MS__LESS(MS__ABS(a), radius), MS__LESS(zero, MS__ABS(at[1]))),
-                                       MS__BOTH(MS__LESS(MS__ABS(b), radius), MS__LESS(zero, MS__ABS(at[3]))), at, 0,
-                                       s->rounding);
-        }
-        for (axis = 0; axis < 2; ++axis) slope[axis] = MS__MUL(slope[axis], scale);
-        step = s->perspective ? MS__MUL(safe, MS__SET(-s->step)) : MS__SET(s->step);
-        MS__STORE(out[0] + i,
-                  MS__SELECT(valid, MS__MIN(MS__F(area)(slope[0], slope[1], rx, ry), MS__SET(10.0f)), zero));
-        MS__STORE(out[1] + i, MS__SELECT(valid, MS__MUL(slope[0], step), zero));
-        MS__STORE(out[2] + i, MS__SELECT(valid, MS__MUL(slope[1], step), zero));
-    }
-}
-
-/* Downsamples one row of a level from rows 2j - 1 to 2j + 2 of the finer one, each color, d, coverage, changes of d.
-   Pixel i averages columns 2i - 1 to 2i + 2 by (1, 3, 3, 1) / 8 both ways, of pixels near the tangent plane of the
-   nearest of the middle four that has a quarter of the largest coverage. tilted 0: no changes; the picture has coverage
-   1 (NULL), and colors of levels are premultiplied by coverage. */
-static MS_SSS__INLINE void MS__F(downsample_level_row)(const ms_sss__pyramid_params *s, const int tilted,
-                                                       const int with_coverage, const float *row[4][7], int first,
-                                                       int count, float *const out[7])
-{
-    /* Fourth roots of 1, 3, 9 over 64, by the number of near sides, and their square roots. */
-    static const float root[3] = {0.353553391f, 0.465302426f, 0.612372436f};
-    static const float half_root[3] = {0.594603558f, 0.682130799f, 0.782542290f};
-    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), infinity = MS__SET(INFINITY);
-    int i, y, x, c;
-    for (i = first; i < count; i += MS__N) {
-        MS__V most = zero, d = infinity, dx = zero, dy = zero, bx = zero, by = zero, n = zero, least, greatest, nearest,
-              scale;
-        MS__V narrow[3];
-        MS__V sum[3], dd = zero, gx = zero, gy = zero, seen = zero, middle[2][2], coverage[2][2];
-        MS__MASK some;
-        int check;
-        MS__UNROLL
-        for (y = 0; y < 2; ++y) {
-            const float *z = row[y + 1][3] + 2 * i, *w = with_coverage ? row[y + 1][4] + 2 * i : z;
-            const MS__V z0 = MS__LOAD(z), z1 = MS__LOAD(z + MS__N);
-            middle[y][0] = MS__EVENS(z0, z1);
-            middle[y][1] = MS__ODDS(z0, z1);
-            coverage[y][0] = MS__ABS(MS__EVENS(MS__LOAD(w), MS__LOAD(w + MS__N)));
-            coverage[y][1] = MS__ABS(MS__ODDS(MS__LOAD(w), MS__LOAD(w + MS__N)));
-            most = MS__MAX(most, MS__MAX(coverage[y][0], coverage[y][1]));
-        }
-        some = MS__LESS(zero, most);
-        if (!MS__BITS(some)) {
-            for (c = 0; c < (tilted ? 7 : 5); ++c) MS__STORE(out[c] + i, zero);
-            continue;
-        }
-        if (with_coverage) most = MS__MUL(most, MS__SET(0.25f));
-        else most = zero;
-        for (y = 0; y < 2; ++y) {
-            for (x = 0; x < 2; ++x) {
-                const MS__MASK better = MS__BOTH(MS__LESS(most, coverage[y][x]), MS__LESS(middle[y][x], d));
-                d = MS__SELECT(better, middle[y][x], d);
-                if (!tilted) continue;
-                for (c = 5; c < 7; ++c) {
-                    const MS__V a = MS__LOAD(row[y + 1][c] + 2 * i), b = MS__LOAD(row[y + 1][c] + 2 * i + MS__N),
-                                there = x ? MS__ODDS(a, b) : MS__EVENS(a, b);
-                    if (c == 5) dx = MS__SELECT(better, there, dx);
-                    else dy = MS__SELECT(better, there, dy);
-                }
-                bx = MS__SELECT(better, MS__SET((float)x - 0.5f), bx);
-                by = MS__SELECT(better, MS__SET((float)y - 0.5f), by);
-            }
-        }
-        d = MS__SELECT(some, d, MS__SET(-1.0f));
-        scale = MS__DIV(MS__F(pixels_per_d)(s, d, 0), MS__F(radius)(s, d));
-        for (c = 0; c < 3; ++c) narrow[c] = MS__MUL(scale, MS__SET(half_root[c] / s->merge_reach));
-        /* Otherwise masked pixels are too deep to count. */
-        check = !with_coverage && MS__BITS(MS__LESS(MS__MUL(MS__ABS(d), narrow[0]), MS__SET(half_root[0])));
-        nearest = least = greatest = d;
-        if (tilted) d = MS__SUB(d, MS__MADD(bx, dx, MS__MUL(by, dy))); /* d at the middle */
-        sum[0] = sum[1] = sum[2] = zero;
-        for (y = 0; y < 4; ++y) {
-            int half;
-            for (half = 0; half < 2; ++half) { /* two columns at a time */
-                const ptrdiff_t at = 2 * i - 1 + 2 * half;
-                MS__V f[2], g[2], a = MS__LOAD(row[y][3] + at), b = MS__LOAD(row[y][3] + at + MS__N);
-                MS__UNROLL
-                for (x = 0; x < 2; ++x) {
-                    const float along = (float)(2 * half + x) - 1.5f;
-                    const int inner = (half != x) + (y == 1 || y == 2);
-                    const MS__V there = x ? MS__ODDS(a, b) : MS__EVENS(a, b), away = MS__SUB(there, nearest);
-                    MS__V level = there, off = away, w;
-                    if (tilted) {
-                        level = MS__SUB(there, MS__MADD(MS__SET(along), dx, MS__MUL(MS__SET((float)y - 1.5f), dy)));
-                        off = MS__SUB(level, d);
-                    }
-                    off = MS__MUL(off, narrow[inner]);
-                    f[x] = MS__MAX(MS__NMADD(off, off, MS__SET(root[inner])), zero);
-                    f[x] = MS__MUL(f[x], f[x]);
-                    f[x] = MS__MUL(f[x], f[x]);
-                    if (with_coverage) {
-                        const MS__V w0 = MS__LOAD(row[y][4] + at), w1 = MS__LOAD(row[y][4] + at + MS__N);
-                        w = x ? MS__ODDS(w0, w1) : MS__EVENS(w0, w1);
-                        if (tilted) f[x] = MS__MUL(f[x], w);
-                    } else {
-                        w = one;
-                        if (check) f[x] = MS__SELECT(MS__LESS(zero, MS__ABS(there)), f[x], zero);
-                    }
-                    if (tilted || s->merge_reach > 1)
-                        f[x] = MS__SELECT(MS__LESS(MS__ABS(MS__MUL(away, scale)), one), f[x], zero);
-                    off = with_coverage && !tilted ? MS__MUL(f[x], w) : f[x];
-                    n = MS__ADD(n, off);
-                    dd = MS__MADD(off, level, dd);
-                    if (tilted) { /* d of planes is extrapolated within the bounds of the pixels; slopes are averaged by
-                                     picture area */
-                        const MS__MASK counts = MS__LESS(zero, f[x]);
-                        least = MS__MIN(least, MS__SELECT(counts, there, nearest));
-                        greatest = MS__MAX(greatest, MS__SELECT(counts, there, nearest));
-                        g[x] = MS__DIV(f[x], MS__MAX(w, one));
-                        seen = MS__ADD(seen, g[x]);
-                    }
-                }
-                MS__UNROLL
-                for (c = 0; c < 3; ++c) {
-                    a = MS__LOAD(row[y][c] + at);
-                    b = MS__LOAD(row[y][c] + at + MS__N);
-                    sum[c] = MS__MADD(f[0], MS__EVENS(a, b), sum[c]);
-                    sum[c] = MS__MADD(f[1], MS__ODDS(a, b), sum[c]);
-                }
-                if (!tilted) continue;
-                a = MS__LOAD(row[y][5] + at);
-                b = MS__LOAD(row[y][5] + at + MS__N);
-                gx = MS__MADD(g[1], MS__ODDS(a, b), MS__MADD(g[0], MS__EVENS(a, b), gx));
-                a = MS__LOAD(row[y][6] + at);
-                b = MS__LOAD(row[y][6] + at + MS__N);
-                gy = MS__MADD(g[1], MS__ODDS(a, b), MS__MADD(g[0], MS__EVENS(a, b), gy));
-            }
-        }
-        some = MS__BOTH(MS__LESS(MS__SET(1e-20f), n), some);
-        most = MS__F(inverse)(n);
-        for (c = 0; c < 3; ++c)
-            MS__STORE(out[c] + i, MS__ORDER(MS__SELECT(some, tilted ? MS__MUL(sum[c], most) : sum[c], zero)));
-        dd = MS__DIV(dd, n);
-        if (tilted) dd = MS__MIN(MS__MAX(dd, least), greatest);
-        MS__STORE(out[3] + i, MS__ORDER(MS__SELECT(some, dd, zero)));
-        MS__STORE(out[4] + i, MS__ORDER(MS__SELECT(some, n, zero)));
-        if (!tilted) continue;
-        MS__STORE(out[5] + i, MS__ORDER(MS__SELECT(some, MS__DIV(MS__ADD(gx, gx), seen), zero)));
-        MS__STORE(out[6] + i, MS__ORDER(MS__SELECT(some, MS__DIV(MS__ADD(gy, gy), seen), zero)));
-    }
-}
-
-static void MS__F(downsample_level)(const ms_sss__pyramid_params *s, const float *row[4][7], int first, int count,
-                                    float *const out[7])
-{
-    if (s->slope_scale > 0) MS__F(downsample_level_row)(s, 1, 1, row, first, count, out);
-    else MS__F(downsample_level_row)(s, 0, row[1][4] != NULL, row, first, count, out);
-}
-
-/* Weights of a level for kernels of these radii in pixels, linear between sizes of the table: the blurred ones, or
-   (both) own and blurred. index: the size below the last group's lanes, to begin with. */
-static MS_SSS__INLINE void MS__F(level_weights)(const ms_sss__pyramid_params *s, int level, const int both, MS__V size,
-                                                MS__MASK valid, int *index, MS__V out[])
-{
-    const MS__V at = MS__MIN(MS__MAX(size, MS__SET(1.0f)), MS__SET(ms_sss__index_size(MS_SSS_PYRAMID_SIZES - 1)));
-    int i = *index, first = i, c;
-    if (MS__BITS(valid) &
-        (MS__BITS(MS__LESS(at, MS__SET(ms_sss__index_size(i)))) |
-         MS__BITS(MS__LESS(MS__SET(ms_sss__index_size(i + 1)), at)))) {
-        float lane[MS__N], least, most;
-        MS__STORE(lane, at);
-        MS__F(bounds)(MS__SELECT(valid, at, MS__SET(lane[ms_sss__lowest(MS__BITS(valid))])), &least, &most);
-        i = first = ms_sss__size_index(least);
-        *index = ms_sss__size_index(most);
-    }
-    do {
-        const float low = ms_sss__index_size(i), high = ms_sss__index_size(i + 1);
-        const float *from = s->table[i][level][!both], *to = s->table[i + 1][level][!both];
-        const MS__V t = MS__MUL(MS__SUB(at, MS__SET(low)), MS__SET(1 / (high - low)));
-        const MS__MASK above = MS__LESS(MS__SET(low), at);
-        if (i > first && MS__BITS(above) == MS__BITS(MS__LESS(MS__SET(high), at))) continue; /* no lane between */
-        for (c = 0; c < (both ? 6 : 3); ++c) {
-            const MS__V weight = MS__MADD(t, MS__SET(to[c] - from[c]), MS__SET(from[c]));
-            out[c] = i > first ? MS__SELECT(above, weight, out[c]) : weight;
-        }
-    } while (++i <= *index);
-}
-
-/* light times the mean of (1 + K sin(theta) / 4)^4, from the mean (moment / light) and mean square v of sin(theta),
-   with this bound on rounding. */
-static MS_SSS__INLINE MS__V MS__F(elevate_mean)(const ms_sss__pyramid_params *s, int channel, MS__V light, MS__V moment,
-                                                MS__V v, MS__V rounding)
-{
-    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), quarter = MS__SET(s->elevation_4[channel]);
-    MS__V m = MS__DIV(moment, MS__SELECT(MS__SAME(light, zero), one, light)), u;
-    m = MS__MIN(MS__MAX(MS__F(residual)(m, rounding), MS__SET(-1.0f)), one);
-    u = MS__MAX(MS__MADD(quarter, m, one), zero);
-    u = MS__MUL(u, u);
-    m = MS__MAX(MS__SUB(v, MS__MADD(rounding, rounding, MS__MUL(m, m))), zero);
-    m = MS__MADD(MS__MUL(m, MS__MUL(quarter, quarter)), MS__SET(6.0f), u);
-    return MS__MUL(light, MS__MIN(MS__MUL(u, m), MS__SET(s->max_factor[channel])));
-}
-
-/* w times (1 + K sin(theta) / 4)^4 */
-static MS_SSS__INLINE MS__V MS__F(elevate_weight)(const ms_sss__pyramid_params *s, int channel, MS__V sine, MS__V w)
-{
-    MS__V u = MS__MAX(MS__MADD(MS__SET(s->elevation_4[channel]), sine, MS__SET(1.0f)), MS__SET(0.0f));
-    u = MS__MUL(u, u);
-    return MS__MUL(w, MS__MUL(u, u));
-}
-
-/* The scale that bounds the mean factor, elevated / n, by `most`. */
-static MS_SSS__INLINE MS__V MS__F(bounded)(MS__V n, MS__V elevated, float most)
-{
-    const MS__V limit = MS__MUL(n, MS__SET(most));
-    return MS__SELECT(MS__LESS(limit, elevated), MS__DIV(limit, MS__MAX(elevated, MS__SET(1e-30f))), MS__SET(1.0f));
-}
-
-/* gather for the even or the odd columns of MS__N pairs with these d and changes of d. */
-static MS_SSS__INLINE void MS__F(gather_side)(const ms_sss__pyramid_params *s, const int wide, const int tilted,
-                                              MS__V d, MS__V dx, MS__V dy, const float *coarse, const ms_sss__tap *tap,
-                                              MS__V rx, MS__V ry, int *index, MS__V result[6])
-{
-    static const float nearness[4] = {0.86602540f, 0.65803701f, 0.65803701f,
-                                      0.5f}; /* fourth roots of 9, 3, 3, 1 over 16 */
-    static const float half_nearness[3] = {0.93060486f, 0.81119480f, 0.70710678f}; /* their square roots */
-    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f);
-    const ptrdiff_t plane = s->plane;
-    const float cells = (float)(1 << (s->level + 1)),
-                square = MS_SSS__GATHER(wide, s->level); /* pixels of the picture in one of the coarse level */
-    const MS__MASK valid = MS__LESS(zero, MS__ABS(d));
-    const unsigned valid_bits = MS__BITS(valid);
-    const MS__V safe = MS__SELECT(valid, d, MS__SET(-1.0f)), radius = MS__F(radius)(s, safe);
-    const MS__V pixels_per_d = MS__MUL(MS__F(pixels_per_d)(s, safe, 1), MS__SET(1 / cells)),
-                limit = MS__MUL(radius, MS__SET(1 / cells)), limit2 = MS__MUL(limit, limit);
-    MS__V size = radius, sx = zero, sy = zero, area = one, inverse = one, fall = MS__SET(-1 / square),
-          norm = MS__SET(s->norm), plane_rounding = zero, rise = one;
-    MS__V n = zero, v = zero, r = zero, g = zero, b = zero, mr = zero, mg = zero, mb = zero,
-          weight[3]; /* m: moments; wide: sums of factors */
-    MS__V s0 = zero, s1 = zero, s2 = zero, s3 = zero, s4 = zero, s5 = zero;
-    int k, count = tilted ? 4 : s->core;
-    if (!valid_bits) {
-        for (k = 0; k < 6; ++k) result[k] = zero;
-        return;
-    }
-    if (tilted) {
-        MS__V cap, reach;
-        MS__MASK
-        sound; /* planes so steep that four pixels span a radius in depth have no tangent plane on this level */
-        sx = MS__MUL(MS__MUL(dx, pixels_per_d), MS__SET(2.0f));
-        sy = MS__MUL(MS__MUL(dy, pixels_per_d), MS__SET(2.0f));
-        sound = MS__LESS(MS__MUL(MS__ADD(MS__ABS(sx), MS__ABS(sy)), MS__SET(0.5f * cells)), radius);
-        area = MS__SELECT(valid, MS__F(area)(sx, sy, rx, ry), one);
-        cap = MS__MIN(area, MS__SET(1.5f));
-        inverse = MS__DIV(one, cap);
-        size = MS__MUL(radius, inverse);
-        reach = MS__MUL(MS__MUL(cap, cap), MS__SET(square));
-        while (count < s->taps && MS__BITS(MS__LESS(MS__SET(tap[count].square), reach))) ++count;
-        fall = MS__MUL(MS__MUL(inverse, inverse), fall);
-        norm = MS__MUL(MS__MUL(inverse, inverse), norm);
-        rise = MS__SELECT(sound, MS__DIV(one, area), zero); /* cosine of the normal to the ray */
-        plane_rounding = s->perspective ? MS__SET(s->plane_rounding) : MS__MUL(d, MS__SET(s->plane_rounding));
-    }
-    if (s->sums) {
-        const MS__V near_plane = MS__MUL(MS__SET(1 / s->reach), MS__F(inverse)(limit));
-        const int cut = tilted ||
-            s->reach > 1; /* otherwise pixels beyond the limit are too far from the plane to count */
-        MS__V close[3];
-        for (k = 0; k < 3; ++k)
-            close[k] = MS__MUL(tilted ? near_plane : MS__MUL(pixels_per_d, near_plane), MS__SET(half_nearness[k]));
-        for (k = 0; k < 4; ++k) {
-            const float *p = coarse + tap[k].at;
-            const MS__V away = MS__SUB(MS__LOAD(p + 3 * plane), d);
-            MS__V off = away, t;
-            if (tilted)
-                off = MS__NMADD(MS__SET(tap[k].x), sx, MS__NMADD(MS__SET(tap[k].y), sy, MS__MUL(away, pixels_per_d)));
-            off = MS__MUL(off, close[(k + 1) / 2]);
-            t = MS__MAX(MS__NMADD(off, off, MS__SET(nearness[k])), zero);
-            t = MS__MUL(t, t);
-            t = MS__MUL(t, t);
-            if (cut) t = MS__SELECT(MS__LESS(MS__ABS(MS__MUL(away, pixels_per_d)), limit), t, zero);
-            s0 = MS__MADD(t, MS__LOAD(p + 5 * plane), s0);
-            s1 = MS__MADD(t, MS__LOAD(p + 6 * plane), s1);
-            s2 = MS__MADD(t, MS__LOAD(p + 7 * plane), s2);
-            s3 = MS__MADD(t, MS__LOAD(p + 8 * plane), s3);
-            s4 = MS__MADD(t, MS__LOAD(p + 9 * plane), s4);
-            s5 = MS__MADD(t, MS__LOAD(p + 10 * plane), s5);
-        }
-    }
-    if (!tilted) { /* colors of levels are premultiplied by coverage */
-        const MS__V inner = MS__MUL(pixels_per_d, MS__SET(s->inner)), most = MS__MUL(limit2, MS__SET(1 / square));
-        const int cut = (MS__BITS(MS__LESS(most, one)) & valid_bits) !=
-            0; /* otherwise pixels beyond the limit are too far away to count */
-        for (k = 0; k < count; ++k) {
-            const float *p = coarse + tap[k].at;
-            const MS__V dz = MS__MUL(MS__SUB(MS__LOAD(p + 3 * plane), d), inner),
-                        t = MS__MAX(MS__NMADD(dz, dz, MS__SET(tap[k].rest)), zero);
-            MS__V w = MS__MUL(t, t);
-            if (wide) w = MS__MUL(w, t);
-            if (cut) w = MS__SELECT(MS__LESS(MS__MUL(dz, dz), most), w, zero);
-            n = MS__MADD(w, MS__LOAD(p + 4 * plane), n);
-            r = MS__MADD(w, MS__LOAD(p), r);
-            g = MS__MADD(w, MS__LOAD(p + plane), g);
-            b = MS__MADD(w, MS__LOAD(p + 2 * plane), b);
-        }
-    }
-    for (k = 0; k < count && tilted; ++k) {
-        const float *p = coarse + tap[k].at;
-        const MS__V dz = MS__MUL(MS__SUB(MS__LOAD(p + 3 * plane), d), pixels_per_d), q = MS__MUL(dz, dz),
-                    away = MS__ADD(q, MS__SET(tap[k].square));
-        const MS__V off = MS__NMADD(MS__SET(tap[k].x), sx, MS__NMADD(MS__SET(tap[k].y), sy, dz));
-        const MS__V t = MS__MAX(MS__MADD(away, fall, one), zero);
-        MS__V w = MS__MUL(t, t);
-        if (wide) w = MS__MUL(w, t);
-        w = MS__SELECT(MS__LESS(q, limit2), MS__MUL(w, MS__LOAD(p + 4 * plane)), zero);
-        n = MS__ADD(n, w);
-        if (wide) {
-            const MS__V sine = MS__MUL(MS__MUL(MS__F(residual)(off, plane_rounding), rise),
-                                       MS__F(inverse_root)(MS__ADD(away, MS__SET(s->blur))));
-            MS__V f = MS__F(elevate_weight)(s, 0, sine, w);
-            mr = MS__ADD(mr, f);
-            r = MS__MADD(f, MS__LOAD(p), r);
-            f = MS__F(elevate_weight)(s, 1, sine, w);
-            mg = MS__ADD(mg, f);
-            g = MS__MADD(f, MS__LOAD(p + plane), g);
-            f = MS__F(elevate_weight)(s, 2, sine, w);
-            mb = MS__ADD(mb, f);
-            b = MS__MADD(f, MS__LOAD(p + 2 * plane), b);
-        } else {
-            const MS__V e0 = MS__LOAD(p), e1 = MS__LOAD(p + plane), e2 = MS__LOAD(p + 2 * plane);
-            r = MS__MADD(w, e0, r);
-            g = MS__MADD(w, e1, g);
-            b = MS__MADD(w, e2, b);
-            w = MS__MUL(w, off);
-            mr = MS__MADD(w, e0, mr);
-            mg = MS__MADD(w, e1, mg);
-            mb = MS__MADD(w, e2, mb);
-            v = MS__MADD(w, off, v);
-        }
-    }
-    if (wide && tilted) { /* bounds the factor: constant light is not amplified */
-        r = MS__MUL(r, MS__F(bounded)(n, mr, s->max_factor[0]));
-        g = MS__MUL(g, MS__F(bounded)(n, mg, s->max_factor[1]));
-        b = MS__MUL(b, MS__F(bounded)(n, mb, s->max_factor[2]));
-    } else if (tilted) {
-        const MS__V facing = MS__MUL(inverse, rise), turn = MS__MUL(facing, MS__SET(s->mean)),
-                    rounding = MS__MUL(turn, plane_rounding);
-        v = MS__DIV(v, MS__SELECT(MS__LESS(zero, n), n, one));
-        v = MS__MUL(v, MS__MUL(MS__MUL(facing, facing), MS__SET(s->spread)));
-        r = MS__F(elevate_mean)(s, 0, r, MS__MUL(mr, turn), v, rounding);
-        g = MS__F(elevate_mean)(s, 1, g, MS__MUL(mg, turn), v, rounding);
-        b = MS__F(elevate_mean)(s, 2, b, MS__MUL(mb, turn), v, rounding);
-    }
-    MS__F(level_weights)(s, s->level + 1, 0, size, valid, index, weight);
-    n = MS__MUL(n, norm);
-    result[0] = MS__SELECT(valid, MS__MADD(MS__MUL(weight[0], norm), r, s0), zero);
-    result[1] = MS__SELECT(valid, MS__MADD(MS__MUL(weight[1], norm), g, s1), zero);
-    result[2] = MS__SELECT(valid, MS__MADD(MS__MUL(weight[2], norm), b, s2), zero);
-    result[3] = MS__SELECT(valid, MS__MADD(weight[0], n, s3), zero);
-    result[4] = MS__SELECT(valid, MS__MADD(weight[1], n, s4), zero);
-    result[5] = MS__SELECT(valid, MS__MADD(weight[2], n, s5), zero);
-}
-
-/* Gathers row y of a level: sums of the next coarser level's light, weighted by distance in space and elevation, plus
-   that level's own sums, bilinear. own: d and its changes; coarse: row y / 2, followed by planes of green, blue, d,
-   coverage, three sums of light, three of weights; first, count: columns / 2; out: three sums of light, three of
-   weights. */
-static MS_SSS__INLINE void MS__F(gather_row)(const ms_sss__pyramid_params *s, const int wide, const int tilted,
-                                             const float *const own[3], const float *coarse, int first, int count,
-                                             int y, float *const out[6])
-{
-    const float cells = (float)(1 << (s->level + 1));
-    const MS__V ry = MS__SET((((float)y + 0.5f) * 0.5f * cells - s->middle[1]) * s->tangent);
-    int i, c, odd, index = 0;
-    for (i = first; i < count; i += MS__N) {
-        MS__V result[2][6];
-        const MS__V d0 = MS__LOAD(own[0] + 2 * i), d1 = MS__LOAD(own[0] + 2 * i + MS__N);
-        MS__V x0 = d0, x1 = d0, y0 = d0, y1 = d0;
-        if (tilted) {
-            x0 = MS__LOAD(own[1] + 2 * i);
-            x1 = MS__LOAD(own[1] + 2 * i + MS__N);
-            y0 = MS__LOAD(own[2] + 2 * i);
-            y1 = MS__LOAD(own[2] + 2 * i + MS__N);
-        }
-        for (odd = 0; odd < 2; ++odd) {
-            const MS__V rx = MS__MADD(
-                MS__LOAD(ms_sss__iota), MS__SET(cells * s->tangent),
-                MS__SET((((float)(2 * i + odd) + 0.5f) * 0.5f * cells - s->middle[0]) * s->tangent));
-            MS__F(gather_side)
-            (s, wide, tilted, odd ? MS__ODD(d0, d1) : MS__EVEN(d0, d1), odd ? MS__ODD(x0, x1) : MS__EVEN(x0, x1),
-             odd ? MS__ODD(y0, y1) : MS__EVEN(y0, y1), coarse + i, s->tap[y & 1][odd], rx, ry, &index, result[odd]);
-        }
-        for (c = 0; c < 6; ++c) {
-            MS__STORE(out[c] + 2 * i, MS__ZIP_LOW(result[0][c], result[1][c]));
-            MS__STORE(out[c] + 2 * i + MS__N, MS__ZIP_HIGH(result[0][c], result[1][c]));
-        }
-    }
-}
-
-static void MS__F(gather)(const ms_sss__pyramid_params *s, const float *const own[3], const float *coarse, int first,
-                          int count, int y, float *const out[6])
-{
-    if (!(s->slope_scale > 0)) MS__F(gather_row)(s, s->wide, 0, own, coarse, first, count, y, out);
-    else if (s->wide) MS__F(gather_row)(s, 1, 1, own, coarse, first, count, y, out);
-    else MS__F(gather_row)(s, 0, 1, own, coarse, first, count, y, out);
-}
-
-/* Resolves the picture: a pixel's own light, that of its neighbors by (1, 2, 1) / 4 both ways if they are near its
-   tangent plane, and the sums. row: color and d, of rows stride floats apart; slope: coverage, then the changes of d;
-   out: color, and 0 or, for masked pixels, INFINITY. */
-static MS_SSS__INLINE void MS__F(resolve_row)(const ms_sss__pyramid_params *s, const int tilted,
-                                              const float *const row[4], ptrdiff_t stride, const float *const slope[3],
-                                              const float *const sum[6], int first, int count, float *const out[4])
-{
-    const MS__V zero = MS__SET(0.0f), one = MS__SET(1.0f), half = MS__SET(0.5f), quarter = MS__SET(0.25f);
-    const int check = !s->perspective || !s->depth_aware ||
-        s->step > 0.4f; /* otherwise masked pixels are too deep to count */
-    const float *const red = row[0], *const green = row[1], *const blue = row[2], *const from = row[3];
-    int i, j, k, c, index = 0;
-    for (i = first; i < count; i += MS__N) {
-        const MS__V d = MS__LOAD(from + i);
-        const MS__MASK valid = MS__LESS(zero, MS__ABS(d));
-        const MS__V safe = MS__SELECT(valid, d, MS__SET(-1.0f)), pixels_per_d = MS__F(pixels_per_d)(s, safe, 1),
-                    radius = MS__F(radius)(s, safe);
-        MS__V r = zero, g = zero, b = zero, n = zero, share[6], size = radius, dx = zero, dy = zero;
-        const unsigned valid_bits = MS__BITS(valid);
-        MS__STORE(out[3] + i, MS__SELECT(valid, zero, MS__SET(INFINITY)));
-        if (!valid_bits) continue;
-        if (tilted) {
-            size = MS__DIV(radius, MS__MIN(MS__MAX(MS__LOAD(slope[0] + i), one), MS__SET(1.5f)));
-            dx = MS__LOAD(slope[1] + i);
-            dy = MS__LOAD(slope[2] + i);
-        }
-        MS__F(level_weights)(s, 0, 1, size, valid, &index, share);
-        if (MS__BITS(MS__LESS(zero, MS__MAX(share[3], MS__MAX(share[4], share[5])))) & valid_bits) {
-            const MS__V corner = MS__MUL(pixels_per_d, quarter),
-                        edge = MS__MUL(pixels_per_d, MS__SET(0.29730178f)); /* roots / 2 */
-            n = quarter;
-            r = MS__MUL(quarter, MS__LOAD(red + i));
-            g = MS__MUL(quarter, MS__LOAD(green + i));
-            b = MS__MUL(quarter, MS__LOAD(blue + i));
-            for (j = -1; j < 2; ++j) {
-                MS__UNROLL
-                for (k = -1; k < 2; ++k) {
-                    const ptrdiff_t at = i + k + j * stride;
-                    const MS__V there = MS__LOAD(from + at);
-                    MS__V f = MS__SUB(there, d);
-                    if (!j && !k) continue;
-                    if (tilted) f = MS__NMADD(MS__SET((float)k), dx, MS__NMADD(MS__SET((float)j), dy, f));
-                    f = MS__MUL(f, j && k ? corner : edge); /* 0 from 2 pixels away on */
-                    f = MS__MAX(MS__NMADD(f, f, j && k ? quarter : MS__SET(0.35355339f)),
-                                zero); /* square roots of 1, 2 over 16 */
-                    f = MS__MUL(f, f);
-                    if (check) f = MS__SELECT(MS__LESS(zero, MS__ABS(there)), f, zero);
-                    n = MS__ADD(n, f);
-                    r = MS__MADD(f, MS__LOAD(red + at), r);
-                    g = MS__MADD(f, MS__LOAD(green + at), g);
-                    b = MS__MADD(f, MS__LOAD(blue + at), b);
-                }
-            }
-        }
-        for (c = 0; c < 3; ++c) {
-            const MS__V e = MS__LOAD(row[c] + i), soft = c == 0 ? r : c == 1 ? g : b;
-            const MS__V light = MS__ADD(MS__MADD(share[c], e, MS__MUL(share[c + 3], soft)), MS__LOAD(sum[c] + i));
-            const MS__V all = MS__ADD(MS__MADD(share[c + 3], n, share[c]), MS__LOAD(sum[c + 3] + i));
-            const MS__MASK sound = MS__BOTH(MS__LESS(MS__SET(1e-30f), all),
-                                            MS__LESS(half, radius)); /* kernels under half a pixel are the identity */
-            const MS__V to = MS__SELECT(sound, MS__MUL(light, MS__F(inverse)(all)), e);
-            MS__STORE(out[c] + i, to);
-        }
-    }
-}
-
-static void MS__F(resolve)(const ms_sss__pyramid_params *s, const float *const row[4], ptrdiff_t stride,
-                           const float *const slope[3], const float *const sum[6], int first, int count,
-                           float *const out[4])
-{
-    if (s->slope_scale > 0) MS__F(resolve_row)(s, 1, row, stride, slope, sum, first, count, out);
-    else MS__F(resolve_row)(s, 0, row, stride, slope, sum, first, count, out);
-}
-
-static const ms_sss__kernels MS__F(kernels) = {
-    MS__F(mask_by),          MS__F(load_masked), MS__F(convolve),
-    MS__F(convolve_valid),   MS__F(slopes),      MS__F(tangents),
-    MS__F(limit_depth),      MS__F(plan),        {MS__F(sweep_flat), MS__F(sweep_with_slopes)},
-    MS__F(least_depth),      MS__F(unpack),      MS__F(widen),
-    MS__F(narrow),           MS__F(stream),      MS__N,
-    MS__F(combine),          MS__F(fade),        MS__F(slopes_of_d),
-    MS__F(downsample_level), MS__F(gather),      MS__F(resolve),
-    MS__F(depth_to_d),       MS__F(downsample),  MS__F(subtract_self),
-    MS__F(upsample)};
-
-#undef MS_SSS__JOIN_
-#undef MS_SSS__JOIN
-#undef MS__F
-#undef MS_SSS__GROUPS
-#undef MS__UNROLL
-#undef MS__V
-#undef MS__X
-#undef MS__Z
-#undef MS__MASK
-#undef MS__LOAD
-#undef MS__STORE
-#undef MS__SET
-#undef MS__ADD
-#undef MS__SUB
-#undef MS__MUL
-#undef MS__DIV
-#undef MS__MADD
-#undef MS__NMADD
-#undef MS__STREAM
-#undef MS__WIDEN
-#undef MS__NARROW
-#undef MS__MIN
-#undef MS__MAX
-#undef MS__SQRT
-#undef MS__RSQRT
-#undef MS__RCP
-#undef MS__ABS
-#undef MS__FLOOR
-#undef MS__LESS
-#undef MS__SAME
-#undef MS__BOTH
-#undef MS__SELECT
-#undef MS__BITS
-#undef MS__ZIP_LOW
-#undef MS__ZIP_HIGH
-#undef MS__EVEN
-#undef MS__ODD
-#undef MS__EVENS
-#undef MS__ODDS
-#undef MS__ORDER
-#undef MS_SSS__LEVEL
-#undef MS__N
-
-#endif /* MS_SSS__PASS */
+#endif /* MS_SSS__BODY */
 
 /*
 These headers, their tests and their examples are in two licences; take whichever you prefer.

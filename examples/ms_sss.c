@@ -32,8 +32,8 @@ int main(int argc, char **argv)
     ms_sss_profile_destroy(profile);
     memset(&frame, 0, sizeof frame);
     frame.width = frame.height = SIDE;
-    frame.input = ms_sss_interleaved(light, 3, 0);
-    frame.output = ms_sss_interleaved(glow, 3, 0);
+    frame.input = ms_sss_interleaved(light, 3);
+    frame.output = ms_sss_interleaved(glow, 3);
     options.pixels_per_mm[0] = 8;
     size = ms_sss_filter_workspace(SIDE, SIDE, &kernel, 1, &options);
     workspace = malloc(size);

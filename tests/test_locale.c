@@ -213,18 +213,17 @@ static void case_messages(void)
     memset(&frame, 0, sizeof frame);
     memset(&kernel, 0, sizeof kernel);
     frame.width = frame.height = 1;
-    frame.input = frame.output = ms_sss_planar(pixel, pixel + 1, pixel + 2, 0);
+    frame.input = frame.output = ms_sss_planar(pixel, pixel + 1, pixel + 2);
     filter.ortho_height = filter.mm_per_unit = 1;
     kernel.tap_count = kernel.term_count = 1;
     kernel.radius_mm = 1;
     for (i = -3; i < 4; ++i) {
-        frame.input.half = i == -3 ? INT_MIN : i == 3 ? INT_MAX : i;
-        if (i == 0 || i == 1) continue;
-        snprintf(expected, sizeof expected, "input: half is %d, not 0 or 1", frame.input.half);
-        CHECK_INT(ms_sss_filter(&frame, &kernel, 1, &filter, NULL, 0, &error), MS_INVALID_ARGUMENT);
+        const int count = i == -3 ? INT_MIN : i == 3 ? INT_MAX : i;
+        if (i == 1 || i == 2) continue;
+        snprintf(expected, sizeof expected, "kernel_count %d is not within 1 to 256", count);
+        CHECK_INT(ms_sss_filter(&frame, &kernel, count, &filter, NULL, 0, &error), MS_INVALID_ARGUMENT);
         if (strcmp(error.message, expected) != 0) TEST_FAIL("'%s', expected '%s'", error.message, expected);
     }
-    frame.input.half = 0;
     snprintf(expected, sizeof expected, "a workspace of %zu bytes: expected %zu", (size_t)10,
              ms_sss_filter_workspace(1, 1, &kernel, 1, &filter));
     CHECK_INT(ms_sss_filter(&frame, &kernel, 1, &filter, expected, 10, &error), MS_INVALID_ARGUMENT);

@@ -88,6 +88,7 @@ static ms_status kernels(const ms_allocator *allocator)
     ms_sss_profile *profile[4] = {NULL, NULL, NULL, NULL};
     ms_sss_designer *designer = NULL;
     ms_sss_artist artist;
+    ms_sss_errors errors;
     ms_status status;
     int i;
     value[0] = value[1] = value[2] = fall;
@@ -97,7 +98,8 @@ static ms_status kernels(const ms_allocator *allocator)
     STEP(ms_sss_profile_from_burley(&profile[3], one, one, allocator, NULL));
     STEP(ms_sss_designer_create(&designer, profile[2], 4, allocator, NULL));
     STEP(ms_sss_fit_artist(designer, &artist));
-    STEP(ms_sss_kernel_choose(&kernel, NULL, designer, 0.5, 9, NULL));
+    STEP(ms_sss_kernel_build(&kernel, designer, NULL, NULL));
+    STEP(ms_sss_kernel_measure(&errors, &kernel, designer));
     ms_sss_designer_destroy(designer);
     for (i = 0; i < 4; ++i) ms_sss_profile_destroy(profile[i]);
     return status;
@@ -264,7 +266,7 @@ static ms_status frame(const ms_allocator *allocator)
     ms_status status;
     memset(&f, 0, sizeof f);
     f.width = f.height = 32;
-    f.input = f.output = ms_sss_interleaved(light, 3, 0);
+    f.input = f.output = ms_sss_interleaved(light, 3);
     design.model = MS_SSS_PREINTEGRATED;
     design.placement = MS_SSS_QUANTILE;
     options.pixels_per_mm[0] = 2;

@@ -86,7 +86,7 @@ static ms_status run(const ms_sss_frame *f, const ms_sss_pyramid *pyramid, const
     ms_status status;
     memset(workspace, 0xff, size); /* NaN */
     o.exact = exact;
-    status = ms_sss_pyramid_filter(f, pyramid, &o, workspace, size, &error);
+    status = ms_sss_pyramid_filter(f, pyramid, 1, &o, workspace, size, &error);
     if (status != MS_OK) TEST_FAIL("status %d: %s", (int)status, error.message);
     free(workspace);
     return status;
@@ -134,8 +134,8 @@ static double texture_error(const ms_sss_pyramid *pyramid, double radius_px)
             for (x = 0; x < SIDE; ++x) in[c][y * SIDE + x] = (float)(re[y % TILE * TILE + x % TILE] / n);
     memset(&f, 0, sizeof f);
     f.width = f.height = SIDE;
-    f.input = ms_sss_planar(in[0], in[1], in[2], 0);
-    f.output = ms_sss_planar(out[0], out[1], out[2], 0);
+    f.input = ms_sss_planar(in[0], in[1], in[2]);
+    f.output = ms_sss_planar(out[0], out[1], out[2]);
     o.pixels_per_mm[0] = (float)pixels;
     run(&f, pyramid, &o);
     for (c = 0; c < 3; ++c) {
@@ -179,7 +179,6 @@ static void case_texture(void)
     static const double radius[] = {64, 90, 24, 128};
     const ms_sss_pyramid pyramid = skin_pyramid();
     int i;
-    TEST_METHOD;
     for (i = 0; i < (test_full ? 4 : 3); ++i) {
         const double e = texture_error(&pyramid, radius[i]);
         CHECK_LE(e,
@@ -236,10 +235,10 @@ static ms_sss_frame scene_frame(float (*to)[N], int with_depth, int with_mask)
     memset(&f, 0, sizeof f);
     f.width = W;
     f.height = H;
-    f.input = ms_sss_planar(rgb[0], rgb[1], rgb[2], 0);
-    f.output = ms_sss_planar(to[0], to[1], to[2], 0);
-    if (with_depth) f.depth = ms_sss_map(depth, 1, 0);
-    if (with_mask) f.strength = ms_sss_map(strength, 1, 0);
+    f.input = ms_sss_planar(rgb[0], rgb[1], rgb[2]);
+    f.output = ms_sss_planar(to[0], to[1], to[2]);
+    if (with_depth) f.depth = ms_sss_map(depth, 1);
+    if (with_mask) f.strength = ms_sss_map(strength, 1);
     return f;
 }
 
@@ -424,7 +423,6 @@ static void case_promises(void)
 {
     const ms_sss_pyramid pyramid = skin_pyramid();
     int kind, level, i, c, changed = 0, lifted = 0, crossed = 0, spread = 0, small = 0, threads = 0;
-    TEST_METHOD;
     make_scene();
     for (kind = 0; kind < 3; ++kind) {
         for (level = MS_SIMD_SCALAR; level <= test_simd_best(); ++level) {
@@ -504,9 +502,9 @@ static double plane_wave(const ms_sss_pyramid *pyramid, double tilt, double angl
     int i, c, pass;
     memset(&f, 0, sizeof f);
     f.width = f.height = PLANE;
-    f.input = ms_sss_planar(in[0], in[1], in[2], 0);
-    f.output = ms_sss_planar(to[0], to[1], to[2], 0);
-    f.depth = ms_sss_map(z, 1, 0);
+    f.input = ms_sss_planar(in[0], in[1], in[2]);
+    f.output = ms_sss_planar(to[0], to[1], to[2]);
+    f.depth = ms_sss_map(z, 1);
     o.pixels_per_mm[0] = (float)pixels;
     *constant = 0;
     for (pass = 0; pass < 2; ++pass) {
@@ -550,7 +548,6 @@ static void case_planes(void)
     const ms_sss_pyramid pyramid = skin_pyramid();
     char note[400];
     int i, j, n = 0;
-    TEST_METHOD;
     for (i = 0; i < 5; ++i) {
         double worst = 0, constant = 0;
         for (j = 0; j < 8; ++j) {
@@ -601,8 +598,8 @@ static void case_corners(void)
     memset(&f, 0, sizeof f);
     f.width = W;
     f.height = H;
-    f.input = ms_sss_planar(in[0], in[1], in[2], 0);
-    f.output = ms_sss_planar(first[0], first[1], first[2], 0);
+    f.input = ms_sss_planar(in[0], in[1], in[2]);
+    f.output = ms_sss_planar(first[0], first[1], first[2]);
     o.pixels_per_mm[0] = 8;
     for (kind = 0; kind < 2; ++kind) {
         const int middle = H / 2 * W + W / 2, far_off = H / 2 * W + 10;
@@ -610,7 +607,7 @@ static void case_corners(void)
             z[0][i] = (float)(100 + (kind ? 1 : -1) * fabs(i % W - W / 2 + 0.5) / 8);
             for (c = 0; c < 3; ++c) in[c][i] = 1;
         }
-        f.depth = ms_sss_map(z[0], 1, 0);
+        f.depth = ms_sss_map(z[0], 1);
         run(&f, &pyramid, &o);
         if (kind == 0) CHECK(first[0][middle] < 0.9f);
         else CHECK(first[0][middle] > 1.1f);
@@ -633,10 +630,10 @@ static void case_corners(void)
                 for (c = 0; c < 3; ++c)
                     in[c][i] = rgb[c][j] * (turned ? 1e4f : 1.0f); /* and a light 10^4 times as strong */
             }
-            f.depth = ms_sss_map(z[turned], 1, 0);
-            f.input = ms_sss_planar(in[0], in[1], in[2], 0);
-            if (turned) f.output = ms_sss_planar(second[0], second[1], second[2], 0);
-            else f.output = ms_sss_planar(first[0], first[1], first[2], 0);
+            f.depth = ms_sss_map(z[turned], 1);
+            f.input = ms_sss_planar(in[0], in[1], in[2]);
+            if (turned) f.output = ms_sss_planar(second[0], second[1], second[2]);
+            else f.output = ms_sss_planar(first[0], first[1], first[2]);
             run(&f, &pyramid, &o);
         }
         for (i = 0; i < MIRRORED_W * MIRRORED_H; ++i) {
@@ -692,9 +689,9 @@ static void case_sizes(void)
         memset(&f, 0, sizeof f);
         f.width = size[i][0];
         f.height = size[i][1];
-        f.input = ms_sss_interleaved(a, 4, 0);
-        f.output = ms_sss_interleaved(b, 4, 0);
-        f.depth = ms_sss_map(a + 3, 4, 0);
+        f.input = ms_sss_interleaved(a, 4);
+        f.output = ms_sss_interleaved(b, 4);
+        f.depth = ms_sss_map(a + 3, 4);
         o.fov_degrees = 30;
         o.mm_per_unit = 10;
         run(&f, &pyramid, &o);
@@ -715,7 +712,6 @@ static void case_heights(void)
     const ms_sss_pyramid pyramid = skin_pyramid();
     static float first[3][N];
     int height, tilted, c, i;
-    TEST_METHOD;
     for (tilted = 0; tilted < 2; ++tilted) {
         double worst = 0;
         make_scene();
@@ -736,31 +732,45 @@ static void case_heights(void)
 
 static void case_refused(void)
 {
+    static uint8_t profile[N];
     const ms_sss_pyramid pyramid = skin_pyramid();
-    int i;
+    int i, c;
     make_scene();
-    for (i = 0; i < 7; ++i) {
+    for (i = 2; i < 10; ++i) {
         ms_sss_filter_options o = ms_sss_filter_defaults();
         ms_sss_frame f = scene_frame(out, 1, 0);
         size_t size = ms_sss_pyramid_workspace(W, H);
         void *workspace = malloc(size);
-        uint8_t profile[1] = {0};
+        ms_sss_pyramid two[2];
         ms_error error;
+        int count = 1, j, touched = 0;
+        two[0] = two[1] = pyramid;
         o.fov_degrees = 20;
-        if (i == 0) o.rotation = 1;
-        if (i == 1) o.jitter = 0.5f;
         if (i == 2) o.fov_degrees = 0, o.pixels_per_mm[0] = 2, o.pixels_per_mm[1] = 3; /* not round */
-        if (i == 3) f.profile = profile;
+        if (i == 3) memset(&two[1], 0, sizeof two[1]), count = 2; /* never made: before anything is written */
         if (i == 4) --size;
         if (i == 5) o.fov_degrees = NAN;
         if (i == 6) f.input.channel[2] = NULL;
-        CHECK_INT(ms_sss_pyramid_filter(&f, &pyramid, &o, workspace, size, &error),
-                  i < 4 ? MS_UNSUPPORTED : MS_INVALID_ARGUMENT);
+        if (i == 7) count = 0;
+        if (i == 8) two[0].weight[1][20][3][1][2] = NAN;
+        if (i == 9) two[0].weight[0][0][0][0][0] = -1;
+        for (j = 0; j < W * H; ++j) profile[j] = (uint8_t)(j % 2);
+        f.profile = count == 2 ? profile : NULL;
+        for (c = 0; c < 3; ++c)
+            for (j = 0; j < W * H; ++j) out[c][j] = -7;
+        CHECK_INT(ms_sss_pyramid_filter(&f, two, count, &o, workspace, size, &error),
+                  i == 2 ? MS_UNSUPPORTED : MS_INVALID_ARGUMENT);
         CHECK(strstr(error.message,
-                     i < 4        ? "pyramid"
+                     i == 2       ? "pixels_per_mm"
+                         : i == 3 ? "pyramid 1"
                          : i == 4 ? "workspace"
                          : i == 5 ? "fov_degrees"
-                                  : "input") != NULL);
+                         : i == 6 ? "input"
+                         : i == 7 ? "pyramid_count"
+                                  : "pyramid 0") != NULL);
+        for (c = 0; c < 3; ++c)
+            for (j = 0; j < W * H; ++j) touched += out[c][j] < -7 || out[c][j] > -7;
+        CHECK_INT(touched, 0);
         free(workspace);
     }
     CHECK(ms_sss_pyramid_workspace(0, 1) == SIZE_MAX);
@@ -768,6 +778,38 @@ static void case_refused(void)
         ms_sss_pyramid untouched;
         CHECK_INT(ms_sss_pyramid_make(&untouched, NULL, NULL), MS_INVALID_ARGUMENT);
     }
+}
+
+/* Several pyramids: each profile's pixels as its pyramid filters them alone; the call that allocates makes the same. */
+static void case_profiles(void)
+{
+    static uint8_t profile[N];
+    static float mask[N], all[3][N];
+    ms_sss_pyramid pyramid[2];
+    ms_sss_filter_options o = ms_sss_filter_defaults();
+    ms_sss_frame f;
+    ms_error error;
+    int i, c, which;
+    make_scene();
+    pyramid[0] = pyramid[1] = skin_pyramid();
+    pyramid[1].radius_mm *= 0.5f;
+    o.fov_degrees = 20;
+    o.mm_per_unit = 1;
+    for (i = 0; i < N; ++i) profile[i] = (uint8_t)(i % W > W / 3 ? (i % 41 ? 1 : 7) : 0); /* 7: no pyramid */
+    f = scene_frame(all, 1, 0);
+    f.profile = profile;
+    CHECK_INT(ms_sss_pyramid_filter(&f, pyramid, 2, &o, NULL, 0, &error), MS_OK);
+    for (which = 0; which < 2; ++which) {
+        for (i = 0; i < N; ++i) mask[i] = profile[i] == which;
+        f = scene_frame(out, 1, 0);
+        f.strength = ms_sss_map(mask, 1);
+        CHECK_INT(run(&f, &pyramid[which], &o), MS_OK);
+        for (c = 0; c < 3; ++c)
+            for (i = 0; i < N; ++i)
+                if (profile[i] == which || profile[i] == 7)
+                    CHECK(memcmp(&out[c][i], profile[i] == 7 ? &rgb[c][i] : &all[c][i], sizeof(float)) == 0);
+    }
+    CHECK_INT(ms_sss_pyramid_filter(&f, pyramid, 1, &o, NULL, 1, &error), MS_INVALID_ARGUMENT);
 }
 
 #define BOTH(name)                                  \
@@ -801,6 +843,7 @@ static const test_case cases[] = {
     {"levels", case_levels_both},
     {"sizes", case_sizes_both},
     {"heights", case_heights_both},
+    {"several profiles", case_profiles},
     {"refused", case_refused},
 };
 TEST_MAIN(cases)

@@ -34,8 +34,8 @@ none "tabs, or blanks at the end of a line" "$(grep -nE '	| $' $headers)"
 none "a word cut at its hyphen" "$(grep -nE '[a-z]- [a-z]' $headers | grep -vE -e '- (and|or|to) ')"
 none "a value alone on a line, its name above" "$(awk 'FNR == 1 {last = ""} last ~ /[A-Z0-9_] =$/ && /^ *-?[0-9]+,/ {print FILENAME ":" FNR ": " $0} {last = $0}' $headers)"
 none "two statements of an example on one line" "$(awk '/^ *[^#\/]*[a-z_]+\(.*\); ms_[a-z_]+\(/ && !/for *\(/ && !/\{.*\}/ {print FILENAME ":" FNR ": " $0}' $headers)"
-none "gaps inside of a sentence" "$(awk '/^ {8,}[a-z].*[a-z]   [a-z].*[.;] / {print FILENAME ":" FNR ": " $0}' $headers)"
-none "no list of contents names a banner's section" "$(for h in $headers; do [ "$(grep -c '^/\* ---- ' "$h")" -gt 2 ] || echo "$h has no banners"; done)"
+none "a row of a table, or an argument, in the middle of a sentence" "$(grep -nE '^   [A-Za-z`(*][^ ]*( [^ ]+){5,}  +[A-Za-z[*`]' $headers | grep -v =)"
+none "no banners of sections" "$(for h in $headers; do [ "$(grep -c '^/\* ---- ' "$h")" -gt 2 ] || echo "$h has no banners"; done)"
 
 # ---- numbers by the locale
 none "numbers by the locale in a header" "$(grep -nE '[^a-z_](strtod|strtof|atof|sscanf|localeconv) *\(' $headers)"

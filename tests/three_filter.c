@@ -29,7 +29,6 @@ int main(int argc, char **argv)
     frame.height = atoi(argv[2]);
     options.fov_degrees = (float)atof(argv[3]);
     options.mm_per_unit = (float)atof(argv[4]);
-    options.method = MS_SSS_METHOD_TAPS;
     taps.tap_count = atoi(argv[5]);
     count = (size_t)frame.width * (size_t)frame.height;
     pixels = (float *)malloc(16 * count);
@@ -51,9 +50,9 @@ int main(int argc, char **argv)
         memcpy(&bits, pixels + 4 * i + 3, 4);
         index[i] = (uint8_t)(bits & 15u);
     }
-    frame.input = ms_sss_interleaved(pixels, 4, 0);
-    frame.output = ms_sss_interleaved(out, 4, 0);
-    frame.depth = ms_sss_map(pixels + 3, 4, 0);
+    frame.input = ms_sss_interleaved(pixels, 4);
+    frame.output = ms_sss_interleaved(out, 4);
+    frame.depth = ms_sss_map(pixels + 3, 4);
     frame.profile = index;
     if (ms_sss_filter(&frame, kernel, kernels, &options, NULL, 0, &error) != MS_OK) {
         fprintf(stderr, "three_filter: %s\n", error.message);

@@ -1,4 +1,4 @@
-/* From optical parameters to pictures: build/demo_sss FOLDER [--width 1920] [--method half] writes
+/* From optical parameters to pictures: build/demo_sss FOLDER [--width 1920] [--method taps] writes
      profiles_red.svg, _green, _blue       diffusion profiles of all 11 materials
      skin1_before.png, _after, and skin1.png with half of each; the same for marble; demo.png with both
      bust.png, knot.png                    before, after, truth (random walks, examples/data/truth_*.bin) and their
@@ -18,11 +18,11 @@
 #include "plot.h"
 #include "scene.h"
 
-static const char usage[] = "usage: demo_sss FOLDER [--width 64..7680] [--method auto|taps|half|pyramid]\n";
+static const char usage[] = "usage: demo_sss FOLDER [--width 64..7680] [--method pyramid|taps]\n";
 static const char *folder;
 static file_out out_page, out_truth; /* kernels.html and sss.txt while they are written */
-static const char *const methods[] = {"auto", "taps", "half", "pyramid"}; /* in the order of ms_sss_method */
-static ms_sss_method method;                                              /* of skin1 and marble */
+static const char *const methods[] = {"pyramid", "taps"};
+static int by_taps; /* skin1 and marble: not by pyramid */
 
 static const char *file(const char *name)
 {
@@ -145,7 +145,6 @@ static image show_object(scene_object object, const char *material, int width)
     ms_sss_kernel_options design = ms_sss_kernel_defaults();
     static ms_sss_kernel kernel;
     static ms_sss_pyramid pyramid;
-    ms_sss_method taken;
     ms_sss_frame frame;
     ms_sss_filter_options options = ms_sss_filter_defaults();
     scene s;
@@ -171,19 +170,19 @@ static image show_object(scene_object object, const char *material, int width)
     memset(&frame, 0, sizeof frame);
     frame.width = width;
     frame.height = height;
-    frame.input = ms_sss_interleaved(s.irradiance.pixels, 3, 0);
-    frame.output = ms_sss_interleaved(filtered.pixels, 3, 0);
-    frame.depth = ms_sss_map(s.depth.pixels, 1, 0);
-    frame.strength = ms_sss_map(s.mask.pixels, 1, 0);
+    frame.input = ms_sss_interleaved(s.irradiance.pixels, 3);
+    frame.output = ms_sss_interleaved(filtered.pixels, 3);
+    frame.depth = ms_sss_map(s.depth.pixels, 1);
+    frame.strength = ms_sss_map(s.mask.pixels, 1);
     options.fov_degrees = 2 * atanf(s.camera.tan_half_fov) * (180 / 3.14159265f);
     need_ok(ms_sss_pyramid_make(&pyramid, profile, NULL), "pyramid");
-    options.method = method;
-    options.pyramids = &pyramid;
-    frame.taken = &taken;
-    size = ms_sss_filter_workspace(width, height, &kernel, 1, &options);
+    size = by_taps ? ms_sss_filter_workspace(width, height, &kernel, 1, &options)
+                   : ms_sss_pyramid_workspace(width, height);
     workspace = malloc(size);
     if (filtered.pixels == NULL || workspace == NULL) need("out of memory", "filter");
-    need_ok(ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, NULL), "filter");
+    need_ok(by_taps ? ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, NULL)
+                    : ms_sss_pyramid_filter(&frame, &pyramid, 1, &options, workspace, size, NULL),
+            "filter");
 
     need(scene_compose(&s, &s.irradiance, &before), "picture");
     need(scene_compose(&s, &filtered, &after), "picture");
@@ -263,10 +262,10 @@ static void show_skins(int height)
         memset(&frame, 0, sizeof frame);
         frame.width = width;
         frame.height = height;
-        frame.input = ms_sss_interleaved(s.irradiance.pixels, 3, 0);
-        frame.output = ms_sss_interleaved(filtered.pixels, 3, 0);
-        frame.depth = ms_sss_map(s.depth.pixels, 1, 0);
-        frame.strength = ms_sss_map(s.mask.pixels, 1, 0);
+        frame.input = ms_sss_interleaved(s.irradiance.pixels, 3);
+        frame.output = ms_sss_interleaved(filtered.pixels, 3);
+        frame.depth = ms_sss_map(s.depth.pixels, 1);
+        frame.strength = ms_sss_map(s.mask.pixels, 1);
         options.fov_degrees = 2 * atanf(s.camera.tan_half_fov) * (180 / 3.14159265f);
         size = ms_sss_filter_workspace(width, height, &kernel, 1, &options);
         workspace = malloc(size);
@@ -401,11 +400,11 @@ static void show_truth(const char *object, const char *substance, FILE *lines)
     memset(&frame, 0, sizeof frame);
     frame.width = t.width;
     frame.height = t.height;
-    frame.input = ms_sss_interleaved(t.light.pixels, 3, 0);
-    frame.depth = ms_sss_map(t.depth.pixels, 1, 0);
-    frame.output = ms_sss_interleaved(taps.pixels, 3, 0);
+    frame.input = ms_sss_interleaved(t.light.pixels, 3);
+    frame.depth = ms_sss_map(t.depth.pixels, 1);
+    frame.output = ms_sss_interleaved(taps.pixels, 3);
     need_ok(ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, NULL), "filter");
-    frame.output = ms_sss_interleaved(after.pixels, 3, 0);
+    frame.output = ms_sss_interleaved(after.pixels, 3);
     need_ok(gather_filter(&frame, NULL, t.profile, &options, NULL), "gather");
     before = truth_error(&t, &t.light);
     error[0] = truth_error(&t, &taps);
@@ -586,8 +585,8 @@ static void show_models(FILE *page)
                                                                           y + 0.5 - FIELD / 2);
             memset(&frame, 0, sizeof frame);
             frame.width = frame.height = FIELD;
-            frame.input = ms_sss_interleaved(input.pixels, 3, 0);
-            frame.output = ms_sss_interleaved(rows[k].pixels, 3, 0);
+            frame.input = ms_sss_interleaved(input.pixels, 3);
+            frame.output = ms_sss_interleaved(rows[k].pixels, 3);
             need_ok(ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, NULL), models[m].name);
         }
         snprintf(name, sizeof name, "model_%02d.png", m);
@@ -610,9 +609,9 @@ int main(int argc, char **argv)
     if (file_help(argc, argv, usage)) return file_end_stdout("demo_sss");
     for (i = 2; i < argc && known; i += 2) {
         int way = 0;
-        while (i + 1 < argc && way < 4 && strcmp(argv[i + 1], methods[way]) != 0) ++way;
+        while (i + 1 < argc && way < 2 && strcmp(argv[i + 1], methods[way]) != 0) ++way;
         if (strcmp(argv[i], "--width") == 0 && i + 1 < argc) width = atoi(argv[i + 1]);
-        else if (strcmp(argv[i], "--method") == 0 && i + 1 < argc && way < 4) method = (ms_sss_method)way;
+        else if (strcmp(argv[i], "--method") == 0 && i + 1 < argc && way < 2) by_taps = way;
         else known = 0;
     }
     if (!known || width < 64 || width > 7680) return file_usage(usage);

@@ -63,13 +63,13 @@ int main(int argc, char **argv)
     memset(&frame, 0, sizeof frame);
     frame.width = light.width;
     frame.height = light.height;
-    frame.input = frame.output = ms_sss_interleaved(light.pixels, 3, 0);
-    if (mask_path) frame.strength = ms_sss_map(mask.pixels, mask.channels, 0);
+    frame.input = frame.output = ms_sss_interleaved(light.pixels, 3);
+    if (mask_path) frame.strength = ms_sss_map(mask.pixels, mask.channels);
     options.pixels_per_mm[0] = (float)texels;
     size = large ? ms_sss_pyramid_workspace(light.width, light.height)
                  : ms_sss_filter_workspace(light.width, light.height, &kernel, 1, &options);
     if ((workspace = malloc(size)) == NULL) return fail(argv[1], "out of memory");
-    status = large ? ms_sss_pyramid_filter(&frame, &pyramid, &options, workspace, size, &error)
+    status = large ? ms_sss_pyramid_filter(&frame, &pyramid, 1, &options, workspace, size, &error)
                    : ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, &error);
     free(workspace);
     if (status != MS_OK) return fail("filter", error.message);

@@ -1,15 +1,15 @@
 /* Subsurface scattering as a post-process of an engine: what happens once, at a new window size, and every frame.
 
      cc -O2 -I. examples/engine/postprocess.c -o build/postprocess -lm
-     build/postprocess [OUT.png] [--method full|half|pyramid]
+     build/postprocess [OUT.png] [--method taps|pyramid]
 
    The "engine" shades a ball in front of a wall into one buffer of four floats a pixel, diffuse light and depth. */
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
 #include "../tools/image.h"
 
-static const char usage[] = "usage: postprocess [OUT.png] [--method full|half|pyramid]\n"
-                            "  without --method: what the radius on the screen and an error of 5% allow\n";
+static const char usage[] = "usage: postprocess [OUT.png] [--method taps|pyramid]\n"
+                            "  taps (7 a pass) suit radii up to some 10 pixels; the pyramid any, at more cost\n";
 
 enum { WIDTH = 640, HEIGHT = 360 };
 
@@ -32,12 +32,11 @@ static void render(float *rgbz)
 
 int main(int argc, char **argv)
 {
-    static const char *const names[] = {"auto", "full", "half", "pyramid"}; /* in the order of ms_sss_method */
+    static const char *const names[] = {"taps", "pyramid"};
     const char *path = "build/postprocess.png", *problem;
     const double reflectance[3] = {0.44, 0.22, 0.13}, d_mm[3] = {1.2, 0.55, 0.35};
     static ms_sss_kernel kernel;
     static ms_sss_pyramid pyramid;
-    ms_sss_method taken;
     ms_sss_filter_options options = ms_sss_filter_defaults();
     ms_sss_profile *profile;
     ms_sss_frame frame;
@@ -46,18 +45,16 @@ int main(int argc, char **argv)
     image picture = image_new(WIDTH, HEIGHT, 3);
     size_t size;
     void *workspace;
-    int i, number, ok;
+    int i, number, ok, method = 1;
 
     if (file_help(argc, argv, usage)) return file_end_stdout("postprocess");
     for (i = 1; i < argc; ++i) {
-        int method = 1;
         if (argv[i][0] != '-' && i == 1) {
             path = argv[i];
             continue;
         }
-        while (i + 1 < argc && method < 4 && strcmp(argv[i + 1], names[method]) != 0) ++method;
-        if (strcmp(argv[i], "--method") != 0 || i + 1 >= argc || method == 4) return file_usage(usage);
-        options.method = (ms_sss_method)method;
+        for (method = 0; i + 1 < argc && method < 2 && strcmp(argv[i + 1], names[method]) != 0;) ++method;
+        if (strcmp(argv[i], "--method") != 0 || i + 1 >= argc || method == 2) return file_usage(usage);
         ++i;
     }
     /* Once: the material's kernel, 7 taps, and its pyramid. An asset tool would store them. */
@@ -71,20 +68,21 @@ int main(int argc, char **argv)
        pool. */
     options.fov_degrees = 35;
     options.mm_per_unit = 10; /* the scene is in cm */
-    options.pyramids = &pyramid;
     memset(&frame, 0, sizeof frame);
     frame.width = WIDTH;
     frame.height = HEIGHT;
-    frame.input = frame.output = ms_sss_interleaved(rgbz, 4, 0); /* in place */
-    frame.depth = ms_sss_map(rgbz + 3, 4, 0);
-    frame.taken = &taken;
-    size = ms_sss_filter_workspace(WIDTH, HEIGHT, &kernel, 1, &options);
+    frame.input = frame.output = ms_sss_interleaved(rgbz, 4); /* in place */
+    frame.depth = ms_sss_map(rgbz + 3, 4);
+    size = method ? ms_sss_pyramid_workspace(WIDTH, HEIGHT)
+                  : ms_sss_filter_workspace(WIDTH, HEIGHT, &kernel, 1, &options);
     workspace = malloc(size);
 
     /* Every frame: no allocation. */
     for (number = 0; ok && number < 3; ++number) {
         render(rgbz);
-        ok = workspace && ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, &error) == MS_OK;
+        if (!workspace) ok = 0;
+        else if (method) ok = ms_sss_pyramid_filter(&frame, &pyramid, 1, &options, workspace, size, &error) == MS_OK;
+        else ok = ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, &error) == MS_OK;
     }
     if (!ok) {
         fprintf(stderr, "postprocess: %s\n", workspace ? error.message : "out of memory");
@@ -94,7 +92,7 @@ int main(int argc, char **argv)
     image_to_srgb(&picture);
     problem = image_write(path, &picture);
     if (problem) fprintf(stderr, "postprocess: %s: %s\n", path, problem);
-    else puts(names[taken]);
+    else puts(names[method]);
     image_free(&picture);
     free(workspace);
     free(rgbz);

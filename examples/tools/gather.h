@@ -39,12 +39,12 @@ typedef struct gather__state {
 
 static float gather__get(const ms_sss_image *picture, int c, int x, int y)
 {
-    return ((const float *)picture->channel[c])[y * picture->row_stride + x * picture->pixel_stride];
+    return picture->channel[c][y * picture->row_stride + x * picture->pixel_stride];
 }
 
 static void gather__put(const ms_sss_image *picture, int c, int x, int y, float value)
 {
-    ((float *)picture->channel[c])[y * picture->row_stride + x * picture->pixel_stride] = value;
+    picture->channel[c][y * picture->row_stride + x * picture->pixel_stride] = value;
 }
 
 static int gather__finite(float x) { return x - x == 0; }
@@ -133,13 +133,7 @@ static void gather__load(void *context, int task)
         int given = 0;
         memset(q, 0, sizeof *q);
         if (!(z > 0)) continue;
-        for (c = 0; c < 3; ++c) {
-            float albedo = g->frame.albedo.channel[0] && g->options.albedo_mode != MS_SSS_ALBEDO_POST
-                ? gather__get(&g->frame.albedo, c, x, y)
-                : 1;
-            q->e[c] = gather__get(layer ? &g->back.input : &g->frame.input, c, x, y) *
-                (g->options.albedo_mode == MS_SSS_ALBEDO_BOTH ? sqrtf(albedo) : albedo);
-        }
+        for (c = 0; c < 3; ++c) q->e[c] = gather__get(layer ? &g->back.input : &g->frame.input, c, x, y);
         if (!gather__finite(q->e[0]) || !gather__finite(q->e[1]) || !gather__finite(q->e[2])) continue;
         gather__place(g, x, y, z, q->p);
         side = g->pixel + g->slope * z;
@@ -232,7 +226,7 @@ static void gather__row(void *context, int y)
     int x, c, layer, level, i, j;
     for (x = 0; x < w; ++x) {
         const gather__patch *p = &g->level[0][0][(size_t)y * (size_t)w + (size_t)x];
-        float light[3] = {0, 0, 0}, factor[3] = {0, 0, 0}, total[3] = {0, 0, 0}, strength = 1 - g->options.fade;
+        float light[3] = {0, 0, 0}, factor[3] = {0, 0, 0}, total[3] = {0, 0, 0}, strength = 1;
         const int takes_part = p->size > 0;
         if (takes_part) {
             const float reach = g->reach / (g->pixel + g->slope * p->p[2]); /* pixels */
@@ -267,18 +261,12 @@ static void gather__row(void *context, int y)
             }
         }
         for (c = 0; c < 3; ++c) {
-            float in = gather__get(&g->frame.input, c, x, y), albedo = 1, out = in;
-            if (g->frame.albedo.channel[0]) albedo = gather__get(&g->frame.albedo, c, x, y);
+            float in = gather__get(&g->frame.input, c, x, y), out = in;
             if (takes_part && total[c] > 0 && g->reflectance[c] > 0) {
                 float most = g->reflectance[c] * factor[c] / total[c]; /* of evenly lit surroundings this part leaves */
                 out = light[c] / total[c] / (most > 1 ? most : 1);
-                if (g->options.albedo_mode == MS_SSS_ALBEDO_POST) out *= albedo;
-                else if (g->options.albedo_mode == MS_SSS_ALBEDO_BOTH) out *= sqrtf(albedo);
-                out = strength * out + (1 - strength) * in * albedo;
-            } else {
-                out = in * albedo;
+                out = strength * out + (1 - strength) * in;
             }
-            if (g->frame.specular.channel[0]) out += gather__get(&g->frame.specular, c, x, y);
             gather__put(&g->frame.output, c, x, y, out);
         }
     }
@@ -319,7 +307,7 @@ static int gather__takes(ms_sss_image *picture, int channels, int needed, int wi
     if (picture->row_stride == 0) picture->row_stride = picture->pixel_stride * width;
     for (c = 1; c < channels; ++c)
         if (picture->channel[c] == NULL) return 0;
-    return !picture->half;
+    return 1;
 }
 
 static void gather__run(const ms_parallel *parallel, int count, void (*task)(void *context, int index), void *context)
@@ -329,9 +317,9 @@ static void gather__run(const ms_parallel *parallel, int count, void (*task)(voi
     for (i = 0; i < count && parallel->run == NULL; ++i) task(context, i);
 }
 
-/* frame     depth is needed; no profile; through does nothing; the rest as in ms_sss_filter
+/* frame     depth is needed; no profile; the rest as in ms_sss_filter
    back      NULL: the visible surface alone
-   options   the size of a pixel by fov_degrees or ortho_height, mm_per_unit, albedo_mode, fade, flat, parallel count
+   options   the size of a pixel by fov_degrees or ortho_height, mm_per_unit, flat, parallel count
    What of the profile meets no point is renormalized away. No more than all light leaves. Bit-equal for any thread
    count. MS_INVALID_ARGUMENT, MS_UNSUPPORTED (pixels_per_mm, frame->profile), MS_OUT_OF_MEMORY: output untouched. */
 static ms_status gather_filter(const ms_sss_frame *frame, const gather_back *back, const ms_sss_profile *profile,
@@ -358,10 +346,9 @@ static ms_status gather_filter(const ms_sss_frame *frame, const gather_back *bac
                               "either fov_degrees or ortho_height is needed, lengths to 1e9");
     if (!gather__takes(&g.frame.input, 3, 1, w) || !gather__takes(&g.frame.output, 3, 1, w) ||
         !gather__takes(&g.frame.depth, 1, 1, w) || !gather__takes(&g.frame.strength, 1, 0, w) ||
-        !gather__takes(&g.frame.albedo, 3, 0, w) || !gather__takes(&g.frame.specular, 3, 0, w) ||
         !gather__takes(&g.frame.normal, 3, 0, w) || !gather__takes(&g.back.input, 3, back != NULL, w) ||
         !gather__takes(&g.back.depth, 1, back != NULL, w) || !gather__takes(&g.back.normal, 3, 0, w))
-        return gather__refuse(error, MS_INVALID_ARGUMENT, "a picture is missing, or not of floats");
+        return gather__refuse(error, MS_INVALID_ARGUMENT, "a picture is missing");
     ms_sss_profile_reflectance(profile, total);
     ms_sss_profile_radius(profile, 0.99, radius);
     for (c = 0; c < 3; ++c) {

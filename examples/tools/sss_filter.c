@@ -14,6 +14,8 @@
 #include "ms_mcml.h"
 #define MS_SSS_IMPLEMENTATION
 #include "ms_sss.h"
+#include "../engine/compose.h"
+#include "choose.h"
 #include "gather.h"
 #include "image.h"
 #include "profile_csv.h"
@@ -22,7 +24,7 @@ static const char usage[] =
     "usage: sss_filter IRRADIANCE.pfm DEPTH.pfm OUT.(pfm|png) --material NAME|--profile CSV [options]\n"
     "  --material NAME    one of the 11 materials of build/profile --list, such as skin1\n"
     "  --profile CSV      lines of r_mm,R,G,B in 1/mm^2, as build/profile prints them\n"
-    "  --method M         taps: two passes; half: the same at half resolution; pyramid; gather: from every pixel, in space;\n"
+    "  --method M         taps: two passes; pyramid; gather: from every pixel, in space;\n"
     "                     auto (auto): gather, in large pictures the pyramid or taps\n"
     "  --model M          of the taps: image, preintegrated, residual, gaussians, guided, artist, slice (image)\n"
     "  --taps N           samples of each of the two passes, odd, 3 to 257 (as many as show no bands)\n"
@@ -91,9 +93,11 @@ static const struct {
               {"slice", MS_SSS_SLICE}};
 enum { MODELS = sizeof models / sizeof models[0] };
 
-typedef enum method { AUTO, TAPS, HALF, PYRAMID, GATHER, METHODS } method; /* but the last as in ms_sss_method */
-static const char *const method_names[METHODS] = {"auto", "taps", "half", "pyramid", "gather"};
+typedef enum method { AUTO, TAPS, PYRAMID, GATHER, METHODS } method;
+static const char *const method_names[METHODS] = {"auto", "taps", "pyramid", "gather"};
 static const int gather_pixels = 600000; /* up to which a gather takes seconds */
+static const double taps_pixels =
+    10; /* up to this radius taps are nearer to the profile than the pyramid on textures */
 
 typedef struct settings {
     int method, model;                              /* model -1: not said */
@@ -152,8 +156,8 @@ static int parse(int argc, char **argv, settings *s)
         fail(2, "arguments", "three file names are expected");
         return file_usage(usage);
     }
-    if (s->method > HALF && (s->taps > 0 || s->model >= 0))
-        return fail(2, method_names[s->method], "--taps and --model belong to the methods taps and half");
+    if (s->method > TAPS && (s->taps > 0 || s->model >= 0))
+        return fail(2, method_names[s->method], "--taps and --model belong to the method taps");
     if ((s->back[0] == NULL) != (s->back[1] == NULL))
         return fail(2, "arguments", "--back and --back-depth are expected together");
     if (s->back[0] && (s->taps > 0 || s->model >= 0 || (s->method != AUTO && s->method != GATHER)))
@@ -226,7 +230,7 @@ static ms_status make_kernel(const settings *s, const job *j, double radius, ms_
     }
     status = ms_sss_designer_create(&designer, j->profile, radius, NULL, error);
     if (status != MS_OK) return status;
-    status = ms_sss_kernel_choose(kernel, NULL, designer, 0.1, 33, error);
+    status = choose_kernel(kernel, NULL, designer, 0.1, 33, NULL, error);
     ms_sss_designer_destroy(designer);
     return status == MS_NOT_CONVERGED ? MS_OK : status; /* it then holds the best */
 }
@@ -242,7 +246,6 @@ static int run(const settings *s, job *j)
     ms_status status;
     ms_sss_frame frame;
     ms_sss_filter_options options = ms_sss_filter_defaults();
-    ms_sss_method taken = MS_SSS_METHOD_AUTO;
     gather_back back;
     size_t size;
 
@@ -263,42 +266,43 @@ static int run(const settings *s, job *j)
         return fail(1, s->path[1],
                     "the light covers half of the picture: --mm-per-unit (mm_per_unit) is needed, 1000 where the depth "
                     "is in meters, 1 to confirm millimeters");
-    status = way == GATHER ? MS_OK : make_kernel(s, j, radius > 0 ? radius : 1, &kernel, &error);
-    if (status == MS_OK && (way == AUTO || way == PYRAMID)) {
-        status = ms_sss_pyramid_make(&pyramid, j->profile, &error);
-        options.pyramids = &pyramid;
-    }
+    if (way == AUTO) way = radius > taps_pixels ? PYRAMID : TAPS;
+    status = way == TAPS ? make_kernel(s, j, radius > 0 ? radius : 1, &kernel, &error)
+        : way == PYRAMID ? ms_sss_pyramid_make(&pyramid, j->profile, &error)
+                         : MS_OK;
     if (status != MS_OK) return fail(1, "kernel", error.message);
 
     j->output = image_new(j->input.width, j->input.height, 3);
     memset(&frame, 0, sizeof frame);
     frame.width = j->input.width;
     frame.height = j->input.height;
-    frame.input = ms_sss_interleaved(j->input.pixels, 3, 0);
-    frame.output = ms_sss_interleaved(j->output.pixels, 3, 0);
-    frame.depth = ms_sss_map(j->depth.pixels, 1, 0);
+    frame.input = ms_sss_interleaved(j->input.pixels, 3);
+    frame.output = ms_sss_interleaved(j->output.pixels, 3);
+    frame.depth = ms_sss_map(j->depth.pixels, 1);
     options.ortho_height = (float)s->ortho;
     options.fov_degrees = s->ortho > 0 ? 0 : (float)s->fov;
     options.mm_per_unit = (float)s->mm_per_unit;
-    options.fade = (float)(1 - s->strength);
-    frame.taken = &taken;
-    if (way < GATHER) options.method = (ms_sss_method)way;
-    size = ms_sss_filter_workspace(frame.width, frame.height, &kernel, 1, &options);
+    size = way == TAPS ? ms_sss_filter_workspace(frame.width, frame.height, &kernel, 1, &options)
+                       : ms_sss_pyramid_workspace(frame.width, frame.height);
     j->workspace = malloc(size);
     if (j->output.pixels == NULL || j->workspace == NULL) return fail(1, s->path[2], "out of memory");
     memset(&back, 0, sizeof back);
     if (s->back[0]) {
-        back.input = ms_sss_interleaved(j->back[0].pixels, 3, 0);
-        back.depth = ms_sss_map(j->back[1].pixels, 1, 0);
+        back.input = ms_sss_interleaved(j->back[0].pixels, 3);
+        back.depth = ms_sss_map(j->back[1].pixels, 1);
     }
     status = way == GATHER ? gather_filter(&frame, s->back[0] ? &back : NULL, j->profile, &options, &error)
+        : way == PYRAMID   ? ms_sss_pyramid_filter(&frame, &pyramid, 1, &options, j->workspace, size, &error)
                            : ms_sss_filter(&frame, &kernel, 1, &options, j->workspace, size, &error);
     if (status != MS_OK) return fail(1, s->path[0], error.message);
+    for (i = 0; i < frame.width * frame.height; ++i)
+        compose_pixel(j->input.pixels + 3 * i, j->output.pixels + 3 * i, (float)(1 - s->strength), NULL, NULL, NULL,
+                      j->output.pixels + 3 * i);
     if (way == GATHER) printf("gathered in space%s", s->back[0] ? ", front and back" : "");
-    else if (taken == MS_SSS_METHOD_PYRAMID) printf("pyramid");
+    else if (way == PYRAMID) printf("pyramid");
     else
-        printf("two passes of %d taps, %d term%s%s", kernel.tap_count, kernel.term_count,
-               kernel.term_count > 1 ? "s" : "", taken == MS_SSS_METHOD_HALF ? ", at half resolution" : "");
+        printf("two passes of %d taps, %d term%s", kernel.tap_count, kernel.term_count,
+               kernel.term_count > 1 ? "s" : "");
     printf("; 99%% of the light within %.1f pixels\n", radius);
 
     if (image__has_extension(s->path[2], ".png")) image_to_srgb(&j->output);

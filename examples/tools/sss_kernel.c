@@ -19,6 +19,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "choose.h"
 
 static const char *const model_names[] = {"image",     "preintegrated", "residual", "svd",  "svdn",
                                           "gaussians", "guided",        "artist",   "slice"};
@@ -144,6 +145,13 @@ static void print_kernel(const ms_sss_kernel *k, const ms_sss_errors *e)
     }
 }
 
+static int report(void *user, double fraction)
+{
+    (void)user;
+    fprintf(stderr, "\r%3.0f%% of the budget tried ", 100 * fraction);
+    return 0;
+}
+
 int main(int argc, char **argv)
 {
     ms_sss_kernel_options options = ms_sss_kernel_defaults();
@@ -153,6 +161,7 @@ int main(int argc, char **argv)
     ms_sss_errors errors;
     ms_error error = {MS_OK, 0, ""};
     ms_status status;
+    const ms_progress progress = {NULL, report};
     double radius = 0, tolerance = 0, number;
     int budget = 66, i, index, one_model = 0;
     if (file_help(argc, argv, usage_text)) return file_end_stdout("sss_kernel");
@@ -201,7 +210,7 @@ int main(int argc, char **argv)
     if (status == MS_OK && tolerance > 0 && one_model) {
         status = fewest_taps(&kernel, &errors, designer, options, tolerance, &error);
     } else if (status == MS_OK && tolerance > 0) {
-        status = ms_sss_kernel_choose(&kernel, &errors, designer, tolerance, budget, &error);
+        status = choose_kernel(&kernel, &errors, designer, tolerance, budget, &progress, &error);
     } else if (status == MS_OK) {
         status = ms_sss_kernel_build(&kernel, designer, &options, &error);
         if (status == MS_OK) status = ms_sss_kernel_measure(&errors, &kernel, designer);

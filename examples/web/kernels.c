@@ -156,15 +156,13 @@ CALL(int, taps, (void))
 /* ------------------------------------------------------------------------------------------------------- the shaders
  */
 
-/* How the light is filtered: 0 taps, 1 taps at half resolution, which is the GPU's alone, 2 a pyramid. */
-static void see(double mm_per_unit, double flat, int way)
+/* The camera. Ways to filter: 0 taps, 1 taps at half resolution, 2 a pyramid. */
+static void see(double mm_per_unit, double flat)
 {
     view = ms_sss_filter_defaults();
     view.fov_degrees = 24;
     view.mm_per_unit = (float)mm_per_unit;
     view.flat = (float)flat;
-    view.method = way == 2 ? MS_SSS_METHOD_PYRAMID : MS_SSS_METHOD_TAPS;
-    view.pyramids = &pyramid;
 }
 
 /* The pyramid of the profile, once. */
@@ -192,10 +190,11 @@ CALL(int, fill, (int width, int height, int way, int step, int level, double mm_
     shader.step = (ms_sss_step)step;
     shader.tap_count = kernel.tap_count;
     shader.half_resolution = way == 1;
+    shader.pyramids = &pyramid;
     shader.level = level;
     shader.pyramids = &pyramid;
     count = ms_sss_shader_constant_count(&shader);
-    see(mm_per_unit, flat, way);
+    see(mm_per_unit, flat);
     return count <= CONSTANTS &&
             ms_sss_shader_constants(&kernel, 0, &view, width, height, &shader, constant, &error) == MS_OK
         ? count
@@ -252,22 +251,16 @@ CALL(int, filter,
       double flat))
 {
     ms_sss_frame frame;
-    ms_status status;
-    size_t size;
-    void *workspace;
     memset(&frame, 0, sizeof frame);
-    see(mm_per_unit, flat, way);
+    see(mm_per_unit, flat);
     frame.width = width;
     frame.height = height;
-    frame.input = ms_sss_interleaved(light, 4, 0);
-    frame.output = ms_sss_interleaved(out, 4, 0);
-    frame.depth = ms_sss_map(light + 3, 4, 0);
-    if (flat < 1) frame.normal = ms_sss_interleaved(normals, 4, 0);
-    size = ms_sss_filter_workspace(width, height, &kernel, 1, &view);
-    workspace = malloc(size);
-    status = workspace ? ms_sss_filter(&frame, &kernel, 1, &view, workspace, size, &error) : MS_OUT_OF_MEMORY;
-    free(workspace);
-    return (int)status;
+    frame.input = ms_sss_interleaved(light, 4);
+    frame.output = ms_sss_interleaved(out, 4);
+    frame.depth = ms_sss_map(light + 3, 4);
+    if (flat < 1) frame.normal = ms_sss_interleaved(normals, 4);
+    return (int)(way == 2 ? ms_sss_pyramid_filter(&frame, &pyramid, 1, &view, NULL, 0, &error)
+                          : ms_sss_filter(&frame, &kernel, 1, &view, NULL, 0, &error));
 }
 
 /* ------------------------------------------------------------------------------------------------------ the objects */

@@ -3,8 +3,8 @@
 //
 //   import { Subsurface } from './sss_three.js';
 //   const sss = await Subsurface.create(renderer, [
-//     { reflectance: [0.44, 0.22, 0.13], path: [1.2, 0.5, 0.3] },     a material's diffuse reflectance and mean free
-//     { reflectance: [0.83, 0.79, 0.75], path: [2.2, 2.6, 3.1] }],    path in mm, red, green, blue; at most 16
+//     { reflectance: [0.44, 0.22, 0.13], path: [1.3, 0.95, 0.67] },    a material's diffuse reflectance and mean free
+//     { reflectance: [0.83, 0.79, 0.75], path: [0.46, 0.38, 0.33] }], path in mm, red, green, blue; at most 16
 //     { mmPerUnit: 10, radius: 40 });                               the widest kernel on the screen, in pixels
 //   sss.apply(head.material, 0);                    MeshStandardMaterial or MeshPhysicalMaterial, and which of them it is
 //   sss.lamp = directionalLight;                    optional: light of this lamp passes through thin parts

@@ -41,8 +41,8 @@ const pose = () => {
 };
 const widest = 12 / 40 / (2 * 9 * Math.tan(15 * Math.PI / 180)) * innerHeight * devicePixelRatio; // 12 mm of 40 mm a unit, 9 units away
 const sss = await Subsurface.create(renderer, [
-  { reflectance: [0.44, 0.22, 0.13], path: [3.6, 1.4, 0.7] },
-  { reflectance: [0.83, 0.79, 0.75], path: [5, 6, 7] }], { mmPerUnit: 40, radius: Math.min(widest, 150) });
+  { reflectance: [0.44, 0.22, 0.13], path: [1.8, 1.2, 0.73] },
+  { reflectance: [0.83, 0.79, 0.75], path: [0.41, 0.66, 1.03] }], { mmPerUnit: 40, radius: Math.min(widest, 150) });
 sss.apply(skin, 0);
 sss.apply(marble, 1);
 view.sss = sss;

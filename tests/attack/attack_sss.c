@@ -145,8 +145,8 @@ static void family_kernels(void)
     for (i = 0; i < 8 * 8 * 3; ++i) light[i] = 1;
     f.width = f.height = 8;
 #ifdef ATTACK_OLD
-    f.input = ms_sss_interleaved(light, 3, 0);
-    f.output = ms_sss_interleaved(out, 3, 0);
+    f.input = ms_sss_interleaved(light, 3);
+    f.output = ms_sss_interleaved(out, 3);
 #else
     f.input = ms_sss_interleaved(light, 3);
     f.output = ms_sss_interleaved(out, 3);
@@ -548,7 +548,7 @@ static void family_damaged(void)
     static ms_sss_designer *designer; /* one a process: it costs more than the rest */
     ms_sss_errors e;
     ms_error error;
-    float light[16 * 9 * 3], out[16 * 9 * 3], depth[16 * 9], upload[4 * (MS_SSS_TAPS_MAX / 2 + 1)];
+    float light[16 * 9 * 3], out[16 * 9 * 3], depth[16 * 9];
     ms_sss_frame f;
     ms_sss_filter_options o = ms_sss_filter_defaults();
     const int which = attack_index(POOL), field = attack_index(13);
@@ -579,9 +579,9 @@ static void family_damaged(void)
     f.width = 16;
     f.height = 9;
 #ifdef ATTACK_OLD
-    f.input = ms_sss_interleaved(light, 3, 0);
-    f.output = ms_sss_interleaved(out, 3, 0);
-    f.depth = ms_sss_map(depth, 1, 0);
+    f.input = ms_sss_interleaved(light, 3);
+    f.output = ms_sss_interleaved(out, 3);
+    f.depth = ms_sss_map(depth, 1);
 #else
     f.input = ms_sss_interleaved(light, 3);
     f.output = ms_sss_interleaved(out, 3);
@@ -597,7 +597,12 @@ static void family_damaged(void)
                 break;
             }
     ms_sss_filter_workspace(16, 9, &k, 1, &o);
-    if (k.tap_count <= MS_SSS_TAPS_MAX && attack_one_in(2)) ms_sss_kernel_upload(&k, attack_index(3), 0, upload, &error);
+    if (attack_one_in(2)) {
+        static float constants[4 + 6 + MS_SSS_TAPS_MAX / 2][4];
+        ms_sss_shader s = ms_sss_shader_defaults();
+        s.tap_count = MS_SSS_TAPS_MAX;
+        ms_sss_shader_constants(&k, attack_index(3), &o, 16, 9, &s, constants, &error);
+    }
     if (designer == NULL) {
         static const double r[3] = {0.44, 0.22, 0.13}, d[3] = {1.2, 0.5, 0.3};
         ms_sss_profile *p = NULL;

@@ -737,7 +737,7 @@ static void bench_collapse(const char *label, nets_file *f)
         job.jacobian = slope_room;
         slopes = bench_run(run_residual, &job, 9);
     }
-    record("collapse: R, two threads (wall)", label, made, 0);
+    record("collapse: R (wall)", label, made, 0);
     record("collapse: target", label, bench_median(target, 5), 0);
     record("collapse: residual", label, value.median, value.spread);
     record("collapse: residual and Jacobian", label, slopes.median, slopes.spread);
@@ -761,7 +761,7 @@ static void bench_collapses(void)
     begin_table("nn_collapse.md");
     fprintf(
         more,
-        "\n| collapse | R, once a network, two threads, ms | target, ms | residual, ms | residual and Jacobian, ms | the picture, ms |\n|---|---:|---:|---:|---:|---:|\n");
+        "\n| collapse | R, once a network, ms | target, ms | residual, ms | residual and Jacobian, ms | the picture, ms |\n|---|---:|---:|---:|---:|---:|\n");
     if (nets_shared(f, 128, 256, MS_NN_F16)) exit(1);
     bench_collapse("shared channels, 3 x 256 features, 128 x 128, F16", f);
     if (nets_renderer(f, 128, 64, 1000, MS_NN_F16)) exit(1); /* what R takes grows with the pixels */

@@ -12,7 +12,6 @@
 enum { W = 1920, H = 1080, N = W * H, RUNS = 7 };
 static float *in[3], *out[3], *between[3], *expected[3], *depth, *mask, *packed, *packed_out, *packed_depth,
     *packed_between;
-static uint16_t *halves, *halves_out;
 static ms_sss_kernel kernel, whole; /* radius 24 pixels in the middle of the picture; taps at whole pixels */
 static ms_sss_pyramid pyramid;
 
@@ -165,6 +164,7 @@ static void opencv(double ms[2], double *difference)
 /* --- the filter --- */
 
 typedef struct setup {
+    int by_pyramid;
     ms_sss_frame frame;
     ms_sss_filter_options options;
     const ms_sss_kernel *kernel;
@@ -172,19 +172,7 @@ typedef struct setup {
     size_t size;
 } setup;
 
-enum {
-    DEPTH = 1,
-    MASK = 2,
-    IN_PLACE = 4,
-    RGB = 8,
-    RGBZ = 16,
-    HALF = 32,
-    PYRAMID = 64,
-    DELTA = 128,
-    SHAPED = 256,
-    COARSE = 512,
-    WIDE = 1024
-};
+enum { DEPTH = 1, MASK = 2, IN_PLACE = 4, RGB = 8, RGBZ = 16, PYRAMID = 64, DELTA = 128, SHAPED = 256, WIDE = 1024 };
 
 static setup prepare(int kind, ms_simd level)
 {
@@ -193,27 +181,22 @@ static setup prepare(int kind, ms_simd level)
     s.kernel = kind & (DEPTH | DELTA) ? &kernel : &whole;
     s.options.simd = level;
     s.options.flat = kind & SHAPED ? 0.0f : 1.0f;
-    s.options.method = kind & PYRAMID ? MS_SSS_METHOD_PYRAMID : kind & COARSE ? MS_SSS_METHOD_HALF : MS_SSS_METHOD_TAPS;
-    s.options.pyramids = &pyramid;
+    s.by_pyramid = (kind & PYRAMID) != 0;
     s.frame.width = W;
     s.frame.height = H;
-    s.frame.input = ms_sss_planar(in[0], in[1], in[2], 0);
-    s.frame.output = ms_sss_planar(out[0], out[1], out[2], 0);
+    s.frame.input = ms_sss_planar(in[0], in[1], in[2]);
+    s.frame.output = ms_sss_planar(out[0], out[1], out[2]);
     if (kind & RGB) {
-        s.frame.input = ms_sss_interleaved(packed, 3, 0);
-        s.frame.output = ms_sss_interleaved(packed_out, 3, 0);
+        s.frame.input = ms_sss_interleaved(packed, 3);
+        s.frame.output = ms_sss_interleaved(packed_out, 3);
     }
     if (kind & RGBZ) {
-        s.frame.input = ms_sss_interleaved(packed, 4, 0);
-        s.frame.output = ms_sss_interleaved(packed_out, 4, 0);
-    }
-    if (kind & HALF) {
-        s.frame.input = ms_sss_interleaved(halves, 4, 1);
-        s.frame.output = ms_sss_interleaved(halves_out, 4, 1);
+        s.frame.input = ms_sss_interleaved(packed, 4);
+        s.frame.output = ms_sss_interleaved(packed_out, 4);
     }
     if (kind & IN_PLACE) s.frame.output = s.frame.input;
     if (kind & DEPTH) {
-        s.frame.depth = ms_sss_map(depth, 1, 0);
+        s.frame.depth = ms_sss_map(depth, 1);
         s.options.fov_degrees = 35;
         s.options.mm_per_unit = kind & WIDE ? 0.096f
             : kind & PYRAMID                ? 0.375f
@@ -221,8 +204,8 @@ static setup prepare(int kind, ms_simd level)
     } else {
         s.options.pixels_per_mm[0] = (kind & PYRAMID ? 64 : 24) / kernel.radius_mm;
     }
-    if (kind & MASK) s.frame.strength = ms_sss_map(mask, 1, 0);
-    s.size = ms_sss_filter_workspace(W, H, s.kernel, 1, &s.options);
+    if (kind & MASK) s.frame.strength = ms_sss_map(mask, 1);
+    s.size = s.by_pyramid ? ms_sss_pyramid_workspace(W, H) : ms_sss_filter_workspace(W, H, s.kernel, 1, &s.options);
     s.workspace = malloc(s.size);
     return s;
 }
@@ -231,7 +214,9 @@ static void filter(void *context)
 {
     setup *s = (setup *)context;
     ms_error error;
-    ms_status status = ms_sss_filter(&s->frame, s->kernel, 1, &s->options, s->workspace, s->size, &error);
+    ms_status status = s->by_pyramid
+        ? ms_sss_pyramid_filter(&s->frame, &pyramid, 1, &s->options, s->workspace, s->size, &error)
+        : ms_sss_filter(&s->frame, s->kernel, 1, &s->options, s->workspace, s->size, &error);
     if (status != MS_OK) {
         fprintf(stderr, "bench_sss_filter: %s\n", error.message);
         exit(1);
@@ -262,7 +247,7 @@ static void two_threads(int kind, FILE *to)
     pool_start(&p, 2);
     s[2].options.parallel = pool_parallel(&p);
     for (c = 0; c < 3; ++c) second[c] = (float *)malloc((size_t)N * sizeof(float));
-    s[1].frame.output = ms_sss_planar(second[0], second[1], second[2], 0);
+    s[1].frame.output = ms_sss_planar(second[0], second[1], second[2]);
     for (i = -1; i < RUNS; ++i) {
         const int at = i < 0 ? 0 : i; /* the first is not counted */
         one[at] = bench_wall();
@@ -281,39 +266,6 @@ static void two_threads(int kind, FILE *to)
     for (c = 0; c < 3; ++c) free(second[c]);
     for (i = 0; i < 3; ++i) free(s[i].workspace);
     fprintf(to, " %.2f (%.2f) |", bench_median(gain, RUNS), bench_median(most, RUNS));
-}
-
-/* What half resolution differs by, in % of the standard deviation, on a picture with edges; the input comes back as it
-   was. */
-static double half_error(int kind)
-{
-    float *keep[3];
-    double error = 0, mean = 0, square = 0;
-    int pass_, c, i;
-    for (c = 0; c < 3; ++c) {
-        keep[c] = in[c];
-        in[c] = (float *)malloc((size_t)N * sizeof(float));
-        for (i = 0; i < N; ++i)
-            in[c][i] = 0.5f + 0.2f * sinf(0.05f * (float)(i % W * (c + 1))) * sinf(0.07f * (float)(i / W)) +
-                ((i % W / 40 + i / W / 40) % 2 ? 0.5f : 0.0f);
-    }
-    for (pass_ = 0; pass_ < 2; ++pass_) {
-        setup s = prepare(DEPTH | kind | (pass_ ? COARSE : 0), MS_SIMD_AUTO);
-        filter(&s);
-        free(s.workspace);
-        for (c = 0; c < 3 && pass_ == 0; ++c) memcpy(between[c], out[c], (size_t)N * sizeof(float));
-    }
-    for (c = 0; c < 3; ++c) {
-        for (i = 0; i < N; ++i) {
-            const double d = (double)out[c][i] - (double)between[c][i];
-            error += d * d;
-            mean += (double)between[c][i] / (3.0 * (double)N);
-            square += (double)between[c][i] * (double)between[c][i];
-        }
-        free(in[c]);
-        in[c] = keep[c];
-    }
-    return 100 * sqrt(error / (square - 3.0 * (double)N * mean * mean));
 }
 
 static void make_inputs(void)
@@ -348,8 +300,6 @@ static void make_inputs(void)
     packed_out = (float *)malloc((size_t)N * 4 * sizeof(float));
     packed_depth = (float *)malloc((size_t)N * 4 * sizeof(float));
     packed_between = (float *)malloc((size_t)N * 4 * sizeof(float));
-    halves = (uint16_t *)malloc((size_t)N * 4 * sizeof(uint16_t));
-    halves_out = (uint16_t *)malloc((size_t)N * 4 * sizeof(uint16_t));
     for (y = 0; y < H; ++y) {
         for (x = 0; x < W; ++x) { /* a ball in front of a wall; the mask: a disc that covers a quarter */
             const double u = (x - W / 2) / 540.0, v = (y - H / 2) / 540.0, r = 0.8 - u * u - v * v;
@@ -361,7 +311,6 @@ static void make_inputs(void)
                 if (c < 3) in[c][i] = value;
                 packed_depth[4 * i + c] = c < 3 ? value : depth[i];
                 packed[4 * i + c] = value;
-                halves[4 * i + c] = ms__half_from_float(value);
             }
         }
     }
@@ -375,25 +324,20 @@ int main(void)
     } rows[] = {
         {"**depth-aware, flat, planar**", DEPTH},
         {"**depth-aware with slope and elevation, planar (default)**", DEPTH | SHAPED},
-        {"**half resolution, flat, planar**", DEPTH | COARSE},
-        {"**half resolution, slope and elevation, planar**", DEPTH | SHAPED | COARSE},
-        {"half resolution, RGB + depth packed", DEPTH | COARSE | RGBZ},
-        {"half resolution, a quarter masked in", DEPTH | COARSE | MASK},
         {"depth-aware, RGB + depth packed", DEPTH | RGBZ},
-        {"depth-aware, half RGBA", DEPTH | HALF},
         {"depth-aware, a quarter masked in", DEPTH | MASK},
         {"the same in place", DEPTH | MASK | IN_PLACE},
-        {"fixed whole-pixel offsets, planar", 0},
-        {"fixed offsets between pixels", DELTA},
-        {"fixed whole-pixel offsets, RGB", RGB},
-        {"fixed, a quarter masked in, in place", MASK | IN_PLACE},
+        {"texture space, whole-pixel offsets, planar", 0},
+        {"texture space, offsets between pixels", DELTA},
+        {"texture space, RGB", RGB},
+        {"texture space, a quarter masked in, in place", MASK | IN_PLACE},
         {"pyramid, R 64 px, no depth", PYRAMID},
         {"pyramid, R 64 px, depth", PYRAMID | DEPTH},
         {"pyramid, R 250 px, depth", PYRAMID | DEPTH | WIDE},
         {"pyramid, R 64 px, slope and elevation", PYRAMID | DEPTH | SHAPED},
         {"pyramid, R 64 px, depth, a quarter masked in", PYRAMID | DEPTH | MASK},
     };
-    static const int threaded[] = {DEPTH, DEPTH | SHAPED, DEPTH | COARSE, 0, PYRAMID | DEPTH, PYRAMID | DEPTH | MASK};
+    static const int threaded[] = {DEPTH, DEPTH | SHAPED, 0, PYRAMID | DEPTH, PYRAMID | DEPTH | MASK};
     enum { ROWS = sizeof rows / sizeof rows[0] };
     static const ms_simd levels[4] = {MS_SIMD_SCALAR, MS_SIMD_BASE, MS_SIMD_AVX2, MS_SIMD_AVX512};
     static plot p;
@@ -437,8 +381,7 @@ int main(void)
         "**The peer**: a loop over packed color and depth, one expf a tap, gcc -O3 for AVX2: %.0f +- %.0f ms. The same sums as\n"
         "here pixel by pixel in planes, -O2: %.0f ms (largest difference %.0e); reading the nearest pixel only: %.0f ms.\n"
         "Copying what two passes read and write: %.2f ms.\n"
-        "Half resolution differs from full by %.1f%% of the standard deviation flat, %.1f%% with slope and elevation (sines and a\n"
-        "checkerboard of 40 pixels).\n\n"
+        "\n"
         "| setting | scalar ms | SSE2/NEON | AVX2 | AVX-512 | x the peer (AVX2) | x copies (AVX2) |\n|---|---:|---:|---:|---:|---:|---:|\n",
         bench_processor(),
 #if defined(__clang__)
@@ -447,7 +390,7 @@ int main(void)
         "gcc",
 #endif
         RUNS, 1e3 * honest.median, 1e3 * honest.spread, 1e3 * linear.median, worst, 1e3 * nearest.median,
-        1e3 * copy.median, half_error(0), half_error(SHAPED));
+        1e3 * copy.median);
     for (r = 0; r < ROWS; ++r) {
         fprintf(md, "| %s |", rows[r].name);
         for (l = 0; l < 4; ++l) {
@@ -462,14 +405,14 @@ int main(void)
         md,
         "\nTwo threads against one, by the wall, medians of pairs; in brackets two calls at once, each with its own thread and workspace, against one after\n"
         "the other: what the machine gives to two threads.\n\n"
-        "| taps | slope and elevation | half resolution | fixed offsets | pyramid | pyramid, a quarter masked in |\n|---:|---:|---:|---:|---:|---:|\n|");
+        "| taps | slope and elevation | texture space | pyramid | pyramid, a quarter masked in |\n|---:|---:|---:|---:|---:|\n|");
     for (r = 0; r < (int)(sizeof threaded / sizeof *threaded); ++r) two_threads(threaded[r], md);
     fprintf(md, "\n");
 #ifdef HAVE_OPENCV
     {
         setup same = prepare(0, MS_SIMD_AUTO);
         double ms[2], difference;
-        same.frame.output = ms_sss_planar(expected[0], expected[1], expected[2], 0);
+        same.frame.output = ms_sss_planar(expected[0], expected[1], expected[2]);
         filter(&same);
         free(same.workspace);
         opencv(ms, &difference);
@@ -495,7 +438,11 @@ int main(void)
             x[n] = l + 1;
             y[n++] = pixels / t[r][l].median;
         }
-        plot_series(&p, rows[r].kind == DEPTH ? "depth-aware" : rows[r].kind ? "pyramid" : "fixed", x, y, n, PLOT_LINE);
+        plot_series(&p,
+                    rows[r].kind == DEPTH ? "depth-aware"
+                        : rows[r].kind    ? "pyramid"
+                                          : "texture space",
+                    x, y, n, PLOT_LINE);
     }
     plot_write(&p, "build/bench/sss_filter.svg");
     fclose(csv);

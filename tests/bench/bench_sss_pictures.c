@@ -223,7 +223,7 @@ typedef struct run {
     ms_sss_frame frame;
     ms_sss_filter_options options;
     float *between, *out, weight[MS_SSS_TAPS_MAX][4], offset[MS_SSS_TAPS_MAX], size, k;
-    int polynomial;
+    int polynomial, by_pyramid;
     void *workspace;
     size_t bytes;
 } run;
@@ -232,7 +232,10 @@ static void filter(void *context)
 {
     run *r = (run *)context;
     ms_error error;
-    if (ms_sss_filter(&r->frame, &kernel, 1, &r->options, r->workspace, r->bytes, &error) == MS_OK) return;
+    const ms_status status = r->by_pyramid
+        ? ms_sss_pyramid_filter(&r->frame, &pyramid, 1, &r->options, r->workspace, r->bytes, &error)
+        : ms_sss_filter(&r->frame, &kernel, 1, &r->options, r->workspace, r->bytes, &error);
+    if (status == MS_OK) return;
     fprintf(stderr, "bench_sss_pictures: %s\n", error.message);
     exit(1);
 }
@@ -270,13 +273,12 @@ static run prepare(const picture *p, int *count)
     r.between = texels_new(p->width, p->height);
     r.frame.width = p->width;
     r.frame.height = p->height;
-    r.frame.input = ms_sss_interleaved(p->texels, 4, 0);
-    r.frame.output = ms_sss_interleaved(r.out, 4, 0);
-    r.frame.depth = ms_sss_map(p->texels + 3, 4, 0);
+    r.frame.input = ms_sss_interleaved(p->texels, 4);
+    r.frame.output = ms_sss_interleaved(r.out, 4);
+    r.frame.depth = ms_sss_map(p->texels + 3, 4);
     r.options = ms_sss_filter_defaults();
     r.options.fov_degrees = 24;
     r.options.mm_per_unit = kernel.radius_mm * size / (z * p->radius_px);
-    r.options.pyramids = &pyramid;
     r.size = size / r.options.mm_per_unit;
     r.k = 0.5f * r.options.mm_per_unit * r.options.mm_per_unit / (sigma * sigma);
     for (i = 1; i < kernel.tap_count; ++i)
@@ -290,27 +292,23 @@ static run prepare(const picture *p, int *count)
 }
 
 /* Medians in ms; the peers' in [0] (expf) and [1] (polynomial), 0 where they were not built. */
-static void measure(const picture *p, double ms[7], int *count, ms_sss_method *taken)
+static void measure(const picture *p, double ms[5], int *count)
 {
     static const struct {
-        ms_sss_method method;
+        int by_pyramid;
         float flat;
-    } ways[5] = {{MS_SSS_METHOD_TAPS, 1},
-                 {MS_SSS_METHOD_TAPS, 0},
-                 {MS_SSS_METHOD_HALF, 0},
-                 {MS_SSS_METHOD_PYRAMID, 0},
-                 {MS_SSS_METHOD_AUTO, 0}};
+    } ways[3] = {{0, 1}, {0, 0}, {1, 0}};
     run r = prepare(p, count);
     int i;
     ms[0] = ms[1] = 0;
 #ifdef HAVE_SSS_PEERS
     for (r.polynomial = 0; r.polynomial < 2; ++r.polynomial) ms[r.polynomial] = 1e3 * bench_run(peer, &r, RUNS).median;
 #endif
-    for (i = 0; i < 5; ++i) {
-        r.options.method = ways[i].method;
+    for (i = 0; i < 3; ++i) {
+        r.by_pyramid = ways[i].by_pyramid;
         r.options.flat = ways[i].flat;
-        r.frame.taken = taken;
-        r.bytes = ms_sss_filter_workspace(p->width, p->height, &kernel, 1, &r.options);
+        r.bytes = r.by_pyramid ? ms_sss_pyramid_workspace(p->width, p->height)
+                               : ms_sss_filter_workspace(p->width, p->height, &kernel, 1, &r.options);
         r.workspace = malloc(r.bytes);
         ms[2 + i] = 1e3 * bench_run(filter, &r, RUNS).median;
         free(r.workspace);
@@ -340,7 +338,6 @@ static void make_kernel(void)
 
 int main(void)
 {
-    static const char *const method_name[4] = {"", "taps", "half", "pyramid"};
     FILE *md = bench_open("sss_pictures.md"), *csv = bench_open("sss_pictures.csv");
     picture p[PICTURES];
     int i, k, c;
@@ -354,28 +351,27 @@ int main(void)
     p[6] = enlarged("bust at 4K", &p[1], 3840, 2160, 0, 0, 2, 24);
     p[7] = enlarged("face, R 100", &p[1], 1920, 1080, 720, 200, 3, 100);
     p[8] = enlarged("close-up of 200 x 200, R 48", &p[1], 200, 200, 900, 350, 4, 48);
-    fprintf(csv, "picture,pixels,peer_exp,peer_polynomial,flat,taps,half,pyramid,auto\n");
+    fprintf(csv, "picture,pixels,peer_exp,peer_polynomial,flat,taps,pyramid\n");
     fprintf(
         md,
         "%s, one thread, medians of %d runs in ms, `make bench FILTER=sss_pictures`. d'Eon's skin, 7 taps; R is the kernel's\n"
         "radius in pixels at the median depth (24 where nothing else is said). The peers are loops over packed color and depth\n"
-        "that skip masked pixels, gcc -O3 -march=native -ffast-math. *Default*: method AUTO with a pyramid; its choice in brackets.\n\n"
-        "| picture | pixels | peer, expf | peer, polynomial | taps, flat | taps | half | pyramid | **default** | polynomial peer / default |\n"
-        "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",
+        "that skip masked pixels, gcc -O3 -march=native -ffast-math; they know no slopes.\n\n"
+        "| picture | pixels | peer, expf | peer, polynomial | taps, flat | **taps** | pyramid | polynomial peer / taps |\n"
+        "|---|---:|---:|---:|---:|---:|---:|---:|\n",
         bench_processor(), RUNS);
     for (i = 0; i < PICTURES; ++i) {
-        ms_sss_method taken = MS_SSS_METHOD_AUTO;
-        double ms[7];
+        double ms[5];
         int count;
-        measure(&p[i], ms, &count, &taken);
+        measure(&p[i], ms, &count);
         fprintf(csv, "%s,%d", p[i].name, count);
         fprintf(md, "| %s | %d |", p[i].name, count);
-        for (k = 0; k < 7; ++k) {
+        for (k = 0; k < 5; ++k) {
             fprintf(csv, ",%.3f", ms[k]);
-            fprintf(md, k == 6 ? " **%.2f** (%s) |" : " %.2f |", ms[k], method_name[taken]);
+            fprintf(md, k == 3 ? " **%.2f** |" : " %.2f |", ms[k]);
         }
         fprintf(csv, "\n");
-        fprintf(md, " %.2f |\n", ms[1] / ms[6]);
+        fprintf(md, " %.2f |\n", ms[1] / ms[3]);
         free(p[i].texels);
     }
     fclose(csv);

@@ -9,14 +9,14 @@
 #include "plot.h"
 #include "render/truth.h"
 
-enum { OBJECTS = 3, METHODS = 20, SHOWN = 10 };
+enum { OBJECTS = 3, METHODS = 19, SHOWN = 10 };
 static const char *const object_name[OBJECTS] = {"bust", "knot", "bowl"};
 static const char *const substance_name[TRUTH_SUBSTANCES] = {"skin1", "marble", "cream", "ketchup", "skin2"};
 static const char *const lamp_name[TRUTH_LAMPS] = {"front", "side", "behind"};
 static const int walks[TRUTH_SUBSTANCES] = {256, 96, 32, 256,
                                             128}; /* noise under 1% of the error after halves are split */
 
-typedef enum method_kind { UNFILTERED, SEPARABLE, HALF, PYRAMID, DISC, GATHER, MESH } method_kind;
+typedef enum method_kind { UNFILTERED, SEPARABLE, PYRAMID, DISC, GATHER, MESH } method_kind;
 
 static const struct {
     const char *name;
@@ -33,7 +33,6 @@ static const struct {
                       {"the same and a shadow map", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 7, 1, 0, 0, "36"},
                       {"separable, 17 taps", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 17, 0, 0, 0, "75"},
                       {"separable, 33 taps", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 33, 0, 0, 0, "139"},
-                      {"half resolution, 7 taps", HALF, MS_SSS_IMAGE_OPTIMAL, 7, 0, 0, 0, "19"},
                       {"pyramid, flat", PYRAMID, MS_SSS_SLICE, 0, 0, 0, 1, "68"},
                       {"pyramid", PYRAMID, MS_SSS_SLICE, 0, 0, 0, 0, "68 or more"},
                       {"pyramid and a shadow map", PYRAMID, MS_SSS_SLICE, 0, 1, 0, 0, "69 or more"},
@@ -70,7 +69,6 @@ static ms_status picture_of(const truth *t, int m, const ms_sss_kernel *kernel, 
     case SEPARABLE:
         status = truth_filter(t, kernel, methods[m].flat > 0 ? TRUTH_SIGMA : 0, methods[m].flat, out);
         break;
-    case HALF: status = truth_filter_by(t, kernel, MS_SSS_METHOD_HALF, 0, 0, out); break;
     case PYRAMID: status = truth_pyramid(t, pyramid, methods[m].flat, methods[m].taps, out); break;
     case DISC: truth_disc(t, methods[m].taps, out); break;
     case GATHER: status = truth_gather(t, methods[m].back, methods[m].flat, out); break;
@@ -104,8 +102,8 @@ static int measure(int object, int substance, FILE *csv)
         return 0;
     for (m = 0; m < METHODS; ++m) {
         ms_sss_kernel_options o = ms_sss_kernel_defaults();
-        o.model = methods[m].kind == SEPARABLE || methods[m].kind == HALF ? methods[m].model : MS_SSS_IMAGE_OPTIMAL;
-        o.tap_count = methods[m].kind == SEPARABLE || methods[m].kind == HALF ? methods[m].taps : 7;
+        o.model = methods[m].kind == SEPARABLE ? methods[m].model : MS_SSS_IMAGE_OPTIMAL;
+        o.tap_count = methods[m].kind == SEPARABLE ? methods[m].taps : 7;
         if (o.model == MS_SSS_SLICE) o.placement = MS_SSS_QUADRATIC;
         if (ms_sss_kernel_build(&kernel[m], designer, &o, NULL) != MS_OK) return 0;
     }
@@ -161,12 +159,11 @@ static int draw(void)
                   {"disc, 64 samples", 2, 1, PLOT_DOTS},
                   {"7 taps, flat", 3, 1, PLOT_DOTS},
                   {"7, 17, 33 taps", 4, 0, PLOT_LINE | PLOT_DOTS},
-                  {"half resolution", 8, 1, PLOT_DOTS},
-                  {"pyramid: flat, default", 9, 2, PLOT_LINE | PLOT_DOTS},
-                  {"pyramid, exact", 12, 1, PLOT_DOTS},
-                  {"2D in space: flat, not", 14, 2, PLOT_LINE | PLOT_DOTS},
-                  {"front and back", 17, 1, PLOT_DOTS},
-                  {"whole mesh", 19, 1, PLOT_DOTS}};
+                  {"pyramid: flat, default", 8, 2, PLOT_LINE | PLOT_DOTS},
+                  {"pyramid, exact", 11, 1, PLOT_DOTS},
+                  {"2D in space: flat, not", 13, 2, PLOT_LINE | PLOT_DOTS},
+                  {"front and back", 16, 1, PLOT_DOTS},
+                  {"whole mesh", 18, 1, PLOT_DOTS}};
     static const int taps[3] = {4, 6, 7};
     static double x[METHODS], y[METHODS], along[2][3];
     plot p;

@@ -110,7 +110,7 @@ static int use_sss(void)
     ms_sss_profile_destroy(profile);
     memset(&frame, 0, sizeof frame);
     frame.width = frame.height = 16;
-    frame.input = frame.output = ms_sss_interleaved(light, 3, 0);
+    frame.input = frame.output = ms_sss_interleaved(light, 3);
     options.pixels_per_mm[0] = 2;
     size = ms_sss_filter_workspace(16, 16, &kernel, 1, &options);
     workspace = use_alloc(NULL, size);

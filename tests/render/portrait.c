@@ -1,8 +1,8 @@
 /* README's head of skin, whose lamps stand to the left and behind the ear: without scattering, by ms_sss.h, and by a
-   random walk through the body. All three share one light, traced to round lamps, and the layers of examples/demo/scene.h.
-     portrait without|taps OUT.png WIDTH HEIGHT [TURN]                    TURN: of the lamps around the head, in degrees
-     portrait walk OUT.png WIDTH HEIGHT LEFT TOP RIGHT BOTTOM WALKS       a part of the picture, path-traced
-   Run by portrait.sh; needs Embree. */
+   random walk through the body. All three share one light, traced to round lamps, and the layers of
+   examples/demo/scene.h. portrait without|taps OUT.png WIDTH HEIGHT [TURN]                    TURN: of the lamps around
+   the head, in degrees portrait walk OUT.png WIDTH HEIGHT LEFT TOP RIGHT BOTTOM WALKS       a part of the picture,
+   path-traced Run by portrait.sh; needs Embree. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 #define MS_SSS_IMPLEMENTATION
@@ -119,7 +119,8 @@ static void skin_of(set *k)
     need_ok(ms_mcml_profile_make(&rings, medium, 3, NULL, NULL), "profile");
     for (c = 0; c < 3; ++c) {
         double path_mm = 1 / (medium[c].mu_a_per_mm + medium[c].mu_s_per_mm);
-        need_ok(ms_mcml_medium_from_color(rings.total[c], path_mm, MS_MCML_MEAN_FREE_PATH, 1, &matched, NULL), "medium");
+        need_ok(ms_mcml_medium_from_color(rings.total[c], path_mm, MS_MCML_MEAN_FREE_PATH, 1, &matched, NULL),
+                "medium");
         k->mu_s[c] = (float)matched.mu_s_per_mm;
         k->mu_a[c] = (float)matched.mu_a_per_mm;
     }
@@ -138,7 +139,8 @@ static void set_make(set *k, int width, int height, double turn_degrees, float c
     for (c = 0; c < 3; ++c) color[c] = (float)k->reflectance[c];
     lights_of_portrait(k->light, turn_degrees);
     need(scene_render_lit(&k->s, SCENE_BUST, &camera, k->light, width, height, color), "scene");
-    if (!mesh_make(&k->m, SCENE_BUST, cell) || !scene__grid_make(&k->grid, SCENE_BUST, 2.5f)) need("out of memory", "mesh");
+    if (!mesh_make(&k->m, SCENE_BUST, cell) || !scene__grid_make(&k->grid, SCENE_BUST, 2.5f))
+        need("out of memory", "mesh");
     k->t = trace_create(&k->m, k->light, SCENE_LIGHTS);
     if (k->t == NULL) need("failed", "Embree");
     for (pixel = 0; pixel < count; ++pixel) { /* the same light as the walk's */
@@ -173,8 +175,7 @@ static void through_ear(const set *k, const ms_sss_kernel *kernel, size_t pixel,
     normal[0] = n.x, normal[1] = n.y, normal[2] = n.z;
     entry_normal[0] = entry.x, entry_normal[1] = entry.y, entry_normal[2] = entry.z;
     to_light[0] = -direction.x, to_light[1] = -direction.y, to_light[2] = -direction.z;
-    for (c = 0; c < 3; ++c)
-        in[c] = l->power[c] * scene_dot(l->position, l->position) / (hit.t * hit.t * 3.14159265f);
+    for (c = 0; c < 3; ++c) in[c] = l->power[c] * scene_dot(l->position, l->position) / (hit.t * hit.t * 3.14159265f);
     ms_sss_transmission(kernel, scene_length(away) - hit.t, normal, entry_normal, to_light, in, out);
     for (c = 0; c < 3; ++c) light[c] = scene__max(light[c], out[c]);
 }
@@ -197,12 +198,11 @@ static void filter(set *k, image *light)
     memset(&frame, 0, sizeof frame);
     frame.width = k->s.width;
     frame.height = k->s.height;
-    frame.input = ms_sss_interleaved(k->s.irradiance.pixels, 3, 0);
-    frame.output = ms_sss_interleaved(light->pixels, 3, 0);
-    frame.depth = ms_sss_map(k->s.depth.pixels, 1, 0);
-    frame.strength = ms_sss_map(k->s.mask.pixels, 1, 0);
+    frame.input = ms_sss_interleaved(k->s.irradiance.pixels, 3);
+    frame.output = ms_sss_interleaved(light->pixels, 3);
+    frame.depth = ms_sss_map(k->s.depth.pixels, 1);
+    frame.strength = ms_sss_map(k->s.mask.pixels, 1);
     options.fov_degrees = 2 * atanf(k->s.camera.tan_half_fov) * (180 / 3.14159265f);
-    options.method = MS_SSS_METHOD_TAPS;
     size = ms_sss_filter_workspace(k->s.width, k->s.height, &kernel, 1, &options);
     workspace = malloc(size);
     if (light->pixels == NULL || workspace == NULL) need("out of memory", "filter");
@@ -253,9 +253,11 @@ int main(int argc, char **argv)
     int width, height, box[4], x, y, i;
     const char *what = argc > 1 ? argv[1] : "";
     int walks = strcmp(what, "walk") == 0;
-    if (!(walks ? argc == 10 : (argc == 5 || argc == 6) && (strcmp(what, "taps") == 0 || strcmp(what, "without") == 0))) {
-        fprintf(stderr, "usage: portrait without|taps OUT.png WIDTH HEIGHT [TURN]\n"
-                        "       portrait walk OUT.png WIDTH HEIGHT LEFT TOP RIGHT BOTTOM WALKS\n");
+    if (!(walks ? argc == 10
+                : (argc == 5 || argc == 6) && (strcmp(what, "taps") == 0 || strcmp(what, "without") == 0))) {
+        fprintf(stderr,
+                "usage: portrait without|taps OUT.png WIDTH HEIGHT [TURN]\n"
+                "       portrait walk OUT.png WIDTH HEIGHT LEFT TOP RIGHT BOTTOM WALKS\n");
         return 2;
     }
     width = atoi(argv[3]);

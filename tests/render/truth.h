@@ -379,9 +379,9 @@ static inline ms_sss_filter_options truth_frame(const truth *t, ms_sss_frame *fr
     memset(frame, 0, sizeof *frame);
     frame->width = t->width;
     frame->height = t->height;
-    frame->input = ms_sss_interleaved(t->lit->irradiance.pixels, 3, 0);
-    frame->output = ms_sss_interleaved(out->pixels, 3, 0);
-    frame->depth = ms_sss_map(t->layers.depth.pixels, 1, 0);
+    frame->input = ms_sss_interleaved(t->lit->irradiance.pixels, 3);
+    frame->output = ms_sss_interleaved(out->pixels, 3);
+    frame->depth = ms_sss_map(t->layers.depth.pixels, 1);
     options.fov_degrees = 2 * atanf(t->camera.tan_half_fov) * (180 / 3.14159265f);
     options.mm_per_unit = t->mm_per_unit;
     return options;
@@ -397,8 +397,7 @@ static inline void truth_reflect(const truth *t, image *out)
 /* The irradiance filtered by a separable kernel, times reflectance, into out (of the same size); sigma: of the depth
    weights, in radii of 99% of the energy, the same for every kernel, however far its last tap is; 0: the filter's
    own. */
-static inline ms_status truth_filter_by(const truth *t, const ms_sss_kernel *kernel, ms_sss_method method, double sigma,
-                                        float flat, image *out)
+static inline ms_status truth_filter(const truth *t, const ms_sss_kernel *kernel, double sigma, float flat, image *out)
 {
     ms_sss_frame frame;
     ms_sss_filter_options options = truth_frame(t, &frame, out);
@@ -406,7 +405,6 @@ static inline ms_status truth_filter_by(const truth *t, const ms_sss_kernel *ker
     void *workspace;
     ms_status status;
     options.flat = flat;
-    options.method = method;
     options.depth_sigma_mm = (float)(t->radius_mm * sigma);
     size = ms_sss_filter_workspace(t->width, t->height, kernel, 1, &options);
     workspace = malloc(size);
@@ -415,11 +413,6 @@ static inline ms_status truth_filter_by(const truth *t, const ms_sss_kernel *ker
     free(workspace);
     truth_reflect(t, out);
     return status;
-}
-
-static inline ms_status truth_filter(const truth *t, const ms_sss_kernel *kernel, double sigma, float flat, image *out)
-{
-    return truth_filter_by(t, kernel, MS_SSS_METHOD_TAPS, sigma, flat, out);
 }
 
 static inline ms_status truth_pyramid(const truth *t, const ms_sss_pyramid *pyramid, float flat, int exact, image *out)
@@ -432,7 +425,7 @@ static inline ms_status truth_pyramid(const truth *t, const ms_sss_pyramid *pyra
     if (workspace == NULL) return MS_OUT_OF_MEMORY;
     options.flat = flat;
     options.exact = exact;
-    status = ms_sss_pyramid_filter(&frame, pyramid, &options, workspace, size, NULL);
+    status = ms_sss_pyramid_filter(&frame, pyramid, 1, &options, workspace, size, NULL);
     free(workspace);
     truth_reflect(t, out);
     return status;
@@ -445,8 +438,8 @@ static inline ms_status truth_gather(const truth *t, int with_back, float flat, 
     ms_sss_filter_options options = truth_frame(t, &frame, out);
     ms_status status;
     memset(&back, 0, sizeof back);
-    back.input = ms_sss_interleaved(t->lit->back.pixels, 3, 0);
-    back.depth = ms_sss_map(t->behind.depth.pixels, 1, 0);
+    back.input = ms_sss_interleaved(t->lit->back.pixels, 3);
+    back.depth = ms_sss_map(t->behind.depth.pixels, 1);
     options.flat = flat;
     status = gather_filter(&frame, with_back ? &back : NULL, t->profile, &options, NULL);
     truth_reflect(t, out);

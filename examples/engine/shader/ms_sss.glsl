@@ -467,9 +467,10 @@ float4 filter_pixel(int2 pixel) {
     float4 total = TOTAL(at);
     float2 aspect = ASPECT;
 
-    // A kernel below half a pixel changes nothing; one wider than the picture is reduced to it.
+    // The effect fades from kernels of a pixel to those of half a pixel; one wider than the picture is reduced to it.
     float pixels = pixels_at(own.a) / side();
-    bool wide = pixels * total.w * max(aspect.x, aspect.y) > 0.5;
+    float radius = pixels * total.w * max(aspect.x, aspect.y);
+    bool wide = radius > 0.5;
     pixels = min(pixels, max(PICTURE_SIZE.x, PICTURE_SIZE.y) / (total.w * side()));
     float2 axis = pick(float2(1.0, 0.0), float2(0.0, 1.0), SECOND);
 #if MS_SSS_ROTATED
@@ -565,7 +566,7 @@ float4 filter_pixel(int2 pixel) {
         normalize_sum(result.g, weight.g, lifted.g, own.g, total.g, (mixed & 2) != 0),
         normalize_sum(result.b, weight.b, lifted.b, own.b, total.b, (mixed & 4) != 0));
 #if SECOND
-    float strength = pick(0.0, pick(GAIN, 1.0, HALVED), wide);
+    float strength = pick(0.0, pick(GAIN * min(2.0 * radius - 1.0, 1.0), 1.0, HALVED), wide);
 #if MS_SSS_STRENGTH && !HALVED
     strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);
 #endif

@@ -230,7 +230,9 @@ float4 filter_pixel(int2 pixel) {
     float size = radius / clamp(surface.r, 1.0, 1.5);
     float3 weight = weight_at(size, HEAD + SIZES);
     float3 blurred = weight_at(size, HEAD + 2 * SIZES);
-    float3 sum = weight * own.rgb;
+    float3 near_light = zero3;
+    float3 near_factor = zero3; // sum of the weights times elevation
+    float near_weight = 0.0;
     for (int i = 0; i < 9; i++) {
         int2 beside = int2(i % 3 - 1, i / 3 - 1);
         if (!inside(p + beside)) { continue; }
@@ -240,14 +242,31 @@ float4 filter_pixel(int2 pixel) {
         float f = max(1.0 - 0.25 * away * away, 0.0);
         f = f * f * pick(0.25, 0.5, beside.x == 0) * pick(0.25, 0.5, beside.y == 0);
         if (!(abs(there.a) > 0.0)) { continue; }
-        sum = sum + f * blurred * there.rgb;
-        weight = weight + f * blurred;
+        float3 lift = one3;
+#if SLOPES
+        if (i != 4) { // elevation: sin(theta) over the distance of 1 or sqrt(2) pixels
+            float grain = 2.0 * TAP_ROUNDING * pick(abs(own.a), 1.0, MS_SSS_PERSPECTIVE > 0);
+            float sine = (away - clamp(away, -grain, grain)) / max(surface.r, 1.0);
+            sine = clamp(sine * pick(0.70710678, 1.0, beside.x == 0 || beside.y == 0), -1.0, 1.0);
+            lift = max(one3 + K_4.rgb * sine, zero3);
+            lift = lift * lift * lift * lift;
+        }
+#endif
+        near_light = near_light + f * lift * there.rgb;
+        near_factor = near_factor + f * lift;
+        near_weight = near_weight + f;
     }
+#if SLOPES
+    // Constant light is not amplified above 1 / reflectance.
+    near_light = near_light * min(near_weight * RAISE_MAX.rgb / max(near_factor, 1e-30 * one3), one3);
+#endif
+    float3 sum = weight * own.rgb + blurred * near_light;
+    weight = weight + blurred * near_weight;
     if (COARSER > 0.5) {
         sum = sum + gather(p, own.a, surface.gb);
         weight = weight + ms_sss_other.rgb;
     }
-    float strength = pick(0.0, PYRAMID_GAIN, radius > 0.5);
+    float strength = PYRAMID_GAIN * clamp(2.0 * radius - 1.0, 0.0, 1.0);
 #if MS_SSS_STRENGTH
     strength = strength * min(ms_sss_fetch_strength(pixel), 1.0);
 #endif

@@ -120,9 +120,10 @@ fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
     var total: vec4<f32> = ms_sss.v[at];
     var aspect: vec2<f32> = ms_sss.v[1].xy;
 
-    // A kernel below half a pixel changes nothing; one wider than the picture is reduced to it.
+    // The effect fades from kernels of a pixel to those of half a pixel; one wider than the picture is reduced to it.
     var pixels: f32 = pixels_at(own.a) / side();
-    var wide: bool = pixels * total.w * max(aspect.x, aspect.y) > 0.5;
+    var radius: f32 = pixels * total.w * max(aspect.x, aspect.y);
+    var wide: bool = radius > 0.5;
     pixels = min(pixels, max(ms_sss.v[0].xy.x, ms_sss.v[0].xy.y) / (total.w * side()));
     var axis: vec2<f32> = select(vec2<f32>(1.0, 0.0), vec2<f32>(0.0, 1.0), false);
     // A mm along the tangent plane has the picture of 1 / |(axis + slope ray, slope)| mm that face the camera.

@@ -125,9 +125,10 @@ fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
     var total: vec4<f32> = ms_sss.v[at];
     var aspect: vec2<f32> = ms_sss.v[1].xy;
 
-    // A kernel below half a pixel changes nothing; one wider than the picture is reduced to it.
+    // The effect fades from kernels of a pixel to those of half a pixel; one wider than the picture is reduced to it.
     var pixels: f32 = pixels_at(own.a) / side();
-    var wide: bool = pixels * total.w * max(aspect.x, aspect.y) > 0.5;
+    var radius: f32 = pixels * total.w * max(aspect.x, aspect.y);
+    var wide: bool = radius > 0.5;
     pixels = min(pixels, max(ms_sss.v[0].xy.x, ms_sss.v[0].xy.y) / (total.w * side()));
     var axis: vec2<f32> = select(vec2<f32>(1.0, 0.0), vec2<f32>(0.0, 1.0), true);
     // A mm along the tangent plane has the picture of 1 / |(axis + slope ray, slope)| mm that face the camera.
@@ -200,7 +201,7 @@ fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
     result = vec3<f32>(normalize_sum(result.r, weight.r, lifted.r, own.r, total.r, (mixed & 1) != 0),
         normalize_sum(result.g, weight.g, lifted.g, own.g, total.g, (mixed & 2) != 0),
         normalize_sum(result.b, weight.b, lifted.b, own.b, total.b, (mixed & 4) != 0));
-    var strength: f32 = select(0.0, select(ms_sss.v[0].w, 1.0, false), wide);
+    var strength: f32 = select(0.0, select(ms_sss.v[0].w * min(2.0 * radius - 1.0, 1.0), 1.0, false), wide);
     var delta: vec3<f32> = ms_sss.v[at + 2].rgb;
     result = strength * ms_sss.v[at + 1].rgb * result;
     if (strength < 1.0 || dot(abs(delta), vec3<f32>(1.0, 1.0, 1.0)) > 0.0) {
