@@ -701,7 +701,8 @@ static void test_never_nothing(void)
                 for (j = 0; j < i; ++j) CHECK(memcmp(x + i * M, x + j * M, M * sizeof *x) != 0);
                 for (j = 0, c = 0; j < M && n && liked; ++j) /* most parameters are those of a liked one */
                     c += fabs(x[i * M + j] - data[j]) < 1e-12 || fabs(x[i * M + j] - data[M + j]) < 1e-12;
-                if (n && liked && report.search == MS_GPR_SEARCH_VARIANTS) CHECK(c >= 6); /* 0.3 are drawn anew: 13 of 19 */
+                if (n && liked && report.search == MS_GPR_SEARCH_VARIANTS)
+                    CHECK(c >= 6); /* 0.3 are drawn anew: 13 of 19 */
             }
             ms_gpr_destroy(gp);
         }

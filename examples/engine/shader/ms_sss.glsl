@@ -24,7 +24,7 @@
 //     MS_SSS_STRENGTH     0        1: with strength
 //     MS_SSS_ROTATED      0        1: rotation or jitter of ms_sss_shader
 //     MS_SSS_HALF         0        1: X and Y lie between DOWN and UP
-//     MS_SSS_HLSL, MS_SSS_VULKAN   defined: the language, where it is not the GLSL of OpenGL
+//     MS_SSS_HLSL, MS_SSS_VULKAN   defined: the language, where it is not the GLSL of OpenGL (MS_SSS_WGSL: by sss_wgsl.c)
 //
 // The engine defines those of these functions that a step reads; p is the pixel plus the viewport's corner:
 //

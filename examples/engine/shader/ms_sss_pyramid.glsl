@@ -243,7 +243,7 @@ float4 filter_pixel(int2 pixel) {
         f = f * f * pick(0.25, 0.5, beside.x == 0) * pick(0.25, 0.5, beside.y == 0);
         if (!(abs(there.a) > 0.0)) { continue; }
         float3 lift = one3;
-#if SLOPES
+#if !MS_SSS_FLAT
         if (i != 4) { // elevation: sin(theta) over the distance of 1 or sqrt(2) pixels
             float grain = 2.0 * TAP_ROUNDING * pick(abs(own.a), 1.0, MS_SSS_PERSPECTIVE > 0);
             float sine = (away - clamp(away, -grain, grain)) / max(surface.r, 1.0);
@@ -256,7 +256,7 @@ float4 filter_pixel(int2 pixel) {
         near_factor = near_factor + f * lift;
         near_weight = near_weight + f;
     }
-#if SLOPES
+#if !MS_SSS_FLAT
     // Constant light is not amplified above 1 / reflectance.
     near_light = near_light * min(near_weight * RAISE_MAX.rgb / max(near_factor, 1e-30 * one3), one3);
 #endif
