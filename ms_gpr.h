@@ -55,8 +55,8 @@
    What it costs
    -------------
    n materials, m parameters. A likelihood with its gradient takes n^3 / 2 + n^2 m multiply-adds. A fit evaluates it 100
-   to 150 times. From 200 scores on nearly all of these use a third of the scores. A mean takes n m, its variance n^2 / 2
-   more. A model has n^2 + 2 n m doubles. A fit has 4 n^2 of them at its peak, with choices 9 n^2. Figures:
+   to 150 times. From 200 scores on nearly all of these use a third of the scores. A mean takes n m, its variance
+   n^2 / 2 more. A model has n^2 + 2 n m doubles. A fit has 4 n^2 of them at its peak, with choices 9 n^2. Figures:
    tests/bench/RESULTS.md, made by `make bench`.
 
    Threads, SIMD, determinism, errors
