@@ -139,7 +139,8 @@ static inline const char *scores__split(scores *s, scores__cells *c)
     c->between = 0;
     if ((memcmp(at, "sep=", 4) == 0 || memcmp(at, "Sep=", 4) == 0) && at[4] && at[4] != '\n') {
         c->between = at[4];
-        at += 5 + strspn(at + 5, "\n");
+        at += strcspn(at, "\n");
+        at += *at == '\n';
         ++line;
     }
     while (*at) {
