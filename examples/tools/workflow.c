@@ -128,10 +128,16 @@ static ms_status embed(flow *f)
     ms_gpr_latent_options options;
     int count = studio_liked(f->gp, STUDIO_LIKED, f->chosen, liked);
     ms_status status;
+    if (count == 0) {
+        snprintf(f->error.message, sizeof f->error.message,
+                 "no score is above the lowest: nothing is known to be liked");
+        return f->error.status = MS_BAD_DATA;
+    }
     memset(&options, 0, sizeof options);
     options.prior = 0.1; /* keeps the plane compact */
     memcpy(liked + count * M, f->chosen, sizeof f->chosen);
     status = ms_gpr_latent_fit(liked, count + 1, M, &options, &f->plane, NULL, &f->error);
+    if (status != MS_OK) return status;
     f->fine = map_around(f->plane, FINE);
     f->coarse = map_around(f->plane, COARSE);
     return status;
