@@ -9,8 +9,8 @@
    PAIRS.csv: comparisons, the number of the preferred material and that of the other one in a line, counted from 1 in
    the order of SCORES.csv; materials that were only compared have nothing behind their last comma. The recommendations
    go to FILE, or to standard output, with their parameters, mean and sigma: predicted score and standard deviation.
-   Parameters stay in [0, 1], or in the range of the scored materials, rounded outwards, where those leave it; columns of
-   one value keep it. Scores may be on any scale. --keep sheen=0.5 fixes a parameter, sheen=0.2:0.4 is a range,
+   Parameters stay in [0, 1], or in the range of the scored materials, rounded outwards, where those leave it; columns
+   of one value keep it. Scores may be on any scale. --keep sheen=0.5 fixes a parameter, sheen=0.2:0.4 is a range,
    sheen=0:1:0.25 one in steps; red=green makes two equal. A list has the values that some parameters take together,
    such as metals; its first line names them, red,green,blue. What is avoided may be a file of recommendations. What the
    answers do not support is said in lines that begin with "warning:". */

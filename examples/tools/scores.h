@@ -48,7 +48,7 @@ static inline void scores_free(scores *s)
     memset(s, 0, sizeof *s);
 }
 
-/* ------------------------------------------------------------------------------------------------- from text to cells */
+/* ----------------------------------------------------------------------------------------------- from text to cells */
 
 typedef struct scores__cells {
     char **cell; /* [rows][columns], the header first */
@@ -194,7 +194,7 @@ static inline const char *scores__split(scores *s, scores__cells *c)
     return c->rows > s->named ? NULL : scores__fail(s, 0, "holds no rows");
 }
 
-/* ----------------------------------------------------------------------------------------------- what the columns are */
+/* --------------------------------------------------------------------------------------------- what the columns are */
 
 static inline int scores__is(const char *name, const char *const *known, int count)
 {
