@@ -1700,8 +1700,8 @@ static double ms_mcml__multiple(const ms_mcml__cone *cone, double albedo, double
         dm[i] = dg[i] - df;
     }
 
-    /* Scaled <b_i, (1 - a K) b_j> = (1 - a (g_i + g_j)) / (b_i + b_j) - a (m_j - m_i) / (b_i - b_j); on the diagonal the
-       last quotient is -m'. u: <b_i, K exp(-z)>, the same with b_one. */
+    /* Scaled <b_i, (1 - a K) b_j> = (1 - a (g_i + g_j)) / (b_i + b_j) - a (m_j - m_i) / (b_i - b_j); on the diagonal
+       the last quotient is -m'. u: <b_i, K exp(-z)>, the same with b_one. */
     for (i = 0; i < n; ++i) {
         double *row = ms_mcml__triangle_row(matrix, i);
         for (j = 0; j <= i; ++j) {
@@ -1889,8 +1889,8 @@ static void ms_mcml__nnls_solve(ms_mcml__nnls *p)
 }
 
 /* rate[j], energy[j] > 0 with  sum energy / (1 + k^2 / rate^2) = spectrum[i]  at k^2 = t[i]^2 - edge^2, rates on a
-   lattice sqrt(edge^2 + tau^2) of log spacing `step` in tau. Returns how many. total is the spectrum at k = 0, which the
-   energies are scaled to. Row i counts as 1 / (1 + t[i]), as the relative error of the spectrum grows with t. */
+   lattice sqrt(edge^2 + tau^2) of log spacing `step` in tau. Returns how many. total is the spectrum at k = 0, which
+   the energies are scaled to. Row i counts as 1 / (1 + t[i]), as the relative error of the spectrum grows with t. */
 static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows, double edge, double step, double total,
                               double *rate, double *energy, double *work)
 {
@@ -2768,8 +2768,8 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t, int turns)
         MS_MCML__DRAW(word_chance);
         u = MS_MCML__FN(uniform)(word_chance);
 
-        /* -log(u) mean free paths to the collision, or gap / |uz| to the boundary if that is nearer. A flight has at least
-           half the smallest -log u that is not 0. */
+        /* -log(u) mean free paths to the collision, or gap / |uz| to the boundary if that is nearer. A flight has at
+           least half the smallest -log u that is not 0. */
         flight = MS_MCML__V_MAX(MS_MCML__FN(exponential)(word_flight), MS_MCML__V_SET(3e-8f)) * mfp;
         up = MS_MCML__V_LESS(uz, zero);
         gap = MS_MCML__V_MAX(MS_MCML__V_SELECT(up, z, depth - z), zero);

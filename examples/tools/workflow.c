@@ -405,10 +405,10 @@ int main(int argc, char **argv)
 
     if (file) printf("%d scores of %s.\n", f->n, file);
     else
-        printf(
-            "%d scores of a user who likes %s. Mean score of %d random materials: %.1f; of the recommended ones: %.1f.\n",
-            f->n, f->user->words, GALLERY / 2, mean_score(f->user, f->x, GALLERY / 2),
-            mean_score(f->user, f->recommended, RECOMMENDED));
+        printf("%d scores of a user who likes %s. Mean score of %d random materials: %.1f; "
+               "of the recommended ones: %.1f.\n",
+               f->n, f->user->words, GALLERY / 2, mean_score(f->user, f->x, GALLERY / 2),
+               mean_score(f->user, f->recommended, RECOMMENDED));
     printf("Match: RMSE %.2f of 255 at the first guess, %.2f after %.0f renders.\n\n", 255 * f->found.rmse_initial,
            255 * f->found.rmse, f->found.cost);
     report(stdout, f, calls);
