@@ -535,7 +535,7 @@ static void ms_pme__qr_append(double *r, int n, double *columns, int k)
     for (j = 0; j <= n; ++j) {
         double *column = columns + j * MS_PME__ROWS, *top = r + j * w, largest = fabs(top[j]), norm, head, beta;
         for (i = 0; i < k; ++i) largest = ms_pme__max(largest, fabs(column[i]));
-        if (!(largest > 0)) continue;
+        if (!(largest > 1e-140)) continue; /* columns are of size 1: rounding of rounding, whose square underflows */
         norm = (top[j] / largest) * (top[j] / largest);
         for (i = 0; i < k; ++i) norm += (column[i] / largest) * (column[i] / largest);
         norm = largest * sqrt(norm);
@@ -1508,19 +1508,24 @@ static void ms_pme__deviations(ms_pme__run *run, ms_pme__objective *o, double rm
 {
     int n = run->n, w = n + 1, j, k, i;
     double noise = 1e-7 * o->size, sigma, *variance = o->deviation, *y = run->work;
+    int idle[MS_PME_PARAMETERS_MAX]; /* a range, and no effect on the picture */
     for (j = 0; j < n; ++j) {
         double range = run->upper[j] - run->lower[j];
-        if (ms__finite(range)) noise = ms_pme__max(noise, 1e-7 * (range * run->unit[j] * ms_pme__column_norm(run, j)));
+        if (ms__finite(range)) /* 1e39: floats end before */
+            noise = ms_pme__max(noise,
+                                1e-7 * ms_pme__clip(range * run->unit[j] * ms_pme__column_norm(run, j), 0, 1e39));
         variance[j] = 0;
     }
     noise = ms_pme__max(noise, rmse);
     sigma = (noise > 0 ? noise : 1) / sqrt((double)o->compared);
-    for (j = 0; j < n; ++j) { /* one residual sqrt(12) sigma x_j / range for each parameter */
-        double range = run->upper[j] - run->lower[j];
+    for (j = 0; j < n; ++j) { /* one residual sqrt(12) sigma x_j / range for each parameter; squares are numbers */
+        double range = run->upper[j] - run->lower[j], change = range * run->unit[j], prior = sqrt(12.0) * sigma;
+        idle[j] = !(ms_pme__column_norm(run, j) > 0) && ms__finite(range);
+        if (idle[j] || !(range > 0)) prior = 1;
+        else if (!ms__finite(range)) prior = 0;
+        else prior = change > prior * 1e-100 ? ms_pme__max(prior / change, 1e-100) : 1e100;
         for (k = 0; k < w; ++k) run->rows[k * MS_PME__ROWS] = 0;
-        run->rows[j * MS_PME__ROWS] = !(range > 0) ? 1
-            : ms__finite(range)                    ? sqrt(12.0) * sigma / (range * run->unit[j])
-                                                   : 0;
+        run->rows[j * MS_PME__ROWS] = prior;
         ms_pme__qr_append(run->triangle, n, run->rows, 1);
     }
     for (k = 0; k < n; ++k) /* column k of the inverse */
@@ -1530,8 +1535,10 @@ static void ms_pme__deviations(ms_pme__run *run, ms_pme__objective *o, double rm
             y[i] = fabs(pivot) > 0 ? t / pivot : 0;
             variance[i] += y[i] * y[i];
         }
-    for (j = 0; j < n; ++j)
-        o->deviation[j] = run->lower[j] < run->upper[j] ? sigma * sqrt(variance[j]) / run->unit[j] : 0;
+    for (j = 0; j < n; ++j) { /* data never widen the prior */
+        double widest = (run->upper[j] - run->lower[j]) / sqrt(12.0);
+        o->deviation[j] = idle[j] ? widest : ms_pme__clip(sigma * sqrt(variance[j]) / run->unit[j], 0, widest);
+    }
 }
 
 /* The picture of the answer and its RMSE, which a reduced function must agree with. */

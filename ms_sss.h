@@ -1967,13 +1967,13 @@ static void MS__F(taps)(const ms_sss__pass *p, ms_sss__weights by, const ms_sss_
 
 /* ---- pyramid kernels ------------------------------------------------------------------------------------------- */
 
-/* d from depth; 0 for masked pixels. */
+/* d from depth; 0 for masked pixels alone: a depth that underflows counts as FLT_MIN. */
 static void MS__F(depth_to_d)(const ms_sss__pyramid_params *s, const float *depth, int count, float *d)
 {
     const MS__V zero = MS__SET(0.0f);
     int i;
     for (i = 0; i < count; i += MS__N) {
-        const MS__V z = MS__LOAD(depth + i);
+        const MS__V z = MS__MAX(MS__LOAD(depth + i), MS__SET(FLT_MIN));
         const MS__V value = s->perspective ? MS__DIV(MS__SET(-1.0f), z) : s->depth_aware ? z : MS__SET(1.0f);
         MS__STORE(d + i, MS__SELECT(MS__F(unmasked)(z), value, zero));
     }

@@ -1,5 +1,4 @@
-/* What tests/render/hero.c does around the tracer: tastes, the arrangement, the development of passes. (It calls
-   ms__rng: the headers stand in it.) */
+/* What tests/render/hero.c does around the tracer: tastes, the arrangement, the development of passes. */
 #define main hero_main
 #include "render/hero.c"
 #undef main

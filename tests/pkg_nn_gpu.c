@@ -1,7 +1,7 @@
 /* The shader texts of examples/engine/nn_shader.h against ms_nn_forward: GLSL through EGL without a window, on a
    software rasteriser where there is no GPU; Vulkan and HLSL translated to it through SPIR-V; OpenGL ES (as WebGL 2)
-   and WGSL in a headless Chromium where it is installed; every text through glslangValidator where that is. libraries:
-   -lEGL */
+   and WGSL in a headless Chromium where it is installed; every text through glslangValidator where that is.
+   libraries: -lEGL */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #include "nn_shader.h"

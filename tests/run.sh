@@ -333,7 +333,6 @@ attack_jobs() {
         return
     fi
     some=""
-    ! grep -q MS_SSS_METHOD_HALF ms_sss.h || flags="$flags -DATTACK_OLD"
     programs=$(ls tests/attack/attack_*.c)
     each=$(($1 / $(echo $programs | wc -w)))
     for f in $programs; do

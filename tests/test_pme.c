@@ -601,24 +601,24 @@ static void test_misbehavior(void)
         CHECK_NEAR(result.value, 1, 1e-9); /* the tolerance, relative 1e-10, on a value of 1 */
         /* NaN beyond x0 = 0.6: the edge is the best there is; a quadratic is lost there, so 0.05 is asked for */
         f = odd_function(&o, 1, differences, low, high);
-        x[0] = x[1] = 0.1;
+        x[0] = x[1] = 0.125;
         CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_OK);
         CHECK(result.value < 1 + 3 * 0.15 * 0.15 + 0.05 && x[0] <= 0.6);
         /* noise of 1e-3, steps of a tenth */
         f = odd_function(&o, 2, 1, low, high);
-        x[0] = x[1] = 0.1;
+        x[0] = x[1] = 0.125;
         options.difference_step = 0.05;
         CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_OK);
         CHECK_LE(result.value, 1 + 5e-3); /* within a few noise amplitudes */
         /* never finite, and a Jacobian that is not */
         f = odd_function(&o, 4, differences, low, high);
-        x[0] = x[1] = 0.1;
+        x[0] = x[1] = 0.125;
         CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_INVALID_ARGUMENT);
         f = odd_function(&o, 5, 0, low, high);
         options.difference_step = 0;
-        x[0] = x[1] = 0.1;
+        x[0] = x[1] = 0.125;
         CHECK_INT(ms_pme_minimize(&f, &options, x, &result, &error), MS_BAD_DATA);
-        CHECK(x[0] >= 0.1 && x[0] <= 0.1 && strstr(error.message, "derivative by parameter 0") != NULL);
+        CHECK(x[0] >= 0.125 && x[0] <= 0.125 && strstr(error.message, "derivative by parameter 0") != NULL);
     }
 }
 
@@ -2005,6 +2005,116 @@ static void test_any_ranges(void)
     TEST_NOTE("largest error %.1e of the range", worst);
 }
 
+/* Deviations where some ranges are next to nothing or next to everything: the picture does not depend on those
+   parameters, which must not change the deviations of the others. */
+typedef struct lone_ranges {
+    double low[N], range[N], slope[P][N];
+    int dead[N];
+} lone_ranges;
+static ms_status lone_render(void *user, const double *x, float *image)
+{
+    const lone_ranges *s = (const lone_ranges *)user;
+    int i, j;
+    for (i = 0; i < P; ++i) {
+        double sum = 0;
+        for (j = 0; j < N; ++j) sum += s->dead[j] ? 0 : s->slope[i][j] * (x[j] - s->low[j]) / s->range[j];
+        image[i] = (float)sum;
+    }
+    return MS_OK;
+}
+static ms_status lone_jacobian(void *user, const double *x, float *image, float *jacobian)
+{
+    const lone_ranges *s = (const lone_ranges *)user;
+    int i, j;
+    for (i = 0; i < P; ++i)
+        for (j = 0; j < N; ++j) jacobian[i * N + j] = (float)(s->dead[j] ? 0 : s->slope[i][j] / s->range[j]);
+    return lone_render(user, x, image);
+}
+static void test_lone_ranges(void)
+{
+    static const double odd[] = {
+        4.9406564584124654e-324, 1e-323, 1e-310, 2.2250738585072014e-308, 1e-170, 1e170, 1e307};
+    uint64_t state = 91 + test_seed;
+    int round, part, i, j;
+    for (round = 0; round < 40; ++round) {
+        lone_ranges s;
+        ms_pme_renderer r = ms_pme_renderer_defaults();
+        double low[N], high[N], deviation[2][N], x[N];
+        float target[P];
+        for (i = 0; i < P; ++i)
+            for (j = 0; j < N; ++j) s.slope[i][j] = test_uniform(&state) - 0.5;
+        for (j = 0; j < N; ++j) {
+            s.dead[j] = test_uniform(&state) < 0.4;
+            s.low[j] = low[j] = 0;
+            s.range[j] = s.dead[j] ? odd[(int)(7 * test_uniform(&state))] : log_uniform(&state, -20, 20);
+        }
+        for (j = 0; j < N; ++j) x[j] = s.range[j] * 0.6;
+        lone_render(&s, x, target);
+        for (i = 0; i < P; ++i) target[i] += (float)((round % 2) * 1e-3 * test_normal(&state)); /* or an exact match */
+        r.parameter_count = N;
+        r.image_size = P;
+        r.user = &s;
+        r.lower = low;
+        r.upper = high;
+        r.render = lone_render;
+        r.jacobian = round % 4 < 2 ? lone_jacobian : NULL;
+        for (part = 0; part < 2; ++part) { /* the odd ranges, then none */
+            ms_pme_match_options options = ms_pme_match_defaults();
+            for (j = 0; j < N; ++j) high[j] = s.dead[j] && part ? 0 : s.range[j];
+            options.candidates = x;
+            options.candidate_count = 1;
+            options.initial_only = 1;
+            options.deviation = deviation[part];
+            CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, NULL, NULL), MS_OK);
+        }
+        for (j = 0; j < N; ++j) {
+            if (s.dead[j]) CHECK_NEAR(deviation[0][j], s.range[j] / sqrt(12.0), 1e-9 * s.range[j] + 5e-324);
+            else CHECK_NEAR(deviation[0][j], deviation[1][j], 1e-6 * deviation[1][j]); /* the same triangle, turned */
+        }
+    }
+}
+
+/* Far more parameters than residuals: after the first columns of the factorization only rounding of rounding is left. */
+typedef struct wide {
+    int n, m;
+    double slope[8][256], aim[8];
+} wide;
+static ms_status wide_residuals(void *user, const double *x, double *r, double *jacobian)
+{
+    const wide *w = (const wide *)user;
+    int i, j;
+    for (i = 0; i < w->m; ++i) {
+        r[i] = -w->aim[i];
+        for (j = 0; j < w->n; ++j) r[i] += w->slope[i][j] * x[j];
+        for (j = 0; j < w->n && jacobian; ++j) jacobian[i * w->n + j] = w->slope[i][j];
+    }
+    return MS_OK;
+}
+static void test_wide(void)
+{
+    static wide w;
+    uint64_t state = 17 + test_seed;
+    int round, i, j;
+    for (round = 0; round < 30; ++round) {
+        ms_pme_function f;
+        ms_pme_result result;
+        double x[256] = {0}, begin = 0;
+        w.m = 1 + round % 8;
+        w.n = round < 8 ? 256 : w.m + 1 + (int)((255 - w.m) * test_uniform(&state));
+        for (i = 0; i < w.m; ++i)
+            for (j = 0; j < w.n; ++j) w.slope[i][j] = 2 * test_uniform(&state) - 1;
+        for (i = 0; i < w.m; ++i) w.aim[i] = 1 + test_uniform(&state);
+        for (i = 0; i < w.m; ++i) begin += w.aim[i] * w.aim[i];
+        memset(&f, 0, sizeof f);
+        f.user = &w;
+        f.parameter_count = w.n;
+        f.residual_count = (size_t)w.m;
+        f.residuals = wide_residuals;
+        CHECK_INT(ms_pme_minimize(&f, NULL, x, &result, NULL), MS_OK);
+        CHECK_LE(result.value, 1e-9 * begin); /* a linear system with solutions; the tolerance is 1e-10 */
+    }
+}
+
 /* What every call of a callback does when it fails: its status, and no output is touched. */
 typedef struct fragile {
     renderer_state s;
@@ -2357,6 +2467,8 @@ static const test_case cases[] = {{"published minima", test_published},
                                   {"the reason of a stop", test_stop},
                                   {"any units", test_any_units},
                                   {"any ranges", test_any_ranges},
+                                  {"ranges of denormals", test_lone_ranges},
+                                  {"more parameters than residuals", test_wide},
                                   {"every failure", test_every_failure},
                                   {"the first guess", test_first_guess},
                                   {"default budget", test_default_budget},

@@ -51,10 +51,10 @@ enum { ATTACK_DRAWS = 8192, ATTACK_FAMILIES = 32, ATTACK_KINDS = 24 };
 /* Of the running case; the parent process reads it after a crash. */
 typedef struct attack_board {
     int family;
-    uint64_t number;                  /* of the case in its family */
-    uint64_t count[ATTACK_FAMILIES];  /* cases that ran */
-    double seconds[ATTACK_FAMILIES];  /* processor time of them */
-    double slowest[ATTACK_FAMILIES];  /* of one case */
+    uint64_t number;                 /* of the case in its family */
+    uint64_t count[ATTACK_FAMILIES]; /* cases that ran */
+    double seconds[ATTACK_FAMILIES]; /* processor time of them */
+    double slowest[ATTACK_FAMILIES]; /* of one case */
     uint64_t slowest_at[ATTACK_FAMILIES];
     double before; /* processor seconds of earlier children */
     double first;  /* when the case failed: seconds of the whole run */
@@ -149,7 +149,7 @@ static ATTACK_UNUSED int64_t attack_int(int64_t low, int64_t high)
 /* A float that code forgets: 0, -0, subnormal, the largest, infinite, NaN. */
 static ATTACK_UNUSED float attack_odd_float(void)
 {
-    static const uint32_t bits[] = {0,          0x80000000u, 1,           0x7fffffu,  0x800000u,  0x7f7fffffu,
+    static const uint32_t bits[] = {0,           0x80000000u, 1,           0x7fffffu,   0x800000u,   0x7f7fffffu,
                                     0xff7fffffu, 0x7f800000u, 0xff800000u, 0x7fc00000u, 0xbf800000u, 0x3f800001u};
     float f;
     memcpy(&f, &bits[attack_index((int)(sizeof bits / sizeof *bits))], sizeof f);
@@ -358,7 +358,6 @@ static int attack_known(const attack_family *families)
     return 0;
 }
 
-
 /* Cases of the families that had the least time, until the time is over or a case failed in a new way: 1. */
 static int attack_some(const attack_family *families, int count, const char *filter, uint64_t seed, double seconds)
 {
@@ -391,7 +390,8 @@ static void attack_tell(const attack_family *family, uint64_t seed, const char *
 {
     int i;
     printf("%s %s: %s\n", title, family->name, attack->message);
-    if (attack->story[0]) printf("     %s%s", attack->story, attack->story[strlen(attack->story) - 1] == '\n' ? "" : "\n");
+    if (attack->story[0])
+        printf("     %s%s", attack->story, attack->story[strlen(attack->story) - 1] == '\n' ? "" : "\n");
     printf("     again: %s --seed %llu --case %llu %s\n", program, (unsigned long long)seed,
            (unsigned long long)attack->number, family->name);
     if (attack->draws > 0 && attack->draws <= 200) {
@@ -632,8 +632,8 @@ static int attack_main(int argc, char **argv, const attack_family *families, int
     for (i = 0; i < count; ++i) {
         if (attack->count[i] == 0) continue;
         printf("%s %s: %llu cases, %ld failed, %.1f s, slowest %.2f s (case %llu)\n", attack->bad[i] ? "FAIL" : "ok  ",
-               families[i].name, (unsigned long long)attack->count[i], attack->bad[i], attack->seconds[i], attack->slowest[i],
-               (unsigned long long)attack->slowest_at[i]);
+               families[i].name, (unsigned long long)attack->count[i], attack->bad[i], attack->seconds[i],
+               attack->slowest[i], (unsigned long long)attack->slowest_at[i]);
         if (attack->bad[i]) ++failed;
         else ++passed;
     }

@@ -21,7 +21,8 @@ static void draw_taste(taste *t)
     uint64_t state;
     int i, k, at = 0;
     const int kind = attack_index(5), far = attack_one_in(3), twice = attack_one_in(6);
-    const double scale = attack_one_in(3) ? attack_log(1e-6, 1e6) : 10, shift = attack_one_in(4) ? scale * attack_linear(-20, 20) : 0;
+    const double scale = attack_one_in(3) ? attack_log(1e-6, 1e6) : 10,
+                 shift = attack_one_in(4) ? scale * attack_linear(-20, 20) : 0;
     memset(t, 0, sizeof *t);
     t->n = (int)attack_int(0, attack_one_in(4) ? ROWS : 24);
     t->m = (int)attack_int(1, COLUMNS);
@@ -86,7 +87,8 @@ static ms_gpr *fit(const taste *t, const double *x, ms_gpr_fit_report *report)
     if (status != MS_OK) {
         attack_check_error(status, &error);
         ATTACK_CHECK(gp == NULL, "output touched on failure: model");
-        if (status == MS_INVALID_ARGUMENT || status == MS_BAD_DATA) attack_fail("a valid taste is refused: %s", error.message);
+        if (status == MS_INVALID_ARGUMENT || status == MS_BAD_DATA)
+            attack_fail("a valid taste is refused: %s", error.message);
     }
     return gp;
 }
@@ -118,7 +120,8 @@ static void family_models(void)
     if (gp == NULL) return;
     ATTACK_CHECK(report.likelihood - report.likelihood == 0 && report.objective - report.objective == 0,
                  "not finite: likelihood %g, objective %g", report.likelihood, report.objective);
-    ATTACK_CHECK(report.outlier.row >= -1 && report.outlier.row < t.n, "an outlier that is no row: %d", report.outlier.row);
+    ATTACK_CHECK(report.outlier.row >= -1 && report.outlier.row < t.n, "an outlier that is no row: %d",
+                 report.outlier.row);
     ATTACK_CHECK(report.explained <= 1 + 1e-9, "explains more than all: %g", report.explained);
     draw_points(&t, p, COUNT);
     status = ms_gpr_predict(gp, p, COUNT, mean, variance, &error);
@@ -135,8 +138,8 @@ static void family_models(void)
     ATTACK_CHECK(ms_gpr_preference(gp, p, p + t.m, COUNT - 1, probability, &error) == MS_OK, "preference fails");
     ms_gpr_preference(gp, p + t.m, p, COUNT - 1, again, &error);
     for (i = 0; i < COUNT - 1; ++i)
-        ATTACK_CHECK(fabs(probability[i] + again[i] - 1) < 1e-9, "of two, neither or both: %.12g and %.12g", probability[i],
-                     again[i]);
+        ATTACK_CHECK(fabs(probability[i] + again[i] - 1) < 1e-9, "of two, neither or both: %.12g and %.12g",
+                     probability[i], again[i]);
     /* what the view shows makes the same model */
     memset(&o, 0, sizeof o);
     o.simd = view.level;
@@ -147,7 +150,8 @@ static void family_models(void)
     else {
         ms_gpr_predict(copy, p, COUNT, again, NULL, &error);
         for (i = 0; i < COUNT; ++i)
-            ATTACK_CHECK(fabs(again[i] - mean[i]) <= 1e-7 * most, "a view's model differs: %.12g for %.12g", again[i], mean[i]);
+            ATTACK_CHECK(fabs(again[i] - mean[i]) <= 1e-7 * most, "a view's model differs: %.12g for %.12g", again[i],
+                         mean[i]);
         /* one row less and again all */
         parts = ms_gpr_view_of(copy);
         if (parts.n > 1 && parts.choices.count == 0) {
@@ -155,7 +159,8 @@ static void family_models(void)
             if (ms_gpr_update(copy, &parts, &error) == MS_OK && ms_gpr_update(copy, &view, &error) == MS_OK) {
                 ms_gpr_predict(copy, p, COUNT, again, NULL, &error);
                 for (i = 0; i < COUNT; ++i)
-                    ATTACK_CHECK(fabs(again[i] - mean[i]) <= 1e-7 * most, "after an update: %.12g for %.12g", again[i], mean[i]);
+                    ATTACK_CHECK(fabs(again[i] - mean[i]) <= 1e-7 * most, "after an update: %.12g for %.12g", again[i],
+                                 mean[i]);
             }
         }
         /* a value that is refused leaves the model as it is */
@@ -170,8 +175,8 @@ static void family_models(void)
             else attack_check_error(status, &error);
             ms_gpr_predict(copy, p, COUNT, again, NULL, &error);
             for (i = 0; i < COUNT; ++i)
-                ATTACK_CHECK(fabs(again[i] - mean[i]) <= 1e-7 * most, "a refused update changes the model: %.12g for %.12g",
-                             again[i], mean[i]);
+                ATTACK_CHECK(fabs(again[i] - mean[i]) <= 1e-7 * most,
+                             "a refused update changes the model: %.12g for %.12g", again[i], mean[i]);
         }
         ms_gpr_destroy(copy);
         copy = NULL;
@@ -188,8 +193,8 @@ static void family_models(void)
                     int near = 1; /* offsets a million times the unit leave 1e-10 of it */
                     for (k = 0; k < t.m; ++k) near &= fabs(t.offset[k]) < 1e3 * t.unit[k];
                     if (near)
-                        ATTACK_CHECK(fabs(again[i] - mean[i]) <= 1e-4 * most, "moved materials: %.12g for %.12g", again[i],
-                                     mean[i]);
+                        ATTACK_CHECK(fabs(again[i] - mean[i]) <= 1e-4 * most, "moved materials: %.12g for %.12g",
+                                     again[i], mean[i]);
                 }
                 ms_gpr_destroy(copy);
             }
@@ -233,7 +238,8 @@ static void check_materials(const taste *t, const ms_gpr_space *s, const double 
         if (s->snap) {
             memcpy(copy, x + i * t->m, sizeof(double) * (size_t)t->m);
             s->snap(s->user, copy);
-            if (memcmp(copy, x + i * t->m, sizeof(double) * (size_t)t->m) != 0) attack_fail("not allowed by snap: row %d", i);
+            if (memcmp(copy, x + i * t->m, sizeof(double) * (size_t)t->m) != 0)
+                attack_fail("not allowed by snap: row %d", i);
         }
         for (j = 0; j < i && !attack->failed; ++j)
             if (memcmp(x + i * t->m, x + j * t->m, sizeof(double) * (size_t)t->m) == 0 && !discrete)
@@ -278,8 +284,8 @@ static void family_materials(void)
     ms_gpr_recommend_report r;
     ms_gpr_fit_report report;
     steps grid;
-    double x[COUNT * COLUMNS], again[COUNT * COLUMNS], mean[COUNT], sigma[COUNT], check[COUNT], low[COLUMNS], high[COLUMNS],
-        avoid[2 * COLUMNS];
+    double x[COUNT * COLUMNS], again[COUNT * COLUMNS], mean[COUNT], sigma[COUNT], check[COUNT], low[COLUMNS],
+        high[COLUMNS], avoid[2 * COLUMNS];
     ms_error error = attack_no_error();
     ms_status status;
     ms_gpr *gp;
@@ -300,7 +306,8 @@ static void family_materials(void)
     }
     o.seed = attack_draw();
     attack_say("%d materials, box %d, snap %d, equal %d, tau %.3g, diversity %.3g, avoid %d within %.3g", count,
-               o.space.low != NULL, o.space.snap != NULL, grid.equal, o.tau, o.diversity, o.avoid_count, o.avoid_distance);
+               o.space.low != NULL, o.space.snap != NULL, grid.equal, o.tau, o.diversity, o.avoid_count,
+               o.avoid_distance);
     memset(&r, 0, sizeof r);
     for (i = 0; i < COUNT * COLUMNS; ++i) x[i] = 7e77;
     status = ms_gpr_recommend(gp, &o, count, x, mean, sigma, &r, &error);
@@ -309,11 +316,14 @@ static void family_materials(void)
         attack_fail("a valid wish is refused: %s", error.message);
     } else {
         if (status == MS_NOT_CONVERGED) attack_check_error(status, &error);
-        ATTACK_CHECK(r.found >= 0 && r.found <= count && (status != MS_OK || r.found == count), "found: %d of %d", r.found, count);
+        ATTACK_CHECK(r.found >= 0 && r.found <= count && (status != MS_OK || r.found == count), "found: %d of %d",
+                     r.found, count);
         check_materials(&t, &o.space, x, r.found, 0);
         if (r.found > 0 && ms_gpr_predict(gp, x, r.found, check, NULL, &error) == MS_OK)
             for (i = 0; i < r.found; ++i)
-                ATTACK_CHECK(fabs(check[i] - mean[i]) <= 1e-5 * (1e-300 + fabs(check[i]) + exp(ms_gpr_view_of(gp).theta[t.m])) && sigma[i] >= 0,
+                ATTACK_CHECK(fabs(check[i] - mean[i]) <=
+                                     1e-5 * (1e-300 + fabs(check[i]) + exp(ms_gpr_view_of(gp).theta[t.m])) &&
+                                 sigma[i] >= 0,
                              "another prediction: %.9g for %.9g, sigma %g", mean[i], check[i], sigma[i]);
         if (o.avoid && o.space.low)
             for (i = 0; i < r.found * o.avoid_count; ++i) {
@@ -321,7 +331,8 @@ static void family_materials(void)
                 int dimensions = 0;
                 for (k = 0; k < t.m; ++k)
                     if (high[k] > low[k]) {
-                        const double d = (x[i / o.avoid_count * t.m + k] - avoid[i % o.avoid_count * t.m + k]) / (high[k] - low[k]);
+                        const double d = (x[i / o.avoid_count * t.m + k] - avoid[i % o.avoid_count * t.m + k]) /
+                            (high[k] - low[k]);
                         sum += d * d;
                         ++dimensions;
                     }
@@ -383,6 +394,7 @@ static void family_planes(void)
 
 int main(int argc, char **argv)
 {
-    static const attack_family families[] = {{"models", family_models}, {"materials", family_materials}, {"planes", family_planes}};
+    static const attack_family families[] = {
+        {"models", family_models}, {"materials", family_materials}, {"planes", family_planes}};
     return attack_main(argc, argv, families, (int)(sizeof families / sizeof *families));
 }

@@ -103,6 +103,7 @@ static ms_status photons_of(const ms_mcml_tissue *t, const ms_mcml_grid *g, cons
     int i;
     for (i = 0; i < parts && status == MS_OK; ++i) {
         const uint64_t end = o->photons * (uint64_t)(i + 1) / (uint64_t)parts;
+        last_fraction = 0;
         if (end > at) status = ms_mcml_run(tally, at, end - at, error);
         at = end;
     }
@@ -461,7 +462,8 @@ static void family_profiles(void)
         if (ms_mcml_profile_make(&q, scaled, channels, &plain, &error) == MS_OK) {
             for (i = 0; i < channels * 9; ++i)
                 if (!(fabs(q.within[i] - p.within[i]) <= 1e-6 * p.total[i / 9] + 1e-12))
-                    attack_fail("another unit of length: %.9g for %.9g within edge %d", q.within[i], p.within[i], i % 9);
+                    attack_fail("another unit of length: %.9g for %.9g within edge %d", q.within[i], p.within[i],
+                                i % 9);
             ms_mcml_profile_destroy(&q);
         }
     }
@@ -477,7 +479,9 @@ static void family_colors(void)
     ms_status status;
     const double edges[2] = {0, 1};
     const int kind = attack_index(3);
-    double color = attack_one_in(3) ? attack_linear(0, 1) : attack_one_in(2) ? attack_log(1e-300, 1) : 1 - attack_log(1e-16, 1);
+    double color = attack_one_in(3) ? attack_linear(0, 1)
+        : attack_one_in(2)          ? attack_log(1e-300, 1)
+                                    : 1 - attack_log(1e-16, 1);
     const double length = attack_log(1e-9, 1e9), eta = attack_one_in(2) ? attack_linear(1, 1.6) : attack_log(0.1, 10);
     const double mirror = (eta - 1) / (eta + 1) * ((eta - 1) / (eta + 1));
     attack_say("color %.17g, length %.9g mm (%d), eta %.17g", color, length, kind, eta);
@@ -493,8 +497,8 @@ static void family_colors(void)
         return;
     }
     if (kind == MS_MCML_MEAN_FREE_PATH)
-        ATTACK_CHECK(fabs((m.mu_a_per_mm + m.mu_s_per_mm) * length - 1) < 1e-9, "another mean free path: %.12g for %.12g",
-                     1 / (m.mu_a_per_mm + m.mu_s_per_mm), length);
+        ATTACK_CHECK(fabs((m.mu_a_per_mm + m.mu_s_per_mm) * length - 1) < 1e-9,
+                     "another mean free path: %.12g for %.12g", 1 / (m.mu_a_per_mm + m.mu_s_per_mm), length);
     memset(&o, 0, sizeof o);
     o.edge_mm = edges;
     o.rings = 1;

@@ -25,9 +25,9 @@ typedef enum kind {
     DROPOUT,
     ADD
 } kind;
-static const char *const kind_name[] = {"dense",     "conv1d",    "conv2d",    "upsample1d", "upsample2d",
-                                        "maxpool1d", "maxpool2d", "avgpool1d", "avgpool2d",  "globalpool",
-                                        "flatten",   "activation", "dropout",  "add"};
+static const char *const kind_name[] = {"dense",     "conv1d",     "conv2d",    "upsample1d", "upsample2d",
+                                        "maxpool1d", "maxpool2d",  "avgpool1d", "avgpool2d",  "globalpool",
+                                        "flatten",   "activation", "dropout",   "add"};
 static const char *const act_name[] = {"linear",  "relu",     "leaky_relu", "elu", "tanh",
                                        "sigmoid", "softplus", "silu",       "gelu"};
 
@@ -330,8 +330,10 @@ static void draw_activation(net *n, layer *l)
 static int draw_layer(net *n, int i, shape in, int positive)
 {
     static const kind flat[] = {DENSE, DENSE, ACTIVATION, DROPOUT, ADD, DENSE};
-    static const kind line[] = {CONV1D, FLATTEN, UPSAMPLE1D, MAXPOOL1D, AVGPOOL1D, ACTIVATION, DROPOUT, ADD, GLOBALPOOL, CONV1D};
-    static const kind plane[] = {CONV2D, FLATTEN, UPSAMPLE2D, MAXPOOL2D, AVGPOOL2D, ACTIVATION, DROPOUT, ADD, GLOBALPOOL, CONV2D};
+    static const kind line[] = {CONV1D,     FLATTEN, UPSAMPLE1D, MAXPOOL1D,  AVGPOOL1D,
+                                ACTIVATION, DROPOUT, ADD,        GLOBALPOOL, CONV1D};
+    static const kind plane[] = {CONV2D,     FLATTEN, UPSAMPLE2D, MAXPOOL2D,  AVGPOOL2D,
+                                 ACTIVATION, DROPOUT, ADD,        GLOBALPOOL, CONV2D};
     layer *l = &n->layer[i];
     shape out = in;
     char text[6000];
@@ -465,8 +467,7 @@ static int draw_layer(net *n, int i, shape in, int positive)
     }
     text_add(n, "}");
     l->out = out;
-    if (l->kind <= CONV2D)
-        draw_weights(n, l, l->kind == DENSE ? 2 : l->kind == CONV1D ? 3 : 4, positive);
+    if (l->kind <= CONV2D) draw_weights(n, l, l->kind == DENSE ? 2 : l->kind == CONV1D ? 3 : 4, positive);
     return 1;
 }
 
@@ -656,9 +657,9 @@ static void family_infinities(void)
                 far |= !(v < 1e30) && !(v > 1e300);
             }
         if (far || want != want) continue;
-        if (layers_finite) ATTACK_CHECK(finite_float(y[i]), "not finite: output %zu is %g for %g", i, (double)y[i], want);
-        else
-            ATTACK_CHECK((double)y[i] == want, "infinity lost: output %zu is %g for %g", i, (double)y[i], want);
+        if (layers_finite)
+            ATTACK_CHECK(finite_float(y[i]), "not finite: output %zu is %g for %g", i, (double)y[i], want);
+        else ATTACK_CHECK((double)y[i] == want, "infinity lost: output %zu is %g for %g", i, (double)y[i], want);
     }
     free(x);
     ms_nn_destroy(nn);
@@ -762,21 +763,103 @@ static void use(const unsigned char *bytes, size_t size, int must_fail)
     ms_nn_destroy(nn);
 }
 
-static const char *const words[] = {
-    "dense", "conv1d", "conv2d", "conv1d_transpose", "conv2d_transpose", "upsample1d", "upsample2d", "maxpool1d",
-    "maxpool2d", "avgpool1d", "avgpool2d", "globalpool", "flatten", "activation", "dropout", "add", "concat",
-    "shared_channels", "name", "units", "bias", "filters", "kernel", "stride", "padding", "zeros", "dilation", "groups",
-    "extra", "factor", "mode", "align_corners", "size", "order", "rate", "from", "inputs", "alpha", "same", "valid",
-    "linear", "nearest", "relu", "leaky_relu", "elu", "tanh", "sigmoid", "softplus", "silu", "gelu", "input", "true",
-    "false", "null", "channels_first", "channels_last", "before", "after", "a0", "b1", "c2", "F32", "F16", "I8", "F64",
-    "BF16", "F8_E5M2", "F4", "BOOL", "shape", "data_offsets", "dtype", "__metadata__", "a0.weight", "b1.bias"};
+static const char *const words[] = {"dense",
+                                    "conv1d",
+                                    "conv2d",
+                                    "conv1d_transpose",
+                                    "conv2d_transpose",
+                                    "upsample1d",
+                                    "upsample2d",
+                                    "maxpool1d",
+                                    "maxpool2d",
+                                    "avgpool1d",
+                                    "avgpool2d",
+                                    "globalpool",
+                                    "flatten",
+                                    "activation",
+                                    "dropout",
+                                    "add",
+                                    "concat",
+                                    "shared_channels",
+                                    "name",
+                                    "units",
+                                    "bias",
+                                    "filters",
+                                    "kernel",
+                                    "stride",
+                                    "padding",
+                                    "zeros",
+                                    "dilation",
+                                    "groups",
+                                    "extra",
+                                    "factor",
+                                    "mode",
+                                    "align_corners",
+                                    "size",
+                                    "order",
+                                    "rate",
+                                    "from",
+                                    "inputs",
+                                    "alpha",
+                                    "same",
+                                    "valid",
+                                    "linear",
+                                    "nearest",
+                                    "relu",
+                                    "leaky_relu",
+                                    "elu",
+                                    "tanh",
+                                    "sigmoid",
+                                    "softplus",
+                                    "silu",
+                                    "gelu",
+                                    "input",
+                                    "true",
+                                    "false",
+                                    "null",
+                                    "channels_first",
+                                    "channels_last",
+                                    "before",
+                                    "after",
+                                    "a0",
+                                    "b1",
+                                    "c2",
+                                    "F32",
+                                    "F16",
+                                    "I8",
+                                    "F64",
+                                    "BF16",
+                                    "F8_E5M2",
+                                    "F4",
+                                    "BOOL",
+                                    "shape",
+                                    "data_offsets",
+                                    "dtype",
+                                    "__metadata__",
+                                    "a0.weight",
+                                    "b1.bias"};
 
 /* A number as a file may hold it: small, large, around the powers of two, far too large. */
 static void number_text(char text[40])
 {
     if (attack_one_in(10)) {
-        static const char *const odd[] = {"-1", "0", "1e3", "0.5", "18446744073709551615", "18446744073709551616",
-                                          "4294967296", "01", "1e400", "1e20", "1e-20", "999.9999999", "", "[1,2]", "[]", "\"1\"", "-0"};
+        static const char *const odd[] = {"-1",
+                                          "0",
+                                          "1e3",
+                                          "0.5",
+                                          "18446744073709551615",
+                                          "18446744073709551616",
+                                          "4294967296",
+                                          "01",
+                                          "1e400",
+                                          "1e20",
+                                          "1e-20",
+                                          "999.9999999",
+                                          "",
+                                          "[1,2]",
+                                          "[]",
+                                          "\"1\"",
+                                          "-0"};
         strcpy(text, odd[attack_index((int)(sizeof odd / sizeof *odd))]);
     } else snprintf(text, 40, "%lld", (long long)attack_int(0, attack_one_in(2) ? 8 : (int64_t)1 << 34));
 }
@@ -814,7 +897,8 @@ static void damage(char *text, size_t capacity)
         {
             char number[40];
             number_text(number);
-            snprintf(piece, sizeof piece, ",\"%s\":%s", words[attack_index((int)(sizeof words / sizeof *words))], number);
+            snprintf(piece, sizeof piece, ",\"%s\":%s", words[attack_index((int)(sizeof words / sizeof *words))],
+                     number);
         }
         break;
     case 5: /* without some of it */
@@ -869,7 +953,8 @@ static void family_files(void)
         size_t size = attack_one_in(2) ? (size_t)attack_index((int)n.size + 1) : n.size;
         unsigned char *file = (unsigned char *)malloc(size + 1);
         memcpy(file, n.file, size);
-        for (i = 0; i < times && size; ++i) file[attack_index((int)(size < 4096 ? size : 4096))] = (unsigned char)attack_draw();
+        for (i = 0; i < times && size; ++i)
+            file[attack_index((int)(size < 4096 ? size : 4096))] = (unsigned char)attack_draw();
         use(file, size, 0);
         free(file);
     } else {
@@ -925,7 +1010,9 @@ static void family_sizes(void)
         int k, layers = 1 + attack_index(4);
         for (k = 0; k < layers; ++k) {
             text_add(&n, "%s{\"type\":\"%s\",\"%s\":%lld", k ? "," : "",
-                     what == 2 ? (two ? "upsample2d" : "upsample1d") : two ? "maxpool2d" : "avgpool1d",
+                     what == 2 ? (two ? "upsample2d" : "upsample1d")
+                         : two ? "maxpool2d"
+                               : "avgpool1d",
                      what == 2 ? "factor" : "size", (long long)attack_int(1, (int64_t)1 << (1 + attack_index(33))));
             text_add(&n, "}");
         }
@@ -952,8 +1039,8 @@ static void family_faults(void)
     switch (fault) {
     case 0: /* two numbers where the list has one */
         for (i = 0; i < 6; ++i) {
-            static const char *const keys[] = {"\"units\":", "\"filters\":", "\"stride\":", "\"kernel\":", "\"size\":",
-                                               "\"factor\":"};
+            static const char *const keys[] = {
+                "\"units\":", "\"filters\":", "\"stride\":", "\"kernel\":", "\"size\":", "\"factor\":"};
             char *type;
             at = strstr(text, keys[i]);
             if (at == NULL) continue;
@@ -990,8 +1077,7 @@ static void family_faults(void)
         snprintf(copy, sizeof copy, "%.*s%s{\"type\":\"flatten\"},{\"type\":\"dense\",\"name\":\"nobody\"}]",
                  (int)strlen(text) - 1, text, n.layers ? "," : "");
         break;
-    default: /* the same text twice behind it */
-        snprintf(copy, sizeof copy, "%.3900s %.3900s", text, text);
+    default: /* the same text twice behind it */ snprintf(copy, sizeof copy, "%.3900s %.3900s", text, text);
     }
     if (copy[0] && net_write(&n, input, copy) == MS_OK) {
         attack_say("; with a fault (%d): %s", fault, copy);
@@ -1032,10 +1118,10 @@ static void family_names(void)
             return;
         }
         snprintf(layers, sizeof layers, "[{\"type\":\"%s\",\"name\":\"%s\"%s}]", kind ? "conv1d" : "dense", name,
-                 fault == 1   ? ",\"activation\":\"square\""
-                 : fault == 2 ? (kind ? ",\"filters\":7" : ",\"units\":7")
-                 : fault == 3 ? "},{\"type\":\"add\",\"from\":\"nobody\""
-                              : "");
+                 fault == 1       ? ",\"activation\":\"square\""
+                     : fault == 2 ? (kind ? ",\"filters\":7" : ",\"units\":7")
+                     : fault == 3 ? "},{\"type\":\"add\",\"from\":\"nobody\""
+                                  : "");
         input_text(&n, input);
         if (net_write(&n, input, layers) != MS_OK || ms_nn_load(n.file, n.size, &options, &nn, &error) == MS_OK) {
             attack_fail("an invalid network loads: %s", layers);
@@ -1049,8 +1135,8 @@ static void family_names(void)
     for (i = 0; i < 240 && sentence[0][i];) ++i;
     if (i > 12 && strchr(sentence[0] + i - 12, 'q') == NULL && strstr(sentence[1], sentence[0] + i - 12) == NULL &&
         strncmp(sentence[0], sentence[1], 40) != 0)
-        attack_fail("the reason is lost: with a name of %d characters '%.239s', with one '%.239s'", length,
-                    sentence[1], sentence[0]);
+        attack_fail("the reason is lost: with a name of %d characters '%.239s', with one '%.239s'", length, sentence[1],
+                    sentence[0]);
 }
 
 int main(int argc, char **argv)

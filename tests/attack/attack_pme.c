@@ -50,7 +50,8 @@ static ms_status residuals(void *user, const double *x, double *r, double *jacob
     for (j = 0; j < q.n; ++j) {
         if (!(fabs(x[j]) <= 1.7e308)) attack_fail("a callback gets a value that is not finite: parameter %d", j);
         if (((q.bounds & 1) && x[j] < q.lower[j]) || ((q.bounds & 2) && x[j] > q.upper[j]))
-            attack_fail("a callback gets a value out of the box: %.17g in %.17g to %.17g", x[j], q.lower[j], q.upper[j]);
+            attack_fail("a callback gets a value out of the box: %.17g in %.17g to %.17g", x[j], q.lower[j],
+                        q.upper[j]);
     }
     if (q.calls == q.fail_at) return q.failure;
     residuals_of(x, r, jacobian);
@@ -104,7 +105,8 @@ static void family_minimize(void)
     q.wall = attack_linear(-1, 2);
     state = attack_draw();
     for (i = 0; i < q.m * q.n; ++i) q.a[i] = (double)(attack_mix(&state) >> 11) / 4503599627370496.0 - 1;
-    for (i = 0; i < q.m; ++i) q.b[i] = attack_one_in(20) ? 0 : 2 * ((double)(attack_mix(&state) >> 11) / 4503599627370496.0 - 1);
+    for (i = 0; i < q.m; ++i)
+        q.b[i] = attack_one_in(20) ? 0 : 2 * ((double)(attack_mix(&state) >> 11) / 4503599627370496.0 - 1);
     memset(&f, 0, sizeof f);
     f.parameter_count = q.n;
     f.residual_count = (size_t)q.m;
@@ -153,7 +155,8 @@ static void family_minimize(void)
                  "another value than f at x: %.17g for %.17g", result.value, end);
     if (begin - begin == 0) ATTACK_CHECK(end <= begin, "worse than the start: %.17g for %.17g", end, begin);
     if (o.max_cost > 0)
-        ATTACK_CHECK(result.cost <= o.max_cost * (1 + 1e-9), "more than max_cost: %.9g of %.9g", result.cost, o.max_cost);
+        ATTACK_CHECK(result.cost <= o.max_cost * (1 + 1e-9), "more than max_cost: %.9g of %.9g", result.cost,
+                     o.max_cost);
     ATTACK_CHECK((size_t)q.calls == result.evaluations + result.jacobians, "calls not counted: %d, %d and %d", q.calls,
                  (int)result.evaluations, (int)result.jacobians);
     if (q.kind == 0 && result.stop == MS_PME_STOP_CONVERGED && o.tolerance == 0 && q.bounds == 0) {
@@ -167,8 +170,8 @@ static void family_minimize(void)
             }
             if (h > 0) best = fmax(best, g * g / h);
         }
-        ATTACK_CHECK(best <= 1e-6 * begin + 1e-12, "not a minimum: one axis gains %.3g of %.9g, %.9g at the start", best,
-                     end, begin);
+        ATTACK_CHECK(best <= 1e-6 * begin + 1e-12, "not a minimum: one axis gains %.3g of %.9g, %.9g at the start",
+                     best, end, begin);
     }
 }
 
@@ -199,7 +202,8 @@ static ms_status render_both(const double *x, float *image, float *jacobian)
     q.seconds += 0.001;
     for (j = 0; j < q.n; ++j)
         if (!(x[j] >= q.lower[j] && x[j] <= q.upper[j]))
-            attack_fail("a callback gets a value out of the box: %.17g in %.17g to %.17g", x[j], q.lower[j], q.upper[j]);
+            attack_fail("a callback gets a value out of the box: %.17g in %.17g to %.17g", x[j], q.lower[j],
+                        q.upper[j]);
     if (q.calls == q.fail_at) return q.failure;
     picture_of(x, image, jacobian);
     return MS_OK;
@@ -304,11 +308,12 @@ static void family_match(void)
     if (attack_one_in(2)) o.deviation = deviation;
     if (attack_one_in(6)) q.fail_at = (int)attack_int(1, 60);
     q.failure = attack_one_in(2) ? MS_CANCELLED : MS_IO;
-    attack_say("n %d, %d pixels, jacobian %d, predictions %d, candidates %d, random %d, initial only %d, max_cost %.5g, "
-               "seconds %.3g, weights %d, pulls %d, deviations %d, NaN %d, fails at %d, box 0 of %.6g",
-               q.n, q.m, r.jacobian != NULL, predictions, o.candidate_count, o.random_count, o.initial_only,
-               o.refine.max_cost, o.refine.max_seconds, with_weight, o.pull != NULL, o.deviation != NULL, q.kind, q.fail_at,
-               q.upper[0] - q.lower[0]);
+    attack_say(
+        "n %d, %d pixels, jacobian %d, predictions %d, candidates %d, random %d, initial only %d, max_cost %.5g, "
+        "seconds %.3g, weights %d, pulls %d, deviations %d, NaN %d, fails at %d, box 0 of %.6g",
+        q.n, q.m, r.jacobian != NULL, predictions, o.candidate_count, o.random_count, o.initial_only, o.refine.max_cost,
+        o.refine.max_seconds, with_weight, o.pull != NULL, o.deviation != NULL, q.kind, q.fail_at,
+        q.upper[0] - q.lower[0]);
     for (j = 0; j < 16; ++j) x[j] = deviation[j] = 7e77;
     for (i = 0; i < PIXELS; ++i) image[i] = 7e7f;
     memset(&result, 0x55, sizeof result);
@@ -336,8 +341,8 @@ static void family_match(void)
     v = rmse_of(check, target, with_weight ? weight : NULL);
     ATTACK_CHECK(fabs(v - result.rmse) <= 1e-5 * v + 1e-7, "another rmse: %.9g for %.9g", result.rmse, v);
     if (!o.pull)
-        ATTACK_CHECK(result.rmse <= result.rmse_initial * (1 + 1e-5) + 1e-7, "worse than the best candidate: %.9g for %.9g",
-                     result.rmse, result.rmse_initial);
+        ATTACK_CHECK(result.rmse <= result.rmse_initial * (1 + 1e-5) + 1e-7,
+                     "worse than the best candidate: %.9g for %.9g", result.rmse, result.rmse_initial);
     if (o.initial_only)
         ATTACK_CHECK(fabs(result.rmse - result.rmse_initial) <= 1e-5 * v + 1e-7,
                      "another rmse of the candidate: %.9g for %.9g", result.rmse_initial, result.rmse);

@@ -1,5 +1,5 @@
 /* Attacks on ms_sss.h: pictures of any size, aspect, camera and depth through both filters, kernels and profiles over
-   their whole ranges, kernels with damaged fields. ATTACK_OLD: the release before the filter lost its methods. */
+   their whole ranges, kernels with damaged fields. */
 #define MS_SSS_IMPLEMENTATION
 #define MS_SSS_WITH_SCALAR
 #include "ms_sss.h"
@@ -144,19 +144,15 @@ static void family_kernels(void)
     memset(&f, 0, sizeof f);
     for (i = 0; i < 8 * 8 * 3; ++i) light[i] = 1;
     f.width = f.height = 8;
-#ifdef ATTACK_OLD
     f.input = ms_sss_interleaved(light, 3);
     f.output = ms_sss_interleaved(out, 3);
-#else
-    f.input = ms_sss_interleaved(light, 3);
-    f.output = ms_sss_interleaved(out, 3);
-#endif
     fo.pixels_per_mm[0] = (float)(2 / base);
     status = ms_sss_filter(&f, &k, 1, &fo, NULL, 0, &error);
     if (status != MS_OK) attack_fail("a kernel that was made is refused: %s", error.message);
     else
         for (i = 0; i < 8 * 8 * 3; ++i)
-            if (!finite_float(out[i]) || (o.model != MS_SSS_SVD && kernel_positive(&k) && fabs((double)out[i] - 1) > 1e-5))
+            if (!finite_float(out[i]) ||
+                (o.model != MS_SSS_SVD && kernel_positive(&k) && fabs((double)out[i] - 1) > 1e-5))
                 attack_fail("a constant of 1: %.7g", (double)out[i]);
 }
 
@@ -255,7 +251,8 @@ static int draw_depth(picture *p, int w, int h)
             if (kind == 2) z = 1 + size * (double)(attack_mix(&state) >> 40) / 16777216.0;
             if (kind == 3) z = 1 + size * ((x / 7 + y / 5) % 2);
             if (kind == 4) { /* a ball in front of a wall */
-                const double dx = (x - 0.5 * w) / (0.4 * w + 1), dy = (y - 0.5 * h) / (0.4 * h + 1), q = 1 - dx * dx - dy * dy;
+                const double dx = (x - 0.5 * w) / (0.4 * w + 1), dy = (y - 0.5 * h) / (0.4 * h + 1),
+                             q = 1 - dx * dx - dy * dy;
                 z = 1 + size - (q > 0 ? size * sqrt(q) : 0);
             }
             if (kind == 5) z = 1 + (x == w / 2 ? size : 0);
@@ -285,14 +282,9 @@ static ms_status run(const call *c, const ms_sss_frame *f, const ms_sss_filter_o
         work = (unsigned char *)attack_alloc(&attack_heap, bytes + 3);
         if (work == NULL) return MS_OUT_OF_MEMORY;
     }
-#ifdef ATTACK_OLD
-    if (c->by_pyramid) status = ms_sss_pyramid_filter(f, c->pyramid, o, work ? work + 3 : NULL, bytes, error);
-    else status = ms_sss_filter(f, c->kernel, c->kernels, o, work ? work + 3 : NULL, bytes, error);
-#else
     if (c->by_pyramid)
         status = ms_sss_pyramid_filter(f, c->pyramid, c->kernels, o, work ? work + 3 : NULL, bytes, error);
     else status = ms_sss_filter(f, c->kernel, c->kernels, o, work ? work + 3 : NULL, bytes, error);
-#endif
     if (work) attack_release(&attack_heap, work, bytes + 3);
     return status;
 }
@@ -354,11 +346,7 @@ static void filter(int by_pyramid)
         k.frame.normal = normal.image;
         flat_depth = 0;
     }
-    if (attack_one_in(4)
-#ifdef ATTACK_OLD
-        && !by_pyramid
-#endif
-    ) {
+    if (attack_one_in(4)) {
         profile = (uint8_t *)malloc((size_t)w * (size_t)h);
         k.kernels = 1 + attack_index(3);
         for (i = 0; i < w * h; ++i) profile[i] = (uint8_t)((i / 5 + i / w / 3) % (k.kernels + 1));
@@ -393,10 +381,6 @@ static void filter(int by_pyramid)
     o.depth_mode = attack_one_in(5) ? MS_SSS_DEPTH_SCALE : MS_SSS_DEPTH_AWARE;
     o.exact = attack_one_in(3);
     o.simd = (ms_simd)attack_index(5);
-#ifdef ATTACK_OLD
-    if (!by_pyramid) o.method = attack_one_in(4) ? MS_SSS_METHOD_HALF : MS_SSS_METHOD_TAPS;
-    attack_say("method %d; ", (int)o.method);
-#endif
     attack_say("ppm %.5g %.5g, fov %.4g, ortho %.4g, center %.4g %.4g, mm %.4g, sigma %.4g, flat %.3g, mode %d, exact "
                "%d, simd %d, strength %d, normals %d, profiles %d, level %.3g, constant %d",
                (double)o.pixels_per_mm[0], (double)o.pixels_per_mm[1], (double)o.fov_degrees, (double)o.ortho_height,
@@ -457,8 +441,8 @@ static void filter(int by_pyramid)
                     else if (positive && !dirty && (double)r[c] < -1e-6 * (double)most)
                         attack_fail("negative light: %.7g at %d, %d", (double)r[c], x, y);
                     else if (positive && !dirty && (double)r[c] * (double)least_reflectance[c] > (double)most * 1.00001)
-                        attack_fail("brighter than the brightest: %.7g times %.4g at %d, %d, brightest %.7g", (double)r[c],
-                                    (double)least_reflectance[c], x, y, (double)most);
+                        attack_fail("brighter than the brightest: %.7g times %.4g at %d, %d, brightest %.7g",
+                                    (double)r[c], (double)least_reflectance[c], x, y, (double)most);
                 }
             }
         for (i = 0; i < (int)out.floats && !attack->failed; ++i) { /* what lies between pixels */
@@ -496,9 +480,6 @@ static void filter(int by_pyramid)
         }
         /* turned by 180 degrees, without depth: turned */
         mirror = !with_depth && !profile && !dirty && !by_pyramid;
-#ifdef ATTACK_OLD
-        mirror &= o.method == MS_SSS_METHOD_TAPS;
-#endif
         if (mirror && !k.frame.strength.channel[0] && !attack->failed) {
             ms_sss_frame f = k.frame;
             for (y = 0; y < h; ++y)
@@ -509,7 +490,8 @@ static void filter(int by_pyramid)
                 for (y = 0; y < h && !attack->failed; ++y)
                     for (x = 0; x < w && !attack->failed; ++x)
                         for (c = 0; c < 3; ++c) {
-                            const double a = (double)*at(&again, w - 1 - x, h - 1 - y, c), b = (double)*at(&out, x, y, c);
+                            const double a = (double)*at(&again, w - 1 - x, h - 1 - y, c),
+                                         b = (double)*at(&out, x, y, c);
                             if (fabs(a - b) > 4e-6 * (double)most)
                                 attack_fail("turned by 180 degrees: %.8g for %.8g at %d, %d", a, b, x, y);
                         }
@@ -523,7 +505,8 @@ static void filter(int by_pyramid)
                     for (x = 0; x < w && !attack->failed; ++x)
                         for (c = 0; c < 3; ++c) {
                             const double a = (double)*at(&again, x, y, c), b = (double)*at(&out, x, y, c);
-                            if (a - a == 0 && b - b == 0 && fabs(a) < 1e30 && fabs(a - b) > 4e-6 * (double)most && !dirty)
+                            if (a - a == 0 && b - b == 0 && fabs(a) < 1e30 && fabs(a - b) > 4e-6 * (double)most &&
+                                !dirty)
                                 attack_fail("levels differ: %.8g scalar, %.8g at %d, %d, largest input %.4g", a, b, x,
                                             y, (double)most);
                         }
@@ -553,7 +536,8 @@ static void family_damaged(void)
     ms_sss_filter_options o = ms_sss_filter_defaults();
     const int which = attack_index(POOL), field = attack_index(13);
     int i, hit = (int)attack_int(0, MS_SSS_TAPS_MAX - 1), c = attack_index(3);
-    const float v = attack_one_in(2) ? attack_odd_float() : (float)(attack_log(1e-38, 1e38) * (attack_one_in(2) ? -1 : 1));
+    const float v = attack_one_in(2) ? attack_odd_float()
+                                     : (float)(attack_log(1e-38, 1e38) * (attack_one_in(2) ? -1 : 1));
     const int count = attack_one_in(2) ? (int)attack_int(-3, 700) : (int)attack_int(-2147483647, 2147483647);
     k = *pool_kernel(which);
     if (hit >= k.tap_count && attack_one_in(2)) hit = attack_index(k.tap_count);
@@ -578,15 +562,9 @@ static void family_damaged(void)
     memset(&f, 0, sizeof f);
     f.width = 16;
     f.height = 9;
-#ifdef ATTACK_OLD
     f.input = ms_sss_interleaved(light, 3);
     f.output = ms_sss_interleaved(out, 3);
     f.depth = ms_sss_map(depth, 1);
-#else
-    f.input = ms_sss_interleaved(light, 3);
-    f.output = ms_sss_interleaved(out, 3);
-    f.depth = ms_sss_map(depth, 1);
-#endif
     o.pixels_per_mm[0] = 2;
     o.flat = attack_one_in(2) ? 1 : 0;
     o.simd = (ms_simd)attack_index(5);
@@ -606,7 +584,8 @@ static void family_damaged(void)
     if (designer == NULL) {
         static const double r[3] = {0.44, 0.22, 0.13}, d[3] = {1.2, 0.5, 0.3};
         ms_sss_profile *p = NULL;
-        if (ms_sss_profile_from_burley(&p, r, d, NULL, NULL) == MS_OK) ms_sss_designer_create(&designer, p, 24, NULL, NULL);
+        if (ms_sss_profile_from_burley(&p, r, d, NULL, NULL) == MS_OK)
+            ms_sss_designer_create(&designer, p, 24, NULL, NULL);
         ms_sss_profile_destroy(p);
     }
     if (designer && attack_one_in(4)) {
@@ -635,10 +614,12 @@ static void family_profiles(void)
         for (c = 0; c < 3; ++c) {
             if (!(v[c] >= 0)) attack_fail("a profile's value: %.9g at %.4g mm", v[c], r);
             if (!(disc[c] >= last_disc[c] - 1e-9 * total[c] && disc[c] <= total[c] * (1 + 1e-6)))
-                attack_fail("light of discs: %.9g within %.4g mm, %.9g before, %.9g in all", disc[c], r, last_disc[c], total[c]);
+                attack_fail("light of discs: %.9g within %.4g mm, %.9g before, %.9g in all", disc[c], r, last_disc[c],
+                            total[c]);
             if (!(strip[c] >= last_strip[c] - 1e-9 * total[c] && strip[c] >= disc[c] - 1e-6 * total[c] &&
                   strip[c] <= total[c] * (1 + 1e-6)))
-                attack_fail("light of strips: %.9g within %.4g mm, %.9g before, %.9g in the disc", strip[c], r, last_strip[c], disc[c]);
+                attack_fail("light of strips: %.9g within %.4g mm, %.9g before, %.9g in the disc", strip[c], r,
+                            last_strip[c], disc[c]);
             last_disc[c] = disc[c];
             last_strip[c] = strip[c];
         }
@@ -652,7 +633,8 @@ static void family_profiles(void)
         for (c = 0; c < 3; ++c) {
             ms_sss_profile_disc(p, radius[c], disc);
             if (total[c] > 0 && part < 1 && !(fabs(disc[c] - part * total[c]) <= 1e-6 * total[c]))
-                attack_fail("a radius does not come back: %.9g of the light within that of %.9g", disc[c] / total[c], part);
+                attack_fail("a radius does not come back: %.9g of the light within that of %.9g", disc[c] / total[c],
+                            part);
         }
     }
     {
@@ -662,7 +644,8 @@ static void family_profiles(void)
         ms_sss_transmission(k, NAN, up, down, down, one, out);
         ms_sss_transmission(k, 1e6f, up, down, down, one, thin);
         for (c = 0; c < 3; ++c)
-            if (!(out[c] <= 0.01f || out[c] != out[c])) attack_fail("an unknown thickness is bright: %.4g", (double)out[c]);
+            if (!(out[c] <= 0.01f || out[c] != out[c]))
+                attack_fail("an unknown thickness is bright: %.4g", (double)out[c]);
     }
     ms_sss_profile_destroy(p);
 }

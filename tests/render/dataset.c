@@ -12,18 +12,17 @@
    fourth one (i = 1 mod 4) has glass of low roughness: x11 = 0.3 u^2. Indices from 2^30 on are the held-out ones.
    Pictures of the same materials with another TAKE (0) have independent noise: the mean of (p - a)(p - b) over two
    takes a and b is the squared error of p without the noise. */
-#define MS_SSS_IMPLEMENTATION /* for the random numbers that all headers share */
-#include "ms_sss.h"
 #include "image.h"
 #include "render/material.h"
+#include "render/random.h"
 
 enum { PART = 32 };
 
 static void choose_material(uint32_t index, float x[MATERIAL_PARAMETERS])
 {
-    ms__rng rng = ms__rng_make(20190501, index);
+    random_stream rng = random_start(20190501, index);
     int k;
-    for (k = 0; k < MATERIAL_PARAMETERS; ++k) x[k] = (float)ms__rng_uniform(&rng);
+    for (k = 0; k < MATERIAL_PARAMETERS; ++k) x[k] = (float)random_uniform(&rng);
     if (index % 2 == 1) {
         static const int mixes[3] = {7, 16, 17};
         for (k = 0; k < 3; ++k) x[mixes[k]] = x[mixes[k]] < 0.5f ? 0.0f : 1.0f;

@@ -4,10 +4,9 @@
 
    Rows start with a material of 19 parameters; then lacquer with textures, glass with textures, metal with reliefs, and
    all of it by chance. */
-#define MS_SSS_IMPLEMENTATION /* for the random numbers that all headers share */
-#include "ms_sss.h"
 #include "image.h"
 #include "render/material.h"
+#include "render/random.h"
 
 enum { ROWS = 4, COLUMNS = 6, SETTINGS = 9 };
 
@@ -51,7 +50,7 @@ static void apply(const setting *list, int limit, float x[MATERIAL_EXTENDED])
 int main(int argc, char **argv)
 {
     int size = argc > 2 ? atoi(argv[2]) : 128, samples = argc > 3 ? atoi(argv[3]) : 64, row, column, y, k;
-    ms__rng rng = ms__rng_make(argc > 4 ? (uint64_t)atoi(argv[4]) : 1, 0);
+    random_stream rng = random_start(argc > 4 ? (uint64_t)atoi(argv[4]) : 1, 0);
     const char *problem;
     material_scene *s;
     image sheet;
@@ -70,7 +69,7 @@ int main(int argc, char **argv)
             apply(base[row], 16, x);
             if (column > 0 && row < ROWS - 1) apply(more[row][column - 1], SETTINGS, x);
             for (k = MATERIAL_PARAMETERS; k < MATERIAL_EXTENDED && column > 0 && row == ROWS - 1; ++k)
-                x[k] = (float)ms__rng_uniform(&rng);
+                x[k] = (float)random_uniform(&rng);
             if (!material_render_extended(s, x, size, size, samples, (uint32_t)(row * COLUMNS + column), &tile))
                 problem = "no memory";
             for (y = 0; y < size && problem == NULL; ++y)

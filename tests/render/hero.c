@@ -7,11 +7,10 @@
 
    A big knot in the middle, smaller objects around it by the golden angle (Vogel 1979): the bigger the nearer, no two
    touch. The colors run around the middle like a color wheel: objects by angle take materials by hue. */
-#define MS_PME_IMPLEMENTATION /* the smallest header, for the random numbers that headers share */
-#include "ms_pme.h"
 #include "image.h"
 #include "scores.h"
 #include "render/material.h"
+#include "render/random.h"
 
 /* --- tastes: sums of simple wishes, from 0 to 10 --- */
 
@@ -51,9 +50,9 @@ static int print_scores(const char *taste, int count)
 {
     int i, k;
     for (i = 0; i < count; ++i) {
-        ms__rng rng = ms__rng_make((uint64_t)taste[0], (uint64_t)i);
+        random_stream rng = random_start((uint64_t)taste[0], (uint64_t)i);
         float x[MATERIAL_PARAMETERS];
-        for (k = 0; k < MATERIAL_PARAMETERS; ++k) x[k] = (float)ms__rng_uniform(&rng);
+        for (k = 0; k < MATERIAL_PARAMETERS; ++k) x[k] = (float)random_uniform(&rng);
         for (k = 0; k < MATERIAL_PARAMETERS; ++k) printf("%.6f,", (double)x[k]);
         printf("%.1f\n", (double)taste_of(taste, x));
     }
@@ -169,15 +168,15 @@ static int by_hue(const void *a, const void *b)
 }
 
 /* Stands the thing on the ground. */
-static void place(stage *s, int shape, const thing *t, ms__rng *rng)
+static void place(stage *s, int shape, const thing *t, random_stream *rng)
 {
     const stage_mesh_data *m = &s->mesh[shape];
-    float turn = TRACE_TURN * (float)ms__rng_uniform(rng),
-          tilt = t->shape == BALL || t->shape == PEBBLES ? 0.5f * (float)ms__rng_uniform(rng) : 0, lowest = 1e9f;
+    float turn = TRACE_TURN * (float)random_uniform(rng),
+          tilt = t->shape == BALL || t->shape == PEBBLES ? 0.5f * (float)random_uniform(rng) : 0, lowest = 1e9f;
     material wears = material_from(t->material);
     stage_frame f;
     int k;
-    if (t->shape == KNOT) turn = 0.6f * (float)ms__rng_uniform(rng) - 0.3f;
+    if (t->shape == KNOT) turn = 0.6f * (float)random_uniform(rng) - 0.3f;
     f.x = scene_v(cosf(turn), 0, sinf(turn));
     f.y = scene_v(-sinf(turn) * sinf(tilt), cosf(tilt), cosf(turn) * sinf(tilt));
     f.z = scene_cross(f.x, f.y);
@@ -197,7 +196,7 @@ static stage *make_scene(const float **row, int count)
     static float carving[MATERIAL_EXTENDED];
     stage *s = stage_create();
     thing *t = (thing *)malloc((size_t)count * sizeof *t);
-    ms__rng rng = ms__rng_make(7, 0);
+    random_stream rng = random_start(7, 0);
     material carved;
     float r2 = 0;
     int shape[SHAPES], k;

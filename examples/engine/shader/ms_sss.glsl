@@ -24,7 +24,7 @@
 //     MS_SSS_STRENGTH     0        1: with strength
 //     MS_SSS_ROTATED      0        1: rotation or jitter of ms_sss_shader
 //     MS_SSS_HALF         0        1: X and Y lie between DOWN and UP
-//     MS_SSS_HLSL, MS_SSS_VULKAN   defined: the language, where it is not the GLSL of OpenGL
+//     MS_SSS_HLSL, MS_SSS_VULKAN   defined: the language, where it is not the GLSL of OpenGL (MS_SSS_WGSL: by sss_wgsl.c)
 //
 // The engine defines those of these functions that a step reads; p is the pixel plus the viewport's corner:
 //
@@ -77,7 +77,7 @@
 #if defined(MS_SSS_HLSL)
 #define bits_of asuint
 #define float_of asfloat
-#define TEXTURE(name, fetch, slot, at) Texture2D<float4> name : register(at); float4 fetch(int2 p) { return name.Load(int3(p, 0)); }
+#define TEXTURE(name, read, slot, at) Texture2D<float4> name : register(at); float4 read(int2 p) { return name.Load(int3(p, 0)); }
 #elif !defined(MS_SSS_WGSL) // whose macros the tool has
 #define int2 ivec2
 #define float2 vec2
@@ -86,9 +86,9 @@
 #define bits_of floatBitsToUint
 #define float_of uintBitsToFloat
 #ifdef MS_SSS_VULKAN
-#define TEXTURE(name, fetch, slot, at) layout(set = 0, binding = slot) uniform sampler2D name; vec4 fetch(ivec2 p) { return texelFetch(name, p, 0); }
+#define TEXTURE(name, read, slot, at) layout(set = 0, binding = slot) uniform sampler2D name; vec4 read(ivec2 p) { return texelFetch(name, p, 0); }
 #else
-#define TEXTURE(name, fetch, slot, at) uniform sampler2D name; vec4 fetch(ivec2 p) { return texelFetch(name, p, 0); }
+#define TEXTURE(name, read, slot, at) uniform sampler2D name; vec4 read(ivec2 p) { return texelFetch(name, p, 0); }
 #endif
 #endif
 #ifndef MS_SSS_WGSL
