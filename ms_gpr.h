@@ -392,7 +392,9 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
 
 typedef enum ms_gpr_gallery_kind {
     MS_GPR_GALLERY_ACTIVE = 0, /* spread evenly until something is liked; then those near the threshold of
-                                  recommendations (largest 1.96 sigma - |mean - threshold of tau = 0.6|) */
+                                  recommendations (largest 1.96 sigma - |mean - threshold of tau = 0.6|). Choices do
+                                  not tell what is liked at all: after some, every second one is of the largest
+                                  P(score > floor) sigma */
     MS_GPR_GALLERY_SPREAD = 1  /* uniform, each parameter evenly over its range (a Latin hypercube) */
 } ms_gpr_gallery_kind;
 
@@ -3977,16 +3979,25 @@ static void ms_gpr__pool_chunk(void *context, int chunk)
     ms_gpr__chunk_explain(gp, columns, size, variance);
 }
 
-/* The candidate of the largest 1.96 sigma - |mean - threshold| ("straddle"); -1: all are taken. */
-static int ms_gpr__pool_best(const ms_gpr__pool *p)
+/* How much candidate j is worth as choice number q: 1.96 sigma - |mean - threshold| ("straddle"); where the model has
+   choices, P(score > floor) sigma in turns with it. By the former alone, after five galleries of picks, the divergence
+   of persons who like one class was up to twice as large. */
+static double ms_gpr__pool_worth(const ms_gpr__pool *p, int q, int j)
+{
+    double sigma = p->variance[j] > 0 ? sqrt(p->variance[j]) : 0;
+    if (p->gp->choices.count == 0 || q % 2 == 0) return 1.96 * sigma - fabs(p->mean[j] - p->threshold);
+    return sigma > 0 ? 0.5 * erfc((p->floor - p->mean[j]) / (1.4142135623730951 * sigma)) * sigma : 0;
+}
+
+/* The candidate of the largest worth; -1: all are taken. */
+static int ms_gpr__pool_best(const ms_gpr__pool *p, int q)
 {
     double largest = -HUGE_VAL;
     int best = -1, j;
     for (j = 0; j < p->size; ++j) {
-        double sigma = p->variance[j] > 0 ? sqrt(p->variance[j]) : 0;
-        double value = 1.96 * sigma - fabs(p->mean[j] - p->threshold);
-        if (p->taken[j] || !(value > largest)) continue;
-        largest = value;
+        double worth = p->taken[j] ? -HUGE_VAL : ms_gpr__pool_worth(p, q, j);
+        if (!(worth > largest)) continue;
+        largest = worth;
         best = j;
     }
     return best;
@@ -4159,7 +4170,7 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     for (q = 0; q < gp->n && o.space.snap && status == MS_OK; ++q) ms_gpr__pool_take(p, gp->x + (size_t)q * m);
     for (q = 0, taken = 0; q < count && status == MS_OK; ++q) {
         int best = -1;
-        if (!spread) best = ms_gpr__pool_best(p);
+        if (!spread) best = ms_gpr__pool_best(p, q);
         for (; spread && best < 0 && taken < p->drawn; ++taken)
             if (!p->taken[taken]) best = taken;
         if (best < 0) best = q % p->size;

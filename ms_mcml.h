@@ -81,8 +81,7 @@
    Limits
    ------
    2^32 photons a tally; 32767 layers; n 0.01 to 100; mu up to 1e9 per cm; -1 < g <= 1; nr and nz up to 2^24, nr nz
-   below 2^31. A pencil
-   beam at normal incidence; flat layers; unpolarized light.
+   below 2^31. A pencil beam at normal incidence; flat layers; unpolarized light.
 
    Sources
    -------
@@ -237,13 +236,13 @@ typedef struct ms_mcml_options {
     uint64_t photons; /* that ms_mcml_simulate runs; 0: 1000000; at most 2^32 in one tally */
     uint64_t seed;
     double roulette_weight; /* photons of less weight play roulette, at most 1; 0: 0.01 times the least albedo of a
-                               layer that scatters, but at least MCML's 1e-4 */
+                               layer that scatters, but at least MCML's 1e-4. Less: deep absorption with less noise */
     int no_absorption;      /* not 0: neither A_rz nor A_z, which saves time and memory; A_l remains */
-    size_t memory_limit;    /* bytes that tallies may take; 0: 4 GiB */
-    ms_simd simd;           /* a cap */
+    size_t memory_limit;    /* bytes that tallies may take, where grids come from files; 0: 4 GiB */
+    ms_simd simd;           /* a cap, to compare levels */
     ms_parallel parallel;   /* at most 16 tasks, each with its own tally */
-    ms_progress
-        progress; /* called with 0, then every few ms (with parallel, 16 times that over the threads), and with 1 */
+    ms_progress progress;   /* called with 0, then every few ms (with parallel, 16 times that over the threads), and
+                               with 1 */
     ms_allocator allocator;
 } ms_mcml_options;
 
@@ -630,6 +629,17 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 
 #include <math.h>
 
+/* Contents:
+     tissue and runs           defaults, checks of a tissue and a grid
+     direct Monte Carlo        tally, events that go lane by lane, run, saved tallies, results
+     materials                 the table
+     half-space solver         Galerkin's method in depth, least squares, terms, rings
+     similarity                what replacing g by 0 may do
+     colors                    a color to a medium
+     diffusion profiles        rings, arrays
+     kernels, one set a level  how the text below is compiled for each instruction set
+     kernels                   the photons' loop in vectors */
+
 /* The kernels use vectors with the operators of GCC and Clang; cl compiles the scalar text. */
 #if defined(MS__X64) && (defined(__GNUC__) || defined(__clang__))
 #define MS_MCML__X64 1
@@ -856,12 +866,9 @@ static int ms_mcml__cross(ms_mcml__tracer *t, int i)
     return 0;
 }
 
-/* The function that is compiled for each level. */
-typedef struct ms_mcml__kernels {
-    /* At most `turns` events of every lane; called again, it goes on. */
-    void (*trace)(ms_mcml__tracer *t, int turns);
-} ms_mcml__kernels;
-static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level); /* after the kernels */
+/* The function that is compiled for each level: at most `turns` events of every lane; called again, it goes on. */
+typedef void ms_mcml__trace(ms_mcml__tracer *t, int turns);
+static ms_mcml__trace *ms_mcml__trace_of(ms_simd level); /* after the kernels */
 
 /* A tracer of the photons first to end - 1, whose sums go to `sum`. */
 static void ms_mcml__tracer_make(ms_mcml__tracer *t, const ms_mcml *m, int64_t *sum, uint64_t first, uint64_t end)
@@ -1056,7 +1063,7 @@ static void ms_mcml__add(int64_t *sum, const int64_t *other, size_t count)
 static void ms_mcml__trace_task(void *context, int index)
 {
     ms_mcml__tracer *t = (ms_mcml__tracer *)context + index;
-    if (ms_mcml__tracer_busy(t)) ms_mcml__kernels_of(t->tally->simd)->trace(t, MS_MCML__TURNS);
+    if (ms_mcml__tracer_busy(t)) ms_mcml__trace_of(t->tally->simd)(t, MS_MCML__TURNS);
 }
 
 /* All photons of the tracers, a slice of turns at a time. Between slices the callback hears what part of `count`
@@ -1084,10 +1091,10 @@ static ms_status ms_mcml__trace_all(const ms_mcml *m, ms_mcml__tracer *t, int ta
 MS_API ms_status ms_mcml_run(ms_mcml *m, uint64_t first, uint64_t count, ms_error *error)
 {
     const int parallel = m && m->options.parallel.run != NULL;
-    const int apart = m &&
-        (parallel || m->options.progress.report != NULL); /* sums apart, so that a stop adds nothing */
+    const int apart = parallel || (m && m->options.progress.report != NULL); /* sums apart: a stop adds nothing */
     const int tasks = parallel ? MS_MCML__TASKS : 1;
     const uint64_t end = first + count;
+    uint64_t from, to = first;
     ms__arena arena = {NULL, 0};
     ms_mcml__tracer *tracer;
     int64_t *sums;
@@ -1113,12 +1120,15 @@ MS_API ms_status ms_mcml_run(ms_mcml *m, uint64_t first, uint64_t count, ms_erro
     sums = (int64_t *)ms__take(&arena, apart ? (size_t)tasks * m->at.count : 0, sizeof *sums);
     if (apart) memset(sums, 0, (size_t)tasks * m->at.count * sizeof *sums);
 
-    for (i = 0; i < tasks; ++i)
-        ms_mcml__tracer_make(&tracer[i], m, apart ? sums + (size_t)i * m->at.count : m->sum,
-                             first + count * (uint64_t)i / (uint64_t)tasks,
-                             m->first_layer < m->tissue.layer_count
-                                 ? first + count * ((uint64_t)i + 1) / (uint64_t)tasks
-                                 : first + count * (uint64_t)i / (uint64_t)tasks);
+    /* Equal parts of the photons for the tasks; through a clear tissue nothing is traced. */
+    for (i = 0; i < tasks; ++i) {
+        from = to;
+        to = first + count * ((uint64_t)i + 1) / (uint64_t)tasks;
+        ms_mcml__tracer_make(&tracer[i], m, apart ? sums + (size_t)i * m->at.count : m->sum, from,
+                             m->first_layer < m->tissue.layer_count ? to : from);
+    }
+
+    /* Whole or not at all: the tasks' sums join the tally after the last. */
     status = ms_mcml__trace_all(m, tracer, tasks, count, error);
     if (status == MS_OK) {
         for (i = 0; apart && i < tasks; ++i) ms_mcml__add(m->sum, sums + (size_t)i * m->at.count, m->at.count);
@@ -1569,8 +1579,6 @@ typedef struct ms_mcml__halfspace {
     double specular;    /* reflected at entry: ((eta - 1) / (eta + 1))^2; not part of any number below */
     double total;       /* diffuse reflectance: single + multiple scattering */
     double total_single;
-    double decay_per_mm; /* of the far tail: the Case eigenvalue nu_0 mu_t */
-    double fit_error;    /* largest relative misfit of the multiple-scattering spectrum at the solved frequencies */
     int singles, rates;
     double single_rate_per_mm[MS_MCML__CONE_MAX], single_energy[MS_MCML__CONE_MAX]; /* [singles] ascending rates */
     double rate_per_mm[MS_MCML__RATES_MAX], energy[MS_MCML__RATES_MAX];             /* [rates] ascending */
@@ -1586,12 +1594,12 @@ typedef struct ms_mcml__cone {
 
 static void ms_mcml__cone_make(ms_mcml__cone *cone, double eta)
 {
-    const double nodes = MS_MCML__CONE_MAX, step = 6.6 / nodes;
+    const double nodes = MS_MCML__CONE_MAX, spacing = 6.6 / nodes; /* x within 3.3: exp(-pi sinh x) to 3e-18 */
     double mu_c = eta > 1 ? sqrt((eta - 1) * (eta + 1)) / eta : 0;
     int i;
     cone->count = MS_MCML__CONE_MAX;
     for (i = 0; i < cone->count; ++i) {
-        double x = (i + 0.5 - 0.5 * nodes) * step;
+        double x = (i + 0.5 - 0.5 * nodes) * spacing;
         double e = exp(-3.14159265358979324 * sinh(x));
         double above = (1 - mu_c) / (1 + e), below = (1 - mu_c) * e / (1 + e); /* mu - mu_c, 1 - mu */
         double mu = mu_c + above;
@@ -1600,7 +1608,7 @@ static void ms_mcml__cone_make(ms_mcml__cone *cone, double eta)
         double transmitted = 2 * eta * mu * mu_out * (1 / (s * s) + 1 / (p * p)); /* Fresnel, unpolarized */
         cone->mu[i] = mu;
         cone->sin2[i] = below * (1 + mu);
-        cone->weight[i] = 0.5 * transmitted * step * 3.14159265358979324 * cosh(x) * above * e / (1 + e);
+        cone->weight[i] = 0.5 * transmitted * spacing * 3.14159265358979324 * cosh(x) * above * e / (1 + e);
     }
 }
 
@@ -1659,7 +1667,7 @@ enum { MS_MCML__DEPTH_MAX = 64, MS_MCML__TRIANGLE = MS_MCML__DEPTH_MAX * (MS_MCM
 static double *ms_mcml__triangle_row(double *matrix, int i) { return matrix + i * (i + 1) / 2; }
 
 /* R(k) of multiple scattering without the factor 1 - R_sp. t = sqrt(k^2 + nu_0^2) is the slowest decay in depth.
-   matrix: MS_MCML__TRIANGLE doubles of workspace. */
+   h: log spacing of the exponentials' rates b_i. matrix: MS_MCML__TRIANGLE doubles of workspace. */
 static double ms_mcml__multiple(const ms_mcml__cone *cone, double albedo, double k2, double t, double h, double *matrix)
 {
     double b[MS_MCML__DEPTH_MAX], scale[MS_MCML__DEPTH_MAX], g[MS_MCML__DEPTH_MAX], dg[MS_MCML__DEPTH_MAX];
@@ -1672,8 +1680,10 @@ static double ms_mcml__multiple(const ms_mcml__cone *cone, double albedo, double
     if (!apart && low > exp(-3 * h) * t) low = exp(-3 * h) * t;
     first = (int)floor(log(low) / h);
     if (apart) b[n++] = t;
-    one = n - first;
+    one = n - first; /* b_one = 1, the rate of the beam */
     for (i = first; i <= last && n < MS_MCML__DEPTH_MAX; ++i) b[n++] = exp(h * i);
+
+    /* g = G(b_i), m = G - F, escape = E(b_i), and derivatives by b: sums over the cone's directions. */
     for (i = 0; i < n; ++i) {
         double f = 0, df = 0, e = 0;
         scale[i] = sqrt(2 * b[i]); /* 1 / norm of exp(-b z) */
@@ -1689,16 +1699,21 @@ static double ms_mcml__multiple(const ms_mcml__cone *cone, double albedo, double
         m[i] = g[i] - f;
         dm[i] = dg[i] - df;
     }
-    for (i = 0; i < n; ++i) { /* scaled <b_i, (1 - a K) b_j> */
+
+    /* Scaled <b_i, (1 - a K) b_j> = (1 - a (g_i + g_j)) / (b_i + b_j) - a (m_j - m_i) / (b_i - b_j); on the diagonal the
+       last quotient is -m'. u: <b_i, K exp(-z)>, the same with b_one. */
+    for (i = 0; i < n; ++i) {
         double *row = ms_mcml__triangle_row(matrix, i);
         for (j = 0; j <= i; ++j) {
             double image = i == j ? -dm[i] : (m[j] - m[i]) / (b[i] - b[j]);
             row[j] = scale[i] * scale[j] * ((1 - albedo * (g[i] + g[j])) / (b[i] + b[j]) - albedo * image);
         }
         sum = i == one ? -dm[i] : (m[i] - m[one]) / (b[one] - b[i]);
-        u[i] = scale[i] * ((g[i] + g[one]) / (b[i] + b[one]) + sum); /* <b_i, K exp(-z)> */
+        u[i] = scale[i] * ((g[i] + g[one]) / (b[i] + b[one]) + sum);
     }
-    for (i = 0; i < n; ++i) { /* Cholesky, and the forward solution */
+
+    /* Cholesky C C^T with the inverse of C's diagonal in its place; C v = u, then C^T u = v. */
+    for (i = 0; i < n; ++i) {
         double *row = ms_mcml__triangle_row(matrix, i);
         for (j = 0; j <= i; ++j) {
             const double *other = ms_mcml__triangle_row(matrix, j);
@@ -1714,6 +1729,8 @@ static double ms_mcml__multiple(const ms_mcml__cone *cone, double albedo, double
         u[i] *= row[i];
         for (c = 0; c < i; ++c) u[c] -= row[c] * u[i];
     }
+
+    /* What leaves: a int E(z) (q(z) - exp(-z)) dz = a^2 sum E(b_i) u_i. */
     for (sum = 0, i = 0; i < n; ++i) sum += scale[i] * escape[i] * u[i];
     return albedo * albedo * sum;
 }
@@ -1723,7 +1740,6 @@ static double ms_mcml__multiple(const ms_mcml__cone *cone, double albedo, double
    leaves. */
 typedef struct ms_mcml__nnls {
     int rows, columns, active;
-    double tolerance;                        /* of the gradients where it ends */
     const double *a, *target;                /* [columns][rows], [rows] */
     double *x;                               /* [columns] */
     double *qr;                              /* [rows] a column: reflection below, R above the diagonal */
@@ -1813,7 +1829,8 @@ static void ms_mcml__nnls_solve(ms_mcml__nnls *p)
     }
     memcpy(p->residual, p->target, (size_t)rows * sizeof *p->residual);
     for (round = 0; round < 4 * p->columns && p->active < rows; ++round) {
-        double best = p->tolerance;
+        /* The column of the steepest descent, A^T (target - A x), becomes active. */
+        double best = 0;
         int enters = -1;
         for (c = 0; c < p->columns; ++c) {
             double dot;
@@ -1833,17 +1850,20 @@ static void ms_mcml__nnls_solve(ms_mcml__nnls *p)
             p->active--;
             continue;
         }
+
+        /* From x towards the active columns' least-squares solution, x += part (solution - x), as far as no element
+           becomes negative. Who arrives at 0 leaves, until the whole way is free. */
         for (;;) {
-            double step = 1;
+            double part = 1;
             int leaves = -1, kept = 0, first;
             for (c = 0; c < p->active; ++c) {
                 double x = p->x[p->list[c]];
-                if (p->solution[c] <= 0 && x / (x - p->solution[c]) < step) {
-                    step = x / (x - p->solution[c]);
+                if (p->solution[c] <= 0 && x / (x - p->solution[c]) < part) {
+                    part = x / (x - p->solution[c]);
                     leaves = c;
                 }
             }
-            for (c = 0; c < p->active; ++c) p->x[p->list[c]] += step * (p->solution[c] - p->x[p->list[c]]);
+            for (c = 0; c < p->active; ++c) p->x[p->list[c]] += part * (p->solution[c] - p->x[p->list[c]]);
             if (leaves < 0) break;
             for (first = p->active, c = 0; c < p->active; ++c) {
                 int column = p->list[c];
@@ -1858,6 +1878,8 @@ static void ms_mcml__nnls_solve(ms_mcml__nnls *p)
             p->active = kept;
             ms_mcml__nnls_factor(p, first);
         }
+
+        /* residual = target - A x */
         memcpy(p->residual, p->target, (size_t)rows * sizeof *p->residual);
         for (c = 0; c < p->active; ++c)
             for (i = 0; i < rows; ++i) p->residual[i] -= p->x[p->list[c]] * p->a[p->list[c] * rows + i];
@@ -1867,26 +1889,23 @@ static void ms_mcml__nnls_solve(ms_mcml__nnls *p)
 }
 
 /* rate[j], energy[j] > 0 with  sum energy / (1 + k^2 / rate^2) = spectrum[i]  at k^2 = t[i]^2 - edge^2, rates on a
-   lattice sqrt(edge^2 + tau^2) of log spacing `step` in tau. Returns how many; *misfit is relative. total is the
-   spectrum at k = 0, which the energies are scaled to. Row i counts as 1 / (1 + noise t[i]): noise = 1 says that the
-   relative error of the spectrum grows with t. tolerance: 0 fits to rounding. */
-static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows, double noise, double tolerance,
-                              double edge, double step, double total, double *rate, double *energy, double *misfit,
-                              double *work)
+   lattice sqrt(edge^2 + tau^2) of log spacing `step` in tau. Returns how many. total is the spectrum at k = 0, which the
+   energies are scaled to. Row i counts as 1 / (1 + t[i]), as the relative error of the spectrum grows with t. */
+static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows, double edge, double step, double total,
+                              double *rate, double *energy, double *work)
 {
     double tau[MS_MCML__COLUMNS_MAX], norm[MS_MCML__COLUMNS_MAX], sum = 0, unit = 1, *target;
     ms_mcml__nnls p;
-    int i, c, count = 0;
     double *a = work;
+    int i, c, count = 0;
     p.rows = rows;
-    p.tolerance = tolerance;
     p.columns = 0;
     if (edge > 0) tau[p.columns++] = 0;
     for (i = (int)floor(-1.2 / step); p.columns < MS_MCML__COLUMNS_MAX && t[0] * exp(step * (i - 1)) < 20 * t[rows - 1];
          ++i)
         tau[p.columns++] = t[0] * exp(step * i);
     ms_mcml__nnls_place(&p, a, MS_MCML__RATES_MAX, MS_MCML__COLUMNS_MAX, &target);
-    for (i = 0; i < rows; ++i) target[i] = 1 / (1 + noise * t[i]);   /* misfits are relative to the spectrum */
+    for (i = 0; i < rows; ++i) target[i] = 1 / (1 + t[i]);           /* misfits are relative to the spectrum */
     if (spectrum[0] > 0 && spectrum[0] < 1e-100) unit = spectrum[0]; /* the squares below would overflow */
     for (c = 0; c < p.columns; ++c) {
         for (i = 0; i < rows; ++i)
@@ -1894,8 +1913,6 @@ static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows,
         norm[c] = ms_mcml__nnls_unit(a + c * rows, rows);
     }
     ms_mcml__nnls_solve(&p);
-    for (*misfit = 0, i = 0; i < rows; ++i)
-        if (fabs(p.residual[i]) > *misfit * target[i]) *misfit = fabs(p.residual[i]) / target[i];
     for (c = 0; c < p.columns; ++c) {
         double square = edge * edge + tau[c] * tau[c];
         if (!(p.x[c] > 0)) continue;
@@ -1930,33 +1947,32 @@ static const double ms_mcml__slowest = 1e-7; /* decay, per mean free path, that 
 
 /* Part of the entering light that leaves after two collisions and more. single: the part that leaves after one. What is
    absorbed falls with nu = sqrt(3 (1 - albedo)), to nothing. */
-static double ms_mcml__multiple_total(const ms_mcml__cone *cone, double albedo, double nu, double h, double entering,
-                                      double single, double *work)
+static double ms_mcml__multiple_total(const ms_mcml__cone *cone, double albedo, double nu, double depth_step,
+                                      double entering, double single, double *work)
 {
     const double t = nu > ms_mcml__slowest ? nu : ms_mcml__slowest;
-    const double multiple = entering * ms_mcml__multiple(cone, nu < t ? 1 - t * t / 3 : albedo, 0, t, h, work);
+    const double multiple = entering * ms_mcml__multiple(cone, nu < t ? 1 - t * t / 3 : albedo, 0, t, depth_step, work);
     return nu < t ? entering - single - (entering - single - multiple) * (nu / t) : multiple;
 }
 
-/* A medium that was checked; h and step are the two knobs, work has MS_MCML__SOLVE_BYTES. */
-static void ms_mcml__solve(const ms_mcml_medium *medium, double h, double step, ms_mcml__halfspace *out, double *work)
+/* A medium that was checked, by the two steps of ms_mcml_profile_options; work has MS_MCML__SOLVE_BYTES. */
+static void ms_mcml__solve(const ms_mcml_medium *medium, double depth_step, double frequency_step,
+                           ms_mcml__halfspace *out, double *work)
 {
     const double fastest = 200; /* of the lattice of t, per mean free path */
+    const double mu_s = medium->mu_s_per_mm * (1 - medium->g);
+    double t[MS_MCML__RATES_MAX], spectrum[MS_MCML__RATES_MAX], absorption, entering, nu, multiple, low;
     ms_mcml__halfspace s;
     ms_mcml__cone cone;
-    double t[MS_MCML__RATES_MAX], spectrum[MS_MCML__RATES_MAX];
-    double absorption, entering, nu, multiple, low;
     int i, rows;
-
     memset(&s, 0, sizeof s);
-    s.mu_t_per_mm = medium->mu_a_per_mm + medium->mu_s_per_mm * (1 - medium->g);
-    s.albedo = medium->mu_s_per_mm * (1 - medium->g) / s.mu_t_per_mm;
+    s.mu_t_per_mm = medium->mu_a_per_mm + mu_s;
+    s.albedo = mu_s / s.mu_t_per_mm;
     s.specular = (medium->eta - 1) / (medium->eta + 1);
     s.specular *= s.specular;
     absorption = medium->mu_a_per_mm / s.mu_t_per_mm;
     entering = 1 - s.specular;
     if (!(s.albedo > 1e-100)) { /* nothing comes back */
-        s.decay_per_mm = s.mu_t_per_mm;
         *out = s;
         return;
     }
@@ -1964,28 +1980,31 @@ static void ms_mcml__solve(const ms_mcml_medium *medium, double h, double step, 
 
     /* Single scattering at angle theta to the normal:  energy beyond r is  exp(-r / u),  u = tan(theta / 2) */
     for (i = 0; i < cone.count; ++i) {
-        double mu = cone.mu[i];
+        const double mu = cone.mu[i];
         s.single_rate_per_mm[i] = (1 + mu) / sqrt(cone.sin2[i]);
         s.single_energy[i] = entering * s.albedo * cone.weight[i] * mu / (1 + mu);
         s.total_single += s.single_energy[i];
     }
     s.singles = cone.count;
-    nu = ms_mcml__case_eigenvalue(s.albedo, absorption);
-    multiple = ms_mcml__multiple_total(&cone, s.albedo, nu, h, entering, s.total_single, work);
-    s.total = s.total_single + multiple;
-    low = 0.01 * nu > ms_mcml__slowest ? 0.01 * nu : ms_mcml__slowest;
-    rows = 0;
-    for (i = 0; rows < MS_MCML__RATES_MAX && low * exp(step * (i - 1)) < fastest; ++i) {
-        t[rows] = low * exp(step * i);
-        spectrum[rows] = entering * ms_mcml__multiple(&cone, s.albedo, t[rows] * t[rows] - nu * nu, t[rows], h, work);
-        ++rows;
-    }
-    s.rates = ms_mcml__stieltjes(t, spectrum, rows, 1, 0, nu, 0.8 * step, multiple, s.rate_per_mm, s.energy,
-                                 &s.fit_error, work);
 
+    /* Multiple scattering at k = 0. */
+    nu = ms_mcml__case_eigenvalue(s.albedo, absorption);
+    multiple = ms_mcml__multiple_total(&cone, s.albedo, nu, depth_step, entering, s.total_single, work);
+    s.total = s.total_single + multiple;
+
+    /* Its spectrum at k^2 = t^2 - nu^2, and the sum of energy / (1 + k^2 / rate^2) that has this spectrum. Rates need a
+       finer lattice than frequencies: 0.8 steps. */
+    low = 0.01 * nu > ms_mcml__slowest ? 0.01 * nu : ms_mcml__slowest;
+    for (rows = 0; rows < MS_MCML__RATES_MAX && low * exp(frequency_step * (rows - 1)) < fastest; ++rows) {
+        t[rows] = low * exp(frequency_step * rows);
+        spectrum[rows] = entering *
+            ms_mcml__multiple(&cone, s.albedo, t[rows] * t[rows] - nu * nu, t[rows], depth_step, work);
+    }
+    s.rates = ms_mcml__stieltjes(t, spectrum, rows, nu, 0.8 * frequency_step, multiple, s.rate_per_mm, s.energy, work);
+
+    /* From mean free paths to mm. */
     for (i = 0; i < s.singles; ++i) s.single_rate_per_mm[i] *= s.mu_t_per_mm;
     for (i = 0; i < s.rates; ++i) s.rate_per_mm[i] *= s.mu_t_per_mm;
-    s.decay_per_mm = nu * s.mu_t_per_mm;
     *out = s;
 }
 
@@ -2399,17 +2418,17 @@ static MS__UNUSED unsigned ms_mcml__neon_bits(uint32x4_t mask)
 #endif /* MS_MCML__X64 */
 #undef MS_MCML__PASS
 
-static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
+static ms_mcml__trace *ms_mcml__trace_of(ms_simd level)
 {
 #if defined(MS_MCML__X64)
-    if (level == MS_SIMD_AVX512) return &ms_mcml__kernels_avx512;
-    if (level == MS_SIMD_AVX2) return &ms_mcml__kernels_avx2;
+    if (level == MS_SIMD_AVX512) return ms_mcml__trace_avx512;
+    if (level == MS_SIMD_AVX2) return ms_mcml__trace_avx2;
 #endif
 #if defined(MS_MCML__X64) || defined(MS_MCML__NEON)
-    if (level == MS_SIMD_BASE) return &ms_mcml__kernels_base;
+    if (level == MS_SIMD_BASE) return ms_mcml__trace_base;
 #endif
     (void)level;
-    return &ms_mcml__kernels_scalar;
+    return ms_mcml__trace_scalar;
 }
 
 #undef MS_MCML__FN
@@ -2420,14 +2439,13 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #endif /* MS_MCML_IMPLEMENTATION */
 
 #if defined(MS_MCML_IMPLEMENTATION) && defined(MS_MCML__PASS)
-/* --- kernels --------------------------------------------------------------------------------------------------
+/* ---- kernels -------------------------------------------------------------------------------------------------
 
-   Read once a level. Vectors of L floats (V), words (U) and comparisons' results (M), and as long ones of doubles (E)
-   and of 64-bit words (W). Their operators are the compiler's. */
+   Read once a level. Vectors of L floats (V), words (U) and comparisons' results (M), and as long ones of 64-bit
+   words (W). Their operators are the compiler's. */
 
 #define MS_MCML__V MS_MCML__FN(v)
 #define MS_MCML__U MS_MCML__FN(u)
-#define MS_MCML__E MS_MCML__FN(e)
 #define MS_MCML__W MS_MCML__FN(w)
 #if MS_MCML__ISA == 1
 #define MS_MCML__L 1
@@ -2447,7 +2465,6 @@ static const ms_mcml__kernels *ms_mcml__kernels_of(ms_simd level)
 #endif
 MS_MCML__VECTOR(float, v)
 MS_MCML__VECTOR(uint32_t, u)
-MS_MCML__VECTOR(double, e)
 MS_MCML__VECTOR(uint64_t, w)
 #define MS_MCML__V_SET(a) MS_MCML__FN(v_set)(a)
 #define MS_MCML__V_LOAD(p) ((MS_MCML__V) * (const MS_MCML__FN(v_at) *)(p))
@@ -2483,7 +2500,6 @@ MS_MCML__VECTOR(int32_t, m)
 #define MS_MCML__V_TO_INT(a) ((uint32_t)(int32_t)(a))
 #define MS_MCML__M_BITS(m) ((unsigned)(m))
 #define MS_MCML__U_HIGH(a, b) ((uint32_t)((uint64_t)(a) * (b) >> 32))
-#define MS_MCML__D_ALL(op) op(a, 0) op(b, 1) op(c, 2) op(d, 3) op(e, 4) op(f, 5) op(g, 6) op(h, 7)
 #elif MS_MCML__ISA == 2 && defined(MS_MCML__NEON)
 #define MS_MCML__V_SQRT(a) vsqrtq_f32(a)
 #define MS_MCML__V_MAX(a, b) vmaxq_f32(a, b)
@@ -2495,25 +2511,21 @@ MS_MCML__VECTOR(int32_t, m)
 #define MS_MCML__U_HIGH(a, b)                                                      \
     vuzp2q_u32(vreinterpretq_u32_u64(vmull_u32(vget_low_u32(a), vget_low_u32(b))), \
                vreinterpretq_u32_u64(vmull_high_u32(a, b)))
-#define MS_MCML__D_ALL(op) op(a, 0) op(b, 2) op(c, 4) op(d, 6)
 #elif MS_MCML__ISA == 2
 #define MS_MCML__MM(name, mask, ...) _mm_##name(__VA_ARGS__)
 #define MS_MCML__MM_INT __m128i
 #define MS_MCML__V_SELECT(m, a, b) ((MS_MCML__V)(((m) & (MS_MCML__M)(a)) | (~(m) & (MS_MCML__M)(b))))
 #define MS_MCML__M_BITS(m) ((unsigned)_mm_movemask_ps((__m128)(m)))
-#define MS_MCML__D_ALL(op) op(a, 0) op(b, 2) op(c, 4) op(d, 6)
 #elif MS_MCML__ISA == 3
 #define MS_MCML__MM(name, mask, ...) _mm256_##name(__VA_ARGS__)
 #define MS_MCML__MM_INT __m256i
 #define MS_MCML__V_SELECT(m, a, b) _mm256_blendv_ps(b, a, (__m256)(m))
 #define MS_MCML__M_BITS(m) ((unsigned)_mm256_movemask_ps((__m256)(m)))
-#define MS_MCML__D_ALL(op) op(a, 0) op(b, 4)
 #else /* without maskz GCC's header warns */
 #define MS_MCML__MM(name, mask, ...) _mm512_maskz_##name(mask, __VA_ARGS__)
 #define MS_MCML__MM_INT __m512i
 #define MS_MCML__V_SELECT(m, a, b) _mm512_mask_blend_ps(m, b, a)
 #define MS_MCML__M_BITS(m) ((unsigned)(m))
-#define MS_MCML__D_ALL(op) op(a, 0)
 #endif
 #if defined(MS_MCML__MM_INT)
 #define MS_MCML__V_SQRT(a) MS_MCML__MM(sqrt_ps, 0xffff, a)
@@ -2527,25 +2539,17 @@ MS_MCML__VECTOR(int32_t, m)
                   (MS_MCML__EVEN((MS_MCML__W)(a) >> 32, b) & ((uint64_t)0xffffffffu << 32))))
 #endif
 #if MS_MCML__ISA == 4
-#define MS_MCML__FMA(a, b, c, sign, ps) _mm512_f##sign##madd_##ps(a, b, c)
+#define MS_MCML__V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
+#define MS_MCML__V_NMADD(a, b, c) _mm512_fnmadd_ps(a, b, c)
 #elif MS_MCML__ISA == 3
-#define MS_MCML__FMA(a, b, c, sign, ps) _mm256_f##sign##madd_##ps(a, b, c)
-#endif
-#if MS_MCML__ISA >= 3
-#define MS_MCML__V_MADD(a, b, c) MS_MCML__FMA(a, b, c, , ps)
-#define MS_MCML__V_NMADD(a, b, c) MS_MCML__FMA(a, b, c, n, ps)
-#define MS_MCML__E_MADD(a, b, c) MS_MCML__FMA(a, b, c, , pd)
-#define MS_MCML__E_NMADD(a, b, c) MS_MCML__FMA(a, b, c, n, pd)
+#define MS_MCML__V_MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
+#define MS_MCML__V_NMADD(a, b, c) _mm256_fnmadd_ps(a, b, c)
 #elif MS_MCML__ISA == 2 && defined(MS_MCML__NEON)
 #define MS_MCML__V_MADD(a, b, c) vfmaq_f32(c, a, b)
 #define MS_MCML__V_NMADD(a, b, c) vfmsq_f32(c, a, b)
-#define MS_MCML__E_MADD(a, b, c) vfmaq_f64(c, a, b)
-#define MS_MCML__E_NMADD(a, b, c) vfmsq_f64(c, a, b)
 #else
 #define MS_MCML__V_MADD(a, b, c) ((a) * (b) + (c))
 #define MS_MCML__V_NMADD(a, b, c) ((c) - (a) * (b))
-#define MS_MCML__E_MADD(a, b, c) ((a) * (b) + (c))
-#define MS_MCML__E_NMADD(a, b, c) ((c) - (a) * (b))
 #endif
 
 /* -log(u), u = (word / 2 + 1/2) 2^-31 > 0. With u = (1 + t) 2^e and 1 + t in [sqrt(1/2), sqrt(2)):
@@ -2674,7 +2678,7 @@ static inline MS_MCML__V MS_MCML__FN(absorb)(ms_mcml__tracer *t, MS_MCML__M hit,
 /* A new direction where nothing was hit: Henyey-Greenstein, v = 2 xi - 1,
    1 - cos = (1 - g)^2 (1 - v) (2 + g + g v) / (2 (1 + g v)^2), 1 + cos the same with -g and -v;
    azimuth 2 pi tau, tau in [-1/2, 1/2), from sin and cos of pi tau; an orthonormal basis around u without a branch
-   (Duff et al. 2017), and one Newton step to length 1. */
+   (Duff et al. 2017), and one Newton iteration to length 1. */
 static inline void MS_MCML__FN(deflect)(MS_MCML__M hit, MS_MCML__V g, MS_MCML__U word_cosine, MS_MCML__U word_azimuth,
                                         MS_MCML__V *x, MS_MCML__V *y, MS_MCML__V *z)
 {
@@ -2751,11 +2755,12 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t, int turns)
         MS_MCML__U word_flight, word_cosine, word_azimuth, word_chance, events;
         MS_MCML__V x = MS_MCML__V_LOAD(t->x), y = MS_MCML__V_LOAD(t->y), z = MS_MCML__V_LOAD(t->z);
         MS_MCML__V ux = MS_MCML__V_LOAD(t->ux), uy = MS_MCML__V_LOAD(t->uy), uz = MS_MCML__V_LOAD(t->uz);
-        MS_MCML__V w = MS_MCML__V_LOAD(t->w), u, flight, steep, gap, step;
+        MS_MCML__V w = MS_MCML__V_LOAD(t->w), u, flight, steep, gap, path;
         const MS_MCML__V depth = MS_MCML__V_LOAD(t->depth), mfp = MS_MCML__V_LOAD(t->mfp);
         unsigned boundary, crossing = 0, ended, halving, finished = 0;
         MS_MCML__M hit, up;
 
+        /* The absorption of the turn before, and this turn's random words. */
         for (i = 0; t->cells && i < MS_MCML__L; ++i) t->cells[t->cell[i]] += (int64_t)t->units[i];
         MS_MCML__DRAW(word_flight);
         MS_MCML__DRAW(word_cosine);
@@ -2763,18 +2768,20 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t, int turns)
         MS_MCML__DRAW(word_chance);
         u = MS_MCML__FN(uniform)(word_chance);
 
-        /* to the collision, or to the boundary if that is nearer; at least half the smallest -log u that is not 0 */
+        /* -log(u) mean free paths to the collision, or gap / |uz| to the boundary if that is nearer. A flight has at least
+           half the smallest -log u that is not 0. */
         flight = MS_MCML__V_MAX(MS_MCML__FN(exponential)(word_flight), MS_MCML__V_SET(3e-8f)) * mfp;
         up = MS_MCML__V_LESS(uz, zero);
         gap = MS_MCML__V_MAX(MS_MCML__V_SELECT(up, z, depth - z), zero);
         steep = MS_MCML__V_MAX(MS_MCML__V_BITS(MS_MCML__U_BITS(uz) & 0x7fffffffu), MS_MCML__V_SET(1e-9f));
         hit = MS_MCML__V_LESS(gap, flight * steep);
         boundary = MS_MCML__M_BITS(hit) & t->alive;
-        step = MS_MCML__V_SELECT(hit, gap / steep, flight);
-        x = MS_MCML__V_MADD(step, ux, x);
-        y = MS_MCML__V_MADD(step, uy, y);
-        z = MS_MCML__V_SELECT(hit, MS_MCML__V_SELECT(up, zero, depth), MS_MCML__V_MADD(step, uz, z));
+        path = MS_MCML__V_SELECT(hit, gap / steep, flight);
+        x = MS_MCML__V_MADD(path, ux, x);
+        y = MS_MCML__V_MADD(path, uy, y);
+        z = MS_MCML__V_SELECT(hit, MS_MCML__V_SELECT(up, zero, depth), MS_MCML__V_MADD(path, uz, z));
 
+        /* A collision absorbs and deflects; a boundary reflects with R, turning uz, or lets pass. */
         if (MS_MCML__M_BITS(hit) == all) {
             MS_MCML__V_STORE(t->units, zero);
         } else {
@@ -2787,6 +2794,7 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t, int turns)
             crossing = boundary & ~MS_MCML__M_BITS(back);
         }
 
+        /* Whose turn is not over: crossing lanes, those whose weight is 0, and those at the event of halving. */
         MS_MCML__V_STORE(t->x, x);
         MS_MCML__V_STORE(t->y, y);
         MS_MCML__V_STORE(t->z, z);
@@ -2799,6 +2807,8 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t, int turns)
         ended = t->alive & ~(t->alive & MS_MCML__M_BITS(MS_MCML__V_LESS(zero, w)));
         halving = t->alive & MS_MCML__M_BITS(MS_MCML__U_IS_ZERO(events ^ MS_MCML__U_LOAD(t->limit)));
         if (!(crossing | ended | halving)) continue;
+
+        /* Lane by lane: into the neighboring layer or out; weight doubled or 0; the rest of `kept` into the sums. */
         MS_MCML__U_STORE(t->word, word_chance);
         for (; crossing; crossing &= crossing - 1) {
             i = ms_mcml__lowest(crossing);
@@ -2813,6 +2823,8 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t, int turns)
         for (ended &= ~finished, finished |= ended; ended; ended &= ended - 1)
             ms_mcml__add_absorbed(t, ms_mcml__lowest(ended));
         if (!finished) continue;
+
+        /* New photons, whose random states pass through memory, where the others' are. */
         MS_MCML__U_STORE(t->s[0], s0);
         MS_MCML__U_STORE(t->s[1], s1);
         MS_MCML__U_STORE(t->s[2], s2);
@@ -2833,26 +2845,8 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t, int turns)
 #endif
 }
 
-static const ms_mcml__kernels MS_MCML__FN(kernels) = {MS_MCML__FN(trace)};
-
-#undef MS_MCML__D
 #undef MS_MCML__DRAW
-#undef MS_MCML__D_ADD
-#undef MS_MCML__D_ALL
-#undef MS_MCML__D_FIELD
-#undef MS_MCML__D_FUNCTION
-#undef MS_MCML__D_LOAD
-#undef MS_MCML__D_MADD
-#undef MS_MCML__D_MUL
-#undef MS_MCML__D_NMADD
-#undef MS_MCML__D_SET
-#undef MS_MCML__D_STORE
-#undef MS_MCML__D_SUB
-#undef MS_MCML__E
 #undef MS_MCML__EVEN
-#undef MS_MCML__E_MADD
-#undef MS_MCML__E_NMADD
-#undef MS_MCML__FMA
 #undef MS_MCML__ISA
 #undef MS_MCML__L
 #undef MS_MCML__LEVEL

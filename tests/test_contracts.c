@@ -902,8 +902,8 @@ static void extreme_sizes(void)
 {
     static const size_t residuals[] = {SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / 8, (size_t)1 << 60};
     static const int grids[][3] = {
-        {INT_MAX, 1, 1},  {1, INT_MAX, 1}, {INT_MAX, 1, INT_MAX}, {65536, 65536, 65536}, {INT_MAX, INT_MAX, INT_MAX},
-        {46341, 46341, 1}};
+        {INT_MAX, 1, 1},  {1, INT_MAX, 1},     {INT_MAX, 1, INT_MAX}, {INT_MAX, INT_MAX, INT_MAX},
+        {16777217, 1, 1}, {16777216, 1, 1000}, {65536, 65536, 65536}, {46341, 46341, 1}};
     static const sss_call taps = {"taps", 0, 1, 1, 0};
     static const sss_call pyramid = {"pyramid", 1, 1, 1, 0};
     static const ms_mcml_layer layer = {1.4, 10, 90, 0.8, 0.02};
@@ -929,7 +929,7 @@ static void extreme_sizes(void)
         memset(&grid, 0, sizeof grid);
         grid.dr_cm = grid.dz_cm = 0.01;
         grid.nr = grids[i][0], grid.nz = grids[i][1], grid.na = grids[i][2];
-        CHECK_INT(ms_mcml_create(&tissue, &grid, NULL, &tally, NULL), MS_UNSUPPORTED);
+        CHECK_INT(ms_mcml_create(&tissue, &grid, NULL, &tally, NULL), i < 5 ? MS_INVALID_ARGUMENT : MS_UNSUPPORTED);
         CHECK(tally == NULL);
     }
     for (i = 0; i < 2; ++i) {

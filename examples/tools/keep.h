@@ -1,17 +1,18 @@
 /* What recommendations keep, as text; ms_gpr.h, scores.h and space.h come first.
 
      keep k;
-     const char *problem = keep_open(&k, 19, names);            NULL: fine; otherwise a sentence (static text)
-     if (!problem) problem = keep_wish(&k, "x3=0.5");           fixed
-     if (!problem) problem = keep_wish(&k, "x3=0.2:0.4");       a range
-     if (!problem) problem = keep_wish(&k, "x3=0:1:0.25");      a range in steps
-     if (!problem) problem = keep_wish(&k, "x3=x4");            equal
-     if (!problem) problem = keep_list(&k, "metals.csv", &line); rows to choose from; the header line names the columns:
-     x3,x4,x5
-     if (!problem) problem = keep_space(&k, &options.space);    valid until the next wish
+     const char *problem = keep_open(&k, s.m, s.name);              NULL: fine; otherwise a sentence, valid until
+                                                                    the next call
+     if (!problem) problem = keep_wish(&k, "sheen=0.5");            fixed
+     if (!problem) problem = keep_wish(&k, "sheen=0.2:0.4");        a range
+     if (!problem) problem = keep_wish(&k, "sheen=0:1:0.25");       a range in steps
+     if (!problem) problem = keep_wish(&k, "red=green");            equal
+     if (!problem) problem = keep_list(&k, "metals.csv", &line);    rows to choose from; the file's header line names
+                                                                    their columns, red,green,blue
+     if (!problem) problem = keep_space(&k, &options.space);        valid until the next wish
      keep_close(&k);
 
-   Columns go by the names of the table of scores, where keep_open got them, and by x0, x1, ... else. */
+   Columns go by the names of the table of scores: x0, x1, ... where it has no header line. */
 #ifndef EXAMPLES_KEEP_H
 #define EXAMPLES_KEEP_H
 
@@ -24,8 +25,9 @@ typedef struct keep {
     int *columns;               /* [KEEP_LISTS][m] */
     space_list list[KEEP_LISTS];
     scores table[KEEP_LISTS];
-    const char *const *names; /* [m] of the columns, or NULL */
+    const char *const *names; /* [m] of the columns */
     space_kept made;
+    char problem[240];
 } keep;
 
 static inline void keep_close(keep *k)
@@ -52,36 +54,54 @@ static inline const char *keep_open(keep *k, int m, const char *const *names)
     return NULL;
 }
 
-/* The column that a text names, x0 to x{m-1}, from *text on; -1: none. */
-static inline int keep__column(const keep *k, const char **text)
+/* The column of the longest name that begins the text and is followed by `behind` (0: the end), *text behind that; -1:
+   none. Spaces around a name do not count. */
+static inline int keep__column(const keep *k, const char **text, char behind)
 {
-    char *end;
-    long column;
-    if ((*text)[0] != 'x' || (*text)[1] < '0' || (*text)[1] > '9') return -1;
-    column = strtol(*text + 1, &end, 10);
-    if (column >= k->m) return -1;
-    *text = end;
-    return (int)column;
+    const char *from = *text + strspn(*text, " ");
+    size_t longest = 0;
+    int i, column = -1;
+    for (i = 0; i < k->m; ++i) {
+        const size_t length = strlen(k->names[i]);
+        const char *end = from + length;
+        if (strncmp(from, k->names[i], length) != 0 || length < longest) continue;
+        end += strspn(end, " ");
+        if (*end != behind || (length == longest && column >= 0)) continue;
+        column = i;
+        longest = length;
+        *text = end + (behind != 0);
+    }
+    return column;
+}
+
+static inline const char *keep__no_column(keep *k, const char *text, size_t length)
+{
+    snprintf(k->problem, sizeof k->problem, "no column is called '%.*s': they are %.40s to %.40s", (int)length, text,
+             k->names[0], k->names[k->m - 1]);
+    return k->problem;
 }
 
 static inline const char *keep_wish(keep *k, const char *text)
 {
-    static const char *const wrong = "a wish is none of xK=V, xK=LOW:HIGH, xK=LOW:HIGH:STEP and xK=xL";
-    int column = keep__column(k, &text), other, *more;
+    static const char *const wrong = "a wish is none of NAME=V, NAME=LOW:HIGH, NAME=LOW:HIGH:STEP and NAME=NAME";
+    const char *value = text;
+    const int column = keep__column(k, &value, '=');
+    int other, *more;
     char *end;
-    text += strspn(text, " ");
-    if (column < 0 || *text != '=') return wrong;
-    text += 1 + strspn(text + 1, " ");
-    if (*text == 'x') {
-        if ((other = keep__column(k, &text)) < 0 || *text) return wrong;
+    if (column < 0 && strchr(text, '=') == NULL) return wrong;
+    if (column < 0) return keep__no_column(k, text, strcspn(text, "="));
+    if ((other = keep__column(k, &value, 0)) >= 0) {
         more = (int *)realloc(k->equal, 2 * ((size_t)k->equals + 1) * sizeof *more);
         if (more == NULL) return "out of memory";
         k->equal = more;
         k->equal[2 * k->equals] = column, k->equal[2 * k->equals++ + 1] = other;
         return NULL;
     }
-    k->low[column] = k->high[column] = number_read(text, '.', &end);
-    if (end == text) return wrong;
+    k->low[column] = k->high[column] = number_read(value, '.', &end);
+    if (end == value) {
+        snprintf(k->problem, sizeof k->problem, "'%.60s' is neither a number nor the name of a column", value);
+        return k->problem;
+    }
     if (*end == ':') k->high[column] = number_read(end + 1, '.', &end);
     if (*end == ':') k->steps[column] = number_read(end + 1, '.', &end);
     return *end ? wrong : NULL;
@@ -91,8 +111,8 @@ static inline const char *keep_wish(keep *k, const char *text)
 static inline const char *keep_list(keep *k, const char *path, int *line)
 {
     scores *table = &k->table[k->lists];
-    int *columns = k->columns + (size_t)k->lists * (size_t)k->m, width = 0;
-    const char *problem, *text;
+    int *columns = k->columns + (size_t)k->lists * (size_t)k->m, i;
+    const char *problem;
     *line = 0;
     if (k->lists == KEEP_LISTS) return "there are too many lists";
     problem = scores_read_table(path, table);
@@ -100,18 +120,17 @@ static inline const char *keep_list(keep *k, const char *path, int *line)
     ++k->lists;
     if (problem) return problem;
     *line = 1;
-    if (table->header == NULL) return "the first line does not name the columns, such as x3,x4,x5";
-    for (text = table->header; width < k->m;) {
-        text += strspn(text, " \t\"");
-        if ((columns[width++] = keep__column(k, &text)) < 0) return "a column is not one of the table of scores";
-        text += strspn(text, " \t\"\r\n");
-        if (*text == 0) break;
-        if (*text != ',' && *text != ';') return "the first line is not a list of columns, such as x3,x4,x5";
-        ++text;
+    if (!table->named) {
+        snprintf(k->problem, sizeof k->problem, "the first line does not name the columns, such as %.40s", k->names[0]);
+        return k->problem;
     }
-    if (*text || width != table->m) return "there is another number of columns than the first line names";
+    if (table->m > k->m) return "there are more columns than the scores have";
+    for (i = 0; i < table->m; ++i) {
+        const char *name = table->name[i];
+        if ((columns[i] = keep__column(k, &name, 0)) < 0) return keep__no_column(k, name, strlen(name));
+    }
     k->list[k->lists - 1].columns = columns;
-    k->list[k->lists - 1].width = width;
+    k->list[k->lists - 1].width = table->m;
     k->list[k->lists - 1].rows = table->x;
     k->list[k->lists - 1].count = table->n;
     return NULL;

@@ -3,7 +3,7 @@
      cc -O2 -I. examples/tools/latent.c -o build/latent -lm
      build/latent SCORES.csv OUT.png [RENDERER.safetensors]
 
-   SCORES.csv: columns x0 .. x{m-1}, score; a header line is optional. Three panels: predicted score, similarity to the
+   SCORES.csv: parameters and a score a line, as scores.h reads them. Three panels: predicted score, similarity to the
    best material, and their product; gray where the plane knows nothing. White dots: the embedded materials; red: the
    best one; black: automatic variants of it, from most similar to best liked. RENDERER: a network from parameters to a
    picture, such as examples/data/renderer_64.safetensors: then materials lie on the plane as pictures, and similarity
@@ -120,7 +120,9 @@ int main(int argc, char **argv)
     memset(&net, 0, sizeof net);
     problem = scores_read(argv[1], &s);
     if (problem) {
-        fprintf(stderr, "latent: %s: %s (line %d)\n", argv[1], problem, s.line);
+        fprintf(stderr, "latent: %s: %s", argv[1], problem);
+        if (s.line > 0) fprintf(stderr, " (line %d)", s.line);
+        fputs("\n", stderr);
         return 1;
     }
     if (argc == 4 && (problem = neural_load(argv[3], &net)) != NULL) {

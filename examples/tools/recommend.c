@@ -4,15 +4,16 @@
      build/recommend SCORES.csv [--pairs PAIRS.csv] [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S]
                      [--out FILE] [--keep WISH]... [--list LIST.csv]... [--avoid MATERIALS.csv]
 
-   SCORES.csv: columns x0 .. x{m-1}, score; a header line is optional. PAIRS.csv: comparisons, the number of the
-   preferred material and that of the other one in a line, counted from 1 in the order of SCORES.csv; materials that
-   were only compared have nothing behind their last comma. The recommendations go to FILE, or to standard output,
-   as x0 .. x{m-1}, mean, sigma: predicted score and standard deviation. Parameters stay in [0, 1], or in the range of
-   the scored materials, rounded outwards, where those leave it; columns of one value keep it. Scores may be on any
-   scale. --keep x3=0.5 fixes a parameter, x3=0.2:0.4 is a range, x3=0:1:0.25 one in steps; x3=x4 makes two equal.
-   A list has the values that some parameters take together, such as metals; its first line names them, x3,x4,x5.
-   What is avoided may be a file of recommendations. What the answers do not support is said in lines that begin with
-   "warning:". */
+   SCORES.csv: a material a line, its parameters and its score, in the columns that the header line names: roughness,
+   sheen, ..., score. Without a header they are x0, x1, ... and the score is the last (scores.h has the details).
+   PAIRS.csv: comparisons, the number of the preferred material and that of the other one in a line, counted from 1 in
+   the order of SCORES.csv; materials that were only compared have nothing behind their last comma. The recommendations
+   go to FILE, or to standard output, with their parameters, mean and sigma: predicted score and standard deviation.
+   Parameters stay in [0, 1], or in the range of the scored materials, rounded outwards, where those leave it; columns
+   of one value keep it. Scores may be on any scale. --keep sheen=0.5 fixes a parameter, sheen=0.2:0.4 is a range,
+   sheen=0:1:0.25 one in steps; red=green makes two equal. A list has the values that some parameters take together,
+   such as metals; its first line names them, red,green,blue. What is avoided may be a file of recommendations. What the
+   answers do not support is said in lines that begin with "warning:". */
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #include "scores.h"
@@ -21,70 +22,96 @@
 #include "explain.h"
 
 static const char usage[] =
-    "usage: recommend SCORES.csv [--pairs PAIRS.csv] [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S] [--keep WISH]... [--list LIST.csv]... [--avoid MATERIALS.csv] [--out FILE]\n"
+    "usage: recommend SCORES.csv [--pairs PAIRS.csv] [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S] "
+    "[--keep WISH]... [--list LIST.csv]... [--avoid MATERIALS.csv] [--out FILE]\n"
     "  PAIRS.csv: lines of two numbers of materials in SCORES.csv, from 1, the preferred one first;\n"
     "  count: 1 to 1000000; skip: so many of the same seed are left out; tau: above 0, at most 1; diversity: 0 to 1;\n"
-    "  WISH: x3=0.5, x3=0.2:0.4, x3=0:1:0.25 (in steps), x3=x4; LIST.csv: rows to choose from below a line x3,x4,x5\n";
+    "  WISH: x3=0.5, x3=0.2:0.4, x3=0:1:0.25 (in steps), x3=x4, with the names of the columns;\n"
+    "  LIST.csv: rows to choose from below a line of their names\n";
+
+static int misused(const char *option, const char *value, const char *expected)
+{
+    fprintf(stderr, "recommend: %s %s: expected %s\n", option, value, expected);
+    return file_usage(usage);
+}
 
 /* The value behind an option; ends the program where it is no number from low to high. */
-static double number(const char *text, double low, double high)
+static double number(char **option, double low, double high, const char *expected)
 {
     char *end;
-    double v = strtod(text, &end);
-    if (end == text || *end || !(v >= low && v <= high)) exit(file_usage(usage));
+    double v = number_read(option[1], '.', &end);
+    if (end == option[1] || *end || !(v >= low && v <= high)) exit(misused(option[0], option[1], expected));
     return v;
 }
 
-static void write_csv(FILE *f, const double *x, const double *mean, const double *sigma, int count, int m)
+/* A name in quotes where the table needs them. */
+static void write_name(FILE *f, const char *name)
 {
+    const int quoted = strpbrk(name, ",;\t\"\n") != NULL;
+    if (quoted) putc('"', f);
+    for (; *name; ++name) {
+        if (*name == '"') putc('"', f);
+        putc(*name, f);
+    }
+    if (quoted) putc('"', f);
+}
+
+static void write_csv(FILE *f, const scores *s, const double *x, const double *mean, const double *sigma, int count)
+{
+    const int m = s->m;
+    char text[48];
     int i, k;
-    for (k = 0; k < m; ++k) fprintf(f, "x%d,", k);
+    for (k = 0; k < m; ++k) write_name(f, s->name[k]), putc(',', f);
     fprintf(f, "mean,sigma\n");
     for (i = 0; i < count; ++i) {
-        for (k = 0; k < m; ++k) fprintf(f, "%.9g,", x[(size_t)i * (size_t)m + (size_t)k]);
-        fprintf(f, "%.6g,%.6g\n", mean[i], sigma[i]);
+        for (k = 0; k < m; ++k) fprintf(f, "%s,", number_text(text, "%.9g", x[(size_t)i * (size_t)m + (size_t)k]));
+        fprintf(f, "%s,", number_text(text, "%.6g", mean[i]));
+        fprintf(f, "%s\n", number_text(text, "%.6g", sigma[i]));
     }
 }
 
 /* The comparisons in a file, as pairs of rows below n; how many, or -1: *problem says why. */
 static int read_pairs(const char *path, int n, int **pairs, const char **problem, int *line)
 {
-    scores s;
+    static scores s; /* whose sentence is returned */
     int count = -1, i;
-    *problem = scores_read(path, &s);
+    *problem = scores_read_table(path, &s);
     *line = s.line;
-    if (*problem == NULL && s.m != 1) *problem = "a line is not two numbers of materials";
-    for (i = 0; i < s.n && *problem == NULL; ++i)
-        if (!(s.x[i] >= 1 && s.x[i] <= n && s.y[i] >= 1 && s.y[i] <= n && floor(s.x[i]) >= s.x[i] &&
-              floor(s.y[i]) >= s.y[i]) ||
-            (s.x[i] >= s.y[i] && s.x[i] <= s.y[i])) {
-            *problem = "a comparison is not of two materials of the scores, counted from 1";
-            *line = i + 1;
-        }
+    if (*problem == NULL && s.m != 2) *problem = "a line is not two numbers of materials", *line = s.lines[0];
+    for (i = 0; i < s.n && *problem == NULL; ++i) {
+        const double a = s.x[2 * i], b = s.x[2 * i + 1];
+        if (a >= 1 && a <= n && b >= 1 && b <= n && floor(a) >= a && floor(b) >= b && (a < b || a > b)) continue;
+        *problem = "a comparison is not of two materials of the scores, counted from 1";
+        *line = s.lines[i];
+    }
     if (*problem == NULL && (*pairs = (int *)malloc(2 * (size_t)s.n * sizeof **pairs)) == NULL)
         *problem = "too large for memory";
-    if (*problem == NULL)
-        for (i = 0, count = s.n; i < count; ++i)
-            (*pairs)[2 * i] = (int)s.x[i] - 1, (*pairs)[2 * i + 1] = (int)s.y[i] - 1;
+    if (*problem != NULL) return -1;
+    for (i = 0, count = s.n; i < 2 * count; ++i) (*pairs)[i] = (int)s.x[i] - 1;
     scores_free(&s);
     return count;
 }
 
-/* The first m columns of a file, [*count][m]. */
-static const char *read_materials(const char *path, int m, double **x, int *count, int *line)
+/* The materials of a file, [*count][m]: the columns that it calls as `known` does, or else its first. */
+static const char *read_materials(const char *path, const scores *known, double **x, int *count, int *line)
 {
-    scores s;
+    static scores s; /* whose sentence is returned */
     const char *problem = scores_read_table(path, &s);
-    int i;
+    const int m = known->m;
+    int i, k, from, named;
     *line = s.line;
-    if (problem == NULL && s.m < m) problem = "has fewer columns than the scores have parameters";
-    for (i = 0; i < s.n && problem == NULL; ++i)
-        memmove(s.x + (size_t)i * (size_t)m, s.x + (size_t)i * (size_t)s.m, (size_t)m * sizeof *s.x);
-    *x = s.x;
+    if (problem) return problem;
+    if (s.m < m) return "has fewer columns than the scores have parameters";
+    if ((*x = (double *)malloc((size_t)s.n * (size_t)m * sizeof **x)) == NULL) return "too large for memory";
+    for (k = 0; k < m; ++k) {
+        for (from = k, named = 0; named < s.m && strcmp(s.name[named], known->name[k]) != 0; ++named) {}
+        if (named < s.m) from = named;
+        else if (s.named && known->named) return "lacks a column of the scores";
+        for (i = 0; i < s.n; ++i) (*x)[(size_t)i * (size_t)m + (size_t)k] = s.x[(size_t)i * (size_t)s.m + (size_t)from];
+    }
     *count = s.n;
-    s.x = NULL;
     scores_free(&s);
-    return problem;
+    return NULL;
 }
 
 static int failed(const char *where, const char *problem, int line)
@@ -100,29 +127,50 @@ static void warn(const scores *s, const ms_gpr_fit_report *fitted, const ms_gpr_
     double nearest = 0;
     int column = 0, row = scores_slip(s, &column, &nearest);
     if (row >= 0 && column < s->m)
-        fprintf(stderr, "warning: is that a slip? x%d of material %d is %.6g, the nearest of the others is %.6g\n",
-                column, row + 1, s->x[(size_t)row * (size_t)s->m + (size_t)column], nearest);
+        fprintf(stderr,
+                "warning: is that a slip? %s of material %d is %.6g (line %d), the nearest of the others is %.6g.\n",
+                s->name[column], row + 1, s->x[(size_t)row * (size_t)s->m + (size_t)column], s->lines[row], nearest);
     else if (row >= 0)
-        fprintf(stderr, "warning: is that a slip? score %d is %.6g, the nearest of the others is %.6g\n", row + 1,
-                s->y[row], nearest);
+        fprintf(stderr, "warning: is that a slip? score %d is %.6g (line %d), the nearest of the others is %.6g.\n",
+                row + 1, s->y[row], s->lines[row], nearest);
     else if (fitted->outlier.row >= 0)
-        fprintf(stderr, "warning: is that a slip? score %d is %.6g, about %.2g was expected from the others\n",
-                fitted->outlier.row + 1, fitted->outlier.value, fitted->outlier.expected);
+        fprintf(
+            stderr, "warning: is that a slip? score %d is %.6g (line %d), about %.2g was expected from the others.\n",
+            fitted->outlier.row + 1, fitted->outlier.value, s->lines[fitted->outlier.row], fitted->outlier.expected);
     if (scored >= 8 && !(fitted->explained > 0.05)) /* below it random scores are as good: tests/test_gpr.c */
-        fprintf(stderr, "warning: these scores predict each other no better than their mean\n");
+        fprintf(stderr, "warning: these scores predict each other no better than their mean.\n");
     if (report->search != MS_GPR_SEARCH_VARIANTS) return;
     if (report->liked > 0)
         fprintf(
             stderr,
-            "warning: too little is known for a threshold: these are variants of the %d materials that were liked\n",
+            "warning: too little is known for a threshold: these are variants of the %d materials that were liked.\n",
             report->liked);
-    else fprintf(stderr, "warning: nothing was liked yet: these are materials unlike those that were not\n");
+    else fprintf(stderr, "warning: nothing was liked yet: these are materials unlike those that were not.\n");
+}
+
+/* What was learned and found. */
+static void summarize(const scores *s, const ms_gpr_recommend_report *report, int scored, int comparisons)
+{
+    double most = SCORES_NONE;
+    int i;
+    for (i = 0; i < s->n; ++i) most = fmax(most, s->y[i]);
+    if (*s->note) fprintf(stderr, "Of the file, %s.\n", s->note);
+    fprintf(stderr, "%d scores of %d parameters", scored, s->m);
+    if (comparisons > 0) fprintf(stderr, " and %d comparisons", comparisons);
+    fprintf(stderr, "; the best predicted score is %.3g", report->best);
+    if (scored > 0 && report->best > most) fprintf(stderr, ", above the best that was given, %.3g", most);
+    fprintf(stderr, ".\n%d recommendations ", report->found);
+    if (report->search == MS_GPR_SEARCH_VARIANTS) fprintf(stderr, "by variants of what was liked");
+    else fprintf(stderr, "of at least %.3g by a threshold", report->threshold);
+    fprintf(stderr, "; mean distance to the nearest other %.3f.\n", report->spread);
+    if (report->search == MS_GPR_SEARCH_VARIANTS) return;
+    if (report->acceptance > 0) fprintf(stderr, "One uniform material in %.0f would do.\n", 1 / report->acceptance);
+    else fprintf(stderr, "None of 8192 uniform materials would do.\n");
 }
 
 int main(int argc, char **argv)
 {
     static keep kept;
-    static const char *const search[] = {"", "a threshold", "variants of what was liked"};
     const char *in = NULL, *out = NULL, *compared = NULL, *avoided = NULL, *problem;
     enum { EXPLAINED = 300 };
     double count = 300, *x, *mean, *sigma, *avoid = NULL, *of_many = NULL;
@@ -144,24 +192,31 @@ int main(int argc, char **argv)
     if (file_help(argc, argv, usage)) return file_end_stdout("recommend");
     for (i = 1; i < argc; ++i) {
         if (argv[i][0] != '-' && in == NULL) in = argv[i];
-        else if (argv[i][0] != '-' || i + 1 == argc) return file_usage(usage);
+        else if (argv[i][0] != '-') return misused(argv[i], "", "one file of scores, and options that begin with --");
+        else if (i + 1 == argc) return misused(argv[i], "", "a value behind it");
         else if (strcmp(argv[i], "--pairs") == 0) compared = argv[++i];
-        else if (strcmp(argv[i], "--count") == 0) count = number(argv[++i], 1, 1e6);
-        else if (strcmp(argv[i], "--skip") == 0) options.skip = (int)number(argv[++i], 0, 1e6);
-        else if (strcmp(argv[i], "--diversity") == 0) options.diversity = number(argv[++i], 0, 1);
-        else if (strcmp(argv[i], "--tau") == 0) options.tau = number(argv[++i], 1e-6, 1);
-        else if (strcmp(argv[i], "--seed") == 0) options.seed = (uint64_t)number(argv[++i], 0, 9007199254740992.0);
+        else if (strcmp(argv[i], "--count") == 0)
+            count = number(argv + i++, 1, 1e6, "a whole number from 1 to 1000000");
+        else if (strcmp(argv[i], "--skip") == 0)
+            options.skip = (int)number(argv + i++, 0, 1e6, "a whole number from 0 to 1000000");
+        else if (strcmp(argv[i], "--diversity") == 0)
+            options.diversity = number(argv + i++, 0, 1, "a number from 0 to 1");
+        else if (strcmp(argv[i], "--tau") == 0)
+            options.tau = number(argv + i++, 1e-6, 1, "a number above 0, at most 1");
+        else if (strcmp(argv[i], "--seed") == 0)
+            options.seed = (uint64_t)number(argv + i++, 0, 9007199254740992.0, "a whole number of at least 0");
         else if (strcmp(argv[i], "--out") == 0) out = argv[++i];
         else if (strcmp(argv[i], "--avoid") == 0) avoided = argv[++i];
         else if (strcmp(argv[i], "--keep") == 0 || strcmp(argv[i], "--list") == 0) ++i; /* once there are parameters */
-        else return file_usage(usage);
+        else return misused(argv[i], "", "one of the options below");
     }
-    if (in == NULL || count > floor(count)) return file_usage(usage);
+    if (in == NULL) return file_usage(usage);
+    if (count > floor(count)) return misused("--count", "of a fraction", "a whole number from 1 to 1000000");
     problem = compared ? scores_read_some(in, &s) : scores_read(in, &s);
     if (problem) return failed(in, problem, s.line);
     if (compared && (learn.choices.count = read_pairs(compared, s.n, &pairs, &problem, &line)) < 0)
         return failed(compared, problem, line);
-    if ((problem = keep_open(&kept, s.m, NULL)) != NULL) return failed(in, problem, 0);
+    if ((problem = keep_open(&kept, s.m, s.name)) != NULL) return failed(in, problem, 0);
     for (i = 1; i + 1 < argc; ++i) {
         if (argv[i][0] != '-') continue;
         line = 0;
@@ -171,7 +226,7 @@ int main(int argc, char **argv)
         ++i;
     }
     if ((problem = keep_space(&kept, &options.space)) != NULL) return failed("--keep", problem, 0);
-    if (avoided && (problem = read_materials(avoided, s.m, &avoid, &options.avoid_count, &line)) != NULL)
+    if (avoided && (problem = read_materials(avoided, &s, &avoid, &options.avoid_count, &line)) != NULL)
         return failed(avoided, problem, line);
     options.avoid = avoid;
     learn.choices.rows = pairs;
@@ -180,7 +235,7 @@ int main(int argc, char **argv)
     x = (double *)malloc((size_t)n * (size_t)s.m * sizeof *x);
     mean = (double *)malloc((size_t)n * sizeof *mean);
     sigma = (double *)malloc((size_t)n * sizeof *sigma);
-    if (!x || !mean || !sigma) return 1;
+    if (!x || !mean || !sigma) return failed(in, "out of memory", 0);
     status = ms_gpr_fit(s.x, s.y, s.n, s.m, &learn, &gp, &fitted, &error);
     if (status == MS_OK) status = ms_gpr_recommend(gp, &options, n, x, mean, sigma, &report, &error);
     if (status == MS_NOT_CONVERGED && gp && report.found > 0) { /* there are not so many materials */
@@ -195,25 +250,20 @@ int main(int argc, char **argv)
         fprintf(stderr, "recommend: %s: %s\n", out, saved.problem);
         return 1;
     }
-    write_csv(f, x, mean, sigma, report.found, s.m);
+    write_csv(f, &s, x, mean, sigma, report.found);
     if (out && (problem = file_finish(&saved, 1)) != NULL) {
         fprintf(stderr, "recommend: %s: %s\n", out, problem);
         return 1;
     }
     if (!out && file_end_stdout("recommend")) return 1;
     warn(&s, &fitted, &report, scored);
-    if (compared) fprintf(stderr, "%d comparisons; ", learn.choices.count);
-    fprintf(stderr,
-            "%d scores of %d parameters; best predicted score %.3g; %d recommendations of at least %.3g by %s;\n"
-            "one uniform material in %.0f would do; mean distance to the nearest other %.3f\n",
-            scored, s.m, report.best, report.found, report.threshold, search[report.search],
-            report.acceptance > 0 ? 1 / report.acceptance : (double)INFINITY, report.spread);
+    summarize(&s, &report, scored, learn.choices.count);
     if (report.search == MS_GPR_SEARCH_THRESHOLD &&
         (of_many = (double *)malloc(EXPLAINED * (size_t)s.m * sizeof *x)) != NULL) {
         options.skip = 0; /* of a number of its own: ranges of few are narrow by chance */
         if (ms_gpr_recommend(gp, &options, EXPLAINED, of_many, NULL, NULL, &report, NULL) == MS_OK &&
-            explain(gp, of_many, EXPLAINED, &options.space, NULL, 4, why, sizeof why))
-            fprintf(stderr, "%s\n", why);
+            explain(gp, of_many, EXPLAINED, &options.space, s.name, 4, why, sizeof why))
+            fprintf(stderr, "%s.\n", why);
     }
     ms_gpr_destroy(gp);
     scores_free(&s);

@@ -128,10 +128,16 @@ static ms_status embed(flow *f)
     ms_gpr_latent_options options;
     int count = studio_liked(f->gp, STUDIO_LIKED, f->chosen, liked);
     ms_status status;
+    if (count == 0) {
+        snprintf(f->error.message, sizeof f->error.message,
+                 "no score is above the lowest: nothing is known to be liked");
+        return f->error.status = MS_BAD_DATA;
+    }
     memset(&options, 0, sizeof options);
     options.prior = 0.1; /* keeps the plane compact */
     memcpy(liked + count * M, f->chosen, sizeof f->chosen);
     status = ms_gpr_latent_fit(liked, count + 1, M, &options, &f->plane, NULL, &f->error);
+    if (status != MS_OK) return status;
     f->fine = map_around(f->plane, FINE);
     f->coarse = map_around(f->plane, COARSE);
     return status;
@@ -290,20 +296,39 @@ static const char *load(flow *f, const char *folder)
 
 static const char *read_scores(flow *f, const char *path)
 {
-    scores s;
+    static scores s;
+    static char text[320];
     const char *problem = scores_read(path, &s);
-    int i;
-    if (!problem && s.m != M) problem = "expected 19 parameters and a score a row";
-    for (i = 0; !problem && i < s.n * M; ++i)
-        if (!(s.x[i] >= 0 && s.x[i] <= 1)) problem = "a parameter is outside [0, 1]";
-    if (problem) {
-        scores_free(&s);
-        return problem;
+    int i, k;
+    if (!problem && s.m != M) {
+        snprintf(text, sizeof text, "has %d parameters, 19 and a score were expected", s.m);
+        return text;
     }
+    for (i = 0; !problem && i < s.n; ++i)
+        for (k = 0; k < M; ++k)
+            if (!(s.x[i * M + k] >= 0 && s.x[i * M + k] <= 1)) {
+                snprintf(text, sizeof text, "%.40s is %.6g, outside of 0 to 1 (line %d)", s.name[k], s.x[i * M + k],
+                         s.lines[i]);
+                return text;
+            }
+    if (problem && s.line > 0) {
+        snprintf(text, sizeof text, "%s (line %d)", problem, s.line);
+        return text;
+    }
+    if (problem) return problem;
+    if (*s.note) fprintf(stderr, "Of the scores, %s.\n", s.note);
     f->n = s.n;
     f->x = s.x;
     f->y = s.y;
+    s.x = s.y = NULL;
+    scores_free(&s);
     return NULL;
+}
+
+static int misused(const char *option, const char *value, const char *expected)
+{
+    fprintf(stderr, "workflow: %s %s: expected %s\n", option, value, expected);
+    return file_usage(usage);
 }
 
 int main(int argc, char **argv)
@@ -322,14 +347,18 @@ int main(int argc, char **argv)
     f->user = &tastes[0];
     for (i = 1; i < argc; ++i) {
         if (argv[i][0] != '-' && out == NULL) out = argv[i];
-        else if (argv[i][0] != '-' || i + 1 == argc) return file_usage(usage);
+        else if (argv[i][0] != '-') return misused(argv[i], "", "one folder, and options that begin with --");
+        else if (i + 1 == argc) return misused(argv[i], "", "a value behind it");
         else if (strcmp(argv[i], "--scores") == 0) file = argv[++i];
         else if (strcmp(argv[i], "--networks") == 0) networks = argv[++i];
-        else if (strcmp(argv[i], "--seed") == 0) f->seed = (uint64_t)strtoul(argv[++i], NULL, 10);
-        else if (strcmp(argv[i], "--taste") == 0) {
+        else if (strcmp(argv[i], "--seed") == 0) {
+            char *end;
+            f->seed = (uint64_t)strtoul(argv[++i], &end, 10);
+            if (end == argv[i] || *end) return misused("--seed", argv[i], "a whole number of at least 0");
+        } else if (strcmp(argv[i], "--taste") == 0) {
             for (f->user = tastes, ++i; f->user < tastes + 3 && strcmp(f->user->name, argv[i]) != 0; ++f->user) {}
-            if (f->user == tastes + 3) return file_usage(usage);
-        } else return file_usage(usage);
+            if (f->user == tastes + 3) return misused("--taste", argv[i], "metal, glass or jade");
+        } else return misused(argv[i], "", "one of the options below");
     }
     if (out == NULL) return file_usage(usage);
 

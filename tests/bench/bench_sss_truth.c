@@ -26,7 +26,7 @@ static const struct {
     float flat;
     const char *texels; /* that the shader text reads a pixel, as make bench-gpu counts them; -: there is none */
 } methods[METHODS] = {{"unfiltered", UNFILTERED, MS_SSS_SLICE, 0, 0, 0, 1, "1"},
-                      {"released separable shader, 17 taps", SEPARABLE, MS_SSS_SLICE, 17, 0, 0, 1, "68"},
+                      {"model of the released shader, 17 taps", SEPARABLE, MS_SSS_SLICE, 17, 0, 0, 1, "68"},
                       {"disc sampling, 64 samples", DISC, MS_SSS_SLICE, 64, 0, 0, 1, "130"},
                       {"separable, 7 taps, flat", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 7, 0, 0, 1, "27"},
                       {"**separable, 7 taps (default)**", SEPARABLE, MS_SSS_IMAGE_OPTIMAL, 7, 0, 0, 0, "35"},
@@ -155,7 +155,7 @@ static int draw(void)
         const char *name;
         int first, count, style;
     } series[] = {{"unfiltered", 0, 1, PLOT_DOTS},
-                  {"released shader", 1, 1, PLOT_DOTS},
+                  {"model of the released", 1, 1, PLOT_DOTS},
                   {"disc, 64 samples", 2, 1, PLOT_DOTS},
                   {"7 taps, flat", 3, 1, PLOT_DOTS},
                   {"7, 17, 33 taps", 4, 0, PLOT_LINE | PLOT_DOTS},

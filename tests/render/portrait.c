@@ -78,7 +78,7 @@ static void arrives(const set *k, trace_sampler *sampler, scene_vec p, scene_vec
     ambient(k, p, n, smooth, out);
     for (i = 0; i < SCENE_LIGHTS; ++i) {
         const scene_light *l = &k->light[i];
-        scene_vec from = scene_mad(smooth, 0.05f, p), to = scene_sub(l->position, from), direction;
+        scene_vec from = scene_mad(smooth, 0.4f, p), to = scene_sub(l->position, from), direction;
         float d2 = scene_dot(to, to), d = sqrtf(d2), u, v, least, cosine;
         trace_sample(sampler, &u, &v);
         least = sqrtf(scene__max(0, 1 - l->radius * l->radius / d2));
@@ -263,7 +263,7 @@ int main(int argc, char **argv)
     width = atoi(argv[3]);
     height = atoi(argv[4]);
     if (width < 16 || height < 16 || width > 8192 || height > 8192) need("16 to 8192 expected", "size");
-    set_make(&k, width, height, argc == 6 ? atof(argv[5]) : 0, walks ? 0.8f : 1.25f);
+    set_make(&k, width, height, argc == 6 ? atof(argv[5]) : 0, 0.8f);
     box[0] = box[1] = 0;
     box[2] = width;
     box[3] = height;

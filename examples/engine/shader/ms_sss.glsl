@@ -77,7 +77,7 @@
 #if defined(MS_SSS_HLSL)
 #define bits_of asuint
 #define float_of asfloat
-#define TEXTURE(name, fetch, slot, at) Texture2D<float4> name : register(at); float4 fetch(int2 p) { return name.Load(int3(p, 0)); }
+#define TEXTURE(name, read, slot, at) Texture2D<float4> name : register(at); float4 read(int2 p) { return name.Load(int3(p, 0)); }
 #elif !defined(MS_SSS_WGSL) // whose macros the tool has
 #define int2 ivec2
 #define float2 vec2
@@ -86,9 +86,9 @@
 #define bits_of floatBitsToUint
 #define float_of uintBitsToFloat
 #ifdef MS_SSS_VULKAN
-#define TEXTURE(name, fetch, slot, at) layout(set = 0, binding = slot) uniform sampler2D name; vec4 fetch(ivec2 p) { return texelFetch(name, p, 0); }
+#define TEXTURE(name, read, slot, at) layout(set = 0, binding = slot) uniform sampler2D name; vec4 read(ivec2 p) { return texelFetch(name, p, 0); }
 #else
-#define TEXTURE(name, fetch, slot, at) uniform sampler2D name; vec4 fetch(ivec2 p) { return texelFetch(name, p, 0); }
+#define TEXTURE(name, read, slot, at) uniform sampler2D name; vec4 read(ivec2 p) { return texelFetch(name, p, 0); }
 #endif
 #endif
 #ifndef MS_SSS_WGSL

@@ -244,9 +244,10 @@ float4 filter_pixel(int2 pixel) {
         if (!(abs(there.a) > 0.0)) { continue; }
         float3 lift = one3;
 #if !MS_SSS_FLAT
-        if (i != 4) { // elevation: sin(theta) over the distance of 1 or sqrt(2) pixels
+        if (i != 4) { // elevation: sin(theta) over the distance of 1 or sqrt(2) pixels; none from a radius of 20 on
             float grain = 2.0 * TAP_ROUNDING * pick(abs(own.a), 1.0, MS_SSS_PERSPECTIVE > 0);
             float sine = (away - clamp(away, -grain, grain)) / max(surface.r, 1.0);
+            sine = sine * clamp(2.0 - 0.1 * radius, 0.0, 1.0);
             sine = clamp(sine * pick(0.70710678, 1.0, beside.x == 0 || beside.y == 0), -1.0, 1.0);
             lift = max(one3 + K_4.rgb * sine, zero3);
             lift = lift * lift * lift * lift;
