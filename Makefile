@@ -17,6 +17,7 @@
 #   make sizes      what each header adds to a program, in kilobytes
 #   make dataset    path-traced pictures of random materials for training (FIRST, COUNT, SIZE, SAMPLES, TAKE, JOBS)
 #   make hero       README's top picture: recommended materials on 209 objects, path-traced (WIDTH, HEIGHT, PASSES, JOBS)
+#   make portrait   README's first picture: a head of skin without scattering, by ms_sss.h, and path-traced (WALKS)
 #   make train      the networks of examples/data from nothing: hours of rendering, an hour of training
 #   make web        examples/web/kernels.html: subsurface kernels designed live in a browser (clang for WebAssembly, wasi-libc)
 #   make studio     examples/web/studio.html: the whole workflow live in a browser (the same)
@@ -186,6 +187,8 @@ dataset:
 	@CC="$(CC)" sh tests/render/dataset.sh
 hero: build/recommend
 	@CC="$(CC)" sh tests/render/hero.sh
+portrait:
+	@CC="$(CC)" sh tests/render/portrait.sh
 train: build/train
 	@CC="$(CC)" sh tests/train/train.sh
 
@@ -204,4 +207,4 @@ wgsl: build/sss_wgsl
 clean:
 	rm -rf build
 
-.PHONY: all demo deps examples check test test-long check-style format sanitize thread valgrind fuzz soak attack test-cross mutate coverage calls sizes bench bench-gpu web studio dataset hero train blender blender-dataset blender-train common wgsl clean
+.PHONY: all demo deps examples check test test-long check-style format sanitize thread valgrind fuzz soak attack test-cross mutate coverage calls sizes bench bench-gpu web studio dataset hero portrait train blender blender-dataset blender-train common wgsl clean

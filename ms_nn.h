@@ -90,8 +90,8 @@
    ------
    A file costs one allocation, a network a dozen and at most five for each layer with weights. Convolutions are packed,
    and dense layers of at most two million weights or of fewer than 512 inputs, together at most 64 MB; the others are
-   read in place. With a workspace of ms_nn_workspace_size bytes the calls allocate nothing; it stops growing at 48 samples,
-   since more run in groups. Stack: below 32 kB, 64 kB when compiled without optimization.
+   read in place. With a workspace of ms_nn_workspace_size bytes the calls allocate nothing; it stops growing at 48
+   samples, since more run in groups. Stack: below 32 kB, 64 kB when compiled without optimization.
 
    Threads, SIMD, determinism, errors
    ----------------------------------
