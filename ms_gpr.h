@@ -73,7 +73,6 @@
    MS_GPR_FILENAME  this file's name, if it is not "ms_gpr.h"
    MS_GPR_NO_PLANE  no latent space: a sixth of the object less
    MS_NO_SIMD       scalar text only
-   MS_ASSERT        checks of the header's own invariants (nothing)
 
    Limits
    ------

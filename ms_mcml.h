@@ -76,7 +76,6 @@
    MS_DEF            linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_MCML_FILENAME  this file's name, if it is not "ms_mcml.h"
    MS_NO_SIMD        scalar text only (as Microsoft's cl compiles it)
-   MS_ASSERT         checks of the header's own invariants (nothing)
 
    Limits
    ------

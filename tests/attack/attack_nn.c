@@ -738,28 +738,6 @@ static void use(const unsigned char *bytes, size_t size, int must_fail)
         }
         free(x);
     }
-#ifdef MS_NN_SHADER_WIDTH
-    {
-        ms_nn_shader s;
-        ms_nn_shader_sizes z;
-        memset(&s, 0, sizeof s);
-        s.steps = attack_index(5);
-        s.step = s.steps ? attack_index(s.steps) : attack_index(2);
-        s.language = (ms_nn_language)attack_index(5);
-        s.width = attack_index(4);
-        s.height = attack_index(4);
-        error = attack_no_error();
-        status = ms_nn_shader_layout(nn, &s, &z, &error);
-        if (status == MS_OK) {
-            const size_t length = ms_nn_shader_text(nn, &s, NULL, 0, &error);
-            char *text = (char *)malloc(length + 1);
-            ATTACK_CHECK(length > 0 && ms_nn_shader_text(nn, &s, text, length + 1, &error) == length &&
-                             strlen(text) == length,
-                         "shader: another length than it says");
-            free(text);
-        } else attack_check_error(status, &error);
-    }
-#endif
     ms_nn_destroy(nn);
 }
 
