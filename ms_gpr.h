@@ -71,7 +71,7 @@
    ------------------------------------------------
    MS_DEF           linkage of the functions, e.g. static, __declspec(dllexport) (nothing)
    MS_GPR_FILENAME  this file's name, if it is not "ms_gpr.h"
-   MS_GPR_NO_PLANE  no latent space: a sixth of the object less
+   MS_GPR_NO_PLANE  no latent space: a tenth of the object less
    MS_NO_SIMD       scalar text only
 
    Limits
