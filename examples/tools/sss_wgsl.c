@@ -1,6 +1,9 @@
 /* WGSL of the subsurface shaders, for WebGPU:
-     sss_wgsl examples/engine/shader                                    writes the four usual variants there
-     sss_wgsl examples/engine/shader MS_SSS_STEP=7 MS_SSS_TAPS=11       prints one
+
+     cc -O2 -I. examples/tools/sss_wgsl.c -o build/sss_wgsl -lm
+     build/sss_wgsl examples/engine/shader                              writes the four usual variants there
+     build/sss_wgsl examples/engine/shader MS_SSS_STEP=7 MS_SSS_TAPS=11 prints one
+
    The engine's module adds the functions ms_sss_fetch_... that the variant calls. Constants are at binding 0 of group
    0, targets of earlier steps at the bindings that the shader files name. */
 #include "files.h"
