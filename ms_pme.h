@@ -582,7 +582,12 @@ static double ms_pme__norm(const double *v, size_t count)
 }
 
 /* x^2 as far as doubles reach. */
-static double ms_pme__square(double x) { return fabs(x) < 1e154 ? x * x : MS_PME__INF; }
+static double ms_pme__square(double x)
+{
+    const int overflows = !(fabs(x) < 1e154);
+    const double bounded = overflows ? 1e154 : x; /* a compiler may multiply before it asks: no trap then either */
+    return overflows ? MS_PME__INF : bounded * bounded;
+}
 
 /* ---- the run: budget and evaluations --------------------------------------------------------------------------- */
 
