@@ -584,9 +584,8 @@ static double ms_pme__norm(const double *v, size_t count)
 /* x^2 as far as doubles reach. */
 static double ms_pme__square(double x)
 {
-    const int overflows = !(fabs(x) < 1e154);
-    const double bounded = overflows ? 1e154 : x; /* a compiler may multiply before it asks: no trap then either */
-    return overflows ? MS_PME__INF : bounded * bounded;
+    const double bounded = fmin(fabs(x), 1e154); /* a compiler may multiply before it asks: no trap then either */
+    return bounded < 1e154 ? bounded * bounded : MS_PME__INF;
 }
 
 /* ---- the run: budget and evaluations --------------------------------------------------------------------------- */
