@@ -596,8 +596,8 @@ static int attack_main(int argc, char **argv, const attack_family *families, int
 #if ATTACK_FORK
     {
         double shrinking = 0;
-        char log[64];
-        snprintf(log, sizeof log, "/tmp/attack.%ld.log", (long)getpid());
+        char log[512]; /* of a child, beside the program */
+        snprintf(log, sizeof log, "%s.%ld.log", argv[0], (long)getpid());
         if (cases != NULL) attack_earlier(families, count, cases, argv[0], log);
         for (;;) {
             const double start = attack_children();
