@@ -469,14 +469,17 @@ static inline void truth_through(const truth *t, const ms_sss_kernel *kernel, im
     }
 }
 
-/* Golubev 2018 (Unity) and Unreal's Burley filter: samples of a disc, importance-sampled by the widest channel,
-   weighted by the profile at the distance in space; no curvature. */
-static inline void truth_disc(const truth *t, int samples, image *out)
+/* A model of Unity HDRP's filter (Golubev 2018): samples of a disc on the screen, importance-sampled by the widest
+   channel, turned by a random angle at each pixel in each of the frames, whose mean this is. A weight is at most 1: the
+   profile at the distance r in space times r, over that at the distance p on the screen. No curvature, no normals. */
+static inline void truth_disc(const truth *t, int samples, int frames, image *out)
 {
     double radius[3], (*value)[3] = (double(*)[3])malloc(4097 * sizeof *value), reach;
-    float *offset = (float *)malloc(4 * (size_t)samples * sizeof *offset);
-    int x, y, i, c, widest = 0;
-    if (value == NULL || offset == NULL) abort();
+    double(*sample)[2] = (double(*)[2])malloc((size_t)samples * sizeof *sample); /* distance, profile there times it */
+    uint32_t random = 1;
+    int x, y, i, c, frame, widest = 0;
+    if (value == NULL || sample == NULL) abort();
+    memset(out->pixels, 0, image_count(out) * sizeof(float));
     ms_sss_profile_radius(t->profile, 0.99, radius);
     for (c = 1; c < 3; ++c)
         if (radius[c] > radius[widest]) widest = c;
@@ -486,40 +489,88 @@ static inline void truth_disc(const truth *t, int samples, image *out)
         double r[3], at[3];
         ms_sss_profile_radius(t->profile, (i + 0.5) / samples * 0.995, r);
         ms_sss_profile_value(t->profile, r[widest], at);
-        offset[4 * i] = (float)(r[widest] * cos(2.39996323 * i));
-        offset[4 * i + 1] = (float)(r[widest] * sin(2.39996323 * i));
-        offset[4 * i + 2] = (float)(r[widest] * r[widest]);
-        offset[4 * i + 3] = (float)at[widest];
+        sample[i][0] = r[widest];
+        sample[i][1] = r[widest] * at[widest];
     }
+    for (frame = 0; frame < frames; ++frame)
+        for (y = 0; y < t->height; ++y)
+            for (x = 0; x < t->width; ++x) {
+                const int at = y * t->width + x;
+                const float z = t->layers.depth.pixels[at];
+                double sum[3] = {0, 0, 0}, weights[3] = {0, 0, 0}, scale, turn;
+                random = random * 1664525u + 1013904223u;
+                if (t->layers.triangle[at] < 0) continue;
+                turn = 6.28318530718 * random / 4294967296.0;
+                scale = t->height / (2 * (double)t->camera.tan_half_fov * (double)z * (double)t->mm_per_unit);
+                for (i = 0; i < samples; ++i) {
+                    const double angle = 2.39996323 * i + turn, p = sample[i][0] * scale;
+                    const int qx = x + (int)floor(p * cos(angle) + 0.5), qy = y + (int)floor(p * sin(angle) + 0.5),
+                              q = qy * t->width + qx;
+                    double dz, r;
+                    int cell;
+                    if (qx < 0 || qy < 0 || qx >= t->width || qy >= t->height || t->layers.triangle[q] < 0) continue;
+                    dz = (double)((t->layers.depth.pixels[q] - z) * t->mm_per_unit);
+                    r = sqrt(sample[i][0] * sample[i][0] + dz * dz);
+                    cell = (int)(r / reach * 4096 + 0.5);
+                    if (cell > 4096) continue;
+                    for (c = 0; c < 3; ++c) {
+                        const double w = fmin(1, value[cell][c] * r / sample[i][1]);
+                        weights[c] += w;
+                        sum[c] += w * (double)t->lit->irradiance.pixels[3 * q + c];
+                    }
+                }
+                for (c = 0; c < 3; ++c)
+                    out->pixels[3 * at + c] += (float)(weights[c] > 0 ? t->reflectance[c] * sum[c] / weights[c] / frames
+                                                                      : 0);
+            }
+    free(value);
+    free(sample);
+}
+
+/* One pass of truth_following along dx, dy. */
+static inline void truth__following_pass(const truth *t, const ms_sss_kernel *kernel, double follow, double width,
+                                         int dx, int dy, const float *from, float *to)
+{
+    int x, y, i, c, h;
     for (y = 0; y < t->height; ++y)
         for (x = 0; x < t->width; ++x) {
-            int at = y * t->width + x;
-            double sum[3] = {0, 0, 0}, weights[3] = {0, 0, 0};
-            float z = t->layers.depth.pixels[at], scale;
+            const int at = y * t->width + x;
+            const double z = (double)t->layers.depth.pixels[at];
+            double sum[3] = {0, 0, 0}, weights[3] = {0, 0, 0}, scale;
             if (t->layers.triangle[at] < 0) continue;
-            scale = (float)t->height / (2 * t->camera.tan_half_fov * z * t->mm_per_unit);
-            for (i = 0; i < samples; ++i) {
-                int qx = x + (int)floorf(offset[4 * i] * scale + 0.5f),
-                    qy = y + (int)floorf(offset[4 * i + 1] * scale + 0.5f), q, cell;
-                double dz, r;
-                if (qx < 0 || qy < 0 || qx >= t->width || qy >= t->height) continue;
-                q = qy * t->width + qx;
-                if (t->layers.triangle[q] < 0) continue;
-                dz = (double)((t->layers.depth.pixels[q] - z) * t->mm_per_unit);
-                r = sqrt((double)offset[4 * i + 2] + dz * dz);
-                cell = (int)(r / reach * 4096 + 0.5);
-                if (cell > 4096) continue;
-                for (c = 0; c < 3; ++c) {
-                    double w = value[cell][c] / (double)offset[4 * i + 3];
-                    weights[c] += w;
-                    sum[c] += w * (double)t->lit->irradiance.pixels[3 * q + c];
+            scale = t->height / (2 * (double)t->camera.tan_half_fov * z * (double)t->mm_per_unit);
+            for (i = 0; i < kernel->tap_count; ++i) {
+                const double place = (double)kernel->offset_mm[i] * width * scale;
+                const int first = (int)floor(place);
+                for (h = 0; h < 2; ++h) {
+                    const int qx = x + dx * (first + h), qy = y + dy * (first + h), q = qy * t->width + qx;
+                    const double part = h ? place - first : 1 - (place - first);
+                    double back = 1; /* how much of the tap's color the pixel's own replaces */
+                    if (qx >= 0 && qy >= 0 && qx < t->width && qy < t->height && t->layers.triangle[q] >= 0)
+                        back = fmin(1,
+                                    follow * fabs((double)t->layers.depth.pixels[q] - z) * (double)t->mm_per_unit /
+                                        t->radius_mm);
+                    for (c = 0; c < 3; ++c) {
+                        const double w = part * (double)kernel->weight[0][i][c], own = (double)from[3 * at + c];
+                        weights[c] += w;
+                        sum[c] += w * (back < 1 ? own * back + (1 - back) * (double)from[3 * q + c] : own);
+                    }
                 }
             }
-            for (c = 0; c < 3; ++c)
-                out->pixels[3 * at + c] = (float)(weights[c] > 0 ? t->reflectance[c] * sum[c] / weights[c] : 0);
+            for (c = 0; c < 3; ++c) to[3 * at + c] = (float)(weights[c] > 0 ? sum[c] / weights[c] : 0);
         }
-    free(value);
-    free(offset);
+}
+
+/* A model of the released separable shader (Jimenez et al. 2015) with its option to follow the surface: a tap's color
+   turns into the pixel's own in proportion to their distance in depth, `follow` a radius of the profile; offsets are `width` times the kernel's. */
+static inline void truth_following(const truth *t, const ms_sss_kernel *kernel, double follow, double width, image *out)
+{
+    float *between = (float *)calloc((size_t)t->width * (size_t)t->height, 3 * sizeof *between);
+    if (between == NULL) abort();
+    truth__following_pass(t, kernel, follow, width, 1, 0, t->lit->irradiance.pixels, between);
+    truth__following_pass(t, kernel, follow, width, 0, 1, between, out->pixels);
+    truth_reflect(t, out);
+    free(between);
 }
 
 /* What the profile makes of the whole surface, seen or not: every triangle gives its share of the ring as wide as
