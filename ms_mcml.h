@@ -42,7 +42,7 @@
      isotropic layers: totals, rings, depth without noise    examples/tools/layered.h
      skin of melanin and blood to profiles and colors        examples/tools/skin.h
      layers, g, glass, absorption, angles                    ms_mcml_simulate, or for jobs that are split:
-                                                             ms_mcml_create, _run, _save, _load, _merge, _results
+                                                             ms_mcml_create, _run, _sums, _add, _results
      .mci and .mco files of MCML 1.2, finite beams           examples/tools/mci.h
 
    Monte Carlo
@@ -268,20 +268,17 @@ MS_API void ms_mcml_destroy(ms_mcml *tally);
    MS_INVALID_ARGUMENT: more than 2^32 photons in the tally. MS_CANCELLED, MS_OUT_OF_MEMORY. Nothing was added then. */
 MS_API ms_status ms_mcml_run(ms_mcml *tally, uint64_t first, uint64_t count, ms_error *error);
 
-/* Adds the photons of other, which has the same tissue, grid, seed and options. MS_INVALID_ARGUMENT if it differs. */
-MS_API ms_status ms_mcml_merge(ms_mcml *tally, const ms_mcml *other, ms_error *error);
-
 /* Photons in the tally. */
 MS_API uint64_t ms_mcml_photons(const ms_mcml *tally);
 
-/* A tally as bytes, for other processes and machines: tissue, grid, options and sums, little-endian.
-   ms_mcml_save writes ms_mcml_save_size bytes. ms_mcml_load makes a tally that equals the one saved, with memory and
-   threads of `options` (NULL: the defaults; only allocator, parallel, progress, simd and memory_limit are read).
-   MS_BAD_DATA: not such bytes (position: 0, the index of the sum, or the layer from 1). */
-MS_API size_t ms_mcml_save_size(const ms_mcml *tally);
-MS_API void ms_mcml_save(const ms_mcml *tally, void *bytes);
-MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_options *options, ms_mcml **out,
-                              ms_error *error);
+/* The sums of a tally, which with its tissue, grid, seed and options are all of its state: [*count], none below 0. They
+   belong to the tally. examples/tools/tally.h keeps them as bytes, for other processes and machines. */
+MS_API const int64_t *ms_mcml_sums(const ms_mcml *tally, size_t *count);
+
+/* Adds the sums of a tally of the same tissue, grid, seed and options and of other photons; the caller sees to that.
+   MS_INVALID_ARGUMENT: another count; a sum (position: its index) or the photons out of range. Nothing was added then.
+   sums may be those of the tally itself. */
+MS_API ms_status ms_mcml_add(ms_mcml *tally, const int64_t *sums, size_t count, ms_error *error);
 
 /* Means per photon that arrives at the tissue. Photons reflected at entry count as photons, but not in Rd. Each x_error
    is one standard error of each element of x. Rd, Tt: what leaves at the top and the bottom; r: radius; a: angle to the
@@ -716,10 +713,7 @@ enum {
     MS_MCML__BLOCK = 1024,
     MS_MCML__TURNS = 65536, /* of the kernel between two calls of the progress callback: 1 to 7 ms */
     MS_MCML__TASKS = 16,
-    MS_MCML__LANES_MAX = 16,
-    MS_MCML__TALLY_WORDS = 11, /* of the head of a saved tally */
-    MS_MCML__TALLY_HEAD = 16 + 8 * MS_MCML__TALLY_WORDS,
-    MS_MCML__LAYER_BYTES = 5 * 8
+    MS_MCML__LANES_MAX = 16
 };
 
 /* A layer as the kernel reads it. */
@@ -1052,11 +1046,36 @@ MS_API void ms_mcml_destroy(ms_mcml *tally)
 
 MS_API uint64_t ms_mcml_photons(const ms_mcml *tally) { return tally ? tally->photons : 0; }
 
-/* Sums are added as unsigned numbers: exact, in any order, and defined for any bytes that ms_mcml_load was given. */
 static void ms_mcml__add(int64_t *sum, const int64_t *other, size_t count)
 {
     size_t i;
-    for (i = 0; i < count; ++i) sum[i] = (int64_t)((uint64_t)sum[i] + (uint64_t)other[i]);
+    for (i = 0; i < count; ++i) sum[i] += other[i];
+}
+
+MS_API const int64_t *ms_mcml_sums(const ms_mcml *tally, size_t *count)
+{
+    if (count) *count = tally ? tally->at.count : 0;
+    return tally ? tally->sum : NULL;
+}
+
+MS_API ms_status ms_mcml_add(ms_mcml *tally, const int64_t *sums, size_t count, ms_error *error)
+{
+    const int64_t sum_max = (int64_t)1 << 62;
+    uint64_t photons = 0;
+    size_t i;
+    if (tally == NULL || sums == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tally or sums is NULL");
+    if (count != tally->at.count)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%z sums, expected %z", count, tally->at.count);
+    for (i = 0; i < count; ++i)
+        if (sums[i] < 0 || sums[i] > sum_max - tally->sum[i])
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "sum %z is out of range", i);
+    for (i = 0; i < MS_MCML__GROUPS && photons <= ms_mcml__photons_max; ++i)
+        photons += (uint64_t)sums[tally->at.photons + i];
+    if (photons > ms_mcml__photons_max - tally->photons)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "more than 2^32 photons in one tally");
+    ms_mcml__add(tally->sum, sums, count);
+    tally->photons += photons;
+    return MS_OK;
 }
 
 static void ms_mcml__trace_task(void *context, int index)
@@ -1135,176 +1154,6 @@ MS_API ms_status ms_mcml_run(ms_mcml *m, uint64_t first, uint64_t count, ms_erro
     }
     ms__release(&m->options.allocator, block, size);
     return status;
-}
-
-static uint64_t ms_mcml__real_bits(double value)
-{
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return bits;
-}
-
-static double ms_mcml__bits_real(uint64_t bits)
-{
-    double value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-static uint8_t *ms_mcml__put(uint8_t *p, uint64_t value)
-{
-    int i;
-    for (i = 0; i < 8; ++i) *p++ = (uint8_t)(value >> (8 * i));
-    return p;
-}
-
-static uint64_t ms_mcml__get(const uint8_t *p)
-{
-    uint64_t value = 0;
-    int i;
-    for (i = 7; i >= 0; --i) value = value << 8 | p[i];
-    return value;
-}
-
-/* A saved tally: 16 characters, these words, five reals a layer, the sums. Tallies merge if all words but the first and
-   the layers are equal. */
-static const char ms_mcml__magic[17] = "ms_mcml tally 3\n";
-
-static void ms_mcml__tally_words(const ms_mcml *m, uint64_t word[MS_MCML__TALLY_WORDS])
-{
-    word[0] = m->photons;
-    word[1] = m->options.seed;
-    word[2] = ms_mcml__real_bits(m->options.roulette_weight);
-    word[3] = m->options.no_absorption != 0;
-    word[4] = ms_mcml__real_bits(m->grid.dr_cm);
-    word[5] = ms_mcml__real_bits(m->grid.dz_cm);
-    word[6] = (uint64_t)m->grid.nr | (uint64_t)m->grid.nz << 32;
-    word[7] = (uint64_t)m->grid.na;
-    word[8] = ms_mcml__real_bits(m->tissue.n_above);
-    word[9] = ms_mcml__real_bits(m->tissue.n_below);
-    word[10] = (uint64_t)m->tissue.layer_count;
-}
-
-MS_API ms_status ms_mcml_merge(ms_mcml *tally, const ms_mcml *other, ms_error *error)
-{
-    uint64_t a[MS_MCML__TALLY_WORDS], b[MS_MCML__TALLY_WORDS];
-    if (tally == NULL || other == NULL || tally == other)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "two different tallies are expected");
-    if (other->photons > ms_mcml__photons_max - tally->photons)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "more than 2^32 photons in one tally");
-    ms_mcml__tally_words(tally, a);
-    ms_mcml__tally_words(other, b);
-    if (memcmp(a + 1, b + 1, sizeof a - sizeof a[0]) != 0 ||
-        memcmp(tally->tissue.layers, other->tissue.layers, (size_t)tally->tissue.layer_count * sizeof(ms_mcml_layer)))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the tallies have different seeds, tissues, grids or options");
-    ms_mcml__add(tally->sum, other->sum, tally->at.count);
-    tally->photons += other->photons;
-    return MS_OK;
-}
-
-MS_API size_t ms_mcml_save_size(const ms_mcml *tally)
-{
-    if (tally == NULL) return 0;
-    return MS_MCML__TALLY_HEAD + (size_t)tally->tissue.layer_count * MS_MCML__LAYER_BYTES + tally->at.count * 8;
-}
-
-MS_API void ms_mcml_save(const ms_mcml *tally, void *bytes)
-{
-    uint64_t word[MS_MCML__TALLY_WORDS];
-    uint8_t *p = (uint8_t *)bytes;
-    size_t i;
-    int layer;
-    if (tally == NULL || bytes == NULL) return;
-    ms_mcml__tally_words(tally, word);
-    memcpy(p, ms_mcml__magic, 16);
-    for (p += 16, i = 0; i < MS_MCML__TALLY_WORDS; ++i) p = ms_mcml__put(p, word[i]);
-    for (layer = 0; layer < tally->tissue.layer_count; ++layer) {
-        const ms_mcml_layer *l = &tally->tissue.layers[layer];
-        p = ms_mcml__put(p, ms_mcml__real_bits(l->n));
-        p = ms_mcml__put(p, ms_mcml__real_bits(l->mu_a_per_cm));
-        p = ms_mcml__put(p, ms_mcml__real_bits(l->mu_s_per_cm));
-        p = ms_mcml__put(p, ms_mcml__real_bits(l->g));
-        p = ms_mcml__put(p, ms_mcml__real_bits(l->thickness_cm));
-    }
-    for (i = 0; i < tally->at.count; ++i) p = ms_mcml__put(p, (uint64_t)tally->sum[i]);
-}
-
-/* Layers and sums of a saved tally whose head, at least, is whole. */
-static ms_status ms_mcml__load_rest(const uint8_t *p, const ms_mcml_tissue *head, const ms_mcml_grid *grid,
-                                    const ms_mcml_options *o, uint64_t photons, ms_mcml **out, ms_error *error)
-{
-    const size_t bytes = (size_t)head->layer_count * sizeof(ms_mcml_layer);
-    ms_mcml_layer *layers = (ms_mcml_layer *)ms__alloc(&o->allocator, bytes);
-    ms_mcml_tissue tissue = *head;
-    ms_mcml *m = NULL;
-    ms_status status;
-    size_t i;
-    if (layers == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %d layers", tissue.layer_count);
-    tissue.layers = layers;
-    for (i = 0; i < (size_t)tissue.layer_count; ++i, p += MS_MCML__LAYER_BYTES) {
-        layers[i].n = ms_mcml__bits_real(ms_mcml__get(p));
-        layers[i].mu_a_per_cm = ms_mcml__bits_real(ms_mcml__get(p + 8));
-        layers[i].mu_s_per_cm = ms_mcml__bits_real(ms_mcml__get(p + 16));
-        layers[i].g = ms_mcml__bits_real(ms_mcml__get(p + 24));
-        layers[i].thickness_cm = ms_mcml__bits_real(ms_mcml__get(p + 32));
-    }
-    status = ms_mcml_create(&tissue, grid, o, &m, error);
-    ms__release(&o->allocator, layers, bytes);
-    if (status == MS_INVALID_ARGUMENT) {
-        if (error) error->status = MS_BAD_DATA;
-        return MS_BAD_DATA;
-    }
-    if (status) return status;
-    for (i = 0; i < m->at.count; ++i, p += 8) {
-        if (ms_mcml__get(p) > (uint64_t)1 << 62) {
-            ms_mcml_destroy(m);
-            return ms__fail(error, MS_BAD_DATA, i, "sum %z of the saved tally is out of range", i);
-        }
-        m->sum[i] = (int64_t)ms_mcml__get(p);
-    }
-    m->photons = photons;
-    *out = m;
-    return MS_OK;
-}
-
-MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_options *options, ms_mcml **out,
-                              ms_error *error)
-{
-    const uint8_t *p = (const uint8_t *)bytes;
-    ms_mcml_options o = options ? *options : ms_mcml_defaults();
-    ms_mcml_tissue tissue;
-    ms_mcml_grid grid;
-    ms_mcml__layout at;
-    uint64_t word[MS_MCML__TALLY_WORDS];
-    size_t expected, i;
-    if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
-    *out = NULL;
-    if (p == NULL || size < MS_MCML__TALLY_HEAD || memcmp(p, ms_mcml__magic, 16) != 0)
-        return ms__fail(error, MS_BAD_DATA, 0, "these bytes are not a saved tally");
-    for (i = 0; i < MS_MCML__TALLY_WORDS; ++i) word[i] = ms_mcml__get(p + 16 + 8 * i);
-    if (word[0] > ms_mcml__photons_max || word[3] > 1 || (word[6] & 0x8000000080000000u) || word[7] > 0x7fffffffu ||
-        word[10] < 1 || word[10] > 32767)
-        return ms__fail(error, MS_BAD_DATA, 16, "the head of the saved tally is damaged");
-    o.photons = 0;
-    o.seed = word[1];
-    o.roulette_weight = ms_mcml__bits_real(word[2]);
-    o.no_absorption = (int)word[3];
-    grid.dr_cm = ms_mcml__bits_real(word[4]);
-    grid.dz_cm = ms_mcml__bits_real(word[5]);
-    grid.nr = (int)(word[6] & 0x7fffffffu);
-    grid.nz = (int)(word[6] >> 32);
-    grid.na = (int)word[7];
-    tissue.n_above = ms_mcml__bits_real(word[8]);
-    tissue.n_below = ms_mcml__bits_real(word[9]);
-    tissue.layer_count = (int)word[10];
-    tissue.layers = NULL;
-
-    /* the size is checked before anything of it is allocated */
-    expected = ms_mcml__layout_make(&at, &grid, tissue.layer_count, !o.no_absorption);
-    expected = ms__size_add(expected, MS_MCML__TALLY_HEAD + (size_t)tissue.layer_count * MS_MCML__LAYER_BYTES);
-    if (expected != size)
-        return ms__fail(error, MS_BAD_DATA, size, "the saved tally is cut short or longer than its head says");
-    return ms_mcml__load_rest(p + MS_MCML__TALLY_HEAD, &tissue, &grid, &o, word[0], out, error);
 }
 
 /* Mean and standard error from a sum and a sum of squares over n photons, both in units of 2^-30, times scale. */
