@@ -73,7 +73,7 @@ build/ms_nn: examples/ms_nn.c build/ms_nn.o
 build/ms_pme: examples/ms_pme.c build/ms_pme.o
 	$(BUILD) examples/ms_pme.c build/ms_pme.o $(LDLIBS)
 
-build/mcml: examples/tools/mcml.c examples/tools/mci.h examples/tools/layered.h examples/tools/files.h build/ms_mcml.o
+build/mcml: examples/tools/mcml.c examples/tools/mci.h examples/tools/tally.h examples/tools/layered.h examples/tools/files.h build/ms_mcml.o
 	$(BUILD) examples/tools/mcml.c build/ms_mcml.o $(LDLIBS)
 build/profile: examples/tools/profile.c examples/tools/mci.h examples/tools/layered.h examples/tools/skin.h examples/tools/photon_profile.h examples/tools/files.h build/ms_mcml.o
 	$(BUILD) examples/tools/profile.c build/ms_mcml.o $(LDLIBS)

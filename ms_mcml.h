@@ -42,7 +42,7 @@
      isotropic layers: totals, rings, depth without noise    examples/tools/layered.h
      skin of melanin and blood to profiles and colors        examples/tools/skin.h
      layers, g, glass, absorption, angles                    ms_mcml_simulate, or for jobs that are split:
-                                                             ms_mcml_create, _run, _save, _load, _merge, _results
+                                                             ms_mcml_create, _run, _sums, _add, _results
      .mci and .mco files of MCML 1.2, finite beams           examples/tools/mci.h
 
    Monte Carlo
@@ -268,20 +268,17 @@ MS_API void ms_mcml_destroy(ms_mcml *tally);
    MS_INVALID_ARGUMENT: more than 2^32 photons in the tally. MS_CANCELLED, MS_OUT_OF_MEMORY. Nothing was added then. */
 MS_API ms_status ms_mcml_run(ms_mcml *tally, uint64_t first, uint64_t count, ms_error *error);
 
-/* Adds the photons of other, which has the same tissue, grid, seed and options. MS_INVALID_ARGUMENT if it differs. */
-MS_API ms_status ms_mcml_merge(ms_mcml *tally, const ms_mcml *other, ms_error *error);
-
 /* Photons in the tally. */
 MS_API uint64_t ms_mcml_photons(const ms_mcml *tally);
 
-/* A tally as bytes, for other processes and machines: tissue, grid, options and sums, little-endian.
-   ms_mcml_save writes ms_mcml_save_size bytes. ms_mcml_load makes a tally that equals the one saved, with memory and
-   threads of `options` (NULL: the defaults; only allocator, parallel, progress, simd and memory_limit are read).
-   MS_BAD_DATA: not such bytes (position: 0, the index of the sum, or the layer from 1). */
-MS_API size_t ms_mcml_save_size(const ms_mcml *tally);
-MS_API void ms_mcml_save(const ms_mcml *tally, void *bytes);
-MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_options *options, ms_mcml **out,
-                              ms_error *error);
+/* The sums of a tally, which with its tissue, grid, seed and options are all of its state: [*count], none below 0. They
+   belong to the tally. examples/tools/tally.h keeps them as bytes, for other processes and machines. */
+MS_API const int64_t *ms_mcml_sums(const ms_mcml *tally, size_t *count);
+
+/* Adds the sums of a tally of the same tissue, grid, seed and options and of other photons; the caller sees to that.
+   MS_INVALID_ARGUMENT: another count; a sum (position: its index) or the photons out of range. Nothing was added then.
+   sums may be those of the tally itself. */
+MS_API ms_status ms_mcml_add(ms_mcml *tally, const int64_t *sums, size_t count, ms_error *error);
 
 /* Means per photon that arrives at the tissue. Photons reflected at entry count as photons, but not in Rd. Each x_error
    is one standard error of each element of x. Rd, Tt: what leaves at the top and the bottom; r: radius; a: angle to the
@@ -661,10 +658,9 @@ static ms_status ms_mcml__check_layer(const ms_mcml_layer *l, size_t position, m
 {
     if (!ms_mcml__between(l->n, 0.01, 100))
         return ms__fail(error, MS_INVALID_ARGUMENT, position, "refractive index n is %g, expected 0.01 to 100", l->n);
-    if (!ms_mcml__between(l->mu_a_per_cm, 0, 1e9))
-        return ms__fail(error, MS_INVALID_ARGUMENT, position, "mu_a is %g, expected 0 to 1e9 per cm", l->mu_a_per_cm);
-    if (!ms_mcml__between(l->mu_s_per_cm, 0, 1e9))
-        return ms__fail(error, MS_INVALID_ARGUMENT, position, "mu_s is %g, expected 0 to 1e9 per cm", l->mu_s_per_cm);
+    if (!ms_mcml__between(l->mu_a_per_cm, 0, 1e9) || !ms_mcml__between(l->mu_s_per_cm, 0, 1e9))
+        return ms__fail(error, MS_INVALID_ARGUMENT, position, "mu_a is %g and mu_s is %g, expected 0 to 1e9 per cm",
+                        l->mu_a_per_cm, l->mu_s_per_cm);
     if (ms__finite(l->g) && l->g > 1 && l->g < 1.001) /* six digits would print it as 1 */
         return ms__fail(error, MS_INVALID_ARGUMENT, position, "g is 1 + %g, expected above -1 and at most 1", l->g - 1);
     if (!ms_mcml__between(l->g, -1, 1) || (l->g <= -1 && l->mu_s_per_cm > 0))
@@ -716,10 +712,7 @@ enum {
     MS_MCML__BLOCK = 1024,
     MS_MCML__TURNS = 65536, /* of the kernel between two calls of the progress callback: 1 to 7 ms */
     MS_MCML__TASKS = 16,
-    MS_MCML__LANES_MAX = 16,
-    MS_MCML__TALLY_WORDS = 11, /* of the head of a saved tally */
-    MS_MCML__TALLY_HEAD = 16 + 8 * MS_MCML__TALLY_WORDS,
-    MS_MCML__LAYER_BYTES = 5 * 8
+    MS_MCML__LANES_MAX = 16
 };
 
 /* A layer as the kernel reads it. */
@@ -886,9 +879,6 @@ static void ms_mcml__tracer_make(ms_mcml__tracer *t, const ms_mcml *m, int64_t *
     t->end = end;
 }
 
-/* Whether photons are left to trace. */
-static int ms_mcml__tracer_busy(const ms_mcml__tracer *t) { return t->alive != 0 || t->next < t->end; }
-
 /* Counts the photons first to end - 1 in their groups. In a clear tissue all that enters leaves at the bottom at r = 0,
    and is added here. */
 static void ms_mcml__count(ms_mcml *m, uint64_t first, uint64_t end)
@@ -909,18 +899,6 @@ static void ms_mcml__count(ms_mcml *m, uint64_t first, uint64_t end)
     }
 }
 
-/* Fresnel reflectance from n1 to n2 for nu = n sin(theta); 1 for total reflection. */
-static double ms_mcml__fresnel_nu(double n1, double n2, double nu)
-{
-    double a, b, s, p;
-    if (!(nu < n1) || !(nu < n2)) return 1;
-    a = sqrt((n1 - nu) * (n1 + nu)) / n1;
-    b = sqrt((n2 - nu) * (n2 + nu)) / n2;
-    s = (n1 * a - n2 * b) / (n1 * a + n2 * b);
-    p = (n1 * b - n2 * a) / (n1 * b + n2 * a);
-    return 0.5 * (s * s + p * p);
-}
-
 /* Reflectance at normal incidence of the boundaries from above the tissue to the first layer that is not clear, with
    all reflections between them: R = (r + s - 2 r s) / (1 - r s), boundary by boundary. */
 static double ms_mcml__specular(const ms_mcml_tissue *tissue, int first_layer)
@@ -929,7 +907,7 @@ static double ms_mcml__specular(const ms_mcml_tissue *tissue, int first_layer)
     int i;
     for (i = 0; i <= first_layer; ++i) {
         const double below = i < tissue->layer_count ? tissue->layers[i].n : tissue->n_below;
-        const double s = ms_mcml__fresnel_nu(n, below, 0);
+        const double s = (n - below) * (n - below) / ((n + below) * (n + below));
         reflectance = (reflectance + s - 2 * reflectance * s) / (1 - reflectance * s);
         n = below;
     }
@@ -1052,17 +1030,42 @@ MS_API void ms_mcml_destroy(ms_mcml *tally)
 
 MS_API uint64_t ms_mcml_photons(const ms_mcml *tally) { return tally ? tally->photons : 0; }
 
-/* Sums are added as unsigned numbers: exact, in any order, and defined for any bytes that ms_mcml_load was given. */
 static void ms_mcml__add(int64_t *sum, const int64_t *other, size_t count)
 {
     size_t i;
-    for (i = 0; i < count; ++i) sum[i] = (int64_t)((uint64_t)sum[i] + (uint64_t)other[i]);
+    for (i = 0; i < count; ++i) sum[i] += other[i];
+}
+
+MS_API const int64_t *ms_mcml_sums(const ms_mcml *tally, size_t *count)
+{
+    if (count) *count = tally ? tally->at.count : 0;
+    return tally ? tally->sum : NULL;
+}
+
+MS_API ms_status ms_mcml_add(ms_mcml *tally, const int64_t *sums, size_t count, ms_error *error)
+{
+    const int64_t sum_max = (int64_t)1 << 62;
+    uint64_t photons = 0;
+    size_t i;
+    if (tally == NULL || sums == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tally or sums is NULL");
+    if (count != tally->at.count)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%z sums, expected %z", count, tally->at.count);
+    for (i = 0; i < count; ++i)
+        if (sums[i] < 0 || sums[i] > sum_max - tally->sum[i])
+            return ms__fail(error, MS_INVALID_ARGUMENT, i, "sum %z is out of range", i);
+    for (i = 0; i < MS_MCML__GROUPS && photons <= ms_mcml__photons_max; ++i)
+        photons += (uint64_t)sums[tally->at.photons + i];
+    if (photons > ms_mcml__photons_max - tally->photons)
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "more than 2^32 photons in one tally");
+    ms_mcml__add(tally->sum, sums, count);
+    tally->photons += photons;
+    return MS_OK;
 }
 
 static void ms_mcml__trace_task(void *context, int index)
 {
     ms_mcml__tracer *t = (ms_mcml__tracer *)context + index;
-    if (ms_mcml__tracer_busy(t)) ms_mcml__trace_of(t->tally->simd)(t, MS_MCML__TURNS);
+    if (t->alive != 0 || t->next < t->end) ms_mcml__trace_of(t->tally->simd)(t, MS_MCML__TURNS);
 }
 
 /* All photons of the tracers, a slice of turns at a time. Between slices the callback hears what part of `count`
@@ -1081,7 +1084,7 @@ static ms_status ms_mcml__trace_all(const ms_mcml *m, ms_mcml__tracer *t, int ta
         for (busy = 0, i = 0; i < tasks; ++i) {
             unsigned lanes = t[i].alive;
             for (left += t[i].end - t[i].next; lanes; lanes &= lanes - 1) ++left;
-            busy |= ms_mcml__tracer_busy(&t[i]);
+            busy |= t[i].alive != 0 || t[i].next < t[i].end;
         }
         fraction = (double)(count - left) / (double)count;
     }
@@ -1094,11 +1097,9 @@ MS_API ms_status ms_mcml_run(ms_mcml *m, uint64_t first, uint64_t count, ms_erro
     const int tasks = parallel ? MS_MCML__TASKS : 1;
     const uint64_t end = first + count;
     uint64_t from, to = first;
-    ms__arena arena = {NULL, 0};
     ms_mcml__tracer *tracer;
     int64_t *sums;
     ms_status status = MS_OK;
-    void *block;
     size_t size;
     int i;
     if (m == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "tally is NULL");
@@ -1107,16 +1108,11 @@ MS_API ms_status ms_mcml_run(ms_mcml *m, uint64_t first, uint64_t count, ms_erro
     if (end < first) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the last photon's index is above 2^64");
     if (count == 0) return MS_OK;
 
-    /* One block: the tracers, and their sums. */
-    ms__take(&arena, (size_t)tasks, sizeof *tracer);
-    ms__take(&arena, apart ? (size_t)tasks * m->at.count : 0, sizeof *sums);
-    size = arena.used;
-    block = ms__alloc(&m->options.allocator, size);
-    if (block == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the tasks", size);
-    arena.base = (char *)block;
-    arena.used = 0;
-    tracer = (ms_mcml__tracer *)ms__take(&arena, (size_t)tasks, sizeof *tracer);
-    sums = (int64_t *)ms__take(&arena, apart ? (size_t)tasks * m->at.count : 0, sizeof *sums);
+    /* One block: the tracers, and behind them their sums. */
+    size = ms__size_mul((size_t)tasks, sizeof *tracer + (apart ? m->at.count * sizeof *sums : 0));
+    tracer = (ms_mcml__tracer *)ms__alloc(&m->options.allocator, size);
+    if (tracer == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the tasks", size);
+    sums = (int64_t *)(void *)(tracer + tasks);
     if (apart) memset(sums, 0, (size_t)tasks * m->at.count * sizeof *sums);
 
     /* Equal parts of the photons for the tasks; through a clear tissue nothing is traced. */
@@ -1133,186 +1129,26 @@ MS_API ms_status ms_mcml_run(ms_mcml *m, uint64_t first, uint64_t count, ms_erro
         for (i = 0; apart && i < tasks; ++i) ms_mcml__add(m->sum, sums + (size_t)i * m->at.count, m->at.count);
         ms_mcml__count(m, first, end);
     }
-    ms__release(&m->options.allocator, block, size);
+    ms__release(&m->options.allocator, tracer, size);
     return status;
 }
 
-static uint64_t ms_mcml__real_bits(double value)
+/* Mean and standard error, times scale, of what left through `count` bins, every stride-th: over n photons from the
+   sums S and Q of weights and of their squares, in units of 2^-30. */
+static void ms_mcml__bins_mean(const int64_t *bin, size_t count, size_t stride, double n, double scale, double *mean,
+                               double *error)
 {
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return bits;
-}
-
-static double ms_mcml__bits_real(uint64_t bits)
-{
-    double value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-static uint8_t *ms_mcml__put(uint8_t *p, uint64_t value)
-{
-    int i;
-    for (i = 0; i < 8; ++i) *p++ = (uint8_t)(value >> (8 * i));
-    return p;
-}
-
-static uint64_t ms_mcml__get(const uint8_t *p)
-{
-    uint64_t value = 0;
-    int i;
-    for (i = 7; i >= 0; --i) value = value << 8 | p[i];
-    return value;
-}
-
-/* A saved tally: 16 characters, these words, five reals a layer, the sums. Tallies merge if all words but the first and
-   the layers are equal. */
-static const char ms_mcml__magic[17] = "ms_mcml tally 3\n";
-
-static void ms_mcml__tally_words(const ms_mcml *m, uint64_t word[MS_MCML__TALLY_WORDS])
-{
-    word[0] = m->photons;
-    word[1] = m->options.seed;
-    word[2] = ms_mcml__real_bits(m->options.roulette_weight);
-    word[3] = m->options.no_absorption != 0;
-    word[4] = ms_mcml__real_bits(m->grid.dr_cm);
-    word[5] = ms_mcml__real_bits(m->grid.dz_cm);
-    word[6] = (uint64_t)m->grid.nr | (uint64_t)m->grid.nz << 32;
-    word[7] = (uint64_t)m->grid.na;
-    word[8] = ms_mcml__real_bits(m->tissue.n_above);
-    word[9] = ms_mcml__real_bits(m->tissue.n_below);
-    word[10] = (uint64_t)m->tissue.layer_count;
-}
-
-MS_API ms_status ms_mcml_merge(ms_mcml *tally, const ms_mcml *other, ms_error *error)
-{
-    uint64_t a[MS_MCML__TALLY_WORDS], b[MS_MCML__TALLY_WORDS];
-    if (tally == NULL || other == NULL || tally == other)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "two different tallies are expected");
-    if (other->photons > ms_mcml__photons_max - tally->photons)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "more than 2^32 photons in one tally");
-    ms_mcml__tally_words(tally, a);
-    ms_mcml__tally_words(other, b);
-    if (memcmp(a + 1, b + 1, sizeof a - sizeof a[0]) != 0 ||
-        memcmp(tally->tissue.layers, other->tissue.layers, (size_t)tally->tissue.layer_count * sizeof(ms_mcml_layer)))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "the tallies have different seeds, tissues, grids or options");
-    ms_mcml__add(tally->sum, other->sum, tally->at.count);
-    tally->photons += other->photons;
-    return MS_OK;
-}
-
-MS_API size_t ms_mcml_save_size(const ms_mcml *tally)
-{
-    if (tally == NULL) return 0;
-    return MS_MCML__TALLY_HEAD + (size_t)tally->tissue.layer_count * MS_MCML__LAYER_BYTES + tally->at.count * 8;
-}
-
-MS_API void ms_mcml_save(const ms_mcml *tally, void *bytes)
-{
-    uint64_t word[MS_MCML__TALLY_WORDS];
-    uint8_t *p = (uint8_t *)bytes;
+    const double unit = (double)ms_mcml__units;
+    double s = 0, q = 0, variance;
     size_t i;
-    int layer;
-    if (tally == NULL || bytes == NULL) return;
-    ms_mcml__tally_words(tally, word);
-    memcpy(p, ms_mcml__magic, 16);
-    for (p += 16, i = 0; i < MS_MCML__TALLY_WORDS; ++i) p = ms_mcml__put(p, word[i]);
-    for (layer = 0; layer < tally->tissue.layer_count; ++layer) {
-        const ms_mcml_layer *l = &tally->tissue.layers[layer];
-        p = ms_mcml__put(p, ms_mcml__real_bits(l->n));
-        p = ms_mcml__put(p, ms_mcml__real_bits(l->mu_a_per_cm));
-        p = ms_mcml__put(p, ms_mcml__real_bits(l->mu_s_per_cm));
-        p = ms_mcml__put(p, ms_mcml__real_bits(l->g));
-        p = ms_mcml__put(p, ms_mcml__real_bits(l->thickness_cm));
+    for (i = 0; i < count; ++i, bin += 2 * stride) {
+        s += (double)bin[0];
+        q += (double)bin[1];
     }
-    for (i = 0; i < tally->at.count; ++i) p = ms_mcml__put(p, (uint64_t)tally->sum[i]);
-}
-
-/* Layers and sums of a saved tally whose head, at least, is whole. */
-static ms_status ms_mcml__load_rest(const uint8_t *p, const ms_mcml_tissue *head, const ms_mcml_grid *grid,
-                                    const ms_mcml_options *o, uint64_t photons, ms_mcml **out, ms_error *error)
-{
-    const size_t bytes = (size_t)head->layer_count * sizeof(ms_mcml_layer);
-    ms_mcml_layer *layers = (ms_mcml_layer *)ms__alloc(&o->allocator, bytes);
-    ms_mcml_tissue tissue = *head;
-    ms_mcml *m = NULL;
-    ms_status status;
-    size_t i;
-    if (layers == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %d layers", tissue.layer_count);
-    tissue.layers = layers;
-    for (i = 0; i < (size_t)tissue.layer_count; ++i, p += MS_MCML__LAYER_BYTES) {
-        layers[i].n = ms_mcml__bits_real(ms_mcml__get(p));
-        layers[i].mu_a_per_cm = ms_mcml__bits_real(ms_mcml__get(p + 8));
-        layers[i].mu_s_per_cm = ms_mcml__bits_real(ms_mcml__get(p + 16));
-        layers[i].g = ms_mcml__bits_real(ms_mcml__get(p + 24));
-        layers[i].thickness_cm = ms_mcml__bits_real(ms_mcml__get(p + 32));
-    }
-    status = ms_mcml_create(&tissue, grid, o, &m, error);
-    ms__release(&o->allocator, layers, bytes);
-    if (status == MS_INVALID_ARGUMENT) {
-        if (error) error->status = MS_BAD_DATA;
-        return MS_BAD_DATA;
-    }
-    if (status) return status;
-    for (i = 0; i < m->at.count; ++i, p += 8) {
-        if (ms_mcml__get(p) > (uint64_t)1 << 62) {
-            ms_mcml_destroy(m);
-            return ms__fail(error, MS_BAD_DATA, i, "sum %z of the saved tally is out of range", i);
-        }
-        m->sum[i] = (int64_t)ms_mcml__get(p);
-    }
-    m->photons = photons;
-    *out = m;
-    return MS_OK;
-}
-
-MS_API ms_status ms_mcml_load(const void *bytes, size_t size, const ms_mcml_options *options, ms_mcml **out,
-                              ms_error *error)
-{
-    const uint8_t *p = (const uint8_t *)bytes;
-    ms_mcml_options o = options ? *options : ms_mcml_defaults();
-    ms_mcml_tissue tissue;
-    ms_mcml_grid grid;
-    ms_mcml__layout at;
-    uint64_t word[MS_MCML__TALLY_WORDS];
-    size_t expected, i;
-    if (out == NULL) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "out is NULL");
-    *out = NULL;
-    if (p == NULL || size < MS_MCML__TALLY_HEAD || memcmp(p, ms_mcml__magic, 16) != 0)
-        return ms__fail(error, MS_BAD_DATA, 0, "these bytes are not a saved tally");
-    for (i = 0; i < MS_MCML__TALLY_WORDS; ++i) word[i] = ms_mcml__get(p + 16 + 8 * i);
-    if (word[0] > ms_mcml__photons_max || word[3] > 1 || (word[6] & 0x8000000080000000u) || word[7] > 0x7fffffffu ||
-        word[10] < 1 || word[10] > 32767)
-        return ms__fail(error, MS_BAD_DATA, 16, "the head of the saved tally is damaged");
-    o.photons = 0;
-    o.seed = word[1];
-    o.roulette_weight = ms_mcml__bits_real(word[2]);
-    o.no_absorption = (int)word[3];
-    grid.dr_cm = ms_mcml__bits_real(word[4]);
-    grid.dz_cm = ms_mcml__bits_real(word[5]);
-    grid.nr = (int)(word[6] & 0x7fffffffu);
-    grid.nz = (int)(word[6] >> 32);
-    grid.na = (int)word[7];
-    tissue.n_above = ms_mcml__bits_real(word[8]);
-    tissue.n_below = ms_mcml__bits_real(word[9]);
-    tissue.layer_count = (int)word[10];
-    tissue.layers = NULL;
-
-    /* the size is checked before anything of it is allocated */
-    expected = ms_mcml__layout_make(&at, &grid, tissue.layer_count, !o.no_absorption);
-    expected = ms__size_add(expected, MS_MCML__TALLY_HEAD + (size_t)tissue.layer_count * MS_MCML__LAYER_BYTES);
-    if (expected != size)
-        return ms__fail(error, MS_BAD_DATA, size, "the saved tally is cut short or longer than its head says");
-    return ms_mcml__load_rest(p + MS_MCML__TALLY_HEAD, &tissue, &grid, &o, word[0], out, error);
-}
-
-/* Mean and standard error from a sum and a sum of squares over n photons, both in units of 2^-30, times scale. */
-static void ms_mcml__moments(double s, double q, double n, double scale, double *mean, double *error)
-{
-    const double unit = (double)ms_mcml__units, m = s / unit / n, v = q / unit / n - m * m;
-    *mean = m * scale;
-    *error = n > 1 ? (v > 0 ? sqrt(v / (n - 1)) * scale : 0) : HUGE_VAL;
+    s /= unit * n;
+    variance = q / (unit * n) - s * s;
+    *mean = s * scale;
+    *error = n > 1 ? sqrt(variance > 0 ? variance / (n - 1) : 0) * scale : HUGE_VAL;
 }
 
 /* The same from the sums of the groups, whose sizes differ: the spread of sum_g - mean n_g. */
@@ -1332,52 +1168,33 @@ static void ms_mcml__group_error(const ms_mcml *m, const double *sum, double *me
     *error = used > 1 ? sqrt(square * used / (used - 1)) / unit / n * scale : HUGE_VAL;
 }
 
-/* Solid angle of bin ia of na, 2 pi (cos a_ia - cos a_ia+1), and its mean cosine. */
-static double ms_mcml__solid_angle(int ia, int na, double *cosine)
-{
-    const double da = 1.5707963267948966 / na, a = (ia + 0.5) * da;
-    *cosine = cos(a);
-    return 12.566370614359172 * sin(a) * sin(da / 2);
-}
-
 static double ms_mcml__ring_area(int ir, double dr) { return 6.283185307179586 * (ir + 0.5) * dr * dr; }
 
-/* Rd or Tt: the total, and over r, a, and both. */
+/* Rd or Tt: over r and a, over each of them, and the total. */
 static void ms_mcml__leave_results(const ms_mcml *m, int down, ms_mcml_result *out)
 {
-    const int nr = m->grid.nr, na = m->grid.na;
-    const int64_t *bin = m->sum + m->at.leave + 2 * (size_t)down * (size_t)nr * (size_t)na;
+    const size_t nr = (size_t)m->grid.nr, na = (size_t)m->grid.na;
+    const int64_t *bin = m->sum + m->at.leave + 2 * (size_t)down * nr * na;
     const double n = (double)m->photons, entered = 1 - m->specular;
     double *ra = down ? out->tt_ra : out->rd_ra, *ra_error = down ? out->tt_ra_error : out->rd_ra_error;
     double *r = down ? out->tt_r : out->rd_r, *r_error = down ? out->tt_r_error : out->rd_r_error;
     double *a = down ? out->tt_a : out->rd_a, *a_error = down ? out->tt_a_error : out->rd_a_error;
-    double s = 0, q = 0, cosine, solid;
-    int ir, ia;
-    for (ir = 0; ir < nr; ++ir) {
-        const double area = ms_mcml__ring_area(ir, m->grid.dr_cm);
-        double ring_s = 0, ring_q = 0;
-        for (ia = 0; ia < na; ++ia) {
-            const size_t i = (size_t)ir * (size_t)na + (size_t)ia;
-            const double bin_s = (double)bin[2 * i], bin_q = (double)bin[2 * i + 1];
-            solid = ms_mcml__solid_angle(ia, na, &cosine);
-            ms_mcml__moments(bin_s, bin_q, n, entered / (area * solid * cosine), &ra[i], &ra_error[i]);
-            ring_s += bin_s;
-            ring_q += bin_q;
+    const double width = 1.5707963267948966 / (double)na; /* of a bin of angles */
+    size_t ir, ia;
+    for (ia = 0; ia < na; ++ia) { /* solid angle: 2 pi times the difference of the cosines at its edges */
+        const double angle = ((double)ia + 0.5) * width, cosine = cos(angle);
+        const double solid = 12.566370614359172 * sin(angle) * sin(width / 2);
+        ms_mcml__bins_mean(bin + 2 * ia, nr, na, n, entered / solid, &a[ia], &a_error[ia]);
+        for (ir = 0; ir < nr; ++ir) {
+            const double area = ms_mcml__ring_area((int)ir, m->grid.dr_cm);
+            const size_t i = ir * na + ia;
+            ms_mcml__bins_mean(bin + 2 * i, 1, 1, n, entered / (area * solid * cosine), &ra[i], &ra_error[i]);
         }
-        ms_mcml__moments(ring_s, ring_q, n, entered / area, &r[ir], &r_error[ir]);
-        s += ring_s;
-        q += ring_q;
     }
-    ms_mcml__moments(s, q, n, entered, down ? &out->tt : &out->rd, down ? &out->tt_error : &out->rd_error);
-    for (ia = 0; ia < na; ++ia) {
-        solid = ms_mcml__solid_angle(ia, na, &cosine);
-        for (s = q = 0, ir = 0; ir < nr; ++ir) {
-            const size_t i = (size_t)ir * (size_t)na + (size_t)ia;
-            s += (double)bin[2 * i];
-            q += (double)bin[2 * i + 1];
-        }
-        ms_mcml__moments(s, q, n, entered / solid, &a[ia], &a_error[ia]);
-    }
+    for (ir = 0; ir < nr; ++ir)
+        ms_mcml__bins_mean(bin + 2 * ir * na, na, 1, n, entered / ms_mcml__ring_area((int)ir, m->grid.dr_cm), &r[ir],
+                           &r_error[ir]);
+    ms_mcml__bins_mean(bin, nr * na, 1, n, entered, down ? &out->tt : &out->rd, down ? &out->tt_error : &out->rd_error);
 }
 
 /* Absorption over r and z, and over z. */
@@ -1417,25 +1234,16 @@ static void ms_mcml__layer_results(const ms_mcml *m, ms_mcml_result *out)
 /* The arrays of a result, one block; arena->base NULL: only counts. */
 static void ms_mcml__result_place(ms__arena *arena, const ms_mcml *m, ms_mcml_result *out)
 {
-    const size_t size = sizeof(double), nr = (size_t)m->grid.nr, na = (size_t)m->grid.na, nz = (size_t)m->grid.nz;
+    const size_t nr = (size_t)m->grid.nr, na = (size_t)m->grid.na, nz = (size_t)m->grid.nz;
+    double **const array[4][4] = {{&out->rd_r, &out->rd_r_error, &out->tt_r, &out->tt_r_error},
+                                  {&out->rd_a, &out->rd_a_error, &out->tt_a, &out->tt_a_error},
+                                  {&out->rd_ra, &out->rd_ra_error, &out->tt_ra, &out->tt_ra_error},
+                                  {&out->a_l, &out->a_l_error, &out->a_z, &out->a_rz}};
     const size_t layers = (size_t)m->tissue.layer_count;
-    out->rd_r = (double *)ms__take(arena, nr, size);
-    out->rd_r_error = (double *)ms__take(arena, nr, size);
-    out->rd_a = (double *)ms__take(arena, na, size);
-    out->rd_a_error = (double *)ms__take(arena, na, size);
-    out->rd_ra = (double *)ms__take(arena, nr * na, size);
-    out->rd_ra_error = (double *)ms__take(arena, nr * na, size);
-    out->tt_r = (double *)ms__take(arena, nr, size);
-    out->tt_r_error = (double *)ms__take(arena, nr, size);
-    out->tt_a = (double *)ms__take(arena, na, size);
-    out->tt_a_error = (double *)ms__take(arena, na, size);
-    out->tt_ra = (double *)ms__take(arena, nr * na, size);
-    out->tt_ra_error = (double *)ms__take(arena, nr * na, size);
-    out->a_l = (double *)ms__take(arena, layers, size);
-    out->a_l_error = (double *)ms__take(arena, layers, size);
-    if (m->options.no_absorption) return;
-    out->a_z = (double *)ms__take(arena, nz, size);
-    out->a_rz = (double *)ms__take(arena, nr * nz, size);
+    const size_t size[4][4] = {
+        {nr, nr, nr, nr}, {na, na, na, na}, {nr * na, nr * na, nr * na, nr * na}, {layers, layers, nz, nr * nz}};
+    int i, last = m->options.no_absorption ? 14 : 16;
+    for (i = 0; i < last; ++i) *array[i / 4][i % 4] = (double *)ms__take(arena, size[i / 4][i % 4], sizeof(double));
 }
 
 MS_API ms_status ms_mcml_results(const ms_mcml *tally, ms_mcml_result *result, ms_error *error)
@@ -1748,30 +1556,6 @@ typedef struct ms_mcml__nnls {
     signed char state[MS_MCML__COLUMNS_MAX]; /* 1 active, -1 refused until the next success */
 } ms_mcml__nnls;
 
-/* Its arrays in work, of at most `rows` by `columns`; *target: [rows]. */
-static void ms_mcml__nnls_place(ms_mcml__nnls *p, double *work, int rows, int columns, double **target)
-{
-    p->a = work;
-    p->qr = work + columns * rows;
-    p->diagonal = p->qr + rows * rows;
-    p->rhs = p->diagonal + rows;
-    p->residual = p->rhs + rows;
-    p->target = *target = p->residual + rows;
-    p->x = *target + rows;
-    p->solution = p->x + columns;
-}
-
-/* Scales a column to unit length; returns the factor. */
-static double ms_mcml__nnls_unit(double *column, int rows)
-{
-    double norm = 0;
-    int i;
-    for (i = 0; i < rows; ++i) norm += column[i] * column[i];
-    norm = 1 / sqrt(norm);
-    for (i = 0; i < rows; ++i) column[i] *= norm;
-    return norm;
-}
-
 static double ms_mcml__dot(const double *a, const double *b, int n)
 {
     double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
@@ -1893,9 +1677,9 @@ static void ms_mcml__nnls_solve(ms_mcml__nnls *p)
 static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows, double edge, double step, double total,
                               double *rate, double *energy, double *work)
 {
-    double tau[MS_MCML__COLUMNS_MAX], norm[MS_MCML__COLUMNS_MAX], sum = 0, unit = 1, *target;
+    double tau[MS_MCML__COLUMNS_MAX], norm[MS_MCML__COLUMNS_MAX], sum = 0, unit = 1;
+    double *a = work, *target = a + MS_MCML__COLUMNS_MAX * MS_MCML__RATES_MAX;
     ms_mcml__nnls p;
-    double *a = work;
     int i, c, count = 0;
     p.rows = rows;
     p.columns = 0;
@@ -1903,13 +1687,22 @@ static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows,
     for (i = (int)floor(-1.2 / step); p.columns < MS_MCML__COLUMNS_MAX && t[0] * exp(step * (i - 1)) < 20 * t[rows - 1];
          ++i)
         tau[p.columns++] = t[0] * exp(step * i);
-    ms_mcml__nnls_place(&p, a, MS_MCML__RATES_MAX, MS_MCML__COLUMNS_MAX, &target);
+    p.a = a;
+    p.target = target;
+    p.rhs = target + MS_MCML__RATES_MAX;
+    p.residual = p.rhs + MS_MCML__RATES_MAX;
+    p.diagonal = p.residual + MS_MCML__RATES_MAX;
+    p.qr = p.diagonal + MS_MCML__RATES_MAX;
+    p.x = p.qr + MS_MCML__RATES_MAX * MS_MCML__RATES_MAX;
+    p.solution = p.x + MS_MCML__COLUMNS_MAX;
     for (i = 0; i < rows; ++i) target[i] = 1 / (1 + t[i]);           /* misfits are relative to the spectrum */
     if (spectrum[0] > 0 && spectrum[0] < 1e-100) unit = spectrum[0]; /* the squares below would overflow */
     for (c = 0; c < p.columns; ++c) {
         for (i = 0; i < rows; ++i)
             a[c * rows + i] = target[i] / ((t[i] * t[i] + tau[c] * tau[c]) * (spectrum[i] / unit));
-        norm[c] = ms_mcml__nnls_unit(a + c * rows, rows);
+        for (norm[c] = 0, i = 0; i < rows; ++i) norm[c] += a[c * rows + i] * a[c * rows + i];
+        norm[c] = 1 / sqrt(norm[c]);
+        for (i = 0; i < rows; ++i) a[c * rows + i] *= norm[c];
     }
     ms_mcml__nnls_solve(&p);
     for (c = 0; c < p.columns; ++c) {
@@ -1926,10 +1719,9 @@ static int ms_mcml__stieltjes(const double *t, const double *spectrum, int rows,
 static ms_status ms_mcml__check_medium(const ms_mcml_medium *medium, ms_error *error)
 {
     const double mu_a = medium->mu_a_per_mm, mu_s = medium->mu_s_per_mm;
-    if (!ms_mcml__between(mu_a, 0, HUGE_VAL))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "mu_a_per_mm is %g, expected a number >= 0", mu_a);
-    if (!ms_mcml__between(mu_s, 0, HUGE_VAL))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "mu_s_per_mm is %g, expected a number >= 0", mu_s);
+    if (!ms_mcml__between(mu_a, 0, HUGE_VAL) || !ms_mcml__between(mu_s, 0, HUGE_VAL))
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "mu_a_per_mm is %g and mu_s_per_mm is %g, expected numbers >= 0",
+                        mu_a, mu_s);
     if (!ms_mcml__between(mu_a + mu_s, 1e-100, 1e100))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "mu_a_per_mm + mu_s_per_mm is %g, expected 1e-100 to 1e100",
                         mu_a + mu_s);
@@ -1940,7 +1732,7 @@ static ms_status ms_mcml__check_medium(const ms_mcml_medium *medium, ms_error *e
     return MS_OK;
 }
 
-enum { MS_MCML__SOLVE_BYTES = ((int)MS_MCML__FIT_DOUBLES + (int)MS_MCML__TRIANGLE) * (int)sizeof(double) };
+enum { MS_MCML__SOLVE_DOUBLES = (int)MS_MCML__FIT_DOUBLES + (int)MS_MCML__TRIANGLE };
 
 static const double ms_mcml__slowest = 1e-7; /* decay, per mean free path, that the lattice of frequencies resolves */
 
@@ -1954,42 +1746,38 @@ static double ms_mcml__multiple_total(const ms_mcml__cone *cone, double albedo, 
     return nu < t ? entering - single - (entering - single - multiple) * (nu / t) : multiple;
 }
 
-/* A medium that was checked, by the two steps of ms_mcml_profile_options; work has MS_MCML__SOLVE_BYTES. */
+/* A medium that was checked, by the two steps of ms_mcml_profile_options; work: MS_MCML__SOLVE_DOUBLES. */
 static void ms_mcml__solve(const ms_mcml_medium *medium, double depth_step, double frequency_step,
-                           ms_mcml__halfspace *out, double *work)
+                           ms_mcml__halfspace *s, double *work)
 {
     const double fastest = 200; /* of the lattice of t, per mean free path */
     const double mu_s = medium->mu_s_per_mm * (1 - medium->g);
     double t[MS_MCML__RATES_MAX], spectrum[MS_MCML__RATES_MAX], absorption, entering, nu, multiple, low;
-    ms_mcml__halfspace s;
     ms_mcml__cone cone;
     int i, rows;
-    memset(&s, 0, sizeof s);
-    s.mu_t_per_mm = medium->mu_a_per_mm + mu_s;
-    s.albedo = mu_s / s.mu_t_per_mm;
-    s.specular = (medium->eta - 1) / (medium->eta + 1);
-    s.specular *= s.specular;
-    absorption = medium->mu_a_per_mm / s.mu_t_per_mm;
-    entering = 1 - s.specular;
-    if (!(s.albedo > 1e-100)) { /* nothing comes back */
-        *out = s;
-        return;
-    }
+    memset(s, 0, sizeof *s);
+    s->mu_t_per_mm = medium->mu_a_per_mm + mu_s;
+    s->albedo = mu_s / s->mu_t_per_mm;
+    s->specular = (medium->eta - 1) / (medium->eta + 1);
+    s->specular *= s->specular;
+    absorption = medium->mu_a_per_mm / s->mu_t_per_mm;
+    entering = 1 - s->specular;
+    if (!(s->albedo > 1e-100)) return; /* nothing comes back */
     ms_mcml__cone_make(&cone, medium->eta);
 
     /* Single scattering at angle theta to the normal:  energy beyond r is  exp(-r / u),  u = tan(theta / 2) */
     for (i = 0; i < cone.count; ++i) {
         const double mu = cone.mu[i];
-        s.single_rate_per_mm[i] = (1 + mu) / sqrt(cone.sin2[i]);
-        s.single_energy[i] = entering * s.albedo * cone.weight[i] * mu / (1 + mu);
-        s.total_single += s.single_energy[i];
+        s->single_rate_per_mm[i] = (1 + mu) / sqrt(cone.sin2[i]);
+        s->single_energy[i] = entering * s->albedo * cone.weight[i] * mu / (1 + mu);
+        s->total_single += s->single_energy[i];
     }
-    s.singles = cone.count;
+    s->singles = cone.count;
 
     /* Multiple scattering at k = 0. */
-    nu = ms_mcml__case_eigenvalue(s.albedo, absorption);
-    multiple = ms_mcml__multiple_total(&cone, s.albedo, nu, depth_step, entering, s.total_single, work);
-    s.total = s.total_single + multiple;
+    nu = ms_mcml__case_eigenvalue(s->albedo, absorption);
+    multiple = ms_mcml__multiple_total(&cone, s->albedo, nu, depth_step, entering, s->total_single, work);
+    s->total = s->total_single + multiple;
 
     /* Its spectrum at k^2 = t^2 - nu^2, and the sum of energy / (1 + k^2 / rate^2) that has this spectrum. Rates need a
        finer lattice than frequencies: 0.8 steps. */
@@ -1997,25 +1785,25 @@ static void ms_mcml__solve(const ms_mcml_medium *medium, double depth_step, doub
     for (rows = 0; rows < MS_MCML__RATES_MAX && low * exp(frequency_step * (rows - 1)) < fastest; ++rows) {
         t[rows] = low * exp(frequency_step * rows);
         spectrum[rows] = entering *
-            ms_mcml__multiple(&cone, s.albedo, t[rows] * t[rows] - nu * nu, t[rows], depth_step, work);
+            ms_mcml__multiple(&cone, s->albedo, t[rows] * t[rows] - nu * nu, t[rows], depth_step, work);
     }
-    s.rates = ms_mcml__stieltjes(t, spectrum, rows, nu, 0.8 * frequency_step, multiple, s.rate_per_mm, s.energy, work);
+    s->rates = ms_mcml__stieltjes(t, spectrum, rows, nu, 0.8 * frequency_step, multiple, s->rate_per_mm, s->energy,
+                                  work);
 
     /* From mean free paths to mm. */
-    for (i = 0; i < s.singles; ++i) s.single_rate_per_mm[i] *= s.mu_t_per_mm;
-    for (i = 0; i < s.rates; ++i) s.rate_per_mm[i] *= s.mu_t_per_mm;
-    *out = s;
+    for (i = 0; i < s->singles; ++i) s->single_rate_per_mm[i] *= s->mu_t_per_mm;
+    for (i = 0; i < s->rates; ++i) s->rate_per_mm[i] *= s->mu_t_per_mm;
 }
 
 static ms_status ms_mcml__check_steps(double *depth_step, double *frequency_step, ms_error *error)
 {
-    if (!ms_mcml__between(*depth_step, 0.28, 1) && !ms_mcml__between(*depth_step, 0, 0))
+    if (ms_mcml__between(*depth_step, 0, 0)) *depth_step = 0.3;
+    if (ms_mcml__between(*frequency_step, 0, 0)) *frequency_step = 0.25;
+    if (!ms_mcml__between(*depth_step, 0.28, 1))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "depth_step is %g, expected 0.28 to 1, or 0", *depth_step);
-    if (!ms_mcml__between(*frequency_step, 0.2, 1) && !ms_mcml__between(*frequency_step, 0, 0))
+    if (!ms_mcml__between(*frequency_step, 0.2, 1))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "frequency_step is %g, expected 0.2 to 1, or 0",
                         *frequency_step);
-    if (!(*depth_step > 0)) *depth_step = 0.3;
-    if (!(*frequency_step > 0)) *frequency_step = 0.25;
     return MS_OK;
 }
 
@@ -2181,19 +1969,23 @@ static ms_status ms_mcml__check_rings(const ms_mcml_profile_options *o, ms_error
     return MS_OK;
 }
 
+typedef struct ms_mcml__channel {
+    ms_mcml__halfspace solution;
+    double work[MS_MCML__SOLVE_DOUBLES];
+} ms_mcml__channel;
+
 typedef struct ms_mcml__profile_job {
     const ms_mcml_medium *media;
     const ms_mcml_profile_options *options;
     ms_mcml_profile *profile;
-    ms_mcml__halfspace *solution; /* [channels] */
-    double *work;                 /* [channels][MS_MCML__SOLVE_BYTES / sizeof(double)] */
+    ms_mcml__channel *channel; /* [channels] */
 } ms_mcml__profile_job;
 
 static void ms_mcml__profile_solve(void *context, int channel)
 {
     const ms_mcml__profile_job *job = (const ms_mcml__profile_job *)context;
-    ms_mcml__solve(&job->media[channel], job->options->depth_step, job->options->frequency_step,
-                   &job->solution[channel], job->work + (size_t)channel * (MS_MCML__SOLVE_BYTES / sizeof(double)));
+    ms_mcml__channel *c = &job->channel[channel];
+    ms_mcml__solve(&job->media[channel], job->options->depth_step, job->options->frequency_step, &c->solution, c->work);
 }
 
 /* The rows of a channel; where the difference of two edges would cancel, from the ring itself. */
@@ -2201,7 +1993,7 @@ static void ms_mcml__profile_fill(void *context, int channel)
 {
     const ms_mcml__profile_job *job = (const ms_mcml__profile_job *)context;
     const ms_mcml_profile *p = job->profile;
-    const ms_mcml__halfspace *s = &job->solution[channel];
+    const ms_mcml__halfspace *s = &job->channel[channel].solution;
     const size_t row = (size_t)channel * (size_t)p->rings;
     const double g = job->media[channel].g;
     double *within = p->within + row + channel, *rd = p->rd_per_mm2 + row, *rd_error = p->rd_error_per_mm2 + row;
@@ -2236,13 +2028,13 @@ static double ms_mcml__profile_radius(const ms_mcml__halfspace *s)
 }
 
 /* The rings that suit the channels; how many. edge NULL: only counts them. */
-static int ms_mcml__profile_rings(const ms_mcml__halfspace *solution, int channels, double *edge)
+static int ms_mcml__profile_rings(const ms_mcml__channel *channel, int channels, double *edge)
 {
     double radius = 0, mu_t = 0, r = 0;
     int c, n;
     for (c = 0; c < channels; ++c) {
-        radius = fmax(radius, ms_mcml__profile_radius(&solution[c]));
-        mu_t = fmax(mu_t, solution[c].mu_t_per_mm);
+        radius = fmax(radius, ms_mcml__profile_radius(&channel[c].solution));
+        mu_t = fmax(mu_t, channel[c].solution.mu_t_per_mm);
     }
     if (edge) edge[0] = 0;
     for (n = 0; r < radius || n < 20; ++n) {
@@ -2265,30 +2057,6 @@ static void ms_mcml__profile_place(ms__arena *arena, ms_mcml_profile *p)
     p->total_error = (double *)ms__take(arena, c, size);
 }
 
-/* The profile of solved channels. */
-static ms_status ms_mcml__profile_of(ms_mcml__profile_job *job, int channels, ms_mcml_profile *p, ms_error *error)
-{
-    const ms_mcml_profile_options *o = job->options;
-    ms__arena arena = {NULL, 0};
-    int i;
-    p->channels = channels;
-    p->rings = o->rings ? o->rings : ms_mcml__profile_rings(job->solution, channels, NULL);
-    p->allocator = o->allocator;
-    ms_mcml__profile_place(&arena, p);
-    p->memory_size = arena.used;
-    p->memory = ms__alloc(&o->allocator, p->memory_size);
-    if (p->memory == NULL)
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %d channels of %d rings", channels, p->rings);
-    arena.base = (char *)p->memory;
-    arena.used = 0;
-    ms_mcml__profile_place(&arena, p);
-    for (i = 0; i <= p->rings && o->rings; ++i) p->edge_mm[i] = o->edge_mm ? o->edge_mm[i] : i * o->ring_mm;
-    if (o->rings == 0) ms_mcml__profile_rings(job->solution, channels, p->edge_mm);
-    job->profile = p;
-    ms__run(&o->parallel, channels, ms_mcml__profile_fill, job);
-    return MS_OK;
-}
-
 MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_medium *media, int channels,
                                       const ms_mcml_profile_options *options, ms_error *error)
 {
@@ -2297,7 +2065,6 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     ms_mcml__profile_job job;
     ms__arena arena = {NULL, 0};
     ms_status status;
-    void *block;
     size_t size;
     int i;
     if (profile) memset(profile, 0, sizeof *profile);
@@ -2312,24 +2079,35 @@ MS_API ms_status ms_mcml_profile_make(ms_mcml_profile *profile, const ms_mcml_me
     if (status == MS_OK) status = ms_mcml__check_rings(&o, error);
     if (status) return status;
 
-    /* One block: the solutions, and a workspace for each channel. */
-    ms__take(&arena, (size_t)channels, sizeof *job.solution);
-    ms__take(&arena, (size_t)channels, MS_MCML__SOLVE_BYTES);
-    size = arena.used;
-    block = ms__alloc(&o.allocator, size);
-    if (block == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the half-space solver", size);
-    arena.base = (char *)block;
-    arena.used = 0;
+    size = ms__size_mul((size_t)channels, sizeof *job.channel);
     job.media = media;
     job.options = &o;
-    job.solution = (ms_mcml__halfspace *)ms__take(&arena, (size_t)channels, sizeof *job.solution);
-    job.work = (double *)ms__take(&arena, (size_t)channels, MS_MCML__SOLVE_BYTES);
+    job.channel = (ms_mcml__channel *)ms__alloc(&o.allocator, size);
+    if (job.channel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no %z bytes for the half-space solver", size);
     ms__run(&o.parallel, channels, ms_mcml__profile_solve, &job);
+
+    /* The profile's block, and its rings. */
     memset(&p, 0, sizeof p);
-    status = ms_mcml__profile_of(&job, channels, &p, error);
-    if (status == MS_OK) *profile = p;
-    ms__release(&o.allocator, block, size);
-    return status;
+    p.channels = channels;
+    p.rings = o.rings ? o.rings : ms_mcml__profile_rings(job.channel, channels, NULL);
+    p.allocator = o.allocator;
+    ms_mcml__profile_place(&arena, &p);
+    p.memory_size = arena.used;
+    p.memory = ms__alloc(&o.allocator, p.memory_size);
+    if (p.memory == NULL) {
+        ms__release(&o.allocator, job.channel, size);
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %d channels of %d rings", channels, p.rings);
+    }
+    arena.base = (char *)p.memory;
+    arena.used = 0;
+    ms_mcml__profile_place(&arena, &p);
+    for (i = 0; i <= p.rings && o.rings; ++i) p.edge_mm[i] = o.edge_mm ? o.edge_mm[i] : i * o.ring_mm;
+    if (o.rings == 0) ms_mcml__profile_rings(job.channel, channels, p.edge_mm);
+    job.profile = &p;
+    ms__run(&o.parallel, channels, ms_mcml__profile_fill, &job);
+    ms__release(&o.allocator, job.channel, size);
+    *profile = p;
+    return MS_OK;
 }
 
 MS_API void ms_mcml_profile_destroy(ms_mcml_profile *profile)
@@ -2387,31 +2165,28 @@ static MS__UNUSED unsigned ms_mcml__neon_bits(uint32x4_t mask)
 #if defined(MS_MCML__X64)
 #if defined(__clang__)
 #pragma clang attribute push(__attribute__((target("avx2,fma,f16c"))), apply_to = function)
-#elif defined(__GNUC__)
+#else
 #pragma GCC push_options
 #pragma GCC target("avx2,fma,f16c")
 #endif
 #define MS_MCML__LEVEL avx2
 #define MS_MCML__ISA 3
 #include MS_MCML_FILENAME
+
 #if defined(__clang__)
 #pragma clang attribute pop
-#elif defined(__GNUC__)
-#pragma GCC pop_options
-#endif
-#if defined(__clang__)
 #pragma clang attribute push(__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c"))), \
                              apply_to = function)
-#elif defined(__GNUC__)
-#pragma GCC push_options
-#pragma GCC target("avx512f,avx512bw,avx512dq,avx512vl,avx2,fma,f16c")
+#else
+#pragma GCC target("avx512f,avx512bw,avx512dq,avx512vl")
 #endif
 #define MS_MCML__LEVEL avx512
 #define MS_MCML__ISA 4
 #include MS_MCML_FILENAME
+
 #if defined(__clang__)
 #pragma clang attribute pop
-#elif defined(__GNUC__)
+#else
 #pragma GCC pop_options
 #endif
 #endif /* MS_MCML__X64 */
@@ -2537,12 +2312,9 @@ MS_MCML__VECTOR(int32_t, m)
     ((MS_MCML__U)(MS_MCML__EVEN(a, b) >> 32 | \
                   (MS_MCML__EVEN((MS_MCML__W)(a) >> 32, b) & ((uint64_t)0xffffffffu << 32))))
 #endif
-#if MS_MCML__ISA == 4
-#define MS_MCML__V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
-#define MS_MCML__V_NMADD(a, b, c) _mm512_fnmadd_ps(a, b, c)
-#elif MS_MCML__ISA == 3
-#define MS_MCML__V_MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
-#define MS_MCML__V_NMADD(a, b, c) _mm256_fnmadd_ps(a, b, c)
+#if MS_MCML__ISA >= 3
+#define MS_MCML__V_MADD(a, b, c) MS_MCML__MM(fmadd_ps, 0xffff, a, b, c)
+#define MS_MCML__V_NMADD(a, b, c) MS_MCML__MM(fnmadd_ps, 0xffff, a, b, c)
 #elif MS_MCML__ISA == 2 && defined(MS_MCML__NEON)
 #define MS_MCML__V_MADD(a, b, c) vfmaq_f32(c, a, b)
 #define MS_MCML__V_NMADD(a, b, c) vfmsq_f32(c, a, b)

@@ -1,5 +1,5 @@
-/* A reference for the tests: totals of half-spaces of any g by discrete ordinates. It shares Fresnel's formula with
-   ms_mcml.h and Gauss nodes with layered.h, nothing else. */
+/* A reference for the tests: totals of half-spaces of any g by discrete ordinates. It shares Fresnel's formula and
+   Gauss nodes with layered.h, nothing else. */
 #ifndef ORDINATES_H
 #define ORDINATES_H
 #include "layered.h"
@@ -63,7 +63,7 @@ static double ordinates_reflected(double absorbed, double g, double eta, int nod
     }
     for (i = 0; i < n; ++i) {
         double p0 = 1, p1 = mu[i];
-        rho[i] = ms_mcml__fresnel_nu(eta, 1, eta * sqrt((1 - mu[i]) * (1 + mu[i])));
+        rho[i] = layered__fresnel(eta, 1, eta * sqrt((1 - mu[i]) * (1 + mu[i])));
         root[i] = sqrt(mu[i]);
         for (l = 0; l <= most; ++l) {
             legendre[l][i] = p0 * sqrt(w[i]);

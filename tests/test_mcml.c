@@ -4,6 +4,7 @@
 #include "ms_mcml.h"
 
 #include "json.h"
+#include "tally.h"
 #include "test.h"
 
 /* Of ring i of those dr wide. */
@@ -462,23 +463,25 @@ static ms_mcml *tally_of(const ms_mcml_options *options, uint64_t first, uint64_
     return m;
 }
 
-static unsigned char *bytes_of(const ms_mcml *m, size_t *size)
+/* The run of tally_of. */
+static tally_run two_layer_run(uint64_t seed)
 {
-    unsigned char *bytes;
-    *size = ms_mcml_save_size(m);
-    bytes = (unsigned char *)malloc(*size);
-    ms_mcml_save(m, bytes);
-    return bytes;
+    static ms_mcml_tissue tissue;
+    static ms_mcml_grid grid;
+    tally_run run;
+    tissue = tissue_of(two_layers, 2, 1, 1);
+    grid = grid_of(0.02, 20, 0.02, 20, 5);
+    run.tissue = &tissue;
+    run.grid = &grid;
+    run.seed = seed;
+    return run;
 }
 
 static int same_bits(const ms_mcml *a, const ms_mcml *b)
 {
-    size_t na, nb;
-    unsigned char *x = bytes_of(a, &na), *y = bytes_of(b, &nb);
-    int same = na == nb && memcmp(x, y, na) == 0;
-    free(x);
-    free(y);
-    return same;
+    size_t count_a, count_b;
+    const int64_t *x = ms_mcml_sums(a, &count_a), *y = ms_mcml_sums(b, &count_b);
+    return ms_mcml_photons(a) == ms_mcml_photons(b) && count_a == count_b && memcmp(x, y, count_a * sizeof *x) == 0;
 }
 
 static void splits_and_threads(void)
@@ -495,12 +498,13 @@ static void splits_and_threads(void)
         CHECK_INT(ms_mcml_photons(whole), 100000);
         sum = tally_of(&o, 0, 0);
         for (i = 8; i >= 0; --i) { /* backwards, by way of bytes */
-            ms_mcml *part = tally_of(&o, cuts[i], cuts[i + 1] - cuts[i]), *again = NULL;
+            ms_mcml *part = tally_of(&o, cuts[i], cuts[i + 1] - cuts[i]), *again = tally_of(&o, 0, 0);
+            const tally_run run_of = two_layer_run(o.seed);
             size_t size;
-            unsigned char *bytes = bytes_of(part, &size);
-            CHECK_INT(ms_mcml_load(bytes, size, &o, &again, &e), MS_OK);
+            unsigned char *bytes = tally_pack(part, &run_of, &size);
+            CHECK_INT(tally_add(again, &run_of, bytes, size, &e), MS_OK);
             CHECK(same_bits(part, again));
-            CHECK_INT(ms_mcml_merge(sum, again, &e), MS_OK);
+            CHECK_INT(tally_add(sum, &run_of, bytes, size, &e), MS_OK);
             free(bytes);
             ms_mcml_destroy(part);
             ms_mcml_destroy(again);
@@ -546,65 +550,100 @@ static void levels_agree(void)
     ms_mcml_result_destroy(&a);
 }
 
-static void merge_refuses(void)
+/* Sums that no run has, one by one: another count, below 0, above what two tallies may add up to, too many photons. */
+static void add_refuses(void)
 {
     ms_mcml_options o = options_of(0);
-    ms_mcml *a = tally_of(&o, 0, 10), *b;
+    ms_mcml *a = tally_of(&o, 0, 10), *b = tally_of(&o, 0, 10);
+    size_t count, i;
+    const int64_t *of_a = ms_mcml_sums(a, &count);
+    int64_t *sums = (int64_t *)malloc((count + 1) * sizeof *sums);
+    const size_t first_group = 4 * 20 * 5 + 2; /* after [2][nr][na][2] and [2] sums: photons by their group */
     ms_error e;
-    o.seed += 1;
-    b = tally_of(&o, 10, 10);
-    CHECK_INT(ms_mcml_merge(a, b, &e), MS_INVALID_ARGUMENT);
-    CHECK(strstr(e.message, "seed") != NULL);
-    ms_mcml_destroy(b);
-    o.seed -= 1;
-    o.no_absorption = 1;
-    b = tally_of(&o, 10, 10);
-    CHECK_INT(ms_mcml_merge(a, b, &e), MS_INVALID_ARGUMENT);
-    CHECK(strstr(e.message, "options") != NULL);
-    CHECK_INT(ms_mcml_merge(a, a, &e), MS_INVALID_ARGUMENT);
-    CHECK_INT(ms_mcml_merge(a, NULL, &e), MS_INVALID_ARGUMENT);
-    CHECK_INT(ms_mcml_run(a, 10, (uint64_t)1 << 32, &e), MS_INVALID_ARGUMENT);
-    CHECK_INT(ms_mcml_run(a, UINT64_MAX, 10, &e), MS_INVALID_ARGUMENT);
-    CHECK_INT(ms_mcml_photons(a), 10);
+    memcpy(sums, of_a, count * sizeof *sums);
+    sums[count] = 0;
+    CHECK_INT(ms_mcml_add(a, sums, count - 1, &e), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_add(a, sums, count + 1, &e), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_add(a, NULL, count, &e), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_add(NULL, sums, count, &e), MS_INVALID_ARGUMENT);
+    for (i = 0; i < count; i += i + 97 < count || i + 1 == count ? 97 : count - 1 - i) {
+        const int64_t value = sums[i];
+        sums[i] = -1;
+        CHECK_INT(ms_mcml_add(a, sums, count, &e), MS_INVALID_ARGUMENT);
+        CHECK_INT(e.position, i);
+        sums[i] = ((int64_t)1 << 62) - of_a[i] + 1; /* one more than fits */
+        CHECK_INT(ms_mcml_add(a, sums, count, &e), MS_INVALID_ARGUMENT);
+        sums[i] = value;
+    }
+    sums[first_group] = ((int64_t)1 << 32) - 9; /* one photon too many */
+    CHECK_INT(ms_mcml_add(a, sums, count, &e), MS_INVALID_ARGUMENT);
+    CHECK(strstr(e.message, "2^32") != NULL);
+    for (i = 0; i < 64; ++i) sums[first_group + i] = (int64_t)1 << 61; /* they would wrap to 0 in 64 bits */
+    CHECK_INT(ms_mcml_add(a, sums, count, &e), MS_INVALID_ARGUMENT);
+    CHECK(same_bits(a, b)); /* untouched by all of these */
+    memcpy(sums, of_a, count * sizeof *sums);
+    sums[first_group] = ((int64_t)1 << 32) - 10;
+    sums[0] = ((int64_t)1 << 62) - of_a[0];
+    CHECK_INT(ms_mcml_add(a, sums, count, &e), MS_OK); /* and these just fit */
+    CHECK(ms_mcml_photons(a) == (uint64_t)1 << 32);
+    CHECK_INT(ms_mcml_run(a, 10, 1, &e), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_run(b, 10, (uint64_t)1 << 32, &e), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_run(b, UINT64_MAX, 10, &e), MS_INVALID_ARGUMENT);
+    CHECK_INT(ms_mcml_photons(b), 10);
+    of_a = ms_mcml_sums(b, &count);
+    CHECK_INT(ms_mcml_add(b, of_a, count, &e), MS_OK); /* its own */
+    CHECK_INT(ms_mcml_photons(b), 20);
+    CHECK(ms_mcml_sums(NULL, &count) == NULL && count == 0);
+    free(sums);
     ms_mcml_destroy(a);
     ms_mcml_destroy(b);
     ms_mcml_destroy(NULL);
 }
 
-/* Every cut and every changed byte of a saved tally is refused or read, never more. */
-static void damaged_tallies(void)
+/* A share of another seed, tissue or grid, any cut and any changed bit of the head are refused; a changed sum is
+   refused or read. */
+static void damaged_shares(void)
 {
     ms_mcml_options o = options_of(0);
-    ms_mcml *a = tally_of(&o, 0, 100), *b;
+    ms_mcml *a = tally_of(&o, 0, 100), *b = tally_of(&o, 0, 0), *empty = tally_of(&o, 0, 0);
+    const tally_run run_of = two_layer_run(o.seed), other = two_layer_run(o.seed + 1);
+    const size_t head = tally_head_size(&run_of);
     size_t size, i;
-    unsigned char *bytes = bytes_of(a, &size);
+    unsigned char *bytes = tally_pack(a, &run_of, &size), *longer;
     ms_error e;
     long refused = 0;
-    for (i = 0; i < 300; ++i) {
+    CHECK_INT(tally_add(b, &other, bytes, size, &e), MS_BAD_DATA);
+    CHECK(strstr(e.message, "another") != NULL);
+    for (i = 0; i < head + 400; ++i) {
+        ms_mcml *c = tally_of(&o, 0, 0);
         ms_status status;
-        unsigned char old = bytes[i % size];
-        bytes[i % size] ^= (unsigned char)(1u << (i * 7 % 8));
-        status = ms_mcml_load(bytes, size, NULL, &b, &e);
+        bytes[i] ^= (unsigned char)(1u << (i * 7 % 8));
+        status = tally_add(c, &run_of, bytes, size, &e);
+        if (i < head || status != MS_OK) CHECK_INT(status, MS_BAD_DATA);
         if (status == MS_OK) {
             ms_mcml_result r;
-            memset(&r, 0, sizeof r);
-            ms_mcml_results(b, &r, &e);
+            CHECK_INT(ms_mcml_results(c, &r, &e), MS_OK);
             ms_mcml_result_destroy(&r);
         } else {
-            CHECK(status == MS_BAD_DATA || status == MS_UNSUPPORTED);
-            CHECK(b == NULL);
+            CHECK(same_bits(c, empty));
             ++refused;
         }
-        ms_mcml_destroy(b);
-        bytes[i % size] = old;
+        ms_mcml_destroy(c);
+        bytes[i] ^= (unsigned char)(1u << (i * 7 % 8));
     }
-    for (i = 0; i < size; i += 97) {
-        CHECK_INT(ms_mcml_load(bytes, i, NULL, &b, &e), MS_BAD_DATA);
-        CHECK(b == NULL);
-    }
-    TEST_NOTE("%ld of 300 changed bytes refused", refused);
+    for (i = 0; i < size; i += i < 300 ? 1 : 97) CHECK_INT(tally_add(b, &run_of, bytes, i, &e), MS_BAD_DATA);
+    longer = (unsigned char *)calloc(size + 8, 1);
+    memcpy(longer, bytes, size);
+    for (i = 1; i <= 8; ++i) CHECK_INT(tally_add(b, &run_of, longer, size + i, &e), MS_BAD_DATA);
+    CHECK(same_bits(b, empty));
+    CHECK_INT(tally_add(b, &run_of, bytes, size, NULL), MS_OK);
+    CHECK(same_bits(a, b));
+    TEST_NOTE("%ld of %ld changed bytes refused", refused, (long)head + 400);
+    free(longer);
     free(bytes);
     ms_mcml_destroy(a);
+    ms_mcml_destroy(b);
+    ms_mcml_destroy(empty);
 }
 
 /* --- progress, cancel, arguments, memory --- */
@@ -633,7 +672,7 @@ static void progress_from_0_to_1(void)
     test_pool pool;
     int way;
     for (way = 0; way < 4; ++way) {
-        ms_mcml_options o = options_of(300000);
+        ms_mcml_options o = options_of(1000000); /* two slices of each of 16 tasks of 16 lanes */
         watch w;
         memset(&w, 0, sizeof w);
         if (way > 0) {
@@ -643,7 +682,7 @@ static void progress_from_0_to_1(void)
         if (way == 2) o.parallel = test_parallel(&pool, 3);
         if (way == 3) l = layer(1.4, 0, 0, 0, 0.5);
         r = run(&t, &g, &o);
-        CHECK_INT(r.photons, 300000);
+        CHECK_INT(r.photons, 1000000);
         if (way == 0) {
             plain = r;
             continue;
@@ -811,9 +850,6 @@ static void allocations(void)
     ms_mcml_grid g = grid_of(0.1, 5, 0.1, 5, 5);
     test_pool pool;
     ms_parallel parallel = test_parallel(&pool, 2);
-    ms_mcml *m = NULL;
-    unsigned char *bytes;
-    size_t size;
     TEST_ALLOCATION_SWEEP(20, {
         ms_mcml_options o = options_of(1000);
         ms_mcml_result r;
@@ -822,20 +858,6 @@ static void allocations(void)
         status = ms_mcml_simulate(&t, &g, &o, &r, NULL);
         if (status == MS_OK) ms_mcml_result_destroy(&r);
     });
-    {
-        ms_mcml_options o = options_of(0);
-        m = tally_of(&o, 0, 10);
-    }
-    bytes = bytes_of(m, &size);
-    TEST_ALLOCATION_SWEEP(20, {
-        ms_mcml_options o = options_of(0);
-        ms_mcml *again;
-        o.allocator = allocator;
-        status = ms_mcml_load(bytes, size, &o, &again, NULL);
-        ms_mcml_destroy(again);
-    });
-    free(bytes);
-    ms_mcml_destroy(m);
 }
 
 static const test_case cases[] = {
@@ -851,8 +873,8 @@ static const test_case cases[] = {
     {"absorption_adds_up", absorption_adds_up},
     {"splits_and_threads", splits_and_threads},
     {"levels_agree", levels_agree},
-    {"merge_refuses", merge_refuses},
-    {"damaged_tallies", damaged_tallies},
+    {"add_refuses", add_refuses},
+    {"damaged_shares", damaged_shares},
     {"progress_from_0_to_1", progress_from_0_to_1},
     {"cancel_in_any_medium", cancel_in_any_medium},
     {"long_grids", long_grids},

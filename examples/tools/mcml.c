@@ -14,6 +14,7 @@
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
 #include "mci.h"
+#include "tally.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -53,6 +54,15 @@ static int fail(const char *path, const char *message)
     return 1;
 }
 
+static tally_run tally_of(const mci_run *run)
+{
+    tally_run whole;
+    whole.tissue = &run->tissue;
+    whole.grid = &run->grid;
+    whole.seed = 0;
+    return whole;
+}
+
 static int run_share(const mci_run *run, unsigned long long part, unsigned long long of, const char *path)
 {
     unsigned long long first = run->photons / of * (part - 1) + run->photons % of * (part - 1) / of;
@@ -62,13 +72,10 @@ static int run_share(const mci_run *run, unsigned long long part, unsigned long 
     ms_status status = ms_mcml_create(&run->tissue, &run->grid, NULL, &tally, &error);
     if (status == MS_OK) status = ms_mcml_run(tally, first, end - first, &error);
     if (status == MS_OK) {
-        size_t size = ms_mcml_save_size(tally);
-        void *bytes = malloc(size);
-        const char *problem = "out of memory";
-        if (bytes) {
-            ms_mcml_save(tally, bytes);
-            problem = file_save(path, bytes, size);
-        }
+        size_t size;
+        const tally_run whole = tally_of(run);
+        unsigned char *bytes = tally_pack(tally, &whole, &size);
+        const char *problem = bytes ? file_save(path, bytes, size) : "out of memory";
         free(bytes);
         ms_mcml_destroy(tally);
         return problem ? fail(path, problem) : 0;
@@ -77,23 +84,23 @@ static int run_share(const mci_run *run, unsigned long long part, unsigned long 
     return fail(run->output, error.message);
 }
 
-static ms_mcml *load_tally(const char *path)
+/* The share in a file joins the tally; 1, after a message, if it cannot. */
+static int add_share(ms_mcml *tally, const mci_run *run, const char *path)
 {
+    const tally_run whole = tally_of(run);
     const char *problem = "cannot be read";
     FILE *file = file_open(path, &problem);
     char *bytes = NULL;
     long size = -1;
-    ms_mcml *tally = NULL;
     ms_error error;
-    memset(&error, 0, sizeof error);
     if (file && fseek(file, 0, SEEK_END) == 0) size = ftell(file);
     if (size >= 0 && fseek(file, 0, SEEK_SET) == 0) bytes = (char *)malloc((size_t)size + 1);
     if (bytes && fread(bytes, 1, (size_t)size, file) == (size_t)size)
-        ms_mcml_load(bytes, (size_t)size, NULL, &tally, &error);
-    if (tally == NULL) fail(path, error.message[0] ? error.message : problem);
+        problem = tally_add(tally, &whole, bytes, (size_t)size, &error) == MS_OK ? NULL : error.message;
+    if (problem) fail(path, problem);
     if (file) fclose(file);
     free(bytes);
-    return tally;
+    return problem != NULL;
 }
 
 static int merge_shares(const mci_run *run, char **paths, int count)
@@ -103,13 +110,8 @@ static int merge_shares(const mci_run *run, char **paths, int count)
     ms_error error;
     int i;
     if (ms_mcml_create(&run->tissue, &run->grid, NULL, &sum, &error) != MS_OK) return fail(run->output, error.message);
-    for (i = 0; i < count; ++i) {
-        ms_mcml *share = load_tally(paths[i]);
-        ms_status status = share ? ms_mcml_merge(sum, share, &error) : MS_OK;
-        if (status != MS_OK) fail(paths[i], error.message);
-        ms_mcml_destroy(share);
-        if (share == NULL || status != MS_OK) break;
-    }
+    for (i = 0; i < count; ++i)
+        if (add_share(sum, run, paths[i])) break;
     if (i == count && ms_mcml_photons(sum) != run->photons) {
         fail(run->output, "the shares do not add up to the photons of the run");
         i = -1;

@@ -2,9 +2,7 @@
    colors there and back, and the layered solver against photons. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
-#ifndef MS_MCML_LAYERED_RATES
 #include "layered.h"
-#endif
 #include "attack.h"
 
 enum { LAYERS = 16 };
@@ -249,10 +247,6 @@ static void layered_options(ms_mcml_layered_options *o, size_t limit)
     o->allocator = attack_allocator(limit);
     o->totals_only = attack_one_in(6);
     o->progress = progress_of(10);
-#ifdef MS_MCML_LAYERED_RATES
-    o->photons = 2000;
-    o->simd = (ms_simd)attack_index(5);
-#endif
 }
 
 static void family_layered(void)
@@ -324,10 +318,6 @@ static void family_statement(void)
     double mu = 0, start;
     int i, side, thin = attack_one_in(3);
     draw_mild(&t, l, thin ? 1 : 3);
-#ifdef MS_MCML_LAYERED_RATES /* answers for any g */
-    for (i = 0; i < t.layer_count; ++i)
-        if (attack_one_in(2)) l[i].g = attack_linear(-0.9, 0.9);
-#endif
     if (thin) l[0].thickness_cm = attack_log(0.002, 0.5) / (l[0].mu_a_per_cm + l[0].mu_s_per_cm);
     for (i = 0; i < t.layer_count; ++i) mu = fmax(mu, l[i].mu_a_per_cm + l[i].mu_s_per_cm);
     say_tissue(&t);
