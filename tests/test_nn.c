@@ -1899,6 +1899,86 @@ static void test_long_names(void)
     }
 }
 
+/* A network of layers that have no weights, `layer` being one of them, on an input of [1][16]; the status of its load. */
+static ms_status load_many(const char *layer, int count, ms_error *error)
+{
+    const size_t length = strlen(layer) + 1, room = (size_t)count * length + 1000;
+    char *layers = (char *)malloc(room);
+    unsigned char *file = (unsigned char *)malloc(2 * room); /* quotes are escaped */
+    ms_nn_entry e[3] = {{"ms_nn_version", "1"}, {"ms_nn_input", "[1,16]"}, {"ms_nn_layers", layers}};
+    ms_nn *nn = NULL;
+    ms_status status;
+    size_t size, at = 0;
+    int i;
+    for (i = 0; i < count; ++i) at += (size_t)snprintf(layers + at, room - at, "%c%s", i ? ',' : '[', layer);
+    snprintf(layers + at, room - at, "]");
+    CHECK_INT(ms_nn_file_write(NULL, 0, e, 3, file, 2 * room, &size, error), MS_OK);
+    status = ms_nn_load(file, size, NULL, &nn, error);
+    ms_nn_destroy(nn);
+    free(layers);
+    free(file);
+    return status;
+}
+
+/* What the head comment says of counts: allocations of a file and of a network, layers of a list, padded sizes. */
+static void test_counts(void)
+{
+    uint64_t state = test_seed + 61;
+    ms_error error;
+    int which, i;
+    long most = 0;
+    for (which = 0; which < NETS; ++which) {
+        ms_nn_options o = ms_nn_defaults();
+        ms_nn_file *file = NULL;
+        ms_nn *nn = NULL;
+        test_memory memory;
+        ref_net net;
+        long weighted = 0;
+        net_make(&net, which, MS_NN_F16, &state);
+        memset(&memory, 0, sizeof memory);
+        o.allocator.user = &memory;
+        o.allocator.alloc = test_memory_alloc;
+        o.allocator.release = test_memory_release;
+        CHECK_INT(ms_nn_file_open(net.file, net.size, &o, &file, NULL), MS_OK);
+        CHECK_INT(memory.calls, 1);
+        ms_nn_file_close(file);
+        memory.calls = 0;
+        CHECK_INT(ms_nn_load(net.file, net.size, &o, &nn, NULL), MS_OK);
+        for (i = 0; i < ms_nn_layer_count(nn); ++i) weighted += ms_nn_layer_at(nn, i).dtype != MS_NN_DTYPE_COUNT;
+        if (memory.calls > 12 + 5 * weighted)
+            TEST_FAIL("network %d: %ld allocations for %ld layers with weights", which, memory.calls, weighted);
+        most = memory.calls - 5 * weighted > most ? memory.calls - 5 * weighted : most;
+        ms_nn_destroy(nn);
+        CHECK_INT(memory.blocks, 0);
+        net_free(&net);
+    }
+    TEST_NOTE("at most %ld allocations beside five for each layer with weights", most);
+    CHECK_INT(load_many("{\"type\":\"dropout\"}", 4096, &error), MS_OK);
+    CHECK_INT(load_many("{\"type\":\"dropout\"}", 4097, &error), MS_BAD_DATA);
+    CHECK(strstr(error.message, "4096") != NULL);
+    {
+        static const float weight[1] = {1};
+        static const size_t shape[3] = {1, 1, 1};
+        static const char *const zeros[2] = {"1073741816", "1073741815"}; /* 16 + 2 zeros: 2^31 and two less */
+        const ms_nn_tensor tensor = {"c.weight", MS_NN_F32, 3, shape, weight, 4};
+        char layers[200];
+        ms_nn_entry e[3] = {{"ms_nn_version", "1"}, {"ms_nn_input", "[1,16]"}, {"ms_nn_layers", layers}};
+        unsigned char file[1024];
+        size_t size;
+        ms_nn *nn = NULL;
+        for (i = 0; i < 2; ++i) {
+            snprintf(layers, sizeof layers,
+                     "[{\"type\":\"conv1d\",\"name\":\"c\",\"bias\":false,\"stride\":1000000,\"zeros\":%s}]", zeros[i]);
+            CHECK_INT(ms_nn_file_write(&tensor, 1, e, 3, file, sizeof file, &size, &error), MS_OK);
+            error.message[0] = 0;
+            CHECK_INT(ms_nn_load(file, size, NULL, &nn, &error) == MS_BAD_DATA, i == 0);
+            CHECK((strstr(error.message, "its padded input is too large") != NULL) == (i == 0));
+            ms_nn_destroy(nn);
+            nn = NULL;
+        }
+    }
+}
+
 /* ms_nn_check_weights sees every value of the layers that can be infinite, and says nothing of other tensors. */
 static void test_check_weights(void)
 {
@@ -2489,6 +2569,7 @@ static const test_case cases[] = {{"reference networks", test_reference},
                                   {"refused", test_refused},
                                   {"any sizes", test_any_sizes},
                                   {"long names", test_long_names},
+                                  {"counts", test_counts},
                                   {"weights checked", test_check_weights},
                                   {"other files", test_other_files},
                                   {"white space", test_white_space},

@@ -122,7 +122,7 @@ static void family_photons(void)
     ms_error error = attack_no_error();
     ms_status status;
     int i, k, large;
-    double sum;
+    double sum, part;
     draw_tissue(&t, l, LAYERS, 1e9);
     draw_grid(&g);
     large = g.nr > 1000000 || g.nz > 1000000;
@@ -165,7 +165,11 @@ static void family_photons(void)
     ATTACK_CHECK(fabs(sum - r.a) <= 1e-9 + 1e-6 * r.a, "layers do not add up: %.9g for a %.9g", sum, r.a);
     if (!o.no_absorption) {
         for (sum = 0, i = 0; i < g.nz; ++i) sum += r.a_z[i] * g.dz_cm;
-        ATTACK_CHECK(fabs(sum - r.a) <= 1e-6 * r.a + 2e-7, "slabs do not add up: %.9g for a %.9g", sum, r.a);
+        for (part = 1, i = 0; i < t.layer_count; ++i)
+            if (l[i].mu_a_per_cm > 0) part = fmin(part, l[i].mu_a_per_cm / (l[i].mu_a_per_cm + l[i].mu_s_per_cm));
+        /* parts of 2^-24 of what a photon left in a layer so far are lost in its float, not in the slabs */
+        ATTACK_CHECK(fabs(sum - r.a) <= (part < 1e-5 ? 1e-4 : 1e-6) * r.a + 2e-7,
+                     "slabs do not add up: %.9g for a %.9g", sum, r.a);
     }
     /* the same photons on another grid, in parts, in another order of tasks */
     one = g;
