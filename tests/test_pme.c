@@ -2,6 +2,7 @@
    are noisy or not finite and in any units, and the match of a picture by a small renderer made up here. */
 #define MS_PME_IMPLEMENTATION
 #include "ms_pme.h"
+#include "pme_inside.h"
 #include "test.h"
 #include "stack.h"
 #include "json.h"
@@ -1455,7 +1456,7 @@ static void test_active_set(void)
         for (guess = 0; guess < 3; ++guess) {
             for (j = 0; j < M; ++j) set[j] = guess == 2 ? -1 : guess;
             memcpy(work, a, sizeof a);
-            ms_pme__bounded_least_squares(work, M, low, high, d[guess], set, order, z);
+            inside_bounded_least_squares(work, M, low, high, d[guess], set, order, z);
             for (j = 0; j < M; ++j) {
                 double g = 0;
                 for (i = 0; i < M; ++i) {

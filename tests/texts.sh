@@ -10,6 +10,8 @@
 #   MaterialX             the writer closes what it opens
 #   a locale with a decimal comma        no number is read or written by the locale in a header
 #   clang-format 14       columns, tabs, blanks at ends of lines
+#   other compilers, machines and C libraries (zig, 32 bits, MSVC)   what is included, no long and no extension of one compiler alone
+#   GCC on x86-64 (stack of calls)       no alloca
 #   (nothing)             numbers in comments stand in tests/statements, with the test that holds them
 #   libFuzzer, valgrind, sanitizers      each fuzz target has a corpus (run.sh replays it)
 set -u
@@ -98,6 +100,20 @@ none "a number in a comment that tests/statements does not hold to (or a line of
 # ---- numbers by the locale
 none "numbers by the locale in a header" "$(grep -nE '[^a-z_](strtod|strtof|atof|sscanf|localeconv) *\(' $headers)"
 
+# ---- other compilers, machines and C libraries: these lines alone may include what not every system has
+everywhere='float|limits|math|stdarg|stddef|stdint|stdio|stdlib|string'
+by_platform='arm_neon|cpuid|intrin|[a-z0-9]*intrin|fcntl|sys/mman|sys/stat|unistd'
+none "an include that not every C library has" "$(grep -nE '^ *# *include *<' $headers | grep -vE "<($everywhere|$by_platform)\.h>")"
+none "an include of one platform outside of a condition" "$(awk 'FNR == 1 {depth = 0}
+    /^ *# *if/ {condition[++depth] = $0} /^ *# *el/ {condition[depth] = condition[depth] " " $0} /^ *# *endif/ {--depth}
+    /^ *# *include *<(arm_neon|cpuid|[a-z0-9]*intrin|fcntl|sys\/mman|sys\/stat|unistd)\.h/ {
+        ok = 0
+        for (i = 1; i <= depth; ++i) ok += condition[i] ~ /X64|NEON|ARM|POSIX|unix|APPLE|_MSC_VER|x86|GNUC|clang|__linux__|MMAP|SIMD/
+        if (!ok) print FILENAME ":" FNR ": " $0
+    }' $headers)"
+none "long, which has 32 or 64 bits, or a format of C99 that old C libraries lack" "$(awk '{gsub(/"([^"\\]|\\.)*"/, "\"\"")} /\/\*/ {c = 1} !c && /(^|[^a-z_])long [a-z*]/ {print FILENAME ":" FNR ": " $0} /\*\// {c = 0}' $headers)"
+none "memory on the stack whose size is known at run time alone" "$(grep -nE '(^|[^a-z_])(_?alloca|__builtin_alloca) *\(' $headers)"
+
 # ---- pages
 for page in studio kernels three; do
     part=examples/web/$page.part.html
@@ -125,9 +141,10 @@ done
 
 # ---- Python without its packages
 if command -v python3 >/dev/null; then
-    for f in $(git ls-files '*.py'); do
-        check "$f is no Python" python3 -c "import ast, sys; ast.parse(open(sys.argv[1]).read())" "$f"
-    done
+    check "a file is no Python" python3 -c 'import ast, sys
+for name in sys.argv[1:]:
+    try: ast.parse(open(name).read())
+    except SyntaxError as error: sys.exit("%s: %s" % (name, error))' $(git ls-files '*.py')
 fi
 for f in examples/blender/*.py; do # calls of the add-on's library
     for name in $(grep -oE '\b(lib|library)\.[a-z_]+' "$f" | cut -d. -f2 | sort -u); do
