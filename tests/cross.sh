@@ -80,7 +80,6 @@ passed=0
 failed=0
 paths="-I. -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench"
 # headers FOLDER: each compiled once with the flags of now, for all programs that leave it to the linker; with the inner calls that tests want
-objects=""
 headers() {
     objects=$out/$1
     mkdir -p "$objects"
@@ -102,7 +101,7 @@ headers() {
 linked() {
     for h in ms_*.h; do
         upper=$(echo "${h%.h}" | tr a-z A-Z)
-        [ -z "$objects" ] || grep -q -E "(${h%.h}|$upper|\bms)__|include \"io\.h\"" "$1" || printf ' -D%s_IMPLEMENTED %s' "$upper" "$objects/${h%.h}.o"
+        grep -q -E "(${h%.h}|$upper|\bms)__|include \"io\.h\"" "$1" || printf ' -D%s_IMPLEMENTED %s' "$upper" "$objects/${h%.h}.o"
     done
 }
 build() { # NAME SOURCE...: linked with the headers, the first source saying how
@@ -128,9 +127,12 @@ runs() { # NAME ARGUMENTS...: the program that was built last; cases that it cou
     fi
 }
 
-program_of_all >"$out/use.c"
-build use "$out/use.c" && runs use
 headers objects
+{
+    for h in ms_*.h; do echo "#include \"$h\""; done
+    echo '#include "tests/dropin/use.h"'
+} >"$out/use.c"
+build use "$out/use.c" && runs use
 
 for f in tests/fuzz/fuzz_*.c; do
     n=$(basename "$f" .c)
