@@ -88,7 +88,7 @@ headers() {
         upper=$(echo "$n" | tr a-z A-Z)
         {
             printf '#define %s_IMPLEMENTATION\n#define %s_WITH_SCALAR\n#include "%s"\n' "$upper" "$upper" "$h"
-            [ ! -f "tests/${n#ms_}_inside.h" ] || printf '#define TEST_INSIDE\n#include "%s_inside.h"\n' "${n#ms_}"
+            [ $everything = files ] || [ ! -f "tests/${n#ms_}_inside.h" ] || printf '#define TEST_INSIDE\n#include "%s_inside.h"\n' "${n#ms_}"
         } >"$objects/$n.c"
         if ! $compiler $flags $paths -c "$objects/$n.c" -o "$objects/$n.o" >"$out/log" 2>&1; then
             failed=$((failed + 1))
