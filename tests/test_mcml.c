@@ -2,6 +2,7 @@
    absorption, exact merging, hostile input. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
+#include "mcml_inside.h"
 
 #include "json.h"
 #include "test.h"
@@ -700,8 +701,7 @@ static void cancel_in_any_medium(void)
         }
 }
 
-/* Grids up to the limit of 2^24 slabs (and rings, in the long version: 0.5 GB), by the sums themselves, which lie as
-   ms_mcml__layout says. All of the tissue lies beyond the last bin, so that all light is there and in no other. One
+/* Grids up to the limit of 2^24 slabs (and rings, in the long version: 0.5 GB), by the sums themselves. All of the tissue lies beyond the last bin, so that all light is there and in no other. One
    bin more is refused. */
 static void long_grids(void)
 {
@@ -718,7 +718,7 @@ static void long_grids(void)
         int64_t last = 0, all = 0;
         CHECK_INT(ms_mcml_create(&t, &g, &o, &m, &e), MS_OK);
         CHECK_INT(ms_mcml_run(m, 0, 1024, &e), MS_OK);
-        sum = way ? m->sum + m->at.leave : m->sum + m->at.a;
+        sum = inside_sums(m, !way);
         for (i = 0; i < 2 * most; ++i) all += sum[i];
         if (way) last = sum[2 * most - 2] + sum[2 * most - 1];
         else last = sum[most - 1] + sum[2 * most - 1];
