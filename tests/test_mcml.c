@@ -701,8 +701,8 @@ static void cancel_in_any_medium(void)
         }
 }
 
-/* Grids up to the limit of 2^24 slabs (and rings, in the long version: 0.5 GB), by the sums themselves. All of the tissue lies beyond the last bin, so that all light is there and in no other. One
-   bin more is refused. */
+/* Grids up to the limit of 2^24 slabs (and rings, in the long version: 0.5 GB), by the sums themselves. All of the
+   tissue lies beyond the last bin, so that all light is there and in no other. One bin more is refused. */
 static void long_grids(void)
 {
     const int most = 1 << 24;
