@@ -1255,6 +1255,66 @@ static void test_deviations(void)
     }
 }
 
+/* Random candidates are uniform in the box, all different, others for another seed, and the best of them is taken. */
+typedef struct recorder {
+    renderer_state s;
+    double x[64][N];
+    int count;
+} recorder;
+
+static ms_status record(void *user, const double *x, float *image)
+{
+    recorder *r = (recorder *)user;
+    if (r->count < 64) memcpy(r->x[r->count++], x, sizeof r->x[0]);
+    return render(&r->s, x, image);
+}
+
+static void test_random_candidates(void)
+{
+    enum { COUNT = 50 };
+    static recorder r[2];
+    const double low[N] = {-1, 0, 5, 0, 0, 0}, high[N] = {3, 1, 5, 1, 1, 1e-3};
+    float target[P];
+    int way, i, j, k;
+    for (way = 0; way < 2; ++way) {
+        ms_pme_match_options options = ms_pme_match_defaults();
+        ms_pme_match_result result;
+        ms_pme_renderer renderer;
+        double x[N];
+        renderer_make(&r[way].s);
+        render(&r[way].s, truth, target);
+        renderer = renderer_of(&r[way].s);
+        renderer.user = &r[way];
+        renderer.render = record;
+        renderer.lower = low;
+        renderer.upper = high;
+        options.random_count = COUNT;
+        options.initial_only = 1;
+        options.refine.seed = (uint64_t)(3 + way);
+        r[way].count = 0;
+        CHECK_INT(ms_pme_match(&renderer, target, NULL, &options, x, NULL, &result, NULL), MS_OK);
+        CHECK_INT(r[way].count, COUNT + 1); /* and the answer once more */
+        CHECK(result.best_candidate >= 0 && memcmp(x, r[way].x[result.best_candidate], sizeof x) == 0);
+        for (j = 0; j < N; ++j) {
+            const double range = high[j] - low[j];
+            double sum = 0, least = HUGE_VAL, largest = -HUGE_VAL;
+            for (i = 0; i < COUNT; ++i) {
+                const double v = r[way].x[i][j];
+                CHECK(v >= low[j] && v <= high[j]);
+                for (k = 0; k < i && range > 0; ++k) CHECK(v < r[way].x[k][j] || v > r[way].x[k][j]);
+                sum += (v - low[j]) / COUNT;
+                least = fmin(least, v);
+                largest = fmax(largest, v);
+            }
+            if (!(range > 0)) continue;
+            CHECK_NEAR(sum, 0.5 * range, 5 * range / sqrt(12.0 * COUNT)); /* five standard errors */
+            /* 0.8^50 = 1e-5: none within a fifth of an end */
+            CHECK(least < low[j] + 0.2 * range && largest > high[j] - 0.2 * range);
+        }
+    }
+    CHECK(memcmp(r[0].x[0], r[1].x[0], sizeof r[0].x[0]) != 0);
+}
+
 static void test_repeatable(void)
 {
     renderer_state s;
@@ -2042,7 +2102,7 @@ static ms_status lone_jacobian(void *user, const double *x, float *image, float 
 }
 static void test_lone_ranges(void)
 {
-    static const double odd[] = {
+    static const double extreme[] = {
         4.9406564584124654e-324, 1e-323, 1e-310, 2.2250738585072014e-308, 1e-170, 1e170, 1e307};
     uint64_t state = 91 + test_seed;
     int round, part, i, j;
@@ -2056,7 +2116,7 @@ static void test_lone_ranges(void)
         for (j = 0; j < N; ++j) {
             s.dead[j] = test_uniform(&state) < 0.4;
             s.low[j] = low[j] = 0;
-            s.range[j] = s.dead[j] ? odd[(int)(7 * test_uniform(&state))] : log_uniform(&state, -20, 20);
+            s.range[j] = s.dead[j] ? extreme[(int)(7 * test_uniform(&state))] : log_uniform(&state, -20, 20);
         }
         for (j = 0; j < N; ++j) x[j] = s.range[j] * 0.6;
         lone_render(&s, x, target);
@@ -2461,6 +2521,7 @@ static const test_case cases[] = {{"published minima", test_published},
                                   {"match, arguments", test_match_arguments},
                                   {"reduced objective", test_reduced},
                                   {"deviations", test_deviations},
+                                  {"random candidates", test_random_candidates},
                                   {"repeatable", test_repeatable},
                                   {"allocation failures", test_allocation},
                                   {"value of a result", test_result_value},
