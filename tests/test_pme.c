@@ -666,6 +666,16 @@ static void test_budgets(void)
             CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), budget < 2 ? MS_INVALID_ARGUMENT : MS_OK);
             CHECK(result.cost <= budget || (budget < 2 && result.cost == 0));
         }
+        /* what fits exactly is spent: whole numbers of evaluations, and more starts than the budget holds */
+        f.jacobian_cost = 1;
+        options.restarts = 1000;
+        for (budget = 20; budget < 60; budget += 7) {
+            options.max_cost = budget;
+            CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_OK);
+            CHECK_NEAR(result.cost, budget, 0);
+        }
+        options.restarts = 0;
+        f.jacobian_cost = 0;
         options.max_cost = 1e4;
         options.max_seconds = 10;
         options.clock = tick;
