@@ -630,9 +630,10 @@ static void progress_from_0_to_1(void)
     ms_mcml_layer l = layer(1.4, 1, 20, 0.5, 0.5);
     ms_mcml_tissue t = tissue_of(&l, 1, 1, 1);
     ms_mcml_grid g = grid_of(0.1, 5, 0.1, 5, 5);
-    ms_mcml_result plain = {0}, r;
+    ms_mcml_result plain, r;
     test_pool pool;
     int way;
+    memset(&plain, 0, sizeof plain);
     for (way = 0; way < 4; ++way) {
         ms_mcml_options o = options_of(300000);
         watch w;

@@ -1312,12 +1312,12 @@ static void test_random_candidates(void)
                 const double v = r[way].x[i][j];
                 CHECK(v >= low[j] && v <= high[j]);
                 for (k = 0; k < i && range > 0; ++k) CHECK(v < r[way].x[k][j] || v > r[way].x[k][j]);
-                sum += (v - low[j]) / COUNT;
+                sum += (v - low[j]) / (double)COUNT;
                 least = fmin(least, v);
                 largest = fmax(largest, v);
             }
             if (!(range > 0)) continue;
-            CHECK_NEAR(sum, 0.5 * range, 5 * range / sqrt(12.0 * COUNT)); /* five standard errors */
+            CHECK_NEAR(sum, 0.5 * range, 5 * range / sqrt(12 * (double)COUNT)); /* five standard errors */
             /* 0.8^50 = 1e-5: none within a fifth of an end */
             CHECK(least < low[j] + 0.2 * range && largest > high[j] - 0.2 * range);
         }
