@@ -285,12 +285,16 @@ style_jobs() {
         cxx=$(echo $compiler | sed 's/gcc/g++/; s/clang/clang++/')
         # Clang warns before it optimizes, GCC in part while it does so.
         if [ $compiler = clang ]; then only=-fsyntax-only levels=-O2; else only=-c levels="-O0 -O2 -O3"; fi
-        for f in tests/test_*.c tests/bench/bench_*.c tests/fuzz/*.c examples/*.c examples/*/*.c; do
+        for f in tests/test_*.c tests/attack/*.c tests/bench/bench_*.c tests/fuzz/*.c examples/*.c examples/*/*.c; do
             ! grep -q '"egl.h"' "$f" || continue # its headers are not everywhere
             [ -f "$f" ] && since $(used "$f" | grep -v '^ms_') || continue
             n=$(echo "${f%.c}" | sed 's/^examples\/ms_/small_ms_/; s/.*\(tests\|examples\)\///; s/\//_/g')
             attributes="" # those of WebAssembly are unknown here
             case $f in examples/web/*) attributes="-Wno-attributes $([ $compiler = gcc ] || echo -Wno-unknown-attributes)" ;; esac
+            case $f in tests/attack/*) # programs of C alone
+                job "${compiler}_$n" "$compiler -std=c99 $posix $paths -Werror $warn_c$(linked "$f") -O1 $only $f -o $out/${compiler}_$n.o"
+                continue ;;
+            esac
             job "${compiler}_$n" "$compiler -std=c99 $posix $paths -Werror $warn_c $attributes$(linked "$f") -O3 $only $f -o $out/${compiler}_$n.o &&
 $cxx -x c++ -std=c++11 $posix $paths -Werror $warn $attributes$(linked "$f") -O1 $only $f -o $out/${compiler}_$n.o"
         done

@@ -169,7 +169,7 @@ static void family_models(void)
         parts = view;
         if (parts.n > 0) {
             memcpy(moved, view.x, sizeof(double) * (size_t)(t.n * t.m));
-            moved[attack_index(t.n * t.m)] = attack_one_in(2) ? NAN : 1e31;
+            moved[attack_index(t.n * t.m)] = attack_one_in(2) ? (double)NAN : 1e31;
             parts.x = moved;
             error = attack_no_error();
             status = ms_gpr_update(copy, &parts, &error);

@@ -232,7 +232,7 @@ static void check_solution(const ms_mcml_tissue *t, const ms_mcml_layered *s, ms
         attack_fail("without absorption: specular + rd + tt = 1 %+.2g, stated %.2g", s->specular + s->rd + s->tt - 1,
                     stated);
     for (side = 0; side < 2 && !attack->failed; ++side) {
-        double last = INFINITY, total = side ? s->tt : s->rd;
+        double last = HUGE_VAL, total = side ? s->tt : s->rd;
         for (k = 0; k < 120 && !totals_only; ++k) {
             const double r = k ? 1e-9 * pow(10, k * 0.14) : 0, v = ms_mcml_layered_outside(s, side, r);
             double e = 0, ring;
@@ -240,7 +240,7 @@ static void check_solution(const ms_mcml_tissue *t, const ms_mcml_layered *s, ms
             else if (v > last * (1 + 1e-6) + 1e-6 * total + 1e-9)
                 attack_fail("energy rises with the radius: %.9g beyond %.3g cm, side %d, %.9g nearer", v, r, side,
                             last);
-            ring = ms_mcml_layered_ring(s, side, r, r ? r * 1.3 : 1e-9, &e);
+            ring = ms_mcml_layered_ring(s, side, r, r > 0 ? r * 1.3 : 1e-9, &e);
             if (!(ring >= 0 && e >= 0 && ring < 1e300))
                 attack_fail("a ring: %.9g +- %.9g at %.3g cm, side %d", ring, e, r, side);
             last = v;
