@@ -1662,6 +1662,7 @@ static void test_refused(void)
         {"[5]", "[{\"name\":\"f\"}]", "type"},
         {"[5]", "[{\"type\":\"dropout\",\"rate\":1}]", "below 1"},
         {"[5]", "[{\"type\":\"conv1d\",\"name\":\"f\"}]", "channels, length"},
+        {"[5]", "[{}]", "the layer has no type"},
         {"[1,5]", "[{\"type\":\"dense\",\"name\":\"f\"}]", "flatten"},
         {"[1,1]", "[{\"type\":\"maxpool1d\",\"size\":2}]", "takes 2"},
         {"[3,1,9]", "[{\"type\":\"maxpool2d\",\"size\":2}]", "takes 2"},
