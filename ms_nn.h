@@ -81,25 +81,24 @@
 
    Costs
    -----
-   A small network costs its multiply-adds, a large dense layer what reading its weights costs: F16 takes half and I8 a
-   quarter to a third of the time of F32, at about 86 and 65 dB against F32. Large pages under the weights (on Linux
-   madvise(MADV_HUGEPAGE) on the memory that ms_nn_load is given) save a sixth to a third. tests/bench/RESULTS.md of the
-   repository has the tables.
+   A small network costs its multiply-adds, a large dense layer what reading its weights costs, and so less as F16 or
+   I8. Large pages under the weights make it faster (on Linux madvise(MADV_HUGEPAGE) on the memory that ms_nn_load is
+   given). tests/bench/RESULTS.md of the repository has the tables.
 
    Memory
    ------
    A file costs one allocation, a network a dozen and at most five for each layer with weights. Convolutions are packed,
-   and dense layers of at most two million weights or of fewer than 512 inputs, together at most 64 MB; the others are
-   read in place. With a workspace of ms_nn_workspace_size bytes the calls allocate nothing; it stops growing at 48
-   samples, since more run in groups. Stack: below 32 kB, 64 kB when compiled without optimization.
+   and small dense layers or those of fewer than 512 inputs, together at most 64 MB; the others are read in place. With
+   a workspace of ms_nn_workspace_size bytes the calls allocate nothing; it stops growing at 48 samples, since more run
+   in groups. Stack: below 32 kB, 64 kB when compiled without optimization.
 
    Threads, SIMD, determinism, errors
    ----------------------------------
    No globals. A loaded network is only read: calls on it may overlap if their workspaces differ. options.parallel takes
    a thread pool; the work is cut by the problem alone. AVX2, AVX-512 and NEON are chosen at load, capped by
    options.simd; other processors and MS_NO_SIMD run plain C. At one level the bits are the same for any number of
-   threads, and for a sample alone or in a batch. Arithmetic is in floats: about 1e-6 of the largest output against
-   double precision, at most 1e-5 in the tests; the collapse is in double. Every call that can fail returns a status;
+   threads, and for a sample alone or in a batch. Arithmetic is in floats: within 1e-5 of the largest output against
+   double precision in the tests; the collapse is in double. Every call that can fail returns a status;
    loaders also fill an ms_error with a byte offset and a sentence. On failure outputs are untouched. NaN and infinity
    pass through (ms_nn_check_weights finds them in weights). -ffast-math voids the promises about bits, NaN and
    infinity.
@@ -441,7 +440,7 @@ typedef struct ms_nn_collapse ms_nn_collapse;
    nn      its last layer must be dense and linear (MS_UNSUPPORTED); must outlive *c
    weight  [output size] >= 0, diagonal of M; NULL: all 1
    *c      out; ms_nn_collapse_destroy releases it
-   About h^2 / 2 multiply-adds for each output with a weight above 0, once for each different set of weights.
+   Costs the outer product of a row of W for each output with a weight above 0, once for each different set of weights.
    MS_INVALID_ARGUMENT: a negative or non-finite weight (position: its index). MS_OUT_OF_MEMORY. */
 MS_API ms_status ms_nn_collapse_create(const ms_nn *nn, const float *weight, ms_nn_collapse **c, ms_error *error);
 MS_API void ms_nn_collapse_destroy(ms_nn_collapse *c); /* NULL is allowed */
@@ -2187,7 +2186,7 @@ static MS_NN__COLD ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *s
 
 enum {
     MS_NN__PACK_COLS = 512,        /* rows so short are packed whatever their number: read in place they are slow */
-    MS_NN__PACK_WEIGHTS = 2000000, /* of a matrix of longer rows: F16 of 4 MB, which a cache may hold */
+    MS_NN__PACK_WEIGHTS = 2000000, /* of a matrix of longer rows: what a cache may hold */
     MS_NN__PACK_COLS_MOST = 16384, /* longer rows are read in place as fast */
     MS_NN__PACK_BYTES = 64 << 20   /* of a network */
 };
@@ -2670,7 +2669,7 @@ static size_t ms_nn__samples(size_t cols) { return cols > 512 ? 12 : 6144 / cols
 /* How large a task is: enough to hide the cost of handing it out. The sizes depend on the problem alone. */
 enum {
     MS_NN__TASK_BYTES = 262144,    /* of streamed weights */
-    MS_NN__TASK_PRODUCTS = 2097152 /* of a batch: some 40 us */
+    MS_NN__TASK_PRODUCTS = 2097152 /* of a batch */
 };
 
 /* Runs task over count items in chunks; the context holds the chunk's size. */

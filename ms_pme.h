@@ -921,8 +921,8 @@ static void ms_pme__factor(ms_pme__run *run, double norm)
     }
 }
 
-/* What is forgotten of the trust region's scale at each step. 0.5 to 0.9 reach four digits from all 54 starts of NIST;
-   1 (More 1978) stays in the valley of MGH10, where a column shrinks by 40 orders; 0.3 fails in two others. */
+/* What is kept of the trust region's scale at each step. 1 is More 1978's, which columns that shrink by many orders
+   defeat (MGH10 of NIST); small values forget scales that are still needed. */
 #define MS_PME__SCALE_DECAY 0.7
 
 /* Derivatives at the solver's point and the scale of its trust region: the present column norms, or what is left of
@@ -988,8 +988,8 @@ static double ms_pme__predicted_decrease(const ms_pme__run *run, const double *d
 
 /* One step: derivatives, then trials until one is accepted, the solver is done or the run has stopped. A trial solves
    the damped problem in the box, in y = unit x / |r|; the damping follows the ratio of actual to predicted decrease
-   (Nielsen 1999). After a trial that is not finite the next one takes a quarter of its step at most: from BoxBOD's
-   first start half a step still lands on the plateau. */
+   (Nielsen 1999). After a trial that is not finite the next one takes a quarter of its step at most, so that it does
+   not land on the same plateau (BoxBOD of NIST). */
 static void ms_pme__solver_step(ms_pme__run *run, ms_pme__solver *solver)
 {
     int n = run->n, j, state[MS_PME_PARAMETERS_MAX], order[MS_PME_PARAMETERS_MAX];

@@ -57,7 +57,7 @@ if [ -n "$target" ]; then
     passed=0 failed=0
     program_of_all >"$out/use.c"
     for language in "cc -x c -std=c99" "c++ -x c++ -std=c++11"; do
-        if "$zig" $language -target $target -O1 -fno-sanitize=undefined -Wall -Wextra -Werror -I. "$out/use.c" -o "$out/use" $([ "${target#*windows}" != "$target" ] || echo -lm) >"$out/log" 2>&1; then passed=$((passed + 1)); else
+        if "$zig" $language -target $target -O0 -fno-sanitize=undefined -Wall -Wextra -Werror -I. "$out/use.c" -o "$out/use" $([ "${target#*windows}" != "$target" ] || echo -lm) >"$out/log" 2>&1; then passed=$((passed + 1)); else
             echo "FAIL ${language%% *} for $target"
             grep -E -m 5 'error|warning' "$out/log" || tail -3 "$out/log"
             failed=$((failed + 1))
@@ -78,10 +78,37 @@ $emulator "$out/probe$suffix" >"$out/log" 2>&1 || { echo "${emulator:-this machi
 
 passed=0
 failed=0
-build() { # NAME SOURCE...
+paths="-I. -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench"
+# headers FOLDER: each compiled once with the flags of now, for all programs that leave it to the linker; with the inner calls that tests want
+headers() {
+    objects=$out/$1
+    mkdir -p "$objects"
+    for h in ms_*.h; do
+        n=${h%.h}
+        upper=$(echo "$n" | tr a-z A-Z)
+        {
+            printf '#define %s_IMPLEMENTATION\n#define %s_WITH_SCALAR\n#include "%s"\n' "$upper" "$upper" "$h"
+            [ $everything = files ] || [ ! -f "tests/${n#ms_}_inside.h" ] || printf '#define TEST_INSIDE\n#include "%s_inside.h"\n' "${n#ms_}"
+        } >"$objects/$n.c"
+        if ! $compiler $flags $paths -c "$objects/$n.c" -o "$objects/$n.o" >"$out/log" 2>&1; then
+            failed=$((failed + 1))
+            echo "FAIL to compile $h"
+            head -20 "$out/log"
+        fi
+    done
+}
+# linked SOURCE: the objects of all headers but those whose private text it reaches (as tests/run.sh has it), and what leaves these to them
+linked() {
+    for h in ms_*.h; do
+        upper=$(echo "${h%.h}" | tr a-z A-Z)
+        grep -q -E "(${h%.h}|$upper|\bms)__|include \"io\.h\"" "$1" || printf ' -D%s_IMPLEMENTED %s' "$upper" "$objects/${h%.h}.o"
+    done
+}
+build() { # NAME SOURCE...: linked with the headers, the first source saying how
     program=$out/$1$suffix
+    with=$(linked "$2")
     shift
-    $compiler $flags -I. -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench "$@" -o "$program" $libraries >"$out/log" 2>&1 && return 0
+    $compiler $flags $paths "$@" $with -o "$program" $libraries >"$out/log" 2>&1 && return 0
     echo "FAIL to build $*"
     head -20 "$out/log"
     failed=$((failed + 1))
@@ -100,7 +127,11 @@ runs() { # NAME ARGUMENTS...: the program that was built last; cases that it cou
     fi
 }
 
-program_of_all >"$out/use.c"
+headers objects
+{
+    for h in ms_*.h; do echo "#include \"$h\""; done
+    echo '#include "tests/dropin/use.h"'
+} >"$out/use.c"
 build use "$out/use.c" && runs use
 
 for f in tests/fuzz/fuzz_*.c; do
@@ -112,12 +143,13 @@ if [ $everything != no ]; then # the attacks; their own processes see crashes wh
     plain=$flags
     sanitizers="-g1 -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all"
     ! { [ $everything = yes ] && $compiler $sanitizers "$out/probe.c" -o "$out/probe$suffix" >/dev/null 2>&1; } || flags="$flags $sanitizers"
+    [ "$flags" = "$plain" ] || headers objects_sanitized
     programs=$(ls tests/attack/attack_*.c)
     for f in $programs; do
         n=$(basename "$f" .c)
-        build "$n" -Itests/attack "$f" && runs "$n" --seconds $((${ATTACK_SECONDS:-60} / $(echo $programs | wc -w))) --cases tests/attack/cases
+        build "$n" "$f" -Itests/attack && runs "$n" --seconds $((${ATTACK_SECONDS:-60} / $(echo $programs | wc -w))) --cases tests/attack/cases
     done
-    flags=$plain
+    flags=$plain objects=$out/objects
 fi
 if [ $everything = files ]; then # programs of tests/test.h want threads
     echo "tests of tests/test.h are left out: no threads there"

@@ -1,5 +1,5 @@
-/* Inner calls of ms_gpr.h that tests and benches look at: the likelihood and its gradient, other hyperparameters for a
-   model, a latent space from given latents. Static behind the implementation; in an object
+/* Inner calls of ms_gpr.h that tests and benches look at: the likelihood and its gradient, the objective of a fit, the
+   mode, other hyperparameters for a model, a latent space from given latents. Static behind the implementation; in an object
    of their own where the build compiles the header once (tests/run.sh). */
 #ifndef TEST_GPR_INSIDE_H
 #define TEST_GPR_INSIDE_H
@@ -26,6 +26,12 @@ TEST_INSIDE ms_status inside_latent(const double *x, int z, int m, const double 
 TEST_INSIDE ms_status inside_latent_likelihood(const ms_gpr_latent *plane, double *likelihood, double *gradient_theta,
                                                double *gradient_latent, ms_error *error);
 TEST_INSIDE double inside_latent_jitter(const ms_gpr_latent *plane);
+TEST_INSIDE ms_simd inside_level(ms_simd cap);
+TEST_INSIDE void inside_exponentials(ms_simd level, double *c, int count);
+TEST_INSIDE double inside_leave_one_out(const ms_gpr *gp, double *mean, double *variance);
+TEST_INSIDE int inside_fit_objective(const double *x, const double *y, int n, int m, const double *q, double *value,
+                                     double *gradient);
+TEST_INSIDE int inside_mode(const ms_gpr *gp, double *likelihood, double *latent);
 
 /* Edits of a model and models of parts, on the public calls. */
 static TEST_UNUSED ms_status inside_create(const double *x, const double *y, int n, int m, const double *theta,
@@ -105,6 +111,63 @@ static TEST_UNUSED ms_status inside_rescore(ms_gpr *gp, int row, double y, ms_er
 }
 
 #ifdef TEST_INSIDE_BODY
+/* The level that a cap leads to. */
+TEST_INSIDE ms_simd inside_level(ms_simd cap) { return ms_gpr__simd_pick(cap); }
+
+/* c = exp(-c / 2), count a multiple of 8. */
+TEST_INSIDE void inside_exponentials(ms_simd level, double *c, int count)
+{
+    ms_gpr__kernels_of(level)->exponentials(c, count, 1);
+}
+
+/* What the other scores say about each, and the sum of log N(y_i; mean_i, variance_i); mean, variance: [n] or NULL. */
+TEST_INSIDE double inside_leave_one_out(const ms_gpr *gp, double *mean, double *variance)
+{
+    const size_t n = (size_t)gp->n + 8;
+    double *memory = (double *)malloc((n * gp->stride + 2 * n) * sizeof *memory), *residual = memory + n * gp->stride,
+           *own = residual + n, density = 0;
+    int i;
+    ms_gpr__leave_one_out(gp, memory, residual, own);
+    for (i = 0; i < gp->n; ++i) {
+        density -= 0.5 * (log(2 * 3.14159265358979323846 * own[i]) + residual[i] * residual[i] / own[i]);
+        if (mean) mean[i] = gp->y[i] - residual[i];
+        if (variance) variance[i] = own[i];
+    }
+    free(memory);
+    return density;
+}
+
+/* The objective of a fit of the whole data at q [m + 2], and its gradient; 0: not defined there, or no room. */
+TEST_INSIDE int inside_fit_objective(const double *x, const double *y, int n, int m, const double *q, double *value,
+                                     double *gradient)
+{
+    static double memory[20000];
+    ms__arena arena;
+    ms_gpr__fit f;
+    memset(&f, 0, sizeof f);
+    f.o.simd = MS_SIMD_SCALAR;
+    f.o.evaluations = f.starts = 1;
+    f.n = f.part = n;
+    arena.base = (char *)memory;
+    arena.used = 0;
+    ms_gpr__fit_layout(&f, n, m, &arena);
+    if (arena.used > sizeof memory || ms_gpr__fit_run(&f, x, y, n, m, NULL) != MS_OK) return 0; /* all is in place */
+    return ms_gpr__fit_objective(&f, q, value, gradient);
+}
+
+/* The mode of what was said, [n], and the likelihood by Laplace's approximation, computed anew; 0: it fails. */
+TEST_INSIDE int inside_mode(const ms_gpr *gp, double *likelihood, double *latent)
+{
+    ms_gpr__problem problem;
+    void *memory;
+    int found;
+    if (ms_gpr__problem_of(gp, &problem, &memory, NULL) != MS_OK) return 0;
+    found = ms_gpr__evaluate(&problem, ms_gpr__sf2(gp), ms_gpr__sn2(gp), likelihood, NULL);
+    if (found) memcpy(latent, problem.latent, (size_t)gp->n * sizeof *latent);
+    ms_gpr__release(&gp->allocator, memory);
+    return found;
+}
+
 /* What was added to the diagonal, in units of sf^2. */
 TEST_INSIDE double inside_latent_jitter(const ms_gpr_latent *plane) { return plane->jitter; }
 

@@ -76,6 +76,12 @@ def linked(test):
     return [h for h in headers if not re.search(r'(%s|%s|\bms)__|include "io\.h"' % (h, h.upper()), text)]
 
 
+def reached(test):
+    """Those of them that it includes, by whatever way: what is linked."""
+    rule = subprocess.run(['gcc', '-I.'] + flags + ['-MM', '-MG', 'tests/%s.c' % test], capture_output=True, text=True).stdout
+    return [h for h in linked(test) if re.search(r'\b%s\.h\b' % h, rule)]
+
+
 def digest(path):
     return hashlib.md5(open(path, 'rb').read()).hexdigest()
 
@@ -100,7 +106,7 @@ def build(folder, test):
 def link(folder, test):
     base = '%s/%s' % (folder, test)
     program = ('%s/base/%s.o' % (out, test)) if name in linked(test) else base + '.o'
-    objects = ['%s/%s.o' % (folder, h) if h == name else 'build/%s.o' % h for h in linked(test)]
+    objects = ['%s/%s.o' % (folder, h) if h == name else 'build/%s.o' % h for h in reached(test)]
     return run(cc + [program] + objects + ['-o', base, '-lm', '-lpthread'] + (['-lEGL'] if test.startswith('pkg_') else []), 60)[0] == 0
 
 
@@ -242,7 +248,7 @@ def baseline(t):
 
 kept = '%s/%s.json' % (out, name)
 known = json.load(open(kept)) if os.path.exists(kept) else {}
-subprocess.run(['make', '-s'] + ['build/%s.o' % h for h in headers], check=True)
+subprocess.run(['make', '-s'] + ['build/%s.o' % h for h in headers if any(h in reached(t) for t in tests)], check=True)
 base[name] = header(out + '/base')
 with ThreadPoolExecutor(o.jobs) as pool:
     list(pool.map(baseline, tests))

@@ -86,7 +86,11 @@ since() {
     return 1
 }
 # used FILE: it and all that it includes of this repository; reached FILE: the headers among them
-used() { $CC -std=c99 $posix $paths -MM -MG "$1" 2>/dev/null | tr -s ' \\' '\n\n' | sed 's/^\.\///' | grep '\.[ch]$'; }
+used() {
+    list=$out/used/$(echo "$1" | tr / _)
+    [ -f "$list" ] || { mkdir -p "$out/used" && $CC -std=c99 $posix $paths -MM -MG "$1" 2>/dev/null | tr -s ' \\' '\n\n' | sed 's/^\.\///' | grep '\.[ch]$' | sort -u >"$list"; }
+    cat "$list"
+}
 reached() { used "$1" | grep -x 'ms_[a-z]*\.h'; }
 
 have() { command -v "$1" >/dev/null 2>&1; }
@@ -162,7 +166,7 @@ test_jobs() {
             job "$1$n" "$2 $posix $paths $3 $level$with $t $([ "${3#-x}" = "$3" ] || echo -x none) $out/objects/$1ms.a -o $out/$1$n -lm -lpthread && $4 $out/$1$n $5" || continue ;;
         esac
         some="$some $(needed "$t")"
-        inside="$inside $(sed -n 's/#include "\([a-z]*_inside\.h\)".*/\1/p' "$t")"
+        inside="$inside $(used "$t" | sed -n 's/.*\/\([a-z]*_inside\.h\)$/\1/p')"
     done
     [ -z "$some" ] || objects "$1" "$2" "$3" $some
 }
@@ -236,7 +240,7 @@ test_group() {
         job "dropin_$n" "sh tests/dropin/dropin.sh $out/dropin_$n $h"
         job "symbols_$n" "sh tests/dropin/symbols.sh $h $out/symbols_$n"
     done
-    attack_jobs 60 "attack_nn attack_pme"
+    attack_jobs 60
     job dropin_msvc "sh tests/dropin/msvc.sh $out/dropin_msvc $(echo $headers)"
     job dropin_builds "sh tests/dropin/builds.sh $out/dropin_builds"
     test_jobs "scalar_" "$CC" "-std=c99 $CFLAGS -DMS_NO_SIMD" "" "--build --no-simd"
@@ -281,12 +285,16 @@ style_jobs() {
         cxx=$(echo $compiler | sed 's/gcc/g++/; s/clang/clang++/')
         # Clang warns before it optimizes, GCC in part while it does so.
         if [ $compiler = clang ]; then only=-fsyntax-only levels=-O2; else only=-c levels="-O0 -O2 -O3"; fi
-        for f in tests/test_*.c tests/bench/bench_*.c tests/fuzz/*.c examples/*.c examples/*/*.c; do
+        for f in tests/test_*.c tests/attack/*.c tests/bench/bench_*.c tests/fuzz/*.c examples/*.c examples/*/*.c; do
             ! grep -q '"egl.h"' "$f" || continue # its headers are not everywhere
             [ -f "$f" ] && since $(used "$f" | grep -v '^ms_') || continue
             n=$(echo "${f%.c}" | sed 's/^examples\/ms_/small_ms_/; s/.*\(tests\|examples\)\///; s/\//_/g')
             attributes="" # those of WebAssembly are unknown here
             case $f in examples/web/*) attributes="-Wno-attributes $([ $compiler = gcc ] || echo -Wno-unknown-attributes)" ;; esac
+            case $f in tests/attack/*) # programs of C alone
+                job "${compiler}_$n" "$compiler -std=c99 $posix $paths -Werror $warn_c$(linked "$f") -O1 $only $f -o $out/${compiler}_$n.o"
+                continue ;;
+            esac
             job "${compiler}_$n" "$compiler -std=c99 $posix $paths -Werror $warn_c $attributes$(linked "$f") -O3 $only $f -o $out/${compiler}_$n.o &&
 $cxx -x c++ -std=c++11 $posix $paths -Werror $warn $attributes$(linked "$f") -O1 $only $f -o $out/${compiler}_$n.o"
         done
@@ -325,8 +333,8 @@ sanitize_jobs() {
     replay_jobs "$flags"
 }
 
-# attack_jobs SECONDS [NAMES]: those of all programs together; NAMES: the programs that draw fresh cases, the others run
-# tests/attack/cases alone (they still find defects that are not repaired). The headers are compiled once with sanitizers, at -O1.
+# attack_jobs SECONDS: those of all programs together, which take tests/attack/cases first. The headers are compiled once with
+# sanitizers, at -O1.
 attack_jobs() {
     flags="-g1 -O1 -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all -fno-omit-frame-pointer"
     if ! compiles $CC $flags; then
@@ -335,14 +343,11 @@ attack_jobs() {
     fi
     some=""
     programs=$(ls tests/attack/attack_*.c)
-    each=$(($1 / $(echo $programs | wc -w)))
+    seconds=$(($1 / $(echo $programs | wc -w)))
     for f in $programs; do
         n=$(basename "$f" .c)
-        seconds=$each
-        case " ${2:-$n} " in *" $n "*) ;; *) seconds=0 ;; esac
-        [ $seconds != 0 ] || grep -q "^${n#attack_} " tests/attack/cases || continue # no case is kept
-        job "$n" "$CC $posix $paths -Itests/attack -std=c99 $flags$(linked "$f") $f $out/objects/attack_ms.a -o $out/$n -lm && $out/$n --seconds $seconds --cases tests/attack/cases" || continue
-        some="$some ms_${n#attack_}.h"
+        job "$n" "$CC $posix $paths -Itests/attack -std=c99 $flags$(linked "$f") $f $out/objects/attack_ms.a -o $out/$n -lm && $out/$n --seconds $seconds --cases tests/attack/cases" &&
+            some="$some ms_${n#attack_}.h"
     done
     [ -z "$some" ] || objects "attack_" "$CC" "-std=c99 $flags" $some
 }
@@ -384,22 +389,22 @@ cross) for machine in $(sh tests/cross.sh); do job "$machine" "sh tests/cross.sh
 *) echo "unknown group '$group'" >&2; exit 2 ;;
 esac
 
+in_order() {
+    if [ -z "${SHUFFLE:-}" ]; then cat
+    else awk -v seed="$SHUFFLE" 'BEGIN {srand(seed)} {print rand() "\t" $0}' | sort | cut -f 2
+    fi
+}
+# Those that wait for a browser most of the time run one after another beside the rest, from the start: they need no object of below.
+browser='-(web|three|materialx|page)\.job$'
+ls "$out"/*.job 2>/dev/null | grep -E -e "$browser" | in_order | xargs -n 1 sh tests/run.sh --one &
 # The objects first, then what is linked with them.
 case $group in
 check | test | long) [ ! -d "$out/objects" ] || ar rcs "$out/objects/ms.a" build/ms_*.o ;;
 esac
 for job in "$out"/objects/*.job; do [ ! -f "$job" ] || echo "$job"; done | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
 for o in "$out"/objects/*ms_*.o; do [ ! -f "$o" ] || ar rcs "${o%ms_*.o}ms.a" "$o"; done
-in_order() {
-    if [ -z "${SHUFFLE:-}" ]; then cat
-    else awk -v seed="$SHUFFLE" 'BEGIN {srand(seed)} {print rand() "\t" $0}' | sort | cut -f 2
-    fi
-}
-# Those that wait for a browser most of the time run one after another beside the rest, of which one more runs than there are processors:
-# disks are waited for, too.
-browser='-(web|three|materialx|page)\.job$'
+# In make test one more runs than there are processors: disks are waited for, too.
 [ "$group" != test ] || JOBS=$((JOBS + 1))
-ls "$out"/*.job 2>/dev/null | grep -E -e "$browser" | in_order | xargs -n 1 sh tests/run.sh --one &
 ls "$out"/*.job 2>/dev/null | grep -v -E -e "$browser" | in_order | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
 wait
 cat "$out"/*.seconds "$out"/objects/*.seconds 2>/dev/null | sort -rn >"$out/seconds"

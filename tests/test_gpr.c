@@ -5,6 +5,7 @@
 #include "json.h"
 #include "users.h"
 #include "bench/thesis.h"
+#include "gpr_inside.h"
 
 #define PI 3.14159265358979323846
 
@@ -82,7 +83,7 @@ static int levels(ms_simd *level)
 {
     int count = 0, i;
     for (i = MS_SIMD_SCALAR; i <= MS_SIMD_AVX2; ++i)
-        if (ms_gpr__simd_pick((ms_simd)i) == (ms_simd)i) level[count++] = (ms_simd)i;
+        if (inside_level((ms_simd)i) == (ms_simd)i) level[count++] = (ms_simd)i;
     return count;
 }
 
@@ -110,23 +111,6 @@ static ms_gpr_fit_options fit_options(void)
     ms_gpr_fit_options o;
     memset(&o, 0, sizeof o);
     return o;
-}
-
-/* What the other scores say about each, and the sum of log N(y_i; mean_i, variance_i); mean, variance: [n] or NULL. */
-static double leave_one_out(const ms_gpr *gp, double *mean, double *variance)
-{
-    size_t n = (size_t)gp->n + 8;
-    double *memory = (double *)malloc((n * gp->stride + 2 * n) * sizeof *memory), *residual = memory + n * gp->stride,
-           *own = residual + n, density = 0;
-    int i;
-    ms_gpr__leave_one_out(gp, memory, residual, own);
-    for (i = 0; i < gp->n; ++i) {
-        density -= 0.5 * (log(2 * PI * own[i]) + residual[i] * residual[i] / own[i]);
-        if (mean) mean[i] = gp->y[i] - residual[i];
-        if (variance) variance[i] = own[i];
-    }
-    free(memory);
-    return density;
 }
 
 /* --- reference problems --- */
@@ -197,7 +181,7 @@ static void reference_problem(const json *problem, ms_simd level, double *worst)
             AGAINST(s2, variance, count, "var")
         }
         /* leave-one-out divides by what the gradient divides by: its error is that of the gradient */
-        got = leave_one_out(gp, NULL, NULL);
+        got = inside_leave_one_out(gp, NULL, NULL);
         AGAINST(&got, &density, 1, "grad")
 #undef AGAINST
     }
@@ -224,9 +208,8 @@ static void test_exponential(void)
     int count = levels(level), l, i;
     double worst = 0;
     for (l = 0; l < count; ++l) {
-        const ms_gpr__kernels *f = ms_gpr__kernels_of(level[l]);
         for (i = 0; i < 8192; ++i) c[i] = d[i] = i < 4096 ? i * (100.0 / 4096) : exp(0.002 * (i - 4096)) - 1;
-        f->exponentials(c, 8192, 1);
+        inside_exponentials(level[l], c, 8192);
         for (i = 0; i < 8192; ++i) {
             double e = exp(-0.5 * d[i]), bound = (4 + 2 * d[i]) * 2.3e-16 * e + 1e-140;
             CHECK_NEAR(c[i], e, bound); /* rounding of t grows with t; flushed to 0 at 2^-500 */
@@ -372,7 +355,7 @@ static void test_leave_one_out(void)
     prior_mean = 0.7;
     smooth_data(x, y, N, M, 0.2, &state);
     gp = make(x, y, N, M, theta, &options);
-    density = leave_one_out(gp, mean, variance);
+    density = inside_leave_one_out(gp, mean, variance);
     for (i = 0; i < N; ++i) {
         ms_gpr *less = make(x, y, N, M, theta, &options);
         double mu, s2;
@@ -428,30 +411,19 @@ static void test_fit_methods(void)
 static void test_fit_gradient(void)
 {
     enum { N = 30, M = 3 };
-    static double x[N * M], y[N], memory[20000];
+    static double x[N * M], y[N];
     double q[2][M + 2] = {{-0.5, 0.3, 1, 0.2, -1.5}, {-0.5, 0.3, 1, 0.2, 0.5}}, g[M + 2], other[M + 2], value, up, down;
     uint64_t state = test_seed;
-    ms__arena arena;
-    ms_gpr__fit f;
     int c, k;
     smooth_data(x, y, N, M, 0.1, &state);
-    memset(&f, 0, sizeof f);
-    f.o.simd = MS_SIMD_SCALAR;
-    f.o.evaluations = f.starts = 1;
-    f.n = f.part = N;
-    arena.base = (char *)memory;
-    arena.used = 0;
-    ms_gpr__fit_layout(&f, N, M, &arena);
-    CHECK(arena.used <= sizeof memory);
-    CHECK_INT(ms_gpr__fit_run(&f, x, y, N, M, NULL), MS_OK); /* everything is in place then */
     for (c = 0; c < 2; ++c) {
-        CHECK_INT(ms_gpr__fit_objective(&f, q[c], &value, g), 1);
+        CHECK_INT(inside_fit_objective(x, y, N, M, q[c], &value, g), 1);
         for (k = 0; k < M + 2; ++k) {
             double h = 1e-5, at = q[c][k];
             q[c][k] = at + h;
-            ms_gpr__fit_objective(&f, q[c], &up, other);
+            inside_fit_objective(x, y, N, M, q[c], &up, other);
             q[c][k] = at - h;
-            ms_gpr__fit_objective(&f, q[c], &down, other);
+            inside_fit_objective(x, y, N, M, q[c], &down, other);
             q[c][k] = at;
             CHECK_NEAR(g[k], (up - down) / (2 * h), 1e-7 * (1 + fabs(g[k]))); /* h^2, and 1e-13 / h of rounding */
         }
@@ -775,7 +747,7 @@ static void test_duplicates(void)
         /* scores that contradict each other by +-0.5 at one place are noise of 0.5, give or take 0.5 / sqrt(2 N) =
            0.056 */
         CHECK_NEAR(exp(ms_gpr_view_of(gp).theta[M + 1]), 0.5, 0.15);
-        CHECK(ms__finite(r.likelihood));
+        CHECK(isfinite(r.likelihood));
         ms_gpr_destroy(gp);
     }
 }
@@ -795,7 +767,7 @@ static void test_constant(void)
         gp = fit(x, y, N, M, NULL, &r);
         CHECK(ms_gpr_predict(gp, xs, 1, &mean, NULL, NULL) == MS_OK);
         CHECK_NEAR(mean, value[v], 1e-9 * fabs(value[v]));
-        CHECK(ms__finite(r.likelihood));
+        CHECK(isfinite(r.likelihood));
         ms_gpr_destroy(gp);
     }
 }
@@ -851,8 +823,8 @@ static void test_dimensions(void)
             for (k = 0; k < m + 2; ++k) theta[k] = k < m ? e * log(10.0) : k == m ? 0 : -3;
             gp = make(x, y, 60, m, theta, NULL);
             CHECK(inside_likelihood(gp, &likelihood, gradient, NULL) == MS_OK);
-            CHECK(ms__finite(likelihood));
-            for (k = 0; k < m + 2; ++k) CHECK(ms__finite(gradient[k]));
+            CHECK(isfinite(likelihood));
+            for (k = 0; k < m + 2; ++k) CHECK(isfinite(gradient[k]));
             ms_gpr_destroy(gp);
         }
     }
@@ -1326,7 +1298,7 @@ static void test_two_thousand(void)
     gp = fit(x, y, n, M, &o, &r);
     CHECK(r.likelihood > first + 100);
     ms_gpr_predict(gp, x, n, mean, NULL, NULL);
-    for (i = 0; i < n; ++i) CHECK(ms__finite(mean[i]));
+    for (i = 0; i < n; ++i) CHECK(isfinite(mean[i]));
     TEST_NOTE("n = %d: likelihood %.0f to %.0f in %d evaluations", n, first, r.likelihood, r.evaluations);
     ms_gpr_destroy(gp);
     free(x), free(y), free(mean);

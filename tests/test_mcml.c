@@ -2,6 +2,7 @@
    absorption, exact merging, hostile input. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
+#include "mcml_inside.h"
 
 #include "json.h"
 #include "tally.h"
@@ -668,9 +669,10 @@ static void progress_from_0_to_1(void)
     ms_mcml_layer l = layer(1.4, 1, 20, 0.5, 0.5);
     ms_mcml_tissue t = tissue_of(&l, 1, 1, 1);
     ms_mcml_grid g = grid_of(0.1, 5, 0.1, 5, 5);
-    ms_mcml_result plain = {0}, r;
+    ms_mcml_result plain, r;
     test_pool pool;
     int way;
+    memset(&plain, 0, sizeof plain);
     for (way = 0; way < 4; ++way) {
         ms_mcml_options o = options_of(1000000); /* two slices of each of 16 tasks of 16 lanes */
         watch w;
@@ -739,9 +741,8 @@ static void cancel_in_any_medium(void)
         }
 }
 
-/* Grids up to the limit of 2^24 slabs (and rings, in the long version: 0.5 GB), by the sums themselves, which lie as
-   ms_mcml__layout says. All of the tissue lies beyond the last bin, so that all light is there and in no other. One
-   bin more is refused. */
+/* Grids up to the limit of 2^24 slabs (and rings, in the long version: 0.5 GB), by the sums themselves. All of the
+   tissue lies beyond the last bin, so that all light is there and in no other. One bin more is refused. */
 static void long_grids(void)
 {
     const int most = 1 << 24;
@@ -757,7 +758,7 @@ static void long_grids(void)
         int64_t last = 0, all = 0;
         CHECK_INT(ms_mcml_create(&t, &g, &o, &m, &e), MS_OK);
         CHECK_INT(ms_mcml_run(m, 0, 1024, &e), MS_OK);
-        sum = way ? m->sum + m->at.leave : m->sum + m->at.a;
+        sum = inside_sums(m, !way);
         for (i = 0; i < 2 * most; ++i) all += sum[i];
         if (way) last = sum[2 * most - 2] + sum[2 * most - 1];
         else last = sum[most - 1] + sum[2 * most - 1];

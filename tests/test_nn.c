@@ -2,9 +2,14 @@
    level, thread count and batch size. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
+#include "nn_inside.h"
 #include "json.h"
 #include "test.h"
 #include "stack.h"
+#if defined(__x86_64__) || defined(_M_X64) || defined(__i386__) && defined(__SSE2__)
+#define TEST_X64
+#include <emmintrin.h>
+#endif
 
 /* --- the reference: layers as plain loops in double --- */
 
@@ -675,11 +680,7 @@ static double difference(const float *a, const double *b, int n)
 static void net_directions(const ms_nn *nn, size_t count, const float *x, const float *dx, float *dy)
 {
     void *workspace = malloc(ms_nn_workspace_size(nn, MS_NN_JACOBIAN, 1));
-    ms_nn__call call;
-    ms_nn__begin(&call, nn, MS_NN_JACOBIAN, 1, x, NULL, workspace);
-    CHECK(count <= call.layout.each && nn->channel_input == NULL);
-    memcpy(dy, ms_nn__run_directions(&call.run, count, dx, call.layout.slots),
-           count * ms_nn_output_size(nn) * sizeof(float));
+    CHECK(inside_directions(nn, count, x, dx, dy, workspace));
     free(workspace);
 }
 
@@ -764,7 +765,7 @@ static void test_saturation(void)
             }
             if (act == 2) x[0] = -1e-38f; /* times 0.75: is it flushed? */
             CHECK_INT(ms_nn_forward(nn, 1, x, y, NULL), MS_OK);
-            nn->kernels->activate(x, g, N, nn->op[0].activation, nn->op[0].alpha, 1);
+            inside_activate(nn, x, g, N);
             if (act == 2 && !(y[0] < 0)) spacing = 1.2e-38;
             for (i = 0; act > 2 && i < N; ++i) {
                 long double size, v = far_value(act, (long double)x[i], 0, &size), d;
@@ -1130,7 +1131,7 @@ static void test_dense_shapes(void)
 /* Half floats are the same where the host flushes subnormal floats to zero, at every level, reading and writing. */
 static void test_flush_to_zero(void)
 {
-#if defined(MS__X64)
+#if defined(TEST_X64)
     unsigned h, state = _mm_getcsr();
     int simd;
     uint64_t seed = test_seed + 30;
@@ -1143,8 +1144,8 @@ static void test_flush_to_zero(void)
         uint16_t back;
         float value;
         _mm_setcsr(state | 0x8040);
-        value = ms__half_to_float((uint16_t)h);
-        back = ms__half_from_float(value);
+        value = inside_half_to_float((uint16_t)h);
+        back = inside_half_from_float(value);
         _mm_setcsr(state);
         if ((h & 0x7c00) == 0x7c00) {
             CHECK((h & 1023) ? value != value : value > 1e38f || value < -1e38f);
@@ -1171,7 +1172,7 @@ static void test_flush_to_zero(void)
                      {1e20, 0x7bff},
                      {1e-20, 0}};
         for (i = 0; i < (int)(sizeof cases / sizeof cases[0]); ++i)
-            CHECK_INT(ms__half_from_float(-(float)ldexp(cases[i].units, -24)), cases[i].bits | 0x8000);
+            CHECK_INT(inside_half_from_float(-(float)ldexp(cases[i].units, -24)), cases[i].bits | 0x8000);
     }
     net_begin(&net, MS_NN_F16, 1, 100, 1, 1); /* weights of 0.1 / 100 and less: many are subnormal */
     net_dense(&net, 7, 3);
@@ -1465,7 +1466,7 @@ static void test_activations(void)
             for (i = 0; i < 50; ++i) x[i] = (float)ldexp(-1, -i); /* small values keep their relative precision */
             CHECK_INT(ms_nn_forward(nn, 1, x, y, NULL), MS_OK);
             for (i = 0; i < N; ++i) g[i] = 1;
-            nn->kernels->activate(x, g, N, nn->op[0].activation, nn->op[0].alpha, 1);
+            inside_activate(nn, x, g, N);
             for (i = 0; i < N; ++i) {
                 double v = ref_act(act, 1.5, (double)x[i]), s = ref_slope(act, 1.5, (double)x[i]);
                 double d = fabs((double)y[i] - v) / (fabs(v) + 1e-30); /* exponents end at -87 */
@@ -1661,6 +1662,7 @@ static void test_refused(void)
         {"[5]", "[{\"name\":\"f\"}]", "type"},
         {"[5]", "[{\"type\":\"dropout\",\"rate\":1}]", "below 1"},
         {"[5]", "[{\"type\":\"conv1d\",\"name\":\"f\"}]", "channels, length"},
+        {"[5]", "[{}]", "the layer has no type"},
         {"[1,5]", "[{\"type\":\"dense\",\"name\":\"f\"}]", "flatten"},
         {"[1,1]", "[{\"type\":\"maxpool1d\",\"size\":2}]", "takes 2"},
         {"[3,1,9]", "[{\"type\":\"maxpool2d\",\"size\":2}]", "takes 2"},
@@ -1896,6 +1898,86 @@ static void test_long_names(void)
         if (strncmp(error.message,
                     n <= MS_NN_MAX_NAME ? "the layer list makes dimension 0 2, it is 3" : "its name has over 240", 20))
             TEST_FAIL("a name of %d bytes: %s", n, error.message);
+    }
+}
+
+/* A network of layers that have no weights, `layer` being one of them, on an input of [1][16]; the status of its load. */
+static ms_status load_many(const char *layer, int count, ms_error *error)
+{
+    const size_t length = strlen(layer) + 1, room = (size_t)count * length + 1000;
+    char *layers = (char *)malloc(room);
+    unsigned char *file = (unsigned char *)malloc(2 * room); /* quotes are escaped */
+    ms_nn_entry e[3] = {{"ms_nn_version", "1"}, {"ms_nn_input", "[1,16]"}, {"ms_nn_layers", layers}};
+    ms_nn *nn = NULL;
+    ms_status status;
+    size_t size, at = 0;
+    int i;
+    for (i = 0; i < count; ++i) at += (size_t)snprintf(layers + at, room - at, "%c%s", i ? ',' : '[', layer);
+    snprintf(layers + at, room - at, "]");
+    CHECK_INT(ms_nn_file_write(NULL, 0, e, 3, file, 2 * room, &size, error), MS_OK);
+    status = ms_nn_load(file, size, NULL, &nn, error);
+    ms_nn_destroy(nn);
+    free(layers);
+    free(file);
+    return status;
+}
+
+/* What the head comment says of counts: allocations of a file and of a network, layers of a list, padded sizes. */
+static void test_counts(void)
+{
+    uint64_t state = test_seed + 61;
+    ms_error error;
+    int which, i;
+    long most = 0;
+    for (which = 0; which < NETS; ++which) {
+        ms_nn_options o = ms_nn_defaults();
+        ms_nn_file *file = NULL;
+        ms_nn *nn = NULL;
+        test_memory memory;
+        ref_net net;
+        long weighted = 0;
+        net_make(&net, which, MS_NN_F16, &state);
+        memset(&memory, 0, sizeof memory);
+        o.allocator.user = &memory;
+        o.allocator.alloc = test_memory_alloc;
+        o.allocator.release = test_memory_release;
+        CHECK_INT(ms_nn_file_open(net.file, net.size, &o, &file, NULL), MS_OK);
+        CHECK_INT(memory.calls, 1);
+        ms_nn_file_close(file);
+        memory.calls = 0;
+        CHECK_INT(ms_nn_load(net.file, net.size, &o, &nn, NULL), MS_OK);
+        for (i = 0; i < ms_nn_layer_count(nn); ++i) weighted += ms_nn_layer_at(nn, i).dtype != MS_NN_DTYPE_COUNT;
+        if (memory.calls > 12 + 5 * weighted)
+            TEST_FAIL("network %d: %ld allocations for %ld layers with weights", which, memory.calls, weighted);
+        most = memory.calls - 5 * weighted > most ? memory.calls - 5 * weighted : most;
+        ms_nn_destroy(nn);
+        CHECK_INT(memory.blocks, 0);
+        net_free(&net);
+    }
+    TEST_NOTE("at most %ld allocations beside five for each layer with weights", most);
+    CHECK_INT(load_many("{\"type\":\"dropout\"}", 4096, &error), MS_OK);
+    CHECK_INT(load_many("{\"type\":\"dropout\"}", 4097, &error), MS_BAD_DATA);
+    CHECK(strstr(error.message, "4096") != NULL);
+    {
+        static const float weight[1] = {1};
+        static const size_t shape[3] = {1, 1, 1};
+        static const char *const zeros[2] = {"1073741816", "1073741815"}; /* 16 + 2 zeros: 2^31 and two less */
+        const ms_nn_tensor tensor = {"c.weight", MS_NN_F32, 3, shape, weight, 4};
+        char layers[200];
+        ms_nn_entry e[3] = {{"ms_nn_version", "1"}, {"ms_nn_input", "[1,16]"}, {"ms_nn_layers", layers}};
+        unsigned char file[1024];
+        size_t size;
+        ms_nn *nn = NULL;
+        for (i = 0; i < 2; ++i) {
+            snprintf(layers, sizeof layers,
+                     "[{\"type\":\"conv1d\",\"name\":\"c\",\"bias\":false,\"stride\":1000000,\"zeros\":%s}]", zeros[i]);
+            CHECK_INT(ms_nn_file_write(&tensor, 1, e, 3, file, sizeof file, &size, &error), MS_OK);
+            error.message[0] = 0;
+            CHECK_INT(ms_nn_load(file, size, NULL, &nn, &error) == MS_BAD_DATA, i == 0);
+            CHECK((strstr(error.message, "its padded input is too large") != NULL) == (i == 0));
+            ms_nn_destroy(nn);
+            nn = NULL;
+        }
     }
 }
 
@@ -2135,7 +2217,7 @@ static void test_large(void)
         if (ms_nn_load(f, size, NULL, &nn, &error) != MS_OK) TEST_FAIL("%s", error.message);
         CHECK(ms_nn_layer_at(nn, 0).parameters == count);
         CHECK(ms_nn_layer_at(nn, 0).multiply_adds == count);
-        nn->kernels->widen(nn->op[0].matrix.w + last, shape[1], 0.5, row, MS_NN_I8);
+        inside_widen(nn, last, shape[1], 0.5, row);
         for (i = 0; i < shape[1]; ++i) CHECK_NEAR(row[i], 0.5 * (double)(i % 100), 0);
         if (test_full) {
             float *x = (float *)malloc(shape[1] * sizeof(float)), *y = (float *)malloc(shape[0] * sizeof(float));
@@ -2202,11 +2284,12 @@ static double direct_value(const ref_net *net, const ms_nn *nn, const float *x, 
 {
     const ref_layer *l = &net->layer[net->layers - 1];
     int n = count_of(l->in), outputs = (int)ms_nn_output_size(nn), i, k;
-    ms_nn trunk = *nn;
-    float *h = (float *)malloc((size_t)n * nn->channels * sizeof(float));
+    size_t channels, inputs;
+    float *h;
     double sum = 0;
-    trunk.ops--; /* the features that the collapse sees, so that only its own error is measured */
-    CHECK_INT(ms_nn_forward(&trunk, 1, x, h, NULL), MS_OK);
+    ms_nn_channel_inputs(nn, &channels, &inputs);
+    h = (float *)malloc((size_t)n * channels * sizeof(float));
+    CHECK_INT(inside_features(nn, x, h), MS_OK); /* those that the collapse sees: only its own error is measured */
     for (i = 0; i < outputs; ++i) {
         double r = l->b[i % l->out] - (double)target[i];
         for (k = 0; k < n; ++k) r += l->w[i % l->out * n + k] * (double)h[i / l->out * n + k];
@@ -2285,8 +2368,9 @@ static double collapse_case(ms_nn_dtype dtype, int way, uint64_t *state)
         ms_nn_collapse_create(nn, way == ALL_ONE || way == FEW_OUTPUTS || way == SHARED ? NULL : weight, &c, &error),
         MS_OK);
     CHECK_INT(ms_nn_collapse_features(c), features);
-    CHECK_INT(ms_nn_collapse_residual(c, best, residual, NULL, NULL), MS_INVALID_ARGUMENT);         /* no target yet */
-    for (i = 0; i < channels; ++i) CHECK_INT(c->owner[i], way == SHARED_CHANNEL && i == 1 ? 1 : 0); /* who shares R */
+    CHECK_INT(ms_nn_collapse_residual(c, best, residual, NULL, NULL), MS_INVALID_ARGUMENT); /* no target yet */
+    for (i = 0; i < channels; ++i)
+        CHECK_INT(inside_collapse_owner(c, i), way == SHARED_CHANNEL && i == 1 ? 1 : 0); /* who shares R */
     ms_nn_forward(nn, 1, best, target, NULL);
     for (k = 0; k <= 6; k += 2) { /* targets at 1 to 1e-6 of their norm from what the network reaches */
         double direct, relative = pow(10, -k), spread = 0, sum = 0;
@@ -2365,7 +2449,7 @@ static void test_collapse_alone(void)
     CHECK_NEAR(value, direct, 1e-13 * direct); /* sums of 100 doubles */
     for (i = 0; i < 3; ++i)
         for (j = i; j < 3; ++j) {
-            const double r = c->r[(size_t)i * c->wide + (size_t)j];
+            const double r = inside_collapse_factor(c, i, j);
             static const int first[3] = {0, 1, 3}, second[3] = {3, 2, 1};
             CHECK_NEAR(jacobian[i * IN + first[j]], r, 1e-15);
             CHECK_NEAR(jacobian[(3 + i) * IN + second[j]], r, 1e-15);
@@ -2391,7 +2475,7 @@ static void test_collapse_factor(void)
     CHECK_INT(ms_nn_collapse_create(nn, NULL, &c, NULL), MS_OK);
     memset(full, 0, sizeof full);
     for (i = 0; i < h; ++i)
-        for (k = i; k < h; ++k) full[i][k] = c->r[(size_t)i * c->wide + (size_t)k];
+        for (k = i; k < h; ++k) full[i][k] = inside_collapse_factor(c, i, k);
     for (i = 0; i < h; ++i)
         for (j = 0; j < h; ++j) {
             double a = 0, b = 0;
@@ -2408,7 +2492,11 @@ static void test_collapse_factor(void)
         o.parallel = test_parallel(&pool, 3);
         CHECK_INT(ms_nn_load(net.file, net.size, &o, &two, NULL), MS_OK);
         CHECK_INT(ms_nn_collapse_create(two, NULL, &d, NULL), MS_OK);
-        CHECK_INT(memcmp(c->r, d->r, (size_t)h * c->wide * sizeof(double)), 0);
+        for (i = 0; i < h; ++i)
+            for (k = i; k < h; ++k) {
+                const double a = inside_collapse_factor(c, i, k), b = inside_collapse_factor(d, i, k);
+                CHECK_INT(memcmp(&a, &b, sizeof a), 0);
+            }
         ms_nn_collapse_destroy(d);
         ms_nn_destroy(two);
     }
@@ -2489,6 +2577,7 @@ static const test_case cases[] = {{"reference networks", test_reference},
                                   {"refused", test_refused},
                                   {"any sizes", test_any_sizes},
                                   {"long names", test_long_names},
+                                  {"counts", test_counts},
                                   {"weights checked", test_check_weights},
                                   {"other files", test_other_files},
                                   {"white space", test_white_space},

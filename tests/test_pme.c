@@ -2,6 +2,7 @@
    are noisy or not finite and in any units, and the match of a picture by a small renderer made up here. */
 #define MS_PME_IMPLEMENTATION
 #include "ms_pme.h"
+#include "pme_inside.h"
 #include "test.h"
 #include "stack.h"
 #include "json.h"
@@ -665,6 +666,16 @@ static void test_budgets(void)
             CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), budget < 2 ? MS_INVALID_ARGUMENT : MS_OK);
             CHECK(result.cost <= budget || (budget < 2 && result.cost == 0));
         }
+        /* what fits exactly is spent: whole numbers of evaluations, and more starts than the budget holds */
+        f.jacobian_cost = 1;
+        options.restarts = 1000;
+        for (budget = 20; budget < 60; budget += 7) {
+            options.max_cost = budget;
+            CHECK_INT(ms_pme_minimize(&f, &options, x, &result, NULL), MS_OK);
+            CHECK_NEAR(result.cost, budget, 0);
+        }
+        options.restarts = 0;
+        f.jacobian_cost = 0;
         options.max_cost = 1e4;
         options.max_seconds = 10;
         options.clock = tick;
@@ -1206,7 +1217,8 @@ static void test_reduced(void)
 }
 
 /* The standard deviations of a match are the diagonal of (J'J / sigma^2 + 12 I)^-1, sigma the RMSE of the answer: here
-   by Gauss and Jordan. Two parameters that count only by their sum have half the variance of a uniform one each. */
+   by Gauss and Jordan. Two parameters that count only by their sum have half the variance of a uniform one each. One
+   that is locked has 0, and is no unknown to the others, whatever it does to the picture. */
 static void test_deviations(void)
 {
     renderer_state s;
@@ -1216,11 +1228,17 @@ static void test_deviations(void)
     float target[P], image[P], jacobian[P * N];
     double x[N], deviation[N], a[N][2 * N];
     uint64_t state = 12;
-    int i, j, k, same;
-    for (same = 0; same < 2; ++same) {
+    int i, j, k, way;
+    enum { ALL_FREE, TWO_BY_THEIR_SUM, ONE_LOCKED, WAYS };
+    const int locked = 2;
+    for (way = 0; way < WAYS; ++way) {
+        double low[N] = {0}, high[N] = {1, 1, 1, 1, 1, 1};
         renderer_make(&s);
-        for (i = 0; i < H && same; ++i) s.w1[i][4] = s.w1[i][3];
+        for (i = 0; i < H && way == TWO_BY_THEIR_SUM; ++i) s.w1[i][4] = s.w1[i][3];
         r = renderer_of(&s);
+        if (way == ONE_LOCKED) low[locked] = high[locked] = truth[locked];
+        r.lower = low;
+        r.upper = high;
         render(&s, truth, target);
         for (i = 0; i < P; ++i) target[i] += (float)(1e-3 * test_normal(&state));
         options.candidates = truth;
@@ -1228,6 +1246,7 @@ static void test_deviations(void)
         options.deviation = deviation;
         CHECK_INT(ms_pme_match(&r, target, NULL, &options, x, NULL, &result, NULL), MS_OK);
         render_jacobian(&s, x, image, jacobian);
+        for (k = 0; k < P && way == ONE_LOCKED; ++k) jacobian[k * N + locked] = 0;
         for (i = 0; i < N; ++i)
             for (j = 0; j < 2 * N; ++j) {
                 a[i][j] = j == i ? 12 : j == i + N;
@@ -1239,10 +1258,71 @@ static void test_deviations(void)
                 double t = a[i][k] / a[k][k];
                 for (j = 0; j < 2 * N && i != k; ++j) a[i][j] -= t * a[k][j];
             }
-        for (j = 0; j < N; ++j)
-            CHECK_NEAR(deviation[j], sqrt(a[j][N + j] / a[j][j]), 1e-5 * deviation[j]); /* derivatives in float32 */
-        for (j = 3; j < 5 && same; ++j) CHECK_NEAR(deviation[j], sqrt(1 / 24.0), 1e-3);
+        for (j = 0; j < N; ++j) /* derivatives in float32 */
+            CHECK_NEAR(deviation[j], way == ONE_LOCKED && j == locked ? 0 : sqrt(a[j][N + j] / a[j][j]),
+                       1e-5 * deviation[j]);
+        for (j = 3; j < 5 && way == TWO_BY_THEIR_SUM; ++j) CHECK_NEAR(deviation[j], sqrt(1 / 24.0), 1e-3);
     }
+}
+
+/* Random candidates are uniform in the box, all different, others for another seed, and the best of them is taken. */
+typedef struct recorder {
+    renderer_state s;
+    double x[64][N];
+    int count;
+} recorder;
+
+static ms_status record(void *user, const double *x, float *image)
+{
+    recorder *r = (recorder *)user;
+    if (r->count < 64) memcpy(r->x[r->count++], x, sizeof r->x[0]);
+    return render(&r->s, x, image);
+}
+
+static void test_random_candidates(void)
+{
+    enum { COUNT = 50 };
+    static recorder r[2];
+    const double low[N] = {-1, 0, 5, 0, 0, 0}, high[N] = {3, 1, 5, 1, 1, 1e-3};
+    float target[P];
+    int way, i, j, k;
+    for (way = 0; way < 2; ++way) {
+        ms_pme_match_options options = ms_pme_match_defaults();
+        ms_pme_match_result result;
+        ms_pme_renderer renderer;
+        double x[N];
+        renderer_make(&r[way].s);
+        render(&r[way].s, truth, target);
+        renderer = renderer_of(&r[way].s);
+        renderer.user = &r[way];
+        renderer.render = record;
+        renderer.lower = low;
+        renderer.upper = high;
+        options.random_count = COUNT;
+        options.initial_only = 1;
+        options.refine.seed = (uint64_t)(3 + way);
+        r[way].count = 0;
+        CHECK_INT(ms_pme_match(&renderer, target, NULL, &options, x, NULL, &result, NULL), MS_OK);
+        CHECK_INT(r[way].count, COUNT + 1); /* and the answer once more */
+        CHECK(result.best_candidate >= 0 && memcmp(x, r[way].x[result.best_candidate], sizeof x) == 0);
+        for (j = 0; j < N; ++j) {
+            const double range = high[j] - low[j];
+            double sum = 0, least = HUGE_VAL, largest = -HUGE_VAL;
+            for (i = 0; i < COUNT; ++i) {
+                const double v = r[way].x[i][j];
+                CHECK(v >= low[j] && v <= high[j]);
+                for (k = 0; k < i && range > 0; ++k) CHECK(v < r[way].x[k][j] || v > r[way].x[k][j]);
+                sum += (v - low[j]) / (double)COUNT;
+                least = fmin(least, v);
+                largest = fmax(largest, v);
+            }
+            if (!(range > 0)) continue;
+            CHECK_NEAR(sum, 0.5 * range, 5 * range / sqrt(12 * (double)COUNT)); /* five standard errors */
+            /* 0.8^50 = 1e-5: none within a fifth of an end */
+            CHECK(least < low[j] + 0.2 * range && largest > high[j] - 0.2 * range);
+        }
+    }
+    CHECK(memcmp(r[0].x[0], r[1].x[0], sizeof r[0].x[0]) != 0);
 }
 
 static void test_repeatable(void)
@@ -1455,7 +1535,7 @@ static void test_active_set(void)
         for (guess = 0; guess < 3; ++guess) {
             for (j = 0; j < M; ++j) set[j] = guess == 2 ? -1 : guess;
             memcpy(work, a, sizeof a);
-            ms_pme__bounded_least_squares(work, M, low, high, d[guess], set, order, z);
+            inside_bounded_least_squares(work, M, low, high, d[guess], set, order, z);
             for (j = 0; j < M; ++j) {
                 double g = 0;
                 for (i = 0; i < M; ++i) {
@@ -2032,7 +2112,7 @@ static ms_status lone_jacobian(void *user, const double *x, float *image, float 
 }
 static void test_lone_ranges(void)
 {
-    static const double odd[] = {
+    static const double extreme[] = {
         4.9406564584124654e-324, 1e-323, 1e-310, 2.2250738585072014e-308, 1e-170, 1e170, 1e307};
     uint64_t state = 91 + test_seed;
     int round, part, i, j;
@@ -2046,7 +2126,7 @@ static void test_lone_ranges(void)
         for (j = 0; j < N; ++j) {
             s.dead[j] = test_uniform(&state) < 0.4;
             s.low[j] = low[j] = 0;
-            s.range[j] = s.dead[j] ? odd[(int)(7 * test_uniform(&state))] : log_uniform(&state, -20, 20);
+            s.range[j] = s.dead[j] ? extreme[(int)(7 * test_uniform(&state))] : log_uniform(&state, -20, 20);
         }
         for (j = 0; j < N; ++j) x[j] = s.range[j] * 0.6;
         lone_render(&s, x, target);
@@ -2451,6 +2531,7 @@ static const test_case cases[] = {{"published minima", test_published},
                                   {"match, arguments", test_match_arguments},
                                   {"reduced objective", test_reduced},
                                   {"deviations", test_deviations},
+                                  {"random candidates", test_random_candidates},
                                   {"repeatable", test_repeatable},
                                   {"allocation failures", test_allocation},
                                   {"value of a result", test_result_value},

@@ -37,6 +37,11 @@ static void make_kernels(void)
     ms_sss_profile_destroy(profile);
 }
 
+static float *pixel(const ms_sss_image *image, int c, int x, int y)
+{
+    return (float *)image->channel[c] + x * image->pixel_stride + y * image->row_stride;
+}
+
 static int integer(uint64_t *seed, int low, int high)
 {
     return low + (int)(test_random_u64(seed) % (uint64_t)(high - low + 1));
@@ -130,11 +135,11 @@ static void check_output(const ms_sss_frame *f, const ms_sss_filter_options *o, 
     }
     for (y = 0; y < f->height; ++y)
         for (x = 0; x < f->width; ++x)
-            for (c = 0; c < 3; ++c) brightest = fmaxf(brightest, *ms_sss__pixel(&f->input, c, x, y));
+            for (c = 0; c < 3; ++c) brightest = fmaxf(brightest, *pixel(&f->input, c, x, y));
     for (y = 0; y < f->height; ++y)
         for (x = 0; x < f->width; ++x)
             for (c = 0; c < 3; ++c) {
-                const float v = *ms_sss__pixel(&f->output, c, x, y), e = *ms_sss__pixel(&f->input, c, x, y);
+                const float v = *pixel(&f->output, c, x, y), e = *pixel(&f->input, c, x, y);
                 if (dirty) continue;
                 if (!(v > -1e6f && v < 1e6f)) TEST_FAIL("call %d, pixel %d, %d: %g", number, x, y, (double)v);
                 if (constant && even && !(fabsf(v - e) <= 1e-6f + 1e-6f * fabsf(e)))
@@ -193,7 +198,7 @@ static int one_call(pictures *p, uint64_t *seed, int number)
         for (y = 0; y < h; ++y)
             for (x = 0; x < w; ++x)
                 for (c = 0; c < 3; ++c)
-                    if (memcmp(ms_sss__pixel(&f.output, c, x, y), ms_sss__pixel(&same.output, c, x, y), sizeof(float)))
+                    if (memcmp(pixel(&f.output, c, x, y), pixel(&same.output, c, x, y), sizeof(float)))
                         TEST_FAIL("call %d: other bits in place", number);
     }
     return status == MS_OK;

@@ -10,6 +10,9 @@
 #   MaterialX             the writer closes what it opens
 #   a locale with a decimal comma        no number is read or written by the locale in a header
 #   clang-format 14       columns, tabs, blanks at ends of lines
+#   other compilers, machines and C libraries (zig, 32 bits, MSVC)   what is included, no long and no extension of one compiler alone
+#   GCC on x86-64 (stack of calls)       no alloca
+#   (nothing)             numbers in comments stand in tests/statements, with the test that holds them
 #   libFuzzer, valgrind, sanitizers      each fuzz target has a corpus (run.sh replays it)
 set -u
 passed=0
@@ -37,8 +40,79 @@ none "two statements of an example on one line" "$(awk '/^ *[^#\/]*[a-z_]+\(.*\)
 none "a row of a table, or an argument, in the middle of a sentence" "$(grep -nE '^   [A-Za-z`(*][^ ]*( [^ ]+){5,}  +[A-Za-z[*`]' $headers | grep -v =)"
 none "no banners of sections" "$(for h in $headers; do [ "$(grep -c '^/\* ---- ' "$h")" -gt 2 ] || echo "$h has no banners"; done)"
 
+# ---- numbers in comments: tests/statements says where each is held to; these headers have no other
+none "a number in a comment that tests/statements does not hold to (or a line of it that is out of date)" "$(awk -v headers="ms_nn.h ms_pme.h" '
+    function squeezed(file,  all, line) {
+        if (!(file in text)) {
+            while ((getline line <file) > 0) all = all " " line
+            close(file)
+            gsub(/[ \t]+/, " ", all)
+            text[file] = all
+        }
+        return text[file]
+    }
+    # comments of a header, but for the program in it and what all headers share
+    function comments(file,  all, line, inside, skip, at, rest) {
+        while ((getline line <file) > 0) {
+            if (line ~ /^ *Example:$/ || line ~ /ms-common.* begin/) skip = 1
+            if (!skip) {
+                rest = line
+                for (;;) {
+                    if (!inside) {
+                        if (!(at = index(rest, "/*"))) break
+                        rest = substr(rest, at + 2)
+                        inside = 1
+                    }
+                    if (!(at = index(rest, "*/"))) { all = all " " rest; break }
+                    all = all " " substr(rest, 1, at - 1) " ;; "
+                    rest = substr(rest, at + 2)
+                    inside = 0
+                }
+            }
+            if (line ~ /^ *End of example/ || line ~ /ms-common.* end/) skip = 0
+        }
+        close(file)
+        gsub(/[ \t]+/, " ", all)
+        return all
+    }
+    BEGIN {
+        count = split(headers, name, " ")
+        for (i = 1; i <= count; ++i) said[name[i]] = comments(name[i])
+        while ((getline line <"tests/statements") > 0) {
+            if (line !~ /^ms_/) continue
+            split(line, part, / \| /) # a text may hold |x|, without blanks around
+            if (!(part[1] in said)) said[part[1]] = comments(part[1])
+            at = index(said[part[1]], part[2])
+            if (!at) print part[1] " does not say: " part[2]
+            else if (!index(squeezed(part[3]), part[4])) print part[3] " does not have: " part[4]
+            if (at) said[part[1]] = substr(said[part[1]], 1, at - 1) "..." substr(said[part[1]], at + length(part[2]))
+        }
+        n = "[0-9][0-9,.]*(e-?[0-9]+)?"
+        claim = n " ?(%|dB|[kKMG]B|ms|us|ns|times|digits|million|problems)[^a-zA-Z0-9_]" \
+            "|(about|below|under|within|nearly|some|less than|at most|more than|over|roughly|almost) (the |a )?" n \
+            "|[0-9]e-[0-9]|twice as|(half|third|quarter|sixth|tenth) (of the time|as|to a)" \
+            "|(two|three|four|five|six|seven|eight|nine|ten|several) (times as|digits|million)"
+        for (i = 1; i <= count; ++i)
+            for (rest = said[name[i]]; match(rest, claim); rest = substr(rest, RSTART + RLENGTH))
+                print name[i] ": " substr(rest, RSTART > 40 ? RSTART - 40 : 1, 100)
+    }')"
+
 # ---- numbers by the locale
 none "numbers by the locale in a header" "$(grep -nE '[^a-z_](strtod|strtof|atof|sscanf|localeconv) *\(' $headers)"
+
+# ---- other compilers, machines and C libraries: these lines alone may include what not every system has
+everywhere='float|limits|math|stdarg|stddef|stdint|stdio|stdlib|string'
+by_platform='arm_neon|cpuid|intrin|[a-z0-9]*intrin|fcntl|sys/mman|sys/stat|unistd'
+none "an include that not every C library has" "$(grep -nE '^ *# *include *<' $headers | grep -vE "<($everywhere|$by_platform)\.h>")"
+none "an include of one platform outside of a condition" "$(awk 'FNR == 1 {depth = 0}
+    /^ *# *if/ {condition[++depth] = $0} /^ *# *el/ {condition[depth] = condition[depth] " " $0} /^ *# *endif/ {--depth}
+    /^ *# *include *<(arm_neon|cpuid|[a-z0-9]*intrin|fcntl|sys\/mman|sys\/stat|unistd)\.h/ {
+        ok = 0
+        for (i = 1; i <= depth; ++i) ok += condition[i] ~ /X64|NEON|ARM|POSIX|unix|APPLE|_MSC_VER|x86|GNUC|clang|__linux__|MMAP|SIMD/
+        if (!ok) print FILENAME ":" FNR ": " $0
+    }' $headers)"
+none "long, which has 32 or 64 bits, or a format of C99 that old C libraries lack" "$(awk '{gsub(/"([^"\\]|\\.)*"/, "\"\"")} /\/\*/ {c = 1} !c && /(^|[^a-z_])long [a-z*]/ {print FILENAME ":" FNR ": " $0} /\*\// {c = 0}' $headers)"
+none "memory on the stack whose size is known at run time alone" "$(grep -nE '(^|[^a-z_])(_?alloca|__builtin_alloca) *\(' $headers)"
 
 # ---- pages
 for page in studio kernels three; do
@@ -67,9 +141,10 @@ done
 
 # ---- Python without its packages
 if command -v python3 >/dev/null; then
-    for f in $(git ls-files '*.py'); do
-        check "$f is no Python" python3 -c "import ast, sys; ast.parse(open(sys.argv[1]).read())" "$f"
-    done
+    check "a file is no Python" python3 -c 'import ast, sys
+for name in sys.argv[1:]:
+    try: ast.parse(open(name).read())
+    except SyntaxError as error: sys.exit("%s: %s" % (name, error))' $(git ls-files '*.py')
 fi
 for f in examples/blender/*.py; do # calls of the add-on's library
     for name in $(grep -oE '\b(lib|library)\.[a-z_]+' "$f" | cut -d. -f2 | sort -u); do

@@ -120,7 +120,7 @@ static void family_photons(void)
     ms_error error = attack_no_error();
     ms_status status;
     int i, k, large;
-    double sum;
+    double sum, part;
     draw_tissue(&t, l, LAYERS, 1e9);
     draw_grid(&g);
     large = g.nr > 1000000 || g.nz > 1000000;
@@ -163,7 +163,12 @@ static void family_photons(void)
     ATTACK_CHECK(fabs(sum - r.a) <= 1e-9 + 1e-6 * r.a, "layers do not add up: %.9g for a %.9g", sum, r.a);
     if (!o.no_absorption) {
         for (sum = 0, i = 0; i < g.nz; ++i) sum += r.a_z[i] * g.dz_cm;
-        ATTACK_CHECK(fabs(sum - r.a) <= 1e-6 * r.a + 2e-7, "slabs do not add up: %.9g for a %.9g", sum, r.a);
+        for (part = 1, i = 0; i < t.layer_count; ++i)
+            if (l[i].mu_a_per_cm > 0) part = fmin(part, l[i].mu_a_per_cm / (l[i].mu_a_per_cm + l[i].mu_s_per_cm));
+        /* What a photon leaves in a layer is added up in a float: in a million events parts below 1e-5 of its weight are
+           rounded there, each by up to 2^-25 of the sum, and not in the slabs. */
+        ATTACK_CHECK(fabs(sum - r.a) <= (part < 1e-5 ? 0.1 : 1e-6) * r.a + 2e-7, "slabs do not add up: %.9g for a %.9g",
+                     sum, r.a);
     }
     /* the same photons on another grid, in parts, in another order of tasks */
     one = g;
@@ -225,7 +230,7 @@ static void check_solution(const ms_mcml_tissue *t, const ms_mcml_layered *s, ms
         attack_fail("without absorption: specular + rd + tt = 1 %+.2g, stated %.2g", s->specular + s->rd + s->tt - 1,
                     stated);
     for (side = 0; side < 2 && !attack->failed; ++side) {
-        double last = INFINITY, total = side ? s->tt : s->rd;
+        double last = HUGE_VAL, total = side ? s->tt : s->rd;
         for (k = 0; k < 120 && !totals_only; ++k) {
             const double r = k ? 1e-9 * pow(10, k * 0.14) : 0, v = ms_mcml_layered_outside(s, side, r);
             double e = 0, ring;
@@ -233,7 +238,7 @@ static void check_solution(const ms_mcml_tissue *t, const ms_mcml_layered *s, ms
             else if (v > last * (1 + 1e-6) + 1e-6 * total + 1e-9)
                 attack_fail("energy rises with the radius: %.9g beyond %.3g cm, side %d, %.9g nearer", v, r, side,
                             last);
-            ring = ms_mcml_layered_ring(s, side, r, r ? r * 1.3 : 1e-9, &e);
+            ring = ms_mcml_layered_ring(s, side, r, r > 0 ? r * 1.3 : 1e-9, &e);
             if (!(ring >= 0 && e >= 0 && ring < 1e300))
                 attack_fail("a ring: %.9g +- %.9g at %.3g cm, side %d", ring, e, r, side);
             last = v;

@@ -1069,7 +1069,7 @@ static void family_names(void)
 {
     static net n;
     char input[80], layers[1200], name[400], sentence[2][240];
-    const int fault = attack_index(4), kind = attack_index(2);
+    const int fault = attack_index(4), line = attack_index(2);
     int k, length = (int)attack_int(20, 240), i; /* the grammar's limit */
     ms_nn_options options = ms_nn_defaults();
     for (k = 0; k < 2; ++k) {
@@ -1077,10 +1077,10 @@ static void family_names(void)
         ms_nn *nn = NULL;
         layer *l = &n.layer[0];
         memset(&n, 0, sizeof n);
-        n.in.rank = kind ? 2 : 1;
+        n.in.rank = line ? 2 : 1;
         n.in.c = 2;
         n.in.h = 1;
-        n.in.w = kind ? 5 : 1;
+        n.in.w = line ? 5 : 1;
         n.layers = 1;
         for (i = 0; i < (k ? length : 1); ++i) name[i] = 'q';
         name[i] = 0;
@@ -1089,15 +1089,15 @@ static void family_names(void)
         l->weight_shape[0] = 3;
         l->weight_shape[1] = fault == 0 ? 3 : 2;
         l->weight_shape[2] = 1;
-        draw_weights(&n, l, kind ? 3 : 2, 0);
+        draw_weights(&n, l, line ? 3 : 2, 0);
         n.tensor[0].dtype = MS_NN_F32;
         if (l->dtype != MS_NN_F32) {
             net_free(&n);
             return;
         }
-        snprintf(layers, sizeof layers, "[{\"type\":\"%s\",\"name\":\"%s\"%s}]", kind ? "conv1d" : "dense", name,
+        snprintf(layers, sizeof layers, "[{\"type\":\"%s\",\"name\":\"%s\"%s}]", line ? "conv1d" : "dense", name,
                  fault == 1       ? ",\"activation\":\"square\""
-                     : fault == 2 ? (kind ? ",\"filters\":7" : ",\"units\":7")
+                     : fault == 2 ? (line ? ",\"filters\":7" : ",\"units\":7")
                      : fault == 3 ? "},{\"type\":\"add\",\"from\":\"nobody\""
                                   : "");
         input_text(&n, input);
@@ -1107,7 +1107,6 @@ static void family_names(void)
         }
         memcpy(sentence[k], error.message, sizeof sentence[k]);
         net_free(&n);
-        attack_state = attack_state; /* both rounds draw the same weights or others: it does not matter */
     }
     /* the last 12 characters of the short sentence, without the name */
     for (i = 0; i < 240 && sentence[0][i];) ++i;

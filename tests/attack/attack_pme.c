@@ -28,7 +28,7 @@ static void residuals_of(const double *x, double *r, double *jacobian)
         v = sum;
         if (q.kind == 1) v = tanh(sum);
         if (q.kind == 2) v = sum * sum - 1 + 0.1 * sum;
-        if (q.kind == 3 && u_of(0, x) > q.wall) v = NAN;
+        if (q.kind == 3 && u_of(0, x) > q.wall) v = (double)NAN;
         if (q.kind == 4) v = q.b[i];
         r[i] = v;
         for (j = 0; jacobian != NULL && j < q.n; ++j) {
@@ -84,7 +84,7 @@ static void draw_box(int n, double spread)
         q.lower[j] = q.shift[j] - q.unit[j] * attack_linear(0, 2);
         q.upper[j] = attack_one_in(12) ? q.lower[j] : q.shift[j] + q.unit[j] * attack_linear(0, 2);
         if (q.upper[j] < q.lower[j]) q.upper[j] = q.lower[j];
-        if (attack_one_in(20)) q.upper[j] = INFINITY;
+        if (attack_one_in(20)) q.upper[j] = HUGE_VAL;
     }
 }
 
