@@ -1582,7 +1582,7 @@ static void case_disc(void)
    the same on both; light passes through the knot's far side. */
 static void case_engine(void)
 {
-    enum { HALF = 480, CLOTH_ROW = 130, CLOTH = 865, GLOW_ROW = 330, GLOW = 880 };
+    enum { SIDE = 480, CLOTH_ROW = 130, CLOTH = 865, GLOW_ROW = 330, GLOW = 880 };
     const char *problem;
     image im;
     int x, c, same = 1;
@@ -1594,15 +1594,15 @@ static void case_engine(void)
     problem = image_read("build/engine.png", &im);
     if (problem) TEST_FAIL("build/engine.png: %s", problem);
     if (problem) return;
-    CHECK_INT(im.width, 2 * HALF);
+    CHECK_INT(im.width, 2 * SIDE);
     CHECK_INT(im.height, 540);
-    for (x = CLOTH; x < 2 * HALF; ++x)
+    for (x = CLOTH; x < 2 * SIDE; ++x)
         for (c = 0; c < 3; ++c)
-            same &= im.pixels[3 * (CLOTH_ROW * 2 * HALF + x) + c] ==
-                im.pixels[3 * (CLOTH_ROW * 2 * HALF + x - HALF) + c];
+            same &= im.pixels[3 * (CLOTH_ROW * 2 * SIDE + x) + c] ==
+                im.pixels[3 * (CLOTH_ROW * 2 * SIDE + x - SIDE) + c];
     CHECK(same);
     for (c = 0; c < 2; ++c) { /* red and green; the picture is jade */
-        const float *with = im.pixels + 3 * (GLOW_ROW * 2 * HALF + GLOW), *without = with - 3 * HALF;
+        const float *with = im.pixels + 3 * (GLOW_ROW * 2 * SIDE + GLOW), *without = with - 3 * SIDE;
         CHECK((double)with[1] > (double)without[1] + 0.1);
         CHECK((double)with[1] > (double)with[c ? 2 : 0] + 0.1);
     }

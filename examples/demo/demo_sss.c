@@ -90,7 +90,7 @@ static void plot_profiles(FILE *lines)
     double *r[SHOWN], time = seconds();
     int i, k, c;
     for (i = 0; i < SHOWN; ++i) rings[i] = material_rings(ms_mcml_find_material(shown[i]));
-    fprintf(lines, "profiles: ms_mcml_profile_make, %.1f ms a material\n", 1e3 * (seconds() - time) / SHOWN);
+    fprintf(lines, "profiles: ms_mcml_profile_make, %.1f ms a material\n", 1e3 * (seconds() - time) / (double)SHOWN);
     for (i = 0; i < SHOWN; ++i) {
         r[i] = (double *)malloc((size_t)rings[i].rings * sizeof **r);
         if (r[i] == NULL) need("out of memory", "profiles");

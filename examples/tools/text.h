@@ -149,7 +149,7 @@ static inline int text__lines(const char *at, double x, double y, double unit, d
             p[2][c] = to;
         }
         for (k = 1; k <= TEXT__STEPS; ++k, ++count) {
-            double t = (double)k / TEXT__STEPS, s = 1 - t;
+            double t = k / (double)TEXT__STEPS, s = 1 - t;
             new_stroke[count] = 0;
             for (c = 0; c < 2; ++c)
                 point[count][c] = s * s * s * from[c] + 3 * s * t * (s * p[0][c] + t * p[1][c]) + t * t * t * p[2][c];

@@ -423,7 +423,7 @@ static void loop(const char *folder, int width, int height, int frames)
             for (y = 0; y < (size_t)height; ++y)
                 memcpy(both.pixels + 3 * (size_t)shown * (2 * y + (size_t)i),
                        side[i].pixels + 3 * ((size_t)width * y + (size_t)left), 3 * (size_t)shown * sizeof(float));
-            image_text(&both, i * shown + 8, height - height / 15 - 6, words[i], height / 15, ink);
+            image_text(&both, i * shown + 8, 8, words[i], height / 18, ink);
         }
         snprintf(name, sizeof name, "frame_%02d", frame);
         save(&both, whole, folder, name);
