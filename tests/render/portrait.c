@@ -410,7 +410,7 @@ static void loop(const char *folder, int width, int height, int frames)
     lamp.radius = 45;
     for (i = 0; i < 3; ++i) lamp.power[i] = power[i];
     for (frame = 0; frame < frames; ++frame) {
-        double turn = 2 * 3.14159265358979 * frame / frames;
+        double turn = 2 * 3.14159265358979 * (frame + frames / 8) / frames; /* from the left, before the face */
         image light, side[2];
         lamp.position = scene_v(-560 * (float)cos(turn), 70, 560 * (float)sin(turn));
         memcpy(k.s.irradiance.pixels, irradiance.pixels, 3 * total * sizeof(float));
