@@ -445,12 +445,12 @@ static void show_truth(const char *object, const char *substance, FILE *lines)
             }
     snprintf(name, sizeof name, "%s.png", object);
     save(&out, name);
-    fprintf(
-        lines,
-        "%s: without: %.1f%% | ms_sss_filter, 7 taps: %.1f%%, %.0f ns a pixel | gather.h: %.1f%%, %.0f ns | path-traced | "
-        "4 \xc3\x97 (7 taps - path-traced)\n",
-        name, 100 * before, 100 * error[0], 1e9 * time[0] / (double)pixels, 100 * error[1],
-        1e9 * time[1] / (double)pixels);
+    fprintf(lines,
+            "%s: without: %.1f%% | ms_sss_filter, 7 taps: %.1f%%, %.0f ns a pixel | gather.h: %.1f%%, %.0f ns | "
+            "path-traced | "
+            "4 \xc3\x97 (7 taps - path-traced)\n",
+            name, 100 * before, 100 * error[0], 1e9 * time[0] / (double)pixels, 100 * error[1],
+            1e9 * time[1] / (double)pixels);
     free(workspace);
     image_free(&taps);
     image_free(&after);
@@ -635,14 +635,16 @@ int main(int argc, char **argv)
     folder = argv[1];
     page = file_create(file("models.html"), &out_page);
     if (page == NULL) need(out_page.problem, file("models.html"));
-    fputs(
-        "<!DOCTYPE html>\n<meta charset=\"utf-8\">\n<title>Kernel models</title>\n"
-        "<style>body{font:16px system-ui,sans-serif;max-width:1200px;margin:2em auto;padding:0 1em;color:#222} img{max-width:100%} "
-        "td,th{padding:4px 12px;text-align:right} td:first-child{text-align:left}</style>\n<h1>Kernel models, skin1</h1>\n"
-        "<p>A dot (brightened), a disk and a step by ms_sss_filter. Errors in % of the right result's standard deviation, "
-        "at a radius of 48 pixels.\n<table>\n<tr><th>model<th>dot, disk, step<th>1D passes<th>step<th>disk<th>1/f "
-        "texture\n",
-        page);
+    fputs("<!DOCTYPE html>\n<meta charset=\"utf-8\">\n<title>Kernel models</title>\n"
+          "<style>body{font:16px system-ui,sans-serif;max-width:1200px;margin:2em auto;padding:0 1em;color:#222} "
+          "img{max-width:100%} "
+          "td,th{padding:4px 12px;text-align:right} td:first-child{text-align:left}</style>\n"
+          "<h1>Kernel models, skin1</h1>\n"
+          "<p>A dot (brightened), a disk and a step by ms_sss_filter. Errors in % of the right "
+          "result's standard deviation, at a radius of 48 pixels.\n<table>\n"
+          "<tr><th>model<th>dot, disk, step<th>1D passes<th>step<th>disk<th>1/f "
+          "texture\n",
+          page);
     lines = file_create(file("sss.txt"), &out_truth);
     if (lines == NULL) need(out_truth.problem, file("sss.txt"));
     bust = show_object(SCENE_BUST, "skin1", width, lines);

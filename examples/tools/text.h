@@ -1,10 +1,11 @@
-/* Words in a picture: a monoline typeface, drawn for these examples, at any size, with smooth edges. image.h comes first.
+/* Words in a picture: a typeface of even strokes, drawn for these examples, at any size, with smooth edges. image.h
+   comes first.
 
-     image_text(&im, left, top, "score 7.5", 16, rgb);      16 pixels high, p and q included; what leaves the picture is cut
+     image_text(&im, left, top, "score 7.5", 16, rgb);      16 pixels high, p and q included; cut at the edges
      width = image_text_width("score 7.5", 16);             in pixels
      image_text_in(&im, left, top, width, "7.5", 16, rgb);  in the middle of a width
 
-   Letters, digits and . , : ; ' ! ? - + = _ | ( ) / % < > * and \xd7, the multiplication sign; anything else is a box. */
+   Letters, digits and . , : ; ' ! ? - + = _ | ( ) / % < > * and \xd7, the multiplication sign; else a box. */
 #ifndef EXAMPLES_TEXT_H
 #define EXAMPLES_TEXT_H
 

@@ -1,8 +1,9 @@
 /* README's pictures of a head of skin. Both sides share one light, traced to round lamps, and the layers of
    examples/demo/scene.h; the walk is a random one through the body.
-     portrait heads FOLDER WIDTH HEIGHT WALKS NAME:LEFT:TOP:WIDTH:HEIGHT...   without.png, taps.png, NAME.png: parts of the
-                                               picture, path-traced; costs: their time, a shell variable
-     portrait loop FOLDER WIDTH HEIGHT FRAMES  frame_00.png...: one lamp goes round; without on the left, 7 taps on the right
+     portrait heads FOLDER WIDTH HEIGHT WALKS NAME:LEFT:TOP:WIDTH:HEIGHT...
+        without.png, taps.png, NAME.png: parts, path-traced; costs: their time, a shell variable
+     portrait loop FOLDER WIDTH HEIGHT FRAMES
+        frame_00.png...: one lamp goes round; without on the left, 7 taps on the right
    Run by portrait.sh; needs Embree. */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
