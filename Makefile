@@ -17,7 +17,7 @@
 #   make sizes      what each header adds to a program, in kilobytes
 #   make dataset    path-traced pictures of random materials for training (FIRST, COUNT, SIZE, SAMPLES, TAKE, JOBS)
 #   make hero       README's top picture: recommended materials on 209 objects, path-traced (WIDTH, HEIGHT, PASSES, JOBS)
-#   make portrait   README's first picture: a head of skin without scattering, by ms_sss.h, and path-traced (WALKS)
+#   make portrait   README's head of skin: without scattering, by ms_sss.h, path-traced; and a loop (WALKS, FRAMES, ONLY)
 #   make train      the networks of examples/data from nothing: hours of rendering, an hour of training
 #   make web        examples/web/kernels.html: subsurface kernels designed live in a browser (clang for WebAssembly, wasi-libc)
 #   make studio     examples/web/studio.html: the whole workflow live in a browser (the same)

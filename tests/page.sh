@@ -15,15 +15,17 @@ for f in "$out"/*; do
     name=${f##*/}
     [ "$name" = index.html ] || check "$name is linked" "$(grep -c -F "href=\"$name\"" "$page" | awk '{print ($1 > 0)}')" 1
 done
-check "the hero, then the live pages, then the sections" \
-    "$(grep -o 'src="hero.png"\|href="studio.html"\|href="designer.html"\|<section id="[a-z_]*"' "$page" | head -4 | tr '\n' ' ')" \
-    'src="hero.png" href="studio.html" href="designer.html" <section id="ms_mcml" '
+check "the portrait, then the live pages, then the sections" \
+    "$(grep -o 'src="portrait.png"\|href="kernels.html"\|href="studio.html"\|<section id="[a-z_]*"' "$page" | head -4 | tr '\n' ' ')" \
+    'src="portrait.png" href="kernels.html" href="studio.html" <section id="ms_sss" '
+check "progress" "$(grep -c '^[1-5] of 5: ' "$out.log")" 5
 check "sections" "$(grep -c '<section' "$page") $(grep -c '</section' "$page")" "6 6"
 check "materials" "$(grep -c '<tr><td>[a-z0-9]*</td><td>0\.[0-9]*</td><td>0\.[0-9]*</td><td>0\.[0-9]*</td></tr>' "$page")" "$(build/profile --list | wc -l | tr -d ' ')"
 check "edits and their matches" "$(grep -c '<td>inversion_[0-9]</td>' "$page")" "$(grep -c RMSE "$out/match_rmse.txt")"
 check "the networks' figures" "$(grep -c "mean $(sed -n 's/.*mean \([0-9.]*\) dB.*/\1/p' "$out/preview_psnr.txt") dB" "$page")" 1
 check "stages and their times" "$(grep -c '<td>GPLVM</td>' "$page")" 1
-check "errors of the filters" "$(grep -c "$(sed -n 's/.*after \([0-9.]*%\).*/\1/p' "$out/sss.txt" | head -1)" "$page" | awk '{print ($1 > 0)}')" 1
+check "what made the filtered pictures, and its cost" "$(grep -o 'ms_sss_filter, 7 taps[^<]* ns a pixel' "$page" | wc -l | tr -d ' ')" "$(grep -c ' ns a pixel' "$out/sss.txt")"
+check "errors of the filters" "$(grep -c "$(sed -n 's/.*7 taps: \([0-9.]*%\).*/\1/p' "$out/sss.txt" | head -1)" "$page" | awk '{print ($1 > 0)}')" 1
 check "a program a header" "$(grep -c '#define MS_[A-Z]*_IMPLEMENTATION' "$page")" 5
 browser=""
 for name in chromium chromium-browser google-chrome; do [ -n "$browser" ] || browser=$(command -v $name || true); done

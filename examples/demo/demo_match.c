@@ -4,7 +4,7 @@
      build/demo_match OUT.png
 
    Source, edited target, match, and four times their difference, two edits a row, from the networks and pictures of
-   examples/data. */
+   examples/data. A star marks edits of a part of the picture, which no material explains. */
 #define MS_NN_IMPLEMENTATION
 #include "ms_nn.h"
 #define MS_PME_IMPLEMENTATION
@@ -16,13 +16,15 @@
 
 static const char usage[] = "usage: demo_match OUT.png\n";
 
-enum { SIZE = 128, GAP = 2, PITCH = SIZE + GAP, BREAK = 12, COUNT = 8, DIFFERENCE = 4, HEAD = 20 };
+enum { SIZE = 128, GAP = 2, PITCH = SIZE + GAP, BREAK = 12, COUNT = 8, DIFFERENCE = 4, HEAD = 28, TALL = PITCH + HEAD };
 
 static const struct {
     const char *edit;
     int source, other; /* pictures of materials.png */
-} list[COUNT] = {{"saturation", 26, 26}, {"grayscale", 14, 14},  {"colorize", 9, 9},         {"mix of two", 14, 12},
-                 {"stitching", 43, 17},  {"inpainting", 35, 35}, {"highlight blur", 16, 16}, {"poor mask", 30, 30}};
+    int in_part;       /* of the object, or of what is around it */
+} list[COUNT] = {{"saturation", 26, 26, 0},     {"grayscale", 14, 14, 0}, {"colorize", 9, 9, 0},
+                 {"mix of two", 14, 12, 0},     {"stitching", 43, 17, 1}, {"inpainting", 35, 35, 1},
+                 {"highlight blur", 16, 16, 0}, {"poor mask", 30, 30, 1}};
 
 static int fail(const char *what)
 {
@@ -52,21 +54,11 @@ static ms_status row(matcher *m, const image *edited, float *planes, image *shee
     return MS_OK;
 }
 
-/* The edit's name over the lower edge of its picture. */
-static void name(image *sheet, int left, int top, const char *text)
-{
-    static const float white[3] = {1, 1, 1};
-    int x, y, c, scale = image_text_width(text, 2) > SIZE - 6 ? 1 : 2;
-    for (y = 0; y < HEAD; ++y)
-        for (x = 0; x < SIZE; ++x)
-            for (c = 0; c < 3; ++c) sheet->pixels[3 * ((top + y) * sheet->width + left + x) + c] *= 0.3f;
-    image_text(sheet, left + (SIZE - image_text_width(text, scale)) / 2, top + (HEAD - 7 * scale) / 2, text, scale,
-               white);
-}
-
 int main(int argc, char **argv)
 {
-    static const char *const panels[] = {"source", "edited", "match", "4 x apart"};
+    static const char *const panels[] = {"source", "edited", "match", "4 \xd7 difference"};
+    static const char foot[] =
+        "pictures: that the network computed on the way; *: edited in part, which no material explains";
     static const float ink[3] = {0.15f, 0.15f, 0.15f};
     static matcher m;
     image sheet, pictures, source, other, edited;
@@ -82,15 +74,16 @@ int main(int argc, char **argv)
         matcher_add_inversions(&m, "examples/data", &error) != MS_OK)
         return fail(error.message);
     if (m.network.size != SIZE) return fail("the renderer makes pictures of another size");
-    sheet = image_new(8 * PITCH + BREAK, HEAD + COUNT / 2 * PITCH, 3);
+    sheet = image_new(8 * PITCH + BREAK, HEAD + COUNT / 2 * TALL + HEAD, 3);
     planes = (float *)malloc(2 * m.renderer.image_size * sizeof(float));
     if (sheet.pixels == NULL || planes == NULL) return fail("out of memory");
     for (i = 0; i < (int)image_count(&sheet); ++i) sheet.pixels[i] = 1;
     for (i = 0; i < 8; ++i)
-        image_text(&sheet, i * PITCH + (i > 3 ? (int)BREAK : 0) + (SIZE - image_text_width(panels[i % 4], 2)) / 2, 3,
-                   panels[i % 4], 2, ink);
+        image_text_in(&sheet, i * PITCH + (i > 3 ? (int)BREAK : 0), 5, SIZE, panels[i % 4], 19, ink);
+    image_text_in(&sheet, 0, sheet.height - HEAD + 4, sheet.width, foot, 17, ink);
     for (i = 0; i < COUNT; ++i) {
-        int left = i % 2 * (4 * PITCH + BREAK), top = HEAD + i / 2 * PITCH;
+        int left = i % 2 * (4 * PITCH + BREAK), top = HEAD + i / 2 * TALL;
+        char text[80];
         ms_pme_match_result result;
         clock_t began;
         problem = edit_tile(&pictures, list[i].source, SIZE, &source);
@@ -103,7 +96,9 @@ int main(int argc, char **argv)
                 sheet.pixels[3 * ((top + y) * sheet.width + left) + x] = source.pixels[3 * SIZE * y + x];
         began = clock();
         if (row(&m, &edited, planes, &sheet, left, top, &result, &error) != MS_OK) return fail(error.message);
-        name(&sheet, left + PITCH, top + SIZE - HEAD, list[i].edit);
+        snprintf(text, sizeof text, "%s%s: RMSE %.1f of 255 after %.0f pictures", list[i].edit,
+                 list[i].in_part ? "*" : "", 255 * result.rmse, result.cost);
+        image_text_in(&sheet, left, top + SIZE + 2, 4 * PITCH, text, 19, ink);
         printf("%-15s RMSE %5.2f of 255 from %5.2f by %s, %.0f ms\n", edits[k].name, 255 * result.rmse,
                255 * result.rmse_initial, m.name[result.best_candidate],
                1e3 * (double)(clock() - began) / CLOCKS_PER_SEC);

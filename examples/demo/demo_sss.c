@@ -1,11 +1,11 @@
-/* From optical parameters to pictures: build/demo_sss FOLDER [--width 1920] [--method taps] writes
-     profiles_red.svg, _green, _blue       diffusion profiles of all 11 materials
+/* From optical parameters to pictures: build/demo_sss FOLDER [--width 1920] [--method pyramid] writes
      skin1_before.png, _after, and skin1.png with half of each; the same for marble; demo.png with both
-     bust.png, knot.png                    before, after, truth (random walks, examples/data/truth_*.bin) and their
-                                           difference, with the numbers in sss.txt
+     bust.png, knot.png                    without, 7 taps, gathered in space, path-traced (random walks,
+                                           examples/data/truth_*.bin), and the difference of the taps from that
      skins.png                             six heads made of melanin and blood
-     model_*.png                           a dot, a disk and a step through every kernel model, and exactly
-     kernels.html                          a page that shows them all
+     profiles_red.svg, _green, _blue       diffusion profiles of four materials
+     model_*.png, models.html              a dot, a disk and a step through every kernel model, and exactly
+     sss.txt                               what made each picture: "name: panel | panel"
    Alone: cc -O2 -I. examples/demo/demo_sss.c -o build/demo_sss -lm */
 #define MS_MCML_IMPLEMENTATION
 #include "ms_mcml.h"
@@ -17,12 +17,15 @@
 #include "../tools/skin.h"
 #include "plot.h"
 #include "scene.h"
+#include <time.h>
 
-static const char usage[] = "usage: demo_sss FOLDER [--width 64..7680] [--method pyramid|taps]\n";
+static const char usage[] = "usage: demo_sss FOLDER [--width 64..7680] [--method taps|pyramid]\n";
 static const char *folder;
-static file_out out_page, out_truth; /* kernels.html and sss.txt while they are written */
-static const char *const methods[] = {"pyramid", "taps"};
-static int by_taps; /* skin1 and marble: not by pyramid */
+static file_out out_page, out_truth; /* models.html and sss.txt while they are written */
+static const char *const methods[] = {"taps", "pyramid"};
+static int by_pyramid; /* skin1 and marble: not by the default of 7 taps */
+
+static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; }
 
 static const char *file(const char *name)
 {
@@ -76,17 +79,19 @@ static ms_sss_profile *material_profile(const char *name)
     return profile;
 }
 
-static void plot_profiles(void)
+/* The scattering of four materials, channel by channel. */
+static void plot_profiles(FILE *lines)
 {
-    static const char *const channel_name[3] = {"red", "green", "blue"};
+    enum { SHOWN = 4 };
+    static const char *const channel_name[3] = {"red", "green", "blue"},
+                             *const shown[SHOWN] = {"wholemilk", "marble", "skin1", "ketchup"};
     static plot p;
-    int count, i, k, c;
-    const ms_mcml_material *materials = ms_mcml_materials(&count);
-    ms_mcml_profile *rings = (ms_mcml_profile *)malloc((size_t)count * sizeof *rings);
-    double **r = (double **)malloc((size_t)count * sizeof *r);
-    if (rings == NULL || r == NULL) need("out of memory", "profiles");
-    for (i = 0; i < count; ++i) {
-        rings[i] = material_rings(&materials[i]);
+    ms_mcml_profile rings[SHOWN];
+    double *r[SHOWN], time = seconds();
+    int i, k, c;
+    for (i = 0; i < SHOWN; ++i) rings[i] = material_rings(ms_mcml_find_material(shown[i]));
+    fprintf(lines, "profiles: ms_mcml_profile_make, %.1f ms a material\n", 1e3 * (seconds() - time) / (double)SHOWN);
+    for (i = 0; i < SHOWN; ++i) {
         r[i] = (double *)malloc((size_t)rings[i].rings * sizeof **r);
         if (r[i] == NULL) need("out of memory", "profiles");
         for (k = 0; k < rings[i].rings; ++k) r[i][k] = 0.5 * (rings[i].edge_mm[k] + rings[i].edge_mm[k + 1]);
@@ -96,20 +101,19 @@ static void plot_profiles(void)
         snprintf(title, sizeof title, "Diffusion profiles, %s", channel_name[c]);
         snprintf(name, sizeof name, "profiles_%s.svg", channel_name[c]);
         plot_begin(&p, title, "distance from where light enters (mm)", "reflectance (1/mm\xc2\xb2)",
-                   PLOT_LOG_X | PLOT_LOG_Y);
+                   PLOT_LOG_X | PLOT_LOG_Y | PLOT_LEGEND_INSIDE);
+        p.width = 400;
+        p.height = 340;
         plot_range(&p, 0.02, 50, 1e-8, 10);
-        for (i = 0; i < count; ++i)
-            plot_series(&p, materials[i].name, r[i], rings[i].rd_per_mm2 + c * rings[i].rings, rings[i].rings,
-                        PLOT_LINE);
+        for (i = 0; i < SHOWN; ++i)
+            plot_series(&p, shown[i], r[i], rings[i].rd_per_mm2 + c * rings[i].rings, rings[i].rings, PLOT_LINE);
         need(plot_write(&p, file(name)) ? NULL : "cannot write", file(name));
         printf("%s\n", file(name));
     }
-    for (i = 0; i < count; ++i) {
+    for (i = 0; i < SHOWN; ++i) {
         free(r[i]);
         ms_mcml_profile_destroy(&rings[i]);
     }
-    free(r);
-    free(rings);
 }
 
 /* --- the two objects --- */
@@ -121,51 +125,48 @@ static double radius_of(const ms_sss_profile *profile)
     return r[0] > r[1] ? (r[0] > r[2] ? r[0] : r[2]) : r[1] > r[2] ? r[1] : r[2];
 }
 
-/* The middle halves of two pictures beside each other, with a thin line between. */
-static image side_by_side(const image *a, const image *b)
+/* Two pictures of one size beside each other, with a white line of `line` pixels between. */
+static image side_by_side(const image *a, const image *b, int line)
 {
-    image out = image_new(a->width, a->height, 3);
-    int x, y, c, half = a->width / 2;
+    image out = image_new(2 * a->width, a->height, 3);
+    size_t row = 3 * (size_t)a->width, y, i;
     if (out.pixels == NULL) need("out of memory", "side by side");
-    for (y = 0; y < a->height; ++y)
-        for (x = 0; x < 2 * half; ++x) {
-            size_t from = 3 * ((size_t)y * (size_t)a->width + (size_t)(x % half + a->width / 4));
-            for (c = 0; c < 3; ++c)
-                out.pixels[3 * ((size_t)y * (size_t)a->width + (size_t)x) + (size_t)c] = x / 2 == half / 2 ? 1
-                    : x < half ? a->pixels[from + (size_t)c]
-                               : b->pixels[from + (size_t)c];
-        }
+    for (y = 0; y < (size_t)a->height; ++y) {
+        memcpy(out.pixels + 2 * y * row, a->pixels + y * row, row * sizeof(float));
+        memcpy(out.pixels + (2 * y + 1) * row, b->pixels + y * row, row * sizeof(float));
+        for (i = 0; i < 3 * (size_t)line; ++i) out.pixels[(2 * y + 1) * row - 3 * (size_t)(line / 2) + i] = 1;
+    }
     return out;
 }
 
-/* Writes the object's three pictures; returns the one with both halves. */
-static image show_object(scene_object object, const char *material, int width)
+/* Writes the object's three pictures and the line that says what made them; returns the one with both halves. */
+static image show_object(scene_object object, const char *material, int width, FILE *lines)
 {
     ms_sss_profile *profile = material_profile(material);
-    ms_sss_kernel_options design = ms_sss_kernel_defaults();
     static ms_sss_kernel kernel;
     static ms_sss_pyramid pyramid;
     ms_sss_frame frame;
     ms_sss_filter_options options = ms_sss_filter_defaults();
     scene s;
     image filtered, before, after, both;
-    double reflectance[3], distance_mm;
+    double reflectance[3], distance_mm, time = 0;
     float color[3];
-    size_t size;
+    size_t size, i, pixels = 0; /* of the object */
     void *workspace;
     char name[64];
-    int c, height = width * 9 / 16;
+    int c, run, height = width * 9 / 16;
+
+    width /= 2; /* as wide as half a picture */
 
     ms_sss_profile_reflectance(profile, reflectance);
     for (c = 0; c < 3; ++c) color[c] = (float)reflectance[c];
     need(scene_render(&s, object, width, height, color), "scene");
 
     distance_mm = (double)scene_length(s.camera.eye);
-    design.tap_count = 25;
     need_ok(ms_sss_kernel_make(&kernel, NULL, profile,
-                               radius_of(profile) * height / (2 * (double)s.camera.tan_half_fov * distance_mm), &design,
+                               radius_of(profile) * height / (2 * (double)s.camera.tan_half_fov * distance_mm), NULL,
                                NULL, NULL),
-            "kernel");
+            "kernel"); /* 7 taps: the default */
     filtered = image_new(width, height, 3);
     memset(&frame, 0, sizeof frame);
     frame.width = width;
@@ -176,23 +177,31 @@ static image show_object(scene_object object, const char *material, int width)
     frame.strength = ms_sss_map(s.mask.pixels, 1);
     options.fov_degrees = 2 * atanf(s.camera.tan_half_fov) * (180 / 3.14159265f);
     need_ok(ms_sss_pyramid_make(&pyramid, profile, NULL), "pyramid");
-    size = by_taps ? ms_sss_filter_workspace(width, height, &kernel, 1, &options)
-                   : ms_sss_pyramid_workspace(width, height);
+    size = by_pyramid ? ms_sss_pyramid_workspace(width, height)
+                      : ms_sss_filter_workspace(width, height, &kernel, 1, &options);
     workspace = malloc(size);
     if (filtered.pixels == NULL || workspace == NULL) need("out of memory", "filter");
-    need_ok(by_taps ? ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, NULL)
-                    : ms_sss_pyramid_filter(&frame, &pyramid, 1, &options, workspace, size, NULL),
-            "filter");
+    for (run = 0; run < 3; ++run) { /* the first touches the memory, the last is timed */
+        time = seconds();
+        need_ok(by_pyramid ? ms_sss_pyramid_filter(&frame, &pyramid, 1, &options, workspace, size, NULL)
+                           : ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, NULL),
+                "filter");
+        time = seconds() - time;
+    }
+    for (i = 0; i < image_count(&s.mask); ++i) pixels += s.mask.pixels[i] > 0;
 
     need(scene_compose(&s, &s.irradiance, &before), "picture");
     need(scene_compose(&s, &filtered, &after), "picture");
-    both = side_by_side(&before, &after);
+    both = side_by_side(&before, &after, 2);
     snprintf(name, sizeof name, "%s_before.png", material);
     save(&before, name);
     snprintf(name, sizeof name, "%s_after.png", material);
     save(&after, name);
     snprintf(name, sizeof name, "%s.png", material);
     save(&both, name);
+    fprintf(lines, "%s: without | %s: %.1f ms for %d x %d, %.0f ns a pixel of the object\n", name,
+            by_pyramid ? "ms_sss_pyramid_filter" : "ms_sss_filter, 7 taps a pass", 1e3 * time, width, height,
+            1e9 * time / (double)(pixels ? pixels : 1));
 
     free(workspace);
     image_free(&before);
@@ -203,34 +212,25 @@ static image show_object(scene_object object, const char *material, int width)
     return both;
 }
 
-/* Two pictures of one size beside each other. */
-static void save_pair(const image *a, const image *b, const char *name)
-{
-    image out = image_new(2 * a->width, a->height, 3);
-    size_t row = 3 * (size_t)a->width, y;
-    if (out.pixels == NULL) need("out of memory", name);
-    for (y = 0; y < (size_t)a->height; ++y) {
-        memcpy(out.pixels + 2 * y * row, a->pixels + y * row, row * sizeof(float));
-        memcpy(out.pixels + (2 * y + 1) * row, b->pixels + y * row, row * sizeof(float));
-    }
-    save(&out, name);
-    image_free(&out);
-}
-
 /* --- skin from what it is made of --- */
 
 /* One head, lit once, in six skins: melanin, of which red, and blood from pale to dark. */
-static void show_skins(int height)
+static void show_skins(int height, FILE *lines)
 {
     static const double made[6][3] = {{0.004, 0.4, 0.03}, {0.02, 0.7, 0.04}, {0.05, 0.8, 0.035},
                                       {0.1, 0.9, 0.03},   {0.2, 1, 0.04},    {0.4, 1, 0.03}};
     static const float gray[3] = {0.5f, 0.5f, 0.5f};
     static ms_sss_kernel kernel;
     ms_sss_filter_options options = ms_sss_filter_defaults();
+    ms_mcml_profile_options coarse;
     ms_sss_frame frame;
     scene s;
     image row, filtered, face, albedo;
+    double time = 0, began;
     int width = height * 16 / 9, shown = height * 5 / 6, k, x, y, c;
+    memset(&coarse, 0, sizeof coarse);
+    coarse.depth_step = 0.4; /* half the time; the errors are far below a level of 255 */
+    coarse.frequency_step = 0.3;
     need(scene_render(&s, SCENE_BUST, width, height, gray), "scene");
     row = image_new(6 * shown, height, 3);
     filtered = image_new(width, height, 3);
@@ -248,7 +248,9 @@ static void show_skins(int height)
         skin.melanin = made[k][0];
         skin.eumelanin = made[k][1];
         skin.blood = made[k][2];
-        need_ok(skin_profile(&made_rings, &skin, NULL, NULL), "skin");
+        began = seconds();
+        need_ok(skin_profile(&made_rings, &skin, &coarse, NULL), "skin");
+        time += seconds() - began;
         for (c = 0; c < 3; ++c) rd[c] = made_rings.rd_per_mm2 + c * made_rings.rings;
         need_ok(ms_sss_profile_from_rings(&profile, made_rings.rings, made_rings.edge_mm, rd, 1, NULL, NULL), "skin");
         for (c = 0; c < 3; ++c) reflectance[c] = made_rings.total[c];
@@ -284,6 +286,8 @@ static void show_skins(int height)
         image_free(&face);
     }
     save(&row, "skins.png");
+    fprintf(lines, "skins: profiles by ms_mcml_profile_layers, %.0f ms a skin; ms_sss_filter, 7 taps\n",
+            1e3 * time / 6);
     image_free(&row);
     image_free(&filtered);
     image_free(&albedo);
@@ -292,7 +296,7 @@ static void show_skins(int height)
 
 /* --- against the truth --- */
 
-enum { PANELS = 4 };
+enum { PANELS = 5 };
 
 typedef struct truth {
     int width, height;
@@ -354,7 +358,7 @@ static double truth_error(const truth *t, const image *out)
     return sqrt(error / power);
 }
 
-/* Before, after, truth, difference; a line for the page's caption. */
+/* Without, 7 taps, gathered in space, path-traced, and the difference of the taps from that; the line that says so. */
 static void show_truth(const char *object, const char *substance, FILE *lines)
 {
     char path[100], csv[100], name[32];
@@ -363,9 +367,9 @@ static void show_truth(const char *object, const char *substance, FILE *lines)
     ms_sss_frame frame;
     truth t;
     image taps, after, out;
-    double radius, before, error[2], distance = 1e9; /* of the nearest pixel */
+    double radius, before, error[2], time[2] = {0, 0}, distance = 1e9; /* of the nearest pixel */
     float peak = 0;
-    size_t size, i;
+    size_t size, i, pixels = 0;
     void *workspace;
     int x, y, c, k, left, right = 0, width; /* columns that show the object, and some beside it */
     snprintf(path, sizeof path, "examples/data/truth_%s.bin", object);
@@ -390,7 +394,10 @@ static void show_truth(const char *object, const char *substance, FILE *lines)
     after = image_new(t.width, t.height, 3);
     out = image_new(PANELS * width, t.height, 3);
     for (i = 0; i < image_count(&t.depth); ++i)
-        if (t.depth.pixels[i] > 0 && (double)t.depth.pixels[i] < distance) distance = (double)t.depth.pixels[i];
+        if (t.depth.pixels[i] > 0) {
+            ++pixels;
+            distance = (double)t.depth.pixels[i] < distance ? (double)t.depth.pixels[i] : distance;
+        }
     radius = radius_of(t.profile) / (double)t.mm_per_unit * t.height /
         (2 * tan((double)t.fov * 3.14159265358979 / 360) * distance);
     need_ok(ms_sss_kernel_make(&kernel, NULL, t.profile, radius, NULL, NULL, NULL), "kernel");
@@ -403,9 +410,15 @@ static void show_truth(const char *object, const char *substance, FILE *lines)
     frame.input = ms_sss_interleaved(t.light.pixels, 3);
     frame.depth = ms_sss_map(t.depth.pixels, 1);
     frame.output = ms_sss_interleaved(taps.pixels, 3);
-    need_ok(ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, NULL), "filter");
+    for (k = 0; k < 8; ++k) { /* the first touches the memory, seven are timed */
+        if (k == 1) time[0] = seconds();
+        need_ok(ms_sss_filter(&frame, &kernel, 1, &options, workspace, size, NULL), "filter");
+    }
+    time[0] = (seconds() - time[0]) / 7;
     frame.output = ms_sss_interleaved(after.pixels, 3);
+    time[1] = seconds();
     need_ok(gather_filter(&frame, NULL, t.profile, &options, NULL), "gather");
+    time[1] = seconds() - time[1];
     before = truth_error(&t, &t.light);
     error[0] = truth_error(&t, &taps);
     error[1] = truth_error(&t, &after);
@@ -417,23 +430,27 @@ static void show_truth(const char *object, const char *substance, FILE *lines)
         for (x = 0; x < width; ++x)
             for (c = 0; c < 3; ++c) {
                 size_t at = 3 * ((size_t)y * (size_t)t.width + (size_t)(x + left)) + (size_t)c;
-                float shown[3], R = (float)t.reflectance[c];
+                float shown[4], R = (float)t.reflectance[c];
                 shown[0] = R * t.light.pixels[at];
-                shown[1] = R * after.pixels[at];
-                shown[2] = t.walk.pixels[at];
+                shown[1] = R * taps.pixels[at];
+                shown[2] = R * after.pixels[at];
+                shown[3] = t.walk.pixels[at];
                 for (k = 0; k < PANELS; ++k) {
                     float *to = out.pixels + 3 * ((size_t)y * (size_t)out.width + (size_t)(k * width + x)) + c;
-                    if (k < 3) to[0] = shown[k] = image_srgb_encode(scene_tone(shown[k] * 1.2f / peak));
+                    if (k < 4) to[0] = shown[k] = image_srgb_encode(scene_tone(shown[k] * 1.2f / peak));
                     else
-                        to[0] = t.depth.pixels[at / 3] > 0 ? scene__clamp(0.5f + 4 * (shown[1] - shown[2]), 0, 1)
+                        to[0] = t.depth.pixels[at / 3] > 0 ? scene__clamp(0.5f + 4 * (shown[1] - shown[3]), 0, 1)
                                                            : 0.5f;
                 }
             }
     snprintf(name, sizeof name, "%s.png", object);
     save(&out, name);
     fprintf(lines,
-            "%s: before %.1f%% | after %.1f%%: gathered in space (7 taps a pass: %.1f%%) | truth | difference x 4\n",
-            name, 100 * before, 100 * error[1], 100 * error[0]);
+            "%s: without: %.1f%% | ms_sss_filter, 7 taps: %.1f%%, %.0f ns a pixel | gather.h: %.1f%%, %.0f ns | "
+            "path-traced | "
+            "4 \xc3\x97 (7 taps - path-traced)\n",
+            name, 100 * before, 100 * error[0], 1e9 * time[0] / (double)pixels, 100 * error[1],
+            1e9 * time[1] / (double)pixels);
     free(workspace);
     image_free(&taps);
     image_free(&after);
@@ -447,9 +464,9 @@ static void show_truth(const char *object, const char *substance, FILE *lines)
 /* --- kernel models: a dot, a disk and a step (thesis, figures 5.7 and 5.13) --- */
 
 #define SIGNALS 3
-#define FIELD 384 /* pixels of the filtered signals; the middle SHOWN of them are shown */
+#define FIELD 288 /* pixels of the filtered signals; the middle SHOWN of them are shown */
 #define SHOWN 192
-#define RADII 192
+#define RADII 144
 #define RADIUS_PX 48 /* of 99% of the energy */
 #define DOT_PX 3
 #define DISK_PX 48
@@ -604,48 +621,47 @@ static void show_models(FILE *page)
 int main(int argc, char **argv)
 {
     FILE *page, *lines;
-    image bust, knot;
+    image bust, knot, both;
     int width = 1920, i, known = argc > 1;
     if (file_help(argc, argv, usage)) return file_end_stdout("demo_sss");
     for (i = 2; i < argc && known; i += 2) {
         int way = 0;
         while (i + 1 < argc && way < 2 && strcmp(argv[i + 1], methods[way]) != 0) ++way;
         if (strcmp(argv[i], "--width") == 0 && i + 1 < argc) width = atoi(argv[i + 1]);
-        else if (strcmp(argv[i], "--method") == 0 && i + 1 < argc && way < 2) by_taps = way;
+        else if (strcmp(argv[i], "--method") == 0 && i + 1 < argc && way < 2) by_pyramid = way;
         else known = 0;
     }
     if (!known || width < 64 || width > 7680) return file_usage(usage);
     folder = argv[1];
-    page = file_create(file("kernels.html"), &out_page);
-    if (page == NULL) need(out_page.problem, file("kernels.html"));
-    fputs("<!DOCTYPE html>\n<meta charset=\"utf-8\">\n<title>Subsurface scattering</title>\n"
-          "<style>body{font:16px sans-serif;max-width:1200px;margin:2em auto;color:#222} img{max-width:100%} "
-          "td,th{padding:4px 12px;"
-          "text-align:right} td:first-child{text-align:left}</style>\n<h1>Subsurface scattering</h1>\n"
-          "<h2>Skin: before and after the filter</h2>\n<p><img src=\"skin1.png\">\n"
-          "<h2>Marble: before and after</h2>\n<p><img src=\"marble.png\">\n"
-          "<h2>Diffusion profiles of the 11 materials</h2>\n"
-          "<p><img src=\"profiles_red.svg\"><img src=\"profiles_green.svg\"><img src=\"profiles_blue.svg\">\n"
-          "<h2>Kernel models, skin1</h2>\n<p>A dot (brightened), a disk and a step. Errors in % of the right result's "
-          "standard deviation,"
-          " at a radius of 48 pixels.\n<table>\n<tr><th>model<th>dot, disk, step<th>1D passes<th>step<th>disk<th>1/f "
+    page = file_create(file("models.html"), &out_page);
+    if (page == NULL) need(out_page.problem, file("models.html"));
+    fputs("<!DOCTYPE html>\n<meta charset=\"utf-8\">\n<title>Kernel models</title>\n"
+          "<style>body{font:16px system-ui,sans-serif;max-width:1200px;margin:2em auto;padding:0 1em;color:#222} "
+          "img{max-width:100%} "
+          "td,th{padding:4px 12px;text-align:right} td:first-child{text-align:left}</style>\n"
+          "<h1>Kernel models, skin1</h1>\n"
+          "<p>A dot (brightened), a disk and a step by ms_sss_filter. Errors in % of the right "
+          "result's standard deviation, at a radius of 48 pixels.\n<table>\n"
+          "<tr><th>model<th>dot, disk, step<th>1D passes<th>step<th>disk<th>1/f "
           "texture\n",
           page);
     lines = file_create(file("sss.txt"), &out_truth);
     if (lines == NULL) need(out_truth.problem, file("sss.txt"));
+    bust = show_object(SCENE_BUST, "skin1", width, lines);
     show_truth("bust", "skin1", lines);
+    knot = show_object(SCENE_KNOT, "marble", width, lines);
     show_truth("knot", "marble", lines);
+    both = side_by_side(&bust, &knot, 0);
+    save(&both, "demo.png");
+    image_free(&both);
+    show_skins(180, lines);
+    plot_profiles(lines);
     need(file_finish(&out_truth, 1), file("sss.txt"));
-    plot_profiles();
-    show_skins(180);
     show_models(page);
-    bust = show_object(SCENE_BUST, "skin1", width);
-    knot = show_object(SCENE_KNOT, "marble", width);
-    save_pair(&bust, &knot, "demo.png");
     image_free(&bust);
     image_free(&knot);
     fputs("</table>\n", page);
-    need(file_finish(&out_page, 1), file("kernels.html"));
-    printf("%s\n", file("kernels.html"));
+    need(file_finish(&out_page, 1), file("models.html"));
+    printf("%s\n", file("models.html"));
     return file_end_stdout("demo_sss");
 }

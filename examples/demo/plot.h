@@ -17,6 +17,7 @@
 
 #define PLOT_LOG_X 1
 #define PLOT_LOG_Y 2
+#define PLOT_LEGEND_INSIDE 4 /* at the lower left, for curves that fall; the plot is narrow */
 #define PLOT_LINE 1
 #define PLOT_DOTS 2
 #define PLOT_DASHED 4
@@ -174,7 +175,8 @@ static int plot_write(const plot *p, const char *path)
 {
     double x0, x1, y0, y1, tick[32];
     int log_x = p->flags & PLOT_LOG_X, log_y = p->flags & PLOT_LOG_Y, i, k, n;
-    double left = 76, right = p->width - 210.0, top = 44, bottom = p->height - 56.0;
+    double left = 76, right = p->width - (p->flags & PLOT_LEGEND_INSIDE ? 14.0 : 210.0), top = 44,
+           bottom = p->height - 56.0;
     file_out out;
     FILE *f = file_create(path, &out);
     if (f == NULL) return 0;
@@ -215,8 +217,9 @@ static int plot_write(const plot *p, const char *path)
     plot__print(f, "</text>\n");
     for (k = 0; k < p->count; ++k) {
         const plot_line *s = &p->series[k];
-        double y_legend = top + 12 + 18 * k;
+        double x_legend = right + 14, y_legend = top + 12 + 18 * k;
         const char *dash = s->style & PLOT_DASHED ? " stroke-dasharray=\"6 4\"" : "";
+        if (p->flags & PLOT_LEGEND_INSIDE) x_legend = left + 10, y_legend = bottom - 12 - 18 * (p->count - 1 - k);
         plot__print(f, "<g clip-path=\"url(#area)\" stroke=\"%s\" fill=\"%s\">\n", s->color, s->color);
         if (s->style & PLOT_LINE) {
             int pen = 0;
@@ -242,11 +245,12 @@ static int plot_write(const plot *p, const char *path)
         plot__print(f, "</g>\n");
         if (s->name) {
             if (s->style & PLOT_LINE)
-                plot__print(f, "<path d=\"M%g %g h22\" stroke=\"%s\" stroke-width=\"2\"%s/>", right + 14, y_legend,
+                plot__print(f, "<path d=\"M%g %g h22\" stroke=\"%s\" stroke-width=\"2\"%s/>", x_legend, y_legend,
                             s->color, dash);
             if (s->style & PLOT_DOTS)
-                plot__print(f, "<circle cx=\"%g\" cy=\"%g\" r=\"3.5\" fill=\"%s\"/>", right + 25, y_legend, s->color);
-            plot__print(f, "<text x=\"%g\" y=\"%g\" fill=\"#222\">", right + 42, y_legend + 4);
+                plot__print(f, "<circle cx=\"%g\" cy=\"%g\" r=\"3.5\" fill=\"%s\"/>", x_legend + 11, y_legend,
+                            s->color);
+            plot__print(f, "<text x=\"%g\" y=\"%g\" fill=\"#222\">", x_legend + 28, y_legend + 4);
             plot__text(f, s->name);
             plot__print(f, "</text>\n");
         }

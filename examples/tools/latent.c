@@ -17,15 +17,15 @@
 #include "scores.h"
 
 enum {
-    SIDE = 320 /* pixels of a panel */,
-    HEAD = 24,
-    FOOT = 54,
+    SIDE = 480 /* pixels of a panel */,
+    HEAD = 28,
+    FOOT = 58,
     GRID = 50,
     COARSE = 20,
     LIKED = 48,
     VARIANTS = 7,
     PICTURES = 14,
-    PICTURE = 40
+    PICTURE = 64
 };
 
 static const char usage[] = "usage: latent SCORES.csv OUT.png [RENDERER.safetensors]\n";
@@ -93,9 +93,9 @@ static ms_status draw_pictures(image *im, const neural *n, const ms_gpr_latent *
 
 int main(int argc, char **argv)
 {
-    static const char *const title[3] = {"predicted score", "similarity to the best", "score x similarity"};
+    static const char *const title[3] = {"predicted score", "similarity to the best", "score \xd7 similarity"};
     static const char dots[] =
-        "white: embedded, red: the best, black: variants of it; gray, ?: not known; line: half known";
+        "white: materials that were liked; red: the best; black: variants of it; gray, ?: not known; line: half known";
     static const char *const unit[3] = {"score", "similar", "product"};
     static double preference[GRID * GRID], confidence[GRID * GRID], product[GRID * GRID], similar[COARSE * COARSE];
     static const float white[3] = {1, 1, 1}, red[3] = {1, 0.15f, 0.1f}, black[3] = {0, 0, 0};
@@ -172,12 +172,12 @@ int main(int argc, char **argv)
             map_dot(&im, left, HEAD, SIDE, &grid, ms_gpr_latent_view_of(plane).points + 2 * i, i ? 3 : 5,
                     i ? white : red);
         for (i = 0; i < VARIANTS; ++i) map_dot(&im, left, HEAD, SIDE, &grid, variant[i].latent, 2.5, black);
-        image_text(&im, left + (SIDE - image_text_width(title[k], 2)) / 2, 5, title[k], 2, white);
+        image_text_in(&im, left, 4, SIDE, title[k], 20, white);
         map_legend(&im, left + 4, HEAD + SIDE + 4, SIDE - 8, unit[k], least, most);
     }
-    snprintf(text, sizeof text, "across and up: the latent coordinates, %.2g length scales each", grid.x1 - grid.x0);
-    image_text(&im, 4, HEAD + SIDE + 38, text, 1, white);
-    image_text(&im, 3 * SIDE - 4 - image_text_width(dots, 1), HEAD + SIDE + 38, dots, 1, white);
+    snprintf(text, sizeof text, "plane of ms_gpr_latent_fit, %.2g length scales wide", grid.x1 - grid.x0);
+    image_text(&im, 6, HEAD + SIDE + 34, text, 16, white);
+    image_text(&im, 3 * SIDE - 6 - image_text_width(dots, 16), HEAD + SIDE + 34, dots, 16, white);
     problem = image_write(argv[2], &im);
     if (problem) {
         fprintf(stderr, "latent: %s: %s\n", argv[2], problem);

@@ -80,12 +80,15 @@ static inline void map_dot(image *im, int left, int top, int side, const map_gri
 {
     double cx = (latent[0] - grid->x0) / (grid->x1 - grid->x0) * side,
            cy = (grid->y1 - latent[1]) / (grid->y1 - grid->y0) * side;
-    const int x0 = (int)fmax(0, fmin(side, cx - radius)), y0 = (int)fmax(0, fmin(side, cy - radius)); /* NaN: nothing */
-    int x, y;
-    for (y = y0; y < side && y < cy + radius; ++y)
-        for (x = x0; x < side && x < cx + radius; ++x)
-            if (hypot(x + 0.5 - cx, y + 0.5 - cy) < radius)
-                memcpy(&im->pixels[3 * ((top + y) * im->width + left + x)], rgb, 3 * sizeof *rgb);
+    const int x0 = (int)fmax(0, fmin(side, cx - radius - 1)),
+              y0 = (int)fmax(0, fmin(side, cy - radius - 1)); /* NaN: nothing */
+    int x, y, c;
+    for (y = y0; y < side && y < cy + radius + 1; ++y)
+        for (x = x0; x < side && x < cx + radius + 1; ++x) {
+            double cover = fmin(radius + 0.5 - hypot(x + 0.5 - cx, y + 0.5 - cy), 1);
+            float *pixel = &im->pixels[3 * ((top + y) * im->width + left + x)];
+            for (c = 0; cover > 0 && c < 3; ++c) pixel[c] += (float)cover * (rgb[c] - pixel[c]);
+        }
 }
 
 /* The middle of the picture is at the latent point, but all of it inside the map. */
@@ -117,13 +120,13 @@ static inline void map_legend(image *im, int left, int top, int width, const cha
     static const float white[3] = {1, 1, 1}, gray[3] = {0.2f, 0.2f, 0.2f};
     char low[48], high[48];
     int x, y, c, from, to;
-    image_text(im, left, top + 4, name, 2, white);
     snprintf(low, sizeof low, "%.2g", least);
     snprintf(high, sizeof high, "%.2g", most);
-    from = left + image_text_width(name, 2) + 10 + image_text_width(low, 2) + 8;
-    to = left + width - 24 - image_text_width(high, 2) - 8;
-    image_text(im, from - 8 - image_text_width(low, 2), top + 4, low, 2, white);
-    image_text(im, to + 8, top + 4, high, 2, white);
+    from = left + image_text_width(name, 16) + 10 + image_text_width(low, 16) + 8;
+    to = left + width - 24 - image_text_width(high, 16) - 8;
+    image_text(im, left, top + 3, name, 16, white);
+    image_text(im, from - 8 - image_text_width(low, 16), top + 3, low, 16, white);
+    image_text(im, to + 8, top + 3, high, 16, white);
     for (y = 2; y < 20; ++y) {
         for (x = from; x < to; ++x) {
             float rgb[3];
@@ -133,6 +136,6 @@ static inline void map_legend(image *im, int left, int top, int width, const cha
         for (x = left + width - 20; x < left + width - 2; ++x)
             for (c = 0; c < 3; ++c) im->pixels[3 * ((top + y) * im->width + x) + c] = gray[c];
     }
-    image_text(im, left + width - 16, top + 4, "?", 2, white);
+    image_text_in(im, left + width - 20, top + 3, 18, "?", 16, white);
 }
 #endif

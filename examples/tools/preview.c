@@ -12,6 +12,7 @@
 #include "ms_nn.h"
 #include "neural.h"
 #include "materials.h"
+#include <time.h>
 
 static const char usage[] = "usage: preview WEIGHTS.safetensors PARAMS.csv OUT.png [TRUTH.png]\n";
 
@@ -82,17 +83,21 @@ int main(int argc, char **argv)
     materials list;
     neural net;
     image sheet;
+    clock_t took;
     int columns = 1;
     if (file_help(argc, argv, usage)) return file_end_stdout("preview");
     if ((argc != 4 && argc != 5) || argv[1][0] == '-') return file_usage(usage);
     if ((problem = neural_load(argv[1], &net)) != NULL) return fail(argv[1], problem);
     if ((problem = materials_read(argv[2], net.parameters, &list)) != NULL) return fail(argv[2], problem);
     while (columns * columns < list.count) ++columns;
+    took = clock();
     if ((problem = neural_sheet(&net, list.x, list.count, columns, GAP, &sheet)) != NULL) return fail(argv[2], problem);
+    took = clock() - took;
     if (argc == 5 && (problem = compare(argv[4], list.count, columns, net.size, &sheet)) != NULL)
         return fail(argv[4], problem);
     if ((problem = image_write(argv[3], &sheet)) != NULL) return fail(argv[3], problem);
-    printf("%d materials, %d x %d pixels each\n", list.count, net.size, net.size);
+    printf("%d materials, %d x %d pixels, %.2f ms each\n", list.count, net.size, net.size,
+           1e3 * (double)took / CLOCKS_PER_SEC / list.count);
     image_free(&sheet);
     materials_free(&list);
     neural_free(&net);

@@ -95,14 +95,14 @@ static void edit(const float *planes, int pixels, float *edited)
 
 /* --------------------------------------------------------------------------------------------------------- the page */
 
-enum { PAGE = 1320, GAP = 8, HEAD = 24 };
+enum { PAGE = 1320, GAP = 8, HEAD = 30 };
 
 /* Words above a block of pictures, in the middle of a width where one is given. */
 static void words(image *page, int left, int top, int width, const char *text)
 {
     static const float white[3] = {0.92f, 0.92f, 0.92f};
-    if (width) left += (width - image_text_width(text, 2)) / 2;
-    image_text(page, left, top + 5, text, 2, white);
+    if (width) image_text_in(page, left, top + 5, width, text, 20, white);
+    else image_text(page, left, top + 5, text, 20, white);
 }
 
 /* A bar below a picture: how much of `width` is lit. */
@@ -116,20 +116,15 @@ static void bar(image *page, int left, int top, int width, double share)
                 page->pixels[3 * ((top + y) * page->width + left + x) + c] = x < share * width ? gold[c] : 0.2f;
 }
 
-/* A picture, averaged over boxes of shrink x shrink pixels, `light` times as bright. */
-static void tile(image *page, int left, int top, const float *planes, int size, int shrink, double light)
+/* A picture, `light` times as bright. */
+static void tile(image *page, int left, int top, const float *planes, int size, float light)
 {
-    int side = size / shrink, x, y, c, u, v;
+    int x, y, c;
     for (c = 0; c < 3; ++c)
-        for (y = 0; y < side; ++y)
-            for (x = 0; x < side; ++x) {
-                double sum = 0;
-                for (v = 0; v < shrink; ++v)
-                    for (u = 0; u < shrink; ++u)
-                        sum += (double)planes[(c * size + y * shrink + v) * size + x * shrink + u];
-                page->pixels[3 * ((top + y) * page->width + left + x) + c] = (float)fmin(
-                    fmax(light * sum / (shrink * shrink), 0), 1);
-            }
+        for (y = 0; y < size; ++y)
+            for (x = 0; x < size; ++x)
+                page->pixels[3 * ((top + y) * page->width + left + x) + c] = fminf(
+                    fmaxf(light * planes[(c * size + y) * size + x], 0), 1);
 }
 
 /* A map over the plane with its dots: white the embedded materials, red the chosen one, black its variants. */
@@ -148,37 +143,38 @@ static void map(const flow *f, image *page, int left, int top, int side, const m
 static const char *draw_page(const flow *f, const float *gallery, const float *recommended, const float *walk,
                              image *page)
 {
-    enum { WIDE = 40, PITCH = PAGE / WIDE, TALL = PITCH + 5, SIDE = 264, TILE = 132 };
-    static const char *const last[] = {"chosen", "edited", "first guess", "match", "8 x apart"};
-    int small = f->small.size, large = f->large.size, rows = f->n < WIDE ? 1 : f->n / WIDE, i, k, top = 0;
+    enum { WIDE = 20, PITCH = PAGE / WIDE, TALL = PITCH + 5, ROWS = 6, SHOWN = 100, SIDE = 264, TILE = 132 };
+    static const char *const last[] = {"chosen", "edited", "first guess", "match", "8 \xd7 difference"};
+    int small = f->small.size, large = f->large.size, shown = f->n < WIDE * ROWS ? f->n : WIDE * ROWS;
+    int rows = (shown + WIDE - 1) / WIDE, i, k, top = 0;
     size_t pixels = ms_nn_output_size(f->small.nn), large_pixels = ms_nn_output_size(f->large.nn);
     double best = 1e-300; /* score */
     char text[80];
     float *planes = (float *)malloc((VARIANTS + 1) * large_pixels * sizeof(float));
-    *page = image_new(PAGE, HEAD + rows * TALL + HEAD + RECOMMENDED / WIDE * PITCH + HEAD + SIDE + HEAD + TILE + GAP,
-                      3);
+    *page = image_new(PAGE, HEAD + rows * TALL + HEAD + SHOWN / WIDE * PITCH + HEAD + SIDE + HEAD + TILE + GAP, 3);
     if (page->pixels == NULL || planes == NULL) return "out of memory";
     for (i = 0; i < f->n; ++i) best = fmax(best, f->y[i]);
     for (i = 0; (size_t)i < image_count(page); ++i) page->pixels[i] = 0.09f;
-    snprintf(text, sizeof text, "gallery: %d scored materials; the bar is the score", f->n);
+    if (shown < f->n)
+        snprintf(text, sizeof text, "gallery: %d of %d scored materials; the bar is the score", shown, f->n);
+    else snprintf(text, sizeof text, "gallery: %d scored materials; the bar is the score", f->n);
     words(page, GAP, top, 0, text);
     top += HEAD;
-    for (i = 0; i < rows * WIDE && i < f->n; ++i) {
-        tile(page, i % WIDE * PITCH, top + i / WIDE * TALL, gallery + (size_t)i * pixels, small, 2, 1);
-        bar(page, i % WIDE * PITCH, top + i / WIDE * TALL + small / 2, small / 2, fmax(f->y[i], 0) / best);
+    for (i = 0; i < shown; ++i) {
+        tile(page, i % WIDE * PITCH, top + i / WIDE * TALL, gallery + (size_t)i * pixels, small, 1);
+        bar(page, i % WIDE * PITCH, top + i / WIDE * TALL + small, small, fmax(f->y[i], 0) / best);
     }
     top += rows * TALL;
-    snprintf(text, sizeof text, "recommended: %d of %d new materials to that taste", RECOMMENDED / WIDE * WIDE,
-             RECOMMENDED);
+    snprintf(text, sizeof text, "recommended: %d of %d new materials to that taste", (int)SHOWN, (int)RECOMMENDED);
     words(page, GAP, top, 0, text);
     top += HEAD;
-    for (i = 0; i < RECOMMENDED / WIDE * WIDE; ++i)
-        tile(page, i % WIDE * PITCH, top + i / WIDE * PITCH, recommended + (size_t)i * pixels, small, 2, 1);
-    top += RECOMMENDED / WIDE * PITCH;
+    for (i = 0; i < SHOWN; ++i)
+        tile(page, i % WIDE * PITCH, top + i / WIDE * PITCH, recommended + (size_t)i * pixels, small, 1);
+    top += SHOWN / WIDE * PITCH;
 
-    words(page, 0, top, SIDE, "preference");
-    words(page, SIDE, top, SIDE, "like the red one");
-    words(page, 2 * SIDE, top, SIDE, "both");
+    words(page, 0, top, SIDE, "predicted score");
+    words(page, SIDE, top, SIDE, "likeness to the red one");
+    words(page, 2 * SIDE, top, SIDE, "score \xd7 likeness");
     words(page, 3 * SIDE, top, TILE, "chosen");
     words(page, 3 * SIDE + TILE, top, 3 * TILE, "variants");
     top += HEAD;
@@ -188,7 +184,7 @@ static const char *draw_page(const flow *f, const float *gallery, const float *r
     pictures(&f->large, f->chosen, 1, planes);
     pictures(&f->large, f->variants, VARIANTS, planes + large_pixels);
     for (i = 0; i <= VARIANTS; ++i)
-        tile(page, 3 * SIDE + i % 4 * TILE, top + i / 4 * TILE, planes + (size_t)i * large_pixels, large, 1, 1);
+        tile(page, 3 * SIDE + i % 4 * TILE, top + i / 4 * TILE, planes + (size_t)i * large_pixels, large, 1);
     top += SIDE;
 
     for (i = 0; i < 5; ++i) words(page, i * TILE, top, TILE, last[i]);
@@ -200,8 +196,8 @@ static const char *draw_page(const flow *f, const float *gallery, const float *r
     for (k = 0; k < (int)large_pixels; ++k)
         planes[4 * large_pixels + (size_t)k] = fabsf(planes[3 * large_pixels + (size_t)k] -
                                                      planes[large_pixels + (size_t)k]);
-    for (i = 0; i < 5; ++i) tile(page, i * TILE, top, planes + (size_t)i * large_pixels, large, 1, i < 4 ? 1 : 8);
-    for (i = 0; i < STEPS; ++i) tile(page, (5 + i) * TILE, top, walk + (size_t)i * large_pixels, large, 1, 1);
+    for (i = 0; i < 5; ++i) tile(page, i * TILE, top, planes + (size_t)i * large_pixels, large, i < 4 ? 1 : 8);
+    for (i = 0; i < STEPS; ++i) tile(page, (5 + i) * TILE, top, walk + (size_t)i * large_pixels, large, 1);
     free(planes);
     return NULL;
 }
