@@ -286,11 +286,12 @@ MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const doub
                                             const ms_allocator *allocator, ms_error *error);
 
 /* Burley's d for a diffuse surface albedo A in [0, 1] and a mean free path, 1 / (mu_s (1 - g) + mu_a), the length that
-   ms_mcml.h and `build/profile --mfp` take: d = path / (1.85 - A + 7 |A - 0.8|^3 - 1.25 max(0, A - 0.65)). Without the
-   last term this is equation 5 (searchlight configuration) of Christensen and Burley 2015, Approximate reflectance
-   profiles for efficient subsurface scattering, whose mean distance is 11% short of a half-space at A = 0.75 and 35% at
-   0.91. With it the mean distance is within 9% from A = 0.1 to 0.95. An engine that stores a *diffuse* mean free path
-   (Unreal) takes the paper's other form: d = path / (3.5 + 100 (A - 0.33)^4). */
+   ms_mcml.h and `build/profile --mfp` take: d = path / (1.85 - A + 7 |A - 0.8|^3 - 1.25 max(0, A - 0.65)).
+   The terms before the last are equation 5 (searchlight configuration) of Christensen and Burley 2015, Approximate
+   reflectance profiles for efficient subsurface scattering. Their mean distance between entry and exit is 11% short of
+   a half-space at A = 0.75 and 35% at 0.91. The last term is not the paper's: it was fitted here to half-spaces by
+   ms_mcml.h, from whose mean distance the whole formula differs by at most 9% from A = 0.1 to 0.95. An engine that
+   stores a *diffuse* mean free path (Unreal) takes the paper's other form: d = path / (3.5 + 100 (A - 0.33)^4). */
 MS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm);
 
 /* NULL is fine. */
@@ -334,7 +335,7 @@ MS_API double ms_sss_elevation(double reflectance, double index);
 #define MS_SSS_DENSE (-1)   /* as tap_count: a tap every pixel of the design radius */
 
 /* A separable kernel, ready to be applied: out = delta E + sum_t scale_t (E * w_t along x) * w_t along y.
-   Normalized, but for MS_SSS_SVD: delta + sum_t scale_t (sum_i w_ti)^2 = 1 in every channel. */
+   Normalized: delta + sum_t scale_t (sum_i w_ti)^2 = 1 in every channel, at most 1 for MS_SSS_SVD. */
 typedef struct ms_sss_kernel {
     int tap_count;  /* odd; entry 0 is the center (offset 0), then pairs -x, +x by growing |x| */
     int term_count; /* 1 except for SVD, sums of Gaussians, residuals */
@@ -355,7 +356,7 @@ typedef enum ms_sss_model {
     MS_SSS_IMAGE_OPTIMAL = 0,  /* least error on pictures with a 1/f spectrum; `dial` turns it towards the next */
     MS_SSS_PREINTEGRATED = 1,  /* a_p (5.4): exact on signals that are a sum of E1(x) and E2(y) */
     MS_SSS_RESIDUAL = 2,       /* a_p plus term_count - 1 singular vectors of the rest, each exact on those signals */
-    MS_SSS_SVD = 3,            /* term_count singular vectors (5.12); loses energy */
+    MS_SSS_SVD = 3,            /* term_count singular vectors (5.12); loses energy, never gains any */
     MS_SSS_SVD_NORMALIZED = 4, /* the same, scaled to keep the energy */
     MS_SSS_GAUSSIANS = 5,      /* best sum of term_count Gaussians (5.9) */
     MS_SSS_GUIDED = 6,         /* guided optimization (5.14) with guide_k */
@@ -5905,7 +5906,8 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
             status = ms_sss__singular_terms(d, c, NULL, 0, v->terms, v);
             for (t = 0, sum = 0; t < v->terms; ++t)
                 sum += v->sign[c][t] * ms_sss__term_sum(v, c, t) * ms_sss__term_sum(v, c, t);
-            if (o->model == MS_SSS_SVD && sum > 0) v->energy[c] = sum;
+            /* a sum above 1, where terms with a negative sign are left out, would brighten a constant */
+            if (o->model == MS_SSS_SVD && sum > 0 && sum < 1) v->energy[c] = sum;
         } else if (o->model == MS_SSS_GAUSSIANS) {
             double q[MS_SSS_TERMS_MAX], sigma[MS_SSS_TERMS_MAX];
             ms_sss__fit_mixture(d, c, v->terms, q, sigma);
