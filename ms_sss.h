@@ -788,69 +788,6 @@ static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t p
 #endif /* MS_COMMON_PRIVATE */
 /* ms-common-private end */
 
-/* ms-common-random begin (the same text wherever it stands: see tests/common.sh) */
-#ifndef MS_COMMON_RANDOM
-#define MS_COMMON_RANDOM
-
-/* Philox 4x32-10 (Salmon, Moraes, Dror, Shaw 2011, "Parallel random numbers: as easy as 1, 2, 3"): four words
-   from a 128-bit counter and a 64-bit key, integers only, so the same on any thread, level and machine. */
-static MS__UNUSED void ms__philox(const uint32_t counter[4], const uint32_t key[2], uint32_t out[4])
-{
-    uint32_t c0 = counter[0], c1 = counter[1], c2 = counter[2], c3 = counter[3], k0 = key[0], k1 = key[1];
-    int round;
-    for (round = 0; round < 10; ++round) {
-        uint64_t p0 = (uint64_t)0xD2511F53u * c0, p1 = (uint64_t)0xCD9E8D57u * c2;
-        c0 = (uint32_t)(p1 >> 32) ^ c1 ^ k0;
-        c1 = (uint32_t)p1;
-        c2 = (uint32_t)(p0 >> 32) ^ c3 ^ k1;
-        c3 = (uint32_t)p0;
-        k0 += 0x9E3779B9u;
-        k1 += 0xBB67AE85u;
-    }
-    out[0] = c0;
-    out[1] = c1;
-    out[2] = c2;
-    out[3] = c3;
-}
-
-/* A stream of random numbers: f(seed, stream, how many were drawn). */
-typedef struct ms__rng {
-    uint32_t counter[4], key[2], word[4];
-    int used; /* words of this block already given out */
-} ms__rng;
-
-static MS__UNUSED ms__rng ms__rng_make(uint64_t seed, uint64_t stream)
-{
-    ms__rng rng;
-    memset(&rng, 0, sizeof rng);
-    rng.key[0] = (uint32_t)seed;
-    rng.key[1] = (uint32_t)(seed >> 32);
-    rng.counter[2] = (uint32_t)stream;
-    rng.counter[3] = (uint32_t)(stream >> 32);
-    rng.used = 4;
-    return rng;
-}
-
-static MS__UNUSED uint32_t ms__rng_u32(ms__rng *rng)
-{
-    if (rng->used == 4) {
-        ms__philox(rng->counter, rng->key, rng->word);
-        if (++rng->counter[0] == 0) ++rng->counter[1];
-        rng->used = 0;
-    }
-    return rng->word[rng->used++];
-}
-
-/* Uniform in the open interval (0, 1), 53 bits: never 0, never 1. */
-static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
-{
-    uint64_t a = ms__rng_u32(rng), b = ms__rng_u32(rng);
-    return ((double)(((a << 32) | b) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
-}
-
-#endif /* MS_COMMON_RANDOM */
-/* ms-common-random end */
-
 /* ms-common-simd begin (the same text wherever it stands: see tests/common.sh) */
 #ifndef MS_COMMON_SIMD
 #define MS_COMMON_SIMD
@@ -4744,8 +4681,7 @@ enum {
     MS_SSS__SIGNALS = 6, /* of ms_sss_errors */
     MS_SSS__TEXTURE = 5, /* the last of them */
     MS_SSS__NODES_MAX = 96,
-    MS_SSS__BINS_MAX = MS_SSS__NODES_MAX * (MS_SSS__NODES_MAX + 1) / 2,
-    MS_SSS__BLOCK_MAX = MS_SSS_TERMS_MAX + 4
+    MS_SSS__BINS_MAX = MS_SSS__NODES_MAX * (MS_SSS__NODES_MAX + 1) / 2
 };
 
 struct ms_sss_designer {
@@ -4902,9 +4838,25 @@ static double ms_sss__texture_power(int k1, int k2)
     return exp(-0.5 * f2 / (limit * limit)) / f2;
 }
 
+/* Number `index` of a bin's own sequence, uniform in (0, 1): Philox 4x32-10 (Salmon, Moraes, Dror, Shaw 2011, "Parallel
+   random numbers: as easy as 1, 2, 3"). */
+static double ms_sss__uniform(int bin, int index)
+{
+    uint32_t x[4] = {(uint32_t)(index / 2), 0, (uint32_t)bin, 0}, key[2] = {5935, 0};
+    int round, half = index % 2 * 2;
+    for (round = 0; round < 10; ++round, key[0] += 0x9E3779B9u, key[1] += 0xBB67AE85u) {
+        const uint64_t p = (uint64_t)0xD2511F53u * x[0], q = (uint64_t)0xCD9E8D57u * x[2];
+        x[0] = (uint32_t)(q >> 32) ^ x[1] ^ key[0];
+        x[1] = (uint32_t)q;
+        x[2] = (uint32_t)(p >> 32) ^ x[3] ^ key[1];
+        x[3] = (uint32_t)p;
+    }
+    return ((double)(((uint64_t)x[half] << 32 | x[half + 1]) >> 12) + 0.5) / 4503599627370496.0;
+}
+
 static void ms_sss__signal_power(const ms_sss_designer *d)
 {
-    enum { SEED = 5935, DRAWN = 24 };
+    enum { DRAWN = 24 };
     int k1, k2, n;
     double total = 0;
     ms_sss__disk_power(d, 10, d->power[2]);
@@ -4919,11 +4871,8 @@ static void ms_sss__signal_power(const ms_sss_designer *d)
             d->power[4][o] = (float)orbit;
             if (k1 > 0) {
                 texture = orbit;
-                if (k1 < DRAWN) {
-                    ms__rng rng = ms__rng_make(SEED, (uint64_t)o);
-                    texture = 0;
-                    for (n = 0; n < orbit; n += 2) texture -= 2 * log(ms__rng_uniform(&rng));
-                }
+                if (k1 < DRAWN)
+                    for (texture = 0, n = 0; n < orbit; n += 2) texture -= 2 * log(ms_sss__uniform(o, n / 2));
                 texture *= ms_sss__texture_power(k1, k2);
                 total += texture;
             }
@@ -5557,80 +5506,39 @@ static void ms_sss__place(const ms_sss_designer *d, const ms_sss__curve *dense, 
 
 /* ---- kernel models --------------------------------------------------------------------------------------------- */
 
-static double ms_sss__dot(const double *a, const double *b, int n)
+static void ms_sss__rotate(double *x, double *y, int stride, int n, double c, double s)
 {
-    double sum = 0;
     int i;
-    for (i = 0; i < n; ++i) sum += a[i] * b[i];
-    return sum;
-}
-
-static void ms_sss__rotate(double *x, double *y, double c, double s)
-{
-    const double before = *x;
-    *x = c * before - s * *y;
-    *y = s * before + c * *y;
-}
-
-/* Largest eigenvalues by magnitude of a symmetric A [n][n], with unit eigenvectors: block power iteration, then the
-   eigenvectors within the block by Jacobi rotations. vector [count][n]; scratch 2 block n doubles, block = count +
-   4. */
-static void ms_sss__eigen(const double *A, int n, int count, double *value, double *vector, double *scratch)
-{
-    double *V = scratch, *W = scratch + MS_SSS__BLOCK_MAX * n, projected[MS_SSS__BLOCK_MAX][MS_SSS__BLOCK_MAX];
-    double turn[MS_SSS__BLOCK_MAX][MS_SSS__BLOCK_MAX];
-    int block = count + 4 < n ? count + 4 : n, round, i, j, k, a, b;
-    ms__rng rng = ms__rng_make(1, 0);
-    if (count > block) count = block;
-    for (i = 0; i < block * n; ++i) V[i] = ms__rng_uniform(&rng) - 0.5;
-    for (round = 0; round < 40; ++round) {
-        for (a = 0; a < block; ++a) { /* W = V A, then Gram-Schmidt twice, which is enough */
-            double *w = W + a * n, norm;
-            for (i = 0; i < n; ++i) w[i] = 0;
-            for (k = 0; k < n; ++k)
-                for (i = 0; i < n; ++i) w[i] += V[a * n + k] * A[k * n + i];
-            for (j = 0; j < 2 * a; ++j) {
-                const double *other = W + (j % a) * n;
-                double along = ms_sss__dot(w, other, n);
-                for (i = 0; i < n; ++i) w[i] -= along * other[i];
-            }
-            norm = ms_sss__dot(w, w, n);
-            norm = norm > 0 ? 1 / sqrt(norm) : 0;
-            for (i = 0; i < n; ++i) w[i] *= norm;
-        }
-        memcpy(V, W, sizeof *V * (size_t)(block * n));
+    for (i = 0; i < n * stride; i += stride) {
+        const double before = x[i];
+        x[i] = c * before - s * y[i];
+        y[i] = s * before + c * y[i];
     }
-    for (a = 0; a < block; ++a)
-        for (k = 0; k < n; ++k) W[a * n + k] = ms_sss__dot(A + k * n, V + a * n, n);
-    for (a = 0; a < block; ++a)
-        for (b = 0; b < block; ++b) {
-            projected[a][b] = ms_sss__dot(V + a * n, W + b * n, n);
-            turn[a][b] = a == b;
-        }
-    for (round = 0; round < 12; ++round)
-        for (a = 0; a < block; ++a)
-            for (b = a + 1; b < block; ++b) {
-                double least = 1e-17 * (fabs(projected[a][a]) + fabs(projected[b][b])) + 1e-150; /* theta^2 in range */
-                double theta, t, c, s;
-                if (!(fabs(projected[a][b]) > least)) continue;
-                theta = (projected[b][b] - projected[a][a]) / (2 * projected[a][b]);
+}
+
+/* Eigenvalues of a symmetric A [n][n], left on its diagonal, and unit eigenvectors, the rows of V: cyclic Jacobi
+   rotations (Golub and Van Loan 2013, Matrix Computations, section 8.5). */
+static void ms_sss__eigen(double *A, double *V, int n)
+{
+    double least = DBL_MIN;
+    int sweep, rotated = 1, a, b;
+    for (a = 0; a < n * n; ++a) {
+        least = fmax(least, 1e-14 * fabs(A[a]));
+        V[a] = a % (n + 1) == 0;
+    }
+    for (sweep = 0; sweep < 30 && rotated; ++sweep)
+        for (rotated = 0, a = 0; a < n; ++a)
+            for (b = a + 1; b < n; ++b) {
+                double theta, t, c;
+                if (!(fabs(A[a * n + b]) > least)) continue;
+                theta = (A[b * n + b] - A[a * n + a]) / (2 * A[a * n + b]);
                 t = (theta < 0 ? -1 : 1) / (fabs(theta) + sqrt(1 + theta * theta));
                 c = 1 / sqrt(1 + t * t);
-                s = t * c;
-                for (k = 0; k < block; ++k) ms_sss__rotate(&projected[k][a], &projected[k][b], c, s);
-                for (k = 0; k < block; ++k) ms_sss__rotate(&projected[a][k], &projected[b][k], c, s);
-                for (k = 0; k < block; ++k) ms_sss__rotate(&turn[k][a], &turn[k][b], c, s);
+                ms_sss__rotate(A + a, A + b, n, n, c, t * c);
+                ms_sss__rotate(A + a * n, A + b * n, 1, n, c, t * c);
+                ms_sss__rotate(V + a * n, V + b * n, 1, n, c, t * c);
+                rotated = 1;
             }
-    for (j = 0; j < count; ++j) {
-        for (a = 0, b = 0; a < block; ++a)
-            if (fabs(projected[a][a]) > fabs(projected[b][b])) b = a;
-        value[j] = projected[b][b];
-        projected[b][b] = 0;
-        for (i = 0; i < n; ++i) {
-            vector[j * n + i] = 0;
-            for (a = 0; a < block; ++a) vector[j * n + i] += turn[a][b] * V[a * n + i];
-        }
-    }
 }
 
 /* a_p in cells: the row sums of the kernel. */
@@ -5651,24 +5559,27 @@ static ms_status ms_sss__singular_terms(const ms_sss_designer *d, int c, const d
                                         ms_sss__curve *v)
 {
     int n = d->cells + 1, i, j, t;
-    size_t bytes = (size_t)(n * n + (MS_SSS_TERMS_MAX + 2 * MS_SSS__BLOCK_MAX) * n) * sizeof(double);
-    double *A = (double *)ms__alloc(&d->allocator, bytes), *vector, value[MS_SSS_TERMS_MAX];
+    size_t bytes = 2 * (size_t)(n * n) * sizeof(double);
+    double *A = (double *)ms__alloc(&d->allocator, bytes), *V;
     if (A == NULL) return MS_OUT_OF_MEMORY;
-    vector = A + n * n;
+    V = A + n * n;
     for (i = 0; i < n; ++i)
         for (j = 0; j < n; ++j) {
             double rest = d->cell[c][i * n + j] - (minus != NULL ? minus[i] * minus[j] : 0);
             A[i * n + j] = rest * sqrt((i ? 2.0 : 1.0) * (j ? 2.0 : 1.0));
         }
-    memset(value, 0, sizeof value);
-    memset(vector, 0, sizeof *vector * (size_t)(MS_SSS_TERMS_MAX * n));
-    ms_sss__eigen(A, n, count, value, vector, vector + MS_SSS_TERMS_MAX * n);
-    for (t = 0; t < count; ++t) {
-        double sum = 0, scale;
-        for (i = 0; i < n; ++i) sum += vector[t * n + i] * (i ? sqrt(2.0) : 1);
-        scale = sqrt(fabs(value[t])) * (sum < 0 ? -1 : 1);
-        for (i = 0; i < n; ++i) v->weight[c][first + t][i] = scale * vector[t * n + i] / (i ? sqrt(2.0) : 1);
-        v->sign[c][first + t] = value[t] < 0 ? -1 : 1;
+    ms_sss__eigen(A, V, n);
+    for (t = first; t < first + count; ++t) {
+        double sum = 0, scale, *value, *vector;
+        for (i = 0, j = 0; i < n; ++i) /* the largest that is left */
+            if (fabs(A[i * n + i]) > fabs(A[j * n + j])) j = i;
+        value = A + j * n + j;
+        vector = V + j * n;
+        for (i = 0; i < n; ++i) sum += vector[i] * (i ? sqrt(2.0) : 1);
+        scale = sqrt(fabs(*value)) * (sum < 0 ? -1 : 1);
+        for (i = 0; i < n; ++i) v->weight[c][t][i] = scale * vector[i] / (i ? sqrt(2.0) : 1);
+        v->sign[c][t] = *value < 0 ? -1 : 1;
+        *value = 0;
     }
     ms__release(&d->allocator, A, bytes);
     return MS_OK;
