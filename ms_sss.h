@@ -4177,59 +4177,48 @@ static int ms_sss__cholesky_solve(double *A, double *b, int n)
     return 1;
 }
 
-/* One step of Levenberg and Marquardt: solves (H + lambda diag H) step = g. work [n][n]. */
-static int ms_sss__marquardt(const double *H, const double *g, double lambda, int n, double *work, double *step)
-{
-    int i;
-    memcpy(work, H, sizeof *work * (size_t)n * (size_t)n);
-    memcpy(step, g, sizeof *step * (size_t)n);
-    for (i = 0; i < n; ++i)
-        work[(size_t)i * (size_t)n + (size_t)i] += lambda * H[(size_t)i * (size_t)n + (size_t)i] + DBL_MIN;
-    return ms_sss__cholesky_solve(work, step, n);
-}
-
-/* A bound on steps along directions that change nothing; weights are of the order of 1. */
-static double ms_sss__bound_factor(double step) { return step < -1e6 ? -1e6 : step > 1e6 ? 1e6 : step; }
-
-/* A sum of squares of n unknowns. evaluate returns its value at x, which it may move within bounds, and adds up the
-   normal equations H step = g at x (lower triangle, from zeros). */
+/* A sum of squares of n unknowns. evaluate returns its value at x, which it may move within bounds. Where H is not NULL
+   it adds up the normal equations H step = g at x as well (lower triangle, from zeros). */
 typedef struct ms_sss__squares {
     double (*evaluate)(const struct ms_sss__squares *problem, double *x, double *H, double *g);
     const struct ms_sss_designer *d;
-    int channel, n, rounds;
-    double lambda, growth,
-        tolerance;       /* initial lambda; its factor after a failure; relative gain at which the descent ends */
+    int n, channel;
     const double *curve; /* values by cell that the problem fits */
-    int cells;
-    double half_width, guide;
+    double guide;
+    struct ms_sss__fit *fit;
 } ms_sss__squares;
 
-/* Levenberg and Marquardt from x, which is improved in place; returns the value. scratch [n (3 n + 4)]. */
-static double ms_sss__descend(const ms_sss__squares *p, double *x, double *scratch)
+/* Doubles of scratch for n unknowns. */
+#define MS_SSS__DESCEND_SCRATCH(n) ((n) * (2 * (n) + 3))
+
+/* Levenberg and Marquardt from x, which is improved in place; returns the value. */
+static double ms_sss__descend(const ms_sss__squares *p, double *x, int rounds, double tolerance, double *scratch)
 {
-    const size_t n = (size_t)p->n, line = n * sizeof *x;
-    double *H = scratch, *work = H + n * n, *next = work + n * n;
-    double *g = next + n * n, *next_g = g + n, *step = next_g + n, *trial = step + n;
-    double lambda = p->lambda, least = HUGE_VAL, value;
-    int round, i;
-    memcpy(trial, x, line);
-    for (round = 0; round < p->rounds && lambda < 1e10; ++round) {
-        memset(next, 0, n * line);
-        memset(next_g, 0, line);
-        value = p->evaluate(p, trial, next, next_g);
-        if (round == 0 || value < least) {
-            const int end = least - value < p->tolerance * value;
-            least = value;
-            memcpy(x, trial, line);
-            memcpy(H, next, n * line);
-            memcpy(g, next_g, line);
-            lambda *= 0.2;
-            if (end) break;
-        } else {
-            lambda *= p->growth;
+    const int n = p->n;
+    double *H = scratch, *work = H + n * n, *g = work + n * n, *step = g + n, *trial = step + n;
+    double lambda = 1e-2, least = p->evaluate(p, x, NULL, NULL), value = 0;
+    int round, tries, i;
+    for (round = 0; round < rounds; ++round) {
+        memset(H, 0, sizeof *H * (size_t)(n * n));
+        memset(g, 0, sizeof *g * (size_t)n);
+        p->evaluate(p, x, H, g);
+        for (tries = 0; tries < 8; ++tries) { /* (H + lambda diag H) step = g */
+            memcpy(work, H, sizeof *H * (size_t)(n * n));
+            memcpy(step, g, sizeof *g * (size_t)n);
+            for (i = 0; i < n; ++i) work[i * n + i] += lambda * H[i * n + i] + DBL_MIN;
+            value = HUGE_VAL;
+            if (ms_sss__cholesky_solve(work, step, n)) { /* bounds: for directions that change nothing */
+                for (i = 0; i < n; ++i) trial[i] = x[i] + fmax(-1e6, fmin(step[i], 1e6));
+                value = p->evaluate(p, trial, NULL, NULL);
+            }
+            lambda *= value < least ? 0.2 : 6;
+            if (value < least) break;
         }
-        if (!ms_sss__marquardt(H, g, lambda, p->n, work, step)) break;
-        for (i = 0; i < p->n; ++i) trial[i] = x[i] + ms_sss__bound_factor(step[i]);
+        if (!(value < least)) break;
+        memcpy(x, trial, sizeof *x * (size_t)n);
+        i = least - value < tolerance * least;
+        least = value;
+        if (i) break;
     }
     return least;
 }
@@ -5220,9 +5209,9 @@ typedef struct ms_sss__fit {
     int k1[MS_SSS__BINS_MAX], k2[MS_SSS__BINS_MAX];
     int line1[MS_SSS__BINS_MAX], line2[MS_SSS__BINS_MAX];
     double weight[MS_SSS__BINS_MAX], target[MS_SSS__BINS_MAX][3];
-    double *basis, *slope;                  /* [lines][pairs] of both taps of a pair; d basis / d offset */
-    double *wave;                           /* [3][MS_SSS_TERMS_MAX][lines] */
-    double *H, *work, *g, *step, *jacobian; /* [unknowns]^2 twice, [unknowns] twice, [local] */
+    double *basis, *slope;          /* [lines][pairs] of both taps of a pair; d basis / d offset */
+    double *wave;                   /* [3][MS_SSS_TERMS_MAX][lines] */
+    double *jacobian, *x, *scratch; /* [local], [unknowns], of ms_sss__descend */
     ms_sss__curve trial, hop;
     ms_sss__waves waves;
     size_t bytes;
@@ -5316,13 +5305,11 @@ static double ms_sss__fit_objective(ms_sss__fit *fit, const ms_sss__curve *v)
     return sum;
 }
 
-/* Normal equations H step = g of the curve whose waves the last objective left. */
-static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v)
+/* Normal equations of the curve whose waves the last objective left. */
+static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v, double *H_all, double *g)
 {
     int n, c, t, i, j, moved = fit->moved;
     double *J = fit->jacobian;
-    memset(fit->H, 0, sizeof *fit->H * (size_t)(fit->unknowns * fit->unknowns));
-    memset(fit->g, 0, sizeof *fit->g * (size_t)fit->unknowns);
     for (c = fit->first; c < fit->end; ++c) {
         int own = moved + (c - fit->first) * (fit->local - moved) - moved; /* from local to global unknown */
         double spread = v->energy[c] - v->delta[c], sum[MS_SSS_TERMS_MAX];
@@ -5353,8 +5340,8 @@ static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v)
             if (fit->use_delta) J[fit->local - 1] = 2 * sqrt(v->delta[c]) * (1 - found / spread);
             for (i = 0; i < fit->local; ++i) {
                 int row = i < moved ? i : own + i;
-                double Ji = fit->weight[n] * J[i], *H = fit->H + row * fit->unknowns;
-                fit->g[row] += Ji * rest;
+                double Ji = fit->weight[n] * J[i], *H = H_all + row * fit->unknowns;
+                g[row] += Ji * rest;
                 for (j = 0; j < moved && j <= i; ++j) H[j] += Ji * J[j];
                 for (; j <= i; ++j) H[own + j] += Ji * J[j];
             }
@@ -5362,58 +5349,62 @@ static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v)
     }
 }
 
-static void ms_sss__fit_move(const ms_sss__fit *fit, const ms_sss__curve *from, ms_sss__curve *to)
+/* The unknowns of a curve: offsets, then of each channel the weights (of the first term their roots q) and the root of
+   delta. */
+static void ms_sss__fit_pack(const ms_sss__fit *fit, const ms_sss__curve *v, double *x)
 {
-    const double *step = fit->step;
     int c, t, i;
-    *to = *from;
-    for (i = 1; i <= fit->moved; ++i) {
-        double o = from->offset[i] + ms_sss__bound_factor(*step++);
-        to->offset[i] = o < 0.05 ? 0.05 : o > 2 * fit->d->cells + 2 ? 2 * fit->d->cells + 2 : o;
-    }
+    for (i = 1; i <= fit->moved; ++i) *x++ = v->offset[i];
     for (c = fit->first; c < fit->end; ++c) {
         for (t = 0; t < fit->terms; ++t)
-            for (i = 0; i <= fit->pairs; ++i) {
-                double w = from->weight[c][t][i], q = sqrt(t == 0 ? w : 0) + ms_sss__bound_factor(*step++);
-                to->weight[c][t][i] = t == 0 ? q * q : w + q;
-            }
-        if (fit->use_delta) {
-            double q = sqrt(from->delta[c]) + ms_sss__bound_factor(*step++);
-            to->delta[c] = q * q < 0.99 * to->energy[c] ? q * q : 0.99 * to->energy[c];
-        }
+            for (i = 0; i <= fit->pairs; ++i) *x++ = t == 0 ? sqrt(v->weight[c][0][i]) : v->weight[c][t][i];
+        if (fit->use_delta) *x++ = sqrt(v->delta[c]);
     }
-    ms_sss__curve_normalize(to);
 }
 
-/* Levenberg-Marquardt from v, which is improved in place; returns the objective. */
-static double ms_sss__fit_run(ms_sss__fit *fit, ms_sss__curve *v, int iterations)
+/* The normalized curve of unknowns within their bounds. */
+static void ms_sss__fit_unpack(const ms_sss__fit *fit, const double *x, ms_sss__curve *v)
 {
-    double lambda = 1e-2, before, after;
-    int n, c, i;
-    for (c = fit->first; c < fit->end; ++c) /* q = 0 would never move */
-        for (i = 0; i <= v->pairs; ++i)
-            if (!(v->weight[c][0][i] > 1e-6)) v->weight[c][0][i] = 1e-6;
-    ms_sss__fit_basis(fit, v);
-    before = ms_sss__fit_objective(fit, v);
-    for (n = 0; n < iterations && lambda < 1e10; ++n) {
-        int tries = 0;
-        ms_sss__fit_system(fit, v);
-        do {
-            after = HUGE_VAL;
-            if (ms_sss__marquardt(fit->H, fit->g, lambda, fit->unknowns, fit->work, fit->step)) {
-                ms_sss__fit_move(fit, v, &fit->trial);
-                if (fit->moved) ms_sss__fit_basis(fit, &fit->trial);
-                after = ms_sss__fit_objective(fit, &fit->trial);
-            }
-            lambda *= after < before ? 0.2 : 6;
-        } while (!(after < before) && ++tries < 8);
-        if (!(after < before)) break;
-        *v = fit->trial;
-        if (before - after < 1e-6 * before) return after;
-        before = after;
+    int c, t, i;
+    for (i = 1; i <= fit->moved; ++i) v->offset[i] = fmax(0.05, fmin(*x++, 2 * fit->d->cells + 2));
+    for (c = fit->first; c < fit->end; ++c) {
+        for (t = 0; t < fit->terms; ++t)
+            for (i = 0; i <= fit->pairs; ++i, ++x) v->weight[c][t][i] = t == 0 ? *x * *x : *x;
+        if (fit->use_delta) v->delta[c] = fmin(*x * *x, 0.99 * v->energy[c]), ++x;
     }
-    if (fit->moved) ms_sss__fit_basis(fit, v);
-    return ms_sss__fit_objective(fit, v);
+    ms_sss__curve_normalize(v);
+}
+
+static double ms_sss__fit_squares(const ms_sss__squares *p, double *x, double *H, double *g)
+{
+    ms_sss__fit *fit = p->fit;
+    double value;
+    ms_sss__fit_unpack(fit, x, &fit->trial);
+    ms_sss__fit_pack(fit, &fit->trial, x);
+    if (fit->moved) ms_sss__fit_basis(fit, &fit->trial);
+    value = ms_sss__fit_objective(fit, &fit->trial);
+    if (H != NULL) ms_sss__fit_system(fit, &fit->trial, H, g);
+    return value;
+}
+
+/* Improves v in place; returns the objective. */
+static double ms_sss__fit_run(ms_sss__fit *fit, ms_sss__curve *v, int rounds)
+{
+    ms_sss__squares problem;
+    double value;
+    int c, i;
+    memset(&problem, 0, sizeof problem);
+    problem.evaluate = ms_sss__fit_squares;
+    problem.n = fit->unknowns;
+    problem.fit = fit;
+    for (c = fit->first; c < fit->end; ++c) /* q = 0 would never move */
+        for (i = 0; i <= v->pairs; ++i) v->weight[c][0][i] = fmax(v->weight[c][0][i], 1e-6);
+    fit->trial = *v;
+    if (!fit->moved) ms_sss__fit_basis(fit, v);
+    ms_sss__fit_pack(fit, v, fit->x);
+    value = ms_sss__descend(&problem, fit->x, rounds, 1e-6, fit->scratch);
+    ms_sss__fit_unpack(fit, fit->x, v);
+    return value;
 }
 
 static void ms_sss__fit_destroy(ms_sss__fit *fit)
@@ -5432,7 +5423,8 @@ static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__c
     int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(d->cells, coarse, node, share);
     int lines = nodes;
     size_t header = (sizeof(ms_sss__fit) + 63) / 64 * 64;
-    size_t doubles = (size_t)((2 * v->pairs + 3 * MS_SSS_TERMS_MAX) * lines + 2 * unknowns * (unknowns + 1) + local);
+    size_t doubles = (size_t)((2 * v->pairs + 3 * MS_SSS_TERMS_MAX) * lines + local + unknowns +
+                              MS_SSS__DESCEND_SCRATCH(unknowns));
     size_t bytes = header + doubles * sizeof(double);
     ms_sss__fit *fit = (ms_sss__fit *)ms__alloc(&d->allocator, bytes);
     double *at;
@@ -5453,11 +5445,9 @@ static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__c
     fit->basis = at;
     fit->slope = at += lines * v->pairs;
     fit->wave = at += lines * v->pairs;
-    fit->H = at += 3 * MS_SSS_TERMS_MAX * lines;
-    fit->work = at += unknowns * unknowns;
-    fit->g = at += unknowns * unknowns;
-    fit->step = at += unknowns;
-    fit->jacobian = at + unknowns;
+    fit->jacobian = at += 3 * MS_SSS_TERMS_MAX * lines;
+    fit->x = at += local;
+    fit->scratch = at + unknowns;
     return fit;
 }
 
@@ -5643,7 +5633,7 @@ static double ms_sss__mixture_squares(const ms_sss__squares *p, double *x, doubl
             for (n = 0; n < N; ++n) J[n] = 2 * x[n] * (J[n] - found); /* q^2 over their sum */
             rest = p->d->spectrum[p->channel][ms_sss__octant(node[a], node[b])] - found;
             value += weight * rest * rest;
-            for (i = 0; i < 2 * N; ++i) {
+            for (i = 0; i < 2 * N && H != NULL; ++i) {
                 g[i] += weight * J[i] * rest;
                 for (j = 0; j <= i; ++j) H[i * 2 * N + j] += weight * J[i] * J[j];
             }
@@ -5656,8 +5646,8 @@ static double ms_sss__mixture_squares(const ms_sss__squares *p, double *x, doubl
 static void ms_sss__fit_mixture(const ms_sss_designer *d, int c, int count, double *weight, double *sigma)
 {
     static const double spread[] = {20, 90};
-    double x[2 * MS_SSS_TERMS_MAX], scratch[2 * MS_SSS_TERMS_MAX * (6 * MS_SSS_TERMS_MAX + 4)], least = HUGE_VAL, value;
-    ms_sss__squares problem = {ms_sss__mixture_squares, NULL, 0, 0, 150, 1e-2, 5, 1e-8, NULL, 0, 0, 0};
+    double x[2 * MS_SSS_TERMS_MAX], scratch[MS_SSS__DESCEND_SCRATCH(2 * MS_SSS_TERMS_MAX)], least = HUGE_VAL, value;
+    ms_sss__squares problem = {ms_sss__mixture_squares, NULL, 0, 0, NULL, 0, NULL};
     int k, n;
     problem.d = d;
     problem.channel = c;
@@ -5668,7 +5658,7 @@ static void ms_sss__fit_mixture(const ms_sss_designer *d, int c, int count, doub
             x[n] = 1;
             x[count + n] = log(narrowest) + log(widest / narrowest) * (n + 0.5) / count;
         }
-        value = ms_sss__descend(&problem, x, scratch);
+        value = ms_sss__descend(&problem, x, 150, 1e-8, scratch);
         if (k > 0 && !(value < least)) break;
         least = value;
         for (n = 0; n < count; ++n) {
@@ -5685,16 +5675,16 @@ static double ms_sss__artist_squares(const ms_sss__squares *p, double *x, double
     int i, a, b;
     for (a = 0; a < 2; ++a) {
         x[a] = ms_sss__log_sigma(x[a]);
-        ms_sss__gaussian_cells(exp(x[a]), p->cells, cell[a], growth[a]);
+        ms_sss__gaussian_cells(exp(x[a]), p->d->cells, cell[a], growth[a]);
     }
     x[2] = x[2] < 0 ? 0 : x[2] > 1 ? 1 : x[2];
-    for (i = 0; i <= p->cells; ++i) {
+    for (i = 0; i <= p->d->cells; ++i) {
         double rest = p->curve[i] - x[2] * cell[0][i] - (1 - x[2]) * cell[1][i], times = i ? 2 : 1;
         J[0] = x[2] * growth[0][i];
         J[1] = (1 - x[2]) * growth[1][i];
         J[2] = cell[0][i] - cell[1][i];
         value += times * rest * rest;
-        for (a = 0; a < 3; ++a) {
+        for (a = 0; a < 3 && H != NULL; ++a) {
             g[a] += times * J[a] * rest;
             for (b = 0; b <= a; ++b) H[3 * a + b] += times * J[a] * J[b];
         }
@@ -5705,14 +5695,14 @@ static double ms_sss__artist_squares(const ms_sss__squares *p, double *x, double
 /* out: sigma of the near and of the far one, cells, and the near one's share. */
 static void ms_sss__fit_near_far(const ms_sss_designer *d, int c, const double *ap, double out[3])
 {
-    double x[3] = {0, 0, 0.5}, scratch[3 * (3 * 3 + 4)];
-    ms_sss__squares problem = {ms_sss__artist_squares, NULL, 0, 3, 100, 1e-2, 5, 1e-12, NULL, 0, 0, 0};
+    double x[3] = {0, 0, 0.5}, scratch[MS_SSS__DESCEND_SCRATCH(3)];
+    ms_sss__squares problem = {ms_sss__artist_squares, NULL, 3, 0, NULL, 0, NULL};
     int far_first;
+    problem.d = d;
     problem.curve = ap;
-    problem.cells = d->cells;
     x[0] = log(d->width[c] / 20 + 0.2);
     x[1] = log(d->width[c] / 3 + 0.4);
-    ms_sss__descend(&problem, x, scratch);
+    ms_sss__descend(&problem, x, 100, 1e-12, scratch);
     far_first = x[0] > x[1];
     out[0] = exp(x[far_first]);
     out[1] = exp(x[!far_first]);
@@ -5730,11 +5720,12 @@ static double ms_sss__guided_squares(const ms_sss__squares *p, double *a, double
     int i, j;
     for (i = 0; i < n; ++i)
         for (j = 0; j < n; ++j) {
-            double x = (i + 1) / p->half_width, y = (j + 1) / p->half_width;
+            double x = (i + 1.0) / n, y = (j + 1.0) / n;
             double rest = p->curve[(i + 1) * (n + 1) + j + 1] - a[i] * a[j];
             double guide = pow(x * x + y * y, 0.5 * p->guide) * expm1(-50 * x * x) *
                 expm1(-50 * y * y); /* (5.16), b = 50 */
             value += guide * rest * rest;
+            if (H == NULL) continue;
             H[i * n + i] += guide * a[j] * a[j];
             H[i * n + j] += guide * a[i] * a[j];
             g[i] += guide * rest * a[j];
@@ -5742,47 +5733,26 @@ static double ms_sss__guided_squares(const ms_sss__squares *p, double *a, double
     return value;
 }
 
-/* Solves on coarse cells first. */
-static ms_status ms_sss__guided(const ms_sss_designer *d, int c, double k_guide, double *a)
+static ms_status ms_sss__guided(const ms_sss_designer *d, int c, double guide, double *a)
 {
-    int M = d->cells, row = M + 1, level, i, j, p, q;
-    double *K, sum = 0;
-    ms_sss__squares problem = {ms_sss__guided_squares, NULL, 0, 0, 60, 1e-3, 6, 1e-10, NULL, 0, 0, 0};
-    size_t bytes = (size_t)(row * row + (3 * M + 4) * M) * sizeof(double);
-    K = (double *)ms__alloc(&d->allocator, bytes);
-    if (K == NULL) return MS_OUT_OF_MEMORY;
-    problem.curve = K;
-    problem.guide = k_guide;
+    const int M = d->cells;
+    const size_t bytes = (size_t)MS_SSS__DESCEND_SCRATCH(M) * sizeof(double);
+    ms_sss__squares problem = {ms_sss__guided_squares, NULL, 0, 0, NULL, 0, NULL};
+    double *scratch = (double *)ms__alloc(&d->allocator, bytes), sum = 0;
+    int i;
+    if (scratch == NULL) return MS_OUT_OF_MEMORY;
+    problem.n = M;
+    problem.curve = d->cell[c];
+    problem.guide = guide;
     ms_sss__row_sums(d, c, a);
-    for (level = M >= 40 ? 9 : M >= 13 ? 3 : 1; level >= 1; level /= 3) { /* cells of level x level fine ones */
-        double coarse[MS_SSS__CELLS_MAX + 1];
-        int cells = (M - level / 2) / level, crow = cells + 1, half = level / 2;
-        for (i = 0; i <= cells; ++i) {
-            coarse[i] = 0;
-            for (p = -half; p <= half; ++p) coarse[i] += a[abs(i * level + p)];
-            for (j = 0; j <= cells; ++j) {
-                K[i * crow + j] = 0;
-                for (p = -half; p <= half; ++p)
-                    for (q = -half; q <= half; ++q)
-                        K[i * crow + j] += d->cell[c][abs(i * level + p) * row + abs(j * level + q)];
-            }
-        }
-        problem.n = cells;
-        problem.half_width = (double)M / level;
-        ms_sss__descend(&problem, coarse + 1, K + row * row);
-        for (i = cells; i >= 1; --i) { /* the fine cells keep their shape within the coarse one */
-            double before = 0;
-            for (p = -half; p <= half; ++p) before += a[i * level + p];
-            for (p = -half; p <= half; ++p) a[i * level + p] *= before > 0 ? coarse[i] / before : 0;
-        }
-    }
+    ms_sss__descend(&problem, a + 1, 60, 1e-10, scratch);
+    ms__release(&d->allocator, scratch, bytes);
     for (i = 1; i <= M; ++i) sum += 2 * a[i];
     a[0] = 1 - sum;
     if (a[0] < 0) {
         for (i = 1; i <= M; ++i) a[i] /= sum;
         a[0] = 0;
     }
-    ms__release(&d->allocator, K, bytes);
     return MS_OK;
 }
 
@@ -6286,6 +6256,7 @@ MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness
 }
 
 #undef MS_SSS__PI
+#undef MS_SSS__DESCEND_SCRATCH
 #endif /* MS_SSS_NO_DESIGN */
 
 #undef MS_SSS__BODY
