@@ -1252,6 +1252,62 @@ static void allocations(void)
         TEST_ALLOCATION_SWEEP(20, status = model_with(model, &allocator));
 }
 
+static size_t bytes_held, bytes_most, bytes_refused; /* blocks from bytes_refused on are counted, not given */
+
+static void *count_alloc(void *user, size_t size)
+{
+    (void)user;
+    if (bytes_held + size > bytes_most) bytes_most = bytes_held + size;
+    if (size >= bytes_refused) return NULL;
+    bytes_held += size;
+    return malloc(size);
+}
+
+static void count_release(void *user, void *pointer, size_t size)
+{
+    (void)user;
+    bytes_held -= size;
+    free(pointer);
+}
+
+/* What the head comment says of memory, at the most cells and taps. A fit that gets no memory ends at once. */
+static void memory(void)
+{
+    static ms_sss_kernel k;
+    const ms_allocator allocator = {NULL, count_alloc, count_release};
+    ms_sss_profile *skin = skin_profile();
+    ms_sss_kernel_options o = ms_sss_kernel_defaults();
+    ms_sss_errors e;
+    ms_sss_designer *d;
+    size_t designer;
+    int terms;
+    bytes_held = bytes_most = 0;
+    bytes_refused = SIZE_MAX;
+    CHECK_INT(ms_sss_designer_create(&d, skin, 128, &allocator, NULL), MS_OK);
+    designer = bytes_most = bytes_held;
+    CHECK_LE(designer, 2.3e6);
+    o.model = MS_SSS_PREINTEGRATED;
+    o.placement = MS_SSS_QUANTILE;
+    CHECK_INT(ms_sss_kernel_build(&k, d, &o, NULL), MS_OK);
+    bytes_most = designer;
+    CHECK_INT(ms_sss_kernel_measure(&e, &k, d), MS_OK);
+    CHECK_LE(bytes_most - designer, 60e3);
+    bytes_refused = 350000; /* only a fit is as large */
+    o.model = MS_SSS_GAUSSIANS;
+    o.placement = MS_SSS_OPTIMIZED;
+    o.tap_count = 33;
+    for (terms = 1; terms <= 6; terms += 5) {
+        bytes_most = designer;
+        o.term_count = terms;
+        CHECK_INT(ms_sss_kernel_build(&k, d, &o, NULL), MS_OUT_OF_MEMORY);
+        CHECK_LE(bytes_most - designer, terms == 1 ? 0.5e6 : 2.1e6);
+    }
+    CHECK(bytes_most - designer > 1.9e6);
+    ms_sss_designer_destroy(d);
+    CHECK(bytes_held == 0);
+    ms_sss_profile_destroy(skin);
+}
+
 static void same_bits(void)
 {
     static ms_sss_kernel a, b;
@@ -1430,6 +1486,7 @@ int main(int argc, char **argv)
                                       {"no exceptions", no_exceptions},
                                       {"refused options", refused_options},
                                       {"allocations", allocations},
+                                      {"memory", memory},
                                       {"same bits", same_bits}};
     return test_main(argc, argv, cases, (int)(sizeof cases / sizeof cases[0]));
 }
