@@ -4177,8 +4177,8 @@ static int ms_sss__cholesky_solve(double *A, double *b, int n)
     return 1;
 }
 
-/* A sum of squares of n unknowns. evaluate returns its value at x, which it may move within bounds. Where H is not NULL
-   it adds up the normal equations H step = g at x as well (lower triangle, from zeros). */
+/* A sum of squares of n unknowns. evaluate returns its value at x, which it may move within bounds. With H it adds up
+   the normal equations H step = g instead (lower triangle, from zeros), at the x of the call before. */
 typedef struct ms_sss__squares {
     double (*evaluate)(const struct ms_sss__squares *problem, double *x, double *H, double *g);
     const struct ms_sss_designer *d;
@@ -5378,13 +5378,14 @@ static void ms_sss__fit_unpack(const ms_sss__fit *fit, const double *x, ms_sss__
 static double ms_sss__fit_squares(const ms_sss__squares *p, double *x, double *H, double *g)
 {
     ms_sss__fit *fit = p->fit;
-    double value;
+    if (H != NULL) {
+        ms_sss__fit_system(fit, &fit->trial, H, g);
+        return 0;
+    }
     ms_sss__fit_unpack(fit, x, &fit->trial);
     ms_sss__fit_pack(fit, &fit->trial, x);
     if (fit->moved) ms_sss__fit_basis(fit, &fit->trial);
-    value = ms_sss__fit_objective(fit, &fit->trial);
-    if (H != NULL) ms_sss__fit_system(fit, &fit->trial, H, g);
-    return value;
+    return ms_sss__fit_objective(fit, &fit->trial);
 }
 
 /* Improves v in place; returns the objective. */
