@@ -89,9 +89,9 @@
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
-   Profiles and designers are one block each from the caller's allocator (a designer: 2 MB); building a kernel takes
-   another, up to 1.6 MB, measuring one 60 KB, and gives it back. Filters allocate nothing if the caller
-   gives a workspace. No globals. At most 32 KB of stack a call, 64 KB without optimization.
+   Profiles and designers are one block each from the caller's allocator (a designer: at most 2.3 MB). Building a kernel
+   takes up to 2.1 MB more (33 taps of six terms; 0.5 MB of one term), measuring one 60 KB, and gives it back. Filters
+   allocate nothing if the caller gives a workspace. No globals. At most 32 KB of stack a call, 64 KB without optimization.
    Profiles, designers and kernels are only read once made: calls may overlap. Filters cut the picture into rows for
    ms_parallel; kernels are made on one thread.
    Filters run SSE2 or NEON, AVX2 or AVX-512 code, else plain C, chosen once a call, capped by options.simd. On x86-64
@@ -286,11 +286,12 @@ MS_API ms_status ms_sss_profile_from_burley(ms_sss_profile **profile, const doub
                                             const ms_allocator *allocator, ms_error *error);
 
 /* Burley's d for a diffuse surface albedo A in [0, 1] and a mean free path, 1 / (mu_s (1 - g) + mu_a), the length that
-   ms_mcml.h and `build/profile --mfp` take: d = path / (1.85 - A + 7 |A - 0.8|^3 - 1.25 max(0, A - 0.65)). Without the
-   last term this is equation 5 (searchlight configuration) of Christensen and Burley 2015, Approximate reflectance
-   profiles for efficient subsurface scattering, whose mean distance is 11% short of a half-space at A = 0.75 and 35% at
-   0.91. With it the mean distance is within 9% from A = 0.1 to 0.95. An engine that stores a *diffuse* mean free path
-   (Unreal) takes the paper's other form: d = path / (3.5 + 100 (A - 0.33)^4). */
+   ms_mcml.h and `build/profile --mfp` take: d = path / (1.85 - A + 7 |A - 0.8|^3 - 1.25 max(0, A - 0.65)).
+   The terms before the last are equation 5 (searchlight configuration) of Christensen and Burley 2015, Approximate
+   reflectance profiles for efficient subsurface scattering. Their mean distance between entry and exit is 11% short of
+   a half-space at A = 0.75 and 35% at 0.91. The last term is not the paper's: it was fitted here to half-spaces by
+   ms_mcml.h, from whose mean distance the whole formula differs by at most 9% from A = 0.1 to 0.95. An engine that
+   stores a *diffuse* mean free path (Unreal) takes the paper's other form: d = path / (3.5 + 100 (A - 0.33)^4). */
 MS_API double ms_sss_burley_d_mm(double albedo, double mean_free_path_mm);
 
 /* NULL is fine. */
@@ -334,7 +335,7 @@ MS_API double ms_sss_elevation(double reflectance, double index);
 #define MS_SSS_DENSE (-1)   /* as tap_count: a tap every pixel of the design radius */
 
 /* A separable kernel, ready to be applied: out = delta E + sum_t scale_t (E * w_t along x) * w_t along y.
-   Normalized, but for MS_SSS_SVD: delta + sum_t scale_t (sum_i w_ti)^2 = 1 in every channel. */
+   Normalized: delta + sum_t scale_t (sum_i w_ti)^2 = 1 in every channel, at most 1 for MS_SSS_SVD. */
 typedef struct ms_sss_kernel {
     int tap_count;  /* odd; entry 0 is the center (offset 0), then pairs -x, +x by growing |x| */
     int term_count; /* 1 except for SVD, sums of Gaussians, residuals */
@@ -355,7 +356,7 @@ typedef enum ms_sss_model {
     MS_SSS_IMAGE_OPTIMAL = 0,  /* least error on pictures with a 1/f spectrum; `dial` turns it towards the next */
     MS_SSS_PREINTEGRATED = 1,  /* a_p (5.4): exact on signals that are a sum of E1(x) and E2(y) */
     MS_SSS_RESIDUAL = 2,       /* a_p plus term_count - 1 singular vectors of the rest, each exact on those signals */
-    MS_SSS_SVD = 3,            /* term_count singular vectors (5.12); loses energy */
+    MS_SSS_SVD = 3,            /* term_count singular vectors (5.12); loses energy, never gains any */
     MS_SSS_SVD_NORMALIZED = 4, /* the same, scaled to keep the energy */
     MS_SSS_GAUSSIANS = 5,      /* best sum of term_count Gaussians (5.9) */
     MS_SSS_GUIDED = 6,         /* guided optimization (5.14) with guide_k */
@@ -786,69 +787,6 @@ static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t p
 }
 #endif /* MS_COMMON_PRIVATE */
 /* ms-common-private end */
-
-/* ms-common-random begin (the same text wherever it stands: see tests/common.sh) */
-#ifndef MS_COMMON_RANDOM
-#define MS_COMMON_RANDOM
-
-/* Philox 4x32-10 (Salmon, Moraes, Dror, Shaw 2011, "Parallel random numbers: as easy as 1, 2, 3"): four words
-   from a 128-bit counter and a 64-bit key, integers only, so the same on any thread, level and machine. */
-static MS__UNUSED void ms__philox(const uint32_t counter[4], const uint32_t key[2], uint32_t out[4])
-{
-    uint32_t c0 = counter[0], c1 = counter[1], c2 = counter[2], c3 = counter[3], k0 = key[0], k1 = key[1];
-    int round;
-    for (round = 0; round < 10; ++round) {
-        uint64_t p0 = (uint64_t)0xD2511F53u * c0, p1 = (uint64_t)0xCD9E8D57u * c2;
-        c0 = (uint32_t)(p1 >> 32) ^ c1 ^ k0;
-        c1 = (uint32_t)p1;
-        c2 = (uint32_t)(p0 >> 32) ^ c3 ^ k1;
-        c3 = (uint32_t)p0;
-        k0 += 0x9E3779B9u;
-        k1 += 0xBB67AE85u;
-    }
-    out[0] = c0;
-    out[1] = c1;
-    out[2] = c2;
-    out[3] = c3;
-}
-
-/* A stream of random numbers: f(seed, stream, how many were drawn). */
-typedef struct ms__rng {
-    uint32_t counter[4], key[2], word[4];
-    int used; /* words of this block already given out */
-} ms__rng;
-
-static MS__UNUSED ms__rng ms__rng_make(uint64_t seed, uint64_t stream)
-{
-    ms__rng rng;
-    memset(&rng, 0, sizeof rng);
-    rng.key[0] = (uint32_t)seed;
-    rng.key[1] = (uint32_t)(seed >> 32);
-    rng.counter[2] = (uint32_t)stream;
-    rng.counter[3] = (uint32_t)(stream >> 32);
-    rng.used = 4;
-    return rng;
-}
-
-static MS__UNUSED uint32_t ms__rng_u32(ms__rng *rng)
-{
-    if (rng->used == 4) {
-        ms__philox(rng->counter, rng->key, rng->word);
-        if (++rng->counter[0] == 0) ++rng->counter[1];
-        rng->used = 0;
-    }
-    return rng->word[rng->used++];
-}
-
-/* Uniform in the open interval (0, 1), 53 bits: never 0, never 1. */
-static MS__UNUSED double ms__rng_uniform(ms__rng *rng)
-{
-    uint64_t a = ms__rng_u32(rng), b = ms__rng_u32(rng);
-    return ((double)(((a << 32) | b) >> 12) + 0.5) * (1.0 / 4503599627370496.0);
-}
-
-#endif /* MS_COMMON_RANDOM */
-/* ms-common-random end */
 
 /* ms-common-simd begin (the same text wherever it stands: see tests/common.sh) */
 #ifndef MS_COMMON_SIMD
@@ -4239,59 +4177,48 @@ static int ms_sss__cholesky_solve(double *A, double *b, int n)
     return 1;
 }
 
-/* One step of Levenberg and Marquardt: solves (H + lambda diag H) step = g. work [n][n]. */
-static int ms_sss__marquardt(const double *H, const double *g, double lambda, int n, double *work, double *step)
-{
-    int i;
-    memcpy(work, H, sizeof *work * (size_t)n * (size_t)n);
-    memcpy(step, g, sizeof *step * (size_t)n);
-    for (i = 0; i < n; ++i)
-        work[(size_t)i * (size_t)n + (size_t)i] += lambda * H[(size_t)i * (size_t)n + (size_t)i] + DBL_MIN;
-    return ms_sss__cholesky_solve(work, step, n);
-}
-
-/* A bound on steps along directions that change nothing; weights are of the order of 1. */
-static double ms_sss__bound_factor(double step) { return step < -1e6 ? -1e6 : step > 1e6 ? 1e6 : step; }
-
-/* A sum of squares of n unknowns. evaluate returns its value at x, which it may move within bounds, and adds up the
-   normal equations H step = g at x (lower triangle, from zeros). */
+/* A sum of squares of n unknowns. evaluate returns its value at x, which it may move within bounds. With H it adds up
+   the normal equations H step = g instead (lower triangle, from zeros), at the x of the call before. */
 typedef struct ms_sss__squares {
     double (*evaluate)(const struct ms_sss__squares *problem, double *x, double *H, double *g);
     const struct ms_sss_designer *d;
-    int channel, n, rounds;
-    double lambda, growth,
-        tolerance;       /* initial lambda; its factor after a failure; relative gain at which the descent ends */
+    int n, channel;
     const double *curve; /* values by cell that the problem fits */
-    int cells;
-    double half_width, guide;
+    double guide;
+    struct ms_sss__fit *fit;
 } ms_sss__squares;
 
-/* Levenberg and Marquardt from x, which is improved in place; returns the value. scratch [n (3 n + 4)]. */
-static double ms_sss__descend(const ms_sss__squares *p, double *x, double *scratch)
+/* Doubles of scratch for n unknowns. */
+#define MS_SSS__DESCEND_SCRATCH(n) ((n) * (2 * (n) + 3))
+
+/* Levenberg and Marquardt from x, which is improved in place; returns the value. */
+static double ms_sss__descend(const ms_sss__squares *p, double *x, int rounds, double tolerance, double *scratch)
 {
-    const size_t n = (size_t)p->n, line = n * sizeof *x;
-    double *H = scratch, *work = H + n * n, *next = work + n * n;
-    double *g = next + n * n, *next_g = g + n, *step = next_g + n, *trial = step + n;
-    double lambda = p->lambda, least = HUGE_VAL, value;
-    int round, i;
-    memcpy(trial, x, line);
-    for (round = 0; round < p->rounds && lambda < 1e10; ++round) {
-        memset(next, 0, n * line);
-        memset(next_g, 0, line);
-        value = p->evaluate(p, trial, next, next_g);
-        if (round == 0 || value < least) {
-            const int end = least - value < p->tolerance * value;
-            least = value;
-            memcpy(x, trial, line);
-            memcpy(H, next, n * line);
-            memcpy(g, next_g, line);
-            lambda *= 0.2;
-            if (end) break;
-        } else {
-            lambda *= p->growth;
+    const int n = p->n;
+    double *H = scratch, *work = H + n * n, *g = work + n * n, *step = g + n, *trial = step + n;
+    double lambda = 1e-2, least = p->evaluate(p, x, NULL, NULL), value = 0;
+    int round, tries, i;
+    for (round = 0; round < rounds; ++round) {
+        memset(H, 0, sizeof *H * (size_t)(n * n));
+        memset(g, 0, sizeof *g * (size_t)n);
+        p->evaluate(p, x, H, g);
+        for (tries = 0; tries < 8; ++tries) { /* (H + lambda diag H) step = g */
+            memcpy(work, H, sizeof *H * (size_t)(n * n));
+            memcpy(step, g, sizeof *g * (size_t)n);
+            for (i = 0; i < n; ++i) work[i * n + i] += lambda * H[i * n + i] + DBL_MIN;
+            value = HUGE_VAL;
+            if (ms_sss__cholesky_solve(work, step, n)) { /* bounds: for directions that change nothing */
+                for (i = 0; i < n; ++i) trial[i] = x[i] + fmax(-1e6, fmin(step[i], 1e6));
+                value = p->evaluate(p, trial, NULL, NULL);
+            }
+            lambda *= value < least ? 0.2 : 6;
+            if (value < least) break;
         }
-        if (!ms_sss__marquardt(H, g, lambda, p->n, work, step)) break;
-        for (i = 0; i < p->n; ++i) trial[i] = x[i] + ms_sss__bound_factor(step[i]);
+        if (!(value < least)) break;
+        memcpy(x, trial, sizeof *x * (size_t)n);
+        i = least - value < tolerance * least;
+        least = value;
+        if (i) break;
     }
     return least;
 }
@@ -4743,8 +4670,7 @@ enum {
     MS_SSS__SIGNALS = 6, /* of ms_sss_errors */
     MS_SSS__TEXTURE = 5, /* the last of them */
     MS_SSS__NODES_MAX = 96,
-    MS_SSS__BINS_MAX = MS_SSS__NODES_MAX * (MS_SSS__NODES_MAX + 1) / 2,
-    MS_SSS__BLOCK_MAX = MS_SSS_TERMS_MAX + 4
+    MS_SSS__BINS_MAX = MS_SSS__NODES_MAX * (MS_SSS__NODES_MAX + 1) / 2
 };
 
 struct ms_sss_designer {
@@ -4901,9 +4827,25 @@ static double ms_sss__texture_power(int k1, int k2)
     return exp(-0.5 * f2 / (limit * limit)) / f2;
 }
 
+/* Number `index` of a bin's own sequence, uniform in (0, 1): Philox 4x32-10 (Salmon, Moraes, Dror, Shaw 2011, "Parallel
+   random numbers: as easy as 1, 2, 3"). */
+static double ms_sss__uniform(int bin, int index)
+{
+    uint32_t x[4] = {(uint32_t)(index / 2), 0, (uint32_t)bin, 0}, key[2] = {5935, 0};
+    int round, half = index % 2 * 2;
+    for (round = 0; round < 10; ++round, key[0] += 0x9E3779B9u, key[1] += 0xBB67AE85u) {
+        const uint64_t p = (uint64_t)0xD2511F53u * x[0], q = (uint64_t)0xCD9E8D57u * x[2];
+        x[0] = (uint32_t)(q >> 32) ^ x[1] ^ key[0];
+        x[1] = (uint32_t)q;
+        x[2] = (uint32_t)(p >> 32) ^ x[3] ^ key[1];
+        x[3] = (uint32_t)p;
+    }
+    return ((double)(((uint64_t)x[half] << 32 | x[half + 1]) >> 12) + 0.5) / 4503599627370496.0;
+}
+
 static void ms_sss__signal_power(const ms_sss_designer *d)
 {
-    enum { SEED = 5935, DRAWN = 24 };
+    enum { DRAWN = 24 };
     int k1, k2, n;
     double total = 0;
     ms_sss__disk_power(d, 10, d->power[2]);
@@ -4918,11 +4860,8 @@ static void ms_sss__signal_power(const ms_sss_designer *d)
             d->power[4][o] = (float)orbit;
             if (k1 > 0) {
                 texture = orbit;
-                if (k1 < DRAWN) {
-                    ms__rng rng = ms__rng_make(SEED, (uint64_t)o);
-                    texture = 0;
-                    for (n = 0; n < orbit; n += 2) texture -= 2 * log(ms__rng_uniform(&rng));
-                }
+                if (k1 < DRAWN)
+                    for (texture = 0, n = 0; n < orbit; n += 2) texture -= 2 * log(ms_sss__uniform(o, n / 2));
                 texture *= ms_sss__texture_power(k1, k2);
                 total += texture;
             }
@@ -5270,9 +5209,9 @@ typedef struct ms_sss__fit {
     int k1[MS_SSS__BINS_MAX], k2[MS_SSS__BINS_MAX];
     int line1[MS_SSS__BINS_MAX], line2[MS_SSS__BINS_MAX];
     double weight[MS_SSS__BINS_MAX], target[MS_SSS__BINS_MAX][3];
-    double *basis, *slope;                  /* [lines][pairs] of both taps of a pair; d basis / d offset */
-    double *wave;                           /* [3][MS_SSS_TERMS_MAX][lines] */
-    double *H, *work, *g, *step, *jacobian; /* [unknowns]^2 twice, [unknowns] twice, [local] */
+    double *basis, *slope;          /* [lines][pairs] of both taps of a pair; d basis / d offset */
+    double *wave;                   /* [3][MS_SSS_TERMS_MAX][lines] */
+    double *jacobian, *x, *scratch; /* [local], [unknowns], of ms_sss__descend */
     ms_sss__curve trial, hop;
     ms_sss__waves waves;
     size_t bytes;
@@ -5366,13 +5305,11 @@ static double ms_sss__fit_objective(ms_sss__fit *fit, const ms_sss__curve *v)
     return sum;
 }
 
-/* Normal equations H step = g of the curve whose waves the last objective left. */
-static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v)
+/* Normal equations of the curve whose waves the last objective left. */
+static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v, double *H_all, double *g)
 {
     int n, c, t, i, j, moved = fit->moved;
     double *J = fit->jacobian;
-    memset(fit->H, 0, sizeof *fit->H * (size_t)(fit->unknowns * fit->unknowns));
-    memset(fit->g, 0, sizeof *fit->g * (size_t)fit->unknowns);
     for (c = fit->first; c < fit->end; ++c) {
         int own = moved + (c - fit->first) * (fit->local - moved) - moved; /* from local to global unknown */
         double spread = v->energy[c] - v->delta[c], sum[MS_SSS_TERMS_MAX];
@@ -5403,8 +5340,8 @@ static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v)
             if (fit->use_delta) J[fit->local - 1] = 2 * sqrt(v->delta[c]) * (1 - found / spread);
             for (i = 0; i < fit->local; ++i) {
                 int row = i < moved ? i : own + i;
-                double Ji = fit->weight[n] * J[i], *H = fit->H + row * fit->unknowns;
-                fit->g[row] += Ji * rest;
+                double Ji = fit->weight[n] * J[i], *H = H_all + row * fit->unknowns;
+                g[row] += Ji * rest;
                 for (j = 0; j < moved && j <= i; ++j) H[j] += Ji * J[j];
                 for (; j <= i; ++j) H[own + j] += Ji * J[j];
             }
@@ -5412,58 +5349,63 @@ static void ms_sss__fit_system(ms_sss__fit *fit, const ms_sss__curve *v)
     }
 }
 
-static void ms_sss__fit_move(const ms_sss__fit *fit, const ms_sss__curve *from, ms_sss__curve *to)
+/* The unknowns of a curve: offsets, then of each channel the weights (of the first term their roots q) and the root of
+   delta. */
+static void ms_sss__fit_pack(const ms_sss__fit *fit, const ms_sss__curve *v, double *x)
 {
-    const double *step = fit->step;
     int c, t, i;
-    *to = *from;
-    for (i = 1; i <= fit->moved; ++i) {
-        double o = from->offset[i] + ms_sss__bound_factor(*step++);
-        to->offset[i] = o < 0.05 ? 0.05 : o > 2 * fit->d->cells + 2 ? 2 * fit->d->cells + 2 : o;
-    }
+    for (i = 1; i <= fit->moved; ++i) *x++ = v->offset[i];
     for (c = fit->first; c < fit->end; ++c) {
         for (t = 0; t < fit->terms; ++t)
-            for (i = 0; i <= fit->pairs; ++i) {
-                double w = from->weight[c][t][i], q = sqrt(t == 0 ? w : 0) + ms_sss__bound_factor(*step++);
-                to->weight[c][t][i] = t == 0 ? q * q : w + q;
-            }
-        if (fit->use_delta) {
-            double q = sqrt(from->delta[c]) + ms_sss__bound_factor(*step++);
-            to->delta[c] = q * q < 0.99 * to->energy[c] ? q * q : 0.99 * to->energy[c];
-        }
+            for (i = 0; i <= fit->pairs; ++i) *x++ = t == 0 ? sqrt(v->weight[c][0][i]) : v->weight[c][t][i];
+        if (fit->use_delta) *x++ = sqrt(v->delta[c]);
     }
-    ms_sss__curve_normalize(to);
 }
 
-/* Levenberg-Marquardt from v, which is improved in place; returns the objective. */
-static double ms_sss__fit_run(ms_sss__fit *fit, ms_sss__curve *v, int iterations)
+/* The normalized curve of unknowns within their bounds. */
+static void ms_sss__fit_unpack(const ms_sss__fit *fit, const double *x, ms_sss__curve *v)
 {
-    double lambda = 1e-2, before, after;
-    int n, c, i;
-    for (c = fit->first; c < fit->end; ++c) /* q = 0 would never move */
-        for (i = 0; i <= v->pairs; ++i)
-            if (!(v->weight[c][0][i] > 1e-6)) v->weight[c][0][i] = 1e-6;
-    ms_sss__fit_basis(fit, v);
-    before = ms_sss__fit_objective(fit, v);
-    for (n = 0; n < iterations && lambda < 1e10; ++n) {
-        int tries = 0;
-        ms_sss__fit_system(fit, v);
-        do {
-            after = HUGE_VAL;
-            if (ms_sss__marquardt(fit->H, fit->g, lambda, fit->unknowns, fit->work, fit->step)) {
-                ms_sss__fit_move(fit, v, &fit->trial);
-                if (fit->moved) ms_sss__fit_basis(fit, &fit->trial);
-                after = ms_sss__fit_objective(fit, &fit->trial);
-            }
-            lambda *= after < before ? 0.2 : 6;
-        } while (!(after < before) && ++tries < 8);
-        if (!(after < before)) break;
-        *v = fit->trial;
-        if (before - after < 1e-6 * before) return after;
-        before = after;
+    int c, t, i;
+    for (i = 1; i <= fit->moved; ++i) v->offset[i] = fmax(0.05, fmin(*x++, 2 * fit->d->cells + 2));
+    for (c = fit->first; c < fit->end; ++c) {
+        for (t = 0; t < fit->terms; ++t)
+            for (i = 0; i <= fit->pairs; ++i, ++x) v->weight[c][t][i] = t == 0 ? *x * *x : *x;
+        if (fit->use_delta) v->delta[c] = fmin(*x * *x, 0.99 * v->energy[c]), ++x;
     }
-    if (fit->moved) ms_sss__fit_basis(fit, v);
-    return ms_sss__fit_objective(fit, v);
+    ms_sss__curve_normalize(v);
+}
+
+static double ms_sss__fit_squares(const ms_sss__squares *p, double *x, double *H, double *g)
+{
+    ms_sss__fit *fit = p->fit;
+    if (H != NULL) {
+        ms_sss__fit_system(fit, &fit->trial, H, g);
+        return 0;
+    }
+    ms_sss__fit_unpack(fit, x, &fit->trial);
+    ms_sss__fit_pack(fit, &fit->trial, x);
+    if (fit->moved) ms_sss__fit_basis(fit, &fit->trial);
+    return ms_sss__fit_objective(fit, &fit->trial);
+}
+
+/* Improves v in place; returns the objective. */
+static double ms_sss__fit_run(ms_sss__fit *fit, ms_sss__curve *v, int rounds)
+{
+    ms_sss__squares problem;
+    double value;
+    int c, i;
+    memset(&problem, 0, sizeof problem);
+    problem.evaluate = ms_sss__fit_squares;
+    problem.n = fit->unknowns;
+    problem.fit = fit;
+    for (c = fit->first; c < fit->end; ++c) /* q = 0 would never move */
+        for (i = 0; i <= v->pairs; ++i) v->weight[c][0][i] = fmax(v->weight[c][0][i], 1e-6);
+    fit->trial = *v;
+    if (!fit->moved) ms_sss__fit_basis(fit, v);
+    ms_sss__fit_pack(fit, v, fit->x);
+    value = ms_sss__descend(&problem, fit->x, rounds, 1e-6, fit->scratch);
+    ms_sss__fit_unpack(fit, fit->x, v);
+    return value;
 }
 
 static void ms_sss__fit_destroy(ms_sss__fit *fit)
@@ -5479,10 +5421,10 @@ static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__c
     const int moved = channel < 0 ? v->pairs : 0, channels = channel < 0 ? 3 : 1;
     const int local = moved + v->terms * (v->pairs + 1) + use_delta, unknowns = moved + channels * (local - moved);
     double share[MS_SSS__NODES_MAX];
-    int node[MS_SSS__NODES_MAX], nodes = ms_sss__nodes(d->cells, coarse, node, share);
-    int lines = nodes;
+    int node[MS_SSS__NODES_MAX], lines = ms_sss__nodes(d->cells, coarse, node, share);
     size_t header = (sizeof(ms_sss__fit) + 63) / 64 * 64;
-    size_t doubles = (size_t)((2 * v->pairs + 3 * MS_SSS_TERMS_MAX) * lines + 2 * unknowns * (unknowns + 1) + local);
+    size_t doubles = (size_t)((2 * v->pairs + 3 * MS_SSS_TERMS_MAX) * lines + local + unknowns +
+                              MS_SSS__DESCEND_SCRATCH(unknowns));
     size_t bytes = header + doubles * sizeof(double);
     ms_sss__fit *fit = (ms_sss__fit *)ms__alloc(&d->allocator, bytes);
     double *at;
@@ -5503,11 +5445,9 @@ static ms_sss__fit *ms_sss__fit_create(const ms_sss_designer *d, const ms_sss__c
     fit->basis = at;
     fit->slope = at += lines * v->pairs;
     fit->wave = at += lines * v->pairs;
-    fit->H = at += 3 * MS_SSS_TERMS_MAX * lines;
-    fit->work = at += unknowns * unknowns;
-    fit->g = at += unknowns * unknowns;
-    fit->step = at += unknowns;
-    fit->jacobian = at + unknowns;
+    fit->jacobian = at += 3 * MS_SSS_TERMS_MAX * lines;
+    fit->x = at += local;
+    fit->scratch = at + unknowns;
     return fit;
 }
 
@@ -5556,80 +5496,39 @@ static void ms_sss__place(const ms_sss_designer *d, const ms_sss__curve *dense, 
 
 /* ---- kernel models --------------------------------------------------------------------------------------------- */
 
-static double ms_sss__dot(const double *a, const double *b, int n)
+static void ms_sss__rotate(double *x, double *y, int stride, int n, double c, double s)
 {
-    double sum = 0;
     int i;
-    for (i = 0; i < n; ++i) sum += a[i] * b[i];
-    return sum;
-}
-
-static void ms_sss__rotate(double *x, double *y, double c, double s)
-{
-    const double before = *x;
-    *x = c * before - s * *y;
-    *y = s * before + c * *y;
-}
-
-/* Largest eigenvalues by magnitude of a symmetric A [n][n], with unit eigenvectors: block power iteration, then the
-   eigenvectors within the block by Jacobi rotations. vector [count][n]; scratch 2 block n doubles, block = count +
-   4. */
-static void ms_sss__eigen(const double *A, int n, int count, double *value, double *vector, double *scratch)
-{
-    double *V = scratch, *W = scratch + MS_SSS__BLOCK_MAX * n, projected[MS_SSS__BLOCK_MAX][MS_SSS__BLOCK_MAX];
-    double turn[MS_SSS__BLOCK_MAX][MS_SSS__BLOCK_MAX];
-    int block = count + 4 < n ? count + 4 : n, round, i, j, k, a, b;
-    ms__rng rng = ms__rng_make(1, 0);
-    if (count > block) count = block;
-    for (i = 0; i < block * n; ++i) V[i] = ms__rng_uniform(&rng) - 0.5;
-    for (round = 0; round < 40; ++round) {
-        for (a = 0; a < block; ++a) { /* W = V A, then Gram-Schmidt twice, which is enough */
-            double *w = W + a * n, norm;
-            for (i = 0; i < n; ++i) w[i] = 0;
-            for (k = 0; k < n; ++k)
-                for (i = 0; i < n; ++i) w[i] += V[a * n + k] * A[k * n + i];
-            for (j = 0; j < 2 * a; ++j) {
-                const double *other = W + (j % a) * n;
-                double along = ms_sss__dot(w, other, n);
-                for (i = 0; i < n; ++i) w[i] -= along * other[i];
-            }
-            norm = ms_sss__dot(w, w, n);
-            norm = norm > 0 ? 1 / sqrt(norm) : 0;
-            for (i = 0; i < n; ++i) w[i] *= norm;
-        }
-        memcpy(V, W, sizeof *V * (size_t)(block * n));
+    for (i = 0; i < n * stride; i += stride) {
+        const double before = x[i];
+        x[i] = c * before - s * y[i];
+        y[i] = s * before + c * y[i];
     }
-    for (a = 0; a < block; ++a)
-        for (k = 0; k < n; ++k) W[a * n + k] = ms_sss__dot(A + k * n, V + a * n, n);
-    for (a = 0; a < block; ++a)
-        for (b = 0; b < block; ++b) {
-            projected[a][b] = ms_sss__dot(V + a * n, W + b * n, n);
-            turn[a][b] = a == b;
-        }
-    for (round = 0; round < 12; ++round)
-        for (a = 0; a < block; ++a)
-            for (b = a + 1; b < block; ++b) {
-                double least = 1e-17 * (fabs(projected[a][a]) + fabs(projected[b][b])) + 1e-150; /* theta^2 in range */
-                double theta, t, c, s;
-                if (!(fabs(projected[a][b]) > least)) continue;
-                theta = (projected[b][b] - projected[a][a]) / (2 * projected[a][b]);
+}
+
+/* Eigenvalues of a symmetric A [n][n], left on its diagonal, and unit eigenvectors, the rows of V: cyclic Jacobi
+   rotations (Golub and Van Loan 2013, Matrix Computations, section 8.5). */
+static void ms_sss__eigen(double *A, double *V, int n)
+{
+    double least = DBL_MIN;
+    int sweep, rotated = 1, a, b;
+    for (a = 0; a < n * n; ++a) {
+        least = fmax(least, 1e-14 * fabs(A[a]));
+        V[a] = a % (n + 1) == 0;
+    }
+    for (sweep = 0; sweep < 30 && rotated; ++sweep)
+        for (rotated = 0, a = 0; a < n; ++a)
+            for (b = a + 1; b < n; ++b) {
+                double theta, t, c;
+                if (!(fabs(A[a * n + b]) > least)) continue;
+                theta = (A[b * n + b] - A[a * n + a]) / (2 * A[a * n + b]);
                 t = (theta < 0 ? -1 : 1) / (fabs(theta) + sqrt(1 + theta * theta));
                 c = 1 / sqrt(1 + t * t);
-                s = t * c;
-                for (k = 0; k < block; ++k) ms_sss__rotate(&projected[k][a], &projected[k][b], c, s);
-                for (k = 0; k < block; ++k) ms_sss__rotate(&projected[a][k], &projected[b][k], c, s);
-                for (k = 0; k < block; ++k) ms_sss__rotate(&turn[k][a], &turn[k][b], c, s);
+                ms_sss__rotate(A + a, A + b, n, n, c, t * c);
+                ms_sss__rotate(A + a * n, A + b * n, 1, n, c, t * c);
+                ms_sss__rotate(V + a * n, V + b * n, 1, n, c, t * c);
+                rotated = 1;
             }
-    for (j = 0; j < count; ++j) {
-        for (a = 0, b = 0; a < block; ++a)
-            if (fabs(projected[a][a]) > fabs(projected[b][b])) b = a;
-        value[j] = projected[b][b];
-        projected[b][b] = 0;
-        for (i = 0; i < n; ++i) {
-            vector[j * n + i] = 0;
-            for (a = 0; a < block; ++a) vector[j * n + i] += turn[a][b] * V[a * n + i];
-        }
-    }
 }
 
 /* a_p in cells: the row sums of the kernel. */
@@ -5650,24 +5549,27 @@ static ms_status ms_sss__singular_terms(const ms_sss_designer *d, int c, const d
                                         ms_sss__curve *v)
 {
     int n = d->cells + 1, i, j, t;
-    size_t bytes = (size_t)(n * n + (MS_SSS_TERMS_MAX + 2 * MS_SSS__BLOCK_MAX) * n) * sizeof(double);
-    double *A = (double *)ms__alloc(&d->allocator, bytes), *vector, value[MS_SSS_TERMS_MAX];
+    size_t bytes = 2 * (size_t)(n * n) * sizeof(double);
+    double *A = (double *)ms__alloc(&d->allocator, bytes), *V;
     if (A == NULL) return MS_OUT_OF_MEMORY;
-    vector = A + n * n;
+    V = A + n * n;
     for (i = 0; i < n; ++i)
         for (j = 0; j < n; ++j) {
             double rest = d->cell[c][i * n + j] - (minus != NULL ? minus[i] * minus[j] : 0);
             A[i * n + j] = rest * sqrt((i ? 2.0 : 1.0) * (j ? 2.0 : 1.0));
         }
-    memset(value, 0, sizeof value);
-    memset(vector, 0, sizeof *vector * (size_t)(MS_SSS_TERMS_MAX * n));
-    ms_sss__eigen(A, n, count, value, vector, vector + MS_SSS_TERMS_MAX * n);
-    for (t = 0; t < count; ++t) {
-        double sum = 0, scale;
-        for (i = 0; i < n; ++i) sum += vector[t * n + i] * (i ? sqrt(2.0) : 1);
-        scale = sqrt(fabs(value[t])) * (sum < 0 ? -1 : 1);
-        for (i = 0; i < n; ++i) v->weight[c][first + t][i] = scale * vector[t * n + i] / (i ? sqrt(2.0) : 1);
-        v->sign[c][first + t] = value[t] < 0 ? -1 : 1;
+    ms_sss__eigen(A, V, n);
+    for (t = first; t < first + count; ++t) {
+        double sum = 0, scale, *value, *vector;
+        for (i = 0, j = 0; i < n; ++i) /* the largest that is left */
+            if (fabs(A[i * n + i]) > fabs(A[j * n + j])) j = i;
+        value = A + j * n + j;
+        vector = V + j * n;
+        for (i = 0; i < n; ++i) sum += vector[i] * (i ? sqrt(2.0) : 1);
+        scale = sqrt(fabs(*value)) * (sum < 0 ? -1 : 1);
+        for (i = 0; i < n; ++i) v->weight[c][t][i] = scale * vector[i] / (i ? sqrt(2.0) : 1);
+        v->sign[c][t] = *value < 0 ? -1 : 1;
+        *value = 0;
     }
     ms__release(&d->allocator, A, bytes);
     return MS_OK;
@@ -5731,7 +5633,7 @@ static double ms_sss__mixture_squares(const ms_sss__squares *p, double *x, doubl
             for (n = 0; n < N; ++n) J[n] = 2 * x[n] * (J[n] - found); /* q^2 over their sum */
             rest = p->d->spectrum[p->channel][ms_sss__octant(node[a], node[b])] - found;
             value += weight * rest * rest;
-            for (i = 0; i < 2 * N; ++i) {
+            for (i = 0; i < 2 * N && H != NULL; ++i) {
                 g[i] += weight * J[i] * rest;
                 for (j = 0; j <= i; ++j) H[i * 2 * N + j] += weight * J[i] * J[j];
             }
@@ -5744,8 +5646,8 @@ static double ms_sss__mixture_squares(const ms_sss__squares *p, double *x, doubl
 static void ms_sss__fit_mixture(const ms_sss_designer *d, int c, int count, double *weight, double *sigma)
 {
     static const double spread[] = {20, 90};
-    double x[2 * MS_SSS_TERMS_MAX], scratch[2 * MS_SSS_TERMS_MAX * (6 * MS_SSS_TERMS_MAX + 4)], least = HUGE_VAL, value;
-    ms_sss__squares problem = {ms_sss__mixture_squares, NULL, 0, 0, 150, 1e-2, 5, 1e-8, NULL, 0, 0, 0};
+    double x[2 * MS_SSS_TERMS_MAX], scratch[MS_SSS__DESCEND_SCRATCH(2 * MS_SSS_TERMS_MAX)], least = HUGE_VAL, value;
+    ms_sss__squares problem = {ms_sss__mixture_squares, NULL, 0, 0, NULL, 0, NULL};
     int k, n;
     problem.d = d;
     problem.channel = c;
@@ -5756,7 +5658,7 @@ static void ms_sss__fit_mixture(const ms_sss_designer *d, int c, int count, doub
             x[n] = 1;
             x[count + n] = log(narrowest) + log(widest / narrowest) * (n + 0.5) / count;
         }
-        value = ms_sss__descend(&problem, x, scratch);
+        value = ms_sss__descend(&problem, x, 150, 1e-8, scratch);
         if (k > 0 && !(value < least)) break;
         least = value;
         for (n = 0; n < count; ++n) {
@@ -5773,16 +5675,16 @@ static double ms_sss__artist_squares(const ms_sss__squares *p, double *x, double
     int i, a, b;
     for (a = 0; a < 2; ++a) {
         x[a] = ms_sss__log_sigma(x[a]);
-        ms_sss__gaussian_cells(exp(x[a]), p->cells, cell[a], growth[a]);
+        ms_sss__gaussian_cells(exp(x[a]), p->d->cells, cell[a], growth[a]);
     }
     x[2] = x[2] < 0 ? 0 : x[2] > 1 ? 1 : x[2];
-    for (i = 0; i <= p->cells; ++i) {
+    for (i = 0; i <= p->d->cells; ++i) {
         double rest = p->curve[i] - x[2] * cell[0][i] - (1 - x[2]) * cell[1][i], times = i ? 2 : 1;
         J[0] = x[2] * growth[0][i];
         J[1] = (1 - x[2]) * growth[1][i];
         J[2] = cell[0][i] - cell[1][i];
         value += times * rest * rest;
-        for (a = 0; a < 3; ++a) {
+        for (a = 0; a < 3 && H != NULL; ++a) {
             g[a] += times * J[a] * rest;
             for (b = 0; b <= a; ++b) H[3 * a + b] += times * J[a] * J[b];
         }
@@ -5793,14 +5695,14 @@ static double ms_sss__artist_squares(const ms_sss__squares *p, double *x, double
 /* out: sigma of the near and of the far one, cells, and the near one's share. */
 static void ms_sss__fit_near_far(const ms_sss_designer *d, int c, const double *ap, double out[3])
 {
-    double x[3] = {0, 0, 0.5}, scratch[3 * (3 * 3 + 4)];
-    ms_sss__squares problem = {ms_sss__artist_squares, NULL, 0, 3, 100, 1e-2, 5, 1e-12, NULL, 0, 0, 0};
+    double x[3] = {0, 0, 0.5}, scratch[MS_SSS__DESCEND_SCRATCH(3)];
+    ms_sss__squares problem = {ms_sss__artist_squares, NULL, 3, 0, NULL, 0, NULL};
     int far_first;
+    problem.d = d;
     problem.curve = ap;
-    problem.cells = d->cells;
     x[0] = log(d->width[c] / 20 + 0.2);
     x[1] = log(d->width[c] / 3 + 0.4);
-    ms_sss__descend(&problem, x, scratch);
+    ms_sss__descend(&problem, x, 100, 1e-12, scratch);
     far_first = x[0] > x[1];
     out[0] = exp(x[far_first]);
     out[1] = exp(x[!far_first]);
@@ -5818,11 +5720,12 @@ static double ms_sss__guided_squares(const ms_sss__squares *p, double *a, double
     int i, j;
     for (i = 0; i < n; ++i)
         for (j = 0; j < n; ++j) {
-            double x = (i + 1) / p->half_width, y = (j + 1) / p->half_width;
+            double x = (i + 1.0) / n, y = (j + 1.0) / n;
             double rest = p->curve[(i + 1) * (n + 1) + j + 1] - a[i] * a[j];
             double guide = pow(x * x + y * y, 0.5 * p->guide) * expm1(-50 * x * x) *
                 expm1(-50 * y * y); /* (5.16), b = 50 */
             value += guide * rest * rest;
+            if (H == NULL) continue;
             H[i * n + i] += guide * a[j] * a[j];
             H[i * n + j] += guide * a[i] * a[j];
             g[i] += guide * rest * a[j];
@@ -5830,47 +5733,26 @@ static double ms_sss__guided_squares(const ms_sss__squares *p, double *a, double
     return value;
 }
 
-/* Solves on coarse cells first. */
-static ms_status ms_sss__guided(const ms_sss_designer *d, int c, double k_guide, double *a)
+static ms_status ms_sss__guided(const ms_sss_designer *d, int c, double guide, double *a)
 {
-    int M = d->cells, row = M + 1, level, i, j, p, q;
-    double *K, sum = 0;
-    ms_sss__squares problem = {ms_sss__guided_squares, NULL, 0, 0, 60, 1e-3, 6, 1e-10, NULL, 0, 0, 0};
-    size_t bytes = (size_t)(row * row + (3 * M + 4) * M) * sizeof(double);
-    K = (double *)ms__alloc(&d->allocator, bytes);
-    if (K == NULL) return MS_OUT_OF_MEMORY;
-    problem.curve = K;
-    problem.guide = k_guide;
+    const int M = d->cells;
+    const size_t bytes = (size_t)MS_SSS__DESCEND_SCRATCH(M) * sizeof(double);
+    ms_sss__squares problem = {ms_sss__guided_squares, NULL, 0, 0, NULL, 0, NULL};
+    double *scratch = (double *)ms__alloc(&d->allocator, bytes), sum = 0;
+    int i;
+    if (scratch == NULL) return MS_OUT_OF_MEMORY;
+    problem.n = M;
+    problem.curve = d->cell[c];
+    problem.guide = guide;
     ms_sss__row_sums(d, c, a);
-    for (level = M >= 40 ? 9 : M >= 13 ? 3 : 1; level >= 1; level /= 3) { /* cells of level x level fine ones */
-        double coarse[MS_SSS__CELLS_MAX + 1];
-        int cells = (M - level / 2) / level, crow = cells + 1, half = level / 2;
-        for (i = 0; i <= cells; ++i) {
-            coarse[i] = 0;
-            for (p = -half; p <= half; ++p) coarse[i] += a[abs(i * level + p)];
-            for (j = 0; j <= cells; ++j) {
-                K[i * crow + j] = 0;
-                for (p = -half; p <= half; ++p)
-                    for (q = -half; q <= half; ++q)
-                        K[i * crow + j] += d->cell[c][abs(i * level + p) * row + abs(j * level + q)];
-            }
-        }
-        problem.n = cells;
-        problem.half_width = (double)M / level;
-        ms_sss__descend(&problem, coarse + 1, K + row * row);
-        for (i = cells; i >= 1; --i) { /* the fine cells keep their shape within the coarse one */
-            double before = 0;
-            for (p = -half; p <= half; ++p) before += a[i * level + p];
-            for (p = -half; p <= half; ++p) a[i * level + p] *= before > 0 ? coarse[i] / before : 0;
-        }
-    }
+    ms_sss__descend(&problem, a + 1, 60, 1e-10, scratch);
+    ms__release(&d->allocator, scratch, bytes);
     for (i = 1; i <= M; ++i) sum += 2 * a[i];
     a[0] = 1 - sum;
     if (a[0] < 0) {
         for (i = 1; i <= M; ++i) a[i] /= sum;
         a[0] = 0;
     }
-    ms__release(&d->allocator, K, bytes);
     return MS_OK;
 }
 
@@ -5905,7 +5787,8 @@ static ms_status ms_sss__model_curve(const ms_sss_designer *d, const ms_sss_kern
             status = ms_sss__singular_terms(d, c, NULL, 0, v->terms, v);
             for (t = 0, sum = 0; t < v->terms; ++t)
                 sum += v->sign[c][t] * ms_sss__term_sum(v, c, t) * ms_sss__term_sum(v, c, t);
-            if (o->model == MS_SSS_SVD && sum > 0) v->energy[c] = sum;
+            /* a sum above 1, where terms with a negative sign are left out, would brighten a constant */
+            if (o->model == MS_SSS_SVD && sum > 0 && sum < 1) v->energy[c] = sum;
         } else if (o->model == MS_SSS_GAUSSIANS) {
             double q[MS_SSS_TERMS_MAX], sigma[MS_SSS_TERMS_MAX];
             ms_sss__fit_mixture(d, c, v->terms, q, sigma);
@@ -6301,13 +6184,10 @@ MS_SSS__COLD MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const
         TERMS = MS_SSS__WAVE_TERMS
     };
     double T[TABLE], A[TERMS * TERMS], b[MS_SSS_PYRAMID_SIZES][TERMS], wave[TERMS], x[TERMS], total[3], radius[3],
-        widest = 0, previous;
+        widest, previous;
     int size, c, i, j, l, m, wide;
     if (!pyramid || !profile) return MS_SSS__REFUSE(error, "pyramid or profile is NULL");
-    ms_sss_profile_reflectance(profile, total);
-    ms_sss_profile_radius(profile, 0.99, radius);
-    for (c = 0; c < 3; ++c)
-        if (radius[c] > widest) widest = radius[c];
+    widest = ms_sss__extent(profile, total, radius);
     if (!(widest > 0)) return MS_SSS__REFUSE(error, "the profile holds no light");
     memset(pyramid, 0, sizeof *pyramid);
     pyramid->radius_mm = (float)widest;
@@ -6332,7 +6212,7 @@ MS_SSS__COLD MS_API ms_status ms_sss_pyramid_make(ms_sss_pyramid *pyramid, const
             memset(A, 0, sizeof A);
             memset(b, 0, sizeof b);
             for (i = 0; i <= 10 * STEPS + 1; ++i) { /* frequencies up to pi: a 1/f spectrum has equal power an octave */
-                const double k = i ? 3.14159265358979 * pow(2.0, (double)(i - 1) / (double)STEPS - 10) : 0,
+                const double k = i ? MS_SSS__PI * pow(2.0, (double)(i - 1) / (double)STEPS - 10) : 0,
                              weight = i ? 1 : 1e3; /* the energy has priority */
                 ms_sss__pyramid_wave(wide, k, wave);
                 for (l = 0; l < TERMS; ++l)
@@ -6373,6 +6253,7 @@ MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness
 }
 
 #undef MS_SSS__PI
+#undef MS_SSS__DESCEND_SCRATCH
 #endif /* MS_SSS_NO_DESIGN */
 
 #undef MS_SSS__BODY

@@ -9,7 +9,7 @@ scratch=build/common
 mkdir -p $scratch
 bad=0
 count=0
-for mark in ms-common ms-common-private ms-common-random ms-common-half ms-common-simd ms-common-files; do
+for mark in ms-common ms-common-private ms-common-half ms-common-simd ms-common-files; do
     original=""
     for h in $headers; do
         block $mark "$h" >$scratch/copy
