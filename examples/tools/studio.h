@@ -71,6 +71,7 @@ typedef struct studio {
     double *theta, reached; /* [m + 2] how far that start has come, and its objective */
     double cost;            /* processor seconds that an evaluation takes, as measured; 0: not yet */
     ms_gpr_outlier outlier; /* of the last update; row -1: none */
+    ms_gpr_recommend_report found; /* of the last recommendations: how they were found, and whether anything is liked */
     double *embedded;       /* [embedded_count][m] materials of the plane */
     int embedded_count;
     space_kept *kept;    /* by studio_keep, or NULL */
@@ -541,7 +542,7 @@ static inline ms_status studio_recommend(studio *s, int count, double *x, float 
     options.space = s->space;
     options.avoid = s->avoid;
     options.avoid_count = s->avoids;
-    status = ms_gpr_recommend(s->gp, &options, count, x, NULL, NULL, NULL, error);
+    status = ms_gpr_recommend(s->gp, &options, count, x, NULL, NULL, &s->found, error);
     for (i = 0; i < count && planes && status == MS_OK; ++i)
         studio__draw(s, x + i * s->renderer.parameters, planes + (size_t)i * s->renderer.values);
     return status;

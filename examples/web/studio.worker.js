@@ -48,7 +48,7 @@ const calls = {
   recommend({ count }) {
     check(wasm.recommend(count));
     const mean = take(wasm.numbers(), 2 * count);
-    return rows(count).map((x, i) => ({ x, mean: mean[i], sigma: mean[count + i] }));
+    return { found: rows(count).map((x, i) => ({ x, mean: mean[i], sigma: mean[count + i] })), guessed: wasm.guessed() };
   },
   predict({ x }) {
     put(wasm.x(), x);
