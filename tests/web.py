@@ -541,7 +541,26 @@ def kernels(b):
         state["picture"] = now
 
     check("opens at life size without a warning", b.value("[document.querySelectorAll('#numbers .bad').length, Number(document.getElementById('scale').value)]") == [0, 0])
+    check("seven taps, as everywhere", b.value("[designer.kernel.taps, Number(document.getElementById('taps').value)]") == [7, 7])
     agree("skin, the taps it opens with")
+
+    # the figures are those of the filter that draws: for two passes ms_sss_kernel_measure says the same of an upright edge, to a tenth,
+    # since its squares of 512 pixels repeat and have another place within a pixel
+    core, (upright, slanted) = b.value("[designer.kernel.errors, designer.kernel.shown]")
+    check("an upright edge's error, as the header measures it", abs(upright / core["vertical"] - 1) < 0.1, (upright, core))
+    check("a slanted one's is of its size", 0.6 < slanted / core["diagonal"] < 1.2, (slanted, core))
+    said = lambda: b.value("document.getElementById('numbers').textContent")
+    for way, words in ((2, "the pyramid"), (1, "half resolution"), (0, "two passes")):
+        b.slide("#way", str(way))
+        b.until("designer.idle() && designer.kernel.way === %d" % way, WAIT)
+        shown = b.value("designer.kernel.shown")
+        check("the error of " + words, words in said() and (shown[0] < 0.5 * upright if way == 2 else shown == [upright, slanted] if way == 0 else shown != [upright, slanted]), (shown, upright, said()))
+    gray = "[document.getElementById('numbers').classList.contains('stale'), document.getElementById('computing').hidden]"
+    check("stale figures are gray while new ones are computed", b.value("(e => { e.value = 9; e.dispatchEvent(new Event('input')); return %s; })(document.getElementById('taps'))" % gray) == [True, False])
+    b.until("designer.idle()", WAIT)
+    check("and fresh ones are not", b.value(gray) == [False, True])
+    b.slide("#taps", 7)
+    b.until("designer.idle()", WAIT)
     for name, to in (("taps", 25), ("scale", -0.9), ("elevation", 0.2), ("through", 0.1), ("azimuth", 150), ("height", 60), ("power", 1.6)):
         b.slide("#" + name, to)
         moved(name, 2e-5 if name == "taps" else 0.0005)

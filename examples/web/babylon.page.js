@@ -122,7 +122,7 @@ function bench() {
   if (!gl || !gl.getExtension('EXT_color_buffer_float')) throw new Error('The comparison wants float targets in WebGL 2.');
   const store = BABYLON.Effect.IncludesShadersStore, include = text => text.replace(/#include<(\w+)>/g, (_, name) => include(store[name]));
   const own = include(BABYLON.Effect.ShadersStore.subSurfaceScatteringPixelShader).replace('#define CUSTOM_FRAGMENT_DEFINITIONS', '');
-  const off = [...new Set([...own.matchAll(/#if (\w+)/g)].map(m => m[1]))].map(name => `#define ${name} 0\n`).join(''); // as the engine reads what is not defined
+  const off = [...new Set([...own.matchAll(/#if ([A-Z_]+)/g)].map(m => m[1]))].map(name => `#define ${name} 0\n`).join(''); // as the engine reads what is not defined
   const theirs = '#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n#define varying in\n#define texture2D texture\nout vec4 shown;\n#define gl_FragColor shown\n' + off + own;
   const corner = '#version 300 es\nout vec2 vUV;\nvoid main() { vec2 p = vec2(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1); vUV = 0.5 * p + 0.5; gl_Position = vec4(p, 0.0, 1.0); }';
   const program = text => {
@@ -277,10 +277,13 @@ $('again').onclick = () => clock().catch(refuse);
   if (!document.createElement('canvas').getContext('webgl2')) throw new Error('This page wants WebGL 2, which this browser does not offer.');
   if (!window.BABYLON) throw new Error('Babylon.js 9.35 was not loaded: this page takes it from cdn.jsdelivr.net and wants the network. (It is 9 MB, too large to lie here.)');
   if (!window.BabylonSubsurface) throw new Error('sss_babylon.js does not lie beside this page.');
+  const started = performance.now();
   await scene();
+  view.sceneTook = performance.now() - started;
   $('message').hidden = true;
   await new Promise(r => setTimeout(r, 30));
   await measure();
+  view.measureTook = performance.now() - started;
   await clock();
   view.ready = true;
 })().catch(refuse);
