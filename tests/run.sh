@@ -210,6 +210,7 @@ test_group() {
     # first those that wait for a browser
     job web "sh tests/web.sh $out/web"
     job three "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/three.py $out/three"
+    job babylon "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/babylon.py $out/babylon"
     job materialx "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/materialx_open.py $out/materialx"
     job blender "sh tests/blender.sh $out/blender"
     job page "sh tests/page.sh $out/page"
@@ -397,7 +398,7 @@ in_order() {
 }
 # Those that wait for a browser most of the time run one after another beside the rest, of which one more runs than there are processors:
 # disks are waited for, too.
-browser='-(web|three|materialx|page)\.job$'
+browser='-(web|three|babylon|materialx|page)\.job$'
 [ "$group" != test ] || JOBS=$((JOBS + 1))
 ls "$out"/*.job 2>/dev/null | grep -E -e "$browser" | in_order | xargs -n 1 sh tests/run.sh --one &
 ls "$out"/*.job 2>/dev/null | grep -v -E -e "$browser" | in_order | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
