@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The pages of examples/web as somebody uses them, in headless Chromium: python3 tests/web.py OUT [studio|session|pairs|kernels|frames|pictures]"""
+"""The pages of examples/web as somebody uses them, in headless Chromium: python3 tests/web.py OUT [studio|session|pairs|kernels|frames|pictures|thumbs]"""
 import base64, csv, json, math, os, re, subprocess, sys, time, xml.etree.ElementTree as xml
 sys.dont_write_bytecode = True
 import png
@@ -724,6 +724,39 @@ def pictures(b):
     shot(b, "kernels")
 
 
+def thumbs(b):
+    """No test: the pictures of examples/web/index.html, OUT/NAME.jpg; babylon's where Babylon.js is installed."""
+    def thumb(name):
+        time.sleep(1)
+        with open("%s/%s.jpg" % (out, name), "wb") as f:
+            f.write(base64.b64decode(b.call("Page.captureScreenshot", format="jpeg", quality=72, clip={"x": 0, "y": 0, "width": 1280, "height": 800, "scale": 0.5})["data"]))
+
+    b.open("examples/web/studio.html", 1280, 800)
+    b.until("window.studio && studio.idle()", WAIT)
+    scores(b)
+    for n in range(1, 31):
+        give(b, round(taste(cards(b)[0])))
+        b.until("studio.scored.length === %d" % n, WAIT)
+    b.until("studio.idle()", WAIT)
+    b.value("scrollTo(0, 0), 1")
+    thumb("studio")
+    b.open("examples/web/kernels.html#480", 1280, 800, dark=True)
+    b.until("window.designer && designer.idle()", 600)
+    thumb("kernels")
+    b.open("examples/web/three.html", 1280, 800)
+    b.until("window.view && view.ready", WAIT)
+    thumb("three")
+    local = os.path.join(os.path.expanduser(os.environ.get("MS_PACKAGES") or "~/.cache/ms/npm"), "node_modules/babylonjs/babylon.js")
+    if os.path.exists(local):
+        page = re.sub(r'src="(https:[^"]*)"', 'src="file://%s"' % local, open("examples/web/babylon.html").read())
+        with open(out + "/babylon.html", "w") as f:
+            f.write(page.replace('src="sss_babylon.js"', 'src="file://%s"' % os.path.abspath("examples/web/sss_babylon.js")))
+        b.open(out + "/babylon.html?by=1&draws=1", 1280, 800)
+        b.until("window.view && view.ready", 900)
+        b.value("document.getElementById('message').hidden = true, scrollTo(0, 0), 1")
+        thumb("babylon")
+
+
 def shot(b, name):
     time.sleep(1)
     with open("%s/%s.png" % (out, name), "wb") as f:
@@ -734,7 +767,7 @@ pages = {"studio": studio, "session": session, "pairs": pairs, "kernels": kernel
 for name in sys.argv[2:] or list(pages):
     with Browser(out) as browser:
         try:
-            {**pages, "frames": frames, "pictures": pictures}[name](browser)
+            {**pages, "frames": frames, "pictures": pictures, "thumbs": thumbs}[name](browser)
         except (TimeoutError, RuntimeError) as e:
             check(name, False, "%s; console: %s" % (e, browser.problems[:5]))
             browser.picture("%s/%s_failed.png" % (out, name))

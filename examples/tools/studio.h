@@ -71,7 +71,6 @@ typedef struct studio {
     double *theta, reached; /* [m + 2] how far that start has come, and its objective */
     double cost;            /* processor seconds that an evaluation takes, as measured; 0: not yet */
     ms_gpr_outlier outlier; /* of the last update; row -1: none */
-    ms_gpr_recommend_report found; /* of the last recommendations: how they were found, and whether anything is liked */
     double *embedded;       /* [embedded_count][m] materials of the plane */
     int embedded_count;
     space_kept *kept;    /* by studio_keep, or NULL */
@@ -89,6 +88,8 @@ typedef struct studio {
     } undo[STUDIO_UNDO]; /* kind: the row `index` was added, scored anew, rows from
               `index` on and choices from `choices` on were added, a material is avoided */
     int undos;
+
+    ms_gpr_recommend_report found; /* of the last recommendations */
 } studio;
 
 typedef struct studio_view {
