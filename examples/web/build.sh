@@ -8,7 +8,7 @@ web=examples/web
 
 sources() { # what page $1 is made of
     case $1 in
-    studio) echo ms_gpr.h ms_nn.h ms_pme.h examples/tools/studio.h examples/tools/space.h examples/tools/plane.h examples/tools/neural.h examples/tools/matcher.h examples/tools/maps.h examples/tools/materialx.h \
+    studio) echo ms_gpr.h ms_nn.h ms_pme.h examples/tools/studio.h examples/tools/space.h examples/tools/plane.h examples/tools/neural.h examples/tools/matcher.h examples/tools/maps.h $(ls examples/tools/warnings.h 2>/dev/null) examples/tools/materialx.h \
         examples/tools/files.h examples/tools/image.h $web/studio.c $web/wasi.js $web/studio.worker.js $web/studio.js $web/page.css $web/studio.css \
         $web/studio.part.html $web/pack.c $web/build.sh examples/data/renderer_128.safetensors examples/data/inversion_6.safetensors ;;
     kernels) echo ms_mcml.h ms_sss.h examples/engine/shader/ms_sss.glsl examples/engine/shader/ms_sss_pyramid.glsl examples/tools/wgsl.h examples/demo/scene.h examples/tools/image.h examples/tools/files.h examples/tools/layered.h examples/tools/skin.h $web/kernels.c $web/wasi.js $web/kernels.worker.js \

@@ -125,7 +125,7 @@ function sparks(at, kinds) {
 }
 
 // ------------------------------------------------------------------------------------------------------------- the session
-const studio = window.studio = { shelved: '', guessed: 0, deck: [], scored: [], recommended: [], chosen: null, view: null, match: null, kept: [], settled: true, version: 0, answers: 0, longest: 0, journal: [] };
+const studio = window.studio = { shelved: '', guessed: 0, unsupported: '', deck: [], scored: [], recommended: [], chosen: null, view: null, match: null, kept: [], settled: true, version: 0, answers: 0, longest: 0, journal: [] };
 const journal = studio.journal, within = v => studio.scored.length ? Math.min(Math.max(v, 0), 10) : v; // predictions on the scale of the scores
 // The longest that the page itself held a frame up, in ms; for whoever wants to know.
 const timed = f => function (...a) {
@@ -474,10 +474,10 @@ function table(text) {
 
 // --------------------------------------------------------------------------------------------------------- recommendations
 let restock;
-function heard({ learned, settled, state, problem, doubt, picks }) {
+function heard({ learned, settled, state, problem, doubt, picks, warning }) {
   if (problem) return fail(problem);
   if (learned !== studio.answers && settled) return; // more is under way
-  if (settled) { ask(doubt); offer(picks); }
+  if (settled) { ask(doubt); offer(picks); studio.unsupported = warning || ''; warn(); }
   if (state >= 2 && studio.shelved !== answered()) restock(settled); // else they are what was here before a reload
   else if (settled) { studio.settled = true; tell(); }
 }
@@ -518,9 +518,11 @@ restock = latest(async settled => {
   if (settled) studio.settled = true;
   tell();
 });
-function warn(text) {
-  $('warning').textContent = text;
-  $('warning').hidden = !text;
+// What the core has to say: of the scores (studio.unsupported), and of how these recommendations were found.
+function warn(text = $('warning').text || '') {
+  $('warning').text = text;
+  $('warning').textContent = [studio.unsupported, text].filter(Boolean).join(' ');
+  $('warning').hidden = !$('warning').textContent;
 }
 function ghosts() { $('shelf').replaceChildren(...Array.from({ length: SHELF }, () => make('i', { className: 'empty' }))); }
 // What the shelf was made of: all answers, in their order.

@@ -113,7 +113,7 @@ function learn() {
       const status = wasm.update();
       postMessage({ learned: answered, settled: status ? 1 : wasm.settled(), state: wasm.state(), problem: status ? sentence() : '' });
       if (!status) return void setTimeout(slice, 0);
-    } else postMessage({ learned: answered, settled: 1, state: wasm.state(), problem: '', doubt: doubt(), picks: wasm.wants_picks() });
+    } else postMessage({ learned: answered, settled: 1, state: wasm.state(), problem: '', doubt: doubt(), picks: wasm.wants_picks(), warning: wasm.warning && wasm.warning() ? sentence() : '' });
     learning = false;
   };
   setTimeout(slice, 0);
