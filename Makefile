@@ -19,7 +19,7 @@
 #   make hero       README's top picture: recommended materials on 209 objects, path-traced (WIDTH, HEIGHT, PASSES, JOBS)
 #   make portrait   README's head of skin: without scattering, by ms_sss.h, path-traced; and a loop (WALKS, FRAMES, ONLY)
 #   make train      the networks of examples/data from nothing: hours of rendering, an hour of training
-#   make web        examples/web/kernels.html: subsurface kernels designed live in a browser (clang for WebAssembly, wasi-libc)
+#   make web        examples/web/: kernels.html, subsurface kernels designed live in a browser; three.html, babylon.html (clang for WebAssembly, wasi-libc; make deps)
 #   make studio     examples/web/studio.html: the whole workflow live in a browser (the same)
 #   make blender    build/material_taste: an add-on for Blender that learns a taste (examples/blender)
 #   make blender-dataset, blender-train   its network again, from pictures by Blender's Cycles (COUNT, SAMPLES, JOBS)
@@ -180,6 +180,7 @@ bench-gpu: build/bench_gpu
 web:
 	@CC="$(CC)" sh examples/web/build.sh kernels examples/web/kernels.html
 	@CC="$(CC)" sh examples/web/build.sh three examples/web/three.html
+	@CC="$(CC)" sh examples/web/build.sh babylon examples/web/babylon.html
 studio:
 	@CC="$(CC)" sh examples/web/build.sh studio examples/web/studio.html
 

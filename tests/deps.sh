@@ -3,10 +3,15 @@
 # files (tests/materialx_open.py), which one test does without otherwise. Does nothing when they are there.
 set -u
 packages=${MS_PACKAGES:-${HOME:-.}/.cache/ms/npm}
-if command -v npm >/dev/null 2>&1 && ! { [ -f "$packages/node_modules/three/examples/jsm/loaders/MaterialXLoader.js" ] &&
+# BABYLON=1: Babylon.js too (110 MB), for tests/babylon.py. esbuild packs three.js into examples/web/three.html.
+babylon=""
+[ "${BABYLON:-0}" != 1 ] || babylon=babylonjs@9.35.0
+[ ! -f "$packages/node_modules/babylonjs/babylon.js" ] || babylon=babylonjs@9.35.0 # npm would remove it
+if command -v npm >/dev/null 2>&1 && ! { { [ -z "$babylon" ] || [ -f "$packages/node_modules/babylonjs/babylon.js" ]; } &&
+    [ -x "$packages/node_modules/.bin/esbuild" ] && [ -f "$packages/node_modules/three/examples/jsm/loaders/MaterialXLoader.js" ] &&
     [ -f "$packages/node_modules/@needle-tools/materialx/bin/JsMaterialXGenShader.js" ]; }; then
     mkdir -p "$packages" && npm install --prefix "$packages" --ignore-scripts --no-audit --no-fund --no-save --fetch-retries=1 --fetch-timeout=30000 \
-        three@0.187.0 @needle-tools/materialx@1.4.6 >/dev/null 2>&1 || echo "deps: npm could not install three.js and MaterialX: their test will be skipped"
+        three@0.187.0 @needle-tools/materialx@1.4.6 esbuild@0.25.0 $babylon >/dev/null 2>&1 || echo "deps: npm could not install three.js and MaterialX: their test will be skipped"
 fi
 root=""
 [ "$(id -u)" = 0 ] || root=sudo

@@ -214,6 +214,7 @@ test_group() {
     # first those that wait for a browser
     job web "sh tests/web.sh $out/web"
     job three "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/three.py $out/three"
+    job babylon "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/babylon.py $out/babylon"
     job materialx "command -v python3 >/dev/null || { echo no python3 here; exit 77; }; python3 tests/materialx_open.py $out/materialx"
     job blender "sh tests/blender.sh $out/blender"
     job page "sh tests/page.sh $out/page"
@@ -395,7 +396,7 @@ in_order() {
     fi
 }
 # Those that wait for a browser most of the time run one after another beside the rest, from the start: they need no object of below.
-browser='-(web|three|materialx|page)\.job$'
+browser='-(web|three|babylon|materialx|page)\.job$'
 ls "$out"/*.job 2>/dev/null | grep -E -e "$browser" | in_order | xargs -n 1 sh tests/run.sh --one &
 # The objects first, then what is linked with them.
 case $group in

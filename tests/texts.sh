@@ -4,7 +4,7 @@
 #   skipped without       looked at here
 #   CMake, Meson          README's lines (tests/readme.sh)
 #   Chromium, Node        page parts: every id that a script asks for stands in its page (page, web)
-#   three.js              what sss_three.part.js takes from WebAssembly is exported by three.c
+#   three.js, Babylon.js  what their modules take from WebAssembly is exported by three.c
 #   glslangValidator, spirv-cross, EGL   shader files: brackets, switches that are used and listed
 #   Blender, PyTorch, numpy              Python files compile; calls of a library are in its source
 #   MaterialX             the writer closes what it opens
@@ -115,17 +115,17 @@ none "long, which has 32 or 64 bits, or a format of C99 that old C libraries lac
 none "memory on the stack whose size is known at run time alone" "$(grep -nE '(^|[^a-z_])(_?alloca|__builtin_alloca) *\(' $headers)"
 
 # ---- pages
-for page in studio kernels three; do
+for page in studio kernels three babylon; do
     part=examples/web/$page.part.html
     [ -f "$part" ] || continue
-    scripts=$(ls examples/web/$page.js examples/web/$page.page.js 2>/dev/null)
+    scripts=$(ls examples/web/$page.js examples/web/$page.page.js examples/web/$page.unpack.js 2>/dev/null)
     for id in $(cat $scripts | grep -oE "(getElementById\(|[^a-zA-Z]\\$\()'[a-zA-Z][a-zA-Z0-9_-]*'\)" | sed "s/.*'\([^']*\)'.*/\1/" | sort -u); do
-        check "$page: no element '$id'" grep -qE "id=\"?$id[\" >]|for part in .*\<$id\>" "$part" $scripts examples/web/build.sh
+        check "$page: no element '$id'" grep -qE "id=.?\"?$id[\" >\\]|for part in .*\<$id\>" "$part" $scripts examples/web/build.sh
     done
 done
 if [ -f examples/web/sss_three.part.js ]; then
-    for name in $(grep -oE 'exports\.[a-z_]+' examples/web/sss_three.part.js | cut -d. -f2 | sort -u); do
-        [ "$name" = memory ] || [ "$name" = _initialize ] || check "three.c does not export $name" grep -qE "export_name\(\"$name\"\)|[ *]$name\(" examples/web/three.c
+    for name in $(grep -ohE '(exports|wasm)\.[a-z_]+' examples/web/sss_three.part.js examples/web/sss_babylon.part.js examples/web/babylon.page.js | cut -d. -f2 | sort -u); do
+        [ "$name" = memory ] || [ "$name" = _initialize ] || check "three.c does not export $name" grep -qE "export_name\(\"$name\"\)|CALL\([a-z *]+, $name," examples/web/three.c
     done
 fi
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The pages of examples/web as somebody uses them, in headless Chromium: python3 tests/web.py OUT [studio|session|pairs|kernels|frames|pictures]"""
+"""The pages of examples/web as somebody uses them, in headless Chromium: python3 tests/web.py OUT [studio|session|pairs|kernels|frames|pictures|thumbs]"""
 import base64, csv, json, math, os, re, subprocess, sys, time, xml.etree.ElementTree as xml
 sys.dont_write_bytecode = True
 import png
@@ -82,9 +82,70 @@ def give(b, score, card=CARD):
     b.mouse("Released", x, y)
 
 
+def scores(b):
+    """From choices between two, with which a new session begins, to scores."""
+    b.click("#by-score")
+    b.until("studio.idle() && document.querySelectorAll('#deck .scale').length === studio.deck.length && studio.deck.length > 2", WAIT)
+
+
+# Colors as they are commonly given in sRGB (CSS where it has the name), and the word that the page has for them.
+KNOWN = {"#FF7F50": "coral", "#EB9605": "honey", "#FFBF00": "amber", "#FFF44F": "lemon", "#FFFF00": "lemon", "#BFFF00": "lime", "#3A9B35": "leaf",
+         "#228B22": "leaf", "#50C878": "emerald", "#3EB489": "mint", "#008080": "teal", "#87CEEB": "sky", "#0077BE": "ocean", "#4169E1": "royal",
+         "#7F00FF": "violet", "#DA70D6": "orchid", "#FF007F": "rose", "#E0115F": "ruby", "#D2042D": "cherry", "#FF0000": "cherry", "#8B4513": "cocoa",
+         "#FFFFFF": "snow", "#C0C0C0": "silver", "#101010": "midnight"}
+
+
+def color_names(b):
+    for color, word in KNOWN.items():
+        said = b.value("(c => { const p = new Uint8ClampedArray(4 * 128 * 128); for (let i = 0; i < p.length; ++i) p[i] = [...c, 255][i & 3]; return nameOf(Array(19).fill(0), p); })(%r)"
+                       % [int(color[i:i + 2], 16) for i in (1, 3, 5)])
+        check("%s is %s" % (color, word), said == word + " clay", said)
+
+
+def targets(b, where):
+    """All that can be clicked is 24 pixels wide and high: WCAG 2.2, 2.5.8."""
+    small = b.value("""[...document.querySelectorAll('button, .scale i, a, input:not([hidden])')].filter(e => e.offsetParent).map(e => {
+        const r = e.getBoundingClientRect(), s = e.closest('.scale'), step = s && s.getBoundingClientRect();
+        return [e.id || e.className || e.tagName, s ? step.width / 11 : r.width, s ? step.height : r.height]; }).filter(t => t[1] < 24 || t[2] < 24)""")
+    check("targets of 24 pixels " + where, small == [], small[:5])
+
+
+def resting(b):
+    """A score is read from where a card rests, while it still comes in: tens stay tens."""
+    b.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-reduced-motion", "value": "no-preference"}])
+    for at in (20, 120, 210, 300):
+        n = b.value("studio.scored.length")
+        cards(b)
+        b.place(CARD + ".querySelector('.scale')")
+        # where the last step rests, before the animation is put to a moment of it
+        x, y = b.value("(s => { const r = s.getBoundingClientRect(); return [r.right - r.width / 22, r.y + r.height / 2]; })(%s.querySelector('.scale'))" % CARD)
+        moving = b.value("(c => { c.style.animation = 'none'; c.offsetWidth; c.style.animation = ''; const a = c.getAnimations()[0]; if (!a) return false; a.pause(); a.currentTime = %d; return true; })(%s)" % (at, CARD))
+        check("cards come in by an animation", moving)
+        for kind in ("Moved", "Pressed", "Released"):
+            b.mouse(kind, x, y)
+        b.until("studio.scored.length === %d" % (n + 1), WAIT)
+        check("a ten, %d ms after its card came" % at, b.value("studio.scored[%d].score" % n) == 10, b.value("studio.scored[%d].score" % n))
+    for _ in range(4):
+        b.click("#undo")
+    b.look(1600, 1000)
+    b.until("studio.idle() && studio.scored.length === 0", WAIT)
+
+
 def studio(b):
     b.open("examples/web/studio.html", 1600, 1000)
     b.until("window.studio && studio.idle()", WAIT)
+    check("panels that have nothing to show are closed", b.value("['walk', 'lab'].every(id => document.getElementById(id).getBoundingClientRect().height < 140)"))
+    scores(b)
+    color_names(b)
+    for width in (400, 1280):
+        b.look(width, 900)
+        targets(b, "at %d" % width)
+    b.look(1600, 1000)
+    x, y, w, _ = b.place(CARD + ".querySelector('.scale')")
+    b.mouse("Moved", x + w * (7.5 / 11 - 0.5), y)
+    check("the number that a click would give", b.value(CARD + ".querySelector('.mood b').textContent") == "7")
+    b.mouse("Moved", 5, 5)
+    resting(b)
     check("eight materials to score", b.value("studio.deck.length") == 8)
 
     # the pictures are those of the materials: the networks differ from path tracing by 0.03 on average, I8 weights add some 0.003
@@ -109,6 +170,14 @@ def studio(b):
     check("recommendations to the taste", liked > 4, "%.2f, materials spread evenly %.2f" % (liked, mean(first)))
     print("recommendations %.2f of 10 after 60 scores, materials spread evenly %.2f" % (liked, mean(first)))
     check("sixteen on the shelf", b.value("document.querySelectorAll('#shelf .pick').length") == 16)
+    means = b.value("studio.recommended.map(r => r.mean)")
+    check("the largest predicted score first", means == sorted(means, reverse=True) and means[0] > means[15], means)
+    check("the shelf shows them in that order", b.value("[...document.querySelectorAll('#shelf .pick')].map(p => p.dataset.x)") == b.value("studio.recommended.map(r => r.x.map(v => v.toFixed(5)).join())"))
+    check("what the core says of them is shown", b.value("document.getElementById('warning').hidden === (studio.guessed === 0 && !studio.unsupported)"))
+    b.value("heard({ learned: studio.answers, settled: 1, state: 1, problem: '', warning: 'These scores contradict each other.' }), 1")
+    check("and of the scores", b.value("/^These scores contradict each other\\./.test(document.getElementById('warning').textContent)"))
+    b.value("warn(warnings[1]), 1")
+    check("as a sentence", b.value("!document.getElementById('warning').hidden && /variants of what you liked/.test(document.getElementById('warning').textContent)"))
 
     # thought again, and back
     old = b.value("studio.scored[59].score")
@@ -123,8 +192,11 @@ def studio(b):
     check("the one taken back is shown again", b.value("document.querySelectorAll('#history .was').length") == 59)
 
     # the plane
+    b.value("scrollTo(0, 0), 1")
     b.click("#shelf .pick")
     b.until("studio.view && studio.plane && studio.idle()", WAIT)
+    check("a click on a recommendation shows the plane", b.value("(r => r.top > -2 && r.top < innerHeight / 2)(document.getElementById('plane').getBoundingClientRect())"),
+          b.value("document.getElementById('plane').getBoundingClientRect().top"))
     start = b.value("studio.view.x")
     away = [math.sqrt(mean((a - c) ** 2 for a, c in zip(start, x))) for x in b.value("studio.recommended.map(r => r.x)")]
     # a plane of 16 materials of 19 parameters leaves some of each out; what begins there is the chosen one and none of the others
@@ -156,7 +228,8 @@ def studio(b):
     check("the verdict stands beside the distance", b.value("document.getElementById('found').textContent.includes(['away', 'not a material', 'no material'][studio.match.verdict])"))
     check("its match is nearer than what it came from", found[0] < 0.7 * shift and found[0] <= found[1] + 1e-9, (found, shift))
     matched = b.value("Array.from(studio.match.picture)")
-    check("the distance said is that of the pictures", abs(differ([v for i, v in enumerate(matched) if i % 4 != 3], [v for i, v in enumerate(edited) if i % 4 != 3]) - found[0]) < 0.004)
+    said = differ([v for i, v in enumerate(matched) if i % 4 != 3], [v for i, v in enumerate(edited) if i % 4 != 3])
+    check("the distance said is that of the pictures", abs(said - found[0]) < 0.004, (said, found))
     ex, ey, ew, eh = b.place("document.querySelector('.easel')")
     b.value("studio.match = null")
     b.drag([(ex - 0.2 * ew + 0.03 * k * ew, ey - 0.1 * eh + 0.02 * k * eh) for k in range(12)])
@@ -219,11 +292,13 @@ def session(b):
     b.until("window.studio && studio.idle()", WAIT)
 
     # keys alone
+    scores(b)
+    b.value("document.activeElement.blur()")
     stops = 0
-    while not b.value("document.activeElement.id === 'plane'") and stops < 40:
+    while (stops == 0 or not b.value("document.activeElement === document.body")) and stops < 40:
         b.key("Tab")
         stops += 1
-    check("tab stops before the plane", stops <= 21, stops)
+    check("tab stops of the page", 10 <= stops <= 21, stops)
     b.value("document.activeElement.blur()")
     for n in range(1, 41):
         x = cards(b)[0]
@@ -261,9 +336,13 @@ def session(b):
     check("and not again", b.value(heard) is True)
     check("predictions within the scale", b.value("[...document.querySelectorAll('.pick')].map(p => Number(p.title.match(/about ([-\\d.]+)/)[1])).every(v => v >= 0 && v <= 10)"))
     before = answers(b)
+    shelf = "[...document.querySelectorAll('#shelf .pick')].map(p => [p.dataset.x, p.title])"
+    b.until("studio.idle() && studio.shelved === answered()", WAIT)
+    lay = b.value(shelf)
 
     # a reload, and on
     again(b)
+    check("the shelf comes back as it was", b.value(shelf) == lay and len(lay) == 16, (lay[:2], b.value(shelf)[:2]))
     check("nothing is lost by a reload", answers(b) == before and len(before[0]) == 40, (len(before[0]), len(answers(b)[0])))
     took = [b.value("studio.restored")]
     check("the collection too", b.value("studio.kept.map(k => k.name)") == ["my glass"] and b.value("document.querySelectorAll('#basket .kept').length") == 1)
@@ -363,11 +442,13 @@ def session(b):
     b.value("localStorage.setItem('ms-studio', '{\"answers\":[{\"id\"')")
     again(b)
     check("an unreadable journal is no end", answers(b) == [[], 0] and b.value("localStorage.getItem('ms-studio-damaged')") == '{"answers":[{"id"')
+    scores(b)
     give(b, 4)
     b.until("studio.scored.length === 1 && studio.idle()", WAIT)
     again(b)
     check("and one goes on", len(answers(b)[0]) == 1)
 
+    scores(b)  # as few answers begin with choices
     # touch: one slider that is tall enough, a drag along it, and a scroll that scores nothing
     b.call("Emulation.setTouchEmulationEnabled", enabled=True)
     cards(b)
@@ -389,6 +470,7 @@ def session(b):
     b.until("studio.scored.length === 3 && studio.idle()", WAIT)
     again(b)
     check("a warning where nothing can be stored", b.dialogs == ["beforeunload"], b.dialogs)
+    scores(b)
     for n in range(3, 21):
         give(b, round(taste(cards(b)[0])))
         b.until("studio.scored.length === %d" % n, WAIT)
@@ -407,9 +489,14 @@ def pairs(b):
     """The better of two, and neither, without a score."""
     b.open("examples/web/studio.html", 1600, 1000)
     b.until("window.studio && studio.idle()", WAIT)
-    b.click("#by-pair")
     shown = []
     for n in range(1, 51):
+        if n == 11:
+            b.until("studio.idle() && document.querySelectorAll('#deck .scale').length === 8", WAIT)
+            check("scores after ten choices", b.value("document.getElementById('by-score').ariaPressed === 'true' && /^50 more answers/.test(document.getElementById('wanted').textContent)"))
+            b.click("#by-pair")
+        if n in (1, 4):
+            check("how many are still wanted", b.value("document.getElementById('wanted').textContent") == "%d more choices, then scores." % (11 - n))
         likes = [taste(x) for x in cards(b, 2)]
         shown += likes if n <= 8 else []
         if max(likes) < 1:
@@ -457,7 +544,30 @@ def kernels(b):
         state["picture"] = now
 
     check("opens at life size without a warning", b.value("[document.querySelectorAll('#numbers .bad').length, Number(document.getElementById('scale').value)]") == [0, 0])
+    check("seven taps, as everywhere", b.value("[designer.kernel.taps, Number(document.getElementById('taps').value)]") == [7, 7])
     agree("skin, the taps it opens with")
+
+    # The figures are those of the filter that draws: for two passes ms_sss_kernel_measure says the same of an upright edge. At 19 pixels of
+    # reach to a tenth (0.0089 and 0.0086 at 24); at 6 both are 0.1%, and what single precision and a window of 128 pixels do is of that size.
+    b.slide("#scale", -0.5)
+    b.until("designer.idle()", WAIT)
+    core, (upright, slanted) = b.value("[designer.kernel.errors, designer.kernel.shown]")
+    check("an upright edge's error, as the header measures it", abs(upright / core["vertical"] - 1) < 0.1, (upright, core))
+    check("a slanted one's is of its size", 0.6 < slanted / core["diagonal"] < 1.2, (slanted, core))
+    said = lambda: b.value("document.getElementById('numbers').textContent")
+    for way, words in ((2, "the pyramid"), (1, "half resolution"), (0, "two passes")):
+        b.slide("#way", str(way))
+        b.until("designer.idle() && designer.kernel.way === %d" % way, WAIT)
+        shown = b.value("designer.kernel.shown")
+        check("the error of " + words, words in said() and (shown[0] < 0.5 * upright if way == 2 else shown == [upright, slanted] if way == 0 else shown != [upright, slanted]), (shown, upright, said()))
+    b.slide("#scale", 0)
+    b.until("designer.idle()", WAIT)
+    gray = "[document.getElementById('numbers').classList.contains('stale'), document.getElementById('computing').hidden]"
+    check("stale figures are gray while new ones are computed", b.value("(e => { e.value = 9; e.dispatchEvent(new Event('input')); return %s; })(document.getElementById('taps'))" % gray) == [True, False])
+    b.until("designer.idle()", WAIT)
+    check("and fresh ones are not", b.value(gray) == [False, True])
+    b.slide("#taps", 7)
+    b.until("designer.idle()", WAIT)
     for name, to in (("taps", 25), ("scale", -0.9), ("elevation", 0.2), ("through", 0.1), ("azimuth", 150), ("height", 60), ("power", 1.6)):
         b.slide("#" + name, to)
         moved(name, 2e-5 if name == "taps" else 0.0005)
@@ -575,6 +685,7 @@ def frames(b):
 
     b.open("examples/web/studio.html", 1600, 1000)
     b.until("window.studio && studio.idle()", WAIT)
+    scores(b)
     print("| the studio's page | tasks | longest but 1%, ms | longest, ms | over 16 ms |\n|---|---:|---:|---:|---:|")
     b.trace()
     for n in range(1, 31):
@@ -602,6 +713,7 @@ def pictures(b):
     """No test: README's pictures of both pages, OUT/studio.png and OUT/kernels.png."""
     b.open("examples/web/studio.html", 1240, 860)
     b.until("window.studio && studio.idle()", WAIT)
+    scores(b)
     for n in range(1, 61):
         give(b, round(taste(cards(b)[0])))
         b.until("studio.scored.length === %d" % n, WAIT)
@@ -615,6 +727,39 @@ def pictures(b):
     shot(b, "kernels")
 
 
+def thumbs(b):
+    """No test: the pictures of examples/web/index.html, OUT/NAME.jpg; babylon's where Babylon.js is installed."""
+    def thumb(name):
+        time.sleep(1)
+        with open("%s/%s.jpg" % (out, name), "wb") as f:
+            f.write(base64.b64decode(b.call("Page.captureScreenshot", format="jpeg", quality=72, clip={"x": 0, "y": 0, "width": 1280, "height": 800, "scale": 0.5})["data"]))
+
+    b.open("examples/web/studio.html", 1280, 800)
+    b.until("window.studio && studio.idle()", WAIT)
+    scores(b)
+    for n in range(1, 31):
+        give(b, round(taste(cards(b)[0])))
+        b.until("studio.scored.length === %d" % n, WAIT)
+    b.until("studio.idle()", WAIT)
+    b.value("scrollTo(0, 0), 1")
+    thumb("studio")
+    b.open("examples/web/kernels.html#480", 1280, 800, dark=True)
+    b.until("window.designer && designer.idle()", 600)
+    thumb("kernels")
+    b.open("examples/web/three.html", 1280, 800)
+    b.until("window.view && view.ready", WAIT)
+    thumb("three")
+    local = os.path.join(os.path.expanduser(os.environ.get("MS_PACKAGES") or "~/.cache/ms/npm"), "node_modules/babylonjs/babylon.js")
+    if os.path.exists(local):
+        page = re.sub(r'src="(https:[^"]*)"', 'src="file://%s"' % local, open("examples/web/babylon.html").read())
+        with open(out + "/babylon.html", "w") as f:
+            f.write(page.replace('src="sss_babylon.js"', 'src="file://%s"' % os.path.abspath("examples/web/sss_babylon.js")))
+        b.open(out + "/babylon.html?by=1&draws=1", 1280, 800)
+        b.until("window.view && view.ready", 900)
+        b.value("document.getElementById('message').hidden = true, scrollTo(0, 0), 1")
+        thumb("babylon")
+
+
 def shot(b, name):
     time.sleep(1)
     with open("%s/%s.png" % (out, name), "wb") as f:
@@ -625,7 +770,7 @@ pages = {"studio": studio, "session": session, "pairs": pairs, "kernels": kernel
 for name in sys.argv[2:] or list(pages):
     with Browser(out) as browser:
         try:
-            {**pages, "frames": frames, "pictures": pictures}[name](browser)
+            {**pages, "frames": frames, "pictures": pictures, "thumbs": thumbs}[name](browser)
         except (TimeoutError, RuntimeError) as e:
             check(name, False, "%s; console: %s" % (e, browser.problems[:5]))
             browser.picture("%s/%s_failed.png" % (out, name))

@@ -17,6 +17,11 @@ for page in studio:5000000 kernels:2000000; do
     # what would be fetched: an address in an attribute, a style, an import or a call
     check "$name: asks for nothing else" "$(grep -c -E '(src|href)="|url\((http|/)|@import|import +.* from|fetch\(|XMLHttpRequest|WebSocket' $file)" 0
 done
+# The folder can be served as it is: what the index names lies beside it, and nothing is named by a path from elsewhere.
+index=examples/web/index.html
+names=$(grep -oE '(src|href)="[^"]*"' $index | sed 's/.*="//; s/"$//' | sort -u)
+check "index: pages and their pictures" "$(echo "$names" | tr '\n' ' ')" "babylon.html babylon.jpg kernels.html kernels.jpg studio.html studio.jpg three.html three.jpg "
+for name in $names; do check "index: $name is there" "$([ -s "examples/web/$name" ] && echo yes)" yes; done
 browser=""
 for name in chromium chromium-browser google-chrome google-chrome-stable; do [ -n "$browser" ] || browser=$(command -v $name || true); done
 if [ -z "$browser" ] || ! command -v python3 >/dev/null; then

@@ -88,6 +88,8 @@ typedef struct studio {
     } undo[STUDIO_UNDO]; /* kind: the row `index` was added, scored anew, rows from
               `index` on and choices from `choices` on were added, a material is avoided */
     int undos;
+
+    ms_gpr_recommend_report found; /* of the last recommendations */
 } studio;
 
 typedef struct studio_view {
@@ -541,7 +543,7 @@ static inline ms_status studio_recommend(studio *s, int count, double *x, float 
     options.space = s->space;
     options.avoid = s->avoid;
     options.avoid_count = s->avoids;
-    status = ms_gpr_recommend(s->gp, &options, count, x, NULL, NULL, NULL, error);
+    status = ms_gpr_recommend(s->gp, &options, count, x, NULL, NULL, &s->found, error);
     for (i = 0; i < count && planes && status == MS_OK; ++i)
         studio__draw(s, x + i * s->renderer.parameters, planes + (size_t)i * s->renderer.values);
     return status;

@@ -142,6 +142,19 @@ CALL(int, design, (int material, int taps, int model, double pixels_per_mm, int 
     return 0;
 }
 
+/* What scattering makes of a shadow's straight edge, at distances first_mm + i step_mm on its lit side, as a share of the
+   light far away: into numbers from 64 on, [count][3], at most 256. */
+CALL(void, edge, (int count, double first_mm, double step_mm))
+{
+    double within[3];
+    int i, c;
+    for (i = 0; i < count && i < 256; ++i) {
+        ms_sss_profile_strip(profile, first_mm + i * step_mm, within);
+        for (c = 0; c < 3; ++c)
+            number[64 + 3 * i + c] = 0.5 + 0.5 * within[c] / fmax((double)kernel.reflectance[c], 1e-6);
+    }
+}
+
 /* Taps into numbers from 64 on: [taps] of weights and offset. */
 CALL(int, taps, (void))
 {

@@ -30,7 +30,7 @@ function latest(run) { // only the newest call runs; those that came while one d
 }
 
 // ------------------------------------------------------------------------------------------------------------ what is drawn
-const designer = window.designer = { object: 0, mode: 'split', split: 0.5, material: 8, frames: 0, kernel: null };
+const designer = window.designer = { object: 0, mode: 'split', split: 0.55, material: 8, frames: 0, kernel: null };
 const size = Number(location.hash.slice(1)) || Math.min(960, Math.max(480, Math.round(Math.min(innerWidth * (innerWidth < 900 ? 1 : 0.56), 900) * Math.min(devicePixelRatio, 2))));
 designer.size = size;
 const canvas = $('view');
@@ -281,18 +281,16 @@ const own = () => {
 };
 const perMm = () => size / (2 * 0.2126 * (designer.object ? 265 : 660)) / state().mm;
 const design = latest(async () => {
+  stale(true);
   const first = !designer.kernel;
   if (first) took(await maker.ask('design', { material: designer.material, own: own(), taps: 7, model: 1, pixels: perMm(), rough: true, size, ...state() })); // one to begin with
-  const k = await maker.ask('design', { material: designer.material, own: own(), taps: first ? 0 : value('taps'), model: Number($('model').value), pixels: perMm(), size, ...state() });
+  const k = await maker.ask('design', { material: designer.material, own: own(), taps: value('taps'), model: Number($('model').value), pixels: perMm(), size, ...state() });
   took(k);
-  if (first) { // as few as show no bands
-    $('taps').value = k.taps;
-    said();
-  }
   facts(k);
 });
 const look = latest(async () => {
   if (!designer.kernel) return;
+  stale(true);
   took({ ...designer.kernel, ...await maker.ask('look', { size, ...state() }) });
   facts(designer.kernel);
 });
@@ -305,19 +303,66 @@ function took(k) {
   designer.kernel = k;
   redraw();
 }
+// The error of the filter that is chosen, with the passes that draw the picture: a white surface that faces the camera, half of it in the
+// dark, upright or slanted, against the profile's own edge. Root of the mean square difference over 256 pixels across the edge, over the
+// standard deviation of light and dark, as ms_sss_errors has it.
+function edgeErrors(k) {
+  const depth = designer.object ? 265 : 660, flat = texture(gl.RGBA32F, gl.FLOAT, gl.RGBA, new Float32Array(4 * size * size).map((_, i) => (i & 3) === 2 ? 1 : 0)), row = size >> 1;
+  const errors = k.edges.map((edge, slanted) => {
+    const across = (x, y) => slanted ? x + y - size + 1 : x - row + 0.5; // pixels, along the row; the slanted edge passes through pixels
+    const light = new Float32Array(4 * size * size);
+    for (let y = 0, i = 0; y < size; ++y)
+      for (let x = 0; x < size; ++x, i += 4) {
+        const d = across(x, y);
+        light[i] = light[i + 1] = light[i + 2] = d > 0 ? 1 : d < 0 ? 0 : 0.5;
+        light[i + 3] = depth;
+      }
+    const kept = targets.light, out = new Float32Array(4 * size);
+    targets.light = texture(gl.RGBA32F, gl.FLOAT, gl.RGBA, light);
+    for (const { step, level, text, constants } of k.steps) {
+      const pass = programs.steps.get(text), [read, ...to] = wiring(k.way, step, level, flat);
+      onto(...to);
+      use(pass, read);
+      gl.uniform4fv(pass.at('ms_sss'), constants);
+      triangle();
+    }
+    onto(targets.after);
+    gl.readPixels(0, row, size, 1, gl.RGBA, gl.FLOAT, out);
+    gl.deleteTexture(targets.light);
+    targets.light = kept;
+    let sum = 0;
+    for (let x = 0; x < size; ++x) {
+      const d = across(x, row), i = slanted ? Math.abs(d) : Math.abs(d) - 0.5;
+      if (i > 255) continue;
+      for (let c = 0; c < 3; ++c) { const right = edge[3 * i + c]; sum += (out[4 * x + c] - (d < 0 ? 1 - right : right)) ** 2; }
+    }
+    return Math.sqrt(sum / 3 * (slanted ? Math.SQRT1_2 : 1) / 256) / 0.5;
+  });
+  gl.deleteTexture(flat);
+  return errors;
+}
 function reads(k) { // as ms_sss.h says beside the steps
   const shaped = value('elevation') > 0, taps = 4 * k.taps - 2 + (shaped ? 2 : 0);
   return k.way === 2 ? (shaped ? 65 : 68) : k.way === 1 ? Math.round(10 + taps / 4 + (shaped ? 1 : 0)) : taps + 1;
 }
 function facts(k) {
-  const taps = k.taps, percent = v => (100 * v).toFixed(v < 0.1 ? 1 : 0) + '%', list = [
-    [percent(k.errors.texture), 'error on pictures', k.errors.texture > 0.1], [percent(k.errors.vertical), 'upright edge', k.errors.vertical > 0.1],
-    [percent(k.errors.diagonal), 'slanted edge', k.errors.diagonal > 0.1], [k.errors.bands.toFixed(0), k.errors.bands > 24 ? 'bands: stairs are seen' : 'bands, seen from 24', k.errors.bands > 24],
+  const taps = k.taps, percent = v => (100 * v).toFixed(v < 0.1 ? 1 : 0) + '%', [upright, slanted] = k.shown = edgeErrors(k), way = ['two passes', 'half resolution', 'the pyramid'][k.way];
+  const stripes = k.errors.bands > 24, most = v => v <= 0.1;
+  const list = [
+    [percent(upright), `error at an upright shadow edge, ${way}`, !most(upright)], [percent(slanted), `error at a slanted one, ${way}`, !most(slanted)],
+    ...k.way ? [] : [[percent(k.errors.texture), 'error on pictures of noise as in nature', !most(k.errors.texture)],
+      [stripes ? 'faint stripes' : 'smooth', stripes ? 'beside a sharp shadow; more taps smooth them' : 'beside a sharp shadow', stripes]],
     [String(reads(k)), 'texels read a pixel'], k.way === 2 ? [String(k.steps.length), 'passes'] : [String(taps), 'taps a pass, two passes'],
     [k.pixels.toFixed(0) + ' px', `reach on the screen, ${k.radius < 10 ? k.radius.toFixed(1) : k.radius.toFixed(0)} mm`], [k.spent.toFixed(0) + ' ms', 'to make the kernel']];
   $('numbers').replaceChildren(...list.map(([v, what, bad]) => make('div', { className: bad ? 'bad' : '' }, make('b', { textContent: v }), what)));
   plot(k);
   swatch(k);
+  stale(false);
+}
+// Figures and curves that are not of what is chosen are gray, and a word says that new ones are being computed.
+function stale(yes) {
+  $('computing').hidden = !yes;
+  for (const e of document.querySelectorAll('#numbers, .plots')) e.classList.toggle('stale', yes);
 }
 const ink = ['#e4572e', '#3fa34d', '#3a7bd5'];
 function plot(k) {

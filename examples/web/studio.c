@@ -165,6 +165,12 @@ CALL(int, predict, (int count))
     return (int)status;
 }
 
+/* 0: recommendations reach what is liked; 1: too little is known, they are variants of liked materials; 2: nothing was
+   liked yet. */
+CALL(int, guessed, (void))
+{
+    return session.found.search != MS_GPR_SEARCH_VARIANTS ? 0 : session.found.liked > 0 ? 1 : 2;
+}
 CALL(int, recommend, (int count))
 {
     ms_status status = studio_recommend(&session, count, material, NULL, &error);

@@ -48,14 +48,19 @@ function seen(pixels) {
   for (let y = 40; y < 88; y += 2) for (let x = 36; x < 92; x += 2) for (let c = 0; c < 3; ++c) sum[c] += pixels[4 * (y * SIDE + x) + c];
   return sum.map(v => v / (24 * 28 * 255));
 }
+// The name whose hue, in degrees, is the nearest on the circle: those of the colors that are called so.
+const hues = { coral: 16, honey: 37, amber: 46, lemon: 57, lime: 75, leaf: 115, emerald: 140, mint: 158, teal: 180, sky: 196, ocean: 208, royal: 226, violet: 270, orchid: 302, rose: 328, ruby: 338, cherry: 350 };
+const hueName = degrees => Object.keys(hues).reduce((a, b) => {
+  const away = name => Math.abs((degrees - hues[name] + 540) % 360 - 180);
+  return away(b) < away(a) ? b : a;
+});
 function nameOf(x, pixels) {
   const s = shares(x), lobe = Object.keys(s).reduce((a, b) => s[b] > s[a] ? b : a), rough = lobe === 'metal' ? x[6] : x[11], c = seen(pixels);
   const most = Math.max(...c), spread = most - Math.min(...c);
   let hue = 0;
   if (spread > 0) hue = (most === c[0] ? (c[1] - c[2]) / spread + 6 : most === c[1] ? (c[2] - c[0]) / spread + 2 : (c[0] - c[1]) / spread + 4) % 6;
-  const hues = ['cherry', 'coral', 'amber', 'honey', 'lemon', 'lime', 'leaf', 'emerald', 'mint', 'teal', 'sky', 'ocean', 'royal', 'indigo', 'violet', 'orchid', 'rose', 'ruby'];
-  const tint = spread < 0.16 * Math.max(most, 0.15) ? (most > 0.66 ? 'snow' : most > 0.36 ? 'silver' : most > 0.16 ? 'smoky' : 'midnight')
-    : most < 0.2 ? 'dark ' + hues[Math.floor(hue / 6 * 18)] : hues[Math.floor(hue / 6 * 18)];
+  const tint = spread < 0.16 * Math.max(most, 0.15) ? (most > 0.78 ? 'snow' : most > 0.36 ? 'silver' : most > 0.16 ? 'smoky' : 'midnight')
+    : hue > 0.2 && hue < 0.8 && most < 0.6 ? 'cocoa' : (most < 0.2 ? 'dark ' : '') + hueName(60 * hue); // dark orange is brown
   return tint + ' ' + { diffuse: x[17] > 0.35 ? 'porcelain' : x[7] > 0.3 ? 'enamel' : 'clay', metal: rough < 0.35 ? 'chrome' : rough < 0.7 ? 'metal' : 'satin',
     glass: x[17] < 0.6 ? 'lacquer' : rough < 0.35 ? 'glass' : rough < 0.7 ? 'misty glass' : 'frosted glass', jelly: x[18] > 0.6 ? 'wax' : s.glass > 0.25 ? 'jelly' : 'jade' }[lobe];
 }
@@ -71,7 +76,7 @@ const heat = v => `hsl(${18 + 28 * v} ${30 + 65 * v}% ${56 + 2 * v}%)`;
 
 // A slider of eleven steps beside a face that follows it. done(score) is called when the pointer is released, or on Enter.
 function scale(done, label, now = -1) {
-  const f = make('span', { className: 'face' }), s = make('div', { className: 'scale', role: 'slider', tabIndex: 0, ariaLabel: label, ariaValueMin: 0, ariaValueMax: 10 });
+  const f = make('span', { className: 'face' }), number = make('b'), s = make('div', { className: 'scale', role: 'slider', tabIndex: 0, ariaLabel: label, ariaValueMin: 0, ariaValueMax: 10 });
   let at = now, held = false;
   for (let k = 0; k <= 10; ++k) s.append(make('i'));
   const light = k => {
@@ -80,6 +85,7 @@ function scale(done, label, now = -1) {
     s.ariaValueNow = k < 0 ? 5 : k;
     s.ariaValueText = k < 0 ? 'no score yet' : `${k} of 10`;
     f.innerHTML = face(k < 0 ? 0.5 : k / 10);
+    number.textContent = k < 0 ? '' : k;
   };
   const under = e => { const r = s.getBoundingClientRect(); return Math.min(Math.max(Math.floor((e.clientX - r.left) / r.width * 11), 0), 10); };
   s.onpointerdown = e => { if (e.button === 0) { s.setPointerCapture(e.pointerId); held = true; light(under(e)); } };
@@ -94,7 +100,7 @@ function scale(done, label, now = -1) {
     e.preventDefault();
   };
   light(now);
-  return Object.assign(make('div', { className: 'vote' }, f, s), { score: k => { light(k); done(k); } });
+  return Object.assign(make('div', { className: 'vote' }, make('div', { className: 'mood' }, f, number), s), { score: k => { light(k); done(k); } });
 }
 // One tab stop for a row of buttons: arrow keys go from one to the next.
 const one = row => [...row.children].forEach((b, k) => { b.tabIndex = k ? -1 : 0; });
@@ -119,7 +125,7 @@ function sparks(at, kinds) {
 }
 
 // ------------------------------------------------------------------------------------------------------------- the session
-const studio = window.studio = { deck: [], scored: [], recommended: [], chosen: null, view: null, match: null, kept: [], settled: true, version: 0, answers: 0, longest: 0, journal: [] };
+const studio = window.studio = { shelved: '', guessed: 0, unsupported: '', deck: [], scored: [], recommended: [], chosen: null, view: null, match: null, kept: [], settled: true, version: 0, answers: 0, longest: 0, journal: [] };
 const journal = studio.journal, within = v => studio.scored.length ? Math.min(Math.max(v, 0), 10) : v; // predictions on the scale of the scores
 // The longest that the page itself held a frame up, in ms; for whoever wants to know.
 const timed = f => function (...a) {
@@ -140,8 +146,8 @@ function piece(job) {
   };
   requestAnimationFrame(run);
 }
-let mind, hand, queue = [], filling = null, mode = 'score';
-const deckSize = () => innerWidth < 620 ? 4 : 8;
+let mind, hand, queue = [], filling = null, mode = 'pair', byHand = false; // byHand: somebody chose how to answer
+const deckSize = () => mode === 'pair' ? 2 : innerWidth < 720 ? 4 : 8;
 studio.idle = () => studio.started && studio.settled && !mind.busy() && !hand.busy() && !filling && !pieces.length && studio.deck.length > 0;
 
 studio.draw = async x => (await hand.ask('draw', { x })).map(p => Array.from(p)); // pictures of any materials, for scripts
@@ -162,7 +168,7 @@ async function fill() { // the queue of pictures not scored yet
 }
 
 function deal() { // cards from the queue, one a piece
-  const want = mode === 'pair' ? 2 : deckSize();
+  const want = deckSize();
   while (studio.deck.length < want && queue.length) {
     const item = queue.shift();
     item.mode = mode;
@@ -326,13 +332,15 @@ const sound = new Map(Object.entries({
   avoid: a => unit(a.x),
 }));
 function read(text) { // what is sound in a journal, and how many answers and materials of it are not
-  const old = { answers: [], kept: [], gone: [], lost: 0 };
+  const old = { answers: [], kept: [], gone: [], shelf: null, lost: 0 };
   if (!text) return old;
   try {
-    const { answers = [], kept = [], gone = [] } = JSON.parse(text), has = (e, good) => e && typeof e.id === 'string' && good || (++old.lost, false);
+    const { answers = [], kept = [], gone = [], shelf } = JSON.parse(text), has = (e, good) => e && typeof e.id === 'string' && good || (++old.lost, false);
     old.answers = answers.filter(e => has(e, e && e.args && sound.has(e.call) && sound.get(e.call)(e.args))).map(({ id, call, args }) => ({ id, call, args }));
     old.kept = kept.filter(k => has(k, k && unit(k.x) && typeof k.name === 'string'));
     old.gone = gone.filter(id => typeof id === 'string');
+    const number = v => typeof v === 'number' && isFinite(v), good = f => f && unit(f.x) && number(f.mean) && number(f.sigma);
+    if (shelf && typeof shelf.of === 'string' && warnings[shelf.guessed] !== undefined && Array.isArray(shelf.found) && shelf.found.length === SHELF && shelf.found.every(good)) old.shelf = shelf;
   } catch (e) { ++old.lost; }
   return old;
 }
@@ -348,7 +356,8 @@ function store() {
   const left = e => !gone.has(e.id);
   stored = stash(STORE, JSON.stringify({
     answers: [...journal.map(({ id, call, args }) => ({ id, call, args })), ...old.answers.filter(other)].filter(left),
-    kept: [...studio.kept.map(({ id, x, name }) => ({ id, x, name })), ...old.kept.filter(other)].filter(left), gone: [...gone].slice(-500) }));
+    kept: [...studio.kept.map(({ id, x, name }) => ({ id, x, name })), ...old.kept.filter(other)].filter(left), gone: [...gone].slice(-500),
+    shelf: { of: studio.shelved, guessed: studio.guessed, found: studio.recommended.map(({ x, mean, sigma }) => ({ x, mean, sigma })) } }));
   changed = true;
 }
 // Answers and materials of an earlier visit, of another tab or of a file.
@@ -379,7 +388,10 @@ function notice(text) {
 async function restore() {
   const start = performance.now(), text = last(), old = read(text);
   old.gone.forEach(id => gone.add(id));
+  if (old.shelf) studio.shelved = old.shelf.of; // nothing else is recommended while it is shown
   const n = await take(old);
+  if (old.shelf && n && old.shelf.of === answered()) await stock(old.shelf.found, old.shelf.guessed);
+  else if (old.shelf && n) restock(true);
   studio.restored = performance.now() - start;
   if (n || old.kept.length) notice(`Welcome back: ${plural(n, 'answer')} and ${plural(old.kept.length, 'material')} of your last visit are here.`);
   if (old.lost) {
@@ -462,17 +474,17 @@ function table(text) {
 
 // --------------------------------------------------------------------------------------------------------- recommendations
 let restock;
-function heard({ learned, settled, state, problem, doubt, picks }) {
+function heard({ learned, settled, state, problem, doubt, picks, warning }) {
   if (problem) return fail(problem);
   if (learned !== studio.answers && settled) return; // more is under way
-  if (settled) { ask(doubt); offer(picks); }
-  if (state >= 2) restock(settled);
-  if (settled && !(state >= 2)) studio.settled = true;
+  if (settled) { ask(doubt); offer(picks); studio.unsupported = warning || ''; warn(); }
+  if (state >= 2 && studio.shelved !== answered()) restock(settled); // else they are what was here before a reload
+  else if (settled) { studio.settled = true; tell(); }
 }
 // Comparisons in place of scores, where those found little that is liked.
 let declined = false; // the offer of comparisons; once a session
 function offer(picks) { $('picks').hidden = !picks || declined || mode === 'pair'; }
-$('picks-yes').onclick = () => answerBy('pair');
+$('picks-yes').onclick = () => { byHand = true; answerBy('pair'); };
 $('picks-no').onclick = () => { declined = true; offer(false); };
 // Once for each score: was that a slip of the finger? The answer is to score it anew, or to say nothing.
 const asked = new Set();
@@ -485,44 +497,73 @@ function ask(doubt) {
   $('doubt-keep').onclick = () => { asked.add(s.id + s.score); $('doubt').hidden = true; };
 }
 const names = { diffuse: 'matt', metal: 'metal', glass: 'glass', jelly: 'translucent' };
+// Sixteen recommendations, the one of the largest predicted score first. While learning goes on they change; those of a
+// settled model are stored, and a reload shows them again.
+const warnings = ['', 'Too little is known to tell all that you like: these are variants of what you liked.',
+  'Nothing was liked yet: these are unlike what you did not like.'];
 restock = latest(async settled => {
   try {
-    const found = await mind.ask('recommend', { count: SHELF });
-    const pictures = await hand.ask('draw', { x: found.map(f => f.x) });
-    found.forEach((f, k) => { f.picture = pictures[k]; });
-    stock(found);
+    const of = answered(), { found, guessed } = await mind.ask('recommend', { count: SHELF });
+    found.sort((a, b) => b.mean - a.mean);
+    await stock(found, guessed);
+    if (settled) { studio.shelved = of; store(); }
   } catch (e) {
     studio.recommended = [];
-    $('shelf').replaceChildren();
+    studio.shelved = '';
+    ghosts();
+    warn('');
     $('advice').textContent = journal.length < 8 ? 'Keep going: nothing to go by yet.' : 'Nothing that you like so far. Score something a little higher, and I will find its friends.';
+    if (journal.length >= 8) warn(`${e.message}.`.replace('..', '.'));
   }
   if (settled) studio.settled = true;
   tell();
 });
-function stock(found) { // the shelf's buttons stay, their pictures change one after the other
+// What the core has to say: of the scores (studio.unsupported), and of how these recommendations were found.
+function warn(text = $('warning').text || '') {
+  $('warning').text = text;
+  $('warning').textContent = [studio.unsupported, text].filter(Boolean).join(' ');
+  $('warning').hidden = !$('warning').textContent;
+}
+function ghosts() { $('shelf').replaceChildren(...Array.from({ length: SHELF }, () => make('i', { className: 'empty' }))); }
+// What the shelf was made of: all answers, in their order.
+const answered = () => journal.map(e => e.id).join();
+async function stock(found, guessed) { // the shelf's buttons stay, their pictures change one after the other
+  const pictures = await hand.ask('draw', { x: found.map(f => f.x) });
+  found.forEach((f, k) => { f.picture = pictures[k]; });
   studio.recommended = found;
+  studio.guessed = guessed;
   const shelf = $('shelf'), top = best(), version = ++studio.version;
   found.forEach((f, k) => piece(() => {
     if (version !== studio.version) return;
     let b = shelf.children[k];
-    if (!b) {
-      b = make('button', { className: 'pick' }, make('canvas', { className: 'ball', width: SIDE, height: SIDE }), make('span', { className: 'face' }));
-      b.onclick = () => { shelf.querySelectorAll('.chosen').forEach(e => e.classList.remove('chosen')); b.classList.add('chosen'); choose(b.material); };
-      shelf.append(b);
+    if (!b || !b.material) {
+      const made = b = make('button', { className: 'pick' }, make('canvas', { className: 'ball', width: SIDE, height: SIDE }), make('b'), make('span', { className: 'face' }));
+      b.onclick = () => { shelf.querySelectorAll('.chosen').forEach(e => e.classList.remove('chosen')); made.classList.add('chosen'); choose(made.material); reveal('walk'); };
+      if (shelf.children[k]) shelf.children[k].replaceWith(b); else shelf.append(b);
       b.tabIndex = k ? -1 : 0;
     }
     b.material = f.x;
     b.dataset.x = f.x.map(v => v.toFixed(5)).join();
     b.classList.remove('chosen');
     b.title = b.ariaLabel = studio.scored.length ? `${nameOf(f.x, f.picture)}: about ${within(f.mean).toFixed(1)} ± ${f.sigma.toFixed(1)}` : nameOf(f.x, f.picture);
+    b.querySelector('b').textContent = studio.scored.length ? within(f.mean).toFixed(1) : '';
+    b.querySelector('b').hidden = !studio.scored.length;
     show(b.firstChild, f.picture);
     b.firstChild.getAnimations().forEach(a => { a.cancel(); a.play(); });
     b.lastChild.innerHTML = face(Math.min(Math.max(f.mean / top, 0), 1));
   }));
-  $('advice').textContent = 'Click one to walk around it.';
+  $('advice').textContent = 'The best guess first. Click one to walk around it.';
+  warn(warnings[guessed]);
   $('more').disabled = false;
 }
-$('more').onclick = () => restock(false);
+// Scrolls to a section that was opened by a click elsewhere, unless most of it is in sight.
+function reveal(id) {
+  const section = $(id), still = matchMedia('(prefers-reduced-motion:reduce)').matches;
+  section.classList.remove('closed');
+  const r = section.getBoundingClientRect(), seen = Math.min(r.bottom, innerHeight) - Math.max(r.top, 0);
+  if (seen < 0.7 * Math.min(r.height, innerHeight)) section.scrollIntoView({ behavior: still ? 'auto' : 'smooth', block: r.height > innerHeight ? 'start' : 'center' });
+}
+$('more').onclick = () => restock(studio.settled);
 
 // What a delighted face stands for: without scores predictions have a scale of their own.
 const best = () => studio.scored.length ? Math.max(10, ...studio.scored.map(s => s.score)) : Math.max(1e-3, ...studio.recommended.map(r => r.mean));
@@ -532,6 +573,9 @@ function tell() {
   const lobes = { diffuse: 0, metal: 0, glass: 0, jelly: 0 };
   r.forEach(f => { const s = shares(f.x); for (const k in s) lobes[k] += s[k] / r.length; });
   const top = Object.keys(lobes).sort((a, b) => lobes[b] - lobes[a]);
+  const of = n < FIRST ? FIRST : GOOD, left = of - n;
+  $('wanted').replaceChildren(...left <= 0 ? [] : [make('meter', { max: of, value: n, ariaLabel: 'answers so far' }),
+    n < FIRST && !byHand ? `${plural(left, 'more choice')}, then scores.` : n < FIRST ? `${plural(left, 'more answer')} and I know where to look.` : `${plural(left, 'more answer')} make better ones; after ${GOOD} little changes.`]);
   $('says').textContent = n === 0 ? 'Tell me what you like. I learn while you click.'
     : r.length === 0 ? `${n} ${n === 1 ? 'answer' : 'answers'}, and I am curious …`
     : n < 10 ? `${n} answers. A hunch: ${names[top[0]]}?` : `${n} answers. You seem to like ${names[top[0]]}${lobes[top[1]] > 0.28 ? ' and ' + names[top[1]] : ''}.`;
@@ -545,6 +589,8 @@ const choose = timed(async x => {
     const plane = await mind.ask('choose', { x });
     land = { ...plane, spots: [], base: show(make('canvas', { width: 192, height: 192 }), plane.ground, 192) };
     $('plane-hint').hidden = true;
+    $('walk').classList.remove('closed');
+    $('lab').classList.remove('closed');
     studio.plane = land;
     walk(land.at);
     const [x0, x1, y0, y1] = land.window, points = [];
@@ -717,10 +763,10 @@ for (const c of ['#e8502a', '#f2b134', '#f6e7c1', '#5fae57', '#2a9d8f', '#2f7de1
   c.onpointerleave = () => { tip.style.display = 'none'; };
 }
 $('wipe').onclick = () => { if (studio.view) begin(studio.view.x, studio.view.picture); };
-$('brush').onclick = () => { begin(studio.view.x, studio.view.picture); $('lab').scrollIntoView({ behavior: 'smooth', block: 'center' }); };
+$('brush').onclick = () => { begin(studio.view.x, studio.view.picture); reveal('lab'); };
 $('like').onclick = e => { sparks(e.target, [heart]); says('like', { x: studio.view.x }); tell(); };
 $('avoid').onclick = () => { says('avoid', { x: studio.view.x }); tell(); };
-$('adopt').onclick = () => { if (studio.match) { easel.dirty = easel.unsaved = false; choose(studio.match.x); $('walk').scrollIntoView({ behavior: 'smooth', block: 'center' }); } };
+$('adopt').onclick = () => { if (studio.match) { easel.dirty = easel.unsaved = false; choose(studio.match.x); reveal('walk'); } };
 
 // --------------------------------------------------------------------------------------------------------- the collection
 function collect(item, picture) {
@@ -781,6 +827,7 @@ const prefer = timed(item => {
   leave(other);
   leave(item);
   tell();
+  setTimeout(nextMode, 240); // the two have left by then
 });
 const neither = timed(() => {
   if (studio.deck.length < 2) return;
@@ -788,31 +835,42 @@ const neither = timed(() => {
   says('neither', { x: pair.map(o => o.x) }, pair.map(o => o.picture));
   pair.forEach(leave);
   tell();
+  setTimeout(nextMode, 240);
 });
 function answerBy(next) {
   if (next === mode) return;
   mode = next;
   offer(false);
-  for (const [id, m] of [['by-score', 'score'], ['by-pair', 'pair']]) $(id).ariaPressed = String(m === mode);
   queue = [...studio.deck.map(({ x, picture }) => ({ x, picture })), ...queue];
   studio.deck.length = slots.length = 0;
+  layDeck();
+  deal();
+  tell();
+}
+function layDeck() {
+  for (const [id, m] of [['by-score', 'score'], ['by-pair', 'pair']]) $(id).ariaPressed = String(m === mode);
+  $('keys').textContent = mode === 'pair' ? 'Keys: 1 and 2 choose, 0 is neither.' : 'Keys: 0 to 9 score the material in focus or under the pointer, + is ten; arrows and Enter as well.';
   $('deck').replaceChildren();
   $('deck').className = mode;
-  if (mode === 'pair') {
-    const b = make('button', { className: 'quiet', id: 'neither', textContent: 'Neither' });
-    b.onclick = neither;
-    $('deck').append(make('div', { className: 'pair-bar' }, b));
-  }
-  deal();
+  if (mode !== 'pair') return;
+  const b = make('button', { className: 'quiet', id: 'neither', textContent: 'Neither' });
+  b.onclick = neither;
+  $('deck').append(make('div', { className: 'pair-bar' }, b));
 }
-$('by-score').onclick = () => answerBy('score');
-$('by-pair').onclick = () => answerBy('pair');
+// The first answers are choices between two, which say more than scores do while little is known; then scores, unless somebody chose.
+const FIRST = 10, GOOD = 60; // GOOD: from there recommendations hardly get better (tests/bench/RESULTS.md, active galleries)
+function nextMode() { if (!byHand) answerBy(journal.length < FIRST ? 'pair' : 'score'); }
+$('by-score').onclick = () => { byHand = true; answerBy('score'); };
+$('by-pair').onclick = () => { byHand = true; answerBy('pair'); };
 
 // ------------------------------------------------------------------------------------------------------------------- begin
 (async () => {
+  mode = read(last()).answers.length < FIRST ? 'pair' : 'score';
+  layDeck();
+  ghosts();
   tell();
   $('says').textContent = 'Waking up …';
-  for (let k = 0; k < deckSize(); ++k) $('deck').append(make('div', { className: 'card waiting sleep' }, make('canvas', { className: 'ball', width: 8, height: 8 }), make('div', { className: 'name', textContent: ' ' })));
+  for (let k = 0; k < deckSize(); ++k) $('deck').prepend(make('div', { className: 'card waiting sleep' }, make('canvas', { className: 'ball', width: 8, height: 8 }), make('div', { className: 'name', textContent: ' ' })));
   await new Promise(r => setTimeout(r, 30)); // this much is seen before the networks are unpacked
   mind = worker(false);
   hand = worker(true);

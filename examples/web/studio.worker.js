@@ -48,7 +48,7 @@ const calls = {
   recommend({ count }) {
     check(wasm.recommend(count));
     const mean = take(wasm.numbers(), 2 * count);
-    return rows(count).map((x, i) => ({ x, mean: mean[i], sigma: mean[count + i] }));
+    return { found: rows(count).map((x, i) => ({ x, mean: mean[i], sigma: mean[count + i] })), guessed: wasm.guessed() };
   },
   predict({ x }) {
     put(wasm.x(), x);
@@ -113,7 +113,7 @@ function learn() {
       const status = wasm.update();
       postMessage({ learned: answered, settled: status ? 1 : wasm.settled(), state: wasm.state(), problem: status ? sentence() : '' });
       if (!status) return void setTimeout(slice, 0);
-    } else postMessage({ learned: answered, settled: 1, state: wasm.state(), problem: '', doubt: doubt(), picks: wasm.wants_picks() });
+    } else postMessage({ learned: answered, settled: 1, state: wasm.state(), problem: '', doubt: doubt(), picks: wasm.wants_picks(), warning: wasm.warning && wasm.warning() ? sentence() : '' });
     learning = false;
   };
   setTimeout(slice, 0);

@@ -1,6 +1,5 @@
 // Three objects of two materials on a floor: what examples/web/three.html shows.
 const $ = id => document.getElementById(id);
-window.onerror = (_, __, ___, ____, e) => { $('message').textContent = e ? e.message : 'three.js was not loaded: this page wants the network once'; };
 const renderer = new THREE.WebGLRenderer({ antialias: true });
 const scene = new THREE.Scene(), camera = new THREE.PerspectiveCamera(30, 1, 0.5, 50), lamp = new THREE.DirectionalLight(0xfff1e0, 5);
 renderer.shadowMap.enabled = true;
@@ -32,7 +31,8 @@ add(new THREE.TorusKnotGeometry(0.75, 0.25, 256, 48), marble, 0.2, 0.05, 0);
 for (const part of [[[0.02, -1], [0.6, -0.85], [0.95, -0.3], [1, 0.6]], [[1, 0.6], [0.95, 0.6]], [[0.95, 0.6], [0.9, -0.28], [0.55, -0.78], [0.02, -0.93]]])
   add(new THREE.LatheGeometry(part.map(q => new THREE.Vector2(...q)), 128), marble, 2.4, 0, 0); // a cup: outside, rim, inside, whose normals differ at the edges
 add(new THREE.PlaneGeometry(30, 30), floor, 0, -1.1, 0).rotation.x = -Math.PI / 2;
-const view = window.view = { THREE, scene, camera, azimuth: 0.3, height: 0.25, ready: false };
+const { MeshBasicMaterial, MeshStandardMaterial } = THREE;
+const view = window.view = { THREE: { MeshBasicMaterial, MeshStandardMaterial }, scene, camera, azimuth: 0.3, height: 0.25, ready: false };
 const pose = () => {
   const a = $('turn').value * Math.PI / 180;
   lamp.position.set(9 * Math.sin(a), 5, 9 * Math.cos(a));
@@ -69,4 +69,5 @@ renderer.domElement.onpointermove = e => {
 };
 addEventListener('resize', resize);
 resize();
+$('message').textContent = 'Skin, and marble twice, by sss_three.js. Drag to turn; untick "scatter" for three.js alone.';
 view.ready = true;
