@@ -179,9 +179,9 @@ static void test_ball(void)
         CHECK_LE(d, sqrt(-0.5 * log(0.5e-4)) / sqrt((double)N)); /* one sample against a distribution: chance 1e-4 */
         for (k = 0; k < M; ++k)
             CHECK_NEAR(middle[k], 0.5, 4.5 * radius / sqrt(5.0 * (int)N)); /* variance r^2 / 5 in 3D; 4.5 sigma */
-        { /* volume of the ball; 4.5 binomial sigma of 8192 candidates */
+        { /* volume of the ball; 4.5 binomial sigma of 4096 candidates */
             double volume = 4.0 / 3 * 3.141592653589793 * radius * radius * radius;
-            CHECK_NEAR(report.acceptance, volume, 4.5 * sqrt(volume / 8192));
+            CHECK_NEAR(report.acceptance, volume, 4.5 * sqrt(volume / 4096));
         }
     }
     ms_gpr_destroy(gp);
@@ -271,7 +271,7 @@ static void test_searches(void)
             if (search) CHECK_INT(report.search, search);
             CHECK(report.liked > 0 && report.liked < 200);
             CHECK(report.acceptance >= 0 && report.acceptance < 0.3);
-            CHECK(report.candidates >= 8192 && report.spread > 0.05);
+            CHECK(report.candidates >= 4096 && report.spread > 0.05);
             ms_gpr_predict(t.gp, x, 100, again, variance, NULL);
             for (i = 0; i < 100; ++i) {
                 CHECK(mean[i] >= report.threshold);
@@ -772,7 +772,7 @@ static void test_shares(void)
         }
         CHECK(all > 500);
         for (c = 0; c < MODES; ++c) worst = fmax(worst, fabs(share[c] / all - got[c]));
-        CHECK_NEAR(report.acceptance, all / (int)MANY, 4.5 * sqrt(all / (int)MANY / 8192)); /* binomial */
+        CHECK_NEAR(report.acceptance, all / (int)MANY, 4.5 * sqrt(all / (int)MANY / 4096)); /* binomial */
     }
     CHECK_LE(worst, 0.1); /* a half of 25 candidates that reach the threshold: 0.1 a seed, so 0.05 of four; twice */
     TEST_NOTE("shares within %.3f", worst);
