@@ -19,15 +19,15 @@
       {
           enum { N = 60, M = 5, COUNT = 4 };
           double x[N * M], score[N], found[COUNT * M], mean[COUNT], sigma[COUNT];
-          uint64_t state = 1;
+          ms_gpr_view nothing = ms_gpr_view_of(NULL);
           ms_gpr *gp;
           ms_gpr_fit_report report;
           ms_error error;
           int i;
-          for (i = 0; i < N * M; ++i) {
-              state = state * 6364136223846793005u + 1442695040888963407u;
-              x[i] = (double)(state >> 11) / 9007199254740992.0;
-          }
+          nothing.m = M;
+          if (ms_gpr_create(&nothing, NULL, &gp, &error) != MS_OK) return puts(error.message), 1;
+          if (ms_gpr_gallery(gp, NULL, N, x, &error) != MS_OK) return puts(error.message), 1;
+          ms_gpr_destroy(gp);
           for (i = 0; i < N; ++i) {
               double off = (x[i * M] - 0.8) / 0.2;
               score[i] = off * off < 1 ? 10 * (1 - off * off) : 0;
@@ -44,7 +44,7 @@
 
    In the caller's order
    ---------------------
-   1. ms_gpr_gallery     materials to be scored, in batches of 5 to 25; a model of n = 0 gives the first
+   1. ms_gpr_gallery     materials to be scored, in batches of 5 to 25; a model of n = 0, theta NULL, gives the first
    2. ms_gpr_fit         learns from scores, from choices such as "the best 2 of 9", or from both
       ms_gpr_update      other data for a model, under the same hyperparameters
    3. ms_gpr_predict, ms_gpr_preference, ms_gpr_relevance     what was learned

@@ -724,7 +724,7 @@ static void test_space(void)
     CHECK_LE(variance, 0.75 * pow(ms_gpr_latent_view_of(s.plane).sf, 2));
     equal[1] = 3; /* a metal's: no parameter of a list equals another */
     CHECK_INT(studio_keep(&s, &wish, &error), MS_INVALID_ARGUMENT);
-    CHECK(strstr(error.message, "columns 11 and 3 are to be equal") != NULL);
+    CHECK(strstr(error.message, "parameters 11 and 3 are to be equal") != NULL);
     CHECK_INT(s.state, STUDIO_EXPLORING);
     studio_close(&s);
     neural_free(&net);
