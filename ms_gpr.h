@@ -56,8 +56,8 @@
    -------------
    n materials, m parameters. A likelihood with its gradient takes n^3 / 2 + n^2 m multiply-adds. A fit evaluates it 100
    to 150 times. From 200 scores on nearly all of these use a third of the scores. A mean takes n m, its variance
-   n^2 / 2 more. A model has n^2 + 2 n m doubles. A fit has 4 n^2 of them at its peak, with choices 9 n^2. Figures:
-   tests/bench/RESULTS.md, made by `make bench`.
+   n^2 / 2 more. A model has n^2 + 2 n m doubles; making it takes 3 n^2 more for a while, with choices 4 n^2. A fit has
+   7 n^2 at its peak, with choices 9 n^2. Figures: tests/bench/RESULTS.md, made by `make bench`.
 
    Threads, SIMD, determinism, errors
    ----------------------------------
@@ -369,7 +369,7 @@ typedef struct ms_gpr_recommend_report {
     int liked;            /* materials that were scored, or are predicted where they were chosen, above the floor */
     double threshold;     /* in units of the score; of variants: the least of their means */
     double best;          /* largest mean that was found over the box */
-    double acceptance;    /* share of the first 4096 candidates whose mean reaches the threshold */
+    double acceptance;    /* share of the first candidates whose mean reaches the threshold: 4096, where few do 8192 */
     double candidates;    /* whose means were predicted, but for those along chains */
     double spread;        /* mean distance of the first 200 to the nearest of them, measured as avoid_distance */
 } ms_gpr_recommend_report;
@@ -382,7 +382,7 @@ typedef struct ms_gpr_recommend_report {
    mean      [count] out, or NULL: predicted scores
    sigma     [count] out, or NULL: their standard deviation
    report    out, or NULL
-   Separate regions that are liked get recommendations in proportion to their volume, as far as 4096 candidates tell it;
+   Separate regions that are liked get recommendations in proportion to their volume, as far as 8192 candidates tell it;
    regions that none of these hits are found by 16 ascents. MS_NOT_CONVERGED: there are not so many different materials,
    or all others are to be avoided; then, and with MS_CANCELLED, the first report->found rows are valid.
    MS_INVALID_ARGUMENT, MS_OUT_OF_MEMORY. Thesis 3.4.1; Neal 2003, slice sampling. */
@@ -1453,6 +1453,7 @@ typedef struct ms_gpr__problem {
     double *latent;      /* [stride] f */
     double *list;        /* [6][stride] scratch */
     int components;      /* of the graph that choices make of rows, single rows included; 0: not known yet */
+    int *label;          /* [n] the least row of a row's component */
     int *member;         /* [n] rows, component by component */
     int *position;       /* [n] where a row is in its component */
     int *start;          /* [n + 1] the first member of each component */
@@ -1547,41 +1548,37 @@ static double ms_gpr__log_posterior(const ms_gpr__problem *p, double ridge, doub
     return sum;
 }
 
-/* The root of row i's tree; the path to it is halved. */
-static int ms_gpr__root(int *parent, int i)
-{
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-}
-
 /* Connected components of the graph that choices make of rows: W is block-diagonal over them. */
 static void ms_gpr__components(ms_gpr__problem *p)
 {
-    int *parent = p->position, *size = p->start, n = p->n, i, j, root, at = 0;
-    for (i = 0; i < n; ++i) parent[i] = i, size[i] = 0, p->head[i] = -1;
-    for (i = 0; i < p->choices; ++i) {
-        const int *row = p->rows + p->first[i];
-        for (j = 1; j < p->first[i + 1] - p->first[i]; ++j) {
-            int a = ms_gpr__root(parent, row[0]), b = ms_gpr__root(parent, row[j]);
-            parent[a > b ? a : b] = a > b ? b : a; /* the root is the least row */
+    int *label = p->label, n = p->n, at = 0, changed, i, j;
+    for (i = 0; i < n; ++i) label[i] = i, p->head[i] = -1;
+    do { /* each row gets the least label of the choices that have it */
+        for (i = 0, changed = 0; i < p->choices; ++i) {
+            int least = n;
+            for (j = p->first[i]; j < p->first[i + 1]; ++j)
+                least = label[p->rows[j]] < least ? label[p->rows[j]] : least;
+            for (j = p->first[i]; j < p->first[i + 1]; ++j) {
+                changed |= label[p->rows[j]] != least;
+                label[p->rows[j]] = least;
+            }
         }
-        p->next[i] = p->head[row[0]];
-        p->head[row[0]] = i;
+    } while (changed);
+    for (i = 0; i < p->choices; ++i) {
+        const int winner = p->rows[p->first[i]];
+        p->next[i] = p->head[winner];
+        p->head[winner] = i;
     }
-    for (i = 0; i < n; ++i) ++size[ms_gpr__root(parent, i)];
-    for (root = 0; root < n; ++root) { /* size becomes where the next member goes */
-        j = size[root];
-        size[root] = at;
-        at += j;
-    }
-    for (i = 0; i < n; ++i) p->member[size[ms_gpr__root(parent, i)]++] = i;
-    for (i = 0, p->components = 0; i < n; ++i) { /* a component ends where the next root stands */
-        int row = p->member[i];
-        if (ms_gpr__root(parent, row) == row) p->start[p->components++] = i;
+    for (i = 0, p->components = 0; i < n; ++i) {
+        if (label[i] != i) continue; /* the least row of a component stands for it */
+        p->start[p->components++] = at;
+        for (j = i; j < n; ++j) {
+            if (label[j] != i) continue;
+            p->position[j] = at - p->start[p->components - 1];
+            p->member[at++] = j;
+        }
     }
     p->start[p->components] = n;
-    for (j = 0; j < p->components; ++j)
-        for (i = p->start[j]; i < p->start[j + 1]; ++i) p->position[p->member[i]] = i - p->start[j];
 }
 
 /* Component c of W, whose choices add (diag(p) - p p') / s^2 to the diagonal of the scores: adds its inverse to upper,
@@ -1713,13 +1710,12 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
             double length = halving ? -0.5 / (1 << (halving < 30 ? halving - 1 : 29)) : 1;
             f->axpy(p->alpha, length, turn, padded);
             f->axpy(p->latent, length, move, padded);
-            if (slope < 1e-12 * (1 + fabs(value))) break;
-            if (halving == 1 && slope < 1e-8 * (1 + fabs(value))) break; /* rounding hides what is gained */
+            if (slope < 1e-8 * (1 + fabs(value))) break; /* whole steps converge; rounding hides what is gained */
             better = ms_gpr__log_posterior(p, ridge, noise);
             if (ms__finite(better) && better > value) break;
         }
-        if (slope < 1e-12 * (1 + fabs(value)) || halving == 40 || !(better > value)) break;
-        value = better;
+        if (slope < 1e-12 * (1 + fabs(value)) || halving == 40) break;
+        if (better > value) value = better;
     }
     *likelihood = ms_gpr__log_posterior(p, ridge, noise) -
         0.5 * (determinant + ms_gpr__log_determinant(p->upper, p->stride, p->n));
@@ -1916,6 +1912,7 @@ static void ms_gpr__problem_layout(ms_gpr__problem *p, const ms_gpr__kernels *ke
     p->scored = (char *)ms__take(arena, rows, 1);
     p->rows = (int *)ms__take(arena, chosen, sizeof(int));
     p->first = (int *)ms__take(arena, count + 1, sizeof(int));
+    p->label = (int *)ms__take(arena, rows, sizeof(int));
     p->member = (int *)ms__take(arena, rows, sizeof(int));
     p->position = (int *)ms__take(arena, rows, sizeof(int));
     p->head = (int *)ms__take(arena, rows, sizeof(int));
@@ -2673,6 +2670,11 @@ static int ms_gpr__fit_scores(ms_gpr__fit *fit, const double *y, int n)
     for (i = 0; i < n; ++i) at_floor += ms_gpr__scored(y[i]) && y[i] <= least;
     has_floor = fit->o.floor || (at_floor >= 2 && 8.0 * at_floor >= scored && at_floor < scored);
     fit->floor = fit->floor_value = has_floor ? fit->o.floor ? *fit->o.floor : least : 0;
+    if (scored > 0 && has_floor && largest <= fit->floor) { /* nothing above it: a flat model there */
+        fit->unit = fabs(fit->floor) > 0 ? fabs(fit->floor) : 1;
+        fit->mean = fit->floor_value = fit->floor - 1e-9 * fit->unit;
+        return fit->o.choices.count > 0;
+    }
     if (!(largest - least > 1e-12 * (fabs(largest) + fabs(least)))) return fit->o.choices.count > 0;
     for (pass = 0; pass < 2; ++pass) { /* of the scores (at most at the floor), then of what they are modeled as */
         for (i = 0, sum = sum2 = 0; i < n; ++i)
@@ -3067,22 +3069,13 @@ static void ms_gpr__natural_range(const double *x, int n, int m, int k, double *
 /* A ms_gpr_space made ready: a material in the box has a point in the unit box. */
 typedef struct ms_gpr__box {
     int m;
-    double *low, *high, *width, *per; /* [m] in units of x; per: 1 / width or 0 */
+    double *low, *high, *width, *per; /* [m] in units of x, in one block; per: 1 / width or 0 */
     void (*snap)(void *user, double *x);
     void *user;
     ms_allocator allocator;
-    void *memory;
 } ms_gpr__box;
 
-static void ms_gpr__box_layout(ms_gpr__box *box, ms__arena *arena)
-{
-    box->low = ms_gpr__take(arena, (size_t)box->m, 1);
-    box->high = ms_gpr__take(arena, (size_t)box->m, 1);
-    box->width = ms_gpr__take(arena, (size_t)box->m, 1);
-    box->per = ms_gpr__take(arena, (size_t)box->m, 1);
-}
-
-static void ms_gpr__box_free(ms_gpr__box *box) { ms_gpr__release(&box->allocator, box->memory); }
+static void ms_gpr__box_free(ms_gpr__box *box) { ms_gpr__release(&box->allocator, box->low); }
 
 /* wish[k], where it is given and not infinite. */
 static double ms_gpr__bound(const double *wish, int k, double sign, double otherwise)
@@ -3094,18 +3087,17 @@ static double ms_gpr__bound(const double *wish, int k, double sign, double other
 static ms_status ms_gpr__box_make(const double *x, int n, int m, const ms_gpr_space *space,
                                   const ms_allocator *allocator, ms_gpr__box *box, ms_error *error)
 {
-    ms__arena arena = {NULL, 0};
     int k;
     memset(box, 0, sizeof *box);
     box->m = m;
     box->snap = space->snap;
     box->user = space->user;
     box->allocator = *allocator;
-    ms_gpr__box_layout(box, &arena);
-    if (!ms_gpr__place(&box->allocator, &arena))
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the box of %d parameters", m);
-    box->memory = arena.base;
-    ms_gpr__box_layout(box, &arena);
+    box->low = ms_gpr__scratch(allocator, ms__size_mul(4, (size_t)m));
+    if (box->low == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the box of %d parameters", m);
+    box->high = box->low + m;
+    box->width = box->high + m;
+    box->per = box->width + m;
     for (k = 0; k < m; ++k) {
         double low, high, limit = MS_GPR__LARGEST;
         ms_gpr__natural_range(x, n, m, k, &low, &high);
@@ -3246,15 +3238,16 @@ static void ms_gpr__source_fill(ms_gpr__source *s, int variants, double least, d
 /* --- recommendations --- */
 
 enum {
-    MS_GPR__PILOT = 4096,   /* uniform candidates that are looked at first */
-    MS_GPR__WAVE = 64,      /* chains that run together, or variants of a round */
-    MS_GPR__TASKS = 16,     /* that share the chains of a wave */
-    MS_GPR__SEEDS = 1024,   /* places where chains start, at most */
-    MS_GPR__SEEDS_FEW = 16, /* below so many candidates that reach the threshold, maxima are places to start as well */
-    MS_GPR__MODES = 16,     /* ascents that look for the largest mean */
-    MS_GPR__ASCENT = 100,   /* evaluations of an ascent, at most */
-    MS_GPR__BEST_OF = 10,   /* variants of which the one with the largest mean is taken */
-    MS_GPR__RIVALS = 16     /* candidates of which one is taken, at the largest diversity */
+    MS_GPR__PILOT = 4096,    /* uniform candidates that are looked at first */
+    MS_GPR__PILOT_HITS = 32, /* of them that reach the threshold, below which as many more are looked at */
+    MS_GPR__WAVE = 64,       /* chains that run together, or variants of a round */
+    MS_GPR__TASKS = 16,      /* that share the chains of a wave */
+    MS_GPR__SEEDS = 1024,    /* places where chains start, at most */
+    MS_GPR__SEEDS_FEW = 16,  /* below so many candidates that reach the threshold, maxima are places to start as well */
+    MS_GPR__MODES = 16,      /* ascents that look for the largest mean */
+    MS_GPR__ASCENT = 100,    /* evaluations of an ascent, at most */
+    MS_GPR__BEST_OF = 10,    /* variants of which the one with the largest mean is taken */
+    MS_GPR__RIVALS = 16      /* candidates of which one is taken, at the largest diversity */
 };
 static const double MS_GPR__INFORMATIVE = 0.3; /* length scales in the box's width from which on a column matters */
 static const double MS_GPR__REACH = 3.0;       /* length scales that a slice is long, at most */
@@ -3291,9 +3284,10 @@ typedef struct ms_gpr__sampler {
     ms_gpr_recommend_options o; /* with the defaults filled in */
     ms_gpr__found found;
     double threshold;       /* what recommendations reach */
-    double *candidate;      /* [PILOT + n][m] in units of x */
-    double *mean;           /* [PILOT + n] */
-    ms_gpr__ranked *ranked; /* [PILOT + n] */
+    double *candidate;      /* [2 PILOT + n][m] in units of x */
+    double *mean;           /* [2 PILOT + n] */
+    ms_gpr__ranked *ranked; /* [2 PILOT + n] */
+    int pilots, hits;       /* uniform candidates at their front; those that reach the threshold */
     double *mode;           /* [MODES][m] local maxima of the mean, in units of x */
     double mode_value[MS_GPR__MODES];
     double *kernel, *low, *high, *q, *work; /* of an ascent */
@@ -3350,6 +3344,21 @@ static void ms_gpr__ascend(ms_gpr__sampler *h, double *x)
     }
 }
 
+/* Counts candidates from `first` on, drawn and predicted before (random NULL) or now, and those that reach the
+   threshold. */
+static ms_status ms_gpr__sampler_pilots(ms_gpr__sampler *h, int first, int count, ms_gpr__random *random,
+                                        ms_error *error)
+{
+    double *x = h->candidate + (size_t)first * (size_t)h->source.gp->m, *mean = h->mean + first;
+    ms_status status = MS_OK;
+    int i;
+    if (random) ms_gpr__source_fill(&h->source, 0, 0, 0, random, count, x);
+    if (random) status = ms_gpr_predict(h->source.gp, x, count, mean, NULL, error);
+    for (i = 0; i < count && status == MS_OK; ++i) h->hits += mean[i] >= h->threshold;
+    h->pilots += count;
+    return status;
+}
+
 /* The first candidates, local maxima of the mean, and the threshold. *liking: something is predicted above the floor.
  */
 static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, int *liking, ms_error *error)
@@ -3357,7 +3366,7 @@ static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, int *liking, ms_error
     ms_gpr__source *s = &h->source;
     const ms_gpr *gp = s->gp;
     ms_gpr__random random = ms_gpr__random_make(h->o.seed, 0);
-    double best = -HUGE_VAL, top = h->o.best < 0 || h->o.best > 0 ? h->o.best : s->top, reached;
+    double best = -HUGE_VAL, top = h->o.best < 0 || h->o.best > 0 ? h->o.best : s->top;
     size_t m = (size_t)gp->m, row = m * sizeof(double);
     int count = MS_GPR__PILOT + gp->n, i;
     ms_status status;
@@ -3399,9 +3408,11 @@ static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, int *liking, ms_error
     if (!*liking) return MS_OK;
     h->threshold = fmin(s->floor + h->o.tau * (top - s->floor), best - 1e-6 * (best - s->floor));
     h->report.threshold = h->threshold;
-    for (i = 0, reached = 0; i < MS_GPR__PILOT; ++i) reached += h->mean[i] >= h->threshold;
-    h->report.acceptance = reached / (int)MS_GPR__PILOT;
-    return MS_OK;
+    status = ms_gpr__sampler_pilots(h, 0, MS_GPR__PILOT, NULL, error);
+    if (h->hits < MS_GPR__PILOT_HITS) status = ms_gpr__sampler_pilots(h, MS_GPR__PILOT, MS_GPR__PILOT, &random, error);
+    h->report.acceptance = (double)h->hits / h->pilots;
+    h->report.candidates = count + h->pilots - (int)MS_GPR__PILOT;
+    return status;
 }
 
 /* Squared root-mean-square distance, in widths of the box, of x to the nearest of `count` rows. */
@@ -3624,14 +3635,14 @@ static ms_status ms_gpr__sampler_chains(ms_gpr__sampler *h, ms_error *error)
     ms_status status = MS_OK;
     double doubt;
     int i;
-    for (i = 0; i < MS_GPR__PILOT && h->seeds < MS_GPR__SEEDS; ++i)
+    for (i = 0; i < h->pilots && h->seeds < MS_GPR__SEEDS; ++i)
         if (h->mean[i] >= h->threshold)
             ms_gpr__box_point(box, h->candidate + (size_t)i * m, h->seed + (size_t)h->seeds++ * m);
     for (i = 0; i < MS_GPR__MODES && h->seeds < MS_GPR__SEEDS_FEW + i; ++i)
         if (h->mode_value[i] >= h->threshold)
             ms_gpr__box_point(box, h->mode + (size_t)i * m, h->seed + (size_t)h->seeds++ * m);
     for (; status == MS_OK && h->found.taken < h->found.count; h->first += MS_GPR__WAVE) {
-        if (h->seeds == 0 || (double)h->first / 40 > wanted + MS_GPR__WAVE) return MS_NOT_CONVERGED;
+        if (h->seeds == 0 || (double)h->first / 40 > wanted + (int)MS_GPR__WAVE) return MS_NOT_CONVERGED;
         ms__run(&h->source.gp->parallel, MS_GPR__TASKS, ms_gpr__chain_run, h);
         if (h->first == 0 && h->o.search == MS_GPR_SEARCH_AUTO) {
             status = ms_gpr__sampler_doubt(h, &doubt, error);
@@ -3687,7 +3698,7 @@ static double ms_gpr__spread(const ms_gpr__box *box, const double *x, int count)
 static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms__arena *arena)
 {
     const ms_gpr *gp = h->source.gp;
-    size_t m = (size_t)gp->m, candidates = MS_GPR__PILOT + (size_t)gp->n;
+    size_t m = (size_t)gp->m, candidates = 2 * (size_t)MS_GPR__PILOT + (size_t)gp->n;
     int i;
     ms_gpr__source_layout(&h->source, arena);
     h->candidate = ms_gpr__take(arena, candidates, m);

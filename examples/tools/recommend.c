@@ -164,10 +164,11 @@ static void summarize(const scores *s, const ms_gpr_recommend_report *report, in
     fprintf(stderr, ".\n%d recommendations ", report->found);
     if (report->search == MS_GPR_SEARCH_VARIANTS) fprintf(stderr, "by variants of what was liked");
     else fprintf(stderr, "of at least %.3g by a threshold", report->threshold);
-    fprintf(stderr, "; mean distance to the nearest other %.3f.\n", report->spread);
+    if (report->found > 1) fprintf(stderr, "; mean distance to the nearest other %.3f", report->spread);
+    fprintf(stderr, ".\n");
     if (report->search == MS_GPR_SEARCH_VARIANTS) return;
     if (report->acceptance > 0) fprintf(stderr, "One uniform material in %.0f would do.\n", 1 / report->acceptance);
-    else fprintf(stderr, "None of 4096 uniform materials would do.\n");
+    else fprintf(stderr, "None of 8192 uniform materials would do.\n");
 }
 
 int main(int argc, char **argv)

@@ -114,7 +114,7 @@ static void family_models(void)
     ms_error error = attack_no_error();
     ms_status status;
     int i, k;
-    double most = 1e-300;
+    double most;
     draw_taste(&t);
     gp = fit(&t, t.x, &report);
     if (gp == NULL) return;
@@ -127,6 +127,7 @@ static void family_models(void)
     status = ms_gpr_predict(gp, p, COUNT, mean, variance, &error);
     ATTACK_CHECK(status == MS_OK, "predict: %s", status ? error.message : "");
     view = ms_gpr_view_of(gp);
+    most = exp(view.theta[t.m]); /* the unit of predictions where nothing was scored */
     for (i = 0; i < t.n; ++i)
         if (t.y[i] > -1e37) most = fmax(most, fabs(t.y[i] - view.mean));
     for (i = 0; i < COUNT; ++i) {
@@ -355,7 +356,7 @@ static void family_materials(void)
     if (status != MS_OK) {
         attack_check_error(status, &error);
         attack_fail("a gallery is refused: %s", error.message);
-    } else check_materials(&t, &g.space, x, count, g.space.low != NULL);
+    } else check_materials(&t, &g.space, x, count, g.space.low != NULL || (t.m == 1 && t.constant == 0));
     ms_gpr_destroy(gp);
 }
 
