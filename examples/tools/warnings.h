@@ -57,7 +57,7 @@ static inline int warning_of(const ms_gpr *gp, double explained, char *text)
                  "the last %d scores are lower than the ones before them predict: did the taste change? If so, leave "
                  "the earlier ones out.",
                  (int)WARNINGS_RECENT);
-    else if (scored >= 8 && !(explained > 0.05)) /* below it random scores are as good: tests/test_gpr.c */
+    else if (scored >= 8 && liked > 2 && !(explained > 0.05)) /* random scores are as good: tests/test_gpr.c */
         snprintf(text, WARNINGS_TEXT, "these scores predict each other no better than their mean.");
     else if (scored >= WARNINGS_SCORES && liked >= WARNINGS_LIKED && explained < 0.4)
         snprintf(text, WARNINGS_TEXT,
