@@ -1807,14 +1807,17 @@ static void ms_gpr__laplace_implicit(ms_gpr__problem *p, double sf2, double nois
 }
 
 /* Moves alpha and f from the mode to the mean, to third order: E f = f + C s (Tierney & Kadane 1986). By the mode
-   alone, the probability of a pair of a decisive person is wrong by 0.13. */
-static void ms_gpr__laplace_mean(ms_gpr__problem *p, double sf2, double noise)
+   alone, the probability of a pair of a decisive person is wrong by 0.13. The factor is made anew at the mode: that of
+   the last step is off by the length of that step. 0: no factor. */
+static int ms_gpr__laplace_mean(ms_gpr__problem *p, double sf2, double noise)
 {
     double *u = NULL, by_sf, by_sn;
     int padded = ms_gpr__padded(p->n);
+    if (ms_gpr__laplace_factor(p, MS_GPR__RIDGE / sf2, noise) > 1e299) return 0;
     ms_gpr__laplace_implicit(p, sf2, noise, &u, &by_sf, &by_sn);
     p->kernels->axpy(p->alpha, 1, u, padded);
     p->kernels->axpy(p->latent, 1, p->list + 2 * p->stride, padded);
+    return 1;
 }
 
 /* --- both --- */
@@ -2096,7 +2099,7 @@ static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
         double noise = ms_gpr__sn2(gp) + gp->jitter * sf2;
         memcpy(p.alpha, gp->alpha, row);
         found = ms_gpr__evaluate(&p, sf2, noise, &gp->likelihood, NULL);
-        if (found && p.choices > 0) ms_gpr__laplace_mean(&p, sf2, noise);
+        if (found && p.choices > 0) found = ms_gpr__laplace_mean(&p, sf2, noise);
         if (found) break;
     }
     if (found) memcpy(gp->alpha, p.alpha, row);

@@ -356,7 +356,7 @@ static void family_materials(void)
     if (status != MS_OK) {
         attack_check_error(status, &error);
         attack_fail("a gallery is refused: %s", error.message);
-    } else check_materials(&t, &g.space, x, count, g.space.low != NULL || (t.m == 1 && t.constant == 0));
+    } else check_materials(&t, &g.space, x, count, g.space.low != NULL || t.n == 1 || (t.m == 1 && t.constant == 0));
     ms_gpr_destroy(gp);
 }
 
