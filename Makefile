@@ -89,7 +89,7 @@ build/sss_wgsl: examples/tools/sss_wgsl.c examples/tools/wgsl.h examples/tools/f
 	$(BUILD) examples/tools/sss_wgsl.c $(LDLIBS)
 build/demo_sss: examples/demo/demo_sss.c examples/demo/scene.h examples/tools/layered.h examples/tools/skin.h $(IMAGE) $(PLOT) build/ms_sss.o build/ms_mcml.o
 	$(BUILD) examples/demo/demo_sss.c build/ms_sss.o build/ms_mcml.o build/image.o $(LDLIBS)
-build/recommend: examples/tools/recommend.c examples/tools/explain.h examples/tools/keep.h examples/tools/space.h examples/tools/scores.h build/ms_gpr.o
+build/recommend: examples/tools/recommend.c examples/tools/explain.h examples/tools/warnings.h examples/tools/keep.h examples/tools/space.h examples/tools/scores.h build/ms_gpr.o
 	$(BUILD) examples/tools/recommend.c build/ms_gpr.o $(LDLIBS)
 build/latent: examples/tools/latent.c examples/tools/scores.h examples/tools/maps.h examples/tools/plane.h examples/tools/text.h examples/tools/neural.h $(IMAGE) build/ms_gpr.o build/ms_nn.o
 	$(BUILD) examples/tools/latent.c build/ms_gpr.o build/ms_nn.o build/image.o $(LDLIBS)
@@ -111,7 +111,7 @@ build/match: examples/tools/match.c examples/tools/matcher.h examples/tools/neur
 	$(BUILD) examples/tools/match.c build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
 build/demo_match: examples/demo/demo_match.c examples/tools/matcher.h examples/tools/neural.h examples/demo/edits.h examples/tools/text.h $(IMAGE) build/ms_nn.o build/ms_pme.o
 	$(BUILD) examples/demo/demo_match.c build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
-build/workflow: examples/tools/workflow.c examples/tools/workflow.h examples/tools/neural.h examples/tools/scores.h examples/tools/studio.h examples/tools/space.h \
+build/workflow: examples/tools/workflow.c examples/tools/workflow.h examples/tools/neural.h examples/tools/scores.h examples/tools/studio.h examples/tools/warnings.h examples/tools/space.h \
 	examples/tools/matcher.h examples/tools/materialx.h examples/tools/maps.h examples/tools/plane.h examples/tools/text.h $(IMAGE) build/ms_gpr.o build/ms_nn.o build/ms_pme.o
 	$(BUILD) examples/tools/workflow.c build/ms_gpr.o build/ms_nn.o build/ms_pme.o build/image.o $(LDLIBS)
 

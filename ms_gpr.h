@@ -19,15 +19,15 @@
       {
           enum { N = 60, M = 5, COUNT = 4 };
           double x[N * M], score[N], found[COUNT * M], mean[COUNT], sigma[COUNT];
-          uint64_t state = 1;
+          ms_gpr_view nothing = ms_gpr_view_of(NULL);
           ms_gpr *gp;
           ms_gpr_fit_report report;
           ms_error error;
           int i;
-          for (i = 0; i < N * M; ++i) {
-              state = state * 6364136223846793005u + 1442695040888963407u;
-              x[i] = (double)(state >> 11) / 9007199254740992.0;
-          }
+          nothing.m = M;
+          if (ms_gpr_create(&nothing, NULL, &gp, &error) != MS_OK) return puts(error.message), 1;
+          if (ms_gpr_gallery(gp, NULL, N, x, &error) != MS_OK) return puts(error.message), 1;
+          ms_gpr_destroy(gp);
           for (i = 0; i < N; ++i) {
               double off = (x[i * M] - 0.8) / 0.2;
               score[i] = off * off < 1 ? 10 * (1 - off * off) : 0;
@@ -44,7 +44,7 @@
 
    In the caller's order
    ---------------------
-   1. ms_gpr_gallery     materials to be scored, in batches of 5 to 25; a model of n = 0 gives the first
+   1. ms_gpr_gallery     materials to be scored, in batches of 5 to 25; a model of n = 0, theta NULL, gives the first
    2. ms_gpr_fit         learns from scores, from choices such as "the best 2 of 9", or from both
       ms_gpr_update      other data for a model, under the same hyperparameters
    3. ms_gpr_predict, ms_gpr_preference, ms_gpr_relevance     what was learned
@@ -56,8 +56,8 @@
    -------------
    n materials, m parameters. A likelihood with its gradient takes n^3 / 2 + n^2 m multiply-adds. A fit evaluates it 100
    to 150 times. From 200 scores on nearly all of these use a third of the scores. A mean takes n m, its variance
-   n^2 / 2 more. A model has n^2 + 2 n m doubles. A fit has 4 n^2 of them at its peak, with choices 9 n^2. Figures:
-   tests/bench/RESULTS.md, made by `make bench`.
+   n^2 / 2 more. A model has n^2 + 2 n m doubles; making it takes 3 n^2 more for a while, with choices 4 n^2. A fit has
+   7 n^2 at its peak, with choices 9 n^2. Figures: tests/bench/RESULTS.md, made by `make bench`.
 
    Threads, SIMD, determinism, errors
    ----------------------------------
@@ -369,7 +369,7 @@ typedef struct ms_gpr_recommend_report {
     int liked;            /* materials that were scored, or are predicted where they were chosen, above the floor */
     double threshold;     /* in units of the score; of variants: the least of their means */
     double best;          /* largest mean that was found over the box */
-    double acceptance;    /* share of the first 8192 candidates whose mean reaches the threshold */
+    double acceptance;    /* share of the first candidates whose mean reaches the threshold: 4096, where few do 8192 */
     double candidates;    /* whose means were predicted, but for those along chains */
     double spread;        /* mean distance of the first 200 to the nearest of them, measured as avoid_distance */
 } ms_gpr_recommend_report;
@@ -726,16 +726,10 @@ typedef struct ms_gpr__kernels {
                    int columns);
     void (*axpy)(double *y, double a, const double *x, int columns); /* y += a x */
     double (*dot)(const double *x, const double *y, int columns);
-    /* Means along a line: with d2_i the squared distance of a point from point i, that of point + t step is d2_i + t
-       (slope_i + t c), c = |step|^2. n is a multiple of 8.
-       d2_i = sum over k of (points[k stride + i] - point_k)^2 */
-    void (*line_distances)(double *d2, const double *points, size_t stride, const double *point, int m, int n);
-    /* slope_i = 2 sum over k of step_k (point_k - points[k stride + i]) */
-    void (*line_slopes)(double *slope, const double *points, size_t stride, const double *point, const double *step,
-                        int m, int n);
-    /* sum of weight_i exp(-(d2_i + t (slope_i + t c)) / 2) */
-    double (*line_mean)(const double *d2, const double *slope, double t, double c, const double *weight, int n);
-    void (*line_advance)(double *d2, const double *slope, double t, double c, int n); /* d2_i += t (slope_i + t c) */
+    /* d2_i = sum over k < m of (points[k stride + i] - point_k)^2, i < n, a multiple of 8 */
+    void (*point_distances)(double *d2, const double *points, size_t stride, const double *point, int m, int n);
+    /* sum of weight_i exp(-(d2_i + constant + t slope_i) / 2) */
+    double (*line_mean)(const double *d2, const double *slope, double t, double constant, const double *weight, int n);
 } ms_gpr__kernels;
 
 static double ms_gpr__pow2(double whole)
@@ -908,8 +902,27 @@ static void MS_GPR__KERNEL(accumulate)(double *mean, const double *c, size_t c_s
     }
 }
 
-static void MS_GPR__KERNEL(line_distances)(double *d2, const double *points, size_t stride, const double *point, int m,
-                                           int n)
+static double MS_GPR__KERNEL(line_mean)(const double *d2, const double *slope, double t, double constant,
+                                        const double *weight, int n)
+{
+    enum { VECTORS = MS_GPR__BLOCK / MS_GPR__LANES };
+    double partial[MS_GPR__BLOCK], total = 0;
+    MS_GPR__V ahead = MS_GPR__SET(t), rest = MS_GPR__SET(constant), sum[VECTORS];
+    int i, v;
+    for (v = 0; v < VECTORS; ++v) sum[v] = MS_GPR__SET(0.0);
+    for (i = 0; i < n; i += MS_GPR__BLOCK)
+        for (v = 0; v < VECTORS; ++v) {
+            int at = i + v * MS_GPR__LANES;
+            MS_GPR__V d2t = MS_GPR__MADD(ahead, MS_GPR__LOAD(slope + at), MS_GPR__LOAD(d2 + at) + rest);
+            sum[v] = MS_GPR__MADD(MS_GPR__LOAD(weight + at), MS_GPR__KERNEL(exponential)(d2t), sum[v]);
+        }
+    for (v = 0; v < VECTORS; ++v) MS_GPR__STORE(partial + v * MS_GPR__LANES, sum[v]);
+    for (v = 0; v < MS_GPR__BLOCK; ++v) total += partial[v];
+    return total;
+}
+
+static void MS_GPR__KERNEL(point_distances)(double *d2, const double *points, size_t stride, const double *point, int m,
+                                            int n)
 {
     enum { VECTORS = MS_GPR__BLOCK / MS_GPR__LANES };
     int i, k, v;
@@ -923,50 +936,6 @@ static void MS_GPR__KERNEL(line_distances)(double *d2, const double *points, siz
             }
         for (v = 0; v < VECTORS; ++v) MS_GPR__STORE(d2 + i + v * MS_GPR__LANES, sum[v]);
     }
-}
-
-static void MS_GPR__KERNEL(line_slopes)(double *slope, const double *points, size_t stride, const double *point,
-                                        const double *step, int m, int n)
-{
-    enum { VECTORS = MS_GPR__BLOCK / MS_GPR__LANES };
-    double own = 0;
-    int i, k, v;
-    for (k = 0; k < m; ++k) own += 2 * step[k] * point[k];
-    for (i = 0; i < n; i += MS_GPR__BLOCK) {
-        MS_GPR__V sum[VECTORS];
-        for (v = 0; v < VECTORS; ++v) sum[v] = MS_GPR__SET(own);
-        for (k = 0; k < m; ++k)
-            for (v = 0; v < VECTORS; ++v)
-                sum[v] = MS_GPR__NMADD(MS_GPR__SET(2 * step[k]),
-                                       MS_GPR__LOAD(points + (size_t)k * stride + i + v * MS_GPR__LANES), sum[v]);
-        for (v = 0; v < VECTORS; ++v) MS_GPR__STORE(slope + i + v * MS_GPR__LANES, sum[v]);
-    }
-}
-
-static double MS_GPR__KERNEL(line_mean)(const double *d2, const double *slope, double t, double c, const double *weight,
-                                        int n)
-{
-    double partial[MS_GPR__BLOCK], total = 0;
-    MS_GPR__V ahead = MS_GPR__SET(t), own = MS_GPR__SET(t * c), sum[MS_GPR__BLOCK / MS_GPR__LANES];
-    int i, l;
-    for (l = 0; l < MS_GPR__BLOCK / MS_GPR__LANES; ++l) sum[l] = MS_GPR__SET(0.0);
-    for (i = 0; i < n; i += MS_GPR__BLOCK)
-        for (l = 0; l < MS_GPR__BLOCK / MS_GPR__LANES; ++l) {
-            int at = i + l * MS_GPR__LANES;
-            MS_GPR__V d2t = MS_GPR__MADD(ahead, MS_GPR__LOAD(slope + at) + own, MS_GPR__LOAD(d2 + at));
-            sum[l] = MS_GPR__MADD(MS_GPR__LOAD(weight + at), MS_GPR__KERNEL(exponential)(d2t), sum[l]);
-        }
-    for (l = 0; l < MS_GPR__BLOCK / MS_GPR__LANES; ++l) MS_GPR__STORE(partial + l * MS_GPR__LANES, sum[l]);
-    for (l = 0; l < MS_GPR__BLOCK; ++l) total += partial[l];
-    return total;
-}
-
-static void MS_GPR__KERNEL(line_advance)(double *d2, const double *slope, double t, double c, int n)
-{
-    MS_GPR__V ahead = MS_GPR__SET(t), own = MS_GPR__SET(t * c);
-    int i;
-    for (i = 0; i < n; i += MS_GPR__LANES)
-        MS_GPR__STORE(d2 + i, MS_GPR__MADD(ahead, MS_GPR__LOAD(slope + i) + own, MS_GPR__LOAD(d2 + i)));
 }
 
 /* A tile of 4 rows and 2 vectors. Depth goes in slices, and two vectors of a slice of b are copied together, so that
@@ -1099,11 +1068,9 @@ static double MS_GPR__KERNEL(dot)(const double *x, const double *y, int columns)
 }
 
 static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
-    MS_GPR__KERNEL(reduce),         MS_GPR__KERNEL(distances),   MS_GPR__KERNEL(exponentials),
-    MS_GPR__KERNEL(accumulate),     MS_GPR__KERNEL(solve),       MS_GPR__KERNEL(weights),
-    MS_GPR__KERNEL(slopes),         MS_GPR__KERNEL(axpy),        MS_GPR__KERNEL(dot),
-    MS_GPR__KERNEL(line_distances), MS_GPR__KERNEL(line_slopes), MS_GPR__KERNEL(line_mean),
-    MS_GPR__KERNEL(line_advance)};
+    MS_GPR__KERNEL(reduce), MS_GPR__KERNEL(distances),       MS_GPR__KERNEL(exponentials), MS_GPR__KERNEL(accumulate),
+    MS_GPR__KERNEL(solve),  MS_GPR__KERNEL(weights),         MS_GPR__KERNEL(slopes),       MS_GPR__KERNEL(axpy),
+    MS_GPR__KERNEL(dot),    MS_GPR__KERNEL(point_distances), MS_GPR__KERNEL(line_mean)};
 
 #undef MS_GPR__ROWS
 #undef MS_GPR__COLUMNS
@@ -1486,6 +1453,7 @@ typedef struct ms_gpr__problem {
     double *latent;      /* [stride] f */
     double *list;        /* [6][stride] scratch */
     int components;      /* of the graph that choices make of rows, single rows included; 0: not known yet */
+    int *label;          /* [n] the least row of a row's component */
     int *member;         /* [n] rows, component by component */
     int *position;       /* [n] where a row is in its component */
     int *start;          /* [n + 1] the first member of each component */
@@ -1580,41 +1548,37 @@ static double ms_gpr__log_posterior(const ms_gpr__problem *p, double ridge, doub
     return sum;
 }
 
-/* The root of row i's tree; the path to it is halved. */
-static int ms_gpr__root(int *parent, int i)
-{
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-}
-
 /* Connected components of the graph that choices make of rows: W is block-diagonal over them. */
 static void ms_gpr__components(ms_gpr__problem *p)
 {
-    int *parent = p->position, *size = p->start, n = p->n, i, j, root, at = 0;
-    for (i = 0; i < n; ++i) parent[i] = i, size[i] = 0, p->head[i] = -1;
-    for (i = 0; i < p->choices; ++i) {
-        const int *row = p->rows + p->first[i];
-        for (j = 1; j < p->first[i + 1] - p->first[i]; ++j) {
-            int a = ms_gpr__root(parent, row[0]), b = ms_gpr__root(parent, row[j]);
-            parent[a > b ? a : b] = a > b ? b : a; /* the root is the least row */
+    int *label = p->label, n = p->n, at = 0, changed, i, j;
+    for (i = 0; i < n; ++i) label[i] = i, p->head[i] = -1;
+    do { /* each row gets the least label of the choices that have it */
+        for (i = 0, changed = 0; i < p->choices; ++i) {
+            int least = n;
+            for (j = p->first[i]; j < p->first[i + 1]; ++j)
+                least = label[p->rows[j]] < least ? label[p->rows[j]] : least;
+            for (j = p->first[i]; j < p->first[i + 1]; ++j) {
+                changed |= label[p->rows[j]] != least;
+                label[p->rows[j]] = least;
+            }
         }
-        p->next[i] = p->head[row[0]];
-        p->head[row[0]] = i;
+    } while (changed);
+    for (i = 0; i < p->choices; ++i) {
+        const int winner = p->rows[p->first[i]];
+        p->next[i] = p->head[winner];
+        p->head[winner] = i;
     }
-    for (i = 0; i < n; ++i) ++size[ms_gpr__root(parent, i)];
-    for (root = 0; root < n; ++root) { /* size becomes where the next member goes */
-        j = size[root];
-        size[root] = at;
-        at += j;
-    }
-    for (i = 0; i < n; ++i) p->member[size[ms_gpr__root(parent, i)]++] = i;
-    for (i = 0, p->components = 0; i < n; ++i) { /* a component ends where the next root stands */
-        int row = p->member[i];
-        if (ms_gpr__root(parent, row) == row) p->start[p->components++] = i;
+    for (i = 0, p->components = 0; i < n; ++i) {
+        if (label[i] != i) continue; /* the least row of a component stands for it */
+        p->start[p->components++] = at;
+        for (j = i; j < n; ++j) {
+            if (label[j] != i) continue;
+            p->position[j] = at - p->start[p->components - 1];
+            p->member[at++] = j;
+        }
     }
     p->start[p->components] = n;
-    for (j = 0; j < p->components; ++j)
-        for (i = p->start[j]; i < p->start[j + 1]; ++i) p->position[p->member[i]] = i - p->start[j];
 }
 
 /* Component c of W, whose choices add (diag(p) - p p') / s^2 to the diagonal of the scores: adds its inverse to upper,
@@ -1746,13 +1710,12 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
             double length = halving ? -0.5 / (1 << (halving < 30 ? halving - 1 : 29)) : 1;
             f->axpy(p->alpha, length, turn, padded);
             f->axpy(p->latent, length, move, padded);
-            if (slope < 1e-12 * (1 + fabs(value))) break;
-            if (halving == 1 && slope < 1e-8 * (1 + fabs(value))) break; /* rounding hides what is gained */
+            if (slope < 1e-8 * (1 + fabs(value))) break; /* whole steps converge; rounding hides what is gained */
             better = ms_gpr__log_posterior(p, ridge, noise);
             if (ms__finite(better) && better > value) break;
         }
-        if (slope < 1e-12 * (1 + fabs(value)) || halving == 40 || !(better > value)) break;
-        value = better;
+        if (slope < 1e-12 * (1 + fabs(value)) || halving == 40) break;
+        if (better > value) value = better;
     }
     *likelihood = ms_gpr__log_posterior(p, ridge, noise) -
         0.5 * (determinant + ms_gpr__log_determinant(p->upper, p->stride, p->n));
@@ -1844,14 +1807,17 @@ static void ms_gpr__laplace_implicit(ms_gpr__problem *p, double sf2, double nois
 }
 
 /* Moves alpha and f from the mode to the mean, to third order: E f = f + C s (Tierney & Kadane 1986). By the mode
-   alone, the probability of a pair of a decisive person is wrong by 0.13. */
-static void ms_gpr__laplace_mean(ms_gpr__problem *p, double sf2, double noise)
+   alone, the probability of a pair of a decisive person is wrong by 0.13. The factor is made anew at the mode: that of
+   the last step is off by the length of that step. 0: no factor. */
+static int ms_gpr__laplace_mean(ms_gpr__problem *p, double sf2, double noise)
 {
     double *u = NULL, by_sf, by_sn;
     int padded = ms_gpr__padded(p->n);
+    if (ms_gpr__laplace_factor(p, MS_GPR__RIDGE / sf2, noise) > 1e299) return 0;
     ms_gpr__laplace_implicit(p, sf2, noise, &u, &by_sf, &by_sn);
     p->kernels->axpy(p->alpha, 1, u, padded);
     p->kernels->axpy(p->latent, 1, p->list + 2 * p->stride, padded);
+    return 1;
 }
 
 /* --- both --- */
@@ -1876,10 +1842,10 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
         *likelihood = -0.5 *
             (f->dot(p->alpha, p->alpha, padded) + ms_gpr__log_determinant(p->upper, p->stride, p->n) +
              p->n * MS_GPR__LOG_2_PI);
+        ms_gpr__backward_vector(f, p->upper, p->stride, padded, p->alpha);
     }
     if (gradient == NULL) return 1;
     if (p->soft) ms_gpr__laplace_implicit(p, sf2, noise, &implicit, &by_sf, &by_sn);
-    else ms_gpr__backward_vector(f, p->upper, p->stride, padded, p->alpha);
 
     /* upper = -K'^-1 = -(U'^-1)' U'^-1 */
     for (i = 0; i < padded; ++i) memset(p->inverse + (size_t)i * p->stride, 0, row);
@@ -1949,6 +1915,7 @@ static void ms_gpr__problem_layout(ms_gpr__problem *p, const ms_gpr__kernels *ke
     p->scored = (char *)ms__take(arena, rows, 1);
     p->rows = (int *)ms__take(arena, chosen, sizeof(int));
     p->first = (int *)ms__take(arena, count + 1, sizeof(int));
+    p->label = (int *)ms__take(arena, rows, sizeof(int));
     p->member = (int *)ms__take(arena, rows, sizeof(int));
     p->position = (int *)ms__take(arena, rows, sizeof(int));
     p->head = (int *)ms__take(arena, rows, sizeof(int));
@@ -1982,9 +1949,9 @@ struct ms_gpr {
     int n, m, active; /* active: dimensions in use */
     size_t stride;
     double mean, floor, floor_value; /* as in ms_gpr_view; floor_value >= floor: there is no floor */
-    double jitter, likelihood;       /* the latter of soft models */
-    int soft;                        /* conditioned by Laplace's approximation */
-    ms_gpr_choices choices;          /* whose arrays are in `memory` */
+    double jitter, likelihood;
+    int soft;               /* conditioned by Laplace's approximation */
+    ms_gpr_choices choices; /* whose arrays are in `memory` */
     ms_simd level;
     const ms_gpr__kernels *kernels;
     ms_allocator allocator;
@@ -2051,25 +2018,6 @@ static void ms_gpr__scale(const ms_gpr *gp, const double *x, double *scaled, siz
     }
 }
 
-/* alpha = K'^-1 (y - mean) from the factor. */
-static void ms_gpr__solve_alpha(ms_gpr *gp)
-{
-    int padded = ms_gpr__padded(gp->n), i;
-    for (i = 0; i < padded; ++i) gp->alpha[i] = i < gp->n ? ms_gpr__target(gp, i) : 0;
-    ms_gpr__forward_vector(gp->kernels, gp->upper, gp->stride, padded, gp->alpha);
-    ms_gpr__backward_vector(gp->kernels, gp->upper, gp->stride, padded, gp->alpha);
-}
-
-/* log p(y | X, theta) */
-static double ms_gpr__likelihood_of(const ms_gpr *gp)
-{
-    double fit = 0;
-    int i;
-    if (gp->soft) return gp->likelihood;
-    for (i = 0; i < gp->n; ++i) fit += ms_gpr__target(gp, i) * gp->alpha[i];
-    return -0.5 * (fit + ms_gpr__log_determinant(gp->upper, gp->stride, gp->n) + gp->n * MS_GPR__LOG_2_PI);
-}
-
 /* How many of n values are scores, the least of them and the largest (HUGE_VAL and -HUGE_VAL where none is). */
 static int ms_gpr__score_range(const double *y, int n, double *least, double *largest)
 {
@@ -2116,71 +2064,55 @@ static ms_status ms_gpr__problem_of(const ms_gpr *gp, ms_gpr__problem *p, void *
     return MS_OK;
 }
 
-/* Laplace's approximation for K + jitter sf^2 I: alpha and the factor. */
-static ms_status ms_gpr__condition_soft(ms_gpr *gp, ms_error *error)
-{
-    ms_gpr__problem p;
-    void *memory = NULL;
-    int padded = ms_gpr__padded(gp->n), i, found = 0;
-    double sf2 = ms_gpr__sf2(gp);
-    ms_status status = ms_gpr__problem_of(gp, &p, &memory, error);
-    if (status != MS_OK) return status;
-    for (gp->jitter = 0; gp->jitter < 2e-6; gp->jitter = ms_gpr__next_jitter(gp->jitter)) {
-        double noise = ms_gpr__sn2(gp) + gp->jitter * sf2;
-        memcpy(p.alpha, gp->alpha, (size_t)padded * sizeof *p.alpha);
-        found = ms_gpr__evaluate(&p, sf2, noise, &gp->likelihood, NULL);
-        if (!found) continue;
-        if (p.choices > 0) ms_gpr__laplace_mean(&p, sf2, noise);
-        break;
-    }
-    if (found) {
-        for (i = 0; i < padded; ++i)
-            memcpy(gp->upper + (size_t)i * gp->stride, p.upper + (size_t)i * p.stride, (size_t)padded * sizeof(double));
-        memcpy(gp->alpha, p.alpha, (size_t)padded * sizeof *p.alpha);
-        for (i = 0; i < gp->n; ++i)
-            if (!ms_gpr__scored(gp->y[i])) gp->value[i] = gp->mean + p.latent[i];
-    }
-    ms_gpr__release(&gp->allocator, memory);
-    if (found) return MS_OK;
-    return ms__fail(error, MS_NOT_CONVERGED, 0,
-                    "the covariance matrix of %d points and what was said about them is not positive definite", gp->n);
-}
-
 /* Everything that follows from x, y, choices and theta. The jitter, in units of sf^2, is the least power of ten that
    does. */
 static ms_status ms_gpr__condition(ms_gpr *gp, ms_error *error)
 {
-    double sf2 = ms_gpr__sf2(gp), sn2 = ms_gpr__sn2(gp);
+    ms_gpr__problem p;
+    void *memory = NULL;
+    double sf2 = ms_gpr__sf2(gp);
+    size_t m = (size_t)gp->m, row = (size_t)ms_gpr__padded(gp->n) * sizeof(double);
     int found = 0, i, k;
-    ms_status status = MS_OK;
+    ms_status status;
+
+    /* points in length scales from the center of all, by the dimensions in use */
     gp->active = 0;
     for (k = 0; k < gp->m; ++k) {
         double sum = 0;
         gp->scale[k] = exp(-gp->theta[k]);
         if (gp->theta[k] < MS_GPR__DROPPED) gp->dimension[gp->active++] = k;
-        for (i = 0; i < gp->n; ++i) sum += gp->x[(size_t)i * (size_t)gp->m + (size_t)k] / gp->n;
+        for (i = 0; i < gp->n; ++i) sum += gp->x[(size_t)i * m + (size_t)k] / gp->n;
         gp->center[k] = sum;
     }
-    memset(gp->points, 0, (size_t)gp->m * gp->stride * sizeof *gp->points);
-    if (gp->n > 0) memcpy(gp->value, gp->y, (size_t)gp->n * sizeof *gp->value);
+    memset(gp->points, 0, m * gp->stride * sizeof *gp->points);
     gp->soft = gp->choices.count > 0;
     for (i = 0; i < gp->n; ++i) {
-        ms_gpr__scale(gp, gp->x + (size_t)i * (size_t)gp->m, gp->points + i, gp->stride);
+        ms_gpr__scale(gp, gp->x + (size_t)i * m, gp->points + i, gp->stride);
+        gp->value[i] = gp->y[i];
         gp->soft |= !ms_gpr__scored(gp->y[i]);
     }
-    if (gp->soft) status = ms_gpr__condition_soft(gp, error);
-    for (gp->jitter = gp->soft ? gp->jitter : 0; !gp->soft && !found && gp->jitter < 2e-6;) {
-        ms_gpr__covariance(gp->kernels, gp->points, gp->stride, gp->n, gp->active, sf2, gp->upper);
-        found = ms_gpr__factor(gp->kernels, gp->upper, gp->stride, gp->n, sf2, sn2 + gp->jitter * sf2, gp->upper);
-        if (found) ms_gpr__solve_alpha(gp);
-        else gp->jitter = ms_gpr__next_jitter(gp->jitter);
+
+    /* the posterior */
+    status = ms_gpr__problem_of(gp, &p, &memory, error);
+    if (status != MS_OK) return status;
+    for (gp->jitter = 0; gp->jitter < 2e-6; gp->jitter = ms_gpr__next_jitter(gp->jitter)) {
+        double noise = ms_gpr__sn2(gp) + gp->jitter * sf2;
+        memcpy(p.alpha, gp->alpha, row);
+        found = ms_gpr__evaluate(&p, sf2, noise, &gp->likelihood, NULL);
+        if (found && p.choices > 0) found = ms_gpr__laplace_mean(&p, sf2, noise);
+        if (found) break;
     }
-    if (!gp->soft && !found)
-        status = ms__fail(
-            error, MS_NOT_CONVERGED, 0,
-            "the covariance matrix of %d points is not positive definite even with 1e-6 sf^2 added to sn^2", gp->n);
-    for (i = 0; i < ms_gpr__padded(gp->n); ++i) gp->weight[i] = sf2 * gp->alpha[i];
-    return status;
+    if (found) memcpy(gp->alpha, p.alpha, row);
+    for (i = 0; i < ms_gpr__padded(gp->n); ++i) {
+        memcpy(gp->upper + (size_t)i * gp->stride, p.upper + (size_t)i * p.stride, row);
+        gp->weight[i] = sf2 * gp->alpha[i];
+        if (i < gp->n && !ms_gpr__scored(gp->y[i])) gp->value[i] = gp->mean + p.latent[i];
+    }
+    ms_gpr__release(&gp->allocator, memory);
+    if (found) return MS_OK;
+    return ms__fail(error, MS_NOT_CONVERGED, 0,
+                    "the covariance matrix of %d points is not positive definite even with 1e-6 sf^2 added to sn^2",
+                    gp->n);
 }
 
 /* --- checks --- */
@@ -2477,10 +2409,11 @@ static void ms_gpr__chunk_kernel(const ms_gpr *gp, const double *scaled, double 
     }
 }
 
-/* columns = v = U'^-1 columns, variance -= |v|^2 */
-static void ms_gpr__chunk_explain(const ms_gpr *gp, double *columns, size_t stride, double *variance)
+/* mean += columns' alpha, columns = v = U'^-1 columns, variance -= |v|^2 */
+static void ms_gpr__chunk_explain(const ms_gpr *gp, double *columns, size_t stride, double *mean, double *variance)
 {
     int i, j;
+    for (i = 0; i < gp->n; ++i) gp->kernels->axpy(mean, gp->alpha[i], columns + (size_t)i * stride, MS_GPR__CHUNK);
     ms_gpr__forward(gp->kernels, gp->upper, gp->stride, ms_gpr__padded(gp->n), columns, stride, MS_GPR__CHUNK);
     for (i = 0; i < gp->n; ++i) {
         const double *v = columns + (size_t)i * stride;
@@ -2488,59 +2421,46 @@ static void ms_gpr__chunk_explain(const ms_gpr *gp, double *columns, size_t stri
     }
 }
 
-static void ms_gpr__predict_task(void *context, int task)
+/* columns and variance of f(x) become those of f(x) - f(than): k(x) - k(than), 2 sf^2 - 2 k(x, than). */
+static void ms_gpr__chunk_subtract(const ms_gpr__batch *b, int start, const double *scaled, double *columns,
+                                   double *variance)
 {
-    const ms_gpr__batch *b = (const ms_gpr__batch *)context;
-    double *scaled = b->scratch + (size_t)task * b->task_doubles,
-           *tile = scaled + (size_t)b->gp->active * MS_GPR__CHUNK;
-    double result[MS_GPR__CHUNK], sf2 = ms_gpr__sf2(b->gp);
-    int start, j;
-    for (start = task * MS_GPR__CHUNK; start < b->count; start += b->tasks * MS_GPR__CHUNK) {
-        int filled = ms_gpr__chunk_scale(b, b->x, start, scaled);
-        if (b->mean) {
-            ms_gpr__chunk_mean(b->gp, scaled, tile, result);
-            for (j = 0; j < filled; ++j) b->mean[start + j] = b->gp->mean + result[j];
-        }
-        if (b->variance) {
-            for (j = 0; j < MS_GPR__CHUNK; ++j) result[j] = sf2;
-            ms_gpr__chunk_kernel(b->gp, scaled, tile, MS_GPR__CHUNK);
-            ms_gpr__chunk_explain(b->gp, tile, MS_GPR__CHUNK, result);
-            for (j = 0; j < filled; ++j) b->variance[start + j] = result[j] > 0 ? result[j] : 0;
-        }
+    const ms_gpr *gp = b->gp;
+    size_t size = (size_t)ms_gpr__padded(gp->n) * MS_GPR__CHUNK;
+    double *subtracted = columns + size, *other = subtracted + size;
+    int j, k;
+    ms_gpr__chunk_scale(b, b->than, start, other);
+    ms_gpr__chunk_kernel(gp, other, subtracted, MS_GPR__CHUNK);
+    gp->kernels->axpy(columns, -1, subtracted, (int)size);
+    for (j = 0; j < MS_GPR__CHUNK; ++j) {
+        double d2 = 0;
+        for (k = j; k < gp->active * MS_GPR__CHUNK; k += MS_GPR__CHUNK)
+            d2 += (scaled[k] - other[k]) * (scaled[k] - other[k]);
+        variance[j] = 2 * ms_gpr__sf2(gp) * -expm1(-0.5 * d2);
     }
 }
 
-/* Mean and variance of f(x) - f(than): with d = k(x) - k(than), the variance is 2 sf^2 - 2 k(x, than) - |U'^-1 d|^2. */
-static void ms_gpr__difference_task(void *context, int task)
+static void ms_gpr__predict_task(void *context, int task)
 {
     const ms_gpr__batch *b = (const ms_gpr__batch *)context;
     const ms_gpr *gp = b->gp;
-    size_t size = (size_t)ms_gpr__padded(gp->n) * MS_GPR__CHUNK, depth = (size_t)gp->active * MS_GPR__CHUNK;
-    double *scaled = b->scratch + (size_t)task * b->task_doubles, *other = scaled + depth, *columns = other + depth,
-           *subtracted = columns + size;
-    double variance[MS_GPR__CHUNK], mean[MS_GPR__CHUNK];
-    int start, i, j, k;
+    double *scaled = b->scratch + (size_t)task * b->task_doubles, *columns = scaled + gp->active * MS_GPR__CHUNK;
+    double mean[MS_GPR__CHUNK], variance[MS_GPR__CHUNK];
+    int start, j;
     for (start = task * MS_GPR__CHUNK; start < b->count; start += b->tasks * MS_GPR__CHUNK) {
         int filled = ms_gpr__chunk_scale(b, b->x, start, scaled);
-        ms_gpr__chunk_scale(b, b->than, start, other);
-        for (j = 0; j < MS_GPR__CHUNK; ++j) {
-            double d2 = 0;
-            for (k = 0; k < gp->active; ++k) {
-                double d = scaled[k * MS_GPR__CHUNK + j] - other[k * MS_GPR__CHUNK + j];
-                d2 += d * d;
-            }
-            mean[j] = 0;
-            variance[j] = 2 * ms_gpr__sf2(gp) * -expm1(-0.5 * d2);
+        if (b->mean && b->than == NULL) {
+            ms_gpr__chunk_mean(gp, scaled, columns, mean);
+            for (j = 0; j < filled; ++j) b->mean[start + j] = gp->mean + mean[j];
         }
+        if (b->variance == NULL) continue;
+        for (j = 0; j < MS_GPR__CHUNK; ++j) mean[j] = 0, variance[j] = ms_gpr__sf2(gp);
         ms_gpr__chunk_kernel(gp, scaled, columns, MS_GPR__CHUNK);
-        ms_gpr__chunk_kernel(gp, other, subtracted, MS_GPR__CHUNK);
-        gp->kernels->axpy(columns, -1, subtracted, (int)size);
-        for (i = 0; i < gp->n; ++i)
-            gp->kernels->axpy(mean, gp->alpha[i], columns + (size_t)i * MS_GPR__CHUNK, MS_GPR__CHUNK);
-        ms_gpr__chunk_explain(gp, columns, MS_GPR__CHUNK, variance);
+        if (b->than) ms_gpr__chunk_subtract(b, start, scaled, columns, variance);
+        ms_gpr__chunk_explain(gp, columns, MS_GPR__CHUNK, mean, variance);
         for (j = 0; j < filled; ++j) {
-            b->mean[start + j] = mean[j];
             b->variance[start + j] = variance[j] > 0 ? variance[j] : 0;
+            if (b->than) b->mean[start + j] = mean[j];
         }
     }
 }
@@ -2557,7 +2477,7 @@ static ms_status ms_gpr__predict_run(ms_gpr__batch *b, ms_error *error)
                                    (size_t)gp->active + (rows > MS_GPR__SLAB ? rows : (size_t)MS_GPR__SLAB));
     b->scratch = ms_gpr__scratch(&gp->allocator, ms__size_mul((size_t)b->tasks, b->task_doubles));
     if (b->scratch == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for predictions");
-    ms__run(&gp->parallel, b->tasks, b->than ? ms_gpr__difference_task : ms_gpr__predict_task, b);
+    ms__run(&gp->parallel, b->tasks, ms_gpr__predict_task, b);
     ms_gpr__release(&gp->allocator, b->scratch);
     return MS_OK;
 }
@@ -2753,6 +2673,11 @@ static int ms_gpr__fit_scores(ms_gpr__fit *fit, const double *y, int n)
     for (i = 0; i < n; ++i) at_floor += ms_gpr__scored(y[i]) && y[i] <= least;
     has_floor = fit->o.floor || (at_floor >= 2 && 8.0 * at_floor >= scored && at_floor < scored);
     fit->floor = fit->floor_value = has_floor ? fit->o.floor ? *fit->o.floor : least : 0;
+    if (scored > 0 && has_floor && largest <= fit->floor) { /* nothing above it: a flat model there */
+        fit->unit = fabs(fit->floor) > 0 ? fabs(fit->floor) : 1;
+        fit->mean = fit->floor_value = fit->floor - 1e-9 * fit->unit;
+        return fit->o.choices.count > 0;
+    }
     if (!(largest - least > 1e-12 * (fabs(largest) + fabs(least)))) return fit->o.choices.count > 0;
     for (pass = 0; pass < 2; ++pass) { /* of the scores (at most at the floor), then of what they are modeled as */
         for (i = 0, sum = sum2 = 0; i < n; ++i)
@@ -3075,7 +3000,7 @@ MS_API ms_status ms_gpr_fit(const double *x, const double *y, int n, int m, cons
     if (status == MS_OK && report) {
         ms_gpr__fit_criticize(&fit, *out);
         *report = fit.report;
-        report->likelihood = ms_gpr__likelihood_of(*out);
+        report->likelihood = (*out)->likelihood;
         report->objective += report->likelihood;
     }
     ms_gpr__release(&fit.o.allocator, arena.base);
@@ -3147,22 +3072,13 @@ static void ms_gpr__natural_range(const double *x, int n, int m, int k, double *
 /* A ms_gpr_space made ready: a material in the box has a point in the unit box. */
 typedef struct ms_gpr__box {
     int m;
-    double *low, *high, *width, *per; /* [m] in units of x; per: 1 / width or 0 */
+    double *low, *high, *width, *per; /* [m] in units of x, in one block; per: 1 / width or 0 */
     void (*snap)(void *user, double *x);
     void *user;
     ms_allocator allocator;
-    void *memory;
 } ms_gpr__box;
 
-static void ms_gpr__box_layout(ms_gpr__box *box, ms__arena *arena)
-{
-    box->low = ms_gpr__take(arena, (size_t)box->m, 1);
-    box->high = ms_gpr__take(arena, (size_t)box->m, 1);
-    box->width = ms_gpr__take(arena, (size_t)box->m, 1);
-    box->per = ms_gpr__take(arena, (size_t)box->m, 1);
-}
-
-static void ms_gpr__box_free(ms_gpr__box *box) { ms_gpr__release(&box->allocator, box->memory); }
+static void ms_gpr__box_free(ms_gpr__box *box) { ms_gpr__release(&box->allocator, box->low); }
 
 /* wish[k], where it is given and not infinite. */
 static double ms_gpr__bound(const double *wish, int k, double sign, double otherwise)
@@ -3174,18 +3090,17 @@ static double ms_gpr__bound(const double *wish, int k, double sign, double other
 static ms_status ms_gpr__box_make(const double *x, int n, int m, const ms_gpr_space *space,
                                   const ms_allocator *allocator, ms_gpr__box *box, ms_error *error)
 {
-    ms__arena arena = {NULL, 0};
     int k;
     memset(box, 0, sizeof *box);
     box->m = m;
     box->snap = space->snap;
     box->user = space->user;
     box->allocator = *allocator;
-    ms_gpr__box_layout(box, &arena);
-    if (!ms_gpr__place(&box->allocator, &arena))
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the box of %d parameters", m);
-    box->memory = arena.base;
-    ms_gpr__box_layout(box, &arena);
+    box->low = ms_gpr__scratch(allocator, ms__size_mul(4, (size_t)m));
+    if (box->low == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the box of %d parameters", m);
+    box->high = box->low + m;
+    box->width = box->high + m;
+    box->per = box->width + m;
     for (k = 0; k < m; ++k) {
         double low, high, limit = MS_GPR__LARGEST;
         ms_gpr__natural_range(x, n, m, k, &low, &high);
@@ -3222,377 +3137,286 @@ static void ms_gpr__box_point(const ms_gpr__box *box, const double *x, double *p
     for (k = 0; k < box->m; ++k) point[k] = ms_gpr__clamp((x[k] - box->low[k]) * box->per[k], 0, 1);
 }
 
-/* The part t0 <= 0 <= t1 of a line that lies in the unit box. */
-static void ms_gpr__chord(const double *point, const double *direction, int m, double *t0, double *t1)
+/* --- where candidates come from --- */
+
+/* A box and the answers, as recommendations and galleries look at them. */
+typedef struct ms_gpr__source {
+    const ms_gpr *gp;
+    ms_gpr__box box;
+    double floor;    /* the least score */
+    double top;      /* the largest score, or prediction of what was only chosen; the floor where nothing is above it */
+    int liked;       /* rows above the floor */
+    double *parents; /* [n] how likely each row is to be a parent, see ms_gpr__source_breed */
+    double parents_sum;
+    double *point; /* [m] scratch */
+} ms_gpr__source;
+
+/* On success the box is to be freed. */
+static ms_status ms_gpr__source_make(ms_gpr__source *s, const ms_gpr *gp, const ms_gpr_space *space, ms_error *error)
 {
-    int k;
-    *t0 = -1e300;
-    *t1 = 1e300;
-    for (k = 0; k < m; ++k) {
-        double d = direction[k], back, ahead;
-        if (!(d < 0 || d > 0)) continue;
-        back = (d > 0 ? -point[k] : 1 - point[k]) / d;
-        ahead = (d > 0 ? 1 - point[k] : -point[k]) / d;
-        if (back > *t0) *t0 = back;
-        if (ahead < *t1) *t1 = ahead;
+    int i;
+    s->gp = gp;
+    s->floor = s->top = ms_gpr__floor_of(gp);
+    for (i = 0; i < gp->n; ++i) {
+        s->liked += gp->value[i] > s->floor;
+        s->top = fmax(s->top, gp->value[i]);
     }
+    return ms_gpr__box_make(gp->x, gp->n, gp->m, space, &gp->allocator, &s->box, error);
 }
 
-/* --- variants of what was liked --- */
-
-/* How likely each material is to be a parent, [n]: its score above the floor, shared with those liked ones that the
-   model takes for near, so that small classes have children too. Returns the sum, 0 where nothing is liked. */
-static double ms_gpr__parents(const ms_gpr *gp, double floor, double *parent)
+static void ms_gpr__source_layout(ms_gpr__source *s, ms__arena *arena)
 {
-    double sum = 0;
+    s->parents = ms_gpr__take(arena, (size_t)s->gp->n, 1);
+    s->point = ms_gpr__take(arena, (size_t)s->gp->m, 1);
+}
+
+/* How likely each material is to be a parent of variants: its score above the floor, shared with those liked ones that
+   the model takes for near, so that small classes have children too. */
+static void ms_gpr__source_breed(ms_gpr__source *s)
+{
+    const ms_gpr *gp = s->gp;
     int i, j, k;
+    s->parents_sum = 0;
     for (i = 0; i < gp->n; ++i) {
         double crowd = 0;
-        for (j = 0; j < gp->n && gp->value[i] > floor; ++j) {
+        for (j = 0; j < gp->n && gp->value[i] > s->floor; ++j) {
             double d2 = 0;
-            if (!(gp->value[j] > floor)) continue;
+            if (!(gp->value[j] > s->floor)) continue;
             for (k = 0; k < gp->active; ++k) {
                 const double *row = gp->points + (size_t)k * gp->stride;
                 d2 += (row[i] - row[j]) * (row[i] - row[j]);
             }
             crowd += exp(-0.5 * d2);
         }
-        parent[i] = gp->value[i] > floor ? (gp->value[i] - floor) / crowd : 0;
-        sum += parent[i];
+        s->parents[i] = gp->value[i] > s->floor ? (gp->value[i] - s->floor) / crowd : 0;
+        s->parents_sum += s->parents[i];
     }
-    return sum;
+}
+
+static int ms_gpr__source_parent(const ms_gpr__source *s, ms_gpr__random *random)
+{
+    double left = s->parents_sum * ms_gpr__uniform(random);
+    int parent = 0, i;
+    for (i = 0; i < s->gp->n; ++i) {
+        if (!(s->parents[i] > 0)) continue;
+        parent = i;
+        if ((left -= s->parents[i]) < 0) break;
+    }
+    return parent;
 }
 
 /* A uniform point becomes a variant: what parameters are not drawn anew come from a parent, or from two. share: of the
    parameters that are drawn anew; one at least is. */
-static void ms_gpr__vary(const ms_gpr *gp, const ms_gpr__box *box, const double *parents, double sum, double share,
-                         ms_gpr__random *random, double *point)
+static void ms_gpr__source_vary(const ms_gpr__source *s, double share, ms_gpr__random *random, double *point)
 {
-    int parent[2] = {0, 0}, crossed = ms_gpr__uniform(random) < 0.5, anew = (int)(ms_gpr__uniform(random) * gp->m), i,
-        k;
-    for (k = 0; k < gp->m && !(box->width[anew] > 0); ++k) anew = (anew + 1) % gp->m;
-    for (i = 0; i < 2; ++i) {
-        double left = sum * ms_gpr__uniform(random);
-        for (k = 0; k < gp->n; ++k) {
-            if (!(parents[k] > 0)) continue;
-            parent[i] = k;
-            if ((left -= parents[k]) < 0) break;
-        }
-    }
-    for (k = 0; k < gp->m; ++k) {
-        const double *from = gp->x + (size_t)parent[crossed && ms_gpr__uniform(random) < 0.5] * (size_t)gp->m;
+    const int m = s->gp->m, crossed = ms_gpr__uniform(random) < 0.5;
+    int anew = (int)(ms_gpr__uniform(random) * m), parent[2], k;
+    for (k = 0; k < m && !(s->box.width[anew] > 0); ++k) anew = (anew + 1) % m;
+    parent[0] = ms_gpr__source_parent(s, random);
+    parent[1] = ms_gpr__source_parent(s, random);
+    for (k = 0; k < m; ++k) {
+        const int from = parent[crossed && ms_gpr__uniform(random) < 0.5];
         if (ms_gpr__uniform(random) < share || k == anew) continue;
-        point[k] = ms_gpr__clamp((from[k] - box->low[k]) * box->per[k], 0, 1);
+        point[k] = (s->gp->x[(size_t)from * (size_t)m + (size_t)k] - s->box.low[k]) * s->box.per[k];
+        point[k] = ms_gpr__clamp(point[k], 0, 1);
     }
 }
 
-/* --- recommendations: one call --- */
+/* Candidates x [count][m]: uniform ones, of which every `variants`-th (0: none) becomes a variant if anything is liked;
+   `least` to least + range of its parameters are drawn anew. */
+static void ms_gpr__source_fill(ms_gpr__source *s, int variants, double least, double range, ms_gpr__random *random,
+                                int count, double *x)
+{
+    const size_t m = (size_t)s->gp->m;
+    size_t k;
+    int i;
+    for (i = 0; i < count; ++i) {
+        for (k = 0; k < m; ++k) s->point[k] = ms_gpr__uniform(random);
+        if (variants > 0 && (i + 1) % variants == 0 && s->parents_sum > 0)
+            ms_gpr__source_vary(s, least + range * ms_gpr__uniform(random), random, s->point);
+        ms_gpr__box_material(&s->box, s->point, x + (size_t)i * m);
+    }
+}
 
-/* Candidates come in batches and chains in groups, each batch and each chain with a random stream of its own: the
-   number of threads changes nothing. */
+/* --- recommendations --- */
+
 enum {
-    MS_GPR__BATCH = 1024,   /* uniform candidates a task */
-    MS_GPR__BATCHES = 16,   /* tasks a wave */
-    MS_GPR__PILOT = 8,      /* batches that are looked at first */
-    MS_GPR__TASKS = 16,     /* of a wave of chains */
-    MS_GPR__WAVE = 64,      /* recommendations that are looked for together */
-    MS_GPR__SEEDS = 1024,   /* places where chains start, at most */
-    MS_GPR__SEEDS_FEW = 16, /* below so many candidates that reach the threshold, maxima are places to start as well */
-    MS_GPR__MODES = 16,     /* ascents that look for the largest mean */
-    MS_GPR__BEST_OF = 10    /* variants of which the one with the largest mean is taken */
+    MS_GPR__PILOT = 4096,    /* uniform candidates that are looked at first */
+    MS_GPR__PILOT_HITS = 32, /* of them that reach the threshold, below which as many more are looked at */
+    MS_GPR__WAVE = 64,       /* chains that run together, or variants of a round */
+    MS_GPR__TASKS = 16,      /* that share the chains of a wave */
+    MS_GPR__SEEDS = 1024,    /* places where chains start, at most */
+    MS_GPR__SEEDS_FEW = 16,  /* below so many candidates that reach the threshold, maxima are places to start as well */
+    MS_GPR__MODES = 16,      /* ascents that look for the largest mean */
+    MS_GPR__ASCENT = 100,    /* evaluations of an ascent, at most */
+    MS_GPR__BEST_OF = 10,    /* variants of which the one with the largest mean is taken */
+    MS_GPR__RIVALS = 16      /* candidates of which one is taken, at the largest diversity */
 };
 static const double MS_GPR__INFORMATIVE = 0.3; /* length scales in the box's width from which on a column matters */
+static const double MS_GPR__REACH = 3.0;       /* length scales that a slice is long, at most */
 static const int MS_GPR__REFUSED = 20000;      /* candidates in a row that were known or to be avoided, at most */
 /* Mean sigma of recommendations over (best - floor) from which on variants are recommended in their place. Below it,
    true scores of 57 persons were at least what was predicted; from here on they fell short, by half at 0.16. */
 static const double MS_GPR__DOUBT = 0.1;
-static const double MS_GPR__ROUNDING = 1e-9; /* part of the range of means that sums along chains are off, at most */
-
-/* A point in the unit box, what the mean there needs, and a step to go. With a snap the point stays anywhere in the
-   box, and the mean is that of its material. */
-typedef struct ms_gpr__chain {
-    double *point;               /* [m] in the unit box */
-    double *direction;           /* [m] in widths of the box */
-    double *scaled;              /* [active] the point in length scales */
-    double *step;                /* [active] the direction in length scales */
-    double *low, *high;          /* [m] of a hyperrectangle */
-    double *trial, *material;    /* [m] a point of the line, with a snap; its material */
-    double *d2, *slope, *kernel; /* [stride] as of ms_gpr__kernels */
-    double curvature;
-    double value; /* the mean there */
-} ms_gpr__chain;
 
 /* The recommendations so far, all different. */
 typedef struct ms_gpr__found {
     int count, taken; /* wanted, with those to be skipped; found */
     double *x;        /* [count][m] */
-    double *rivals;   /* [16][m] candidates for the next one, of which the farthest is taken */
+    double *rivals;   /* [RIVALS][m] candidates for the next one, of which the farthest is taken */
     int rival_count;
     int all_new;          /* no two candidates are equal: something is continuous, and there is no snap */
     int refused, avoided; /* candidates in a row that were equal to one of x, or to be avoided; the latter alone */
 } ms_gpr__found;
 
-/* What all tasks of one call share. */
+/* A chain of slice sampling, and the line that it moves along. */
+typedef struct ms_gpr__chain {
+    double *point;            /* [m] in the unit box */
+    double *direction;        /* [m] in widths of the box */
+    double *scaled, *step;    /* [m] both of them in length scales, by column in use */
+    double *low, *high;       /* [m] of a hyperrectangle */
+    double *trial, *material; /* [m] */
+    double *d2, *slope;       /* [stride] see ms_gpr__chain_face */
+    double *snapped;          /* [stride] squared distances of a snapped material */
+    double shift, curvature;
+    ms_gpr__random random;
+} ms_gpr__chain;
+
 typedef struct ms_gpr__sampler {
-    const ms_gpr *gp;
+    ms_gpr__source source;
     ms_gpr_recommend_options o; /* with the defaults filled in */
-    ms_gpr__box box;
     ms_gpr__found found;
-    double floor;      /* the least score */
-    double top;        /* the score that tau = 1 means */
-    double threshold;  /* what recommendations reach */
-    double doubt;      /* mean sigma of the first recommendations over (top - floor) */
-    double level;      /* what chains must not fall below: the threshold, and a margin for rounding */
-    double *candidate; /* [BATCHES * BATCH][m] of a wave, in units of x */
-    double *mean;      /* [BATCHES * BATCH + n] */
-    double *scratch;   /* [BATCHES][scratch_size] of the prediction */
-    size_t scratch_size;
-    ms_gpr__ranked *ranked; /* [BATCHES * BATCH + n] */
-    double *parents;        /* [n] */
-    ms_gpr__chain chain[MS_GPR__TASKS];
-    double *mode; /* [MODES][m] local maxima, in the unit box */
+    double threshold;       /* what recommendations reach */
+    double *candidate;      /* [2 PILOT + n][m] in units of x */
+    double *mean;           /* [2 PILOT + n] */
+    ms_gpr__ranked *ranked; /* [2 PILOT + n] */
+    int pilots, hits;       /* uniform candidates at their front; those that reach the threshold */
+    double *mode;           /* [MODES][m] local maxima of the mean, in units of x */
     double mode_value[MS_GPR__MODES];
-    double *seed; /* [SEEDS][m] where chains start */
+    double *kernel, *low, *high, *q, *work; /* of an ascent */
+    double *seed;                           /* [SEEDS + MODES][m] where chains start, in the unit box */
     int seeds;
-    double *unit;     /* [active] length scales in the box's width */
-    double *reach;    /* [m] how far to go in random directions; 0: not at all */
     int *axis, axes;  /* [m] columns that slices go along */
     int *flat, flats; /* [m] columns that the mean hardly depends on */
-    uint64_t stream;  /* of the wave's first batch or chain */
+    double *reach;    /* [m] a length scale, at most 0.3; 0: not an axis */
+    uint64_t first;   /* number of the wave's first chain */
+    ms_gpr__chain chain[MS_GPR__TASKS];
     ms_gpr_recommend_report report;
 } ms_gpr__sampler;
 
-/* --- chains --- */
-
-/* The squared distances of the point from all training points. */
-static void ms_gpr__chain_distances(const ms_gpr__sampler *h, ms_gpr__chain *w)
+/* Minus the mean at q, in length scales, over sf. */
+static int ms_gpr__ascent_objective(void *context, const double *q, double *value, double *gradient)
 {
-    const ms_gpr *gp = h->gp;
-    int k, d;
-    for (k = 0; k < gp->active; ++k) {
-        d = gp->dimension[k];
-        w->scaled[k] = (h->box.low[d] + h->box.width[d] * w->point[d] - gp->center[d]) * gp->scale[d];
-    }
-    gp->kernels->line_distances(w->d2, gp->points, gp->stride, w->scaled, gp->active, ms_gpr__padded(gp->n));
-}
-
-/* Faces along the direction: means there are functions of t alone then. */
-static void ms_gpr__chain_face(const ms_gpr__sampler *h, ms_gpr__chain *w)
-{
-    const ms_gpr *gp = h->gp;
-    int k, first = gp->active, last = -1; /* of those that move */
-    w->curvature = 0;
-    for (k = 0; k < gp->active; ++k) {
-        w->step[k] = h->unit[k] * w->direction[gp->dimension[k]];
-        w->curvature += w->step[k] * w->step[k];
-        if (!(w->step[k] < 0 || w->step[k] > 0)) continue;
-        if (last < 0) first = k;
-        last = k;
-    }
-    gp->kernels->line_slopes(w->slope, gp->points + (size_t)first * gp->stride, gp->stride, w->scaled + first,
-                             w->step + first, last - first + 1, ms_gpr__padded(gp->n));
-}
-
-static void ms_gpr__chain_point(const ms_gpr__chain *w, double t, int m, double *point)
-{
-    int k;
-    for (k = 0; k < m; ++k) {
-        double p = w->point[k] + t * w->direction[k];
-        point[k] = p < 1e-12 ? 0 : p > 1 - 1e-12 ? 1 : p;
-    }
-}
-
-/* The mean of a material x [m]. */
-static double ms_gpr__mean_of(const ms_gpr *gp, const double *x, double *scaled, double *d2, const double *slope)
-{
-    int n = ms_gpr__padded(gp->n);
-    ms_gpr__scale(gp, x, scaled, 1);
-    gp->kernels->line_distances(d2, gp->points, gp->stride, scaled, gp->active, n);
-    return gp->mean + gp->kernels->line_mean(d2, slope, 0, 0, gp->weight, n);
-}
-
-/* The mean at t. */
-static double ms_gpr__chain_mean(const ms_gpr__sampler *h, ms_gpr__chain *w, double t)
-{
-    const ms_gpr *gp = h->gp;
-    int n = ms_gpr__padded(gp->n);
-    if (h->box.snap == NULL) return gp->mean + gp->kernels->line_mean(w->d2, w->slope, t, w->curvature, gp->weight, n);
-    ms_gpr__chain_point(w, t, gp->m, w->trial);
-    ms_gpr__box_material(&h->box, w->trial, w->material);
-    return ms_gpr__mean_of(gp, w->material, w->trial, w->kernel, w->slope);
-}
-
-/* Moves by t. */
-static void ms_gpr__chain_step(const ms_gpr__sampler *h, ms_gpr__chain *w, double t)
-{
-    const ms_gpr *gp = h->gp;
-    int k;
-    ms_gpr__chain_point(w, t, gp->m, w->point);
-    for (k = 0; k < gp->active; ++k) w->scaled[k] += t * w->step[k];
-    gp->kernels->line_advance(w->d2, w->slope, t, w->curvature, ms_gpr__padded(gp->n));
-}
-
-/* Uphill to a maximum of the mean, for at most `steps` steps: along the gradient in length scales, which points like a
-   mean shift to sum_i weight_i k_i (x_i - x), less the components that would leave the box. Nothing is snapped. */
-static void ms_gpr__chain_ascend(const ms_gpr__sampler *h, ms_gpr__chain *w, int steps)
-{
-    const ms_gpr *gp = h->gp;
-    const ms_gpr__kernels *f = gp->kernels;
-    double reach = 0.5; /* length scales that the next step tries first */
+    const ms_gpr__sampler *h = (const ms_gpr__sampler *)context;
+    const ms_gpr *gp = h->source.gp;
+    const double per_sf = exp(-gp->theta[gp->m]);
+    double total = 0;
     int n = ms_gpr__padded(gp->n), i, k;
-    for (; steps >= 0; --steps) {
-        double total = 0, norm2 = 0, t0, t1, t, ahead, farther;
-        int halvings = 0;
-        /* the mean, and the gradient less what points out of the box */
-        ms_gpr__chain_distances(h, w);
-        memcpy(w->kernel, w->d2, (size_t)n * sizeof *w->kernel);
-        f->exponentials(w->kernel, n, 1);
-        for (i = 0; i < n; ++i) total += w->kernel[i] *= gp->weight[i];
-        w->value = gp->mean + total;
-        if (steps == 0) return;
-        memset(w->direction, 0, (size_t)gp->m * sizeof *w->direction);
-        for (k = 0; k < gp->active; ++k) {
-            int d = gp->dimension[k];
-            double g;
-            if (!(h->unit[k] > 0)) continue;
-            g = f->dot(w->kernel, gp->points + (size_t)k * gp->stride, n) - total * w->scaled[k];
-            if ((g < 0 && w->point[d] <= 0) || (g > 0 && w->point[d] >= 1)) continue;
-            w->direction[d] = g / h->unit[k];
-            norm2 += g * g;
-        }
-        if (!(norm2 > 0)) return;
-        for (k = 0; k < gp->m; ++k) w->direction[k] /= sqrt(norm2);
-        /* a step that gains: half as far until it does, or twice as far as long as it gains more */
-        ms_gpr__chain_face(h, w);
-        ms_gpr__chord(w->point, w->direction, gp->m, &t0, &t1);
-        t = reach < t1 ? reach : t1;
-        ahead = gp->mean + f->line_mean(w->d2, w->slope, t, w->curvature, gp->weight, n);
-        while (!(ahead > w->value) && halvings++ < 20)
-            ahead = gp->mean + f->line_mean(w->d2, w->slope, t *= 0.5, w->curvature, gp->weight, n);
-        if (!(ahead > w->value)) return;
-        while (halvings == 0 && 2 * t < t1) {
-            farther = gp->mean + f->line_mean(w->d2, w->slope, 2 * t, w->curvature, gp->weight, n);
-            if (!(farther > ahead)) break;
-            t *= 2;
-            ahead = farther;
-        }
-        if (ahead - w->value < 1e-7 * (fabs(ahead) + fabs(w->value))) steps = 1; /* the last step */
-        ms_gpr__chain_step(h, w, t);
-        reach = 2 * t;
-    }
-}
-
-/* Moves by t along the line if the mean there is above the level. */
-static int ms_gpr__chain_try(const ms_gpr__sampler *h, ms_gpr__chain *w, double t)
-{
-    double mean = ms_gpr__chain_mean(h, w, t);
-    if (!(mean >= h->level)) return 0;
-    ms_gpr__chain_step(h, w, t);
-    w->value = mean;
+    gp->kernels->point_distances(h->kernel, gp->points, gp->stride, q, gp->active, n);
+    gp->kernels->exponentials(h->kernel, n, 1);
+    for (i = 0; i < n; ++i) total += h->kernel[i] *= gp->weight[i];
+    *value = -total * per_sf;
+    for (k = 0; k < gp->active; ++k)
+        gradient[k] = (total * q[k] - gp->kernels->dot(h->kernel, gp->points + (size_t)k * gp->stride, n)) * per_sf;
     return 1;
 }
 
-/* Neal's slice step along the direction: a uniform point of the chord; while it lies outside the
-   region, the chord shrinks towards the chain. The uniform distribution over the region is left as it is. */
-static void ms_gpr__chain_slice(const ms_gpr__sampler *h, ms_gpr__chain *w, ms_gpr__random *random)
+/* Moves x [m] to a maximum of the mean in the box. Nothing is snapped. */
+static void ms_gpr__ascend(ms_gpr__sampler *h, double *x)
 {
-    double t0, t1;
-    int tries;
-    ms_gpr__chain_face(h, w);
-    ms_gpr__chord(w->point, w->direction, h->gp->m, &t0, &t1);
-    for (tries = 0; tries < 60; ++tries) {
-        double t = t0 + ms_gpr__uniform(random) * (t1 - t0);
-        if (ms_gpr__chain_try(h, w, t)) return;
-        if (t < 0) t0 = t;
-        else t1 = t;
-    }
-}
-
-/* A slice along dimension d, or for d < 0 along a random direction of the dimensions that matter: any law of directions
-   will do that is symmetric. */
-static void ms_gpr__chain_move(const ms_gpr__sampler *h, ms_gpr__chain *w, int d, ms_gpr__random *random)
-{
+    const ms_gpr *gp = h->source.gp;
+    const ms_gpr__box *box = &h->source.box;
+    ms_gpr__search search;
     int k;
-    for (k = 0; k < h->gp->m; ++k) w->direction[k] = d < 0 ? h->reach[k] * (2 * ms_gpr__uniform(random) - 1) : k == d;
-    ms_gpr__chain_slice(h, w, random);
-}
-
-/* What the mean hardly depends on, all at once: a uniform point of a hyperrectangle, at first the box, which shrinks
-   towards the chain. */
-static void ms_gpr__chain_rectangle(const ms_gpr__sampler *h, ms_gpr__chain *w, ms_gpr__random *random)
-{
-    int tries, i, k;
-    if (h->flats == 0) return;
-    for (i = 0; i < h->flats; ++i) w->low[i] = 0, w->high[i] = 1;
-    memset(w->direction, 0, (size_t)h->gp->m * sizeof *w->direction);
-    for (tries = 0; tries < 60; ++tries) {
-        for (i = 0; i < h->flats; ++i) {
-            k = h->flat[i];
-            w->direction[k] = w->low[i] + ms_gpr__uniform(random) * (w->high[i] - w->low[i]) - w->point[k];
-        }
-        ms_gpr__chain_face(h, w);
-        if (ms_gpr__chain_try(h, w, 1)) return;
-        for (i = 0; i < h->flats; ++i) {
-            k = h->flat[i];
-            if (w->direction[k] < 0) w->low[i] = w->point[k] + w->direction[k];
-            else w->high[i] = w->point[k] + w->direction[k];
-        }
+    memset(&search, 0, sizeof search);
+    search.f = ms_gpr__ascent_objective;
+    search.context = h;
+    search.count = gp->active;
+    search.low = h->low;
+    search.high = h->high;
+    search.step = 1; /* a length scale */
+    search.tolerance = 1e-10;
+    search.evaluations = MS_GPR__ASCENT;
+    ms_gpr__scale(gp, box->low, h->low, 1);
+    ms_gpr__scale(gp, box->high, h->high, 1);
+    ms_gpr__scale(gp, x, h->q, 1);
+    if (gp->n > 0) ms_gpr__minimize(&search, h->q, h->work);
+    for (k = 0; k < gp->active; ++k) {
+        const int d = gp->dimension[k];
+        x[d] = ms_gpr__clamp(gp->center[d] + h->q[k] / gp->scale[d], box->low[d], box->high[d]);
     }
 }
 
-/* --- tasks --- */
-
-/* One batch of uniform candidates and their means. */
-static void ms_gpr__sampler_batch(void *context, int batch)
+/* Counts candidates from `first` on, drawn and predicted before (random NULL) or now, and those that reach the
+   threshold. */
+static ms_status ms_gpr__sampler_pilots(ms_gpr__sampler *h, int first, int count, ms_gpr__random *random,
+                                        ms_error *error)
 {
-    ms_gpr__sampler *h = (ms_gpr__sampler *)context;
-    ms_gpr__random random = ms_gpr__random_make(h->o.seed, h->stream + (uint64_t)batch);
-    size_t first = (size_t)batch * MS_GPR__BATCH, m = (size_t)h->gp->m, i, k;
-    ms_gpr__chain *w = &h->chain[batch];
-    ms_gpr__batch b;
-    for (i = 0; i < MS_GPR__BATCH; ++i) {
-        for (k = 0; k < m; ++k) w->point[k] = ms_gpr__uniform(&random);
-        ms_gpr__box_material(&h->box, w->point, h->candidate + (first + i) * m);
-    }
-    memset(&b, 0, sizeof b);
-    b.gp = h->gp;
-    b.x = h->candidate + first * m;
-    b.count = MS_GPR__BATCH;
-    b.tasks = 1;
-    b.mean = h->mean + first;
-    b.scratch = h->scratch + (size_t)batch * h->scratch_size;
-    ms_gpr__predict_task(&b, 0);
+    double *x = h->candidate + (size_t)first * (size_t)h->source.gp->m, *mean = h->mean + first;
+    ms_status status = MS_OK;
+    int i;
+    if (random) ms_gpr__source_fill(&h->source, 0, 0, 0, random, count, x);
+    if (random) status = ms_gpr_predict(h->source.gp, x, count, mean, NULL, error);
+    for (i = 0; i < count && status == MS_OK; ++i) h->hits += mean[i] >= h->threshold;
+    h->pilots += count;
+    return status;
 }
 
-/* Recommendations task, task + TASKS, ... of a wave: from a seed through a slice along every axis and as many across,
-   which forget where they started. */
-static void ms_gpr__sampler_draw(void *context, int task)
+/* The first candidates, local maxima of the mean, and the threshold. *liking: something is predicted above the floor.
+ */
+static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, int *liking, ms_error *error)
 {
-    ms_gpr__sampler *h = (ms_gpr__sampler *)context;
-    const ms_gpr *gp = h->gp;
-    ms_gpr__chain *w = &h->chain[task];
-    size_t m = (size_t)gp->m, d;
-    int i, k, rounds = h->axes > 0 ? h->axes : 1;
-    for (i = task; i < MS_GPR__WAVE; i += MS_GPR__TASKS) {
-        double at = (double)(h->stream + (uint64_t)i) * 0.61803398874989485; /* any run of these is spread evenly */
-        ms_gpr__random random = ms_gpr__random_make(h->o.seed, ((uint64_t)1 << 41) + h->stream + (uint64_t)i);
-        memcpy(w->point, h->seed + (size_t)((at - floor(at)) * h->seeds) * m, m * sizeof *w->point);
-        for (d = 0, k = 0; d < m; ++d) { /* dropped dimensions are uniform, unless a snap ties them to others */
-            if (k < gp->active && (size_t)gp->dimension[k] == d) ++k;
-            else if (h->box.snap == NULL) w->point[d] = ms_gpr__uniform(&random);
-        }
-        ms_gpr__chain_distances(h, w);
-        for (k = 0; k < rounds; ++k) {
-            if (h->axes > 0) ms_gpr__chain_move(h, w, h->axis[k], &random);
-            if (h->axes > 0) ms_gpr__chain_move(h, w, -1, &random);
-            if (k % 4 == 0) ms_gpr__chain_rectangle(h, w, &random);
-        }
-        ms_gpr__chain_rectangle(h, w, &random);
-        ms_gpr__box_material(&h->box, w->point, h->candidate + (size_t)i * m);
-    }
-}
+    ms_gpr__source *s = &h->source;
+    const ms_gpr *gp = s->gp;
+    ms_gpr__random random = ms_gpr__random_make(h->o.seed, 0);
+    double best = -HUGE_VAL, top = h->o.best < 0 || h->o.best > 0 ? h->o.best : s->top;
+    size_t m = (size_t)gp->m, row = m * sizeof(double);
+    int count = MS_GPR__PILOT + gp->n, i;
+    ms_status status;
 
-/* --- what was found --- */
+    /* uniform candidates, and the materials that were answered, moved into the box */
+    ms_gpr__source_fill(s, 0, 0, 0, &random, MS_GPR__PILOT, h->candidate);
+    for (i = 0; i < gp->n; ++i) {
+        ms_gpr__box_point(&s->box, gp->x + (size_t)i * m, s->point);
+        ms_gpr__box_material(&s->box, s->point, h->candidate + (size_t)(MS_GPR__PILOT + i) * m);
+    }
+    status = ms_gpr_predict(gp, h->candidate, count, h->mean, NULL, error);
+    if (status != MS_OK) return status;
+
+    /* from the best of them to maxima */
+    ms_gpr__ranked_select(h->ranked, h->mean, count, MS_GPR__MODES);
+    ms_gpr__ranked_sort(h->ranked, MS_GPR__MODES);
+    for (i = 0; i < MS_GPR__MODES; ++i) {
+        double *mode = h->mode + (size_t)i * m;
+        memcpy(mode, h->candidate + (size_t)h->ranked[i].index * m, row);
+        ms_gpr__ascend(h, mode);
+        if (s->box.snap) s->box.snap(s->box.user, mode);
+    }
+    status = ms_gpr_predict(gp, h->mode, MS_GPR__MODES, h->mode_value, NULL, error);
+    if (status != MS_OK) return status;
+    for (i = 0; i < MS_GPR__MODES; ++i) {
+        if (h->mode_value[i] < h->ranked[i].value) { /* a snap took it back */
+            memcpy(h->mode + (size_t)i * m, h->candidate + (size_t)h->ranked[i].index * m, row);
+            h->mode_value[i] = h->ranked[i].value;
+        }
+        best = fmax(best, h->mode_value[i]);
+    }
+
+    top = fmin(top, best);
+    *liking = best > s->floor && top > s->floor;
+    h->report.liked = s->liked;
+    h->report.best = best;
+    h->report.candidates = count;
+    h->report.search = MS_GPR_SEARCH_THRESHOLD;
+    if (!*liking) return MS_OK;
+    h->threshold = fmin(s->floor + h->o.tau * (top - s->floor), best - 1e-6 * (best - s->floor));
+    h->report.threshold = h->threshold;
+    status = ms_gpr__sampler_pilots(h, 0, MS_GPR__PILOT, NULL, error);
+    if (h->hits < MS_GPR__PILOT_HITS) status = ms_gpr__sampler_pilots(h, MS_GPR__PILOT, MS_GPR__PILOT, &random, error);
+    h->report.acceptance = (double)h->hits / h->pilots;
+    h->report.candidates = count + h->pilots - (int)MS_GPR__PILOT;
+    return status;
+}
 
 /* Squared root-mean-square distance, in widths of the box, of x to the nearest of `count` rows. */
 static double ms_gpr__nearest2(const ms_gpr__box *box, const double *rows, int count, const double *x)
@@ -3619,216 +3443,315 @@ static int ms_gpr__found_before(const ms_gpr__found *f, const double *x, size_t 
     return 0;
 }
 
-/* The next candidate of the sequence, whose mean is looked at again unless there is no threshold. Of every 1 + 15
-   diversity that pass, the one that is farthest from those before is taken. */
+/* How many candidates each recommendation is the farthest of. */
+static int ms_gpr__rivals(double diversity) { return 1 + (int)((MS_GPR__RIVALS - 1) * diversity + 0.5); }
+
+/* The next candidate of the sequence. Of as many as are rivals, the one farthest from those before is taken. */
 static void ms_gpr__sampler_accept(ms_gpr__sampler *h, const double *x)
 {
-    ms_gpr__chain *w = &h->chain[0];
+    const ms_gpr__box *box = &h->source.box;
     ms_gpr__found *f = &h->found;
-    size_t m = (size_t)h->gp->m, row = m * sizeof *x;
+    size_t m = (size_t)box->m, row = m * sizeof *x;
     double farthest = -1, near2 = h->o.avoid_distance * h->o.avoid_distance;
-    int size = 1 + (int)(15 * h->o.diversity + 0.5), i, best = 0;
-    int avoid = h->o.avoid_count > 0 && ms_gpr__nearest2(&h->box, h->o.avoid, h->o.avoid_count, x) < near2;
+    int size = ms_gpr__rivals(h->o.diversity), i, best = 0;
+    int avoid = h->o.avoid_count > 0 && ms_gpr__nearest2(box, h->o.avoid, h->o.avoid_count, x) < near2;
+    if (f->taken == f->count) return;
     if (avoid || ms_gpr__found_before(f, x, m)) {
         ++f->refused;
         f->avoided += avoid;
         return;
     }
-    memset(w->slope, 0, h->gp->stride * sizeof *w->slope);
-    if (h->report.search != MS_GPR_SEARCH_VARIANTS &&
-        ms_gpr__mean_of(h->gp, x, w->scaled, w->d2, w->slope) < h->threshold)
-        return;
     memcpy(f->rivals + (size_t)f->rival_count++ * m, x, row);
     if (f->rival_count < size) return;
     for (i = 0; i < size && size > 1; ++i) {
-        double d2 = ms_gpr__nearest2(&h->box, f->x, f->taken, f->rivals + (size_t)i * m);
+        double d2 = ms_gpr__nearest2(box, f->x, f->taken, f->rivals + (size_t)i * m);
         if (d2 > farthest) best = i, farthest = d2;
     }
     f->rival_count = f->refused = f->avoided = 0;
     memcpy(f->x + (size_t)f->taken++ * m, f->rivals + (size_t)best * m, row);
 }
 
-static int ms_gpr__sampler_stopped(const ms_gpr__sampler *h)
+/* Between rounds: MS_CANCELLED, or MS_NOT_CONVERGED where candidates are refused all the time. */
+static ms_status ms_gpr__sampler_go_on(const ms_gpr__sampler *h)
 {
-    return h->o.progress.report != NULL &&
-        h->o.progress.report(h->o.progress.user, (double)h->found.taken / h->found.count);
+    const ms_progress *progress = &h->o.progress;
+    if (h->found.taken == h->found.count) return MS_OK;
+    if (h->found.refused > MS_GPR__REFUSED) return MS_NOT_CONVERGED;
+    if (progress->report && progress->report(progress->user, (double)h->found.taken / h->found.count))
+        return MS_CANCELLED;
+    return MS_OK;
 }
 
-/* --- searches --- */
+/* --- chains: slice sampling (Neal 2003) --- */
 
-/* The first candidates, local maxima of the mean, and the threshold. 0: nothing is predicted above the floor. */
-static int ms_gpr__sampler_begin(ms_gpr__sampler *h)
+/* Along point + t direction, the squared distance from training point i is d2_i + shift + t slope_i + t^2 curvature.
+   With a snap the point stays anywhere in the box, and the mean is that of its material. */
+static void ms_gpr__chain_face(const ms_gpr__sampler *h, ms_gpr__chain *c)
 {
-    const ms_gpr *gp = h->gp;
-    ms_gpr__chain *w = &h->chain[0];
-    double best = -1e300;
-    size_t m = (size_t)gp->m;
-    int pilot = MS_GPR__PILOT * MS_GPR__BATCH, i;
-    h->top = h->floor;
-    ms__run(&gp->parallel, MS_GPR__PILOT, ms_gpr__sampler_batch, h);
-    memset(w->slope, 0, gp->stride * sizeof *w->slope);
-    for (i = 0; i < gp->n; ++i) {
-        if (gp->value[i] > h->top) h->top = gp->value[i];
-        h->report.liked += gp->value[i] > h->floor;
-        ms_gpr__box_point(&h->box, gp->x + (size_t)i * m, w->point);
-        ms_gpr__box_material(&h->box, w->point, w->material);
-        h->mean[pilot + i] = ms_gpr__mean_of(gp, w->material, w->scaled, w->d2, w->slope);
+    const ms_gpr *gp = h->source.gp;
+    double constant = 0;
+    int n = ms_gpr__padded(gp->n), i, k;
+    c->curvature = 0;
+    for (k = 0; k < gp->active; ++k) {
+        const int d = gp->dimension[k];
+        c->step[k] = h->source.box.width[d] * gp->scale[d] * c->direction[d];
+        c->curvature += c->step[k] * c->step[k];
+        constant += 2 * c->step[k] * c->scaled[k];
     }
-    ms_gpr__ranked_select(h->ranked, h->mean, pilot + gp->n, MS_GPR__MODES);
-    ms_gpr__ranked_sort(h->ranked, MS_GPR__MODES);
-    for (i = 0; i < MS_GPR__MODES; ++i) {
-        int index = h->ranked[i].index;
-        double *mode = h->mode + (size_t)i * m;
-        ms_gpr__box_point(
-            &h->box, index < pilot ? h->candidate + (size_t)index * m : gp->x + (size_t)(index - pilot) * m, w->point);
-        memcpy(mode, w->point, m * sizeof *mode);
-        ms_gpr__chain_ascend(h, w, 100);
-        ms_gpr__box_material(&h->box, w->point, w->material);
-        memset(w->slope, 0, gp->stride * sizeof *w->slope);
-        h->mode_value[i] = ms_gpr__mean_of(gp, w->material, w->scaled, w->d2, w->slope);
-        if (h->mode_value[i] < h->ranked[i].value) h->mode_value[i] = h->ranked[i].value; /* a snap took it back */
-        else memcpy(mode, w->point, m * sizeof *mode);
-        if (h->mode_value[i] > best) best = h->mode_value[i];
+    for (i = 0; i < n; ++i) c->slope[i] = constant;
+    for (k = 0; k < gp->active; ++k)
+        if (c->step[k] < 0 || c->step[k] > 0)
+            gp->kernels->axpy(c->slope, -2 * c->step[k], gp->points + (size_t)k * gp->stride, n);
+}
+
+static void ms_gpr__chain_start(const ms_gpr__sampler *h, ms_gpr__chain *c, uint64_t index)
+{
+    const ms_gpr *gp = h->source.gp;
+    const double turns = (double)index * 0.61803398874989485; /* any run of these is spread evenly */
+    const size_t m = (size_t)gp->m, seed = (size_t)((turns - floor(turns)) * h->seeds);
+    size_t k;
+    c->random = ms_gpr__random_make(h->o.seed, ((uint64_t)1 << 41) + index);
+    memcpy(c->point, h->seed + seed * m, m * sizeof *c->point);
+    for (k = 0; k < m && h->source.box.snap == NULL; ++k) /* a snap may tie dropped columns to others */
+        if (!(gp->theta[k] < MS_GPR__DROPPED)) c->point[k] = ms_gpr__uniform(&c->random);
+    for (k = 0; k < m; ++k) c->material[k] = h->source.box.low[k] + h->source.box.width[k] * c->point[k];
+    ms_gpr__scale(gp, c->material, c->scaled, 1);
+    gp->kernels->point_distances(c->d2, gp->points, gp->stride, c->scaled, gp->active, ms_gpr__padded(gp->n));
+    c->shift = 0;
+}
+
+static void ms_gpr__chain_point(const ms_gpr__chain *c, double t, int m, double *point)
+{
+    int k;
+    for (k = 0; k < m; ++k) {
+        double p = c->point[k] + t * c->direction[k];
+        point[k] = p < 1e-12 ? 0 : p > 1 - 1e-12 ? 1 : p;
     }
-    h->report.best = best;
-    h->report.candidates = pilot + gp->n;
-    if (h->o.best < 0 || h->o.best > 0) h->top = h->o.best;
-    if (h->top > best) h->top = best;
-    if (!(best > h->floor) || !(h->top > h->floor)) return 0;
-    h->threshold = h->floor + h->o.tau * (h->top - h->floor);
-    if (h->threshold > best - 1e-6 * (best - h->floor)) h->threshold = best - 1e-6 * (best - h->floor);
-    h->level = h->threshold + MS_GPR__ROUNDING * (best - h->floor);
+}
+
+/* Moves by t along the direction if the mean there reaches the threshold. */
+static int ms_gpr__chain_try(const ms_gpr__sampler *h, ms_gpr__chain *c, double t)
+{
+    const ms_gpr *gp = h->source.gp;
+    const double ahead = c->shift + t * t * c->curvature;
+    double mean;
+    int n = ms_gpr__padded(gp->n), k;
+    if (h->source.box.snap == NULL) {
+        mean = gp->mean + gp->kernels->line_mean(c->d2, c->slope, t, ahead, gp->weight, n);
+    } else {
+        ms_gpr__chain_point(c, t, gp->m, c->trial);
+        ms_gpr__box_material(&h->source.box, c->trial, c->material);
+        ms_gpr__scale(gp, c->material, c->trial, 1);
+        gp->kernels->point_distances(c->snapped, gp->points, gp->stride, c->trial, gp->active, n);
+        mean = gp->mean + gp->kernels->line_mean(c->snapped, c->slope, 0, 0, gp->weight, n);
+    }
+    if (!(mean >= h->threshold)) return 0;
+    ms_gpr__chain_point(c, t, gp->m, c->point);
+    for (k = 0; k < gp->active; ++k) c->scaled[k] += t * c->step[k];
+    gp->kernels->axpy(c->d2, t, c->slope, n);
+    c->shift = ahead;
     return 1;
+}
+
+/* A uniform point of an interval of a random position around the chain, at most `reach` long; while it lies outside
+   the region, the interval shrinks towards the chain. */
+static void ms_gpr__chain_slice(const ms_gpr__sampler *h, ms_gpr__chain *c, double reach)
+{
+    double t0 = -reach * ms_gpr__uniform(&c->random), t1 = t0 + reach;
+    int tries, k;
+    for (k = 0; k < h->source.gp->m; ++k) { /* in the box */
+        const double d = c->direction[k];
+        if (!(d < 0 || d > 0)) continue;
+        t0 = fmax(t0, (d > 0 ? -c->point[k] : 1 - c->point[k]) / d);
+        t1 = fmin(t1, (d > 0 ? 1 - c->point[k] : -c->point[k]) / d);
+    }
+    ms_gpr__chain_face(h, c);
+    for (tries = 0; tries < 60; ++tries) {
+        double t = t0 + ms_gpr__uniform(&c->random) * (t1 - t0);
+        if (ms_gpr__chain_try(h, c, t)) return;
+        if (t < 0) t0 = t;
+        else t1 = t;
+    }
+}
+
+/* What the mean hardly depends on, all at once: a uniform point of a hyperrectangle, at first the box, which shrinks
+   towards the chain. */
+static void ms_gpr__chain_rectangle(const ms_gpr__sampler *h, ms_gpr__chain *c)
+{
+    int tries, i, k;
+    for (i = 0; i < h->flats; ++i) c->low[i] = 0, c->high[i] = 1;
+    memset(c->direction, 0, (size_t)h->source.gp->m * sizeof *c->direction);
+    for (tries = 0; tries < 60 && h->flats > 0; ++tries) {
+        for (i = 0; i < h->flats; ++i) {
+            k = h->flat[i];
+            c->direction[k] = c->low[i] + ms_gpr__uniform(&c->random) * (c->high[i] - c->low[i]) - c->point[k];
+        }
+        ms_gpr__chain_face(h, c);
+        if (ms_gpr__chain_try(h, c, 1)) return;
+        for (i = 0; i < h->flats; ++i) {
+            k = h->flat[i];
+            if (c->direction[k] < 0) c->low[i] = c->point[k] + c->direction[k];
+            else c->high[i] = c->point[k] + c->direction[k];
+        }
+    }
+}
+
+/* Task: candidates task, task + TASKS, ... of a wave: from a seed through a slice along every axis and as many across,
+   which forget where they started. */
+static void ms_gpr__chain_run(void *context, int task)
+{
+    ms_gpr__sampler *h = (ms_gpr__sampler *)context;
+    ms_gpr__chain *c = &h->chain[task];
+    int m = h->source.gp->m, i, j, k;
+    for (i = task; i < MS_GPR__WAVE; i += MS_GPR__TASKS) {
+        ms_gpr__chain_start(h, c, h->first + (uint64_t)i);
+        for (j = 0; j < h->axes; ++j) {
+            for (k = 0; k < m; ++k) c->direction[k] = k == h->axis[j] ? h->reach[k] : 0;
+            ms_gpr__chain_slice(h, c, MS_GPR__REACH);
+            for (k = 0; k < m; ++k) c->direction[k] = h->reach[k] * (2 * ms_gpr__uniform(&c->random) - 1);
+            ms_gpr__chain_slice(h, c, MS_GPR__REACH);
+            if (j % 4 == 0) ms_gpr__chain_rectangle(h, c);
+        }
+        ms_gpr__chain_rectangle(h, c);
+        ms_gpr__box_material(&h->source.box, c->point, h->candidate + (size_t)i * (size_t)m);
+    }
+}
+
+/* Mean sigma of the first recommendations over the range of scores. */
+static ms_status ms_gpr__sampler_doubt(ms_gpr__sampler *h, double *doubt, ms_error *error)
+{
+    double variance[MS_GPR__WAVE], range = (h->threshold - h->source.floor) / h->o.tau;
+    int i;
+    ms_status status = ms_gpr_predict(h->source.gp, h->candidate, MS_GPR__WAVE, NULL, variance, error);
+    *doubt = 0;
+    for (i = 0; i < MS_GPR__WAVE && status == MS_OK; ++i) *doubt += sqrt(variance[i]) / ((int)MS_GPR__WAVE * range);
+    return status;
 }
 
 /* Chains from the first candidates that reach the threshold; where those are few, from the maxima as well. The search
    ends with the first wave where that is too uncertain. */
 static ms_status ms_gpr__sampler_chains(ms_gpr__sampler *h, ms_error *error)
 {
-    size_t m = (size_t)h->gp->m;
-    int size = 1 + (int)(15 * h->o.diversity + 0.5), i;
-    for (i = 0; i < MS_GPR__PILOT * MS_GPR__BATCH && h->seeds < MS_GPR__SEEDS; ++i)
-        if (h->mean[i] >= h->level)
-            ms_gpr__box_point(&h->box, h->candidate + (size_t)i * m, h->seed + (size_t)h->seeds++ * m);
+    const ms_gpr__box *box = &h->source.box;
+    const size_t m = (size_t)box->m;
+    const double wanted = (double)h->found.count * ms_gpr__rivals(h->o.diversity);
+    ms_status status = MS_OK;
+    double doubt;
+    int i;
+    for (i = 0; i < h->pilots && h->seeds < MS_GPR__SEEDS; ++i)
+        if (h->mean[i] >= h->threshold)
+            ms_gpr__box_point(box, h->candidate + (size_t)i * m, h->seed + (size_t)h->seeds++ * m);
     for (i = 0; i < MS_GPR__MODES && h->seeds < MS_GPR__SEEDS_FEW + i; ++i)
-        if (h->mode_value[i] >= h->level)
-            memcpy(h->seed + (size_t)h->seeds++ * m, h->mode + (size_t)i * m, m * sizeof *h->seed);
-    for (h->stream = 0; h->found.taken < h->found.count; h->stream += MS_GPR__WAVE) {
-        if (h->seeds == 0 || h->stream / 40 > (uint64_t)h->found.count * (uint64_t)size + MS_GPR__WAVE)
-            return MS_NOT_CONVERGED;
-        ms__run(&h->gp->parallel, MS_GPR__TASKS, ms_gpr__sampler_draw, h);
-        if (h->stream == 0 && h->o.search == MS_GPR_SEARCH_AUTO) {
-            double sum = 0;
-            ms_status status = ms_gpr_predict(h->gp, h->candidate, MS_GPR__WAVE, NULL, h->mean, error);
-            if (status != MS_OK) return status;
-            for (i = 0; i < MS_GPR__WAVE; ++i) sum += sqrt(h->mean[i]) / (int)MS_GPR__WAVE;
-            h->doubt = sum / (h->top - h->floor);
-            if (h->doubt > MS_GPR__DOUBT) return MS_OK;
+        if (h->mode_value[i] >= h->threshold)
+            ms_gpr__box_point(box, h->mode + (size_t)i * m, h->seed + (size_t)h->seeds++ * m);
+    for (; status == MS_OK && h->found.taken < h->found.count; h->first += MS_GPR__WAVE) {
+        if (h->seeds == 0 || (double)h->first / 40 > wanted + (int)MS_GPR__WAVE) return MS_NOT_CONVERGED;
+        ms__run(&h->source.gp->parallel, MS_GPR__TASKS, ms_gpr__chain_run, h);
+        if (h->first == 0 && h->o.search == MS_GPR_SEARCH_AUTO) {
+            status = ms_gpr__sampler_doubt(h, &doubt, error);
+            if (status != MS_OK || doubt > MS_GPR__DOUBT) return status;
         }
-        for (i = 0; i < MS_GPR__WAVE && h->found.taken < h->found.count; ++i)
-            ms_gpr__sampler_accept(h, h->candidate + (size_t)i * m);
-        if (h->found.taken < h->found.count && ms_gpr__sampler_stopped(h)) return MS_CANCELLED;
+        status = ms_gpr_predict(h->source.gp, h->candidate, MS_GPR__WAVE, h->mean, NULL, error);
+        for (i = 0; i < MS_GPR__WAVE && status == MS_OK; ++i) /* but for rounding along a chain */
+            if (h->mean[i] >= h->threshold) ms_gpr__sampler_accept(h, h->candidate + (size_t)i * m);
+        if (status == MS_OK) status = ms_gpr__sampler_go_on(h);
     }
-    return MS_OK;
+    return status;
 }
 
-/* Variants of what was liked, or uniform candidates where nothing was: the best tenth of each wave. */
+/* Variants of what was liked, or uniform candidates where nothing was: the best tenth of each round. */
 static ms_status ms_gpr__sampler_variants(ms_gpr__sampler *h, ms_error *error)
 {
-    const ms_gpr *gp = h->gp;
-    size_t m = (size_t)gp->m, k;
-    double sum = ms_gpr__parents(gp, h->floor, h->parents), *point = h->chain[0].point;
-    int size = MS_GPR__WAVE * MS_GPR__BEST_OF, i;
-    for (h->stream = 0; h->found.taken < h->found.count; ++h->stream) {
-        ms_gpr__random random = ms_gpr__random_make(h->o.seed, ((uint64_t)1 << 42) + h->stream);
-        ms_status status;
-        if (h->found.refused > MS_GPR__REFUSED) return MS_NOT_CONVERGED;
-        for (i = 0; i < size; ++i) {
-            for (k = 0; k < m; ++k) point[k] = ms_gpr__uniform(&random);
-            if (sum > 0) ms_gpr__vary(gp, &h->box, h->parents, sum, 0.3 * ms_gpr__uniform(&random), &random, point);
-            ms_gpr__box_material(&h->box, point, h->candidate + (size_t)i * m);
-        }
-        status = ms_gpr_predict(gp, h->candidate, size, h->mean, NULL, error);
+    const int size = MS_GPR__WAVE * MS_GPR__BEST_OF;
+    const size_t m = (size_t)h->source.gp->m;
+    ms_status status = MS_OK;
+    uint64_t round;
+    int i;
+    h->report.search = MS_GPR_SEARCH_VARIANTS;
+    ms_gpr__source_breed(&h->source);
+    for (round = 0; status == MS_OK && h->found.taken < h->found.count; ++round) {
+        ms_gpr__random random = ms_gpr__random_make(h->o.seed, ((uint64_t)1 << 42) + round);
+        ms_gpr__source_fill(&h->source, 1, 0, 0.3, &random, size, h->candidate);
+        status = ms_gpr_predict(h->source.gp, h->candidate, size, h->mean, NULL, error);
         if (status != MS_OK) return status;
         h->report.candidates += size;
         ms_gpr__ranked_select(h->ranked, h->mean, size, MS_GPR__WAVE);
         ms_gpr__ranked_sort(h->ranked, MS_GPR__WAVE);
-        for (i = 0; i < MS_GPR__WAVE && h->found.taken < h->found.count; ++i)
-            ms_gpr__sampler_accept(h, h->candidate + (size_t)h->ranked[i].index * m);
-        if (h->found.taken < h->found.count && ms_gpr__sampler_stopped(h)) return MS_CANCELLED;
+        for (i = 0; i < MS_GPR__WAVE; ++i) ms_gpr__sampler_accept(h, h->candidate + (size_t)h->ranked[i].index * m);
+        status = ms_gpr__sampler_go_on(h);
     }
-    return MS_OK;
+    return status;
 }
 
 /* Mean distance of the first 200 to the nearest other one of them. */
-static double ms_gpr__sampler_spread(const ms_gpr__sampler *h, const double *x)
+static double ms_gpr__spread(const ms_gpr__box *box, const double *x, int count)
 {
-    int count = h->report.found < 200 ? h->report.found : 200, i;
-    size_t m = (size_t)h->gp->m;
+    size_t m = (size_t)box->m;
     double sum = 0;
+    int i;
+    if (count > 200) count = 200;
     for (i = 0; i < count; ++i) {
-        double before = ms_gpr__nearest2(&h->box, x, i, x + (size_t)i * m);
-        double after = ms_gpr__nearest2(&h->box, x + (size_t)(i + 1) * m, count - i - 1, x + (size_t)i * m);
-        sum += sqrt(before < after ? before : after);
+        double before = ms_gpr__nearest2(box, x, i, x + (size_t)i * m);
+        double after = ms_gpr__nearest2(box, x + (size_t)(i + 1) * m, count - i - 1, x + (size_t)i * m);
+        sum += sqrt(fmin(before, after));
     }
     return count > 1 ? sum / count : 0;
 }
 
 static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms__arena *arena)
 {
-    size_t m = (size_t)h->gp->m, stride = h->gp->stride, candidates = MS_GPR__BATCHES * MS_GPR__BATCH;
-    size_t rows = (size_t)h->gp->n;
+    const ms_gpr *gp = h->source.gp;
+    size_t m = (size_t)gp->m, candidates = 2 * (size_t)MS_GPR__PILOT + (size_t)gp->n;
     int i;
-    h->unit = ms_gpr__take(arena, m, 1);
+    ms_gpr__source_layout(&h->source, arena);
+    h->candidate = ms_gpr__take(arena, candidates, m);
+    h->mean = ms_gpr__take(arena, candidates, 1);
+    h->ranked = (ms_gpr__ranked *)ms__take(arena, candidates, sizeof *h->ranked);
+    h->mode = ms_gpr__take(arena, MS_GPR__MODES, m);
+    h->kernel = ms_gpr__take(arena, gp->stride, 1);
+    h->low = ms_gpr__take(arena, m, 1);
+    h->high = ms_gpr__take(arena, m, 1);
+    h->q = ms_gpr__take(arena, m, 1);
+    h->work = ms_gpr__take(arena, ms_gpr__minimize_doubles(gp->m), 1);
+    h->seed = ms_gpr__take(arena, MS_GPR__SEEDS + MS_GPR__MODES, m);
     h->reach = ms_gpr__take(arena, m, 1);
     h->axis = (int *)ms__take(arena, m, sizeof(int));
     h->flat = (int *)ms__take(arena, m, sizeof(int));
-    h->candidate = ms_gpr__take(arena, candidates, m);
-    h->mean = ms_gpr__take(arena, candidates + rows, 1);
-    h->scratch = ms_gpr__take(arena, MS_GPR__BATCHES, h->scratch_size);
-    h->ranked = (ms_gpr__ranked *)ms__take(arena, candidates + rows, sizeof *h->ranked);
-    h->parents = ms_gpr__take(arena, rows, 1);
-    h->mode = ms_gpr__take(arena, MS_GPR__MODES, m);
-    h->seed = ms_gpr__take(arena, MS_GPR__SEEDS + MS_GPR__MODES, m);
-    h->found.rivals = ms_gpr__take(arena, m, 16);
+    h->found.rivals = ms_gpr__take(arena, MS_GPR__RIVALS, m);
     if (h->o.skip > 0) h->found.x = ms_gpr__take(arena, (size_t)h->found.count, m);
     for (i = 0; i < MS_GPR__TASKS; ++i) {
-        ms_gpr__chain *w = &h->chain[i];
-        w->point = ms_gpr__take(arena, m, 1);
-        w->direction = ms_gpr__take(arena, m, 1);
-        w->scaled = ms_gpr__take(arena, m, 1);
-        w->step = ms_gpr__take(arena, m, 1);
-        w->low = ms_gpr__take(arena, m, 1);
-        w->high = ms_gpr__take(arena, m, 1);
-        w->trial = ms_gpr__take(arena, m, 1);
-        w->material = ms_gpr__take(arena, m, 1);
-        w->d2 = ms_gpr__take(arena, stride, 1);
-        w->slope = ms_gpr__take(arena, stride, 1);
-        w->kernel = ms_gpr__take(arena, stride, 1);
+        ms_gpr__chain *c = &h->chain[i];
+        c->point = ms_gpr__take(arena, m, 1);
+        c->direction = ms_gpr__take(arena, m, 1);
+        c->scaled = ms_gpr__take(arena, m, 1);
+        c->step = ms_gpr__take(arena, m, 1);
+        c->low = ms_gpr__take(arena, m, 1);
+        c->high = ms_gpr__take(arena, m, 1);
+        c->trial = ms_gpr__take(arena, m, 1);
+        c->material = ms_gpr__take(arena, m, 1);
+        c->d2 = ms_gpr__take(arena, gp->stride, 1);
+        c->slope = ms_gpr__take(arena, gp->stride, 1);
+        c->snapped = ms_gpr__take(arena, gp->stride, 1);
     }
 }
 
-/* Which dimensions slices go along, and how far. A column in use of which the box is shorter than MS_GPR__INFORMATIVE
-   lengths is flat. */
+/* Which columns the mean depends on: those of which the box has MS_GPR__INFORMATIVE lengths or more. */
 static void ms_gpr__sampler_axes(ms_gpr__sampler *h)
 {
-    const ms_gpr *gp = h->gp;
+    const ms_gpr *gp = h->source.gp;
     int k;
     memset(h->reach, 0, (size_t)gp->m * sizeof *h->reach);
-    for (k = 0; k < gp->active; ++k) {
-        int d = gp->dimension[k];
-        h->unit[k] = h->box.width[d] * gp->scale[d];
-        if (!(h->unit[k] > 0)) continue;
-        if (h->unit[k] > MS_GPR__INFORMATIVE) {
-            h->axis[h->axes++] = d;
-            h->reach[d] = 0.3 * h->unit[k] > 1 ? 1 / h->unit[k]
-                                               : 0.3; /* a length scale; at most the deviation of the box */
+    for (k = 0; k < gp->m; ++k) {
+        const double width = h->source.box.width[k];
+        const int dropped = !(gp->theta[k] < MS_GPR__DROPPED);
+        if (!(width > 0) || (dropped && h->source.box.snap == NULL)) continue;
+        if (dropped || width * gp->scale[k] < MS_GPR__INFORMATIVE) {
+            h->flat[h->flats++] = k;
         } else {
-            h->flat[h->flats++] = d;
+            h->axis[h->axes++] = k;
+            h->reach[k] = fmin(1 / (width * gp->scale[k]), 0.3);
         }
     }
-    for (k = 0; k < gp->m && h->box.snap; ++k) /* dropped columns that a snap may tie to others */
-        if (!(gp->theta[k] < MS_GPR__DROPPED) && h->box.width[k] > 0) h->flat[h->flats++] = k;
 }
 
 static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *options, int m, ms_gpr_recommend_options *o,
@@ -3855,29 +3778,18 @@ static ms_status ms_gpr__recommend_options(const ms_gpr_recommend_options *optio
 /* The search that was asked for, or the best one. */
 static ms_status ms_gpr__sampler_run(ms_gpr__sampler *h, ms_error *error)
 {
-    static const char *const reason[] = {
-        "gave up after %d of %d recommendations",
-        "gave up after %d of %d recommendations: there are no other materials",
-        "gave up after %d of %d recommendations: the others are too near to one to avoid"};
-    int pilot = MS_GPR__PILOT * MS_GPR__BATCH, hits = 0, i, liking = ms_gpr__sampler_begin(h);
-    ms_status status = MS_OK;
-    for (i = 0; i < pilot && liking; ++i) hits += h->mean[i] >= h->threshold;
-    h->report.acceptance = (double)hits / pilot;
-    h->report.threshold = h->threshold;
-    h->report.search = MS_GPR_SEARCH_THRESHOLD;
-    if (liking && h->o.search != MS_GPR_SEARCH_VARIANTS) status = ms_gpr__sampler_chains(h, error);
-    if (status == MS_OK && h->found.taken < h->found.count) {
-        h->report.search = MS_GPR_SEARCH_VARIANTS;
-        status = ms_gpr__sampler_variants(h, error);
-    }
+    const char *reason = "";
+    int liking;
+    ms_status status = ms_gpr__sampler_begin(h, &liking, error);
+    if (status == MS_OK && liking && h->o.search != MS_GPR_SEARCH_VARIANTS) status = ms_gpr__sampler_chains(h, error);
+    if (status == MS_OK && h->found.taken < h->found.count) status = ms_gpr__sampler_variants(h, error);
     if (status == MS_CANCELLED)
         return ms__fail(error, status, 0, "cancelled after %d of %d recommendations", h->found.taken, h->found.count);
     if (status != MS_NOT_CONVERGED) return status;
-    return ms__fail(error, status, 0,
-                    reason[h->found.avoided > 0       ? 2
-                               : h->found.refused > 0 ? 1
-                                                      : 0],
-                    h->found.taken, h->found.count);
+    if (h->found.refused > 0) reason = ": there are no other materials";
+    if (h->found.avoided > 0) reason = ": the others are too near to one to avoid";
+    return ms__fail(error, status, 0, "gave up after %d of %d recommendations%s", h->found.taken, h->found.count,
+                    reason);
 }
 
 MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_options *options, int count, double *x,
@@ -3886,7 +3798,6 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
     ms_gpr__sampler sampler, *h = &sampler;
     ms__arena arena = {NULL, 0};
     ms_status status;
-    double *means = mean;
     size_t m;
     int i;
     if (gp == NULL || x == NULL) return ms_gpr__null(gp ? "x" : "gp", error);
@@ -3898,40 +3809,35 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d and skip %d: expected at most %d together", count,
                         h->o.skip, 0x7fffffff / 16);
     m = (size_t)gp->m;
-    h->gp = gp;
-    h->floor = ms_gpr__floor_of(gp);
     h->found.count = count + h->o.skip;
     h->found.x = x;
-    h->scratch_size = MS_GPR__CHUNK * (m + MS_GPR__SLAB);
-    status = ms_gpr__box_make(gp->x, gp->n, gp->m, &h->o.space, &gp->allocator, &h->box, error);
+    status = ms_gpr__source_make(&h->source, gp, &h->o.space, error);
     if (status != MS_OK) return status;
     ms_gpr__sampler_layout(h, &arena);
     if (!ms_gpr__place(&gp->allocator, &arena)) {
-        ms_gpr__box_free(&h->box);
+        ms_gpr__box_free(&h->source.box);
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a search over %d scores", gp->n);
     }
     ms_gpr__sampler_layout(h, &arena);
-    for (i = 0; i < MS_GPR__TASKS; ++i) memset(h->chain[i].slope, 0, gp->stride * sizeof(double));
     ms_gpr__sampler_axes(h);
-    for (i = 0; i < gp->m && h->box.snap == NULL; ++i) h->found.all_new |= h->box.width[i] > 0;
+    for (i = 0; i < gp->m && h->source.box.snap == NULL; ++i) h->found.all_new |= h->source.box.width[i] > 0;
     status = ms_gpr__sampler_run(h, error);
     h->report.found = h->found.taken > h->o.skip ? h->found.taken - h->o.skip : 0;
     if (h->found.x != x) memcpy(x, h->found.x + (size_t)h->o.skip * m, (size_t)h->report.found * m * sizeof *x);
     if (h->report.found > 0) {
-        ms_status predicted;
-        h->report.spread = ms_gpr__sampler_spread(h, x);
-        if (mean == NULL && h->report.found <= MS_GPR__BATCHES * MS_GPR__BATCH) means = h->mean;
-        predicted = ms_gpr_predict(gp, x, h->report.found, means, sigma, error);
+        double *means = mean == NULL && h->report.found <= MS_GPR__PILOT ? h->mean : mean;
+        ms_status predicted = ms_gpr_predict(gp, x, h->report.found, means, sigma, error);
         if (predicted != MS_OK) status = predicted;
+        h->report.spread = ms_gpr__spread(&h->source.box, x, h->report.found);
         for (i = 0; predicted == MS_OK && i < h->report.found; ++i) {
             if (sigma) sigma[i] = sqrt(sigma[i]);
-            if (h->report.search != MS_GPR_SEARCH_VARIANTS || means == NULL) continue;
-            h->report.threshold = i ? fmin(h->report.threshold, means[i]) : means[i];
+            if (h->report.search == MS_GPR_SEARCH_VARIANTS && means)
+                h->report.threshold = i ? fmin(h->report.threshold, means[i]) : means[i];
         }
     }
     if (report && status != MS_OUT_OF_MEMORY) *report = h->report;
     ms_gpr__release(&gp->allocator, arena.base);
-    ms_gpr__box_free(&h->box);
+    ms_gpr__box_free(&h->source.box);
     return status;
 }
 
@@ -3945,37 +3851,85 @@ enum {
 
 /* A pool of candidates and what is known about them, given the scores and the choices so far. */
 typedef struct ms_gpr__pool {
-    const ms_gpr *gp;
-    double floor, threshold; /* scores above are liked, and recommended */
-    int drawn, size, count;  /* candidates; those whose variance is computed (a multiple of CHUNK); choices */
-    double *x;               /* [drawn][m] */
-    double *points;          /* [active][size] in length scales, as gp->points */
-    double *mean;            /* [drawn] */
-    ms_gpr__ranked *ranked;  /* [drawn] */
-    double *variance;        /* [size] */
-    double *columns;         /* [padded n][size] U'^-1 k(training, pool) */
-    double *basis; /* [count][size] posterior covariance with each choice, less what earlier ones explain, over
-                      its deviation */
-    double *key;   /* [drawn] scratch */
-    char *taken;   /* [drawn] 1: chosen, or equal to one that was */
-    ms_gpr__box box;
-    double *point;   /* [m] */
-    double *scratch; /* [m][4] a choice, four times: a tile of the distance kernel; [4][size] its distances; before, [n]
-                        parents */
+    ms_gpr__source source;
+    double threshold;       /* of recommendations */
+    int drawn, size, count; /* candidates; those whose variance is computed (a multiple of CHUNK); choices */
+    double *x;              /* [drawn][m] */
+    double *points;         /* [active][size] in length scales, as gp->points */
+    double *mean;           /* [drawn] */
+    double *variance;       /* [size] */
+    double *columns;        /* [padded n][size] U'^-1 k(training, pool) */
+    double *basis;          /* [count][size] posterior covariance with each choice, less what earlier ones explain, over
+                               its deviation */
+    ms_gpr__ranked *ranked; /* [drawn] */
+    char *taken;            /* [drawn] 1: chosen, or equal to one that was */
 } ms_gpr__pool;
+
+/* spread: what belongs to the variances is not needed. */
+static void ms_gpr__pool_layout(ms_gpr__pool *p, int spread, ms__arena *arena)
+{
+    size_t m = (size_t)p->source.gp->m, size = (size_t)p->size, drawn = (size_t)p->drawn;
+    ms_gpr__source_layout(&p->source, arena);
+    p->x = ms_gpr__take(arena, drawn, m);
+    p->mean = ms_gpr__take(arena, drawn, 1);
+    p->taken = (char *)ms__take(arena, drawn, 1);
+    if (spread) return;
+    p->points = ms_gpr__take(arena, size, m);
+    p->ranked = (ms_gpr__ranked *)ms__take(arena, drawn, sizeof *p->ranked);
+    p->variance = ms_gpr__take(arena, size, 1);
+    p->columns = ms_gpr__take(arena, size, (size_t)ms_gpr__padded(p->source.gp->n));
+    p->basis = ms_gpr__take(arena, size, (size_t)p->count);
+}
+
+/* Every parameter of the candidates falls once into each of as many parts of its range. */
+static void ms_gpr__pool_spread(ms_gpr__pool *p, ms_gpr__random *random)
+{
+    const ms_gpr__box *box = &p->source.box;
+    size_t m = (size_t)box->m, k;
+    double *part = p->mean;
+    int i, j;
+    for (k = 0; k < m; ++k) { /* a shuffle */
+        for (j = 0; j < p->drawn; ++j) {
+            i = (int)(ms_gpr__uniform(random) * (j + 1));
+            part[j] = part[i];
+            part[i] = j;
+        }
+        for (j = 0; j < p->drawn; ++j) p->x[(size_t)j * m + k] = (part[j] + ms_gpr__uniform(random)) / p->drawn;
+    }
+    for (j = 0; j < p->drawn; ++j) {
+        memcpy(p->source.point, p->x + (size_t)j * m, m * sizeof *p->x);
+        ms_gpr__box_material(box, p->source.point, p->x + (size_t)j * m);
+    }
+}
+
+/* Keeps `size` of the candidates, in their order: those of the largest means. */
+static ms_status ms_gpr__pool_screen(ms_gpr__pool *p, ms_error *error)
+{
+    const size_t m = (size_t)p->source.gp->m;
+    int kept = 0, j;
+    ms_status status = ms_gpr_predict(p->source.gp, p->x, p->drawn, p->mean, NULL, error);
+    if (status != MS_OK) return status;
+    ms_gpr__ranked_select(p->ranked, p->mean, p->drawn, p->size);
+    for (j = 0; j < p->size; ++j) p->taken[p->ranked[j].index] = 1;
+    for (j = 0; j < p->drawn; ++j) {
+        if (p->taken[j]) memmove(p->x + (size_t)kept++ * m, p->x + (size_t)j * m, m * sizeof *p->x);
+        p->taken[j] = 0;
+    }
+    p->drawn = p->size;
+    return MS_OK;
+}
 
 /* Task: a chunk of candidates against the training set. */
 static void ms_gpr__pool_chunk(void *context, int chunk)
 {
     ms_gpr__pool *p = (ms_gpr__pool *)context;
-    const ms_gpr *gp = p->gp;
+    const ms_gpr *gp = p->source.gp;
     size_t size = (size_t)p->size, first = (size_t)chunk * MS_GPR__CHUNK;
-    double *columns = p->columns + first, *mean = p->mean + first, *variance = p->variance + first;
-    int i, j;
+    double *mean = p->mean + first, *variance = p->variance + first;
+    int j;
     for (j = 0; j < MS_GPR__CHUNK; ++j) mean[j] = gp->mean, variance[j] = ms_gpr__sf2(gp);
-    ms_gpr__chunk_kernel(gp, p->points + first, columns, size);
-    for (i = 0; i < gp->n; ++i) gp->kernels->axpy(mean, gp->alpha[i], columns + (size_t)i * size, MS_GPR__CHUNK);
-    ms_gpr__chunk_explain(gp, columns, size, variance);
+    ms_gpr__chunk_kernel(gp, p->points + first, p->columns + first, size);
+    ms_gpr__chunk_explain(gp, p->columns + first, size, mean, variance);
 }
 
 /* How much candidate j is worth as choice number q: 1.96 sigma - |mean - threshold| ("straddle"); where the model has
@@ -3984,17 +3938,17 @@ static void ms_gpr__pool_chunk(void *context, int chunk)
 static double ms_gpr__pool_worth(const ms_gpr__pool *p, int q, int j)
 {
     double sigma = p->variance[j] > 0 ? sqrt(p->variance[j]) : 0;
-    if (p->gp->choices.count == 0 || q % 2 == 0) return 1.96 * sigma - fabs(p->mean[j] - p->threshold);
-    return sigma > 0 ? 0.5 * erfc((p->floor - p->mean[j]) / (1.4142135623730951 * sigma)) * sigma : 0;
+    if (p->source.gp->choices.count == 0 || q % 2 == 0) return 1.96 * sigma - fabs(p->mean[j] - p->threshold);
+    return sigma > 0 ? 0.5 * erfc((p->source.floor - p->mean[j]) / (1.4142135623730951 * sigma)) * sigma : 0;
 }
 
-/* The candidate of the largest worth; -1: all are taken. */
-static int ms_gpr__pool_best(const ms_gpr__pool *p, int q)
+/* The candidate of the largest worth, in a gallery that is spread the first; -1: all are taken. */
+static int ms_gpr__pool_best(const ms_gpr__pool *p, int q, int spread)
 {
     double largest = -HUGE_VAL;
     int best = -1, j;
     for (j = 0; j < p->size; ++j) {
-        double worth = p->taken[j] ? -HUGE_VAL : ms_gpr__pool_worth(p, q, j);
+        double worth = p->taken[j] ? -HUGE_VAL : spread ? -j : ms_gpr__pool_worth(p, q, j);
         if (!(worth > largest)) continue;
         largest = worth;
         best = j;
@@ -4005,109 +3959,56 @@ static int ms_gpr__pool_best(const ms_gpr__pool *p, int q)
 /* Choice number q, candidate j, counts as seen: b = cov(j, pool) / sqrt(var_j + sn^2), variance -= b^2. */
 static void ms_gpr__pool_choose(ms_gpr__pool *p, int q, int j)
 {
-    const ms_gpr *gp = p->gp;
+    const ms_gpr *gp = p->source.gp;
     size_t size = (size_t)p->size;
-    double *point = p->scratch, *row = point + 4 * (size_t)gp->m, *basis = p->basis + (size_t)q * size;
-    double sf2 = ms_gpr__sf2(gp), scale;
-    int i, k;
-    for (k = 0; k < gp->active; ++k)
-        for (i = 0; i < 4; ++i) point[4 * k + i] = p->points[(size_t)k * size + (size_t)j];
-    gp->kernels->distances(row, size, point, 4, p->points, size, 4, p->size, gp->active, 0);
-    gp->kernels->exponentials(row, p->size, sf2);
+    double *b = p->basis + (size_t)q * size, *point = p->source.point, sf2 = ms_gpr__sf2(gp), scale;
+    int i;
+    ms_gpr__scale(gp, p->x + (size_t)j * (size_t)gp->m, point, 1);
+    gp->kernels->point_distances(b, p->points, size, point, gp->active, p->size);
+    gp->kernels->exponentials(b, p->size, sf2);
     for (i = 0; i < gp->n; ++i) {
         const double *v = p->columns + (size_t)i * size;
-        gp->kernels->axpy(row, -v[j], v, p->size);
+        gp->kernels->axpy(b, -v[j], v, p->size);
     }
     for (i = 0; i < q; ++i) {
-        const double *b = p->basis + (size_t)i * size;
-        gp->kernels->axpy(row, -b[j], b, p->size);
+        const double *before = p->basis + (size_t)i * size;
+        gp->kernels->axpy(b, -before[j], before, p->size);
     }
     scale = 1 / sqrt((p->variance[j] > 0 ? p->variance[j] : 0) + ms_gpr__sn2(gp) + 1e-12 * sf2);
     for (i = 0; i < p->size; ++i) {
-        basis[i] = scale * row[i];
-        p->variance[i] -= basis[i] * basis[i];
+        b[i] *= scale;
+        p->variance[i] -= b[i] * b[i];
     }
 }
 
 /* x [m] and all candidates that equal it are taken. */
 static void ms_gpr__pool_take(ms_gpr__pool *p, const double *x)
 {
-    size_t m = (size_t)p->gp->m;
+    size_t m = (size_t)p->source.gp->m;
     int j;
     for (j = 0; j < p->drawn; ++j)
         if (memcmp(p->x + (size_t)j * m, x, m * sizeof *x) == 0) p->taken[j] = 1;
 }
 
-/* spread: what belongs to the variances is not needed. */
-static void ms_gpr__pool_layout(ms_gpr__pool *p, int spread, ms__arena *arena)
+/* One choice after the other. With a snap, what was asked before or is chosen is not asked again while there is
+   something else. */
+static void ms_gpr__pool_run(ms_gpr__pool *p, int spread, double *x)
 {
-    size_t m = (size_t)p->gp->m, size = (size_t)p->size, drawn = (size_t)p->drawn;
-    p->x = ms_gpr__take(arena, drawn, m);
-    p->key = ms_gpr__take(arena, drawn, 1);
-    p->taken = (char *)ms__take(arena, drawn, 1);
-    p->point = ms_gpr__take(arena, m, 1);
-    if (spread) return;
-    p->points = ms_gpr__take(arena, size, m);
-    p->mean = ms_gpr__take(arena, drawn, 1);
-    p->ranked = (ms_gpr__ranked *)ms__take(arena, drawn, sizeof *p->ranked);
-    p->variance = ms_gpr__take(arena, size, 1);
-    p->columns = ms_gpr__take(arena, size, (size_t)ms_gpr__padded(p->gp->n));
-    p->basis = ms_gpr__take(arena, size, (size_t)p->count);
-    p->scratch = ms_gpr__take(arena, 4, ms__size_add(size, ms__size_add(m, (size_t)p->gp->n)));
-}
-
-/* Every parameter of the candidates falls once into each of as many parts of its range. */
-static void ms_gpr__pool_spread(ms_gpr__pool *p, ms_gpr__random *random)
-{
-    size_t m = (size_t)p->gp->m, k;
-    int i, j;
-    for (k = 0; k < m; ++k) { /* which part, in key: a shuffle */
-        for (j = 0; j < p->drawn; ++j) {
-            i = (int)(ms_gpr__uniform(random) * (j + 1));
-            p->key[j] = p->key[i];
-            p->key[i] = j;
-        }
-        for (j = 0; j < p->drawn; ++j) p->x[(size_t)j * m + k] = (p->key[j] + ms_gpr__uniform(random)) / p->drawn;
+    const ms_gpr *gp = p->source.gp;
+    const int discrete = p->source.box.snap != NULL;
+    size_t m = (size_t)gp->m;
+    int q;
+    for (q = 0; q < p->size && !spread; ++q) ms_gpr__scale(gp, p->x + (size_t)q * m, p->points + q, (size_t)p->size);
+    if (!spread) ms__run(&gp->parallel, p->size / MS_GPR__CHUNK, ms_gpr__pool_chunk, p);
+    for (q = 0; q < gp->n && discrete; ++q) ms_gpr__pool_take(p, gp->x + (size_t)q * m);
+    for (q = 0; q < p->count; ++q) {
+        int best = ms_gpr__pool_best(p, q, spread);
+        if (best < 0) best = q % p->size;
+        memcpy(x + (size_t)q * m, p->x + (size_t)best * m, m * sizeof *x);
+        p->taken[best] = 1;
+        if (discrete) ms_gpr__pool_take(p, x + (size_t)q * m);
+        if (!spread) ms_gpr__pool_choose(p, q, best);
     }
-    for (j = 0; j < p->drawn; ++j) {
-        memcpy(p->point, p->x + (size_t)j * m, m * sizeof *p->point);
-        ms_gpr__box_material(&p->box, p->point, p->x + (size_t)j * m);
-    }
-}
-
-/* Uniform candidates; every second one is a variant. */
-static void ms_gpr__pool_fill(ms_gpr__pool *p, ms_gpr__random *random)
-{
-    size_t m = (size_t)p->gp->m, k;
-    double sum = ms_gpr__parents(p->gp, p->floor, p->scratch);
-    int j;
-    for (j = 0; j < p->drawn; ++j) {
-        for (k = 0; k < m; ++k) p->point[k] = ms_gpr__uniform(random);
-        if (sum > 0 && j % 2)
-            ms_gpr__vary(p->gp, &p->box, p->scratch, sum, 0.1 + 0.5 * ms_gpr__uniform(random), random, p->point);
-        ms_gpr__box_material(&p->box, p->point, p->x + (size_t)j * m);
-    }
-}
-
-/* Keeps `size` of the candidates, in their order: half of them those whose mean is nearest to the threshold, half those
-   of the largest means among the rest. */
-static ms_status ms_gpr__pool_screen(ms_gpr__pool *p, ms_error *error)
-{
-    const size_t m = (size_t)p->gp->m;
-    int half = p->size / 2, kept = 0, i, j;
-    ms_status status = ms_gpr_predict(p->gp, p->x, p->drawn, p->mean, NULL, error);
-    if (status != MS_OK) return status;
-    for (j = 0; j < p->drawn; ++j) p->key[j] = -fabs(p->mean[j] - p->threshold);
-    ms_gpr__ranked_select(p->ranked, p->key, p->drawn, half);
-    for (i = 0; i < half; ++i) p->taken[p->ranked[i].index] = 1, p->mean[p->ranked[i].index] = -HUGE_VAL;
-    ms_gpr__ranked_select(p->ranked, p->mean, p->drawn, p->size - half);
-    for (i = 0; i < p->size - half; ++i) p->taken[p->ranked[i].index] = 1;
-    for (j = 0; j < p->drawn; ++j) {
-        if (p->taken[j]) memmove(p->x + (size_t)kept++ * m, p->x + (size_t)j * m, m * sizeof *p->x);
-        p->taken[j] = 0;
-    }
-    p->drawn = p->size;
-    return MS_OK;
 }
 
 MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *options, int count, double *x,
@@ -4118,24 +4019,18 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     ms_gpr__random random;
     ms__arena arena = {NULL, 0};
     ms_status status;
-    double top;
-    size_t m;
-    int q, spread, taken;
+    int spread;
     memset(p, 0, sizeof *p);
     if (options != NULL) o = *options;
     else memset(&o, 0, sizeof o);
     if (gp == NULL || x == NULL) return ms_gpr__null(gp ? "x" : "gp", error);
     status = ms_gpr__check_range("count", count, 1, 1e6, error);
     if (status == MS_OK) status = ms_gpr__check_range("kind", (int)o.kind, 0, (int)MS_GPR_GALLERY_SPREAD, error);
+    if (status == MS_OK) status = ms_gpr__source_make(&p->source, gp, &o.space, error);
     if (status != MS_OK) return status;
-    m = (size_t)gp->m;
-    p->gp = gp;
     p->count = count;
-    p->floor = ms_gpr__floor_of(gp);
-    for (q = 0, top = p->floor; q < gp->n; ++q)
-        if (gp->value[q] > top) top = gp->value[q];
-    p->threshold = p->floor + 0.6 * (top - p->floor);
-    spread = o.kind == MS_GPR_GALLERY_SPREAD || !(top > p->floor); /* the latter: nothing is liked yet */
+    p->threshold = p->source.floor + 0.6 * (p->source.top - p->source.floor);
+    spread = o.kind == MS_GPR_GALLERY_SPREAD || !(p->source.top > p->source.floor); /* the latter: nothing is liked */
 
     /* how many candidates; from MS_GPR__SCREENED scores on, variances of a part of them */
     p->drawn = 10 * count > MS_GPR__CANDIDATES ? 10 * count : (int)MS_GPR__CANDIDATES;
@@ -4146,40 +4041,24 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
         const int part = gp->n < 300 ? 4 : gp->n < 480 ? gp->n / 60 : 8;
         p->size = (p->drawn / part + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
     }
-    status = ms_gpr__box_make(gp->x, gp->n, gp->m, &o.space, &gp->allocator, &p->box, error);
-    if (status != MS_OK) return status;
     ms_gpr__pool_layout(p, spread, &arena);
     if (!ms_gpr__place(&gp->allocator, &arena)) {
-        ms_gpr__box_free(&p->box);
+        ms_gpr__box_free(&p->source.box);
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a pool of %d candidates", p->drawn);
     }
     ms_gpr__pool_layout(p, spread, &arena);
     memset(p->taken, 0, (size_t)p->drawn);
     random = ms_gpr__random_make(o.seed, (uint64_t)gp->n);
-    if (spread) ms_gpr__pool_spread(p, &random);
-    else ms_gpr__pool_fill(p, &random);
+    if (spread) {
+        ms_gpr__pool_spread(p, &random);
+    } else {
+        ms_gpr__source_breed(&p->source);
+        ms_gpr__source_fill(&p->source, 2, 0.1, 0.5, &random, p->drawn, p->x);
+    }
     if (p->size < p->drawn) status = ms_gpr__pool_screen(p, error);
-    if (!spread && status == MS_OK) {
-        for (q = 0; q < p->size; ++q) ms_gpr__scale(gp, p->x + (size_t)q * m, p->points + q, (size_t)p->size);
-        ms__run(&gp->parallel, p->size / MS_GPR__CHUNK, ms_gpr__pool_chunk, p);
-    }
-
-    /* one choice after the other. What was asked before, or is chosen, is not asked again while there is something else
-     */
-    for (q = 0; q < gp->n && o.space.snap && status == MS_OK; ++q) ms_gpr__pool_take(p, gp->x + (size_t)q * m);
-    for (q = 0, taken = 0; q < count && status == MS_OK; ++q) {
-        int best = -1;
-        if (!spread) best = ms_gpr__pool_best(p, q);
-        for (; spread && best < 0 && taken < p->drawn; ++taken)
-            if (!p->taken[taken]) best = taken;
-        if (best < 0) best = q % p->size;
-        memcpy(x + (size_t)q * m, p->x + (size_t)best * m, m * sizeof *x);
-        p->taken[best] = 1;
-        if (o.space.snap) ms_gpr__pool_take(p, x + (size_t)q * m);
-        if (!spread) ms_gpr__pool_choose(p, q, best);
-    }
+    if (status == MS_OK) ms_gpr__pool_run(p, spread, x);
     ms_gpr__release(&gp->allocator, arena.base);
-    ms_gpr__box_free(&p->box);
+    ms_gpr__box_free(&p->source.box);
     return status;
 }
 
@@ -4411,7 +4290,7 @@ MS_API ms_gpr_latent_view ms_gpr_latent_view_of(const ms_gpr_latent *plane)
 static void ms_gpr__latent_material(const ms_gpr_latent *p, const double *latent, double *kernel, double *x)
 {
     int padded = ms_gpr__padded(p->z), i;
-    p->kernels->line_distances(kernel, p->points, p->stride, latent, 2, padded);
+    p->kernels->point_distances(kernel, p->points, p->stride, latent, 2, padded);
     p->kernels->exponentials(kernel, padded, p->sf * p->sf);
     for (i = p->z; i < padded; ++i) kernel[i] = 0;
     memcpy(x, p->center, p->columns * sizeof *x);

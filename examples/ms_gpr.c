@@ -3,7 +3,6 @@
 #define MS_GPR_IMPLEMENTATION
 #include "ms_gpr.h"
 #include <stdio.h>
-#include <stdlib.h>
 
 enum { SCORED = 60, PARAMETERS = 5, WANTED = 5 };
 
@@ -16,12 +15,16 @@ static double score(const double *x) /* 0 to 10; a person in your tool */
 int main(void)
 {
     double x[SCORED * PARAMETERS], y[SCORED], found[WANTED * PARAMETERS], mean[WANTED], sigma[WANTED];
-    ms_gpr *taste;
+    ms_gpr_view nothing = ms_gpr_view_of(NULL); /* of a person who was asked nothing yet */
+    ms_gpr *blank, *taste;
     ms_error error;
     ms_status status;
     int i;
-    srand(1);
-    for (i = 0; i < SCORED * PARAMETERS; ++i) x[i] = rand() / (RAND_MAX + 1.0);
+    nothing.m = PARAMETERS;
+    status = ms_gpr_create(&nothing, NULL, &blank, &error);
+    if (status == MS_OK) status = ms_gpr_gallery(blank, NULL, SCORED, x, &error);
+    if (status != MS_OK) return puts(error.message), 1;
+    ms_gpr_destroy(blank);
     for (i = 0; i < SCORED; ++i) y[i] = score(x + i * PARAMETERS);
     status = ms_gpr_fit(x, y, SCORED, PARAMETERS, NULL, &taste, NULL, &error);
     if (status == MS_OK) status = ms_gpr_recommend(taste, NULL, WANTED, found, mean, sigma, NULL, &error);

@@ -204,6 +204,10 @@ if [ -x build/recommend ]; then
     is "nor two cells in percent" "$(build/recommend "$out/slips.csv" --count 5 2>&1 >/dev/null | grep -c '^warning: is that a slip? x1 of material \(9\|20\)')" 1
     awk 'BEGIN {srand(7); for (i = 0; i < 60; i++) {for (j = 0; j < 4; j++) printf "%.6f,", rand(); print int(11 * rand())}}' >"$out/random.csv"
     is "random scores are named" "$(build/recommend "$out/random.csv" --count 5 2>&1 >/dev/null | grep -c '^warning: these scores predict each other no better')" 1
+    awk 'BEGIN {srand(1); for (i = 0; i < 60; i++) {for (k = 0; k < 4; k++) x[k] = rand(); if (i >= 40) x[0] = 0.5 + x[0] / 2
+        s = i < 40 ? (x[0] - 0.4) / 0.6 : (0.4 - x[1]) / 0.4
+        printf "%.3f,%.3f,%.3f,%.3f,%d\n", x[0], x[1], x[2], x[3], (s > 0 ? 10 * s + 0.5 : 0)}}' >"$out/changed.csv"
+    is "a changed taste is asked about" "$(build/recommend "$out/changed.csv" --count 5 2>&1 >/dev/null | grep -c '^warning: the last 20 scores are lower')" 1
     refuses "a sum of parameters" "no column is called 'x0 - x1" build/recommend "$out/scores.csv" --keep "x0 - x1 = 1.5"
     refuses "a metal that is not there" "none of its 3 rows" build/recommend "$out/scores.csv" --keep x2=0.1 --list "$out/metals.csv"
     refuses "equal columns without a value in common" "no value is in both ranges" build/recommend "$out/scores.csv" --keep x0=0:0.2 --keep x1=0.5:1 --keep x0=x1

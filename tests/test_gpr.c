@@ -530,7 +530,8 @@ static void test_fit_options(void)
 static void test_floor_offset(void)
 {
     enum { N = 50, M = 2 };
-    double x[N * M], y[N], z[N], sum = 0, sum2 = 0, sd, mean[3], mu[3], one = 1, xs[6] = {0.9, 0.5, 0.1, 0.5, 0.7, 0.2};
+    double x[N * M], y[N], z[N], sum = 0, sum2 = 0, sd, mean[N], mu[3], one = 1, above = 1000,
+                                 xs[6] = {0.9, 0.5, 0.1, 0.5, 0.7, 0.2};
     static const double scale[] = {1, 0.4, 0.1, 100}, shift[] = {-5, 1, 0, -1000};
     uint64_t state = 11;
     ms_gpr_fit_options o = fit_options();
@@ -566,6 +567,12 @@ static void test_floor_offset(void)
     gp = fit(x, y, N, M, &o, NULL);
     CHECK_NEAR(ms_gpr_view_of(gp).floor, 1, 0);
     CHECK(ms_gpr_view_of(gp).floor_value < 1);
+    ms_gpr_destroy(gp);
+    o.floor = &above; /* all scores are below it: nothing is liked, and nothing differs */
+    gp = fit(x, y, N, M, &o, NULL);
+    CHECK_NEAR(ms_gpr_view_of(gp).floor, above, 0);
+    CHECK_INT(ms_gpr_predict(gp, x, N, mean, NULL, NULL), MS_OK);
+    for (i = 0; i < N; ++i) CHECK_NEAR(mean[i], above, 2e-9 * above);
     ms_gpr_destroy(gp);
 }
 

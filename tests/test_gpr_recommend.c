@@ -7,6 +7,7 @@
 #include "gpr_inside.h"
 #include "plane.h"
 #include "space.h"
+#include "warnings.h"
 
 /* --- help --- */
 
@@ -179,9 +180,9 @@ static void test_ball(void)
         CHECK_LE(d, sqrt(-0.5 * log(0.5e-4)) / sqrt((double)N)); /* one sample against a distribution: chance 1e-4 */
         for (k = 0; k < M; ++k)
             CHECK_NEAR(middle[k], 0.5, 4.5 * radius / sqrt(5.0 * (int)N)); /* variance r^2 / 5 in 3D; 4.5 sigma */
-        { /* volume of the ball; 4.5 binomial sigma of 8192 candidates */
+        { /* volume of the ball; 4.5 binomial sigma of 4096 candidates */
             double volume = 4.0 / 3 * 3.141592653589793 * radius * radius * radius;
-            CHECK_NEAR(report.acceptance, volume, 4.5 * sqrt(volume / 8192));
+            CHECK_NEAR(report.acceptance, volume, 4.5 * sqrt(volume / 4096));
         }
     }
     ms_gpr_destroy(gp);
@@ -271,7 +272,7 @@ static void test_searches(void)
             if (search) CHECK_INT(report.search, search);
             CHECK(report.liked > 0 && report.liked < 200);
             CHECK(report.acceptance >= 0 && report.acceptance < 0.3);
-            CHECK(report.candidates >= 8192 && report.spread > 0.05);
+            CHECK(report.candidates >= 4096 && report.spread > 0.05);
             ms_gpr_predict(t.gp, x, 100, again, variance, NULL);
             for (i = 0; i < 100; ++i) {
                 CHECK(mean[i] >= report.threshold);
@@ -514,7 +515,7 @@ static void test_wishes(void)
     {
         ms_gpr_recommend_options o = recommend_options();
         steps[2] = -1;
-        CHECK(strstr(space_make(&kept, &wish, M), "a step is not") != NULL);
+        CHECK(strstr(space_make(&kept, &wish, M), "has a step that is not") != NULL);
         o = recommend_options();
         o.avoid_count = 1;
         CHECK_INT(ms_gpr_recommend(t.gp, &o, 5, x, NULL, NULL, NULL, &error), MS_INVALID_ARGUMENT);
@@ -772,7 +773,7 @@ static void test_shares(void)
         }
         CHECK(all > 500);
         for (c = 0; c < MODES; ++c) worst = fmax(worst, fabs(share[c] / all - got[c]));
-        CHECK_NEAR(report.acceptance, all / (int)MANY, 4.5 * sqrt(all / (int)MANY / 8192)); /* binomial */
+        CHECK_NEAR(report.acceptance, all / (int)MANY, 4.5 * sqrt(all / (int)MANY / 4096)); /* binomial */
     }
     CHECK_LE(worst, 0.1); /* a half of 25 candidates that reach the threshold: 0.1 a seed, so 0.05 of four; twice */
     TEST_NOTE("shares within %.3f", worst);
@@ -864,10 +865,10 @@ static void test_space_refusals(void)
         w.low = low, w.high = high, w.steps = steps, w.lists = list, w.list_count = 1, w.equal_count = 1;
         w.equal = twice;
         switch (i) {
-        case 0: w.equal = outside, says = "columns 5 and 10 are to be equal, but there is no such column"; break;
-        case 1: w.equal = listed, says = "columns 5 and 1 are to be equal, but are in a list"; break;
+        case 0: w.equal = outside, says = "parameters 5 and 10 are to be equal, but there is no such parameter"; break;
+        case 1: w.equal = listed, says = "parameters 5 and 1 are to be equal, but are in a list"; break;
         case 2:
-            w.equal = steps_apart, steps[4] = 0.5, says = "columns 4 and 7 are to be equal, but come in different";
+            w.equal = steps_apart, steps[4] = 0.5, says = "parameters 4 and 7 are to be equal, but come in different";
             break;
         case 3: w.equal = apart, low[3] = 0.8, high[8] = 0.7, says = "but no value is in both ranges"; break;
         case 4: low[5] = high[5] = 0.45, says = "list 1 contradicts the box: none of its 2 rows"; break;
@@ -876,9 +877,9 @@ static void test_space_refusals(void)
         case 7: list[0].columns = beyond, says = "parameter 10 of list 1 is not there"; break;
         case 8: list[0].columns = same, says = "parameter 5 of list 1 is in two lists or twice in one"; break;
         case 9: list[0].count = 0, says = "a list has no columns or no rows"; break;
-        case 10: low[2] = 0.9, high[2] = 0.2, says = "a range is empty"; break;
-        case 11: steps[3] = -1, says = "a step is not a number"; break;
-        case 12: low[7] = -HUGE_VAL, says = "a parameter in steps has no range"; break;
+        case 10: low[2] = 0.9, high[2] = 0.2, says = "parameter 2 has an empty range"; break;
+        case 11: steps[3] = -1, says = "parameter 3 has a step that is not a number"; break;
+        case 12: low[7] = -HUGE_VAL, says = "parameter 7 comes in steps but has no range"; break;
         default: w.equal_count = 3;
         }
         said = space_make(&kept, &w, M);
@@ -1822,6 +1823,46 @@ static void test_variants(void)
     plane_free(&p);
 }
 
+/* Persons of four kinds, active galleries, 80 scores: honest ones hear nothing; of those whose taste changed 20 scores
+   ago, and of those who answer one time in five at random, most do. The kinds' first persons set the limits: these are
+   others. */
+static void test_warnings(void)
+{
+    enum { M = 19, N = 80, ROUND = 10, PERSONS = 3, KINDS = 4 };
+    static const int kinds[KINDS] = {0, 1, 4, 6};
+    static double x[N * M], y[N];
+    int heard[3] = {0, 0, 0}, changed = 0, way, i, n, k;
+    for (way = 0; way < 3; ++way) /* honest, another taste from 60 on, partly random */
+        for (i = 0; i < KINDS * PERSONS; ++i) {
+            user u = user_of_kind(kinds[i / PERSONS], (uint64_t)(300 + i), M);
+            user other = user_of_kind(kinds[(i / PERSONS + 1) % KINDS], (uint64_t)(400 + i), M);
+            uint64_t state = (uint64_t)(50 + i);
+            if (way == 2) u.wrong = 0.2;
+            for (n = 0; n <= N; n += ROUND) {
+                char text[WARNINGS_TEXT];
+                ms_gpr_gallery_options g;
+                ms_gpr_fit_report report;
+                ms_gpr *gp;
+                memset(&g, 0, sizeof g);
+                g.seed = (uint64_t)i;
+                CHECK_INT(ms_gpr_fit(x, y, n, M, NULL, &gp, &report, NULL), MS_OK);
+                if (n == N && warning_of(gp, report.explained, text)) {
+                    ++heard[way];
+                    changed += way == 1 && strstr(text, "the last 20 scores are lower") != NULL;
+                }
+                if (n < N) CHECK_INT(ms_gpr_gallery(gp, &g, ROUND, x + n * M, NULL), MS_OK);
+                for (k = n; k < n + ROUND && n < N; ++k)
+                    y[k] = user_score(way == 1 && n >= 60 ? &other : &u, x + k * M, &state);
+                ms_gpr_destroy(gp);
+            }
+        }
+    TEST_NOTE("of %d honest %d, changed %d (%d by name), random %d", KINDS * PERSONS, heard[0], heard[1], changed,
+              heard[2]);
+    CHECK(heard[0] <= 1); /* one in twenty by the limits: more than one of twelve has a chance of 0.12 */
+    CHECK(heard[1] >= KINDS * PERSONS / 2 && changed >= KINDS * PERSONS / 4);
+    CHECK(heard[2] >= KINDS * PERSONS / 3);
+}
+
 static const test_case cases[] = {
     {"recommend uniform over a ball", test_ball},
     {"recommend walk like rejection", test_walk_like_rejection},
@@ -1860,6 +1901,7 @@ static const test_case cases[] = {
     {"maps refusals", test_map_refusals},
     {"null", test_null},
     {"variants", test_variants},
+    {"warnings", test_warnings},
 };
 
 TEST_MAIN(cases)

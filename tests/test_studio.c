@@ -460,6 +460,30 @@ static void test_nothing_liked(void)
     studio_close(&s);
 }
 
+/* Somebody who answers at random is told so once the model is learned, somebody with a taste hears nothing. */
+static void test_warning(void)
+{
+    studio_renderer renderer = {M, 1, no_picture, NULL};
+    int random, i;
+    for (random = 0; random < 2; ++random) {
+        studio s;
+        double x[M];
+        char text[WARNINGS_TEXT];
+        uint64_t state = 9;
+        ms_error error;
+        CHECK_INT(studio_open(&s, &renderer, &error), MS_OK);
+        for (i = 0; i < 50; ++i) {
+            random_material(&state, x);
+            CHECK_INT(studio_score(&s, x, random ? floor(11 * test_uniform(&state)) : taste(x), &error), MS_OK);
+        }
+        CHECK_INT(studio_warning(&s, text), 0); /* not learned yet */
+        settle(&s);
+        CHECK_INT(studio_warning(&s, text), random);
+        CHECK((strstr(text, "these scores predict") != NULL) == random);
+        studio_close(&s);
+    }
+}
+
 /* Somebody who likes nothing, without or with one answer in ten at random: after 60 scores the studio asks for picks.
    Of somebody who likes a third it does not. */
 static void test_wants_picks(void)
@@ -724,7 +748,7 @@ static void test_space(void)
     CHECK_LE(variance, 0.75 * pow(ms_gpr_latent_view_of(s.plane).sf, 2));
     equal[1] = 3; /* a metal's: no parameter of a list equals another */
     CHECK_INT(studio_keep(&s, &wish, &error), MS_INVALID_ARGUMENT);
-    CHECK(strstr(error.message, "columns 11 and 3 are to be equal") != NULL);
+    CHECK(strstr(error.message, "parameters 11 and 3 are to be equal") != NULL);
     CHECK_INT(s.state, STUDIO_EXPLORING);
     studio_close(&s);
     neural_free(&net);
@@ -787,6 +811,7 @@ static const test_case cases[] = {{"saved", test_saved},
                                   {"orders", test_orders},
                                   {"nothing liked", test_nothing_liked},
                                   {"wants picks", test_wants_picks},
+                                  {"warning", test_warning},
                                   {"explanation", test_explanation},
                                   {"neural", test_neural},
                                   {"materials", test_materials},

@@ -181,27 +181,3 @@ FLAT int flat_plane_map(const ms_gpr_latent *plane, const double *latent, int co
     ms_error error;
     return flat_answer(ms_gpr_latent_map(plane, latent, count, x, NULL, &error), &error, why);
 }
-
-/* Variants of a material, from the most similar to the best by taste. Similar means: in the renderer's pictures. */
-FLAT int flat_variants(const ms_gpr_latent *plane, const ms_gpr *taste, matcher *m, const double *material, int count,
-                       double *x, char *why)
-{
-    map_grid grid = map_around(plane, 24);
-    variant_similarity similarity;
-    variant_found *variant = (variant_found *)malloc((size_t)count * (sizeof *variant + sizeof(double)));
-    double *lambda = (double *)(variant + count);
-    ms_error error;
-    ms_status status = MS_OUT_OF_MEMORY;
-    int k;
-    snprintf(error.message, sizeof error.message, "%s", ms_status_string(status));
-    memset(&similarity, 0, sizeof similarity);
-    similarity.x = material;
-    similarity.scale = 0.1;
-    similarity.pixels = m->renderer.image_size;
-    similarity.render = m->renderer.render;
-    similarity.user = m->renderer.user;
-    for (k = 0; k < count && variant; ++k) lambda[k] = count > 1 ? 1 - (double)k / (count - 1) : 0.5;
-    if (variant) status = variants_find(plane, taste, &similarity, &grid, lambda, count, 0, variant, x, &error);
-    free(variant);
-    return flat_answer(status, &error, why);
-}

@@ -149,6 +149,7 @@ static inline const char *keep_space(keep *k, ms_gpr_space *out)
     wish.equal_count = k->equals;
     wish.lists = k->list;
     wish.list_count = k->lists;
+    wish.names = k->names;
     space_free(&k->made);
     problem = space_make(&k->made, &wish, k->m);
     if (problem == NULL) *out = space_of(&k->made);

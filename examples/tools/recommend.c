@@ -20,6 +20,7 @@
 #include "space.h"
 #include "keep.h"
 #include "explain.h"
+#include "warnings.h"
 
 static const char usage[] =
     "usage: recommend SCORES.csv [--pairs PAIRS.csv] [--count 300] [--skip 0] [--tau 0.6] [--diversity 0] [--seed S] "
@@ -122,8 +123,10 @@ static int failed(const char *where, const char *problem, int line)
 }
 
 /* What the answers do not support. */
-static void warn(const scores *s, const ms_gpr_fit_report *fitted, const ms_gpr_recommend_report *report, int scored)
+static void warn(const scores *s, const ms_gpr *gp, const ms_gpr_fit_report *fitted,
+                 const ms_gpr_recommend_report *report)
 {
+    char text[WARNINGS_TEXT];
     double nearest = 0;
     int column = 0, row = scores_slip(s, &column, &nearest);
     if (row >= 0 && column < s->m)
@@ -137,8 +140,7 @@ static void warn(const scores *s, const ms_gpr_fit_report *fitted, const ms_gpr_
         fprintf(
             stderr, "warning: is that a slip? score %d is %.6g (line %d), about %.2g was expected from the others.\n",
             fitted->outlier.row + 1, fitted->outlier.value, s->lines[fitted->outlier.row], fitted->outlier.expected);
-    if (scored >= 8 && !(fitted->explained > 0.05)) /* below it random scores are as good: tests/test_gpr.c */
-        fprintf(stderr, "warning: these scores predict each other no better than their mean.\n");
+    if (warning_of(gp, fitted->explained, text)) fprintf(stderr, "warning: %s\n", text);
     if (report->search != MS_GPR_SEARCH_VARIANTS) return;
     if (report->liked > 0)
         fprintf(
@@ -162,7 +164,8 @@ static void summarize(const scores *s, const ms_gpr_recommend_report *report, in
     fprintf(stderr, ".\n%d recommendations ", report->found);
     if (report->search == MS_GPR_SEARCH_VARIANTS) fprintf(stderr, "by variants of what was liked");
     else fprintf(stderr, "of at least %.3g by a threshold", report->threshold);
-    fprintf(stderr, "; mean distance to the nearest other %.3f.\n", report->spread);
+    if (report->found > 1) fprintf(stderr, "; mean distance to the nearest other %.3f", report->spread);
+    fprintf(stderr, ".\n");
     if (report->search == MS_GPR_SEARCH_VARIANTS) return;
     if (report->acceptance > 0) fprintf(stderr, "One uniform material in %.0f would do.\n", 1 / report->acceptance);
     else fprintf(stderr, "None of 8192 uniform materials would do.\n");
@@ -256,7 +259,7 @@ int main(int argc, char **argv)
         return 1;
     }
     if (!out && file_end_stdout("recommend")) return 1;
-    warn(&s, &fitted, &report, scored);
+    warn(&s, gp, &fitted, &report);
     summarize(&s, &report, scored, learn.choices.count);
     if (report.search == MS_GPR_SEARCH_THRESHOLD &&
         (of_many = (double *)malloc(EXPLAINED * (size_t)s.m * sizeof *x)) != NULL) {

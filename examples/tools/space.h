@@ -31,10 +31,12 @@ typedef struct space_wish {
     int equal_count;
     const space_list *lists;
     int list_count;
+    const char *const *names; /* [m] of the parameters, for sentences; or NULL: they are numbered from 0 */
 } space_wish;
 
 typedef struct space_kept {
     int m;
+    const char *const *names;   /* as of the wish; space_make alone needs them */
     double *low, *high, *steps; /* [m] of the wish; steps: of equal columns together */
     double *box_low, *box_high; /* [m] the box that ms_gpr.h gets: half a step wider, as wide as lists */
     double *first, *last;       /* [m] the values that equal columns have in common, as indices of steps */
@@ -52,6 +54,14 @@ static inline void space_free(space_kept *s)
         free((void *)(uintptr_t)s->lists[i].columns), free((void *)(uintptr_t)s->lists[i].rows);
     free(s->low), free(s->lead), free(s->equal), free(s->lists);
     memset(s, 0, sizeof *s);
+}
+
+/* What parameter k is called, into text [48]. */
+static inline const char *space__name(const space_kept *s, int k, char *text)
+{
+    if (s->names && k >= 0 && k < s->m) snprintf(text, 48, "'%.40s'", s->names[k]);
+    else snprintf(text, 48, "%d", k);
+    return text;
 }
 
 static void space__snap(void *user, double *x)
@@ -93,7 +103,8 @@ static void space__snap(void *user, double *x)
 /* The rows of list g that lie in the box, and their range. */
 static inline const char *space__list(space_kept *s, const space_list *from, int g, int *owner)
 {
-    static char text[160];
+    static char text[200];
+    char name[48];
     space_list *to = &s->lists[g];
     const size_t width = (size_t)(from->width > 0 ? from->width : 0);
     int *columns = (int *)malloc((width + 1) * sizeof *columns);
@@ -108,7 +119,7 @@ static inline const char *space__list(space_kept *s, const space_list *from, int
             : owner[column]                            ? "is in two lists or twice in one"
             : s->steps[column] > 0                     ? "is in a list and comes in steps"
                                                        : NULL;
-        snprintf(text, sizeof text, "parameter %d of list %d %s", column, g + 1, why ? why : "");
+        snprintf(text, sizeof text, "parameter %s of list %d %s", space__name(s, column, name), g + 1, why ? why : "");
         if (why) return text;
         owner[column] = g + 1;
     }
@@ -137,13 +148,14 @@ static inline const char *space__list(space_kept *s, const space_list *from, int
 
 static inline const char *space__equal(space_kept *s, const int *owner)
 {
-    static char text[160];
+    static char text[200];
+    char one[48], two[48];
     int i, k;
     for (i = 0; i < s->equal_count; ++i) {
         const int a = s->equal[2 * i], b = s->equal[2 * i + 1];
         const char *why = NULL;
         int first = 0, second = 0;
-        if (a < 0 || a >= s->m || b < 0 || b >= s->m) why = "but there is no such column";
+        if (a < 0 || a >= s->m || b < 0 || b >= s->m) why = "but there is no such parameter";
         else if (owner[a] || owner[b]) why = "but are in a list";
         if (!why) first = s->lead[a] < s->lead[b] ? s->lead[a] : s->lead[b];
         if (!why) second = s->lead[a] < s->lead[b] ? s->lead[b] : s->lead[a];
@@ -152,7 +164,8 @@ static inline const char *space__equal(space_kept *s, const int *owner)
             why = "but come in different steps";
         if (!why && fmax(s->low[first], s->low[second]) > fmin(s->high[first], s->high[second]))
             why = "but no value is in both ranges";
-        snprintf(text, sizeof text, "columns %d and %d are to be equal, %s", a, b, why ? why : "");
+        snprintf(text, sizeof text, "parameters %s and %s are to be equal, %s", space__name(s, a, one),
+                 space__name(s, b, two), why ? why : "");
         if (why) return text;
         for (k = 0; k < s->m; ++k)
             if (s->lead[k] == second) s->lead[k] = first;
@@ -162,7 +175,8 @@ static inline const char *space__equal(space_kept *s, const int *owner)
             const double step = s->steps[with], base = s->low[with];
             s->first[first] = fmax(s->first[with], ceil((s->low[other] - base) / step - 1e-9));
             s->last[first] = fmin(s->last[with], floor((s->high[other] - base) / step + 1e-9));
-            snprintf(text, sizeof text, "columns %d and %d are to be equal, but no step is in both ranges", a, b);
+            snprintf(text, sizeof text, "parameters %s and %s are to be equal, but no step is in both ranges", one,
+                     two);
             if (s->first[first] > s->last[first]) return text;
             s->low[first] = base, s->high[first] = s->high[with], s->steps[first] = step;
         } else {
@@ -176,11 +190,14 @@ static inline const char *space__equal(space_kept *s, const int *owner)
 /* s is to be freed only if there is no problem. */
 static inline const char *space_make(space_kept *s, const space_wish *wish, int m)
 {
+    static char text[200];
+    char name[48];
     const size_t size = (size_t)m * sizeof(double);
     const char *problem = NULL;
     int *owner = (int *)calloc((size_t)m + 1, sizeof *owner), i, k;
     memset(s, 0, sizeof *s);
     s->m = m;
+    s->names = wish->names;
     s->low = (double *)calloc(7, size + 1);
     s->lead = (int *)malloc((size_t)m * sizeof(int));
     s->equal = (int *)malloc((2 * (size_t)wish->equal_count + 1) * sizeof(int));
@@ -193,9 +210,11 @@ static inline const char *space_make(space_kept *s, const space_wish *wish, int 
         s->box_low[k] = s->low[k] = wish->low ? wish->low[k] : -HUGE_VAL;
         s->box_high[k] = s->high[k] = wish->high ? wish->high[k] : HUGE_VAL;
         s->steps[k] = wish->steps && s->high[k] > s->low[k] ? wish->steps[k] : 0;
-        if (!(s->low[k] <= s->high[k])) problem = "a range is empty: its low end is above its high end";
-        if (!(s->steps[k] >= 0 && s->steps[k] < HUGE_VAL)) problem = "a step is not a number of at least 0";
-        if (s->steps[k] > 0 && !(s->high[k] - s->low[k] < HUGE_VAL)) problem = "a parameter in steps has no range";
+        if (!(s->low[k] <= s->high[k])) problem = "has an empty range: its low end is above its high end";
+        if (!(s->steps[k] >= 0 && s->steps[k] < HUGE_VAL)) problem = "has a step that is not a number of at least 0";
+        if (s->steps[k] > 0 && !(s->high[k] - s->low[k] < HUGE_VAL)) problem = "comes in steps but has no range";
+        snprintf(text, sizeof text, "parameter %s %s", space__name(s, k, name), problem ? problem : "");
+        if (problem) problem = text;
         if (problem || !(s->steps[k] > 0)) continue;
         s->last[k] = floor((s->high[k] - s->low[k]) / s->steps[k] + 1e-9);
         s->box_low[k] -= 0.5 * s->steps[k]; /* all steps are as likely */

@@ -21,6 +21,7 @@
      EXPLORING
      studio_move(&s, dx, dy, &view, &error);     the mouse moved                                     EXPLORING
      if (s.outlier.row >= 0) ...                 an answer that looks like a slip: ask         after an update
+     if (studio_warning(&s, text)) puts(text);   what the scores do not support                once s.settled
      studio_save(&s, "session.txt", &error);     all of it as text: answers, what is avoided and kept, undo, the plane
      studio_load(&s, "session.txt", &error);     in place of what a studio that is open holds
      studio_close(&s);
@@ -34,6 +35,7 @@
 #define EXAMPLES_STUDIO_H
 #include "files.h"
 #include "space.h"
+#include "warnings.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -71,6 +73,7 @@ typedef struct studio {
     double *theta, reached; /* [m + 2] how far that start has come, and its objective */
     double cost;            /* processor seconds that an evaluation takes, as measured; 0: not yet */
     ms_gpr_outlier outlier; /* of the last update; row -1: none */
+    double explained;       /* as of ms_gpr_fit_report */
     double *embedded;       /* [embedded_count][m] materials of the plane */
     int embedded_count;
     space_kept *kept;    /* by studio_keep, or NULL */
@@ -415,6 +418,14 @@ static inline void studio__start(const ms_gpr *gp, int which, double *theta)
     theta[v.m + 1] = theta[v.m] + log(0.1);
 }
 
+/* 1 and a sentence into text [WARNINGS_TEXT] where the scores do not support what is learned from them: they contradict
+   the earlier ones, or each other (warnings.h). 0: nothing to say, or not settled yet. */
+static inline int studio_warning(const studio *s, char *text)
+{
+    *text = 0;
+    return s->settled && warning_of(s->gp, s->explained, text);
+}
+
 /* Some steps of the fit: from where the model stands, then from each of the fit's own starts, until it gains no more;
    the best of all is the model. As many evaluations of the likelihood at a time as fit into 8 ms, by what they took
    before. */
@@ -447,6 +458,7 @@ static inline ms_status studio_update(studio *s, ms_error *error)
         s->gp = found;
         s->objective = report.objective;
         s->outlier = report.outlier;
+        s->explained = report.explained;
     } else {
         ms_gpr_destroy(found);
     }

@@ -102,7 +102,14 @@ static ms_status score_gallery(flow *f)
     return MS_OK;
 }
 
-static ms_status learn(flow *f) { return ms_gpr_fit(f->x, f->y, f->n, M, NULL, &f->gp, NULL, &f->error); }
+static ms_status learn(flow *f)
+{
+    ms_gpr_fit_report report;
+    ms_status status = ms_gpr_fit(f->x, f->y, f->n, M, NULL, &f->gp, &report, &f->error);
+    if (status == MS_OK && warning_of(f->gp, report.explained, f->warning))
+        fprintf(stderr, "warning: %s\n", f->warning);
+    return status;
+}
 
 /* Lines 6 to 9, and 10: one that is only just good enough is chosen, to be improved in the plane. */
 static ms_status recommend(flow *f)

@@ -8,6 +8,7 @@
 #include "matcher.h"
 #include "materialx.h"
 #include "text.h"
+#include "warnings.h"
 #include <time.h>
 
 enum { M = 19, GALLERY = 120, ROUND = 20, RECOMMENDED = 300, FINE = 50, COARSE = 20, VARIANTS = 7, STEPS = 5 };
@@ -44,6 +45,7 @@ typedef struct flow {
     ms_pme_match_result found;
     stage stages[16];
     int stage_count;
+    char warning[WARNINGS_TEXT]; /* what the scores do not support; empty: nothing */
     ms_error error;
 } flow;
 
@@ -150,8 +152,11 @@ static const char *draw_page(const flow *f, const float *gallery, const float *r
     size_t pixels = ms_nn_output_size(f->small.nn), large_pixels = ms_nn_output_size(f->large.nn);
     double best = 1e-300; /* score */
     char text[80];
+    const char *from;
+    const int lines = (int)(strlen(f->warning) + 59) / 60; /* no word has 20 letters */
     float *planes = (float *)malloc((VARIANTS + 1) * large_pixels * sizeof(float));
-    *page = image_new(PAGE, HEAD + rows * TALL + HEAD + SHOWN / WIDE * PITCH + HEAD + SIDE + HEAD + TILE + GAP, 3);
+    *page = image_new(
+        PAGE, HEAD * (1 + lines) + rows * TALL + HEAD + SHOWN / WIDE * PITCH + HEAD + SIDE + HEAD + TILE + GAP, 3);
     if (page->pixels == NULL || planes == NULL) return "out of memory";
     for (i = 0; i < f->n; ++i) best = fmax(best, f->y[i]);
     for (i = 0; (size_t)i < image_count(page); ++i) page->pixels[i] = 0.09f;
@@ -160,6 +165,12 @@ static const char *draw_page(const flow *f, const float *gallery, const float *r
     else snprintf(text, sizeof text, "gallery: %d scored materials; the bar is the score", f->n);
     words(page, GAP, top, 0, text);
     top += HEAD;
+    for (from = f->warning; *from; from += strlen(text)) { /* in lines of up to 79 letters */
+        snprintf(text, sizeof text, "%s", from);
+        if (from[strlen(text)] && strrchr(text, ' ')) strrchr(text, ' ')[1] = 0;
+        words(page, GAP, top, 0, text);
+        top += HEAD;
+    }
     for (i = 0; i < shown; ++i) {
         tile(page, i % WIDE * PITCH, top + i / WIDE * TALL, gallery + (size_t)i * pixels, small, 1);
         bar(page, i % WIDE * PITCH, top + i / WIDE * TALL + small, small, fmax(f->y[i], 0) / best);

@@ -156,6 +156,15 @@ CALL(int, outlier, (void))
     return session.outlier.row;
 }
 
+/* 1: what the scores do not support is in message. */
+CALL(int, warning, (void))
+{
+    char text[WARNINGS_TEXT];
+    if (!studio_warning(&session, text)) return 0;
+    snprintf(error.message, sizeof error.message, "%s", text);
+    return 1;
+}
+
 /* Means and standard deviations of x [count] into numbers [count] each. */
 CALL(int, predict, (int count))
 {

@@ -128,6 +128,7 @@ static void family_models(void)
     status = ms_gpr_predict(gp, p, COUNT, mean, variance, &error);
     ATTACK_CHECK(status == MS_OK, "predict: %s", status ? error.message : "");
     view = ms_gpr_view_of(gp);
+    most = exp(view.theta[t.m]); /* the unit of predictions where nothing was scored */
     for (i = 0; i < t.n; ++i)
         if (t.y[i] > -1e37) most = fmax(most, fabs(t.y[i] - view.mean));
     most = fmax(most, exp(view.theta[t.m])); /* of choices alone, the prior is the scale */
