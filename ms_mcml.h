@@ -2528,7 +2528,7 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t, int turns)
         MS_MCML__V ux = MS_MCML__V_LOAD(t->ux), uy = MS_MCML__V_LOAD(t->uy), uz = MS_MCML__V_LOAD(t->uz);
         MS_MCML__V w = MS_MCML__V_LOAD(t->w), u, flight, steep, gap, path;
         const MS_MCML__V depth = MS_MCML__V_LOAD(t->depth), mfp = MS_MCML__V_LOAD(t->mfp);
-        unsigned boundary, crossing = 0, ended, halving, finished = 0;
+        unsigned boundary, crossing = 0, ended, pausing, finished = 0;
         MS_MCML__M hit, up;
 
         /* The absorption of the turn before, and this turn's random words. */
@@ -2565,7 +2565,7 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t, int turns)
             crossing = boundary & ~MS_MCML__M_BITS(back);
         }
 
-        /* Whose turn is not over: crossing lanes, those whose weight is 0, and those at the event of halving. */
+        /* Whose turn is not over: crossing lanes, those whose weight is 0, those at a multiple of 4096 events. */
         MS_MCML__V_STORE(t->x, x);
         MS_MCML__V_STORE(t->y, y);
         MS_MCML__V_STORE(t->z, z);
@@ -2576,8 +2576,8 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t, int turns)
         events = MS_MCML__U_LOAD(t->events) + 1u;
         MS_MCML__U_STORE(t->events, events);
         ended = t->alive & ~(t->alive & MS_MCML__M_BITS(MS_MCML__V_LESS(zero, w)));
-        halving = t->alive & MS_MCML__M_BITS(MS_MCML__U_IS_ZERO(events ^ MS_MCML__U_LOAD(t->limit)));
-        if (!(crossing | ended | halving)) continue;
+        pausing = t->alive & MS_MCML__M_BITS(MS_MCML__U_IS_ZERO(events & (MS_MCML__HALVING_EVENTS - 1u)));
+        if (!(crossing | ended | pausing)) continue;
 
         /* Lane by lane: into the neighboring layer or out; weight doubled or 0; the rest of `kept` into the sums. */
         MS_MCML__U_STORE(t->word, word_chance);
@@ -2585,8 +2585,11 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t, int turns)
             i = ms_mcml__lowest(crossing);
             if (ms_mcml__cross(t, i)) finished |= 1u << i;
         }
-        for (halving &= ~finished; halving; halving &= halving - 1) {
-            i = ms_mcml__lowest(halving);
+        for (pausing &= ~(finished | ended); pausing; pausing &= pausing - 1) {
+            i = ms_mcml__lowest(pausing);
+            ms_mcml__add_absorbed(t, i); /* before a float loses what a collision adds to it */
+            t->kept[i] = 0;
+            if (t->events[i] != t->limit[i]) continue;
             t->limit[i] *= 4;
             t->w[i] *= (t->word[i] & 128) ? 2.0f : 0.0f;
             if (!(t->w[i] > 0)) ended |= 1u << i;

@@ -65,7 +65,7 @@
 
      texture error by taps of a pass      24 pixels: 7     11     17     96 pixels: 7     11     17
      pre-integrated, quadratic spacing            4.48   4.45   5.80           11.59   8.58   7.71
-     image-optimal, optimized taps (default)      2.50   1.61   1.41            9.25   5.62   4.16
+     image-optimal, optimized taps (default)      2.50   1.61   1.37            9.25   5.62   4.14
      two terms, optimized taps                    1.89   0.67   0.29            8.12   3.74   1.98
 
    For edges along the screen's axes turn `dial` towards 1; for single bright dots use more taps; the default serves
@@ -5902,7 +5902,7 @@ static ms_status ms_sss__fit_best(const ms_sss_designer *d, const ms_sss__curve 
     ms_sss__fit_destroy(fit);
     fit = ms_sss__fit_create(d, model, dial, best, -1, !no_delta, 0);
     if (fit == NULL) return MS_OUT_OF_MEMORY;
-    ms_sss__fit_past_kinks(fit, dense->terms > 1 || pairs <= 5,
+    ms_sss__fit_past_kinks(fit, dense->terms > 1 || pairs <= 8,
                            best); /* worth its time where a tap or an error counts */
     ms_sss__fit_destroy(fit);
     return MS_OK;
