@@ -300,6 +300,11 @@ static double plain_depth_factor(const plain *p, const ms_sss_kernel *k, const p
     return pow(1 - dz * dz / (end * end), 4);
 }
 
+/* What a tap finds: weight, weight times light, weight times the sine of elevation, mm under the tangent plane. */
+typedef struct plain_tap {
+    double weight, light[3], sine, height;
+} plain_tap;
+
 /* One pass of a term over in[3][n]; surface: of each pixel that takes part. */
 static void plain_pass(const plain *p, int term, int second, const plain_surface *surface, double *const in[3],
                        double *const out[3])
@@ -312,7 +317,8 @@ static void plain_pass(const plain *p, int term, int second, const plain_surface
             const ms_sss_kernel *kernel;
             const double dx = second ? 0 : 1, dy = second ? 1 : 0;
             double size[2], sum[3] = {0, 0, 0}, norm[3] = {0, 0, 0}, lifted[3] = {0, 0, 0}, least = -1;
-            double total[3] = {0, 0, 0}, height[2] = {0, 0}, inner[2] = {0, 0}, bulge;
+            double total[3] = {0, 0, 0}, bulge;
+            plain_tap taps[MS_SSS_TAPS_MAX];
             int mixed[3] = {0, 0, 0};
             if (!plain_part(p, i)) continue;
             kernel = &p->kernels[plain_profile(p, i)];
@@ -332,10 +338,12 @@ static void plain_pass(const plain *p, int term, int second, const plain_surface
                     if ((double)kernel->elevation_axis[c] * (1 - (double)p->o.flat) * least < -4)
                         least = -4 / ((double)kernel->elevation_axis[c] * (1 - (double)p->o.flat));
             }
-            for (k = 0; k < kernel->tap_count; ++k) {
-                double part_sum[3] = {0, 0, 0}, part_norm = 0, below = 0, sine = 0, area = 1;
+            for (k = kernel->tap_count; k-- > 0;) { /* from the outside inwards */
+                plain_tap *tap = &taps[k];
+                double below = 0;
                 const double tx = (double)kernel->offset_mm[k] * dx * size[0],
                              ty = (double)kernel->offset_mm[k] * dy * size[1];
+                memset(tap, 0, sizeof *tap);
                 for (sub = 0; sub < 4; ++sub) {
                     const int px = x + (int)floor(tx) + sub % 2, py = y + (int)floor(ty) + sub / 2, j = py * w + px;
                     const double ax = tx - floor(tx), ay = ty - floor(ty);
@@ -346,33 +354,45 @@ static void plain_pass(const plain *p, int term, int second, const plain_surface
                     f *= plain_depth_factor(p, kernel, &surface[i], fabs((double)kernel->offset_mm[k]), i, j, px - x,
                                             py - y, &deep);
                     below += f * deep;
-                    part_norm += f;
-                    for (c = 0; c < 3; ++c) part_sum[c] += f * in[c][j];
+                    tap->weight += f;
+                    for (c = 0; c < 3; ++c) tap->light[c] += f * in[c][j];
                 }
                 if (plain_shaped(p) && k > 0) {
+                    const double x_mm = fabs((double)kernel->offset_mm[k]);
                     const double mm = p->o.mm_per_unit > 0 ? (double)p->o.mm_per_unit : 1;
                     const double least_below = plain_grain * (2 + fabs(tx) + fabs(ty)) * (double)p->s->depth[i] *
                         mm; /* below that it may be rounding */
                     below = below > least_below ? below - least_below : below < -least_below ? below + least_below : 0;
-                    sine = below * surface[i].facing / fabs((double)kernel->offset_mm[k]);
+                    below *= surface[i].facing;
+                    tap->height = below / (tap->weight + 1e-3);
+                    tap->sine = below / x_mm;
+                    if (k + 2 < kernel->tap_count) { /* near by that of the next tap outwards, as far as it was found */
+                        const double outer_mm = fabs((double)kernel->offset_mm[k + 2]);
+                        const double share = pow(taps[k + 2].weight, 4) /
+                            (1 + pow(x_mm / (0.17 * (double)kernel->radius_mm), 4));
+                        tap->sine += share * (taps[k + 2].sine * tap->weight * x_mm / outer_mm - tap->sine);
+                    }
+                }
+            }
+            for (k = 0; k < kernel->tap_count; ++k) {
+                const plain_tap *tap = &taps[k];
+                double sine = tap->sine, area = 1;
+                if (plain_shaped(p) && k > 0) {
+                    const double inner_mm = k > 2 ? fabs((double)kernel->offset_mm[k - 2]) : 0;
                     sine = sine > 1 ? 1 : sine < least ? least : sine;
                     { /* a surface that bends away from the plane shows less of itself there than it has */
-                        const int side = kernel->offset_mm[k] < 0;
-                        const double x_mm = fabs((double)kernel->offset_mm[k]);
-                        const double at = (below * surface[i].facing + 1e-3 * height[side]) / (part_norm + 1e-3),
-                                     steep = (at - height[side]) / (x_mm - inner[side]);
+                        const double steep = (tap->height - (k > 2 ? taps[k - 2].height : 0)) /
+                            (fabs((double)kernel->offset_mm[k]) - inner_mm);
                         area = fmin(3, 1 + bulge * steep * steep);
-                        height[side] = at;
-                        inner[side] = x_mm;
                     }
                 }
                 for (c = 0; c < 3; ++c) {
                     const double weight = (double)kernel->weight[term][k][c],
                                  lift = pow(1 + (double)kernel->elevation_axis[c] * (1 - (double)p->o.flat) / 4 * sine,
                                             4);
-                    sum[c] += weight * lift * area * part_sum[c];
-                    norm[c] += weight * area * part_norm;
-                    lifted[c] += weight * lift * area * part_norm;
+                    sum[c] += weight * lift * area * tap->light[c];
+                    norm[c] += weight * area * tap->weight;
+                    lifted[c] += weight * lift * area * tap->weight;
                 }
             }
             for (c = 0; c < 3 && plain_shaped(p); ++c) /* never more than reflectance^(-1/2) times the mean */
