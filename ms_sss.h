@@ -81,8 +81,10 @@
    where D is the depth of depth_sigma_mm; with flat 1 (1 - dz^2 / D^2)^4. No light crosses steps wider than D.
    Area: where the surface bends away between two taps by an angle of tangent m, the outer tap represents 1 + m^2 / 2
    times the area, at most 3 times; not for terms with weights of both signs.
-   Elevation: sin(theta) is the tap's depth under the pixel's tangent plane over its distance. No pass multiplies the
-   mean by more than reflectance^(-1/2), so reflectance times output never exceeds the brightest input.
+   Elevation: sin(theta) is the tap's depth under the pixel's tangent plane over its distance x; within about 0.17 radii
+   R, where it shows a mesh's flat triangles, that of the next tap outwards in proportion to x: the share of its own is
+   x^4 / (x^4 + (0.17 R)^4). No pass multiplies the mean by more than reflectance^(-1/2), so reflectance times output
+   never exceeds the brightest input.
    Weights that fall outside the picture or on masked pixels are renormalized away: a constant stays constant within
    1e-6 on planes, and everywhere with flat 1. If a kernel's terms have weights of both signs, the missing weight goes
    to the pixel's own color instead. Half-precision depth is too coarse for slopes: set flat to 1.
@@ -1012,9 +1014,12 @@ enum {
 
 #define MS_SSS__MASKED_DEPTH 1e15f /* scaled depth of masked pixels: finite, and too far away to count */
 #define MS_SSS__FALLOFF_END 3.0746 /* (1 - (dz / (3.0746 sigma))^2)^4 is within 0.013 of exp(-dz^2 / (2 sigma^2)) */
-#define MS_SSS__SPARSE 1e-3f       /* weight below which a tap takes the height of the tap before it */
+#define MS_SSS__SPARSE 1e-3f       /* weight below which a tap's height counts as 0 */
 #define MS_SSS__LIGHT_MAX 1e30f    /* pixels from here on are masked: their sums would be infinite */
 #define MS_SSS__AREA_MAX 3.0f      /* bound on the area that one tap represents */
+/* Radii within which a tap's elevation follows that of the next tap outwards: with 0.15 and 7 taps a mesh of 3 pixels a
+   triangle still shows. */
+#define MS_SSS__NEAR 0.17
 
 /* The camera, or the scale of a texture. Rays are parallel unless `perspective`. */
 typedef struct ms_sss__view {
@@ -1032,6 +1037,8 @@ typedef struct ms_sss__pair {
     float per_mm;     /* 1 / x */
     float dz_falloff; /* see ms_sss__dz_falloff */
     float area_scale; /* see ms_sss__pair_area_scale */
+    float follow;     /* share of the sine of elevation that follows the next pair outwards */
+    float to_outer;   /* x over that pair's */
     float weight[3];  /* of each of the two taps */
 } ms_sss__pair;
 
@@ -1723,22 +1730,19 @@ static MS_SSS__INLINE MS__V MS__F(elevate)(float elevation_4, MS__V sine)
     return MS__MUL(u, u);
 }
 
-/* The area that a tap represents: 1 + (area_scale times the change of height since the tap before)^2.
-   sum: the tap's weight; below: weight times height under the tangent plane; height: of the tap before, then its own */
-static MS_SSS__INLINE MS__V MS__F(surface_ratio)(MS__V sum, MS__V below, MS__V area_scale, MS__V *height)
-{
-    MS__V bend = MS__MUL(MS__NMADD(sum, *height, below), MS__F(inverse)(MS__ADD(sum, MS__SET(MS_SSS__SPARSE))));
-    *height = MS__ADD(*height, bend);
-    bend = MS__MUL(bend, area_scale);
-    return MS__MIN(MS__MADD(bend, bend, MS__SET(1.0f)), MS__SET(MS_SSS__AREA_MAX));
-}
+/* A tap by surface, to be added once the next one inwards is known. */
+typedef struct MS__F(tap) {
+    MS__V weight, light[3];
+    MS__V sine;   /* weight times sin(theta) */
+    MS__V height; /* mm under the tangent plane */
+} MS__F(tap);
 
 /* A group of lanes of a pass, with sums over its taps of light, weights, and weights times elevation. */
 typedef struct MS__F(group) {
     MS__V light[3], weight[3], elevated[3];
-    MS__V height[2];   /* by surface: mm under the tangent plane of the pair before, on both sides */
-    float least, most; /* pixels per mm of the active lanes */
-    int active;        /* whether a lane is unmasked and has a kernel of more than half a pixel */
+    MS__F(tap) outer[2]; /* by surface: of the pair before, which is further out */
+    float least, most;   /* pixels per mm of the active lanes */
+    int active;          /* whether a lane is unmasked and has a kernel of more than half a pixel */
 } MS__F(group);
 
 /* What a pair of taps finds: weights, weights times depth under the tangent plane, light; of both sides or, by depth
@@ -1771,7 +1775,7 @@ static MS_SSS__INLINE void MS__F(begin_group)(const ms_sss__pass *p, const ms_ss
         MS__F(extremes)(MS__SELECT(active, size, MS__SET(INFINITY)), &g->least, &unused);
         MS__F(extremes)(MS__SELECT(active, size, MS__SET(0.0f)), &unused, &g->most);
     }
-    g->height[0] = g->height[1] = MS__SET(0.0f);
+    memset(g->outer, 0, sizeof g->outer);
     MS__UNROLL
     for (c = 0; c < 3; ++c) {
         g->weight[c] = g->elevated[c] = g->light[c] = MS__SET(0.0f);
@@ -1823,8 +1827,27 @@ static MS_SSS__INLINE void MS__F(read_pair)(const ms_sss__pass *p, const ms_sss_
     }
 }
 
-/* Adds a pair by surface: weights count the area that they stand for where the surface bends away from the tangent
-   plane, light is multiplied by the elevation of what lies below it. */
+/* Adds a tap by surface. It represents the area 1 + (area_scale times the change of height from the next tap inwards)^2,
+   where the surface bends away from the tangent plane; light is multiplied by its elevation. */
+static MS_SSS__INLINE void MS__F(add_tap)(const ms_sss__pass *p, const ms_sss__pair *pair, const MS__F(tap) * tap,
+                                          MS__V inner_height, MS__F(group) * g)
+{
+    const MS__V one = MS__SET(1.0f), sine = MS__F(bound)(tap->sine, MS__SET(p->least_sine), one);
+    const MS__V bend = MS__MUL(MS__SUB(tap->height, inner_height), MS__SET(pair->area_scale));
+    const MS__V area = MS__MIN(MS__MADD(bend, bend, one), MS__SET(MS_SSS__AREA_MAX));
+    int c;
+    MS__UNROLL
+    for (c = 0; c < 3; ++c) {
+        const MS__V weight = MS__MUL(MS__SET(pair->weight[c]), area),
+                    lifted = MS__MUL(weight, MS__F(elevate)(p->elevation_4[c], sine));
+        g->weight[c] = MS__MADD(weight, tap->weight, g->weight[c]);
+        g->elevated[c] = MS__MADD(lifted, tap->weight, g->elevated[c]);
+        g->light[c] = MS__MADD(lifted, tap->light[c], g->light[c]);
+    }
+}
+
+/* Takes a pair by surface, from the outside inwards, and adds the one before; after the innermost that as well. Near
+   taps follow the elevation of the next ones outwards, as far as those were found: see MS_SSS__NEAR. */
 static MS_SSS__INLINE void MS__F(add_on_surface)(const ms_sss__pass *p, const ms_sss__line *l, const ms_sss__pair *pair,
                                                  const MS__F(found) * found, int x, MS__F(group) * g)
 {
@@ -1834,18 +1857,21 @@ static MS_SSS__INLINE void MS__F(add_on_surface)(const ms_sss__pass *p, const ms
     int side, c;
     MS__UNROLL
     for (side = 0; side < 2; ++side) {
-        const MS__V below = MS__MUL(facing, MS__F(residual)(found->below[side], rounding)), /* mm */
-            sine = MS__F(bound)(MS__MUL(below, MS__SET(pair->per_mm)), MS__SET(p->least_sine), MS__SET(1.0f)),
-                    area = MS__F(surface_ratio)(found->weight[side], below, MS__SET(pair->area_scale),
-                                                &g->height[side]),
-                    weight = MS__MUL(found->weight[side], area);
+        const MS__V weight = found->weight[side],
+                    below = MS__MUL(facing, MS__F(residual)(found->below[side], rounding)), /* mm */
+            height = MS__MUL(below, MS__F(inverse)(MS__ADD(weight, MS__SET(MS_SSS__SPARSE))));
+        MS__F(tap) *tap = &g->outer[side];
+        const MS__V own = MS__MUL(below, MS__SET(pair->per_mm)),
+                    outer = MS__MUL(MS__MUL(tap->sine, weight), MS__SET(pair->to_outer)),
+                    whole2 = MS__MUL(tap->weight, tap->weight),
+                    share = MS__MUL(MS__MUL(whole2, whole2), MS__SET(pair->follow));
+        if (pair != &p->pair[p->pair_count - 1]) MS__F(add_tap)(p, pair + 1, tap, height, g);
+        tap->sine = MS__MADD(share, MS__SUB(outer, own), own);
+        tap->height = height;
+        tap->weight = weight;
         MS__UNROLL
-        for (c = 0; c < 3; ++c) {
-            const MS__V w = MS__SET(pair->weight[c]), lifted = MS__MUL(w, MS__F(elevate)(p->elevation_4[c], sine));
-            g->weight[c] = MS__MADD(w, weight, g->weight[c]);
-            g->elevated[c] = MS__MADD(lifted, weight, g->elevated[c]);
-            g->light[c] = MS__MADD(MS__MUL(lifted, area), found->light[side][c], g->light[c]);
-        }
+        for (c = 0; c < 3; ++c) tap->light[c] = found->light[side][c];
+        if (pair == p->pair) MS__F(add_tap)(p, pair, tap, MS__SET(0.0f), g);
     }
 }
 
@@ -1884,9 +1910,8 @@ static MS_SSS__INLINE void MS__F(taps_row)(const ms_sss__pass *p, const ms_sss__
     for (x = l->first; x < l->last; x += MS__N) {
         MS__F(group) group;
         MS__F(begin_group)(p, by, l, x, &group);
-        for (k = 0; k < p->pair_count && group.active; ++k) {
-            /* heights follow from the center outwards; else the smallest weights come first */
-            const ms_sss__pair *pair = &p->pair[by == MS_SSS__BY_SURFACE ? k : p->pair_count - 1 - k];
+        for (k = p->pair_count; k-- > 0 && group.active;) { /* the smallest weights come first */
+            const ms_sss__pair *pair = &p->pair[k];
             MS__F(found) found;
             MS__F(read_pair)(p, by, l, pair, &group, x, &found);
             if (by == MS_SSS__BY_SURFACE) MS__F(add_on_surface)(p, l, pair, &found, x, &group);
@@ -2700,6 +2725,14 @@ static float ms_sss__dz_falloff(const ms_sss__pass *p, float mm)
     return p->dz_falloff < most * square ? p->dz_falloff / square : p->dz_falloff > 0 ? most : 0;
 }
 
+/* How far the elevation of a pair follows that of the next one outwards; near taps would see a mesh's triangles. */
+static void ms_sss__follow_outer(ms_sss__pair *pair, float mm, float outer_mm, float radius_mm)
+{
+    const double near_by = (double)mm / (MS_SSS__NEAR * (double)radius_mm), square = near_by * near_by;
+    pair->follow = mm < outer_mm ? (float)(1 / (1 + square * square)) : 0;
+    pair->to_outer = mm < outer_mm ? mm / outer_mm : 0;
+}
+
 /* A tap represents more surface where it bends away between the tap before, at inner mm, and this one: 1 + (area_scale
    times the change of height in mm)^2, which is sec^2 of that angle to second order for both axes. */
 static float ms_sss__pair_area_scale(const ms_sss__pass *p, float mm, float *inner)
@@ -2745,6 +2778,7 @@ static void ms_sss__set_term(ms_sss__pass *p, const ms_sss__view *v, const ms_ss
         pair->per_mm = mm > 1e-20f ? 1 / mm : 0;
         pair->dz_falloff = ms_sss__dz_falloff(p, mm);
         pair->area_scale = ms_sss__pair_area_scale(p, mm, &inner);
+        ms_sss__follow_outer(pair, mm, i + 1 < p->pair_count ? fabsf(k->offset_mm[2 * i + 3]) : 0, k->radius_mm);
         for (c = 0; c < 3; ++c) pair->weight[c] = k->weight[term][2 * i + 1][c];
         for (c = 0; c < 2; ++c) {
             const float reach = p->pixels_per_mm * (pair->offset[c] = mm * v->aspect[c]);

@@ -277,6 +277,11 @@ static double plain_slope(const plain_view *v, const plain_picture *p, int x, in
     return fmax(-8, fmin(8, slope));
 }
 
+/* What a tap finds: light and weight, the weight times the sine of elevation, mm under the tangent plane; where it is. */
+typedef struct plain_tap {
+    double all[4], sine, lower, distance;
+} plain_tap;
+
 /* X or Y of one term. X writes out; Y adds its result to sum_of, where `before` is the
    light that the filter began with. */
 static void plain_pass(const one_case *t, const plain_view *v, const plain_picture *in, const plain_picture *before,
@@ -290,8 +295,9 @@ static void plain_pass(const one_case *t, const plain_view *v, const plain_pictu
             const float(*of)[4] = v->of + v->stride * own.profile;
             const double relative = v->perspective ? own.depth : 1, largest = fmax(v->aspect[0], v->aspect[1]);
             double pixels = v->pixels / relative / in->side, axis[2] = {!second, second}, slopes[2] = {0, 0};
-            double ray[2] = {0, 0}, focal[2], area, mm, height[2] = {0, 0}, distance[2] = {0, 0}, least = 1;
+            double ray[2] = {0, 0}, focal[2], area, mm, least = 1;
             double sum[3], weight[3], lifted[3], strength;
+            plain_tap found[MS_SSS_TAPS_MAX];
             int mixed;
             if (second && !(own.depth > 0)) {
                 for (c = 0; c < 3 && v->first > 0.5; ++c) sum_of[at][c] += before->pixel[at].light[c];
@@ -346,11 +352,12 @@ static void plain_pass(const one_case *t, const plain_view *v, const plain_pictu
                     sum[c] = own.light[c] * (double)of[5][c];
                 }
                 mixed = (int)of[3][3];
-                for (k = 1; wide && k < v->taps; ++k) {
+                for (k = v->taps; wide && --k > 0;) { /* from the outside inwards */
+                    plain_tap *to = &found[k];
                     const float *tap = of[5 + (k + 1) / 2];
                     const double offset = k % 2 ? (double)tap[3] : -(double)tap[3], s = fabs(offset);
                     const double px = floor(axis[0] * offset), py = floor(axis[1] * offset);
-                    double all[4] = {0, 0, 0, 0}, below = 0, bend = 0, lower, rounding, factor, sine = 0;
+                    double all[4] = {0, 0, 0, 0}, below = 0, rounding;
                     for (i = 0; i < 4; ++i) {
                         const double sx = fabs(1 - i % 2 - (axis[0] * offset - px)),
                                      sy = fabs(1 - i / 2 - (axis[1] * offset - py));
@@ -370,16 +377,29 @@ static void plain_pass(const one_case *t, const plain_view *v, const plain_pictu
                         all[3] += f;
                     }
                     if (!v->flat) {
-                        const int side = offset < 0;
+                        const double outer = k + 2 < v->taps ? fabs((double)of[5 + (k + 3) / 2][3]) : 0;
                         rounding = own.depth * (double)of[1][3] * 2.3841858e-7 *
                             (2 + (fabs(axis[0]) + fabs(axis[1])) * s);
                         below = mm / area * (fabs(below) > rounding ? below - copysign(rounding, below) : 0);
-                        sine = fmax(-1 / least, fmin(1, below / fmax(s, 1e-20)));
-                        lower = (below + 0.001 * height[side]) / (all[3] + 0.001);
-                        if (s - distance[side] > 1e-20 && !mixed) bend = (lower - height[side]) / (s - distance[side]);
+                        to->distance = s;
+                        to->lower = below / (all[3] + 0.001);
+                        to->sine = below / fmax(s, 1e-20);
+                        if (outer > s) /* near by that of the next tap outwards, as far as that was found */
+                            to->sine += pow(to[2].all[3], 4) / (1 + pow(s / (0.17 * (double)of[0][3]), 4)) *
+                                (to[2].sine * all[3] * s / outer - to->sine);
+                    }
+                    memcpy(to->all, all, sizeof all);
+                }
+                for (k = 1; wide && k < v->taps; ++k) {
+                    const float *tap = of[5 + (k + 1) / 2];
+                    const double lower = k > 2 ? found[k - 2].lower : 0, inner = k > 2 ? found[k - 2].distance : 0,
+                                 sine = fmax(-1 / least, fmin(1, found[k].sine));
+                    double all[4], bend = 0, factor;
+                    memcpy(all, found[k].all, sizeof all);
+                    if (!v->flat) {
+                        if (found[k].distance - inner > 1e-20 && !mixed)
+                            bend = (found[k].lower - lower) / (found[k].distance - inner);
                         for (c = 0; c < 4; ++c) all[c] *= fmin(0.5 * v->slope_scale * bend * bend + 1, 3);
-                        height[side] = lower;
-                        distance[side] = s;
                     }
                     for (c = 0; c < 3; ++c) {
                         factor = pow(1 + (double)of[3][c] * sine, 4);

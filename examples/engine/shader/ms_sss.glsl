@@ -451,8 +451,9 @@ float normalize_sum(float sum, float weight, float lifted, float own, float tota
 // texels, which count
 //     f = share of linear interpolation * (1 - dz^2) / (1 + (1 - flat) h^2 / s^2)
 // with h the height of the texel over the tangent plane in mm, dz the same in units in which weights vanish at 1. Light
-// that enters above the plane, at an elevation theta, reaches the pixel by a factor (1 + K / 4 sin theta)^4; where the
-// surface bends away from the plane there is more of it, by a factor 1 + (1 - flat) (dh/ds)^2 / 2. The sum is divided by
+// that enters below the plane, at an elevation theta, reaches the pixel by a factor (1 + K / 4 sin theta)^4; where the
+// surface bends away from the plane there is more of it, by a factor 1 + (1 - flat) (dh/ds)^2 / 2. Near taps would see a
+// mesh's triangles: they follow the sine of the next ones outwards, in proportion to s. The sum is divided by
 // the larger of its weights and its factors' weights times the root of the reflectance: no mean exceeds 1 / reflectance
 // after two passes.
 float4 filter_pixel(int2 pixel) {
@@ -492,70 +493,79 @@ float4 filter_pixel(int2 pixel) {
     float facing = mm / area_of(slopes, ray);
     float3 elevation = ELEVATION(at);
     float least_sine = -1.0 / max(1.0, max(elevation.r, max(elevation.g, elevation.b)));
-    // Of the taps before, on both sides: their height below the plane and their distance.
-    float2 last_below = zero2;
-    float2 last_offset = zero2;
 #endif
     axis = axis * aspect * pixels;
 
     float3 result = own.rgb * TAP(at, 0).rgb;
     float3 weight = TAP(at, 0).rgb;
     float3 lifted = weight; // the weight with the factors of elevation
-    for (int k = 1; k < pick(1, MS_SSS_TAPS, wide); k++) {
-        float4 tap = TAP(at, (k + 1) / 2);
-        float offset = pick(tap.w, -tap.w, k % 2 == 0);
-        float2 whole = floor(axis * offset);
-        float2 part = axis * offset - whole;
-        float4 sum = zero4;
+    for (int side = pick(2, 0, wide); side < 2; side++) {
+        // Each tap is added once the next one inwards is known.
+        float4 outer = zero4; // its light and weight
+        float outer_sine = 0.0; // times the weight
+        float outer_lower = 0.0; // mm below the plane
+        for (int k = MS_SSS_TAPS / 2; k >= 0; k--) {
+            float offset = abs(TAP(at, k).w);
+            float2 along = axis * pick(offset, -offset, side == 1);
+            float2 whole = floor(along);
+            float2 part = along - whole;
+            float4 sum = zero4;
 #if SLOPES
-        float below = 0.0;
-        float elongation = min(SLOPE_SCALE * mm * mm / max(offset * offset, 1e-30), 1e6);
+            float below = 0.0;
+            float elongation = min(SLOPE_SCALE * mm * mm / max(offset * offset, 1e-30), 1e6);
 #endif
-        for (int i = 0; i < 2 + 2 * MS_SSS_ROTATED; i++) {
-            int2 corner = pick(pick(int2(i, 0), int2(0, i), SECOND), int2(i % 2, i / 2), MS_SSS_ROTATED > 0);
-            float2 away = abs(float2(1.0 - float(corner.x), 1.0 - float(corner.y)) - part);
-            float share = away.x * away.y;
-            if (!(share > 0.0)) { continue; }
-            int2 beside = int2(int(whole.x), int(whole.y)) + corner;
-            float4 there = texel(p + beside);
-            float dz = there.a - own.a;
+            for (int i = pick(2 + 2 * MS_SSS_ROTATED, 0, k > 0); i < 2 + 2 * MS_SSS_ROTATED; i++) {
+                int2 corner = pick(pick(int2(i, 0), int2(0, i), SECOND), int2(i % 2, i / 2), MS_SSS_ROTATED > 0);
+                float2 away = abs(float2(1.0 - float(corner.x), 1.0 - float(corner.y)) - part);
+                float share = away.x * away.y;
+                if (!(share > 0.0)) { continue; }
+                int2 beside = int2(int(whole.x), int(whole.y)) + corner;
+                float4 there = texel(p + beside);
+                float dz = there.a - own.a;
 #if SLOPES
-            dz = dz - dot(plane, float2(float(beside.x), float(beside.y))) * relative(there.a);
+                dz = dz - dot(plane, float2(float(beside.x), float(beside.y))) * relative(there.a);
 #endif
-            dz = dz * DEPTH_SCALE(at);
-            if (!(same(there, own) && dz * dz < 1.0)) { continue; }
-            float f = share * (1.0 - dz * dz);
+                dz = dz * DEPTH_SCALE(at);
+                if (!(same(there, own) && dz * dz < 1.0)) { continue; }
+                float f = share * (1.0 - dz * dz);
 #if SLOPES
-            f = f / (elongation * dz * dz + 1.0);
-            below = below + f * dz;
+                f = f / (elongation * dz * dz + 1.0);
+                below = below + f * dz;
 #else
-            f = f * (1.0 - dz * dz) * (1.0 - dz * dz) * (1.0 - dz * dz);
+                f = f * (1.0 - dz * dz) * (1.0 - dz * dz) * (1.0 - dz * dz);
 #endif
-            sum = sum + float4(there.rgb * f, f);
+                sum = sum + float4(there.rgb * f, f);
+            }
+            float4 tap = TAP(at, min(k + 1, MS_SSS_TAPS / 2)); // the one before
+#if SLOPES
+            // The sine of the elevation, without what may be rounding of depths; near by that of the tap before, as far
+            // as it was found.
+            float rounding = own.a * DEPTH_SCALE(at) * 2.3841858e-7 * (2.0 + abs(along.x) + abs(along.y));
+            below = facing * (below - clamp(below, -rounding, rounding));
+            float sine = below / max(offset, 1e-20);
+            float gap = abs(tap.w) - offset;
+            if (gap > 0.0) {
+                float follow = offset * offset / (0.0289 * total.w * total.w); // 0.17 radii
+                follow = outer.a * outer.a * outer.a * outer.a / (1.0 + follow * follow);
+                sine = sine + follow * (outer_sine * sum.a * offset / abs(tap.w) - sine);
+            }
+            // The area of the tap before: by the slope from this one to it.
+            float lower = below / (sum.a + 0.001);
+            float bend = 0.0;
+            if (gap > 1e-20 && MIXED(at) < 0.5) { bend = (outer_lower - lower) / gap; }
+            outer = outer * min(0.5 * SLOPE_SCALE * bend * bend + 1.0, 3.0);
+#endif
+            weight = weight + tap.rgb * outer.a;
+#if SLOPES
+            float3 lift = one3 + elevation * clamp(outer_sine, least_sine, 1.0);
+            tap = float4(tap.rgb * lift * lift * lift * lift, tap.w);
+            outer_sine = sine;
+            outer_lower = lower;
+#endif
+            lifted = lifted + tap.rgb * outer.a;
+            result = result + tap.rgb * outer.rgb;
+            outer = sum;
         }
-#if SLOPES
-        // The sine of the elevation, without what may be rounding of depths.
-        float rounding = own.a * DEPTH_SCALE(at) * 2.3841858e-7 * (2.0 + (abs(axis.x) + abs(axis.y)) * abs(offset));
-        below = facing * (below - clamp(below, -rounding, rounding));
-        float sine = clamp(below / max(abs(offset), 1e-20), least_sine, 1.0);
-        // The area: by the slope between the tap before and this one.
-        bool back = offset < 0.0;
-        float before = pick(last_below.x, last_below.y, back);
-        float gap = abs(offset) - pick(last_offset.x, last_offset.y, back);
-        float lower = (below + 0.001 * before) / (sum.a + 0.001);
-        float bend = 0.0;
-        if (gap > 1e-20 && MIXED(at) < 0.5) { bend = (lower - before) / gap; }
-        sum = sum * min(0.5 * SLOPE_SCALE * bend * bend + 1.0, 3.0);
-        last_below = pick(float2(lower, last_below.y), float2(last_below.x, lower), back);
-        last_offset = pick(float2(abs(offset), last_offset.y), float2(last_offset.x, abs(offset)), back);
-#endif
-        weight = weight + tap.rgb * sum.a;
-#if SLOPES
-        float3 lift = one3 + elevation * sine;
-        tap = float4(tap.rgb * lift * lift * lift * lift, tap.w);
-#endif
-        lifted = lifted + tap.rgb * sum.a;
-        result = result + tap.rgb * sum.rgb;
     }
 
     int mixed = int(MIXED(at));

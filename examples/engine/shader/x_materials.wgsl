@@ -88,8 +88,9 @@ fn normalize_sum(sum: f32, weight: f32, lifted: f32, own: f32, total: f32, mixed
 // texels, which count
 //     f = share of linear interpolation * (1 - dz^2) / (1 + (1 - flat) h^2 / s^2)
 // with h the height of the texel over the tangent plane in mm, dz the same in units in which weights vanish at 1. Light
-// that enters above the plane, at an elevation theta, reaches the pixel by a factor (1 + K / 4 sin theta)^4; where the
-// surface bends away from the plane there is more of it, by a factor 1 + (1 - flat) (dh/ds)^2 / 2. The sum is divided by
+// that enters below the plane, at an elevation theta, reaches the pixel by a factor (1 + K / 4 sin theta)^4; where the
+// surface bends away from the plane there is more of it, by a factor 1 + (1 - flat) (dh/ds)^2 / 2. Near taps would see a
+// mesh's triangles: they follow the sine of the next ones outwards, in proportion to s. The sum is divided by
 // the larger of its weights and its factors' weights times the root of the reflectance: no mean exceeds 1 / reflectance
 // after two passes.
 fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
@@ -118,57 +119,66 @@ fn filter_pixel(pixel: vec2<i32>) -> vec4<f32> {
     var facing: f32 = mm / area_of(slopes, ray);
     var elevation: vec3<f32> = ms_sss.v[at + 3].rgb;
     var least_sine: f32 = -1.0 / max(1.0, max(elevation.r, max(elevation.g, elevation.b)));
-    // Of the taps before, on both sides: their height below the plane and their distance.
-    var last_below: vec2<f32> = vec2<f32>(0.0, 0.0);
-    var last_offset: vec2<f32> = vec2<f32>(0.0, 0.0);
     axis = axis * aspect * pixels;
 
     var result: vec3<f32> = own.rgb * ms_sss.v[at + 5 + 0].rgb;
     var weight: vec3<f32> = ms_sss.v[at + 5 + 0].rgb;
     var lifted: vec3<f32> = weight; // the weight with the factors of elevation
-    for (var k: i32 = 1; k < select(1, 7, wide); k++) {
-        var tap: vec4<f32> = ms_sss.v[at + 5 + (k + 1) / 2];
-        var offset: f32 = select(tap.w, -tap.w, k % 2 == 0);
-        var whole: vec2<f32> = floor(axis * offset);
-        var part: vec2<f32> = axis * offset - whole;
-        var sum: vec4<f32> = vec4<f32>(0.0, 0.0, 0.0, 0.0);
-        var below: f32 = 0.0;
-        var elongation: f32 = min(ms_sss.v[2].w * mm * mm / max(offset * offset, 1e-30), 1e6);
-        for (var i: i32 = 0; i < 2 + 2 * 0; i++) {
-            var corner: vec2<i32> = select(select(vec2<i32>(i, 0), vec2<i32>(0, i), false), vec2<i32>(i % 2, i / 2), 0 > 0);
-            var away: vec2<f32> = abs(vec2<f32>(1.0 - f32(corner.x), 1.0 - f32(corner.y)) - part);
-            var share: f32 = away.x * away.y;
-            if (!(share > 0.0)) { continue; }
-            var beside: vec2<i32> = vec2<i32>(i32(whole.x), i32(whole.y)) + corner;
-            var there: vec4<f32> = texel(p + beside);
-            var dz: f32 = there.a - own.a;
-            dz = dz - dot(plane, vec2<f32>(f32(beside.x), f32(beside.y))) * relative(there.a);
-            dz = dz * ms_sss.v[at + 1].w;
-            if (!(same(there, own) && dz * dz < 1.0)) { continue; }
-            var f: f32 = share * (1.0 - dz * dz);
-            f = f / (elongation * dz * dz + 1.0);
-            below = below + f * dz;
-            sum = sum + vec4<f32>(there.rgb * f, f);
+    for (var side: i32 = select(2, 0, wide); side < 2; side++) {
+        // Each tap is added once the next one inwards is known.
+        var outer: vec4<f32> = vec4<f32>(0.0, 0.0, 0.0, 0.0); // its light and weight
+        var outer_sine: f32 = 0.0; // times the weight
+        var outer_lower: f32 = 0.0; // mm below the plane
+        for (var k: i32 = 7 / 2; k >= 0; k--) {
+            var offset: f32 = abs(ms_sss.v[at + 5 + k].w);
+            var along: vec2<f32> = axis * select(offset, -offset, side == 1);
+            var whole: vec2<f32> = floor(along);
+            var part: vec2<f32> = along - whole;
+            var sum: vec4<f32> = vec4<f32>(0.0, 0.0, 0.0, 0.0);
+            var below: f32 = 0.0;
+            var elongation: f32 = min(ms_sss.v[2].w * mm * mm / max(offset * offset, 1e-30), 1e6);
+            for (var i: i32 = select(2 + 2 * 0, 0, k > 0); i < 2 + 2 * 0; i++) {
+                var corner: vec2<i32> = select(select(vec2<i32>(i, 0), vec2<i32>(0, i), false), vec2<i32>(i % 2, i / 2), 0 > 0);
+                var away: vec2<f32> = abs(vec2<f32>(1.0 - f32(corner.x), 1.0 - f32(corner.y)) - part);
+                var share: f32 = away.x * away.y;
+                if (!(share > 0.0)) { continue; }
+                var beside: vec2<i32> = vec2<i32>(i32(whole.x), i32(whole.y)) + corner;
+                var there: vec4<f32> = texel(p + beside);
+                var dz: f32 = there.a - own.a;
+                dz = dz - dot(plane, vec2<f32>(f32(beside.x), f32(beside.y))) * relative(there.a);
+                dz = dz * ms_sss.v[at + 1].w;
+                if (!(same(there, own) && dz * dz < 1.0)) { continue; }
+                var f: f32 = share * (1.0 - dz * dz);
+                f = f / (elongation * dz * dz + 1.0);
+                below = below + f * dz;
+                sum = sum + vec4<f32>(there.rgb * f, f);
+            }
+            var tap: vec4<f32> = ms_sss.v[at + 5 + min(k + 1, 7 / 2)]; // the one before
+            // The sine of the elevation, without what may be rounding of depths; near by that of the tap before, as far
+            // as it was found.
+            var rounding: f32 = own.a * ms_sss.v[at + 1].w * 2.3841858e-7 * (2.0 + abs(along.x) + abs(along.y));
+            below = facing * (below - clamp(below, -rounding, rounding));
+            var sine: f32 = below / max(offset, 1e-20);
+            var gap: f32 = abs(tap.w) - offset;
+            if (gap > 0.0) {
+                var follow: f32 = offset * offset / (0.0289 * total.w * total.w); // 0.17 radii
+                follow = outer.a * outer.a * outer.a * outer.a / (1.0 + follow * follow);
+                sine = sine + follow * (outer_sine * sum.a * offset / abs(tap.w) - sine);
+            }
+            // The area of the tap before: by the slope from this one to it.
+            var lower: f32 = below / (sum.a + 0.001);
+            var bend: f32 = 0.0;
+            if (gap > 1e-20 && ms_sss.v[at + 3].w < 0.5) { bend = (outer_lower - lower) / gap; }
+            outer = outer * min(0.5 * ms_sss.v[2].w * bend * bend + 1.0, 3.0);
+            weight = weight + tap.rgb * outer.a;
+            var lift: vec3<f32> = vec3<f32>(1.0, 1.0, 1.0) + elevation * clamp(outer_sine, least_sine, 1.0);
+            tap = vec4<f32>(tap.rgb * lift * lift * lift * lift, tap.w);
+            outer_sine = sine;
+            outer_lower = lower;
+            lifted = lifted + tap.rgb * outer.a;
+            result = result + tap.rgb * outer.rgb;
+            outer = sum;
         }
-        // The sine of the elevation, without what may be rounding of depths.
-        var rounding: f32 = own.a * ms_sss.v[at + 1].w * 2.3841858e-7 * (2.0 + (abs(axis.x) + abs(axis.y)) * abs(offset));
-        below = facing * (below - clamp(below, -rounding, rounding));
-        var sine: f32 = clamp(below / max(abs(offset), 1e-20), least_sine, 1.0);
-        // The area: by the slope between the tap before and this one.
-        var back: bool = offset < 0.0;
-        var before: f32 = select(last_below.x, last_below.y, back);
-        var gap: f32 = abs(offset) - select(last_offset.x, last_offset.y, back);
-        var lower: f32 = (below + 0.001 * before) / (sum.a + 0.001);
-        var bend: f32 = 0.0;
-        if (gap > 1e-20 && ms_sss.v[at + 3].w < 0.5) { bend = (lower - before) / gap; }
-        sum = sum * min(0.5 * ms_sss.v[2].w * bend * bend + 1.0, 3.0);
-        last_below = select(vec2<f32>(lower, last_below.y), vec2<f32>(last_below.x, lower), back);
-        last_offset = select(vec2<f32>(abs(offset), last_offset.y), vec2<f32>(last_offset.x, abs(offset)), back);
-        weight = weight + tap.rgb * sum.a;
-        var lift: vec3<f32> = vec3<f32>(1.0, 1.0, 1.0) + elevation * sine;
-        tap = vec4<f32>(tap.rgb * lift * lift * lift * lift, tap.w);
-        lifted = lifted + tap.rgb * sum.a;
-        result = result + tap.rgb * sum.rgb;
     }
 
     var mixed: i32 = i32(ms_sss.v[at + 3].w);
