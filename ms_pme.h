@@ -1,4 +1,4 @@
-/* ms_pme.h - v0.2.0 - from an edited picture to material parameters - MIT or public domain, see the end
+/* ms_pme.h - v0.3.0 - from an edited picture to material parameters - MIT or public domain, see the end
 
    Use it
    ------
@@ -81,10 +81,10 @@
 #include <stdint.h>
 
 #define MS_PME_VERSION_MAJOR 0
-#define MS_PME_VERSION_MINOR 2
+#define MS_PME_VERSION_MINOR 3
 #define MS_PME_VERSION_PATCH 0
-#define MS_PME_VERSION 200 /* major * 10000 + minor * 100 + patch */
-#define MS_PME_VERSION_STRING "0.2.0"
+#define MS_PME_VERSION 300 /* major * 10000 + minor * 100 + patch */
+#define MS_PME_VERSION_STRING "0.3.0"
 
 #ifdef __cplusplus
 extern "C" {

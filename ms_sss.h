@@ -1,4 +1,4 @@
-/* ms_sss.h - v0.2.0 - subsurface scattering by separable kernels - MIT or public domain, see the end
+/* ms_sss.h - v0.3.0 - subsurface scattering by separable kernels - MIT or public domain, see the end
 
    Use it
    ------
@@ -141,10 +141,10 @@
 #include <stdint.h>
 
 #define MS_SSS_VERSION_MAJOR 0
-#define MS_SSS_VERSION_MINOR 2
+#define MS_SSS_VERSION_MINOR 3
 #define MS_SSS_VERSION_PATCH 0
-#define MS_SSS_VERSION 200 /* major * 10000 + minor * 100 + patch */
-#define MS_SSS_VERSION_STRING "0.2.0"
+#define MS_SSS_VERSION 300 /* major * 10000 + minor * 100 + patch */
+#define MS_SSS_VERSION_STRING "0.3.0"
 
 #ifdef __cplusplus
 extern "C" {
