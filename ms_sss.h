@@ -6302,6 +6302,7 @@ MS_API void ms_sss_transmittance(const ms_sss_profile *profile, double thickness
 #undef MS_SSS__LIGHT_MAX
 #undef MS_SSS__FALLOFF_END
 #undef MS_SSS__GATHER
+#undef MS_SSS__NEAR
 #endif /* MS_SSS__BODY */
 
 /*
