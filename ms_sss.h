@@ -93,7 +93,7 @@
    ------------------------------------------
    Profiles and designers are one block each from the caller's allocator (a designer: at most 2.3 MB). Building a kernel
    takes up to 2.1 MB more (33 taps of six terms; 0.5 MB of one term), measuring one 60 KB, and gives it back. Filters
-   allocate nothing if the caller gives a workspace. No globals. At most 32 KB of stack a call, 64 KB without optimizing.
+   allocate nothing if the caller gives a workspace. No globals. At most 32 KB of stack a call, 64 KB at -O0.
    Profiles, designers and kernels are only read once made: calls may overlap. Filters cut the picture into rows for
    ms_parallel; kernels are made on one thread.
    Filters run SSE2 or NEON, AVX2 or AVX-512 code, else plain C, chosen once a call, capped by options.simd. On x86-64
