@@ -1,4 +1,4 @@
-"""recommended.png: eight materials that the add-on recommends after 60 stars for golden, polished metal, by Cycles.
+"""recommended.png: eight materials that the add-on recommends after 60 stars for gold and copper, polished, by Cycles.
 
     make blender
     blender -b --factory-startup --python examples/blender/recommended.py -- OUT.png [SAMPLES [WIDTH]]"""
@@ -17,9 +17,10 @@ GALLERY, SEED = 12, 3
 
 
 def stars(x):
-    """Golden polished metal, 0 to 5."""
-    polished, gold = x[:, 3] * (1 - x[:, 4]) * (1 - x[:, 5]), 0.6 + x[:, 0] + 0.3 * x[:, 1] - x[:, 2]
-    return np.rint(5 * np.clip(polished * gold, 0, 1))
+    """Polished metal, the nearer to gold and copper the better, 0 to 5."""
+    polished = x[:, 3] * (1 - x[:, 4]) * (1 - x[:, 5])
+    off = (x[:, 0] - 0.9)**2 + (x[:, 1] - 0.55)**2 + (x[:, 2] - 0.2)**2
+    return np.rint(5 * np.clip(1.3 * polished * np.exp(-2 * off), 0, 1))
 
 
 def recommended(count):
@@ -28,7 +29,8 @@ def recommended(count):
     for k in range(5):
         x = np.vstack([x, taste.gallery(model, x.shape[1], GALLERY, SEED + k)])
         model = taste.Taste(x, stars(x))
-    found = model.recommend(12 * count, 0.7, 0.6, SEED)[0]
+    found, predicted = model.recommend(4 * count, 0.8, 0.6, SEED)
+    found = found[np.argsort(-predicted)[:2 * count]]
     print("true stars of %d: %.2f" % (len(found), stars(found).mean()), flush=True)
     pictures = taste.Renderer(NETWORK).pictures(found).reshape(len(found), -1)
     chosen = [0]
@@ -128,7 +130,7 @@ def main():
         print(material.name, np.round(x, 2), flush=True)
 
     camera = scene.camera
-    camera.data.lens = 55
+    camera.data.lens = 52
     camera.location = (0, -15, 6.5)
     camera.rotation_euler = (Vector((0, -0.9, 0.62)) - camera.location).to_track_quat("-Z", "Y").to_euler()
     key = bpy.data.objects["key"]
