@@ -1,4 +1,4 @@
-// sources 1907933901
+// sources 4186929635
 (() => {
 const SHADER = `
 // Subsurface scattering in screen space: the passes X and Y, half resolution, and light through thin parts.

@@ -1,4 +1,4 @@
-// sources 1797767870
+// sources 2262927357
 // Separable subsurface scattering for three.js, by ms_sss.h: `make web` writes this file with examples/engine/shader/ms_sss.glsl
 // (SHADER) and the header in WebAssembly (BINARY), which makes kernels and constants.
 //
