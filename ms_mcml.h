@@ -85,10 +85,8 @@
    Sources
    -------
    Wang, Jacques, Zheng 1995 (MCML) and 1997 (CONV); Blackman, Vigna 2018 (xoshiro128+, seeded by Philox); Duff et al.
-   2017 (basis); Williams, "The searchlight problem in radiative transfer with internal reflection" (2007) for the
-   equation; Case & Zweifel, "Linear Transport Theory" (1967) for nu_0; Lawson & Hanson, "Solving Least Squares
-   Problems" (1974); Chandrasekhar, "Radiative Transfer" (1960) for the test's reference; Jensen et al. 2001 for the
-   materials.
+   2017 (basis); Williams 2007 (the searchlight problem with internal reflection); Case, Zweifel 1967 (nu_0); Lawson,
+   Hanson 1974 (least squares); Chandrasekhar 1960 (the test's reference); Jensen et al. 2001 (materials).
 */
 #ifndef MS_MCML_H
 #define MS_MCML_H

@@ -66,7 +66,7 @@
      texture error by taps of a pass      24 pixels: 7     11     17     96 pixels: 7     11     17
      pre-integrated, quadratic spacing            4.48   4.45   5.80           11.59   8.58   7.71
      image-optimal, optimized taps (default)      2.50   1.61   1.37            9.25   5.62   4.14
-     two terms, optimized taps                    1.89   0.67   0.29            8.12   3.74   1.98
+     two terms, optimized taps                    1.89   0.67   0.28            8.12   3.74   1.89
 
    For edges along the screen's axes turn `dial` towards 1; for single bright dots use more taps; the default serves
    detail and shadows. Making a kernel takes longer with more taps and terms. The filter takes longer with more pixels,
