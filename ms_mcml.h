@@ -58,8 +58,7 @@
    ms_mcml_profile_make turns media into R_d(r): averages over rings, and the energy within each edge. At g = 0 the
    half-space solver computes them by Galerkin's method in depth for each spatial frequency; the spectrum becomes a sum
    of terms with positive energies, whose rings have closed forms. At the default steps totals are good to 5e-13 and
-   rings with 1e-5 of the energy to 8e-5. Media of other g are replaced by mu_s (1 - g) and g = 0, with errors that
-   bound what this does.
+   rings with 1e-5 of the energy to 8e-5. Media of other g become mu_s (1 - g) and g = 0, with errors to bound this.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
