@@ -951,6 +951,10 @@ static MS_SSS__COLD ms_status ms_sss__check_kernel(const ms_sss_kernel *k, int i
                     return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
                                     "kernel %d: term %d, tap %d, channel %d is not finite", index, t, i, c);
     }
+    for (c = 0; c < 3; ++c)
+        if (!(fabsf(k->elevation[c]) <= 1e6f && fabsf(k->elevation_axis[c]) <= 1e6f))
+            return ms__fail(error, MS_INVALID_ARGUMENT, (size_t)index,
+                            "kernel %d: elevation[%d] or elevation_axis[%d] is beyond 1e6", index, c, c);
     return ms_sss__check_pairs(k, index, error);
 }
 

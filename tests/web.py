@@ -338,6 +338,7 @@ def session(b):
     before = answers(b)
     shelf = "[...document.querySelectorAll('#shelf .pick')].map(p => [p.dataset.x, p.title])"
     b.until("studio.idle() && studio.shelved === answered()", WAIT)
+    b.until("[...document.querySelectorAll('#shelf .pick')].map(p => p.dataset.x).join() === studio.recommended.map(r => r.x.map(v => v.toFixed(5)).join()).join()", WAIT)
     lay = b.value(shelf)
 
     # a reload, and on
