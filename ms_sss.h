@@ -4592,7 +4592,7 @@ MS_SSS__COLD MS_API void ms_sss_profile_radius(const ms_sss_profile *p, double f
             low = high;
             high *= 2;
         }
-        while (high - low > 1e-10 * high) {
+        while (high - low > 1e-10 * high && high > 1e-300) { /* below, halves are no longer smaller */
             double middle = 0.5 * (low + high);
             ms_sss_profile_disc(p, middle, inside);
             if (inside[c] >= fraction * total[c]) high = middle;
@@ -5230,6 +5230,8 @@ static void ms_sss__curve_normalize(ms_sss__curve *v)
         double terms = 0, scale;
         for (t = 0; t < v->terms; ++t) terms += v->sign[c][t] * ms_sss__term_sum(v, c, t) * ms_sss__term_sum(v, c, t);
         scale = terms > 0 ? sqrt((v->energy[c] - v->delta[c]) / terms) : 1;
+        if (terms == 0 && v->energy[c] > v->delta[c]) /* taps that missed all light: the pixel's own */
+            v->weight[c][0][0] = sqrt(v->energy[c] - v->delta[c]);
         for (t = 0; t < v->terms; ++t)
             for (i = 0; i <= v->pairs; ++i) v->weight[c][t][i] *= scale;
     }
