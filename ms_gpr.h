@@ -3618,7 +3618,7 @@ static void ms_gpr__chain_run(void *context, int task)
 }
 
 /* Mean sigma of the first recommendations over the range of scores. */
-static ms_status ms_gpr__sampler_doubt(ms_gpr__sampler *h, double *doubt, ms_error *error)
+static ms_status ms_gpr__sampler_spread(ms_gpr__sampler *h, double *doubt, ms_error *error)
 {
     double variance[MS_GPR__WAVE], range = (h->threshold - h->source.floor) / h->o.tau;
     int i;
@@ -3648,7 +3648,7 @@ static ms_status ms_gpr__sampler_chains(ms_gpr__sampler *h, ms_error *error)
         if (h->seeds == 0 || (double)h->first / 40 > wanted + (int)MS_GPR__WAVE) return MS_NOT_CONVERGED;
         ms__run(&h->source.gp->parallel, MS_GPR__TASKS, ms_gpr__chain_run, h);
         if (h->first == 0 && h->o.search == MS_GPR_SEARCH_AUTO) {
-            status = ms_gpr__sampler_doubt(h, &doubt, error);
+            status = ms_gpr__sampler_spread(h, &doubt, error);
             if (status != MS_OK || doubt > MS_GPR__DOUBT) return status;
         }
         status = ms_gpr_predict(h->source.gp, h->candidate, MS_GPR__WAVE, h->mean, NULL, error);
