@@ -124,7 +124,7 @@ for page in studio kernels three babylon; do
     done
 done
 if [ -f examples/web/sss_three.part.js ]; then
-    for name in $(grep -ohE '(exports|wasm)\.[a-z_]+' examples/web/sss_three.part.js examples/web/sss_babylon.part.js examples/web/babylon.page.js | cut -d. -f2 | sort -u); do
+    for name in $(grep -ohE '(exports|wasm)\.[a-z_]+' examples/web/sss_core.part.js examples/web/babylon.page.js | cut -d. -f2 | sort -u); do
         [ "$name" = memory ] || [ "$name" = _initialize ] || check "three.c does not export $name" grep -qE "export_name\(\"$name\"\)|CALL\([a-z *]+, $name," examples/web/three.c
     done
 fi

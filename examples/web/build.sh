@@ -13,8 +13,8 @@ sources() { # what page $1 is made of
         $web/studio.part.html $web/pack.c $web/build.sh examples/data/renderer_128.safetensors examples/data/inversion_6.safetensors ;;
     kernels) echo ms_mcml.h ms_sss.h examples/engine/shader/ms_sss.glsl examples/engine/shader/ms_sss_pyramid.glsl examples/tools/wgsl.h examples/demo/scene.h examples/tools/image.h examples/tools/files.h examples/tools/layered.h examples/tools/skin.h $web/kernels.c $web/wasi.js $web/kernels.worker.js \
         $web/kernels.js $web/page.css $web/kernels.css $web/kernels.part.html $web/build.sh ;;
-    three) echo ms_sss.h examples/engine/shader/ms_sss.glsl $web/three.c $web/sss_three.part.js $web/three.page.js $web/three.unpack.js $web/three.part.html $web/build.sh ;;
-    babylon) echo ms_sss.h examples/engine/shader/ms_sss.glsl $web/three.c $web/sss_babylon.part.js $web/babylon.page.js $web/babylon.part.html $web/build.sh \
+    three) echo ms_sss.h examples/engine/shader/ms_sss.glsl $web/three.c $web/sss_core.part.js $web/sss_three.part.js $web/three.page.js $web/three.unpack.js $web/three.part.html $web/build.sh ;;
+    babylon) echo ms_sss.h examples/engine/shader/ms_sss.glsl $web/three.c $web/sss_core.part.js $web/sss_babylon.part.js $web/babylon.page.js $web/babylon.part.html $web/build.sh \
         examples/data/truth_bust.bin examples/data/truth_knot.bin examples/data/truth_skin1.csv examples/data/truth_marble.csv ;;
     *) echo "no page of that name: $1" >&2; exit 2 ;;
     esac
@@ -63,7 +63,7 @@ if [ "$page" = three ]; then # a module, and a page that holds it and three.js, 
     fi
     {
         echo "// sources $(hash three)"
-        cat $web/sss_three.part.js
+        cat $web/sss_three.part.js $web/sss_core.part.js
         echo 'const SHADER = `'
         cat examples/engine/shader/ms_sss.glsl # without a backquote or a backslash
         echo '`;'
@@ -97,7 +97,7 @@ if [ "$page" = babylon ]; then # a script, which pages take from files as well, 
         echo 'const SHADER = `'
         cat examples/engine/shader/ms_sss.glsl
         echo '`;'
-        cat $web/sss_babylon.part.js
+        cat $web/sss_core.part.js $web/sss_babylon.part.js
         echo "const BINARY = '$(gzip -9nc "$made/three.wasm" | base64 | tr -d '\n')';"
         echo '})();'
     } >"$made/sss_babylon.js"

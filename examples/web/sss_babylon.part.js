@@ -1,6 +1,7 @@
 // Separable subsurface scattering for Babylon.js, by ms_sss.h, in place of the engine's own pass: its prepass draws light, depth and
 // color of materials that scatter; two passes of ms_sss.glsl then do what subSurfaceScattering.fragment.fx does, and write where it does.
-// `make web` writes this file with examples/engine/shader/ms_sss.glsl (SHADER) and the header in WebAssembly (BINARY).
+// `make web` writes this file: examples/web/sss_babylon.part.js and sss_core.part.js, examples/engine/shader/ms_sss.glsl (SHADER), and the header
+// in WebAssembly (BINARY).
 //
 //   <script src="babylon.js"></script> <script src="sss_babylon.js"></script>        or import 'sss_babylon.js' beside @babylonjs/core
 //   const sss = await BabylonSubsurface.create(BABYLON, scene, [
@@ -17,34 +18,10 @@ globalThis.BabylonSubsurface = class BabylonSubsurface {
   static async create(BABYLON, scene, materials, { mmPerUnit = 1000, radius = 40, taps = 0 } = {}) {
     if (!BABYLON || !scene.getEngine()._gl || scene.getEngine().webGLVersion < 2) throw new Error('BabylonSubsurface: wants Babylon.js with WebGL 2');
     if (!materials.length || materials.length > 5) throw new Error('BabylonSubsurface: wants one to five materials');
-    return new BabylonSubsurface(BABYLON, scene, await BabylonSubsurface.core(), materials, mmPerUnit, taps || BabylonSubsurface.tapsOf(radius), radius);
+    return new BabylonSubsurface(BABYLON, scene, await BabylonSubsurface.core(), materials, mmPerUnit, taps || Kernels.tapsOf(radius), radius);
   }
 
-  static tapsOf(radius) { return 2 * [1, 4, 8, 12, 16, 23, 29, 47, 65, 90, 115, 150].findIndex(most => Math.min(radius, 150) <= most) + 3; }
-
-  // The header in WebAssembly: kernels and constants (examples/web/three.c).
-  static async core() {
-    const packed = Uint8Array.from(atob(BINARY), c => c.charCodeAt(0));
-    const binary = await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
-    const nothing = new Proxy({}, { get: () => () => 52 }); // the header asks for no file
-    const { instance } = await WebAssembly.instantiate(binary, { wasi_snapshot_preview1: nothing });
-    const wasm = instance.exports;
-    wasm._initialize();
-    return {
-      wasm,
-      numbers: (count = 16) => new Float64Array(wasm.memory.buffer, wasm.numbers(), count),
-      check: status => {
-        if (!status) return;
-        const bytes = new Uint8Array(wasm.memory.buffer, wasm.message());
-        throw new Error('BabylonSubsurface: ' + new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0))));
-      },
-      constants(taps, materials, width, height, fov, mmPerUnit) { // of both passes
-        const n = wasm.fill(taps, materials, width, height, fov, mmPerUnit, 0, 0);
-        if (!n) this.check(1);
-        return new Float32Array(wasm.memory.buffer, wasm.constants(), 4 * n).slice();
-      },
-    };
-  }
+  static core() { return Kernels.load('BabylonSubsurface'); }
 
   // The text of a pass, 0 or 1, for textures as Babylon's prepass leaves them: light with the profile's index in alpha, 255 where there is
   // none, and the depth of the view. The second one adds the result, times the albedo, to what does not scatter.
@@ -73,14 +50,9 @@ void main() {
 }` : ''}`;
   }
 
-  constructor(BABYLON, scene, core, materials, mmPerUnit, taps, radius) {
-    Object.assign(this, { BABYLON, scene, core, mmPerUnit, taps, radius, count: materials.length, ours: true });
-    this.materials = materials.map(({ reflectance, path }, i) => {
-      core.numbers().set([...reflectance, ...path]);
-      core.check(core.wasm.material(i, taps, radius));
-      const n = Array.from(core.numbers());
-      return { radiusMm: n[0], reflectance: n.slice(1, 4), d: n.slice(7, 10) };
-    });
+  constructor(BABYLON, scene, kernels, materials, mmPerUnit, taps, radius) {
+    Object.assign(this, { BABYLON, scene, kernels, mmPerUnit, taps, radius, count: materials.length, ours: true });
+    this.materials = materials.map((material, i) => kernels.make(i, material, taps, radius));
     const config = this.config = scene.enableSubSurfaceForPrePass();
     if (!config) throw new Error('BabylonSubsurface: this engine has no prepass');
     config.metersPerUnit = mmPerUnit / 1000;
@@ -116,7 +88,7 @@ void main() {
         effect.setTexture('albedoSampler', of(7));
         effect.setTexture('colorSampler', of(4));
       }
-      effect.setArray4('ms_sss', this.core.constants(this.taps, this.count, width, height, scene.activeCamera.fov * 180 / Math.PI, this.mmPerUnit));
+      effect.setArray4('ms_sss', this.kernels.constants(this.taps, this.count, width, height, scene.activeCamera.fov * 180 / Math.PI, this.mmPerUnit));
     });
     return p;
   }

@@ -1,5 +1,5 @@
-// Separable subsurface scattering for three.js, by ms_sss.h: `make web` writes this file with examples/engine/shader/ms_sss.glsl
-// (SHADER) and the header in WebAssembly (BINARY), which makes kernels and constants.
+// Separable subsurface scattering for three.js, by ms_sss.h. `make web` writes this file: examples/web/sss_three.part.js and
+// sss_core.part.js, examples/engine/shader/ms_sss.glsl (SHADER), and the header in WebAssembly (BINARY).
 //
 //   import { Subsurface } from './sss_three.js';
 //   const sss = await Subsurface.create(renderer, [
@@ -83,25 +83,13 @@ export class Subsurface {
   // materials: [{reflectance, path}]; options: mmPerUnit (1000: meters), radius (pixels that the taps are made for), taps (3 to 63; 0: as few
   // as show no bands at that radius, by the table of ms_sss_shader_constants)
   static async create(renderer, materials, { mmPerUnit = 1000, radius = 40, taps = 0 } = {}) {
-    taps ||= 2 * [1, 4, 8, 12, 16, 23, 29, 47, 65, 90, 115, 150].findIndex(most => Math.min(radius, 150) <= most) + 3;
-    const packed = Uint8Array.from(atob(BINARY), c => c.charCodeAt(0));
-    const binary = await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
-    const nothing = new Proxy({}, { get: () => () => 52 }); // the header asks for no file
-    const { instance } = await WebAssembly.instantiate(binary, { wasi_snapshot_preview1: nothing });
-    instance.exports._initialize();
-    return new Subsurface(renderer, instance.exports, materials, mmPerUnit, taps, radius);
+    return new Subsurface(renderer, await Kernels.load('Subsurface'), materials, mmPerUnit, taps || Kernels.tapsOf(radius), radius);
   }
 
-  constructor(renderer, wasm, materials, mmPerUnit, taps, radius) {
+  constructor(renderer, kernels, materials, mmPerUnit, taps, radius) {
     if (!materials.length || !renderer.getContext().getExtension('EXT_color_buffer_float')) throw new Error('Subsurface: wants a material, and WebGL 2 with float targets');
-    Object.assign(this, { renderer, wasm, mmPerUnit, taps, radius, given: materials, lamp: null, count: materials.length });
-    this.materials = materials.map(({ reflectance, path }, i) => {
-      const numbers = () => new Float64Array(wasm.memory.buffer, wasm.numbers(), 16);
-      numbers().set([...reflectance, ...path]);
-      this.check(wasm.material(i, taps, radius));
-      const [radiusMm, ...rest] = numbers();
-      return { radiusMm, reflectance: rest.slice(0, 3), decay: rest.slice(3, 6) };
-    });
+    Object.assign(this, { renderer, kernels, mmPerUnit, taps, radius, given: materials, lamp: null, count: materials.length });
+    this.materials = materials.map((material, i) => kernels.make(i, material, taps, radius));
     const target = () => new THREE.WebGLRenderTarget(1, 1, { type: THREE.FloatType, minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter, depthBuffer: false });
     this.light = target();
     this.light.depthBuffer = true;
@@ -138,13 +126,6 @@ export class Subsurface {
       return m;
     });
   }
-
-  words(at) {
-    const bytes = new Uint8Array(this.wasm.memory.buffer, at);
-    return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
-  }
-
-  check(status) { if (status) throw new Error('Subsurface: ' + this.words(this.wasm.message())); }
 
   apply(material, index) {
     if (!this.materials[index] || !(material.isMeshStandardMaterial)) throw new Error(`Subsurface: wants a MeshStandardMaterial and an index below ${this.count}`);
@@ -210,14 +191,12 @@ export class Subsurface {
 
   render(scene, camera) {
     if (!this.enabled) return;
-    const { renderer, wasm, uniforms } = this, { x, y } = renderer.getDrawingBufferSize(new THREE.Vector2());
+    const { renderer, uniforms } = this, { x, y } = renderer.getDrawingBufferSize(new THREE.Vector2());
     const target = renderer.getRenderTarget(), color = renderer.getClearColor(new THREE.Color()), alpha = renderer.getClearAlpha();
     for (const t of [this.light, this.between, this.scattered]) t.setSize(x, y);
     if (camera.parent === null) camera.updateMatrixWorld();
     const { elements: m } = camera.projectionMatrix, fov = 360 / Math.PI * Math.atan(1 / m[5]);
-    const n = wasm.fill(this.taps, this.count, x, y, fov, this.mmPerUnit, -m[8] * x / 2, -m[9] * y / 2);
-    if (!n) this.check(1);
-    this.constants.value = new Float32Array(wasm.memory.buffer, wasm.constants(), 4 * n).slice();
+    this.constants.value = this.kernels.constants(this.taps, this.count, x, y, fov, this.mmPerUnit, -m[8] * x / 2, -m[9] * y / 2);
     renderer.setClearColor(0, 0);
     try {
       this.drawLamp(scene, camera);
