@@ -12,7 +12,8 @@
 enum { W = 1920, H = 1080, N = W * H, RUNS = 7 };
 static float *in[3], *out[3], *between[3], *expected[3], *depth, *mask, *packed, *packed_out, *packed_depth,
     *packed_between;
-static ms_sss_kernel kernel, whole; /* radius 24 pixels in the middle of the picture; taps at whole pixels */
+static ms_sss_kernel kernel, more[2],
+    whole; /* 7 taps of 24 pixels in the middle of the picture; 17, 33; 7 at whole pixels */
 static ms_sss_pyramid pyramid;
 
 /* --- what it is compared with --- */
@@ -172,13 +173,25 @@ typedef struct setup {
     size_t size;
 } setup;
 
-enum { DEPTH = 1, MASK = 2, IN_PLACE = 4, RGB = 8, RGBZ = 16, PYRAMID = 64, DELTA = 128, SHAPED = 256, WIDE = 1024 };
+enum {
+    DEPTH = 1,
+    MASK = 2,
+    IN_PLACE = 4,
+    RGB = 8,
+    RGBZ = 16,
+    PYRAMID = 64,
+    DELTA = 128,
+    SHAPED = 256,
+    WIDE = 1024,
+    TAPS17 = 2048,
+    TAPS33 = 4096
+};
 
 static setup prepare(int kind, ms_simd level)
 {
     setup s;
     memset(&s, 0, sizeof s);
-    s.kernel = kind & (DEPTH | DELTA) ? &kernel : &whole;
+    s.kernel = kind & TAPS17 ? &more[0] : kind & TAPS33 ? &more[1] : kind & (DEPTH | DELTA) ? &kernel : &whole;
     s.options.simd = level;
     s.options.flat = kind & SHAPED ? 0.0f : 1.0f;
     s.by_pyramid = (kind & PYRAMID) != 0;
@@ -284,6 +297,10 @@ static void make_inputs(void)
         ms_sss_kernel_make(&kernel, NULL, profile, 24, &o, NULL, NULL) != MS_OK ||
         ms_sss_pyramid_make(&pyramid, profile, NULL) != MS_OK)
         exit(1);
+    for (i = 0; i < 2; ++i) {
+        o.tap_count = i == 0 ? 17 : 33;
+        if (ms_sss_kernel_make(&more[i], NULL, profile, 24, &o, NULL, NULL) != MS_OK) exit(1);
+    }
     ms_sss_profile_destroy(profile);
     whole = kernel;
     for (i = 0; i < kernel.tap_count; ++i)
@@ -324,6 +341,8 @@ int main(void)
     } rows[] = {
         {"**depth-aware, flat, planar**", DEPTH},
         {"**depth-aware with slope and elevation, planar (default)**", DEPTH | SHAPED},
+        {"the same, 17 taps", DEPTH | SHAPED | TAPS17},
+        {"the same, 33 taps", DEPTH | SHAPED | TAPS33},
         {"depth-aware, RGB + depth packed", DEPTH | RGBZ},
         {"depth-aware, a quarter masked in", DEPTH | MASK},
         {"the same in place", DEPTH | MASK | IN_PLACE},

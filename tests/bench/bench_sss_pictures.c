@@ -291,20 +291,27 @@ static run prepare(const picture *p, int *count)
     return r;
 }
 
-/* Medians in ms; the peers' in [0] (expf) and [1] (polynomial), 0 where they were not built. */
-static void measure(const picture *p, double ms[5], int *count)
+enum { WAYS = 6, FLAT_AVX2 = 2, TAPS_AVX2, TAPS_AVX512 = 6 };
+
+/* Medians in ms; the peers' in [0] (expf) and [1] (polynomial), 0 where they were not built or this processor has no such level. */
+static void measure(const picture *p, double ms[2 + WAYS], int *count)
 {
     static const struct {
         int by_pyramid;
         float flat;
-    } ways[3] = {{0, 1}, {0, 0}, {1, 0}};
+        ms_simd level;
+    } ways[WAYS] = {{0, 1, MS_SIMD_AVX2},   {0, 0, MS_SIMD_AVX2},   {1, 0, MS_SIMD_AVX2},
+                    {0, 1, MS_SIMD_AVX512}, {0, 0, MS_SIMD_AVX512}, {1, 0, MS_SIMD_AVX512}};
     run r = prepare(p, count);
     int i;
     ms[0] = ms[1] = 0;
 #ifdef HAVE_SSS_PEERS
     for (r.polynomial = 0; r.polynomial < 2; ++r.polynomial) ms[r.polynomial] = 1e3 * bench_run(peer, &r, RUNS).median;
 #endif
-    for (i = 0; i < 3; ++i) {
+    for (i = 0; i < WAYS; ++i) {
+        ms[2 + i] = 0;
+        if (ms__simd_pick(ways[i].level) != ways[i].level) continue;
+        r.options.simd = ways[i].level;
         r.by_pyramid = ways[i].by_pyramid;
         r.options.flat = ways[i].flat;
         r.bytes = r.by_pyramid ? ms_sss_pyramid_workspace(p->width, p->height)
@@ -351,27 +358,29 @@ int main(void)
     p[6] = enlarged("bust at 4K", &p[1], 3840, 2160, 0, 0, 2, 24);
     p[7] = enlarged("face, R 100", &p[1], 1920, 1080, 720, 200, 3, 100);
     p[8] = enlarged("close-up of 200 x 200, R 48", &p[1], 200, 200, 900, 350, 4, 48);
-    fprintf(csv, "picture,pixels,peer_exp,peer_polynomial,flat,taps,pyramid\n");
+    fprintf(
+        csv,
+        "picture,pixels,peer_exp,peer_polynomial,flat_avx2,taps_avx2,pyramid_avx2,flat_avx512,taps_avx512,pyramid_avx512\n");
     fprintf(
         md,
         "%s, one thread, medians of %d runs in ms, `make bench FILTER=sss_pictures`. d'Eon's skin, 7 taps; R is the kernel's\n"
         "radius in pixels at the median depth (24 where nothing else is said). The peers are loops over packed color and depth\n"
-        "that skip masked pixels, gcc -O3 -march=native -ffast-math; they know no slopes.\n\n"
-        "| picture | pixels | peer, expf | peer, polynomial | taps, flat | **taps** | pyramid | polynomial peer / taps |\n"
+        "that skip masked pixels, gcc -O3 -march=native -ffast-math; they know no slopes. Ours at AVX2 / AVX-512; last, the polynomial\n"
+        "peer's time over that of the taps.\n\n"
+        "| picture | pixels | peer, expf | peer, polynomial | taps, flat | **taps** | pyramid | peer / taps |\n"
         "|---|---:|---:|---:|---:|---:|---:|---:|\n",
         bench_processor(), RUNS);
     for (i = 0; i < PICTURES; ++i) {
-        double ms[5];
+        double ms[2 + WAYS];
         int count;
         measure(&p[i], ms, &count);
         fprintf(csv, "%s,%d", p[i].name, count);
-        fprintf(md, "| %s | %d |", p[i].name, count);
-        for (k = 0; k < 5; ++k) {
-            fprintf(csv, ",%.3f", ms[k]);
-            fprintf(md, k == 3 ? " **%.2f** |" : " %.2f |", ms[k]);
-        }
+        for (k = 0; k < 2 + WAYS; ++k) fprintf(csv, ",%.3f", ms[k]);
         fprintf(csv, "\n");
-        fprintf(md, " %.2f |\n", ms[1] / ms[3]);
+        fprintf(md, "| %s | %d | %.2f | %.2f |", p[i].name, count, ms[0], ms[1]);
+        for (k = FLAT_AVX2; k < FLAT_AVX2 + WAYS / 2; ++k)
+            fprintf(md, k == TAPS_AVX2 ? " **%.2f** / %.2f |" : " %.2f / %.2f |", ms[k], ms[k + WAYS / 2]);
+        fprintf(md, " %.2f / %.2f |\n", ms[1] / ms[TAPS_AVX2], ms[TAPS_AVX512] > 0 ? ms[1] / ms[TAPS_AVX512] : 0.0);
         free(p[i].texels);
     }
     fclose(csv);

@@ -7,6 +7,7 @@ for f in tests/bench/bench_*.c; do
     n=$(basename "$f" .c)
     case $n in *"${FILTER:-}"*) ;; *) continue ;; esac
     echo "== $n"
+    begin=$(date +%s)
     libraries=""
     for library in $(sed -n 's/.*peer libraries: *\(-l.*[a-zA-Z0-9]\).*/\1/p' "$f" | head -1); do
         echo 'int main(void) { return 0; }' >build/bench/probe.c
@@ -20,5 +21,6 @@ for f in tests/bench/bench_*.c; do
         libraries="$libraries build/bench/$name.o $with -lstdc++ -DHAVE_$(echo "$name" | tr a-z A-Z)"
     ${CC:-cc} -std=c99 ${CFLAGS:--O2} -D_POSIX_C_SOURCE=200809L -I. -Itests -Iexamples/tools -Iexamples/demo -Iexamples/engine -Itests/bench "$f" -o "build/bench/$n" $libraries -lm -lpthread &&
         "build/bench/$n" || echo "$n failed"
+    echo "== $n: $(($(date +%s) - begin)) s"
 done
 sh tests/bench/readme.sh
