@@ -291,7 +291,7 @@ static run prepare(const picture *p, int *count)
     return r;
 }
 
-enum { WAYS = 6, FLAT_AVX2 = 2, TAPS_AVX2, TAPS_AVX512 = 6 };
+enum { WAYS = 6, FLAT_AVX2 = 2, TAPS_AVX2 };
 
 /* Medians in ms; the peers' in [0] (expf) and [1] (polynomial), 0 where they were not built or this processor has no such level. */
 static void measure(const picture *p, double ms[2 + WAYS], int *count)
