@@ -120,7 +120,9 @@ static void published(void)
     ms_mcml_tissue t = tissue_of(&slab, 1, 1, 1);
     ms_mcml_grid grid = grid_of(0.001, 200, 0.001, 20, 30);
     ms_mcml_options o = options_of(test_full ? 2e7 : 2e6);
-    ms_mcml_result r = run(&t, &grid, &o);
+    ms_mcml_result r;
+    TEST_METHOD;
+    r = run(&t, &grid, &o);
     CHECK_NEAR(r.rd, 0.09739, 4 * r.rd_error + 5e-6); /* 4 standard errors and half a printed digit */
     CHECK_NEAR(r.tt, 0.66096, 4 * r.tt_error + 5e-6);
     TEST_NOTE("slab Rd %.5f Tt %.5f", r.rd, r.tt);
@@ -451,6 +453,31 @@ static void absorption_adds_up(void)
     ms_mcml_result_destroy(&r);
 }
 
+/* Without absorption, and before a photon's 4096th event, each leaves with its weight of 1: whole units in the sums, and in
+   those of the squares. */
+static void whole_photons(void)
+{
+    const ms_mcml_layer l = layer(1.4, 0, 20, 0.3, 0.1);
+    const ms_mcml_tissue t = tissue_of(&l, 1, 1, 1);
+    const ms_mcml_grid g = grid_of(0.05, 4, 0.05, 3, 3);
+    int level, i;
+    for (level = MS_SIMD_SCALAR; level <= test_simd_best(); ++level) {
+        ms_mcml_options o = options_of(0);
+        int64_t sum = 0, square = 0;
+        const int64_t *of;
+        ms_mcml *m;
+        ms_error e;
+        o.simd = (ms_simd)level;
+        CHECK_INT(ms_mcml_create(&t, &g, &o, &m, &e), MS_OK);
+        CHECK_INT(ms_mcml_run(m, 0, 5000, &e), MS_OK);
+        of = inside_sums(m, 0);
+        for (i = 0; i < 2 * 4 * 3; ++i) sum += of[2 * i], square += of[2 * i + 1];
+        CHECK_INT(sum, (int64_t)5000 << 30);
+        CHECK_INT(square, (int64_t)5000 << 30);
+        ms_mcml_destroy(m);
+    }
+}
+
 /* --- exact merging --- */
 
 static ms_mcml_layer two_layers[2];
@@ -675,10 +702,11 @@ static void progress_from_0_to_1(void)
     ms_mcml_grid g = grid_of(0.1, 5, 0.1, 5, 5);
     ms_mcml_result plain, r;
     test_pool pool;
+    const int photons = test_simd_best() > MS_SIMD_SCALAR ? 1000000 : 200000; /* two slices of 16 tasks of all lanes */
     int way;
     memset(&plain, 0, sizeof plain);
     for (way = 0; way < 4; ++way) {
-        ms_mcml_options o = options_of(1000000); /* two slices of each of 16 tasks of 16 lanes */
+        ms_mcml_options o = options_of(photons);
         watch w;
         memset(&w, 0, sizeof w);
         if (way > 0) {
@@ -688,7 +716,7 @@ static void progress_from_0_to_1(void)
         if (way == 2) o.parallel = test_parallel(&pool, 3);
         if (way == 3) l = layer(1.4, 0, 0, 0, 0.5);
         r = run(&t, &g, &o);
-        CHECK_INT(r.photons, 1000000);
+        CHECK_INT(r.photons, photons);
         if (way == 0) {
             plain = r;
             continue;
@@ -882,6 +910,7 @@ static const test_case cases[] = {
     {"clear_stacks", clear_stacks},
     {"largest_grid", largest_grid},
     {"absorption_adds_up", absorption_adds_up},
+    {"whole_photons", whole_photons},
     {"splits_and_threads", splits_and_threads},
     {"levels_agree", levels_agree},
     {"add_refuses", add_refuses},

@@ -97,6 +97,20 @@ none "a number in a comment that tests/statements does not hold to (or a line of
                 print name[i] ": " substr(rest, RSTART > 40 ? RSTART - 40 : 1, 100)
     }')"
 
+none "a range in a message that the lines before it do not test" "$(awk '
+    FNR == 1 {before = ""}
+    {
+        if (match($0, /expected [^"%]*[0-9][0-9.e+-]* to [0-9][0-9.e+-]*/)) {
+            said = substr($0, RSTART, RLENGTH)
+            n = split(said, word, " ")
+            tested = before substr($0, 1, RSTART - 1)
+            for (i = 2; i < n; ++i)
+                if (word[i] == "to" && (!index(tested, word[i - 1]) || !index(tested, word[i + 1]))) print FILENAME ":" FNR ": " said
+        }
+        before = c3 c2 c1 $0; c3 = c2; c2 = c1; c1 = $0 " "
+    }
+    ' $headers)"
+
 # ---- numbers by the locale
 none "numbers by the locale in a header" "$(grep -nE '[^a-z_](strtod|strtof|atof|sscanf|localeconv) *\(' $headers)"
 
