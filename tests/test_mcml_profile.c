@@ -807,6 +807,12 @@ static void rings_of_ones_own(void)
     }
     CHECK(most <= 1e-5 && before > 1e-5);
     ms_mcml_profile_destroy(&p);
+    media[0] = medium_of(0, 1.3); /* nothing comes back: one mean free path */
+    media[0].mu_a_per_mm = 4;
+    CHECK_INT(ms_mcml_profile_make(&p, media, 1, NULL, NULL), MS_OK);
+    CHECK_INT(p.rings, 20);
+    CHECK_NEAR(p.edge_mm[20], 0.25, 1e-15);
+    ms_mcml_profile_destroy(&p);
 }
 
 /* Every call on a stack of its own; the memory of a channel. */
