@@ -629,6 +629,48 @@ static void kernel_functions(void)
     TEST_NOTE("flights %.1e, directions %.1e", worst_flight, worst);
 }
 
+/* Philox 4x32-10 (Salmon et al. 2011), by products of 64 bits. */
+static void philox(uint32_t c[4], uint64_t key)
+{
+    uint32_t k0 = (uint32_t)key, k1 = (uint32_t)(key >> 32);
+    int i;
+    for (i = 0; i < 10; ++i, k0 += 0x9E3779B9u, k1 += 0xBB67AE85u) {
+        const uint64_t a = (uint64_t)0xD2511F53u * c[0], b = (uint64_t)0xCD9E8D57u * c[2];
+        const uint32_t c0 = (uint32_t)(b >> 32) ^ c[1] ^ k0, c2 = (uint32_t)(a >> 32) ^ c[3] ^ k1;
+        c[0] = c0, c[1] = (uint32_t)b, c[2] = c2, c[3] = (uint32_t)a;
+    }
+}
+
+/* A photon's state is Philox's of the seed and its index, which the published answer for zeros confirms. */
+static void states_of_photons(void)
+{
+    static const uint64_t index[] = {0, 1, 4095, 4294967295u, ((uint64_t)7 << 33) + 12345};
+    static ms_mcml__tracer t;
+    const ms_mcml_layer layer = {1.4, 1, 20, 0.5, 0.5};
+    const ms_mcml_tissue tissue = {1, 1, 1, &layer};
+    uint32_t want[4] = {0, 0, 0, 0};
+    ms_mcml_options o = ms_mcml_defaults();
+    ms_mcml_grid grid;
+    ms_mcml *m;
+    int i, k;
+    philox(want, 0);
+    CHECK(want[0] == 0x6627e8d5u && want[1] == 0xe169c58du && want[2] == 0xbc57ac4cu && want[3] == 0x9b00dbd8u);
+    memset(&grid, 0, sizeof grid);
+    grid.dr_cm = grid.dz_cm = 0.1;
+    grid.nr = grid.nz = grid.na = 1;
+    o.seed = 0x123456789abcdef0u + test_seed;
+    CHECK_INT(ms_mcml_create(&tissue, &grid, &o, &m, NULL), MS_OK);
+    for (i = 0; i < 5; ++i) {
+        t.tally = m;
+        t.next = index[i];
+        ms_mcml__seed_scalar(&t);
+        want[0] = (uint32_t)index[i], want[1] = (uint32_t)(index[i] >> 32), want[2] = 0x4D434D4Cu, want[3] = 0;
+        philox(want, o.seed);
+        for (k = 0; k < 4; ++k) CHECK(t.fresh[k][0] == want[k]);
+    }
+    ms_mcml_destroy(m);
+}
+
 /* Reflected with Fresnel's R, unpolarized; beyond the critical angle all is. */
 static void kernel_reflects(void)
 {
@@ -1134,6 +1176,7 @@ static const test_case cases[] = {
     {"random_colors", random_colors},
     {"colors_refused", colors_refused},
     {"kernel_functions", kernel_functions},
+    {"states_of_photons", states_of_photons},
     {"kernel_reflects", kernel_reflects},
     {"walks_agree_with_the_solver", walks_agree_with_the_solver},
     {"profile_of_all_channels_at_once", profile_of_all_channels_at_once},
