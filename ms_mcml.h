@@ -57,18 +57,18 @@
    ------------------
    ms_mcml_profile_make turns media into R_d(r): averages over rings, and the energy within each edge. At g = 0 the
    half-space solver computes them by Galerkin's method in depth for each spatial frequency; the spectrum becomes a sum
-   of terms with positive energies, whose rings have closed forms. At the default steps totals are good to 5e-13 and
+   of terms with positive energies, whose rings have closed forms. At the default steps totals are good to 1e-9 and
    rings with 1e-5 of the energy to 8e-5. Media of other g become mu_s (1 - g) and g = 0, with errors to bound this.
 
    Memory, threads, SIMD, determinism, errors
    ------------------------------------------
    Monte Carlo: one block a tally, one a result; one while it runs, with sums apart where progress or parallel is given,
    so that a stop adds nothing. options.parallel cuts the photons into 16 tasks with a tally each. Half-space solver:
-   0.3 MB a channel. Stack: less than 40 KB. Calls without a common object may overlap.
-   Results have the same bits for any thread count. Photon i draws from (seed, i) and sums are integers, so that any
-   split of the photons gives the same bits at one level of instruction sets. -ffast-math voids what is said of bits,
-   NaN and infinity. Calls return a status and, where asked for, a sentence. On failure results and
-   numbers are untouched; a handle or profile that was to be made is NULL or zeroed: release an old one first.
+   0.3 MB a channel. Stack: below 32 KB, 64 KB when compiled without optimization. Calls without a common object may
+   overlap. Results have the same bits for any thread count. Photon i draws from (seed, i) and sums are integers, so
+   that any split of the photons gives the same bits at one level of instruction sets. -ffast-math voids what is said
+   of bits, NaN and infinity. Calls return a status and, where asked for, a sentence. On failure results and numbers
+   are untouched; a handle or profile that was to be made is NULL or zeroed: release an old one first.
 
    Configuration (define before the implementation)
    ------------------------------------------------
@@ -223,7 +223,7 @@ typedef struct ms_mcml_tissue {
 /* Where photons are counted: rings i dr <= r < (i + 1) dr, slabs in z, exit angles in [0, pi/2]. As in MCML, the last
    ring and slab collect everything beyond. */
 typedef struct ms_mcml_grid {
-    double dr_cm, dz_cm; /* > 0 */
+    double dr_cm, dz_cm; /* 1e-30 to 1e30 */
     int nr, nz, na;      /* >= 1; nr and nz at most 2^24, nr nz below 2^31 */
 } ms_mcml_grid;
 
@@ -317,7 +317,7 @@ MS_API ms_status ms_mcml_simulate(const ms_mcml_tissue *tissue, const ms_mcml_gr
 /* A homogeneous half-space. Isotropic data sets give mu_s as the reduced coefficient with g = 0. */
 typedef struct ms_mcml_medium {
     double mu_a_per_mm; /* absorption, >= 0 */
-    double mu_s_per_mm; /* scattering, >= 0; mu_a + mu_s > 0 */
+    double mu_s_per_mm; /* scattering, >= 0; mu_a + mu_s 1e-100 to 1e100 */
     double g;           /* mean cosine of scattering, in (-1, 1) */
     double eta;         /* refractive index over that of the outside, 0.1 to 10 */
 } ms_mcml_medium;
@@ -353,7 +353,7 @@ typedef enum ms_mcml_length {
    not Burley's curve.
    color      0 to 1, linear: the part of the entering light that comes out again (a renderer's albedo beside a
               specular lobe); the medium gives it back to 1e-7
-   length_mm  > 0; kind: an ms_mcml_length; eta: 0.1 to 10
+   length_mm  1e-30 to 1e30; kind: an ms_mcml_length; eta: 0.1 to 10
    MS_INVALID_ARGUMENT: out of these ranges, *medium is untouched. No memory. Example, a skin in Unreal's terms:
 
       for (c = 0; c < 3; ++c)
@@ -658,7 +658,7 @@ static ms_status ms_mcml__check_layer(const ms_mcml_layer *l, size_t position, m
     if (!ms_mcml__between(l->mu_a_per_cm, 0, 1e9) || !ms_mcml__between(l->mu_s_per_cm, 0, 1e9))
         return ms__fail(error, MS_INVALID_ARGUMENT, position, "mu_a is %g and mu_s is %g, expected 0 to 1e9 per cm",
                         l->mu_a_per_cm, l->mu_s_per_cm);
-    if (ms__finite(l->g) && l->g > 1 && l->g < 1.001) /* six digits would print it as 1 */
+    if (ms__finite(l->g) && l->g > 1 && l->g < 1.001) /* %g would print it as 1 */
         return ms__fail(error, MS_INVALID_ARGUMENT, position, "g is 1 + %g, expected above -1 and at most 1", l->g - 1);
     if (!ms_mcml__between(l->g, -1, 1) || (l->g <= -1 && l->mu_s_per_cm > 0))
         return ms__fail(error, MS_INVALID_ARGUMENT, position, "g is %g, expected above -1 and at most 1", l->g);
@@ -707,7 +707,7 @@ enum {
     MS_MCML__HALVING_EVENTS = 4096, /* then every fourfold: half of the photons end and the others count double */
     MS_MCML__GROUPS = 64,           /* for errors by spread: photon i is in group i / BLOCK mod GROUPS */
     MS_MCML__BLOCK = 1024,
-    MS_MCML__TURNS = 65536, /* of the kernel between two calls of the progress callback: 1 to 7 ms */
+    MS_MCML__TURNS = 65536, /* of the kernel between two calls of the progress callback */
     MS_MCML__TASKS = 16,
     MS_MCML__LANES_MAX = 16
 };
@@ -1398,7 +1398,7 @@ typedef struct ms_mcml__cone {
 
 static void ms_mcml__cone_make(ms_mcml__cone *cone, double eta)
 {
-    const double nodes = MS_MCML__CONE_MAX, spacing = 6.6 / nodes; /* x within 3.3: exp(-pi sinh x) to 3e-18 */
+    const double nodes = MS_MCML__CONE_MAX, spacing = 6.6 / nodes; /* beyond x = 3.3 exp(-pi sinh x) is rounding */
     double mu_c = eta > 1 ? sqrt((eta - 1) * (eta + 1)) / eta : 0;
     int i;
     cone->count = MS_MCML__CONE_MAX;
@@ -1804,8 +1804,8 @@ static ms_status ms_mcml__check_steps(double *depth_step, double *frequency_step
     return MS_OK;
 }
 
-/* x K1(x), relative error 6e-12: the power series up to 2, then sqrt(x) exp(x) K1(x) as a polynomial in 2 / x, which
-   interpolates at the Chebyshev nodes of [0, 1]. */
+/* x K1(x), relative error below 1e-11: the power series up to 2, then sqrt(x) exp(x) K1(x) as a polynomial in 2 / x,
+   which interpolates at the Chebyshev nodes of [0, 1]. */
 static double ms_mcml__x_bessel_k1(double x)
 {
     static const double p[] = {1.2533141373223884,     0.23499639828639249,    -0.036718040184640545,
@@ -1848,7 +1848,7 @@ static double ms_mcml__halfspace_ring(const ms_mcml__halfspace *s, double r0, do
 {
     double sum = 0;
     int i;
-    if (r1 - r0 < 1e-4 * r1) { /* a narrower ring has the same mean to 1e-9 (rate r)^2, but would cancel */
+    if (r1 - r0 < 1e-4 * r1) { /* a narrower ring has the same mean, but would cancel */
         const double middle = 0.5 * (r0 + r1);
         r0 = (1 - 0.5e-4) * middle;
         r1 = (1 + 0.5e-4) * middle;
@@ -1864,9 +1864,9 @@ static double ms_mcml__halfspace_ring(const ms_mcml__halfspace *s, double r0, do
 /* ---- similarity ------------------------------------------------------------------------------------------------ */
 
 /* A medium of g != 0 is replaced by one of mu_s (1 - g) and g = 0. These bound, as a part of the value, what that does
-   to a ring at r reduced mean free paths and to the total; chosen to hold, with a third to spare, for discrete
-   ordinates and photons at eta 1 to 2 (tests/test_mcml_profile.c: similarity). Near the beam light is scattered once,
-   and its error is the phase function's, at most 1 / (1 - |g|)^2 backwards. */
+   to a ring at r reduced mean free paths and to the total; chosen to hold for discrete ordinates and photons at eta 1
+   to 2 (tests/test_mcml_profile.c: similarity). Near the beam light is scattered once, and its error is the phase
+   function's, at most 1 / (1 - |g|)^2 backwards. */
 static double ms_mcml__similarity_scale(double g) { return g < 0 ? 1 / ((1 + g) * (1 + g)) : 1.3 * g / (0.5 + g); }
 
 static double ms_mcml__similarity_error(const ms_mcml__halfspace *s, double g, double r)
@@ -1934,7 +1934,7 @@ MS_API ms_status ms_mcml_medium_from_color(double color, double length_mm, int k
     if (!ms_mcml__between(color, 0, 1))
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "color is %g, expected 0 to 1", color);
     if (!ms_mcml__between(length_mm, 1e-30, 1e30))
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "length_mm is %g, expected above 0", length_mm);
+        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "length_mm is %g, expected 1e-30 to 1e30", length_mm);
     if (kind < MS_MCML_MEAN_FREE_PATH || kind > MS_MCML_DIFFUSE_PATH)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "kind is %d, expected one of ms_mcml_length", kind);
     if (color > 0 && color < 1) albedo = ms_mcml__albedo_of(color, eta, &absorbed);
@@ -2321,7 +2321,7 @@ MS_MCML__VECTOR(int32_t, m)
 #endif
 
 /* -log(u), u = (word / 2 + 1/2) 2^-31 > 0. With u = (1 + t) 2^e and 1 + t in [sqrt(1/2), sqrt(2)):
-   log(1 + t) = t - t^2 / 2 + t^3 P(t), error 1e-8. */
+   log(1 + t) = t - t^2 / 2 + t^3 P(t), to a float's rounding. */
 static inline MS_MCML__V MS_MCML__FN(exponential)(MS_MCML__U word)
 {
     const MS_MCML__V u = MS_MCML__V_MADD(MS_MCML__V_FROM_INT(word >> 1), MS_MCML__V_SET(1.0f / 2147483648.0f),
@@ -2501,7 +2501,7 @@ static inline MS_MCML__M MS_MCML__FN(fresnel)(ms_mcml__tracer *t, MS_MCML__M up,
 /* Traces the photons of t. A turn of the loop is one event of every lane: a flight that ends in a collision or at a
    boundary. Four words are drawn for each event, so that a photon's path does not depend on its neighbors. Crossing a
    boundary and ending go lane by lane. Absorption is added to its bins one turn late, when the units and the cell
-   are long known: 25% faster than to wait for them. */
+   are long known: nothing waits for them. */
 static void MS_MCML__FN(trace)(ms_mcml__tracer *t, int turns)
 {
     const MS_MCML__V zero = MS_MCML__V_SET(0.0f);
@@ -2612,7 +2612,7 @@ static void MS_MCML__FN(trace)(ms_mcml__tracer *t, int turns)
     MS_MCML__U_STORE(t->s[3], s3);
     for (i = 0; t->cells && !t->alive && i < MS_MCML__L; ++i) t->cells[t->cell[i]] += (int64_t)t->units[i];
 #if MS_MCML__ISA >= 3
-    _mm256_zeroupper(); /* GCC leaves it out here, and code of other levels then takes twice its time */
+    _mm256_zeroupper(); /* GCC leaves it out here, which slows down what follows */
 #endif
 }
 

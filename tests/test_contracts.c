@@ -260,7 +260,9 @@ static void memory_sss(void)
     CHECK(ms_sss_filter_workspace(65537, 1, sss_kernel(1), 1, &o) == SIZE_MAX);
     CHECK(ms_sss_filter_workspace(0, 1, sss_kernel(1), 1, &o) == SIZE_MAX);
     CHECK(ms_sss_pyramid_workspace(65537, 1) == SIZE_MAX && ms_sss_pyramid_workspace(1, 0) == SIZE_MAX);
-    CHECK(ms_sss_pyramid_workspace(1, 1) > 0 && ms_sss_pyramid_workspace(65536, 65536) / 65536 / 65536 >= 30);
+    CHECK(ms_sss_pyramid_workspace(1, 1) > 0);
+    if (sizeof(size_t) > 4) CHECK(ms_sss_pyramid_workspace(65536, 65536) / 65536 / 65536 >= 30);
+    else CHECK(ms_sss_pyramid_workspace(65536, 65536) == SIZE_MAX);
 }
 
 /* Texts and constants: untouched where they do not fit. */
@@ -901,7 +903,7 @@ static void limits_are_those_stated(void)
 /* Sizes that no machine has are refused before any memory is touched; the largest that are allowed work. */
 static void extreme_sizes(void)
 {
-    static const size_t residuals[] = {SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / 8, (size_t)1 << 60};
+    static const size_t residuals[] = {SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / 8, SIZE_MAX / 16 + 1};
     static const int grids[][3] = {
         {INT_MAX, 1, 1},  {1, INT_MAX, 1},     {INT_MAX, 1, INT_MAX}, {INT_MAX, INT_MAX, INT_MAX},
         {16777217, 1, 1}, {16777216, 1, 1000}, {65536, 65536, 65536}, {46341, 46341, 1}};

@@ -616,6 +616,7 @@ static void test_confidence(void)
     static double x[N * M], y[N], f[N], mean[N];
     double loss = 0, most = 0;
     int pairs[2 * PAIRS], person, i;
+    TEST_METHOD;
     for (person = 0; person < PERSONS; ++person) {
         uint64_t state = test_seed + 500 + (uint64_t)person;
         double sum = 0, sum2 = 0, ratio, sn;

@@ -1832,6 +1832,7 @@ static void test_warnings(void)
     static const int kinds[KINDS] = {0, 1, 4, 6};
     static double x[N * M], y[N];
     int heard[3] = {0, 0, 0}, changed = 0, way, i, n, k;
+    TEST_METHOD;
     for (way = 0; way < 3; ++way) /* honest, another taste from 60 on, partly random */
         for (i = 0; i < KINDS * PERSONS; ++i) {
             user u = user_of_kind(kinds[i / PERSONS], (uint64_t)(300 + i), M);

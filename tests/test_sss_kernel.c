@@ -368,6 +368,7 @@ static void burley_mean_free_path(void)
         most = fmax(most, A[0]);
         ms_sss_profile_destroy(p);
         ms_sss_profile_destroy(q);
+        ms_mcml_profile_destroy(&walk);
     }
     CHECK(least < 0.12 && most > 0.93 && most < 0.95 && stated == 2);
     CHECK_LE(worst, 0.09); /* as the declaration says */

@@ -41,7 +41,7 @@ none "a row of a table, or an argument, in the middle of a sentence" "$(grep -nE
 none "no banners of sections" "$(for h in $headers; do [ "$(grep -c '^/\* ---- ' "$h")" -gt 2 ] || echo "$h has no banners"; done)"
 
 # ---- numbers in comments: tests/statements says where each is held to; these headers have no other
-none "a number in a comment that tests/statements does not hold to (or a line of it that is out of date)" "$(awk -v headers="ms_nn.h ms_pme.h" '
+none "a number in a comment that tests/statements does not hold to (or a line of it that is out of date)" "$(awk -v headers="ms_nn.h ms_pme.h ms_mcml.h" '
     function squeezed(file,  all, line) {
         if (!(file in text)) {
             while ((getline line <file) > 0) all = all " " line
@@ -96,6 +96,20 @@ none "a number in a comment that tests/statements does not hold to (or a line of
             for (rest = said[name[i]]; match(rest, claim); rest = substr(rest, RSTART + RLENGTH))
                 print name[i] ": " substr(rest, RSTART > 40 ? RSTART - 40 : 1, 100)
     }')"
+
+none "a range in a message that the lines before it do not test" "$(awk '
+    FNR == 1 {before = ""}
+    {
+        if (match($0, /expected [^"%]*[0-9][0-9.e+-]* to [0-9][0-9.e+-]*/)) {
+            said = substr($0, RSTART, RLENGTH)
+            n = split(said, word, " ")
+            tested = before substr($0, 1, RSTART - 1)
+            for (i = 2; i < n; ++i)
+                if (word[i] == "to" && (!index(tested, word[i - 1]) || !index(tested, word[i + 1]))) print FILENAME ":" FNR ": " said
+        }
+        before = c3 c2 c1 $0; c3 = c2; c2 = c1; c1 = $0 " "
+    }
+    ' $headers)"
 
 # ---- numbers by the locale
 none "numbers by the locale in a header" "$(grep -nE '[^a-z_](strtod|strtof|atof|sscanf|localeconv) *\(' $headers)"
