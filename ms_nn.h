@@ -95,7 +95,7 @@
    Threads, SIMD, determinism, errors
    ----------------------------------
    No globals. A loaded network is only read: calls on it may overlap if their workspaces differ. options.parallel takes
-   a thread pool; the work is cut by the problem alone. AVX2, AVX-512 and NEON are chosen at load, capped by
+   a thread pool; the work is cut by the problem alone. AVX2 and NEON are chosen at load, capped by
    options.simd; other processors and MS_NO_SIMD run plain C. At one level the bits are the same for any number of
    threads, and for a sample alone or in a batch. Arithmetic is in floats: within 1e-5 of the largest output against
    double precision in the tests; the collapse is in double. Every call that can fail returns a status;
@@ -2020,7 +2020,7 @@ enum { MS_NN__DOUBLES = 8 }; /* two vectors of four */
 typedef struct ms_nn__kernels {
     size_t block; /* outputs that a convolution computes together */
     size_t panel; /* rows of a panel of packed weights */
-    int level;    /* 1: plain C, whose packed weights are floats, since narrow ones are slow to widen there */
+    ms_simd level; /* SCALAR: packed weights are floats, since narrow ones are slow to widen there */
     void (*packed)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*dense)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*conv)(const ms_nn__conv_job *job, size_t strip, const float *padded);
@@ -2063,7 +2063,6 @@ struct ms_nn {
     ms_nn_file *file;
     ms_nn__memory *memory;
     const ms_nn__kernels *kernels;
-    ms_simd level;
     size_t packed;             /* bytes of packed dense weights */
     ms_nn_shape input, output; /* as the caller sees them */
     size_t channels, channel_inputs;
@@ -2194,7 +2193,8 @@ enum {
 /* Packs a matrix. Nothing here depends on the batch, so that bits do not. 0: no memory. */
 static MS_NN__COLD int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m)
 {
-    const ms_nn_dtype dtype = nn->kernels->level == 1 || m->dtype == MS_NN_F32 ? MS_NN_F32 : MS_NN_F16;
+    const int floats = nn->kernels->level == MS_SIMD_SCALAR || m->dtype == MS_NN_F32;
+    const ms_nn_dtype dtype = floats ? MS_NN_F32 : MS_NN_F16;
     const size_t panel = nn->kernels->panel, size = ms_nn__bytes_of(dtype), own = ms_nn__bytes_of(m->dtype),
                  rows = ms_nn__round_up(m->rows, panel), bytes = ms__size_mul(ms__size_mul(rows, size), m->cols);
     unsigned char *w;
@@ -2625,9 +2625,7 @@ static MS_NN__COLD ms_status ms_nn__make(ms_nn_file *file, const ms_nn_options *
     memset(made, 0, sizeof *made);
     made->options = *o;
     made->file = file;
-    made->level = ms__simd_pick(o->simd);
-    made->kernels = ms_nn__kernels_for(made->level);
-    if (made->kernels->level == 1) made->level = MS_SIMD_SCALAR; /* there are no kernels for SSE2 alone */
+    made->kernels = ms_nn__kernels_for(ms__simd_pick(o->simd));
     format = ms_nn_file_metadata(file, "format");
     version = ms_nn_file_metadata(file, "ms_nn_version");
     input = ms_nn_file_metadata(file, "ms_nn_input");
@@ -2662,9 +2660,6 @@ MS_API MS_NN__COLD ms_status ms_nn_load(const void *bytes, size_t size, const ms
 }
 
 /* ---- run ------------------------------------------------------------------------------------------------------- */
-
-/* Samples of a batch that are taken together against each row of weights: 24 kB of them, a multiple of three. */
-static size_t ms_nn__samples(size_t cols) { return cols > 512 ? 12 : 6144 / cols / 3 * 3; }
 
 /* How large a task is: enough to hide the cost of handing it out. The sizes depend on the problem alone. */
 enum {
@@ -3136,7 +3131,7 @@ MS_API MS_NN__COLD ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i)
 }
 
 MS_API const ms_nn_file *ms_nn_tensors(const ms_nn *nn) { return nn ? nn->file : NULL; }
-MS_API ms_simd ms_nn_simd(const ms_nn *nn) { return nn ? nn->level : MS_SIMD_AUTO; }
+MS_API ms_simd ms_nn_simd(const ms_nn *nn) { return nn ? nn->kernels->level : MS_SIMD_AUTO; }
 
 MS_API const size_t *ms_nn_channel_inputs(const ms_nn *nn, size_t *channels, size_t *count)
 {
@@ -3746,18 +3741,14 @@ static void ms_nn__gelu(const float *x, float *y, size_t n, int slope)
 #define MS_NN__LEVEL avx2
 #define MS_NN__ISA 3
 #include MS_NN_FILENAME
-
-#define MS_NN__LEVEL avx512
-#define MS_NN__ISA 4
-#include MS_NN_FILENAME
 #endif
 #undef MS_NN__PASS
 
+/* There are none for SSE2 alone; AVX-512 was no faster than AVX2 on Zen 4 (tests/bench). */
 static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 {
 #ifdef MS_NN__X86
-    if (level == MS_SIMD_AVX512) return &ms_nn__table_avx512;
-    if (level == MS_SIMD_AVX2) return &ms_nn__table_avx2;
+    if (level >= MS_SIMD_AVX2) return &ms_nn__table_avx2;
 #endif
 #ifdef MS_NN__ARM
     if (level == MS_SIMD_BASE) return &ms_nn__table_base;
@@ -3794,122 +3785,85 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #define MS_NN__TARGET
 #elif MS_NN__ISA == 1
 #define MS_NN__TARGET __attribute__((cold))
-#elif MS_NN__ISA == 3
-#define MS_NN__TARGET __attribute__((target("avx2,fma,f16c")))
 #else
-#define MS_NN__TARGET __attribute__((target("avx2,fma,f16c,avx512f,avx512bw,avx512dq,avx512vl")))
+#define MS_NN__TARGET __attribute__((target("avx2,fma,f16c")))
 #endif
 #define MS_NN__KERNEL static MS_NN__TARGET
 
-/* Read once a level. MS_NN__V_FLOATS is a vector of MS_NN__V_LANES floats; W_... load weights as floats.
-   MS_NN__V_BLOCK outputs x MS_NN__V_TILE vectors of positions are a convolution's registers; MS_NN__W_ROWS rows x 3
-   samples x MS_NN__W_CHAINS sums are a dense layer's. MAX(a, b) is a > b ? a : b, which is b, hence NaN if b is one:
-   constants stand first. */
+/* Read once a level. MS_NN__V_FLOATS is a vector of MS_NN__V_LANES floats; V_HALF and V_INT8 load weights as floats.
+   MS_NN__V_BLOCK outputs x MS_NN__V_TILE vectors of positions are a convolution's registers. */
 #if MS_NN__ISA == 1
 #define MS_NN__V_LANES 1
 #define MS_NN__V_BLOCK 4
 #define MS_NN__V_TILE 2
-#define MS_NN__W_ROWS 1
-#define MS_NN__W_CHAINS 4
 #define MS_NN__V_FLOATS float
-#define MS_NN__V_LOAD(p) ms_nn__float_at((const unsigned char *)(p), 0)
-#define MS_NN__V_STORE(p, v) (*(p) = (v))
 #define MS_NN__V_SET(x) (x)
 #define MS_NN__V_MADD(a, b, c) ((a) * (b) + (c))
-#define MS_NN__V_MAX(a, b) ((a) > (b) ? (a) : (b))
-#define MS_NN__V_MIN(a, b) ((a) < (b) ? (a) : (b))
 #define MS_NN__V_IF_GREATER(a, b, x, y) ((a) > (b) ? (x) : (y))
 #define MS_NN__V_INT int32_t
 #define MS_NN__V_ROUND(a) ((a) < 0 ? (int32_t)((a)-0.5f) : (a) >= 0 ? (int32_t)((a) + 0.5f) : 0)
 #define MS_NN__V_FROM_INT(i) ((float)(i))
 #define MS_NN__V_POW2(i) ms_nn__float_of((uint32_t)((i) + 127) << 23)
-#define MS_NN__W_HALF(p) ms__half_to_float((uint16_t)ms_nn__u16(p))
-#define MS_NN__W_INT8(p) ((float)(*(p) < 128 ? *(p) : *(p)-256))
+#define MS_NN__V_HALF(p) ms__half_to_float((uint16_t)ms_nn__u16(p))
+#define MS_NN__V_INT8(p) ((float)(*(p) < 128 ? *(p) : *(p)-256))
 #elif MS_NN__ISA == 2
 #define MS_NN__V_LANES 4
 #define MS_NN__V_BLOCK 8
 #define MS_NN__V_TILE 2
-#define MS_NN__W_ROWS 4
-#define MS_NN__W_CHAINS 2
 #define MS_NN__V_FLOATS float32x4_t
-#define MS_NN__V_LOAD(p) vreinterpretq_f32_u8(vld1q_u8((const unsigned char *)(p)))
-#define MS_NN__V_STORE(p, v) vst1q_f32(p, v)
 #define MS_NN__V_SET(x) vdupq_n_f32(x)
 #define MS_NN__V_MADD(a, b, c) vfmaq_f32(c, a, b)
-#define MS_NN__V_MAX(a, b) vmaxq_f32(a, b)
-#define MS_NN__V_MIN(a, b) vminq_f32(a, b)
 #define MS_NN__V_IF_GREATER(a, b, x, y) vbslq_f32(vcgtq_f32(a, b), x, y)
 #define MS_NN__V_INT int32x4_t
 #define MS_NN__V_ROUND(a) vcvtnq_s32_f32(a)
 #define MS_NN__V_FROM_INT(i) vcvtq_f32_s32(i)
 #define MS_NN__V_POW2(i) vreinterpretq_f32_s32(vshlq_n_s32(vaddq_s32(i, vdupq_n_s32(127)), 23))
-#define MS_NN__W_HALF(p) vcvt_f32_f16(vreinterpret_f16_u8(vld1_u8(p)))
-#define MS_NN__W_INT8(p) MS_NN__FN(int8)(p)
-MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
-{
-    uint32_t four;
-    memcpy(&four, p, 4);
-    return vcvtq_f32_s32(vmovl_s16(vget_low_s16(vmovl_s8(vcreate_s8(four)))));
-}
-#elif MS_NN__ISA == 3
+#define MS_NN__V_HALF(p) vcvt_f32_f16(vreinterpret_f16_u8(vld1_u8(p)))
+#define MS_NN__V_INT8(p) vcvtq_f32_s32(vmovl_s16(vget_low_s16(vmovl_s8(vcreate_s8(ms_nn__u32(p))))))
+#else
 #define MS_NN__V_LANES 8
 #define MS_NN__V_BLOCK 4
 #define MS_NN__V_TILE 3
-#define MS_NN__W_ROWS 2
-#define MS_NN__W_CHAINS 2
 #define MS_NN__V_FLOATS __m256
-#define MS_NN__V_LOAD(p) _mm256_loadu_ps((const float *)(const void *)(p))
-#define MS_NN__V_STORE(p, v) _mm256_storeu_ps(p, v)
 #define MS_NN__V_SET(x) _mm256_set1_ps(x)
 #define MS_NN__V_MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
-#define MS_NN__V_MAX(a, b) _mm256_max_ps(a, b)
-#define MS_NN__V_MIN(a, b) _mm256_min_ps(a, b)
 #define MS_NN__V_IF_GREATER(a, b, x, y) _mm256_blendv_ps(y, x, _mm256_cmp_ps(a, b, _CMP_GT_OQ))
 #define MS_NN__V_INT __m256i
 #define MS_NN__V_ROUND(a) _mm256_cvtps_epi32(a)
 #define MS_NN__V_FROM_INT(i) _mm256_cvtepi32_ps(i)
 #define MS_NN__V_POW2(i) _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_add_epi32(i, _mm256_set1_epi32(127)), 23))
-#define MS_NN__W_HALF(p) _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(p)))
-#define MS_NN__W_INT8(p) _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)(p))))
-#else /* maskz_ forms: the plain ones of GCC 12 warn in C++ */
-#define MS_NN__V_LANES 16
-#define MS_NN__V_BLOCK 8
-#define MS_NN__V_TILE 3
-#define MS_NN__W_ROWS 4
-#define MS_NN__W_CHAINS 2
-#define MS_NN__V_FLOATS __m512
-#define MS_NN__V_LOAD(p) _mm512_loadu_ps(p)
-#define MS_NN__V_STORE(p, v) _mm512_storeu_ps(p, v)
-#define MS_NN__V_SET(x) _mm512_set1_ps(x)
-#define MS_NN__V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
-#define MS_NN__V_MAX(a, b) _mm512_maskz_max_ps(0xFFFF, a, b)
-#define MS_NN__V_MIN(a, b) _mm512_maskz_min_ps(0xFFFF, a, b)
-#define MS_NN__V_IF_GREATER(a, b, x, y) _mm512_mask_blend_ps(_mm512_cmp_ps_mask(a, b, _CMP_GT_OQ), y, x)
-#define MS_NN__V_INT __m512i
-#define MS_NN__V_ROUND(a) _mm512_maskz_cvtps_epi32(0xFFFF, a)
-#define MS_NN__V_FROM_INT(i) _mm512_maskz_cvtepi32_ps(0xFFFF, i)
-#define MS_NN__V_POW2(i) \
-    _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_add_epi32(i, _mm512_set1_epi32(127)), 23))
-#define MS_NN__W_HALF(p) _mm512_maskz_cvtph_ps(0xFFFF, _mm256_loadu_si256((const __m256i *)(const void *)(p)))
-#define MS_NN__W_INT8(p)             \
-    _mm512_maskz_cvtepi32_ps(0xFFFF, \
-                             _mm512_maskz_cvtepi8_epi32(0xFFFF, _mm_loadu_si128((const __m128i *)(const void *)(p))))
+#define MS_NN__V_HALF(p) _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(p)))
+#define MS_NN__V_INT8(p) _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)(p))))
 #endif
 
-/* A vector that is used several times is loaded once: GCC would read it anew for each use, and 64-byte loads are what
-   these loops wait for. */
-#if MS_NN__ISA >= 3 && (defined(__GNUC__) || defined(__clang__))
-#define MS_NN__V_KEEP(v) __asm__("" : "+v"(v))
+/* b if one of them is NaN: constants stand first. */
+#define MS_NN__V_MAX(a, b) MS_NN__V_IF_GREATER(a, b, a, b)
+#define MS_NN__V_MIN(a, b) MS_NN__V_IF_GREATER(b, a, a, b)
+
+/* A vector that is used several times is loaded once: GCC would read it anew for each use. */
+#ifdef MS_NN__X86
+#define MS_NN__V_KEEP(v) __asm__("" : "+x"(v))
+#define MS_NN__V_PREFETCH(p, ahead) _mm_prefetch((const char *)(p) + (ahead), _MM_HINT_T0)
 #else
 #define MS_NN__V_KEEP(v) ((void)0)
+#define MS_NN__V_PREFETCH(p, ahead) ((void)0)
 #endif
+
+MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(load)(const void *p)
+{
+    MS_NN__V_FLOATS v;
+    memcpy(&v, p, sizeof v);
+    return v;
+}
+
+MS_NN__INLINE void MS_NN__FN(store)(float *p, MS_NN__V_FLOATS v) { memcpy(p, &v, sizeof v); }
 
 /* MS_NN__V_LANES weights of a type that is a constant where this is inlined. */
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(weight)(const unsigned char *p, ms_nn_dtype dtype)
 {
-    if (dtype == MS_NN_F32) return MS_NN__V_LOAD(p);
-    if (dtype == MS_NN_F16) return MS_NN__W_HALF(p);
-    return MS_NN__W_INT8(p);
+    if (dtype == MS_NN_F32) return MS_NN__FN(load)(p);
+    if (dtype == MS_NN_F16) return MS_NN__V_HALF(p);
+    return MS_NN__V_INT8(p);
 }
 
 /* n <= MS_NN__V_LANES weights, zeros after them; nothing after them is read. */
@@ -3922,130 +3876,44 @@ MS_NN__KERNEL MS_NN__NOINLINE MS_NN__V_FLOATS MS_NN__FN(weight_part)(const unsig
     return MS_NN__FN(weight)(copy, dtype);
 }
 
-/* Asks for weights that are read soon; a request beyond the end of the matrix does no harm. */
-#if defined(MS_NN__X86) && MS_NN__ISA > 1
-#define MS_NN__W_PREFETCH(p, ahead) \
-    _mm_prefetch((const char *)(p) + (ahead), (ahead) > 4096 ? _MM_HINT_T1 : _MM_HINT_T0)
-#else
-#define MS_NN__W_PREFETCH(p, ahead) ((void)0)
-#endif
-
-/* The end of dot products of rows x samples: what is left of the columns, then the lanes, scale and bias. */
-MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(finish)(const ms_nn__dense *job, size_t row, size_t sample, int rows,
-                                                     int batch, const MS_NN__V_FLOATS *total)
+/* Dot products of rows with all samples, one after the other: a row that was read stays in the first cache. Two sums
+   take turns by vectors. dtype is a constant. */
+MS_NN__INLINE void MS_NN__FN(dense_of)(const ms_nn__dense *job, size_t row0, size_t row1, ms_nn_dtype dtype)
 {
     const ms_nn__matrix *m = job->m;
-    const size_t cols = m->cols, size = ms_nn__bytes_of(m->dtype),
-                 done = cols - cols % (MS_NN__V_LANES * MS_NN__W_CHAINS);
-    size_t k, n;
-    int i, c;
-    for (i = 0; i < rows * batch; ++i) {
-        const size_t r = row + (size_t)(i / batch), b = sample + (size_t)(i % batch);
-        const unsigned char *x = (const unsigned char *)(job->x + b * cols), *w = m->w + r * cols * size;
-        MS_NN__V_FLOATS sum = total[i], u, v;
-        float lane[MS_NN__V_LANES], y = 0;
-        for (k = done; k < cols; k += n) {
-            n = ms_nn__min(cols - k, MS_NN__V_LANES);
-            u = MS_NN__FN(weight_part)(w + k * size, m->dtype, n);
-            v = MS_NN__FN(weight_part)(x + k * sizeof(float), MS_NN_F32, n);
-            sum = MS_NN__V_MADD(u, v, sum);
-        }
-        MS_NN__V_STORE(lane, sum);
-        for (c = 0; c < MS_NN__V_LANES; ++c) y += lane[c];
-        y *= m->scale ? ms_nn__float_at(m->scale, r) : 1.0f;
-        job->y[b * m->rows + r] = y + (m->bias && !job->linear ? ms_nn__float_at(m->bias, r) : 0.0f);
-    }
-}
-
-/* Dot products of `rows` rows x `batch` samples. Sum c runs over the columns MS_NN__V_LANES c + (0..MS_NN__V_LANES-1)
-   modulo MS_NN__V_LANES MS_NN__W_CHAINS. The order of additions depends on nothing but cols, so that tiles of any shape
-   agree. dtype, rows and batch are constants. */
-MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows,
-                                   int batch)
-{
-    const ms_nn__matrix *m = job->m;
-    const size_t cols = m->cols, size = ms_nn__bytes_of(dtype), whole = MS_NN__V_LANES * MS_NN__W_CHAINS;
-    const unsigned char *w = m->w + row * cols * size;
-    const float *x = job->x + sample * cols;
-    MS_NN__V_FLOATS s[MS_NN__W_ROWS][3][MS_NN__W_CHAINS], total[3 * MS_NN__W_ROWS], v[3], u;
-    size_t k;
-    int r, b, c;
-    MS_NN__UNROLL
-    for (r = 0; r < rows; ++r) {
-        MS_NN__UNROLL
-        for (b = 0; b < batch; ++b) {
-            MS_NN__UNROLL
-            for (c = 0; c < MS_NN__W_CHAINS; ++c) s[r][b][c] = MS_NN__V_SET(0.0f);
-        }
-    }
-    for (k = 0; k + whole <= cols; k += whole) {
-        MS_NN__UNROLL
-        for (c = 0; c < MS_NN__W_CHAINS; ++c) {
-            const size_t at = k + (size_t)c * MS_NN__V_LANES;
-            MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) {
-                v[b] = MS_NN__V_LOAD(x + (size_t)b * cols + at);
-                if (batch > 1 && MS_NN__ISA == 3) MS_NN__V_KEEP(v[b]);
+    const size_t cols = m->cols, size = ms_nn__bytes_of(dtype), pair = 2 * MS_NN__V_LANES;
+    size_t row, b, k, n;
+    int i;
+    for (row = row0; row < row1; ++row)
+        for (b = 0; b < (size_t)job->batch; ++b) {
+            const unsigned char *w = m->w + row * cols * size;
+            const float *x = job->x + b * cols;
+            MS_NN__V_FLOATS sum[2];
+            float lane[MS_NN__V_LANES], y = 0;
+            sum[0] = sum[1] = MS_NN__V_SET(0.0f);
+            for (k = 0; k + pair <= cols; k += pair, w += pair * size, x += pair) {
+                MS_NN__V_PREFETCH(w, 4096); /* across the ends of pages, where the processor's own prefetching stops */
+                sum[0] = MS_NN__V_MADD(MS_NN__FN(weight)(w, dtype), MS_NN__FN(load)(x), sum[0]);
+                sum[1] = MS_NN__V_MADD(MS_NN__FN(weight)(w + MS_NN__V_LANES * size, dtype),
+                                       MS_NN__FN(load)(x + MS_NN__V_LANES), sum[1]);
             }
-            MS_NN__UNROLL
-            for (r = 0; r < rows; ++r) {
-                const unsigned char *p = w + ((size_t)r * cols + at) * size;
-                u = MS_NN__FN(weight)(p, dtype);
-                /* across the ends of pages, where the processor's own prefetching stops */
-                if (batch == 1 && c == 0 && size < 4) MS_NN__W_PREFETCH(p, 8192);
-                if (batch > 1) MS_NN__V_KEEP(u);
-                MS_NN__UNROLL
-                for (b = 0; b < batch; ++b) s[r][b][c] = MS_NN__V_MADD(u, v[b], s[r][b][c]);
+            for (; k < cols; k += n, w += n * size, x += n) {
+                n = ms_nn__min(cols - k, MS_NN__V_LANES);
+                sum[0] = MS_NN__V_MADD(MS_NN__FN(weight_part)(w, dtype, n),
+                                       MS_NN__FN(weight_part)((const unsigned char *)x, MS_NN_F32, n), sum[0]);
             }
+            MS_NN__FN(store)(lane, sum[0] + sum[1]);
+            for (i = 0; i < MS_NN__V_LANES; ++i) y += lane[i];
+            y *= m->scale ? ms_nn__float_at(m->scale, row) : 1.0f;
+            job->y[b * m->rows + row] = y + (m->bias && !job->linear ? ms_nn__float_at(m->bias, row) : 0.0f);
         }
-    }
-    MS_NN__UNROLL
-    for (r = 0; r < rows; ++r) {
-        MS_NN__UNROLL
-        for (b = 0; b < batch; ++b) {
-            total[r * batch + b] = s[r][b][0];
-            MS_NN__UNROLL
-            for (c = 1; c < MS_NN__W_CHAINS; ++c) total[r * batch + b] = total[r * batch + b] + s[r][b][c];
-        }
-    }
-    MS_NN__FN(finish)(job, row, sample, rows, batch, total);
 }
 
-/* MS_NN__W_ROWS rows times three samples. */
-MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(tile)(const ms_nn__dense *job, size_t row, size_t sample)
-{
-    if (job->m->dtype == MS_NN_F32) MS_NN__FN(dots)(job, row, sample, MS_NN_F32, MS_NN__W_ROWS, 3);
-    else if (job->m->dtype == MS_NN_F16) MS_NN__FN(dots)(job, row, sample, MS_NN_F16, MS_NN__W_ROWS, 3);
-    else MS_NN__FN(dots)(job, row, sample, MS_NN_I8, MS_NN__W_ROWS, 3);
-}
-
-/* Rows times one sample, one after the other. */
-MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(rows)(const ms_nn__dense *job, size_t row, size_t row1, size_t sample)
-{
-    for (; row < row1; ++row) {
-        if (job->m->dtype == MS_NN_F32) MS_NN__FN(dots)(job, row, sample, MS_NN_F32, 1, 1);
-        else if (job->m->dtype == MS_NN_F16) MS_NN__FN(dots)(job, row, sample, MS_NN_F16, 1, 1);
-        else MS_NN__FN(dots)(job, row, sample, MS_NN_I8, 1, 1);
-    }
-}
-
-/* Batches go by groups of samples that stay in the first cache, three samples at a time; what is left over runs as if
-   alone. */
 MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
-    size_t batch = (size_t)job->batch, most = ms_nn__samples(job->m->cols), row, next, b0, b1, b;
-    for (b0 = 0; b0 < batch; b0 = b1) {
-        b1 = ms_nn__min(b0 + most, batch);
-        if (b1 - b0 < 3) {
-            for (b = b0; b < b1; ++b) MS_NN__FN(rows)(job, row0, row1, b);
-            continue;
-        }
-        for (row = row0; row < row1; row = next) {
-            next = ms_nn__min(row + MS_NN__W_ROWS, row1);
-            for (b = b0; next - row == MS_NN__W_ROWS && b + 3 <= b1; b += 3) MS_NN__FN(tile)(job, row, b);
-            for (; b < b1; ++b) MS_NN__FN(rows)(job, row, next, b);
-        }
-    }
+    if (job->m->dtype == MS_NN_F32) MS_NN__FN(dense_of)(job, row0, row1, MS_NN_F32);
+    else if (job->m->dtype == MS_NN_F16) MS_NN__FN(dense_of)(job, row0, row1, MS_NN_F16);
+    else MS_NN__FN(dense_of)(job, row0, row1, MS_NN_I8);
 }
 
 /* n weights times a factor, in double. dtype is a constant. */
@@ -4057,8 +3925,8 @@ MS_NN__INLINE void MS_NN__FN(widen_typed)(const unsigned char *p, size_t n, doub
     size_t k, count, i;
     for (k = 0; k < n; k += count) {
         count = ms_nn__min(n - k, MS_NN__V_LANES);
-        MS_NN__V_STORE(lane,
-                       count == MS_NN__V_LANES ? MS_NN__FN(weight)(p + k * size, dtype)
+        MS_NN__FN(store)(lane,
+                         count == MS_NN__V_LANES ? MS_NN__FN(weight)(p + k * size, dtype)
                                                : MS_NN__FN(weight_part)(p + k * size, dtype, count));
         for (i = 0; i < count; ++i) out[k + i] = factor * (double)lane[i];
     }
@@ -4071,125 +3939,88 @@ MS_NN__KERNEL void MS_NN__FN(widen)(const unsigned char *p, size_t n, double fac
     else MS_NN__FN(widen_typed)(p, n, factor, out, MS_NN_I8);
 }
 
-/* Packed weights. An output is the sum over the first half of the columns plus the sum over the second, each from the
-   left, whatever the batch. */
+/* Packed weights: a panel has 4 vectors of rows. An output is the sum over the columns from the left, whatever the
+   batch. */
 #define MS_NN__P_ROWS (4 * MS_NN__V_LANES)
-#if MS_NN__ISA == 4 || defined(MS_NN__ARM)
-#define MS_NN__P_SAMPLES 6 /* of a tile: as many sums of 4 vectors as there are registers */
-#else
-#define MS_NN__P_SAMPLES 3
-#endif
 
-/* The outputs of a panel for one sample from the sums of both halves, 4 vectors each. */
+/* Outputs of one sample from their sums. */
 MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(packed_end)(const ms_nn__dense *job, size_t row, size_t sample,
-                                                         const MS_NN__V_FLOATS *half0, const MS_NN__V_FLOATS *half1)
+                                                         const MS_NN__V_FLOATS *sum, int vectors)
 {
     const ms_nn__matrix *m = job->m;
     float *y = job->y + sample * m->rows, part[MS_NN__V_LANES];
-    int v;
-    for (v = 0; v < 4 && row < m->rows; ++v, row += MS_NN__V_LANES) {
-        MS_NN__V_FLOATS bias = job->linear ? MS_NN__V_SET(0.0f) : MS_NN__V_LOAD(m->packed_bias + row);
-        bias = MS_NN__V_MADD(half0[v] + half1[v], MS_NN__V_LOAD(m->packed_scale + row), bias);
+    for (; vectors > 0 && row < m->rows; --vectors, row += MS_NN__V_LANES) {
+        const MS_NN__V_FLOATS bias = job->linear ? MS_NN__V_SET(0.0f) : MS_NN__FN(load)(m->packed_bias + row);
+        const MS_NN__V_FLOATS out = MS_NN__V_MADD(*sum++, MS_NN__FN(load)(m->packed_scale + row), bias);
         if (row + MS_NN__V_LANES <= m->rows) {
-            MS_NN__V_STORE(y + row, bias);
+            MS_NN__FN(store)(y + row, out);
         } else {
-            MS_NN__V_STORE(part, bias);
+            MS_NN__FN(store)(part, out);
             memcpy(y + row, part, (m->rows - row) * sizeof(float));
         }
     }
 }
 
-/* One sample takes both halves at once, for more sums that do not wait for each other. dtype is a constant. */
-MS_NN__INLINE void MS_NN__FN(packed_one)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype)
-{
-    const size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), wide = MS_NN__P_ROWS * size, half = (cols + 1) / 2;
-    const unsigned char *w = job->m->packed + row * cols * size;
-    const float *x = job->x + sample * cols;
-    MS_NN__V_FLOATS s[4], t[4], value;
-    size_t k;
-    int v;
-    MS_NN__UNROLL
-    for (v = 0; v < 4; ++v) s[v] = t[v] = MS_NN__V_SET(0.0f);
-    for (k = 0; k < half; ++k) {
-        const unsigned char *p = w + k * wide;
-        value = MS_NN__V_SET(x[k]);
-        MS_NN__UNROLL
-        for (v = 0; v < 4; ++v)
-            s[v] = MS_NN__V_MADD(MS_NN__FN(weight)(p + (size_t)v * MS_NN__V_LANES * size, dtype), value, s[v]);
-        if (k + half == cols) break; /* the first half may have one more */
-        value = MS_NN__V_SET(x[k + half]);
-        p += half * wide;
-        MS_NN__UNROLL
-        for (v = 0; v < 4; ++v)
-            t[v] = MS_NN__V_MADD(MS_NN__FN(weight)(p + (size_t)v * MS_NN__V_LANES * size, dtype), value, t[v]);
-    }
-    MS_NN__FN(packed_end)(job, row, sample, s, t);
-}
-
-/* A panel times `batch` samples. dtype and batch are constants. */
+/* Panels times samples: one times 1 to 3, or two times 1, for more sums that do not wait for each other. dtype, panels
+   and batch are constants. */
 MS_NN__INLINE void MS_NN__FN(packed_tile)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype,
-                                          int batch)
+                                          int panels, int batch)
 {
-    const size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), half = (cols + 1) / 2;
+    const size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), vector = MS_NN__V_LANES * size;
     const unsigned char *w = job->m->packed + row * cols * size;
     const float *x = job->x + sample * cols;
-    MS_NN__V_FLOATS sum[2][4 * MS_NN__P_SAMPLES], s[4][MS_NN__P_SAMPLES], value[MS_NN__P_SAMPLES], u;
-    size_t k = 0, end;
-    int h, v, b;
-    for (h = 0; h < 2; ++h) {
+    MS_NN__V_FLOATS sum[8][3], total[8], value[3], u;
+    size_t k;
+    int v, b;
+    MS_NN__UNROLL
+    for (v = 0; v < 4 * panels; ++v) {
         MS_NN__UNROLL
-        for (v = 0; v < 4; ++v) {
-            MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) s[v][b] = MS_NN__V_SET(0.0f);
-        }
-        for (end = h ? cols : half; k < end; ++k) {
-            MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) value[b] = MS_NN__V_SET(x[(size_t)b * cols + k]);
-            MS_NN__UNROLL
-            for (v = 0; v < 4; ++v, w += MS_NN__V_LANES * size) {
-                u = MS_NN__FN(weight)(w, dtype);
-                MS_NN__V_KEEP(u);
-                MS_NN__W_PREFETCH(w, 2048);
-                MS_NN__UNROLL
-                for (b = 0; b < batch; ++b) s[v][b] = MS_NN__V_MADD(u, value[b], s[v][b]);
-            }
-        }
+        for (b = 0; b < batch; ++b) sum[v][b] = MS_NN__V_SET(0.0f);
+    }
+    for (k = 0; k < cols; ++k, w += 4 * vector) {
         MS_NN__UNROLL
-        for (v = 0; v < 4; ++v) {
+        for (b = 0; b < batch; ++b) value[b] = MS_NN__V_SET(x[(size_t)b * cols + k]);
+        MS_NN__UNROLL
+        for (v = 0; v < 4 * panels; ++v) {
+            const unsigned char *p = w + (size_t)(v % 4) * vector + (size_t)(v / 4) * cols * 4 * vector;
+            u = MS_NN__FN(weight)(p, dtype);
+            if (batch > 1) MS_NN__V_KEEP(u);
+            if (batch > 1) MS_NN__V_PREFETCH(p, 2048);
             MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) sum[h][4 * b + v] = s[v][b];
+            for (b = 0; b < batch; ++b) sum[v][b] = MS_NN__V_MADD(u, value[b], sum[v][b]);
         }
     }
-    for (b = 0; b < batch; ++b) MS_NN__FN(packed_end)(job, row, sample + (size_t)b, sum[0] + 4 * b, sum[1] + 4 * b);
+    MS_NN__UNROLL
+    for (b = 0; b < batch; ++b) {
+        MS_NN__UNROLL
+        for (v = 0; v < 4 * panels; ++v) total[v] = sum[v][b];
+        MS_NN__FN(packed_end)(job, row, sample + (size_t)b, total, 4 * panels);
+    }
 }
 
-/* The same for 1, 2, 3 or MS_NN__P_SAMPLES samples. dtype is a constant. */
-MS_NN__INLINE void MS_NN__FN(packed_samples)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype,
-                                             size_t batch)
+/* All samples for the panels from row0 on. dtype is a constant. */
+MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t row0, size_t row1, ms_nn_dtype dtype)
 {
-    if (batch == 1) MS_NN__FN(packed_one)(job, row, sample, dtype);
-    else if (batch == 2) MS_NN__FN(packed_tile)(job, row, sample, dtype, 2);
-    else if (batch == 3) MS_NN__FN(packed_tile)(job, row, sample, dtype, 3);
-#if MS_NN__P_SAMPLES > 3
-    else MS_NN__FN(packed_tile)(job, row, sample, dtype, 6);
-#endif
+    const size_t batch = (size_t)job->batch;
+    size_t row, b;
+    for (row = row0; row < row1; row += MS_NN__P_ROWS) {
+        if (batch == 1 && row + MS_NN__P_ROWS < row1) {
+            MS_NN__FN(packed_tile)(job, row, 0, dtype, 2, 1);
+            row += MS_NN__P_ROWS;
+            continue;
+        }
+        for (b = 0; b + 3 <= batch; b += 3) MS_NN__FN(packed_tile)(job, row, b, dtype, 1, 3);
+        if (b + 2 == batch) MS_NN__FN(packed_tile)(job, row, b, dtype, 1, 2);
+        else if (b + 1 == batch) MS_NN__FN(packed_tile)(job, row, b, dtype, 1, 1);
+    }
 }
 
-/* Tiles of samples as equal as possible. */
 MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
-    size_t row, b, left, tiles, n;
-    for (row = row0; row < row1; row += MS_NN__P_ROWS) {
-        for (b = 0; b < (size_t)job->batch; b += n) {
-            left = (size_t)job->batch - b;
-            tiles = (left + MS_NN__P_SAMPLES - 1) / MS_NN__P_SAMPLES;
-            n = (left + tiles - 1) / tiles;
-            if (n > 3 && n < MS_NN__P_SAMPLES) n = (n + 1) / 2;
-            if (job->m->packed_dtype == MS_NN_F32) MS_NN__FN(packed_samples)(job, row, b, MS_NN_F32, n);
-            else MS_NN__FN(packed_samples)(job, row, b, MS_NN_F16, n);
-        }
-    }
+    if (job->m->packed_dtype == MS_NN_F32) MS_NN__FN(packed_of)(job, row0, row1, MS_NN_F32);
+    else MS_NN__FN(packed_of)(job, row0, row1, MS_NN_F16);
 }
+
 /* MS_NN__V_BLOCK outputs x tile vectors of positions of one row: y(o, x) = bias(o) + sum_c sum_t w(o, c, t) in(c, x +
    t). */
 MS_NN__INLINE void MS_NN__FN(conv_tile_of)(const ms_nn__conv *v, const float *in, const float *w, const float *bias,
@@ -4208,7 +4039,7 @@ MS_NN__INLINE void MS_NN__FN(conv_tile_of)(const ms_nn__conv *v, const float *in
             const float *p = in + v->offset[t];
             MS_NN__V_FLOATS x[MS_NN__V_TILE];
             MS_NN__UNROLL
-            for (j = 0; j < tile; ++j) x[j] = MS_NN__V_LOAD(p + j * MS_NN__V_LANES);
+            for (j = 0; j < tile; ++j) x[j] = MS_NN__FN(load)(p + j * MS_NN__V_LANES);
             MS_NN__UNROLL
             for (i = 0; i < MS_NN__V_BLOCK; ++i) {
                 MS_NN__V_FLOATS u = MS_NN__V_SET(w[i]);
@@ -4221,7 +4052,7 @@ MS_NN__INLINE void MS_NN__FN(conv_tile_of)(const ms_nn__conv *v, const float *in
     for (i = 0; i < MS_NN__V_BLOCK; ++i) {
         if ((size_t)i < outs) {
             MS_NN__UNROLL
-            for (j = 0; j < tile; ++j) MS_NN__V_STORE(out + (size_t)i * out_plane + j * MS_NN__V_LANES, sum[i][j]);
+            for (j = 0; j < tile; ++j) MS_NN__FN(store)(out + (size_t)i * out_plane + j * MS_NN__V_LANES, sum[i][j]);
         }
     }
 }
@@ -4325,7 +4156,7 @@ MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(curve)(const float *x, float *y, si
     MS_NN__V_FLOATS c = MS_NN__V_SET(!slope && (activation == MS_NN__ELU || activation == MS_NN__TANH) ? 1.0f : 0.0f);
     size_t i;
     for (i = 0; i < n; i += MS_NN__V_LANES) {
-        v = MS_NN__V_LOAD(x + i);
+        v = MS_NN__FN(load)(x + i);
         if (activation == MS_NN__RELU) {
             f = slope ? MS_NN__V_IF_GREATER(v, zero, one, zero) : MS_NN__V_MAX(zero, v);
         } else if (activation == MS_NN__LEAKY) {
@@ -4356,8 +4187,8 @@ MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(curve)(const float *x, float *y, si
                 else f = up;
             }
         }
-        if (slope) f = f * MS_NN__V_LOAD(y + i);
-        MS_NN__V_STORE(y + i, f);
+        if (slope) f = f * MS_NN__FN(load)(y + i);
+        MS_NN__FN(store)(y + i, f);
     }
 }
 
@@ -4438,7 +4269,7 @@ MS_NN__KERNEL void MS_NN__FN(product)(const ms_nn__product_job *job)
         }
 }
 
-static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,      MS_NN__P_ROWS,    MS_NN__ISA,
+static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,      MS_NN__P_ROWS,    (ms_simd)MS_NN__ISA,
                                                 MS_NN__FN(packed),   MS_NN__FN(dense), MS_NN__FN(conv),
                                                 MS_NN__FN(activate), MS_NN__FN(widen), MS_NN__FN(product)};
 
@@ -4450,14 +4281,9 @@ static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,      MS_NN__P_RO
 #undef MS_NN__V_LANES
 #undef MS_NN__V_BLOCK
 #undef MS_NN__V_TILE
-#undef MS_NN__W_ROWS
-#undef MS_NN__W_CHAINS
 #undef MS_NN__P_ROWS
-#undef MS_NN__P_SAMPLES
-#undef MS_NN__W_PREFETCH
+#undef MS_NN__V_PREFETCH
 #undef MS_NN__V_FLOATS
-#undef MS_NN__V_LOAD
-#undef MS_NN__V_STORE
 #undef MS_NN__V_SET
 #undef MS_NN__V_MADD
 #undef MS_NN__V_MAX
@@ -4467,8 +4293,8 @@ static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,      MS_NN__P_RO
 #undef MS_NN__V_ROUND
 #undef MS_NN__V_FROM_INT
 #undef MS_NN__V_POW2
-#undef MS_NN__W_HALF
-#undef MS_NN__W_INT8
+#undef MS_NN__V_HALF
+#undef MS_NN__V_INT8
 #undef MS_NN__D_LANES
 #endif /* kernels */
 
