@@ -115,9 +115,8 @@
    MS_BAD_DATA: whatever the strict format forbids (duplicate names, holes, overlaps, trailing bytes, NUL in names, null
    metadata, a header over 100,000,000 bytes, rank over 32), layers that do not fit their tensors, over 4096 layers,
    layer names over 240 bytes, padded sizes of 2^31 and more. MS_UNSUPPORTED: weights of other element types. Files of
-   2^31 bytes and more need a 64-bit machine. A mapped file must not shrink while it is used; options.copy reads it
-   instead. Networks are chains with added skips: no recurrence, attention, or normalization at run time (BatchNorm goes
-   into the weights), no groups, dilation or transposed convolutions.
+   2^31 bytes and more need a 64-bit machine. Networks are chains with added skips: no recurrence, attention, or
+   normalization at run time (BatchNorm goes into the weights), no groups, dilation or transposed convolutions.
 
    Sources
    -------
@@ -301,7 +300,6 @@ typedef struct ms_nn_options {
     ms_simd simd;           /* the fastest level to use; MS_SIMD_AUTO (0): what the processor has */
     ms_parallel parallel;   /* runs the layers' tasks; zero: the calling thread */
     ms_allocator allocator; /* zero: malloc and free */
-    int copy; /* non-zero: files by name are read into memory, not mapped: they may then change while in use */
 } ms_nn_options;
 
 /* All defaults. */
@@ -313,7 +311,7 @@ MS_API const char *ms_nn_dtype_string(ms_nn_dtype dtype);
 typedef struct ms_nn_file ms_nn_file;
 
 /* Checks a whole safetensors file and lists it. Nothing is copied but the names, in one allocation.
-   bytes     [size] the file, e.g. mapped; must outlive *file; any alignment
+   bytes     [size] the file, read or mapped; must outlive *file; any alignment
    options   NULL: defaults
    *file     out; ms_nn_file_close releases it; untouched on failure
    error     NULL or filled on failure; position: byte in the file
@@ -380,8 +378,7 @@ MS_API ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options 
 MS_API void ms_nn_destroy(ms_nn *nn); /* NULL is allowed */
 
 #ifndef MS_NN_NO_STDIO
-/* ms_nn_file_open and ms_nn_load for a file by name: mapped on POSIX systems, where a file that shrinks while it is
-   used ends the program (options.copy), read into one allocation elsewhere. MS_IO: cannot be read. */
+/* ms_nn_file_open and ms_nn_load for a file by name, which is read into one allocation. MS_IO: cannot be read. */
 MS_API ms_status ms_nn_file_read(const char *path, const ms_nn_options *options, ms_nn_file **file, ms_error *error);
 MS_API ms_status ms_nn_load_file(const char *path, const ms_nn_options *options, ms_nn **nn, ms_error *error);
 #endif
@@ -714,13 +711,6 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 
 #if !defined(MS_NN_NO_STDIO)
 #include <stdio.h>
-#if defined(__unix__) || (defined(__APPLE__) && defined(__MACH__))
-#define MS_NN__MMAP 1
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
-#endif
 #endif
 #include <limits.h>
 #include <math.h>
@@ -731,7 +721,6 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 
 /* Contents, in the order of the data:
      bytes       numbers of a file, element types
-     sorting     names
      json        a cursor over JSON text
      file        a safetensors file, checked and listed
      writer      the same, written
@@ -839,30 +828,6 @@ static float ms_nn__element(const void *data, ms_nn_dtype dtype, size_t i)
     if (dtype == MS_NN_F32) return ms_nn__float_of(ms_nn__u32(p));
     if (dtype == MS_NN_F16) return ms__half_to_float((uint16_t)ms_nn__u16(p));
     return (float)(*p < 128 ? (int)*p : (int)*p - 256);
-}
-
-/* ---- sorting --------------------------------------------------------------------------------------------------- */
-
-/* Heap sort of indices: no recursion, no allocation, O(n log n) for any input. */
-static void ms_nn__sort(size_t *index, size_t n, int (*compare)(const void *context, size_t a, size_t b),
-                        const void *context)
-{
-    size_t start = n / 2, end = n;
-    while (end > 1) {
-        size_t root, child, moving;
-        if (start > 0) {
-            moving = index[--start];
-        } else {
-            moving = index[--end];
-            index[end] = index[0];
-        }
-        for (root = start; (child = 2 * root + 1) < end; root = child) {
-            if (child + 1 < end && compare(context, index[child], index[child + 1]) < 0) ++child;
-            if (compare(context, moving, index[child]) >= 0) break;
-            index[root] = index[child];
-        }
-        index[root] = moving;
-    }
 }
 
 /* ---- json ------------------------------------------------------------------------------------------------------ */
@@ -1052,15 +1017,15 @@ typedef struct ms_nn__record {
 
 struct ms_nn_file {
     ms_allocator allocator;
-    size_t bytes;        /* of this allocation, which holds everything below */
-    const void *content; /* the file, where ms_nn_file_read mapped it or read it into memory; else NULL */
+    size_t bytes;  /* of this allocation, which holds everything below */
+    void *content; /* what ms_nn_file_read read; else NULL */
     size_t content_bytes;
-    int content_is_mapped;
     size_t tensors, entries;
-    ms_nn__record *record; /* [tensors] in the order of the header */
-    ms_nn_entry *entry;    /* [entries] */
-    size_t *shape;         /* all dimensions */
-    size_t *by_data, *by_name, *by_key;
+    ms_nn__record *record; /* [tensors] in the order of the data */
+    ms_nn_entry *entry;    /* [entries] in the order of the header */
+    const ms_nn__record **by_name;
+    const ms_nn_entry **by_key;
+    size_t *shape;    /* all dimensions */
     size_t *value_at; /* [entries] byte in the file after the quote that opens a value */
     const unsigned char *start;
     char *text;
@@ -1207,45 +1172,43 @@ static MS_NN__COLD ms_status ms_nn__header_object(ms_nn__json *j, ms_nn__header 
     return MS_OK;
 }
 
-static MS_NN__COLD int ms_nn__compare_data(const void *context, size_t a, size_t b)
+static MS_NN__COLD int ms_nn__compare_data(const void *first, const void *second)
 {
-    const ms_nn__record *r = (const ms_nn__record *)context;
-    if (r[a].begin != r[b].begin) return r[a].begin < r[b].begin ? -1 : 1;
-    if (r[a].end != r[b].end) return r[a].end < r[b].end ? -1 : 1;
-    return a < b ? -1 : a > b; /* empty tensors at one place keep their order */
+    const ms_nn__record *a = (const ms_nn__record *)first, *b = (const ms_nn__record *)second;
+    if (a->begin != b->begin) return a->begin < b->begin ? -1 : 1;
+    if (a->end != b->end) return a->end < b->end ? -1 : 1;
+    return a->position < b->position ? -1 : 1; /* empty tensors at one place keep their order */
 }
 
-static MS_NN__COLD int ms_nn__compare_name(const void *context, size_t a, size_t b)
+static MS_NN__COLD int ms_nn__compare_name(const void *first, const void *second)
 {
-    const ms_nn__record *r = (const ms_nn__record *)context;
-    return strcmp(r[a].tensor.name, r[b].tensor.name);
+    return strcmp((*(const ms_nn__record *const *)first)->tensor.name,
+                  (*(const ms_nn__record *const *)second)->tensor.name);
 }
 
-static MS_NN__COLD int ms_nn__compare_key(const void *context, size_t a, size_t b)
+static MS_NN__COLD int ms_nn__compare_key(const void *first, const void *second)
 {
-    const ms_nn_entry *e = (const ms_nn_entry *)context;
-    return strcmp(e[a].key, e[b].key);
+    return strcmp((*(const ms_nn_entry *const *)first)->key, (*(const ms_nn_entry *const *)second)->key);
 }
 
 /* Names and keys once each; the data without holes or overlaps from 0 to its end. */
 static MS_NN__COLD ms_status ms_nn__file_check(ms_nn_file *f, size_t data_start, size_t data_size, ms_error *error)
 {
     size_t i, end = 0;
-    for (i = 0; i < f->tensors; ++i) f->by_data[i] = f->by_name[i] = i;
-    for (i = 0; i < f->entries; ++i) f->by_key[i] = i;
-    ms_nn__sort(f->by_data, f->tensors, ms_nn__compare_data, f->record);
-    ms_nn__sort(f->by_name, f->tensors, ms_nn__compare_name, f->record);
-    ms_nn__sort(f->by_key, f->entries, ms_nn__compare_key, f->entry);
+    qsort(f->record, f->tensors, sizeof f->record[0], ms_nn__compare_data);
+    for (i = 0; i < f->tensors; ++i) f->by_name[i] = &f->record[i];
+    for (i = 0; i < f->entries; ++i) f->by_key[i] = &f->entry[i];
+    qsort(f->by_name, f->tensors, sizeof f->by_name[0], ms_nn__compare_name);
+    qsort(f->by_key, f->entries, sizeof f->by_key[0], ms_nn__compare_key);
     for (i = 1; i < f->tensors; ++i)
-        if (ms_nn__compare_name(f->record, f->by_name[i - 1], f->by_name[i]) == 0)
-            return ms__fail(error, MS_BAD_DATA, f->record[f->by_name[i]].position, "two tensors have the name '%s'",
-                            f->record[f->by_name[i]].tensor.name);
+        if (ms_nn__compare_name(&f->by_name[i - 1], &f->by_name[i]) == 0)
+            return ms__fail(error, MS_BAD_DATA, f->by_name[i]->position, "two tensors have the name '%s'",
+                            f->by_name[i]->tensor.name);
     for (i = 1; i < f->entries; ++i)
-        if (ms_nn__compare_key(f->entry, f->by_key[i - 1], f->by_key[i]) == 0)
-            return ms__fail(error, MS_BAD_DATA, 8, "two metadata entries have the key '%s'",
-                            f->entry[f->by_key[i]].key);
+        if (ms_nn__compare_key(&f->by_key[i - 1], &f->by_key[i]) == 0)
+            return ms__fail(error, MS_BAD_DATA, 8, "two metadata entries have the key '%s'", f->by_key[i]->key);
     for (i = 0; i < f->tensors; ++i) {
-        const ms_nn__record *r = &f->record[f->by_data[i]];
+        const ms_nn__record *r = &f->record[i];
         if (r->begin != end)
             return ms__fail(error, MS_BAD_DATA, r->position,
                             r->begin > end ? "a hole of %z bytes before the tensor '%s'"
@@ -1301,8 +1264,8 @@ MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, con
     h.data_size = size - h.data_start;
     if ((status = ms_nn__header_object(&j, &h)) != MS_OK) return status;
 
-    total = ms__size_add(sizeof *f, ms__size_mul(h.tensors, sizeof(ms_nn__record) + 2 * sizeof(size_t)));
-    total = ms__size_add(total, ms__size_mul(h.entries, sizeof(ms_nn_entry) + 2 * sizeof(size_t)));
+    total = ms__size_add(sizeof *f, ms__size_mul(h.tensors, sizeof(ms_nn__record) + sizeof f->by_name[0]));
+    total = ms__size_add(total, ms__size_mul(h.entries, sizeof(ms_nn_entry) + sizeof f->by_key[0] + sizeof(size_t)));
     total = ms__size_add(total, ms__size_add(ms__size_mul(h.dimensions, sizeof(size_t)), h.text));
     f = (ms_nn_file *)ms__alloc(&o.allocator, total);
     if (f == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a list of %z tensors", h.tensors);
@@ -1313,10 +1276,9 @@ MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, con
     f->entries = h.entries;
     f->record = (ms_nn__record *)(void *)(f + 1);
     f->entry = (ms_nn_entry *)(void *)(f->record + h.tensors);
-    f->by_data = (size_t *)(void *)(f->entry + h.entries);
-    f->by_name = f->by_data + h.tensors;
-    f->by_key = f->by_name + h.tensors;
-    f->value_at = f->by_key + h.entries;
+    f->by_name = (const ms_nn__record **)(void *)(f->entry + h.entries);
+    f->by_key = (const ms_nn_entry **)(void *)(f->by_name + h.tensors);
+    f->value_at = (size_t *)(void *)(f->by_key + h.entries);
     f->shape = f->value_at + h.entries;
     f->start = b;
     f->text = (char *)(f->shape + h.dimensions);
@@ -1332,27 +1294,12 @@ MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, con
     return status;
 }
 
-/* What ms_nn_file_read made. */
-static MS_NN__COLD void ms_nn__release_content(const ms_allocator *allocator, const void *content, size_t bytes,
-                                               int is_mapped)
-{
-    void *at = (void *)(uintptr_t)content;
-#ifdef MS_NN__MMAP
-    if (is_mapped) {
-        munmap(at, bytes);
-        return;
-    }
-#endif
-    (void)is_mapped;
-    ms__release(allocator, at, bytes);
-}
-
 MS_API MS_NN__COLD void ms_nn_file_close(ms_nn_file *file)
 {
     ms_allocator allocator;
     if (file == NULL) return;
     allocator = file->allocator;
-    ms_nn__release_content(&allocator, file->content, file->content_bytes, file->content_is_mapped);
+    ms__release(&allocator, file->content, file->content_bytes);
     ms__release(&allocator, file, file->bytes);
 }
 
@@ -1361,7 +1308,7 @@ MS_API size_t ms_nn_file_entry_count(const ms_nn_file *file) { return file ? fil
 
 MS_API const ms_nn_tensor *ms_nn_file_tensor(const ms_nn_file *file, size_t i)
 {
-    return file && i < file->tensors ? &file->record[file->by_data[i]].tensor : NULL;
+    return file && i < file->tensors ? &file->record[i].tensor : NULL;
 }
 
 MS_API const ms_nn_entry *ms_nn_file_entry(const ms_nn_file *file, size_t i)
@@ -1385,7 +1332,7 @@ MS_API const ms_nn_tensor *ms_nn_file_find(const ms_nn_file *file, const char *n
     size_t first = 0, end = file && name ? file->tensors : 0;
     while (first < end) {
         size_t middle = first + (end - first) / 2;
-        const ms_nn_tensor *t = &file->record[file->by_name[middle]].tensor;
+        const ms_nn_tensor *t = &file->by_name[middle]->tensor;
         int compared = strcmp(name, t->name);
         if (compared == 0) return t;
         if (compared < 0) end = middle;
@@ -1444,12 +1391,7 @@ static MS_NN__COLD void ms_nn__put_text(ms_nn__writer *w, const char *text) { ms
 static MS_NN__COLD void ms_nn__put_size(ms_nn__writer *w, size_t value)
 {
     char digit[24];
-    size_t n = sizeof digit;
-    do {
-        digit[--n] = (char)('0' + (int)(value % 10));
-        value /= 10;
-    } while (value);
-    ms_nn__put(w, digit + n, sizeof digit - n);
+    ms_nn__put_text(w, ms__format_integer(digit + sizeof digit - 1, value));
 }
 
 static MS_NN__COLD void ms_nn__put_string(ms_nn__writer *w, const char *text)
@@ -1961,7 +1903,7 @@ typedef struct ms_nn__matrix {
     ms_nn_dtype packed_dtype;                /* F32, F16 */
 } ms_nn__matrix;
 
-/* A correlation. It runs in strips of output rows; a strip's input is copied with its zeros around it, "padded". */
+/* A correlation. Its input is copied with its zeros around it, "padded". */
 typedef struct ms_nn__conv {
     ms_nn__dims in, out;
     size_t kernel[2], stride[2];
@@ -1970,34 +1912,28 @@ typedef struct ms_nn__conv {
     const float *bias;    /* [out.c rounded up to blocks], zeros where there is none */
     size_t taps;          /* of a channel */
     const size_t *offset; /* [taps] from an output's first padded element to the element that the tap sees */
-    size_t strip;         /* output rows of a strip */
-    size_t rows;          /* padded input rows of a strip */
+    size_t rows;          /* padded input rows */
     size_t pitch, plane;  /* floats of a padded row and channel; with stride s, columns 0, s, 2s... come first */
 } ms_nn__conv;
 
-/* Rows of y_b = W x_b + bias, one b a sample. */
+/* Rows of y_b = W x_b + bias, one b a sample; of directions without the bias. */
 typedef struct ms_nn__dense {
     const ms_nn__matrix *m;
     int batch;
     const float *x; /* [batch][cols] */
     float *y;       /* [batch][rows] */
-    int linear;     /* no bias, no activation: products with directions */
-    ms_nn__activation activation;
-    float alpha;
-    size_t chunk_rows; /* of a task */
+    int linear;     /* no bias */
+    size_t chunk;   /* rows of a task */
     const struct ms_nn__kernels *kernels;
 } ms_nn__dense;
 
 /* One convolution of one sample. */
 typedef struct ms_nn__conv_job {
     const ms_nn__conv *conv;
-    const float *x;      /* [in.c][in.h][in.w] */
     float *y;            /* [out.c][out.h][out.w] */
-    float *padded;       /* [strips][in.c][plane], each strip with room for loads beyond its end */
-    size_t padded_pitch; /* floats from one strip's to the next; 0 where strips follow each other and share one */
-    int linear;
-    ms_nn__activation activation;
-    float alpha;
+    const float *padded; /* [in.c][plane] */
+    int linear;          /* no bias */
+    size_t chunk;        /* output rows of a task */
     const struct ms_nn__kernels *kernels;
 } ms_nn__conv_job;
 
@@ -2023,7 +1959,7 @@ typedef struct ms_nn__kernels {
     ms_simd level; /* SCALAR: packed weights are floats, since narrow ones are slow to widen there */
     void (*packed)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*dense)(const ms_nn__dense *job, size_t row0, size_t row1);
-    void (*conv)(const ms_nn__conv_job *job, size_t strip, const float *padded);
+    void (*conv)(const ms_nn__conv_job *job, size_t row0, size_t row1);
     void (*activate)(const float *x, float *y, size_t n, ms_nn__activation activation, float alpha, int slope);
     void (*widen)(const unsigned char *p, size_t n, double factor, double *out, ms_nn_dtype dtype);
     void (*product)(const ms_nn__product_job *job);
@@ -2071,10 +2007,9 @@ struct ms_nn {
     int layers, ops;
     ms_nn_layer *layer;  /* [layers] */
     ms_nn__op *op;       /* [ops] */
-    size_t *slot;        /* [ops + 1] floats from the start of the values of one sample, when values share memory */
-    size_t *tape;        /* [ops + 1] the same when all values are kept */
-    size_t *before;      /* [ops + 1] on the tape, what a smooth activation was applied to; SIZE_MAX: not kept */
-    size_t slots, tapes; /* floats of one sample */
+    size_t *place;       /* [ops + 1] of a value: floats from the start of those of one sample */
+    size_t *before;      /* [ops + 1] the same of what its activation was applied to; SIZE_MAX: it has none */
+    size_t values, tape; /* floats of one sample without and with those */
 };
 
 /* Memory held until the network goes; 64-byte aligned for the kernels' sake; NULL: none left. */
@@ -2241,18 +2176,13 @@ static MS_NN__COLD ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__matrix *m, cons
     return ms_nn__pack_dense(nn, m) ? MS_OK : MS_OUT_OF_MEMORY;
 }
 
-enum { MS_NN__STRIP_FLOATS = 65536 }; /* of padded input, which a strip should not exceed, to stay in a cache */
-
-/* Geometry of the padded input of a strip: as many rows and columns as its outputs see. 0: no memory. */
+/* Geometry of the padded input: as many rows and columns as the outputs see. 0: no memory. */
 static MS_NN__COLD int ms_nn__conv_geometry(ms_nn *nn, ms_nn__conv *v)
 {
     const size_t s = v->stride[1], wide = (v->out.w - 1) * s + v->kernel[1], taps = v->kernel[0] * v->kernel[1];
-    size_t *offset = (size_t *)ms_nn__allocate(nn, taps, sizeof(size_t)), fit, y, x;
+    size_t *offset = (size_t *)ms_nn__allocate(nn, taps, sizeof(size_t)), y, x;
     v->pitch = ms_nn__round_up(wide, s);
-    fit = MS_NN__STRIP_FLOATS / ms_nn__at_least_1(ms__size_mul(v->in.c, v->pitch));
-    v->strip = fit > v->kernel[0] ? (fit - v->kernel[0]) / v->stride[0] + 1 : 1;
-    v->strip = ms_nn__min(v->strip, v->out.h);
-    v->rows = (v->strip - 1) * v->stride[0] + v->kernel[0];
+    v->rows = (v->out.h - 1) * v->stride[0] + v->kernel[0];
     v->plane = ms__size_mul(v->rows, v->pitch);
     v->taps = taps;
     v->offset = offset;
@@ -2496,43 +2426,26 @@ static MS_NN__COLD ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error
     return status;
 }
 
-/* Where values live. Shared memory: a value may take a slot whose last reader has run. */
+/* Where values live: one after the other, then what activations were applied to. */
 static MS_NN__COLD ms_status ms_nn__plan(ms_nn *nn, ms_error *error)
 {
-    size_t n = (size_t)nn->ops + 1, used = 0, v, s, at = 0;
-    size_t *size = (size_t *)ms_nn__allocate(nn, 3 * n, sizeof(size_t)), *owner, *last;
-    nn->slot = (size_t *)ms_nn__allocate(nn, 3 * n, sizeof(size_t));
-    if (size == NULL || nn->slot == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the plan");
-    owner = size + n;
-    last = owner + n; /* the operation that is the last to read a value */
-    nn->tape = nn->slot + n;
-    nn->before = nn->tape + n;
-    for (v = 0; v < n; ++v) last[v] = v;
-    for (v = 0; v + 1 < n; ++v)
-        if (nn->op[v].kind == MS_NN__DO_ADD) last[nn->op[v].skip] = v;
+    const size_t n = (size_t)nn->ops + 1;
+    size_t v;
+    nn->place = (size_t *)ms_nn__allocate(nn, 2 * n, sizeof(size_t));
+    if (nn->place == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the plan");
+    nn->before = nn->place + n;
     for (v = 0; v < n; ++v) {
-        size_t floats = ms_nn__count(v ? nn->op[v - 1].out : nn->inner);
-        nn->tape[v] = nn->tapes;
-        nn->tapes = ms__size_add(nn->tapes, floats);
+        nn->place[v] = nn->values;
+        nn->values = ms__size_add(nn->values, ms_nn__count(v ? nn->op[v - 1].out : nn->inner));
+    }
+    nn->tape = nn->values;
+    for (v = 0; v < n; ++v) {
         nn->before[v] = SIZE_MAX;
-        if (v > 0 && nn->op[v - 1].kind != MS_NN__DO_ACTIVATE && nn->op[v - 1].activation > MS_NN__LEAKY) {
-            nn->before[v] = nn->tapes;
-            nn->tapes = ms__size_add(nn->tapes, floats);
-        }
-        for (s = 0; s < used; ++s)
-            if (last[owner[s]] + 1 < v) break; /* operation last[] has run before v - 1, which makes v */
-        if (s == used) size[used++] = 0;
-        if (floats > size[s]) size[s] = floats;
-        owner[s] = v;
-        nn->slot[v] = s;
+        if (v == 0 || nn->op[v - 1].activation == MS_NN__LINEAR) continue;
+        nn->before[v] = nn->tape;
+        nn->tape = ms__size_add(nn->tape, ms_nn__count(nn->op[v - 1].out));
     }
-    for (s = 0; s < used; ++s) {
-        owner[s] = at;
-        at = ms__size_add(at, size[s]);
-    }
-    for (v = 0; v < n; ++v) nn->slot[v] = owner[nn->slot[v]];
-    nn->slots = at;
-    if (at == SIZE_MAX || nn->tapes == SIZE_MAX)
+    if (nn->tape == SIZE_MAX)
         return ms__fail(error, MS_UNSUPPORTED, 0, "the network's values exceed the address space");
     return MS_OK;
 }
@@ -2678,15 +2591,9 @@ static void ms_nn__chunks(const ms_nn *nn, size_t count, size_t *chunk, void (*t
 static void ms_nn__dense_task(void *context, int index)
 {
     const ms_nn__dense *job = (const ms_nn__dense *)context;
-    size_t row0 = (size_t)index * job->chunk_rows, row1 = ms_nn__min(row0 + job->chunk_rows, job->m->rows);
-    int b;
+    const size_t row0 = (size_t)index * job->chunk, row1 = ms_nn__min(row0 + job->chunk, job->m->rows);
     if (job->m->packed) job->kernels->packed(job, row0, row1);
     else job->kernels->dense(job, row0, row1);
-    if (!job->linear && job->activation != MS_NN__LINEAR)
-        for (b = 0; b < job->batch; ++b) {
-            float *y = job->y + (size_t)b * job->m->rows + row0;
-            job->kernels->activate(y, y, row1 - row0, job->activation, job->alpha, 0);
-        }
 }
 
 static MS_NN__COLD void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, const float *x, float *y,
@@ -2694,37 +2601,33 @@ static MS_NN__COLD void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, i
 {
     const ms_nn__matrix *m = &op->matrix;
     ms_nn__dense job;
-    memset(&job, 0, sizeof job);
     job.m = m;
     job.batch = batch;
     job.x = x;
     job.y = y;
     job.linear = linear;
-    job.activation = op->activation;
-    job.alpha = op->alpha;
     job.kernels = nn->kernels;
-    job.chunk_rows = MS_NN__TASK_BYTES / m->cols / ms_nn__bytes_of(m->dtype) + 1;
+    job.chunk = MS_NN__TASK_BYTES / m->cols / ms_nn__bytes_of(m->dtype) + 1;
     if (batch > 1 || m->packed) { /* whole tiles of rows, and of a large batch so few that several threads find some */
         size_t most = MS_NN__TASK_PRODUCTS / m->cols / (size_t)batch + 1, tile = m->packed ? nn->kernels->panel : 16;
-        job.chunk_rows = ms_nn__round_up(ms_nn__min(job.chunk_rows, most), tile);
+        job.chunk = ms_nn__round_up(ms_nn__min(job.chunk, most), tile);
     }
-    ms_nn__chunks(nn, m->rows, &job.chunk_rows, ms_nn__dense_task, &job);
+    ms_nn__chunks(nn, m->rows, &job.chunk, ms_nn__dense_task, &job);
 }
 
-/* Copies what a strip sees of the input: zeros around, columns sorted by their remainder modulo the stride. */
-static void ms_nn__pad(const ms_nn__conv_job *job, size_t strip, float *padded)
+/* Copies the input: zeros around, columns sorted by their remainder modulo the stride. */
+static void ms_nn__pad(const ms_nn__conv *v, const float *input, float *padded)
 {
-    const ms_nn__conv *v = job->conv;
-    const size_t s = v->stride[1], wide = v->pitch / s, top = strip * v->strip * v->stride[0], left = v->pad[1];
+    const size_t s = v->stride[1], wide = v->pitch / s, left = v->pad[1];
     const size_t seen = left < v->pitch ? ms_nn__min(v->in.w, v->pitch - left) : 0; /* columns of the input */
     size_t c, y, x;
     for (c = 0; c < v->in.c; ++c)
-        for (y = top; y < top + v->rows; ++y) {
-            float *to = padded + c * v->plane + (y - top) * v->pitch;
+        for (y = 0; y < v->rows; ++y) {
+            float *to = padded + c * v->plane + y * v->pitch;
             const float *from;
             memset(to, 0, v->pitch * sizeof(float));
             if (y < v->pad[0] || y - v->pad[0] >= v->in.h) continue;
-            from = job->x + (c * v->in.h + y - v->pad[0]) * v->in.w;
+            from = input + (c * v->in.h + y - v->pad[0]) * v->in.w;
             if (s == 1) memcpy(to + ms_nn__min(left, v->pitch), from, seen * sizeof(float));
             else
                 for (x = left; x < left + seen; ++x) to[x % s * wide + x / s] = from[x - left];
@@ -2735,41 +2638,38 @@ static void ms_nn__pad(const ms_nn__conv_job *job, size_t strip, float *padded)
 static void ms_nn__conv_task(void *context, int index)
 {
     const ms_nn__conv_job *job = (const ms_nn__conv_job *)context;
-    float *padded = job->padded + (size_t)index * job->padded_pitch;
-    ms_nn__pad(job, (size_t)index, padded);
-    job->kernels->conv(job, (size_t)index, padded);
+    const size_t row = (size_t)index * job->chunk;
+    job->kernels->conv(job, row, ms_nn__min(row + job->chunk, job->conv->out.h));
 }
 
-static size_t ms_nn__conv_strips(const ms_nn__conv *v) { return (v->out.h + v->strip - 1) / v->strip; }
-
-/* Floats of the padded input of a strip. */
+/* Floats of the padded input. */
 static size_t ms_nn__conv_padded(const ms_nn__conv *v) { return v->in.c * v->plane + MS_NN__OVERRUN; }
 
 static MS_NN__COLD void ms_nn__run_conv(const ms_nn *nn, const ms_nn__op *op, const float *x, float *y, int linear,
                                         void *scratch)
 {
+    const ms_nn__conv *v = &op->conv;
     ms_nn__conv_job job;
-    memset(&job, 0, sizeof job);
-    job.conv = &op->conv;
-    job.x = x;
+    ms_nn__pad(v, x, (float *)scratch);
+    job.conv = v;
     job.y = y;
-    job.padded = (float *)scratch;
-    job.padded_pitch = nn->options.parallel.run ? ms_nn__conv_padded(job.conv) : 0;
+    job.padded = (const float *)scratch;
     job.linear = linear;
-    job.activation = op->activation;
-    job.alpha = op->alpha;
     job.kernels = nn->kernels;
-    ms__run(&nn->options.parallel, (int)ms_nn__conv_strips(job.conv), ms_nn__conv_task, &job);
+    job.chunk = MS_NN__TASK_PRODUCTS / ms__size_mul(v->out.w * v->out.c, v->in.c * v->taps) + 1;
+    ms_nn__chunks(nn, v->out.h, &job.chunk, ms_nn__conv_task, &job);
 }
 
 /* The first maximum of a window that begins at x[at], or its first NaN. */
 static size_t ms_nn__window_max(const ms_nn__op *op, const float *x, size_t at)
 {
     size_t best = at, i, j, k;
+    int better;
     for (i = 0; i < op->size[0]; ++i)
         for (j = 0; j < op->size[1]; ++j) {
             k = at + i * op->in.w + j;
-            if (x[k] > x[best] || (x[k] != x[k] && x[best] == x[best])) best = k;
+            better = (x[k] > x[best]) | ((x[k] != x[k]) & (x[best] == x[best]));
+            best += (k - best) * (size_t)better; /* a branch would be mispredicted */
         }
     return best;
 }
@@ -2784,37 +2684,16 @@ static float ms_nn__window_mean(const ms_nn__op *op, const float *x, size_t at)
 }
 
 /* point: the values that the maxima are taken of; x: what is picked, the same or a direction. */
-typedef struct ms_nn__pool_job {
-    const ms_nn__op *op;
-    const float *point, *x;
-    float *y;
-    size_t chunk; /* channels of a task */
-} ms_nn__pool_job;
-
-static void ms_nn__pool_task(void *context, int index)
+static MS_NN__NOINLINE void ms_nn__run_pool(const ms_nn__op *op, const float *point, const float *x, float *y)
 {
-    const ms_nn__pool_job *job = (const ms_nn__pool_job *)context;
-    const ms_nn__op *op = job->op;
-    size_t c = (size_t)index * job->chunk, c1 = ms_nn__min(c + job->chunk, op->out.c), i, j;
-    float *y = job->y + c * op->out.h * op->out.w;
-    for (; c < c1; ++c)
+    size_t c, i, j;
+    for (c = 0; c < op->out.c; ++c)
         for (i = 0; i < op->out.h; ++i)
             for (j = 0; j < op->out.w; ++j) {
                 const size_t at = (c * op->in.h + i * op->stride[0]) * op->in.w + j * op->stride[1];
-                *y++ = op->kind == MS_NN__DO_AVGPOOL ? ms_nn__window_mean(op, job->x, at)
-                                                     : job->x[ms_nn__window_max(op, job->point, at)];
+                *y++ = op->kind == MS_NN__DO_AVGPOOL ? ms_nn__window_mean(op, x, at)
+                                                     : x[ms_nn__window_max(op, point, at)];
             }
-}
-
-static void ms_nn__run_pool(const ms_nn *nn, const ms_nn__op *op, const float *point, const float *x, float *y)
-{
-    ms_nn__pool_job job;
-    job.op = op;
-    job.point = point;
-    job.x = x;
-    job.y = y;
-    job.chunk = 65536 / (op->in.h * op->in.w) + 1;
-    ms_nn__chunks(nn, op->out.c, &job.chunk, ms_nn__pool_task, &job);
 }
 
 static void ms_nn__run_upsample(const ms_nn__op *op, const float *x, float *y)
@@ -2842,9 +2721,9 @@ typedef struct ms_nn__run {
     const ms_nn *nn;
     size_t points;
     const float *x; /* [points][inner] value 0 */
-    float *y;       /* [points][output] the last value; NULL: in the shared slots or on the tape */
-    float *values;  /* tape or slots, for all points */
-    const size_t *place;
+    float *y;       /* [points][output] the last value; NULL: among the others */
+    float *values;  /* of all points */
+    int keeps;      /* what activations are applied to */
     void *scratch;
 } ms_nn__run;
 
@@ -2854,31 +2733,26 @@ static size_t ms_nn__value_size(const ms_nn *nn, int v) { return ms_nn__count(v 
 static float *ms_nn__value(const ms_nn__run *r, int v)
 {
     if (v == r->nn->ops && r->y != NULL) return r->y;
-    return r->values + r->place[v] * r->points;
+    return r->values + r->nn->place[v] * r->points;
 }
 
 static const float *ms_nn__input_value(const ms_nn__run *r, int v) { return v == 0 ? r->x : ms_nn__value(r, v); }
 
-/* What the slope of the activation that made value v depends on: its argument where that is kept, else its value
-   (relu, leaky_relu). */
-static const float *ms_nn__argument(const ms_nn__run *r, int v)
+/* What the activation that makes value v is applied to; without one it is the value. */
+static float *ms_nn__argument(const ms_nn__run *r, int v)
 {
-    if (r->nn->op[v - 1].kind == MS_NN__DO_ACTIVATE) return ms_nn__input_value(r, v - 1);
-    return r->nn->before[v] == SIZE_MAX ? ms_nn__value(r, v) : r->values + r->nn->before[v] * r->points;
+    const size_t before = r->keeps ? r->nn->before[v] : SIZE_MAX;
+    return before == SIZE_MAX ? ms_nn__value(r, v) : r->values + before * r->points;
 }
 
-/* Applies operation k to `count` vectors: samples if point is NULL, else tangent vectors, `each` per sample; point and
-   argument then hold the operation's input and what its activation is applied to there. activate 0: samples, without
-   the activation. */
+/* Applies operation k without its activation to `count` vectors: samples if point is NULL, else tangent vectors, `each`
+   per sample, at the inputs in point. */
 static MS_NN__COLD void ms_nn__apply(const ms_nn *nn, int k, size_t count, const float *x, const float *skip, float *y,
-                                     const float *point, const float *argument, size_t each, int activate,
-                                     void *scratch)
+                                     const float *point, size_t each, void *scratch)
 {
     const int linear = point != NULL;
-    ms_nn__op own = nn->op[k];
-    const ms_nn__op *op = &own;
+    const ms_nn__op *op = &nn->op[k];
     size_t in = ms_nn__count(op->in), out = ms_nn__count(op->out), b, i;
-    if (!activate) own.activation = MS_NN__LINEAR;
     if (op->kind == MS_NN__DO_DENSE) ms_nn__run_dense(nn, op, (int)count, x, y, linear);
     for (b = 0; b < count; ++b) {
         const float *xb = x + b * in;
@@ -2887,19 +2761,14 @@ static MS_NN__COLD void ms_nn__apply(const ms_nn *nn, int k, size_t count, const
         case MS_NN__DO_CONV: ms_nn__run_conv(nn, op, xb, yb, linear, scratch); break;
         case MS_NN__DO_UPSAMPLE: ms_nn__run_upsample(op, xb, yb); break;
         case MS_NN__DO_MAXPOOL:
-        case MS_NN__DO_AVGPOOL: ms_nn__run_pool(nn, op, linear ? point + b / each * in : xb, xb, yb); break;
+        case MS_NN__DO_AVGPOOL: ms_nn__run_pool(op, linear ? point + b / each * in : xb, xb, yb); break;
         case MS_NN__DO_TRANSPOSE: ms_nn__transpose(xb, op->in.c, op->in.h * op->in.w, yb, op->in.c); break;
         case MS_NN__DO_ADD:
             for (i = 0; i < out; ++i) yb[i] = xb[i] + skip[b * out + i];
-            if (!linear) nn->kernels->activate(yb, yb, out, op->activation, op->alpha, 0);
             break;
-        case MS_NN__DO_ACTIVATE:
-            memcpy(yb, xb, out * sizeof(float));
-            if (!linear) nn->kernels->activate(yb, yb, out, op->activation, op->alpha, 0);
-            break;
+        case MS_NN__DO_ACTIVATE: memcpy(yb, xb, out * sizeof(float)); break;
         default: break;
         }
-        if (linear) nn->kernels->activate(argument + b / each * out, yb, out, op->activation, op->alpha, 1);
     }
 }
 
@@ -2908,34 +2777,40 @@ static MS_NN__COLD void ms_nn__run_forward(const ms_nn__run *r)
     int k;
     for (k = 0; k < r->nn->ops; ++k) {
         const ms_nn__op *op = &r->nn->op[k];
-        float *y = ms_nn__value(r, k + 1);
-        size_t kept = r->place == r->nn->tape ? r->nn->before[k + 1] : SIZE_MAX;
-        float *to = kept == SIZE_MAX ? y : r->values + kept * r->points;
-        ms_nn__apply(r->nn, k, r->points, ms_nn__input_value(r, k), ms_nn__input_value(r, op->skip), to, NULL, NULL, 1,
-                     kept == SIZE_MAX, r->scratch);
-        if (to == y) continue;
-        r->nn->kernels->activate(to, y, r->points * ms_nn__count(op->out), op->activation, op->alpha, 0);
+        float *argument = ms_nn__argument(r, k + 1);
+        ms_nn__apply(r->nn, k, r->points, ms_nn__input_value(r, k), ms_nn__input_value(r, op->skip), argument, NULL, 1,
+                     r->scratch);
+        r->nn->kernels->activate(argument, ms_nn__value(r, k + 1), r->points * ms_nn__count(op->out), op->activation,
+                                 op->alpha, 0);
     }
 }
 
-/* Directions dx [points][each][inner] through the tape of r; slots is memory. Returns them [points][each][output]. */
-static MS_NN__COLD const float *ms_nn__run_directions(const ms_nn__run *r, size_t each, const float *dx, float *slots)
+/* Directions dx [points][each][inner] at the values that r keeps; values: theirs. Returns them [points][each][output].
+ */
+static MS_NN__COLD const float *ms_nn__run_directions(const ms_nn__run *r, size_t each, const float *dx, float *values)
 {
     const ms_nn *nn = r->nn;
     ms_nn__run d = *r;
+    size_t b, out;
     int k;
     d.points = r->points * each;
     d.x = dx;
     d.y = NULL;
-    d.values = slots;
-    d.place = nn->slot;
-    for (k = 0; k < nn->ops; ++k)
-        ms_nn__apply(nn, k, d.points, ms_nn__input_value(&d, k), ms_nn__input_value(&d, nn->op[k].skip),
-                     ms_nn__value(&d, k + 1), ms_nn__input_value(r, k), ms_nn__argument(r, k + 1), each, 1, r->scratch);
+    d.values = values;
+    for (k = 0; k < nn->ops; ++k) {
+        const ms_nn__op *op = &nn->op[k];
+        const float *argument = ms_nn__argument(r, k + 1);
+        float *dy = ms_nn__value(&d, k + 1);
+        ms_nn__apply(nn, k, d.points, ms_nn__input_value(&d, k), ms_nn__input_value(&d, op->skip), dy,
+                     ms_nn__input_value(r, k), each, r->scratch);
+        out = ms_nn__count(op->out);
+        for (b = 0; b < d.points; ++b)
+            nn->kernels->activate(argument + b / each * out, dy + b * out, out, op->activation, op->alpha, 1);
+    }
     return ms_nn__value(&d, nn->ops);
 }
 
-/* Bytes of the padded inputs of the convolutions: of all strips where they may run at once. */
+/* Bytes of the largest padded input of a convolution. */
 static MS_NN__COLD size_t ms_nn__scratch_size(const ms_nn *nn)
 {
     size_t most = 0, floats;
@@ -2943,7 +2818,6 @@ static MS_NN__COLD size_t ms_nn__scratch_size(const ms_nn *nn)
     for (k = 0; k < nn->ops; ++k) {
         if (nn->op[k].kind != MS_NN__DO_CONV) continue;
         floats = ms_nn__conv_padded(&nn->op[k].conv);
-        if (nn->options.parallel.run) floats = ms__size_mul(floats, ms_nn__conv_strips(&nn->op[k].conv));
         most = floats > most ? floats : most;
     }
     return ms__size_mul(most, sizeof(float));
@@ -2960,7 +2834,7 @@ static MS_NN__COLD size_t ms_nn__batch_size(const ms_nn *nn)
         if (nn->op[k].kind == MS_NN__DO_DENSE) dense += nn->op[k].matrix.rows * nn->op[k].matrix.cols;
         else convolutions += nn->op[k].kind == MS_NN__DO_CONV;
     }
-    n = (convolutions ? 131072u : 4194304u) / ms_nn__at_least_1(ms__size_mul(nn->slots, nn->channels)) / 12 * 12;
+    n = (convolutions ? 131072u : 4194304u) / ms_nn__at_least_1(ms__size_mul(nn->values, nn->channels)) / 12 * 12;
     if (nn->channel_input) return nn->channels < 12 ? 12 / nn->channels : 1; /* large pictures: more are slower */
     n = ms_nn__min(n, MS_NN__BATCH);
     return n > 0 ? n : convolutions && dense < 2000000 ? 1 : 12; /* large weights are better read for several */
@@ -2969,7 +2843,7 @@ static MS_NN__COLD size_t ms_nn__batch_size(const ms_nn *nn)
 /* A workspace: its pieces, or with base NULL their size. */
 typedef struct ms_nn__layout {
     size_t points, each; /* samples times channels; directions a point that run together, 0 for a forward run */
-    float *x, *values, *dx, *slots;
+    float *x, *values, *dx, *dvalues;
     void *scratch;
     size_t total; /* bytes */
 } ms_nn__layout;
@@ -2987,9 +2861,9 @@ static MS_NN__COLD ms_nn__layout ms_nn__layout_of(const ms_nn *nn, ms_nn_product
     l.each = forward ? 0 : ms_nn__min(in, MS_NN__BATCH);
     vectors = ms__size_mul(l.points, l.each);
     l.x = (float *)ms__take(&a, l.points, (nn->channel_input ? in : 0) * sizeof(float));
-    l.values = (float *)ms__take(&a, l.points, ms__size_mul(forward ? nn->slots : nn->tapes, sizeof(float)));
+    l.values = (float *)ms__take(&a, l.points, ms__size_mul(forward ? nn->values : nn->tape, sizeof(float)));
     l.dx = (float *)ms__take(&a, vectors, in * sizeof(float));
-    l.slots = (float *)ms__take(&a, vectors, ms__size_mul(nn->slots, sizeof(float)));
+    l.dvalues = (float *)ms__take(&a, vectors, ms__size_mul(nn->values, sizeof(float)));
     l.scratch = ms__take(&a, ms_nn__scratch_size(nn), 1);
     if (!forward && ms__size_mul(ms__size_mul(ms_nn_output_size(nn), ms_nn_input_size(nn)), sizeof(double)) == SIZE_MAX)
         a.used = SIZE_MAX;
@@ -3027,7 +2901,7 @@ static MS_NN__COLD void ms_nn__begin(ms_nn__call *call, const ms_nn *nn, ms_nn_p
     call->run.x = x;
     call->run.y = y;
     call->run.values = call->layout.values;
-    call->run.place = product == MS_NN_FORWARD ? nn->slot : nn->tape;
+    call->run.keeps = product == MS_NN_JACOBIAN;
     call->run.scratch = call->layout.scratch;
     if (nn->channel_input != NULL) {
         call->run.x = call->layout.x;
@@ -3072,7 +2946,7 @@ static MS_NN__COLD const float *ms_nn__columns(const ms_nn__call *call, size_t f
     memset(call->layout.dx, 0, points * n * in * sizeof(float));
     for (c = 0; c < points; ++c)
         for (i = 0; i < n; ++i) call->layout.dx[(c * n + i) * in + first + i] = 1;
-    return ms_nn__run_directions(&call->run, n, call->layout.dx, call->layout.slots);
+    return ms_nn__run_directions(&call->run, n, call->layout.dx, call->layout.dvalues);
 }
 
 MS_API MS_NN__COLD ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, float *jacobian, void *workspace)
@@ -3177,82 +3051,47 @@ MS_API MS_NN__COLD void ms_nn_destroy(ms_nn *nn)
 /* ---- stdio ----------------------------------------------------------------------------------------------------- */
 
 #ifndef MS_NN_NO_STDIO
-/* A regular file mapped read-only; NULL where that is not possible. */
-static const void *ms_nn__map(const char *path, size_t *size)
+/* A whole stream into one allocation of *size bytes, of which *used are the file; NULL: no memory. */
+static MS_NN__COLD void *ms_nn__read_whole(FILE *f, const ms_allocator *allocator, size_t *size, size_t *used)
 {
-    const void *bytes = NULL;
-#ifdef MS_NN__MMAP
-    struct stat info;
-    int fd = open(path, O_RDONLY);
-    if (fd < 0) return NULL;
-    if (fstat(fd, &info) == 0 && S_ISREG(info.st_mode) && info.st_size > 0 && (uint64_t)info.st_size < SIZE_MAX) {
-        void *at = mmap(NULL, (size_t)info.st_size, PROT_READ, MAP_PRIVATE, fd, 0);
-        *size = (size_t)info.st_size;
-        if (at != MAP_FAILED) bytes = at;
-    }
-    close(fd);
-#else
-    (void)path;
-    (void)size;
-#endif
-    return bytes;
-}
-
-/* A whole stream into one allocation of *size bytes, of which *used are the file. */
-static ms_status ms_nn__read_whole(const char *path, const ms_nn_options *o, void **bytes, size_t *size, size_t *used,
-                                   ms_error *error)
-{
-    FILE *f = fopen(path, "rb");
-    char *at = NULL, *larger;
-    ms_status status = MS_OK;
-    if (f == NULL) return ms__fail(error, MS_IO, 0, "cannot open '%s'", path);
+    char *at = NULL;
     *size = *used = 0;
-    for (;;) {
-        size_t got;
-        if (*used == *size) {
-            size_t room = *size ? ms__size_mul(*size, 2) : 65536;
-            larger = (char *)ms__alloc(&o->allocator, room);
-            if (larger && *used) memcpy(larger, at, *used);
-            ms__release(&o->allocator, at, *size);
-            at = larger;
-            *size = room;
-            if (at == NULL) {
-                status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for '%s'", path);
-                break;
-            }
-        }
-        got = fread(at + *used, 1, *size - *used, f);
-        *used += got;
-        if (got == 0) break;
+    while (*used == *size) {
+        const size_t room = *size ? ms__size_mul(*size, 2) : 65536;
+        char *larger = (char *)ms__alloc(allocator, room);
+        if (larger && *used) memcpy(larger, at, *used);
+        ms__release(allocator, at, *size);
+        if (larger == NULL) return NULL;
+        at = larger;
+        *size = room;
+        *used += fread(at + *used, 1, *size - *used, f);
     }
-    if (status == MS_OK && ferror(f)) status = ms__fail(error, MS_IO, *used, "cannot read '%s'", path);
-    fclose(f);
-    if (status != MS_OK) ms__release(&o->allocator, at, *size);
-    *bytes = at;
-    return status;
+    return at;
 }
 
 MS_API MS_NN__COLD ms_status ms_nn_file_read(const char *path, const ms_nn_options *options, ms_nn_file **file,
                                              ms_error *error)
 {
     ms_nn_options o = options ? *options : ms_nn_defaults();
-    const void *mapped = NULL;
-    void *read = NULL;
-    size_t size = 0, used;
+    size_t size, used;
     ms_status status;
+    void *content;
+    FILE *f;
     if (path == NULL || file == NULL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", path == NULL ? "path" : "file");
-    if (!o.copy) mapped = ms_nn__map(path, &size);
-    used = size;
-    if (mapped == NULL && (status = ms_nn__read_whole(path, &o, &read, &size, &used, error)) != MS_OK) return status;
-    status = ms_nn_file_open(mapped ? mapped : read, used, &o, file, error);
+    f = fopen(path, "rb");
+    if (f == NULL) return ms__fail(error, MS_IO, 0, "cannot open '%s'", path);
+    content = ms_nn__read_whole(f, &o.allocator, &size, &used);
+    if (content == NULL) status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for '%s'", path);
+    else if (ferror(f)) status = ms__fail(error, MS_IO, used, "cannot read '%s'", path);
+    else status = ms_nn_file_open(content, used, &o, file, error);
+    fclose(f);
     if (status != MS_OK) {
-        ms_nn__release_content(&o.allocator, mapped ? mapped : read, size, mapped != NULL);
+        ms__release(&o.allocator, content, size);
         return status;
     }
-    (*file)->content = mapped ? mapped : read;
+    (*file)->content = content;
     (*file)->content_bytes = size;
-    (*file)->content_is_mapped = mapped != NULL;
     return MS_OK;
 }
 
@@ -3455,12 +3294,8 @@ static MS_NN__COLD ms_status ms_nn__collapse_factor(ms_nn_collapse *c, size_t ch
 static MS_NN__COLD ms_nn ms_nn__body_of(const ms_nn *nn)
 {
     ms_nn body = *nn;
-    int v;
     body.ops--;
-    body.tapes = nn->tape[nn->ops];
-    body.slots = 0;
-    for (v = 0; v <= body.ops; ++v)
-        if (nn->slot[v] + ms_nn__value_size(nn, v) > body.slots) body.slots = nn->slot[v] + ms_nn__value_size(nn, v);
+    body.values = nn->place[nn->ops];
     return body;
 }
 
@@ -3758,7 +3593,6 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 }
 
 #undef MS_NN__BIG_ENDIAN
-#undef MS_NN__MMAP
 #undef MS_NN__X86
 #undef MS_NN__ARM
 #undef MS_NN__BIT
@@ -4065,9 +3899,6 @@ MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(conv_tile)(const ms_nn__conv *v, co
     else MS_NN__FN(conv_tile_of)(v, in, w, bias, out, out_plane, outs, 1);
 }
 
-MS_NN__KERNEL void MS_NN__FN(activate)(const float *x, float *y, size_t n, ms_nn__activation activation, float alpha,
-                                       int slope);
-
 /* One row of a block. A tile that stands over the row's end goes through a buffer. */
 MS_NN__KERNEL void MS_NN__FN(conv_row)(const ms_nn__conv_job *job, const float *in, size_t row, size_t block)
 {
@@ -4089,19 +3920,15 @@ MS_NN__KERNEL void MS_NN__FN(conv_row)(const ms_nn__conv_job *job, const float *
         MS_NN__FN(conv_tile)(v, in + x, w, bias, buffer, WIDE, outs, tile);
         for (i = 0; i < outs; ++i) memcpy(out + i * plane + x, buffer + i * WIDE, width * sizeof(float));
     }
-    for (i = 0; job->activation != MS_NN__LINEAR && !job->linear && i < outs; ++i)
-        MS_NN__FN(activate)(out + i * plane, out + i * plane, v->out.w, job->activation, job->alpha, 0);
 }
 
-MS_NN__KERNEL void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t strip, const float *padded)
+MS_NN__KERNEL void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t row0, size_t row1)
 {
     const ms_nn__conv *v = job->conv;
-    const size_t blocks = (v->out.c + MS_NN__V_BLOCK - 1) / MS_NN__V_BLOCK, row0 = strip * v->strip,
-                 row1 = ms_nn__min(row0 + v->strip, v->out.h);
     size_t row, block;
     for (row = row0; row < row1; ++row)
-        for (block = 0; block < blocks; ++block)
-            MS_NN__FN(conv_row)(job, padded + (row - row0) * v->stride[0] * v->pitch, row, block);
+        for (block = 0; block * MS_NN__V_BLOCK < v->out.c; ++block)
+            MS_NN__FN(conv_row)(job, job->padded + row * v->stride[0] * v->pitch, row, block);
 }
 
 /* e^x - c, c = 0 or 1, for x <= 88, subnormal results included: x = n ln 2 + r, 2^n (e^r - 1) + (2^n - c), 2^n in two

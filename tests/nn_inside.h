@@ -51,7 +51,7 @@ TEST_INSIDE int inside_directions(const ms_nn *nn, size_t count, const float *x,
     ms_nn__call call;
     ms_nn__begin(&call, nn, MS_NN_JACOBIAN, 1, x, NULL, workspace);
     if (count > call.layout.each || nn->channel_input != NULL) return 0;
-    memcpy(dy, ms_nn__run_directions(&call.run, count, dx, call.layout.slots),
+    memcpy(dy, ms_nn__run_directions(&call.run, count, dx, call.layout.dvalues),
            count * ms_nn_output_size(nn) * sizeof(float));
     return 1;
 }
