@@ -82,15 +82,14 @@
    Costs
    -----
    A small network costs its multiply-adds, a large dense layer what reading its weights costs, and so less as F16 or
-   I8. Large pages under the weights make it faster (on Linux madvise(MADV_HUGEPAGE) on the memory that ms_nn_load is
-   given). tests/bench/RESULTS.md of the repository has the tables.
+   I8. tests/bench/RESULTS.md of the repository has the tables.
 
    Memory
    ------
    A file costs one allocation, a network a dozen and at most five for each layer with weights. Convolutions are packed,
-   and small dense layers or those of fewer than 512 inputs, together at most 64 MB; the others are read in place. With
-   a workspace of ms_nn_workspace_size bytes the calls allocate nothing; it stops growing at 48 samples, since more run
-   in groups. Stack: below 32 kB, 64 kB when compiled without optimization.
+   and dense layers as long as they are together at most 64 MB; the others are read in place. With a workspace of
+   ms_nn_workspace_size bytes the calls allocate nothing; it stops growing at 48 samples, since more run in groups.
+   Stack: below 32 kB, 64 kB when compiled without optimization.
 
    Threads, SIMD, determinism, errors
    ----------------------------------
@@ -1892,7 +1891,7 @@ static size_t ms_nn__at_least_1(size_t n) { return n ? n : 1; }
 static size_t ms_nn__min(size_t a, size_t b) { return a < b ? a : b; }
 static size_t ms_nn__round_up(size_t n, size_t unit) { return (n + unit - 1) / unit * unit; }
 
-/* A dense layer's matrix where it lies, rows of cols elements without padding; most have a packed copy, too: in panels
+/* A dense layer's matrix where it lies, rows of cols elements without padding; most have a packed copy, too, in panels
    of kernels->panel rows, [panel][column][row of the panel], zeros after the last row. */
 typedef struct ms_nn__matrix {
     const unsigned char *w, *scale, *bias; /* scale, bias: [rows] native floats, any alignment, or NULL */
@@ -2118,12 +2117,7 @@ static MS_NN__COLD ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *s
     return MS_OK;
 }
 
-enum {
-    MS_NN__PACK_COLS = 512,        /* rows so short are packed whatever their number: read in place they are slow */
-    MS_NN__PACK_WEIGHTS = 2000000, /* of a matrix of longer rows: what a cache may hold */
-    MS_NN__PACK_COLS_MOST = 16384, /* longer rows are read in place as fast */
-    MS_NN__PACK_BYTES = 64 << 20   /* of a network */
-};
+enum { MS_NN__PACK_BYTES = 64 << 20 }; /* of a network */
 
 /* Packs a matrix. Nothing here depends on the batch, so that bits do not. 0: no memory. */
 static MS_NN__COLD int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m)
@@ -2138,8 +2132,6 @@ static MS_NN__COLD int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m)
     m->packed = NULL;
     m->packed_dtype = dtype;
     if (ms__size_add(bytes, nn->packed) > MS_NN__PACK_BYTES) return 1;
-    if (m->cols >= MS_NN__PACK_COLS && (m->cols > MS_NN__PACK_COLS_MOST || m->rows > MS_NN__PACK_WEIGHTS / m->cols))
-        return 1;
     m->packed = w = (unsigned char *)ms_nn__allocate(nn, bytes, 1);
     m->packed_scale = scale = (float *)ms_nn__allocate(nn, rows, 2 * sizeof(float));
     m->packed_bias = scale + rows;
@@ -2574,11 +2566,8 @@ MS_API MS_NN__COLD ms_status ms_nn_load(const void *bytes, size_t size, const ms
 
 /* ---- run ------------------------------------------------------------------------------------------------------- */
 
-/* How large a task is: enough to hide the cost of handing it out. The sizes depend on the problem alone. */
-enum {
-    MS_NN__TASK_BYTES = 262144,    /* of streamed weights */
-    MS_NN__TASK_PRODUCTS = 2097152 /* of a batch */
-};
+/* Of a task: enough to hide the cost of handing it out. */
+enum { MS_NN__TASK_PRODUCTS = 262144 };
 
 /* Runs task over count items in chunks; the context holds the chunk's size. */
 static void ms_nn__chunks(const ms_nn *nn, size_t count, size_t *chunk, void (*task)(void *, int), void *context)
@@ -2607,11 +2596,7 @@ static MS_NN__COLD void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, i
     job.y = y;
     job.linear = linear;
     job.kernels = nn->kernels;
-    job.chunk = MS_NN__TASK_BYTES / m->cols / ms_nn__bytes_of(m->dtype) + 1;
-    if (batch > 1 || m->packed) { /* whole tiles of rows, and of a large batch so few that several threads find some */
-        size_t most = MS_NN__TASK_PRODUCTS / m->cols / (size_t)batch + 1, tile = m->packed ? nn->kernels->panel : 16;
-        job.chunk = ms_nn__round_up(ms_nn__min(job.chunk, most), tile);
-    }
+    job.chunk = ms_nn__round_up(MS_NN__TASK_PRODUCTS / m->cols / (size_t)batch + 1, 2 * nn->kernels->panel);
     ms_nn__chunks(nn, m->rows, &job.chunk, ms_nn__dense_task, &job);
 }
 
@@ -3692,7 +3677,7 @@ MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(load)(const void *p)
 
 MS_NN__INLINE void MS_NN__FN(store)(float *p, MS_NN__V_FLOATS v) { memcpy(p, &v, sizeof v); }
 
-/* MS_NN__V_LANES weights of a type that is a constant where this is inlined. */
+/* MS_NN__V_LANES weights. */
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(weight)(const unsigned char *p, ms_nn_dtype dtype)
 {
     if (dtype == MS_NN_F32) return MS_NN__FN(load)(p);
@@ -3711,10 +3696,11 @@ MS_NN__KERNEL MS_NN__NOINLINE MS_NN__V_FLOATS MS_NN__FN(weight_part)(const unsig
 }
 
 /* Dot products of rows with all samples, one after the other: a row that was read stays in the first cache. Two sums
-   take turns by vectors. dtype is a constant. */
-MS_NN__INLINE void MS_NN__FN(dense_of)(const ms_nn__dense *job, size_t row0, size_t row1, ms_nn_dtype dtype)
+   take turns by vectors. */
+MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
     const ms_nn__matrix *m = job->m;
+    const ms_nn_dtype dtype = m->dtype;
     const size_t cols = m->cols, size = ms_nn__bytes_of(dtype), pair = 2 * MS_NN__V_LANES;
     size_t row, b, k, n;
     int i;
@@ -3743,16 +3729,9 @@ MS_NN__INLINE void MS_NN__FN(dense_of)(const ms_nn__dense *job, size_t row0, siz
         }
 }
 
-MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t row1)
-{
-    if (job->m->dtype == MS_NN_F32) MS_NN__FN(dense_of)(job, row0, row1, MS_NN_F32);
-    else if (job->m->dtype == MS_NN_F16) MS_NN__FN(dense_of)(job, row0, row1, MS_NN_F16);
-    else MS_NN__FN(dense_of)(job, row0, row1, MS_NN_I8);
-}
 
-/* n weights times a factor, in double. dtype is a constant. */
-MS_NN__INLINE void MS_NN__FN(widen_typed)(const unsigned char *p, size_t n, double factor, double *out,
-                                          ms_nn_dtype dtype)
+/* n weights times a factor, in double. */
+MS_NN__KERNEL void MS_NN__FN(widen)(const unsigned char *p, size_t n, double factor, double *out, ms_nn_dtype dtype)
 {
     const size_t size = ms_nn__bytes_of(dtype);
     float lane[MS_NN__V_LANES];
@@ -3766,12 +3745,6 @@ MS_NN__INLINE void MS_NN__FN(widen_typed)(const unsigned char *p, size_t n, doub
     }
 }
 
-MS_NN__KERNEL void MS_NN__FN(widen)(const unsigned char *p, size_t n, double factor, double *out, ms_nn_dtype dtype)
-{
-    if (dtype == MS_NN_F32) MS_NN__FN(widen_typed)(p, n, factor, out, MS_NN_F32);
-    else if (dtype == MS_NN_F16) MS_NN__FN(widen_typed)(p, n, factor, out, MS_NN_F16);
-    else MS_NN__FN(widen_typed)(p, n, factor, out, MS_NN_I8);
-}
 
 /* Packed weights: a panel has 4 vectors of rows. An output is the sum over the columns from the left, whatever the
    batch. */
