@@ -1953,8 +1953,8 @@ enum { MS_NN__DOUBLES = 8 }; /* two vectors of four */
 
 /* The loops that differ by level; the kernel section at the end of this file makes one table a level. */
 typedef struct ms_nn__kernels {
-    size_t block; /* outputs that a convolution computes together */
-    size_t panel; /* rows of a panel of packed weights */
+    size_t block;  /* outputs that a convolution computes together */
+    size_t panel;  /* rows of a panel of packed weights */
     ms_simd level; /* SCALAR: packed weights are floats, since narrow ones are slow to widen there */
     void (*packed)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*dense)(const ms_nn__dense *job, size_t row0, size_t row1);
@@ -3729,7 +3729,6 @@ MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t
         }
 }
 
-
 /* n weights times a factor, in double. */
 MS_NN__KERNEL void MS_NN__FN(widen)(const unsigned char *p, size_t n, double factor, double *out, ms_nn_dtype dtype)
 {
@@ -3738,13 +3737,13 @@ MS_NN__KERNEL void MS_NN__FN(widen)(const unsigned char *p, size_t n, double fac
     size_t k, count, i;
     for (k = 0; k < n; k += count) {
         count = ms_nn__min(n - k, MS_NN__V_LANES);
-        MS_NN__FN(store)(lane,
-                         count == MS_NN__V_LANES ? MS_NN__FN(weight)(p + k * size, dtype)
-                                               : MS_NN__FN(weight_part)(p + k * size, dtype, count));
+        MS_NN__FN(store)
+        (lane,
+         count == MS_NN__V_LANES ? MS_NN__FN(weight)(p + k * size, dtype)
+                                 : MS_NN__FN(weight_part)(p + k * size, dtype, count));
         for (i = 0; i < count; ++i) out[k + i] = factor * (double)lane[i];
     }
 }
-
 
 /* Packed weights: a panel has 4 vectors of rows. An output is the sum over the columns from the left, whatever the
    batch. */
