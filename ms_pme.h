@@ -470,8 +470,9 @@ static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t p
 /* ---- small maths ----------------------------------------------------------------------------------------------- */
 
 #define MS_PME__INF ((double)HUGE_VAL)
-#define MS_PME__SOLVERS 16 /* local solvers at a time, and candidates that a match keeps, at most */
-#define MS_PME__ROWS 32    /* rows of the Jacobian that one QR update takes: they stay in the cache */
+#define MS_PME__SOLVERS 16  /* local solvers at a time, and candidates that a match keeps, at most */
+#define MS_PME__ROWS 32     /* rows of the Jacobian that one QR update takes: they stay in the cache */
+#define MS_PME__TOGETHER 20 /* rounds of a bounded problem before it is taken one parameter at a time */
 
 static double ms_pme__dot(const double *a, const double *b, int n)
 {
@@ -507,9 +508,10 @@ static void ms_pme__qr_append(double *r, int n, double *columns, int k)
 {
     int w = n + 1, i, j;
     for (j = 0; j <= n; ++j) {
-        double *column = columns + j * MS_PME__ROWS, *top = r + j * w, largest = fabs(top[j]), norm, head, beta;
+        double *column = columns + j * MS_PME__ROWS, *top = r + j * w, largest = 0, norm, head, beta;
         for (i = 0; i < k; ++i) largest = ms_pme__max(largest, fabs(column[i]));
-        if (!(largest > 1e-140)) continue; /* columns are of size 1: rounding of rounding, whose square underflows */
+        if (!(largest > 1e-140)) continue; /* columns are of size 1: zeros, or rounding whose square underflows */
+        largest = ms_pme__max(largest, fabs(top[j]));
         norm = (top[j] / largest) * (top[j] / largest);
         for (i = 0; i < k; ++i) norm += (column[i] / largest) * (column[i] / largest);
         norm = largest * sqrt(norm);
@@ -754,14 +756,16 @@ static void ms_pme__solve_free(const double *triangle, int n, const double *weig
 }
 
 /* d [n] minimizes |R d - b|^2 + sum (weight_j d_j)^2 over low <= d <= high, low <= 0 <= high: the active-set method of
-   Stark and Parker (1995), finite and exact; each set is a QR factorization. state in: a guess of the active set (0
-   free, -1 at low, 1 at high); out: the active set. z [n]; the others as above. */
+   Stark and Parker (1995), finite and exact; each set is a QR factorization. To need few of them, it begins with
+   rounds in which all parameters that should change sides do so together. state in: a guess of the active set (0 free,
+   -1 at low, 1 at high); out: the active set. z [n]; the others as above. */
 static void ms_pme__bounded_least_squares(const double *triangle, int n, const double *weight, const double *low,
                                           const double *high, double *d, int *state, double *z, double *work)
 {
     int w = n + 1, change, i, j, released = -1;
     for (j = 0; j < n; ++j) d[j] = state[j] < 0 ? low[j] : state[j] > 0 ? high[j] : 0;
-    for (change = 0; change < 4 * n + 8; ++change) {
+    for (change = 0; change < 4 * n + 8 + MS_PME__TOGETHER; ++change) {
+        const int together = change < MS_PME__TOGETHER;
         int worst = -1, hit = -1;
         double alpha = 1, steepest = 0, *size = work;
         ms_pme__solve_free(triangle, n, weight, state, d, z, work);
@@ -769,6 +773,12 @@ static void ms_pme__bounded_least_squares(const double *triangle, int n, const d
             double limit, t;
             if (state[j] != 0 || (z[j] >= low[j] && z[j] <= high[j])) continue;
             limit = z[j] < low[j] ? low[j] : high[j];
+            if (together) {
+                state[j] = z[j] < low[j] ? -1 : 1;
+                d[j] = limit;
+                hit = j;
+                continue;
+            }
             t = z[j] < d[j] || z[j] > d[j] ? (limit - d[j]) / (z[j] - d[j]) : 0;
             if (t < alpha || hit < 0) {
                 alpha = ms_pme__clip(t, 0, 1);
@@ -777,6 +787,7 @@ static void ms_pme__bounded_least_squares(const double *triangle, int n, const d
         }
         for (j = 0; j < n; ++j)
             if (state[j] == 0) d[j] = ms_pme__clip(d[j] + alpha * (z[j] - d[j]), low[j], high[j]);
+        if (hit >= 0 && together) continue;
         if (hit >= 0) {
             state[hit] = z[hit] < low[hit] ? -1 : 1;
             d[hit] = state[hit] < 0 ? low[hit] : high[hit];
@@ -798,8 +809,9 @@ static void ms_pme__bounded_least_squares(const double *triangle, int n, const d
             }
             push = state[j] < 0 ? t : -t;
             if (push > 1e-14 * terms && push > steepest) {
-                steepest = push;
+                steepest = together ? 0 : push;
                 worst = j;
+                if (together) state[j] = 0;
             }
         }
         if (worst < 0) break;
@@ -1571,6 +1583,7 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
 #undef MS_PME__INF
 #undef MS_PME__SOLVERS
 #undef MS_PME__ROWS
+#undef MS_PME__TOGETHER
 #undef MS_PME__SCALE_DECAY
 #endif /* MS_PME_IMPLEMENTATION */
 
