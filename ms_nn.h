@@ -1938,7 +1938,7 @@ typedef struct ms_nn__conv_job {
 
 enum { MS_NN__OVERRUN = 64 }; /* floats that a tile may load beyond the end of the padded input */
 
-/* out_ik += sum_r a_ir b_rk in double for r < count, i < rows and k < cols, a multiple of MS_NN__DOUBLES. */
+/* out_ik += sum_r a_ir b_rk in double for r < count, i < rows, a multiple of 4, and k < cols, one of MS_NN__DOUBLES. */
 typedef struct ms_nn__product_job {
     const double *a; /* a_ir at a[i * a_row + r * a_column] */
     size_t a_row, a_column;
@@ -3104,7 +3104,7 @@ struct ms_nn_collapse {
     size_t bytes;
     float *weight; /* [channels][rows] diagonal of M */
     size_t *owner; /* [channels] the first channel with the same weights, which holds R for them */
-    double *r;     /* [channels][h][wide] upper triangles */
+    double *r;     /* [channels][wide][wide] upper triangles */
     double *h0;    /* [channels][wide] of the target */
     double *e;     /* [channels][wide] */
     double rest;
@@ -3154,7 +3154,7 @@ static void ms_nn__gram_rows(const ms_nn__pass *p, const size_t *row, size_t n)
     for (i = 0; i < c->h; i += MS_NN__DOUBLES) {
         job.a = job.b = p->w + i;
         job.out = p->sum + i * c->wide + i;
-        job.rows = ms_nn__min(MS_NN__DOUBLES, c->h - i);
+        job.rows = MS_NN__DOUBLES;
         job.cols = c->wide - i;
         c->nn->kernels->product(&job);
     }
@@ -3166,7 +3166,7 @@ static void ms_nn__target_rows(const ms_nn__pass *p, const size_t *row, size_t n
     const ms_nn_collapse *c = p->c;
     ms_nn__product_job job;
     size_t i, ch;
-    memset(p->residual, 0, n * p->across * sizeof(double));
+    memset(p->residual, 0, MS_NN__COLLAPSE_ROWS * p->across * sizeof(double));
     job.a = p->w; /* W h0, if h0 is not 0 */
     job.a_row = c->wide;
     job.a_column = 1;
@@ -3174,7 +3174,7 @@ static void ms_nn__target_rows(const ms_nn__pass *p, const size_t *row, size_t n
     job.b_row = job.out_row = job.cols = p->across;
     job.out = p->residual;
     job.count = c->h;
-    job.rows = n;
+    job.rows = ms_nn__round_up(n, 4);
     if (p->has_h0) c->nn->kernels->product(&job);
     for (i = 0; i < n; ++i)
         for (ch = 0; ch < c->channels; ++ch) {
@@ -3265,7 +3265,7 @@ static MS_NN__COLD ms_status ms_nn__collapse_factor(ms_nn_collapse *c, size_t ch
 {
     ms_nn__pass p;
     size_t bytes;
-    if (!ms_nn__pass_make(&p, c, ms__size_mul(c->h, c->wide), &bytes))
+    if (!ms_nn__pass_make(&p, c, ms__size_mul(c->wide, c->wide), &bytes))
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a collapse of %z features", c->h);
     p.weight = c->weight + channel * c->m->rows;
     ms_nn__pass_run(&p);
@@ -3309,7 +3309,7 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float 
         memset(&t, 0, sizeof t);
         a.used = 0;
         made = (ms_nn_collapse *)ms__take(&a, 1, sizeof *made);
-        t.r = (double *)ms__take(&a, channels, ms__size_mul(ms__size_mul(h, wide), sizeof(double)));
+        t.r = (double *)ms__take(&a, channels, ms__size_mul(ms__size_mul(wide, wide), sizeof(double)));
         t.h0 = (double *)ms__take(&a, channels, ms__size_mul(wide, sizeof(double)));
         t.e = (double *)ms__take(&a, channels, ms__size_mul(wide, sizeof(double)));
         t.owner = (size_t *)ms__take(&a, channels, sizeof(size_t));
@@ -3370,7 +3370,7 @@ static void ms_nn__solve(const double *r, size_t h, size_t wide, double *x)
 /* R of a channel. */
 static const double *ms_nn__collapse_r(const ms_nn_collapse *c, size_t channel)
 {
-    return c->r + c->owner[channel] * c->h * c->wide;
+    return c->r + c->owner[channel] * c->wide * c->wide;
 }
 
 MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target, ms_error *error)
@@ -3411,7 +3411,7 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
 typedef struct ms_nn__collapse_layout {
     size_t across;    /* the value and the inputs of a channel, rounded up to MS_NN__DOUBLES */
     double *columns;  /* [channels][h][across] h - h0, then the Jacobian of h */
-    double *products; /* [h][across] R times those of a channel */
+    double *products; /* [h rounded up][across] R times those of a channel */
     float *features;  /* [channels][h] */
     void *body;
     size_t total; /* bytes */
@@ -3428,7 +3428,7 @@ static MS_NN__COLD ms_nn__collapse_layout ms_nn__collapse_layout_of(const ms_nn_
     a.used = 0;
     l.across = ms_nn__round_up(1 + (with_jacobian ? ms_nn__count(c->nn->inner) : 0), MS_NN__DOUBLES);
     l.columns = (double *)ms__take(&a, c->channels, ms__size_mul(c->h, ms__size_mul(l.across, sizeof(double))));
-    l.products = (double *)ms__take(&a, c->h, ms__size_mul(l.across, sizeof(double)));
+    l.products = (double *)ms__take(&a, c->wide, ms__size_mul(l.across, sizeof(double)));
     l.features = (float *)ms__take(&a, c->channels, ms__size_mul(c->h, sizeof(float)));
     l.body = ms__take(&a, body, 1);
     l.total = ms__size_add(a.used, 63);
@@ -3445,7 +3445,7 @@ static void ms_nn__collapse_multiply(const ms_nn_collapse *c, size_t channel, co
 {
     ms_nn__product_job job;
     size_t i;
-    memset(l->products, 0, c->h * l->across * sizeof(double));
+    memset(l->products, 0, c->wide * l->across * sizeof(double));
     job.a_row = c->wide;
     job.a_column = 1;
     job.b_row = job.out_row = job.cols = l->across;
@@ -3454,7 +3454,7 @@ static void ms_nn__collapse_multiply(const ms_nn_collapse *c, size_t channel, co
         job.b = l->columns + (channel * c->h + i) * l->across;
         job.out = l->products + i * l->across;
         job.count = c->h - i;
-        job.rows = ms_nn__min(MS_NN__DOUBLES, c->h - i);
+        job.rows = MS_NN__DOUBLES;
         c->nn->kernels->product(&job);
     }
 }
@@ -4027,44 +4027,37 @@ MS_NN__INLINE MS_NN__FN(doubles) MS_NN__FN(load_doubles)(const double *p)
     return v;
 }
 
-/* One or four rows of the product times two vectors of columns. rows is a constant. */
-MS_NN__INLINE void MS_NN__FN(product_tile)(const ms_nn__product_job *job, size_t row, size_t col, int rows)
-{
-    const double *a = job->a + row * job->a_row, *b = job->b + col;
-    double *out = job->out + row * job->out_row + col;
-    MS_NN__FN(doubles) sum[4][2], v[2];
-    size_t r;
-    int i, k;
-    MS_NN__UNROLL
-    for (i = 0; i < rows; ++i) {
-        MS_NN__UNROLL
-        for (k = 0; k < 2; ++k)
-            sum[i][k] = MS_NN__FN(load_doubles)(out + (size_t)i * job->out_row + k * MS_NN__D_LANES);
-    }
-    for (r = 0; r < job->count; ++r, a += job->a_column, b += job->b_row) {
-        MS_NN__UNROLL
-        for (k = 0; k < 2; ++k) v[k] = MS_NN__FN(load_doubles)(b + k * MS_NN__D_LANES);
-        MS_NN__UNROLL
-        for (i = 0; i < rows; ++i) {
-            MS_NN__UNROLL
-            for (k = 0; k < 2; ++k) sum[i][k] += v[k] * a[(size_t)i * job->a_row];
-        }
-    }
-    MS_NN__UNROLL
-    for (i = 0; i < rows; ++i) {
-        MS_NN__UNROLL
-        for (k = 0; k < 2; ++k)
-            memcpy(out + (size_t)i * job->out_row + k * MS_NN__D_LANES, &sum[i][k], sizeof sum[i][k]);
-    }
-}
-
+/* Four rows times two vectors of columns at a time. */
 MS_NN__KERNEL void MS_NN__FN(product)(const ms_nn__product_job *job)
 {
-    size_t row, col;
-    for (row = 0; row < job->rows; row += row + 4 <= job->rows ? 4 : 1)
+    MS_NN__FN(doubles) sum[4][2], v[2];
+    size_t row, col, r;
+    int i, k;
+    for (row = 0; row < job->rows; row += 4)
         for (col = 0; col < job->cols; col += 2 * MS_NN__D_LANES) {
-            if (row + 4 <= job->rows) MS_NN__FN(product_tile)(job, row, col, 4);
-            else MS_NN__FN(product_tile)(job, row, col, 1);
+            const double *a = job->a + row * job->a_row, *b = job->b + col;
+            double *out = job->out + row * job->out_row + col;
+            MS_NN__UNROLL
+            for (i = 0; i < 4; ++i) {
+                MS_NN__UNROLL
+                for (k = 0; k < 2; ++k)
+                    sum[i][k] = MS_NN__FN(load_doubles)(out + (size_t)i * job->out_row + k * MS_NN__D_LANES);
+            }
+            for (r = 0; r < job->count; ++r, a += job->a_column, b += job->b_row) {
+                MS_NN__UNROLL
+                for (k = 0; k < 2; ++k) v[k] = MS_NN__FN(load_doubles)(b + k * MS_NN__D_LANES);
+                MS_NN__UNROLL
+                for (i = 0; i < 4; ++i) {
+                    MS_NN__UNROLL
+                    for (k = 0; k < 2; ++k) sum[i][k] += v[k] * a[(size_t)i * job->a_row];
+                }
+            }
+            MS_NN__UNROLL
+            for (i = 0; i < 4; ++i) {
+                MS_NN__UNROLL
+                for (k = 0; k < 2; ++k)
+                    memcpy(out + (size_t)i * job->out_row + k * MS_NN__D_LANES, &sum[i][k], sizeof sum[i][k]);
+            }
         }
 }
 
