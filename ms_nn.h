@@ -82,20 +82,19 @@
    Costs
    -----
    A small network costs its multiply-adds, a large dense layer what reading its weights costs, and so less as F16 or
-   I8. Large pages under the weights make it faster (on Linux madvise(MADV_HUGEPAGE) on the memory that ms_nn_load is
-   given). tests/bench/RESULTS.md of the repository has the tables.
+   I8. tests/bench/RESULTS.md of the repository has the tables.
 
    Memory
    ------
    A file costs one allocation, a network a dozen and at most five for each layer with weights. Convolutions are packed,
-   and small dense layers or those of fewer than 512 inputs, together at most 64 MB; the others are read in place. With
-   a workspace of ms_nn_workspace_size bytes the calls allocate nothing; it stops growing at 48 samples, since more run
-   in groups. Stack: below 32 kB, 64 kB when compiled without optimization.
+   and dense layers as long as they are together at most 64 MB; the others are read in place. With a workspace of
+   ms_nn_workspace_size bytes the calls allocate nothing; it stops growing at 48 samples, since more run in groups.
+   Stack: below 32 kB, 64 kB when compiled without optimization.
 
    Threads, SIMD, determinism, errors
    ----------------------------------
    No globals. A loaded network is only read: calls on it may overlap if their workspaces differ. options.parallel takes
-   a thread pool; the work is cut by the problem alone. AVX2, AVX-512 and NEON are chosen at load, capped by
+   a thread pool; the work is cut by the problem alone. AVX2 and NEON are chosen at load, capped by
    options.simd; other processors and MS_NO_SIMD run plain C. At one level the bits are the same for any number of
    threads, and for a sample alone or in a batch. Arithmetic is in floats: within 1e-5 of the largest output against
    double precision in the tests; the collapse is in double. Every call that can fail returns a status;
@@ -115,9 +114,8 @@
    MS_BAD_DATA: whatever the strict format forbids (duplicate names, holes, overlaps, trailing bytes, NUL in names, null
    metadata, a header over 100,000,000 bytes, rank over 32), layers that do not fit their tensors, over 4096 layers,
    layer names over 240 bytes, padded sizes of 2^31 and more. MS_UNSUPPORTED: weights of other element types. Files of
-   2^31 bytes and more need a 64-bit machine. A mapped file must not shrink while it is used; options.copy reads it
-   instead. Networks are chains with added skips: no recurrence, attention, or normalization at run time (BatchNorm goes
-   into the weights), no groups, dilation or transposed convolutions.
+   2^31 bytes and more need a 64-bit machine. Networks are chains with added skips: no recurrence, attention, or
+   normalization at run time (BatchNorm goes into the weights), no groups, dilation or transposed convolutions.
 
    Sources
    -------
@@ -301,7 +299,6 @@ typedef struct ms_nn_options {
     ms_simd simd;           /* the fastest level to use; MS_SIMD_AUTO (0): what the processor has */
     ms_parallel parallel;   /* runs the layers' tasks; zero: the calling thread */
     ms_allocator allocator; /* zero: malloc and free */
-    int copy; /* non-zero: files by name are read into memory, not mapped: they may then change while in use */
 } ms_nn_options;
 
 /* All defaults. */
@@ -313,7 +310,7 @@ MS_API const char *ms_nn_dtype_string(ms_nn_dtype dtype);
 typedef struct ms_nn_file ms_nn_file;
 
 /* Checks a whole safetensors file and lists it. Nothing is copied but the names, in one allocation.
-   bytes     [size] the file, e.g. mapped; must outlive *file; any alignment
+   bytes     [size] the file, read or mapped; must outlive *file; any alignment
    options   NULL: defaults
    *file     out; ms_nn_file_close releases it; untouched on failure
    error     NULL or filled on failure; position: byte in the file
@@ -380,8 +377,7 @@ MS_API ms_status ms_nn_load(const void *bytes, size_t size, const ms_nn_options 
 MS_API void ms_nn_destroy(ms_nn *nn); /* NULL is allowed */
 
 #ifndef MS_NN_NO_STDIO
-/* ms_nn_file_open and ms_nn_load for a file by name: mapped on POSIX systems, where a file that shrinks while it is
-   used ends the program (options.copy), read into one allocation elsewhere. MS_IO: cannot be read. */
+/* ms_nn_file_open and ms_nn_load for a file by name, which is read into one allocation. MS_IO: cannot be read. */
 MS_API ms_status ms_nn_file_read(const char *path, const ms_nn_options *options, ms_nn_file **file, ms_error *error);
 MS_API ms_status ms_nn_load_file(const char *path, const ms_nn_options *options, ms_nn **nn, ms_error *error);
 #endif
@@ -714,13 +710,6 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 
 #if !defined(MS_NN_NO_STDIO)
 #include <stdio.h>
-#if defined(__unix__) || (defined(__APPLE__) && defined(__MACH__))
-#define MS_NN__MMAP 1
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
-#endif
 #endif
 #include <limits.h>
 #include <math.h>
@@ -731,7 +720,6 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
 
 /* Contents, in the order of the data:
      bytes       numbers of a file, element types
-     sorting     names
      json        a cursor over JSON text
      file        a safetensors file, checked and listed
      writer      the same, written
@@ -839,30 +827,6 @@ static float ms_nn__element(const void *data, ms_nn_dtype dtype, size_t i)
     if (dtype == MS_NN_F32) return ms_nn__float_of(ms_nn__u32(p));
     if (dtype == MS_NN_F16) return ms__half_to_float((uint16_t)ms_nn__u16(p));
     return (float)(*p < 128 ? (int)*p : (int)*p - 256);
-}
-
-/* ---- sorting --------------------------------------------------------------------------------------------------- */
-
-/* Heap sort of indices: no recursion, no allocation, O(n log n) for any input. */
-static void ms_nn__sort(size_t *index, size_t n, int (*compare)(const void *context, size_t a, size_t b),
-                        const void *context)
-{
-    size_t start = n / 2, end = n;
-    while (end > 1) {
-        size_t root, child, moving;
-        if (start > 0) {
-            moving = index[--start];
-        } else {
-            moving = index[--end];
-            index[end] = index[0];
-        }
-        for (root = start; (child = 2 * root + 1) < end; root = child) {
-            if (child + 1 < end && compare(context, index[child], index[child + 1]) < 0) ++child;
-            if (compare(context, moving, index[child]) >= 0) break;
-            index[root] = index[child];
-        }
-        index[root] = moving;
-    }
 }
 
 /* ---- json ------------------------------------------------------------------------------------------------------ */
@@ -1052,15 +1016,15 @@ typedef struct ms_nn__record {
 
 struct ms_nn_file {
     ms_allocator allocator;
-    size_t bytes;        /* of this allocation, which holds everything below */
-    const void *content; /* the file, where ms_nn_file_read mapped it or read it into memory; else NULL */
+    size_t bytes;  /* of this allocation, which holds everything below */
+    void *content; /* what ms_nn_file_read read; else NULL */
     size_t content_bytes;
-    int content_is_mapped;
     size_t tensors, entries;
-    ms_nn__record *record; /* [tensors] in the order of the header */
-    ms_nn_entry *entry;    /* [entries] */
-    size_t *shape;         /* all dimensions */
-    size_t *by_data, *by_name, *by_key;
+    ms_nn__record *record; /* [tensors] in the order of the data */
+    ms_nn_entry *entry;    /* [entries] in the order of the header */
+    const ms_nn__record **by_name;
+    const ms_nn_entry **by_key;
+    size_t *shape;    /* all dimensions */
     size_t *value_at; /* [entries] byte in the file after the quote that opens a value */
     const unsigned char *start;
     char *text;
@@ -1207,45 +1171,43 @@ static MS_NN__COLD ms_status ms_nn__header_object(ms_nn__json *j, ms_nn__header 
     return MS_OK;
 }
 
-static MS_NN__COLD int ms_nn__compare_data(const void *context, size_t a, size_t b)
+static MS_NN__COLD int ms_nn__compare_data(const void *first, const void *second)
 {
-    const ms_nn__record *r = (const ms_nn__record *)context;
-    if (r[a].begin != r[b].begin) return r[a].begin < r[b].begin ? -1 : 1;
-    if (r[a].end != r[b].end) return r[a].end < r[b].end ? -1 : 1;
-    return a < b ? -1 : a > b; /* empty tensors at one place keep their order */
+    const ms_nn__record *a = (const ms_nn__record *)first, *b = (const ms_nn__record *)second;
+    if (a->begin != b->begin) return a->begin < b->begin ? -1 : 1;
+    if (a->end != b->end) return a->end < b->end ? -1 : 1;
+    return a->position < b->position ? -1 : 1; /* empty tensors at one place keep their order */
 }
 
-static MS_NN__COLD int ms_nn__compare_name(const void *context, size_t a, size_t b)
+static MS_NN__COLD int ms_nn__compare_name(const void *first, const void *second)
 {
-    const ms_nn__record *r = (const ms_nn__record *)context;
-    return strcmp(r[a].tensor.name, r[b].tensor.name);
+    return strcmp((*(const ms_nn__record *const *)first)->tensor.name,
+                  (*(const ms_nn__record *const *)second)->tensor.name);
 }
 
-static MS_NN__COLD int ms_nn__compare_key(const void *context, size_t a, size_t b)
+static MS_NN__COLD int ms_nn__compare_key(const void *first, const void *second)
 {
-    const ms_nn_entry *e = (const ms_nn_entry *)context;
-    return strcmp(e[a].key, e[b].key);
+    return strcmp((*(const ms_nn_entry *const *)first)->key, (*(const ms_nn_entry *const *)second)->key);
 }
 
 /* Names and keys once each; the data without holes or overlaps from 0 to its end. */
 static MS_NN__COLD ms_status ms_nn__file_check(ms_nn_file *f, size_t data_start, size_t data_size, ms_error *error)
 {
     size_t i, end = 0;
-    for (i = 0; i < f->tensors; ++i) f->by_data[i] = f->by_name[i] = i;
-    for (i = 0; i < f->entries; ++i) f->by_key[i] = i;
-    ms_nn__sort(f->by_data, f->tensors, ms_nn__compare_data, f->record);
-    ms_nn__sort(f->by_name, f->tensors, ms_nn__compare_name, f->record);
-    ms_nn__sort(f->by_key, f->entries, ms_nn__compare_key, f->entry);
+    qsort(f->record, f->tensors, sizeof f->record[0], ms_nn__compare_data);
+    for (i = 0; i < f->tensors; ++i) f->by_name[i] = &f->record[i];
+    for (i = 0; i < f->entries; ++i) f->by_key[i] = &f->entry[i];
+    qsort(f->by_name, f->tensors, sizeof f->by_name[0], ms_nn__compare_name);
+    qsort(f->by_key, f->entries, sizeof f->by_key[0], ms_nn__compare_key);
     for (i = 1; i < f->tensors; ++i)
-        if (ms_nn__compare_name(f->record, f->by_name[i - 1], f->by_name[i]) == 0)
-            return ms__fail(error, MS_BAD_DATA, f->record[f->by_name[i]].position, "two tensors have the name '%s'",
-                            f->record[f->by_name[i]].tensor.name);
+        if (ms_nn__compare_name(&f->by_name[i - 1], &f->by_name[i]) == 0)
+            return ms__fail(error, MS_BAD_DATA, f->by_name[i]->position, "two tensors have the name '%s'",
+                            f->by_name[i]->tensor.name);
     for (i = 1; i < f->entries; ++i)
-        if (ms_nn__compare_key(f->entry, f->by_key[i - 1], f->by_key[i]) == 0)
-            return ms__fail(error, MS_BAD_DATA, 8, "two metadata entries have the key '%s'",
-                            f->entry[f->by_key[i]].key);
+        if (ms_nn__compare_key(&f->by_key[i - 1], &f->by_key[i]) == 0)
+            return ms__fail(error, MS_BAD_DATA, 8, "two metadata entries have the key '%s'", f->by_key[i]->key);
     for (i = 0; i < f->tensors; ++i) {
-        const ms_nn__record *r = &f->record[f->by_data[i]];
+        const ms_nn__record *r = &f->record[i];
         if (r->begin != end)
             return ms__fail(error, MS_BAD_DATA, r->position,
                             r->begin > end ? "a hole of %z bytes before the tensor '%s'"
@@ -1301,8 +1263,8 @@ MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, con
     h.data_size = size - h.data_start;
     if ((status = ms_nn__header_object(&j, &h)) != MS_OK) return status;
 
-    total = ms__size_add(sizeof *f, ms__size_mul(h.tensors, sizeof(ms_nn__record) + 2 * sizeof(size_t)));
-    total = ms__size_add(total, ms__size_mul(h.entries, sizeof(ms_nn_entry) + 2 * sizeof(size_t)));
+    total = ms__size_add(sizeof *f, ms__size_mul(h.tensors, sizeof(ms_nn__record) + sizeof f->by_name[0]));
+    total = ms__size_add(total, ms__size_mul(h.entries, sizeof(ms_nn_entry) + sizeof f->by_key[0] + sizeof(size_t)));
     total = ms__size_add(total, ms__size_add(ms__size_mul(h.dimensions, sizeof(size_t)), h.text));
     f = (ms_nn_file *)ms__alloc(&o.allocator, total);
     if (f == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a list of %z tensors", h.tensors);
@@ -1313,10 +1275,9 @@ MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, con
     f->entries = h.entries;
     f->record = (ms_nn__record *)(void *)(f + 1);
     f->entry = (ms_nn_entry *)(void *)(f->record + h.tensors);
-    f->by_data = (size_t *)(void *)(f->entry + h.entries);
-    f->by_name = f->by_data + h.tensors;
-    f->by_key = f->by_name + h.tensors;
-    f->value_at = f->by_key + h.entries;
+    f->by_name = (const ms_nn__record **)(void *)(f->entry + h.entries);
+    f->by_key = (const ms_nn_entry **)(void *)(f->by_name + h.tensors);
+    f->value_at = (size_t *)(void *)(f->by_key + h.entries);
     f->shape = f->value_at + h.entries;
     f->start = b;
     f->text = (char *)(f->shape + h.dimensions);
@@ -1332,27 +1293,12 @@ MS_API MS_NN__COLD ms_status ms_nn_file_open(const void *bytes, size_t size, con
     return status;
 }
 
-/* What ms_nn_file_read made. */
-static MS_NN__COLD void ms_nn__release_content(const ms_allocator *allocator, const void *content, size_t bytes,
-                                               int is_mapped)
-{
-    void *at = (void *)(uintptr_t)content;
-#ifdef MS_NN__MMAP
-    if (is_mapped) {
-        munmap(at, bytes);
-        return;
-    }
-#endif
-    (void)is_mapped;
-    ms__release(allocator, at, bytes);
-}
-
 MS_API MS_NN__COLD void ms_nn_file_close(ms_nn_file *file)
 {
     ms_allocator allocator;
     if (file == NULL) return;
     allocator = file->allocator;
-    ms_nn__release_content(&allocator, file->content, file->content_bytes, file->content_is_mapped);
+    ms__release(&allocator, file->content, file->content_bytes);
     ms__release(&allocator, file, file->bytes);
 }
 
@@ -1361,7 +1307,7 @@ MS_API size_t ms_nn_file_entry_count(const ms_nn_file *file) { return file ? fil
 
 MS_API const ms_nn_tensor *ms_nn_file_tensor(const ms_nn_file *file, size_t i)
 {
-    return file && i < file->tensors ? &file->record[file->by_data[i]].tensor : NULL;
+    return file && i < file->tensors ? &file->record[i].tensor : NULL;
 }
 
 MS_API const ms_nn_entry *ms_nn_file_entry(const ms_nn_file *file, size_t i)
@@ -1385,7 +1331,7 @@ MS_API const ms_nn_tensor *ms_nn_file_find(const ms_nn_file *file, const char *n
     size_t first = 0, end = file && name ? file->tensors : 0;
     while (first < end) {
         size_t middle = first + (end - first) / 2;
-        const ms_nn_tensor *t = &file->record[file->by_name[middle]].tensor;
+        const ms_nn_tensor *t = &file->by_name[middle]->tensor;
         int compared = strcmp(name, t->name);
         if (compared == 0) return t;
         if (compared < 0) end = middle;
@@ -1444,12 +1390,7 @@ static MS_NN__COLD void ms_nn__put_text(ms_nn__writer *w, const char *text) { ms
 static MS_NN__COLD void ms_nn__put_size(ms_nn__writer *w, size_t value)
 {
     char digit[24];
-    size_t n = sizeof digit;
-    do {
-        digit[--n] = (char)('0' + (int)(value % 10));
-        value /= 10;
-    } while (value);
-    ms_nn__put(w, digit + n, sizeof digit - n);
+    ms_nn__put_text(w, ms__format_integer(digit + sizeof digit - 1, value));
 }
 
 static MS_NN__COLD void ms_nn__put_string(ms_nn__writer *w, const char *text)
@@ -1950,7 +1891,7 @@ static size_t ms_nn__at_least_1(size_t n) { return n ? n : 1; }
 static size_t ms_nn__min(size_t a, size_t b) { return a < b ? a : b; }
 static size_t ms_nn__round_up(size_t n, size_t unit) { return (n + unit - 1) / unit * unit; }
 
-/* A dense layer's matrix where it lies, rows of cols elements without padding; most have a packed copy, too: in panels
+/* A dense layer's matrix where it lies, rows of cols elements without padding; most have a packed copy, too, in panels
    of kernels->panel rows, [panel][column][row of the panel], zeros after the last row. */
 typedef struct ms_nn__matrix {
     const unsigned char *w, *scale, *bias; /* scale, bias: [rows] native floats, any alignment, or NULL */
@@ -1961,7 +1902,7 @@ typedef struct ms_nn__matrix {
     ms_nn_dtype packed_dtype;                /* F32, F16 */
 } ms_nn__matrix;
 
-/* A correlation. It runs in strips of output rows; a strip's input is copied with its zeros around it, "padded". */
+/* A correlation. Its input is copied with its zeros around it, "padded". */
 typedef struct ms_nn__conv {
     ms_nn__dims in, out;
     size_t kernel[2], stride[2];
@@ -1970,40 +1911,34 @@ typedef struct ms_nn__conv {
     const float *bias;    /* [out.c rounded up to blocks], zeros where there is none */
     size_t taps;          /* of a channel */
     const size_t *offset; /* [taps] from an output's first padded element to the element that the tap sees */
-    size_t strip;         /* output rows of a strip */
-    size_t rows;          /* padded input rows of a strip */
+    size_t rows;          /* padded input rows */
     size_t pitch, plane;  /* floats of a padded row and channel; with stride s, columns 0, s, 2s... come first */
 } ms_nn__conv;
 
-/* Rows of y_b = W x_b + bias, one b a sample. */
+/* Rows of y_b = W x_b + bias, one b a sample; of directions without the bias. */
 typedef struct ms_nn__dense {
     const ms_nn__matrix *m;
     int batch;
     const float *x; /* [batch][cols] */
     float *y;       /* [batch][rows] */
-    int linear;     /* no bias, no activation: products with directions */
-    ms_nn__activation activation;
-    float alpha;
-    size_t chunk_rows; /* of a task */
+    int linear;     /* no bias */
+    size_t chunk;   /* rows of a task */
     const struct ms_nn__kernels *kernels;
 } ms_nn__dense;
 
 /* One convolution of one sample. */
 typedef struct ms_nn__conv_job {
     const ms_nn__conv *conv;
-    const float *x;      /* [in.c][in.h][in.w] */
     float *y;            /* [out.c][out.h][out.w] */
-    float *padded;       /* [strips][in.c][plane], each strip with room for loads beyond its end */
-    size_t padded_pitch; /* floats from one strip's to the next; 0 where strips follow each other and share one */
-    int linear;
-    ms_nn__activation activation;
-    float alpha;
+    const float *padded; /* [in.c][plane] */
+    int linear;          /* no bias */
+    size_t chunk;        /* output rows of a task */
     const struct ms_nn__kernels *kernels;
 } ms_nn__conv_job;
 
 enum { MS_NN__OVERRUN = 64 }; /* floats that a tile may load beyond the end of the padded input */
 
-/* out_ik += sum_r a_ir b_rk in double for r < count, i < rows and k < cols, a multiple of MS_NN__DOUBLES. */
+/* out_ik += sum_r a_ir b_rk in double for r < count, i < rows, a multiple of 4, and k < cols, one of MS_NN__DOUBLES. */
 typedef struct ms_nn__product_job {
     const double *a; /* a_ir at a[i * a_row + r * a_column] */
     size_t a_row, a_column;
@@ -2018,12 +1953,12 @@ enum { MS_NN__DOUBLES = 8 }; /* two vectors of four */
 
 /* The loops that differ by level; the kernel section at the end of this file makes one table a level. */
 typedef struct ms_nn__kernels {
-    size_t block; /* outputs that a convolution computes together */
-    size_t panel; /* rows of a panel of packed weights */
-    int level;    /* 1: plain C, whose packed weights are floats, since narrow ones are slow to widen there */
+    size_t block;  /* outputs that a convolution computes together */
+    size_t panel;  /* rows of a panel of packed weights */
+    ms_simd level; /* SCALAR: packed weights are floats, since narrow ones are slow to widen there */
     void (*packed)(const ms_nn__dense *job, size_t row0, size_t row1);
     void (*dense)(const ms_nn__dense *job, size_t row0, size_t row1);
-    void (*conv)(const ms_nn__conv_job *job, size_t strip, const float *padded);
+    void (*conv)(const ms_nn__conv_job *job, size_t row0, size_t row1);
     void (*activate)(const float *x, float *y, size_t n, ms_nn__activation activation, float alpha, int slope);
     void (*widen)(const unsigned char *p, size_t n, double factor, double *out, ms_nn_dtype dtype);
     void (*product)(const ms_nn__product_job *job);
@@ -2063,7 +1998,6 @@ struct ms_nn {
     ms_nn_file *file;
     ms_nn__memory *memory;
     const ms_nn__kernels *kernels;
-    ms_simd level;
     size_t packed;             /* bytes of packed dense weights */
     ms_nn_shape input, output; /* as the caller sees them */
     size_t channels, channel_inputs;
@@ -2072,10 +2006,9 @@ struct ms_nn {
     int layers, ops;
     ms_nn_layer *layer;  /* [layers] */
     ms_nn__op *op;       /* [ops] */
-    size_t *slot;        /* [ops + 1] floats from the start of the values of one sample, when values share memory */
-    size_t *tape;        /* [ops + 1] the same when all values are kept */
-    size_t *before;      /* [ops + 1] on the tape, what a smooth activation was applied to; SIZE_MAX: not kept */
-    size_t slots, tapes; /* floats of one sample */
+    size_t *place;       /* [ops + 1] of a value: floats from the start of those of one sample */
+    size_t *before;      /* [ops + 1] the same of what its activation was applied to; SIZE_MAX: it has none */
+    size_t values, tape; /* floats of one sample without and with those */
 };
 
 /* Memory held until the network goes; 64-byte aligned for the kernels' sake; NULL: none left. */
@@ -2184,17 +2117,13 @@ static MS_NN__COLD ms_status ms_nn__weights_find(ms_nn *nn, const ms_nn__spec *s
     return MS_OK;
 }
 
-enum {
-    MS_NN__PACK_COLS = 512,        /* rows so short are packed whatever their number: read in place they are slow */
-    MS_NN__PACK_WEIGHTS = 2000000, /* of a matrix of longer rows: what a cache may hold */
-    MS_NN__PACK_COLS_MOST = 16384, /* longer rows are read in place as fast */
-    MS_NN__PACK_BYTES = 64 << 20   /* of a network */
-};
+enum { MS_NN__PACK_BYTES = 64 << 20 }; /* of a network */
 
 /* Packs a matrix. Nothing here depends on the batch, so that bits do not. 0: no memory. */
 static MS_NN__COLD int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m)
 {
-    const ms_nn_dtype dtype = nn->kernels->level == 1 || m->dtype == MS_NN_F32 ? MS_NN_F32 : MS_NN_F16;
+    const int floats = nn->kernels->level == MS_SIMD_SCALAR || m->dtype == MS_NN_F32;
+    const ms_nn_dtype dtype = floats ? MS_NN_F32 : MS_NN_F16;
     const size_t panel = nn->kernels->panel, size = ms_nn__bytes_of(dtype), own = ms_nn__bytes_of(m->dtype),
                  rows = ms_nn__round_up(m->rows, panel), bytes = ms__size_mul(ms__size_mul(rows, size), m->cols);
     unsigned char *w;
@@ -2203,8 +2132,6 @@ static MS_NN__COLD int ms_nn__pack_dense(ms_nn *nn, ms_nn__matrix *m)
     m->packed = NULL;
     m->packed_dtype = dtype;
     if (ms__size_add(bytes, nn->packed) > MS_NN__PACK_BYTES) return 1;
-    if (m->cols >= MS_NN__PACK_COLS && (m->cols > MS_NN__PACK_COLS_MOST || m->rows > MS_NN__PACK_WEIGHTS / m->cols))
-        return 1;
     m->packed = w = (unsigned char *)ms_nn__allocate(nn, bytes, 1);
     m->packed_scale = scale = (float *)ms_nn__allocate(nn, rows, 2 * sizeof(float));
     m->packed_bias = scale + rows;
@@ -2241,18 +2168,13 @@ static MS_NN__COLD ms_status ms_nn__dense_make(ms_nn *nn, ms_nn__matrix *m, cons
     return ms_nn__pack_dense(nn, m) ? MS_OK : MS_OUT_OF_MEMORY;
 }
 
-enum { MS_NN__STRIP_FLOATS = 65536 }; /* of padded input, which a strip should not exceed, to stay in a cache */
-
-/* Geometry of the padded input of a strip: as many rows and columns as its outputs see. 0: no memory. */
+/* Geometry of the padded input: as many rows and columns as the outputs see. 0: no memory. */
 static MS_NN__COLD int ms_nn__conv_geometry(ms_nn *nn, ms_nn__conv *v)
 {
     const size_t s = v->stride[1], wide = (v->out.w - 1) * s + v->kernel[1], taps = v->kernel[0] * v->kernel[1];
-    size_t *offset = (size_t *)ms_nn__allocate(nn, taps, sizeof(size_t)), fit, y, x;
+    size_t *offset = (size_t *)ms_nn__allocate(nn, taps, sizeof(size_t)), y, x;
     v->pitch = ms_nn__round_up(wide, s);
-    fit = MS_NN__STRIP_FLOATS / ms_nn__at_least_1(ms__size_mul(v->in.c, v->pitch));
-    v->strip = fit > v->kernel[0] ? (fit - v->kernel[0]) / v->stride[0] + 1 : 1;
-    v->strip = ms_nn__min(v->strip, v->out.h);
-    v->rows = (v->strip - 1) * v->stride[0] + v->kernel[0];
+    v->rows = (v->out.h - 1) * v->stride[0] + v->kernel[0];
     v->plane = ms__size_mul(v->rows, v->pitch);
     v->taps = taps;
     v->offset = offset;
@@ -2496,43 +2418,26 @@ static MS_NN__COLD ms_status ms_nn__build_layer(ms_nn__build *b, int i, ms_error
     return status;
 }
 
-/* Where values live. Shared memory: a value may take a slot whose last reader has run. */
+/* Where values live: one after the other, then what activations were applied to. */
 static MS_NN__COLD ms_status ms_nn__plan(ms_nn *nn, ms_error *error)
 {
-    size_t n = (size_t)nn->ops + 1, used = 0, v, s, at = 0;
-    size_t *size = (size_t *)ms_nn__allocate(nn, 3 * n, sizeof(size_t)), *owner, *last;
-    nn->slot = (size_t *)ms_nn__allocate(nn, 3 * n, sizeof(size_t));
-    if (size == NULL || nn->slot == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the plan");
-    owner = size + n;
-    last = owner + n; /* the operation that is the last to read a value */
-    nn->tape = nn->slot + n;
-    nn->before = nn->tape + n;
-    for (v = 0; v < n; ++v) last[v] = v;
-    for (v = 0; v + 1 < n; ++v)
-        if (nn->op[v].kind == MS_NN__DO_ADD) last[nn->op[v].skip] = v;
+    const size_t n = (size_t)nn->ops + 1;
+    size_t v;
+    nn->place = (size_t *)ms_nn__allocate(nn, 2 * n, sizeof(size_t));
+    if (nn->place == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the plan");
+    nn->before = nn->place + n;
     for (v = 0; v < n; ++v) {
-        size_t floats = ms_nn__count(v ? nn->op[v - 1].out : nn->inner);
-        nn->tape[v] = nn->tapes;
-        nn->tapes = ms__size_add(nn->tapes, floats);
+        nn->place[v] = nn->values;
+        nn->values = ms__size_add(nn->values, ms_nn__count(v ? nn->op[v - 1].out : nn->inner));
+    }
+    nn->tape = nn->values;
+    for (v = 0; v < n; ++v) {
         nn->before[v] = SIZE_MAX;
-        if (v > 0 && nn->op[v - 1].kind != MS_NN__DO_ACTIVATE && nn->op[v - 1].activation > MS_NN__LEAKY) {
-            nn->before[v] = nn->tapes;
-            nn->tapes = ms__size_add(nn->tapes, floats);
-        }
-        for (s = 0; s < used; ++s)
-            if (last[owner[s]] + 1 < v) break; /* operation last[] has run before v - 1, which makes v */
-        if (s == used) size[used++] = 0;
-        if (floats > size[s]) size[s] = floats;
-        owner[s] = v;
-        nn->slot[v] = s;
+        if (v == 0 || nn->op[v - 1].activation == MS_NN__LINEAR) continue;
+        nn->before[v] = nn->tape;
+        nn->tape = ms__size_add(nn->tape, ms_nn__count(nn->op[v - 1].out));
     }
-    for (s = 0; s < used; ++s) {
-        owner[s] = at;
-        at = ms__size_add(at, size[s]);
-    }
-    for (v = 0; v < n; ++v) nn->slot[v] = owner[nn->slot[v]];
-    nn->slots = at;
-    if (at == SIZE_MAX || nn->tapes == SIZE_MAX)
+    if (nn->tape == SIZE_MAX)
         return ms__fail(error, MS_UNSUPPORTED, 0, "the network's values exceed the address space");
     return MS_OK;
 }
@@ -2625,9 +2530,7 @@ static MS_NN__COLD ms_status ms_nn__make(ms_nn_file *file, const ms_nn_options *
     memset(made, 0, sizeof *made);
     made->options = *o;
     made->file = file;
-    made->level = ms__simd_pick(o->simd);
-    made->kernels = ms_nn__kernels_for(made->level);
-    if (made->kernels->level == 1) made->level = MS_SIMD_SCALAR; /* there are no kernels for SSE2 alone */
+    made->kernels = ms_nn__kernels_for(ms__simd_pick(o->simd));
     format = ms_nn_file_metadata(file, "format");
     version = ms_nn_file_metadata(file, "ms_nn_version");
     input = ms_nn_file_metadata(file, "ms_nn_input");
@@ -2663,14 +2566,8 @@ MS_API MS_NN__COLD ms_status ms_nn_load(const void *bytes, size_t size, const ms
 
 /* ---- run ------------------------------------------------------------------------------------------------------- */
 
-/* Samples of a batch that are taken together against each row of weights: 24 kB of them, a multiple of three. */
-static size_t ms_nn__samples(size_t cols) { return cols > 512 ? 12 : 6144 / cols / 3 * 3; }
-
-/* How large a task is: enough to hide the cost of handing it out. The sizes depend on the problem alone. */
-enum {
-    MS_NN__TASK_BYTES = 262144,    /* of streamed weights */
-    MS_NN__TASK_PRODUCTS = 2097152 /* of a batch */
-};
+/* Of a task: enough to hide the cost of handing it out. */
+enum { MS_NN__TASK_PRODUCTS = 262144 };
 
 /* Runs task over count items in chunks; the context holds the chunk's size. */
 static void ms_nn__chunks(const ms_nn *nn, size_t count, size_t *chunk, void (*task)(void *, int), void *context)
@@ -2683,15 +2580,9 @@ static void ms_nn__chunks(const ms_nn *nn, size_t count, size_t *chunk, void (*t
 static void ms_nn__dense_task(void *context, int index)
 {
     const ms_nn__dense *job = (const ms_nn__dense *)context;
-    size_t row0 = (size_t)index * job->chunk_rows, row1 = ms_nn__min(row0 + job->chunk_rows, job->m->rows);
-    int b;
+    const size_t row0 = (size_t)index * job->chunk, row1 = ms_nn__min(row0 + job->chunk, job->m->rows);
     if (job->m->packed) job->kernels->packed(job, row0, row1);
     else job->kernels->dense(job, row0, row1);
-    if (!job->linear && job->activation != MS_NN__LINEAR)
-        for (b = 0; b < job->batch; ++b) {
-            float *y = job->y + (size_t)b * job->m->rows + row0;
-            job->kernels->activate(y, y, row1 - row0, job->activation, job->alpha, 0);
-        }
 }
 
 static MS_NN__COLD void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, int batch, const float *x, float *y,
@@ -2699,37 +2590,29 @@ static MS_NN__COLD void ms_nn__run_dense(const ms_nn *nn, const ms_nn__op *op, i
 {
     const ms_nn__matrix *m = &op->matrix;
     ms_nn__dense job;
-    memset(&job, 0, sizeof job);
     job.m = m;
     job.batch = batch;
     job.x = x;
     job.y = y;
     job.linear = linear;
-    job.activation = op->activation;
-    job.alpha = op->alpha;
     job.kernels = nn->kernels;
-    job.chunk_rows = MS_NN__TASK_BYTES / m->cols / ms_nn__bytes_of(m->dtype) + 1;
-    if (batch > 1 || m->packed) { /* whole tiles of rows, and of a large batch so few that several threads find some */
-        size_t most = MS_NN__TASK_PRODUCTS / m->cols / (size_t)batch + 1, tile = m->packed ? nn->kernels->panel : 16;
-        job.chunk_rows = ms_nn__round_up(ms_nn__min(job.chunk_rows, most), tile);
-    }
-    ms_nn__chunks(nn, m->rows, &job.chunk_rows, ms_nn__dense_task, &job);
+    job.chunk = ms_nn__round_up(MS_NN__TASK_PRODUCTS / m->cols / (size_t)batch + 1, 2 * nn->kernels->panel);
+    ms_nn__chunks(nn, m->rows, &job.chunk, ms_nn__dense_task, &job);
 }
 
-/* Copies what a strip sees of the input: zeros around, columns sorted by their remainder modulo the stride. */
-static void ms_nn__pad(const ms_nn__conv_job *job, size_t strip, float *padded)
+/* Copies the input: zeros around, columns sorted by their remainder modulo the stride. */
+static void ms_nn__pad(const ms_nn__conv *v, const float *input, float *padded)
 {
-    const ms_nn__conv *v = job->conv;
-    const size_t s = v->stride[1], wide = v->pitch / s, top = strip * v->strip * v->stride[0], left = v->pad[1];
+    const size_t s = v->stride[1], wide = v->pitch / s, left = v->pad[1];
     const size_t seen = left < v->pitch ? ms_nn__min(v->in.w, v->pitch - left) : 0; /* columns of the input */
     size_t c, y, x;
     for (c = 0; c < v->in.c; ++c)
-        for (y = top; y < top + v->rows; ++y) {
-            float *to = padded + c * v->plane + (y - top) * v->pitch;
+        for (y = 0; y < v->rows; ++y) {
+            float *to = padded + c * v->plane + y * v->pitch;
             const float *from;
             memset(to, 0, v->pitch * sizeof(float));
             if (y < v->pad[0] || y - v->pad[0] >= v->in.h) continue;
-            from = job->x + (c * v->in.h + y - v->pad[0]) * v->in.w;
+            from = input + (c * v->in.h + y - v->pad[0]) * v->in.w;
             if (s == 1) memcpy(to + ms_nn__min(left, v->pitch), from, seen * sizeof(float));
             else
                 for (x = left; x < left + seen; ++x) to[x % s * wide + x / s] = from[x - left];
@@ -2740,41 +2623,38 @@ static void ms_nn__pad(const ms_nn__conv_job *job, size_t strip, float *padded)
 static void ms_nn__conv_task(void *context, int index)
 {
     const ms_nn__conv_job *job = (const ms_nn__conv_job *)context;
-    float *padded = job->padded + (size_t)index * job->padded_pitch;
-    ms_nn__pad(job, (size_t)index, padded);
-    job->kernels->conv(job, (size_t)index, padded);
+    const size_t row = (size_t)index * job->chunk;
+    job->kernels->conv(job, row, ms_nn__min(row + job->chunk, job->conv->out.h));
 }
 
-static size_t ms_nn__conv_strips(const ms_nn__conv *v) { return (v->out.h + v->strip - 1) / v->strip; }
-
-/* Floats of the padded input of a strip. */
+/* Floats of the padded input. */
 static size_t ms_nn__conv_padded(const ms_nn__conv *v) { return v->in.c * v->plane + MS_NN__OVERRUN; }
 
 static MS_NN__COLD void ms_nn__run_conv(const ms_nn *nn, const ms_nn__op *op, const float *x, float *y, int linear,
                                         void *scratch)
 {
+    const ms_nn__conv *v = &op->conv;
     ms_nn__conv_job job;
-    memset(&job, 0, sizeof job);
-    job.conv = &op->conv;
-    job.x = x;
+    ms_nn__pad(v, x, (float *)scratch);
+    job.conv = v;
     job.y = y;
-    job.padded = (float *)scratch;
-    job.padded_pitch = nn->options.parallel.run ? ms_nn__conv_padded(job.conv) : 0;
+    job.padded = (const float *)scratch;
     job.linear = linear;
-    job.activation = op->activation;
-    job.alpha = op->alpha;
     job.kernels = nn->kernels;
-    ms__run(&nn->options.parallel, (int)ms_nn__conv_strips(job.conv), ms_nn__conv_task, &job);
+    job.chunk = MS_NN__TASK_PRODUCTS / ms__size_mul(v->out.w * v->out.c, v->in.c * v->taps) + 1;
+    ms_nn__chunks(nn, v->out.h, &job.chunk, ms_nn__conv_task, &job);
 }
 
 /* The first maximum of a window that begins at x[at], or its first NaN. */
 static size_t ms_nn__window_max(const ms_nn__op *op, const float *x, size_t at)
 {
     size_t best = at, i, j, k;
+    int better;
     for (i = 0; i < op->size[0]; ++i)
         for (j = 0; j < op->size[1]; ++j) {
             k = at + i * op->in.w + j;
-            if (x[k] > x[best] || (x[k] != x[k] && x[best] == x[best])) best = k;
+            better = (x[k] > x[best]) | ((x[k] != x[k]) & (x[best] == x[best]));
+            best += (k - best) * (size_t)better; /* a branch would be mispredicted */
         }
     return best;
 }
@@ -2789,37 +2669,16 @@ static float ms_nn__window_mean(const ms_nn__op *op, const float *x, size_t at)
 }
 
 /* point: the values that the maxima are taken of; x: what is picked, the same or a direction. */
-typedef struct ms_nn__pool_job {
-    const ms_nn__op *op;
-    const float *point, *x;
-    float *y;
-    size_t chunk; /* channels of a task */
-} ms_nn__pool_job;
-
-static void ms_nn__pool_task(void *context, int index)
+static MS_NN__NOINLINE void ms_nn__run_pool(const ms_nn__op *op, const float *point, const float *x, float *y)
 {
-    const ms_nn__pool_job *job = (const ms_nn__pool_job *)context;
-    const ms_nn__op *op = job->op;
-    size_t c = (size_t)index * job->chunk, c1 = ms_nn__min(c + job->chunk, op->out.c), i, j;
-    float *y = job->y + c * op->out.h * op->out.w;
-    for (; c < c1; ++c)
+    size_t c, i, j;
+    for (c = 0; c < op->out.c; ++c)
         for (i = 0; i < op->out.h; ++i)
             for (j = 0; j < op->out.w; ++j) {
                 const size_t at = (c * op->in.h + i * op->stride[0]) * op->in.w + j * op->stride[1];
-                *y++ = op->kind == MS_NN__DO_AVGPOOL ? ms_nn__window_mean(op, job->x, at)
-                                                     : job->x[ms_nn__window_max(op, job->point, at)];
+                *y++ = op->kind == MS_NN__DO_AVGPOOL ? ms_nn__window_mean(op, x, at)
+                                                     : x[ms_nn__window_max(op, point, at)];
             }
-}
-
-static void ms_nn__run_pool(const ms_nn *nn, const ms_nn__op *op, const float *point, const float *x, float *y)
-{
-    ms_nn__pool_job job;
-    job.op = op;
-    job.point = point;
-    job.x = x;
-    job.y = y;
-    job.chunk = 65536 / (op->in.h * op->in.w) + 1;
-    ms_nn__chunks(nn, op->out.c, &job.chunk, ms_nn__pool_task, &job);
 }
 
 static void ms_nn__run_upsample(const ms_nn__op *op, const float *x, float *y)
@@ -2847,9 +2706,9 @@ typedef struct ms_nn__run {
     const ms_nn *nn;
     size_t points;
     const float *x; /* [points][inner] value 0 */
-    float *y;       /* [points][output] the last value; NULL: in the shared slots or on the tape */
-    float *values;  /* tape or slots, for all points */
-    const size_t *place;
+    float *y;       /* [points][output] the last value; NULL: among the others */
+    float *values;  /* of all points */
+    int keeps;      /* what activations are applied to */
     void *scratch;
 } ms_nn__run;
 
@@ -2859,31 +2718,26 @@ static size_t ms_nn__value_size(const ms_nn *nn, int v) { return ms_nn__count(v 
 static float *ms_nn__value(const ms_nn__run *r, int v)
 {
     if (v == r->nn->ops && r->y != NULL) return r->y;
-    return r->values + r->place[v] * r->points;
+    return r->values + r->nn->place[v] * r->points;
 }
 
 static const float *ms_nn__input_value(const ms_nn__run *r, int v) { return v == 0 ? r->x : ms_nn__value(r, v); }
 
-/* What the slope of the activation that made value v depends on: its argument where that is kept, else its value
-   (relu, leaky_relu). */
-static const float *ms_nn__argument(const ms_nn__run *r, int v)
+/* What the activation that makes value v is applied to; without one it is the value. */
+static float *ms_nn__argument(const ms_nn__run *r, int v)
 {
-    if (r->nn->op[v - 1].kind == MS_NN__DO_ACTIVATE) return ms_nn__input_value(r, v - 1);
-    return r->nn->before[v] == SIZE_MAX ? ms_nn__value(r, v) : r->values + r->nn->before[v] * r->points;
+    const size_t before = r->keeps ? r->nn->before[v] : SIZE_MAX;
+    return before == SIZE_MAX ? ms_nn__value(r, v) : r->values + before * r->points;
 }
 
-/* Applies operation k to `count` vectors: samples if point is NULL, else tangent vectors, `each` per sample; point and
-   argument then hold the operation's input and what its activation is applied to there. activate 0: samples, without
-   the activation. */
+/* Applies operation k without its activation to `count` vectors: samples if point is NULL, else tangent vectors, `each`
+   per sample, at the inputs in point. */
 static MS_NN__COLD void ms_nn__apply(const ms_nn *nn, int k, size_t count, const float *x, const float *skip, float *y,
-                                     const float *point, const float *argument, size_t each, int activate,
-                                     void *scratch)
+                                     const float *point, size_t each, void *scratch)
 {
     const int linear = point != NULL;
-    ms_nn__op own = nn->op[k];
-    const ms_nn__op *op = &own;
+    const ms_nn__op *op = &nn->op[k];
     size_t in = ms_nn__count(op->in), out = ms_nn__count(op->out), b, i;
-    if (!activate) own.activation = MS_NN__LINEAR;
     if (op->kind == MS_NN__DO_DENSE) ms_nn__run_dense(nn, op, (int)count, x, y, linear);
     for (b = 0; b < count; ++b) {
         const float *xb = x + b * in;
@@ -2892,19 +2746,14 @@ static MS_NN__COLD void ms_nn__apply(const ms_nn *nn, int k, size_t count, const
         case MS_NN__DO_CONV: ms_nn__run_conv(nn, op, xb, yb, linear, scratch); break;
         case MS_NN__DO_UPSAMPLE: ms_nn__run_upsample(op, xb, yb); break;
         case MS_NN__DO_MAXPOOL:
-        case MS_NN__DO_AVGPOOL: ms_nn__run_pool(nn, op, linear ? point + b / each * in : xb, xb, yb); break;
+        case MS_NN__DO_AVGPOOL: ms_nn__run_pool(op, linear ? point + b / each * in : xb, xb, yb); break;
         case MS_NN__DO_TRANSPOSE: ms_nn__transpose(xb, op->in.c, op->in.h * op->in.w, yb, op->in.c); break;
         case MS_NN__DO_ADD:
             for (i = 0; i < out; ++i) yb[i] = xb[i] + skip[b * out + i];
-            if (!linear) nn->kernels->activate(yb, yb, out, op->activation, op->alpha, 0);
             break;
-        case MS_NN__DO_ACTIVATE:
-            memcpy(yb, xb, out * sizeof(float));
-            if (!linear) nn->kernels->activate(yb, yb, out, op->activation, op->alpha, 0);
-            break;
+        case MS_NN__DO_ACTIVATE: memcpy(yb, xb, out * sizeof(float)); break;
         default: break;
         }
-        if (linear) nn->kernels->activate(argument + b / each * out, yb, out, op->activation, op->alpha, 1);
     }
 }
 
@@ -2913,34 +2762,40 @@ static MS_NN__COLD void ms_nn__run_forward(const ms_nn__run *r)
     int k;
     for (k = 0; k < r->nn->ops; ++k) {
         const ms_nn__op *op = &r->nn->op[k];
-        float *y = ms_nn__value(r, k + 1);
-        size_t kept = r->place == r->nn->tape ? r->nn->before[k + 1] : SIZE_MAX;
-        float *to = kept == SIZE_MAX ? y : r->values + kept * r->points;
-        ms_nn__apply(r->nn, k, r->points, ms_nn__input_value(r, k), ms_nn__input_value(r, op->skip), to, NULL, NULL, 1,
-                     kept == SIZE_MAX, r->scratch);
-        if (to == y) continue;
-        r->nn->kernels->activate(to, y, r->points * ms_nn__count(op->out), op->activation, op->alpha, 0);
+        float *argument = ms_nn__argument(r, k + 1);
+        ms_nn__apply(r->nn, k, r->points, ms_nn__input_value(r, k), ms_nn__input_value(r, op->skip), argument, NULL, 1,
+                     r->scratch);
+        r->nn->kernels->activate(argument, ms_nn__value(r, k + 1), r->points * ms_nn__count(op->out), op->activation,
+                                 op->alpha, 0);
     }
 }
 
-/* Directions dx [points][each][inner] through the tape of r; slots is memory. Returns them [points][each][output]. */
-static MS_NN__COLD const float *ms_nn__run_directions(const ms_nn__run *r, size_t each, const float *dx, float *slots)
+/* Directions dx [points][each][inner] at the values that r keeps; values: theirs. Returns them [points][each][output].
+ */
+static MS_NN__COLD const float *ms_nn__run_directions(const ms_nn__run *r, size_t each, const float *dx, float *values)
 {
     const ms_nn *nn = r->nn;
     ms_nn__run d = *r;
+    size_t b, out;
     int k;
     d.points = r->points * each;
     d.x = dx;
     d.y = NULL;
-    d.values = slots;
-    d.place = nn->slot;
-    for (k = 0; k < nn->ops; ++k)
-        ms_nn__apply(nn, k, d.points, ms_nn__input_value(&d, k), ms_nn__input_value(&d, nn->op[k].skip),
-                     ms_nn__value(&d, k + 1), ms_nn__input_value(r, k), ms_nn__argument(r, k + 1), each, 1, r->scratch);
+    d.values = values;
+    for (k = 0; k < nn->ops; ++k) {
+        const ms_nn__op *op = &nn->op[k];
+        const float *argument = ms_nn__argument(r, k + 1);
+        float *dy = ms_nn__value(&d, k + 1);
+        ms_nn__apply(nn, k, d.points, ms_nn__input_value(&d, k), ms_nn__input_value(&d, op->skip), dy,
+                     ms_nn__input_value(r, k), each, r->scratch);
+        out = ms_nn__count(op->out);
+        for (b = 0; b < d.points; ++b)
+            nn->kernels->activate(argument + b / each * out, dy + b * out, out, op->activation, op->alpha, 1);
+    }
     return ms_nn__value(&d, nn->ops);
 }
 
-/* Bytes of the padded inputs of the convolutions: of all strips where they may run at once. */
+/* Bytes of the largest padded input of a convolution. */
 static MS_NN__COLD size_t ms_nn__scratch_size(const ms_nn *nn)
 {
     size_t most = 0, floats;
@@ -2948,7 +2803,6 @@ static MS_NN__COLD size_t ms_nn__scratch_size(const ms_nn *nn)
     for (k = 0; k < nn->ops; ++k) {
         if (nn->op[k].kind != MS_NN__DO_CONV) continue;
         floats = ms_nn__conv_padded(&nn->op[k].conv);
-        if (nn->options.parallel.run) floats = ms__size_mul(floats, ms_nn__conv_strips(&nn->op[k].conv));
         most = floats > most ? floats : most;
     }
     return ms__size_mul(most, sizeof(float));
@@ -2965,7 +2819,7 @@ static MS_NN__COLD size_t ms_nn__batch_size(const ms_nn *nn)
         if (nn->op[k].kind == MS_NN__DO_DENSE) dense += nn->op[k].matrix.rows * nn->op[k].matrix.cols;
         else convolutions += nn->op[k].kind == MS_NN__DO_CONV;
     }
-    n = (convolutions ? 131072u : 4194304u) / ms_nn__at_least_1(ms__size_mul(nn->slots, nn->channels)) / 12 * 12;
+    n = (convolutions ? 131072u : 4194304u) / ms_nn__at_least_1(ms__size_mul(nn->values, nn->channels)) / 12 * 12;
     if (nn->channel_input) return nn->channels < 12 ? 12 / nn->channels : 1; /* large pictures: more are slower */
     n = ms_nn__min(n, MS_NN__BATCH);
     return n > 0 ? n : convolutions && dense < 2000000 ? 1 : 12; /* large weights are better read for several */
@@ -2974,7 +2828,7 @@ static MS_NN__COLD size_t ms_nn__batch_size(const ms_nn *nn)
 /* A workspace: its pieces, or with base NULL their size. */
 typedef struct ms_nn__layout {
     size_t points, each; /* samples times channels; directions a point that run together, 0 for a forward run */
-    float *x, *values, *dx, *slots;
+    float *x, *values, *dx, *dvalues;
     void *scratch;
     size_t total; /* bytes */
 } ms_nn__layout;
@@ -2992,9 +2846,9 @@ static MS_NN__COLD ms_nn__layout ms_nn__layout_of(const ms_nn *nn, ms_nn_product
     l.each = forward ? 0 : ms_nn__min(in, MS_NN__BATCH);
     vectors = ms__size_mul(l.points, l.each);
     l.x = (float *)ms__take(&a, l.points, (nn->channel_input ? in : 0) * sizeof(float));
-    l.values = (float *)ms__take(&a, l.points, ms__size_mul(forward ? nn->slots : nn->tapes, sizeof(float)));
+    l.values = (float *)ms__take(&a, l.points, ms__size_mul(forward ? nn->values : nn->tape, sizeof(float)));
     l.dx = (float *)ms__take(&a, vectors, in * sizeof(float));
-    l.slots = (float *)ms__take(&a, vectors, ms__size_mul(nn->slots, sizeof(float)));
+    l.dvalues = (float *)ms__take(&a, vectors, ms__size_mul(nn->values, sizeof(float)));
     l.scratch = ms__take(&a, ms_nn__scratch_size(nn), 1);
     if (!forward && ms__size_mul(ms__size_mul(ms_nn_output_size(nn), ms_nn_input_size(nn)), sizeof(double)) == SIZE_MAX)
         a.used = SIZE_MAX;
@@ -3032,7 +2886,7 @@ static MS_NN__COLD void ms_nn__begin(ms_nn__call *call, const ms_nn *nn, ms_nn_p
     call->run.x = x;
     call->run.y = y;
     call->run.values = call->layout.values;
-    call->run.place = product == MS_NN_FORWARD ? nn->slot : nn->tape;
+    call->run.keeps = product == MS_NN_JACOBIAN;
     call->run.scratch = call->layout.scratch;
     if (nn->channel_input != NULL) {
         call->run.x = call->layout.x;
@@ -3077,7 +2931,7 @@ static MS_NN__COLD const float *ms_nn__columns(const ms_nn__call *call, size_t f
     memset(call->layout.dx, 0, points * n * in * sizeof(float));
     for (c = 0; c < points; ++c)
         for (i = 0; i < n; ++i) call->layout.dx[(c * n + i) * in + first + i] = 1;
-    return ms_nn__run_directions(&call->run, n, call->layout.dx, call->layout.slots);
+    return ms_nn__run_directions(&call->run, n, call->layout.dx, call->layout.dvalues);
 }
 
 MS_API MS_NN__COLD ms_status ms_nn_jacobian(const ms_nn *nn, const float *x, float *y, float *jacobian, void *workspace)
@@ -3136,7 +2990,7 @@ MS_API MS_NN__COLD ms_nn_layer ms_nn_layer_at(const ms_nn *nn, int i)
 }
 
 MS_API const ms_nn_file *ms_nn_tensors(const ms_nn *nn) { return nn ? nn->file : NULL; }
-MS_API ms_simd ms_nn_simd(const ms_nn *nn) { return nn ? nn->level : MS_SIMD_AUTO; }
+MS_API ms_simd ms_nn_simd(const ms_nn *nn) { return nn ? nn->kernels->level : MS_SIMD_AUTO; }
 
 MS_API const size_t *ms_nn_channel_inputs(const ms_nn *nn, size_t *channels, size_t *count)
 {
@@ -3182,82 +3036,47 @@ MS_API MS_NN__COLD void ms_nn_destroy(ms_nn *nn)
 /* ---- stdio ----------------------------------------------------------------------------------------------------- */
 
 #ifndef MS_NN_NO_STDIO
-/* A regular file mapped read-only; NULL where that is not possible. */
-static const void *ms_nn__map(const char *path, size_t *size)
+/* A whole stream into one allocation of *size bytes, of which *used are the file; NULL: no memory. */
+static MS_NN__COLD void *ms_nn__read_whole(FILE *f, const ms_allocator *allocator, size_t *size, size_t *used)
 {
-    const void *bytes = NULL;
-#ifdef MS_NN__MMAP
-    struct stat info;
-    int fd = open(path, O_RDONLY);
-    if (fd < 0) return NULL;
-    if (fstat(fd, &info) == 0 && S_ISREG(info.st_mode) && info.st_size > 0 && (uint64_t)info.st_size < SIZE_MAX) {
-        void *at = mmap(NULL, (size_t)info.st_size, PROT_READ, MAP_PRIVATE, fd, 0);
-        *size = (size_t)info.st_size;
-        if (at != MAP_FAILED) bytes = at;
-    }
-    close(fd);
-#else
-    (void)path;
-    (void)size;
-#endif
-    return bytes;
-}
-
-/* A whole stream into one allocation of *size bytes, of which *used are the file. */
-static ms_status ms_nn__read_whole(const char *path, const ms_nn_options *o, void **bytes, size_t *size, size_t *used,
-                                   ms_error *error)
-{
-    FILE *f = fopen(path, "rb");
-    char *at = NULL, *larger;
-    ms_status status = MS_OK;
-    if (f == NULL) return ms__fail(error, MS_IO, 0, "cannot open '%s'", path);
+    char *at = NULL;
     *size = *used = 0;
-    for (;;) {
-        size_t got;
-        if (*used == *size) {
-            size_t room = *size ? ms__size_mul(*size, 2) : 65536;
-            larger = (char *)ms__alloc(&o->allocator, room);
-            if (larger && *used) memcpy(larger, at, *used);
-            ms__release(&o->allocator, at, *size);
-            at = larger;
-            *size = room;
-            if (at == NULL) {
-                status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for '%s'", path);
-                break;
-            }
-        }
-        got = fread(at + *used, 1, *size - *used, f);
-        *used += got;
-        if (got == 0) break;
+    while (*used == *size) {
+        const size_t room = *size ? ms__size_mul(*size, 2) : 65536;
+        char *larger = (char *)ms__alloc(allocator, room);
+        if (larger && *used) memcpy(larger, at, *used);
+        ms__release(allocator, at, *size);
+        if (larger == NULL) return NULL;
+        at = larger;
+        *size = room;
+        *used += fread(at + *used, 1, *size - *used, f);
     }
-    if (status == MS_OK && ferror(f)) status = ms__fail(error, MS_IO, *used, "cannot read '%s'", path);
-    fclose(f);
-    if (status != MS_OK) ms__release(&o->allocator, at, *size);
-    *bytes = at;
-    return status;
+    return at;
 }
 
 MS_API MS_NN__COLD ms_status ms_nn_file_read(const char *path, const ms_nn_options *options, ms_nn_file **file,
                                              ms_error *error)
 {
     ms_nn_options o = options ? *options : ms_nn_defaults();
-    const void *mapped = NULL;
-    void *read = NULL;
-    size_t size = 0, used;
+    size_t size, used;
     ms_status status;
+    void *content;
+    FILE *f;
     if (path == NULL || file == NULL)
         return ms__fail(error, MS_INVALID_ARGUMENT, 0, "%s is NULL", path == NULL ? "path" : "file");
-    if (!o.copy) mapped = ms_nn__map(path, &size);
-    used = size;
-    if (mapped == NULL && (status = ms_nn__read_whole(path, &o, &read, &size, &used, error)) != MS_OK) return status;
-    status = ms_nn_file_open(mapped ? mapped : read, used, &o, file, error);
+    f = fopen(path, "rb");
+    if (f == NULL) return ms__fail(error, MS_IO, 0, "cannot open '%s'", path);
+    content = ms_nn__read_whole(f, &o.allocator, &size, &used);
+    if (content == NULL) status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for '%s'", path);
+    else if (ferror(f)) status = ms__fail(error, MS_IO, used, "cannot read '%s'", path);
+    else status = ms_nn_file_open(content, used, &o, file, error);
+    fclose(f);
     if (status != MS_OK) {
-        ms_nn__release_content(&o.allocator, mapped ? mapped : read, size, mapped != NULL);
+        ms__release(&o.allocator, content, size);
         return status;
     }
-    (*file)->content = mapped ? mapped : read;
+    (*file)->content = content;
     (*file)->content_bytes = size;
-    (*file)->content_is_mapped = mapped != NULL;
     return MS_OK;
 }
 
@@ -3285,7 +3104,7 @@ struct ms_nn_collapse {
     size_t bytes;
     float *weight; /* [channels][rows] diagonal of M */
     size_t *owner; /* [channels] the first channel with the same weights, which holds R for them */
-    double *r;     /* [channels][h][wide] upper triangles */
+    double *r;     /* [channels][wide][wide] upper triangles */
     double *h0;    /* [channels][wide] of the target */
     double *e;     /* [channels][wide] */
     double rest;
@@ -3335,7 +3154,7 @@ static void ms_nn__gram_rows(const ms_nn__pass *p, const size_t *row, size_t n)
     for (i = 0; i < c->h; i += MS_NN__DOUBLES) {
         job.a = job.b = p->w + i;
         job.out = p->sum + i * c->wide + i;
-        job.rows = ms_nn__min(MS_NN__DOUBLES, c->h - i);
+        job.rows = MS_NN__DOUBLES;
         job.cols = c->wide - i;
         c->nn->kernels->product(&job);
     }
@@ -3347,7 +3166,7 @@ static void ms_nn__target_rows(const ms_nn__pass *p, const size_t *row, size_t n
     const ms_nn_collapse *c = p->c;
     ms_nn__product_job job;
     size_t i, ch;
-    memset(p->residual, 0, n * p->across * sizeof(double));
+    memset(p->residual, 0, MS_NN__COLLAPSE_ROWS * p->across * sizeof(double));
     job.a = p->w; /* W h0, if h0 is not 0 */
     job.a_row = c->wide;
     job.a_column = 1;
@@ -3355,7 +3174,7 @@ static void ms_nn__target_rows(const ms_nn__pass *p, const size_t *row, size_t n
     job.b_row = job.out_row = job.cols = p->across;
     job.out = p->residual;
     job.count = c->h;
-    job.rows = n;
+    job.rows = ms_nn__round_up(n, 4);
     if (p->has_h0) c->nn->kernels->product(&job);
     for (i = 0; i < n; ++i)
         for (ch = 0; ch < c->channels; ++ch) {
@@ -3446,7 +3265,7 @@ static MS_NN__COLD ms_status ms_nn__collapse_factor(ms_nn_collapse *c, size_t ch
 {
     ms_nn__pass p;
     size_t bytes;
-    if (!ms_nn__pass_make(&p, c, ms__size_mul(c->h, c->wide), &bytes))
+    if (!ms_nn__pass_make(&p, c, ms__size_mul(c->wide, c->wide), &bytes))
         return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a collapse of %z features", c->h);
     p.weight = c->weight + channel * c->m->rows;
     ms_nn__pass_run(&p);
@@ -3460,12 +3279,8 @@ static MS_NN__COLD ms_status ms_nn__collapse_factor(ms_nn_collapse *c, size_t ch
 static MS_NN__COLD ms_nn ms_nn__body_of(const ms_nn *nn)
 {
     ms_nn body = *nn;
-    int v;
     body.ops--;
-    body.tapes = nn->tape[nn->ops];
-    body.slots = 0;
-    for (v = 0; v <= body.ops; ++v)
-        if (nn->slot[v] + ms_nn__value_size(nn, v) > body.slots) body.slots = nn->slot[v] + ms_nn__value_size(nn, v);
+    body.values = nn->place[nn->ops];
     return body;
 }
 
@@ -3494,7 +3309,7 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_create(const ms_nn *nn, const float 
         memset(&t, 0, sizeof t);
         a.used = 0;
         made = (ms_nn_collapse *)ms__take(&a, 1, sizeof *made);
-        t.r = (double *)ms__take(&a, channels, ms__size_mul(ms__size_mul(h, wide), sizeof(double)));
+        t.r = (double *)ms__take(&a, channels, ms__size_mul(ms__size_mul(wide, wide), sizeof(double)));
         t.h0 = (double *)ms__take(&a, channels, ms__size_mul(wide, sizeof(double)));
         t.e = (double *)ms__take(&a, channels, ms__size_mul(wide, sizeof(double)));
         t.owner = (size_t *)ms__take(&a, channels, sizeof(size_t));
@@ -3555,7 +3370,7 @@ static void ms_nn__solve(const double *r, size_t h, size_t wide, double *x)
 /* R of a channel. */
 static const double *ms_nn__collapse_r(const ms_nn_collapse *c, size_t channel)
 {
-    return c->r + c->owner[channel] * c->h * c->wide;
+    return c->r + c->owner[channel] * c->wide * c->wide;
 }
 
 MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const float *target, ms_error *error)
@@ -3596,7 +3411,7 @@ MS_API MS_NN__COLD ms_status ms_nn_collapse_target(ms_nn_collapse *c, const floa
 typedef struct ms_nn__collapse_layout {
     size_t across;    /* the value and the inputs of a channel, rounded up to MS_NN__DOUBLES */
     double *columns;  /* [channels][h][across] h - h0, then the Jacobian of h */
-    double *products; /* [h][across] R times those of a channel */
+    double *products; /* [h rounded up][across] R times those of a channel */
     float *features;  /* [channels][h] */
     void *body;
     size_t total; /* bytes */
@@ -3613,7 +3428,7 @@ static MS_NN__COLD ms_nn__collapse_layout ms_nn__collapse_layout_of(const ms_nn_
     a.used = 0;
     l.across = ms_nn__round_up(1 + (with_jacobian ? ms_nn__count(c->nn->inner) : 0), MS_NN__DOUBLES);
     l.columns = (double *)ms__take(&a, c->channels, ms__size_mul(c->h, ms__size_mul(l.across, sizeof(double))));
-    l.products = (double *)ms__take(&a, c->h, ms__size_mul(l.across, sizeof(double)));
+    l.products = (double *)ms__take(&a, c->wide, ms__size_mul(l.across, sizeof(double)));
     l.features = (float *)ms__take(&a, c->channels, ms__size_mul(c->h, sizeof(float)));
     l.body = ms__take(&a, body, 1);
     l.total = ms__size_add(a.used, 63);
@@ -3630,7 +3445,7 @@ static void ms_nn__collapse_multiply(const ms_nn_collapse *c, size_t channel, co
 {
     ms_nn__product_job job;
     size_t i;
-    memset(l->products, 0, c->h * l->across * sizeof(double));
+    memset(l->products, 0, c->wide * l->across * sizeof(double));
     job.a_row = c->wide;
     job.a_column = 1;
     job.b_row = job.out_row = job.cols = l->across;
@@ -3639,7 +3454,7 @@ static void ms_nn__collapse_multiply(const ms_nn_collapse *c, size_t channel, co
         job.b = l->columns + (channel * c->h + i) * l->across;
         job.out = l->products + i * l->across;
         job.count = c->h - i;
-        job.rows = ms_nn__min(MS_NN__DOUBLES, c->h - i);
+        job.rows = MS_NN__DOUBLES;
         c->nn->kernels->product(&job);
     }
 }
@@ -3746,18 +3561,14 @@ static void ms_nn__gelu(const float *x, float *y, size_t n, int slope)
 #define MS_NN__LEVEL avx2
 #define MS_NN__ISA 3
 #include MS_NN_FILENAME
-
-#define MS_NN__LEVEL avx512
-#define MS_NN__ISA 4
-#include MS_NN_FILENAME
 #endif
 #undef MS_NN__PASS
 
+/* There are none for SSE2 alone; AVX-512 was no faster than AVX2 on Zen 4 (tests/bench). */
 static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 {
 #ifdef MS_NN__X86
-    if (level == MS_SIMD_AVX512) return &ms_nn__table_avx512;
-    if (level == MS_SIMD_AVX2) return &ms_nn__table_avx2;
+    if (level >= MS_SIMD_AVX2) return &ms_nn__table_avx2;
 #endif
 #ifdef MS_NN__ARM
     if (level == MS_SIMD_BASE) return &ms_nn__table_base;
@@ -3767,7 +3578,6 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 }
 
 #undef MS_NN__BIG_ENDIAN
-#undef MS_NN__MMAP
 #undef MS_NN__X86
 #undef MS_NN__ARM
 #undef MS_NN__BIT
@@ -3794,122 +3604,85 @@ static const ms_nn__kernels *ms_nn__kernels_for(ms_simd level)
 #define MS_NN__TARGET
 #elif MS_NN__ISA == 1
 #define MS_NN__TARGET __attribute__((cold))
-#elif MS_NN__ISA == 3
-#define MS_NN__TARGET __attribute__((target("avx2,fma,f16c")))
 #else
-#define MS_NN__TARGET __attribute__((target("avx2,fma,f16c,avx512f,avx512bw,avx512dq,avx512vl")))
+#define MS_NN__TARGET __attribute__((target("avx2,fma,f16c")))
 #endif
 #define MS_NN__KERNEL static MS_NN__TARGET
 
-/* Read once a level. MS_NN__V_FLOATS is a vector of MS_NN__V_LANES floats; W_... load weights as floats.
-   MS_NN__V_BLOCK outputs x MS_NN__V_TILE vectors of positions are a convolution's registers; MS_NN__W_ROWS rows x 3
-   samples x MS_NN__W_CHAINS sums are a dense layer's. MAX(a, b) is a > b ? a : b, which is b, hence NaN if b is one:
-   constants stand first. */
+/* Read once a level. MS_NN__V_FLOATS is a vector of MS_NN__V_LANES floats; V_HALF and V_INT8 load weights as floats.
+   MS_NN__V_BLOCK outputs x MS_NN__V_TILE vectors of positions are a convolution's registers. */
 #if MS_NN__ISA == 1
 #define MS_NN__V_LANES 1
 #define MS_NN__V_BLOCK 4
 #define MS_NN__V_TILE 2
-#define MS_NN__W_ROWS 1
-#define MS_NN__W_CHAINS 4
 #define MS_NN__V_FLOATS float
-#define MS_NN__V_LOAD(p) ms_nn__float_at((const unsigned char *)(p), 0)
-#define MS_NN__V_STORE(p, v) (*(p) = (v))
 #define MS_NN__V_SET(x) (x)
 #define MS_NN__V_MADD(a, b, c) ((a) * (b) + (c))
-#define MS_NN__V_MAX(a, b) ((a) > (b) ? (a) : (b))
-#define MS_NN__V_MIN(a, b) ((a) < (b) ? (a) : (b))
 #define MS_NN__V_IF_GREATER(a, b, x, y) ((a) > (b) ? (x) : (y))
 #define MS_NN__V_INT int32_t
 #define MS_NN__V_ROUND(a) ((a) < 0 ? (int32_t)((a)-0.5f) : (a) >= 0 ? (int32_t)((a) + 0.5f) : 0)
 #define MS_NN__V_FROM_INT(i) ((float)(i))
 #define MS_NN__V_POW2(i) ms_nn__float_of((uint32_t)((i) + 127) << 23)
-#define MS_NN__W_HALF(p) ms__half_to_float((uint16_t)ms_nn__u16(p))
-#define MS_NN__W_INT8(p) ((float)(*(p) < 128 ? *(p) : *(p)-256))
+#define MS_NN__V_HALF(p) ms__half_to_float((uint16_t)ms_nn__u16(p))
+#define MS_NN__V_INT8(p) ((float)(*(p) < 128 ? *(p) : *(p)-256))
 #elif MS_NN__ISA == 2
 #define MS_NN__V_LANES 4
 #define MS_NN__V_BLOCK 8
 #define MS_NN__V_TILE 2
-#define MS_NN__W_ROWS 4
-#define MS_NN__W_CHAINS 2
 #define MS_NN__V_FLOATS float32x4_t
-#define MS_NN__V_LOAD(p) vreinterpretq_f32_u8(vld1q_u8((const unsigned char *)(p)))
-#define MS_NN__V_STORE(p, v) vst1q_f32(p, v)
 #define MS_NN__V_SET(x) vdupq_n_f32(x)
 #define MS_NN__V_MADD(a, b, c) vfmaq_f32(c, a, b)
-#define MS_NN__V_MAX(a, b) vmaxq_f32(a, b)
-#define MS_NN__V_MIN(a, b) vminq_f32(a, b)
 #define MS_NN__V_IF_GREATER(a, b, x, y) vbslq_f32(vcgtq_f32(a, b), x, y)
 #define MS_NN__V_INT int32x4_t
 #define MS_NN__V_ROUND(a) vcvtnq_s32_f32(a)
 #define MS_NN__V_FROM_INT(i) vcvtq_f32_s32(i)
 #define MS_NN__V_POW2(i) vreinterpretq_f32_s32(vshlq_n_s32(vaddq_s32(i, vdupq_n_s32(127)), 23))
-#define MS_NN__W_HALF(p) vcvt_f32_f16(vreinterpret_f16_u8(vld1_u8(p)))
-#define MS_NN__W_INT8(p) MS_NN__FN(int8)(p)
-MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(int8)(const unsigned char *p)
-{
-    uint32_t four;
-    memcpy(&four, p, 4);
-    return vcvtq_f32_s32(vmovl_s16(vget_low_s16(vmovl_s8(vcreate_s8(four)))));
-}
-#elif MS_NN__ISA == 3
+#define MS_NN__V_HALF(p) vcvt_f32_f16(vreinterpret_f16_u8(vld1_u8(p)))
+#define MS_NN__V_INT8(p) vcvtq_f32_s32(vmovl_s16(vget_low_s16(vmovl_s8(vcreate_s8(ms_nn__u32(p))))))
+#else
 #define MS_NN__V_LANES 8
 #define MS_NN__V_BLOCK 4
 #define MS_NN__V_TILE 3
-#define MS_NN__W_ROWS 2
-#define MS_NN__W_CHAINS 2
 #define MS_NN__V_FLOATS __m256
-#define MS_NN__V_LOAD(p) _mm256_loadu_ps((const float *)(const void *)(p))
-#define MS_NN__V_STORE(p, v) _mm256_storeu_ps(p, v)
 #define MS_NN__V_SET(x) _mm256_set1_ps(x)
 #define MS_NN__V_MADD(a, b, c) _mm256_fmadd_ps(a, b, c)
-#define MS_NN__V_MAX(a, b) _mm256_max_ps(a, b)
-#define MS_NN__V_MIN(a, b) _mm256_min_ps(a, b)
 #define MS_NN__V_IF_GREATER(a, b, x, y) _mm256_blendv_ps(y, x, _mm256_cmp_ps(a, b, _CMP_GT_OQ))
 #define MS_NN__V_INT __m256i
 #define MS_NN__V_ROUND(a) _mm256_cvtps_epi32(a)
 #define MS_NN__V_FROM_INT(i) _mm256_cvtepi32_ps(i)
 #define MS_NN__V_POW2(i) _mm256_castsi256_ps(_mm256_slli_epi32(_mm256_add_epi32(i, _mm256_set1_epi32(127)), 23))
-#define MS_NN__W_HALF(p) _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(p)))
-#define MS_NN__W_INT8(p) _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)(p))))
-#else /* maskz_ forms: the plain ones of GCC 12 warn in C++ */
-#define MS_NN__V_LANES 16
-#define MS_NN__V_BLOCK 8
-#define MS_NN__V_TILE 3
-#define MS_NN__W_ROWS 4
-#define MS_NN__W_CHAINS 2
-#define MS_NN__V_FLOATS __m512
-#define MS_NN__V_LOAD(p) _mm512_loadu_ps(p)
-#define MS_NN__V_STORE(p, v) _mm512_storeu_ps(p, v)
-#define MS_NN__V_SET(x) _mm512_set1_ps(x)
-#define MS_NN__V_MADD(a, b, c) _mm512_fmadd_ps(a, b, c)
-#define MS_NN__V_MAX(a, b) _mm512_maskz_max_ps(0xFFFF, a, b)
-#define MS_NN__V_MIN(a, b) _mm512_maskz_min_ps(0xFFFF, a, b)
-#define MS_NN__V_IF_GREATER(a, b, x, y) _mm512_mask_blend_ps(_mm512_cmp_ps_mask(a, b, _CMP_GT_OQ), y, x)
-#define MS_NN__V_INT __m512i
-#define MS_NN__V_ROUND(a) _mm512_maskz_cvtps_epi32(0xFFFF, a)
-#define MS_NN__V_FROM_INT(i) _mm512_maskz_cvtepi32_ps(0xFFFF, i)
-#define MS_NN__V_POW2(i) \
-    _mm512_castsi512_ps(_mm512_maskz_slli_epi32(0xFFFF, _mm512_add_epi32(i, _mm512_set1_epi32(127)), 23))
-#define MS_NN__W_HALF(p) _mm512_maskz_cvtph_ps(0xFFFF, _mm256_loadu_si256((const __m256i *)(const void *)(p)))
-#define MS_NN__W_INT8(p)             \
-    _mm512_maskz_cvtepi32_ps(0xFFFF, \
-                             _mm512_maskz_cvtepi8_epi32(0xFFFF, _mm_loadu_si128((const __m128i *)(const void *)(p))))
+#define MS_NN__V_HALF(p) _mm256_cvtph_ps(_mm_loadu_si128((const __m128i *)(const void *)(p)))
+#define MS_NN__V_INT8(p) _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)(p))))
 #endif
 
-/* A vector that is used several times is loaded once: GCC would read it anew for each use, and 64-byte loads are what
-   these loops wait for. */
-#if MS_NN__ISA >= 3 && (defined(__GNUC__) || defined(__clang__))
-#define MS_NN__V_KEEP(v) __asm__("" : "+v"(v))
+/* b if one of them is NaN: constants stand first. */
+#define MS_NN__V_MAX(a, b) MS_NN__V_IF_GREATER(a, b, a, b)
+#define MS_NN__V_MIN(a, b) MS_NN__V_IF_GREATER(b, a, a, b)
+
+/* A vector that is used several times is loaded once: GCC would read it anew for each use. */
+#ifdef MS_NN__X86
+#define MS_NN__V_KEEP(v) __asm__("" : "+x"(v))
+#define MS_NN__V_PREFETCH(p, ahead) _mm_prefetch((const char *)(p) + (ahead), _MM_HINT_T0)
 #else
 #define MS_NN__V_KEEP(v) ((void)0)
+#define MS_NN__V_PREFETCH(p, ahead) ((void)0)
 #endif
 
-/* MS_NN__V_LANES weights of a type that is a constant where this is inlined. */
+MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(load)(const void *p)
+{
+    MS_NN__V_FLOATS v;
+    memcpy(&v, p, sizeof v);
+    return v;
+}
+
+MS_NN__INLINE void MS_NN__FN(store)(float *p, MS_NN__V_FLOATS v) { memcpy(p, &v, sizeof v); }
+
+/* MS_NN__V_LANES weights. */
 MS_NN__INLINE MS_NN__V_FLOATS MS_NN__FN(weight)(const unsigned char *p, ms_nn_dtype dtype)
 {
-    if (dtype == MS_NN_F32) return MS_NN__V_LOAD(p);
-    if (dtype == MS_NN_F16) return MS_NN__W_HALF(p);
-    return MS_NN__W_INT8(p);
+    if (dtype == MS_NN_F32) return MS_NN__FN(load)(p);
+    if (dtype == MS_NN_F16) return MS_NN__V_HALF(p);
+    return MS_NN__V_INT8(p);
 }
 
 /* n <= MS_NN__V_LANES weights, zeros after them; nothing after them is read. */
@@ -3922,274 +3695,138 @@ MS_NN__KERNEL MS_NN__NOINLINE MS_NN__V_FLOATS MS_NN__FN(weight_part)(const unsig
     return MS_NN__FN(weight)(copy, dtype);
 }
 
-/* Asks for weights that are read soon; a request beyond the end of the matrix does no harm. */
-#if defined(MS_NN__X86) && MS_NN__ISA > 1
-#define MS_NN__W_PREFETCH(p, ahead) \
-    _mm_prefetch((const char *)(p) + (ahead), (ahead) > 4096 ? _MM_HINT_T1 : _MM_HINT_T0)
-#else
-#define MS_NN__W_PREFETCH(p, ahead) ((void)0)
-#endif
-
-/* The end of dot products of rows x samples: what is left of the columns, then the lanes, scale and bias. */
-MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(finish)(const ms_nn__dense *job, size_t row, size_t sample, int rows,
-                                                     int batch, const MS_NN__V_FLOATS *total)
-{
-    const ms_nn__matrix *m = job->m;
-    const size_t cols = m->cols, size = ms_nn__bytes_of(m->dtype),
-                 done = cols - cols % (MS_NN__V_LANES * MS_NN__W_CHAINS);
-    size_t k, n;
-    int i, c;
-    for (i = 0; i < rows * batch; ++i) {
-        const size_t r = row + (size_t)(i / batch), b = sample + (size_t)(i % batch);
-        const unsigned char *x = (const unsigned char *)(job->x + b * cols), *w = m->w + r * cols * size;
-        MS_NN__V_FLOATS sum = total[i], u, v;
-        float lane[MS_NN__V_LANES], y = 0;
-        for (k = done; k < cols; k += n) {
-            n = ms_nn__min(cols - k, MS_NN__V_LANES);
-            u = MS_NN__FN(weight_part)(w + k * size, m->dtype, n);
-            v = MS_NN__FN(weight_part)(x + k * sizeof(float), MS_NN_F32, n);
-            sum = MS_NN__V_MADD(u, v, sum);
-        }
-        MS_NN__V_STORE(lane, sum);
-        for (c = 0; c < MS_NN__V_LANES; ++c) y += lane[c];
-        y *= m->scale ? ms_nn__float_at(m->scale, r) : 1.0f;
-        job->y[b * m->rows + r] = y + (m->bias && !job->linear ? ms_nn__float_at(m->bias, r) : 0.0f);
-    }
-}
-
-/* Dot products of `rows` rows x `batch` samples. Sum c runs over the columns MS_NN__V_LANES c + (0..MS_NN__V_LANES-1)
-   modulo MS_NN__V_LANES MS_NN__W_CHAINS. The order of additions depends on nothing but cols, so that tiles of any shape
-   agree. dtype, rows and batch are constants. */
-MS_NN__INLINE void MS_NN__FN(dots)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype, int rows,
-                                   int batch)
-{
-    const ms_nn__matrix *m = job->m;
-    const size_t cols = m->cols, size = ms_nn__bytes_of(dtype), whole = MS_NN__V_LANES * MS_NN__W_CHAINS;
-    const unsigned char *w = m->w + row * cols * size;
-    const float *x = job->x + sample * cols;
-    MS_NN__V_FLOATS s[MS_NN__W_ROWS][3][MS_NN__W_CHAINS], total[3 * MS_NN__W_ROWS], v[3], u;
-    size_t k;
-    int r, b, c;
-    MS_NN__UNROLL
-    for (r = 0; r < rows; ++r) {
-        MS_NN__UNROLL
-        for (b = 0; b < batch; ++b) {
-            MS_NN__UNROLL
-            for (c = 0; c < MS_NN__W_CHAINS; ++c) s[r][b][c] = MS_NN__V_SET(0.0f);
-        }
-    }
-    for (k = 0; k + whole <= cols; k += whole) {
-        MS_NN__UNROLL
-        for (c = 0; c < MS_NN__W_CHAINS; ++c) {
-            const size_t at = k + (size_t)c * MS_NN__V_LANES;
-            MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) {
-                v[b] = MS_NN__V_LOAD(x + (size_t)b * cols + at);
-                if (batch > 1 && MS_NN__ISA == 3) MS_NN__V_KEEP(v[b]);
-            }
-            MS_NN__UNROLL
-            for (r = 0; r < rows; ++r) {
-                const unsigned char *p = w + ((size_t)r * cols + at) * size;
-                u = MS_NN__FN(weight)(p, dtype);
-                /* across the ends of pages, where the processor's own prefetching stops */
-                if (batch == 1 && c == 0 && size < 4) MS_NN__W_PREFETCH(p, 8192);
-                if (batch > 1) MS_NN__V_KEEP(u);
-                MS_NN__UNROLL
-                for (b = 0; b < batch; ++b) s[r][b][c] = MS_NN__V_MADD(u, v[b], s[r][b][c]);
-            }
-        }
-    }
-    MS_NN__UNROLL
-    for (r = 0; r < rows; ++r) {
-        MS_NN__UNROLL
-        for (b = 0; b < batch; ++b) {
-            total[r * batch + b] = s[r][b][0];
-            MS_NN__UNROLL
-            for (c = 1; c < MS_NN__W_CHAINS; ++c) total[r * batch + b] = total[r * batch + b] + s[r][b][c];
-        }
-    }
-    MS_NN__FN(finish)(job, row, sample, rows, batch, total);
-}
-
-/* MS_NN__W_ROWS rows times three samples. */
-MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(tile)(const ms_nn__dense *job, size_t row, size_t sample)
-{
-    if (job->m->dtype == MS_NN_F32) MS_NN__FN(dots)(job, row, sample, MS_NN_F32, MS_NN__W_ROWS, 3);
-    else if (job->m->dtype == MS_NN_F16) MS_NN__FN(dots)(job, row, sample, MS_NN_F16, MS_NN__W_ROWS, 3);
-    else MS_NN__FN(dots)(job, row, sample, MS_NN_I8, MS_NN__W_ROWS, 3);
-}
-
-/* Rows times one sample, one after the other. */
-MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(rows)(const ms_nn__dense *job, size_t row, size_t row1, size_t sample)
-{
-    for (; row < row1; ++row) {
-        if (job->m->dtype == MS_NN_F32) MS_NN__FN(dots)(job, row, sample, MS_NN_F32, 1, 1);
-        else if (job->m->dtype == MS_NN_F16) MS_NN__FN(dots)(job, row, sample, MS_NN_F16, 1, 1);
-        else MS_NN__FN(dots)(job, row, sample, MS_NN_I8, 1, 1);
-    }
-}
-
-/* Batches go by groups of samples that stay in the first cache, three samples at a time; what is left over runs as if
-   alone. */
+/* Dot products of rows with all samples, one after the other: a row that was read stays in the first cache. Two sums
+   take turns by vectors. */
 MS_NN__KERNEL void MS_NN__FN(dense)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
-    size_t batch = (size_t)job->batch, most = ms_nn__samples(job->m->cols), row, next, b0, b1, b;
-    for (b0 = 0; b0 < batch; b0 = b1) {
-        b1 = ms_nn__min(b0 + most, batch);
-        if (b1 - b0 < 3) {
-            for (b = b0; b < b1; ++b) MS_NN__FN(rows)(job, row0, row1, b);
-            continue;
+    const ms_nn__matrix *m = job->m;
+    const ms_nn_dtype dtype = m->dtype;
+    const size_t cols = m->cols, size = ms_nn__bytes_of(dtype), pair = 2 * MS_NN__V_LANES;
+    size_t row, b, k, n;
+    int i;
+    for (row = row0; row < row1; ++row)
+        for (b = 0; b < (size_t)job->batch; ++b) {
+            const unsigned char *w = m->w + row * cols * size;
+            const float *x = job->x + b * cols;
+            MS_NN__V_FLOATS sum[2];
+            float lane[MS_NN__V_LANES], y = 0;
+            sum[0] = sum[1] = MS_NN__V_SET(0.0f);
+            for (k = 0; k + pair <= cols; k += pair, w += pair * size, x += pair) {
+                MS_NN__V_PREFETCH(w, 4096); /* across the ends of pages, where the processor's own prefetching stops */
+                sum[0] = MS_NN__V_MADD(MS_NN__FN(weight)(w, dtype), MS_NN__FN(load)(x), sum[0]);
+                sum[1] = MS_NN__V_MADD(MS_NN__FN(weight)(w + MS_NN__V_LANES * size, dtype),
+                                       MS_NN__FN(load)(x + MS_NN__V_LANES), sum[1]);
+            }
+            for (; k < cols; k += n, w += n * size, x += n) {
+                n = ms_nn__min(cols - k, MS_NN__V_LANES);
+                sum[0] = MS_NN__V_MADD(MS_NN__FN(weight_part)(w, dtype, n),
+                                       MS_NN__FN(weight_part)((const unsigned char *)x, MS_NN_F32, n), sum[0]);
+            }
+            MS_NN__FN(store)(lane, sum[0] + sum[1]);
+            for (i = 0; i < MS_NN__V_LANES; ++i) y += lane[i];
+            y *= m->scale ? ms_nn__float_at(m->scale, row) : 1.0f;
+            job->y[b * m->rows + row] = y + (m->bias && !job->linear ? ms_nn__float_at(m->bias, row) : 0.0f);
         }
-        for (row = row0; row < row1; row = next) {
-            next = ms_nn__min(row + MS_NN__W_ROWS, row1);
-            for (b = b0; next - row == MS_NN__W_ROWS && b + 3 <= b1; b += 3) MS_NN__FN(tile)(job, row, b);
-            for (; b < b1; ++b) MS_NN__FN(rows)(job, row, next, b);
-        }
-    }
 }
 
-/* n weights times a factor, in double. dtype is a constant. */
-MS_NN__INLINE void MS_NN__FN(widen_typed)(const unsigned char *p, size_t n, double factor, double *out,
-                                          ms_nn_dtype dtype)
+/* n weights times a factor, in double. */
+MS_NN__KERNEL void MS_NN__FN(widen)(const unsigned char *p, size_t n, double factor, double *out, ms_nn_dtype dtype)
 {
     const size_t size = ms_nn__bytes_of(dtype);
     float lane[MS_NN__V_LANES];
     size_t k, count, i;
     for (k = 0; k < n; k += count) {
         count = ms_nn__min(n - k, MS_NN__V_LANES);
-        MS_NN__V_STORE(lane,
-                       count == MS_NN__V_LANES ? MS_NN__FN(weight)(p + k * size, dtype)
-                                               : MS_NN__FN(weight_part)(p + k * size, dtype, count));
+        MS_NN__FN(store)
+        (lane,
+         count == MS_NN__V_LANES ? MS_NN__FN(weight)(p + k * size, dtype)
+                                 : MS_NN__FN(weight_part)(p + k * size, dtype, count));
         for (i = 0; i < count; ++i) out[k + i] = factor * (double)lane[i];
     }
 }
 
-MS_NN__KERNEL void MS_NN__FN(widen)(const unsigned char *p, size_t n, double factor, double *out, ms_nn_dtype dtype)
-{
-    if (dtype == MS_NN_F32) MS_NN__FN(widen_typed)(p, n, factor, out, MS_NN_F32);
-    else if (dtype == MS_NN_F16) MS_NN__FN(widen_typed)(p, n, factor, out, MS_NN_F16);
-    else MS_NN__FN(widen_typed)(p, n, factor, out, MS_NN_I8);
-}
-
-/* Packed weights. An output is the sum over the first half of the columns plus the sum over the second, each from the
-   left, whatever the batch. */
+/* Packed weights: a panel has 4 vectors of rows. An output is the sum over the columns from the left, whatever the
+   batch. */
 #define MS_NN__P_ROWS (4 * MS_NN__V_LANES)
-#if MS_NN__ISA == 4 || defined(MS_NN__ARM)
-#define MS_NN__P_SAMPLES 6 /* of a tile: as many sums of 4 vectors as there are registers */
-#else
-#define MS_NN__P_SAMPLES 3
-#endif
 
-/* The outputs of a panel for one sample from the sums of both halves, 4 vectors each. */
+/* Outputs of one sample from their sums. */
 MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(packed_end)(const ms_nn__dense *job, size_t row, size_t sample,
-                                                         const MS_NN__V_FLOATS *half0, const MS_NN__V_FLOATS *half1)
+                                                         const MS_NN__V_FLOATS *sum, int vectors)
 {
     const ms_nn__matrix *m = job->m;
     float *y = job->y + sample * m->rows, part[MS_NN__V_LANES];
-    int v;
-    for (v = 0; v < 4 && row < m->rows; ++v, row += MS_NN__V_LANES) {
-        MS_NN__V_FLOATS bias = job->linear ? MS_NN__V_SET(0.0f) : MS_NN__V_LOAD(m->packed_bias + row);
-        bias = MS_NN__V_MADD(half0[v] + half1[v], MS_NN__V_LOAD(m->packed_scale + row), bias);
+    for (; vectors > 0 && row < m->rows; --vectors, row += MS_NN__V_LANES) {
+        const MS_NN__V_FLOATS bias = job->linear ? MS_NN__V_SET(0.0f) : MS_NN__FN(load)(m->packed_bias + row);
+        const MS_NN__V_FLOATS out = MS_NN__V_MADD(*sum++, MS_NN__FN(load)(m->packed_scale + row), bias);
         if (row + MS_NN__V_LANES <= m->rows) {
-            MS_NN__V_STORE(y + row, bias);
+            MS_NN__FN(store)(y + row, out);
         } else {
-            MS_NN__V_STORE(part, bias);
+            MS_NN__FN(store)(part, out);
             memcpy(y + row, part, (m->rows - row) * sizeof(float));
         }
     }
 }
 
-/* One sample takes both halves at once, for more sums that do not wait for each other. dtype is a constant. */
-MS_NN__INLINE void MS_NN__FN(packed_one)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype)
-{
-    const size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), wide = MS_NN__P_ROWS * size, half = (cols + 1) / 2;
-    const unsigned char *w = job->m->packed + row * cols * size;
-    const float *x = job->x + sample * cols;
-    MS_NN__V_FLOATS s[4], t[4], value;
-    size_t k;
-    int v;
-    MS_NN__UNROLL
-    for (v = 0; v < 4; ++v) s[v] = t[v] = MS_NN__V_SET(0.0f);
-    for (k = 0; k < half; ++k) {
-        const unsigned char *p = w + k * wide;
-        value = MS_NN__V_SET(x[k]);
-        MS_NN__UNROLL
-        for (v = 0; v < 4; ++v)
-            s[v] = MS_NN__V_MADD(MS_NN__FN(weight)(p + (size_t)v * MS_NN__V_LANES * size, dtype), value, s[v]);
-        if (k + half == cols) break; /* the first half may have one more */
-        value = MS_NN__V_SET(x[k + half]);
-        p += half * wide;
-        MS_NN__UNROLL
-        for (v = 0; v < 4; ++v)
-            t[v] = MS_NN__V_MADD(MS_NN__FN(weight)(p + (size_t)v * MS_NN__V_LANES * size, dtype), value, t[v]);
-    }
-    MS_NN__FN(packed_end)(job, row, sample, s, t);
-}
-
-/* A panel times `batch` samples. dtype and batch are constants. */
+/* Panels times samples: one times 1 to 3, or two times 1, for more sums that do not wait for each other. dtype, panels
+   and batch are constants. */
 MS_NN__INLINE void MS_NN__FN(packed_tile)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype,
-                                          int batch)
+                                          int panels, int batch)
 {
-    const size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), half = (cols + 1) / 2;
+    const size_t cols = job->m->cols, size = ms_nn__bytes_of(dtype), vector = MS_NN__V_LANES * size;
     const unsigned char *w = job->m->packed + row * cols * size;
     const float *x = job->x + sample * cols;
-    MS_NN__V_FLOATS sum[2][4 * MS_NN__P_SAMPLES], s[4][MS_NN__P_SAMPLES], value[MS_NN__P_SAMPLES], u;
-    size_t k = 0, end;
-    int h, v, b;
-    for (h = 0; h < 2; ++h) {
+    MS_NN__V_FLOATS sum[8][3], total[8], value[3], u;
+    size_t k;
+    int v, b;
+    MS_NN__UNROLL
+    for (v = 0; v < 4 * panels; ++v) {
         MS_NN__UNROLL
-        for (v = 0; v < 4; ++v) {
-            MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) s[v][b] = MS_NN__V_SET(0.0f);
-        }
-        for (end = h ? cols : half; k < end; ++k) {
-            MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) value[b] = MS_NN__V_SET(x[(size_t)b * cols + k]);
-            MS_NN__UNROLL
-            for (v = 0; v < 4; ++v, w += MS_NN__V_LANES * size) {
-                u = MS_NN__FN(weight)(w, dtype);
-                MS_NN__V_KEEP(u);
-                MS_NN__W_PREFETCH(w, 2048);
-                MS_NN__UNROLL
-                for (b = 0; b < batch; ++b) s[v][b] = MS_NN__V_MADD(u, value[b], s[v][b]);
-            }
-        }
+        for (b = 0; b < batch; ++b) sum[v][b] = MS_NN__V_SET(0.0f);
+    }
+    for (k = 0; k < cols; ++k, w += 4 * vector) {
         MS_NN__UNROLL
-        for (v = 0; v < 4; ++v) {
+        for (b = 0; b < batch; ++b) value[b] = MS_NN__V_SET(x[(size_t)b * cols + k]);
+        MS_NN__UNROLL
+        for (v = 0; v < 4 * panels; ++v) {
+            const unsigned char *p = w + (size_t)(v % 4) * vector + (size_t)(v / 4) * cols * 4 * vector;
+            u = MS_NN__FN(weight)(p, dtype);
+            if (batch > 1) MS_NN__V_KEEP(u);
+            if (batch > 1) MS_NN__V_PREFETCH(p, 2048);
             MS_NN__UNROLL
-            for (b = 0; b < batch; ++b) sum[h][4 * b + v] = s[v][b];
+            for (b = 0; b < batch; ++b) sum[v][b] = MS_NN__V_MADD(u, value[b], sum[v][b]);
         }
     }
-    for (b = 0; b < batch; ++b) MS_NN__FN(packed_end)(job, row, sample + (size_t)b, sum[0] + 4 * b, sum[1] + 4 * b);
+    MS_NN__UNROLL
+    for (b = 0; b < batch; ++b) {
+        MS_NN__UNROLL
+        for (v = 0; v < 4 * panels; ++v) total[v] = sum[v][b];
+        MS_NN__FN(packed_end)(job, row, sample + (size_t)b, total, 4 * panels);
+    }
 }
 
-/* The same for 1, 2, 3 or MS_NN__P_SAMPLES samples. dtype is a constant. */
-MS_NN__INLINE void MS_NN__FN(packed_samples)(const ms_nn__dense *job, size_t row, size_t sample, ms_nn_dtype dtype,
-                                             size_t batch)
+/* All samples for the panels from row0 on. dtype is a constant. */
+MS_NN__INLINE void MS_NN__FN(packed_of)(const ms_nn__dense *job, size_t row0, size_t row1, ms_nn_dtype dtype)
 {
-    if (batch == 1) MS_NN__FN(packed_one)(job, row, sample, dtype);
-    else if (batch == 2) MS_NN__FN(packed_tile)(job, row, sample, dtype, 2);
-    else if (batch == 3) MS_NN__FN(packed_tile)(job, row, sample, dtype, 3);
-#if MS_NN__P_SAMPLES > 3
-    else MS_NN__FN(packed_tile)(job, row, sample, dtype, 6);
-#endif
+    const size_t batch = (size_t)job->batch;
+    size_t row, b;
+    for (row = row0; row < row1; row += MS_NN__P_ROWS) {
+        if (batch == 1 && row + MS_NN__P_ROWS < row1) {
+            MS_NN__FN(packed_tile)(job, row, 0, dtype, 2, 1);
+            row += MS_NN__P_ROWS;
+            continue;
+        }
+        for (b = 0; b + 3 <= batch; b += 3) MS_NN__FN(packed_tile)(job, row, b, dtype, 1, 3);
+        if (b + 2 == batch) MS_NN__FN(packed_tile)(job, row, b, dtype, 1, 2);
+        else if (b + 1 == batch) MS_NN__FN(packed_tile)(job, row, b, dtype, 1, 1);
+    }
 }
 
-/* Tiles of samples as equal as possible. */
 MS_NN__KERNEL void MS_NN__FN(packed)(const ms_nn__dense *job, size_t row0, size_t row1)
 {
-    size_t row, b, left, tiles, n;
-    for (row = row0; row < row1; row += MS_NN__P_ROWS) {
-        for (b = 0; b < (size_t)job->batch; b += n) {
-            left = (size_t)job->batch - b;
-            tiles = (left + MS_NN__P_SAMPLES - 1) / MS_NN__P_SAMPLES;
-            n = (left + tiles - 1) / tiles;
-            if (n > 3 && n < MS_NN__P_SAMPLES) n = (n + 1) / 2;
-            if (job->m->packed_dtype == MS_NN_F32) MS_NN__FN(packed_samples)(job, row, b, MS_NN_F32, n);
-            else MS_NN__FN(packed_samples)(job, row, b, MS_NN_F16, n);
-        }
-    }
+    if (job->m->packed_dtype == MS_NN_F32) MS_NN__FN(packed_of)(job, row0, row1, MS_NN_F32);
+    else MS_NN__FN(packed_of)(job, row0, row1, MS_NN_F16);
 }
+
 /* MS_NN__V_BLOCK outputs x tile vectors of positions of one row: y(o, x) = bias(o) + sum_c sum_t w(o, c, t) in(c, x +
    t). */
 MS_NN__INLINE void MS_NN__FN(conv_tile_of)(const ms_nn__conv *v, const float *in, const float *w, const float *bias,
@@ -4208,7 +3845,7 @@ MS_NN__INLINE void MS_NN__FN(conv_tile_of)(const ms_nn__conv *v, const float *in
             const float *p = in + v->offset[t];
             MS_NN__V_FLOATS x[MS_NN__V_TILE];
             MS_NN__UNROLL
-            for (j = 0; j < tile; ++j) x[j] = MS_NN__V_LOAD(p + j * MS_NN__V_LANES);
+            for (j = 0; j < tile; ++j) x[j] = MS_NN__FN(load)(p + j * MS_NN__V_LANES);
             MS_NN__UNROLL
             for (i = 0; i < MS_NN__V_BLOCK; ++i) {
                 MS_NN__V_FLOATS u = MS_NN__V_SET(w[i]);
@@ -4221,7 +3858,7 @@ MS_NN__INLINE void MS_NN__FN(conv_tile_of)(const ms_nn__conv *v, const float *in
     for (i = 0; i < MS_NN__V_BLOCK; ++i) {
         if ((size_t)i < outs) {
             MS_NN__UNROLL
-            for (j = 0; j < tile; ++j) MS_NN__V_STORE(out + (size_t)i * out_plane + j * MS_NN__V_LANES, sum[i][j]);
+            for (j = 0; j < tile; ++j) MS_NN__FN(store)(out + (size_t)i * out_plane + j * MS_NN__V_LANES, sum[i][j]);
         }
     }
 }
@@ -4233,9 +3870,6 @@ MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(conv_tile)(const ms_nn__conv *v, co
     if (tile == MS_NN__V_TILE) MS_NN__FN(conv_tile_of)(v, in, w, bias, out, out_plane, outs, MS_NN__V_TILE);
     else MS_NN__FN(conv_tile_of)(v, in, w, bias, out, out_plane, outs, 1);
 }
-
-MS_NN__KERNEL void MS_NN__FN(activate)(const float *x, float *y, size_t n, ms_nn__activation activation, float alpha,
-                                       int slope);
 
 /* One row of a block. A tile that stands over the row's end goes through a buffer. */
 MS_NN__KERNEL void MS_NN__FN(conv_row)(const ms_nn__conv_job *job, const float *in, size_t row, size_t block)
@@ -4258,19 +3892,15 @@ MS_NN__KERNEL void MS_NN__FN(conv_row)(const ms_nn__conv_job *job, const float *
         MS_NN__FN(conv_tile)(v, in + x, w, bias, buffer, WIDE, outs, tile);
         for (i = 0; i < outs; ++i) memcpy(out + i * plane + x, buffer + i * WIDE, width * sizeof(float));
     }
-    for (i = 0; job->activation != MS_NN__LINEAR && !job->linear && i < outs; ++i)
-        MS_NN__FN(activate)(out + i * plane, out + i * plane, v->out.w, job->activation, job->alpha, 0);
 }
 
-MS_NN__KERNEL void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t strip, const float *padded)
+MS_NN__KERNEL void MS_NN__FN(conv)(const ms_nn__conv_job *job, size_t row0, size_t row1)
 {
     const ms_nn__conv *v = job->conv;
-    const size_t blocks = (v->out.c + MS_NN__V_BLOCK - 1) / MS_NN__V_BLOCK, row0 = strip * v->strip,
-                 row1 = ms_nn__min(row0 + v->strip, v->out.h);
     size_t row, block;
     for (row = row0; row < row1; ++row)
-        for (block = 0; block < blocks; ++block)
-            MS_NN__FN(conv_row)(job, padded + (row - row0) * v->stride[0] * v->pitch, row, block);
+        for (block = 0; block * MS_NN__V_BLOCK < v->out.c; ++block)
+            MS_NN__FN(conv_row)(job, job->padded + row * v->stride[0] * v->pitch, row, block);
 }
 
 /* e^x - c, c = 0 or 1, for x <= 88, subnormal results included: x = n ln 2 + r, 2^n (e^r - 1) + (2^n - c), 2^n in two
@@ -4325,7 +3955,7 @@ MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(curve)(const float *x, float *y, si
     MS_NN__V_FLOATS c = MS_NN__V_SET(!slope && (activation == MS_NN__ELU || activation == MS_NN__TANH) ? 1.0f : 0.0f);
     size_t i;
     for (i = 0; i < n; i += MS_NN__V_LANES) {
-        v = MS_NN__V_LOAD(x + i);
+        v = MS_NN__FN(load)(x + i);
         if (activation == MS_NN__RELU) {
             f = slope ? MS_NN__V_IF_GREATER(v, zero, one, zero) : MS_NN__V_MAX(zero, v);
         } else if (activation == MS_NN__LEAKY) {
@@ -4356,8 +3986,8 @@ MS_NN__KERNEL MS_NN__NOINLINE void MS_NN__FN(curve)(const float *x, float *y, si
                 else f = up;
             }
         }
-        if (slope) f = f * MS_NN__V_LOAD(y + i);
-        MS_NN__V_STORE(y + i, f);
+        if (slope) f = f * MS_NN__FN(load)(y + i);
+        MS_NN__FN(store)(y + i, f);
     }
 }
 
@@ -4397,48 +4027,41 @@ MS_NN__INLINE MS_NN__FN(doubles) MS_NN__FN(load_doubles)(const double *p)
     return v;
 }
 
-/* One or four rows of the product times two vectors of columns. rows is a constant. */
-MS_NN__INLINE void MS_NN__FN(product_tile)(const ms_nn__product_job *job, size_t row, size_t col, int rows)
-{
-    const double *a = job->a + row * job->a_row, *b = job->b + col;
-    double *out = job->out + row * job->out_row + col;
-    MS_NN__FN(doubles) sum[4][2], v[2];
-    size_t r;
-    int i, k;
-    MS_NN__UNROLL
-    for (i = 0; i < rows; ++i) {
-        MS_NN__UNROLL
-        for (k = 0; k < 2; ++k)
-            sum[i][k] = MS_NN__FN(load_doubles)(out + (size_t)i * job->out_row + k * MS_NN__D_LANES);
-    }
-    for (r = 0; r < job->count; ++r, a += job->a_column, b += job->b_row) {
-        MS_NN__UNROLL
-        for (k = 0; k < 2; ++k) v[k] = MS_NN__FN(load_doubles)(b + k * MS_NN__D_LANES);
-        MS_NN__UNROLL
-        for (i = 0; i < rows; ++i) {
-            MS_NN__UNROLL
-            for (k = 0; k < 2; ++k) sum[i][k] += v[k] * a[(size_t)i * job->a_row];
-        }
-    }
-    MS_NN__UNROLL
-    for (i = 0; i < rows; ++i) {
-        MS_NN__UNROLL
-        for (k = 0; k < 2; ++k)
-            memcpy(out + (size_t)i * job->out_row + k * MS_NN__D_LANES, &sum[i][k], sizeof sum[i][k]);
-    }
-}
-
+/* Four rows times two vectors of columns at a time. */
 MS_NN__KERNEL void MS_NN__FN(product)(const ms_nn__product_job *job)
 {
-    size_t row, col;
-    for (row = 0; row < job->rows; row += row + 4 <= job->rows ? 4 : 1)
+    MS_NN__FN(doubles) sum[4][2], v[2];
+    size_t row, col, r;
+    int i, k;
+    for (row = 0; row < job->rows; row += 4)
         for (col = 0; col < job->cols; col += 2 * MS_NN__D_LANES) {
-            if (row + 4 <= job->rows) MS_NN__FN(product_tile)(job, row, col, 4);
-            else MS_NN__FN(product_tile)(job, row, col, 1);
+            const double *a = job->a + row * job->a_row, *b = job->b + col;
+            double *out = job->out + row * job->out_row + col;
+            MS_NN__UNROLL
+            for (i = 0; i < 4; ++i) {
+                MS_NN__UNROLL
+                for (k = 0; k < 2; ++k)
+                    sum[i][k] = MS_NN__FN(load_doubles)(out + (size_t)i * job->out_row + k * MS_NN__D_LANES);
+            }
+            for (r = 0; r < job->count; ++r, a += job->a_column, b += job->b_row) {
+                MS_NN__UNROLL
+                for (k = 0; k < 2; ++k) v[k] = MS_NN__FN(load_doubles)(b + k * MS_NN__D_LANES);
+                MS_NN__UNROLL
+                for (i = 0; i < 4; ++i) {
+                    MS_NN__UNROLL
+                    for (k = 0; k < 2; ++k) sum[i][k] += v[k] * a[(size_t)i * job->a_row];
+                }
+            }
+            MS_NN__UNROLL
+            for (i = 0; i < 4; ++i) {
+                MS_NN__UNROLL
+                for (k = 0; k < 2; ++k)
+                    memcpy(out + (size_t)i * job->out_row + k * MS_NN__D_LANES, &sum[i][k], sizeof sum[i][k]);
+            }
         }
 }
 
-static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,      MS_NN__P_ROWS,    MS_NN__ISA,
+static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,      MS_NN__P_ROWS,    (ms_simd)MS_NN__ISA,
                                                 MS_NN__FN(packed),   MS_NN__FN(dense), MS_NN__FN(conv),
                                                 MS_NN__FN(activate), MS_NN__FN(widen), MS_NN__FN(product)};
 
@@ -4450,14 +4073,9 @@ static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,      MS_NN__P_RO
 #undef MS_NN__V_LANES
 #undef MS_NN__V_BLOCK
 #undef MS_NN__V_TILE
-#undef MS_NN__W_ROWS
-#undef MS_NN__W_CHAINS
 #undef MS_NN__P_ROWS
-#undef MS_NN__P_SAMPLES
-#undef MS_NN__W_PREFETCH
+#undef MS_NN__V_PREFETCH
 #undef MS_NN__V_FLOATS
-#undef MS_NN__V_LOAD
-#undef MS_NN__V_STORE
 #undef MS_NN__V_SET
 #undef MS_NN__V_MADD
 #undef MS_NN__V_MAX
@@ -4467,8 +4085,8 @@ static const ms_nn__kernels MS_NN__FN(table) = {MS_NN__V_BLOCK,      MS_NN__P_RO
 #undef MS_NN__V_ROUND
 #undef MS_NN__V_FROM_INT
 #undef MS_NN__V_POW2
-#undef MS_NN__W_HALF
-#undef MS_NN__W_INT8
+#undef MS_NN__V_HALF
+#undef MS_NN__V_INT8
 #undef MS_NN__D_LANES
 #endif /* kernels */
 

@@ -470,8 +470,9 @@ static MS__UNUSED ms_status ms__fail(ms_error *error, ms_status status, size_t p
 /* ---- small maths ----------------------------------------------------------------------------------------------- */
 
 #define MS_PME__INF ((double)HUGE_VAL)
-#define MS_PME__SOLVERS 16 /* local solvers at a time, and candidates that a match keeps, at most */
-#define MS_PME__ROWS 32    /* rows of the Jacobian that one QR update takes: they stay in the cache */
+#define MS_PME__SOLVERS 16  /* local solvers at a time, and candidates that a match keeps, at most */
+#define MS_PME__ROWS 32     /* rows of the Jacobian that one QR update takes: they stay in the cache */
+#define MS_PME__TOGETHER 20 /* rounds of a bounded problem before it is taken one parameter at a time */
 
 static double ms_pme__dot(const double *a, const double *b, int n)
 {
@@ -494,37 +495,11 @@ static void ms_pme__add(double *y, double t, const double *x, int n)
     for (i = 0; i < n; ++i) y[i] += t * x[i];
 }
 
-/* (a, b) = (c a + s b, c b - s a) for n elements of two rows. */
-static void ms_pme__rotate(double *a, double *b, double c, double s, int n)
-{
-    int i;
-    for (i = 0; i < n; ++i) {
-        double u = a[i], v = b[i];
-        a[i] = c * u + s * v;
-        b[i] = c * v - s * u;
-    }
-}
-
 static double ms_pme__clip(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
 
 static double ms_pme__max(double a, double b) { return a > b ? a : b; }
 
 static void ms_pme__copy(double *to, const double *from, int n) { memcpy(to, from, (size_t)n * sizeof *to); }
-
-/* The rotation that turns (a, b) into (r, 0). */
-static double ms_pme__rotation(double a, double b, double *c, double *s)
-{
-    double size = ms_pme__max(fabs(a), fabs(b)), r;
-    if (!(size > 0)) {
-        *c = 1;
-        *s = 0;
-        return 0;
-    }
-    r = size * sqrt(a / size * (a / size) + b / size * (b / size));
-    *c = a / r;
-    *s = b / r;
-    return r;
-}
 
 /* Folds k rows into the upper triangle r [n + 1][n + 1] by Householder reflections of (r_jj, column j): the R of a QR
    factorization, block of rows by block of rows (TSQR). The rows are stored as columns [n + 1][ROWS], the right-hand
@@ -533,9 +508,10 @@ static void ms_pme__qr_append(double *r, int n, double *columns, int k)
 {
     int w = n + 1, i, j;
     for (j = 0; j <= n; ++j) {
-        double *column = columns + j * MS_PME__ROWS, *top = r + j * w, largest = fabs(top[j]), norm, head, beta;
+        double *column = columns + j * MS_PME__ROWS, *top = r + j * w, largest = 0, norm, head, beta;
         for (i = 0; i < k; ++i) largest = ms_pme__max(largest, fabs(column[i]));
-        if (!(largest > 1e-140)) continue; /* columns are of size 1: rounding of rounding, whose square underflows */
+        if (!(largest > 1e-140)) continue; /* columns are of size 1: zeros, or rounding whose square underflows */
+        largest = ms_pme__max(largest, fabs(top[j]));
         norm = (top[j] / largest) * (top[j] / largest);
         for (i = 0; i < k; ++i) norm += (column[i] / largest) * (column[i] / largest);
         norm = largest * sqrt(norm);
@@ -603,7 +579,6 @@ typedef struct ms_pme__run {
     double *residual, *trial_residual;       /* [m] at the point of the Jacobian; at the last other point */
     double *jacobian;                        /* [m][n] */
     double *unit;     /* [n] largest magnitude in a column of the Jacobian; 1 for a zero column */
-    double *rows;     /* [n + 1][ROWS] rows of the Jacobian and the residual, as columns */
     double *triangle; /* [n + 1][n + 1] R of J / unit, and Q'(-r) / |r| */
     double *gradient; /* [n] of |r|^2 / 2 in y_j = unit_j x_j / |r| */
     double *moved;    /* [n] the start, then x of a difference */
@@ -752,113 +727,96 @@ static int ms_pme__active(const ms_pme__run *run, const double *x, int j)
 
 /* ---- bounded least squares ------------------------------------------------------------------------------------- */
 
-/* Columns order[0 .. free) of a matrix [n][n + 1] form an upper triangle; the columns of the active bounds are full;
-   the right-hand side is last. Rotations of neighboring rows restore that form when a bound becomes active or
-   inactive. */
-typedef struct ms_pme__active_set {
-    double *a; /* [n][n + 1] */
-    int *order, n, free;
-} ms_pme__active_set;
-
-static void ms_pme__eliminate(ms_pme__active_set *s, int row, int column)
+/* z_j of the free parameters, those of state 0, minimizes |R z - b|^2 + sum (weight_j z_j)^2 with the others at d.
+   triangle [n][n + 1]: R, b. work: [n + 1][n + 1], then rows as columns [n + 1][ROWS]. */
+static void ms_pme__solve_free(const double *triangle, int n, const double *weight, const int *state, const double *d,
+                               double *z, double *work)
 {
-    int w = s->n + 1;
-    double c, sine, *upper = s->a + row * w, *lower = upper + w,
-                    r = ms_pme__rotation(upper[column], lower[column], &c, &sine);
-    if (c < 1) ms_pme__rotate(upper, lower, c, sine, w); /* c = -1: turns signs only */
-    upper[column] = r;
-    lower[column] = 0;
+    int order[MS_PME_PARAMETERS_MAX], count = 0, filled = 0, w = n + 1, row, i, j;
+    double *rows = work + w * w, t;
+    for (j = 0; j < n; ++j)
+        if (state[j] == 0) order[count++] = j;
+    memset(work, 0, (size_t)((count + 1) * (count + 1)) * sizeof *work);
+    for (row = 0; row < n + count; ++row) { /* those of R less what is at bounds, then those of the weights */
+        const double *from = triangle + (row < n ? row : 0) * w;
+        for (j = 0; j < count; ++j)
+            rows[j * MS_PME__ROWS + filled] = row < n ? from[order[j]] : row - n == j ? weight[order[j]] : 0;
+        t = row < n ? from[n] : 0;
+        for (j = row; j < n; ++j) t -= state[j] != 0 ? from[j] * d[j] : 0;
+        rows[count * MS_PME__ROWS + filled++] = t;
+        if (filled < MS_PME__ROWS && row + 1 < n + count) continue;
+        ms_pme__qr_append(work, count, rows, filled);
+        filled = 0;
+    }
+    for (i = count; i-- > 0;) {
+        const double *from = work + i * (count + 1);
+        for (t = from[count], j = i + 1; j < count; ++j) t -= from[j] * z[order[j]];
+        z[order[i]] = fabs(from[i]) > 0 ? t / from[i] : 0;
+    }
 }
 
-static void ms_pme__activate(ms_pme__active_set *s, int place)
-{
-    int column = s->order[place], i;
-    for (i = place; i + 1 < s->free; ++i) s->order[i] = s->order[i + 1];
-    s->order[--s->free] = column;
-    for (i = place; i < s->free; ++i) ms_pme__eliminate(s, i, s->order[i]);
-}
-
-static void ms_pme__deactivate(ms_pme__active_set *s, int column)
-{
-    int place = s->free, i;
-    while (s->order[place] != column) ++place;
-    s->order[place] = s->order[s->free];
-    s->order[s->free] = column;
-    for (i = s->n - 2; i >= s->free; --i) ms_pme__eliminate(s, i, column);
-    s->free++;
-}
-
-/* d [n] minimizes |A d - b| over low <= d <= high, low <= 0 <= high: the active-set method of Stark and Parker (1995),
-   finite and exact. a [n][n + 1]: A upper triangular of full rank, then b; destroyed. state in: a guess of the active
-   set (0 free, -1 at low, 1 at high); out: the active set. order [n], z [2 n] are workspace. */
-static void ms_pme__bounded_least_squares(double *a, int n, const double *low, const double *high, double *d,
-                                          int *state, int *order, double *z)
+/* d [n] minimizes |R d - b|^2 + sum (weight_j d_j)^2 over low <= d <= high, low <= 0 <= high: the active-set method of
+   Stark and Parker (1995), finite and exact; each set is a QR factorization. To need few of them, it begins with
+   rounds in which all parameters that should change sides do so together. state in: a guess of the active set (0 free,
+   -1 at low, 1 at high); out: the active set. z [n]; the others as above. */
+static void ms_pme__bounded_least_squares(const double *triangle, int n, const double *weight, const double *low,
+                                          const double *high, double *d, int *state, double *z, double *work)
 {
     int w = n + 1, change, i, j, released = -1;
-    double *rest = z + n;
-    ms_pme__active_set s;
-    s.a = a;
-    s.order = order;
-    s.n = s.free = n;
-    for (j = 0; j < n; ++j) order[j] = j;
-    for (j = n; j-- > 0;) {
-        d[j] = state[j] < 0 ? low[j] : state[j] > 0 ? high[j] : 0;
-        if (state[j] != 0) ms_pme__activate(&s, j);
-    }
-    for (change = 0; change < 4 * n + 8; ++change) {
+    for (j = 0; j < n; ++j) d[j] = state[j] < 0 ? low[j] : state[j] > 0 ? high[j] : 0;
+    for (change = 0; change < 4 * n + 8 + MS_PME__TOGETHER; ++change) {
+        const int together = change < MS_PME__TOGETHER;
         int worst = -1, hit = -1;
-        double alpha = 1, steepest = 0;
-        for (i = 0; i < n; ++i) { /* b less the columns of the active bounds */
-            rest[i] = a[i * w + n];
-            for (j = s.free; j < n; ++j) rest[i] -= a[i * w + order[j]] * d[order[j]];
-        }
-        for (i = s.free - 1; i >= 0; --i) { /* the unbounded solution in the free variables */
-            double t = rest[i], pivot = a[i * w + order[i]];
-            for (j = i + 1; j < s.free; ++j) t -= a[i * w + order[j]] * z[j];
-            z[i] = fabs(pivot) > 0 ? t / pivot : 0;
-        }
-        for (i = 0; i < s.free; ++i) { /* the first bound on the way from d to z */
+        double alpha = 1, steepest = 0, *size = work;
+        ms_pme__solve_free(triangle, n, weight, state, d, z, work);
+        for (j = 0; j < n; ++j) { /* the first bound on the way from d to z */
             double limit, t;
-            j = order[i];
-            if (z[i] >= low[j] && z[i] <= high[j]) continue;
-            limit = z[i] < low[j] ? low[j] : high[j];
-            t = z[i] < d[j] || z[i] > d[j] ? (limit - d[j]) / (z[i] - d[j]) : 0;
+            if (state[j] != 0 || (z[j] >= low[j] && z[j] <= high[j])) continue;
+            limit = z[j] < low[j] ? low[j] : high[j];
+            if (together) {
+                state[j] = z[j] < low[j] ? -1 : 1;
+                d[j] = limit;
+                hit = j;
+                continue;
+            }
+            t = z[j] < d[j] || z[j] > d[j] ? (limit - d[j]) / (z[j] - d[j]) : 0;
             if (t < alpha || hit < 0) {
                 alpha = ms_pme__clip(t, 0, 1);
-                hit = i;
+                hit = j;
             }
         }
-        for (i = 0; i < s.free; ++i) {
-            j = order[i];
-            d[j] = ms_pme__clip(d[j] + alpha * (z[i] - d[j]), low[j], high[j]);
-        }
+        for (j = 0; j < n; ++j)
+            if (state[j] == 0) d[j] = ms_pme__clip(d[j] + alpha * (z[j] - d[j]), low[j], high[j]);
+        if (hit >= 0 && together) continue;
         if (hit >= 0) {
-            j = order[hit];
-            state[j] = z[hit] < low[j] ? -1 : 1;
-            d[j] = state[j] < 0 ? low[j] : high[j];
-            ms_pme__activate(&s, hit);
-            if (j == released && !(alpha > 1e-12)) break; /* rounding frees it again and again */
+            state[hit] = z[hit] < low[hit] ? -1 : 1;
+            d[hit] = state[hit] < 0 ? low[hit] : high[hit];
+            if (hit == released && !(alpha > 1e-12)) break; /* rounding frees it again and again */
             released = -1;
             continue;
         }
-        for (j = s.free; j < n; ++j) { /* the multipliers of the active bounds: the most negative one is freed */
-            double t = 0, size = 0, push;
-            int column = order[j];
-            if (!(low[column] < high[column])) continue;
-            for (i = s.free; i < n; ++i) {
-                t += a[i * w + column] * rest[i];
-                size += fabs(a[i * w + column] * rest[i]);
+        for (i = 0; i < n; ++i) { /* z: b - R d, and the size of its terms */
+            const double *row = triangle + i * w;
+            z[i] = row[n] - ms_pme__dot(row + i, d + i, n - i);
+            for (size[i] = fabs(row[n]), j = i; j < n; ++j) size[i] += fabs(row[j] * d[j]);
+        }
+        for (j = 0; j < n; ++j) { /* the multipliers of the active bounds: the most negative one is freed */
+            double t = -weight[j] * weight[j] * d[j], terms = fabs(t), push;
+            if (state[j] == 0 || !(low[j] < high[j])) continue;
+            for (i = 0; i <= j; ++i) {
+                t += triangle[i * w + j] * z[i];
+                terms += fabs(triangle[i * w + j]) * size[i];
             }
-            push = state[column] < 0 ? t : -t;
-            if (push > 1e-14 * size && push > steepest) {
-                steepest = push;
-                worst = column;
+            push = state[j] < 0 ? t : -t;
+            if (push > 1e-14 * terms && push > steepest) {
+                steepest = together ? 0 : push;
+                worst = j;
+                if (together) state[j] = 0;
             }
         }
         if (worst < 0) break;
         released = worst;
         state[worst] = 0;
-        ms_pme__deactivate(&s, worst);
     }
 }
 
@@ -897,6 +855,7 @@ static double ms_pme__column_norm(const ms_pme__run *run, int j)
 static void ms_pme__factor(ms_pme__run *run, double norm)
 {
     int n = run->n, w = n + 1, i, j;
+    double *rows = run->work; /* [n + 1][ROWS] of the Jacobian and the residual, as columns */
     size_t row;
     for (j = 0; j < n; ++j) run->unit[j] = 0;
     for (row = 0; row < run->m; ++row)
@@ -909,10 +868,10 @@ static void ms_pme__factor(ms_pme__run *run, double norm)
         int k = run->m - row < MS_PME__ROWS ? (int)(run->m - row) : MS_PME__ROWS;
         for (i = 0; i < k; ++i, ++row) {
             const double *from = run->jacobian + row * (size_t)n;
-            for (j = 0; j < n; ++j) run->rows[j * MS_PME__ROWS + i] = from[j] / run->unit[j];
-            run->rows[n * MS_PME__ROWS + i] = norm > 0 ? -run->residual[row] / norm : 0;
+            for (j = 0; j < n; ++j) rows[j * MS_PME__ROWS + i] = from[j] / run->unit[j];
+            rows[n * MS_PME__ROWS + i] = norm > 0 ? -run->residual[row] / norm : 0;
         }
-        ms_pme__qr_append(run->triangle, n, run->rows, k);
+        ms_pme__qr_append(run->triangle, n, rows, k);
     }
     for (j = 0; j < n; ++j) {
         double t = 0;
@@ -957,22 +916,6 @@ static double ms_pme__step_weight(const ms_pme__run *run, const ms_pme__solver *
     return !(solver->scale[j] > 0) ? 1 : weight < 1e100 ? weight : 1e100;
 }
 
-/* a: [R; sqrt(lambda) D] as a triangle with its right-hand side, by rotations of each row of D into R. */
-static void ms_pme__damp(const ms_pme__run *run, const ms_pme__solver *solver, double *a, double *row)
-{
-    int n = run->n, w = n + 1, i, j;
-    ms_pme__copy(a, run->triangle, n * w);
-    for (i = n; i-- > 0;) { /* from below: a row meets only the rows under it */
-        memset(row + i, 0, (size_t)(w - i) * sizeof *row);
-        row[i] = sqrt(solver->lambda) * ms_pme__step_weight(run, solver, i);
-        for (j = i; j < n; ++j) {
-            double c, s, r = ms_pme__rotation(a[j * w + j], row[j], &c, &s);
-            ms_pme__rotate(a + j * w + j, row + j, c, s, w - j);
-            a[j * w + j] = r;
-        }
-    }
-}
-
 /* The decrease of the linear model as a fraction of |r|^2: 1 - |r + J d|^2 / |r|^2. */
 static double ms_pme__predicted_decrease(const ms_pme__run *run, const double *d)
 {
@@ -992,22 +935,22 @@ static double ms_pme__predicted_decrease(const ms_pme__run *run, const double *d
    not land on the same plateau (BoxBOD of NIST). */
 static void ms_pme__solver_step(ms_pme__run *run, ms_pme__solver *solver)
 {
-    int n = run->n, j, state[MS_PME_PARAMETERS_MAX], order[MS_PME_PARAMETERS_MAX];
-    double *trial = run->work, *d = trial + n, *low = d + n, *high = low + n, *z = high + n, *row = z + 2 * n,
-           *a = row + n + 1, *x = solver->x, longest = MS_PME__INF;
+    int n = run->n, j, state[MS_PME_PARAMETERS_MAX];
+    double *trial = run->work, *d = trial + n, *low = d + n, *high = low + n, *z = high + n, *damping = z + n,
+           *work = damping + n, *x = solver->x, longest = MS_PME__INF;
     ms_pme__solver_linearize(run, solver);
     while (!solver->done && !run->stopped) {
         double predicted, decrease, norm, ratio, t, step = 0, size = 0;
         int finite = 1;
 
         /* the damped problem: its solution d, and the bounds that it is at */
-        ms_pme__damp(run, solver, a, row);
         for (j = 0; j < n; ++j) {
             low[j] = (run->lower[j] - x[j]) * run->unit[j] / solver->norm;
             high[j] = (run->upper[j] - x[j]) * run->unit[j] / solver->norm;
+            damping[j] = sqrt(solver->lambda) * ms_pme__step_weight(run, solver, j);
             state[j] = !ms_pme__active(run, x, j) ? 0 : low[j] >= 0 ? -1 : 1;
         }
-        ms_pme__bounded_least_squares(a, n, low, high, d, state, order, z);
+        ms_pme__bounded_least_squares(run->triangle, n, damping, low, high, d, state, z, work);
 
         /* the trial, and the lengths of step and point in the metric of the trust region */
         for (j = 0; j < n; ++j) {
@@ -1197,11 +1140,10 @@ static void ms_pme__layout(ms_pme__run *run, ms_pme__objective *o, ms__arena *ar
     run->typical = ms_pme__doubles(arena, n);
     run->moved = ms_pme__doubles(arena, n);
     run->unit = ms_pme__doubles(arena, n);
-    run->rows = ms_pme__doubles(arena, MS_PME__ROWS * (n + 1));
     run->triangle = ms_pme__doubles(arena, (n + 1) * (n + 1));
     run->gradient = ms_pme__doubles(arena, n);
     run->point = ms_pme__doubles(arena, 2 * n * MS_PME__SOLVERS);
-    run->work = ms_pme__doubles(arena, (n + 1) * (n + 8)); /* a step: n (n + 8) + 1 */
+    run->work = ms_pme__doubles(arena, 6 * n + (n + 1) * (n + 1 + MS_PME__ROWS)); /* of a step */
     if (o == NULL) return;
     p = o->renderer->image_size;
     pictures = o->renderer->reduced || run->function->residuals_only ? 0 : ms__size_mul(p, n);
@@ -1511,7 +1453,7 @@ static void ms_pme__answer_derivatives(ms_pme__run *run)
 static void ms_pme__deviations(ms_pme__run *run, ms_pme__objective *o, double rmse)
 {
     int n = run->n, w = n + 1, j, k, i;
-    double noise = 1e-7 * o->size, sigma, *variance = o->deviation, *y = run->work;
+    double noise = 1e-7 * o->size, sigma, *variance = o->deviation, *y = run->work, *row = run->work;
     int idle[MS_PME_PARAMETERS_MAX]; /* a range, and no effect on the picture */
     for (j = 0; j < n; ++j) {
         double range = run->upper[j] - run->lower[j];
@@ -1528,9 +1470,8 @@ static void ms_pme__deviations(ms_pme__run *run, ms_pme__objective *o, double rm
         if (idle[j] || !(range > 0)) prior = 1;
         else if (!ms__finite(range)) prior = 0;
         else prior = change > prior * 1e-100 ? ms_pme__max(prior / change, 1e-100) : 1e100;
-        for (k = 0; k < w; ++k) run->rows[k * MS_PME__ROWS] = 0;
-        run->rows[j * MS_PME__ROWS] = prior;
-        ms_pme__qr_append(run->triangle, n, run->rows, 1);
+        for (k = 0; k < w; ++k) row[k * MS_PME__ROWS] = k == j ? prior : 0;
+        ms_pme__qr_append(run->triangle, n, row, 1);
     }
     for (k = 0; k < n; ++k) /* column k of the inverse */
         for (i = k; i >= 0; --i) {
@@ -1642,6 +1583,7 @@ MS_API ms_status ms_pme_match(const ms_pme_renderer *renderer, const float *targ
 #undef MS_PME__INF
 #undef MS_PME__SOLVERS
 #undef MS_PME__ROWS
+#undef MS_PME__TOGETHER
 #undef MS_PME__SCALE_DECAY
 #endif /* MS_PME_IMPLEMENTATION */
 

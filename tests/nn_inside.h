@@ -1,6 +1,6 @@
-/* Inner calls of ms_nn.h that tests look at: numbers of 16 bits, activations, widened weights, several directions at
-   once, the features and the factor of a collapse. Static behind the implementation; in an object of their own where
-   the build compiles the header once (tests/run.sh). */
+/* Inner calls of ms_nn.h that tests look at: numbers of 16 bits, activations, matrices read in place, widened weights,
+   several directions at once, the features and the factor of a collapse. Static behind the implementation; in an object
+   of their own where the build compiles the header once (tests/run.sh). */
 #ifndef TEST_NN_INSIDE_H
 #define TEST_NN_INSIDE_H
 #include "ms_nn.h"
@@ -21,6 +21,7 @@ extern "C" {
 TEST_INSIDE float inside_half_to_float(uint16_t half);
 TEST_INSIDE uint16_t inside_half_from_float(float value);
 TEST_INSIDE void inside_activate(const ms_nn *nn, const float *x, float *tangent, size_t count);
+TEST_INSIDE void inside_in_place(ms_nn *nn);
 TEST_INSIDE void inside_widen(const ms_nn *nn, size_t first, size_t count, double factor, double *out);
 TEST_INSIDE int inside_directions(const ms_nn *nn, size_t count, const float *x, const float *dx, float *dy,
                                   void *workspace);
@@ -38,6 +39,9 @@ TEST_INSIDE void inside_activate(const ms_nn *nn, const float *x, float *tangent
     nn->kernels->activate(x, tangent, count, nn->op[0].activation, nn->op[0].alpha, 1);
 }
 
+/* The first operation's matrix is read where it lies, as are those beyond what is packed. */
+TEST_INSIDE void inside_in_place(ms_nn *nn) { nn->op[0].matrix.packed = NULL; }
+
 /* Weights [first, first + count) of the first operation, of I8, times a factor. */
 TEST_INSIDE void inside_widen(const ms_nn *nn, size_t first, size_t count, double factor, double *out)
 {
@@ -51,7 +55,7 @@ TEST_INSIDE int inside_directions(const ms_nn *nn, size_t count, const float *x,
     ms_nn__call call;
     ms_nn__begin(&call, nn, MS_NN_JACOBIAN, 1, x, NULL, workspace);
     if (count > call.layout.each || nn->channel_input != NULL) return 0;
-    memcpy(dy, ms_nn__run_directions(&call.run, count, dx, call.layout.slots),
+    memcpy(dy, ms_nn__run_directions(&call.run, count, dx, call.layout.dvalues),
            count * ms_nn_output_size(nn) * sizeof(float));
     return 1;
 }

@@ -17,14 +17,17 @@
 extern "C" {
 #endif
 
-TEST_INSIDE void inside_bounded_least_squares(double *a, int n, const double *low, const double *high, double *d,
-                                              int *state, int *order, double *z);
+TEST_INSIDE void inside_bounded_least_squares(const double *triangle, int n, const double *low, const double *high,
+                                              double *d, int *state);
 
 #ifdef TEST_INSIDE_BODY
-TEST_INSIDE void inside_bounded_least_squares(double *a, int n, const double *low, const double *high, double *d,
-                                              int *state, int *order, double *z)
+TEST_INSIDE void inside_bounded_least_squares(const double *triangle, int n, const double *low, const double *high,
+                                              double *d, int *state)
 {
-    ms_pme__bounded_least_squares(a, n, low, high, d, state, order, z);
+    enum { MOST = 16, ROWS = 32 };
+    const double weight[MOST] = {0};
+    double z[MOST], work[(MOST + 1) * (MOST + 1 + ROWS)];
+    ms_pme__bounded_least_squares(triangle, n, weight, low, high, d, state, z, work);
 }
 #endif
 #ifdef __cplusplus

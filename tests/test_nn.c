@@ -1062,7 +1062,7 @@ static void test_batches(void)
         }
 }
 
-/* Dense layers around the shapes of the kernels' tiles and of what is packed at load, at every level: sums against
+/* Dense layers around the shapes of the kernels' tiles, packed and where they lie, at every level: sums against
    double precision within the bound of any order of float sums, (n + 4) 2^-24 of the absolute products; the Jacobian is
    the matrix; a batch has the bits of each alone, and nothing but the outputs is written. */
 static void test_dense_shapes(void)
@@ -1075,7 +1075,7 @@ static void test_dense_shapes(void)
     static const int counts[] = {1, 2, 3, 4, 6, 7, COUNT};
     uint64_t state = test_seed + 22;
     size_t k, c;
-    int t, level;
+    int t, level, in_place;
     for (k = 0; k < sizeof shapes / sizeof shapes[0]; ++k)
         for (t = 0; t < 3; ++t) {
             size_t rows = (size_t)shapes[k][0], cols = (size_t)shapes[k][1], i, j, b;
@@ -1085,44 +1085,46 @@ static void test_dense_shapes(void)
             net_dense(&net, (int)rows, 0);
             net_end(&net, &state);
             for (i = 0; i < COUNT * cols; ++i) x[i] = (float)test_normal(&state);
-            for (level = MS_SIMD_SCALAR; level <= test_simd_best(); ++level) {
-                ms_nn *nn = net_load(&net, (ms_simd)level);
-                float *alone = (float *)malloc(COUNT * rows * sizeof(float));
-                if (ms_nn_simd(nn) == (ms_simd)level)
-                    for (b = 0; b < COUNT; ++b) {
-                        CHECK_INT(ms_nn_forward(nn, 1, x + b * cols, alone + b * rows, NULL), MS_OK);
-                        for (i = 0; i<rows; i += rows * cols> 1000000 ? 13 : 1) {
-                            double sum = net.layer[0].b[i], size = fabs(sum);
-                            for (j = 0; j < cols; ++j) {
-                                double product = net.layer[0].w[i * cols + j] * (double)x[b * cols + j];
-                                sum += product;
-                                size += fabs(product);
+            for (in_place = 0; in_place < 2; ++in_place)
+                for (level = MS_SIMD_SCALAR; level <= test_simd_best(); ++level) {
+                    ms_nn *nn = net_load(&net, (ms_simd)level);
+                    float *alone = (float *)malloc(COUNT * rows * sizeof(float));
+                    if (in_place) inside_in_place(nn);
+                    if (ms_nn_simd(nn) == (ms_simd)level)
+                        for (b = 0; b < COUNT; ++b) {
+                            CHECK_INT(ms_nn_forward(nn, 1, x + b * cols, alone + b * rows, NULL), MS_OK);
+                            for (i = 0; i<rows; i += rows * cols> 1000000 ? 13 : 1) {
+                                double sum = net.layer[0].b[i], size = fabs(sum);
+                                for (j = 0; j < cols; ++j) {
+                                    double product = net.layer[0].w[i * cols + j] * (double)x[b * cols + j];
+                                    sum += product;
+                                    size += fabs(product);
+                                }
+                                CHECK_NEAR(alone[b * rows + i], sum, (double)(cols + 4) * 5.97e-8 * size);
                             }
-                            CHECK_NEAR(alone[b * rows + i], sum, (double)(cols + 4) * 5.97e-8 * size);
                         }
+                    if (ms_nn_simd(nn) == (ms_simd)level && rows * cols < 20000) {
+                        float *jacobian = (float *)malloc(rows * cols * sizeof(float));
+                        CHECK_INT(ms_nn_jacobian(nn, x, NULL, jacobian, NULL), MS_OK);
+                        for (i = 0; i < rows * cols; ++i) /* scales round once */
+                            CHECK_NEAR(jacobian[i], net.layer[0].w[i], 1.2e-7 * fabs(net.layer[0].w[i]));
+                        free(jacobian);
                     }
-                if (ms_nn_simd(nn) == (ms_simd)level && rows * cols < 20000) {
-                    float *jacobian = (float *)malloc(rows * cols * sizeof(float));
-                    CHECK_INT(ms_nn_jacobian(nn, x, NULL, jacobian, NULL), MS_OK);
-                    for (i = 0; i < rows * cols; ++i) /* scales round once */
-                        CHECK_NEAR(jacobian[i], net.layer[0].w[i], 1.2e-7 * fabs(net.layer[0].w[i]));
-                    free(jacobian);
+                    for (c = 0; ms_nn_simd(nn) == (ms_simd)level && c < sizeof counts / sizeof counts[0]; ++c) {
+                        size_t n = (size_t)counts[c];
+                        float *y = (float *)malloc((n * rows + 1) * sizeof(float)),
+                              *xc = (float *)malloc(n * cols * sizeof(float)); /* to their ends, for sanitizers */
+                        memcpy(xc, x, n * cols * sizeof(float));
+                        y[n * rows] = 7;
+                        CHECK_INT(ms_nn_forward(nn, counts[c], xc, y, NULL), MS_OK);
+                        CHECK_INT(memcmp(y, alone, n * rows * sizeof(float)), 0);
+                        CHECK(y[n * rows] == 7);
+                        free(y);
+                        free(xc);
+                    }
+                    free(alone);
+                    ms_nn_destroy(nn);
                 }
-                for (c = 0; ms_nn_simd(nn) == (ms_simd)level && c < sizeof counts / sizeof counts[0]; ++c) {
-                    size_t n = (size_t)counts[c];
-                    float *y = (float *)malloc((n * rows + 1) * sizeof(float)),
-                          *xc = (float *)malloc(n * cols * sizeof(float)); /* to their ends, for sanitizers */
-                    memcpy(xc, x, n * cols * sizeof(float));
-                    y[n * rows] = 7;
-                    CHECK_INT(ms_nn_forward(nn, counts[c], xc, y, NULL), MS_OK);
-                    CHECK_INT(memcmp(y, alone, n * rows * sizeof(float)), 0);
-                    CHECK(y[n * rows] == 7);
-                    free(y);
-                    free(xc);
-                }
-                free(alone);
-                ms_nn_destroy(nn);
-            }
             free(x);
             net_free(&net);
         }
@@ -1357,12 +1359,11 @@ static void test_collapse_weighted(void)
     }
 }
 
-/* A network that was copied into memory goes on when its file is cut to nothing under it. */
+/* A network by name goes on when its file is cut to nothing under it. */
 static void test_copy(void)
 {
     static const char *const path = "build/test_nn_copy.safetensors";
     uint64_t state = test_seed + 32;
-    ms_nn_options o = ms_nn_defaults();
     ref_net net;
     ms_nn *nn = NULL;
     float x[50] = {0}, y[2][3000];
@@ -1375,8 +1376,7 @@ static void test_copy(void)
     fwrite(net.file, 1, net.size, f);
     fclose(f);
     x[7] = 1;
-    o.copy = 1;
-    CHECK_INT(ms_nn_load_file(path, &o, &nn, NULL), MS_OK);
+    CHECK_INT(ms_nn_load_file(path, NULL, &nn, NULL), MS_OK);
     ms_nn_forward(nn, 1, x, y[0], NULL);
     f = fopen(path, "wb"); /* as an editor's save begins */
     fclose(f);
@@ -2565,7 +2565,7 @@ static const test_case cases[] = {{"reference networks", test_reference},
                                   {"dense shapes", test_dense_shapes},
                                   {"flush to zero", test_flush_to_zero},
                                   {"stack", test_stack_use},
-                                  {"copied, not mapped", test_copy},
+                                  {"file cut under it", test_copy},
                                   {"NULL", test_null},
                                   {"collapse with weights", test_collapse_weighted},
                                   {"products", test_products},

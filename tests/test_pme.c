@@ -1525,8 +1525,8 @@ static void test_active_set(void)
     int guess, i, j, round;
     uint64_t state = test_seed + 9;
     for (round = 0; round < 20; ++round) {
-        double a[M * (M + 1)], work[M * (M + 1)], low[M], high[M], d[3][M], z[2 * M];
-        int set[M], order[M];
+        double a[M * (M + 1)], low[M], high[M], d[3][M];
+        int set[M];
         for (i = 0; i < M; ++i) {
             for (j = 0; j <= M; ++j) a[i * (M + 1) + j] = j < i ? 0 : test_normal(&state) + (i == j ? 3 : 0);
             low[i] = -0.3 * test_uniform(&state);
@@ -1534,8 +1534,7 @@ static void test_active_set(void)
         }
         for (guess = 0; guess < 3; ++guess) {
             for (j = 0; j < M; ++j) set[j] = guess == 2 ? -1 : guess;
-            memcpy(work, a, sizeof a);
-            inside_bounded_least_squares(work, M, low, high, d[guess], set, order, z);
+            inside_bounded_least_squares(a, M, low, high, d[guess], set);
             for (j = 0; j < M; ++j) {
                 double g = 0;
                 for (i = 0; i < M; ++i) {

@@ -292,15 +292,12 @@ static inline ms_status matcher_add_inversion(matcher *m, const char *path, ms_e
     const char *base = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
     char wrong[160] = "";
     ms_error why;
-    ms_nn_options options;
     ms_nn *nn;
     int i = m->renderer.prediction_count, size = m->network.size, s, n;
     ms_status status;
     if (i == matcher_inversions_max)
         return matcher__fail(error, MS_UNSUPPORTED, path, "more than 64 inversion networks");
-    options = ms_nn_defaults();
-    options.copy = 1;
-    status = ms_nn_load_file(path, &options, &nn, &why);
+    status = ms_nn_load_file(path, NULL, &nn, &why);
     if (status != MS_OK) return matcher__fail(error, status, path, why.message);
     s = matcher__side(ms_nn_input_shape(nn));
     n = (int)ms_nn_output_size(nn);

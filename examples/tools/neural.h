@@ -37,10 +37,8 @@ static inline const char *neural_load(const char *path, neural *n)
     ms_nn_shape out;
     ms_error error;
     size_t outputs;
-    ms_nn_options options = ms_nn_defaults();
     memset(n, 0, sizeof *n);
-    options.copy = 1; /* the file may be saved again while the program runs */
-    if (ms_nn_load_file(path, &options, &n->nn, &n->error) != MS_OK) return n->error.message;
+    if (ms_nn_load_file(path, NULL, &n->nn, &n->error) != MS_OK) return n->error.message;
     out = ms_nn_output_shape(n->nn);
     outputs = ms_nn_output_size(n->nn);
     while (3 * (size_t)n->size * (size_t)n->size < outputs && n->size < 4096) ++n->size;

@@ -40,15 +40,13 @@ int main(int argc, char **argv)
     ms_nn_tensor out[2 * MOST];
     ms_nn_entry entries[MOST];
     size_t n, e, i, k, j, count = 0;
-    ms_nn_options options = ms_nn_defaults();
     ms_nn_file *file;
     ms_error error;
     size_t size;
     void *bytes;
     FILE *f;
     if (argc != 3) return fail("usage", "pack IN.safetensors OUT.safetensors");
-    options.copy = 1;
-    if (ms_nn_file_read(argv[1], &options, &file, &error) != MS_OK) return fail(argv[1], error.message);
+    if (ms_nn_file_read(argv[1], NULL, &file, &error) != MS_OK) return fail(argv[1], error.message);
     n = ms_nn_file_tensor_count(file);
     e = ms_nn_file_entry_count(file);
     if (n > MOST || e > MOST) return fail(argv[1], "too many tensors");

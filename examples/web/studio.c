@@ -55,12 +55,10 @@ static ms_status widen(const char *path)
     enum { MOST = 64 };
     ms_nn_tensor out[MOST];
     ms_nn_entry entries[MOST];
-    ms_nn_options options = ms_nn_defaults();
     ms_nn_file *file;
     size_t i, k, e, count = 0, size = 0;
     ms_status status;
-    options.copy = 1;
-    status = ms_nn_file_read(path, &options, &file, &error);
+    status = ms_nn_file_read(path, NULL, &file, &error);
     if (status != MS_OK) return status;
     for (i = 0; i < ms_nn_file_tensor_count(file) && count < MOST; ++i) {
         const ms_nn_tensor *t = ms_nn_file_tensor(file, i);
