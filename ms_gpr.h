@@ -1499,6 +1499,18 @@ static double ms_gpr__log_determinant(const double *upper, size_t stride, int n)
     return 2 * sum;
 }
 
+/* upper = -K'^-1 = -(U'^-1)' U'^-1 of the factor U that is there, upper triangle. */
+static void ms_gpr__minus_inverse(ms_gpr__problem *p)
+{
+    const int padded = ms_gpr__padded(p->n);
+    const size_t matrix = (size_t)padded * p->stride * sizeof *p->inverse;
+    memset(p->inverse, 0, matrix);
+    ms_gpr__invert(p->kernels, p->upper, p->stride, padded, p->inverse);
+    memset(p->upper, 0, matrix);
+    p->kernels->reduce(p->upper, p->stride, p->inverse, p->stride, p->inverse, p->stride, padded, padded, padded,
+                       MS_GPR__UPPER | MS_GPR__LOWER);
+}
+
 /* --- choices: Laplace's approximation --- */
 
 /* out = a v, a symmetric, of which the upper triangle is there. */
@@ -1847,12 +1859,7 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
     if (gradient == NULL) return 1;
     if (p->soft) ms_gpr__laplace_implicit(p, sf2, noise, &implicit, &by_sf, &by_sn);
 
-    /* upper = -K'^-1 = -(U'^-1)' U'^-1 */
-    for (i = 0; i < padded; ++i) memset(p->inverse + (size_t)i * p->stride, 0, row);
-    ms_gpr__invert(f, p->upper, p->stride, padded, p->inverse);
-    for (i = 0; i < padded; ++i) memset(p->upper + (size_t)i * p->stride, 0, row);
-    f->reduce(p->upper, p->stride, p->inverse, p->stride, p->inverse, p->stride, padded, padded, padded,
-              MS_GPR__UPPER | MS_GPR__LOWER);
+    ms_gpr__minus_inverse(p);
 
     /* row by row: weights (alpha_i alpha_j - K'^-1_ij) K_ij, and their sums over d_ijk^2 */
     memset(p->slope, 0, (size_t)p->m * MS_GPR__BLOCK * sizeof *p->slope);
@@ -4072,30 +4079,20 @@ enum {
 
 struct ms_gpr_latent {
     int z, m;
-    size_t stride, columns; /* of matrices over points; of rows of materials: m in whole blocks */
-    const ms_gpr__kernels *kernels;
+    ms_gpr *gp;     /* of the latents, lengths 1: their kernel. Its scores are 0 */
+    double *center; /* [m] subtracted from the materials */
+    double *x;      /* [m][stride] materials less center, by dimension, padded with zeros */
+    double *weight; /* [m][stride] K'^-1 x */
     ms_allocator allocator;
-    void *memory;
-    double sf, sn, jitter;
     int constrained; /* materials satisfy the box */
     ms_gpr__box box;
-    double *latent; /* [z][2] */
-    double *points; /* [2][stride] the same by dimension */
-    double *center; /* [columns] subtracted from the materials */
-    double *x;      /* [padded z][columns] materials less center, padded with zeros */
-    double *upper;  /* [padded z][stride] U'U = K' */
-    double *weight; /* [padded z][columns] K'^-1 X */
 };
 
-/* A fit: what one evaluation of the likelihood needs, and the variables q = [log sf, log sn, points by dimension]. */
+/* A fit: what one evaluation of the likelihood needs. The variables are [log sf, log sn, points by dimension]. */
 typedef struct ms_gpr__embedding {
     const ms_gpr_latent *plane;
-    double *kernel;                 /* [padded z][stride] K without noise, upper triangle */
-    double *upper;                  /* U, then G = A A' - m K'^-1, upper triangle */
-    double *inverse;                /* U'^-1 */
-    double *whitened;               /* [padded z][columns] Y = U'^-1 X */
-    double *weight;                 /* [2][columns][stride] -A' and A', A = K'^-1 X */
-    double *points, *slopes;        /* [2][stride] */
+    ms_gpr__problem problem;
+    double *weight;                 /* [m][stride] K'^-1 x */
     double *q, *best, *low, *start; /* [2 z + 2] */
     double *work;                   /* of the minimizer */
     double prior;
@@ -4103,133 +4100,211 @@ typedef struct ms_gpr__embedding {
     int evaluations;
 } ms_gpr__embedding;
 
-/* log p(X | L, theta) = -1/2 tr(K'^-1 X X') - m/2 log |K'| - z m/2 log 2 pi (3.8), and its gradient where `gradient` is
-   not NULL: [2] with respect to log sf and sn^2, and [2][stride] with respect to the points. The materials are m
-   independent columns, so dlogp/dK' = 1/2 (A A' - m K'^-1). 0 where K' is not positive definite. */
-static int ms_gpr__embedding_evaluate(const ms_gpr__embedding *e, const double *points, double sf2, double noise,
-                                      double *likelihood, double *gradient, double *gradient_points)
+/* log p(X | L, theta) = -1/2 tr(K'^-1 X X') - m/2 log |K'| - z m/2 log 2 pi (3.8) at the points of the problem. gradient
+   [2 + 2 z]: minus its derivatives by log sf, log sn and the points, or NULL. The materials are m independent columns,
+   so dlogp/dK' = (A A' - m K'^-1) / 2, A = K'^-1 X. 0 where K' is not positive definite. */
+static int ms_gpr__latent_likelihood(ms_gpr__embedding *e, double sf2, double noise, double *likelihood,
+                                     double *gradient)
 {
-    const ms_gpr_latent *plane = e->plane;
-    const ms_gpr__kernels *f = plane->kernels;
-    int z = plane->z, padded = ms_gpr__padded(z), columns = (int)plane->columns, i, j, k;
-    size_t stride = plane->stride, matrix = (size_t)padded * stride, list = plane->columns * stride;
-    size_t materials = (size_t)padded * plane->columns, at;
-    double fit, *minus = e->weight, *plus = e->weight + list;
-    ms_gpr__covariance(f, points, stride, z, 2, sf2, e->kernel);
-    if (!ms_gpr__factor(f, e->kernel, stride, z, sf2, noise, e->upper)) return 0;
-    memcpy(e->whitened, plane->x, materials * sizeof(double));
-    ms_gpr__forward(f, e->upper, stride, padded, e->whitened, plane->columns, columns);
-    fit = f->dot(e->whitened, e->whitened, (int)materials);
-    *likelihood = -0.5 * (fit + plane->m * (ms_gpr__log_determinant(e->upper, stride, z) + z * MS_GPR__LOG_2_PI));
+    ms_gpr__problem *p = &e->problem;
+    const ms_gpr__kernels *f = p->kernels;
+    const int z = p->n, m = e->plane->m, padded = ms_gpr__padded(z);
+    int i, j, k;
+    ms_gpr__covariance(f, p->points, p->stride, z, 2, sf2, p->kernel);
+    if (!ms_gpr__factor(f, p->kernel, p->stride, z, sf2, noise, p->upper)) return 0;
+    *likelihood = -0.5 * m * (ms_gpr__log_determinant(p->upper, p->stride, z) + z * MS_GPR__LOG_2_PI);
+    memcpy(e->weight, e->plane->x, (size_t)m * p->stride * sizeof *e->weight);
+    for (k = 0; k < m; ++k) {
+        double *column = e->weight + (size_t)k * p->stride;
+        ms_gpr__forward_vector(f, p->upper, p->stride, padded, column);
+        *likelihood -= 0.5 * f->dot(column, column, padded);
+        ms_gpr__backward_vector(f, p->upper, p->stride, padded, column);
+    }
     if (gradient == NULL) return 1;
 
-    /* upper = G */
-    memset(e->inverse, 0, matrix * sizeof(double));
-    ms_gpr__invert(f, e->upper, stride, padded, e->inverse);
-    memset(minus, 0, list * sizeof(double));
-    f->reduce(minus, stride, e->whitened, plane->columns, e->inverse, stride, columns, padded, padded, MS_GPR__LOWER);
-    for (at = 0; at < list; ++at) plus[at] = -minus[at];
-    memset(e->upper, 0, matrix * sizeof(double));
-    f->reduce(e->upper, stride, e->inverse, stride, e->inverse, stride, padded, padded, padded,
-              MS_GPR__UPPER | MS_GPR__LOWER);
+    /* upper = m K'^-1 - A A'; dK/dlog sf = 2 K, dK_ij/dp_ik = -K_ij (p_ik - p_jk), each pair twice */
+    ms_gpr__minus_inverse(p);
     for (i = 0; i < z; ++i)
-        for (j = i; j < z; ++j) e->upper[(size_t)i * stride + (size_t)j] *= plane->m;
-    f->reduce(e->upper, stride, minus, stride, plus, stride, padded, padded, columns, MS_GPR__UPPER);
-
-    /* dK_ij/dp_ik = -K_ij (p_ik - p_jk), dK/dlog sf = 2 K; each pair stands twice in K */
-    gradient[0] = gradient[1] = 0;
-    memset(gradient_points, 0, 2 * stride * sizeof(double));
+        for (j = i; j < z; ++j) p->upper[(size_t)i * p->stride + (size_t)j] *= -m;
+    f->reduce(p->upper, p->stride, e->weight, p->stride, e->weight, p->stride, padded, padded, m, MS_GPR__UPPER);
+    memset(gradient, 0, (2 + 2 * (size_t)z) * sizeof *gradient);
     for (i = 0; i < z; ++i) {
-        const double *kernel = e->kernel + (size_t)i * stride;
-        double *w = e->upper + (size_t)i * stride;
+        const double *w = p->upper + (size_t)i * p->stride, *kernel = p->kernel + (size_t)i * p->stride;
         gradient[0] += sf2 * w[i];
-        gradient[1] += 0.5 * w[i];
-        for (j = i + 1; j < z; ++j) gradient[0] += 2 * (w[j] *= kernel[j]);
-        for (k = 0; k < 2; ++k) {
-            const double *p = points + (size_t)k * stride;
-            double *slope = gradient_points + (size_t)k * stride;
-            for (j = i + 1; j < z; ++j) {
-                double pull = w[j] * (p[i] - p[j]);
-                slope[j] += pull;
-                slope[i] -= pull;
+        gradient[1] += noise * w[i];
+        for (j = i + 1; j < z; ++j) {
+            gradient[0] += 2 * w[j] * kernel[j];
+            for (k = 0; k < 2; ++k) {
+                const double *point = p->points + (size_t)k * p->stride;
+                double pull = w[j] * kernel[j] * (point[i] - point[j]);
+                gradient[2 + k * z + i] -= pull;
+                gradient[2 + k * z + j] += pull;
             }
         }
     }
     return 1;
 }
 
-static void ms_gpr__latent_layout(ms_gpr_latent *p, ms__arena *arena)
+/* Minus the log posterior a datum. */
+static int ms_gpr__latent_objective(void *context, const double *q, double *value, double *gradient)
 {
-    size_t padded = (size_t)ms_gpr__padded(p->z);
-    p->latent = ms_gpr__take(arena, (size_t)p->z, 2);
-    p->points = ms_gpr__take(arena, 2, p->stride);
-    p->center = ms_gpr__take(arena, p->columns, 1);
-    p->x = ms_gpr__take(arena, padded, p->columns);
-    p->upper = ms_gpr__take(arena, padded, p->stride);
-    p->weight = ms_gpr__take(arena, padded, p->columns);
+    ms_gpr__embedding *e = (ms_gpr__embedding *)context;
+    const int z = e->plane->z;
+    const double data = (double)z * e->plane->m;
+    double likelihood, penalty = 0;
+    int i, k;
+    if (e->progress->report && e->progress->report(e->progress->user, (double)e->evaluations / MS_GPR__LATENT_LIMIT))
+        return -1;
+    if (e->evaluations < MS_GPR__LATENT_LIMIT) ++e->evaluations;
+    for (k = 0; k < 2; ++k)
+        memcpy(e->problem.points + (size_t)k * e->problem.stride, q + 2 + k * z, (size_t)z * sizeof *q);
+    if (!ms_gpr__latent_likelihood(e, exp(2 * q[0]), exp(2 * q[1]), &likelihood, gradient)) return 0;
+    for (i = 0; i < 2 + 2 * z; ++i) {
+        double pull = i < 2 ? 0 : e->prior * q[i];
+        penalty += 0.5 * pull * q[i];
+        gradient[i] = (gradient[i] + pull) / data;
+    }
+    *value = (penalty - likelihood) / data;
+    return 1;
+}
+
+/* The first two principal components of the materials, each of variance 1, as points [2][z]: orthogonal iteration with
+   X X'. A component without variance stays 0. column: [stride] scratch. */
+static void ms_gpr__latent_components(const ms_gpr_latent *p, double total, double *points, double *column)
+{
+    const ms_gpr__kernels *f = p->gp->kernels;
+    ms_gpr__random random = ms_gpr__random_make(0, 0);
+    const size_t stride = p->gp->stride;
+    int padded = ms_gpr__padded(p->z), pass, i, k, d;
+    for (i = 0; i < 2 * p->z; ++i) points[i] = ms_gpr__uniform(&random) - 0.5;
+    for (pass = 0; pass < 120; ++pass) {
+        double *component = points + pass % 2 * p->z, norm2 = 0, overlap = 0, scale;
+        memset(column, 0, 2 * stride * sizeof *column);
+        memcpy(column + stride, component, (size_t)p->z * sizeof *column);
+        for (d = 0; d < p->m; ++d) {
+            const double *x = p->x + (size_t)d * stride;
+            f->axpy(column, f->dot(column + stride, x, padded), x, padded);
+        }
+        for (i = 0; i < p->z && pass % 2 == 1; ++i) overlap += column[i] * points[i] / p->z;
+        for (i = 0; i < p->z && pass % 2 == 1; ++i) column[i] -= overlap * points[i];
+        for (k = 0; k < p->z; ++k) norm2 += column[k] * column[k] / p->z;
+        scale = norm2 > 1e-20 * total * total ? 1 / sqrt(norm2) : 0;
+        for (i = 0; i < p->z; ++i) component[i] = column[i] * scale;
+    }
+}
+
+/* The variables in e->best: every start for a while, then the best of them to the end. spread: root mean square of the
+   materials. */
+static ms_status ms_gpr__latent_search(ms_gpr__embedding *e, double spread, ms_error *error)
+{
+    static const double scale[] = {0.5, 0.3, 1}; /* of the principal components, in lengths */
+    const int count = 2 + 2 * e->plane->z, starts = 3;
+    double best = HUGE_VAL;
+    ms_gpr__search search;
+    int i, k;
+    memset(&search, 0, sizeof search);
+    search.f = ms_gpr__latent_objective;
+    search.context = e;
+    search.count = count;
+    search.low = e->low;
+    search.step = 1;
+    search.tolerance = 1e-9;
+    ms_gpr__latent_components(e->plane, spread * spread * e->plane->z * e->plane->m, e->start, e->work);
+    for (i = 0; i < count; ++i) e->low[i] = i == 0 ? log(spread) - 5 : i == 1 ? log(1e-3 * spread) : -1e3;
+    for (k = 0; k <= starts; ++k) {
+        ms_gpr__minimum found;
+        e->q[0] = log(spread);
+        e->q[1] = log(0.3 * spread);
+        for (i = 2; i < count && k < starts; ++i) e->q[i] = scale[k] * e->start[i - 2];
+        if (k == starts) memcpy(e->q, e->best, (size_t)count * sizeof *e->q);
+        search.evaluations = k < starts ? (int)MS_GPR__LATENT_TRIAL : MS_GPR__LATENT_LIMIT - e->evaluations;
+        found = ms_gpr__minimize(&search, e->q, e->work);
+        if (found.stopped) return ms__fail(error, MS_CANCELLED, 0, "cancelled after %d evaluations", e->evaluations);
+        if (k > 0 && !(found.value < best)) continue;
+        best = found.value;
+        memcpy(e->best, e->q, (size_t)count * sizeof *e->q);
+    }
+    if (best < HUGE_VAL) return MS_OK;
+    return ms__fail(error, MS_NOT_CONVERGED, 0, "the likelihood is not defined at any start");
+}
+
+/* plane->gp: points [z][2] under these hyperparameters, and what follows for the materials. */
+static ms_status ms_gpr__latent_condition(ms_gpr_latent *p, const double *points, double log_sf, double log_sn,
+                                          ms_error *error)
+{
+    ms_gpr_view parts = ms_gpr_view_of(p->gp);
+    const double theta[4] = {0, 0, log_sf, log_sn};
+    ms_status status;
+    int k;
+    parts.x = points;
+    parts.theta = theta;
+    status = ms_gpr_update(p->gp, &parts, error);
+    for (k = 0; k < p->m && status == MS_OK; ++k) {
+        double *column = p->weight + (size_t)k * p->gp->stride;
+        memcpy(column, p->x + (size_t)k * p->gp->stride, p->gp->stride * sizeof *column);
+        ms_gpr__forward_vector(p->gp->kernels, p->gp->upper, p->gp->stride, ms_gpr__padded(p->z), column);
+        ms_gpr__backward_vector(p->gp->kernels, p->gp->upper, p->gp->stride, ms_gpr__padded(p->z), column);
+    }
+    return status;
 }
 
 static void ms_gpr__embedding_layout(ms_gpr__embedding *e, const ms_gpr_latent *plane, ms__arena *arena)
 {
-    size_t padded = (size_t)ms_gpr__padded(plane->z), count = 2 * (size_t)plane->z + 2;
+    const ms_gpr *gp = plane->gp;
+    const size_t count = 2 * (size_t)plane->z + 2;
     e->plane = plane;
-    e->kernel = ms_gpr__take(arena, padded, plane->stride);
-    e->upper = ms_gpr__take(arena, padded, plane->stride);
-    e->inverse = ms_gpr__take(arena, padded, plane->stride);
-    e->whitened = ms_gpr__take(arena, padded, plane->columns);
-    e->weight = ms_gpr__take(arena, ms__size_mul(2, plane->columns), plane->stride);
-    e->points = ms_gpr__take(arena, 2, plane->stride);
-    e->slopes = ms_gpr__take(arena, 2, plane->stride);
+    ms_gpr__problem_layout(&e->problem, gp->kernels, plane->z, 2, 0, &gp->choices, arena);
+    e->weight = ms_gpr__take(arena, (size_t)plane->m, gp->stride);
     e->q = ms_gpr__take(arena, count, 1);
     e->best = ms_gpr__take(arena, count, 1);
     e->low = ms_gpr__take(arena, count, 1);
     e->start = ms_gpr__take(arena, count, 1);
-    e->work = ms_gpr__take(
-        arena, ms__size_add(ms_gpr__minimize_doubles((int)count), ms__size_add(plane->stride, plane->columns)), 1);
+    e->work = ms_gpr__take(arena, ms__size_add(ms_gpr__minimize_doubles((int)count), 2 * gp->stride), 1);
 }
 
-/* A plane with its centered materials; no latents yet. */
+/* A plane with its centered materials; all latents are 0. */
 static ms_status ms_gpr__latent_make(const double *x, int z, int m, const ms_gpr_latent_options *o, ms_gpr_latent **out,
                                      ms_error *error)
 {
-    ms__arena arena = {NULL, 0};
+    ms_gpr_view parts;
+    ms_gpr_options options;
     ms_gpr_latent *p;
-    size_t size;
-    int i, k;
     ms_status status;
+    int i, k;
     *out = NULL;
     if (x == NULL) return ms_gpr__null("x", error);
-    if (z < 2 || z > MS_GPR__N_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "z is %d: expected 2 to %d", z, MS_GPR__N_MAX);
-    if (m < 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "m is %d: expected at least 1", m);
-    status = ms_gpr__check_rows(x, z, m, MS_GPR__LARGEST, "material", error);
+    status = ms_gpr__check_range("z", z, 2, MS_GPR__N_MAX, error);
+    if (status == MS_OK) status = ms_gpr__check_range("m", m, 1, MS_GPR__INT_MAX, error);
+    if (status == MS_OK) status = ms_gpr__check_rows(x, z, m, MS_GPR__LARGEST, "material", error);
     if (status != MS_OK) return status;
-    p = (ms_gpr_latent *)ms__alloc(&o->allocator, sizeof *p);
+    p = (ms_gpr_latent *)(void *)ms__alloc(&o->allocator, sizeof *p);
     if (p == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a latent space");
     memset(p, 0, sizeof *p);
+    memset(&parts, 0, sizeof parts);
+    memset(&options, 0, sizeof options);
     p->z = z;
     p->m = m;
-    p->stride = ms_gpr__stride(z);
-    p->columns = (size_t)ms_gpr__padded(m);
-    p->kernels = ms_gpr__kernels_of(ms_gpr__simd_pick(o->simd));
-    p->allocator = o->allocator;
-    ms_gpr__latent_layout(p, &arena);
-    size = arena.used;
-    if (!ms_gpr__place(&p->allocator, &arena)) {
-        ms__release(&o->allocator, p, sizeof *p);
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a latent space of %d materials", z);
+    p->allocator = options.allocator = o->allocator;
+    options.simd = o->simd;
+    parts.n = z;
+    parts.m = 2;
+    p->center = ms_gpr__scratch(&p->allocator, ms__size_mul((size_t)m, 1 + 2 * ms_gpr__stride(z)));
+    if (p->center == NULL)
+        status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a latent space of %d materials", z);
+    if (status == MS_OK) {
+        const size_t stride = ms_gpr__stride(z);
+        p->x = p->center + m;
+        p->weight = p->x + (size_t)m * stride;
+        memset(p->center, 0, (size_t)m * (1 + 2 * stride) * sizeof *p->center);
+        parts.x = parts.y = p->x; /* nothing but zeros yet */
+        status = ms_gpr__make(&parts, &options, NULL, 0, &p->gp, error);
+        for (k = 0; k < m; ++k) {
+            const double *column = x + k;
+            for (i = 0; i < z; ++i) p->center[k] += column[(size_t)i * (size_t)m] / z;
+            for (i = 0; i < z; ++i) p->x[(size_t)k * stride + (size_t)i] = column[(size_t)i * (size_t)m] - p->center[k];
+        }
     }
-    p->memory = arena.base;
-    ms_gpr__latent_layout(p, &arena);
-    memset(arena.base, 0, size);
-    for (k = 0; k < m; ++k) {
-        double sum = 0;
-        for (i = 0; i < z; ++i) sum += x[(size_t)i * (size_t)m + (size_t)k] / z;
-        p->center[k] = sum;
-        for (i = 0; i < z; ++i)
-            p->x[(size_t)i * p->columns + (size_t)k] = x[(size_t)i * (size_t)m + (size_t)k] - p->center[k];
-    }
-    if (o->space.low || o->space.high || o->space.snap) {
+    if (status == MS_OK && (o->space.low || o->space.high || o->space.snap)) {
         status = ms_gpr__box_make(x, z, m, &o->space, &p->allocator, &p->box, error);
         p->constrained = status == MS_OK;
     }
@@ -4238,37 +4313,14 @@ static ms_status ms_gpr__latent_make(const double *x, int z, int m, const ms_gpr
     return status;
 }
 
-/* Everything that follows from latents, sf and sn; jitter as in ms_gpr__condition. */
-static ms_status ms_gpr__latent_condition(ms_gpr_latent *p, ms_error *error)
-{
-    double sf2 = p->sf * p->sf, sn2 = p->sn * p->sn;
-    int padded = ms_gpr__padded(p->z), columns = (int)p->columns, i, j, k;
-    for (k = 0; k < 2; ++k)
-        for (i = 0; i < p->z; ++i) p->points[(size_t)k * p->stride + (size_t)i] = p->latent[2 * i + k];
-    for (p->jitter = 0; p->jitter < 2e-6; p->jitter = ms_gpr__next_jitter(p->jitter)) {
-        ms_gpr__covariance(p->kernels, p->points, p->stride, p->z, 2, sf2, p->upper);
-        if (!ms_gpr__factor(p->kernels, p->upper, p->stride, p->z, sf2, sn2 + p->jitter * sf2, p->upper)) continue;
-        memcpy(p->weight, p->x, (size_t)padded * p->columns * sizeof(double));
-        ms_gpr__forward(p->kernels, p->upper, p->stride, padded, p->weight, p->columns, columns);
-        for (i = p->z - 1; i >= 0; --i) { /* and U^-1 of that: u_ii a_i = b_i - sum over j > i of u_ij a_j */
-            const double *u = p->upper + (size_t)i * p->stride;
-            double *row = p->weight + (size_t)i * p->columns;
-            for (j = i + 1; j < p->z; ++j) p->kernels->axpy(row, -u[j], p->weight + (size_t)j * p->columns, columns);
-            for (k = 0; k < columns; ++k) row[k] /= u[i];
-        }
-        return MS_OK;
-    }
-    return ms__fail(error, MS_NOT_CONVERGED, 0,
-                    "the covariance of %d latents is not positive definite even with 1e-6 sf^2 added to sn^2", p->z);
-}
-
 MS_API void ms_gpr_latent_destroy(ms_gpr_latent *plane)
 {
     ms_allocator allocator;
     if (plane == NULL) return;
     allocator = plane->allocator;
     if (plane->constrained) ms_gpr__box_free(&plane->box);
-    ms_gpr__release(&allocator, plane->memory);
+    ms_gpr_destroy(plane->gp);
+    ms_gpr__release(&allocator, plane->center);
     ms__release(&allocator, plane, sizeof *plane);
 }
 
@@ -4279,166 +4331,67 @@ MS_API ms_gpr_latent_view ms_gpr_latent_view_of(const ms_gpr_latent *plane)
     if (plane == NULL) return view;
     view.z = plane->z;
     view.m = plane->m;
-    view.points = plane->latent;
-    view.sf = plane->sf;
-    view.sn = plane->sn;
+    view.points = plane->gp->x;
+    view.sf = exp(plane->gp->theta[2]);
+    view.sn = exp(plane->gp->theta[3]);
     return view;
-}
-
-/* Kernel between a latent point and the training ones, [padded z], padding 0; the material center + X' K'^-1 k (3.11),
-   x [columns]. */
-static void ms_gpr__latent_material(const ms_gpr_latent *p, const double *latent, double *kernel, double *x)
-{
-    int padded = ms_gpr__padded(p->z), i;
-    p->kernels->point_distances(kernel, p->points, p->stride, latent, 2, padded);
-    p->kernels->exponentials(kernel, padded, p->sf * p->sf);
-    for (i = p->z; i < padded; ++i) kernel[i] = 0;
-    memcpy(x, p->center, p->columns * sizeof *x);
-    for (i = 0; i < p->z; ++i) p->kernels->axpy(x, kernel[i], p->weight + (size_t)i * p->columns, (int)p->columns);
 }
 
 MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x,
                                    double *variance, ms_error *error)
 {
-    size_t m;
-    double *kernel, *material;
+    const ms_gpr *gp;
     ms_status status;
-    int i, padded;
+    double *kernel, *point;
+    size_t i, m;
+    int k;
     if (plane == NULL || latent == NULL) return ms_gpr__null(plane ? "latent" : "plane", error);
-    if (count < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected at least 0", count);
-    status = ms_gpr__check_rows(latent, count, 2, MS_GPR__LARGEST, "latent", error);
+    status = ms_gpr__check_range("count", count, 0, MS_GPR__INT_MAX, error);
+    if (status == MS_OK) status = ms_gpr__check_rows(latent, count, 2, MS_GPR__LARGEST, "latent", error);
     if (status != MS_OK) return status;
+    gp = plane->gp;
     m = (size_t)plane->m;
-    padded = ms_gpr__padded(plane->z);
-    kernel = ms_gpr__scratch(&plane->allocator, plane->stride + plane->columns);
+    kernel = ms_gpr__scratch(&plane->allocator, gp->stride + m + 2);
     if (kernel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a material");
-    material = kernel + plane->stride;
-    for (i = 0; i < count; ++i) {
-        ms_gpr__latent_material(plane, latent + 2 * (size_t)i, kernel, material);
-        if (x) {
-            double *to = x + (size_t)i * m;
-            memcpy(to, material, m * sizeof *x);
-            if (plane->constrained) {
-                ms_gpr__box_point(&plane->box, to, material);
-                ms_gpr__box_material(&plane->box, material, to);
-            }
+    point = kernel + gp->stride;
+    for (i = 0; i < (size_t)count; ++i) {
+        const int padded = ms_gpr__padded(gp->n);
+        double *to = x + i * m, sf2 = ms_gpr__sf2(gp);
+        ms_gpr__scale(gp, latent + 2 * i, point, 1);
+        gp->kernels->point_distances(kernel, gp->points, gp->stride, point, 2, padded);
+        gp->kernels->exponentials(kernel, padded, sf2);
+        for (k = gp->n; k < padded; ++k) kernel[k] = 0;
+        for (k = 0; k < plane->m && x; ++k)
+            to[k] = plane->center[k] + gp->kernels->dot(kernel, plane->weight + (size_t)k * gp->stride, padded);
+        if (plane->constrained && x) {
+            ms_gpr__box_point(&plane->box, to, point);
+            ms_gpr__box_material(&plane->box, point, to);
         }
         if (variance) { /* sf^2 - k' K'^-1 k */
-            ms_gpr__forward_vector(plane->kernels, plane->upper, plane->stride, padded, kernel);
-            variance[i] = fmax(plane->sf * plane->sf - plane->kernels->dot(kernel, kernel, padded), 0);
+            ms_gpr__forward_vector(gp->kernels, gp->upper, gp->stride, padded, kernel);
+            variance[i] = fmax(sf2 - gp->kernels->dot(kernel, kernel, padded), 0);
         }
     }
     ms_gpr__release(&plane->allocator, kernel);
     return MS_OK;
 }
 
-/* --- fit --- */
-
-/* Minus the log posterior a datum. */
-static int ms_gpr__latent_objective(void *context, const double *q, double *value, double *gradient)
+/* Likelihood, and the root mean square of what the plane makes of its own latents less its materials: that is K'^-1 X
+   times the noise. */
+static void ms_gpr__latent_criticize(ms_gpr__embedding *e, ms_gpr_latent_report *report)
 {
-    ms_gpr__embedding *e = (ms_gpr__embedding *)context;
-    int z = e->plane->z, i, k;
-    double noise = exp(2 * q[1]), scale = -1 / ((double)z * e->plane->m), likelihood, theta[2];
-    if (e->progress->report &&
-        e->progress->report(e->progress->user, (double)e->evaluations / (int)MS_GPR__LATENT_LIMIT))
-        return -1;
-    if (e->evaluations < MS_GPR__LATENT_LIMIT) ++e->evaluations;
-    for (k = 0; k < 2; ++k) memcpy(e->points + (size_t)k * e->plane->stride, q + 2 + k * z, (size_t)z * sizeof *q);
-    if (!ms_gpr__embedding_evaluate(e, e->points, exp(2 * q[0]), noise, &likelihood, theta, e->slopes)) return 0;
-    gradient[0] = scale * theta[0];
-    gradient[1] = scale * 2 * noise * theta[1];
-    for (k = 0; k < 2; ++k)
-        for (i = 0; i < z; ++i) {
-            int at = 2 + k * z + i;
-            likelihood -= 0.5 * e->prior * q[at] * q[at];
-            gradient[at] = scale * (e->slopes[(size_t)k * e->plane->stride + (size_t)i] - e->prior * q[at]);
-        }
-    *value = scale * likelihood;
-    return 1;
-}
-
-/* The first two principal components of the materials, each of variance 1, as points [2][z]: orthogonal iteration with
-   X X'. A component without variance stays 0. axis: [columns] scratch. */
-static void ms_gpr__latent_components(const ms_gpr_latent *p, double *points, double *axis)
-{
-    ms_gpr__random random = ms_gpr__random_make(0, 0);
-    int columns = (int)p->columns, pass, i, k;
-    double total = p->kernels->dot(p->x, p->x, p->z * columns);
-    for (i = 0; i < 2 * p->z; ++i) points[i] = ms_gpr__uniform(&random) - 0.5;
-    for (pass = 0; pass < 60; ++pass) {
-        for (k = 0; k < 2; ++k) {
-            double *component = points + k * p->z, norm2 = 0, overlap = 0, scale;
-            memset(axis, 0, p->columns * sizeof *axis);
-            for (i = 0; i < p->z; ++i) p->kernels->axpy(axis, component[i], p->x + (size_t)i * p->columns, columns);
-            for (i = 0; i < p->z; ++i) component[i] = p->kernels->dot(axis, p->x + (size_t)i * p->columns, columns);
-            for (i = 0; i < p->z && k > 0; ++i) overlap += component[i] * points[i] / p->z;
-            for (i = 0; i < p->z && k > 0; ++i) component[i] -= overlap * points[i];
-            for (i = 0; i < p->z; ++i) norm2 += component[i] * component[i] / p->z;
-            scale = norm2 > 1e-20 * total * total ? 1 / sqrt(norm2) : 0;
-            for (i = 0; i < p->z; ++i) component[i] *= scale;
-        }
+    const ms_gpr_latent *p = e->plane;
+    const ms_gpr *gp = p->gp;
+    const double noise = ms_gpr__sn2(gp) + gp->jitter * ms_gpr__sf2(gp), data = (double)p->z * p->m;
+    double sum = 0;
+    int k;
+    memcpy(e->problem.points, gp->points, 2 * gp->stride * sizeof *gp->points);
+    ms_gpr__latent_likelihood(e, ms_gpr__sf2(gp), noise, &report->likelihood, NULL);
+    for (k = 0; k < p->m; ++k) {
+        const double *column = p->weight + (size_t)k * gp->stride;
+        sum += gp->kernels->dot(column, column, ms_gpr__padded(p->z));
     }
-}
-
-/* Latents, sf and sn: every start for a while, then the best of them to the end. spread: root mean square of the
-   materials. */
-static ms_status ms_gpr__latent_search(ms_gpr_latent *plane, double spread, ms_gpr__embedding *e, ms_error *error)
-{
-    static const double scale[] = {0.5, 0.3, 1}; /* of the principal components, in lengths */
-    int count = 2 * plane->z, starts = 3, i, k;
-    double best = HUGE_VAL;
-    ms_gpr__search search;
-    memset(&search, 0, sizeof search);
-    search.f = ms_gpr__latent_objective;
-    search.context = e;
-    search.count = count + 2;
-    search.low = e->low;
-    search.step = 1;
-    search.tolerance = 1e-9;
-    e->low[0] = log(spread) - 5;
-    e->low[1] = log(1e-3 * spread);
-    for (i = 0; i < count; ++i) e->low[2 + i] = -1e3;
-    ms_gpr__latent_components(plane, e->start, e->work);
-    for (k = 0; k <= starts; ++k) {
-        ms_gpr__minimum found;
-        if (k < starts) {
-            e->q[0] = log(spread);
-            e->q[1] = log(0.3 * spread);
-            for (i = 0; i < count; ++i) e->q[2 + i] = scale[k] * e->start[i];
-            search.evaluations = MS_GPR__LATENT_TRIAL;
-        } else {
-            memcpy(e->q, e->best, ((size_t)count + 2) * sizeof(double));
-            search.evaluations = MS_GPR__LATENT_LIMIT - e->evaluations;
-        }
-        found = ms_gpr__minimize(&search, e->q, e->work);
-        if (found.stopped) return ms__fail(error, MS_CANCELLED, 0, "cancelled after %d evaluations", e->evaluations);
-        if (!(found.value < best)) continue;
-        best = found.value;
-        memcpy(e->best, e->q, ((size_t)count + 2) * sizeof(double));
-    }
-    if (!(best < HUGE_VAL)) return ms__fail(error, MS_NOT_CONVERGED, 0, "the likelihood is not defined at any start");
-    for (k = 0; k < 2; ++k)
-        for (i = 0; i < plane->z; ++i) plane->latent[2 * i + k] = e->best[2 + k * plane->z + i];
-    plane->sf = exp(e->best[0]);
-    plane->sn = exp(e->best[1]);
-    return ms_gpr__latent_condition(plane, error);
-}
-
-/* Likelihood, and the root mean square of what the plane makes of its own latents less its materials. */
-static void ms_gpr__latent_criticize(const ms_gpr_latent *p, const ms_gpr__embedding *e, ms_gpr_latent_report *report)
-{
-    double *kernel = e->work, *material = e->work + p->stride, sum = 0, sf2 = p->sf * p->sf;
-    int i, k;
-    ms_gpr__embedding_evaluate(e, p->points, sf2, p->sn * p->sn + p->jitter * sf2, &report->likelihood, NULL, NULL);
-    for (i = 0; i < p->z; ++i) {
-        ms_gpr__latent_material(p, p->latent + 2 * i, kernel, material);
-        for (k = 0; k < p->m; ++k) {
-            double d = material[k] - p->center[k] - p->x[(size_t)i * p->columns + (size_t)k];
-            sum += d * d;
-        }
-    }
-    report->error = sqrt(sum / ((double)p->z * p->m));
+    report->error = noise * sqrt(sum / data);
     report->evaluations = e->evaluations;
 }
 
@@ -4447,32 +4400,42 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
 {
     ms_gpr_latent_options o;
     ms_gpr_latent *p;
-    ms_gpr__embedding embedding;
+    ms_gpr__embedding e;
     ms__arena arena = {NULL, 0};
-    double spread;
+    double spread = 0, centers = 0;
     ms_status status;
+    int i, k;
     if (out == NULL) return ms_gpr__null("out", error);
     *out = NULL;
+    memset(&o, 0, sizeof o);
+    memset(&e, 0, sizeof e);
     if (options) o = *options;
-    else memset(&o, 0, sizeof o);
     status = ms_gpr__check_range("prior", o.prior, 0, MS_GPR__LARGEST, error);
     if (status == MS_OK) status = ms_gpr__latent_make(x, z, m, &o, &p, error);
     if (status != MS_OK) return status;
-    memset(&embedding, 0, sizeof embedding);
-    spread = sqrt(p->kernels->dot(p->x, p->x, z * (int)p->columns) / ((double)z * m));
-    if (!(spread > 1e-150) || !(spread * spread > 1e-26 * p->kernels->dot(p->center, p->center, (int)p->columns) / m))
+    for (k = 0; k < m; ++k) {
+        const double *column = p->x + (size_t)k * p->gp->stride;
+        spread += p->gp->kernels->dot(column, column, ms_gpr__padded(z)) / ((double)z * m);
+        centers += p->center[k] * p->center[k] / m;
+    }
+    if (!(spread > 1e-300) || !(spread > 1e-26 * centers))
         status = ms__fail(error, MS_BAD_DATA, 0, "all %d materials are equal", z);
-    ms_gpr__embedding_layout(&embedding, p, &arena);
+    ms_gpr__embedding_layout(&e, p, &arena);
     if (status == MS_OK && !ms_gpr__place(&o.allocator, &arena))
         status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the embedding of %d materials", z);
     if (status == MS_OK) {
-        ms_gpr__embedding_layout(&embedding, p, &arena);
-        memset(embedding.points, 0, 2 * p->stride * sizeof(double));
-        embedding.prior = o.prior;
-        embedding.progress = &o.progress;
-        status = ms_gpr__latent_search(p, spread, &embedding, error);
+        ms_gpr__embedding_layout(&e, p, &arena);
+        ms_gpr__problem_clear(&e.problem, &p->gp->choices);
+        e.prior = o.prior;
+        e.progress = &o.progress;
+        status = ms_gpr__latent_search(&e, sqrt(spread), error);
     }
-    if (status == MS_OK && report) ms_gpr__latent_criticize(p, &embedding, report);
+    if (status == MS_OK) {
+        for (i = 0; i < z; ++i)
+            for (k = 0; k < 2; ++k) e.start[2 * i + k] = e.best[2 + k * z + i];
+        status = ms_gpr__latent_condition(p, e.start, e.best[0], e.best[1], error);
+    }
+    if (status == MS_OK && report) ms_gpr__latent_criticize(&e, report);
     ms_gpr__release(&o.allocator, arena.base);
     if (status != MS_OK) ms_gpr_latent_destroy(p);
     else *out = p;
