@@ -693,8 +693,7 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
    independent of everything. One vector of the widest level fits, and no kernel has a remainder. */
 enum {
     MS_GPR__BLOCK = 8,
-    MS_GPR__CHUNK = 64, /* candidates that are predicted together */
-    MS_GPR__SLAB = 32   /* training points that meet them at a time: the tile of distances stays in the first cache */
+    MS_GPR__CHUNK = 64 /* candidates that are predicted together */
 };
 
 /* Parts of a product that are known to be zero or not wanted. */
@@ -709,25 +708,16 @@ typedef struct ms_gpr__kernels {
     /* c -= a' b; parts: the sum of flags above, or 0 */
     void (*reduce)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b, size_t b_stride,
                    int rows, int columns, int depth, int parts);
-    /* c_ij = sum over k of (a_ki - b_kj)^2, by direct differences; parts: 0 or UPPER, which still fills the 8 x 8
-       blocks on the diagonal */
-    void (*distances)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b, size_t b_stride,
-                      int rows, int columns, int depth, int parts);
     /* c_j = scale exp(-c_j / 2), j < columns */
     void (*exponentials)(double *c, int columns, double scale);
-    /* mean_j += sum over i < rows of weight_i exp(-c_ij / 2) */
-    void (*accumulate)(double *mean, const double *c, size_t c_stride, const double *weight, int rows, int columns);
-    /* 8 rows of b: b = u'^-1 b, u the upper triangle of an 8 x 8 block */
-    void (*solve)(const double *u, size_t u_stride, double *b, size_t b_stride, int columns);
-    /* w_j = (g_j + alpha_i alpha_j) k_j; returns their sum */
-    double (*weights)(double *w, const double *g, const double *k, const double *alpha, double alpha_i, int columns);
     /* slope[8 k] to slope[8 k + 7] += partial sums over j of w_j (points[k stride + j] - point[k stride])^2, k < m */
     void (*slopes)(double *slope, const double *w, const double *points, size_t stride, const double *point, int m,
                    int columns);
     void (*axpy)(double *y, double a, const double *x, int columns); /* y += a x */
     double (*dot)(const double *x, const double *y, int columns);
-    /* d2_i = sum over k < m of (points[k stride + i] - point_k)^2, i < n, a multiple of 8 */
-    void (*point_distances)(double *d2, const double *points, size_t stride, const double *point, int m, int n);
+    /* d2_i = sum over k < m of (points[k stride + i] - point[k spacing])^2, i < n, a multiple of 8 */
+    void (*distances)(double *d2, const double *points, size_t stride, const double *point, size_t spacing, int m,
+                      int n);
     /* sum of weight_i exp(-(d2_i + constant + t slope_i) / 2) */
     double (*line_mean)(const double *d2, const double *slope, double t, double constant, const double *weight, int n);
 } ms_gpr__kernels;
@@ -859,49 +849,6 @@ static inline MS_GPR__V MS_GPR__KERNEL(exponential)(MS_GPR__V d2)
     return MS_GPR__KEEP(t, limit, p);
 }
 
-/* A tile of 4 rows and 2 vectors: eight sums and a few operands fit 16 registers. */
-static void MS_GPR__KERNEL(distances)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b,
-                                      size_t b_stride, int rows, int columns, int depth, int parts)
-{
-    int i, j, k;
-    for (j = 0; j + 2 * MS_GPR__LANES <= columns; j += 2 * MS_GPR__LANES) {
-        int block = (j + 2 * MS_GPR__LANES + MS_GPR__BLOCK - 1) / MS_GPR__BLOCK *
-            MS_GPR__BLOCK; /* whole blocks on the diagonal */
-        int wanted = (parts & MS_GPR__UPPER) && block < rows ? block : rows;
-        for (i = 0; i < wanted; i += 4) {
-            const double *ak = a + i, *bk = b + j;
-            double *at = c + (size_t)i * c_stride + j;
-            MS_GPR__V c00 = MS_GPR__SET(0), c01 = c00, c10 = c00, c11 = c00, c20 = c00, c21 = c00, c30 = c00, c31 = c00;
-            for (k = 0; k < depth; ++k, ak += a_stride, bk += b_stride) {
-                MS_GPR__V b0 = MS_GPR__LOAD(bk), b1 = MS_GPR__LOAD(bk + MS_GPR__LANES), x, d;
-#define MS_GPR__STEP(r)                                \
-    x = MS_GPR__SET(ak[r]);                            \
-    d = x - b0, c##r##0 = MS_GPR__MADD(d, d, c##r##0); \
-    d = x - b1, c##r##1 = MS_GPR__MADD(d, d, c##r##1);
-                MS_GPR__STEP(0) MS_GPR__STEP(1) MS_GPR__STEP(2) MS_GPR__STEP(3)
-#undef MS_GPR__STEP
-            }
-            MS_GPR__STORE(at, c00), MS_GPR__STORE(at + MS_GPR__LANES, c01), at += c_stride;
-            MS_GPR__STORE(at, c10), MS_GPR__STORE(at + MS_GPR__LANES, c11), at += c_stride;
-            MS_GPR__STORE(at, c20), MS_GPR__STORE(at + MS_GPR__LANES, c21), at += c_stride;
-            MS_GPR__STORE(at, c30), MS_GPR__STORE(at + MS_GPR__LANES, c31);
-        }
-    }
-}
-
-static void MS_GPR__KERNEL(accumulate)(double *mean, const double *c, size_t c_stride, const double *weight, int rows,
-                                       int columns)
-{
-    int i, j;
-    for (j = 0; j < columns; j += MS_GPR__LANES) {
-        MS_GPR__V sum = MS_GPR__LOAD(mean + j);
-        for (i = 0; i < rows; ++i)
-            sum = MS_GPR__MADD(MS_GPR__SET(weight[i]),
-                               MS_GPR__KERNEL(exponential)(MS_GPR__LOAD(c + (size_t)i * c_stride + j)), sum);
-        MS_GPR__STORE(mean + j, sum);
-    }
-}
-
 static double MS_GPR__KERNEL(line_mean)(const double *d2, const double *slope, double t, double constant,
                                         const double *weight, int n)
 {
@@ -921,19 +868,22 @@ static double MS_GPR__KERNEL(line_mean)(const double *d2, const double *slope, d
     return total;
 }
 
-static void MS_GPR__KERNEL(point_distances)(double *d2, const double *points, size_t stride, const double *point, int m,
-                                            int n)
+static void MS_GPR__KERNEL(distances)(double *d2, const double *points, size_t stride, const double *point,
+                                      size_t spacing, int m, int n)
 {
     enum { VECTORS = MS_GPR__BLOCK / MS_GPR__LANES };
     int i, k, v;
     for (i = 0; i < n; i += MS_GPR__BLOCK) {
         MS_GPR__V sum[VECTORS];
         for (v = 0; v < VECTORS; ++v) sum[v] = MS_GPR__SET(0.0);
-        for (k = 0; k < m; ++k)
+        for (k = 0; k < m; ++k) {
+            const double *row = points + (size_t)k * stride + i;
+            MS_GPR__V x = MS_GPR__SET(point[(size_t)k * spacing]);
             for (v = 0; v < VECTORS; ++v) {
-                MS_GPR__V d = MS_GPR__SET(point[k]) - MS_GPR__LOAD(points + (size_t)k * stride + i + v * MS_GPR__LANES);
+                MS_GPR__V d = x - MS_GPR__LOAD(row + v * MS_GPR__LANES);
                 sum[v] = MS_GPR__MADD(d, d, sum[v]);
             }
+        }
         for (v = 0; v < VECTORS; ++v) MS_GPR__STORE(d2 + i + v * MS_GPR__LANES, sum[v]);
     }
 }
@@ -987,23 +937,6 @@ static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, 
     }
 }
 
-static void MS_GPR__KERNEL(solve)(const double *u, size_t u_stride, double *b, size_t b_stride, int columns)
-{
-    double inverse[MS_GPR__BLOCK];
-    int i, j, k;
-    for (i = 0; i < MS_GPR__BLOCK; ++i) inverse[i] = 1 / u[(size_t)i * u_stride + (size_t)i];
-    for (j = 0; j < columns; j += MS_GPR__LANES) {
-        for (i = 0; i < MS_GPR__BLOCK; ++i) { /* u_ii v_i = b_i - sum over k < i of u_ki v_k */
-            double *at = b + (size_t)i * b_stride + j;
-            MS_GPR__V v = MS_GPR__LOAD(at);
-            for (k = 0; k < i; ++k)
-                v = MS_GPR__NMADD(MS_GPR__SET(u[(size_t)k * u_stride + (size_t)i]),
-                                  MS_GPR__LOAD(b + (size_t)k * b_stride + j), v);
-            MS_GPR__STORE(at, v * MS_GPR__SET(inverse[i]));
-        }
-    }
-}
-
 static void MS_GPR__KERNEL(exponentials)(double *c, int columns, double scale)
 {
     int j;
@@ -1015,22 +948,6 @@ static void MS_GPR__KERNEL(exponentials)(double *c, int columns, double scale)
 static inline double MS_GPR__KERNEL(sum8)(const double *s)
 {
     return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
-}
-
-static double MS_GPR__KERNEL(weights)(double *w, const double *g, const double *k, const double *alpha, double alpha_i,
-                                      int columns)
-{
-    double partial[MS_GPR__BLOCK] = {0, 0, 0, 0, 0, 0, 0, 0};
-    int j, l;
-    for (j = 0; j < columns; j += MS_GPR__BLOCK) {
-        for (l = 0; l < MS_GPR__BLOCK; l += MS_GPR__LANES) {
-            MS_GPR__V v = MS_GPR__MADD(MS_GPR__SET(alpha_i), MS_GPR__LOAD(alpha + j + l), MS_GPR__LOAD(g + j + l));
-            v = v * MS_GPR__LOAD(k + j + l);
-            MS_GPR__STORE(w + j + l, v);
-            MS_GPR__STORE(partial + l, MS_GPR__LOAD(partial + l) + v);
-        }
-    }
-    return MS_GPR__KERNEL(sum8)(partial);
 }
 
 static void MS_GPR__KERNEL(slopes)(double *slope, const double *w, const double *points, size_t stride,
@@ -1068,9 +985,8 @@ static double MS_GPR__KERNEL(dot)(const double *x, const double *y, int columns)
 }
 
 static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
-    MS_GPR__KERNEL(reduce), MS_GPR__KERNEL(distances),       MS_GPR__KERNEL(exponentials), MS_GPR__KERNEL(accumulate),
-    MS_GPR__KERNEL(solve),  MS_GPR__KERNEL(weights),         MS_GPR__KERNEL(slopes),       MS_GPR__KERNEL(axpy),
-    MS_GPR__KERNEL(dot),    MS_GPR__KERNEL(point_distances), MS_GPR__KERNEL(line_mean)};
+    MS_GPR__KERNEL(reduce), MS_GPR__KERNEL(exponentials), MS_GPR__KERNEL(slopes),   MS_GPR__KERNEL(axpy),
+    MS_GPR__KERNEL(dot),    MS_GPR__KERNEL(distances),    MS_GPR__KERNEL(line_mean)};
 
 #undef MS_GPR__ROWS
 #undef MS_GPR__COLUMNS
@@ -1135,14 +1051,18 @@ static int ms_gpr__half(int n) { return ms_gpr__padded(n / 2); }
 static void ms_gpr__forward(const ms_gpr__kernels *f, const double *u, size_t u_stride, int n, double *b,
                             size_t b_stride, int columns)
 {
-    int h = ms_gpr__half(n);
+    int h = ms_gpr__half(n), i, k;
     if (n > MS_GPR__BLOCK) {
         double *below = b + (size_t)h * b_stride;
         ms_gpr__forward(f, u, u_stride, h, b, b_stride, columns);
         f->reduce(below, b_stride, u + h, u_stride, b, b_stride, n - h, columns, h, 0);
         ms_gpr__forward(f, u + (size_t)h * (u_stride + 1), u_stride, n - h, below, b_stride, columns);
-    } else if (n > 0) {
-        f->solve(u, u_stride, b, b_stride, columns);
+        return;
+    }
+    for (i = 0; i < n; ++i) { /* u_ii b_i = b_i - sum over k < i of u_ki b_k */
+        double *row = b + (size_t)i * b_stride, scale = 1 / u[(size_t)i * (u_stride + 1)];
+        for (k = 0; k < i; ++k) f->axpy(row, -u[(size_t)k * u_stride + (size_t)i], b + (size_t)k * b_stride, columns);
+        for (k = 0; k < columns; ++k) row[k] *= scale;
     }
 }
 
@@ -1465,10 +1385,10 @@ static void ms_gpr__covariance(const ms_gpr__kernels *f, const double *points, s
                                double *kernel)
 {
     int padded = ms_gpr__padded(n), i, j;
-    f->distances(kernel, stride, points, stride, points, stride, padded, padded, m, MS_GPR__UPPER);
     for (i = 0; i < padded; ++i) {
         double *row = kernel + (size_t)i * stride;
         int block = i / MS_GPR__BLOCK * MS_GPR__BLOCK;
+        f->distances(row + block, points + block, stride, points + i, stride, m, padded - block);
         f->exponentials(row + block, padded - block, sf2);
         for (j = i < n ? n : block; j < padded; ++j) row[j] = 0;
     }
@@ -1870,10 +1790,13 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
             f->axpy(p->upper + at + block, implicit[i], p->alpha + block, padded - block);
             f->axpy(p->upper + at + block, p->alpha[i], implicit + block, padded - block);
         }
-        trace += p->alpha[i] * p->alpha[i] + p->upper[at + (size_t)i];
+        f->axpy(p->upper + at + block, p->alpha[i], p->alpha + block, padded - block);
+        trace += p->upper[at + (size_t)i];
         for (j = block; j <= i; ++j) p->kernel[at + (size_t)j] = 0; /* each pair once; the diagonal has d = 0 */
-        kernel_sum += f->weights(p->weight + block, p->upper + at + block, p->kernel + at + block, p->alpha + block,
-                                 p->alpha[i], padded - block);
+        for (j = block; j < padded; ++j) {
+            p->weight[j] = p->upper[at + (size_t)j] * p->kernel[at + (size_t)j];
+            kernel_sum += p->weight[j];
+        }
         f->slopes(p->slope, p->weight + block, p->points + block, p->stride, p->points + i, p->m, padded - block);
     }
     for (k = 0; k < p->m; ++k) { /* dK_ij/dlog l_k = K_ij d_ijk^2; pairs count twice */
@@ -2392,15 +2315,15 @@ static int ms_gpr__chunk_scale(const ms_gpr__batch *b, const double *x, int star
     return filled;
 }
 
+/* mean = K alpha. tile: [CHUNK] scratch. */
 static void ms_gpr__chunk_mean(const ms_gpr *gp, const double *scaled, double *tile, double *mean)
 {
-    int n = ms_gpr__padded(gp->n), i, j;
-    for (j = 0; j < MS_GPR__CHUNK; ++j) mean[j] = 0;
-    for (i = 0; i < n; i += MS_GPR__SLAB) {
-        int rows = n - i < MS_GPR__SLAB ? n - i : MS_GPR__SLAB;
-        gp->kernels->distances(tile, MS_GPR__CHUNK, gp->points + i, gp->stride, scaled, MS_GPR__CHUNK, rows,
-                               MS_GPR__CHUNK, gp->active, 0);
-        gp->kernels->accumulate(mean, tile, MS_GPR__CHUNK, gp->weight + i, rows, MS_GPR__CHUNK);
+    int i;
+    memset(mean, 0, MS_GPR__CHUNK * sizeof *mean);
+    for (i = 0; i < gp->n; ++i) {
+        gp->kernels->distances(tile, scaled, MS_GPR__CHUNK, gp->points + i, gp->stride, gp->active, MS_GPR__CHUNK);
+        gp->kernels->exponentials(tile, MS_GPR__CHUNK, 1);
+        gp->kernels->axpy(mean, gp->weight[i], tile, MS_GPR__CHUNK);
     }
 }
 
@@ -2408,11 +2331,11 @@ static void ms_gpr__chunk_mean(const ms_gpr *gp, const double *scaled, double *t
 static void ms_gpr__chunk_kernel(const ms_gpr *gp, const double *scaled, double *columns, size_t stride)
 {
     double sf2 = ms_gpr__sf2(gp);
-    int n = ms_gpr__padded(gp->n), i;
-    gp->kernels->distances(columns, stride, gp->points, gp->stride, scaled, stride, n, MS_GPR__CHUNK, gp->active, 0);
-    for (i = 0; i < n; ++i) {
-        if (i < gp->n) gp->kernels->exponentials(columns + (size_t)i * stride, MS_GPR__CHUNK, sf2);
-        else memset(columns + (size_t)i * stride, 0, MS_GPR__CHUNK * sizeof *columns);
+    int i;
+    for (i = 0; i < ms_gpr__padded(gp->n); ++i) {
+        double *row = columns + (size_t)i * stride;
+        gp->kernels->distances(row, scaled, stride, gp->points + i, gp->stride, gp->active, MS_GPR__CHUNK);
+        gp->kernels->exponentials(row, MS_GPR__CHUNK, i < gp->n ? sf2 : 0);
     }
 }
 
@@ -2481,7 +2404,7 @@ static ms_status ms_gpr__predict_run(ms_gpr__batch *b, ms_error *error)
     if (b->count == 0) return MS_OK;
     b->tasks = gp->parallel.run == NULL ? 1 : chunks < 16 ? chunks : 16;
     b->task_doubles = ms__size_mul(b->than ? 2 * MS_GPR__CHUNK : MS_GPR__CHUNK,
-                                   (size_t)gp->active + (rows > MS_GPR__SLAB ? rows : (size_t)MS_GPR__SLAB));
+                                   (size_t)gp->active + (rows > 0 ? rows : 1));
     b->scratch = ms_gpr__scratch(&gp->allocator, ms__size_mul((size_t)b->tasks, b->task_doubles));
     if (b->scratch == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for predictions");
     ms__run(&gp->parallel, b->tasks, ms_gpr__predict_task, b);
@@ -3319,7 +3242,7 @@ static int ms_gpr__ascent_objective(void *context, const double *q, double *valu
     const double per_sf = exp(-gp->theta[gp->m]);
     double total = 0;
     int n = ms_gpr__padded(gp->n), i, k;
-    gp->kernels->point_distances(h->kernel, gp->points, gp->stride, q, gp->active, n);
+    gp->kernels->distances(h->kernel, gp->points, gp->stride, q, 1, gp->active, n);
     gp->kernels->exponentials(h->kernel, n, 1);
     for (i = 0; i < n; ++i) total += h->kernel[i] *= gp->weight[i];
     *value = -total * per_sf;
@@ -3523,7 +3446,7 @@ static void ms_gpr__chain_start(const ms_gpr__sampler *h, ms_gpr__chain *c, uint
         if (!(gp->theta[k] < MS_GPR__DROPPED)) c->point[k] = ms_gpr__uniform(&c->random);
     for (k = 0; k < m; ++k) c->material[k] = h->source.box.low[k] + h->source.box.width[k] * c->point[k];
     ms_gpr__scale(gp, c->material, c->scaled, 1);
-    gp->kernels->point_distances(c->d2, gp->points, gp->stride, c->scaled, gp->active, ms_gpr__padded(gp->n));
+    gp->kernels->distances(c->d2, gp->points, gp->stride, c->scaled, 1, gp->active, ms_gpr__padded(gp->n));
     c->shift = 0;
 }
 
@@ -3549,7 +3472,7 @@ static int ms_gpr__chain_try(const ms_gpr__sampler *h, ms_gpr__chain *c, double 
         ms_gpr__chain_point(c, t, gp->m, c->trial);
         ms_gpr__box_material(&h->source.box, c->trial, c->material);
         ms_gpr__scale(gp, c->material, c->trial, 1);
-        gp->kernels->point_distances(c->snapped, gp->points, gp->stride, c->trial, gp->active, n);
+        gp->kernels->distances(c->snapped, gp->points, gp->stride, c->trial, 1, gp->active, n);
         mean = gp->mean + gp->kernels->line_mean(c->snapped, c->slope, 0, 0, gp->weight, n);
     }
     if (!(mean >= h->threshold)) return 0;
@@ -3971,7 +3894,7 @@ static void ms_gpr__pool_choose(ms_gpr__pool *p, int q, int j)
     double *b = p->basis + (size_t)q * size, *point = p->source.point, sf2 = ms_gpr__sf2(gp), scale;
     int i;
     ms_gpr__scale(gp, p->x + (size_t)j * (size_t)gp->m, point, 1);
-    gp->kernels->point_distances(b, p->points, size, point, gp->active, p->size);
+    gp->kernels->distances(b, p->points, size, point, 1, gp->active, p->size);
     gp->kernels->exponentials(b, p->size, sf2);
     for (i = 0; i < gp->n; ++i) {
         const double *v = p->columns + (size_t)i * size;
@@ -4358,7 +4281,7 @@ MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *lat
         const int padded = ms_gpr__padded(gp->n);
         double *to = x + i * m, sf2 = ms_gpr__sf2(gp);
         ms_gpr__scale(gp, latent + 2 * i, point, 1);
-        gp->kernels->point_distances(kernel, gp->points, gp->stride, point, 2, padded);
+        gp->kernels->distances(kernel, gp->points, gp->stride, point, 1, 2, padded);
         gp->kernels->exponentials(kernel, padded, sf2);
         for (k = gp->n; k < padded; ++k) kernel[k] = 0;
         for (k = 0; k < plane->m && x; ++k)
