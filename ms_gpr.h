@@ -889,31 +889,23 @@ static void MS_GPR__KERNEL(distances)(double *d2, const double *points, size_t s
 }
 
 /* A tile of 4 rows and 2 vectors. Depth goes in slices, and two vectors of a slice of b are copied together, so that
-   they stay in the first cache and on few pages; a block of c and the slices of a and b that meet there stay in the
-   second. */
+   they stay in the first cache and on few pages. */
 #define MS_GPR__SLICE 96
-#define MS_GPR__ROWS 128
-#define MS_GPR__COLUMNS 256
 #define MS_GPR__WIDE (2 * MS_GPR__LANES)
 static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b,
                                    size_t b_stride, int rows, int columns, int depth, int parts)
 {
     double strip[MS_GPR__SLICE * MS_GPR__WIDE];
-    int slices = (depth + MS_GPR__SLICE - 1) / MS_GPR__SLICE, high = (rows + MS_GPR__ROWS - 1) / MS_GPR__ROWS;
-    int wide = (columns + MS_GPR__COLUMNS - 1) / MS_GPR__COLUMNS, part, i, j, k;
-    for (part = 0; part < slices * high * wide; ++part) {
-        int top = part / slices % high * MS_GPR__ROWS, bottom = rows - top > MS_GPR__ROWS ? top + MS_GPR__ROWS : rows;
-        int left = part / slices / high * MS_GPR__COLUMNS,
-            right = columns - left > MS_GPR__COLUMNS ? left + MS_GPR__COLUMNS : columns;
-        int from = part % slices * MS_GPR__SLICE, to = depth - from > MS_GPR__SLICE ? from + MS_GPR__SLICE : depth;
-        for (j = left; j < right; j += MS_GPR__WIDE) {
-            int wanted = (parts & MS_GPR__UPPER) && j + MS_GPR__WIDE < bottom ? (j + MS_GPR__WIDE + 3) & ~3 : bottom;
+    int from, i, j, k;
+    for (from = 0; from < depth; from += MS_GPR__SLICE) {
+        int to = depth - from > MS_GPR__SLICE ? from + MS_GPR__SLICE : depth;
+        for (j = 0; j < columns; j += MS_GPR__WIDE) {
+            int wanted = (parts & MS_GPR__UPPER) && j + MS_GPR__WIDE < rows ? (j + MS_GPR__WIDE + 3) & ~3 : rows;
             int first = (parts & MS_GPR__LOWER) && j > from ? j : from;
             if (first >= to) break;
-            if (wanted <= top) continue;
             for (k = first; k < to; ++k)
                 memcpy(strip + (k - first) * MS_GPR__WIDE, b + (size_t)k * b_stride + j, MS_GPR__WIDE * sizeof *strip);
-            for (i = top; i < wanted; i += 4) {
+            for (i = 0; i < wanted; i += 4) {
                 const double *ak = a + (size_t)first * a_stride + i, *bk = strip;
                 double *c0 = c + (size_t)i * c_stride + j, *c1 = c0 + c_stride, *c2 = c1 + c_stride,
                        *c3 = c2 + c_stride;
@@ -988,8 +980,6 @@ static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
     MS_GPR__KERNEL(reduce), MS_GPR__KERNEL(exponentials), MS_GPR__KERNEL(slopes),   MS_GPR__KERNEL(axpy),
     MS_GPR__KERNEL(dot),    MS_GPR__KERNEL(distances),    MS_GPR__KERNEL(line_mean)};
 
-#undef MS_GPR__ROWS
-#undef MS_GPR__COLUMNS
 #undef MS_GPR__WIDE
 #undef MS_GPR__SLICE
 #undef MS_GPR__JOIN_
