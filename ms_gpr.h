@@ -3162,13 +3162,11 @@ static void ms_gpr__source_fill(ms_gpr__source *s, int variants, double least, d
 
 enum {
     MS_GPR__PILOT = 4096,    /* uniform candidates that are looked at first */
-    MS_GPR__PILOT_HITS = 32, /* of them that reach the threshold, below which as many more are looked at */
     MS_GPR__WAVE = 64,       /* chains that run together, or variants of a round */
     MS_GPR__TASKS = 16,      /* that share the chains of a wave */
     MS_GPR__SEEDS = 1024,    /* places where chains start, at most */
-    MS_GPR__SEEDS_FEW = 16,  /* below so many candidates that reach the threshold, maxima are places to start as well */
-    MS_GPR__MODES = 16,      /* ascents that look for the largest mean */
-    MS_GPR__ASCENT = 100,    /* evaluations of an ascent, at most */
+    MS_GPR__SEEDS_FEW = 16,  /* uniform ones, below which answered materials and the best one are starts as well */
+    MS_GPR__CLIMB = 5,       /* steps along every axis of the climb to the largest mean */
     MS_GPR__BEST_OF = 10,    /* variants of which the one with the largest mean is taken */
     MS_GPR__RIVALS = 16      /* candidates of which one is taken, at the largest diversity */
 };
@@ -3194,11 +3192,12 @@ typedef struct ms_gpr__chain {
     double *point;            /* [m] in the unit box */
     double *direction;        /* [m] in widths of the box */
     double *scaled, *step;    /* [m] both of them in length scales, by column in use */
-    double *low, *high;       /* [m] of a hyperrectangle */
     double *trial, *material; /* [m] */
     double *d2, *slope;       /* [stride] see ms_gpr__chain_face */
     double *snapped;          /* [stride] squared distances of a snapped material */
     double shift, curvature;
+    double level; /* least mean of a place to move to */
+    int climbs;   /* the level rises to the mean of every such place */
     ms_gpr__random random;
 } ms_gpr__chain;
 
@@ -3207,14 +3206,10 @@ typedef struct ms_gpr__sampler {
     ms_gpr_recommend_options o; /* with the defaults filled in */
     ms_gpr__found found;
     double threshold;       /* what recommendations reach */
-    double *candidate;      /* [2 PILOT + n][m] in units of x */
-    double *mean;           /* [2 PILOT + n] */
-    ms_gpr__ranked *ranked; /* [2 PILOT + n] */
-    int pilots, hits;       /* uniform candidates at their front; those that reach the threshold */
-    double *mode;           /* [MODES][m] local maxima of the mean, in units of x */
-    double mode_value[MS_GPR__MODES];
-    double *kernel, *low, *high, *q, *work; /* of an ascent */
-    double *seed;                           /* [SEEDS + MODES][m] where chains start, in the unit box */
+    double *candidate;      /* [PILOT + n + 1][m] in units of x */
+    double *mean;           /* [PILOT + n + 1] */
+    ms_gpr__ranked *ranked; /* [PILOT + n + 1] */
+    double *seed;           /* [SEEDS][m] where chains start, in the unit box */
     int seeds;
     int *axis, axes;  /* [m] columns that slices go along */
     int *flat, flats; /* [m] columns that the mean hardly depends on */
@@ -3223,120 +3218,6 @@ typedef struct ms_gpr__sampler {
     ms_gpr__chain chain[MS_GPR__TASKS];
     ms_gpr_recommend_report report;
 } ms_gpr__sampler;
-
-/* Minus the mean at q, in length scales, over sf. */
-static int ms_gpr__ascent_objective(void *context, const double *q, double *value, double *gradient)
-{
-    const ms_gpr__sampler *h = (const ms_gpr__sampler *)context;
-    const ms_gpr *gp = h->source.gp;
-    const double per_sf = exp(-gp->theta[gp->m]);
-    double total = 0;
-    int n = ms_gpr__padded(gp->n), i, k;
-    gp->kernels->distances(h->kernel, gp->points, gp->stride, q, 1, gp->active, n);
-    gp->kernels->exponentials(h->kernel, n, 1);
-    for (i = 0; i < n; ++i) total += h->kernel[i] *= gp->weight[i];
-    *value = -total * per_sf;
-    for (k = 0; k < gp->active; ++k)
-        gradient[k] = (total * q[k] - gp->kernels->dot(h->kernel, gp->points + (size_t)k * gp->stride, n)) * per_sf;
-    return 1;
-}
-
-/* Moves x [m] to a maximum of the mean in the box. Nothing is snapped. */
-static void ms_gpr__ascend(ms_gpr__sampler *h, double *x)
-{
-    const ms_gpr *gp = h->source.gp;
-    const ms_gpr__box *box = &h->source.box;
-    ms_gpr__search search;
-    int k;
-    memset(&search, 0, sizeof search);
-    search.f = ms_gpr__ascent_objective;
-    search.context = h;
-    search.count = gp->active;
-    search.low = h->low;
-    search.high = h->high;
-    search.step = 1; /* a length scale */
-    search.tolerance = 1e-10;
-    search.evaluations = MS_GPR__ASCENT;
-    ms_gpr__scale(gp, box->low, h->low, 1);
-    ms_gpr__scale(gp, box->high, h->high, 1);
-    ms_gpr__scale(gp, x, h->q, 1);
-    if (gp->n > 0) ms_gpr__minimize(&search, h->q, h->work);
-    for (k = 0; k < gp->active; ++k) {
-        const int d = gp->dimension[k];
-        x[d] = ms_gpr__clamp(gp->center[d] + h->q[k] / gp->scale[d], box->low[d], box->high[d]);
-    }
-}
-
-/* Counts candidates from `first` on, drawn and predicted before (random NULL) or now, and those that reach the
-   threshold. */
-static ms_status ms_gpr__sampler_pilots(ms_gpr__sampler *h, int first, int count, ms_gpr__random *random,
-                                        ms_error *error)
-{
-    double *x = h->candidate + (size_t)first * (size_t)h->source.gp->m, *mean = h->mean + first;
-    ms_status status = MS_OK;
-    int i;
-    if (random) ms_gpr__source_fill(&h->source, 0, 0, 0, random, count, x);
-    if (random) status = ms_gpr_predict(h->source.gp, x, count, mean, NULL, error);
-    for (i = 0; i < count && status == MS_OK; ++i) h->hits += mean[i] >= h->threshold;
-    h->pilots += count;
-    return status;
-}
-
-/* The first candidates, local maxima of the mean, and the threshold. *liking: something is predicted above the floor.
- */
-static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, int *liking, ms_error *error)
-{
-    ms_gpr__source *s = &h->source;
-    const ms_gpr *gp = s->gp;
-    ms_gpr__random random = ms_gpr__random_make(h->o.seed, 0);
-    double best = -HUGE_VAL, top = h->o.best < 0 || h->o.best > 0 ? h->o.best : s->top;
-    size_t m = (size_t)gp->m, row = m * sizeof(double);
-    int count = MS_GPR__PILOT + gp->n, i;
-    ms_status status;
-
-    /* uniform candidates, and the materials that were answered, moved into the box */
-    ms_gpr__source_fill(s, 0, 0, 0, &random, MS_GPR__PILOT, h->candidate);
-    for (i = 0; i < gp->n; ++i) {
-        ms_gpr__box_point(&s->box, gp->x + (size_t)i * m, s->point);
-        ms_gpr__box_material(&s->box, s->point, h->candidate + (size_t)(MS_GPR__PILOT + i) * m);
-    }
-    status = ms_gpr_predict(gp, h->candidate, count, h->mean, NULL, error);
-    if (status != MS_OK) return status;
-
-    /* from the best of them to maxima */
-    ms_gpr__ranked_select(h->ranked, h->mean, count, MS_GPR__MODES);
-    ms_gpr__ranked_sort(h->ranked, MS_GPR__MODES);
-    for (i = 0; i < MS_GPR__MODES; ++i) {
-        double *mode = h->mode + (size_t)i * m;
-        memcpy(mode, h->candidate + (size_t)h->ranked[i].index * m, row);
-        ms_gpr__ascend(h, mode);
-        if (s->box.snap) s->box.snap(s->box.user, mode);
-    }
-    status = ms_gpr_predict(gp, h->mode, MS_GPR__MODES, h->mode_value, NULL, error);
-    if (status != MS_OK) return status;
-    for (i = 0; i < MS_GPR__MODES; ++i) {
-        if (h->mode_value[i] < h->ranked[i].value) { /* a snap took it back */
-            memcpy(h->mode + (size_t)i * m, h->candidate + (size_t)h->ranked[i].index * m, row);
-            h->mode_value[i] = h->ranked[i].value;
-        }
-        best = fmax(best, h->mode_value[i]);
-    }
-
-    top = fmin(top, best);
-    *liking = best > s->floor && top > s->floor;
-    h->report.liked = s->liked;
-    h->report.best = best;
-    h->report.candidates = count;
-    h->report.search = MS_GPR_SEARCH_THRESHOLD;
-    if (!*liking) return MS_OK;
-    h->threshold = fmin(s->floor + h->o.tau * (top - s->floor), best - 1e-6 * (best - s->floor));
-    h->report.threshold = h->threshold;
-    status = ms_gpr__sampler_pilots(h, 0, MS_GPR__PILOT, NULL, error);
-    if (h->hits < MS_GPR__PILOT_HITS) status = ms_gpr__sampler_pilots(h, MS_GPR__PILOT, MS_GPR__PILOT, &random, error);
-    h->report.acceptance = (double)h->hits / h->pilots;
-    h->report.candidates = count + h->pilots - (int)MS_GPR__PILOT;
-    return status;
-}
 
 /* Squared root-mean-square distance, in widths of the box, of x to the nearest of `count` rows. */
 static double ms_gpr__nearest2(const ms_gpr__box *box, const double *rows, int count, const double *x)
@@ -3431,6 +3312,8 @@ static void ms_gpr__chain_start(const ms_gpr__sampler *h, ms_gpr__chain *c, uint
     const size_t m = (size_t)gp->m, seed = (size_t)((turns - floor(turns)) * h->seeds);
     size_t k;
     c->random = ms_gpr__random_make(h->o.seed, ((uint64_t)1 << 41) + index);
+    c->level = h->threshold;
+    c->climbs = 0;
     memcpy(c->point, h->seed + seed * m, m * sizeof *c->point);
     for (k = 0; k < m && h->source.box.snap == NULL; ++k) /* a snap may tie dropped columns to others */
         if (!(gp->theta[k] < MS_GPR__DROPPED)) c->point[k] = ms_gpr__uniform(&c->random);
@@ -3465,7 +3348,8 @@ static int ms_gpr__chain_try(const ms_gpr__sampler *h, ms_gpr__chain *c, double 
         gp->kernels->distances(c->snapped, gp->points, gp->stride, c->trial, 1, gp->active, n);
         mean = gp->mean + gp->kernels->line_mean(c->snapped, c->slope, 0, 0, gp->weight, n);
     }
-    if (!(mean >= h->threshold)) return 0;
+    if (!(mean >= c->level)) return 0;
+    if (c->climbs) c->level = mean;
     ms_gpr__chain_point(c, t, gp->m, c->point);
     for (k = 0; k < gp->active; ++k) c->scaled[k] += t * c->step[k];
     gp->kernels->axpy(c->d2, t, c->slope, n);
@@ -3494,47 +3378,106 @@ static void ms_gpr__chain_slice(const ms_gpr__sampler *h, ms_gpr__chain *c, doub
     }
 }
 
-/* What the mean hardly depends on, all at once: a uniform point of a hyperrectangle, at first the box, which shrinks
-   towards the chain. */
-static void ms_gpr__chain_rectangle(const ms_gpr__sampler *h, ms_gpr__chain *c)
+/* What the mean hardly depends on moves all at once, to a uniform point of the box if the mean there still does. */
+static void ms_gpr__chain_flat(const ms_gpr__sampler *h, ms_gpr__chain *c)
 {
-    int tries, i, k;
-    for (i = 0; i < h->flats; ++i) c->low[i] = 0, c->high[i] = 1;
+    int i;
     memset(c->direction, 0, (size_t)h->source.gp->m * sizeof *c->direction);
-    for (tries = 0; tries < 60 && h->flats > 0; ++tries) {
-        for (i = 0; i < h->flats; ++i) {
-            k = h->flat[i];
-            c->direction[k] = c->low[i] + ms_gpr__uniform(&c->random) * (c->high[i] - c->low[i]) - c->point[k];
-        }
-        ms_gpr__chain_face(h, c);
-        if (ms_gpr__chain_try(h, c, 1)) return;
-        for (i = 0; i < h->flats; ++i) {
-            k = h->flat[i];
-            if (c->direction[k] < 0) c->low[i] = c->point[k] + c->direction[k];
-            else c->high[i] = c->point[k] + c->direction[k];
-        }
-    }
+    for (i = 0; i < h->flats; ++i) c->direction[h->flat[i]] = ms_gpr__uniform(&c->random) - c->point[h->flat[i]];
+    ms_gpr__chain_face(h, c);
+    ms_gpr__chain_try(h, c, 1);
 }
 
-/* Task: candidates task, task + TASKS, ... of a wave: from a seed through a slice along every axis and as many across,
-   which forget where they started. */
+/* A slice along axis number `axis`, and one across all. */
+static void ms_gpr__chain_step(const ms_gpr__sampler *h, ms_gpr__chain *c, int axis)
+{
+    int m = h->source.gp->m, k;
+    for (k = 0; k < m; ++k) c->direction[k] = k == h->axis[axis] ? h->reach[k] : 0;
+    ms_gpr__chain_slice(h, c, MS_GPR__REACH);
+    for (k = 0; k < m; ++k) c->direction[k] = h->reach[k] * (2 * ms_gpr__uniform(&c->random) - 1);
+    ms_gpr__chain_slice(h, c, MS_GPR__REACH);
+}
+
+/* Task: candidates task, task + TASKS, ... of a wave: from a seed through a step along every axis, which forget where
+   they started. */
 static void ms_gpr__chain_run(void *context, int task)
 {
     ms_gpr__sampler *h = (ms_gpr__sampler *)context;
     ms_gpr__chain *c = &h->chain[task];
-    int m = h->source.gp->m, i, j, k;
+    int i, j;
     for (i = task; i < MS_GPR__WAVE; i += MS_GPR__TASKS) {
         ms_gpr__chain_start(h, c, h->first + (uint64_t)i);
         for (j = 0; j < h->axes; ++j) {
-            for (k = 0; k < m; ++k) c->direction[k] = k == h->axis[j] ? h->reach[k] : 0;
-            ms_gpr__chain_slice(h, c, MS_GPR__REACH);
-            for (k = 0; k < m; ++k) c->direction[k] = h->reach[k] * (2 * ms_gpr__uniform(&c->random) - 1);
-            ms_gpr__chain_slice(h, c, MS_GPR__REACH);
-            if (j % 4 == 0) ms_gpr__chain_rectangle(h, c);
+            ms_gpr__chain_step(h, c, j);
+            if (j % 4 == 0 && h->flats > 0) ms_gpr__chain_flat(h, c);
         }
-        ms_gpr__chain_rectangle(h, c);
-        ms_gpr__box_material(&h->source.box, c->point, h->candidate + (size_t)i * (size_t)m);
+        if (h->flats > 0) ms_gpr__chain_flat(h, c);
+        ms_gpr__box_material(&h->source.box, c->point, h->candidate + (size_t)i * (size_t)h->source.gp->m);
     }
+}
+
+/* Moves x [m] near a maximum of the mean: by a chain whose threshold is always the mean where it is. */
+static void ms_gpr__chain_climb(ms_gpr__sampler *h, double *x)
+{
+    ms_gpr__chain *c = &h->chain[0];
+    int j;
+    ms_gpr__box_point(&h->source.box, x, h->seed);
+    h->seeds = 1;
+    ms_gpr__chain_start(h, c, 0);
+    c->climbs = 1;
+    c->level = -HUGE_VAL;
+    for (j = 0; j < MS_GPR__CLIMB * h->axes; ++j) ms_gpr__chain_step(h, c, j % h->axes);
+    ms_gpr__box_material(&h->source.box, c->point, x);
+    h->seeds = 0;
+}
+
+/* The first candidates and the threshold. *liking: something is predicted above the floor. */
+static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, int *liking, ms_error *error)
+{
+    ms_gpr__source *s = &h->source;
+    const ms_gpr *gp = s->gp;
+    ms_gpr__random random = ms_gpr__random_make(h->o.seed, 0);
+    double best = -HUGE_VAL, top = h->o.best < 0 || h->o.best > 0 ? h->o.best : s->top;
+    size_t m = (size_t)gp->m;
+    int count = MS_GPR__PILOT + gp->n, hits = 0, top_row = 0, i;
+    ms_status status;
+
+    /* uniform candidates, and the materials that were answered, moved into the box */
+    ms_gpr__source_fill(s, 0, 0, 0, &random, MS_GPR__PILOT, h->candidate);
+    for (i = 0; i < gp->n; ++i) {
+        ms_gpr__box_point(&s->box, gp->x + (size_t)i * m, s->point);
+        ms_gpr__box_material(&s->box, s->point, h->candidate + (size_t)(MS_GPR__PILOT + i) * m);
+    }
+    status = ms_gpr_predict(gp, h->candidate, count, h->mean, NULL, error);
+    if (status != MS_OK) return status;
+
+    /* the largest mean: a climb from the best of them, which is one more candidate */
+    for (i = 0; i < count; ++i)
+        if (h->mean[i] > best) best = h->mean[i], top_row = i;
+    memcpy(h->candidate + (size_t)count * m, h->candidate + (size_t)top_row * m, m * sizeof *h->candidate);
+    ms_gpr__chain_climb(h, h->candidate + (size_t)count * m);
+    status = ms_gpr_predict(gp, h->candidate + (size_t)count * m, 1, h->mean + count, NULL, error);
+    if (status != MS_OK) return status;
+    best = fmax(best, h->mean[count++]);
+    top = fmin(top, best);
+    *liking = best > s->floor && top > s->floor;
+    h->report.liked = s->liked;
+    h->report.best = best;
+    h->report.candidates = count;
+    h->report.search = MS_GPR_SEARCH_THRESHOLD;
+    if (!*liking) return MS_OK;
+    h->threshold = fmin(s->floor + h->o.tau * (top - s->floor), best - 1e-6 * (best - s->floor));
+    h->report.threshold = h->threshold;
+
+    /* chains start from those that reach it: uniform ones, and where these are few all others as well */
+    for (i = 0; i < count && h->seeds < MS_GPR__SEEDS; ++i) {
+        if (i == MS_GPR__PILOT) hits = h->seeds;
+        if (h->mean[i] < h->threshold || (i >= MS_GPR__PILOT && hits >= MS_GPR__SEEDS_FEW)) continue;
+        ms_gpr__box_point(&s->box, h->candidate + (size_t)i * m, h->seed + (size_t)h->seeds++ * m);
+    }
+    for (i = 0, hits = 0; i < MS_GPR__PILOT; ++i) hits += h->mean[i] >= h->threshold;
+    h->report.acceptance = (double)hits / MS_GPR__PILOT;
+    return MS_OK;
 }
 
 /* Mean sigma of the first recommendations over the range of scores. */
@@ -3548,22 +3491,14 @@ static ms_status ms_gpr__sampler_spread(ms_gpr__sampler *h, double *doubt, ms_er
     return status;
 }
 
-/* Chains from the first candidates that reach the threshold; where those are few, from the maxima as well. The search
-   ends with the first wave where that is too uncertain. */
+/* Chains. The search ends with the first wave where that is too uncertain. */
 static ms_status ms_gpr__sampler_chains(ms_gpr__sampler *h, ms_error *error)
 {
-    const ms_gpr__box *box = &h->source.box;
-    const size_t m = (size_t)box->m;
+    const size_t m = (size_t)h->source.gp->m;
     const double wanted = (double)h->found.count * ms_gpr__rivals(h->o.diversity);
     ms_status status = MS_OK;
     double doubt;
     int i;
-    for (i = 0; i < h->pilots && h->seeds < MS_GPR__SEEDS; ++i)
-        if (h->mean[i] >= h->threshold)
-            ms_gpr__box_point(box, h->candidate + (size_t)i * m, h->seed + (size_t)h->seeds++ * m);
-    for (i = 0; i < MS_GPR__MODES && h->seeds < MS_GPR__SEEDS_FEW + i; ++i)
-        if (h->mode_value[i] >= h->threshold)
-            ms_gpr__box_point(box, h->mode + (size_t)i * m, h->seed + (size_t)h->seeds++ * m);
     for (; status == MS_OK && h->found.taken < h->found.count; h->first += MS_GPR__WAVE) {
         if (h->seeds == 0 || (double)h->first / 40 > wanted + (int)MS_GPR__WAVE) return MS_NOT_CONVERGED;
         ms__run(&h->source.gp->parallel, MS_GPR__TASKS, ms_gpr__chain_run, h);
@@ -3621,19 +3556,13 @@ static double ms_gpr__spread(const ms_gpr__box *box, const double *x, int count)
 static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms__arena *arena)
 {
     const ms_gpr *gp = h->source.gp;
-    size_t m = (size_t)gp->m, candidates = 2 * (size_t)MS_GPR__PILOT + (size_t)gp->n;
+    size_t m = (size_t)gp->m, candidates = (size_t)MS_GPR__PILOT + (size_t)gp->n + 1;
     int i;
     ms_gpr__source_layout(&h->source, arena);
     h->candidate = ms_gpr__take(arena, candidates, m);
     h->mean = ms_gpr__take(arena, candidates, 1);
     h->ranked = (ms_gpr__ranked *)ms__take(arena, candidates, sizeof *h->ranked);
-    h->mode = ms_gpr__take(arena, MS_GPR__MODES, m);
-    h->kernel = ms_gpr__take(arena, gp->stride, 1);
-    h->low = ms_gpr__take(arena, m, 1);
-    h->high = ms_gpr__take(arena, m, 1);
-    h->q = ms_gpr__take(arena, m, 1);
-    h->work = ms_gpr__take(arena, ms_gpr__minimize_doubles(gp->m), 1);
-    h->seed = ms_gpr__take(arena, MS_GPR__SEEDS + MS_GPR__MODES, m);
+    h->seed = ms_gpr__take(arena, MS_GPR__SEEDS, m);
     h->reach = ms_gpr__take(arena, m, 1);
     h->axis = (int *)ms__take(arena, m, sizeof(int));
     h->flat = (int *)ms__take(arena, m, sizeof(int));
@@ -3645,8 +3574,6 @@ static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms__arena *arena)
         c->direction = ms_gpr__take(arena, m, 1);
         c->scaled = ms_gpr__take(arena, m, 1);
         c->step = ms_gpr__take(arena, m, 1);
-        c->low = ms_gpr__take(arena, m, 1);
-        c->high = ms_gpr__take(arena, m, 1);
         c->trial = ms_gpr__take(arena, m, 1);
         c->material = ms_gpr__take(arena, m, 1);
         c->d2 = ms_gpr__take(arena, gp->stride, 1);
@@ -3764,8 +3691,7 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
 /* --- galleries --- */
 
 enum {
-    MS_GPR__CANDIDATES = 4000, /* that a gallery is chosen from, at least; 10 for each choice */
-    MS_GPR__SCREENED = 128,    /* scores from which on variances are computed of one candidate in four to eight */
+    MS_GPR__CANDIDATES = 1024, /* that a gallery is chosen from, at least; 10 for each choice. 4000 gain nothing */
     MS_GPR__SPARE = 8          /* candidates for each material of a gallery that is spread evenly, with a snap */
 };
 
@@ -3773,29 +3699,27 @@ enum {
 typedef struct ms_gpr__pool {
     ms_gpr__source source;
     double threshold;       /* of recommendations */
-    int drawn, size, count; /* candidates; those whose variance is computed (a multiple of CHUNK); choices */
-    double *x;              /* [drawn][m] */
+    int size, count;        /* candidates, a multiple of CHUNK where their variances are computed; choices */
+    double *x;              /* [size][m] */
     double *points;         /* [active][size] in length scales, as gp->points */
-    double *mean;           /* [drawn] */
+    double *mean;           /* [size] */
     double *variance;       /* [size] */
     double *columns;        /* [padded n][size] U'^-1 k(training, pool) */
     double *basis;          /* [count][size] posterior covariance with each choice, less what earlier ones explain, over
                                its deviation */
-    ms_gpr__ranked *ranked; /* [drawn] */
-    char *taken;            /* [drawn] 1: chosen, or equal to one that was */
+    char *taken;            /* [size] 1: chosen, or equal to one that was */
 } ms_gpr__pool;
 
 /* spread: what belongs to the variances is not needed. */
 static void ms_gpr__pool_layout(ms_gpr__pool *p, int spread, ms__arena *arena)
 {
-    size_t m = (size_t)p->source.gp->m, size = (size_t)p->size, drawn = (size_t)p->drawn;
+    size_t m = (size_t)p->source.gp->m, size = (size_t)p->size;
     ms_gpr__source_layout(&p->source, arena);
-    p->x = ms_gpr__take(arena, drawn, m);
-    p->mean = ms_gpr__take(arena, drawn, 1);
-    p->taken = (char *)ms__take(arena, drawn, 1);
+    p->x = ms_gpr__take(arena, size, m);
+    p->mean = ms_gpr__take(arena, size, 1);
+    p->taken = (char *)ms__take(arena, size, 1);
     if (spread) return;
     p->points = ms_gpr__take(arena, size, m);
-    p->ranked = (ms_gpr__ranked *)ms__take(arena, drawn, sizeof *p->ranked);
     p->variance = ms_gpr__take(arena, size, 1);
     p->columns = ms_gpr__take(arena, size, (size_t)ms_gpr__padded(p->source.gp->n));
     p->basis = ms_gpr__take(arena, size, (size_t)p->count);
@@ -3809,34 +3733,17 @@ static void ms_gpr__pool_spread(ms_gpr__pool *p, ms_gpr__random *random)
     double *part = p->mean;
     int i, j;
     for (k = 0; k < m; ++k) { /* a shuffle */
-        for (j = 0; j < p->drawn; ++j) {
+        for (j = 0; j < p->size; ++j) {
             i = (int)(ms_gpr__uniform(random) * (j + 1));
             part[j] = part[i];
             part[i] = j;
         }
-        for (j = 0; j < p->drawn; ++j) p->x[(size_t)j * m + k] = (part[j] + ms_gpr__uniform(random)) / p->drawn;
+        for (j = 0; j < p->size; ++j) p->x[(size_t)j * m + k] = (part[j] + ms_gpr__uniform(random)) / p->size;
     }
-    for (j = 0; j < p->drawn; ++j) {
+    for (j = 0; j < p->size; ++j) {
         memcpy(p->source.point, p->x + (size_t)j * m, m * sizeof *p->x);
         ms_gpr__box_material(box, p->source.point, p->x + (size_t)j * m);
     }
-}
-
-/* Keeps `size` of the candidates, in their order: those of the largest means. */
-static ms_status ms_gpr__pool_screen(ms_gpr__pool *p, ms_error *error)
-{
-    const size_t m = (size_t)p->source.gp->m;
-    int kept = 0, j;
-    ms_status status = ms_gpr_predict(p->source.gp, p->x, p->drawn, p->mean, NULL, error);
-    if (status != MS_OK) return status;
-    ms_gpr__ranked_select(p->ranked, p->mean, p->drawn, p->size);
-    for (j = 0; j < p->size; ++j) p->taken[p->ranked[j].index] = 1;
-    for (j = 0; j < p->drawn; ++j) {
-        if (p->taken[j]) memmove(p->x + (size_t)kept++ * m, p->x + (size_t)j * m, m * sizeof *p->x);
-        p->taken[j] = 0;
-    }
-    p->drawn = p->size;
-    return MS_OK;
 }
 
 /* Task: a chunk of candidates against the training set. */
@@ -3906,7 +3813,7 @@ static void ms_gpr__pool_take(ms_gpr__pool *p, const double *x)
 {
     size_t m = (size_t)p->source.gp->m;
     int j;
-    for (j = 0; j < p->drawn; ++j)
+    for (j = 0; j < p->size; ++j)
         if (memcmp(p->x + (size_t)j * m, x, m * sizeof *x) == 0) p->taken[j] = 1;
 }
 
@@ -3952,34 +3859,27 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     p->threshold = p->source.floor + 0.6 * (p->source.top - p->source.floor);
     spread = o.kind == MS_GPR_GALLERY_SPREAD || !(p->source.top > p->source.floor); /* the latter: nothing is liked */
 
-    /* how many candidates; from MS_GPR__SCREENED scores on, variances of a part of them */
-    p->drawn = 10 * count > MS_GPR__CANDIDATES ? 10 * count : (int)MS_GPR__CANDIDATES;
-    p->drawn = (p->drawn + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
-    if (spread) p->drawn = o.space.snap ? MS_GPR__SPARE * count : count;
-    p->size = p->drawn;
-    if (!spread && gp->n >= MS_GPR__SCREENED) {
-        const int part = gp->n < 300 ? 4 : gp->n < 480 ? gp->n / 60 : 8;
-        p->size = (p->drawn / part + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
-    }
+    p->size = 10 * count > MS_GPR__CANDIDATES ? 10 * count : (int)MS_GPR__CANDIDATES;
+    p->size = (p->size + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
+    if (spread) p->size = o.space.snap ? MS_GPR__SPARE * count : count;
     ms_gpr__pool_layout(p, spread, &arena);
     if (!ms_gpr__place(&gp->allocator, &arena)) {
         ms_gpr__box_free(&p->source.box);
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a pool of %d candidates", p->drawn);
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a pool of %d candidates", p->size);
     }
     ms_gpr__pool_layout(p, spread, &arena);
-    memset(p->taken, 0, (size_t)p->drawn);
+    memset(p->taken, 0, (size_t)p->size);
     random = ms_gpr__random_make(o.seed, (uint64_t)gp->n);
     if (spread) {
         ms_gpr__pool_spread(p, &random);
     } else {
         ms_gpr__source_breed(&p->source);
-        ms_gpr__source_fill(&p->source, 2, 0.1, 0.5, &random, p->drawn, p->x);
+        ms_gpr__source_fill(&p->source, 2, 0.1, 0.5, &random, p->size, p->x);
     }
-    if (p->size < p->drawn) status = ms_gpr__pool_screen(p, error);
-    if (status == MS_OK) ms_gpr__pool_run(p, spread, x);
+    ms_gpr__pool_run(p, spread, x);
     ms_gpr__release(&gp->allocator, arena.base);
     ms_gpr__box_free(&p->source.box);
-    return status;
+    return MS_OK;
 }
 
 #ifndef MS_GPR_NO_PLANE
