@@ -826,6 +826,8 @@ static inline MS_GPR__V MS_GPR__KERNEL(set)(double x)
 #endif
 #endif
 
+#define MS_GPR__WIDE (2 * MS_GPR__LANES) /* divides MS_GPR__BLOCK */
+
 /* exp(-d2 / 2) = 2^t, t = -d2 / (2 log 2) <= 0, as 2^round(t) times a polynomial in the rest f that interpolates (2^f -
    1) / f at the Chebyshev points of [-1/2, 1/2]: error 2e-17 before rounding. Below 2^-500 it is 0: products of two
    such terms would be subnormal and slow. */
@@ -849,49 +851,51 @@ static inline MS_GPR__V MS_GPR__KERNEL(exponential)(MS_GPR__V d2)
     return MS_GPR__KEEP(t, limit, p);
 }
 
+static inline double MS_GPR__KERNEL(sum)(MS_GPR__V v)
+{
+    double lane[MS_GPR__LANES], total = 0;
+    int i;
+    MS_GPR__STORE(lane, v);
+    for (i = 0; i < MS_GPR__LANES; ++i) total += lane[i];
+    return total;
+}
+
 static double MS_GPR__KERNEL(line_mean)(const double *d2, const double *slope, double t, double constant,
                                         const double *weight, int n)
 {
-    enum { VECTORS = MS_GPR__BLOCK / MS_GPR__LANES };
-    double partial[MS_GPR__BLOCK], total = 0;
-    MS_GPR__V ahead = MS_GPR__SET(t), rest = MS_GPR__SET(constant), sum[VECTORS];
-    int i, v;
-    for (v = 0; v < VECTORS; ++v) sum[v] = MS_GPR__SET(0.0);
-    for (i = 0; i < n; i += MS_GPR__BLOCK)
-        for (v = 0; v < VECTORS; ++v) {
-            int at = i + v * MS_GPR__LANES;
-            MS_GPR__V d2t = MS_GPR__MADD(ahead, MS_GPR__LOAD(slope + at), MS_GPR__LOAD(d2 + at) + rest);
-            sum[v] = MS_GPR__MADD(MS_GPR__LOAD(weight + at), MS_GPR__KERNEL(exponential)(d2t), sum[v]);
-        }
-    for (v = 0; v < VECTORS; ++v) MS_GPR__STORE(partial + v * MS_GPR__LANES, sum[v]);
-    for (v = 0; v < MS_GPR__BLOCK; ++v) total += partial[v];
-    return total;
+    MS_GPR__V ahead = MS_GPR__SET(t), rest = MS_GPR__SET(constant), sum0 = MS_GPR__SET(0.0), sum1 = sum0, x;
+    int i;
+    for (i = 0; i < n; i += MS_GPR__WIDE) {
+        int next = i + MS_GPR__LANES;
+        x = MS_GPR__MADD(ahead, MS_GPR__LOAD(slope + i), MS_GPR__LOAD(d2 + i) + rest);
+        sum0 = MS_GPR__MADD(MS_GPR__LOAD(weight + i), MS_GPR__KERNEL(exponential)(x), sum0);
+        x = MS_GPR__MADD(ahead, MS_GPR__LOAD(slope + next), MS_GPR__LOAD(d2 + next) + rest);
+        sum1 = MS_GPR__MADD(MS_GPR__LOAD(weight + next), MS_GPR__KERNEL(exponential)(x), sum1);
+    }
+    return MS_GPR__KERNEL(sum)(sum0 + sum1);
 }
 
 static void MS_GPR__KERNEL(distances)(double *d2, const double *points, size_t stride, const double *point,
                                       size_t spacing, int m, int n)
 {
-    enum { VECTORS = MS_GPR__BLOCK / MS_GPR__LANES };
-    int i, k, v;
-    for (i = 0; i < n; i += MS_GPR__BLOCK) {
-        MS_GPR__V sum[VECTORS];
-        for (v = 0; v < VECTORS; ++v) sum[v] = MS_GPR__SET(0.0);
-        for (k = 0; k < m; ++k) {
-            const double *row = points + (size_t)k * stride + i;
-            MS_GPR__V x = MS_GPR__SET(point[(size_t)k * spacing]);
-            for (v = 0; v < VECTORS; ++v) {
-                MS_GPR__V d = x - MS_GPR__LOAD(row + v * MS_GPR__LANES);
-                sum[v] = MS_GPR__MADD(d, d, sum[v]);
-            }
+    int i, k;
+    for (i = 0; i < n; i += MS_GPR__WIDE) {
+        const double *row = points + i, *at = point;
+        MS_GPR__V sum0 = MS_GPR__SET(0.0), sum1 = sum0;
+        for (k = 0; k < m; ++k, row += stride, at += spacing) {
+            MS_GPR__V d0 = MS_GPR__SET(*at) - MS_GPR__LOAD(row);
+            MS_GPR__V d1 = MS_GPR__SET(*at) - MS_GPR__LOAD(row + MS_GPR__LANES);
+            sum0 = MS_GPR__MADD(d0, d0, sum0);
+            sum1 = MS_GPR__MADD(d1, d1, sum1);
         }
-        for (v = 0; v < VECTORS; ++v) MS_GPR__STORE(d2 + i + v * MS_GPR__LANES, sum[v]);
+        MS_GPR__STORE(d2 + i, sum0);
+        MS_GPR__STORE(d2 + i + MS_GPR__LANES, sum1);
     }
 }
 
 /* A tile of 4 rows and 2 vectors. Depth goes in slices, and two vectors of a slice of b are copied together, so that
    they stay in the first cache and on few pages. */
 #define MS_GPR__SLICE 96
-#define MS_GPR__WIDE (2 * MS_GPR__LANES)
 static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b,
                                    size_t b_stride, int rows, int columns, int depth, int parts)
 {
@@ -936,12 +940,6 @@ static void MS_GPR__KERNEL(exponentials)(double *c, int columns, double scale)
         MS_GPR__STORE(c + j, MS_GPR__SET(scale) * MS_GPR__KERNEL(exponential)(MS_GPR__LOAD(c + j)));
 }
 
-/* The sum of 8 partial sums, in a fixed order: lane l of every vector belongs to partial sum l modulo 8. */
-static inline double MS_GPR__KERNEL(sum8)(const double *s)
-{
-    return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
-}
-
 static void MS_GPR__KERNEL(slopes)(double *slope, const double *w, const double *points, size_t stride,
                                    const double *point, int m, int columns)
 {
@@ -967,13 +965,13 @@ static void MS_GPR__KERNEL(axpy)(double *y, double a, const double *x, int colum
 
 static double MS_GPR__KERNEL(dot)(const double *x, const double *y, int columns)
 {
-    double partial[MS_GPR__BLOCK] = {0, 0, 0, 0, 0, 0, 0, 0};
-    int j, l;
-    for (j = 0; j < columns; j += MS_GPR__BLOCK)
-        for (l = 0; l < MS_GPR__BLOCK; l += MS_GPR__LANES)
-            MS_GPR__STORE(partial + l,
-                          MS_GPR__MADD(MS_GPR__LOAD(x + j + l), MS_GPR__LOAD(y + j + l), MS_GPR__LOAD(partial + l)));
-    return MS_GPR__KERNEL(sum8)(partial);
+    MS_GPR__V sum0 = MS_GPR__SET(0.0), sum1 = sum0;
+    int j;
+    for (j = 0; j < columns; j += MS_GPR__WIDE) {
+        sum0 = MS_GPR__MADD(MS_GPR__LOAD(x + j), MS_GPR__LOAD(y + j), sum0);
+        sum1 = MS_GPR__MADD(MS_GPR__LOAD(x + j + MS_GPR__LANES), MS_GPR__LOAD(y + j + MS_GPR__LANES), sum1);
+    }
+    return MS_GPR__KERNEL(sum)(sum0 + sum1);
 }
 
 static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
@@ -1423,23 +1421,11 @@ static void ms_gpr__minus_inverse(ms_gpr__problem *p)
 
 /* --- choices: Laplace's approximation --- */
 
-/* out = a v, a symmetric, of which the upper triangle is there. */
-static void ms_gpr__symmetric(const ms_gpr__kernels *f, const double *a, size_t stride, int padded, const double *v,
-                              double *out)
+/* out = K v; K is whole. */
+static void ms_gpr__times_kernel(const ms_gpr__problem *p, const double *v, double *out)
 {
-    int i, j;
-    memset(out, 0, (size_t)padded * sizeof *out);
-    for (i = 0; i < padded; ++i) {
-        const double *row = a + (size_t)i * stride;
-        int end = (i / MS_GPR__BLOCK + 1) * MS_GPR__BLOCK;
-        out[i] += row[i] * v[i];
-        for (j = i + 1; j < end; ++j) {
-            out[i] += row[j] * v[j];
-            out[j] += row[j] * v[i];
-        }
-        out[i] += f->dot(row + end, v + end, padded - end);
-        f->axpy(out + end, v[i], row + end, padded - end);
-    }
+    int padded = ms_gpr__padded(p->n), i;
+    for (i = 0; i < padded; ++i) out[i] = p->kernels->dot(p->kernel + (size_t)i * p->stride, v, padded);
 }
 
 /* p->probability of the materials of choice c at the latent values, scale s; returns the logarithm of the first one. */
@@ -1600,7 +1586,7 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
     double ridge = MS_GPR__RIDGE / sf2, determinant = 0, value, better;
     double *z = p->list, *l1 = z + p->stride, *turn = l1 + p->stride, *move = turn + p->stride;
     /* the better start: the alpha that is there, or nothing known */
-    ms_gpr__symmetric(f, p->kernel, p->stride, padded, p->alpha, p->latent);
+    ms_gpr__times_kernel(p, p->alpha, p->latent);
     value = ms_gpr__log_posterior(p, ridge, noise);
     memcpy(turn, p->alpha, row);
     memset(p->alpha, 0, row);
@@ -1621,7 +1607,7 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
         memcpy(turn, z, row);
         ms_gpr__forward_vector(f, p->upper, p->stride, padded, turn);
         ms_gpr__backward_vector(f, p->upper, p->stride, padded, turn);
-        ms_gpr__symmetric(f, p->kernel, p->stride, padded, turn, move);
+        ms_gpr__times_kernel(p, turn, move);
         for (i = 0; i < padded; ++i) {
             turn[i] -= p->alpha[i];
             move[i] -= p->latent[i];
@@ -1645,20 +1631,14 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
 }
 
 /* covariance = C = K - K (K + W^-1)^-1 K, that of the latent values, whole; solved = U'^-1 K. */
-static void ms_gpr__laplace_covariance(ms_gpr__problem *p, double sf2, double *covariance)
+static void ms_gpr__laplace_covariance(ms_gpr__problem *p, double *covariance)
 {
-    const ms_gpr__kernels *f = p->kernels;
-    int padded = ms_gpr__padded(p->n), i, j;
-    for (i = 0; i < p->n; ++i) p->kernel[(size_t)i * (p->stride + 1)] = sf2;
-    for (i = 0; i < padded; ++i)
-        for (j = i; j < padded; ++j)
-            p->solved[(size_t)i * p->stride + (size_t)j] = p->solved[(size_t)j * p->stride + (size_t)i] =
-                p->kernel[(size_t)i * p->stride + (size_t)j];
-    for (i = 0; i < padded; ++i)
-        memcpy(covariance + (size_t)i * p->stride, p->solved + (size_t)i * p->stride,
-               (size_t)padded * sizeof *covariance);
-    ms_gpr__forward(f, p->upper, p->stride, padded, p->solved, p->stride, padded);
-    f->reduce(covariance, p->stride, p->solved, p->stride, p->solved, p->stride, padded, padded, padded, 0);
+    const int padded = ms_gpr__padded(p->n);
+    const size_t matrix = (size_t)padded * p->stride * sizeof *covariance;
+    memcpy(p->solved, p->kernel, matrix);
+    memcpy(covariance, p->kernel, matrix);
+    ms_gpr__forward(p->kernels, p->upper, p->stride, padded, p->solved, p->stride, padded);
+    p->kernels->reduce(covariance, p->stride, p->solved, p->stride, p->solved, p->stride, padded, padded, padded, 0);
 }
 
 /* s = -1/2 d log |I + K W| / df = 1/2 sum over j, k of C_jk d^3 log p / df df_j df_k, at the latent values; C from
@@ -1714,13 +1694,13 @@ static void ms_gpr__laplace_implicit(ms_gpr__problem *p, double sf2, double nois
     double ridge = MS_GPR__RIDGE / sf2;
     double *s = p->list, *u = s + p->stride, *h = u + p->stride, *by_s = h + p->stride;
     *by_sf = *by_sn = 0;
-    ms_gpr__laplace_covariance(p, sf2, p->inverse);
+    ms_gpr__laplace_covariance(p, p->inverse);
     ms_gpr__laplace_third(p, noise, p->inverse, s, by_s, by_sn);
-    ms_gpr__symmetric(f, p->kernel, p->stride, padded, s, u);
+    ms_gpr__times_kernel(p, s, u);
     ms_gpr__forward_vector(f, p->upper, p->stride, padded, u);
     ms_gpr__backward_vector(f, p->upper, p->stride, padded, u);
     for (i = 0; i < padded; ++i) u[i] = s[i] - u[i];
-    ms_gpr__symmetric(f, p->kernel, p->stride, padded, u, h);
+    ms_gpr__times_kernel(p, u, h);
     *by_sn += f->dot(by_s, h, padded);
     for (i = 0; i < p->n; ++i)
         *by_sf += ridge *
@@ -1755,7 +1735,11 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
     double trace = 0, kernel_sum = 0, by_sf = 0, by_sn = 0, *implicit = NULL;
     ms_gpr__covariance(f, p->points, p->stride, p->n, p->m, sf2, p->kernel);
     if (p->soft) {
-        for (i = 0; i < p->n; ++i) p->kernel[(size_t)i * (p->stride + 1)] = sf2;
+        for (i = 0; i < padded; ++i) { /* K, whole */
+            p->kernel[(size_t)i * (p->stride + 1)] = i < p->n ? sf2 : 0;
+            for (k = 0; k < i; ++k)
+                p->kernel[(size_t)i * p->stride + (size_t)k] = p->kernel[(size_t)k * p->stride + (size_t)i];
+        }
         if (!ms_gpr__laplace(p, sf2, noise, likelihood)) return 0;
     } else {
         if (!ms_gpr__factor(f, p->kernel, p->stride, p->n, sf2, noise, p->upper)) return 0;
@@ -2288,7 +2272,7 @@ static void ms_gpr__leave_one_out(const ms_gpr *gp, double *inverse, double *res
 /* One task: chunks of candidates task, task + tasks, ... */
 typedef struct ms_gpr__batch {
     const ms_gpr *gp;
-    const double *x, *than; /* than: the other materials of pairs, or NULL */
+    const double *x;
     int count, tasks;
     double *mean, *variance;
     double *scratch; /* [tasks][task_doubles] */
@@ -2296,12 +2280,12 @@ typedef struct ms_gpr__batch {
 } ms_gpr__batch;
 
 /* 64 candidates by dimension, in length scales; missing ones stand at the center. */
-static int ms_gpr__chunk_scale(const ms_gpr__batch *b, const double *x, int start, double *scaled)
+static int ms_gpr__chunk_scale(const ms_gpr__batch *b, int start, double *scaled)
 {
     int filled = b->count - start < MS_GPR__CHUNK ? b->count - start : MS_GPR__CHUNK, j;
     memset(scaled, 0, (size_t)b->gp->active * MS_GPR__CHUNK * sizeof *scaled);
     for (j = 0; j < filled; ++j)
-        ms_gpr__scale(b->gp, x + (size_t)(start + j) * (size_t)b->gp->m, scaled + j, MS_GPR__CHUNK);
+        ms_gpr__scale(b->gp, b->x + (size_t)(start + j) * (size_t)b->gp->m, scaled + j, MS_GPR__CHUNK);
     return filled;
 }
 
@@ -2341,25 +2325,6 @@ static void ms_gpr__chunk_explain(const ms_gpr *gp, double *columns, size_t stri
     }
 }
 
-/* columns and variance of f(x) become those of f(x) - f(than): k(x) - k(than), 2 sf^2 - 2 k(x, than). */
-static void ms_gpr__chunk_subtract(const ms_gpr__batch *b, int start, const double *scaled, double *columns,
-                                   double *variance)
-{
-    const ms_gpr *gp = b->gp;
-    size_t size = (size_t)ms_gpr__padded(gp->n) * MS_GPR__CHUNK;
-    double *subtracted = columns + size, *other = subtracted + size;
-    int j, k;
-    ms_gpr__chunk_scale(b, b->than, start, other);
-    ms_gpr__chunk_kernel(gp, other, subtracted, MS_GPR__CHUNK);
-    gp->kernels->axpy(columns, -1, subtracted, (int)size);
-    for (j = 0; j < MS_GPR__CHUNK; ++j) {
-        double d2 = 0;
-        for (k = j; k < gp->active * MS_GPR__CHUNK; k += MS_GPR__CHUNK)
-            d2 += (scaled[k] - other[k]) * (scaled[k] - other[k]);
-        variance[j] = 2 * ms_gpr__sf2(gp) * -expm1(-0.5 * d2);
-    }
-}
-
 static void ms_gpr__predict_task(void *context, int task)
 {
     const ms_gpr__batch *b = (const ms_gpr__batch *)context;
@@ -2368,20 +2333,16 @@ static void ms_gpr__predict_task(void *context, int task)
     double mean[MS_GPR__CHUNK], variance[MS_GPR__CHUNK];
     int start, j;
     for (start = task * MS_GPR__CHUNK; start < b->count; start += b->tasks * MS_GPR__CHUNK) {
-        int filled = ms_gpr__chunk_scale(b, b->x, start, scaled);
-        if (b->mean && b->than == NULL) {
+        int filled = ms_gpr__chunk_scale(b, start, scaled);
+        if (b->mean) {
             ms_gpr__chunk_mean(gp, scaled, columns, mean);
             for (j = 0; j < filled; ++j) b->mean[start + j] = gp->mean + mean[j];
         }
         if (b->variance == NULL) continue;
         for (j = 0; j < MS_GPR__CHUNK; ++j) mean[j] = 0, variance[j] = ms_gpr__sf2(gp);
         ms_gpr__chunk_kernel(gp, scaled, columns, MS_GPR__CHUNK);
-        if (b->than) ms_gpr__chunk_subtract(b, start, scaled, columns, variance);
         ms_gpr__chunk_explain(gp, columns, MS_GPR__CHUNK, mean, variance);
-        for (j = 0; j < filled; ++j) {
-            b->variance[start + j] = variance[j] > 0 ? variance[j] : 0;
-            if (b->than) b->mean[start + j] = mean[j];
-        }
+        for (j = 0; j < filled; ++j) b->variance[start + j] = variance[j] > 0 ? variance[j] : 0;
     }
 }
 
@@ -2393,7 +2354,7 @@ static ms_status ms_gpr__predict_run(ms_gpr__batch *b, ms_error *error)
     int chunks = (b->count - 1) / MS_GPR__CHUNK + 1;
     if (b->count == 0) return MS_OK;
     b->tasks = gp->parallel.run == NULL ? 1 : chunks < 16 ? chunks : 16;
-    b->task_doubles = ms__size_mul(b->than ? 2 * MS_GPR__CHUNK : MS_GPR__CHUNK,
+    b->task_doubles = ms__size_mul(MS_GPR__CHUNK,
                                    (size_t)gp->active + (rows > 0 ? rows : 1));
     b->scratch = ms_gpr__scratch(&gp->allocator, ms__size_mul((size_t)b->tasks, b->task_doubles));
     if (b->scratch == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for predictions");
@@ -2431,23 +2392,35 @@ MS_API ms_status ms_gpr_preference(const ms_gpr *gp, const double *a, const doub
                                    ms_error *error)
 {
     ms_gpr__batch pairs;
-    double *variance, scale2;
-    int i;
+    double sf2, scale2, *k;
+    int i, j, padded;
     ms_status status = ms_gpr__predict_begin(&pairs, gp, b, count, error);
     if (status == MS_OK) status = ms_gpr__predict_begin(&pairs, gp, a, count, error);
     if (status == MS_OK && probability == NULL && count > 0) status = ms_gpr__null("probability", error);
-    if (status != MS_OK || count == 0) return status;
-    variance = ms_gpr__scratch(&gp->allocator, (size_t)count);
-    if (variance == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %d pairs", count);
-    pairs.than = b;
-    pairs.mean = probability;
-    pairs.variance = variance;
-    status = ms_gpr__predict_run(&pairs, error);
-    scale2 = MS_GPR__SCALE_OF_CHOICES * MS_GPR__SCALE_OF_CHOICES * (ms_gpr__sn2(gp) + gp->jitter * ms_gpr__sf2(gp));
-    for (i = 0; i < count && status == MS_OK; ++i) /* MacKay 1992: pi / 8 makes a logistic of a normal's tail */
-        probability[i] = 1 / (1 + exp(-probability[i] / sqrt(scale2 + 0.39269908169872414 * variance[i])));
-    ms_gpr__release(&gp->allocator, variance);
-    return status;
+    if (status != MS_OK) return status;
+    padded = ms_gpr__padded(gp->n);
+    sf2 = ms_gpr__sf2(gp);
+    scale2 = MS_GPR__SCALE_OF_CHOICES * MS_GPR__SCALE_OF_CHOICES * (ms_gpr__sn2(gp) + gp->jitter * sf2);
+    k = ms_gpr__scratch(&gp->allocator, 2 * (gp->stride + (size_t)gp->m));
+    if (k == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for pairs of materials");
+    for (i = 0; i < count; ++i) { /* f(a) - f(b): k(a) - k(b), variance 2 sf^2 - 2 k(a, b) - |U'^-1 (k(a) - k(b))|^2 */
+        double *other = k + gp->stride, *point = other + gp->stride, *than = point + gp->m, d2 = 0, mean, variance;
+        ms_gpr__scale(gp, a + (size_t)i * (size_t)gp->m, point, 1);
+        ms_gpr__scale(gp, b + (size_t)i * (size_t)gp->m, than, 1);
+        gp->kernels->distances(k, gp->points, gp->stride, point, 1, gp->active, padded);
+        gp->kernels->distances(other, gp->points, gp->stride, than, 1, gp->active, padded);
+        gp->kernels->exponentials(k, padded, sf2);
+        gp->kernels->exponentials(other, padded, sf2);
+        for (j = 0; j < padded; ++j) k[j] = j < gp->n ? k[j] - other[j] : 0;
+        for (j = 0; j < gp->active; ++j) d2 += (point[j] - than[j]) * (point[j] - than[j]);
+        mean = gp->kernels->dot(k, gp->alpha, padded);
+        ms_gpr__forward_vector(gp->kernels, gp->upper, gp->stride, padded, k);
+        variance = fmax(-2 * sf2 * expm1(-0.5 * d2) - gp->kernels->dot(k, k, padded), 0);
+        /* MacKay 1992: pi / 8 makes a logistic of a normal's tail */
+        probability[i] = 1 / (1 + exp(-mean / sqrt(scale2 + 0.39269908169872414 * variance)));
+    }
+    ms_gpr__release(&gp->allocator, k);
+    return MS_OK;
 }
 
 /* ---- learn ----------------------------------------------------------------------------------------------------- */
@@ -3913,8 +3886,8 @@ typedef struct ms_gpr__embedding {
     int evaluations;
 } ms_gpr__embedding;
 
-/* log p(X | L, theta) = -1/2 tr(K'^-1 X X') - m/2 log |K'| - z m/2 log 2 pi (3.8) at the points of the problem. gradient
-   [2 + 2 z]: minus its derivatives by log sf, log sn and the points, or NULL. The materials are m independent columns,
+/* log p(X | L, theta) = -1/2 tr(K'^-1 X X') - m/2 log |K'| - z m/2 log 2 pi (3.8) at the points of the problem.
+   gradient [2 + 2 z]: minus its derivatives by log sf, log sn and the points, or NULL. The materials are m independent columns,
    so dlogp/dK' = (A A' - m K'^-1) / 2, A = K'^-1 X. 0 where K' is not positive definite. */
 static int ms_gpr__latent_likelihood(ms_gpr__embedding *e, double sf2, double noise, double *likelihood,
                                      double *gradient)
