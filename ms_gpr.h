@@ -1357,15 +1357,12 @@ typedef struct ms_gpr__problem {
     char *scored;        /* [n] */
     int *rows, *first;   /* materials of all choices; [choices + 1] where each begins */
     double *probability; /* of the materials of a choice */
-    double *solved;      /* [n][stride] U'^-1 K; before that, blocks of W */
+    double *solved;      /* [n][stride] U'^-1 K; before that, W of the rows that choices have */
     double *latent;      /* [stride] f */
     double *list;        /* [6][stride] scratch */
-    int components;      /* of the graph that choices make of rows, single rows included; 0: not known yet */
-    int *label;          /* [n] the least row of a row's component */
-    int *member;         /* [n] rows, component by component */
-    int *position;       /* [n] where a row is in its component */
-    int *start;          /* [n + 1] the first member of each component */
-    int *head, *next;    /* [n] of a row, [choices] lists of the choices that it won; -1 ends one */
+    int members;         /* rows that choices have */
+    int *member;         /* [n] these rows, in their order */
+    int *position;       /* [n] where a row is among them; -1: it is not */
 } ms_gpr__problem;
 
 /* K, upper triangle: sf^2 exp(-d^2 / 2), 0 for padding. */
@@ -1456,81 +1453,31 @@ static double ms_gpr__log_posterior(const ms_gpr__problem *p, double ridge, doub
     return sum;
 }
 
-/* Connected components of the graph that choices make of rows: W is block-diagonal over them. */
-static void ms_gpr__components(ms_gpr__problem *p)
+/* W of the rows that choices have, from l' and diagonal of the scores: adds to l' what the choices have, puts the
+   factor of W into `solved`. A choice adds (diag(p) - p p') / s^2. Returns log |W|, or 1e300 where it has no factor. */
+static double ms_gpr__laplace_choices(ms_gpr__problem *p, double s, const double *diagonal, double *l1)
 {
-    int *label = p->label, n = p->n, at = 0, changed, i, j;
-    for (i = 0; i < n; ++i) label[i] = i, p->head[i] = -1;
-    do { /* each row gets the least label of the choices that have it */
-        for (i = 0, changed = 0; i < p->choices; ++i) {
-            int least = n;
-            for (j = p->first[i]; j < p->first[i + 1]; ++j)
-                least = label[p->rows[j]] < least ? label[p->rows[j]] : least;
-            for (j = p->first[i]; j < p->first[i + 1]; ++j) {
-                changed |= label[p->rows[j]] != least;
-                label[p->rows[j]] = least;
-            }
-        }
-    } while (changed);
-    for (i = 0; i < p->choices; ++i) {
-        const int winner = p->rows[p->first[i]];
-        p->next[i] = p->head[winner];
-        p->head[winner] = i;
-    }
-    for (i = 0, p->components = 0; i < n; ++i) {
-        if (label[i] != i) continue; /* the least row of a component stands for it */
-        p->start[p->components++] = at;
-        for (j = i; j < n; ++j) {
-            if (label[j] != i) continue;
-            p->position[j] = at - p->start[p->components - 1];
-            p->member[at++] = j;
-        }
-    }
-    p->start[p->components] = n;
-}
-
-/* Component c of W, whose choices add (diag(p) - p p') / s^2 to the diagonal of the scores: adds its inverse to upper,
-   z = W^-1 z. v: [n] scratch. Returns log |W|, or 1e300 where W has no factor. */
-static double ms_gpr__component(ms_gpr__problem *p, int c, const double *diagonal, double s, double *z, double *v)
-{
-    const ms_gpr__kernels *f = p->kernels;
-    const int *member = p->member + p->start[c];
-    int rows = p->start[c + 1] - p->start[c], padded = ms_gpr__padded(rows), i, j, k, choice;
-    size_t stride = ms_gpr__stride(rows), size = (size_t)padded * stride * sizeof(double);
-    double *w = p->solved, determinant;
-    memset(w, 0, size);
-    memset(v, 0, (size_t)padded * sizeof *v);
-    for (i = 0; i < padded; ++i) w[(size_t)i * (stride + 1)] = i < rows ? diagonal[member[i]] : 1;
-    for (i = 0; i < rows; ++i) {
-        v[i] = z[member[i]];
-        for (choice = p->head[member[i]]; choice >= 0; choice = p->next[choice]) {
-            const int *row = p->rows + p->first[choice];
-            int count = p->first[choice + 1] - p->first[choice];
-            ms_gpr__choose(p, choice, s);
-            for (j = 0; j < count; ++j) {
-                int a = p->position[row[j]];
-                double pj = p->probability[j] / (s * s);
-                w[(size_t)a * (stride + 1)] += pj * (1 - p->probability[j]);
-                for (k = 0; k < j; ++k) {
-                    int b = p->position[row[k]];
-                    w[(size_t)(a < b ? a : b) * stride + (size_t)(a < b ? b : a)] -= pj * p->probability[k];
-                }
+    size_t stride = ms_gpr__stride(p->members);
+    int padded = ms_gpr__padded(p->members), c, i, j;
+    double *w = p->solved;
+    memset(w, 0, (size_t)padded * stride * sizeof *w);
+    for (i = 0; i < padded; ++i) w[(size_t)i * (stride + 1)] = i < p->members ? diagonal[p->member[i]] : 1;
+    for (c = 0; c < p->choices; ++c) {
+        const int *row = p->rows + p->first[c];
+        ms_gpr__choose(p, c, s);
+        for (i = 0; i < p->first[c + 1] - p->first[c]; ++i) {
+            int a = p->position[row[i]];
+            double pi = p->probability[i] / (s * s);
+            l1[row[i]] += ((i == 0) - p->probability[i]) / s;
+            w[(size_t)a * (stride + 1)] += pi * (1 - p->probability[i]);
+            for (j = 0; j < i; ++j) {
+                int b = p->position[row[j]];
+                w[(size_t)(a < b ? a : b) * stride + (size_t)(a < b ? b : a)] -= pi * p->probability[j];
             }
         }
     }
-    if (!ms_gpr__cholesky(f, w, stride, padded, 0)) return 1e300;
-    determinant = ms_gpr__log_determinant(w, stride, rows);
-    ms_gpr__forward_vector(f, w, stride, padded, v);
-    ms_gpr__backward_vector(f, w, stride, padded, v);
-    for (i = 0; i < rows; ++i) z[member[i]] = v[i];
-    memset(p->inverse, 0, size);
-    ms_gpr__invert(f, w, stride, padded, p->inverse);
-    memset(w, 0, size);
-    f->reduce(w, stride, p->inverse, stride, p->inverse, stride, padded, padded, padded, MS_GPR__UPPER | MS_GPR__LOWER);
-    for (i = 0; i < rows; ++i) /* members are in the order of rows */
-        for (j = i; j < rows; ++j)
-            p->upper[(size_t)member[i] * p->stride + (size_t)member[j]] -= w[(size_t)i * stride + (size_t)j];
-    return determinant;
+    if (!ms_gpr__cholesky(p->kernels, w, stride, padded, 0)) return 1e300;
+    return ms_gpr__log_determinant(w, stride, p->members);
 }
 
 /* upper = the factor of K + W^-1 at the latent values; list[0] = f + W^-1 l', list[1] = l' = d log p / df. Returns
@@ -1538,41 +1485,41 @@ static double ms_gpr__component(ms_gpr__problem *p, int c, const double *diagona
 static double ms_gpr__laplace_factor(ms_gpr__problem *p, double ridge, double noise)
 {
     const ms_gpr__kernels *f = p->kernels;
-    int padded = ms_gpr__padded(p->n), i, c;
-    double *z = p->list, *l1 = z + p->stride, *diagonal = z + 4 * p->stride, *v = diagonal + p->stride;
-    double s = ms_gpr__scale_of(noise), determinant = 0;
-    if (p->components == 0) ms_gpr__components(p);
-    for (i = 0; i < padded; ++i) {
+    size_t stride = ms_gpr__stride(p->members);
+    int padded = ms_gpr__padded(p->members), i, j;
+    size_t block = (size_t)padded * stride * sizeof(double);
+    double *z = p->list, *l1 = z + p->stride, *diagonal = z + 4 * p->stride, *v = diagonal + p->stride, *w = p->solved;
+    double determinant;
+    for (i = 0; i < ms_gpr__padded(p->n); ++i) {
         int scored = i < p->n && p->scored[i];
         diagonal[i] = i < p->n ? ridge + (scored ? 1 / noise : 0) : 1;
         l1[i] = i < p->n ? (scored ? (p->target[i] - p->latent[i]) / noise : 0) - ridge * p->latent[i] : 0;
     }
-    for (c = 0; c < p->choices; ++c) {
-        const int *row = p->rows + p->first[c];
-        ms_gpr__choose(p, c, s);
-        for (i = 0; i < p->first[c + 1] - p->first[c]; ++i) l1[row[i]] += ((i == 0) - p->probability[i]) / s;
+    determinant = ms_gpr__laplace_choices(p, ms_gpr__scale_of(noise), diagonal, l1);
+    if (determinant > 1e299) return determinant;
+    memcpy(p->upper, p->kernel, (size_t)ms_gpr__padded(p->n) * p->stride * sizeof *p->upper);
+    for (i = 0; i < ms_gpr__padded(p->n); ++i) {
+        z[i] = p->latent[i] + l1[i] / diagonal[i];
+        if (i < p->n && p->position[i] >= 0) continue;
+        p->upper[(size_t)i * (p->stride + 1)] += 1 / diagonal[i];
+        if (i < p->n) determinant += log(diagonal[i]);
     }
-    memcpy(z, l1, (size_t)padded * sizeof *z);
-    for (i = 0; i < padded; ++i) {
-        size_t at = (size_t)i * (p->stride + 1);
-        memcpy(p->upper + at, p->kernel + at, (size_t)(padded - i) * sizeof(double));
-        if (i >= p->n) p->upper[at] += 1;
+
+    /* the rows that choices have; members are in the order of rows */
+    memset(v, 0, (size_t)padded * sizeof *v);
+    for (i = 0; i < p->members; ++i) v[i] = l1[p->member[i]];
+    ms_gpr__forward_vector(f, w, stride, padded, v);
+    ms_gpr__backward_vector(f, w, stride, padded, v);
+    memset(p->inverse, 0, block);
+    ms_gpr__invert(f, w, stride, padded, p->inverse);
+    memset(w, 0, block);
+    f->reduce(w, stride, p->inverse, stride, p->inverse, stride, padded, padded, padded, MS_GPR__UPPER | MS_GPR__LOWER);
+    for (i = 0; i < p->members; ++i) {
+        double *row = p->upper + (size_t)p->member[i] * p->stride;
+        z[p->member[i]] = p->latent[p->member[i]] + v[i];
+        for (j = i; j < p->members; ++j) row[p->member[j]] -= w[(size_t)i * stride + (size_t)j];
     }
-    for (c = 0; c < p->components; ++c) {
-        int row = p->member[p->start[c]];
-        double part;
-        if (p->start[c + 1] - p->start[c] == 1) {
-            z[row] /= diagonal[row];
-            p->upper[(size_t)row * (p->stride + 1)] += 1 / diagonal[row];
-            part = log(diagonal[row]);
-        } else {
-            part = ms_gpr__component(p, c, diagonal, s, z, v);
-            if (part > 1e299) return part;
-        }
-        determinant += part;
-    }
-    for (i = 0; i < p->n; ++i) z[i] += p->latent[i];
-    return ms_gpr__cholesky(f, p->upper, p->stride, padded, 0) ? determinant : 1e300;
+    return ms_gpr__cholesky(f, p->upper, p->stride, ms_gpr__padded(p->n), 0) ? determinant : 1e300;
 }
 
 /* Laplace's approximation, from the alpha that is there: Newton's method in f (Rasmussen & Williams 2006, 3.4, with W
@@ -1819,12 +1766,8 @@ static void ms_gpr__problem_layout(ms_gpr__problem *p, const ms_gpr__kernels *ke
     p->scored = (char *)ms__take(arena, rows, 1);
     p->rows = (int *)ms__take(arena, chosen, sizeof(int));
     p->first = (int *)ms__take(arena, count + 1, sizeof(int));
-    p->label = (int *)ms__take(arena, rows, sizeof(int));
     p->member = (int *)ms__take(arena, rows, sizeof(int));
     p->position = (int *)ms__take(arena, rows, sizeof(int));
-    p->head = (int *)ms__take(arena, rows, sizeof(int));
-    p->start = (int *)ms__take(arena, rows + 1, sizeof(int));
-    p->next = (int *)ms__take(arena, count, sizeof(int));
 }
 
 /* Points, target and alpha are 0 where nothing is written; the choices are copied. */
@@ -1839,6 +1782,13 @@ static void ms_gpr__problem_clear(ms_gpr__problem *p, const ms_gpr_choices *choi
     for (p->first[0] = 0, i = 0; i < p->choices; ++i)
         p->first[i + 1] = p->first[i] + (choices->sizes ? choices->sizes[i] : 2);
     if (p->choices > 0) memcpy(p->rows, choices->rows, (size_t)p->first[p->choices] * sizeof *p->rows);
+    for (i = 0; i < p->n; ++i) p->position[i] = -1;
+    for (i = 0; i < p->first[p->choices]; ++i) p->position[p->rows[i]] = 0;
+    for (p->members = i = 0; i < p->n; ++i) {
+        if (p->position[i] < 0) continue;
+        p->member[p->members] = i;
+        p->position[i] = p->members++;
+    }
 }
 
 /* ---- model ----------------------------------------------------------------------------------------------------- */
@@ -3887,8 +3837,8 @@ typedef struct ms_gpr__embedding {
 } ms_gpr__embedding;
 
 /* log p(X | L, theta) = -1/2 tr(K'^-1 X X') - m/2 log |K'| - z m/2 log 2 pi (3.8) at the points of the problem.
-   gradient [2 + 2 z]: minus its derivatives by log sf, log sn and the points, or NULL. The materials are m independent columns,
-   so dlogp/dK' = (A A' - m K'^-1) / 2, A = K'^-1 X. 0 where K' is not positive definite. */
+   gradient [2 + 2 z]: minus its derivatives by log sf, log sn and the points, or NULL. The materials are m independent
+   columns, so dlogp/dK' = (A A' - m K'^-1) / 2, A = K'^-1 X. 0 where K' is not positive definite. */
 static int ms_gpr__latent_likelihood(ms_gpr__embedding *e, double sf2, double noise, double *likelihood,
                                      double *gradient)
 {
