@@ -1330,6 +1330,26 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
     return best;
 }
 
+/* From the best of the starts q [starts][count] to a minimum, in the first row: every start runs for `trial`
+   evaluations. *won: which it was. */
+static ms_gpr__minimum ms_gpr__minimize_starts(ms_gpr__search *s, double *q, int starts, int trial, double *work,
+                                               int *won)
+{
+    const int budget = s->evaluations;
+    const size_t row = (size_t)s->count;
+    double best = HUGE_VAL;
+    int i;
+    s->evaluations = budget < trial ? budget : trial;
+    for (*won = i = 0; i < starts && starts > 1; ++i) {
+        ms_gpr__minimum found = ms_gpr__minimize(s, q + (size_t)i * row, work);
+        if (found.stopped) return found;
+        if (found.value < best) best = found.value, *won = i;
+    }
+    memmove(q, q + (size_t)*won * row, row * sizeof *q);
+    s->evaluations = budget;
+    return ms_gpr__minimize(s, q, work);
+}
+
 /* ---- posterior ------------------------------------------------------------------------------------------------- */
 
 /* Part of K / sf^2 that every row is held to the prior mean by, so that W can be inverted. */
@@ -2437,7 +2457,7 @@ static const double MS_GPR__FLOOR_OFFSET = 0.75; /* standard deviations that sco
 
 enum {
     MS_GPR__STARTS = 3,
-    MS_GPR__ROUND = 24,       /* evaluations of each start before the worse half of them stops */
+    MS_GPR__TRIAL = 30,       /* evaluations of each start before all but the best stop */
     MS_GPR__PART = 100,       /* scores at least that the starts run on, and 4 m; a third of all, at most 400 */
     MS_GPR__OUTLIER_ROWS = 8, /* scores at least before one of them is an outlier */
     MS_GPR__OUTLIER_GROUP = 3 /* slips at most that may hide each other */
@@ -2457,7 +2477,7 @@ typedef struct ms_gpr__fit {
     double *prior, *spread;  /* [m + 2] */
     double *q;               /* [starts][m + 2]; the winner ends in the first row */
     double *theta;           /* [columns of x + 2] what the model gets */
-    ms_gpr__ranked *order;   /* [n + starts] */
+    ms_gpr__ranked *order;   /* [n] */
     double *work;
     double mean, unit, floor, floor_value;
     int soft, scored;
@@ -2624,29 +2644,6 @@ static void ms_gpr__fit_starts(ms_gpr__fit *fit, int columns)
     }
 }
 
-/* The best of all starts, in q's first row: all run a little, the better half goes on, until one is left. */
-static ms_gpr__minimum ms_gpr__fit_race(ms_gpr__fit *fit, ms_gpr__search *s)
-{
-    size_t row = (size_t)s->count;
-    int left = fit->starts, budget = s->evaluations, i;
-    ms_gpr__minimum found;
-    memset(&found, 0, sizeof found);
-    for (i = 0; i < left; ++i) fit->order[i].index = i;
-    s->evaluations = budget < MS_GPR__ROUND ? budget : (int)MS_GPR__ROUND;
-    for (; left > 1; left = (left + 1) / 2) {
-        for (i = 0; i < left; ++i) {
-            found = ms_gpr__minimize(s, fit->q + (size_t)fit->order[i].index * row, fit->work);
-            if (found.stopped) return found;
-            fit->order[i].value = -found.value;
-        }
-        ms_gpr__ranked_sort(fit->order, left);
-    }
-    s->evaluations = budget;
-    fit->report.start = fit->order[0].index;
-    memmove(fit->q, fit->q + (size_t)fit->report.start * row, row * sizeof *fit->q);
-    return ms_gpr__minimize(s, fit->q, fit->work);
-}
-
 /* The optimum, in q's first row: the starts on a part of the scores, then some evaluations on all of them. */
 static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
 {
@@ -2663,7 +2660,7 @@ static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
     s.tolerance = 1e-4;
     s.evaluations = fit->o.evaluations;
     fit->problem.n = fit->part;
-    found = ms_gpr__fit_race(fit, &s);
+    found = ms_gpr__minimize_starts(&s, fit->q, fit->starts, MS_GPR__TRIAL, fit->work, &fit->report.start);
     fit->problem.n = n;
     if (found.stopped || fit->part == n) return found;
     s.tolerance = 0.1; /* of a log posterior: what is below it changes no prediction */
@@ -2697,7 +2694,7 @@ static void ms_gpr__fit_layout(ms_gpr__fit *fit, int n, int m, ms__arena *arena)
     fit->center = ms_gpr__take(arena, row, 1);
     fit->theta = ms_gpr__take(arena, row, 1);
     fit->column = (int *)ms__take(arena, row, sizeof(int));
-    fit->order = (ms_gpr__ranked *)ms__take(arena, (size_t)n + (size_t)fit->starts, sizeof *fit->order);
+    fit->order = (ms_gpr__ranked *)ms__take(arena, (size_t)n, sizeof *fit->order);
 }
 
 /* Rows, starts, search; then theta from what was found. */
@@ -3809,7 +3806,8 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
 /* ---- plane ----------------------------------------------------------------------------------------------------- */
 
 enum {
-    MS_GPR__LATENT_LIMIT = 2000, /* evaluations of the likelihood of a fit, at most */
+    MS_GPR__LATENT_STARTS = 3,
+    MS_GPR__LATENT_LIMIT = 2000, /* evaluations of the likelihood from the best start, at most */
     MS_GPR__LATENT_TRIAL = 100   /* evaluations of every start of a fit */
 };
 
@@ -3829,7 +3827,7 @@ typedef struct ms_gpr__embedding {
     const ms_gpr_latent *plane;
     ms_gpr__problem problem;
     double *weight;                 /* [m][stride] K'^-1 x */
-    double *q, *best, *low, *start; /* [2 z + 2] */
+    double *q, *low;                /* [starts][2 z + 2], [2 z + 2] */
     double *work;                   /* of the minimizer */
     double prior;
     const ms_progress *progress;
@@ -3889,9 +3887,10 @@ static int ms_gpr__latent_objective(void *context, const double *q, double *valu
     const double data = (double)z * e->plane->m;
     double likelihood, penalty = 0;
     int i, k;
-    if (e->progress->report && e->progress->report(e->progress->user, (double)e->evaluations / MS_GPR__LATENT_LIMIT))
+    if (e->progress->report &&
+        e->progress->report(e->progress->user, fmin((double)e->evaluations / (int)MS_GPR__LATENT_LIMIT, 1)))
         return -1;
-    if (e->evaluations < MS_GPR__LATENT_LIMIT) ++e->evaluations;
+    ++e->evaluations;
     for (k = 0; k < 2; ++k)
         memcpy(e->problem.points + (size_t)k * e->problem.stride, q + 2 + k * z, (size_t)z * sizeof *q);
     if (!ms_gpr__latent_likelihood(e, exp(2 * q[0]), exp(2 * q[1]), &likelihood, gradient)) return 0;
@@ -3929,13 +3928,12 @@ static void ms_gpr__latent_components(const ms_gpr_latent *p, double total, doub
     }
 }
 
-/* The variables in e->best: every start for a while, then the best of them to the end. spread: root mean square of the
-   materials. */
+/* The variables in e->q. spread: root mean square of the materials. */
 static ms_status ms_gpr__latent_search(ms_gpr__embedding *e, double spread, ms_error *error)
 {
-    static const double scale[] = {0.5, 0.3, 1}; /* of the principal components, in lengths */
-    const int count = 2 + 2 * e->plane->z, starts = 3;
-    double best = HUGE_VAL;
+    static const double scale[MS_GPR__LATENT_STARTS] = {0.5, 0.3, 1}; /* of the principal components, in lengths */
+    const int count = 2 + 2 * e->plane->z;
+    ms_gpr__minimum found;
     ms_gpr__search search;
     int i, k;
     memset(&search, 0, sizeof search);
@@ -3945,22 +3943,18 @@ static ms_status ms_gpr__latent_search(ms_gpr__embedding *e, double spread, ms_e
     search.low = e->low;
     search.step = 1;
     search.tolerance = 1e-9;
-    ms_gpr__latent_components(e->plane, spread * spread * e->plane->z * e->plane->m, e->start, e->work);
+    search.evaluations = MS_GPR__LATENT_LIMIT;
+    ms_gpr__latent_components(e->plane, spread * spread * e->plane->z * e->plane->m, e->q + 2, e->work);
     for (i = 0; i < count; ++i) e->low[i] = i == 0 ? log(spread) - 5 : i == 1 ? log(1e-3 * spread) : -1e3;
-    for (k = 0; k <= starts; ++k) {
-        ms_gpr__minimum found;
-        e->q[0] = log(spread);
-        e->q[1] = log(0.3 * spread);
-        for (i = 2; i < count && k < starts; ++i) e->q[i] = scale[k] * e->start[i - 2];
-        if (k == starts) memcpy(e->q, e->best, (size_t)count * sizeof *e->q);
-        search.evaluations = k < starts ? (int)MS_GPR__LATENT_TRIAL : MS_GPR__LATENT_LIMIT - e->evaluations;
-        found = ms_gpr__minimize(&search, e->q, e->work);
-        if (found.stopped) return ms__fail(error, MS_CANCELLED, 0, "cancelled after %d evaluations", e->evaluations);
-        if (k > 0 && !(found.value < best)) continue;
-        best = found.value;
-        memcpy(e->best, e->q, (size_t)count * sizeof *e->q);
+    for (k = MS_GPR__LATENT_STARTS - 1; k >= 0; --k) {
+        double *q = e->q + k * count;
+        for (i = 2; i < count; ++i) q[i] = scale[k] * e->q[i];
+        q[0] = log(spread);
+        q[1] = log(0.3 * spread);
     }
-    if (best < HUGE_VAL) return MS_OK;
+    found = ms_gpr__minimize_starts(&search, e->q, MS_GPR__LATENT_STARTS, MS_GPR__LATENT_TRIAL, e->work, &k);
+    if (found.stopped) return ms__fail(error, MS_CANCELLED, 0, "cancelled after %d evaluations", e->evaluations);
+    if (found.value < HUGE_VAL) return MS_OK;
     return ms__fail(error, MS_NOT_CONVERGED, 0, "the likelihood is not defined at any start");
 }
 
@@ -3991,10 +3985,8 @@ static void ms_gpr__embedding_layout(ms_gpr__embedding *e, const ms_gpr_latent *
     e->plane = plane;
     ms_gpr__problem_layout(&e->problem, gp->kernels, plane->z, 2, 0, &gp->choices, arena);
     e->weight = ms_gpr__take(arena, (size_t)plane->m, gp->stride);
-    e->q = ms_gpr__take(arena, count, 1);
-    e->best = ms_gpr__take(arena, count, 1);
+    e->q = ms_gpr__take(arena, MS_GPR__LATENT_STARTS, count);
     e->low = ms_gpr__take(arena, count, 1);
-    e->start = ms_gpr__take(arena, count, 1);
     e->work = ms_gpr__take(arena, ms__size_add(ms_gpr__minimize_doubles((int)count), 2 * gp->stride), 1);
 }
 
@@ -4168,8 +4160,8 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
     }
     if (status == MS_OK) {
         for (i = 0; i < z; ++i)
-            for (k = 0; k < 2; ++k) e.start[2 * i + k] = e.best[2 + k * z + i];
-        status = ms_gpr__latent_condition(p, e.start, e.best[0], e.best[1], error);
+            for (k = 0; k < 2; ++k) e.work[2 * i + k] = e.q[2 + k * z + i];
+        status = ms_gpr__latent_condition(p, e.work, e.q[0], e.q[1], error);
     }
     if (status == MS_OK && report) ms_gpr__latent_criticize(&e, report);
     ms_gpr__release(&o.allocator, arena.base);
