@@ -802,6 +802,7 @@ typedef int64_t MS_GPR__KERNEL(bits) __attribute__((vector_size(MS_GPR__BYTES)))
 #define MS_GPR__LOAD(p) ((MS_GPR__V) * (const MS_GPR__KERNEL(loose) *)(p))
 #define MS_GPR__STORE(p, v) (*(MS_GPR__KERNEL(loose) *)(p) = (v))
 #define MS_GPR__SET(x) MS_GPR__KERNEL(set)(x)
+#define MS_GPR__ROUND(a) ((a) + MS_GPR__SET(6755399441055744.0) - MS_GPR__SET(6755399441055744.0)) /* 3 * 2^51 */
 #define MS_GPR__POW2(a) ((MS_GPR__V)((MS_GPR__KERNEL(bits))((a) + MS_GPR__SET(6755399441055744.0 + 1023)) << 52))
 #define MS_GPR__KEEP(x, limit, v) ((MS_GPR__V)(((x) > (limit)) & (MS_GPR__KERNEL(bits))(v)))
 static inline MS_GPR__V MS_GPR__KERNEL(set)(double x)
@@ -813,17 +814,12 @@ static inline MS_GPR__V MS_GPR__KERNEL(set)(double x)
 #if MS_GPR__PASS == 3
 #define MS_GPR__MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
 #define MS_GPR__NMADD(a, b, c) _mm256_fnmadd_pd(a, b, c)
-#define MS_GPR__ROUND(a) _mm256_round_pd(a, 8)
 #elif MS_GPR__PASS == 2 && defined(MS__NEON)
 #define MS_GPR__MADD(a, b, c) vfmaq_f64(c, a, b)
 #define MS_GPR__NMADD(a, b, c) vfmsq_f64(c, a, b)
-#define MS_GPR__ROUND(a) vrndnq_f64(a)
 #else
 #define MS_GPR__MADD(a, b, c) ((a) * (b) + (c))
 #define MS_GPR__NMADD(a, b, c) ((c) - (a) * (b))
-#if MS_GPR__PASS == 2
-#define MS_GPR__ROUND(a) ((MS_GPR__V)_mm_cvtepi32_pd(_mm_cvtpd_epi32((__m128d)(a))))
-#endif
 #endif
 
 #define MS_GPR__WIDE (2 * MS_GPR__LANES) /* divides MS_GPR__BLOCK */
@@ -1080,7 +1076,7 @@ static int ms_gpr__cholesky(const ms_gpr__kernels *f, double *u, size_t stride, 
    elsewhere. */
 static void ms_gpr__invert(const ms_gpr__kernels *f, const double *u, size_t stride, int n, double *y)
 {
-    int h = ms_gpr__half(n), i, j, k;
+    int h = ms_gpr__half(n), i, j;
     if (n > MS_GPR__BLOCK) {
         const double *rest = u + (size_t)h * (stride + 1);
         double *below = y + (size_t)h * stride;
@@ -1091,14 +1087,9 @@ static void ms_gpr__invert(const ms_gpr__kernels *f, const double *u, size_t str
         ms_gpr__forward(f, rest, stride, n - h, below, stride, h);
         return;
     }
-    for (i = 0; i < n; ++i) { /* u_ii y_ij = delta_ij - sum over k < i of u_ki y_kj */
-        double *row = y + (size_t)i * stride, scale = 1 / u[(size_t)i * stride + (size_t)i];
-        for (j = 0; j < n; ++j) {
-            double sum = i == j ? 1 : 0;
-            for (k = j; k < i; ++k) sum -= u[(size_t)k * stride + (size_t)i] * y[(size_t)k * stride + (size_t)j];
-            row[j] = j <= i ? sum * scale : 0;
-        }
-    }
+    for (i = 0; i < n; ++i)
+        for (j = 0; j < n; ++j) y[(size_t)i * stride + (size_t)j] = i == j;
+    ms_gpr__forward(f, u, stride, n, y, stride, n);
 }
 
 /* v = u'^-1 v */
@@ -2400,41 +2391,14 @@ typedef struct ms_gpr__ranked {
     int index;
 } ms_gpr__ranked;
 
-static int ms_gpr__ranked_before(const ms_gpr__ranked *a, const ms_gpr__ranked *b)
-{
-    return a->value > b->value || (!(a->value < b->value) && a->index < b->index);
-}
-
-/* Largest value first, then smallest index, by insertion. */
+/* Largest value first, then smallest index, by insertion into a list in the order of indices. */
 static void ms_gpr__ranked_sort(ms_gpr__ranked *list, int count)
 {
     int i, j;
     for (i = 1; i < count; ++i) {
         ms_gpr__ranked moved = list[i];
-        for (j = i; j > 0 && ms_gpr__ranked_before(&moved, &list[j - 1]); --j) list[j] = list[j - 1];
+        for (j = i; j > 0 && moved.value > list[j - 1].value; --j) list[j] = list[j - 1];
         list[j] = moved;
-    }
-}
-
-/* The values as a list whose front has the `first` largest, in no order (Hoare's selection, from the middle). */
-static void ms_gpr__ranked_select(ms_gpr__ranked *list, const double *values, int count, int first)
-{
-    int low = 0, high = count - 1, at;
-    for (at = 0; at < count; ++at) list[at].value = values[at], list[at].index = at;
-    while (low < high) {
-        ms_gpr__ranked pivot = list[low + (high - low) / 2], swap;
-        int i = low, j = high;
-        while (i <= j) {
-            while (ms_gpr__ranked_before(&list[i], &pivot)) ++i;
-            while (ms_gpr__ranked_before(&pivot, &list[j])) --j;
-            if (i > j) break;
-            swap = list[i];
-            list[i++] = list[j];
-            list[j--] = swap;
-        }
-        if (first <= j) high = j;
-        else if (first >= i) low = i;
-        else return;
     }
 }
 
@@ -3128,7 +3092,7 @@ typedef struct ms_gpr__sampler {
     double threshold;       /* what recommendations reach */
     double *candidate;      /* [PILOT + n + 1][m] in units of x */
     double *mean;           /* [PILOT + n + 1] */
-    ms_gpr__ranked *ranked; /* [PILOT + n + 1] */
+    ms_gpr__ranked *ranked; /* [WAVE BEST_OF] */
     double *seed;           /* [SEEDS][m] where chains start, in the unit box */
     int seeds;
     int *axis, axes;  /* [m] columns that slices go along */
@@ -3450,8 +3414,11 @@ static ms_status ms_gpr__sampler_variants(ms_gpr__sampler *h, ms_error *error)
         status = ms_gpr_predict(h->source.gp, h->candidate, size, h->mean, NULL, error);
         if (status != MS_OK) return status;
         h->report.candidates += size;
-        ms_gpr__ranked_select(h->ranked, h->mean, size, MS_GPR__WAVE);
-        ms_gpr__ranked_sort(h->ranked, MS_GPR__WAVE);
+        for (i = 0; i < size; ++i) {
+            h->ranked[i].index = i;
+            h->ranked[i].value = h->mean[i];
+        }
+        ms_gpr__ranked_sort(h->ranked, size);
         for (i = 0; i < MS_GPR__WAVE; ++i) ms_gpr__sampler_accept(h, h->candidate + (size_t)h->ranked[i].index * m);
         status = ms_gpr__sampler_go_on(h);
     }
@@ -3481,7 +3448,7 @@ static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms__arena *arena)
     ms_gpr__source_layout(&h->source, arena);
     h->candidate = ms_gpr__take(arena, candidates, m);
     h->mean = ms_gpr__take(arena, candidates, 1);
-    h->ranked = (ms_gpr__ranked *)ms__take(arena, candidates, sizeof *h->ranked);
+    h->ranked = (ms_gpr__ranked *)ms__take(arena, MS_GPR__WAVE * MS_GPR__BEST_OF, sizeof *h->ranked);
     h->seed = ms_gpr__take(arena, MS_GPR__SEEDS, m);
     h->reach = ms_gpr__take(arena, m, 1);
     h->axis = (int *)ms__take(arena, m, sizeof(int));
