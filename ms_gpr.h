@@ -710,7 +710,7 @@ typedef struct ms_gpr__kernels {
                    int rows, int columns, int depth, int parts);
     /* c_j = scale exp(-c_j / 2), j < columns */
     void (*exponentials)(double *c, int columns, double scale);
-    /* slope[8 k] to slope[8 k + 7] += partial sums over j of w_j (points[k stride + j] - point[k stride])^2, k < m */
+    /* slope_k += sum over j of w_j (points[k stride + j] - point[k stride])^2, k < m */
     void (*slopes)(double *slope, const double *w, const double *points, size_t stride, const double *point, int m,
                    int columns);
     void (*axpy)(double *y, double a, const double *x, int columns); /* y += a x */
@@ -939,16 +939,16 @@ static void MS_GPR__KERNEL(exponentials)(double *c, int columns, double scale)
 static void MS_GPR__KERNEL(slopes)(double *slope, const double *w, const double *points, size_t stride,
                                    const double *point, int m, int columns)
 {
-    int j, k, l;
-    for (j = 0; j < columns; j += MS_GPR__BLOCK) {
-        const double *p = points + j, *q = point;
-        double *s = slope;
-        for (k = 0; k < m; ++k, p += stride, q += stride, s += MS_GPR__BLOCK) {
-            for (l = 0; l < MS_GPR__BLOCK; l += MS_GPR__LANES) {
-                MS_GPR__V d = MS_GPR__LOAD(p + l) - MS_GPR__SET(*q);
-                MS_GPR__STORE(s + l, MS_GPR__MADD(MS_GPR__LOAD(w + j + l) * d, d, MS_GPR__LOAD(s + l)));
-            }
+    int j, k;
+    for (k = 0; k < m; ++k, points += stride, point += stride) {
+        MS_GPR__V sum0 = MS_GPR__SET(0.0), sum1 = sum0, d;
+        for (j = 0; j < columns; j += MS_GPR__WIDE) {
+            d = MS_GPR__LOAD(points + j) - MS_GPR__SET(*point);
+            sum0 = MS_GPR__MADD(MS_GPR__LOAD(w + j) * d, d, sum0);
+            d = MS_GPR__LOAD(points + j + MS_GPR__LANES) - MS_GPR__SET(*point);
+            sum1 = MS_GPR__MADD(MS_GPR__LOAD(w + j + MS_GPR__LANES) * d, d, sum1);
         }
+        slope[k] += MS_GPR__KERNEL(sum)(sum0 + sum1);
     }
 }
 
@@ -1362,7 +1362,6 @@ typedef struct ms_gpr__problem {
     double *upper;   /* [n][stride] the factor U'U of K', of soft ones of K + W^-1; the gradient puts -(U'U)^-1 there */
     double *inverse; /* [n][stride] U'^-1 */
     double *weight;  /* [stride] a row of dL/dK * K */
-    double *slope;   /* [m][8] */
     /* of soft problems: */
     int soft, choices;
     char *scored;        /* [n] */
@@ -1713,8 +1712,9 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
 
     ms_gpr__minus_inverse(p);
 
-    /* row by row: weights (alpha_i alpha_j - K'^-1_ij) K_ij, and their sums over d_ijk^2 */
-    memset(p->slope, 0, (size_t)p->m * MS_GPR__BLOCK * sizeof *p->slope);
+    /* row by row: weights (alpha_i alpha_j - K'^-1_ij) K_ij, and their sums over d_ijk^2: dK_ij/dlog l_k = K_ij d_ijk^2,
+       and pairs count twice */
+    memset(gradient, 0, (size_t)p->m * sizeof *gradient);
     for (i = 0; i < p->n; ++i) {
         int block = i / MS_GPR__BLOCK * MS_GPR__BLOCK, j;
         size_t at = (size_t)i * p->stride;
@@ -1729,11 +1729,7 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
             p->weight[j] = p->upper[at + (size_t)j] * p->kernel[at + (size_t)j];
             kernel_sum += p->weight[j];
         }
-        f->slopes(p->slope, p->weight + block, p->points + block, p->stride, p->points + i, p->m, padded - block);
-    }
-    for (k = 0; k < p->m; ++k) { /* dK_ij/dlog l_k = K_ij d_ijk^2; pairs count twice */
-        const double *s = p->slope + MS_GPR__BLOCK * k;
-        gradient[k] = ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
+        f->slopes(gradient, p->weight + block, p->points + block, p->stride, p->points + i, p->m, padded - block);
     }
     gradient[p->m] = sf2 * trace + 2 * kernel_sum + by_sf; /* dK/dlog sf = 2 K */
     gradient[p->m + 1] = p->soft ? by_sn : noise * trace;  /* dK'/dlog sn = 2 sn^2 I */
@@ -1766,7 +1762,6 @@ static void ms_gpr__problem_layout(ms_gpr__problem *p, const ms_gpr__kernels *ke
     p->target = ms_gpr__take(arena, p->stride, 1);
     p->alpha = ms_gpr__take(arena, p->stride, 1);
     p->weight = ms_gpr__take(arena, p->stride, 1);
-    p->slope = ms_gpr__take(arena, columns, MS_GPR__BLOCK);
     p->soft = soft;
     if (!soft) return;
     p->choices = choices->count;
