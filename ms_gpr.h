@@ -1712,7 +1712,7 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
 
     ms_gpr__minus_inverse(p);
 
-    /* row by row: weights (alpha_i alpha_j - K'^-1_ij) K_ij, and their sums over d_ijk^2: dK_ij/dlog l_k = K_ij d_ijk^2,
+    /* row by row: weights (alpha_i alpha_j - K'^-1_ij) K_ij, and their sums over d_ijk^2: dK_ij/dlog l_k = K_ij d_ijk^2
        and pairs count twice */
     memset(gradient, 0, (size_t)p->m * sizeof *gradient);
     for (i = 0; i < p->n; ++i) {
@@ -3077,6 +3077,7 @@ typedef struct ms_gpr__chain {
     double shift, curvature;
     double level; /* least mean of a place to move to */
     int climbs;   /* the level rises to the mean of every such place */
+    int moved;    /* is not where it started */
     ms_gpr__random random;
 } ms_gpr__chain;
 
@@ -3094,6 +3095,7 @@ typedef struct ms_gpr__sampler {
     int *flat, flats; /* [m] columns that the mean hardly depends on */
     double *reach;    /* [m] a length scale, at most 0.3; 0: not an axis */
     uint64_t first;   /* number of the wave's first chain */
+    int moved[MS_GPR__WAVE]; /* of its chains */
     ms_gpr__chain chain[MS_GPR__TASKS];
     ms_gpr_recommend_report report;
 } ms_gpr__sampler;
@@ -3193,9 +3195,13 @@ static void ms_gpr__chain_start(const ms_gpr__sampler *h, ms_gpr__chain *c, uint
     c->random = ms_gpr__random_make(h->o.seed, ((uint64_t)1 << 41) + index);
     c->level = h->threshold;
     c->climbs = 0;
+    c->moved = h->source.box.snap != NULL; /* then equal candidates are refused */
     memcpy(c->point, h->seed + seed * m, m * sizeof *c->point);
-    for (k = 0; k < m && h->source.box.snap == NULL; ++k) /* a snap may tie dropped columns to others */
-        if (!(gp->theta[k] < MS_GPR__DROPPED)) c->point[k] = ms_gpr__uniform(&c->random);
+    for (k = 0; k < m && h->source.box.snap == NULL; ++k) { /* a snap may tie dropped columns to others */
+        if (gp->theta[k] < MS_GPR__DROPPED) continue;
+        c->point[k] = ms_gpr__uniform(&c->random);
+        c->moved |= h->source.box.width[k] > 0;
+    }
     for (k = 0; k < m; ++k) c->material[k] = h->source.box.low[k] + h->source.box.width[k] * c->point[k];
     ms_gpr__scale(gp, c->material, c->scaled, 1);
     gp->kernels->distances(c->d2, gp->points, gp->stride, c->scaled, 1, gp->active, ms_gpr__padded(gp->n));
@@ -3229,6 +3235,7 @@ static int ms_gpr__chain_try(const ms_gpr__sampler *h, ms_gpr__chain *c, double 
     }
     if (!(mean >= c->level)) return 0;
     if (c->climbs) c->level = mean;
+    c->moved = 1;
     ms_gpr__chain_point(c, t, gp->m, c->point);
     for (k = 0; k < gp->active; ++k) c->scaled[k] += t * c->step[k];
     gp->kernels->axpy(c->d2, t, c->slope, n);
@@ -3257,14 +3264,17 @@ static void ms_gpr__chain_slice(const ms_gpr__sampler *h, ms_gpr__chain *c, doub
     }
 }
 
-/* What the mean hardly depends on moves all at once, to a uniform point of the box if the mean there still does. */
+/* What the mean hardly depends on moves all at once: to a uniform point of the box, or where the mean there does not
+   reach the threshold, by a slice across. */
 static void ms_gpr__chain_flat(const ms_gpr__sampler *h, ms_gpr__chain *c)
 {
     int i;
     memset(c->direction, 0, (size_t)h->source.gp->m * sizeof *c->direction);
     for (i = 0; i < h->flats; ++i) c->direction[h->flat[i]] = ms_gpr__uniform(&c->random) - c->point[h->flat[i]];
     ms_gpr__chain_face(h, c);
-    ms_gpr__chain_try(h, c, 1);
+    if (h->flats == 0 || ms_gpr__chain_try(h, c, 1)) return;
+    for (i = 0; i < h->flats; ++i) c->direction[h->flat[i]] = 2 * ms_gpr__uniform(&c->random) - 1;
+    ms_gpr__chain_slice(h, c, 1);
 }
 
 /* A slice along axis number `axis`, and one across all. */
@@ -3288,9 +3298,10 @@ static void ms_gpr__chain_run(void *context, int task)
         ms_gpr__chain_start(h, c, h->first + (uint64_t)i);
         for (j = 0; j < h->axes; ++j) {
             ms_gpr__chain_step(h, c, j);
-            if (j % 4 == 0 && h->flats > 0) ms_gpr__chain_flat(h, c);
+            if (j % 4 == 0) ms_gpr__chain_flat(h, c);
         }
-        if (h->flats > 0) ms_gpr__chain_flat(h, c);
+        ms_gpr__chain_flat(h, c);
+        h->moved[i] = c->moved;
         ms_gpr__box_material(&h->source.box, c->point, h->candidate + (size_t)i * (size_t)h->source.gp->m);
     }
 }
@@ -3305,7 +3316,10 @@ static void ms_gpr__chain_climb(ms_gpr__sampler *h, double *x)
     ms_gpr__chain_start(h, c, 0);
     c->climbs = 1;
     c->level = -HUGE_VAL;
-    for (j = 0; j < MS_GPR__CLIMB * h->axes; ++j) ms_gpr__chain_step(h, c, j % h->axes);
+    for (j = 0; j < MS_GPR__CLIMB * (h->axes + 1); ++j) {
+        if (h->axes > 0) ms_gpr__chain_step(h, c, j % h->axes);
+        if (j % 4 == 0) ms_gpr__chain_flat(h, c);
+    }
     ms_gpr__box_material(&h->source.box, c->point, x);
     h->seeds = 0;
 }
@@ -3387,7 +3401,7 @@ static ms_status ms_gpr__sampler_chains(ms_gpr__sampler *h, ms_error *error)
         }
         status = ms_gpr_predict(h->source.gp, h->candidate, MS_GPR__WAVE, h->mean, NULL, error);
         for (i = 0; i < MS_GPR__WAVE && status == MS_OK; ++i) /* but for rounding along a chain */
-            if (h->mean[i] >= h->threshold) ms_gpr__sampler_accept(h, h->candidate + (size_t)i * m);
+            if (h->moved[i] && h->mean[i] >= h->threshold) ms_gpr__sampler_accept(h, h->candidate + (size_t)i * m);
         if (status == MS_OK) status = ms_gpr__sampler_go_on(h);
     }
     return status;
