@@ -693,8 +693,7 @@ static MS__UNUSED ms_simd ms__simd_pick(ms_simd cap)
    independent of everything. One vector of the widest level fits, and no kernel has a remainder. */
 enum {
     MS_GPR__BLOCK = 8,
-    MS_GPR__CHUNK = 64, /* candidates that are predicted together */
-    MS_GPR__SLAB = 32   /* training points that meet them at a time: the tile of distances stays in the first cache */
+    MS_GPR__CHUNK = 64 /* candidates that are predicted together */
 };
 
 /* Parts of a product that are known to be zero or not wanted. */
@@ -709,25 +708,16 @@ typedef struct ms_gpr__kernels {
     /* c -= a' b; parts: the sum of flags above, or 0 */
     void (*reduce)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b, size_t b_stride,
                    int rows, int columns, int depth, int parts);
-    /* c_ij = sum over k of (a_ki - b_kj)^2, by direct differences; parts: 0 or UPPER, which still fills the 8 x 8
-       blocks on the diagonal */
-    void (*distances)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b, size_t b_stride,
-                      int rows, int columns, int depth, int parts);
     /* c_j = scale exp(-c_j / 2), j < columns */
     void (*exponentials)(double *c, int columns, double scale);
-    /* mean_j += sum over i < rows of weight_i exp(-c_ij / 2) */
-    void (*accumulate)(double *mean, const double *c, size_t c_stride, const double *weight, int rows, int columns);
-    /* 8 rows of b: b = u'^-1 b, u the upper triangle of an 8 x 8 block */
-    void (*solve)(const double *u, size_t u_stride, double *b, size_t b_stride, int columns);
-    /* w_j = (g_j + alpha_i alpha_j) k_j; returns their sum */
-    double (*weights)(double *w, const double *g, const double *k, const double *alpha, double alpha_i, int columns);
-    /* slope[8 k] to slope[8 k + 7] += partial sums over j of w_j (points[k stride + j] - point[k stride])^2, k < m */
+    /* slope_k += sum over j of w_j (points[k stride + j] - point[k stride])^2, k < m */
     void (*slopes)(double *slope, const double *w, const double *points, size_t stride, const double *point, int m,
                    int columns);
     void (*axpy)(double *y, double a, const double *x, int columns); /* y += a x */
     double (*dot)(const double *x, const double *y, int columns);
-    /* d2_i = sum over k < m of (points[k stride + i] - point_k)^2, i < n, a multiple of 8 */
-    void (*point_distances)(double *d2, const double *points, size_t stride, const double *point, int m, int n);
+    /* d2_i = sum over k < m of (points[k stride + i] - point[k spacing])^2, i < n, a multiple of 8 */
+    void (*distances)(double *d2, const double *points, size_t stride, const double *point, size_t spacing, int m,
+                      int n);
     /* sum of weight_i exp(-(d2_i + constant + t slope_i) / 2) */
     double (*line_mean)(const double *d2, const double *slope, double t, double constant, const double *weight, int n);
 } ms_gpr__kernels;
@@ -812,6 +802,7 @@ typedef int64_t MS_GPR__KERNEL(bits) __attribute__((vector_size(MS_GPR__BYTES)))
 #define MS_GPR__LOAD(p) ((MS_GPR__V) * (const MS_GPR__KERNEL(loose) *)(p))
 #define MS_GPR__STORE(p, v) (*(MS_GPR__KERNEL(loose) *)(p) = (v))
 #define MS_GPR__SET(x) MS_GPR__KERNEL(set)(x)
+#define MS_GPR__ROUND(a) ((a) + MS_GPR__SET(6755399441055744.0) - MS_GPR__SET(6755399441055744.0)) /* 3 * 2^51 */
 #define MS_GPR__POW2(a) ((MS_GPR__V)((MS_GPR__KERNEL(bits))((a) + MS_GPR__SET(6755399441055744.0 + 1023)) << 52))
 #define MS_GPR__KEEP(x, limit, v) ((MS_GPR__V)(((x) > (limit)) & (MS_GPR__KERNEL(bits))(v)))
 static inline MS_GPR__V MS_GPR__KERNEL(set)(double x)
@@ -823,18 +814,15 @@ static inline MS_GPR__V MS_GPR__KERNEL(set)(double x)
 #if MS_GPR__PASS == 3
 #define MS_GPR__MADD(a, b, c) _mm256_fmadd_pd(a, b, c)
 #define MS_GPR__NMADD(a, b, c) _mm256_fnmadd_pd(a, b, c)
-#define MS_GPR__ROUND(a) _mm256_round_pd(a, 8)
 #elif MS_GPR__PASS == 2 && defined(MS__NEON)
 #define MS_GPR__MADD(a, b, c) vfmaq_f64(c, a, b)
 #define MS_GPR__NMADD(a, b, c) vfmsq_f64(c, a, b)
-#define MS_GPR__ROUND(a) vrndnq_f64(a)
 #else
 #define MS_GPR__MADD(a, b, c) ((a) * (b) + (c))
 #define MS_GPR__NMADD(a, b, c) ((c) - (a) * (b))
-#if MS_GPR__PASS == 2
-#define MS_GPR__ROUND(a) ((MS_GPR__V)_mm_cvtepi32_pd(_mm_cvtpd_epi32((__m128d)(a))))
 #endif
-#endif
+
+#define MS_GPR__WIDE (2 * MS_GPR__LANES) /* divides MS_GPR__BLOCK */
 
 /* exp(-d2 / 2) = 2^t, t = -d2 / (2 log 2) <= 0, as 2^round(t) times a polynomial in the rest f that interpolates (2^f -
    1) / f at the Chebyshev points of [-1/2, 1/2]: error 2e-17 before rounding. Below 2^-500 it is 0: products of two
@@ -859,111 +847,65 @@ static inline MS_GPR__V MS_GPR__KERNEL(exponential)(MS_GPR__V d2)
     return MS_GPR__KEEP(t, limit, p);
 }
 
-/* A tile of 4 rows and 2 vectors: eight sums and a few operands fit 16 registers. */
-static void MS_GPR__KERNEL(distances)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b,
-                                      size_t b_stride, int rows, int columns, int depth, int parts)
+static inline double MS_GPR__KERNEL(sum)(MS_GPR__V v)
 {
-    int i, j, k;
-    for (j = 0; j + 2 * MS_GPR__LANES <= columns; j += 2 * MS_GPR__LANES) {
-        int block = (j + 2 * MS_GPR__LANES + MS_GPR__BLOCK - 1) / MS_GPR__BLOCK *
-            MS_GPR__BLOCK; /* whole blocks on the diagonal */
-        int wanted = (parts & MS_GPR__UPPER) && block < rows ? block : rows;
-        for (i = 0; i < wanted; i += 4) {
-            const double *ak = a + i, *bk = b + j;
-            double *at = c + (size_t)i * c_stride + j;
-            MS_GPR__V c00 = MS_GPR__SET(0), c01 = c00, c10 = c00, c11 = c00, c20 = c00, c21 = c00, c30 = c00, c31 = c00;
-            for (k = 0; k < depth; ++k, ak += a_stride, bk += b_stride) {
-                MS_GPR__V b0 = MS_GPR__LOAD(bk), b1 = MS_GPR__LOAD(bk + MS_GPR__LANES), x, d;
-#define MS_GPR__STEP(r)                                \
-    x = MS_GPR__SET(ak[r]);                            \
-    d = x - b0, c##r##0 = MS_GPR__MADD(d, d, c##r##0); \
-    d = x - b1, c##r##1 = MS_GPR__MADD(d, d, c##r##1);
-                MS_GPR__STEP(0) MS_GPR__STEP(1) MS_GPR__STEP(2) MS_GPR__STEP(3)
-#undef MS_GPR__STEP
-            }
-            MS_GPR__STORE(at, c00), MS_GPR__STORE(at + MS_GPR__LANES, c01), at += c_stride;
-            MS_GPR__STORE(at, c10), MS_GPR__STORE(at + MS_GPR__LANES, c11), at += c_stride;
-            MS_GPR__STORE(at, c20), MS_GPR__STORE(at + MS_GPR__LANES, c21), at += c_stride;
-            MS_GPR__STORE(at, c30), MS_GPR__STORE(at + MS_GPR__LANES, c31);
-        }
-    }
-}
-
-static void MS_GPR__KERNEL(accumulate)(double *mean, const double *c, size_t c_stride, const double *weight, int rows,
-                                       int columns)
-{
-    int i, j;
-    for (j = 0; j < columns; j += MS_GPR__LANES) {
-        MS_GPR__V sum = MS_GPR__LOAD(mean + j);
-        for (i = 0; i < rows; ++i)
-            sum = MS_GPR__MADD(MS_GPR__SET(weight[i]),
-                               MS_GPR__KERNEL(exponential)(MS_GPR__LOAD(c + (size_t)i * c_stride + j)), sum);
-        MS_GPR__STORE(mean + j, sum);
-    }
+    double lane[MS_GPR__LANES], total = 0;
+    int i;
+    MS_GPR__STORE(lane, v);
+    for (i = 0; i < MS_GPR__LANES; ++i) total += lane[i];
+    return total;
 }
 
 static double MS_GPR__KERNEL(line_mean)(const double *d2, const double *slope, double t, double constant,
                                         const double *weight, int n)
 {
-    enum { VECTORS = MS_GPR__BLOCK / MS_GPR__LANES };
-    double partial[MS_GPR__BLOCK], total = 0;
-    MS_GPR__V ahead = MS_GPR__SET(t), rest = MS_GPR__SET(constant), sum[VECTORS];
-    int i, v;
-    for (v = 0; v < VECTORS; ++v) sum[v] = MS_GPR__SET(0.0);
-    for (i = 0; i < n; i += MS_GPR__BLOCK)
-        for (v = 0; v < VECTORS; ++v) {
-            int at = i + v * MS_GPR__LANES;
-            MS_GPR__V d2t = MS_GPR__MADD(ahead, MS_GPR__LOAD(slope + at), MS_GPR__LOAD(d2 + at) + rest);
-            sum[v] = MS_GPR__MADD(MS_GPR__LOAD(weight + at), MS_GPR__KERNEL(exponential)(d2t), sum[v]);
-        }
-    for (v = 0; v < VECTORS; ++v) MS_GPR__STORE(partial + v * MS_GPR__LANES, sum[v]);
-    for (v = 0; v < MS_GPR__BLOCK; ++v) total += partial[v];
-    return total;
+    MS_GPR__V ahead = MS_GPR__SET(t), rest = MS_GPR__SET(constant), sum0 = MS_GPR__SET(0.0), sum1 = sum0, x;
+    int i;
+    for (i = 0; i < n; i += MS_GPR__WIDE) {
+        int next = i + MS_GPR__LANES;
+        x = MS_GPR__MADD(ahead, MS_GPR__LOAD(slope + i), MS_GPR__LOAD(d2 + i) + rest);
+        sum0 = MS_GPR__MADD(MS_GPR__LOAD(weight + i), MS_GPR__KERNEL(exponential)(x), sum0);
+        x = MS_GPR__MADD(ahead, MS_GPR__LOAD(slope + next), MS_GPR__LOAD(d2 + next) + rest);
+        sum1 = MS_GPR__MADD(MS_GPR__LOAD(weight + next), MS_GPR__KERNEL(exponential)(x), sum1);
+    }
+    return MS_GPR__KERNEL(sum)(sum0 + sum1);
 }
 
-static void MS_GPR__KERNEL(point_distances)(double *d2, const double *points, size_t stride, const double *point, int m,
-                                            int n)
+static void MS_GPR__KERNEL(distances)(double *d2, const double *points, size_t stride, const double *point,
+                                      size_t spacing, int m, int n)
 {
-    enum { VECTORS = MS_GPR__BLOCK / MS_GPR__LANES };
-    int i, k, v;
-    for (i = 0; i < n; i += MS_GPR__BLOCK) {
-        MS_GPR__V sum[VECTORS];
-        for (v = 0; v < VECTORS; ++v) sum[v] = MS_GPR__SET(0.0);
-        for (k = 0; k < m; ++k)
-            for (v = 0; v < VECTORS; ++v) {
-                MS_GPR__V d = MS_GPR__SET(point[k]) - MS_GPR__LOAD(points + (size_t)k * stride + i + v * MS_GPR__LANES);
-                sum[v] = MS_GPR__MADD(d, d, sum[v]);
-            }
-        for (v = 0; v < VECTORS; ++v) MS_GPR__STORE(d2 + i + v * MS_GPR__LANES, sum[v]);
+    int i, k;
+    for (i = 0; i < n; i += MS_GPR__WIDE) {
+        const double *row = points + i, *at = point;
+        MS_GPR__V sum0 = MS_GPR__SET(0.0), sum1 = sum0;
+        for (k = 0; k < m; ++k, row += stride, at += spacing) {
+            MS_GPR__V d0 = MS_GPR__SET(*at) - MS_GPR__LOAD(row);
+            MS_GPR__V d1 = MS_GPR__SET(*at) - MS_GPR__LOAD(row + MS_GPR__LANES);
+            sum0 = MS_GPR__MADD(d0, d0, sum0);
+            sum1 = MS_GPR__MADD(d1, d1, sum1);
+        }
+        MS_GPR__STORE(d2 + i, sum0);
+        MS_GPR__STORE(d2 + i + MS_GPR__LANES, sum1);
     }
 }
 
 /* A tile of 4 rows and 2 vectors. Depth goes in slices, and two vectors of a slice of b are copied together, so that
-   they stay in the first cache and on few pages; a block of c and the slices of a and b that meet there stay in the
-   second. */
+   they stay in the first cache and on few pages. */
 #define MS_GPR__SLICE 96
-#define MS_GPR__ROWS 128
-#define MS_GPR__COLUMNS 256
-#define MS_GPR__WIDE (2 * MS_GPR__LANES)
 static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, size_t a_stride, const double *b,
                                    size_t b_stride, int rows, int columns, int depth, int parts)
 {
     double strip[MS_GPR__SLICE * MS_GPR__WIDE];
-    int slices = (depth + MS_GPR__SLICE - 1) / MS_GPR__SLICE, high = (rows + MS_GPR__ROWS - 1) / MS_GPR__ROWS;
-    int wide = (columns + MS_GPR__COLUMNS - 1) / MS_GPR__COLUMNS, part, i, j, k;
-    for (part = 0; part < slices * high * wide; ++part) {
-        int top = part / slices % high * MS_GPR__ROWS, bottom = rows - top > MS_GPR__ROWS ? top + MS_GPR__ROWS : rows;
-        int left = part / slices / high * MS_GPR__COLUMNS,
-            right = columns - left > MS_GPR__COLUMNS ? left + MS_GPR__COLUMNS : columns;
-        int from = part % slices * MS_GPR__SLICE, to = depth - from > MS_GPR__SLICE ? from + MS_GPR__SLICE : depth;
-        for (j = left; j < right; j += MS_GPR__WIDE) {
-            int wanted = (parts & MS_GPR__UPPER) && j + MS_GPR__WIDE < bottom ? (j + MS_GPR__WIDE + 3) & ~3 : bottom;
+    int from, i, j, k;
+    for (from = 0; from < depth; from += MS_GPR__SLICE) {
+        int to = depth - from > MS_GPR__SLICE ? from + MS_GPR__SLICE : depth;
+        for (j = 0; j < columns; j += MS_GPR__WIDE) {
+            int wanted = (parts & MS_GPR__UPPER) && j + MS_GPR__WIDE < rows ? (j + MS_GPR__WIDE + 3) & ~3 : rows;
             int first = (parts & MS_GPR__LOWER) && j > from ? j : from;
             if (first >= to) break;
-            if (wanted <= top) continue;
             for (k = first; k < to; ++k)
                 memcpy(strip + (k - first) * MS_GPR__WIDE, b + (size_t)k * b_stride + j, MS_GPR__WIDE * sizeof *strip);
-            for (i = top; i < wanted; i += 4) {
+            for (i = 0; i < wanted; i += 4) {
                 const double *ak = a + (size_t)first * a_stride + i, *bk = strip;
                 double *c0 = c + (size_t)i * c_stride + j, *c1 = c0 + c_stride, *c2 = c1 + c_stride,
                        *c3 = c2 + c_stride;
@@ -987,23 +929,6 @@ static void MS_GPR__KERNEL(reduce)(double *c, size_t c_stride, const double *a, 
     }
 }
 
-static void MS_GPR__KERNEL(solve)(const double *u, size_t u_stride, double *b, size_t b_stride, int columns)
-{
-    double inverse[MS_GPR__BLOCK];
-    int i, j, k;
-    for (i = 0; i < MS_GPR__BLOCK; ++i) inverse[i] = 1 / u[(size_t)i * u_stride + (size_t)i];
-    for (j = 0; j < columns; j += MS_GPR__LANES) {
-        for (i = 0; i < MS_GPR__BLOCK; ++i) { /* u_ii v_i = b_i - sum over k < i of u_ki v_k */
-            double *at = b + (size_t)i * b_stride + j;
-            MS_GPR__V v = MS_GPR__LOAD(at);
-            for (k = 0; k < i; ++k)
-                v = MS_GPR__NMADD(MS_GPR__SET(u[(size_t)k * u_stride + (size_t)i]),
-                                  MS_GPR__LOAD(b + (size_t)k * b_stride + j), v);
-            MS_GPR__STORE(at, v * MS_GPR__SET(inverse[i]));
-        }
-    }
-}
-
 static void MS_GPR__KERNEL(exponentials)(double *c, int columns, double scale)
 {
     int j;
@@ -1011,41 +936,19 @@ static void MS_GPR__KERNEL(exponentials)(double *c, int columns, double scale)
         MS_GPR__STORE(c + j, MS_GPR__SET(scale) * MS_GPR__KERNEL(exponential)(MS_GPR__LOAD(c + j)));
 }
 
-/* The sum of 8 partial sums, in a fixed order: lane l of every vector belongs to partial sum l modulo 8. */
-static inline double MS_GPR__KERNEL(sum8)(const double *s)
-{
-    return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
-}
-
-static double MS_GPR__KERNEL(weights)(double *w, const double *g, const double *k, const double *alpha, double alpha_i,
-                                      int columns)
-{
-    double partial[MS_GPR__BLOCK] = {0, 0, 0, 0, 0, 0, 0, 0};
-    int j, l;
-    for (j = 0; j < columns; j += MS_GPR__BLOCK) {
-        for (l = 0; l < MS_GPR__BLOCK; l += MS_GPR__LANES) {
-            MS_GPR__V v = MS_GPR__MADD(MS_GPR__SET(alpha_i), MS_GPR__LOAD(alpha + j + l), MS_GPR__LOAD(g + j + l));
-            v = v * MS_GPR__LOAD(k + j + l);
-            MS_GPR__STORE(w + j + l, v);
-            MS_GPR__STORE(partial + l, MS_GPR__LOAD(partial + l) + v);
-        }
-    }
-    return MS_GPR__KERNEL(sum8)(partial);
-}
-
 static void MS_GPR__KERNEL(slopes)(double *slope, const double *w, const double *points, size_t stride,
                                    const double *point, int m, int columns)
 {
-    int j, k, l;
-    for (j = 0; j < columns; j += MS_GPR__BLOCK) {
-        const double *p = points + j, *q = point;
-        double *s = slope;
-        for (k = 0; k < m; ++k, p += stride, q += stride, s += MS_GPR__BLOCK) {
-            for (l = 0; l < MS_GPR__BLOCK; l += MS_GPR__LANES) {
-                MS_GPR__V d = MS_GPR__LOAD(p + l) - MS_GPR__SET(*q);
-                MS_GPR__STORE(s + l, MS_GPR__MADD(MS_GPR__LOAD(w + j + l) * d, d, MS_GPR__LOAD(s + l)));
-            }
+    int j, k;
+    for (k = 0; k < m; ++k, points += stride, point += stride) {
+        MS_GPR__V sum0 = MS_GPR__SET(0.0), sum1 = sum0, d;
+        for (j = 0; j < columns; j += MS_GPR__WIDE) {
+            d = MS_GPR__LOAD(points + j) - MS_GPR__SET(*point);
+            sum0 = MS_GPR__MADD(MS_GPR__LOAD(w + j) * d, d, sum0);
+            d = MS_GPR__LOAD(points + j + MS_GPR__LANES) - MS_GPR__SET(*point);
+            sum1 = MS_GPR__MADD(MS_GPR__LOAD(w + j + MS_GPR__LANES) * d, d, sum1);
         }
+        slope[k] += MS_GPR__KERNEL(sum)(sum0 + sum1);
     }
 }
 
@@ -1058,22 +961,19 @@ static void MS_GPR__KERNEL(axpy)(double *y, double a, const double *x, int colum
 
 static double MS_GPR__KERNEL(dot)(const double *x, const double *y, int columns)
 {
-    double partial[MS_GPR__BLOCK] = {0, 0, 0, 0, 0, 0, 0, 0};
-    int j, l;
-    for (j = 0; j < columns; j += MS_GPR__BLOCK)
-        for (l = 0; l < MS_GPR__BLOCK; l += MS_GPR__LANES)
-            MS_GPR__STORE(partial + l,
-                          MS_GPR__MADD(MS_GPR__LOAD(x + j + l), MS_GPR__LOAD(y + j + l), MS_GPR__LOAD(partial + l)));
-    return MS_GPR__KERNEL(sum8)(partial);
+    MS_GPR__V sum0 = MS_GPR__SET(0.0), sum1 = sum0;
+    int j;
+    for (j = 0; j < columns; j += MS_GPR__WIDE) {
+        sum0 = MS_GPR__MADD(MS_GPR__LOAD(x + j), MS_GPR__LOAD(y + j), sum0);
+        sum1 = MS_GPR__MADD(MS_GPR__LOAD(x + j + MS_GPR__LANES), MS_GPR__LOAD(y + j + MS_GPR__LANES), sum1);
+    }
+    return MS_GPR__KERNEL(sum)(sum0 + sum1);
 }
 
 static const ms_gpr__kernels MS_GPR__KERNEL(table) = {
-    MS_GPR__KERNEL(reduce), MS_GPR__KERNEL(distances),       MS_GPR__KERNEL(exponentials), MS_GPR__KERNEL(accumulate),
-    MS_GPR__KERNEL(solve),  MS_GPR__KERNEL(weights),         MS_GPR__KERNEL(slopes),       MS_GPR__KERNEL(axpy),
-    MS_GPR__KERNEL(dot),    MS_GPR__KERNEL(point_distances), MS_GPR__KERNEL(line_mean)};
+    MS_GPR__KERNEL(reduce), MS_GPR__KERNEL(exponentials), MS_GPR__KERNEL(slopes),   MS_GPR__KERNEL(axpy),
+    MS_GPR__KERNEL(dot),    MS_GPR__KERNEL(distances),    MS_GPR__KERNEL(line_mean)};
 
-#undef MS_GPR__ROWS
-#undef MS_GPR__COLUMNS
 #undef MS_GPR__WIDE
 #undef MS_GPR__SLICE
 #undef MS_GPR__JOIN_
@@ -1135,14 +1035,18 @@ static int ms_gpr__half(int n) { return ms_gpr__padded(n / 2); }
 static void ms_gpr__forward(const ms_gpr__kernels *f, const double *u, size_t u_stride, int n, double *b,
                             size_t b_stride, int columns)
 {
-    int h = ms_gpr__half(n);
+    int h = ms_gpr__half(n), i, k;
     if (n > MS_GPR__BLOCK) {
         double *below = b + (size_t)h * b_stride;
         ms_gpr__forward(f, u, u_stride, h, b, b_stride, columns);
         f->reduce(below, b_stride, u + h, u_stride, b, b_stride, n - h, columns, h, 0);
         ms_gpr__forward(f, u + (size_t)h * (u_stride + 1), u_stride, n - h, below, b_stride, columns);
-    } else if (n > 0) {
-        f->solve(u, u_stride, b, b_stride, columns);
+        return;
+    }
+    for (i = 0; i < n; ++i) { /* u_ii b_i = b_i - sum over k < i of u_ki b_k */
+        double *row = b + (size_t)i * b_stride, scale = 1 / u[(size_t)i * (u_stride + 1)];
+        for (k = 0; k < i; ++k) f->axpy(row, -u[(size_t)k * u_stride + (size_t)i], b + (size_t)k * b_stride, columns);
+        for (k = 0; k < columns; ++k) row[k] *= scale;
     }
 }
 
@@ -1172,7 +1076,7 @@ static int ms_gpr__cholesky(const ms_gpr__kernels *f, double *u, size_t stride, 
    elsewhere. */
 static void ms_gpr__invert(const ms_gpr__kernels *f, const double *u, size_t stride, int n, double *y)
 {
-    int h = ms_gpr__half(n), i, j, k;
+    int h = ms_gpr__half(n), i, j;
     if (n > MS_GPR__BLOCK) {
         const double *rest = u + (size_t)h * (stride + 1);
         double *below = y + (size_t)h * stride;
@@ -1183,14 +1087,9 @@ static void ms_gpr__invert(const ms_gpr__kernels *f, const double *u, size_t str
         ms_gpr__forward(f, rest, stride, n - h, below, stride, h);
         return;
     }
-    for (i = 0; i < n; ++i) { /* u_ii y_ij = delta_ij - sum over k < i of u_ki y_kj */
-        double *row = y + (size_t)i * stride, scale = 1 / u[(size_t)i * stride + (size_t)i];
-        for (j = 0; j < n; ++j) {
-            double sum = i == j ? 1 : 0;
-            for (k = j; k < i; ++k) sum -= u[(size_t)k * stride + (size_t)i] * y[(size_t)k * stride + (size_t)j];
-            row[j] = j <= i ? sum * scale : 0;
-        }
-    }
+    for (i = 0; i < n; ++i)
+        for (j = 0; j < n; ++j) y[(size_t)i * stride + (size_t)j] = i == j;
+    ms_gpr__forward(f, u, stride, n, y, stride, n);
 }
 
 /* v = u'^-1 v */
@@ -1422,6 +1321,26 @@ static ms_gpr__minimum ms_gpr__minimize(const ms_gpr__search *s, double *q, doub
     return best;
 }
 
+/* From the best of the starts q [starts][count] to a minimum, in the first row: every start runs for `trial`
+   evaluations. *won: which it was. */
+static ms_gpr__minimum ms_gpr__minimize_starts(ms_gpr__search *s, double *q, int starts, int trial, double *work,
+                                               int *won)
+{
+    const int budget = s->evaluations;
+    const size_t row = (size_t)s->count;
+    double best = HUGE_VAL;
+    int i;
+    s->evaluations = budget < trial ? budget : trial;
+    for (*won = i = 0; i < starts && starts > 1; ++i) {
+        ms_gpr__minimum found = ms_gpr__minimize(s, q + (size_t)i * row, work);
+        if (found.stopped) return found;
+        if (found.value < best) best = found.value, *won = i;
+    }
+    memmove(q, q + (size_t)*won * row, row * sizeof *q);
+    s->evaluations = budget;
+    return ms_gpr__minimize(s, q, work);
+}
+
 /* ---- posterior ------------------------------------------------------------------------------------------------- */
 
 /* Part of K / sf^2 that every row is held to the prior mean by, so that W can be inverted. */
@@ -1443,21 +1362,17 @@ typedef struct ms_gpr__problem {
     double *upper;   /* [n][stride] the factor U'U of K', of soft ones of K + W^-1; the gradient puts -(U'U)^-1 there */
     double *inverse; /* [n][stride] U'^-1 */
     double *weight;  /* [stride] a row of dL/dK * K */
-    double *slope;   /* [m][8] */
     /* of soft problems: */
     int soft, choices;
     char *scored;        /* [n] */
     int *rows, *first;   /* materials of all choices; [choices + 1] where each begins */
     double *probability; /* of the materials of a choice */
-    double *solved;      /* [n][stride] U'^-1 K; before that, blocks of W */
+    double *solved;      /* [n][stride] U'^-1 K; before that, W of the rows that choices have */
     double *latent;      /* [stride] f */
     double *list;        /* [6][stride] scratch */
-    int components;      /* of the graph that choices make of rows, single rows included; 0: not known yet */
-    int *label;          /* [n] the least row of a row's component */
-    int *member;         /* [n] rows, component by component */
-    int *position;       /* [n] where a row is in its component */
-    int *start;          /* [n + 1] the first member of each component */
-    int *head, *next;    /* [n] of a row, [choices] lists of the choices that it won; -1 ends one */
+    int members;         /* rows that choices have */
+    int *member;         /* [n] these rows, in their order */
+    int *position;       /* [n] where a row is among them; -1: it is not */
 } ms_gpr__problem;
 
 /* K, upper triangle: sf^2 exp(-d^2 / 2), 0 for padding. */
@@ -1465,10 +1380,10 @@ static void ms_gpr__covariance(const ms_gpr__kernels *f, const double *points, s
                                double *kernel)
 {
     int padded = ms_gpr__padded(n), i, j;
-    f->distances(kernel, stride, points, stride, points, stride, padded, padded, m, MS_GPR__UPPER);
     for (i = 0; i < padded; ++i) {
         double *row = kernel + (size_t)i * stride;
         int block = i / MS_GPR__BLOCK * MS_GPR__BLOCK;
+        f->distances(row + block, points + block, stride, points + i, stride, m, padded - block);
         f->exponentials(row + block, padded - block, sf2);
         for (j = i < n ? n : block; j < padded; ++j) row[j] = 0;
     }
@@ -1499,25 +1414,25 @@ static double ms_gpr__log_determinant(const double *upper, size_t stride, int n)
     return 2 * sum;
 }
 
+/* upper = -K'^-1 = -(U'^-1)' U'^-1 of the factor U that is there, upper triangle. */
+static void ms_gpr__minus_inverse(ms_gpr__problem *p)
+{
+    const int padded = ms_gpr__padded(p->n);
+    const size_t matrix = (size_t)padded * p->stride * sizeof *p->inverse;
+    memset(p->inverse, 0, matrix);
+    ms_gpr__invert(p->kernels, p->upper, p->stride, padded, p->inverse);
+    memset(p->upper, 0, matrix);
+    p->kernels->reduce(p->upper, p->stride, p->inverse, p->stride, p->inverse, p->stride, padded, padded, padded,
+                       MS_GPR__UPPER | MS_GPR__LOWER);
+}
+
 /* --- choices: Laplace's approximation --- */
 
-/* out = a v, a symmetric, of which the upper triangle is there. */
-static void ms_gpr__symmetric(const ms_gpr__kernels *f, const double *a, size_t stride, int padded, const double *v,
-                              double *out)
+/* out = K v; K is whole. */
+static void ms_gpr__times_kernel(const ms_gpr__problem *p, const double *v, double *out)
 {
-    int i, j;
-    memset(out, 0, (size_t)padded * sizeof *out);
-    for (i = 0; i < padded; ++i) {
-        const double *row = a + (size_t)i * stride;
-        int end = (i / MS_GPR__BLOCK + 1) * MS_GPR__BLOCK;
-        out[i] += row[i] * v[i];
-        for (j = i + 1; j < end; ++j) {
-            out[i] += row[j] * v[j];
-            out[j] += row[j] * v[i];
-        }
-        out[i] += f->dot(row + end, v + end, padded - end);
-        f->axpy(out + end, v[i], row + end, padded - end);
-    }
+    int padded = ms_gpr__padded(p->n), i;
+    for (i = 0; i < padded; ++i) out[i] = p->kernels->dot(p->kernel + (size_t)i * p->stride, v, padded);
 }
 
 /* p->probability of the materials of choice c at the latent values, scale s; returns the logarithm of the first one. */
@@ -1548,81 +1463,31 @@ static double ms_gpr__log_posterior(const ms_gpr__problem *p, double ridge, doub
     return sum;
 }
 
-/* Connected components of the graph that choices make of rows: W is block-diagonal over them. */
-static void ms_gpr__components(ms_gpr__problem *p)
+/* W of the rows that choices have, from l' and diagonal of the scores: adds to l' what the choices have, puts the
+   factor of W into `solved`. A choice adds (diag(p) - p p') / s^2. Returns log |W|, or 1e300 where it has no factor. */
+static double ms_gpr__laplace_choices(ms_gpr__problem *p, double s, const double *diagonal, double *l1)
 {
-    int *label = p->label, n = p->n, at = 0, changed, i, j;
-    for (i = 0; i < n; ++i) label[i] = i, p->head[i] = -1;
-    do { /* each row gets the least label of the choices that have it */
-        for (i = 0, changed = 0; i < p->choices; ++i) {
-            int least = n;
-            for (j = p->first[i]; j < p->first[i + 1]; ++j)
-                least = label[p->rows[j]] < least ? label[p->rows[j]] : least;
-            for (j = p->first[i]; j < p->first[i + 1]; ++j) {
-                changed |= label[p->rows[j]] != least;
-                label[p->rows[j]] = least;
-            }
-        }
-    } while (changed);
-    for (i = 0; i < p->choices; ++i) {
-        const int winner = p->rows[p->first[i]];
-        p->next[i] = p->head[winner];
-        p->head[winner] = i;
-    }
-    for (i = 0, p->components = 0; i < n; ++i) {
-        if (label[i] != i) continue; /* the least row of a component stands for it */
-        p->start[p->components++] = at;
-        for (j = i; j < n; ++j) {
-            if (label[j] != i) continue;
-            p->position[j] = at - p->start[p->components - 1];
-            p->member[at++] = j;
-        }
-    }
-    p->start[p->components] = n;
-}
-
-/* Component c of W, whose choices add (diag(p) - p p') / s^2 to the diagonal of the scores: adds its inverse to upper,
-   z = W^-1 z. v: [n] scratch. Returns log |W|, or 1e300 where W has no factor. */
-static double ms_gpr__component(ms_gpr__problem *p, int c, const double *diagonal, double s, double *z, double *v)
-{
-    const ms_gpr__kernels *f = p->kernels;
-    const int *member = p->member + p->start[c];
-    int rows = p->start[c + 1] - p->start[c], padded = ms_gpr__padded(rows), i, j, k, choice;
-    size_t stride = ms_gpr__stride(rows), size = (size_t)padded * stride * sizeof(double);
-    double *w = p->solved, determinant;
-    memset(w, 0, size);
-    memset(v, 0, (size_t)padded * sizeof *v);
-    for (i = 0; i < padded; ++i) w[(size_t)i * (stride + 1)] = i < rows ? diagonal[member[i]] : 1;
-    for (i = 0; i < rows; ++i) {
-        v[i] = z[member[i]];
-        for (choice = p->head[member[i]]; choice >= 0; choice = p->next[choice]) {
-            const int *row = p->rows + p->first[choice];
-            int count = p->first[choice + 1] - p->first[choice];
-            ms_gpr__choose(p, choice, s);
-            for (j = 0; j < count; ++j) {
-                int a = p->position[row[j]];
-                double pj = p->probability[j] / (s * s);
-                w[(size_t)a * (stride + 1)] += pj * (1 - p->probability[j]);
-                for (k = 0; k < j; ++k) {
-                    int b = p->position[row[k]];
-                    w[(size_t)(a < b ? a : b) * stride + (size_t)(a < b ? b : a)] -= pj * p->probability[k];
-                }
+    size_t stride = ms_gpr__stride(p->members);
+    int padded = ms_gpr__padded(p->members), c, i, j;
+    double *w = p->solved;
+    memset(w, 0, (size_t)padded * stride * sizeof *w);
+    for (i = 0; i < padded; ++i) w[(size_t)i * (stride + 1)] = i < p->members ? diagonal[p->member[i]] : 1;
+    for (c = 0; c < p->choices; ++c) {
+        const int *row = p->rows + p->first[c];
+        ms_gpr__choose(p, c, s);
+        for (i = 0; i < p->first[c + 1] - p->first[c]; ++i) {
+            int a = p->position[row[i]];
+            double pi = p->probability[i] / (s * s);
+            l1[row[i]] += ((i == 0) - p->probability[i]) / s;
+            w[(size_t)a * (stride + 1)] += pi * (1 - p->probability[i]);
+            for (j = 0; j < i; ++j) {
+                int b = p->position[row[j]];
+                w[(size_t)(a < b ? a : b) * stride + (size_t)(a < b ? b : a)] -= pi * p->probability[j];
             }
         }
     }
-    if (!ms_gpr__cholesky(f, w, stride, padded, 0)) return 1e300;
-    determinant = ms_gpr__log_determinant(w, stride, rows);
-    ms_gpr__forward_vector(f, w, stride, padded, v);
-    ms_gpr__backward_vector(f, w, stride, padded, v);
-    for (i = 0; i < rows; ++i) z[member[i]] = v[i];
-    memset(p->inverse, 0, size);
-    ms_gpr__invert(f, w, stride, padded, p->inverse);
-    memset(w, 0, size);
-    f->reduce(w, stride, p->inverse, stride, p->inverse, stride, padded, padded, padded, MS_GPR__UPPER | MS_GPR__LOWER);
-    for (i = 0; i < rows; ++i) /* members are in the order of rows */
-        for (j = i; j < rows; ++j)
-            p->upper[(size_t)member[i] * p->stride + (size_t)member[j]] -= w[(size_t)i * stride + (size_t)j];
-    return determinant;
+    if (!ms_gpr__cholesky(p->kernels, w, stride, padded, 0)) return 1e300;
+    return ms_gpr__log_determinant(w, stride, p->members);
 }
 
 /* upper = the factor of K + W^-1 at the latent values; list[0] = f + W^-1 l', list[1] = l' = d log p / df. Returns
@@ -1630,41 +1495,41 @@ static double ms_gpr__component(ms_gpr__problem *p, int c, const double *diagona
 static double ms_gpr__laplace_factor(ms_gpr__problem *p, double ridge, double noise)
 {
     const ms_gpr__kernels *f = p->kernels;
-    int padded = ms_gpr__padded(p->n), i, c;
-    double *z = p->list, *l1 = z + p->stride, *diagonal = z + 4 * p->stride, *v = diagonal + p->stride;
-    double s = ms_gpr__scale_of(noise), determinant = 0;
-    if (p->components == 0) ms_gpr__components(p);
-    for (i = 0; i < padded; ++i) {
+    size_t stride = ms_gpr__stride(p->members);
+    int padded = ms_gpr__padded(p->members), i, j;
+    size_t block = (size_t)padded * stride * sizeof(double);
+    double *z = p->list, *l1 = z + p->stride, *diagonal = z + 4 * p->stride, *v = diagonal + p->stride, *w = p->solved;
+    double determinant;
+    for (i = 0; i < ms_gpr__padded(p->n); ++i) {
         int scored = i < p->n && p->scored[i];
         diagonal[i] = i < p->n ? ridge + (scored ? 1 / noise : 0) : 1;
         l1[i] = i < p->n ? (scored ? (p->target[i] - p->latent[i]) / noise : 0) - ridge * p->latent[i] : 0;
     }
-    for (c = 0; c < p->choices; ++c) {
-        const int *row = p->rows + p->first[c];
-        ms_gpr__choose(p, c, s);
-        for (i = 0; i < p->first[c + 1] - p->first[c]; ++i) l1[row[i]] += ((i == 0) - p->probability[i]) / s;
+    determinant = ms_gpr__laplace_choices(p, ms_gpr__scale_of(noise), diagonal, l1);
+    if (determinant > 1e299) return determinant;
+    memcpy(p->upper, p->kernel, (size_t)ms_gpr__padded(p->n) * p->stride * sizeof *p->upper);
+    for (i = 0; i < ms_gpr__padded(p->n); ++i) {
+        z[i] = p->latent[i] + l1[i] / diagonal[i];
+        if (i < p->n && p->position[i] >= 0) continue;
+        p->upper[(size_t)i * (p->stride + 1)] += 1 / diagonal[i];
+        if (i < p->n) determinant += log(diagonal[i]);
     }
-    memcpy(z, l1, (size_t)padded * sizeof *z);
-    for (i = 0; i < padded; ++i) {
-        size_t at = (size_t)i * (p->stride + 1);
-        memcpy(p->upper + at, p->kernel + at, (size_t)(padded - i) * sizeof(double));
-        if (i >= p->n) p->upper[at] += 1;
+
+    /* the rows that choices have; members are in the order of rows */
+    memset(v, 0, (size_t)padded * sizeof *v);
+    for (i = 0; i < p->members; ++i) v[i] = l1[p->member[i]];
+    ms_gpr__forward_vector(f, w, stride, padded, v);
+    ms_gpr__backward_vector(f, w, stride, padded, v);
+    memset(p->inverse, 0, block);
+    ms_gpr__invert(f, w, stride, padded, p->inverse);
+    memset(w, 0, block);
+    f->reduce(w, stride, p->inverse, stride, p->inverse, stride, padded, padded, padded, MS_GPR__UPPER | MS_GPR__LOWER);
+    for (i = 0; i < p->members; ++i) {
+        double *row = p->upper + (size_t)p->member[i] * p->stride;
+        z[p->member[i]] = p->latent[p->member[i]] + v[i];
+        for (j = i; j < p->members; ++j) row[p->member[j]] -= w[(size_t)i * stride + (size_t)j];
     }
-    for (c = 0; c < p->components; ++c) {
-        int row = p->member[p->start[c]];
-        double part;
-        if (p->start[c + 1] - p->start[c] == 1) {
-            z[row] /= diagonal[row];
-            p->upper[(size_t)row * (p->stride + 1)] += 1 / diagonal[row];
-            part = log(diagonal[row]);
-        } else {
-            part = ms_gpr__component(p, c, diagonal, s, z, v);
-            if (part > 1e299) return part;
-        }
-        determinant += part;
-    }
-    for (i = 0; i < p->n; ++i) z[i] += p->latent[i];
-    return ms_gpr__cholesky(f, p->upper, p->stride, padded, 0) ? determinant : 1e300;
+    return ms_gpr__cholesky(f, p->upper, p->stride, ms_gpr__padded(p->n), 0) ? determinant : 1e300;
 }
 
 /* Laplace's approximation, from the alpha that is there: Newton's method in f (Rasmussen & Williams 2006, 3.4, with W
@@ -1678,7 +1543,7 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
     double ridge = MS_GPR__RIDGE / sf2, determinant = 0, value, better;
     double *z = p->list, *l1 = z + p->stride, *turn = l1 + p->stride, *move = turn + p->stride;
     /* the better start: the alpha that is there, or nothing known */
-    ms_gpr__symmetric(f, p->kernel, p->stride, padded, p->alpha, p->latent);
+    ms_gpr__times_kernel(p, p->alpha, p->latent);
     value = ms_gpr__log_posterior(p, ridge, noise);
     memcpy(turn, p->alpha, row);
     memset(p->alpha, 0, row);
@@ -1699,7 +1564,7 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
         memcpy(turn, z, row);
         ms_gpr__forward_vector(f, p->upper, p->stride, padded, turn);
         ms_gpr__backward_vector(f, p->upper, p->stride, padded, turn);
-        ms_gpr__symmetric(f, p->kernel, p->stride, padded, turn, move);
+        ms_gpr__times_kernel(p, turn, move);
         for (i = 0; i < padded; ++i) {
             turn[i] -= p->alpha[i];
             move[i] -= p->latent[i];
@@ -1723,20 +1588,14 @@ static int ms_gpr__laplace(ms_gpr__problem *p, double sf2, double noise, double 
 }
 
 /* covariance = C = K - K (K + W^-1)^-1 K, that of the latent values, whole; solved = U'^-1 K. */
-static void ms_gpr__laplace_covariance(ms_gpr__problem *p, double sf2, double *covariance)
+static void ms_gpr__laplace_covariance(ms_gpr__problem *p, double *covariance)
 {
-    const ms_gpr__kernels *f = p->kernels;
-    int padded = ms_gpr__padded(p->n), i, j;
-    for (i = 0; i < p->n; ++i) p->kernel[(size_t)i * (p->stride + 1)] = sf2;
-    for (i = 0; i < padded; ++i)
-        for (j = i; j < padded; ++j)
-            p->solved[(size_t)i * p->stride + (size_t)j] = p->solved[(size_t)j * p->stride + (size_t)i] =
-                p->kernel[(size_t)i * p->stride + (size_t)j];
-    for (i = 0; i < padded; ++i)
-        memcpy(covariance + (size_t)i * p->stride, p->solved + (size_t)i * p->stride,
-               (size_t)padded * sizeof *covariance);
-    ms_gpr__forward(f, p->upper, p->stride, padded, p->solved, p->stride, padded);
-    f->reduce(covariance, p->stride, p->solved, p->stride, p->solved, p->stride, padded, padded, padded, 0);
+    const int padded = ms_gpr__padded(p->n);
+    const size_t matrix = (size_t)padded * p->stride * sizeof *covariance;
+    memcpy(p->solved, p->kernel, matrix);
+    memcpy(covariance, p->kernel, matrix);
+    ms_gpr__forward(p->kernels, p->upper, p->stride, padded, p->solved, p->stride, padded);
+    p->kernels->reduce(covariance, p->stride, p->solved, p->stride, p->solved, p->stride, padded, padded, padded, 0);
 }
 
 /* s = -1/2 d log |I + K W| / df = 1/2 sum over j, k of C_jk d^3 log p / df df_j df_k, at the latent values; C from
@@ -1792,13 +1651,13 @@ static void ms_gpr__laplace_implicit(ms_gpr__problem *p, double sf2, double nois
     double ridge = MS_GPR__RIDGE / sf2;
     double *s = p->list, *u = s + p->stride, *h = u + p->stride, *by_s = h + p->stride;
     *by_sf = *by_sn = 0;
-    ms_gpr__laplace_covariance(p, sf2, p->inverse);
+    ms_gpr__laplace_covariance(p, p->inverse);
     ms_gpr__laplace_third(p, noise, p->inverse, s, by_s, by_sn);
-    ms_gpr__symmetric(f, p->kernel, p->stride, padded, s, u);
+    ms_gpr__times_kernel(p, s, u);
     ms_gpr__forward_vector(f, p->upper, p->stride, padded, u);
     ms_gpr__backward_vector(f, p->upper, p->stride, padded, u);
     for (i = 0; i < padded; ++i) u[i] = s[i] - u[i];
-    ms_gpr__symmetric(f, p->kernel, p->stride, padded, u, h);
+    ms_gpr__times_kernel(p, u, h);
     *by_sn += f->dot(by_s, h, padded);
     for (i = 0; i < p->n; ++i)
         *by_sf += ridge *
@@ -1833,7 +1692,11 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
     double trace = 0, kernel_sum = 0, by_sf = 0, by_sn = 0, *implicit = NULL;
     ms_gpr__covariance(f, p->points, p->stride, p->n, p->m, sf2, p->kernel);
     if (p->soft) {
-        for (i = 0; i < p->n; ++i) p->kernel[(size_t)i * (p->stride + 1)] = sf2;
+        for (i = 0; i < padded; ++i) { /* K, whole */
+            p->kernel[(size_t)i * (p->stride + 1)] = i < p->n ? sf2 : 0;
+            for (k = 0; k < i; ++k)
+                p->kernel[(size_t)i * p->stride + (size_t)k] = p->kernel[(size_t)k * p->stride + (size_t)i];
+        }
         if (!ms_gpr__laplace(p, sf2, noise, likelihood)) return 0;
     } else {
         if (!ms_gpr__factor(f, p->kernel, p->stride, p->n, sf2, noise, p->upper)) return 0;
@@ -1847,15 +1710,11 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
     if (gradient == NULL) return 1;
     if (p->soft) ms_gpr__laplace_implicit(p, sf2, noise, &implicit, &by_sf, &by_sn);
 
-    /* upper = -K'^-1 = -(U'^-1)' U'^-1 */
-    for (i = 0; i < padded; ++i) memset(p->inverse + (size_t)i * p->stride, 0, row);
-    ms_gpr__invert(f, p->upper, p->stride, padded, p->inverse);
-    for (i = 0; i < padded; ++i) memset(p->upper + (size_t)i * p->stride, 0, row);
-    f->reduce(p->upper, p->stride, p->inverse, p->stride, p->inverse, p->stride, padded, padded, padded,
-              MS_GPR__UPPER | MS_GPR__LOWER);
+    ms_gpr__minus_inverse(p);
 
-    /* row by row: weights (alpha_i alpha_j - K'^-1_ij) K_ij, and their sums over d_ijk^2 */
-    memset(p->slope, 0, (size_t)p->m * MS_GPR__BLOCK * sizeof *p->slope);
+    /* row by row: weights (alpha_i alpha_j - K'^-1_ij) K_ij, and their sums over d_ijk^2: dK_ij/dlog l_k = K_ij d_ijk^2
+       and pairs count twice */
+    memset(gradient, 0, (size_t)p->m * sizeof *gradient);
     for (i = 0; i < p->n; ++i) {
         int block = i / MS_GPR__BLOCK * MS_GPR__BLOCK, j;
         size_t at = (size_t)i * p->stride;
@@ -1863,15 +1722,14 @@ static int ms_gpr__evaluate(ms_gpr__problem *p, double sf2, double noise, double
             f->axpy(p->upper + at + block, implicit[i], p->alpha + block, padded - block);
             f->axpy(p->upper + at + block, p->alpha[i], implicit + block, padded - block);
         }
-        trace += p->alpha[i] * p->alpha[i] + p->upper[at + (size_t)i];
+        f->axpy(p->upper + at + block, p->alpha[i], p->alpha + block, padded - block);
+        trace += p->upper[at + (size_t)i];
         for (j = block; j <= i; ++j) p->kernel[at + (size_t)j] = 0; /* each pair once; the diagonal has d = 0 */
-        kernel_sum += f->weights(p->weight + block, p->upper + at + block, p->kernel + at + block, p->alpha + block,
-                                 p->alpha[i], padded - block);
-        f->slopes(p->slope, p->weight + block, p->points + block, p->stride, p->points + i, p->m, padded - block);
-    }
-    for (k = 0; k < p->m; ++k) { /* dK_ij/dlog l_k = K_ij d_ijk^2; pairs count twice */
-        const double *s = p->slope + MS_GPR__BLOCK * k;
-        gradient[k] = ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
+        for (j = block; j < padded; ++j) {
+            p->weight[j] = p->upper[at + (size_t)j] * p->kernel[at + (size_t)j];
+            kernel_sum += p->weight[j];
+        }
+        f->slopes(gradient, p->weight + block, p->points + block, p->stride, p->points + i, p->m, padded - block);
     }
     gradient[p->m] = sf2 * trace + 2 * kernel_sum + by_sf; /* dK/dlog sf = 2 K */
     gradient[p->m + 1] = p->soft ? by_sn : noise * trace;  /* dK'/dlog sn = 2 sn^2 I */
@@ -1904,7 +1762,6 @@ static void ms_gpr__problem_layout(ms_gpr__problem *p, const ms_gpr__kernels *ke
     p->target = ms_gpr__take(arena, p->stride, 1);
     p->alpha = ms_gpr__take(arena, p->stride, 1);
     p->weight = ms_gpr__take(arena, p->stride, 1);
-    p->slope = ms_gpr__take(arena, columns, MS_GPR__BLOCK);
     p->soft = soft;
     if (!soft) return;
     p->choices = choices->count;
@@ -1915,12 +1772,8 @@ static void ms_gpr__problem_layout(ms_gpr__problem *p, const ms_gpr__kernels *ke
     p->scored = (char *)ms__take(arena, rows, 1);
     p->rows = (int *)ms__take(arena, chosen, sizeof(int));
     p->first = (int *)ms__take(arena, count + 1, sizeof(int));
-    p->label = (int *)ms__take(arena, rows, sizeof(int));
     p->member = (int *)ms__take(arena, rows, sizeof(int));
     p->position = (int *)ms__take(arena, rows, sizeof(int));
-    p->head = (int *)ms__take(arena, rows, sizeof(int));
-    p->start = (int *)ms__take(arena, rows + 1, sizeof(int));
-    p->next = (int *)ms__take(arena, count, sizeof(int));
 }
 
 /* Points, target and alpha are 0 where nothing is written; the choices are copied. */
@@ -1935,6 +1788,13 @@ static void ms_gpr__problem_clear(ms_gpr__problem *p, const ms_gpr_choices *choi
     for (p->first[0] = 0, i = 0; i < p->choices; ++i)
         p->first[i + 1] = p->first[i] + (choices->sizes ? choices->sizes[i] : 2);
     if (p->choices > 0) memcpy(p->rows, choices->rows, (size_t)p->first[p->choices] * sizeof *p->rows);
+    for (i = 0; i < p->n; ++i) p->position[i] = -1;
+    for (i = 0; i < p->first[p->choices]; ++i) p->position[p->rows[i]] = 0;
+    for (p->members = i = 0; i < p->n; ++i) {
+        if (p->position[i] < 0) continue;
+        p->member[p->members] = i;
+        p->position[i] = p->members++;
+    }
 }
 
 /* ---- model ----------------------------------------------------------------------------------------------------- */
@@ -2368,7 +2228,7 @@ static void ms_gpr__leave_one_out(const ms_gpr *gp, double *inverse, double *res
 /* One task: chunks of candidates task, task + tasks, ... */
 typedef struct ms_gpr__batch {
     const ms_gpr *gp;
-    const double *x, *than; /* than: the other materials of pairs, or NULL */
+    const double *x;
     int count, tasks;
     double *mean, *variance;
     double *scratch; /* [tasks][task_doubles] */
@@ -2376,24 +2236,24 @@ typedef struct ms_gpr__batch {
 } ms_gpr__batch;
 
 /* 64 candidates by dimension, in length scales; missing ones stand at the center. */
-static int ms_gpr__chunk_scale(const ms_gpr__batch *b, const double *x, int start, double *scaled)
+static int ms_gpr__chunk_scale(const ms_gpr__batch *b, int start, double *scaled)
 {
     int filled = b->count - start < MS_GPR__CHUNK ? b->count - start : MS_GPR__CHUNK, j;
     memset(scaled, 0, (size_t)b->gp->active * MS_GPR__CHUNK * sizeof *scaled);
     for (j = 0; j < filled; ++j)
-        ms_gpr__scale(b->gp, x + (size_t)(start + j) * (size_t)b->gp->m, scaled + j, MS_GPR__CHUNK);
+        ms_gpr__scale(b->gp, b->x + (size_t)(start + j) * (size_t)b->gp->m, scaled + j, MS_GPR__CHUNK);
     return filled;
 }
 
+/* mean = K alpha. tile: [CHUNK] scratch. */
 static void ms_gpr__chunk_mean(const ms_gpr *gp, const double *scaled, double *tile, double *mean)
 {
-    int n = ms_gpr__padded(gp->n), i, j;
-    for (j = 0; j < MS_GPR__CHUNK; ++j) mean[j] = 0;
-    for (i = 0; i < n; i += MS_GPR__SLAB) {
-        int rows = n - i < MS_GPR__SLAB ? n - i : MS_GPR__SLAB;
-        gp->kernels->distances(tile, MS_GPR__CHUNK, gp->points + i, gp->stride, scaled, MS_GPR__CHUNK, rows,
-                               MS_GPR__CHUNK, gp->active, 0);
-        gp->kernels->accumulate(mean, tile, MS_GPR__CHUNK, gp->weight + i, rows, MS_GPR__CHUNK);
+    int i;
+    memset(mean, 0, MS_GPR__CHUNK * sizeof *mean);
+    for (i = 0; i < gp->n; ++i) {
+        gp->kernels->distances(tile, scaled, MS_GPR__CHUNK, gp->points + i, gp->stride, gp->active, MS_GPR__CHUNK);
+        gp->kernels->exponentials(tile, MS_GPR__CHUNK, 1);
+        gp->kernels->axpy(mean, gp->weight[i], tile, MS_GPR__CHUNK);
     }
 }
 
@@ -2401,11 +2261,11 @@ static void ms_gpr__chunk_mean(const ms_gpr *gp, const double *scaled, double *t
 static void ms_gpr__chunk_kernel(const ms_gpr *gp, const double *scaled, double *columns, size_t stride)
 {
     double sf2 = ms_gpr__sf2(gp);
-    int n = ms_gpr__padded(gp->n), i;
-    gp->kernels->distances(columns, stride, gp->points, gp->stride, scaled, stride, n, MS_GPR__CHUNK, gp->active, 0);
-    for (i = 0; i < n; ++i) {
-        if (i < gp->n) gp->kernels->exponentials(columns + (size_t)i * stride, MS_GPR__CHUNK, sf2);
-        else memset(columns + (size_t)i * stride, 0, MS_GPR__CHUNK * sizeof *columns);
+    int i;
+    for (i = 0; i < ms_gpr__padded(gp->n); ++i) {
+        double *row = columns + (size_t)i * stride;
+        gp->kernels->distances(row, scaled, stride, gp->points + i, gp->stride, gp->active, MS_GPR__CHUNK);
+        gp->kernels->exponentials(row, MS_GPR__CHUNK, i < gp->n ? sf2 : 0);
     }
 }
 
@@ -2421,25 +2281,6 @@ static void ms_gpr__chunk_explain(const ms_gpr *gp, double *columns, size_t stri
     }
 }
 
-/* columns and variance of f(x) become those of f(x) - f(than): k(x) - k(than), 2 sf^2 - 2 k(x, than). */
-static void ms_gpr__chunk_subtract(const ms_gpr__batch *b, int start, const double *scaled, double *columns,
-                                   double *variance)
-{
-    const ms_gpr *gp = b->gp;
-    size_t size = (size_t)ms_gpr__padded(gp->n) * MS_GPR__CHUNK;
-    double *subtracted = columns + size, *other = subtracted + size;
-    int j, k;
-    ms_gpr__chunk_scale(b, b->than, start, other);
-    ms_gpr__chunk_kernel(gp, other, subtracted, MS_GPR__CHUNK);
-    gp->kernels->axpy(columns, -1, subtracted, (int)size);
-    for (j = 0; j < MS_GPR__CHUNK; ++j) {
-        double d2 = 0;
-        for (k = j; k < gp->active * MS_GPR__CHUNK; k += MS_GPR__CHUNK)
-            d2 += (scaled[k] - other[k]) * (scaled[k] - other[k]);
-        variance[j] = 2 * ms_gpr__sf2(gp) * -expm1(-0.5 * d2);
-    }
-}
-
 static void ms_gpr__predict_task(void *context, int task)
 {
     const ms_gpr__batch *b = (const ms_gpr__batch *)context;
@@ -2448,20 +2289,16 @@ static void ms_gpr__predict_task(void *context, int task)
     double mean[MS_GPR__CHUNK], variance[MS_GPR__CHUNK];
     int start, j;
     for (start = task * MS_GPR__CHUNK; start < b->count; start += b->tasks * MS_GPR__CHUNK) {
-        int filled = ms_gpr__chunk_scale(b, b->x, start, scaled);
-        if (b->mean && b->than == NULL) {
+        int filled = ms_gpr__chunk_scale(b, start, scaled);
+        if (b->mean) {
             ms_gpr__chunk_mean(gp, scaled, columns, mean);
             for (j = 0; j < filled; ++j) b->mean[start + j] = gp->mean + mean[j];
         }
         if (b->variance == NULL) continue;
         for (j = 0; j < MS_GPR__CHUNK; ++j) mean[j] = 0, variance[j] = ms_gpr__sf2(gp);
         ms_gpr__chunk_kernel(gp, scaled, columns, MS_GPR__CHUNK);
-        if (b->than) ms_gpr__chunk_subtract(b, start, scaled, columns, variance);
         ms_gpr__chunk_explain(gp, columns, MS_GPR__CHUNK, mean, variance);
-        for (j = 0; j < filled; ++j) {
-            b->variance[start + j] = variance[j] > 0 ? variance[j] : 0;
-            if (b->than) b->mean[start + j] = mean[j];
-        }
+        for (j = 0; j < filled; ++j) b->variance[start + j] = variance[j] > 0 ? variance[j] : 0;
     }
 }
 
@@ -2473,8 +2310,8 @@ static ms_status ms_gpr__predict_run(ms_gpr__batch *b, ms_error *error)
     int chunks = (b->count - 1) / MS_GPR__CHUNK + 1;
     if (b->count == 0) return MS_OK;
     b->tasks = gp->parallel.run == NULL ? 1 : chunks < 16 ? chunks : 16;
-    b->task_doubles = ms__size_mul(b->than ? 2 * MS_GPR__CHUNK : MS_GPR__CHUNK,
-                                   (size_t)gp->active + (rows > MS_GPR__SLAB ? rows : (size_t)MS_GPR__SLAB));
+    b->task_doubles = ms__size_mul(MS_GPR__CHUNK,
+                                   (size_t)gp->active + (rows > 0 ? rows : 1));
     b->scratch = ms_gpr__scratch(&gp->allocator, ms__size_mul((size_t)b->tasks, b->task_doubles));
     if (b->scratch == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for predictions");
     ms__run(&gp->parallel, b->tasks, ms_gpr__predict_task, b);
@@ -2511,23 +2348,35 @@ MS_API ms_status ms_gpr_preference(const ms_gpr *gp, const double *a, const doub
                                    ms_error *error)
 {
     ms_gpr__batch pairs;
-    double *variance, scale2;
-    int i;
+    double sf2, scale2, *k;
+    int i, j, padded;
     ms_status status = ms_gpr__predict_begin(&pairs, gp, b, count, error);
     if (status == MS_OK) status = ms_gpr__predict_begin(&pairs, gp, a, count, error);
     if (status == MS_OK && probability == NULL && count > 0) status = ms_gpr__null("probability", error);
-    if (status != MS_OK || count == 0) return status;
-    variance = ms_gpr__scratch(&gp->allocator, (size_t)count);
-    if (variance == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for %d pairs", count);
-    pairs.than = b;
-    pairs.mean = probability;
-    pairs.variance = variance;
-    status = ms_gpr__predict_run(&pairs, error);
-    scale2 = MS_GPR__SCALE_OF_CHOICES * MS_GPR__SCALE_OF_CHOICES * (ms_gpr__sn2(gp) + gp->jitter * ms_gpr__sf2(gp));
-    for (i = 0; i < count && status == MS_OK; ++i) /* MacKay 1992: pi / 8 makes a logistic of a normal's tail */
-        probability[i] = 1 / (1 + exp(-probability[i] / sqrt(scale2 + 0.39269908169872414 * variance[i])));
-    ms_gpr__release(&gp->allocator, variance);
-    return status;
+    if (status != MS_OK) return status;
+    padded = ms_gpr__padded(gp->n);
+    sf2 = ms_gpr__sf2(gp);
+    scale2 = MS_GPR__SCALE_OF_CHOICES * MS_GPR__SCALE_OF_CHOICES * (ms_gpr__sn2(gp) + gp->jitter * sf2);
+    k = ms_gpr__scratch(&gp->allocator, 2 * (gp->stride + (size_t)gp->m));
+    if (k == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for pairs of materials");
+    for (i = 0; i < count; ++i) { /* f(a) - f(b): k(a) - k(b), variance 2 sf^2 - 2 k(a, b) - |U'^-1 (k(a) - k(b))|^2 */
+        double *other = k + gp->stride, *point = other + gp->stride, *than = point + gp->m, d2 = 0, mean, variance;
+        ms_gpr__scale(gp, a + (size_t)i * (size_t)gp->m, point, 1);
+        ms_gpr__scale(gp, b + (size_t)i * (size_t)gp->m, than, 1);
+        gp->kernels->distances(k, gp->points, gp->stride, point, 1, gp->active, padded);
+        gp->kernels->distances(other, gp->points, gp->stride, than, 1, gp->active, padded);
+        gp->kernels->exponentials(k, padded, sf2);
+        gp->kernels->exponentials(other, padded, sf2);
+        for (j = 0; j < padded; ++j) k[j] = j < gp->n ? k[j] - other[j] : 0;
+        for (j = 0; j < gp->active; ++j) d2 += (point[j] - than[j]) * (point[j] - than[j]);
+        mean = gp->kernels->dot(k, gp->alpha, padded);
+        ms_gpr__forward_vector(gp->kernels, gp->upper, gp->stride, padded, k);
+        variance = fmax(-2 * sf2 * expm1(-0.5 * d2) - gp->kernels->dot(k, k, padded), 0);
+        /* MacKay 1992: pi / 8 makes a logistic of a normal's tail */
+        probability[i] = 1 / (1 + exp(-mean / sqrt(scale2 + 0.39269908169872414 * variance)));
+    }
+    ms_gpr__release(&gp->allocator, k);
+    return MS_OK;
 }
 
 /* ---- learn ----------------------------------------------------------------------------------------------------- */
@@ -2537,41 +2386,14 @@ typedef struct ms_gpr__ranked {
     int index;
 } ms_gpr__ranked;
 
-static int ms_gpr__ranked_before(const ms_gpr__ranked *a, const ms_gpr__ranked *b)
-{
-    return a->value > b->value || (!(a->value < b->value) && a->index < b->index);
-}
-
-/* Largest value first, then smallest index, by insertion. */
+/* Largest value first, then smallest index, by insertion into a list in the order of indices. */
 static void ms_gpr__ranked_sort(ms_gpr__ranked *list, int count)
 {
     int i, j;
     for (i = 1; i < count; ++i) {
         ms_gpr__ranked moved = list[i];
-        for (j = i; j > 0 && ms_gpr__ranked_before(&moved, &list[j - 1]); --j) list[j] = list[j - 1];
+        for (j = i; j > 0 && moved.value > list[j - 1].value; --j) list[j] = list[j - 1];
         list[j] = moved;
-    }
-}
-
-/* The values as a list whose front has the `first` largest, in no order (Hoare's selection, from the middle). */
-static void ms_gpr__ranked_select(ms_gpr__ranked *list, const double *values, int count, int first)
-{
-    int low = 0, high = count - 1, at;
-    for (at = 0; at < count; ++at) list[at].value = values[at], list[at].index = at;
-    while (low < high) {
-        ms_gpr__ranked pivot = list[low + (high - low) / 2], swap;
-        int i = low, j = high;
-        while (i <= j) {
-            while (ms_gpr__ranked_before(&list[i], &pivot)) ++i;
-            while (ms_gpr__ranked_before(&pivot, &list[j])) --j;
-            if (i > j) break;
-            swap = list[i];
-            list[i++] = list[j];
-            list[j--] = swap;
-        }
-        if (first <= j) high = j;
-        else if (first >= i) low = i;
-        else return;
     }
 }
 
@@ -2594,7 +2416,7 @@ static const double MS_GPR__FLOOR_OFFSET = 0.75; /* standard deviations that sco
 
 enum {
     MS_GPR__STARTS = 3,
-    MS_GPR__ROUND = 24,       /* evaluations of each start before the worse half of them stops */
+    MS_GPR__TRIAL = 30,       /* evaluations of each start before all but the best stop */
     MS_GPR__PART = 100,       /* scores at least that the starts run on, and 4 m; a third of all, at most 400 */
     MS_GPR__OUTLIER_ROWS = 8, /* scores at least before one of them is an outlier */
     MS_GPR__OUTLIER_GROUP = 3 /* slips at most that may hide each other */
@@ -2614,7 +2436,7 @@ typedef struct ms_gpr__fit {
     double *prior, *spread;  /* [m + 2] */
     double *q;               /* [starts][m + 2]; the winner ends in the first row */
     double *theta;           /* [columns of x + 2] what the model gets */
-    ms_gpr__ranked *order;   /* [n + starts] */
+    ms_gpr__ranked *order;   /* [n] */
     double *work;
     double mean, unit, floor, floor_value;
     int soft, scored;
@@ -2781,29 +2603,6 @@ static void ms_gpr__fit_starts(ms_gpr__fit *fit, int columns)
     }
 }
 
-/* The best of all starts, in q's first row: all run a little, the better half goes on, until one is left. */
-static ms_gpr__minimum ms_gpr__fit_race(ms_gpr__fit *fit, ms_gpr__search *s)
-{
-    size_t row = (size_t)s->count;
-    int left = fit->starts, budget = s->evaluations, i;
-    ms_gpr__minimum found;
-    memset(&found, 0, sizeof found);
-    for (i = 0; i < left; ++i) fit->order[i].index = i;
-    s->evaluations = budget < MS_GPR__ROUND ? budget : (int)MS_GPR__ROUND;
-    for (; left > 1; left = (left + 1) / 2) {
-        for (i = 0; i < left; ++i) {
-            found = ms_gpr__minimize(s, fit->q + (size_t)fit->order[i].index * row, fit->work);
-            if (found.stopped) return found;
-            fit->order[i].value = -found.value;
-        }
-        ms_gpr__ranked_sort(fit->order, left);
-    }
-    s->evaluations = budget;
-    fit->report.start = fit->order[0].index;
-    memmove(fit->q, fit->q + (size_t)fit->report.start * row, row * sizeof *fit->q);
-    return ms_gpr__minimize(s, fit->q, fit->work);
-}
-
 /* The optimum, in q's first row: the starts on a part of the scores, then some evaluations on all of them. */
 static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
 {
@@ -2820,7 +2619,7 @@ static ms_gpr__minimum ms_gpr__fit_search(ms_gpr__fit *fit)
     s.tolerance = 1e-4;
     s.evaluations = fit->o.evaluations;
     fit->problem.n = fit->part;
-    found = ms_gpr__fit_race(fit, &s);
+    found = ms_gpr__minimize_starts(&s, fit->q, fit->starts, MS_GPR__TRIAL, fit->work, &fit->report.start);
     fit->problem.n = n;
     if (found.stopped || fit->part == n) return found;
     s.tolerance = 0.1; /* of a log posterior: what is below it changes no prediction */
@@ -2854,7 +2653,7 @@ static void ms_gpr__fit_layout(ms_gpr__fit *fit, int n, int m, ms__arena *arena)
     fit->center = ms_gpr__take(arena, row, 1);
     fit->theta = ms_gpr__take(arena, row, 1);
     fit->column = (int *)ms__take(arena, row, sizeof(int));
-    fit->order = (ms_gpr__ranked *)ms__take(arena, (size_t)n + (size_t)fit->starts, sizeof *fit->order);
+    fit->order = (ms_gpr__ranked *)ms__take(arena, (size_t)n, sizeof *fit->order);
 }
 
 /* Rows, starts, search; then theta from what was found. */
@@ -3242,13 +3041,11 @@ static void ms_gpr__source_fill(ms_gpr__source *s, int variants, double least, d
 
 enum {
     MS_GPR__PILOT = 4096,    /* uniform candidates that are looked at first */
-    MS_GPR__PILOT_HITS = 32, /* of them that reach the threshold, below which as many more are looked at */
     MS_GPR__WAVE = 64,       /* chains that run together, or variants of a round */
     MS_GPR__TASKS = 16,      /* that share the chains of a wave */
     MS_GPR__SEEDS = 1024,    /* places where chains start, at most */
-    MS_GPR__SEEDS_FEW = 16,  /* below so many candidates that reach the threshold, maxima are places to start as well */
-    MS_GPR__MODES = 16,      /* ascents that look for the largest mean */
-    MS_GPR__ASCENT = 100,    /* evaluations of an ascent, at most */
+    MS_GPR__SEEDS_FEW = 16,  /* uniform ones, below which answered materials and the best one are starts as well */
+    MS_GPR__CLIMB = 5,       /* steps along every axis of the climb to the largest mean */
     MS_GPR__BEST_OF = 10,    /* variants of which the one with the largest mean is taken */
     MS_GPR__RIVALS = 16      /* candidates of which one is taken, at the largest diversity */
 };
@@ -3274,11 +3071,13 @@ typedef struct ms_gpr__chain {
     double *point;            /* [m] in the unit box */
     double *direction;        /* [m] in widths of the box */
     double *scaled, *step;    /* [m] both of them in length scales, by column in use */
-    double *low, *high;       /* [m] of a hyperrectangle */
     double *trial, *material; /* [m] */
     double *d2, *slope;       /* [stride] see ms_gpr__chain_face */
     double *snapped;          /* [stride] squared distances of a snapped material */
     double shift, curvature;
+    double level; /* least mean of a place to move to */
+    int climbs;   /* the level rises to the mean of every such place */
+    int moved;    /* is not where it started */
     ms_gpr__random random;
 } ms_gpr__chain;
 
@@ -3287,136 +3086,19 @@ typedef struct ms_gpr__sampler {
     ms_gpr_recommend_options o; /* with the defaults filled in */
     ms_gpr__found found;
     double threshold;       /* what recommendations reach */
-    double *candidate;      /* [2 PILOT + n][m] in units of x */
-    double *mean;           /* [2 PILOT + n] */
-    ms_gpr__ranked *ranked; /* [2 PILOT + n] */
-    int pilots, hits;       /* uniform candidates at their front; those that reach the threshold */
-    double *mode;           /* [MODES][m] local maxima of the mean, in units of x */
-    double mode_value[MS_GPR__MODES];
-    double *kernel, *low, *high, *q, *work; /* of an ascent */
-    double *seed;                           /* [SEEDS + MODES][m] where chains start, in the unit box */
+    double *candidate;      /* [PILOT + n + 1][m] in units of x */
+    double *mean;           /* [PILOT + n + 1] */
+    ms_gpr__ranked *ranked; /* [WAVE BEST_OF] */
+    double *seed;           /* [SEEDS][m] where chains start, in the unit box */
     int seeds;
     int *axis, axes;  /* [m] columns that slices go along */
     int *flat, flats; /* [m] columns that the mean hardly depends on */
     double *reach;    /* [m] a length scale, at most 0.3; 0: not an axis */
     uint64_t first;   /* number of the wave's first chain */
+    int moved[MS_GPR__WAVE]; /* of its chains */
     ms_gpr__chain chain[MS_GPR__TASKS];
     ms_gpr_recommend_report report;
 } ms_gpr__sampler;
-
-/* Minus the mean at q, in length scales, over sf. */
-static int ms_gpr__ascent_objective(void *context, const double *q, double *value, double *gradient)
-{
-    const ms_gpr__sampler *h = (const ms_gpr__sampler *)context;
-    const ms_gpr *gp = h->source.gp;
-    const double per_sf = exp(-gp->theta[gp->m]);
-    double total = 0;
-    int n = ms_gpr__padded(gp->n), i, k;
-    gp->kernels->point_distances(h->kernel, gp->points, gp->stride, q, gp->active, n);
-    gp->kernels->exponentials(h->kernel, n, 1);
-    for (i = 0; i < n; ++i) total += h->kernel[i] *= gp->weight[i];
-    *value = -total * per_sf;
-    for (k = 0; k < gp->active; ++k)
-        gradient[k] = (total * q[k] - gp->kernels->dot(h->kernel, gp->points + (size_t)k * gp->stride, n)) * per_sf;
-    return 1;
-}
-
-/* Moves x [m] to a maximum of the mean in the box. Nothing is snapped. */
-static void ms_gpr__ascend(ms_gpr__sampler *h, double *x)
-{
-    const ms_gpr *gp = h->source.gp;
-    const ms_gpr__box *box = &h->source.box;
-    ms_gpr__search search;
-    int k;
-    memset(&search, 0, sizeof search);
-    search.f = ms_gpr__ascent_objective;
-    search.context = h;
-    search.count = gp->active;
-    search.low = h->low;
-    search.high = h->high;
-    search.step = 1; /* a length scale */
-    search.tolerance = 1e-10;
-    search.evaluations = MS_GPR__ASCENT;
-    ms_gpr__scale(gp, box->low, h->low, 1);
-    ms_gpr__scale(gp, box->high, h->high, 1);
-    ms_gpr__scale(gp, x, h->q, 1);
-    if (gp->n > 0) ms_gpr__minimize(&search, h->q, h->work);
-    for (k = 0; k < gp->active; ++k) {
-        const int d = gp->dimension[k];
-        x[d] = ms_gpr__clamp(gp->center[d] + h->q[k] / gp->scale[d], box->low[d], box->high[d]);
-    }
-}
-
-/* Counts candidates from `first` on, drawn and predicted before (random NULL) or now, and those that reach the
-   threshold. */
-static ms_status ms_gpr__sampler_pilots(ms_gpr__sampler *h, int first, int count, ms_gpr__random *random,
-                                        ms_error *error)
-{
-    double *x = h->candidate + (size_t)first * (size_t)h->source.gp->m, *mean = h->mean + first;
-    ms_status status = MS_OK;
-    int i;
-    if (random) ms_gpr__source_fill(&h->source, 0, 0, 0, random, count, x);
-    if (random) status = ms_gpr_predict(h->source.gp, x, count, mean, NULL, error);
-    for (i = 0; i < count && status == MS_OK; ++i) h->hits += mean[i] >= h->threshold;
-    h->pilots += count;
-    return status;
-}
-
-/* The first candidates, local maxima of the mean, and the threshold. *liking: something is predicted above the floor.
- */
-static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, int *liking, ms_error *error)
-{
-    ms_gpr__source *s = &h->source;
-    const ms_gpr *gp = s->gp;
-    ms_gpr__random random = ms_gpr__random_make(h->o.seed, 0);
-    double best = -HUGE_VAL, top = h->o.best < 0 || h->o.best > 0 ? h->o.best : s->top;
-    size_t m = (size_t)gp->m, row = m * sizeof(double);
-    int count = MS_GPR__PILOT + gp->n, i;
-    ms_status status;
-
-    /* uniform candidates, and the materials that were answered, moved into the box */
-    ms_gpr__source_fill(s, 0, 0, 0, &random, MS_GPR__PILOT, h->candidate);
-    for (i = 0; i < gp->n; ++i) {
-        ms_gpr__box_point(&s->box, gp->x + (size_t)i * m, s->point);
-        ms_gpr__box_material(&s->box, s->point, h->candidate + (size_t)(MS_GPR__PILOT + i) * m);
-    }
-    status = ms_gpr_predict(gp, h->candidate, count, h->mean, NULL, error);
-    if (status != MS_OK) return status;
-
-    /* from the best of them to maxima */
-    ms_gpr__ranked_select(h->ranked, h->mean, count, MS_GPR__MODES);
-    ms_gpr__ranked_sort(h->ranked, MS_GPR__MODES);
-    for (i = 0; i < MS_GPR__MODES; ++i) {
-        double *mode = h->mode + (size_t)i * m;
-        memcpy(mode, h->candidate + (size_t)h->ranked[i].index * m, row);
-        ms_gpr__ascend(h, mode);
-        if (s->box.snap) s->box.snap(s->box.user, mode);
-    }
-    status = ms_gpr_predict(gp, h->mode, MS_GPR__MODES, h->mode_value, NULL, error);
-    if (status != MS_OK) return status;
-    for (i = 0; i < MS_GPR__MODES; ++i) {
-        if (h->mode_value[i] < h->ranked[i].value) { /* a snap took it back */
-            memcpy(h->mode + (size_t)i * m, h->candidate + (size_t)h->ranked[i].index * m, row);
-            h->mode_value[i] = h->ranked[i].value;
-        }
-        best = fmax(best, h->mode_value[i]);
-    }
-
-    top = fmin(top, best);
-    *liking = best > s->floor && top > s->floor;
-    h->report.liked = s->liked;
-    h->report.best = best;
-    h->report.candidates = count;
-    h->report.search = MS_GPR_SEARCH_THRESHOLD;
-    if (!*liking) return MS_OK;
-    h->threshold = fmin(s->floor + h->o.tau * (top - s->floor), best - 1e-6 * (best - s->floor));
-    h->report.threshold = h->threshold;
-    status = ms_gpr__sampler_pilots(h, 0, MS_GPR__PILOT, NULL, error);
-    if (h->hits < MS_GPR__PILOT_HITS) status = ms_gpr__sampler_pilots(h, MS_GPR__PILOT, MS_GPR__PILOT, &random, error);
-    h->report.acceptance = (double)h->hits / h->pilots;
-    h->report.candidates = count + h->pilots - (int)MS_GPR__PILOT;
-    return status;
-}
 
 /* Squared root-mean-square distance, in widths of the box, of x to the nearest of `count` rows. */
 static double ms_gpr__nearest2(const ms_gpr__box *box, const double *rows, int count, const double *x)
@@ -3511,12 +3193,18 @@ static void ms_gpr__chain_start(const ms_gpr__sampler *h, ms_gpr__chain *c, uint
     const size_t m = (size_t)gp->m, seed = (size_t)((turns - floor(turns)) * h->seeds);
     size_t k;
     c->random = ms_gpr__random_make(h->o.seed, ((uint64_t)1 << 41) + index);
+    c->level = h->threshold;
+    c->climbs = 0;
+    c->moved = h->source.box.snap != NULL; /* then equal candidates are refused */
     memcpy(c->point, h->seed + seed * m, m * sizeof *c->point);
-    for (k = 0; k < m && h->source.box.snap == NULL; ++k) /* a snap may tie dropped columns to others */
-        if (!(gp->theta[k] < MS_GPR__DROPPED)) c->point[k] = ms_gpr__uniform(&c->random);
+    for (k = 0; k < m && h->source.box.snap == NULL; ++k) { /* a snap may tie dropped columns to others */
+        if (gp->theta[k] < MS_GPR__DROPPED) continue;
+        c->point[k] = ms_gpr__uniform(&c->random);
+        c->moved |= h->source.box.width[k] > 0;
+    }
     for (k = 0; k < m; ++k) c->material[k] = h->source.box.low[k] + h->source.box.width[k] * c->point[k];
     ms_gpr__scale(gp, c->material, c->scaled, 1);
-    gp->kernels->point_distances(c->d2, gp->points, gp->stride, c->scaled, gp->active, ms_gpr__padded(gp->n));
+    gp->kernels->distances(c->d2, gp->points, gp->stride, c->scaled, 1, gp->active, ms_gpr__padded(gp->n));
     c->shift = 0;
 }
 
@@ -3542,10 +3230,12 @@ static int ms_gpr__chain_try(const ms_gpr__sampler *h, ms_gpr__chain *c, double 
         ms_gpr__chain_point(c, t, gp->m, c->trial);
         ms_gpr__box_material(&h->source.box, c->trial, c->material);
         ms_gpr__scale(gp, c->material, c->trial, 1);
-        gp->kernels->point_distances(c->snapped, gp->points, gp->stride, c->trial, gp->active, n);
+        gp->kernels->distances(c->snapped, gp->points, gp->stride, c->trial, 1, gp->active, n);
         mean = gp->mean + gp->kernels->line_mean(c->snapped, c->slope, 0, 0, gp->weight, n);
     }
-    if (!(mean >= h->threshold)) return 0;
+    if (!(mean >= c->level)) return 0;
+    if (c->climbs) c->level = mean;
+    c->moved = 1;
     ms_gpr__chain_point(c, t, gp->m, c->point);
     for (k = 0; k < gp->active; ++k) c->scaled[k] += t * c->step[k];
     gp->kernels->axpy(c->d2, t, c->slope, n);
@@ -3574,47 +3264,113 @@ static void ms_gpr__chain_slice(const ms_gpr__sampler *h, ms_gpr__chain *c, doub
     }
 }
 
-/* What the mean hardly depends on, all at once: a uniform point of a hyperrectangle, at first the box, which shrinks
-   towards the chain. */
-static void ms_gpr__chain_rectangle(const ms_gpr__sampler *h, ms_gpr__chain *c)
+/* What the mean hardly depends on moves all at once: to a uniform point of the box, or where the mean there does not
+   reach the threshold, by a slice across. */
+static void ms_gpr__chain_flat(const ms_gpr__sampler *h, ms_gpr__chain *c)
 {
-    int tries, i, k;
-    for (i = 0; i < h->flats; ++i) c->low[i] = 0, c->high[i] = 1;
+    int i;
     memset(c->direction, 0, (size_t)h->source.gp->m * sizeof *c->direction);
-    for (tries = 0; tries < 60 && h->flats > 0; ++tries) {
-        for (i = 0; i < h->flats; ++i) {
-            k = h->flat[i];
-            c->direction[k] = c->low[i] + ms_gpr__uniform(&c->random) * (c->high[i] - c->low[i]) - c->point[k];
-        }
-        ms_gpr__chain_face(h, c);
-        if (ms_gpr__chain_try(h, c, 1)) return;
-        for (i = 0; i < h->flats; ++i) {
-            k = h->flat[i];
-            if (c->direction[k] < 0) c->low[i] = c->point[k] + c->direction[k];
-            else c->high[i] = c->point[k] + c->direction[k];
-        }
-    }
+    for (i = 0; i < h->flats; ++i) c->direction[h->flat[i]] = ms_gpr__uniform(&c->random) - c->point[h->flat[i]];
+    ms_gpr__chain_face(h, c);
+    if (h->flats == 0 || ms_gpr__chain_try(h, c, 1)) return;
+    for (i = 0; i < h->flats; ++i) c->direction[h->flat[i]] = 2 * ms_gpr__uniform(&c->random) - 1;
+    ms_gpr__chain_slice(h, c, 1);
 }
 
-/* Task: candidates task, task + TASKS, ... of a wave: from a seed through a slice along every axis and as many across,
-   which forget where they started. */
+/* A slice along axis number `axis`, and one across all. */
+static void ms_gpr__chain_step(const ms_gpr__sampler *h, ms_gpr__chain *c, int axis)
+{
+    int m = h->source.gp->m, k;
+    for (k = 0; k < m; ++k) c->direction[k] = k == h->axis[axis] ? h->reach[k] : 0;
+    ms_gpr__chain_slice(h, c, MS_GPR__REACH);
+    for (k = 0; k < m; ++k) c->direction[k] = h->reach[k] * (2 * ms_gpr__uniform(&c->random) - 1);
+    ms_gpr__chain_slice(h, c, MS_GPR__REACH);
+}
+
+/* Task: candidates task, task + TASKS, ... of a wave: from a seed through a step along every axis, which forget where
+   they started. */
 static void ms_gpr__chain_run(void *context, int task)
 {
     ms_gpr__sampler *h = (ms_gpr__sampler *)context;
     ms_gpr__chain *c = &h->chain[task];
-    int m = h->source.gp->m, i, j, k;
+    int i, j;
     for (i = task; i < MS_GPR__WAVE; i += MS_GPR__TASKS) {
         ms_gpr__chain_start(h, c, h->first + (uint64_t)i);
         for (j = 0; j < h->axes; ++j) {
-            for (k = 0; k < m; ++k) c->direction[k] = k == h->axis[j] ? h->reach[k] : 0;
-            ms_gpr__chain_slice(h, c, MS_GPR__REACH);
-            for (k = 0; k < m; ++k) c->direction[k] = h->reach[k] * (2 * ms_gpr__uniform(&c->random) - 1);
-            ms_gpr__chain_slice(h, c, MS_GPR__REACH);
-            if (j % 4 == 0) ms_gpr__chain_rectangle(h, c);
+            ms_gpr__chain_step(h, c, j);
+            if (j % 4 == 0) ms_gpr__chain_flat(h, c);
         }
-        ms_gpr__chain_rectangle(h, c);
-        ms_gpr__box_material(&h->source.box, c->point, h->candidate + (size_t)i * (size_t)m);
+        ms_gpr__chain_flat(h, c);
+        h->moved[i] = c->moved;
+        ms_gpr__box_material(&h->source.box, c->point, h->candidate + (size_t)i * (size_t)h->source.gp->m);
     }
+}
+
+/* Moves x [m] near a maximum of the mean: by a chain whose threshold is always the mean where it is. */
+static void ms_gpr__chain_climb(ms_gpr__sampler *h, double *x)
+{
+    ms_gpr__chain *c = &h->chain[0];
+    int j;
+    ms_gpr__box_point(&h->source.box, x, h->seed);
+    h->seeds = 1;
+    ms_gpr__chain_start(h, c, 0);
+    c->climbs = 1;
+    c->level = -HUGE_VAL;
+    for (j = 0; j < MS_GPR__CLIMB * (h->axes + 1); ++j) {
+        if (h->axes > 0) ms_gpr__chain_step(h, c, j % h->axes);
+        if (j % 4 == 0) ms_gpr__chain_flat(h, c);
+    }
+    ms_gpr__box_material(&h->source.box, c->point, x);
+    h->seeds = 0;
+}
+
+/* The first candidates and the threshold. *liking: something is predicted above the floor. */
+static ms_status ms_gpr__sampler_begin(ms_gpr__sampler *h, int *liking, ms_error *error)
+{
+    ms_gpr__source *s = &h->source;
+    const ms_gpr *gp = s->gp;
+    ms_gpr__random random = ms_gpr__random_make(h->o.seed, 0);
+    double best = -HUGE_VAL, top = h->o.best < 0 || h->o.best > 0 ? h->o.best : s->top;
+    size_t m = (size_t)gp->m;
+    int count = MS_GPR__PILOT + gp->n, hits = 0, top_row = 0, i;
+    ms_status status;
+
+    /* uniform candidates, and the materials that were answered, moved into the box */
+    ms_gpr__source_fill(s, 0, 0, 0, &random, MS_GPR__PILOT, h->candidate);
+    for (i = 0; i < gp->n; ++i) {
+        ms_gpr__box_point(&s->box, gp->x + (size_t)i * m, s->point);
+        ms_gpr__box_material(&s->box, s->point, h->candidate + (size_t)(MS_GPR__PILOT + i) * m);
+    }
+    status = ms_gpr_predict(gp, h->candidate, count, h->mean, NULL, error);
+    if (status != MS_OK) return status;
+
+    /* the largest mean: a climb from the best of them, which is one more candidate */
+    for (i = 0; i < count; ++i)
+        if (h->mean[i] > best) best = h->mean[i], top_row = i;
+    memcpy(h->candidate + (size_t)count * m, h->candidate + (size_t)top_row * m, m * sizeof *h->candidate);
+    ms_gpr__chain_climb(h, h->candidate + (size_t)count * m);
+    status = ms_gpr_predict(gp, h->candidate + (size_t)count * m, 1, h->mean + count, NULL, error);
+    if (status != MS_OK) return status;
+    best = fmax(best, h->mean[count++]);
+    top = fmin(top, best);
+    *liking = best > s->floor && top > s->floor;
+    h->report.liked = s->liked;
+    h->report.best = best;
+    h->report.candidates = count;
+    h->report.search = MS_GPR_SEARCH_THRESHOLD;
+    if (!*liking) return MS_OK;
+    h->threshold = fmin(s->floor + h->o.tau * (top - s->floor), best - 1e-6 * (best - s->floor));
+    h->report.threshold = h->threshold;
+
+    /* chains start from those that reach it: uniform ones, and where these are few all others as well */
+    for (i = 0; i < count && h->seeds < MS_GPR__SEEDS; ++i) {
+        if (i == MS_GPR__PILOT) hits = h->seeds;
+        if (h->mean[i] < h->threshold || (i >= MS_GPR__PILOT && hits >= MS_GPR__SEEDS_FEW)) continue;
+        ms_gpr__box_point(&s->box, h->candidate + (size_t)i * m, h->seed + (size_t)h->seeds++ * m);
+    }
+    for (i = 0, hits = 0; i < MS_GPR__PILOT; ++i) hits += h->mean[i] >= h->threshold;
+    h->report.acceptance = (double)hits / MS_GPR__PILOT;
+    return MS_OK;
 }
 
 /* Mean sigma of the first recommendations over the range of scores. */
@@ -3628,22 +3384,14 @@ static ms_status ms_gpr__sampler_spread(ms_gpr__sampler *h, double *doubt, ms_er
     return status;
 }
 
-/* Chains from the first candidates that reach the threshold; where those are few, from the maxima as well. The search
-   ends with the first wave where that is too uncertain. */
+/* Chains. The search ends with the first wave where that is too uncertain. */
 static ms_status ms_gpr__sampler_chains(ms_gpr__sampler *h, ms_error *error)
 {
-    const ms_gpr__box *box = &h->source.box;
-    const size_t m = (size_t)box->m;
+    const size_t m = (size_t)h->source.gp->m;
     const double wanted = (double)h->found.count * ms_gpr__rivals(h->o.diversity);
     ms_status status = MS_OK;
     double doubt;
     int i;
-    for (i = 0; i < h->pilots && h->seeds < MS_GPR__SEEDS; ++i)
-        if (h->mean[i] >= h->threshold)
-            ms_gpr__box_point(box, h->candidate + (size_t)i * m, h->seed + (size_t)h->seeds++ * m);
-    for (i = 0; i < MS_GPR__MODES && h->seeds < MS_GPR__SEEDS_FEW + i; ++i)
-        if (h->mode_value[i] >= h->threshold)
-            ms_gpr__box_point(box, h->mode + (size_t)i * m, h->seed + (size_t)h->seeds++ * m);
     for (; status == MS_OK && h->found.taken < h->found.count; h->first += MS_GPR__WAVE) {
         if (h->seeds == 0 || (double)h->first / 40 > wanted + (int)MS_GPR__WAVE) return MS_NOT_CONVERGED;
         ms__run(&h->source.gp->parallel, MS_GPR__TASKS, ms_gpr__chain_run, h);
@@ -3653,7 +3401,7 @@ static ms_status ms_gpr__sampler_chains(ms_gpr__sampler *h, ms_error *error)
         }
         status = ms_gpr_predict(h->source.gp, h->candidate, MS_GPR__WAVE, h->mean, NULL, error);
         for (i = 0; i < MS_GPR__WAVE && status == MS_OK; ++i) /* but for rounding along a chain */
-            if (h->mean[i] >= h->threshold) ms_gpr__sampler_accept(h, h->candidate + (size_t)i * m);
+            if (h->moved[i] && h->mean[i] >= h->threshold) ms_gpr__sampler_accept(h, h->candidate + (size_t)i * m);
         if (status == MS_OK) status = ms_gpr__sampler_go_on(h);
     }
     return status;
@@ -3675,8 +3423,11 @@ static ms_status ms_gpr__sampler_variants(ms_gpr__sampler *h, ms_error *error)
         status = ms_gpr_predict(h->source.gp, h->candidate, size, h->mean, NULL, error);
         if (status != MS_OK) return status;
         h->report.candidates += size;
-        ms_gpr__ranked_select(h->ranked, h->mean, size, MS_GPR__WAVE);
-        ms_gpr__ranked_sort(h->ranked, MS_GPR__WAVE);
+        for (i = 0; i < size; ++i) {
+            h->ranked[i].index = i;
+            h->ranked[i].value = h->mean[i];
+        }
+        ms_gpr__ranked_sort(h->ranked, size);
         for (i = 0; i < MS_GPR__WAVE; ++i) ms_gpr__sampler_accept(h, h->candidate + (size_t)h->ranked[i].index * m);
         status = ms_gpr__sampler_go_on(h);
     }
@@ -3701,19 +3452,13 @@ static double ms_gpr__spread(const ms_gpr__box *box, const double *x, int count)
 static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms__arena *arena)
 {
     const ms_gpr *gp = h->source.gp;
-    size_t m = (size_t)gp->m, candidates = 2 * (size_t)MS_GPR__PILOT + (size_t)gp->n;
+    size_t m = (size_t)gp->m, candidates = (size_t)MS_GPR__PILOT + (size_t)gp->n + 1;
     int i;
     ms_gpr__source_layout(&h->source, arena);
     h->candidate = ms_gpr__take(arena, candidates, m);
     h->mean = ms_gpr__take(arena, candidates, 1);
-    h->ranked = (ms_gpr__ranked *)ms__take(arena, candidates, sizeof *h->ranked);
-    h->mode = ms_gpr__take(arena, MS_GPR__MODES, m);
-    h->kernel = ms_gpr__take(arena, gp->stride, 1);
-    h->low = ms_gpr__take(arena, m, 1);
-    h->high = ms_gpr__take(arena, m, 1);
-    h->q = ms_gpr__take(arena, m, 1);
-    h->work = ms_gpr__take(arena, ms_gpr__minimize_doubles(gp->m), 1);
-    h->seed = ms_gpr__take(arena, MS_GPR__SEEDS + MS_GPR__MODES, m);
+    h->ranked = (ms_gpr__ranked *)ms__take(arena, MS_GPR__WAVE * MS_GPR__BEST_OF, sizeof *h->ranked);
+    h->seed = ms_gpr__take(arena, MS_GPR__SEEDS, m);
     h->reach = ms_gpr__take(arena, m, 1);
     h->axis = (int *)ms__take(arena, m, sizeof(int));
     h->flat = (int *)ms__take(arena, m, sizeof(int));
@@ -3725,8 +3470,6 @@ static void ms_gpr__sampler_layout(ms_gpr__sampler *h, ms__arena *arena)
         c->direction = ms_gpr__take(arena, m, 1);
         c->scaled = ms_gpr__take(arena, m, 1);
         c->step = ms_gpr__take(arena, m, 1);
-        c->low = ms_gpr__take(arena, m, 1);
-        c->high = ms_gpr__take(arena, m, 1);
         c->trial = ms_gpr__take(arena, m, 1);
         c->material = ms_gpr__take(arena, m, 1);
         c->d2 = ms_gpr__take(arena, gp->stride, 1);
@@ -3844,8 +3587,7 @@ MS_API ms_status ms_gpr_recommend(const ms_gpr *gp, const ms_gpr_recommend_optio
 /* --- galleries --- */
 
 enum {
-    MS_GPR__CANDIDATES = 4000, /* that a gallery is chosen from, at least; 10 for each choice */
-    MS_GPR__SCREENED = 128,    /* scores from which on variances are computed of one candidate in four to eight */
+    MS_GPR__CANDIDATES = 1024, /* that a gallery is chosen from, at least; 10 for each choice. 4000 gain nothing */
     MS_GPR__SPARE = 8          /* candidates for each material of a gallery that is spread evenly, with a snap */
 };
 
@@ -3853,29 +3595,27 @@ enum {
 typedef struct ms_gpr__pool {
     ms_gpr__source source;
     double threshold;       /* of recommendations */
-    int drawn, size, count; /* candidates; those whose variance is computed (a multiple of CHUNK); choices */
-    double *x;              /* [drawn][m] */
+    int size, count;        /* candidates, a multiple of CHUNK where their variances are computed; choices */
+    double *x;              /* [size][m] */
     double *points;         /* [active][size] in length scales, as gp->points */
-    double *mean;           /* [drawn] */
+    double *mean;           /* [size] */
     double *variance;       /* [size] */
     double *columns;        /* [padded n][size] U'^-1 k(training, pool) */
     double *basis;          /* [count][size] posterior covariance with each choice, less what earlier ones explain, over
                                its deviation */
-    ms_gpr__ranked *ranked; /* [drawn] */
-    char *taken;            /* [drawn] 1: chosen, or equal to one that was */
+    char *taken;            /* [size] 1: chosen, or equal to one that was */
 } ms_gpr__pool;
 
 /* spread: what belongs to the variances is not needed. */
 static void ms_gpr__pool_layout(ms_gpr__pool *p, int spread, ms__arena *arena)
 {
-    size_t m = (size_t)p->source.gp->m, size = (size_t)p->size, drawn = (size_t)p->drawn;
+    size_t m = (size_t)p->source.gp->m, size = (size_t)p->size;
     ms_gpr__source_layout(&p->source, arena);
-    p->x = ms_gpr__take(arena, drawn, m);
-    p->mean = ms_gpr__take(arena, drawn, 1);
-    p->taken = (char *)ms__take(arena, drawn, 1);
+    p->x = ms_gpr__take(arena, size, m);
+    p->mean = ms_gpr__take(arena, size, 1);
+    p->taken = (char *)ms__take(arena, size, 1);
     if (spread) return;
     p->points = ms_gpr__take(arena, size, m);
-    p->ranked = (ms_gpr__ranked *)ms__take(arena, drawn, sizeof *p->ranked);
     p->variance = ms_gpr__take(arena, size, 1);
     p->columns = ms_gpr__take(arena, size, (size_t)ms_gpr__padded(p->source.gp->n));
     p->basis = ms_gpr__take(arena, size, (size_t)p->count);
@@ -3889,34 +3629,17 @@ static void ms_gpr__pool_spread(ms_gpr__pool *p, ms_gpr__random *random)
     double *part = p->mean;
     int i, j;
     for (k = 0; k < m; ++k) { /* a shuffle */
-        for (j = 0; j < p->drawn; ++j) {
+        for (j = 0; j < p->size; ++j) {
             i = (int)(ms_gpr__uniform(random) * (j + 1));
             part[j] = part[i];
             part[i] = j;
         }
-        for (j = 0; j < p->drawn; ++j) p->x[(size_t)j * m + k] = (part[j] + ms_gpr__uniform(random)) / p->drawn;
+        for (j = 0; j < p->size; ++j) p->x[(size_t)j * m + k] = (part[j] + ms_gpr__uniform(random)) / p->size;
     }
-    for (j = 0; j < p->drawn; ++j) {
+    for (j = 0; j < p->size; ++j) {
         memcpy(p->source.point, p->x + (size_t)j * m, m * sizeof *p->x);
         ms_gpr__box_material(box, p->source.point, p->x + (size_t)j * m);
     }
-}
-
-/* Keeps `size` of the candidates, in their order: those of the largest means. */
-static ms_status ms_gpr__pool_screen(ms_gpr__pool *p, ms_error *error)
-{
-    const size_t m = (size_t)p->source.gp->m;
-    int kept = 0, j;
-    ms_status status = ms_gpr_predict(p->source.gp, p->x, p->drawn, p->mean, NULL, error);
-    if (status != MS_OK) return status;
-    ms_gpr__ranked_select(p->ranked, p->mean, p->drawn, p->size);
-    for (j = 0; j < p->size; ++j) p->taken[p->ranked[j].index] = 1;
-    for (j = 0; j < p->drawn; ++j) {
-        if (p->taken[j]) memmove(p->x + (size_t)kept++ * m, p->x + (size_t)j * m, m * sizeof *p->x);
-        p->taken[j] = 0;
-    }
-    p->drawn = p->size;
-    return MS_OK;
 }
 
 /* Task: a chunk of candidates against the training set. */
@@ -3964,7 +3687,7 @@ static void ms_gpr__pool_choose(ms_gpr__pool *p, int q, int j)
     double *b = p->basis + (size_t)q * size, *point = p->source.point, sf2 = ms_gpr__sf2(gp), scale;
     int i;
     ms_gpr__scale(gp, p->x + (size_t)j * (size_t)gp->m, point, 1);
-    gp->kernels->point_distances(b, p->points, size, point, gp->active, p->size);
+    gp->kernels->distances(b, p->points, size, point, 1, gp->active, p->size);
     gp->kernels->exponentials(b, p->size, sf2);
     for (i = 0; i < gp->n; ++i) {
         const double *v = p->columns + (size_t)i * size;
@@ -3986,7 +3709,7 @@ static void ms_gpr__pool_take(ms_gpr__pool *p, const double *x)
 {
     size_t m = (size_t)p->source.gp->m;
     int j;
-    for (j = 0; j < p->drawn; ++j)
+    for (j = 0; j < p->size; ++j)
         if (memcmp(p->x + (size_t)j * m, x, m * sizeof *x) == 0) p->taken[j] = 1;
 }
 
@@ -4032,204 +3755,260 @@ MS_API ms_status ms_gpr_gallery(const ms_gpr *gp, const ms_gpr_gallery_options *
     p->threshold = p->source.floor + 0.6 * (p->source.top - p->source.floor);
     spread = o.kind == MS_GPR_GALLERY_SPREAD || !(p->source.top > p->source.floor); /* the latter: nothing is liked */
 
-    /* how many candidates; from MS_GPR__SCREENED scores on, variances of a part of them */
-    p->drawn = 10 * count > MS_GPR__CANDIDATES ? 10 * count : (int)MS_GPR__CANDIDATES;
-    p->drawn = (p->drawn + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
-    if (spread) p->drawn = o.space.snap ? MS_GPR__SPARE * count : count;
-    p->size = p->drawn;
-    if (!spread && gp->n >= MS_GPR__SCREENED) {
-        const int part = gp->n < 300 ? 4 : gp->n < 480 ? gp->n / 60 : 8;
-        p->size = (p->drawn / part + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
-    }
+    p->size = 10 * count > MS_GPR__CANDIDATES ? 10 * count : (int)MS_GPR__CANDIDATES;
+    p->size = (p->size + MS_GPR__CHUNK - 1) / MS_GPR__CHUNK * MS_GPR__CHUNK;
+    if (spread) p->size = o.space.snap ? MS_GPR__SPARE * count : count;
     ms_gpr__pool_layout(p, spread, &arena);
     if (!ms_gpr__place(&gp->allocator, &arena)) {
         ms_gpr__box_free(&p->source.box);
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a pool of %d candidates", p->drawn);
+        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a pool of %d candidates", p->size);
     }
     ms_gpr__pool_layout(p, spread, &arena);
-    memset(p->taken, 0, (size_t)p->drawn);
+    memset(p->taken, 0, (size_t)p->size);
     random = ms_gpr__random_make(o.seed, (uint64_t)gp->n);
     if (spread) {
         ms_gpr__pool_spread(p, &random);
     } else {
         ms_gpr__source_breed(&p->source);
-        ms_gpr__source_fill(&p->source, 2, 0.1, 0.5, &random, p->drawn, p->x);
+        ms_gpr__source_fill(&p->source, 2, 0.1, 0.5, &random, p->size, p->x);
     }
-    if (p->size < p->drawn) status = ms_gpr__pool_screen(p, error);
-    if (status == MS_OK) ms_gpr__pool_run(p, spread, x);
+    ms_gpr__pool_run(p, spread, x);
     ms_gpr__release(&gp->allocator, arena.base);
     ms_gpr__box_free(&p->source.box);
-    return status;
+    return MS_OK;
 }
 
 #ifndef MS_GPR_NO_PLANE
 /* ---- plane ----------------------------------------------------------------------------------------------------- */
 
 enum {
-    MS_GPR__LATENT_LIMIT = 2000, /* evaluations of the likelihood of a fit, at most */
+    MS_GPR__LATENT_STARTS = 3,
+    MS_GPR__LATENT_LIMIT = 2000, /* evaluations of the likelihood from the best start, at most */
     MS_GPR__LATENT_TRIAL = 100   /* evaluations of every start of a fit */
 };
 
 struct ms_gpr_latent {
     int z, m;
-    size_t stride, columns; /* of matrices over points; of rows of materials: m in whole blocks */
-    const ms_gpr__kernels *kernels;
+    ms_gpr *gp;     /* of the latents, lengths 1: their kernel. Its scores are 0 */
+    double *center; /* [m] subtracted from the materials */
+    double *x;      /* [m][stride] materials less center, by dimension, padded with zeros */
+    double *weight; /* [m][stride] K'^-1 x */
     ms_allocator allocator;
-    void *memory;
-    double sf, sn, jitter;
     int constrained; /* materials satisfy the box */
     ms_gpr__box box;
-    double *latent; /* [z][2] */
-    double *points; /* [2][stride] the same by dimension */
-    double *center; /* [columns] subtracted from the materials */
-    double *x;      /* [padded z][columns] materials less center, padded with zeros */
-    double *upper;  /* [padded z][stride] U'U = K' */
-    double *weight; /* [padded z][columns] K'^-1 X */
 };
 
-/* A fit: what one evaluation of the likelihood needs, and the variables q = [log sf, log sn, points by dimension]. */
+/* A fit: what one evaluation of the likelihood needs. The variables are [log sf, log sn, points by dimension]. */
 typedef struct ms_gpr__embedding {
     const ms_gpr_latent *plane;
-    double *kernel;                 /* [padded z][stride] K without noise, upper triangle */
-    double *upper;                  /* U, then G = A A' - m K'^-1, upper triangle */
-    double *inverse;                /* U'^-1 */
-    double *whitened;               /* [padded z][columns] Y = U'^-1 X */
-    double *weight;                 /* [2][columns][stride] -A' and A', A = K'^-1 X */
-    double *points, *slopes;        /* [2][stride] */
-    double *q, *best, *low, *start; /* [2 z + 2] */
+    ms_gpr__problem problem;
+    double *weight;                 /* [m][stride] K'^-1 x */
+    double *q, *low;                /* [starts][2 z + 2], [2 z + 2] */
     double *work;                   /* of the minimizer */
     double prior;
     const ms_progress *progress;
     int evaluations;
 } ms_gpr__embedding;
 
-/* log p(X | L, theta) = -1/2 tr(K'^-1 X X') - m/2 log |K'| - z m/2 log 2 pi (3.8), and its gradient where `gradient` is
-   not NULL: [2] with respect to log sf and sn^2, and [2][stride] with respect to the points. The materials are m
-   independent columns, so dlogp/dK' = 1/2 (A A' - m K'^-1). 0 where K' is not positive definite. */
-static int ms_gpr__embedding_evaluate(const ms_gpr__embedding *e, const double *points, double sf2, double noise,
-                                      double *likelihood, double *gradient, double *gradient_points)
+/* log p(X | L, theta) = -1/2 tr(K'^-1 X X') - m/2 log |K'| - z m/2 log 2 pi (3.8) at the points of the problem.
+   gradient [2 + 2 z]: minus its derivatives by log sf, log sn and the points, or NULL. The materials are m independent
+   columns, so dlogp/dK' = (A A' - m K'^-1) / 2, A = K'^-1 X. 0 where K' is not positive definite. */
+static int ms_gpr__latent_likelihood(ms_gpr__embedding *e, double sf2, double noise, double *likelihood,
+                                     double *gradient)
 {
-    const ms_gpr_latent *plane = e->plane;
-    const ms_gpr__kernels *f = plane->kernels;
-    int z = plane->z, padded = ms_gpr__padded(z), columns = (int)plane->columns, i, j, k;
-    size_t stride = plane->stride, matrix = (size_t)padded * stride, list = plane->columns * stride;
-    size_t materials = (size_t)padded * plane->columns, at;
-    double fit, *minus = e->weight, *plus = e->weight + list;
-    ms_gpr__covariance(f, points, stride, z, 2, sf2, e->kernel);
-    if (!ms_gpr__factor(f, e->kernel, stride, z, sf2, noise, e->upper)) return 0;
-    memcpy(e->whitened, plane->x, materials * sizeof(double));
-    ms_gpr__forward(f, e->upper, stride, padded, e->whitened, plane->columns, columns);
-    fit = f->dot(e->whitened, e->whitened, (int)materials);
-    *likelihood = -0.5 * (fit + plane->m * (ms_gpr__log_determinant(e->upper, stride, z) + z * MS_GPR__LOG_2_PI));
+    ms_gpr__problem *p = &e->problem;
+    const ms_gpr__kernels *f = p->kernels;
+    const int z = p->n, m = e->plane->m, padded = ms_gpr__padded(z);
+    int i, j, k;
+    ms_gpr__covariance(f, p->points, p->stride, z, 2, sf2, p->kernel);
+    if (!ms_gpr__factor(f, p->kernel, p->stride, z, sf2, noise, p->upper)) return 0;
+    *likelihood = -0.5 * m * (ms_gpr__log_determinant(p->upper, p->stride, z) + z * MS_GPR__LOG_2_PI);
+    memcpy(e->weight, e->plane->x, (size_t)m * p->stride * sizeof *e->weight);
+    for (k = 0; k < m; ++k) {
+        double *column = e->weight + (size_t)k * p->stride;
+        ms_gpr__forward_vector(f, p->upper, p->stride, padded, column);
+        *likelihood -= 0.5 * f->dot(column, column, padded);
+        ms_gpr__backward_vector(f, p->upper, p->stride, padded, column);
+    }
     if (gradient == NULL) return 1;
 
-    /* upper = G */
-    memset(e->inverse, 0, matrix * sizeof(double));
-    ms_gpr__invert(f, e->upper, stride, padded, e->inverse);
-    memset(minus, 0, list * sizeof(double));
-    f->reduce(minus, stride, e->whitened, plane->columns, e->inverse, stride, columns, padded, padded, MS_GPR__LOWER);
-    for (at = 0; at < list; ++at) plus[at] = -minus[at];
-    memset(e->upper, 0, matrix * sizeof(double));
-    f->reduce(e->upper, stride, e->inverse, stride, e->inverse, stride, padded, padded, padded,
-              MS_GPR__UPPER | MS_GPR__LOWER);
+    /* upper = m K'^-1 - A A'; dK/dlog sf = 2 K, dK_ij/dp_ik = -K_ij (p_ik - p_jk), each pair twice */
+    ms_gpr__minus_inverse(p);
     for (i = 0; i < z; ++i)
-        for (j = i; j < z; ++j) e->upper[(size_t)i * stride + (size_t)j] *= plane->m;
-    f->reduce(e->upper, stride, minus, stride, plus, stride, padded, padded, columns, MS_GPR__UPPER);
-
-    /* dK_ij/dp_ik = -K_ij (p_ik - p_jk), dK/dlog sf = 2 K; each pair stands twice in K */
-    gradient[0] = gradient[1] = 0;
-    memset(gradient_points, 0, 2 * stride * sizeof(double));
+        for (j = i; j < z; ++j) p->upper[(size_t)i * p->stride + (size_t)j] *= -m;
+    f->reduce(p->upper, p->stride, e->weight, p->stride, e->weight, p->stride, padded, padded, m, MS_GPR__UPPER);
+    memset(gradient, 0, (2 + 2 * (size_t)z) * sizeof *gradient);
     for (i = 0; i < z; ++i) {
-        const double *kernel = e->kernel + (size_t)i * stride;
-        double *w = e->upper + (size_t)i * stride;
+        const double *w = p->upper + (size_t)i * p->stride, *kernel = p->kernel + (size_t)i * p->stride;
         gradient[0] += sf2 * w[i];
-        gradient[1] += 0.5 * w[i];
-        for (j = i + 1; j < z; ++j) gradient[0] += 2 * (w[j] *= kernel[j]);
-        for (k = 0; k < 2; ++k) {
-            const double *p = points + (size_t)k * stride;
-            double *slope = gradient_points + (size_t)k * stride;
-            for (j = i + 1; j < z; ++j) {
-                double pull = w[j] * (p[i] - p[j]);
-                slope[j] += pull;
-                slope[i] -= pull;
+        gradient[1] += noise * w[i];
+        for (j = i + 1; j < z; ++j) {
+            gradient[0] += 2 * w[j] * kernel[j];
+            for (k = 0; k < 2; ++k) {
+                const double *point = p->points + (size_t)k * p->stride;
+                double pull = w[j] * kernel[j] * (point[i] - point[j]);
+                gradient[2 + k * z + i] -= pull;
+                gradient[2 + k * z + j] += pull;
             }
         }
     }
     return 1;
 }
 
-static void ms_gpr__latent_layout(ms_gpr_latent *p, ms__arena *arena)
+/* Minus the log posterior a datum. */
+static int ms_gpr__latent_objective(void *context, const double *q, double *value, double *gradient)
 {
-    size_t padded = (size_t)ms_gpr__padded(p->z);
-    p->latent = ms_gpr__take(arena, (size_t)p->z, 2);
-    p->points = ms_gpr__take(arena, 2, p->stride);
-    p->center = ms_gpr__take(arena, p->columns, 1);
-    p->x = ms_gpr__take(arena, padded, p->columns);
-    p->upper = ms_gpr__take(arena, padded, p->stride);
-    p->weight = ms_gpr__take(arena, padded, p->columns);
+    ms_gpr__embedding *e = (ms_gpr__embedding *)context;
+    const int z = e->plane->z;
+    const double data = (double)z * e->plane->m;
+    double likelihood, penalty = 0;
+    int i, k;
+    if (e->progress->report &&
+        e->progress->report(e->progress->user, fmin((double)e->evaluations / (int)MS_GPR__LATENT_LIMIT, 1)))
+        return -1;
+    ++e->evaluations;
+    for (k = 0; k < 2; ++k)
+        memcpy(e->problem.points + (size_t)k * e->problem.stride, q + 2 + k * z, (size_t)z * sizeof *q);
+    if (!ms_gpr__latent_likelihood(e, exp(2 * q[0]), exp(2 * q[1]), &likelihood, gradient)) return 0;
+    for (i = 0; i < 2 + 2 * z; ++i) {
+        double pull = i < 2 ? 0 : e->prior * q[i];
+        penalty += 0.5 * pull * q[i];
+        gradient[i] = (gradient[i] + pull) / data;
+    }
+    *value = (penalty - likelihood) / data;
+    return 1;
+}
+
+/* The first two principal components of the materials, each of variance 1, as points [2][z]: orthogonal iteration with
+   X X'. A component without variance stays 0. column: [stride] scratch. */
+static void ms_gpr__latent_components(const ms_gpr_latent *p, double total, double *points, double *column)
+{
+    const ms_gpr__kernels *f = p->gp->kernels;
+    ms_gpr__random random = ms_gpr__random_make(0, 0);
+    const size_t stride = p->gp->stride;
+    int padded = ms_gpr__padded(p->z), pass, i, k, d;
+    for (i = 0; i < 2 * p->z; ++i) points[i] = ms_gpr__uniform(&random) - 0.5;
+    for (pass = 0; pass < 120; ++pass) {
+        double *component = points + pass % 2 * p->z, norm2 = 0, overlap = 0, scale;
+        memset(column, 0, 2 * stride * sizeof *column);
+        memcpy(column + stride, component, (size_t)p->z * sizeof *column);
+        for (d = 0; d < p->m; ++d) {
+            const double *x = p->x + (size_t)d * stride;
+            f->axpy(column, f->dot(column + stride, x, padded), x, padded);
+        }
+        for (i = 0; i < p->z && pass % 2 == 1; ++i) overlap += column[i] * points[i] / p->z;
+        for (i = 0; i < p->z && pass % 2 == 1; ++i) column[i] -= overlap * points[i];
+        for (k = 0; k < p->z; ++k) norm2 += column[k] * column[k] / p->z;
+        scale = norm2 > 1e-20 * total * total ? 1 / sqrt(norm2) : 0;
+        for (i = 0; i < p->z; ++i) component[i] = column[i] * scale;
+    }
+}
+
+/* The variables in e->q. spread: root mean square of the materials. */
+static ms_status ms_gpr__latent_search(ms_gpr__embedding *e, double spread, ms_error *error)
+{
+    static const double scale[MS_GPR__LATENT_STARTS] = {0.5, 0.3, 1}; /* of the principal components, in lengths */
+    const int count = 2 + 2 * e->plane->z;
+    ms_gpr__minimum found;
+    ms_gpr__search search;
+    int i, k;
+    memset(&search, 0, sizeof search);
+    search.f = ms_gpr__latent_objective;
+    search.context = e;
+    search.count = count;
+    search.low = e->low;
+    search.step = 1;
+    search.tolerance = 1e-9;
+    search.evaluations = MS_GPR__LATENT_LIMIT;
+    ms_gpr__latent_components(e->plane, spread * spread * e->plane->z * e->plane->m, e->q + 2, e->work);
+    for (i = 0; i < count; ++i) e->low[i] = i == 0 ? log(spread) - 5 : i == 1 ? log(1e-3 * spread) : -1e3;
+    for (k = MS_GPR__LATENT_STARTS - 1; k >= 0; --k) {
+        double *q = e->q + k * count;
+        for (i = 2; i < count; ++i) q[i] = scale[k] * e->q[i];
+        q[0] = log(spread);
+        q[1] = log(0.3 * spread);
+    }
+    found = ms_gpr__minimize_starts(&search, e->q, MS_GPR__LATENT_STARTS, MS_GPR__LATENT_TRIAL, e->work, &k);
+    if (found.stopped) return ms__fail(error, MS_CANCELLED, 0, "cancelled after %d evaluations", e->evaluations);
+    if (found.value < HUGE_VAL) return MS_OK;
+    return ms__fail(error, MS_NOT_CONVERGED, 0, "the likelihood is not defined at any start");
+}
+
+/* plane->gp: points [z][2] under these hyperparameters, and what follows for the materials. */
+static ms_status ms_gpr__latent_condition(ms_gpr_latent *p, const double *points, double log_sf, double log_sn,
+                                          ms_error *error)
+{
+    ms_gpr_view parts = ms_gpr_view_of(p->gp);
+    const double theta[4] = {0, 0, log_sf, log_sn};
+    ms_status status;
+    int k;
+    parts.x = points;
+    parts.theta = theta;
+    status = ms_gpr_update(p->gp, &parts, error);
+    for (k = 0; k < p->m && status == MS_OK; ++k) {
+        double *column = p->weight + (size_t)k * p->gp->stride;
+        memcpy(column, p->x + (size_t)k * p->gp->stride, p->gp->stride * sizeof *column);
+        ms_gpr__forward_vector(p->gp->kernels, p->gp->upper, p->gp->stride, ms_gpr__padded(p->z), column);
+        ms_gpr__backward_vector(p->gp->kernels, p->gp->upper, p->gp->stride, ms_gpr__padded(p->z), column);
+    }
+    return status;
 }
 
 static void ms_gpr__embedding_layout(ms_gpr__embedding *e, const ms_gpr_latent *plane, ms__arena *arena)
 {
-    size_t padded = (size_t)ms_gpr__padded(plane->z), count = 2 * (size_t)plane->z + 2;
+    const ms_gpr *gp = plane->gp;
+    const size_t count = 2 * (size_t)plane->z + 2;
     e->plane = plane;
-    e->kernel = ms_gpr__take(arena, padded, plane->stride);
-    e->upper = ms_gpr__take(arena, padded, plane->stride);
-    e->inverse = ms_gpr__take(arena, padded, plane->stride);
-    e->whitened = ms_gpr__take(arena, padded, plane->columns);
-    e->weight = ms_gpr__take(arena, ms__size_mul(2, plane->columns), plane->stride);
-    e->points = ms_gpr__take(arena, 2, plane->stride);
-    e->slopes = ms_gpr__take(arena, 2, plane->stride);
-    e->q = ms_gpr__take(arena, count, 1);
-    e->best = ms_gpr__take(arena, count, 1);
+    ms_gpr__problem_layout(&e->problem, gp->kernels, plane->z, 2, 0, &gp->choices, arena);
+    e->weight = ms_gpr__take(arena, (size_t)plane->m, gp->stride);
+    e->q = ms_gpr__take(arena, MS_GPR__LATENT_STARTS, count);
     e->low = ms_gpr__take(arena, count, 1);
-    e->start = ms_gpr__take(arena, count, 1);
-    e->work = ms_gpr__take(
-        arena, ms__size_add(ms_gpr__minimize_doubles((int)count), ms__size_add(plane->stride, plane->columns)), 1);
+    e->work = ms_gpr__take(arena, ms__size_add(ms_gpr__minimize_doubles((int)count), 2 * gp->stride), 1);
 }
 
-/* A plane with its centered materials; no latents yet. */
+/* A plane with its centered materials; all latents are 0. */
 static ms_status ms_gpr__latent_make(const double *x, int z, int m, const ms_gpr_latent_options *o, ms_gpr_latent **out,
                                      ms_error *error)
 {
-    ms__arena arena = {NULL, 0};
+    ms_gpr_view parts;
+    ms_gpr_options options;
     ms_gpr_latent *p;
-    size_t size;
-    int i, k;
     ms_status status;
+    int i, k;
     *out = NULL;
     if (x == NULL) return ms_gpr__null("x", error);
-    if (z < 2 || z > MS_GPR__N_MAX)
-        return ms__fail(error, MS_INVALID_ARGUMENT, 0, "z is %d: expected 2 to %d", z, MS_GPR__N_MAX);
-    if (m < 1) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "m is %d: expected at least 1", m);
-    status = ms_gpr__check_rows(x, z, m, MS_GPR__LARGEST, "material", error);
+    status = ms_gpr__check_range("z", z, 2, MS_GPR__N_MAX, error);
+    if (status == MS_OK) status = ms_gpr__check_range("m", m, 1, MS_GPR__INT_MAX, error);
+    if (status == MS_OK) status = ms_gpr__check_rows(x, z, m, MS_GPR__LARGEST, "material", error);
     if (status != MS_OK) return status;
-    p = (ms_gpr_latent *)ms__alloc(&o->allocator, sizeof *p);
+    p = (ms_gpr_latent *)(void *)ms__alloc(&o->allocator, sizeof *p);
     if (p == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a latent space");
     memset(p, 0, sizeof *p);
+    memset(&parts, 0, sizeof parts);
+    memset(&options, 0, sizeof options);
     p->z = z;
     p->m = m;
-    p->stride = ms_gpr__stride(z);
-    p->columns = (size_t)ms_gpr__padded(m);
-    p->kernels = ms_gpr__kernels_of(ms_gpr__simd_pick(o->simd));
-    p->allocator = o->allocator;
-    ms_gpr__latent_layout(p, &arena);
-    size = arena.used;
-    if (!ms_gpr__place(&p->allocator, &arena)) {
-        ms__release(&o->allocator, p, sizeof *p);
-        return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a latent space of %d materials", z);
+    p->allocator = options.allocator = o->allocator;
+    options.simd = o->simd;
+    parts.n = z;
+    parts.m = 2;
+    p->center = ms_gpr__scratch(&p->allocator, ms__size_mul((size_t)m, 1 + 2 * ms_gpr__stride(z)));
+    if (p->center == NULL)
+        status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a latent space of %d materials", z);
+    if (status == MS_OK) {
+        const size_t stride = ms_gpr__stride(z);
+        p->x = p->center + m;
+        p->weight = p->x + (size_t)m * stride;
+        memset(p->center, 0, (size_t)m * (1 + 2 * stride) * sizeof *p->center);
+        parts.x = parts.y = p->x; /* nothing but zeros yet */
+        status = ms_gpr__make(&parts, &options, NULL, 0, &p->gp, error);
+        for (k = 0; k < m; ++k) {
+            const double *column = x + k;
+            for (i = 0; i < z; ++i) p->center[k] += column[(size_t)i * (size_t)m] / z;
+            for (i = 0; i < z; ++i) p->x[(size_t)k * stride + (size_t)i] = column[(size_t)i * (size_t)m] - p->center[k];
+        }
     }
-    p->memory = arena.base;
-    ms_gpr__latent_layout(p, &arena);
-    memset(arena.base, 0, size);
-    for (k = 0; k < m; ++k) {
-        double sum = 0;
-        for (i = 0; i < z; ++i) sum += x[(size_t)i * (size_t)m + (size_t)k] / z;
-        p->center[k] = sum;
-        for (i = 0; i < z; ++i)
-            p->x[(size_t)i * p->columns + (size_t)k] = x[(size_t)i * (size_t)m + (size_t)k] - p->center[k];
-    }
-    if (o->space.low || o->space.high || o->space.snap) {
+    if (status == MS_OK && (o->space.low || o->space.high || o->space.snap)) {
         status = ms_gpr__box_make(x, z, m, &o->space, &p->allocator, &p->box, error);
         p->constrained = status == MS_OK;
     }
@@ -4238,37 +4017,14 @@ static ms_status ms_gpr__latent_make(const double *x, int z, int m, const ms_gpr
     return status;
 }
 
-/* Everything that follows from latents, sf and sn; jitter as in ms_gpr__condition. */
-static ms_status ms_gpr__latent_condition(ms_gpr_latent *p, ms_error *error)
-{
-    double sf2 = p->sf * p->sf, sn2 = p->sn * p->sn;
-    int padded = ms_gpr__padded(p->z), columns = (int)p->columns, i, j, k;
-    for (k = 0; k < 2; ++k)
-        for (i = 0; i < p->z; ++i) p->points[(size_t)k * p->stride + (size_t)i] = p->latent[2 * i + k];
-    for (p->jitter = 0; p->jitter < 2e-6; p->jitter = ms_gpr__next_jitter(p->jitter)) {
-        ms_gpr__covariance(p->kernels, p->points, p->stride, p->z, 2, sf2, p->upper);
-        if (!ms_gpr__factor(p->kernels, p->upper, p->stride, p->z, sf2, sn2 + p->jitter * sf2, p->upper)) continue;
-        memcpy(p->weight, p->x, (size_t)padded * p->columns * sizeof(double));
-        ms_gpr__forward(p->kernels, p->upper, p->stride, padded, p->weight, p->columns, columns);
-        for (i = p->z - 1; i >= 0; --i) { /* and U^-1 of that: u_ii a_i = b_i - sum over j > i of u_ij a_j */
-            const double *u = p->upper + (size_t)i * p->stride;
-            double *row = p->weight + (size_t)i * p->columns;
-            for (j = i + 1; j < p->z; ++j) p->kernels->axpy(row, -u[j], p->weight + (size_t)j * p->columns, columns);
-            for (k = 0; k < columns; ++k) row[k] /= u[i];
-        }
-        return MS_OK;
-    }
-    return ms__fail(error, MS_NOT_CONVERGED, 0,
-                    "the covariance of %d latents is not positive definite even with 1e-6 sf^2 added to sn^2", p->z);
-}
-
 MS_API void ms_gpr_latent_destroy(ms_gpr_latent *plane)
 {
     ms_allocator allocator;
     if (plane == NULL) return;
     allocator = plane->allocator;
     if (plane->constrained) ms_gpr__box_free(&plane->box);
-    ms_gpr__release(&allocator, plane->memory);
+    ms_gpr_destroy(plane->gp);
+    ms_gpr__release(&allocator, plane->center);
     ms__release(&allocator, plane, sizeof *plane);
 }
 
@@ -4279,166 +4035,67 @@ MS_API ms_gpr_latent_view ms_gpr_latent_view_of(const ms_gpr_latent *plane)
     if (plane == NULL) return view;
     view.z = plane->z;
     view.m = plane->m;
-    view.points = plane->latent;
-    view.sf = plane->sf;
-    view.sn = plane->sn;
+    view.points = plane->gp->x;
+    view.sf = exp(plane->gp->theta[2]);
+    view.sn = exp(plane->gp->theta[3]);
     return view;
-}
-
-/* Kernel between a latent point and the training ones, [padded z], padding 0; the material center + X' K'^-1 k (3.11),
-   x [columns]. */
-static void ms_gpr__latent_material(const ms_gpr_latent *p, const double *latent, double *kernel, double *x)
-{
-    int padded = ms_gpr__padded(p->z), i;
-    p->kernels->point_distances(kernel, p->points, p->stride, latent, 2, padded);
-    p->kernels->exponentials(kernel, padded, p->sf * p->sf);
-    for (i = p->z; i < padded; ++i) kernel[i] = 0;
-    memcpy(x, p->center, p->columns * sizeof *x);
-    for (i = 0; i < p->z; ++i) p->kernels->axpy(x, kernel[i], p->weight + (size_t)i * p->columns, (int)p->columns);
 }
 
 MS_API ms_status ms_gpr_latent_map(const ms_gpr_latent *plane, const double *latent, int count, double *x,
                                    double *variance, ms_error *error)
 {
-    size_t m;
-    double *kernel, *material;
+    const ms_gpr *gp;
     ms_status status;
-    int i, padded;
+    double *kernel, *point;
+    size_t i, m;
+    int k;
     if (plane == NULL || latent == NULL) return ms_gpr__null(plane ? "latent" : "plane", error);
-    if (count < 0) return ms__fail(error, MS_INVALID_ARGUMENT, 0, "count is %d: expected at least 0", count);
-    status = ms_gpr__check_rows(latent, count, 2, MS_GPR__LARGEST, "latent", error);
+    status = ms_gpr__check_range("count", count, 0, MS_GPR__INT_MAX, error);
+    if (status == MS_OK) status = ms_gpr__check_rows(latent, count, 2, MS_GPR__LARGEST, "latent", error);
     if (status != MS_OK) return status;
+    gp = plane->gp;
     m = (size_t)plane->m;
-    padded = ms_gpr__padded(plane->z);
-    kernel = ms_gpr__scratch(&plane->allocator, plane->stride + plane->columns);
+    kernel = ms_gpr__scratch(&plane->allocator, gp->stride + m + 2);
     if (kernel == NULL) return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for a material");
-    material = kernel + plane->stride;
-    for (i = 0; i < count; ++i) {
-        ms_gpr__latent_material(plane, latent + 2 * (size_t)i, kernel, material);
-        if (x) {
-            double *to = x + (size_t)i * m;
-            memcpy(to, material, m * sizeof *x);
-            if (plane->constrained) {
-                ms_gpr__box_point(&plane->box, to, material);
-                ms_gpr__box_material(&plane->box, material, to);
-            }
+    point = kernel + gp->stride;
+    for (i = 0; i < (size_t)count; ++i) {
+        const int padded = ms_gpr__padded(gp->n);
+        double *to = x + i * m, sf2 = ms_gpr__sf2(gp);
+        ms_gpr__scale(gp, latent + 2 * i, point, 1);
+        gp->kernels->distances(kernel, gp->points, gp->stride, point, 1, 2, padded);
+        gp->kernels->exponentials(kernel, padded, sf2);
+        for (k = gp->n; k < padded; ++k) kernel[k] = 0;
+        for (k = 0; k < plane->m && x; ++k)
+            to[k] = plane->center[k] + gp->kernels->dot(kernel, plane->weight + (size_t)k * gp->stride, padded);
+        if (plane->constrained && x) {
+            ms_gpr__box_point(&plane->box, to, point);
+            ms_gpr__box_material(&plane->box, point, to);
         }
         if (variance) { /* sf^2 - k' K'^-1 k */
-            ms_gpr__forward_vector(plane->kernels, plane->upper, plane->stride, padded, kernel);
-            variance[i] = fmax(plane->sf * plane->sf - plane->kernels->dot(kernel, kernel, padded), 0);
+            ms_gpr__forward_vector(gp->kernels, gp->upper, gp->stride, padded, kernel);
+            variance[i] = fmax(sf2 - gp->kernels->dot(kernel, kernel, padded), 0);
         }
     }
     ms_gpr__release(&plane->allocator, kernel);
     return MS_OK;
 }
 
-/* --- fit --- */
-
-/* Minus the log posterior a datum. */
-static int ms_gpr__latent_objective(void *context, const double *q, double *value, double *gradient)
+/* Likelihood, and the root mean square of what the plane makes of its own latents less its materials: that is K'^-1 X
+   times the noise. */
+static void ms_gpr__latent_criticize(ms_gpr__embedding *e, ms_gpr_latent_report *report)
 {
-    ms_gpr__embedding *e = (ms_gpr__embedding *)context;
-    int z = e->plane->z, i, k;
-    double noise = exp(2 * q[1]), scale = -1 / ((double)z * e->plane->m), likelihood, theta[2];
-    if (e->progress->report &&
-        e->progress->report(e->progress->user, (double)e->evaluations / (int)MS_GPR__LATENT_LIMIT))
-        return -1;
-    if (e->evaluations < MS_GPR__LATENT_LIMIT) ++e->evaluations;
-    for (k = 0; k < 2; ++k) memcpy(e->points + (size_t)k * e->plane->stride, q + 2 + k * z, (size_t)z * sizeof *q);
-    if (!ms_gpr__embedding_evaluate(e, e->points, exp(2 * q[0]), noise, &likelihood, theta, e->slopes)) return 0;
-    gradient[0] = scale * theta[0];
-    gradient[1] = scale * 2 * noise * theta[1];
-    for (k = 0; k < 2; ++k)
-        for (i = 0; i < z; ++i) {
-            int at = 2 + k * z + i;
-            likelihood -= 0.5 * e->prior * q[at] * q[at];
-            gradient[at] = scale * (e->slopes[(size_t)k * e->plane->stride + (size_t)i] - e->prior * q[at]);
-        }
-    *value = scale * likelihood;
-    return 1;
-}
-
-/* The first two principal components of the materials, each of variance 1, as points [2][z]: orthogonal iteration with
-   X X'. A component without variance stays 0. axis: [columns] scratch. */
-static void ms_gpr__latent_components(const ms_gpr_latent *p, double *points, double *axis)
-{
-    ms_gpr__random random = ms_gpr__random_make(0, 0);
-    int columns = (int)p->columns, pass, i, k;
-    double total = p->kernels->dot(p->x, p->x, p->z * columns);
-    for (i = 0; i < 2 * p->z; ++i) points[i] = ms_gpr__uniform(&random) - 0.5;
-    for (pass = 0; pass < 60; ++pass) {
-        for (k = 0; k < 2; ++k) {
-            double *component = points + k * p->z, norm2 = 0, overlap = 0, scale;
-            memset(axis, 0, p->columns * sizeof *axis);
-            for (i = 0; i < p->z; ++i) p->kernels->axpy(axis, component[i], p->x + (size_t)i * p->columns, columns);
-            for (i = 0; i < p->z; ++i) component[i] = p->kernels->dot(axis, p->x + (size_t)i * p->columns, columns);
-            for (i = 0; i < p->z && k > 0; ++i) overlap += component[i] * points[i] / p->z;
-            for (i = 0; i < p->z && k > 0; ++i) component[i] -= overlap * points[i];
-            for (i = 0; i < p->z; ++i) norm2 += component[i] * component[i] / p->z;
-            scale = norm2 > 1e-20 * total * total ? 1 / sqrt(norm2) : 0;
-            for (i = 0; i < p->z; ++i) component[i] *= scale;
-        }
+    const ms_gpr_latent *p = e->plane;
+    const ms_gpr *gp = p->gp;
+    const double noise = ms_gpr__sn2(gp) + gp->jitter * ms_gpr__sf2(gp), data = (double)p->z * p->m;
+    double sum = 0;
+    int k;
+    memcpy(e->problem.points, gp->points, 2 * gp->stride * sizeof *gp->points);
+    ms_gpr__latent_likelihood(e, ms_gpr__sf2(gp), noise, &report->likelihood, NULL);
+    for (k = 0; k < p->m; ++k) {
+        const double *column = p->weight + (size_t)k * gp->stride;
+        sum += gp->kernels->dot(column, column, ms_gpr__padded(p->z));
     }
-}
-
-/* Latents, sf and sn: every start for a while, then the best of them to the end. spread: root mean square of the
-   materials. */
-static ms_status ms_gpr__latent_search(ms_gpr_latent *plane, double spread, ms_gpr__embedding *e, ms_error *error)
-{
-    static const double scale[] = {0.5, 0.3, 1}; /* of the principal components, in lengths */
-    int count = 2 * plane->z, starts = 3, i, k;
-    double best = HUGE_VAL;
-    ms_gpr__search search;
-    memset(&search, 0, sizeof search);
-    search.f = ms_gpr__latent_objective;
-    search.context = e;
-    search.count = count + 2;
-    search.low = e->low;
-    search.step = 1;
-    search.tolerance = 1e-9;
-    e->low[0] = log(spread) - 5;
-    e->low[1] = log(1e-3 * spread);
-    for (i = 0; i < count; ++i) e->low[2 + i] = -1e3;
-    ms_gpr__latent_components(plane, e->start, e->work);
-    for (k = 0; k <= starts; ++k) {
-        ms_gpr__minimum found;
-        if (k < starts) {
-            e->q[0] = log(spread);
-            e->q[1] = log(0.3 * spread);
-            for (i = 0; i < count; ++i) e->q[2 + i] = scale[k] * e->start[i];
-            search.evaluations = MS_GPR__LATENT_TRIAL;
-        } else {
-            memcpy(e->q, e->best, ((size_t)count + 2) * sizeof(double));
-            search.evaluations = MS_GPR__LATENT_LIMIT - e->evaluations;
-        }
-        found = ms_gpr__minimize(&search, e->q, e->work);
-        if (found.stopped) return ms__fail(error, MS_CANCELLED, 0, "cancelled after %d evaluations", e->evaluations);
-        if (!(found.value < best)) continue;
-        best = found.value;
-        memcpy(e->best, e->q, ((size_t)count + 2) * sizeof(double));
-    }
-    if (!(best < HUGE_VAL)) return ms__fail(error, MS_NOT_CONVERGED, 0, "the likelihood is not defined at any start");
-    for (k = 0; k < 2; ++k)
-        for (i = 0; i < plane->z; ++i) plane->latent[2 * i + k] = e->best[2 + k * plane->z + i];
-    plane->sf = exp(e->best[0]);
-    plane->sn = exp(e->best[1]);
-    return ms_gpr__latent_condition(plane, error);
-}
-
-/* Likelihood, and the root mean square of what the plane makes of its own latents less its materials. */
-static void ms_gpr__latent_criticize(const ms_gpr_latent *p, const ms_gpr__embedding *e, ms_gpr_latent_report *report)
-{
-    double *kernel = e->work, *material = e->work + p->stride, sum = 0, sf2 = p->sf * p->sf;
-    int i, k;
-    ms_gpr__embedding_evaluate(e, p->points, sf2, p->sn * p->sn + p->jitter * sf2, &report->likelihood, NULL, NULL);
-    for (i = 0; i < p->z; ++i) {
-        ms_gpr__latent_material(p, p->latent + 2 * i, kernel, material);
-        for (k = 0; k < p->m; ++k) {
-            double d = material[k] - p->center[k] - p->x[(size_t)i * p->columns + (size_t)k];
-            sum += d * d;
-        }
-    }
-    report->error = sqrt(sum / ((double)p->z * p->m));
+    report->error = noise * sqrt(sum / data);
     report->evaluations = e->evaluations;
 }
 
@@ -4447,32 +4104,42 @@ MS_API ms_status ms_gpr_latent_fit(const double *x, int z, int m, const ms_gpr_l
 {
     ms_gpr_latent_options o;
     ms_gpr_latent *p;
-    ms_gpr__embedding embedding;
+    ms_gpr__embedding e;
     ms__arena arena = {NULL, 0};
-    double spread;
+    double spread = 0, centers = 0;
     ms_status status;
+    int i, k;
     if (out == NULL) return ms_gpr__null("out", error);
     *out = NULL;
+    memset(&o, 0, sizeof o);
+    memset(&e, 0, sizeof e);
     if (options) o = *options;
-    else memset(&o, 0, sizeof o);
     status = ms_gpr__check_range("prior", o.prior, 0, MS_GPR__LARGEST, error);
     if (status == MS_OK) status = ms_gpr__latent_make(x, z, m, &o, &p, error);
     if (status != MS_OK) return status;
-    memset(&embedding, 0, sizeof embedding);
-    spread = sqrt(p->kernels->dot(p->x, p->x, z * (int)p->columns) / ((double)z * m));
-    if (!(spread > 1e-150) || !(spread * spread > 1e-26 * p->kernels->dot(p->center, p->center, (int)p->columns) / m))
+    for (k = 0; k < m; ++k) {
+        const double *column = p->x + (size_t)k * p->gp->stride;
+        spread += p->gp->kernels->dot(column, column, ms_gpr__padded(z)) / ((double)z * m);
+        centers += p->center[k] * p->center[k] / m;
+    }
+    if (!(spread > 1e-300) || !(spread > 1e-26 * centers))
         status = ms__fail(error, MS_BAD_DATA, 0, "all %d materials are equal", z);
-    ms_gpr__embedding_layout(&embedding, p, &arena);
+    ms_gpr__embedding_layout(&e, p, &arena);
     if (status == MS_OK && !ms_gpr__place(&o.allocator, &arena))
         status = ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the embedding of %d materials", z);
     if (status == MS_OK) {
-        ms_gpr__embedding_layout(&embedding, p, &arena);
-        memset(embedding.points, 0, 2 * p->stride * sizeof(double));
-        embedding.prior = o.prior;
-        embedding.progress = &o.progress;
-        status = ms_gpr__latent_search(p, spread, &embedding, error);
+        ms_gpr__embedding_layout(&e, p, &arena);
+        ms_gpr__problem_clear(&e.problem, &p->gp->choices);
+        e.prior = o.prior;
+        e.progress = &o.progress;
+        status = ms_gpr__latent_search(&e, sqrt(spread), error);
     }
-    if (status == MS_OK && report) ms_gpr__latent_criticize(p, &embedding, report);
+    if (status == MS_OK) {
+        for (i = 0; i < z; ++i)
+            for (k = 0; k < 2; ++k) e.work[2 * i + k] = e.q[2 + k * z + i];
+        status = ms_gpr__latent_condition(p, e.work, e.q[0], e.q[1], error);
+    }
+    if (status == MS_OK && report) ms_gpr__latent_criticize(&e, report);
     ms_gpr__release(&o.allocator, arena.base);
     if (status != MS_OK) ms_gpr_latent_destroy(p);
     else *out = p;

@@ -169,7 +169,7 @@ TEST_INSIDE int inside_mode(const ms_gpr *gp, double *likelihood, double *latent
 }
 
 /* What was added to the diagonal, in units of sf^2. */
-TEST_INSIDE double inside_latent_jitter(const ms_gpr_latent *plane) { return plane->jitter; }
+TEST_INSIDE double inside_latent_jitter(const ms_gpr_latent *plane) { return plane->gp->jitter; }
 
 /* Other hyperparameters [m + 2] for the same data. The model is unchanged unless MS_OK. */
 TEST_INSIDE ms_status inside_set_theta(ms_gpr *gp, const double *theta, ms_error *error)
@@ -244,16 +244,11 @@ TEST_INSIDE ms_status inside_latent(const double *x, int z, int m, const double 
     else memset(&o, 0, sizeof o);
     status = ms_gpr__latent_make(x, z, m, &o, &p, error);
     if (status != MS_OK) return status;
-    status = ms_gpr__check_rows(latent, z, 2, MS_GPR__LARGEST, "latent", error);
-    if (status == MS_OK) status = ms_gpr__check_theta(theta, 0, error);
-    if (status == MS_OK) {
-        memcpy(p->latent, latent, 2 * (size_t)z * sizeof *latent);
-        p->sf = exp(theta[0]), p->sn = exp(theta[1]);
-        for (i = 0; i < z; ++i)
-            for (k = 0; k < m; ++k) p->x[(size_t)i * p->columns + (size_t)k] += p->center[k];
-        memset(p->center, 0, (size_t)m * sizeof *p->center);
-        status = ms_gpr__latent_condition(p, error);
+    for (k = 0; k < m; ++k) {
+        for (i = 0; i < z; ++i) p->x[(size_t)k * p->gp->stride + (size_t)i] += p->center[k];
+        p->center[k] = 0;
     }
+    status = ms_gpr__latent_condition(p, latent, theta[0], theta[1], error);
     if (status != MS_OK) ms_gpr_latent_destroy(p);
     else *out = p;
     return status;
@@ -263,27 +258,29 @@ TEST_INSIDE ms_status inside_latent(const double *x, int z, int m, const double 
 TEST_INSIDE ms_status inside_latent_likelihood(const ms_gpr_latent *plane, double *likelihood, double *gradient_theta,
                                                double *gradient_latent, ms_error *error)
 {
-    const ms_gpr_latent *p = plane;
-    double sf2, sn2, value = 0, gradient[2];
+    static double gradient[2 + 2 * 1000];
+    double sf2, noise, value = 0;
     ms__arena arena = {NULL, 0};
     ms_gpr__embedding e;
-    int pass, i, k, wanted = gradient_theta || gradient_latent, defined;
+    int pass, i, k, defined;
     if (plane == NULL) return ms_gpr__null("plane", error);
-    sf2 = p->sf * p->sf;
-    sn2 = p->sn * p->sn;
+    memset(&e, 0, sizeof e);
+    sf2 = ms_gpr__sf2(plane->gp);
+    noise = ms_gpr__sn2(plane->gp) + plane->gp->jitter * sf2;
     for (pass = 0; pass < 2; ++pass) {
-        ms_gpr__embedding_layout(&e, p, &arena);
-        if (pass == 0 && !ms_gpr__place(&p->allocator, &arena))
-            return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d materials", p->z);
+        ms_gpr__embedding_layout(&e, plane, &arena);
+        if (pass == 0 && !ms_gpr__place(&plane->allocator, &arena))
+            return ms__fail(error, MS_OUT_OF_MEMORY, 0, "no memory for the likelihood of %d materials", plane->z);
     }
-    defined = ms_gpr__embedding_evaluate(&e, p->points, sf2, sn2 + p->jitter * sf2, &value, wanted ? gradient : NULL,
-                                         e.slopes);
+    memcpy(e.problem.points, plane->gp->points, 2 * plane->gp->stride * sizeof(double));
+    defined = ms_gpr__latent_likelihood(&e, sf2, noise, &value, gradient_theta || gradient_latent ? gradient : NULL);
     for (k = 0; defined && gradient_latent && k < 2; ++k)
-        for (i = 0; i < p->z; ++i) gradient_latent[2 * i + k] = e.slopes[(size_t)k * p->stride + (size_t)i];
-    ms_gpr__release(&p->allocator, arena.base);
+        for (i = 0; i < plane->z; ++i) gradient_latent[2 * i + k] = -gradient[2 + k * plane->z + i];
+    ms_gpr__release(&plane->allocator, arena.base);
     if (!defined) return ms__fail(error, MS_NOT_CONVERGED, 0, "the covariance matrix is not positive definite");
     if (likelihood) *likelihood = value;
-    if (gradient_theta) gradient_theta[0] = gradient[0], gradient_theta[1] = 2 * sn2 * gradient[1]; /* of log sn */
+    if (gradient_theta) gradient_theta[0] = -gradient[0]; /* of log sf, log sn */
+    if (gradient_theta) gradient_theta[1] = -gradient[1] * ms_gpr__sn2(plane->gp) / noise;
     return MS_OK;
 }
 
